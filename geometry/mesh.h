@@ -1,0 +1,43 @@
+#pragma once
+
+#include <glm/vec3.hpp>
+#include <span>
+#include <string>
+#include <vector>
+
+/// Diffuse and ambient colours of a surface, RGB in [0, 1], as an MTL file gives them.
+struct MeshMaterial {
+  std::string name;
+  glm::dvec3 diffuse{1.0};
+};
+
+/// Polygons that share vertices, as a modeller made them.
+/// Space:  world, right-handed, units of the file.
+/// Holds:  every corner is an index into `points`; all coordinates are finite; a face has at least three
+///         corners (they may coincide: a face without area is dropped, and counted, after projection).
+/// A face's number is its index here: the order of the file. Triangulation, clipping, culling and
+/// splitting keep it.
+struct Mesh {
+  std::vector<glm::dvec3> points;       ///< #points by 3
+  std::vector<int> corners;             ///< vertex indices of all faces, one face after the other
+  std::vector<int> firstCorner = {0};   ///< #faces + 1; face f owns corners [firstCorner[f], firstCorner[f+1])
+  std::vector<int> group;               ///< #faces, index into groupNames
+  std::vector<std::string> groupNames;  ///< "body", "spout", ... as the file names its parts
+  std::vector<int> material;            ///< #faces, index into materials, -1 for none
+  std::vector<MeshMaterial> materials;
+  /// Half a unit of the last decimal that the file's coordinates carry, in world units: the rounding of
+  /// the input. 0 where the coordinates are exact by definition (points of a Bezier patch).
+  double rounding = 0.0;
+
+  [[nodiscard]] int faceCount() const { return static_cast<int>(firstCorner.size()) - 1; }
+  [[nodiscard]] std::span<const int> face(int f) const {
+    return {corners.data() + firstCorner[f], corners.data() + firstCorner[f + 1]};
+  }
+  /// Appends one face; `corners` has at least three valid indices.
+  void addFace(std::span<const int> faceCorners, int groupIndex, int materialIndex = -1) {
+    corners.insert(corners.end(), faceCorners.begin(), faceCorners.end());
+    firstCorner.push_back(static_cast<int>(corners.size()));
+    group.push_back(groupIndex);
+    material.push_back(materialIndex);
+  }
+};
