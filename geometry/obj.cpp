@@ -98,14 +98,13 @@ class ObjReader {
 
   /// The vertex of a corner. What stands behind its slashes is not used, but must be indices or absent.
   int toVertex(std::string_view corner) {
-    std::size_t slash = corner.find('/');
-    const int index = toIndex(corner.substr(0, slash), corner);
-    for (int part = 1; slash != std::string_view::npos; ++part) {
-      const std::size_t begin = slash + 1;
-      slash = corner.find('/', begin);
-      const std::string_view unused = corner.substr(begin, slash - begin);
-      if (part > 2) words_.fail("malformed face index " + inQuotes(corner));
-      if (!unused.empty()) toIndex(unused, corner);
+    const char* at = corner.data();
+    const char* const end = at + corner.size();
+    const int index = readIndex(at, corner);
+    for (int slashes = 1; at != end; ++slashes) {
+      if (*at != '/' || slashes > 2) failMalformed(corner);
+      ++at;
+      if (at != end && *at != '/') readIndex(at, corner);
     }
 
     const int count = static_cast<int>(mesh_.points.size());
@@ -119,18 +118,21 @@ class ObjReader {
     return index - 1;
   }
 
-  int toIndex(std::string_view digits, std::string_view corner) {
-    std::string_view unsignedDigits = digits;
-    if (digits.starts_with('+') && !digits.starts_with("+-")) unsignedDigits.remove_prefix(1);
-    const char* const end = unsignedDigits.data() + unsignedDigits.size();
+  /// The index at `at`, inside `corner`; steps behind it.
+  int readIndex(const char*& at, std::string_view corner) {
+    const char* const end = corner.data() + corner.size();
+    if (end - at > 1 && *at == '+' && at[1] != '-') ++at;  // std::from_chars takes none
     int index = 0;
-    const auto [stop, error] = std::from_chars(unsignedDigits.data(), end, index);
-    if (stop != end || error == std::errc::invalid_argument) {
-      words_.fail("malformed face index " + inQuotes(corner));
-    }
-    if (error == std::errc::result_out_of_range) words_.fail(outOfRange(inQuotes(digits), "so far"));
+    const auto [stop, error] = std::from_chars(at, end, index);
+    if (error == std::errc::invalid_argument) failMalformed(corner);
+    if (error == std::errc::result_out_of_range) words_.fail(outOfRange(inQuotes(corner), "so far"));
     if (index == 0) words_.fail("face index 0; OBJ counts from 1");
+    at = stop;
     return index;
+  }
+
+  [[noreturn]] void failMalformed(std::string_view corner) const {
+    words_.fail("malformed face index " + inQuotes(corner));
   }
 
   /// A face may come before its vertices; only the end of the file tells whether they exist.

@@ -1,6 +1,7 @@
 #include "geometry/text_file.h"
 
 #include <algorithm>
+#include <array>
 #include <cerrno>
 #include <cstdio>
 #include <memory>
@@ -19,7 +20,16 @@ struct Close {
   throw ParseError{name, 0, "longer than " + std::to_string(kMaxTextBytes) + " bytes"};
 }
 
-bool isBlank(char c) { return c == ' ' || (c >= '\t' && c <= '\r' && c != '\n'); }
+/// Whether a byte may end a word: blanks, the end of the line, and a backslash, if it continues the line.
+constexpr auto kMayEndWord = [] {
+  std::array<bool, 256> table{};
+  for (const unsigned char c : {' ', '\t', '\r', '\v', '\f', '\n', '\\'}) table[c] = true;
+  return table;
+}();
+
+bool mayEndWord(char c) { return kMayEndWord[static_cast<unsigned char>(c)]; }
+
+bool isBlank(char c) { return mayEndWord(c) && c != '\n' && c != '\\'; }
 
 /// The beginning of the next line if a backslash at `p` joins it to this one, otherwise null.
 const char* afterContinuation(const char* p, const char* end) {
@@ -87,7 +97,7 @@ std::string_view Words::next() {
   }
   if (p != end_ && *p == '#') p = std::find(p, end_, '\n');
   const char* const begin = p;
-  while (p != end_ && *p != '\n' && !isBlank(*p) && !afterContinuation(p, end_)) ++p;
+  while (p != end_ && (!mayEndWord(*p) || (*p == '\\' && !afterContinuation(p, end_)))) ++p;
   at_ = p;
   return {begin, p};
 }
