@@ -1,0 +1,204 @@
+#include "geometry/obj.h"
+
+#include <algorithm>
+#include <charconv>
+#include <map>
+#include <set>
+#include <utility>
+#include <vector>
+
+#include "geometry/mtl.h"
+#include "geometry/number.h"
+#include "geometry/power.h"
+#include "geometry/text_file.h"
+
+namespace {
+
+/// Numbers the names that faces use, in the order of their first use.
+class NamesInUse {
+ public:
+  explicit NamesInUse(std::string name) : name_{std::move(name)} {}
+
+  void select(std::string name) {
+    name_ = std::move(name);
+    number_ = -1;
+  }
+  /// Of the selected name; a name never asked for gets no number.
+  [[nodiscard]] int number() {
+    if (number_ < 0) {
+      const auto [entry, isNew] = numbers_.try_emplace(name_, static_cast<int>(names_.size()));
+      if (isNew) names_.push_back(name_);
+      number_ = entry->second;
+    }
+    return number_;
+  }
+  [[nodiscard]] const std::string& selected() const { return name_; }
+  [[nodiscard]] const std::vector<std::string>& names() const { return names_; }
+
+ private:
+  std::string name_;
+  int number_ = -1;  ///< of name_, -1 until asked for
+  std::map<std::string, int> numbers_;
+  std::vector<std::string> names_;
+};
+
+class ObjReader {
+ public:
+  ObjReader(std::string_view text, const std::string& name, std::filesystem::path folder)
+      : words_{text, name}, folder_{std::move(folder)} {}
+
+  Mesh read() {
+    while (words_.nextLine()) {
+      const std::string_view key = words_.next();
+      if (key == "v")
+        readVertex();
+      else if (key == "f")
+        readFace();
+      else if (key == "g" || key == "o")
+        selectGroup();
+      else if (key == "usemtl")
+        material_.select(words_.rest());
+      else if (key == "mtllib")
+        readLibraries();
+    }
+    checkForwardReferences();
+    if (mesh_.faceCount() == 0) words_.fail(0, "holds no face");
+    mesh_.groupNames = group_.names();
+    for (const std::string& name : material_.names()) {
+      const auto known = colors_.find(name);
+      mesh_.materials.push_back({name, known == colors_.end() ? glm::dvec3{1.0} : known->second});
+    }
+    mesh_.rounding = 0.5 / power(10.0, decimals_);
+    return std::move(mesh_);
+  }
+
+ private:
+  void readVertex() {
+    glm::dvec3 point;
+    for (int axis = 0; axis < 3; ++axis) {
+      const std::string_view word = words_.next();
+      if (word.empty()) words_.fail("a vertex needs three coordinates");
+      point[axis] = toNumber(words_, word);
+      decimals_ = std::max(decimals_, decimals(word));
+    }
+    mesh_.points.push_back(point);
+  }
+
+  void readFace() {
+    const int line = words_.line();
+    face_.clear();
+    for (std::string_view word = words_.next(); !word.empty(); word = words_.next()) {
+      face_.push_back(toVertex(word));
+    }
+    if (face_.size() < 3) {
+      words_.fail(line, "a face needs three vertices; this one has " + std::to_string(face_.size()));
+    }
+    mesh_.addFace(face_, group_.number(), material_.selected().empty() ? -1 : material_.number());
+  }
+
+  /// The vertex of a corner. What stands behind its slashes is not used, but must be indices or absent.
+  int toVertex(std::string_view corner) {
+    const char* at = corner.data();
+    const char* const end = at + corner.size();
+    const int index = readIndex(at, corner);
+    for (int slashes = 1; at != end; ++slashes) {
+      if (*at != '/' || slashes > 2) failMalformed(corner);
+      ++at;
+      if (at != end && *at != '/') readIndex(at, corner);
+    }
+
+    const int count = static_cast<int>(mesh_.points.size());
+    if (index < 0) {
+      if (index < -count) words_.fail(outOfRange(std::to_string(index), "so far"));
+      return count + index;
+    }
+    if (index > count && (forward_.empty() || index > forward_.back().index)) {
+      forward_.push_back({index, words_.line()});
+    }
+    return index - 1;
+  }
+
+  /// The index at `at`, inside `corner`; steps behind it.
+  int readIndex(const char*& at, std::string_view corner) {
+    const char* const end = corner.data() + corner.size();
+    if (end - at > 1 && *at == '+' && at[1] != '-') ++at;  // std::from_chars takes none
+    int index = 0;
+    const auto [stop, error] = std::from_chars(at, end, index);
+    if (error == std::errc::invalid_argument) failMalformed(corner);
+    if (error == std::errc::result_out_of_range) words_.fail(outOfRange(inQuotes(corner), "so far"));
+    if (index == 0) words_.fail("face index 0; OBJ counts from 1");
+    at = stop;
+    return index;
+  }
+
+  [[noreturn]] void failMalformed(std::string_view corner) const {
+    words_.fail("malformed face index " + inQuotes(corner));
+  }
+
+  /// A face may come before its vertices; only the end of the file tells whether they exist.
+  void checkForwardReferences() {
+    const auto bad = std::find_if(forward_.begin(), forward_.end(), [&](const Forward& reference) {
+      return reference.index > static_cast<int>(mesh_.points.size());
+    });
+    if (bad != forward_.end()) words_.fail(bad->line, outOfRange(std::to_string(bad->index), "in the file"));
+  }
+
+  [[nodiscard]] std::string outOfRange(const std::string& index, const std::string& where) const {
+    return "face index " + index + " is out of range; vertices " + where + ": " +
+           std::to_string(mesh_.points.size());
+  }
+
+  void selectGroup() {
+    const std::string name = words_.rest();
+    group_.select(name.empty() ? kDefaultGroup : name);
+  }
+
+  /// Of two libraries that know a material the first one holds. A name with blanks in it is tried before its
+  /// words.
+  void readLibraries() {
+    const std::string names = words_.rest();
+    if (readLibrary(names)) return;
+    Words each{names, {}};
+    each.nextLine();
+    for (std::string_view name = each.next(); !name.empty(); name = each.next())
+      readLibrary(std::string{name});
+  }
+
+  /// False if there is no such file.
+  bool readLibrary(const std::string& name) {
+    const std::filesystem::path file = folder_ / name;
+    std::error_code missing;
+    if (!std::filesystem::is_regular_file(file, missing)) return false;
+    if (libraries_.insert(name).second) colors_.merge(parseMtl(readTextFile(file), file.string()));
+    return true;
+  }
+
+  inline static const std::string kDefaultGroup = "default";
+
+  /// A corner that named a vertex not yet read. Kept only while the index grows: if any index is beyond
+  /// the last vertex, the first such one is greater than all before it.
+  struct Forward {
+    int index, line;
+  };
+
+  Words words_;
+  std::filesystem::path folder_;
+  Mesh mesh_;
+  NamesInUse group_{kDefaultGroup};
+  NamesInUse material_{""};  ///< the empty name stands for no material
+  MaterialColors colors_;
+  std::set<std::string> libraries_;  ///< already read: some writers name theirs before every object
+  std::vector<Forward> forward_;
+  std::vector<int> face_;  ///< of the face being read, kept for its memory
+  int decimals_ = 0;
+};
+
+}  // namespace
+
+Mesh parseObj(std::string_view text, const std::string& name, const std::filesystem::path& folder) {
+  return ObjReader{text, name, folder}.read();
+}
+
+Mesh readObj(const std::filesystem::path& file) {
+  return parseObj(readTextFile(file), file.string(), file.parent_path());
+}
