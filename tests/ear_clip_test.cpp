@@ -107,6 +107,35 @@ Outline randomStar(std::mt19937& rng, int wanted, int reach) {
   return p;
 }
 
+/// A tangle without order: random points, then crossing edges are exchanged until none cross (each
+/// exchange shortens the tour, so it ends). No three points in line.
+Outline randomTangle(std::mt19937& rng, int n) {
+  std::uniform_int_distribution<int> coordinate{0, 40};
+  Outline p;
+  while (static_cast<int>(p.size()) < n) {
+    const LatticePoint q{6 * coordinate(rng), 6 * coordinate(rng)};
+    bool inLine = false;
+    for (std::size_t i = 0; i < p.size(); ++i)
+      for (std::size_t j = 0; j < i; ++j) inLine = inLine || turn(p[i], p[j], q) == 0;
+    if (!inLine && (p.empty() || q != p[0])) p.push_back(q);
+  }
+  const auto left = [](const LatticePoint& a, const LatticePoint& b, const LatticePoint& c) {
+    return turn(a, b, c) > 0;
+  };
+  for (bool crossed = true; crossed;) {
+    crossed = false;
+    for (int i = 0; i + 2 < n; ++i)
+      for (int j = i + 2; j < n; ++j) {
+        const LatticePoint &a = p[i], &b = p[i + 1], &c = p[j], &d = p[(j + 1) % n];
+        if (a == d || left(a, b, c) == left(a, b, d) || left(c, d, a) == left(c, d, b)) continue;
+        std::reverse(p.begin() + i + 1, p.begin() + j + 1);
+        crossed = true;
+      }
+  }
+  if (area(p) < 0) std::reverse(p.begin(), p.end());
+  return p;
+}
+
 /// Teeth of random height over a base line; with many corners in line, on the base as well.
 Outline randomHistogram(std::mt19937& rng, int columns) {
   std::uniform_int_distribution<int> height{1, 4};
@@ -170,6 +199,16 @@ TEST(ClipEars, TilesRandomStars) {
     const Triangles triangles = clipEars(p);
     expectTiling(p, triangles, true);
     expectNoCornerOnASide(p, triangles);
+  }
+}
+
+// The same for outlines that wind about themselves.
+TEST(ClipEars, TilesRandomTangles) {
+  for (unsigned seed = 0; seed < 500; ++seed) {
+    SCOPED_TRACE(seed);
+    std::mt19937 rng{seed};
+    const Outline p = randomTangle(rng, 4 + static_cast<int>(seed % 30));
+    expectTiling(p, clipEars(p), seed % 10 == 0);
   }
 }
 
