@@ -1,0 +1,22 @@
+#pragma once
+
+#include <cstdint>
+
+#include "geometry/mesh.h"
+
+// Meshes for tests, benchmarks and lessons. One group, no rounding. Faces of closed solids are
+// counter-clockwise seen from outside.
+
+/// The cube |x|, |y|, |z| <= 1: 8 vertices, 6 squares.
+[[nodiscard]] Mesh cube();
+
+/// A unit sphere about the origin, poles on the z axis: `around` >= 3 meridians, `down` >= 2 bands;
+/// around * down faces, triangles at the poles.
+[[nodiscard]] Mesh sphere(int around, int down);
+
+/// A torus about the z axis, radii 1 and 0.4: around * across quadrilaterals, both >= 3.
+[[nodiscard]] Mesh torus(int around, int across);
+
+/// `count` triangles with corners within `size` of centres scattered in the cube |x|, |y|, |z| <= 1; the
+/// same for a seed on every machine.
+[[nodiscard]] Mesh triangleSoup(int count, double size, std::uint64_t seed);
