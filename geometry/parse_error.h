@@ -8,5 +8,5 @@
 class ParseError : public std::runtime_error {
  public:
   ParseError(const std::string& file, int line, const std::string& what)
-      : std::runtime_error{file + (line > 0 ? ":" + std::to_string(line) : "") + ": " + what} {}
+      : std::runtime_error{(line > 0 ? file + ":" + std::to_string(line) : file) + ": " + what} {}
 };
