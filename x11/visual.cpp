@@ -20,8 +20,7 @@ namespace {
 int preference(const VisualInfo& v) {
   if (v.kind == VisualClass::PseudoColorClass) return v.depth == 8 ? 1000 : 0;
   if (v.kind != VisualClass::TrueColorClass) return 0;
-  const int colorBits = std::popcount(v.masks.red | v.masks.green | v.masks.blue);
-  return v.depth == 24 ? 500 : colorBits < v.depth ? 1 : 1 + v.depth;
+  return v.depth == 24 ? 500 : v.alphaMask() != 0 ? 1 : 1 + v.depth;
 }
 
 bool granted(const std::optional<VisualWish>& wish, const VisualInfo& v) {

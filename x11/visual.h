@@ -51,6 +51,10 @@ struct VisualInfo {
   int bitsPerRgb = 0;  ///< bits of each stored colour that reach the screen
   int cells = 0;       ///< colormap size; a channel's levels where masks are not 0
   [[nodiscard]] bool writable() const { return kVisualClasses[static_cast<int>(kind)].writable; }
+  /// Bits of a pixel that no colour uses: alpha, on some visuals of depth 32. TrueColor only.
+  [[nodiscard]] unsigned long alphaMask() const {
+    return ((1ul << depth) - 1) & ~(masks.red | masks.green | masks.blue);
+  }
   [[nodiscard]] std::string name() const;  ///< "PseudoColor 8"
 };
 
