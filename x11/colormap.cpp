@@ -41,10 +41,12 @@ ServerColormap::ServerColormap(::Display* display, const VisualChoice& choice)
       xVisual_{findVisual(display, choice.visual.id)},
       opaque_{visual_.alphaMask()} {
   ErrorTrap trap{display};
-  if (real() || xVisual_ != DefaultVisual(display, screen_))
-    own_ = {display,
-            XCreateColormap(display, RootWindow(display, screen_), xVisual_, real() ? AllocAll : AllocNone)};
-  trap.check();
+  if (real() || xVisual_ != DefaultVisual(display, screen_)) {
+    OwnedColormap made{display, XCreateColormap(display, RootWindow(display, screen_), xVisual_,
+                                                real() ? AllocAll : AllocNone)};
+    trap.check();
+    own_ = std::move(made);
+  }
   if (real()) {
     std::iota(pixels_.begin(), pixels_.end(), 0ul);
     if (DefaultDepth(display, screen_) == 8)
