@@ -1,5 +1,9 @@
 #include "x11/visual.h"
 
+#ifdef None
+#error "x11/visual.h is for code that must not see Xlib's macros"
+#endif
+
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 

@@ -18,8 +18,7 @@
 
 namespace {
 
-constexpr int kStartSeconds = 60;  ///< a loaded machine compiles the keymap slowly
-
+constexpr int kStartSeconds = 60;   ///< a loaded machine compiles the keymap slowly
 constexpr char kMissing[] = "!\n";  ///< what the child writes when there is no such program
 
 /// Reads up to the first newline; what came until then if the writer closes or the time is over.
@@ -45,6 +44,7 @@ std::string contents(int file) {
 
 std::vector<char*> pointers(std::vector<std::string>& strings) {
   std::vector<char*> result;
+  result.reserve(strings.size() + 1);
   for (std::string& s : strings) result.push_back(s.data());
   result.push_back(nullptr);
   return result;

@@ -97,13 +97,13 @@ void Canvas::resize(int width, int height) {
   const VisualInfo& visual = colormap_.visual();
   ErrorTrap trap{display_};
   OwnedPixmap picture{display_, XCreatePixmap(display_, window(), width, height, visual.depth)};
-  trap.check();
-  auto transfer =
-      std::make_unique<TransferImage>(display_, colormap_.xVisual(), visual.depth, width, height, wantShm_);
   XSetForeground(display_, gc(), colormap_.pixel(0));
   XFillRectangle(display_, picture.get(), gc(), 0, 0, width, height);
   if (const Rect kept = intersection(size, size_); !kept.empty())
     XCopyArea(display_, drawable(), picture.get(), gc(), 0, 0, kept.width, kept.height, 0, 0);
+  trap.check();
+  auto transfer =
+      std::make_unique<TransferImage>(display_, colormap_.xVisual(), visual.depth, width, height, wantShm_);
   size_ = size;
   picture_ = std::move(picture);
   transfer_ = std::move(transfer);

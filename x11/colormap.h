@@ -33,7 +33,8 @@ class ServerColormap {
   [[nodiscard]] CellPlan plan(TableKind table) const;
 
   /// Makes `palette` the colours shown. Real: one XStoreColors with the cells that changed since the last
-  /// store, and nothing at all if none did. Emulated: sends nothing. Returns true if the index image must be
+  /// store, and nothing at all if none did; it leaves with the next flush, so that colours and cells that
+  /// change together arrive together. Emulated: sends nothing. Returns true if the index image must be
   /// presented again to show it.
   bool store(const Palette& palette);
 
@@ -62,7 +63,7 @@ class ServerColormap {
 };
 
 /// Does a window manager run on the default screen? Asked by the one thing that every window manager must do
-/// and only one client can: select SubstructureRedirect on the root window (ICCCM 2.8). The root's attributes
+/// and only one client at a time can: select SubstructureRedirect on the root window. The root's attributes
 /// tell it in one round trip, also of managers too old for the WM_S0 selection, and we need not try to become
 /// one.
 [[nodiscard]] bool windowManagerRuns(::Display* display);

@@ -3,14 +3,13 @@
 #include <array>
 #include <cstdio>
 #include <cstdlib>
-#include <mutex>
 
 namespace {
 
 ErrorTrap* innermost = nullptr;
 int strays = 0;
 
-/// "X_PutImage", or "MIT-SHM.3" for an extension's request when we may ask the server for the name.
+/// "X_PutImage"; for an extension's request "MIT-SHM.3", or "request 130.3" where we may not ask the server.
 std::string requestName(::Display* display, int major, int minor, bool mayAsk) {
   const std::string number = std::to_string(major);
   std::array<char, 128> text{};
@@ -54,11 +53,8 @@ int onError(::Display* display, XErrorEvent* error) {
 }
 
 OwnedDisplay openDisplay(const std::string& name) {
-  static std::once_flag once;
-  std::call_once(once, [] {
-    XSetErrorHandler(onError);
-    XSetIOErrorHandler(onServerGone);
-  });
+  XSetErrorHandler(onError);
+  XSetIOErrorHandler(onServerGone);
   const std::string used = XDisplayName(name.empty() ? nullptr : name.c_str());
   if (used.empty()) throw X11Error("no DISPLAY is set: start an X server, or name one, as in DISPLAY=:0");
   OwnedDisplay display{XOpenDisplay(used.c_str())};

@@ -18,7 +18,7 @@ struct DisplayCloser {
 using OwnedDisplay = std::unique_ptr<::Display, DisplayCloser>;
 
 /// Opens the display called `name`, or the one in $DISPLAY where `name` is empty.
-/// Installs, once, what this program does about errors that no ErrorTrap awaits:
+/// Installs what this program does about errors that no ErrorTrap awaits:
 ///   - an X error is printed with its request and counted (strayErrors()); the program goes on;
 ///   - a server that has gone is told on standard error and ends the program at once with status 1. Xlib
 ///   cannot

@@ -105,7 +105,7 @@ bool TransferImage::share(::Visual* visual, int depth, int width, int height) {
   segment.shmid = shmget(IPC_PRIVATE, std::size_t(image->bytes_per_line) * height, IPC_CREAT | 0600);
   if (segment.shmid < 0) return false;
   void* memory = shmat(segment.shmid, nullptr, 0);
-  bool attached = memory != reinterpret_cast<void*>(-1);
+  bool attached = reinterpret_cast<std::intptr_t>(memory) != -1;
   if (attached) {
     segment.shmaddr = image->data = static_cast<char*>(memory);
     ErrorTrap trap{display_};

@@ -16,7 +16,7 @@
 
 namespace {
 
-/// How much we want a visual; 0 is not at all. Larger than 24: see chooseVisual().
+/// How much we want a visual; 0 is not at all. The order is chooseVisual()'s.
 int preference(const VisualInfo& v) {
   if (v.kind == VisualClass::PseudoColorClass) return v.depth == 8 ? 1000 : 0;
   if (v.kind != VisualClass::TrueColorClass) return 0;
@@ -163,6 +163,7 @@ VisualWish parseVisualWish(std::string_view text) {
       return {row.id, depth};
   }
   std::vector<std::string> classes;
+  classes.reserve(kVisualClasses.size());
   for (const VisualClassRow& row : kVisualClasses) classes.emplace_back(row.name);
   throw std::invalid_argument(
       "'" + std::string{text} +
@@ -198,8 +199,7 @@ VisualChoice chooseVisual(const ServerVisuals& server, const std::optional<Visua
     why.append("the 256-entry table is emulated: a change of colours draws the picture again");
   else
     why.append(
-        "there is no PseudoColor 8 and no TrueColor 24; the 256-entry table is emulated as well as it can "
-        "be");
+        "for want of PseudoColor 8 and TrueColor 24; the table is emulated, its colours may be coarser");
   return {*best, why};
 }
 
@@ -223,7 +223,8 @@ std::string describeVisuals(const ServerVisuals& server, const std::optional<Vis
       << "black and white   pixels " << server.black << " and " << server.white << '\n'
       << "default colormap  ";
   if (server.freeCells)
-    out << *server.freeCells << " of " << server.defaultVisual().cells << " cells free, others are taken\n";
+    out << *server.freeCells << " of " << server.defaultVisual().cells
+        << " cells free (counted by taking them and giving them back)\n";
   else
     out << "not writable\n";
   try {

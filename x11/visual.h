@@ -9,7 +9,7 @@
 #include "shading/color_table.h"
 #include "x11/x11_error.h"
 
-struct _XDisplay;  // Xlib's Display; this header is free of Xlib and its macros
+struct _XDisplay;  // NOLINT(bugprone-reserved-identifier): Xlib's Display, without Xlib's macros
 
 /// What kinds of window the server offers (its visuals), and which one we take. Asked once; all that
 /// follows works on these plain values.
