@@ -1,18 +1,14 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
-#include <signal.h>
-#include <unistd.h>
 
 #include <algorithm>
-#include <chrono>
-#include <fstream>
+#include <array>
 #include <memory>
 #include <random>
 #include <string>
-#include <thread>
-#include <vector>
+#include <tuple>
 
-#include "tests/x_server.h"
+#include "tests/x_session.h"
 
 #include <X11/Xutil.h>
 
@@ -22,13 +18,6 @@ using testing::AllOf;
 using testing::HasSubstr;
 
 namespace {
-
-IndexImage randomImage(int width, int height, unsigned seed) {
-  std::mt19937 rng{seed};
-  IndexImage image{width, height, 0};
-  for (std::uint8_t& p : image.pixels) p = static_cast<std::uint8_t>(rng() >> 24);
-  return image;
-}
 
 /// What the image shows through the palette, by definition.
 RgbImage colored(const IndexImage& image, const Palette& palette, const Rect& rect) {
@@ -42,35 +31,6 @@ RgbImage colored(const IndexImage& image, const Palette& palette, const Rect& re
   return rgb;
 }
 
-/// 256 colours that differ in their high bytes, so that a round trip can be the identity on indices.
-Palette distinctPalette() {
-  Palette palette;
-  for (int i = 0; i < 256; ++i)
-    palette[i] = {static_cast<std::uint16_t>(257 * i), static_cast<std::uint16_t>(257 * ((i * 77 + 5) & 255)),
-                  static_cast<std::uint16_t>(65535 - 257 * i)};
-  return palette;
-}
-
-/// A server, a client on it and its colormap, in the order of their lives. No error may be left over at the
-/// end.
-struct Session {
-  XServer server;
-  OwnedDisplay display;
-  ServerColormap colormap;
-  int strays = strayErrors();
-  explicit Session(XServer s, const char* visual = nullptr)
-      : server{std::move(s)},
-        display{openDisplay(server.name())},
-        colormap{display.get(),
-                 chooseVisual(readVisuals(display.get()),
-                              visual ? std::optional{parseVisualWish(visual)} : std::nullopt)} {}
-  ~Session() {
-    XSync(display.get(), 0);
-    EXPECT_EQ(strayErrors(), strays);
-  }
-  Session(Session&&) = delete;
-};
-
 bool windowShows(const IndexImage& image, ::Display* d, const Canvas& canvas, const ServerColormap& map) {
   const std::unique_ptr<::XImage, int (*)(::XImage*)> got{
       XGetImage(d, canvas.window(), 0, 0, image.width, image.height, AllPlanes, ZPixmap),
@@ -81,38 +41,25 @@ bool windowShows(const IndexImage& image, ::Display* d, const Canvas& canvas, co
   return true;
 }
 
-/// Lines of the kernel's list of shared segments whose creator is this process.
-int ourSegments() {
-  std::ifstream list{"/proc/sysvipc/shm"};
-  std::string line;
-  std::getline(list, line);
-  int count = 0;
-  long key = 0, id = 0, perms = 0, size = 0, cpid = 0;
-  while (list >> key >> id >> perms >> size >> cpid && std::getline(list, line)) count += cpid == getpid();
-  return count;
-}
-
 }  // namespace
 
 /// Visual, and shared memory or not.
-class CanvasOn : public testing::TestWithParam<std::tuple<const char*, bool>> {
+class CanvasOn : public testing::TestWithParam<std::tuple<std::string, bool>> {
  protected:
   static XServer serverFor(const std::string& visual) {
-    return XServer::xvfb(visual == "PseudoColor8" ? 8 : visual == "TrueColor16" ? 16 : 24);
+    return XServer::xvfb(visual == "PseudoColor8" ? 8 : 24);
   }
 };
-INSTANTIATE_TEST_SUITE_P(Visuals, CanvasOn,
-                         testing::Combine(testing::Values("PseudoColor8", "TrueColor24", "TrueColor32"),
-                                          testing::Values(false, true)),
-                         [](const auto& made) {
-                           return std::string{std::get<0>(made.param)} +
-                                  (std::get<1>(made.param) ? "Shared" : "Sent");
-                         });
+INSTANTIATE_TEST_SUITE_P(
+    Visuals, CanvasOn,
+    testing::Combine(testing::Values<std::string>("PseudoColor8", "TrueColor24", "TrueColor32"),
+                     testing::Values(false, true)),
+    [](const auto& made) { return std::get<0>(made.param) + (std::get<1>(made.param) ? "Shared" : "Sent"); });
 
 // What was presented is read back as its palette says, for every index, on every kind of visual, with shared
 // memory or without, at odd sizes.
 TEST_P(CanvasOn, RoundTripIsTheIdentity) {
-  const auto [visual, shared] = GetParam();
+  const auto& [visual, shared] = GetParam();
   Session s{serverFor(visual), visual};
   const Palette palette = distinctPalette();
   s.colormap.store(palette);
@@ -137,7 +84,7 @@ TEST_P(CanvasOn, RoundTripIsTheIdentity) {
 
 // A dirty rectangle changes what is inside it and nothing else, and is cut to image and canvas.
 TEST_P(CanvasOn, PresentsOnlyTheDirtyRectangle) {
-  const auto [visual, shared] = GetParam();
+  const auto& [visual, shared] = GetParam();
   Session s{serverFor(visual), visual};
   const Palette palette = distinctPalette();
   s.colormap.store(palette);
@@ -163,7 +110,7 @@ TEST_P(CanvasOn, PresentsOnlyTheDirtyRectangle) {
 
 // The window shows the picture: after present, and again after an expose when something had wiped it.
 TEST_P(CanvasOn, TheWindowShowsThePicture) {
-  const auto [visual, shared] = GetParam();
+  const auto& [visual, shared] = GetParam();
   Session s{serverFor(visual), visual};
   ::Display* d = s.display.get();
   const Palette palette = distinctPalette();
@@ -187,7 +134,7 @@ TEST_P(CanvasOn, TheWindowShowsThePicture) {
 // A new size keeps what fits and fills the rest with index 0; the largest picture works, the server's refusal
 // of a larger one is an error with the request's name and leaves the picture as it was.
 TEST_P(CanvasOn, Resizes) {
-  const auto [visual, shared] = GetParam();
+  const auto& [visual, shared] = GetParam();
   Session s{serverFor(visual), visual};
   const Palette palette = distinctPalette();
   s.colormap.store(palette);
@@ -211,7 +158,7 @@ TEST_P(CanvasOn, Resizes) {
 // On a real colormap a change of colours shows in the same pixels without presenting; emulated, only after
 // it.
 TEST_P(CanvasOn, ColoursChangeAsTheMapIs) {
-  const auto [visual, shared] = GetParam();
+  const auto& [visual, shared] = GetParam();
   Session s{serverFor(visual), visual};
   const Rect all{0, 0, 64, 64};
   const IndexImage image = randomImage(64, 64, 5);
@@ -230,7 +177,7 @@ TEST_P(CanvasOn, ColoursChangeAsTheMapIs) {
 
 // The server draws into the picture with the pixel of an index, in the colour of that index.
 TEST_P(CanvasOn, TheServerDrawsIntoThePicture) {
-  const auto [visual, shared] = GetParam();
+  const auto& [visual, shared] = GetParam();
   Session s{serverFor(visual), visual};
   const Palette palette = distinctPalette();
   s.colormap.store(palette);
@@ -265,43 +212,6 @@ TEST(Canvas, TakesTheLargestSize) {
         EXPECT_EQ(canvas.readBack(part), colored(image, palette, part));
     }
   }
-}
-
-// No shared segment outlives its use: it is already marked for removal while in use, and gone afterwards.
-TEST(Canvas, LeavesNoSharedSegment) {
-  Session s{XServer::xvfb(8)};
-  const int before = ourSegments();
-  {
-    Canvas canvas{s.display.get(), s.colormap, {.width = 100, .height = 100}};
-    ASSERT_TRUE(canvas.sharedMemory());
-    EXPECT_EQ(ourSegments(), before + 1);
-    canvas.resize(200, 200);
-    canvas.resize(300, 300);
-    XSync(s.display.get(), 0);
-    EXPECT_EQ(ourSegments(), before + 1);
-  }
-  XSync(s.display.get(), 0);
-  EXPECT_EQ(ourSegments(), before);
-}
-
-// Shared memory that the server has yet to read is not written again: a second picture waits for the first.
-TEST(Canvas, DoesNotOverwriteWhatTheServerHasYetToRead) {
-  Session s{XServer::xvfb(8)};
-  ::Display* d = s.display.get();
-  Canvas canvas{d, s.colormap, {.width = 64, .height = 64}};
-  ASSERT_TRUE(canvas.sharedMemory());
-  XSync(d, 0);
-  kill(s.server.pid(), SIGSTOP);
-  const unsigned long put = NextRequest(d);
-  canvas.present(randomImage(64, 64, 1), {0, 0, 64, 64});
-  EXPECT_LT(LastKnownRequestProcessed(d), put);
-  std::thread wake{[&] {
-    std::this_thread::sleep_for(std::chrono::milliseconds(50));
-    kill(s.server.pid(), SIGCONT);
-  }};
-  canvas.present(randomImage(64, 64, 2), {0, 0, 64, 64});
-  EXPECT_GE(LastKnownRequestProcessed(d), put);
-  wake.join();
 }
 
 // A server without MIT-SHM is served through the connection, with the same picture.
@@ -356,35 +266,4 @@ TEST(Canvas, KnowsTheCloseButton) {
   XGetWindowAttributes(d, canvas.window(), &attributes);
   EXPECT_EQ(attributes.colormap, s.colormap.id());
   EXPECT_EQ(attributes.bit_gravity, NorthWestGravity);
-}
-
-// Every image format a server may ask for holds the same pixels, whatever its byte order and width.
-TEST(WritePixels, EveryFormatHoldsThePixels) {
-  const IndexImage image = randomImage(37, 11, 8);
-  const Rect rect{2, 3, 31, 7};
-  for (const int bits : {8, 16, 24, 32})
-    for (const int order : {LSBFirst, MSBFirst})
-      for (const int run : {0, 1}) {
-        SCOPED_TRACE(testing::Message() << bits << " bits, order " << order);
-        std::array<unsigned long, 256> pixels{};
-        for (unsigned long i = 0; i < 256; ++i)
-          pixels[i] = (run ? i : 0x9E3779B1ul * (i + 1)) & ((1ul << bits) - 1);
-        XImage out{};
-        out.width = 37;
-        out.height = 11;
-        out.format = ZPixmap;
-        out.byte_order = order;
-        out.bitmap_bit_order = order;
-        out.bitmap_unit = out.bitmap_pad = 32;
-        out.depth = out.bits_per_pixel = bits;
-        ASSERT_NE(XInitImage(&out), 0);
-        std::vector<char> data(std::size_t(out.bytes_per_line) * out.height, 0);
-        out.data = data.data();
-        writePixels(out, image, rect, pixels);
-        for (int y = 0; y < 11; ++y)
-          for (int x = 0; x < 37; ++x) {
-            const bool inside = x >= 2 && x < 33 && y >= 3 && y < 10;
-            ASSERT_EQ(XGetPixel(&out, x, y), inside ? pixels[image.row(y)[x]] : 0) << x << ',' << y;
-          }
-      }
 }
