@@ -5,7 +5,7 @@
 #include <span>
 #include <vector>
 
-__extension__ typedef __int128 Int128;
+#include "geometry/int128.h"
 
 /// A point of an integer grid, |x|, |y| <= 2^60.
 struct LatticePoint {

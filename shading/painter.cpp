@@ -7,12 +7,6 @@
 
 #include "shading/font.h"
 
-Rect intersection(const Rect& a, const Rect& b) {
-  const int x = std::max(a.x, b.x), y = std::max(a.y, b.y);
-  return {x, y, std::max(0, std::min(a.x + a.width, b.x + b.width) - x),
-          std::max(0, std::min(a.y + a.height, b.y + b.height) - y)};
-}
-
 int textWidth(std::string_view utf8, Voice voice) {
   return kVoices[static_cast<int>(voice)].pitch * static_cast<int>(latin1(utf8).size());
 }

@@ -5,21 +5,15 @@
 #include <string_view>
 
 #include "shading/index_image.h"
+#include "shading/rect.h"
 
 /// Lines, areas, letters and small marks, drawn into the index image. Every view of the tool is drawn
 /// with these, with and without a server. Colours are cells of the palette; what they mean is the caller's.
 /// Units are pixels, x to the right, y downward; coordinates and sizes stay within +-2^24, and what falls
 /// outside the image is not drawn.
 
-/// Pixels x..x+width-1, y..y+height-1; none when a size is not positive.
-struct Rect {
-  int x = 0, y = 0, width = 0, height = 0;
-  bool operator==(const Rect&) const = default;
-};
-[[nodiscard]] Rect intersection(const Rect& a, const Rect& b);
-
 /// How text speaks. Widths are a multiple of the pitch.
-enum class Voice { Plain, Bold, Caps, Display };
+enum class Voice { Plain, Bold, Caps, Title };
 struct VoiceRow {
   Voice id;
   int pitch;  ///< from letter to letter
@@ -31,7 +25,7 @@ inline constexpr std::array kVoices{
     VoiceRow{Voice::Plain, 6, 1, false, false, "as the font is"},
     VoiceRow{Voice::Bold, 6, 1, true, false, "drawn twice, 1 px apart"},
     VoiceRow{Voice::Caps, 8, 1, false, true, "capitals, 8 px a letter"},
-    VoiceRow{Voice::Display, 12, 2, true, false, "doubled by Scale2x, bold"},
+    VoiceRow{Voice::Title, 12, 2, true, false, "doubled by Scale2x, bold"},
 };
 /// Of a text in UTF-8, from the first letter's left edge to where the next letter would start.
 [[nodiscard]] int textWidth(std::string_view utf8, Voice voice = Voice::Plain);

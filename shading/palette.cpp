@@ -45,7 +45,8 @@ CellPlan::CellPlan(TableKind table, int black, int white) {
   for (int role = 0; role < kCells; ++role)
     if (!placed[role] && !taken[kRows[role].preferred]) place(role, kRows[role].preferred);
   for (int role = 0; role < kCells; ++role)
-    if (!placed[role]) place(role, static_cast<int>(std::find(taken.begin(), taken.end(), false) - taken.begin()));
+    if (!placed[role])
+      place(role, static_cast<int>(std::find(taken.begin(), taken.end(), false) - taken.begin()));
 }
 
 Palette makePalette(const CellPlan& plan, const ColorTable& table, const Palette& unneeded) {

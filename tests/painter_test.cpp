@@ -172,7 +172,7 @@ TEST(Painter, TextWidths) {
   EXPECT_EQ(textWidth("33\u00B0"), 18);
   EXPECT_EQ(textWidth("33\u00B0", Voice::Bold), 18);
   EXPECT_EQ(textWidth("Ia", Voice::Caps), 16);
-  EXPECT_EQ(textWidth("cell 148", Voice::Display), 96);
+  EXPECT_EQ(textWidth("cell 148", Voice::Title), 96);
   EXPECT_EQ(textWidth(""), 0);
 }
 

@@ -5,7 +5,6 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
-#include <filesystem>
 #include <fstream>
 #include <glm/geometric.hpp>
 #include <set>
@@ -13,23 +12,12 @@
 #include <tuple>
 #include <vector>
 
+#include "geometry/bpt.h"
+
 namespace {
 
 using Triple = std::tuple<double, double, double>;
 Triple triple(const glm::dvec3& p) { return {p.x + 0.0, p.y + 0.0, p.z + 0.0}; }
-
-std::vector<BezierPatch> readBpt(const std::filesystem::path& file) {
-  std::ifstream in{file};
-  std::size_t count = 0;
-  in >> count;
-  std::vector<BezierPatch> patches(count);
-  for (BezierPatch& patch : patches) {
-    int rows = 0, columns = 0;
-    in >> rows >> columns;
-    for (glm::dvec3& p : patch.p) in >> p.x >> p.y >> p.z;
-  }
-  return in ? patches : std::vector<BezierPatch>{};
-}
 
 class Teapot : public testing::Test {
  protected:

@@ -1,0 +1,175 @@
+#include "x11/visual.h"
+
+#ifdef None
+#error "x11/visual.h is for code that must not see Xlib's macros"
+#endif
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <stdexcept>
+
+#include "tests/x_server.h"
+
+#include "x11/display.h"
+
+using testing::AllOf;
+using testing::HasSubstr;
+
+namespace {
+
+constexpr ChannelMasks k888{0xFF0000, 0xFF00, 0xFF};
+
+VisualInfo pseudo(unsigned long id, int depth = 8) {
+  return {VisualClass::PseudoColorClass, depth, id, {}, 8, 1 << depth};
+}
+VisualInfo trueColor(unsigned long id, int depth, ChannelMasks masks = k888) {
+  return {VisualClass::TrueColorClass, depth, id, masks, 8, 256};
+}
+VisualInfo direct(unsigned long id) { return {VisualClass::DirectColorClass, 24, id, k888, 8, 256}; }
+
+ServerVisuals server(std::vector<VisualInfo> visuals, unsigned long defaultId) {
+  ServerVisuals s;
+  s.display = ":7";
+  s.visuals = std::move(visuals);
+  s.defaultId = defaultId;
+  return s;
+}
+
+std::string refusal(const ServerVisuals& s, const std::optional<VisualWish>& wish) {
+  try {
+    (void)chooseVisual(s, wish);
+  } catch (const X11Error& error) {
+    return error.what();
+  }
+  return {};
+}
+
+ServerVisuals askedOf(const XServer& x) { return readVisuals(openDisplay(x.name()).get()); }
+
+}  // namespace
+
+// A real colormap comes before an emulated one, depth 24 before others, the default visual before its equals,
+// and a visual with alpha after one without.
+TEST(ChooseVisual, TakesTheFirstRowThatTheServerHas) {
+  EXPECT_EQ(chooseVisual(server({trueColor(1, 24), pseudo(2), pseudo(3)}, 1)).visual.id, 2u);
+  EXPECT_EQ(chooseVisual(server({trueColor(1, 24), pseudo(2), pseudo(3)}, 3)).visual.id, 3u);
+  EXPECT_EQ(chooseVisual(server({trueColor(1, 32), trueColor(2, 24), trueColor(3, 24)}, 3)).visual.id, 3u);
+  EXPECT_EQ(chooseVisual(server({trueColor(1, 32), trueColor(2, 24), direct(3)}, 1)).visual.id, 2u);
+  const VisualInfo deep = trueColor(5, 30, {0x3FF00000, 0xFFC00, 0x3FF});
+  const VisualInfo shallow = trueColor(6, 16, {0xF800, 0x7E0, 0x1F});
+  EXPECT_EQ(chooseVisual(server({shallow, deep, trueColor(1, 32)}, 6)).visual.id, 5u);
+  EXPECT_EQ(chooseVisual(server({trueColor(1, 32), shallow}, 1)).visual.id, 6u);
+  EXPECT_EQ(chooseVisual(server({pseudo(4, 4), shallow}, 4)).visual.id, 6u);
+}
+
+// What was insisted on is taken or refused in words that list what there is; nothing else is taken instead.
+TEST(ChooseVisual, InsistenceIsObeyedOrRefused) {
+  const ServerVisuals both = server({pseudo(1), trueColor(2, 24), trueColor(3, 32), direct(4)}, 1);
+  EXPECT_EQ(chooseVisual(both, parseVisualWish("TrueColor24")).visual.id, 2u);
+  EXPECT_EQ(chooseVisual(both, parseVisualWish("truecolor")).visual.id, 2u);
+  EXPECT_EQ(chooseVisual(both, parseVisualWish("TRUECOLOR32")).visual.id, 3u);
+  EXPECT_THAT(chooseVisual(both, parseVisualWish("PseudoColor8")).why, HasSubstr("insisted"));
+  EXPECT_EQ(
+      refusal(both, parseVisualWish("TrueColor16")),
+      "display ':7' has no TrueColor 16; it has TrueColor 32, TrueColor 24, DirectColor 24, PseudoColor 8");
+  EXPECT_EQ(
+      refusal(both, parseVisualWish("GrayScale")),
+      "display ':7' has no GrayScale; it has TrueColor 32, TrueColor 24, DirectColor 24, PseudoColor 8");
+  EXPECT_EQ(refusal(both, parseVisualWish("DirectColor24")),
+            "display ':7' has DirectColor 24, but xnewell does not use it yet; "
+            "it has TrueColor 32, TrueColor 24, DirectColor 24, PseudoColor 8");
+  EXPECT_EQ(refusal(server({direct(4)}, 4), {}),
+            "display ':7' has no visual that xnewell uses yet; it has DirectColor 24");
+}
+
+// A wish is a class in any case and perhaps a depth; all else is refused and the classes are listed.
+TEST(ParseVisualWish, TakesClassAndDepth) {
+  for (const VisualClassRow& row : kVisualClasses) {
+    EXPECT_EQ(parseVisualWish(row.name).kind, row.id);
+    EXPECT_FALSE(parseVisualWish(row.name).depth);
+    EXPECT_EQ(parseVisualWish(std::string{row.name} + "12").depth, 12);
+  }
+  EXPECT_EQ(parseVisualWish("pseudoCOLOR8").kind, VisualClass::PseudoColorClass);
+  for (const char* wrong : {"", "8", "Pseudo", "PseudoColor0", "PseudoColor33", "PseudoColor8x",
+                            "PseudoColor-8", "PseudoColor 8", "PseudoColor99999999999"}) {
+    SCOPED_TRACE(wrong);
+    try {
+      (void)parseVisualWish(wrong);
+      ADD_FAILURE() << "accepted";
+    } catch (const std::invalid_argument& error) {
+      EXPECT_THAT(error.what(),
+                  AllOf(HasSubstr("'" + std::string{wrong} + "'"), HasSubstr("TrueColor, DirectColor")));
+    }
+  }
+}
+
+// For every layout a channel keeps its high bits, the pixel holds nothing else, and reading gives back what a
+// server shows: exact for 8 bits, 0 and full intensity exact for all.
+TEST(PixelOf, KeepsTheHighBitsOfEachChannel) {
+  EXPECT_EQ(pixelOf({0x12FF, 0x34FF, 0x56FF}, k888), 0x123456u);
+  EXPECT_EQ(pixelOf({0x12FF, 0x34FF, 0x56FF}, {0xFF, 0xFF00, 0xFF0000}), 0x563412u);
+  EXPECT_EQ(pixelOf({0xFFFF, 0, 0x7FFF}, {0xF800, 0x7E0, 0x1F}), 0xF80Fu);
+  EXPECT_EQ(pixelOf({0x7FFF, 0xFFFF, 0x8000}, {0x7, 0x38, 0xC0}), 0xBBu);
+  EXPECT_EQ(pixelOf({0xFFC0, 0x003F, 0x0040}, {0x3FF00000, 0xFFC00, 0x3FF}), 0x3FF00001u);
+  EXPECT_EQ(colorOf(0x123456, k888), (Rgb16{0x1212, 0x3434, 0x5656}));
+  EXPECT_EQ(colorOf(0xFFFF, {0xF800, 0x7E0, 0x1F}), (Rgb16{0xFFFF, 0xFFFF, 0xFFFF}));
+  EXPECT_EQ(colorOf(0, {0x7, 0x38, 0xC0}), (Rgb16{0, 0, 0}));
+  for (int v = 0; v < 65536; ++v) {
+    const auto v16 = static_cast<std::uint16_t>(v);
+    ASSERT_EQ(colorOf(pixelOf({v16, v16, v16}, k888), k888).g >> 8, v >> 8);
+  }
+}
+
+// The facts of stock servers: depth 8 has all six classes, depth 24 no PseudoColor.
+TEST(ReadVisuals, StockServers) {
+  const ServerVisuals eight = askedOf(XServer::xvfb(8));
+  std::vector<VisualClass> classes;
+  for (const VisualInfo& v : eight.visuals) classes.push_back(v.kind);
+  EXPECT_THAT(classes,
+              testing::UnorderedElementsAre(VisualClass::StaticGrayClass, VisualClass::GrayScaleClass,
+                                            VisualClass::StaticColorClass, VisualClass::PseudoColorClass,
+                                            VisualClass::TrueColorClass, VisualClass::DirectColorClass));
+  EXPECT_EQ(eight.defaultVisual().name(), "PseudoColor 8");
+  EXPECT_EQ(chooseVisual(eight).visual.id, eight.defaultId);
+  EXPECT_NE(eight.black, eight.white);
+
+  const ServerVisuals full = askedOf(XServer::xvfb(24));
+  EXPECT_EQ(chooseVisual(full).visual.id, full.defaultId);
+  EXPECT_EQ(chooseVisual(full).visual.name(), "TrueColor 24");
+  EXPECT_FALSE(full.freeCells);
+  EXPECT_THAT(refusal(full, parseVisualWish("PseudoColor8")),
+              HasSubstr("has no PseudoColor 8; it has TrueColor"));
+}
+
+// Without RENDER all cells but black and white are free; each cell that another program takes is one less;
+// and counting gives all of them back.
+TEST(ReadVisuals, CountsTheFreeCells) {
+  const XServer x = XServer::xvfb(8, 640, 480, {"-extension", "RENDER"});
+  const OwnedDisplay display = openDisplay(x.name()), other = openDisplay(x.name());
+  EXPECT_EQ(readVisuals(display.get()).freeCells, 254);
+  EXPECT_EQ(readVisuals(display.get()).freeCells, 254);
+  std::vector<unsigned long> cells(254);
+  const ::Colormap map = DefaultColormap(other.get(), 0);
+  ASSERT_NE(XAllocColorCells(other.get(), map, 0, nullptr, 0, cells.data(), 77), 0);
+  EXPECT_EQ(readVisuals(display.get()).freeCells, 177);
+  ASSERT_NE(XAllocColorCells(other.get(), map, 0, nullptr, 0, cells.data() + 77, 177), 0);
+  EXPECT_EQ(readVisuals(display.get()).freeCells, 0);
+}
+
+// The table has a row for each kind of visual with its number, and ends with the choice and its reason.
+TEST(DescribeVisuals, IsATableThatEndsWithTheChoice) {
+  ServerVisuals s = server({pseudo(0x21), trueColor(0x22, 24), trueColor(0x23, 24), direct(0x24)}, 0x21);
+  s.black = 1;
+  s.freeCells = 183;
+  const std::string text = describeVisuals(s);
+  EXPECT_THAT(text, HasSubstr("TrueColor       24       2    256     8  fixed     emulate"));
+  EXPECT_THAT(text, HasSubstr("DirectColor     24       1    256     8  writable  not used yet"));
+  EXPECT_THAT(text, HasSubstr("PseudoColor      8       1    256     8  writable  a real colormap"));
+  EXPECT_THAT(text, HasSubstr("pixels 1 and 0"));
+  EXPECT_THAT(text, HasSubstr("183 of 256 cells free"));
+  EXPECT_THAT(text.substr(text.rfind('\n', text.size() - 2)),
+              HasSubstr("PseudoColor 8 (0x21): its colormap is real"));
+  EXPECT_THAT(describeVisuals(s, parseVisualWish("GrayScale")),
+              HasSubstr("none: display ':7' has no GrayScale"));
+}
