@@ -18,10 +18,10 @@ struct MeshMaterial {
 /// A face's number is its index here: the order of the file. Triangulation, clipping, culling and
 /// splitting keep it.
 struct Mesh {
-  std::vector<glm::dvec3> points;       ///< #points by 3
-  std::vector<int> corners;             ///< vertex indices of all faces, one face after the other
-  std::vector<int> firstCorner = {0};   ///< #faces + 1; face f owns corners [firstCorner[f], firstCorner[f+1])
-  std::vector<int> group;               ///< #faces, index into groupNames
+  std::vector<glm::dvec3> points;      ///< #points by 3
+  std::vector<int> corners;            ///< vertex indices of all faces, one face after the other
+  std::vector<int> firstCorner = {0};  ///< #faces + 1; face f owns corners [firstCorner[f], firstCorner[f+1])
+  std::vector<int> group;              ///< #faces, index into groupNames
   std::vector<std::string> groupNames;  ///< "body", "spout", ... as the file names its parts
   std::vector<int> material;            ///< #faces, index into materials, -1 for none
   std::vector<MeshMaterial> materials;

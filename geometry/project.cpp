@@ -1,0 +1,170 @@
+#include "geometry/project.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "geometry/clip.h"
+
+namespace {
+
+/// A vertex before the snap: pixels, divided by w.
+glm::dvec3 divided(const glm::dvec4& p) { return glm::dvec3{p} / p.w; }
+
+/// Appends the snapped outlines of one convex piece after the other.
+class Snapper {
+ public:
+  Snapper(SnappedScene& scene, Cull cull, double zScale) : scene_{scene}, cull_{cull}, zScale_{zScale} {}
+
+  [[nodiscard]] glm::ivec3 snap(const glm::dvec3& p) const {
+    return {std::lrint(p.x * kGrid), std::lrint(p.y * kGrid), std::lrint(p.z * zScale_)};
+  }
+
+  void add(std::vector<glm::ivec3>& outline, int number) {
+    dropRepeats(outline);
+    const int count = static_cast<int>(outline.size());
+    const std::int64_t area = count < 3 ? 0 : doubleArea(outline.data(), count);
+    if (area == 0) {
+      ++scene_.degenerate;
+      return;
+    }
+    const bool back = area < 0;
+    if (back && cull_ == Cull::Back) {
+      ++scene_.culled;
+      return;
+    }
+    if (back) std::reverse(outline.begin(), outline.end());
+    addConvex(outline.data(), count, number, back);
+  }
+
+ private:
+  static void dropRepeats(std::vector<glm::ivec3>& outline) {
+    outline.erase(std::unique(outline.begin(), outline.end()), outline.end());
+    while (outline.size() > 1 && outline.front() == outline.back()) outline.pop_back();
+  }
+
+  static bool turnsBack(const glm::ivec3& a, const glm::ivec3& b, const glm::ivec3& c) {
+    return std::int64_t{b.x - a.x} * (c.x - b.x) + std::int64_t{b.y - a.y} * (c.y - b.y) < 0;
+  }
+
+  static bool convex(const glm::ivec3* p, int count) {
+    int descents = 0;  // a convex outline changes from rising to falling once a turn
+    for (int i = 0; i < count; ++i) {
+      const glm::ivec3 &a = p[i], &b = p[(i + 1) % count], &c = p[(i + 2) % count];
+      const std::array corner{a, b, c};
+      const std::int64_t turn = doubleArea(corner.data(), 3);
+      if (turn < 0 || (turn == 0 && turnsBack(a, b, c))) return false;
+      descents += (b.y > a.y || (b.y == a.y && b.x > a.x)) && !(c.y > b.y || (c.y == b.y && c.x > b.x));
+    }
+    return descents == 1;
+  }
+
+  /// Rounding may bend the outline of a polygon with many corners by a grid step. It is then halved along
+  /// a chord between two of its own vertices until the parts are convex; a triangle always is.
+  void addConvex(const glm::ivec3* p, int count, int number, bool back) {
+    if (count == 3 || convex(p, count)) {
+      if (doubleArea(p, count) <= 0)
+        return;  // a part that the rounding has turned over: less than a step wide
+      scene_.faces.push_back({static_cast<int>(scene_.vertices.size()), count, number, back});
+      scene_.vertices.insert(scene_.vertices.end(), p, p + count);
+      return;
+    }
+    const int half = count / 2;
+    std::vector<glm::ivec3> rest{p[0]};
+    rest.insert(rest.end(), p + half, p + count);
+    addConvex(p, half + 1, number, back);
+    addConvex(rest.data(), static_cast<int>(rest.size()), number, back);
+  }
+
+  SnappedScene& scene_;
+  Cull cull_;
+  double zScale_;
+};
+
+}  // namespace
+
+std::int64_t doubleArea(const glm::ivec3* p, int count) {
+  std::uint64_t sum = 0;
+  for (int i = 1; i + 1 < count; ++i) {
+    const std::int64_t ax = p[i].x - p[0].x, ay = p[i].y - p[0].y;
+    const std::int64_t bx = p[i + 1].x - p[0].x, by = p[i + 1].y - p[0].y;
+    sum += static_cast<std::uint64_t>(ay * bx - ax * by);  // y runs down
+  }
+  return static_cast<std::int64_t>(sum);
+}
+
+SnappedScene project(const Mesh& mesh, const Pieces& pieces, const ViewSpec& view, int width, int height,
+                     Cull cull) {
+  const glm::dmat4 screenFromWorld =
+      screenFromCanonical(view, width, height) * canonicalFromVrc(view) * vrcFromWorld(view);
+  const std::array<ClipPlane, 6> planes = clipPlanes(frontDepth(view, width), kMaxPicture);
+
+  // Every vertex once: transformed, and where it lies inside the volume divided.
+  std::vector<glm::dvec4> homogeneous(mesh.points.size());
+  std::vector<glm::dvec3> screen(mesh.points.size());
+  std::vector<std::uint8_t> outside(mesh.points.size());
+  double zMax = 0.0;
+  for (std::size_t i = 0; i < mesh.points.size(); ++i) {
+    homogeneous[i] = screenFromWorld * glm::dvec4{mesh.points[i], 1.0};
+    outside[i] = static_cast<std::uint8_t>(outcode(planes, homogeneous[i]));
+    if (outside[i]) continue;
+    screen[i] = divided(homogeneous[i]);
+    zMax = std::max(zMax, screen[i].z);
+  }
+
+  // Pieces that cross a plane are clipped first: their new vertices count in the choice of the z scale.
+  struct Clipped {
+    int piece, first, count;
+  };
+  SnappedScene scene;
+  std::vector<Clipped> clipped;
+  std::vector<glm::dvec3> clippedVertices;
+  std::vector<glm::dvec4> polygon;
+  const int count = static_cast<int>(pieces.face.size());
+  scene.polygons = count;
+  for (int i = 0; i < count; ++i) {
+    unsigned any = 0, all = ~0u;
+    for (const int corner : pieces.piece(i)) {
+      any |= outside[corner];
+      all &= outside[corner];
+    }
+    if (!any) continue;
+    clipped.push_back({i, static_cast<int>(clippedVertices.size()), 0});
+    if (all) continue;
+    polygon.clear();
+    for (const int corner : pieces.piece(i)) polygon.push_back(homogeneous[corner]);
+    clip(polygon, planes, any);
+    for (const glm::dvec4& p : polygon) {
+      clippedVertices.push_back(divided(p));
+      zMax = std::max(zMax, clippedVertices.back().z);
+    }
+    clipped.back().count = static_cast<int>(polygon.size());
+  }
+
+  // One snap. z gets the steps of x and y unless something comes too near for 30 bits.
+  while (zMax * kGrid > std::ldexp(1.0, 30 + scene.zShift)) ++scene.zShift;
+  Snapper snapper{scene, cull, std::ldexp(1.0, kGridBits - scene.zShift)};
+  std::vector<glm::ivec3> snapped(mesh.points.size());
+  for (std::size_t i = 0; i < mesh.points.size(); ++i)
+    if (!outside[i]) snapped[i] = snapper.snap(screen[i]);
+
+  scene.faces.reserve(count);
+  scene.vertices.reserve(pieces.corners.size());
+  std::vector<glm::ivec3> outline;
+  auto next = clipped.begin();
+  for (int i = 0; i < count; ++i) {
+    outline.clear();
+    if (next != clipped.end() && next->piece == i) {
+      for (int v = 0; v < next->count; ++v) outline.push_back(snapper.snap(clippedVertices[next->first + v]));
+      ++next;
+      if (outline.empty()) {
+        ++scene.outside;
+        continue;
+      }
+    } else {
+      for (const int corner : pieces.piece(i)) outline.push_back(snapped[corner]);
+    }
+    snapper.add(outline, pieces.face[i]);
+  }
+  return scene;
+}

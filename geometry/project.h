@@ -1,0 +1,50 @@
+#pragma once
+
+#include <cstdint>
+#include <glm/vec3.hpp>
+#include <vector>
+
+#include "geometry/divide.h"
+#include "geometry/mesh.h"
+#include "geometry/view.h"
+
+/// The screen grid: x, y in 1/65536 pixel.
+inline constexpr int kGridBits = 16;
+inline constexpr int kGrid = 1 << kGridBits;
+/// Pictures are at most this wide and high, and the guard band reaches as far from the origin: |x|, |y| <=
+/// 2^29.
+inline constexpr int kMaxPicture = 8192;
+
+/// A convex face on the screen grid, ready to be ordered and painted.
+/// Holds:  its outline has an area and runs counter-clockwise as seen (x right, y down).
+struct SnappedFace {
+  int first = 0, count = 0;  ///< its outline: count >= 3 vertices of SnappedScene::vertices from `first` on
+  int number = 0;            ///< face number in the model; every piece keeps it
+  bool back = false;         ///< seen from the side from which the model lists it clockwise
+};
+
+/// The scene as painter and oracle see it: integers from here on.
+/// Space:  screen. x, y in 1/65536 pixel, origin top left, y down, |x|, |y| <= 2^29;
+///         z in 2^zShift / 65536 pixel of the view plane, larger is nearer, 0 <= z <= 2^30.
+struct SnappedScene {
+  std::vector<glm::ivec3> vertices;  ///< outlines, one after the other
+  std::vector<SnappedFace> faces;    ///< in order of number
+  int zShift = 0;
+  int polygons = 0;    ///< convex pieces that came in
+  int culled = 0;      ///< back faces left out by choice
+  int outside = 0;     ///< wholly outside the view volume and its guard band
+  int degenerate = 0;  ///< without area on the grid: they cover no sample
+};
+
+enum class Cull { Keep, Back };
+
+/// The whole viewing transformation: view, shear, warp, clip, viewport, snap. Vertices shared in the mesh,
+/// and new ones where a shared edge is clipped, snap to identical integers in every face that uses them.
+/// The scene's coordinates should be near 1 in magnitude (readScene normalises).
+/// width, height: the picture in pixels, 1..kMaxPicture. @throws ViewError
+[[nodiscard]] SnappedScene project(const Mesh& mesh, const Pieces& pieces, const ViewSpec& view, int width,
+                                   int height, Cull cull);
+
+/// Twice the area of an outline on the grid, positive where it runs counter-clockwise as seen. Exact:
+/// |x|, |y| <= 2^29 bounds it by 2^61; partial sums may wrap, the result cannot.
+[[nodiscard]] std::int64_t doubleArea(const glm::ivec3* outline, int count);
