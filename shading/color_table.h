@@ -38,11 +38,11 @@ inline constexpr int kMaxShades = 240;
 
 struct TableSettings {
   TableKind kind = TableKind::Linear;
-  int shades = kMaxShades;     ///< N, 2..240
-  double I0 = 0.02;            ///< lowest intensity of `corrected`, 1e-6..0.5
+  int shades = kMaxShades;  ///< N, 2..240
+  double I0 = 0.02;         ///< lowest intensity of `corrected`, 1e-6..0.5
   Pick pick = Pick::Log;
-  glm::dvec3 hue{1, 0, 0};     ///< each in [0, 1], the largest 1
-  int bits = 16;               ///< 16 stores round(65535 v), 8 stores 257 round(255 v)
+  glm::dvec3 hue{1, 0, 0};  ///< each in [0, 1], the largest 1
+  int bits = 16;            ///< 16 stores round(65535 v), 8 stores 257 round(255 v)
   bool operator==(const TableSettings&) const = default;
 };
 

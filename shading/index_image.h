@@ -1,7 +1,7 @@
 #pragma once
 
-#include <cstdint>
 #include <cstddef>
+#include <cstdint>
 #include <vector>
 
 /// 8-bit colour indices, row by row from the top: the picture, whatever the server.

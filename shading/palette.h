@@ -8,7 +8,22 @@
 /// The 256 colours that go with an index image: sixteen cells for the tool, the rest for the ramp.
 
 enum class Cell {
-  Black, White, Paper, Panel, Rule, Faint, Soft, Ink, Well, WellLine, WellText, P, Q, Good, Alarm, Focus
+  Black,
+  White,
+  Paper,
+  Panel,
+  Rule,
+  Faint,
+  Soft,
+  Ink,
+  Well,
+  WellLine,
+  WellText,
+  P,
+  Q,
+  Good,
+  Alarm,
+  Focus
 };
 inline constexpr int kCells = 16;
 

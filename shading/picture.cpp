@@ -1,0 +1,92 @@
+#include "shading/picture.h"
+
+#include <algorithm>
+
+#include "shading/scanline.h"
+
+namespace {
+
+/// Runs one stage and notes how long it took.
+template <class Stage>
+void timed(double& ms, Stage&& stage) {
+  const Stopwatch watch;
+  stage();
+  ms = watch.ms();
+}
+
+}  // namespace
+
+void Picture::make(const PictureSettings& next) {
+  times_ = {};
+
+  // The camera: from what the user said, and from the scene for the rest.
+  const double aspect = static_cast<double>(next.width) / next.height;
+  const Camera camera = placeCamera(next.camera, scene_.mesh.points, scene_.up, aspect);
+
+  // Shading, in world coordinates: once when a face is made, the specular term again when the eye moves.
+  const bool newLight = !any_ || next.light != made_.light;
+  const bool newEye = newLight || camera.eye != camera_.eye || camera.lookAt != camera_.lookAt;
+  timed(times_.shade, [&] {
+    if (newLight) faces_ = shadeFaces(scene_.mesh, next.light);
+    if (newEye) shadeSpecular(faces_, next.light, camera.eye, camera.lookAt);
+  });
+
+  // View, shear, warp, clip, viewport, and one snap to the grid, from where all is exact.
+  const bool newView = !any_ || camera.view != camera_.view || next.width != made_.width ||
+                       next.height != made_.height || next.cull != made_.cull;
+  if (newView)
+    timed(times_.transform, [&] {
+      snapped_ = project(scene_.mesh, scene_.pieces, camera.view, next.width, next.height, next.cull);
+    });
+
+  // Back to front.
+  const bool newOrder = newView || next.order != made_.order;
+  if (newOrder) timed(times_.sort, [&] { order_ = paintingOrder(snapped_, next.order); });
+
+  // Intensities to cells of the colour table.
+  if (!table_ || next.table != made_.table) table_.emplace(next.table);
+  timed(times_.fill, [&] {
+    cells_.resize(snapped_.faces.size());
+    std::ranges::transform(snapped_.faces, cells_.begin(), [&](const SnappedFace& f) {
+      const double I = next.shading == Shading::Full ? 1.0 : faces_[f.number].I[f.back];
+      return static_cast<std::uint8_t>(table_->cell(I));
+    });
+  });
+
+  camera_ = camera;
+  made_ = next;
+  any_ = true;
+}
+
+void Picture::paint(IndexImage& image, std::uint8_t ground) {
+  const Stopwatch watch;
+  image.width = made_.width;
+  image.height = made_.height;
+  image.pixels.assign(std::size_t(made_.width) * made_.height, ground);
+  for (const int i : order_) {
+    const SnappedFace& face = snapped_.faces[i];
+    forEachSpan(&snapped_.vertices[face.first], face.count, image.width, image.height,
+                [&image, cell = cells_[i]](int row, int from, int to) {
+                  std::fill(image.row(row) + from, image.row(row) + to, cell);
+                });
+  }
+  times_.fill += watch.ms();
+}
+
+std::vector<std::uint32_t> Picture::faceImage() const {
+  std::vector<std::uint32_t> image(std::size_t(made_.width) * made_.height, 0);
+  for (const int i : order_) {
+    const SnappedFace& face = snapped_.faces[i];
+    forEachSpan(&snapped_.vertices[face.first], face.count, made_.width, made_.height,
+                [&](int row, int from, int to) {
+                  const auto begin = image.begin() + std::ptrdiff_t(row) * made_.width;
+                  std::fill(begin + from, begin + to, static_cast<std::uint32_t>(face.number) + 1);
+                });
+  }
+  return image;
+}
+
+int Picture::saturated() const {
+  if (made_.shading == Shading::Full) return 0;
+  return static_cast<int>(std::ranges::count(faces_, true, &FaceShade::clamped));
+}

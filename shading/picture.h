@@ -1,0 +1,98 @@
+#pragma once
+
+#include <array>
+#include <chrono>
+#include <optional>
+#include <string_view>
+#include <vector>
+
+#include "depthsort/order.h"
+#include "geometry/camera.h"
+#include "geometry/project.h"
+#include "shading/color_table.h"
+#include "shading/illumination.h"
+#include "shading/index_image.h"
+#include "shading/palette.h"
+#include "shading/scene.h"
+
+/// One picture: from a scene to colour indices, without any server.
+
+enum class Shading { Full, Flat };
+struct ShadingRow {
+  Shading id;
+  std::string_view name, label, evaluates;
+};
+inline constexpr std::array kShadings{
+    ShadingRow{Shading::Full, "none", "none", "nothing: every face at full intensity"},
+    ShadingRow{Shading::Flat, "flat", "flat", "the illumination once a face, at its centroid"},
+};
+
+struct PictureSettings {
+  int width = 800, height = 600;  ///< pixels, 1..kMaxPicture
+  CameraSettings camera;          ///< in the scene's units
+  Illumination light;
+  Shading shading = Shading::Flat;
+  Order order = Order::ZSort;
+  Cull cull = Cull::Keep;
+  TableSettings table;
+  bool operator==(const PictureSettings&) const = default;
+};
+
+/// Milliseconds of each stage in the last run; 0 for a stage that was not needed again. Reading and
+/// presenting are not the picture's own: whoever does them adds them.
+struct StageTimes {
+  double read = 0, shade = 0, transform = 0, sort = 0, fill = 0, present = 0;
+  [[nodiscard]] double total() const { return read + shade + transform + sort + fill + present; }
+};
+
+/// The pipeline with its results kept: each stage runs again only when something it depends on changed,
+/// so a new colour table paints again from the stored intensities and sorts nothing.
+class Picture {
+ public:
+  explicit Picture(Scene scene) : scene_{std::move(scene)} {}
+
+  /// The walk. @throws ViewError
+  void make(const PictureSettings& settings);
+
+  /// The walk's last step: `image` becomes the picture, each face in its cell on `ground`.
+  void paint(IndexImage& image, std::uint8_t ground);
+  /// Face number + 1 at every sample, 0 where nothing is; row by row from the top.
+  [[nodiscard]] std::vector<std::uint32_t> faceImage() const;
+
+  [[nodiscard]] const Scene& scene() const { return scene_; }
+  [[nodiscard]] const PictureSettings& settings() const { return made_; }
+  [[nodiscard]] const Camera& camera() const { return camera_; }
+  [[nodiscard]] const std::vector<FaceShade>& faces() const { return faces_; }
+  [[nodiscard]] const SnappedScene& snapped() const { return snapped_; }
+  /// Indices into snapped().faces, back to front.
+  [[nodiscard]] const std::vector<int>& order() const { return order_; }
+  [[nodiscard]] const ColorTable& table() const { return *table_; }
+  /// The cell of each of snapped().faces.
+  [[nodiscard]] const std::vector<std::uint8_t>& cells() const { return cells_; }
+  /// Evaluations of the illumination that exceeded 1 and were clamped.
+  [[nodiscard]] int saturated() const;
+  [[nodiscard]] const StageTimes& times() const { return times_; }
+
+ private:
+  Scene scene_;
+  PictureSettings made_;  ///< what the results below were made with
+  bool any_ = false;      ///< whether there are results
+  Camera camera_;
+  std::vector<FaceShade> faces_;
+  SnappedScene snapped_;
+  std::vector<int> order_;
+  std::optional<ColorTable> table_;
+  std::vector<std::uint8_t> cells_;
+  StageTimes times_;
+};
+
+/// Milliseconds since it was made.
+class Stopwatch {
+ public:
+  [[nodiscard]] double ms() const {
+    return std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start_).count();
+  }
+
+ private:
+  std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
+};
