@@ -1,0 +1,167 @@
+#include "x11/controls.h"
+
+#include <algorithm>
+#include <charconv>
+#include <cmath>
+#include <glm/geometric.hpp>
+#include <numbers>
+
+#include "geometry/trig.h"
+
+namespace {
+
+bool always(const Setup&) { return true; }
+bool needsSpecular(const Setup& s) { return s.picture.light.ks > 0; }
+bool corrected(const Setup& s) { return s.picture.table.kind == TableKind::Corrected; }
+
+template <class Rows>
+std::vector<std::string_view> labels(const Rows& rows) {
+  std::vector<std::string_view> all;
+  for (const auto& row : rows) all.push_back(row.label);
+  return all;
+}
+
+bool isParallel(const CameraSettings& camera) { return camera.parallel || camera.oblique; }
+
+}  // namespace
+
+const std::array<SliderRow, 8> kSliders{{
+    {'i', "Ia", Section::Light, 0, 1, 0.01, false, 2, [](const Setup& s) { return s.picture.light.Ia; },
+     setIa, always},
+    {'p', "Ip", Section::Light, 0, 1, 0.01, false, 2, [](const Setup& s) { return s.picture.light.Ip; },
+     setIp, always},
+    {'a', "ka", Section::Surface, 0, 1, 0.01, false, 2, [](const Setup& s) { return s.picture.light.ka; },
+     [](Setup& s, double v) { s.picture.light.ka = v; }, always},
+    {'d', "kd", Section::Surface, 0, 1, 0.01, false, 2, [](const Setup& s) { return s.picture.light.kd; },
+     [](Setup& s, double v) { s.picture.light.kd = v; }, always},
+    {'s', "ks", Section::Surface, 0, 1, 0.01, false, 2, [](const Setup& s) { return s.picture.light.ks; },
+     [](Setup& s, double v) { s.picture.light.ks = v; }, always},
+    {'n', "n", Section::Surface, 1, 1000, 0.01, true, 0,
+     [](const Setup& s) { return double(s.picture.light.n); },
+     [](Setup& s, double v) { s.picture.light.n = static_cast<int>(v); }, needsSpecular},
+    {'c', "shades", Section::ColourTable, 2, kMaxShades, 1, false, 0,
+     [](const Setup& s) { return double(s.picture.table.shades); },
+     [](Setup& s, double v) { s.picture.table.shades = static_cast<int>(v); }, always},
+    {'0', "I0", Section::ColourTable, 0.001, 0.5, 0.01, true, 3,
+     [](const Setup& s) { return s.picture.table.I0; }, [](Setup& s, double v) { s.picture.table.I0 = v; },
+     corrected},
+}};
+
+const std::vector<ChoiceRow>& choices() {
+  static const std::vector<ChoiceRow> rows{
+      {'S', "shading", Section::Method, labels(kShadings),
+       [](const Setup& s) { return int(s.picture.shading); },
+       [](Setup& s, int i) { s.picture.shading = kShadings[i].id; }},
+      {'O', "order", Section::Method, labels(kOrders), [](const Setup& s) { return int(s.picture.order); },
+       [](Setup& s, int i) { s.picture.order = kOrders[i].id; }},
+      {'F', "fill", Section::Method, labels(kFills), [](const Setup& s) { return int(s.fill); },
+       [](Setup& s, int i) { s.fill = kFills[i].id; }},
+      {'P',
+       "project",
+       Section::Method,
+       {"parallel", "perspective"},
+       [](const Setup& s) { return isParallel(s.picture.camera) ? 0 : 1; },
+       [](Setup& s, int i) {
+         CameraSettings& camera = s.picture.camera;
+         camera.parallel = i == 0;
+         camera.oblique.reset();
+         camera.height.reset();
+       }},
+      {'K',
+       "backs",
+       Section::Method,
+       {"keep", "cull"},
+       [](const Setup& s) { return int(s.picture.cull); },
+       [](Setup& s, int i) { s.picture.cull = i == 0 ? Cull::Keep : Cull::Back; }},
+      {'T',
+       "table",
+       Section::ColourTable,
+       {kTables[0].name, kTables[1].name, kTables[2].name},
+       [](const Setup& s) { return int(s.picture.table.kind); },
+       [](Setup& s, int i) { s.picture.table.kind = kTables[i].id; }},
+  };
+  return rows;
+}
+
+void nextHue(Setup& setup) {
+  const auto* const row = std::ranges::find(kHues, setup.picture.table.hue, &HueRow::hue);
+  setup.picture.table.hue = row == kHues.end() || row + 1 == kHues.end() ? kHues[0].hue : row[1].hue;
+}
+
+double trackPosition(const SliderRow& row, double value) {
+  const double v = std::clamp(value, row.low, row.high);
+  return row.logarithmic ? std::log(v / row.low) / std::log(row.high / row.low)
+                         : (v - row.low) / (row.high - row.low);
+}
+
+double trackValue(const SliderRow& row, double position) {
+  const double p = std::clamp(position, 0.0, 1.0);
+  const double v =
+      row.logarithmic ? row.low * std::pow(row.high / row.low, p) : row.low + p * (row.high - row.low);
+  const double unit = std::pow(10.0, row.decimals);
+  return std::clamp(std::round(v * unit) / unit, row.low, row.high);
+}
+
+void step(Setup& setup, const SliderRow& row, int steps) {
+  const double share = row.logarithmic ? row.step : row.step / (row.high - row.low);
+  const double before = row.get(setup), unit = std::pow(10.0, -row.decimals);
+  double after = trackValue(row, trackPosition(row, before) + steps * share);
+  // On a logarithmic track a step may be less than the last decimal: move that at least.
+  if (std::abs(after - before) < unit / 2)
+    after = std::clamp(before + (steps > 0 ? unit : -unit), row.low, row.high);
+  row.set(setup, after);
+}
+
+std::string formatted(double value, int decimals) {
+  std::array<char, 64> text;
+  const auto end =
+      std::to_chars(text.data(), text.data() + text.size(), value, std::chars_format::fixed, decimals).ptr;
+  return {text.data(), end};
+}
+
+namespace {
+/// 1 - v, without the dust that binary fractions leave: the sum may not exceed 1 either.
+double complement(double v) { return std::floor((1.0 - v) * 1e9 + 0.5) / 1e9; }
+}  // namespace
+
+void setIa(Setup& setup, double Ia) {
+  Illumination& light = setup.picture.light;
+  light.Ia = Ia;
+  if (light.Ia + light.Ip > 1.0) light.Ip = complement(Ia);
+}
+
+void setIp(Setup& setup, double Ip) {
+  Illumination& light = setup.picture.light;
+  light.Ip = Ip;
+  if (light.Ia + light.Ip > 1.0) light.Ia = complement(Ip);
+}
+
+namespace {
+/// Right, towards the viewer and up in the world, as the default view looks at a scene with this axis up.
+struct Horizon {
+  glm::dvec3 right, towards, up;
+};
+Horizon horizon(UpAxis up) {
+  if (up == UpAxis::Z) return {{1, 0, 0}, {0, -1, 0}, {0, 0, 1}};
+  return {{1, 0, 0}, {0, 0, 1}, {0, 1, 0}};
+}
+}  // namespace
+
+LightAngles lightAngles(const Illumination& light, UpAxis up) {
+  const Horizon h = horizon(up);
+  const glm::dvec3 L = unit(light.light);
+  constexpr double kDegrees = 180.0 / std::numbers::pi;
+  return {std::atan2(glm::dot(L, h.right), glm::dot(L, h.towards)) * kDegrees,
+          std::asin(std::clamp(glm::dot(L, h.up), -1.0, 1.0)) * kDegrees};
+}
+
+void turnLight(Illumination& light, UpAxis up, double azimuth, double elevation) {
+  const Horizon h = horizon(up);
+  const LightAngles now = lightAngles(light, up);
+  const double e = std::clamp(std::round(now.elevation + elevation), -90.0, 90.0);
+  double a = std::round(now.azimuth + azimuth);
+  a -= 360.0 * std::floor((a + 180.0) / 360.0);
+  const SinCos sa = sinCosDegrees(a), se = sinCosDegrees(e);
+  light.light = se.cos * (sa.sin * h.right + sa.cos * h.towards) + se.sin * h.up;
+  light.lightPosition.reset();
+}

@@ -1,0 +1,90 @@
+#pragma once
+
+#include <array>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "shading/picture.h"
+#include "x11/options.h"
+
+/// What can be changed while the program runs, one row a control: the panel draws these rows, the keys
+/// walk them.
+
+/// Everything a control changes. Undo keeps copies of it.
+struct Setup {
+  PictureSettings picture;
+  Fill fill = Fill::Scanline;
+  bool operator==(const Setup&) const = default;
+};
+
+enum class Section { Light, Surface, Method, ColourTable };
+
+/// A small letter goes to the slider; then the arrows change it.
+struct SliderRow {
+  char key;
+  std::string_view label;
+  Section section;
+  double low, high,
+      step;  ///< arrows move by `step`, with Shift by ten; logarithmic: by that share of the track
+  bool logarithmic;
+  int decimals;
+  double (*get)(const Setup&);
+  void (*set)(Setup&, double);
+  bool (*enabled)(const Setup&);
+};
+enum SliderIndex { kIa, kIp, kKa, kKd, kKs, kN, kShadesSlider, kI0 };
+extern const std::array<SliderRow, 8> kSliders;
+
+/// A capital takes the next option.
+struct ChoiceRow {
+  char key;
+  std::string_view label;
+  Section section;
+  std::vector<std::string_view> options;
+  int (*get)(const Setup&);
+  void (*set)(Setup&, int);
+};
+[[nodiscard]] const std::vector<ChoiceRow>& choices();
+
+struct ToggleRow {
+  char key;
+  std::string_view label;
+  bool Illumination::*value;
+};
+inline constexpr std::array kToggles{
+    ToggleRow{'L', "L constant", &Illumination::constantL},
+    ToggleRow{'V', "V constant", &Illumination::constantV},
+};
+
+/// Hues the key `H` walks through.
+struct HueRow {
+  std::string_view name;
+  glm::dvec3 hue;
+};
+inline constexpr std::array kHues{
+    HueRow{"red", {1, 0, 0}},      HueRow{"amber", {1, 0.7, 0}}, HueRow{"green", {0, 1, 0}},
+    HueRow{"blue", {0.3, 0.5, 1}}, HueRow{"gray", {1, 1, 1}},
+};
+void nextHue(Setup& setup);
+
+/// Where a value stands on its track, in [0, 1], and back.
+[[nodiscard]] double trackPosition(const SliderRow& row, double value);
+[[nodiscard]] double trackValue(const SliderRow& row, double position);
+/// The slider's value after `steps` of its steps, kept within its range.
+void step(Setup& setup, const SliderRow& row, int steps);
+[[nodiscard]] std::string formatted(double value, int decimals);
+
+/// Ia and Ip are two thumbs on one bar: the one that moves pushes the other, so that Ia + Ip <= 1.
+void setIa(Setup& setup, double Ia);
+void setIp(Setup& setup, double Ip);
+
+/// The light as a direction: azimuth in degrees to the right of the line of sight's compass direction,
+/// elevation above the horizon, both as the default view has them.
+struct LightAngles {
+  double azimuth = 0, elevation = 0;
+};
+[[nodiscard]] LightAngles lightAngles(const Illumination& light, UpAxis up);
+/// Turns the light about the up axis and towards it, elevation kept within +-90 degrees.
+void turnLight(Illumination& light, UpAxis up, double azimuth, double elevation);

@@ -1,0 +1,14 @@
+#pragma once
+
+#include "shading/picture.h"
+#include "x11/canvas.h"
+
+/// `--fill x11`: the server fills the polygons, one XFillPolygon a face, back to front, into the
+/// canvas's picture at `area` (as large as the picture's settings say), on `ground`. Nothing is shown yet.
+///
+/// Integer coordinates are pixel centres to X, ours are half-way between: a vertex at x goes to
+/// round(x - 1/2). The guard band of 8192 pixels keeps every coordinate far from where 16 bits would
+/// wrap. A polygon of more than three corners may lose its convexity in that rounding and is not promised
+/// to be convex: the server would silently paint it wrong.
+void fillPolygons(::Display* display, Canvas& canvas, const ServerColormap& colormap, const Picture& picture,
+                  const Rect& area, std::uint8_t ground);

@@ -1,0 +1,337 @@
+#include "x11/options.h"
+
+#include <CLI/CLI.hpp>
+#include <algorithm>
+#include <charconv>
+#include <cmath>
+#include <iostream>
+#include <vector>
+
+namespace {
+
+/// Words of the command line that are fixed but do not do anything yet: they say so.
+constexpr std::array<std::string_view, 4> kLaterCommands{"trace", "figure", "trade", "lesson"};
+constexpr std::array<std::string_view, 5> kLaterOptions{"--half-vector", "--attenuation", "--normals",
+                                                        "--texture", "--frames"};
+
+[[noreturn]] void refuse(const std::string& option, const std::string& text, const std::string& expected) {
+  throw UsageError{option + ": '" + text.substr(0, 60) + "' is not " + expected};
+}
+
+/// All of `text` as comma-separated finite numbers, exactly `count` of them.
+std::vector<double> numbers(const std::string& option, const std::string& text, std::size_t count,
+                            const std::string& expected) {
+  std::vector<double> values;
+  const char* p = text.data();
+  const char* const end = p + text.size();
+  for (;;) {
+    double v = 0;
+    if (p != end && *p == '+') ++p;
+    const auto [next, error] = std::from_chars(p, end, v);
+    if (error != std::errc{} || !std::isfinite(v)) refuse(option, text, expected);
+    values.push_back(v);
+    if (next == end) break;
+    if (*next != ',') refuse(option, text, expected);
+    p = next + 1;
+  }
+  if (values.size() != count) refuse(option, text, expected);
+  return values;
+}
+
+/// Options of one family share how they read their text and what they print as default.
+class Reader {
+ public:
+  explicit Reader(CLI::App& app) : app_{app} {}
+
+  /// A number in [low, high], or in (low, high) where `open`.
+  template <class Number>
+  void number(const std::string& name, Number& target, double low, double high, const std::string& help,
+              bool open = false) {
+    add(name, trimmed(static_cast<double>(target)), help, [=, this, &target](const std::string& text) {
+      const bool whole = std::is_integral_v<Number>;
+      const std::string expected = std::string{whole ? "a whole number" : "a number"} +
+                                   (open ? " between " : " from ") + trimmed(low) +
+                                   (open ? " and " : " to ") + trimmed(high);
+      const double v = numbers(name, text, 1, expected)[0];
+      const bool inside = open ? v > low && v < high : v >= low && v <= high;
+      if (!inside || (whole && v != std::floor(v))) refuse(name, text, expected);
+      target = static_cast<Number>(v);
+      given_.push_back(name);
+    });
+  }
+  void point(const std::string& name, const std::string& help, const std::string& initially, auto&& set) {
+    add(name, initially, help, [=](const std::string& text) {
+      const auto v = numbers(name, text, 3, "three finite numbers x,y,z");
+      set(glm::dvec3{v[0], v[1], v[2]});
+    });
+  }
+  /// One row of a table of choices, by name; `later` are names that are fixed but not built yet.
+  template <class Rows, class Id>
+  void choice(const std::string& name, const Rows& rows, Id& target, const std::string& help,
+              std::vector<std::string_view> later = {}) {
+    std::string all;
+    std::string initially;
+    for (const auto& row : rows) {
+      all += (all.empty() ? "" : ", ") + std::string{row.name};
+      if (row.id == target) initially = row.name;
+    }
+    add(name, initially, help + ": " + all, [=, &rows, &target](const std::string& text) {
+      const auto row = std::ranges::find(rows, text, [](const auto& r) { return r.name; });
+      if (row != rows.end()) {
+        target = row->id;
+        return;
+      }
+      if (std::ranges::find(later, text) != later.end())
+        throw UsageError{name + " " + text + " is not built yet; there is " + all};
+      refuse(name, text, "one of " + all);
+    });
+  }
+  void text(const std::string& name, const std::string& help, const std::string& initially,
+            std::function<void(const std::string&)> take) {
+    add(name, initially, help, std::move(take));
+  }
+  void flag(const std::string& name, bool& target, const std::string& help) {
+    app_.add_flag(name, target, help);
+  }
+
+  [[nodiscard]] bool given(const std::string& name) const {
+    return std::ranges::find(given_, name) != given_.end();
+  }
+
+ private:
+  static std::string trimmed(double v) {
+    std::array<char, 32> text;
+    const auto [end, error] = std::to_chars(text.begin(), text.end(), v);
+    return {text.begin(), end};
+  }
+  void add(const std::string& name, const std::string& initially, const std::string& help,
+           std::function<void(const std::string&)> take) {
+    app_.add_option_function<std::string>(name, std::move(take),
+                                          help + (initially.empty() ? "" : " [" + initially + "]"))
+        ->type_name("");
+  }
+  CLI::App& app_;
+  std::vector<std::string> given_;
+};
+
+glm::ivec2 parseSize(const std::string& text) {
+  const std::string expected = "a size WxH from 1x1 to 8192x8192";
+  const std::size_t x = text.find('x');
+  if (x == std::string::npos) refuse("--size", text, expected);
+  glm::ivec2 size{0};
+  const auto part = [&](std::string_view digits, int& v) {
+    const auto [end, error] = std::from_chars(digits.data(), digits.data() + digits.size(), v);
+    if (error != std::errc{} || end != digits.data() + digits.size() || v < 1 || v > kMaxPicture)
+      refuse("--size", text, expected);
+  };
+  part(std::string_view{text}.substr(0, x), size.x);
+  part(std::string_view{text}.substr(x + 1), size.y);
+  return size;
+}
+
+Oblique parseOblique(const std::string& text) {
+  const std::size_t colon = text.find(':');
+  const std::string kind = text.substr(0, colon);
+  Oblique oblique;
+  if (kind == "cabinet")
+    oblique.length = 0.5;
+  else if (kind != "cavalier")
+    refuse("--oblique", text, "cavalier or cabinet, with :ANGLE if you like");
+  if (colon != std::string::npos)
+    oblique.angle = numbers("--oblique", text.substr(colon + 1), 1, "an angle in degrees")[0];
+  return oblique;
+}
+
+void addCamera(Reader& r, CameraSettings& camera, bool& fovGiven) {
+  r.point("--eye", "where the eye is, x,y,z in the world", "the scene framed whole",
+          [&](glm::dvec3 p) { camera.eye = p; });
+  r.point("--look-at", "what it looks at", "the scene's centre", [&](glm::dvec3 p) { camera.lookAt = p; });
+  r.point("--up", "what is up", "z for .bpt, y for .obj", [&](glm::dvec3 p) { camera.up = p; });
+  r.text("--fov", "perspective with this vertical field of view, degrees", "30",
+         [&](const std::string& text) {
+           camera.fov = numbers("--fov", text, 1, "an angle between 0 and 180 degrees")[0];
+           if (!(camera.fov > 0 && camera.fov < 180))
+             refuse("--fov", text, "an angle between 0 and 180 degrees");
+           fovGiven = true;
+         });
+  r.text("--parallel", "parallel projection, the picture this many world units tall", "",
+         [&](const std::string& text) {
+           camera.height = numbers("--parallel", text, 1, "a height above 0")[0];
+           if (!(*camera.height > 0)) refuse("--parallel", text, "a height above 0");
+           camera.parallel = true;
+         });
+  r.text("--oblique", "oblique projection: cavalier or cabinet, then :ANGLE if you like", "angle 45",
+         [&](const std::string& text) { camera.oblique = parseOblique(text); });
+  r.point("--vrp", "the textbook's view reference point", "the look-at point",
+          [&](glm::dvec3 p) { camera.vrp = p; });
+  r.point("--vpn", "view plane normal", "from there to the eye", [&](glm::dvec3 p) { camera.vpn = p; });
+  r.point("--vup", "view up vector", "up", [&](glm::dvec3 p) { camera.vup = p; });
+  r.point("--prp", "projection reference point, in viewing coordinates", "the eye",
+          [&](glm::dvec3 p) { camera.prp = p; });
+  r.text("--view-window", "window umin,umax,vmin,vmax on the view plane", "", [&](const std::string& text) {
+    const auto v = numbers("--view-window", text, 4, "four finite numbers umin,umax,vmin,vmax");
+    camera.window = {v[0], v[1], v[2], v[3]};
+  });
+  const auto plane = [&](const char* name, const char* help, const char* initially,
+                         std::optional<double>& n) {
+    r.text(name, help, initially,
+           [name, &n](const std::string& text) { n = numbers(name, text, 1, "a finite number")[0]; });
+  };
+  plane("--front", "front clipping plane, its n", "just before the eye", camera.front);
+  plane("--back", "back clipping plane, its n", "behind the scene", camera.back);
+}
+
+void addLight(Reader& r, Illumination& light) {
+  r.number("--ia", light.Ia, 0, 1, "ambient intensity Ia; Ia + Ip <= 1");
+  r.number("--ip", light.Ip, 0, 1, "point light intensity Ip");
+  r.number("--ka", light.ka, 0, 1, "ambient reflection ka");
+  r.number("--kd", light.kd, 0, 1, "diffuse reflection kd");
+  r.number("--ks", light.ks, 0, 1, "specular reflection ks");
+  r.number("--n", light.n, 0, 1'000'000, "specular exponent n");
+  r.point("--light", "direction towards the light", "from the upper left", [&](glm::dvec3 p) {
+    if (p == glm::dvec3{0}) throw UsageError{"--light: 0,0,0 is no direction"};
+    light.light = p;
+  });
+  r.point("--light-at", "a point light at this place instead", "",
+          [&](glm::dvec3 p) { light.lightPosition = p; });
+  r.flag("--constant-l", light.constantL,
+         "take L at the scene's centre for every face: the light is far away");
+  r.flag("--constant-v", light.constantV,
+         "take V at the look-at point for every face: the viewer is far away");
+}
+
+void addTable(Reader& r, TableSettings& table) {
+  r.choice("--table", kTables, table.kind, "colour table");
+  r.number("--shades", table.shades, 2, kMaxShades, "shades in the table");
+  r.number("--i0", table.I0, 0, 1, "lowest intensity of the corrected table", true);
+  r.choice("--pick", kPicks, table.pick, "how the corrected table picks a shade");
+  r.point("--hue", "hue r,g,b of the ramp, each 0 to 1, the largest 1", "1,0,0", [&](glm::dvec3 h) {
+    if (std::min({h.r, h.g, h.b}) < 0 || std::max({h.r, h.g, h.b}) != 1)
+      throw UsageError{"--hue: r,g,b must lie from 0 to 1 and the largest must be 1"};
+    table.hue = h;
+  });
+  r.text("--bits", "what a cell keeps of its value: 8 or 16 bits", "16", [&](const std::string& text) {
+    if (text != "8" && text != "16") refuse("--bits", text, "8 or 16");
+    table.bits = text == "8" ? 8 : 16;
+  });
+}
+
+/// Two thumbs on one bar: the one that was set pushes the other, so that Ia + Ip <= 1.
+void coupleIntensities(Illumination& light, bool iaGiven, bool ipGiven) {
+  if (light.Ia + light.Ip <= 1.0) return;
+  if (iaGiven && ipGiven) throw UsageError{"--ia and --ip: their sum must not exceed 1"};
+  (iaGiven ? light.Ip : light.Ia) = 1.0 - (iaGiven ? light.Ia : light.Ip);
+}
+
+/// Splits off the command; `arguments` keeps the rest.
+Command takeCommand(std::vector<std::string>& arguments) {
+  if (arguments.empty()) return Command::View;
+  const std::string first = arguments.front();
+  if (std::ranges::find(kLaterCommands, first) != kLaterCommands.end())
+    throw UsageError{"the command '" + first + "' is not built yet; `xnewell --help` lists what is"};
+  const auto* const row = std::ranges::find(kCommands, first, &CommandRow::name);
+  if (row == kCommands.end()) return Command::View;
+  arguments.erase(arguments.begin());
+  return row->id;
+}
+
+void check(const Options& o, bool sceneGiven, bool fovGiven) {
+  const bool makesPng = o.command == Command::Draw || o.command == Command::Snapshot;
+  const std::string name{kCommands[static_cast<int>(o.command)].name};
+  if (makesPng && !sceneGiven) throw UsageError{name + " needs a scene, such as teapot"};
+  if (makesPng && o.output.empty()) throw UsageError{name + " needs -o FILE.png"};
+  if (!makesPng && !o.output.empty()) throw UsageError{"-o goes with draw and snapshot"};
+  if (!makesPng && (o.stats || !o.ids.empty()))
+    throw UsageError{"--stats and --ids go with draw and snapshot"};
+  if (o.command != Command::Snapshot && o.wholeWindow) throw UsageError{"--whole-window goes with snapshot"};
+  if (o.command == Command::Draw && o.fill == Fill::XFillPolygon)
+    throw UsageError{"--fill x11 needs a server: use snapshot"};
+  if ((o.command == Command::Draw || o.command == Command::Scenes) && !o.visual.empty())
+    throw UsageError{"--visual goes with view, snapshot and visuals"};
+  const CameraSettings& c = o.picture.camera;
+  if (fovGiven && (c.parallel || c.oblique))
+    throw UsageError{"--fov is for perspective: leave out --parallel and --oblique"};
+}
+
+/// CLI11 knows one command line; ours has several forms.
+class Help : public CLI::Formatter {
+  std::string make_usage(const CLI::App*, std::string) const override {
+    std::string usage = "\nUsage:\n";
+    for (const CommandRow& row : kCommands) {
+      usage += "  xnewell " + std::string{row.usage};
+      usage +=
+          std::string(row.usage.size() < 40 ? 40 - row.usage.size() : 1, ' ') + std::string{row.does} + "\n";
+    }
+    return usage +
+           "\nSCENE is a file (.obj, .bpt) or a built-in name (`xnewell scenes`). Defaults stand in [ ].\n";
+  }
+};
+
+}  // namespace
+
+std::optional<Options> parseOptions(int argc, const char* const* argv) {
+  std::vector<std::string> arguments(argv + 1, argv + argc);
+  Options o;
+  o.command = takeCommand(arguments);
+  for (const std::string& a : arguments)
+    if (std::ranges::find(kLaterOptions, a.substr(0, a.find('='))) != kLaterOptions.end())
+      throw UsageError{a.substr(0, a.find('=')) + " is not built yet"};
+
+  CLI::App app{"xnewell: shading and hidden surfaces through real X11 colormaps"};
+  app.formatter(std::make_shared<Help>());
+  app.footer(
+      "In the window, `?` shows all keys. Exit status: 0 done, 1 something outside failed, 2 wrong usage or "
+      "bad\n"
+      "contents, 130 interrupted.");
+
+  Reader r{app};
+  bool fovGiven = false;
+  app.add_option_function<std::string>(
+         "scene", [&](const std::string& s) { o.scene = s; }, "SCENE [teapot]")
+      ->type_name("");
+  r.text("-o,--output", "where the PNG goes", "", [&](const std::string& s) { o.output = s; });
+  r.text("--size", "picture or window size WxH, at most 8192x8192", "800x600, a window 1024x768",
+         [&](const std::string& s) { o.size = parseSize(s); });
+  r.number("--divisions", o.divisions, 1, kMaxDivisions, "each Bezier patch becomes N x N polygons");
+  r.choice("--shade", kShadings, o.picture.shading, "shading method",
+           {"depth", "gouraud", "phong", "envmap"});
+  r.choice("--order", kOrders, o.picture.order, "hidden-surface method", {"newell", "oracle"});
+  r.choice("--fill", kFills, o.fill, "who fills the polygons");
+  r.text("--cull", "back faces: back leaves them out, none keeps them", "none", [&](const std::string& s) {
+    if (s != "back" && s != "none") refuse("--cull", s, "back or none");
+    o.picture.cull = s == "back" ? Cull::Back : Cull::Keep;
+  });
+  r.text("--sided", "light one side of a face or two", "two", [&](const std::string& s) {
+    if (s != "one" && s != "two") refuse("--sided", s, "one or two");
+    o.picture.light.twoSided = s == "two";
+  });
+  addLight(r, o.picture.light);
+  addTable(r, o.picture.table);
+  addCamera(r, o.picture.camera, fovGiven);
+  r.text("--visual", "insist on a visual, such as PseudoColor8 or TrueColor24", "",
+         [&](const std::string& s) { o.visual = s; });
+  r.text("--colormap", "whose cells: private", "private", [&](const std::string& s) {
+    if (s == "shared") throw UsageError{"--colormap shared is not built yet; there is private"};
+    if (s != "private") refuse("--colormap", s, "private");
+  });
+  r.text("--view", "what to draw: picture", "picture", [&](const std::string& s) {
+    if (s != "picture") throw UsageError{"--view " + s.substr(0, 60) + " is not built yet; there is picture"};
+  });
+  r.text("--ids", "also write the face image: 8-bit RGB, face number + 1, 0 where nothing is", "",
+         [&](const std::string& s) { o.ids = s; });
+  r.flag("--stats", o.stats, "print counts and times as one JSON object");
+  r.flag("--whole-window", o.wholeWindow, "snapshot: the window with all its controls");
+
+  try {
+    std::ranges::reverse(arguments);  // as CLI11 takes them
+    app.parse(arguments);
+  } catch (const CLI::CallForHelp&) {
+    std::cout << app.help();
+    return std::nullopt;
+  } catch (const CLI::ParseError& e) {
+    throw UsageError{e.what()};
+  }
+  coupleIntensities(o.picture.light, r.given("--ia"), r.given("--ip"));
+  check(o, app.count("scene") > 0, fovGiven);
+  return o;
+}

@@ -1,0 +1,58 @@
+#pragma once
+
+#include <array>
+#include <optional>
+#include <stdexcept>
+#include <string>
+#include <string_view>
+
+#include "shading/picture.h"
+
+/// The command line as a value.
+
+enum class Command { View, Draw, Snapshot, Visuals, Scenes };
+struct CommandRow {
+  Command id;
+  std::string_view name, usage, does;
+};
+inline constexpr std::array kCommands{
+    CommandRow{Command::View, "view", "[view] [SCENE] [options]", "a window; the default command"},
+    CommandRow{Command::Draw, "draw", "draw SCENE -o FILE.png [options]",
+               "the picture, without any X server"},
+    CommandRow{Command::Snapshot, "snapshot", "snapshot SCENE -o FILE.png [options]",
+               "the picture through a real X window, read back from the server"},
+    CommandRow{Command::Visuals, "visuals", "visuals [--visual CLASS[DEPTH]]",
+               "what this X server offers and what xnewell would choose, and why"},
+    CommandRow{Command::Scenes, "scenes", "scenes", "the built-in scenes, one line each"},
+};
+
+/// Who fills the polygons.
+enum class Fill { XFillPolygon, Scanline };
+struct FillRow {
+  Fill id;
+  std::string_view name, label;
+};
+inline constexpr std::array kFills{
+    FillRow{Fill::XFillPolygon, "x11", "XFillPolygon"},
+    FillRow{Fill::Scanline, "scanline", "scanline"},
+};
+
+struct Options {
+  Command command = Command::View;
+  std::string scene = "teapot";
+  int divisions = kDefaultDivisions;
+  std::optional<glm::ivec2> size;  ///< --size, else 800x600 for pictures and 1024x768 for windows
+  PictureSettings picture;         ///< its camera and light in the file's units
+  Fill fill = Fill::Scanline;
+  std::string visual;  ///< "" for the program's choice
+  std::string output, ids;
+  bool stats = false, wholeWindow = false;
+};
+
+/// Wrong usage: one line for standard error, exit status 2.
+struct UsageError : std::runtime_error {
+  using std::runtime_error::runtime_error;
+};
+
+/// @throws UsageError. Returns nothing when it printed --help and there is no more to do.
+[[nodiscard]] std::optional<Options> parseOptions(int argc, const char* const* argv);

@@ -1,0 +1,426 @@
+#include "x11/panel.h"
+
+#include <algorithm>
+#include <cmath>
+#include <glm/geometric.hpp>
+
+#include "geometry/power.h"
+
+namespace {
+
+constexpr int kMargin = 16, kControls = 320, kStatusHeight = 44, kStripHeight = 60, kViewsHeight = 32;
+
+/// Draws into the image with the plan's cells: every part of the panel is one function of it.
+struct Pen {
+  Painter paint;
+  const CellPlan& plan;
+  const PanelState& state;
+
+  [[nodiscard]] std::uint8_t operator()(Cell c) const { return plan[c]; }
+  [[nodiscard]] KeyCapCells keyCells() const {
+    return {plan[Cell::Panel], plan[Cell::Rule], plan[Cell::Faint], plan[Cell::Soft]};
+  }
+  int key(int x, int y, std::string_view name) { return paint.keyCap(x, y, name, keyCells()); }
+  int arrow(int x, int y, Direction d) { return paint.keyCap(x, y, d, keyCells()); }
+  int soft(int x, int y, std::string_view s) { return paint.text(x, y, s, plan[Cell::Soft]); }
+  int ink(int x, int y, std::string_view s) { return paint.text(x, y, s, plan[Cell::Ink]); }
+  int bold(int x, int y, std::string_view s) { return paint.text(x, y, s, plan[Cell::Ink], Voice::Bold); }
+  void boldRight(int x, int y, std::string_view s) { paint.textRight(x, y, s, plan[Cell::Ink], Voice::Bold); }
+  void rule(int x, int y, int width) { paint.hline(x, y, width, plan[Cell::Rule]); }
+};
+
+std::string_view chosen(const ChoiceRow& row, const Setup& setup) { return row.options[row.get(setup)]; }
+
+const ChoiceRow& choice(char key) { return *std::ranges::find(choices(), key, &ChoiceRow::key); }
+
+void drawViews(Pen& pen, const Layout& at) {
+  pen.paint.fillRect(at.views, pen(Cell::Panel));
+  pen.rule(0, at.views.height, at.width);
+  const Rect tab{6, 5, 78, at.views.height - 4};
+  pen.paint.fillRect(tab, pen(Cell::Paper));
+  pen.paint.fillRect({tab.x, tab.y, tab.width, 2}, pen(Cell::Ink));
+  pen.paint.vline(tab.x, tab.y, at.views.height - tab.y, pen(Cell::Rule));
+  pen.paint.vline(tab.x + tab.width - 1, tab.y, at.views.height - tab.y, pen(Cell::Rule));
+  pen.soft(15, 23, "1");
+  pen.bold(30, 23, "Picture");
+  pen.paint.textRight(at.width - kMargin, 23, pen.state.sceneTitle, pen(Cell::Soft));
+}
+
+void drawTrack(Pen& pen, const SliderRow& row, int x, int y, bool enabled) {
+  constexpr int kTrack = 168;
+  const auto place = [&](double v) {
+    return x + static_cast<int>(std::lround(trackPosition(row, v) * kTrack));
+  };
+  const int thumb = place(row.get(pen.state.setup)), middle = y - 4;
+  const std::uint8_t strong = pen(enabled ? Cell::Soft : Cell::Rule);
+  pen.paint.fillRect({x, middle - 1, kTrack, 2}, pen(Cell::Rule));
+  pen.paint.fillRect({x, middle - 1, thumb - x, 2}, strong);
+  for (int quarter = 0; quarter <= 4; ++quarter)
+    pen.paint.vline(x + quarter * kTrack / 4, middle + 7, 2, pen(Cell::Faint));
+  if (enabled)
+    pen.paint.triangle(place(row.get(pen.state.defaults)) - 2, middle - 8, 3, Direction::Down,
+                       pen(Cell::Faint));
+  const Rect box{thumb - 4, middle - 7, 9, 15};
+  pen.paint.fillRect(box, pen(enabled ? Cell::Paper : Cell::Panel));
+  pen.paint.frame(box, pen(enabled ? Cell::Ink : Cell::Faint));
+  if (!enabled) return;
+  pen.paint.vline(box.x + 7, box.y + 1, 13, pen(Cell::Rule));
+  pen.paint.vline(thumb, middle - 3, 7, pen(Cell::Ink));
+}
+
+/// The row that has the keyboard stands on its own colour with an ink bar before it.
+void drawFocus(Pen& pen, char key, int x, int y, int pitch) {
+  if (pen.state.focus != key) return;
+  pen.paint.fillRect({x - 2, y - 14, kControls + 8, pitch}, pen(Cell::Focus));
+  pen.paint.fillRect({x - 6, y - 14, 2, pitch}, pen(Cell::Ink));
+}
+
+void drawSlider(Pen& pen, const SliderRow& row, int x, int y, int pitch) {
+  drawFocus(pen, row.key, x, y, pitch);
+  const bool enabled = row.enabled(pen.state.setup);
+  pen.key(x, y - 11, std::string_view{&row.key, 1});
+  pen.paint.text(x + 24, y, row.label, pen(enabled ? Cell::Ink : Cell::Faint));
+  drawTrack(pen, row, x + 84, y, enabled);
+  const std::string value = formatted(row.get(pen.state.setup), row.decimals);
+  if (enabled)
+    pen.boldRight(x + kControls, y, value);
+  else
+    pen.paint.textRight(x + kControls, y, value, pen(Cell::Faint));
+}
+
+void drawChoice(Pen& pen, const ChoiceRow& row, int x, int y) {
+  pen.key(x, y - 11, std::string_view{&row.key, 1});
+  pen.ink(x + 24, y, row.label);
+  int at = x + 84;
+  for (int i = 0; i < static_cast<int>(row.options.size()); ++i) {
+    const int width = textWidth(row.options[i]);
+    if (i == row.get(pen.state.setup)) {
+      const Rect box{at - 6, y - 14, width + 13, 19};
+      pen.paint.fillRect(box, pen(Cell::White));
+      pen.paint.frame(box, pen(Cell::Ink));
+      pen.bold(at, y, row.options[i]);
+    } else {
+      pen.soft(at, y, row.options[i]);
+    }
+    at += width + 14;
+  }
+}
+
+void drawToggle(Pen& pen, const ToggleRow& row, int x, int y) {
+  pen.key(x, y - 11, std::string_view{&row.key, 1});
+  const Rect box{x + 30, y - 10, 11, 11};
+  pen.paint.fillRect(box, pen(Cell::White));
+  pen.paint.frame(box, pen(Cell::Ink));
+  if (pen.state.setup.picture.light.*row.value) pen.paint.tick(box.x + 2, box.y + 2, pen(Cell::Ink));
+  pen.ink(x + 47, y, row.label);
+}
+
+/// A sphere with the present material in the present table, the light marked by a ring: L is read off it.
+void drawLightBall(Pen& pen, const Rect& box, const ColorTable& table) {
+  pen.paint.fillRect(box, pen(Cell::Well));
+  const int radius = box.height * 54 / 128, cx = box.x + box.width / 2, cy = box.y + box.height / 2;
+  pen.paint.hline(cx - radius - 5, cy, 2 * radius + 11, pen(Cell::WellLine));
+  pen.paint.vline(cx, cy - radius - 5, 2 * radius + 11, pen(Cell::WellLine));
+  const Illumination& light = pen.state.setup.picture.light;
+  constexpr double kRadians = 3.14159265358979323846 / 180;
+  const double a = pen.state.light.azimuth * kRadians, e = pen.state.light.elevation * kRadians;
+  const glm::dvec3 L{std::cos(e) * std::sin(a), std::sin(e),
+                     std::cos(e) * std::cos(a)};  // right, up, towards
+  for (int y = -radius; y <= radius; ++y)
+    for (int x = -radius; x <= radius; ++x) {
+      const double rest = static_cast<double>(radius) * radius - x * x - y * y;
+      if (rest < 0) continue;
+      const glm::dvec3 N = glm::dvec3{x, -y, std::sqrt(rest)} / static_cast<double>(radius);
+      const double NdotL = glm::dot(N, L), RdotV = 2 * NdotL * N.z - L.z;
+      const double lit =
+          NdotL <= 0 ? 0.0 : light.kd * NdotL + light.ks * power(std::clamp(RdotV, 0.0, 1.0), light.n);
+      pen.paint.point(cx + x, cy + y,
+                      static_cast<std::uint8_t>(table.cell(light.ka * light.Ia + light.Ip * lit)));
+    }
+  const int lx = cx + static_cast<int>(std::lround(radius * L.x)),
+            ly = cy - static_cast<int>(std::lround(radius * L.y));
+  pen.paint.ring(lx, ly, 5, pen(Cell::White));
+  if (L.z < 0)
+    pen.paint.point(lx, ly, pen(Cell::White));  // behind the sphere
+  else
+    pen.paint.disc(lx, ly, 1, pen(Cell::White));
+}
+
+/// One bar of length 1: ambient dark, point dotted, the rest unused.
+void drawIntensities(Pen& pen, int x, int y) {
+  const Illumination& light = pen.state.setup.picture.light;
+  for (const char key : {'i', 'p'})
+    if (pen.state.focus == key) {
+      pen.paint.fillRect({x - 2, y - 14, kControls + 8, 44}, pen(Cell::Focus));
+      pen.paint.fillRect({x - 6, y - 14, 2, 44}, pen(Cell::Ink));
+    }
+  pen.key(x, y - 11, "i");
+  pen.bold(pen.ink(x + 24, y, "Ia "), y, formatted(light.Ia, 2));
+  pen.key(x + 124, y - 11, "p");
+  pen.bold(pen.ink(x + 146, y, "Ip "), y, formatted(light.Ip, 2));
+  const double unused = std::max(0.0, 1.0 - light.Ia - light.Ip);
+  pen.paint.textRight(x + kControls, y, "unused " + formatted(unused, 2), pen(Cell::Soft));
+
+  const auto place = [&](double v) { return x + static_cast<int>(std::lround(v * (kControls - 1))); };
+  const Rect bar{x, y + 10, kControls, 10};
+  const int ia = place(light.Ia), sum = place(light.Ia + light.Ip);
+  pen.paint.fillRect(bar, pen(Cell::Panel));
+  pen.paint.fillRect({ia, bar.y, sum - ia, bar.height}, pen(Cell::Rule));
+  pen.paint.stipple({ia, bar.y, sum - ia, bar.height}, Stipple::Quarter, pen(Cell::Soft));
+  pen.paint.fillRect({x, bar.y, ia - x, bar.height}, pen(Cell::Soft));
+  pen.paint.frame(bar, pen(Cell::Faint));
+  for (int quarter = 0; quarter <= 4; ++quarter)
+    pen.paint.vline(place(quarter / 4.0), bar.y + 13, 3, pen(Cell::Faint));
+  for (const int thumb : {ia, sum}) {
+    const Rect box{std::clamp(thumb - 4, x, x + kControls - 9), bar.y - 2, 9, 15};
+    pen.paint.fillRect(box, pen(Cell::Paper));
+    pen.paint.frame(box, pen(Cell::Ink));
+    pen.paint.vline(box.x + 4, box.y + 4, 7, pen(Cell::Ink));
+  }
+}
+
+std::string withDegree(double degrees) { return formatted(degrees, 0) + "\u00B0"; }
+
+/// Walks down the column: the next baseline after `advance` pixels.
+void drawControls(Pen& pen, const Layout& at, const ColorTable& table) {
+  const int x = at.controls.x, pitch = at.compact ? 18 : 22;
+  int y = at.controls.y + 11;
+  const auto section = [&](std::string_view title) {
+    y += at.compact ? 4 : 8;
+    pen.rule(x, y - 14, kControls);
+    pen.paint.text(x, y, title, pen(Cell::Soft), Voice::Caps);
+    y += at.compact ? 19 : 22;
+  };
+
+  pen.paint.text(x, y, "LIGHT", pen(Cell::Soft), Voice::Caps);
+  const Rect ball = at.compact ? Rect{x + kControls - 112, at.controls.y, 112, 78}
+                               : Rect{x + kControls - 152, at.controls.y, 152, 128};
+  drawLightBall(pen, ball, table);
+  y += at.compact ? 20 : 24;
+  const int valueEnd = ball.x - kMargin;
+  if (pen.state.focus == 'l') {
+    pen.paint.fillRect({x - 2, y - 14, valueEnd - x + 4, at.compact ? 18 : 40}, pen(Cell::Focus));
+    pen.paint.fillRect({x - 6, y - 14, 2, at.compact ? 18 : 40}, pen(Cell::Ink));
+  }
+  pen.key(x, y - 11, "l");
+  if (at.compact) {
+    pen.ink(
+        x + 24, y,
+        "azimuth " + withDegree(pen.state.light.azimuth) + " elev. " + withDegree(pen.state.light.elevation));
+    y += 19;
+  } else {
+    pen.ink(x + 24, y, "azimuth");
+    pen.boldRight(valueEnd, y, withDegree(pen.state.light.azimuth));
+    pen.ink(x + 24, y + 18, "elevation");
+    pen.boldRight(valueEnd, y + 18, withDegree(pen.state.light.elevation));
+    pen.ink(x + 24, y + 36, "distance");
+    pen.boldRight(valueEnd, y + 36, pen.state.setup.picture.light.lightPosition ? "near" : "far");
+    y += 61;
+  }
+  for (const ToggleRow& row : kToggles) {
+    drawToggle(pen, row, x, y);
+    y += at.compact ? 20 : 22;
+  }
+  y += at.compact ? 8 : 11;
+  drawIntensities(pen, x, y);
+  y += at.compact ? 42 : 46;
+
+  const auto sliders = [&](Section s) {
+    for (const SliderRow& row : kSliders)
+      if (row.section == s) drawSlider(pen, row, x, y, pitch), y += pitch;
+  };
+  const auto rows = [&](Section s) {
+    for (const ChoiceRow& row : choices())
+      if (row.section == s) drawChoice(pen, row, x, y), y += pitch;
+  };
+  section("SURFACE");
+  sliders(Section::Surface);
+  section("METHOD");
+  rows(Section::Method);
+  section("COLOUR TABLE");
+  rows(Section::ColourTable);
+  sliders(Section::ColourTable);
+}
+
+void drawStrip(Pen& pen, const Layout& at, const IndexImage& image, const ColorTable& table) {
+  std::array<int, 256> count{};
+  for (int j = at.picture.y; j < at.picture.y + at.picture.height; ++j)
+    for (int i = at.picture.x; i < at.picture.x + at.picture.width; ++i) ++count[image.row(j)[i]];
+
+  const int cell = at.width / 256, x0 = (at.width - 256 * cell) / 2;
+  const int barsBottom = at.strip.y + 23, stripTop = at.strip.y + 24, stripBottom = stripTop + 17;
+  const int most = std::max(2, *std::ranges::max_element(count));
+  for (int i = 0; i < 256; ++i) {
+    pen.paint.fillRect({x0 + i * cell, stripTop, cell, 17}, static_cast<std::uint8_t>(i));
+    if (count[i] == 0) continue;
+    const int height = 1 + static_cast<int>(17 * std::log(count[i]) / std::log(most));
+    pen.paint.fillRect({x0 + i * cell, barsBottom - height, std::max(1, cell - 1), height}, pen(Cell::Ink));
+  }
+  const int first = table.first(), last = first + table.shades() - 1;
+  for (const int edge : {x0 + first * cell, x0 + (last + 1) * cell - 1})
+    pen.paint.vline(edge, stripTop - 3, 22, pen(Cell::Ink));
+  int used = 0;
+  for (int i = first; i <= last; ++i) used += count[i] > 0;
+
+  const Setup& setup = pen.state.setup;
+  const TableRow& row = kTables[static_cast<int>(setup.picture.table.kind)];
+  const int y = stripBottom + 13;
+  if (!at.compact) pen.paint.text(x0 + 4, y, "0.." + std::to_string(first - 1), pen(Cell::Faint));
+  pen.soft(x0 + first * cell + 4, y, std::to_string(first));
+  pen.paint.textRight(x0 + (last + 1) * cell - 4, y, std::to_string(last), pen(Cell::Soft));
+  const std::string tableText{row.name};
+  std::string rule = tableText + " table";
+  if (!at.compact && table.shades() == kMaxShades) rule = tableText + ": " + std::string{row.holds};
+  std::string uses = std::to_string(used) + " of " + std::to_string(table.shades()) + " shades used";
+  if (!at.compact) uses += " by the picture";
+  const int left = x0 + first * cell + 60, centre = x0 + 146 * cell - textWidth(uses) / 2;
+  pen.soft(left, y, rule);
+  pen.soft(std::max(centre, left + textWidth(rule) + 18), y, uses);
+}
+
+void drawStatus(Pen& pen, const Layout& at) {
+  pen.paint.fillRect(at.status, pen(Cell::Panel));
+  pen.rule(0, at.status.y, at.width);
+  const int y = at.status.y + 15, keys = at.status.y + 33;
+  const PanelState& s = pen.state;
+  if (!s.notice.empty()) {
+    pen.paint.text(kMargin, y, s.notice, pen(Cell::Alarm));
+  } else {
+    const int end = pen.ink(kMargin, y, s.counts);
+    if (!at.compact) pen.soft(end + 18, y, s.times);
+  }
+  pen.paint.textRight(at.width - kMargin, y, s.visual, pen(Cell::Soft));
+
+  int x = kMargin;
+  const auto legend = [&](std::initializer_list<std::string_view> names, std::string_view does) {
+    int width = textWidth(does) + 12;
+    for (const std::string_view name : names) width += std::max(kKeyCap, textWidth(name) + 9) + 2;
+    if (x + width > at.width - kMargin) return;
+    for (const std::string_view name : names) x += pen.key(x, keys - 11, name) + 2;
+    x = pen.soft(x + 4, keys, does) + 12;
+  };
+  x += pen.arrow(x, keys - 11, Direction::Left) + 2;
+  x += pen.arrow(x, keys - 11, Direction::Right) + 6;
+  const auto* const row = std::ranges::find(kSliders, s.focus, &SliderRow::key);
+  std::string focus = s.focus == 'l' ? "light" : s.focus == 't' ? "turn" : s.focus == 'z' ? "zoom" : "";
+  if (row != kSliders.end()) focus = row->label;
+  x = pen.soft(x, keys, focus) + 12;
+  legend({"drag"}, "turn");
+  legend({"+", "-"}, "zoom");
+  legend({"["}, "Ia = 1");
+  legend({"]"}, "Ip = 1");
+  legend({"H"}, "hue");
+  legend({"u"}, "undo");
+  legend({"r"}, "reset");
+  legend({"?"}, "all keys");
+  legend({"q"}, "quit");
+}
+
+void drawHelp(Pen& pen, const Layout& at) {
+  struct Line {
+    std::string_view keys, does;
+  };
+  static constexpr std::array kLines{
+      Line{"drag, wheel, + -", "turn the scene; come nearer or go away"},
+      Line{"i p a d s n c 0 l", "go to a slider, or to the light"},
+      Line{"t z", "go to turning, or to zooming"},
+      Line{"arrows", "change what the keyboard is on; with Shift by ten"},
+      Line{"Tab, Shift-Tab", "next slider, previous slider"},
+      Line{"Home End", "to the ends of the slider"},
+      Line{"[ ]", "all light ambient, all light from the point"},
+      Line{"L V", "hold L, hold V constant"},
+      Line{"S O F P K T", "next shading, order, fill, projection, backs, table"},
+      Line{"H B J", "next hue; 8 or 16 bits a cell; nearest in ratio or difference"},
+      Line{"u U r", "undo, redo, reset"},
+      Line{"? or Esc", "close this; q quits"},
+  };
+  const int width = std::min(at.width - 2 * kMargin, 560), height = 52 + 18 * static_cast<int>(kLines.size());
+  const Rect box{(at.width - width) / 2, std::max(0, (at.height - height) / 2), width, height};
+  pen.paint.fillRect({box.x + 4, box.y + 4, width, height}, pen(Cell::Ink));
+  pen.paint.fillRect(box, pen(Cell::Paper));
+  pen.paint.frame(box, pen(Cell::Ink));
+  pen.paint.text(box.x + 16, box.y + 24, "ALL KEYS", pen(Cell::Soft), Voice::Caps);
+  int y = box.y + 48;
+  for (const Line& line : kLines) {
+    pen.bold(box.x + 16, y, line.keys);
+    pen.ink(box.x + 140, y, line.does);
+    y += 18;
+  }
+}
+
+void drawCaption(Pen& pen, const Layout& at) {
+  const PictureSettings& p = pen.state.setup.picture;
+  const int x = at.picture.x;
+  int y = at.picture.y + at.picture.height + (at.compact ? 16 : 19);
+  const std::string made = captionOf(pen.state.setup);
+  if (at.compact)
+    pen.ink(x, y, made);
+  else
+    pen.ink(pen.soft(x, y, "The picture: "), y, made);
+  y += 16;
+  const Illumination& l = p.light;
+  std::string line = "Ia " + formatted(l.Ia, 2) + "  Ip " + formatted(l.Ip, 2) + "  ka " +
+                     formatted(l.ka, 2) + "  kd " + formatted(l.kd, 2) + "  ks " + formatted(l.ks, 2) +
+                     "  n " + std::to_string(l.n);
+  if (!at.compact) {
+    if (l.constantL) line += "  L constant";
+    if (l.constantV) line += "  V constant";
+    line += "; " + std::string{kTables[static_cast<int>(p.table.kind)].name} + " table, " +
+            std::to_string(p.table.shades) + " shades";
+  }
+  pen.soft(x, y, line);
+}
+
+}  // namespace
+
+std::string captionOf(const Setup& setup) {
+  const OrderRow& order = kOrders[static_cast<int>(setup.picture.order)];
+  const std::string sorted = order.id == Order::Unsorted ? "not sorted"
+                             : order.id == Order::ZMean  ? "sorted by mean z"
+                                                         : "sorted by farthest z";
+  return std::string{chosen(choice('S'), setup) == "none" ? "full intensity" : chosen(choice('S'), setup)} +
+         "; " + sorted + "; " + (setup.fill == Fill::Scanline ? "own scanline" : "XFillPolygon") + "; " +
+         std::string{chosen(choice('P'), setup)};
+}
+
+Layout layoutOf(int width, int height) {
+  Layout at;
+  at.width = width;
+  at.height = height;
+  at.roomy = width >= 800 && height >= 600;
+  at.compact = width < 1024 || height < 768;
+  if (!at.roomy) {
+    at.picture = {0, 0, width, height};
+    return at;
+  }
+  const int bodyTop = at.compact ? 43 : 48, below = at.compact ? 44 : 56;
+  at.views = {0, 0, width, kViewsHeight};
+  at.status = {0, height - kStatusHeight, width, kStatusHeight};
+  at.strip = {0, at.status.y - kStripHeight, width, kStripHeight};
+  at.controls = {width - kMargin - kControls, bodyTop, kControls, at.strip.y - bodyTop};
+  at.picture = {kMargin, bodyTop, at.controls.x - 2 * kMargin, at.strip.y - below - bodyTop};
+  return at;
+}
+
+void drawPanel(IndexImage& image, const Layout& at, const PanelState& state, const CellPlan& plan,
+               const ColorTable& table) {
+  Pen pen{Painter{image}, plan, state};
+  if (!at.roomy) {
+    pen.paint.text(8, 16, "the controls need a window of 800 x 600", plan[Cell::WellText]);
+    if (state.help) drawHelp(pen, at);
+    return;
+  }
+  const Rect& p = at.picture;
+  const std::uint8_t paper = plan[Cell::Paper];
+  pen.paint.fillRect({0, 0, at.width, p.y}, paper);
+  pen.paint.fillRect({0, p.y, p.x, at.height - p.y}, paper);
+  pen.paint.fillRect({p.x + p.width, p.y, at.width - p.x - p.width, at.height - p.y}, paper);
+  pen.paint.fillRect({p.x, p.y + p.height, p.width, at.height - p.y - p.height}, paper);
+  drawViews(pen, at);
+  drawCaption(pen, at);
+  drawControls(pen, at, table);
+  pen.rule(0, at.strip.y, at.width);
+  drawStrip(pen, at, image, table);
+  drawStatus(pen, at);
+  if (state.help) drawHelp(pen, at);
+}

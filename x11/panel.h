@@ -1,0 +1,41 @@
+#pragma once
+
+#include <array>
+#include <string>
+
+#include "shading/index_image.h"
+#include "shading/painter.h"
+#include "shading/palette.h"
+#include "x11/controls.h"
+
+/// The window as an index image: bands, picture, controls, colour strip, status. Pure: no server is asked,
+/// so a picture of the window is the same on all of them.
+
+/// What the panel shows beside the setup itself.
+struct PanelState {
+  Setup setup, defaults;
+  std::string sceneTitle;     ///< "teapot, 8 x 8 divisions"
+  std::string visual;         ///< "PseudoColor 8, private map, 256 of 256 cells"
+  std::string counts, times;  ///< of the last picture
+  std::string notice;         ///< a sentence in the status line instead of the counts; "" for none
+  LightAngles light;
+  char focus = 's';   ///< key of the control that the arrows change
+  bool help = false;  ///< all keys over the window
+};
+
+/// Where things are, in pixels. Below 800 x 600 there is no room for the controls and `roomy` is false.
+struct Layout {
+  int width = 0, height = 0;
+  bool roomy = false, compact = false;
+  Rect views, picture, controls, strip, status;
+};
+[[nodiscard]] Layout layoutOf(int width, int height);
+
+/// Draws everything but the inside of the picture, which is already in `image` at layout.picture; the strip
+/// counts its cells. `image` has the layout's size. Nothing drawn depends on the table's hue or bits, so a
+/// new hue needs no redraw.
+void drawPanel(IndexImage& image, const Layout& layout, const PanelState& state, const CellPlan& plan,
+               const ColorTable& table);
+
+/// The picture's making in a line, for its caption: "flat; sorted by farthest z; own scanline; perspective".
+[[nodiscard]] std::string captionOf(const Setup& setup);

@@ -1,0 +1,64 @@
+#include "x11/report.h"
+
+#include <iostream>
+#include <nlohmann/json.hpp>
+
+#include "shading/png.h"
+#include "shading/rgb_image.h"
+
+namespace {
+
+RgbImage idsOf(const Picture& picture) {
+  RgbImage image{picture.settings().width, picture.settings().height};
+  std::uint8_t* out = image.rgb.data();
+  for (const std::uint32_t id : picture.faceImage())
+    for (const int shift : {16, 8, 0}) *out++ = static_cast<std::uint8_t>(id >> shift);
+  return image;
+}
+
+/// What of the model this picture needed: nothing is computed for the rest.
+nlohmann::ordered_json requiredBy(const Picture& picture) {
+  const PictureSettings& s = picture.settings();
+  const bool lit = s.shading != Shading::Full;
+  return {{"channels", 1},
+          {"vertex_normals", false},
+          {"illumination", lit},
+          {"specular", lit && s.light.ks > 0},
+          {"divided_faces",
+           static_cast<int>(picture.scene().pieces.face.size()) - picture.scene().mesh.faceCount()}};
+}
+
+nlohmann::ordered_json statsOf(const Options& options, const Picture& picture, const StageTimes& t) {
+  const SnappedScene& scene = picture.snapped();
+  nlohmann::ordered_json tests;
+  for (const char* test : {"1", "2", "3", "4", "5"})
+    tests[test] = 0;  // sorting by z alone makes none of them
+  return {{"scene", options.scene},
+          {"size", {picture.settings().width, picture.settings().height}},
+          {"faces", picture.scene().mesh.faceCount()},
+          {"polygons", scene.polygons},
+          {"degenerate", scene.degenerate},
+          {"culled", scene.culled},
+          {"outside", scene.outside},
+          {"fragments", static_cast<int>(scene.faces.size())},
+          {"splits", 0},
+          {"cycles", 0},
+          {"tests", tests},
+          {"saturated", picture.saturated()},
+          {"required", requiredBy(picture)},
+          {"ms",
+           {{"read", t.read},
+            {"shade", t.shade},
+            {"transform", t.transform},
+            {"sort", t.sort},
+            {"fill", t.fill},
+            {"present", t.present},
+            {"total", t.total()}}}};
+}
+
+}  // namespace
+
+void report(const Options& options, const Picture& picture, const StageTimes& times) {
+  if (!options.ids.empty()) writePng(options.ids, idsOf(picture));
+  if (options.stats) std::cout << statsOf(options, picture, times).dump() << '\n';
+}

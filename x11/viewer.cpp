@@ -1,0 +1,306 @@
+#include "x11/viewer.h"
+
+#include <X11/Xutil.h>
+#include <X11/keysym.h>
+#include <poll.h>
+
+#include <cerrno>
+#include <csignal>
+#include <iostream>
+
+#include "shading/png.h"
+#include "x11/canvas.h"
+#include "x11/colormap.h"
+#include "x11/display.h"
+#include "x11/fill_polygons.h"
+#include "x11/report.h"
+#include "x11/visual.h"
+#include "x11/workbench.h"
+
+namespace {
+
+std::optional<VisualWish> wishOf(const Options& options) {
+  if (options.visual.empty()) return std::nullopt;
+  return parseVisualWish(options.visual);
+}
+
+/// A connection with its visual and colormap chosen: what every window needs.
+struct Server {
+  explicit Server(const Options& options)
+      : display{openDisplay()},
+        choice{chooseVisual(readVisuals(display.get()), wishOf(options))},
+        colormap{display.get(), choice} {}
+
+  [[nodiscard]] Workbench::Server forBench() const {
+    return {
+        [this](TableKind table) { return colormap.plan(table); }, colormap.unneeded(),
+        choice.visual.name() + (colormap.real() ? ", private map, 256 of 256 cells" : ", table emulated")};
+  }
+
+  OwnedDisplay display;
+  VisualChoice choice;
+  ServerColormap colormap;
+};
+
+Setup setupOf(const Options& options) { return {options.picture, options.fill}; }
+
+volatile std::sig_atomic_t interrupted = 0;
+void onSignal(int) { interrupted = 1; }
+
+/// Ends the event loop on SIGINT, SIGTERM and SIGHUP; no SA_RESTART, so that poll() returns.
+void catchSignals() {
+  struct sigaction action {};
+  action.sa_handler = onSignal;
+  for (const int signal : {SIGINT, SIGTERM, SIGHUP}) sigaction(signal, &action, nullptr);
+}
+
+/// Keysyms to keys, Latin-1 letters by themselves.
+std::optional<Key> keyOf(XKeyEvent& event) {
+  char letter = 0;
+  KeySym symbol = NoSymbol;
+  const int count = XLookupString(&event, &letter, 1, &symbol, nullptr);
+  const bool shift = (event.state & ShiftMask) != 0;
+  switch (symbol) {
+    case XK_Left:
+    case XK_KP_Left:
+      return Key{NamedKey::Left, 0, shift};
+    case XK_Right:
+    case XK_KP_Right:
+      return Key{NamedKey::Right, 0, shift};
+    case XK_Up:
+    case XK_KP_Up:
+      return Key{NamedKey::Up, 0, shift};
+    case XK_Down:
+    case XK_KP_Down:
+      return Key{NamedKey::Down, 0, shift};
+    case XK_Home:
+    case XK_KP_Home:
+      return Key{NamedKey::Home, 0, shift};
+    case XK_End:
+    case XK_KP_End:
+      return Key{NamedKey::End, 0, shift};
+    case XK_Tab:
+      return Key{NamedKey::Tab, 0, shift};
+    case XK_ISO_Left_Tab:
+      return Key{NamedKey::Tab, 0, true};
+    case XK_Escape:
+      return Key{NamedKey::Escape, 0, shift};
+    default:
+      break;
+  }
+  if (count == 1 && letter > ' ') return Key{NamedKey::Letter, letter, shift};
+  return std::nullopt;
+}
+
+class Viewer {
+ public:
+  Viewer(const Options& options, Scene scene)
+      : server_{options},
+        size_{options.size.value_or(glm::ivec2{1024, 768})},
+        canvas_{server_.display.get(),
+                server_.colormap,
+                {.title = "xnewell: " + scene.name, .width = size_.x, .height = size_.y}},
+        bench_{std::move(scene), setupOf(options), server_.forBench()} {
+    bench_.resize(size_.x, size_.y);
+  }
+
+  int run() {
+    catchSignals();
+    refresh();  // the first picture is there before the window is
+    canvas_.map();
+    XFlush(display());
+    while (!bench_.quitAsked() && !interrupted) {
+      while (XPending(display()) > 0) {
+        XEvent event;
+        XNextEvent(display(), &event);
+        handle(event);
+      }
+      refresh();
+      pollfd connection{ConnectionNumber(display()), POLLIN, 0};
+      if (!bench_.quitAsked() && !interrupted && XPending(display()) == 0) poll(&connection, 1, -1);
+    }
+    return interrupted ? 130 : 0;
+  }
+
+ private:
+  [[nodiscard]] ::Display* display() const { return server_.display.get(); }
+
+  void handle(XEvent& event) {
+    switch (event.type) {
+      case Expose: {
+        const XExposeEvent& e = event.xexpose;
+        canvas_.expose({e.x, e.y, e.width, e.height});
+        break;
+      }
+      case ConfigureNotify:
+        resized(event.xconfigure.width, event.xconfigure.height);
+        break;
+      case MapNotify:
+      case FocusIn:
+        server_.colormap.installUnlessManaged();
+        break;
+      case EnterNotify:
+        pointerInside_ = true;
+        server_.colormap.installUnlessManaged();
+        break;
+      case LeaveNotify:
+        pointerInside_ = false;
+        break;
+      case ColormapNotify:
+        // Stolen while the user is here: take it back. Elsewhere it is due to whoever has the pointer, and
+        // two programs that both insisted would never stop.
+        if (event.xcolormap.state == ColormapUninstalled && pointerInside_)
+          server_.colormap.installUnlessManaged();
+        break;
+      case KeyPress:
+        if (const std::optional<Key> key = keyOf(event.xkey)) bench_.press(*key);
+        break;
+      case ButtonPress:
+        pressed(event.xbutton);
+        break;
+      case ButtonRelease:
+        if (event.xbutton.button == Button1) dragging_ = false;
+        break;
+      case MotionNotify:
+        moved(event.xmotion);
+        break;
+      case ClientMessage:
+        if (canvas_.isCloseRequest(event)) bench_.press({NamedKey::Letter, 'q'});
+        break;
+      case MappingNotify:
+        XRefreshKeyboardMapping(&event.xmapping);
+        break;
+      default:
+        break;
+    }
+  }
+
+  void resized(int width, int height) {
+    const int w = std::clamp(width, 1, kMaxPicture), h = std::clamp(height, 1, kMaxPicture);
+    try {
+      canvas_.resize(w, h);
+      bench_.resize(w, h);
+    } catch (const X11Error& e) {
+      bench_.notify(e.what());
+    }
+  }
+
+  void pressed(const XButtonEvent& e) {
+    constexpr double kWheelStep = 1.1;
+    if (e.button == Button4) bench_.zoom(kWheelStep);
+    if (e.button == Button5) bench_.zoom(1.0 / kWheelStep);
+    const Rect& at = bench_.layout().picture;
+    if (e.button == Button1 && e.x >= at.x && e.x < at.x + at.width && e.y >= at.y &&
+        e.y < at.y + at.height) {
+      dragging_ = true;
+      dragX_ = e.x;
+      dragY_ = e.y;
+    }
+  }
+
+  void moved(const XMotionEvent& e) {
+    if (!dragging_) return;
+    bench_.drag(e.x - dragX_, e.y - dragY_);
+    dragX_ = e.x;
+    dragY_ = e.y;
+  }
+
+  /// Colours alone are stored and nothing is drawn. New indices go into the picture behind the window
+  /// first; then cells and indices change together, and no other client sees one without the other.
+  void refresh() {
+    const Workbench::Stale stale = bench_.stale();
+    if (stale == Workbench::Stale::Nothing) return;
+    bench_.update();
+    const Rect all{0, 0, canvas_.width(), canvas_.height()};
+    if (stale == Workbench::Stale::Colors && !server_.colormap.store(bench_.palette())) {
+      XFlush(display());
+      return;
+    }
+    if (!server_.colormap.real()) server_.colormap.store(bench_.palette());  // the puts below look cells up
+    canvas_.upload(bench_.image(), all);
+    if (bench_.setup().fill == Fill::XFillPolygon)
+      fillPolygons(display(), canvas_, server_.colormap, bench_.picture(), bench_.layout().picture,
+                   bench_.ground());
+    XGrabServer(display());
+    server_.colormap.store(bench_.palette());
+    canvas_.expose(all);
+    XUngrabServer(display());
+    XFlush(display());
+  }
+
+  Server server_;
+  glm::ivec2 size_;
+  Canvas canvas_;
+  Workbench bench_;
+  bool dragging_ = false, pointerInside_ = false;
+  int dragX_ = 0, dragY_ = 0;
+};
+
+/// What a snapshot shows: the picture alone, or the whole window.
+struct Shot {
+  const Picture& picture;
+  const IndexImage& image;
+  const Palette& palette;
+  Rect area;  ///< of the picture in the image
+  std::uint8_t ground;
+};
+
+double present(Server& server, Canvas& canvas, const Shot& shot, Fill fill) {
+  const Stopwatch watch;
+  server.colormap.store(shot.palette);
+  const Rect all{0, 0, shot.image.width, shot.image.height};
+  canvas.upload(shot.image, all);
+  if (fill == Fill::XFillPolygon)
+    fillPolygons(server.display.get(), canvas, server.colormap, shot.picture, shot.area, shot.ground);
+  canvas.expose(all);
+  XSync(server.display.get(), 0);
+  return watch.ms();
+}
+
+}  // namespace
+
+int runViewer(const Options& options, Scene scene) {
+  Viewer viewer{options, std::move(scene)};
+  return viewer.run();
+}
+
+void takeSnapshot(const Options& options, Scene scene, double msRead) {
+  Server server{options};
+  const glm::ivec2 size =
+      options.size.value_or(options.wholeWindow ? glm::ivec2{1024, 768} : glm::ivec2{800, 600});
+  Canvas canvas{server.display.get(), server.colormap, {.width = size.x, .height = size.y}};
+  canvas.map();
+
+  const auto shoot = [&](const Shot& shot) {
+    StageTimes times = shot.picture.times();
+    times.read = msRead;
+    times.present = present(server, canvas, shot, options.fill);
+    writePng(options.output, canvas.readBack({0, 0, size.x, size.y}));
+    report(options, shot.picture, times);
+  };
+  if (options.wholeWindow) {
+    Workbench bench{std::move(scene), setupOf(options), server.forBench()};
+    bench.resize(size.x, size.y);
+    bench.update();
+    shoot({bench.picture(), bench.image(), bench.palette(), bench.layout().picture, bench.ground()});
+    return;
+  }
+  Picture picture{std::move(scene)};
+  PictureSettings settings = options.picture;
+  settings.width = size.x;
+  settings.height = size.y;
+  picture.make(settings);
+  const CellPlan plan = server.colormap.plan(settings.table.kind);
+  IndexImage image;
+  picture.paint(image, plan[Cell::Well]);
+  shoot({picture,
+         image,
+         makePalette(plan, picture.table(), server.colormap.unneeded()),
+         {0, 0, size.x, size.y},
+         plan[Cell::Well]});
+}
+
+std::string visualsTable(const Options& options) {
+  const OwnedDisplay display = openDisplay();
+  return describeVisuals(readVisuals(display.get()), wishOf(options));
+}

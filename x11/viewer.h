@@ -1,0 +1,16 @@
+#pragma once
+
+#include <string>
+
+#include "x11/options.h"
+
+/// The window: events in, frames out. Returns the exit status: 0 when the user quits, 130 when a signal
+/// ends it. @throws X11Error, ViewError
+[[nodiscard]] int runViewer(const Options& options, Scene scene);
+
+/// The picture (or with options.wholeWindow the window with its controls) through a real window, read
+/// back from the server and written to options.output. @throws X11Error, ViewError, std::system_error
+void takeSnapshot(const Options& options, Scene scene, double msRead);
+
+/// What `xnewell visuals` prints. @throws X11Error
+[[nodiscard]] std::string visualsTable(const Options& options);

@@ -1,0 +1,232 @@
+#include "x11/workbench.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace {
+
+constexpr std::string_view kFocusOrder = "lipadsnc0tz";
+
+/// 4032 as 4,032.
+std::string withCommas(int n) {
+  std::string s = std::to_string(n);
+  for (int at = static_cast<int>(s.size()) - 3; at > 0; at -= 3) s.insert(at, ",");
+  return s;
+}
+
+std::string titleOf(const Scene& scene) {
+  const std::size_t slash = scene.name.find_last_of('/');
+  std::string title = slash == std::string::npos ? scene.name : scene.name.substr(slash + 1);
+  if (scene.divisions > 0)
+    title +=
+        " \u00B7 " + std::to_string(scene.divisions) + " x " + std::to_string(scene.divisions) + " divisions";
+  return title;
+}
+
+/// The setup with the colours of its cells left out: what the indices depend on.
+Setup withoutColors(Setup s) {
+  s.picture.table.hue = {};
+  s.picture.table.bits = 0;
+  return s;
+}
+
+}  // namespace
+
+Workbench::Workbench(Scene scene, const Setup& setup, Server server)
+    : picture_{std::move(scene)}, server_{std::move(server)} {
+  state_.setup = state_.defaults = setup;
+  state_.sceneTitle = titleOf(picture_.scene());
+  state_.visual = server_.visual;
+}
+
+void Workbench::resize(int width, int height) {
+  if (width == layout_.width && height == layout_.height) return;
+  layout_ = layoutOf(width, height);
+  repaint_ = true;
+}
+
+void Workbench::change(char control, const std::function<void(Setup&)>& edit) {
+  Setup next = state_.setup;
+  edit(next);
+  if (next == state_.setup) return;
+  if (control != lastChanged_ || undo_.empty()) undo_.push_back(state_.setup);
+  lastChanged_ = control;
+  redo_.clear();
+  state_.setup = next;
+}
+
+void Workbench::press(const Key& key) {
+  repaint_ = repaint_ || !state_.notice.empty();
+  state_.notice.clear();
+  const int times = key.shift ? 10 : 1;
+  switch (key.name) {
+    case NamedKey::Left:
+      return pressArrow(-times, 0);
+    case NamedKey::Right:
+      return pressArrow(times, 0);
+    case NamedKey::Up:
+      return pressArrow(0, times);
+    case NamedKey::Down:
+      return pressArrow(0, -times);
+    case NamedKey::Home:
+      return pressEnd(false);
+    case NamedKey::End:
+      return pressEnd(true);
+    case NamedKey::Tab:
+      return nextFocus(key.shift ? -1 : 1);
+    case NamedKey::Escape:
+      repaint_ = repaint_ || state_.help;
+      state_.help = false;
+      return;
+    case NamedKey::Letter:
+      return pressLetter(key.letter);
+  }
+}
+
+void Workbench::pressLetter(char letter) {
+  if (kFocusOrder.find(letter) != std::string_view::npos) {
+    state_.focus = letter;
+    repaint_ = true;
+    return;
+  }
+  for (const ChoiceRow& row : choices())
+    if (row.key == letter)
+      return change(letter,
+                    [&](Setup& s) { row.set(s, (row.get(s) + 1) % static_cast<int>(row.options.size())); });
+  for (const ToggleRow& row : kToggles)
+    if (row.key == letter)
+      return change(letter, [&](Setup& s) { s.picture.light.*row.value = !(s.picture.light.*row.value); });
+  const auto restore = [this](std::vector<Setup>& from, std::vector<Setup>& to) {
+    if (from.empty()) return;
+    to.push_back(state_.setup);
+    state_.setup = from.back();
+    from.pop_back();
+    lastChanged_ = 0;
+  };
+  switch (letter) {
+    case 'q':
+      quit_ = true;
+      return;
+    case '?':
+      state_.help = !state_.help;
+      repaint_ = true;
+      return;
+    case '[':
+      return change('[', [](Setup& s) { setIa(s, 1.0); });
+    case ']':
+      return change(']', [](Setup& s) { setIp(s, 1.0); });
+    case 'H':
+      return change('H', nextHue);
+    case 'B':
+      return change('B', [](Setup& s) { s.picture.table.bits = s.picture.table.bits == 16 ? 8 : 16; });
+    case 'J':
+      return change('J', [](Setup& s) {
+        s.picture.table.pick = s.picture.table.pick == Pick::Log ? Pick::Search : Pick::Log;
+      });
+    case '+':
+    case '=':
+      return zoom(1.1);
+    case '-':
+      return zoom(1.0 / 1.1);
+    case 'u':
+      return restore(undo_, redo_);
+    case 'U':
+      return restore(redo_, undo_);
+    case 'r':
+      return change('r', [this](Setup& s) { s = state_.defaults; });
+    default:
+      return;
+  }
+}
+
+void Workbench::pressArrow(int along, int up) {
+  const char focus = state_.focus;
+  if (focus == 't') {
+    change('t', [&](Setup& s) {
+      s.picture.camera = moved(s.picture.camera, camera(), 2.0 * along, 2.0 * up, 1.0);
+    });
+  } else if (focus == 'z') {
+    zoom(along + up > 0 ? std::pow(1.02, along + up) : 1.0 / std::pow(1.02, -along - up));
+  } else if (focus == 'l') {
+    change('l', [&](Setup& s) { turnLight(s.picture.light, picture_.scene().up, along, up); });
+  } else {
+    const auto* const row = std::ranges::find(kSliders, focus, &SliderRow::key);
+    change(focus, [&](Setup& s) { step(s, *row, along + up); });
+  }
+}
+
+void Workbench::pressEnd(bool high) {
+  const auto* const row = std::ranges::find(kSliders, state_.focus, &SliderRow::key);
+  if (row != kSliders.end()) change(row->key, [&](Setup& s) { row->set(s, high ? row->high : row->low); });
+}
+
+void Workbench::nextFocus(int direction) {
+  const std::size_t n = kFocusOrder.size();
+  state_.focus = kFocusOrder[(kFocusOrder.find(state_.focus) + n + direction) % n];
+  repaint_ = true;
+}
+
+Camera Workbench::camera() const {
+  const PictureSettings& p = state_.setup.picture;
+  const double aspect = static_cast<double>(layout_.picture.width) / layout_.picture.height;
+  return placeCamera(p.camera, picture_.scene().mesh.points, picture_.scene().up, aspect);
+}
+
+void Workbench::drag(int dx, int dy) {
+  change('t',
+         [&](Setup& s) { s.picture.camera = moved(s.picture.camera, camera(), -0.5 * dx, 0.5 * dy, 1.0); });
+}
+
+void Workbench::zoom(double factor) {
+  change('z', [&](Setup& s) { s.picture.camera = moved(s.picture.camera, camera(), 0.0, 0.0, factor); });
+}
+
+Workbench::Stale Workbench::stale() const {
+  if (!any_ || repaint_ || withoutColors(state_.setup) != withoutColors(drawn_)) return Stale::Everything;
+  return state_.setup == drawn_ ? Stale::Nothing : Stale::Colors;
+}
+
+void Workbench::drawFrame() {
+  const Rect& at = layout_.picture;
+  state_.setup.picture.width = at.width;
+  state_.setup.picture.height = at.height;
+  picture_.make(state_.setup.picture);
+  const CellPlan plan = server_.plan(state_.setup.picture.table.kind);
+  palette_ = makePalette(plan, picture_.table(), server_.unneeded);
+
+  picture_.paint(pictureImage_, plan[Cell::Well]);
+  if (image_.width != layout_.width || image_.height != layout_.height)
+    image_ = IndexImage{layout_.width, layout_.height, plan[Cell::Paper]};
+  for (int j = 0; j < at.height; ++j)
+    std::copy_n(pictureImage_.row(j), at.width, image_.row(at.y + j) + at.x);
+
+  const SnappedScene& snapped = picture_.snapped();
+  const auto backs = std::ranges::count(snapped.faces, true, &SnappedFace::back);
+  state_.counts = withCommas(snapped.polygons - snapped.degenerate) + " polygons, " +
+                  withCommas(static_cast<int>(snapped.faces.size())) + " painted, " +
+                  withCommas(static_cast<int>(backs) + snapped.culled) + " back faces   " +
+                  withCommas(picture_.saturated()) + " clamped";
+  state_.times = formatted(picture_.times().total(), 1) + " ms";
+  state_.light = lightAngles(state_.setup.picture.light, picture_.scene().up);
+  drawPanel(image_, layout_, state_, plan, picture_.table());
+}
+
+void Workbench::update() {
+  if (stale() == Stale::Colors) {
+    const CellPlan plan = server_.plan(state_.setup.picture.table.kind);
+    picture_.make(state_.setup.picture);
+    palette_ = makePalette(plan, picture_.table(), server_.unneeded);
+  } else if (stale() == Stale::Everything) {
+    try {
+      drawFrame();
+    } catch (const ViewError& e) {
+      if (!any_) throw;
+      state_.setup = drawn_;
+      state_.notice = e.what();
+      drawFrame();
+    }
+  }
+  drawn_ = state_.setup;
+  any_ = true;
+  repaint_ = false;
+}
