@@ -23,3 +23,75 @@ TEST(ColorTable, EightBitsKeep144CorrectedLevels) {
     EXPECT_EQ(red.size(), bits == 8 ? 144u : 240u);
   }
 }
+
+// The brief's tables at 240 shades, cell by cell: brief 10..249 holds i - 10, linear 11..250 holds i - 10.
+TEST(ColorTable, TheBriefsCells) {
+  for (const TableKind kind : {TableKind::Brief, TableKind::Linear}) {
+    const ColorTable t{{.kind = kind}};
+    EXPECT_EQ(t.first(), kind == TableKind::Brief ? 10 : 11);
+    for (int j = 0; j < 240; ++j)
+      EXPECT_EQ(t.color(j), (Rgb16{static_cast<std::uint16_t>(257 * (t.first() + j - 10)), 0, 0}));
+  }
+}
+
+// color(I) = round(first + 239 I), and half way between two the brighter; what lies outside clamps.
+TEST(ColorTable, LinearPicksTheNearest) {
+  const ColorTable brief{{.kind = TableKind::Brief}}, linear{{.kind = TableKind::Linear}};
+  for (int k = 0; k <= 100'000; ++k) {
+    const double I = k / 100'000.0;
+    const double exact = 239 * I;
+    if (std::abs(exact - std::floor(exact) - 0.5) < 1e-9)
+      continue;  // the rounded product may lie on either side
+    ASSERT_EQ(brief.cell(I), std::lround(10 + 239 * I)) << I;
+    ASSERT_EQ(linear.cell(I), std::lround(11 + 239 * I)) << I;
+  }
+  EXPECT_EQ(brief.cell(0.5 / 239), 11);
+  EXPECT_EQ(brief.cell(-3), 10);
+  EXPECT_EQ(brief.cell(7), 249);
+}
+
+// The nearest in ratio is round(log_r(I / I0)), the nearest in difference the closer stored level; they
+// disagree on about 0.2 % of uniformly spread intensities.
+TEST(ColorTable, CorrectedPicksTheNearest) {
+  const ColorTable log{{.kind = TableKind::Corrected, .pick = Pick::Log}};
+  const ColorTable search{{.kind = TableKind::Corrected, .pick = Pick::Search}};
+  const double r = std::pow(50.0, 1.0 / 239);
+  int differ = 0;
+  constexpr int kSteps = 1'000'000;
+  for (int k = 0; k <= kSteps; ++k) {
+    const double I = static_cast<double>(k) / kSteps;
+    const double j = I <= 0.02 ? 0 : std::log(I / 0.02) / std::log(r);
+    if (std::abs(j - std::floor(j) - 0.5) > 1e-9) {
+      ASSERT_EQ(log.shade(I), std::lround(j)) << I;
+    }
+    const int s = search.shade(I);
+    const double miss = std::abs(search.level(s) - I);
+    if (s > 0) {
+      ASSERT_LE(miss, std::abs(search.level(s - 1) - I) + 1e-15);
+    }
+    if (s < 239) {
+      ASSERT_LE(miss, std::abs(search.level(s + 1) - I) + 1e-15);
+    }
+    differ += s != log.shade(I);
+  }
+  EXPECT_NEAR(differ / double{kSteps}, 0.002, 0.0005);
+}
+
+// From 2 to 240 shades and I0 from 1e-6 to 0.5: levels ascend to 1, each is its own pick, and intensities
+// below I0, at 1 and above give the end shades.
+TEST(ColorTable, EveryShadeCountAndLowestIntensity) {
+  for (const double I0 : {1e-6, 1e-3, 0.02, 0.1, 0.5})
+    for (int N = 2; N <= 240; ++N)
+      for (const Pick pick : {Pick::Log, Pick::Search}) {
+        const ColorTable t{{.kind = TableKind::Corrected, .shades = N, .I0 = I0, .pick = pick}};
+        ASSERT_EQ(t.level(0), I0);
+        ASSERT_EQ(t.level(N - 1), 1.0);
+        for (int j = 0; j < N; ++j) {
+          ASSERT_NEAR(t.level(j), I0 * std::pow(1 / I0, double{j * 1.0} / (N - 1)), 1e-12);
+          ASSERT_EQ(t.shade(t.level(j)), j);
+        }
+        ASSERT_EQ(t.shade(0), 0);
+        ASSERT_EQ(t.shade(I0 / 2), 0);
+        ASSERT_EQ(t.shade(2), N - 1);
+      }
+}

@@ -1,0 +1,266 @@
+#include "shading/picture.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cstring>
+#include <random>
+
+#include "geometry/int128.h"
+#include "geometry/solids.h"
+#include "shading/scanline.h"
+
+namespace {
+
+PictureSettings small() {
+  PictureSettings s;
+  s.width = 240;
+  s.height = 180;
+  return s;
+}
+
+/// How often the painter paints each sample.
+std::vector<int> timesPainted(const SnappedScene& scene, int width, int height) {
+  std::vector<int> times(std::size_t(width) * height, 0);
+  for (const SnappedFace& f : scene.faces)
+    forEachSpan(&scene.vertices[f.first], f.count, width, height, [&](int row, int from, int to) {
+      for (int i = from; i < to; ++i) ++times[std::size_t(row) * width + i];
+    });
+  return times;
+}
+
+/// How many faces cover each sample, each edge asked by itself: the sign of its function at the pixel's
+/// centre, if 0 of its x coefficient, if 0 of its y coefficient.
+std::vector<int> timesCovered(const SnappedScene& scene, int width, int height) {
+  std::vector<int> times(std::size_t(width) * height, 0);
+  for (const SnappedFace& f : scene.faces) {
+    const glm::ivec3* p = &scene.vertices[f.first];
+    int x0 = p[0].x, x1 = x0, y0 = p[0].y, y1 = y0;
+    for (int v = 1; v < f.count; ++v) {
+      x0 = std::min(x0, p[v].x), x1 = std::max(x1, p[v].x);
+      y0 = std::min(y0, p[v].y), y1 = std::max(y1, p[v].y);
+    }
+    for (int j = std::max(0, y0 / kGrid - 1); j < std::min(height, y1 / kGrid + 2); ++j)
+      for (int i = std::max(0, x0 / kGrid - 1); i < std::min(width, x1 / kGrid + 2); ++i) {
+        bool inside = true;
+        for (int v = 0; v < f.count && inside; ++v) {
+          const glm::ivec3 &a = p[v], &b = p[(v + 1) % f.count];
+          const Int128 A = std::int64_t{b.y} - a.y, B = std::int64_t{a.x} - b.x;
+          const Int128 value = A * (std::int64_t{i} * kGrid + kGrid / 2 - a.x) +
+                               B * (std::int64_t{j} * kGrid + kGrid / 2 - a.y);
+          inside = value > 0 || (value == 0 && (A > 0 || (A == 0 && B > 0)));
+        }
+        times[std::size_t(j) * width + i] += inside;
+      }
+  }
+  return times;
+}
+
+bool sameBits(const FaceShade& a, const FaceShade& b, bool specularToo) {
+  const auto same = [](const auto& x, const auto& y) { return std::memcmp(&x, &y, sizeof x) == 0; };
+  return same(a.N, b.N) && same(a.at, b.at) && same(a.L, b.L) && same(a.NdotL, b.NdotL) &&
+         same(a.ambient, b.ambient) && same(a.diffuse, b.diffuse) &&
+         (!specularToo || (same(a.specular, b.specular) && same(a.I, b.I)));
+}
+
+IndexImage painted(Picture& picture, const PictureSettings& settings) {
+  picture.make(settings);
+  IndexImage image;
+  picture.paint(image, 8);
+  return image;
+}
+
+}  // namespace
+
+// Every sample is painted exactly as often as faces cover it: the teapot from several sides and through
+// the eye, and random triangles that cross the picture's borders.
+TEST(Picture, PaintsEachSampleAsOftenAsFacesCoverIt) {
+  long long samples = 0;
+  const auto check = [&](Picture& picture, const PictureSettings& s) {
+    picture.make(s);
+    const std::vector<int> covered = timesCovered(picture.snapped(), s.width, s.height);
+    ASSERT_EQ(timesPainted(picture.snapped(), s.width, s.height), covered);
+    samples += std::ranges::count_if(covered, [](int n) { return n > 0; });
+  };
+  Picture teapot{readScene("teapot", 4)};
+  for (int view = 0; view < 8; ++view) {
+    SCOPED_TRACE(view);
+    PictureSettings s = small();
+    s.camera.parallel = view % 2 == 0;
+    if (view == 3) s.camera.oblique = Oblique{};
+    teapot.make(s);
+    s.camera = moved(s.camera, teapot.camera(), 50.0 * view, 20.0 * view - 70, view == 7 ? 6.0 : 1.0);
+    check(teapot, s);
+  }
+  for (unsigned seed = 0; seed < 20; ++seed) {
+    SCOPED_TRACE(seed);
+    Picture soup{makeScene("soup", triangleSoup(300, 0.5, seed), UpAxis::Y)};
+    PictureSettings s = small();
+    s.camera.eye = glm::dvec3{0.1, 0.2, 0.3 + 0.1 * seed};
+    s.camera.lookAt = glm::dvec3{0, 0, -1};
+    check(soup, s);
+  }
+  EXPECT_GT(samples, 200'000);
+}
+
+// A closed surface has neither gap nor overlap: with its back faces kept, a sphere paints each sample
+// twice or not at all, a torus an even number of times.
+TEST(Picture, ClosedSurfacesPaintInPairs) {
+  int twice = 0, four = 0;
+  for (unsigned seed = 0; seed < 40; ++seed) {
+    SCOPED_TRACE(seed);
+    Picture picture{makeScene("solid", seed % 2 ? sphere(23, 11) : torus(29, 13), UpAxis::Z)};
+    PictureSettings s = small();
+    s.camera.parallel = seed % 3 == 0;
+    picture.make(s);
+    s.camera = moved(s.camera, picture.camera(), 17.0 * seed, 7.0 * seed - 100, 1.3);
+    picture.make(s);
+    for (const int n : timesPainted(picture.snapped(), s.width, s.height)) {
+      ASSERT_EQ(n % 2, 0);
+      if (seed % 2) {
+        ASSERT_LE(n, 2);
+      }
+      twice += n == 2;
+      four += n == 4;
+    }
+  }
+  EXPECT_GT(twice, 100'000);
+  EXPECT_GT(four, 10'000);
+}
+
+// What is stored with a face does not change by a bit with projection, shear, window, size or zoom; when
+// the eye moves, only the specular term does.
+TEST(Picture, StoredShadingKnowsNoCamera) {
+  Picture picture{readScene("teapot", 4)};
+  PictureSettings s = small();
+  s.camera.eye = glm::dvec3{0.3, -2, 0.8};
+  s.camera.lookAt = glm::dvec3{0, 0, 0.2};
+  picture.make(s);
+  const std::vector<FaceShade> stored = picture.faces();
+  const auto expectSame = [&](const PictureSettings& changed, bool specularToo) {
+    Picture fresh{readScene("teapot", 4)};
+    fresh.make(changed);
+    picture.make(changed);
+    bool specularMoved = false;
+    for (std::size_t f = 0; f < stored.size(); ++f) {
+      ASSERT_TRUE(sameBits(stored[f], fresh.faces()[f], specularToo)) << f;
+      ASSERT_TRUE(sameBits(picture.faces()[f], fresh.faces()[f], true)) << f;  // kept = made afresh
+      specularMoved |= stored[f].specular != fresh.faces()[f].specular;
+    }
+    EXPECT_EQ(specularMoved, !specularToo);
+  };
+  const auto with = [&](auto&& change) {
+    PictureSettings c = s;
+    change(c);
+    return c;
+  };
+  expectSame(with([](auto& c) { c.camera.parallel = true; }), true);
+  expectSame(with([](auto& c) { c.camera.oblique = Oblique{0.5, 30}; }), true);
+  expectSame(with([](auto& c) { c.camera.window = glm::dvec4{-0.3, 0.1, -0.2, 0.5}; }), true);
+  expectSame(with([](auto& c) { c.camera.fov = 77; }), true);
+  expectSame(with([](auto& c) { c.camera.up = glm::dvec3{0.5, 0, 1}; }), true);
+  expectSame(with([](auto& c) { c.width = 77, c.height = 400; }), true);
+  expectSame(with([](auto& c) { c.cull = Cull::Back; }), true);
+  expectSame(with([](auto& c) { c.camera.eye = glm::dvec3{0.4, -2, 0.8}; }), false);
+}
+
+// Keeping results is invisible: after any change of settings the picture is the one made afresh.
+TEST(Picture, KeptStagesPaintWhatFreshOnesPaint) {
+  std::mt19937 rng{1975};
+  Picture kept{readScene("teapot", 3)};
+  PictureSettings s = small();
+  int distinct = 0;
+  IndexImage last;
+  for (int trial = 0; trial < 60; ++trial) {
+    SCOPED_TRACE(trial);
+    switch (rng() % 9) {
+      case 0:
+        s.table.kind = kTables[rng() % 3].id;
+        break;
+      case 1:
+        s.table.shades = 2 + static_cast<int>(rng() % 239);
+        break;
+      case 2:
+        s.light.ks = static_cast<double>(rng() % 100) / 100;
+        break;
+      case 3:
+        s.order = kOrders[rng() % 3].id;
+        break;
+      case 4:
+        s.cull = rng() % 2 ? Cull::Back : Cull::Keep;
+        break;
+      case 5:
+        s.width = 100 + static_cast<int>(rng() % 100);
+        break;
+      case 6:
+        s.camera = moved(s.camera, kept.camera(), 20, 3, 1.05);
+        break;
+      case 7:
+        s.light.constantV = !s.light.constantV;
+        break;
+      default:
+        s.shading = rng() % 4 ? Shading::Flat : Shading::Full;
+    }
+    const IndexImage image = painted(kept, s);
+    Picture fresh{readScene("teapot", 3)};
+    ASSERT_EQ(image, painted(fresh, s));
+    distinct += !(image == last);
+    last = image;
+  }
+  EXPECT_GT(distinct, 30);
+}
+
+// A new table paints again from the stored intensities: nothing is shaded, projected or sorted.
+TEST(Picture, ANewTableOnlyPaintsAgain) {
+  Picture picture{readScene("teapot")};
+  PictureSettings s = small();
+  picture.make(s);
+  EXPECT_GT(picture.times().transform, 0);
+  EXPECT_GT(picture.times().sort, 0);
+  s.table.kind = TableKind::Corrected;
+  s.table.I0 = 0.1;
+  s.table.shades = 12;
+  picture.make(s);
+  EXPECT_EQ(picture.times().transform, 0);
+  EXPECT_EQ(picture.times().sort, 0);
+}
+
+// The face image names the face that is seen: number + 1, 0 where nothing is; pieces of a divided face
+// carry its number.
+TEST(Picture, FaceImageNamesFaces) {
+  Mesh m;
+  m.points = {{-1, -1, 0},    {1, -1, 0}, {1, 1, 0},     {-1, 1, 0},    {-0.5, -0.5, 1},
+              {0.5, -0.5, 1}, {0, 0, 1},  {0.5, 0.5, 1}, {-0.5, 0.5, 1}};
+  const int floor[] = {0, 1, 2, 3}, concave[] = {4, 5, 6, 7, 8};
+  m.addFace(floor, 0);
+  m.addFace(concave, 0);
+  Picture picture{makeScene("two", m, UpAxis::Y)};
+  EXPECT_GT(picture.scene().pieces.count(), 2);
+  PictureSettings s = small();
+  s.camera.parallel = true;
+  s.camera.eye = glm::dvec3{0, 0, 3};
+  s.camera.lookAt = glm::dvec3{0};
+  s.camera.height = 1.2;  // scene units: coordinates were halved
+  picture.make(s);
+  const std::vector<std::uint32_t> ids = picture.faceImage();
+  const auto at = [&](double x, double y) {  // of the file's coordinates
+    return ids[std::size_t(90 - y / 2 / 1.2 * 180) * 240 + std::size_t(120 + x / 2 / 1.2 * 180)];
+  };
+  EXPECT_EQ(at(-0.25, 0), 2u);
+  EXPECT_EQ(at(0.3, 0), 1u);  // seen through the notch
+  EXPECT_EQ(at(0.1, 0.3), 2u);
+  EXPECT_EQ(at(0.8, 0.8), 1u);
+  EXPECT_EQ(at(1.1, 0), 0u);
+}
+
+// Clamped evaluations are counted: none with room to spare, some when kd and ks add up to more than 1.
+TEST(Picture, CountsClampedEvaluations) {
+  Picture picture{readScene("teapot")};
+  PictureSettings s = small();
+  s.light.ks = 0;
+  picture.make(s);
+  EXPECT_EQ(picture.saturated(), 0);
+  s.light = {.Ia = 0, .Ip = 1, .kd = 1, .ks = 1, .n = 3};
+  picture.make(s);
+  EXPECT_GT(picture.saturated(), 100);
+}
