@@ -186,11 +186,16 @@ Workbench::Stale Workbench::stale() const {
   return state_.setup == drawn_ ? Stale::Nothing : Stale::Colors;
 }
 
+PictureSettings Workbench::sized() const {
+  PictureSettings settings = setup().picture;
+  settings.width = layout_.picture.width;
+  settings.height = layout_.picture.height;
+  return settings;
+}
+
 void Workbench::drawFrame() {
   const Rect& at = layout_.picture;
-  state_.setup.picture.width = at.width;
-  state_.setup.picture.height = at.height;
-  picture_.make(state_.setup.picture);
+  picture_.make(sized());
   const CellPlan plan = server_.plan(state_.setup.picture.table.kind);
   palette_ = makePalette(plan, picture_.table(), server_.unneeded);
 
@@ -214,7 +219,7 @@ void Workbench::drawFrame() {
 void Workbench::update() {
   if (stale() == Stale::Colors) {
     const CellPlan plan = server_.plan(state_.setup.picture.table.kind);
-    picture_.make(state_.setup.picture);
+    picture_.make(sized());
     palette_ = makePalette(plan, picture_.table(), server_.unneeded);
   } else if (stale() == Stale::Everything) {
     try {

@@ -1,0 +1,169 @@
+#include "x11/workbench.h"
+
+#include <gtest/gtest.h>
+
+#include <random>
+
+namespace {
+
+using Stale = Workbench::Stale;
+
+Workbench bench(const ::Setup& setup = {}, int width = 1024, int height = 768) {
+  Workbench b{readScene("teapot", 3), setup, {}};
+  b.resize(width, height);
+  b.update();
+  return b;
+}
+
+void press(Workbench& b, std::string_view letters) {
+  for (const char c : letters) b.press({NamedKey::Letter, c});
+}
+
+/// The part of the window that holds no milliseconds: all but the status line.
+IndexImage withoutStatus(const Workbench& b) {
+  IndexImage image = b.image();
+  for (int j = b.layout().status.y; b.layout().roomy && j < image.height; ++j)
+    std::fill_n(image.row(j), image.width, std::uint8_t{0});
+  return image;
+}
+
+}  // namespace
+
+// A new hue and 8 or 16 bits are colours in the same cells: not one index of the window changes.
+TEST(Workbench, HueAndBitsAreColoursAlone) {
+  Workbench b = bench();
+  const IndexImage before = b.image();
+  const Palette palette = b.palette();
+  for (const char key : {'H', 'B'}) {
+    press(b, {&key, 1});
+    EXPECT_EQ(b.stale(), Stale::Colors);
+    b.update();
+    EXPECT_EQ(b.stale(), Stale::Nothing);
+    EXPECT_EQ(b.image(), before);
+  }
+  EXPECT_NE(b.palette(), palette);
+}
+
+// Table, shades and I0 change cells and indices; the window then is that of a fresh start with them.
+TEST(Workbench, TableChangesEqualAFreshStart) {
+  Workbench b = bench();
+  press(b, "TT");
+  b.update();
+  press(b, "0");
+  b.press({NamedKey::Right, 0, true});
+  press(b, "c");
+  b.press({NamedKey::Left, 0, true});
+  EXPECT_EQ(b.stale(), Stale::Everything);
+  b.update();
+  EXPECT_NE(b.setup().picture.table.I0, 0.02);
+  EXPECT_EQ(b.setup().picture.table.shades, 230);
+
+  ::Setup same;
+  same.picture.table = b.setup().picture.table;
+  Workbench fresh = bench(same);
+  EXPECT_EQ(b.palette(), fresh.palette());
+  const Rect& at = b.layout().picture;
+  for (int j = at.y; j < at.y + at.height; ++j)
+    ASSERT_TRUE(
+        std::equal(b.image().row(j) + at.x, b.image().row(j) + at.x + at.width, fresh.image().row(j) + at.x))
+        << j;
+}
+
+// Undo leads back step by step to the start, redo forth again; reset is a step like any other. A run of
+// one control's changes is one step.
+TEST(Workbench, UndoRedoReset) {
+  Workbench b = bench();
+  const ::Setup start = b.setup();
+  press(b, "OLn");
+  for (int i = 0; i < 5; ++i) b.press({NamedKey::Right});
+  b.drag(30, 10);
+  const ::Setup end = b.setup();
+  EXPECT_NE(end, start);
+  press(b, "uuuu");
+  EXPECT_EQ(b.setup(), start);
+  press(b, "uuUUUU");
+  EXPECT_EQ(b.setup(), end);
+  press(b, "r");
+  EXPECT_EQ(b.setup(), start);
+  press(b, "u");
+  EXPECT_EQ(b.setup(), end);
+}
+
+// Dragging adds up: ten drags of 3 pixels are one of 30, whether or not a frame was drawn between them.
+TEST(Workbench, DragsAddUp) {
+  Workbench one = bench(), many = bench();
+  one.drag(30, 0);
+  for (int i = 0; i < 10; ++i) {
+    many.drag(3, 0);
+    if (i % 3 == 0) many.update();
+  }
+  const glm::dvec3 a = *one.setup().picture.camera.eye, b = *many.setup().picture.camera.eye;
+  for (int k = 0; k < 3; ++k) EXPECT_NEAR(a[k], b[k], 1e-12);
+}
+
+// Sizes from 1 x 1 up draw something everywhere; with no room for the controls the picture takes it all.
+TEST(Workbench, EverySizeDraws) {
+  for (const auto& [w, h] : {std::pair{1, 1},
+                             {7, 900},
+                             {800, 599},
+                             {799, 600},
+                             {800, 600},
+                             {1023, 767},
+                             {1024, 768},
+                             {1600, 1200},
+                             {2500, 700}}) {
+    SCOPED_TRACE(testing::Message() << w << " x " << h);
+    Workbench b = bench({}, w, h);
+    EXPECT_EQ(b.image().width, w);
+    EXPECT_EQ(b.image().height, h);
+    EXPECT_EQ(b.layout().roomy, w >= 800 && h >= 600);
+    const Rect& at = b.layout().picture;
+    EXPECT_EQ(intersection(at, {0, 0, w, h}), at);
+    press(b, "?");
+    b.update();
+  }
+}
+
+// A frame after any keys is the frame of a fresh start with the same setup: nothing lingers.
+TEST(Workbench, NothingLingers) {
+  std::mt19937 rng{7};
+  constexpr std::string_view kLetters = "ipadsnc0lLVSOFPKTHBJ[]uUr+-=?tz";
+  Workbench b = bench();
+  for (int trial = 0; trial < 40; ++trial) {
+    SCOPED_TRACE(trial);
+    for (int k = 0; k < 6; ++k) {
+      if (rng() % 3)
+        b.press({NamedKey::Letter, kLetters[rng() % kLetters.size()]});
+      else
+        b.press({std::array{NamedKey::Left, NamedKey::Right, NamedKey::Up, NamedKey::Down, NamedKey::Home,
+                            NamedKey::End, NamedKey::Tab}[rng() % 7],
+                 0, rng() % 2 == 0});
+      if (rng() % 2) b.update();
+    }
+    b.press({NamedKey::Escape});
+    press(b, "s");
+    b.update();
+    Workbench fresh = bench(b.setup());
+    press(fresh, "s");
+    fresh.update();
+    EXPECT_EQ(b.palette(), fresh.palette());
+    // The sliders' default marks differ: compare left of the controls.
+    const IndexImage x = withoutStatus(b), y = withoutStatus(fresh);
+    for (int j = 0; j < x.height; ++j)
+      ASSERT_TRUE(std::equal(x.row(j), x.row(j) + b.layout().controls.x - 8, y.row(j))) << j;
+  }
+}
+
+// The camera keys lead to no view that cannot be drawn: a thousand steps in each direction.
+TEST(Workbench, TheCameraSurvivesAnyKeys) {
+  Workbench b = bench({}, 300, 200);
+  for (const char mode : {'t', 'z'}) {
+    press(b, {&mode, 1});
+    for (const NamedKey key : {NamedKey::Up, NamedKey::Left, NamedKey::Down, NamedKey::Right}) {
+      for (int i = 0; i < 300; ++i) b.press({key, 0, true});
+      EXPECT_NO_THROW(b.update());
+      b.press({NamedKey::Letter, 'P'});
+      EXPECT_NO_THROW(b.update());
+    }
+  }
+}
