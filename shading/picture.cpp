@@ -23,28 +23,32 @@ void Picture::make(const PictureSettings& next) {
   const double aspect = static_cast<double>(next.width) / next.height;
   const Camera camera = placeCamera(next.camera, scene_.mesh.points, scene_.up, aspect);
 
-  // Shading, in world coordinates: once when a face is made, the specular term again when the eye moves.
+  // What changed since the results that are kept; until all is done none count, for a stage may throw.
   const bool newLight = !any_ || next.light != made_.light;
   const bool newEye = newLight || camera.eye != camera_.eye || camera.lookAt != camera_.lookAt;
+  const bool newView = !any_ || camera.view != camera_.view || next.width != made_.width ||
+                       next.height != made_.height || next.cull != made_.cull;
+  const bool newOrder = newView || next.order != made_.order;
+  const bool newTable = !table_ || next.table != made_.table;
+  any_ = false;
+
+  // Shading, in world coordinates: once when a face is made, the specular term again when the eye moves.
   timed(times_.shade, [&] {
     if (newLight) faces_ = shadeFaces(scene_.mesh, next.light);
     if (newEye) shadeSpecular(faces_, next.light, camera.eye, camera.lookAt);
   });
 
   // View, shear, warp, clip, viewport, and one snap to the grid, from where all is exact.
-  const bool newView = !any_ || camera.view != camera_.view || next.width != made_.width ||
-                       next.height != made_.height || next.cull != made_.cull;
   if (newView)
     timed(times_.transform, [&] {
       snapped_ = project(scene_.mesh, scene_.pieces, camera.view, next.width, next.height, next.cull);
     });
 
   // Back to front.
-  const bool newOrder = newView || next.order != made_.order;
   if (newOrder) timed(times_.sort, [&] { order_ = paintingOrder(snapped_, next.order); });
 
   // Intensities to cells of the colour table.
-  if (!table_ || next.table != made_.table) table_.emplace(next.table);
+  if (newTable) table_.emplace(next.table);
   timed(times_.fill, [&] {
     cells_.resize(snapped_.faces.size());
     std::ranges::transform(snapped_.faces, cells_.begin(), [&](const SnappedFace& f) {

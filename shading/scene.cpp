@@ -54,6 +54,10 @@ Scene readScene(const std::string& nameOrFile, int divisions) {
                                      : "not a scene: .obj and .bpt files are"};
 }
 
+glm::dvec3 defaultLight(UpAxis up) {
+  return up == UpAxis::Z ? glm::dvec3{-0.54, -0.64, 0.55} : glm::dvec3{-0.54, 0.55, 0.64};
+}
+
 double inSceneUnits(double length, const Scene& scene) {
   const double v = std::ldexp(length, -scene.exponent);
   if (!std::isfinite(v)) throw ViewError{"the camera or the light is too far away for the size of the scene"};

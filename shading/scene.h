@@ -40,6 +40,9 @@ inline constexpr int kDefaultDivisions = 8;
 /// The scene of a mesh in file coordinates. @throws std::invalid_argument if it holds no face
 [[nodiscard]] Scene makeScene(std::string name, Mesh mesh, UpAxis up, int divisions = 0);
 
+/// The direction towards the light where none is given: the upper left of the default view.
+[[nodiscard]] glm::dvec3 defaultLight(UpAxis up);
+
 /// A length or a place given in file coordinates, in the scene's. @throws ViewError where that leaves the
 /// range of doubles
 [[nodiscard]] double inSceneUnits(double length, const Scene& scene);

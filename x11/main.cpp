@@ -53,6 +53,7 @@ int run(Options options) {
   const Stopwatch watch;
   Scene scene = readScene(options.scene, options.divisions);
   options.picture.camera = inSceneUnits(options.picture.camera, scene);
+  if (!options.lightGiven) options.picture.light.light = defaultLight(scene.up);
   if (auto& light = options.picture.light.lightPosition) light = inSceneUnits(*light, scene);
   const double msRead = watch.ms();
   if (options.command == Command::View) return runViewer(options, std::move(scene));

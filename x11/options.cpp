@@ -181,7 +181,7 @@ void addCamera(Reader& r, CameraSettings& camera, bool& fovGiven) {
   plane("--back", "back clipping plane, its n", "behind the scene", camera.back);
 }
 
-void addLight(Reader& r, Illumination& light) {
+void addLight(Reader& r, Illumination& light, bool& lightGiven) {
   r.number("--ia", light.Ia, 0, 1, "ambient intensity Ia; Ia + Ip <= 1");
   r.number("--ip", light.Ip, 0, 1, "point light intensity Ip");
   r.number("--ka", light.ka, 0, 1, "ambient reflection ka");
@@ -191,6 +191,7 @@ void addLight(Reader& r, Illumination& light) {
   r.point("--light", "direction towards the light", "from the upper left", [&](glm::dvec3 p) {
     if (p == glm::dvec3{0}) throw UsageError{"--light: 0,0,0 is no direction"};
     light.light = p;
+    lightGiven = true;
   });
   r.point("--light-at", "a point light at this place instead", "",
           [&](glm::dvec3 p) { light.lightPosition = p; });
@@ -305,7 +306,7 @@ std::optional<Options> parseOptions(int argc, const char* const* argv) {
     if (s != "one" && s != "two") refuse("--sided", s, "one or two");
     o.picture.light.twoSided = s == "two";
   });
-  addLight(r, o.picture.light);
+  addLight(r, o.picture.light, o.lightGiven);
   addTable(r, o.picture.table);
   addCamera(r, o.picture.camera, fovGiven);
   r.text("--visual", "insist on a visual, such as PseudoColor8 or TrueColor24", "",

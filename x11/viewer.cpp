@@ -4,7 +4,6 @@
 #include <X11/keysym.h>
 #include <poll.h>
 
-#include <cerrno>
 #include <csignal>
 #include <iostream>
 
@@ -47,11 +46,19 @@ Setup setupOf(const Options& options) { return {options.picture, options.fill}; 
 volatile std::sig_atomic_t interrupted = 0;
 void onSignal(int) { interrupted = 1; }
 
-/// Ends the event loop on SIGINT, SIGTERM and SIGHUP; no SA_RESTART, so that poll() returns.
-void catchSignals() {
+/// SIGINT, SIGTERM and SIGHUP end the event loop. They are held back but while it waits, so that none comes
+/// between its looking and its waiting. Returns the mask to wait with.
+sigset_t catchSignals() {
   struct sigaction action {};
   action.sa_handler = onSignal;
-  for (const int signal : {SIGINT, SIGTERM, SIGHUP}) sigaction(signal, &action, nullptr);
+  sigset_t held, before;
+  sigemptyset(&held);
+  for (const int signal : {SIGINT, SIGTERM, SIGHUP}) {
+    sigaction(signal, &action, nullptr);
+    sigaddset(&held, signal);
+  }
+  sigprocmask(SIG_BLOCK, &held, &before);
+  return before;
 }
 
 /// Keysyms to keys, Latin-1 letters by themselves.
@@ -105,21 +112,24 @@ class Viewer {
   }
 
   int run() {
-    catchSignals();
+    const sigset_t whileWaiting = catchSignals();
     refresh();  // the first picture is there before the window is
     canvas_.map();
     XFlush(display());
-    while (!bench_.quitAsked() && !interrupted) {
+    while (true) {
       while (XPending(display()) > 0) {
         XEvent event;
         XNextEvent(display(), &event);
         handle(event);
       }
       refresh();
+      if (bench_.quitAsked()) return strayErrors() > 0 ? 1 : 0;
+      if (interrupted) return 130;
+      // A zero wait where events are queued already: a signal held back is still let in.
+      const timespec none{};
       pollfd connection{ConnectionNumber(display()), POLLIN, 0};
-      if (!bench_.quitAsked() && !interrupted && XPending(display()) == 0) poll(&connection, 1, -1);
+      ppoll(&connection, 1, XPending(display()) > 0 ? &none : nullptr, &whileWaiting);
     }
-    return interrupted ? 130 : 0;
   }
 
  private:
@@ -275,6 +285,7 @@ void takeSnapshot(const Options& options, Scene scene, double msRead) {
     StageTimes times = shot.picture.times();
     times.read = msRead;
     times.present = present(server, canvas, shot, options.fill);
+    if (strayErrors() > 0) throw X11Error{"the X server refused requests: no picture"};
     writePng(options.output, canvas.readBack({0, 0, size.x, size.y}));
     report(options, shot.picture, times);
   };

@@ -143,7 +143,7 @@ void Workbench::pressArrow(int along, int up) {
   const char focus = state_.focus;
   if (focus == 't') {
     change('t', [&](Setup& s) {
-      s.picture.camera = moved(s.picture.camera, camera(), 2.0 * along, 2.0 * up, 1.0);
+      s.picture.camera = moved(s.picture.camera, camera(), -2.0 * along, -2.0 * up, 1.0);
     });
   } else if (focus == 'z') {
     zoom(along + up > 0 ? std::pow(1.02, along + up) : 1.0 / std::pow(1.02, -along - up));
