@@ -65,12 +65,14 @@ int compare(const Perturbed& p, const Perturbed& q) {
 }
 
 /// Triangles of one kind: anywhere, on a lattice of pixel centres and corners with few depths, at the limits
-/// of the grid, needles, near-coplanar by one step, exact copies.
+/// of the grid, needles, near-coplanar by one step, exactly coplanar, and planes that
+/// meet in a row of samples.
 SnappedScene randomScene(unsigned seed, int count, int size) {
   std::mt19937 rng{seed};
   const auto uniform = [&](int low, int high) { return std::uniform_int_distribution{low, high}(rng); };
   SnappedScene scene;
-  const unsigned kind = seed % 6;
+  const unsigned kind = seed % 7;
+  int slope = 0;  // of this triangle, kind 6
   const auto vertex = [&]() -> glm::ivec3 {
     switch (kind) {
       case 0:
@@ -81,6 +83,10 @@ SnappedScene randomScene(unsigned seed, int count, int size) {
         return {uniform(-(1 << 29), 1 << 29), uniform(-(1 << 29), 1 << 29), uniform(0, 1 << 30)};
       case 3:
         return {uniform(0, size * kGrid), size * kGrid / 2 + uniform(-kGrid, kGrid), uniform(0, 1 << 20)};
+      case 6: {  // all these planes meet in one row of pixel centres, where only the slope along y differs
+        const int row = uniform(0, size);
+        return {uniform(0, size * kGrid), row * kGrid + kGrid / 2, (1 << 20) + slope * (row - size / 2)};
+      }
       default: {
         const int x = uniform(0, size) * kGrid + kGrid / 2, y = uniform(0, size) * kGrid + kGrid / 2;
         return {x, y, (x + y) / 4 + (1 << 20) + (kind == 4 ? uniform(-1, 1) : 0)};
@@ -88,6 +94,7 @@ SnappedScene randomScene(unsigned seed, int count, int size) {
     }
   };
   while (static_cast<int>(scene.faces.size()) < count) {
+    slope = uniform(-2, 2);
     std::array<glm::ivec3, 3> t{vertex(), vertex(), vertex()};
     const std::int64_t area = doubleArea(t.data(), 3);
     if (area == 0) continue;
@@ -151,6 +158,19 @@ TEST(Oracle, NearerIsAntisymmetric) {
       ASSERT_EQ(nearer(P, Q, i, i), -nearer(Q, P, i, i)) << seed;
       ASSERT_EQ(nearer(P, P, i, i), 0);
     }
+  }
+}
+
+// Depths that differ far below a double's last bit are told apart: slopes F(n-1)/F(n) of Fibonacci numbers
+// up to 2^60 lie on alternating sides of the golden ratio, 1/(F(n) F(n+1)) from each other (Cassini).
+TEST(Oracle, NearerDecidesBeyondDoubles) {
+  std::vector<std::int64_t> F{1, 1};
+  while (F.size() < 87) F.push_back(F[F.size() - 1] + F[F.size() - 2]);
+  EXPECT_GT(F.back(), std::int64_t{1} << 58);
+  for (int n = 40; n + 1 < 87; ++n) {
+    const ScreenPlane P{F[n - 1], 0, F[n], 0}, Q{F[n], 0, F[n + 1], 0};
+    EXPECT_EQ(nearer(P, Q, 0, 0), n % 2 ? 1 : -1) << n;
+    EXPECT_EQ(nearer(P, Q, 8191, 0), n % 2 ? 1 : -1) << n;
   }
 }
 
