@@ -1,6 +1,7 @@
 #include "depthsort/oracle.h"
 
 #include <algorithm>
+#include <cmath>
 #include <cstdint>
 
 #include "depthsort/screen_plane.h"
@@ -36,14 +37,46 @@ Columns columnsInside(const glm::ivec3* p, int count, int j, int width) {
   return {static_cast<int>(from), static_cast<int>(std::max(from, to))};
 }
 
+/// Depths of one face's plane in doubles, good for telling most samples apart.
+class DepthEstimate {
+ public:
+  DepthEstimate(const SnappedScene& scene, const SnappedFace& face, const ScreenPlane& plane)
+      : anchor_{scene.vertices[face.first]},
+        dzdx_{static_cast<double>(plane.A) / static_cast<double>(plane.C)},
+        dzdy_{static_cast<double>(plane.B) / static_cast<double>(plane.C)} {
+    double reach = 0.0;
+    for (int v = face.first; v < face.first + face.count; ++v) {
+      const glm::ivec3 d = scene.vertices[v] - anchor_;
+      reach = std::max(reach, std::abs(dzdx_ * d.x) + std::abs(dzdy_ * d.y));
+    }
+    // Samples lie in the hull of the vertices, so each term is at most `reach`. Slopes are within three
+    // roundings of 2^-53, products and sums within one each: seven in all, of at most reach + z.
+    error_ = 0x1p-50 * (reach + anchor_.z);
+  }
+  /// At pixel (i, j)'s centre; off by at most error().
+  [[nodiscard]] double at(int i, int j) const {
+    return dzdx_ * (static_cast<double>(i) * kGrid + kGrid / 2 - anchor_.x) +
+           (dzdy_ * (static_cast<double>(j) * kGrid + kGrid / 2 - anchor_.y) + anchor_.z);
+  }
+  [[nodiscard]] double error() const { return error_; }
+
+ private:
+  glm::ivec3 anchor_;
+  double dzdx_, dzdy_, error_ = 0;
+};
+
 }  // namespace
 
 std::vector<int> visibleFaces(const SnappedScene& scene, int width, int height) {
   std::vector<ScreenPlane> planes;
-  planes.reserve(scene.faces.size());
-  for (const SnappedFace& face : scene.faces) planes.push_back(planeOf(scene, face));
+  std::vector<DepthEstimate> estimates;
+  for (const SnappedFace& face : scene.faces) {
+    planes.push_back(planeOf(scene, face));
+    estimates.emplace_back(scene, face, planes.back());
+  }
 
   std::vector<int> seen(std::size_t(width) * height, kNothing);
+  std::vector<double> nearest(seen.size());  // estimate of the face seen
   for (int f = 0; f < static_cast<int>(scene.faces.size()); ++f) {
     const SnappedFace& face = scene.faces[f];
     const glm::ivec3* const outline = &scene.vertices[face.first];
@@ -52,9 +85,17 @@ std::vector<int> visibleFaces(const SnappedScene& scene, int width, int height) 
     const int end = std::min(height, (bottom->y >> kGridBits) + 1);
     for (int j = std::max(0, top->y >> kGridBits); j < end; ++j) {
       const Columns columns = columnsInside(outline, face.count, j, width);
-      int* const row = seen.data() + std::ptrdiff_t(j) * width;
-      for (int i = columns.from; i < columns.to; ++i)
-        if (row[i] == kNothing || nearer(planes[f], planes[row[i]], i, j) >= 0) row[i] = f;
+      for (int i = columns.from; i < columns.to; ++i) {
+        const std::size_t sample = std::size_t(j) * width + i;
+        const int best = seen[sample];
+        const double z = estimates[f].at(i, j);
+        if (best != kNothing) {
+          const double ahead = z - nearest[sample], doubt = estimates[f].error() + estimates[best].error();
+          if (ahead < -doubt || (ahead <= doubt && nearer(planes[f], planes[best], i, j) < 0)) continue;
+        }
+        seen[sample] = f;
+        nearest[sample] = z;
+      }
     }
   }
   return seen;

@@ -24,7 +24,7 @@ std::vector<int> sortedByKey(std::span<const std::uint32_t> keys) {
 
 std::vector<int> paintingOrder(const SnappedScene& scene, Order order) {
   std::vector<std::uint32_t> keys(scene.faces.size());
-  if (order != Order::Unsorted) {
+  if (order == Order::ZMean || order == Order::ZSort) {
     for (std::size_t i = 0; i < keys.size(); ++i) {
       const SnappedFace& face = scene.faces[i];
       std::int64_t sum = 0;

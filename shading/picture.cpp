@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "depthsort/oracle.h"
 #include "shading/scanline.h"
 
 namespace {
@@ -45,7 +46,12 @@ void Picture::make(const PictureSettings& next) {
     });
 
   // Back to front.
-  if (newOrder) timed(times_.sort, [&] { order_ = paintingOrder(snapped_, next.order); });
+  if (newOrder)
+    timed(times_.sort, [&] {
+      order_ = paintingOrder(snapped_, next.order);
+      visible_ =
+          next.order == Order::Oracle ? visibleFaces(snapped_, next.width, next.height) : std::vector<int>{};
+    });
 
   // Intensities to cells of the colour table.
   if (newTable) table_.emplace(next.table);
@@ -62,32 +68,55 @@ void Picture::make(const PictureSettings& next) {
   any_ = true;
 }
 
+template <class Span>
+void Picture::paintFaces(Span&& span) const {
+  if (made_.order != Order::Oracle) {
+    for (const int i : order_) {
+      const SnappedFace& face = snapped_.faces[i];
+      forEachSpan(&snapped_.vertices[face.first], face.count, made_.width, made_.height,
+                  [&](int row, int from, int to) { span(row, from, to, i); });
+    }
+    return;
+  }
+  for (int j = 0; j < made_.height; ++j) {
+    const int* const row = visible_.data() + std::ptrdiff_t(j) * made_.width;
+    for (int from = 0, to = 0; from < made_.width; from = to) {
+      while (to < made_.width && row[to] == row[from]) ++to;
+      if (row[from] != kNothing) span(j, from, to, row[from]);
+    }
+  }
+}
+
 void Picture::paint(IndexImage& image, std::uint8_t ground) {
   const Stopwatch watch;
   image.width = made_.width;
   image.height = made_.height;
   image.pixels.assign(std::size_t(made_.width) * made_.height, ground);
-  for (const int i : order_) {
-    const SnappedFace& face = snapped_.faces[i];
-    forEachSpan(&snapped_.vertices[face.first], face.count, image.width, image.height,
-                [&image, cell = cells_[i]](int row, int from, int to) {
-                  std::fill(image.row(row) + from, image.row(row) + to, cell);
-                });
-  }
+  paintFaces([&](int row, int from, int to, int face) {
+    std::fill(image.row(row) + from, image.row(row) + to, cells_[face]);
+  });
   times_.fill += watch.ms();
 }
 
 std::vector<std::uint32_t> Picture::faceImage() const {
   std::vector<std::uint32_t> image(std::size_t(made_.width) * made_.height, 0);
-  for (const int i : order_) {
-    const SnappedFace& face = snapped_.faces[i];
-    forEachSpan(&snapped_.vertices[face.first], face.count, made_.width, made_.height,
-                [&](int row, int from, int to) {
-                  const auto begin = image.begin() + std::ptrdiff_t(row) * made_.width;
-                  std::fill(begin + from, begin + to, static_cast<std::uint32_t>(face.number) + 1);
-                });
-  }
+  paintFaces([&](int row, int from, int to, int face) {
+    const auto begin = image.begin() + std::ptrdiff_t(row) * made_.width;
+    std::fill(begin + from, begin + to, static_cast<std::uint32_t>(snapped_.faces[face].number) + 1);
+  });
   return image;
+}
+
+Picture::Exactness Picture::exactness() const {
+  const std::vector<std::uint32_t> painted = faceImage();
+  const std::vector<int> visible = visibleFaces(snapped_, made_.width, made_.height);
+  Exactness exactness;
+  for (std::size_t k = 0; k < painted.size(); ++k) {
+    if (visible[k] == kNothing) continue;
+    ++exactness.samples;
+    exactness.wrong += painted[k] != static_cast<std::uint32_t>(snapped_.faces[visible[k]].number) + 1;
+  }
+  return exactness;
 }
 
 int Picture::saturated() const {

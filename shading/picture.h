@@ -69,11 +69,22 @@ class Picture {
   [[nodiscard]] const ColorTable& table() const { return *table_; }
   /// The cell of each of snapped().faces.
   [[nodiscard]] const std::vector<std::uint8_t>& cells() const { return cells_; }
+  /// Samples that show a face, and those of them where the painter's order shows another face than the
+  /// visibility oracle does. Asks the oracle: as slow as a picture of that order.
+  struct Exactness {
+    int samples = 0, wrong = 0;
+  };
+  [[nodiscard]] Exactness exactness() const;
   /// Evaluations of the illumination that exceeded 1 and were clamped.
   [[nodiscard]] int saturated() const;
   [[nodiscard]] const StageTimes& times() const { return times_; }
 
  private:
+  /// Calls span(row, from, to, face) for runs of samples that show one of snapped().faces, later calls over
+  /// earlier ones.
+  template <class Span>
+  void paintFaces(Span&& span) const;
+
   Scene scene_;
   PictureSettings made_;  ///< what the results below were made with
   bool any_ = false;      ///< whether there are results
@@ -81,6 +92,7 @@ class Picture {
   std::vector<FaceShade> faces_;
   SnappedScene snapped_;
   std::vector<int> order_;
+  std::vector<int> visible_;  ///< of Order::Oracle: the face at each sample
   std::optional<ColorTable> table_;
   std::vector<std::uint8_t> cells_;
   StageTimes times_;

@@ -264,3 +264,22 @@ TEST(Picture, CountsClampedEvaluations) {
   picture.make(s);
   EXPECT_GT(picture.saturated(), 100);
 }
+
+// The painter is right where no order can be wrong: a convex solid without its back faces, in every
+// order. The oracle is right everywhere, and knows where sorting the teapot by z is not.
+TEST(Picture, OracleKnowsWhereTheOrderIsWrong) {
+  Picture ball{makeScene("ball", sphere(20, 10), UpAxis::Z)};
+  Picture teapot{readScene("teapot", 4)};
+  for (const OrderRow& row : kOrders) {
+    SCOPED_TRACE(row.name);
+    PictureSettings s = small();
+    s.order = row.id;
+    teapot.make(s);
+    const Picture::Exactness e = teapot.exactness();
+    EXPECT_GT(e.samples, 10'000);
+    EXPECT_EQ(e.wrong == 0, row.id == Order::Oracle);
+    s.cull = Cull::Back;
+    ball.make(s);
+    EXPECT_EQ(ball.exactness().wrong, 0);
+  }
+}

@@ -167,3 +167,37 @@ TEST(Workbench, TheCameraSurvivesAnyKeys) {
     }
   }
 }
+
+// The oracle has no polygons for the server to fill: the choice falls back to the scanline filler, and says
+// so.
+TEST(Workbench, OracleFillsNoPolygons) {
+  Workbench b = bench();
+  press(b, "FF");
+  EXPECT_EQ(b.setup().fill, Fill::Scanline);
+  press(b, "F");
+  EXPECT_EQ(b.setup().fill, Fill::XFillPolygon);
+  press(b, "O");
+  EXPECT_EQ(b.setup().picture.order, Order::Oracle);
+  EXPECT_EQ(b.setup().fill, Fill::Scanline);
+  press(b, "F");
+  EXPECT_EQ(b.setup().fill, Fill::Scanline);
+  EXPECT_EQ(b.stale(), Stale::Everything);  // the status line tells why
+}
+
+// While the picture is dragged wrong faces are not counted; afterwards they are.
+TEST(Workbench, CountsWrongFacesWhenSettled) {
+  Workbench b = bench();
+  const IndexImage counted = b.image();
+  b.drag(0, 0);
+  b.settle();
+  EXPECT_EQ(b.stale(), Stale::Nothing);  // nothing was left out
+  b.drag(3, 3);
+  b.update(true);
+  b.settle();
+  EXPECT_EQ(b.stale(), Stale::Everything);
+  b.update();
+  EXPECT_EQ(b.stale(), Stale::Nothing);
+  press(b, "u");
+  b.update();
+  EXPECT_TRUE(std::equal(counted.row(600), counted.row(663), b.image().row(600)));
+}

@@ -247,6 +247,9 @@ void check(const Options& o, bool sceneGiven, bool fovGiven) {
   if (o.command != Command::Snapshot && o.wholeWindow) throw UsageError{"--whole-window goes with snapshot"};
   if (o.command == Command::Draw && o.fill == Fill::XFillPolygon)
     throw UsageError{"--fill x11 needs a server: use snapshot"};
+  if (o.picture.order == Order::Oracle && o.fill == Fill::XFillPolygon)
+    throw UsageError{
+        "--order oracle decides each sample by itself: there is no polygon for --fill x11 to fill"};
   if ((o.command == Command::Draw || o.command == Command::Scenes) && !o.visual.empty())
     throw UsageError{"--visual goes with view, snapshot and visuals"};
   const CameraSettings& c = o.picture.camera;
@@ -296,7 +299,7 @@ std::optional<Options> parseOptions(int argc, const char* const* argv) {
   r.number("--divisions", o.divisions, 1, kMaxDivisions, "each Bezier patch becomes N x N polygons");
   r.choice("--shade", kShadings, o.picture.shading, "shading method",
            {"depth", "gouraud", "phong", "envmap"});
-  r.choice("--order", kOrders, o.picture.order, "hidden-surface method", {"newell", "oracle"});
+  r.choice("--order", kOrders, o.picture.order, "hidden-surface method", {"newell"});
   r.choice("--fill", kFills, o.fill, "who fills the polygons");
   r.text("--cull", "back faces: back leaves them out, none keeps them", "none", [&](const std::string& s) {
     if (s != "back" && s != "none") refuse("--cull", s, "back or none");

@@ -369,17 +369,38 @@ void drawCaption(Pen& pen, const Layout& at) {
             std::to_string(p.table.shades) + " shades";
   }
   pen.soft(x, y, line);
+  if (!at.compact)
+    y += 17;
+  else if (!pen.state.inexact.empty())
+    pen.paint.fillRect({x, y - 12, at.picture.width, 16}, pen(Cell::Paper));
+  const int end = pen.paint.text(x, y, pen.state.inexact, pen(Cell::Alarm));
+  if (!at.compact && !pen.state.inexact.empty()) {
+    const int cap = std::max(end + 18, x + 565);
+    pen.soft(cap + pen.key(cap, y - 11, "O") + 5, y, "next order");
+  }
 }
 
 }  // namespace
 
+std::string orderInWords(Order order) {
+  switch (order) {
+    case Order::Unsorted:
+      return "not sorted";
+    case Order::ZMean:
+      return "sorted by mean z";
+    case Order::ZSort:
+      return "sorted by farthest z";
+    case Order::Oracle:
+      return "each sample decided by itself";
+  }
+  return {};
+}
+
 std::string captionOf(const Setup& setup) {
-  const OrderRow& order = kOrders[static_cast<int>(setup.picture.order)];
-  const std::string sorted = order.id == Order::Unsorted ? "not sorted"
-                             : order.id == Order::ZMean  ? "sorted by mean z"
-                                                         : "sorted by farthest z";
-  return std::string{chosen(choice('S'), setup) == "none" ? "full intensity" : chosen(choice('S'), setup)} +
-         "; " + sorted + "; " + (setup.fill == Fill::Scanline ? "own scanline" : "XFillPolygon") + "; " +
+  const std::string shading{setup.picture.shading == Shading::Full ? "full intensity"
+                                                                   : chosen(choice('S'), setup)};
+  return shading + "; " + orderInWords(setup.picture.order) + "; " +
+         (setup.fill == Fill::Scanline ? "own scanline" : "XFillPolygon") + "; " +
          std::string{chosen(choice('P'), setup)};
 }
 

@@ -17,6 +17,7 @@ struct PanelState {
   std::string sceneTitle;     ///< "teapot, 8 x 8 divisions"
   std::string visual;         ///< "PseudoColor 8, private map, 256 of 256 cells"
   std::string counts, times;  ///< of the last picture
+  std::string inexact;        ///< how wrong the picture is, as a sentence; "" if it is not, or not known
   std::string notice;         ///< a sentence in the status line instead of the counts; "" for none
   LightAngles light;
   char focus = 's';   ///< key of the control that the arrows change
@@ -39,3 +40,5 @@ void drawPanel(IndexImage& image, const Layout& layout, const PanelState& state,
 
 /// The picture's making in a line, for its caption: "flat; sorted by farthest z; own scanline; perspective".
 [[nodiscard]] std::string captionOf(const Setup& setup);
+/// "sorted by farthest z"
+[[nodiscard]] std::string orderInWords(Order order);

@@ -5,7 +5,7 @@
 #include <poll.h>
 
 #include <csignal>
-#include <iostream>
+#include <utility>
 
 #include "shading/png.h"
 #include "x11/canvas.h"
@@ -169,7 +169,7 @@ class Viewer {
         pressed(event.xbutton);
         break;
       case ButtonRelease:
-        if (event.xbutton.button == Button1) dragging_ = false;
+        if (event.xbutton.button == Button1 && std::exchange(dragging_, false)) bench_.settle();
         break;
       case MotionNotify:
         moved(event.xmotion);
@@ -220,7 +220,7 @@ class Viewer {
   void refresh() {
     const Workbench::Stale stale = bench_.stale();
     if (stale == Workbench::Stale::Nothing) return;
-    bench_.update();
+    bench_.update(dragging_);
     const Rect all{0, 0, canvas_.width(), canvas_.height()};
     if (stale == Workbench::Stale::Colors && !server_.colormap.store(bench_.palette())) {
       XFlush(display());

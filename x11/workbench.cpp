@@ -90,9 +90,7 @@ void Workbench::pressLetter(char letter) {
     return;
   }
   for (const ChoiceRow& row : choices())
-    if (row.key == letter)
-      return change(letter,
-                    [&](Setup& s) { row.set(s, (row.get(s) + 1) % static_cast<int>(row.options.size())); });
+    if (row.key == letter) return choose(row);
   for (const ToggleRow& row : kToggles)
     if (row.key == letter)
       return change(letter, [&](Setup& s) { s.picture.light.*row.value = !(s.picture.light.*row.value); });
@@ -139,6 +137,16 @@ void Workbench::pressLetter(char letter) {
   }
 }
 
+void Workbench::choose(const ChoiceRow& row) {
+  change(row.key, [&](Setup& s) {
+    row.set(s, (row.get(s) + 1) % static_cast<int>(row.options.size()));
+    if (s.picture.order != Order::Oracle || s.fill != Fill::XFillPolygon) return;
+    s.fill = Fill::Scanline;
+    notify("The oracle decides each sample by itself: there is no polygon for the server to fill.");
+    repaint_ = true;
+  });
+}
+
 void Workbench::pressArrow(int along, int up) {
   const char focus = state_.focus;
   if (focus == 't') {
@@ -173,6 +181,7 @@ Camera Workbench::camera() const {
 }
 
 void Workbench::drag(int dx, int dy) {
+  if (dx == 0 && dy == 0) return;
   change('t',
          [&](Setup& s) { s.picture.camera = moved(s.picture.camera, camera(), -0.5 * dx, 0.5 * dy, 1.0); });
 }
@@ -193,7 +202,16 @@ PictureSettings Workbench::sized() const {
   return settings;
 }
 
-void Workbench::drawFrame() {
+std::string Workbench::exactnessText() const {
+  constexpr std::size_t kMost = 100'000;  // polygons: more take longer to count than to look at
+  if (setup().picture.order == Order::Oracle || picture_.snapped().faces.size() > kMost) return {};
+  const Picture::Exactness e = picture_.exactness();
+  if (e.wrong == 0) return {};
+  return "Not exact: " + orderInWords(setup().picture.order) + ", it shows the wrong face at " +
+         withCommas(e.wrong) + " of " + withCommas(e.samples) + " samples.";
+}
+
+void Workbench::drawFrame(bool dragging) {
   const Rect& at = layout_.picture;
   picture_.make(sized());
   const CellPlan plan = server_.plan(state_.setup.picture.table.kind);
@@ -212,23 +230,25 @@ void Workbench::drawFrame() {
                   withCommas(static_cast<int>(backs) + snapped.culled) + " back faces   " +
                   withCommas(picture_.saturated()) + " clamped";
   state_.times = formatted(picture_.times().total(), 1) + " ms";
+  counted_ = !dragging;
+  state_.inexact = dragging ? "" : exactnessText();
   state_.light = lightAngles(state_.setup.picture.light, picture_.scene().up);
   drawPanel(image_, layout_, state_, plan, picture_.table());
 }
 
-void Workbench::update() {
+void Workbench::update(bool dragging) {
   if (stale() == Stale::Colors) {
     const CellPlan plan = server_.plan(state_.setup.picture.table.kind);
     picture_.make(sized());
     palette_ = makePalette(plan, picture_.table(), server_.unneeded);
   } else if (stale() == Stale::Everything) {
     try {
-      drawFrame();
+      drawFrame(dragging);
     } catch (const ViewError& e) {
       if (!any_) throw;
       state_.setup = drawn_;
       state_.notice = e.what();
-      drawFrame();
+      drawFrame(dragging);
     }
   }
   drawn_ = state_.setup;

@@ -44,8 +44,10 @@ class Workbench {
   /// What the last changes ask for, least first: nothing; other colours in the same cells; new indices.
   enum class Stale { Nothing, Colors, Everything };
   [[nodiscard]] Stale stale() const;
-  /// Brings image and palette up to date. A setup that cannot be drawn is undone and told.
-  void update();
+  /// Brings image and palette up to date. A setup that cannot be drawn is undone and told. While something
+  /// is dragged the samples that show a wrong face are not counted: settle() asks for that afterwards.
+  void update(bool dragging = false);
+  void settle() { repaint_ = repaint_ || !counted_; }
 
   [[nodiscard]] const IndexImage& image() const { return image_; }
   [[nodiscard]] const Palette& palette() const { return palette_; }
@@ -57,10 +59,12 @@ class Workbench {
  private:
   void change(char control, const std::function<void(Setup&)>& edit);
   void pressLetter(char letter);
+  void choose(const ChoiceRow& row);
   void pressArrow(int along, int up);
   void pressEnd(bool high);
   void nextFocus(int direction);
-  void drawFrame();
+  void drawFrame(bool dragging);
+  [[nodiscard]] std::string exactnessText() const;
   /// The setup's picture at the size the window has for it, which is nothing to undo.
   [[nodiscard]] PictureSettings sized() const;
   /// As the setup has it now, which may be newer than the picture.
@@ -74,6 +78,7 @@ class Workbench {
   Palette palette_{};
   Setup drawn_;  ///< what image_ shows
   bool any_ = false, repaint_ = true;
+  bool counted_ = true;  ///< whether the caption knows how exact the picture is
   std::vector<Setup> undo_, redo_;
   char lastChanged_ = 0;  ///< control of the newest undo step: a run of its changes is one step
   bool quit_ = false;
