@@ -275,7 +275,7 @@ void takeSnapshot(const Options& options, Scene scene, double msRead) {
     StageTimes times = shot.picture.times();
     times.read = msRead;
     times.present = present(server, canvas, shot, options.fill);
-    writePng(options.output, canvas.readBack({0, 0, size.x, size.y}));
+    writePictures(options, shot.picture, encodePng(canvas.readBack({0, 0, size.x, size.y})));
     report(options, shot.picture, times);
   };
   if (options.wholeWindow) {
