@@ -1,5 +1,6 @@
 #pragma once
 
+#include <span>
 #include <string>
 #include <string_view>
 
@@ -9,3 +10,13 @@
 /// /dev/fd/N, /dev/null, a pipe) they go straight in.
 /// @throws std::system_error `FILE: No space left on device`
 void writeFile(const std::string& file, std::string_view bytes);
+
+/// Several whole files, all or none: each takes its name only when all are complete. What goes straight in
+/// goes first. An interrupt (SIGINT, SIGTERM, SIGHUP, SIGQUIT) meanwhile waits, so that it leaves no
+/// temporary file; one that is needed to end the wait for a pipe does not.
+/// @throws std::system_error as writeFile()
+struct OutputFile {
+  std::string name;
+  std::string_view bytes;
+};
+void writeFiles(std::span<const OutputFile> files);

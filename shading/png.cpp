@@ -9,6 +9,7 @@
 #include <memory>
 #include <stdexcept>
 #include <system_error>
+#include <utility>
 #include <vector>
 
 #include "geometry/parse_error.h"
@@ -80,31 +81,37 @@ struct Writer {
   ~Writer() { png_destroy_write_struct(&png, &info); }
 };
 
-void write(const std::string& file, const Pixels& pixels) {
+std::string encoded(const Pixels& pixels) {
   Output output;
   const Writer writer{output};
   if (!writer.info) throw std::bad_alloc{};
-  if (!encode(writer.png, writer.info, pixels)) throw std::runtime_error{file + ": " + output.error};
-  writeFile(file, output.bytes);
+  if (!encode(writer.png, writer.info, pixels)) throw std::runtime_error{"PNG: " + output.error};
+  return std::move(output.bytes);
 }
 
 }  // namespace
 
-void writePng(const std::string& file, const IndexImage& image, const Palette& palette) {
+std::string encodePng(const IndexImage& image, const Palette& palette) {
   assert(image.pixels.size() == std::size_t(image.width) * image.height);
   std::array<png_color, 256> colors;
   for (int c = 0; c < 256; ++c) {
     const auto shown = [](std::uint16_t v) { return static_cast<png_byte>(v >> 8); };
     colors[c] = {shown(palette[c].r), shown(palette[c].g), shown(palette[c].b)};
   }
-  write(file,
-        {image.width, image.height, PNG_COLOR_TYPE_PALETTE, image.pixels.data(), image.width, colors.data()});
+  return encoded(
+      {image.width, image.height, PNG_COLOR_TYPE_PALETTE, image.pixels.data(), image.width, colors.data()});
 }
 
-void writePng(const std::string& file, const RgbImage& image) {
+std::string encodePng(const RgbImage& image) {
   assert(image.rgb.size() == std::size_t{3} * image.width * image.height);
-  write(file, {image.width, image.height, PNG_COLOR_TYPE_RGB, image.rgb.data(), 3 * image.width, nullptr});
+  return encoded({image.width, image.height, PNG_COLOR_TYPE_RGB, image.rgb.data(), 3 * image.width, nullptr});
 }
+
+void writePng(const std::string& file, const IndexImage& image, const Palette& palette) {
+  writeFile(file, encodePng(image, palette));
+}
+
+void writePng(const std::string& file, const RgbImage& image) { writeFile(file, encodePng(image)); }
 
 RgbImage readPng(const std::string& file) {
   const std::unique_ptr<std::FILE, decltype(&std::fclose)> input{std::fopen(file.c_str(), "rb"),

@@ -17,6 +17,10 @@ void writePng(const std::string& file, const IndexImage& image, const Palette& p
 /// An RGB PNG of 8 bits a channel.
 void writePng(const std::string& file, const RgbImage& image);
 
+/// The same as the bytes of a file.
+[[nodiscard]] std::string encodePng(const IndexImage& image, const Palette& palette);
+[[nodiscard]] std::string encodePng(const RgbImage& image);
+
 /// A PNG of any kind as RGB; what is transparent shows black behind it.
 /// @throws std::system_error when the file cannot be opened, ParseError when it is no whole PNG or
 /// larger than 8192 pixels either way

@@ -1,9 +1,12 @@
 #include "shading/scene.h"
 
 #include <algorithm>
+#include <cerrno>
 #include <cmath>
 #include <filesystem>
 #include <stdexcept>
+#include <system_error>
+#include <vector>
 
 #include "geometry/bezier.h"
 #include "geometry/bpt.h"
@@ -17,15 +20,29 @@ glm::dvec3 scaled(glm::dvec3 v, int exponent) {
   return {std::ldexp(v.x, exponent), std::ldexp(v.y, exponent), std::ldexp(v.z, exponent)};
 }
 
+/// Drops the vertices that no face uses: they are not to be framed, nor to be transformed in every picture.
+void keepUsedPoints(Mesh& mesh) {
+  std::vector<int> place(mesh.points.size(), -1);
+  std::vector<glm::dvec3> used;
+  used.reserve(mesh.points.size());
+  for (int& corner : mesh.corners) {
+    if (place[corner] < 0) {
+      place[corner] = static_cast<int>(used.size());
+      used.push_back(mesh.points[corner]);
+    }
+    corner = place[corner];
+  }
+  mesh.points = std::move(used);
+}
+
 }  // namespace
 
 Scene makeScene(std::string name, Mesh mesh, UpAxis up, int divisions) {
   if (mesh.faceCount() == 0) throw std::invalid_argument{name + ": holds no face"};
+  keepUsedPoints(mesh);
   double largest = 0.0;
-  for (const int corner : mesh.corners) {
-    const glm::dvec3& p = mesh.points[corner];
+  for (const glm::dvec3& p : mesh.points)
     largest = std::max({largest, std::abs(p.x), std::abs(p.y), std::abs(p.z)});
-  }
   Scene scene{std::move(name), std::move(mesh), {}, up, 0, divisions};
   if (largest > 0.0) std::frexp(largest, &scene.exponent);
   for (glm::dvec3& p : scene.mesh.points) p = scaled(p, -scene.exponent);
@@ -49,9 +66,12 @@ Scene readScene(const std::string& nameOrFile, int divisions) {
   if (extension == ".obj") return makeScene(nameOrFile, readObj(file), UpAxis::Y);
   if (extension == ".json")
     throw ParseError{nameOrFile, 0, "scene files are not built yet; .obj and .bpt are"};
+  if (std::filesystem::is_directory(file))
+    throw std::system_error{EISDIR, std::generic_category(), nameOrFile};
   throw ParseError{nameOrFile, 0,
-                   extension.empty() ? "no built-in scene of that name; `xnewell scenes` lists them"
-                                     : "not a scene: .obj and .bpt files are"};
+                   !std::filesystem::exists(file) && extension.empty()
+                       ? "no built-in scene of that name; `xnewell scenes` lists them"
+                       : "not a scene: .obj and .bpt files are"};
 }
 
 glm::dvec3 defaultLight(UpAxis up) {

@@ -37,7 +37,8 @@ inline constexpr int kDefaultDivisions = 8;
 /// no dot. @throws ParseError, std::system_error
 [[nodiscard]] Scene readScene(const std::string& nameOrFile, int divisions = kDefaultDivisions);
 
-/// The scene of a mesh in file coordinates. @throws std::invalid_argument if it holds no face
+/// The scene of a mesh in file coordinates, without the vertices that no face uses. @throws
+/// std::invalid_argument if it holds no face
 [[nodiscard]] Scene makeScene(std::string name, Mesh mesh, UpAxis up, int divisions = 0);
 
 /// The direction towards the light where none is given: the upper left of the default view.

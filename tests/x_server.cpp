@@ -11,10 +11,11 @@
 #include <array>
 #include <cerrno>
 #include <chrono>
-#include <cstring>
 #include <stdexcept>
 #include <thread>
 #include <utility>
+
+#include "tests/child.h"
 
 namespace {
 
@@ -42,14 +43,6 @@ std::string contents(int file) {
   return {text.data(), n > 0 ? static_cast<std::size_t>(n) : 0};
 }
 
-std::vector<char*> pointers(std::vector<std::string>& strings) {
-  std::vector<char*> result;
-  result.reserve(strings.size() + 1);
-  for (std::string& s : strings) result.push_back(s.data());
-  result.push_back(nullptr);
-  return result;
-}
-
 }  // namespace
 
 XServer XServer::xvfb(int depth, int width, int height, std::vector<std::string> more) {
@@ -72,10 +65,7 @@ XServer::XServer(const std::string& program, std::vector<std::string> arguments,
   arguments.insert(arguments.begin(), program);
   for (const char* always : {"-nolisten", "tcp", "-noreset", "-displayfd"}) arguments.emplace_back(always);
   arguments.push_back(std::to_string(pipe[1]));
-  std::vector<std::string> environment;
-  for (char** e = environ; *e != nullptr; ++e)
-    if (std::strncmp(*e, "DISPLAY=", 8) != 0) environment.emplace_back(*e);
-  if (!host.empty()) environment.push_back("DISPLAY=" + host);
+  std::vector<std::string> environment = environmentWith(host);
   const std::vector<char*> argv = pointers(arguments), envp = pointers(environment);
 
   const pid_t parent = getpid();

@@ -1,10 +1,13 @@
+#include <fcntl.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <cerrno>
 #include <csignal>
 #include <cstdio>
 #include <exception>
 #include <iostream>
+#include <new>
 #include <string>
 #include <system_error>
 
@@ -36,7 +39,7 @@ void draw(const Options& options, Picture& picture, double msRead) {
   StageTimes times = picture.times();
   times.read = msRead;
   const Stopwatch watch;
-  writePng(options.output, image, makePalette(plan, picture.table()));
+  writePictures(options, picture, encodePng(image, makePalette(plan, picture.table())));
   times.present = watch.ms();
   report(options, picture, times);
 }
@@ -62,29 +65,50 @@ int run(Options options) {
   return draw(options, picture, msRead), kDone;
 }
 
-int failed(Status status, const std::exception& e) {
-  std::cerr << "xnewell: " << e.what() << '\n';
+/// One line of bounded length, whatever names and words it quotes: control characters become '?', and a
+/// very long text keeps its two ends.
+std::string oneLine(std::string text) {
+  constexpr std::size_t kBegin = 600, kEnd = 200;
+  if (text.size() > kBegin + kEnd) text.replace(kBegin, text.size() - kBegin - kEnd, "...");
+  std::ranges::replace_if(
+      text, [](unsigned char c) { return c < ' ' || c == 0x7F; }, '?');
+  return text;
+}
+
+int failed(Status status, const std::string& what) {
+  std::cerr << "xnewell: " << oneLine(what) << '\n';
   return status;
+}
+
+/// A standard stream that was closed when we started stays unusable: no file of ours, and no connection to a
+/// server, may get its number and be written to by mistake.
+void occupyStandardStreams() {
+  for (int stream = STDIN_FILENO; stream <= STDERR_FILENO; ++stream)
+    if (::fcntl(stream, F_GETFD) < 0) ::open("/dev/null", stream == STDIN_FILENO ? O_WRONLY : O_RDONLY);
 }
 
 }  // namespace
 
 int main(int argc, char** argv) try {
+  occupyStandardStreams();
   // A picture in the making leaves nothing behind (a window has its own way to end).
   std::signal(SIGINT, [](int) { _exit(kInterrupted); });
+  std::signal(SIGXFSZ, SIG_IGN);  // a file beyond the shell's limit is an error like a full disk
   const std::optional<Options> options = parseOptions(argc, argv);
   const int status = options ? run(*options) : kDone;
   std::cout.flush();
   if (!std::cout) throw std::system_error{errno, std::generic_category(), "standard output"};
   return status;
 } catch (const UsageError& e) {
-  return failed(kWrong, e);
+  return failed(kWrong, e.what());
 } catch (const ViewError& e) {
-  return failed(kWrong, e);
+  return failed(kWrong, e.what());
 } catch (const ParseError& e) {
-  return failed(kWrong, e);
+  return failed(kWrong, e.what());
 } catch (const std::invalid_argument& e) {
-  return failed(kWrong, e);
+  return failed(kWrong, e.what());
+} catch (const std::bad_alloc&) {
+  return failed(kOutside, "out of memory");
 } catch (const std::exception& e) {
-  return failed(kOutside, e);
+  return failed(kOutside, e.what());
 }

@@ -4,18 +4,21 @@
 #include <algorithm>
 #include <charconv>
 #include <cmath>
+#include <filesystem>
 #include <iostream>
 #include <vector>
+
+#include "geometry/text_file.h"
 
 namespace {
 
 /// Words of the command line that are fixed but do not do anything yet: they say so.
 constexpr std::array<std::string_view, 4> kLaterCommands{"trace", "figure", "trade", "lesson"};
-constexpr std::array<std::string_view, 5> kLaterOptions{"--half-vector", "--attenuation", "--normals",
-                                                        "--texture", "--frames"};
+constexpr std::array<std::string_view, 6> kLaterOptions{"--half-vector", "--attenuation", "--normals",
+                                                        "--texture",     "--frames",      "--json"};
 
 [[noreturn]] void refuse(const std::string& option, const std::string& text, const std::string& expected) {
-  throw UsageError{option + ": '" + text.substr(0, 60) + "' is not " + expected};
+  throw UsageError{option + ": " + inQuotes(text) + " is not " + expected};
 }
 
 /// All of `text` as comma-separated finite numbers, exactly `count` of them.
@@ -91,7 +94,7 @@ class Reader {
     add(name, initially, help, std::move(take));
   }
   void flag(const std::string& name, bool& target, const std::string& help) {
-    app_.add_flag(name, target, help);
+    app_.add_flag(name, target, help)->disable_flag_override();
   }
 
   [[nodiscard]] bool given(const std::string& name) const {
@@ -236,14 +239,46 @@ Command takeCommand(std::vector<std::string>& arguments) {
   return row->id;
 }
 
+/// What CLI11 found wrong, in words of ours.
+[[noreturn]] void refuse(const CLI::App& app, const CLI::ParseError& e) {
+  if (e.get_exit_code() == static_cast<int>(CLI::ExitCodes::ExtrasError)) {
+    std::vector<std::string> extra = app.remaining();
+    std::erase(extra, "--");
+    const bool option = extra.front().starts_with('-');
+    throw UsageError{(option ? "unknown option " : "one argument too many: ") + inQuotes(extra.front())};
+  }
+  for (const CLI::Option* option : app.get_options()) {
+    const std::string name = option->get_name();
+    if (option->count() > 1 && option->get_items_expected_max() > 0)
+      throw UsageError{name + " is given more than once"};
+    if (e.what() == name + ": 1 required  missing") throw UsageError{name + " needs a value"};
+  }
+  throw UsageError{e.what()};
+}
+
+/// Whether two names lead to one file, which is regular or is to be made.
+bool sameFile(const std::string& a, const std::string& b) {
+  namespace fs = std::filesystem;
+  std::error_code missing;
+  if (fs::exists(a, missing)) return fs::is_regular_file(a, missing) && fs::equivalent(a, b, missing);
+  return fs::absolute(a).lexically_normal() == fs::absolute(b).lexically_normal();
+}
+
 void check(const Options& o, bool sceneGiven, bool fovGiven) {
   const bool makesPng = o.command == Command::Draw || o.command == Command::Snapshot;
   const std::string name{kCommands[static_cast<int>(o.command)].name};
   if (makesPng && !sceneGiven) throw UsageError{name + " needs a scene, such as teapot"};
   if (makesPng && o.output.empty()) throw UsageError{name + " needs -o FILE.png"};
+  if (sceneGiven && o.scene.empty()) throw UsageError{"the scene's name is empty"};
+  if (sceneGiven && !makesPng && o.command != Command::View) throw UsageError{name + " takes no scene"};
   if (!makesPng && !o.output.empty()) throw UsageError{"-o goes with draw and snapshot"};
   if (!makesPng && (o.stats || !o.ids.empty()))
     throw UsageError{"--stats and --ids go with draw and snapshot"};
+  const bool file = std::ranges::find(kBuiltInScenes, o.scene, &BuiltInScene::name) == kBuiltInScenes.end();
+  for (const std::string* made : {&o.output, &o.ids})
+    if (file && !made->empty() && sameFile(*made, o.scene))
+      throw UsageError{"-o and --ids must not name the scene's own file: it would be lost"};
+  if (!o.ids.empty() && sameFile(o.ids, o.output)) throw UsageError{"-o and --ids name the same file"};
   if (o.command != Command::Snapshot && o.wholeWindow) throw UsageError{"--whole-window goes with snapshot"};
   if (o.command == Command::Draw && o.fill == Fill::XFillPolygon)
     throw UsageError{"--fill x11 needs a server: use snapshot"};
@@ -313,16 +348,22 @@ std::optional<Options> parseOptions(int argc, const char* const* argv) {
   addTable(r, o.picture.table);
   addCamera(r, o.picture.camera, fovGiven);
   r.text("--visual", "insist on a visual, such as PseudoColor8 or TrueColor24", "",
-         [&](const std::string& s) { o.visual = s; });
+         [&](const std::string& s) {
+           if (s.empty()) throw UsageError{"--visual: the name is empty"};
+           o.visual = s;
+         });
   r.text("--colormap", "whose cells: private", "private", [&](const std::string& s) {
     if (s == "shared") throw UsageError{"--colormap shared is not built yet; there is private"};
     if (s != "private") refuse("--colormap", s, "private");
   });
   r.text("--view", "what to draw: picture", "picture", [&](const std::string& s) {
-    if (s != "picture") throw UsageError{"--view " + s.substr(0, 60) + " is not built yet; there is picture"};
+    if (s != "picture") throw UsageError{"--view " + inQuotes(s) + " is not built yet; there is picture"};
   });
   r.text("--ids", "also write the face image: 8-bit RGB, face number + 1, 0 where nothing is", "",
-         [&](const std::string& s) { o.ids = s; });
+         [&](const std::string& s) {
+           if (s.empty()) throw UsageError{"--ids: the file's name is empty"};
+           o.ids = s;
+         });
   r.flag("--stats", o.stats, "print counts and times as one JSON object");
   r.flag("--whole-window", o.wholeWindow, "snapshot: the window with all its controls");
 
@@ -333,7 +374,7 @@ std::optional<Options> parseOptions(int argc, const char* const* argv) {
     std::cout << app.help();
     return std::nullopt;
   } catch (const CLI::ParseError& e) {
-    throw UsageError{e.what()};
+    refuse(app, e);
   }
   coupleIntensities(o.picture.light, r.given("--ia"), r.given("--ip"));
   check(o, app.count("scene") > 0, fovGiven);

@@ -2,7 +2,9 @@
 
 #include <iostream>
 #include <nlohmann/json.hpp>
+#include <vector>
 
+#include "shading/output_file.h"
 #include "shading/png.h"
 #include "shading/rgb_image.h"
 
@@ -58,7 +60,16 @@ nlohmann::ordered_json statsOf(const Options& options, const Picture& picture, c
 
 }  // namespace
 
+void writePictures(const Options& options, const Picture& picture, const std::string& png) {
+  std::vector<OutputFile> files{{options.output, png}};
+  std::string ids;
+  if (!options.ids.empty()) {
+    ids = encodePng(idsOf(picture));
+    files.push_back({options.ids, ids});
+  }
+  writeFiles(files);
+}
+
 void report(const Options& options, const Picture& picture, const StageTimes& times) {
-  if (!options.ids.empty()) writePng(options.ids, idsOf(picture));
   if (options.stats) std::cout << statsOf(options, picture, times).dump() << '\n';
 }

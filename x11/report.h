@@ -3,6 +3,9 @@
 #include "shading/picture.h"
 #include "x11/options.h"
 
-/// What draw and snapshot tell beside the picture: `--ids` as a PNG, `--stats` as one JSON object on
-/// standard output. @throws std::system_error
+/// Writes the picture, a PNG file's bytes, where -o says and the face image where --ids says: both or
+/// neither. @throws std::system_error
+void writePictures(const Options& options, const Picture& picture, const std::string& png);
+
+/// `--stats`: one JSON object on standard output.
 void report(const Options& options, const Picture& picture, const StageTimes& times);

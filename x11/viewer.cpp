@@ -286,7 +286,7 @@ void takeSnapshot(const Options& options, Scene scene, double msRead) {
     times.read = msRead;
     times.present = present(server, canvas, shot, options.fill);
     if (strayErrors() > 0) throw X11Error{"the X server refused requests: no picture"};
-    writePng(options.output, canvas.readBack({0, 0, size.x, size.y}));
+    writePictures(options, shot.picture, encodePng(canvas.readBack({0, 0, size.x, size.y})));
     report(options, shot.picture, times);
   };
   if (options.wholeWindow) {
