@@ -78,8 +78,8 @@ Frame frame(std::span<const glm::dvec3> vrc, glm::dvec2 tan, bool aimed, bool pa
 glm::dvec3 upVector(UpAxis axis) { return axis == UpAxis::Z ? glm::dvec3{0, 0, 1} : glm::dvec3{0, 1, 0}; }
 
 Camera placeCamera(const CameraSettings& s, std::span<const glm::dvec3> points, UpAxis axis, double aspect) {
-  if (!(s.fov > 0.0 && s.fov < 180.0))
-    throw ViewError{"the field of view must lie between 0 and 180 degrees"};
+  const double fov = s.fov.value_or(kDefaultFov);
+  if (!(fov > 0.0 && fov < 180.0)) throw ViewError{"the field of view must lie between 0 and 180 degrees"};
   Box box;
   for (const glm::dvec3& p : points) box.add(p);
   if (points.empty()) box.add(glm::dvec3{0.0});
@@ -115,7 +115,7 @@ Camera placeCamera(const CameraSettings& s, std::span<const glm::dvec3> points, 
   if (vrc.empty()) vrcBox.add(glm::dvec3{0.0});
 
   // Distance and window: as said, else so that the scene fills the picture.
-  const double tanV = tanDegrees(s.fov / 2.0);
+  const double tanV = tanDegrees(fov / 2.0);
   const bool free = !aimed && !s.eye && !s.prp && !s.window;
   const Frame fit = frame(vrc, (1.0 - kMargin) * tanV * glm::dvec2{aspect, 1.0}, !free, parallel);
   if (free) {

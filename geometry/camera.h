@@ -17,10 +17,12 @@ struct Oblique {
   bool operator==(const Oblique&) const = default;
 };
 
+inline constexpr double kDefaultFov = 30.0;  ///< degrees
+
 /// Each part the user left out is chosen by `placeCamera`.
 struct CameraSettings {
   std::optional<glm::dvec3> eye, lookAt, up;  ///< world
-  double fov = 30.0;                          ///< degrees, vertical, in (0, 180); perspective
+  std::optional<double> fov;  ///< degrees, vertical, in (0, 180), else kDefaultFov; perspective
   bool parallel = false;
   std::optional<double> height;    ///< world units the picture is tall; parallel
   std::optional<Oblique> oblique;  ///< makes the view parallel

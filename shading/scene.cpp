@@ -13,11 +13,28 @@
 #include "geometry/obj.h"
 #include "geometry/parse_error.h"
 #include "geometry/teapot.h"
+#include "shading/scene_file.h"
 
 namespace {
 
 glm::dvec3 scaled(glm::dvec3 v, int exponent) {
   return {std::ldexp(v.x, exponent), std::ldexp(v.y, exponent), std::ldexp(v.z, exponent)};
+}
+
+const std::filesystem::path kData{XNEWELL_DATA_DIR};
+
+/// Empty if the name is none of the program's own. These are plain words: no folder, no extension.
+std::filesystem::path fileOfBuiltIn(const std::string& name) {
+  if (name == "teapot") return kData / "teapot.bpt";
+  if (name.empty() || name.find_first_of("./") != std::string::npos) return {};
+  const std::filesystem::path file = kData / "scenes" / (name + ".json");
+  return std::filesystem::exists(file) ? file : std::filesystem::path{};
+}
+
+std::string lowerCase(std::string text) {
+  for (char& c : text)
+    if (c >= 'A' && c <= 'Z') c = static_cast<char>(c - 'A' + 'a');
+  return text;
 }
 
 /// Drops the vertices that no face uses: they are not to be framed, nor to be transformed in every picture.
@@ -43,7 +60,7 @@ Scene makeScene(std::string name, Mesh mesh, UpAxis up, int divisions) {
   double largest = 0.0;
   for (const glm::dvec3& p : mesh.points)
     largest = std::max({largest, std::abs(p.x), std::abs(p.y), std::abs(p.z)});
-  Scene scene{std::move(name), std::move(mesh), {}, up, 0, divisions};
+  Scene scene{std::move(name), std::move(mesh), {}, up, 0, {}, divisions};
   if (largest > 0.0) std::frexp(largest, &scene.exponent);
   for (glm::dvec3& p : scene.mesh.points) p = scaled(p, -scene.exponent);
   scene.mesh.rounding = std::ldexp(scene.mesh.rounding, -scene.exponent);
@@ -51,27 +68,42 @@ Scene makeScene(std::string name, Mesh mesh, UpAxis up, int divisions) {
   return scene;
 }
 
-Scene readScene(const std::string& nameOrFile, int divisions) {
-  std::filesystem::path file = nameOrFile;
-  const auto* const builtIn = std::ranges::find(kBuiltInScenes, nameOrFile, &BuiltInScene::name);
-  if (builtIn != kBuiltInScenes.end()) file = std::filesystem::path{XNEWELL_DATA_DIR} / builtIn->file;
+std::vector<BuiltInScene> builtInScenes() {
+  std::vector<BuiltInScene> scenes;
+  for (const auto& entry : std::filesystem::directory_iterator{kData / "scenes"})
+    if (entry.path().extension() == ".json")
+      scenes.push_back({entry.path().stem().string(), sentenceOf(entry.path())});
+  std::ranges::sort(scenes, {}, &BuiltInScene::name);
+  scenes.insert(
+      scenes.begin(),
+      {"teapot", "Martin Newell's teapot: 32 Bezier patches; handle and spout pass through the body"});
+  return scenes;
+}
 
-  const std::string extension = file.extension().string();
+bool isBuiltIn(const std::string& name) { return !fileOfBuiltIn(name).empty(); }
+
+Scene readScene(const std::string& nameOrFile, int divisions) {
+  const std::filesystem::path builtIn = fileOfBuiltIn(nameOrFile);
+  const std::filesystem::path file = builtIn.empty() ? std::filesystem::path{nameOrFile} : builtIn;
+  const std::string extension = lowerCase(file.extension().string());
   if (extension == ".bpt") {
     const std::vector<BezierPatch> patches = readBpt(file);
     const std::span<const PatchPart> parts =
-        nameOrFile == "teapot" ? std::span<const PatchPart>{kTeapotParts} : std::span<const PatchPart>{};
+        builtIn.empty() ? std::span<const PatchPart>{} : std::span<const PatchPart>{kTeapotParts};
     return makeScene(nameOrFile, tessellate(patches, divisions, parts), UpAxis::Z, divisions);
   }
   if (extension == ".obj") return makeScene(nameOrFile, readObj(file), UpAxis::Y);
-  if (extension == ".json")
-    throw ParseError{nameOrFile, 0, "scene files are not built yet; .obj and .bpt are"};
+  if (extension == ".json") {
+    Scene scene = readSceneFile(file);
+    scene.name = nameOrFile;
+    return scene;
+  }
   if (std::filesystem::is_directory(file))
     throw std::system_error{EISDIR, std::generic_category(), nameOrFile};
   throw ParseError{nameOrFile, 0,
                    !std::filesystem::exists(file) && extension.empty()
                        ? "no built-in scene of that name; `xnewell scenes` lists them"
-                       : "not a scene: .obj and .bpt files are"};
+                       : "not a scene: .obj, .bpt and .json files are"};
 }
 
 glm::dvec3 defaultLight(UpAxis up) {
@@ -86,6 +118,28 @@ double inSceneUnits(double length, const Scene& scene) {
 
 glm::dvec3 inSceneUnits(glm::dvec3 p, const Scene& scene) {
   return {inSceneUnits(p.x, scene), inSceneUnits(p.y, scene), inSceneUnits(p.z, scene)};
+}
+
+CameraSettings completed(CameraSettings said, const CameraSettings& scene) {
+  const bool textbook =
+      said.vrp || said.vpn || said.vup || said.prp || said.window || said.front || said.back;
+  const bool projection = said.parallel || said.oblique || said.fov;
+  const auto fill = [](auto& mine, const auto& theirs) {
+    if (!mine) mine = theirs;
+  };
+  if (!textbook) {
+    fill(said.eye, scene.eye), fill(said.lookAt, scene.lookAt), fill(said.up, scene.up);
+  }
+  if (!said.eye && !said.lookAt) {
+    fill(said.vrp, scene.vrp), fill(said.vpn, scene.vpn), fill(said.vup, scene.vup),
+        fill(said.prp, scene.prp);
+    fill(said.window, scene.window), fill(said.front, scene.front), fill(said.back, scene.back);
+  }
+  if (!projection) {
+    said.parallel = scene.parallel;
+    fill(said.height, scene.height), fill(said.oblique, scene.oblique), fill(said.fov, scene.fov);
+  }
+  return said;
 }
 
 CameraSettings inSceneUnits(CameraSettings c, const Scene& scene) {

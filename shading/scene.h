@@ -1,8 +1,7 @@
 #pragma once
 
-#include <array>
 #include <string>
-#include <string_view>
+#include <vector>
 
 #include "geometry/bezier.h"
 #include "geometry/camera.h"
@@ -16,25 +15,22 @@ struct Scene {
   Mesh mesh;
   Pieces pieces;  ///< the mesh's faces as convex planar polygons
   UpAxis up = UpAxis::Y;
-  int exponent = 0;   ///< file coordinate = mesh coordinate * 2^exponent
-  int divisions = 0;  ///< of each Bezier patch; 0 where there are none
+  int exponent = 0;       ///< file coordinate = mesh coordinate * 2^exponent
+  CameraSettings camera;  ///< of the scene file, in its units; empty where it has none
+  int divisions = 0;      ///< of each Bezier patch; 0 where there are none
 };
 
 struct BuiltInScene {
-  std::string_view name, file, shows;
+  std::string name, shows;
 };
-inline constexpr std::array kBuiltInScenes{
-    BuiltInScene{"teapot", "teapot.bpt",
-                 "Martin Newell's teapot: 32 Bezier patches, handle and spout pass through the body"},
-    BuiltInScene{"cycle", "scenes/cycle.obj",
-                 "three bars, each over the next: no order is right without a cut"},
-    BuiltInScene{"penetrate", "scenes/penetrate.obj", "two plates that pass through each other"},
-};
+/// The teapot, then every scene file of the data folder by name.
+[[nodiscard]] std::vector<BuiltInScene> builtInScenes();
+[[nodiscard]] bool isBuiltIn(const std::string& name);
 
 inline constexpr int kDefaultDivisions = 8;
 
-/// A built-in name or a file, `.obj` or `.bpt`. A file of that name wins over nothing: built-in names have
-/// no dot. @throws ParseError, std::system_error
+/// A built-in name or a file, `.obj`, `.bpt` or `.json`. A file of that name wins over nothing: built-in
+/// names have no dot. @throws ParseError, std::system_error
 [[nodiscard]] Scene readScene(const std::string& nameOrFile, int divisions = kDefaultDivisions);
 
 /// The scene of a mesh in file coordinates, without the vertices that no face uses. @throws
@@ -49,3 +45,7 @@ inline constexpr int kDefaultDivisions = 8;
 [[nodiscard]] double inSceneUnits(double length, const Scene& scene);
 [[nodiscard]] glm::dvec3 inSceneUnits(glm::dvec3 point, const Scene& scene);
 [[nodiscard]] CameraSettings inSceneUnits(CameraSettings camera, const Scene& scene);
+
+/// What was said, and the scene's own camera for the rest: a projection or a textbook specification that was
+/// said replaces the scene's as a whole.
+[[nodiscard]] CameraSettings completed(CameraSettings said, const CameraSettings& scene);

@@ -45,8 +45,8 @@ void draw(const Options& options, Picture& picture, double msRead) {
 }
 
 void listScenes() {
-  for (const BuiltInScene& scene : kBuiltInScenes)
-    std::cout << scene.name << std::string(12 - scene.name.size(), ' ') << scene.shows << '\n';
+  for (const BuiltInScene& scene : builtInScenes())
+    std::cout << scene.name << std::string(18 - scene.name.size(), ' ') << scene.shows << '\n';
 }
 
 int run(Options options) {
@@ -55,7 +55,7 @@ int run(Options options) {
 
   const Stopwatch watch;
   Scene scene = readScene(options.scene, options.divisions);
-  options.picture.camera = inSceneUnits(options.picture.camera, scene);
+  options.picture.camera = inSceneUnits(completed(options.picture.camera, scene.camera), scene);
   if (!options.lightGiven) options.picture.light.light = defaultLight(scene.up);
   if (auto& light = options.picture.light.lightPosition) light = inSceneUnits(*light, scene);
   const double msRead = watch.ms();

@@ -145,7 +145,7 @@ Oblique parseOblique(const std::string& text) {
   return oblique;
 }
 
-void addCamera(Reader& r, CameraSettings& camera, bool& fovGiven) {
+void addCamera(Reader& r, CameraSettings& camera) {
   r.point("--eye", "where the eye is, x,y,z in the world", "the scene framed whole",
           [&](glm::dvec3 p) { camera.eye = p; });
   r.point("--look-at", "what it looks at", "the scene's centre", [&](glm::dvec3 p) { camera.lookAt = p; });
@@ -153,9 +153,8 @@ void addCamera(Reader& r, CameraSettings& camera, bool& fovGiven) {
   r.text("--fov", "perspective with this vertical field of view, degrees", "30",
          [&](const std::string& text) {
            camera.fov = numbers("--fov", text, 1, "an angle between 0 and 180 degrees")[0];
-           if (!(camera.fov > 0 && camera.fov < 180))
+           if (!(*camera.fov > 0 && *camera.fov < 180))
              refuse("--fov", text, "an angle between 0 and 180 degrees");
-           fovGiven = true;
          });
   r.text("--parallel", "parallel projection, the picture this many world units tall", "",
          [&](const std::string& text) {
@@ -264,7 +263,7 @@ bool sameFile(const std::string& a, const std::string& b) {
   return fs::absolute(a).lexically_normal() == fs::absolute(b).lexically_normal();
 }
 
-void check(const Options& o, bool sceneGiven, bool fovGiven) {
+void check(const Options& o, bool sceneGiven) {
   const bool makesPng = o.command == Command::Draw || o.command == Command::Snapshot;
   const std::string name{kCommands[static_cast<int>(o.command)].name};
   if (makesPng && !sceneGiven) throw UsageError{name + " needs a scene, such as teapot"};
@@ -274,7 +273,7 @@ void check(const Options& o, bool sceneGiven, bool fovGiven) {
   if (!makesPng && !o.output.empty()) throw UsageError{"-o goes with draw and snapshot"};
   if (!makesPng && (o.stats || !o.ids.empty()))
     throw UsageError{"--stats and --ids go with draw and snapshot"};
-  const bool file = std::ranges::find(kBuiltInScenes, o.scene, &BuiltInScene::name) == kBuiltInScenes.end();
+  const bool file = !isBuiltIn(o.scene);
   for (const std::string* made : {&o.output, &o.ids})
     if (file && !made->empty() && sameFile(*made, o.scene))
       throw UsageError{"-o and --ids must not name the scene's own file: it would be lost"};
@@ -288,7 +287,7 @@ void check(const Options& o, bool sceneGiven, bool fovGiven) {
   if ((o.command == Command::Draw || o.command == Command::Scenes) && !o.visual.empty())
     throw UsageError{"--visual goes with view, snapshot and visuals"};
   const CameraSettings& c = o.picture.camera;
-  if (fovGiven && (c.parallel || c.oblique))
+  if (c.fov && (c.parallel || c.oblique))
     throw UsageError{"--fov is for perspective: leave out --parallel and --oblique"};
 }
 
@@ -302,7 +301,8 @@ class Help : public CLI::Formatter {
           std::string(row.usage.size() < 40 ? 40 - row.usage.size() : 1, ' ') + std::string{row.does} + "\n";
     }
     return usage +
-           "\nSCENE is a file (.obj, .bpt) or a built-in name (`xnewell scenes`). Defaults stand in [ ].\n";
+           "\nSCENE is a file (.obj, .bpt, .json) or a built-in name (`xnewell scenes`). Defaults stand in [ "
+           "].\n";
   }
 };
 
@@ -324,7 +324,6 @@ std::optional<Options> parseOptions(int argc, const char* const* argv) {
       "contents, 130 interrupted.");
 
   Reader r{app};
-  bool fovGiven = false;
   app.add_option_function<std::string>(
          "scene", [&](const std::string& s) { o.scene = s; }, "SCENE [teapot]")
       ->type_name("");
@@ -346,7 +345,7 @@ std::optional<Options> parseOptions(int argc, const char* const* argv) {
   });
   addLight(r, o.picture.light, o.lightGiven);
   addTable(r, o.picture.table);
-  addCamera(r, o.picture.camera, fovGiven);
+  addCamera(r, o.picture.camera);
   r.text("--visual", "insist on a visual, such as PseudoColor8 or TrueColor24", "",
          [&](const std::string& s) {
            if (s.empty()) throw UsageError{"--visual: the name is empty"};
@@ -377,6 +376,6 @@ std::optional<Options> parseOptions(int argc, const char* const* argv) {
     refuse(app, e);
   }
   coupleIntensities(o.picture.light, r.given("--ia"), r.given("--ip"));
-  check(o, app.count("scene") > 0, fovGiven);
+  check(o, app.count("scene") > 0);
   return o;
 }
