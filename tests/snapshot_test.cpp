@@ -3,36 +3,16 @@
 #include <algorithm>
 #include <array>
 #include <fstream>
-#include <iterator>
 #include <random>
 #include <set>
-#include <sstream>
 
-#include "shading/png.h"
 #include "x11/panel.h"
 
-#include "tests/program.h"
-#include "tests/temporary_folder.h"
+#include "tests/program_picture.h"
 #include "tests/watched_window.h"
 #include "tests/x_server.h"
 
 namespace {
-
-std::vector<std::string> words(const std::string& line) {
-  std::istringstream in{line};
-  return {std::istream_iterator<std::string>{in}, {}};
-}
-
-/// What `xnewell COMMAND LINE -o FILE` writes; an image without pixels, and a failure, if it does not.
-RgbImage pictureOf(const std::string& command, const std::string& line, const std::string& display = "") {
-  const TemporaryFolder folder;
-  std::vector<std::string> arguments = words(command + " " + line);
-  arguments.insert(arguments.end(), {"-o", folder.file("picture.png")});
-  const Finished done = runProgram(arguments, display);
-  EXPECT_EQ(done.status, 0) << done.err;
-  EXPECT_EQ(done.err, "");
-  return done.status == 0 ? readPng(folder.file("picture.png")) : RgbImage{};
-}
 
 /// The three tables, hues, orders, projections, sizes up to more than the screen (640 x 480), and scenes.
 constexpr std::array kPictures{
@@ -58,11 +38,11 @@ TEST(Snapshot, EqualsDrawOnEveryKindOfServer) {
   const XServer eight = XServer::xvfb(8), deep = XServer::xvfb(24);
   for (const std::string line : kPictures) {
     SCOPED_TRACE(line);
-    const RgbImage drawn = pictureOf("draw", line);
-    EXPECT_EQ(pictureOf("snapshot --visual PseudoColor8", line, eight.name()), drawn);
-    EXPECT_EQ(pictureOf("snapshot --visual TrueColor24", line, deep.name()), drawn);
-    const RgbImage filled = pictureOf("snapshot --fill x11", line, eight.name());
-    EXPECT_EQ(pictureOf("snapshot --fill x11", line, deep.name()), filled);
+    const RgbImage drawn = pictureOf("draw " + line);
+    EXPECT_EQ(pictureOf("snapshot --visual PseudoColor8 " + line, eight.name()), drawn);
+    EXPECT_EQ(pictureOf("snapshot --visual TrueColor24 " + line, deep.name()), drawn);
+    const RgbImage filled = pictureOf("snapshot --fill x11 " + line, eight.name());
+    EXPECT_EQ(pictureOf("snapshot --fill x11 " + line, deep.name()), filled);
     EXPECT_EQ(filled.width, drawn.width);
     if (drawn.width < 100) continue;
     // Not by painting nothing: corners are snapped to pixels there, so only outlines may differ.
@@ -88,7 +68,7 @@ TEST(Snapshot, EqualsDrawWhereBlackIsOneAndWhiteZero) {
   }
   for (const std::string line : {kPictures[1], kPictures[2], kPictures[3], kPictures[9]}) {
     SCOPED_TRACE(line);
-    EXPECT_EQ(pictureOf("snapshot", line, nested.name()), pictureOf("draw", line));
+    EXPECT_EQ(pictureOf("snapshot " + line, nested.name()), pictureOf("draw " + line));
   }
 }
 
@@ -126,8 +106,8 @@ TEST(Snapshot, OwnsTheSamplesThatTheServerOwns) {
     }
     const std::string line = name + " --eye 64,64,5000 --look-at 64,64,0 --up 0,1,0 --parallel 128" +
                              " --order none --light 1,0,1 --size 128x128";
-    const RgbImage ours = pictureOf("snapshot --fill scanline", line, server.name());
-    EXPECT_EQ(pictureOf("snapshot --fill x11", line, server.name()), ours);
+    const RgbImage ours = pictureOf("snapshot --fill scanline " + line, server.name());
+    EXPECT_EQ(pictureOf("snapshot --fill x11 " + line, server.name()), ours);
     std::set<std::array<int, 3>> colors;
     for (int i = 0; i < kSize * kSize; ++i)
       colors.insert({ours.rgb[3 * i], ours.rgb[3 * i + 1], ours.rgb[3 * i + 2]});
@@ -146,8 +126,8 @@ TEST(Snapshot, WholeWindowIsTheSameAtBothDepths) {
                              std::to_string(w) + "x" + std::to_string(h);
     const Layout at = layoutOf(w, h);
     const Rect part{0, 0, w, at.roomy ? at.status.y : h};
-    const RgbImage one = pictureOf("snapshot", line, eight.name()),
-                   two = pictureOf("snapshot", line, deep.name());
+    const RgbImage one = pictureOf("snapshot " + line, eight.name()),
+                   two = pictureOf("snapshot " + line, deep.name());
     ASSERT_EQ(std::pair(one.width, one.height), std::pair(w, h));
     EXPECT_EQ(cropped(one, part), cropped(two, part));
   }

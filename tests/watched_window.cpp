@@ -10,6 +10,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cstring>
 #include <memory>
 #include <stdexcept>
 #include <thread>
@@ -106,7 +107,8 @@ RgbImage WatchedWindow::shown(const Rect& rect) const {
   const std::unique_ptr<::XImage, int (*)(::XImage*)> got{
       XGetImage(display(), id_, rect.x, rect.y, rect.width, rect.height, AllPlanes, ZPixmap),
       [](::XImage* image) { return image ? XDestroyImage(image) : 0; }};
-  if (!got) throw std::runtime_error("the window cannot be read");
+  if (!got || got->bits_per_pixel != (attributes.depth == 8 ? 8 : 32))
+    throw std::runtime_error("the window cannot be read");
   std::array<XColor, 256> cells{};
   const bool indexed = attributes.depth == 8;
   for (unsigned i = 0; i < cells.size(); ++i) cells[i].pixel = i;
@@ -115,13 +117,23 @@ RgbImage WatchedWindow::shown(const Rect& rect) const {
                            attributes.visual->blue_mask};
   RgbImage image{rect.width, rect.height};
   std::uint8_t* out = image.rgb.data();
-  for (int y = 0; y < rect.height; ++y)
+  std::optional<std::uint32_t> last;
+  std::array<std::uint8_t, 3> rgb{};
+  for (int y = 0; y < rect.height; ++y) {
+    const char* row = got->data + std::ptrdiff_t{y} * got->bytes_per_line;
     for (int x = 0; x < rect.width; ++x) {
-      const unsigned long pixel = XGetPixel(got.get(), x, y);
-      const Rgb16 c =
-          indexed ? Rgb16{cells[pixel].red, cells[pixel].green, cells[pixel].blue} : colorOf(pixel, masks);
-      for (const std::uint16_t v : {c.r, c.g, c.b}) *out++ = static_cast<std::uint8_t>(v >> 8);
+      std::uint32_t pixel = static_cast<std::uint8_t>(row[x]);
+      if (!indexed) std::memcpy(&pixel, row + 4 * x, 4);  // a local server has our byte order
+      if (pixel != last) {
+        const Rgb16 c =
+            indexed ? Rgb16{cells[pixel].red, cells[pixel].green, cells[pixel].blue} : colorOf(pixel, masks);
+        rgb = {static_cast<std::uint8_t>(c.r >> 8), static_cast<std::uint8_t>(c.g >> 8),
+               static_cast<std::uint8_t>(c.b >> 8)};
+        last = pixel;
+      }
+      out = std::ranges::copy(rgb, out).out;
     }
+  }
   return image;
 }
 
@@ -131,6 +143,23 @@ bool WatchedWindow::comesToShow(const RgbImage& expected, const Rect& rect) cons
 
 bool WatchedWindow::comesToDiffer(const RgbImage& from, const Rect& rect) const {
   return comesTrue([&] { return shown(rect) != from; });
+}
+
+bool WatchedWindow::settles() const {
+  XWindowAttributes attributes{};
+  XGetWindowAttributes(display(), id_, &attributes);
+  // The overlay is 560 wide and in the middle; its left margin is empty paper, and behind it is the picture.
+  const Rect margin{(attributes.width - 560) / 2 + 4, attributes.height / 2, 8, 8};
+  const auto open = [&] {
+    RgbImage paper{margin.width, margin.height};
+    for (std::size_t i = 0; i < paper.rgb.size(); ++i)
+      paper.rgb[i] = std::array<std::uint8_t, 3>{0xF5, 0xF2, 0xEB}[i % 3];
+    return shown(margin) == paper;
+  };
+  type("?");
+  if (!comesTrue(open)) return false;
+  type("?");
+  return comesTrue([&] { return !open(); });
 }
 
 RgbImage cropped(const RgbImage& image, const Rect& rect) {
@@ -145,6 +174,8 @@ RequestRecord::RequestRecord(const XServer& server, ::Window resource)
   int major = 0, minor = 0;
   if (!XRecordQueryVersion(control_.get(), &major, &minor))
     throw std::runtime_error("the tests need an X server with the RECORD extension");
+  int event = 0, error = 0;
+  XQueryExtension(control_.get(), "XKEYBOARD", &keyboard_, &event, &error);
   const std::unique_ptr<XRecordRange, int (*)(void*)> range{XRecordAllocRange(), XFree};
   range->core_requests = {X_CreateWindow, X_NoOperation};
   range->ext_requests = {{128, 255}, {0, 65535}};
@@ -163,6 +194,7 @@ RequestRecord::RequestRecord(const XServer& server, ::Window resource)
 
 RequestRecord::~RequestRecord() {
   XRecordDisableContext(control_.get(), context_);
+  static_cast<void>(opcodes());  // to the end of the data, which ends Xlib's waiting for it
   XRecordFreeContext(control_.get(), context_);
   XSync(control_.get(), 0);
 }
@@ -180,7 +212,10 @@ void RequestRecord::forget() {
 
 std::ptrdiff_t RequestRecord::count(int opcode) { return std::ranges::count(opcodes(), opcode); }
 
+bool RequestRecord::isDrawing(int opcode) const {
+  return (opcode >= X_ClearArea && opcode <= X_ImageText16) || (opcode >= 128 && opcode != keyboard_);
+}
+
 std::ptrdiff_t RequestRecord::drawing() {
-  return std::ranges::count_if(opcodes(),
-                               [](int o) { return (o >= X_ClearArea && o <= X_ImageText16) || o >= 128; });
+  return std::ranges::count_if(opcodes(), [this](int opcode) { return isDrawing(opcode); });
 }

@@ -43,6 +43,9 @@ class WatchedWindow {
   [[nodiscard]] RgbImage shown(const Rect& rect) const;
   [[nodiscard]] bool comesToShow(const RgbImage& expected, const Rect& rect) const;
   [[nodiscard]] bool comesToDiffer(const RgbImage& from, const Rect& rect) const;
+  /// Waits until the program has worked off all that was sent to it: the overlay of keys opens and closes
+  /// again. The window is at least 600 wide, so that the picture is behind it. Returns false if it does not.
+  [[nodiscard]] bool settles() const;
 
  private:
   OwnedDisplay display_;
@@ -65,12 +68,14 @@ class RequestRecord {
   [[nodiscard]] const std::vector<int>& opcodes();
   void forget();
   [[nodiscard]] std::ptrdiff_t count(int opcode);
-  /// Requests that can change what a drawable holds: the core's ClearArea to ImageText16, and all of
-  /// extensions, of which the program uses only MIT-SHM's PutImage while it runs.
   [[nodiscard]] std::ptrdiff_t drawing();
+  /// Can a request with this opcode change what a drawable holds? The core's ClearArea to ImageText16 can;
+  /// so, for us, can all of extensions but the keyboard's, which Xlib asks at the first key.
+  [[nodiscard]] bool isDrawing(int opcode) const;
 
  private:
   OwnedDisplay control_, data_;
   unsigned long context_ = 0;
+  int keyboard_ = 0;  ///< major opcode of XKEYBOARD
   std::vector<int> opcodes_;
 };
