@@ -109,11 +109,11 @@ void drawChoice(Pen& pen, const ChoiceRow& row, int x, int y) {
 
 void drawToggle(Pen& pen, const ToggleRow& row, int x, int y) {
   pen.key(x, y - 11, std::string_view{&row.key, 1});
-  const Rect box{x + 30, y - 10, 11, 11};
+  const Rect box{x + 24, y - 10, 11, 11};
   pen.paint.fillRect(box, pen(Cell::White));
   pen.paint.frame(box, pen(Cell::Ink));
   if (pen.state.setup.picture.light.*row.value) pen.paint.tick(box.x + 2, box.y + 2, pen(Cell::Ink));
-  pen.ink(x + 47, y, row.label);
+  pen.ink(x + 41, y, row.label);
 }
 
 /// A sphere with the present material in the present table, the light marked by a ring: L is read off it.
