@@ -8,6 +8,7 @@
 
 namespace {
 
+constexpr std::string_view kNoRoom = "the controls need a window of 800 x 600";
 constexpr int kMargin = 16, kControls = 320, kStatusHeight = 44, kStripHeight = 60, kViewsHeight = 32;
 
 /// Draws into the image with the plan's cells: every part of the panel is one function of it.
@@ -108,11 +109,11 @@ void drawChoice(Pen& pen, const ChoiceRow& row, int x, int y) {
 
 void drawToggle(Pen& pen, const ToggleRow& row, int x, int y) {
   pen.key(x, y - 11, std::string_view{&row.key, 1});
-  const Rect box{x + 30, y - 10, 11, 11};
+  const Rect box{x + 24, y - 10, 11, 11};
   pen.paint.fillRect(box, pen(Cell::White));
   pen.paint.frame(box, pen(Cell::Ink));
   if (pen.state.setup.picture.light.*row.value) pen.paint.tick(box.x + 2, box.y + 2, pen(Cell::Ink));
-  pen.ink(x + 47, y, row.label);
+  pen.ink(x + 41, y, row.label);
 }
 
 /// A sphere with the present material in the present table, the light marked by a ring: L is read off it.
@@ -316,6 +317,13 @@ void drawStatus(Pen& pen, const Layout& at) {
   legend({"q"}, "quit");
 }
 
+constexpr int kHelpLines = 12, kShadow = 4;
+
+Rect helpBox(const Layout& at) {
+  const int width = std::min(at.width - 2 * kMargin, 560), height = 52 + 18 * kHelpLines;
+  return {(at.width - width) / 2, std::max(0, (at.height - height) / 2), width, height};
+}
+
 void drawHelp(Pen& pen, const Layout& at) {
   struct Line {
     std::string_view keys, does;
@@ -334,9 +342,9 @@ void drawHelp(Pen& pen, const Layout& at) {
       Line{"u U r", "undo, redo, reset"},
       Line{"? or Esc", "close this; q quits"},
   };
-  const int width = std::min(at.width - 2 * kMargin, 560), height = 52 + 18 * static_cast<int>(kLines.size());
-  const Rect box{(at.width - width) / 2, std::max(0, (at.height - height) / 2), width, height};
-  pen.paint.fillRect({box.x + 4, box.y + 4, width, height}, pen(Cell::Ink));
+  static_assert(kLines.size() == kHelpLines);
+  const Rect box = helpBox(at);
+  pen.paint.fillRect({box.x + kShadow, box.y + kShadow, box.width, box.height}, pen(Cell::Ink));
   pen.paint.fillRect(box, pen(Cell::Paper));
   pen.paint.frame(box, pen(Cell::Ink));
   pen.paint.text(box.x + 16, box.y + 24, "ALL KEYS", pen(Cell::Soft), Voice::Caps);
@@ -423,11 +431,19 @@ Layout layoutOf(int width, int height) {
   return at;
 }
 
+std::vector<Rect> drawnOverPicture(const Layout& at, bool help) {
+  std::vector<Rect> parts;
+  if (!at.roomy) parts.push_back({8, 5, textWidth(kNoRoom), 13});
+  if (const Rect box = helpBox(at); help)
+    parts.push_back({box.x, box.y, box.width + kShadow, box.height + kShadow});
+  return parts;
+}
+
 void drawPanel(IndexImage& image, const Layout& at, const PanelState& state, const CellPlan& plan,
                const ColorTable& table) {
   Pen pen{Painter{image}, plan, state};
   if (!at.roomy) {
-    pen.paint.text(8, 16, "the controls need a window of 800 x 600", plan[Cell::WellText]);
+    pen.paint.text(8, 16, kNoRoom, plan[Cell::WellText]);
     if (state.help) drawHelp(pen, at);
     return;
   }

@@ -2,6 +2,7 @@
 
 #include <array>
 #include <string>
+#include <vector>
 
 #include "shading/index_image.h"
 #include "shading/painter.h"
@@ -37,6 +38,10 @@ struct Layout {
 /// new hue needs no redraw.
 void drawPanel(IndexImage& image, const Layout& layout, const PanelState& state, const CellPlan& plan,
                const ColorTable& table);
+
+/// What drawPanel() draws over the picture: the word to a small window, the overlay of keys. Whoever fills
+/// the picture anew puts these parts of the image back on top.
+[[nodiscard]] std::vector<Rect> drawnOverPicture(const Layout& layout, bool help);
 
 /// The picture's making in a line, for its caption: "flat; sorted by farthest z; own scanline; perspective".
 [[nodiscard]] std::string captionOf(const Setup& setup);

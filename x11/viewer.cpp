@@ -228,9 +228,11 @@ class Viewer {
     }
     if (!server_.colormap.real()) server_.colormap.store(bench_.palette());  // the puts below look cells up
     canvas_.upload(bench_.image(), all);
-    if (bench_.setup().fill == Fill::XFillPolygon)
+    if (bench_.setup().fill == Fill::XFillPolygon) {
       fillPolygons(display(), canvas_, server_.colormap, bench_.picture(), bench_.layout().picture,
                    bench_.ground());
+      for (const Rect& part : bench_.overPicture()) canvas_.upload(bench_.image(), part);
+    }
     XGrabServer(display());
     server_.colormap.store(bench_.palette());
     canvas_.expose(all);
@@ -253,6 +255,7 @@ struct Shot {
   const Palette& palette;
   Rect area;  ///< of the picture in the image
   std::uint8_t ground;
+  std::vector<Rect> over{};  ///< parts of the image that lie over the picture
 };
 
 double present(Server& server, Canvas& canvas, const Shot& shot, Fill fill) {
@@ -260,8 +263,10 @@ double present(Server& server, Canvas& canvas, const Shot& shot, Fill fill) {
   server.colormap.store(shot.palette);
   const Rect all{0, 0, shot.image.width, shot.image.height};
   canvas.upload(shot.image, all);
-  if (fill == Fill::XFillPolygon)
+  if (fill == Fill::XFillPolygon) {
     fillPolygons(server.display.get(), canvas, server.colormap, shot.picture, shot.area, shot.ground);
+    for (const Rect& part : shot.over) canvas.upload(shot.image, part);
+  }
   canvas.expose(all);
   XSync(server.display.get(), 0);
   return watch.ms();
@@ -293,7 +298,8 @@ void takeSnapshot(const Options& options, Scene scene, double msRead) {
     Workbench bench{std::move(scene), setupOf(options), server.forBench()};
     bench.resize(size.x, size.y);
     bench.update();
-    shoot({bench.picture(), bench.image(), bench.palette(), bench.layout().picture, bench.ground()});
+    shoot({bench.picture(), bench.image(), bench.palette(), bench.layout().picture, bench.ground(),
+           bench.overPicture()});
     return;
   }
   Picture picture{std::move(scene)};

@@ -53,6 +53,8 @@ class Workbench {
   [[nodiscard]] const Palette& palette() const { return palette_; }
   [[nodiscard]] const Layout& layout() const { return layout_; }
   [[nodiscard]] const Picture& picture() const { return picture_; }
+  /// Parts of image() that lie over the picture.
+  [[nodiscard]] std::vector<Rect> overPicture() const { return drawnOverPicture(layout_, state_.help); }
   /// The picture's ground in image().
   [[nodiscard]] std::uint8_t ground() const { return server_.plan(setup().picture.table.kind)[Cell::Well]; }
 
