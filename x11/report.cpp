@@ -71,5 +71,9 @@ void writePictures(const Options& options, const Picture& picture, const std::st
 }
 
 void report(const Options& options, const Picture& picture, const StageTimes& times) {
-  if (options.stats) std::cout << statsOf(options, picture, times).dump() << '\n';
+  if (!options.stats) return;
+  // A file's name may be no UTF-8, which JSON cannot hold.
+  std::cout << statsOf(options, picture, times)
+                   .dump(-1, ' ', false, nlohmann::ordered_json::error_handler_t::replace)
+            << '\n';
 }

@@ -1,0 +1,111 @@
+#pragma once
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cstdio>
+#include <filesystem>
+#include <fstream>
+#include <iterator>
+#include <map>
+#include <nlohmann/json.hpp>
+#include <string>
+#include <vector>
+
+#include "shading/png.h"
+#include "tests/program.h"
+#include "tests/temporary_folder.h"
+
+/// What the tests of the program as a user meets it share.
+
+using Words = std::vector<std::string>;
+using Json = nlohmann::json;
+
+inline Words operator+(Words a, const Words& b) {
+  a.insert(a.end(), b.begin(), b.end());
+  return a;
+}
+
+inline std::string contents(const std::string& file) {
+  std::ifstream in{file, std::ios::binary};
+  return {std::istreambuf_iterator<char>{in}, {}};
+}
+
+inline const std::string kTriangle = "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n";
+
+/// A folder with a picture of before in it, and what became of it.
+class CommandTest : public testing::Test {
+ protected:
+  CommandTest() { write("old.png", "before"); }
+
+  std::string write(const std::string& name, const std::string& text) const {
+    std::ofstream{folder_.file(name), std::ios::binary} << text;
+    return folder_.file(name);
+  }
+  [[nodiscard]] std::string file(const std::string& name) const { return folder_.file(name); }
+
+  /// Every file of the folder with its bytes.
+  [[nodiscard]] std::map<std::string, std::string> everything() const {
+    std::map<std::string, std::string> all;
+    for (const auto& entry : std::filesystem::directory_iterator{folder_.file(".")})
+      all[entry.path().filename().string()] = entry.is_regular_file() ? contents(entry.path().string()) : "";
+    return all;
+  }
+
+  /// The arguments are refused in exactly this line (`xnewell: ` before it) and nothing is written.
+  void refused(const Words& words, int status, const std::string& line) const {
+    const auto before = everything();
+    const Finished end = runProgram(words);
+    EXPECT_EQ(end.err, "xnewell: " + line + "\n");
+    EXPECT_EQ(end.status, status) << line;
+    EXPECT_EQ(end.out, "");
+    EXPECT_EQ(everything(), before) << line;
+  }
+  /// The same for drawing a file, over an old picture and to a new one.
+  void refusedToDraw(const std::string& scene, int status, const std::string& what) const {
+    refused({"draw", scene, "-o", file("old.png"), "--ids", file("ids.png"), "--stats"}, status,
+            scene + what);
+    refused({"draw", scene, "-o", file("new.png")}, status, scene + what);
+  }
+
+  struct Drawn {
+    Json stats;
+    std::string png;
+    RgbImage picture, ids;
+  };
+  /// Draws, at 160x120 unless told otherwise; everything that contract promises of a success is checked.
+  [[nodiscard]] Drawn draw(const std::string& scene, Words options = {}) const {
+    if (std::ranges::find(options, "--size") == options.end()) options = options + Words{"--size", "160x120"};
+    const Finished end = runProgram(
+        Words{"draw", scene, "-o", file("out.png"), "--ids", file("ids.png"), "--stats"} + options);
+    EXPECT_EQ(end.status, 0) << end.err;
+    EXPECT_EQ(end.err, "");
+    if (end.status != 0) return {};
+    EXPECT_EQ(end.out.find('\n'), end.out.size() - 1);
+    return {Json::parse(end.out), contents(file("out.png")), readPng(file("out.png")),
+            readPng(file("ids.png"))};
+  }
+
+ private:
+  TemporaryFolder folder_;
+};
+
+inline int idAt(const RgbImage& ids, int i, int j) {
+  const std::uint8_t* p = &ids.rgb[3 * (std::size_t(j) * ids.width + i)];
+  return p[0] << 16 | p[1] << 8 | p[2];
+}
+
+/// Each id with its number of pixels.
+inline std::map<int, int> idCounts(const RgbImage& ids) {
+  std::map<int, int> counts;
+  for (int j = 0; j < ids.height; ++j)
+    for (int i = 0; i < ids.width; ++i) ++counts[idAt(ids, i, j)];
+  return counts;
+}
+
+/// Every digit of a double.
+inline std::string number(double v) {
+  std::array<char, 40> text;
+  std::snprintf(text.data(), text.size(), "%.17g", v);
+  return text.data();
+}
