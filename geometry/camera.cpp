@@ -98,7 +98,7 @@ Camera placeCamera(const CameraSettings& s, std::span<const glm::dvec3> points, 
     view.vup = upVector(axis == UpAxis::Z ? UpAxis::Y : UpAxis::Z);  // looking straight down or up
 
   // The scene in VRC; receding lines of an oblique view lean before they are framed.
-  glm::dmat4 toVrc = vrcFromWorld(view);
+  const glm::dmat3 rotation = vrcRotation(view);
   glm::dvec2 lean{0.0};
   if (s.oblique) {
     const SinCos a = sinCosDegrees(s.oblique->angle);
@@ -108,7 +108,7 @@ Camera placeCamera(const CameraSettings& s, std::span<const glm::dvec3> points, 
   vrc.reserve(points.size());
   Box vrcBox;
   for (const glm::dvec3& p : points) {
-    const glm::dvec3 q{toVrc * glm::dvec4{p, 1.0}};
+    const glm::dvec3 q = rotation * (p - view.vrp);
     vrcBox.add(q);
     vrc.push_back(q - glm::dvec3{lean * q.z, 0.0});
   }
@@ -119,13 +119,11 @@ Camera placeCamera(const CameraSettings& s, std::span<const glm::dvec3> points, 
   const bool free = !aimed && !s.eye && !s.prp && !s.window;
   const Frame fit = frame(vrc, (1.0 - kMargin) * tanV * glm::dvec2{aspect, 1.0}, !free, parallel);
   if (free) {
-    const glm::dmat4 worldFromVrc = glm::transpose(glm::dmat4{glm::dmat3{toVrc}});
-    view.vrp += glm::dvec3{worldFromVrc * glm::dvec4{fit.centre, 0.0, 0.0}};
-    toVrc = vrcFromWorld(view);
+    view.vrp += glm::transpose(rotation) * glm::dvec3{fit.centre, 0.0};
     vrcBox.low -= glm::dvec3{fit.centre, 0.0};
     vrcBox.high -= glm::dvec3{fit.centre, 0.0};
   }
-  const double D = s.eye && !s.prp ? (toVrc * glm::dvec4{*s.eye, 1.0}).z
+  const double D = s.eye && !s.prp ? (rotation * (*s.eye - view.vrp)).z
                                    : std::max(fit.distance, vrcBox.high.z + side * kNearFraction * 2);
   view.prp = s.prp ? *s.prp : glm::dvec3{lean * D, D};
   if (s.window) {
@@ -149,7 +147,7 @@ Camera placeCamera(const CameraSettings& s, std::span<const glm::dvec3> points, 
   view.back = s.back ? *s.back : std::min(sceneBack, view.front - gap);
 
   const glm::dvec3 eyeInVrc = s.prp ? *s.prp : glm::dvec3{0, 0, D};
-  camera.eye = s.eye && !s.prp ? *s.eye : view.vrp + glm::transpose(glm::dmat3{toVrc}) * eyeInVrc;
+  camera.eye = s.eye && !s.prp ? *s.eye : view.vrp + glm::transpose(rotation) * eyeInVrc;
   camera.lookAt = view.vrp;
   camera.up = view.vup;
   return camera;

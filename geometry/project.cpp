@@ -95,8 +95,8 @@ std::int64_t doubleArea(const glm::ivec3* p, int count) {
 
 SnappedScene project(const Mesh& mesh, const Pieces& pieces, const ViewSpec& view, int width, int height,
                      Cull cull) {
-  const glm::dmat4 screenFromWorld =
-      screenFromCanonical(view, width, height) * canonicalFromVrc(view) * vrcFromWorld(view);
+  const glm::dmat4 screenFromVrc = screenFromCanonical(view, width, height) * canonicalFromVrc(view);
+  const glm::dmat3 rotation = vrcRotation(view);
   const std::array<ClipPlane, 6> planes = clipPlanes(frontDepth(view, width), kMaxPicture);
 
   // Every vertex once: transformed, and where it lies inside the volume divided.
@@ -105,7 +105,7 @@ SnappedScene project(const Mesh& mesh, const Pieces& pieces, const ViewSpec& vie
   std::vector<std::uint8_t> outside(mesh.points.size());
   double zMax = 0.0;
   for (std::size_t i = 0; i < mesh.points.size(); ++i) {
-    homogeneous[i] = screenFromWorld * glm::dvec4{mesh.points[i], 1.0};
+    homogeneous[i] = screenFromVrc * glm::dvec4{rotation * (mesh.points[i] - view.vrp), 1.0};
     outside[i] = static_cast<std::uint8_t>(outcode(planes, homogeneous[i]));
     if (outside[i]) continue;
     screen[i] = divided(homogeneous[i]);

@@ -45,15 +45,16 @@ glm::dvec3 unit(glm::dvec3 v) {
   return w / std::sqrt(glm::dot(w, w));
 }
 
-glm::dmat4 vrcFromWorld(const ViewSpec& s) {
+glm::dmat3 vrcRotation(const ViewSpec& s) {
   const glm::dvec3 n = unit(s.vpn);
   check(n != glm::dvec3{0.0}, "the view plane normal is zero: eye and look-at point coincide");
   const glm::dvec3 u = unit(glm::cross(unit(s.vup), n));
   check(u != glm::dvec3{0.0}, "the up vector is zero or along the line of sight");
   const glm::dvec3 v = glm::cross(n, u);
-  const glm::dmat4 R{{u.x, v.x, n.x, 0}, {u.y, v.y, n.y, 0}, {u.z, v.z, n.z, 0}, {0, 0, 0, 1}};  // columns
-  return R * translation(-s.vrp);
+  return {{u.x, v.x, n.x}, {u.y, v.y, n.y}, {u.z, v.z, n.z}};  // columns
 }
+
+glm::dmat4 vrcFromWorld(const ViewSpec& s) { return glm::dmat4{vrcRotation(s)} * translation(-s.vrp); }
 
 glm::dmat4 canonicalFromVrc(const ViewSpec& s) {
   checkSpec(s);

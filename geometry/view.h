@@ -1,5 +1,6 @@
 #pragma once
 
+#include <glm/mat3x3.hpp>
 #include <glm/mat4x4.hpp>
 #include <glm/vec2.hpp>
 #include <glm/vec3.hpp>
@@ -30,6 +31,10 @@ struct ViewSpec {
   double front = 0, back = -1;                    ///< VRC n of the clipping planes F and B
   bool operator==(const ViewSpec&) const = default;
 };
+
+/// The rotation from world to VRC directions. A point is best moved by -VRP first, then rotated: far from the
+/// origin that difference is exact, and the product below would cancel.
+[[nodiscard]] glm::dmat3 vrcRotation(const ViewSpec& spec);
 
 /// Rotation and translation from world to VRC.
 [[nodiscard]] glm::dmat4 vrcFromWorld(const ViewSpec& spec);
