@@ -7,6 +7,8 @@
 #include <random>
 #include <vector>
 
+#include "geometry/int128.h"
+
 namespace {
 
 /// The sample rule by its definition: the sign of the edge function at the pixel's centre, if 0 the sign
