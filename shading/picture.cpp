@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "shading/fill.h"
 #include "shading/scanline.h"
 
 namespace {
@@ -65,10 +66,7 @@ void Picture::paint(IndexImage& image, std::uint8_t ground) {
   image.pixels.assign(std::size_t(made_.width) * made_.height, ground);
   for (const int i : order_) {
     const SnappedFace& face = snapped_.faces[i];
-    forEachSpan(&snapped_.vertices[face.first], face.count, image.width, image.height,
-                [&image, cell = cells_[i]](int row, int from, int to) {
-                  std::fill(image.row(row) + from, image.row(row) + to, cell);
-                });
+    fillConvex(image, &snapped_.vertices[face.first], face.count, cells_[i]);
   }
   times_.fill += watch.ms();
 }

@@ -6,8 +6,7 @@
 #include <random>
 #include <vector>
 
-#include "shading/index_image.h"
-#include "shading/scanline.h"
+#include "shading/fill.h"
 
 namespace {
 
@@ -61,10 +60,7 @@ void BM_FillFlat(benchmark::State& state) {
   for (auto _ : state) {
     const double start = processorTime();
     for (std::size_t t = 0; t < triangles.size(); t += 3)
-      forEachSpan(&triangles[t], 3, image.width, image.height,
-                  [&image, cell = static_cast<std::uint8_t>(t)](int row, int from, int to) {
-                    std::fill(image.row(row) + from, image.row(row) + to, cell);
-                  });
+      fillConvex(image, &triangles[t], 3, static_cast<std::uint8_t>(t));
     benchmark::ClobberMemory();
     fill += processorTime() - start;
   }
