@@ -7,12 +7,12 @@
 
 namespace {
 
-/// Runs one stage and notes how long it took.
+/// Runs a stage, or a part of one, and adds the time it took.
 template <class Stage>
 void timed(double& ms, Stage&& stage) {
   const Stopwatch watch;
   stage();
-  ms = watch.ms();
+  ms += watch.ms();
 }
 
 }  // namespace
@@ -20,9 +20,15 @@ void timed(double& ms, Stage&& stage) {
 void Picture::make(const PictureSettings& next) {
   times_ = {};
 
-  // The camera: from what the user said, and from the scene for the rest.
-  const double aspect = static_cast<double>(next.width) / next.height;
-  const Camera camera = placeCamera(next.camera, scene_.mesh.points, scene_.up, aspect);
+  // The camera: from what the user said, and from the scene for the rest, which means passes over its points.
+  const bool newCamera =
+      !any_ || next.camera != made_.camera || next.width != made_.width || next.height != made_.height;
+  Camera camera = camera_;
+  if (newCamera)
+    timed(times_.transform, [&] {
+      const double aspect = static_cast<double>(next.width) / next.height;
+      camera = placeCamera(next.camera, scene_.mesh.points, scene_.up, aspect);
+    });
 
   // Shading, in world coordinates: once when a face is made, the specular term again when the eye moves.
   const bool newLight = !any_ || next.light != made_.light;

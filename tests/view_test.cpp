@@ -181,7 +181,7 @@ TEST(View, UnitVectorsAtTheExtremes) {
 
 // A power of two changes no bit of a unit vector, from 2^-1000 to 2^1000: scaled and unscaled arithmetic
 // are the same.
-TEST(Unit, IsTheSameAtEveryScale) {
+TEST(View, UnitVectorsAreTheSameAtEveryScale) {
   std::mt19937 rng{1972};
   const auto coordinate = [&] { return std::uniform_real_distribution{-1.0, 1.0}(rng); };
   for (int k = -1000; k <= 1000; ++k) {
