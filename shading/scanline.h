@@ -4,7 +4,6 @@
 #include <cstdint>
 #include <glm/vec3.hpp>
 
-#include "geometry/int128.h"
 #include "geometry/project.h"
 
 /// Filling convex polygons on the screen grid, by one sample rule: a pixel's sample is its centre moved by
@@ -15,9 +14,11 @@
 ///
 /// The edge from a down to b crosses row j's samples at X; the first sample at or right of it is
 /// i = ceil(M / dy), M = ceil(((xa - 1/2 px) dy + (yc - ya) dx) / 2^16), in grid steps, and M grows by
-/// exactly dx a row. `x_` holds M / dy with 47 fraction bits, 1 - 2^-32 ahead: M / dy is an integer or
-/// at least 1/dy >= 2^-30 above one, and 8192 rows of a step within 2^-47 drift by at most 2^-34, so
-/// the shift yields the ceiling, ties included.
+/// exactly dx a row. M / dy is an integer or at least 1/dy >= 2^-30 above one, so floor(x) is that ceiling
+/// as long as M / dy + 1 - 2^-30 <= x < M / dy + 1. `x_` holds x with 47 fraction bits, starts 2^-32 below
+/// the upper end and strays from there by less than 2^-33: |M| <= 2^45, dx and dy are exact as doubles, so
+/// the two roundings of a product with 1/dy leave x at the first row, |x| <= 2^15, within 2^-37 and the
+/// growth over all rows, dx in pixels, within 2^-38; cutting the step off at 2^-47 adds 2^-34 in 8192 rows.
 class EdgeWalk {
  public:
   static constexpr int kFraction = 47;
@@ -25,15 +26,15 @@ class EdgeWalk {
   EdgeWalk() = default;
   /// Edge from a down to b (a.y < b.y), standing at row `firstRow`, one that it spans.
   EdgeWalk(const glm::ivec3& a, const glm::ivec3& b, int firstRow) {
+    constexpr double kOne = 0x1p47;
     const std::int64_t dx = std::int64_t{b.x} - a.x, dy = std::int64_t{b.y} - a.y;
     const std::int64_t yc = (std::int64_t{firstRow} << kGridBits) + kGrid / 2;
     const std::int64_t M = -((-((a.x - kGrid / 2) * dy + (yc - a.y) * dx)) >> kGridBits);
-    x_ = static_cast<std::int64_t>((static_cast<Int128>(M) << kFraction) / dy) +
+    const double perRow = kOne / static_cast<double>(dy);
+    x_ = static_cast<std::int64_t>(static_cast<double>(M) * perRow) +
          ((std::int64_t{1} << kFraction) - 1 - (std::int64_t{1} << 15));
     // An edge less than a pixel high spans at most one row: it never steps.
-    step_ = dy < kGrid
-                ? 0
-                : static_cast<std::int64_t>(((static_cast<Int128>(dx) << (kFraction + 1)) / dy + 1) >> 1);
+    if (dy >= kGrid) step_ = static_cast<std::int64_t>(static_cast<double>(dx) * perRow);
   }
   /// First sample of the current row at or right of the edge.
   [[nodiscard]] int column() const { return static_cast<int>(x_ >> kFraction); }

@@ -251,6 +251,8 @@ Json parsed(std::string_view text, const std::string& name) {
   } catch (const Json::parse_error& e) {
     const auto end = text.begin() + static_cast<std::ptrdiff_t>(std::min(e.byte, text.size()));
     throw ParseError{name, 1 + static_cast<int>(std::count(text.begin(), end, '\n')), "not JSON here"};
+  } catch (const Json::out_of_range&) {
+    throw ParseError{name, 0, "a number is too large"};
   }
 }
 

@@ -7,6 +7,7 @@
 #include <set>
 
 #include "geometry/obj.h"
+#include "geometry/solids.h"
 #include "tests/command_fixture.h"
 
 /// What the program draws: the face image against an independent decision, the meaning of each option,
@@ -162,9 +163,8 @@ TEST_F(DrawnPicture, IdsHave24Bits) {
 
 // Scaling a file by a power of two changes no pixel: the default camera sees the same scene.
 TEST_F(DrawnPicture, DoesNotKnowTheUnitOfTheFile) {
-  std::vector<Mesh> scenes{readObj(XNEWELL_DATA_DIR "/scenes/cycle.obj"),
-                           readObj(XNEWELL_DATA_DIR "/scenes/penetrate.obj"),
-                           parseObj(objOf(sheets(9, 15)), "", "")};
+  const std::vector<Mesh> scenes{torus(12, 7), triangleSoup(40, 0.8, 3),
+                                 parseObj(objOf(sheets(9, 15)), "", "")};
   for (const Mesh& mesh : scenes) {
     const Drawn plain = draw(write("s.obj", scaledObj(mesh, 0)));
     EXPECT_GT(covered(plain.ids), 100);

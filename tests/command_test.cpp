@@ -40,7 +40,7 @@ TEST_F(CommandTest, BadScenesAreRefusedInOneLine) {
   refusedToDraw(write("huge.obj", "v 1e999 0 0\n" + kTriangle), 2, ":1: number '1e999' is too large");
   refusedToDraw(write("two.obj", three + "f 1 2\n"), 2, ":4: a face needs three vertices; this one has 2");
   refusedToDraw(write("scene.json", "{}"), 2, ": holds no face");
-  refusedToDraw(write("scene.xyz", kTriangle), 2, ": not a scene: .obj and .bpt files are");
+  refusedToDraw(write("scene.xyz", kTriangle), 2, ": not a scene: .obj, .bpt and .json files are");
   refused({"draw", "nosuch", "-o", file("new.png")}, 2,
           "nosuch: no built-in scene of that name; `xnewell scenes` lists them");
 }
@@ -70,7 +70,7 @@ TEST_F(CommandTest, WrongUsageIsStatus2) {
             "--size: '" + size + "' is not a size WxH from 1x1 to 8192x8192");
   refused(whole + Words{"--eye", "nan,0,0"}, 2, "--eye: 'nan,0,0' is not three finite numbers x,y,z");
   refused(whole + Words{"--order", "newell"}, 2,
-          "--order newell is not built yet; there is none, zmean, zsort");
+          "--order newell is not built yet; there is none, zmean, zsort, oracle");
   refused(whole + Words{"--eye", "1,1,1", "--look-at", "1,1,1"}, 2,
           "the view plane normal is zero: eye and look-at point coincide");
   refused(whole + Words{"--up", "0,0,1", "--eye", "0,0,9", "--look-at", "0,0,0"}, 2,
@@ -200,7 +200,7 @@ TEST_F(CommandTest, HelpTellsWhatThereIs) {
     EXPECT_NE(help.out.find(expected), std::string::npos) << expected;
   for (const std::string later : {"trace", "figure", "trade", "lesson", "--half-vector", "--attenuation",
                                   "--normals", "--texture", "--frames", "--json", " newell", ",newell",
-                                  "gouraud", "phong", "envmap", "depth,", "shared", "machbands", ".json"})
+                                  "gouraud", "phong", "envmap", "depth,", "shared", "machbands"})
     EXPECT_EQ(help.out.find(later), std::string::npos) << later;
   for (const Words& words :
        {Words{"-h"}, Words{"draw", "--help"}, Words{"draw", "nosuch", "-h"}, Words{"view", "-h"},

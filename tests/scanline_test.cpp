@@ -7,6 +7,9 @@
 #include <random>
 #include <vector>
 
+#include "geometry/int128.h"
+#include "shading/fill.h"
+
 namespace {
 
 /// The sample rule by its definition: the sign of the edge function at the pixel's centre, if 0 the sign
@@ -31,10 +34,13 @@ void expectRule(const std::vector<glm::ivec3>& p, int width, int height) {
     ASSERT_TRUE(row >= 0 && row < height && from >= 0 && from < to && to <= width);
     for (int i = from; i < to; ++i) ++painted[std::size_t(row) * width + i];
   });
+  IndexImage image{width, height, 7};
+  fillConvex(image, p.data(), static_cast<int>(p.size()), 201);
   for (int j = 0; j < height; ++j)
     for (int i = 0; i < width; ++i) {
       checked += owns(p, i, j);
       ASSERT_EQ(painted[std::size_t(j) * width + i], owns(p, i, j) ? 1 : 0) << "pixel " << i << ", " << j;
+      ASSERT_EQ(image.row(j)[i], owns(p, i, j) ? 201 : 7) << "filled pixel " << i << ", " << j;
     }
 }
 
@@ -77,6 +83,36 @@ TEST(Scanline, OwnsExactlyTheSamplesOfTheRule) {
     expectRule(counterClockwise(p), 20, 16);
   }
   EXPECT_GT(checked, 100'000);  // the samples were really there
+}
+
+// The same for triangles small enough to be filled block by block: inside, across every border and corner
+// of the picture and beyond, on and off the lattice of ties, and in pictures smaller than a block.
+TEST(Scanline, SmallTrianglesOwnTheSamplesOfTheRule) {
+  checked = 0;
+  for (unsigned seed = 0; seed < 20'000; ++seed) {
+    SCOPED_TRACE(seed);
+    std::mt19937 rng{seed};
+    const auto uniform = [&](int low, int high) { return std::uniform_int_distribution{low, high}(rng); };
+    const int width = seed % 7 == 0 ? uniform(1, 12) : 19, height = seed % 7 == 0 ? uniform(1, 12) : 13;
+    const int side = uniform(1, 9), step = seed % 2 ? 1 : kGrid / 2;
+    const glm::ivec3 at{uniform(-10 * kGrid / step, (width + 1) * kGrid / step),
+                        uniform(-10 * kGrid / step, (height + 1) * kGrid / step), 0};
+    std::vector<glm::ivec3> p(3);
+    for (glm::ivec3& v : p)
+      v = (at + glm::ivec3{uniform(0, side * kGrid / step), uniform(0, side * kGrid / step), 0}) * step;
+    if (doubleArea(p.data(), 3) == 0) continue;
+    expectRule(counterClockwise(p), width, height);
+  }
+  EXPECT_GT(checked, 10'000);
+}
+
+// Spans of every length that stores overlap in, and not a cell beside them.
+TEST(Scanline, SpansAreFilledToTheirEnds) {
+  for (int count = 1; count <= 80; ++count) {
+    std::array<std::uint8_t, 100> cells{};
+    fillSpan(cells.data() + 10, count, 201);
+    for (int i = 0; i < 100; ++i) ASSERT_EQ(cells[i], i >= 10 && i < 10 + count ? 201 : 0) << count;
+  }
 }
 
 // The exact edge walk does not drift: an edge across the tallest picture and the whole guard band, with

@@ -178,3 +178,15 @@ TEST(View, UnitVectorsAtTheExtremes) {
   }
   EXPECT_EQ(unit({0, 0, 0}), glm::dvec3(0));
 }
+
+// A power of two changes no bit of a unit vector, from 2^-1000 to 2^1000: scaled and unscaled arithmetic
+// are the same.
+TEST(View, UnitVectorsAreTheSameAtEveryScale) {
+  std::mt19937 rng{1972};
+  const auto coordinate = [&] { return std::uniform_real_distribution{-1.0, 1.0}(rng); };
+  for (int k = -1000; k <= 1000; ++k) {
+    const glm::dvec3 v{coordinate(), coordinate(), coordinate()};
+    const glm::dvec3 scaled{std::ldexp(v.x, k), std::ldexp(v.y, k), std::ldexp(v.z, k)};
+    ASSERT_EQ(unit(scaled), unit(v)) << k;
+  }
+}

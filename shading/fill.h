@@ -1,0 +1,112 @@
+#pragma once
+
+#ifdef __SSE2__
+#include <emmintrin.h>
+#endif
+
+#include <algorithm>
+#include <array>
+#include <bit>
+#include <cstdint>
+#include <cstring>
+
+#include "shading/index_image.h"
+#include "shading/scanline.h"
+
+/// Filling with one cell, by the sample rule of scanline.h.
+
+/// cells[0..count-1] = cell, count >= 1; most spans are short, and memset costs a call.
+inline void fillSpan(std::uint8_t* cells, int count, std::uint8_t cell) {
+  const std::uint64_t eight = cell * 0x0101010101010101u;
+  const auto store = [&]<class Word>(int at, Word word) { std::memcpy(cells + at, &word, sizeof word); };
+  if (count > 32) {
+    std::memset(cells, cell, static_cast<std::size_t>(count));
+  } else if (count >= 16) {
+    store(0, eight), store(8, eight);
+    store(count - 16, eight), store(count - 8, eight);
+  } else if (count >= 8) {
+    store(0, eight), store(count - 8, eight);
+  } else if (count >= 4) {
+    const auto four = static_cast<std::uint32_t>(eight);
+    store(0, four), store(count - 4, four);
+  } else {
+    cells[0] = cells[count / 2] = cells[count - 1] = cell;
+  }
+}
+
+/// Four numbers at once, by GCC's and Clang's vector extension: any processor has them.
+using Four [[gnu::vector_size(16)]] = int;
+
+/// Eight bytes, 0xFF where the number is negative and 0 elsewhere, in order of memory.
+inline std::uint64_t negativeBytes(Four left, Four right) {
+#ifdef __SSE2__  // every x86-64 processor; compilers do not find these three instructions
+  const __m128i signs =
+      _mm_srai_epi16(_mm_packs_epi32(reinterpret_cast<__m128i>(left), reinterpret_cast<__m128i>(right)), 15);
+  return static_cast<std::uint64_t>(_mm_cvtsi128_si64(_mm_packs_epi16(signs, signs)));
+#else
+  std::array<std::uint8_t, 8> bytes{};
+  for (int i = 0; i < 4; ++i) {
+    bytes[i] = left[i] < 0 ? 0xFF : 0;
+    bytes[4 + i] = right[i] < 0 ? 0xFF : 0;
+  }
+  return std::bit_cast<std::uint64_t>(bytes);
+#endif
+}
+
+/// Columns and rows of the samples that a small triangle may own, not clipped.
+struct SampleBox {
+  int left, right, top, bottom;  ///< right and bottom are the first outside
+};
+
+/// Three edge functions a sample in blocks of 8x4 cells, without a branch but for a second block: for
+/// triangles whose box has at most 8 columns and 8 rows, where an edge is too short to be walked.
+/// The box meets the image, which has at least 8 columns and 8 rows.
+///
+/// E(x, y) = A (x - xa) + B (y - ya), A = yb - ya, B = xa - xb, is positive inside. A sample on the edge,
+/// moved by (e, e^2), is inside if A > 0, or if A = 0 and B > 0; else E - 1 is as good as E. From centre to
+/// centre E grows by multiples of 2^16, so E >> 16, which has E's sign, steps exactly by A and B. These are
+/// below 2^20, samples are less than 2^5 pixels from a, so it stays below 2^26.
+inline void fillSmallTriangle(IndexImage& image, const glm::ivec3* p, const SampleBox& box,
+                              std::uint8_t cell) {
+  constexpr int kColumns = 8, kRows = 4;
+  // Blocks lie within the image: at its border they are moved inwards, and own the same samples.
+  const int rows = box.bottom - box.top <= kRows ? kRows : 2 * kRows;
+  const int left = std::clamp(box.left, 0, image.width - kColumns);
+  const int top = std::clamp(box.top, 0, image.height - rows);
+  Four near[3], far[3], down[3];  // columns 0 to 3, 4 to 7
+  for (int k = 0; k < 3; ++k) {
+    const glm::ivec3 &a = p[k], &b = p[k == 2 ? 0 : k + 1];
+    const int A = b.y - a.y, B = a.x - b.x;
+    const std::int64_t E = std::int64_t{A} * (left * kGrid + kGrid / 2 - a.x) +
+                           std::int64_t{B} * (top * kGrid + kGrid / 2 - a.y);
+    const bool tieIsOut = (std::int64_t{A} << 32) + B <= 0;  // one test instead of three branches
+    const int first = static_cast<int>((E - tieIsOut) >> kGridBits);
+    near[k] = Four{first, first + A, first + 2 * A, first + 3 * A};
+    far[k] = near[k] + 4 * A;
+    down[k] = B - Four{};
+  }
+  const std::uint64_t fill = cell * 0x0101010101010101u;
+  std::uint8_t* cells = image.row(top) + left;
+  for (int block = 0; block < rows; block += kRows)
+    for (int j = 0; j < kRows; ++j, cells += image.width) {
+      const std::uint64_t outside = negativeBytes(near[0] | near[1] | near[2], far[0] | far[1] | far[2]);
+      std::uint64_t old = 0;
+      std::memcpy(&old, cells, sizeof old);
+      old = (old & outside) | (fill & ~outside);
+      std::memcpy(cells, &old, sizeof old);
+      for (int k = 0; k < 3; ++k) near[k] += down[k], far[k] += down[k];
+    }
+}
+
+/// Gives `cell` to every sample of the image that the outline owns: convex, counter-clockwise as seen.
+inline void fillConvex(IndexImage& image, const glm::ivec3* p, int count, std::uint8_t cell) {
+  if (count == 3 && image.width >= 8 && image.height >= 8) {
+    const SampleBox box{rowAt(std::min({p[0].x, p[1].x, p[2].x})), rowAt(std::max({p[0].x, p[1].x, p[2].x})),
+                        rowAt(std::min({p[0].y, p[1].y, p[2].y})), rowAt(std::max({p[0].y, p[1].y, p[2].y}))};
+    if (box.right <= 0 || box.left >= image.width || box.bottom <= 0 || box.top >= image.height) return;
+    if (box.right - box.left <= 8 && box.bottom - box.top <= 8) return fillSmallTriangle(image, p, box, cell);
+  }
+  forEachSpan(p, count, image.width, image.height, [&image, cell](int row, int from, int to) {
+    fillSpan(image.row(row) + from, to - from, cell);
+  });
+}

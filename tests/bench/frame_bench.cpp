@@ -1,0 +1,66 @@
+#include <benchmark/benchmark.h>
+
+#include "geometry/solids.h"
+#include "shading/picture.h"
+#include "triangulated.h"
+
+namespace {
+
+/// The share of each stage in the frames, in percent, and what they held.
+void reportShares(benchmark::State& state, const StageTimes& sum, const Picture& picture) {
+  const double percent = 100.0 / sum.total();
+  state.counters["%shade"] = sum.shade * percent;
+  state.counters["%transform"] = sum.transform * percent;
+  state.counters["%sort"] = sum.sort * percent;
+  state.counters["%fill"] = sum.fill * percent;
+  state.counters["triangles"] = static_cast<double>(picture.snapped().faces.size());
+  state.SetItemsProcessed(state.iterations() * static_cast<std::int64_t>(picture.snapped().faces.size()));
+}
+
+Picture torusPicture(int side) {
+  return Picture{makeScene("torus", triangulated(torus(side, side)), UpAxis::Z)};
+}
+
+void add(StageTimes& sum, const StageTimes& t) {
+  sum.shade += t.shade;
+  sum.transform += t.transform;
+  sum.sort += t.sort;
+  sum.fill += t.fill;
+}
+
+// The first frame of a scene at 800x600, everything included: expect linear, on top of the image itself.
+void BM_WholeFrame(benchmark::State& state) {
+  const Picture fresh = torusPicture(static_cast<int>(state.range(0)));
+  IndexImage image;
+  StageTimes sum;
+  Picture picture = fresh;
+  for (auto _ : state) {
+    state.PauseTiming();
+    picture = fresh;
+    state.ResumeTiming();
+    picture.make({});
+    picture.paint(image, 0);
+    add(sum, picture.times());
+  }
+  reportShares(state, sum, picture);
+}
+BENCHMARK(BM_WholeFrame)->Arg(22)->Arg(71)->Arg(224)->Unit(benchmark::kMillisecond);
+
+// The next frame while the eye moves: the specular term, the transformation, the order and the painting.
+void BM_MovingFrame(benchmark::State& state) {
+  Picture picture = torusPicture(static_cast<int>(state.range(0)));
+  PictureSettings settings;
+  picture.make(settings);
+  IndexImage image;
+  StageTimes sum;
+  for (auto _ : state) {
+    settings.camera = moved(settings.camera, picture.camera(), 1.0, 0.0, 1.0);
+    picture.make(settings);
+    picture.paint(image, 0);
+    add(sum, picture.times());
+  }
+  reportShares(state, sum, picture);
+}
+BENCHMARK(BM_MovingFrame)->Arg(22)->Arg(71)->Arg(224)->Unit(benchmark::kMillisecond);
+
+}  // namespace

@@ -1,0 +1,16 @@
+#pragma once
+
+#include <array>
+
+#include "geometry/mesh.h"
+
+/// Every face of a mesh of convex faces as a fan of triangles from its first corner, each a face of its own.
+[[nodiscard]] inline Mesh triangulated(Mesh mesh) {
+  Mesh triangles;
+  triangles.groupNames = mesh.groupNames;
+  triangles.points = std::move(mesh.points);
+  for (int f = 0; f < mesh.faceCount(); ++f)
+    for (std::size_t i = 2; i < mesh.face(f).size(); ++i)
+      triangles.addFace(std::array{mesh.face(f)[0], mesh.face(f)[i - 1], mesh.face(f)[i]}, 0);
+  return triangles;
+}
