@@ -18,8 +18,8 @@
 ///                "polygons"  a list of polygons, each a list of corners [x, y, z]
 ///                "solid"     "cube", "sphere" or "torus" about the origin (solids.h), with "around" and
 ///                "down" or "across"
-///              and, if wanted, "name", "color" [r, g, b], "divisions" (of patches), "scale" (a factor) and "move" [x, y, z], in
-///              this order
+///              and, if wanted, "name", "color" [r, g, b], "divisions" (of patches), "scale" (a factor) and
+///              "move" [x, y, z], in this order
 ///
 /// Faces are numbered object by object. Unknown keys, wrong types and values out of range are refused.
 /// @throws ParseError `room.json: objects[2].polygons[0]: a polygon needs at least 3 corners`, or with the

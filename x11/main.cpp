@@ -6,6 +6,7 @@
 #include <csignal>
 #include <cstdio>
 #include <exception>
+#include <iomanip>
 #include <iostream>
 #include <new>
 #include <string>
@@ -46,7 +47,7 @@ void draw(const Options& options, Picture& picture, double msRead) {
 
 void listScenes() {
   for (const BuiltInScene& scene : builtInScenes())
-    std::cout << scene.name << std::string(18 - scene.name.size(), ' ') << scene.shows << '\n';
+    std::cout << std::left << std::setw(18) << scene.name << ' ' << scene.shows << '\n';
 }
 
 int run(Options options) {

@@ -330,7 +330,7 @@ std::optional<Options> parseOptions(int argc, const char* const* argv) {
   r.text("-o,--output", "where the PNG goes", "", [&](const std::string& s) { o.output = s; });
   r.text("--size", "picture or window size WxH, at most 8192x8192", "800x600, a window 1024x768",
          [&](const std::string& s) { o.size = parseSize(s); });
-  r.number("--divisions", o.divisions, 1, kMaxDivisions, "each Bezier patch becomes N x N polygons");
+  r.number("--divisions", o.divisions, 1, kMaxDivisions, "each Bezier patch of a .bpt file becomes N x N polygons");
   r.choice("--shade", kShadings, o.picture.shading, "shading method",
            {"depth", "gouraud", "phong", "envmap"});
   r.choice("--order", kOrders, o.picture.order, "hidden-surface method", {"newell"});
