@@ -163,7 +163,7 @@ void drawIntensities(Pen& pen, int x, int y) {
   pen.paint.textRight(x + kControls, y, "unused " + formatted(unused, 2), pen(Cell::Soft));
 
   const auto place = [&](double v) { return x + static_cast<int>(std::lround(v * (kControls - 1))); };
-  const Rect bar{x, y + 10, kControls, 10};
+  const Rect bar{x, y + 9, kControls, 10};
   const int ia = place(light.Ia), sum = place(light.Ia + light.Ip);
   pen.paint.fillRect(bar, pen(Cell::Panel));
   pen.paint.fillRect({ia, bar.y, sum - ia, bar.height}, pen(Cell::Rule));
@@ -186,18 +186,18 @@ std::string withDegree(double degrees) { return formatted(degrees, 0) + "\u00B0"
 void drawControls(Pen& pen, const Layout& at, const ColorTable& table) {
   const int x = at.controls.x, pitch = at.compact ? 18 : 22;
   int y = at.controls.y + 11;
-  const auto section = [&](std::string_view title) {
-    y += at.compact ? 4 : 8;
-    pen.rule(x, y - 14, kControls);
+  const auto section = [&](std::string_view title, bool boxed) {  // boxes of choices stand a little lower
+    y += at.compact ? 5 : 8;
+    pen.rule(x, y - 16, kControls);
     pen.paint.text(x, y, title, pen(Cell::Soft), Voice::Caps);
-    y += at.compact ? 19 : 22;
+    y += at.compact ? 18 : boxed ? 22 : 20;
   };
 
   pen.paint.text(x, y, "LIGHT", pen(Cell::Soft), Voice::Caps);
   const Rect ball = at.compact ? Rect{x + kControls - 112, at.controls.y, 112, 78}
                                : Rect{x + kControls - 152, at.controls.y, 152, 128};
   drawLightBall(pen, ball, table);
-  y += at.compact ? 20 : 24;
+  y += at.compact ? 19 : 24;
   const int valueEnd = ball.x - kMargin;
   if (pen.state.focus == 'l') {
     pen.paint.fillRect({x - 2, y - 14, valueEnd - x + 4, at.compact ? 18 : 40}, pen(Cell::Focus));
@@ -220,11 +220,11 @@ void drawControls(Pen& pen, const Layout& at, const ColorTable& table) {
   }
   for (const ToggleRow& row : kToggles) {
     drawToggle(pen, row, x, y);
-    y += at.compact ? 20 : 22;
+    y += at.compact ? 21 : 22;
   }
-  y += at.compact ? 8 : 11;
+  y += at.compact ? 7 : 11;
   drawIntensities(pen, x, y);
-  y += at.compact ? 42 : 46;
+  y += at.compact ? 36 : 45;
 
   const auto sliders = [&](Section s) {
     for (const SliderRow& row : kSliders)
@@ -234,11 +234,11 @@ void drawControls(Pen& pen, const Layout& at, const ColorTable& table) {
     for (const ChoiceRow& row : choices())
       if (row.section == s) drawChoice(pen, row, x, y), y += pitch;
   };
-  section("SURFACE");
+  section("SURFACE", false);
   sliders(Section::Surface);
-  section("METHOD");
+  section("METHOD", true);
   rows(Section::Method);
-  section("COLOUR TABLE");
+  section("COLOUR TABLE", true);
   rows(Section::ColourTable);
   sliders(Section::ColourTable);
 }
