@@ -26,8 +26,30 @@ namespace {
 /// Exit statuses of the contract.
 enum Status { kDone = 0, kOutside = 1, kWrong = 2, kInterrupted = 130 };
 
+/// Tells on a terminal what is being done, for as long as it lasts; silent anywhere else.
+class Doing {
+ public:
+  explicit Doing(const std::string& what) : told_{::isatty(STDERR_FILENO) == 1} {
+    if (told_) std::cerr << "xnewell: " << what << " ..." << std::flush;
+  }
+  Doing(const Doing&) = delete;
+  Doing& operator=(const Doing&) = delete;
+  ~Doing() {
+    if (told_) std::cerr << "\r\033[K" << std::flush;  // back to the line's start, and clear it
+  }
+
+ private:
+  bool told_;
+};
+
+Scene read(const Options& options) {
+  const Doing reading{"reading " + options.scene};
+  return readScene(options.scene, options.divisions);
+}
+
 /// The walk through one picture: read, shade, project, order, paint, write.
-void draw(const Options& options, Picture& picture, double msRead) {
+StageTimes draw(const Options& options, Picture& picture, double msRead) {
+  const Doing drawing{"drawing"};
   PictureSettings settings = options.picture;
   const glm::ivec2 size = options.size.value_or(glm::ivec2{800, 600});
   settings.width = size.x;
@@ -42,7 +64,7 @@ void draw(const Options& options, Picture& picture, double msRead) {
   const Stopwatch watch;
   writePictures(options, picture, encodePng(image, makePalette(plan, picture.table())));
   times.present = watch.ms();
-  report(options, picture, times);
+  return times;
 }
 
 void listScenes() {
@@ -55,7 +77,7 @@ int run(Options options) {
   if (options.command == Command::Visuals) return std::cout << visualsTable(options), kDone;
 
   const Stopwatch watch;
-  Scene scene = readScene(options.scene, options.divisions);
+  Scene scene = read(options);
   options.picture.camera = inSceneUnits(completed(options.picture.camera, scene.camera), scene);
   if (!options.lightGiven) options.picture.light.light = defaultLight(scene.up);
   if (auto& light = options.picture.light.lightPosition) light = inSceneUnits(*light, scene);
@@ -63,7 +85,9 @@ int run(Options options) {
   if (options.command == Command::View) return runViewer(options, std::move(scene));
   if (options.command == Command::Snapshot) return takeSnapshot(options, std::move(scene), msRead), kDone;
   Picture picture{std::move(scene)};
-  return draw(options, picture, msRead), kDone;
+  const StageTimes times = draw(options, picture, msRead);
+  report(options, picture, times);
+  return kDone;
 }
 
 /// One line of bounded length, whatever names and words it quotes: control characters become '?', and a
