@@ -55,8 +55,7 @@ class DepthEstimate {
   }
   /// At pixel (i, j)'s centre; off by at most error().
   [[nodiscard]] double at(int i, int j) const {
-    return dzdx_ * (static_cast<double>(i) * kGrid + kGrid / 2 - anchor_.x) +
-           (dzdy_ * (static_cast<double>(j) * kGrid + kGrid / 2 - anchor_.y) + anchor_.z);
+    return dzdx_ * (kGrid * (i + 0.5) - anchor_.x) + (dzdy_ * (kGrid * (j + 0.5) - anchor_.y) + anchor_.z);
   }
   [[nodiscard]] double error() const { return error_; }
 

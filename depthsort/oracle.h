@@ -9,7 +9,10 @@
 /// to sort, to cut or to get wrong; it shares the snapped scene and the sample rule with the painter, and no
 /// code. Work: one comparison for every sample of every face.
 ///
+/// Exact for the snapped scene, which is not the model: faces that are coplanar there are parted by the
+/// rounding of the snap, and the oracle sees the parts. Only planes that are equal on the grid are ties.
+///
 /// Returns an index into scene.faces for each sample, row by row from the top, or kNothing. Of faces in one
-/// plane the later one of the scene wins.
+/// plane (the same on the grid) the later one of the scene wins.
 inline constexpr int kNothing = -1;
 [[nodiscard]] std::vector<int> visibleFaces(const SnappedScene& scene, int width, int height);

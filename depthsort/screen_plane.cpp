@@ -78,3 +78,15 @@ int nearer(const ScreenPlane& P, const ScreenPlane& Q, int i, int j) {
   if (const int sign = compareQuotients(P.A, P.C, Q.A, Q.C)) return sign;
   return compareQuotients(P.B, P.C, Q.B, Q.C);
 }
+
+double depthAt(const ScreenPlane& P, int i, int j) {
+  const std::int64_t x = (std::int64_t{i} << kGridBits) + kGrid / 2,
+                     y = (std::int64_t{j} << kGridBits) + kGrid / 2;
+  return static_cast<double>(numerator(P, x, y)) / static_cast<double>(P.C);
+}
+
+double doubt(const ScreenPlane& P, double inputSteps) {
+  const double slope =
+      (std::abs(static_cast<double>(P.A)) + std::abs(static_cast<double>(P.B))) / static_cast<double>(P.C);
+  return 4.0 * (0.5 + inputSteps) * (1.0 + slope);
+}

@@ -25,3 +25,10 @@ struct ScreenPlane {
 /// right is nearer, then the steeper rise downward. Exact: whole parts and remainders of the
 /// two quotients are compared, remainders crosswise in 128 bits.
 [[nodiscard]] int nearer(const ScreenPlane& P, const ScreenPlane& Q, int i, int j);
+
+/// z at the centre of pixel (i, j), in doubles; within 2^-50 of itself.
+[[nodiscard]] double depthAt(const ScreenPlane& plane, int i, int j);
+
+/// How far off in z the plane may be for the rounding of the snap and of the model: 4 h (1 + (|A| + |B|) /
+/// C), h = 1/2 + inputSteps. Two planes nearer to each other than the sum of theirs may be one in the model.
+[[nodiscard]] double doubt(const ScreenPlane& plane, double inputSteps);

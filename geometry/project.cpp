@@ -81,6 +81,16 @@ class Snapper {
   double zScale_;
 };
 
+/// `zMax` in pixels: z = S D^2 (1/d - 1/dB) at distance d tells how near the nearest vertex is.
+double inputSteps(double rounding, const ViewSpec& view, int width, int height, double zMax) {
+  const glm::dvec2 window = view.windowMax - view.windowMin;
+  const double S = std::max(width / window.x, height / window.y);
+  const double D = view.prp.z;
+  const double q =
+      view.projection == Projection::Parallel ? 1.0 : zMax * window.x / (width * D) + D / (D - view.back);
+  return 2.0 * std::sqrt(3.0) * std::min(rounding, kMostRounding) * S * kGrid * q * q;
+}
+
 }  // namespace
 
 std::int64_t doubleArea(const glm::ivec3* p, int count) {
@@ -143,6 +153,7 @@ SnappedScene project(const Mesh& mesh, const Pieces& pieces, const ViewSpec& vie
 
   // One snap. z gets the steps of x and y unless something comes too near for 30 bits.
   while (zMax * kGrid > std::ldexp(1.0, 30 + scene.zShift)) ++scene.zShift;
+  scene.inputSteps = inputSteps(mesh.rounding, view, width, height, zMax);
   Snapper snapper{scene, cull, std::ldexp(1.0, kGridBits - scene.zShift)};
   std::vector<glm::ivec3> snapped(mesh.points.size());
   for (std::size_t i = 0; i < mesh.points.size(); ++i)

@@ -30,11 +30,18 @@ struct SnappedScene {
   std::vector<glm::ivec3> vertices;  ///< outlines, one after the other
   std::vector<SnappedFace> faces;    ///< in order of number
   int zShift = 0;
+  /// How far the rounding of the model's coordinates (Mesh::rounding, at most kMostRounding) may move a
+  /// vertex on the grid, in steps: 2 sqrt 3 u S q^2, S steps a unit on the view plane, q the largest
+  /// magnification.
+  double inputSteps = 0;
   int polygons = 0;    ///< convex pieces that came in
   int culled = 0;      ///< back faces left out by choice
   int outside = 0;     ///< wholly outside the view volume and its guard band
   int degenerate = 0;  ///< without area on the grid: they cover no sample
 };
+
+/// Coarser files are taken at their word: a tolerance as large as their rounding would unite what is apart.
+inline constexpr double kMostRounding = 3e-5 / 7;
 
 enum class Cull { Keep, Back };
 

@@ -1,8 +1,10 @@
 #include "shading/picture.h"
 
 #include <algorithm>
+#include <cmath>
 
 #include "depthsort/oracle.h"
+#include "depthsort/screen_plane.h"
 #include "shading/fill.h"
 #include "shading/scanline.h"
 
@@ -133,14 +135,25 @@ std::vector<std::uint32_t> Picture::faceImage() const {
 }
 
 Picture::Exactness Picture::exactness() const {
-  const std::vector<std::uint32_t> painted = faceImage();
+  std::vector<int> painted(std::size_t(made_.width) * made_.height, kNothing);
+  paintFaces([&](int row, int from, int to, int face) {
+    const auto begin = painted.begin() + std::ptrdiff_t(row) * made_.width;
+    std::fill(begin + from, begin + to, face);
+  });
+  const auto apart = [&](int p, int q, int i, int j) {
+    const ScreenPlane P = planeOf(snapped_, snapped_.faces[p]), Q = planeOf(snapped_, snapped_.faces[q]);
+    return std::abs(depthAt(P, i, j) - depthAt(Q, i, j)) >
+           doubt(P, snapped_.inputSteps) + doubt(Q, snapped_.inputSteps);
+  };
   const std::vector<int> visible = visibleFaces(snapped_, made_.width, made_.height);
   Exactness exactness;
-  for (std::size_t k = 0; k < painted.size(); ++k) {
-    if (visible[k] == kNothing) continue;
-    ++exactness.samples;
-    exactness.wrong += painted[k] != static_cast<std::uint32_t>(snapped_.faces[visible[k]].number) + 1;
-  }
+  for (int j = 0; j < made_.height; ++j)
+    for (int i = 0; i < made_.width; ++i) {
+      const std::size_t k = std::size_t(j) * made_.width + i;
+      if (visible[k] == kNothing) continue;
+      ++exactness.samples;
+      exactness.wrong += painted[k] != visible[k] && apart(painted[k], visible[k], i, j);
+    }
   return exactness;
 }
 

@@ -107,3 +107,15 @@ TEST(Controls, WholeNumbersStayWhole) {
     }
   }
 }
+
+// A point light turns about the scene's centre and keeps its distance.
+TEST(Controls, PointLightKeepsItsDistance) {
+  Illumination light;
+  const glm::dvec3 centre{1, 2, 3};
+  light.lightPosition = centre + glm::dvec3{0, -4, 3};
+  EXPECT_NEAR(lightAngles(light, UpAxis::Z, centre).azimuth, 0, 1e-12);
+  turnLight(light, UpAxis::Z, 90, 0, centre);
+  const glm::dvec3 arm = *light.lightPosition - centre;
+  EXPECT_NEAR(std::sqrt(arm.x * arm.x + arm.y * arm.y + arm.z * arm.z), 5, 1e-12);
+  EXPECT_NEAR(lightAngles(light, UpAxis::Z, centre).azimuth, 90, 1e-9);
+}

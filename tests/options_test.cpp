@@ -255,6 +255,18 @@ TEST(Options, SayWhatIsNotBuiltYet) {
   later("--view", {"colours", "machbands", "normals", "overdraw", "wireframe", "difference"});
 }
 
+// Of two options that cannot both be heeded neither is ignored.
+TEST(Options, RefuseWhatExcludesEachOther) {
+  EXPECT_EQ(complaint({"--light", "1,0,0", "--light-at", "1,2,9"}),
+            "--light and --light-at exclude each other");
+  EXPECT_EQ(complaint({"--eye", "1,2,3", "--prp", "0,0,9"}),
+            "--eye and the textbook's --vpn, --prp exclude each other");
+  EXPECT_EQ(complaint({"--look-at", "1,2,3", "--vrp", "0,0,9"}), "--look-at and --vrp exclude each other");
+  EXPECT_EQ(complaint({"--up", "0,0,1", "--vup", "0,0,1"}), "--up and --vup exclude each other");
+  EXPECT_EQ(complaint({"--fov", "20", "--view-window", "-1,1,-1,1"}),
+            "--fov and --view-window exclude each other");
+}
+
 // An option that its command cannot heed is refused, not ignored.
 TEST(Options, RefuseWhatTheCommandIgnores) {
   EXPECT_EQ(complaintAll({"draw"}), "draw needs a scene, such as teapot");

@@ -147,21 +147,26 @@ Horizon horizon(UpAxis up) {
 }
 }  // namespace
 
-LightAngles lightAngles(const Illumination& light, UpAxis up) {
+glm::dvec3 towardsLight(const Illumination& light, glm::dvec3 centre) {
+  return unit(light.lightPosition ? *light.lightPosition - centre : light.light);
+}
+
+LightAngles lightAngles(const Illumination& light, UpAxis up, glm::dvec3 centre) {
   const Horizon h = horizon(up);
-  const glm::dvec3 L = unit(light.light);
+  const glm::dvec3 L = towardsLight(light, centre);
   constexpr double kDegrees = 180.0 / std::numbers::pi;
   return {std::atan2(glm::dot(L, h.right), glm::dot(L, h.towards)) * kDegrees,
           std::asin(std::clamp(glm::dot(L, h.up), -1.0, 1.0)) * kDegrees};
 }
 
-void turnLight(Illumination& light, UpAxis up, double azimuth, double elevation) {
+void turnLight(Illumination& light, UpAxis up, double azimuth, double elevation, glm::dvec3 centre) {
   const Horizon h = horizon(up);
-  const LightAngles now = lightAngles(light, up);
+  const LightAngles now = lightAngles(light, up, centre);
   const double e = std::clamp(std::round(now.elevation + elevation), -90.0, 90.0);
   double a = std::round(now.azimuth + azimuth);
   a -= 360.0 * std::floor((a + 180.0) / 360.0);
   const SinCos sa = sinCosDegrees(a), se = sinCosDegrees(e);
   light.light = se.cos * (sa.sin * h.right + sa.cos * h.towards) + se.sin * h.up;
-  light.lightPosition.reset();
+  if (light.lightPosition)
+    *light.lightPosition = centre + glm::length(*light.lightPosition - centre) * light.light;
 }

@@ -80,11 +80,16 @@ void step(Setup& setup, const SliderRow& row, int steps);
 void setIa(Setup& setup, double Ia);
 void setIp(Setup& setup, double Ip);
 
-/// The light as a direction: azimuth in degrees to the right of the line of sight's compass direction,
-/// elevation above the horizon, both as the default view has them.
+/// The light as a direction from the scene's centre: azimuth in degrees about the up axis, 0 where the
+/// default view stands and positive to its right; elevation above the horizon.
 struct LightAngles {
   double azimuth = 0, elevation = 0;
 };
-[[nodiscard]] LightAngles lightAngles(const Illumination& light, UpAxis up);
-/// Turns the light about the up axis and towards it, elevation kept within +-90 degrees.
-void turnLight(Illumination& light, UpAxis up, double azimuth, double elevation);
+/// Unit, towards the light as seen from `centre`, which matters for a point light.
+[[nodiscard]] glm::dvec3 towardsLight(const Illumination& light, glm::dvec3 centre);
+[[nodiscard]] LightAngles lightAngles(const Illumination& light, UpAxis up,
+                                      glm::dvec3 centre = glm::dvec3{0});
+/// Turns the light about the up axis and towards it, elevation kept within +-90 degrees; a point light keeps
+/// its distance from the centre.
+void turnLight(Illumination& light, UpAxis up, double azimuth, double elevation,
+               glm::dvec3 centre = glm::dvec3{0});

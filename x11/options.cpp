@@ -104,7 +104,9 @@ class Reader {
  private:
   static std::string trimmed(double v) {
     std::array<char, 32> text;
-    const auto [end, error] = std::to_chars(text.begin(), text.end(), v);
+    const bool plain = std::abs(v) >= 1e-4 && std::abs(v) < 1e9;
+    const auto [end, error] = std::to_chars(text.begin(), text.end(), v,
+                                            plain ? std::chars_format::fixed : std::chars_format::general);
     return {text.begin(), end};
   }
   void add(const std::string& name, const std::string& initially, const std::string& help,
@@ -170,10 +172,12 @@ void addCamera(Reader& r, CameraSettings& camera) {
   r.point("--vup", "view up vector", "up", [&](glm::dvec3 p) { camera.vup = p; });
   r.point("--prp", "projection reference point, in viewing coordinates", "the eye",
           [&](glm::dvec3 p) { camera.prp = p; });
-  r.text("--view-window", "window umin,umax,vmin,vmax on the view plane", "", [&](const std::string& text) {
-    const auto v = numbers("--view-window", text, 4, "four finite numbers umin,umax,vmin,vmax");
-    camera.window = {v[0], v[1], v[2], v[3]};
-  });
+  r.text("--view-window",
+         "window umin,umax,vmin,vmax on the view plane; the height of --parallel then does not matter", "",
+         [&](const std::string& text) {
+           const auto v = numbers("--view-window", text, 4, "four finite numbers umin,umax,vmin,vmax");
+           camera.window = {v[0], v[1], v[2], v[3]};
+         });
   const auto plane = [&](const char* name, const char* help, const char* initially,
                          std::optional<double>& n) {
     r.text(name, help, initially,
@@ -287,6 +291,15 @@ void check(const Options& o, bool sceneGiven) {
   if ((o.command == Command::Draw || o.command == Command::Scenes) && !o.visual.empty())
     throw UsageError{"--visual goes with view, snapshot and visuals"};
   const CameraSettings& c = o.picture.camera;
+  const auto either = [](bool a, bool b, const char* both) {
+    if (a && b) throw UsageError{std::string{both} + " exclude each other"};
+  };
+  either(o.lightGiven, o.picture.light.lightPosition.has_value(), "--light and --light-at");
+  either(c.eye.has_value(), c.vpn || c.prp, "--eye and the textbook's --vpn, --prp");
+  either(c.lookAt.has_value(), c.vrp.has_value(), "--look-at and --vrp");
+  either(c.up.has_value(), c.vup.has_value(), "--up and --vup");
+  either(c.fov.has_value(), c.window.has_value(), "--fov and --view-window");
+  either(o.wholeWindow, !o.ids.empty(), "--whole-window and --ids");
   if (c.fov && (c.parallel || c.oblique))
     throw UsageError{"--fov is for perspective: leave out --parallel and --oblique"};
 }
@@ -330,7 +343,8 @@ std::optional<Options> parseOptions(int argc, const char* const* argv) {
   r.text("-o,--output", "where the PNG goes", "", [&](const std::string& s) { o.output = s; });
   r.text("--size", "picture or window size WxH, at most 8192x8192", "800x600, a window 1024x768",
          [&](const std::string& s) { o.size = parseSize(s); });
-  r.number("--divisions", o.divisions, 1, kMaxDivisions, "each Bezier patch of a .bpt file becomes N x N polygons");
+  r.number("--divisions", o.divisions, 1, kMaxDivisions,
+           "each Bezier patch of a .bpt file becomes N x N polygons");
   r.choice("--shade", kShadings, o.picture.shading, "shading method",
            {"depth", "gouraud", "phong", "envmap"});
   r.choice("--order", kOrders, o.picture.order, "hidden-surface method", {"newell"});

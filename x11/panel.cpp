@@ -44,7 +44,11 @@ void drawViews(Pen& pen, const Layout& at) {
   pen.paint.vline(tab.x + tab.width - 1, tab.y, at.views.height - tab.y, pen(Cell::Rule));
   pen.soft(15, 23, "1");
   pen.bold(30, 23, "Picture");
-  pen.paint.textRight(at.width - kMargin, 23, pen.state.sceneTitle, pen(Cell::Soft));
+  // A long name keeps its end, which tells files apart.
+  std::string title = pen.state.sceneTitle;
+  const auto room = static_cast<std::size_t>(at.width - 2 * kMargin - tab.x - tab.width) / 6;
+  if (title.size() > room) title = "..." + title.substr(title.size() - room + 3);
+  pen.paint.textRight(at.width - kMargin, 23, title, pen(Cell::Soft));
 }
 
 void drawTrack(Pen& pen, const SliderRow& row, int x, int y, bool enabled) {
@@ -123,10 +127,7 @@ void drawLightBall(Pen& pen, const Rect& box, const ColorTable& table) {
   pen.paint.hline(cx - radius - 5, cy, 2 * radius + 11, pen(Cell::WellLine));
   pen.paint.vline(cx, cy - radius - 5, 2 * radius + 11, pen(Cell::WellLine));
   const Illumination& light = pen.state.setup.picture.light;
-  constexpr double kRadians = 3.14159265358979323846 / 180;
-  const double a = pen.state.light.azimuth * kRadians, e = pen.state.light.elevation * kRadians;
-  const glm::dvec3 L{std::cos(e) * std::sin(a), std::sin(e),
-                     std::cos(e) * std::cos(a)};  // right, up, towards
+  const glm::dvec3& L = pen.state.lightInView;
   for (int y = -radius; y <= radius; ++y)
     for (int x = -radius; x <= radius; ++x) {
       const double rest = static_cast<double>(radius) * radius - x * x - y * y;
@@ -267,14 +268,22 @@ void drawStrip(Pen& pen, const Layout& at, const IndexImage& image, const ColorT
   const TableRow& row = kTables[static_cast<int>(setup.picture.table.kind)];
   const int y = stripBottom + 13;
   if (!at.compact) pen.paint.text(x0 + 4, y, "0.." + std::to_string(first - 1), pen(Cell::Faint));
-  pen.soft(x0 + first * cell + 4, y, std::to_string(first));
-  pen.paint.textRight(x0 + (last + 1) * cell - 4, y, std::to_string(last), pen(Cell::Soft));
+  // The ramp's cells below its two ends, or as one range where it is too short for both.
+  const int rampLeft = x0 + first * cell + 4, rampRight = x0 + (last + 1) * cell - 4;
+  int left = rampLeft + 56;
+  if (rampRight - rampLeft >= 60) {
+    pen.soft(rampLeft, y, std::to_string(first));
+    pen.paint.textRight(rampRight, y, std::to_string(last), pen(Cell::Soft));
+  } else {
+    left = std::max(left, pen.soft(rampLeft, y, std::to_string(first) + ".." + std::to_string(last)) + 18);
+  }
   const std::string tableText{row.name};
   std::string rule = tableText + " table";
   if (!at.compact && table.shades() == kMaxShades) rule = tableText + ": " + std::string{row.holds};
   std::string uses = std::to_string(used) + " of " + std::to_string(table.shades()) + " shades used";
   if (!at.compact) uses += " by the picture";
-  const int left = x0 + first * cell + 60, centre = x0 + 146 * cell - textWidth(uses) / 2;
+  const int centre = x0 + 146 * cell - textWidth(uses) / 2;
+  if (rampRight > left - 18 && rampRight < left + textWidth(rule) + 42) left = rampRight + 18;
   pen.soft(left, y, rule);
   pen.soft(std::max(centre, left + textWidth(rule) + 18), y, uses);
 }

@@ -20,9 +20,10 @@ struct PanelState {
   std::string counts, times;  ///< of the last picture
   std::string inexact;        ///< how wrong the picture is, as a sentence; "" if it is not, or not known
   std::string notice;         ///< a sentence in the status line instead of the counts; "" for none
-  LightAngles light;
-  char focus = 's';   ///< key of the control that the arrows change
-  bool help = false;  ///< all keys over the window
+  LightAngles light;          ///< about the scene's up axis
+  glm::dvec3 lightInView{0, 0, 1};  ///< unit: to the right, up, towards the viewer
+  char focus = 's';                 ///< key of the control that the arrows change
+  bool help = false;                ///< all keys over the window
 };
 
 /// Where things are, in pixels. Below 800 x 600 there is no room for the controls and `roomy` is false.

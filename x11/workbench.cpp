@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <glm/common.hpp>
 
 namespace {
 
@@ -37,6 +38,10 @@ Workbench::Workbench(Scene scene, const Setup& setup, Server server)
   state_.setup = state_.defaults = setup;
   state_.sceneTitle = titleOf(picture_.scene());
   state_.visual = server_.visual;
+  const std::vector<glm::dvec3>& points = picture_.scene().mesh.points;
+  glm::dvec3 low = points.front(), high = low;
+  for (const glm::dvec3& p : points) low = glm::min(low, p), high = glm::max(high, p);
+  centre_ = (low + high) / 2.0;
 }
 
 void Workbench::resize(int width, int height) {
@@ -122,7 +127,6 @@ void Workbench::pressLetter(char letter) {
         s.picture.table.pick = s.picture.table.pick == Pick::Log ? Pick::Search : Pick::Log;
       });
     case '+':
-    case '=':
       return zoom(1.1);
     case '-':
       return zoom(1.0 / 1.1);
@@ -156,7 +160,7 @@ void Workbench::pressArrow(int along, int up) {
   } else if (focus == 'z') {
     zoom(along + up > 0 ? std::pow(1.02, along + up) : 1.0 / std::pow(1.02, -along - up));
   } else if (focus == 'l') {
-    change('l', [&](Setup& s) { turnLight(s.picture.light, picture_.scene().up, along, up); });
+    change('l', [&](Setup& s) { turnLight(s.picture.light, picture_.scene().up, along, up, centre_); });
   } else {
     const auto* const row = std::ranges::find(kSliders, focus, &SliderRow::key);
     change(focus, [&](Setup& s) { step(s, *row, along + up); });
@@ -232,7 +236,9 @@ void Workbench::drawFrame(bool dragging) {
   state_.times = formatted(picture_.times().total(), 1) + " ms";
   counted_ = !dragging;
   state_.inexact = dragging ? "" : exactnessText();
-  state_.light = lightAngles(state_.setup.picture.light, picture_.scene().up);
+  state_.light = lightAngles(state_.setup.picture.light, picture_.scene().up, centre_);
+  state_.lightInView =
+      vrcRotation(picture_.camera().view) * towardsLight(state_.setup.picture.light, centre_);
   drawPanel(image_, layout_, state_, plan, picture_.table());
 }
 

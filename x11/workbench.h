@@ -73,6 +73,7 @@ class Workbench {
   [[nodiscard]] Camera camera() const;
 
   Picture picture_;
+  glm::dvec3 centre_{0};  ///< of the scene: where a point light is seen from
   Server server_;
   PanelState state_;
   Layout layout_;
