@@ -17,6 +17,7 @@ bool corrected(const Setup& s) { return s.picture.table.kind == TableKind::Corre
 template <class Rows>
 std::vector<std::string_view> labels(const Rows& rows) {
   std::vector<std::string_view> all;
+  all.reserve(rows.size());
   for (const auto& row : rows) all.push_back(row.label);
   return all;
 }

@@ -71,7 +71,7 @@ class Reader {
   /// One row of a table of choices, by name; `later` are names that are fixed but not built yet.
   template <class Rows, class Id>
   void choice(const std::string& name, const Rows& rows, Id& target, const std::string& help,
-              std::vector<std::string_view> later = {}) {
+              const std::vector<std::string_view>& later = {}) {
     std::string all;
     std::string initially;
     for (const auto& row : rows) {
@@ -90,8 +90,8 @@ class Reader {
     });
   }
   void text(const std::string& name, const std::string& help, const std::string& initially,
-            std::function<void(const std::string&)> take) {
-    add(name, initially, help, std::move(take));
+            const std::function<void(const std::string&)>& take) {
+    add(name, initially, help, take);
   }
   void flag(const std::string& name, bool& target, const std::string& help) {
     app_.add_flag(name, target, help)->disable_flag_override();
@@ -110,8 +110,8 @@ class Reader {
     return {text.begin(), end};
   }
   void add(const std::string& name, const std::string& initially, const std::string& help,
-           std::function<void(const std::string&)> take) {
-    app_.add_option_function<std::string>(name, std::move(take),
+           const std::function<void(const std::string&)>& take) {
+    app_.add_option_function<std::string>(name, take,
                                           help + (initially.empty() ? "" : " [" + initially + "]"))
         ->type_name("");
   }
