@@ -34,8 +34,10 @@ void Picture::make(const PictureSettings& next) {
     });
 
   // What changed since the results that are kept; until all is done none count, for a stage may throw.
-  const bool newLight = !any_ || next.light != made_.light;
-  const bool newEye = newLight || camera.eye != camera_.eye || camera.lookAt != camera_.lookAt;
+  // At full intensity nothing is lit, and what was lit before is stale afterwards.
+  const bool lit = next.shading != Shading::Full;
+  const bool newLight = lit && (!any_ || made_.shading == Shading::Full || next.light != made_.light);
+  const bool newEye = lit && (newLight || camera.eye != camera_.eye || camera.lookAt != camera_.lookAt);
   const bool newView = !any_ || camera.view != camera_.view || next.width != made_.width ||
                        next.height != made_.height || next.cull != made_.cull;
   const bool newOrder = newView || next.order != made_.order;

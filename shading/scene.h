@@ -29,8 +29,8 @@ struct BuiltInScene {
 
 inline constexpr int kDefaultDivisions = 8;
 
-/// A built-in name or a file, `.obj`, `.bpt` or `.json`. A file of that name wins over nothing: built-in
-/// names have no dot. @throws ParseError, std::system_error
+/// A built-in name or a file, `.obj`, `.bpt` or `.json`. The built-in name wins over a file of
+/// that name; a path such as `./teapot` does not mean it. @throws ParseError, std::system_error
 [[nodiscard]] Scene readScene(const std::string& nameOrFile, int divisions = kDefaultDivisions);
 
 /// The scene of a mesh in file coordinates, without the vertices that no face uses. @throws

@@ -305,3 +305,20 @@ TEST(Picture, CoplanarFacesAreNotCalledWrong) {
   }
   EXPECT_GT(doubtful, 1000);
 }
+
+// At full intensity nothing is shaded, and a light changed meanwhile is not forgotten.
+TEST(Picture, FullIntensityShadesNothing) {
+  Picture picture{readScene("teapot", 3)};
+  PictureSettings s = small();
+  painted(picture, s);
+  s.shading = Shading::Full;
+  s.light.kd = 0.2;
+  painted(picture, s);
+  s.shading = Shading::Flat;
+  Picture fresh{readScene("teapot", 3)};
+  EXPECT_EQ(painted(picture, s), painted(fresh, s));
+  Picture full{readScene("teapot", 3)};
+  s.shading = Shading::Full;
+  painted(full, s);
+  EXPECT_TRUE(full.faces().empty());
+}

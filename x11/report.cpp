@@ -22,9 +22,7 @@ RgbImage idsOf(const Picture& picture) {
 nlohmann::ordered_json requiredBy(const Picture& picture) {
   const PictureSettings& s = picture.settings();
   const bool lit = s.shading != Shading::Full;
-  return {{"channels", 1},
-          {"vertex_normals", false},
-          {"illumination", lit},
+  return {{"illumination", lit},
           {"specular", lit && s.light.ks > 0},
           {"divided_faces",
            static_cast<int>(picture.scene().pieces.face.size()) - picture.scene().mesh.faceCount()}};
