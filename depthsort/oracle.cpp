@@ -4,7 +4,7 @@
 #include <cmath>
 #include <cstdint>
 
-#include "depthsort/screen_plane.h"
+#include "geometry/screen_plane.h"
 
 namespace {
 
@@ -42,37 +42,36 @@ class DepthEstimate {
  public:
   DepthEstimate(const SnappedScene& scene, const SnappedFace& face, const ScreenPlane& plane)
       : anchor_{scene.vertices[face.first]},
+        z_{depthAt(plane, anchor_.x, anchor_.y)},
         dzdx_{static_cast<double>(plane.A) / static_cast<double>(plane.C)},
         dzdy_{static_cast<double>(plane.B) / static_cast<double>(plane.C)} {
     double reach = 0.0;
     for (int v = face.first; v < face.first + face.count; ++v) {
-      const glm::ivec3 d = scene.vertices[v] - anchor_;
+      const glm::dvec2 d = glm::dvec2{scene.vertices[v]} - glm::dvec2{anchor_};
       reach = std::max(reach, std::abs(dzdx_ * d.x) + std::abs(dzdy_ * d.y));
     }
     // Samples lie in the hull of the vertices, so each term is at most `reach`. Slopes are within three
-    // roundings of 2^-53, products and sums within one each: seven in all, of at most reach + z.
-    error_ = 0x1p-50 * (reach + anchor_.z);
+    // roundings of 2^-53, z within three, products and sums within one each: eight in all, of at most
+    // reach + |z|.
+    error_ = 0x1p-50 * (reach + std::abs(z_));
   }
   /// At pixel (i, j)'s centre; off by at most error().
   [[nodiscard]] double at(int i, int j) const {
-    return dzdx_ * (kGrid * (i + 0.5) - anchor_.x) + (dzdy_ * (kGrid * (j + 0.5) - anchor_.y) + anchor_.z);
+    return dzdx_ * (kGrid * (i + 0.5) - anchor_.x) + (dzdy_ * (kGrid * (j + 0.5) - anchor_.y) + z_);
   }
   [[nodiscard]] double error() const { return error_; }
 
  private:
   glm::ivec3 anchor_;
-  double dzdx_, dzdy_, error_ = 0;
+  double z_, dzdx_, dzdy_, error_ = 0;
 };
 
 }  // namespace
 
 std::vector<int> visibleFaces(const SnappedScene& scene, int width, int height) {
-  std::vector<ScreenPlane> planes;
   std::vector<DepthEstimate> estimates;
-  for (const SnappedFace& face : scene.faces) {
-    planes.push_back(planeOf(scene, face));
-    estimates.emplace_back(scene, face, planes.back());
-  }
+  for (const SnappedFace& face : scene.faces) estimates.emplace_back(scene, face, scene.planes[face.plane]);
+  const auto planeOf = [&](int face) -> const ScreenPlane& { return scene.planes[scene.faces[face].plane]; };
 
   std::vector<int> seen(std::size_t(width) * height, kNothing);
   std::vector<double> nearest(seen.size());  // estimate of the face seen
@@ -90,7 +89,7 @@ std::vector<int> visibleFaces(const SnappedScene& scene, int width, int height) 
         const double z = estimates[f].at(i, j);
         if (best != kNothing) {
           const double ahead = z - nearest[sample], doubt = estimates[f].error() + estimates[best].error();
-          if (ahead < -doubt || (ahead <= doubt && nearer(planes[f], planes[best], i, j) < 0)) continue;
+          if (ahead < -doubt || (ahead <= doubt && nearer(planeOf(f), planeOf(best), i, j) < 0)) continue;
         }
         seen[sample] = f;
         nearest[sample] = z;

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <glm/geometric.hpp>
 
 #include "geometry/clip.h"
 
@@ -65,7 +66,7 @@ class Snapper {
     if (count == 3 || convex(p, count)) {
       if (doubleArea(p, count) <= 0)
         return;  // a part that the rounding has turned over: less than a step wide
-      scene_.faces.push_back({static_cast<int>(scene_.vertices.size()), count, number, back});
+      scene_.faces.push_back({static_cast<int>(scene_.vertices.size()), count, number, back, 0, 0});
       scene_.vertices.insert(scene_.vertices.end(), p, p + count);
       return;
     }
@@ -81,15 +82,46 @@ class Snapper {
   double zScale_;
 };
 
-/// `zMax` in pixels: z = S D^2 (1/d - 1/dB) at distance d tells how near the nearest vertex is.
-double inputSteps(double rounding, const ViewSpec& view, int width, int height, double zMax) {
-  const glm::dvec2 window = view.windowMax - view.windowMin;
-  const double S = std::max(width / window.x, height / window.y);
-  const double D = view.prp.z;
-  const double q =
-      view.projection == Projection::Parallel ? 1.0 : zMax * window.x / (width * D) + D / (D - view.back);
-  return 2.0 * std::sqrt(3.0) * std::min(rounding, kMostRounding) * S * kGrid * q * q;
-}
+/// SnappedFace::doubt: t = 4 (dz + dxy (|A| + |B|) / C), how far the plane may be off where a vertex is off
+/// by dxy across the screen and dz in depth. The snap moves it by half a step; the rounding u of a coordinate
+/// by sqrt 3 u in all. With S steps a unit on the view plane, D = prp.z and a vertex at distance d from the
+/// eye, magnified q = D / d times, r off the axis: dxy = 1/2 + sqrt 3 u S q (1 + q r / D) and dz = 1/2 + sqrt
+/// 3 u S q^2, for depth is S D^2 (1/d - 1/dB). In a parallel view q is 1, and r / D the slope of the
+/// projectors.
+class Doubts {
+ public:
+  Doubts(double rounding, const ViewSpec& view, int width, int height, int zShift)
+      : perspective_{view.projection == Projection::Perspective},
+        pixel_{(view.windowMax - view.windowMin) / glm::dvec2{width, height}},
+        corner_{view.windowMin.x - view.prp.x, view.windowMax.y - view.prp.y},
+        D_{view.prp.z},
+        backMagnification_{D_ / (D_ - view.back)},
+        slant_{glm::length((view.windowMin + view.windowMax) / 2.0 - glm::dvec2{view.prp}) / D_},
+        steps_{std::sqrt(3.0) * rounding * kGrid / std::min(pixel_.x, pixel_.y)},
+        zSteps_{std::ldexp(1.0, -zShift)} {}
+
+  [[nodiscard]] double of(const glm::ivec3* outline, int count, const ScreenPlane& plane) const {
+    double q = 1.0, slant = slant_;
+    if (perspective_) {
+      slant = q = 0.0;
+      for (const glm::ivec3* p = outline; p != outline + count; ++p) {
+        q = std::max(q, p->z * pixel_.x / (zSteps_ * kGrid * D_) + backMagnification_);
+        const glm::dvec2 seen = corner_ + glm::dvec2{p->x, -p->y} / double{kGrid} * pixel_;
+        slant = std::max(slant, std::abs(seen.x) + std::abs(seen.y));
+      }
+      slant /= D_;
+    }
+    const double slope = (std::abs(static_cast<double>(plane.A)) + std::abs(static_cast<double>(plane.B))) /
+                         static_cast<double>(plane.C);
+    const double dxy = 0.5 + steps_ * q * (1.0 + slant), dz = 0.5 + steps_ * q * q * zSteps_;
+    return 4.0 * (dz + dxy * slope);
+  }
+
+ private:
+  bool perspective_;
+  glm::dvec2 pixel_, corner_;  ///< on the view plane; corner: top left, from the axis
+  double D_, backMagnification_, slant_, steps_, zSteps_;
+};
 
 }  // namespace
 
@@ -153,7 +185,6 @@ SnappedScene project(const Mesh& mesh, const Pieces& pieces, const ViewSpec& vie
 
   // One snap. z gets the steps of x and y unless something comes too near for 30 bits.
   while (zMax * kGrid > std::ldexp(1.0, 30 + scene.zShift)) ++scene.zShift;
-  scene.inputSteps = inputSteps(mesh.rounding, view, width, height, zMax);
   Snapper snapper{scene, cull, std::ldexp(1.0, kGridBits - scene.zShift)};
   std::vector<glm::ivec3> snapped(mesh.points.size());
   for (std::size_t i = 0; i < mesh.points.size(); ++i)
@@ -176,6 +207,16 @@ SnappedScene project(const Mesh& mesh, const Pieces& pieces, const ViewSpec& vie
       for (const int corner : pieces.piece(i)) outline.push_back(snapped[corner]);
     }
     snapper.add(outline, pieces.face[i]);
+  }
+
+  // Depth, from here on, is what the planes say.
+  const Doubts doubts{std::min(mesh.rounding, kMostRounding), view, width, height, scene.zShift};
+  scene.planes.reserve(scene.faces.size());
+  for (SnappedFace& face : scene.faces) {
+    const glm::ivec3* const vertices = &scene.vertices[face.first];
+    face.plane = static_cast<int>(scene.planes.size());
+    scene.planes.push_back(planeThrough(vertices, face.count));
+    face.doubt = static_cast<float>(doubts.of(vertices, face.count, scene.planes.back()));
   }
   return scene;
 }

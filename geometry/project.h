@@ -6,14 +6,9 @@
 
 #include "geometry/divide.h"
 #include "geometry/mesh.h"
+#include "geometry/screen_grid.h"
+#include "geometry/screen_plane.h"
 #include "geometry/view.h"
-
-/// The screen grid: x, y in 1/65536 pixel.
-inline constexpr int kGridBits = 16;
-inline constexpr int kGrid = 1 << kGridBits;
-/// Pictures are at most this wide and high, and the guard band reaches as far from the origin: |x|, |y| <=
-/// 2^29.
-inline constexpr int kMaxPicture = 8192;
 
 /// A convex face on the screen grid, ready to be ordered and painted.
 /// Holds:  its outline has an area and runs counter-clockwise as seen (x right, y down).
@@ -21,6 +16,10 @@ struct SnappedFace {
   int first = 0, count = 0;  ///< its outline: count >= 3 vertices of SnappedScene::vertices from `first` on
   int number = 0;            ///< face number in the model; every piece keeps it
   bool back = false;         ///< seen from the side from which the model lists it clockwise
+  int plane = 0;             ///< index into SnappedScene::planes; faces with the same one are coplanar
+  /// How far off in z the plane may be within the face, in z steps, for the rounding of the snap and of the
+  /// model. Two faces nearer to each other than the sum of theirs may touch in the model. 0: taken as it is.
+  float doubt = 0;
 };
 
 /// The scene as painter and oracle see it: integers from here on.
@@ -29,11 +28,8 @@ struct SnappedFace {
 struct SnappedScene {
   std::vector<glm::ivec3> vertices;  ///< outlines, one after the other
   std::vector<SnappedFace> faces;    ///< in order of number
+  std::vector<ScreenPlane> planes;   ///< depth is what they say; that of a vertex may be a step or more off
   int zShift = 0;
-  /// How far the rounding of the model's coordinates (Mesh::rounding, at most kMostRounding) may move a
-  /// vertex on the grid, in steps: 2 sqrt 3 u S q^2, S steps a unit on the view plane, q the largest
-  /// magnification.
-  double inputSteps = 0;
   int polygons = 0;    ///< convex pieces that came in
   int culled = 0;      ///< back faces left out by choice
   int outside = 0;     ///< wholly outside the view volume and its guard band

@@ -4,7 +4,7 @@
 #include <cmath>
 
 #include "depthsort/oracle.h"
-#include "depthsort/screen_plane.h"
+#include "geometry/screen_plane.h"
 #include "shading/fill.h"
 #include "shading/scanline.h"
 
@@ -143,9 +143,10 @@ Picture::Exactness Picture::exactness() const {
     std::fill(begin + from, begin + to, face);
   });
   const auto apart = [&](int p, int q, int i, int j) {
-    const ScreenPlane P = planeOf(snapped_, snapped_.faces[p]), Q = planeOf(snapped_, snapped_.faces[q]);
-    return std::abs(depthAt(P, i, j) - depthAt(Q, i, j)) >
-           doubt(P, snapped_.inputSteps) + doubt(Q, snapped_.inputSteps);
+    const SnappedFace &P = snapped_.faces[p], &Q = snapped_.faces[q];
+    const std::int64_t x = std::int64_t{i} * kGrid + kGrid / 2, y = std::int64_t{j} * kGrid + kGrid / 2;
+    const double zP = depthAt(snapped_.planes[P.plane], x, y), zQ = depthAt(snapped_.planes[Q.plane], x, y);
+    return P.plane == Q.plane || std::abs(zP - zQ) > double{P.doubt} + Q.doubt;
   };
   const std::vector<int> visible = visibleFaces(snapped_, made_.width, made_.height);
   Exactness exactness;

@@ -70,9 +70,9 @@ class Picture {
   /// The cell of each of snapped().faces.
   [[nodiscard]] const std::vector<std::uint8_t>& cells() const { return cells_; }
   /// Samples that show a face, and those of them where the painter's order shows another face than the
-  /// visibility oracle does. Where the two lie so close that rounding alone may part them (doubt() in
-  /// screen_plane.h) they may be coplanar in the model, and neither is called wrong. Asks the oracle: as slow
-  /// as a picture of that order.
+  /// visibility oracle does. Where the two lie so close that rounding alone may part them
+  /// (SnappedFace::doubt) they may be coplanar in the model, and neither is called wrong. Asks the oracle: as
+  /// slow as a picture of that order.
   struct Exactness {
     int samples = 0, wrong = 0;
   };

@@ -6,7 +6,7 @@
 #include <boost/multiprecision/cpp_int.hpp>
 #include <random>
 
-#include "depthsort/screen_plane.h"
+#include "geometry/screen_plane.h"
 #include "geometry/solids.h"
 
 namespace {
@@ -99,8 +99,9 @@ SnappedScene randomScene(unsigned seed, int count, int size) {
     const std::int64_t area = doubleArea(t.data(), 3);
     if (area == 0) continue;
     if (area < 0) std::swap(t[1], t[2]);
-    scene.faces.push_back(
-        {static_cast<int>(scene.vertices.size()), 3, static_cast<int>(scene.faces.size()), false});
+    scene.faces.push_back({static_cast<int>(scene.vertices.size()), 3, static_cast<int>(scene.faces.size()),
+                           false, static_cast<int>(scene.faces.size()), 0});
+    scene.planes.push_back(planeThrough(t.data(), 3));
     scene.vertices.insert(scene.vertices.end(), t.begin(), t.end());
   }
   return scene;
@@ -153,7 +154,7 @@ TEST(Oracle, OfCopiesTheLaterWins) {
 TEST(Oracle, NearerIsAntisymmetric) {
   for (unsigned seed = 0; seed < 600; ++seed) {
     const SnappedScene scene = randomScene(seed, 2, 8);
-    const ScreenPlane P = planeOf(scene, scene.faces[0]), Q = planeOf(scene, scene.faces[1]);
+    const ScreenPlane &P = scene.planes[0], &Q = scene.planes[1];
     for (int i = 0; i < 8; ++i) {
       ASSERT_EQ(nearer(P, Q, i, i), -nearer(Q, P, i, i)) << seed;
       ASSERT_EQ(nearer(P, P, i, i), 0);
@@ -179,8 +180,7 @@ TEST(Oracle, PlaneOfManyCorners) {
   SnappedScene scene;
   scene.vertices = {
       {0, 0, 100}, {0, kGrid, 207}, {0, 9 * kGrid, 1000}, {9 * kGrid, 9 * kGrid, 1900}, {9 * kGrid, 0, 1000}};
-  scene.faces.push_back({0, 5, 0, false});
-  const ScreenPlane p = planeOf(scene, scene.faces[0]);
+  const ScreenPlane p = planeThrough(scene.vertices.data(), 5);
   const auto on = [&](int v) {
     const glm::ivec3& q = scene.vertices[v];
     return Int128{p.A} * q.x + Int128{p.B} * q.y + p.D == Int128{p.C} * q.z;

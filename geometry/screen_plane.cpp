@@ -1,4 +1,4 @@
-#include "depthsort/screen_plane.h"
+#include "geometry/screen_plane.h"
 
 #include <cmath>
 
@@ -33,22 +33,22 @@ Int128 numerator(const ScreenPlane& P, std::int64_t x, std::int64_t y) {
 
 }  // namespace
 
-ScreenPlane planeOf(const SnappedScene& scene, const SnappedFace& face) {
-  const glm::ivec3* const v = &scene.vertices[face.first];
+ScreenPlane planeThrough(const glm::ivec3* v, int count) {
   int one = 1, two = 2;
-  if (face.count > 3) {
+  if (count > 3) {
     const auto squared = [&](int i) {
       const std::int64_t dx = v[i].x - v[0].x, dy = v[i].y - v[0].y;
       return dx * dx + dy * dy;
     };
     const auto spanned = [&](int i) {
-      const glm::ivec3 triangle[] = {v[0], v[one], v[i]};
-      return std::abs(doubleArea(triangle, 3));
+      const std::int64_t ax = v[one].x - v[0].x, ay = v[one].y - v[0].y;
+      const std::int64_t bx = v[i].x - v[0].x, by = v[i].y - v[0].y;
+      return std::abs(ax * by - ay * bx);
     };
-    for (int i = 2; i < face.count; ++i)
+    for (int i = 2; i < count; ++i)
       if (squared(i) > squared(one)) one = i;
     two = one == 1 ? 2 : 1;
-    for (int i = 1; i < face.count; ++i)
+    for (int i = 1; i < count; ++i)
       if (spanned(i) > spanned(two)) two = i;
   }
   const std::int64_t x1 = v[one].x - v[0].x, y1 = v[one].y - v[0].y, z1 = v[one].z - v[0].z;
@@ -79,14 +79,6 @@ int nearer(const ScreenPlane& P, const ScreenPlane& Q, int i, int j) {
   return compareQuotients(P.B, P.C, Q.B, Q.C);
 }
 
-double depthAt(const ScreenPlane& P, int i, int j) {
-  const std::int64_t x = (std::int64_t{i} << kGridBits) + kGrid / 2,
-                     y = (std::int64_t{j} << kGridBits) + kGrid / 2;
+double depthAt(const ScreenPlane& P, std::int64_t x, std::int64_t y) {
   return static_cast<double>(numerator(P, x, y)) / static_cast<double>(P.C);
-}
-
-double doubt(const ScreenPlane& P, double inputSteps) {
-  const double slope =
-      (std::abs(static_cast<double>(P.A)) + std::abs(static_cast<double>(P.B))) / static_cast<double>(P.C);
-  return 4.0 * (0.5 + inputSteps) * (1.0 + slope);
 }
