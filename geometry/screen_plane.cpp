@@ -63,9 +63,7 @@ ScreenPlane planeThrough(const glm::ivec3* v, int count) {
   return plane;
 }
 
-int nearer(const ScreenPlane& P, const ScreenPlane& Q, int i, int j) {
-  const std::int64_t x = (std::int64_t{i} << kGridBits) + kGrid / 2,
-                     y = (std::int64_t{j} << kGridBits) + kGrid / 2;
+int compareDepths(const ScreenPlane& P, const ScreenPlane& Q, std::int64_t x, std::int64_t y) {
   const Int128 p = numerator(P, x, y), q = numerator(Q, x, y);
   // The doubles of two quotients that lie further apart than all their rounding, four steps of 2^-53
   // each, have the order of the exact ones.
@@ -73,8 +71,13 @@ int nearer(const ScreenPlane& P, const ScreenPlane& Q, int i, int j) {
   const double zQ = static_cast<double>(q) / static_cast<double>(Q.C);
   const double difference = zP - zQ;
   if (std::abs(difference) > 0x1p-50 * (std::abs(zP) + std::abs(zQ))) return difference > 0 ? 1 : -1;
+  return compareQuotients(p, P.C, q, Q.C);
+}
 
-  if (const int sign = compareQuotients(p, P.C, q, Q.C)) return sign;
+int nearer(const ScreenPlane& P, const ScreenPlane& Q, int i, int j) {
+  const std::int64_t x = (std::int64_t{i} << kGridBits) + kGrid / 2,
+                     y = (std::int64_t{j} << kGridBits) + kGrid / 2;
+  if (const int sign = compareDepths(P, Q, x, y)) return sign;
   if (const int sign = compareQuotients(P.A, P.C, Q.A, Q.C)) return sign;
   return compareQuotients(P.B, P.C, Q.B, Q.C);
 }

@@ -21,10 +21,13 @@ struct ScreenPlane {
 /// count >= 3, the points not all in line on the screen.
 [[nodiscard]] ScreenPlane planeThrough(const glm::ivec3* points, int count);
 
-/// The sign of zP - zQ at pixel (i, j)'s sample, the centre moved by (e, e^2): +1 where P is nearer, -1 where
-/// Q is, 0 only if the planes are the same everywhere. At equal z at the centre the steeper rise to the
-/// right is nearer, then the steeper rise downward. Exact: whole parts and remainders of the
-/// two quotients are compared, remainders crosswise in 128 bits.
+/// The sign of zP - zQ at (x, y), |x|, |y| <= 2^30 grid steps: +1 where P is nearer, 0 where they meet.
+/// Exact: whole parts and remainders of the two quotients are compared, remainders crosswise in 128 bits.
+[[nodiscard]] int compareDepths(const ScreenPlane& P, const ScreenPlane& Q, std::int64_t x, std::int64_t y);
+
+/// The same at pixel (i, j)'s sample, the centre moved by (e, e^2): 0 only if the planes are the same
+/// everywhere. At equal z at the centre the steeper rise to the right is nearer, then the steeper
+/// rise downward.
 [[nodiscard]] int nearer(const ScreenPlane& P, const ScreenPlane& Q, int i, int j);
 
 /// z at (x, y), |x|, |y| <= 2^30 grid steps, in doubles: three roundings of 2^-53 off at most.

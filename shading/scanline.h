@@ -44,20 +44,17 @@ class EdgeWalk {
   std::int64_t x_ = 0, step_ = 0;
 };
 
-/// First row whose sample lies at or below y: a vertex exactly at a sample's height counts as above it.
-[[nodiscard]] inline int rowAt(int y) { return (y + kGrid / 2 - 1) >> kGridBits; }
-
-/// Calls span(row, from, to) for every row of [0, height) in which the outline owns samples from..to-1 of
-/// [0, width), from < to. The outline is convex and counter-clockwise as seen (y down).
+/// Calls span(row, from, to) for every row of [firstRow, endRow) in which the outline owns samples from..to-1
+/// of [0, width), from < to. The outline is convex and counter-clockwise as seen (y down); firstRow >= 0.
 template <class Span>
-void forEachSpan(const glm::ivec3* p, int count, int width, int height, Span&& span) {
+void forEachSpan(const glm::ivec3* p, int count, int firstRow, int width, int endRow, Span&& span) {
   int top = 0, bottom = 0;
   for (int i = 1; i < count; ++i) {
     if (p[i].y < p[top].y) top = i;
     if (p[i].y > p[bottom].y) bottom = i;
   }
-  int row = std::max(0, rowAt(p[top].y));
-  const int end = std::min(height, rowAt(p[bottom].y));
+  int row = std::max(firstRow, sampleFrom(p[top].y));
+  const int end = std::min(endRow, sampleFrom(p[bottom].y));
   if (row >= end) return;
 
   // Counter-clockwise as seen, the left chain runs forward from the top vertex and the right one backward.
@@ -72,7 +69,7 @@ void forEachSpan(const glm::ivec3* p, int count, int width, int height, Span&& s
       chain.vertex = from + chain.direction;
       if (chain.vertex == count) chain.vertex = 0;
       if (chain.vertex < 0) chain.vertex = count - 1;
-      chain.end = rowAt(p[chain.vertex].y);
+      chain.end = sampleFrom(p[chain.vertex].y);
       if (chain.end > row) chain.edge = EdgeWalk{p[from], p[chain.vertex], row};
     }
   };
@@ -87,4 +84,10 @@ void forEachSpan(const glm::ivec3* p, int count, int width, int height, Span&& s
       right.edge.nextRow();
     }
   }
+}
+
+/// The same for all rows of a picture.
+template <class Span>
+void forEachSpan(const glm::ivec3* p, int count, int width, int height, Span&& span) {
+  forEachSpan(p, count, 0, width, height, span);
 }

@@ -130,9 +130,9 @@ TEST(Scanline, EdgesAreExactOver8192Rows) {
       b = {kGrid * uniform(-8000, 8000) + kGrid / 2, kGrid * 8190 + kGrid / 2, 0};  // 8190 = 2 3^2 5 7 13
     }
     if (seed % 3 == 1) b.x = a.x + uniform(-5, 5);  // almost upright
-    const int first = std::max(0, rowAt(a.y));
+    const int first = std::max(0, sampleFrom(a.y));
     EdgeWalk edge{a, b, first};
-    for (int row = first; row < std::min(8192, rowAt(b.y)); ++row, edge.nextRow(), ++rows) {
+    for (int row = first; row < std::min(8192, sampleFrom(b.y)); ++row, edge.nextRow(), ++rows) {
       const Int128 dx = std::int64_t{b.x} - a.x, dy = std::int64_t{b.y} - a.y;
       const Int128 yc = std::int64_t{row} * kGrid + kGrid / 2;
       const Int128 numerator = (a.x - kGrid / 2) * dy + (yc - a.y) * dx, denominator = dy * kGrid;

@@ -1,0 +1,517 @@
+#include "depthsort/depth_sort.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numeric>
+#include <optional>
+#include <span>
+#include <stdexcept>
+#include <utility>
+
+#include "depthsort/box_grid.h"
+#include "depthsort/order.h"
+#include "depthsort/region.h"
+#include "depthsort/samples.h"
+
+namespace {
+
+constexpr int kNone = -1;
+
+/// A polygon of the list, whole or a piece: one cache line.
+struct Polygon {
+  enum class State : std::uint8_t { Waiting, Marked, Split, Painted };
+  Box box;
+  int zFar = 0, zNear = 0;
+  int face = 0;       ///< index into the scene's faces
+  int piece = kNone;  ///< index into regions_, or the whole face
+  int parent = kNone;
+  int pieces = kNone;  ///< of a split one, the first of its two: behind, in front
+  /// The walk over the Q's: those before it are settled, for good and for all pieces of this polygon.
+  int list = 0, end = 0, Q = 0;  ///< list: place in the list, Q: that polygon or a piece of it
+  BoxGrid::Place place;
+  bool walking = false;
+  State state = State::Waiting;
+  int depth = 0;  ///< in the stack, where marked
+};
+static_assert(sizeof(Polygon) <= 72);
+
+/// The run. The list (whole faces first, pieces after them) is in the grid's order, cell by cell and in each
+/// cell by farthest z.
+class DepthSort {
+ public:
+  DepthSort(const SnappedScene& scene, const SortSettings& settings)
+      : scene_{scene}, settings_{settings}, regions_{scene} {
+    shared_.resize(scene.planes.size());
+    for (const SnappedFace& face : scene.faces) shared_[face.plane] += shared_[face.plane] < 2;
+    enterFaces();
+  }
+
+  SortedScene run() {
+    for (int root = 0; root < faces_; ++root)
+      for (int P; (P = nextOpen(root)) != kNone;) {
+        note(Event::Kind::Take, P);
+        mark(P);
+        while (!stack_.empty()) step();
+      }
+    return std::move(sorted_);
+  }
+
+ private:
+  using State = Polygon::State;
+
+  // The list.
+
+  void enterFaces();
+  [[nodiscard]] Polygon enter(int face) const;
+  [[nodiscard]] bool vertexDepthsAreExact(const SnappedFace& face) const {
+    return face.count == 3 && shared_[face.plane] < 2;
+  }
+
+  /// The polygon or piece after Q in the order of the list, without the pieces of Q.
+  [[nodiscard]] int after(int Q) const {
+    for (;;) {
+      const int parent = list_[Q].parent;
+      if (parent == kNone) return kNone;
+      if (list_[parent].pieces == Q) return Q + 1;
+      Q = parent;
+    }
+  }
+  /// The first of a face's pieces, or the face, that is neither painted nor split.
+  [[nodiscard]] int nextOpen(int root) const {
+    for (int P = root; P != kNone;) {
+      if (list_[P].state == State::Waiting) return P;
+      P = list_[P].state == State::Split ? list_[P].pieces : after(P);
+    }
+    return kNone;
+  }
+
+  /// The next Q against which P is not settled, or kNone: P's walk stands there.
+  [[nodiscard]] int candidate(int P);
+  /// P is settled against the Q where its walk stands.
+  void settle(int P) {
+    Polygon& p = list_[P];
+    p.Q = after(p.Q);
+    if (p.Q == kNone) p.Q = ++p.list;
+  }
+
+  // The algorithm.
+
+  void step();
+  void mark(int P) {
+    list_[P].state = State::Marked;
+    list_[P].depth = static_cast<int>(stack_.size());
+    stack_.push_back(P);
+    sorted_.statistics.deepest = std::max(sorted_.statistics.deepest, static_cast<int>(stack_.size()));
+  }
+  void paint(int P);
+  void breakCycle(int P, int R);
+  void splitCrossing(int P, int R);
+  /// Unmarks all polygons above the place in the stack; their walks keep what is settled.
+  void unwind(int depth) {
+    while (static_cast<int>(stack_.size()) > depth) {
+      list_[stack_.back()].state = State::Waiting;
+      stack_.pop_back();
+    }
+  }
+  /// Splits P by Q's plane, if that crosses it properly.
+  bool split(int P, int Q);
+  void addPiece(int P, Region region);
+
+  // The tests.
+
+  struct Relation {
+    Test test;
+    Verdict verdict;
+    bool contact = false;
+  };
+  [[nodiscard]] Relation compare(int P, int Q);
+  [[nodiscard]] bool projectionsApart(int P, int Q);
+  [[nodiscard]] bool apartAlongEdges(const SnappedFace& P, const SnappedFace& Q) const;
+  [[nodiscard]] bool apartAlongSides(const Region& P, const Region& Q) const;
+  /// Signs of zP - zQ all over P.
+  [[nodiscard]] Signs signsOver(int P, int Q);
+  [[nodiscard]] Relation overlap(int P, int Q);
+  /// Whether a part of the overlap, or all of it, is more than a contact: deeper than the doubt of both
+  /// (asked only if they are in two planes), and wide or owner of a sample.
+  [[nodiscard]] bool counts(const Region& part, int P, int Q) const;
+  /// The polygon's region: of a piece the one that is kept, of a whole face made in `buffer`.
+  [[nodiscard]] const Region& regionOf(int P, Region& buffer) const {
+    if (list_[P].piece != kNone) return pieces_[list_[P].piece];
+    regions_.outline(scene_.faces[list_[P].face], buffer);
+    return buffer;
+  }
+  void overlapOf(int P, int Q, Region& both) {
+    both = regionOf(P, bufferP_);
+    for (const Side& side : regionOf(Q, bufferQ_)) regions_.clip(both, side.line);
+  }
+
+  [[nodiscard]] const SnappedFace& faceOf(int P) const { return scene_.faces[list_[P].face]; }
+  [[nodiscard]] int idOf(int P) const {
+    return P < faces_ ? list_[P].face : static_cast<int>(scene_.faces.size()) + P - faces_;
+  }
+  void note(Event::Kind kind, int P, int Q = kNone) {
+    if (settings_.record)
+      sorted_.events.push_back(
+          {kind, Test::SamePlane, Verdict::PFirst, false, idOf(P), Q == kNone ? kNone : idOf(Q)});
+  }
+
+  const SnappedScene& scene_;
+  SortSettings settings_;
+  Regions regions_;
+  std::vector<std::uint8_t> shared_;  ///< faces of each plane, 2 for more
+  int faces_ = 0;                     ///< whole ones in the list
+  std::vector<Polygon> list_;
+  std::vector<Region> pieces_;
+  std::optional<BoxGrid> grid_;
+  std::vector<int> cellBegin_, cellOpen_;  ///< #cells + 1, #cells: first polygon, first not painted one
+  std::vector<int> stack_;
+  Region bufferP_, bufferQ_, both_, part_;
+  SortedScene sorted_;
+};
+
+// The list.
+
+int floorToInt(double z) {
+  return static_cast<int>(std::clamp(std::floor(z), double{std::numeric_limits<int>::min()},
+                                     double{std::numeric_limits<int>::max()}));
+}
+
+Polygon DepthSort::enter(int face) const {
+  const SnappedFace& f = scene_.faces[face];
+  const glm::ivec3* const v = &scene_.vertices[f.first];
+  Polygon P;
+  P.box = {v->x, v->y, v->x, v->y};
+  P.zFar = P.zNear = v->z;
+  P.face = face;
+  for (const glm::ivec3* p = v + 1; p != v + f.count; ++p) {
+    P.box = {std::min(P.box.x0, p->x), std::min(P.box.y0, p->y), std::max(P.box.x1, p->x),
+             std::max(P.box.y1, p->y)};
+    P.zFar = std::min(P.zFar, p->z);
+    P.zNear = std::max(P.zNear, p->z);
+  }
+  if (!vertexDepthsAreExact(f)) {
+    double far = std::numeric_limits<double>::infinity(), near = -far;
+    for (const glm::ivec3* p = v; p != v + f.count; ++p) {
+      const double z = depthAt(scene_.planes[f.plane], p->x, p->y), rounding = 0x1p-50 * std::abs(z);
+      far = std::min(far, z - rounding);
+      near = std::max(near, z + rounding);
+    }
+    P.zFar = floorToInt(far);
+    P.zNear = floorToInt(near + 1.0);
+  }
+  return P;
+}
+
+void DepthSort::enterFaces() {
+  std::vector<Polygon> unsorted;
+  unsorted.reserve(scene_.faces.size());
+  const Box picture{0, 0, settings_.width * kGrid, settings_.height * kGrid};
+  for (int f = 0; f < static_cast<int>(scene_.faces.size()); ++f) {
+    unsorted.push_back(enter(f));
+    if (settings_.textbook) continue;
+    const SnappedFace& face = scene_.faces[f];
+    Box& box = unsorted.back().box;
+    if (!mayOwnSample(scene_, face, box, settings_.width, settings_.height))
+      unsorted.pop_back();
+    else  // outside the picture nothing is compared
+      box = {std::max(box.x0, picture.x0), std::max(box.y0, picture.y0), std::min(box.x1, picture.x1),
+             std::min(box.y1, picture.y1)};
+  }
+
+  std::vector<Box> boxes;
+  boxes.reserve(unsorted.size());
+  for (const Polygon& P : unsorted) boxes.push_back(P.box);
+  grid_.emplace(boxes, settings_.grid && !settings_.textbook);
+  faces_ = static_cast<int>(unsorted.size());
+  cellBegin_.assign(grid_->cells() + 1, 0);
+  std::vector<int> cell(faces_);
+  for (int i = 0; i < faces_; ++i) ++cellBegin_[(cell[i] = grid_->cellOf(boxes[i])) + 1];
+  std::partial_sum(cellBegin_.begin(), cellBegin_.end(), cellBegin_.begin());
+  cellOpen_.assign(cellBegin_.begin(), cellBegin_.end() - 1);
+
+  // By farthest z, in scene order where that is equal; then cell by cell.
+  std::vector<std::uint32_t> keys(faces_);
+  std::ranges::transform(unsorted, keys.begin(),
+                         [](const Polygon& P) { return static_cast<std::uint32_t>(P.zFar) ^ 0x80000000u; });
+  list_.resize(faces_);
+  std::vector<int> next = cellOpen_;
+  for (const int i : sortedByKey(keys)) list_[next[cell[i]]++] = unsorted[i];
+}
+
+int DepthSort::candidate(int P) {
+  Polygon& p = list_[P];
+  const int root = [&] {
+    int r = P;
+    while (list_[r].parent != kNone) r = list_[r].parent;
+    return r;
+  }();
+  for (;;) {
+    while (p.list < p.end) {
+      for (int Q = p.Q; Q != kNone;) {
+        const Polygon& q = list_[Q];
+        if (q.zFar > p.zNear) {
+          if (Q == p.list) p.list = p.end;  // and so are all after it in this cell
+        } else if (p.list != root && q.state != State::Painted &&
+                   (settings_.textbook || p.box.overlaps(q.box))) {
+          if (q.state != State::Split) {
+            p.Q = Q;
+            return Q;
+          }
+          Q = q.pieces;
+          continue;
+        }
+        Q = after(Q);
+      }
+      if (p.list < p.end) ++p.list;
+      p.Q = p.list;
+    }
+    if (p.walking) ++p.place.column;
+    p.walking = true;
+    if (!grid_->settle(p.box, p.place)) return kNone;
+    const int cell = grid_->cell(p.place);
+    p.end = cellBegin_[cell + 1];
+    int& open = cellOpen_[cell];
+    while (open < p.end && list_[open].state == State::Painted) ++open;
+    p.list = p.Q = open;
+  }
+}
+
+// The algorithm.
+
+void DepthSort::step() {
+  const int P = stack_.back(), Q = candidate(P);
+  if (Q == kNone) return paint(P);
+
+  const Relation relation = compare(P, Q);
+  ++sorted_.statistics.settled[static_cast<int>(relation.test)];
+  sorted_.statistics.contacts += relation.contact;
+  if (settings_.record)
+    sorted_.events.push_back(
+        {Event::Kind::Compare, relation.test, relation.verdict, relation.contact, idOf(P), idOf(Q)});
+  switch (relation.verdict) {
+    case Verdict::PFirst:
+      return settle(P);
+    case Verdict::QFirst:
+      if (list_[Q].state == State::Marked) return breakCycle(P, Q);
+      ++sorted_.statistics.moves;
+      note(Event::Kind::Move, P, Q);
+      return mark(Q);
+    case Verdict::Crossing:
+      return splitCrossing(P, Q);
+  }
+}
+
+void DepthSort::paint(int P) {
+  note(Event::Kind::Paint, P);
+  stack_.pop_back();
+  sorted_.fragments.push_back({list_[P].face, list_[P].piece});
+  list_[P].state = State::Painted;
+  // Of a split polygon all is painted when both pieces are.
+  for (int parent = list_[P].parent; parent != kNone; parent = list_[parent].parent) {
+    const int first = list_[parent].pieces;
+    if (list_[first].state != State::Painted || list_[first + 1].state != State::Painted) break;
+    list_[parent].state = State::Painted;
+  }
+}
+
+/// R is marked, and each polygon from there on in the stack is nearer than the next one somewhere; the last
+/// one, P, than R. An edge of this cycle that is only a contact is void; without one, a polygon is split.
+void DepthSort::breakCycle(int P, int R) {
+  ++sorted_.statistics.cycles;
+  note(Event::Kind::Cycle, P, R);
+  const int first = list_[R].depth, last = static_cast<int>(stack_.size()) - 1;
+  const auto next = [&](int depth) { return stack_[depth == last ? first : depth + 1]; };
+  for (int depth = last; depth >= first; --depth) {
+    const int A = stack_[depth], B = next(depth);
+    overlapOf(A, B, both_);
+    if (counts(both_, A, B)) continue;
+    ++sorted_.statistics.voids;
+    note(Event::Kind::Void, A, B);
+    unwind(depth + 1);
+    return settle(A);
+  }
+
+  // The textbook's choice, then neighbours, last any: P's plane properly crosses one of them.
+  if (split(P, R) || split(R, P)) return;
+  for (int depth = last - 1; depth >= first; --depth)
+    if (split(stack_[depth], next(depth)) || split(next(depth), stack_[depth])) return;
+  for (int depth = last - 1; depth >= first; --depth)
+    if (split(stack_[depth], P)) return;
+  throw std::logic_error{"a cycle without a proper split"};
+}
+
+/// P and Q cross where they overlap: either plane properly crosses the other polygon.
+void DepthSort::splitCrossing(int P, int Q) {
+  const auto area = [&](int i) {
+    const Box& b = list_[i].box;
+    return std::int64_t{b.x1 - b.x0} * (b.y1 - b.y0);
+  };
+  const bool splitQ = list_[Q].state != State::Marked &&
+                      (settings_.crossing == SortSettings::Split::Second ||
+                       (settings_.crossing == SortSettings::Split::Smaller && area(Q) < area(P)));
+  if (!(splitQ ? split(Q, P) : split(P, Q))) throw std::logic_error{"a crossing without a proper split"};
+}
+
+bool DepthSort::split(int P, int Q) {
+  if (!signsOver(P, Q).both()) {
+    ++sorted_.statistics.impossible;
+    note(Event::Kind::Impossible, P, Q);
+    return false;
+  }
+  ++sorted_.statistics.splits;
+  note(Event::Kind::Split, P, Q);
+  if (list_[P].state == State::Marked) unwind(list_[P].depth);
+
+  const Line nearer = regions_.cut(faceOf(P).plane, faceOf(Q).plane);
+  Region front = regionOf(P, bufferP_), behind = front;
+  regions_.clip(behind, Regions::flipped(nearer));
+  regions_.clip(front, nearer);
+  list_[P].state = State::Split;
+  list_[P].pieces = static_cast<int>(list_.size());
+  addPiece(P, std::move(behind));
+  addPiece(P, std::move(front));
+  return true;
+}
+
+void DepthSort::addPiece(int P, Region region) {
+  Polygon piece = list_[P];
+  piece.state = State::Waiting;
+  piece.parent = P;
+  piece.pieces = kNone;
+  piece.piece = static_cast<int>(pieces_.size());
+  Piece record{piece.face, static_cast<int>(sorted_.cuts.size()), 0, 0, 0, idOf(P)};
+
+  const ScreenPlane& plane = scene_.planes[faceOf(P).plane];
+  const double A = static_cast<double>(plane.A) / static_cast<double>(plane.C),
+               B = static_cast<double>(plane.B) / static_cast<double>(plane.C);
+  const glm::ivec3& anchor = scene_.vertices[faceOf(P).first];
+  const double z0 = depthAt(plane, anchor.x, anchor.y);
+  constexpr double kInfinity = std::numeric_limits<double>::infinity();
+  double x0 = kInfinity, x1 = -x0, y0 = x0, y1 = -x0, far = x0, near = -x0;
+  for (const Side& side : region) {
+    const Corner& c = side.corner;
+    x0 = std::min(x0, c.x - c.radius), x1 = std::max(x1, c.x + c.radius);
+    y0 = std::min(y0, c.y - c.radius), y1 = std::max(y1, c.y + c.radius);
+    const double dx = c.x - anchor.x, dy = c.y - anchor.y, z = A * dx + B * dy + z0;
+    const double rounding = (std::abs(A) + std::abs(B)) * c.radius +
+                            0x1p-50 * (std::abs(A * dx) + std::abs(B * dy) + std::abs(z0));
+    far = std::min(far, z - rounding), near = std::max(near, z + rounding);
+    if (side.line.kind == Line::Kind::Cut) {
+      sorted_.cuts.push_back({side.line.p, side.line.q});
+      ++record.cuts;
+    }
+  }
+  piece.box = {std::max(piece.box.x0, floorToInt(x0)), std::max(piece.box.y0, floorToInt(y0)),
+               std::min(piece.box.x1, floorToInt(x1 + 1.0)), std::min(piece.box.y1, floorToInt(y1 + 1.0))};
+  piece.zFar = std::max(piece.zFar, floorToInt(far));
+  piece.zNear = std::min(piece.zNear, floorToInt(near + 1.0));
+  record.firstRow = std::max(0, piece.box.y0 >> kGridBits);
+  record.rows = std::max(0, std::min(settings_.height, (piece.box.y1 >> kGridBits) + 1) - record.firstRow);
+  list_.push_back(piece);
+  pieces_.push_back(std::move(region));
+  sorted_.pieces.push_back(record);
+}
+
+// The tests.
+
+DepthSort::Relation DepthSort::compare(int P, int Q) {
+  const Polygon &p = list_[P], &q = list_[Q];
+  if (settings_.textbook) {
+    if (p.box.x1 <= q.box.x0 || q.box.x1 <= p.box.x0) return {Test::XExtents, Verdict::PFirst};
+    if (p.box.y1 <= q.box.y0 || q.box.y1 <= p.box.y0) return {Test::YExtents, Verdict::PFirst};
+  } else if (projectionsApart(P, Q)) {
+    return {Test::Projections, Verdict::PFirst};
+  }
+  const Signs pOverQ = signsOver(P, Q);
+  if (pOverQ.none()) {
+    if (settings_.textbook && projectionsApart(P, Q)) return {Test::Projections, Verdict::PFirst};
+    return {Test::SamePlane, p.face < q.face ? Verdict::PFirst : Verdict::QFirst};
+  }
+  if (!pOverQ.positive) return {Test::PBehindQ, Verdict::PFirst};
+  const Signs qOverP = signsOver(Q, P);
+  if (!qOverP.negative) return {Test::QInFrontOfP, Verdict::PFirst};
+  if (settings_.textbook && projectionsApart(P, Q)) return {Test::Projections, Verdict::PFirst};
+  if (!qOverP.positive) return {Test::QBehindP, Verdict::QFirst};
+  if (!pOverQ.negative) return {Test::PInFrontOfQ, Verdict::QFirst};
+  return overlap(P, Q);
+}
+
+Signs DepthSort::signsOver(int P, int Q) {
+  const SnappedFace &p = faceOf(P), &q = faceOf(Q);
+  if (p.plane == q.plane) return {};
+  const ScreenPlane &planeP = scene_.planes[p.plane], &planeQ = scene_.planes[q.plane];
+  if (list_[P].piece != kNone) return regions_.signs(regions_.cut(p.plane, q.plane), pieces_[list_[P].piece]);
+  Signs signs;
+  const glm::ivec3* const v = &scene_.vertices[p.first];
+  if (vertexDepthsAreExact(p)) {
+    for (int k = 0; k < 3; ++k) {
+      const Int128 above = Int128{planeQ.C} * v[k].z - Int128{planeQ.A} * v[k].x - Int128{planeQ.B} * v[k].y -
+                           planeQ.D;  // below 2^95
+      signs.add(above < 0 ? -1 : above > 0);
+    }
+  } else {
+    for (int k = 0; k < p.count; ++k) signs.add(compareDepths(planeP, planeQ, v[k].x, v[k].y));
+  }
+  return signs;
+}
+
+bool DepthSort::projectionsApart(int P, int Q) {
+  if (list_[P].piece == kNone && list_[Q].piece == kNone)
+    return apartAlongEdges(faceOf(P), faceOf(Q)) || apartAlongEdges(faceOf(Q), faceOf(P));
+  const Region &p = regionOf(P, bufferP_), &q = regionOf(Q, bufferQ_);
+  return apartAlongSides(p, q) || apartAlongSides(q, p);
+}
+
+bool DepthSort::apartAlongEdges(const SnappedFace& P, const SnappedFace& Q) const {
+  const glm::ivec3 *const p = &scene_.vertices[P.first], *const q = &scene_.vertices[Q.first];
+  for (int k = 0; k < P.count; ++k) {
+    const glm::ivec3 &a = p[k], &b = p[k + 1 == P.count ? 0 : k + 1];
+    const std::int64_t A = b.y - a.y, B = a.x - b.x;
+    bool outside = true;
+    for (int i = 0; i < Q.count && outside; ++i)
+      outside = A * (q[i].x - a.x) + B * (q[i].y - a.y) <= 0;  // below 2^61
+    if (outside) return true;
+  }
+  return false;
+}
+
+bool DepthSort::apartAlongSides(const Region& P, const Region& Q) const {
+  return std::ranges::any_of(P, [&](const Side& side) { return !regions_.signs(side.line, Q).positive; });
+}
+
+DepthSort::Relation DepthSort::overlap(int P, int Q) {
+  overlapOf(P, Q, both_);
+  const Line nearer = regions_.cut(faceOf(P).plane, faceOf(Q).plane);
+  const Signs signs = regions_.signs(nearer, both_);
+  if (!signs.both()) return {Test::Overlap, signs.positive ? Verdict::QFirst : Verdict::PFirst};
+
+  part_ = both_;
+  regions_.clip(part_, nearer);
+  const bool pOverQ = counts(part_, P, Q);
+  regions_.clip(both_, Regions::flipped(nearer));
+  const bool qOverP = counts(both_, P, Q);
+  if (pOverQ && qOverP) return {Test::Overlap, Verdict::Crossing};
+  const bool qFirst = pOverQ || (!qOverP && list_[P].face > list_[Q].face);
+  return {Test::Overlap, qFirst ? Verdict::QFirst : Verdict::PFirst, true};
+}
+
+bool DepthSort::counts(const Region& part, int P, int Q) const {
+  const SnappedFace &p = faceOf(P), &q = faceOf(Q);
+  if (!regions_.samePlane(p.plane, q.plane)) {
+    const ScreenPlane &planeP = scene_.planes[p.plane], &planeQ = scene_.planes[q.plane];
+    const double doubt = double{p.doubt} + q.doubt;
+    const auto deep = [&](const Side& side) {
+      const auto x = std::llrint(side.corner.x), y = std::llrint(side.corner.y);
+      return std::abs(depthAt(planeP, x, y) - depthAt(planeQ, x, y)) > doubt;
+    };
+    if (doubt > 0.0 && std::ranges::none_of(part, deep)) return false;
+  }
+  return isWide(part) || ownsSample(scene_, part, settings_.width, settings_.height);
+}
+
+}  // namespace
+
+SortedScene depthSort(const SnappedScene& scene, const SortSettings& settings) {
+  return DepthSort{scene, settings}.run();
+}

@@ -1,0 +1,158 @@
+#include "depthsort/region.h"
+
+#include <algorithm>
+#include <array>
+#include <boost/multiprecision/cpp_int.hpp>
+#include <cassert>
+
+namespace {
+
+namespace mp = boost::multiprecision;
+
+/// 512 bits and a sign. Two cut lines meet at (X, Y) / W with |X|, |Y| <= 2^279 and |W| <= 2^247, and a third
+/// has the value a X + b Y + c W there: below 3 * 2^402.
+using Wide = mp::number<mp::cpp_int_backend<512, 512, mp::signed_magnitude, mp::unchecked, void>>;
+
+struct ExactLine {
+  Wide a, b, c;
+};
+
+Int128 difference(std::int64_t p, std::int64_t c, std::int64_t q, std::int64_t d) {
+  return Int128{p} * d - Int128{q} * c;
+}
+
+/// D d - E c for |D|, |E| <= 2^93 and 0 < c, d <= 2^61, as high * 2^64 + low, 0 <= low < 2^64.
+struct Product {
+  Int128 high, low;
+};
+Product difference(Int128 D, std::int64_t c, Int128 E, std::int64_t d) {
+  constexpr Int128 kMask = (Int128{1} << 64) - 1;
+  const Int128 low = (D & kMask) * d - (E & kMask) * c;
+  return {(D >> 64) * d - (E >> 64) * c + (low >> 64), low & kMask};
+}
+
+ExactLine exactly(const SnappedScene& scene, const Line& line) {
+  if (line.kind == Line::Kind::Edge) {
+    const glm::ivec3 &p = scene.vertices[line.p], &q = scene.vertices[line.q];
+    const std::int64_t a = q.y - p.y, b = p.x - q.x;
+    return {Wide{a}, Wide{b}, Wide{-a * p.x - b * p.y}};
+  }
+  const ScreenPlane &P = scene.planes[line.p], &Q = scene.planes[line.q];
+  return {Wide{difference(P.A, P.C, Q.A, Q.C)}, Wide{difference(P.B, P.C, Q.B, Q.C)},
+          Wide{P.D} * Q.C - Wide{Q.D} * P.C};
+}
+
+Line scaled(Line line) {
+  const double largest = std::max(std::abs(line.a), std::abs(line.b));
+  if (largest > 0.0) line.a /= largest, line.b /= largest, line.c /= largest;
+  return line;
+}
+
+bool sameLine(const Line& l, const Line& m) {
+  return l.kind == m.kind && ((l.p == m.p && l.q == m.q) || (l.p == m.q && l.q == m.p));
+}
+
+}  // namespace
+
+Line Regions::edge(int from, int to) const {
+  const glm::ivec3 &p = scene_.vertices[from], &q = scene_.vertices[to];
+  const std::int64_t a = q.y - p.y, b = p.x - q.x;
+  return scaled({Line::Kind::Edge, from, to, static_cast<double>(a), static_cast<double>(b),
+                 static_cast<double>(-a * p.x - b * p.y)});
+}
+
+Line Regions::cut(int over, int under) const {
+  const ScreenPlane &P = scene_.planes[over], &Q = scene_.planes[under];
+  const Product c = difference(P.D, P.C, Q.D, Q.C);
+  return scaled({Line::Kind::Cut, over, under, static_cast<double>(difference(P.A, P.C, Q.A, Q.C)),
+                 static_cast<double>(difference(P.B, P.C, Q.B, Q.C)),
+                 static_cast<double>(c.high) * 0x1p64 + static_cast<double>(c.low)});
+}
+
+Line Regions::flipped(Line line) {
+  std::swap(line.p, line.q);
+  line.a = -line.a, line.b = -line.b, line.c = -line.c;
+  return line;
+}
+
+void Regions::outline(const SnappedFace& face, Region& region) const {
+  region.resize(face.count);
+  for (int k = 0; k < face.count; ++k) {
+    const int from = face.first + k, to = face.first + (k + 1 == face.count ? 0 : k + 1);
+    const glm::ivec3& end = scene_.vertices[to];
+    region[k] = {edge(from, to), {static_cast<double>(end.x), static_cast<double>(end.y), 0.0}};
+  }
+}
+
+Signs Regions::signs(const Line& line, const Region& region) const {
+  Signs signs;
+  for (std::size_t k = 0; k < region.size(); ++k)
+    signs.add(sign(line, region[k].line, region[k + 1 == region.size() ? 0 : k + 1].line, region[k].corner));
+  return signs;
+}
+
+void Regions::clip(Region& region, const Line& line) const {
+  const int count = static_cast<int>(region.size());
+  const auto next = [count](int k) { return k + 1 == count ? 0 : k + 1; };
+  constexpr int kFew = 32;  // most regions are: no memory is asked for then
+  std::array<std::int8_t, kFew> few;
+  std::vector<std::int8_t> many;
+  if (count > kFew) many.resize(count);
+  std::int8_t* const at = count > kFew ? many.data() : few.data();
+  Signs signs;
+  for (int k = 0; k < count; ++k) {
+    at[k] = static_cast<std::int8_t>(sign(line, region[k].line, region[next(k)].line, region[k].corner));
+    signs.add(at[k]);
+  }
+  if (!signs.negative) return;
+  if (!signs.positive) return region.clear();
+
+  // Corner k ends side k; a side stays if one of its ends is strictly inside, and these sides follow each
+  // other. Of the first and the last, one end is inside and the other is not, so they truly cross the line
+  // and meet it in a corner: the old one, where that lies on the line.
+  int last = 0;
+  while (at[last] > 0 || at[next(last)] <= 0) last = next(last);
+  const Corner before = region[last].corner;  // where the first side begins
+  const bool beginsThere = at[last] == 0;
+  Region kept;
+  kept.reserve(count + 1);
+  int k = last;
+  do {
+    k = next(k);
+    kept.push_back(region[k]);
+  } while (at[k] > 0);
+  if (at[k] < 0) kept.back().corner = meeting(kept.back().line, line);
+  kept.push_back({line, beginsThere ? before : meeting(line, kept.front().line)});
+  region.swap(kept);
+}
+
+Corner Regions::meeting(const Line& l, const Line& m) const {
+  const double w = l.a * m.b - m.a * l.b;
+  // The numerators are within 2^-50 (|c| + |c'|) of themselves, w within 2^-49.
+  if (std::abs(w) < 0x1p-30) {  // a flat angle
+    const ExactLine p = exactly(scene_, l), q = exactly(scene_, m);
+    const Wide X = p.b * q.c - q.b * p.c, Y = q.a * p.c - p.a * q.c, W = p.a * q.b - q.a * p.b;
+    const double x = X.convert_to<double>() / W.convert_to<double>();
+    const double y = Y.convert_to<double>() / W.convert_to<double>();
+    return {x, y, 0x1p-50 * (std::abs(x) + std::abs(y) + 1.0)};
+  }
+  const double x = (l.b * m.c - m.b * l.c) / w, y = (m.a * l.c - l.a * m.c) / w;
+  return {x, y, 0x1p-48 * (std::abs(l.c) + std::abs(m.c) + std::abs(x) + std::abs(y) + 1.0) / std::abs(w)};
+}
+
+int Regions::exactSign(const Line& line, const Line& first, const Line& second, const Corner& at) const {
+  if (sameLine(line, first) || sameLine(line, second)) return 0;
+  if (at.exact()) {
+    const auto x = static_cast<std::int64_t>(at.x), y = static_cast<std::int64_t>(at.y);
+    if (line.kind == Line::Kind::Cut)
+      return compareDepths(scene_.planes[line.p], scene_.planes[line.q], x, y);
+    const glm::ivec3 &p = scene_.vertices[line.p], &q = scene_.vertices[line.q];
+    const std::int64_t value = std::int64_t{q.y - p.y} * (x - p.x) + std::int64_t{p.x - q.x} * (y - p.y);
+    return value < 0 ? -1 : value > 0;
+  }
+  const ExactLine l = exactly(scene_, first), m = exactly(scene_, second), n = exactly(scene_, line);
+  const Wide X = l.b * m.c - m.b * l.c, Y = m.a * l.c - l.a * m.c, W = l.a * m.b - m.a * l.b;
+  assert(W != 0);
+  const Wide value = n.a * X + n.b * Y + n.c * W;
+  return value.sign() * W.sign();
+}

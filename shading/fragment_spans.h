@@ -1,0 +1,62 @@
+#pragma once
+
+#include <algorithm>
+
+#include "depthsort/depth_sort.h"
+#include "shading/scanline.h"
+
+/// The samples of fragments: of a piece, those of its face that keep to its side of every cut. They are
+/// asked of the two planes of a cut, sample by sample where it passes, so the pieces of a face own each of
+/// its samples exactly once and the cuts need no vertices.
+
+/// The first column of [from, to) whose sample is on the same side of the cut as all after it, where the
+/// depth difference of both planes grows or falls along row j. Exact; the double only guesses.
+[[nodiscard]] inline int columnOfCut(const ScreenPlane& over, const ScreenPlane& under, int j, int from,
+                                     int to, bool grows) {
+  const auto after = [&](int i) { return (nearer(over, under, i, j) > 0) == grows; };
+  const auto slope = [](const ScreenPlane& p) { return static_cast<double>(p.A) / static_cast<double>(p.C); };
+  const auto x = [](int i) { return std::int64_t{i} * kGrid + kGrid / 2; };
+  const double ahead = depthAt(over, x(from), x(j)) - depthAt(under, x(from), x(j));
+  const double columns = -ahead / ((slope(over) - slope(under)) * kGrid);
+  int low = from, high = to;  // the column looked for
+  for (int reach = 1,
+           i = from + static_cast<int>(std::max(0.0, std::min(columns, static_cast<double>(to - from))));
+       low < high; reach *= 2) {
+    i = std::clamp(i, low, high - 1);
+    if (after(i)) {
+      high = i;
+      i -= reach;
+    } else {
+      low = i + 1;
+      i += reach;
+    }
+    if (reach > 4) i = low + (high - low) / 2;
+  }
+  return low;
+}
+
+/// Calls span(row, from, to) for the runs of samples in [0, width) x [0, height) that a fragment owns.
+template <class Span>
+void forEachSpan(const SnappedScene& scene, const SortedScene& sorted, const Fragment& fragment, int width,
+                 int height, Span&& span) {
+  const SnappedFace& face = scene.faces[fragment.face];
+  const glm::ivec3* const outline = &scene.vertices[face.first];
+  if (fragment.piece < 0) return forEachSpan(outline, face.count, width, height, span);
+
+  const Piece& piece = sorted.pieces[fragment.piece];
+  const CutLine *const cuts = sorted.cuts.data() + piece.firstCut, *const end = cuts + piece.cuts;
+  const int lastRow = std::min(height, piece.firstRow + piece.rows);
+  forEachSpan(outline, face.count, piece.firstRow, width, lastRow, [&](int row, int from, int to) {
+    for (const CutLine* cut = cuts; cut != end && from < to; ++cut) {
+      const ScreenPlane &over = scene.planes[cut->over], &under = scene.planes[cut->under];
+      const Int128 grows = Int128{over.A} * under.C - Int128{under.A} * over.C;
+      if (grows > 0)
+        from = columnOfCut(over, under, row, from, to, true);
+      else if (grows < 0)
+        to = columnOfCut(over, under, row, from, to, false);
+      else if (nearer(over, under, from, row) < 0)
+        to = from;
+    }
+    if (from < to) span(row, from, to);
+  });
+}
