@@ -1,0 +1,128 @@
+#include <benchmark/benchmark.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+
+#include "depthsort/depth_sort.h"
+#include "geometry/bpt.h"
+#include "geometry/camera.h"
+#include "geometry/solids.h"
+#include "triangulated.h"
+
+namespace {
+
+constexpr int kWidth = 800, kHeight = 600;
+
+SnappedScene seen(Mesh mesh) {
+  for (glm::dvec3& p : mesh.points) p /= 2.0;
+  const Camera camera = placeCamera({}, mesh.points, UpAxis::Z, double{kWidth} / kHeight);
+  return project(mesh, divideFaces(mesh), camera.view, kWidth, kHeight, Cull::Keep);
+}
+
+int sideOf(int count) { return static_cast<int>(std::lround(std::sqrt(count / 2.0))); }
+/// The edge of the cube that a triangle has to itself, of `count` in the cube of edge 2.
+double spacing(int count) { return 2.0 / std::cbrt(count); }
+
+Mesh triangleTorus(int count) { return triangulated(torus(sideOf(count), sideOf(count))); }
+Mesh soup(int count) { return triangleSoup(count, spacing(count), 1972); }
+Mesh tinySoup(int count) { return triangleSoup(count, spacing(count) / 5.0, 1972); }
+Mesh largeTriangles(int count) { return triangleSoup(count, 1.0, 1972); }
+
+Mesh crossingTori(int count) {
+  Mesh both = triangleTorus(count / 2);
+  const Mesh other = both;
+  for (const glm::dvec3& p : other.points) both.points.push_back({p.x + 0.7, p.z, -p.y});
+  for (int f = 0; f < other.faceCount(); ++f) {
+    std::vector<int> corners(other.face(f).begin(), other.face(f).end());
+    for (int& c : corners) c += static_cast<int>(other.points.size());
+    both.addFace(corners, 0);
+  }
+  return both;
+}
+
+/// Rows of quadrilaterals, each lying on the next, as many columns.
+Mesh shingles(int count) {
+  Mesh mesh;
+  mesh.groupNames = {""};
+  const int side = static_cast<int>(std::lround(std::sqrt(count)));
+  const double step = 2.0 / side;
+  for (int i = 0; i < side; ++i)
+    for (int j = 0; j < side; ++j) {
+      const double x = i * step - 1.0, z = j * step - 1.0;
+      const int first = static_cast<int>(mesh.points.size());
+      mesh.points.insert(
+          mesh.points.end(),
+          {{x, 0.1, z}, {x + step, 0.1, z}, {x + step, -0.1, z + 4.0 * step}, {x, -0.1, z + 4.0 * step}});
+      mesh.addFace(std::array{first, first + 1, first + 2, first + 3}, 0);
+    }
+  return mesh;
+}
+
+/// Large sheets that lie nearly in one plane and cross each other.
+Mesh sheets(int count) {
+  Mesh mesh = triangleSoup(count, 1.0, 1972);
+  for (glm::dvec3& p : mesh.points) p.y *= 0.01;
+  return mesh;
+}
+
+Mesh teapot(int count) {
+  return triangulated(tessellate(readBpt(XNEWELL_DATA_DIR "/teapot.bpt"),
+                                 static_cast<int>(std::lround(std::sqrt(count / 64.0)))));
+}
+
+/// What is measured beside it: std::sort of the same polygons by farthest z.
+double sortByZ(const SnappedScene& scene) {
+  std::vector<int> far(scene.faces.size()), order(scene.faces.size());
+  std::ranges::transform(scene.faces, far.begin(), [&](const SnappedFace& f) {
+    int z = scene.vertices[f.first].z;
+    for (int k = 1; k < f.count; ++k) z = std::min(z, scene.vertices[f.first + k].z);
+    return z;
+  });
+  std::iota(order.begin(), order.end(), 0);
+  const auto start = std::chrono::steady_clock::now();
+  std::sort(order.begin(), order.end(), [&](int a, int b) { return far[a] < far[b]; });
+  benchmark::DoNotOptimize(order.data());
+  return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+}
+
+/// Expect about n log n and no split for what does not cross.
+void BM_DepthSort(benchmark::State& state, Mesh (*make)(int), SortSettings settings) {
+  const SnappedScene scene = seen(make(static_cast<int>(state.range(0))));
+  SortedScene sorted;
+  double byZ = 0.0;
+  for (auto _ : state) {
+    sorted = depthSort(scene, settings);
+    state.PauseTiming();
+    byZ += sortByZ(scene);
+    state.ResumeTiming();
+  }
+  const SortStatistics& s = sorted.statistics;
+  const auto polygons = static_cast<double>(scene.faces.size());
+  state.SetItemsProcessed(state.iterations() * static_cast<std::int64_t>(scene.faces.size()));
+  state.counters["sort_ms"] = 1000.0 * byZ / static_cast<double>(state.iterations());
+  state.counters["polygons"] = polygons;
+  state.counters["painted"] = static_cast<double>(sorted.fragments.size());
+  state.counters["pairs"] = static_cast<double>(s.pairs()) / polygons;
+  state.counters["splits"] = static_cast<double>(s.splits);
+  state.counters["cycles"] = static_cast<double>(s.cycles);
+  state.counters["crossings"] = static_cast<double>(s.settled[static_cast<int>(Test::Overlap)]);
+  state.SetComplexityN(static_cast<std::int64_t>(polygons));
+}
+
+constexpr SortSettings kQuick{kWidth, kHeight};
+#define SCENE(name, most)                             \
+  BENCHMARK_CAPTURE(BM_DepthSort, name, name, kQuick) \
+      ->RangeMultiplier(10)                           \
+      ->Range(1000, most)                             \
+      ->Unit(benchmark::kMillisecond)
+SCENE(triangleTorus, 1000000);
+SCENE(soup, 1000000);
+SCENE(tinySoup, 1000000);
+SCENE(shingles, 1000000);
+SCENE(teapot, 1000000);
+SCENE(crossingTori, 100000);
+SCENE(largeTriangles, 1000);
+SCENE(sheets, 1000);
+
+}  // namespace
