@@ -12,6 +12,9 @@ namespace {
 /// A vertex before the snap: pixels, divided by w.
 glm::dvec3 divided(const glm::dvec4& p) { return glm::dvec3{p} / p.w; }
 
+/// More corners than this cost more in comparisons than a part more.
+constexpr int kMostCorners = 64;
+
 /// Appends the snapped outlines of one convex piece after the other.
 class Snapper {
  public:
@@ -60,10 +63,11 @@ class Snapper {
     return descents == 1;
   }
 
-  /// Rounding may bend the outline of a polygon with many corners by a grid step. It is then halved along
-  /// a chord between two of its own vertices until the parts are convex; a triangle always is.
+  /// Rounding may bend the outline of a polygon with many corners by a grid step, and pairs are compared
+  /// corner by corner. So such an outline is halved along a chord between two of its own vertices until the
+  /// parts are convex, as a triangle always is, and of few corners.
   void addConvex(const glm::ivec3* p, int count, int number, bool back) {
-    if (count == 3 || convex(p, count)) {
+    if (count == 3 || (count <= kMostCorners && convex(p, count))) {
       if (doubleArea(p, count) <= 0)
         return;  // a part that the rounding has turned over: less than a step wide
       scene_.faces.push_back({static_cast<int>(scene_.vertices.size()), count, number, back, 0, 0});
@@ -71,8 +75,8 @@ class Snapper {
       return;
     }
     const int half = count / 2;
-    std::vector<glm::ivec3> rest{p[0]};
-    rest.insert(rest.end(), p + half, p + count);
+    std::vector<glm::ivec3> rest{p + half, p + count};
+    rest.push_back(p[0]);  // last: chords from one vertex to all others would make needles
     addConvex(p, half + 1, number, back);
     addConvex(rest.data(), static_cast<int>(rest.size()), number, back);
   }
