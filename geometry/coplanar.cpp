@@ -81,14 +81,17 @@ class Coplanarity {
     for (Sheet& sheet : sheets_) {
       const int k = sheet.firstPiece;
       const auto outline = sheet.pieceCount == 1 ? pieces.piece(k) : mesh.face(pieces.face[k]);
-      sheet.plane = newellPlane(box_.points, outline);
-      sheet.area = glm::length(newellVector(box_.points, outline));
+      const glm::dvec3 v = newellVector(box_.points, outline);
+      sheet.area = glm::length(v);
+      if (sheet.area > 0.0) sheet.plane.N = v / sheet.area;
+      sheet.plane.d = glm::dot(sheet.plane.N, centroid(box_.points, outline));
     }
   }
 
   [[nodiscard]] std::vector<int> classes() {
     DisjointSets sets{static_cast<int>(sheets_.size())};
-    forOverlappingBoxes(places(), [&](int i, int j) {
+    std::vector<ItemBox> boxes = places();
+    forOverlapping(std::span{boxes}, [&](int i, int j) {
       const int P = pieces_.plane[i], Q = pieces_.plane[j];
       if (sets.of(P) != sets.of(Q) && inOnePlane(i, j)) sets.unite(P, Q);
     });
@@ -133,14 +136,13 @@ class Coplanarity {
   }
 
   /// Boxes in six dimensions that overlap if two pieces can share a plane: the piece's own box, and the
-  /// places where the perpendicular onto its plane from a point outside all may end. If every corner of a
+  /// places where the perpendicular onto its plane from a point amid all may end. If every corner of a
   /// polygon of area A is within tol of a plane, the sine of the angle between both is at most
   /// tol * perimeter / A (its vector area changes by no more); the end of the perpendicular then moves by
-  /// that times the distance, and tol. Twice all that, as a piece may lie tol off its face's plane.
-  [[nodiscard]] std::vector<PlaceBox> places() const {
-    const glm::dvec3 from{-0.83, -1.37, -1.09};
-    const double distance = glm::length(from - 1.0);
-    std::vector<PlaceBox> boxes;
+  /// that times the distance, and tol. Twice all that where a piece may lie tol off its face's plane.
+  [[nodiscard]] std::vector<ItemBox> places() const {
+    const glm::dvec3 from{0.43, 0.56, 0.47};
+    std::vector<ItemBox> boxes;
     boxes.reserve(pieces_.count());
     for (const Sheet& sheet : sheets_) {
       const glm::dvec3 foot = sheet.plane.N * (sheet.plane.d - glm::dot(sheet.plane.N, from));
@@ -153,12 +155,13 @@ class Coplanarity {
         for (const int c : pieces_.piece(k)) {
           const glm::dvec3& p = box_.points[c];
           low = glm::min(low, p), high = glm::max(high, p);
-          const glm::dvec3 edge = glm::abs(p - last);
-          perimeter += edge.x + edge.y + edge.z;
+          perimeter += glm::length(p - last);
           last = p;
         }
-        const double play = 2.0 * mostTolerance_ * (1.0 + distance * 2.0 * perimeter / area);
-        PlaceBox& box = boxes.emplace_back(PlaceBox{k, {}, {}});
+        const double distance = glm::length(glm::max(glm::abs(low - from), glm::abs(high - from)));
+        const double sine = 2.0 * mostTolerance_ * perimeter / area;
+        const double play = (sheet.pieceCount == 1 ? 1.0 : 2.0) * (sine * distance + mostTolerance_);
+        ItemBox& box = boxes.emplace_back(ItemBox{k, {}, {}});
         for (int axis = 0; axis < 3; ++axis) {
           box.low[axis] = foot[axis] - play, box.high[axis] = foot[axis] + play;
           box.low[axis + 3] = low[axis] - mostTolerance_, box.high[axis + 3] = high[axis] + mostTolerance_;

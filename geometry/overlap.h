@@ -3,68 +3,52 @@
 #include <algorithm>
 #include <array>
 #include <cstddef>
-#include <utility>
+#include <span>
 #include <vector>
 
-/// Which boxes overlap: the closed intervals do in all of six dimensions.
-struct PlaceBox {
+/// The closed intervals that an item occupies in six dimensions.
+struct ItemBox {
   int item = 0;
   std::array<double, 6> low, high;
 };
 
-/// Halves a set of boxes, those across the cut in both halves, until few are left or no cut parts them, and
-/// then compares all pairs. Calls visit(item, item) for every pair that overlaps, now and then twice.
-/// The cut is the median of a sample along the dimension where it leaves the fewest pairs to compare.
-template <class Visit>
-void forOverlappingBoxes(std::vector<PlaceBox> boxes, Visit&& visit) {
-  constexpr std::size_t kFew = 24, kSample = 25;
-  const auto pairs = [](std::size_t left, std::size_t right) {
-    return static_cast<double>(left) * static_cast<double>(left) +
-           static_cast<double>(right) * static_cast<double>(right);
-  };
-  constexpr double kGain = 0.8;  // of the pairs may be left by a cut that is worth its trouble
+[[nodiscard]] inline bool overlap(const ItemBox& P, const ItemBox& Q) {
+  bool apart = false;  // without branches: which axis parts two is anyone's guess
+  for (int axis = 0; axis < 6; ++axis) apart |= (P.low[axis] > Q.high[axis]) | (Q.low[axis] > P.high[axis]);
+  return !apart;
+}
 
-  std::vector<std::vector<PlaceBox>> sets;
-  sets.push_back(std::move(boxes));
-  while (!sets.empty()) {
-    std::vector<PlaceBox> set = std::move(sets.back());
-    sets.pop_back();
-    int along = -1;
-    double cut = 0.0;
-    if (set.size() > kFew) {
-      double fewest = kGain * pairs(kSample, 0);
-      for (int axis = 0; axis < 6; ++axis) {
-        std::array<const PlaceBox*, kSample> sample;
-        for (std::size_t s = 0; s < kSample; ++s) sample[s] = &set[s * set.size() / kSample];
-        std::array<double, kSample> centre;
-        for (std::size_t s = 0; s < kSample; ++s) centre[s] = sample[s]->low[axis] + sample[s]->high[axis];
-        std::nth_element(centre.begin(), centre.begin() + kSample / 2, centre.end());
-        const double median = centre[kSample / 2] / 2.0;
-        std::size_t left = 0, right = 0;
-        for (const PlaceBox* box : sample)
-          left += box->low[axis] < median, right += box->high[axis] >= median;
-        if (pairs(left, right) < fewest) fewest = pairs(left, right), along = axis, cut = median;
-      }
+struct BoxCut {
+  int axis = -1;  ///< -1: none is worth its trouble
+  double at = 0.0;
+};
+
+/// The median of a sample along the axis where it leaves the fewest pairs to compare.
+[[nodiscard]] BoxCut chooseCut(std::span<const ItemBox> boxes);
+
+/// Calls visit(item, item) for every pair of boxes that overlap, now and then twice. Halves the set, boxes
+/// across the cut in both halves, until few are left or no cut parts them; then compares all pairs.
+/// `boxes` is used up.
+template <class Visit>
+void forOverlapping(std::span<ItemBox> boxes, const Visit& visit) {
+  const BoxCut cut = chooseCut(boxes);
+  if (cut.axis >= 0) {
+    // Below the cut, above it, across it. The last two are one half; the place of those above is then free
+    // for those across, to make the other.
+    const auto above = std::partition(boxes.begin(), boxes.end(),
+                                      [&](const ItemBox& box) { return box.high[cut.axis] < cut.at; });
+    const auto across =
+        std::partition(above, boxes.end(), [&](const ItemBox& box) { return box.low[cut.axis] >= cut.at; });
+    // What the sample promised the whole set must keep in part, or the halves might not get smaller.
+    const auto few = static_cast<std::ptrdiff_t>(boxes.size() / 20);
+    if (above - boxes.begin() > few && across - above > few) {
+      const std::vector<ItemBox> both(across, boxes.end());
+      forOverlapping(std::span<ItemBox>(above, boxes.end()), visit);
+      forOverlapping(std::span<ItemBox>(boxes.begin(), std::copy(both.begin(), both.end(), above)), visit);
+      return;
     }
-    if (along >= 0) {
-      std::vector<PlaceBox> left, right;
-      for (const PlaceBox& box : set) {
-        if (box.low[along] < cut) left.push_back(box);
-        if (box.high[along] >= cut) right.push_back(box);
-      }
-      if (std::max(left.size(), right.size()) < set.size()) {
-        sets.push_back(std::move(right));
-        sets.push_back(std::move(left));
-        continue;
-      }
-    }
-    for (std::size_t i = 1; i < set.size(); ++i)
-      for (std::size_t j = 0; j < i; ++j) {
-        const PlaceBox &P = set[j], &Q = set[i];
-        bool apart = false;
-        for (int axis = 0; axis < 6 && !apart; ++axis)
-          apart = P.low[axis] > Q.high[axis] || Q.low[axis] > P.high[axis];
-        if (!apart) visit(P.item, Q.item);
-      }
   }
+  for (std::size_t i = 1; i < boxes.size(); ++i)
+    for (std::size_t j = 0; j < i; ++j)
+      if (overlap(boxes[j], boxes[i])) visit(boxes[j].item, boxes[i].item);
 }
