@@ -6,12 +6,13 @@
 
 DepthDoubt::DepthDoubt(const ViewSpec& view, int width, int height, int zShift)
     : perspective_{view.projection == Projection::Perspective},
-      pixel_{(view.windowMax - view.windowMin) / glm::dvec2{width, height}},
+      step_{(view.windowMax - view.windowMin) / glm::dvec2{width, height} / double{kGrid}},
       corner_{view.windowMin.x - view.prp.x, view.windowMax.y - view.prp.y},
       D_{view.prp.z},
+      magnificationPerZ_{std::ldexp(step_.x, zShift) / D_},
       backMagnification_{D_ / (D_ - view.back)},
       slant_{glm::length((view.windowMin + view.windowMax) / 2.0 - glm::dvec2{view.prp}) / D_},
-      steps_{std::sqrt(3.0) * kGrid / std::min(pixel_.x, pixel_.y)},
+      steps_{std::sqrt(3.0) / std::min(step_.x, step_.y)},
       zSteps_{std::ldexp(1.0, -zShift)} {}
 
 double DepthDoubt::of(const glm::ivec3* outline, int count, const ScreenPlane& plane, double u) const {
@@ -19,8 +20,8 @@ double DepthDoubt::of(const glm::ivec3* outline, int count, const ScreenPlane& p
   if (perspective_) {
     slant = q = 0.0;
     for (const glm::ivec3* p = outline; p != outline + count; ++p) {
-      q = std::max(q, p->z * pixel_.x / (zSteps_ * kGrid * D_) + backMagnification_);
-      const glm::dvec2 seen = corner_ + glm::dvec2{p->x, -p->y} / double{kGrid} * pixel_;
+      q = std::max(q, p->z * magnificationPerZ_ + backMagnification_);
+      const glm::dvec2 seen = corner_ + glm::dvec2{p->x, -p->y} * step_;
       slant = std::max(slant, std::abs(seen.x) + std::abs(seen.y));
     }
     slant /= D_;

@@ -24,6 +24,6 @@ class DepthDoubt {
 
  private:
   bool perspective_;
-  glm::dvec2 pixel_, corner_;  ///< on the view plane; corner: top left, from the axis
-  double D_, backMagnification_, slant_, steps_, zSteps_;
+  glm::dvec2 step_, corner_;  ///< a grid step on the view plane; its top left, from the axis
+  double D_, magnificationPerZ_, backMagnification_, slant_, steps_, zSteps_;
 };

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <glm/geometric.hpp>
+#include <utility>
 
 #include "geometry/clip.h"
 #include "geometry/depth_doubt.h"
@@ -86,32 +86,31 @@ class Snapper {
 };
 
 /// Depth, from here on, is what the planes say. SnappedFace::plane is the number of the plane in the model
-/// before, the index of its record after.
+/// before, the index of its record after. Records are in order of their first face.
 void makePlanes(SnappedScene& scene, int modelPlanes) {
   const int count = static_cast<int>(scene.faces.size());
-  std::vector<int> next(count, -1), last(modelPlanes, -1);  // from one face of a plane to the next
-  for (int f = 0; f < count; ++f) {
-    int& before = last[scene.faces[f].plane];
-    if (before >= 0) next[before] = f;
-    before = f;
-  }
+  std::vector<int> next(count, -1), first(modelPlanes, -1);  // faces of a plane, from each to the next
+  for (int f = count - 1; f >= 0; --f) next[f] = std::exchange(first[scene.faces[f].plane], f);
+
   scene.planes.reserve(count);
-  std::vector<int>& record = last;
-  std::fill(record.begin(), record.end(), -1);
-  std::vector<glm::ivec3> vertices;
+  std::vector<glm::ivec3> together;
   for (int f = 0; f < count; ++f) {
-    SnappedFace& face = scene.faces[f];
-    int& mine = record[face.plane];
-    if (mine < 0) {
-      vertices.clear();
+    const SnappedFace& face = scene.faces[f];
+    if (first[face.plane] != f) continue;  // a later one of its plane has the record by now
+    const glm::ivec3* vertices = &scene.vertices[face.first];
+    int vertexCount = face.count;
+    if (next[f] >= 0) {
+      together.clear();
       for (int g = f; g >= 0; g = next[g]) {
-        const auto first = scene.vertices.begin() + scene.faces[g].first;
-        vertices.insert(vertices.end(), first, first + scene.faces[g].count);
+        const auto outline = scene.vertices.begin() + scene.faces[g].first;
+        together.insert(together.end(), outline, outline + scene.faces[g].count);
       }
-      mine = static_cast<int>(scene.planes.size());
-      scene.planes.push_back(planeThrough(vertices.data(), static_cast<int>(vertices.size())));
+      vertices = together.data();
+      vertexCount = static_cast<int>(together.size());
     }
-    face.plane = mine;
+    const int record = static_cast<int>(scene.planes.size());
+    scene.planes.push_back(planeThrough(vertices, vertexCount));
+    for (int g = f; g >= 0; g = next[g]) scene.faces[g].plane = record;
   }
 }
 
