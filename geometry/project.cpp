@@ -87,7 +87,7 @@ class Snapper {
 
 /// Depth, from here on, is what the planes say. SnappedFace::plane is the number of the plane in the model
 /// before, the index of its record after. Records are in order of their first face.
-void makePlanes(SnappedScene& scene, int modelPlanes) {
+void makePlanes(SnappedScene& scene, int modelPlanes, const Mesh& mesh, const DepthDoubt& doubt) {
   const int count = static_cast<int>(scene.faces.size());
   std::vector<int> next(count, -1), first(modelPlanes, -1);  // faces of a plane, from each to the next
   for (int f = count - 1; f >= 0; --f) next[f] = std::exchange(first[scene.faces[f].plane], f);
@@ -110,7 +110,12 @@ void makePlanes(SnappedScene& scene, int modelPlanes) {
     }
     const int record = static_cast<int>(scene.planes.size());
     scene.planes.push_back(planeThrough(vertices, vertexCount));
-    for (int g = f; g >= 0; g = next[g]) scene.faces[g].plane = record;
+    for (int g = f; g >= 0; g = next[g]) {
+      SnappedFace& member = scene.faces[g];
+      member.plane = record;
+      member.doubt = static_cast<float>(doubt.of(&scene.vertices[member.first], member.count,
+                                                 scene.planes.back(), mesh.roundingOf(member.number)));
+    }
   }
 }
 
@@ -200,10 +205,7 @@ SnappedScene project(const Mesh& mesh, const Pieces& pieces, const ViewSpec& vie
     snapper.add(outline, pieces.face[i], pieces.plane[i]);
   }
 
-  makePlanes(scene, count == 0 ? 0 : 1 + *std::max_element(pieces.plane.begin(), pieces.plane.end()));
-  const DepthDoubt doubt{view, width, height, scene.zShift};
-  for (SnappedFace& face : scene.faces)
-    face.doubt = static_cast<float>(doubt.of(&scene.vertices[face.first], face.count,
-                                             scene.planes[face.plane], mesh.roundingOf(face.number)));
+  const int modelPlanes = count == 0 ? 0 : 1 + *std::max_element(pieces.plane.begin(), pieces.plane.end());
+  makePlanes(scene, modelPlanes, mesh, DepthDoubt{view, width, height, scene.zShift});
   return scene;
 }
