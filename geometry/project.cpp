@@ -36,7 +36,7 @@ class Snapper {
       return;
     }
     if (back) std::reverse(outline.begin(), outline.end());
-    addConvex(outline.data(), count, {0, 0, number, back, plane, 0});
+    addConvex(outline.data(), count, number, plane, back);
   }
 
  private:
@@ -63,21 +63,19 @@ class Snapper {
 
   /// Rounding may bend the outline of a polygon with many corners by a grid step. It is then halved along
   /// a chord between two of its own vertices until the parts are convex; a triangle always is.
-  void addConvex(const glm::ivec3* p, int count, SnappedFace face) {
+  void addConvex(const glm::ivec3* p, int count, int number, int plane, bool back) {
     if (count == 3 || convex(p, count)) {
       if (doubleArea(p, count) <= 0)
         return;  // a part that the rounding has turned over: less than a step wide
-      face.first = static_cast<int>(scene_.vertices.size());
-      face.count = count;
-      scene_.faces.push_back(face);
+      scene_.faces.push_back({static_cast<int>(scene_.vertices.size()), count, number, back, plane, 0});
       scene_.vertices.insert(scene_.vertices.end(), p, p + count);
       return;
     }
     const int half = count / 2;
     std::vector<glm::ivec3> rest{p[0]};
     rest.insert(rest.end(), p + half, p + count);
-    addConvex(p, half + 1, face);
-    addConvex(rest.data(), static_cast<int>(rest.size()), face);
+    addConvex(p, half + 1, number, plane, back);
+    addConvex(rest.data(), static_cast<int>(rest.size()), number, plane, back);
   }
 
   SnappedScene& scene_;
