@@ -68,6 +68,12 @@ class DepthSort {
 
   void enterFaces();
   [[nodiscard]] Polygon enter(int face) const;
+  [[nodiscard]] bool shows(const SnappedFace& face, const Box& box) const {
+    const int width = settings_.width, height = settings_.height;
+    return mayOwnSample(scene_, face, box, width, height) ||
+           (settings_.inPixels && box.overlaps({0, 0, width * kGrid, height * kGrid}) &&
+            hasAreaInPixels(scene_, face));
+  }
   [[nodiscard]] bool vertexDepthsAreExact(const SnappedFace& face) const {
     return face.count == 3 && shared_[face.plane] < 2;
   }
@@ -230,9 +236,8 @@ void DepthSort::enterFaces() {
   for (int f = 0; f < static_cast<int>(scene_.faces.size()); ++f) {
     unsorted.push_back(enter(f));
     if (settings_.textbook) continue;
-    const SnappedFace& face = scene_.faces[f];
     Box& box = unsorted.back().box;
-    if (!mayOwnSample(scene_, face, box, settings_.width, settings_.height))
+    if (!shows(scene_.faces[f], box))
       unsorted.pop_back();
     else  // outside the picture nothing is compared
       box = {std::max(box.x0, picture.x0), std::max(box.y0, picture.y0), std::min(box.x1, picture.x1),
