@@ -127,7 +127,7 @@ struct SortSettings {
   /// and faces that own no sample left out. Both paint the same picture.
   bool textbook = false;
   bool grid = true;     ///< of the quick run: else Q's come from one list
-  bool record = false;  ///< fills SortedScene::events
+  bool record = false;  ///< fills SortedScene::list and events
   enum class Split { Smaller, First, Second } crossing = Split::Smaller;  ///< of P and Q, which is split
 };
 
@@ -135,6 +135,7 @@ struct SortedScene {
   std::vector<Fragment> fragments;  ///< in painting order
   std::vector<Piece> pieces;        ///< all that ever were, also those split again
   std::vector<CutLine> cuts;
+  std::vector<int> list;  ///< the faces as the list has them at the start, P's are taken in this order
   std::vector<Event> events;
   SortStatistics statistics;
 };
