@@ -6,6 +6,7 @@
 #include <optional>
 #include <span>
 #include <stdexcept>
+#include <string>
 #include <utility>
 
 #include "depthsort/box_grid.h"
@@ -144,10 +145,14 @@ class DepthSort {
   [[nodiscard]] int idOf(int P) const {
     return P < faces_ ? list_[P].face : static_cast<int>(scene_.faces.size()) + P - faces_;
   }
+  void note(const Event& event) {
+    if (sorted_.events.size() >= settings_.mostEvents)
+      throw TooManyEvents{"the run has more than " + std::to_string(settings_.mostEvents) + " steps"};
+    sorted_.events.push_back(event);
+  }
   void note(Event::Kind kind, int P, int Q = kNone) {
     if (settings_.record)
-      sorted_.events.push_back(
-          {kind, Test::SamePlane, Verdict::PFirst, false, idOf(P), Q == kNone ? kNone : idOf(Q)});
+      note({kind, Test::SamePlane, Verdict::PFirst, false, idOf(P), Q == kNone ? kNone : idOf(Q)});
   }
 
   const SnappedScene& scene_;
@@ -261,8 +266,7 @@ void DepthSort::step() {
   ++sorted_.statistics.settled[static_cast<int>(relation.test)];
   sorted_.statistics.contacts += relation.contact;
   if (settings_.record)
-    sorted_.events.push_back(
-        {Event::Kind::Compare, relation.test, relation.verdict, relation.contact, idOf(P), idOf(Q)});
+    note({Event::Kind::Compare, relation.test, relation.verdict, relation.contact, idOf(P), idOf(Q)});
   switch (relation.verdict) {
     case Verdict::PFirst:
       return settle(P);

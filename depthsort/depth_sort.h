@@ -1,7 +1,9 @@
 #pragma once
 
 #include <array>
+#include <cstddef>
 #include <cstdint>
+#include <stdexcept>
 #include <string_view>
 #include <vector>
 
@@ -126,8 +128,9 @@ struct SortSettings {
   /// through a grid, P's taken from one part of the screen after the other, test 5 before 3 and 4,
   /// and faces that own no sample left out. Both paint the same picture.
   bool textbook = false;
-  bool grid = true;     ///< of the quick run: else Q's come from one list
-  bool record = false;  ///< fills SortedScene::list and events
+  bool grid = true;                               ///< of the quick run: else Q's come from one list
+  bool record = false;                            ///< fills SortedScene::list and events
+  std::size_t mostEvents = std::size_t{1} << 27;  ///< 1.5 GB
   enum class Split { Smaller, First, Second } crossing = Split::Smaller;  ///< of P and Q, which is split
 };
 
@@ -140,4 +143,10 @@ struct SortedScene {
   SortStatistics statistics;
 };
 
+/// A run with more events than were to be recorded.
+struct TooManyEvents : std::length_error {
+  using std::length_error::length_error;
+};
+
+/// @throws TooManyEvents only where it records
 [[nodiscard]] SortedScene depthSort(const SnappedScene& scene, const SortSettings& settings);

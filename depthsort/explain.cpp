@@ -96,6 +96,28 @@ std::string_view titleOf(Test test) {
 
 }  // namespace
 
+std::string_view wordFor(Event::Kind kind) {
+  switch (kind) {
+    case Event::Kind::Take:
+      return "take";
+    case Event::Kind::Compare:
+      return "test";
+    case Event::Kind::Move:
+      return "move";
+    case Event::Kind::Cycle:
+      return "cycle";
+    case Event::Kind::Impossible:
+      return "impossible";
+    case Event::Kind::Void:
+      return "contact";
+    case Event::Kind::Split:
+      return "cut";
+    case Event::Kind::Paint:
+      return "paint";
+  }
+  return "";
+}
+
 std::vector<Test> testsMade(const Event& compare, bool textbook) {
   using enum Test;
   static constexpr std::array kTextbook{XExtents,    YExtents, PBehindQ,    QInFrontOfP,

@@ -3,6 +3,7 @@
 #include <array>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "depthsort/fragments.h"
@@ -10,6 +11,9 @@
 /// What a recorded event means: the tests that were made, the numbers that decided, and a sentence. Numbers
 /// are computed again from the fragments, by the predicates of the sort. Lengths and places are in pixels,
 /// z in pixels of the view plane, larger is nearer.
+
+/// `take`, `test`, `move`, `cycle`, `impossible`, `contact`, `cut`, `paint`.
+[[nodiscard]] std::string_view wordFor(Event::Kind kind);
 
 /// The tests of a Compare event in the order in which they were made: all but the last one failed, which
 /// proves nothing, and the last settled the pair. A test behind it was not made.

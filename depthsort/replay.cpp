@@ -95,3 +95,11 @@ std::vector<Replay::Listed> Replay::list(int most) const {
   }
   return all;
 }
+
+std::vector<int> stepsOf(const SortedScene& sorted, Every every) {
+  std::vector<int> steps;
+  for (int k = 0; k < static_cast<int>(sorted.events.size()); ++k)
+    if (every == Every::Step || sorted.events[k].kind == kEvery[static_cast<int>(every)].kind)
+      steps.push_back(k + 1);
+  return steps;
+}

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <array>
+#include <string_view>
 #include <vector>
 
 #include "depthsort/depth_sort.h"
@@ -64,3 +66,20 @@ class Replay {
   int step_ = 0;
   State state_;
 };
+
+/// Which steps of a run are to be shown.
+enum class Every { Step, Paint, Move, Cycle, Cut };
+struct EveryRow {
+  Every id;
+  std::string_view name;
+  Event::Kind kind;  ///< not of Step, which is every kind
+};
+inline constexpr std::array kEvery{
+    EveryRow{Every::Step, "step", {}},
+    EveryRow{Every::Paint, "paint", Event::Kind::Paint},
+    EveryRow{Every::Move, "move", Event::Kind::Move},
+    EveryRow{Every::Cycle, "cycle", Event::Kind::Cycle},
+    EveryRow{Every::Cut, "cut", Event::Kind::Split},
+};
+/// In ascending order.
+[[nodiscard]] std::vector<int> stepsOf(const SortedScene& sorted, Every every);
