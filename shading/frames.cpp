@@ -12,8 +12,9 @@ namespace {
 constexpr int kLeastWidth = 320;     // pixels: some fifty letters
 constexpr int kLargeWidth = 1600;    // from here on letters are doubled
 constexpr int kMostWaiting = 1000;   // more thin outlines than this are a blot
-constexpr int kLeastLabelled = 100;  // a picture of fewer pixels has no room for letters
+constexpr int kLeastLabelled = 800;  // a fragment of fewer pixels has no room for a letter
 constexpr int kMargin = 6;
+constexpr auto kThinOutlines = " Thin outlines: still in the list, marked ones brighter.";
 
 /// Ends of lines of at most `most` characters, at spaces where there are some. UTF-8.
 std::vector<std::string> broken(std::string_view text, int most) {
@@ -61,11 +62,17 @@ std::vector<Frames::Line> Frames::linesOf(int step) {
   replay_.goTo(step);
   const Event& e = *replay_.event();
   std::vector<Line> lines{{"Step " + std::to_string(step) + " of " + std::to_string(replay_.steps()) + ", " +
-                           std::to_string(replay_.painted()) + " painted"}};
+                           std::to_string(replay_.painted()) + " painted." +
+                           (waitingAreOutlined() ? kThinOutlines : "")}};
   lines.push_back({"P: " + explainer_.name(e.P), cell(Cell::P)});
   if (e.Q >= 0) lines.push_back({"Q: " + explainer_.name(e.Q), cell(Cell::Q)});
   lines.push_back({explainer_.sentence(e, splits)});
   return lines;
+}
+
+bool Frames::waitingAreOutlined() const {
+  const int fragments = static_cast<int>(sorted_.fragments.size()) - replay_.painted();
+  return fragments > 0 && fragments <= kMostWaiting;
 }
 
 std::vector<Frames::Line> Frames::lastLines() const {
@@ -151,10 +158,9 @@ void Frames::compose(const std::vector<Line>& lines) {
 
 /// What is not painted yet, in thin lines.
 void Frames::outlineWaiting() {
-  const auto list = replay_.list(kMostWaiting + 1);
-  if (static_cast<int>(list.size()) > kMostWaiting) return;
+  if (!waitingAreOutlined()) return;
   Painter painter = Painter{frame_}.within({0, 0, soFar_.width, soFar_.height});
-  for (const auto& [id, marked] : list) {
+  for (const auto& [id, marked] : replay_.list(kMostWaiting)) {
     const Region region = explainer_.fragments().region(id);
     for (std::size_t k = 0; k < region.size(); ++k) {
       const Corner &a = region[k].corner, &b = region[k + 1 == region.size() ? 0 : k + 1].corner;
@@ -191,8 +197,8 @@ void Frames::mark(int fragment, Cell color, Stipple tint, std::string_view lette
   if (thickness > 1) outline(thickness + 2, cell(Cell::Black));
   outline(thickness, cell(color));
 
-  if (samples == 0 || std::min(W, H) < kLeastLabelled) return;
   const VoiceRow& voice = kVoices[static_cast<int>(voice_)];
+  if (samples < kLeastLabelled * voice.scale * voice.scale) return;
   const Rect plate{static_cast<int>(x / samples) - 5 * voice.scale,
                    static_cast<int>(y / samples) - 7 * voice.scale, 11 * voice.scale, 15 * voice.scale};
   painter.fillRect(plate, cell(color));

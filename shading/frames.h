@@ -40,6 +40,8 @@ class Frames {
 
   void paintTo(int painted);
   void compose(const std::vector<Line>& lines);
+  /// Whether few enough are left; those that are to be split count as their pieces.
+  [[nodiscard]] bool waitingAreOutlined() const;
   void outlineWaiting();
   void mark(int fragment, Cell cell, Stipple stipple, std::string_view letter);
   [[nodiscard]] std::uint8_t cell(Cell c) const { return plan_[c]; }
