@@ -72,6 +72,11 @@ class DepthSort {
       Q = parent;
     }
   }
+  /// Parts of one model face in one plane: they show the same, whatever their order.
+  [[nodiscard]] bool oneSurface(int f, int g) const {
+    const SnappedFace &F = scene_.faces[f], &G = scene_.faces[g];
+    return F.number == G.number && F.plane == G.plane;
+  }
   /// The first of a face's pieces, or the face, that is neither painted nor split.
   [[nodiscard]] int nextOpen(int root) const {
     for (int P = root; P != kNone;) {
@@ -232,7 +237,8 @@ int DepthSort::candidate(int P) {
         if (q.extents.zFar > p.extents.zNear) {
           if (Q == p.list) p.list = p.end;  // and so are all after it in this cell
         } else if (p.list != root && q.state != State::Painted &&
-                   (settings_.textbook || p.extents.box.overlaps(q.extents.box))) {
+                   (settings_.textbook ||
+                    (p.extents.box.overlaps(q.extents.box) && !oneSurface(p.face, q.face)))) {
           if (q.state != State::Split) {
             p.Q = Q;
             return Q;

@@ -9,8 +9,9 @@
 /// to sort, to cut or to get wrong; it shares the snapped scene and the sample rule with the painter, and no
 /// code. Work: one comparison for every sample of every face.
 ///
-/// Exact for the snapped scene, which is not the model: faces that are coplanar there are parted by the
-/// rounding of the snap, and the oracle sees the parts. Only planes that are equal on the grid are ties.
+/// Exact for the snapped scene, which is not the model: faces that only touch there are parted by the
+/// rounding of the snap, and the oracle sees the parts. Only equal planes are ties: those of faces that
+/// overlap in one plane of the model share a record (coplanar.h), others may be equal on the grid.
 ///
 /// Returns an index into scene.faces for each sample, row by row from the top, or kNothing. Of faces in one
 /// plane (the same on the grid) the later one of the scene wins.

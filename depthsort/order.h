@@ -9,7 +9,7 @@
 #include "geometry/project.h"
 
 /// In which order to paint: the hidden-surface method.
-enum class Order { Unsorted, ZMean, ZSort, Oracle };
+enum class Order { Unsorted, ZMean, ZSort, Newell, Oracle };
 struct OrderRow {
   Order id;
   std::string_view name, label, rule;
@@ -18,11 +18,13 @@ inline constexpr std::array kOrders{
     OrderRow{Order::Unsorted, "none", "none", "as the scene lists them"},
     OrderRow{Order::ZMean, "zmean", "z mean", "by the mean z of the vertices, farthest first"},
     OrderRow{Order::ZSort, "zsort", "z far", "by the farthest z, farthest first"},
+    OrderRow{Order::Newell, "newell", "Newell",
+             "by the depth sort, splitting what has no order (depth_sort.h)"},
     OrderRow{Order::Oracle, "oracle", "oracle", "none: the face seen is decided at each sample (oracle.h)"},
 };
 
-/// Indices into scene.faces, the first to be painted first; for Oracle, which paints no faces, as the scene
-/// lists them. Equal z: the later face in the scene is painted later, so it wins. Means are compared rounded
+/// Indices into scene.faces, the first to be painted first, for the orders that are a sort by one key. Equal
+/// z: the later face in the scene is painted later, so it wins. Means are compared rounded
 /// to a z step. The sorts by z give a decent picture and no guarantee. @see Foley & van Dam 2e §15.5.1
 [[nodiscard]] std::vector<int> paintingOrder(const SnappedScene& scene, Order order);
 

@@ -42,6 +42,6 @@ inline constexpr int kMaxDivisions = 256;
 /// so does a mirror image. A face lists each of successive equal corners once (a triangle at a pole); one
 /// with less than three distinct corners keeps its four, so that it keeps its number.
 /// Groups: `parts` in order (their patches sum to patches.size()), or one group without a name.
-/// The face count must fit an int. The mesh's rounding is 0.
+/// The face count must fit an int. Its points are exact.
 [[nodiscard]] Mesh tessellate(std::span<const BezierPatch> patches, int divisions,
                               std::span<const PatchPart> parts = {});

@@ -36,7 +36,7 @@ void collapse(const Mesh& mesh, std::span<const int> face, std::vector<int>& cor
     corners.pop_back();
 }
 
-Outline outlineOf(const Mesh& mesh, std::span<const int> corners) {
+Outline outlineOf(const Mesh& mesh, std::span<const int> corners, double rounding) {
   // First scaled by a power of two so that differences do not overflow, then moved to the box's corner and
   // scaled again, so that the box is 2^49 to 2^50 steps long.
   double magnitude = 0.0;
@@ -59,7 +59,7 @@ Outline outlineOf(const Mesh& mesh, std::span<const int> corners) {
   std::vector<int> all(p.size());
   std::iota(all.begin(), all.end(), 0);
   const Plane plane = newellPlane(p, all);
-  const double e = std::ldexp(extent, kGridBits), u = std::ldexp(mesh.rounding, steps - exponent);
+  const double e = std::ldexp(extent, kGridBits), u = std::ldexp(rounding, steps - exponent);
   const double tolerance = std::min(7.0 * u, 3e-5 * e) + 0x1p-46 * e + 0x1p-50 * std::ldexp(magnitude, steps);
   outline.planar = std::all_of(p.begin(), p.end(), [&](const glm::dvec3& q) {
     return std::abs(glm::dot(plane.N, q) - plane.d) <= tolerance;
@@ -104,7 +104,9 @@ std::array<std::array<int, 3>, 2> cutQuad(std::span<const LatticePoint> p) {
   return {{{0, 1, 2}, {0, 2, 3}}};
 }
 
-void addPiece(Pieces& pieces, std::span<const int> corners, int face) {
+void addPiece(Pieces& pieces, std::span<const int> corners, int face, bool planeOfTheLast = false) {
+  const int planes = pieces.plane.empty() ? 0 : pieces.plane.back() + 1;
+  pieces.plane.push_back(planeOfTheLast ? planes - 1 : planes);
   pieces.corners.insert(pieces.corners.end(), corners.begin(), corners.end());
   pieces.firstCorner.push_back(static_cast<int>(pieces.corners.size()));
   pieces.face.push_back(face);
@@ -117,6 +119,7 @@ Pieces divideFaces(const Mesh& mesh) {
   pieces.corners.reserve(mesh.corners.size());
   pieces.firstCorner.reserve(mesh.firstCorner.size());
   pieces.face.reserve(mesh.firstCorner.size());
+  pieces.plane.reserve(mesh.firstCorner.size());
   std::vector<int> corners;
   for (int f = 0; f < mesh.faceCount(); ++f) {
     collapse(mesh, mesh.face(f), corners);
@@ -128,14 +131,17 @@ Pieces divideFaces(const Mesh& mesh) {
       addPiece(pieces, corners, f);
       continue;
     }
-    const Outline outline = outlineOf(mesh, corners);
+    const Outline outline = outlineOf(mesh, corners, mesh.roundingOf(f));
     if (!outline.hasArea || (outline.planar && isConvex(outline.grid))) {
       addPiece(pieces, corners, f);
       continue;
     }
     const auto addTriangles = [&](const auto& triangles) {
-      for (const auto& [a, b, c] : triangles)
-        addPiece(pieces, std::array{corners[a], corners[b], corners[c]}, f);
+      bool later = false;
+      for (const auto& [a, b, c] : triangles) {
+        addPiece(pieces, std::array{corners[a], corners[b], corners[c]}, f, later && outline.planar);
+        later = true;
+      }
     };
     if (corners.size() == 4)
       addTriangles(cutQuad(outline.grid));

@@ -11,6 +11,9 @@ struct Pieces {
   std::vector<int> corners;            ///< vertex indices of all pieces, one piece after the other
   std::vector<int> firstCorner = {0};  ///< #pieces + 1, as in Mesh
   std::vector<int> face;               ///< #pieces, the number of the face it came from
+  /// #pieces, 0 to n - 1 in order of the first piece of each: pieces with the same number are in one plane of
+  /// the model. divideFaces() knows it of the pieces of one planar face, coplanarClasses() of all.
+  std::vector<int> plane;
 
   [[nodiscard]] int count() const { return static_cast<int>(face.size()); }
   [[nodiscard]] std::span<const int> piece(int k) const {
@@ -28,7 +31,7 @@ struct Pieces {
 /// A face whose corners are all in line, or that has no vector area, covers nothing and is one piece as
 /// it stands. A face that crosses itself becomes triangles that may overlap.
 ///
-/// Planar: every corner within min(7 u, 3e-5 e) + 2^-46 e + 2^-50 m of the Newell plane; u the mesh's
+/// Planar: every corner within min(7 u, 3e-5 e) + 2^-46 e + 2^-50 m of the Newell plane; u the face's
 /// rounding, e the longest side of the face's box, m the largest coordinate. The first term is the
 /// rounding of the file, capped for coarse files; the second our own arithmetic; the third the rounding of
 /// coordinates to double: 2^-53 m an axis, sqrt 3 times that a corner, four corners' worth.

@@ -25,14 +25,17 @@ struct Mesh {
   std::vector<std::string> groupNames;  ///< "body", "spout", ... as the file names its parts
   std::vector<int> material;            ///< #faces, index into materials, -1 for none
   std::vector<MeshMaterial> materials;
-  /// Half a unit of the last decimal that the file's coordinates carry, in world units: the rounding of
-  /// the input. 0 where the coordinates are exact by definition (points of a Bezier patch).
-  double rounding = 0.0;
+  /// The rounding of the input, by group: half a unit of the last decimal that the coordinates of its file
+  /// carry, in world units. 0 where they are exact by definition (points of a Bezier patch); empty where all
+  /// are.
+  std::vector<double> rounding;
 
   [[nodiscard]] int faceCount() const { return static_cast<int>(firstCorner.size()) - 1; }
   [[nodiscard]] std::span<const int> face(int f) const {
     return {corners.data() + firstCorner[f], corners.data() + firstCorner[f + 1]};
   }
+  /// The rounding of the coordinates of face f's corners.
+  [[nodiscard]] double roundingOf(int f) const { return rounding.empty() ? 0.0 : rounding[group[f]]; }
   /// Appends one face; `corners` has at least three valid indices.
   void addFace(std::span<const int> faceCorners, int groupIndex, int materialIndex = -1) {
     corners.insert(corners.end(), faceCorners.begin(), faceCorners.end());

@@ -68,7 +68,7 @@ class ObjReader {
       const auto known = colors_.find(name);
       mesh_.materials.push_back({name, known == colors_.end() ? glm::dvec3{1.0} : known->second});
     }
-    mesh_.rounding = 0.5 / power(10.0, decimals_);
+    mesh_.rounding.assign(mesh_.groupNames.size(), 0.5 / power(10.0, decimals_));
     return std::move(mesh_);
   }
 

@@ -18,10 +18,10 @@
 /// Mesh::groupNames  the groups that own a face, in file order. Several names after `g` are one, joined by
 ///                   blanks; a group begun twice is one; faces before any belong to `default`.
 /// Mesh::materials   the materials that a face uses, in file order; white where no library knows the name.
-/// Mesh::rounding    0.5 * 10^-d, d the most decimals that any x, y or z carries in its text (decimals() in
-///                   number.h: `-1.250` has 3, `1.5e-3` 4, `7` and `1e3` none). A writer that prints
-///                   significant digits (%g) shows the decimals of its smallest coordinate. 0 from d = 309
-///                   on.
+/// Mesh::rounding    of every group 0.5 * 10^-d, d the most decimals that any x, y or z carries in its text
+///                   (decimals() in number.h: `-1.250` has 3, `1.5e-3` 4, `7` and `1e3` none). A writer that
+///                   prints significant digits (%g) shows the decimals of its smallest coordinate. 0 from
+///                   d = 309 on.
 ///
 /// Throws ParseError, `teapot.obj:41: face index 0; OBJ counts from 1`, and for a file without a face.
 /// `name` is how errors call the text. Libraries are looked for in `folder`; a missing one is no error,

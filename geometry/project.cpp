@@ -3,14 +3,18 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <glm/geometric.hpp>
+#include <utility>
 
 #include "geometry/clip.h"
+#include "geometry/depth_doubt.h"
 
 namespace {
 
 /// A vertex before the snap: pixels, divided by w.
 glm::dvec3 divided(const glm::dvec4& p) { return glm::dvec3{p} / p.w; }
+
+/// More corners than this cost more in comparisons than a part more.
+constexpr int kMostCorners = 64;
 
 /// Appends the snapped outlines of one convex piece after the other.
 class Snapper {
@@ -21,7 +25,7 @@ class Snapper {
     return {std::lrint(p.x * kGrid), std::lrint(p.y * kGrid), std::lrint(p.z * zScale_)};
   }
 
-  void add(std::vector<glm::ivec3>& outline, int number) {
+  void add(std::vector<glm::ivec3>& outline, int number, int plane) {
     dropRepeats(outline);
     const int count = static_cast<int>(outline.size());
     const std::int64_t area = count < 3 ? 0 : doubleArea(outline.data(), count);
@@ -35,7 +39,7 @@ class Snapper {
       return;
     }
     if (back) std::reverse(outline.begin(), outline.end());
-    addConvex(outline.data(), count, number, back);
+    addConvex(outline.data(), count, number, plane, back);
   }
 
  private:
@@ -60,21 +64,22 @@ class Snapper {
     return descents == 1;
   }
 
-  /// Rounding may bend the outline of a polygon with many corners by a grid step. It is then halved along
-  /// a chord between two of its own vertices until the parts are convex; a triangle always is.
-  void addConvex(const glm::ivec3* p, int count, int number, bool back) {
-    if (count == 3 || convex(p, count)) {
+  /// Rounding may bend the outline of a polygon with many corners by a grid step, and pairs are compared
+  /// corner by corner. So such an outline is halved along a chord between two of its own vertices until the
+  /// parts are convex, as a triangle always is, and of few corners.
+  void addConvex(const glm::ivec3* p, int count, int number, int plane, bool back) {
+    if (count == 3 || (count <= kMostCorners && convex(p, count))) {
       if (doubleArea(p, count) <= 0)
         return;  // a part that the rounding has turned over: less than a step wide
-      scene_.faces.push_back({static_cast<int>(scene_.vertices.size()), count, number, back, 0, 0});
+      scene_.faces.push_back({static_cast<int>(scene_.vertices.size()), count, number, back, plane, 0});
       scene_.vertices.insert(scene_.vertices.end(), p, p + count);
       return;
     }
     const int half = count / 2;
-    std::vector<glm::ivec3> rest{p[0]};
-    rest.insert(rest.end(), p + half, p + count);
-    addConvex(p, half + 1, number, back);
-    addConvex(rest.data(), static_cast<int>(rest.size()), number, back);
+    std::vector<glm::ivec3> rest{p + half, p + count};
+    rest.push_back(p[0]);  // last: chords from one vertex to all others would make needles
+    addConvex(p, half + 1, number, plane, back);
+    addConvex(rest.data(), static_cast<int>(rest.size()), number, plane, back);
   }
 
   SnappedScene& scene_;
@@ -82,46 +87,39 @@ class Snapper {
   double zScale_;
 };
 
-/// SnappedFace::doubt: t = 4 (dz + dxy (|A| + |B|) / C), how far the plane may be off where a vertex is off
-/// by dxy across the screen and dz in depth. The snap moves it by half a step; the rounding u of a coordinate
-/// by sqrt 3 u in all. With S steps a unit on the view plane, D = prp.z and a vertex at distance d from the
-/// eye, magnified q = D / d times, r off the axis: dxy = 1/2 + sqrt 3 u S q (1 + q r / D) and dz = 1/2 + sqrt
-/// 3 u S q^2, for depth is S D^2 (1/d - 1/dB). In a parallel view q is 1, and r / D the slope of the
-/// projectors.
-class Doubts {
- public:
-  Doubts(double rounding, const ViewSpec& view, int width, int height, int zShift)
-      : perspective_{view.projection == Projection::Perspective},
-        pixel_{(view.windowMax - view.windowMin) / glm::dvec2{width, height}},
-        corner_{view.windowMin.x - view.prp.x, view.windowMax.y - view.prp.y},
-        D_{view.prp.z},
-        backMagnification_{D_ / (D_ - view.back)},
-        slant_{glm::length((view.windowMin + view.windowMax) / 2.0 - glm::dvec2{view.prp}) / D_},
-        steps_{std::sqrt(3.0) * rounding * kGrid / std::min(pixel_.x, pixel_.y)},
-        zSteps_{std::ldexp(1.0, -zShift)} {}
+/// Depth, from here on, is what the planes say. SnappedFace::plane is the number of the plane in the model
+/// before, the index of its record after. Records are in order of their first face.
+void makePlanes(SnappedScene& scene, int modelPlanes, const Mesh& mesh, const DepthDoubt& doubt) {
+  const int count = static_cast<int>(scene.faces.size());
+  std::vector<int> next(count, -1), first(modelPlanes, -1);  // faces of a plane, from each to the next
+  for (int f = count - 1; f >= 0; --f) next[f] = std::exchange(first[scene.faces[f].plane], f);
 
-  [[nodiscard]] double of(const glm::ivec3* outline, int count, const ScreenPlane& plane) const {
-    double q = 1.0, slant = slant_;
-    if (perspective_) {
-      slant = q = 0.0;
-      for (const glm::ivec3* p = outline; p != outline + count; ++p) {
-        q = std::max(q, p->z * pixel_.x / (zSteps_ * kGrid * D_) + backMagnification_);
-        const glm::dvec2 seen = corner_ + glm::dvec2{p->x, -p->y} / double{kGrid} * pixel_;
-        slant = std::max(slant, std::abs(seen.x) + std::abs(seen.y));
+  scene.planes.reserve(count);
+  std::vector<glm::ivec3> together;
+  for (int f = 0; f < count; ++f) {
+    const SnappedFace& face = scene.faces[f];
+    if (first[face.plane] != f) continue;  // a later one of its plane has the record by now
+    const glm::ivec3* vertices = &scene.vertices[face.first];
+    int vertexCount = face.count;
+    if (next[f] >= 0) {
+      together.clear();
+      for (int g = f; g >= 0; g = next[g]) {
+        const auto outline = scene.vertices.begin() + scene.faces[g].first;
+        together.insert(together.end(), outline, outline + scene.faces[g].count);
       }
-      slant /= D_;
+      vertices = together.data();
+      vertexCount = static_cast<int>(together.size());
     }
-    const double slope = (std::abs(static_cast<double>(plane.A)) + std::abs(static_cast<double>(plane.B))) /
-                         static_cast<double>(plane.C);
-    const double dxy = 0.5 + steps_ * q * (1.0 + slant), dz = 0.5 + steps_ * q * q * zSteps_;
-    return 4.0 * (dz + dxy * slope);
+    const int record = static_cast<int>(scene.planes.size());
+    scene.planes.push_back(planeThrough(vertices, vertexCount));
+    for (int g = f; g >= 0; g = next[g]) {
+      SnappedFace& member = scene.faces[g];
+      member.plane = record;
+      member.doubt = static_cast<float>(doubt.of(&scene.vertices[member.first], member.count,
+                                                 scene.planes.back(), mesh.roundingOf(member.number)));
+    }
   }
-
- private:
-  bool perspective_;
-  glm::dvec2 pixel_, corner_;  ///< on the view plane; corner: top left, from the axis
-  double D_, backMagnification_, slant_, steps_, zSteps_;
-};
+}
 
 }  // namespace
 
@@ -206,17 +204,10 @@ SnappedScene project(const Mesh& mesh, const Pieces& pieces, const ViewSpec& vie
     } else {
       for (const int corner : pieces.piece(i)) outline.push_back(snapped[corner]);
     }
-    snapper.add(outline, pieces.face[i]);
+    snapper.add(outline, pieces.face[i], pieces.plane[i]);
   }
 
-  // Depth, from here on, is what the planes say.
-  const Doubts doubts{std::min(mesh.rounding, kMostRounding), view, width, height, scene.zShift};
-  scene.planes.reserve(scene.faces.size());
-  for (SnappedFace& face : scene.faces) {
-    const glm::ivec3* const vertices = &scene.vertices[face.first];
-    face.plane = static_cast<int>(scene.planes.size());
-    scene.planes.push_back(planeThrough(vertices, face.count));
-    face.doubt = static_cast<float>(doubts.of(vertices, face.count, scene.planes.back()));
-  }
+  const int modelPlanes = count == 0 ? 0 : 1 + *std::max_element(pieces.plane.begin(), pieces.plane.end());
+  makePlanes(scene, modelPlanes, mesh, DepthDoubt{view, width, height, scene.zShift});
   return scene;
 }

@@ -16,7 +16,7 @@ struct SnappedFace {
   int first = 0, count = 0;  ///< its outline: count >= 3 vertices of SnappedScene::vertices from `first` on
   int number = 0;            ///< face number in the model; every piece keeps it
   bool back = false;         ///< seen from the side from which the model lists it clockwise
-  int plane = 0;             ///< index into SnappedScene::planes; faces with the same one are coplanar
+  int plane = 0;             ///< index into SnappedScene::planes; one for all faces of a plane of the model
   /// How far off in z the plane may be within the face, in z steps, for the rounding of the snap and of the
   /// model. Two faces nearer to each other than the sum of theirs may touch in the model. 0: taken as it is.
   float doubt = 0;
@@ -36,13 +36,12 @@ struct SnappedScene {
   int degenerate = 0;  ///< without area on the grid: they cover no sample
 };
 
-/// Coarser files are taken at their word: a tolerance as large as their rounding would unite what is apart.
-inline constexpr double kMostRounding = 3e-5 / 7;
-
 enum class Cull { Keep, Back };
 
 /// The whole viewing transformation: view, shear, warp, clip, viewport, snap. Vertices shared in the mesh,
 /// and new ones where a shared edge is clipped, snap to identical integers in every face that uses them.
+/// Pieces of one plane (Pieces::plane) get one plane record, through three of their vertices far apart: they
+/// are coplanar exactly, and of those at one sample the later is seen.
 /// The scene's coordinates should be near 1 in magnitude (readScene normalises).
 /// width, height: the picture in pixels, 1..kMaxPicture. @throws ViewError
 [[nodiscard]] SnappedScene project(const Mesh& mesh, const Pieces& pieces, const ViewSpec& view, int width,

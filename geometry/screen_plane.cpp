@@ -1,5 +1,6 @@
 #include "geometry/screen_plane.h"
 
+#include <algorithm>
 #include <cmath>
 
 namespace {
@@ -27,6 +28,10 @@ int compareQuotients(Int128 m, std::int64_t c, Int128 n, std::int64_t d) {
   return compare(Int128{p.rest} * d, Int128{q.rest} * c);
 }
 
+bool before(const glm::ivec3& a, const glm::ivec3& b) {
+  return a.x != b.x ? a.x < b.x : a.y != b.y ? a.y < b.y : a.z < b.z;
+}
+
 Int128 numerator(const ScreenPlane& P, std::int64_t x, std::int64_t y) {
   return Int128{P.A} * x + Int128{P.B} * y + P.D;
 }
@@ -34,32 +39,39 @@ Int128 numerator(const ScreenPlane& P, std::int64_t x, std::int64_t y) {
 }  // namespace
 
 ScreenPlane planeThrough(const glm::ivec3* v, int count) {
-  int one = 1, two = 2;
+  const glm::ivec3 *a = v, *b = v + 1, *c = v + 2;
   if (count > 3) {
-    const auto squared = [&](int i) {
-      const std::int64_t dx = v[i].x - v[0].x, dy = v[i].y - v[0].y;
+    const auto squared = [&](const glm::ivec3& p) {
+      const std::int64_t dx = p.x - a->x, dy = p.y - a->y;
       return dx * dx + dy * dy;
     };
-    const auto spanned = [&](int i) {
-      const std::int64_t ax = v[one].x - v[0].x, ay = v[one].y - v[0].y;
-      const std::int64_t bx = v[i].x - v[0].x, by = v[i].y - v[0].y;
-      return std::abs(ax * by - ay * bx);
+    const auto spanned = [&](const glm::ivec3& p) {
+      const std::int64_t bx = b->x - a->x, by = b->y - a->y;
+      const std::int64_t px = p.x - a->x, py = p.y - a->y;
+      return std::abs(bx * py - by * px);
     };
-    for (int i = 2; i < count; ++i)
-      if (squared(i) > squared(one)) one = i;
-    two = one == 1 ? 2 : 1;
-    for (int i = 1; i < count; ++i)
-      if (spanned(i) > spanned(two)) two = i;
+    const auto mostOf = [&](const auto& measure) {
+      const glm::ivec3* most = v;
+      std::int64_t is = measure(*v);
+      for (const glm::ivec3* p = v + 1; p != v + count; ++p) {
+        const std::int64_t mine = measure(*p);
+        if (mine > is || (mine == is && before(*p, *most))) most = p, is = mine;
+      }
+      return most;
+    };
+    a = std::min_element(v, v + count, before);
+    b = mostOf(squared);
+    c = mostOf(spanned);
   }
-  const std::int64_t x1 = v[one].x - v[0].x, y1 = v[one].y - v[0].y, z1 = v[one].z - v[0].z;
-  const std::int64_t x2 = v[two].x - v[0].x, y2 = v[two].y - v[0].y, z2 = v[two].z - v[0].z;
+  const std::int64_t x1 = b->x - a->x, y1 = b->y - a->y, z1 = b->z - a->z;
+  const std::int64_t x2 = c->x - a->x, y2 = c->y - a->y, z2 = c->z - a->z;
   // C dz = A dx + B dy has the solution of Cramer's rule for both edges.
   ScreenPlane plane;
   plane.C = x1 * y2 - x2 * y1;
   plane.A = z1 * y2 - z2 * y1;
   plane.B = x1 * z2 - x2 * z1;
   if (plane.C < 0) plane.A = -plane.A, plane.B = -plane.B, plane.C = -plane.C;
-  plane.D = Int128{plane.C} * v[0].z - Int128{plane.A} * v[0].x - Int128{plane.B} * v[0].y;
+  plane.D = Int128{plane.C} * a->z - Int128{plane.A} * a->x - Int128{plane.B} * a->y;
   return plane;
 }
 

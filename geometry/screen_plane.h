@@ -15,10 +15,11 @@ struct ScreenPlane {
   bool operator==(const ScreenPlane&) const = default;
 };
 
-/// Through three of the points that lie far apart: the first, the farthest from it on the screen, and the
-/// one that spans the largest triangle with both. A face of more than three corners, or several faces in one
-/// plane, are planar only up to the rounding of the snap; this plane is the one they have from here on.
-/// count >= 3, the points not all in line on the screen.
+/// Through three of the points that lie far apart: the least in x, y, z, the farthest from it on the screen,
+/// and the one that spans the largest triangle with both; of equals the least again, so the points' order
+/// does not matter. A face of more than three corners, or several faces in one plane, are planar only up to
+/// the rounding of the snap; this plane is the one they have from here on. count >= 3, the points not all in
+/// line on the screen.
 [[nodiscard]] ScreenPlane planeThrough(const glm::ivec3* points, int count);
 
 /// The sign of zP - zQ at (x, y), |x|, |y| <= 2^30 grid steps: +1 where P is nearer, 0 where they meet.

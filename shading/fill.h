@@ -101,8 +101,9 @@ inline void fillSmallTriangle(IndexImage& image, const glm::ivec3* p, const Samp
 /// Gives `cell` to every sample of the image that the outline owns: convex, counter-clockwise as seen.
 inline void fillConvex(IndexImage& image, const glm::ivec3* p, int count, std::uint8_t cell) {
   if (count == 3 && image.width >= 8 && image.height >= 8) {
-    const SampleBox box{sampleFrom(std::min({p[0].x, p[1].x, p[2].x})), sampleFrom(std::max({p[0].x, p[1].x, p[2].x})),
-                        sampleFrom(std::min({p[0].y, p[1].y, p[2].y})), sampleFrom(std::max({p[0].y, p[1].y, p[2].y}))};
+    const SampleBox box{
+        sampleFrom(std::min({p[0].x, p[1].x, p[2].x})), sampleFrom(std::max({p[0].x, p[1].x, p[2].x})),
+        sampleFrom(std::min({p[0].y, p[1].y, p[2].y})), sampleFrom(std::max({p[0].y, p[1].y, p[2].y}))};
     if (box.right <= 0 || box.left >= image.width || box.bottom <= 0 || box.top >= image.height) return;
     if (box.right - box.left <= 8 && box.bottom - box.top <= 8) return fillSmallTriangle(image, p, box, cell);
   }

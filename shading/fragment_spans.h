@@ -35,6 +35,28 @@
   return low;
 }
 
+struct Columns {
+  int from, to;  ///< the first, and the first outside
+};
+
+/// Of the columns of row j, from < to, those whose samples keep to a piece's side of all its cuts.
+[[nodiscard]] inline Columns withinCuts(const SnappedScene& scene, const SortedScene& sorted,
+                                        const Piece& piece, int j, Columns columns) {
+  auto& [from, to] = columns;
+  const CutLine *cut = sorted.cuts.data() + piece.firstCut, *const end = cut + piece.cuts;
+  for (; cut != end && from < to; ++cut) {
+    const ScreenPlane &over = scene.planes[cut->over], &under = scene.planes[cut->under];
+    const Int128 grows = Int128{over.A} * under.C - Int128{under.A} * over.C;
+    if (grows > 0)
+      from = columnOfCut(over, under, j, from, to, true);
+    else if (grows < 0)
+      to = columnOfCut(over, under, j, from, to, false);
+    else if (nearer(over, under, from, j) < 0)
+      to = from;
+  }
+  return columns;
+}
+
 /// Calls span(row, from, to) for the runs of samples in [0, width) x [0, height) that a fragment owns.
 template <class Span>
 void forEachSpan(const SnappedScene& scene, const SortedScene& sorted, const Fragment& fragment, int width,
@@ -44,19 +66,9 @@ void forEachSpan(const SnappedScene& scene, const SortedScene& sorted, const Fra
   if (fragment.piece < 0) return forEachSpan(outline, face.count, width, height, span);
 
   const Piece& piece = sorted.pieces[fragment.piece];
-  const CutLine *const cuts = sorted.cuts.data() + piece.firstCut, *const end = cuts + piece.cuts;
-  const int lastRow = std::min(height, piece.firstRow + piece.rows);
-  forEachSpan(outline, face.count, piece.firstRow, width, lastRow, [&](int row, int from, int to) {
-    for (const CutLine* cut = cuts; cut != end && from < to; ++cut) {
-      const ScreenPlane &over = scene.planes[cut->over], &under = scene.planes[cut->under];
-      const Int128 grows = Int128{over.A} * under.C - Int128{under.A} * over.C;
-      if (grows > 0)
-        from = columnOfCut(over, under, row, from, to, true);
-      else if (grows < 0)
-        to = columnOfCut(over, under, row, from, to, false);
-      else if (nearer(over, under, from, row) < 0)
-        to = from;
-    }
-    if (from < to) span(row, from, to);
+  const int endRow = std::min(height, piece.firstRow + piece.rows);
+  forEachSpan(outline, face.count, piece.firstRow, width, endRow, [&](int row, int from, int to) {
+    const Columns columns = withinCuts(scene, sorted, piece, row, {from, to});
+    if (columns.from < columns.to) span(row, columns.from, columns.to);
   });
 }

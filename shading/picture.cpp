@@ -6,7 +6,7 @@
 #include "depthsort/oracle.h"
 #include "geometry/screen_plane.h"
 #include "shading/fill.h"
-#include "shading/scanline.h"
+#include "shading/fragment_spans.h"
 
 namespace {
 
@@ -59,9 +59,14 @@ void Picture::make(const PictureSettings& next) {
   // Back to front.
   if (newOrder)
     timed(times_.sort, [&] {
-      order_ = paintingOrder(snapped_, next.order);
-      visible_ =
-          next.order == Order::Oracle ? visibleFaces(snapped_, next.width, next.height) : std::vector<int>{};
+      sorted_ = {};
+      visible_.clear();
+      if (next.order == Order::Oracle)
+        visible_ = visibleFaces(snapped_, next.width, next.height);
+      else if (next.order == Order::Newell)
+        sorted_ = depthSort(snapped_, {next.width, next.height});
+      else
+        for (const int face : paintingOrder(snapped_, next.order)) sorted_.fragments.push_back({face});
     });
 
   // Intensities to cells of the colour table.
@@ -82,11 +87,9 @@ void Picture::make(const PictureSettings& next) {
 template <class Span>
 void Picture::paintFaces(Span&& span) const {
   if (made_.order != Order::Oracle) {
-    for (const int i : order_) {
-      const SnappedFace& face = snapped_.faces[i];
-      forEachSpan(&snapped_.vertices[face.first], face.count, made_.width, made_.height,
-                  [&](int row, int from, int to) { span(row, from, to, i); });
-    }
+    for (const Fragment& fragment : sorted_.fragments)
+      forEachSpan(snapped_, sorted_, fragment, made_.width, made_.height,
+                  [&](int row, int from, int to) { span(row, from, to, fragment.face); });
     return;
   }
   for (int j = 0; j < made_.height; ++j) {
@@ -100,15 +103,21 @@ void Picture::paintFaces(Span&& span) const {
 
 void Picture::fillFaces(IndexImage& image) const {
   // In depth order each face lies elsewhere in memory: fetch it while those before it are filled.
-  const std::size_t count = order_.size();
+  const std::size_t count = sorted_.fragments.size();
   const auto ahead = [&](std::size_t k) -> const SnappedFace& {
-    return snapped_.faces[order_[std::min(k, count - 1)]];
+    return snapped_.faces[sorted_.fragments[std::min(k, count - 1)].face];
   };
   for (std::size_t k = 0; k < count; ++k) {
     __builtin_prefetch(&ahead(k + 16));
     __builtin_prefetch(&snapped_.vertices[ahead(k + 8).first]);
-    const SnappedFace& face = ahead(k);
-    fillConvex(image, &snapped_.vertices[face.first], face.count, cells_[order_[k]]);
+    const Fragment& fragment = sorted_.fragments[k];
+    const SnappedFace& face = snapped_.faces[fragment.face];
+    const std::uint8_t cell = cells_[fragment.face];
+    if (fragment.piece < 0)
+      fillConvex(image, &snapped_.vertices[face.first], face.count, cell);
+    else
+      forEachSpan(snapped_, sorted_, fragment, made_.width, made_.height,
+                  [&](int row, int from, int to) { fillSpan(image.row(row) + from, to - from, cell); });
   }
 }
 

@@ -6,6 +6,7 @@
 #include <string_view>
 #include <vector>
 
+#include "depthsort/depth_sort.h"
 #include "depthsort/order.h"
 #include "geometry/camera.h"
 #include "geometry/project.h"
@@ -32,7 +33,7 @@ struct PictureSettings {
   CameraSettings camera;          ///< in the scene's units
   Illumination light;
   Shading shading = Shading::Flat;
-  Order order = Order::ZSort;
+  Order order = Order::Newell;
   Cull cull = Cull::Keep;
   TableSettings table;
   bool operator==(const PictureSettings&) const = default;
@@ -64,8 +65,9 @@ class Picture {
   [[nodiscard]] const Camera& camera() const { return camera_; }
   [[nodiscard]] const std::vector<FaceShade>& faces() const { return faces_; }
   [[nodiscard]] const SnappedScene& snapped() const { return snapped_; }
-  /// Indices into snapped().faces, back to front.
-  [[nodiscard]] const std::vector<int>& order() const { return order_; }
+  /// What to paint, back to front: whole faces, and pieces where the depth sort split them. Empty for
+  /// Order::Oracle, which paints no faces.
+  [[nodiscard]] const SortedScene& sorted() const { return sorted_; }
   [[nodiscard]] const ColorTable& table() const { return *table_; }
   /// The cell of each of snapped().faces.
   [[nodiscard]] const std::vector<std::uint8_t>& cells() const { return cells_; }
@@ -95,7 +97,7 @@ class Picture {
   Camera camera_;
   std::vector<FaceShade> faces_;
   SnappedScene snapped_;
-  std::vector<int> order_;
+  SortedScene sorted_;
   std::vector<int> visible_;  ///< of Order::Oracle: the face at each sample
   std::optional<ColorTable> table_;
   std::vector<std::uint8_t> cells_;

@@ -10,6 +10,7 @@
 
 #include "geometry/bezier.h"
 #include "geometry/bpt.h"
+#include "geometry/coplanar.h"
 #include "geometry/obj.h"
 #include "geometry/parse_error.h"
 #include "geometry/teapot.h"
@@ -63,8 +64,9 @@ Scene makeScene(std::string name, Mesh mesh, UpAxis up, int divisions) {
   Scene scene{std::move(name), std::move(mesh), {}, up, 0, {}, divisions};
   if (largest > 0.0) std::frexp(largest, &scene.exponent);
   for (glm::dvec3& p : scene.mesh.points) p = scaled(p, -scene.exponent);
-  scene.mesh.rounding = std::ldexp(scene.mesh.rounding, -scene.exponent);
+  for (double& u : scene.mesh.rounding) u = std::ldexp(u, -scene.exponent);
   scene.pieces = divideFaces(scene.mesh);
+  scene.pieces.plane = coplanarClasses(scene.mesh, scene.pieces);
   return scene;
 }
 

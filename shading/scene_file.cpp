@@ -164,10 +164,11 @@ Mesh readObject(const Node& node, const std::filesystem::path& folder, double ro
   Mesh mesh = node.has("file")    ? readMesh(node, folder)
               : node.has("solid") ? readSolid(node)
                                   : readPolygons(node.at("polygons"));
-  if (node.has("polygons")) mesh.rounding = rounding;
+  if (node.has("polygons")) mesh.rounding = {rounding};
   if (node.has("name")) {
     mesh.groupNames = {node.at("name").text()};
     std::ranges::fill(mesh.group, 0);
+    if (mesh.rounding.size() > 1) mesh.rounding = {mesh.rounding.front()};  // the same for all of a file
   }
   if (node.has("color")) {
     const glm::dvec3 color = node.at("color").point();
@@ -183,11 +184,11 @@ Mesh readObject(const Node& node, const std::filesystem::path& folder, double ro
     if (!std::isfinite(p.x) || !std::isfinite(p.y) || !std::isfinite(p.z))
       node.fail("the object is scaled out of range");
   }
-  mesh.rounding *= scale;
+  for (double& u : mesh.rounding) u *= scale;
   return mesh;
 }
 
-/// Object by object; the coarsest rounding holds for all.
+/// Object by object; each keeps the rounding of its own coordinates.
 void append(Mesh& whole, const Mesh& part) {
   const int points = static_cast<int>(whole.points.size()),
             groups = static_cast<int>(whole.groupNames.size());
@@ -195,6 +196,8 @@ void append(Mesh& whole, const Mesh& part) {
   whole.points.insert(whole.points.end(), part.points.begin(), part.points.end());
   whole.groupNames.insert(whole.groupNames.end(), part.groupNames.begin(), part.groupNames.end());
   if (part.groupNames.empty()) whole.groupNames.emplace_back();
+  whole.rounding.insert(whole.rounding.end(), part.rounding.begin(), part.rounding.end());
+  whole.rounding.resize(whole.groupNames.size(), 0.0);
   whole.materials.insert(whole.materials.end(), part.materials.begin(), part.materials.end());
   std::vector<int> corners;
   for (int f = 0; f < part.faceCount(); ++f) {
@@ -202,7 +205,6 @@ void append(Mesh& whole, const Mesh& part) {
     for (int& c : corners) c += points;
     whole.addFace(corners, part.group[f] + groups, part.material[f] < 0 ? -1 : part.material[f] + materials);
   }
-  whole.rounding = std::max(whole.rounding, part.rounding);
 }
 
 /// Reads nothing but the decimals that numbers below a key "polygons" carry in their text.

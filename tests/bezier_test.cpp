@@ -107,7 +107,7 @@ TEST(Bezier, FacesAreNumberedRowByRowAndFaceDuCrossDv) {
     EXPECT_LT(distance(mesh.points[mesh.face(f)[1]], {u + 0.25, v, 0.0}), 0x1p-50);
     EXPECT_GT(newellVector(mesh.points, mesh.face(f)).z, 0.0);
   }
-  EXPECT_EQ(mesh.rounding, 0.0);
+  EXPECT_TRUE(mesh.rounding.empty());
   EXPECT_EQ(mesh.groupNames, std::vector<std::string>{""});
   EXPECT_EQ(normal(flatPatch(), 0.25, 0.75), glm::dvec3(0, 0, 1));
 }

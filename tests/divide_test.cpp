@@ -18,7 +18,7 @@ Mesh oneFace(const Pts& points, double rounding = 0.0) {
   Mesh mesh;
   mesh.points = points;
   mesh.groupNames = {"face"};
-  mesh.rounding = rounding;
+  mesh.rounding = {rounding};
   std::vector<int> corners;
   for (int i = 0; i < static_cast<int>(points.size()); ++i) corners.push_back(i);
   mesh.addFace(corners, 0);

@@ -50,7 +50,8 @@ void expectSound(const Mesh& mesh) {
   for (const int corner : mesh.corners) {
     EXPECT_TRUE(corner >= 0 && corner < static_cast<int>(mesh.points.size()));
   }
-  EXPECT_TRUE(mesh.rounding >= 0.0 && mesh.rounding <= 0.5);
+  EXPECT_EQ(mesh.rounding.size(), mesh.groupNames.size());
+  for (const double u : mesh.rounding) EXPECT_TRUE(u >= 0.0 && u <= 0.5);
 }
 
 /// A file with a bit of everything that is read or skipped.
@@ -81,7 +82,7 @@ TEST(Obj, ReadsABitOfEverything) {
   ASSERT_EQ(mesh.materials.size(), 1u);
   EXPECT_EQ(mesh.materials[0].name, "red paint");
   EXPECT_EQ(mesh.materials[0].diffuse, glm::dvec3(1.0)) << "its library is missing";
-  EXPECT_EQ(mesh.rounding, 0.5e-2);
+  EXPECT_THAT(mesh.rounding, ElementsAre(0.5e-2, 0.5e-2));
   expectSound(mesh);
 }
 
@@ -210,7 +211,7 @@ TEST(Obj, NamesTheLibraryThatIsWrong) {
 // and normals do not count. 0.5 * 10^-d is the nearest double up to d = 22, where 10^d is exact.
 TEST(Obj, RoundingIsHalfTheLastDecimal) {
   const auto roundingOf = [](const std::string& coordinates) {
-    return meshOf(afterThreeVertices("v " + coordinates + "\nvt 0.12345678\nf 1 2 3\n")).rounding;
+    return meshOf(afterThreeVertices("v " + coordinates + "\nvt 0.12345678\nf 1 2 3\n")).roundingOf(0);
   };
   EXPECT_EQ(roundingOf("1 2 3"), 0.5);
   EXPECT_EQ(roundingOf("1e3 2 3"), 0.5);

@@ -250,7 +250,6 @@ TEST(Options, SayWhatIsNotBuiltYet) {
           << option << ' ' << name << ": " << complaint({option, name});
   };
   later("--shade", {"depth", "gouraud", "phong", "envmap"});
-  later("--order", {"newell"});
   later("--colormap", {"shared"});
   later("--view", {"colours", "machbands", "normals", "overdraw", "wireframe", "difference"});
 }

@@ -177,3 +177,45 @@ TEST(Project, DepthKeepsItsBits) {
   for (const glm::ivec3& v : s.vertices) largest = std::max(largest, v.z);
   EXPECT_TRUE(largest <= 1 << 30 && largest > 1 << 29) << largest;
 }
+
+// Pieces of one plane share one record, and it comes from their farthest vertices: neither a small decal of
+// the model's that lies a little off decides it, nor the order in which they are listed. Others keep their
+// own.
+TEST(Project, OnePlaneHasOneRecord) {
+  const auto projectedIn = [](bool decalFirst, Projection projection) {
+    Mesh m;
+    m.points = {{-0.9, -0.8, -1}, {0.9, -0.8, 0.8}, {0.9, 0.8, 0.8}, {-0.9, 0.8, -1}, {0, 0, -0.1001},
+                {0.01, 0, -0.09}, {0, 0.01, -0.1},  {0, 0, 0.5},     {0.5, 0, 0.5},   {0, 0.5, 0.75}};
+    const std::vector<std::vector<int>> faces =
+        decalFirst ? std::vector<std::vector<int>>{{6, 5, 4}, {0, 1, 2, 3}, {7, 8, 9}}
+                   : std::vector<std::vector<int>>{{0, 1, 2, 3}, {6, 5, 4}, {7, 8, 9}};
+    for (const auto& f : faces) m.addFace(f, 0);
+    Pieces pieces = divideFaces(m);
+    pieces.plane = {0, 0, 1};
+    return project(m, pieces, fromAbove(projection), 512, 512, Cull::Keep);
+  };
+  for (const Projection projection : {Projection::Parallel, Projection::Perspective}) {
+    const SnappedScene one = projectedIn(false, projection), two = projectedIn(true, projection);
+    ASSERT_EQ(one.faces.size(), 3u);
+    ASSERT_EQ(one.planes.size(), 2u);
+    EXPECT_EQ(one.faces[0].plane, one.faces[1].plane);
+    EXPECT_NE(one.faces[0].plane, one.faces[2].plane);
+    EXPECT_EQ(one.planes[0], planeThrough(&one.vertices[one.faces[0].first], 4));
+    EXPECT_EQ(one.planes, two.planes);
+  }
+}
+
+// The doubt about a face's depth grows with the rounding of its own coordinates, not with those of others.
+TEST(Project, DoubtIsByObject) {
+  Mesh m;
+  m.points = {{-0.9, -0.8, 0}, {0.9, -0.8, 0}, {0.9, 0.8, 0}};
+  m.groupNames = {"exact", "rounded"};
+  m.rounding = {0.0, 1e-7};
+  const int corners[] = {0, 1, 2};
+  m.addFace(corners, 0);
+  m.addFace(corners, 1);
+  const SnappedScene s = projected(m, fromAbove(Projection::Parallel));
+  ASSERT_EQ(s.faces.size(), 2u);
+  EXPECT_EQ(s.faces[0].doubt, 4 * 0.5f);
+  EXPECT_NEAR(s.faces[1].doubt, 4 * (0.5 + std::sqrt(3.0) * 1e-7 * 256 * kGrid), 1e-4);
+}

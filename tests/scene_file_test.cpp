@@ -59,13 +59,26 @@ TEST(SceneFile, ScaleThenMove) {
 TEST(SceneFile, RoundingFromTheTextOfPolygons) {
   const auto rounding = [](const std::string& text) {
     const Scene s = parsed(text);
-    return std::ldexp(s.mesh.rounding, s.exponent);
+    return std::ldexp(s.mesh.roundingOf(0), s.exponent);
   };
   EXPECT_EQ(rounding(withObject(R"({"polygons": [[[0.25, 0, 0], [1.5, 0, 0], [0, 1, 0]]]})")), 0.5 / 10 / 10);
   EXPECT_EQ(rounding(withObject(
                 R"({"polygons": [[[0.250, 0, 0], [1, 0, 0], [0, 1, 0]]], "color": [0.12345, 0, 0]})")),
             0.5 / 10 / 10 / 10);
   EXPECT_EQ(rounding(withObject(R"({"solid": "cube", "move": [0.12345, 0, 0]})")), 0);
+}
+
+// Every object keeps the rounding of its own coordinates, scaled with it; a solid's are exact.
+TEST(SceneFile, RoundingByObject) {
+  const std::string polygons = R"("polygons": [[[0.25, 0, 0], [1.5, 0, 0], [0, 1, 0]]])";
+  const Scene s = parsed(R"({"objects": [{"solid": "cube"}, {)" + polygons + R"(, "scale": 4}, {)" +
+                         polygons + R"(, "name": "last"}, {"solid": "cube"}]})");
+  const auto rounding = [&](int f) { return std::ldexp(s.mesh.roundingOf(f), s.exponent); };
+  ASSERT_EQ(s.mesh.faceCount(), 14);
+  EXPECT_EQ(rounding(5), 0);
+  EXPECT_EQ(rounding(6), 4 * (0.5 / 10 / 10));
+  EXPECT_EQ(rounding(7), 0.5 / 10 / 10);
+  EXPECT_EQ(rounding(8), 0);
 }
 
 // A camera of each kind.

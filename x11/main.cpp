@@ -77,7 +77,9 @@ void trace(const Options& options, Picture& picture) {
   SortedScene sorted;
   {
     const Doing sorting{"sorting"};
-    picture.make(settingsOf(options));
+    PictureSettings settings = settingsOf(options);
+    settings.order = Order::Unsorted;  // the run that is told is the sort
+    picture.make(settings);
     sorted = recordedRun(options, picture);
   }
   if (options.frames.empty()) return printTrace(options, picture, sorted, std::cout);

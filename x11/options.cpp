@@ -351,7 +351,7 @@ std::optional<Options> parseOptions(int argc, const char* const* argv) {
            "each Bezier patch of a .bpt file becomes N x N polygons");
   r.choice("--shade", kShadings, o.picture.shading, "shading method",
            {"depth", "gouraud", "phong", "envmap"});
-  r.choice("--order", kOrders, o.picture.order, "hidden-surface method", {"newell"});
+  r.choice("--order", kOrders, o.picture.order, "hidden-surface method", {});
   r.choice("--fill", kFills, o.fill, "who fills the polygons");
   r.text("--cull", "back faces: back leaves them out, none keeps them", "none", [&](const std::string& s) {
     if (s != "back" && s != "none") refuse("--cull", s, "back or none");

@@ -407,6 +407,8 @@ std::string orderInWords(Order order) {
       return "sorted by mean z";
     case Order::ZSort:
       return "sorted by farthest z";
+    case Order::Newell:
+      return "sorted by depth, Newell's way";
     case Order::Oracle:
       return "each sample decided by itself";
   }

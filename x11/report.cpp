@@ -30,9 +30,10 @@ nlohmann::ordered_json requiredBy(const Picture& picture) {
 
 nlohmann::ordered_json statsOf(const Options& options, const Picture& picture, const StageTimes& t) {
   const SnappedScene& scene = picture.snapped();
+  const SortedScene& sorted = picture.sorted();
+  const SortStatistics& sort = sorted.statistics;
   nlohmann::ordered_json tests;
-  for (const char* test : {"1", "2", "3", "4", "5"})
-    tests[test] = 0;  // sorting by z alone makes none of them
+  for (const TestRow& row : kTestRows) tests[std::string{row.name}] = sort.settled[static_cast<int>(row.id)];
   return {{"scene", options.scene},
           {"size", {picture.settings().width, picture.settings().height}},
           {"faces", picture.scene().mesh.faceCount()},
@@ -40,9 +41,11 @@ nlohmann::ordered_json statsOf(const Options& options, const Picture& picture, c
           {"degenerate", scene.degenerate},
           {"culled", scene.culled},
           {"outside", scene.outside},
-          {"fragments", static_cast<int>(scene.faces.size())},
-          {"splits", 0},
-          {"cycles", 0},
+          {"fragments", static_cast<std::int64_t>(scene.faces.size()) + sort.splits},
+          {"painted", static_cast<std::int64_t>(sorted.fragments.size())},
+          {"splits", sort.splits},
+          {"cycles", sort.cycles},
+          {"contacts", sort.contacts},
           {"tests", tests},
           {"saturated", picture.saturated()},
           {"required", requiredBy(picture)},

@@ -208,11 +208,12 @@ PictureSettings Workbench::sized() const {
 
 std::string Workbench::exactnessText() const {
   constexpr std::size_t kMost = 100'000;  // polygons: more take longer to count than to look at
-  if (setup().picture.order == Order::Oracle || picture_.snapped().faces.size() > kMost) return {};
+  const Order order = setup().picture.order;
+  if (order == Order::Newell || order == Order::Oracle || picture_.snapped().faces.size() > kMost) return {};
   const Picture::Exactness e = picture_.exactness();
   if (e.wrong == 0) return {};
-  return "Not exact: " + orderInWords(setup().picture.order) + ", it shows the wrong face at " +
-         withCommas(e.wrong) + " of " + withCommas(e.samples) + " samples.";
+  return "Not exact: " + orderInWords(order) + ", it shows the wrong face at " + withCommas(e.wrong) +
+         " of " + withCommas(e.samples) + " samples.";
 }
 
 void Workbench::drawFrame(bool dragging) {

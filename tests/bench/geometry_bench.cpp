@@ -1,5 +1,8 @@
 #include <benchmark/benchmark.h>
 
+#include <algorithm>
+#include <array>
+#include <cmath>
 #include <fstream>
 #include <iterator>
 #include <sstream>
@@ -7,6 +10,7 @@
 
 #include "geometry/bpt.h"
 #include "geometry/camera.h"
+#include "geometry/coplanar.h"
 #include "geometry/obj.h"
 #include "geometry/project.h"
 #include "geometry/solids.h"
@@ -88,5 +92,50 @@ void BM_DivideFaces(benchmark::State& state) {
   state.SetItemsProcessed(state.iterations() * mesh.faceCount());
 }
 BENCHMARK(BM_DivideFaces)->Arg(14)->Arg(56)->Arg(224)->Unit(benchmark::kMicrosecond);
+
+/// side * side unit tiles of six decimals, every one with a smaller square on it.
+Mesh tiledFloor(int side) {
+  Mesh mesh;
+  mesh.groupNames = {"floor"};
+  mesh.rounding = {0.5e-6};
+  const auto square = [&](double x, double y, double size) {
+    const int first = static_cast<int>(mesh.points.size());
+    for (const auto [dx, dy] : {std::array{0.0, 0.0}, {size, 0.0}, {size, size}, {0.0, size}})
+      mesh.points.push_back({x + dx, y + dy, 0.0});
+    mesh.addFace(std::array{first, first + 1, first + 2, first + 3}, 0);
+  };
+  for (int i = 0; i < side; ++i)
+    for (int j = 0; j < side; ++j) square(i, j, 1.0);
+  for (int i = 0; i < side; ++i)
+    for (int j = 0; j < side; ++j) square(i + 0.25, j + 0.25, 0.5);
+  return mesh;
+}
+
+void findCoplanar(benchmark::State& state, const Mesh& mesh) {
+  const Pieces pieces = divideFaces(mesh);
+  std::vector<int> planes;
+  for (auto _ : state) benchmark::DoNotOptimize(planes = coplanarClasses(mesh, pieces));
+  state.SetItemsProcessed(state.iterations() * pieces.count());
+  state.counters["planes"] = 1 + *std::max_element(planes.begin(), planes.end());
+}
+// No two coplanar, neighbours touch: expect n log n. Exact, and as if read with that many decimals.
+void BM_CoplanarTorus(benchmark::State& state) {
+  Mesh mesh = triangleTorus(static_cast<int>(state.range(0)));
+  if (state.range(1) > 0) mesh.rounding = {0.5 / std::pow(10.0, state.range(1))};
+  findCoplanar(state, mesh);
+}
+BENCHMARK(BM_CoplanarTorus)->ArgsProduct({{56, 224, 707}, {0, 6}})->Unit(benchmark::kMillisecond);
+
+// No two coplanar, boxes overlap a hundredfold: expect n log n, for their planes differ.
+void BM_CoplanarSoup(benchmark::State& state) {
+  findCoplanar(state, triangleSoup(static_cast<int>(state.range(0)), 0.3, 1972));
+}
+BENCHMARK(BM_CoplanarSoup)->Arg(10'000)->Arg(100'000)->Unit(benchmark::kMillisecond);
+
+// All in one plane, and every tile with its decal: expect n log n.
+void BM_CoplanarFloor(benchmark::State& state) {
+  findCoplanar(state, tiledFloor(static_cast<int>(state.range(0))));
+}
+BENCHMARK(BM_CoplanarFloor)->Arg(32)->Arg(100)->Arg(320)->Unit(benchmark::kMillisecond);
 
 }  // namespace

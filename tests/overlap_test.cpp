@@ -1,0 +1,57 @@
+#include "geometry/overlap.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <random>
+#include <set>
+#include <utility>
+
+namespace {
+
+/// Boxes of one kind: small everywhere, flat in some axes and large in others, on a lattice so that ends
+/// meet, and many the same along one axis or along all.
+std::vector<ItemBox> randomBoxes(unsigned seed) {
+  std::mt19937 rng{seed};
+  std::uniform_real_distribution<double> unit{0.0, 1.0};
+  const unsigned kind = seed % 5;
+  std::vector<ItemBox> boxes;
+  const int count = 10 + static_cast<int>(unit(rng) * 600);
+  for (int i = 0; i < count; ++i) {
+    ItemBox& box = boxes.emplace_back(ItemBox{i, {}, {}});
+    for (int axis = 0; axis < 6; ++axis) {
+      double low = unit(rng), length = 0.5 * unit(rng);
+      if (kind == 1) length *= axis < 3 ? 1e-9 : 2.0;
+      if (kind == 2) low = std::floor(8 * low), length = std::floor(8 * length);
+      if (kind == 3 && axis != 4) low = length = 0.0;
+      if (kind == 4) low = length = 0.25;
+      box.low[axis] = low, box.high[axis] = low + length;
+    }
+  }
+  return boxes;
+}
+
+}  // namespace
+
+// The pairs found are those of comparing all with all, no more and no less.
+TEST(Overlap, FindsEveryPair) {
+  std::size_t found = 0, apart = 0;
+  for (unsigned seed = 0; seed < 200; ++seed) {
+    SCOPED_TRACE(seed);
+    std::vector<ItemBox> boxes = randomBoxes(seed);
+    using Pairs = std::set<std::pair<int, int>>;
+    Pairs expected, visited;
+    for (const ItemBox& P : boxes)
+      for (const ItemBox& Q : boxes)
+        if (P.item < Q.item && overlap(P, Q)) expected.insert({P.item, Q.item});
+    apart += boxes.size() * (boxes.size() - 1) / 2 - expected.size();
+    forOverlapping(std::span{boxes}, [&](int i, int j) {
+      ASSERT_NE(i, j);
+      visited.insert(std::minmax(i, j));
+    });
+    EXPECT_EQ(visited, expected);
+    found += visited.size();
+  }
+  EXPECT_GT(found, 100'000u);
+  EXPECT_GT(apart, 100'000u);
+}
