@@ -219,8 +219,12 @@ void DepthSort::enterFaces() {
   list_.resize(faces_);
   std::vector<int> next = cellOpen_;
   for (const int i : sortedByKey(keys)) list_[next[cell[i]]++] = unsorted[i];
-  if (settings_.record)
+  if (settings_.record) {
     for (const Polygon& P : list_) sorted_.list.push_back(P.face);
+    // Room for most runs; what is never written to costs no memory. Moving the events whenever there are
+    // twice as many took a fifth of the time of the run.
+    sorted_.events.reserve(std::min(std::size_t{16} * faces_, settings_.mostEvents));
+  }
 }
 
 int DepthSort::candidate(int P) {
