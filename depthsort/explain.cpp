@@ -9,7 +9,7 @@ namespace {
 
 double onScreen(double grid) { return grid / kGrid; }
 
-/// What the parts say is put together; "P" and "Q" in braces are the names.
+/// The text with names for {P} and {Q}.
 std::string filled(std::string_view text, const std::string& P, const std::string& Q) {
   std::string sentence;
   for (std::size_t at = 0; at < text.size();) {
@@ -94,6 +94,16 @@ std::string_view titleOf(Test test) {
   return test == Test::SamePlane ? "plane" : kTestRows[static_cast<int>(test)].name;
 }
 
+CornerCounts countsOf(const Regions& regions, const Line& line, const Region& region) {
+  CornerCounts counts;
+  for (std::size_t k = 0; k < region.size(); ++k) {
+    const Side &side = region[k], &next = region[k + 1 == region.size() ? 0 : k + 1];
+    const int sign = regions.sign(line, side.line, next.line, side.corner);
+    ++(sign > 0 ? counts.inFront : sign < 0 ? counts.behind : counts.on);
+  }
+  return counts;
+}
+
 }  // namespace
 
 std::string_view wordFor(Event::Kind kind) {
@@ -125,7 +135,7 @@ std::vector<Test> testsMade(const Event& compare, bool textbook) {
   static constexpr std::array kQuick{Projections, PBehindQ, QInFrontOfP, QBehindP, PInFrontOfQ, Overlap};
   const std::span<const Test> order =
       textbook ? std::span<const Test>{kTextbook} : std::span<const Test>{kQuick};
-  // Of two in one plane the projections are the last thing that can settle them apart from their numbers.
+  // Two in one plane have only their numbers left when the projections overlap.
   const Test last = compare.test == SamePlane ? Projections : compare.test;
   std::vector<Test> made{order.begin(), std::ranges::find(order, last) + 1};
   if (compare.test == SamePlane) made.push_back(SamePlane);
@@ -148,20 +158,6 @@ Range Explainer::zExtent(int id) const {
   const Extents extents = fragments_.extents(id);
   return {pixels(extents.zFar), pixels(extents.zNear)};
 }
-
-namespace {
-
-CornerCounts countsOf(const Regions& regions, const Line& line, const Region& region) {
-  CornerCounts counts;
-  for (std::size_t k = 0; k < region.size(); ++k) {
-    const Side &side = region[k], &next = region[k + 1 == region.size() ? 0 : k + 1];
-    const int sign = regions.sign(line, side.line, next.line, side.corner);
-    ++(sign > 0 ? counts.inFront : sign < 0 ? counts.behind : counts.on);
-  }
-  return counts;
-}
-
-}  // namespace
 
 CornerCounts Explainer::corners(int of, int fromPlaneOf) const {
   const Line nearer = regions_.cut(fragments_.face(of).plane, fragments_.face(fromPlaneOf).plane);

@@ -19,11 +19,10 @@
 /// proves nothing, and the last settled the pair. A test behind it was not made.
 [[nodiscard]] std::vector<Test> testsMade(const Event& compare, bool textbook);
 
-/// From far to near where along z.
 struct Range {
   double low = 0, high = 0;
 };
-/// How many corners of a fragment lie where, as seen from the viewer's side of a plane.
+/// How many corners of a fragment lie on the viewer's side of a plane, on it and beyond it.
 struct CornerCounts {
   int inFront = 0, on = 0, behind = 0;
   bool operator==(const CornerCounts&) const = default;

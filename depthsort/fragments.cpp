@@ -7,7 +7,7 @@ namespace {
 
 /// A name of bounded length; what is cut off ends at a character.
 std::string shortened(const std::string& name) {
-  constexpr std::size_t kMost = 32;  // bytes
+  constexpr std::size_t kMost = 48;  // bytes
   if (name.size() <= kMost) return name;
   std::size_t end = kMost;
   while (end > 0 && (static_cast<unsigned char>(name[end]) & 0xC0) == 0x80) --end;

@@ -168,3 +168,17 @@ TEST(Replay, TheNextPIsTheFirstOfTheList) {
   }
   EXPECT_GT(taken, 500);
 }
+
+// A run with more events than are wanted says so instead of keeping them; one with as many does not, nor does
+// one that is not recorded.
+TEST(Replay, TooManyEventsAreRefused) {
+  const SnappedScene scene = randomScene(0, 12, kSize);
+  const std::size_t count = recorded(scene, true).events.size();
+  SortSettings settings{kSize, kSize, true};
+  settings.mostEvents = count - 1;
+  EXPECT_NO_THROW(static_cast<void>(depthSort(scene, settings)));
+  settings.record = true;
+  EXPECT_THROW(static_cast<void>(depthSort(scene, settings)), TooManyEvents);
+  settings.mostEvents = count;
+  EXPECT_EQ(depthSort(scene, settings).events.size(), count);
+}

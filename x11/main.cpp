@@ -9,6 +9,7 @@
 #include <iomanip>
 #include <iostream>
 #include <new>
+#include <optional>
 #include <string>
 #include <system_error>
 
@@ -20,6 +21,7 @@
 #include "x11/report.h"
 #include "x11/trace.h"
 #include "x11/viewer.h"
+#include "x11/write_frames.h"
 #include "x11/x11_error.h"
 
 namespace {
@@ -82,9 +84,13 @@ void trace(const Options& options, Picture& picture) {
     picture.make(settings);
     sorted = recordedRun(options, picture);
   }
-  if (options.frames.empty()) return printTrace(options, picture, sorted, std::cout);
-  const Doing writing{"writing frames"};
-  writeFrames(options, picture, sorted);
+  if (!options.frames.empty()) {
+    const Doing writing{"writing frames"};
+    return writeFrames(options, picture, sorted);
+  }
+  std::optional<Doing> telling;
+  if (::isatty(STDOUT_FILENO) == 0) telling.emplace("telling");  // else the lines are seen
+  printTrace(options, picture, sorted, std::cout);
 }
 
 void listScenes() {

@@ -18,8 +18,3 @@
 /// step. Lengths are pixels, z larger is nearer, numbers have ten digits.
 /// @throws std::system_error if `out` takes no more
 void printTrace(const Options& options, const Picture& picture, const SortedScene& sorted, std::ostream& out);
-
-/// --frames: a numbered PNG for each step of the kind of --every, and one of the whole picture at the end.
-/// Makes the folder if need be. @throws UsageError if the run has no such step, more than 9,999 of them, or
-/// the folder holds frames already; std::system_error
-void writeFrames(const Options& options, const Picture& picture, const SortedScene& sorted);
