@@ -19,22 +19,26 @@ namespace {
 
 constexpr int kNone = -1;
 
-/// A polygon of the list, whole or a piece: one cache line.
+/// A polygon of the list, whole or a piece: what is asked of every Q, two to a cache line.
 struct Polygon {
   enum class State : std::uint8_t { Waiting, Marked, Split, Painted };
   Extents extents;
-  int face = 0;       ///< index into the scene's faces
-  int piece = kNone;  ///< index into regions_, or the whole face
-  int parent = kNone;
-  int pieces = kNone;  ///< of a split one, the first of its two: behind, in front
-  /// The walk over the Q's: those before it are settled, for good and for all pieces of this polygon.
-  int list = 0, end = 0, Q = 0;  ///< list: place in the list, Q: that polygon or a piece of it
+  int face = 0;  ///< index into the scene's faces
+  State state = State::Waiting;
+};
+static_assert(sizeof(Polygon) == 32);
+
+/// What is only asked of P: its place in the tree of pieces and in the walk over the Q's. Those before are
+/// settled, for good and for all pieces of P.
+struct Progress {
+  int list = 0, end = 0, Q = 0;  ///< list: the polygon the walk has come to, Q: it or a piece of it
   BoxGrid::Place place;
   bool walking = false;
-  State state = State::Waiting;
-  int depth = 0;  ///< in the stack, where marked
+  int depth = 0;      ///< in the stack, where marked
+  int piece = kNone;  ///< index into pieces_, or a whole face
+  int parent = kNone;
+  int pieces = kNone;  ///< of a split one, the first of its two: behind, in front
 };
-static_assert(sizeof(Polygon) <= 72);
 
 /// The run. The list (whole faces first, pieces after them) is in the grid's order, cell by cell and in each
 /// cell by farthest z.
@@ -62,17 +66,23 @@ class DepthSort {
 
   void enterFaces();
   [[nodiscard]] Polygon enter(int face) const;
+  [[nodiscard]] bool shows(const SnappedFace& face, const Box& box) const {
+    const int width = settings_.width, height = settings_.height;
+    return mayOwnSample(scene_, face, box, width, height) ||
+           (settings_.inPixels && box.overlaps({0, 0, width * kGrid, height * kGrid}) &&
+            hasAreaInPixels(scene_, face));
+  }
 
   /// The polygon or piece after Q in the order of the list, without the pieces of Q.
   [[nodiscard]] int after(int Q) const {
     for (;;) {
-      const int parent = list_[Q].parent;
+      const int parent = progress_[Q].parent;
       if (parent == kNone) return kNone;
-      if (list_[parent].pieces == Q) return Q + 1;
+      if (progress_[parent].pieces == Q) return Q + 1;
       Q = parent;
     }
   }
-  /// Parts of one model face in one plane: they show the same, whatever their order.
+  /// A face and itself, or parts of one model face in one plane: they show the same, whatever their order.
   [[nodiscard]] bool oneSurface(int f, int g) const {
     const SnappedFace &F = scene_.faces[f], &G = scene_.faces[g];
     return F.number == G.number && F.plane == G.plane;
@@ -81,16 +91,17 @@ class DepthSort {
   [[nodiscard]] int nextOpen(int root) const {
     for (int P = root; P != kNone;) {
       if (list_[P].state == State::Waiting) return P;
-      P = list_[P].state == State::Split ? list_[P].pieces : after(P);
+      P = list_[P].state == State::Split ? progress_[P].pieces : after(P);
     }
     return kNone;
   }
 
   /// The next Q against which P is not settled, or kNone: P's walk stands there.
   [[nodiscard]] int candidate(int P);
+  [[nodiscard]] int openWithin(int Q, int P) const;
   /// P is settled against the Q where its walk stands.
   void settle(int P) {
-    Polygon& p = list_[P];
+    Progress& p = progress_[P];
     p.Q = after(p.Q);
     if (p.Q == kNone) p.Q = ++p.list;
   }
@@ -100,7 +111,7 @@ class DepthSort {
   void step();
   void mark(int P) {
     list_[P].state = State::Marked;
-    list_[P].depth = static_cast<int>(stack_.size());
+    progress_[P].depth = static_cast<int>(stack_.size());
     stack_.push_back(P);
     sorted_.statistics.deepest = std::max(sorted_.statistics.deepest, static_cast<int>(stack_.size()));
   }
@@ -129,6 +140,14 @@ class DepthSort {
   [[nodiscard]] bool projectionsApart(int P, int Q);
   [[nodiscard]] bool apartAlongEdges(const SnappedFace& P, const SnappedFace& Q) const;
   [[nodiscard]] bool apartAlongSides(const Region& P, const Region& Q) const;
+  /// Regions::cut(), which remembers the last one: a pair asks for it again and again.
+  [[nodiscard]] const Line& nearer(int p, int q) {
+    if (line_.p == q && line_.q == p)
+      line_ = Regions::flipped(line_);
+    else if (line_.p != p || line_.q != q)
+      line_ = regions_.cut(p, q);
+    return line_;
+  }
   /// Signs of zP - zQ all over P.
   [[nodiscard]] Signs signsOver(int P, int Q);
   [[nodiscard]] Relation overlap(int P, int Q);
@@ -137,7 +156,7 @@ class DepthSort {
   [[nodiscard]] bool counts(const Region& part, int P, int Q) const;
   /// The polygon's region: of a piece the one that is kept, of a whole face made in `buffer`.
   [[nodiscard]] const Region& regionOf(int P, Region& buffer) const {
-    if (list_[P].piece != kNone) return pieces_[list_[P].piece];
+    if (progress_[P].piece != kNone) return pieces_[progress_[P].piece];
     regions_.outline(scene_.faces[list_[P].face], buffer);
     return buffer;
   }
@@ -166,11 +185,13 @@ class DepthSort {
   std::vector<std::uint8_t> shared_;  ///< facesOfPlanes()
   int faces_ = 0;                     ///< whole ones in the list
   std::vector<Polygon> list_;
+  std::vector<Progress> progress_;  ///< of each in the list
   std::vector<Region> pieces_;
   std::optional<BoxGrid> grid_;
   std::vector<int> cellBegin_, cellOpen_;  ///< #cells + 1, #cells: first polygon, first not painted one
   std::vector<int> stack_;
   Region bufferP_, bufferQ_, both_, part_;
+  Line line_;
   SortedScene sorted_;
 };
 
@@ -191,9 +212,8 @@ void DepthSort::enterFaces() {
   for (int f = 0; f < static_cast<int>(scene_.faces.size()); ++f) {
     unsorted.push_back(enter(f));
     if (settings_.textbook) continue;
-    const SnappedFace& face = scene_.faces[f];
     Box& box = unsorted.back().extents.box;
-    if (!mayOwnSample(scene_, face, box, settings_.width, settings_.height))
+    if (!shows(scene_.faces[f], box))
       unsorted.pop_back();
     else  // outside the picture nothing is compared
       box = {std::max(box.x0, picture.x0), std::max(box.y0, picture.y0), std::min(box.x1, picture.x1),
@@ -217,6 +237,7 @@ void DepthSort::enterFaces() {
     return static_cast<std::uint32_t>(P.extents.zFar) ^ 0x80000000u;
   });
   list_.resize(faces_);
+  progress_.resize(faces_);
   std::vector<int> next = cellOpen_;
   for (const int i : sortedByKey(keys)) list_[next[cell[i]]++] = unsorted[i];
   if (settings_.record) {
@@ -228,42 +249,42 @@ void DepthSort::enterFaces() {
 }
 
 int DepthSort::candidate(int P) {
-  Polygon& p = list_[P];
-  const int root = [&] {
-    int r = P;
-    while (list_[r].parent != kNone) r = list_[r].parent;
-    return r;
-  }();
+  Progress& p = progress_[P];
+  const Polygon& polygon = list_[P];
   for (;;) {
-    while (p.list < p.end) {
-      for (int Q = p.Q; Q != kNone;) {
-        const Polygon& q = list_[Q];
-        if (q.extents.zFar > p.extents.zNear) {
-          if (Q == p.list) p.list = p.end;  // and so are all after it in this cell
-        } else if (p.list != root && q.state != State::Painted &&
-                   (settings_.textbook ||
-                    (p.extents.box.overlaps(q.extents.box) && !oneSurface(p.face, q.face)))) {
-          if (q.state != State::Split) {
-            p.Q = Q;
-            return Q;
-          }
-          Q = q.pieces;
-          continue;
-        }
-        Q = after(Q);
-      }
-      if (p.list < p.end) ++p.list;
-      p.Q = p.list;
+    for (; p.list < p.end; p.Q = ++p.list) {
+      const Polygon& q = list_[p.list];
+      if (q.extents.zFar > polygon.extents.zNear) break;  // as are all after it in this cell
+      if (q.state == State::Painted || (!settings_.textbook && !polygon.extents.box.overlaps(q.extents.box)))
+        continue;
+      if (const int Q = openWithin(p.Q, P); Q != kNone) return p.Q = Q;
     }
     if (p.walking) ++p.place.column;
     p.walking = true;
-    if (!grid_->settle(p.extents.box, p.place)) return kNone;
+    if (!grid_->settle(polygon.extents.box, p.place)) return kNone;
     const int cell = grid_->cell(p.place);
     p.end = cellBegin_[cell + 1];
     int& open = cellOpen_[cell];
     while (open < p.end && list_[open].state == State::Painted) ++open;
     p.list = p.Q = open;
   }
+}
+
+/// Q, or the first after it of the pieces of its face, against which P is to be tested.
+int DepthSort::openWithin(int Q, int P) const {
+  const Polygon& p = list_[P];
+  while (Q != kNone) {
+    const Polygon& q = list_[Q];
+    const bool reaches =
+        q.extents.zFar <= p.extents.zNear && (settings_.textbook || p.extents.box.overlaps(q.extents.box));
+    if (q.state != State::Painted && reaches && !oneSurface(p.face, q.face)) {
+      if (q.state != State::Split) return Q;
+      Q = progress_[Q].pieces;
+    } else {
+      Q = after(Q);
+    }
+  }
+  return kNone;
 }
 
 // The algorithm.
@@ -293,11 +314,11 @@ void DepthSort::step() {
 void DepthSort::paint(int P) {
   note(Event::Kind::Paint, P);
   stack_.pop_back();
-  sorted_.fragments.push_back({list_[P].face, list_[P].piece});
+  sorted_.fragments.push_back({list_[P].face, progress_[P].piece});
   list_[P].state = State::Painted;
   // Of a split polygon all is painted when both pieces are.
-  for (int parent = list_[P].parent; parent != kNone; parent = list_[parent].parent) {
-    const int first = list_[parent].pieces;
+  for (int parent = progress_[P].parent; parent != kNone; parent = progress_[parent].parent) {
+    const int first = progress_[parent].pieces;
     if (list_[first].state != State::Painted || list_[first + 1].state != State::Painted) break;
     list_[parent].state = State::Painted;
   }
@@ -308,7 +329,7 @@ void DepthSort::paint(int P) {
 void DepthSort::breakCycle(int P, int R) {
   ++sorted_.statistics.cycles;
   note(Event::Kind::Cycle, P, R);
-  const int first = list_[R].depth, last = static_cast<int>(stack_.size()) - 1;
+  const int first = progress_[R].depth, last = static_cast<int>(stack_.size()) - 1;
   const auto next = [&](int depth) { return stack_[depth == last ? first : depth + 1]; };
   for (int depth = last; depth >= first; --depth) {
     const int A = stack_[depth], B = next(depth);
@@ -349,14 +370,14 @@ bool DepthSort::split(int P, int Q) {
   }
   ++sorted_.statistics.splits;
   note(Event::Kind::Split, P, Q);
-  if (list_[P].state == State::Marked) unwind(list_[P].depth);
+  if (list_[P].state == State::Marked) unwind(progress_[P].depth);
 
-  const Line nearer = regions_.cut(faceOf(P).plane, faceOf(Q).plane);
+  const Line line = nearer(faceOf(P).plane, faceOf(Q).plane);
   Region front = regionOf(P, bufferP_), behind = front;
-  regions_.clip(behind, Regions::flipped(nearer));
-  regions_.clip(front, nearer);
+  regions_.clip(behind, Regions::flipped(line));
+  regions_.clip(front, line);
   list_[P].state = State::Split;
-  list_[P].pieces = static_cast<int>(list_.size());
+  progress_[P].pieces = static_cast<int>(list_.size());
   addPiece(P, std::move(behind));
   addPiece(P, std::move(front));
   return true;
@@ -365,9 +386,10 @@ bool DepthSort::split(int P, int Q) {
 void DepthSort::addPiece(int P, Region region) {
   Polygon piece = list_[P];
   piece.state = State::Waiting;
-  piece.parent = P;
-  piece.pieces = kNone;
-  piece.piece = static_cast<int>(pieces_.size());
+  Progress progress = progress_[P];
+  progress.parent = P;
+  progress.pieces = kNone;
+  progress.piece = static_cast<int>(pieces_.size());
   Piece record{piece.face, static_cast<int>(sorted_.cuts.size()), 0, 0, 0, idOf(P)};
 
   for (const Side& side : region)
@@ -380,6 +402,7 @@ void DepthSort::addPiece(int P, Region region) {
   record.firstRow = std::max(0, box.y0 >> kGridBits);
   record.rows = std::max(0, std::min(settings_.height, (box.y1 >> kGridBits) + 1) - record.firstRow);
   list_.push_back(piece);
+  progress_.push_back(progress);
   pieces_.push_back(std::move(region));
   sorted_.pieces.push_back(record);
 }
@@ -414,7 +437,8 @@ Signs DepthSort::signsOver(int P, int Q) {
   const SnappedFace &p = faceOf(P), &q = faceOf(Q);
   if (p.plane == q.plane) return {};
   const ScreenPlane &planeP = scene_.planes[p.plane], &planeQ = scene_.planes[q.plane];
-  if (list_[P].piece != kNone) return regions_.signs(regions_.cut(p.plane, q.plane), pieces_[list_[P].piece]);
+  if (progress_[P].piece != kNone)
+    return regions_.signs(nearer(p.plane, q.plane), pieces_[progress_[P].piece]);
   Signs signs;
   const glm::ivec3* const v = &scene_.vertices[p.first];
   if (vertexDepthsAreExact(p, shared_)) {
@@ -430,7 +454,7 @@ Signs DepthSort::signsOver(int P, int Q) {
 }
 
 bool DepthSort::projectionsApart(int P, int Q) {
-  if (list_[P].piece == kNone && list_[Q].piece == kNone)
+  if (progress_[P].piece == kNone && progress_[Q].piece == kNone)
     return apartAlongEdges(faceOf(P), faceOf(Q)) || apartAlongEdges(faceOf(Q), faceOf(P));
   const Region &p = regionOf(P, bufferP_), &q = regionOf(Q, bufferQ_);
   return apartAlongSides(p, q) || apartAlongSides(q, p);
@@ -455,14 +479,14 @@ bool DepthSort::apartAlongSides(const Region& P, const Region& Q) const {
 
 DepthSort::Relation DepthSort::overlap(int P, int Q) {
   overlapOf(P, Q, both_);
-  const Line nearer = regions_.cut(faceOf(P).plane, faceOf(Q).plane);
-  const Signs signs = regions_.signs(nearer, both_);
+  const Line line = nearer(faceOf(P).plane, faceOf(Q).plane);
+  const Signs signs = regions_.signs(line, both_);
   if (!signs.both()) return {Test::Overlap, signs.positive ? Verdict::QFirst : Verdict::PFirst};
 
   part_ = both_;
-  regions_.clip(part_, nearer);
+  regions_.clip(part_, line);
   const bool pOverQ = counts(part_, P, Q);
-  regions_.clip(both_, Regions::flipped(nearer));
+  regions_.clip(both_, Regions::flipped(line));
   const bool qOverP = counts(both_, P, Q);
   if (pOverQ && qOverP) return {Test::Overlap, Verdict::Crossing};
   const bool qFirst = pOverQ || (!qOverP && list_[P].face > list_[Q].face);

@@ -126,8 +126,11 @@ struct SortSettings {
   /// The textbook's run, for learners: every Q in the list whose z-extent reaches back to P's, in order of
   /// farthest z, tests 1, 2, 3, 4, 5, 3', 4', 6, and no polygon left out. Else the quick one: Q's found
   /// through a grid, P's taken from one part of the screen after the other, test 5 before 3 and 4,
-  /// and faces that own no sample left out. Both paint the same picture.
+  /// and faces that show nowhere left out. Both paint the same picture.
   bool textbook = false;
+  /// The polygons are to be painted with their vertices rounded to pixels (fill_polygons.h): faces without a
+  /// sample may show.
+  bool inPixels = false;
   bool grid = true;                               ///< of the quick run: else Q's come from one list
   bool record = false;                            ///< fills SortedScene::list and events
   std::size_t mostEvents = std::size_t{1} << 27;  ///< 1.5 GB

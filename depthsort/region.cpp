@@ -31,6 +31,14 @@ Product difference(Int128 D, std::int64_t c, Int128 E, std::int64_t d) {
   return {(D >> 64) * d - (E >> 64) * c + (low >> 64), low & kMask};
 }
 
+/// Within 2^-52 of itself.
+double approximately(Product p) {
+  const bool negative = p.high < 0;
+  if (negative) p = {-p.high - 1, (Int128{1} << 64) - p.low};  // no cancellation
+  const double d = ::approximately(p.high) * 0x1p64 + ::approximately(p.low);
+  return negative ? -d : d;
+}
+
 ExactLine exactly(const SnappedScene& scene, const Line& line) {
   if (line.kind == Line::Kind::Edge) {
     const glm::ivec3 &p = scene.vertices[line.p], &q = scene.vertices[line.q];
@@ -63,10 +71,9 @@ Line Regions::edge(int from, int to) const {
 
 Line Regions::cut(int over, int under) const {
   const ScreenPlane &P = scene_.planes[over], &Q = scene_.planes[under];
-  const Product c = difference(P.D, P.C, Q.D, Q.C);
-  return scaled({Line::Kind::Cut, over, under, static_cast<double>(difference(P.A, P.C, Q.A, Q.C)),
-                 static_cast<double>(difference(P.B, P.C, Q.B, Q.C)),
-                 static_cast<double>(c.high) * 0x1p64 + static_cast<double>(c.low)});
+  return scaled({Line::Kind::Cut, over, under, approximately(difference(P.A, P.C, Q.A, Q.C)),
+                 approximately(difference(P.B, P.C, Q.B, Q.C)),
+                 approximately(difference(P.D, P.C, Q.D, Q.C))});
 }
 
 Line Regions::flipped(Line line) {
@@ -114,8 +121,8 @@ void Regions::clip(Region& region, const Line& line) const {
   while (at[last] > 0 || at[next(last)] <= 0) last = next(last);
   const Corner before = region[last].corner;  // where the first side begins
   const bool beginsThere = at[last] == 0;
-  Region kept;
-  kept.reserve(count + 1);
+  Region& kept = kept_;
+  kept.clear();
   int k = last;
   do {
     k = next(k);

@@ -89,4 +89,5 @@ class Regions {
                               const Corner& at) const;
 
   const SnappedScene& scene_;
+  mutable Region kept_;  ///< of clip(), kept so as not to ask for memory each time
 };

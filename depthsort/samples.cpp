@@ -68,6 +68,17 @@ bool mayOwnSample(const SnappedScene& scene, const SnappedFace& face, const Box&
   return false;
 }
 
+bool hasAreaInPixels(const SnappedScene& scene, const SnappedFace& face) {
+  const glm::ivec3* const v = &scene.vertices[face.first];
+  const auto pixel = [&](int k) { return v[k] >> kGridBits; };
+  const glm::ivec3 o = pixel(0);
+  for (int k = 2; k < face.count; ++k) {
+    const glm::ivec3 a = pixel(k - 1) - o, b = pixel(k) - o;
+    if (a.x * b.y != a.y * b.x) return true;
+  }
+  return false;
+}
+
 bool isWide(const Region& region) {
   const auto squared = [](double dx, double dy) { return dx * dx + dy * dy; };
   const Corner& o = region[0].corner;

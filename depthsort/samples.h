@@ -16,6 +16,10 @@
 [[nodiscard]] bool mayOwnSample(const SnappedScene& scene, const SnappedFace& face, const Box& box, int width,
                                 int height);
 
+/// Whether the face has an area when its vertices are rounded to pixels, as they are for XFillPolygon
+/// (fill_polygons.h): such a face may show there without owning a sample.
+[[nodiscard]] bool hasAreaInPixels(const SnappedScene& scene, const SnappedFace& face);
+
 /// Twice the area over the diameter, more than kThin: what is thinner is a sliver that only the rounding of
 /// the model's vertices makes. In doubles.
 inline constexpr double kThin = 64.0;  // 1/1024 of a pixel

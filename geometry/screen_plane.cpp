@@ -79,8 +79,8 @@ int compareDepths(const ScreenPlane& P, const ScreenPlane& Q, std::int64_t x, st
   const Int128 p = numerator(P, x, y), q = numerator(Q, x, y);
   // The doubles of two quotients that lie further apart than all their rounding, four steps of 2^-53
   // each, have the order of the exact ones.
-  const double zP = static_cast<double>(p) / static_cast<double>(P.C);
-  const double zQ = static_cast<double>(q) / static_cast<double>(Q.C);
+  const double zP = approximately(p) / static_cast<double>(P.C);
+  const double zQ = approximately(q) / static_cast<double>(Q.C);
   const double difference = zP - zQ;
   if (std::abs(difference) > 0x1p-50 * (std::abs(zP) + std::abs(zQ))) return difference > 0 ? 1 : -1;
   return compareQuotients(p, P.C, q, Q.C);
@@ -95,5 +95,5 @@ int nearer(const ScreenPlane& P, const ScreenPlane& Q, int i, int j) {
 }
 
 double depthAt(const ScreenPlane& P, std::int64_t x, std::int64_t y) {
-  return static_cast<double>(numerator(P, x, y)) / static_cast<double>(P.C);
+  return approximately(numerator(P, x, y)) / static_cast<double>(P.C);
 }

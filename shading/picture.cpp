@@ -40,7 +40,7 @@ void Picture::make(const PictureSettings& next) {
   const bool newEye = lit && (newLight || camera.eye != camera_.eye || camera.lookAt != camera_.lookAt);
   const bool newView = !any_ || camera.view != camera_.view || next.width != made_.width ||
                        next.height != made_.height || next.cull != made_.cull;
-  const bool newOrder = newView || next.order != made_.order;
+  const bool newOrder = newView || next.order != made_.order || next.inPixels != made_.inPixels;
   const bool newTable = !table_ || next.table != made_.table;
   any_ = false;
 
@@ -64,7 +64,8 @@ void Picture::make(const PictureSettings& next) {
       if (next.order == Order::Oracle)
         visible_ = visibleFaces(snapped_, next.width, next.height);
       else if (next.order == Order::Newell)
-        sorted_ = depthSort(snapped_, {next.width, next.height});
+        sorted_ =
+            depthSort(snapped_, {.width = next.width, .height = next.height, .inPixels = next.inPixels});
       else
         for (const int face : paintingOrder(snapped_, next.order)) sorted_.fragments.push_back({face});
     });

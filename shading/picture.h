@@ -35,6 +35,7 @@ struct PictureSettings {
   Shading shading = Shading::Flat;
   Order order = Order::Newell;
   Cull cull = Cull::Keep;
+  bool inPixels = false;  ///< an X server will fill the polygons (SortSettings::inPixels)
   TableSettings table;
   bool operator==(const PictureSettings&) const = default;
 };

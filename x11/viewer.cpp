@@ -306,6 +306,7 @@ void takeSnapshot(const Options& options, Scene scene, double msRead) {
   PictureSettings settings = options.picture;
   settings.width = size.x;
   settings.height = size.y;
+  settings.inPixels = options.fill == Fill::XFillPolygon;
   picture.make(settings);
   const CellPlan plan = server.colormap.plan(settings.table.kind);
   IndexImage image;

@@ -203,6 +203,7 @@ PictureSettings Workbench::sized() const {
   PictureSettings settings = setup().picture;
   settings.width = layout_.picture.width;
   settings.height = layout_.picture.height;
+  settings.inPixels = setup().fill == Fill::XFillPolygon;
   return settings;
 }
 

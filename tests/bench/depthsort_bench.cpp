@@ -27,7 +27,9 @@ int sideOf(int count) { return static_cast<int>(std::lround(std::sqrt(count / 2.
 double spacing(int count) { return 2.0 / std::cbrt(count); }
 
 Mesh triangleTorus(int count) { return triangulated(torus(sideOf(count), sideOf(count))); }
-Mesh soup(int count) { return triangleSoup(count, spacing(count), 1972); }
+/// Triangles of half the room that each has to itself cross here and there; of all of it, everywhere.
+Mesh soup(int count) { return triangleSoup(count, spacing(count) / 2.0, 1972); }
+Mesh denseSoup(int count) { return triangleSoup(count, spacing(count), 1972); }
 Mesh tinySoup(int count) { return triangleSoup(count, spacing(count) / 5.0, 1972); }
 Mesh largeTriangles(int count) { return triangleSoup(count, 1.0, 1972); }
 
@@ -55,7 +57,7 @@ Mesh shingles(int count) {
       const int first = static_cast<int>(mesh.points.size());
       mesh.points.insert(
           mesh.points.end(),
-          {{x, 0.1, z}, {x + step, 0.1, z}, {x + step, -0.1, z + 4.0 * step}, {x, -0.1, z + 4.0 * step}});
+          {{x, 2 * step, z}, {x + step, 2 * step, z}, {x + step, 0, z + 4 * step}, {x, 0, z + 4 * step}});
       mesh.addFace(std::array{first, first + 1, first + 2, first + 3}, 0);
     }
   return mesh;
@@ -120,6 +122,7 @@ constexpr SortSettings kQuick{kWidth, kHeight};
       ->Unit(benchmark::kMillisecond)
 SCENE(triangleTorus, 1000000);
 SCENE(soup, 1000000);
+SCENE(denseSoup, 100000);
 SCENE(tinySoup, 1000000);
 SCENE(shingles, 1000000);
 SCENE(teapot, 1000000);
