@@ -2,14 +2,15 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <numeric>
 #include <optional>
 #include <span>
 #include <stdexcept>
+#include <string>
 #include <utility>
 
 #include "depthsort/box_grid.h"
+#include "depthsort/extents.h"
 #include "depthsort/order.h"
 #include "depthsort/region.h"
 #include "depthsort/samples.h"
@@ -21,8 +22,7 @@ constexpr int kNone = -1;
 /// A polygon of the list, whole or a piece: what is asked of every Q, two to a cache line.
 struct Polygon {
   enum class State : std::uint8_t { Waiting, Marked, Split, Painted };
-  Box box;
-  int zFar = 0, zNear = 0;
+  Extents extents;
   int face = 0;  ///< index into the scene's faces
   State state = State::Waiting;
 };
@@ -45,9 +45,7 @@ struct Progress {
 class DepthSort {
  public:
   DepthSort(const SnappedScene& scene, const SortSettings& settings)
-      : scene_{scene}, settings_{settings}, regions_{scene} {
-    shared_.resize(scene.planes.size());
-    for (const SnappedFace& face : scene.faces) shared_[face.plane] += shared_[face.plane] < 2;
+      : scene_{scene}, settings_{settings}, regions_{scene}, shared_{facesOfPlanes(scene)} {
     enterFaces();
   }
 
@@ -73,9 +71,6 @@ class DepthSort {
     return mayOwnSample(scene_, face, box, width, height) ||
            (settings_.inPixels && box.overlaps({0, 0, width * kGrid, height * kGrid}) &&
             hasAreaInPixels(scene_, face));
-  }
-  [[nodiscard]] bool vertexDepthsAreExact(const SnappedFace& face) const {
-    return face.count == 3 && shared_[face.plane] < 2;
   }
 
   /// The polygon or piece after Q in the order of the list, without the pieces of Q.
@@ -174,16 +169,20 @@ class DepthSort {
   [[nodiscard]] int idOf(int P) const {
     return P < faces_ ? list_[P].face : static_cast<int>(scene_.faces.size()) + P - faces_;
   }
+  void note(const Event& event) {
+    if (sorted_.events.size() >= settings_.mostEvents)
+      throw TooManyEvents{"the run has more than " + std::to_string(settings_.mostEvents) + " steps"};
+    sorted_.events.push_back(event);
+  }
   void note(Event::Kind kind, int P, int Q = kNone) {
     if (settings_.record)
-      sorted_.events.push_back(
-          {kind, Test::SamePlane, Verdict::PFirst, false, idOf(P), Q == kNone ? kNone : idOf(Q)});
+      note({kind, Test::SamePlane, Verdict::PFirst, false, idOf(P), Q == kNone ? kNone : idOf(Q)});
   }
 
   const SnappedScene& scene_;
   SortSettings settings_;
   Regions regions_;
-  std::vector<std::uint8_t> shared_;  ///< faces of each plane, 2 for more
+  std::vector<std::uint8_t> shared_;  ///< facesOfPlanes()
   int faces_ = 0;                     ///< whole ones in the list
   std::vector<Polygon> list_;
   std::vector<Progress> progress_;  ///< of each in the list
@@ -198,34 +197,11 @@ class DepthSort {
 
 // The list.
 
-int floorToInt(double z) {
-  return static_cast<int>(std::clamp(std::floor(z), double{std::numeric_limits<int>::min()},
-                                     double{std::numeric_limits<int>::max()}));
-}
-
 Polygon DepthSort::enter(int face) const {
   const SnappedFace& f = scene_.faces[face];
-  const glm::ivec3* const v = &scene_.vertices[f.first];
   Polygon P;
-  P.box = {v->x, v->y, v->x, v->y};
-  P.zFar = P.zNear = v->z;
+  P.extents = extentsOf(scene_, f, vertexDepthsAreExact(f, shared_));
   P.face = face;
-  for (const glm::ivec3* p = v + 1; p != v + f.count; ++p) {
-    P.box = {std::min(P.box.x0, p->x), std::min(P.box.y0, p->y), std::max(P.box.x1, p->x),
-             std::max(P.box.y1, p->y)};
-    P.zFar = std::min(P.zFar, p->z);
-    P.zNear = std::max(P.zNear, p->z);
-  }
-  if (!vertexDepthsAreExact(f)) {
-    double far = std::numeric_limits<double>::infinity(), near = -far;
-    for (const glm::ivec3* p = v; p != v + f.count; ++p) {
-      const double z = depthAt(scene_.planes[f.plane], p->x, p->y), rounding = 0x1p-50 * std::abs(z);
-      far = std::min(far, z - rounding);
-      near = std::max(near, z + rounding);
-    }
-    P.zFar = floorToInt(far);
-    P.zNear = floorToInt(near + 1.0);
-  }
   return P;
 }
 
@@ -236,7 +212,7 @@ void DepthSort::enterFaces() {
   for (int f = 0; f < static_cast<int>(scene_.faces.size()); ++f) {
     unsorted.push_back(enter(f));
     if (settings_.textbook) continue;
-    Box& box = unsorted.back().box;
+    Box& box = unsorted.back().extents.box;
     if (!shows(scene_.faces[f], box))
       unsorted.pop_back();
     else  // outside the picture nothing is compared
@@ -246,7 +222,7 @@ void DepthSort::enterFaces() {
 
   std::vector<Box> boxes;
   boxes.reserve(unsorted.size());
-  for (const Polygon& P : unsorted) boxes.push_back(P.box);
+  for (const Polygon& P : unsorted) boxes.push_back(P.extents.box);
   grid_.emplace(boxes, settings_.grid && !settings_.textbook);
   faces_ = static_cast<int>(unsorted.size());
   cellBegin_.assign(grid_->cells() + 1, 0);
@@ -257,12 +233,19 @@ void DepthSort::enterFaces() {
 
   // By farthest z, in scene order where that is equal; then cell by cell.
   std::vector<std::uint32_t> keys(faces_);
-  std::ranges::transform(unsorted, keys.begin(),
-                         [](const Polygon& P) { return static_cast<std::uint32_t>(P.zFar) ^ 0x80000000u; });
+  std::ranges::transform(unsorted, keys.begin(), [](const Polygon& P) {
+    return static_cast<std::uint32_t>(P.extents.zFar) ^ 0x80000000u;
+  });
   list_.resize(faces_);
   progress_.resize(faces_);
   std::vector<int> next = cellOpen_;
   for (const int i : sortedByKey(keys)) list_[next[cell[i]]++] = unsorted[i];
+  if (settings_.record) {
+    for (const Polygon& P : list_) sorted_.list.push_back(P.face);
+    // Room for most runs; what is never written to costs no memory. Moving the events whenever there are
+    // twice as many took a fifth of the time of the run.
+    sorted_.events.reserve(std::min(std::size_t{16} * faces_, settings_.mostEvents));
+  }
 }
 
 int DepthSort::candidate(int P) {
@@ -271,13 +254,14 @@ int DepthSort::candidate(int P) {
   for (;;) {
     for (; p.list < p.end; p.Q = ++p.list) {
       const Polygon& q = list_[p.list];
-      if (q.zFar > polygon.zNear) break;  // as are all after it in this cell
-      if (q.state == State::Painted || (!settings_.textbook && !polygon.box.overlaps(q.box))) continue;
+      if (q.extents.zFar > polygon.extents.zNear) break;  // as are all after it in this cell
+      if (q.state == State::Painted || (!settings_.textbook && !polygon.extents.box.overlaps(q.extents.box)))
+        continue;
       if (const int Q = openWithin(p.Q, P); Q != kNone) return p.Q = Q;
     }
     if (p.walking) ++p.place.column;
     p.walking = true;
-    if (!grid_->settle(polygon.box, p.place)) return kNone;
+    if (!grid_->settle(polygon.extents.box, p.place)) return kNone;
     const int cell = grid_->cell(p.place);
     p.end = cellBegin_[cell + 1];
     int& open = cellOpen_[cell];
@@ -291,7 +275,8 @@ int DepthSort::openWithin(int Q, int P) const {
   const Polygon& p = list_[P];
   while (Q != kNone) {
     const Polygon& q = list_[Q];
-    const bool reaches = q.zFar <= p.zNear && (settings_.textbook || p.box.overlaps(q.box));
+    const bool reaches =
+        q.extents.zFar <= p.extents.zNear && (settings_.textbook || p.extents.box.overlaps(q.extents.box));
     if (q.state != State::Painted && reaches && !oneSurface(p.face, q.face)) {
       if (q.state != State::Split) return Q;
       Q = progress_[Q].pieces;
@@ -312,8 +297,7 @@ void DepthSort::step() {
   ++sorted_.statistics.settled[static_cast<int>(relation.test)];
   sorted_.statistics.contacts += relation.contact;
   if (settings_.record)
-    sorted_.events.push_back(
-        {Event::Kind::Compare, relation.test, relation.verdict, relation.contact, idOf(P), idOf(Q)});
+    note({Event::Kind::Compare, relation.test, relation.verdict, relation.contact, idOf(P), idOf(Q)});
   switch (relation.verdict) {
     case Verdict::PFirst:
       return settle(P);
@@ -369,7 +353,7 @@ void DepthSort::breakCycle(int P, int R) {
 /// P and Q cross where they overlap: either plane properly crosses the other polygon.
 void DepthSort::splitCrossing(int P, int Q) {
   const auto area = [&](int i) {
-    const Box& b = list_[i].box;
+    const Box& b = list_[i].extents.box;
     return std::int64_t{b.x1 - b.x0} * (b.y1 - b.y0);
   };
   const bool splitQ = list_[Q].state != State::Marked &&
@@ -408,32 +392,15 @@ void DepthSort::addPiece(int P, Region region) {
   progress.piece = static_cast<int>(pieces_.size());
   Piece record{piece.face, static_cast<int>(sorted_.cuts.size()), 0, 0, 0, idOf(P)};
 
-  const ScreenPlane& plane = scene_.planes[faceOf(P).plane];
-  const double A = static_cast<double>(plane.A) / static_cast<double>(plane.C),
-               B = static_cast<double>(plane.B) / static_cast<double>(plane.C);
-  const glm::ivec3& anchor = scene_.vertices[faceOf(P).first];
-  const double z0 = depthAt(plane, anchor.x, anchor.y);
-  constexpr double kInfinity = std::numeric_limits<double>::infinity();
-  double x0 = kInfinity, x1 = -x0, y0 = x0, y1 = -x0, far = x0, near = -x0;
-  for (const Side& side : region) {
-    const Corner& c = side.corner;
-    x0 = std::min(x0, c.x - c.radius), x1 = std::max(x1, c.x + c.radius);
-    y0 = std::min(y0, c.y - c.radius), y1 = std::max(y1, c.y + c.radius);
-    const double dx = c.x - anchor.x, dy = c.y - anchor.y, z = A * dx + B * dy + z0;
-    const double rounding = (std::abs(A) + std::abs(B)) * c.radius +
-                            0x1p-50 * (std::abs(A * dx) + std::abs(B * dy) + std::abs(z0));
-    far = std::min(far, z - rounding), near = std::max(near, z + rounding);
+  for (const Side& side : region)
     if (side.line.kind == Line::Kind::Cut) {
       sorted_.cuts.push_back({side.line.p, side.line.q});
       ++record.cuts;
     }
-  }
-  piece.box = {std::max(piece.box.x0, floorToInt(x0)), std::max(piece.box.y0, floorToInt(y0)),
-               std::min(piece.box.x1, floorToInt(x1 + 1.0)), std::min(piece.box.y1, floorToInt(y1 + 1.0))};
-  piece.zFar = std::max(piece.zFar, floorToInt(far));
-  piece.zNear = std::min(piece.zNear, floorToInt(near + 1.0));
-  record.firstRow = std::max(0, piece.box.y0 >> kGridBits);
-  record.rows = std::max(0, std::min(settings_.height, (piece.box.y1 >> kGridBits) + 1) - record.firstRow);
+  piece.extents = extentsOf(scene_, faceOf(P), region, piece.extents);
+  const Box& box = piece.extents.box;
+  record.firstRow = std::max(0, box.y0 >> kGridBits);
+  record.rows = std::max(0, std::min(settings_.height, (box.y1 >> kGridBits) + 1) - record.firstRow);
   list_.push_back(piece);
   progress_.push_back(progress);
   pieces_.push_back(std::move(region));
@@ -445,8 +412,10 @@ void DepthSort::addPiece(int P, Region region) {
 DepthSort::Relation DepthSort::compare(int P, int Q) {
   const Polygon &p = list_[P], &q = list_[Q];
   if (settings_.textbook) {
-    if (p.box.x1 <= q.box.x0 || q.box.x1 <= p.box.x0) return {Test::XExtents, Verdict::PFirst};
-    if (p.box.y1 <= q.box.y0 || q.box.y1 <= p.box.y0) return {Test::YExtents, Verdict::PFirst};
+    if (p.extents.box.x1 <= q.extents.box.x0 || q.extents.box.x1 <= p.extents.box.x0)
+      return {Test::XExtents, Verdict::PFirst};
+    if (p.extents.box.y1 <= q.extents.box.y0 || q.extents.box.y1 <= p.extents.box.y0)
+      return {Test::YExtents, Verdict::PFirst};
   } else if (projectionsApart(P, Q)) {
     return {Test::Projections, Verdict::PFirst};
   }
@@ -472,7 +441,7 @@ Signs DepthSort::signsOver(int P, int Q) {
     return regions_.signs(nearer(p.plane, q.plane), pieces_[progress_[P].piece]);
   Signs signs;
   const glm::ivec3* const v = &scene_.vertices[p.first];
-  if (vertexDepthsAreExact(p)) {
+  if (vertexDepthsAreExact(p, shared_)) {
     for (int k = 0; k < 3; ++k) {
       const Int128 above = Int128{planeQ.C} * v[k].z - Int128{planeQ.A} * v[k].x - Int128{planeQ.B} * v[k].y -
                            planeQ.D;  // below 2^95

@@ -1,7 +1,9 @@
 #pragma once
 
 #include <array>
+#include <cstddef>
 #include <cstdint>
+#include <stdexcept>
 #include <string_view>
 #include <vector>
 
@@ -129,8 +131,9 @@ struct SortSettings {
   /// The polygons are to be painted with their vertices rounded to pixels (fill_polygons.h): faces without a
   /// sample may show.
   bool inPixels = false;
-  bool grid = true;     ///< of the quick run: else Q's come from one list
-  bool record = false;  ///< fills SortedScene::events
+  bool grid = true;                               ///< of the quick run: else Q's come from one list
+  bool record = false;                            ///< fills SortedScene::list and events
+  std::size_t mostEvents = std::size_t{1} << 27;  ///< 1.5 GB
   enum class Split { Smaller, First, Second } crossing = Split::Smaller;  ///< of P and Q, which is split
 };
 
@@ -138,8 +141,15 @@ struct SortedScene {
   std::vector<Fragment> fragments;  ///< in painting order
   std::vector<Piece> pieces;        ///< all that ever were, also those split again
   std::vector<CutLine> cuts;
+  std::vector<int> list;  ///< the faces as the list has them at the start, P's are taken in this order
   std::vector<Event> events;
   SortStatistics statistics;
 };
 
+/// A run with more events than were to be recorded.
+struct TooManyEvents : std::length_error {
+  using std::length_error::length_error;
+};
+
+/// @throws TooManyEvents only where it records
 [[nodiscard]] SortedScene depthSort(const SnappedScene& scene, const SortSettings& settings);

@@ -78,7 +78,7 @@ TEST_F(CommandTest, WrongUsageIsStatus2) {
           "the view window is empty: umin < umax and vmin < vmax are needed");
   refused(whole + Words{"--front", "-1", "--back", "1"}, 2,
           "the front plane must lie nearer than the back plane (larger n)");
-  for (const std::string command : {"trace", "figure", "trade", "lesson"})
+  for (const std::string command : {"figure", "trade", "lesson"})
     refused({command, "teapot", "-o", file("old.png")}, 2,
             "the command '" + command + "' is not built yet; `xnewell --help` lists what is");
 }
@@ -198,8 +198,8 @@ TEST_F(CommandTest, HelpTellsWhatThereIs) {
                                      "[240]", "[0.02]", "[30]", "[1,0,0]", "[8]", "[teapot]"})
     EXPECT_NE(help.out.find(expected), std::string::npos) << expected;
   for (const std::string later :
-       {"trace", "figure", "trade", "lesson", "--half-vector", "--attenuation", "--normals", "--texture",
-        "--frames", "--json", "gouraud", "phong", "envmap", "depth,", "shared", "machbands"})
+       {"figure", "trade", "lesson", "--half-vector", "--attenuation", "--normals", "--texture", "--json",
+        "gouraud", "phong", "envmap", "depth,", "shared", "machbands"})
     EXPECT_EQ(help.out.find(later), std::string::npos) << later;
   for (const Words& words :
        {Words{"-h"}, Words{"draw", "--help"}, Words{"draw", "nosuch", "-h"}, Words{"view", "-h"},

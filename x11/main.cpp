@@ -9,6 +9,7 @@
 #include <iomanip>
 #include <iostream>
 #include <new>
+#include <optional>
 #include <string>
 #include <system_error>
 
@@ -18,7 +19,9 @@
 #include "shading/scene.h"
 #include "x11/options.h"
 #include "x11/report.h"
+#include "x11/trace.h"
 #include "x11/viewer.h"
+#include "x11/write_frames.h"
 #include "x11/x11_error.h"
 
 namespace {
@@ -47,16 +50,20 @@ Scene read(const Options& options) {
   return readScene(options.scene, options.divisions);
 }
 
-/// The walk through one picture: read, shade, project, order, paint, write.
-StageTimes draw(const Options& options, Picture& picture, double msRead) {
-  const Doing drawing{"drawing"};
+PictureSettings settingsOf(const Options& options) {
   PictureSettings settings = options.picture;
   const glm::ivec2 size = options.size.value_or(glm::ivec2{800, 600});
   settings.width = size.x;
   settings.height = size.y;
-  picture.make(settings);
+  return settings;
+}
 
-  const CellPlan plan{settings.table.kind};
+/// The walk through one picture: read, shade, project, order, paint, write.
+StageTimes draw(const Options& options, Picture& picture, double msRead) {
+  const Doing drawing{"drawing"};
+  picture.make(settingsOf(options));
+
+  const CellPlan plan{picture.settings().table.kind};
   IndexImage image;
   picture.paint(image, plan[Cell::Well]);
   StageTimes times = picture.times();
@@ -65,6 +72,25 @@ StageTimes draw(const Options& options, Picture& picture, double msRead) {
   writePictures(options, picture, encodePng(image, makePalette(plan, picture.table())));
   times.present = watch.ms();
   return times;
+}
+
+/// The walk through a run of the depth sort: read, shade, project, sort, tell.
+void trace(const Options& options, Picture& picture) {
+  SortedScene sorted;
+  {
+    const Doing sorting{"sorting"};
+    PictureSettings settings = settingsOf(options);
+    settings.order = Order::Unsorted;  // the run that is told is the sort
+    picture.make(settings);
+    sorted = recordedRun(options, picture);
+  }
+  if (!options.frames.empty()) {
+    const Doing writing{"writing frames"};
+    return writeFrames(options, picture, sorted);
+  }
+  std::optional<Doing> telling;
+  if (::isatty(STDOUT_FILENO) == 0) telling.emplace("telling");  // else the lines are seen
+  printTrace(options, picture, sorted, std::cout);
 }
 
 void listScenes() {
@@ -85,6 +111,7 @@ int run(Options options) {
   if (options.command == Command::View) return runViewer(options, std::move(scene));
   if (options.command == Command::Snapshot) return takeSnapshot(options, std::move(scene), msRead), kDone;
   Picture picture{std::move(scene)};
+  if (options.command == Command::Trace) return trace(options, picture), kDone;
   const StageTimes times = draw(options, picture, msRead);
   report(options, picture, times);
   return kDone;

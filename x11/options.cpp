@@ -13,9 +13,9 @@
 namespace {
 
 /// Words of the command line that are fixed but do not do anything yet: they say so.
-constexpr std::array<std::string_view, 4> kLaterCommands{"trace", "figure", "trade", "lesson"};
-constexpr std::array<std::string_view, 6> kLaterOptions{"--half-vector", "--attenuation", "--normals",
-                                                        "--texture",     "--frames",      "--json"};
+constexpr std::array<std::string_view, 3> kLaterCommands{"figure", "trade", "lesson"};
+constexpr std::array<std::string_view, 5> kLaterOptions{"--half-vector", "--attenuation", "--normals",
+                                                        "--texture", "--json"};
 
 [[noreturn]] void refuse(const std::string& option, const std::string& text, const std::string& expected) {
   throw UsageError{option + ": " + inQuotes(text) + " is not " + expected};
@@ -270,10 +270,12 @@ bool sameFile(const std::string& a, const std::string& b) {
 void check(const Options& o, bool sceneGiven) {
   const bool makesPng = o.command == Command::Draw || o.command == Command::Snapshot;
   const std::string name{kCommands[static_cast<int>(o.command)].name};
-  if (makesPng && !sceneGiven) throw UsageError{name + " needs a scene, such as teapot"};
+  const bool traces = o.command == Command::Trace;
+  if ((makesPng || traces) && !sceneGiven) throw UsageError{name + " needs a scene, such as teapot"};
   if (makesPng && o.output.empty()) throw UsageError{name + " needs -o FILE.png"};
   if (sceneGiven && o.scene.empty()) throw UsageError{"the scene's name is empty"};
-  if (sceneGiven && !makesPng && o.command != Command::View) throw UsageError{name + " takes no scene"};
+  if (sceneGiven && !makesPng && !traces && o.command != Command::View)
+    throw UsageError{name + " takes no scene"};
   if (!makesPng && !o.output.empty()) throw UsageError{"-o goes with draw and snapshot"};
   if (!makesPng && (o.stats || !o.ids.empty()))
     throw UsageError{"--stats and --ids go with draw and snapshot"};
@@ -283,12 +285,14 @@ void check(const Options& o, bool sceneGiven) {
       throw UsageError{"-o and --ids must not name the scene's own file: it would be lost"};
   if (!o.ids.empty() && sameFile(o.ids, o.output)) throw UsageError{"-o and --ids name the same file"};
   if (o.command != Command::Snapshot && o.wholeWindow) throw UsageError{"--whole-window goes with snapshot"};
+  if (!traces && (o.quick || !o.frames.empty())) throw UsageError{"--quick and --frames go with trace"};
+  if (traces && o.fill == Fill::XFillPolygon) throw UsageError{"--fill x11 needs a server: use snapshot"};
   if (o.command == Command::Draw && o.fill == Fill::XFillPolygon)
     throw UsageError{"--fill x11 needs a server: use snapshot"};
   if (o.picture.order == Order::Oracle && o.fill == Fill::XFillPolygon)
     throw UsageError{
         "--order oracle decides each sample by itself: there is no polygon for --fill x11 to fill"};
-  if ((o.command == Command::Draw || o.command == Command::Scenes) && !o.visual.empty())
+  if ((o.command == Command::Draw || traces || o.command == Command::Scenes) && !o.visual.empty())
     throw UsageError{"--visual goes with view, snapshot and visuals"};
   const CameraSettings& c = o.picture.camera;
   const auto either = [](bool a, bool b, const char* both) {
@@ -379,6 +383,16 @@ std::optional<Options> parseOptions(int argc, const char* const* argv) {
          });
   r.flag("--stats", o.stats, "print counts and times as one JSON object");
   r.flag("--whole-window", o.wholeWindow, "snapshot: the window with all its controls");
+  r.flag("--quick", o.quick,
+         "trace: the accelerated run; without it the textbook's, whose steps grow with the square of the "
+         "polygons");
+  r.text("--frames",
+         "trace: write numbered pictures into this folder, which may hold none yet, instead of lines", "",
+         [&](const std::string& s) {
+           if (s.empty()) throw UsageError{"--frames: the folder's name is empty"};
+           o.frames = s;
+         });
+  r.choice("--every", kEvery, o.every, "trace: the steps of which --frames makes pictures");
 
   try {
     std::ranges::reverse(arguments);  // as CLI11 takes them
@@ -391,5 +405,6 @@ std::optional<Options> parseOptions(int argc, const char* const* argv) {
   }
   coupleIntensities(o.picture.light, r.given("--ia"), r.given("--ip"));
   check(o, app.count("scene") > 0);
+  if (app.count("--every") > 0 && o.frames.empty()) throw UsageError{"--every goes with --frames"};
   return o;
 }

@@ -6,11 +6,12 @@
 #include <string>
 #include <string_view>
 
+#include "depthsort/replay.h"
 #include "shading/picture.h"
 
 /// The command line as a value.
 
-enum class Command { View, Draw, Snapshot, Visuals, Scenes };
+enum class Command { View, Draw, Snapshot, Trace, Visuals, Scenes };
 struct CommandRow {
   Command id;
   std::string_view name, usage, does;
@@ -21,6 +22,8 @@ inline constexpr std::array kCommands{
                "the picture, without any X server"},
     CommandRow{Command::Snapshot, "snapshot", "snapshot SCENE -o FILE.png [options]",
                "the picture through a real X window, read back from the server"},
+    CommandRow{Command::Trace, "trace", "trace SCENE [options]",
+               "the depth sort's events, one JSON object a line, or as pictures"},
     CommandRow{Command::Visuals, "visuals", "visuals [--visual CLASS[DEPTH]]",
                "what this X server offers and what xnewell would choose, and why"},
     CommandRow{Command::Scenes, "scenes", "scenes", "the built-in scenes, one line each"},
@@ -48,6 +51,9 @@ struct Options {
   std::string visual;  ///< "" for the program's choice
   std::string output, ids;
   bool stats = false, wholeWindow = false;
+  bool quick = false;        ///< trace: the accelerated run, not the textbook's
+  std::string frames;        ///< trace: a folder for pictures; "" for JSON lines
+  Every every = Every::Cut;  ///< trace: of which steps
 };
 
 /// Wrong usage: one line for standard error, exit status 2.

@@ -1,0 +1,260 @@
+#include "depthsort/explain.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <span>
+
+namespace {
+
+double onScreen(double grid) { return grid / kGrid; }
+
+/// The text with names for {P} and {Q}.
+std::string filled(std::string_view text, const std::string& P, const std::string& Q) {
+  std::string sentence;
+  for (std::size_t at = 0; at < text.size();) {
+    if (text.substr(at, 3) == "{P}") {
+      sentence += P;
+      at += 3;
+    } else if (text.substr(at, 3) == "{Q}") {
+      sentence += Q;
+      at += 3;
+    } else {
+      sentence += text[at++];
+    }
+  }
+  return sentence;
+}
+
+std::string_view reasonOf(Test test, Verdict verdict) {
+  switch (test) {
+    case Test::SamePlane:
+      return verdict == Verdict::PFirst ? "{P} and {Q} lie in one plane, where the later face of the scene "
+                                          "counts as nearer: that is "
+                                          "{Q}, so {P} may be painted first."
+                                        : "{P} and {Q} lie in one plane, where the later face of the scene "
+                                          "counts as nearer: that is "
+                                          "{P}, so {Q} may be painted first.";
+    case Test::XExtents:
+      return "the x-extents of {P} and {Q} do not overlap, so {P} cannot hide {Q} and may be painted first.";
+    case Test::YExtents:
+      return "the y-extents of {P} and {Q} do not overlap, so {P} cannot hide {Q} and may be painted first.";
+    case Test::PBehindQ:
+      return "{P} lies wholly behind the plane of {Q}, so it cannot hide {Q} and may be painted first.";
+    case Test::QInFrontOfP:
+      return "{Q} lies wholly in front of the plane of {P}, so {P} cannot hide it and may be painted first.";
+    case Test::Projections:
+      return "the projections of {P} and {Q} do not overlap, so {P} cannot hide {Q} and may be painted "
+             "first.";
+    case Test::QBehindP:
+      return "{Q} lies wholly behind the plane of {P}, so it cannot hide {P} and may be painted before it.";
+    case Test::PInFrontOfQ:
+      return "{P} lies wholly in front of the plane of {Q}, so {Q} cannot hide it and may be painted before "
+             "it.";
+    case Test::Overlap:
+      switch (verdict) {
+        case Verdict::PFirst:
+          return "where they overlap, {P} is nowhere nearer than {Q}, so it may be painted first.";
+        case Verdict::QFirst:
+          return "where they overlap, {Q} is nowhere nearer than {P}, so it may be painted first.";
+        case Verdict::Crossing:
+          return "where they overlap, {P} is nearer in one part and {Q} in another: one of them must be "
+                 "split.";
+      }
+  }
+  return "";
+}
+
+/// Why a test does not prove what it asks for.
+std::string_view refutationOf(Test test) {
+  switch (test) {
+    case Test::SamePlane:
+      return "{P} and {Q} lie in two planes.";
+    case Test::XExtents:
+      return "the x-extents of {P} and {Q} overlap.";
+    case Test::YExtents:
+      return "the y-extents of {P} and {Q} overlap.";
+    case Test::PBehindQ:
+      return "a part of {P} lies in front of the plane of {Q}.";
+    case Test::QInFrontOfP:
+      return "a part of {Q} lies behind the plane of {P}.";
+    case Test::Projections:
+      return "the projections of {P} and {Q} overlap.";
+    case Test::QBehindP:
+      return "a part of {Q} lies in front of the plane of {P}.";
+    case Test::PInFrontOfQ:
+      return "a part of {P} lies behind the plane of {Q}.";
+    case Test::Overlap:
+      return "";
+  }
+  return "";
+}
+
+std::string_view titleOf(Test test) {
+  return test == Test::SamePlane ? "plane" : kTestRows[static_cast<int>(test)].name;
+}
+
+CornerCounts countsOf(const Regions& regions, const Line& line, const Region& region) {
+  CornerCounts counts;
+  for (std::size_t k = 0; k < region.size(); ++k) {
+    const Side &side = region[k], &next = region[k + 1 == region.size() ? 0 : k + 1];
+    const int sign = regions.sign(line, side.line, next.line, side.corner);
+    ++(sign > 0 ? counts.inFront : sign < 0 ? counts.behind : counts.on);
+  }
+  return counts;
+}
+
+}  // namespace
+
+std::string_view wordFor(Event::Kind kind) {
+  switch (kind) {
+    case Event::Kind::Take:
+      return "take";
+    case Event::Kind::Compare:
+      return "test";
+    case Event::Kind::Move:
+      return "move";
+    case Event::Kind::Cycle:
+      return "cycle";
+    case Event::Kind::Impossible:
+      return "impossible";
+    case Event::Kind::Void:
+      return "contact";
+    case Event::Kind::Split:
+      return "cut";
+    case Event::Kind::Paint:
+      return "paint";
+  }
+  return "";
+}
+
+std::vector<Test> testsMade(const Event& compare, bool textbook) {
+  using enum Test;
+  static constexpr std::array kTextbook{XExtents,    YExtents, PBehindQ,    QInFrontOfP,
+                                        Projections, QBehindP, PInFrontOfQ, Overlap};
+  static constexpr std::array kQuick{Projections, PBehindQ, QInFrontOfP, QBehindP, PInFrontOfQ, Overlap};
+  const std::span<const Test> order =
+      textbook ? std::span<const Test>{kTextbook} : std::span<const Test>{kQuick};
+  // Two in one plane have only their numbers left when the projections overlap.
+  const Test last = compare.test == SamePlane ? Projections : compare.test;
+  std::vector<Test> made{order.begin(), std::ranges::find(order, last) + 1};
+  if (compare.test == SamePlane) made.push_back(SamePlane);
+  return made;
+}
+
+double Explainer::pixels(double zSteps) const { return std::ldexp(onScreen(zSteps), scene_->zShift); }
+
+Range Explainer::xExtent(int id) const {
+  const Box box = fragments_.extents(id).box;
+  return {onScreen(box.x0), onScreen(box.x1)};
+}
+
+Range Explainer::yExtent(int id) const {
+  const Box box = fragments_.extents(id).box;
+  return {onScreen(box.y0), onScreen(box.y1)};
+}
+
+Range Explainer::zExtent(int id) const {
+  const Extents extents = fragments_.extents(id);
+  return {pixels(extents.zFar), pixels(extents.zNear)};
+}
+
+CornerCounts Explainer::corners(int of, int fromPlaneOf) const {
+  const Line nearer = regions_.cut(fragments_.face(of).plane, fragments_.face(fromPlaneOf).plane);
+  return countsOf(regions_, nearer, fragments_.region(of));
+}
+
+std::optional<SeparatingEdge> Explainer::separatingEdge(int P, int Q) const {
+  const Region p = fragments_.region(P), q = fragments_.region(Q);
+  for (const bool ofP : {true, false}) {
+    const Region &mine = ofP ? p : q, &others = ofP ? q : p;
+    for (std::size_t k = 0; k < mine.size(); ++k) {
+      if (regions_.signs(mine[k].line, others).positive) continue;
+      const Corner &from = mine[k == 0 ? mine.size() - 1 : k - 1].corner, &to = mine[k].corner;
+      return SeparatingEdge{ofP, onScreen(from.x), onScreen(from.y), onScreen(to.x), onScreen(to.y)};
+    }
+  }
+  return std::nullopt;
+}
+
+CommonArea Explainer::commonArea(int P, int Q) const {
+  Region both = fragments_.region(P);
+  for (const Side& side : fragments_.region(Q)) regions_.clip(both, side.line);
+  const SnappedFace &p = fragments_.face(P), &q = fragments_.face(Q);
+  CommonArea common;
+  common.doubt = pixels(double{p.doubt} + q.doubt);
+  if (both.empty()) return common;
+
+  common.corners = static_cast<int>(both.size());
+  common.P = countsOf(regions_, regions_.cut(p.plane, q.plane), both);
+  double low = std::numeric_limits<double>::infinity(), high = -low;
+  const Corner& anchor = both.front().corner;
+  for (std::size_t k = 0; k < both.size(); ++k) {
+    const Corner &a = both[k].corner, &b = both[k + 1 == both.size() ? 0 : k + 1].corner;
+    common.area += (onScreen(b.x - anchor.x) * onScreen(a.y - anchor.y) -
+                    onScreen(a.x - anchor.x) * onScreen(b.y - anchor.y)) /
+                   2.0;
+    const auto x = std::llrint(a.x), y = std::llrint(a.y);
+    const double ahead = depthAt(scene_->planes[p.plane], x, y) - depthAt(scene_->planes[q.plane], x, y);
+    low = std::min(low, ahead), high = std::max(high, ahead);
+  }
+  common.aheadOfQ = {pixels(low), pixels(high)};
+  return common;
+}
+
+std::string Explainer::settled(const Event& e) const {
+  std::string_view reason = reasonOf(e.test, e.verdict);
+  if (e.contact)
+    reason =
+        e.verdict == Verdict::PFirst
+            ? "where they overlap, {P} and {Q} cross no deeper than a contact; {P} may be painted first."
+            : "where they overlap, {P} and {Q} cross no deeper than a contact; {Q} is to be painted first.";
+  return filled(reason, name(e.P), name(e.Q));
+}
+
+std::string Explainer::failed(const Event& e, Test test) const {
+  const bool aboutPlanes = test == Test::PBehindQ || test == Test::QInFrontOfP;
+  if (aboutPlanes && regions_.samePlane(fragments_.face(e.P).plane, fragments_.face(e.Q).plane))
+    return filled("{P} and {Q} lie in one plane.", name(e.P), name(e.Q));
+  return filled(refutationOf(test), name(e.P), name(e.Q));
+}
+
+std::string Explainer::sentence(const Event& e, Test test) const {
+  const std::string title = (test == Test::SamePlane ? "Test of the " : "Test ") + std::string{titleOf(test)};
+  return title + (test == e.test ? ": " + settled(e) : ": no, " + failed(e, test));
+}
+
+std::string Explainer::sentence(const Event& e, int splits) const {
+  const std::string P = name(e.P), Q = e.Q < 0 ? "" : name(e.Q);
+  switch (e.kind) {
+    case Event::Kind::Take:
+      if (fragments_.isPiece(e.P))
+        return filled("Take: {P}, a piece of {Q}, is the first in the list and becomes P.", P,
+                      name(fragments_.parent(e.P)));
+      return filled(textbook_ ? "Take: {P} reaches farthest back of all that is left and becomes P."
+                              : "Take: {P} is the first in the list and becomes P.",
+                    P, Q);
+    case Event::Kind::Compare:
+      return sentence(e, e.test);
+    case Event::Kind::Move:
+      return filled("Move: {Q} is moved to the end of the list, marked, and becomes P.", P, Q);
+    case Event::Kind::Cycle:
+      return filled("Cycle: {Q} should come before {P}, but it is marked already: the order goes round.", P,
+                    Q);
+    case Event::Kind::Impossible:
+      return filled("Cut impossible: {P} lies on one side of the plane of {Q}.", P, Q);
+    case Event::Kind::Void:
+      return filled(
+          "Contact: {P} and {Q} only touch, as far as the model's rounding tells; that breaks the "
+          "cycle without a cut.",
+          P, Q);
+    case Event::Kind::Split: {
+      const int behind = fragments_.pieceOf(splits);
+      return filled("Cut: {P} is split by the plane of {Q} into ", P, Q) + name(behind) +
+             ", behind it, and " + name(behind + 1) + ", in front.";
+    }
+    case Event::Kind::Paint:
+      return filled("Paint: nothing that is left needs to come before {P}.", P, Q);
+  }
+  return "";
+}

@@ -1,0 +1,81 @@
+#pragma once
+
+#include <array>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "depthsort/fragments.h"
+
+/// What a recorded event means: the tests that were made, the numbers that decided, and a sentence. Numbers
+/// are computed again from the fragments, by the predicates of the sort. Lengths and places are in pixels,
+/// z in pixels of the view plane, larger is nearer.
+
+/// `take`, `test`, `move`, `cycle`, `impossible`, `contact`, `cut`, `paint`.
+[[nodiscard]] std::string_view wordFor(Event::Kind kind);
+
+/// The tests of a Compare event in the order in which they were made: all but the last one failed, which
+/// proves nothing, and the last settled the pair. A test behind it was not made.
+[[nodiscard]] std::vector<Test> testsMade(const Event& compare, bool textbook);
+
+struct Range {
+  double low = 0, high = 0;
+};
+/// How many corners of a fragment lie on the viewer's side of a plane, on it and beyond it.
+struct CornerCounts {
+  int inFront = 0, on = 0, behind = 0;
+  bool operator==(const CornerCounts&) const = default;
+};
+/// A line along an edge, with all of one fragment on one side and all of the other one on the other.
+struct SeparatingEdge {
+  bool ofP;  ///< the edge is P's, else Q's
+  double fromX, fromY, toX, toY;
+};
+/// What P and Q have in common on the screen.
+struct CommonArea {
+  int corners = 0;
+  double area = 0;   ///< square pixels
+  CornerCounts P;    ///< its corners on P, as seen from Q's plane
+  Range aheadOfQ;    ///< zP - zQ
+  double doubt = 0;  ///< of both (SnappedFace::doubt): no larger |zP - zQ| may be a contact
+};
+
+class Explainer {
+ public:
+  Explainer(const Mesh& mesh, const SnappedScene& scene, const SortedScene& sorted, bool textbook)
+      : scene_{&scene}, textbook_{textbook}, fragments_{mesh, scene, sorted}, regions_{scene} {}
+
+  [[nodiscard]] const Fragments& fragments() const { return fragments_; }
+  [[nodiscard]] std::string name(int id) const { return fragments_.name(id); }
+
+  // The numbers.
+
+  [[nodiscard]] Range xExtent(int id) const;
+  [[nodiscard]] Range yExtent(int id) const;
+  [[nodiscard]] Range zExtent(int id) const;
+  /// Where the corners of one fragment lie from the plane of another. Exact.
+  [[nodiscard]] CornerCounts corners(int of, int fromPlaneOf) const;
+  /// Nothing where the projections overlap. Exact.
+  [[nodiscard]] std::optional<SeparatingEdge> separatingEdge(int P, int Q) const;
+  /// Counts are exact; the rest is in doubles.
+  [[nodiscard]] CommonArea commonArea(int P, int Q) const;
+
+  // The sentences.
+
+  /// Of one test of a Compare event, one of testsMade().
+  [[nodiscard]] std::string sentence(const Event& compare, Test test) const;
+  /// Of any event; of a Compare event, that of the test that settled the pair. `splits` is how many there
+  /// were before it.
+  [[nodiscard]] std::string sentence(const Event& event, int splits) const;
+
+ private:
+  [[nodiscard]] std::string settled(const Event& compare) const;
+  [[nodiscard]] std::string failed(const Event& compare, Test test) const;
+  [[nodiscard]] double pixels(double zSteps) const;
+
+  const SnappedScene* scene_;
+  bool textbook_;
+  Fragments fragments_;
+  Regions regions_;
+};

@@ -1,0 +1,67 @@
+#include "depthsort/fragments.h"
+
+#include <algorithm>
+#include <cctype>
+
+namespace {
+
+/// A name of bounded length; what is cut off ends at a character.
+std::string shortened(const std::string& name) {
+  constexpr std::size_t kMost = 48;  // bytes
+  if (name.size() <= kMost) return name;
+  std::size_t end = kMost;
+  while (end > 0 && (static_cast<unsigned char>(name[end]) & 0xC0) == 0x80) --end;
+  return name.substr(0, end) + "...";
+}
+
+}  // namespace
+
+Fragments::Fragments(const Mesh& mesh, const SnappedScene& scene, const SortedScene& sorted)
+    : mesh_{&mesh},
+      scene_{&scene},
+      sorted_{&sorted},
+      faces_{static_cast<int>(scene.faces.size())},
+      regions_{scene},
+      facesOfPlane_{facesOfPlanes(scene)} {
+  for (const Event& e : sorted.events)
+    if (e.kind == Event::Kind::Split) splitter_.push_back(face(e.Q).plane);
+  for (const int group : mesh.group) ++facesNamed_[mesh.groupNames[group]];
+}
+
+Region Fragments::region(int id) const {
+  Region region;
+  if (!isPiece(id)) {
+    regions_.outline(scene_->faces[id], region);
+    return region;
+  }
+  region = this->region(parent(id));
+  const int k = (id - faces_) / 2;
+  const Line nearer = regions_.cut(face(id).plane, splitter_[k]);
+  regions_.clip(region, id == pieceOf(k) ? Regions::flipped(nearer) : nearer);
+  return region;
+}
+
+Extents Fragments::extents(int id) const {
+  if (!isPiece(id)) return extentsOf(*scene_, face(id), vertexDepthsAreExact(face(id), facesOfPlane_));
+  return extentsOf(*scene_, face(id), region(id), extents(parent(id)));
+}
+
+std::string Fragments::name(int id) const {
+  std::string path;
+  while (isPiece(id)) {
+    path += (id - faces_) % 2 == 0 ? 'a' : 'b';
+    id = parent(id);
+  }
+  std::ranges::reverse(path);
+
+  const int number = face(id).number;
+  std::string name = mesh_->groupNames[mesh_->group[number]];
+  if (name.empty() || facesNamed_.at(name) != 1) name = "face " + std::to_string(number);
+  name = shortened(name);
+  const auto numberOf = [&](int i) { return scene_->faces[i].number; };
+  int part = 1;
+  while (id - part >= 0 && numberOf(id - part) == number) ++part;
+  if (part > 1 || (id + 1 < faces_ && numberOf(id + 1) == number)) name += "." + std::to_string(part);
+  if (!path.empty() && std::isdigit(static_cast<unsigned char>(name.back())) == 0) name += '.';
+  return name + path;
+}

@@ -1,0 +1,105 @@
+#include "depthsort/replay.h"
+
+#include <algorithm>
+#include <cassert>
+#include <limits>
+
+Replay::Replay(const SnappedScene& scene, const SortedScene& sorted)
+    : sorted_{&sorted}, faces_{static_cast<int>(scene.faces.size())} {
+  const std::size_t fragments = scene.faces.size() + sorted.pieces.size();
+  ended_.assign(fragments, std::numeric_limits<int>::max());
+  pieces_.assign(fragments, -1);
+  checkpoints_.reserve(steps() / kCheckpoint + 1);
+  State state;
+  for (int k = 0; k < steps(); ++k) {
+    if (k % kCheckpoint == 0) checkpoints_.push_back(state);
+    const Event& e = sorted.events[k];
+    if (e.kind == Event::Kind::Take) marks_.push_back({e.P, state.top});
+    if (e.kind == Event::Kind::Move) marks_.push_back({e.Q, state.top});
+    if (e.kind == Event::Kind::Split) pieces_[e.P] = faces_ + 2 * state.splits;
+    if (e.kind == Event::Kind::Split || e.kind == Event::Kind::Paint) ended_[e.P] = k;
+    advance(state, k);
+  }
+  if (checkpoints_.empty()) checkpoints_.push_back(state);
+}
+
+void Replay::advance(State& state, int index) const {
+  const Event& e = sorted_->events[index];
+  switch (e.kind) {
+    case Event::Kind::Take:
+    case Event::Kind::Move:
+      state.top = state.marks++;
+      break;
+    case Event::Kind::Compare:
+    case Event::Kind::Cycle:
+    case Event::Kind::Impossible:
+      break;
+    case Event::Kind::Void:
+      while (marks_[state.top].fragment != e.P) state.top = marks_[state.top].below;
+      break;
+    case Event::Kind::Split: {
+      ++state.splits;
+      // Where a pair crosses, Q may be the one that is split, and it is not marked then.
+      const bool crossing = sorted_->events[index - 1].kind == Event::Kind::Compare;
+      if (crossing && marks_[state.top].fragment != e.P) break;
+      while (marks_[state.top].fragment != e.P) state.top = marks_[state.top].below;
+      state.top = marks_[state.top].below;
+      break;
+    }
+    case Event::Kind::Paint:
+      state.top = marks_[state.top].below;
+      ++state.painted;
+      break;
+  }
+}
+
+void Replay::goTo(int step) {
+  assert(step >= 0 && step <= steps());
+  if (step < step_ || step - step_ > kCheckpoint) {
+    const int checkpoint = std::min(step / kCheckpoint, static_cast<int>(checkpoints_.size()) - 1);
+    state_ = checkpoints_[checkpoint];
+    step_ = checkpoint * kCheckpoint;
+  }
+  while (step_ < step) advance(state_, step_++);
+}
+
+std::vector<int> Replay::marked() const {
+  std::vector<int> ids;
+  for (int at = state_.top; at != -1; at = marks_[at].below) ids.push_back(marks_[at].fragment);
+  return ids;
+}
+
+std::vector<Replay::Listed> Replay::list(int most) const {
+  std::vector<Listed> all;
+  const auto full = [&] { return static_cast<int>(all.size()) >= most; };
+  std::vector<int> stack = marked();
+  for (const int id : stack) {
+    if (full()) return all;
+    all.push_back({id, true});
+  }
+  std::ranges::sort(stack);
+  std::vector<int> next;  // of one face, what is to be looked at, the first on top
+  for (const int face : sorted_->list) {
+    next.push_back(face);
+    while (!next.empty()) {
+      const int id = next.back();
+      next.pop_back();
+      if (full()) return all;
+      if (isThere(id)) {
+        if (!std::ranges::binary_search(stack, id)) all.push_back({id, false});
+      } else if (pieces_[id] != -1) {
+        next.push_back(pieces_[id] + 1);
+        next.push_back(pieces_[id]);
+      }
+    }
+  }
+  return all;
+}
+
+std::vector<int> stepsOf(const SortedScene& sorted, Every every) {
+  std::vector<int> steps;
+  for (int k = 0; k < static_cast<int>(sorted.events.size()); ++k)
+    if (every == Every::Step || sorted.events[k].kind == kEvery[static_cast<int>(every)].kind)
+      steps.push_back(k + 1);
+  return steps;
+}

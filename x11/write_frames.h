@@ -1,0 +1,10 @@
+#pragma once
+
+#include "depthsort/depth_sort.h"
+#include "shading/picture.h"
+#include "x11/options.h"
+
+/// --frames: a numbered PNG for each step of the kind of --every, and one of the whole picture at the end.
+/// Makes the folder if need be. @throws UsageError if the run has no such step, more than 9,999 of them, or
+/// the folder holds frames already; std::system_error
+void writeFrames(const Options& options, const Picture& picture, const SortedScene& sorted);
