@@ -21,14 +21,16 @@ Int128 difference(std::int64_t p, std::int64_t c, std::int64_t q, std::int64_t d
   return Int128{p} * d - Int128{q} * c;
 }
 
-/// D d - E c for |D|, |E| <= 2^93 and 0 < c, d <= 2^61, as high * 2^64 + low, 0 <= low < 2^64.
+/// D d - E c for |D|, |E| <= 2^93 and 0 < c, d <= 2^61, as high * 2^64 + low, -2^63 <= low < 2^63: as near to
+/// zero, so that the sum of both in doubles is near the whole also where that is small and negative.
 struct Product {
   Int128 high, low;
 };
 Product difference(Int128 D, std::int64_t c, Int128 E, std::int64_t d) {
   constexpr Int128 kMask = (Int128{1} << 64) - 1;
   const Int128 low = (D & kMask) * d - (E & kMask) * c;
-  return {(D >> 64) * d - (E >> 64) * c + (low >> 64), low & kMask};
+  const Int128 carry = (low + (Int128{1} << 63)) >> 64;
+  return {(D >> 64) * d - (E >> 64) * c + carry, low - (carry << 64)};
 }
 
 ExactLine exactly(const SnappedScene& scene, const Line& line) {
