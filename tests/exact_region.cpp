@@ -97,17 +97,18 @@ Rational greatest(const ExactLine& line, const ExactRegion& region) {
   return most;
 }
 
+bool exactlyCovers(const ExactRegion& region, int i, int j) {
+  const ExactPoint centre{Rational{2 * i + 1, 2} * kGrid, Rational{2 * j + 1, 2} * kGrid};
+  for (std::size_t k = 0; k < region.size(); ++k) {
+    const ExactLine side = edgeOf(region[k], region[(k + 1) % region.size()]);
+    const Rational value = valueAt(side, centre);
+    const Rational& part = value != 0 ? value : side.a != 0 ? side.a : side.b;
+    if (part <= 0) return false;
+  }
+  return !region.empty();
+}
+
 bool exactlyOwnsSample(const ExactRegion& region, int width, int height) {
-  const auto owns = [&](int i, int j) {
-    const ExactPoint centre{Rational{2 * i + 1, 2} * kGrid, Rational{2 * j + 1, 2} * kGrid};
-    for (std::size_t k = 0; k < region.size(); ++k) {
-      const ExactLine side = edgeOf(region[k], region[(k + 1) % region.size()]);
-      const Rational value = valueAt(side, centre);
-      const Rational& part = value != 0 ? value : side.a != 0 ? side.a : side.b;
-      if (part <= 0) return false;
-    }
-    return true;
-  };
   if (region.empty()) return false;
   const auto pixel = [](const Rational& r) { return std::floor(r.convert_to<double>() / kGrid); };
   const auto [left, right] = std::ranges::minmax_element(region, {}, &ExactPoint::x);
@@ -117,7 +118,7 @@ bool exactlyOwnsSample(const ExactRegion& region, int width, int height) {
   };
   for (int j = within(pixel(top->y) - 1, height); j <= within(pixel(bottom->y) + 1, height); ++j)
     for (int i = within(pixel(left->x) - 1, width); i <= within(pixel(right->x) + 1, width); ++i)
-      if (owns(i, j)) return true;
+      if (exactlyCovers(region, i, j)) return true;
   return false;
 }
 

@@ -41,7 +41,9 @@ using ExactRegion = std::vector<ExactPoint>;
 [[nodiscard]] Rational exactDoubleArea(const ExactRegion& region);
 /// The greatest value of a line in the region.
 [[nodiscard]] Rational greatest(const ExactLine& line, const ExactRegion& region);
-/// Whether it owns a sample of the picture: the centre of a pixel moved by (e, e^2).
+/// Whether it owns the sample of pixel (i, j): its centre moved by (e, e^2).
+[[nodiscard]] bool exactlyCovers(const ExactRegion& region, int i, int j);
+/// Whether it owns a sample of the picture.
 [[nodiscard]] bool exactlyOwnsSample(const ExactRegion& region, int width, int height);
 /// Twice the area over the diameter, of the corners in doubles.
 [[nodiscard]] double thickness(const ExactRegion& region);
