@@ -129,8 +129,8 @@ TEST(DepthSortExtremes, AllOutsideThePicture) {
   }
 }
 
-// The largest picture and depth there are, walls from corner to corner, one of them rising over all of the
-// depth between two steps of the grid.
+// The widest and the highest picture there are, walls from corner to corner over all of the depth, two of them
+// rising by it within a step of the grid.
 TEST(DepthSortExtremes, LimitsOfTheGrid) {
   constexpr int L = 1 << 29, Z = 1 << 30;
   SnappedScene scene;
