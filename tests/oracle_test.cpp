@@ -109,7 +109,7 @@ TEST(Oracle, OfCopiesTheLaterWins) {
 // nearer() is an order: it changes sign with its arguments' places and is 0 for a plane and itself.
 TEST(Oracle, NearerIsAntisymmetric) {
   for (unsigned seed = 0; seed < 600; ++seed) {
-    const SnappedScene scene = randomScene(seed, 2, 8);
+    const SnappedScene scene = randomTriangles(seed, 2, 8);
     const ScreenPlane &P = scene.planes[0], &Q = scene.planes[1];
     for (int i = 0; i < 8; ++i) {
       ASSERT_EQ(nearer(P, Q, i, i), -nearer(Q, P, i, i)) << seed;
