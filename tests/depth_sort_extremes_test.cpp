@@ -129,7 +129,7 @@ TEST(DepthSortExtremes, AllOutsideThePicture) {
   }
 }
 
-// The widest and the highest picture there are, walls from corner to corner over all of the depth, two of them
+// The widest picture and the highest: walls from corner to corner over all of the depth, two of them
 // rising by it within a step of the grid.
 TEST(DepthSortExtremes, LimitsOfTheGrid) {
   constexpr int L = 1 << 29, Z = 1 << 30;
