@@ -21,22 +21,16 @@ Int128 difference(std::int64_t p, std::int64_t c, std::int64_t q, std::int64_t d
   return Int128{p} * d - Int128{q} * c;
 }
 
-/// D d - E c for |D|, |E| <= 2^93 and 0 < c, d <= 2^61, as high * 2^64 + low, 0 <= low < 2^64.
+/// D d - E c for |D|, |E| <= 2^93 and 0 < c, d <= 2^61, as high * 2^64 + low, -2^63 <= low < 2^63: as near to
+/// zero, so that the sum of both in doubles is near the whole also where that is small and negative.
 struct Product {
   Int128 high, low;
 };
 Product difference(Int128 D, std::int64_t c, Int128 E, std::int64_t d) {
   constexpr Int128 kMask = (Int128{1} << 64) - 1;
   const Int128 low = (D & kMask) * d - (E & kMask) * c;
-  return {(D >> 64) * d - (E >> 64) * c + (low >> 64), low & kMask};
-}
-
-/// Within 2^-52 of itself.
-double approximately(Product p) {
-  const bool negative = p.high < 0;
-  if (negative) p = {-p.high - 1, (Int128{1} << 64) - p.low};  // no cancellation
-  const double d = ::approximately(p.high) * 0x1p64 + ::approximately(p.low);
-  return negative ? -d : d;
+  const Int128 carry = (low + (Int128{1} << 63)) >> 64;
+  return {(D >> 64) * d - (E >> 64) * c + carry, low - (carry << 64)};
 }
 
 ExactLine exactly(const SnappedScene& scene, const Line& line) {
@@ -71,9 +65,10 @@ Line Regions::edge(int from, int to) const {
 
 Line Regions::cut(int over, int under) const {
   const ScreenPlane &P = scene_.planes[over], &Q = scene_.planes[under];
+  const Product c = difference(P.D, P.C, Q.D, Q.C);
   return scaled({Line::Kind::Cut, over, under, approximately(difference(P.A, P.C, Q.A, Q.C)),
                  approximately(difference(P.B, P.C, Q.B, Q.C)),
-                 approximately(difference(P.D, P.C, Q.D, Q.C))});
+                 approximately(c.high) * 0x1p64 + approximately(c.low)});
 }
 
 Line Regions::flipped(Line line) {

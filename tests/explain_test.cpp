@@ -118,7 +118,7 @@ TEST(Explain, NumbersOfFacesAreThoseOfTheirVertices) {
     if (seed % 7 == 2)
       continue;  // volumes up to 2^95 would do, extents of 2^30 in pixels too; kept for below
     SCOPED_TRACE(seed);
-    const SnappedScene scene = randomScene(seed, 8, kSize);
+    const SnappedScene scene = randomScene(kSceneKinds[seed % kTriangleKinds].id, seed, 8, kSize);
     const SortedScene sorted = recorded(scene, true);
     const Mesh mesh = namelessMesh(8);
     const Explainer explainer{mesh, scene, sorted, true};
@@ -146,7 +146,7 @@ TEST(Explain, NamesAreUnique) {
   int pieces = 0;
   for (unsigned seed = 0; seed < 70; ++seed) {
     SCOPED_TRACE(seed);
-    SnappedScene scene = randomScene(seed, 12, kSize);
+    SnappedScene scene = randomScene(SceneKind::BigTriangles, seed, 12, kSize);
     // Faces 3 and 4 are parts of one; two groups have a face each, two of one name, one holds the rest.
     for (int f = 4; f < 12; ++f) scene.faces[f].number = f - 1;
     Mesh mesh = namelessMesh(11);

@@ -149,7 +149,7 @@ TEST(Replay, TheNextPIsTheFirstOfTheList) {
   int taken = 0;
   for (unsigned seed = 0; seed < 100; ++seed) {
     SCOPED_TRACE(seed);
-    const SnappedScene scene = randomScene(seed, 2 + seed % 17, kSize);
+    const SnappedScene scene = randomScene(kSceneKinds[seed % kTriangleKinds].id, seed, 2 + seed % 17, kSize);
     const SortedScene sorted = recorded(scene, true);
     const auto farthest = [&](int face) {
       const glm::ivec3* v = &scene.vertices[scene.faces[face].first];
