@@ -1,0 +1,103 @@
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <glm/geometric.hpp>
+
+#include "geometry/solids.h"
+#include "model_view.h"
+#include "painted.h"
+#include "random_wall.h"
+
+namespace {
+
+constexpr int kWidth = 160, kHeight = 120;
+
+/// As a file of so many decimals has the mesh, in the scale of the file; 0: exactly.
+Mesh written(Mesh mesh, int decimals, double scale) {
+  const double unit = std::pow(10.0, decimals);
+  for (glm::dvec3& p : mesh.points)
+    for (int axis = 0; axis < 3; ++axis)
+      p[axis] = scale * (decimals > 0 ? std::nearbyint(p[axis] * unit) / unit : p[axis]);
+  mesh.rounding.clear();
+  if (decimals > 0) mesh.rounding.assign(mesh.groupNames.size(), scale * 0.5 / unit);
+  return mesh;
+}
+
+/// Turned out of the axes and brought to size 1.
+Mesh turned(Mesh mesh, unsigned seed) {
+  std::mt19937 rng{seed};
+  const Frame frame = randomFrame(rng);
+  const glm::dvec3 a = glm::normalize(frame.a), b = glm::cross(frame.N, a);
+  double size = 0.0;
+  for (const glm::dvec3& p : mesh.points)
+    size = std::max({size, std::abs(p.x), std::abs(p.y), std::abs(p.z)});
+  for (glm::dvec3& p : mesh.points) p = (p.x * a + p.y * b + p.z * frame.N) / size;
+  return mesh;
+}
+
+void addBox(Mesh& mesh, glm::dvec3 low, glm::dvec3 high) {
+  const Mesh unit = cube();
+  const int first = static_cast<int>(mesh.points.size());
+  for (const glm::dvec3& p : unit.points) mesh.points.push_back(low + (high - low) * (p + 1.0) / 2.0);
+  for (int f = 0; f < unit.faceCount(); ++f) {
+    std::vector<int> face;
+    for (const int corner : unit.face(f)) face.push_back(first + corner);
+    mesh.addFace(face, 0);
+  }
+}
+
+/// Closed boxes on a floor, side by side, and a smaller one upon each, in a corner of it or in its middle.
+Mesh stackedBoxes() {
+  Mesh mesh;
+  mesh.groupNames = {""};
+  for (int i = 0; i < 3; ++i)
+    for (int j = 0; j < 3; ++j) {
+      const double height = 0.3 + 0.1 * ((i + 2 * j) % 3), inset = 0.15 * ((i + j) % 3);
+      const glm::dvec3 corner{i, j, 0};
+      addBox(mesh, corner, corner + glm::dvec3{1, 1, height});
+      addBox(mesh, corner + glm::dvec3{inset, inset, height},
+             corner + glm::dvec3{inset + 0.5, inset + 0.5, height + 0.4});
+    }
+  const int first = static_cast<int>(mesh.points.size());
+  for (const glm::dvec3 p : {glm::dvec3{-1, -1, 0}, {4, -1, 0}, {4, 4, 0}, {-1, 4, 0}})
+    mesh.points.push_back(p);
+  mesh.addFace(std::array{first, first + 1, first + 2, first + 3}, 0);
+  return mesh;
+}
+
+struct Solid {
+  std::string_view name;
+  Mesh mesh;
+};
+
+}  // namespace
+
+// What touches and does not cross is never split: a furnished room, boxes on and beside each other, a cube, a
+// sphere. Turned out of the axes, rounded to 6 or 9 decimals or not at all, from 1e-6 to 1e6 in size,
+// in every projection, seen from without and within.
+TEST(Contact, SplitsNothing) {
+  const std::array solids{Solid{"room", readScene("room").mesh}, Solid{"stacked boxes", stackedBoxes()},
+                          Solid{"cube", cube()}, Solid{"sphere", sphere(24, 12)}};
+  for (const Solid& solid : solids) {
+    SCOPED_TRACE(solid.name);
+    long contacts = 0, samples = 0;
+    for (unsigned seed = 0; seed < 200; ++seed) {
+      SCOPED_TRACE(seed);
+      const double scale = std::pow(10.0, static_cast<int>(seed % 13) - 6);
+      const Mesh mesh = seed % 5 ? turned(solid.mesh, seed) : solid.mesh;
+      Picture picture{
+          makeScene("solid", written(mesh, kDecimals[seed % kDecimals.size()], scale), UpAxis::Z)};
+      const PictureSettings s = randomView(picture.scene(), seed, kWidth, kHeight);
+      picture.make(s);
+      const SortStatistics& quick = picture.sorted().statistics;
+      EXPECT_EQ(quick.splits, 0);
+      EXPECT_EQ(depthSort(picture.snapped(), {kWidth, kHeight, true}).statistics.splits, 0);
+      contacts += quick.contacts;
+      const Picture::Exactness e = picture.exactness();
+      EXPECT_EQ(e.wrong, 0);
+      samples += e.samples;
+    }
+    EXPECT_GE(contacts, 100);
+    EXPECT_GT(samples, 1'000'000);
+  }
+}
