@@ -1,6 +1,6 @@
 #include <gtest/gtest.h>
 
-#include "geometry/solids.h"
+#include "doubt.h"
 #include "model_view.h"
 #include "painted.h"
 

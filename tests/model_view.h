@@ -1,17 +1,13 @@
 #pragma once
 
-#include <algorithm>
 #include <array>
 #include <cmath>
 #include <random>
 #include <string_view>
-#include <vector>
 
-#include "depthsort/oracle.h"
 #include "shading/picture.h"
-#include "shading/scanline.h"
 
-/// Seeded views of a model, and what is known of each sample of a picture of it.
+/// Seeded views of a model.
 
 enum class Seen { Outside, Parallel, Oblique, Inside };
 struct SeenRow {
@@ -63,39 +59,4 @@ inline PictureSettings randomView(const Scene& scene, unsigned seed, int width, 
       break;
   }
   return s;
-}
-
-/// |zP - zQ| at the centre of sample k, in z steps.
-inline double depthBetween(const SnappedScene& scene, int p, int q, int k, int width) {
-  const std::int64_t x = std::int64_t{k % width} * kGrid + kGrid / 2,
-                     y = std::int64_t{k / width} * kGrid + kGrid / 2;
-  return std::abs(depthAt(scene.planes[scene.faces[p].plane], x, y) -
-                  depthAt(scene.planes[scene.faces[q].plane], x, y));
-}
-
-/// Whether the two may touch at sample k for all that is known of the model: they lie in two planes,
-/// nearer to each other than the rounding of both.
-inline bool mayTouch(const SnappedScene& scene, int p, int q, int k, int width) {
-  const SnappedFace &P = scene.faces[p], &Q = scene.faces[q];
-  return P.plane != Q.plane && depthBetween(scene, p, q, k, width) <= double{P.doubt} + Q.doubt;
-}
-
-/// Calls visit(k, face) for each sample of each face.
-template <class Visit>
-void forEachSample(const SnappedScene& scene, int width, int height, Visit&& visit) {
-  for (int f = 0; f < static_cast<int>(scene.faces.size()); ++f)
-    forEachSpan(&scene.vertices[scene.faces[f].first], scene.faces[f].count, width, height,
-                [&](int row, int from, int to) {
-                  for (int i = from; i < to; ++i) visit(row * width + i, f);
-                });
-}
-
-/// The doubtful samples: where a face may touch the one that is seen.
-inline std::vector<char> doubtful(const SnappedScene& scene, const std::vector<int>& seen, int width,
-                                  int height) {
-  std::vector<char> samples(seen.size(), false);
-  forEachSample(scene, width, height, [&](int k, int face) {
-    samples[k] |= face != seen[k] && mayTouch(scene, face, seen[k], k, width);
-  });
-  return samples;
 }
