@@ -154,6 +154,8 @@ class DepthSort {
   /// Whether a part of the overlap, or all of it, is more than a contact: deeper than the doubt of both
   /// (asked only if they are in two planes), and wide or owner of a sample.
   [[nodiscard]] bool counts(const Region& part, int P, int Q) const;
+  /// Whether zP and zQ are further apart than both may be off, somewhere in the part.
+  [[nodiscard]] bool isDeep(const Region& part, const SnappedFace& p, const SnappedFace& q) const;
   /// The polygon's region: of a piece the one that is kept, of a whole face made in `buffer`.
   [[nodiscard]] const Region& regionOf(int P, Region& buffer) const {
     if (progress_[P].piece != kNone) return pieces_[progress_[P].piece];
@@ -493,17 +495,37 @@ DepthSort::Relation DepthSort::overlap(int P, int Q) {
   return {Test::Overlap, qFirst ? Verdict::QFirst : Verdict::PFirst, true};
 }
 
+/// Along an edge the depths are linear and the doubt is a parabola, so how far they exceed it has one
+/// maximum. Along lines of equal depth, within the part, all is linear: the edges tell of the whole.
+bool DepthSort::isDeep(const Region& part, const SnappedFace& p, const SnappedFace& q) const {
+  struct Depths {
+    double p, q;
+  };
+  const auto depthsAt = [&](const Corner& corner) -> Depths {
+    const auto x = std::llrint(corner.x), y = std::llrint(corner.y);
+    return {depthAt(scene_.planes[p.plane], x, y), depthAt(scene_.planes[q.plane], x, y)};
+  };
+  const auto doubtAt = [&](const Depths& z) { return p.doubt.at(z.p) + q.doubt.at(z.q); };
+  Depths a = depthsAt(part.back().corner);
+  for (const Side& side : part) {
+    const Depths b = depthsAt(side.corner);
+    const double apart = a.p - a.q, growth = b.p - b.q - apart, doubt = doubtAt(a);
+    const double bend = p.doubt.byZZ * (b.p - a.p) * (b.p - a.p) + q.doubt.byZZ * (b.q - a.q) * (b.q - a.q);
+    const double rise = doubtAt(b) - doubt - bend;  // the doubt at a + s (b - a): doubt + rise s + bend s^2
+    for (const double sign : {1.0, -1.0}) {
+      const double ahead = sign * growth - rise;
+      const double s = ahead <= 0.0 ? 0.0 : ahead >= 2.0 * bend ? 1.0 : ahead / (2.0 * bend);
+      if (sign * apart - doubt + s * (ahead - s * bend) > 0.0) return true;
+    }
+    a = b;
+  }
+  return false;
+}
+
 bool DepthSort::counts(const Region& part, int P, int Q) const {
   const SnappedFace &p = faceOf(P), &q = faceOf(Q);
-  if (!regions_.samePlane(p.plane, q.plane)) {
-    const ScreenPlane &planeP = scene_.planes[p.plane], &planeQ = scene_.planes[q.plane];
-    const double doubt = double{p.doubt} + q.doubt;
-    const auto deep = [&](const Side& side) {
-      const auto x = std::llrint(side.corner.x), y = std::llrint(side.corner.y);
-      return std::abs(depthAt(planeP, x, y) - depthAt(planeQ, x, y)) > doubt;
-    };
-    if (doubt > 0.0 && std::ranges::none_of(part, deep)) return false;
-  }
+  const bool doubted = p.doubt.atBack + q.doubt.atBack > 0.0f;
+  if (doubted && !regions_.samePlane(p.plane, q.plane) && !isDeep(part, p, q)) return false;
   return isWide(part) || ownsSample(scene_, part, settings_.width, settings_.height);
 }
 

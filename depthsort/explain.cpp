@@ -182,12 +182,11 @@ CommonArea Explainer::commonArea(int P, int Q) const {
   for (const Side& side : fragments_.region(Q)) regions_.clip(both, side.line);
   const SnappedFace &p = fragments_.face(P), &q = fragments_.face(Q);
   CommonArea common;
-  common.doubt = pixels(double{p.doubt} + q.doubt);
   if (both.empty()) return common;
 
   common.corners = static_cast<int>(both.size());
   common.P = countsOf(regions_, regions_.cut(p.plane, q.plane), both);
-  double low = std::numeric_limits<double>::infinity(), high = -low;
+  double low = std::numeric_limits<double>::infinity(), high = -low, doubt = 0.0;
   const Corner& anchor = both.front().corner;
   for (std::size_t k = 0; k < both.size(); ++k) {
     const Corner &a = both[k].corner, &b = both[k + 1 == both.size() ? 0 : k + 1].corner;
@@ -195,10 +194,12 @@ CommonArea Explainer::commonArea(int P, int Q) const {
                     onScreen(a.x - anchor.x) * onScreen(b.y - anchor.y)) /
                    2.0;
     const auto x = std::llrint(a.x), y = std::llrint(a.y);
-    const double ahead = depthAt(scene_->planes[p.plane], x, y) - depthAt(scene_->planes[q.plane], x, y);
-    low = std::min(low, ahead), high = std::max(high, ahead);
+    const double zP = depthAt(scene_->planes[p.plane], x, y), zQ = depthAt(scene_->planes[q.plane], x, y);
+    low = std::min(low, zP - zQ), high = std::max(high, zP - zQ);
+    doubt = std::max(doubt, p.doubt.at(zP) + q.doubt.at(zQ));
   }
   common.aheadOfQ = {pixels(low), pixels(high)};
+  common.doubt = pixels(doubt);
   return common;
 }
 

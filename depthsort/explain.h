@@ -38,7 +38,7 @@ struct CommonArea {
   double area = 0;   ///< square pixels
   CornerCounts P;    ///< its corners on P, as seen from Q's plane
   Range aheadOfQ;    ///< zP - zQ
-  double doubt = 0;  ///< of both (SnappedFace::doubt): no larger |zP - zQ| may be a contact
+  double doubt = 0;  ///< of both, at most (SnappedFace::doubt): no larger |zP - zQ| may be a contact
 };
 
 class Explainer {

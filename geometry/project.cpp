@@ -71,7 +71,7 @@ class Snapper {
     if (count == 3 || (count <= kMostCorners && convex(p, count))) {
       if (doubleArea(p, count) <= 0)
         return;  // a part that the rounding has turned over: less than a step wide
-      scene_.faces.push_back({static_cast<int>(scene_.vertices.size()), count, number, back, plane, 0});
+      scene_.faces.push_back({static_cast<int>(scene_.vertices.size()), count, number, back, plane, {}});
       scene_.vertices.insert(scene_.vertices.end(), p, p + count);
       return;
     }
@@ -115,8 +115,8 @@ void makePlanes(SnappedScene& scene, int modelPlanes, const Mesh& mesh, const De
     for (int g = f; g >= 0; g = next[g]) {
       SnappedFace& member = scene.faces[g];
       member.plane = record;
-      member.doubt = static_cast<float>(doubt.of(&scene.vertices[member.first], member.count,
-                                                 scene.planes.back(), mesh.roundingOf(member.number)));
+      member.doubt = doubt.of(&scene.vertices[member.first], member.count, scene.planes.back(),
+                              mesh.roundingOf(member.number));
     }
   }
 }

@@ -10,6 +10,13 @@
 #include "geometry/screen_plane.h"
 #include "geometry/view.h"
 
+/// How far off in z a plane may be, in z steps, by z itself: rounding in the model moves what is near the eye
+/// further. Quadratic, none of the terms negative. All 0: it is taken as it is.
+struct Doubt {
+  float atBack = 0, byZ = 0, byZZ = 0;
+  [[nodiscard]] double at(double z) const { return atBack + z * (byZ + z * byZZ); }
+};
+
 /// A convex face on the screen grid, ready to be ordered and painted.
 /// Holds:  its outline has an area and runs counter-clockwise as seen (x right, y down).
 struct SnappedFace {
@@ -17,9 +24,9 @@ struct SnappedFace {
   int number = 0;            ///< face number in the model; every piece keeps it
   bool back = false;         ///< seen from the side from which the model lists it clockwise
   int plane = 0;             ///< index into SnappedScene::planes; one for all faces of a plane of the model
-  /// How far off in z the plane may be within the face, in z steps, for the rounding of the snap and of the
-  /// model. Two faces nearer to each other than the sum of theirs may touch in the model. 0: taken as it is.
-  float doubt = 0;
+  /// Of its plane within the face, for the rounding of the snap and of the model. Where two faces are nearer
+  /// to each other than the sum of theirs, they may touch in the model.
+  Doubt doubt = {};
 };
 
 /// The scene as painter and oracle see it: integers from here on.

@@ -156,7 +156,7 @@ Picture::Exactness Picture::exactness() const {
     const SnappedFace &P = snapped_.faces[p], &Q = snapped_.faces[q];
     const std::int64_t x = std::int64_t{i} * kGrid + kGrid / 2, y = std::int64_t{j} * kGrid + kGrid / 2;
     const double zP = depthAt(snapped_.planes[P.plane], x, y), zQ = depthAt(snapped_.planes[Q.plane], x, y);
-    return P.plane == Q.plane || std::abs(zP - zQ) > double{P.doubt} + Q.doubt;
+    return P.plane == Q.plane || std::abs(zP - zQ) > P.doubt.at(zP) + Q.doubt.at(zQ);
   };
   const std::vector<int> visible = visibleFaces(snapped_, made_.width, made_.height);
   Exactness exactness;

@@ -2,6 +2,7 @@
 
 #include <cmath>
 #include <glm/geometric.hpp>
+#include <numeric>
 
 #include "geometry/solids.h"
 #include "model_view.h"
@@ -65,6 +66,9 @@ Mesh stackedBoxes() {
   return mesh;
 }
 
+/// Views within the room whose splits were due to planes through points near the eye.
+constexpr std::array kPastFailures{747u, 891u, 1167u, 2463u, 3747u};
+
 struct Solid {
   std::string_view name;
   Mesh mesh;
@@ -81,7 +85,10 @@ TEST(Contact, SplitsNothing) {
   for (const Solid& solid : solids) {
     SCOPED_TRACE(solid.name);
     long contacts = 0, samples = 0;
-    for (unsigned seed = 0; seed < 200; ++seed) {
+    std::vector<unsigned> seeds(200);
+    std::iota(seeds.begin(), seeds.end(), 0u);
+    seeds.insert(seeds.end(), kPastFailures.begin(), kPastFailures.end());
+    for (const unsigned seed : seeds) {
       SCOPED_TRACE(seed);
       const double scale = std::pow(10.0, static_cast<int>(seed % 13) - 6);
       const Mesh mesh = seed % 5 ? turned(solid.mesh, seed) : solid.mesh;

@@ -9,19 +9,18 @@
 
 /// Where a picture of a model may differ from the oracle's, which takes the rounded scene at its word.
 
-/// |zP - zQ| at the centre of sample k, in z steps.
-inline double depthBetween(const SnappedScene& scene, int p, int q, int k, int width) {
-  const std::int64_t x = std::int64_t{k % width} * kGrid + kGrid / 2,
-                     y = std::int64_t{k / width} * kGrid + kGrid / 2;
-  return std::abs(depthAt(scene.planes[scene.faces[p].plane], x, y) -
-                  depthAt(scene.planes[scene.faces[q].plane], x, y));
+/// z of a face at the centre of sample k.
+inline double depthOf(const SnappedScene& scene, const SnappedFace& face, int k, int width) {
+  return depthAt(scene.planes[face.plane], std::int64_t{k % width} * kGrid + kGrid / 2,
+                 std::int64_t{k / width} * kGrid + kGrid / 2);
 }
 
 /// Whether the two may touch at sample k for all that is known of the model: they lie in two planes,
 /// nearer to each other than the rounding of both.
 inline bool mayTouch(const SnappedScene& scene, int p, int q, int k, int width) {
   const SnappedFace &P = scene.faces[p], &Q = scene.faces[q];
-  return P.plane != Q.plane && depthBetween(scene, p, q, k, width) <= double{P.doubt} + Q.doubt;
+  const double zP = depthOf(scene, P, k, width), zQ = depthOf(scene, Q, k, width);
+  return P.plane != Q.plane && std::abs(zP - zQ) <= P.doubt.at(zP) + Q.doubt.at(zQ);
 }
 
 /// Calls visit(k, face) for each sample of each face.

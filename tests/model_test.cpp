@@ -62,6 +62,35 @@ TEST(Model, PaintsWhatTheOracleSees) {
   EXPECT_GT(tallies[static_cast<int>(Seen::Inside)].clipped, 3'000);
 }
 
+// Plates that pass through each other and the eye's surroundings, where rounding tells most: near the eye it
+// moves a plate by whole pixels, but none of that reaches what is seen far away.
+TEST(Model, WhatIsNearTheEyeLeavesNoDoubtAboutTheRest) {
+  long samples = 0, near = 0, splits = 0;
+  for (const char* name : {"penetrate", "crossing-sheets"}) {
+    SCOPED_TRACE(name);
+    Picture picture{readScene(name)};
+    for (unsigned seed = static_cast<unsigned>(Seen::Inside); seed < 400; seed += kSeen.size()) {
+      SCOPED_TRACE(seed);
+      PictureSettings s = randomView(picture.scene(), seed, kWidth, kHeight);
+      s.cull = Cull::Keep;
+      picture.make(s);
+      const SnappedScene& snapped = picture.snapped();
+      const std::vector<int> seen = visibleFaces(snapped, kWidth, kHeight);
+      EXPECT_EQ(painted(snapped, picture.sorted(), kWidth, kHeight), seen);
+      samples += std::ranges::count_if(seen, [](int face) { return face != kNothing; });
+      splits += picture.sorted().statistics.splits;
+      near += std::ranges::count_if(snapped.faces, [&](const SnappedFace& face) {
+        const auto first = snapped.vertices.begin() + face.first;
+        return std::any_of(first, first + face.count,
+                           [&](const glm::ivec3& v) { return face.doubt.at(v.z) > kGrid >> snapped.zShift; });
+      });
+    }
+  }
+  EXPECT_GT(samples, 500'000);
+  EXPECT_GT(near, 100);
+  EXPECT_GT(splits, 500);
+}
+
 // A split changes no shading: in every shading each pixel has the colour of its face, in the painter's
 // picture and in the oracle's, and that is the cell of the face's stored intensity, whatever piece shows it.
 TEST(Model, PiecesHaveTheColorOfTheirFace) {

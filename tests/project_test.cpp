@@ -216,6 +216,6 @@ TEST(Project, DoubtIsByObject) {
   m.addFace(corners, 1);
   const SnappedScene s = projected(m, fromAbove(Projection::Parallel));
   ASSERT_EQ(s.faces.size(), 2u);
-  EXPECT_EQ(s.faces[0].doubt, 4 * 0.5f);
-  EXPECT_NEAR(s.faces[1].doubt, 4 * (0.5 + std::sqrt(3.0) * 1e-7 * 256 * kGrid), 1e-4);
+  EXPECT_EQ(s.faces[0].doubt.at(0), 4 * 0.5);
+  EXPECT_NEAR(s.faces[1].doubt.at(0), 4 * (0.5 + std::sqrt(3.0) * 1e-7 * 256 * kGrid), 1e-4);
 }
