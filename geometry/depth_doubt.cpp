@@ -35,9 +35,9 @@ Doubt DepthDoubt::of(const glm::ivec3* outline, int count, const ScreenPlane& pl
   double byQQ = steps * zSteps_;
   const auto magnification = [&](double z) { return z * magnificationPerZ_ + backMagnification_; };
   const auto sum = [&](double q) { return 4.0 * (0.5 + 0.5 * slope + q * (byQ + q * byQQ)); };
-  // What holds for every corner, also where the plane is farther off.
+  // What holds for every corner, also where rounding put the plane farther off.
   double beyond = 0.0;
-  for (const glm::ivec3* p = outline; p != outline + count; ++p) {
+  for (const glm::ivec3* p = outline; u > 0.0 && p != outline + count; ++p) {
     const double z = depthAt(plane, p->x, p->y), q = magnification(z);
     beyond = std::max(beyond, (std::abs(p->z - z) - sum(q)) / (q * q));
   }
