@@ -15,7 +15,8 @@
 struct Box {
   int x0 = 0, y0 = 0, x1 = 0, y1 = 0;
   /// Share more than their borders.
-  [[nodiscard]] bool overlaps(const Box& o) const { return x0 < o.x1 && o.x0 < x1 && y0 < o.y1 && o.y0 < y1; }
+  [[nodiscard]] bool overlaps(const Box& o) const { return overlapsInX(o) && y0 < o.y1 && o.y0 < y1; }
+  [[nodiscard]] bool overlapsInX(const Box& o) const { return x0 < o.x1 && o.x0 < x1; }
 };
 
 class BoxGrid {

@@ -253,12 +253,16 @@ void DepthSort::enterFaces() {
 int DepthSort::candidate(int P) {
   Progress& p = progress_[P];
   const Polygon& polygon = list_[P];
+  auto& [apartInX, apartInY] = sorted_.statistics.boxesApart;
   for (;;) {
     for (; p.list < p.end; p.Q = ++p.list) {
       const Polygon& q = list_[p.list];
       if (q.extents.zFar > polygon.extents.zNear) break;  // as are all after it in this cell
-      if (q.state == State::Painted || (!settings_.textbook && !polygon.extents.box.overlaps(q.extents.box)))
+      if (q.state == State::Painted) continue;
+      if (!settings_.textbook && !polygon.extents.box.overlaps(q.extents.box)) {
+        ++(polygon.extents.box.overlapsInX(q.extents.box) ? apartInY : apartInX);
         continue;
+      }
       if (const int Q = openWithin(p.Q, P); Q != kNone) return p.Q = Q;
     }
     if (p.walking) ++p.place.column;

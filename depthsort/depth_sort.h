@@ -112,6 +112,8 @@ static_assert(sizeof(Event) == 12);
 
 struct SortStatistics {
   std::array<std::int64_t, kTests> settled{};  ///< pairs that each test settled
+  /// Of the quick run: Q's dropped on the way, without an event, for boxes apart in x, or in y.
+  std::array<std::int64_t, 2> boxesApart{};
   std::int64_t moves = 0, cycles = 0, impossible = 0, splits = 0, voids = 0, contacts = 0;
   int deepest = 0;  ///< marked polygons at once
   [[nodiscard]] std::int64_t pairs() const {

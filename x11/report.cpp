@@ -34,6 +34,8 @@ nlohmann::ordered_json statsOf(const Options& options, const Picture& picture, c
   const SortStatistics& sort = sorted.statistics;
   nlohmann::ordered_json tests;
   for (const TestRow& row : kTestRows) tests[std::string{row.name}] = sort.settled[static_cast<int>(row.id)];
+  tests["1"] = sort.boxesApart[0];
+  tests["2"] = sort.boxesApart[1];
   return {{"scene", options.scene},
           {"size", {picture.settings().width, picture.settings().height}},
           {"faces", picture.scene().mesh.faceCount()},

@@ -1,9 +1,13 @@
 #include <benchmark/benchmark.h>
 
+#include <malloc.h>
+
 #include <algorithm>
 #include <cmath>
+#include <cstdlib>
 #include <ctime>
 #include <limits>
+#include <new>
 #include <numeric>
 
 #include "depthsort/depth_sort.h"
@@ -11,6 +15,20 @@
 #include "geometry/camera.h"
 #include "geometry/solids.h"
 #include "triangulated.h"
+
+/// Bytes in use, and the most since it was set: all that is asked for comes this way.
+static std::size_t inUse = 0, most = 0;
+[[gnu::noinline]] void* operator new(std::size_t size) {
+  void* const p = std::malloc(size);
+  if (!p) throw std::bad_alloc{};
+  most = std::max(most, inUse += malloc_usable_size(p));
+  return p;
+}
+[[gnu::noinline]] void operator delete(void* p) noexcept {
+  inUse -= malloc_usable_size(p);
+  std::free(p);
+}
+[[gnu::noinline]] void operator delete(void* p, std::size_t) noexcept { operator delete(p); }
 
 namespace {
 
@@ -95,6 +113,7 @@ void BM_DepthSort(benchmark::State& state, Mesh (*make)(int), SortSettings setti
   const SnappedScene scene = seen(make(static_cast<int>(state.range(0))));
   SortedScene sorted;
   double byZ = 0.0;
+  const std::size_t before = most = inUse;
   for (auto _ : state) {
     sorted = depthSort(scene, settings);
     state.PauseTiming();
@@ -104,6 +123,7 @@ void BM_DepthSort(benchmark::State& state, Mesh (*make)(int), SortSettings setti
   const SortStatistics& s = sorted.statistics;
   const auto polygons = static_cast<double>(scene.faces.size());
   state.SetItemsProcessed(state.iterations() * static_cast<std::int64_t>(scene.faces.size()));
+  state.counters["bytes"] = static_cast<double>(most - before) / polygons;
   state.counters["sort_ms"] = 1000.0 * byZ / static_cast<double>(state.iterations());
   state.counters["polygons"] = polygons;
   state.counters["painted"] = static_cast<double>(sorted.fragments.size());
