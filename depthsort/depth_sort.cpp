@@ -162,6 +162,10 @@ class DepthSort {
     regions_.outline(scene_.faces[list_[P].face], buffer);
     return buffer;
   }
+  /// What is painted or split is compared no more.
+  void forget(int P) {
+    if (progress_[P].piece != kNone) Region{}.swap(pieces_[progress_[P].piece]);
+  }
   void overlapOf(int P, int Q, Region& both) {
     both = regionOf(P, bufferP_);
     for (const Side& side : regionOf(Q, bufferQ_)) regions_.clip(both, side.line);
@@ -322,6 +326,7 @@ void DepthSort::paint(int P) {
   stack_.pop_back();
   sorted_.fragments.push_back({list_[P].face, progress_[P].piece});
   list_[P].state = State::Painted;
+  forget(P);
   // Of a split polygon all is painted when both pieces are.
   for (int parent = progress_[P].parent; parent != kNone; parent = progress_[parent].parent) {
     const int first = progress_[parent].pieces;
@@ -380,6 +385,7 @@ bool DepthSort::split(int P, int Q) {
 
   const Line line = nearer(faceOf(P).plane, faceOf(Q).plane);
   Region front = regionOf(P, bufferP_), behind = front;
+  forget(P);
   regions_.clip(behind, Regions::flipped(line));
   regions_.clip(front, line);
   list_[P].state = State::Split;
