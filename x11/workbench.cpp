@@ -231,8 +231,10 @@ void Workbench::drawFrame(bool dragging) {
 
   const SnappedScene& snapped = picture_.snapped();
   const auto backs = std::ranges::count(snapped.faces, true, &SnappedFace::back);
+  const auto splits = static_cast<int>(picture_.sorted().statistics.splits);
   state_.counts = withCommas(snapped.polygons - snapped.degenerate) + " polygons, " +
-                  withCommas(static_cast<int>(snapped.faces.size())) + " painted, " +
+                  (splits > 0 ? withCommas(splits) + " cuts, " : "") +
+                  withCommas(static_cast<int>(snapped.faces.size()) + splits) + " painted, " +
                   withCommas(static_cast<int>(backs) + snapped.culled) + " back faces   " +
                   withCommas(picture_.saturated()) + " clamped";
   state_.times = formatted(picture_.times().total(), 1) + " ms";
