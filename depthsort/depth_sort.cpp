@@ -1,10 +1,8 @@
 #include "depthsort/depth_sort.h"
 
 #include <algorithm>
-#include <cmath>
 #include <numeric>
 #include <optional>
-#include <span>
 #include <stdexcept>
 #include <string>
 #include <utility>
@@ -12,6 +10,7 @@
 #include "depthsort/box_grid.h"
 #include "depthsort/extents.h"
 #include "depthsort/order.h"
+#include "depthsort/pair_tests.h"
 #include "depthsort/region.h"
 #include "depthsort/samples.h"
 
@@ -45,7 +44,7 @@ struct Progress {
 class DepthSort {
  public:
   DepthSort(const SnappedScene& scene, const SortSettings& settings)
-      : scene_{scene}, settings_{settings}, regions_{scene}, shared_{facesOfPlanes(scene)} {
+      : scene_{scene}, settings_{settings}, tests_{scene, settings} {
     enterFaces();
   }
 
@@ -65,7 +64,7 @@ class DepthSort {
   // The list.
 
   void enterFaces();
-  [[nodiscard]] Polygon enter(int face) const;
+  [[nodiscard]] Polygon enter(int face, const std::vector<std::uint8_t>& facesOfPlane) const;
   [[nodiscard]] bool shows(const SnappedFace& face, const Box& box) const {
     const int width = settings_.width, height = settings_.height;
     return mayOwnSample(scene_, face, box, width, height) ||
@@ -129,49 +128,15 @@ class DepthSort {
   bool split(int P, int Q);
   void addPiece(int P, Region region);
 
-  // The tests.
-
-  struct Relation {
-    Test test;
-    Verdict verdict;
-    bool contact = false;
-  };
-  [[nodiscard]] Relation compare(int P, int Q);
-  [[nodiscard]] bool projectionsApart(int P, int Q);
-  [[nodiscard]] bool apartAlongEdges(const SnappedFace& P, const SnappedFace& Q) const;
-  [[nodiscard]] bool apartAlongSides(const Region& P, const Region& Q) const;
-  /// Regions::cut(), which remembers the last one: a pair asks for it again and again.
-  [[nodiscard]] const Line& nearer(int p, int q) {
-    if (line_.p == q && line_.q == p)
-      line_ = Regions::flipped(line_);
-    else if (line_.p != p || line_.q != q)
-      line_ = regions_.cut(p, q);
-    return line_;
-  }
-  /// Signs of zP - zQ all over P.
-  [[nodiscard]] Signs signsOver(int P, int Q);
-  [[nodiscard]] Relation overlap(int P, int Q);
-  /// Whether a part of the overlap, or all of it, is more than a contact: deeper than the doubt of both
-  /// (asked only if they are in two planes), and wide or owner of a sample.
-  [[nodiscard]] bool counts(const Region& part, int P, int Q) const;
-  /// Whether zP and zQ are further apart than both may be off, somewhere in the part.
-  [[nodiscard]] bool isDeep(const Region& part, const SnappedFace& p, const SnappedFace& q) const;
-  /// The polygon's region: of a piece the one that is kept, of a whole face made in `buffer`.
-  [[nodiscard]] const Region& regionOf(int P, Region& buffer) const {
-    if (progress_[P].piece != kNone) return pieces_[progress_[P].piece];
-    regions_.outline(scene_.faces[list_[P].face], buffer);
-    return buffer;
+  [[nodiscard]] Shape shapeOf(int P) const {
+    const int face = list_[P].face, piece = progress_[P].piece;
+    return {scene_.faces[face], face, list_[P].extents.box, piece == kNone ? nullptr : &pieces_[piece]};
   }
   /// What is painted or split is compared no more.
   void forget(int P) {
     if (progress_[P].piece != kNone) Region{}.swap(pieces_[progress_[P].piece]);
   }
-  void overlapOf(int P, int Q, Region& both) {
-    both = regionOf(P, bufferP_);
-    for (const Side& side : regionOf(Q, bufferQ_)) regions_.clip(both, side.line);
-  }
 
-  [[nodiscard]] const SnappedFace& faceOf(int P) const { return scene_.faces[list_[P].face]; }
   [[nodiscard]] int idOf(int P) const {
     return P < faces_ ? list_[P].face : static_cast<int>(scene_.faces.size()) + P - faces_;
   }
@@ -187,36 +152,34 @@ class DepthSort {
 
   const SnappedScene& scene_;
   SortSettings settings_;
-  Regions regions_;
-  std::vector<std::uint8_t> shared_;  ///< facesOfPlanes()
-  int faces_ = 0;                     ///< whole ones in the list
+  PairTests tests_;
+  int faces_ = 0;  ///< whole ones in the list
   std::vector<Polygon> list_;
   std::vector<Progress> progress_;  ///< of each in the list
   std::vector<Region> pieces_;
   std::optional<BoxGrid> grid_;
   std::vector<int> cellBegin_, cellOpen_;  ///< #cells + 1, #cells: first polygon, first not painted one
   std::vector<int> stack_;
-  Region bufferP_, bufferQ_, both_, part_;
-  Line line_;
   SortedScene sorted_;
 };
 
 // The list.
 
-Polygon DepthSort::enter(int face) const {
+Polygon DepthSort::enter(int face, const std::vector<std::uint8_t>& facesOfPlane) const {
   const SnappedFace& f = scene_.faces[face];
   Polygon P;
-  P.extents = extentsOf(scene_, f, vertexDepthsAreExact(f, shared_));
+  P.extents = extentsOf(scene_, f, vertexDepthsAreExact(f, facesOfPlane));
   P.face = face;
   return P;
 }
 
 void DepthSort::enterFaces() {
+  const std::vector<std::uint8_t> facesOfPlane = facesOfPlanes(scene_);
   std::vector<Polygon> unsorted;
   unsorted.reserve(scene_.faces.size());
   const Box picture{0, 0, settings_.width * kGrid, settings_.height * kGrid};
   for (int f = 0; f < static_cast<int>(scene_.faces.size()); ++f) {
-    unsorted.push_back(enter(f));
+    unsorted.push_back(enter(f, facesOfPlane));
     if (settings_.textbook) continue;
     Box& box = unsorted.back().extents.box;
     if (!shows(scene_.faces[f], box))
@@ -303,7 +266,7 @@ void DepthSort::step() {
   const int P = stack_.back(), Q = candidate(P);
   if (Q == kNone) return paint(P);
 
-  const Relation relation = compare(P, Q);
+  const Relation relation = tests_.compare(shapeOf(P), shapeOf(Q));
   ++sorted_.statistics.settled[static_cast<int>(relation.test)];
   sorted_.statistics.contacts += relation.contact;
   if (settings_.record)
@@ -344,8 +307,7 @@ void DepthSort::breakCycle(int P, int R) {
   const auto next = [&](int depth) { return stack_[depth == last ? first : depth + 1]; };
   for (int depth = last; depth >= first; --depth) {
     const int A = stack_[depth], B = next(depth);
-    overlapOf(A, B, both_);
-    if (counts(both_, A, B)) continue;
+    if (tests_.overlapCounts(shapeOf(A), shapeOf(B))) continue;
     ++sorted_.statistics.voids;
     note(Event::Kind::Void, A, B);
     unwind(depth + 1);
@@ -374,7 +336,7 @@ void DepthSort::splitCrossing(int P, int Q) {
 }
 
 bool DepthSort::split(int P, int Q) {
-  if (!signsOver(P, Q).both()) {
+  if (!tests_.crosses(shapeOf(P), shapeOf(Q))) {
     ++sorted_.statistics.impossible;
     note(Event::Kind::Impossible, P, Q);
     return false;
@@ -383,15 +345,12 @@ bool DepthSort::split(int P, int Q) {
   note(Event::Kind::Split, P, Q);
   if (list_[P].state == State::Marked) unwind(progress_[P].depth);
 
-  const Line line = nearer(faceOf(P).plane, faceOf(Q).plane);
-  Region front = regionOf(P, bufferP_), behind = front;
+  PairTests::Parts parts = tests_.split(shapeOf(P), shapeOf(Q));
   forget(P);
-  regions_.clip(behind, Regions::flipped(line));
-  regions_.clip(front, line);
   list_[P].state = State::Split;
   progress_[P].pieces = static_cast<int>(list_.size());
-  addPiece(P, std::move(behind));
-  addPiece(P, std::move(front));
+  addPiece(P, std::move(parts.behind));
+  addPiece(P, std::move(parts.front));
   return true;
 }
 
@@ -409,7 +368,7 @@ void DepthSort::addPiece(int P, Region region) {
       sorted_.cuts.push_back({side.line.p, side.line.q});
       ++record.cuts;
     }
-  piece.extents = extentsOf(scene_, faceOf(P), region, piece.extents);
+  piece.extents = extentsOf(scene_, scene_.faces[piece.face], region, piece.extents);
   const Box& box = piece.extents.box;
   record.firstRow = std::max(0, box.y0 >> kGridBits);
   record.rows = std::max(0, std::min(settings_.height, (box.y1 >> kGridBits) + 1) - record.firstRow);
@@ -417,126 +376,6 @@ void DepthSort::addPiece(int P, Region region) {
   progress_.push_back(progress);
   pieces_.push_back(std::move(region));
   sorted_.pieces.push_back(record);
-}
-
-// The tests.
-
-DepthSort::Relation DepthSort::compare(int P, int Q) {
-  const Polygon &p = list_[P], &q = list_[Q];
-  if (settings_.textbook) {
-    if (p.extents.box.x1 <= q.extents.box.x0 || q.extents.box.x1 <= p.extents.box.x0)
-      return {Test::XExtents, Verdict::PFirst};
-    if (p.extents.box.y1 <= q.extents.box.y0 || q.extents.box.y1 <= p.extents.box.y0)
-      return {Test::YExtents, Verdict::PFirst};
-  } else if (projectionsApart(P, Q)) {
-    return {Test::Projections, Verdict::PFirst};
-  }
-  const Signs pOverQ = signsOver(P, Q);
-  if (pOverQ.none()) {
-    if (settings_.textbook && projectionsApart(P, Q)) return {Test::Projections, Verdict::PFirst};
-    return {Test::SamePlane, p.face < q.face ? Verdict::PFirst : Verdict::QFirst};
-  }
-  if (!pOverQ.positive) return {Test::PBehindQ, Verdict::PFirst};
-  const Signs qOverP = signsOver(Q, P);
-  if (!qOverP.negative) return {Test::QInFrontOfP, Verdict::PFirst};
-  if (settings_.textbook && projectionsApart(P, Q)) return {Test::Projections, Verdict::PFirst};
-  if (!qOverP.positive) return {Test::QBehindP, Verdict::QFirst};
-  if (!pOverQ.negative) return {Test::PInFrontOfQ, Verdict::QFirst};
-  return overlap(P, Q);
-}
-
-Signs DepthSort::signsOver(int P, int Q) {
-  const SnappedFace &p = faceOf(P), &q = faceOf(Q);
-  if (p.plane == q.plane) return {};
-  const ScreenPlane &planeP = scene_.planes[p.plane], &planeQ = scene_.planes[q.plane];
-  if (progress_[P].piece != kNone)
-    return regions_.signs(nearer(p.plane, q.plane), pieces_[progress_[P].piece]);
-  Signs signs;
-  const glm::ivec3* const v = &scene_.vertices[p.first];
-  if (vertexDepthsAreExact(p, shared_)) {
-    for (int k = 0; k < 3; ++k) {
-      const Int128 above = Int128{planeQ.C} * v[k].z - Int128{planeQ.A} * v[k].x - Int128{planeQ.B} * v[k].y -
-                           planeQ.D;  // below 2^95
-      signs.add(above < 0 ? -1 : above > 0);
-    }
-  } else {
-    for (int k = 0; k < p.count; ++k) signs.add(compareDepths(planeP, planeQ, v[k].x, v[k].y));
-  }
-  return signs;
-}
-
-bool DepthSort::projectionsApart(int P, int Q) {
-  if (progress_[P].piece == kNone && progress_[Q].piece == kNone)
-    return apartAlongEdges(faceOf(P), faceOf(Q)) || apartAlongEdges(faceOf(Q), faceOf(P));
-  const Region &p = regionOf(P, bufferP_), &q = regionOf(Q, bufferQ_);
-  return apartAlongSides(p, q) || apartAlongSides(q, p);
-}
-
-bool DepthSort::apartAlongEdges(const SnappedFace& P, const SnappedFace& Q) const {
-  const glm::ivec3 *const p = &scene_.vertices[P.first], *const q = &scene_.vertices[Q.first];
-  for (int k = 0; k < P.count; ++k) {
-    const glm::ivec3 &a = p[k], &b = p[k + 1 == P.count ? 0 : k + 1];
-    const std::int64_t A = b.y - a.y, B = a.x - b.x;
-    bool outside = true;
-    for (int i = 0; i < Q.count && outside; ++i)
-      outside = A * (q[i].x - a.x) + B * (q[i].y - a.y) <= 0;  // below 2^61
-    if (outside) return true;
-  }
-  return false;
-}
-
-bool DepthSort::apartAlongSides(const Region& P, const Region& Q) const {
-  return std::ranges::any_of(P, [&](const Side& side) { return !regions_.signs(side.line, Q).positive; });
-}
-
-DepthSort::Relation DepthSort::overlap(int P, int Q) {
-  overlapOf(P, Q, both_);
-  const Line line = nearer(faceOf(P).plane, faceOf(Q).plane);
-  const Signs signs = regions_.signs(line, both_);
-  if (!signs.both()) return {Test::Overlap, signs.positive ? Verdict::QFirst : Verdict::PFirst};
-
-  part_ = both_;
-  regions_.clip(part_, line);
-  const bool pOverQ = counts(part_, P, Q);
-  regions_.clip(both_, Regions::flipped(line));
-  const bool qOverP = counts(both_, P, Q);
-  if (pOverQ && qOverP) return {Test::Overlap, Verdict::Crossing};
-  const bool qFirst = pOverQ || (!qOverP && list_[P].face > list_[Q].face);
-  return {Test::Overlap, qFirst ? Verdict::QFirst : Verdict::PFirst, true};
-}
-
-/// Along an edge the depths are linear and the doubt is a parabola, so how far they exceed it has one
-/// maximum. Along lines of equal depth, within the part, all is linear: the edges tell of the whole.
-bool DepthSort::isDeep(const Region& part, const SnappedFace& p, const SnappedFace& q) const {
-  struct Depths {
-    double p, q;
-  };
-  const auto depthsAt = [&](const Corner& corner) -> Depths {
-    const auto x = std::llrint(corner.x), y = std::llrint(corner.y);
-    return {depthAt(scene_.planes[p.plane], x, y), depthAt(scene_.planes[q.plane], x, y)};
-  };
-  const auto doubtAt = [&](const Depths& z) { return p.doubt.at(z.p) + q.doubt.at(z.q); };
-  Depths a = depthsAt(part.back().corner);
-  for (const Side& side : part) {
-    const Depths b = depthsAt(side.corner);
-    const double apart = a.p - a.q, growth = b.p - b.q - apart, doubt = doubtAt(a);
-    const double bend = p.doubt.byZZ * (b.p - a.p) * (b.p - a.p) + q.doubt.byZZ * (b.q - a.q) * (b.q - a.q);
-    const double rise = doubtAt(b) - doubt - bend;  // the doubt at a + s (b - a): doubt + rise s + bend s^2
-    for (const double sign : {1.0, -1.0}) {
-      const double ahead = sign * growth - rise;
-      const double s = ahead <= 0.0 ? 0.0 : ahead >= 2.0 * bend ? 1.0 : ahead / (2.0 * bend);
-      if (sign * apart - doubt + s * (ahead - s * bend) > 0.0) return true;
-    }
-    a = b;
-  }
-  return false;
-}
-
-bool DepthSort::counts(const Region& part, int P, int Q) const {
-  const SnappedFace &p = faceOf(P), &q = faceOf(Q);
-  const bool doubted = p.doubt.atBack + q.doubt.atBack > 0.0f;
-  if (doubted && !regions_.samePlane(p.plane, q.plane) && !isDeep(part, p, q)) return false;
-  return isWide(part) || ownsSample(scene_, part, settings_.width, settings_.height);
 }
 
 }  // namespace

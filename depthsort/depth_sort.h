@@ -34,7 +34,7 @@
 /// possible if all are in one plane, and there the face numbers, which cannot go in a circle, decide.
 ///
 /// Why it is right. Every order that is asserted holds exactly, and P is painted when all orders against
-/// what is still unpainted are settled in its favour. Contacts drop some (overlaps() in depth_sort.cpp): what
+/// what is still unpainted are settled in its favour. Contacts drop some (pair_tests.h): what
 /// touches in the model may cross by its rounding, in no more depth than SnappedFace::doubt
 /// allows, or in a sliver without a sample. It is not split for that.
 ///

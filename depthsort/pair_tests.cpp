@@ -1,0 +1,159 @@
+#include "depthsort/pair_tests.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "depthsort/extents.h"
+#include "depthsort/samples.h"
+
+PairTests::PairTests(const SnappedScene& scene, const SortSettings& settings)
+    : scene_{scene},
+      width_{settings.width},
+      height_{settings.height},
+      textbook_{settings.textbook},
+      regions_{scene},
+      shared_{facesOfPlanes(scene)} {}
+
+Relation PairTests::compare(const Shape& P, const Shape& Q) {
+  if (textbook_) {
+    if (!P.box.overlapsInX(Q.box)) return {Test::XExtents, Verdict::PFirst};
+    if (!P.box.overlaps(Q.box)) return {Test::YExtents, Verdict::PFirst};
+  } else if (projectionsApart(P, Q)) {
+    return {Test::Projections, Verdict::PFirst};
+  }
+  const Signs pOverQ = signsOver(P, Q);
+  if (pOverQ.none()) {
+    if (textbook_ && projectionsApart(P, Q)) return {Test::Projections, Verdict::PFirst};
+    return {Test::SamePlane, P.index < Q.index ? Verdict::PFirst : Verdict::QFirst};
+  }
+  if (!pOverQ.positive) return {Test::PBehindQ, Verdict::PFirst};
+  const Signs qOverP = signsOver(Q, P);
+  if (!qOverP.negative) return {Test::QInFrontOfP, Verdict::PFirst};
+  if (textbook_ && projectionsApart(P, Q)) return {Test::Projections, Verdict::PFirst};
+  if (!qOverP.positive) return {Test::QBehindP, Verdict::QFirst};
+  if (!pOverQ.negative) return {Test::PInFrontOfQ, Verdict::QFirst};
+  return nearerInOverlap(P, Q);
+}
+
+Signs PairTests::signsOver(const Shape& P, const Shape& Q) {
+  const SnappedFace &p = P.face, &q = Q.face;
+  if (p.plane == q.plane) return {};
+  const ScreenPlane &planeP = scene_.planes[p.plane], &planeQ = scene_.planes[q.plane];
+  if (P.piece) return regions_.signs(nearer(p, q), *P.piece);
+  Signs signs;
+  const glm::ivec3* const v = &scene_.vertices[p.first];
+  if (vertexDepthsAreExact(p, shared_)) {
+    for (int k = 0; k < 3; ++k) {
+      const Int128 above = Int128{planeQ.C} * v[k].z - Int128{planeQ.A} * v[k].x - Int128{planeQ.B} * v[k].y -
+                           planeQ.D;  // below 2^95
+      signs.add(above < 0 ? -1 : above > 0);
+    }
+  } else {
+    for (int k = 0; k < p.count; ++k) signs.add(compareDepths(planeP, planeQ, v[k].x, v[k].y));
+  }
+  return signs;
+}
+
+bool PairTests::projectionsApart(const Shape& P, const Shape& Q) {
+  if (!P.piece && !Q.piece) return apartAlongEdges(P.face, Q.face) || apartAlongEdges(Q.face, P.face);
+  const Region &p = regionOf(P, bufferP_), &q = regionOf(Q, bufferQ_);
+  return apartAlongSides(p, q) || apartAlongSides(q, p);
+}
+
+bool PairTests::apartAlongEdges(const SnappedFace& P, const SnappedFace& Q) const {
+  const glm::ivec3 *const p = &scene_.vertices[P.first], *const q = &scene_.vertices[Q.first];
+  for (int k = 0; k < P.count; ++k) {
+    const glm::ivec3 &a = p[k], &b = p[k + 1 == P.count ? 0 : k + 1];
+    const std::int64_t A = b.y - a.y, B = a.x - b.x;
+    bool outside = true;
+    for (int i = 0; i < Q.count && outside; ++i)
+      outside = A * (q[i].x - a.x) + B * (q[i].y - a.y) <= 0;  // below 2^61
+    if (outside) return true;
+  }
+  return false;
+}
+
+bool PairTests::apartAlongSides(const Region& P, const Region& Q) const {
+  return std::ranges::any_of(P, [&](const Side& side) { return !regions_.signs(side.line, Q).positive; });
+}
+
+Relation PairTests::nearerInOverlap(const Shape& P, const Shape& Q) {
+  overlap(P, Q);
+  const Line line = nearer(P.face, Q.face);
+  const Signs signs = regions_.signs(line, both_);
+  if (!signs.both()) return {Test::Overlap, signs.positive ? Verdict::QFirst : Verdict::PFirst};
+
+  part_ = both_;
+  regions_.clip(part_, line);
+  const bool pOverQ = counts(part_, P.face, Q.face);
+  regions_.clip(both_, Regions::flipped(line));
+  const bool qOverP = counts(both_, P.face, Q.face);
+  if (pOverQ && qOverP) return {Test::Overlap, Verdict::Crossing};
+  const bool qFirst = pOverQ || (!qOverP && P.index > Q.index);
+  return {Test::Overlap, qFirst ? Verdict::QFirst : Verdict::PFirst, true};
+}
+
+/// Along an edge the depths are linear and the doubt is a parabola, so how far they exceed it has one
+/// maximum. Along lines of equal depth, within the part, all is linear: the edges tell of the whole.
+bool PairTests::isDeep(const Region& part, const SnappedFace& p, const SnappedFace& q) const {
+  struct Depths {
+    double p, q;
+  };
+  const auto depthsAt = [&](const Corner& corner) -> Depths {
+    const auto x = std::llrint(corner.x), y = std::llrint(corner.y);
+    return {depthAt(scene_.planes[p.plane], x, y), depthAt(scene_.planes[q.plane], x, y)};
+  };
+  const auto doubtAt = [&](const Depths& z) { return p.doubt.at(z.p) + q.doubt.at(z.q); };
+  Depths a = depthsAt(part.back().corner);
+  for (const Side& side : part) {
+    const Depths b = depthsAt(side.corner);
+    const double apart = a.p - a.q, growth = b.p - b.q - apart, doubt = doubtAt(a);
+    const double bend = p.doubt.byZZ * (b.p - a.p) * (b.p - a.p) + q.doubt.byZZ * (b.q - a.q) * (b.q - a.q);
+    const double rise = doubtAt(b) - doubt - bend;  // the doubt at a + s (b - a): doubt + rise s + bend s^2
+    for (const double sign : {1.0, -1.0}) {
+      const double ahead = sign * growth - rise;
+      const double s = ahead <= 0.0 ? 0.0 : ahead >= 2.0 * bend ? 1.0 : ahead / (2.0 * bend);
+      if (sign * apart - doubt + s * (ahead - s * bend) > 0.0) return true;
+    }
+    a = b;
+  }
+  return false;
+}
+
+bool PairTests::counts(const Region& part, const SnappedFace& p, const SnappedFace& q) const {
+  const bool doubted = p.doubt.atBack + q.doubt.atBack > 0.0f;
+  if (doubted && !regions_.samePlane(p.plane, q.plane) && !isDeep(part, p, q)) return false;
+  return isWide(part) || ownsSample(scene_, part, width_, height_);
+}
+
+bool PairTests::overlapCounts(const Shape& P, const Shape& Q) {
+  overlap(P, Q);
+  return counts(both_, P.face, Q.face);
+}
+
+PairTests::Parts PairTests::split(const Shape& P, const Shape& Q) {
+  const Line line = nearer(P.face, Q.face);
+  Parts parts{regionOf(P, bufferP_), regionOf(P, bufferP_)};
+  regions_.clip(parts.behind, Regions::flipped(line));
+  regions_.clip(parts.front, line);
+  return parts;
+}
+
+const Line& PairTests::nearer(const SnappedFace& p, const SnappedFace& q) {
+  if (line_.p == q.plane && line_.q == p.plane)
+    line_ = Regions::flipped(line_);
+  else if (line_.p != p.plane || line_.q != q.plane)
+    line_ = regions_.cut(p.plane, q.plane);
+  return line_;
+}
+
+const Region& PairTests::regionOf(const Shape& P, Region& buffer) const {
+  if (P.piece) return *P.piece;
+  regions_.outline(P.face, buffer);
+  return buffer;
+}
+
+void PairTests::overlap(const Shape& P, const Shape& Q) {
+  both_ = regionOf(P, bufferP_);
+  for (const Side& side : regionOf(Q, bufferQ_)) regions_.clip(both_, side.line);
+}
