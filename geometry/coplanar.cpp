@@ -17,7 +17,8 @@ namespace {
 double largest(const glm::dvec3& v) { return std::max({v.x, v.y, v.z}); }
 
 glm::dvec3 scaled(const glm::dvec3& p, int exponent) {
-  return {std::ldexp(p.x, exponent), std::ldexp(p.y, exponent), std::ldexp(p.z, exponent)};
+  const int half = exponent / 2;  // 2^exponent itself may overflow
+  return p * std::ldexp(1.0, half) * std::ldexp(1.0, exponent - half);
 }
 
 /// A mesh's points moved and scaled by a power of two into [0, 1]^3, the longest side of their box in
@@ -161,10 +162,14 @@ class Coplanarity {
         const double distance = glm::length(glm::max(glm::abs(low - from), glm::abs(high - from)));
         const double sine = 2.0 * mostTolerance_ * perimeter / area;
         const double play = (sheet.pieceCount == 1 ? 1.0 : 2.0) * (sine * distance + mostTolerance_);
-        ItemBox& box = boxes.emplace_back(ItemBox{k, {}, {}});
+        // No two feet are further than 4 apart, and to float a number up to 8 is rounded by 2^-22.
+        const double nearFoot = std::min(play, 4.0) + 0x1p-22, nearby = mostTolerance_ + 0x1p-22;
+        ItemBox& box = boxes.emplace_back(ItemBox{k, pieces_.plane[k], {}, {}});
         for (int axis = 0; axis < 3; ++axis) {
-          box.low[axis] = foot[axis] - play, box.high[axis] = foot[axis] + play;
-          box.low[axis + 3] = low[axis] - mostTolerance_, box.high[axis + 3] = high[axis] + mostTolerance_;
+          box.low[axis] = static_cast<float>(foot[axis] - nearFoot);
+          box.high[axis] = static_cast<float>(foot[axis] + nearFoot);
+          box.low[axis + 3] = static_cast<float>(low[axis] - nearby);
+          box.high[axis + 3] = static_cast<float>(high[axis] + nearby);
         }
       }
     }

@@ -23,5 +23,6 @@
 /// scene's box (a decal's own is too small for its rounding) and u the coarser rounding of the two. Any
 /// finite coordinates, up to the largest double; faces narrower than e 2^-500 count as without area.
 ///
-/// Work: about n log n for n pieces that seldom overlap in one plane; the number of overlapping pairs else.
+/// Work: about n log n for n pieces that seldom overlap in one plane; else the number of pairs whose boxes
+/// overlap, without those of two pieces of one planar face.
 [[nodiscard]] std::vector<int> coplanarClasses(const Mesh& mesh, const Pieces& pieces);

@@ -6,29 +6,29 @@
 #include <span>
 #include <vector>
 
-/// The closed intervals that an item occupies in six dimensions.
+/// The closed intervals that an item occupies in six dimensions; single, for the search is bound by memory.
 struct ItemBox {
   int item = 0;
-  std::array<double, 6> low, high;
+  int group = 0;                       ///< pairs within a group are of no interest
+  std::array<float, 8> low{}, high{};  ///< the last two are 0: eight are compared at once
 };
 
-[[nodiscard]] inline bool overlap(const ItemBox& P, const ItemBox& Q) {
-  bool apart = false;  // without branches: which axis parts two is anyone's guess
-  for (int axis = 0; axis < 6; ++axis) apart |= (P.low[axis] > Q.high[axis]) | (Q.low[axis] > P.high[axis]);
-  return !apart;
-}
+[[nodiscard]] bool overlap(const ItemBox& P, const ItemBox& Q);
 
 struct BoxCut {
   int axis = -1;  ///< -1: none is worth its trouble
-  double at = 0.0;
+  float at = 0.0f;
 };
 
-/// The median of a sample along the axis where it leaves the fewest pairs to compare.
+/// So many boxes are compared all with all sooner than cut.
+constexpr std::size_t kFewBoxes = 64;
+
+/// The median of a sample along the axis where it leaves the fewest pairs of two groups to compare.
 [[nodiscard]] BoxCut chooseCut(std::span<const ItemBox> boxes);
 
-/// Calls visit(item, item) for every pair of boxes that overlap, now and then twice. Halves the set, boxes
-/// across the cut in both halves, until few are left or no cut parts them; then compares all pairs.
-/// `boxes` is used up.
+/// Calls visit(item, item) for every pair of boxes of two groups that overlap, now and then twice. Halves the
+/// set, boxes across the cut in both halves, until few are left or no cut parts them; then compares each with
+/// all of other groups. `boxes` is used up.
 template <class Visit>
 void forOverlapping(std::span<ItemBox> boxes, const Visit& visit) {
   const BoxCut cut = chooseCut(boxes);
@@ -48,7 +48,12 @@ void forOverlapping(std::span<ItemBox> boxes, const Visit& visit) {
       return;
     }
   }
-  for (std::size_t i = 1; i < boxes.size(); ++i)
-    for (std::size_t j = 0; j < i; ++j)
-      if (overlap(boxes[j], boxes[i])) visit(boxes[j].item, boxes[i].item);
+  if (boxes.size() > kFewBoxes) std::ranges::sort(boxes, {}, &ItemBox::group);
+  std::size_t run = 0;  // where the run of boxes of the same group as box i begins
+  for (std::size_t i = 1; i < boxes.size(); ++i) {
+    if (boxes[i].group != boxes[i - 1].group) run = i;
+    for (std::size_t j = 0; j < run; ++j)
+      if (overlap(boxes[j], boxes[i]) && boxes[j].group != boxes[i].group)
+        visit(boxes[j].item, boxes[i].item);
+  }
 }

@@ -50,6 +50,89 @@ void addBox(Mesh& mesh, glm::dvec3 low, glm::dvec3 size) {
   }
 }
 
+/// The classes as coplanar.h defines them, from all pairs of pieces; for scenes where none leaves its class.
+std::vector<int> classesOfAllPairs(const Mesh& mesh, const Pieces& pieces) {
+  glm::dvec3 low = mesh.points[0], high = low;
+  double magnitude = 0.0;
+  for (const glm::dvec3& p : mesh.points)
+    for (int axis = 0; axis < 3; ++axis) {
+      low[axis] = std::min(low[axis], p[axis]), high[axis] = std::max(high[axis], p[axis]);
+      magnitude = std::max(magnitude, std::abs(p[axis]));
+    }
+  const double e = std::max({high.x - low.x, high.y - low.y, high.z - low.z});
+  const double u = mesh.rounding.empty() ? 0.0 : mesh.rounding[0];
+  const double tol = std::min(7.0 * u, 3e-5 * e) + 0x1p-46 * e + 0x1p-50 * magnitude;
+
+  std::vector<int> classes = pieces.plane;
+  const auto whole = [&](int i) {
+    const bool alone = std::count(pieces.plane.begin(), pieces.plane.end(), pieces.plane[i]) == 1;
+    return alone ? pieces.piece(i) : mesh.face(pieces.face[i]);
+  };
+  std::vector<double> area;
+  for (int i = 0; i < pieces.count(); ++i) area.push_back(glm::length(newellVector(mesh.points, whole(i))));
+  const auto parted = [&](int i, int j, const glm::dvec3& axis) {
+    const auto P = pieces.piece(i);
+    const double turns = glm::dot(newellVector(mesh.points, P), axis) > 0.0 ? 1.0 : -1.0;
+    for (std::size_t k = 0; k < P.size(); ++k) {
+      const glm::dvec3 a = mesh.points[P[k]], edge = mesh.points[P[(k + 1) % P.size()]] - a;
+      const glm::dvec3 inwards = turns * glm::cross(axis, edge);
+      if (std::ranges::all_of(pieces.piece(j), [&](int c) {
+            return glm::dot(inwards, mesh.points[c] - a) <= tol * glm::length(inwards);
+          }))
+        return true;
+    }
+    return false;
+  };
+  for (int i = 0; i < pieces.count(); ++i)
+    for (int j = 0; j < pieces.count(); ++j) {
+      if (classes[i] == classes[j] || area[i] < area[j]) continue;
+      const Plane plane = newellPlane(mesh.points, whole(i));
+      const glm::dvec3 N = glm::abs(plane.N);
+      const glm::dvec3 axis = N.z >= N.x && N.z >= N.y ? glm::dvec3{0, 0, 1}
+                              : N.y >= N.x             ? glm::dvec3{0, 1, 0}
+                                                       : glm::dvec3{1, 0, 0};
+      const bool coplanar = std::ranges::all_of(pieces.piece(j), [&](int c) {
+        return std::abs(glm::dot(plane.N, mesh.points[c]) - plane.d) <= tol;
+      });
+      if (coplanar && !parted(i, j, axis) && !parted(j, i, axis))
+        std::replace(classes.begin(), classes.end(), int{classes[j]}, int{classes[i]});
+    }
+  std::vector<int> seen;  // numbered in order of the first piece of each
+  for (int& c : classes) {
+    if (std::find(seen.begin(), seen.end(), c) == seen.end()) seen.push_back(c);
+    c = static_cast<int>(std::find(seen.begin(), seen.end(), c) - seen.begin());
+  }
+  return classes;
+}
+
+/// A comb of 60 long teeth, one concave face of which most pieces' boxes overlap; decals on its plane, on a
+/// tooth or in a gap, over several or behind its back; and triangles through it.
+Mesh combWithDecals(unsigned seed) {
+  std::mt19937 rng{seed};
+  std::uniform_real_distribution<double> unit{0.0, 1.0};
+  const Frame frame = randomFrame(rng);
+  const int decimals = kDecimals[seed % kDecimals.size()];
+  constexpr int kTeeth = 60;
+  Mesh mesh = exactMesh();
+  Pts comb{frame.at(0, 0), frame.at(1, 0)};
+  for (int tooth = kTeeth - 1; tooth >= 0; --tooth) {
+    comb.push_back(frame.at((tooth + 0.5) / kTeeth, 1.0));
+    comb.push_back(frame.at((tooth + 0.0) / kTeeth, 0.1));
+  }
+  addRounded(mesh, comb, decimals);
+  for (int k = 0; k < 120; ++k) {
+    const glm::dvec3 off = k % 4 == 0 ? 0.01 * frame.N : glm::dvec3{0.0};
+    const double size = k % 8 == 1 ? 0.1 : 0.002;
+    addRounded(mesh, rectangle(frame.at(unit(rng), unit(rng)) + off, size * frame.a, size * frame.b),
+               decimals);
+  }
+  for (int k = 0; k < 60; ++k) {
+    const auto point = [&] { return frame.at(unit(rng), unit(rng)) + (unit(rng) - 0.5) * frame.N; };
+    addRounded(mesh, {point(), point(), point()}, decimals);
+  }
+  return mesh;
+}
+
 }  // namespace
 
 // Faces that touch along edges and in corners are not united, exact, turned or rounded: solids, and a tiled
@@ -212,6 +295,29 @@ TEST(Coplanar, PiecesOfOneFace) {
   EXPECT_EQ(ofFace[2], ofFace[0]);
   EXPECT_NE(ofFace[3], ofFace[0]);
   EXPECT_EQ(countOf(classes), 4);
+}
+
+// A comb, what lies in its plane and what does not: the classes are those that comparing all pairs of pieces
+// gives, and the comb's pieces are always of one.
+TEST(Coplanar, CombsAsAllPairsGiveThem) {
+  int onComb = 0, inGaps = 0;
+  for (unsigned seed = 0; seed < 30; ++seed) {
+    SCOPED_TRACE(seed);
+    const Mesh mesh = combWithDecals(seed);
+    const Pieces pieces = divideFaces(mesh);
+    const std::vector<int> classes = coplanarClasses(mesh, pieces);
+    ASSERT_EQ(classes, classesOfAllPairs(mesh, pieces));
+    const auto combPieces = std::count(pieces.face.begin(), pieces.face.end(), 0);
+    ASSERT_GT(combPieces, 100);
+    EXPECT_EQ(std::count(classes.begin(), classes.begin() + combPieces, 0), combPieces);
+    for (int k = 0; k < 120; ++k) {
+      const int decal = static_cast<int>(combPieces) + k;
+      onComb += classes[decal] == 0;
+      inGaps += k % 4 != 0 && classes[decal] != 0;
+    }
+  }
+  EXPECT_GT(onComb, 500);
+  EXPECT_GT(inGaps, 500);
 }
 
 // A floor of many tiles, each with a decal turned a little, and a rug over nine of them: every tile is in one
