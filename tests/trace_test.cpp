@@ -204,6 +204,7 @@ TEST_F(TraceCommand, Refusals) {
           "--every: 'day' is not one of step, paint, move, cycle, cut");
   refused({"trace", "cycle", "--frames", ""}, 2, "--frames: the folder's name is empty");
   refused({"trace"}, 2, "trace needs a scene, such as teapot");
+  refused({"trace", "cycle", "--order", "zsort"}, 2, "trace follows the depth sort: no --order but newell");
   refused({"trace", "cycle", "-o", file("new.png")}, 2, "-o goes with draw and snapshot");
   refused({"draw", "cycle", "-o", file("new.png"), "--quick"}, 2, "--quick and --frames go with trace");
   refused({"draw", "cycle", "-o", file("new.png"), "--frames", folder}, 2,

@@ -286,6 +286,8 @@ void check(const Options& o, bool sceneGiven) {
   if (!o.ids.empty() && sameFile(o.ids, o.output)) throw UsageError{"-o and --ids name the same file"};
   if (o.command != Command::Snapshot && o.wholeWindow) throw UsageError{"--whole-window goes with snapshot"};
   if (!traces && (o.quick || !o.frames.empty())) throw UsageError{"--quick and --frames go with trace"};
+  if (traces && o.picture.order != Order::Newell)
+    throw UsageError{"trace follows the depth sort: no --order but newell"};
   if (traces && o.fill == Fill::XFillPolygon) throw UsageError{"--fill x11 needs a server: use snapshot"};
   if (o.command == Command::Draw && o.fill == Fill::XFillPolygon)
     throw UsageError{"--fill x11 needs a server: use snapshot"};
