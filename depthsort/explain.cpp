@@ -128,16 +128,18 @@ std::string_view wordFor(Event::Kind kind) {
   return "";
 }
 
-std::vector<Test> testsMade(const Event& compare, bool textbook) {
+std::vector<Test> Explainer::testsMade(const Event& compare) const {
   using enum Test;
   static constexpr std::array kTextbook{XExtents,    YExtents, PBehindQ,    QInFrontOfP,
                                         Projections, QBehindP, PInFrontOfQ, Overlap};
   static constexpr std::array kQuick{Projections, PBehindQ, QInFrontOfP, QBehindP, PInFrontOfQ, Overlap};
   const std::span<const Test> order =
-      textbook ? std::span<const Test>{kTextbook} : std::span<const Test>{kQuick};
-  // Two in one plane have only their numbers left when the projections overlap.
+      textbook_ ? std::span<const Test>{kTextbook} : std::span<const Test>{kQuick};
+  // Two in one plane have only their numbers left when the projections overlap: no side of it is asked for.
   const Test last = compare.test == SamePlane ? Projections : compare.test;
   std::vector<Test> made{order.begin(), std::ranges::find(order, last) + 1};
+  if (regions_.samePlane(fragments_.face(compare.P).plane, fragments_.face(compare.Q).plane))
+    std::erase_if(made, [](Test test) { return test == PBehindQ || test == QInFrontOfP; });
   if (compare.test == SamePlane) made.push_back(SamePlane);
   return made;
 }
@@ -206,10 +208,10 @@ CommonArea Explainer::commonArea(int P, int Q) const {
 std::string Explainer::settled(const Event& e) const {
   std::string_view reason = reasonOf(e.test, e.verdict);
   if (e.contact)
-    reason =
-        e.verdict == Verdict::PFirst
-            ? "where they overlap, {P} and {Q} cross no deeper than a contact; {P} may be painted first."
-            : "where they overlap, {P} and {Q} cross no deeper than a contact; {Q} is to be painted first.";
+    reason = e.verdict == Verdict::PFirst ? "where they overlap, {P} and {Q} cross, but one of the two "
+                                            "parts, or both, is only a contact; {P} may be painted first."
+                                          : "where they overlap, {P} and {Q} cross, but one of the two "
+                                            "parts, or both, is only a contact; {Q} is to be painted first.";
   return filled(reason, name(e.P), name(e.Q));
 }
 

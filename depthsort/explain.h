@@ -15,10 +15,6 @@
 /// `take`, `test`, `move`, `cycle`, `impossible`, `contact`, `cut`, `paint`.
 [[nodiscard]] std::string_view wordFor(Event::Kind kind);
 
-/// The tests of a Compare event in the order in which they were made: all but the last one failed, which
-/// proves nothing, and the last settled the pair. A test behind it was not made.
-[[nodiscard]] std::vector<Test> testsMade(const Event& compare, bool textbook);
-
 struct Range {
   double low = 0, high = 0;
 };
@@ -38,7 +34,7 @@ struct CommonArea {
   double area = 0;   ///< square pixels
   CornerCounts P;    ///< its corners on P, as seen from Q's plane
   Range aheadOfQ;    ///< zP - zQ
-  double doubt = 0;  ///< of both, at most (SnappedFace::doubt): no larger |zP - zQ| may be a contact
+  double doubt = 0;  ///< of both, at most (SnappedFace::doubt): a part with a larger |zP - zQ| is no contact
 };
 
 class Explainer {
@@ -63,6 +59,10 @@ class Explainer {
 
   // The sentences.
 
+  /// The tests of a Compare event in the order in which they were made: all but the last one failed, which
+  /// proves nothing, and the last settled the pair. A test behind it was not made; nor are 3 and 4 for two
+  /// in one plane.
+  [[nodiscard]] std::vector<Test> testsMade(const Event& compare) const;
   /// Of one test of a Compare event, one of testsMade().
   [[nodiscard]] std::string sentence(const Event& compare, Test test) const;
   /// Of any event; of a Compare event, that of the test that settled the pair. `splits` is how many there

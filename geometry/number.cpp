@@ -4,6 +4,8 @@
 #include <charconv>
 #include <cmath>
 
+#include "geometry/power.h"
+
 namespace {
 
 /// std::from_chars takes no leading '+', as it takes no second sign behind one.
@@ -69,5 +71,15 @@ int decimals(std::string_view number) {
     count += fraction;
     fraction |= c == '.';
   }
-  return static_cast<int>(std::clamp<long long>(count, 0, kMaxDecimals));
+  return static_cast<int>(std::clamp<long long>(count, -kMaxDecimals, kMaxDecimals));
+}
+
+double RoundingOfNumbers::rounding() const {
+  int d = 0;
+  if (all_ > 0) {
+    d = -kMaxDecimals;
+    for (int fit = count_[0]; 10LL * fit < 9LL * all_; fit += count_[kMaxDecimals + d]) ++d;
+  }
+  if (integers_) d = std::max(d, 0);
+  return d < 0 ? 0.5 * power(10.0, -d) : 0.5 / power(10.0, d);
 }

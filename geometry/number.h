@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <string_view>
 
 #include "geometry/text_file.h"
@@ -11,6 +12,29 @@
 [[nodiscard]] double toNumber(const Words& words, std::string_view word);
 
 /// Decimals a well-formed number carries in its text, trailing zeros included: 3 in `-1.250`, 4 in `1.5e-3`,
-/// 1 in `1.25e1`. Never below 0, so 0 in `1e3` as in `1000`, and never above kMaxDecimals.
+/// 1 in `1.25e1`, -3 in `1e3` but 0 in `1000`. Within kMaxDecimals of 0.
 [[nodiscard]] int decimals(std::string_view number);
 inline constexpr int kMaxDecimals = 400;  ///< 10^400 is infinite as a double, and its inverse 0
+
+/// How finely the numbers of a file are rounded, told from their texts: half a unit of the last decimal that
+/// they carry. A writer may drop trailing zeros, so the most decimals tell; but a number or two with all the
+/// digits of a double among others of six does not make those exact. So a tenth of the numbers may
+/// carry more. Zeros tell nothing, and a plain integer that its units count.
+class RoundingOfNumbers {
+ public:
+  void add(std::string_view number, double value) {
+    if (value == 0.0) return;
+    if (number.find_first_of(".eE") == std::string_view::npos) {
+      integers_ = true;
+      return;
+    }
+    ++count_[kMaxDecimals + decimals(number)];
+    ++all_;
+  }
+  [[nodiscard]] double rounding() const;
+
+ private:
+  std::array<int, 2 * kMaxDecimals + 1> count_{};
+  int all_ = 0;
+  bool integers_ = false;
+};

@@ -68,7 +68,7 @@ class ObjReader {
       const auto known = colors_.find(name);
       mesh_.materials.push_back({name, known == colors_.end() ? glm::dvec3{1.0} : known->second});
     }
-    mesh_.rounding.assign(mesh_.groupNames.size(), 0.5 / power(10.0, decimals_));
+    mesh_.rounding.assign(mesh_.groupNames.size(), rounding_.rounding());
     return std::move(mesh_);
   }
 
@@ -79,7 +79,7 @@ class ObjReader {
       const std::string_view word = words_.next();
       if (word.empty()) words_.fail("a vertex needs three coordinates");
       point[axis] = toNumber(words_, word);
-      decimals_ = std::max(decimals_, decimals(word));
+      rounding_.add(word, point[axis]);
     }
     mesh_.points.push_back(point);
   }
@@ -190,7 +190,7 @@ class ObjReader {
   std::set<std::string> libraries_;  ///< already read: some writers name theirs before every object
   std::vector<Forward> forward_;
   std::vector<int> face_;  ///< of the face being read, kept for its memory
-  int decimals_ = 0;
+  RoundingOfNumbers rounding_;
 };
 
 }  // namespace

@@ -210,10 +210,13 @@ void append(Mesh& whole, const Mesh& part) {
 /// Reads nothing but the decimals that numbers below a key "polygons" carry in their text.
 class DecimalsOfPolygons : public nlohmann::json_sax<Json> {
  public:
-  [[nodiscard]] int most() const { return most_; }
+  /// Of the k-th `polygons` of the file.
+  [[nodiscard]] double rounding(std::size_t k) const {
+    return k < numbers_.size() ? numbers_[k].rounding() : 0.0;
+  }
 
-  bool number_float(double, const std::string& text) override {
-    if (inside_ > 0) most_ = std::max(most_, decimals(text));
+  bool number_float(double value, const std::string& text) override {
+    if (inside_ > 0) numbers_.back().add(text, value);
     return true;
   }
   bool key(std::string& name) override {
@@ -221,6 +224,7 @@ class DecimalsOfPolygons : public nlohmann::json_sax<Json> {
     return true;
   }
   bool start_array(std::size_t) override {
+    if (inside_ == 0 && polygonsNext_) numbers_.emplace_back();
     if (inside_ > 0 || polygonsNext_) ++inside_;
     polygonsNext_ = false;
     return true;
@@ -242,7 +246,8 @@ class DecimalsOfPolygons : public nlohmann::json_sax<Json> {
   }
 
  private:
-  int most_ = 0, inside_ = 0;
+  std::vector<RoundingOfNumbers> numbers_;
+  int inside_ = 0;
   bool polygonsNext_ = false;
 };
 
@@ -264,9 +269,6 @@ Scene parseSceneFile(std::string_view text, const std::string& name, const std::
   const Json json = parsed(text, name);
   DecimalsOfPolygons decimalsOf;
   Json::sax_parse(text, &decimalsOf);
-  double rounding = 0.5;
-  for (int d = 0; d < decimalsOf.most(); ++d) rounding /= 10.0;
-
   const Node root{json, name, ""};
   root.expectKeys({"shows", "up", "camera", "objects"});
   if (root.has("shows")) (void)root.at("shows").text();
@@ -278,8 +280,11 @@ Scene parseSceneFile(std::string_view text, const std::string& name, const std::
   }
   Mesh mesh;
   if (root.has("objects"))
-    for (int i = 0; i < root.at("objects").size(); ++i)
-      append(mesh, readObject(root.at("objects").item(i), folder, rounding));
+    for (int i = 0, polygons = 0; i < root.at("objects").size(); ++i) {
+      const Node object = root.at("objects").item(i);
+      append(mesh, readObject(object, folder, decimalsOf.rounding(polygons)));
+      polygons += object.has("polygons");
+    }
   if (mesh.faceCount() == 0) root.fail("holds no face");
   Scene scene = makeScene(name, std::move(mesh), up);
   if (root.has("camera")) scene.camera = readCamera(root.at("camera"));

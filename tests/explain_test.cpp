@@ -88,7 +88,7 @@ TEST(Explain, NumbersDecideAsTheRunDid) {
     const Explainer explainer{mesh, scene, sorted, textbook};
     for (const Event& e : sorted.events) {
       if (e.kind != Event::Kind::Compare) continue;
-      const std::vector<::Test> made = testsMade(e, textbook);
+      const std::vector<::Test> made = explainer.testsMade(e);
       ASSERT_EQ(made.back(), e.test);
       for (const ::Test test : made)
         ASSERT_EQ(passes(explainer, test, e.P, e.Q), test == e.test)
@@ -198,7 +198,7 @@ TEST(Explain, SentencesNameTheirPolygons) {
       std::vector<std::string> sentences{explainer.sentence(e, splits)};
       splits += e.kind == Event::Kind::Split;
       if (e.kind == Event::Kind::Compare)
-        for (const ::Test test : testsMade(e, textbook)) sentences.push_back(explainer.sentence(e, test));
+        for (const ::Test test : explainer.testsMade(e)) sentences.push_back(explainer.sentence(e, test));
       for (const std::string& s : sentences) {
         ASSERT_TRUE(s.ends_with('.') && s.find_first_of("{}") == std::string::npos) << s;
         if (e.kind != Event::Kind::Move) {

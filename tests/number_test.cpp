@@ -109,12 +109,33 @@ TEST(Decimals, AreThoseOfTheText) {
   EXPECT_EQ(decimals("1.5e-3"), 4);
   EXPECT_EQ(decimals("1.5E+0"), 1);
   EXPECT_EQ(decimals("1.25e1"), 1);
-  EXPECT_EQ(decimals("1.25e7"), 0);
-  EXPECT_EQ(decimals("1e3"), 0);
+  EXPECT_EQ(decimals("1.25e7"), -5);
+  EXPECT_EQ(decimals("1e3"), -3);
+  EXPECT_EQ(decimals("1000"), 0);
   EXPECT_EQ(decimals("1e-3"), 3);
   EXPECT_EQ(decimals("+.5"), 1);
   EXPECT_EQ(decimals("7."), 0);
   EXPECT_EQ(decimals("7"), 0);
   EXPECT_EQ(decimals("1e-99999999999999999999"), kMaxDecimals);
-  EXPECT_EQ(decimals("1e99999999999999999999"), 0);
+  EXPECT_EQ(decimals("1e99999999999999999999"), -kMaxDecimals);
+}
+
+// The most decimals tell the rounding, whatever the exponent; few numbers with more, zeros and integers do
+// not.
+TEST(RoundingOfNumbers, IsThatOfMost) {
+  const auto rounding = [](const std::vector<std::string>& numbers) {
+    RoundingOfNumbers r;
+    for (const std::string& n : numbers) r.add(n, std::stod(n));
+    return r.rounding();
+  };
+  EXPECT_EQ(rounding({}), 0.5);
+  EXPECT_EQ(rounding({"1", "0.0000", "250"}), 0.5);
+  EXPECT_EQ(rounding({"1.5", "0.25", "7"}), 0.005);
+  EXPECT_EQ(rounding({"1.234567e200", "1e0", "0"}), 0.5);
+  EXPECT_EQ(rounding({"1.234567e9", "-2.5e8", "0.000"}), 500.0);
+  std::vector<std::string> many(18, "0.125");
+  many.insert(many.end(), {"1", "0", "2.3000000000000003", "0.1000000000000000055"});
+  EXPECT_EQ(rounding(many), 0.0005);  // two of twenty
+  many.push_back("0.30000000000000004");
+  EXPECT_LT(rounding(many), 1e-15);
 }

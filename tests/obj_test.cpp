@@ -207,7 +207,7 @@ TEST(Obj, NamesTheLibraryThatIsWrong) {
   EXPECT_EQ(complaint([&] { return readObj(file); }), library + ":2: malformed number 'x'");
 }
 
-// Half a unit of the last decimal of the coordinate that carries most; weights, colours, texture coordinates
+// Half a unit of the last decimal of the coordinates that carry most; weights, colours, texture coordinates
 // and normals do not count. 0.5 * 10^-d is the nearest double up to d = 22, where 10^d is exact.
 TEST(Obj, RoundingIsHalfTheLastDecimal) {
   const auto roundingOf = [](const std::string& coordinates) {
@@ -220,7 +220,7 @@ TEST(Obj, RoundingIsHalfTheLastDecimal) {
   EXPECT_EQ(roundingOf("1.5e-3 0.1 0.12"), 0.5e-4);
   EXPECT_EQ(roundingOf("0 0 1e-22"), 0.5e-22);
   EXPECT_NEAR(roundingOf("0 0 1e-308") / 0.5e-308, 1.0, 309 * 0x1p-53) << "power.h, and one division";
-  EXPECT_EQ(roundingOf("0 0 1e-999999999999"), 0.0);
+  EXPECT_EQ(roundingOf("0 0 1e-999999999999"), 0.5) << "it is zero, which tells nothing";
 }
 
 TEST(Obj, RefusesFilesItCannotRead) {

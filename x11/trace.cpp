@@ -135,7 +135,7 @@ class Teller {
   }
 
   void tests(const Event& e) {
-    const std::vector<Test> made = testsMade(e, !options_.quick);
+    const std::vector<Test> made = explainer_.testsMade(e);
     for (const Test test : made) {
       Json object = begun(e);
       const TestRow& row = kTestRows[static_cast<int>(test)];
