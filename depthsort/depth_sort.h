@@ -9,34 +9,37 @@
 
 #include "geometry/project.h"
 
-/// Newell's depth sort, exact: an order of painting in which nothing is ever painted over what is nearer,
-/// with polygons split where no such order exists.
+/// Newell's depth sort, exact: an order of painting in which nothing is painted over what is nearer, but
+/// for contacts (below), with polygons split where no such order exists.
 ///
 /// P is taken from the far end. Against every Q that is not painted yet and whose z-extent reaches back to
 /// P's, the textbook's tests say whether P may be painted before Q; if not, and Q may go before P, then Q
 /// comes first: it is marked and becomes the new P. The textbook moves Q to the end of its list; here the
 /// marked polygons are a stack, whose top is P, and the list stays sorted. (The order is the same; the
 /// list, once moves have unsorted it, could no longer stop its scan at the first Q beyond P's z-extent.) A Q
-/// that must come first and is marked already closes a cycle: one of the cycle is split.
+/// that must come first and is marked already closes a cycle: one of the cycle is split, or found a contact.
 ///
 /// Polygons are compared over their common area on the screen: Q > P, Q is nearer than P somewhere in it.
 /// Depth there is what the plane records say (project.h). Of two faces in one plane the later one of the
 /// scene counts as nearer, everywhere. No sample lies on any line (scanline.h), so what only touches is
 /// in no order.
 ///
-/// Why it ends, whatever the scene. A piece remembers the planes that split it, for it keeps to one side of
-/// each; a plane splits only what it properly crosses, so no plane splits a piece twice, and the pieces of
-/// a face, cells between the lines of at most n - 1 planes, are finite in number. Between two splits a pair
-/// is settled, a polygon marked or one painted, and none of that is undone without a split or a void mark.
-/// That there is a proper split in every cycle A1 > A2 > ... > A1: else all others lie wholly behind or in
-/// front of A1's plane. Going from A1's successor, behind it, to its predecessor, in front, some X
-/// behind comes right before a Y in front, and X > Y says zX > zY somewhere, yet zY >= zA1 >= zX: only
-/// possible if all are in one plane, and there the face numbers, which cannot go in a circle, decide.
+/// Why it ends, whatever the scene. A plane splits only what it properly crosses, and each piece lies to one
+/// side of it for good: so no plane splits a piece twice, and the pieces of a face, cells between the lines
+/// of at most n - 1 planes, are finite in number. Between two splits a pair is settled, a polygon marked or
+/// one painted, and none of that is undone without a split or a void mark.
 ///
-/// Why it is right. Every order that is asserted holds exactly, and P is painted when all orders against
-/// what is still unpainted are settled in its favour. Contacts drop some (pair_tests.h): what
-/// touches in the model may cross by its rounding, in no more depth than SnappedFace::doubt
-/// allows, or in a sliver without a sample. It is not split for that.
+/// That there is a proper split in every cycle A1 > A2 > ... > A1: else all others lie wholly in the closed
+/// back or front of A1's plane. Going from A1's successor, behind, to its predecessor, in front, some X
+/// behind comes right before a Y in front. X > Y says zX >= zY somewhere, equal only in one plane; with zY >=
+/// zA1 >= zX all three are in one plane. If that is so at every such step, the cycle is one of face numbers,
+/// which cannot go in a circle.
+///
+/// Why it is right. Every order that is asserted is exactly true, and P is painted when all orders against
+/// what is still unpainted are settled in its favour. Contacts are orders that are true and not asserted
+/// (pair_tests.h): what touches in the model may cross by its rounding, in no more depth than
+/// SnappedFace::doubt allows, or in a sliver without a sample. It is not split for that, and there the
+/// farther may show.
 ///
 /// @see Newell, Newell and Sancha 1972; Foley & van Dam 2e §15.5.1
 
@@ -135,7 +138,7 @@ struct SortSettings {
   bool inPixels = false;
   bool grid = true;                               ///< of the quick run: else Q's come from one list
   bool record = false;                            ///< fills SortedScene::list and events
-  std::size_t mostEvents = std::size_t{1} << 27;  ///< 1.5 GB
+  std::size_t mostEvents = std::size_t{1} << 27;  ///< of 12 bytes
   enum class Split { Smaller, First, Second } crossing = Split::Smaller;  ///< of P and Q, which is split
 };
 

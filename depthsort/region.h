@@ -5,9 +5,9 @@
 
 #include "geometry/project.h"
 
-/// Convex regions of the screen bounded by lines, exactly. The corner of a region is a pair of lines, never
-/// a rounded point: doubles with an error radius decide nearly every question about it, and where they
-/// cannot, integers do.
+/// Convex regions of the screen bounded by lines, exactly. The corner of a region is where the
+/// lines of two successive sides meet. Doubles with an error radius stand beside it and decide nearly every
+/// question; where they cannot, integers made of the two lines do.
 
 /// An oriented line a x + b y + c = 0 on the screen grid, positive on one side: the inner side of an
 /// outline's edge, or where one plane is nearer than another.
@@ -19,7 +19,7 @@ struct Line {
   double a = 0, b = 0, c = 0;
 };
 
-/// Where a side's line meets the next one's.
+/// About where a side's line meets the next one's.
 struct Corner {
   double x = 0, y = 0;
   /// The true corner is at most this far away along x and along y. 0: it is the integer point (x, y), a

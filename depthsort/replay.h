@@ -11,7 +11,7 @@
 ///
 /// The stack of marked polygons is kept for all steps at once: each event that marks one adds a place to a
 /// tree, whose parent is the place below it in the stack. So a stack is one number, its top, and with a
-/// checkpoint every kCheckpoint events a step is reached by replaying fewer than that. Memory: 8 bytes for
+/// checkpoint every kCheckpoint events a step is reached by replaying at most so many. Memory: 8 bytes for
 /// each polygon marked, a quarter byte an event, 8 bytes a fragment.
 class Replay {
  public:
