@@ -32,6 +32,7 @@ struct SnappedFace {
 /// The scene as painter and oracle see it: integers from here on.
 /// Space:  screen. x, y in 1/65536 pixel, origin top left, y down, |x|, |y| <= 2^29;
 ///         z in 2^zShift / 65536 pixel of the view plane, larger is nearer, 0 <= z <= 2^30.
+/// Holds:  a triangle that shares its plane with no other face lies in it exactly.
 struct SnappedScene {
   std::vector<glm::ivec3> vertices;  ///< outlines, one after the other
   std::vector<SnappedFace> faces;    ///< in order of number

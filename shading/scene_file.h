@@ -21,9 +21,10 @@
 ///              and, if wanted, "name", "color" [r, g, b], "divisions" (of patches), "scale" (a factor) and
 ///              "move" [x, y, z], in this order
 ///
-/// How many decimals the corners of an object carry tells how they are rounded (RoundingOfNumbers), and so what
-/// counts as lying in one plane: write 2.500000 or 2.5 in a file of six decimals, not 2.4999999999999996.
-/// Faces are numbered object by object. Unknown keys, wrong types and values out of range are refused.
+/// How many decimals the corners of an object carry tells how they are rounded (RoundingOfNumbers), and so
+/// what counts as lying in one plane: write 2.500000 or 2.5 in a file of six decimals,
+/// not 2.4999999999999996. Faces are numbered object by object. Unknown keys, wrong types and values out of
+/// range are refused.
 /// @throws ParseError `room.json: objects[2].polygons[0]: a polygon needs at least 3 corners`, or with the
 /// line where it is no JSON at all; std::system_error
 [[nodiscard]] Scene readSceneFile(const std::filesystem::path& file);

@@ -142,7 +142,7 @@ constexpr SortSettings kQuick{kWidth, kHeight};
       ->Unit(benchmark::kMillisecond)
 SCENE(triangleTorus, 1000000);
 SCENE(soup, 1000000);
-SCENE(denseSoup, 100000);
+SCENE(denseSoup, 1000000);
 SCENE(tinySoup, 1000000);
 SCENE(shingles, 1000000);
 SCENE(teapot, 1000000);
