@@ -64,7 +64,7 @@ class DepthSort {
   // The list.
 
   void enterFaces();
-  [[nodiscard]] Polygon enter(int face, const std::vector<std::uint8_t>& facesOfPlane) const;
+  [[nodiscard]] Polygon enter(int face) const;
   [[nodiscard]] bool shows(const SnappedFace& face, const Box& box) const {
     const int width = settings_.width, height = settings_.height;
     return mayOwnSample(scene_, face, box, width, height) ||
@@ -165,21 +165,20 @@ class DepthSort {
 
 // The list.
 
-Polygon DepthSort::enter(int face, const std::vector<std::uint8_t>& facesOfPlane) const {
+Polygon DepthSort::enter(int face) const {
   const SnappedFace& f = scene_.faces[face];
   Polygon P;
-  P.extents = extentsOf(scene_, f, vertexDepthsAreExact(f, facesOfPlane));
+  P.extents = extentsOf(scene_, f, tests_.vertexDepthsAreExact(f));
   P.face = face;
   return P;
 }
 
 void DepthSort::enterFaces() {
-  const std::vector<std::uint8_t> facesOfPlane = facesOfPlanes(scene_);
   std::vector<Polygon> unsorted;
   unsorted.reserve(scene_.faces.size());
   const Box picture{0, 0, settings_.width * kGrid, settings_.height * kGrid};
   for (int f = 0; f < static_cast<int>(scene_.faces.size()); ++f) {
-    unsorted.push_back(enter(f, facesOfPlane));
+    unsorted.push_back(enter(f));
     if (settings_.textbook) continue;
     Box& box = unsorted.back().extents.box;
     if (!shows(scene_.faces[f], box))

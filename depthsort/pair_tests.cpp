@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "depthsort/extents.h"
 #include "depthsort/samples.h"
 
 PairTests::PairTests(const SnappedScene& scene, const SortSettings& settings)
@@ -42,7 +41,7 @@ Signs PairTests::signsOver(const Shape& P, const Shape& Q) {
   if (P.piece) return regions_.signs(nearer(p, q), *P.piece);
   Signs signs;
   const glm::ivec3* const v = &scene_.vertices[p.first];
-  if (vertexDepthsAreExact(p, shared_)) {
+  if (vertexDepthsAreExact(p)) {
     for (int k = 0; k < 3; ++k) {
       const Int128 above = Int128{planeQ.C} * v[k].z - Int128{planeQ.A} * v[k].x - Int128{planeQ.B} * v[k].y -
                            planeQ.D;  // below 2^95

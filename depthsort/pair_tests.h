@@ -5,6 +5,7 @@
 
 #include "depthsort/box_grid.h"
 #include "depthsort/depth_sort.h"
+#include "depthsort/extents.h"
 #include "depthsort/region.h"
 
 /// The tests of the depth sort on one pair of polygons.
@@ -30,6 +31,10 @@ class PairTests {
  public:
   PairTests(const SnappedScene& scene, const SortSettings& settings);
 
+  /// Whether a face's plane passes through its vertices.
+  [[nodiscard]] bool vertexDepthsAreExact(const SnappedFace& face) const {
+    return ::vertexDepthsAreExact(face, shared_);
+  }
   /// May P be painted before Q? In the textbook's order of tests or in the quick one, whose caller has
   /// compared the boxes.
   [[nodiscard]] Relation compare(const Shape& P, const Shape& Q);

@@ -11,15 +11,9 @@
 
 #include "geometry/overlap.h"
 #include "geometry/plane.h"
+#include "geometry/scale.h"
 
 namespace {
-
-double largest(const glm::dvec3& v) { return std::max({v.x, v.y, v.z}); }
-
-glm::dvec3 scaled(const glm::dvec3& p, int exponent) {
-  const int half = exponent / 2;  // 2^exponent itself may overflow
-  return p * std::ldexp(1.0, half) * std::ldexp(1.0, exponent - half);
-}
 
 /// A mesh's points moved and scaled by a power of two into [0, 1]^3, the longest side of their box in
 /// [1/2, 1).

@@ -9,16 +9,11 @@
 
 #include "geometry/ear_clip.h"
 #include "geometry/plane.h"
+#include "geometry/scale.h"
 
 namespace {
 
 constexpr int kGridBits = 50;
-
-glm::dvec3 scaled(const glm::dvec3& p, int exponent) {
-  return {std::ldexp(p.x, exponent), std::ldexp(p.y, exponent), std::ldexp(p.z, exponent)};
-}
-
-double largest(const glm::dvec3& v) { return std::max({v.x, v.y, v.z}); }
 
 /// A face by itself, ready for decisions.
 struct Outline {

@@ -35,6 +35,17 @@ std::vector<std::string> broken(std::string_view text, int most) {
   return lines;
 }
 
+/// The region's sides as lines from pixel to pixel.
+void outline(Painter& painter, const Region& region, int thickness, std::uint8_t cell) {
+  const auto pixel = [](double v) { return static_cast<int>(std::floor(v / kGrid)); };
+  Corner from = region.back().corner;
+  for (const Side& side : region) {
+    const Corner& to = side.corner;
+    painter.line(pixel(from.x), pixel(from.y), pixel(to.x), pixel(to.y), cell, {thickness});
+    from = to;
+  }
+}
+
 std::string counted(std::size_t n, const std::string& what) {
   return std::to_string(n) + " " + what + (n == 1 ? "" : "s");
 }
@@ -160,15 +171,8 @@ void Frames::compose(const std::vector<Line>& lines) {
 void Frames::outlineWaiting() {
   if (!waitingAreOutlined()) return;
   Painter painter = Painter{frame_}.within({0, 0, soFar_.width, soFar_.height});
-  for (const auto& [id, marked] : replay_.list(kMostWaiting)) {
-    const Region region = explainer_.fragments().region(id);
-    for (std::size_t k = 0; k < region.size(); ++k) {
-      const Corner &a = region[k].corner, &b = region[k + 1 == region.size() ? 0 : k + 1].corner;
-      const auto pixel = [](double v) { return static_cast<int>(std::floor(v / kGrid)); };
-      painter.line(pixel(a.x), pixel(a.y), pixel(b.x), pixel(b.y),
-                   cell(marked ? Cell::Faint : Cell::WellLine));
-    }
-  }
+  for (const auto& [id, marked] : replay_.list(kMostWaiting))
+    outline(painter, explainer_.fragments().region(id), 1, cell(marked ? Cell::Faint : Cell::WellLine));
 }
 
 /// A fragment tinted where it is not painted yet, outlined, and with its letter in the middle.
@@ -187,15 +191,8 @@ void Frames::mark(int fragment, Cell color, Stipple tint, std::string_view lette
   Painter painter = Painter{frame_}.within({0, 0, W, H});
   const int thickness = std::max(1, std::min(W, H) / 250);
   const Region region = explainer_.fragments().region(fragment);
-  const auto outline = [&](int pixels, std::uint8_t with) {
-    for (std::size_t k = 0; k < region.size(); ++k) {
-      const Corner &a = region[k].corner, &b = region[k + 1 == region.size() ? 0 : k + 1].corner;
-      const auto pixel = [](double v) { return static_cast<int>(std::floor(v / kGrid)); };
-      painter.line(pixel(a.x), pixel(a.y), pixel(b.x), pixel(b.y), with, {pixels});
-    }
-  };
-  if (thickness > 1) outline(thickness + 2, cell(Cell::Black));
-  outline(thickness, cell(color));
+  if (thickness > 1) outline(painter, region, thickness + 2, cell(Cell::Black));
+  outline(painter, region, thickness, cell(color));
 
   const VoiceRow& voice = kVoices[static_cast<int>(voice_)];
   if (samples < kLeastLabelled * voice.scale * voice.scale) return;

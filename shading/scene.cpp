@@ -13,14 +13,11 @@
 #include "geometry/coplanar.h"
 #include "geometry/obj.h"
 #include "geometry/parse_error.h"
+#include "geometry/scale.h"
 #include "geometry/teapot.h"
 #include "shading/scene_file.h"
 
 namespace {
-
-glm::dvec3 scaled(glm::dvec3 v, int exponent) {
-  return {std::ldexp(v.x, exponent), std::ldexp(v.y, exponent), std::ldexp(v.z, exponent)};
-}
 
 const std::filesystem::path kData{XNEWELL_DATA_DIR};
 
