@@ -22,25 +22,26 @@ struct Outline {
   bool hasArea = false;
 };
 
-/// The corners without those at the place of the one before them.
-void collapse(const Mesh& mesh, std::span<const int> face, std::vector<int>& corners) {
+/// A face's corners, as indices into Mesh::corners, without those at the place of the one before them.
+void collapse(const Mesh& mesh, int face, std::vector<int>& corners) {
+  const auto at = [&](int corner) { return mesh.points[mesh.corners[corner]]; };
   corners.clear();
-  for (const int c : face)
-    if (corners.empty() || mesh.points[c] != mesh.points[corners.back()]) corners.push_back(c);
-  while (corners.size() > 1 && mesh.points[corners.back()] == mesh.points[corners.front()])
-    corners.pop_back();
+  for (int c = mesh.firstCorner[face]; c < mesh.firstCorner[face + 1]; ++c)
+    if (corners.empty() || at(c) != at(corners.back())) corners.push_back(c);
+  while (corners.size() > 1 && at(corners.back()) == at(corners.front())) corners.pop_back();
 }
 
 Outline outlineOf(const Mesh& mesh, std::span<const int> corners, double rounding) {
+  const auto at = [&](int corner) { return mesh.points[mesh.corners[corner]]; };
   // First scaled by a power of two so that differences do not overflow, then moved to the box's corner and
   // scaled again, so that the box is 2^49 to 2^50 steps long.
   double magnitude = 0.0;
-  for (const int c : corners) magnitude = std::max(magnitude, largest(glm::abs(mesh.points[c])));
+  for (const int c : corners) magnitude = std::max(magnitude, largest(glm::abs(at(c))));
   int exponent = 0, boxExponent = 0;
   magnitude = std::frexp(magnitude, &exponent);
   std::vector<glm::dvec3> p;
   p.reserve(corners.size());
-  for (const int c : corners) p.push_back(scaled(mesh.points[c], -exponent));
+  for (const int c : corners) p.push_back(scaled(at(c), -exponent));
   glm::dvec3 low = p[0], high = p[0];
   for (const glm::dvec3& q : p) {
     low = glm::min(low, q);
@@ -99,10 +100,12 @@ std::array<std::array<int, 3>, 2> cutQuad(std::span<const LatticePoint> p) {
   return {{{0, 1, 2}, {0, 2, 3}}};
 }
 
-void addPiece(Pieces& pieces, std::span<const int> corners, int face, bool planeOfTheLast = false) {
+void addPiece(Pieces& pieces, const Mesh& mesh, std::span<const int> corners, int face,
+              bool planeOfTheLast = false) {
   const int planes = pieces.plane.empty() ? 0 : pieces.plane.back() + 1;
   pieces.plane.push_back(planeOfTheLast ? planes - 1 : planes);
-  pieces.corners.insert(pieces.corners.end(), corners.begin(), corners.end());
+  for (const int c : corners) pieces.corners.push_back(mesh.corners[c]);
+  pieces.from.insert(pieces.from.end(), corners.begin(), corners.end());
   pieces.firstCorner.push_back(static_cast<int>(pieces.corners.size()));
   pieces.face.push_back(face);
 }
@@ -112,29 +115,32 @@ void addPiece(Pieces& pieces, std::span<const int> corners, int face, bool plane
 Pieces divideFaces(const Mesh& mesh) {
   Pieces pieces;
   pieces.corners.reserve(mesh.corners.size());
+  pieces.from.reserve(mesh.corners.size());
   pieces.firstCorner.reserve(mesh.firstCorner.size());
   pieces.face.reserve(mesh.firstCorner.size());
   pieces.plane.reserve(mesh.firstCorner.size());
   std::vector<int> corners;
   for (int f = 0; f < mesh.faceCount(); ++f) {
-    collapse(mesh, mesh.face(f), corners);
+    collapse(mesh, f, corners);
     if (corners.size() < 3) {
-      addPiece(pieces, mesh.face(f), f);
+      corners.resize(mesh.face(f).size());
+      std::iota(corners.begin(), corners.end(), mesh.firstCorner[f]);
+      addPiece(pieces, mesh, corners, f);
       continue;
     }
     if (corners.size() == 3) {
-      addPiece(pieces, corners, f);
+      addPiece(pieces, mesh, corners, f);
       continue;
     }
     const Outline outline = outlineOf(mesh, corners, mesh.roundingOf(f));
     if (!outline.hasArea || (outline.planar && isConvex(outline.grid))) {
-      addPiece(pieces, corners, f);
+      addPiece(pieces, mesh, corners, f);
       continue;
     }
     const auto addTriangles = [&](const auto& triangles) {
       bool later = false;
       for (const auto& [a, b, c] : triangles) {
-        addPiece(pieces, std::array{corners[a], corners[b], corners[c]}, f, later && outline.planar);
+        addPiece(pieces, mesh, std::array{corners[a], corners[b], corners[c]}, f, later && outline.planar);
         later = true;
       }
     };

@@ -9,6 +9,7 @@
 /// Pieces are in face order and every face has at least one.
 struct Pieces {
   std::vector<int> corners;            ///< vertex indices of all pieces, one piece after the other
+  std::vector<int> from;               ///< as many: the corner of the mesh, an index into Mesh::corners
   std::vector<int> firstCorner = {0};  ///< #pieces + 1, as in Mesh
   std::vector<int> face;               ///< #pieces, the number of the face it came from
   /// #pieces, 0 to n - 1 in order of the first piece of each: pieces with the same number are in one plane of

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <glm/vec2.hpp>
 #include <glm/vec3.hpp>
 #include <span>
 #include <string>
@@ -25,6 +26,10 @@ struct Mesh {
   std::vector<std::string> groupNames;  ///< "body", "spout", ... as the file names its parts
   std::vector<int> material;            ///< #faces, index into materials, -1 for none
   std::vector<MeshMaterial> materials;
+  /// Texture coordinates: (0, 0) and (1, 1) are two corners of the texture, u along its rows, v up its
+  /// columns.
+  std::vector<glm::dvec2> uv;
+  std::vector<int> uvOfCorner;  ///< #corners, index into uv, -1 for none; empty where no corner has any
   /// The rounding of the input, by group: half a unit of the last decimal that the coordinates of its file
   /// carry, in world units. 0 where they are exact by definition (points of a Bezier patch); empty where all
   /// are.
