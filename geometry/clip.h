@@ -17,7 +17,21 @@ using ClipPlane = glm::dvec4;
 /// Bit k is set where p lies outside plane k.
 [[nodiscard]] unsigned outcode(const std::array<ClipPlane, 6>& planes, const glm::dvec4& p);
 
+/// A vertex on its way through the clipper.
+struct ClipVertex {
+  glm::dvec4 p;    ///< homogeneous
+  int source = 0;  ///< as SnappedScene::source
+};
+
+/// A vertex that clipping made: at a + t (b - a), 0 <= t <= 1, of two others, before the division.
+struct Between {
+  int a, b;  ///< sources of the two, a the one inside
+  double t;
+};
+
 /// Sutherland and Hodgman, plane by plane, only those in `planesMask`. A new vertex is always computed
-/// from the end inside towards the end outside, so both neighbours of an edge get the same one. `polygon`
-/// is replaced; empty when nothing is left.
-void clip(std::vector<glm::dvec4>& polygon, const std::array<ClipPlane, 6>& planes, unsigned planesMask);
+/// from the end inside towards the end outside, so both neighbours of an edge get the same one; it is
+/// appended to `made`, and its source is the complement of its index there. `polygon` is replaced; empty when
+/// nothing is left.
+void clip(std::vector<ClipVertex>& polygon, const std::array<ClipPlane, 6>& planes, unsigned planesMask,
+          std::vector<Between>& made);

@@ -16,6 +16,17 @@ glm::dvec3 divided(const glm::dvec4& p) { return glm::dvec3{p} / p.w; }
 /// More corners than this cost more in comparisons than a part more.
 constexpr int kMostCorners = 64;
 
+/// A vertex of an outline and SnappedScene::source of it.
+struct Corner {
+  glm::ivec3 at;
+  int source;
+};
+
+/// What pieces an outline belongs to.
+struct Owner {
+  int number, piece, plane;
+};
+
 /// Appends the snapped outlines of one convex piece after the other.
 class Snapper {
  public:
@@ -25,10 +36,10 @@ class Snapper {
     return {std::lrint(p.x * kGrid), std::lrint(p.y * kGrid), std::lrint(p.z * zScale_)};
   }
 
-  void add(std::vector<glm::ivec3>& outline, int number, int plane) {
+  void add(std::vector<Corner>& outline, const Owner& owner) {
     dropRepeats(outline);
     const int count = static_cast<int>(outline.size());
-    const std::int64_t area = count < 3 ? 0 : doubleArea(outline.data(), count);
+    const std::int64_t area = count < 3 ? 0 : doubleAreaOf(outline.data(), count);
     if (area == 0) {
       ++scene_.degenerate;
       return;
@@ -39,23 +50,34 @@ class Snapper {
       return;
     }
     if (back) std::reverse(outline.begin(), outline.end());
-    addConvex(outline.data(), count, number, plane, back);
+    addConvex(outline.data(), count, owner, back);
   }
 
  private:
-  static void dropRepeats(std::vector<glm::ivec3>& outline) {
-    outline.erase(std::unique(outline.begin(), outline.end()), outline.end());
-    while (outline.size() > 1 && outline.front() == outline.back()) outline.pop_back();
+  static void dropRepeats(std::vector<Corner>& outline) {
+    const auto same = [](const Corner& a, const Corner& b) { return a.at == b.at; };
+    outline.erase(std::unique(outline.begin(), outline.end(), same), outline.end());
+    while (outline.size() > 1 && same(outline.front(), outline.back())) outline.pop_back();
+  }
+
+  /// Twice the area, as doubleArea().
+  static std::int64_t doubleAreaOf(const Corner* p, int count) {
+    std::uint64_t sum = 0;
+    for (int i = 1; i + 1 < count; ++i) {
+      const std::array corner{p[0].at, p[i].at, p[i + 1].at};
+      sum += static_cast<std::uint64_t>(doubleArea(corner.data(), 3));
+    }
+    return static_cast<std::int64_t>(sum);
   }
 
   static bool turnsBack(const glm::ivec3& a, const glm::ivec3& b, const glm::ivec3& c) {
     return std::int64_t{b.x - a.x} * (c.x - b.x) + std::int64_t{b.y - a.y} * (c.y - b.y) < 0;
   }
 
-  static bool convex(const glm::ivec3* p, int count) {
+  static bool convex(const Corner* p, int count) {
     int descents = 0;  // a convex outline changes from rising to falling once a turn
     for (int i = 0; i < count; ++i) {
-      const glm::ivec3 &a = p[i], &b = p[(i + 1) % count], &c = p[(i + 2) % count];
+      const glm::ivec3 &a = p[i].at, &b = p[(i + 1) % count].at, &c = p[(i + 2) % count].at;
       const std::array corner{a, b, c};
       const std::int64_t turn = doubleArea(corner.data(), 3);
       if (turn < 0 || (turn == 0 && turnsBack(a, b, c))) return false;
@@ -67,19 +89,27 @@ class Snapper {
   /// Rounding may bend the outline of a polygon with many corners by a grid step, and pairs are compared
   /// corner by corner. So such an outline is halved along a chord between two of its own vertices until the
   /// parts are convex, as a triangle always is, and of few corners.
-  void addConvex(const glm::ivec3* p, int count, int number, int plane, bool back) {
+  void addConvex(const Corner* p, int count, const Owner& owner, bool back) {
     if (count == 3 || (count <= kMostCorners && convex(p, count))) {
-      if (doubleArea(p, count) <= 0)
+      if (doubleAreaOf(p, count) <= 0)
         return;  // a part that the rounding has turned over: less than a step wide
-      scene_.faces.push_back({static_cast<int>(scene_.vertices.size()), count, number, back, plane, {}});
-      scene_.vertices.insert(scene_.vertices.end(), p, p + count);
+      scene_.faces.push_back({.first = static_cast<int>(scene_.vertices.size()),
+                              .count = count,
+                              .number = owner.number,
+                              .piece = owner.piece,
+                              .back = back,
+                              .plane = owner.plane});
+      for (const Corner* c = p; c != p + count; ++c) {
+        scene_.vertices.push_back(c->at);
+        scene_.source.push_back(c->source);
+      }
       return;
     }
     const int half = count / 2;
-    std::vector<glm::ivec3> rest{p + half, p + count};
+    std::vector<Corner> rest{p + half, p + count};
     rest.push_back(p[0]);  // last: chords from one vertex to all others would make needles
-    addConvex(p, half + 1, number, plane, back);
-    addConvex(rest.data(), static_cast<int>(rest.size()), number, plane, back);
+    addConvex(p, half + 1, owner, back);
+    addConvex(rest.data(), static_cast<int>(rest.size()), owner, back);
   }
 
   SnappedScene& scene_;
@@ -87,10 +117,111 @@ class Snapper {
   double zScale_;
 };
 
-/// Depth, from here on, is what the planes say. SnappedFace::plane is the number of the plane in the model
-/// before, the index of its record after. Records are in order of their first face.
-void makePlanes(SnappedScene& scene, int modelPlanes, const Mesh& mesh, const DepthDoubt& doubt) {
+}  // namespace
+
+std::int64_t doubleArea(const glm::ivec3* p, int count) {
+  std::uint64_t sum = 0;
+  for (int i = 1; i + 1 < count; ++i) {
+    const std::int64_t ax = p[i].x - p[0].x, ay = p[i].y - p[0].y;
+    const std::int64_t bx = p[i + 1].x - p[0].x, by = p[i + 1].y - p[0].y;
+    sum += static_cast<std::uint64_t>(ay * bx - ax * by);  // y runs down
+  }
+  return static_cast<std::int64_t>(sum);
+}
+
+SnappedScene snap(const Mesh& mesh, const Pieces& pieces, const ViewSpec& view, int width, int height,
+                  Cull cull) {
+  const glm::dmat4 screenFromVrc = screenFromCanonical(view, width, height) * canonicalFromVrc(view);
+  const glm::dmat3 rotation = vrcRotation(view);
+  const std::array<ClipPlane, 6> planes = clipPlanes(frontDepth(view, width), kMaxPicture);
+
+  // Every vertex once: transformed, and where it lies inside the volume divided.
+  std::vector<glm::dvec4> homogeneous(mesh.points.size());
+  std::vector<glm::dvec3> screen(mesh.points.size());
+  std::vector<std::uint8_t> outside(mesh.points.size());
+  double zMax = 0.0;
+  for (std::size_t i = 0; i < mesh.points.size(); ++i) {
+    homogeneous[i] = screenFromVrc * glm::dvec4{rotation * (mesh.points[i] - view.vrp), 1.0};
+    outside[i] = static_cast<std::uint8_t>(outcode(planes, homogeneous[i]));
+    if (outside[i]) continue;
+    screen[i] = divided(homogeneous[i]);
+    zMax = std::max(zMax, screen[i].z);
+  }
+
+  // Pieces that cross a plane are clipped first: their new vertices count in the choice of the z scale.
+  struct Clipped {
+    int piece, first, count;
+  };
+  SnappedScene scene;
+  std::vector<Clipped> clipped;
+  struct ClippedVertex {
+    glm::dvec3 at;
+    int source;
+  };
+  std::vector<ClippedVertex> clippedVertices;
+  std::vector<ClipVertex> polygon;
+  const int count = static_cast<int>(pieces.face.size());
+  scene.polygons = count;
+  for (int i = 0; i < count; ++i) {
+    unsigned any = 0, all = ~0u;
+    for (const int corner : pieces.piece(i)) {
+      any |= outside[corner];
+      all &= outside[corner];
+    }
+    if (!any) continue;
+    clipped.push_back({i, static_cast<int>(clippedVertices.size()), 0});
+    if (all) continue;
+    polygon.clear();
+    for (int c = pieces.firstCorner[i]; c < pieces.firstCorner[i + 1]; ++c)
+      polygon.push_back({homogeneous[pieces.corners[c]], pieces.from[c]});
+    clip(polygon, planes, any, scene.between);
+    for (const ClipVertex& v : polygon) {
+      clippedVertices.push_back({divided(v.p), v.source});
+      zMax = std::max(zMax, clippedVertices.back().at.z);
+    }
+    clipped.back().count = static_cast<int>(polygon.size());
+  }
+
+  // One snap. z gets the steps of x and y unless something comes too near for 30 bits.
+  while (zMax * kGrid > std::ldexp(1.0, 30 + scene.zShift)) ++scene.zShift;
+  Snapper snapper{scene, cull, std::ldexp(1.0, kGridBits - scene.zShift)};
+  std::vector<glm::ivec3> snapped(mesh.points.size());
+  for (std::size_t i = 0; i < mesh.points.size(); ++i)
+    if (!outside[i]) snapped[i] = snapper.snap(screen[i]);
+
+  scene.faces.reserve(count);
+  scene.vertices.reserve(pieces.corners.size());
+  scene.source.reserve(pieces.corners.size());
+  std::vector<Corner> outline;
+  auto next = clipped.begin();
+  for (int i = 0; i < count; ++i) {
+    outline.clear();
+    if (next != clipped.end() && next->piece == i) {
+      for (int v = 0; v < next->count; ++v) {
+        const ClippedVertex& vertex = clippedVertices[next->first + v];
+        outline.push_back({snapper.snap(vertex.at), vertex.source});
+      }
+      ++next;
+      if (outline.empty()) {
+        ++scene.outside;
+        continue;
+      }
+    } else {
+      for (int c = pieces.firstCorner[i]; c < pieces.firstCorner[i + 1]; ++c)
+        outline.push_back({snapped[pieces.corners[c]], pieces.from[c]});
+    }
+    snapper.add(outline, {pieces.face[i], i, pieces.plane[i]});
+  }
+
+  return scene;
+}
+
+// Records are in order of their first face.
+void addPlanes(SnappedScene& scene, const Mesh& mesh, const ViewSpec& view, int width, int height) {
+  const DepthDoubt doubt{view, width, height, scene.zShift};
   const int count = static_cast<int>(scene.faces.size());
+  int modelPlanes = 0;
+  for (const SnappedFace& face : scene.faces) modelPlanes = std::max(modelPlanes, face.plane + 1);
   std::vector<int> next(count, -1), first(modelPlanes, -1);  // faces of a plane, from each to the next
   for (int f = count - 1; f >= 0; --f) next[f] = std::exchange(first[scene.faces[f].plane], f);
 
@@ -121,93 +252,9 @@ void makePlanes(SnappedScene& scene, int modelPlanes, const Mesh& mesh, const De
   }
 }
 
-}  // namespace
-
-std::int64_t doubleArea(const glm::ivec3* p, int count) {
-  std::uint64_t sum = 0;
-  for (int i = 1; i + 1 < count; ++i) {
-    const std::int64_t ax = p[i].x - p[0].x, ay = p[i].y - p[0].y;
-    const std::int64_t bx = p[i + 1].x - p[0].x, by = p[i + 1].y - p[0].y;
-    sum += static_cast<std::uint64_t>(ay * bx - ax * by);  // y runs down
-  }
-  return static_cast<std::int64_t>(sum);
-}
-
 SnappedScene project(const Mesh& mesh, const Pieces& pieces, const ViewSpec& view, int width, int height,
                      Cull cull) {
-  const glm::dmat4 screenFromVrc = screenFromCanonical(view, width, height) * canonicalFromVrc(view);
-  const glm::dmat3 rotation = vrcRotation(view);
-  const std::array<ClipPlane, 6> planes = clipPlanes(frontDepth(view, width), kMaxPicture);
-
-  // Every vertex once: transformed, and where it lies inside the volume divided.
-  std::vector<glm::dvec4> homogeneous(mesh.points.size());
-  std::vector<glm::dvec3> screen(mesh.points.size());
-  std::vector<std::uint8_t> outside(mesh.points.size());
-  double zMax = 0.0;
-  for (std::size_t i = 0; i < mesh.points.size(); ++i) {
-    homogeneous[i] = screenFromVrc * glm::dvec4{rotation * (mesh.points[i] - view.vrp), 1.0};
-    outside[i] = static_cast<std::uint8_t>(outcode(planes, homogeneous[i]));
-    if (outside[i]) continue;
-    screen[i] = divided(homogeneous[i]);
-    zMax = std::max(zMax, screen[i].z);
-  }
-
-  // Pieces that cross a plane are clipped first: their new vertices count in the choice of the z scale.
-  struct Clipped {
-    int piece, first, count;
-  };
-  SnappedScene scene;
-  std::vector<Clipped> clipped;
-  std::vector<glm::dvec3> clippedVertices;
-  std::vector<glm::dvec4> polygon;
-  const int count = static_cast<int>(pieces.face.size());
-  scene.polygons = count;
-  for (int i = 0; i < count; ++i) {
-    unsigned any = 0, all = ~0u;
-    for (const int corner : pieces.piece(i)) {
-      any |= outside[corner];
-      all &= outside[corner];
-    }
-    if (!any) continue;
-    clipped.push_back({i, static_cast<int>(clippedVertices.size()), 0});
-    if (all) continue;
-    polygon.clear();
-    for (const int corner : pieces.piece(i)) polygon.push_back(homogeneous[corner]);
-    clip(polygon, planes, any);
-    for (const glm::dvec4& p : polygon) {
-      clippedVertices.push_back(divided(p));
-      zMax = std::max(zMax, clippedVertices.back().z);
-    }
-    clipped.back().count = static_cast<int>(polygon.size());
-  }
-
-  // One snap. z gets the steps of x and y unless something comes too near for 30 bits.
-  while (zMax * kGrid > std::ldexp(1.0, 30 + scene.zShift)) ++scene.zShift;
-  Snapper snapper{scene, cull, std::ldexp(1.0, kGridBits - scene.zShift)};
-  std::vector<glm::ivec3> snapped(mesh.points.size());
-  for (std::size_t i = 0; i < mesh.points.size(); ++i)
-    if (!outside[i]) snapped[i] = snapper.snap(screen[i]);
-
-  scene.faces.reserve(count);
-  scene.vertices.reserve(pieces.corners.size());
-  std::vector<glm::ivec3> outline;
-  auto next = clipped.begin();
-  for (int i = 0; i < count; ++i) {
-    outline.clear();
-    if (next != clipped.end() && next->piece == i) {
-      for (int v = 0; v < next->count; ++v) outline.push_back(snapper.snap(clippedVertices[next->first + v]));
-      ++next;
-      if (outline.empty()) {
-        ++scene.outside;
-        continue;
-      }
-    } else {
-      for (const int corner : pieces.piece(i)) outline.push_back(snapped[corner]);
-    }
-    snapper.add(outline, pieces.face[i], pieces.plane[i]);
-  }
-
-  const int modelPlanes = count == 0 ? 0 : 1 + *std::max_element(pieces.plane.begin(), pieces.plane.end());
-  makePlanes(scene, modelPlanes, mesh, DepthDoubt{view, width, height, scene.zShift});
+  SnappedScene scene = snap(mesh, pieces, view, width, height, cull);
+  addPlanes(scene, mesh, view, width, height);
   return scene;
 }

@@ -4,6 +4,7 @@
 #include <glm/vec3.hpp>
 #include <vector>
 
+#include "geometry/clip.h"
 #include "geometry/divide.h"
 #include "geometry/mesh.h"
 #include "geometry/screen_grid.h"
@@ -22,8 +23,11 @@ struct Doubt {
 struct SnappedFace {
   int first = 0, count = 0;  ///< its outline: count >= 3 vertices of SnappedScene::vertices from `first` on
   int number = 0;            ///< face number in the model; every piece keeps it
+  int piece = 0;             ///< index into Pieces; what clipping and halving make of one keep it
   bool back = false;         ///< seen from the side from which the model lists it clockwise
-  int plane = 0;             ///< index into SnappedScene::planes; one for all faces of a plane of the model
+  /// Index into SnappedScene::planes, one for all faces of a plane of the model; before addPlanes() it is
+  /// Pieces::plane.
+  int plane = 0;
   /// Of its plane within the face, for the rounding of the snap and of the model. Where two faces are nearer
   /// to each other than the sum of theirs, they may touch in the model.
   Doubt doubt = {};
@@ -35,8 +39,13 @@ struct SnappedFace {
 /// Holds:  a triangle that shares its plane with no other face lies in it exactly.
 struct SnappedScene {
   std::vector<glm::ivec3> vertices;  ///< outlines, one after the other
-  std::vector<SnappedFace> faces;    ///< in order of number
-  std::vector<ScreenPlane> planes;   ///< depth is what they say; that of a vertex may be a step or more off
+  /// As many: where a vertex comes from, an index into Mesh::corners, or the complement of one into
+  /// `between`.
+  std::vector<int> source;
+  std::vector<Between> between;    ///< vertices that clipping made; each refers to earlier ones only
+  std::vector<SnappedFace> faces;  ///< in order of number
+  /// Depth is what they say; that of a vertex may be a step or more off. Empty before addPlanes().
+  std::vector<ScreenPlane> planes;
   int zShift = 0;
   int polygons = 0;    ///< convex pieces that came in
   int culled = 0;      ///< back faces left out by choice
@@ -48,10 +57,17 @@ enum class Cull { Keep, Back };
 
 /// The whole viewing transformation: view, shear, warp, clip, viewport, snap. Vertices shared in the mesh,
 /// and new ones where a shared edge is clipped, snap to identical integers in every face that uses them.
-/// Pieces of one plane (Pieces::plane) get one plane record, through three of their vertices far apart: they
-/// are coplanar exactly, and of those at one sample the later is seen.
 /// The scene's coordinates should be near 1 in magnitude (readScene normalises).
 /// width, height: the picture in pixels, 1..kMaxPicture. @throws ViewError
+[[nodiscard]] SnappedScene snap(const Mesh& mesh, const Pieces& pieces, const ViewSpec& view, int width,
+                                int height, Cull cull);
+
+/// What only an order that compares planes needs: pieces of one plane (Pieces::plane) get one plane record,
+/// through three of their vertices far apart: they are coplanar exactly, and of those at one sample the later
+/// is seen. Once for each snap(), with the same view.
+void addPlanes(SnappedScene& scene, const Mesh& mesh, const ViewSpec& view, int width, int height);
+
+/// Both.
 [[nodiscard]] SnappedScene project(const Mesh& mesh, const Pieces& pieces, const ViewSpec& view, int width,
                                    int height, Cull cull);
 

@@ -119,7 +119,7 @@ TEST(Contact, IsAskedBetweenItsCornersToo) {
     SnappedScene scene;
     for (const int face : {0, 1}) {
       const int far = 1000 + face, near = kNear - face * gap;
-      scene.faces.push_back({4 * face, 4, face, false, face, {1.0f, 0.0f, 1e-11f}});
+      scene.faces.push_back({4 * face, 4, face, face, false, face, {1.0f, 0.0f, 1e-11f}});
       for (const glm::ivec3 v :
            {glm::ivec3{0, 0, far}, {0, kSide, far}, {kSide, kSide, near}, {kSide, 0, near}})
         scene.vertices.push_back(v);

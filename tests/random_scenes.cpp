@@ -227,7 +227,7 @@ bool addFace(SnappedScene& scene, std::vector<glm::ivec3> outline, int plane) {
     scene.planes.push_back(planeThrough(outline.data(), count));
   }
   scene.faces.push_back({static_cast<int>(scene.vertices.size()), count, static_cast<int>(scene.faces.size()),
-                         false, plane, 0});
+                         0, false, plane, 0});
   scene.vertices.insert(scene.vertices.end(), outline.begin(), outline.end());
   return true;
 }
