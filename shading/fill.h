@@ -1,19 +1,25 @@
 #pragma once
 
-#ifdef __SSE2__
-#include <emmintrin.h>
-#endif
-
 #include <algorithm>
-#include <array>
-#include <bit>
+#include <concepts>
 #include <cstdint>
 #include <cstring>
 
+#include "shading/four.h"
 #include "shading/index_image.h"
 #include "shading/scanline.h"
 
-/// Filling with one cell, by the sample rule of scanline.h.
+/// Filling convex outlines by the sample rule of scanline.h, with whatever cells a shader gives to samples.
+
+/// What a fill asks for cells: FlatCell below, gouraud.h, environment_map.h.
+template <class S>
+concept Shader = requires(const S& shader, std::uint8_t* cells, int row, int from, int count) {
+  /// Stores the cells of samples from..from+count-1 of a row, all owned by the face, count >= 1.
+  shader.span(cells, row, from, count);
+  /// Of eight samples from column `from` on, owned or not: rows `row`, row + 1, ..., one a call of next(), as
+  /// eight bytes in order of memory.
+  { shader.eights(from, row).next() } -> std::same_as<std::uint64_t>;
+};
 
 /// cells[0..count-1] = cell, count >= 1; most spans are short, and memset costs a call.
 inline void fillSpan(std::uint8_t* cells, int count, std::uint8_t cell) {
@@ -34,24 +40,17 @@ inline void fillSpan(std::uint8_t* cells, int count, std::uint8_t cell) {
   }
 }
 
-/// Four numbers at once, by GCC's and Clang's vector extension: any processor has them.
-using Four [[gnu::vector_size(16)]] = int;
+/// One cell for all samples.
+struct FlatCell {
+  std::uint8_t cell;
 
-/// Eight bytes, 0xFF where the number is negative and 0 elsewhere, in order of memory.
-inline std::uint64_t negativeBytes(Four left, Four right) {
-#ifdef __SSE2__  // every x86-64 processor; compilers do not find these three instructions
-  const __m128i signs =
-      _mm_srai_epi16(_mm_packs_epi32(reinterpret_cast<__m128i>(left), reinterpret_cast<__m128i>(right)), 15);
-  return static_cast<std::uint64_t>(_mm_cvtsi128_si64(_mm_packs_epi16(signs, signs)));
-#else
-  std::array<std::uint8_t, 8> bytes{};
-  for (int i = 0; i < 4; ++i) {
-    bytes[i] = left[i] < 0 ? 0xFF : 0;
-    bytes[4 + i] = right[i] < 0 ? 0xFF : 0;
-  }
-  return std::bit_cast<std::uint64_t>(bytes);
-#endif
-}
+  struct Eights {
+    std::uint64_t eight;
+    std::uint64_t next() { return eight; }
+  };
+  void span(std::uint8_t* cells, int, int, int count) const { fillSpan(cells, count, cell); }
+  [[nodiscard]] Eights eights(int, int) const { return {cell * 0x0101010101010101u}; }
+};
 
 /// Columns and rows of the samples that a small triangle may own, not clipped.
 struct SampleBox {
@@ -66,8 +65,8 @@ struct SampleBox {
 /// moved by (e, e^2), is inside if A > 0, or if A = 0 and B > 0; else E - 1 is as good as E. From centre to
 /// centre E grows by multiples of 2^16, so E >> 16, which has E's sign, steps exactly by A and B. These are
 /// below 2^20, samples are less than 2^5 pixels from a, so it stays below 2^26.
-inline void fillSmallTriangle(IndexImage& image, const glm::ivec3* p, const SampleBox& box,
-                              std::uint8_t cell) {
+template <Shader S>
+void fillSmallTriangle(IndexImage& image, const glm::ivec3* p, const SampleBox& box, const S& shader) {
   constexpr int kColumns = 8, kRows = 4;
   // Blocks lie within the image: at its border they are moved inwards, and own the same samples.
   const int rows = box.bottom - box.top <= kRows ? kRows : 2 * kRows;
@@ -85,29 +84,31 @@ inline void fillSmallTriangle(IndexImage& image, const glm::ivec3* p, const Samp
     far[k] = near[k] + 4 * A;
     down[k] = B - Four{};
   }
-  const std::uint64_t fill = cell * 0x0101010101010101u;
+  auto eights = shader.eights(left, top);
   std::uint8_t* cells = image.row(top) + left;
   for (int block = 0; block < rows; block += kRows)
     for (int j = 0; j < kRows; ++j, cells += image.width) {
       const std::uint64_t outside = negativeBytes(near[0] | near[1] | near[2], far[0] | far[1] | far[2]);
       std::uint64_t old = 0;
       std::memcpy(&old, cells, sizeof old);
-      old = (old & outside) | (fill & ~outside);
+      old = (old & outside) | (eights.next() & ~outside);
       std::memcpy(cells, &old, sizeof old);
       for (int k = 0; k < 3; ++k) near[k] += down[k], far[k] += down[k];
     }
 }
 
-/// Gives `cell` to every sample of the image that the outline owns: convex, counter-clockwise as seen.
-inline void fillConvex(IndexImage& image, const glm::ivec3* p, int count, std::uint8_t cell) {
+/// Fills every sample of the image that the outline owns: convex, counter-clockwise as seen.
+template <Shader S>
+void fillConvex(IndexImage& image, const glm::ivec3* p, int count, const S& shader) {
   if (count == 3 && image.width >= 8 && image.height >= 8) {
     const SampleBox box{
         sampleFrom(std::min({p[0].x, p[1].x, p[2].x})), sampleFrom(std::max({p[0].x, p[1].x, p[2].x})),
         sampleFrom(std::min({p[0].y, p[1].y, p[2].y})), sampleFrom(std::max({p[0].y, p[1].y, p[2].y}))};
     if (box.right <= 0 || box.left >= image.width || box.bottom <= 0 || box.top >= image.height) return;
-    if (box.right - box.left <= 8 && box.bottom - box.top <= 8) return fillSmallTriangle(image, p, box, cell);
+    if (box.right - box.left <= 8 && box.bottom - box.top <= 8)
+      return fillSmallTriangle(image, p, box, shader);
   }
-  forEachSpan(p, count, image.width, image.height, [&image, cell](int row, int from, int to) {
-    fillSpan(image.row(row) + from, to - from, cell);
+  forEachSpan(p, count, image.width, image.height, [&image, &shader](int row, int from, int to) {
+    shader.span(image.row(row) + from, row, from, to - from);
   });
 }

@@ -115,7 +115,7 @@ void Picture::fillFaces(IndexImage& image) const {
     const SnappedFace& face = snapped_.faces[fragment.face];
     const std::uint8_t cell = cells_[fragment.face];
     if (fragment.piece < 0)
-      fillConvex(image, &snapped_.vertices[face.first], face.count, cell);
+      fillConvex(image, &snapped_.vertices[face.first], face.count, FlatCell{cell});
     else
       forEachSpan(snapped_, sorted_, fragment, made_.width, made_.height,
                   [&](int row, int from, int to) { fillSpan(image.row(row) + from, to - from, cell); });

@@ -35,7 +35,7 @@ void expectRule(const std::vector<glm::ivec3>& p, int width, int height) {
     for (int i = from; i < to; ++i) ++painted[std::size_t(row) * width + i];
   });
   IndexImage image{width, height, 7};
-  fillConvex(image, p.data(), static_cast<int>(p.size()), 201);
+  fillConvex(image, p.data(), static_cast<int>(p.size()), FlatCell{201});
   for (int j = 0; j < height; ++j)
     for (int i = 0; i < width; ++i) {
       checked += owns(p, i, j);

@@ -60,7 +60,7 @@ void BM_FillFlat(benchmark::State& state) {
   for (auto _ : state) {
     const double start = processorTime();
     for (std::size_t t = 0; t < triangles.size(); t += 3)
-      fillConvex(image, &triangles[t], 3, static_cast<std::uint8_t>(t));
+      fillConvex(image, &triangles[t], 3, FlatCell{static_cast<std::uint8_t>(t)});
     benchmark::ClobberMemory();
     fill += processorTime() - start;
   }

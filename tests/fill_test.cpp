@@ -1,0 +1,162 @@
+#include "shading/fill.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <array>
+#include <random>
+#include <vector>
+
+#include "geometry/project.h"
+#include "shading/environment_map.h"
+#include "shading/gouraud.h"
+
+namespace {
+
+using Triangle = std::array<glm::ivec3, 3>;
+
+/// The sample rule by its definition; samples and vertices less than 2^14 pixels apart.
+bool owns(const Triangle& p, int i, int j) {
+  for (int k = 0; k < 3; ++k) {
+    const glm::ivec3 &a = p[k], &b = p[(k + 1) % 3];
+    const std::int64_t A = std::int64_t{b.y} - a.y, B = std::int64_t{a.x} - b.x;  // inside is positive
+    const std::int64_t E = A * (i * kGrid + kGrid / 2 - a.x) + B * (j * kGrid + kGrid / 2 - a.y);
+    if (E < 0 || (E == 0 && (A < 0 || (A == 0 && B < 0)))) return false;
+  }
+  return true;
+}
+
+/// Random triangles of every size, from a part of a pixel to far more than the picture, at, across and beyond
+/// its borders, on and off the lattice of ties.
+class Triangles {
+ public:
+  explicit Triangles(unsigned seed) : rng_{seed} {}
+
+  int uniform(int low, int high) { return std::uniform_int_distribution{low, high}(rng_); }
+  /// At the vertices of a triangle: anywhere in the range, or at its ends.
+  std::array<double, 3> values() {
+    std::array<double, 3> v{};
+    const int kind = uniform(0, 3);
+    for (double& value : v) {
+      value = std::uniform_real_distribution{kLeastValue, kLargestValue}(rng_);
+      if (kind == 0) value = uniform(0, 1) != 0 ? kLeastValue : kLargestValue;
+    }
+    return v;
+  }
+  /// Counter-clockwise as seen, with an area.
+  Triangle triangle(int width, int height) {
+    static constexpr std::array kSides{1, 2, 4, 8, 9, 16, 30, 60, 200, 8000};
+    const int side = kSides[uniform(0, kSides.size() - 1)], step = uniform(0, 1) != 0 ? 1 : kGrid / 2;
+    const auto within = [&](int low, int high) {
+      return uniform(low * (kGrid / step), high * (kGrid / step));
+    };
+    Triangle p;
+    do {
+      const glm::ivec3 at{within(-side, width), within(-side, height), 0};
+      for (glm::ivec3& v : p) v = (at + glm::ivec3{within(0, side), within(0, side), 0}) * step;
+    } while (doubleArea(p.data(), 3) == 0);
+    if (doubleArea(p.data(), 3) < 0) std::swap(p[1], p[2]);
+    return p;
+  }
+
+ private:
+  std::mt19937 rng_;
+};
+
+/// Tables of no pattern: a wrong index is a wrong cell.
+std::vector<std::uint8_t> randomTable(unsigned seed) {
+  std::mt19937 rng{seed};
+  std::vector<std::uint8_t> table(65'536);
+  std::ranges::generate(table, [&] { return static_cast<std::uint8_t>(rng()); });
+  return table;
+}
+
+struct Checked {
+  int samples = 0, small = 0, large = 0, clipped = 0;
+};
+constexpr std::uint8_t kGround = 7;
+
+/// Fills a triangle and compares with a plain loop over all pixels: the rule's definition decides, `cellAt`
+/// is what the shader should give.
+template <class S, class CellAt>
+void expectCells(const Triangle& p, int width, int height, const S& shader, CellAt&& cellAt,
+                 Checked& checked) {
+  IndexImage image{width, height, kGround};
+  fillConvex(image, p.data(), 3, shader);
+  int samples = 0;
+  for (int j = 0; j < height; ++j)
+    for (int i = 0; i < width; ++i) {
+      const bool owned = owns(p, i, j);
+      samples += owned;
+      ASSERT_EQ(image.row(j)[i], owned ? cellAt(i, j) : kGround) << "pixel " << i << ", " << j;
+    }
+  const auto [left, right] = std::minmax({p[0].x, p[1].x, p[2].x});
+  const auto [top, bottom] = std::minmax({p[0].y, p[1].y, p[2].y});
+  checked.samples += samples;
+  if (samples == 0) return;
+  ++(sampleFrom(right) - sampleFrom(left) <= 8 && sampleFrom(bottom) - sampleFrom(top) <= 8 ? checked.small
+                                                                                            : checked.large);
+  checked.clipped += left < 0 || top < 0 || right > width * kGrid || bottom > height * kGrid;
+}
+
+/// A shader from a source of triangles and values, beside its plain definition.
+template <class Make>
+void expectShader(Make&& make) {
+  Checked checked;
+  for (unsigned seed = 0; seed < 20'000; ++seed) {
+    SCOPED_TRACE(seed);
+    Triangles random{seed};
+    const bool narrow = seed % 7 == 0;
+    const int width = narrow ? random.uniform(1, 20) : 150, height = narrow ? random.uniform(1, 12) : 60;
+    const Triangle p = random.triangle(width, height);
+    const auto [shader, cellAt] = make(random, p);
+    expectCells(p, width, height, shader, cellAt, checked);
+    if (testing::Test::HasFatalFailure()) return;
+  }
+  EXPECT_GT(checked.samples, 1'000'000);  // all of it was exercised
+  EXPECT_GT(checked.small, 3000);
+  EXPECT_GT(checked.large, 3000);
+  EXPECT_GT(checked.clipped, 3000);
+}
+
+}  // namespace
+
+TEST(Fill, GouraudLinearIsTheWholePartOfTheValue) {
+  expectShader([](Triangles& random, const Triangle& p) {
+    const AffineValue value = affineOver(p.data(), random.values());
+    return std::pair{GouraudLinear{value},
+                     [value](int i, int j) { return static_cast<std::uint8_t>(value.at(i, j) >> 24); }};
+  });
+}
+
+TEST(Fill, GouraudTableIsLookedUpByTheUpper16Bits) {
+  const std::vector<std::uint8_t> table = randomTable(1);
+  expectShader([&](Triangles& random, const Triangle& p) {
+    const AffineValue value = affineOver(p.data(), random.values());
+    return std::pair{GouraudTable{value, table.data()},
+                     [&table, value](int i, int j) { return table[value.at(i, j) >> 16]; }};
+  });
+}
+
+TEST(Fill, EnvironmentMapIsLookedUpByColumnAndRow) {
+  const std::vector<std::uint8_t> map = randomTable(2);
+  expectShader([&](Triangles& random, const Triangle& p) {
+    const AffineValue u = affineOver(p.data(), random.values()), v = affineOver(p.data(), random.values());
+    return std::pair{EnvironmentMap{u, v, map.data()}, [&map, u, v](int i, int j) {
+                       return map[256 * (v.at(i, j) >> 24) + (u.at(i, j) >> 24)];
+                     }};
+  });
+}
+
+// Where the third value is below 128 the sample faces away.
+TEST(Fill, WhatFacesAwayIsDark) {
+  const std::vector<std::uint8_t> map = randomTable(3);
+  expectShader([&](Triangles& random, const Triangle& p) {
+    const AffineValue u = affineOver(p.data(), random.values()), v = affineOver(p.data(), random.values()),
+                      w = affineOver(p.data(), random.values());
+    return std::pair{DarkBehind<EnvironmentMap>{{u, v, map.data()}, w, 99}, [&map, u, v, w](int i, int j) {
+                       if (w.at(i, j) >> 24 < 128) return std::uint8_t{99};
+                       return map[256 * (v.at(i, j) >> 24) + (u.at(i, j) >> 24)];
+                     }};
+  });
+}
