@@ -163,16 +163,38 @@ class PointTable {
   std::vector<int> slots_;
 };
 
-/// The quad without repeated neighbours, or all four corners if less than three would be left.
-void addQuad(Mesh& mesh, const std::array<int, 4>& quad, int group) {
-  std::array<int, 4> distinct;
-  int count = 0;
+/// The corners of a quad that its face lists, 0 to 3: without repeated neighbours, or all if less than three
+/// would be left.
+struct Listed {
+  std::array<int, 4> corners;
+  int count;
+};
+
+/// Of points or of their numbers.
+template <typename Place>
+Listed listedCorners(const std::array<Place, 4>& quad) {
+  Listed listed{{}, 0};
   for (int i = 0; i < 4; ++i)
-    if (quad[i] != quad[(i + 1) % 4]) distinct[count++] = quad[i];
-  if (count >= 3)
-    mesh.addFace({distinct.data(), static_cast<std::size_t>(count)}, group);
-  else
-    mesh.addFace(quad, group);
+    if (quad[i] != quad[(i + 1) % 4]) listed.corners[listed.count++] = i;
+  return listed.count >= 3 ? listed : Listed{{0, 1, 2, 3}, 4};
+}
+
+/// The places of a face's corners among the (n + 1)^2 of a patch, row by row.
+std::array<int, 4> quadOf(int row, int column, int n) {
+  const int first = row * (n + 1) + column;
+  return {first, first + n + 1, first + n + 2, first + 1};
+}
+
+glm::dvec3 normalAt(const Hodograph& d, Parameter u, Parameter v) {
+  const auto lengthOf = [](const glm::dvec3& n) { return std::sqrt(glm::dot(n, n)); };
+  const glm::dvec3 here = productAt(d, u, v);
+  if (const double length = lengthOf(here); length > d.smallest) return here / length;
+  glm::dvec2 inwards{0.5 - u.t, 0.5 - v.t};
+  if (inwards == glm::dvec2{0.0}) inwards = glm::dvec2{0.5};
+  const std::array along = productAlong(d, {u.t, v.t}, inwards);
+  for (std::size_t k = 1; k < along.size(); ++k)
+    if (const double length = lengthOf(along[k]); length > d.smallest) return along[k] / length;
+  return glm::dvec3{0.0};
 }
 
 }  // namespace
@@ -182,16 +204,7 @@ glm::dvec3 point(const BezierPatch& patch, double u, double v) {
 }
 
 glm::dvec3 normal(const BezierPatch& patch, double u, double v) {
-  const Hodograph d = hodograph(patch);
-  const auto lengthOf = [](const glm::dvec3& n) { return std::sqrt(glm::dot(n, n)); };
-  const glm::dvec3 here = productAt(d, parameter(u), parameter(v));
-  if (const double length = lengthOf(here); length > d.smallest) return here / length;
-  glm::dvec2 inwards{0.5 - u, 0.5 - v};
-  if (inwards == glm::dvec2{0.0}) inwards = glm::dvec2{0.5};
-  const std::array along = productAlong(d, {u, v}, inwards);
-  for (std::size_t k = 1; k < along.size(); ++k)
-    if (const double length = lengthOf(along[k]); length > d.smallest) return along[k] / length;
-  return glm::dvec3{0.0};
+  return normalAt(hodograph(patch), parameter(u), parameter(v));
 }
 
 Mesh tessellate(std::span<const BezierPatch> patches, int divisions, std::span<const PatchPart> parts) {
@@ -210,16 +223,51 @@ Mesh tessellate(std::span<const BezierPatch> patches, int divisions, std::span<c
     mesh.groupNames.emplace_back();
   }
   assert(partOf.size() == patches.size());
-  std::vector<int> grid((n + 1) * (n + 1));
+  std::vector<int> grid;
+  for (int i = 0; i <= n; ++i)
+    for (int j = 0; j <= n; ++j) mesh.uv.emplace_back(fraction(i, n).t, fraction(j, n).t);
   for (std::size_t k = 0; k < patches.size(); ++k) {
+    grid.clear();
     for (int i = 0; i <= n; ++i)
       for (int j = 0; j <= n; ++j)
-        grid[i * (n + 1) + j] = table.add(surfacePoint(patches[k], fraction(i, n), fraction(j, n)));
+        grid.push_back(table.add(surfacePoint(patches[k], fraction(i, n), fraction(j, n))));
     for (int i = 0; i < n; ++i)
       for (int j = 0; j < n; ++j) {
-        const int* corner = &grid[i * (n + 1) + j];
-        addQuad(mesh, {corner[0], corner[n + 1], corner[n + 2], corner[1]}, partOf[k]);
+        const std::array quad = quadOf(i, j, n);
+        const auto [listed, count] =
+            listedCorners(std::array{grid[quad[0]], grid[quad[1]], grid[quad[2]], grid[quad[3]]});
+        std::array<int, 4> corners, uv;
+        for (int c = 0; c < count; ++c) {
+          uv[c] = quad[listed[c]];
+          corners[c] = grid[uv[c]];
+        }
+        const auto size = static_cast<std::size_t>(count);
+        mesh.addFace({corners.data(), size}, partOf[k], -1, {uv.data(), size});
       }
   }
   return mesh;
+}
+
+std::vector<glm::dvec3> cornerNormals(std::span<const BezierPatch> patches, int divisions) {
+  assert(1 <= divisions && divisions <= kMaxDivisions);
+  const int n = divisions;
+  std::vector<glm::dvec3> normals, points, grid;
+  normals.reserve(patches.size() * 4 * n * n);
+  for (const BezierPatch& patch : patches) {
+    points.clear(), grid.clear();
+    const Hodograph d = hodograph(patch);
+    for (int i = 0; i <= n; ++i)
+      for (int j = 0; j <= n; ++j) {
+        points.push_back(surfacePoint(patch, fraction(i, n), fraction(j, n)));
+        grid.push_back(normalAt(d, fraction(i, n), fraction(j, n)));
+      }
+    for (int i = 0; i < n; ++i)
+      for (int j = 0; j < n; ++j) {
+        const std::array quad = quadOf(i, j, n);
+        const auto [listed, count] =
+            listedCorners(std::array{points[quad[0]], points[quad[1]], points[quad[2]], points[quad[3]]});
+        for (int c = 0; c < count; ++c) normals.push_back(grid[quad[listed[c]]]);
+      }
+  }
+  return normals;
 }

@@ -4,6 +4,7 @@
 #include <glm/vec3.hpp>
 #include <span>
 #include <string_view>
+#include <vector>
 
 #include "geometry/mesh.h"
 
@@ -43,5 +44,11 @@ inline constexpr int kMaxDivisions = 256;
 /// with less than three distinct corners keeps its four, so that it keeps its number.
 /// Groups: `parts` in order (their patches sum to patches.size()), or one group without a name.
 /// The face count must fit an int. Its points are exact.
+/// Texture coordinates are (u, v), so that each patch shows the whole texture; a triangle at a pole has those
+/// of one of the two corners that coincide.
 [[nodiscard]] Mesh tessellate(std::span<const BezierPatch> patches, int divisions,
                               std::span<const PatchPart> parts = {});
+
+/// The exact normals at the corners of tessellate()'s mesh, one for each of Mesh::corners: normal() at the
+/// corner's own u and v, so that at an edge each patch has its own, and 0 where it has none.
+[[nodiscard]] std::vector<glm::dvec3> cornerNormals(std::span<const BezierPatch> patches, int divisions);

@@ -41,9 +41,15 @@ struct Mesh {
   }
   /// The rounding of the coordinates of face f's corners.
   [[nodiscard]] double roundingOf(int f) const { return rounding.empty() ? 0.0 : rounding[group[f]]; }
-  /// Appends one face; `corners` has at least three valid indices.
-  void addFace(std::span<const int> faceCorners, int groupIndex, int materialIndex = -1) {
+  /// Appends one face; `corners` has at least three valid indices, `faceUv` as many (-1 for none) or none.
+  void addFace(std::span<const int> faceCorners, int groupIndex, int materialIndex = -1,
+               std::span<const int> faceUv = {}) {
+    if (!faceUv.empty()) {
+      uvOfCorner.resize(corners.size(), -1);  // those of the faces before it, if this is the first with any
+      uvOfCorner.insert(uvOfCorner.end(), faceUv.begin(), faceUv.end());
+    }
     corners.insert(corners.end(), faceCorners.begin(), faceCorners.end());
+    if (!uvOfCorner.empty()) uvOfCorner.resize(corners.size(), -1);
     firstCorner.push_back(static_cast<int>(corners.size()));
     group.push_back(groupIndex);
     material.push_back(materialIndex);

@@ -52,6 +52,8 @@ class ObjReader {
       const std::string_view key = words_.next();
       if (key == "v")
         readVertex();
+      else if (key == "vt")
+        readTexture();
       else if (key == "f")
         readFace();
       else if (key == "g" || key == "o")
@@ -61,7 +63,9 @@ class ObjReader {
       else if (key == "mtllib")
         readLibraries();
     }
-    checkForwardReferences();
+    checkForward(points_, mesh_.points.size());
+    checkForward(texture_, mesh_.uv.size());
+    if (mesh_.uvOfCorner.empty()) mesh_.uv.clear();
     if (mesh_.faceCount() == 0) words_.fail(0, "holds no face");
     mesh_.groupNames = group_.names();
     for (const std::string& name : material_.names()) {
@@ -84,38 +88,52 @@ class ObjReader {
     mesh_.points.push_back(point);
   }
 
+  /// One to three numbers: v is 0 if absent, and a depth is not used.
+  void readTexture() {
+    glm::dvec2 uv{0.0};
+    for (int axis = 0; axis < 2; ++axis) {
+      const std::string_view word = words_.next();
+      if (word.empty() && axis == 0) words_.fail("a texture coordinate needs a number");
+      if (!word.empty()) uv[axis] = toNumber(words_, word);
+    }
+    mesh_.uv.push_back(uv);
+  }
+
   void readFace() {
     const int line = words_.line();
     face_.clear();
+    faceUv_.clear();
+    bool textured = false;
     for (std::string_view word = words_.next(); !word.empty(); word = words_.next()) {
-      face_.push_back(toVertex(word));
+      const Corner corner = readCorner(word);
+      face_.push_back(corner.point);
+      faceUv_.push_back(corner.uv);
+      textured |= corner.uv >= 0;
     }
     if (face_.size() < 3) {
       words_.fail(line, "a face needs three vertices; this one has " + std::to_string(face_.size()));
     }
-    mesh_.addFace(face_, group_.number(), material_.selected().empty() ? -1 : material_.number());
+    if (!textured) faceUv_.clear();
+    mesh_.addFace(face_, group_.number(), material_.selected().empty() ? -1 : material_.number(), faceUv_);
   }
 
-  /// The vertex of a corner. What stands behind its slashes is not used, but must be indices or absent.
-  int toVertex(std::string_view corner) {
+  struct Corner {
+    int point, uv;  ///< indices into Mesh::points and Mesh::uv, that of no texture coordinate -1
+  };
+
+  /// What stands behind the second slash is not used, but must be an index or absent.
+  Corner readCorner(std::string_view corner) {
     const char* at = corner.data();
     const char* const end = at + corner.size();
-    const int index = readIndex(at, corner);
+    Corner result{place(readIndex(at, corner), points_, mesh_.points.size()), -1};
     for (int slashes = 1; at != end; ++slashes) {
       if (*at != '/' || slashes > 2) failMalformed(corner);
       ++at;
-      if (at != end && *at != '/') readIndex(at, corner);
+      if (at == end || *at == '/') continue;
+      const int index = readIndex(at, corner);
+      if (slashes == 1) result.uv = place(index, texture_, mesh_.uv.size());
     }
-
-    const int count = static_cast<int>(mesh_.points.size());
-    if (index < 0) {
-      if (index < -count) words_.fail(outOfRange(std::to_string(index), "so far"));
-      return count + index;
-    }
-    if (index > count && (forward_.empty() || index > forward_.back().index)) {
-      forward_.push_back({index, words_.line()});
-    }
-    return index - 1;
+    return result;
   }
 
   /// The index at `at`, inside `corner`; steps behind it.
@@ -125,7 +143,8 @@ class ObjReader {
     int index = 0;
     const auto [stop, error] = std::from_chars(at, end, index);
     if (error == std::errc::invalid_argument) failMalformed(corner);
-    if (error == std::errc::result_out_of_range) words_.fail(outOfRange(inQuotes(corner), "so far"));
+    if (error == std::errc::result_out_of_range)
+      words_.fail(outOfRange(inQuotes(corner), points_, "so far", mesh_.points.size()));
     if (index == 0) words_.fail("face index 0; OBJ counts from 1");
     at = stop;
     return index;
@@ -135,17 +154,40 @@ class ObjReader {
     words_.fail("malformed face index " + inQuotes(corner));
   }
 
-  /// A face may come before its vertices; only the end of the file tells whether they exist.
-  void checkForwardReferences() {
-    const auto bad = std::find_if(forward_.begin(), forward_.end(), [&](const Forward& reference) {
-      return reference.index > static_cast<int>(mesh_.points.size());
-    });
-    if (bad != forward_.end()) words_.fail(bad->line, outOfRange(std::to_string(bad->index), "in the file"));
+  /// What corners name by its index, and those that named one not yet read. Kept only while the index grows:
+  /// if any index is beyond the last one read, the first such is greater than all before it.
+  struct Forward {
+    int index, line;
+  };
+  struct Indexed {
+    const char* name;
+    std::vector<Forward> forward;
+  };
+
+  /// From 0, of the `read` so far.
+  int place(int index, Indexed& of, std::size_t read) {
+    const int count = static_cast<int>(read);
+    if (index < 0) {
+      if (index < -count) words_.fail(outOfRange(std::to_string(index), of, "so far", read));
+      return count + index;
+    }
+    if (index > count && (of.forward.empty() || index > of.forward.back().index)) {
+      of.forward.push_back({index, words_.line()});
+    }
+    return index - 1;
   }
 
-  [[nodiscard]] std::string outOfRange(const std::string& index, const std::string& where) const {
-    return "face index " + index + " is out of range; vertices " + where + ": " +
-           std::to_string(mesh_.points.size());
+  /// A face may come before what it names; only the end of the file tells whether that exists.
+  void checkForward(const Indexed& of, std::size_t read) const {
+    const auto bad = std::ranges::find_if(
+        of.forward, [&](const Forward& reference) { return reference.index > static_cast<int>(read); });
+    if (bad != of.forward.end())
+      words_.fail(bad->line, outOfRange(std::to_string(bad->index), of, "in the file", read));
+  }
+
+  static std::string outOfRange(const std::string& index, const Indexed& of, const char* where,
+                                std::size_t read) {
+    return "face index " + index + " is out of range; " + of.name + " " + where + ": " + std::to_string(read);
   }
 
   void selectGroup() {
@@ -175,12 +217,6 @@ class ObjReader {
 
   inline static const std::string kDefaultGroup = "default";
 
-  /// A corner that named a vertex not yet read. Kept only while the index grows: if any index is beyond
-  /// the last vertex, the first such one is greater than all before it.
-  struct Forward {
-    int index, line;
-  };
-
   Words words_;
   std::filesystem::path folder_;
   Mesh mesh_;
@@ -188,8 +224,8 @@ class ObjReader {
   NamesInUse material_{""};  ///< the empty name stands for no material
   MaterialColors colors_;
   std::set<std::string> libraries_;  ///< already read: some writers name theirs before every object
-  std::vector<Forward> forward_;
-  std::vector<int> face_;  ///< of the face being read, kept for its memory
+  Indexed points_{"vertices", {}}, texture_{"texture coordinates", {}};
+  std::vector<int> face_, faceUv_;  ///< of the face being read, kept for their memory
   RoundingOfNumbers rounding_;
 };
 

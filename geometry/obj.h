@@ -8,12 +8,14 @@
 
 /// Reads the polygons of a Wavefront OBJ file (Alias|Wavefront, Advanced Visualizer manual, appendix B1).
 ///
-/// Read: `v` (x y z; a weight or a colour after them is ignored), `f` with corners `v`, `v/vt`, `v//vn`,
-/// `v/vt/vn`, counted from 1 or, negative, back from the last vertex so far; `g` and `o`, which both begin a
-/// group; `usemtl`, and `mtllib` for diffuse colours. Everything else is ignored, and so are the values of
-/// `vt` and `vn`: vertex normals are computed. A face may name a vertex that comes after it.
+/// Read: `v` (x y z; a weight or a colour after them is ignored), `vt` (u, v; a missing v is 0, a depth
+/// ignored), `f` with corners `v`, `v/vt`, `v//vn`, `v/vt/vn`, counted from 1 or, negative, back from the
+/// last one so far; `g` and `o`, which both begin a group; `usemtl`, and `mtllib` for diffuse colours.
+/// Everything else is ignored, and so is `vn`: vertex normals are computed. A face may name what comes after
+/// it.
 ///
 /// Mesh::points      every `v` in file order, correctly rounded (number.h), used or not.
+/// Mesh::uv          every `vt` in file order, if a face uses any.
 /// Mesh faces        every `f` in file order, unchanged: no triangulation.
 /// Mesh::groupNames  the groups that own a face, in file order. Several names after `g` are one, joined by
 ///                   blanks; a group begun twice is one; faces before any belong to `default`.

@@ -33,3 +33,31 @@ double tanDegrees(double degrees) {
   const auto [sine, cosine] = sinCosDegrees(degrees);
   return sine / cosine;
 }
+
+double degreesOf(double sine, double cosine) {
+  double s = std::abs(sine), c = std::abs(cosine);
+  const bool steep = s > c;  // 90 degrees less the angle in [0, 45] to be found
+  if (steep) std::swap(s, c);
+  if (c == 0.0) return 0.0;
+
+  // What the angle exceeds the nearest of 0, 22.5 and 45 degrees by, as the tangent of the difference.
+  constexpr double kTangent11 = 0.19891236737965800691, kTangent22 = 0.41421356237309504880,
+                   kTangent33 = 0.66817863791929891999;
+  double degrees = 0.0, t = s / c;
+  if (t > kTangent33) {
+    degrees = 45.0;
+    t = (s - c) / (c + s);
+  } else if (t > kTangent11) {
+    degrees = 22.5;
+    t = (s - kTangent22 * c) / (c + kTangent22 * s);
+  }
+
+  // Gregory's series; the first term left out is below tan(11.25 deg)^25 / 25 < 2^-62.
+  const double t2 = t * t;
+  double series = 0.0;
+  for (int k = 23; k >= 3; k -= 2) series = (1.0 / k + series) * -t2;
+  degrees += (t + t * series) * (180.0 / 3.14159265358979323846);
+  if (steep) degrees = 90.0 - degrees;
+  if (cosine < 0.0) degrees = 180.0 - degrees;
+  return sine < 0.0 ? -degrees : degrees;
+}

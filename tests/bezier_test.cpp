@@ -244,3 +244,89 @@ TEST(Bezier, NormalDoesNotDependOnScale) {
     EXPECT_EQ(normal(scaled, 0.25, 0.6), normal(patch, 0.25, 0.6)) << exponent;
   }
 }
+
+// One normal for each corner of the tessellation: that of the patch at the corner's texture coordinates,
+// which are its u and v; on the side from which its face runs counter-clockwise; across the edges in the
+// surface. Patches with poles and without, and one that is a curve and has none.
+TEST(Bezier, CornerNormalsAreThoseOfThePatch) {
+  int poles = 0;
+  for (unsigned seed = 0; seed < 40; ++seed) {
+    SCOPED_TRACE(seed);
+    std::mt19937 rng{seed};
+    // A gently curved patch, so that a facet turns by less than a right angle from its corners' normals.
+    BezierPatch patch = flatPatch(), curve = flatPatch();
+    std::uniform_real_distribution<double> height{-0.2, 0.2};
+    for (glm::dvec3& p : patch.p) p.z = height(rng);
+    BezierPatch pole = patch, other = transposed(patch);
+    for (int j = 1; j < 4; ++j) pole.p[j] = other.p[4 * j] = pole.p[0];
+    for (int i = 0; i < 16; ++i) curve.p[i] = flatPatch().p[4 * (i / 4)];
+    const std::array patches{patch, pole, other, curve};
+    const int n = 1 + static_cast<int>(seed) % 9;
+    const Mesh mesh = tessellate(patches, n);
+    const std::vector<glm::dvec3> normals = cornerNormals(patches, n);
+    ASSERT_EQ(normals.size(), mesh.corners.size());
+    ASSERT_EQ(mesh.uvOfCorner.size(), mesh.corners.size());
+    for (int f = 0; f < mesh.faceCount(); ++f) {
+      const BezierPatch& of = patches[f / (n * n)];
+      poles += mesh.face(f).size() == 3;
+      for (int c = mesh.firstCorner[f]; c < mesh.firstCorner[f + 1]; ++c) {
+        const glm::dvec2 uv = mesh.uv[mesh.uvOfCorner[c]];
+        ASSERT_LT(distance(mesh.points[mesh.corners[c]], point(of, uv.x, uv.y)), 1e-14);
+        ASSERT_LT(distance(normals[c], normal(of, uv.x, uv.y)), 1e-11);
+        const glm::dvec3 facet = newellVector(mesh.points, mesh.face(f));
+        if (f < n * n) {
+          ASSERT_GT(glm::dot(normals[c], facet), 0.0);
+        }
+        if (f >= 3 * n * n) {
+          ASSERT_EQ(normals[c], glm::dvec3{0.0});
+        }
+      }
+    }
+  }
+  EXPECT_GT(poles, 0);
+}
+
+// On the paraboloid z = x^2 + y^2, which a patch represents exactly, the normals at all corners are the
+// analytic ones, along (-2x, -2y, 1).
+TEST(Bezier, CornerNormalsOfAParaboloid) {
+  // x^2 as a cubic: 0, 0, 1/3, 1 (degree raised), so z = x^2 + y^2 exactly.
+  constexpr std::array kSquare{0.0, 0.0, 1.0 / 3, 1.0};
+  BezierPatch patch;
+  for (int i = 0; i < 16; ++i) patch.p[i] = {i / 4 / 3.0, i % 4 / 3.0, kSquare[i / 4] + kSquare[i % 4]};
+  const Mesh mesh = tessellate(std::array{patch}, 12);
+  const std::vector<glm::dvec3> normals = cornerNormals(std::array{patch}, 12);
+  ASSERT_EQ(normals.size(), 4u * 144);
+  for (std::size_t c = 0; c < normals.size(); ++c) {
+    const glm::dvec3 p = mesh.points[mesh.corners[c]];
+    EXPECT_LT(distance(normals[c], glm::normalize(glm::dvec3{-2 * p.x, -2 * p.y, 1.0})), 1e-14);
+  }
+}
+
+// On a patch like an octant of a sphere the pole is smooth, and its triangles have the axis as their normal
+// there.
+TEST(Bezier, CornerNormalsAtAPole) {
+  // A quarter turn of control points about the z axis, ring i of radius r and height z.
+  constexpr double k = 0.5522847498;
+  const std::array<glm::dvec2, 4> rings{{{0, 1}, {k, 1}, {1, k}, {1, 0}}};
+  BezierPatch octant;
+  for (int i = 0; i < 4; ++i) {
+    const double r = rings[i].x, z = rings[i].y;
+    const std::array<glm::dvec3, 4> ring{{{r, 0, z}, {r, k * r, z}, {k * r, r, z}, {0, r, z}}};
+    std::copy(ring.begin(), ring.end(), octant.p.begin() + 4 * i);
+  }
+  const int n = 8;
+  const Mesh mesh = tessellate(std::array{octant}, n);
+  const std::vector<glm::dvec3> normals = cornerNormals(std::array{octant}, n);
+  ASSERT_EQ(normals.size(), mesh.corners.size());
+  int atPole = 0;
+  for (std::size_t c = 0; c < normals.size(); ++c) {
+    const glm::dvec3 p = mesh.points[mesh.corners[c]];
+    // The surface is within 3e-4 of the sphere, and so, but for a factor of a few, its normal.
+    EXPECT_LT(distance(normals[c], glm::normalize(p)), 5e-3);
+    if (p == glm::dvec3{0, 0, 1}) {
+      ++atPole;
+      EXPECT_LT(distance(normals[c], {0, 0, 1}), 1e-14);
+    }
+  }
+  EXPECT_EQ(atPole, n);
+}

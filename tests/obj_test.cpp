@@ -33,6 +33,8 @@ void expectSame(const Mesh& a, const Mesh& b) {
   EXPECT_EQ(a.material, b.material);
   EXPECT_EQ(a.materials.size(), b.materials.size());
   EXPECT_EQ(a.rounding, b.rounding);
+  EXPECT_EQ(a.uv, b.uv);
+  EXPECT_EQ(a.uvOfCorner, b.uvOfCorner);
 }
 
 /// What mesh.h promises of every mesh.
@@ -50,6 +52,8 @@ void expectSound(const Mesh& mesh) {
   for (const int corner : mesh.corners) {
     EXPECT_TRUE(corner >= 0 && corner < static_cast<int>(mesh.points.size()));
   }
+  EXPECT_EQ(mesh.uvOfCorner.size(), mesh.uv.empty() ? 0 : mesh.corners.size());
+  for (const int uv : mesh.uvOfCorner) EXPECT_TRUE(uv >= -1 && uv < static_cast<int>(mesh.uv.size()));
   EXPECT_EQ(mesh.rounding.size(), mesh.groupNames.size());
   for (const double u : mesh.rounding) EXPECT_TRUE(u >= 0.0 && u <= 0.5);
 }
@@ -60,7 +64,7 @@ constexpr std::string_view kWhole =
     "mtllib none.mtl\n"
     "o box\n"
     "v 0 0.5 -1e-1 1.0\nv +1. 0 0 0.2 0.3 0.4\nv\t1\t1\t0\nv 0 1 .25\n"
-    "vt 0 0\nvn 0 0 1\nvn -nan(ind) 0 0\n"
+    "vt 0.5 1\nvn 0 0 1\nvn -nan(ind) 0 0\n"
     "g front left\nusemtl red paint\ns off\n"
     "f 1 2 3\nf 1/1 2/1 3/1 4/1\nf 1//1 2//2 \\\n 3//1\n"
     "g\nusemtl\n"
@@ -83,6 +87,8 @@ TEST(Obj, ReadsABitOfEverything) {
   EXPECT_EQ(mesh.materials[0].name, "red paint");
   EXPECT_EQ(mesh.materials[0].diffuse, glm::dvec3(1.0)) << "its library is missing";
   EXPECT_THAT(mesh.rounding, ElementsAre(0.5e-2, 0.5e-2));
+  EXPECT_THAT(mesh.uv, ElementsAre(glm::dvec2(0.5, 1)));
+  EXPECT_THAT(mesh.uvOfCorner, ElementsAre(-1, -1, -1, 0, 0, 0, 0, -1, -1, -1, 0, 0, 0, -1, -1, -1));
   expectSound(mesh);
 }
 
@@ -153,6 +159,36 @@ TEST(Obj, TakesForwardReferences) {
   EXPECT_THAT(mesh.corners, ElementsAre(0, 1, 2, 2, 3, 0));
   EXPECT_EQ(complaintOf("f 1 2 3\nf 3 4 1\nf 9 8 7\nf 5 5 99\nv 0 0 0\nv 1 0 0\nv 0 1 0\nv 1 1 0\n"),
             "a.obj:3: face index 9 is out of range; vertices in the file: 4");
+}
+
+// Texture coordinates of one to three numbers, by corner: counted as vertices are, before or after the face,
+// and not on every corner or face. Without a face that uses them they are not kept.
+TEST(Obj, ReadsTextureCoordinates) {
+  const std::string three = "vt 0.25 # u\nvt 0.5 -1.5\nvt 1e-1 2 3\n";
+  const Mesh mesh = meshOf(afterThreeVertices(
+      "f 1 2 3\n" + three + "f 1/1 2/-1/7 3\nf 3//1 2//1 1//1\nf 1/4/ 2/-2 3/+1\nvt 7 8\n"));
+  EXPECT_THAT(mesh.uv,
+              ElementsAre(glm::dvec2(0.25, 0), glm::dvec2(0.5, -1.5), glm::dvec2(0.1, 2), glm::dvec2(7, 8)));
+  EXPECT_THAT(mesh.uvOfCorner, ElementsAre(-1, -1, -1, 0, 2, -1, -1, -1, -1, 3, 1, 0));
+  expectSound(mesh);
+  const Mesh unused = meshOf(afterThreeVertices(three + "f 1 2 3//1\n"));
+  EXPECT_TRUE(unused.uv.empty());
+  EXPECT_TRUE(unused.uvOfCorner.empty());
+}
+
+TEST(Obj, RefusesWrongTextureCoordinates) {
+  const auto complaintAfter = [](const std::string& text) {
+    return complaintOf(afterThreeVertices("vt 0 0\n" + text));
+  };
+  EXPECT_EQ(complaintAfter("vt"), "a.obj:5: a texture coordinate needs a number");
+  EXPECT_EQ(complaintAfter("vt 0 x"), "a.obj:5: malformed number 'x'");
+  EXPECT_EQ(complaintAfter("vt inf"), "a.obj:5: number 'inf' is not finite");
+  EXPECT_EQ(complaintAfter("f 1/1 2/2 3/1\n"),
+            "a.obj:5: face index 2 is out of range; texture coordinates in the file: 1");
+  EXPECT_EQ(complaintAfter("f 1/1 2/-2 3/1\nvt 1 1"),
+            "a.obj:5: face index -2 is out of range; texture coordinates so far: 1");
+  EXPECT_EQ(complaintAfter("f 1/1 2/2 3/1\nf 1/1 2/4 3/3\nvt 1 1\nvt 1 1"),
+            "a.obj:6: face index 4 is out of range; texture coordinates in the file: 3");
 }
 
 // A face has as many corners as it likes; a million take no longer than as many in small faces.
@@ -267,7 +303,8 @@ TEST(Obj, RefusesMalformedFaces) {
     EXPECT_EQ(complaintAfter("f 1 2 " + word), "a.obj:4: malformed face index '" + word + "'");
   }
   for (const std::string word : {"3", "+3", "-1", "3/", "3//", "3/7", "3//-7", "3/+7/7"}) {
-    EXPECT_EQ(meshOf(afterThreeVertices("f 1 2 " + word)).corners.back(), 2) << word;
+    const std::string seven = "vt 0\nvt 0\nvt 0\nvt 0\nvt 0\nvt 0\nvt 0\n";
+    EXPECT_EQ(meshOf(afterThreeVertices(seven + "f 1 2 " + word)).corners.back(), 2) << word;
   }
 }
 

@@ -6,6 +6,7 @@
 #include <glm/geometric.hpp>
 #include <map>
 #include <utility>
+#include <vector>
 
 #include "geometry/plane.h"
 
@@ -49,6 +50,47 @@ TEST(Solids, AreClosedAndFaceOutward) {
   expectClosed(torus(3, 3));
   EXPECT_NEAR(volume(ball), 4 * pi / 3, 4 * pi / 3 * deficit);
   EXPECT_NEAR(volume(ring), 2 * pi * pi * 0.16, 2 * pi * pi * 0.16 * deficit);
+}
+
+// Texture coordinates lie in the unit square, and every face shows its part of the texture from outside as it
+// is, not mirrored: counter-clockwise there too. All parts together are the whole texture, of the cube each
+// one.
+TEST(Solids, TextureIsSeenFromOutside) {
+  const auto areas = [](const Mesh& mesh) {
+    std::vector<double> result;
+    EXPECT_EQ(mesh.uvOfCorner.size(), mesh.corners.size());
+    for (int f = 0; f < mesh.faceCount(); ++f) {
+      double area = 0.0;
+      const int first = mesh.firstCorner[f], n = static_cast<int>(mesh.face(f).size());
+      for (int i = 0; i < n; ++i) {
+        const glm::dvec2 a = mesh.uv[mesh.uvOfCorner[first + i]],
+                         b = mesh.uv[mesh.uvOfCorner[first + (i + 1) % n]];
+        EXPECT_TRUE(0.0 <= a.x && a.x <= 1.0 && 0.0 <= a.y && a.y <= 1.0);
+        area += (a.x * b.y - a.y * b.x) / 2.0;
+      }
+      result.push_back(area);
+    }
+    return result;
+  };
+  for (const double area : areas(cube())) EXPECT_EQ(area, 1.0);
+  for (const double area : areas(torus(12, 8))) EXPECT_NEAR(area, 1.0 / 96, 0x1p-50);
+  const Mesh ball = sphere(12, 8);
+  const std::vector<double> ofBall = areas(ball);
+  for (int f = 0; f < 96; ++f) EXPECT_NEAR(ofBall[f], (f < 12 || f >= 84 ? 0.5 : 1.0) / 96, 0x1p-50);
+
+  // The seam: the last faces end at u = 1 where the first begin with u = 0. North is up.
+  for (std::size_t c = 0; c < ball.corners.size(); ++c) {
+    const glm::dvec3 p = ball.points[ball.corners[c]];
+    const glm::dvec2 uv = ball.uv[ball.uvOfCorner[c]];
+    EXPECT_NEAR(p.z, -std::cos(3.141592653589793 * uv.y), 1e-15);
+    if (std::abs(p.z) < 1.0) {
+      EXPECT_NEAR(p.x, std::sin(3.141592653589793 * uv.y) * std::cos(6.283185307179586 * uv.x), 1e-15);
+    }
+  }
+  // The sides of the cube stand upright.
+  const Mesh box = cube();
+  for (int c = 0; c < 16; ++c)
+    EXPECT_EQ(box.uv[box.uvOfCorner[c]].y, (box.points[box.corners[c]].z + 1.0) / 2.0);
 }
 
 // The soup is fixed by its seed: splitmix64's first number for seed 0 is 0xE220A8397B1DCDAF.

@@ -14,6 +14,7 @@
 #include "geometry/obj.h"
 #include "geometry/project.h"
 #include "geometry/solids.h"
+#include "geometry/vertex_normals.h"
 #include "triangulated.h"
 
 namespace {
@@ -92,6 +93,16 @@ void BM_DivideFaces(benchmark::State& state) {
   state.SetItemsProcessed(state.iterations() * mesh.faceCount());
 }
 BENCHMARK(BM_DivideFaces)->Arg(14)->Arg(56)->Arg(224)->Unit(benchmark::kMicrosecond);
+
+// Normals at the corners of a mesh of triangles, by rule: expect linear.
+void BM_VertexNormals(benchmark::State& state) {
+  const NormalRow& rule = kNormalRules[state.range(0)];
+  const Mesh mesh = triangleTorus(static_cast<int>(state.range(1)));
+  for (auto _ : state) benchmark::DoNotOptimize(smoothVertices(mesh, rule.id));
+  state.SetItemsProcessed(state.iterations() * mesh.faceCount());  // triangles
+  state.SetLabel(std::string{rule.name});
+}
+BENCHMARK(BM_VertexNormals)->ArgsProduct({{0, 1, 2, 3}, {45, 179}})->Unit(benchmark::kMicrosecond);
 
 /// side * side unit tiles of six decimals, every one with a smaller square on it.
 Mesh tiledFloor(int side) {
