@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <numbers>
 #include <random>
 #include <vector>
 
@@ -113,6 +114,21 @@ TEST(ColorDifference, IsZeroForEqualsAndSymmetric) {
     ASSERT_NEAR(ciede2000(p, q), ciede2000(q, p), 1e-9);
   }
   EXPECT_NEAR(ciede2000(labFromSrgb(Rgb16{}), labFromSrgb(Rgb16{65535, 65535, 65535})), 100, 1e-9);
+}
+
+// Opposite hues are not beyond half a turn, however their angles round: the difference is the limit of turns
+// a little smaller, while a little larger ones take the mean hue on the other side.
+TEST(ColorDifference, OppositeHuesTakeTheMeanBetweenThem) {
+  int jumps = 0;
+  for (int k = 1; k < 1000; ++k) {
+    const double angle = k * 0.003, tiny = 1e-9;  // radians; the first hue lies below half a turn
+    const auto at = [](double turn) { return Lab{50, 30 * std::cos(turn), 30 * std::sin(turn)}; };
+    const Lab p = at(angle), opposite{50, -p.a, -p.b};
+    const double difference = ciede2000(p, opposite);
+    ASSERT_NEAR(difference, ciede2000(p, at(angle + std::numbers::pi - tiny)), 1e-5) << angle;
+    jumps += std::abs(difference - ciede2000(p, at(angle + std::numbers::pi + tiny))) > 0.01;
+  }
+  EXPECT_GT(jumps, 900);
 }
 
 // Mean and largest over the pixels that count, those only: one of eight differs, and is left out or not.
