@@ -1,6 +1,5 @@
 #include <algorithm>
 #include <cassert>
-#include <cmath>
 #include <tuple>
 
 #include "shading/quantize.h"
@@ -111,7 +110,7 @@ int luminance100(glm::u8vec3 c) { return 30 * c.r + 59 * c.g + 11 * c.b; }
 
 }  // namespace
 
-ChosenPalette choosePalette(const RgbImage& picture, Shows shows, int colors) {
+std::vector<glm::u8vec3> choosePalette(const RgbImage& picture, Shows shows, int colors) {
   assert(colors >= 1 && colors <= kMaxShades);
   std::vector<CountedColor> counted = countColors(picture, shows);
   if (counted.empty()) return {};
@@ -135,23 +134,14 @@ ChosenPalette choosePalette(const RgbImage& picture, Shows shows, int colors) {
   }
 
   // The boxes are disjoint, so their rounded means differ.
-  ChosenPalette chosen;
-  Sum all;
-  std::int64_t error = 0;  // below 2^44
+  std::vector<glm::u8vec3> palette;
   for (const Box& box : boxes) {
     Sum sum;
     for (const CountedColor& c : box.colors) sum += sumOf(c);
-    const glm::u8vec3 color = mean(sum);
-    chosen.colors.push_back(color);
-    for (const CountedColor& c : box.colors) {
-      const glm::i64vec3 off = glm::i64vec3{c.color} - glm::i64vec3{color};
-      error += c.count * (off.r * off.r + off.g * off.g + off.b * off.b);
-    }
-    all += sum;
+    palette.push_back(mean(sum));
   }
-  chosen.spread = 2 * std::sqrt(static_cast<double>(error) / static_cast<double>(all.n));
   const auto place = [](glm::u8vec3 c) { return std::tuple{luminance100(c), c.r, c.g, c.b}; };
-  std::sort(chosen.colors.begin(), chosen.colors.end(),
+  std::sort(palette.begin(), palette.end(),
             [&](glm::u8vec3 p, glm::u8vec3 q) { return place(p) < place(q); });
-  return chosen;
+  return palette;
 }

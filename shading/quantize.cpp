@@ -2,13 +2,11 @@
 
 #include <algorithm>
 #include <cassert>
-#include <cmath>
+#include <utility>
 
 #include "shading/nearest_color.h"
 
 namespace {
-
-constexpr int kBlock = 8;  ///< pixels each way that dithering repeats after
 
 /// Calls paint(x, y, color, cell) for every pixel that shows something.
 template <class Paint>
@@ -55,6 +53,66 @@ struct Cube {
   static int number(int r, int g, int b) { return (r * kGreens + g) * kBlues + b; }
 };
 
+/// Two colours of a palette, and how many of 64 places the second has.
+struct Mixture {
+  int color, other, share;  ///< share 0..32
+  /// Whoever comes later in the palette has the lower ranks, so that a gradient passes the middle unbroken.
+  [[nodiscard]] int at(int rank) const {
+    return (other > color ? rank < share : rank >= 64 - share) ? other : color;
+  }
+};
+
+/// Which colours to mix for those that the palette does not hold.
+class Mixer {
+ public:
+  explicit Mixer(std::span<const glm::u8vec3> palette) : palette_{palette} {
+    const int count = static_cast<int>(palette.size());
+    std::vector<Neighbor> others;
+    for (int k = 0; k < count; ++k) {
+      others.clear();
+      for (int l = 0; l < count; ++l) {
+        const glm::ivec3 to = glm::ivec3{palette[l]} - glm::ivec3{palette[k]};
+        if (to != glm::ivec3{0}) others.push_back({to, dot(to, to), l});
+      }
+      const auto end = others.begin() + std::min<std::ptrdiff_t>(kNeighbors, std::ssize(others));
+      std::partial_sort(others.begin(), end, others.end(), [](const Neighbor& p, const Neighbor& q) {
+        return std::pair{p.square, p.number} < std::pair{q.square, q.number};
+      });
+      neighbors_.emplace_back(others.begin(), end);
+    }
+  }
+
+  /// For color v, whose nearest is `color`. Among equals the nearer neighbour.
+  [[nodiscard]] Mixture operator()(glm::u8vec3 v, int color) const {
+    const glm::ivec3 off = glm::ivec3{v} - glm::ivec3{palette_[color]};
+    Mixture best{color, color, 0};
+    std::int64_t most = 0;
+    if (off != glm::ivec3{0})
+      for (const Neighbor& neighbor : neighbors_[color]) {
+        const int along = dot(off, neighbor.to);
+        // The share whose mean is nearest to v. At most a half, for `color` is nearer than the neighbour.
+        const int f = along <= 0 ? 0 : (128 * along + neighbor.square) / (2 * neighbor.square);
+        // By how much the squared error of the mean falls, less the charge; times 8 * 64^2.
+        const std::int64_t gain =
+            std::int64_t{1024} * f * along - std::int64_t{f} * (8 * f + (64 - f)) * neighbor.square;
+        if (gain > most) most = gain, best = {color, neighbor.number, f};
+      }
+    return best;
+  }
+
+ private:
+  static constexpr int kNeighbors = 16;
+  struct Neighbor {
+    glm::ivec3 to;
+    int square;  ///< |to|^2
+    int number;
+  };
+  static int dot(glm::ivec3 p, glm::ivec3 q) { return p.x * q.x + p.y * q.y + p.z * q.z; }
+
+  std::span<const glm::u8vec3> palette_;
+  std::vector<std::vector<Neighbor>> neighbors_;  ///< of each color, the nearest first
+};
+
 }  // namespace
 
 std::vector<glm::u8vec3> cubeColors() {
@@ -83,18 +141,27 @@ void paintCube(const RgbImage& picture, Shows shows, int first, bool dither, Ind
     });
 }
 
-void paintNearest(const RgbImage& picture, Shows shows, std::span<const glm::u8vec3> palette, double spread,
+void paintNearest(const RgbImage& picture, Shows shows, std::span<const glm::u8vec3> palette, bool dither,
                   int first, IndexImage& cells) {
+  if (palette.empty()) return;
   NearestColor nearest{palette};
-  std::array<int, kBlock * kBlock> displacement;  // of each place; they sum to about 0
-  for (int place = 0; place < kBlock * kBlock; ++place) {
-    const int rank = bayerRank(place % kBlock, place / kBlock);
-    displacement[place] = static_cast<int>(std::floor(spread * (2 * rank - 63) / 128 + 0.5));
+  glm::u8vec3 last = palette[0];
+  if (!dither) {
+    int color = nearest(last);
+    eachPixel(picture, shows, cells, [&](int, int, glm::u8vec3 v, std::uint8_t& cell) {
+      if (v != last) color = nearest(last = v);
+      cell = static_cast<std::uint8_t>(first + color);
+    });
+    return;
   }
+  const Mixer mixer{palette};
+  Mixture mixture = mixer(last, nearest(last));
   eachPixel(picture, shows, cells, [&](int x, int y, glm::u8vec3 v, std::uint8_t& cell) {
-    const int by = displacement[y % kBlock * kBlock + x % kBlock];
-    const auto moved = [&](int value) { return static_cast<std::uint8_t>(std::clamp(value + by, 0, 255)); };
-    cell = static_cast<std::uint8_t>(first + nearest({moved(v.r), moved(v.g), moved(v.b)}));
+    if (v != last) {
+      last = v;
+      mixture = mixer(v, nearest(v));
+    }
+    cell = static_cast<std::uint8_t>(first + mixture.at(bayerRank(x, y)));
   });
 }
 
@@ -105,9 +172,8 @@ std::vector<Rgb16> quantize(const RgbImage& picture, Shows shows, const Quantize
     colors = cubeColors();
     paintCube(picture, shows, settings.first, settings.dither, cells);
   } else {
-    ChosenPalette chosen = choosePalette(picture, shows, settings.colors);
-    colors = std::move(chosen.colors);
-    paintNearest(picture, shows, colors, settings.dither ? chosen.spread : 0, settings.first, cells);
+    colors = choosePalette(picture, shows, settings.colors);
+    paintNearest(picture, shows, colors, settings.dither, settings.first, cells);
   }
   std::vector<Rgb16> stored;
   const auto wide = [](std::uint8_t v) { return static_cast<std::uint16_t>(257 * v); };

@@ -29,7 +29,7 @@ inline constexpr std::array kQuantizers{
 
 struct QuantizeSettings {
   Quantizer quantizer = Quantizer::Chosen;
-  bool dither = false;      ///< ordered: two levels share each 8 x 8 block by the fraction between them
+  bool dither = false;      ///< ordered: two colours share each 8 x 8 block by the fraction between them
   int colors = kMaxShades;  ///< of Chosen, at most: 1..240. The cube always has 240
   int first = 11;           ///< cell of the first colour
   bool operator==(const QuantizeSettings&) const = default;
@@ -49,27 +49,24 @@ using Shows = std::span<const std::uint8_t>;
 /// rounded. Green has most levels, for the eye sees its steps best, and blue fewest.
 [[nodiscard]] std::vector<glm::u8vec3> cubeColors();
 
-struct ChosenPalette {
-  std::vector<glm::u8vec3> colors;  ///< all different, ascending in luminance
-  /// For dithering: how far apart the least and the greatest displacement of a channel lie, in 8-bit values.
-  /// Levels s apart in each channel have root mean square error s / 2 over the three; this is s for the
-  /// palette's own error, and 0 where it holds every color of the picture.
-  double spread = 0;
-};
 /// At most `colors` colours, 1..240: the picture's own where it has no more. Only how often each colour
-/// occurs counts, not where. @see X. Wu, "Efficient Statistical Computations for Optimal Color Quantization",
-/// Graphics Gems II, 1991. Departs: the colours themselves are cut, not a histogram of 32^3, which would
-/// leave one hue 32 shades; and the box cut next is the one that gains most by it, not the one of largest
-/// variance.
-[[nodiscard]] ChosenPalette choosePalette(const RgbImage& picture, Shows shows, int colors);
+/// occurs counts, not where. All different, ascending in luminance. @see X. Wu, "Efficient Statistical
+/// Computations for Optimal Color Quantization", Graphics Gems II, 1991. Departs: the colours themselves are
+/// cut, not a histogram of 32^3, which would leave one hue 32 shades; and the box cut next is the one that
+/// gains most by it, not the one of largest variance.
+[[nodiscard]] std::vector<glm::u8vec3> choosePalette(const RgbImage& picture, Shows shows, int colors);
 
 /// The nearest level of each channel, half way between two the brighter; dithered, the level above in as many
 /// places of an 8 x 8 block as the value has sixty-fourths of the step.
 void paintCube(const RgbImage& picture, Shows shows, int first, bool dither, IndexImage& cells);
 
-/// The nearest of `palette` by squared distance, of two equally near the later. `spread` > 0 displaces all
-/// three channels by the place in the 8 x 8 block first.
-void paintNearest(const RgbImage& picture, Shows shows, std::span<const glm::u8vec3> palette, double spread,
+/// The nearest of `palette` by squared distance, of two equally near the later. Dithered, that color and one
+/// of its sixteen nearest neighbours share each 8 x 8 block in the ratio that brings their mean nearest, a
+/// ratio that makes more noise being charged an eighth of its variance. What the palette holds stays itself.
+/// Displacing the colours before the search, as for evenly spaced levels, makes twice the error of the means
+/// and more noise: the palette's neighbours lie in other directions. @see J. Yliluoma, "Arbitrary-palette
+/// positional dithering algorithm", 2011, whose first method this is, with fewer pairs and another charge.
+void paintNearest(const RgbImage& picture, Shows shows, std::span<const glm::u8vec3> palette, bool dither,
                   int first, IndexImage& cells);
 
 /// Rank 0..63 of pixel (x, y) in ordered dithering. Places of neighbouring ranks lie far apart.
