@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cassert>
+#include <optional>
 #include <utility>
 
 #include "shading/nearest_color.h"
@@ -145,23 +146,24 @@ void paintNearest(const RgbImage& picture, Shows shows, std::span<const glm::u8v
                   int first, IndexImage& cells) {
   if (palette.empty()) return;
   NearestColor nearest{palette};
-  glm::u8vec3 last = palette[0];
-  if (!dither) {
-    int color = nearest(last);
-    eachPixel(picture, shows, cells, [&](int, int, glm::u8vec3 v, std::uint8_t& cell) {
-      if (v != last) color = nearest(last = v);
-      cell = static_cast<std::uint8_t>(first + color);
-    });
-    return;
-  }
-  const Mixer mixer{palette};
-  Mixture mixture = mixer(last, nearest(last));
+  std::optional<Mixer> mixer;
+  if (dither) mixer.emplace(palette);
+  const auto mixtureOf = [&](glm::u8vec3 v) {
+    const int color = nearest(v);
+    return mixer ? (*mixer)(v, color) : Mixture{color, color, 0};
+  };
+  // Neighbouring rows repeat each other's colours: three of four pixels of a shaded picture find theirs here.
+  struct Known {
+    glm::u8vec3 v;
+    Mixture mixture;
+  };
+  constexpr int kBits = 12;
+  std::vector<Known> known(1 << kBits, Known{{0, 0, 0}, mixtureOf({0, 0, 0})});
   eachPixel(picture, shows, cells, [&](int x, int y, glm::u8vec3 v, std::uint8_t& cell) {
-    if (v != last) {
-      last = v;
-      mixture = mixer(v, nearest(v));
-    }
-    cell = static_cast<std::uint8_t>(first + mixture.at(bayerRank(x, y)));
+    const std::uint32_t key = std::uint32_t{v.r} << 16 | std::uint32_t{v.g} << 8 | v.b;
+    Known& at = known[key * 2654435761u >> (32 - kBits)];  // 2^32 over the golden ratio
+    if (at.v != v) at = {v, mixtureOf(v)};
+    cell = static_cast<std::uint8_t>(first + at.mixture.at(bayerRank(x, y)));
   });
 }
 
