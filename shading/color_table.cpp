@@ -16,23 +16,28 @@ double ratioOfShades(double I0, int n) {
 }
 
 ColorTable::ColorTable(const TableSettings& settings)
-    : first_{kTables[static_cast<int>(settings.kind)].first}, hue_{settings.hue}, bits_{settings.bits} {
+    : first_{settings.first.value_or(kTables[static_cast<int>(settings.kind)].first)},
+      hue_{settings.hue},
+      bits_{settings.bits} {
   const int N = settings.shades;
   assert(N >= 2 && N <= kMaxShades && settings.I0 > 0.0 && settings.I0 < 1.0);
+  assert(0.0 <= settings.low && settings.low <= settings.high && settings.high <= 1.0);
   levels_.resize(N);
   thresholds_.resize(N - 1);
   if (settings.kind == TableKind::Corrected) {
-    const double r = ratioOfShades(settings.I0, N - 1);
-    for (int j = 0; j < N; ++j) levels_[j] = std::min(1.0, settings.I0 * power(r, j));
-    levels_[N - 1] = 1.0;
+    const double lowest = std::max(settings.I0, settings.low), highest = std::max(lowest, settings.high);
+    const double r = ratioOfShades(lowest / highest, N - 1);
+    for (int j = 0; j < N; ++j) levels_[j] = std::min(highest, lowest * power(r, j));
+    levels_[N - 1] = highest;
     for (int j = 0; j + 1 < N; ++j) {
       const double below = levels_[j], above = levels_[j + 1];
       thresholds_[j] = settings.pick == Pick::Log ? std::sqrt(below * above) : (below + above) / 2;
     }
   } else {
     const double offset = settings.kind == TableKind::Linear ? 1.0 : 0.0;
-    for (int j = 0; j < N; ++j) levels_[j] = (offset + 239.0 * j / (N - 1)) / 255.0;
-    for (int j = 0; j + 1 < N; ++j) thresholds_[j] = (j + 0.5) / (N - 1);
+    const double low = settings.low, width = settings.high - low;
+    for (int j = 0; j < N; ++j) levels_[j] = (offset + 239.0 * low + 239.0 * width * j / (N - 1)) / 255.0;
+    for (int j = 0; j + 1 < N; ++j) thresholds_[j] = low + width * (j + 0.5) / (N - 1);
   }
   bucket_.resize(kBuckets + 1);
   for (int b = 0; b <= kBuckets; ++b) {

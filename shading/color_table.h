@@ -3,6 +3,7 @@
 #include <array>
 #include <cstdint>
 #include <glm/vec3.hpp>
+#include <optional>
 #include <string_view>
 #include <vector>
 
@@ -41,8 +42,10 @@ struct TableSettings {
   int shades = kMaxShades;  ///< N, 2..240
   double I0 = 0.02;         ///< lowest intensity of `corrected`, 1e-6..0.5
   Pick pick = Pick::Log;
-  glm::dvec3 hue{1, 0, 0};  ///< each in [0, 1], the largest 1
-  int bits = 16;            ///< 16 stores round(65535 v), 8 stores 257 round(255 v)
+  glm::dvec3 hue{1, 0, 0};                  ///< each in [0, 1], the largest 1
+  int bits = 16;                            ///< 16 stores round(65535 v), 8 stores 257 round(255 v)
+  std::optional<int> first = std::nullopt;  ///< cell of shade 0, if not the table's own
+  double low = 0, high = 1;                 ///< the intensities that the shades spread over, in [0, 1]
   bool operator==(const TableSettings&) const = default;
 };
 
@@ -58,14 +61,14 @@ class ColorTable {
   explicit ColorTable(const TableSettings& settings);
 
   /// Shade for intensity I: the nearest, half way between two the brighter. I below the table's lowest
-  /// intensity or above 1 clamps to the end. Precondition: I is not NaN.
+  /// intensity or above its highest clamps to the end. Precondition: I is not NaN.
   [[nodiscard]] int shade(double I) const;
   [[nodiscard]] int cell(double I) const { return first_ + shade(I); }
 
   [[nodiscard]] int first() const { return first_; }
   [[nodiscard]] int shades() const { return static_cast<int>(levels_.size()); }
   /// What shade j holds before the hue, in [0, 1]. For `linear` that is not the intensity that
-  /// picks it: full intensity shows 240/255 there (the brief's choice).
+  /// picks it: full intensity shows 240/255 there (the brief's choice). `corrected` holds nothing below I0.
   [[nodiscard]] double level(int j) const { return levels_[j]; }
   [[nodiscard]] Rgb16 color(int j) const;
 

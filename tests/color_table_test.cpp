@@ -95,3 +95,49 @@ TEST(ColorTable, EveryShadeCountAndLowestIntensity) {
         ASSERT_EQ(t.shade(2), N - 1);
       }
 }
+
+// A ramp of part of the intensities, anywhere in the map: its ends are the part's, levels ascend between
+// them, each intensity of the part is within half a step of what picks its shade, and what lies outside
+// clamps.
+TEST(ColorTable, PartOfTheIntensities) {
+  for (const TableKind kind : {TableKind::Brief, TableKind::Linear, TableKind::Corrected})
+    for (const auto& [low, high] : {std::pair{0.25, 0.75}, std::pair{0.0, 0.5}, std::pair{0.9, 1.0}})
+      for (const int N : {2, 3, 17, 120}) {
+        const ColorTable t{{.kind = kind, .shades = N, .first = 100, .low = low, .high = high}};
+        EXPECT_EQ(t.first(), 100);
+        EXPECT_EQ(t.cell(low), 100);
+        EXPECT_EQ(t.cell(high), 100 + N - 1);
+        EXPECT_EQ(t.shade(0), 0);
+        EXPECT_EQ(t.shade(1), N - 1);
+        // What the whole table would hold for the same intensity.
+        const auto held = [&](double I) {
+          return kind == TableKind::Corrected ? std::max(0.02, I)
+                                              : ((kind == TableKind::Linear) + 239 * I) / 255;
+        };
+        EXPECT_NEAR(t.level(0), held(low), 1e-15);
+        EXPECT_NEAR(t.level(N - 1), held(high), 1e-15);
+        for (int k = 0; k <= 1000; ++k) {
+          const double I = low + (high - low) * k / 1000;
+          const int j = t.shade(I);
+          if (kind == TableKind::Corrected) {
+            const double halfStep = std::pow(high / std::max(0.02, low), 0.5 / (N - 1)) + 1e-12;
+            ASSERT_LE(held(I), t.level(j) * halfStep);
+            ASSERT_GE(held(I), t.level(j) / halfStep);
+          } else {
+            ASSERT_NEAR(held(I), t.level(j), 239 * (high - low) / (N - 1) / 2 / 255 + 1e-12);
+          }
+        }
+      }
+}
+
+// A single intensity, even one below I0, makes every shade that intensity.
+TEST(ColorTable, OneIntensity) {
+  for (const double I : {0.0, 0.01, 0.5, 1.0}) {
+    const ColorTable corrected{{.kind = TableKind::Corrected, .shades = 2, .low = I, .high = I}};
+    const ColorTable linear{{.shades = 2, .low = I, .high = I}};
+    for (int j = 0; j < 2; ++j) {
+      EXPECT_EQ(corrected.level(j), std::max(0.02, I));
+      EXPECT_NEAR(linear.level(j), (1 + 239 * I) / 255, 1e-15);
+    }
+  }
+}

@@ -4,8 +4,11 @@
 #include <random>
 
 #include "geometry/solids.h"
+#include "shading/color_difference.h"
 #include "shading/illumination.h"
 #include "shading/png.h"
+#include "shading/quantize.h"
+#include "tests/colored_picture.h"
 #include "triangulated.h"
 
 namespace {
@@ -46,5 +49,27 @@ void BM_WritePng(benchmark::State& state) {
   std::filesystem::remove(file);
 }
 BENCHMARK(BM_WritePng)->Arg(1)->Arg(240)->Unit(benchmark::kMillisecond);
+
+// Balls of seven hues, 800x600, into the cells: with the cube linear in the pixels, with a chosen palette
+// also in the different colours. The differences are CIEDE2000 over the pixels that show something, as they
+// are and as means of 8x8 blocks, which is what dithering is for.
+void BM_Quantize(benchmark::State& state, Quantizer quantizer, bool dither) {
+  const ColoredPicture picture = coloredBalls(800, 600);
+  const QuantizeSettings settings{.quantizer = quantizer, .dither = dither};
+  IndexImage cells{800, 600, 0};
+  std::vector<Rgb16> colors;
+  for (auto _ : state)
+    benchmark::DoNotOptimize(colors = quantize(picture.rgb, picture.shows, settings, cells));
+  const RgbImage result = shown(cells, colors, settings.first);
+  const ImageDifference difference = imageDifference(picture.rgb, result, picture.shows);
+  state.counters["mean_delta_e"] = difference.mean;
+  state.counters["max_delta_e"] = difference.largest;
+  state.counters["mean_delta_e_of_blocks"] = imageDifference(blocksOf(picture.rgb), blocksOf(result)).mean;
+  state.SetItemsProcessed(state.iterations() * difference.pixels);
+}
+BENCHMARK_CAPTURE(BM_Quantize, cube, Quantizer::Cube, false)->Unit(benchmark::kMillisecond);
+BENCHMARK_CAPTURE(BM_Quantize, cube_dithered, Quantizer::Cube, true)->Unit(benchmark::kMillisecond);
+BENCHMARK_CAPTURE(BM_Quantize, chosen, Quantizer::Chosen, false)->Unit(benchmark::kMillisecond);
+BENCHMARK_CAPTURE(BM_Quantize, chosen_dithered, Quantizer::Chosen, true)->Unit(benchmark::kMillisecond);
 
 }  // namespace
