@@ -83,7 +83,7 @@ class Mixer {
     }
   }
 
-  /// For color v, whose nearest is `color`. Among equals the nearer neighbour.
+  /// For colour v, whose nearest is `color`. Among equals the nearer neighbour.
   [[nodiscard]] Mixture operator()(glm::u8vec3 v, int color) const {
     const glm::ivec3 off = glm::ivec3{v} - glm::ivec3{palette_[color]};
     Mixture best{color, color, 0};
@@ -111,7 +111,7 @@ class Mixer {
   static int dot(glm::ivec3 p, glm::ivec3 q) { return p.x * q.x + p.y * q.y + p.z * q.z; }
 
   std::span<const glm::u8vec3> palette_;
-  std::vector<std::vector<Neighbor>> neighbors_;  ///< of each color, the nearest first
+  std::vector<std::vector<Neighbor>> neighbors_;  ///< of each colour, the nearest first
 };
 
 }  // namespace
