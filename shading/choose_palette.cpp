@@ -31,7 +31,7 @@ glm::u8vec3 mean(const Sum& s) {
   return {rounded(s.r), rounded(s.g), rounded(s.b)};
 }
 
-/// Every different color, ascending by red, green, blue, and how many pixels show it.
+/// Every different colour, ascending by red, green, blue, and how many pixels show it.
 std::vector<CountedColor> countColors(const RgbImage& picture, Shows shows) {
   struct Run {
     std::uint32_t key, pixels;
@@ -67,7 +67,7 @@ std::vector<CountedColor> countColors(const RgbImage& picture, Shows shows) {
 
 /// Where to part a box in two: colours whose channel `axis` is at most `last`, and the others.
 struct Cut {
-  double gain = 0;  ///< by how much the summed squared distances from the means fall; 0 for a single color
+  double gain = 0;  ///< by how much the summed squared distances from the means fall; 0 for a single colour
   int axis = 0, last = 0;
 };
 
@@ -115,7 +115,7 @@ std::vector<glm::u8vec3> choosePalette(const RgbImage& picture, Shows shows, int
   std::vector<CountedColor> counted = countColors(picture, shows);
   if (counted.empty()) return {};
 
-  // Each cut parts the box that gains most by it, among equals the oldest.
+  // Each cut parts the box that gains most by it, among equals the first.
   struct Box {
     std::span<CountedColor> colors;
     Cut cut;

@@ -15,7 +15,7 @@ struct Lab {
   double L = 0, a = 0, b = 0;
 };
 
-/// Of a color stored as sRGB. @see IEC 61966-2-1; CIE 15
+/// Of a colour stored as sRGB. @see IEC 61966-2-1; CIE 15
 [[nodiscard]] Lab labFromSrgb(Rgb16 color);
 /// The same of 8 bits a channel: value v is 257 v of 65535.
 [[nodiscard]] Lab labFromSrgb(const std::uint8_t* rgb);

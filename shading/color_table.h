@@ -83,5 +83,5 @@ class ColorTable {
 };
 
 /// The r with r^n = 1/I0, by bisection: r^(N-1) I0 = 1 makes the brightest shade full intensity.
-/// Error below 2^-51 relative; n >= 1, 0 < I0 < 1.
+/// Error below 2^-51 relative; n >= 1, 0 < I0 <= 1.
 [[nodiscard]] double ratioOfShades(double I0, int n);

@@ -56,7 +56,8 @@ struct Cube {
 
 /// Two colours of a palette, and how many of 64 places the second has.
 struct Mixture {
-  int color, other, share;  ///< share 0..32
+  std::uint8_t color, other;
+  std::uint8_t share;  ///< 0..32
   /// Whoever comes later in the palette has the lower ranks, so that a gradient passes the middle unbroken.
   [[nodiscard]] int at(int rank) const {
     return (other > color ? rank < share : rank >= 64 - share) ? other : color;
@@ -73,7 +74,7 @@ class Mixer {
       others.clear();
       for (int l = 0; l < count; ++l) {
         const glm::ivec3 to = glm::ivec3{palette[l]} - glm::ivec3{palette[k]};
-        if (to != glm::ivec3{0}) others.push_back({to, dot(to, to), l});
+        if (to != glm::ivec3{0}) others.push_back({to, dot(to, to), static_cast<std::uint8_t>(l)});
       }
       const auto end = others.begin() + std::min<std::ptrdiff_t>(kNeighbors, std::ssize(others));
       std::partial_sort(others.begin(), end, others.end(), [](const Neighbor& p, const Neighbor& q) {
@@ -83,8 +84,8 @@ class Mixer {
     }
   }
 
-  /// For color v, whose nearest is `color`. Among equals the nearer neighbour.
-  [[nodiscard]] Mixture operator()(glm::u8vec3 v, int color) const {
+  /// For colour v, whose nearest is `color`. Among equals the nearer neighbour.
+  [[nodiscard]] Mixture operator()(glm::u8vec3 v, std::uint8_t color) const {
     const glm::ivec3 off = glm::ivec3{v} - glm::ivec3{palette_[color]};
     Mixture best{color, color, 0};
     std::int64_t most = 0;
@@ -96,7 +97,7 @@ class Mixer {
         // By how much the squared error of the mean falls, less the charge; times 8 * 64^2.
         const std::int64_t gain =
             std::int64_t{1024} * f * along - std::int64_t{f} * (8 * f + (64 - f)) * neighbor.square;
-        if (gain > most) most = gain, best = {color, neighbor.number, f};
+        if (gain > most) most = gain, best = {color, neighbor.number, static_cast<std::uint8_t>(f)};
       }
     return best;
   }
@@ -106,12 +107,12 @@ class Mixer {
   struct Neighbor {
     glm::ivec3 to;
     int square;  ///< |to|^2
-    int number;
+    std::uint8_t number;
   };
   static int dot(glm::ivec3 p, glm::ivec3 q) { return p.x * q.x + p.y * q.y + p.z * q.z; }
 
   std::span<const glm::u8vec3> palette_;
-  std::vector<std::vector<Neighbor>> neighbors_;  ///< of each color, the nearest first
+  std::vector<std::vector<Neighbor>> neighbors_;  ///< of each colour, the nearest first
 };
 
 }  // namespace
@@ -149,7 +150,7 @@ void paintNearest(const RgbImage& picture, Shows shows, std::span<const glm::u8v
   std::optional<Mixer> mixer;
   if (dither) mixer.emplace(palette);
   const auto mixtureOf = [&](glm::u8vec3 v) {
-    const int color = nearest(v);
+    const auto color = static_cast<std::uint8_t>(nearest(v));
     return mixer ? (*mixer)(v, color) : Mixture{color, color, 0};
   };
   // Neighbouring rows repeat each other's colours: three of four pixels of a shaded picture find theirs here.
@@ -157,7 +158,7 @@ void paintNearest(const RgbImage& picture, Shows shows, std::span<const glm::u8v
     glm::u8vec3 v;
     Mixture mixture;
   };
-  constexpr int kBits = 12;
+  constexpr int kBits = 13;
   std::vector<Known> known(1 << kBits, Known{{0, 0, 0}, mixtureOf({0, 0, 0})});
   eachPixel(picture, shows, cells, [&](int x, int y, glm::u8vec3 v, std::uint8_t& cell) {
     const std::uint32_t key = std::uint32_t{v.r} << 16 | std::uint32_t{v.g} << 8 | v.b;

@@ -22,7 +22,7 @@ struct QuantizerRow {
 };
 inline constexpr std::array kQuantizers{
     QuantizerRow{Quantizer::Cube, "cube", "6 reds x 8 greens x 5 blues, whatever the picture",
-                 "Foley & van Dam 2e §13.4"},
+                 "uniform quantization, Heckbert 1982"},
     QuantizerRow{Quantizer::Chosen, "chosen", "the means of boxes cut where the colours vary most",
                  "Wu 1991"},
 };
@@ -60,11 +60,11 @@ using Shows = std::span<const std::uint8_t>;
 /// places of an 8 x 8 block as the value has sixty-fourths of the step.
 void paintCube(const RgbImage& picture, Shows shows, int first, bool dither, IndexImage& cells);
 
-/// The nearest of `palette` by squared distance, of two equally near the later. Dithered, that color and one
+/// The nearest of `palette` by squared distance, of two equally near the later. Dithered, that colour and one
 /// of its sixteen nearest neighbours share each 8 x 8 block in the ratio that brings their mean nearest, a
 /// ratio that makes more noise being charged an eighth of its variance. What the palette holds stays itself.
-/// Displacing the colours before the search, as for evenly spaced levels, makes twice the error of the means
-/// and more noise: the palette's neighbours lie in other directions. @see J. Yliluoma, "Arbitrary-palette
+/// Displacing the colours before the search, as suits evenly spaced levels, leaves up to three times the
+/// error of the means, for here the neighbours lie in any direction. @see J. Yliluoma, "Arbitrary-palette
 /// positional dithering algorithm", 2011, whose first method this is, with fewer pairs and another charge.
 void paintNearest(const RgbImage& picture, Shows shows, std::span<const glm::u8vec3> palette, bool dither,
                   int first, IndexImage& cells);

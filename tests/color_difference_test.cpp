@@ -91,7 +91,7 @@ TEST(ColorDifference, LabOfTheCubesCorners) {
   expectLab({0, 0, 0}, 0, 0, 0);
 }
 
-// 8 bits are the 16-bit color that repeats them.
+// 8 bits are the 16-bit colour that repeats them.
 TEST(ColorDifference, EightBitsAreTheSixteenThatRepeatThem) {
   const std::uint8_t rgb[3] = {200, 3, 77};
   const Lab narrow = labFromSrgb(rgb), wide = labFromSrgb(Rgb16{200 * 257, 3 * 257, 77 * 257});

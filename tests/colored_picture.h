@@ -30,6 +30,7 @@ inline ColoredPicture coloredBalls(int width, int height) {
   const glm::dvec3 white = glm::normalize(glm::dvec3{-1, -1, 1.5}),
                    blue = glm::normalize(glm::dvec3{1, 1, 0.3});
   ColoredPicture picture{RgbImage{width, height}, std::vector<std::uint8_t>(std::size_t(width) * height)};
+  const double radius = 0.49 * std::min(width / 4.0, height / 2.0);
   for (int j = 0; j < height; ++j)
     for (int i = 0; i < width; ++i) {
       // Four balls above, three below.
@@ -37,8 +38,9 @@ inline ColoredPicture coloredBalls(int width, int height) {
       const int row = static_cast<int>(y);
       const int column = static_cast<int>(std::max(0.0, x - 0.5 * row));
       if (column > 3 - row) continue;
-      const double u = 2 * (x - 0.5 * row - column) - 1, v = 2 * (y - row) - 1, square = u * u + v * v;
-      if (square >= 0.95) continue;
+      const double u = (x - 0.5 * row - column - 0.5) * width / 4 / radius;
+      const double v = (y - row - 0.5) * height / 2 / radius, square = u * u + v * v;
+      if (square >= 1) continue;
       const glm::dvec3 N{u, v, std::sqrt(1 - square)};
       const double diffuse = std::max(0.0, dot(N, white)), rim = std::max(0.0, dot(N, blue));
       const double mirrored = std::max(0.0, 2 * dot(N, white) * N.z - white.z);

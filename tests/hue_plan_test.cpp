@@ -125,6 +125,20 @@ TEST(HuePlan, EveryShadeIsNeeded) {
   EXPECT_GT(more, 300);
 }
 
+// The step that counts is that of the ramp's table: of its levels' intensities, or of their ratio.
+TEST(HuePlan, TheStepIsTheTables) {
+  for (const TableRow& row : kTables)
+    for (const auto& [low, high] : {std::pair{0.0, 1.0}, std::pair{0.3, 0.8}, std::pair{0.01, 0.5}})
+      for (const int N : {2, 3, 20, 60}) {
+        const TableSettings settings{.kind = row.id, .shades = N, .low = low, .high = high};
+        const ColorTable table{settings};
+        const double step = row.id == TableKind::Corrected ? table.level(1) / table.level(0) - 1
+                                                           : (table.level(1) - table.level(0)) * 255 / 239;
+        ASSERT_GT(step, 1.0 / 255);
+        EXPECT_NEAR(stepOf({.low = low, .high = high}, settings, N), step, 1e-12);
+      }
+}
+
 // Equal needs share equally, what does not divide going to the first; four times the samples make half the
 // step.
 TEST(HuePlan, NeedDecides) {
