@@ -15,6 +15,7 @@
 #include "geometry/project.h"
 #include "geometry/solids.h"
 #include "geometry/vertex_normals.h"
+#include "tests/normal_error.h"
 #include "triangulated.h"
 
 namespace {
@@ -94,6 +95,15 @@ void BM_DivideFaces(benchmark::State& state) {
 }
 BENCHMARK(BM_DivideFaces)->Arg(14)->Arg(56)->Arg(224)->Unit(benchmark::kMicrosecond);
 
+// The exact normals of the teapot's patches at the corners of N x N faces each: expect N^2.
+void BM_CornerNormals(benchmark::State& state) {
+  const std::vector<BezierPatch> patches = parseBpt(teapotText(), "teapot.bpt");
+  const int N = static_cast<int>(state.range(0));
+  for (auto _ : state) benchmark::DoNotOptimize(cornerNormals(patches, N));
+  state.SetItemsProcessed(state.iterations() * 32 * N * N);  // faces
+}
+BENCHMARK(BM_CornerNormals)->RangeMultiplier(4)->Range(4, 64)->Unit(benchmark::kMicrosecond);
+
 // Normals at the corners of a mesh of triangles, by rule: expect linear.
 void BM_VertexNormals(benchmark::State& state) {
   const NormalRow& rule = kNormalRules[state.range(0)];
@@ -103,6 +113,39 @@ void BM_VertexNormals(benchmark::State& state) {
   state.SetLabel(std::string{rule.name});
 }
 BENCHMARK(BM_VertexNormals)->ArgsProduct({{0, 1, 2, 3}, {45, 179}})->Unit(benchmark::kMicrosecond);
+
+// With a crease that nothing reaches, and one that every edge does.
+void BM_VertexNormalsCrease(benchmark::State& state) {
+  const Mesh mesh = triangleTorus(179);
+  const auto crease = static_cast<double>(state.range(0));
+  for (auto _ : state) benchmark::DoNotOptimize(smoothVertices(mesh, NormalRule::Sum, crease));
+  state.SetItemsProcessed(state.iterations() * mesh.faceCount());
+}
+BENCHMARK(BM_VertexNormalsCrease)->Arg(60)->Arg(0)->Unit(benchmark::kMicrosecond);
+
+// All triangles at one point, no two normals equal: expect n log n.
+void BM_VertexNormalsCone(benchmark::State& state) {
+  Mesh cone = sphere(static_cast<int>(state.range(0)), 2);
+  for (auto _ : state) benchmark::DoNotOptimize(smoothVertices(cone, NormalRule::Distinct));
+  state.SetItemsProcessed(state.iterations() * cone.faceCount());
+}
+BENCHMARK(BM_VertexNormalsCone)->Arg(1000)->Arg(10'000)->Arg(100'000)->Unit(benchmark::kMillisecond);
+
+// How far each rule's normals are from the true ones: the sphere's, or the patches' at the same corner.
+void BM_NormalError(benchmark::State& state) {
+  const NormalRow& rule = kNormalRules[state.range(1)];
+  const std::vector<BezierPatch> patches = parseBpt(teapotText(), "teapot.bpt");
+  const bool isSphere = state.range(0) < 2;
+  const int size = std::array{24, 48, 8, 16}[state.range(0)];
+  const Mesh mesh = isSphere ? sphere(size, size / 2) : tessellate(patches, size);
+  const std::vector<glm::dvec3> truth = isSphere ? sphereNormals(mesh) : cornerNormals(patches, size);
+  NormalError error;
+  for (auto _ : state) benchmark::DoNotOptimize(error = normalError(mesh, rule.id, truth));
+  state.counters["mean_degrees"] = error.mean;
+  state.counters["max_degrees"] = error.max;
+  state.SetLabel((isSphere ? "sphere " : "teapot ") + std::to_string(size) + ", " + std::string{rule.name});
+}
+BENCHMARK(BM_NormalError)->ArgsProduct({{0, 1, 2, 3}, {0, 1, 2, 3}})->Unit(benchmark::kMicrosecond);
 
 /// side * side unit tiles of six decimals, every one with a smaller square on it.
 Mesh tiledFloor(int side) {
