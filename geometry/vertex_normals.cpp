@@ -126,10 +126,12 @@ class VertexNormals {
         const bool again = c.face == std::exchange(lastFace, c.face);
         const FaceNormal& face = faces_[c.face];
         if (face.area == 0.0) continue;
-        if (rule_ == NormalRule::Angle)
-          terms_.push_back({face.N, interiorAngle(c)});
-        else if (!again)
-          terms_.push_back({face.N, rule_ == NormalRule::Area ? face.area : 1.0});
+        if (again && rule_ != NormalRule::Angle) continue;
+        Term& term = terms_.emplace_back();
+        term.N = face.N;
+        term.weight = rule_ == NormalRule::Angle  ? interiorAngle(c)
+                      : rule_ == NormalRule::Area ? face.area
+                                                  : 1.0;
       }
     }
     // Two normals within half the crease of a third are within the crease of each other.

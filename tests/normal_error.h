@@ -38,3 +38,19 @@ struct NormalError {
   for (const int corner : mesh.corners) normals.push_back(glm::normalize(mesh.points[corner]));
   return normals;
 }
+
+/// `truth` without the corners of points where it is not one direction, to a degree: where patches meet in a
+/// crease no rule that smooths all can be right.
+[[nodiscard]] inline std::vector<glm::dvec3> withoutCreases(const Mesh& mesh, std::vector<glm::dvec3> truth) {
+  std::vector<glm::dvec3> first(mesh.points.size(), glm::dvec3{0.0});
+  std::vector<char> creased(mesh.points.size(), 0);
+  for (std::size_t c = 0; c < truth.size(); ++c) {
+    if (truth[c] == glm::dvec3{0.0}) continue;
+    glm::dvec3& N = first[mesh.corners[c]];
+    if (N == glm::dvec3{0.0}) N = truth[c];
+    if (glm::dot(N, truth[c]) < sinCosDegrees(1.0).cos) creased[mesh.corners[c]] = 1;
+  }
+  for (std::size_t c = 0; c < truth.size(); ++c)
+    if (creased[mesh.corners[c]]) truth[c] = glm::dvec3{0.0};
+  return truth;
+}

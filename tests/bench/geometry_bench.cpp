@@ -7,6 +7,8 @@
 #include <iterator>
 #include <sstream>
 #include <string>
+#include <tuple>
+#include <vector>
 
 #include "geometry/bpt.h"
 #include "geometry/camera.h"
@@ -131,21 +133,43 @@ void BM_VertexNormalsCone(benchmark::State& state) {
 }
 BENCHMARK(BM_VertexNormalsCone)->Arg(1000)->Arg(10'000)->Arg(100'000)->Unit(benchmark::kMillisecond);
 
-// How far each rule's normals are from the true ones: the sphere's, or the patches' at the same corner.
+// How far each rule's normals are from the true ones: the sphere's, or the patches' at the same corner; of
+// the teapot also where it has no crease.
 void BM_NormalError(benchmark::State& state) {
   const NormalRow& rule = kNormalRules[state.range(1)];
   const std::vector<BezierPatch> patches = parseBpt(teapotText(), "teapot.bpt");
-  const bool isSphere = state.range(0) < 2;
-  const int size = std::array{24, 48, 8, 16}[state.range(0)];
-  const Mesh mesh = isSphere ? sphere(size, size / 2) : tessellate(patches, size);
-  const std::vector<glm::dvec3> truth = isSphere ? sphereNormals(mesh) : cornerNormals(patches, size);
+  const auto teapot = [&](int N) { return tessellate(patches, N); };
+  const auto& [name, mesh, truth] = [&]() -> std::tuple<std::string, Mesh, std::vector<glm::dvec3>> {
+    const auto ball = [](const char* shape, const Mesh& m) { return std::tuple{shape, m, sphereNormals(m)}; };
+    const auto smooth = [&](int N) { return withoutCreases(teapot(N), cornerNormals(patches, N)); };
+    switch (state.range(0)) {
+      case 0:
+        return ball("sphere 24 x 12", sphere(24, 12));
+      case 1:
+        return ball("sphere 48 x 24", sphere(48, 24));
+      case 2:
+        return ball("sphere 24 x 12 in triangles", triangulated(sphere(24, 12)));
+      case 3:
+        return ball("sphere 48 x 24 in triangles", triangulated(sphere(48, 24)));
+      case 4:
+        return {"teapot 8", teapot(8), cornerNormals(patches, 8)};
+      case 5:
+        return {"teapot 16", teapot(16), cornerNormals(patches, 16)};
+      case 6:
+        return {"teapot 8 but its creases", teapot(8), smooth(8)};
+      default:
+        return {"teapot 16 but its creases", teapot(16), smooth(16)};
+    }
+  }();
   NormalError error;
   for (auto _ : state) benchmark::DoNotOptimize(error = normalError(mesh, rule.id, truth));
   state.counters["mean_degrees"] = error.mean;
   state.counters["max_degrees"] = error.max;
-  state.SetLabel((isSphere ? "sphere " : "teapot ") + std::to_string(size) + ", " + std::string{rule.name});
+  state.SetLabel(name + ", " + std::string{rule.name});
 }
-BENCHMARK(BM_NormalError)->ArgsProduct({{0, 1, 2, 3}, {0, 1, 2, 3}})->Unit(benchmark::kMicrosecond);
+BENCHMARK(BM_NormalError)
+    ->ArgsProduct({{0, 1, 2, 3, 4, 5, 6, 7}, {0, 1, 2, 3}})
+    ->Unit(benchmark::kMicrosecond);
 
 /// side * side unit tiles of six decimals, every one with a smaller square on it.
 Mesh tiledFloor(int side) {
