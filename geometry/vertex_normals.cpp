@@ -177,9 +177,9 @@ class VertexNormals {
     const auto before = [&](int corner) { return corner == first ? last : corner - 1; };
     const auto after = [&](int corner) { return corner == last ? first : corner + 1; };
     const glm::dvec3 here = at(c.corner);
-    if (at(before(c.corner)) == here) return 0.0;
     int next = after(c.corner);
     while (at(next) == here) next = after(next);
+    // Where the corner before is at the same place, b is 0 and so is the angle.
     const glm::dvec3 a = at(next) - here, b = at(before(c.corner)) - here, N = faces_[c.face].N;
     const double sine = glm::dot(glm::cross(a, b), N);
     const double cosine = glm::dot(a, b) - glm::dot(a, N) * glm::dot(b, N);

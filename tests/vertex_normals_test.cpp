@@ -39,6 +39,7 @@ std::vector<glm::dvec3> normals(const Mesh& mesh, NormalRule rule, double crease
     const Vertex& vertex = v.vertices[v.ofCorner[c]];
     EXPECT_EQ(vertex.point, mesh.corners[c]);
     N.push_back(vertex.N);
+    for (int axis = 0; axis < 3; ++axis) EXPECT_FALSE(vertex.N[axis] == 0.0 && std::signbit(vertex.N[axis]));
   }
   return N;
 }
@@ -130,6 +131,14 @@ TEST(VertexNormals, WorkedExample) {
   expect(NormalRule::Distinct, {1, 0, 1});
   expect(NormalRule::Area, {18, 0, 6});
   expect(NormalRule::Angle, {90, 0, 270});
+}
+
+// The angle of a bent face is the one seen along its normal: here of a square, whose corners are alternately
+// down and up.
+TEST(VertexNormals, AngleOfABentFace) {
+  const Mesh mesh =
+      meshOf({{0, 0, 0}, {1, 0, 1}, {1, 1, 0}, {0, 1, 1}, {0, 2, 0}, {0, 0, 2}}, {{0, 1, 2, 3}, {0, 4, 5}});
+  EXPECT_LT(distance(pointNormals(mesh, NormalRule::Angle)[0], unit({1, 0, 1})), 0x1p-51);
 }
 
 // The cube of 12 triangles has its diagonals as normals if equal normals count once, or by the angles,
