@@ -50,10 +50,10 @@ double degreesOf(double sine, double cosine) {
     tangent = kTangent22, degrees = 22.5;
   const double t = (s - tangent * c) / (c + tangent * s);
 
-  // Gregory's series; the first term left out is below tan(11.25 deg)^25 / 25 < 2^-62.
+  // Gregory's series; the first term left out is below tan(11.25 deg)^23 / 23 < 2^-57.
   const double t2 = t * t;
   double series = 0.0;
-  for (int k = 23; k >= 3; k -= 2) series = (1.0 / k + series) * -t2;
+  for (int k = 21; k >= 3; k -= 2) series = (1.0 / k + series) * -t2;
   degrees += (t + t * series) * (180.0 / 3.14159265358979323846);
   if (steep) degrees = 90.0 - degrees;
   if (cosine < 0.0) degrees = 180.0 - degrees;

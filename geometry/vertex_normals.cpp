@@ -149,7 +149,6 @@ class VertexNormals {
     for (const Corner& c : corners)
       if (faces_[c.face].area > 0.0) sorted_.emplace_back(glm::dot(faces_[c.face].N, kDirection), c.face);
     std::ranges::sort(sorted_);
-    sorted_.erase(std::unique(sorted_.begin(), sorted_.end()), sorted_.end());
     equal_.clear();
     for (const auto& [key, f] : sorted_) {
       const FaceNormal& face = faces_[f];
