@@ -14,8 +14,8 @@
 
 namespace {
 
-constexpr double kMostDoubt = 0x1p-10;
-constexpr double kRoundingOnly = 0x1p-40;
+constexpr double kMostDoubt = 0x1p-10;     ///< of one normal, whatever the rounding: a length of its change
+constexpr double kRoundingOnly = 0x1p-40;  ///< of a sum by its terms' lengths, and of cosines
 
 struct FaceNormal {
   glm::dvec3 N{0.0};
@@ -46,6 +46,7 @@ class VertexNormals {
   VertexNormals(const Mesh& mesh, NormalRule rule, double creaseDegrees, std::span<const glm::dvec3> exact)
       : mesh_{mesh},
         rule_{rule},
+        countsEqualOnce_{rule == NormalRule::Distinct || rule == NormalRule::Exact},
         leastCosine_{sinCosDegrees(creaseDegrees).cos - kRoundingOnly},
         leastCosineOfHalf_{sinCosDegrees(creaseDegrees / 2.0).cos},
         exact_{exact} {
@@ -91,7 +92,7 @@ class VertexNormals {
       FaceNormal& face = faces_[f];
       face.N = unit(v);
       face.area = glm::dot(face.N, v);
-      if (face.area == 0.0 || (rule_ != NormalRule::Distinct && rule_ != NormalRule::Exact)) continue;
+      if (face.area == 0.0 || !countsEqualOnce_) continue;
       double perimeter = 0.0;
       glm::dvec3 last = mesh_.points[corners.back()];
       for (const int c : corners) {
@@ -118,7 +119,7 @@ class VertexNormals {
   /// What is summed at a point, and the sum if it is the same for all its corners.
   void collectTerms(std::span<const Corner> corners) {
     terms_.clear();
-    if (rule_ == NormalRule::Distinct || rule_ == NormalRule::Exact) {
+    if (countsEqualOnce_) {
       collectDistinct(corners);
     } else {
       int lastFace = -1;
@@ -214,6 +215,7 @@ class VertexNormals {
 
   const Mesh& mesh_;
   NormalRule rule_;
+  bool countsEqualOnce_;
   double leastCosine_, leastCosineOfHalf_;
   std::span<const glm::dvec3> exact_;
   std::vector<FaceNormal> faces_;
