@@ -223,6 +223,12 @@ Mesh tessellate(std::span<const BezierPatch> patches, int divisions, std::span<c
     mesh.groupNames.emplace_back();
   }
   assert(partOf.size() == patches.size());
+  const std::size_t faces = patches.size() * n * n;
+  mesh.corners.reserve(4 * faces);
+  mesh.uvOfCorner.reserve(4 * faces);
+  mesh.firstCorner.reserve(faces + 1);
+  mesh.group.reserve(faces);
+  mesh.material.reserve(faces);
   std::vector<int> grid;
   for (int i = 0; i <= n; ++i)
     for (int j = 0; j <= n; ++j) mesh.uv.emplace_back(fraction(i, n).t, fraction(j, n).t);

@@ -43,19 +43,17 @@ double degreesOf(double sine, double cosine) {
   // What the angle exceeds the nearest of 0, 22.5 and 45 degrees by, as the tangent of the difference.
   constexpr double kTangent11 = 0.19891236737965800691, kTangent22 = 0.41421356237309504880,
                    kTangent33 = 0.66817863791929891999;
-  double degrees = 0.0, t = s / c;
-  if (t > kTangent33) {
-    degrees = 45.0;
-    t = (s - c) / (c + s);
-  } else if (t > kTangent11) {
-    degrees = 22.5;
-    t = (s - kTangent22 * c) / (c + kTangent22 * s);
-  }
+  double degrees = 0.0, tangent = 0.0;
+  if (s > kTangent33 * c)
+    tangent = 1.0, degrees = 45.0;
+  else if (s > kTangent11 * c)
+    tangent = kTangent22, degrees = 22.5;
+  const double t = (s - tangent * c) / (c + tangent * s);
 
-  // Gregory's series; the first term left out is below tan(11.25 deg)^25 / 25 < 2^-62.
+  // Gregory's series; the first term left out is below tan(11.25 deg)^23 / 23 < 2^-57.
   const double t2 = t * t;
   double series = 0.0;
-  for (int k = 23; k >= 3; k -= 2) series = (1.0 / k + series) * -t2;
+  for (int k = 21; k >= 3; k -= 2) series = (1.0 / k + series) * -t2;
   degrees += (t + t * series) * (180.0 / 3.14159265358979323846);
   if (steep) degrees = 90.0 - degrees;
   if (cosine < 0.0) degrees = 180.0 - degrees;

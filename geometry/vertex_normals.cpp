@@ -14,8 +14,8 @@
 
 namespace {
 
-constexpr double kMostDoubt = 0x1p-10;
-constexpr double kRoundingOnly = 0x1p-40;
+constexpr double kMostDoubt = 0x1p-10;     ///< of one normal, whatever the rounding: a length of its change
+constexpr double kRoundingOnly = 0x1p-40;  ///< of a sum by its terms' lengths, and of cosines
 
 struct FaceNormal {
   glm::dvec3 N{0.0};
@@ -46,6 +46,7 @@ class VertexNormals {
   VertexNormals(const Mesh& mesh, NormalRule rule, double creaseDegrees, std::span<const glm::dvec3> exact)
       : mesh_{mesh},
         rule_{rule},
+        countsEqualOnce_{rule == NormalRule::Distinct || rule == NormalRule::Exact},
         leastCosine_{sinCosDegrees(creaseDegrees).cos - kRoundingOnly},
         leastCosineOfHalf_{sinCosDegrees(creaseDegrees / 2.0).cos},
         exact_{exact} {
@@ -91,7 +92,7 @@ class VertexNormals {
       FaceNormal& face = faces_[f];
       face.N = unit(v);
       face.area = glm::dot(face.N, v);
-      if (face.area == 0.0 || (rule_ != NormalRule::Distinct && rule_ != NormalRule::Exact)) continue;
+      if (face.area == 0.0 || !countsEqualOnce_) continue;
       double perimeter = 0.0;
       glm::dvec3 last = mesh_.points[corners.back()];
       for (const int c : corners) {
@@ -118,7 +119,7 @@ class VertexNormals {
   /// What is summed at a point, and the sum if it is the same for all its corners.
   void collectTerms(std::span<const Corner> corners) {
     terms_.clear();
-    if (rule_ == NormalRule::Distinct || rule_ == NormalRule::Exact) {
+    if (countsEqualOnce_) {
       collectDistinct(corners);
     } else {
       int lastFace = -1;
@@ -126,10 +127,12 @@ class VertexNormals {
         const bool again = c.face == std::exchange(lastFace, c.face);
         const FaceNormal& face = faces_[c.face];
         if (face.area == 0.0) continue;
-        if (rule_ == NormalRule::Angle)
-          terms_.push_back({face.N, interiorAngle(c)});
-        else if (!again)
-          terms_.push_back({face.N, rule_ == NormalRule::Area ? face.area : 1.0});
+        if (again && rule_ != NormalRule::Angle) continue;
+        Term& term = terms_.emplace_back();
+        term.N = face.N;
+        term.weight = rule_ == NormalRule::Angle  ? interiorAngle(c)
+                      : rule_ == NormalRule::Area ? face.area
+                                                  : 1.0;
       }
     }
     // Two normals within half the crease of a third are within the crease of each other.
@@ -147,7 +150,6 @@ class VertexNormals {
     for (const Corner& c : corners)
       if (faces_[c.face].area > 0.0) sorted_.emplace_back(glm::dot(faces_[c.face].N, kDirection), c.face);
     std::ranges::sort(sorted_);
-    sorted_.erase(std::unique(sorted_.begin(), sorted_.end()), sorted_.end());
     equal_.clear();
     for (const auto& [key, f] : sorted_) {
       const FaceNormal& face = faces_[f];
@@ -175,9 +177,9 @@ class VertexNormals {
     const auto before = [&](int corner) { return corner == first ? last : corner - 1; };
     const auto after = [&](int corner) { return corner == last ? first : corner + 1; };
     const glm::dvec3 here = at(c.corner);
-    if (at(before(c.corner)) == here) return 0.0;
     int next = after(c.corner);
     while (at(next) == here) next = after(next);
+    // Where the corner before is at the same place, b is 0 and so is the angle.
     const glm::dvec3 a = at(next) - here, b = at(before(c.corner)) - here, N = faces_[c.face].N;
     const double sine = glm::dot(glm::cross(a, b), N);
     const double cosine = glm::dot(a, b) - glm::dot(a, N) * glm::dot(b, N);
@@ -213,6 +215,7 @@ class VertexNormals {
 
   const Mesh& mesh_;
   NormalRule rule_;
+  bool countsEqualOnce_;
   double leastCosine_, leastCosineOfHalf_;
   std::span<const glm::dvec3> exact_;
   std::vector<FaceNormal> faces_;

@@ -43,7 +43,7 @@ struct Vertices {
 /// contributes nothing.
 ///
 /// Sum       A face counts once at a point, and a flat face that the file holds in triangles as often as
-///           those meet there: of a cube in 12 triangles no corner gets the diagonal.
+///           those meet there: a cube in 12 triangles leans where a side brings two to a corner.
 /// Distinct  Normals are equal if they are no further apart than the rounding of the file, and of doubles,
 ///           can have turned them (at most 2^-10, about 0.06 degrees, each: finer than the facets of any
 ///           tessellate()). Equal ones count as one, that of their areas together: of the face before it was
@@ -62,8 +62,9 @@ struct Vertices {
 /// A sum no longer than 2^-40 of its terms' lengths is all rounding (two faces back to back): the corner then
 /// has its own face's normal.
 ///
-/// Coordinates up to 2^500; faces narrower than 2^-500 count as without area. Scaled by a power of two,
-/// within this, a mesh and its rounding have the same normals to the bit. Work: linear, n log n for n faces
-/// at one point; with a crease n^2 where the surface at the point turns by more than it.
+/// Coordinates up to 2^500; faces narrower than 2^-500 count as without area. Well within this a mesh that is
+/// scaled by a power of two, and its rounding with it, has the same normals to the bit.
+///
+/// Work: linear; n log n for n faces at one point, with a crease n^2 where the surface turns by more there.
 [[nodiscard]] Vertices smoothVertices(const Mesh& mesh, NormalRule rule, double creaseDegrees = 180.0,
                                       std::span<const glm::dvec3> exact = {});

@@ -87,6 +87,10 @@ TEST(Solids, TextureIsSeenFromOutside) {
       EXPECT_NEAR(p.x, std::sin(3.141592653589793 * uv.y) * std::cos(6.283185307179586 * uv.x), 1e-15);
     }
   }
+  for (int c = 0; c < 3 * 12; c += 3) {
+    const auto u = [&](int corner) { return ball.uv[ball.uvOfCorner[corner]].x; };
+    EXPECT_NEAR(u(c), (u(c + 1) + u(c + 2)) / 2.0, 1e-15) << "at the pole, the middle of its triangle";
+  }
   // The sides of the cube stand upright.
   const Mesh box = cube();
   for (int c = 0; c < 16; ++c)

@@ -7,6 +7,8 @@
 #include <iterator>
 #include <sstream>
 #include <string>
+#include <tuple>
+#include <vector>
 
 #include "geometry/bpt.h"
 #include "geometry/camera.h"
@@ -15,6 +17,7 @@
 #include "geometry/project.h"
 #include "geometry/solids.h"
 #include "geometry/vertex_normals.h"
+#include "tests/normal_error.h"
 #include "triangulated.h"
 
 namespace {
@@ -94,6 +97,15 @@ void BM_DivideFaces(benchmark::State& state) {
 }
 BENCHMARK(BM_DivideFaces)->Arg(14)->Arg(56)->Arg(224)->Unit(benchmark::kMicrosecond);
 
+// The exact normals of the teapot's patches at the corners of N x N faces each: expect N^2.
+void BM_CornerNormals(benchmark::State& state) {
+  const std::vector<BezierPatch> patches = parseBpt(teapotText(), "teapot.bpt");
+  const int N = static_cast<int>(state.range(0));
+  for (auto _ : state) benchmark::DoNotOptimize(cornerNormals(patches, N));
+  state.SetItemsProcessed(state.iterations() * 32 * N * N);  // faces
+}
+BENCHMARK(BM_CornerNormals)->RangeMultiplier(4)->Range(4, 64)->Unit(benchmark::kMicrosecond);
+
 // Normals at the corners of a mesh of triangles, by rule: expect linear.
 void BM_VertexNormals(benchmark::State& state) {
   const NormalRow& rule = kNormalRules[state.range(0)];
@@ -103,6 +115,61 @@ void BM_VertexNormals(benchmark::State& state) {
   state.SetLabel(std::string{rule.name});
 }
 BENCHMARK(BM_VertexNormals)->ArgsProduct({{0, 1, 2, 3}, {45, 179}})->Unit(benchmark::kMicrosecond);
+
+// With a crease that nothing reaches, and one that every edge does.
+void BM_VertexNormalsCrease(benchmark::State& state) {
+  const Mesh mesh = triangleTorus(179);
+  const auto crease = static_cast<double>(state.range(0));
+  for (auto _ : state) benchmark::DoNotOptimize(smoothVertices(mesh, NormalRule::Sum, crease));
+  state.SetItemsProcessed(state.iterations() * mesh.faceCount());
+}
+BENCHMARK(BM_VertexNormalsCrease)->Arg(60)->Arg(0)->Unit(benchmark::kMicrosecond);
+
+// All triangles at one point, no two normals equal: expect n log n.
+void BM_VertexNormalsCone(benchmark::State& state) {
+  Mesh cone = sphere(static_cast<int>(state.range(0)), 2);
+  for (auto _ : state) benchmark::DoNotOptimize(smoothVertices(cone, NormalRule::Distinct));
+  state.SetItemsProcessed(state.iterations() * cone.faceCount());
+}
+BENCHMARK(BM_VertexNormalsCone)->Arg(1000)->Arg(10'000)->Arg(100'000)->Unit(benchmark::kMillisecond);
+
+// How far each rule's normals are from the true ones: the sphere's, or the patches' at the same corner; of
+// the teapot also where it has no crease.
+void BM_NormalError(benchmark::State& state) {
+  const NormalRow& rule = kNormalRules[state.range(1)];
+  const std::vector<BezierPatch> patches = parseBpt(teapotText(), "teapot.bpt");
+  const auto teapot = [&](int N) { return tessellate(patches, N); };
+  const auto& [name, mesh, truth] = [&]() -> std::tuple<std::string, Mesh, std::vector<glm::dvec3>> {
+    const auto ball = [](const char* shape, const Mesh& m) { return std::tuple{shape, m, sphereNormals(m)}; };
+    const auto smooth = [&](int N) { return withoutCreases(teapot(N), cornerNormals(patches, N)); };
+    switch (state.range(0)) {
+      case 0:
+        return ball("sphere 24 x 12", sphere(24, 12));
+      case 1:
+        return ball("sphere 48 x 24", sphere(48, 24));
+      case 2:
+        return ball("sphere 24 x 12 in triangles", triangulated(sphere(24, 12)));
+      case 3:
+        return ball("sphere 48 x 24 in triangles", triangulated(sphere(48, 24)));
+      case 4:
+        return {"teapot 8", teapot(8), cornerNormals(patches, 8)};
+      case 5:
+        return {"teapot 16", teapot(16), cornerNormals(patches, 16)};
+      case 6:
+        return {"teapot 8 but its creases", teapot(8), smooth(8)};
+      default:
+        return {"teapot 16 but its creases", teapot(16), smooth(16)};
+    }
+  }();
+  NormalError error;
+  for (auto _ : state) benchmark::DoNotOptimize(error = normalError(mesh, rule.id, truth));
+  state.counters["mean_degrees"] = error.mean;
+  state.counters["max_degrees"] = error.max;
+  state.SetLabel(name + ", " + std::string{rule.name});
+}
+BENCHMARK(BM_NormalError)
+    ->ArgsProduct({{0, 1, 2, 3, 4, 5, 6, 7}, {0, 1, 2, 3}})
+    ->Unit(benchmark::kMicrosecond);
 
 /// side * side unit tiles of six decimals, every one with a smaller square on it.
 Mesh tiledFloor(int side) {
