@@ -13,22 +13,32 @@ struct EnvironmentMap {
 
   struct Eights {
     EightValues column, row;
+    std::uint32_t columnStep, rowStep;
     const std::uint8_t* map;
     std::uint64_t next() {
       const std::uint64_t cells = lookUp(map, (row.near >> 16 & 0xFF00) | column.near >> 24,
                                          (row.far >> 16 & 0xFF00) | column.far >> 24);
-      column.nextRow();
-      row.nextRow();
+      column += columnStep, row += rowStep;
       return cells;
     }
   };
   [[nodiscard]] Eights eights(int i, int j) const {
-    return {EightValues{column, i, j}, EightValues{row, i, j}, map};
+    return {EightValues{column, i, j}, EightValues{row, i, j}, column.gy, row.gy, map};
   }
 
+  [[nodiscard]] static std::uint32_t indexOf(std::uint32_t u, std::uint32_t v) {
+    return (v >> 16 & 0xFF00) | u >> 24;
+  }
   void span(std::uint8_t* cells, int j, int from, int count) const {
-    std::uint32_t u = column.at(from, j), v = row.at(from, j);
-    for (int k = 0; k < count; ++k, u += column.gx, v += row.gx) cells[k] = map[(v >> 16 & 0xFF00) | u >> 24];
+    const std::uint8_t* const cellOf = map;
+    std::uint32_t u0 = column.at(from, j), u1 = u0 + column.gx, v0 = row.at(from, j), v1 = v0 + row.gx;
+    const std::uint32_t uStep = 2 * column.gx, vStep = 2 * row.gx;
+    int k = 0;
+    for (; k + 2 <= count; k += 2, u0 += uStep, u1 += uStep, v0 += vStep, v1 += vStep) {
+      cells[k] = cellOf[indexOf(u0, v0)];
+      cells[k + 1] = cellOf[indexOf(u1, v1)];
+    }
+    if (k < count) cells[k] = cellOf[indexOf(u0, v0)];
   }
 };
 
@@ -43,24 +53,36 @@ struct DarkBehind {
   struct Eights {
     decltype(std::declval<S>().eights(0, 0)) front;
     EightValues facing;
+    std::uint32_t step;
     std::uint64_t dark;
     std::uint64_t next() {
       const std::uint64_t faces =
           negativeBytes(reinterpret_cast<Four>(facing.near), reinterpret_cast<Four>(facing.far));
       const std::uint64_t cells = (front.next() & faces) | (dark & ~faces);
-      facing.nextRow();
+      facing += step;
       return cells;
     }
   };
   [[nodiscard]] Eights eights(int i, int j) const {
-    return {front.eights(i, j), EightValues{facing, i, j}, dark * 0x0101010101010101u};
+    return {front.eights(i, j), EightValues{facing, i, j}, facing.gy, dark * 0x0101010101010101u};
   }
 
   void span(std::uint8_t* cells, int j, int from, int count) const {
-    for (int k = 0; k < count; ++k)
-      if (facing.at(from + k, j) >> 31 != 0)
-        front.span(cells + k, j, from + k, 1);
+    const std::uint32_t first = facing.at(from, j), last = facing.at(from + count - 1, j);
+    const bool starts = first >> 31 != 0, ends = last >> 31 != 0;
+    int turn = count;
+    if (starts != ends) {
+      // Of a value that rises from below 2^31; one that falls does so upside down.
+      const std::uint32_t v = starts ? ~first : first, step = starts ? 0 - facing.gx : facing.gx;
+      turn = static_cast<int>((0x7FFF'FFFF - v) / step) + 1;
+    }
+    const auto part = [&](bool faces, int k, int n) {
+      if (faces)
+        front.span(cells + k, j, from + k, n);
       else
-        cells[k] = dark;
+        fillSpan(cells + k, n, dark);
+    };
+    part(starts, 0, turn);
+    if (turn < count) part(ends, turn, count - turn);
   }
 };

@@ -44,3 +44,19 @@ inline std::uint64_t topBytes(FourModular left, FourModular right) {
   return std::bit_cast<std::uint64_t>(bytes);
 #endif
 }
+
+/// Eight words: of each number the upper half.
+inline std::array<std::uint16_t, 8> upperHalves(FourModular left, FourModular right) {
+#ifdef __SSE2__
+  return std::bit_cast<std::array<std::uint16_t, 8>>(
+      _mm_packs_epi32(_mm_srai_epi32(reinterpret_cast<__m128i>(left), 16),
+                      _mm_srai_epi32(reinterpret_cast<__m128i>(right), 16)));
+#else
+  std::array<std::uint16_t, 8> words{};
+  for (int i = 0; i < 4; ++i) {
+    words[i] = static_cast<std::uint16_t>(left[i] >> 16);
+    words[4 + i] = static_cast<std::uint16_t>(right[i] >> 16);
+  }
+  return words;
+#endif
+}
