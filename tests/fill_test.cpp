@@ -125,7 +125,7 @@ void expectShader(Make&& make) {
   EXPECT_GT(checked.pieces, 50'000);
   EXPECT_GT(checked.small, 1500);
   EXPECT_GT(checked.large, 1500);
-  EXPECT_GT(checked.clipped, 1500);
+  EXPECT_GT(checked.clipped, 1000);
 }
 
 }  // namespace
