@@ -77,7 +77,7 @@ struct SampleBox {
 /// E(x, y) = A (x - xa) + B (y - ya), A = yb - ya, B = xa - xb, is positive inside. A sample on the edge,
 /// moved by (e, e^2), is inside if A > 0, or if A = 0 and B > 0; else E - 1 is as good as E. From centre to
 /// centre E grows by multiples of 2^16, so E >> 16, which has E's sign, steps exactly by A and B. These are
-/// below 2^20, samples are less than 2^5 pixels from a, so it stays below 2^26.
+/// below 2^20, samples are less than 2^5 pixels from a, so it stays below 2^26: its sign is the top bit.
 template <Shader S>
 inline void fillSmallTriangle(IndexImage& image, const glm::ivec3* p, const SampleBox& box, const S& shader) {
   constexpr int kColumns = 8, kRows = 4;
@@ -121,6 +121,7 @@ inline void fillConvex(IndexImage& image, const glm::ivec3* p, int count, const 
     if (box.right - box.left <= 8 && box.bottom - box.top <= 8)
       return fillSmallTriangle(image, p, box, shader);
   }
+  // A copy of the shader: through a reference its members would be loaded again for every span.
   forEachSpan(p, count, image.width, image.height, [&image, shader](int row, int from, int to) {
     shader.span(image.row(row) + from, from, row, to - from);
   });

@@ -169,3 +169,20 @@ TEST(Fill, WhatFacesAwayIsDark) {
                      }};
   });
 }
+
+// The turn is exact, also where the value is 128 at a sample, whether it rises or falls, slow or fast.
+TEST(Fill, FacesFromExactly128On) {
+  constexpr int kColumns = 40;
+  constexpr std::uint32_t kTurn = 1u << 31;
+  for (const std::uint32_t step : {1u, 2u, 3u, 1000u, 1u << 24, 1u << 25})
+    for (int turn = -1; turn <= kColumns; ++turn)
+      for (const std::uint32_t off : {0u, 1u, step - 1})
+        for (const bool rises : {true, false}) {
+          const std::uint32_t gx = rises ? step : 0 - step;
+          const AffineValue facing{kTurn + off - static_cast<std::uint32_t>(turn) * gx, gx, 0};
+          std::array<std::uint8_t, kColumns> cells{};
+          DarkBehind<FlatCell>{{200}, facing, 99}.span(cells.data(), 0, 0, kColumns);
+          for (int i = 0; i < kColumns; ++i)
+            ASSERT_EQ(cells[i], facing.at(i, 0) >= kTurn ? 200 : 99) << step << ", " << turn << ", " << i;
+        }
+}
