@@ -1,7 +1,9 @@
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <bit>
+#include <cassert>
 #include <cmath>
 #include <cstdint>
 #include <glm/vec3.hpp>
@@ -39,7 +41,7 @@ inline constexpr double kLeastValue = 1.0 / 256, kLargestValue = 255.99;
 ///   (1/2 + 2^-7) (w + h) + 1 steps:  2^-10.9 over 8,192 x 8,192 pixels, 2^-9.9 over the whole grid.
 ///
 /// A triangle whose values grow by more than kSteepest, 2^20 a pixel, passes through its range of 256 within
-/// 2^-12 pixel, 16 grid steps: a sliver, whose gradient is that of the snap. It has the mean all over.
+/// 2^-12 pixel, 16 grid steps: a sliver, in which the snap decides the gradient. It has the mean all over.
 class AffineOver {
  public:
   static constexpr double kSteepest = 0x1p44;
@@ -51,19 +53,21 @@ class AffineOver {
         y1_{p[1].y - p[0].y},
         x2_{p[2].x - p[0].x},
         y2_{p[2].y - p[0].y},
-        perGridStep_{kGrid / static_cast<double>(x1_ * y2_ - x2_ * y1_)} {}
+        gridOverD_{kGrid / static_cast<double>(x1_ * y2_ - x2_ * y1_)} {}
 
   /// The plane through v[k] at vertex k, all in [kLeastValue, kLargestValue].
   [[nodiscard]] AffineValue operator()(const std::array<double, 3>& v) const {
+    assert(
+        std::ranges::all_of(v, [](double value) { return kLeastValue <= value && value <= kLargestValue; }));
     const std::int64_t V0 = nearest(v[0] * 0x1p24);
     const std::int64_t V1 = nearest(v[1] * 0x1p24) - V0, V2 = nearest(v[2] * 0x1p24) - V0;
-    const double alongX = static_cast<double>(V1 * y2_ - V2 * y1_) * perGridStep_;
-    const double alongY = static_cast<double>(V2 * x1_ - V1 * x2_) * perGridStep_;
+    const double alongX = static_cast<double>(V1 * y2_ - V2 * y1_) * gridOverD_;
+    const double alongY = static_cast<double>(V2 * x1_ - V1 * x2_) * gridOverD_;
     const bool steep = !(std::abs(alongX) <= kSteepest && std::abs(alongY) <= kSteepest);  // or no area
     if (steep) return {static_cast<std::uint32_t>(V0 + (V1 + V2) / 3), 0, 0};
     // Modulo 2^64: the bits that are kept, 16 to 47, are those of the whole number.
-    const auto gx = static_cast<std::uint64_t>(nearest(alongX)),
-               gy = static_cast<std::uint64_t>(nearest(alongY));
+    const auto gx = static_cast<std::uint64_t>(nearest(alongX));
+    const auto gy = static_cast<std::uint64_t>(nearest(alongY));
     const std::uint64_t toVertex =
         gx * static_cast<std::uint64_t>(x0_) + gy * static_cast<std::uint64_t>(y0_);
     const std::uint64_t c = static_cast<std::uint64_t>(V0) - ((toVertex + kGrid / 2) >> kGridBits);
@@ -79,7 +83,7 @@ class AffineOver {
 
   std::int64_t x0_, y0_;  ///< vertex 0, from the centre of pixel (0, 0)
   std::int64_t x1_, y1_, x2_, y2_;
-  double perGridStep_;
+  double gridOverD_;
 };
 
 [[nodiscard]] inline AffineValue affineOver(const glm::ivec3* p, const std::array<double, 3>& v) {

@@ -3,64 +3,69 @@
 #include <cstdint>
 
 #include "shading/affine.h"
-#include "shading/affine_lanes.h"
+#include "shading/eight.h"
 #include "shading/fill.h"
 
-/// A picture of the light around, 256 x 256 cells, looked up by two interpolated values.
+/// A map of 256 x 256 cells, looked up by the whole parts of two interpolated values: of intensities by
+/// direction, or any texture whose coordinates are affine on the screen.
 struct EnvironmentMap {
   AffineValue column, row;
   const std::uint8_t* map;  ///< 65,536 cells, row by row
 
-  struct Eights {
-    EightValues column, row;
-    const std::uint8_t* map;
-    std::uint64_t next() {
-      const std::uint64_t cells = lookUp(map, (row.near >> 16 & 0xFF00) | column.near >> 24,
-                                         (row.far >> 16 & 0xFF00) | column.far >> 24);
-      column.nextRow();
-      row.nextRow();
-      return cells;
+  void span(std::uint8_t* cells, int i, int j, int count) const {
+    const std::uint8_t* const cellAt = map;  // a copy: for all the compiler knows, a store may change members
+    const auto place = [](std::uint32_t u, std::uint32_t v) { return (v >> 16 & 0xFF00) | u >> 24; };
+    // Two sums of each value beside each other: one would wait for itself.
+    const std::uint32_t du = column.gx, dv = row.gx;
+    std::uint32_t u0 = column.at(i, j), v0 = row.at(i, j), u1 = u0 + du, v1 = v0 + dv;
+    int k = 0;
+    for (; k + 2 <= count; k += 2) {
+      cells[k] = cellAt[place(u0, v0)];
+      cells[k + 1] = cellAt[place(u1, v1)];
+      u0 += 2 * du, v0 += 2 * dv, u1 += 2 * du, v1 += 2 * dv;
     }
-  };
-  [[nodiscard]] Eights eights(int i, int j) const {
-    return {EightValues{column, i, j}, EightValues{row, i, j}, map};
+    if (k < count) cells[k] = cellAt[place(u0, v0)];
   }
 
-  void span(std::uint8_t* cells, int j, int from, int count) const {
-    std::uint32_t u = column.at(from, j), v = row.at(from, j);
-    for (int k = 0; k < count; ++k, u += column.gx, v += row.gx) cells[k] = map[(v >> 16 & 0xFF00) | u >> 24];
+  [[nodiscard]] auto rowsOfEight(int i, int j) const {
+    return [columns = EightOfRows{column, i, j}, rows = EightOfRows{row, i, j}, cells = map]() mutable {
+      const EightWords u = upperHalves(columns.next()), v = upperHalves(rows.next());
+      return lookUp(cells, (v & 0xFF00) | u >> 8);
+    };
   }
 };
 
-/// Another shader's cells where a third value is at least 128, and one cell where it is less: the samples
-/// that face away. Not needed for triangles whose three vertices agree.
-template <Shader S>
+/// Cells of `front` where a third value is at least 128, which stands for 0, and `dark` where it is less:
+/// those samples face away. Only needed where the vertices of a triangle do not agree.
+template <Shader Front>
 struct DarkBehind {
-  S front;
+  Front front;
   AffineValue facing;
   std::uint8_t dark;
 
-  struct Eights {
-    decltype(std::declval<S>().eights(0, 0)) front;
-    EightValues facing;
-    std::uint64_t dark;
-    std::uint64_t next() {
-      const std::uint64_t faces =
-          negativeBytes(reinterpret_cast<Four>(facing.near), reinterpret_cast<Four>(facing.far));
-      const std::uint64_t cells = (front.next() & faces) | (dark & ~faces);
-      facing.nextRow();
-      return cells;
-    }
-  };
-  [[nodiscard]] Eights eights(int i, int j) const {
-    return {front.eights(i, j), EightValues{facing, i, j}, dark * 0x0101010101010101u};
+  void span(std::uint8_t* cells, int i, int j, int count) const {
+    const auto faces = [&](int k) { return facing.at(i + k, j) >> 31 != 0; };
+    const auto part = [&](int from, int to) {
+      if (faces(from))
+        front.span(cells + from, i + from, j, to - from);
+      else
+        fillSpan(cells + from, to - from, dark);
+    };
+    if (faces(0) == faces(count - 1)) return part(0, count);
+    // Between samples the value does not wrap, so it crosses 2^31 once: of a value that rises from v < 2^31,
+    // at the first k with v + k step >= 2^31. One that falls does so upside down.
+    const std::uint32_t first = facing.at(i, j), v = faces(0) ? ~first : first;
+    const std::uint32_t step = faces(0) ? 0 - facing.gx : facing.gx;
+    const int turn = static_cast<int>((0x7FFF'FFFF - v) / step) + 1;
+    part(0, turn);
+    part(turn, count);
   }
 
-  void span(std::uint8_t* cells, int j, int from, int count) const {
-    for (int k = 0; k < count; ++k)
-      if (facing.at(from + k, j) >> 31 != 0)
-        front.span(cells + k, j, from + k, 1);
-      else
-        cells[k] = dark;
+  [[nodiscard]] auto rowsOfEight(int i, int j) const {
+    return [cells = front.rowsOfEight(i, j), rows = EightOfRows{facing, i, j},
+            away = dark * 0x0101010101010101u]() mutable {
+      const std::uint64_t faces = negativeBytes(rows.next());
+      return (cells() & faces) | (away & ~faces);
+    };
   }
 };

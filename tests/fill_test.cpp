@@ -72,23 +72,31 @@ std::vector<std::uint8_t> randomTable(unsigned seed) {
 }
 
 struct Checked {
-  int samples = 0, small = 0, large = 0, clipped = 0;
+  int samples = 0, pieces = 0, small = 0, large = 0, clipped = 0;
 };
 constexpr std::uint8_t kGround = 7;
 
-/// Fills a triangle and compares with a plain loop over all pixels: the rule's definition decides, `cellAt`
-/// is what the shader should give.
+/// Fills a triangle, and again row by row in pieces of any length; compares both with a plain loop over all
+/// pixels: the rule's definition decides, `cellAt` is what the shader should give.
 template <class S, class CellAt>
-void expectCells(const Triangle& p, int width, int height, const S& shader, CellAt&& cellAt,
-                 Checked& checked) {
-  IndexImage image{width, height, kGround};
+void expectCells(Triangles& random, const Triangle& p, int width, int height, const S& shader,
+                 CellAt&& cellAt, Checked& checked) {
+  IndexImage image{width, height, kGround}, pieces = image;
   fillConvex(image, p.data(), 3, shader);
+  forEachSpan(p.data(), 3, width, height, [&](int row, int from, int to) {
+    for (int i = from, end = 0; i < to; i = end, ++checked.pieces) {
+      end = std::min(to, i + random.uniform(1, 1 << random.uniform(0, 7)));
+      shader.span(pieces.row(row) + i, i, row, end - i);
+    }
+  });
   int samples = 0;
   for (int j = 0; j < height; ++j)
     for (int i = 0; i < width; ++i) {
       const bool owned = owns(p, i, j);
       samples += owned;
-      ASSERT_EQ(image.row(j)[i], owned ? cellAt(i, j) : kGround) << "pixel " << i << ", " << j;
+      const std::uint8_t cell = owned ? cellAt(i, j) : kGround;
+      ASSERT_EQ(image.row(j)[i], cell) << "pixel " << i << ", " << j;
+      ASSERT_EQ(pieces.row(j)[i], cell) << "in pieces, pixel " << i << ", " << j;
     }
   const auto [left, right] = std::minmax({p[0].x, p[1].x, p[2].x});
   const auto [top, bottom] = std::minmax({p[0].y, p[1].y, p[2].y});
@@ -99,24 +107,25 @@ void expectCells(const Triangle& p, int width, int height, const S& shader, Cell
   checked.clipped += left < 0 || top < 0 || right > width * kGrid || bottom > height * kGrid;
 }
 
-/// A shader from a source of triangles and values, beside its plain definition.
+/// The shader and its plain definition that `make` gives for a triangle.
 template <class Make>
 void expectShader(Make&& make) {
   Checked checked;
-  for (unsigned seed = 0; seed < 20'000; ++seed) {
+  for (unsigned seed = 0; seed < 8000; ++seed) {
     SCOPED_TRACE(seed);
     Triangles random{seed};
     const bool narrow = seed % 7 == 0;
     const int width = narrow ? random.uniform(1, 20) : 150, height = narrow ? random.uniform(1, 12) : 60;
     const Triangle p = random.triangle(width, height);
     const auto [shader, cellAt] = make(random, p);
-    expectCells(p, width, height, shader, cellAt, checked);
+    expectCells(random, p, width, height, shader, cellAt, checked);
     if (testing::Test::HasFatalFailure()) return;
   }
-  EXPECT_GT(checked.samples, 1'000'000);  // all of it was exercised
-  EXPECT_GT(checked.small, 3000);
-  EXPECT_GT(checked.large, 3000);
-  EXPECT_GT(checked.clipped, 3000);
+  EXPECT_GT(checked.samples, 500'000);  // all of it was exercised
+  EXPECT_GT(checked.pieces, 50'000);
+  EXPECT_GT(checked.small, 1500);
+  EXPECT_GT(checked.large, 1500);
+  EXPECT_GT(checked.clipped, 1000);
 }
 
 }  // namespace
@@ -159,4 +168,21 @@ TEST(Fill, WhatFacesAwayIsDark) {
                        return map[256 * (v.at(i, j) >> 24) + (u.at(i, j) >> 24)];
                      }};
   });
+}
+
+// The turn is exact, also where the value is 128 at a sample, whether it rises or falls, slow or fast.
+TEST(Fill, FacesFromExactly128On) {
+  constexpr int kColumns = 40;
+  constexpr std::uint32_t kTurn = 1u << 31;
+  for (const std::uint32_t step : {1u, 2u, 3u, 1000u, 1u << 24, 1u << 25})
+    for (int turn = -1; turn <= kColumns; ++turn)
+      for (const std::uint32_t off : {0u, 1u, step - 1})
+        for (const bool rises : {true, false}) {
+          const std::uint32_t gx = rises ? step : 0 - step;
+          const AffineValue facing{kTurn + off - static_cast<std::uint32_t>(turn) * gx, gx, 0};
+          std::array<std::uint8_t, kColumns> cells{};
+          DarkBehind<FlatCell>{{200}, facing, 99}.span(cells.data(), 0, 0, kColumns);
+          for (int i = 0; i < kColumns; ++i)
+            ASSERT_EQ(cells[i], facing.at(i, 0) >= kTurn ? 200 : 99) << step << ", " << turn << ", " << i;
+        }
 }

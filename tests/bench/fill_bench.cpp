@@ -1,12 +1,15 @@
 #include <benchmark/benchmark.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <ctime>
 #include <random>
 #include <vector>
 
+#include "shading/environment_map.h"
 #include "shading/fill.h"
+#include "shading/gouraud.h"
 
 namespace {
 
@@ -48,11 +51,43 @@ double storeLoop(IndexImage& image) {
   return best / kPasses / static_cast<double>(image.pixels.size());
 }
 
-// Flat triangles in random order. Expect a constant for the three edges, one share a row, one a pixel.
+/// What the triangles are filled with, of values at their vertices: its set-up is a part of the work.
+struct Values {
+  const glm::ivec3* p;
+  const std::array<double, 3>*u, *v, *w;
+};
+const std::vector<std::uint8_t>& table() {
+  static const std::vector<std::uint8_t> cells = [] {
+    std::vector<std::uint8_t> grows(65'536);
+    for (std::size_t k = 0; k < grows.size(); ++k) grows[k] = static_cast<std::uint8_t>(std::sqrt(k));
+    return grows;
+  }();
+  return cells;
+}
+FlatCell flat(const Values& at) { return {static_cast<std::uint8_t>((*at.u)[0])}; }
+GouraudLinear gouraudLinear(const Values& at) { return {affineOver(at.p, *at.u)}; }
+GouraudTable gouraudTable(const Values& at) { return {affineOver(at.p, *at.u), table().data()}; }
+EnvironmentMap environmentMap(const Values& at) {
+  const AffineOver over{at.p};
+  return {over(*at.u), over(*at.v), table().data()};
+}
+DarkBehind<EnvironmentMap> environmentMapDarkBehind(const Values& at) {
+  const AffineOver over{at.p};
+  return {{over(*at.u), over(*at.v), table().data()}, over(*at.w), 3};
+}
+
+// Triangles in random order, with random values at their vertices. Expect a constant for the three edges and
+// the planes of the values, one share a row, one a pixel.
 // `store_ratio`: the time a pixel over that of a byte in the store loop beside it.
-void BM_FillFlat(benchmark::State& state) {
+template <auto Shading>
+void BM_Fill(benchmark::State& state) {
   IndexImage image{800, 600, 0};
   const std::vector<glm::ivec3> triangles = randomTriangles(static_cast<int>(state.range(0)), 4096);
+  std::mt19937 rng{1972};
+  std::vector<std::array<double, 3>> values(triangles.size());
+  for (std::array<double, 3>& at : values)
+    for (double& v : at)
+      v = kLeastValue + (kLargestValue - kLeastValue) * (static_cast<double>(rng()) * 0x1p-32);
   std::int64_t pixels = 0, rows = 0;
   for (std::size_t t = 0; t < triangles.size(); t += 3)
     forEachSpan(&triangles[t], 3, 800, 600, [&](int, int from, int to) { pixels += to - from, ++rows; });
@@ -60,7 +95,8 @@ void BM_FillFlat(benchmark::State& state) {
   for (auto _ : state) {
     const double start = processorTime();
     for (std::size_t t = 0; t < triangles.size(); t += 3)
-      fillConvex(image, &triangles[t], 3, FlatCell{static_cast<std::uint8_t>(t)});
+      fillConvex(image, &triangles[t], 3,
+                 Shading({&triangles[t], &values[t], &values[t + 1], &values[t + 2]}));
     benchmark::ClobberMemory();
     fill += processorTime() - start;
   }
@@ -74,6 +110,13 @@ void BM_FillFlat(benchmark::State& state) {
   state.counters["pixels"] = static_cast<double>(pixels) / count;
   state.counters["rows"] = static_cast<double>(rows) / count;
 }
-BENCHMARK(BM_FillFlat)->Arg(4)->Arg(10)->Arg(30)->Arg(100)->Arg(300)->Unit(benchmark::kMicrosecond);
+void everySide(benchmark::internal::Benchmark* fill) {
+  fill->Arg(4)->Arg(10)->Arg(30)->Arg(100)->Arg(300)->Unit(benchmark::kMicrosecond);
+}
+BENCHMARK(BM_Fill<flat>)->Name("BM_FillFlat")->Apply(everySide);
+BENCHMARK(BM_Fill<gouraudLinear>)->Name("BM_FillGouraudLinear")->Apply(everySide);
+BENCHMARK(BM_Fill<gouraudTable>)->Name("BM_FillGouraudTable")->Apply(everySide);
+BENCHMARK(BM_Fill<environmentMap>)->Name("BM_FillEnvironmentMap")->Apply(everySide);
+BENCHMARK(BM_Fill<environmentMapDarkBehind>)->Name("BM_FillEnvironmentMapDarkBehind")->Apply(everySide);
 
 }  // namespace
