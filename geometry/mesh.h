@@ -2,14 +2,19 @@
 
 #include <glm/vec2.hpp>
 #include <glm/vec3.hpp>
+#include <optional>
 #include <span>
 #include <string>
 #include <vector>
 
-/// Diffuse and ambient colours of a surface, RGB in [0, 1], as an MTL file gives them.
+/// The colours of a surface, RGB in [0, 1], and how it reflects; what is not said is the user's to choose.
 struct MeshMaterial {
   std::string name;
-  glm::dvec3 diffuse{1.0};
+  glm::dvec3 diffuse{1.0};                          ///< ambient too, as an MTL file's Kd
+  glm::dvec3 specular{1.0};                         ///< of the highlight
+  std::optional<double> ka = {}, kd = {}, ks = {};  ///< in [0, 1]
+  std::optional<int> n = {};                        ///< 0..1,000,000
+  int texture = -1;  ///< index into the scene's textures: the diffuse colour is the texel
 };
 
 /// Polygons that share vertices, as a modeller made them.

@@ -18,7 +18,9 @@ double ratioOfShades(double I0, int n) {
 ColorTable::ColorTable(const TableSettings& settings)
     : first_{settings.first.value_or(kTables[static_cast<int>(settings.kind)].first)},
       hue_{settings.hue},
-      bits_{settings.bits} {
+      bits_{settings.bits},
+      low_{settings.low},
+      high_{settings.high} {
   const int N = settings.shades;
   assert(N >= 2 && N <= kMaxShades && settings.I0 > 0.0 && settings.I0 < 1.0);
   assert(0.0 <= settings.low && settings.low <= settings.high && settings.high <= 1.0);

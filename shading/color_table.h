@@ -71,12 +71,16 @@ class ColorTable {
   /// picks it: full intensity shows 240/255 there (the brief's choice). `corrected` holds nothing below I0.
   [[nodiscard]] double level(int j) const { return levels_[j]; }
   [[nodiscard]] Rgb16 color(int j) const;
+  /// The intensities that the shades spread over.
+  [[nodiscard]] double low() const { return low_; }
+  [[nodiscard]] double high() const { return high_; }
 
  private:
   static constexpr int kBuckets = 1024;  ///< I * kBuckets narrows the search to a few thresholds
   int first_;
   glm::dvec3 hue_;
   int bits_;
+  double low_, high_;
   std::vector<double> levels_;      ///< #shades
   std::vector<double> thresholds_;  ///< #shades - 1, ascending; shade j + 1 begins at thresholds_[j]
   std::vector<int> bucket_;         ///< kBuckets + 1; thresholds below each bucket's lower end

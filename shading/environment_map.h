@@ -35,13 +35,13 @@ struct EnvironmentMap {
   }
 };
 
-/// Cells of `front` where a third value is at least 128, which stands for 0, and `dark` where it is less:
+/// Cells of `front` where a third value is at least 128, which stands for 0, and of `away` where it is less:
 /// those samples face away. Only needed where the vertices of a triangle do not agree.
-template <Shader Front>
-struct DarkBehind {
+template <Shader Front, Shader Away>
+struct EitherSide {
   Front front;
+  Away away;
   AffineValue facing;
-  std::uint8_t dark;
 
   void span(std::uint8_t* cells, int i, int j, int count) const {
     const auto faces = [&](int k) { return facing.at(i + k, j) >> 31 != 0; };
@@ -49,7 +49,7 @@ struct DarkBehind {
       if (faces(from))
         front.span(cells + from, i + from, j, to - from);
       else
-        fillSpan(cells + from, to - from, dark);
+        away.span(cells + from, i + from, j, to - from);
     };
     if (faces(0) == faces(count - 1)) return part(0, count);
     // Between samples the value does not wrap, so it crosses 2^31 once: of a value that rises from v < 2^31,
@@ -62,10 +62,10 @@ struct DarkBehind {
   }
 
   [[nodiscard]] auto rowsOfEight(int i, int j) const {
-    return [cells = front.rowsOfEight(i, j), rows = EightOfRows{facing, i, j},
-            away = dark * 0x0101010101010101u]() mutable {
+    return [cells = front.rowsOfEight(i, j), others = away.rowsOfEight(i, j),
+            rows = EightOfRows{facing, i, j}]() mutable {
       const std::uint64_t faces = negativeBytes(rows.next());
-      return (cells() & faces) | (away & ~faces);
+      return (cells() & faces) | (others() & ~faces);
     };
   }
 };

@@ -57,18 +57,25 @@ struct Columns {
   return columns;
 }
 
-/// Calls span(row, from, to) for the runs of samples in [0, width) x [0, height) that a fragment owns.
+/// Calls span(row, from, to) for the runs of samples in [0, width) x [0, height) that a fragment owns of an
+/// outline within its face: the whole face, or one of its triangles.
+template <class Span>
+void forEachSpan(const SnappedScene& scene, const SortedScene& sorted, const Fragment& fragment,
+                 const glm::ivec3* outline, int count, int width, int height, Span&& span) {
+  if (fragment.piece < 0) return forEachSpan(outline, count, width, height, span);
+
+  const Piece& piece = sorted.pieces[fragment.piece];
+  const int endRow = std::min(height, piece.firstRow + piece.rows);
+  forEachSpan(outline, count, piece.firstRow, width, endRow, [&](int row, int from, int to) {
+    const Columns columns = withinCuts(scene, sorted, piece, row, {from, to});
+    if (columns.from < columns.to) span(row, columns.from, columns.to);
+  });
+}
+
+/// The same of its face.
 template <class Span>
 void forEachSpan(const SnappedScene& scene, const SortedScene& sorted, const Fragment& fragment, int width,
                  int height, Span&& span) {
   const SnappedFace& face = scene.faces[fragment.face];
-  const glm::ivec3* const outline = &scene.vertices[face.first];
-  if (fragment.piece < 0) return forEachSpan(outline, face.count, width, height, span);
-
-  const Piece& piece = sorted.pieces[fragment.piece];
-  const int endRow = std::min(height, piece.firstRow + piece.rows);
-  forEachSpan(outline, face.count, piece.firstRow, width, endRow, [&](int row, int from, int to) {
-    const Columns columns = withinCuts(scene, sorted, piece, row, {from, to});
-    if (columns.from < columns.to) span(row, columns.from, columns.to);
-  });
+  forEachSpan(scene, sorted, fragment, &scene.vertices[face.first], face.count, width, height, span);
 }

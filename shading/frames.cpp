@@ -59,7 +59,7 @@ Frames::Frames(const Picture& picture, const SortedScene& sorted, bool textbook,
       explainer_{picture.scene().mesh, picture.snapped(), sorted, textbook},
       replay_{picture.snapped(), sorted},
       plan_{picture.settings().table.kind},
-      palette_{makePalette(plan_, picture.table())},
+      palette_{picture.palette(plan_)},
       voice_{picture.settings().width < kLargeWidth ? Voice::Plain : Voice::Title},
       width_{std::max(kLeastWidth, picture.settings().width)},
       soFar_{picture.settings().width, picture.settings().height, plan_[Cell::Well]} {
@@ -137,10 +137,7 @@ void Frames::paintTo(int painted) {
     painted_ = 0;
   }
   for (; painted_ < painted; ++painted_) {
-    const Fragment& fragment = sorted_.fragments[painted_];
-    const std::uint8_t shade = picture_.cells()[fragment.face];
-    forEachSpan(picture_.snapped(), sorted_, fragment, soFar_.width, soFar_.height,
-                [&](int row, int from, int to) { fillSpan(soFar_.row(row) + from, to - from, shade); });
+    picture_.paint(soFar_, sorted_, sorted_.fragments[painted_]);
   }
 }
 

@@ -49,9 +49,13 @@ CellPlan::CellPlan(TableKind table, int black, int white) {
       place(role, static_cast<int>(std::find(taken.begin(), taken.end(), false) - taken.begin()));
 }
 
+Palette withInterface(Palette palette, const CellPlan& plan) {
+  for (int role = 0; role < kCells; ++role) palette[plan[static_cast<Cell>(role)]] = kRows[role].color;
+  return palette;
+}
+
 Palette makePalette(const CellPlan& plan, const ColorTable& table, const Palette& unneeded) {
   Palette palette = unneeded;
   for (int j = 0; j < table.shades(); ++j) palette[table.first() + j] = table.color(j);
-  for (int role = 0; role < kCells; ++role) palette[plan[static_cast<Cell>(role)]] = kRows[role].color;
-  return palette;
+  return withInterface(palette, plan);
 }

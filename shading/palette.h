@@ -43,6 +43,9 @@ class CellPlan {
 
 using Palette = std::array<Rgb16, 256>;
 
+/// The colours of the scene's cells, and in the plan's sixteen those of the tool.
+[[nodiscard]] Palette withInterface(Palette scene, const CellPlan& plan);
+
 /// Every cell's colour: the plan's sixteen, the ramp, and `unneeded` (the server's default colours, or
 /// black) in the cells that fewer than 240 shades leave free.
 [[nodiscard]] Palette makePalette(const CellPlan& plan, const ColorTable& table,

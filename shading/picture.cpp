@@ -2,11 +2,13 @@
 
 #include <algorithm>
 #include <cmath>
+#include <glm/common.hpp>
 
 #include "depthsort/oracle.h"
 #include "geometry/screen_plane.h"
-#include "shading/fill.h"
+#include "shading/depth_shading.h"
 #include "shading/fragment_spans.h"
+#include "shading/quantize.h"
 
 namespace {
 
@@ -17,6 +19,15 @@ void timed(double& ms, Stage&& stage) {
   stage();
   ms += watch.ms();
 }
+
+/// The byte of a full-colour channel that shows a value of kChannelRamp: 1 to 255 spread over 0 to 255.
+const std::array<std::uint8_t, 256> kBytes = [] {
+  std::array<std::uint8_t, 256> bytes{};
+  for (int v = 1; v < 256; ++v) bytes[v] = static_cast<std::uint8_t>((255 * (v - 1) + 127) / 254);
+  return bytes;
+}();
+
+bool comparesPlanes(Order order) { return order == Order::Newell || order == Order::Oracle; }
 
 }  // namespace
 
@@ -34,33 +45,29 @@ void Picture::make(const PictureSettings& next) {
     });
 
   // What changed since the results that are kept; until all is done none count, for a stage may throw.
-  // At full intensity nothing is lit, and what was lit before is stale afterwards.
-  const bool lit = next.shading != Shading::Full;
-  const bool newLight = lit && (!any_ || made_.shading == Shading::Full || next.light != made_.light);
-  const bool newEye = lit && (newLight || camera.eye != camera_.eye || camera.lookAt != camera_.lookAt);
   const bool newView = !any_ || camera.view != camera_.view || next.width != made_.width ||
                        next.height != made_.height || next.cull != made_.cull;
   const bool newOrder = newView || next.order != made_.order || next.inPixels != made_.inPixels;
-  const bool newTable = !table_ || next.table != made_.table;
   any_ = false;
 
   // Shading, in world coordinates: once when a face is made, the specular term again when the eye moves.
-  timed(times_.shade, [&] {
-    if (newLight) faces_ = shadeFaces(scene_.mesh, next.light);
-    if (newEye) shadeSpecular(faces_, next.light, camera.eye, camera.lookAt);
-  });
+  const ColorPlan plan = planOf(scene_, next);
+  timed(times_.shade, [&] { shading_.make(scene_, next, channelsOf(plan), camera); });
 
   // View, shear, warp, clip, viewport, and one snap to the grid, from where all is exact.
   if (newView)
     timed(times_.transform, [&] {
-      snapped_ = project(scene_.mesh, scene_.pieces, camera.view, next.width, next.height, next.cull);
+      snapped_ = snap(scene_.mesh, scene_.pieces, camera.view, next.width, next.height, next.cull);
     });
+  camera_ = camera;
 
   // Back to front.
   if (newOrder)
     timed(times_.sort, [&] {
       sorted_ = {};
       visible_.clear();
+      if (comparesPlanes(next.order) && snapped_.planes.empty())
+        ::addPlanes(snapped_, scene_.mesh, camera_.view, next.width, next.height);
       if (next.order == Order::Oracle)
         visible_ = visibleFaces(snapped_, next.width, next.height);
       else if (next.order == Order::Newell)
@@ -71,18 +78,119 @@ void Picture::make(const PictureSettings& next) {
     });
 
   // Intensities to cells of the colour table.
-  if (newTable) table_.emplace(next.table);
   timed(times_.fill, [&] {
-    cells_.resize(snapped_.faces.size());
-    std::ranges::transform(snapped_.faces, cells_.begin(), [&](const SnappedFace& f) {
-      const double I = next.shading == Shading::Full ? 1.0 : faces_[f.number].I[f.back];
-      return static_cast<std::uint8_t>(table_->cell(I));
-    });
+    colors_.make(scene_, next, plan, shading_.lighting(), snapped_);
+    cells_.clear();
+    if (!rowOf(next.shading).interpolates && channelsOf(plan) != Channels::Rgb) cells_ = cellsOf(next, 0);
   });
 
-  camera_ = camera;
   made_ = next;
   any_ = true;
+}
+
+void Picture::addPlanes() {
+  if (snapped_.planes.empty()) ::addPlanes(snapped_, scene_.mesh, camera_.view, made_.width, made_.height);
+}
+
+std::vector<std::uint8_t> Picture::cellsOf(const PictureSettings& settings, int channel) const {
+  std::vector<double> I(snapped_.faces.size(), 1.0);
+  if (settings.shading == Shading::Depth) {
+    I = depthIntensities(scene_.mesh, snapped_, camera_.view);
+  } else if (settings.shading == Shading::Flat) {
+    std::ranges::transform(snapped_.faces, I.begin(), [&](const SnappedFace& f) {
+      const Sides<double>& sides = shading_.shades(channel).I[f.number];
+      return f.back ? sides.back : sides.front;
+    });
+  }
+  std::vector<std::uint8_t> cells(I.size());
+  for (std::size_t f = 0; f < I.size(); ++f)
+    cells[f] = static_cast<std::uint8_t>(
+        channelsOf(colors_.plan()) == Channels::Rgb
+            ? kChannelRamp.value(I[f])
+            : colors_.tableOf(scene_.mesh.material[snapped_.faces[f].number]).cell(I[f]));
+  return cells;
+}
+
+SurfacePainter Picture::painter(const SortedScene& run, int channel,
+                                const std::vector<std::uint8_t>& cells) const {
+  return SurfacePainter{{.width = made_.width,
+                         .height = made_.height,
+                         .snapped = snapped_,
+                         .sorted = run,
+                         .visible = visible_,
+                         .scene = scene_,
+                         .view = camera_.view,
+                         .settings = made_,
+                         .shading = shading_,
+                         .channel = channel,
+                         .ramps = colors_.ramps(),
+                         .cells = cells}};
+}
+
+void Picture::paint(IndexImage& image, std::uint8_t ground) {
+  const Stopwatch watch;
+  image.width = made_.width;
+  image.height = made_.height;
+  image.pixels.assign(std::size_t(made_.width) * made_.height, ground);
+  clampedPixels_ = 0;
+  if (channelsOf(colors_.plan()) == Channels::Rgb) {
+    paintColors(image);
+  } else {
+    SurfacePainter painter = this->painter(sorted_, 0, cells_);
+    painter.paintAll(image);
+    clampedPixels_ = painter.clamped();
+  }
+  times_.fill += watch.ms();
+}
+
+void Picture::paint(IndexImage& image, const SortedScene& run, const Fragment& fragment) const {
+  painter(run, 0, cells_).paint(image, fragment);
+}
+
+void Picture::paintColors(IndexImage& image) {
+  RgbImage colors{made_.width, made_.height};
+  IndexImage channel;
+  for (int c = 0; c < 3; ++c) {
+    channel = IndexImage{made_.width, made_.height, 0};
+    const std::vector<std::uint8_t> cells =
+        rowOf(made_.shading).interpolates ? std::vector<std::uint8_t>{} : cellsOf(made_, c);
+    SurfacePainter painter = this->painter(sorted_, c, cells);
+    painter.paintAll(channel);
+    clampedPixels_ += painter.clamped();
+    for (std::size_t k = 0; k < channel.pixels.size(); ++k) colors.rgb[3 * k + c] = kBytes[channel.pixels[k]];
+  }
+  chosen_ = quantize(colors, channel.pixels,
+                     {.quantizer = colors_.plan() == ColorPlan::Cube ? Quantizer::Cube : Quantizer::Chosen,
+                      .dither = made_.dither,
+                      .colors = kMaxShades,
+                      .first = colors_.table().first()},
+                     image);
+  if (!rowOf(made_.shading).interpolates) cells_ = nearestCells();
+}
+
+std::vector<std::uint8_t> Picture::nearestCells() const {
+  const std::size_t faces = snapped_.faces.size();
+  std::vector<glm::u8vec3> palette;
+  for (const Rgb16& c : chosen_) palette.emplace_back(c.r >> 8, c.g >> 8, c.b >> 8);
+  RgbImage colors{static_cast<int>(faces), 1};
+  for (int c = 0; c < 3; ++c) {
+    const std::vector<std::uint8_t> channel = cellsOf(made_, c);
+    for (std::size_t f = 0; f < faces; ++f) colors.rgb[3 * f + c] = kBytes[channel[f]];
+  }
+  IndexImage nearest{static_cast<int>(faces), 1, 0};
+  if (!palette.empty()) paintNearest(colors, {}, palette, false, colors_.table().first(), nearest);
+  return nearest.pixels;
+}
+
+Palette Picture::palette(const CellPlan& plan, const Palette& unneeded) const {
+  Palette palette = unneeded;
+  if (channelsOf(colors_.plan()) == Channels::Rgb) {
+    std::ranges::copy(chosen_, palette.begin() + colors_.table().first());
+  } else {
+    for (const ColorTable& table : colors_.tables())
+      for (int j = 0; j < table.shades(); ++j) palette[table.first() + j] = table.color(j);
+  }
+  return withInterface(palette, plan);
 }
 
 template <class Span>
@@ -102,41 +210,6 @@ void Picture::paintFaces(Span&& span) const {
   }
 }
 
-void Picture::fillFaces(IndexImage& image) const {
-  // In depth order each face lies elsewhere in memory: fetch it while those before it are filled.
-  const std::size_t count = sorted_.fragments.size();
-  const auto ahead = [&](std::size_t k) -> const SnappedFace& {
-    return snapped_.faces[sorted_.fragments[std::min(k, count - 1)].face];
-  };
-  for (std::size_t k = 0; k < count; ++k) {
-    __builtin_prefetch(&ahead(k + 16));
-    __builtin_prefetch(&snapped_.vertices[ahead(k + 8).first]);
-    const Fragment& fragment = sorted_.fragments[k];
-    const SnappedFace& face = snapped_.faces[fragment.face];
-    const std::uint8_t cell = cells_[fragment.face];
-    if (fragment.piece < 0)
-      fillConvex(image, &snapped_.vertices[face.first], face.count, FlatCell{cell});
-    else
-      forEachSpan(snapped_, sorted_, fragment, made_.width, made_.height,
-                  [&](int row, int from, int to) { fillSpan(image.row(row) + from, to - from, cell); });
-  }
-}
-
-void Picture::paint(IndexImage& image, std::uint8_t ground) {
-  const Stopwatch watch;
-  image.width = made_.width;
-  image.height = made_.height;
-  image.pixels.assign(std::size_t(made_.width) * made_.height, ground);
-  if (made_.order == Order::Oracle) {
-    paintFaces([&](int row, int from, int to, int face) {
-      std::fill(image.row(row) + from, image.row(row) + to, cells_[face]);
-    });
-  } else {
-    fillFaces(image);
-  }
-  times_.fill += watch.ms();
-}
-
 std::vector<std::uint32_t> Picture::faceImage() const {
   std::vector<std::uint32_t> image(std::size_t(made_.width) * made_.height, 0);
   paintFaces([&](int row, int from, int to, int face) {
@@ -146,7 +219,8 @@ std::vector<std::uint32_t> Picture::faceImage() const {
   return image;
 }
 
-Picture::Exactness Picture::exactness() const {
+Picture::Exactness Picture::exactness() {
+  addPlanes();
   std::vector<int> painted(std::size_t(made_.width) * made_.height, kNothing);
   paintFaces([&](int row, int from, int to, int face) {
     const auto begin = painted.begin() + std::ptrdiff_t(row) * made_.width;
@@ -170,7 +244,8 @@ Picture::Exactness Picture::exactness() const {
   return exactness;
 }
 
-int Picture::saturated() const {
-  if (made_.shading == Shading::Full) return 0;
-  return static_cast<int>(std::ranges::count(faces_, true, &FaceShade::clamped));
+std::int64_t Picture::saturated() const {
+  std::int64_t clamped = clampedPixels_;
+  for (int c = 0; c < shading_.lighting().channels; ++c) clamped += shading_.shades(c).clamped;
+  return clamped;
 }

@@ -3,42 +3,19 @@
 #include <array>
 #include <chrono>
 #include <optional>
-#include <string_view>
 #include <vector>
 
 #include "depthsort/depth_sort.h"
-#include "depthsort/order.h"
-#include "geometry/camera.h"
 #include "geometry/project.h"
-#include "shading/color_table.h"
-#include "shading/illumination.h"
 #include "shading/index_image.h"
 #include "shading/palette.h"
+#include "shading/picture_settings.h"
 #include "shading/scene.h"
+#include "shading/scene_colors.h"
+#include "shading/scene_shading.h"
+#include "shading/surface_painter.h"
 
 /// One picture: from a scene to colour indices, without any server.
-
-enum class Shading { Full, Flat };
-struct ShadingRow {
-  Shading id;
-  std::string_view name, label, evaluates;
-};
-inline constexpr std::array kShadings{
-    ShadingRow{Shading::Full, "none", "none", "nothing: every face at full intensity"},
-    ShadingRow{Shading::Flat, "flat", "flat", "the illumination once a face, at its centroid"},
-};
-
-struct PictureSettings {
-  int width = 800, height = 600;  ///< pixels, 1..kMaxPicture
-  CameraSettings camera;          ///< in the scene's units
-  Illumination light;
-  Shading shading = Shading::Flat;
-  Order order = Order::Newell;
-  Cull cull = Cull::Keep;
-  bool inPixels = false;  ///< an X server will fill the polygons (SortSettings::inPixels)
-  TableSettings table;
-  bool operator==(const PictureSettings&) const = default;
-};
 
 /// Milliseconds of each stage in the last run; 0 for a stage that was not needed again. Reading and
 /// presenting are not the picture's own: whoever does them adds them.
@@ -56,21 +33,28 @@ class Picture {
   /// The walk. @throws ViewError
   void make(const PictureSettings& settings);
 
-  /// The walk's last step: `image` becomes the picture, each face in its cell on `ground`.
+  /// The walk's last step: `image` becomes the picture on `ground`.
   void paint(IndexImage& image, std::uint8_t ground);
+  /// The colours that go with it. Of a plan that chooses them from the picture, after paint().
+  [[nodiscard]] Palette palette(const CellPlan& plan, const Palette& unneeded = {}) const;
+  /// One fragment alone, of a run over snapped(). Not for a plan of colours.
+  void paint(IndexImage& image, const SortedScene& run, const Fragment& fragment) const;
+  /// For who sorts snapped() himself: its planes are made only for the orders that ask for them.
+  void addPlanes();
   /// Face number + 1 at every sample, 0 where nothing is; row by row from the top.
   [[nodiscard]] std::vector<std::uint32_t> faceImage() const;
 
   [[nodiscard]] const Scene& scene() const { return scene_; }
   [[nodiscard]] const PictureSettings& settings() const { return made_; }
   [[nodiscard]] const Camera& camera() const { return camera_; }
-  [[nodiscard]] const std::vector<FaceShade>& faces() const { return faces_; }
+  [[nodiscard]] const SceneShading& shading() const { return shading_; }
   [[nodiscard]] const SnappedScene& snapped() const { return snapped_; }
   /// What to paint, back to front: whole faces, and pieces where the depth sort split them. Empty for
   /// Order::Oracle, which paints no faces.
   [[nodiscard]] const SortedScene& sorted() const { return sorted_; }
-  [[nodiscard]] const ColorTable& table() const { return *table_; }
-  /// The cell of each of snapped().faces.
+  /// The ramp of the one hue, or of the first.
+  [[nodiscard]] const ColorTable& table() const { return colors_.table(); }
+  /// The cell of each of snapped().faces; empty where a face has not one cell.
   [[nodiscard]] const std::vector<std::uint8_t>& cells() const { return cells_; }
   /// Samples that show a face, and those of them where the painter's order shows another face than the
   /// visibility oracle does. Where the two lie so close that rounding alone may part them
@@ -79,9 +63,10 @@ class Picture {
   struct Exactness {
     int samples = 0, wrong = 0;
   };
-  [[nodiscard]] Exactness exactness() const;
-  /// Evaluations of the illumination that exceeded 1 and were clamped.
-  [[nodiscard]] int saturated() const;
+  [[nodiscard]] Exactness exactness();
+  /// Evaluations of the illumination that exceeded 1 and were clamped: at faces or vertices, or, where each
+  /// pixel is evaluated, in the last paint().
+  [[nodiscard]] std::int64_t saturated() const;
   [[nodiscard]] const StageTimes& times() const { return times_; }
 
  private:
@@ -89,19 +74,26 @@ class Picture {
   /// earlier ones.
   template <class Span>
   void paintFaces(Span&& span) const;
-  /// The same into cells, back to front, as fast as it goes.
-  void fillFaces(IndexImage& image) const;
+  /// Of snapped().faces in one channel, where each has one.
+  [[nodiscard]] std::vector<std::uint8_t> cellsOf(const PictureSettings& settings, int channel) const;
+  [[nodiscard]] SurfacePainter painter(const SortedScene& run, int channel,
+                                       const std::vector<std::uint8_t>& cells) const;
+  void paintColors(IndexImage& image);
+  /// Of snapped().faces in a plan of colours: the nearest of those chosen.
+  [[nodiscard]] std::vector<std::uint8_t> nearestCells() const;
 
   Scene scene_;
   PictureSettings made_;  ///< what the results below were made with
   bool any_ = false;      ///< whether there are results
   Camera camera_;
-  std::vector<FaceShade> faces_;
+  SceneShading shading_;
   SnappedScene snapped_;
   SortedScene sorted_;
   std::vector<int> visible_;  ///< of Order::Oracle: the face at each sample
-  std::optional<ColorTable> table_;
+  SceneColors colors_;
+  std::vector<Rgb16> chosen_;  ///< of a plan of colours, by the last paint()
   std::vector<std::uint8_t> cells_;
+  std::int64_t clampedPixels_ = 0;
   StageTimes times_;
 };
 

@@ -58,13 +58,27 @@ Scene makeScene(std::string name, Mesh mesh, UpAxis up, int divisions) {
   double largest = 0.0;
   for (const glm::dvec3& p : mesh.points)
     largest = std::max({largest, std::abs(p.x), std::abs(p.y), std::abs(p.z)});
-  Scene scene{std::move(name), std::move(mesh), {}, up, 0, {}, divisions};
+  Scene scene;
+  scene.name = std::move(name);
+  scene.mesh = std::move(mesh);
+  scene.up = up;
+  scene.divisions = divisions;
   if (largest > 0.0) std::frexp(largest, &scene.exponent);
+  scene.light.unit = std::ldexp(1.0, -scene.exponent);
   for (glm::dvec3& p : scene.mesh.points) p = scaled(p, -scene.exponent);
   for (double& u : scene.mesh.rounding) u = std::ldexp(u, -scene.exponent);
   scene.pieces = divideFaces(scene.mesh);
   scene.pieces.plane = coplanarClasses(scene.mesh, scene.pieces);
   return scene;
+}
+
+std::vector<glm::dvec3> exactNormals(const Scene& scene) {
+  std::vector<glm::dvec3> normals;
+  for (const PatchRun& run : scene.patches) {
+    normals.resize(scene.mesh.corners.size(), glm::dvec3{0.0});
+    std::ranges::copy(cornerNormals(run.patches, run.divisions), normals.begin() + run.firstCorner);
+  }
+  return normals;
 }
 
 std::vector<BuiltInScene> builtInScenes() {
@@ -89,7 +103,9 @@ Scene readScene(const std::string& nameOrFile, int divisions) {
     const std::vector<BezierPatch> patches = readBpt(file);
     const std::span<const PatchPart> parts =
         builtIn.empty() ? std::span<const PatchPart>{} : std::span<const PatchPart>{kTeapotParts};
-    return makeScene(nameOrFile, tessellate(patches, divisions, parts), UpAxis::Z, divisions);
+    Scene scene = makeScene(nameOrFile, tessellate(patches, divisions, parts), UpAxis::Z, divisions);
+    scene.patches.push_back({0, patches, divisions});
+    return scene;
   }
   if (extension == ".obj") return makeScene(nameOrFile, readObj(file), UpAxis::Y);
   if (extension == ".json") {
@@ -149,4 +165,24 @@ CameraSettings inSceneUnits(CameraSettings c, const Scene& scene) {
   if (c.window)
     for (int k = 0; k < 4; ++k) (*c.window)[k] = inSceneUnits((*c.window)[k], scene);
   return c;
+}
+
+void toSceneUnits(Illumination& light, const Scene& scene) {
+  if (light.lightPosition) light.lightPosition = inSceneUnits(*light.lightPosition, scene);
+  if (light.range) light.range = inSceneUnits(*light.range, scene);
+  // c2 and c3 are for a unit of length and its square.
+  if (light.c)
+    light.c = {light.c->x, std::ldexp(light.c->y, scene.exponent),
+               std::ldexp(light.c->z, 2 * scene.exponent)};
+}
+
+void wear(Scene& scene, Texture texture) {
+  Mesh& mesh = scene.mesh;
+  if (mesh.uvOfCorner.empty())
+    throw ViewError{scene.name + ": holds no texture coordinates to put a texture on"};
+  const int number = static_cast<int>(scene.textures.size()), bare = static_cast<int>(mesh.materials.size());
+  scene.textures.push_back(std::move(texture));
+  if (std::ranges::find(mesh.material, -1) != mesh.material.end()) mesh.materials.emplace_back();
+  std::ranges::replace(mesh.material, -1, bare);
+  for (MeshMaterial& m : mesh.materials) m.texture = number;
 }

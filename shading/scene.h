@@ -7,6 +7,15 @@
 #include "geometry/camera.h"
 #include "geometry/divide.h"
 #include "geometry/mesh.h"
+#include "shading/illumination.h"
+#include "shading/texture.h"
+
+/// Faces of the mesh that are Bezier patches, divided.
+struct PatchRun {
+  int firstCorner = 0;  ///< of the mesh: theirs follow one another, as tessellate() has them
+  std::vector<BezierPatch> patches;
+  int divisions = 0;
+};
 
 /// What is to be drawn, in world coordinates scaled by a power of two so that the largest is in [1/2, 1):
 /// an exact step that keeps files of any magnitude (1e-300, 1e300) within reach of everything after it.
@@ -18,7 +27,13 @@ struct Scene {
   int exponent = 0;       ///< file coordinate = mesh coordinate * 2^exponent
   CameraSettings camera;  ///< of the scene file, in its units; empty where it has none
   int divisions = 0;      ///< of each Bezier patch; 0 where there are none
+  std::vector<PatchRun> patches;
+  SceneLight light;  ///< of the scene file, lengths in the mesh's units
+  std::vector<Texture> textures;
 };
+
+/// The normals of the patches at the mesh's corners, 0 at all others; empty where there are no patches.
+[[nodiscard]] std::vector<glm::dvec3> exactNormals(const Scene& scene);
 
 struct BuiltInScene {
   std::string name, shows;
@@ -45,6 +60,11 @@ inline constexpr int kDefaultDivisions = 8;
 [[nodiscard]] double inSceneUnits(double length, const Scene& scene);
 [[nodiscard]] glm::dvec3 inSceneUnits(glm::dvec3 point, const Scene& scene);
 [[nodiscard]] CameraSettings inSceneUnits(CameraSettings camera, const Scene& scene);
+/// The user's light, its place and attenuation.
+void toSceneUnits(Illumination& light, const Scene& scene);
+
+/// All surfaces get the texture. @throws ViewError if no face has texture coordinates
+void wear(Scene& scene, Texture texture);
 
 /// What was said, and the scene's own camera for the rest: a projection or a textbook specification that was
 /// said replaces the scene's as a whole.

@@ -163,7 +163,8 @@ TEST(Fill, WhatFacesAwayIsDark) {
   expectShader([&](Triangles& random, const Triangle& p) {
     const AffineValue u = affineOver(p.data(), random.values()), v = affineOver(p.data(), random.values()),
                       w = affineOver(p.data(), random.values());
-    return std::pair{DarkBehind<EnvironmentMap>{{u, v, map.data()}, w, 99}, [&map, u, v, w](int i, int j) {
+    return std::pair{EitherSide<EnvironmentMap, FlatCell>{{u, v, map.data()}, {99}, w},
+                     [&map, u, v, w](int i, int j) {
                        if (w.at(i, j) >> 24 < 128) return std::uint8_t{99};
                        return map[256 * (v.at(i, j) >> 24) + (u.at(i, j) >> 24)];
                      }};
@@ -181,7 +182,7 @@ TEST(Fill, FacesFromExactly128On) {
           const std::uint32_t gx = rises ? step : 0 - step;
           const AffineValue facing{kTurn + off - static_cast<std::uint32_t>(turn) * gx, gx, 0};
           std::array<std::uint8_t, kColumns> cells{};
-          DarkBehind<FlatCell>{{200}, facing, 99}.span(cells.data(), 0, 0, kColumns);
+          EitherSide<FlatCell, FlatCell>{{200}, {99}, facing}.span(cells.data(), 0, 0, kColumns);
           for (int i = 0; i < kColumns; ++i)
             ASSERT_EQ(cells[i], facing.at(i, 0) >= kTurn ? 200 : 99) << step << ", " << turn << ", " << i;
         }

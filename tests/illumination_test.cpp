@@ -1,4 +1,4 @@
-#include "shading/illumination.h"
+#include "shading/shade.h"
 
 #include <gtest/gtest.h>
 
@@ -16,10 +16,25 @@ Mesh square() {
   return m;
 }
 
-FaceShade shaded(const Illumination& light, glm::dvec3 eye, const Mesh& mesh = square()) {
-  std::vector<FaceShade> faces = shadeFaces(mesh, light);
-  shadeSpecular(faces, light, eye, {0.5, 0.5, 0});
-  return faces[0];
+/// What flat shading makes of the first face, in one channel.
+struct FaceShade {
+  glm::dvec3 N, at;
+  double ambient;
+  Sides<double> diffuse, specular, I;
+  bool clamped;
+};
+
+FaceShade shaded(const Illumination& user, glm::dvec3 eye, const Mesh& mesh = square(),
+                 glm::dvec3 lookAt = {0.5, 0.5, 0}, const SceneLight& scene = {}) {
+  const Lighting lighting = resolve(mesh, scene, user, Channels::Luminance, eye, lookAt);
+  const ShadingPoints points = facePoints(mesh);
+  Shades shades;
+  shadeDiffuse(shades, points, lighting, 0);
+  shadeSpecular(shades, points, lighting, 0);
+  addTerms(shades, points, lighting, 0);
+  return {points.N[0],       points.at[0],       lighting.materials[mesh.material[0] + 1].ambient[0],
+          shades.diffuse[0], shades.specular[0], shades.I[0],
+          shades.clamped > 0};
 }
 
 const Illumination kBook{.Ia = 0.2, .Ip = 0.7, .ka = 0.9, .kd = 0.8, .ks = 0.4, .n = 3, .light = {0, 3, 4}};
@@ -32,21 +47,22 @@ TEST(Illumination, EquationByHand) {
   const FaceShade f = shaded(kBook, glm::dvec3{0.5, 0.5, 0} + 10.0 * glm::dvec3{0, -0.6, 0.8});
   EXPECT_EQ(f.N, glm::dvec3(0, 0, 1));
   EXPECT_EQ(f.at, glm::dvec3(0.5, 0.5, 0));
-  EXPECT_NEAR(f.NdotL, 0.8, 1e-15);
   EXPECT_NEAR(f.ambient, 0.18, 1e-15);
-  EXPECT_NEAR(f.diffuse, 0.7 * 0.8 * 0.8, 1e-15);
-  EXPECT_NEAR(f.specular, 0.7 * 0.4, 1e-14);
-  EXPECT_NEAR(f.I[0], 0.908, 1e-14);
-  EXPECT_EQ(f.I[1], f.ambient);  // the back is in the dark
-  EXPECT_NEAR(shaded(kBook, {0.5, 0.5, 9}).specular, 0.7 * 0.4 * 0.512, 1e-14);
+  EXPECT_NEAR(f.diffuse.front, 0.7 * 0.8 * 0.8, 1e-15);
+  EXPECT_NEAR(f.specular.front, 0.7 * 0.4, 1e-14);
+  EXPECT_NEAR(f.I.front, 0.908, 1e-14);
+  EXPECT_EQ(f.I.back, f.ambient);  // the back is in the dark
+  EXPECT_NEAR(shaded(kBook, {0.5, 0.5, 9}).specular.front, 0.7 * 0.4 * 0.512, 1e-14);
 }
 
 // Ia = 1 knows no direction, Ip = 1 leaves the back black.
 TEST(Illumination, TheTwoTellingExtremes) {
   const Illumination ambient{.Ia = 1, .Ip = 0, .ka = 0.9};
-  EXPECT_EQ(shaded(ambient, {0, 0, 5}).I, (std::array{0.9, 0.9}));
+  EXPECT_EQ(shaded(ambient, {0, 0, 5}).I.front, 0.9);
+  EXPECT_EQ(shaded(ambient, {0, 0, 5}).I.back, 0.9);
   const Illumination point{.Ia = 0, .Ip = 1, .kd = 0.9, .ks = 0, .light = {0, 0, 1}};
-  EXPECT_EQ(shaded(point, {0, 0, 5}).I, (std::array{0.9, 0.0}));
+  EXPECT_EQ(shaded(point, {0, 0, 5}).I.front, 0.9);
+  EXPECT_EQ(shaded(point, {0, 0, 5}).I.back, 0.0);
 }
 
 // A light behind lights the back; one-sided, neither side gets more than the ambient term. R.V is clamped
@@ -56,27 +72,27 @@ TEST(Illumination, LightBehindAndEvenPowers) {
   light.light = {0, 3, -4};
   light.n = 2;
   const FaceShade f = shaded(light, {0.5, 0.5, -9});
-  EXPECT_NEAR(f.NdotL, -0.8, 1e-15);
-  EXPECT_EQ(f.I[0], f.ambient);
-  EXPECT_NEAR(f.I[1], f.ambient + 0.7 * (0.8 * 0.8 + 0.4 * 0.64), 1e-14);
-  EXPECT_EQ(shaded(light, {0.5, 0.5, 9}).specular, 0.0);  // R.V = -0.8
+  EXPECT_EQ(f.I.front, f.ambient);
+  EXPECT_NEAR(f.I.back, f.ambient + 0.7 * (0.8 * 0.8 + 0.4 * 0.64), 1e-14);
+  EXPECT_EQ(shaded(light, {0.5, 0.5, 9}).specular.back, 0.0);  // R.V = -0.8
   light.twoSided = false;
   const FaceShade one = shaded(light, {0.5, 0.5, -9});
-  EXPECT_EQ(one.I, (std::array{one.ambient, one.ambient}));
+  EXPECT_EQ(one.I.front, one.ambient);
+  EXPECT_EQ(one.I.back, one.ambient);
   light.light = {0, 1, 0};
   const FaceShade grazing = shaded(light, {0.5, 0.5, 9});
-  EXPECT_EQ(grazing.diffuse + grazing.specular, 0.0);
+  EXPECT_EQ(grazing.I.front, grazing.ambient);
 }
 
 // The exponent's ends: x^0 = 1, and a million leaves only the mirror direction.
 TEST(Illumination, ExponentsAtTheirEnds) {
   Illumination light = kBook;
   light.n = 0;
-  EXPECT_NEAR(shaded(light, {0.5, 0.5, 9}).specular, 0.28, 1e-15);
+  EXPECT_NEAR(shaded(light, {0.5, 0.5, 9}).specular.front, 0.28, 1e-15);
   light.n = 1'000'000;
-  EXPECT_EQ(shaded(light, {0.5, 0.5, 9}).specular, 0.0);
+  EXPECT_EQ(shaded(light, {0.5, 0.5, 9}).specular.front, 0.0);
   light.light = {0, 0, 1};
-  EXPECT_EQ(shaded(light, {0.5, 0.5, 9}).specular, 0.7 * 0.4);
+  EXPECT_EQ(shaded(light, {0.5, 0.5, 9}).specular.front, 0.7 * 0.4);
 }
 
 // Above 1 the intensity is clamped and says so.
@@ -85,7 +101,7 @@ TEST(Illumination, ClampsAndCounts) {
   light.light = {0, 0, 1};
   light.kd = light.ks = 1;
   const FaceShade f = shaded(light, {0.5, 0.5, 9});
-  EXPECT_EQ(f.I[0], 1.0);
+  EXPECT_EQ(f.I.front, 1.0);
   EXPECT_TRUE(f.clamped);
   EXPECT_FALSE(shaded(kBook, {0.5, 0.5, 9}).clamped);
 }
@@ -96,20 +112,15 @@ TEST(Illumination, ConstantLAndV) {
   Mesh m = square();
   m.points.push_back({0.5, 0.5, 4});  // the scene's centre is (0.5, 0.5, 2), its faces stay
   m.points.push_back({1.5, 0.5, 4});  // and now (0.75, 0.5, 2)
-  Illumination light{.lightPosition = glm::dvec3{0.5, 0.5, 6}};
-  EXPECT_EQ(shaded(light, {0, 0, 5}, m).L, glm::dvec3(0, 0, 1));
+  Illumination light{.Ip = 1, .kd = 1, .ks = 0, .lightPosition = glm::dvec3{0.5, 0.5, 6}};
+  EXPECT_EQ(shaded(light, {0, 0, 5}, m).diffuse.front, 1.0);
   light.constantL = true;
-  const FaceShade far = shaded(light, {0, 0, 5}, m);
-  EXPECT_NEAR(far.L.x, -0.25 / std::sqrt(16 + 0.0625), 1e-15);
-  EXPECT_NEAR(far.L.z, 4 / std::sqrt(16 + 0.0625), 1e-15);
+  EXPECT_NEAR(shaded(light, {0, 0, 5}, m).diffuse.front, 4 / std::sqrt(16 + 0.0625), 1e-15);
 
   Illumination v{.Ia = 0, .Ip = 1, .kd = 0, .ks = 1, .n = 1, .light = {0, 0, 1}};
-  std::vector<FaceShade> faces = shadeFaces(square(), v);
-  shadeSpecular(faces, v, {4.5, 0.5, 3}, {0.5, 0.5, 0});
-  EXPECT_NEAR(faces[0].specular, 0.6, 1e-15);
+  EXPECT_NEAR(shaded(v, {4.5, 0.5, 3}).specular.front, 0.6, 1e-15);
   v.constantV = true;
-  shadeSpecular(faces, v, {4.5, 0.5, 3}, {4.5, 0.5, 0});
-  EXPECT_NEAR(faces[0].specular, 1.0, 1e-15);
+  EXPECT_NEAR(shaded(v, {4.5, 0.5, 3}, square(), {4.5, 0.5, 0}).specular.front, 1.0, 1e-15);
 }
 
 // MTL colours reach the ramp as luminance: green counts 0.59.
@@ -118,7 +129,7 @@ TEST(Illumination, MaterialsAsLuminance) {
   m.materials.push_back({"grass", {0, 1, 0}});
   m.material[0] = 0;
   const Illumination light{.Ia = 0.5, .Ip = 0.5, .ka = 1, .kd = 1, .ks = 0, .light = {0, 0, 1}};
-  EXPECT_NEAR(shaded(light, {0, 0, 5}, m).I[0], 0.59, 1e-15);
+  EXPECT_NEAR(shaded(light, {0, 0, 5}, m).I.front, 0.59, 1e-15);
 }
 
 // No light, no material, no eye makes anything but a number in [0, 1] of it.
@@ -138,7 +149,7 @@ TEST(Illumination, StaysInRange) {
     light.twoSided = trial % 3 != 0;
     const glm::dvec3 eye = trial % 5 ? glm::dvec3{wild(), wild(), wild()} : glm::dvec3{0.5, 0.5, 0};
     const FaceShade f = shaded(light, eye);
-    for (const double I : f.I) ASSERT_TRUE(I >= 0 && I <= 1) << I;
-    ASSERT_TRUE(f.specular >= 0 && f.diffuse >= 0);
+    for (const double I : {f.I.front, f.I.back}) ASSERT_TRUE(I >= 0 && I <= 1) << I;
+    for (const Sides<double>& term : {f.diffuse, f.specular}) ASSERT_TRUE(term.front >= 0 && term.back >= 0);
   }
 }

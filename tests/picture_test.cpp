@@ -57,11 +57,8 @@ std::vector<int> timesCovered(const SnappedScene& scene, int width, int height) 
   return times;
 }
 
-bool sameBits(const FaceShade& a, const FaceShade& b, bool specularToo) {
-  const auto same = [](const auto& x, const auto& y) { return std::memcmp(&x, &y, sizeof x) == 0; };
-  return same(a.N, b.N) && same(a.at, b.at) && same(a.L, b.L) && same(a.NdotL, b.NdotL) &&
-         same(a.ambient, b.ambient) && same(a.diffuse, b.diffuse) &&
-         (!specularToo || (same(a.specular, b.specular) && same(a.I, b.I)));
+bool sameBits(const std::vector<Sides<double>>& a, const std::vector<Sides<double>>& b) {
+  return a.size() == b.size() && std::memcmp(a.data(), b.data(), a.size() * sizeof a[0]) == 0;
 }
 
 IndexImage painted(Picture& picture, const PictureSettings& settings) {
@@ -129,26 +126,28 @@ TEST(Picture, ClosedSurfacesPaintInPairs) {
   EXPECT_GT(four, 10'000);
 }
 
-// What is stored with a face does not change by a bit with projection, shear, window, size or zoom; when
-// the eye moves, only the specular term does.
-TEST(Picture, StoredShadingKnowsNoCamera) {
+// What is stored with a face or a vertex does not change by a bit with projection, shear, window, size or
+// zoom; when the eye moves, only the specular term does.
+class StoredShading : public ::testing::TestWithParam<Shading> {};
+TEST_P(StoredShading, KnowsNoCamera) {
   Picture picture{readScene("teapot", 4)};
   PictureSettings s = small();
+  s.shading = GetParam();
   s.camera.eye = glm::dvec3{0.3, -2, 0.8};
   s.camera.lookAt = glm::dvec3{0, 0, 0.2};
   picture.make(s);
-  const std::vector<FaceShade> stored = picture.faces();
+  const Shades stored = picture.shading().shades(0);
+  ASSERT_GT(stored.I.size(), 200u);
   const auto expectSame = [&](const PictureSettings& changed, bool specularToo) {
     Picture fresh{readScene("teapot", 4)};
     fresh.make(changed);
     picture.make(changed);
-    bool specularMoved = false;
-    for (std::size_t f = 0; f < stored.size(); ++f) {
-      ASSERT_TRUE(sameBits(stored[f], fresh.faces()[f], specularToo)) << f;
-      ASSERT_TRUE(sameBits(picture.faces()[f], fresh.faces()[f], true)) << f;  // kept = made afresh
-      specularMoved |= stored[f].specular != fresh.faces()[f].specular;
-    }
-    EXPECT_EQ(specularMoved, !specularToo);
+    const Shades &kept = picture.shading().shades(0), &made = fresh.shading().shades(0);
+    EXPECT_TRUE(sameBits(kept.diffuse, made.diffuse) && sameBits(kept.specular, made.specular));
+    EXPECT_TRUE(sameBits(kept.I, made.I));
+    EXPECT_TRUE(sameBits(stored.diffuse, made.diffuse));
+    EXPECT_EQ(sameBits(stored.specular, made.specular), specularToo);
+    EXPECT_EQ(sameBits(stored.I, made.I), specularToo);
   };
   const auto with = [&](auto&& change) {
     PictureSettings c = s;
@@ -164,6 +163,7 @@ TEST(Picture, StoredShadingKnowsNoCamera) {
   expectSame(with([](auto& c) { c.cull = Cull::Back; }), true);
   expectSame(with([](auto& c) { c.camera.eye = glm::dvec3{0.4, -2, 0.8}; }), false);
 }
+INSTANTIATE_TEST_SUITE_P(Methods, StoredShading, ::testing::Values(Shading::Flat, Shading::Gouraud));
 
 // Keeping results is invisible: after any change of settings the picture is the one made afresh.
 TEST(Picture, KeptStagesPaintWhatFreshOnesPaint) {
@@ -172,9 +172,9 @@ TEST(Picture, KeptStagesPaintWhatFreshOnesPaint) {
   PictureSettings s = small();
   int distinct = 0;
   IndexImage last;
-  for (int trial = 0; trial < 60; ++trial) {
+  for (int trial = 0; trial < 120; ++trial) {
     SCOPED_TRACE(trial);
-    switch (rng() % 9) {
+    switch (rng() % 12) {
       case 0:
         s.table.kind = kTables[rng() % 3].id;
         break;
@@ -199,8 +199,17 @@ TEST(Picture, KeptStagesPaintWhatFreshOnesPaint) {
       case 7:
         s.light.constantV = !s.light.constantV;
         break;
+      case 8:
+        s.normals = kNormalRules[rng() % 5].id;
+        break;
+      case 9:
+        s.light.form = kForms[rng() % 3].id;
+        break;
+      case 10:
+        s.environment = kEnvironmentForms[rng() % 2].id;
+        break;
       default:
-        s.shading = rng() % 4 ? Shading::Flat : Shading::Full;
+        s.shading = kShadings[rng() % 6].id;
     }
     const IndexImage image = painted(kept, s);
     Picture fresh{readScene("teapot", 3)};
@@ -325,5 +334,5 @@ TEST(Picture, FullIntensityShadesNothing) {
   Picture full{readScene("teapot", 3)};
   s.shading = Shading::Full;
   painted(full, s);
-  EXPECT_TRUE(full.faces().empty());
+  EXPECT_TRUE(full.shading().shades(0).I.empty());
 }

@@ -69,7 +69,7 @@ StageTimes draw(const Options& options, Picture& picture, double msRead) {
   StageTimes times = picture.times();
   times.read = msRead;
   const Stopwatch watch;
-  writePictures(options, picture, encodePng(image, makePalette(plan, picture.table())));
+  writePictures(options, picture, encodePng(image, picture.palette(plan)));
   times.present = watch.ms();
   return times;
 }
@@ -81,7 +81,9 @@ void trace(const Options& options, Picture& picture) {
     const Doing sorting{"sorting"};
     PictureSettings settings = settingsOf(options);
     settings.order = Order::Unsorted;  // the run that is told is the sort
+    if (channelsOf(planOf(picture.scene(), settings)) == Channels::Rgb) settings.colors = ColorPlan::OneHue;
     picture.make(settings);
+    picture.addPlanes();
     sorted = recordedRun(options, picture);
   }
   if (!options.frames.empty()) {
@@ -106,7 +108,8 @@ int run(Options options) {
   Scene scene = read(options);
   options.picture.camera = inSceneUnits(completed(options.picture.camera, scene.camera), scene);
   if (!options.lightGiven) options.picture.light.light = defaultLight(scene.up);
-  if (auto& light = options.picture.light.lightPosition) light = inSceneUnits(*light, scene);
+  toSceneUnits(options.picture.light, scene);
+  if (!options.texture.empty()) wear(scene, readTexture(options.texture));
   const double msRead = watch.ms();
   if (options.command == Command::View) return runViewer(options, std::move(scene));
   if (options.command == Command::Snapshot) return takeSnapshot(options, std::move(scene), msRead), kDone;

@@ -14,8 +14,7 @@ namespace {
 
 /// Words of the command line that are fixed but do not do anything yet: they say so.
 constexpr std::array<std::string_view, 3> kLaterCommands{"figure", "trade", "lesson"};
-constexpr std::array<std::string_view, 5> kLaterOptions{"--half-vector", "--attenuation", "--normals",
-                                                        "--texture", "--json"};
+constexpr std::array<std::string_view, 1> kLaterOptions{"--json"};
 
 [[noreturn]] void refuse(const std::string& option, const std::string& text, const std::string& expected) {
   throw UsageError{option + ": " + inQuotes(text) + " is not " + expected};
@@ -205,6 +204,35 @@ void addLight(Reader& r, Illumination& light, bool& lightGiven) {
          "take L at the scene's centre for every face: the light is far away");
   r.flag("--constant-v", light.constantV,
          "take V at the look-at point for every face: the viewer is far away");
+  r.choice("--attenuation", kAttenuations, light.attenuation, "what distance d leaves of the point light");
+  r.text("--range", "where attenuation linear reaches 0, in world units",
+         "twice the way to the scene's centre", [&](const std::string& text) {
+           light.range = numbers("--range", text, 1, "a distance above 0")[0];
+           if (!(*light.range > 0)) refuse("--range", text, "a distance above 0");
+         });
+  r.point("--coefficients", "c1,c2,c3 of attenuation textbook, min(1, 1/(c1 + c2 d + c3 d^2))",
+          "half the light at the scene's centre", [&](glm::dvec3 c) {
+            if (std::min({c.x, c.y, c.z}) < 0)
+              throw UsageError{"--coefficients: c1, c2 and c3 must not be negative"};
+            light.c = c;
+          });
+  r.choice("--form", kForms, light.form, "of which cosine the specular term is the n-th power");
+}
+
+void addSurfaces(Reader& r, Options& o) {
+  r.choice("--normals", kNormalRules, o.picture.normals, "rule for the normals at vertices");
+  r.number("--crease", o.picture.crease, 0, 180,
+           "degrees; faces that meet at a larger angle share no normal");
+  r.choice("--polygons", kPolygons, o.picture.polygons,
+           "over what polygons of more than three corners interpolate");
+  r.choice("--environment", kEnvironmentForms, o.picture.environment, "how --shade envmap looks up its map");
+  r.text("--texture", "a PNG for the diffuse colour of all surfaces", "", [&](const std::string& s) {
+    if (s.empty()) throw UsageError{"--texture: the file's name is empty"};
+    o.texture = s;
+  });
+  r.choice("--mapping", kTextureMappings, o.picture.mapping, "how texture coordinates are interpolated");
+  r.choice("--colors", kColorPlans, o.picture.colors, "which colours the cells of the scene hold");
+  r.flag("--dither", o.picture.dither, "ordered dithering, where the cells hold colours and not ramps");
 }
 
 void addTable(Reader& r, TableSettings& table) {
@@ -291,6 +319,10 @@ void check(const Options& o, bool sceneGiven) {
   if (traces && o.fill == Fill::XFillPolygon) throw UsageError{"--fill x11 needs a server: use snapshot"};
   if (o.command == Command::Draw && o.fill == Fill::XFillPolygon)
     throw UsageError{"--fill x11 needs a server: use snapshot"};
+  if (o.fill == Fill::XFillPolygon && rowOf(o.picture.shading).interpolates)
+    throw UsageError{"--fill x11 gives a polygon one cell: use --shade none, depth or flat"};
+  if (o.fill == Fill::XFillPolygon && !o.texture.empty())
+    throw UsageError{"--fill x11 gives a polygon one cell: it shows no --texture"};
   if (o.picture.order == Order::Oracle && o.fill == Fill::XFillPolygon)
     throw UsageError{
         "--order oracle decides each sample by itself: there is no polygon for --fill x11 to fill"};
@@ -351,8 +383,7 @@ std::optional<Options> parseOptions(int argc, const char* const* argv) {
          [&](const std::string& s) { o.size = parseSize(s); });
   r.number("--divisions", o.divisions, 1, kMaxDivisions,
            "each Bezier patch of a .bpt file becomes N x N polygons");
-  r.choice("--shade", kShadings, o.picture.shading, "shading method",
-           {"depth", "gouraud", "phong", "envmap"});
+  r.choice("--shade", kShadings, o.picture.shading, "shading method");
   r.choice("--order", kOrders, o.picture.order, "hidden-surface method", {});
   r.choice("--fill", kFills, o.fill, "who fills the polygons");
   r.text("--cull", "back faces: back leaves them out, none keeps them", "none", [&](const std::string& s) {
@@ -364,6 +395,8 @@ std::optional<Options> parseOptions(int argc, const char* const* argv) {
     o.picture.light.twoSided = s == "two";
   });
   addLight(r, o.picture.light, o.lightGiven);
+  r.flag("--half-vector", o.halfVector, "the same as --form half-vector");
+  addSurfaces(r, o);
   addTable(r, o.picture.table);
   addCamera(r, o.picture.camera);
   r.text("--visual", "insist on a visual, such as PseudoColor8 or TrueColor24", "",
@@ -406,6 +439,17 @@ std::optional<Options> parseOptions(int argc, const char* const* argv) {
     refuse(app, e);
   }
   coupleIntensities(o.picture.light, r.given("--ia"), r.given("--ip"));
+  if (o.halfVector) {
+    if (app.count("--form") > 0 && o.picture.light.form != Form::HalfVector)
+      throw UsageError{"--half-vector and --form exclude each other"};
+    o.picture.light.form = Form::HalfVector;
+  }
+  if (app.count("--range") > 0 && o.picture.light.attenuation != Attenuation::Linear)
+    throw UsageError{"--range goes with --attenuation linear"};
+  if (app.count("--coefficients") > 0 && o.picture.light.attenuation != Attenuation::Textbook)
+    throw UsageError{"--coefficients goes with --attenuation textbook"};
+  if (o.picture.light.attenuation != Attenuation::None && !o.picture.light.lightPosition)
+    throw UsageError{"--attenuation needs a light at a place: --light-at x,y,z"};
   check(o, app.count("scene") > 0);
   if (app.count("--every") > 0 && o.frames.empty()) throw UsageError{"--every goes with --frames"};
   return o;

@@ -47,6 +47,8 @@ struct Options {
   std::optional<glm::ivec2> size;  ///< --size, else 800x600 for pictures and 1024x768 for windows
   PictureSettings picture;         ///< its camera and light in the file's units
   bool lightGiven = false;         ///< --light; else it comes from the upper left of the scene
+  bool halfVector = false;         ///< --half-vector; the picture's light has it by then
+  std::string texture;             ///< "" for none
   Fill fill = Fill::Scanline;
   std::string visual;  ///< "" for the program's choice
   std::string output, ids;

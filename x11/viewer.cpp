@@ -313,7 +313,7 @@ void takeSnapshot(const Options& options, Scene scene, double msRead) {
   picture.paint(image, plan[Cell::Well]);
   shoot({picture,
          image,
-         makePalette(plan, picture.table(), server.colormap.unneeded()),
+         picture.palette(plan, server.colormap.unneeded()),
          {0, 0, size.x, size.y},
          plan[Cell::Well]});
 }

@@ -207,7 +207,7 @@ PictureSettings Workbench::sized() const {
   return settings;
 }
 
-std::string Workbench::exactnessText() const {
+std::string Workbench::exactnessText() {
   constexpr std::size_t kMost = 100'000;  // polygons: more take longer to count than to look at
   const Order order = setup().picture.order;
   if (order == Order::Newell || order == Order::Oracle || picture_.snapped().faces.size() > kMost) return {};
@@ -221,9 +221,9 @@ void Workbench::drawFrame(bool dragging) {
   const Rect& at = layout_.picture;
   picture_.make(sized());
   const CellPlan plan = server_.plan(state_.setup.picture.table.kind);
-  palette_ = makePalette(plan, picture_.table(), server_.unneeded);
-
   picture_.paint(pictureImage_, plan[Cell::Well]);
+  palette_ = picture_.palette(plan, server_.unneeded);
+
   if (image_.width != layout_.width || image_.height != layout_.height)
     image_ = IndexImage{layout_.width, layout_.height, plan[Cell::Paper]};
   for (int j = 0; j < at.height; ++j)
@@ -236,7 +236,7 @@ void Workbench::drawFrame(bool dragging) {
                   (splits > 0 ? withCommas(splits) + " cuts, " : "") +
                   withCommas(static_cast<int>(snapped.faces.size()) + splits) + " painted, " +
                   withCommas(static_cast<int>(backs) + snapped.culled) + " back faces   " +
-                  withCommas(picture_.saturated()) + " clamped";
+                  withCommas(static_cast<int>(picture_.saturated())) + " clamped";
   state_.times = formatted(picture_.times().total(), 1) + " ms";
   counted_ = !dragging;
   state_.inexact = dragging ? "" : exactnessText();
@@ -250,7 +250,7 @@ void Workbench::update(bool dragging) {
   if (stale() == Stale::Colors) {
     const CellPlan plan = server_.plan(state_.setup.picture.table.kind);
     picture_.make(sized());
-    palette_ = makePalette(plan, picture_.table(), server_.unneeded);
+    palette_ = picture_.palette(plan, server_.unneeded);
   } else if (stale() == Stale::Everything) {
     try {
       drawFrame(dragging);

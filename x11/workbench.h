@@ -66,7 +66,7 @@ class Workbench {
   void pressEnd(bool high);
   void nextFocus(int direction);
   void drawFrame(bool dragging);
-  [[nodiscard]] std::string exactnessText() const;
+  [[nodiscard]] std::string exactnessText();
   /// The setup's picture at the size the window has for it, which is nothing to undo.
   [[nodiscard]] PictureSettings sized() const;
   /// As the setup has it now, which may be newer than the picture.

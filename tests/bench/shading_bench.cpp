@@ -5,33 +5,55 @@
 
 #include "geometry/solids.h"
 #include "shading/color_difference.h"
-#include "shading/illumination.h"
 #include "shading/png.h"
 #include "shading/quantize.h"
+#include "shading/shade.h"
 #include "tests/colored_picture.h"
 #include "triangulated.h"
 
 namespace {
 
-// Normal, N.L, ambient and diffuse of every face: expect linear.
-void BM_ShadeFaces(benchmark::State& state) {
-  const int side = static_cast<int>(state.range(0));
-  const Mesh mesh = triangulated(torus(side, side));
-  for (auto _ : state) benchmark::DoNotOptimize(shadeFaces(mesh, {}));
-  state.SetItemsProcessed(state.iterations() * mesh.faceCount());
+/// Points to shade: the centroids of a torus's triangles, its light and an eye.
+struct ShadedTorus {
+  Mesh mesh;
+  ShadingPoints points;
+  Lighting lighting;
+  explicit ShadedTorus(int side)
+      : mesh{triangulated(torus(side, side))},
+        points{facePoints(mesh)},
+        lighting{resolve(mesh, {}, {}, Channels::Luminance, {1, -4, 2}, {0, 0, 0})} {}
+};
+
+// Normals and centroids of all faces, once a scene: expect linear.
+void BM_FacePoints(benchmark::State& state) {
+  const ShadedTorus scene{static_cast<int>(state.range(0))};
+  for (auto _ : state) benchmark::DoNotOptimize(facePoints(scene.mesh));
+  state.SetItemsProcessed(state.iterations() * scene.mesh.faceCount());
 }
-BENCHMARK(BM_ShadeFaces)->Arg(14)->Arg(56)->Arg(224)->Unit(benchmark::kMicrosecond);
+BENCHMARK(BM_FacePoints)->Arg(14)->Arg(56)->Arg(224)->Unit(benchmark::kMicrosecond);
+
+// Diffuse terms of every face: expect linear.
+void BM_ShadeDiffuse(benchmark::State& state) {
+  const ShadedTorus scene{static_cast<int>(state.range(0))};
+  Shades shades;
+  for (auto _ : state) {
+    shadeDiffuse(shades, scene.points, scene.lighting, 0);
+    benchmark::ClobberMemory();
+  }
+  state.SetItemsProcessed(state.iterations() * scene.mesh.faceCount());
+}
+BENCHMARK(BM_ShadeDiffuse)->Arg(14)->Arg(56)->Arg(224)->Unit(benchmark::kMicrosecond);
 
 // The specular term again, as whenever the eye moves: expect linear.
 void BM_ShadeSpecular(benchmark::State& state) {
-  const int side = static_cast<int>(state.range(0));
-  const Mesh mesh = triangulated(torus(side, side));
-  std::vector<FaceShade> faces = shadeFaces(mesh, {});
+  const ShadedTorus scene{static_cast<int>(state.range(0))};
+  Shades shades;
+  shadeDiffuse(shades, scene.points, scene.lighting, 0);
   for (auto _ : state) {
-    shadeSpecular(faces, {}, {1, -4, 2}, {0, 0, 0});
+    shadeSpecular(shades, scene.points, scene.lighting, 0);
     benchmark::ClobberMemory();
   }
-  state.SetItemsProcessed(state.iterations() * mesh.faceCount());
+  state.SetItemsProcessed(state.iterations() * scene.mesh.faceCount());
 }
 BENCHMARK(BM_ShadeSpecular)->Arg(14)->Arg(56)->Arg(224)->Unit(benchmark::kMicrosecond);
 

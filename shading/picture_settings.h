@@ -1,0 +1,33 @@
+#pragma once
+
+#include "depthsort/order.h"
+#include "geometry/camera.h"
+#include "geometry/project.h"
+#include "geometry/vertex_normals.h"
+#include "shading/color_plan.h"
+#include "shading/color_table.h"
+#include "shading/environment.h"
+#include "shading/illumination.h"
+#include "shading/method.h"
+#include "shading/texture.h"
+
+/// Everything that a picture of a scene can be asked for.
+
+struct PictureSettings {
+  int width = 800, height = 600;  ///< pixels, 1..kMaxPicture
+  CameraSettings camera;          ///< in the scene's units
+  Illumination light;
+  Shading shading = Shading::Flat;
+  NormalRule normals = NormalRule::Exact;
+  double crease = 180;  ///< degrees, as smoothVertices() has it
+  Polygons polygons = Polygons::Triangles;
+  EnvironmentForm environment = EnvironmentForm::Rotated;
+  TextureMapping mapping = TextureMapping::Perspective;
+  Order order = Order::Newell;
+  Cull cull = Cull::Keep;
+  bool inPixels = false;  ///< an X server will fill the polygons (SortSettings::inPixels)
+  ColorPlan colors = ColorPlan::Needed;
+  bool dither = false;  ///< where the plan is of colours, not of hues
+  TableSettings table;
+  bool operator==(const PictureSettings&) const = default;
+};

@@ -1,0 +1,107 @@
+#include "shading/scene_colors.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "shading/hue_plan.h"
+
+namespace {
+
+bool gray(const glm::dvec3& color) { return color.r == color.g && color.g == color.b; }
+
+/// The largest component made 1; white for black, which has no hue.
+glm::dvec3 hueOf(const glm::dvec3& color) {
+  const double largest = std::max({color.r, color.g, color.b});
+  return largest > 0.0 ? color / largest : glm::dvec3{1.0};
+}
+
+/// The hues of the materials, each once, and which is whose, of no material first: white, as it reflects all.
+struct Hues {
+  std::vector<glm::dvec3> hues;
+  std::vector<int> ofMaterial;
+};
+Hues huesOf(const Scene& scene) {
+  Hues result;
+  const auto add = [&](const glm::dvec3& hue) {
+    const auto known = std::ranges::find(result.hues, hue);
+    result.ofMaterial.push_back(static_cast<int>(known - result.hues.begin()));
+    if (known == result.hues.end()) result.hues.push_back(hue);
+  };
+  const std::vector<int>& used = scene.mesh.material;
+  const bool bare = std::ranges::find(used, -1) != used.end();
+  if (bare || scene.mesh.materials.empty())
+    add(glm::dvec3{1.0});
+  else
+    result.ofMaterial.push_back(0);
+  for (const MeshMaterial& m : scene.mesh.materials) add(hueOf(m.diffuse));
+  return result;
+}
+
+}  // namespace
+
+ColorPlan planOf(const Scene& scene, const PictureSettings& settings) {
+  if (settings.colors != ColorPlan::Needed) return settings.colors;
+  if (!rowOf(settings.shading).lit) return ColorPlan::OneHue;
+  const auto colored = [](const Texture& t) {
+    return t.channel[0] != t.channel[1] || t.channel[0] != t.channel[2];
+  };
+  const bool coloredLight =
+      std::ranges::any_of(scene.light.lights, [](const Light& l) { return !gray(l.Ip); }) ||
+      !gray(scene.light.Ia.value_or(glm::dvec3{0.0}));
+  if (coloredLight || std::ranges::any_of(scene.textures, colored)) return ColorPlan::Chosen;
+  if (std::ranges::all_of(scene.mesh.materials, [](const MeshMaterial& m) { return gray(m.diffuse); }))
+    return ColorPlan::OneHue;
+  const int hues = static_cast<int>(huesOf(scene).hues.size());
+  return hues * kLeastShades <= settings.table.shades ? ColorPlan::Hues : ColorPlan::Chosen;
+}
+
+void SceneColors::make(const Scene& scene, const PictureSettings& settings, ColorPlan plan,
+                       const Lighting& lighting, const SnappedScene& snapped) {
+  plan_ = plan;
+  const std::size_t materials = scene.mesh.materials.size() + 1;
+  tables_.clear();
+  if (plan != ColorPlan::Hues) {
+    tables_.emplace_back(settings.table);
+    tableOf_.assign(materials, 0);
+  } else {
+    const Hues hues = huesOf(scene);
+    std::vector<HueNeed> needs(hues.hues.size());
+    for (std::size_t h = 0; h < needs.size(); ++h) needs[h] = {hues.hues[h], 1.0, 0.0, 0};
+    for (std::size_t m = 0; m < materials; ++m) {
+      const Material& material = lighting.materials[m];
+      double brightest = material.ambient[0];
+      for (const Lighting::Source& light : lighting.sources)
+        brightest += light.Ip[0] * (material.kd[0] + material.ks[0]);
+      HueNeed& need = needs[hues.ofMaterial[m]];
+      need.low = std::min({need.low, 1.0, material.ambient[0]});
+      need.high = std::max(need.high, std::min(1.0, brightest));
+    }
+    for (const SnappedFace& face : snapped.faces) {
+      const double pixels =
+          static_cast<double>(doubleArea(&snapped.vertices[face.first], face.count)) / (2.0 * kGrid * kGrid);
+      needs[hues.ofMaterial[scene.mesh.material[face.number] + 1]].samples += std::lround(pixels);
+    }
+    for (const TableSettings& table : planHues(needs, settings.table)) tables_.emplace_back(table);
+    tableOf_ = hues.ofMaterial;
+  }
+
+  const bool interpolated = rowOf(settings.shading).interpolates || !scene.textures.empty();
+  lookUps_.assign(tables_.size(), {});
+  if (settings.table.kind == TableKind::Corrected && interpolated && channelsOf(plan) != Channels::Rgb)
+    for (std::size_t t = 0; t < tables_.size(); ++t)
+      for (int k = 0; k < 65536; ++k)
+        lookUps_[t].push_back(static_cast<std::uint8_t>(tables_[t].cell((k + 0.5) / 65536.0)));
+}
+
+std::vector<Ramp> SceneColors::ramps() const {
+  std::vector<Ramp> ramps;
+  for (const int t : tableOf_) {
+    const ColorTable& table = tables_[t];
+    if (channelsOf(plan_) == Channels::Rgb)
+      ramps.push_back(kChannelRamp);
+    else
+      ramps.push_back({table.first(), table.shades(), table.low(), table.high(),
+                       lookUps_[t].empty() ? nullptr : lookUps_[t].data()});
+  }
+  return ramps;
+}

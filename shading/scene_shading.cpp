@@ -1,0 +1,69 @@
+#include "shading/scene_shading.h"
+
+#include <glm/common.hpp>
+
+void SceneShading::make(const Scene& scene, const PictureSettings& settings, Channels channels,
+                        const Camera& camera) {
+  const ShadingRow& method = rowOf(settings.shading);
+  if (!method.lit) {
+    *this = {};  // what was lit before would be stale afterwards
+    return;
+  }
+  const bool flat = !method.interpolates;
+  const Points points{method.interpolates, settings.normals, flat ? 0.0 : settings.crease};
+  if (pointsMade_ != points) {
+    *this = {};
+    if (method.interpolates) {
+      vertices_ = smoothVertices(
+          scene.mesh, settings.normals, settings.crease,
+          settings.normals == NormalRule::Exact ? exactNormals(scene) : std::vector<glm::dvec3>{});
+      points_ = vertexPoints(scene.mesh, vertices_);
+    } else {
+      points_ = facePoints(scene.mesh);
+    }
+    pointsMade_ = points;
+  }
+
+  const bool newLight = lightMade_ != Light{settings.light, channels, settings.shading};
+  const Eye eye{camera.eye, camera.lookAt};
+  if (newLight || eyeMade_ != eye)
+    lighting_ = resolve(scene.mesh, scene.light, settings.light, channels, camera.eye, camera.lookAt);
+  if (settings.shading == Shading::Flat || settings.shading == Shading::Gouraud) {
+    for (int c = 0; c < lighting_.channels; ++c) {
+      if (newLight) shadeDiffuse(shades_[c], points_, lighting_, c);
+      if (newLight || (eyeMade_ != eye && lighting_.asksForEye()))
+        shadeSpecular(shades_[c], points_, lighting_, c);
+      if (newLight || eyeMade_ != eye) addTerms(shades_[c], points_, lighting_, c);
+    }
+  } else {
+    shades_ = {};
+  }
+  if (settings.shading == Shading::Environment) {
+    const Frame frame{settings.environment,
+                      settings.environment == EnvironmentForm::Published ? camera.view : ViewSpec{}};
+    if (newLight || frameMade_ != frame) makeEnvironments(scene, settings, camera);
+    frameMade_ = frame;
+  } else {
+    frameMade_.reset();
+    environments_ = {};
+    mapped_.clear();
+  }
+  lightMade_ = Light{settings.light, channels, settings.shading};
+  eyeMade_ = eye;
+}
+
+void SceneShading::makeEnvironments(const Scene& scene, const PictureSettings& settings,
+                                    const Camera& camera) {
+  glm::dvec3 low = scene.mesh.points.front(), high = low;
+  for (const glm::dvec3& p : scene.mesh.points) low = glm::min(low, p), high = glm::max(high, p);
+  for (int c = 0; c < 3; ++c) {
+    environments_[c].clear();
+    if (c < lighting_.channels)
+      for (const Material& material : lighting_.materials)
+        environments_[c].push_back(makeEnvironment(settings.environment, lighting_, material, c,
+                                                   vrcRotation(camera.view), (low + high) / 2.0));
+  }
+  const glm::dmat3 frame = environments_[0].front().frame;  // of the light, so the same for all
+  mapped_.resize(points_.N.size());
+  for (std::size_t k = 0; k < mapped_.size(); ++k) mapped_[k] = frame * points_.N[k];
+}

@@ -1,0 +1,72 @@
+#pragma once
+
+#include <array>
+#include <optional>
+#include <vector>
+
+#include "geometry/camera.h"
+#include "geometry/vertex_normals.h"
+#include "shading/environment.h"
+#include "shading/illumination.h"
+#include "shading/picture_settings.h"
+#include "shading/scene.h"
+#include "shading/shade.h"
+
+/// What shading knows of a scene: normals at vertices, the light resolved, and what is evaluated once and
+/// kept. Only what the method requires: flat shading asks for no vertex normals, Phong's for no intensities,
+/// and nothing is done again unless what it depends on changed.
+class SceneShading {
+ public:
+  void make(const Scene& scene, const PictureSettings& settings, Channels channels, const Camera& camera);
+
+  /// Empty unless the method interpolates.
+  [[nodiscard]] const Vertices& vertices() const { return vertices_; }
+  /// Centroids of faces, or vertices.
+  [[nodiscard]] const ShadingPoints& points() const { return points_; }
+  [[nodiscard]] const Lighting& lighting() const { return lighting_; }
+  /// At points(), of one channel; empty where nothing is lit once for all.
+  [[nodiscard]] const Shades& shades(int channel) const { return shades_[channel]; }
+  /// By channel and material, of none first; empty unless the method looks one up.
+  [[nodiscard]] const std::vector<Environment>& environments(int channel) const {
+    return environments_[channel];
+  }
+  /// Normals of vertices where the environment is looked up.
+  [[nodiscard]] const std::vector<glm::dvec3>& mapped() const { return mapped_; }
+
+ private:
+  /// What results were made with, or nothing.
+  struct Points {
+    bool ofVertices;
+    NormalRule normals;
+    double crease;
+    bool operator==(const Points&) const = default;
+  };
+  struct Light {
+    Illumination light;
+    Channels channels;
+    Shading shading;
+    bool operator==(const Light&) const = default;
+  };
+  struct Eye {
+    glm::dvec3 eye, lookAt;
+    bool operator==(const Eye&) const = default;
+  };
+  struct Frame {
+    EnvironmentForm form;
+    ViewSpec view;
+    bool operator==(const Frame&) const = default;
+  };
+
+  void makeEnvironments(const Scene& scene, const PictureSettings& settings, const Camera& camera);
+
+  std::optional<Points> pointsMade_;
+  std::optional<Light> lightMade_;
+  std::optional<Eye> eyeMade_;
+  std::optional<Frame> frameMade_;
+  Vertices vertices_;
+  ShadingPoints points_;
+  Lighting lighting_;
+  std::array<Shades, 3> shades_;
+  std::array<std::vector<Environment>, 3> environments_;
+  std::vector<glm::dvec3> mapped_;
+};

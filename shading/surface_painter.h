@@ -1,0 +1,66 @@
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "depthsort/depth_sort.h"
+#include "geometry/project.h"
+#include "geometry/view.h"
+#include "shading/evaluated.h"
+#include "shading/index_image.h"
+#include "shading/picture_settings.h"
+#include "shading/ramp.h"
+#include "shading/scene.h"
+#include "shading/scene_shading.h"
+
+/// What one channel of a picture is painted from; all of it is the picture's, and outlives this.
+struct Surfaces {
+  int width = 0, height = 0;
+  const SnappedScene& snapped;
+  const SortedScene& sorted;
+  const std::vector<int>& visible;  ///< not empty: the face seen at each sample, whatever is sorted
+  const Scene& scene;
+  const ViewSpec& view;
+  const PictureSettings& settings;
+  const SceneShading& shading;
+  int channel = 0;
+  std::vector<Ramp> ramps;                 ///< by material, of none first
+  const std::vector<std::uint8_t>& cells;  ///< of snapped.faces, where each has one
+};
+
+/// Paints the faces of a picture, or pieces of them, one channel at a time. Whatever is interpolated belongs
+/// to the face: a piece of it gets the same cells at the same samples.
+class SurfacePainter {
+ public:
+  explicit SurfacePainter(const Surfaces& surfaces);
+
+  /// Back to front, or what is visible.
+  void paintAll(IndexImage& image);
+  void paint(IndexImage& image, const Fragment& fragment);
+  /// Evaluations at pixels that were above 1.
+  [[nodiscard]] std::int64_t clamped() const { return clamped_; }
+
+ private:
+  /// Calls fill(outline, count, shader) for the parts of a face that have a shader of their own.
+  template <class Fill>
+  void shade(int face, Fill&& fill);
+  template <class Fill>
+  void gouraud(const SnappedFace& face, const Ramp& ramp, Fill&& fill);
+  template <class Fill>
+  void environment(const SnappedFace& face, Fill&& fill);
+  [[nodiscard]] EvaluatedTriangle evaluated(const SnappedFace& face, const FaceTriangle& triangle);
+  void addTexture(EvaluatedTriangle& result, const PixelPlanes& planes, const FaceTriangle& triangle) const;
+  void paintVisible(IndexImage& image);
+  [[nodiscard]] bool textured(const SnappedFace& face) const;
+  [[nodiscard]] double depthOf(int source) const;
+
+  /// The cells of an environment's two sides.
+  struct MapCells {
+    std::vector<std::uint8_t> front, away;
+  };
+
+  Surfaces s_;
+  const Mesh& mesh_;
+  std::vector<MapCells> maps_;  ///< by material, of none first
+  std::int64_t clamped_ = 0;
+};
