@@ -1,5 +1,7 @@
 #pragma once
 
+#include <array>
+#include <bit>
 #include <cstdint>
 
 #include "shading/affine.h"
@@ -14,24 +16,27 @@ struct EnvironmentMap {
 
   void span(std::uint8_t* cells, int i, int j, int count) const {
     const std::uint8_t* const cellAt = map;  // a copy: for all the compiler knows, a store may change members
-    const auto place = [](std::uint32_t u, std::uint32_t v) { return (v >> 16 & 0xFF00) | u >> 24; };
-    // Two sums of each value beside each other: one would wait for itself.
-    const std::uint32_t du = column.gx, dv = row.gx;
-    std::uint32_t u0 = column.at(i, j), v0 = row.at(i, j), u1 = u0 + du, v1 = v0 + dv;
+    const std::uint32_t du = 8 * column.gx, dv = 8 * row.gx;
+    Eight u = eightFrom(column.at(i, j), column.gx), v = eightFrom(row.at(i, j), row.gx);
     int k = 0;
-    for (; k + 2 <= count; k += 2) {
-      cells[k] = cellAt[place(u0, v0)];
-      cells[k + 1] = cellAt[place(u1, v1)];
-      u0 += 2 * du, v0 += 2 * dv, u1 += 2 * du, v1 += 2 * dv;
+    for (; k + 8 <= count; k += 8, u += du, v += dv) {
+      const auto at = std::bit_cast<std::array<std::uint16_t, 8>>(places(u, v));
+      for (int n = 0; n < 8; ++n) cells[k + n] = cellAt[at[n]];
     }
-    if (k < count) cells[k] = cellAt[place(u0, v0)];
+    if (k == count) return;
+    const auto at = std::bit_cast<std::array<std::uint16_t, 8>>(places(u, v));
+    for (int n = 0; k < count; ++k, ++n) cells[k] = cellAt[at[n]];
   }
 
   [[nodiscard]] auto rowsOfEight(int i, int j) const {
     return [columns = EightOfRows{column, i, j}, rows = EightOfRows{row, i, j}, cells = map]() mutable {
-      const EightWords u = upperHalves(columns.next()), v = upperHalves(rows.next());
-      return lookUp(cells, (v & 0xFF00) | u >> 8);
+      return lookUp(cells, places(columns.next(), rows.next()));
     };
+  }
+
+ private:
+  static EightWords places(const Eight& u, const Eight& v) {
+    return (upperHalves(v) & 0xFF00) | upperHalves(u) >> 8;
   }
 };
 

@@ -40,9 +40,9 @@ double storeLoop(IndexImage& image) {
   for (int batch = 0; batch < 10; ++batch) {
     const double start = processorTime();
     for (int pass = 0; pass < kPasses; ++pass) {
-      std::uint8_t* const at = image.pixels.data();
-      for (std::size_t k = 0; k + 16 <= image.pixels.size(); k += 16) {
-        for (std::size_t i = 0; i < 16; ++i) at[k + i] = static_cast<std::uint8_t>(pass);
+      std::uint8_t* at = image.pixels.data();
+      for (const std::uint8_t* const end = at + image.pixels.size() / 16 * 16; at != end; at += 16) {
+        for (int i = 0; i < 16; ++i) at[i] = static_cast<std::uint8_t>(pass);
         benchmark::ClobberMemory();
       }
     }
