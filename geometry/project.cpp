@@ -37,6 +37,7 @@ class Snapper {
   }
 
   void add(std::vector<Corner>& outline, const Owner& owner) {
+    if (outline.size() == 3) return addTriangle(outline[0], outline[1], outline[2], owner);
     dropRepeats(outline);
     const int count = static_cast<int>(outline.size());
     const std::int64_t area = count < 3 ? 0 : doubleAreaOf(outline.data(), count);
@@ -53,7 +54,34 @@ class Snapper {
     addConvex(outline.data(), count, owner, back);
   }
 
+  /// What add() does, for most faces of most scenes.
+  void addTriangle(const Corner& a, const Corner& b, const Corner& c, const Owner& owner) {
+    const std::array corner{a.at, b.at, c.at};
+    const std::int64_t area = doubleArea(corner.data(), 3);
+    if (area == 0) {
+      ++scene_.degenerate;
+    } else if (area < 0 && cull_ == Cull::Back) {
+      ++scene_.culled;
+    } else {
+      const std::array outline = area < 0 ? std::array{c, b, a} : std::array{a, b, c};
+      append(outline.data(), 3, owner, area < 0);
+    }
+  }
+
  private:
+  void append(const Corner* p, int count, const Owner& owner, bool back) {
+    scene_.faces.push_back({.first = static_cast<int>(scene_.vertices.size()),
+                            .count = count,
+                            .number = owner.number,
+                            .piece = owner.piece,
+                            .back = back,
+                            .plane = owner.plane});
+    for (const Corner* c = p; c != p + count; ++c) {
+      scene_.vertices.push_back(c->at);
+      scene_.source.push_back(c->source);
+    }
+  }
+
   static void dropRepeats(std::vector<Corner>& outline) {
     const auto same = [](const Corner& a, const Corner& b) { return a.at == b.at; };
     outline.erase(std::unique(outline.begin(), outline.end(), same), outline.end());
@@ -93,16 +121,7 @@ class Snapper {
     if (count == 3 || (count <= kMostCorners && convex(p, count))) {
       if (doubleAreaOf(p, count) <= 0)
         return;  // a part that the rounding has turned over: less than a step wide
-      scene_.faces.push_back({.first = static_cast<int>(scene_.vertices.size()),
-                              .count = count,
-                              .number = owner.number,
-                              .piece = owner.piece,
-                              .back = back,
-                              .plane = owner.plane});
-      for (const Corner* c = p; c != p + count; ++c) {
-        scene_.vertices.push_back(c->at);
-        scene_.source.push_back(c->source);
-      }
+      append(p, count, owner, back);
       return;
     }
     const int half = count / 2;
@@ -207,8 +226,14 @@ SnappedScene snap(const Mesh& mesh, const Pieces& pieces, const ViewSpec& view, 
         continue;
       }
     } else {
-      for (int c = pieces.firstCorner[i]; c < pieces.firstCorner[i + 1]; ++c)
-        outline.push_back({snapped[pieces.corners[c]], pieces.from[c]});
+      const auto corner = [&](int c) { return Corner{snapped[pieces.corners[c]], pieces.from[c]}; };
+      const int first = pieces.firstCorner[i];
+      if (pieces.firstCorner[i + 1] == first + 3) {
+        snapper.addTriangle(corner(first), corner(first + 1), corner(first + 2),
+                            {pieces.face[i], i, pieces.plane[i]});
+        continue;
+      }
+      for (int c = first; c < pieces.firstCorner[i + 1]; ++c) outline.push_back(corner(c));
     }
     snapper.add(outline, {pieces.face[i], i, pieces.plane[i]});
   }

@@ -28,6 +28,18 @@ struct AffineValue {
 /// triangle, for it is off by less than 2^-9.
 inline constexpr double kLeastValue = 1.0 / 256, kLargestValue = 255.99;
 
+/// The nearest integer, ties to the even one, |x| < 2^51: of x + 3 2^51 the last bit is worth 1.
+[[nodiscard]] inline std::int64_t nearestInteger(double x) {
+  constexpr double kLastBitIsOne = 0x1.8p52;
+  return std::bit_cast<std::int64_t>(x + kLastBitIsOne) - std::bit_cast<std::int64_t>(kLastBitIsOne);
+}
+
+/// A value in [kLeastValue, kLargestValue] in steps of 2^-24.
+[[nodiscard]] inline std::uint32_t valueSteps(double v) {
+  assert(kLeastValue <= v && v <= kLargestValue);
+  return static_cast<std::uint32_t>(nearestInteger(v * 0x1p24));
+}
+
 /// The planes through values at the vertices of one triangle.
 /// Space: vertices on the 1/65536 pixel grid, |x|, |y| <= 2^29; values in steps of 2^-24.
 ///
@@ -57,17 +69,20 @@ class AffineOver {
 
   /// The plane through v[k] at vertex k, all in [kLeastValue, kLargestValue].
   [[nodiscard]] AffineValue operator()(const std::array<double, 3>& v) const {
-    assert(
-        std::ranges::all_of(v, [](double value) { return kLeastValue <= value && value <= kLargestValue; }));
-    const std::int64_t V0 = nearest(v[0] * 0x1p24);
-    const std::int64_t V1 = nearest(v[1] * 0x1p24) - V0, V2 = nearest(v[2] * 0x1p24) - V0;
+    const std::array steps{valueSteps(v[0]), valueSteps(v[1]), valueSteps(v[2])};
+    return (*this)(steps.data());
+  }
+  /// The same of three values in steps.
+  [[nodiscard]] AffineValue operator()(const std::uint32_t* steps) const {
+    const std::int64_t V0 = steps[0];
+    const std::int64_t V1 = steps[1] - V0, V2 = steps[2] - V0;
     const double alongX = static_cast<double>(V1 * y2_ - V2 * y1_) * gridOverD_;
     const double alongY = static_cast<double>(V2 * x1_ - V1 * x2_) * gridOverD_;
     const bool steep = !(std::abs(alongX) <= kSteepest && std::abs(alongY) <= kSteepest);  // or no area
     if (steep) return {static_cast<std::uint32_t>(V0 + (V1 + V2) / 3), 0, 0};
     // Modulo 2^64: the bits that are kept, 16 to 47, are those of the whole number.
-    const auto gx = static_cast<std::uint64_t>(nearest(alongX));
-    const auto gy = static_cast<std::uint64_t>(nearest(alongY));
+    const auto gx = static_cast<std::uint64_t>(nearestInteger(alongX));
+    const auto gy = static_cast<std::uint64_t>(nearestInteger(alongY));
     const std::uint64_t toVertex =
         gx * static_cast<std::uint64_t>(x0_) + gy * static_cast<std::uint64_t>(y0_);
     const std::uint64_t c = static_cast<std::uint64_t>(V0) - ((toVertex + kGrid / 2) >> kGridBits);
@@ -75,12 +90,6 @@ class AffineOver {
   }
 
  private:
-  /// The nearest integer, ties to the even one, |x| < 2^51: of x + 3 2^51 the last bit is worth 1.
-  static std::int64_t nearest(double x) {
-    constexpr double kLastBitIsOne = 0x1.8p52;
-    return std::bit_cast<std::int64_t>(x + kLastBitIsOne) - std::bit_cast<std::int64_t>(kLastBitIsOne);
-  }
-
   std::int64_t x0_, y0_;  ///< vertex 0, from the centre of pixel (0, 0)
   std::int64_t x1_, y1_, x2_, y2_;
   double gridOverD_;

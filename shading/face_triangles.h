@@ -11,20 +11,16 @@
 /// A triangle of an outline, counter-clockwise as seen.
 struct FaceTriangle {
   std::array<glm::ivec3, 3> p;
-  std::array<int, 3> source;  ///< SnappedScene::source of its vertices
+  std::array<int, 3> vertex;  ///< index into SnappedScene::vertices
 };
 
 /// Calls use(triangle) for those with an area.
 template <class Use>
 void forEachTriangle(const SnappedScene& scene, const SnappedFace& face, Use&& use) {
   const auto triangle = [&](int a, int b, int c) {
-    FaceTriangle t;
-    for (int k = 0; const int v : {a, b, c}) {
-      t.p[k] = scene.vertices[face.first + v];
-      t.source[k] = scene.source[face.first + v];
-      ++k;
-    }
-    return t;
+    const std::array vertex{face.first + a, face.first + b, face.first + c};
+    return FaceTriangle{{scene.vertices[vertex[0]], scene.vertices[vertex[1]], scene.vertices[vertex[2]]},
+                        vertex};
   };
   if (face.count == 3) return use(triangle(0, 1, 2));
   int apex = 0;

@@ -24,8 +24,11 @@ double component(const Sides<double>& sides, bool back) { return back ? sides.ba
 
 }  // namespace
 
-SurfacePainter::SurfacePainter(const Surfaces& surfaces) : s_{surfaces}, mesh_{s_.scene.mesh} {
+SurfacePainter::SurfacePainter(const Surfaces& surfaces)
+    : s_{surfaces}, mesh_{s_.scene.mesh}, snapped_{s_.snapped} {
+  if (s_.settings.shading == Shading::Gouraud) interpolateIntensity();
   if (s_.settings.shading != Shading::Environment) return;
+  interpolateNormals();
   const std::vector<Environment>& environments = s_.shading.environments(s_.channel);
   for (std::size_t m = 0; m < environments.size(); ++m) {
     const Ramp& ramp = s_.ramps[m];
@@ -42,12 +45,13 @@ SurfacePainter::SurfacePainter(const Surfaces& surfaces) : s_{surfaces}, mesh_{s
 double SurfacePainter::depthOf(int source) const {
   if (s_.view.projection == Projection::Parallel) return 1.0;
   const glm::dmat3 rotation = vrcRotation(s_.view);
-  return atSource(s_.snapped, source, [&](int corner) {
+  return atSource(snapped_, source, [&](int corner) {
     return s_.view.prp.z - (rotation * (mesh_.points[mesh_.corners[corner]] - s_.view.vrp)).z;
   });
 }
 
 bool SurfacePainter::textured(const SnappedFace& face) const {
+  if (s_.scene.textures.empty()) return false;
   const int material = mesh_.material[face.number];
   if (material < 0 || mesh_.materials[material].texture < 0 || mesh_.uvOfCorner.empty()) return false;
   const int *const first = mesh_.uvOfCorner.data() + mesh_.firstCorner[face.number],
@@ -55,56 +59,84 @@ bool SurfacePainter::textured(const SnappedFace& face) const {
   return std::find(first, end, -1) == end;
 }
 
+void SurfacePainter::interpolateIntensity() {
+  // Once for a vertex of the model, then for those of outlines.
+  const ShadingPoints& points = s_.shading.points();
+  const std::vector<Sides<double>>& I = s_.shading.shades(s_.channel).I;
+  std::vector<Sides<std::uint32_t>> ofVertex(I.size());
+  for (std::size_t v = 0; v < I.size(); ++v) {
+    const Ramp& ramp = s_.ramps[points.material[v] + 1];
+    ofVertex[v] = {valueSteps(ramp.value(I[v].front)), valueSteps(ramp.value(I[v].back))};
+  }
+  const std::vector<int>& vertexOf = s_.shading.vertices().ofCorner;
+  steps_.resize(snapped_.vertices.size());
+  for (const SnappedFace& face : snapped_.faces)
+    for (int k = face.first; k < face.first + face.count; ++k) {
+      const int source = snapped_.source[k];
+      if (source >= 0) {
+        const Sides<std::uint32_t>& sides = ofVertex[vertexOf[source]];
+        steps_[k] = face.back ? sides.back : sides.front;
+      } else {
+        const double between =
+            atSource(snapped_, source, [&](int corner) { return component(I[vertexOf[corner]], face.back); });
+        steps_[k] = valueSteps(s_.ramps[mesh_.material[face.number] + 1].value(between));
+      }
+    }
+}
+
+void SurfacePainter::interpolateNormals() {
+  const std::vector<int>& vertexOf = s_.shading.vertices().ofCorner;
+  mapSteps_.resize(snapped_.vertices.size());
+  for (const SnappedFace& face : snapped_.faces) {
+    const double side = face.back && s_.shading.lighting().twoSided ? -1.0 : 1.0;
+    for (int k = face.first; k < face.first + face.count; ++k) {
+      const glm::dvec3 N = side * kMapScale * atSource(snapped_, snapped_.source[k], [&](int corner) {
+                             return s_.shading.mapped()[vertexOf[corner]];
+                           });
+      mapSteps_[k] = {valueSteps(kMapCentre + N.x), valueSteps(kMapCentre + N.y),
+                      valueSteps(kMapCentre + N.z)};
+    }
+  }
+}
+
 template <class Fill>
 void SurfacePainter::gouraud(const SnappedFace& face, const Ramp& ramp, Fill&& fill) {
-  const auto value = [&](int source) {
-    return ramp.value(atSource(s_.snapped, source, [&](int corner) {
-      return component(s_.shading.shades(s_.channel).I[s_.shading.vertices().ofCorner[corner]], face.back);
-    }));
+  const glm::ivec3* const outline = &snapped_.vertices[face.first];
+  const auto shaded = [&](const glm::ivec3* p, int count, const AffineValue& plane, auto&& wrap) {
+    if (ramp.table != nullptr)
+      fill(p, count, wrap(GouraudTable{plane, ramp.table}));
+    else
+      fill(p, count, wrap(GouraudLinear{plane}));
   };
-  if (s_.settings.polygons == Polygons::Rows && face.count > 3) {
-    std::vector<double> v;
-    for (int k = face.first; k < face.first + face.count; ++k) v.push_back(value(s_.snapped.source[k]));
-    const glm::ivec3* const outline = &s_.snapped.vertices[face.first];
-    const RowValues rows{outline, face.count, std::move(v)};
-    if (ramp.table != nullptr)
-      fill(outline, face.count, ByRows<GouraudTable>{rows, {{}, ramp.table}});
-    else
-      fill(outline, face.count, ByRows<GouraudLinear>{rows, {}});
-    return;
+  const auto asItIs = [](const auto& shader) { return shader; };
+  if (face.count == 3) return shaded(outline, 3, AffineOver{outline}(&steps_[face.first]), asItIs);
+  if (s_.settings.polygons == Polygons::Rows) {
+    const RowValues rows{outline, face.count, &steps_[face.first]};
+    return shaded(outline, face.count, {}, [&](const auto& shader) { return ByRows{rows, shader}; });
   }
-  forEachTriangle(s_.snapped, face, [&](const FaceTriangle& t) {
-    const AffineValue plane =
-        affineOver(t.p.data(), {value(t.source[0]), value(t.source[1]), value(t.source[2])});
-    if (ramp.table != nullptr)
-      fill(t.p.data(), 3, GouraudTable{plane, ramp.table});
-    else
-      fill(t.p.data(), 3, GouraudLinear{plane});
+  forEachTriangle(snapped_, face, [&](const FaceTriangle& t) {
+    const std::array steps{steps_[t.vertex[0]], steps_[t.vertex[1]], steps_[t.vertex[2]]};
+    shaded(t.p.data(), 3, AffineOver{t.p.data()}(steps.data()), asItIs);
   });
 }
 
 template <class Fill>
 void SurfacePainter::environment(const SnappedFace& face, Fill&& fill) {
-  const int material = mesh_.material[face.number] + 1;
-  const double side = face.back && s_.shading.lighting().twoSided ? -1.0 : 1.0;
-  forEachTriangle(s_.snapped, face, [&](const FaceTriangle& t) {
-    std::array<glm::dvec3, 3> N;
-    for (int k = 0; k < 3; ++k)
-      N[k] = side * atSource(s_.snapped, t.source[k], [&](int corner) {
-               return s_.shading.mapped()[s_.shading.vertices().ofCorner[corner]];
-             });
+  constexpr std::uint32_t kZero = static_cast<std::uint32_t>(kMapCentre) << 24;
+  const MapCells& map = maps_[mesh_.material[face.number] + 1];
+  forEachTriangle(snapped_, face, [&](const FaceTriangle& t) {
+    const MapSteps &a = mapSteps_[t.vertex[0]], &b = mapSteps_[t.vertex[1]], &c = mapSteps_[t.vertex[2]];
     const AffineOver over{t.p.data()};
-    const auto plane = [&](int axis) {
-      return over({kMapCentre + kMapScale * N[0][axis], kMapCentre + kMapScale * N[1][axis],
-                   kMapCentre + kMapScale * N[2][axis]});
+    const auto plane = [&](std::uint32_t MapSteps::*of) {
+      const std::array steps{a.*of, b.*of, c.*of};
+      return over(steps.data());
     };
-    const AffineValue column = plane(0), row = plane(1);
-    const EnvironmentMap front{column, row, maps_[material].front.data()};
-    const int facing = (N[0].z >= 0.0) + (N[1].z >= 0.0) + (N[2].z >= 0.0);
-    if (maps_[material].away.empty() || facing == 3) return fill(t.p.data(), 3, front);
-    const EnvironmentMap away{column, row, maps_[material].away.data()};
+    const AffineValue column = plane(&MapSteps::column), row = plane(&MapSteps::row);
+    const EnvironmentMap front{column, row, map.front.data()}, away{column, row, map.away.data()};
+    const int facing = (a.facing >= kZero) + (b.facing >= kZero) + (c.facing >= kZero);
+    if (map.away.empty() || facing == 3) return fill(t.p.data(), 3, front);
     if (facing == 0) return fill(t.p.data(), 3, away);
-    fill(t.p.data(), 3, EitherSide{front, away, plane(2)});
+    fill(t.p.data(), 3, EitherSide<EnvironmentMap, EnvironmentMap>{front, away, plane(&MapSteps::facing)});
   });
 }
 
@@ -113,7 +145,7 @@ EvaluatedTriangle SurfacePainter::evaluated(const SnappedFace& face, const FaceT
   const PixelPlanes planes{t.p};
   const auto plane = [&](const auto& ofCorner) {
     std::array<double, 3> v;
-    for (int k = 0; k < 3; ++k) v[k] = atSource(s_.snapped, t.source[k], ofCorner);
+    for (int k = 0; k < 3; ++k) v[k] = atSource(snapped_, snapped_.source[t.vertex[k]], ofCorner);
     return planes(v);
   };
   const int material = mesh_.material[face.number] + 1;
@@ -159,10 +191,11 @@ void SurfacePainter::addTexture(EvaluatedTriangle& e, const PixelPlanes& planes,
                                 const FaceTriangle& t) const {
   std::array<double, 3> u, v, q;
   for (int k = 0; k < 3; ++k) {
-    const auto at =
-        atSource(s_.snapped, t.source[k], [&](int corner) { return mesh_.uv[mesh_.uvOfCorner[corner]]; });
+    const auto at = atSource(snapped_, snapped_.source[t.vertex[k]],
+                             [&](int corner) { return mesh_.uv[mesh_.uvOfCorner[corner]]; });
     u[k] = at.x, v[k] = at.y;
-    q[k] = s_.settings.mapping == TextureMapping::Perspective ? 1.0 / depthOf(t.source[k]) : 1.0;
+    q[k] = s_.settings.mapping == TextureMapping::Perspective ? 1.0 / depthOf(snapped_.source[t.vertex[k]])
+                                                              : 1.0;
   }
   // Textures repeat: the nearest copy keeps numbers small.
   for (std::array<double, 3>* w : {&u, &v}) {
@@ -174,31 +207,30 @@ void SurfacePainter::addTexture(EvaluatedTriangle& e, const PixelPlanes& planes,
 
 template <class Fill>
 void SurfacePainter::shade(int f, Fill&& fill) {
-  const SnappedFace& face = s_.snapped.faces[f];
+  const SnappedFace& face = snapped_.faces[f];
   const bool evaluates = rowOf(s_.settings.shading).lit && s_.settings.shading != Shading::Environment &&
                          (s_.settings.shading == Shading::Phong || textured(face));
   if (evaluates)
-    forEachTriangle(s_.snapped, face,
-                    [&](const FaceTriangle& t) { fill(t.p.data(), 3, evaluated(face, t)); });
+    forEachTriangle(snapped_, face, [&](const FaceTriangle& t) { fill(t.p.data(), 3, evaluated(face, t)); });
   else if (s_.settings.shading == Shading::Gouraud)
     gouraud(face, s_.ramps[mesh_.material[face.number] + 1], fill);
   else if (s_.settings.shading == Shading::Environment)
     environment(face, fill);
   else
-    fill(&s_.snapped.vertices[face.first], face.count, FlatCell{s_.cells[f]});
+    fill(&snapped_.vertices[face.first], face.count, FlatCell{s_.cells[f]});
 }
 
 void SurfacePainter::paint(IndexImage& image, const Fragment& fragment) {
   shade(fragment.face, [&]<class S>(const glm::ivec3* outline, int count, const S& shader) {
     if constexpr (Shader<S>)
       if (fragment.piece < 0) return fillConvex(image, outline, count, shader);
-    forEachSpan(s_.snapped, s_.sorted, fragment, outline, count, image.width, image.height,
+    forEachSpan(snapped_, s_.sorted, fragment, outline, count, image.width, image.height,
                 [&](int row, int from, int to) { shader.span(image.row(row) + from, from, row, to - from); });
   });
 }
 
 void SurfacePainter::paintVisible(IndexImage& image) {
-  std::vector<bool> seen(s_.snapped.faces.size(), false);
+  std::vector<bool> seen(snapped_.faces.size(), false);
   for (const int f : s_.visible)
     if (f >= 0) seen[f] = true;
   for (int f = 0; f < static_cast<int>(seen.size()); ++f) {
@@ -223,11 +255,13 @@ void SurfacePainter::paintAll(IndexImage& image) {
   const std::vector<Fragment>& fragments = s_.sorted.fragments;
   const std::size_t count = fragments.size();
   const auto ahead = [&](std::size_t k) -> const SnappedFace& {
-    return s_.snapped.faces[fragments[std::min(k, count - 1)].face];
+    return snapped_.faces[fragments[std::min(k, count - 1)].face];
   };
   for (std::size_t k = 0; k < count; ++k) {
     __builtin_prefetch(&ahead(k + 16));
-    __builtin_prefetch(&s_.snapped.vertices[ahead(k + 8).first]);
+    const int first = ahead(k + 8).first;
+    __builtin_prefetch(&snapped_.vertices[first]);
+    if (!steps_.empty()) __builtin_prefetch(&steps_[first]);
     paint(image, fragments[k]);
   }
 }

@@ -44,6 +44,8 @@ class SurfacePainter {
   /// Calls fill(outline, count, shader) for the parts of a face that have a shader of their own.
   template <class Fill>
   void shade(int face, Fill&& fill);
+  void interpolateIntensity();
+  void interpolateNormals();
   template <class Fill>
   void gouraud(const SnappedFace& face, const Ramp& ramp, Fill&& fill);
   template <class Fill>
@@ -61,6 +63,14 @@ class SurfacePainter {
 
   Surfaces s_;
   const Mesh& mesh_;
+  const SnappedScene& snapped_;
+  /// What a fill interpolates, in the steps of AffineOver, at snapped_.vertices: side by side, for in depth
+  /// order each face lies elsewhere in memory.
+  std::vector<std::uint32_t> steps_;  ///< of the intensity
+  struct MapSteps {
+    std::uint32_t column, row, facing;
+  };
+  std::vector<MapSteps> mapSteps_;
   std::vector<MapCells> maps_;  ///< by material, of none first
   std::int64_t clamped_ = 0;
 };
