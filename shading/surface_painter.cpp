@@ -158,13 +158,13 @@ EvaluatedTriangle SurfacePainter::evaluated(const SnappedFace& face, const FaceT
   const double ambient = e.material->ambient[s_.channel];
   if (s_.settings.shading == Shading::Phong) {
     e.phong = true;
+    e.places = s_.shading.lighting().needsPlaces();
     const double side = face.back && s_.shading.lighting().twoSided ? -1.0 : 1.0;
     for (int axis = 0; axis < 3; ++axis) {
       e.N[axis] = plane([&](int corner) {
         return side * s_.shading.points().N[s_.shading.vertices().ofCorner[corner]][axis];
       });
-      if (s_.shading.lighting().needsPlaces())
-        e.at[axis] = plane([&](int corner) { return mesh_.points[mesh_.corners[corner]][axis]; });
+      if (e.places) e.at[axis] = plane([&](int corner) { return mesh_.points[mesh_.corners[corner]][axis]; });
     }
   } else if (s_.settings.shading == Shading::Gouraud) {
     const auto term = [&](const std::vector<Sides<double>>& terms) {
