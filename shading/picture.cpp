@@ -80,8 +80,12 @@ void Picture::make(const PictureSettings& next) {
   // Intensities to cells of the colour table.
   timed(times_.fill, [&] {
     colors_.make(scene_, next, plan, shading_.lighting(), snapped_);
-    cells_.clear();
-    if (!rowOf(next.shading).interpolates && channelsOf(plan) != Channels::Rgb) cells_ = cellsOf(next, 0);
+    if (rowOf(next.shading).interpolates)
+      cells_.clear();
+    else if (channelsOf(plan) != Channels::Rgb)
+      cells_ = cellsOf(next, 0);
+    else
+      cells_.resize(snapped_.faces.size());  // paint() chooses the colours
   });
 
   made_ = next;

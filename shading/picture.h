@@ -54,6 +54,9 @@ class Picture {
   [[nodiscard]] const SortedScene& sorted() const { return sorted_; }
   /// The ramp of the one hue, or of the first.
   [[nodiscard]] const ColorTable& table() const { return colors_.table(); }
+  [[nodiscard]] const SceneColors& colors() const { return colors_; }
+  /// How many colours a plan of colours has, after paint().
+  [[nodiscard]] int chosenColors() const { return static_cast<int>(chosen_.size()); }
   /// The cell of each of snapped().faces; empty where a face has not one cell.
   [[nodiscard]] const std::vector<std::uint8_t>& cells() const { return cells_; }
   /// Samples that show a face, and those of them where the painter's order shows another face than the
