@@ -127,8 +127,9 @@ TEST(SceneFile, ComplaintsNameThePlace) {
   EXPECT_EQ(complaint(""), "s.json:1: not JSON here");
   EXPECT_EQ(complaint("[]"), "s.json: an object { } is needed");
   EXPECT_EQ(complaint("{}"), "s.json: holds no face");
-  EXPECT_EQ(complaint(R"({"lights": []})"),
-            "s.json: unknown key 'lights'; there are shows, up, camera, objects");
+  EXPECT_EQ(complaint(R"({"light": []})"),
+            "s.json: unknown key 'light'; there are shows, up, camera, ambient, lights, shading, materials, "
+            "objects");
   EXPECT_EQ(complaint(R"({"up": "x"})"), "s.json: up: \"y\" or \"z\" is needed");
   EXPECT_EQ(complaint(R"({"objects": {}})"), "s.json: objects: a list [ ] is needed");
   EXPECT_EQ(complaint(withObject("{}")), "s.json: objects[0]: one of file, polygons and solid is needed");
