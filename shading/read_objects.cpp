@@ -241,7 +241,8 @@ class Collector {
     if (found == materials_.end()) {
       std::string names;
       for (const auto& [name, unused] : materials_) names += (names.empty() ? "" : ", ") + name;
-      said.fail(inQuotes(said.text()) + " is not one of the materials: " + names);
+      said.fail(names.empty() ? "the file has no materials"
+                              : inQuotes(said.text()) + " is not one of " + names);
     }
     Named& named = found->second;
     if (named.texture && !hasUv)
