@@ -122,6 +122,41 @@ TEST(Options, SetOneSettingEach) {
   only({"--back", "-2"}, [](auto& s) { s.camera.back = -2; });
 }
 
+// Over settings that a scene asks for, each option sets its own and leaves the others.
+TEST(Options, SetOverWhatASceneAsksFor) {
+  PictureSettings scene;
+  scene.shading = Shading::Phong;
+  scene.light.ks = 0.75;
+  scene.table.shades = 64;
+  scene.dither = true;
+  const auto over = [&](std::vector<const char*> words) {
+    words.insert(words.begin(), {"xnewell", "draw", "teapot", "-o", "no.png"});
+    return parseOptions(static_cast<int>(words.size()), words.data(), scene)->picture;
+  };
+  EXPECT_EQ(over({}), scene);
+  scene.light.kd = 0.5;
+  EXPECT_EQ(over({"--kd", "0.5"}), scene);
+  PictureSettings flat = scene;
+  flat.shading = Shading::Flat;
+  EXPECT_EQ(over({"--shade", "flat"}), flat);  // also where that is the program's default
+}
+
+// Which words of light and surfaces were said.
+TEST(Options, TellWhatWasSaid) {
+  const auto count = [](const Said& s) { return s.Ia + s.Ip + s.light + s.ka + s.kd + s.ks + s.n; };
+  EXPECT_EQ(count(drawn({}).said), 0);
+  EXPECT_TRUE(drawn({"--ia", "0.2"}).said.Ia);
+  EXPECT_TRUE(drawn({"--ip", "0.7"}).said.Ip);
+  EXPECT_TRUE(drawn({"--ip", "0.7"}).said.light);
+  EXPECT_TRUE(drawn({"--light", "1,0,0"}).said.light);
+  EXPECT_TRUE(drawn({"--light-at", "1,0,0"}).said.light);
+  EXPECT_TRUE(drawn({"--ka", "0.9"}).said.ka);
+  EXPECT_TRUE(drawn({"--kd", "0.9"}).said.kd);
+  EXPECT_TRUE(drawn({"--ks", "0.4"}).said.ks);
+  EXPECT_TRUE(drawn({"--n", "20"}).said.n);
+  EXPECT_EQ(count(drawn({"--n", "20"}).said), 1);
+}
+
 TEST(Options, SetWhatIsNotInThePicture) {
   EXPECT_EQ(drawn({"--size", "8192x1"}).size, (glm::ivec2{8192, 1}));
   EXPECT_EQ(drawn({"--divisions", "256"}).divisions, 256);

@@ -100,14 +100,47 @@ void listScenes() {
     std::cout << std::left << std::setw(18) << scene.name << ' ' << scene.shows << '\n';
 }
 
-int run(Options options) {
-  if (options.command == Command::Scenes) return listScenes(), kDone;
-  if (options.command == Command::Visuals) return std::cout << visualsTable(options), kDone;
+/// The scene's light and surfaces without what the command line says otherwise.
+/// @throws UsageError where Ia + the sum of Ip then exceeds 1, or a texture is to be shown that cannot be
+void giveWay(Scene& scene, Options& options) {
+  if (options.fill == Fill::XFillPolygon && !scene.textures.empty())
+    throw UsageError{"--fill x11 gives a polygon one cell: it does not show the scene's textures"};
+  const Said& said = options.said;
+  for (MeshMaterial& m : scene.mesh.materials) {
+    if (said.ka) m.ka.reset();
+    if (said.kd) m.kd.reset();
+    if (said.ks) m.ks.reset();
+    if (said.n) m.n.reset();
+  }
+  Illumination& user = options.picture.light;
+  if (said.Ia) scene.light.Ia.reset();
+  if (said.light) scene.light.lights.clear();
+  glm::dvec3 others{0.0};  // with which the user's Ia or Ip must do
+  for (const Light& light : scene.light.lights) others += light.Ip;
+  if (scene.light.lights.empty()) others = scene.light.Ia.value_or(glm::dvec3{0.0});
+  const double left = std::max(0.0, 1.0 - std::max({others.r, others.g, others.b}));
+  const bool userIa = !scene.light.lights.empty() && !scene.light.Ia;
+  const bool userIp = scene.light.lights.empty() && scene.light.Ia;
+  if ((userIa && said.Ia && user.Ia > left) || (userIp && said.Ip && user.Ip > left))
+    throw UsageError{
+        std::string{userIa ? "--ia and the scene's lights" : "--ip and the scene's ambient light"} +
+        ": their sum must not exceed 1"};
+  if (userIa) user.Ia = std::min(user.Ia, left);
+  if (userIp) user.Ip = std::min(user.Ip, left);
+}
+
+int run(int argc, char** argv) {
+  std::optional<Options> said = parseOptions(argc, argv);
+  if (!said) return kDone;
+  if (said->command == Command::Scenes) return listScenes(), kDone;
+  if (said->command == Command::Visuals) return std::cout << visualsTable(*said), kDone;
 
   const Stopwatch watch;
-  Scene scene = read(options);
+  Scene scene = read(*said);
+  if (said->command == Command::Trace) scene.settings.order = Order::Newell;  // what it follows
+  Options options = *parseOptions(argc, argv, scene.settings);  // again, over what the scene asks for
+  giveWay(scene, options);
   options.picture.camera = inSceneUnits(completed(options.picture.camera, scene.camera), scene);
-  if (!options.lightGiven) options.picture.light.light = defaultLight(scene.up);
   toSceneUnits(options.picture.light, scene);
   if (!options.texture.empty()) wear(scene, readTexture(options.texture));
   const double msRead = watch.ms();
@@ -149,8 +182,7 @@ int main(int argc, char** argv) try {
   // A picture in the making leaves nothing behind (a window has its own way to end).
   std::signal(SIGINT, [](int) { _exit(kInterrupted); });
   std::signal(SIGXFSZ, SIG_IGN);  // a file beyond the shell's limit is an error like a full disk
-  const std::optional<Options> options = parseOptions(argc, argv);
-  const int status = options ? run(*options) : kDone;
+  const int status = run(argc, argv);
   std::cout.flush();
   if (!std::cout) throw std::system_error{errno, std::generic_category(), "standard output"};
   return status;

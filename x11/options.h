@@ -40,15 +40,23 @@ inline constexpr std::array kFills{
     FillRow{Fill::Scanline, "scanline", "scanline"},
 };
 
+/// Of light and surfaces, what the command line says: what a scene says of the same gives way to it.
+struct Said {
+  bool Ia = false, Ip = false;
+  bool light = false;  ///< --ip, --light or --light-at
+  bool ka = false, kd = false, ks = false, n = false;
+};
+
 struct Options {
   Command command = Command::View;
   std::string scene = "teapot";
   int divisions = kDefaultDivisions;
   std::optional<glm::ivec2> size;  ///< --size, else 800x600 for pictures and 1024x768 for windows
   PictureSettings picture;         ///< its camera and light in the file's units
-  bool lightGiven = false;         ///< --light; else it comes from the upper left of the scene
-  bool halfVector = false;         ///< --half-vector; the picture's light has it by then
-  std::string texture;             ///< "" for none
+  bool lightGiven = false;         ///< --light
+  Said said;
+  bool halfVector = false;  ///< --half-vector; the picture's light has it by then
+  std::string texture;      ///< "" for none
   Fill fill = Fill::Scanline;
   std::string visual;  ///< "" for the program's choice
   std::string output, ids;
@@ -63,5 +71,7 @@ struct UsageError : std::runtime_error {
   using std::runtime_error::runtime_error;
 };
 
+/// `initially` is what a picture has without any option: the program's defaults, or what a scene asks for.
 /// @throws UsageError. Returns nothing when it printed --help and there is no more to do.
-[[nodiscard]] std::optional<Options> parseOptions(int argc, const char* const* argv);
+[[nodiscard]] std::optional<Options> parseOptions(int argc, const char* const* argv,
+                                                  const PictureSettings& initially = {});
