@@ -11,12 +11,29 @@
 /// polygon is turned on the screen. Of the whole polygon, whichever spans of it are asked for.
 class RowValues {
  public:
-  /// One of v, in [kLeastValue, kLargestValue], at each of `count` vertices; convex.
+  /// One of v at each of `count` vertices, for along() in [kLeastValue, kLargestValue]; convex.
   RowValues(const glm::ivec3* outline, int count, std::vector<double> v)
       : outline_{outline}, count_{count}, v_{std::move(v)} {}
 
   /// The value along a row, in 8.24: c + gx i.
   [[nodiscard]] AffineValue along(int row) const {
+    const Line line = lineOf(row);
+    const auto steps = [](double x) {
+      return static_cast<std::uint32_t>(static_cast<std::int64_t>(x * 0x1p24));
+    };
+    return {steps(line.c), steps(line.gx), 0};
+  }
+  /// The value itself at pixel (i, row).
+  [[nodiscard]] double at(int i, int row) const {
+    const Line line = lineOf(row);
+    return line.c + line.gx * i;
+  }
+
+ private:
+  struct Line {
+    double c, gx;
+  };
+  [[nodiscard]] Line lineOf(int row) const {
     const double y = (row + 0.5) * kGrid;
     double left = 1e300, right = -1e300, atLeft = 0, atRight = 0;
     for (int k = 0; k < count_; ++k) {
@@ -29,14 +46,9 @@ class RowValues {
     }
     const double pixels = (right - left) / kGrid;
     const double gx = pixels > 0x1p-12 ? (atRight - atLeft) / pixels : 0.0;
-    const double c = atLeft - gx * (left - kGrid / 2) / kGrid;
-    const auto steps = [](double x) {
-      return static_cast<std::uint32_t>(static_cast<std::int64_t>(x * 0x1p24));
-    };
-    return {steps(c), steps(gx), 0};
+    return {atLeft - gx * (left - kGrid / 2) / kGrid, gx};
   }
 
- private:
   const glm::ivec3* outline_;
   int count_;
   std::vector<double> v_;

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "shading/at_source.h"
 #include "shading/environment_map.h"
 #include "shading/fill.h"
 #include "shading/fragment_spans.h"
@@ -10,15 +11,6 @@
 #include "shading/row_values.h"
 
 namespace {
-
-/// What `get` gives for a corner of the mesh, and between two of them for a vertex that clipping made.
-template <class Get>
-auto atSource(const SnappedScene& scene, int source, const Get& get) -> decltype(get(0)) {
-  if (source >= 0) return get(source);
-  const Between& made = scene.between[~source];
-  const auto a = atSource(scene, made.a, get), b = atSource(scene, made.b, get);
-  return a + made.t * (b - a);
-}
 
 double component(const Sides<double>& sides, bool back) { return back ? sides.back : sides.front; }
 
@@ -53,6 +45,11 @@ bool SurfacePainter::textured(const SnappedFace& face) const {
   const int *const first = mesh_.uvOfCorner.data() + mesh_.firstCorner[face.number],
                    *const end = mesh_.uvOfCorner.data() + mesh_.firstCorner[face.number + 1];
   return std::find(first, end, -1) == end;
+}
+
+bool SurfacePainter::evaluates(const SnappedFace& face) const {
+  return rowOf(s_.settings.shading).lit && s_.settings.shading != Shading::Environment &&
+         (s_.settings.shading == Shading::Phong || textured(face));
 }
 
 template <class Fill>
@@ -175,9 +172,7 @@ void SurfacePainter::addTexture(EvaluatedTriangle& e, const PixelPlanes& planes,
 template <class Fill>
 void SurfacePainter::shade(int f, Fill&& fill) {
   const SnappedFace& face = s_.snapped.faces[f];
-  const bool evaluates = rowOf(s_.settings.shading).lit && s_.settings.shading != Shading::Environment &&
-                         (s_.settings.shading == Shading::Phong || textured(face));
-  if (evaluates)
+  if (evaluates(face))
     forEachTriangle(s_.snapped, face,
                     [&](const FaceTriangle& t) { fill(t.p.data(), 3, evaluated(face, t)); });
   else if (s_.settings.shading == Shading::Gouraud)
