@@ -1,0 +1,3 @@
+#pragma once
+#include "shading/views.h"
+[[nodiscard]] ColoredImage drawDifference(Picture& picture, const ViewSettings& settings);
