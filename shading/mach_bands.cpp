@@ -43,18 +43,24 @@ struct Places {
 
 std::string shadesIn(double intensity) { return fixed(intensity * (kMaxShades - 1), 1); }
 
-struct Wording {
-  std::string_view bands;
-};
 std::string_view behaviour(Shading method) {
   switch (method) {
     case Shading::Flat:
       return "jumps from face to face";
     case Shading::Gouraud:
-      return "no jumps within a surface, but kinks at edges of faces";
+      return "no jumps, but kinks at the edges";
     default:
-      return "no kinks where the normals turn smoothly";
+      return "smooth where the normals are";
   }
+}
+
+/// What the bars of slopes reach: the largest of all, or five times their mean where a few are far larger.
+double scaleOf(const std::vector<double>& slopes) {
+  double sum = 0, largest = 0;
+  int count = 0;
+  for (const double s : slopes)
+    if (s != 0.0 && !std::isnan(s)) sum += std::abs(s), ++count, largest = std::max(largest, std::abs(s));
+  return count == 0 ? 0.0 : std::min(largest, 5.0 * sum / count);
 }
 
 class MachBands {
@@ -66,7 +72,7 @@ class MachBands {
         line_{line},
         sheet_{settings.picture.width, settings.picture.height, settings.cells} {
     for (const Profile& p : line.profiles)
-      if (p.method != Shading::Flat) smoothScale_ = std::max(smoothScale_, p.largestJump);
+      if (p.method != Shading::Flat) smoothScale_ = std::max(smoothScale_, scaleOf(p.slope));
   }
 
   void drawPicture(const IndexImage& image) {
@@ -119,7 +125,7 @@ class MachBands {
   const Places& at_;
   const Scanline& line_;
   Sheet sheet_;
-  double smoothScale_ = 0;  ///< of the slopes of all methods but flat shading
+  double smoothScale_ = 0;  ///< of slopes, the same for all methods but flat shading
 };
 
 void MachBands::drawBlock(const Profile& profile, int y) {
@@ -127,8 +133,7 @@ void MachBands::drawBlock(const Profile& profile, int y) {
   Painter painter = sheet_.painter();
   const int x = at_.picture.x;
   painter.text(x, y + Sheet::kAscent, method.label, sheet_.cell(Cell::Ink), Voice::Bold);
-  if (at_.picture.width > textWidth(behaviour(profile.method)) + 64)
-    painter.text(x + 60, y + Sheet::kAscent, behaviour(profile.method), sheet_.cell(Cell::Soft));
+  painter.text(x + 60, y + Sheet::kAscent, behaviour(profile.method), sheet_.cell(Cell::Soft));
   y += Sheet::kLine;
   for (int j = 0; j < at_.strip; ++j)
     for (int i = 0; i < at_.picture.width; ++i) painter.point(x + i, y + j, profile.cells[i]);
@@ -168,7 +173,7 @@ void MachBands::drawIntensity(const Profile& profile, int y) {
 void MachBands::drawSlope(const Profile& profile, int y) {
   Painter painter = sheet_.painter();
   const Rect plot{at_.picture.x, y, at_.picture.width, at_.slope};
-  const double scale = profile.method == Shading::Flat ? profile.largestJump : smoothScale_;
+  const double scale = profile.method == Shading::Flat ? scaleOf(profile.slope) : smoothScale_;
   const int middle = plot.y + plot.height / 2, reach = (plot.height - 1) / 2;
   painter.vline(plot.x - 1, plot.y, plot.height, sheet_.cell(Cell::Faint));
   painter.hline(plot.x - 1, middle, plot.width + 1, sheet_.cell(Cell::Rule));
@@ -177,7 +182,8 @@ void MachBands::drawSlope(const Profile& profile, int y) {
   if (scale == 0.0) return;
   for (int i = 0; i + 1 < plot.width; ++i) {
     if (std::isnan(profile.slope[i])) continue;
-    const int bar = static_cast<int>(std::lround(profile.slope[i] / scale * reach));
+    const double share = std::clamp(profile.slope[i] / scale, -1.0, 1.0);
+    const int bar = static_cast<int>(std::lround(share * reach));
     painter.vline(plot.x + i, bar > 0 ? middle - bar : middle, std::abs(bar) + 1,
                   sheet_.cell(chosen(profile) ? Cell::Ink : Cell::Soft));
   }
@@ -223,8 +229,8 @@ void MachBands::drawFindings(bool explains) {
   y = sheet_.tableRow(x, y, "shading", {std::string{rowOf(chosen_).label}}, {kFindings});
   y = sheet_.tableRow(x, y, "scanline", {grouped(line_.row) + " of 0.." + grouped(at_.pictureHeight - 1)},
                       {kFindings});
-  y = sheet_.tableRow(x, y, "of one surface",
-                      {grouped(line_.samples) + " pixels, " + counted(line_.edges, "edge")}, {kFindings});
+  y = sheet_.tableRow(x, y, "it shows", {grouped(line_.samples) + " pixels, " + counted(line_.edges, "edge")},
+                      {kFindings});
 
   y = sheet_.section(x, y + 6, kFindings, "on this scanline");
   const auto row = [&](std::string_view label, auto&& value) {
@@ -239,11 +245,12 @@ void MachBands::drawFindings(bool explains) {
   row("largest kink", [](const Profile& q) { return fixed(q.largestKink, 4); });
   row("bands", [](const Profile& q) { return grouped(q.bands); });
   if (explains)
-    y = sheet_.paragraph(x, y + 6, kFindings,
-                         "Counted within surfaces only. A jump is a change of I from one pixel to the next; "
-                         "a kink is a change of that change. A band is a kink of at least 1/1200, a fifth "
-                         "of a shade of 240.",
-                         Cell::Soft);
+    y = sheet_.paragraph(
+        x, y + 6, kFindings,
+        "A jump is the change of I from one pixel to the next of a surface, a kink the "
+        "change of that change. A band is a kink of 1/1200 or more that stands out among its "
+        "neighbours. Bars that reach the edge of their plot go beyond it.",
+        Cell::Soft);
   const Finding finding = findingOf(line_);
   sheet_.finding(x, y + 10, kFindings, finding.bold, finding.why);
 }

@@ -108,7 +108,7 @@ ColoredImage drawNormals(Picture& picture, const ViewSettings& settings) {
   const std::vector<Rgb16> chosen =
       quantize(colors, shows,
                {.quantizer = smaller.colors == ColorPlan::Cube ? Quantizer::Cube : Quantizer::Chosen,
-                .dither = smaller.dither,
+                .dither = true,
                 .first = first},
                cells);
   for (int j = at.height; j < rows; ++j)

@@ -20,8 +20,10 @@ struct Profile {
   int bands = 0;  ///< places with a kink of at least kBand; those next to each other are one
 };
 
-/// The least change of slope that counts as a band: a fifth of a shade of 240 from one pixel to the next.
+/// A kink stands out if it is at least a fifth of a shade of 240, and twice as large as those kBeside pixels
+/// away: where a curve bends smoothly they are much the same.
 inline constexpr double kBand = 1.0 / 1200;
+inline constexpr int kBeside = 3;
 
 inline constexpr std::array kProfiled{Shading::Flat, Shading::Gouraud, Shading::Phong};
 
@@ -31,12 +33,13 @@ struct Scanline {
   std::array<Profile, kProfiled.size()> profiles;
 };
 
-/// The row that shows most, of several the one nearest to the middle. `picture` has been made.
+/// The middle row, or where that shows nothing the one that shows most. `picture` has been made.
 [[nodiscard]] int defaultScanline(const Picture& picture);
 
 /// Makes `picture` in each method and last in `settings`, whose plan is of ramps. Two pixels are of one
-/// surface if they show one face, or two that meet in a point, or that both meet a third; where they meet,
-/// their normals of interpolated shading agree within a degree.
+/// surface if they show one face, or two that go on into each other: they have a point in common, where the
+/// normals that are interpolated agree within a degree, and show the same side. A face less than a pixel wide
+/// may lie between.
 [[nodiscard]] Scanline scanlineOf(Picture& picture, const PictureSettings& settings, int row,
                                   std::uint8_t ground);
 

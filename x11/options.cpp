@@ -428,7 +428,7 @@ std::optional<Options> parseOptions(int argc, const char* const* argv) {
   });
   r.choice("--view", kViews, o.view, "draw, snapshot: what to show", {"colours", "overdraw", "wireframe"});
   r.text("--scanline", "the row of the picture that --view machbands follows, from 0 at its top",
-         "the one that shows most", [&](const std::string& s) {
+         "the middle one; where nothing shows there, the one that shows most", [&](const std::string& s) {
            const std::string expected = "a whole number from 0 to " + std::to_string(kMaxPicture - 1);
            const double v = numbers("--scanline", s, 1, expected)[0];
            if (v < 0 || v >= kMaxPicture || v != std::floor(v)) refuse("--scanline", s, expected);
