@@ -23,7 +23,7 @@ inline constexpr std::array kViews{
     ViewRow{View::Normals, "normals", "the normals that the light is computed with, as colours and needles",
             400, 320},
     ViewRow{View::Difference, "difference", "the picture against Phong's method at every pixel, unquantised",
-            640, 480},
+            640, 560},
 };
 [[nodiscard]] constexpr const ViewRow& rowOf(View view) { return kViews[static_cast<std::size_t>(view)]; }
 
