@@ -14,6 +14,7 @@ constexpr int kNames = 84;      // what profiles are called, at their left
 constexpr int kFindings = 320;  // at the right edge
 constexpr int kBetween = 4;     // parts of one method's block
 constexpr int kAfter = 8;       // from block to block
+constexpr double kLeastScale = 0.001;
 
 /// Where everything is. All that the view has more than its least goes to pictures and plots.
 struct Places {
@@ -54,13 +55,14 @@ std::string_view behaviour(Shading method) {
   }
 }
 
-/// What the bars of slopes reach: the largest of all, or five times their mean where a few are far larger.
+/// What the bars of slopes reach: the largest of all, or five times their mean where a few are far larger;
+/// not so little that they show what rounding leaves.
 double scaleOf(const std::vector<double>& slopes) {
   double sum = 0, largest = 0;
   int count = 0;
   for (const double s : slopes)
     if (s != 0.0 && !std::isnan(s)) sum += std::abs(s), ++count, largest = std::max(largest, std::abs(s));
-  return count == 0 ? 0.0 : std::min(largest, 5.0 * sum / count);
+  return std::max(kLeastScale, std::min(largest, 5.0 * sum / std::max(1, count)));
 }
 
 class MachBands {
@@ -125,7 +127,7 @@ class MachBands {
   const Places& at_;
   const Scanline& line_;
   Sheet sheet_;
-  double smoothScale_ = 0;  ///< of slopes, the same for all methods but flat shading
+  double smoothScale_ = kLeastScale;  ///< of slopes, the same for all methods but flat shading
 };
 
 void MachBands::drawBlock(const Profile& profile, int y) {
@@ -179,7 +181,6 @@ void MachBands::drawSlope(const Profile& profile, int y) {
   painter.hline(plot.x - 1, middle, plot.width + 1, sheet_.cell(Cell::Rule));
   painter.text(Sheet::kMargin, y + Sheet::kAscent - 1, "derivative", sheet_.cell(Cell::Soft));
   painter.textRight(plot.x - 5, y + Sheet::kAscent + 12, "to " + fixed(scale, 4), sheet_.cell(Cell::Soft));
-  if (scale == 0.0) return;
   for (int i = 0; i + 1 < plot.width; ++i) {
     if (std::isnan(profile.slope[i])) continue;
     const double share = std::clamp(profile.slope[i] / scale, -1.0, 1.0);
@@ -197,6 +198,8 @@ Finding findingOf(const Scanline& line) {
   const auto& [flat, gouraud, phong] = line.profiles;
   if (line.samples == 0) return {"Nothing shows on this scanline.", "Choose another with --scanline."};
   const auto bands = [](const Profile& p) { return grouped(p.bands); };
+  if (std::ranges::all_of(line.profiles, [](const Profile& p) { return p.bands == 0; }))
+    return {"No bands in any method.", "No kink of 1/1200 or more stands out on any surface."};
   Finding finding{"Bands: " + bands(flat) + " in flat shading, " + bands(gouraud) + " in Gouraud's, " +
                       bands(phong) + " in Phong's.",
                   ""};
