@@ -104,7 +104,8 @@ class MachBands {
     }
   }
 
-  void drawFindings(bool explains);
+  /// `explains`: there is room to say what the words mean. `grayed`: colours had to become one hue.
+  void drawFindings(bool explains, bool grayed);
 
   [[nodiscard]] const IndexImage& image() const { return sheet_.image(); }
 
@@ -211,7 +212,7 @@ Finding findingOf(const Scanline& line) {
   return finding;
 }
 
-void MachBands::drawFindings(bool explains) {
+void MachBands::drawFindings(bool explains, bool grayed) {
   const int x = at_.findings;
   const Picture& p = picture_;
   const std::vector<int> ends{148, 234, kFindings};
@@ -234,6 +235,8 @@ void MachBands::drawFindings(bool explains) {
                       {kFindings});
   y = sheet_.tableRow(x, y, "it shows", {grouped(line_.samples) + " pixels, " + counted(line_.edges, "edge")},
                       {kFindings});
+
+  if (grayed) y = sheet_.tableRow(x, y, "colours", {"by their gray"}, {kFindings});
 
   y = sheet_.section(x, y + 6, kFindings, "on this scanline");
   const auto row = [&](std::string_view label, auto&& value) {
@@ -264,7 +267,8 @@ ColoredImage drawMachBands(Picture& picture, const ViewSettings& settings) {
   const Places at{settings.picture.width, settings.picture.height};
   PictureSettings shown = settings.picture;
   shown.width = at.picture.width, shown.height = at.pictureHeight;
-  if (channelsOf(planOf(picture.scene(), shown)) == Channels::Rgb) shown.colors = ColorPlan::OneHue;
+  const bool grayed = channelsOf(planOf(picture.scene(), shown)) == Channels::Rgb;
+  if (grayed) shown.colors = ColorPlan::OneHue;
   if (settings.scanline && *settings.scanline >= shown.height)
     throw std::invalid_argument{"--scanline: " + std::to_string(*settings.scanline) +
                                 " is below the picture: in this view its rows are 0 to " +
@@ -278,6 +282,6 @@ ColoredImage drawMachBands(Picture& picture, const ViewSettings& settings) {
   MachBands view{picture, settings, at, line};
   view.drawPicture(image);
   view.drawBlocks();
-  view.drawFindings(settings.picture.height >= 600);
+  view.drawFindings(settings.picture.height >= 600, grayed);
   return {view.image(), picture.palette(settings.cells, settings.unneeded)};
 }

@@ -311,7 +311,9 @@ TEST(Options, RefuseWhatAViewCannotHeed) {
     EXPECT_EQ(complaint({"--view", name}), "") << "the size without --size is too small";
     EXPECT_EQ(complaintAll({"--view", name}), view + " goes with draw and snapshot");
     EXPECT_EQ(complaintAll({"trace", "teapot", "--view", name}), view + " goes with draw and snapshot");
-    EXPECT_EQ(complaint({"--view", name, "--ids", "i.png"}), view + " and --ids exclude each other");
+    const std::string more = view + " is more than a picture: --stats and --ids go with --view picture";
+    EXPECT_EQ(complaint({"--view", name, "--ids", "i.png"}), more);
+    EXPECT_EQ(complaint({"--view", name, "--stats"}), more);
     EXPECT_EQ(complaintAll({"snapshot", "teapot", "-o", "a", "--whole-window", "--view", name}),
               view + " and --whole-window exclude each other");
     EXPECT_EQ(complaintAll({"snapshot", "teapot", "-o", "a", "--fill", "x11", "--view", name}),

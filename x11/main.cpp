@@ -76,18 +76,13 @@ StageTimes draw(const Options& options, Picture& picture, double msRead) {
 }
 
 /// The same for the numbers behind the picture, which is then a part of what is written.
-StageTimes drawNumbers(const Options& options, Picture& picture, double msRead) {
+void drawNumbers(const Options& options, Picture& picture) {
   const Doing drawing{"drawing"};
   const ColoredImage view = drawView(picture, {.view = options.view,
                                                .scanline = options.scanline,
                                                .picture = settingsOf(options),
                                                .cells = CellPlan{options.picture.table.kind}});
-  StageTimes times = picture.times();
-  times.read = msRead;
-  const Stopwatch watch;
   writePictures(options, picture, encodePng(view.image, view.palette));
-  times.present = watch.ms();
-  return times;
 }
 
 /// The walk through a run of the depth sort: read, shade, project, sort, tell.
@@ -131,7 +126,8 @@ int run(Options options) {
   if (options.command == Command::Snapshot) return takeSnapshot(options, std::move(scene), msRead), kDone;
   Picture picture{std::move(scene)};
   if (options.command == Command::Trace) return trace(options, picture), kDone;
-  const StageTimes times = (options.view == View::Picture ? draw : drawNumbers)(options, picture, msRead);
+  if (options.view != View::Picture) return drawNumbers(options, picture), kDone;
+  const StageTimes times = draw(options, picture, msRead);
   report(options, picture, times);
   return kDone;
 }

@@ -307,7 +307,8 @@ void checkView(const Options& o) {
     throw UsageError{view + " needs a --size of at least " + std::to_string(row.leastWidth) + "x" +
                      std::to_string(row.leastHeight)};
   if (o.wholeWindow) throw UsageError{view + " and --whole-window exclude each other"};
-  if (!o.ids.empty()) throw UsageError{view + " and --ids exclude each other"};
+  if (o.stats || !o.ids.empty())
+    throw UsageError{view + " is more than a picture: --stats and --ids go with --view picture"};
   if (o.fill == Fill::XFillPolygon)
     throw UsageError{view + " is filled by the scanline: leave out --fill x11"};
 }
