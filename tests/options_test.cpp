@@ -68,6 +68,7 @@ TEST(Options, ChoicesAreTheirTables) {
   for (const auto& r : kTables) EXPECT_EQ(drawn({"--table", std::string{r.name}}).picture.table.kind, r.id);
   for (const auto& r : kPicks) EXPECT_EQ(drawn({"--pick", std::string{r.name}}).picture.table.pick, r.id);
   for (const FillRow& r : kFills) EXPECT_EQ(parsed({"view", "--fill", std::string{r.name}}).fill, r.id);
+  for (const ViewRow& r : kViews) EXPECT_EQ(drawn({"--view", std::string{r.name}}).view, r.id);
   EXPECT_EQ(drawn({"--cull", "back"}).picture.cull, Cull::Back);
   EXPECT_EQ(drawn({"--cull", "none"}).picture.cull, Cull::Keep);
   EXPECT_FALSE(drawn({"--sided", "one"}).picture.light.twoSided);
@@ -166,6 +167,8 @@ TEST(Options, SetWhatIsNotInThePicture) {
   EXPECT_EQ(parsed({"draw", "--output=-x.png", "--", "-s.obj"}).scene, "-s.obj");
   EXPECT_EQ(parsed({"visuals", "--visual", "TrueColor24"}).visual, "TrueColor24");
   EXPECT_TRUE(parsed({"snapshot", "teapot", "-o", "a", "--whole-window"}).wholeWindow);
+  EXPECT_EQ(drawn({"--view", "machbands", "--scanline", "8191"}).scanline, 8191);
+  EXPECT_FALSE(drawn({"--view", "machbands"}).scanline.has_value());
   EXPECT_EQ(drawn({"--colormap", "private", "--view", "picture"}).picture, PictureSettings{});
 }
 
@@ -214,6 +217,7 @@ TEST(Options, RefuseWrongNumbers) {
   for (const std::string wrong : {"0", "1", "-1", "nan"}) refused("--i0", wrong);
   for (const std::string wrong : {"9", "0", "016", "eight"}) refused("--bits", wrong);
   for (const std::string wrong : {"cubist", "Cabinet"}) refused("--oblique", wrong);
+  for (const std::string wrong : {"-1", "8192", "2.5", "nan", "1,2"}) refused("--scanline", wrong);
   for (const std::string wrong : {"front", "Back"}) refused("--cull", wrong);
   for (const std::string wrong : {"three", "1"}) refused("--sided", wrong);
   EXPECT_EQ(complaint({"--oblique", "cabinet:"}), "--oblique: '' is not an angle in degrees");
@@ -233,7 +237,7 @@ TEST(Options, NeedOneValueEach) {
         "--prp",     "--view-window", "--front",       "--back",        "--visual",       "--colormap",
         "--view",    "--ids",         "--attenuation", "--range",       "--coefficients", "--form",
         "--normals", "--crease",      "--polygons",    "--environment", "--texture",      "--mapping",
-        "--colors"}) {
+        "--colors",  "--scanline"}) {
     EXPECT_EQ(complaint({option}), option + " needs a value");
     EXPECT_EQ(complaint({option + "="}), option + " needs a value");
     EXPECT_NE(complaint({option, ""}), "") << option;
@@ -289,7 +293,7 @@ TEST(Options, SayWhatIsNotBuiltYet) {
           << option << ' ' << name << ": " << complaint({option, name});
   };
   later("--colormap", {"shared"});
-  later("--view", {"colours", "machbands", "normals", "overdraw", "wireframe", "difference"});
+  later("--view", {"colours", "overdraw", "wireframe"});
 }
 
 // Of two options that cannot both be heeded neither is ignored.
@@ -324,6 +328,32 @@ TEST(Options, RefuseWhatTheCommandIgnores) {
             "--fov is for perspective: leave out --parallel and --oblique");
   EXPECT_EQ(complaint({"--fov", "30", "--oblique", "cabinet"}),
             "--fov is for perspective: leave out --parallel and --oblique");
+}
+
+// A view of numbers is a picture of its own, of at least the size of its words.
+TEST(Options, RefuseWhatAViewCannotHeed) {
+  EXPECT_EQ(complaint({"--scanline", "3"}), "--scanline goes with --view machbands");
+  EXPECT_EQ(complaint({"--view", "normals", "--scanline", "3"}), "--scanline goes with --view machbands");
+  for (const ViewRow& row : kViews) {
+    if (row.id == View::Picture) continue;
+    const std::string name{row.name}, view = "--view " + name;
+    const std::string width = std::to_string(row.leastWidth), height = std::to_string(row.leastHeight);
+    EXPECT_EQ(complaint({"--view", name, "--size", width + "x" + height}), "");
+    for (const std::string& small :
+         {std::to_string(row.leastWidth - 1) + "x8192", "8192x" + std::to_string(row.leastHeight - 1)})
+      EXPECT_EQ(complaint({"--view", name, "--size", small}),
+                view + " needs a --size of at least " + width + "x" + height);
+    EXPECT_EQ(complaint({"--view", name}), "") << "the size without --size is too small";
+    EXPECT_EQ(complaintAll({"--view", name}), view + " goes with draw and snapshot");
+    EXPECT_EQ(complaintAll({"trace", "teapot", "--view", name}), view + " goes with draw and snapshot");
+    const std::string more = view + " is more than a picture: --stats and --ids go with --view picture";
+    EXPECT_EQ(complaint({"--view", name, "--ids", "i.png"}), more);
+    EXPECT_EQ(complaint({"--view", name, "--stats"}), more);
+    EXPECT_EQ(complaintAll({"snapshot", "teapot", "-o", "a", "--whole-window", "--view", name}),
+              view + " and --whole-window exclude each other");
+    EXPECT_EQ(complaintAll({"snapshot", "teapot", "-o", "a", "--fill", "x11", "--view", name}),
+              view + " is filled by the scanline: leave out --fill x11");
+  }
 }
 
 // No output may take the place of the scene or of the other output.

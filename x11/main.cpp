@@ -17,6 +17,7 @@
 #include "shading/picture.h"
 #include "shading/png.h"
 #include "shading/scene.h"
+#include "shading/views.h"
 #include "x11/options.h"
 #include "x11/report.h"
 #include "x11/trace.h"
@@ -52,7 +53,7 @@ Scene read(const Options& options) {
 
 PictureSettings settingsOf(const Options& options) {
   PictureSettings settings = options.picture;
-  const glm::ivec2 size = options.size.value_or(glm::ivec2{800, 600});
+  const glm::ivec2 size = options.size.value_or(kPictureSize);
   settings.width = size.x;
   settings.height = size.y;
   return settings;
@@ -72,6 +73,16 @@ StageTimes draw(const Options& options, Picture& picture, double msRead) {
   writePictures(options, picture, encodePng(image, picture.palette(plan)));
   times.present = watch.ms();
   return times;
+}
+
+/// The same for the numbers behind the picture, which is then a part of what is written.
+void drawNumbers(const Options& options, Picture& picture) {
+  const Doing drawing{"drawing"};
+  const ColoredImage view = drawView(picture, {.view = options.view,
+                                               .scanline = options.scanline,
+                                               .picture = settingsOf(options),
+                                               .cells = CellPlan{options.picture.table.kind}});
+  writePictures(options, picture, encodePng(view.image, view.palette));
 }
 
 /// The walk through a run of the depth sort: read, shade, project, sort, tell.
@@ -148,6 +159,7 @@ int run(int argc, char** argv) {
   if (options.command == Command::Snapshot) return takeSnapshot(options, std::move(scene), msRead), kDone;
   Picture picture{std::move(scene)};
   if (options.command == Command::Trace) return trace(options, picture), kDone;
+  if (options.view != View::Picture) return drawNumbers(options, picture), kDone;
   const StageTimes times = draw(options, picture, msRead);
   report(options, picture, times);
   return kDone;

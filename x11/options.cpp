@@ -289,6 +289,24 @@ bool sameFile(const std::string& a, const std::string& b) {
   return fs::absolute(a).lexically_normal() == fs::absolute(b).lexically_normal();
 }
 
+void checkView(const Options& o) {
+  if (o.scanline && o.view != View::MachBands) throw UsageError{"--scanline goes with --view machbands"};
+  if (o.view == View::Picture) return;
+  const ViewRow& row = rowOf(o.view);
+  const std::string view = "--view " + std::string{row.name};
+  if (o.command != Command::Draw && o.command != Command::Snapshot)
+    throw UsageError{view + " goes with draw and snapshot"};
+  const glm::ivec2 size = o.size.value_or(kPictureSize);
+  if (size.x < row.leastWidth || size.y < row.leastHeight)
+    throw UsageError{view + " needs a --size of at least " + std::to_string(row.leastWidth) + "x" +
+                     std::to_string(row.leastHeight)};
+  if (o.wholeWindow) throw UsageError{view + " and --whole-window exclude each other"};
+  if (o.stats || !o.ids.empty())
+    throw UsageError{view + " is more than a picture: --stats and --ids go with --view picture"};
+  if (o.fill == Fill::XFillPolygon)
+    throw UsageError{view + " is filled by the scanline: leave out --fill x11"};
+}
+
 void check(const Options& o, bool sceneGiven) {
   const bool makesPng = o.command == Command::Draw || o.command == Command::Snapshot;
   const std::string name{kCommands[static_cast<int>(o.command)].name};
@@ -332,6 +350,7 @@ void check(const Options& o, bool sceneGiven) {
   either(c.up.has_value(), c.vup.has_value(), "--up and --vup");
   either(c.fov.has_value(), c.window.has_value(), "--fov and --view-window");
   either(o.wholeWindow, !o.ids.empty(), "--whole-window and --ids");
+  checkView(o);
   if (c.fov && (c.parallel || c.oblique))
     throw UsageError{"--fov is for perspective: leave out --parallel and --oblique"};
 }
@@ -404,9 +423,14 @@ std::optional<Options> parseOptions(int argc, const char* const* argv, const Pic
     if (s == "shared") throw UsageError{"--colormap shared is not built yet; there is private"};
     if (s != "private") refuse("--colormap", s, "private");
   });
-  r.text("--view", "what to draw: picture", "picture", [&](const std::string& s) {
-    if (s != "picture") throw UsageError{"--view " + inQuotes(s) + " is not built yet; there is picture"};
-  });
+  r.choice("--view", kViews, o.view, "draw, snapshot: what to show", {"colours", "overdraw", "wireframe"});
+  r.text("--scanline", "the row of the picture that --view machbands follows, from 0 at its top",
+         "the middle one; where nothing shows there, the one that shows most", [&](const std::string& s) {
+           const std::string expected = "a whole number from 0 to " + std::to_string(kMaxPicture - 1);
+           const double v = numbers("--scanline", s, 1, expected)[0];
+           if (v < 0 || v >= kMaxPicture || v != std::floor(v)) refuse("--scanline", s, expected);
+           o.scanline = static_cast<int>(v);
+         });
   r.text("--ids", "also write the face image: 8-bit RGB, face number + 1, 0 where nothing is", "",
          [&](const std::string& s) {
            if (s.empty()) throw UsageError{"--ids: the file's name is empty"};

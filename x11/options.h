@@ -8,6 +8,7 @@
 
 #include "depthsort/replay.h"
 #include "shading/picture.h"
+#include "shading/views.h"
 
 /// The command line as a value.
 
@@ -40,6 +41,8 @@ inline constexpr std::array kFills{
     FillRow{Fill::Scanline, "scanline", "scanline"},
 };
 
+inline constexpr glm::ivec2 kPictureSize{800, 600}, kWindowSize{1024, 768};
+
 /// Of light and surfaces, what the command line says: what a scene says of the same gives way to it.
 struct Said {
   bool Ia = false, Ip = false;
@@ -51,7 +54,7 @@ struct Options {
   Command command = Command::View;
   std::string scene = "teapot";
   int divisions = kDefaultDivisions;
-  std::optional<glm::ivec2> size;  ///< --size, else 800x600 for pictures and 1024x768 for windows
+  std::optional<glm::ivec2> size;  ///< --size, else kPictureSize or kWindowSize
   PictureSettings picture;         ///< its camera and light in the file's units
   bool lightGiven = false;         ///< --light
   Said said;
@@ -61,9 +64,11 @@ struct Options {
   std::string visual;  ///< "" for the program's choice
   std::string output, ids;
   bool stats = false, wholeWindow = false;
-  bool quick = false;        ///< trace: the accelerated run, not the textbook's
-  std::string frames;        ///< trace: a folder for pictures; "" for JSON lines
-  Every every = Every::Cut;  ///< trace: of which steps
+  View view = View::Picture;    ///< draw, snapshot: what of the picture
+  std::optional<int> scanline;  ///< of View::MachBands
+  bool quick = false;           ///< trace: the accelerated run, not the textbook's
+  std::string frames;           ///< trace: a folder for pictures; "" for JSON lines
+  Every every = Every::Cut;     ///< trace: of which steps
 };
 
 /// Wrong usage: one line for standard error, exit status 2.
