@@ -97,11 +97,10 @@ TEST(Profile, ContinuousStepsShrinkWithThePixels) {
 // Numbers that are known: straight lines have bands where they meet, jumps one each, and what bends evenly
 // none, however much; nothing is counted across a gap.
 TEST(Profile, CountsBandsThatStandOut) {
-  std::vector<double> corners, steps, bend;
+  std::vector<double> steps, bend;
   for (int i = 0; i < 60; ++i) {
-    corners.push_back(0.01 * std::min(i, 40 - i / 2) + (i > 50 ? 0.02 * (i - 50) : 0.0));
     steps.push_back(0.1 * (i / 12));
-    bend.push_back(0.0002 * i * i);
+    bend.push_back(0.001 * i * i);
   }
   Profile p = sloped(steps);
   EXPECT_EQ(p.bands, 4);
@@ -109,8 +108,8 @@ TEST(Profile, CountsBandsThatStandOut) {
   EXPECT_NEAR(p.largestKink, 0.1, 1e-12);
   p = sloped(bend);
   EXPECT_EQ(p.bands, 0);
-  EXPECT_NEAR(p.largestJump, 0.0002 * (59 * 59 - 58 * 58), 1e-12);
-  EXPECT_NEAR(p.largestKink, 0.0004, 1e-12);
+  EXPECT_NEAR(p.largestJump, 0.001 * (59 * 59 - 58 * 58), 1e-12);
+  EXPECT_NEAR(p.largestKink, 0.002, 1e-12);
   std::vector<double> roof;
   for (int i = 0; i < 41; ++i) roof.push_back(0.01 * (20 - std::abs(i - 20)));
   EXPECT_EQ(sloped(roof).bands, 1);
