@@ -545,7 +545,10 @@ TEST(SceneFile, ComplaintsOfEachPart) {
 
 // Cutting a scene file short at any byte is refused, never more.
 TEST(SceneFile, TruncatedAnywhere) {
-  const std::string whole = R"({"up": "z", "camera": {"eye": [3, 2, 1]}, "objects": [)" + kTriangle + "]}";
+  const std::string whole =
+      R"({"up": "z", "camera": {"eye": [3, 2, 1]}, "ambient": 0.1, "lights": [{"Ip": 0.5}],
+    "shading": {"method": "flat", "table": {"shades": 9}}, "materials": {"m": {"ks": 1}}, "objects": [)" +
+      kTriangle + R"(, {"solid": "cube", "material": "m", "rotate": [1, 2, 3]}]})";
   EXPECT_EQ(complaint(whole), "no complaint");
   for (std::size_t n = 0; n < whole.size(); ++n)
     EXPECT_THROW((void)parsed(whole.substr(0, n)), ParseError) << n;
