@@ -79,6 +79,10 @@ TEST(SceneFile, RoundingFromTheTextOfPolygons) {
                 R"({"polygons": [[[0.250, 0, 0], [1, 0, 0], [0, 1, 0]]], "color": [0.12345, 0, 0]})")),
             0.5 / 10 / 10 / 10);
   EXPECT_EQ(rounding(withObject(R"({"solid": "cube", "move": [0.12345, 0, 0]})")), 0);
+  // The choice of that name is none.
+  EXPECT_EQ(rounding(R"({"shading": {"polygons": "rows", "light": [0.12345, 0, 1]}, "objects": [
+    {"polygons": [[[0.25, 0, 0], [1.5, 0, 0], [0, 1, 0]]]}]})"),
+            0.5 / 10 / 10);
 }
 
 // Every object keeps the rounding of its own coordinates, scaled with it; a solid's are exact.
