@@ -95,11 +95,10 @@ Light readOne(const Scene& scene, const Node& node, const glm::dvec3& centre) {
   return light;
 }
 
-/// Ia + the sum of Ip must not exceed 1, roundings of sums of such numbers aside.
 void check(const glm::dvec3& sum, const Node& node) {
   constexpr std::array kNames{"red", "green", "blue"};
   for (int c = 0; c < 3; ++c)
-    if (sum[c] > 1.0 + 0x1p-40) {
+    if (sum[c] > kMostLight) {
       std::array<char, 32> text;
       std::snprintf(text.data(), text.size(), "%.6g", sum[c]);
       node.fail(std::string{"Ia + the sum of Ip is "} + text.data() + " in " + kNames[c] +

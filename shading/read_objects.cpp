@@ -79,42 +79,42 @@ glm::dmat3 readRotation(const Node& node) {
   return about(2) * about(1) * about(0);
 }
 
-/// Scaled, then turned, then moved.
-struct Transform {
-  glm::dvec3 scale{1.0}, move{0.0};
-  std::optional<glm::dmat3> turn;
-
+/// An object's own: it is scaled, then turned, then moved.
+class Transform {
+ public:
   explicit Transform(const Node& node) : node_{node} {
     if (node.has("scale")) {
       const Node by = node.at("scale");
       if (by.isList()) (void)by.point();
-      for (int k = 0; k < 3; ++k) scale[k] = (by.isList() ? by.item(k) : by).numberAbove(0);
+      for (int k = 0; k < 3; ++k) scale_[k] = (by.isList() ? by.item(k) : by).numberAbove(0);
     }
-    if (node.has("rotate")) turn = readRotation(node.at("rotate"));
-    if (node.has("move")) move = node.at("move").point();
+    if (node.has("rotate")) turn_ = readRotation(node.at("rotate"));
+    if (node.has("move")) move_ = node.at("move").point();
   }
   [[nodiscard]] glm::dvec3 operator()(glm::dvec3 p) const {
-    p *= scale;
-    if (turn) p = *turn * p;
-    p += move;
+    p *= scale_;
+    if (turn_) p = *turn_ * p;
+    p += move_;
     if (!std::isfinite(p.x) || !std::isfinite(p.y) || !std::isfinite(p.z))
       node_.fail("the object is scaled out of range");
     return p;
   }
-  /// Scales by their largest factor the roundings of coordinates. A turn brings together those of three axes,
+  /// Scales the roundings of coordinates, by the largest factor. A turn brings together those of three axes,
   /// at most sqrt 3 times one, and adds its own: eight roundings of coordinates up to the largest.
   void round(Mesh& mesh) const {
     double largest = 0.0;
     for (const glm::dvec3& p : mesh.points)
       largest = std::max({largest, std::abs(p.x), std::abs(p.y), std::abs(p.z)});
     for (double& u : mesh.rounding) {
-      u *= std::max({scale.x, scale.y, scale.z});
-      if (turn) u = u * std::sqrt(3.0) + 0x1p-50 * largest;
+      u *= std::max({scale_.x, scale_.y, scale_.z});
+      if (turn_) u = u * std::sqrt(3.0) + 0x1p-50 * largest;
     }
   }
 
  private:
   const Node& node_;
+  glm::dvec3 scale_{1.0}, move_{0.0};
+  std::optional<glm::dmat3> turn_;
 };
 
 Mesh readPolygons(const Node& node) {

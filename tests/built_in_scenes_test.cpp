@@ -251,7 +251,7 @@ TEST(BuiltInScenes, RowsTurnWithTheView) {
   EXPECT_GT(std::abs(rows[1] - rows45[1]), 30);
 }
 
-// Each ball of the hues shows shades of its own hue only.
+// Each ball of the hues shows shades of its own hue only, in cells of its own.
 TEST(BuiltInScenes, HuesHaveRampsOfTheirOwn) {
   const Drawn drawn{"hues"};
   EXPECT_EQ(planOf(drawn.picture.scene(), drawn.picture.settings()), ColorPlan::Hues);
@@ -271,6 +271,8 @@ TEST(BuiltInScenes, HuesHaveRampsOfTheirOwn) {
     cellsOf[material][drawn.image.pixels[k]] = true;
   }
   EXPECT_EQ(cellsOf.size(), 7u);
+  for (int cell = 0; cell < 256; ++cell)
+    EXPECT_LE(std::ranges::count_if(cellsOf, [&](const auto& of) { return of.second[cell]; }), 1) << cell;
   for (const auto& [material, cells] : cellsOf)
     EXPECT_GT(std::ranges::count(cells, true), material < 0 ? 0 : 10) << material;
 }

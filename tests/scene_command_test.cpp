@@ -104,6 +104,11 @@ TEST_F(SceneCommandTest, RefusesWhatExceedsOrCannotBeShown) {
   refused(Words{"snapshot", "textured-cube", "--shade", "flat", "--fill", "x11"} + to, 2,
           "--fill x11 gives a polygon one cell: it does not show the scene's textures");
   EXPECT_EQ(runProgram(Words{"draw", lit, "--ia", "0.4"} + to).status, 0);
+  EXPECT_EQ(runProgram(Words{"draw", ambient, "--ip", "0.4"} + to).status, 0);
+  const std::string decimals =
+      sphere("decimals.json", R"("lights": [{"Ip": 0.55}, {"Ip": 0.3}, {"Ip": 0.1}], )");
+  EXPECT_GT(0.05 + 0.55 + 0.3 + 0.1, 1.0);  // in doubles
+  EXPECT_EQ(runProgram(Words{"draw", decimals, "--ia", "0.05"} + to).status, 0);
 }
 
 // The depth sort is told of a scene that asks for another order.

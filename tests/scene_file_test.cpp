@@ -79,6 +79,10 @@ TEST(SceneFile, RoundingFromTheTextOfPolygons) {
                 R"({"polygons": [[[0.250, 0, 0], [1, 0, 0], [0, 1, 0]]], "color": [0.12345, 0, 0]})")),
             0.5 / 10 / 10 / 10);
   EXPECT_EQ(rounding(withObject(R"({"solid": "cube", "move": [0.12345, 0, 0]})")), 0);
+  // The choice of that name is none.
+  EXPECT_EQ(rounding(R"({"shading": {"polygons": "rows", "light": [0.12345, 0, 1]}, "objects": [
+    {"polygons": [[[0.25, 0, 0], [1.5, 0, 0], [0, 1, 0]]]}]})"),
+            0.5 / 10 / 10);
 }
 
 // Every object keeps the rounding of its own coordinates, scaled with it; a solid's are exact.
@@ -291,7 +295,8 @@ TEST(SceneFile, LightsThatSayLittle) {
 
 // Ia + the sum of Ip may be 1, as decimals add up, and no more, each channel by itself.
 TEST(SceneFile, IntensitiesSumToOne) {
-  EXPECT_EQ(complaint(withTriangle(R"("ambient": 0.1, "lights": [{"Ip": 0.2}, {"Ip": 0.7}])")),
+  EXPECT_GT(0.05 + 0.55 + 0.3 + 0.1, 1.0);  // in doubles
+  EXPECT_EQ(complaint(withTriangle(R"("ambient": 0.05, "lights": [{"Ip": 0.55}, {"Ip": 0.3}, {"Ip": 0.1}])")),
             "no complaint");
   EXPECT_EQ(
       complaint(withTriangle(R"("ambient": 0.1, "lights": [{"Ip": [0, 0.9, 0]}, {"Ip": [0.9, 0, 0.9]}])")),
@@ -338,6 +343,21 @@ TEST(SceneFile, Choices) {
   EXPECT_EQ(s, expected);
   EXPECT_EQ(asked(R"({"Ia": 0.9})").light.Ip, 1.0 - 0.9);  // Ia and Ip push each other
   EXPECT_EQ(asked(R"({"Ip": 1})").light.Ia, 0);
+}
+
+// A turn brings together the roundings of three axes, and adds some of doubles.
+TEST(SceneFile, RoundingOfTurnedObjects) {
+  const auto rounding = [](const std::string& object) {
+    const Scene s = parsed(withObject(object));
+    return std::ldexp(s.mesh.roundingOf(0), s.exponent);
+  };
+  EXPECT_NEAR(
+      rounding(
+          R"({"polygons": [[[0.25, 0, 0], [1.5, 0, 0], [0, 1, 0]]], "scale": [1, 2, 4], "rotate": [1, 2, 3]})"),
+      4 * std::sqrt(3.0) * 0.005, 1e-14);
+  const double ofDoubles = rounding(R"({"solid": "cube", "rotate": [1, 2, 3]})");
+  EXPECT_GT(ofDoubles, 0x1p-52);
+  EXPECT_LT(ofDoubles, 0x1p-48);
 }
 
 // A camera of each kind.
@@ -529,7 +549,10 @@ TEST(SceneFile, ComplaintsOfEachPart) {
 
 // Cutting a scene file short at any byte is refused, never more.
 TEST(SceneFile, TruncatedAnywhere) {
-  const std::string whole = R"({"up": "z", "camera": {"eye": [3, 2, 1]}, "objects": [)" + kTriangle + "]}";
+  const std::string whole =
+      R"({"up": "z", "camera": {"eye": [3, 2, 1]}, "ambient": 0.1, "lights": [{"Ip": 0.5}],
+    "shading": {"method": "flat", "table": {"shades": 9}}, "materials": {"m": {"ks": 1}}, "objects": [)" +
+      kTriangle + R"(, {"solid": "cube", "material": "m", "rotate": [1, 2, 3]}]})";
   EXPECT_EQ(complaint(whole), "no complaint");
   for (std::size_t n = 0; n < whole.size(); ++n)
     EXPECT_THROW((void)parsed(whole.substr(0, n)), ParseError) << n;

@@ -113,7 +113,7 @@ void listScenes() {
 
 /// The scene's light and surfaces without what the command line says otherwise.
 /// @throws UsageError where Ia + the sum of Ip then exceeds 1, or a texture is to be shown that cannot be
-void giveWay(Scene& scene, Options& options) {
+void giveWay(Scene& scene, const Options& options) {
   if (options.fill == Fill::XFillPolygon && !scene.textures.empty())
     throw UsageError{"--fill x11 gives a polygon one cell: it does not show the scene's textures"};
   const Said& said = options.said;
@@ -123,21 +123,19 @@ void giveWay(Scene& scene, Options& options) {
     if (said.ks) m.ks.reset();
     if (said.n) m.n.reset();
   }
-  Illumination& user = options.picture.light;
   if (said.Ia) scene.light.Ia.reset();
   if (said.light) scene.light.lights.clear();
-  glm::dvec3 others{0.0};  // with which the user's Ia or Ip must do
-  for (const Light& light : scene.light.lights) others += light.Ip;
-  if (scene.light.lights.empty()) others = scene.light.Ia.value_or(glm::dvec3{0.0});
-  const double left = std::max(0.0, 1.0 - std::max({others.r, others.g, others.b}));
-  const bool userIa = !scene.light.lights.empty() && !scene.light.Ia;
-  const bool userIp = scene.light.lights.empty() && scene.light.Ia;
-  if ((userIa && said.Ia && user.Ia > left) || (userIp && said.Ip && user.Ip > left))
+
+  // What the user said of either has to do with what is left of the scene's.
+  const Illumination& user = options.picture.light;
+  const bool besideLights = said.Ia && !scene.light.lights.empty(), besideIa = said.Ip && scene.light.Ia;
+  glm::dvec3 sum = scene.light.Ia.value_or(glm::dvec3{user.Ia});
+  for (const Light& light : scene.light.lights) sum += light.Ip;
+  if (scene.light.lights.empty()) sum += user.Ip;
+  if ((besideLights || besideIa) && std::max({sum.r, sum.g, sum.b}) > kMostLight)
     throw UsageError{
-        std::string{userIa ? "--ia and the scene's lights" : "--ip and the scene's ambient light"} +
+        std::string{besideLights ? "--ia and the scene's lights" : "--ip and the scene's ambient light"} +
         ": their sum must not exceed 1"};
-  if (userIa) user.Ia = std::min(user.Ia, left);
-  if (userIp) user.Ip = std::min(user.Ip, left);
 }
 
 int run(int argc, char** argv) {
