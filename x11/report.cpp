@@ -28,6 +28,12 @@ nlohmann::ordered_json requiredBy(const Picture& picture) {
            static_cast<int>(picture.scene().pieces.face.size()) - picture.scene().mesh.faceCount()}};
 }
 
+/// Of --adapt: what ended the division of polygons, null where none was asked for.
+nlohmann::ordered_json adaptLimitOf(const Picture& picture) {
+  const std::optional<Refined>& refined = picture.shading().refined();
+  return refined ? nlohmann::ordered_json(kRefineLimits[static_cast<int>(refined->limit)].name) : nullptr;
+}
+
 nlohmann::ordered_json statsOf(const Options& options, const Picture& picture, const StageTimes& t) {
   const SnappedScene& scene = picture.snapped();
   const SortedScene& sorted = picture.sorted();
@@ -50,6 +56,7 @@ nlohmann::ordered_json statsOf(const Options& options, const Picture& picture, c
           {"contacts", sort.contacts},
           {"tests", tests},
           {"saturated", picture.saturated()},
+          {"adapt_limit", adaptLimitOf(picture)},
           {"required", requiredBy(picture)},
           {"ms",
            {{"read", t.read},
