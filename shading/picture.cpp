@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <glm/common.hpp>
+#include <utility>
 
 #include "depthsort/oracle.h"
 #include "geometry/screen_plane.h"
@@ -44,20 +45,24 @@ void Picture::make(const PictureSettings& next) {
       camera = placeCamera(next.camera, scene_.mesh.points, scene_.up, aspect);
     });
 
-  // What changed since the results that are kept; until all is done none count, for a stage may throw.
-  const bool newView = !any_ || camera.view != camera_.view || next.width != made_.width ||
-                       next.height != made_.height || next.cull != made_.cull;
-  const bool newOrder = newView || next.order != made_.order || next.inPixels != made_.inPixels;
-  any_ = false;
+  // Until all is done no result counts, for a stage may throw.
+  const bool any = std::exchange(any_, false);
 
   // Shading, in world coordinates: once when a face is made, the specular term again when the eye moves.
   const ColorPlan plan = planOf(scene_, next);
-  timed(times_.shade, [&] { shading_.make(scene_, next, channelsOf(plan), camera); });
+  bool newPolygons = false;
+  timed(times_.shade, [&] { newPolygons = shading_.make(scene_, next, channelsOf(plan), camera); });
+
+  // What changed since the results that are kept.
+  const bool newView = !any || newPolygons || camera.view != camera_.view || next.width != made_.width ||
+                       next.height != made_.height || next.cull != made_.cull;
+  const bool newOrder = newView || next.order != made_.order || next.inPixels != made_.inPixels;
 
   // View, shear, warp, clip, viewport, and one snap to the grid, from where all is exact.
   if (newView)
     timed(times_.transform, [&] {
-      snapped_ = snap(scene_.mesh, scene_.pieces, camera.view, next.width, next.height, next.cull);
+      snapped_ = snap(shading_.mesh(scene_), shading_.pieces(scene_), camera.view, next.width, next.height,
+                      next.cull);
     });
   camera_ = camera;
 
@@ -102,7 +107,7 @@ std::vector<double> Picture::faceIntensities(const PictureSettings& settings, in
     I = depthIntensities(scene_.mesh, snapped_, camera_.view);
   } else if (settings.shading == Shading::Flat) {
     std::ranges::transform(snapped_.faces, I.begin(), [&](const SnappedFace& f) {
-      const Sides<double>& sides = shading_.shades(channel).I[f.number];
+      const Sides<double>& sides = shading_.shades(channel).I[shading_.pointOf(f)];
       return f.back ? sides.back : sides.front;
     });
   }
@@ -128,6 +133,7 @@ Surfaces Picture::surfaces(const SortedScene& run, int channel,
           .sorted = run,
           .visible = visible_,
           .scene = scene_,
+          .mesh = shading_.mesh(scene_),
           .view = camera_.view,
           .settings = made_,
           .shading = shading_,

@@ -21,6 +21,7 @@ struct PictureSettings {
   NormalRule normals = NormalRule::Exact;
   double crease = 180;  ///< degrees, as smoothVertices() has it
   Polygons polygons = Polygons::Triangles;
+  double adapt = 0;  ///< RefineSettings::tolerance of flat and Gouraud shading; 0: no polygon is divided
   EnvironmentForm environment = EnvironmentForm::Rotated;
   TextureMapping mapping = TextureMapping::Perspective;
   Order order = Order::Newell;

@@ -2,16 +2,19 @@
 
 #include <glm/common.hpp>
 
-void SceneShading::make(const Scene& scene, const PictureSettings& settings, Channels channels,
+bool SceneShading::make(const Scene& scene, const PictureSettings& settings, Channels channels,
                         const Camera& camera) {
+  const bool wasRefined = refined_.has_value();
   const ShadingRow& method = rowOf(settings.shading);
   if (!method.lit) {
     *this = {};  // what was lit before would be stale afterwards
-    return;
+    return wasRefined;
   }
   const bool flat = !method.interpolates;
-  const Points points{method.interpolates, settings.normals, flat ? 0.0 : settings.crease};
-  if (pointsMade_ != points) {
+  const bool keepsIntensities = settings.shading == Shading::Flat || settings.shading == Shading::Gouraud;
+  const double adapt = keepsIntensities ? settings.adapt : 0.0;
+  const Points wanted{method.interpolates, settings.normals, flat ? 0.0 : settings.crease, adapt};
+  if (pointsMade_ != wanted) {
     *this = {};
     if (method.interpolates) {
       vertices_ = smoothVertices(
@@ -21,19 +24,23 @@ void SceneShading::make(const Scene& scene, const PictureSettings& settings, Cha
     } else {
       points_ = facePoints(scene.mesh);
     }
-    pointsMade_ = points;
+    pointsMade_ = wanted;
   }
 
-  const bool newLight = lightMade_ != Light{settings.light, channels, settings.shading};
+  bool newLight = lightMade_ != Light{settings.light, channels, settings.shading};
   const Eye eye{camera.eye, camera.lookAt};
   if (newLight || eyeMade_ != eye)
     lighting_ = resolve(scene.mesh, scene.light, settings.light, channels, camera.eye, camera.lookAt);
-  if (settings.shading == Shading::Flat || settings.shading == Shading::Gouraud) {
+  const bool newHighlight = newLight || (eyeMade_ != eye && lighting_.asksForEye());
+  if (adapt > 0.0 && newHighlight) {
+    refine(scene, settings);
+    newLight = true;  // for points()
+  }
+  if (keepsIntensities) {
     for (int c = 0; c < lighting_.channels; ++c) {
-      if (newLight) shadeDiffuse(shades_[c], points_, lighting_, c);
-      if (newLight || (eyeMade_ != eye && lighting_.asksForEye()))
-        shadeSpecular(shades_[c], points_, lighting_, c);
-      if (newLight || eyeMade_ != eye) addTerms(shades_[c], points_, lighting_, c);
+      if (newLight) shadeDiffuse(shades_[c], points(), lighting_, c);
+      if (newHighlight) shadeSpecular(shades_[c], points(), lighting_, c);
+      if (newLight || eyeMade_ != eye) addTerms(shades_[c], points(), lighting_, c);
     }
   } else {
     shades_ = {};
@@ -50,6 +57,14 @@ void SceneShading::make(const Scene& scene, const PictureSettings& settings, Cha
   }
   lightMade_ = Light{settings.light, channels, settings.shading};
   eyeMade_ = eye;
+  return refined_ ? newHighlight : wasRefined;
+}
+
+void SceneShading::refine(const Scene& scene, const PictureSettings& settings) {
+  const RefineSettings asked{.tolerance = settings.adapt};
+  refined_ = settings.shading == Shading::Flat
+                 ? refineFlat(scene.mesh, scene.pieces, points_, lighting_, asked)
+                 : refineSmooth(scene.mesh, scene.pieces, vertices_, lighting_, asked);
 }
 
 void SceneShading::makeEnvironments(const Scene& scene, const PictureSettings& settings,

@@ -9,6 +9,7 @@
 #include "shading/environment.h"
 #include "shading/illumination.h"
 #include "shading/picture_settings.h"
+#include "shading/refine.h"
 #include "shading/scene.h"
 #include "shading/shade.h"
 
@@ -17,12 +18,22 @@
 /// and nothing is done again unless what it depends on changed.
 class SceneShading {
  public:
-  void make(const Scene& scene, const PictureSettings& settings, Channels channels, const Camera& camera);
+  /// True if mesh() and pieces() are others than before.
+  bool make(const Scene& scene, const PictureSettings& settings, Channels channels, const Camera& camera);
 
+  /// The scene's polygons, divided; nothing unless PictureSettings::adapt asks for it.
+  [[nodiscard]] const std::optional<Refined>& refined() const { return refined_; }
+  /// What is projected and painted of a scene: its own, or refined().
+  [[nodiscard]] const Mesh& mesh(const Scene& scene) const { return refined_ ? refined_->mesh : scene.mesh; }
+  [[nodiscard]] const Pieces& pieces(const Scene& scene) const {
+    return refined_ ? refined_->pieces : scene.pieces;
+  }
   /// Empty unless the method interpolates.
-  [[nodiscard]] const Vertices& vertices() const { return vertices_; }
-  /// Centroids of faces, or vertices.
-  [[nodiscard]] const ShadingPoints& points() const { return points_; }
+  [[nodiscard]] const Vertices& vertices() const { return refined_ ? refined_->vertices : vertices_; }
+  /// Centroids of faces, of pieces if refined, or vertices.
+  [[nodiscard]] const ShadingPoints& points() const { return refined_ ? refined_->points : points_; }
+  /// Where flat shading evaluates a face, an index into points().
+  [[nodiscard]] int pointOf(const SnappedFace& face) const { return refined_ ? face.piece : face.number; }
   [[nodiscard]] const Lighting& lighting() const { return lighting_; }
   /// At points(), of one channel; empty where nothing is lit once for all.
   [[nodiscard]] const Shades& shades(int channel) const { return shades_[channel]; }
@@ -38,7 +49,7 @@ class SceneShading {
   struct Points {
     bool ofVertices;
     NormalRule normals;
-    double crease;
+    double crease, adapt;
     bool operator==(const Points&) const = default;
   };
   struct Light {
@@ -57,6 +68,7 @@ class SceneShading {
     bool operator==(const Frame&) const = default;
   };
 
+  void refine(const Scene& scene, const PictureSettings& settings);
   void makeEnvironments(const Scene& scene, const PictureSettings& settings, const Camera& camera);
 
   std::optional<Points> pointsMade_;
@@ -65,6 +77,7 @@ class SceneShading {
   std::optional<Frame> frameMade_;
   Vertices vertices_;
   ShadingPoints points_;
+  std::optional<Refined> refined_;
   Lighting lighting_;
   std::array<Shades, 3> shades_;
   std::array<std::vector<Environment>, 3> environments_;

@@ -17,7 +17,7 @@ double component(const Sides<double>& sides, bool back) { return back ? sides.ba
 }  // namespace
 
 SurfacePainter::SurfacePainter(const Surfaces& surfaces)
-    : s_{surfaces}, mesh_{s_.scene.mesh}, snapped_{s_.snapped} {
+    : s_{surfaces}, mesh_{s_.mesh}, snapped_{s_.snapped} {
   if (s_.settings.shading == Shading::Gouraud) interpolateIntensity();
   if (s_.settings.shading != Shading::Environment) return;
   interpolateNormals();
@@ -174,8 +174,10 @@ EvaluatedTriangle SurfacePainter::evaluated(const SnappedFace& face, const FaceT
     e.rest = term(s_.shading.shades(s_.channel).specular);
     e.rest.c += ambient;
   } else {
-    e.diffuse.c = component(s_.shading.shades(s_.channel).diffuse[face.number], face.back);
-    e.rest.c = ambient + component(s_.shading.shades(s_.channel).specular[face.number], face.back);
+    const Shades& shades = s_.shading.shades(s_.channel);
+    const int point = s_.shading.pointOf(face);
+    e.diffuse.c = component(shades.diffuse[point], face.back);
+    e.rest.c = ambient + component(shades.specular[point], face.back);
   }
   if (textured(face)) {
     e.texture = &s_.scene.textures[mesh_.materials[material - 1].texture];

@@ -20,6 +20,7 @@ struct Surfaces {
   const SortedScene& sorted;
   const std::vector<int>& visible;  ///< not empty: the face seen at each sample, whatever is sorted
   const Scene& scene;
+  const Mesh& mesh;  ///< the scene's, or what it was refined to
   const ViewSpec& view;
   const PictureSettings& settings;
   const SceneShading& shading;

@@ -220,6 +220,7 @@ TEST(Options, RefuseWrongNumbers) {
   for (const std::string wrong : {"-1", "8192", "2.5", "nan", "1,2"}) refused("--scanline", wrong);
   for (const std::string wrong : {"front", "Back"}) refused("--cull", wrong);
   for (const std::string wrong : {"three", "1"}) refused("--sided", wrong);
+  for (const std::string wrong : {"0", "-0.1", "1.01", "nan", "1,1"}) refused("--adapt", wrong);
   EXPECT_EQ(complaint({"--oblique", "cabinet:"}), "--oblique: '' is not an angle in degrees");
   EXPECT_EQ(complaint({"--light", "0,0,-0"}), "--light: 0,0,0 is no direction");
   for (const std::string wrong : {"1,1,2", "-1,1,0", "0.5,0.5,0.5", "0,0,0"})
@@ -237,7 +238,7 @@ TEST(Options, NeedOneValueEach) {
         "--prp",     "--view-window", "--front",       "--back",        "--visual",       "--colormap",
         "--view",    "--ids",         "--attenuation", "--range",       "--coefficients", "--form",
         "--normals", "--crease",      "--polygons",    "--environment", "--texture",      "--mapping",
-        "--colors",  "--scanline"}) {
+        "--colors",  "--scanline",    "--adapt"}) {
     EXPECT_EQ(complaint({option}), option + " needs a value");
     EXPECT_EQ(complaint({option + "="}), option + " needs a value");
     EXPECT_NE(complaint({option, ""}), "") << option;
@@ -324,6 +325,9 @@ TEST(Options, RefuseWhatTheCommandIgnores) {
   EXPECT_EQ(complaint({"--whole-window"}), "--whole-window goes with snapshot");
   EXPECT_EQ(complaint({"--fill", "x11"}), "--fill x11 needs a server: use snapshot");
   EXPECT_EQ(complaint({"--visual", "TrueColor24"}), "--visual goes with view, snapshot and visuals");
+  for (const std::string method : {"none", "depth", "phong", "envmap"})
+    EXPECT_EQ(complaint({"--adapt", "0.02", "--shade", method}),
+              "--adapt goes with --shade flat and gouraud");
   EXPECT_EQ(complaint({"--fov", "30", "--parallel", "3"}),
             "--fov is for perspective: leave out --parallel and --oblique");
   EXPECT_EQ(complaint({"--fov", "30", "--oblique", "cabinet"}),

@@ -219,6 +219,12 @@ void addSurfaces(Reader& r, Options& o) {
            "degrees; faces that meet at a larger angle share no normal");
   r.choice("--polygons", kPolygons, o.picture.polygons,
            "over what polygons of more than three corners interpolate");
+  r.text("--adapt", "divide polygons where flat or Gouraud shading misses the illumination by more than this",
+         "divide none", [&](const std::string& text) {
+           const std::string expected = "an intensity above 0 and at most 1";
+           o.picture.adapt = numbers("--adapt", text, 1, expected)[0];
+           if (!(o.picture.adapt > 0 && o.picture.adapt <= 1)) refuse("--adapt", text, expected);
+         });
   r.choice("--environment", kEnvironmentForms, o.picture.environment, "how --shade envmap looks up its map");
   r.text("--texture", "a PNG for the diffuse colour of all surfaces", "", [&](const std::string& s) {
     if (s.empty()) throw UsageError{"--texture: the file's name is empty"};
@@ -340,6 +346,8 @@ void check(const Options& o, bool sceneGiven) {
         "--order oracle decides each sample by itself: there is no polygon for --fill x11 to fill"};
   if ((o.command == Command::Draw || traces || o.command == Command::Scenes) && !o.visual.empty())
     throw UsageError{"--visual goes with view, snapshot and visuals"};
+  if (o.picture.adapt > 0 && o.picture.shading != Shading::Flat && o.picture.shading != Shading::Gouraud)
+    throw UsageError{"--adapt goes with --shade flat and gouraud"};
   const CameraSettings& c = o.picture.camera;
   const auto either = [](bool a, bool b, const char* both) {
     if (a && b) throw UsageError{std::string{both} + " exclude each other"};

@@ -47,6 +47,12 @@ nlohmann::ordered_json requiredBy(const Picture& picture) {
        static_cast<int>(picture.scene().pieces.face.size()) - picture.scene().mesh.faceCount()}};
 }
 
+/// Of --adapt: what ended the division of polygons, null where none was asked for.
+nlohmann::ordered_json adaptLimitOf(const Picture& picture) {
+  const std::optional<Refined>& refined = picture.shading().refined();
+  return refined ? nlohmann::ordered_json(kRefineLimits[static_cast<int>(refined->limit)].name) : nullptr;
+}
+
 nlohmann::ordered_json statsOf(const Options& options, const Picture& picture, const StageTimes& t) {
   const SnappedScene& scene = picture.snapped();
   const SortedScene& sorted = picture.sorted();
@@ -71,6 +77,7 @@ nlohmann::ordered_json statsOf(const Options& options, const Picture& picture, c
           {"saturated", picture.saturated()},
           {"shading", rowOf(picture.settings().shading).name},
           {"colors", kColorPlans[static_cast<int>(picture.colors().plan())].name},
+          {"adapt_limit", adaptLimitOf(picture)},
           {"required", requiredBy(picture)},
           {"ms",
            {{"read", t.read},

@@ -1,0 +1,127 @@
+#include <benchmark/benchmark.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+
+#include "shading/evaluated.h"
+#include "shading/picture.h"
+#include "shading/scanline.h"
+#include "tests/lit_floor.h"
+
+namespace {
+
+/// How far a picture is from per-pixel shading, in intensity.
+struct Difference {
+  double mean = 0, largest = 0;
+};
+
+/// Flat or Gouraud against Phong, sample by sample, both as they are before a cell is looked up.
+Difference fromPhong(const Picture& picture) {
+  const PictureSettings& s = picture.settings();
+  const SceneShading& shading = picture.shading();
+  const Mesh& mesh = shading.mesh(picture.scene());
+  const SnappedScene& snapped = picture.snapped();
+  const std::vector<Sides<double>>& I = shading.shades(0).I;
+  Difference d;
+  std::int64_t samples = 0;
+  for (const SnappedFace& face : snapped.faces)
+    forEachTriangle(snapped, face, [&](const FaceTriangle& t) {
+      const PixelPlanes planes{t.p};
+      EvaluatedTriangle phong;
+      phong.i0 = planes.i0(), phong.j0 = planes.j0();
+      phong.lighting = &shading.lighting();
+      phong.material = &shading.lighting().materials.front();
+      phong.phong = true;
+      std::array<double, 3> shown;
+      std::array<glm::dvec3, 3> at;
+      for (int k = 0; k < 3; ++k) {
+        const int corner = snapped.source[t.vertex[k]];
+        at[k] = mesh.points[mesh.corners[corner]];
+        shown[k] =
+            I[s.shading == Shading::Flat ? shading.pointOf(face) : shading.vertices().ofCorner[corner]].front;
+      }
+      for (int axis = 0; axis < 3; ++axis) {
+        phong.at[axis] = planes({at[0][axis], at[1][axis], at[2][axis]});
+        phong.N[axis] = planes(axis == 2 ? std::array{1.0, 1.0, 1.0} : std::array{0.0, 0.0, 0.0});
+      }
+      const PixelPlane plane = planes(shown);
+      forEachSpan(t.p.data(), 3, s.width, s.height, [&](int j, int from, int to) {
+        for (int i = from; i < to; ++i) {
+          const double value = plane.c + plane.gx * (i - planes.i0()) + plane.gy * (j - planes.j0());
+          const double apart = std::abs(value - std::clamp(phong.intensity(i, j), 0.0, 1.0));
+          d.mean += apart;
+          d.largest = std::max(d.largest, apart);
+          ++samples;
+        }
+      });
+    });
+  d.mean /= static_cast<double>(samples);
+  return d;
+}
+
+/// A frame, everything but the reading.
+double frame(Picture& picture, const PictureSettings& settings) {
+  IndexImage image;
+  picture.make(settings);
+  picture.paint(image, 0);
+  return picture.times().total();
+}
+
+Scene spotFloor(int n) { return underSpot(floorOf(n)); }
+Scene highlightFloor(int n) { return makeScene("floor", floorOf(n), UpAxis::Z); }
+
+// A floor of n by n squares under a spot, or with a highlight, 480x480 from above, divided where it misses by
+// more than range / 1000. Beside it polygons of one size, as many as there are pieces: expect a
+// larger difference by the share of the floor that the rim or the highlight takes. And Phong per pixel: the
+// same each frame, where the pieces are kept until light or eye move (again_ms: another window).
+void BM_Refine(benchmark::State& state, Scene (*make)(int), int n, Shading shading) {
+  const bool highlight = make == highlightFloor;
+  const auto settingsOf = [&](const Scene& scene, Shading method) {
+    const PictureSettings s = fromAbove(scene, method);
+    return highlight ? withHighlight(s) : s;
+  };
+  const Scene scene = make(n);
+  PictureSettings settings = settingsOf(scene, shading);
+  settings.adapt = static_cast<double>(state.range(0)) / 1000.0;
+  double ms = 0.0;
+  Picture picture{scene};
+  for (auto _ : state) {
+    picture = Picture{scene};
+    ms += frame(picture, settings);
+  }
+  const int pieces = picture.snapped().polygons;
+  const Difference d = fromPhong(picture);
+  state.counters["pieces"] = pieces;
+  state.counters["mean"] = d.mean;
+  state.counters["largest"] = d.largest;
+  state.counters["frame_ms"] = ms / static_cast<double>(state.iterations());
+
+  *settings.camera.height *= 1.01;
+  state.counters["again_ms"] = frame(picture, settings);
+
+  settings = settingsOf(scene, shading);
+  const int triangles = shading == Shading::Flat ? 1 : 2;  // or polygons that a square is shaded as
+  Picture even{make(std::max(n, static_cast<int>(std::lround(std::sqrt(double(pieces) / triangles)))))};
+  state.counters["even_ms"] = frame(even, settings);
+  const Difference e = fromPhong(even);
+  state.counters["even_pieces"] = triangles * even.snapped().polygons;
+  state.counters["even_mean"] = e.mean;
+  state.counters["even_largest"] = e.largest;
+
+  Picture phong{scene};
+  state.counters["phong_ms"] = frame(phong, settingsOf(scene, Shading::Phong));
+}
+#define REFINED(name, make, n, shading)                \
+  BENCHMARK_CAPTURE(BM_Refine, name, make, n, shading) \
+      ->Arg(0)                                         \
+      ->Arg(100)                                       \
+      ->Arg(30)                                        \
+      ->Arg(10)                                        \
+      ->Unit(benchmark::kMillisecond)
+REFINED(spot, spotFloor, 8, Shading::Gouraud);
+REFINED(highlight, highlightFloor, 1, Shading::Gouraud);
+REFINED(spotFlat, spotFloor, 8, Shading::Flat);
+REFINED(highlightFlat, highlightFloor, 1, Shading::Flat);
+
+}  // namespace
