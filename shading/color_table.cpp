@@ -20,7 +20,8 @@ ColorTable::ColorTable(const TableSettings& settings)
       hue_{settings.hue},
       bits_{settings.bits},
       low_{settings.low},
-      high_{settings.high} {
+      high_{settings.high},
+      corrected_{settings.kind == TableKind::Corrected} {
   const int N = settings.shades;
   assert(N >= 2 && N <= kMaxShades && settings.I0 > 0.0 && settings.I0 < 1.0);
   assert(0.0 <= settings.low && settings.low <= settings.high && settings.high <= 1.0);

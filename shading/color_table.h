@@ -70,6 +70,11 @@ class ColorTable {
   /// What shade j holds before the hue, in [0, 1]. For `linear` that is not the intensity that
   /// picks it: full intensity shows 240/255 there (the brief's choice). `corrected` holds nothing below I0.
   [[nodiscard]] double level(int j) const { return levels_[j]; }
+  /// What shade j stands for: the middle of the intensities that pick it, by the table's own measure; at the
+  /// ends, the end.
+  [[nodiscard]] double intensity(int j) const {
+    return corrected_ ? levels_[j] : low_ + (high_ - low_) * j / (shades() - 1);
+  }
   [[nodiscard]] Rgb16 color(int j) const;
   /// The intensities that the shades spread over.
   [[nodiscard]] double low() const { return low_; }
@@ -81,6 +86,7 @@ class ColorTable {
   glm::dvec3 hue_;
   int bits_;
   double low_, high_;
+  bool corrected_;
   std::vector<double> levels_;      ///< #shades
   std::vector<double> thresholds_;  ///< #shades - 1, ascending; shade j + 1 begins at thresholds_[j]
   std::vector<int> bucket_;         ///< kBuckets + 1; thresholds below each bucket's lower end

@@ -43,9 +43,10 @@ struct EvaluatedTriangle {
   const Material* material = nullptr;
   int channel = 0;
   bool phong = false;
-  std::array<PixelPlane, 3> N;   ///< phong: of the side that is seen
-  std::array<PixelPlane, 3> at;  ///< phong: places in the scene, where the light asks for them
-  PixelPlane diffuse, rest;      ///< else: the terms themselves, `rest` ambient and specular
+  std::array<PixelPlane, 3> N;  ///< phong: of the side that is seen
+  bool places = false;          ///< phong: whether the light asks for places in the scene
+  std::array<PixelPlane, 3> at;
+  PixelPlane diffuse, rest;  ///< else: the terms themselves, `rest` ambient and specular
   const Texture* texture = nullptr;
   const std::uint8_t* texels = nullptr;  ///< the channel of it
   PixelPlane u, v, q;  ///< texture coordinates over w, and 1 / w; w = 1 where the mapping is affine

@@ -6,6 +6,7 @@
 #include "shading/fill.h"
 #include "shading/fragment_spans.h"
 #include "shading/painter.h"
+#include "shading/wording.h"
 
 namespace {
 
@@ -16,25 +17,6 @@ constexpr int kLeastLabelled = 800;  // a fragment of fewer pixels has no room f
 constexpr int kMargin = 6;
 constexpr auto kThinOutlines = " Thin outlines: still in the list, marked ones brighter.";
 
-/// Ends of lines of at most `most` characters, at spaces where there are some. UTF-8.
-std::vector<std::string> broken(std::string_view text, int most) {
-  std::vector<std::string> lines;
-  const auto continues = [](char c) { return (static_cast<unsigned char>(c) & 0xC0) == 0x80; };
-  while (!text.empty()) {
-    std::size_t end = 0, space = 0;
-    for (int letters = 0; end < text.size(); ++end) {
-      if (continues(text[end])) continue;
-      if (text[end] == ' ') space = end;
-      if (++letters > most) break;
-    }
-    if (end < text.size() && space > 0) end = space;
-    lines.emplace_back(text.substr(0, end));
-    text.remove_prefix(end);
-    while (text.starts_with(' ')) text.remove_prefix(1);
-  }
-  return lines;
-}
-
 /// The region's sides as lines from pixel to pixel.
 void outline(Painter& painter, const Region& region, int thickness, std::uint8_t cell) {
   const auto pixel = [](double v) { return static_cast<int>(std::floor(v / kGrid)); };
@@ -44,10 +26,6 @@ void outline(Painter& painter, const Region& region, int thickness, std::uint8_t
     painter.line(pixel(from.x), pixel(from.y), pixel(to.x), pixel(to.y), cell, {thickness});
     from = to;
   }
-}
-
-std::string counted(std::size_t n, const std::string& what) {
-  return std::to_string(n) + " " + what + (n == 1 ? "" : "s");
 }
 
 }  // namespace

@@ -44,3 +44,6 @@ struct Light {
   int falloff = 1;                ///< of the spot between the two, 0..1,000,000
   bool operator==(const Light&) const = default;
 };
+
+/// Ia + the sum of Ip must not exceed 1 in any channel; what sums of decimals are off does not count.
+inline constexpr double kMostLight = 1.0 + 0x1p-40;

@@ -22,7 +22,7 @@ inline constexpr std::array kShadings{
                "the illumination at vertices; intensities are interpolated (Gouraud 1971)"},
     ShadingRow{Shading::Phong, "phong", "Phong", true, true,
                "the illumination at every pixel; normals are interpolated (Phong 1975)"},
-    ShadingRow{Shading::Environment, "envmap", "env. map", true, true,
+    ShadingRow{Shading::Environment, "envmap", "env", true, true,
                "nothing at a pixel: a map is looked up by x and y of the interpolated normal"},
 };
 [[nodiscard]] constexpr const ShadingRow& rowOf(Shading shading) {

@@ -85,8 +85,12 @@ void Picture::make(const PictureSettings& next) {
   // Intensities to cells of the colour table.
   timed(times_.fill, [&] {
     colors_.make(scene_, next, plan, shading_.lighting(), snapped_);
-    cells_.clear();
-    if (!rowOf(next.shading).interpolates && channelsOf(plan) != Channels::Rgb) cells_ = cellsOf(next, 0);
+    if (rowOf(next.shading).interpolates)
+      cells_.clear();
+    else if (channelsOf(plan) != Channels::Rgb)
+      cells_ = cellsOf(next, 0);
+    else
+      cells_.resize(snapped_.faces.size());  // paint() chooses the colours
   });
 
   made_ = next;
@@ -97,7 +101,7 @@ void Picture::addPlanes() {
   if (snapped_.planes.empty()) ::addPlanes(snapped_, scene_.mesh, camera_.view, made_.width, made_.height);
 }
 
-std::vector<std::uint8_t> Picture::cellsOf(const PictureSettings& settings, int channel) const {
+std::vector<double> Picture::faceIntensities(const PictureSettings& settings, int channel) const {
   std::vector<double> I(snapped_.faces.size(), 1.0);
   if (settings.shading == Shading::Depth) {
     I = depthIntensities(scene_.mesh, snapped_, camera_.view);
@@ -107,6 +111,11 @@ std::vector<std::uint8_t> Picture::cellsOf(const PictureSettings& settings, int 
       return f.back ? sides.back : sides.front;
     });
   }
+  return I;
+}
+
+std::vector<std::uint8_t> Picture::cellsOf(const PictureSettings& settings, int channel) const {
+  const std::vector<double> I = faceIntensities(settings, channel);
   std::vector<std::uint8_t> cells(I.size());
   for (std::size_t f = 0; f < I.size(); ++f)
     cells[f] = static_cast<std::uint8_t>(
@@ -116,21 +125,21 @@ std::vector<std::uint8_t> Picture::cellsOf(const PictureSettings& settings, int 
   return cells;
 }
 
-SurfacePainter Picture::painter(const SortedScene& run, int channel,
-                                const std::vector<std::uint8_t>& cells) const {
-  return SurfacePainter{{.width = made_.width,
-                         .height = made_.height,
-                         .snapped = snapped_,
-                         .sorted = run,
-                         .visible = visible_,
-                         .scene = scene_,
-                         .mesh = shading_.mesh(scene_),
-                         .view = camera_.view,
-                         .settings = made_,
-                         .shading = shading_,
-                         .channel = channel,
-                         .ramps = colors_.ramps(),
-                         .cells = cells}};
+Surfaces Picture::surfaces(const SortedScene& run, int channel,
+                           const std::vector<std::uint8_t>& cells) const {
+  return {.width = made_.width,
+          .height = made_.height,
+          .snapped = snapped_,
+          .sorted = run,
+          .visible = visible_,
+          .scene = scene_,
+          .mesh = shading_.mesh(scene_),
+          .view = camera_.view,
+          .settings = made_,
+          .shading = shading_,
+          .channel = channel,
+          .ramps = colors_.ramps(),
+          .cells = cells};
 }
 
 void Picture::paint(IndexImage& image, std::uint8_t ground) {
@@ -142,7 +151,7 @@ void Picture::paint(IndexImage& image, std::uint8_t ground) {
   if (channelsOf(colors_.plan()) == Channels::Rgb) {
     paintColors(image);
   } else {
-    SurfacePainter painter = this->painter(sorted_, 0, cells_);
+    SurfacePainter painter{surfaces(sorted_, 0, cells_)};
     painter.paintAll(image);
     clampedPixels_ = painter.clamped();
   }
@@ -150,7 +159,7 @@ void Picture::paint(IndexImage& image, std::uint8_t ground) {
 }
 
 void Picture::paint(IndexImage& image, const SortedScene& run, const Fragment& fragment) const {
-  painter(run, 0, cells_).paint(image, fragment);
+  SurfacePainter{surfaces(run, 0, cells_)}.paint(image, fragment);
 }
 
 void Picture::paintColors(IndexImage& image) {
@@ -160,7 +169,7 @@ void Picture::paintColors(IndexImage& image) {
     channel = IndexImage{made_.width, made_.height, 0};
     const std::vector<std::uint8_t> cells =
         rowOf(made_.shading).interpolates ? std::vector<std::uint8_t>{} : cellsOf(made_, c);
-    SurfacePainter painter = this->painter(sorted_, c, cells);
+    SurfacePainter painter{surfaces(sorted_, c, cells)};
     painter.paintAll(channel);
     clampedPixels_ += painter.clamped();
     for (std::size_t k = 0; k < channel.pixels.size(); ++k) colors.rgb[3 * k + c] = kBytes[channel.pixels[k]];
@@ -200,14 +209,15 @@ Palette Picture::palette(const CellPlan& plan, const Palette& unneeded) const {
 }
 
 template <class Span>
-void Picture::paintFaces(Span&& span) const {
+void Picture::paintFaces(int firstRow, int endRow, Span&& span) const {
   if (made_.order != Order::Oracle) {
     for (const Fragment& fragment : sorted_.fragments)
-      forEachSpan(snapped_, sorted_, fragment, made_.width, made_.height,
-                  [&](int row, int from, int to) { span(row, from, to, fragment.face); });
+      forEachSpan(snapped_, sorted_, fragment, made_.width, endRow, [&](int row, int from, int to) {
+        if (row >= firstRow) span(row, from, to, fragment.face);
+      });
     return;
   }
-  for (int j = 0; j < made_.height; ++j) {
+  for (int j = firstRow; j < endRow; ++j) {
     const int* const row = visible_.data() + std::ptrdiff_t(j) * made_.width;
     for (int from = 0, to = 0; from < made_.width; from = to) {
       while (to < made_.width && row[to] == row[from]) ++to;
@@ -216,22 +226,38 @@ void Picture::paintFaces(Span&& span) const {
   }
 }
 
+SeenRows Picture::seen(int firstRow, int endRow) const {
+  SeenRows seen{made_.width, firstRow,
+                std::vector<int>(std::size_t(endRow - firstRow) * made_.width, kNothing)};
+  paintFaces(firstRow, endRow, [&](int row, int from, int to, int face) {
+    const auto begin = seen.faces.begin() + std::ptrdiff_t(row - firstRow) * made_.width;
+    std::fill(begin + from, begin + to, face);
+  });
+  return seen;
+}
+
+std::vector<double> Picture::intensities(const SeenRows& rows, int channel) const {
+  const std::vector<double> ofFaces =
+      rowOf(made_.shading).interpolates ? std::vector<double>{} : faceIntensities(made_, channel);
+  return intensitiesAt(rows, surfaces(sorted_, channel, cells_), ofFaces);
+}
+
+std::vector<glm::dvec3> Picture::normals(const SeenRows& rows) const {
+  return normalsAt(rows, surfaces(sorted_, 0, cells_));
+}
+
 std::vector<std::uint32_t> Picture::faceImage() const {
   std::vector<std::uint32_t> image(std::size_t(made_.width) * made_.height, 0);
-  paintFaces([&](int row, int from, int to, int face) {
-    const auto begin = image.begin() + std::ptrdiff_t(row) * made_.width;
-    std::fill(begin + from, begin + to, static_cast<std::uint32_t>(snapped_.faces[face].number) + 1);
+  const SeenRows rows = seen(0, made_.height);
+  std::ranges::transform(rows.faces, image.begin(), [&](int face) {
+    return face == kNothing ? 0 : static_cast<std::uint32_t>(snapped_.faces[face].number) + 1;
   });
   return image;
 }
 
 Picture::Exactness Picture::exactness() {
   addPlanes();
-  std::vector<int> painted(std::size_t(made_.width) * made_.height, kNothing);
-  paintFaces([&](int row, int from, int to, int face) {
-    const auto begin = painted.begin() + std::ptrdiff_t(row) * made_.width;
-    std::fill(begin + from, begin + to, face);
-  });
+  const std::vector<int> painted = seen(0, made_.height).faces;
   const auto apart = [&](int p, int q, int i, int j) {
     const SnappedFace &P = snapped_.faces[p], &Q = snapped_.faces[q];
     const std::int64_t x = std::int64_t{i} * kGrid + kGrid / 2, y = std::int64_t{j} * kGrid + kGrid / 2;

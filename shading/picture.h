@@ -14,6 +14,7 @@
 #include "shading/scene_colors.h"
 #include "shading/scene_shading.h"
 #include "shading/surface_painter.h"
+#include "shading/surface_values.h"
 
 /// One picture: from a scene to colour indices, without any server.
 
@@ -44,6 +45,13 @@ class Picture {
   /// Face number + 1 at every sample, 0 where nothing is; row by row from the top.
   [[nodiscard]] std::vector<std::uint32_t> faceImage() const;
 
+  /// What each sample of rows [firstRow, endRow) of the picture shows.
+  [[nodiscard]] SeenRows seen(int firstRow, int endRow) const;
+  /// Of one channel, before the colour table; as intensitiesAt().
+  [[nodiscard]] std::vector<double> intensities(const SeenRows& rows, int channel = 0) const;
+  /// As normalsAt().
+  [[nodiscard]] std::vector<glm::dvec3> normals(const SeenRows& rows) const;
+
   [[nodiscard]] const Scene& scene() const { return scene_; }
   [[nodiscard]] const PictureSettings& settings() const { return made_; }
   [[nodiscard]] const Camera& camera() const { return camera_; }
@@ -54,6 +62,9 @@ class Picture {
   [[nodiscard]] const SortedScene& sorted() const { return sorted_; }
   /// The ramp of the one hue, or of the first.
   [[nodiscard]] const ColorTable& table() const { return colors_.table(); }
+  [[nodiscard]] const SceneColors& colors() const { return colors_; }
+  /// How many colours a plan of colours has, after paint().
+  [[nodiscard]] int chosenColors() const { return static_cast<int>(chosen_.size()); }
   /// The cell of each of snapped().faces; empty where a face has not one cell.
   [[nodiscard]] const std::vector<std::uint8_t>& cells() const { return cells_; }
   /// Samples that show a face, and those of them where the painter's order shows another face than the
@@ -70,14 +81,17 @@ class Picture {
   [[nodiscard]] const StageTimes& times() const { return times_; }
 
  private:
-  /// Calls span(row, from, to, face) for runs of samples that show one of snapped().faces, later calls over
-  /// earlier ones.
+  /// Calls span(row, from, to, face) for runs of samples of rows [firstRow, endRow) that show one of
+  /// snapped().faces, later calls over earlier ones.
   template <class Span>
-  void paintFaces(Span&& span) const;
+  void paintFaces(int firstRow, int endRow, Span&& span) const;
+  /// Of snapped().faces in one channel, before the table, where each has one.
+  [[nodiscard]] std::vector<double> faceIntensities(const PictureSettings& settings, int channel) const;
   /// Of snapped().faces in one channel, where each has one.
   [[nodiscard]] std::vector<std::uint8_t> cellsOf(const PictureSettings& settings, int channel) const;
-  [[nodiscard]] SurfacePainter painter(const SortedScene& run, int channel,
-                                       const std::vector<std::uint8_t>& cells) const;
+  /// What a channel is painted from. All that is passed outlives it.
+  [[nodiscard]] Surfaces surfaces(const SortedScene& run, int channel,
+                                  const std::vector<std::uint8_t>& cells) const;
   void paintColors(IndexImage& image);
   /// Of snapped().faces in a plan of colours: the nearest of those chosen.
   [[nodiscard]] std::vector<std::uint8_t> nearestCells() const;

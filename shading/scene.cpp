@@ -62,6 +62,7 @@ Scene makeScene(std::string name, Mesh mesh, UpAxis up, int divisions) {
   scene.name = std::move(name);
   scene.mesh = std::move(mesh);
   scene.up = up;
+  scene.settings.light.light = defaultLight(up);
   scene.divisions = divisions;
   if (largest > 0.0) std::frexp(largest, &scene.exponent);
   scene.light.unit = std::ldexp(1.0, -scene.exponent);
@@ -109,7 +110,7 @@ Scene readScene(const std::string& nameOrFile, int divisions) {
   }
   if (extension == ".obj") return makeScene(nameOrFile, readObj(file), UpAxis::Y);
   if (extension == ".json") {
-    Scene scene = readSceneFile(file);
+    Scene scene = readSceneFile(file, divisions);
     scene.name = nameOrFile;
     return scene;
   }

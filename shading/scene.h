@@ -8,6 +8,7 @@
 #include "geometry/divide.h"
 #include "geometry/mesh.h"
 #include "shading/illumination.h"
+#include "shading/picture_settings.h"
 #include "shading/texture.h"
 
 /// Faces of the mesh that are Bezier patches, divided.
@@ -24,9 +25,10 @@ struct Scene {
   Mesh mesh;
   Pieces pieces;  ///< the mesh's faces as convex planar polygons
   UpAxis up = UpAxis::Y;
-  int exponent = 0;       ///< file coordinate = mesh coordinate * 2^exponent
-  CameraSettings camera;  ///< of the scene file, in its units; empty where it has none
-  int divisions = 0;      ///< of each Bezier patch; 0 where there are none
+  int exponent = 0;          ///< file coordinate = mesh coordinate * 2^exponent
+  CameraSettings camera;     ///< of the scene file, in its units; empty where it has none
+  PictureSettings settings;  ///< what the scene asks for, size and camera aside: to begin a picture with
+  int divisions = 0;         ///< of each Bezier patch; 0 where there are none, or some differ
   std::vector<PatchRun> patches;
   SceneLight light;  ///< of the scene file, lengths in the mesh's units
   std::vector<Texture> textures;

@@ -1,6 +1,7 @@
 #include "shading/scene_colors.h"
 
 #include <algorithm>
+#include <cassert>
 #include <cmath>
 
 #include "shading/hue_plan.h"
@@ -91,6 +92,13 @@ void SceneColors::make(const Scene& scene, const PictureSettings& settings, Colo
     for (std::size_t t = 0; t < tables_.size(); ++t)
       for (int k = 0; k < 65536; ++k)
         lookUps_[t].push_back(static_cast<std::uint8_t>(tables_[t].cell((k + 0.5) / 65536.0)));
+}
+
+double SceneColors::intensityOf(int cell) const {
+  const auto table = std::ranges::find_if(
+      tables_, [&](const ColorTable& t) { return cell >= t.first() && cell < t.first() + t.shades(); });
+  assert(table != tables_.end());
+  return table->intensity(cell - table->first());
 }
 
 std::vector<Ramp> SceneColors::ramps() const {

@@ -36,6 +36,8 @@ class SceneColors {
   [[nodiscard]] const ColorTable& table() const { return tables_.front(); }
   /// Of a material, -1 for none.
   [[nodiscard]] const ColorTable& tableOf(int material) const { return tables_[tableOf_[material + 1]]; }
+  /// What one of the ramps' cells stands for.
+  [[nodiscard]] double intensityOf(int cell) const;
   /// By material, of none first. In a plan of colours those of a channel.
   [[nodiscard]] std::vector<Ramp> ramps() const;
 

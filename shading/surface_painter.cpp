@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "shading/at_source.h"
 #include "shading/environment_map.h"
 #include "shading/fill.h"
 #include "shading/fragment_spans.h"
@@ -10,15 +11,6 @@
 #include "shading/row_values.h"
 
 namespace {
-
-/// What `get` gives for a corner of the mesh, and between two of them for a vertex that clipping made.
-template <class Get>
-auto atSource(const SnappedScene& scene, int source, const Get& get) -> decltype(get(0)) {
-  if (source >= 0) return get(source);
-  const Between& made = scene.between[~source];
-  const auto a = atSource(scene, made.a, get), b = atSource(scene, made.b, get);
-  return a + made.t * (b - a);
-}
 
 double component(const Sides<double>& sides, bool back) { return back ? sides.back : sides.front; }
 
@@ -99,6 +91,11 @@ void SurfacePainter::interpolateNormals() {
   }
 }
 
+bool SurfacePainter::evaluates(const SnappedFace& face) const {
+  return rowOf(s_.settings.shading).lit && s_.settings.shading != Shading::Environment &&
+         (s_.settings.shading == Shading::Phong || textured(face));
+}
+
 template <class Fill>
 void SurfacePainter::gouraud(const SnappedFace& face, const Ramp& ramp, Fill&& fill) {
   const glm::ivec3* const outline = &snapped_.vertices[face.first];
@@ -111,7 +108,9 @@ void SurfacePainter::gouraud(const SnappedFace& face, const Ramp& ramp, Fill&& f
   const auto asItIs = [](const auto& shader) { return shader; };
   if (face.count == 3) return shaded(outline, 3, AffineOver{outline}(&steps_[face.first]), asItIs);
   if (s_.settings.polygons == Polygons::Rows) {
-    const RowValues rows{outline, face.count, &steps_[face.first]};
+    std::vector<double> v;
+    for (int k = face.first; k < face.first + face.count; ++k) v.push_back(steps_[k] * 0x1p-24);
+    const RowValues rows{outline, face.count, std::move(v)};
     return shaded(outline, face.count, {}, [&](const auto& shader) { return ByRows{rows, shader}; });
   }
   forEachTriangle(snapped_, face, [&](const FaceTriangle& t) {
@@ -158,13 +157,13 @@ EvaluatedTriangle SurfacePainter::evaluated(const SnappedFace& face, const FaceT
   const double ambient = e.material->ambient[s_.channel];
   if (s_.settings.shading == Shading::Phong) {
     e.phong = true;
+    e.places = s_.shading.lighting().needsPlaces();
     const double side = face.back && s_.shading.lighting().twoSided ? -1.0 : 1.0;
     for (int axis = 0; axis < 3; ++axis) {
       e.N[axis] = plane([&](int corner) {
         return side * s_.shading.points().N[s_.shading.vertices().ofCorner[corner]][axis];
       });
-      if (s_.shading.lighting().needsPlaces())
-        e.at[axis] = plane([&](int corner) { return mesh_.points[mesh_.corners[corner]][axis]; });
+      if (e.places) e.at[axis] = plane([&](int corner) { return mesh_.points[mesh_.corners[corner]][axis]; });
     }
   } else if (s_.settings.shading == Shading::Gouraud) {
     const auto term = [&](const std::vector<Sides<double>>& terms) {
@@ -210,10 +209,9 @@ void SurfacePainter::addTexture(EvaluatedTriangle& e, const PixelPlanes& planes,
 template <class Fill>
 void SurfacePainter::shade(int f, Fill&& fill) {
   const SnappedFace& face = snapped_.faces[f];
-  const bool evaluates = rowOf(s_.settings.shading).lit && s_.settings.shading != Shading::Environment &&
-                         (s_.settings.shading == Shading::Phong || textured(face));
-  if (evaluates)
-    forEachTriangle(snapped_, face, [&](const FaceTriangle& t) { fill(t.p.data(), 3, evaluated(face, t)); });
+  if (evaluates(face))
+    forEachTriangle(snapped_, face,
+                    [&](const FaceTriangle& t) { fill(t.p.data(), 3, evaluated(face, t)); });
   else if (s_.settings.shading == Shading::Gouraud)
     gouraud(face, s_.ramps[mesh_.material[face.number] + 1], fill);
   else if (s_.settings.shading == Shading::Environment)

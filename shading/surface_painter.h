@@ -38,6 +38,9 @@ class SurfacePainter {
   /// Back to front, or what is visible.
   void paintAll(IndexImage& image);
   void paint(IndexImage& image, const Fragment& fragment);
+  /// Whether a face's samples are evaluated one by one, and by what.
+  [[nodiscard]] bool evaluates(const SnappedFace& face) const;
+  [[nodiscard]] EvaluatedTriangle evaluated(const SnappedFace& face, const FaceTriangle& triangle);
   /// Evaluations at pixels that were above 1.
   [[nodiscard]] std::int64_t clamped() const { return clamped_; }
 
@@ -51,7 +54,6 @@ class SurfacePainter {
   void gouraud(const SnappedFace& face, const Ramp& ramp, Fill&& fill);
   template <class Fill>
   void environment(const SnappedFace& face, Fill&& fill);
-  [[nodiscard]] EvaluatedTriangle evaluated(const SnappedFace& face, const FaceTriangle& triangle);
   void addTexture(EvaluatedTriangle& result, const PixelPlanes& planes, const FaceTriangle& triangle) const;
   void paintVisible(IndexImage& image);
   [[nodiscard]] bool textured(const SnappedFace& face) const;

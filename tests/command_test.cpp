@@ -71,6 +71,8 @@ TEST_F(CommandTest, WrongUsageIsStatus2) {
   refused(whole + Words{"--eye", "nan,0,0"}, 2, "--eye: 'nan,0,0' is not three finite numbers x,y,z");
   refused(whole + Words{"--shade", "foggy"}, 2,
           "--shade: 'foggy' is not one of none, depth, flat, gouraud, phong, envmap");
+  refused(whole + Words{"--view", "machbands", "--scanline", "261"}, 2,
+          "--scanline: 261 is below the picture: in this view its rows are 0 to 260");
   refused(whole + Words{"--texture", "none.png"}, 1, "none.png: No such file or directory");
   refused(whole + Words{"--eye", "1,1,1", "--look-at", "1,1,1"}, 2,
           "the view plane normal is zero: eye and look-at point coincide");

@@ -153,3 +153,114 @@ TEST(Illumination, StaysInRange) {
     for (const Sides<double>& term : {f.diffuse, f.specular}) ASSERT_TRUE(term.front >= 0 && term.back >= 0);
   }
 }
+
+namespace {
+
+/// Diffuse light of a source at `height` above the square's centroid, Ip = kd = 1: f and s are all there is.
+double diffuseBelow(double height, Light light, double unit = 1) {
+  light.Ip = glm::dvec3{1};
+  light.position = {0.5, 0.5, height};
+  return shaded({.kd = 1, .ks = 0}, {0, 0, 5}, square(), {0.5, 0.5, 0},
+                {.Ia = {}, .lights = {light}, .unit = unit})
+      .diffuse.front;
+}
+
+}  // namespace
+
+// The attenuations by hand at d = 1/2, 2 and 10, and d -> 0: never above 1, never infinite.
+TEST(Illumination, Attenuation) {
+  const auto at = [](double d, Attenuation attenuation) {
+    return diffuseBelow(
+        d, {.kind = LightKind::Point, .attenuation = attenuation, .range = 4, .c = {0.5, 0.25, 0.125}});
+  };
+  EXPECT_EQ(at(10, Attenuation::None), 1.0);
+  EXPECT_EQ(at(0.5, Attenuation::Inverse), 1.0);
+  EXPECT_EQ(at(2, Attenuation::Inverse), 0.5);
+  EXPECT_EQ(at(10, Attenuation::InverseSquare), 0.01);
+  EXPECT_EQ(at(1, Attenuation::Linear), 0.75);
+  EXPECT_EQ(at(4, Attenuation::Linear), 0.0);
+  EXPECT_EQ(at(10, Attenuation::Linear), 0.0);
+  EXPECT_EQ(at(0.5, Attenuation::Textbook), 1.0);  // 0.5 + 0.125 + 0.03125 < 1
+  EXPECT_EQ(at(2, Attenuation::Textbook), 1 / 1.5);
+  for (const AttenuationRow& row : kAttenuations) {
+    EXPECT_EQ(at(0, row.id), 0.0) << row.name;  // the light lies in the face: N.L is not above 0
+    EXPECT_NEAR(at(1e-30, row.id), 1.0, 1e-15) << row.name;
+    EXPECT_EQ(at(1e-200, row.id), 0.0) << row.name;  // as far as doubles can tell
+  }
+  // What 1 is, the file says: 1/d in a scene whose unit is 1/8.
+  EXPECT_EQ(diffuseBelow(0.5, {.kind = LightKind::Point, .attenuation = Attenuation::Inverse}, 0.125), 0.25);
+}
+
+// A spot straight above that shines past the centroid by 0, 15, 17.5, 20 and 25 degrees, cones at 15 and 20:
+// the share is (cos a - cos 20) / (cos 15 - cos 20) to the falloff in between.
+TEST(Illumination, Spot) {
+  const auto at = [](double degrees, int falloff, double outer = 20) {
+    const double a = degrees * std::acos(-1.0) / 180;
+    return diffuseBelow(3, {.kind = LightKind::Spot,
+                            .direction = {std::sin(a), 0, -std::cos(a)},
+                            .inner = 15,
+                            .outer = outer,
+                            .falloff = falloff});
+  };
+  const auto cosine = [](double degrees) { return std::cos(degrees * std::acos(-1.0) / 180); };
+  const double between = (cosine(17.5) - cosine(20)) / (cosine(15) - cosine(20));
+  EXPECT_EQ(at(0, 1), 1.0);
+  EXPECT_EQ(at(14.999, 1), 1.0);
+  EXPECT_NEAR(at(17.5, 1), between, 1e-13);
+  EXPECT_NEAR(at(17.5, 3), between * between * between, 1e-13);
+  EXPECT_EQ(at(20.001, 1), 0.0);
+  EXPECT_EQ(at(25, 1), 0.0);
+  EXPECT_EQ(at(14.999, 1, 15), 1.0);  // equal cones are a step
+  EXPECT_EQ(at(15.001, 1, 15), 0.0);
+}
+
+// Three forms of the specular term for L and V in one plane with N, at 30 degrees to the left and 50 to the
+// right: R.V = cos 20, N.H = cos 10, N.L = cos 30.
+TEST(Illumination, Forms) {
+  const auto cosine = [](double degrees) { return std::cos(degrees * std::acos(-1.0) / 180); };
+  const auto specular = [&](Form form, int n) {
+    const double a = std::acos(-1.0) / 180;
+    return shaded({.Ip = 1, .ks = 1, .n = n, .light = {-std::sin(30 * a), 0, std::cos(30 * a)}, .form = form},
+                  glm::dvec3{0.5, 0.5, 0} + 2.0 * glm::dvec3{std::sin(50 * a), 0, std::cos(50 * a)})
+        .specular.front;
+  };
+  for (const int n : {1, 2, 7}) {
+    EXPECT_NEAR(specular(Form::Textbook, n), std::pow(cosine(20), n), 1e-14);
+    EXPECT_NEAR(specular(Form::HalfVector, n), std::pow(cosine(10), n), 1e-14);
+    EXPECT_NEAR(specular(Form::Tutorial, n), std::pow(cosine(30), n), 1e-14);
+  }
+}
+
+// Each channel by itself, several lights added: a red and a green light on a surface of half the blue.
+TEST(Illumination, Channels) {
+  Mesh m = square();
+  m.materials.push_back({.name = "teal", .diffuse = {0.5, 1, 0.5}, .ka = 1, .kd = 1, .ks = 0});
+  m.material[0] = 0;
+  const SceneLight scene{.Ia = glm::dvec3{0.1, 0.1, 0.2},
+                         .lights = {{.Ip = {0.8, 0, 0}}, {.Ip = {0, 0.3, 0}, .direction = {0, 3, 4}}}};
+  const Lighting lighting = resolve(m, scene, {}, Channels::Rgb, {0, 0, 5}, {0, 0, 0});
+  const ShadingPoints points = facePoints(m);
+  const std::array expected{0.1 * 0.5 + 0.8 * 0.5, 0.1 + 0.3 * 0.8, 0.2 * 0.5};
+  for (int c = 0; c < 3; ++c) {
+    Shades shades;
+    shadeDiffuse(shades, points, lighting, c);
+    addTerms(shades, points, lighting, c);
+    EXPECT_NEAR(shades.I[0].front, expected[c], 1e-15) << c;
+  }
+}
+
+// A light of no intensity, or one that falls to nothing before it reaches the scene, is left out.
+TEST(Illumination, LightsThatCannotReachCostNothing) {
+  const Light far{
+      .kind = LightKind::Point, .position = {0, 0, 9}, .attenuation = Attenuation::Linear, .range = 8.9};
+  Light near = far;
+  near.range = 9.1;
+  const auto sources = [](const Light& light) {
+    return resolve(square(), {.Ia = {}, .lights = {light}}, {}, Channels::Rgb, {0, 0, 5}, {0, 0, 0})
+        .sources.size();
+  };
+  EXPECT_EQ(sources(far), 0u);
+  EXPECT_EQ(sources(near), 1u);
+  near.Ip = glm::dvec3{0};
+  EXPECT_EQ(sources(near), 0u);
+}

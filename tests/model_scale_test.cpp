@@ -197,7 +197,9 @@ TEST(ModelScale, PowersOfTwoChangeNoPixel) {
       last = image;
       for (int k = -900; k <= 900; k += 50)
         if ((k / 50 + 18) % 4 == static_cast<int>(seed)) {
-          const Scene other = makeScene("scaled", scaled(mesh, k), scene.up, scene.divisions);
+          Scene other = makeScene("scaled", scaled(mesh, k), scene.up, scene.divisions);
+          other.light = scene.light;  // in units of the scene, which scaling does not change
+          other.textures = scene.textures;
           ASSERT_EQ(other.exponent, scene.exponent + k);
           ASSERT_EQ(imageOf(other, s, k), image) << "2^" << k;
           ++pictures;

@@ -68,6 +68,7 @@ TEST(Options, ChoicesAreTheirTables) {
   for (const auto& r : kTables) EXPECT_EQ(drawn({"--table", std::string{r.name}}).picture.table.kind, r.id);
   for (const auto& r : kPicks) EXPECT_EQ(drawn({"--pick", std::string{r.name}}).picture.table.pick, r.id);
   for (const FillRow& r : kFills) EXPECT_EQ(parsed({"view", "--fill", std::string{r.name}}).fill, r.id);
+  for (const ViewRow& r : kViews) EXPECT_EQ(drawn({"--view", std::string{r.name}}).view, r.id);
   EXPECT_EQ(drawn({"--cull", "back"}).picture.cull, Cull::Back);
   EXPECT_EQ(drawn({"--cull", "none"}).picture.cull, Cull::Keep);
   EXPECT_FALSE(drawn({"--sided", "one"}).picture.light.twoSided);
@@ -122,6 +123,41 @@ TEST(Options, SetOneSettingEach) {
   only({"--back", "-2"}, [](auto& s) { s.camera.back = -2; });
 }
 
+// Over settings that a scene asks for, each option sets its own and leaves the others.
+TEST(Options, SetOverWhatASceneAsksFor) {
+  PictureSettings scene;
+  scene.shading = Shading::Phong;
+  scene.light.ks = 0.75;
+  scene.table.shades = 64;
+  scene.dither = true;
+  const auto over = [&](std::vector<const char*> words) {
+    words.insert(words.begin(), {"xnewell", "draw", "teapot", "-o", "no.png"});
+    return parseOptions(static_cast<int>(words.size()), words.data(), scene)->picture;
+  };
+  EXPECT_EQ(over({}), scene);
+  scene.light.kd = 0.5;
+  EXPECT_EQ(over({"--kd", "0.5"}), scene);
+  PictureSettings flat = scene;
+  flat.shading = Shading::Flat;
+  EXPECT_EQ(over({"--shade", "flat"}), flat);  // also where that is the program's default
+}
+
+// Which words of light and surfaces were said.
+TEST(Options, TellWhatWasSaid) {
+  const auto count = [](const Said& s) { return s.Ia + s.Ip + s.light + s.ka + s.kd + s.ks + s.n; };
+  EXPECT_EQ(count(drawn({}).said), 0);
+  EXPECT_TRUE(drawn({"--ia", "0.2"}).said.Ia);
+  EXPECT_TRUE(drawn({"--ip", "0.7"}).said.Ip);
+  EXPECT_TRUE(drawn({"--ip", "0.7"}).said.light);
+  EXPECT_TRUE(drawn({"--light", "1,0,0"}).said.light);
+  EXPECT_TRUE(drawn({"--light-at", "1,0,0"}).said.light);
+  EXPECT_TRUE(drawn({"--ka", "0.9"}).said.ka);
+  EXPECT_TRUE(drawn({"--kd", "0.9"}).said.kd);
+  EXPECT_TRUE(drawn({"--ks", "0.4"}).said.ks);
+  EXPECT_TRUE(drawn({"--n", "20"}).said.n);
+  EXPECT_EQ(count(drawn({"--n", "20"}).said), 1);
+}
+
 TEST(Options, SetWhatIsNotInThePicture) {
   EXPECT_EQ(drawn({"--size", "8192x1"}).size, (glm::ivec2{8192, 1}));
   EXPECT_EQ(drawn({"--divisions", "256"}).divisions, 256);
@@ -131,6 +167,8 @@ TEST(Options, SetWhatIsNotInThePicture) {
   EXPECT_EQ(parsed({"draw", "--output=-x.png", "--", "-s.obj"}).scene, "-s.obj");
   EXPECT_EQ(parsed({"visuals", "--visual", "TrueColor24"}).visual, "TrueColor24");
   EXPECT_TRUE(parsed({"snapshot", "teapot", "-o", "a", "--whole-window"}).wholeWindow);
+  EXPECT_EQ(drawn({"--view", "machbands", "--scanline", "8191"}).scanline, 8191);
+  EXPECT_FALSE(drawn({"--view", "machbands"}).scanline.has_value());
   EXPECT_EQ(drawn({"--colormap", "private", "--view", "picture"}).picture, PictureSettings{});
 }
 
@@ -179,6 +217,7 @@ TEST(Options, RefuseWrongNumbers) {
   for (const std::string wrong : {"0", "1", "-1", "nan"}) refused("--i0", wrong);
   for (const std::string wrong : {"9", "0", "016", "eight"}) refused("--bits", wrong);
   for (const std::string wrong : {"cubist", "Cabinet"}) refused("--oblique", wrong);
+  for (const std::string wrong : {"-1", "8192", "2.5", "nan", "1,2"}) refused("--scanline", wrong);
   for (const std::string wrong : {"front", "Back"}) refused("--cull", wrong);
   for (const std::string wrong : {"three", "1"}) refused("--sided", wrong);
   for (const std::string wrong : {"0", "-0.1", "1.01", "nan", "1,1"}) refused("--adapt", wrong);
@@ -199,7 +238,7 @@ TEST(Options, NeedOneValueEach) {
         "--prp",     "--view-window", "--front",       "--back",        "--visual",       "--colormap",
         "--view",    "--ids",         "--attenuation", "--range",       "--coefficients", "--form",
         "--normals", "--crease",      "--polygons",    "--environment", "--texture",      "--mapping",
-        "--colors",  "--adapt"}) {
+        "--colors",  "--scanline",    "--adapt"}) {
     EXPECT_EQ(complaint({option}), option + " needs a value");
     EXPECT_EQ(complaint({option + "="}), option + " needs a value");
     EXPECT_NE(complaint({option, ""}), "") << option;
@@ -255,7 +294,7 @@ TEST(Options, SayWhatIsNotBuiltYet) {
           << option << ' ' << name << ": " << complaint({option, name});
   };
   later("--colormap", {"shared"});
-  later("--view", {"colours", "machbands", "normals", "overdraw", "wireframe", "difference"});
+  later("--view", {"colours", "overdraw", "wireframe"});
 }
 
 // Of two options that cannot both be heeded neither is ignored.
@@ -293,6 +332,32 @@ TEST(Options, RefuseWhatTheCommandIgnores) {
             "--fov is for perspective: leave out --parallel and --oblique");
   EXPECT_EQ(complaint({"--fov", "30", "--oblique", "cabinet"}),
             "--fov is for perspective: leave out --parallel and --oblique");
+}
+
+// A view of numbers is a picture of its own, of at least the size of its words.
+TEST(Options, RefuseWhatAViewCannotHeed) {
+  EXPECT_EQ(complaint({"--scanline", "3"}), "--scanline goes with --view machbands");
+  EXPECT_EQ(complaint({"--view", "normals", "--scanline", "3"}), "--scanline goes with --view machbands");
+  for (const ViewRow& row : kViews) {
+    if (row.id == View::Picture) continue;
+    const std::string name{row.name}, view = "--view " + name;
+    const std::string width = std::to_string(row.leastWidth), height = std::to_string(row.leastHeight);
+    EXPECT_EQ(complaint({"--view", name, "--size", width + "x" + height}), "");
+    for (const std::string& small :
+         {std::to_string(row.leastWidth - 1) + "x8192", "8192x" + std::to_string(row.leastHeight - 1)})
+      EXPECT_EQ(complaint({"--view", name, "--size", small}),
+                view + " needs a --size of at least " + width + "x" + height);
+    EXPECT_EQ(complaint({"--view", name}), "") << "the size without --size is too small";
+    EXPECT_EQ(complaintAll({"--view", name}), view + " goes with draw and snapshot");
+    EXPECT_EQ(complaintAll({"trace", "teapot", "--view", name}), view + " goes with draw and snapshot");
+    const std::string more = view + " is more than a picture: --stats and --ids go with --view picture";
+    EXPECT_EQ(complaint({"--view", name, "--ids", "i.png"}), more);
+    EXPECT_EQ(complaint({"--view", name, "--stats"}), more);
+    EXPECT_EQ(complaintAll({"snapshot", "teapot", "-o", "a", "--whole-window", "--view", name}),
+              view + " and --whole-window exclude each other");
+    EXPECT_EQ(complaintAll({"snapshot", "teapot", "-o", "a", "--fill", "x11", "--view", name}),
+              view + " is filled by the scanline: leave out --fill x11");
+  }
 }
 
 // No output may take the place of the scene or of the other output.

@@ -336,3 +336,79 @@ TEST(Picture, FullIntensityShadesNothing) {
   painted(full, s);
   EXPECT_TRUE(full.shading().shades(0).I.empty());
 }
+
+// No lights, materials, normals or methods make a cell that is not on the ramp: no NaN, no infinity, nothing
+// beyond the ends.
+TEST(Picture, EveryCellIsOnTheRamp) {
+  std::mt19937 rng{1975};
+  const auto uniform = [&](double low, double high) {
+    return low + (high - low) * (static_cast<double>(rng()) * 0x1p-32);
+  };
+  const auto wild = [&] { return uniform(-1, 1) * std::pow(10.0, uniform(-12, 12)); };
+  std::int64_t shown = 0;
+  for (int trial = 0; trial < 300; ++trial) {
+    SCOPED_TRACE(trial);
+    Mesh mesh = trial % 2 ? sphere(8, 5) : torus(7, 5);
+    mesh.points[3] = mesh.points[4];  // a face without area
+    mesh.materials = {{}, {}};
+    for (MeshMaterial& m : mesh.materials) {
+      m.ka = uniform(0, 1), m.kd = uniform(0, 1), m.ks = uniform(0, 1);
+      m.n = static_cast<int>(std::pow(10.0, uniform(0, 6)) - 1);
+    }
+    for (int& m : mesh.material) m = static_cast<int>(rng() % 3) - 1;
+    Scene scene = makeScene("random", std::move(mesh), UpAxis::Z);
+    for (int k = 0; k < trial % 4; ++k) {
+      Light light{.kind = kLights[rng() % 3].id, .Ip = glm::dvec3{uniform(0, 1)}};
+      light.direction = {wild(), wild(), wild()};
+      light.position = {wild(), wild(), wild()};
+      light.attenuation = kAttenuations[rng() % 5].id;
+      light.range = std::abs(wild()) + 1e-12;
+      light.c = {std::abs(wild()), std::abs(wild()), std::abs(wild())};
+      light.outer = uniform(0, 180), light.inner = uniform(0, light.outer);
+      light.falloff = static_cast<int>(rng() % 100);
+      if (k == 0) light.position = scene.mesh.points[5];  // exactly at the surface
+      scene.light.lights.push_back(light);
+    }
+    Picture picture{std::move(scene)};
+    PictureSettings s = small();
+    s.shading = kShadings[rng() % kShadings.size()].id;
+    s.normals = kNormalRules[rng() % 5].id;
+    s.light.form = kForms[rng() % 3].id;
+    s.light.constantL = rng() % 2, s.light.constantV = rng() % 2, s.light.twoSided = rng() % 2;
+    s.light.n = trial % 5 == 0 ? 0 : 1'000'000;
+    s.environment = kEnvironmentForms[rng() % 2].id;
+    s.polygons = kPolygons[rng() % 2].id;
+    s.order = kOrders[rng() % 5].id;
+    s.table = {.kind = kTables[rng() % 3].id, .shades = rng() % 2 ? 2 : 240, .I0 = rng() % 2 ? 1e-6 : 0.5};
+    if (trial % 7 == 0) s.camera.eye = picture.scene().mesh.points[9];  // in the surface
+    const IndexImage image = painted(picture, s);
+    const int first = picture.table().first(), end = first + picture.table().shades();
+    for (const std::uint8_t cell : image.pixels) {
+      ASSERT_TRUE(cell == 8 || (cell >= first && cell < end)) << int{cell};
+      shown += cell != 8;
+    }
+  }
+  EXPECT_GT(shown, 1'000'000);
+}
+
+// Depth: the nearest face has the brightest shade, the farthest the darkest, and what lies half way between
+// the middle one: the picture uses the whole range.
+TEST(Picture, DepthUsesTheWholeRange) {
+  Mesh m;
+  for (const double z : {0.0, 1.0, 4.0}) {
+    const int first = static_cast<int>(m.points.size());
+    for (const double x : {-0.5, 0.5}) m.points.insert(m.points.end(), {{x + z, -0.5, z}, {x + z, 0.5, z}});
+    const int corners[] = {first, first + 2, first + 3, first + 1};
+    m.addFace(corners, 0);
+  }
+  Picture picture{makeScene("steps", m, UpAxis::Y)};
+  PictureSettings s = small();
+  s.shading = Shading::Depth;
+  s.camera.eye = glm::dvec3{0.25, 0, 8};
+  s.camera.lookAt = glm::dvec3{0.25, 0, 0};
+  s.table.shades = 5;
+  painted(picture, s);
+  const int first = picture.table().first();
+  EXPECT_EQ(picture.cells(), (std::vector<std::uint8_t>{std::uint8_t(first), std::uint8_t(first + 1),
+                                                        std::uint8_t(first + 4)}));
+}

@@ -4,8 +4,12 @@
 
 #include <cmath>
 #include <filesystem>
+#include <glm/geometric.hpp>
 
 #include "geometry/parse_error.h"
+#include "geometry/solids.h"
+#include "shading/png.h"
+#include "tests/temporary_folder.h"
 
 namespace {
 
@@ -24,6 +28,15 @@ std::string complaint(const std::string& text) {
 
 std::string withObject(const std::string& object) { return R"({"objects": [)" + object + "]}"; }
 const std::string kTriangle = R"({"polygons": [[[0, 0, 0], [1, 0, 0], [0, 1, 0]]]})";
+/// Of size 1/2 to 1: file coordinates are the scene's, halved.
+std::string withTriangle(const std::string& more) {
+  return "{" + more + R"(, "objects": [)" + kTriangle + "]}";
+}
+
+glm::dvec3 inFile(const Scene& scene, glm::dvec3 p) {
+  for (int k = 0; k < 3; ++k) p[k] = std::ldexp(p[k], scene.exponent);
+  return p;
+}
 
 }  // namespace
 
@@ -66,6 +79,10 @@ TEST(SceneFile, RoundingFromTheTextOfPolygons) {
                 R"({"polygons": [[[0.250, 0, 0], [1, 0, 0], [0, 1, 0]]], "color": [0.12345, 0, 0]})")),
             0.5 / 10 / 10 / 10);
   EXPECT_EQ(rounding(withObject(R"({"solid": "cube", "move": [0.12345, 0, 0]})")), 0);
+  // The choice of that name is none.
+  EXPECT_EQ(rounding(R"({"shading": {"polygons": "rows", "light": [0.12345, 0, 1]}, "objects": [
+    {"polygons": [[[0.25, 0, 0], [1.5, 0, 0], [0, 1, 0]]]}]})"),
+            0.5 / 10 / 10);
 }
 
 // Every object keeps the rounding of its own coordinates, scaled with it; a solid's are exact.
@@ -79,6 +96,268 @@ TEST(SceneFile, RoundingByObject) {
   EXPECT_EQ(rounding(6), 4 * (0.5 / 10 / 10));
   EXPECT_EQ(rounding(7), 0.5 / 10 / 10);
   EXPECT_EQ(rounding(8), 0);
+}
+
+// First scaled, then turned about x, y and z one after the other, then moved: exactly, where the turn is by
+// quarters.
+TEST(SceneFile, TransformsInTheirOrder) {
+  const auto first = [](const std::string& object) {
+    const Scene s =
+        parsed(withObject(R"({"polygons": [[[1, 2, 3], [4, 0, 0], [0, 5, 0]]], )" + object + "}"));
+    return inFile(s, s.mesh.points[0]);
+  };
+  EXPECT_EQ(first(R"("scale": [2, 3, 4])"), glm::dvec3(2, 6, 12));
+  EXPECT_EQ(first(R"("rotate": [90, 0, 0])"), glm::dvec3(1, -3, 2));
+  EXPECT_EQ(first(R"("rotate": [0, 90, 0])"), glm::dvec3(3, 2, -1));
+  EXPECT_EQ(first(R"("rotate": [0, 0, 90])"), glm::dvec3(-2, 1, 3));
+  EXPECT_EQ(first(R"("rotate": [90, 0, 90])"), glm::dvec3(3, 1, 2));  // (1, -3, 2), then about z
+  EXPECT_EQ(first(R"("scale": [2, 1, 1], "rotate": [0, 0, -90], "move": [0, 10, 100])"),
+            glm::dvec3(2, 10 - 2, 103));
+  const glm::dvec3 turned = first(R"("rotate": {"axis": [2, 2, 2], "degrees": 120})");  // x to y to z
+  EXPECT_LT(glm::length(turned - glm::dvec3(3, 1, 2)), 1e-14);
+  EXPECT_EQ(first(R"("rotate": {"axis": [0, 0, 7], "degrees": 90})"), first(R"("rotate": [0, 0, 90])"));
+}
+
+// Polygons that are flat in the file stay flat however they are turned: none is cut into triangles.
+TEST(SceneFile, TurnedPolygonsStayFlat) {
+  for (int k = 1; k < 60; ++k) {
+    const std::string degrees = std::to_string(k);
+    const Scene s = parsed(R"({"objects": [{"solid": "cube", "scale": [3, 0.7, 1], "rotate": [)" + degrees +
+                           ", " + std::to_string(7 * k) + R"(, 11.3], "move": [40, 3, 0]}]})");
+    EXPECT_EQ(s.pieces.count(), 6) << k;
+  }
+}
+
+// Patches are transformed before they are divided: their exact normals are those of what is seen, and their
+// points those of the transformed surface.
+TEST(SceneFile, PatchesAreTransformedThemselves) {
+  const Scene s = parsed(R"({"up": "z", "objects": [{"solid": "cube"},
+    {"file": "teapot.bpt", "scale": [3, 1, 0.5], "rotate": [20, 30, 40], "move": [1, 2, 3], "divisions": 24}]})");
+  ASSERT_EQ(s.patches.size(), 1u);
+  EXPECT_EQ(s.patches[0].firstCorner, 24);
+  EXPECT_EQ(s.divisions, 24);
+  const std::vector<glm::dvec3> exact = exactNormals(s);
+  ASSERT_EQ(exact.size(), s.mesh.corners.size());
+  int compared = 0, apart = 0;
+  for (int f = 6; f < s.mesh.faceCount(); ++f) {
+    const auto face = s.mesh.face(f);
+    const glm::dvec3 a = s.mesh.points[face[0]], b = s.mesh.points[face[1]], c = s.mesh.points[face[2]];
+    const glm::dvec3 N = glm::cross(b - a, c - a);
+    if (glm::length(N) < 1e-9) continue;
+    ++compared;
+    apart += glm::dot(glm::normalize(N), exact[s.mesh.firstCorner[f]]) < 0.9;
+  }
+  EXPECT_GT(compared, 18'000);
+  EXPECT_LT(apart, compared / 100);  // but for the small faces at the poles and at the spout's tip
+}
+
+// The command line's divisions are for patches that do not say theirs.
+TEST(SceneFile, DivisionsOfPatches) {
+  const auto faces = [](const std::string& said, int divisions) {
+    const Scene s =
+        parseSceneFile(withObject(R"({"file": "teapot.bpt")" + said + "}"), "s.json", kData, divisions);
+    return s.mesh.faceCount();
+  };
+  EXPECT_EQ(faces("", 3), 32 * 9);
+  EXPECT_EQ(faces(R"(, "divisions": 2)", 3), 32 * 4);
+  EXPECT_EQ(
+      parsed(R"({"objects": [{"file": "teapot.bpt", "divisions": 2}, {"file": "teapot.bpt"}]})").divisions,
+      0);
+}
+
+// Texture coordinates follow their object, whatever comes before and after it; corners without any have none.
+TEST(SceneFile, TextureCoordinatesOfEachObject) {
+  const Scene s = parsed(R"({"objects": [
+    {"polygons": [[[0,0,0],[1,0,0],[0,1,0]]]},
+    {"solid": "cube"},
+    {"polygons": [[[0,0,1],[1,0,1],[0,1,1]]], "uv": [[[0.25, 0.5], [2, 0.5], [0.25, -3]]]},
+    {"polygons": [[[0,0,2],[1,0,2],[0,1,2]]]}]})");
+  ASSERT_EQ(s.mesh.uvOfCorner.size(), s.mesh.corners.size());
+  const auto uv = [&](int face, int corner) {
+    const int k = s.mesh.uvOfCorner[s.mesh.firstCorner[face] + corner];
+    return k < 0 ? glm::dvec2{-99} : s.mesh.uv[k];
+  };
+  EXPECT_EQ(uv(0, 0), glm::dvec2{-99});
+  const Mesh alone = cube();
+  for (int f = 0; f < 6; ++f)
+    for (int c = 0; c < 4; ++c) EXPECT_EQ(uv(1 + f, c), alone.uv[alone.uvOfCorner[4 * f + c]]);
+  EXPECT_EQ(uv(7, 0), glm::dvec2(0.25, 0.5));
+  EXPECT_EQ(uv(7, 2), glm::dvec2(0.25, -3));
+  EXPECT_EQ(uv(8, 0), glm::dvec2{-99});
+}
+
+// An object wears the material that it names, once however many objects name it; what a material does not say
+// is the user's to choose.
+TEST(SceneFile, Materials) {
+  const Scene s = parsed(R"({"materials": {
+      "unused": {"color": [0, 0, 1]},
+      "brass": {"color255": [255, 0, 51], "specular": [1, 0.5, 0], "ka": 0.25, "kd": 0.5, "ks": 1, "n": 80},
+      "chalk": {"ks": 0}},
+    "objects": [{"solid": "cube", "material": "brass"}, {"solid": "cube"}, {"solid": "cube", "material": "brass"},
+                {"solid": "cube", "material": "chalk"}]})");
+  ASSERT_EQ(s.mesh.materials.size(), 2u);
+  const MeshMaterial& brass = s.mesh.materials[s.mesh.material[0]];
+  EXPECT_EQ(brass.name, "brass");
+  EXPECT_EQ(brass.diffuse, glm::dvec3(1, 0, 0.2));
+  EXPECT_EQ(brass.specular, glm::dvec3(1, 0.5, 0));
+  EXPECT_EQ(brass.ka, 0.25);
+  EXPECT_EQ(brass.kd, 0.5);
+  EXPECT_EQ(brass.ks, 1);
+  EXPECT_EQ(brass.n, 80);
+  EXPECT_EQ(s.mesh.material[6], -1);
+  EXPECT_EQ(s.mesh.material[12], s.mesh.material[0]);
+  const MeshMaterial& chalk = s.mesh.materials[s.mesh.material[18]];
+  EXPECT_EQ(chalk.ks, 0);
+  EXPECT_FALSE(chalk.ka || chalk.kd || chalk.n);
+}
+
+// Textures lie beside the scene file, each read once; an object without texture coordinates cannot wear one.
+TEST(SceneFile, TexturesOfMaterials) {
+  const TemporaryFolder folder;
+  RgbImage image{2, 1};
+  image.rgb = {10, 20, 30, 40, 50, 60};
+  writePng(folder.file("t.png"), image);
+  const auto read = [&](const std::string& objects) {
+    return parseSceneFile(
+        R"({"materials": {"a": {"texture": "t.png"}, "b": {"texture": "t.png", "ks": 0}, "c": {},
+      "gone": {"texture": "no.png"}}, "objects": [)" +
+            objects + "]}",
+        "s.json", folder.file(""));
+  };
+  const Scene s = read(R"({"solid": "cube", "material": "c"}, {"solid": "cube", "material": "b"},
+                          {"solid": "torus", "material": "a"})");
+  ASSERT_EQ(s.textures.size(), 1u);
+  EXPECT_EQ(s.textures[0].width, 2);
+  EXPECT_EQ(s.textures[0].channel[2][1], 60);
+  EXPECT_EQ(s.mesh.materials[s.mesh.material[0]].texture, -1);
+  EXPECT_EQ(s.mesh.materials[s.mesh.material[6]].texture, 0);
+  EXPECT_EQ(s.mesh.materials[s.mesh.material[12]].texture, 0);
+  EXPECT_THROW((void)read(kTriangle.substr(0, kTriangle.size() - 1) + R"(, "material": "a"})"), ParseError);
+  EXPECT_ANY_THROW((void)read(R"({"solid": "cube", "material": "gone"})"));
+}
+
+// Lights of each kind, lengths in the scene's units: a triangle of size 1 is kept at half its size.
+TEST(SceneFile, Lights) {
+  const Scene s = parsed(withTriangle(R"("up": "z", "ambient": [0.1, 0.2, 0.3], "lights": [
+    {"Ip": 0.25, "towards": [0, 0, 5]},
+    {"kind": "point", "color": [0.1, 0, 0.2], "at": [1, 2, 3], "attenuation": "linear", "range": 8},
+    {"kind": "spot", "Ip": 0, "at": [0, 0, 4], "shines": [0, 1, -1], "inner": 5, "outer": 30, "falloff": 3,
+     "attenuation": "textbook", "c": [1, 2, 4]},
+    {"kind": "spot", "Ip": 0, "at": [0, 0, 4], "look_at": [1, 0, 0], "attenuation": "inverse-square"}])"));
+  ASSERT_EQ(s.exponent, 1);
+  EXPECT_EQ(s.light.Ia, glm::dvec3(0.1, 0.2, 0.3));
+  EXPECT_EQ(s.light.unit, 0.5);
+  ASSERT_EQ(s.light.lights.size(), 4u);
+  const std::vector<Light>& l = s.light.lights;
+  EXPECT_EQ(l[0].kind, LightKind::Directional);
+  EXPECT_EQ(l[0].Ip, glm::dvec3{0.25});
+  EXPECT_EQ(l[0].direction, glm::dvec3(0, 0, 5));
+  EXPECT_EQ(l[1].kind, LightKind::Point);
+  EXPECT_EQ(l[1].Ip, glm::dvec3(0.1, 0, 0.2));
+  EXPECT_EQ(l[1].position, glm::dvec3(0.5, 1, 1.5));
+  EXPECT_EQ(l[1].attenuation, Attenuation::Linear);
+  EXPECT_EQ(l[1].range, 4);
+  EXPECT_EQ(l[2].kind, LightKind::Spot);
+  EXPECT_EQ(l[2].direction, glm::dvec3(0, 1, -1));
+  EXPECT_EQ(l[2].inner, 5);
+  EXPECT_EQ(l[2].outer, 30);
+  EXPECT_EQ(l[2].falloff, 3);
+  EXPECT_EQ(l[2].c, glm::dvec3(1, 4, 16));  // so that c2 d and c3 d^2 are as they were
+  EXPECT_EQ(l[3].direction, glm::dvec3(0.5, 0, -2));
+  EXPECT_EQ(l[3].attenuation, Attenuation::InverseSquare);
+}
+
+// What a light does not say: it comes from the upper left, a spot looks at the scene's centre, intensities
+// are shared.
+TEST(SceneFile, LightsThatSayLittle) {
+  const Scene one = parsed(withTriangle(R"("up": "z", "lights": [{}])"));
+  EXPECT_EQ(one.light.lights.at(0), (Light{.Ip = glm::dvec3{0.7}, .direction = defaultLight(UpAxis::Z)}));
+  EXPECT_FALSE(one.light.Ia.has_value());
+  EXPECT_EQ(one.settings.light.Ia, 0.2);
+
+  const Scene shared = parsed(withTriangle(R"("ambient": 0.25, "lights": [{}, {"Ip": [0.5, 0, 0]}, {}])"));
+  EXPECT_EQ(shared.light.lights.at(0).Ip, glm::dvec3{0.125});
+  EXPECT_EQ(shared.light.lights.at(2).Ip, glm::dvec3{0.125});
+
+  const Scene spot = parsed(withTriangle(R"("lights": [{"kind": "spot", "at": [0.5, 0.5, 4], "outer": 9,
+    "attenuation": "textbook"}, {"kind": "spot", "at": [0.5, 0.5, 4], "inner": 40, "attenuation": "linear"}])"));
+  const Light& light = spot.light.lights.at(0);
+  EXPECT_EQ(light.direction, glm::dvec3(0, 0, -2));
+  EXPECT_EQ(light.inner, 9);
+  EXPECT_EQ(light.c, glm::dvec3(1, 0, 0.25));  // 1/2 at the centre
+  EXPECT_EQ(spot.light.lights.at(1).outer, 40);
+  EXPECT_EQ(spot.light.lights.at(1).range, 4);  // 1/2 at the centre
+
+  // What the scene's own light leaves is the most that is the user's.
+  EXPECT_NEAR(parsed(withTriangle(R"("ambient": [0.2, 0.6, 0])")).settings.light.Ip, 0.4, 1e-15);
+  EXPECT_NEAR(parsed(withTriangle(R"("lights": [{"Ip": 0.95}])")).settings.light.Ia, 0.05, 1e-15);
+}
+
+// Ia + the sum of Ip may be 1, as decimals add up, and no more, each channel by itself.
+TEST(SceneFile, IntensitiesSumToOne) {
+  EXPECT_GT(0.05 + 0.55 + 0.3 + 0.1, 1.0);  // in doubles
+  EXPECT_EQ(complaint(withTriangle(R"("ambient": 0.05, "lights": [{"Ip": 0.55}, {"Ip": 0.3}, {"Ip": 0.1}])")),
+            "no complaint");
+  EXPECT_EQ(
+      complaint(withTriangle(R"("ambient": 0.1, "lights": [{"Ip": [0, 0.9, 0]}, {"Ip": [0.9, 0, 0.9]}])")),
+      "no complaint");
+  EXPECT_EQ(complaint(withTriangle(R"("ambient": [0, 0.1, 0], "lights": [{"Ip": 0.95}])")),
+            "s.json: Ia + the sum of Ip is 1.05 in green; it must not exceed 1");
+}
+
+// Everything that a scene can ask for, each by the name that the command line has for it.
+TEST(SceneFile, Choices) {
+  const auto asked = [](const std::string& shading) {
+    return parsed(withTriangle(R"("up": "z", "shading": )" + shading)).settings;
+  };
+  PictureSettings none;
+  none.light.light = defaultLight(UpAxis::Z);
+  EXPECT_EQ(asked("{}"), none);
+  const auto quoted = [](std::string_view name) { return "\"" + std::string{name} + "\"}"; };
+  for (const auto& row : kShadings) EXPECT_EQ(asked(R"({"method": )" + quoted(row.name)).shading, row.id);
+  for (const auto& row : kNormalRules) EXPECT_EQ(asked(R"({"normals": )" + quoted(row.name)).normals, row.id);
+  for (const auto& row : kPolygons) EXPECT_EQ(asked(R"({"polygons": )" + quoted(row.name)).polygons, row.id);
+  for (const auto& row : kForms) EXPECT_EQ(asked(R"({"form": )" + quoted(row.name)).light.form, row.id);
+  for (const auto& row : kEnvironmentForms)
+    EXPECT_EQ(asked(R"({"environment": )" + quoted(row.name)).environment, row.id);
+  for (const auto& row : kTextureMappings)
+    EXPECT_EQ(asked(R"({"mapping": )" + quoted(row.name)).mapping, row.id);
+  for (const auto& row : kOrders) EXPECT_EQ(asked(R"({"order": )" + quoted(row.name)).order, row.id);
+  for (const auto& row : kColorPlans) EXPECT_EQ(asked(R"({"colors": )" + quoted(row.name)).colors, row.id);
+  for (const auto& row : kTables)
+    EXPECT_EQ(asked(R"({"table": {"kind": )" + quoted(row.name) + "}").table.kind, row.id);
+  for (const auto& row : kPicks)
+    EXPECT_EQ(asked(R"({"table": {"pick": )" + quoted(row.name) + "}").table.pick, row.id);
+
+  const PictureSettings s =
+      asked(R"({"crease": 30, "dither": true, "Ia": 0.1, "Ip": 0.8, "ka": 0.3, "kd": 0.4,
+    "ks": 0.5, "n": 7, "light": [1, 2, 3], "table": {"shades": 64, "i0": 0.05, "hue": [0.5, 1, 0], "bits": 8}})");
+  PictureSettings expected;
+  expected.crease = 30;
+  expected.dither = true;
+  expected.light = {.Ia = 0.1, .Ip = 0.8, .ka = 0.3, .kd = 0.4, .ks = 0.5, .n = 7, .light = {1, 2, 3}};
+  expected.table.shades = 64;
+  expected.table.I0 = 0.05;
+  expected.table.hue = {0.5, 1, 0};
+  expected.table.bits = 8;
+  EXPECT_EQ(s, expected);
+  EXPECT_EQ(asked(R"({"Ia": 0.9})").light.Ip, 1.0 - 0.9);  // Ia and Ip push each other
+  EXPECT_EQ(asked(R"({"Ip": 1})").light.Ia, 0);
+}
+
+// A turn brings together the roundings of three axes, and adds some of doubles.
+TEST(SceneFile, RoundingOfTurnedObjects) {
+  const auto rounding = [](const std::string& object) {
+    const Scene s = parsed(withObject(object));
+    return std::ldexp(s.mesh.roundingOf(0), s.exponent);
+  };
+  EXPECT_NEAR(
+      rounding(
+          R"({"polygons": [[[0.25, 0, 0], [1.5, 0, 0], [0, 1, 0]]], "scale": [1, 2, 4], "rotate": [1, 2, 3]})"),
+      4 * std::sqrt(3.0) * 0.005, 1e-14);
+  const double ofDoubles = rounding(R"({"solid": "cube", "rotate": [1, 2, 3]})");
+  EXPECT_GT(ofDoubles, 0x1p-52);
+  EXPECT_LT(ofDoubles, 0x1p-48);
 }
 
 // A camera of each kind.
@@ -127,8 +406,9 @@ TEST(SceneFile, ComplaintsNameThePlace) {
   EXPECT_EQ(complaint(""), "s.json:1: not JSON here");
   EXPECT_EQ(complaint("[]"), "s.json: an object { } is needed");
   EXPECT_EQ(complaint("{}"), "s.json: holds no face");
-  EXPECT_EQ(complaint(R"({"lights": []})"),
-            "s.json: unknown key 'lights'; there are shows, up, camera, objects");
+  EXPECT_EQ(complaint(R"({"light": []})"),
+            "s.json: unknown key 'light'; there are shows, up, camera, ambient, lights, shading, materials, "
+            "objects");
   EXPECT_EQ(complaint(R"({"up": "x"})"), "s.json: up: \"y\" or \"z\" is needed");
   EXPECT_EQ(complaint(R"({"objects": {}})"), "s.json: objects: a list [ ] is needed");
   EXPECT_EQ(complaint(withObject("{}")), "s.json: objects[0]: one of file, polygons and solid is needed");
@@ -155,9 +435,124 @@ TEST(SceneFile, ComplaintsNameThePlace) {
   EXPECT_NE(complaint(withObject(R"({"file": "nosuch.obj"})")).find("No such file"), std::string::npos);
 }
 
+// The same of light, surfaces, transforms and choices.
+TEST(SceneFile, ComplaintsOfEachPart) {
+  const auto object = [](const std::string& more) {
+    return complaint(withObject(R"({"polygons": [[[0,0,0],[1,0,0],[0,1,0]]], )" + more + "}"));
+  };
+  EXPECT_EQ(object(R"("scale": [1, 2])"), "s.json: objects[0].scale: a list of 3 numbers is needed");
+  EXPECT_EQ(object(R"("scale": [1, -2, 1])"), "s.json: objects[0].scale[1]: a number above 0 is needed");
+  EXPECT_EQ(object(R"("rotate": 90)"), "s.json: objects[0].rotate: a list [ ] is needed");
+  EXPECT_EQ(object(R"("rotate": [0, 0, 1e7])"),
+            "s.json: objects[0].rotate[2]: an angle within 1,000,000 degrees is needed");
+  EXPECT_EQ(object(R"("rotate": {"axis": [0, 0, 0], "degrees": 3})"),
+            "s.json: objects[0].rotate.axis: 0, 0, 0 is no direction");
+  EXPECT_EQ(object(R"("rotate": {"axis": [0, 0, 1]})"), "s.json: objects[0].rotate: degrees is needed");
+  EXPECT_EQ(object(R"("rotate": {"angle": 1})"),
+            "s.json: objects[0].rotate: unknown key 'angle'; there are axis, degrees");
+  EXPECT_EQ(object(R"("divisions": 4)"),
+            "s.json: objects[0].divisions: divisions are for the patches of a .bpt file");
+  EXPECT_EQ(object(R"("color": [1, 1, 2])"), "s.json: objects[0].color: r, g, b from 0 to 1 are needed");
+  EXPECT_EQ(object(R"("color255": [1, 1, 256])"),
+            "s.json: objects[0].color255[2]: a number from 0 to 255 is needed");
+  EXPECT_EQ(object(R"("color": [1, 1, 1], "color255": [1, 1, 1])"),
+            "s.json: objects[0].color255: the colour is said twice");
+  EXPECT_EQ(object(R"("material": "tin")"), "s.json: objects[0].material: the file has no materials");
+  EXPECT_EQ(
+      complaint(
+          R"({"materials": {"tin": {}, "bone": {}}, "objects": [{"solid": "cube", "material": "gold"}]})"),
+      "s.json: objects[0].material: 'gold' is not one of bone, tin");
+  EXPECT_EQ(object(R"("uv": [])"), "s.json: objects[0].uv: a list for each polygon is needed");
+  EXPECT_EQ(object(R"("uv": [[[0, 0], [1, 0]]])"),
+            "s.json: objects[0].uv[0]: [u, v] for each corner is needed");
+  EXPECT_EQ(object(R"("uv": [[[0, 0], [1, 0], [1, 0, 0]]])"),
+            "s.json: objects[0].uv[0][2]: a list of 2 numbers is needed");
+  EXPECT_EQ(complaint(withObject(R"({"solid": "cube", "uv": []})")),
+            "s.json: objects[0].uv: texture coordinates are for polygons");
+
+  const auto material = [](const std::string& what) {
+    return complaint(R"({"materials": {"tin": )" + what + R"(}, "objects": [)" +
+                     kTriangle.substr(0, kTriangle.size() - 1) + R"(, "material": "tin"}]})");
+  };
+  EXPECT_EQ(material("3"), "s.json: materials.tin: an object { } is needed");
+  EXPECT_EQ(
+      material(R"({"shine": 1})"),
+      "s.json: materials.tin: unknown key 'shine'; there are color, color255, specular, specular255, ka, kd, "
+      "ks, n, texture");
+  EXPECT_EQ(material(R"({"kd": 1.5})"), "s.json: materials.tin.kd: a number from 0 to 1 is needed");
+  EXPECT_EQ(material(R"({"n": 2.5})"), "s.json: materials.tin.n: a whole number from 0 to 1000000 is needed");
+  EXPECT_EQ(material(R"({"texture": 1})"), "s.json: materials.tin.texture: a string is needed");
+  EXPECT_EQ(material(R"({"texture": "t.png"})"),
+            "s.json: objects[0].material: 'tin' has a texture, but the object has no texture coordinates");
+  EXPECT_EQ(complaint(R"({"materials": []})"), "s.json: materials: an object { } is needed");
+
+  const auto light = [](const std::string& what) {
+    return complaint(withTriangle(R"("lights": [)" + what + "]"));
+  };
+  EXPECT_EQ(light(R"({"kind": "sun"})"),
+            "s.json: lights[0].kind: 'sun' is not one of directional, point, spot");
+  EXPECT_EQ(light(R"({"kind": "point"})"), "s.json: lights[0]: at is needed: where the light is");
+  EXPECT_EQ(light(R"({"at": [0, 0, 1]})"),
+            "s.json: lights[0]: unknown key 'at'; there are kind, color, Ip, towards");
+  EXPECT_EQ(light(R"({"kind": "point", "at": [0, 0, 1], "inner": 3})"),
+            "s.json: lights[0]: unknown key 'inner'; there are kind, color, Ip, at, attenuation, range, c");
+  EXPECT_EQ(light(R"({"towards": [0, 0, 0]})"), "s.json: lights[0].towards: 0, 0, 0 is no direction");
+  EXPECT_EQ(light(R"({"Ip": 1.5})"), "s.json: lights[0].Ip: a number from 0 to 1 is needed");
+  EXPECT_EQ(light(R"({"Ip": [0, 0, -1]})"), "s.json: lights[0].Ip: r, g, b from 0 to 1 are needed");
+  EXPECT_EQ(light(R"({"Ip": 0.5, "color": 0.5})"),
+            "s.json: lights[0].Ip: the light's intensity is said twice");
+  const auto placed = [&](const std::string& what) {
+    return light(R"({"kind": "spot", "at": [0, 0, 1], )" + what + "}");
+  };
+  EXPECT_EQ(
+      placed(R"("attenuation": "fog")"),
+      "s.json: lights[0].attenuation: 'fog' is not one of none, inverse, inverse-square, linear, textbook");
+  EXPECT_EQ(placed(R"("range": 3)"), "s.json: lights[0].range: a range is for attenuation linear");
+  EXPECT_EQ(placed(R"("attenuation": "linear", "range": 0)"),
+            "s.json: lights[0].range: a number above 0 is needed");
+  EXPECT_EQ(placed(R"("c": [1, 0, 0])"), "s.json: lights[0].c: c1, c2 and c3 are for attenuation textbook");
+  EXPECT_EQ(placed(R"("attenuation": "textbook", "c": [1, -1, 0])"),
+            "s.json: lights[0].c: c1, c2 and c3 must not be negative");
+  EXPECT_EQ(placed(R"("shines": [0, 0, -1], "look_at": [0, 0, 0])"),
+            "s.json: lights[0].look_at: where it shines is said twice");
+  EXPECT_EQ(placed(R"("look_at": [0, 0, 1])"), "s.json: lights[0]: the spot looks at its own place");
+  EXPECT_EQ(placed(R"("inner": 30, "outer": 20)"), "s.json: lights[0].inner: it must not exceed outer");
+  EXPECT_EQ(placed(R"("outer": 181)"), "s.json: lights[0].outer: a number from 0 to 180 is needed");
+  EXPECT_EQ(placed(R"("falloff": -1)"),
+            "s.json: lights[0].falloff: a whole number from 0 to 1000000 is needed");
+  EXPECT_EQ(complaint(withTriangle(R"("ambient": "dim")")), "s.json: ambient: a number is needed");
+  EXPECT_EQ(complaint(R"({"objects": [{"solid": "cube", "scale": 1e-300}], "lights":
+    [{"kind": "point", "at": [1e300, 0, 0]}]})"),
+            "s.json: lights[0].at: too large for the size of the scene");
+
+  const auto shading = [](const std::string& what) {
+    return complaint(withTriangle(R"("shading": {)" + what + "}"));
+  };
+  EXPECT_EQ(shading(R"("method": "Gouraud")"),
+            "s.json: shading.method: 'Gouraud' is not one of none, depth, flat, gouraud, phong, envmap");
+  EXPECT_EQ(shading(R"("normals": 3)"), "s.json: shading.normals: a string is needed");
+  EXPECT_EQ(shading(R"("shade": "flat")").substr(0, 36), "s.json: shading: unknown key 'shade'");
+  EXPECT_EQ(shading(R"("crease": 181)"), "s.json: shading.crease: a number from 0 to 180 is needed");
+  EXPECT_EQ(shading(R"("dither": 1)"), "s.json: shading.dither: true or false is needed");
+  EXPECT_EQ(shading(R"("ks": -1)"), "s.json: shading.ks: a number from 0 to 1 is needed");
+  EXPECT_EQ(shading(R"("Ia": 0.6, "Ip": 0.6)"), "s.json: shading: Ia + Ip must not exceed 1");
+  EXPECT_EQ(shading(R"("light": [0, 0, 0])"), "s.json: shading.light: 0, 0, 0 is no direction");
+  EXPECT_EQ(shading(R"("table": {"gamma": 2})"),
+            "s.json: shading.table: unknown key 'gamma'; there are kind, shades, i0, pick, hue, bits");
+  EXPECT_EQ(shading(R"("table": {"shades": 1})"),
+            "s.json: shading.table.shades: a whole number from 2 to 240 is needed");
+  EXPECT_EQ(shading(R"("table": {"i0": 1})"), "s.json: shading.table.i0: a number between 0 and 1 is needed");
+  EXPECT_EQ(shading(R"("table": {"hue": [0.5, 0, 0]})"),
+            "s.json: shading.table.hue: the largest of r, g, b must be 1");
+  EXPECT_EQ(shading(R"("table": {"bits": 12})"), "s.json: shading.table.bits: 8 or 16 is needed");
+}
+
 // Cutting a scene file short at any byte is refused, never more.
 TEST(SceneFile, TruncatedAnywhere) {
-  const std::string whole = R"({"up": "z", "camera": {"eye": [3, 2, 1]}, "objects": [)" + kTriangle + "]}";
+  const std::string whole =
+      R"({"up": "z", "camera": {"eye": [3, 2, 1]}, "ambient": 0.1, "lights": [{"Ip": 0.5}],
+    "shading": {"method": "flat", "table": {"shades": 9}}, "materials": {"m": {"ks": 1}}, "objects": [)" +
+      kTriangle + R"(, {"solid": "cube", "material": "m", "rotate": [1, 2, 3]}]})";
   EXPECT_EQ(complaint(whole), "no complaint");
   for (std::size_t n = 0; n < whole.size(); ++n)
     EXPECT_THROW((void)parsed(whole.substr(0, n)), ParseError) << n;

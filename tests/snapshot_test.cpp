@@ -57,6 +57,24 @@ TEST(Snapshot, EqualsDrawOnEveryKindOfServer) {
   }
 }
 
+// So is a view of the numbers behind a picture, with cells for the tool's own colours where each server has
+// them.
+TEST(Snapshot, ViewsEqualDrawnOnesOnEveryKindOfServer) {
+  const XServer eight = XServer::xvfb(8), deep = XServer::xvfb(24);
+  const XServer host = XServer::xvfb(24, 1400, 1000);
+  const XServer nested = XServer::xephyr(host, 8, 320, 240);
+  for (const std::string line :
+       {"teapot --divisions 3 --shade gouraud --view machbands --scanline 100 --table brief",
+        "penetrate --view normals --shade phong --size 640x400", "cycle --view difference --order none"}) {
+    SCOPED_TRACE(line);
+    const RgbImage drawn = pictureOf("draw " + line);
+    EXPECT_GT(drawn.width, 600);
+    EXPECT_EQ(pictureOf("snapshot --visual PseudoColor8 " + line, eight.name()), drawn);
+    EXPECT_EQ(pictureOf("snapshot --visual TrueColor24 " + line, deep.name()), drawn);
+    EXPECT_EQ(pictureOf("snapshot " + line, nested.name()), drawn);
+  }
+}
+
 // Black and white stand where the server has them, and the picture is the same: in a nested server, whose
 // black is 1 and white 0.
 TEST(Snapshot, EqualsDrawWhereBlackIsOneAndWhiteZero) {

@@ -220,7 +220,8 @@ TEST_P(ViewerAt, MouseTurnsAndZooms) {
 TEST(Viewer, ShowsTheSameAtBothDepths) {
   const XServer eight = serverFor(8), deep = serverFor(24);
   const WatchedViewer one{eight, kTeapot}, two{deep, kTeapot};
-  ASSERT_TRUE(one.window.comesToShow(two.window.shown(kSeen), kSeen));
+  const RgbImage fresh = freshWindow(eight, kTeapot);
+  ASSERT_TRUE(one.window.comesToShow(fresh, kSeen) && two.window.comesToShow(fresh, kSeen));
   RgbImage before;
   for (const char key : std::string{"TFHOPTKS+]VBHJr"}) {
     SCOPED_TRACE(key);

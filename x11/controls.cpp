@@ -22,6 +22,14 @@ std::vector<std::string_view> labels(const Rows& rows) {
   return all;
 }
 
+template <class Rows>
+std::vector<std::string_view> names(const Rows& rows) {
+  std::vector<std::string_view> all;
+  all.reserve(rows.size());
+  for (const auto& row : rows) all.push_back(row.name);
+  return all;
+}
+
 bool isParallel(const CameraSettings& camera) { return camera.parallel || camera.oblique; }
 
 }  // namespace
@@ -53,6 +61,9 @@ const std::vector<ChoiceRow>& choices() {
       {'S', "shading", Section::Method, labels(kShadings),
        [](const Setup& s) { return int(s.picture.shading); },
        [](Setup& s, int i) { s.picture.shading = kShadings[i].id; }},
+      {'N', "normals", Section::Method, names(kNormalRules),
+       [](const Setup& s) { return int(s.picture.normals); },
+       [](Setup& s, int i) { s.picture.normals = kNormalRules[i].id; }},
       {'O', "order", Section::Method, labels(kOrders), [](const Setup& s) { return int(s.picture.order); },
        [](Setup& s, int i) { s.picture.order = kOrders[i].id; }},
       {'F', "fill", Section::Method, labels(kFills), [](const Setup& s) { return int(s.fill); },

@@ -17,6 +17,7 @@
 #include "shading/picture.h"
 #include "shading/png.h"
 #include "shading/scene.h"
+#include "shading/views.h"
 #include "x11/options.h"
 #include "x11/report.h"
 #include "x11/trace.h"
@@ -52,7 +53,7 @@ Scene read(const Options& options) {
 
 PictureSettings settingsOf(const Options& options) {
   PictureSettings settings = options.picture;
-  const glm::ivec2 size = options.size.value_or(glm::ivec2{800, 600});
+  const glm::ivec2 size = options.size.value_or(kPictureSize);
   settings.width = size.x;
   settings.height = size.y;
   return settings;
@@ -72,6 +73,16 @@ StageTimes draw(const Options& options, Picture& picture, double msRead) {
   writePictures(options, picture, encodePng(image, picture.palette(plan)));
   times.present = watch.ms();
   return times;
+}
+
+/// The same for the numbers behind the picture, which is then a part of what is written.
+void drawNumbers(const Options& options, Picture& picture) {
+  const Doing drawing{"drawing"};
+  const ColoredImage view = drawView(picture, {.view = options.view,
+                                               .scanline = options.scanline,
+                                               .picture = settingsOf(options),
+                                               .cells = CellPlan{options.picture.table.kind}});
+  writePictures(options, picture, encodePng(view.image, view.palette));
 }
 
 /// The walk through a run of the depth sort: read, shade, project, sort, tell.
@@ -100,14 +111,45 @@ void listScenes() {
     std::cout << std::left << std::setw(18) << scene.name << ' ' << scene.shows << '\n';
 }
 
-int run(Options options) {
-  if (options.command == Command::Scenes) return listScenes(), kDone;
-  if (options.command == Command::Visuals) return std::cout << visualsTable(options), kDone;
+/// The scene's light and surfaces without what the command line says otherwise.
+/// @throws UsageError where Ia + the sum of Ip then exceeds 1, or a texture is to be shown that cannot be
+void giveWay(Scene& scene, const Options& options) {
+  if (options.fill == Fill::XFillPolygon && !scene.textures.empty())
+    throw UsageError{"--fill x11 gives a polygon one cell: it does not show the scene's textures"};
+  const Said& said = options.said;
+  for (MeshMaterial& m : scene.mesh.materials) {
+    if (said.ka) m.ka.reset();
+    if (said.kd) m.kd.reset();
+    if (said.ks) m.ks.reset();
+    if (said.n) m.n.reset();
+  }
+  if (said.Ia) scene.light.Ia.reset();
+  if (said.light) scene.light.lights.clear();
+
+  // What the user said of either has to do with what is left of the scene's.
+  const Illumination& user = options.picture.light;
+  const bool besideLights = said.Ia && !scene.light.lights.empty(), besideIa = said.Ip && scene.light.Ia;
+  glm::dvec3 sum = scene.light.Ia.value_or(glm::dvec3{user.Ia});
+  for (const Light& light : scene.light.lights) sum += light.Ip;
+  if (scene.light.lights.empty()) sum += user.Ip;
+  if ((besideLights || besideIa) && std::max({sum.r, sum.g, sum.b}) > kMostLight)
+    throw UsageError{
+        std::string{besideLights ? "--ia and the scene's lights" : "--ip and the scene's ambient light"} +
+        ": their sum must not exceed 1"};
+}
+
+int run(int argc, char** argv) {
+  std::optional<Options> said = parseOptions(argc, argv);
+  if (!said) return kDone;
+  if (said->command == Command::Scenes) return listScenes(), kDone;
+  if (said->command == Command::Visuals) return std::cout << visualsTable(*said), kDone;
 
   const Stopwatch watch;
-  Scene scene = read(options);
+  Scene scene = read(*said);
+  if (said->command == Command::Trace) scene.settings.order = Order::Newell;  // what it follows
+  Options options = *parseOptions(argc, argv, scene.settings);  // again, over what the scene asks for
+  giveWay(scene, options);
   options.picture.camera = inSceneUnits(completed(options.picture.camera, scene.camera), scene);
-  if (!options.lightGiven) options.picture.light.light = defaultLight(scene.up);
   toSceneUnits(options.picture.light, scene);
   if (!options.texture.empty()) wear(scene, readTexture(options.texture));
   const double msRead = watch.ms();
@@ -115,6 +157,7 @@ int run(Options options) {
   if (options.command == Command::Snapshot) return takeSnapshot(options, std::move(scene), msRead), kDone;
   Picture picture{std::move(scene)};
   if (options.command == Command::Trace) return trace(options, picture), kDone;
+  if (options.view != View::Picture) return drawNumbers(options, picture), kDone;
   const StageTimes times = draw(options, picture, msRead);
   report(options, picture, times);
   return kDone;
@@ -149,8 +192,7 @@ int main(int argc, char** argv) try {
   // A picture in the making leaves nothing behind (a window has its own way to end).
   std::signal(SIGINT, [](int) { _exit(kInterrupted); });
   std::signal(SIGXFSZ, SIG_IGN);  // a file beyond the shell's limit is an error like a full disk
-  const std::optional<Options> options = parseOptions(argc, argv);
-  const int status = options ? run(*options) : kDone;
+  const int status = run(argc, argv);
   std::cout.flush();
   if (!std::cout) throw std::system_error{errno, std::generic_category(), "standard output"};
   return status;

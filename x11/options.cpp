@@ -58,7 +58,6 @@ class Reader {
       const bool inside = open ? v > low && v < high : v >= low && v <= high;
       if (!inside || (whole && v != std::floor(v))) refuse(name, text, expected);
       target = static_cast<Number>(v);
-      given_.push_back(name);
     });
   }
   void point(const std::string& name, const std::string& help, const std::string& initially, auto&& set) {
@@ -96,10 +95,6 @@ class Reader {
     app_.add_flag(name, target, help)->disable_flag_override();
   }
 
-  [[nodiscard]] bool given(const std::string& name) const {
-    return std::ranges::find(given_, name) != given_.end();
-  }
-
  private:
   static std::string trimmed(double v) {
     std::array<char, 32> text;
@@ -115,7 +110,6 @@ class Reader {
         ->type_name("");
   }
   CLI::App& app_;
-  std::vector<std::string> given_;
 };
 
 glm::ivec2 parseSize(const std::string& text) {
@@ -301,6 +295,24 @@ bool sameFile(const std::string& a, const std::string& b) {
   return fs::absolute(a).lexically_normal() == fs::absolute(b).lexically_normal();
 }
 
+void checkView(const Options& o) {
+  if (o.scanline && o.view != View::MachBands) throw UsageError{"--scanline goes with --view machbands"};
+  if (o.view == View::Picture) return;
+  const ViewRow& row = rowOf(o.view);
+  const std::string view = "--view " + std::string{row.name};
+  if (o.command != Command::Draw && o.command != Command::Snapshot)
+    throw UsageError{view + " goes with draw and snapshot"};
+  const glm::ivec2 size = o.size.value_or(kPictureSize);
+  if (size.x < row.leastWidth || size.y < row.leastHeight)
+    throw UsageError{view + " needs a --size of at least " + std::to_string(row.leastWidth) + "x" +
+                     std::to_string(row.leastHeight)};
+  if (o.wholeWindow) throw UsageError{view + " and --whole-window exclude each other"};
+  if (o.stats || !o.ids.empty())
+    throw UsageError{view + " is more than a picture: --stats and --ids go with --view picture"};
+  if (o.fill == Fill::XFillPolygon)
+    throw UsageError{view + " is filled by the scanline: leave out --fill x11"};
+}
+
 void check(const Options& o, bool sceneGiven) {
   const bool makesPng = o.command == Command::Draw || o.command == Command::Snapshot;
   const std::string name{kCommands[static_cast<int>(o.command)].name};
@@ -346,6 +358,7 @@ void check(const Options& o, bool sceneGiven) {
   either(c.up.has_value(), c.vup.has_value(), "--up and --vup");
   either(c.fov.has_value(), c.window.has_value(), "--fov and --view-window");
   either(o.wholeWindow, !o.ids.empty(), "--whole-window and --ids");
+  checkView(o);
   if (c.fov && (c.parallel || c.oblique))
     throw UsageError{"--fov is for perspective: leave out --parallel and --oblique"};
 }
@@ -361,15 +374,17 @@ class Help : public CLI::Formatter {
     }
     return usage +
            "\nSCENE is a file (.obj, .bpt, .json) or a built-in name (`xnewell scenes`). Defaults stand in [ "
-           "].\n";
+           "];\n"
+           "a scene file may ask for others.\n";
   }
 };
 
 }  // namespace
 
-std::optional<Options> parseOptions(int argc, const char* const* argv) {
+std::optional<Options> parseOptions(int argc, const char* const* argv, const PictureSettings& initially) {
   std::vector<std::string> arguments(argv + 1, argv + argc);
   Options o;
+  o.picture = initially;
   o.command = takeCommand(arguments);
   for (const std::string& a : arguments)
     if (std::ranges::find(kLaterOptions, a.substr(0, a.find('='))) != kLaterOptions.end())
@@ -390,7 +405,7 @@ std::optional<Options> parseOptions(int argc, const char* const* argv) {
   r.text("--size", "picture or window size WxH, at most 8192x8192", "800x600, a window 1024x768",
          [&](const std::string& s) { o.size = parseSize(s); });
   r.number("--divisions", o.divisions, 1, kMaxDivisions,
-           "each Bezier patch of a .bpt file becomes N x N polygons");
+           "each Bezier patch becomes N x N polygons, unless a scene file says so itself");
   r.choice("--shade", kShadings, o.picture.shading, "shading method");
   r.choice("--order", kOrders, o.picture.order, "hidden-surface method", {});
   r.choice("--fill", kFills, o.fill, "who fills the polygons");
@@ -416,9 +431,14 @@ std::optional<Options> parseOptions(int argc, const char* const* argv) {
     if (s == "shared") throw UsageError{"--colormap shared is not built yet; there is private"};
     if (s != "private") refuse("--colormap", s, "private");
   });
-  r.text("--view", "what to draw: picture", "picture", [&](const std::string& s) {
-    if (s != "picture") throw UsageError{"--view " + inQuotes(s) + " is not built yet; there is picture"};
-  });
+  r.choice("--view", kViews, o.view, "draw, snapshot: what to show", {"colours", "overdraw", "wireframe"});
+  r.text("--scanline", "the row of the picture that --view machbands follows, from 0 at its top",
+         "the middle one; where nothing shows there, the one that shows most", [&](const std::string& s) {
+           const std::string expected = "a whole number from 0 to " + std::to_string(kMaxPicture - 1);
+           const double v = numbers("--scanline", s, 1, expected)[0];
+           if (v < 0 || v >= kMaxPicture || v != std::floor(v)) refuse("--scanline", s, expected);
+           o.scanline = static_cast<int>(v);
+         });
   r.text("--ids", "also write the face image: 8-bit RGB, face number + 1, 0 where nothing is", "",
          [&](const std::string& s) {
            if (s.empty()) throw UsageError{"--ids: the file's name is empty"};
@@ -446,19 +466,27 @@ std::optional<Options> parseOptions(int argc, const char* const* argv) {
   } catch (const CLI::ParseError& e) {
     refuse(app, e);
   }
-  coupleIntensities(o.picture.light, r.given("--ia"), r.given("--ip"));
+  const auto said = [&](const char* option) { return app.count(option) > 0; };
+  o.said = {.Ia = said("--ia"),
+            .Ip = said("--ip"),
+            .light = said("--ip") || said("--light") || said("--light-at"),
+            .ka = said("--ka"),
+            .kd = said("--kd"),
+            .ks = said("--ks"),
+            .n = said("--n")};
+  coupleIntensities(o.picture.light, o.said.Ia, o.said.Ip);
   if (o.halfVector) {
-    if (app.count("--form") > 0 && o.picture.light.form != Form::HalfVector)
+    if (said("--form") && o.picture.light.form != Form::HalfVector)
       throw UsageError{"--half-vector and --form exclude each other"};
     o.picture.light.form = Form::HalfVector;
   }
-  if (app.count("--range") > 0 && o.picture.light.attenuation != Attenuation::Linear)
+  if (said("--range") && o.picture.light.attenuation != Attenuation::Linear)
     throw UsageError{"--range goes with --attenuation linear"};
-  if (app.count("--coefficients") > 0 && o.picture.light.attenuation != Attenuation::Textbook)
+  if (said("--coefficients") && o.picture.light.attenuation != Attenuation::Textbook)
     throw UsageError{"--coefficients goes with --attenuation textbook"};
   if (o.picture.light.attenuation != Attenuation::None && !o.picture.light.lightPosition)
     throw UsageError{"--attenuation needs a light at a place: --light-at x,y,z"};
   check(o, app.count("scene") > 0);
-  if (app.count("--every") > 0 && o.frames.empty()) throw UsageError{"--every goes with --frames"};
+  if (said("--every") && o.frames.empty()) throw UsageError{"--every goes with --frames"};
   return o;
 }

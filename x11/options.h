@@ -8,6 +8,7 @@
 
 #include "depthsort/replay.h"
 #include "shading/picture.h"
+#include "shading/views.h"
 
 /// The command line as a value.
 
@@ -40,22 +41,34 @@ inline constexpr std::array kFills{
     FillRow{Fill::Scanline, "scanline", "scanline"},
 };
 
+inline constexpr glm::ivec2 kPictureSize{800, 600}, kWindowSize{1024, 768};
+
+/// Of light and surfaces, what the command line says: what a scene says of the same gives way to it.
+struct Said {
+  bool Ia = false, Ip = false;
+  bool light = false;  ///< --ip, --light or --light-at
+  bool ka = false, kd = false, ks = false, n = false;
+};
+
 struct Options {
   Command command = Command::View;
   std::string scene = "teapot";
   int divisions = kDefaultDivisions;
-  std::optional<glm::ivec2> size;  ///< --size, else 800x600 for pictures and 1024x768 for windows
+  std::optional<glm::ivec2> size;  ///< --size, else kPictureSize or kWindowSize
   PictureSettings picture;         ///< its camera and light in the file's units
-  bool lightGiven = false;         ///< --light; else it comes from the upper left of the scene
-  bool halfVector = false;         ///< --half-vector; the picture's light has it by then
-  std::string texture;             ///< "" for none
+  bool lightGiven = false;         ///< --light
+  Said said;
+  bool halfVector = false;  ///< --half-vector; the picture's light has it by then
+  std::string texture;      ///< "" for none
   Fill fill = Fill::Scanline;
   std::string visual;  ///< "" for the program's choice
   std::string output, ids;
   bool stats = false, wholeWindow = false;
-  bool quick = false;        ///< trace: the accelerated run, not the textbook's
-  std::string frames;        ///< trace: a folder for pictures; "" for JSON lines
-  Every every = Every::Cut;  ///< trace: of which steps
+  View view = View::Picture;    ///< draw, snapshot: what of the picture
+  std::optional<int> scanline;  ///< of View::MachBands
+  bool quick = false;           ///< trace: the accelerated run, not the textbook's
+  std::string frames;           ///< trace: a folder for pictures; "" for JSON lines
+  Every every = Every::Cut;     ///< trace: of which steps
 };
 
 /// Wrong usage: one line for standard error, exit status 2.
@@ -63,5 +76,7 @@ struct UsageError : std::runtime_error {
   using std::runtime_error::runtime_error;
 };
 
+/// `initially` is what a picture has without any option: the program's defaults, or what a scene asks for.
 /// @throws UsageError. Returns nothing when it printed --help and there is no more to do.
-[[nodiscard]] std::optional<Options> parseOptions(int argc, const char* const* argv);
+[[nodiscard]] std::optional<Options> parseOptions(int argc, const char* const* argv,
+                                                  const PictureSettings& initially = {});

@@ -96,7 +96,10 @@ void drawSlider(Pen& pen, const SliderRow& row, int x, int y, int pitch) {
 void drawChoice(Pen& pen, const ChoiceRow& row, int x, int y) {
   pen.key(x, y - 11, std::string_view{&row.key, 1});
   pen.ink(x + 24, y, row.label);
-  int at = x + 84;
+  int at = x + 84, words = 0;
+  for (const std::string_view option : row.options) words += textWidth(option);
+  const int between = static_cast<int>(row.options.size()) - 1;
+  const int gap = std::min(14, (kControls - 84 - words) / std::max(1, between));
   for (int i = 0; i < static_cast<int>(row.options.size()); ++i) {
     const int width = textWidth(row.options[i]);
     if (i == row.get(pen.state.setup)) {
@@ -107,7 +110,7 @@ void drawChoice(Pen& pen, const ChoiceRow& row, int x, int y) {
     } else {
       pen.soft(at, y, row.options[i]);
     }
-    at += width + 14;
+    at += width + gap;
   }
 }
 
@@ -121,7 +124,7 @@ void drawToggle(Pen& pen, const ToggleRow& row, int x, int y) {
 }
 
 /// A sphere with the present material in the present table, the light marked by a ring: L is read off it.
-void drawLightBall(Pen& pen, const Rect& box, const ColorTable& table) {
+void drawLightBall(Pen& pen, const Rect& box) {
   pen.paint.fillRect(box, pen(Cell::Well));
   const int radius = box.height * 54 / 128, cx = box.x + box.width / 2, cy = box.y + box.height / 2;
   pen.paint.hline(cx - radius - 5, cy, 2 * radius + 11, pen(Cell::WellLine));
@@ -137,7 +140,8 @@ void drawLightBall(Pen& pen, const Rect& box, const ColorTable& table) {
       const double lit =
           NdotL <= 0 ? 0.0 : light.kd * NdotL + light.ks * power(std::clamp(RdotV, 0.0, 1.0), light.n);
       pen.paint.point(cx + x, cy + y,
-                      static_cast<std::uint8_t>(table.cell(light.ka * light.Ia + light.Ip * lit)));
+                      pen.state.colors.ball[static_cast<std::size_t>(
+                          255.0 * std::min(1.0, light.ka * light.Ia + light.Ip * lit) + 0.5)]);
     }
   const int lx = cx + static_cast<int>(std::lround(radius * L.x)),
             ly = cy - static_cast<int>(std::lround(radius * L.y));
@@ -184,7 +188,7 @@ void drawIntensities(Pen& pen, int x, int y) {
 std::string withDegree(double degrees) { return formatted(degrees, 0) + "\u00B0"; }
 
 /// Walks down the column: the next baseline after `advance` pixels.
-void drawControls(Pen& pen, const Layout& at, const ColorTable& table) {
+void drawControls(Pen& pen, const Layout& at) {
   const int x = at.controls.x, pitch = at.compact ? 18 : 22;
   int y = at.controls.y + 11;
   const auto section = [&](std::string_view title, bool boxed) {  // boxes of choices stand a little lower
@@ -197,7 +201,7 @@ void drawControls(Pen& pen, const Layout& at, const ColorTable& table) {
   pen.paint.text(x, y, "LIGHT", pen(Cell::Soft), Voice::Caps);
   const Rect ball = at.compact ? Rect{x + kControls - 112, at.controls.y, 112, 78}
                                : Rect{x + kControls - 152, at.controls.y, 152, 128};
-  drawLightBall(pen, ball, table);
+  drawLightBall(pen, ball);
   y += at.compact ? 19 : 24;
   const int valueEnd = ball.x - kMargin;
   if (pen.state.focus == 'l') {
@@ -244,7 +248,7 @@ void drawControls(Pen& pen, const Layout& at, const ColorTable& table) {
   sliders(Section::ColourTable);
 }
 
-void drawStrip(Pen& pen, const Layout& at, const IndexImage& image, const ColorTable& table) {
+void drawStrip(Pen& pen, const Layout& at, const IndexImage& image) {
   std::array<int, 256> count{};
   for (int j = at.picture.y; j < at.picture.y + at.picture.height; ++j)
     for (int i = at.picture.x; i < at.picture.x + at.picture.width; ++i) ++count[image.row(j)[i]];
@@ -258,14 +262,13 @@ void drawStrip(Pen& pen, const Layout& at, const IndexImage& image, const ColorT
     const int height = 1 + static_cast<int>(17 * std::log(count[i]) / std::log(most));
     pen.paint.fillRect({x0 + i * cell, barsBottom - height, std::max(1, cell - 1), height}, pen(Cell::Ink));
   }
-  const int first = table.first(), last = first + table.shades() - 1;
+  const PanelColors& colors = pen.state.colors;
+  const int first = colors.first, last = first + colors.count - 1;
   for (const int edge : {x0 + first * cell, x0 + (last + 1) * cell - 1})
     pen.paint.vline(edge, stripTop - 3, 22, pen(Cell::Ink));
   int used = 0;
   for (int i = first; i <= last; ++i) used += count[i] > 0;
 
-  const Setup& setup = pen.state.setup;
-  const TableRow& row = kTables[static_cast<int>(setup.picture.table.kind)];
   const int y = stripBottom + 13;
   if (!at.compact) pen.paint.text(x0 + 4, y, "0.." + std::to_string(first - 1), pen(Cell::Faint));
   // The ramp's cells below its two ends, or as one range where it is too short for both.
@@ -277,10 +280,9 @@ void drawStrip(Pen& pen, const Layout& at, const IndexImage& image, const ColorT
   } else {
     left = std::max(left, pen.soft(rampLeft, y, std::to_string(first) + ".." + std::to_string(last)) + 18);
   }
-  const std::string tableText{row.name};
-  std::string rule = tableText + " table";
-  if (!at.compact && table.shades() == kMaxShades) rule = tableText + ": " + std::string{row.holds};
-  std::string uses = std::to_string(used) + " of " + std::to_string(table.shades()) + " shades used";
+  const std::string& rule = at.compact ? colors.shortRule : colors.rule;
+  std::string uses =
+      std::to_string(used) + " of " + std::to_string(colors.count) + " " + std::string{colors.what} + " used";
   if (!at.compact) uses += " by the picture";
   const int centre = x0 + 146 * cell - textWidth(uses) / 2;
   if (rampRight > left - 18 && rampRight < left + textWidth(rule) + 42) left = rampRight + 18;
@@ -346,7 +348,7 @@ void drawHelp(Pen& pen, const Layout& at) {
       Line{"Home End", "to the ends of the slider"},
       Line{"[ ]", "all light ambient, all light from the point"},
       Line{"L V", "hold L, hold V constant"},
-      Line{"S O F P K T", "next shading, order, fill, projection, backs, table"},
+      Line{"S N O F P K T", "next shading, normals, order, fill, projection, backs, table"},
       Line{"H B J", "next hue; 8 or 16 bits a cell; nearest in ratio or difference"},
       Line{"u U r", "undo, redo, reset"},
       Line{"? or Esc", "close this; q quits"},
@@ -416,8 +418,9 @@ std::string orderInWords(Order order) {
 }
 
 std::string captionOf(const Setup& setup) {
-  const std::string shading{setup.picture.shading == Shading::Full ? "full intensity"
-                                                                   : chosen(choice('S'), setup)};
+  std::string shading{chosen(choice('S'), setup)};
+  if (setup.picture.shading == Shading::Full) shading = "full intensity";
+  if (setup.picture.shading == Shading::Environment) shading = "environment map";
   return shading + "; " + orderInWords(setup.picture.order) + "; " +
          (setup.fill == Fill::Scanline ? "own scanline" : "XFillPolygon") + "; " +
          std::string{chosen(choice('P'), setup)};
@@ -450,8 +453,7 @@ std::vector<Rect> drawnOverPicture(const Layout& at, bool help) {
   return parts;
 }
 
-void drawPanel(IndexImage& image, const Layout& at, const PanelState& state, const CellPlan& plan,
-               const ColorTable& table) {
+void drawPanel(IndexImage& image, const Layout& at, const PanelState& state, const CellPlan& plan) {
   Pen pen{Painter{image}, plan, state};
   if (!at.roomy) {
     pen.paint.text(8, 16, kNoRoom, plan[Cell::WellText]);
@@ -466,9 +468,9 @@ void drawPanel(IndexImage& image, const Layout& at, const PanelState& state, con
   pen.paint.fillRect({p.x, p.y + p.height, p.width, at.height - p.y - p.height}, paper);
   drawViews(pen, at);
   drawCaption(pen, at);
-  drawControls(pen, at, table);
+  drawControls(pen, at);
   pen.rule(0, at.strip.y, at.width);
-  drawStrip(pen, at, image, table);
+  drawStrip(pen, at, image);
   drawStatus(pen, at);
   if (state.help) drawHelp(pen, at);
 }

@@ -1,5 +1,6 @@
 #include "x11/report.h"
 
+#include <algorithm>
 #include <iostream>
 #include <nlohmann/json.hpp>
 #include <vector>
@@ -21,11 +22,29 @@ RgbImage idsOf(const Picture& picture) {
 /// What of the model this picture needed: nothing is computed for the rest.
 nlohmann::ordered_json requiredBy(const Picture& picture) {
   const PictureSettings& s = picture.settings();
-  const bool lit = s.shading != Shading::Full;
-  return {{"illumination", lit},
-          {"specular", lit && s.light.ks > 0},
-          {"divided_faces",
-           static_cast<int>(picture.scene().pieces.face.size()) - picture.scene().mesh.faceCount()}};
+  const ShadingRow& method = rowOf(s.shading);
+  const Lighting& lighting = picture.shading().lighting();
+  const bool specular = method.lit && lighting.specular;
+  const auto any = [&](auto Lighting::Source::*what) {
+    return method.lit && std::ranges::any_of(lighting.sources, what);
+  };
+  const auto fades = [](const Lighting::Source& l) { return l.linear || l.c != glm::dvec3{1, 0, 0}; };
+  const auto wears = [](const MeshMaterial& m) { return m.texture >= 0; };
+  return {
+      {"illumination", method.lit},
+      {"channels", method.lit ? lighting.channels : 1},
+      {"lights", method.lit ? lighting.sources.size() : 0},
+      {"specular", specular},
+      {"eye", specular && lighting.asksForEye() && !lighting.constantV},
+      {"places", method.lit && lighting.needsPlaces()},
+      {"spots", any(&Lighting::Source::spot)},
+      {"attenuation", method.lit && std::ranges::any_of(lighting.sources, fades)},
+      {"vertex_normals", picture.shading().vertices().vertices.size()},
+      {"textures", method.lit && std::ranges::any_of(picture.scene().mesh.materials, wears)},
+      {"planes", !picture.snapped().planes.empty()},
+      {"ramps", channelsOf(picture.colors().plan()) == Channels::Rgb ? 0 : picture.colors().tables().size()},
+      {"divided_faces",
+       static_cast<int>(picture.scene().pieces.face.size()) - picture.scene().mesh.faceCount()}};
 }
 
 /// Of --adapt: what ended the division of polygons, null where none was asked for.
@@ -57,6 +76,8 @@ nlohmann::ordered_json statsOf(const Options& options, const Picture& picture, c
           {"tests", tests},
           {"saturated", picture.saturated()},
           {"adapt_limit", adaptLimitOf(picture)},
+          {"shading", rowOf(picture.settings().shading).name},
+          {"colors", kColorPlans[static_cast<int>(picture.colors().plan())].name},
           {"required", requiredBy(picture)},
           {"ms",
            {{"read", t.read},

@@ -103,7 +103,7 @@ class Viewer {
  public:
   Viewer(const Options& options, Scene scene)
       : server_{options},
-        size_{options.size.value_or(glm::ivec2{1024, 768})},
+        size_{options.size.value_or(kWindowSize)},
         canvas_{server_.display.get(),
                 server_.colormap,
                 {.title = "xnewell: " + scene.name, .width = size_.x, .height = size_.y}},
@@ -281,8 +281,7 @@ int runViewer(const Options& options, Scene scene) {
 
 void takeSnapshot(const Options& options, Scene scene, double msRead) {
   Server server{options};
-  const glm::ivec2 size =
-      options.size.value_or(options.wholeWindow ? glm::ivec2{1024, 768} : glm::ivec2{800, 600});
+  const glm::ivec2 size = options.size.value_or(options.wholeWindow ? kWindowSize : kPictureSize);
   Canvas canvas{server.display.get(), server.colormap, {.width = size.x, .height = size.y}};
   canvas.map();
 
@@ -307,8 +306,16 @@ void takeSnapshot(const Options& options, Scene scene, double msRead) {
   settings.width = size.x;
   settings.height = size.y;
   settings.inPixels = options.fill == Fill::XFillPolygon;
-  picture.make(settings);
   const CellPlan plan = server.colormap.plan(settings.table.kind);
+  if (options.view != View::Picture) {
+    const ColoredImage view = drawView(picture, {.view = options.view,
+                                                 .scanline = options.scanline,
+                                                 .picture = settings,
+                                                 .cells = plan,
+                                                 .unneeded = server.colormap.unneeded()});
+    return shoot({picture, view.image, view.palette, {0, 0, size.x, size.y}, plan[Cell::Well]});
+  }
+  picture.make(settings);
   IndexImage image;
   picture.paint(image, plan[Cell::Well]);
   shoot({picture,

@@ -24,6 +24,46 @@ std::string titleOf(const Scene& scene) {
   return title;
 }
 
+/// The scene's cells in words, and those that stand for intensities where a plan holds no ramp: the nearest
+/// grays.
+PanelColors panelColors(const Picture& picture, const Palette& palette) {
+  const SceneColors& scene = picture.colors();
+  const TableSettings& table = picture.settings().table;
+  const TableRow& row = kTables[static_cast<int>(table.kind)];
+  PanelColors colors{.first = scene.table().first(), .count = scene.table().shades()};
+  colors.shortRule = std::string{row.name} + " table";
+  colors.rule =
+      table.shades == kMaxShades ? std::string{row.name} + ": " + std::string{row.holds} : colors.shortRule;
+  if (scene.plan() == ColorPlan::Hues) {
+    const std::string hues = std::to_string(scene.tables().size()) + " hues";
+    colors.shortRule = hues + ", " + colors.shortRule;
+    colors.rule = hues + ", each with a ramp of the " + std::string{row.name} + " table";
+    const ColorTable& last = scene.tables().back();
+    colors.count = last.first() + last.shades() - colors.first;
+  }
+  if (channelsOf(scene.plan()) != Channels::Rgb) {
+    for (int k = 0; k < 256; ++k) colors.ball[k] = static_cast<std::uint8_t>(scene.table().cell(k / 255.0));
+    return colors;
+  }
+  colors.count = picture.chosenColors();
+  colors.what = "colours";
+  colors.shortRule = scene.plan() == ColorPlan::Cube ? "colour cube" : "chosen colours";
+  colors.rule =
+      scene.plan() == ColorPlan::Cube ? "6 reds x 8 greens x 5 blues" : "colours chosen from the picture";
+  for (int k = 0; k < 256; ++k) {
+    const auto distance = [&](int cell) {
+      const Rgb16& c = palette[cell];
+      const auto square = [&](int v) { return ((v >> 8) - k) * ((v >> 8) - k); };
+      return square(c.r) + square(c.g) + square(c.b);
+    };
+    int nearest = colors.first;
+    for (int cell = colors.first; cell < colors.first + colors.count; ++cell)
+      if (distance(cell) < distance(nearest)) nearest = cell;
+    colors.ball[k] = static_cast<std::uint8_t>(nearest);
+  }
+  return colors;
+}
+
 /// The setup with the colours of its cells left out: what the indices depend on.
 Setup withoutColors(Setup s) {
   s.picture.table.hue = {};
@@ -144,9 +184,12 @@ void Workbench::pressLetter(char letter) {
 void Workbench::choose(const ChoiceRow& row) {
   change(row.key, [&](Setup& s) {
     row.set(s, (row.get(s) + 1) % static_cast<int>(row.options.size()));
-    if (s.picture.order != Order::Oracle || s.fill != Fill::XFillPolygon) return;
+    if (s.fill != Fill::XFillPolygon) return;
+    const bool oracle = s.picture.order == Order::Oracle;
+    if (!oracle && !rowOf(s.picture.shading).interpolates) return;
     s.fill = Fill::Scanline;
-    notify("The oracle decides each sample by itself: there is no polygon for the server to fill.");
+    notify(oracle ? "The oracle decides each sample by itself: there is no polygon for the server to fill."
+                  : "XFillPolygon gives a polygon one cell: the server cannot interpolate.");
     repaint_ = true;
   });
 }
@@ -243,7 +286,8 @@ void Workbench::drawFrame(bool dragging) {
   state_.light = lightAngles(state_.setup.picture.light, picture_.scene().up, centre_);
   state_.lightInView =
       vrcRotation(picture_.camera().view) * towardsLight(state_.setup.picture.light, centre_);
-  drawPanel(image_, layout_, state_, plan, picture_.table());
+  state_.colors = panelColors(picture_, palette_);
+  drawPanel(image_, layout_, state_, plan);
 }
 
 void Workbench::update(bool dragging) {

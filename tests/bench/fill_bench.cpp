@@ -7,7 +7,9 @@
 #include <random>
 #include <vector>
 
+#include "geometry/solids.h"
 #include "shading/environment_map.h"
+#include "shading/evaluated.h"
 #include "shading/fill.h"
 #include "shading/gouraud.h"
 
@@ -76,6 +78,60 @@ EitherSide<EnvironmentMap, FlatCell> environmentMapDark(const Values& at) {
   return {{over(*at.u), over(*at.v), table().data()}, {3}, over(*at.w)};
 }
 
+/// What Phong shading and textures are evaluated with: one light far away, as the defaults have it.
+struct Evaluation {
+  Lighting lighting;
+  Texture texture{256, 256, {}, std::vector<std::uint8_t>(65'536, 200)};
+  std::int64_t clamped = 0;
+  explicit Evaluation(bool constantV)
+      : lighting{resolve(cube(), {}, {.constantV = constantV}, Channels::Luminance, {2, -5, 3}, {0, 0, 0})} {}
+};
+EvaluatedTriangle evaluated(Evaluation& with, const PixelPlanes& planes) {
+  EvaluatedTriangle e;
+  e.i0 = planes.i0(), e.j0 = planes.j0();
+  e.lighting = &with.lighting;
+  e.material = &with.lighting.materials[0];
+  e.clamped = &with.clamped;
+  return e;
+}
+/// Unit normals turned by up to a right angle from vertex to vertex; places beside each other.
+template <bool kConstantV>
+EvaluatedTriangle phong(const Values& at) {
+  static Evaluation with{kConstantV};
+  const PixelPlanes planes{{at.p[0], at.p[1], at.p[2]}};
+  EvaluatedTriangle e = evaluated(with, planes);
+  e.phong = true;
+  const double u = (*at.u)[0] / 256, v = (*at.v)[0] / 256;
+  e.N = {planes({u, 1, 0}), planes({1 - u, 0, v}), planes({0.5, 0.5, 1})};
+  e.places = with.lighting.needsPlaces();
+  e.at = {planes({0, u, 0.1}), planes({0, 0.1, v}), planes({0, 0.05, 0.1})};
+  return e;
+}
+/// Constant terms times the texel.
+EvaluatedTriangle perspectiveTexture(const Values& at) {
+  static Evaluation with{true};
+  const PixelPlanes planes{{at.p[0], at.p[1], at.p[2]}};
+  EvaluatedTriangle e = evaluated(with, planes);
+  e.diffuse.c = (*at.w)[0] / 512, e.rest.c = 0.2;
+  e.texture = &with.texture;
+  e.texels = with.texture.gray.data();
+  const std::array q{0.5, 0.7, 0.9};
+  const auto overW = [&](const std::array<double, 3>& c) {
+    return planes({c[0] / 256 * q[0], c[1] / 256 * q[1], c[2] / 256 * q[2]});
+  };
+  e.u = overW(*at.u), e.v = overW(*at.v), e.q = planes(q);
+  return e;
+}
+
+template <class S>
+void fillTriangle(IndexImage& image, const glm::ivec3* p, const S& shader) {
+  if constexpr (Shader<S>)
+    fillConvex(image, p, 3, shader);
+  else
+    forEachSpan(p, 3, image.width, image.height,
+                [&](int row, int from, int to) { shader.span(image.row(row) + from, from, row, to - from); });
+}
+
 // Triangles in random order, with random values at their vertices. Expect a constant for the three edges and
 // the planes of the values, one share a row, one a pixel.
 // `store_ratio`: the time a pixel over that of a byte in the store loop beside it.
@@ -95,8 +151,8 @@ void BM_Fill(benchmark::State& state) {
   for (auto _ : state) {
     const double start = processorTime();
     for (std::size_t t = 0; t < triangles.size(); t += 3)
-      fillConvex(image, &triangles[t], 3,
-                 Shading({&triangles[t], &values[t], &values[t + 1], &values[t + 2]}));
+      fillTriangle(image, &triangles[t],
+                   Shading({&triangles[t], &values[t], &values[t + 1], &values[t + 2]}));
     benchmark::ClobberMemory();
     fill += processorTime() - start;
   }
@@ -118,5 +174,8 @@ BENCHMARK(BM_Fill<gouraudLinear>)->Name("BM_FillGouraudLinear")->Apply(everySide
 BENCHMARK(BM_Fill<gouraudTable>)->Name("BM_FillGouraudTable")->Apply(everySide);
 BENCHMARK(BM_Fill<environmentMap>)->Name("BM_FillEnvironmentMap")->Apply(everySide);
 BENCHMARK(BM_Fill<environmentMapDark>)->Name("BM_FillEnvironmentMapDark")->Apply(everySide);
+BENCHMARK(BM_Fill<phong<true>>)->Name("BM_FillPhongConstantV")->Apply(everySide);
+BENCHMARK(BM_Fill<phong<false>>)->Name("BM_FillPhong")->Apply(everySide);
+BENCHMARK(BM_Fill<perspectiveTexture>)->Name("BM_FillPerspectiveTexture")->Apply(everySide);
 
 }  // namespace

@@ -1,0 +1,178 @@
+#pragma once
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstring>
+
+#include "shading/evaluated.h"
+#include "shading/reflect.h"
+
+/// How EvaluatedTriangle is evaluated, several pixels side by side. Templates that are inlined whole, so that
+/// each caller compiles them for its processor.
+
+template <class Real>
+using IntegersOf = Lanes<int, kLanes<Real>>;
+
+/// Values of a plane at a row's pixels, `along` of them right of i0 and `down` rows below j0.
+template <class Real>
+[[gnu::always_inline]] inline Real on(const PixelPlane& plane, const Real& along, double down) {
+  return splat<Real>(plane.c + plane.gy * down) + splat<Real>(plane.gx) * along;
+}
+template <class Real>
+[[gnu::always_inline]] inline Vec<Real> on(const std::array<PixelPlane, 3>& p, const Real& along,
+                                           double down) {
+  return {on(p[0], along, down), on(p[1], along, down), on(p[2], along, down)};
+}
+
+/// The largest whole number not above v, |v| < 2^23.
+template <class Real>
+[[gnu::always_inline]] inline Real wholePart(const Real& v) {
+  if constexpr (std::is_floating_point_v<Real>) {
+    return std::floor(v);
+  } else {
+    const Real cut = __builtin_convertvector(__builtin_convertvector(v, IntegersOf<Real>), Real);
+    return cut > v ? cut - splat<Real>(1.0) : cut;
+  }
+}
+
+/// Where the texels at coordinates (u, v) stand in a channel of the texture.
+template <class Real>
+[[gnu::always_inline]] inline auto placesOf(const Texture& texture, const Real& u, const Real& v) {
+  const Real s = u - wholePart(u), t = splat<Real>(1.0) - (v - wholePart(v));  // t runs down, in (0, 1]
+  const Real width = splat<Real>(texture.width), height = splat<Real>(texture.height);
+  const Real column = smaller(s * width, width - splat<Real>(1.0));
+  const Real row = smaller(t * height, height - splat<Real>(1.0));
+  if constexpr (std::is_floating_point_v<Real>)
+    return static_cast<int>(row) * texture.width + static_cast<int>(column);
+  else
+    return __builtin_convertvector(row, IntegersOf<Real>) * texture.width +
+           __builtin_convertvector(column, IntegersOf<Real>);
+}
+
+/// As many pixels are evaluated together, step by step: what a step needs stays in registers.
+constexpr int kMostBlocks = 8;
+
+/// The illumination at `blocks` times kLanes pixels. `kPlaces`: whether the light asks where they are.
+template <class Real, bool kPlaces>
+[[gnu::always_inline]] inline void evaluatePhong(const EvaluatedTriangle& t, const Real* along, double down,
+                                                 int blocks, Real* diffuse, Real* rest) {
+  const Lighting& lighting = *t.lighting;
+  const Material& material = *t.material;
+  const auto place = [&](int b) {
+    if constexpr (kPlaces)
+      return on(t.at, along[b], down);
+    else
+      return Vec<Real>{};
+  };
+  Vec<Real> N[kMostBlocks];
+  for (int b = 0; b < blocks; ++b) {
+    N[b] = unitOf(on(t.N, along[b], down));
+    diffuse[b] = splat<Real>(0.0);
+    rest[b] = splat<Real>(material.ambient[t.channel]);
+  }
+  for (const Lighting::Source& light : lighting.sources) {
+    const Real kd = splat<Real>(light.Ip[t.channel] * material.kd[t.channel]);
+    const Real ks = splat<Real>(light.Ip[t.channel] * material.ks[t.channel]);
+    if (material.ks[t.channel] == 0.0) {
+      for (int b = 0; b < blocks; ++b)
+        diffuse[b] += kd * diffuseTerm(incident(light, place(b)), N[b], false).front;
+    } else {
+      for (int b = 0; b < blocks; ++b) {
+        const Vec<Real> at = place(b), V = towardsEye(lighting, at);
+        const Incident<Real> in = incident(light, at);
+        diffuse[b] += kd * diffuseTerm(in, N[b], false).front;
+        rest[b] += ks * specularTerm(in, N[b], V, material, lighting).front;
+      }
+    }
+  }
+}
+
+/// The diffuse terms times their texels, as shares of 1. Places first, then all look-ups, then all products.
+template <class Real>
+[[gnu::always_inline]] inline void multiplyByTexels(const EvaluatedTriangle& t, const Real* along,
+                                                    double down, int blocks, Real* diffuse) {
+  constexpr int kSideBySide = kLanes<Real>;
+  std::array<int, kMostBlocks * kSideBySide> places;
+  std::array<Number<Real>, kMostBlocks * kSideBySide> texels;
+  for (int b = 0; b < blocks; ++b) {
+    const Real w = splat<Real>(1.0) / on(t.q, along[b], down);
+    const auto at = placesOf(*t.texture, on(t.u, along[b], down) * w, on(t.v, along[b], down) * w);
+    std::memcpy(&places[b * kSideBySide], &at, sizeof at);
+  }
+  const std::uint8_t* const from = t.texels;
+  for (int k = 0; k < blocks * kSideBySide; ++k) texels[k] = from[places[k]];
+  for (int b = 0; b < blocks; ++b) {
+    Real texel;
+    std::memcpy(&texel, &texels[b * kSideBySide], sizeof texel);
+    diffuse[b] *= texel * splat<Real>(1.0 / 255.0);
+  }
+}
+
+/// The sum of all terms there. `kPhong`: whether the illumination is evaluated or its terms interpolated.
+template <class Real, bool kPhong>
+[[gnu::always_inline]] inline void evaluatePixels(const EvaluatedTriangle& t, const Real* along, double down,
+                                                  int blocks, Real* sum) {
+  Real diffuse[kMostBlocks], rest[kMostBlocks];
+  if constexpr (kPhong) {
+    if (t.places)
+      evaluatePhong<Real, true>(t, along, down, blocks, diffuse, rest);
+    else
+      evaluatePhong<Real, false>(t, along, down, blocks, diffuse, rest);
+  } else {
+    for (int b = 0; b < blocks; ++b) {
+      diffuse[b] = on(t.diffuse, along[b], down);
+      rest[b] = on(t.rest, along[b], down);
+    }
+  }
+  if (t.texture != nullptr) multiplyByTexels(t, along, down, blocks, diffuse);
+  for (int b = 0; b < blocks; ++b) sum[b] = rest[b] + diffuse[b];
+}
+
+/// The ramp's cells, a byte a lane.
+template <class Real>
+[[gnu::always_inline]] inline void storeCells(const Ramp& ramp, const Real* sum, int blocks,
+                                              std::uint8_t* bytes) {
+  constexpr int kSideBySide = kLanes<Real>;
+  const Real zero = splat<Real>(0.0), one = splat<Real>(1.0);
+  if (ramp.table != nullptr) {
+    const std::uint8_t* const table = ramp.table;
+    for (int b = 0; b < blocks; ++b) {
+      const auto k = __builtin_convertvector(smaller(one, larger(zero, sum[b])) * splat<Real>(65535.0),
+                                             IntegersOf<Real>);
+      for (int l = 0; l < kSideBySide; ++l) bytes[b * kSideBySide + l] = table[k[l]];
+    }
+    return;
+  }
+  const Real low = splat<Real>(ramp.low), high = splat<Real>(ramp.high);
+  const Real perIntensity = splat<Real>(ramp.perIntensity()), first = splat<Real>(ramp.first + 0.5);
+  for (int b = 0; b < blocks; ++b) {
+    const Real cell = first + perIntensity * (smaller(high, larger(low, sum[b])) - low);
+    const auto eight = __builtin_convertvector(__builtin_convertvector(cell, IntegersOf<Real>),
+                                               Lanes<std::uint8_t, kSideBySide>);
+    std::memcpy(bytes + b * kSideBySide, &eight, kSideBySide);
+  }
+}
+
+template <class Real, bool kPhong>
+[[gnu::always_inline]] inline void fillPixels(const EvaluatedTriangle& t, std::uint8_t* cells, int i, int j,
+                                              int count) {
+  constexpr int kSideBySide = kLanes<Real>;
+  constexpr int kMost = kMostBlocks * kSideBySide;
+  Real lane;
+  for (int k = 0; k < kSideBySide; ++k) lane[k] = static_cast<Number<Real>>(k);
+  IntegersOf<Real> above{};
+  for (int done = 0; done < count; done += kMost) {
+    const int pixels = std::min(kMost, count - done), blocks = (pixels + kSideBySide - 1) / kSideBySide;
+    Real along[kMostBlocks], sum[kMostBlocks];
+    for (int b = 0; b < blocks; ++b) along[b] = splat<Real>(i + done - t.i0 + b * kSideBySide) + lane;
+    evaluatePixels<Real, kPhong>(t, along, j - t.j0, blocks, sum);
+    for (int b = 0; b < blocks; ++b)
+      above -= __builtin_convertvector(
+          (sum[b] > splat<Real>(1.0)) & (lane < splat<Real>(pixels - b * kSideBySide)), IntegersOf<Real>);
+    std::array<std::uint8_t, kMost> bytes;
+    storeCells(t.ramp, sum, blocks, bytes.data());
+    std::memcpy(cells + done, bytes.data(), static_cast<std::size_t>(pixels));
+  }
+  for (int l = 0; l < kSideBySide; ++l) *t.clamped += above[l];
+}

@@ -1,0 +1,14 @@
+#pragma once
+
+#include "shading/rgb_image.h"
+#include "shading/views.h"
+
+/// The normals that the light is computed with as colours, those of the faces or interpolated ones: red,
+/// green and blue are (N + 1) / 2 of x to the right, y up and z towards the viewer. On a coarse grid they are
+/// needles too, as long as they are seen.
+
+/// (N + 1) / 2 for each sample that shows something, black elsewhere.
+[[nodiscard]] RgbImage normalColors(const Picture& picture);
+
+/// The picture of normals, a ball as the key to its colours, and what they mean in words.
+[[nodiscard]] ColoredImage drawNormals(Picture& picture, const ViewSettings& settings);

@@ -1,0 +1,24 @@
+#include "shading/views.h"
+
+#include <cassert>
+
+#include "shading/difference.h"
+#include "shading/mach_bands.h"
+#include "shading/normals_view.h"
+
+ColoredImage drawView(Picture& picture, const ViewSettings& settings) {
+  assert(settings.picture.width >= rowOf(settings.view).leastWidth &&
+         settings.picture.height >= rowOf(settings.view).leastHeight);
+  switch (settings.view) {
+    case View::MachBands:
+      return drawMachBands(picture, settings);
+    case View::Normals:
+      return drawNormals(picture, settings);
+    case View::Difference:
+      return drawDifference(picture, settings);
+    case View::Picture:
+      break;
+  }
+  assert(false);
+  return {};
+}
