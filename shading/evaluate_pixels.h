@@ -61,7 +61,7 @@ template <class Real, bool kPlaces>
   const Material& material = *t.material;
   const auto place = [&](int b) {
     if constexpr (kPlaces)
-      return on(t.at, along[b], down);
+      return on(t.at, along[b], down) * (splat<Real>(1.0) / on(t.q, along[b], down));
     else
       return Vec<Real>{};
   };

@@ -13,9 +13,11 @@
 /// What is evaluated at every pixel of a triangle instead of being stepped: Phong's normals, which must be
 /// made unit vectors again, and textures. @see Phong 1975; Foley & van Dam 2e §16.2.5
 ///
-/// Normals, places and terms are interpolated by planes over the screen, from the triangle's own corner and
-/// in place, so a pixel has one value wherever its span starts. Single precision, eight pixels at once: the
-/// sum of a few roundings of 2^-24, times n for the specular term; beyond n = 1,024, double precision.
+/// What a plane over the screen interpolates is true to the surface after a division by depth w: places and
+/// texture coordinates, and normals, whose length does not matter, without one. Terms are interpolated as
+/// they are, as Gouraud did. Planes are taken from the triangle's own corner, so a pixel has one value
+/// wherever its span starts. Single precision, eight pixels at once: the sum of a few roundings of 2^-24,
+/// times n for the specular term; beyond n = 1,024, double precision.
 
 /// A plane over the picture: c + gx (i - i0) + gy (j - j0).
 struct PixelPlane {
@@ -43,13 +45,14 @@ struct EvaluatedTriangle {
   const Material* material = nullptr;
   int channel = 0;
   bool phong = false;
-  std::array<PixelPlane, 3> N;  ///< phong: of the side that is seen
-  bool places = false;          ///< phong: whether the light asks for places in the scene
-  std::array<PixelPlane, 3> at;
-  PixelPlane diffuse, rest;  ///< else: the terms themselves, `rest` ambient and specular
+  std::array<PixelPlane, 3> N;   ///< phong: of the side that is seen, over w
+  bool places = false;           ///< phong: whether the light asks for places in the scene
+  std::array<PixelPlane, 3> at;  ///< over w
+  PixelPlane diffuse, rest;      ///< else: the terms themselves, `rest` ambient and specular
   const Texture* texture = nullptr;
   const std::uint8_t* texels = nullptr;  ///< the channel of it
-  PixelPlane u, v, q;  ///< texture coordinates over w, and 1 / w; w = 1 where the mapping is affine
+  PixelPlane u, v;                       ///< texture coordinates over w
+  PixelPlane q{1, 0, 0};                 ///< 1 / w; w = 1 where the mapping is affine
   Ramp ramp;
   std::int64_t* clamped = nullptr;  ///< counts samples whose sum is above 1
 

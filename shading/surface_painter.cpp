@@ -2,6 +2,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <glm/geometric.hpp>
+#include <glm/matrix.hpp>
+#include <limits>
 
 #include "shading/at_source.h"
 #include "shading/environment_map.h"
@@ -17,7 +20,10 @@ double component(const Sides<double>& sides, bool back) { return back ? sides.ba
 }  // namespace
 
 SurfacePainter::SurfacePainter(const Surfaces& surfaces)
-    : s_{surfaces}, mesh_{s_.mesh}, snapped_{s_.snapped} {
+    : s_{surfaces},
+      mesh_{s_.mesh},
+      snapped_{s_.snapped},
+      towardsViewer_{glm::transpose(vrcRotation(s_.view))[2]} {
   if (s_.settings.shading == Shading::Gouraud) interpolateIntensity();
   if (s_.settings.shading != Shading::Environment) return;
   interpolateNormals();
@@ -33,13 +39,16 @@ SurfacePainter::SurfacePainter(const Surfaces& surfaces)
   }
 }
 
-/// Along the viewing direction from the eye; 1 in a parallel view.
-double SurfacePainter::depthOf(int source) const {
-  if (s_.view.projection == Projection::Parallel) return 1.0;
-  const glm::dmat3 rotation = vrcRotation(s_.view);
-  return atSource(snapped_, source, [&](int corner) {
-    return s_.view.prp.z - (rotation * (mesh_.points[mesh_.corners[corner]] - s_.view.vrp)).z;
-  });
+std::array<double, 3> SurfacePainter::overDepths(const FaceTriangle& t) const {
+  if (s_.view.projection == Projection::Parallel || s_.settings.mapping == TextureMapping::Affine)
+    return {1.0, 1.0, 1.0};
+  std::array<double, 3> depth;
+  for (int k = 0; k < 3; ++k)
+    depth[k] = atSource(snapped_, snapped_.source[t.vertex[k]], [&](int corner) {
+      return s_.view.prp.z - glm::dot(towardsViewer_, mesh_.points[mesh_.corners[corner]] - s_.view.vrp);
+    });
+  const double least = std::min({depth[0], depth[1], depth[2]});  // so that units do not matter
+  return {least / depth[0], least / depth[1], least / depth[2]};
 }
 
 bool SurfacePainter::textured(const SnappedFace& face) const {
@@ -142,9 +151,13 @@ void SurfacePainter::environment(const SnappedFace& face, Fill&& fill) {
 EvaluatedTriangle SurfacePainter::evaluated(const SnappedFace& face, const FaceTriangle& t) {
   EvaluatedTriangle e;
   const PixelPlanes planes{t.p};
-  const auto plane = [&](const auto& ofCorner) {
+  const std::array<double, 3> one{1.0, 1.0, 1.0};
+  const std::array<double, 3> q =
+      s_.settings.shading == Shading::Phong || textured(face) ? overDepths(t) : one;
+  e.q = planes(q);
+  const auto plane = [&](const std::array<double, 3>& over, const auto& ofCorner) {
     std::array<double, 3> v;
-    for (int k = 0; k < 3; ++k) v[k] = atSource(snapped_, snapped_.source[t.vertex[k]], ofCorner);
+    for (int k = 0; k < 3; ++k) v[k] = over[k] * atSource(snapped_, snapped_.source[t.vertex[k]], ofCorner);
     return planes(v);
   };
   const int material = mesh_.material[face.number] + 1;
@@ -160,15 +173,17 @@ EvaluatedTriangle SurfacePainter::evaluated(const SnappedFace& face, const FaceT
     e.places = s_.shading.lighting().needsPlaces();
     const double side = face.back && s_.shading.lighting().twoSided ? -1.0 : 1.0;
     for (int axis = 0; axis < 3; ++axis) {
-      e.N[axis] = plane([&](int corner) {
+      e.N[axis] = plane(q, [&](int corner) {
         return side * s_.shading.points().N[s_.shading.vertices().ofCorner[corner]][axis];
       });
-      if (e.places) e.at[axis] = plane([&](int corner) { return mesh_.points[mesh_.corners[corner]][axis]; });
+      if (e.places)
+        e.at[axis] = plane(q, [&](int corner) { return mesh_.points[mesh_.corners[corner]][axis]; });
     }
   } else if (s_.settings.shading == Shading::Gouraud) {
     const auto term = [&](const std::vector<Sides<double>>& terms) {
-      return plane(
-          [&](int corner) { return component(terms[s_.shading.vertices().ofCorner[corner]], face.back); });
+      return plane(one, [&](int corner) {
+        return component(terms[s_.shading.vertices().ofCorner[corner]], face.back);
+      });
     };
     e.diffuse = term(s_.shading.shades(s_.channel).diffuse);
     e.rest = term(s_.shading.shades(s_.channel).specular);
@@ -183,35 +198,23 @@ EvaluatedTriangle SurfacePainter::evaluated(const SnappedFace& face, const FaceT
     e.texture = &s_.scene.textures[mesh_.materials[material - 1].texture];
     const bool rgb = s_.shading.lighting().channels == 3;
     e.texels = (rgb ? e.texture->channel[s_.channel] : e.texture->gray).data();
-    addTexture(e, planes, t);
+    // Textures repeat: the nearest copy keeps numbers small.
+    for (int axis = 0; axis < 2; ++axis) {
+      const auto coordinate = [&](int corner) { return mesh_.uv[mesh_.uvOfCorner[corner]][axis]; };
+      double least = std::numeric_limits<double>::infinity();
+      for (const int v : t.vertex)
+        least = std::min(least, atSource(snapped_, snapped_.source[v], coordinate));
+      (axis == 0 ? e.u : e.v) = plane(q, [&](int corner) { return coordinate(corner) - std::floor(least); });
+    }
   }
   return e;
-}
-
-void SurfacePainter::addTexture(EvaluatedTriangle& e, const PixelPlanes& planes,
-                                const FaceTriangle& t) const {
-  std::array<double, 3> u, v, q;
-  for (int k = 0; k < 3; ++k) {
-    const auto at = atSource(snapped_, snapped_.source[t.vertex[k]],
-                             [&](int corner) { return mesh_.uv[mesh_.uvOfCorner[corner]]; });
-    u[k] = at.x, v[k] = at.y;
-    q[k] = s_.settings.mapping == TextureMapping::Perspective ? 1.0 / depthOf(snapped_.source[t.vertex[k]])
-                                                              : 1.0;
-  }
-  // Textures repeat: the nearest copy keeps numbers small.
-  for (std::array<double, 3>* w : {&u, &v}) {
-    const double whole = std::floor(std::min({(*w)[0], (*w)[1], (*w)[2]}));
-    for (int k = 0; k < 3; ++k) (*w)[k] = ((*w)[k] - whole) * q[k];
-  }
-  e.u = planes(u), e.v = planes(v), e.q = planes(q);
 }
 
 template <class Fill>
 void SurfacePainter::shade(int f, Fill&& fill) {
   const SnappedFace& face = snapped_.faces[f];
   if (evaluates(face))
-    forEachTriangle(snapped_, face,
-                    [&](const FaceTriangle& t) { fill(t.p.data(), 3, evaluated(face, t)); });
+    forEachTriangle(snapped_, face, [&](const FaceTriangle& t) { fill(t.p.data(), 3, evaluated(face, t)); });
   else if (s_.settings.shading == Shading::Gouraud)
     gouraud(face, s_.ramps[mesh_.material[face.number] + 1], fill);
   else if (s_.settings.shading == Shading::Environment)

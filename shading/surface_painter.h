@@ -43,6 +43,8 @@ class SurfacePainter {
   [[nodiscard]] EvaluatedTriangle evaluated(const SnappedFace& face, const FaceTriangle& triangle);
   /// Evaluations at pixels that were above 1.
   [[nodiscard]] std::int64_t clamped() const { return clamped_; }
+  /// 1 / w at the vertices, w their depth along the viewing direction over the least of the three.
+  [[nodiscard]] std::array<double, 3> overDepths(const FaceTriangle& triangle) const;
 
  private:
   /// Calls fill(outline, count, shader) for the parts of a face that have a shader of their own.
@@ -54,10 +56,8 @@ class SurfacePainter {
   void gouraud(const SnappedFace& face, const Ramp& ramp, Fill&& fill);
   template <class Fill>
   void environment(const SnappedFace& face, Fill&& fill);
-  void addTexture(EvaluatedTriangle& result, const PixelPlanes& planes, const FaceTriangle& triangle) const;
   void paintVisible(IndexImage& image);
   [[nodiscard]] bool textured(const SnappedFace& face) const;
-  [[nodiscard]] double depthOf(int source) const;
 
   /// The cells of an environment's two sides.
   struct MapCells {
@@ -67,6 +67,7 @@ class SurfacePainter {
   Surfaces s_;
   const Mesh& mesh_;
   const SnappedScene& snapped_;
+  glm::dvec3 towardsViewer_;  ///< the direction against which depth grows, unit, world
   /// What a fill interpolates, in the steps of AffineOver, at snapped_.vertices: side by side, for in depth
   /// order each face lies elsewhere in memory.
   std::vector<std::uint32_t> steps_;  ///< of the intensity

@@ -99,7 +99,8 @@ std::vector<double> intensitiesAt(const SeenRows& seen, const Surfaces& s,
       forEachTriangle(s.snapped, face, [&](const FaceTriangle& t) {
         const PixelPlanes planes{t.p};
         const PixelPlane plane =
-            planes({atVertex(s.snapped.source[t.vertex[0]]), atVertex(s.snapped.source[t.vertex[1]]), atVertex(s.snapped.source[t.vertex[2]])});
+            planes({atVertex(s.snapped.source[t.vertex[0]]), atVertex(s.snapped.source[t.vertex[1]]),
+                    atVertex(s.snapped.source[t.vertex[2]])});
         fill(t.p.data(), 3, [&](int i, int j) {
           return plane.c + plane.gx * (i - planes.i0()) + plane.gy * (j - planes.j0());
         });
@@ -120,11 +121,17 @@ std::vector<double> intensitiesAt(const SeenRows& seen, const Surfaces& s,
 
 std::vector<glm::dvec3> normalsAt(const SeenRows& seen, const Surfaces& s) {
   std::vector<glm::dvec3> normals(seen.faces.size(), glm::dvec3{0.0});
+  const SurfacePainter painter{s};
   forEachSeenFace(seen, s.snapped.faces.size(), [&](int f) {
     const SnappedFace& face = s.snapped.faces[f];
     if (rowOf(s.settings.shading).interpolates) {
       forEachTriangle(s.snapped, face, [&](const FaceTriangle& t) {
-        const auto N = interpolated(PixelPlanes{t.p}, normalsOf(s, face, t, s.shading.points().N));
+        std::array<glm::dvec3, 3> ofVertices = normalsOf(s, face, t, s.shading.points().N);
+        if (s.settings.shading == Shading::Phong) {
+          const std::array<double, 3> q = painter.overDepths(t);
+          for (int k = 0; k < 3; ++k) ofVertices[k] *= q[k];
+        }
+        const auto N = interpolated(PixelPlanes{t.p}, ofVertices);
         store(normals, seen, f, t.p.data(), 3, [&](int i, int j) { return unit(N(i, j)); });
       });
     } else {

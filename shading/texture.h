@@ -17,8 +17,9 @@ struct Texture {
 /// A PNG, rows from the top. @throws as readPng()
 [[nodiscard]] Texture readTexture(const std::string& file);
 
-/// How texture coordinates are interpolated over the screen: with 1/w, so that they stay in place on the
-/// surface, or by a plane, as the first programs did: they swim in perspective.
+/// How texture coordinates, and Phong's normals and places, are interpolated over the screen: with 1/w, so
+/// that they stay in place on the surface, or by a plane, as the first programs did: they swim in
+/// perspective.
 enum class TextureMapping { Perspective, Affine };
 struct TextureMappingRow {
   TextureMapping id;

@@ -55,13 +55,22 @@ double equation(const Illumination& user, glm::dvec3 N, glm::dvec3 L, glm::dvec3
 }  // namespace
 
 // At every sample the value is the equation's: of the face's normal in flat shading, the mean of the
-// vertices' by their shares in Gouraud's, of the normals' mean made a unit vector in Phong's.
+// vertices' by their shares in Gouraud's, of the normals' mean made a unit vector in Phong's, by shares on
+// the surface or, as the first programs had it, on the screen.
 TEST(SurfaceValues, AreTheEquationAtEverySample) {
-  for (const Shading shading : {Shading::Flat, Shading::Gouraud, Shading::Phong}) {
+  struct Case {
+    Shading shading;
+    TextureMapping mapping;
+  };
+  for (const auto& [shading, mapping] :
+       {Case{Shading::Flat, {}}, Case{Shading::Gouraud, {}},
+        Case{Shading::Phong, TextureMapping::Perspective}, Case{Shading::Phong, TextureMapping::Affine}}) {
     SCOPED_TRACE(rowOf(shading).name);
     Picture ball{makeScene("ball", sphere(18, 9), UpAxis::Z)};
     PictureSettings s = small(shading);
     s.light.constantV = true;
+    s.mapping = mapping;
+    s.camera.fov = 70;
     ball.make(s);
     const glm::dvec3 L = normalize(s.light.light), V = normalize(ball.camera().eye - ball.camera().lookAt);
     const SeenRows seen = ball.seen(0, s.height);
@@ -84,7 +93,9 @@ TEST(SurfaceValues, AreTheEquationAtEverySample) {
         for (int c = 0; c < 3; ++c) {
           const glm::dvec3 corner = vertices.vertices[vertices.ofCorner[place.corner[c]]].N;
           mean += place.share[c] * equation(s.light, corner, L, V);
-          normal += place.share[c] * corner;
+          const glm::dvec3& at = ball.scene().mesh.points[ball.scene().mesh.corners[place.corner[c]]];
+          const bool onSurface = shading == Shading::Phong && mapping == TextureMapping::Perspective;
+          normal += place.share[c] / (onSurface ? dot(ball.camera().eye - at, V) : 1.0) * corner;
         }
         if (shading == Shading::Flat) normal = ball.shading().points().N[face.number];
         normal = normalize(normal);

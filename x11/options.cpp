@@ -230,7 +230,8 @@ void addSurfaces(Reader& r, Options& o) {
     if (s.empty()) throw UsageError{"--texture: the file's name is empty"};
     o.texture = s;
   });
-  r.choice("--mapping", kTextureMappings, o.picture.mapping, "how texture coordinates are interpolated");
+  r.choice("--mapping", kTextureMappings, o.picture.mapping,
+           "how texture coordinates, and Phong's normals and places, are interpolated");
   r.choice("--colors", kColorPlans, o.picture.colors, "which colours the cells of the scene hold");
   r.flag("--dither", o.picture.dither, "ordered dithering, where the cells hold colours and not ramps");
 }
