@@ -79,6 +79,14 @@ void compareColors(Compared& result, const Picture& reference, const SeenRows& s
   paintNearest(bytes, shows, colors, false, first, result.reference);
 }
 
+/// The number of the face at each sample.
+std::vector<int> numbersOf(const Picture& picture, const SeenRows& seen) {
+  std::vector<int> numbers(seen.faces.size(), kNothing);
+  for (std::size_t k = 0; k < numbers.size(); ++k)
+    if (seen.faces[k] != kNothing) numbers[k] = picture.snapped().faces[seen.faces[k]].number;
+  return numbers;
+}
+
 }  // namespace
 
 Compared comparedWithPhong(Picture& picture, const PictureSettings& settings, std::uint8_t ground) {
@@ -86,7 +94,7 @@ Compared comparedWithPhong(Picture& picture, const PictureSettings& settings, st
   picture.make(settings);
   picture.paint(result.picture, ground);
   const Palette palette = picture.palette(CellPlan{settings.table.kind});
-  const SeenRows shown = picture.seen(0, settings.height);
+  const std::vector<int> shown = numbersOf(picture, picture.seen(0, settings.height));
 
   picture.make(referenceFor(picture.scene(), settings));
   const SeenRows seen = picture.seen(0, settings.height);
@@ -98,8 +106,8 @@ Compared comparedWithPhong(Picture& picture, const PictureSettings& settings, st
   } else {
     compareIntensities(result, picture, seen);
   }
-  for (std::size_t k = 0; k < seen.faces.size(); ++k)
-    result.difference.otherFace += shown.faces[k] != seen.faces[k];
+  const std::vector<int> numbers = numbersOf(picture, seen);
+  for (std::size_t k = 0; k < numbers.size(); ++k) result.difference.otherFace += shown[k] != numbers[k];
 
   picture.make(settings);
   IndexImage again;  // its colours are those of its last painting

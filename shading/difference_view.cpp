@@ -132,7 +132,9 @@ ColoredImage drawDifference(Picture& picture, const ViewSettings& settings) {
           std::string{rowOf(shown.shading).label} + ", " +
               std::string{kOrders[static_cast<int>(shown.order)].label},
           "as it is painted");
-  caption(sheet, at.reference, at.captions, "Phong at every pixel", "the reference");
+  caption(sheet, at.reference, at.captions, "Phong at every pixel",
+          compared.difference.measure == Measure::Color ? "the reference, in cells of the picture"
+                                                        : "the reference");
   sheet.place(compared.picture, whole, at.picture.x, at.picture.y);
   sheet.place(compared.reference, whole, at.reference.x, at.reference.y);
   sheet.section(at.difference.x, at.sections, at.difference.width, "difference");

@@ -25,6 +25,8 @@ class Node {
   [[noreturn]] void fail(const std::string& what) const {
     throw ParseError{file_, 0, path_.empty() ? what : path_ + ": " + what};
   }
+  /// Where it stands, for complaints that are no ParseError.
+  [[nodiscard]] std::string place() const { return path_.empty() ? file_ : file_ + ": " + path_; }
 
   /// An object with no key but these, of one list and another.
   void expectKeys(std::initializer_list<std::string_view> keys,

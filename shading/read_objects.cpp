@@ -18,6 +18,16 @@
 
 namespace {
 
+/// What `read` makes of an object's file; that it cannot be read is told with the place that names it.
+template <class Read>
+auto fromFile(const Node& object, const Read& read) -> decltype(read()) {
+  try {
+    return read();
+  } catch (const std::system_error& e) {
+    throw std::system_error{e.code(), object.at("file").place() + ": " + inQuotes(object.at("file").text())};
+  }
+}
+
 /// "color": [r, g, b] or "color255": the same of 255.
 std::optional<glm::dvec3> readColor(const Node& node, const std::string& key) {
   const std::string bytes = key + "255";
@@ -217,10 +227,10 @@ class Collector {
       node.at("divisions").fail("divisions are for the patches of a .bpt file");
     if (node.has("solid")) return readSolid(node);
     if (node.has("polygons")) return readPolygons(node);
-    if (file.extension() == ".obj") return readObj(file);
+    if (file.extension() == ".obj") return fromFile(node, [&] { return readObj(file); });
     if (file.extension() != ".bpt") node.at("file").fail("an .obj or .bpt file is needed");
     run.divisions = node.has("divisions") ? node.at("divisions").whole(1, kMaxDivisions) : divisions_;
-    run.patches = readBpt(file);
+    run.patches = fromFile(node, [&] { return readBpt(file); });
     for (BezierPatch& patch : run.patches)
       for (glm::dvec3& p : patch.p) p = transform(p);
     return tessellate(run.patches, run.divisions);

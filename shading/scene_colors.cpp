@@ -41,6 +41,12 @@ Hues huesOf(const Scene& scene) {
 }  // namespace
 
 ColorPlan planOf(const Scene& scene, const PictureSettings& settings) {
+  if (settings.colors == ColorPlan::Hues) {
+    const int hues = static_cast<int>(huesOf(scene).hues.size());
+    if (2 * hues > settings.table.shades)
+      throw ViewError{std::to_string(hues) + " hues need two shades each, and the table has " +
+                      std::to_string(settings.table.shades) + ": choose other colours"};
+  }
   if (settings.colors != ColorPlan::Needed) return settings.colors;
   if (!rowOf(settings.shading).lit) return ColorPlan::OneHue;
   const auto colored = [](const Texture& t) {
@@ -68,7 +74,9 @@ void SceneColors::make(const Scene& scene, const PictureSettings& settings, Colo
     const Hues hues = huesOf(scene);
     std::vector<HueNeed> needs(hues.hues.size());
     for (std::size_t h = 0; h < needs.size(); ++h) needs[h] = {hues.hues[h], 1.0, 0.0, 0};
-    for (std::size_t m = 0; m < materials; ++m) {
+    if (!rowOf(settings.shading).lit)
+      for (HueNeed& need : needs) need.low = 0.0, need.high = 1.0;
+    for (std::size_t m = 0; m < lighting.materials.size(); ++m) {
       const Material& material = lighting.materials[m];
       double brightest = material.ambient[0];
       for (const Lighting::Source& light : lighting.sources)

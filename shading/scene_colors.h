@@ -15,6 +15,7 @@
 /// and chosen colours that shows it. Hues serve as long as lights and textures are gray and each hue gets
 /// kLeastShades.
 inline constexpr int kLeastShades = 24;
+/// @throws ViewError if several hues are asked for and there are more than the table has pairs of shades
 [[nodiscard]] ColorPlan planOf(const Scene& scene, const PictureSettings& settings);
 [[nodiscard]] constexpr Channels channelsOf(ColorPlan plan) {
   return plan == ColorPlan::OneHue ? Channels::Luminance

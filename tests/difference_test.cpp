@@ -118,3 +118,16 @@ TEST(Difference, OfColoursIsHowTheyLook) {
   EXPECT_GT(compared.difference.above, compared.difference.samples / 4);
   EXPECT_GT(compared.difference.largest, 3.0);
 }
+
+// Pieces of a divided polygon show its face, not another.
+TEST(Difference, DividedPolygonsShowTheirFaces) {
+  Picture spot{readScene("spotlight")};
+  PictureSettings s = small(Shading::Gouraud);
+  s.adapt = 0.05;
+  const Difference divided = comparedWithPhong(spot, s, 8).difference;
+  s.adapt = 0;
+  const Difference whole = comparedWithPhong(spot, s, 8).difference;
+  EXPECT_GT(divided.samples, 1000);
+  EXPECT_EQ(divided.otherFace, 0);
+  EXPECT_LT(divided.mean, whole.mean / 2);
+}

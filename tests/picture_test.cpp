@@ -6,6 +6,7 @@
 #include <cstring>
 #include <numeric>
 #include <random>
+#include <set>
 
 #include "geometry/int128.h"
 #include "geometry/solids.h"
@@ -411,4 +412,30 @@ TEST(Picture, DepthUsesTheWholeRange) {
   const int first = picture.table().first();
   EXPECT_EQ(picture.cells(), (std::vector<std::uint8_t>{std::uint8_t(first), std::uint8_t(first + 1),
                                                         std::uint8_t(first + 4)}));
+}
+
+// Hues share the table's shades where nothing is lit, too; more hues than there are pairs of shades are
+// refused.
+TEST(Picture, HuesWithoutLightAndTooManyOfThem) {
+  Picture hues{readScene("hues")};
+  PictureSettings s = small();
+  s.colors = ColorPlan::Hues;
+  for (const Shading shading : {Shading::Full, Shading::Depth, Shading::Flat}) {
+    s.shading = shading;
+    const IndexImage image = painted(hues, s);
+    EXPECT_EQ(hues.colors().plan(), ColorPlan::Hues);
+    EXPECT_GT(hues.colors().tables().size(), 5u);
+    EXPECT_GE(std::set(image.pixels.begin(), image.pixels.end()).size(), hues.colors().tables().size());
+  }
+  Scene many = makeScene("many", sphere(24, 12), UpAxis::Z);
+  for (int k = 0; k < 121; ++k) {
+    many.mesh.materials.push_back({.name = "", .diffuse = {1.0, k / 121.0, 0.0}});
+    many.mesh.material[k] = k;
+  }
+  std::ranges::replace(many.mesh.material, -1, 0);
+  Picture picture{std::move(many)};
+  EXPECT_THROW(picture.make(s), ViewError);
+  s.colors = ColorPlan::Needed;
+  EXPECT_NO_THROW(picture.make(s));
+  EXPECT_EQ(picture.colors().plan(), ColorPlan::Chosen);
 }

@@ -187,11 +187,12 @@ void addLight(Reader& r, Illumination& light, bool& lightGiven) {
   r.number("--kd", light.kd, 0, 1, "diffuse reflection kd");
   r.number("--ks", light.ks, 0, 1, "specular reflection ks");
   r.number("--n", light.n, 0, 1'000'000, "specular exponent n");
-  r.point("--light", "direction towards the light", "from the upper left", [&](glm::dvec3 p) {
-    if (p == glm::dvec3{0}) throw UsageError{"--light: 0,0,0 is no direction"};
-    light.light = p;
-    lightGiven = true;
-  });
+  r.point("--light", "direction towards the light, in place of all lights of the scene",
+          "from the upper left", [&](glm::dvec3 p) {
+            if (p == glm::dvec3{0}) throw UsageError{"--light: 0,0,0 is no direction"};
+            light.light = p;
+            lightGiven = true;
+          });
   r.point("--light-at", "a point light at this place instead", "",
           [&](glm::dvec3 p) { light.lightPosition = p; });
   r.flag("--constant-l", light.constantL,
@@ -219,7 +220,10 @@ void addSurfaces(Reader& r, Options& o) {
            "degrees; faces that meet at a larger angle share no normal");
   r.choice("--polygons", kPolygons, o.picture.polygons,
            "over what polygons of more than three corners interpolate");
-  r.text("--adapt", "divide polygons where flat or Gouraud shading misses the illumination by more than this",
+  r.text("--adapt",
+         "divide polygons where flat or Gouraud shading misses the illumination by more than this, into a "
+         "million "
+         "at most",
          "divide none", [&](const std::string& text) {
            const std::string expected = "an intensity above 0 and at most 1";
            o.picture.adapt = numbers("--adapt", text, 1, expected)[0];
@@ -340,6 +344,8 @@ void check(const Options& o, bool sceneGiven) {
     throw UsageError{"--fill x11 needs a server: use snapshot"};
   if (o.fill == Fill::XFillPolygon && rowOf(o.picture.shading).interpolates)
     throw UsageError{"--fill x11 gives a polygon one cell: use --shade none, depth or flat"};
+  if (!o.texture.empty() && (!rowOf(o.picture.shading).lit || o.picture.shading == Shading::Environment))
+    throw UsageError{"--texture goes with --shade flat, gouraud and phong"};
   if (o.fill == Fill::XFillPolygon && !o.texture.empty())
     throw UsageError{"--fill x11 gives a polygon one cell: it shows no --texture"};
   if (o.picture.order == Order::Oracle && o.fill == Fill::XFillPolygon)

@@ -92,6 +92,69 @@ BENCHMARK(BM_Frame64k<Shading::Gouraud, Order::Newell>)->Unit(benchmark::kMillis
 BENCHMARK(BM_Frame64k<Shading::Phong, Order::ZSort>)->Unit(benchmark::kMillisecond);
 BENCHMARK(BM_Frame64k<Shading::Environment, Order::ZSort>)->Unit(benchmark::kMillisecond);
 
+/// What a scene may require, one thing after the other.
+struct Requirement {
+  const char* name;
+  void (*add)(Scene& scene, PictureSettings& settings);
+};
+Light pointLight(double distance) {
+  return {.kind = LightKind::Point,
+          .Ip = glm::dvec3{0.3},
+          .position = {0, -distance, distance},
+          .attenuation = Attenuation::Linear,
+          .range = 4};
+}
+constexpr std::array kRequirements{
+    Requirement{"Nothing", [](Scene&, PictureSettings& s) { s.shading = Shading::Full; }},
+    Requirement{"Diffuse", [](Scene&, PictureSettings& s) { s.light.ks = 0; }},
+    Requirement{"Specular", [](Scene&, PictureSettings&) {}},
+    Requirement{"LightOutOfReach",
+                [](Scene& scene, PictureSettings&) {
+                  scene.light.lights = {{}, pointLight(100)};
+                }},
+    Requirement{"TwoLights",
+                [](Scene& scene, PictureSettings&) {
+                  scene.light.lights = {{}, pointLight(1)};
+                }},
+    Requirement{"ThreeChannels", [](Scene&, PictureSettings& s) { s.colors = ColorPlan::Cube; }},
+    Requirement{"VertexNormals", [](Scene&, PictureSettings& s) { s.shading = Shading::Gouraud; }},
+    Requirement{"PixelNormals", [](Scene&, PictureSettings& s) { s.shading = Shading::Phong; }},
+    Requirement{"PixelNormalsAndPlaces",
+                [](Scene& scene, PictureSettings& s) {
+                  s.shading = Shading::Phong;
+                  scene.light.lights = {{}, pointLight(1)};
+                }},
+};
+
+// A frame of 64,800 triangles while the eye moves, flat, by what the scene requires: who does not ask for a
+// thing does not pay for it. `shade_ms`, `fill_ms`: of a frame.
+void BM_Required(benchmark::State& state, const Requirement& requirement) {
+  Scene scene = makeScene("torus", triangulated(torus(180, 180)), UpAxis::Z);
+  PictureSettings settings;
+  settings.order = Order::ZSort;
+  requirement.add(scene, settings);
+  Picture picture{std::move(scene)};
+  picture.make(settings);
+  IndexImage image;
+  StageTimes sum;
+  for (auto _ : state) {
+    settings.camera = moved(settings.camera, picture.camera(), 1.0, 0.0, 1.0);
+    picture.make(settings);
+    picture.paint(image, 0);
+    add(sum, picture.times());
+  }
+  const auto frames = static_cast<double>(state.iterations());
+  state.counters["shade_ms"] = sum.shade / frames;
+  state.counters["fill_ms"] = sum.fill / frames;
+}
+const int kRegistered = [] {
+  for (const Requirement& requirement : kRequirements)
+    benchmark::RegisterBenchmark((std::string{"BM_Required"} + requirement.name).c_str(), BM_Required,
+                                 requirement)
+        ->Unit(benchmark::kMillisecond);
+  return 0;
+}();
+
 // What `xnewell draw` of an OBJ file does, from reading to PNG: 64,800 triangles with six decimals.
 void BM_DrawObj(benchmark::State& state) {
   const std::filesystem::path file = std::filesystem::temp_directory_path() / "xnewell_draw_bench.obj";
