@@ -3,7 +3,10 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <glm/geometric.hpp>
 #include <random>
+
+#include "shading/reflect.h"
 
 namespace {
 
@@ -263,4 +266,52 @@ TEST(Illumination, LightsThatCannotReachCostNothing) {
   EXPECT_EQ(sources(near), 1u);
   near.Ip = glm::dvec3{0};
   EXPECT_EQ(sources(near), 0u);
+}
+
+// Points are evaluated several at a time, with the instructions that the processor has; one at a time,
+// compiled for any, the bits are the same.
+TEST(Illumination, SideBySideAsAlone) {
+  std::mt19937 rng{2};
+  const auto uniform = [&] { return 2.0 * (static_cast<double>(rng()) * 0x1p-32) - 1.0; };
+  for (const FormRow& form : kForms) {
+    ShadingPoints points;
+    for (int k = 0; k < 1001; ++k) {
+      points.at.emplace_back(uniform(), uniform(), uniform());
+      points.N.push_back(glm::normalize(glm::dvec3{uniform(), uniform(), uniform()}));
+      points.material.push_back(k / 10 % 3 - 1);  // runs that no number of lanes divides
+    }
+    Mesh m = square();
+    m.materials = {{.name = "dull", .ks = 0.3, .n = 7}, {.name = "shiny", .ks = 0.9, .n = 200}};
+    const SceneLight scene{
+        .Ia = {},
+        .lights = {
+            {.kind = LightKind::Spot, .direction = {0, 0, -1}, .position = {0, 0, 3}},
+            {.kind = LightKind::Point, .position = {2, 1, 0}, .attenuation = Attenuation::InverseSquare}}};
+    const Lighting lighting =
+        resolve(m, scene, {.form = form.id}, Channels::Luminance, {1, -3, 2}, {0, 0, 0});
+    Shades shades;
+    shadeDiffuse(shades, points, lighting, 0);
+    shadeSpecular(shades, points, lighting, 0);
+    const auto vec = [](const glm::dvec3& v) { return Vec<double>{v.x, v.y, v.z}; };
+    int lit = 0;
+    for (std::size_t k = 0; k < points.at.size(); ++k) {
+      const Material& material = lighting.materials[points.material[k] + 1];
+      const Vec<double> at = vec(points.at[k]), N = vec(points.N[k]);
+      Sides<double> diffuse{0, 0}, specular{0, 0};
+      for (const Lighting::Source& light : lighting.sources) {
+        const Incident<double> in = incident(light, at);
+        const Sides<double> d = diffuseTerm(in, N, true);
+        const Sides<double> s = specularTerm(in, N, towardsEye(lighting, at), material, lighting);
+        const double kd = light.Ip[0] * material.kd[0], ks = light.Ip[0] * material.ks[0];
+        diffuse = {diffuse.front + kd * d.front, diffuse.back + kd * d.back};
+        specular = {specular.front + ks * s.front, specular.back + ks * s.back};
+      }
+      ASSERT_EQ(diffuse.front, shades.diffuse[k].front) << k;
+      ASSERT_EQ(diffuse.back, shades.diffuse[k].back) << k;
+      ASSERT_EQ(specular.front, shades.specular[k].front) << k;
+      ASSERT_EQ(specular.back, shades.specular[k].back) << k;
+      lit += specular.front > 0 || specular.back > 0;
+    }
+    EXPECT_GT(lit, 100);
+  }
 }
