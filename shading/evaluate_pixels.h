@@ -94,14 +94,17 @@ template <class Real>
                                                     double down, int blocks, Real* diffuse) {
   constexpr int kSideBySide = kLanes<Real>;
   std::array<int, kMostBlocks * kSideBySide> places;
-  std::array<Number<Real>, kMostBlocks * kSideBySide> texels;
   for (int b = 0; b < blocks; ++b) {
     const Real w = splat<Real>(1.0) / on(t.q, along[b], down);
     const auto at = placesOf(*t.texture, on(t.u, along[b], down) * w, on(t.v, along[b], down) * w);
     std::memcpy(&places[b * kSideBySide], &at, sizeof at);
   }
+  std::array<std::uint8_t, kMostBlocks * kSideBySide> bytes;
+  std::array<Number<Real>, kMostBlocks * kSideBySide> texels;
   const std::uint8_t* const from = t.texels;
-  for (int k = 0; k < blocks * kSideBySide; ++k) texels[k] = from[places[k]];
+  const int count = blocks * kSideBySide;
+  for (int k = 0; k < count; ++k) bytes[k] = from[places[k]];
+  for (int k = 0; k < count; ++k) texels[k] = static_cast<Number<Real>>(bytes[k]);
   for (int b = 0; b < blocks; ++b) {
     Real texel;
     std::memcpy(&texel, &texels[b * kSideBySide], sizeof texel);
@@ -134,24 +137,23 @@ template <class Real>
 [[gnu::always_inline]] inline void storeCells(const Ramp& ramp, const Real* sum, int blocks,
                                               std::uint8_t* bytes) {
   constexpr int kSideBySide = kLanes<Real>;
-  const Real zero = splat<Real>(0.0), one = splat<Real>(1.0);
+  std::array<int, kMostBlocks * kSideBySide> whole;
+  const auto store = [&](int b, const Real& value) {
+    const auto cut = __builtin_convertvector(value, IntegersOf<Real>);
+    std::memcpy(&whole[b * kSideBySide], &cut, sizeof cut);
+  };
+  const int count = blocks * kSideBySide;
   if (ramp.table != nullptr) {
-    const std::uint8_t* const table = ramp.table;
-    for (int b = 0; b < blocks; ++b) {
-      const auto k = __builtin_convertvector(smaller(one, larger(zero, sum[b])) * splat<Real>(65535.0),
-                                             IntegersOf<Real>);
-      for (int l = 0; l < kSideBySide; ++l) bytes[b * kSideBySide + l] = table[k[l]];
-    }
+    const Real zero = splat<Real>(0.0), one = splat<Real>(1.0);
+    for (int b = 0; b < blocks; ++b) store(b, smaller(one, larger(zero, sum[b])) * splat<Real>(65535.0));
+    for (int k = 0; k < count; ++k) bytes[k] = ramp.table[whole[k]];
     return;
   }
   const Real low = splat<Real>(ramp.low), high = splat<Real>(ramp.high);
   const Real perIntensity = splat<Real>(ramp.perIntensity()), first = splat<Real>(ramp.first + 0.5);
-  for (int b = 0; b < blocks; ++b) {
-    const Real cell = first + perIntensity * (smaller(high, larger(low, sum[b])) - low);
-    const auto eight = __builtin_convertvector(__builtin_convertvector(cell, IntegersOf<Real>),
-                                               Lanes<std::uint8_t, kSideBySide>);
-    std::memcpy(bytes + b * kSideBySide, &eight, kSideBySide);
-  }
+  for (int b = 0; b < blocks; ++b)
+    store(b, first + perIntensity * (smaller(high, larger(low, sum[b])) - low));
+  for (int k = 0; k < count; ++k) bytes[k] = static_cast<std::uint8_t>(whole[k]);
 }
 
 template <class Real, bool kPhong>
