@@ -99,7 +99,9 @@ Course runThrough(const Use& use, const XServer& server, XProxy& proxy,
   if (stalls && comesTrue([&] { return !hoping(); })) program.signal(SIGINT);
   const auto asked = std::chrono::steady_clock::now();
   const Finished end = program.wait(kEnough);
-  EXPECT_TRUE(comesTrue([&] { return segmentsOf(pid) == 0; }));  // when the server has let go too
+  // When the server has let go too.
+  EXPECT_TRUE(comesTrue([&] { return segmentsOf(pid) == 0; }));
+  EXPECT_TRUE(comesToShowNone(openDisplay(server.name()).get()));
   return {end, proxy.carriedOut(), proxy.requests(), proxy.answered(),
           std::chrono::duration_cast<std::chrono::milliseconds>(std::chrono::steady_clock::now() - asked)};
 }

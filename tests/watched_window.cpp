@@ -122,6 +122,12 @@ void WatchedWindow::askToClose() const {
   XSync(display(), 0);
 }
 
+bool WatchedWindow::goes() const {
+  const ErrorTrap trap{display()};
+  XWindowAttributes attributes{};
+  return comesTrue([&] { return XGetWindowAttributes(display(), id_, &attributes) == 0; });
+}
+
 RgbImage WatchedWindow::shown(const Rect& rect) const {
   XWindowAttributes attributes{};
   XGetWindowAttributes(display(), id_, &attributes);
@@ -181,6 +187,10 @@ bool WatchedWindow::settles() const {
   if (!comesTrue(open)) return false;
   type("?");
   return comesTrue([&] { return !open(); });
+}
+
+bool comesToShowNone(::Display* display) {
+  return comesTrue([&] { return findWindow(display, DefaultRootWindow(display), 0) == 0; });
 }
 
 RgbImage cropped(const RgbImage& image, const Rect& rect) {

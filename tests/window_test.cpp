@@ -60,12 +60,14 @@ TEST_P(WindowAt, EndsAsAsked) {
     EXPECT_EQ(end.status, status);
     EXPECT_EQ(end.out, "");
     EXPECT_EQ(end.err, "");
-    ::Window root = 0, parent = 0, *children = nullptr;
-    unsigned left = 0;
-    XQueryTree(viewer.window.display(), DefaultRootWindow(viewer.window.display()), &root, &parent, &children,
-               &left);
-    XFree(children);
-    EXPECT_EQ(left, 0u);
+    EXPECT_TRUE(comesTrue([&] {
+      ::Window root = 0, parent = 0, *children = nullptr;
+      unsigned left = 0;
+      XQueryTree(viewer.window.display(), DefaultRootWindow(viewer.window.display()), &root, &parent,
+                 &children, &left);
+      XFree(children);
+      return left == 0;
+    }));
   }
 }
 
