@@ -55,6 +55,7 @@ Use view() {
             try {
               const WatchedWindow window{server, 0, hoping};
               const ErrorTrap trap{window.display()};  // it may be gone
+              window.moveTo(60, 45);
               window.type("T");
               window.resize(140, 100);
               window.type("H");
@@ -80,9 +81,9 @@ std::ptrdiff_t segmentsOf(pid_t maker) {
 
 /// What it came to on the proxy's server.
 struct Course {
-  Finished end;
+  Finished end{};
   bool carriedOut = false;
-  std::vector<XRequest> requests, answered;
+  std::vector<XRequest> requests{}, answered{};
   std::chrono::milliseconds toEnd{};  ///< since it was interrupted
 };
 
@@ -98,12 +99,16 @@ Course runThrough(const Use& use, const XServer& server, XProxy& proxy,
   use.act(server, hoping);
   if (stalls && comesTrue([&] { return !hoping(); })) program.signal(SIGINT);
   const auto asked = std::chrono::steady_clock::now();
-  const Finished end = program.wait(kEnough);
-  // When the server has let go too.
+  Course course{.end = program.wait(kEnough)};
+  course.toEnd =
+      std::chrono::duration_cast<std::chrono::milliseconds>(std::chrono::steady_clock::now() - asked);
+  course.carriedOut = proxy.carriedOut();
+  course.requests = proxy.requests();
+  course.answered = proxy.answered();
+  // Its memory and its window go when the server has let go too.
   EXPECT_TRUE(comesTrue([&] { return segmentsOf(pid) == 0; }));
   EXPECT_TRUE(comesToShowNone(openDisplay(server.name()).get()));
-  return {end, proxy.carriedOut(), proxy.requests(), proxy.answered(),
-          std::chrono::duration_cast<std::chrono::milliseconds>(std::chrono::steady_clock::now() - asked)};
+  return course;
 }
 
 /// Different requests, in the order of their first occurrence.
@@ -127,6 +132,7 @@ bool linesAreOurs(const std::string& text) {
   return text.empty() || text.back() == '\n';
 }
 
+/// A good server, and a proxy that makes a bad one of it.
 class BadServer : public testing::TestWithParam<int> {
  protected:
   /// Runs `use` once for each plan, and prints how each ended.
@@ -151,7 +157,8 @@ class BadServer : public testing::TestWithParam<int> {
       EXPECT_TRUE(!written || contents(use.file) == file);
       EXPECT_TRUE(use.file.empty() || folder.entries() == written);
       if (course.end.status == 0) {
-        EXPECT_EQ(course.end.out, good.end.out);
+        // A refused cell is nothing bad: so many fewer are free.
+        EXPECT_TRUE(course.end.out == good.end.out || plan.request.major == X_AllocColorCells);
         EXPECT_EQ(written, !use.file.empty());
       }
       if (course.carriedOut) judge(plan, course);
@@ -297,6 +304,57 @@ TEST_P(BadServer, SharedMemoryThatIsRefusedIsDoneWithout) {
   EXPECT_EQ(refused.end.err, "");
   EXPECT_EQ(std::ranges::count(refused.requests, XRequest{X_PutImage}), 1);
   EXPECT_EQ(readPng(use.file), expected);
+}
+
+// What is refused later is told in the window and, the last frame's too, at its end. A size that is refused
+// is no error: the next may be had.
+TEST_P(BadServer, RefusalsAreToldInTheWindow) {
+  struct Refusal {
+    XRequest request;
+    Rect status;  ///< where it is told
+    bool last, error;
+  };
+  const Rect before = layoutOf(1024, 768).status, after = layoutOf(1100, 800).status;
+  const XServer wide = XServer::xvfb(GetParam(), 1280, 1024);
+  XProxy between{wide};
+  const RgbImage first = freshWindow(wide, kTeapot), next = freshWindow(wide, kTeapot, 1020, 760);
+  const CellPlan plan;
+  const Rgb16 alarm = withInterface({}, plan)[plan[Cell::Alarm]];
+  for (const Refusal& refusal :
+       {Refusal{{X_GrabServer}, after, false, true}, Refusal{{X_GrabServer}, after, true, true},
+        Refusal{{X_CreatePixmap}, before, false, false}}) {
+    SCOPED_TRACE(between.nameOf(refusal.request) + (refusal.last ? ", last" : ""));
+    RunningProgram program{words("view " + kTeapot), between.name()};
+    const WatchedWindow window{wide};
+    const auto alarmed = [&] {
+      const RgbImage image = window.shown(refusal.status);
+      for (std::size_t i = 0; i < image.rgb.size(); i += 3)
+        if (image.rgb[i] == alarm.r >> 8 && image.rgb[i + 1] == alarm.g >> 8 &&
+            image.rgb[i + 2] == alarm.b >> 8)
+          return true;
+      return false;
+    };
+    ASSERT_TRUE(window.comesToShow(first, aboveStatus(1024, 768)));
+    between.begin(XFaultPlan{XFault::Refused, refusal.request});
+    if (refusal.last) program.signal(SIGSTOP);  // the frame and the end come together
+    window.resize(1100, 800);
+    if (!refusal.last) {
+      EXPECT_TRUE(comesTrue(alarmed));
+      window.resize(1020, 760);
+      EXPECT_TRUE(window.comesToShow(next, aboveStatus(1020, 760)));
+    }
+    window.askToClose();
+    program.signal(SIGCONT);
+    const Finished end = program.wait(kEnough);
+    EXPECT_TRUE(between.carriedOut());
+    EXPECT_EQ(end.status, refusal.error ? 1 : 0);
+    EXPECT_EQ(end.err,
+              refusal.error
+                  ? "xnewell: X_GrabServer: BadAlloc (insufficient resources for operation)\n"
+                    "xnewell: the X server refused requests (1 in all): what was shown may be wrong\n"
+                  : "");
+    EXPECT_TRUE(window.goes());
+  }
 }
 
 // A connection that ends while a picture is being sent, which is more than the system takes at once, is told

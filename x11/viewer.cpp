@@ -114,20 +114,25 @@ class Viewer {
         XNextEvent(display(), &event);
         handle(event);
       }
-      if (strayErrors() > 0 && !std::exchange(toldOfErrors_, true))
+      if (errorsToTell()) {
+        toldOfErrors_ = true;
         bench_.notify("the X server refused a request: what is shown may be wrong");
+      }
       refresh();
       if (bench_.quitAsked()) break;
       pollfd connection{ConnectionNumber(display()), POLLIN, 0};
-      if (XPending(display()) == 0) poll(&connection, 1, -1);
+      if (XPending(display()) == 0 && !errorsToTell()) poll(&connection, 1, -1);
     }
+    XSync(display(), 0);  // the last frame may still be refused
     if (strayErrors() == 0) return 0;
-    throw X11Error{"the X server refused " + std::to_string(strayErrors()) +
-                   " requests: what was shown may be wrong"};
+    throw X11Error{"the X server refused requests (" + std::to_string(strayErrors()) +
+                   " in all): what was shown may be wrong"};
   }
 
  private:
   [[nodiscard]] ::Display* display() const { return server_.display.get(); }
+
+  [[nodiscard]] bool errorsToTell() const { return strayErrors() > 0 && !toldOfErrors_; }
 
   void handle(XEvent& event) {
     switch (event.type) {
