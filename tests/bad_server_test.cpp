@@ -202,8 +202,8 @@ testing::Matcher<const std::string&> names(const XProxy& proxy, const XRequest& 
 
 // A refused request ends in the right output, or in a message that names it and status 1.
 TEST_P(BadServer, RefusedRequestsAreNamed) {
-  // There is no error for UngrabServer. For the other, which it asks by itself, libXext 1.3.4 reads through a
-  // null pointer when the connection is closed.
+  // There is no error for UngrabServer. Where the other is refused, libXext 1.3.4, which asks it by itself,
+  // frees the same memory twice when the connection is closed.
   const auto plans = [&](const Course& good) {
     std::vector<XFaultPlan> refusals = at(XFault::Refused, good.requests, good);
     std::erase_if(refusals, [&](const XFaultPlan& plan) {
