@@ -36,7 +36,10 @@ class Workbench {
   /// > 1 comes nearer.
   void zoom(double factor);
   /// A sentence for the status line until the next key.
-  void notify(std::string notice) { state_.notice = std::move(notice); }
+  void notify(std::string notice) {
+    state_.notice = std::move(notice);
+    repaint_ = true;
+  }
 
   [[nodiscard]] bool quitAsked() const { return quit_; }
   [[nodiscard]] const Setup& setup() const { return state_.setup; }
