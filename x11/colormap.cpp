@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <memory>
-#include <numeric>
 #include <vector>
 
 namespace {
@@ -21,75 +20,205 @@ constexpr int kCellCount = 256;
   return found->visual;
 }
 
-Palette readCells(::Display* display, ::Colormap map) {
-  std::array<XColor, kCellCount> cells{};
-  for (int i = 0; i < kCellCount; ++i) cells[i].pixel = i;
-  XQueryColors(display, map, cells.data(), kCellCount);
-  Palette palette;
-  std::transform(cells.begin(), cells.end(), palette.begin(), [](const XColor& c) {
+std::vector<Rgb16> readColors(::Display* display, ::Colormap map, const std::vector<unsigned long>& pixels) {
+  std::vector<XColor> cells(pixels.size());
+  for (std::size_t k = 0; k < cells.size(); ++k) cells[k].pixel = pixels[k];
+  ErrorTrap trap{display};
+  XQueryColors(display, map, cells.data(), static_cast<int>(cells.size()));
+  trap.check();
+  std::vector<Rgb16> colors(cells.size());
+  std::ranges::transform(cells, colors.begin(), [](const XColor& c) {
     return Rgb16{c.red, c.green, c.blue};
   });
-  return palette;
+  return colors;
+}
+
+XColor cellHolding(unsigned long pixel, Rgb16 color, int channels = DoRed | DoGreen | DoBlue) {
+  return {.pixel = pixel,
+          .red = color.r,
+          .green = color.g,
+          .blue = color.b,
+          .flags = static_cast<char>(channels),
+          .pad = 0};
+}
+
+/// Where an index has the colour that the plan gives the interface there.
+std::array<std::optional<Cell>, kCellCount> interfaceCells(const Palette& palette, const CellPlan& plan) {
+  const Palette its = withInterface(palette, plan);
+  std::array<std::optional<Cell>, kCellCount> cells;
+  for (int role = 0; role < kCells; ++role)
+    if (const int i = plan[static_cast<Cell>(role)]; palette[i] == its[i]) cells[i] = static_cast<Cell>(role);
+  return cells;
 }
 
 }  // namespace
 
-ServerColormap::ServerColormap(::Display* display, const VisualChoice& choice)
+ServerColormap::ServerColormap(::Display* display, const VisualChoice& choice, const Settings& settings)
     : display_{display},
       screen_{DefaultScreen(display)},
       visual_{choice.visual},
       xVisual_{findVisual(display, choice.visual.id)},
-      opaque_{visual_.alphaMask()} {
+      settings_{settings} {
+  const bool sharing = settings.owner == MapOwner::Shared && visual_.writable();
   ErrorTrap trap{display};
-  if (real() || xVisual_ != DefaultVisual(display, screen_)) {
+  if (sharing) {
+    shared_ = std::make_unique<SharedCells>(display, visual_, settings.shades);
+  } else if (visual_.writable() || xVisual_ != DefaultVisual(display, screen_)) {
     OwnedColormap made{display, XCreateColormap(display, RootWindow(display, screen_), xVisual_,
-                                                real() ? AllocAll : AllocNone)};
+                                                visual_.writable() ? AllocAll : AllocNone)};
     trap.check();
     own_ = std::move(made);
   }
-  if (real()) {
-    std::iota(pixels_.begin(), pixels_.end(), 0ul);
-    if (DefaultDepth(display, screen_) == 8)
-      unneeded_ = readCells(display, DefaultColormap(display, screen_));
+  has_ = sharing                ? shared_->ramp().empty() ? Own::Nothing : Own::Ramp
+         : visual_.holdsTable() ? Own::Everything
+                                : Own::Nothing;
+  if (has_ == Own::Everything) {
+    std::array<unsigned long, kCellCount> pixels;
+    for (int i = 0; i < kCellCount; ++i) pixels[i] = pixelOfCell(visual_, i);
+    table_ = PixelTable{pixels};
+    if (identity() && DefaultDepth(display, screen_) == 8)
+      std::ranges::copy(
+          readColors(display, DefaultColormap(display, screen_), {pixels.begin(), pixels.end()}),
+          unneeded_.begin());
+  } else if (!sharing && !visual_.exact()) {
+    if (visual_.writable()) fillEvenly();
+    const PixelColors shown{display, id(), visual_};
+    if (visual_.hasChannels()) {
+      fixed_.emplace(visual_.masks, visual_.alphaMask(), shown);
+    } else {
+      std::vector<OfferedColor> list;
+      for (int k = 0; k < visual_.cells; ++k)
+        list.push_back({static_cast<unsigned long>(k), eightBits(seen(shown(k)))});
+      fixed_.emplace(std::move(list));
+    }
   }
   store(unneeded_);
   trap.check();
 }
 
+void ServerColormap::fillEvenly() {
+  std::vector<XColor> cells;
+  const auto level = [](int k, int levels) {
+    return static_cast<std::uint16_t>(std::min(k, levels - 1) * 65535L / std::max(levels - 1, 1));
+  };
+  const auto channel = [&](unsigned long mask, int flag, int k) {
+    return k < static_cast<int>(levelsOf(mask)) ? flag : 0;
+  };
+  const ChannelMasks& masks = visual_.masks;
+  for (int k = 0; k < visual_.cells; ++k) {
+    const auto v = [&](unsigned long mask) { return level(k, static_cast<int>(levelsOf(mask))); };
+    if (visual_.hasChannels())
+      cells.push_back(cellHolding(
+          pixelOfCell(visual_, k), {v(masks.red), v(masks.green), v(masks.blue)},
+          channel(masks.red, DoRed, k) | channel(masks.green, DoGreen, k) | channel(masks.blue, DoBlue, k)));
+    else
+      cells.push_back(cellHolding(
+          k, grayOf({level(k, visual_.cells), level(k, visual_.cells), level(k, visual_.cells)})));
+  }
+  XStoreColors(display_, id(), cells.data(), static_cast<int>(cells.size()));
+}
+
+int ServerColormap::mostShades() const {
+  return has_ == Own::Ramp ? static_cast<int>(shared_->ramp().size()) : kMaxShades;
+}
+
+std::string ServerColormap::account() const {
+  std::string text = visual_.name();
+  if (has_ == Own::Everything) return text + ", private map, 256 of 256 cells";
+  if (has_ == Own::Ramp)
+    return text + ", shared map, " + std::to_string(mostShades()) + " of " +
+           std::to_string(settings_.shades) + " shades";
+  if (shared_) text += ", shared map, no cell free";
+  return text + (visual_.exact()    ? ", table emulated"
+                 : settings_.dither ? ", dithered"
+                                    : ", nearest colours");
+}
+
+std::string ServerColormap::shortfall() const {
+  const bool whole = has_ == Own::Ramp && mostShades() >= settings_.shades;
+  if (settings_.owner == MapOwner::Private || whole) return "";
+  if (!shared_)
+    return "the default colormap, of " + visual_.name() + ", is not writable: the colour table is emulated";
+  return "the default colormap has free cells for " +
+         (has_ == Own::Ramp
+              ? std::to_string(mostShades()) + " of " + std::to_string(settings_.shades) + " shades"
+              : std::string{"no ramp of shades: the nearest of its colours are shown"});
+}
+
 CellPlan ServerColormap::plan(TableKind table) const {
-  if (!real() || DefaultDepth(display_, screen_) != 8) return CellPlan{table};
+  if (!identity() || DefaultDepth(display_, screen_) != 8) return CellPlan{table};
   return CellPlan{table, static_cast<int>(BlackPixel(display_, screen_)),
                   static_cast<int>(WhitePixel(display_, screen_))};
 }
 
-bool ServerColormap::store(const Palette& palette) {
-  if (stored_ == palette) return false;
-  if (real()) {
-    std::vector<XColor> changed;
-    for (int i = 0; i < kCellCount; ++i) {
-      const Rgb16 c = palette[i];
-      if (stored_ && (*stored_)[i] == c) continue;
-      changed.push_back({.pixel = static_cast<unsigned long>(i),
-                         .red = c.r,
-                         .green = c.g,
-                         .blue = c.b,
-                         .flags = DoRed | DoGreen | DoBlue,
-                         .pad = 0});
+ServerColormap::OwnCells ServerColormap::ownCells(const CellPlan& plan) const {
+  OwnCells own;
+  if (has_ == Own::Everything) std::ranges::copy(pixels(), own.begin());
+  if (has_ != Own::Ramp) return own;
+  std::array<bool, kCellCount> tools{};
+  for (int role = 0; role < kCells; ++role) tools[plan[static_cast<Cell>(role)]] = true;
+  auto next = shared_->ramp().begin();
+  for (int i = 0; i < kCellCount && next != shared_->ramp().end(); ++i)
+    if (!tools[i]) own[i] = *next++;
+  return own;
+}
+
+OfferedColors ServerColormap::offered(const Palette& palette, const OwnCells& own) const {
+  if (fixed_) return *fixed_;
+  std::vector<OfferedColor> list = shared_->held();
+  for (int i = 0; i < kCellCount; ++i)
+    if (own[i]) list.push_back({*own[i], eightBits(seen(palette[i]))});
+  if (list.empty()) list.push_back({BlackPixel(display_, screen_), glm::ivec3{0}});
+  return OfferedColors{std::move(list)};
+}
+
+bool ServerColormap::lookUp(const Palette& palette, const CellPlan& plan) {
+  const LookedUp now{palette, plan};
+  if (has_ == Own::Everything || lookedUp_ == now) return false;
+  const OwnCells own = ownCells(plan);
+  const auto interface = interfaceCells(palette, plan);
+  PixelTable next;
+  std::optional<OfferedColors> offers;
+  for (int i = 0; i < kCellCount; ++i) {
+    const Rgb16 color = seen(palette[i]);
+    std::optional<unsigned long> pixel = own[i];
+    if (!pixel && visual_.exact()) pixel = pixelOf(color, visual_.masks) | visual_.alphaMask();
+    if (!pixel && shared_ && interface[i]) pixel = shared_->interfaceCell(*interface[i]);
+    if (!pixel && shared_ && color == Rgb16{}) pixel = BlackPixel(display_, screen_);
+    if (!pixel) {
+      if (!offers) offers.emplace(offered(palette, own));
+      pixel = offers->nearest(eightBits(color)).pixel;
+      if (settings_.dither && !interface[i]) {
+        next.set(i, *pixel, offers->mixture(eightBits(color)));
+        continue;
+      }
     }
-    XStoreColors(display_, id(), changed.data(), static_cast<int>(changed.size()));
-  } else {
-    std::transform(palette.begin(), palette.end(), pixels_.begin(),
-                   [&](Rgb16 c) { return pixelOf(c, visual_.masks) | opaque_; });
+    next.set(i, *pixel);
   }
-  stored_ = palette;
-  return !real();
+  const bool again = next != table_;
+  table_ = std::move(next);
+  lookedUp_ = now;
+  return again;
+}
+
+bool ServerColormap::store(const Palette& palette, const CellPlan& plan) {
+  const bool again = lookUp(palette, plan);
+  const OwnCells own = ownCells(plan);
+  std::vector<XColor> changed;
+  for (int i = 0; i < kCellCount; ++i) {
+    const Stored now{own[i].value_or(0), seen(palette[i])};
+    if (!own[i] || stored_[i] == now) continue;
+    changed.push_back(cellHolding(now.pixel, now.color));
+    stored_[i] = now;
+  }
+  if (!changed.empty()) XStoreColors(display_, id(), changed.data(), static_cast<int>(changed.size()));
+  return again;
 }
 
 Palette ServerColormap::shown() const {
-  if (real()) return readCells(display_, id());
+  const PixelColors colors{display_, id(), visual_};
   Palette palette;
-  std::transform(pixels_.begin(), pixels_.end(), palette.begin(),
-                 [&](unsigned long pixel) { return colorOf(pixel, visual_.masks); });
+  std::ranges::transform(pixels(), palette.begin(), colors);
   return palette;
 }
 
@@ -102,6 +231,15 @@ bool ServerColormap::installed() const {
 
 void ServerColormap::installUnlessManaged() {
   if (own_.get() && !windowManagerRuns(display_)) XInstallColormap(display_, id());
+}
+
+PixelColors::PixelColors(::Display* display, ::Colormap map, const VisualInfo& visual)
+    : masks_{visual.masks} {
+  const unsigned long all = (1ul << visual.depth) - 1;
+  if (!visual.hasChannels()) masks_ = {all, all, all};
+  std::vector<unsigned long> pixels(visual.cells);
+  for (int k = 0; k < visual.cells; ++k) pixels[k] = pixelOfCell(visual, k);
+  cells_ = readColors(display, map, pixels);
 }
 
 bool windowManagerRuns(::Display* display) {
