@@ -89,7 +89,7 @@ TEST(WritePixels, EveryFormatHoldsThePixels) {
         ASSERT_NE(XInitImage(&out), 0);
         std::vector<char> data(std::size_t(out.bytes_per_line) * out.height, 0);
         out.data = data.data();
-        writePixels(out, image, rect, pixels);
+        writePixels(out, image, rect, PixelTable{pixels});
         for (int y = 0; y < 11; ++y)
           for (int x = 0; x < 37; ++x) {
             const bool inside = x >= 2 && x < 33 && y >= 3 && y < 10;

@@ -139,10 +139,10 @@ std::string ServerColormap::shortfall() const {
   if (settings_.owner == MapOwner::Private || whole) return "";
   if (!shared_)
     return "the default colormap, of " + visual_.name() + ", is not writable: the colour table is emulated";
-  return "the default colormap has free cells for " +
-         (has_ == Own::Ramp
-              ? std::to_string(mostShades()) + " of " + std::to_string(settings_.shades) + " shades"
-              : std::string{"no ramp of shades: the nearest of its colours are shown"});
+  if (has_ == Own::Nothing)
+    return "the default colormap has no free cells for a ramp of shades: the nearest of its colours are shown";
+  return "the default colormap has free cells for " + std::to_string(mostShades()) + " of " +
+         std::to_string(settings_.shades) + " shades";
 }
 
 CellPlan ServerColormap::plan(TableKind table) const {
@@ -195,10 +195,20 @@ bool ServerColormap::lookUp(const Palette& palette, const CellPlan& plan) {
     }
     next.set(i, *pixel);
   }
+  keepReadable(next, plan);
   const bool again = next != table_;
   table_ = std::move(next);
   lookedUp_ = now;
   return again;
+}
+
+/// Where colours are few, text may become the colour it stands on: then it is black, or white on the well.
+void ServerColormap::keepReadable(PixelTable& table, const CellPlan& plan) const {
+  const auto pixel = [&](Cell cell) { return table.pixels()[plan[cell]]; };
+  for (const Cell text : {Cell::Faint, Cell::Soft, Cell::Ink, Cell::Good, Cell::Alarm, Cell::P})
+    if (pixel(text) == pixel(Cell::Paper) || pixel(text) == pixel(Cell::Panel))
+      table.set(plan[text], pixel(Cell::Black));
+  if (pixel(Cell::WellText) == pixel(Cell::Well)) table.set(plan[Cell::WellText], pixel(Cell::White));
 }
 
 bool ServerColormap::store(const Palette& palette, const CellPlan& plan) {

@@ -90,6 +90,7 @@ class ServerColormap {
   [[nodiscard]] OwnCells ownCells(const CellPlan& plan) const;
   /// What is on offer for the other indices while `palette` is stored.
   [[nodiscard]] OfferedColors offered(const Palette& palette, const OwnCells& own) const;
+  void keepReadable(PixelTable& table, const CellPlan& plan) const;
   /// A colour as this visual can show it.
   [[nodiscard]] Rgb16 seen(Rgb16 color) const { return visual_.gray() ? grayOf(color) : color; }
 

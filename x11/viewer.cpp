@@ -67,6 +67,19 @@ struct Server {
     return {fitted(options.picture), options.fill};
   }
 
+  /// What to store for a picture's colours. On a gray visual a ramp shows its intensities, whatever the hue,
+  /// which would only darken it: red to 30 %. Several hues, and colours, have the grays of their brightness.
+  [[nodiscard]] Palette colorsOf(const Picture& picture, Palette palette) const {
+    if (!colormap.visual().gray() || picture.colors().plan() != ColorPlan::OneHue) return palette;
+    const ColorTable& ramp = picture.table();
+    for (int cell = ramp.first(); cell < ramp.first() + ramp.shades(); ++cell) {
+      const Rgb16 c = palette[cell];
+      const std::uint16_t intensity = std::max({c.r, c.g, c.b});  // the hue's largest component is 1
+      palette[cell] = {intensity, intensity, intensity};
+    }
+    return palette;
+  }
+
   OwnedDisplay display;
   ServerColormap colormap;
 };
@@ -250,9 +263,10 @@ class Viewer {
     if (stale == Workbench::Stale::Nothing) return;
     bench_.update(dragging_);
     const CellPlan plan = server_.colormap.plan(bench_.setup().picture.table.kind);
-    const bool otherPixels = server_.colormap.lookUp(bench_.palette(), plan);
+    const Palette palette = server_.colorsOf(bench_.picture(), bench_.palette());
+    const bool otherPixels = server_.colormap.lookUp(palette, plan);
     if (stale == Workbench::Stale::Colors && !otherPixels) {
-      server_.colormap.store(bench_.palette(), plan);
+      server_.colormap.store(palette, plan);
       XFlush(display());
       return;
     }
@@ -263,7 +277,7 @@ class Viewer {
       for (const Rect& part : bench_.overPicture()) canvas_.upload(bench_.image(), part);
     }
     const ServerGrab grab{display()};
-    server_.colormap.store(bench_.palette(), plan);
+    server_.colormap.store(palette, plan);
     canvas_.expose(all);
   }
 
@@ -287,7 +301,7 @@ struct Shot {
 
 double present(Server& server, Canvas& canvas, const Shot& shot, Fill fill) {
   const Stopwatch watch;
-  server.colormap.store(shot.palette, shot.plan);
+  server.colormap.store(server.colorsOf(shot.picture, shot.palette), shot.plan);
   const Rect all{0, 0, shot.image.width, shot.image.height};
   canvas.upload(shot.image, all);
   if (fill == Fill::XFillPolygon) {
