@@ -341,3 +341,28 @@ TEST_P(VisualMatrix, ShowsEveryIndexAsItsClassAllows) {
   ASSERT_FALSE(covered.empty());
   std::cout << "covered: " << GetParam().name << " (" << covered << ")\n";
 }
+
+// On gray visuals a ramp of one hue shows the intensities, as a white one would; the hue does not darken
+// them. What is not of the ramp, here the ground, has the gray of its brightness.
+TEST(GrayVisuals, ShowTheIntensity) {
+  const XServer server = XServer::xvfb(8);
+  for (const std::string line :
+       {"teapot --divisions 3 --size 160x120", "cycle --table corrected --hue 0.2,1,0.4 --size 160x120"}) {
+    SCOPED_TRACE(line);
+    const RgbImage drawn = pictureOf("draw " + line);
+    for (const std::string visual : {"GrayScale8", "StaticGray8"}) {
+      const RgbImage shown = pictureOf("snapshot " + line + " --visual " + visual, server.name());
+      int ground = 0;
+      for (std::size_t k = 0; k < drawn.rgb.size(); k += 3) {
+        const auto* c = &drawn.rgb[k];
+        const bool well = c[0] == 0x2A && c[1] == 0x2E && c[2] == 0x35;
+        ground += well;
+        const int expected =
+            well ? (30 * 0x2A2A + 59 * 0x2E2E + 11 * 0x3535) / 100 >> 8 : *std::max_element(c, c + 3);
+        for (int channel = 0; channel < 3; ++channel) ASSERT_EQ(shown.rgb[k + channel], expected) << k / 3;
+      }
+      EXPECT_GT(ground, 1000);
+      EXPECT_LT(ground, 160 * 120 - 1000);
+    }
+  }
+}

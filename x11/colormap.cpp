@@ -140,7 +140,8 @@ std::string ServerColormap::shortfall() const {
   if (!shared_)
     return "the default colormap, of " + visual_.name() + ", is not writable: the colour table is emulated";
   if (has_ == Own::Nothing)
-    return "the default colormap has no free cells for a ramp of shades: the nearest of its colours are shown";
+    return "the default colormap has no free cells for a ramp of shades: the nearest of its colours are "
+           "shown";
   return "the default colormap has free cells for " + std::to_string(mostShades()) + " of " +
          std::to_string(settings_.shades) + " shades";
 }
@@ -178,22 +179,26 @@ bool ServerColormap::lookUp(const Palette& palette, const CellPlan& plan) {
   const OwnCells own = ownCells(plan);
   const auto interface = interfaceCells(palette, plan);
   PixelTable next;
-  std::optional<OfferedColors> offers;
+  std::optional<OfferedColors> lasting, all;  // asked for where needed: most maps have cells for all
   for (int i = 0; i < kCellCount; ++i) {
     const Rgb16 color = seen(palette[i]);
     std::optional<unsigned long> pixel = own[i];
     if (!pixel && visual_.exact()) pixel = pixelOf(color, visual_.masks) | visual_.alphaMask();
     if (!pixel && shared_ && interface[i]) pixel = shared_->interfaceCell(*interface[i]);
     if (!pixel && shared_ && color == Rgb16{}) pixel = BlackPixel(display_, screen_);
-    if (!pixel) {
-      if (!offers) offers.emplace(offered(palette, own));
-      pixel = offers->nearest(eightBits(color)).pixel;
-      if (settings_.dither && !interface[i]) {
-        next.set(i, *pixel, offers->mixture(eightBits(color)));
-        continue;
-      }
+    if (pixel) {
+      next.set(i, *pixel);
+    } else if (interface[i]) {  // not by a shade of ours, which would change with the hue
+      if (!lasting) lasting.emplace(offered(palette, {}));
+      next.set(i, lasting->nearest(eightBits(color)).pixel);
+    } else {
+      if (!all) all.emplace(offered(palette, own));
+      const unsigned long nearest = all->nearest(eightBits(color)).pixel;
+      if (settings_.dither)
+        next.set(i, nearest, all->mixture(eightBits(color)));
+      else
+        next.set(i, nearest);
     }
-    next.set(i, *pixel);
   }
   keepReadable(next, plan);
   const bool again = next != table_;
