@@ -163,6 +163,10 @@ TEST(OfferedColors, MixturesOfGraysAreOrdered) {
     }
   }
   EXPECT_GT(rising, 60 * 64);
+  // A quarter: one place in each 2 x 2, the one of rank 0 among them.
+  const Tile quarter = OfferedColors{{{0, glm::ivec3{0}}, {1, glm::ivec3{255}}}}.mixture({64, 64, 64});
+  for (int y = 0; y < 8; ++y)
+    for (int x = 0; x < 8; ++x) EXPECT_EQ(quarter[placeInTile(x, y)], x % 2 == 0 && y % 2 == 0);
 }
 
 // Where no mixture gives the colour, the mean is nearer to it than the nearest one colour, and near to the

@@ -1,8 +1,10 @@
+#include <dlfcn.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <array>
+#include <cstdlib>
 #include <memory>
 #include <random>
 #include <set>
@@ -16,12 +18,20 @@
 #include <X11/keysym.h>
 
 #include "x11/canvas.h"
+#include "x11/viewer.h"
 
 using testing::HasSubstr;
 
 // Cells of the default map beside other programs: few of them, none, and others who change what they please.
 
 namespace {
+
+/// While there is one, the server refuses new colormaps.
+struct NoMoreColormaps {
+  static inline int alive = 0;
+  NoMoreColormaps() { ++alive; }
+  ~NoMoreColormaps() { --alive; }
+};
 
 using Cells = std::vector<unsigned long>;
 
@@ -106,6 +116,14 @@ std::vector<std::array<int, 3>> firstRow(const RgbImage& image) {
 std::size_t lines(const std::string& text) { return std::ranges::count(text, '\n'); }
 
 }  // namespace
+
+/// Stands before Xlib's: BadAlloc comes from the server, for a pixmap that is too large.
+extern "C" ::Colormap XCreateColormap(::Display* display, ::Window window, ::Visual* visual, int allocated) {
+  if (NoMoreColormaps::alive > 0) return XCreatePixmap(display, window, 40'000, 1, 1);
+  using Create = ::Colormap (*)(::Display*, ::Window, ::Visual*, int);
+  static const auto xlibs = reinterpret_cast<Create>(dlsym(RTLD_NEXT, "XCreateColormap"));
+  return xlibs(display, window, visual, allocated);
+}
 
 // However few cells are left, a program that shares gets all of them, shows its shades exactly and live, and
 // with none shows colours of the map; it tells how many shades it has; and it gives everything back.
@@ -199,6 +217,37 @@ TEST(SharedCells, OthersCannotChangeWhatWeShow) {
     stranger.leave();
     EXPECT_EQ(canvas.readBack(all), before);
   }
+}
+
+// A map of our own that has too few cells for the table is used the same way: as if of depth 4, which no
+// server at hand has.
+TEST(SharedCells, SmallMapsOfOurOwn) {
+  Session s{XServer::xvfb(8)};
+  ::Display* d = s.display.get();
+  VisualInfo small = readVisuals(d).defaultVisual();
+  small.cells = 16;
+  ServerColormap map{d, {small, ""}};
+  EXPECT_NE(map.id(), DefaultColormap(d, 0));
+  EXPECT_TRUE(map.live());
+  EXPECT_FALSE(map.identity());
+  const int shades = map.mostShades();
+  EXPECT_GE(shades, 12);  // a quarter is the tool's
+  EXPECT_LE(shades, 16);
+  EXPECT_THAT(map.account(), HasSubstr("private map, " + std::to_string(shades) + " of 240 shades"));
+  EXPECT_EQ(map.shortfall(), "the colormap has free cells for " + std::to_string(shades) + " of 240 shades");
+  const Palette palette = rampOf(shades);
+  map.store(palette);
+  const std::vector<XColor> cells = [&] {
+    std::vector<XColor> asked;
+    for (int j = 0; j < shades; ++j) {
+      XColor cell{};
+      cell.pixel = map.pixel(static_cast<std::uint8_t>(11 + j));
+      asked.push_back(cell);
+    }
+    XQueryColors(d, map.id(), asked.data(), shades);
+    return asked;
+  }();
+  for (int j = 0; j < shades; ++j) EXPECT_EQ(cells[j].red >> 8, palette[11 + j].r >> 8);
 }
 
 // A second program on the same server has what the first left, and all of it once that has gone.
@@ -304,4 +353,35 @@ TEST(SharedCells, StoringShowsInTheWindow) {
     viewer.window.press(XK_Right);
     EXPECT_TRUE(comesTrue([&] { return record.drawing() > 0; }));
   }
+}
+
+// Where the server has no room for another colormap, the default one serves, and that is told; insisting on a
+// visual that it is not for is refused.
+TEST(SharedCells, ServeWhereNoMapCanBeMade) {
+  const TemporaryFolder folder;
+  const std::string file = folder.file("picture.png");
+  const XServer server = XServer::xvfb(8);
+  ASSERT_EQ(setenv("DISPLAY", server.name().c_str(), 1), 0);
+  const NoMoreColormaps from;
+  const auto snapshot = [&](const std::string& more) {
+    const std::vector<std::string> line = words("xnewell snapshot cycle --size 160x120 -o " + file + more);
+    std::vector<const char*> arguments;
+    for (const std::string& word : line) arguments.push_back(word.c_str());
+    const Options options = parseOptions(static_cast<int>(line.size()), arguments.data()).value();
+    testing::internal::CaptureStderr();
+    takeSnapshot(options, readScene(options.scene, 3), 0.0);
+    return testing::internal::GetCapturedStderr();
+  };
+  const std::string told = snapshot("");
+  EXPECT_EQ(lines(told), 1u) << told;
+  EXPECT_THAT(told, HasSubstr("xnewell: no colormap of our own ("));
+  EXPECT_THAT(told, HasSubstr("BadAlloc"));
+  EXPECT_THAT(told, HasSubstr("169 of 240 shades"));
+  const RgbImage picture = readPng(file);
+  EXPECT_EQ(snapshot(" --colormap shared"),
+            "xnewell: the default colormap has free cells for 169 of 240 shades\n");
+  EXPECT_EQ(readPng(file), picture);
+  EXPECT_THROW(snapshot(" --visual StaticColor8"), X11Error);
+  testing::internal::GetCapturedStderr();
+  unsetenv("DISPLAY");
 }

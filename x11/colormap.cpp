@@ -59,17 +59,17 @@ ServerColormap::ServerColormap(::Display* display, const VisualChoice& choice, c
       visual_{choice.visual},
       xVisual_{findVisual(display, choice.visual.id)},
       settings_{settings} {
-  const bool sharing = settings.owner == MapOwner::Shared && visual_.writable();
+  const bool writable = visual_.writable(), few = !visual_.hasChannels() && !visual_.holdsTable();
+  const bool sharing = writable && settings.owner == MapOwner::Shared, byCell = sharing || (writable && few);
   ErrorTrap trap{display};
-  if (sharing) {
-    shared_ = std::make_unique<SharedCells>(display, visual_, settings.shades);
-  } else if (visual_.writable() || xVisual_ != DefaultVisual(display, screen_)) {
+  if (!sharing && (writable || xVisual_ != DefaultVisual(display, screen_))) {
     OwnedColormap made{display, XCreateColormap(display, RootWindow(display, screen_), xVisual_,
-                                                visual_.writable() ? AllocAll : AllocNone)};
+                                                writable && !byCell ? AllocAll : AllocNone)};
     trap.check();
     own_ = std::move(made);
   }
-  has_ = sharing                ? shared_->ramp().empty() ? Own::Nothing : Own::Ramp
+  if (byCell) shared_ = std::make_unique<SharedCells>(display, id(), visual_, settings.shades);
+  has_ = byCell                 ? shared_->ramp().empty() ? Own::Nothing : Own::Ramp
          : visual_.holdsTable() ? Own::Everything
                                 : Own::Nothing;
   if (has_ == Own::Everything) {
@@ -80,8 +80,8 @@ ServerColormap::ServerColormap(::Display* display, const VisualChoice& choice, c
       std::ranges::copy(
           readColors(display, DefaultColormap(display, screen_), {pixels.begin(), pixels.end()}),
           unneeded_.begin());
-  } else if (!sharing && !visual_.exact()) {
-    if (visual_.writable()) fillEvenly();
+  } else if (!byCell && !visual_.exact()) {
+    if (writable) fillEvenly();
     const PixelColors shown{display, id(), visual_};
     if (visual_.hasChannels()) {
       fixed_.emplace(visual_.masks, visual_.alphaMask(), shown);
@@ -98,22 +98,15 @@ ServerColormap::ServerColormap(::Display* display, const VisualChoice& choice, c
 
 void ServerColormap::fillEvenly() {
   std::vector<XColor> cells;
-  const auto level = [](int k, int levels) {
-    return static_cast<std::uint16_t>(std::min(k, levels - 1) * 65535L / std::max(levels - 1, 1));
-  };
-  const auto channel = [&](unsigned long mask, int flag, int k) {
-    return k < static_cast<int>(levelsOf(mask)) ? flag : 0;
-  };
   const ChannelMasks& masks = visual_.masks;
   for (int k = 0; k < visual_.cells; ++k) {
-    const auto v = [&](unsigned long mask) { return level(k, static_cast<int>(levelsOf(mask))); };
-    if (visual_.hasChannels())
-      cells.push_back(cellHolding(
-          pixelOfCell(visual_, k), {v(masks.red), v(masks.green), v(masks.blue)},
-          channel(masks.red, DoRed, k) | channel(masks.green, DoGreen, k) | channel(masks.blue, DoBlue, k)));
-    else
-      cells.push_back(cellHolding(
-          k, grayOf({level(k, visual_.cells), level(k, visual_.cells), level(k, visual_.cells)})));
+    const auto has = [&](unsigned long mask) { return k < static_cast<int>(levelsOf(mask)); };
+    const auto level = [&](unsigned long mask) {
+      return static_cast<std::uint16_t>(has(mask) ? k * 65535ul / (levelsOf(mask) - 1) : 0);
+    };
+    cells.push_back(cellHolding(
+        pixelOfCell(visual_, k), {level(masks.red), level(masks.green), level(masks.blue)},
+        (has(masks.red) ? DoRed : 0) | (has(masks.green) ? DoGreen : 0) | (has(masks.blue) ? DoBlue : 0)));
   }
   XStoreColors(display_, id(), cells.data(), static_cast<int>(cells.size()));
 }
@@ -123,27 +116,25 @@ int ServerColormap::mostShades() const {
 }
 
 std::string ServerColormap::account() const {
-  std::string text = visual_.name();
-  if (has_ == Own::Everything) return text + ", private map, 256 of 256 cells";
+  const std::string map = visual_.name() + (own_.get() ? ", private map, " : ", shared map, ");
+  if (has_ == Own::Everything) return map + "256 of 256 cells";
   if (has_ == Own::Ramp)
-    return text + ", shared map, " + std::to_string(mostShades()) + " of " +
-           std::to_string(settings_.shades) + " shades";
-  if (shared_) text += ", shared map, no cell free";
-  return text + (visual_.exact()    ? ", table emulated"
-                 : settings_.dither ? ", dithered"
-                                    : ", nearest colours");
+    return map + std::to_string(mostShades()) + " of " + std::to_string(settings_.shades) + " shades";
+  return (shared_ ? map + "no cell free" : visual_.name()) + (visual_.exact()    ? ", table emulated"
+                                                              : settings_.dither ? ", dithered"
+                                                                                 : ", nearest colours");
 }
 
 std::string ServerColormap::shortfall() const {
-  const bool whole = has_ == Own::Ramp && mostShades() >= settings_.shades;
-  if (settings_.owner == MapOwner::Private || whole) return "";
-  if (!shared_)
-    return "the default colormap, of " + visual_.name() + ", is not writable: the colour table is emulated";
-  if (has_ == Own::Nothing)
+  if (has_ == Own::Ramp && mostShades() < settings_.shades)
+    return "the " + std::string{own_.get() ? "" : "default "} + "colormap has free cells for " +
+           std::to_string(mostShades()) + " of " + std::to_string(settings_.shades) + " shades";
+  if (shared_ && has_ == Own::Nothing)
     return "the default colormap has no free cells for a ramp of shades: the nearest of its colours are "
            "shown";
-  return "the default colormap has free cells for " + std::to_string(mostShades()) + " of " +
-         std::to_string(settings_.shades) + " shades";
+  if (!shared_ && settings_.owner == MapOwner::Shared)
+    return "the default colormap, of " + visual_.name() + ", is not writable: the colour table is emulated";
+  return "";
 }
 
 CellPlan ServerColormap::plan(TableKind table) const {
@@ -185,7 +176,7 @@ bool ServerColormap::lookUp(const Palette& palette, const CellPlan& plan) {
     std::optional<unsigned long> pixel = own[i];
     if (!pixel && visual_.exact()) pixel = pixelOf(color, visual_.masks) | visual_.alphaMask();
     if (!pixel && shared_ && interface[i]) pixel = shared_->interfaceCell(*interface[i]);
-    if (!pixel && shared_ && color == Rgb16{}) pixel = BlackPixel(display_, screen_);
+    if (!pixel && shared_ && color == Rgb16{}) pixel = shared_->interfaceCell(Cell::Black);
     if (pixel) {
       next.set(i, *pixel);
     } else if (interface[i]) {  // not by a shade of ours, which would change with the hue

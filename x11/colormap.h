@@ -18,8 +18,8 @@
 /// `--colormap` give:
 ///   private map of 256 cells    PseudoColor, GrayScale: every index its own cell, pixel value = index;
 ///                               DirectColor: through pixel values (i, i, i)
-///   private map of fewer cells  filled with even levels once, then emulated
 ///   shared map                  the ramp's indices as far as cells were free, the others emulated
+///   private map of fewer cells  the same, but DirectColor's is filled with even levels once, then emulated
 ///   map that cannot be written  emulated
 /// What cells there are is known when it is made, and does not change.
 class ServerColormap {

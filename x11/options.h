@@ -26,7 +26,7 @@ inline constexpr std::array kCommands{
                "the picture through a real X window, read back from the server"},
     CommandRow{Command::Trace, "trace", "trace SCENE [options]",
                "the depth sort's events, one JSON object a line, or as pictures"},
-    CommandRow{Command::Visuals, "visuals", "visuals [--visual CLASS[DEPTH]] [--colormap OWNER]",
+    CommandRow{Command::Visuals, "visuals", "visuals [options]",
                "what this X server offers and what xnewell would choose, and why"},
     CommandRow{Command::Scenes, "scenes", "scenes", "the built-in scenes, one line each"},
 };

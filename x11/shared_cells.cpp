@@ -17,8 +17,8 @@ void giveBack(::Display* display, ::Colormap map, std::vector<unsigned long>& ce
 
 }  // namespace
 
-SharedCells::SharedCells(::Display* display, const VisualInfo& visual, int shades)
-    : display_{display}, map_{DefaultColormap(display, DefaultScreen(display))}, visual_{visual} {
+SharedCells::SharedCells(::Display* display, ::Colormap map, const VisualInfo& visual, int shades)
+    : display_{display}, map_{map}, visual_{visual} {
   const ServerGrab grab{display};
   ramp_ = takeCells(display, map_, visual.cells);
   const std::size_t forInterface = std::min<std::size_t>(ramp_.size() / 4, kCells);

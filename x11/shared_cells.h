@@ -9,9 +9,10 @@
 #include "x11/emulation.h"
 #include "x11/visual.h"
 
-/// `--colormap shared`: cells of the default colormap, which other programs use too. Only what nobody else
-/// can change is used: cells of our own, and cells that are read-only for as long as somebody has them, as we
-/// then do. So it does not matter what others do to the map.
+/// `--colormap shared`: cells of the default colormap, which other programs use too; or of any map that has
+/// too few for the whole table. Only what nobody else can change is used: cells of our own, and cells that
+/// are read-only for as long as somebody has them, as we then do. So it does not matter what others do to the
+/// map.
 class SharedCells {
  public:
   /// Takes up to `shades` cells for a ramp, and cells for the interface's colours where the map has not got
@@ -20,7 +21,7 @@ class SharedCells {
   /// black and white, for those two are always there, then the colours that mean something, last those that
   /// hardly differ from black or white. A ramp of one shade is none: the cell is given back.
   /// All others wait meanwhile, so that two programs that start together share and do not starve.
-  SharedCells(::Display* display, const VisualInfo& visual, int shades);
+  SharedCells(::Display* display, ::Colormap map, const VisualInfo& visual, int shades);
   ~SharedCells();
   SharedCells(const SharedCells&) = delete;
   SharedCells& operator=(const SharedCells&) = delete;
