@@ -26,6 +26,8 @@ std::vector<Rgb16> readColors(::Display* display, ::Colormap map, const std::vec
   ErrorTrap trap{display};
   XQueryColors(display, map, cells.data(), static_cast<int>(cells.size()));
   trap.check();
+  // Xlib keeps a BadAlloc here to itself; but where it has an answer, it says which parts are in it.
+  if (cells[0].flags == 0) throw X11Error("X_QueryColors: the X server does not tell its colours");
   std::vector<Rgb16> colors(cells.size());
   std::ranges::transform(cells, colors.begin(), [](const XColor& c) {
     return Rgb16{c.red, c.green, c.blue};

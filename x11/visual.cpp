@@ -17,7 +17,7 @@
 
 namespace {
 
-/// What can be done with a visual, the better first.
+/// What can be done with a visual, and why one would: the rows of chooseVisual().
 struct Preference {
   bool (*holds)(const VisualInfo&);
   std::string_view does;  ///< completes "xnewell would"
