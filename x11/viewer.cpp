@@ -33,19 +33,20 @@ ServerColormap openColormap(::Display* display, const Options& options) {
   const VisualChoice choice = chooseVisual(server, wish, options.colormap);
   ServerColormap::Settings settings{
       .owner = options.colormap, .dither = !options.nearest, .shades = options.picture.table.shades};
-  const auto told = [](const std::string& before, ServerColormap colormap) {
-    const std::string what = before + colormap.shortfall();
+  const auto tell = [](const std::string& what) {
     if (!what.empty()) std::cerr << "xnewell: " << what << '\n';
-    return colormap;
   };
   try {
-    return told("", ServerColormap{display, choice, settings});
+    ServerColormap colormap{display, choice, settings};
+    tell(colormap.shortfall());
+    return colormap;
   } catch (const X11Error& e) {
     const VisualInfo& standard = server.defaultVisual();
-    if (options.colormap == MapOwner::Shared || (wish && choice.visual.kind != standard.kind)) throw;
+    if (options.colormap == MapOwner::Shared || (wish && choice.visual.name() != standard.name())) throw;
     settings.owner = MapOwner::Shared;
-    return told("no colormap of our own (" + std::string{e.what()} + "), cells of the default one; ",
-                ServerColormap{display, chooseVisual(server, {}, MapOwner::Shared), settings});
+    ServerColormap colormap{display, chooseVisual(server, {}, MapOwner::Shared), settings};
+    tell("no colormap of our own (" + std::string{e.what()} + "), but " + colormap.account());
+    return colormap;
   }
 }
 
