@@ -13,7 +13,7 @@
 #include <vector>
 
 #include "shading/picture.h"
-#include "tests/program_picture.h"
+#include "tests/watched_viewer.h"
 #include "tests/x_server.h"
 
 #include <X11/Xutil.h>
@@ -260,7 +260,8 @@ class VisualMatrix : public testing::TestWithParam<ServerRow> {
     for (const Tile& tile : tiles) pixels.insert(tile.begin(), tile.end());
     const std::map<unsigned long, Color> shows = asked(display.get(), colormap.id(), pixels);
     const Offered offered = offeredBy(display.get(), colormap.id(), v);
-    for (int c = 0; c < 3 && v.hasChannels() && v.depth < 24; ++c)  // evenly spaced, as far as 6 bits of a stored colour go
+    for (int c = 0; c < 3 && v.hasChannels() && v.depth < 24;
+         ++c)  // evenly spaced, as far as 6 bits of a stored colour go
       EXPECT_LE(widestStep(offered, c), 255 / (std::ssize(offered.levels[c]) - 1) + 5);
     const CellPlan plan{reference.table};
     std::set<int> tool;
@@ -370,5 +371,46 @@ TEST(GrayVisuals, ShowTheIntensity) {
       EXPECT_GT(ground, 1000);
       EXPECT_LT(ground, 160 * 120 - 1000);
     }
+  }
+}
+
+// The option decides: with --nearest each colour of the picture becomes one colour of the screen, without it
+// several.
+TEST(FewColors, NearestIsAFunctionOfTheColour) {
+  const XServer server = XServer::xvfb(8);
+  const std::string line = "teapot --divisions 3 --size 160x120";
+  const RgbImage drawn = pictureOf("draw " + line);
+  for (const std::string more : {"", " --nearest"}) {
+    const RgbImage shown = pictureOf("snapshot --visual TrueColor8 " + line + more, server.name());
+    std::map<Color, std::set<Color>> became;
+    for (std::size_t k = 0; k < drawn.rgb.size(); k += 3)
+      became[{drawn.rgb[k], drawn.rgb[k + 1], drawn.rgb[k + 2]}].insert(
+          {shown.rgb[k], shown.rgb[k + 1], shown.rgb[k + 2]});
+    EXPECT_GT(became.size(), 50u);
+    const auto several =
+        std::ranges::count_if(became, [](const auto& entry) { return entry.second.size() > 1; });
+    if (more.empty()) {
+      EXPECT_GT(several, 30);
+    } else {
+      EXPECT_EQ(several, 0);
+    }
+  }
+}
+
+// On every class the window follows its keys: it comes to show what a fresh start with the new hue, and with
+// the server filling, would.
+TEST(FewColors, TheWindowFollows) {
+  for (int defaultClass = 0; defaultClass < 6; ++defaultClass) {
+    const XServer server = XServer::xvfb(8, 1280, 1024, {"-cc", std::to_string(defaultClass)});
+    const std::string visual{kVisualClasses[defaultClass].name};
+    SCOPED_TRACE(visual);
+    const std::string line = "teapot --divisions 3 --visual " + visual;
+    const WatchedViewer viewer{server, line};
+    const Rect seen = aboveStatus(1024, 768);
+    EXPECT_TRUE(viewer.window.comesToShow(freshWindow(server, line), seen));
+    viewer.window.type("H");
+    EXPECT_TRUE(viewer.window.comesToShow(freshWindow(server, line + " --hue 1,0.7,0"), seen));
+    viewer.window.type("F");
+    EXPECT_TRUE(viewer.window.comesToShow(freshWindow(server, line + " --hue 1,0.7,0 --fill x11"), seen));
   }
 }

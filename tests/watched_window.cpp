@@ -110,7 +110,8 @@ RgbImage WatchedWindow::shown(const Rect& rect) const {
   if (!got || got->bits_per_pixel != (attributes.depth == 8 ? 8 : 32))
     throw std::runtime_error("the window cannot be read");
   std::array<XColor, 256> cells{};
-  const bool indexed = attributes.depth == 8, direct = attributes.visual->c_class == DirectColor;
+  const bool indexed = attributes.depth == 8;
+  const bool direct = !indexed && attributes.visual->c_class == DirectColor;
   for (unsigned i = 0; i < cells.size(); ++i) cells[i].pixel = direct ? 0x010101 * i : i;
   if (indexed || direct)
     XQueryColors(display(), attributes.colormap, cells.data(), static_cast<int>(cells.size()));
