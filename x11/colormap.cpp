@@ -61,8 +61,9 @@ ServerColormap::ServerColormap(::Display* display, const VisualChoice& choice, c
       visual_{choice.visual},
       xVisual_{findVisual(display, choice.visual.id)},
       settings_{settings} {
-  const bool writable = visual_.writable(), few = !visual_.hasChannels() && !visual_.holdsTable();
-  const bool sharing = writable && settings.owner == MapOwner::Shared, byCell = sharing || (writable && few);
+  const bool writable = visual_.writable(), sharing = writable && settings.owner == MapOwner::Shared;
+  // Cells are taken one by one of a map that is not ours alone, and of one that has too few for all.
+  const bool byCell = sharing || (writable && !visual_.hasChannels() && !visual_.holdsTable());
   ErrorTrap trap{display};
   if (!sharing && (writable || xVisual_ != DefaultVisual(display, screen_))) {
     OwnedColormap made{display, XCreateColormap(display, RootWindow(display, screen_), xVisual_,
@@ -70,32 +71,39 @@ ServerColormap::ServerColormap(::Display* display, const VisualChoice& choice, c
     trap.check();
     own_ = std::move(made);
   }
-  if (byCell) shared_ = std::make_unique<SharedCells>(display, id(), visual_, settings.shades);
-  has_ = byCell                 ? shared_->ramp().empty() ? Own::Nothing : Own::Ramp
-         : visual_.holdsTable() ? Own::Everything
-                                : Own::Nothing;
-  if (has_ == Own::Everything) {
-    std::array<unsigned long, kCellCount> pixels;
-    for (int i = 0; i < kCellCount; ++i) pixels[i] = pixelOfCell(visual_, i);
-    table_ = PixelTable{pixels};
-    if (identity() && DefaultDepth(display, screen_) == 8)
-      std::ranges::copy(
-          readColors(display, DefaultColormap(display, screen_), {pixels.begin(), pixels.end()}),
-          unneeded_.begin());
-  } else if (!byCell && !visual_.exact()) {
-    if (writable) fillEvenly();
-    const PixelColors shown{display, id(), visual_};
-    if (visual_.hasChannels()) {
-      fixed_.emplace(visual_.masks, visual_.alphaMask(), shown);
-    } else {
-      std::vector<OfferedColor> list;
-      for (int k = 0; k < visual_.cells; ++k)
-        list.push_back({static_cast<unsigned long>(k), eightBits(seen(shown(k)))});
-      fixed_.emplace(std::move(list));
-    }
+  if (byCell) {
+    shared_ = std::make_unique<SharedCells>(display, id(), visual_, settings.shades);
+    if (!shared_->ramp().empty()) has_ = Own::Ramp;
+  } else if (visual_.holdsTable()) {
+    has_ = Own::Everything;
+    useEveryCell();
+  } else if (!visual_.exact()) {
+    offerFixedColors();
   }
   store(unneeded_);
   trap.check();
+}
+
+void ServerColormap::useEveryCell() {
+  std::array<unsigned long, kCellCount> pixels;
+  for (int i = 0; i < kCellCount; ++i) pixels[i] = pixelOfCell(visual_, i);
+  table_ = PixelTable{pixels};
+  if (!identity() || DefaultDepth(display_, screen_) != 8) return;
+  std::ranges::copy(readColors(display_, DefaultColormap(display_, screen_), {pixels.begin(), pixels.end()}),
+                    unneeded_.begin());
+}
+
+void ServerColormap::offerFixedColors() {
+  if (visual_.writable()) fillEvenly();
+  const PixelColors shown{display_, id(), visual_};
+  if (visual_.hasChannels()) {
+    fixed_.emplace(visual_.masks, visual_.alphaMask(), shown);
+    return;
+  }
+  std::vector<OfferedColor> list;
+  for (int k = 0; k < visual_.cells; ++k)
+    list.push_back({static_cast<unsigned long>(k), eightBits(seen(shown(k)))});
+  fixed_.emplace(std::move(list));
 }
 
 void ServerColormap::fillEvenly() {

@@ -84,7 +84,9 @@ class ServerColormap {
 
  private:
   enum class Own { Nothing, Ramp, Everything };  ///< which indices have their own
-  void fillEvenly();
+  void useEveryCell();
+  void offerFixedColors();
+  void fillEvenly();  ///< a DirectColor map of fewer than 256 levels a channel
   /// The pixel value of the cell of ours that holds an index's colour, where there is one.
   using OwnCells = std::array<std::optional<unsigned long>, 256>;
   [[nodiscard]] OwnCells ownCells(const CellPlan& plan) const;
@@ -99,7 +101,7 @@ class ServerColormap {
   VisualInfo visual_;
   ::Visual* xVisual_;
   Settings settings_;
-  Own has_;
+  Own has_ = Own::Nothing;
   OwnedColormap own_;                    ///< empty: the default map serves
   std::unique_ptr<SharedCells> shared_;  ///< of Own::Ramp, and where a shared map had none
   std::optional<OfferedColors> fixed_;   ///< of a map that does not change

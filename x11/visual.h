@@ -107,14 +107,18 @@ struct VisualChoice {
   VisualInfo visual;
   std::string why;  ///< "a real 8-bit colormap: ..."
 };
+
 /// The first of these that the server has, and among equals the default visual, else the server's first:
-/// PseudoColor of 256 cells, of depth 8 before others; TrueColor 24, other TrueColor of 8 bits a channel;
-/// such DirectColor; coarser TrueColor, the deepest first; TrueColor with alpha (bits in no mask); GrayScale
-/// of 256 cells; StaticColor; TrueColor and DirectColor of fewer than 15 bits; StaticGray; whatever has fewer
-/// cells. Why: all colours before some, colours before grays, and among equals what can be stored, for that
-/// is our subject; but DirectColor after TrueColor, since on the screens that have both its map makes all
-/// other windows flash. MapOwner::Shared takes the default visual: the cells of the default map are for no
-/// other.
+///   PseudoColor of 256 cells, of depth 8 before others
+///   TrueColor 24, other TrueColor of 8 bits a channel, such DirectColor
+///   coarser TrueColor, the deepest first; TrueColor with alpha (bits in no mask)
+///   GrayScale of 256 cells
+///   StaticColor, TrueColor and DirectColor of fewer than 15 bits
+///   StaticGray; whatever has fewer cells
+/// Why: all colours before some, all grays before few colours, and among equals what can be stored, for that
+/// is our subject. But DirectColor comes after TrueColor, since on the screens that have both its map makes
+/// all other windows flash, and alpha late, since a compositor may make something of it. MapOwner::Shared
+/// takes the default visual: the cells of the default map are for no other.
 /// @throws X11Error listing what the server has, if what was wished for is not among it.
 [[nodiscard]] VisualChoice chooseVisual(const ServerVisuals& server,
                                         const std::optional<VisualWish>& wish = {},
