@@ -53,7 +53,7 @@ TEST(ServerColormap, HoldsTheTablesOfTheBook) {
   const XServer x = XServer::xvfb(8);
   const OwnedDisplay display = openDisplay(x.name());
   ServerColormap map{display.get(), choiceOn(display.get())};
-  ASSERT_TRUE(map.real());
+  ASSERT_TRUE(map.live() && map.identity());
   int compared = 0, exempt = 0;
   for (const TableRow& row : kTables)
     for (const int shades : {2, 64, 240})
@@ -177,7 +177,7 @@ TEST(ServerColormap, FollowsBlackAndWhiteOfTheServer) {
   ASSERT_EQ(black, 1);
   ASSERT_EQ(white, 0);
   ServerColormap map{d, choiceOn(d)};
-  ASSERT_TRUE(map.real());
+  ASSERT_TRUE(map.live() && map.identity());
   for (const TableRow& row : kTables) {
     const CellPlan plan = map.plan(row.id);
     EXPECT_EQ(plan[Cell::Black], black);
@@ -197,7 +197,7 @@ TEST(ServerColormap, PlansForTheDefaultVisual) {
     const OwnedDisplay display = openDisplay(x.name());
     ::Display* d = display.get();
     ServerColormap map{d, choiceOn(d)};
-    ASSERT_TRUE(map.real());
+    ASSERT_TRUE(map.live() && map.identity());
     const std::vector<XColor> copied = cellsOf(d, map.id());
     for (const unsigned long pixel : {BlackPixel(d, 0), WhitePixel(d, 0)}) {
       XColor wanted{};
@@ -222,14 +222,14 @@ TEST(ServerColormap, EmulatesTheTable) {
   for (const char* wish : {"TrueColor24", "TrueColor32"}) {
     SCOPED_TRACE(wish);
     ServerColormap map{d, chooseVisual(server, parseVisualWish(wish))};
-    EXPECT_FALSE(map.real());
+    EXPECT_FALSE(map.live());
     EXPECT_EQ(map.id() == DefaultColormap(d, 0), std::string{wish} == "TrueColor24");
     const Palette palette = makePalette(map.plan(TableKind::Linear), ColorTable{{.hue = {0.5, 0.25, 1}}});
     const unsigned long before = NextRequest(d);
     EXPECT_TRUE(map.store(palette));
     EXPECT_FALSE(map.store(palette));
-    const Palette shown = map.shown();
     EXPECT_EQ(NextRequest(d), before);
+    const Palette shown = map.shown();
     const unsigned long alpha = map.visual().depth == 32 ? 0xFF000000ul : 0;
     for (int i = 0; i < 256; ++i) {
       const Rgb16 c = palette[i];

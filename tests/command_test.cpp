@@ -201,7 +201,7 @@ TEST_F(CommandTest, HelpTellsWhatThereIs) {
   for (const std::string expected : {"[800x600, a window 1024x768]", "[flat]", "[newell]", "[linear]",
                                      "[240]", "[0.02]", "[30]", "[1,0,0]", "[8]", "[teapot]"})
     EXPECT_NE(help.out.find(expected), std::string::npos) << expected;
-  for (const std::string later : {"figure", "trade", "lesson", "--json", "shared"})
+  for (const std::string later : {"figure", "trade", "lesson", "--json"})
     EXPECT_EQ(help.out.find(later), std::string::npos) << later;
   for (const Words& words :
        {Words{"-h"}, Words{"draw", "--help"}, Words{"draw", "nosuch", "-h"}, Words{"view", "-h"},

@@ -170,6 +170,9 @@ TEST(Options, SetWhatIsNotInThePicture) {
   EXPECT_EQ(drawn({"--view", "machbands", "--scanline", "8191"}).scanline, 8191);
   EXPECT_FALSE(drawn({"--view", "machbands"}).scanline.has_value());
   EXPECT_EQ(drawn({"--colormap", "private", "--view", "picture"}).picture, PictureSettings{});
+  EXPECT_EQ(parsed({"snapshot", "teapot", "-o", "a", "--colormap", "shared"}).colormap, MapOwner::Shared);
+  EXPECT_EQ(parsed({"visuals", "--colormap", "shared"}).colormap, MapOwner::Shared);
+  EXPECT_TRUE(parsed({"view", "--nearest"}).nearest);
 }
 
 // Of Ia and Ip the one that was set pushes the other, so that their sum stays within 1; both together
@@ -225,6 +228,14 @@ TEST(Options, RefuseWrongNumbers) {
   EXPECT_EQ(complaint({"--light", "0,0,-0"}), "--light: 0,0,0 is no direction");
   for (const std::string wrong : {"1,1,2", "-1,1,0", "0.5,0.5,0.5", "0,0,0"})
     EXPECT_EQ(complaint({"--hue", wrong}), "--hue: r,g,b must lie from 0 to 1 and the largest must be 1");
+}
+
+// What is about a server's colormap is not for those that ask none.
+TEST(Options, ColormapsAreForServers) {
+  for (const std::vector<std::string>& server :
+       std::vector<std::vector<std::string>>{{"--colormap", "shared"}, {"--nearest"}})
+    EXPECT_EQ(complaint(server),
+              "--colormap shared and --nearest go with view and snapshot: they need a server");
 }
 
 // Every option that wants a value says so when there is none, and none may be given twice.
@@ -293,7 +304,6 @@ TEST(Options, SayWhatIsNotBuiltYet) {
       EXPECT_NE(complaint({option, name}).find(" is not built yet; there is "), std::string::npos)
           << option << ' ' << name << ": " << complaint({option, name});
   };
-  later("--colormap", {"shared"});
   later("--view", {"colours", "overdraw", "wireframe"});
 }
 

@@ -67,11 +67,12 @@ TEST(TransferImage, DoesNotOverwriteWhatTheServerHasYetToRead) {
   wake.join();
 }
 
-// Every image format a server may ask for holds the same pixels, whatever its byte order and width.
+// Every image format a server may ask for holds the same pixels, whatever its byte order and width; dithered
+// ones those of the tile at their place.
 TEST(WritePixels, EveryFormatHoldsThePixels) {
   const IndexImage image = randomImage(37, 11, 8);
   const Rect rect{2, 3, 31, 7};
-  for (const int bits : {8, 16, 24, 32})
+  for (const int bits : {1, 4, 8, 16, 24, 32})
     for (const int order : {LSBFirst, MSBFirst})
       for (const int run : {0, 1}) {
         SCOPED_TRACE(testing::Message() << bits << " bits, order " << order);
@@ -89,11 +90,21 @@ TEST(WritePixels, EveryFormatHoldsThePixels) {
         ASSERT_NE(XInitImage(&out), 0);
         std::vector<char> data(std::size_t(out.bytes_per_line) * out.height, 0);
         out.data = data.data();
-        writePixels(out, image, rect, pixels);
-        for (int y = 0; y < 11; ++y)
-          for (int x = 0; x < 37; ++x) {
-            const bool inside = x >= 2 && x < 33 && y >= 3 && y < 10;
-            ASSERT_EQ(XGetPixel(&out, x, y), inside ? pixels[image.row(y)[x]] : 0) << x << ',' << y;
+        PixelTable table{pixels};
+        for (const bool dithers : {false, true}) {
+          for (int i = 0; dithers && i < 256; i += 3) {
+            Tile tile;
+            for (int place = 0; place < 64; ++place) tile[place] = pixels[(i + place) % 256];
+            table.set(i, pixels[i], tile);
           }
+          ASSERT_EQ(table.dithers(), dithers);
+          writePixels(out, image, rect, table);
+          for (int y = 0; y < 11; ++y)
+            for (int x = 0; x < 37; ++x) {
+              const bool inside = x >= 2 && x < 33 && y >= 3 && y < 10;
+              const int i = image.row(y)[x], moved = dithers && i % 3 == 0 ? y % 8 * 8 + x % 8 : 0;
+              ASSERT_EQ(XGetPixel(&out, x, y), inside ? pixels[(i + moved) % 256] : 0) << x << ',' << y;
+            }
+        }
       }
 }

@@ -36,9 +36,10 @@ ServerVisuals server(std::vector<VisualInfo> visuals, unsigned long defaultId) {
   return s;
 }
 
-std::string refusal(const ServerVisuals& s, const std::optional<VisualWish>& wish) {
+std::string refusal(const ServerVisuals& s, const std::optional<VisualWish>& wish,
+                    MapOwner owner = MapOwner::Private) {
   try {
-    (void)chooseVisual(s, wish);
+    (void)chooseVisual(s, wish, owner);
   } catch (const X11Error& error) {
     return error.what();
   }
@@ -49,18 +50,51 @@ ServerVisuals askedOf(const XServer& x) { return readVisuals(openDisplay(x.name(
 
 }  // namespace
 
-// A real colormap comes before an emulated one, depth 24 before others, the default visual before its equals,
-// and a visual with alpha after one without.
+// What shows every colour comes before what does not; then a real colormap, then what makes nobody's colours
+// flash; the default visual before its equals. Each pair of neighbours in the order, in both of the server's.
 TEST(ChooseVisual, TakesTheFirstRowThatTheServerHas) {
-  EXPECT_EQ(chooseVisual(server({trueColor(1, 24), pseudo(2), pseudo(3)}, 1)).visual.id, 2u);
+  const auto other = [](VisualClass kind, unsigned long id, int depth, int cells) {
+    return VisualInfo{kind, depth, id, {}, 8, cells};
+  };
+  const VisualInfo direct8{VisualClass::DirectColorClass, 8, 11, {0x7, 0x38, 0xC0}, 8, 8};
+  const std::vector<VisualInfo> falling{
+      pseudo(1),
+      pseudo(2, 12),
+      trueColor(3, 24),
+      trueColor(4, 30, {0x3FF00000, 0xFFC00, 0x3FF}),
+      direct(5),
+      trueColor(6, 16, {0xF800, 0x7E0, 0x1F}),
+      trueColor(7, 15, {0x7C00, 0x3E0, 0x1F}),
+      trueColor(8, 32),
+      other(VisualClass::GrayScaleClass, 9, 8, 256),
+      other(VisualClass::StaticColorClass, 10, 8, 256),
+      trueColor(12, 8, {0x7, 0x38, 0xC0}),
+      direct8,
+      other(VisualClass::StaticGrayClass, 13, 8, 256),
+      other(VisualClass::StaticGrayClass, 14, 1, 2),
+      pseudo(15, 4),
+  };
+  for (std::size_t k = 0; k + 1 < falling.size(); ++k) {
+    const VisualInfo &better = falling[k], &worse = falling[k + 1];
+    SCOPED_TRACE(better.name() + " before " + worse.name());
+    EXPECT_EQ(chooseVisual(server({better, worse}, worse.id)).visual.id, better.id);
+    EXPECT_EQ(chooseVisual(server({worse, better}, worse.id)).visual.id, better.id);
+  }
   EXPECT_EQ(chooseVisual(server({trueColor(1, 24), pseudo(2), pseudo(3)}, 3)).visual.id, 3u);
-  EXPECT_EQ(chooseVisual(server({trueColor(1, 32), trueColor(2, 24), trueColor(3, 24)}, 3)).visual.id, 3u);
-  EXPECT_EQ(chooseVisual(server({trueColor(1, 32), trueColor(2, 24), direct(3)}, 1)).visual.id, 2u);
-  const VisualInfo deep = trueColor(5, 30, {0x3FF00000, 0xFFC00, 0x3FF});
-  const VisualInfo shallow = trueColor(6, 16, {0xF800, 0x7E0, 0x1F});
-  EXPECT_EQ(chooseVisual(server({shallow, deep, trueColor(1, 32)}, 6)).visual.id, 5u);
-  EXPECT_EQ(chooseVisual(server({trueColor(1, 32), shallow}, 1)).visual.id, 6u);
-  EXPECT_EQ(chooseVisual(server({pseudo(4, 4), shallow}, 4)).visual.id, 6u);
+  EXPECT_EQ(chooseVisual(server({trueColor(1, 24), pseudo(2), pseudo(3)}, 1)).visual.id, 2u);
+}
+
+// Cells of the default map are for windows of the default visual: whoever wants to share takes that, whatever
+// else there is, and may not insist on another.
+TEST(ChooseVisual, SharingTakesTheDefaultVisual) {
+  const ServerVisuals s = server({pseudo(1), trueColor(2, 24), direct(3)}, 2);
+  EXPECT_EQ(chooseVisual(s, {}, MapOwner::Shared).visual.id, 2u);
+  EXPECT_THAT(chooseVisual(s, {}, MapOwner::Shared).why, HasSubstr("not writable"));
+  EXPECT_EQ(chooseVisual(s, parseVisualWish("TrueColor"), MapOwner::Shared).visual.id, 2u);
+  EXPECT_THAT(refusal(s, parseVisualWish("PseudoColor8"), MapOwner::Shared),
+              HasSubstr("the default map, which is for TrueColor 24, not for PseudoColor 8"));
+  EXPECT_THAT(chooseVisual(server({pseudo(1), trueColor(2, 24)}, 1), {}, MapOwner::Shared).why,
+              HasSubstr("free cells"));
 }
 
 // What was insisted on is taken or refused in words that list what there is; nothing else is taken instead.
@@ -76,11 +110,7 @@ TEST(ChooseVisual, InsistenceIsObeyedOrRefused) {
   EXPECT_EQ(
       refusal(both, parseVisualWish("GrayScale")),
       "display ':7' has no GrayScale; it has TrueColor 32, TrueColor 24, DirectColor 24, PseudoColor 8");
-  EXPECT_EQ(refusal(both, parseVisualWish("DirectColor24")),
-            "display ':7' has DirectColor 24, but xnewell does not use it yet; "
-            "it has TrueColor 32, TrueColor 24, DirectColor 24, PseudoColor 8");
-  EXPECT_EQ(refusal(server({direct(4)}, 4), {}),
-            "display ':7' has no visual that xnewell uses yet; it has DirectColor 24");
+  EXPECT_EQ(chooseVisual(both, parseVisualWish("DirectColor24")).visual.id, 4u);
 }
 
 // A wish is a class in any case and perhaps a depth; all else is refused and the classes are listed.
@@ -163,13 +193,17 @@ TEST(DescribeVisuals, IsATableThatEndsWithTheChoice) {
   s.black = 1;
   s.freeCells = 183;
   const std::string text = describeVisuals(s);
-  EXPECT_THAT(text, HasSubstr("TrueColor       24       2    256     8  fixed     emulate"));
-  EXPECT_THAT(text, HasSubstr("DirectColor     24       1    256     8  writable  not used yet"));
-  EXPECT_THAT(text, HasSubstr("PseudoColor      8       1    256     8  writable  a real colormap"));
+  EXPECT_THAT(text, HasSubstr("TrueColor       24       2    256     -     8  fixed     look colours up"));
+  EXPECT_THAT(text, HasSubstr("DirectColor     24       1    256     -     8  writable  store colours"));
+  EXPECT_THAT(text, HasSubstr("PseudoColor      8       1    256   183     8  writable  store colours"));
   EXPECT_THAT(text, HasSubstr("pixels 1 and 0"));
   EXPECT_THAT(text, HasSubstr("183 of 256 cells free"));
   EXPECT_THAT(text.substr(text.rfind('\n', text.size() - 2)),
               HasSubstr("PseudoColor 8 (0x21): its colormap is real"));
+  const std::string shared = describeVisuals(s, {}, MapOwner::Shared);
+  EXPECT_THAT(shared, HasSubstr("PseudoColor      8       1    256   183     8  writable  take free cells"));
+  EXPECT_THAT(shared, HasSubstr("TrueColor       24       2    256     -     8  fixed     not take it"));
+  EXPECT_THAT(shared, HasSubstr("chosen            PseudoColor 8 (0x21): the default visual"));
   EXPECT_THAT(describeVisuals(s, parseVisualWish("GrayScale")),
               HasSubstr("none: display ':7' has no GrayScale"));
 }

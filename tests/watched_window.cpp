@@ -138,8 +138,10 @@ RgbImage WatchedWindow::shown(const Rect& rect) const {
     throw std::runtime_error("the window cannot be read");
   std::array<XColor, 256> cells{};
   const bool indexed = attributes.depth == 8;
-  for (unsigned i = 0; i < cells.size(); ++i) cells[i].pixel = i;
-  if (indexed) XQueryColors(display(), attributes.colormap, cells.data(), static_cast<int>(cells.size()));
+  const bool direct = !indexed && attributes.visual->c_class == DirectColor;
+  for (unsigned i = 0; i < cells.size(); ++i) cells[i].pixel = direct ? 0x010101 * i : i;
+  if (indexed || direct)
+    XQueryColors(display(), attributes.colormap, cells.data(), static_cast<int>(cells.size()));
   const ChannelMasks masks{attributes.visual->red_mask, attributes.visual->green_mask,
                            attributes.visual->blue_mask};
   RgbImage image{rect.width, rect.height};
@@ -152,8 +154,10 @@ RgbImage WatchedWindow::shown(const Rect& rect) const {
       std::uint32_t pixel = static_cast<std::uint8_t>(row[x]);
       if (!indexed) std::memcpy(&pixel, row + 4 * x, 4);  // a local server has our byte order
       if (pixel != last) {
+        const std::uint32_t r = indexed ? pixel : pixel >> 16 & 255, g = indexed ? pixel : pixel >> 8 & 255,
+                            b = indexed ? pixel : pixel & 255;
         const Rgb16 c =
-            indexed ? Rgb16{cells[pixel].red, cells[pixel].green, cells[pixel].blue} : colorOf(pixel, masks);
+            indexed || direct ? Rgb16{cells[r].red, cells[g].green, cells[b].blue} : colorOf(pixel, masks);
         rgb = {static_cast<std::uint8_t>(c.r >> 8), static_cast<std::uint8_t>(c.g >> 8),
                static_cast<std::uint8_t>(c.b >> 8)};
         last = pixel;

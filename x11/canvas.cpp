@@ -78,7 +78,7 @@ bool Canvas::isCloseRequest(const XEvent& event) const {
 
 void Canvas::upload(const IndexImage& image, const Rect& dirty) {
   const Rect part = intersection(intersection(dirty, size_), {0, 0, image.width, image.height});
-  if (!part.empty()) transfer_->put(drawable(), gc(), image, part, colormap_.pixels());
+  if (!part.empty()) transfer_->put(drawable(), gc(), image, part, colormap_.table());
 }
 
 void Canvas::present(const IndexImage& image, const Rect& dirty) {
@@ -100,7 +100,7 @@ void Canvas::resize(int width, int height) {
   const VisualInfo& visual = colormap_.visual();
   ErrorTrap trap{display_};
   OwnedPixmap picture{display_, XCreatePixmap(display_, window(), width, height, visual.depth)};
-  XSetForeground(display_, gc(), colormap_.pixel(0));
+  setFill(0);
   XFillRectangle(display_, picture.get(), gc(), 0, 0, width, height);
   if (const Rect kept = intersection(size, size_); !kept.empty())
     XCopyArea(display_, drawable(), picture.get(), gc(), 0, 0, kept.width, kept.height, 0, 0);
@@ -110,6 +110,27 @@ void Canvas::resize(int width, int height) {
   size_ = size;
   picture_ = std::move(picture);
   transfer_ = std::move(transfer);
+}
+
+void Canvas::setFill(std::uint8_t index) {
+  if (colormap_.table().solid(index)) {
+    XSetFillStyle(display_, gc(), FillSolid);
+    XSetForeground(display_, gc(), colormap_.pixel(index));
+    return;
+  }
+  const Tile pixels = colormap_.table().tile(index);
+  ServerTile& tile = tiles_[index];
+  if (tile.pixmap.get() == 0 || tile.pixels != pixels) {
+    constexpr int kSide = 8;
+    TransferImage transfer{display_,         colormap_.xVisual(), colormap_.visual().depth, kSide, kSide,
+                           /*wantShm=*/false};
+    tile = {pixels, {display_, XCreatePixmap(display_, window(), kSide, kSide, colormap_.visual().depth)}};
+    const OwnedGC whole{display_, XCreateGC(display_, tile.pixmap.get(), 0, nullptr)};  // gc() may be clipped
+    transfer.put(tile.pixmap.get(), whole.get(), IndexImage{kSide, kSide, index}, {0, 0, kSide, kSide},
+                 colormap_.table());
+  }
+  XSetTile(display_, gc(), tile.pixmap.get());
+  XSetFillStyle(display_, gc(), FillTiled);
 }
 
 RgbImage Canvas::readBack(const Rect& rect) const {
@@ -122,13 +143,12 @@ RgbImage Canvas::readBack(const Rect& rect) const {
       XGetImage(display_, drawable(), rect.x, rect.y, rect.width, rect.height, AllPlanes, ZPixmap)};
   trap.check();
   if (!got) throw X11Error("the X server did not give the picture back");
-  const Palette cells = colormap_.shown();
+  const PixelColors colors{display_, colormap_.id(), colormap_.visual()};
   RgbImage image{rect.width, rect.height};
   std::uint8_t* out = image.rgb.data();
   for (int y = 0; y < rect.height; ++y)
     for (int x = 0; x < rect.width; ++x) {
-      const unsigned long pixel = XGetPixel(got.get(), x, y);
-      const Rgb16 c = colormap_.real() ? cells[pixel] : colorOf(pixel, colormap_.visual().masks);
+      const Rgb16 c = colors(XGetPixel(got.get(), x, y));
       for (const std::uint16_t v : {c.r, c.g, c.b}) *out++ = static_cast<std::uint8_t>(v >> 8);
     }
   return image;

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <map>
 #include <memory>
 #include <string>
 
@@ -37,26 +38,27 @@ class Canvas {
   [[nodiscard]] bool isCloseRequest(const XEvent& event) const;
 
   /// Puts the part of `image` within `dirty` into the picture, not yet onto the window. What lies outside the
-  /// image or the canvas is left out. Real colormap: cells as they are. Emulated: the colours of the last
-  /// store().
+  /// image or the canvas is left out. Pixel values are those of the colormap's last lookUp().
   void upload(const IndexImage& image, const Rect& dirty);
   /// The same, and onto the window.
   void present(const IndexImage& image, const Rect& dirty);
   /// Copies `rect` of the picture to the window, as after an Expose event or after drawing into the picture.
   void expose(const Rect& rect);
   /// Gives the picture a new size (after ConfigureNotify); what fits is kept at the top left, new parts are
-  /// index 0. Sets the foreground of gc(). The window's own size is the user's and the window manager's
+  /// index 0. Sets the fill of gc(). The window's own size is the user's and the window manager's
   /// business.
   /// @throws X11Error if the server has no room; the old picture is then kept.
   void resize(int width, int height);
 
-  /// For drawing by the server: XFillPolygon into drawable(), foreground colormap.pixel(index), then
-  /// expose().
+  /// For drawing by the server: XFillPolygon into drawable(), gc() as setFill() left it, then expose().
   [[nodiscard]] ::Drawable drawable() const { return picture_.get(); }
   [[nodiscard]] ::GC gc() const { return gc_.get(); }
+  /// What the server fills with gc() becomes the pixel values that upload() has for this index: one of them,
+  /// or where it is dithered the tile, from the picture's upper left corner.
+  void setFill(std::uint8_t index);
 
-  /// What `rect` shows: pixels from the server, through its colormap (or the visual's masks), each value
-  /// >> 8. Precondition: rect is not empty and within the picture. @throws X11Error if the server cannot.
+  /// What `rect` shows: pixels from the server, through its colormap, each value >> 8. Precondition: rect is
+  /// not empty and within the picture. @throws X11Error if the server cannot.
   [[nodiscard]] RgbImage readBack(const Rect& rect) const;
 
  private:
@@ -68,5 +70,11 @@ class Canvas {
   OwnedPixmap picture_;
   OwnedGC gc_;
   std::unique_ptr<TransferImage> transfer_;
+  /// Tiles that the server has, and what they hold.
+  struct ServerTile {
+    Tile pixels;
+    OwnedPixmap pixmap;
+  };
+  std::map<std::uint8_t, ServerTile> tiles_;
   ::Atom deleteWindow_ = 0, protocols_ = 0;
 };

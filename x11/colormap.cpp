@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <memory>
-#include <numeric>
 #include <vector>
 
 namespace {
@@ -21,77 +20,221 @@ constexpr int kCellCount = 256;
   return found->visual;
 }
 
-Palette readCells(::Display* display, ::Colormap map) {
-  std::array<XColor, kCellCount> cells{};
-  for (int i = 0; i < kCellCount; ++i) cells[i].pixel = i;
-  XQueryColors(display, map, cells.data(), kCellCount);
+std::vector<Rgb16> readColors(::Display* display, ::Colormap map, const std::vector<unsigned long>& pixels) {
+  std::vector<XColor> cells(pixels.size());
+  for (std::size_t k = 0; k < cells.size(); ++k) cells[k].pixel = pixels[k];
+  ErrorTrap trap{display};
+  XQueryColors(display, map, cells.data(), static_cast<int>(cells.size()));
+  trap.check();
   // Xlib keeps a BadAlloc here to itself; but where it has an answer, it says which parts are in it.
   if (cells[0].flags == 0) throw X11Error("X_QueryColors: the X server does not tell its colours");
-  Palette palette;
-  std::transform(cells.begin(), cells.end(), palette.begin(), [](const XColor& c) {
+  std::vector<Rgb16> colors(cells.size());
+  std::ranges::transform(cells, colors.begin(), [](const XColor& c) {
     return Rgb16{c.red, c.green, c.blue};
   });
-  return palette;
+  return colors;
+}
+
+XColor cellHolding(unsigned long pixel, Rgb16 color, int channels = DoRed | DoGreen | DoBlue) {
+  return {.pixel = pixel,
+          .red = color.r,
+          .green = color.g,
+          .blue = color.b,
+          .flags = static_cast<char>(channels),
+          .pad = 0};
+}
+
+/// Where an index has the colour that the plan gives the interface there.
+std::array<std::optional<Cell>, kCellCount> interfaceCells(const Palette& palette, const CellPlan& plan) {
+  const Palette its = withInterface(palette, plan);
+  std::array<std::optional<Cell>, kCellCount> cells;
+  for (int role = 0; role < kCells; ++role)
+    if (const int i = plan[static_cast<Cell>(role)]; palette[i] == its[i]) cells[i] = static_cast<Cell>(role);
+  return cells;
 }
 
 }  // namespace
 
-ServerColormap::ServerColormap(::Display* display, const VisualChoice& choice)
+ServerColormap::ServerColormap(::Display* display, const VisualChoice& choice, const Settings& settings)
     : display_{display},
       screen_{DefaultScreen(display)},
       visual_{choice.visual},
       xVisual_{findVisual(display, choice.visual.id)},
-      opaque_{visual_.alphaMask()} {
+      settings_{settings} {
+  const bool writable = visual_.writable(), sharing = writable && settings.owner == MapOwner::Shared;
+  // Cells are taken one by one of a map that is not ours alone, and of one that has too few for all.
+  const bool byCell = sharing || (writable && !visual_.hasChannels() && !visual_.holdsTable());
   ErrorTrap trap{display};
-  if (real() || xVisual_ != DefaultVisual(display, screen_)) {
+  if (!sharing && (writable || xVisual_ != DefaultVisual(display, screen_))) {
     OwnedColormap made{display, XCreateColormap(display, RootWindow(display, screen_), xVisual_,
-                                                real() ? AllocAll : AllocNone)};
+                                                writable && !byCell ? AllocAll : AllocNone)};
     trap.check();
     own_ = std::move(made);
   }
-  if (real()) {
-    std::iota(pixels_.begin(), pixels_.end(), 0ul);
-    if (DefaultDepth(display, screen_) == 8)
-      unneeded_ = readCells(display, DefaultColormap(display, screen_));
+  if (byCell) {
+    shared_ = std::make_unique<SharedCells>(display, id(), visual_, settings.shades);
+    if (!shared_->ramp().empty()) has_ = Own::Ramp;
+  } else if (visual_.holdsTable()) {
+    has_ = Own::Everything;
+    useEveryCell();
+  } else if (!visual_.exact()) {
+    offerFixedColors();
   }
   store(unneeded_);
   trap.check();
 }
 
+void ServerColormap::useEveryCell() {
+  std::array<unsigned long, kCellCount> pixels;
+  for (int i = 0; i < kCellCount; ++i) pixels[i] = pixelOfCell(visual_, i);
+  table_ = PixelTable{pixels};
+  if (!identity() || DefaultDepth(display_, screen_) != 8) return;
+  std::ranges::copy(readColors(display_, DefaultColormap(display_, screen_), {pixels.begin(), pixels.end()}),
+                    unneeded_.begin());
+}
+
+void ServerColormap::offerFixedColors() {
+  if (visual_.writable()) fillEvenly();
+  const PixelColors shown{display_, id(), visual_};
+  if (visual_.hasChannels()) {
+    fixed_.emplace(visual_.masks, visual_.alphaMask(), shown);
+    return;
+  }
+  std::vector<OfferedColor> list;
+  for (int k = 0; k < visual_.cells; ++k)
+    list.push_back({static_cast<unsigned long>(k), eightBits(seen(shown(k)))});
+  fixed_.emplace(std::move(list));
+}
+
+void ServerColormap::fillEvenly() {
+  std::vector<XColor> cells;
+  const ChannelMasks& masks = visual_.masks;
+  for (int k = 0; k < visual_.cells; ++k) {
+    const auto has = [&](unsigned long mask) { return k < static_cast<int>(levelsOf(mask)); };
+    const auto level = [&](unsigned long mask) {
+      return static_cast<std::uint16_t>(has(mask) ? k * 65535ul / (levelsOf(mask) - 1) : 0);
+    };
+    cells.push_back(cellHolding(
+        pixelOfCell(visual_, k), {level(masks.red), level(masks.green), level(masks.blue)},
+        (has(masks.red) ? DoRed : 0) | (has(masks.green) ? DoGreen : 0) | (has(masks.blue) ? DoBlue : 0)));
+  }
+  XStoreColors(display_, id(), cells.data(), static_cast<int>(cells.size()));
+}
+
+int ServerColormap::mostShades() const {
+  return has_ == Own::Ramp ? static_cast<int>(shared_->ramp().size()) : kMaxShades;
+}
+
+std::string ServerColormap::account() const {
+  const std::string map = visual_.name() + (own_.get() ? ", private map, " : ", shared map, ");
+  if (has_ == Own::Everything) return map + "256 of 256 cells";
+  if (has_ == Own::Ramp)
+    return map + std::to_string(mostShades()) + " of " + std::to_string(settings_.shades) + " shades";
+  return (shared_ ? map + "no cell free" : visual_.name()) + (visual_.exact()    ? ", table emulated"
+                                                              : settings_.dither ? ", dithered"
+                                                                                 : ", nearest colours");
+}
+
+std::string ServerColormap::shortfall() const {
+  if (has_ == Own::Ramp && mostShades() < settings_.shades)
+    return "the " + std::string{own_.get() ? "" : "default "} + "colormap has free cells for " +
+           std::to_string(mostShades()) + " of " + std::to_string(settings_.shades) + " shades";
+  if (shared_ && has_ == Own::Nothing)
+    return "the default colormap has no free cells for a ramp of shades: the nearest of its colours are "
+           "shown";
+  if (!shared_ && settings_.owner == MapOwner::Shared)
+    return "the default colormap, of " + visual_.name() + ", is not writable: the colour table is emulated";
+  return "";
+}
+
 CellPlan ServerColormap::plan(TableKind table) const {
-  if (!real() || DefaultDepth(display_, screen_) != 8) return CellPlan{table};
+  if (!identity() || DefaultDepth(display_, screen_) != 8) return CellPlan{table};
   return CellPlan{table, static_cast<int>(BlackPixel(display_, screen_)),
                   static_cast<int>(WhitePixel(display_, screen_))};
 }
 
-bool ServerColormap::store(const Palette& palette) {
-  if (stored_ == palette) return false;
-  if (real()) {
-    std::vector<XColor> changed;
-    for (int i = 0; i < kCellCount; ++i) {
-      const Rgb16 c = palette[i];
-      if (stored_ && (*stored_)[i] == c) continue;
-      changed.push_back({.pixel = static_cast<unsigned long>(i),
-                         .red = c.r,
-                         .green = c.g,
-                         .blue = c.b,
-                         .flags = DoRed | DoGreen | DoBlue,
-                         .pad = 0});
+ServerColormap::OwnCells ServerColormap::ownCells(const CellPlan& plan) const {
+  OwnCells own;
+  if (has_ == Own::Everything) std::ranges::copy(pixels(), own.begin());
+  if (has_ != Own::Ramp) return own;
+  std::array<bool, kCellCount> tools{};
+  for (int role = 0; role < kCells; ++role) tools[plan[static_cast<Cell>(role)]] = true;
+  auto next = shared_->ramp().begin();
+  for (int i = 0; i < kCellCount && next != shared_->ramp().end(); ++i)
+    if (!tools[i]) own[i] = *next++;
+  return own;
+}
+
+OfferedColors ServerColormap::offered(const Palette& palette, const OwnCells& own) const {
+  if (fixed_) return *fixed_;
+  std::vector<OfferedColor> list = shared_->held();
+  for (int i = 0; i < kCellCount; ++i)
+    if (own[i]) list.push_back({*own[i], eightBits(seen(palette[i]))});
+  if (list.empty()) list.push_back({BlackPixel(display_, screen_), glm::ivec3{0}});
+  return OfferedColors{std::move(list)};
+}
+
+bool ServerColormap::lookUp(const Palette& palette, const CellPlan& plan) {
+  const LookedUp now{palette, plan};
+  if (has_ == Own::Everything || lookedUp_ == now) return false;
+  const OwnCells own = ownCells(plan);
+  const auto interface = interfaceCells(palette, plan);
+  PixelTable next;
+  std::optional<OfferedColors> lasting, all;  // asked for where needed: most maps have cells for all
+  for (int i = 0; i < kCellCount; ++i) {
+    const Rgb16 color = seen(palette[i]);
+    std::optional<unsigned long> pixel = own[i];
+    if (!pixel && visual_.exact()) pixel = pixelOf(color, visual_.masks) | visual_.alphaMask();
+    if (!pixel && shared_ && interface[i]) pixel = shared_->interfaceCell(*interface[i]);
+    if (!pixel && shared_ && color == Rgb16{}) pixel = shared_->interfaceCell(Cell::Black);
+    if (pixel) {
+      next.set(i, *pixel);
+    } else if (interface[i]) {  // not by a shade of ours, which would change with the hue
+      if (!lasting) lasting.emplace(offered(palette, {}));
+      next.set(i, lasting->nearest(eightBits(color)).pixel);
+    } else {
+      if (!all) all.emplace(offered(palette, own));
+      const unsigned long nearest = all->nearest(eightBits(color)).pixel;
+      if (settings_.dither)
+        next.set(i, nearest, all->mixture(eightBits(color)));
+      else
+        next.set(i, nearest);
     }
-    XStoreColors(display_, id(), changed.data(), static_cast<int>(changed.size()));
-  } else {
-    std::transform(palette.begin(), palette.end(), pixels_.begin(),
-                   [&](Rgb16 c) { return pixelOf(c, visual_.masks) | opaque_; });
   }
-  stored_ = palette;
-  return !real();
+  keepReadable(next, plan);
+  const bool again = next != table_;
+  table_ = std::move(next);
+  lookedUp_ = now;
+  return again;
+}
+
+/// Where colours are few, text may become the colour it stands on: then it is black, or white on the well.
+void ServerColormap::keepReadable(PixelTable& table, const CellPlan& plan) const {
+  const auto pixel = [&](Cell cell) { return table.pixels()[plan[cell]]; };
+  for (const Cell text : {Cell::Faint, Cell::Soft, Cell::Ink, Cell::Good, Cell::Alarm, Cell::P})
+    if (pixel(text) == pixel(Cell::Paper) || pixel(text) == pixel(Cell::Panel))
+      table.set(plan[text], pixel(Cell::Black));
+  if (pixel(Cell::WellText) == pixel(Cell::Well)) table.set(plan[Cell::WellText], pixel(Cell::White));
+}
+
+bool ServerColormap::store(const Palette& palette, const CellPlan& plan) {
+  const bool again = lookUp(palette, plan);
+  const OwnCells own = ownCells(plan);
+  std::vector<XColor> changed;
+  for (int i = 0; i < kCellCount; ++i) {
+    const Stored now{own[i].value_or(0), seen(palette[i])};
+    if (!own[i] || stored_[i] == now) continue;
+    changed.push_back(cellHolding(now.pixel, now.color));
+    stored_[i] = now;
+  }
+  if (!changed.empty()) XStoreColors(display_, id(), changed.data(), static_cast<int>(changed.size()));
+  return again;
 }
 
 Palette ServerColormap::shown() const {
-  if (real()) return readCells(display_, id());
+  const PixelColors colors{display_, id(), visual_};
   Palette palette;
-  std::transform(pixels_.begin(), pixels_.end(), palette.begin(),
-                 [&](unsigned long pixel) { return colorOf(pixel, visual_.masks); });
+  std::ranges::transform(pixels(), palette.begin(), colors);
   return palette;
 }
 
@@ -104,6 +247,15 @@ bool ServerColormap::installed() const {
 
 void ServerColormap::installUnlessManaged() {
   if (own_.get() && !windowManagerRuns(display_)) XInstallColormap(display_, id());
+}
+
+PixelColors::PixelColors(::Display* display, ::Colormap map, const VisualInfo& visual)
+    : masks_{visual.masks} {
+  const unsigned long all = (1ul << visual.depth) - 1;
+  if (!visual.hasChannels()) masks_ = {all, all, all};
+  std::vector<unsigned long> pixels(visual.cells);
+  for (int k = 0; k < visual.cells; ++k) pixels[k] = pixelOfCell(visual, k);
+  cells_ = readColors(display, map, pixels);
 }
 
 bool windowManagerRuns(::Display* display) {

@@ -59,6 +59,21 @@ using OwnedWindow = XResource<::Window, XDestroyWindow>;
 using OwnedColormap = XResource<::Colormap, XFreeColormap>;
 using OwnedGC = XResource<::GC, XFreeGC>;
 
+/// While it lives all other programs wait; for a few requests that belong together.
+class ServerGrab {
+ public:
+  explicit ServerGrab(::Display* display) : display_{display} { XGrabServer(display); }
+  ~ServerGrab() {
+    XUngrabServer(display_);
+    XFlush(display_);
+  }
+  ServerGrab(const ServerGrab&) = delete;
+  ServerGrab& operator=(const ServerGrab&) = delete;
+
+ private:
+  ::Display* display_;
+};
+
 /// Collects the errors of the requests made on `display` while it lives; answers of earlier requests that
 /// are still under way go to the trap around it, so no round trip is needed to begin. Traps nest.
 /// The destructor waits for the server only if check() has not, and drops what it finds.

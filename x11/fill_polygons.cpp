@@ -34,14 +34,14 @@ void clipToPiece(std::vector<XRectangle>& rows, const SnappedScene& scene, const
 
 }  // namespace
 
-void fillPolygons(::Display* display, Canvas& canvas, const ServerColormap& colormap, const Picture& picture,
-                  const Rect& area, std::uint8_t ground) {
+void fillPolygons(::Display* display, Canvas& canvas, const Picture& picture, const Rect& area,
+                  std::uint8_t ground) {
   XRectangle clip{static_cast<short>(area.x), static_cast<short>(area.y),
                   static_cast<unsigned short>(area.width), static_cast<unsigned short>(area.height)};
   const ::Drawable to = canvas.drawable();
   const ::GC gc = canvas.gc();
   XSetClipRectangles(display, gc, 0, 0, &clip, 1, YXBanded);
-  XSetForeground(display, gc, colormap.pixel(ground));
+  canvas.setFill(ground);
   XFillRectangle(display, to, gc, clip.x, clip.y, clip.width, clip.height);
 
   const SnappedScene& scene = picture.snapped();
@@ -57,7 +57,7 @@ void fillPolygons(::Display* display, Canvas& canvas, const ServerColormap& colo
     if (points.size() < 3) continue;  // thinner than a pixel: the server would own no centre of it
     if (current != picture.cells()[i]) {
       current = picture.cells()[i];
-      XSetForeground(display, gc, colormap.pixel(picture.cells()[i]));
+      canvas.setFill(picture.cells()[i]);
     }
     if (fragment.piece >= 0) {
       clipToPiece(rows, scene, picture.sorted(), fragment, area);

@@ -14,5 +14,5 @@
 /// A piece of a split face is the whole face's polygon under a clip list: the pixels on its side of the cuts.
 /// So the pieces paint exactly what the face would have, and no background shows between them, as it
 /// would where cut vertices are rounded to pixels.
-void fillPolygons(::Display* display, Canvas& canvas, const ServerColormap& colormap, const Picture& picture,
-                  const Rect& area, std::uint8_t ground);
+void fillPolygons(::Display* display, Canvas& canvas, const Picture& picture, const Rect& area,
+                  std::uint8_t ground);

@@ -352,6 +352,9 @@ void check(const Options& o, bool sceneGiven) {
         "--order oracle decides each sample by itself: there is no polygon for --fill x11 to fill"};
   if ((o.command == Command::Draw || traces || o.command == Command::Scenes) && !o.visual.empty())
     throw UsageError{"--visual goes with view, snapshot and visuals"};
+  if ((o.command == Command::Draw || traces || o.command == Command::Scenes) &&
+      (o.colormap != MapOwner::Private || o.nearest))
+    throw UsageError{"--colormap shared and --nearest go with view and snapshot: they need a server"};
   if (o.picture.adapt > 0 && o.picture.shading != Shading::Flat && o.picture.shading != Shading::Gouraud)
     throw UsageError{"--adapt goes with --shade flat and gouraud"};
   const CameraSettings& c = o.picture.camera;
@@ -433,10 +436,9 @@ std::optional<Options> parseOptions(int argc, const char* const* argv, const Pic
            if (s.empty()) throw UsageError{"--visual: the name is empty"};
            o.visual = s;
          });
-  r.text("--colormap", "whose cells: private", "private", [&](const std::string& s) {
-    if (s == "shared") throw UsageError{"--colormap shared is not built yet; there is private"};
-    if (s != "private") refuse("--colormap", s, "private");
-  });
+  r.choice("--colormap", kMapOwners, o.colormap,
+           "a map of our own, or cells of the default one, as many shades as it has free");
+  r.flag("--nearest", o.nearest, "colours that the server has not got: no dithering, the nearest it has");
   r.choice("--view", kViews, o.view, "draw, snapshot: what to show", {"colours", "overdraw", "wireframe"});
   r.text("--scanline", "the row of the picture that --view machbands follows, from 0 at its top",
          "the middle one; where nothing shows there, the one that shows most", [&](const std::string& s) {

@@ -10,6 +10,7 @@
 #include "depthsort/replay.h"
 #include "shading/picture.h"
 #include "shading/views.h"
+#include "x11/visual.h"
 
 /// The command line as a value.
 
@@ -26,7 +27,7 @@ inline constexpr std::array kCommands{
                "the picture through a real X window, read back from the server"},
     CommandRow{Command::Trace, "trace", "trace SCENE [options]",
                "the depth sort's events, one JSON object a line, or as pictures"},
-    CommandRow{Command::Visuals, "visuals", "visuals [--visual CLASS[DEPTH]]",
+    CommandRow{Command::Visuals, "visuals", "visuals [options]",
                "what this X server offers and what xnewell would choose, and why"},
     CommandRow{Command::Scenes, "scenes", "scenes", "the built-in scenes, one line each"},
 };
@@ -64,6 +65,8 @@ struct Options {
   std::string texture;             ///< "" for none
   Fill fill = Fill::Scanline;
   std::string visual;  ///< "" for the program's choice
+  MapOwner colormap = MapOwner::Private;
+  bool nearest = false;  ///< colours that the server lacks become the nearest it has, not a mixture
   std::string output, ids;
   bool stats = false, wholeWindow = false;
   View view = View::Picture;    ///< draw, snapshot: what of the picture

@@ -40,8 +40,7 @@ void expandRow(const std::uint8_t* in, int count, const std::array<std::uint32_t
 
 }  // namespace
 
-void writePixels(::XImage& out, const IndexImage& image, const Rect& rect,
-                 const std::array<unsigned long, 256>& pixels) {
+void writePixels(::XImage& out, const IndexImage& image, const Rect& rect, const PixelTable& table) {
   assert(intersection(rect, {0, 0, image.width, image.height}) == rect);
   assert(intersection(rect, {0, 0, out.width, out.height}) == rect);
   const auto rowOf = [&](int y, int bytesPerPixel) {
@@ -49,26 +48,42 @@ void writePixels(::XImage& out, const IndexImage& image, const Rect& rect,
   };
   const bool nativeOrder =
       out.byte_order == (std::endian::native == std::endian::little ? LSBFirst : MSBFirst);
-  if (out.bits_per_pixel == 8) {
-    std::array<std::uint8_t, 256> table;
+  const bool bytes = out.bits_per_pixel == 8, words = out.bits_per_pixel == 32 && nativeOrder;
+  if (table.dithers() || !(bytes || words)) {
+    for (int y = rect.y; y < rect.y + rect.height; ++y) {
+      std::array<const unsigned long*, 8> pixels;
+      for (int x = 0; x < 8; ++x)
+        pixels[x] = table.dithers() ? table.at(placeInTile(x, y)).data() : table.pixels().data();
+      const std::uint8_t* in = image.row(y);
+      const auto eachPixel = [&](auto&& write) {
+        for (int x = rect.x; x < rect.x + rect.width; ++x) write(x, pixels[x & 7][in[x]]);
+      };
+      if (bytes)
+        eachPixel([to = rowOf(y, 1) - rect.x](int x, unsigned long p) { to[x] = static_cast<char>(p); });
+      else if (words)
+        eachPixel([to = reinterpret_cast<std::uint32_t*>(rowOf(y, 4)) - rect.x](int x, unsigned long p) {
+          to[x] = static_cast<std::uint32_t>(p);
+        });
+      else
+        eachPixel([&](int x, unsigned long p) { XPutPixel(&out, x, y, p); });
+    }
+  } else if (bytes) {
+    std::array<std::uint8_t, 256> pixels;
     bool identity = true;
-    for (int i = 0; i < 256; ++i) identity &= (table[i] = static_cast<std::uint8_t>(pixels[i])) == i;
+    for (int i = 0; i < 256; ++i) identity &= (pixels[i] = static_cast<std::uint8_t>(table.pixels()[i])) == i;
     for (int y = rect.y; y < rect.y + rect.height; ++y) {
       const std::uint8_t* in = image.row(y) + rect.x;
       char* to = rowOf(y, 1);
       if (identity)
         std::memcpy(to, in, rect.width);
       else
-        for (int x = 0; x < rect.width; ++x) to[x] = static_cast<char>(table[in[x]]);
+        for (int x = 0; x < rect.width; ++x) to[x] = static_cast<char>(pixels[in[x]]);
     }
-  } else if (out.bits_per_pixel == 32 && nativeOrder) {
-    std::array<std::uint32_t, 256> table;
-    for (int i = 0; i < 256; ++i) table[i] = static_cast<std::uint32_t>(pixels[i]);
-    for (int y = rect.y; y < rect.y + rect.height; ++y)
-      expandRow(image.row(y) + rect.x, rect.width, table, reinterpret_cast<std::uint32_t*>(rowOf(y, 4)));
   } else {
+    std::array<std::uint32_t, 256> pixels;
+    for (int i = 0; i < 256; ++i) pixels[i] = static_cast<std::uint32_t>(table.pixels()[i]);
     for (int y = rect.y; y < rect.y + rect.height; ++y)
-      for (int x = rect.x; x < rect.x + rect.width; ++x) XPutPixel(&out, x, y, pixels[image.row(y)[x]]);
+      expandRow(image.row(y) + rect.x, rect.width, pixels, reinterpret_cast<std::uint32_t*>(rowOf(y, 4)));
   }
 }
 
@@ -128,9 +143,9 @@ bool TransferImage::share(::Visual* visual, int depth, int width, int height) {
 }
 
 void TransferImage::put(::Drawable target, ::GC gc, const IndexImage& image, const Rect& rect,
-                        const std::array<unsigned long, 256>& pixels) {
+                        const PixelTable& table) {
   if (shared() && lastPut_ > LastKnownRequestProcessed(display_)) XSync(display_, 0);
-  writePixels(*image_, image, rect, pixels);
+  writePixels(*image_, image, rect, table);
   if (shared()) {
     lastPut_ = NextRequest(display_);
     XShmPutImage(display_, target, gc, image_.get(), rect.x, rect.y, rect.x, rect.y, rect.width, rect.height,

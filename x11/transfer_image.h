@@ -3,22 +3,21 @@
 #include <X11/Xlib.h>
 #include <X11/extensions/XShm.h>
 
-#include <array>
 #include <cstddef>
 #include <memory>
 
 #include "shading/index_image.h"
 #include "shading/rect.h"
 #include "x11/display.h"
+#include "x11/emulation.h"
 
 /// How an index image gets to the server: written into an XImage in the server's own format, in memory that
 /// the server can read directly (MIT-SHM) where it is on this machine, and sent through the connection
 /// elsewhere.
 
 /// Writes the cells of `rect` as pixel values at the same place of `out`, whatever its bits per pixel and
-/// byte order. Precondition: rect is within both; pixels[i] < 2^depth.
-void writePixels(::XImage& out, const IndexImage& image, const Rect& rect,
-                 const std::array<unsigned long, 256>& pixels);
+/// byte order. Precondition: rect is within both; pixel values < 2^depth.
+void writePixels(::XImage& out, const IndexImage& image, const Rect& rect, const PixelTable& table);
 
 class TransferImage {
  public:
@@ -35,8 +34,7 @@ class TransferImage {
   [[nodiscard]] bool shared() const { return segment_.shmaddr != nullptr; }
   /// Puts `rect` of `image` at the same place of `target`. Waits first until the server has read what
   /// the last call wrote into shared memory; usually it has.
-  void put(::Drawable target, ::GC gc, const IndexImage& image, const Rect& rect,
-           const std::array<unsigned long, 256>& pixels);
+  void put(::Drawable target, ::GC gc, const IndexImage& image, const Rect& rect, const PixelTable& table);
 
  private:
   struct ImageDeleter {

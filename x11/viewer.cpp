@@ -5,7 +5,9 @@
 #include <poll.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <csignal>
+#include <iostream>
 #include <utility>
 
 #include "shading/png.h"
@@ -24,25 +26,65 @@ std::optional<VisualWish> wishOf(const Options& options) {
   return parseVisualWish(options.visual);
 }
 
+/// The colormap that the options ask for, or, where the server has no room for another one, cells of the
+/// default one. What the user gets less than asked for is told on standard error.
+ServerColormap openColormap(::Display* display, const Options& options) {
+  const ServerVisuals server = readVisuals(display);
+  const std::optional<VisualWish> wish = wishOf(options);
+  const VisualChoice choice = chooseVisual(server, wish, options.colormap);
+  ServerColormap::Settings settings{
+      .owner = options.colormap, .dither = !options.nearest, .shades = options.picture.table.shades};
+  const auto tell = [](const std::string& what) {
+    if (!what.empty()) std::cerr << "xnewell: " << what << '\n';
+  };
+  try {
+    ServerColormap colormap{display, choice, settings};
+    tell(colormap.shortfall());
+    return colormap;
+  } catch (const X11Error& e) {
+    const VisualInfo& standard = server.defaultVisual();
+    if (options.colormap == MapOwner::Shared || (wish && choice.visual.name() != standard.name())) throw;
+    settings.owner = MapOwner::Shared;
+    ServerColormap colormap{display, chooseVisual(server, {}, MapOwner::Shared), settings};
+    tell("no colormap of our own (" + std::string{e.what()} + "), but " + colormap.account());
+    return colormap;
+  }
+}
+
 /// A connection with its visual and colormap chosen: what every window needs.
 struct Server {
   explicit Server(const Options& options)
-      : display{openDisplay()},
-        choice{chooseVisual(readVisuals(display.get()), wishOf(options))},
-        colormap{display.get(), choice} {}
+      : display{openDisplay()}, colormap{openColormap(display.get(), options)} {}
 
   [[nodiscard]] Workbench::Server forBench() const {
-    return {
-        [this](TableKind table) { return colormap.plan(table); }, colormap.unneeded(),
-        choice.visual.name() + (colormap.real() ? ", private map, 256 of 256 cells" : ", table emulated")};
+    return {[this](TableKind table) { return colormap.plan(table); }, colormap.unneeded(),
+            colormap.account()};
+  }
+  /// With a ramp of as many shades as there are cells for.
+  [[nodiscard]] PictureSettings fitted(PictureSettings settings) const {
+    settings.table.shades = std::min(settings.table.shades, colormap.mostShades());
+    return settings;
+  }
+  [[nodiscard]] Setup setupOf(const Options& options) const {
+    return {fitted(options.picture), options.fill};
+  }
+
+  /// What to store for a picture's colours. On a gray visual a ramp shows its intensities, whatever the hue,
+  /// which would only darken it: red to 30 %. Several hues, and colours, have the grays of their brightness.
+  [[nodiscard]] Palette colorsOf(const Picture& picture, Palette palette) const {
+    if (!colormap.visual().gray() || picture.colors().plan() != ColorPlan::OneHue) return palette;
+    const ColorTable& ramp = picture.table();
+    for (int cell = ramp.first(); cell < ramp.first() + ramp.shades(); ++cell) {
+      const Rgb16 c = palette[cell];
+      const std::uint16_t intensity = std::max({c.r, c.g, c.b});  // the hue's largest component is 1
+      palette[cell] = {intensity, intensity, intensity};
+    }
+    return palette;
   }
 
   OwnedDisplay display;
-  VisualChoice choice;
   ServerColormap colormap;
 };
-
-Setup setupOf(const Options& options) { return {options.picture, options.fill}; }
 
 /// A signal ends the window at once, also where Xlib waits for a server that has hung: what we have on the
 /// server, a grab too, goes with the connection.
@@ -96,7 +138,7 @@ class Viewer {
         canvas_{server_.display.get(),
                 server_.colormap,
                 {.title = "xnewell: " + scene.name, .width = size_.x, .height = size_.y}},
-        bench_{std::move(scene), setupOf(options), server_.forBench()} {
+        bench_{std::move(scene), server_.setupOf(options), server_.forBench()} {
     bench_.resize(size_.x, size_.y);
   }
 
@@ -220,23 +262,23 @@ class Viewer {
     const Workbench::Stale stale = bench_.stale();
     if (stale == Workbench::Stale::Nothing) return;
     bench_.update(dragging_);
-    const Rect all{0, 0, canvas_.width(), canvas_.height()};
-    if (stale == Workbench::Stale::Colors && !server_.colormap.store(bench_.palette())) {
+    const CellPlan plan = server_.colormap.plan(bench_.setup().picture.table.kind);
+    const Palette palette = server_.colorsOf(bench_.picture(), bench_.palette());
+    const bool otherPixels = server_.colormap.lookUp(palette, plan);
+    if (stale == Workbench::Stale::Colors && !otherPixels) {
+      server_.colormap.store(palette, plan);
       XFlush(display());
       return;
     }
-    if (!server_.colormap.real()) server_.colormap.store(bench_.palette());  // the puts below look cells up
+    const Rect all{0, 0, canvas_.width(), canvas_.height()};
     canvas_.upload(bench_.image(), all);
     if (bench_.setup().fill == Fill::XFillPolygon) {
-      fillPolygons(display(), canvas_, server_.colormap, bench_.picture(), bench_.layout().picture,
-                   bench_.ground());
+      fillPolygons(display(), canvas_, bench_.picture(), bench_.layout().picture, bench_.ground());
       for (const Rect& part : bench_.overPicture()) canvas_.upload(bench_.image(), part);
     }
-    XGrabServer(display());
-    server_.colormap.store(bench_.palette());
+    const ServerGrab grab{display()};
+    server_.colormap.store(palette, plan);
     canvas_.expose(all);
-    XUngrabServer(display());
-    XFlush(display());
   }
 
   Server server_;
@@ -253,17 +295,17 @@ struct Shot {
   const Picture& picture;
   const IndexImage& image;
   const Palette& palette;
-  Rect area;  ///< of the picture in the image
-  std::uint8_t ground;
+  CellPlan plan;             ///< of the image
+  Rect area;                 ///< of the picture in the image
   std::vector<Rect> over{};  ///< parts of the image that lie over the picture
 };
 
 void present(Server& server, Canvas& canvas, const Shot& shot, Fill fill) {
-  server.colormap.store(shot.palette);
+  server.colormap.store(server.colorsOf(shot.picture, shot.palette), shot.plan);
   const Rect all{0, 0, shot.image.width, shot.image.height};
   canvas.upload(shot.image, all);
   if (fill == Fill::XFillPolygon) {
-    fillPolygons(server.display.get(), canvas, server.colormap, shot.picture, shot.area, shot.ground);
+    fillPolygons(server.display.get(), canvas, shot.picture, shot.area, shot.plan[Cell::Well]);
     for (const Rect& part : shot.over) canvas.upload(shot.image, part);
   }
   canvas.expose(all);
@@ -295,15 +337,16 @@ void takeSnapshot(const Options& options, Scene scene, double msRead) {
     report(options, shot.picture, times);
   };
   if (options.wholeWindow) {
-    Workbench bench{std::move(scene), setupOf(options), server.forBench()};
+    Workbench bench{std::move(scene), server.setupOf(options), server.forBench()};
     bench.resize(size.x, size.y);
     bench.update();
-    shoot({bench.picture(), bench.image(), bench.palette(), bench.layout().picture, bench.ground(),
+    shoot({bench.picture(), bench.image(), bench.palette(),
+           server.colormap.plan(bench.setup().picture.table.kind), bench.layout().picture,
            bench.overPicture()});
     return;
   }
   Picture picture{std::move(scene)};
-  PictureSettings settings = options.picture;
+  PictureSettings settings = server.fitted(options.picture);
   settings.width = size.x;
   settings.height = size.y;
   settings.inPixels = options.fill == Fill::XFillPolygon;
@@ -314,21 +357,17 @@ void takeSnapshot(const Options& options, Scene scene, double msRead) {
                                                  .picture = settings,
                                                  .cells = plan,
                                                  .unneeded = server.colormap.unneeded()});
-    return shoot({picture, view.image, view.palette, {0, 0, size.x, size.y}, plan[Cell::Well]});
+    return shoot({picture, view.image, view.palette, plan, {0, 0, size.x, size.y}});
   }
   picture.make(settings);
   IndexImage image;
   picture.paint(image, plan[Cell::Well]);
-  shoot({picture,
-         image,
-         picture.palette(plan, server.colormap.unneeded()),
-         {0, 0, size.x, size.y},
-         plan[Cell::Well]});
+  shoot({picture, image, picture.palette(plan, server.colormap.unneeded()), plan, {0, 0, size.x, size.y}});
 }
 
 std::string visualsTable(const Options& options) {
   const OwnedDisplay display = openDisplay();
-  const std::string table = describeVisuals(readVisuals(display.get()), wishOf(options));
+  const std::string table = describeVisuals(readVisuals(display.get()), wishOf(options), options.colormap);
   XSync(display.get(), 0);
   if (strayErrors() > 0) throw X11Error{"the X server refused requests: no table"};
   return table;

@@ -9,6 +9,7 @@
 #include <memory>
 #include <sstream>
 #include <stdexcept>
+#include <tuple>
 
 #include "x11/display.h"
 
@@ -16,11 +17,64 @@
 
 namespace {
 
-/// How much we want a visual; 0 is not at all. The order is chooseVisual()'s.
-int preference(const VisualInfo& v) {
-  if (v.kind == VisualClass::PseudoColorClass) return v.depth == 8 ? 1000 : 0;
-  if (v.kind != VisualClass::TrueColorClass) return 0;
-  return v.depth == 24 ? 500 : v.alphaMask() != 0 ? 1 : 1 + v.depth;
+/// What can be done with a visual, and why one would: the rows of chooseVisual().
+struct Preference {
+  bool (*holds)(const VisualInfo&);
+  std::string_view does;  ///< completes "xnewell would"
+  std::string_view why;
+};
+
+bool isClass(const VisualInfo& v, VisualClass kind) { return v.kind == kind; }
+bool trueColor(const VisualInfo& v) { return isClass(v, VisualClass::TrueColorClass); }
+
+constexpr std::string_view kStores = "store colours in a map of its own, draw nothing when they change";
+constexpr std::string_view kEmulates = "look colours up itself, draw again when they change";
+constexpr std::string_view kLive =
+    "its colormap is real: a new hue or gamma stores colours and draws nothing";
+constexpr std::string_view kExactly =
+    "the 256-entry table is emulated: a change of colours draws the picture again";
+constexpr std::string_view kCoarse =
+    "for want of what shows every colour; the table is emulated with the nearest, dithered";
+
+constexpr std::array kPreferences{
+    Preference{[](const VisualInfo& v) {
+                 return isClass(v, VisualClass::PseudoColorClass) && v.depth == 8 && v.holdsTable();
+               },
+               kStores, kLive},
+    Preference{
+        [](const VisualInfo& v) { return isClass(v, VisualClass::PseudoColorClass) && v.holdsTable(); },
+        kStores, kLive},
+    Preference{[](const VisualInfo& v) { return trueColor(v) && v.depth == 24 && v.exact(); }, kEmulates,
+               kExactly},
+    Preference{[](const VisualInfo& v) { return trueColor(v) && v.exact() && v.alphaMask() == 0; }, kEmulates,
+               kExactly},
+    Preference{
+        [](const VisualInfo& v) { return isClass(v, VisualClass::DirectColorClass) && v.holdsTable(); },
+        "store colours in a map of its own through pixels (i, i, i), draw nothing", kLive},
+    Preference{[](const VisualInfo& v) { return trueColor(v) && v.alphaMask() == 0 && v.depth >= 15; },
+               "look up the nearest of its colours, dithered", kCoarse},
+    Preference{
+        [](const VisualInfo& v) { return trueColor(v) && v.exact(); }, kEmulates,
+        "for want of better; the table is emulated, and the alpha that a compositor may use is opaque"},
+    Preference{[](const VisualInfo& v) { return isClass(v, VisualClass::GrayScaleClass) && v.holdsTable(); },
+               "store grays in a map of its own, draw nothing when they change",
+               "its colormap is real and holds the grays of the colours: storing draws nothing"},
+    Preference{[](const VisualInfo& v) { return isClass(v, VisualClass::StaticColorClass) && v.depth >= 8; },
+               "look up the nearest of its fixed colours, dithered", kCoarse},
+    Preference{trueColor, "look up the nearest of its colours, dithered", kCoarse},
+    Preference{[](const VisualInfo& v) { return isClass(v, VisualClass::DirectColorClass); },
+               "fill a map of its own with even levels; look up the nearest, dithered", kCoarse},
+    Preference{[](const VisualInfo& v) { return v.gray() && !v.writable(); },
+               "look up the nearest of its fixed grays, dithered",
+               "for want of colour; the table is emulated with the nearest grays, dithered"},
+    Preference{[](const VisualInfo&) { return true; }, "look up the nearest of its few cells, dithered",
+               kCoarse},
+};
+
+int rowOf(const VisualInfo& v) {
+  return static_cast<int>(
+      std::ranges::find_if(kPreferences, [&](const Preference& row) { return row.holds(v); }) -
+      kPreferences.begin());
 }
 
 bool granted(const std::optional<VisualWish>& wish, const VisualInfo& v) {
@@ -77,22 +131,12 @@ std::string namesOf(const ServerVisuals& server) {
   return list(names);
 }
 
-std::string_view deed(const VisualInfo& v) {
-  if (preference(v) == 0) return "not used yet";
-  return v.writable() ? "a real colormap of its own: colours change without drawing"
-                      : "emulate the 256-entry table: draw again when colours change";
-}
-
-/// Takes the largest number of cells that the map gives, in falling powers of two, and gives all back.
-int countFreeCells(::Display* display, ::Colormap map, int size) {
-  ErrorTrap trap{display};
-  std::vector<unsigned long> taken(size);
-  int count = 0;
-  for (int step = std::bit_floor(static_cast<unsigned>(std::max(size, 1))); step > 0; step /= 2)
-    while (count + step <= size && XAllocColorCells(display, map, 0, nullptr, 0, &taken[count], step))
-      count += step;
-  XFreeColors(display, map, taken.data(), count, 0);
-  return count;
+/// What xnewell would do with it.
+std::string deed(const VisualInfo& v, const ServerVisuals& server, MapOwner owner) {
+  const std::string does{kPreferences[rowOf(v)].does};
+  if (owner == MapOwner::Private) return does;
+  if (!sameKind(v, server.defaultVisual())) return "not take it: the default map is another visual's";
+  return v.writable() ? "take free cells of the default map, fewer shades where they are fewer" : does;
 }
 
 /// A mask's lowest bit and number of bits.
@@ -111,8 +155,25 @@ struct Channel {
 
 }  // namespace
 
+std::vector<unsigned long> takeCells(::_XDisplay* display, unsigned long map, int most) {
+  ErrorTrap trap{display};
+  std::vector<unsigned long> taken(std::max(most, 0));
+  int count = 0;
+  for (int step = std::bit_floor(static_cast<unsigned>(std::max(most, 1))); step > 0; step /= 2)
+    while (count + step <= most && XAllocColorCells(display, map, 0, nullptr, 0, &taken[count], step))
+      count += step;
+  taken.resize(count);
+  return taken;
+}
+
 std::string VisualInfo::name() const {
   return std::string{kVisualClasses[static_cast<int>(kind)].name} + " " + std::to_string(depth);
+}
+
+int VisualInfo::leastLevels() const {
+  return hasChannels()
+             ? static_cast<int>(std::min({levelsOf(masks.red), levelsOf(masks.green), levelsOf(masks.blue)}))
+             : cells;
 }
 
 const VisualInfo& ServerVisuals::defaultVisual() const {
@@ -142,8 +203,13 @@ ServerVisuals readVisuals(::_XDisplay* display) {
                               .bitsPerRgb = v.bits_per_rgb,
                               .cells = v.colormap_size});
   }
-  if (const VisualInfo& v = server.defaultVisual(); v.writable())
-    server.freeCells = countFreeCells(display, DefaultColormap(display, screen), v.cells);
+  if (const VisualInfo& v = server.defaultVisual(); v.writable()) {
+    const ::Colormap map = DefaultColormap(display, screen);
+    const ServerGrab grab{display};
+    std::vector<unsigned long> taken = takeCells(display, map, v.cells);
+    server.freeCells = static_cast<int>(taken.size());
+    XFreeColors(display, map, taken.data(), static_cast<int>(taken.size()), 0);
+  }
   return server;
 }
 
@@ -172,52 +238,52 @@ VisualWish parseVisualWish(std::string_view text) {
       list(classes));
 }
 
-VisualChoice chooseVisual(const ServerVisuals& server, const std::optional<VisualWish>& wish) {
-  const VisualInfo* best = nullptr;
-  bool has = false;
-  const auto rank = [&](const VisualInfo& v) {
-    return 2 * preference(v) + (v.id == server.defaultId ? 1 : 0);
+VisualChoice chooseVisual(const ServerVisuals& server, const std::optional<VisualWish>& wish,
+                          MapOwner owner) {
+  const auto has = [&](const VisualInfo& v) { return granted(wish, v); };
+  const auto wished = [&] {
+    std::string name{kVisualClasses[static_cast<int>(wish->kind)].name};
+    return wish->depth ? name + " " + std::to_string(*wish->depth) : name;
   };
-  for (const VisualInfo& v : server.visuals) {
-    if (!granted(wish, v)) continue;
-    has = true;
-    if (preference(v) > 0 && (best == nullptr || rank(v) > rank(*best))) best = &v;
+  if (wish && std::ranges::none_of(server.visuals, has))
+    throw X11Error("display '" + server.display + "' has no " + wished() + "; it has " + namesOf(server));
+  if (owner == MapOwner::Shared) {
+    const VisualInfo& v = server.defaultVisual();
+    if (!has(v))
+      throw X11Error("--colormap shared takes cells of the default map, which is for " + v.name() +
+                     ", not for " + wished());
+    return {v, v.writable() ? "the default visual, whose map is shared: as many shades as it has free cells"
+                            : "the default visual; its map is not writable, so the table is emulated"};
   }
-  if (best == nullptr) {
-    const std::string here = "display '" + server.display + "' has ";
-    const std::string all = "; it has " + namesOf(server);
-    if (!wish) throw X11Error(here + "no visual that xnewell uses yet" + all);
-    std::string wished{kVisualClasses[static_cast<int>(wish->kind)].name};
-    if (wish->depth) wished.append(" ").append(std::to_string(*wish->depth));
-    throw X11Error(has ? here + wished + ", but xnewell does not use it yet" + all
-                       : here + "no " + wished + all);
-  }
-  std::string why = wish ? "as insisted on; " : "";
-  if (best->kind == VisualClass::PseudoColorClass)
-    why.append("its colormap is real: a new hue or gamma stores colours and draws nothing");
-  else if (best->depth == 24 || wish)
-    why.append("the 256-entry table is emulated: a change of colours draws the picture again");
-  else
-    why.append(
-        "for want of PseudoColor 8 and TrueColor 24; the table is emulated, its colours may be coarser");
-  return {*best, why};
+  const auto rank = [&](const VisualInfo& v) {
+    return std::tuple{-rowOf(v), v.depth, v.id == server.defaultId};
+  };
+  const VisualInfo* best = nullptr;
+  for (const VisualInfo& v : server.visuals)
+    if (has(v) && (best == nullptr || rank(v) > rank(*best))) best = &v;
+  if (best == nullptr) throw X11Error("display '" + server.display + "' has no visual");
+  return {*best, (wish ? "as insisted on; " : "") + std::string{kPreferences[rowOf(*best)].why}};
 }
 
-std::string describeVisuals(const ServerVisuals& server, const std::optional<VisualWish>& wish) {
+std::string describeVisuals(const ServerVisuals& server, const std::optional<VisualWish>& wish,
+                            MapOwner owner) {
   std::ostringstream out;
   out << "display " << server.display << " (" << server.vendor << ")\n\n" << std::left;
   const auto line = [&](std::string_view name, std::string_view depth, std::string_view number,
-                        std::string_view cells, std::string_view bits, std::string_view map,
-                        std::string_view what) {
+                        std::string_view cells, std::string_view free, std::string_view bits,
+                        std::string_view map, std::string_view what) {
     out << std::setw(13) << name << std::right << std::setw(5) << depth << std::setw(8) << number
-        << std::setw(7) << cells << std::setw(6) << bits << "  " << std::left << std::setw(10) << map << what
-        << '\n';
+        << std::setw(7) << cells << std::setw(6) << free << std::setw(6) << bits << "  " << std::left
+        << std::setw(10) << map << what << '\n';
   };
-  line("class", "depth", "visuals", "cells", "bits", "colormap", "xnewell would");
+  line("class", "depth", "visuals", "cells", "free", "bits", "colormap", "xnewell would");
   for (const auto& [v, count] : fold(server))
     line(kVisualClasses[static_cast<int>(v.kind)].name, std::to_string(v.depth), std::to_string(count),
-         std::to_string(v.cells), std::to_string(v.bitsPerRgb), v.writable() ? "writable" : "fixed", deed(v));
+         std::to_string(v.cells),
+         server.freeCells && sameKind(v, server.defaultVisual()) ? std::to_string(*server.freeCells) : "-",
+         std::to_string(v.bitsPerRgb), v.writable() ? "writable" : "fixed", deed(v, server, owner));
   out << "\ncells: entries of its colormap (of each channel where red, green and blue have their own)\n"
+      << "free:  of the default colormap, which all programs share\n"
       << "bits:  of a stored colour that reach the screen\n\n"
       << "default visual    " << server.defaultVisual().name() << " (" << hex(server.defaultId) << ")\n"
       << "black and white   pixels " << server.black << " and " << server.white << '\n'
@@ -228,7 +294,7 @@ std::string describeVisuals(const ServerVisuals& server, const std::optional<Vis
   else
     out << "not writable\n";
   try {
-    const VisualChoice choice = chooseVisual(server, wish);
+    const VisualChoice choice = chooseVisual(server, wish, owner);
     out << "chosen            " << choice.visual.name() << " (" << hex(choice.visual.id)
         << "): " << choice.why << '\n';
   } catch (const X11Error& error) {
@@ -236,6 +302,17 @@ std::string describeVisuals(const ServerVisuals& server, const std::optional<Vis
   }
   return out.str();
 }
+
+unsigned long pixelOfCell(const VisualInfo& visual, int k) {
+  const auto bits = [&](unsigned long mask) {
+    return (static_cast<unsigned long>(k) << Channel{mask}.shift) & mask;
+  };
+  const ChannelMasks& m = visual.masks;
+  return visual.hasChannels() ? bits(m.red) | bits(m.green) | bits(m.blue) | visual.alphaMask()
+                              : static_cast<unsigned long>(k);
+}
+
+unsigned long levelsOf(unsigned long mask) { return 1ul << std::popcount(mask); }
 
 unsigned long pixelOf(Rgb16 color, const ChannelMasks& masks) {
   return Channel{masks.red}.bits(color.r) | Channel{masks.green}.bits(color.g) |

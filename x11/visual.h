@@ -37,7 +37,7 @@ inline constexpr std::array kVisualClasses{
     VisualClassRow{VisualClass::DirectColorClass, "DirectColor", true},
 };
 
-/// The bits of a pixel value that hold red, green and blue; all 0 where pixels are cell numbers.
+/// The bits of a pixel value that hold red, green and blue; they mean nothing where pixels are cell numbers.
 struct ChannelMasks {
   unsigned long red = 0, green = 0, blue = 0;  ///< each one run of at most 16 bits
   bool operator==(const ChannelMasks&) const = default;
@@ -49,12 +49,26 @@ struct VisualInfo {
   unsigned long id = 0;  ///< as `xdpyinfo` shows it
   ChannelMasks masks;
   int bitsPerRgb = 0;  ///< bits of each stored colour that reach the screen
-  int cells = 0;       ///< colormap size; a channel's levels where masks are not 0
+  int cells = 0;       ///< colormap size; where masks are not 0 the levels of the channel that has most
   [[nodiscard]] bool writable() const { return kVisualClasses[static_cast<int>(kind)].writable; }
-  /// Bits of a pixel that no colour uses: alpha, on some visuals of depth 32. TrueColor only.
-  [[nodiscard]] unsigned long alphaMask() const {
-    return ((1ul << depth) - 1) & ~(masks.red | masks.green | masks.blue);
+  /// Do red, green and blue have bits of their own in a pixel value?
+  [[nodiscard]] bool hasChannels() const {
+    return kind == VisualClass::TrueColorClass || kind == VisualClass::DirectColorClass;
   }
+  /// Shows red, green and blue as one gray.
+  [[nodiscard]] bool gray() const {
+    return kind == VisualClass::StaticGrayClass || kind == VisualClass::GrayScaleClass;
+  }
+  /// Bits of a pixel that no colour uses: alpha, on some visuals of depth 32.
+  [[nodiscard]] unsigned long alphaMask() const {
+    return hasChannels() ? ((1ul << depth) - 1) & ~(masks.red | masks.green | masks.blue) : 0;
+  }
+  /// Does a colormap of our own hold the picture's 256 cells? With channels through the pixels (i, i, i).
+  [[nodiscard]] bool holdsTable() const { return writable() && leastLevels() >= 256; }
+  /// Does every 8-bit colour have a pixel value of its own?
+  [[nodiscard]] bool exact() const { return hasChannels() && leastLevels() >= 256; }
+  /// Of its channels, or where there are none its cells.
+  [[nodiscard]] int leastLevels() const;
   [[nodiscard]] std::string name() const;  ///< "PseudoColor 8"
 };
 
@@ -67,8 +81,7 @@ struct ServerVisuals {
   [[nodiscard]] const VisualInfo& defaultVisual() const;
 };
 
-/// Free cells are counted by allocating them and giving them back; other programs that ask for a cell
-/// in that moment (a few round trips) do not get one.
+/// Free cells are counted by taking them and giving them back, while all other programs wait.
 [[nodiscard]] ServerVisuals readVisuals(::_XDisplay* display);
 
 /// `--visual CLASS[DEPTH]`: PseudoColor8, truecolor24, TrueColor.
@@ -79,22 +92,52 @@ struct VisualWish {
 /// @throws std::invalid_argument naming what may be written.
 [[nodiscard]] VisualWish parseVisualWish(std::string_view text);
 
+/// `--colormap`: a map of our own, or cells of the one that all programs share by default.
+enum class MapOwner { Private, Shared };
+struct MapOwnerRow {
+  MapOwner id;
+  std::string_view name;
+};
+inline constexpr std::array kMapOwners{
+    MapOwnerRow{MapOwner::Private, "private"},
+    MapOwnerRow{MapOwner::Shared, "shared"},
+};
+
 struct VisualChoice {
   VisualInfo visual;
   std::string why;  ///< "a real 8-bit colormap: ..."
 };
-/// The first row that the server has: PseudoColor of depth 8, whose colormap is the picture's table;
-/// TrueColor of depth 24, where the table is emulated; any other TrueColor, deepest first but with alpha
-/// (bits in no mask) last. Among equals the default visual, else the server's first.
-/// @throws X11Error listing what the server has, if that is nothing we use or not what was wished for.
+
+/// The first of these that the server has, and among equals the default visual, else the server's first:
+///   PseudoColor of 256 cells, of depth 8 before others
+///   TrueColor 24, other TrueColor of 8 bits a channel, such DirectColor
+///   coarser TrueColor, the deepest first; TrueColor with alpha (bits in no mask)
+///   GrayScale of 256 cells
+///   StaticColor, TrueColor and DirectColor of fewer than 15 bits
+///   StaticGray; whatever has fewer cells
+/// Why: all colours before some, all grays before few colours, and among equals what can be stored, for that
+/// is our subject. But DirectColor comes after TrueColor, since on the screens that have both its map makes
+/// all other windows flash, and alpha late, since a compositor may make something of it. MapOwner::Shared
+/// takes the default visual: the cells of the default map are for no other.
+/// @throws X11Error listing what the server has, if what was wished for is not among it.
 [[nodiscard]] VisualChoice chooseVisual(const ServerVisuals& server,
-                                        const std::optional<VisualWish>& wish = {});
+                                        const std::optional<VisualWish>& wish = {},
+                                        MapOwner owner = MapOwner::Private);
 
 /// The table of `xnewell visuals`: equal visuals in one row with their number, what xnewell would do
 /// with each, and the choice with its reason in the last line.
 [[nodiscard]] std::string describeVisuals(const ServerVisuals& server,
-                                          const std::optional<VisualWish>& wish = {});
+                                          const std::optional<VisualWish>& wish = {},
+                                          MapOwner owner = MapOwner::Private);
 
+/// Takes cells of the map for ourselves, as many as it gives but at most `most`, in falling powers of two.
+/// Nobody else is to free or change them; give them back with XFreeColors.
+[[nodiscard]] std::vector<unsigned long> takeCells(::_XDisplay* display, unsigned long map, int most);
+
+/// The pixel value of the map's entry k: where red, green and blue have their own, of the k-th of each.
+[[nodiscard]] unsigned long pixelOfCell(const VisualInfo& visual, int k);
+/// How many levels a channel with these bits has.
+[[nodiscard]] unsigned long levelsOf(unsigned long mask);
 /// The pixel value that shows `color` through `masks`: each channel's high bits, the others dropped, so 8-bit
 /// channels show value >> 8 as servers do.
 [[nodiscard]] unsigned long pixelOf(Rgb16 color, const ChannelMasks& masks);
