@@ -294,7 +294,7 @@ TEST(Options, SayWhatIsNotBuiltYet) {
           << option << ' ' << name << ": " << complaint({option, name});
   };
   later("--colormap", {"shared"});
-  later("--view", {"colours", "overdraw", "wireframe"});
+  later("--view", {"overdraw", "wireframe"});
 }
 
 // Of two options that cannot both be heeded neither is ignored.
