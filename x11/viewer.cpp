@@ -1,5 +1,6 @@
 #include "x11/viewer.h"
 
+#include <X11/XKBlib.h>
 #include <X11/Xutil.h>
 #include <X11/keysym.h>
 #include <poll.h>
@@ -7,11 +8,13 @@
 #include <csignal>
 #include <utility>
 
+#include "shading/few_colors.h"
 #include "shading/png.h"
 #include "x11/canvas.h"
 #include "x11/colormap.h"
 #include "x11/display.h"
 #include "x11/fill_polygons.h"
+#include "x11/read_cells.h"
 #include "x11/report.h"
 #include "x11/visual.h"
 #include "x11/workbench.h"
@@ -109,6 +112,7 @@ class Viewer {
                 {.title = "xnewell: " + scene.name, .width = size_.x, .height = size_.y}},
         bench_{std::move(scene), setupOf(options), server_.forBench()} {
     bench_.resize(size_.x, size_.y);
+    XkbSetDetectableAutoRepeat(display(), 1, nullptr);  // a key held is released once
   }
 
   int run() {
@@ -126,14 +130,26 @@ class Viewer {
       if (bench_.quitAsked()) return strayErrors() > 0 ? 1 : 0;
       if (interrupted) return 130;
       // A zero wait where events are queued already: a signal held back is still let in.
-      const timespec none{};
+      const std::optional<timespec> most = longestWait();
       pollfd connection{ConnectionNumber(display()), POLLIN, 0};
-      ppoll(&connection, 1, XPending(display()) > 0 ? &none : nullptr, &whileWaiting);
+      ppoll(&connection, 1, most ? &*most : nullptr, &whileWaiting);
     }
   }
 
  private:
   [[nodiscard]] ::Display* display() const { return server_.display.get(); }
+
+  /// None where nothing happens but events. Colours that move do so every 40 ms at most.
+  [[nodiscard]] std::optional<timespec> longestWait() {
+    constexpr double kTick = 40;
+    if (XPending(display()) > 0 || bench_.stale() != Workbench::Stale::Nothing) return timespec{};
+    if (!bench_.moving()) return std::nullopt;
+    const double rest = kTick - sinceTick_.ms();
+    if (rest > 0) return timespec{0, static_cast<long>(rest * 1e6)};
+    sinceTick_ = {};
+    bench_.tick();
+    return timespec{};
+  }
 
   void handle(XEvent& event) {
     switch (event.type) {
@@ -164,6 +180,12 @@ class Viewer {
         break;
       case KeyPress:
         if (const std::optional<Key> key = keyOf(event.xkey)) bench_.press(*key);
+        break;
+      case KeyRelease:
+        if (const std::optional<Key> key = keyOf(event.xkey)) bench_.release(key->letter);
+        break;
+      case FocusOut:  // a key let go elsewhere is not told
+        bench_.release('h');
         break;
       case ButtonPress:
         pressed(event.xbutton);
@@ -199,9 +221,7 @@ class Viewer {
     constexpr double kWheelStep = 1.1;
     if (e.button == Button4) bench_.zoom(kWheelStep);
     if (e.button == Button5) bench_.zoom(1.0 / kWheelStep);
-    const Rect& at = bench_.layout().picture;
-    if (e.button == Button1 && e.x >= at.x && e.x < at.x + at.width && e.y >= at.y &&
-        e.y < at.y + at.height) {
+    if (e.button == Button1 && bench_.grab(e.x, e.y)) {
       dragging_ = true;
       dragX_ = e.x;
       dragY_ = e.y;
@@ -209,7 +229,7 @@ class Viewer {
   }
 
   void moved(const XMotionEvent& e) {
-    if (!dragging_) return;
+    if (!dragging_) return bench_.hover(e.x, e.y);
     bench_.drag(e.x - dragX_, e.y - dragY_);
     dragX_ = e.x;
     dragY_ = e.y;
@@ -228,7 +248,7 @@ class Viewer {
     }
     if (!server_.colormap.real()) server_.colormap.store(bench_.palette());  // the puts below look cells up
     canvas_.upload(bench_.image(), all);
-    if (bench_.setup().fill == Fill::XFillPolygon) {
+    if (bench_.serverFills()) {
       fillPolygons(display(), canvas_, server_.colormap, bench_.picture(), bench_.layout().picture,
                    bench_.ground());
       for (const Rect& part : bench_.overPicture()) canvas_.upload(bench_.image(), part);
@@ -245,6 +265,7 @@ class Viewer {
   Canvas canvas_;
   Workbench bench_;
   bool dragging_ = false, pointerInside_ = false;
+  Stopwatch sinceTick_;
   int dragX_ = 0, dragY_ = 0;
 };
 
@@ -290,12 +311,16 @@ void takeSnapshot(const Options& options, Scene scene, double msRead) {
     times.read = msRead;
     times.present = present(server, canvas, shot, options.fill);
     if (strayErrors() > 0) throw X11Error{"the X server refused requests: no picture"};
-    writePictures(options, shot.picture, encodePng(canvas.readBack({0, 0, size.x, size.y})));
+    std::optional<ColoredImage> cells = readCells(server.display.get(), canvas, server.colormap, shot.image);
+    const RgbImage seen = cells ? RgbImage{} : canvas.readBack({0, 0, size.x, size.y});
+    if (!cells) cells = inFewColors(seen);
+    writePictures(options, shot.picture, cells ? encodePng(cells->image, cells->palette) : encodePng(seen));
     report(options, shot.picture, times);
   };
   if (options.wholeWindow) {
     Workbench bench{std::move(scene), setupOf(options), server.forBench()};
     bench.resize(size.x, size.y);
+    if (options.view == View::Colors) bench.press({NamedKey::Letter, '3'});
     bench.update();
     shoot({bench.picture(), bench.image(), bench.palette(), bench.layout().picture, bench.ground(),
            bench.overPicture()});
@@ -310,6 +335,8 @@ void takeSnapshot(const Options& options, Scene scene, double msRead) {
   if (options.view != View::Picture) {
     const ColoredImage view = drawView(picture, {.view = options.view,
                                                  .scanline = options.scanline,
+                                                 .cell = options.cell,
+                                                 .effects = options.effects,
                                                  .picture = settings,
                                                  .cells = plan,
                                                  .unneeded = server.colormap.unneeded()});
@@ -320,7 +347,7 @@ void takeSnapshot(const Options& options, Scene scene, double msRead) {
   picture.paint(image, plan[Cell::Well]);
   shoot({picture,
          image,
-         picture.palette(plan, server.colormap.unneeded()),
+         withEffects(picture.palette(plan, server.colormap.unneeded()), picture, plan, options.effects),
          {0, 0, size.x, size.y},
          plan[Cell::Well]});
 }
