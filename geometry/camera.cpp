@@ -6,6 +6,7 @@
 #include <limits>
 #include <vector>
 
+#include "geometry/box.h"
 #include "geometry/trig.h"
 
 namespace {
@@ -17,20 +18,12 @@ glm::dvec3 defaultDirection(UpAxis axis) {
   return axis == UpAxis::Z ? glm::dvec3{0.22, -1.0, 0.52} : glm::dvec3{0.22, 0.52, 1.0};
 }
 
-struct Box {
-  glm::dvec3 low{std::numeric_limits<double>::infinity()}, high{-std::numeric_limits<double>::infinity()};
-  void add(glm::dvec3 p) {
-    low = glm::min(low, p);
-    high = glm::max(high, p);
-  }
-  [[nodiscard]] glm::dvec3 centre() const { return low / 2.0 + high / 2.0; }
-  [[nodiscard]] double side() const {
-    const double s = std::max({high.x - low.x, high.y - low.y, high.z - low.z});
-    if (s > 0.0) return s;
-    const double magnitude = std::max({std::abs(high.x), std::abs(high.y), std::abs(high.z)});
-    return magnitude > 0.0 ? magnitude : 1.0;  // a single point: anything positive will do
-  }
-};
+/// Of the scene; of a single point anything positive will do.
+double sizeOf(const Box& box) {
+  if (const double side = box.side(); side > 0.0) return side;
+  const double magnitude = box.magnitude();
+  return magnitude > 0.0 ? magnitude : 1.0;
+}
 
 /// The smallest view of slopes `tan`, upright and symmetric, that holds all points.
 struct Frame {
@@ -83,7 +76,7 @@ Camera placeCamera(const CameraSettings& s, std::span<const glm::dvec3> points, 
   Box box;
   for (const glm::dvec3& p : points) box.add(p);
   if (points.empty()) box.add(glm::dvec3{0.0});
-  const double side = box.side();
+  const double side = sizeOf(box);
 
   // Axes: what was said, else a pleasant direction.
   Camera camera;

@@ -9,6 +9,7 @@
 #include <glm/vec2.hpp>
 #include <numeric>
 
+#include "geometry/box.h"
 #include "geometry/overlap.h"
 #include "geometry/plane.h"
 #include "geometry/scale.h"
@@ -25,16 +26,15 @@ struct UnitBox {
 
   explicit UnitBox(const std::vector<glm::dvec3>& meshPoints) {
     // Scaled first, so that differences do not overflow.
-    glm::dvec3 low = meshPoints[0], high = low;
-    for (const glm::dvec3& p : meshPoints) low = glm::min(low, p), high = glm::max(high, p);
+    Box box = boxOf(meshPoints);
     int first = 0, second = 0;
-    std::frexp(std::max(largest(glm::abs(low)), largest(glm::abs(high))), &first);
-    low = scaled(low, -first), high = scaled(high, -first);
-    side = std::frexp(largest(high - low), &second);
-    magnitude = std::ldexp(std::max(largest(glm::abs(low)), largest(glm::abs(high))), -second);
+    std::frexp(box.magnitude(), &first);
+    box = {scaled(box.low, -first), scaled(box.high, -first)};
+    side = std::frexp(box.side(), &second);
+    magnitude = std::ldexp(box.magnitude(), -second);
     exponent = first + second;
     points.reserve(meshPoints.size());
-    for (const glm::dvec3& p : meshPoints) points.push_back(scaled(scaled(p, -first) - low, -second));
+    for (const glm::dvec3& p : meshPoints) points.push_back(scaled(scaled(p, -first) - box.low, -second));
   }
 };
 
@@ -145,15 +145,17 @@ class Coplanarity {
         const double area =
             sheet.pieceCount == 1 ? sheet.area : glm::length(newellVector(box_.points, pieces_.piece(k)));
         if (area == 0.0 || sheet.area == 0.0) continue;
-        glm::dvec3 low{1.0}, high{0.0}, last = box_.points[pieces_.piece(k).back()];
+        Box around;
+        glm::dvec3 last = box_.points[pieces_.piece(k).back()];
         double perimeter = 0.0;
         for (const int c : pieces_.piece(k)) {
           const glm::dvec3& p = box_.points[c];
-          low = glm::min(low, p), high = glm::max(high, p);
+          around.add(p);
           perimeter += glm::length(p - last);
           last = p;
         }
-        const double distance = glm::length(glm::max(glm::abs(low - from), glm::abs(high - from)));
+        const double distance =
+            glm::length(glm::max(glm::abs(around.low - from), glm::abs(around.high - from)));
         const double sine = 2.0 * mostTolerance_ * perimeter / area;
         const double play = (sheet.pieceCount == 1 ? 1.0 : 2.0) * (sine * distance + mostTolerance_);
         // No two feet are further than 4 apart, and to float a number up to 8 is rounded by 2^-22.
@@ -162,8 +164,8 @@ class Coplanarity {
         for (int axis = 0; axis < 3; ++axis) {
           box.low[axis] = static_cast<float>(foot[axis] - nearFoot);
           box.high[axis] = static_cast<float>(foot[axis] + nearFoot);
-          box.low[axis + 3] = static_cast<float>(low[axis] - nearby);
-          box.high[axis + 3] = static_cast<float>(high[axis] + nearby);
+          box.low[axis + 3] = static_cast<float>(around.low[axis] - nearby);
+          box.high[axis + 3] = static_cast<float>(around.high[axis] + nearby);
         }
       }
     }

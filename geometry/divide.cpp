@@ -7,6 +7,7 @@
 #include <glm/geometric.hpp>
 #include <numeric>
 
+#include "geometry/box.h"
 #include "geometry/ear_clip.h"
 #include "geometry/plane.h"
 #include "geometry/scale.h"
@@ -42,14 +43,10 @@ Outline outlineOf(const Mesh& mesh, std::span<const int> corners, double roundin
   std::vector<glm::dvec3> p;
   p.reserve(corners.size());
   for (const int c : corners) p.push_back(scaled(at(c), -exponent));
-  glm::dvec3 low = p[0], high = p[0];
-  for (const glm::dvec3& q : p) {
-    low = glm::min(low, q);
-    high = glm::max(high, q);
-  }
-  const double extent = std::frexp(largest(high - low), &boxExponent);
+  const Box box = boxOf(p);
+  const double extent = std::frexp(box.side(), &boxExponent);
   const int steps = kGridBits - boxExponent;
-  for (glm::dvec3& q : p) q = scaled(q - low, steps);
+  for (glm::dvec3& q : p) q = scaled(q - box.low, steps);
 
   Outline outline;
   std::vector<int> all(p.size());

@@ -39,6 +39,8 @@ struct Mesh {
   /// carry, in world units. 0 where they are exact by definition (points of a Bezier patch); empty where all
   /// are.
   std::vector<double> rounding;
+  /// What the reader of the file did without: a sentence each, with file and line.
+  std::vector<std::string> notes;
 
   [[nodiscard]] int faceCount() const { return static_cast<int>(firstCorner.size()) - 1; }
   [[nodiscard]] std::span<const int> face(int f) const {

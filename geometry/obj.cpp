@@ -9,6 +9,7 @@
 
 #include "geometry/mtl.h"
 #include "geometry/number.h"
+#include "geometry/parse_error.h"
 #include "geometry/power.h"
 #include "geometry/text_file.h"
 
@@ -45,7 +46,7 @@ class NamesInUse {
 class ObjReader {
  public:
   ObjReader(std::string_view text, const std::string& name, std::filesystem::path folder)
-      : words_{text, name}, folder_{std::move(folder)} {}
+      : words_{text, name}, name_{name}, folder_{std::move(folder)} {}
 
   Mesh read() {
     while (words_.nextLine()) {
@@ -68,8 +69,11 @@ class ObjReader {
     if (mesh_.uvOfCorner.empty()) mesh_.uv.clear();
     if (mesh_.faceCount() == 0) words_.fail(0, "holds no face");
     mesh_.groupNames = group_.names();
+    bool told = libraries_.empty();  // then all are white, and a library that is missing is told
     for (const std::string& name : material_.names()) {
       const auto known = colors_.find(name);
+      if (known == colors_.end() && !std::exchange(told, true))
+        note(0, "no library has the material " + inQuotes(name) + ": it is white");
       mesh_.materials.push_back({name, known == colors_.end() ? glm::dvec3{1.0} : known->second});
     }
     mesh_.rounding.assign(mesh_.groupNames.size(), rounding_.rounding());
@@ -202,8 +206,15 @@ class ObjReader {
     if (readLibrary(names)) return;
     Words each{names, {}};
     each.nextLine();
+    bool all = true;
     for (std::string_view name = each.next(); !name.empty(); name = each.next())
-      readLibrary(std::string{name});
+      all = readLibrary(std::string{name}) && all;
+    if (!all && mesh_.notes.empty())
+      note(words_.line(), "no such material library: " + inQuotes(names) + "; what only it has is white");
+  }
+
+  void note(int line, const std::string& what) {
+    mesh_.notes.emplace_back(ParseError{name_, line, what}.what());
   }
 
   /// False if there is no such file.
@@ -218,6 +229,7 @@ class ObjReader {
   inline static const std::string kDefaultGroup = "default";
 
   Words words_;
+  std::string name_;
   std::filesystem::path folder_;
   Mesh mesh_;
   NamesInUse group_{kDefaultGroup};

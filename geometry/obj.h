@@ -26,8 +26,9 @@
 ///                   d = 309 on.
 ///
 /// Throws ParseError, `teapot.obj:41: face index 0; OBJ counts from 1`, and for a file without a face.
-/// `name` is how errors call the text. Libraries are looked for in `folder`; a missing one is no error,
-/// one that cannot be read is (std::system_error), and so is a malformed colour in it.
+/// `name` is how errors call the text. Libraries are looked for in `folder`; a missing one is no error, but
+/// the first is noted (Mesh::notes), as is the first material that none of those found has; one that cannot
+/// be read is (std::system_error), and so is a malformed colour in it.
 [[nodiscard]] Mesh parseObj(std::string_view text, const std::string& name,
                             const std::filesystem::path& folder);
 

@@ -10,6 +10,12 @@
 
 namespace {
 
+/// Twice the area of a triangle.
+std::int64_t doubleArea(const glm::ivec3& a, const glm::ivec3& b, const glm::ivec3& c) {
+  const std::int64_t x1 = b.x - a.x, y1 = b.y - a.y, x2 = c.x - a.x, y2 = c.y - a.y;
+  return y1 * x2 - x1 * y2;  // y runs down
+}
+
 /// A vertex before the snap: pixels, divided by w.
 glm::dvec3 divided(const glm::dvec4& p) { return glm::dvec3{p} / p.w; }
 
@@ -37,7 +43,6 @@ class Snapper {
   }
 
   void add(std::vector<Corner>& outline, const Owner& owner) {
-    if (outline.size() == 3) return addTriangle(outline[0], outline[1], outline[2], owner);
     dropRepeats(outline);
     const int count = static_cast<int>(outline.size());
     const std::int64_t area = count < 3 ? 0 : doubleAreaOf(outline.data(), count);
@@ -54,31 +59,46 @@ class Snapper {
     addConvex(outline.data(), count, owner, back);
   }
 
-  /// What add() does, for most faces of most scenes.
-  void addTriangle(const Corner& a, const Corner& b, const Corner& c, const Owner& owner) {
-    const std::array corner{a.at, b.at, c.at};
-    const std::int64_t area = doubleArea(corner.data(), 3);
+  /// The same for most faces of most scenes, from where they are: corners `from` and the snapped points `at`
+  /// refers to. (What is gathered in a Corner is read back before it has been stored.)
+  void addTriangle(const int* at, const int* from, const std::vector<glm::ivec3>& snapped,
+                   const Owner& owner) {
+    const glm::ivec3 &a = snapped[at[0]], &b = snapped[at[1]], &c = snapped[at[2]];
+    const std::int64_t area = doubleArea(a, b, c);
+    const bool back = area < 0;
     if (area == 0) {
       ++scene_.degenerate;
-    } else if (area < 0 && cull_ == Cull::Back) {
+    } else if (back && cull_ == Cull::Back) {
       ++scene_.culled;
     } else {
-      const std::array outline = area < 0 ? std::array{c, b, a} : std::array{a, b, c};
-      append(outline.data(), 3, owner, area < 0);
+      const std::size_t first = addFace(3, owner, back);
+      glm::ivec3* const vertex = &scene_.vertices[first];
+      int* const source = &scene_.source[first];
+      vertex[0] = back ? c : a, vertex[1] = b, vertex[2] = back ? a : c;
+      source[0] = from[back ? 2 : 0], source[1] = from[1], source[2] = from[back ? 0 : 2];
     }
   }
 
  private:
-  void append(const Corner* p, int count, const Owner& owner, bool back) {
-    scene_.faces.push_back({.first = static_cast<int>(scene_.vertices.size()),
+  /// A face whose outline is still to be written, from the vertex on that is returned.
+  std::size_t addFace(int count, const Owner& owner, bool back) {
+    const std::size_t first = scene_.vertices.size();
+    scene_.faces.push_back({.first = static_cast<int>(first),
                             .count = count,
                             .number = owner.number,
                             .piece = owner.piece,
                             .back = back,
                             .plane = owner.plane});
-    for (const Corner* c = p; c != p + count; ++c) {
-      scene_.vertices.push_back(c->at);
-      scene_.source.push_back(c->source);
+    scene_.vertices.resize(first + static_cast<std::size_t>(count));
+    scene_.source.resize(first + static_cast<std::size_t>(count));
+    return first;
+  }
+
+  void append(const Corner* p, int count, const Owner& owner, bool back) {
+    const std::size_t first = addFace(count, owner, back);
+    for (int k = 0; k < count; ++k) {
+      scene_.vertices[first + k] = p[k].at;
+      scene_.source[first + k] = p[k].source;
     }
   }
 
@@ -91,10 +111,8 @@ class Snapper {
   /// Twice the area, as doubleArea().
   static std::int64_t doubleAreaOf(const Corner* p, int count) {
     std::uint64_t sum = 0;
-    for (int i = 1; i + 1 < count; ++i) {
-      const std::array corner{p[0].at, p[i].at, p[i + 1].at};
-      sum += static_cast<std::uint64_t>(doubleArea(corner.data(), 3));
-    }
+    for (int i = 1; i + 1 < count; ++i)
+      sum += static_cast<std::uint64_t>(doubleArea(p[0].at, p[i].at, p[i + 1].at));
     return static_cast<std::int64_t>(sum);
   }
 
@@ -106,8 +124,7 @@ class Snapper {
     int descents = 0;  // a convex outline changes from rising to falling once a turn
     for (int i = 0; i < count; ++i) {
       const glm::ivec3 &a = p[i].at, &b = p[(i + 1) % count].at, &c = p[(i + 2) % count].at;
-      const std::array corner{a, b, c};
-      const std::int64_t turn = doubleArea(corner.data(), 3);
+      const std::int64_t turn = doubleArea(a, b, c);
       if (turn < 0 || (turn == 0 && turnsBack(a, b, c))) return false;
       descents += (b.y > a.y || (b.y == a.y && b.x > a.x)) && !(c.y > b.y || (c.y == b.y && c.x > b.x));
     }
@@ -140,11 +157,7 @@ class Snapper {
 
 std::int64_t doubleArea(const glm::ivec3* p, int count) {
   std::uint64_t sum = 0;
-  for (int i = 1; i + 1 < count; ++i) {
-    const std::int64_t ax = p[i].x - p[0].x, ay = p[i].y - p[0].y;
-    const std::int64_t bx = p[i + 1].x - p[0].x, by = p[i + 1].y - p[0].y;
-    sum += static_cast<std::uint64_t>(ay * bx - ax * by);  // y runs down
-  }
+  for (int i = 1; i + 1 < count; ++i) sum += static_cast<std::uint64_t>(doubleArea(p[0], p[i], p[i + 1]));
   return static_cast<std::int64_t>(sum);
 }
 
@@ -181,7 +194,8 @@ SnappedScene snap(const Mesh& mesh, const Pieces& pieces, const ViewSpec& view, 
   std::vector<ClipVertex> polygon;
   const int count = static_cast<int>(pieces.face.size());
   scene.polygons = count;
-  for (int i = 0; i < count; ++i) {
+  const bool allInside = std::ranges::all_of(outside, [](std::uint8_t code) { return code == 0; });
+  for (int i = 0; i < count && !allInside; ++i) {
     unsigned any = 0, all = ~0u;
     for (const int corner : pieces.piece(i)) {
       any |= outside[corner];
@@ -226,14 +240,14 @@ SnappedScene snap(const Mesh& mesh, const Pieces& pieces, const ViewSpec& view, 
         continue;
       }
     } else {
-      const auto corner = [&](int c) { return Corner{snapped[pieces.corners[c]], pieces.from[c]}; };
       const int first = pieces.firstCorner[i];
       if (pieces.firstCorner[i + 1] == first + 3) {
-        snapper.addTriangle(corner(first), corner(first + 1), corner(first + 2),
+        snapper.addTriangle(&pieces.corners[first], &pieces.from[first], snapped,
                             {pieces.face[i], i, pieces.plane[i]});
         continue;
       }
-      for (int c = first; c < pieces.firstCorner[i + 1]; ++c) outline.push_back(corner(c));
+      for (int c = first; c < pieces.firstCorner[i + 1]; ++c)
+        outline.push_back({snapped[pieces.corners[c]], pieces.from[c]});
     }
     snapper.add(outline, {pieces.face[i], i, pieces.plane[i]});
   }

@@ -73,7 +73,7 @@ class AffineOver {
     return (*this)(steps.data());
   }
   /// The same of three values in steps.
-  [[nodiscard]] AffineValue operator()(const std::uint32_t* steps) const {
+  [[nodiscard, gnu::always_inline]] AffineValue operator()(const std::uint32_t* steps) const {
     const std::int64_t V0 = steps[0];
     const std::int64_t V1 = steps[1] - V0, V2 = steps[2] - V0;
     const double alongX = static_cast<double>(V1 * y2_ - V2 * y1_) * gridOverD_;

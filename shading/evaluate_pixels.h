@@ -25,7 +25,7 @@ template <class Real>
   return {on(p[0], along, down), on(p[1], along, down), on(p[2], along, down)};
 }
 
-/// The largest whole number not above v, |v| < 2^23.
+/// The largest whole number not above v, |v| <= 2^22.
 template <class Real>
 [[gnu::always_inline]] inline Real wholePart(const Real& v) {
   if constexpr (std::is_floating_point_v<Real>) {
@@ -36,9 +36,12 @@ template <class Real>
   }
 }
 
-/// Where the texels at coordinates (u, v) stand in a channel of the texture.
+/// Where the texels at coordinates (u, v) stand in a channel of the texture: always within it, also for lanes
+/// past the end of a span, where 1 / w may have crossed 0 and the coordinates are anything.
 template <class Real>
-[[gnu::always_inline]] inline auto placesOf(const Texture& texture, const Real& u, const Real& v) {
+[[gnu::always_inline]] inline auto placesOf(const Texture& texture, const Real& anyU, const Real& anyV) {
+  const Real least = splat<Real>(-0x1p22), most = splat<Real>(0x1p22);
+  const Real u = smaller(larger(anyU, least), most), v = smaller(larger(anyV, least), most);
   const Real s = u - wholePart(u), t = splat<Real>(1.0) - (v - wholePart(v));  // t runs down, in (0, 1]
   const Real width = splat<Real>(texture.width), height = splat<Real>(texture.height);
   const Real column = smaller(s * width, width - splat<Real>(1.0));
@@ -132,7 +135,7 @@ template <class Real, bool kPhong>
   for (int b = 0; b < blocks; ++b) sum[b] = rest[b] + diffuse[b];
 }
 
-/// The ramp's cells, a byte a lane.
+/// The ramp's cells, a byte a lane; of its lowest where the sum is not a number, past the end of a span.
 template <class Real>
 [[gnu::always_inline]] inline void storeCells(const Ramp& ramp, const Real* sum, int blocks,
                                               std::uint8_t* bytes) {
@@ -145,14 +148,14 @@ template <class Real>
   const int count = blocks * kSideBySide;
   if (ramp.table != nullptr) {
     const Real zero = splat<Real>(0.0), one = splat<Real>(1.0);
-    for (int b = 0; b < blocks; ++b) store(b, smaller(one, larger(zero, sum[b])) * splat<Real>(65535.0));
+    for (int b = 0; b < blocks; ++b) store(b, smaller(larger(sum[b], zero), one) * splat<Real>(65535.0));
     for (int k = 0; k < count; ++k) bytes[k] = ramp.table[whole[k]];
     return;
   }
   const Real low = splat<Real>(ramp.low), high = splat<Real>(ramp.high);
   const Real perIntensity = splat<Real>(ramp.perIntensity()), first = splat<Real>(ramp.first + 0.5);
   for (int b = 0; b < blocks; ++b)
-    store(b, first + perIntensity * (smaller(high, larger(low, sum[b])) - low));
+    store(b, first + perIntensity * (smaller(larger(sum[b], low), high) - low));
   for (int k = 0; k < count; ++k) bytes[k] = static_cast<std::uint8_t>(whole[k]);
 }
 

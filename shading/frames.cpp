@@ -34,6 +34,7 @@ Frames::Frames(const Picture& picture, const SortedScene& sorted, bool textbook,
                const std::vector<int>& steps)
     : picture_{picture},
       sorted_{sorted},
+      painter_{picture.painter(sorted)},
       explainer_{picture.scene().mesh, picture.snapped(), sorted, textbook},
       replay_{picture.snapped(), sorted},
       plan_{picture.settings().table.kind},
@@ -114,9 +115,7 @@ void Frames::paintTo(int painted) {
     std::ranges::fill(soFar_.pixels, cell(Cell::Well));
     painted_ = 0;
   }
-  for (; painted_ < painted; ++painted_) {
-    picture_.paint(soFar_, sorted_, sorted_.fragments[painted_]);
-  }
+  for (; painted_ < painted; ++painted_) painter_.paint(soFar_, sorted_.fragments[painted_]);
 }
 
 /// The picture as it is so far, and the strip.

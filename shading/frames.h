@@ -48,6 +48,7 @@ class Frames {
 
   const Picture& picture_;
   const SortedScene& sorted_;
+  SurfacePainter painter_;
   Explainer explainer_;
   Replay replay_;
   CellPlan plan_;

@@ -49,18 +49,24 @@ struct GouraudTable {
   void span(std::uint8_t* cells, int i, int j, int count) const {
     const std::uint8_t* const cellAt =
         table;  // a copy: for all the compiler knows, a store may change members
-    // Four sums beside each other: one would wait for itself.
-    const std::uint32_t gx = value.gx;
-    std::uint32_t v0 = value.at(i, j), v1 = v0 + gx, v2 = v1 + gx, v3 = v2 + gx;
-    int k = 0;
-    for (; k + 4 <= count; k += 4) {
-      cells[k] = cellAt[v0 >> 16];
-      cells[k + 1] = cellAt[v1 >> 16];
-      cells[k + 2] = cellAt[v2 >> 16];
-      cells[k + 3] = cellAt[v3 >> 16];
-      v0 += 4 * gx, v1 += 4 * gx, v2 += 4 * gx, v3 += 4 * gx;
+    // In the upper half of 64 bits, from where one shift makes the place; four sums beside each other, for
+    // one would wait for itself.
+    const std::uint64_t g = std::uint64_t{value.gx} << 32;
+    std::uint64_t v = std::uint64_t{value.at(i, j)} << 32;
+    if (count < 4) {
+      for (int k = 0; k < count; ++k, v += g) cells[k] = cellAt[v >> 48];
+      return;
     }
-    for (; k < count; ++k, v0 += gx) cells[k] = cellAt[v0 >> 16];
+    std::uint64_t v1 = v + g, v2 = v1 + g, v3 = v2 + g;
+    const auto four = [&](std::uint8_t* to) {
+      to[0] = cellAt[v >> 48], to[1] = cellAt[v1 >> 48], to[2] = cellAt[v2 >> 48], to[3] = cellAt[v3 >> 48];
+    };
+    const auto step = [&](std::uint64_t by) { v += by, v1 += by, v2 += by, v3 += by; };
+    int k = 0;
+    for (; k + 4 < count; k += 4, step(4 * g)) four(cells + k);
+    // The last four end with the span.
+    step(g * static_cast<std::uint64_t>(count - 4 - k));
+    four(cells + count - 4);
   }
 
   [[nodiscard]] auto rowsOfEight(int i, int j) const {

@@ -5,6 +5,7 @@
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
 
+#include "geometry/box.h"
 #include "geometry/power.h"
 #include "geometry/trig.h"
 #include "geometry/view.h"
@@ -13,18 +14,6 @@ namespace {
 
 /// Farther away, in scenes of size 1, a point's direction differs by less than 2^-29 from place to place.
 constexpr double kFar = 0x1p30;
-
-struct Box {
-  glm::dvec3 low{0}, high{0};
-  [[nodiscard]] glm::dvec3 centre() const { return (low + high) / 2.0; }
-};
-
-Box boxOf(const Mesh& mesh) {
-  if (mesh.points.empty()) return {};
-  Box box{mesh.points[0], mesh.points[0]};
-  for (const glm::dvec3& p : mesh.points) box = {glm::min(box.low, p), glm::max(box.high, p)};
-  return box;
-}
 
 double lengthOf(const glm::dvec3& v) {
   const glm::dvec3 along = unit(v);
@@ -130,7 +119,7 @@ Lighting resolve(const Mesh& mesh, const SceneLight& scene, const Illumination& 
     const bool brightness = channels == Channels::Brightness;
     return std::array{brightness ? std::max({color.r, color.g, color.b}) : luminance(color), 0.0, 0.0};
   };
-  const Box box = boxOf(mesh);
+  const Box box = boxOf(mesh.points);
   const glm::dvec3 centre = box.centre();
 
   Lighting lighting;

@@ -48,6 +48,7 @@ template <class Real>
   }
 }
 
+/// b where a is not a number: larger(x, bound), smaller(x, bound) are within their bounds for every x.
 template <class Real>
 [[nodiscard, gnu::always_inline]] inline Real larger(const Real& a, const Real& b) {
   return a > b ? a : b;

@@ -79,7 +79,8 @@ void Picture::make(const PictureSettings& next) {
         sorted_ =
             depthSort(snapped_, {.width = next.width, .height = next.height, .inPixels = next.inPixels});
       else
-        for (const int face : paintingOrder(snapped_, next.order)) sorted_.fragments.push_back({face});
+        std::ranges::transform(paintingOrder(snapped_, next.order), std::back_inserter(sorted_.fragments),
+                               [](int face) { return Fragment{face}; });
     });
 
   // Intensities to cells of the colour table.
@@ -158,8 +159,8 @@ void Picture::paint(IndexImage& image, std::uint8_t ground) {
   times_.fill += watch.ms();
 }
 
-void Picture::paint(IndexImage& image, const SortedScene& run, const Fragment& fragment) const {
-  SurfacePainter{surfaces(run, 0, cells_)}.paint(image, fragment);
+SurfacePainter Picture::painter(const SortedScene& run) const {
+  return SurfacePainter{surfaces(run, 0, cells_)};
 }
 
 void Picture::paintColors(IndexImage& image) {

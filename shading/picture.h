@@ -38,8 +38,9 @@ class Picture {
   void paint(IndexImage& image, std::uint8_t ground);
   /// The colours that go with it. Of a plan that chooses them from the picture, after paint().
   [[nodiscard]] Palette palette(const CellPlan& plan, const Palette& unneeded = {}) const;
-  /// One fragment alone, of a run over snapped(). Not for a plan of colours.
-  void paint(IndexImage& image, const SortedScene& run, const Fragment& fragment) const;
+  /// For painting one fragment after the other of a run over snapped(); both outlive it. Not for a plan of
+  /// colours.
+  [[nodiscard]] SurfacePainter painter(const SortedScene& run) const;
   /// For who sorts snapped() himself: its planes are made only for the orders that ask for them.
   void addPlanes();
   /// Face number + 1 at every sample, 0 where nothing is; row by row from the top.

@@ -9,17 +9,10 @@
 #include <string>
 #include <vector>
 
+#include "geometry/box.h"
 #include "geometry/view.h"
 
 namespace {
-
-double largest(const glm::dvec3& v) { return std::max({v.x, v.y, v.z}); }
-
-glm::dvec3 centreOf(const Mesh& mesh) {
-  glm::dvec3 low = mesh.points.front(), high = low;
-  for (const glm::dvec3& p : mesh.points) low = glm::min(low, p), high = glm::max(high, p);
-  return (low + high) / 2.0;
-}
 
 /// Of a length or its power, in file units, the scene's.
 double scaledTo(const Scene& scene, const Node& node, double v, int power = 1) {
@@ -114,7 +107,7 @@ void readLight(Scene& scene, const Node& root) {
   glm::dvec3 sum = scene.light.Ia.value_or(glm::dvec3{0.0});
   if (root.has("lights")) {
     const Node lights = root.at("lights");
-    const glm::dvec3 centre = centreOf(scene.mesh);
+    const glm::dvec3 centre = boxOf(scene.mesh.points).centre();
     std::vector<int> unsaid;
     for (int k = 0; k < lights.size(); ++k) {
       const Node node = lights.item(k);

@@ -20,11 +20,11 @@ namespace {
 
 /// What `read` makes of an object's file; that it cannot be read is told with the place that names it.
 template <class Read>
-auto fromFile(const Node& object, const Read& read) -> decltype(read()) {
+auto fromFile(const Node& file, const Read& read) -> decltype(read()) {
   try {
     return read();
   } catch (const std::system_error& e) {
-    throw std::system_error{e.code(), object.at("file").place() + ": " + inQuotes(object.at("file").text())};
+    throw std::system_error{e.code(), file.place() + ": " + inQuotes(file.text())};
   }
 }
 
@@ -179,7 +179,9 @@ class Collector {
       const Node node = all.at(name);
       Named& named = materials_[name];
       named.material = readMaterial(node, name);
-      if (node.has("texture")) named.texture = node.at("texture").text();
+      if (!node.has("texture")) continue;
+      named.texture.emplace(node.at("texture"));
+      (void)named.texture->text();  // also where no object uses it
     }
   }
 
@@ -215,7 +217,7 @@ class Collector {
  private:
   struct Named {
     MeshMaterial material;
-    std::optional<std::string> texture;
+    std::optional<Node> texture;
     std::optional<int> number;  ///< once an object wears it
   };
 
@@ -227,10 +229,10 @@ class Collector {
       node.at("divisions").fail("divisions are for the patches of a .bpt file");
     if (node.has("solid")) return readSolid(node);
     if (node.has("polygons")) return readPolygons(node);
-    if (file.extension() == ".obj") return fromFile(node, [&] { return readObj(file); });
+    if (file.extension() == ".obj") return fromFile(node.at("file"), [&] { return readObj(file); });
     if (file.extension() != ".bpt") node.at("file").fail("an .obj or .bpt file is needed");
     run.divisions = node.has("divisions") ? node.at("divisions").whole(1, kMaxDivisions) : divisions_;
-    run.patches = fromFile(node, [&] { return readBpt(file); });
+    run.patches = fromFile(node.at("file"), [&] { return readBpt(file); });
     for (BezierPatch& patch : run.patches)
       for (glm::dvec3& p : patch.p) p = transform(p);
     return tessellate(run.patches, run.divisions);
@@ -266,9 +268,10 @@ class Collector {
   }
 
   /// Each file once.
-  int textureOf(const std::string& file) {
-    const auto [known, isNew] = textures_.try_emplace(file, static_cast<int>(all_.textures.size()));
-    if (isNew) all_.textures.push_back(readTexture((folder_ / file).string()));
+  int textureOf(const Node& file) {
+    const auto [known, isNew] = textures_.try_emplace(file.text(), static_cast<int>(all_.textures.size()));
+    if (isNew)
+      all_.textures.push_back(fromFile(file, [&] { return readTexture((folder_ / file.text()).string()); }));
     return known->second;
   }
 
@@ -283,6 +286,7 @@ class Collector {
     extend(whole.groupNames, part.groupNames);
     if (part.groupNames.empty()) whole.groupNames.emplace_back();
     extend(whole.rounding, part.rounding);
+    extend(whole.notes, part.notes);
     extend(whole.uv, part.uv);
     if (!material) extend(whole.materials, part.materials);
     std::vector<int> corners, uv;

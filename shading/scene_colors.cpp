@@ -49,13 +49,10 @@ ColorPlan planOf(const Scene& scene, const PictureSettings& settings) {
   }
   if (settings.colors != ColorPlan::Needed) return settings.colors;
   if (!rowOf(settings.shading).lit) return ColorPlan::OneHue;
-  const auto colored = [](const Texture& t) {
-    return t.channel[0] != t.channel[1] || t.channel[0] != t.channel[2];
-  };
   const bool coloredLight =
       std::ranges::any_of(scene.light.lights, [](const Light& l) { return !gray(l.Ip); }) ||
       !gray(scene.light.Ia.value_or(glm::dvec3{0.0}));
-  if (coloredLight || std::ranges::any_of(scene.textures, colored)) return ColorPlan::Chosen;
+  if (coloredLight || std::ranges::any_of(scene.textures, &Texture::colored)) return ColorPlan::Chosen;
   if (std::ranges::all_of(scene.mesh.materials, [](const MeshMaterial& m) { return gray(m.diffuse); }))
     return ColorPlan::OneHue;
   const int hues = static_cast<int>(huesOf(scene).hues.size());

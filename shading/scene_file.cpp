@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <nlohmann/json.hpp>
+#include <set>
+#include <vector>
 
 #include "geometry/parse_error.h"
 #include "geometry/text_file.h"
@@ -13,10 +15,29 @@
 
 namespace {
 
+/// Of two values of one key a parser keeps the last; here nobody should have to guess which counts.
+class KeysOnce {
+ public:
+  explicit KeysOnce(const std::string& file) : file_{file} {}
+  bool operator()(int, Node::Json::parse_event_t event, const Node::Json& parsed) {
+    using Event = Node::Json::parse_event_t;
+    if (event == Event::object_start) open_.emplace_back();
+    if (event == Event::object_end) open_.pop_back();
+    if (event == Event::key && !open_.back().insert(parsed.get<std::string>()).second)
+      throw ParseError{file_, 0,
+                       "the key " + inQuotes(parsed.get<std::string>()) + " stands twice in an object"};
+    return true;
+  }
+
+ private:
+  const std::string& file_;
+  std::vector<std::set<std::string>> open_;  ///< the keys so far of the objects that are being read
+};
+
 /// JSON or a ParseError with its line.
 Node::Json parsed(std::string_view text, const std::string& name) {
   try {
-    return Node::Json::parse(text);
+    return Node::Json::parse(text, KeysOnce{name});
   } catch (const Node::Json::parse_error& e) {
     const auto end = text.begin() + static_cast<std::ptrdiff_t>(std::min(e.byte, text.size()));
     throw ParseError{name, 1 + static_cast<int>(std::count(text.begin(), end, '\n')), "not JSON here"};

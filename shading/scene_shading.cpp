@@ -1,6 +1,6 @@
 #include "shading/scene_shading.h"
 
-#include <glm/common.hpp>
+#include "geometry/box.h"
 
 bool SceneShading::make(const Scene& scene, const PictureSettings& settings, Channels channels,
                         const Camera& camera) {
@@ -69,14 +69,13 @@ void SceneShading::refine(const Scene& scene, const PictureSettings& settings) {
 
 void SceneShading::makeEnvironments(const Scene& scene, const PictureSettings& settings,
                                     const Camera& camera) {
-  glm::dvec3 low = scene.mesh.points.front(), high = low;
-  for (const glm::dvec3& p : scene.mesh.points) low = glm::min(low, p), high = glm::max(high, p);
+  const glm::dvec3 centre = boxOf(scene.mesh.points).centre();
   for (int c = 0; c < 3; ++c) {
     environments_[c].clear();
     if (c < lighting_.channels)
       for (const Material& material : lighting_.materials)
-        environments_[c].push_back(makeEnvironment(settings.environment, lighting_, material, c,
-                                                   vrcRotation(camera.view), (low + high) / 2.0));
+        environments_[c].push_back(
+            makeEnvironment(settings.environment, lighting_, material, c, vrcRotation(camera.view), centre));
   }
   const glm::dmat3 frame = environments_[0].front().frame;  // of the light, so the same for all
   mapped_.resize(points_.N.size());

@@ -260,11 +260,17 @@ void SurfacePainter::paintAll(IndexImage& image) {
   const auto ahead = [&](std::size_t k) -> const SnappedFace& {
     return snapped_.faces[fragments[std::min(k, count - 1)].face];
   };
+  // Most need two lines of each array.
+  const auto fetch = [](const auto* from, int items) {
+    __builtin_prefetch(from);
+    __builtin_prefetch(reinterpret_cast<const char*>(from + items) - 1);
+  };
   for (std::size_t k = 0; k < count; ++k) {
-    __builtin_prefetch(&ahead(k + 16));
-    const int first = ahead(k + 8).first;
-    __builtin_prefetch(&snapped_.vertices[first]);
-    if (!steps_.empty()) __builtin_prefetch(&steps_[first]);
+    fetch(&ahead(k + 16), 1);
+    const SnappedFace& next = ahead(k + 8);
+    fetch(&snapped_.vertices[next.first], 3);
+    __builtin_prefetch(&mesh_.material[next.number]);
+    if (!steps_.empty()) fetch(&steps_[next.first], 3);
     paint(image, fragments[k]);
   }
 }

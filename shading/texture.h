@@ -12,6 +12,7 @@ struct Texture {
   std::array<std::vector<std::uint8_t>, 3>
       channel;                     ///< RGB, row by row from the top; 255 is all of the light
   std::vector<std::uint8_t> gray;  ///< for pictures of one channel: 0.30 R + 0.59 G + 0.11 B, rounded
+  bool colored = false;            ///< whether the channels differ anywhere
 };
 
 /// A PNG, rows from the top. @throws as readPng()

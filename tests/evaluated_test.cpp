@@ -202,3 +202,29 @@ TEST(Evaluated, DegenerateTrianglesStayFinite) {
   e.span(cells.data(), e.i0, e.j0, 20);
   for (const std::uint8_t c : cells) EXPECT_EQ(c, kChannelRamp.cell(e.material->ambient[0]));
 }
+
+// Lanes are evaluated past the end of a span, where 1/w may be 0, negative or beyond all bounds: what they
+// read stays within texture and table, and the span's own samples know nothing of it.
+TEST(Evaluated, LanesPastTheEndReadNothingElse) {
+  RandomTriangles random{1};
+  const auto p = random.outline(50);
+  const std::vector<std::uint8_t> table(65536, 77);
+  for (const double past : {0.0, 1e-300, 1e-30, 1e-9, -1e-9, -0.25}) {
+    SCOPED_TRACE(past);
+    for (const bool phong : {true, false}) {
+      EvaluatedTriangle e = random.triangle(p, phong, true);
+      e.q = {1, past - 1, 0};  // 1/w falls to `past` at the second pixel, and is negative beyond
+      e.u = {0.3, 2e6, 0}, e.v = {-0.3, -3e7, 0};
+      for (const double scale : {1.0, 1e30, -1e30}) {
+        e.rest.gx = scale;
+        std::uint8_t cell = 0;
+        e.span(&cell, e.i0, e.j0, 1);
+        EXPECT_EQ(cell, kChannelRamp.cell(e.intensity(e.i0, e.j0)));
+        EvaluatedTriangle looked = e;
+        looked.ramp.table = table.data();
+        looked.span(&cell, e.i0, e.j0, 1);
+        EXPECT_EQ(cell, 77);
+      }
+    }
+  }
+}

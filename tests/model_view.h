@@ -5,6 +5,7 @@
 #include <random>
 #include <string_view>
 
+#include "geometry/box.h"
 #include "shading/picture.h"
 
 /// Seeded views of a model.
@@ -25,9 +26,10 @@ inline constexpr std::array kSeen{
 inline PictureSettings randomView(const Scene& scene, unsigned seed, int width, int height) {
   std::mt19937 rng{seed};
   std::uniform_real_distribution<double> unit{0.0, 1.0};
-  glm::dvec3 low{1.0}, high{-1.0};
-  for (const glm::dvec3& p : scene.mesh.points) low = glm::min(low, p), high = glm::max(high, p);
-  const auto within = [&] { return low + (high - low) * glm::dvec3{unit(rng), unit(rng), unit(rng)}; };
+  const auto [low, high] = boxOf(scene.mesh.points);
+  const auto within = [&, low = low, high = high] {
+    return low + (high - low) * glm::dvec3{unit(rng), unit(rng), unit(rng)};
+  };
   const double size = glm::length(high - low);
   glm::dvec3 towards;
   do towards = {unit(rng) - 0.5, unit(rng) - 0.5, unit(rng) - 0.5};

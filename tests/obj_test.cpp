@@ -219,11 +219,16 @@ TEST(Obj, TakesColorsFromItsLibraries) {
   folder.write("a.mtl", "newmtl red\nKd 1 0 0\n");
   folder.write("b.mtl", "newmtl red\nKd 0.5 0 0\nnewmtl blue\nKd 0 0 1\n");
   folder.write("my own.mtl", "newmtl my green\nKd 0 1 0\n");
-  const Mesh mesh = readObj(folder.write(
+  const std::filesystem::path file = folder.write(
       "a.obj", afterThreeVertices("f 1 2 3\nusemtl blue\nf 1 2 3\nmtllib none.mtl\nmtllib a.mtl b.mtl\n"
                                   "mtllib a.mtl\nmtllib my own.mtl\nmtllib .\nusemtl red\nf 1 2 3\n"
                                   "usemtl unused\nusemtl my  green\nf 1 2 3\nusemtl what\nf 1 2 3\n"
-                                  "usemtl blue\nf 1 2 3\n")));
+                                  "usemtl blue\nf 1 2 3\n"));
+  const Mesh mesh = readObj(file);
+  EXPECT_THAT(
+      mesh.notes,
+      ElementsAre(file.string() + ":7: no such material library: 'none.mtl'; what only it has is white",
+                  file.string() + ": no library has the material 'what': it is white"));
   EXPECT_THAT(mesh.material, ElementsAre(-1, 0, 1, 2, 3, 0));
   ASSERT_EQ(mesh.materials.size(), 4u);
   EXPECT_EQ(mesh.materials[0].name, "blue");

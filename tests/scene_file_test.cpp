@@ -233,7 +233,12 @@ TEST(SceneFile, TexturesOfMaterials) {
   EXPECT_EQ(s.mesh.materials[s.mesh.material[6]].texture, 0);
   EXPECT_EQ(s.mesh.materials[s.mesh.material[12]].texture, 0);
   EXPECT_THROW((void)read(kTriangle.substr(0, kTriangle.size() - 1) + R"(, "material": "a"})"), ParseError);
-  EXPECT_ANY_THROW((void)read(R"({"solid": "cube", "material": "gone"})"));
+  try {
+    (void)read(R"({"solid": "cube", "material": "gone"})");
+    ADD_FAILURE() << "a texture that is not there";
+  } catch (const std::system_error& e) {
+    EXPECT_EQ(std::string{e.what()}, "s.json: materials.gone.texture: 'no.png': No such file or directory");
+  }
 }
 
 // Lights of each kind, lengths in the scene's units: a triangle of size 1 is kept at half its size.
@@ -457,6 +462,8 @@ TEST(SceneFile, ComplaintsOfEachPart) {
             "s.json: objects[0].color255[2]: a number from 0 to 255 is needed");
   EXPECT_EQ(object(R"("color": [1, 1, 1], "color255": [1, 1, 1])"),
             "s.json: objects[0].color255: the colour is said twice");
+  EXPECT_EQ(object(R"("color": [1, 1, 1], "color": [1, 1, 1])"),
+            "s.json: the key 'color' stands twice in an object");
   EXPECT_EQ(object(R"("material": "tin")"), "s.json: objects[0].material: the file has no materials");
   EXPECT_EQ(
       complaint(

@@ -46,9 +46,22 @@ class Doing {
   bool told_;
 };
 
+/// One line of bounded length, whatever names and words it quotes: control characters become '?', and a
+/// very long text keeps its two ends.
+std::string oneLine(std::string text) {
+  constexpr std::size_t kBegin = 600, kEnd = 200;
+  if (text.size() > kBegin + kEnd) text.replace(kBegin, text.size() - kBegin - kEnd, "...");
+  std::ranges::replace_if(
+      text, [](unsigned char c) { return c < ' ' || c == 0x7F; }, '?');
+  return text;
+}
+
 Scene read(const Options& options) {
-  const Doing reading{"reading " + options.scene};
-  return readScene(options.scene, options.divisions);
+  std::optional<Doing> reading{"reading " + options.scene};
+  Scene scene = readScene(options.scene, options.divisions);
+  reading.reset();
+  for (const std::string& note : scene.mesh.notes) std::cerr << "xnewell: " << oneLine(note) << '\n';
+  return scene;
 }
 
 PictureSettings settingsOf(const Options& options) {
@@ -167,16 +180,6 @@ int run(int argc, char** argv) {
   const StageTimes times = draw(options, picture, msRead);
   report(options, picture, times);
   return kDone;
-}
-
-/// One line of bounded length, whatever names and words it quotes: control characters become '?', and a
-/// very long text keeps its two ends.
-std::string oneLine(std::string text) {
-  constexpr std::size_t kBegin = 600, kEnd = 200;
-  if (text.size() > kBegin + kEnd) text.replace(kBegin, text.size() - kBegin - kEnd, "...");
-  std::ranges::replace_if(
-      text, [](unsigned char c) { return c < ' ' || c == 0x7F; }, '?');
-  return text;
 }
 
 int failed(Status status, const std::string& what) {

@@ -222,8 +222,7 @@ void addSurfaces(Reader& r, Options& o) {
            "over what polygons of more than three corners interpolate");
   r.text("--adapt",
          "divide polygons where flat or Gouraud shading misses the illumination by more than this, into a "
-         "million "
-         "at most",
+         "million at most",
          "divide none", [&](const std::string& text) {
            const std::string expected = "an intensity above 0 and at most 1";
            o.picture.adapt = numbers("--adapt", text, 1, expected)[0];
@@ -521,6 +520,7 @@ std::optional<Options> parseOptions(int argc, const char* const* argv, const Pic
   } catch (const CLI::ParseError& e) {
     refuse(app, e);
   }
+  for (const CLI::Option* option : app.parse_order()) o.given.push_back(option->get_name());
   const auto said = [&](const char* option) { return app.count(option) > 0; };
   o.said = {.Ia = said("--ia"),
             .Ip = said("--ip"),

@@ -5,6 +5,7 @@
 #include <stdexcept>
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include "depthsort/replay.h"
 #include "shading/picture.h"
@@ -59,8 +60,9 @@ struct Options {
   PictureSettings picture;         ///< its camera and light in the file's units
   bool lightGiven = false;         ///< --light
   Said said;
-  bool halfVector = false;  ///< --half-vector; the picture's light has it by then
-  std::string texture;      ///< "" for none
+  std::vector<std::string> given;  ///< the names of all that the command line says
+  bool halfVector = false;         ///< --half-vector; the picture's light has it by then
+  std::string texture;             ///< "" for none
   Fill fill = Fill::Scanline;
   std::string visual;  ///< "" for the program's choice
   std::string output, ids;

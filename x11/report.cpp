@@ -8,6 +8,7 @@
 #include "shading/output_file.h"
 #include "shading/png.h"
 #include "shading/rgb_image.h"
+#include "x11/moot.h"
 
 namespace {
 
@@ -102,6 +103,7 @@ void writePictures(const Options& options, const Picture& picture, const std::st
 }
 
 void report(const Options& options, const Picture& picture, const StageTimes& times) {
+  noteMoot(std::cerr, options, picture);
   if (!options.stats) return;
   // A file's name may be no UTF-8, which JSON cannot hold.
   std::cout << statsOf(options, picture, times)

@@ -7,5 +7,6 @@
 /// neither. @throws std::system_error
 void writePictures(const Options& options, const Picture& picture, const std::string& png);
 
-/// `--stats`: one JSON object on standard output.
+/// What is said of a picture that was written: a note on standard error for each option that did nothing,
+/// and with --stats one JSON object on standard output.
 void report(const Options& options, const Picture& picture, const StageTimes& times);

@@ -2,7 +2,8 @@
 
 #include <algorithm>
 #include <cmath>
-#include <glm/common.hpp>
+
+#include "geometry/box.h"
 
 namespace {
 
@@ -60,10 +61,7 @@ Workbench::Workbench(Scene scene, const Setup& setup, Server server)
   state_.setup = state_.defaults = setup;
   state_.sceneTitle = titleOf(picture_.scene());
   state_.visual = server_.visual;
-  const std::vector<glm::dvec3>& points = picture_.scene().mesh.points;
-  glm::dvec3 low = points.front(), high = low;
-  for (const glm::dvec3& p : points) low = glm::min(low, p), high = glm::max(high, p);
-  centre_ = (low + high) / 2.0;
+  centre_ = boxOf(picture_.scene().mesh.points).centre();
 }
 
 void Workbench::resize(int width, int height) {

@@ -50,10 +50,8 @@ void BM_WholeFrame(benchmark::State& state) {
 }
 BENCHMARK(BM_WholeFrame)->Arg(22)->Arg(71)->Arg(224)->Unit(benchmark::kMillisecond);
 
-// The next frame while the eye moves: the specular term, the transformation, the order and the painting.
-void BM_MovingFrame(benchmark::State& state) {
-  Picture picture = torusPicture(static_cast<int>(state.range(0)));
-  PictureSettings settings;
+/// Frames while the eye moves by a degree: all that such a frame asks for. The sum of their stages.
+StageTimes moveEye(benchmark::State& state, Picture& picture, PictureSettings settings) {
   picture.make(settings);
   IndexImage image;
   StageTimes sum;
@@ -63,6 +61,13 @@ void BM_MovingFrame(benchmark::State& state) {
     picture.paint(image, 0);
     add(sum, picture.times());
   }
+  return sum;
+}
+
+// The next frame while the eye moves: the specular term, the transformation, the order and the painting.
+void BM_MovingFrame(benchmark::State& state) {
+  Picture picture = torusPicture(static_cast<int>(state.range(0)));
+  const StageTimes sum = moveEye(state, picture, {});
   reportShares(state, sum, picture);
 }
 BENCHMARK(BM_MovingFrame)->Arg(22)->Arg(71)->Arg(224)->Unit(benchmark::kMillisecond);
@@ -75,15 +80,7 @@ void BM_Frame64k(benchmark::State& state) {
   PictureSettings settings;
   settings.shading = kShading;
   settings.order = kOrder;
-  picture.make(settings);
-  IndexImage image;
-  StageTimes sum;
-  for (auto _ : state) {
-    settings.camera = moved(settings.camera, picture.camera(), 1.0, 0.0, 1.0);
-    picture.make(settings);
-    picture.paint(image, 0);
-    add(sum, picture.times());
-  }
+  const StageTimes sum = moveEye(state, picture, settings);
   reportShares(state, sum, picture);
 }
 BENCHMARK(BM_Frame64k<Shading::Flat, Order::ZSort>)->Unit(benchmark::kMillisecond);
@@ -134,15 +131,7 @@ void BM_Required(benchmark::State& state, const Requirement& requirement) {
   settings.order = Order::ZSort;
   requirement.add(scene, settings);
   Picture picture{std::move(scene)};
-  picture.make(settings);
-  IndexImage image;
-  StageTimes sum;
-  for (auto _ : state) {
-    settings.camera = moved(settings.camera, picture.camera(), 1.0, 0.0, 1.0);
-    picture.make(settings);
-    picture.paint(image, 0);
-    add(sum, picture.times());
-  }
+  const StageTimes sum = moveEye(state, picture, settings);
   const auto frames = static_cast<double>(state.iterations());
   state.counters["shade_ms"] = sum.shade / frames;
   state.counters["fill_ms"] = sum.fill / frames;

@@ -1,0 +1,10 @@
+#pragma once
+
+#include <iosfwd>
+
+#include "shading/picture.h"
+#include "x11/options.h"
+
+/// A line for each option that was given and does nothing to this picture, for other choices leave it no say:
+/// scripts may give all options always, but who tries one out should not wonder.
+void noteMoot(std::ostream& out, const Options& options, const Picture& picture);
