@@ -20,13 +20,6 @@ bool inside(const Rect& r, int x, int y) { return !intersection(r, {x, y, 1, 1})
 
 }  // namespace
 
-void ColorsBench::show(const Picture& picture, const ColorsLayout& at, const CellUse& use) {
-  at_ = at;
-  scene_ = sceneCells(picture);
-  ramps_ = !rampsOf(picture).empty();
-  if (!cell_) cell_ = medianCell(use, scene_);
-}
-
 bool ColorsBench::hasRamp(const char* what) {
   if (!ramps_) notice_ = std::string{what} + " needs a ramp, and these cells hold single colours.";
   return ramps_;
@@ -37,7 +30,7 @@ void ColorsBench::inspect(int cell) {
   if (effects_.lit) effects_.lit = scene_.has(*cell_) ? cell_ : std::nullopt;
 }
 
-bool ColorsBench::press(const Key& key) {
+bool ColorsBench::press(const Key& key, const Setup& setup) {
   notice_.clear();
   const int times = key.shift ? 10 : 1;
   switch (key.name) {
@@ -77,6 +70,10 @@ bool ColorsBench::press(const Key& key) {
       effects_.gamma = now == kGammas.end() || now + 1 == kGammas.end() ? kGammas[0] : now[1];
       return true;
     }
+    case 'i':
+      if (!hasRamp("Holding indices")) return true;
+      held_ = holds(setup) ? std::nullopt : std::optional{setup.picture.table};
+      return true;
     default:
       return false;
   }
@@ -120,27 +117,57 @@ void ColorsBench::tick() {
   if (moving_) effects_.rotate = (effects_.rotate + 1) % std::max(1, scene_.count);
 }
 
+bool ColorsBench::holds(const Setup& setup) const {
+  const TableSettings& now = setup.picture.table;
+  return held_ && held_->shades == now.shades && held_->I0 == now.I0;
+}
+
 Setup ColorsBench::painted(Setup setup) const {
-  if (!held_) return setup;
+  if (!holds(setup)) return setup;
   TableSettings& table = setup.picture.table;
-  const TableSettings now = table;
-  table = *held_;
-  table.hue = now.hue, table.bits = now.bits;
+  table.kind = held_->kind;
+  table.pick = held_->pick;
   return setup;
 }
 
 PaletteEffects ColorsBench::stored(const Setup& setup) const {
   PaletteEffects effects = effects_;
   const TableKind kind = setup.picture.table.kind;
-  if (held_ && held_->kind != kind) effects.stored = kind;
+  if (holds(setup) && held_->kind != kind) effects.stored = kind;
   return effects;
 }
 
-PaletteEffects ColorsBench::told(const Setup& setup) const {
-  PaletteEffects effects = stored(setup);
-  effects.lit.reset();
-  effects.rotate = 0;
-  return effects;
+ColorsBench::Told ColorsBench::told(const Setup& setup) const {
+  Told told{cell_, stored(setup), setup, moving_, holds(setup)};
+  told.effects.lit.reset();
+  told.effects.rotate = 0;
+  return told;
+}
+
+bool ColorsBench::wordsAreLate(const Setup& setup) const { return told(setup) != drawn_; }
+
+std::string ColorsBench::draw(IndexImage& image, const Rect& body, const Shown& shown, const Setup& setup) {
+  at_ = layoutOfColors(body);
+  scene_ = sceneCells(shown.picture);
+  ramps_ = !rampsOf(shown.picture).empty();
+  if (!cell_) cell_ = medianCell(shown.use, scene_);
+  drawn_ = told(setup);
+  const Palette palette = withEffects(shown.palette, shown.picture, shown.plan, drawn_->effects);
+  const std::vector<Curve> steps = stepCurves(shown.picture, palette);
+  std::ranges::fill(image.pixels, shown.plan[Cell::Paper]);
+  drawColorsPage(image, at_,
+                 {.picture = shown.picture,
+                  .image = shown.image,
+                  .palette = palette,
+                  .steps = steps,
+                  .plan = shown.plan,
+                  .use = shown.use,
+                  .cell = cell(),
+                  .aside = "lit up everywhere",
+                  .asideKey = 'h',
+                  .lines = lines(shown.picture, setup),
+                  .hint = "Drag the curve: cells change, nothing is painted again."});
+  return levelsText(shown.picture, steps);
 }
 
 std::vector<TableLine> ColorsBench::lines(const Picture& picture, const Setup& setup) const {
@@ -155,8 +182,7 @@ std::vector<TableLine> ColorsBench::lines(const Picture& picture, const Setup& s
   for (const double g : kGammas) gammas.options.push_back(fixed(g, 1));
   lines.push_back(gammas);
   if (!ramps_) return lines;
-  lines.push_back(
-      {.key = 'i', .label = "indices", .options = {"follow", "held"}, .chosen = held_.has_value()});
+  lines.push_back({.key = 'i', .label = "indices", .options = {"follow", "held"}, .chosen = holds(setup)});
   lines.push_back({.key = 'm', .label = "move", .options = {"off", "rotate"}, .chosen = moving_});
   return lines;
 }

@@ -110,29 +110,14 @@ void Workbench::press(const Key& key) {
 }
 
 void Workbench::pressInColors(const Key& key) {
-  // Of the picture's letters those that this view shows too.
-  constexpr std::string_view kShared = "q?HBJTuUr", kViewKeys = "13";
-  const int before = colors_.cell();
-  if (colors_.press(key)) {
+  constexpr std::string_view kShared = "q?13HBJTuUr";  // what this view shows too
+  if (colors_.press(key, state_.setup))
     state_.notice = colors_.notice();
-    // Another cell, and what the table's lines say, are words.
-    repaint_ = repaint_ || colors_.cell() != before || !state_.notice.empty() || key.letter == 'm' ||
-               key.name == NamedKey::Escape;
-  } else if (key.letter == 'i') {
-    const bool held = colors_.held().has_value();
-    colors_.hold(held ? std::nullopt : std::optional{state_.setup.picture.table});
-    repaint_ = true;
-  } else if (key.letter == 'j') {
+  else if (key.letter == 'j')
     pressLetter('J');
-  } else if (kShared.find(key.letter) != std::string_view::npos ||
-             kViewKeys.find(key.letter) != std::string_view::npos) {
+  else if (kShared.find(key.letter) != std::string_view::npos)
     pressLetter(key.letter);
-  }
-  // What is held is a table's kind: other shades would be other indices.
-  if (const auto& held = colors_.held()) {
-    const TableSettings& now = state_.setup.picture.table;
-    if (held->shades != now.shades || held->I0 != now.I0) colors_.hold(std::nullopt);
-  }
+  repaint_ = repaint_ || !state_.notice.empty();
 }
 
 void Workbench::show(WindowView view) {
@@ -258,10 +243,8 @@ bool Workbench::grab(int x, int y) {
 
 void Workbench::hover(int x, int y) {
   if (!showsColors()) return;
-  const int before = colors_.cell();
   colors_.hover(x, y);
   if (const std::optional<int> cell = cellInStrip(layout_.strip, x, y)) colors_.inspect(*cell);
-  repaint_ = repaint_ || colors_.cell() != before;
 }
 
 void Workbench::settle() {
@@ -286,7 +269,7 @@ Workbench::Stale Workbench::stale() const {
   if (state_.setup != drawn_) return Stale::Colors;
   if (!showsColors()) return Stale::Nothing;
   if (colors_.stored(state_.setup) != stored_) return Stale::Colors;
-  return wordsLate_ || colors_.told(state_.setup) != told_ ? Stale::Everything : Stale::Nothing;
+  return colors_.wordsAreLate(state_.setup) ? Stale::Everything : Stale::Nothing;
 }
 
 PictureSettings Workbench::sized() const {
@@ -315,7 +298,7 @@ void Workbench::makePalette() {
   palette_ = withEffects(palette_, picture_, cells, stored_);
 }
 
-void Workbench::drawPicture(const CellPlan& cells, bool dragging) {
+void Workbench::drawPicture(bool dragging) {
   const Rect& at = layout_.picture;
   for (int j = 0; j < at.height; ++j)
     std::copy_n(pictureImage_.row(j), at.width, image_.row(at.y + j) + at.x);
@@ -336,35 +319,6 @@ void Workbench::drawPicture(const CellPlan& cells, bool dragging) {
   state_.use = cellUse(pictureImage_);
   state_.ball = ballCells(picture_, palette_);
   state_.inspected.reset();
-  drawPanel(image_, layout_, state_, cells);
-}
-
-void Workbench::drawColors(const CellPlan& cells) {
-  const ColorsLayout at = layoutOfColors(layout_.body);
-  state_.use = cellUse(pictureImage_, picture_.faceImage());
-  colors_.show(picture_, at, state_.use);
-  told_ = colors_.told(state_.setup);
-  wordsLate_ = false;
-  const Palette told = withEffects(picture_.palette(cells, server_.unneeded), picture_, cells, told_);
-  const std::vector<Curve> steps = stepCurves(picture_, told);
-  std::ranges::fill(image_.pixels, cells[Cell::Paper]);
-  drawColorsPage(image_, at,
-                 {.picture = picture_,
-                  .image = pictureImage_,
-                  .palette = told,
-                  .steps = steps,
-                  .plan = cells,
-                  .use = state_.use,
-                  .cell = colors_.cell(),
-                  .aside = "lit up everywhere",
-                  .asideKey = 'h',
-                  .lines = colors_.lines(picture_, state_.setup),
-                  .hint = "Drag the curve: cells change, nothing is painted again."});
-  state_.counts = levelsText(picture_, steps);
-  state_.times.clear();
-  state_.inspected = colors_.cell();
-  counted_ = true;
-  drawPanel(image_, layout_, state_, cells);
 }
 
 void Workbench::drawFrame(bool dragging) {
@@ -375,17 +329,24 @@ void Workbench::drawFrame(bool dragging) {
   if (image_.width != layout_.width || image_.height != layout_.height)
     image_ = IndexImage{layout_.width, layout_.height, cells[Cell::Paper]};
   state_.words = wordsOf(picture_);
-  if (showsColors())
-    drawColors(cells);
-  else
-    drawPicture(cells, dragging);
+  if (showsColors()) {
+    state_.use = cellUse(pictureImage_, picture_.faceImage());
+    const Palette plain = picture_.palette(cells, server_.unneeded);
+    state_.counts =
+        colors_.draw(image_, layout_.body, {picture_, pictureImage_, state_.use, cells, plain}, state_.setup);
+    state_.inspected = colors_.cell();
+    state_.times.clear();
+    counted_ = true;
+  } else {
+    drawPicture(dragging);
+  }
+  drawPanel(image_, layout_, state_, cells);
   drawnIndices_ = withoutColors(painted());
 }
 
 void Workbench::update(bool dragging) {
   if (stale() == Stale::Colors) {
     picture_.make(sized());
-    wordsLate_ = showsColors() && state_.setup != drawn_;
     makePalette();
   } else if (stale() == Stale::Everything) {
     try {

@@ -75,8 +75,7 @@ class Workbench {
   void show(WindowView view);
   void pressInColors(const Key& key);
   void drawFrame(bool dragging);
-  void drawPicture(const CellPlan& plan, bool dragging);
-  void drawColors(const CellPlan& plan);
+  void drawPicture(bool dragging);
   /// Of the picture as it was made.
   void makePalette();
   [[nodiscard]] std::string exactnessText();
@@ -98,9 +97,8 @@ class Workbench {
   IndexImage image_, pictureImage_;
   Palette palette_{};
   ColorsBench colors_;
-  Setup drawn_, drawnIndices_;    ///< what palette_ shows, and what image_ was painted by
-  PaletteEffects stored_, told_;  ///< of the view of the colours: in palette_, and in the words of image_
-  bool wordsLate_ = false;        ///< that they are about other colours of the setup
+  Setup drawn_, drawnIndices_;  ///< what palette_ shows, and what image_ was painted by
+  PaletteEffects stored_;       ///< in palette_
   bool any_ = false, repaint_ = true;
   bool counted_ = true;  ///< whether the caption knows how exact the picture is
   std::vector<Setup> undo_, redo_;
