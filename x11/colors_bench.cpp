@@ -149,7 +149,8 @@ bool ColorsBench::wordsAreLate(const Setup& setup) const { return told(setup) !=
 std::string ColorsBench::draw(IndexImage& image, const Rect& body, const Shown& shown, const Setup& setup) {
   at_ = layoutOfColors(body);
   scene_ = sceneCells(shown.picture);
-  ramps_ = !rampsOf(shown.picture).empty();
+  const std::size_t ramps = rampsOf(shown.picture).size();
+  ramps_ = ramps > 0;
   if (!cell_) cell_ = medianCell(shown.use, scene_);
   drawn_ = told(setup);
   const Palette palette = withEffects(shown.palette, shown.picture, shown.plan, drawn_->effects);
@@ -166,7 +167,7 @@ std::string ColorsBench::draw(IndexImage& image, const Rect& body, const Shown& 
                   .aside = "lit up everywhere",
                   .asideKey = 'h',
                   .lines = lines(shown.picture, setup),
-                  .hint = "Drag the curve: cells change, nothing is painted again."});
+                  .hint = ramps == 1 ? "Drag the curve: cells change, nothing is painted again." : ""});
   return levelsText(shown.picture, steps);
 }
 

@@ -284,13 +284,18 @@ void drawStatus(Pen& pen, const Layout& at) {
     x += pen.arrow(x, keys - 11, Direction::Down) + 6;
     x = pen.soft(x, keys, "cell") + 12;
     legend({"h"}, "light it up");
-    legend({"T"}, "table");
-    legend({"j"}, "nearest");
-    legend({"H"}, "hue");
-    legend({"B"}, "bits");
+    const bool ramps = s.words.what == "shades";  // else there is no table to change
+    if (ramps) {
+      legend({"T"}, "table");
+      legend({"j"}, "nearest");
+      legend({"H"}, "hue");
+      legend({"B"}, "bits");
+    }
     legend({"g"}, "gamma");
-    legend({"i"}, "hold indices");
-    legend({"m"}, "move the ramp");
+    if (ramps) {
+      legend({"i"}, "hold indices");
+      legend({"m"}, "move the ramp");
+    }
     legend({"Esc"}, "put back");
     legend({"?"}, "all keys");
     return;
