@@ -106,7 +106,7 @@ TEST(ColorsView, NothingIsCutOff) {
       ASSERT_EQ(std::pair(image.width, image.height), std::pair(w, h));
       const int strip = h - kStripAndFoot;
       for (const Rect& margin :
-           {Rect{0, 0, 12, strip}, Rect{w - 12, 0, 12, strip}, Rect{0, 0, w, 10}, Rect{0, strip - 6, w, 6}})
+           {Rect{0, 0, 12, strip}, Rect{w - 12, 0, 12, strip}, Rect{0, 0, w, 10}, Rect{0, strip - 11, w, 11}})
         EXPECT_EQ(countIn(image, margin, s.cells[Cell::Paper]), margin.width * margin.height);
     }
   }
