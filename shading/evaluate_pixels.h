@@ -56,37 +56,33 @@ template <class Real>
 /// As many pixels are evaluated together, step by step: what a step needs stays in registers.
 constexpr int kMostBlocks = 8;
 
-/// The illumination at `blocks` times kLanes pixels. `kPlaces`: whether the light asks where they are.
-template <class Real, bool kPlaces>
+/// The illumination at `blocks` times kLanes pixels. `kPlaced`: whether a light asks where they are.
+template <class Real, bool kPlaced>
 [[gnu::always_inline]] inline void evaluatePhong(const EvaluatedTriangle& t, const Real* along, double down,
                                                  int blocks, Real* diffuse, Real* rest) {
   const Lighting& lighting = *t.lighting;
   const Material& material = *t.material;
   const auto place = [&](int b) {
-    if constexpr (kPlaces)
+    if constexpr (kPlaced)
       return on(t.at, along[b], down) * (splat<Real>(1.0) / on(t.q, along[b], down));
     else
       return Vec<Real>{};
   };
-  Vec<Real> N[kMostBlocks];
+  const bool shiny = material.ks[t.channel] != 0.0;
+  Vec<Real> N[kMostBlocks], V[kMostBlocks];
   for (int b = 0; b < blocks; ++b) {
     N[b] = unitOf(on(t.N, along[b], down));
+    if (shiny) V[b] = t.variesV ? unitOf(on(t.V, along[b], down)) : splatVec<Real>(lighting.farV);
     diffuse[b] = splat<Real>(0.0);
     rest[b] = splat<Real>(material.ambient[t.channel]);
   }
   for (const Lighting::Source& light : lighting.sources) {
     const Real kd = splat<Real>(light.Ip[t.channel] * material.kd[t.channel]);
     const Real ks = splat<Real>(light.Ip[t.channel] * material.ks[t.channel]);
-    if (material.ks[t.channel] == 0.0) {
-      for (int b = 0; b < blocks; ++b)
-        diffuse[b] += kd * diffuseTerm(incident(light, place(b)), N[b], false).front;
-    } else {
-      for (int b = 0; b < blocks; ++b) {
-        const Vec<Real> at = place(b), V = towardsEye(lighting, at);
-        const Incident<Real> in = incident(light, at);
-        diffuse[b] += kd * diffuseTerm(in, N[b], false).front;
-        rest[b] += ks * specularTerm(in, N[b], V, material, lighting).front;
-      }
+    for (int b = 0; b < blocks; ++b) {
+      const Incident<Real> in = incident(light, place(b));
+      diffuse[b] += kd * diffuseTerm(in, N[b], false).front;
+      if (shiny) rest[b] += ks * specularTerm(in, N[b], V[b], material, lighting).front;
     }
   }
 }
@@ -121,7 +117,7 @@ template <class Real, bool kPhong>
                                                   int blocks, Real* sum) {
   Real diffuse[kMostBlocks], rest[kMostBlocks];
   if constexpr (kPhong) {
-    if (t.places)
+    if (t.placed)
       evaluatePhong<Real, true>(t, along, down, blocks, diffuse, rest);
     else
       evaluatePhong<Real, false>(t, along, down, blocks, diffuse, rest);

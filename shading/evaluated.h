@@ -46,8 +46,10 @@ struct EvaluatedTriangle {
   int channel = 0;
   bool phong = false;
   std::array<PixelPlane, 3> N;   ///< phong: of the side that is seen, over w
-  bool places = false;           ///< phong: whether the light asks for places in the scene
+  bool placed = false;           ///< phong: whether a light asks for places in the scene
   std::array<PixelPlane, 3> at;  ///< over w
+  bool variesV = false;          ///< phong: whether V differs from place to place
+  std::array<PixelPlane, 3> V;   ///< towards the eye, over w, which a unit vector need not be rid of
   PixelPlane diffuse, rest;      ///< else: the terms themselves, `rest` ambient and specular
   const Texture* texture = nullptr;
   const std::uint8_t* texels = nullptr;  ///< the channel of it

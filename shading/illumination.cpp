@@ -108,10 +108,6 @@ double luminance(glm::dvec3 color) {
   return 0.30 * color.r + 0.59 * color.g + 0.11 * color.b;
 }
 
-bool Lighting::needsPlaces() const {
-  return (asksForEye() && !constantV) || std::ranges::any_of(sources, &Source::placed);
-}
-
 Lighting resolve(const Mesh& mesh, const SceneLight& scene, const Illumination& user, Channels channels,
                  glm::dvec3 eye, glm::dvec3 lookAt) {
   const auto share = [&](glm::dvec3 color) {

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <glm/vec3.hpp>
 #include <optional>
@@ -95,8 +96,12 @@ struct Lighting {
   bool specular = false;  ///< whether any material has a specular term
   bool constantV = false;
   glm::dvec3 farV{0}, eye{0};
-  [[nodiscard]] bool needsPlaces() const;
   [[nodiscard]] bool asksForEye() const { return specular && form != Form::Tutorial; }
+  /// Whether V differs from place to place.
+  [[nodiscard]] bool variesV() const { return asksForEye() && !constantV; }
+  /// Whether a light asks where it falls.
+  [[nodiscard]] bool placed() const { return std::ranges::any_of(sources, &Source::placed); }
+  [[nodiscard]] bool needsPlaces() const { return variesV() || placed(); }
 };
 
 [[nodiscard]] Lighting resolve(const Mesh& mesh, const SceneLight& scene, const Illumination& user,

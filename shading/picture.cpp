@@ -85,7 +85,7 @@ void Picture::make(const PictureSettings& next) {
 
   // Intensities to cells of the colour table.
   timed(times_.fill, [&] {
-    colors_.make(scene_, next, plan, shading_.lighting(), snapped_);
+    colors_.make(scene_, next, plan, shading_, snapped_);
     if (rowOf(next.shading).interpolates)
       cells_.clear();
     else if (channelsOf(plan) != Channels::Rgb)

@@ -4,6 +4,7 @@
 #include <cassert>
 #include <cmath>
 
+#include "shading/at_source.h"
 #include "shading/hue_plan.h"
 
 namespace {
@@ -38,6 +39,60 @@ Hues huesOf(const Scene& scene) {
   return result;
 }
 
+/// The intensities of a face.
+class FaceRanges {
+ public:
+  struct Range {
+    double low, high;
+  };
+
+  FaceRanges(const Scene& scene, Shading method, const SceneShading& shading, const SnappedScene& snapped)
+      : scene_{scene}, method_{method}, shading_{shading}, snapped_{snapped} {
+    // What the light can make of each material.
+    const Lighting& lighting = shading.lighting();
+    for (const Material& material : lighting.materials) {
+      double most = material.ambient[0];
+      for (const Lighting::Source& light : lighting.sources)
+        most += light.Ip[0] * (material.kd[0] + material.ks[0]);
+      possible_.push_back({material.ambient[0], most});
+    }
+  }
+
+  [[nodiscard]] Range operator()(const SnappedFace& face) const {
+    if (!rowOf(method_).lit) return {0.0, 1.0};
+    const int material = scene_.mesh.material[face.number];
+    const bool textured = material >= 0 && scene_.mesh.materials[material].texture >= 0;
+    const bool stored = (method_ == Shading::Flat || method_ == Shading::Gouraud) && !textured;
+    if (!stored) return possible_[material + 1];
+    const std::vector<Sides<double>>& I = shading_.shades(0).I;
+    const auto seen = [&](int point) { return face.back ? I[point].back : I[point].front; };
+    if (method_ == Shading::Flat) return {seen(shading_.pointOf(face)), seen(shading_.pointOf(face))};
+    Range range{1.0, 0.0};
+    for (int k = face.first; k < face.first + face.count; ++k) {
+      const double v = atSource(snapped_, snapped_.source[k],
+                                [&](int corner) { return seen(shading_.vertices().ofCorner[corner]); });
+      range = {std::min(range.low, v), std::max(range.high, v)};
+    }
+    return range;
+  }
+
+ private:
+  const Scene& scene_;
+  Shading method_;
+  const SceneShading& shading_;
+  const SnappedScene& snapped_;
+  std::vector<Range> possible_;  ///< by material, of none first
+};
+
+/// The range in whole 255ths around it, so that it does not change with every turn, and at least one of them.
+void toBytes(HueNeed& need) {
+  need.low = std::floor(255.0 * std::clamp(need.low, 0.0, 1.0)) / 255.0;
+  need.high = std::ceil(255.0 * std::clamp(need.high, 0.0, 1.0)) / 255.0;
+  if (need.low < need.high) return;
+  need.low = std::min(need.low, 254.0 / 255.0);
+  need.high = need.low + 1.0 / 255.0;
+}
+
 }  // namespace
 
 ColorPlan planOf(const Scene& scene, const PictureSettings& settings) {
@@ -60,7 +115,7 @@ ColorPlan planOf(const Scene& scene, const PictureSettings& settings) {
 }
 
 void SceneColors::make(const Scene& scene, const PictureSettings& settings, ColorPlan plan,
-                       const Lighting& lighting, const SnappedScene& snapped) {
+                       const SceneShading& shading, const SnappedScene& snapped) {
   plan_ = plan;
   const std::size_t materials = scene.mesh.materials.size() + 1;
   tables_.clear();
@@ -69,26 +124,20 @@ void SceneColors::make(const Scene& scene, const PictureSettings& settings, Colo
     tableOf_.assign(materials, 0);
   } else {
     const Hues hues = huesOf(scene);
-    std::vector<HueNeed> needs(hues.hues.size());
-    for (std::size_t h = 0; h < needs.size(); ++h) needs[h] = {hues.hues[h], 1.0, 0.0, 0};
-    if (!rowOf(settings.shading).lit)
-      for (HueNeed& need : needs) need.low = 0.0, need.high = 1.0;
-    for (std::size_t m = 0; m < lighting.materials.size(); ++m) {
-      const Material& material = lighting.materials[m];
-      double brightest = material.ambient[0];
-      for (const Lighting::Source& light : lighting.sources)
-        brightest += light.Ip[0] * (material.kd[0] + material.ks[0]);
-      HueNeed& need = needs[hues.ofMaterial[m]];
-      need.low = std::min({need.low, 1.0, material.ambient[0]});
-      need.high = std::max(need.high, std::min(1.0, brightest));
-    }
+    tableOf_ = hues.ofMaterial;
+    std::vector<HueNeed> needs;
+    for (const glm::dvec3& hue : hues.hues) needs.push_back({hue, 1.0, 0.0, 0});
+    const FaceRanges rangeOf{scene, settings.shading, shading, snapped};
     for (const SnappedFace& face : snapped.faces) {
+      HueNeed& need = needs[tableOf_[scene.mesh.material[face.number] + 1]];
       const double pixels =
           static_cast<double>(doubleArea(&snapped.vertices[face.first], face.count)) / (2.0 * kGrid * kGrid);
-      needs[hues.ofMaterial[scene.mesh.material[face.number] + 1]].samples += std::lround(pixels);
+      need.samples += std::lround(pixels);
+      const auto [low, high] = rangeOf(face);
+      need.low = std::min(need.low, low), need.high = std::max(need.high, high);
     }
+    for (HueNeed& need : needs) toBytes(need);
     for (const TableSettings& table : planHues(needs, settings.table)) tables_.emplace_back(table);
-    tableOf_ = hues.ofMaterial;
   }
 
   const bool interpolated = rowOf(settings.shading).interpolates || !scene.textures.empty();

@@ -6,10 +6,10 @@
 #include "geometry/project.h"
 #include "shading/color_plan.h"
 #include "shading/color_table.h"
-#include "shading/illumination.h"
 #include "shading/picture_settings.h"
 #include "shading/ramp.h"
 #include "shading/scene.h"
+#include "shading/scene_shading.h"
 
 /// Whether the scene's colours can be told apart by fewer than all: the first plan of one hue, several hues
 /// and chosen colours that shows it. Hues serve as long as lights and textures are gray and each hue gets
@@ -27,8 +27,8 @@ inline constexpr int kLeastShades = 24;
 class SceneColors {
  public:
   /// Where a plan has several hues, their shades go where the need is: by the samples that a hue covers and
-  /// the intensities that its surfaces can have in this light.
-  void make(const Scene& scene, const PictureSettings& settings, ColorPlan plan, const Lighting& lighting,
+  /// the intensities that its surfaces have, or, where they are found pixel by pixel, can have in this light.
+  void make(const Scene& scene, const PictureSettings& settings, ColorPlan plan, const SceneShading& shading,
             const SnappedScene& snapped);
 
   [[nodiscard]] ColorPlan plan() const { return plan_; }

@@ -170,14 +170,16 @@ EvaluatedTriangle SurfacePainter::evaluated(const SnappedFace& face, const FaceT
   const double ambient = e.material->ambient[s_.channel];
   if (s_.settings.shading == Shading::Phong) {
     e.phong = true;
-    e.places = s_.shading.lighting().needsPlaces();
+    e.placed = e.lighting->placed();
+    e.variesV = e.lighting->variesV();
     const double side = face.back && s_.shading.lighting().twoSided ? -1.0 : 1.0;
     for (int axis = 0; axis < 3; ++axis) {
       e.N[axis] = plane(q, [&](int corner) {
         return side * s_.shading.points().N[s_.shading.vertices().ofCorner[corner]][axis];
       });
-      if (e.places)
-        e.at[axis] = plane(q, [&](int corner) { return mesh_.points[mesh_.corners[corner]][axis]; });
+      const auto at = [&](int corner) { return mesh_.points[mesh_.corners[corner]][axis]; };
+      if (e.placed) e.at[axis] = plane(q, at);
+      if (e.variesV) e.V[axis] = plane(q, [&](int corner) { return e.lighting->eye[axis] - at(corner); });
     }
   } else if (s_.settings.shading == Shading::Gouraud) {
     const auto term = [&](const std::vector<Sides<double>>& terms) {

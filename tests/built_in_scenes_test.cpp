@@ -277,6 +277,41 @@ TEST(BuiltInScenes, HuesHaveRampsOfTheirOwn) {
     EXPECT_GT(std::ranges::count(cells, true), material < 0 ? 0 : 10) << material;
 }
 
+// No shade is given to intensities that no surface has: the floor, which has one, gets two shades, and where
+// intensities are stored every ramp begins and ends within 1/255 of some.
+TEST(BuiltInScenes, HuesSpanTheIntensitiesThatAreThere) {
+  for (const Shading method : {Shading::Flat, Shading::Gouraud, Shading::Phong}) {
+    SCOPED_TRACE(rowOf(method).name);
+    const Drawn drawn{"hues", by(method)};
+    const Scene& scene = drawn.picture.scene();
+    const SceneColors& colors = drawn.picture.colors();
+    const SeenRows rows = drawn.picture.seen(0, drawn.image.height);
+    const std::vector<double> I = drawn.picture.intensities(rows);
+    int inside = 0;
+    for (std::size_t k = 0; k < I.size(); ++k) {
+      if (rows.faces[k] < 0) continue;
+      const ColorTable& table =
+          colors.tableOf(scene.mesh.material[drawn.picture.snapped().faces[rows.faces[k]].number]);
+      ASSERT_GE(std::min(I[k], 1.0), table.low() - 1e-9);
+      ASSERT_LE(std::min(I[k], 1.0), table.high() + 1e-9);
+      ++inside;
+    }
+    EXPECT_GT(inside, 10'000);
+    if (method == Shading::Phong) continue;  // what the light can do: more than it does
+    EXPECT_EQ(colors.tableOf(-1).shades(), 2);
+    const auto& stored = drawn.picture.shading().shades(0).I;
+    for (const ColorTable& table : colors.tables()) {
+      const auto has = [&](double end) {
+        return std::ranges::any_of(stored, [&](const Sides<double>& sides) {
+          return std::abs(sides.front - end) <= 1 / 255.0 || std::abs(sides.back - end) <= 1 / 255.0;
+        });
+      };
+      EXPECT_TRUE(has(table.low())) << table.low();
+      EXPECT_TRUE(has(table.high())) << table.high();
+    }
+  }
+}
+
 // The farther a square of the floor is from the lamp, the darker; beyond its range there is ambient light
 // alone.
 TEST(BuiltInScenes, LampFallsWithDistance) {

@@ -4,6 +4,7 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <array>
 #include <cerrno>
 #include <cstdlib>
@@ -146,6 +147,20 @@ TEST(ErrorTrap, StrayErrorsAreToldAndCounted) {
   EXPECT_THAT(testing::internal::GetCapturedStderr(),
               AllOf(HasSubstr("xnewell: X_MapWindow: BadWindow"), testing::EndsWith("\n")));
   EXPECT_EQ(strayErrors(), before + 1);
+}
+
+// Of many errors, as a window may see one in every frame, the first are told and all are counted.
+TEST(ErrorTrap, TellsOnlyTheFirstStrayErrors) {
+  const XServer server = XServer::xvfb(8);
+  const OwnedDisplay display = openDisplay(server.name());
+  const int before = strayErrors();
+  ASSERT_LT(before, kToldErrors);
+  testing::internal::CaptureStderr();
+  for (int i = 0; i < 100; ++i) XMapWindow(display.get(), 0);
+  XSync(display.get(), 0);
+  const std::string told = testing::internal::GetCapturedStderr();
+  EXPECT_EQ(std::ranges::count(told, '\n'), kToldErrors - before);
+  EXPECT_EQ(strayErrors(), before + 100);
 }
 
 // A server that vanishes ends the program at once with status 1 and a message, trap or no trap.

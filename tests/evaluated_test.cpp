@@ -48,13 +48,15 @@ class RandomTriangles {
     e.lighting = &lighting_;
     e.material = &lighting_.materials[0];
     e.phong = phong;
-    e.places = lighting_.needsPlaces();
+    e.placed = lighting_.placed();
+    e.variesV = lighting_.variesV();
     const auto three = [&](double low, double high) {
       return planes({uniform(low, high), uniform(low, high), uniform(low, high)});
     };
     // Normals within 60 degrees of the z axis: in between they stay longer than 1/2.
     e.N = {three(-0.6, 0.6), three(-0.6, 0.6), planes({1, 1, 1})};
     e.at = {three(-1, 1), three(-1, 1), three(-1, 0)};
+    e.V = {three(-1, 1), three(-1, 1), three(4, 6)};
     e.diffuse = three(0, 1), e.rest = three(0, 0.5);
     if (textured) {
       e.texture = &texture_;

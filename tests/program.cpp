@@ -25,8 +25,12 @@ std::string contents(int file) {
 }  // namespace
 
 RunningProgram::RunningProgram(const std::vector<std::string>& arguments, const std::string& display)
+    : RunningProgram{XNEWELL_PROGRAM, arguments, display} {}
+
+RunningProgram::RunningProgram(const std::string& program, const std::vector<std::string>& arguments,
+                               const std::string& display)
     : out_{memfd_create("standard output", MFD_CLOEXEC)}, err_{memfd_create("standard error", MFD_CLOEXEC)} {
-  std::vector<std::string> words{XNEWELL_PROGRAM};
+  std::vector<std::string> words{program};
   words.insert(words.end(), arguments.begin(), arguments.end());
   std::vector<std::string> environment = environmentWith(display);
   const std::vector<char*> argv = pointers(words), envp = pointers(environment);

@@ -24,6 +24,9 @@ struct Finished {
 class RunningProgram {
  public:
   explicit RunningProgram(const std::vector<std::string>& arguments, const std::string& display = "");
+  /// Any other program of the machine. One that is not there ends with 127, as for a shell.
+  RunningProgram(const std::string& program, const std::vector<std::string>& arguments,
+                 const std::string& display);
   RunningProgram(const RunningProgram&) = delete;
   RunningProgram& operator=(const RunningProgram&) = delete;
   ~RunningProgram();

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <signal.h>
+
 #include "tests/program_picture.h"
 #include "x11/panel.h"
 
@@ -12,6 +14,11 @@ struct WatchedViewer {
 
   WatchedViewer(const XServer& server, const std::string& line, ::Window other = 0)
       : program{words("view " + line), server.name()}, window{server, other} {}
+  /// The next one shall find its own window.
+  ~WatchedViewer() {
+    program.signal(SIGKILL);
+    EXPECT_TRUE(window.goes());
+  }
 };
 
 /// All of a window but the status line, which tells times, on a screen that holds it whole.

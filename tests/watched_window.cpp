@@ -28,31 +28,37 @@ bool comesTrue(const std::function<bool()>& holds) {
 
 namespace {
 
-/// A viewable child of the root with our class that is not `other`; 0 if there is none.
-::Window findWindow(::Display* display, ::Window other) {
+/// A viewable window within `within` with our class that is not `other`; 0 if there is none. A window manager
+/// puts it into a frame of its own.
+::Window findWindow(::Display* display, ::Window within, ::Window other) {
   const ErrorTrap trap{display};  // a window may go while we look
   ::Window root = 0, parent = 0, *children = nullptr;
   unsigned count = 0;
-  if (!XQueryTree(display, DefaultRootWindow(display), &root, &parent, &children, &count)) return 0;
+  if (!XQueryTree(display, within, &root, &parent, &children, &count)) return 0;
   const std::unique_ptr<::Window[], int (*)(void*)> owned{children, XFree};
   for (unsigned i = 0; i < count; ++i) {
     XWindowAttributes attributes{};
     XClassHint hint{};
     if (children[i] == other || !XGetWindowAttributes(display, children[i], &attributes) ||
-        attributes.map_state != IsViewable || !XGetClassHint(display, children[i], &hint))
+        attributes.map_state != IsViewable)
       continue;
-    const bool ours = std::string_view{hint.res_class} == "Xnewell";
-    XFree(hint.res_name);
-    XFree(hint.res_class);
-    if (ours) return children[i];
+    if (XGetClassHint(display, children[i], &hint)) {
+      const bool ours = std::string_view{hint.res_class} == "Xnewell";
+      XFree(hint.res_name);
+      XFree(hint.res_class);
+      if (ours) return children[i];
+    }
+    if (const ::Window inside = findWindow(display, children[i], other)) return inside;
   }
   return 0;
 }
 
 }  // namespace
 
-WatchedWindow::WatchedWindow(const XServer& server, ::Window other) : display_{openDisplay(server.name())} {
-  if (!comesTrue([&] { return (id_ = findWindow(display(), other)) != 0; }))
+WatchedWindow::WatchedWindow(const XServer& server, ::Window other, const std::function<bool()>& hoping)
+    : display_{openDisplay(server.name())} {
+  const ::Window root = DefaultRootWindow(display());
+  if (!comesTrue([&] { return (id_ = findWindow(display(), root, other)) != 0 || !hoping(); }) || id_ == 0)
     throw std::runtime_error("the program shows no window");
 }
 
@@ -104,6 +110,27 @@ void WatchedWindow::button(unsigned number, bool down) const {
 void WatchedWindow::resize(int width, int height) const {
   XResizeWindow(display(), id_, width, height);
   XSync(display(), 0);
+}
+
+void WatchedWindow::askToClose() const {
+  XEvent event{};
+  event.xclient = {.type = ClientMessage,
+                   .serial = 0,
+                   .send_event = 1,
+                   .display = display(),
+                   .window = id_,
+                   .message_type = XInternAtom(display(), "WM_PROTOCOLS", 0),
+                   .format = 32,
+                   .data = {}};
+  event.xclient.data.l[0] = static_cast<long>(XInternAtom(display(), "WM_DELETE_WINDOW", 0));
+  XSendEvent(display(), id_, 0, 0, &event);
+  XSync(display(), 0);
+}
+
+bool WatchedWindow::goes() const {
+  const ErrorTrap trap{display()};
+  XWindowAttributes attributes{};
+  return comesTrue([&] { return XGetWindowAttributes(display(), id_, &attributes) == 0; });
 }
 
 RgbImage WatchedWindow::shown(const Rect& rect) const {
@@ -165,6 +192,10 @@ bool WatchedWindow::settles() const {
   if (!comesTrue(open)) return false;
   type("?");
   return comesTrue([&] { return !open(); });
+}
+
+bool comesToShowNone(::Display* display) {
+  return comesTrue([&] { return findWindow(display, DefaultRootWindow(display), 0) == 0; });
 }
 
 RgbImage cropped(const RgbImage& image, const Rect& rect) {

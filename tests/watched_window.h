@@ -22,9 +22,10 @@
 
 class WatchedWindow {
  public:
-  /// Waits until the server shows a window of ours that is not `other`.
+  /// Waits until the server shows a window of ours that is not `other`, while `hoping`.
   /// @throws std::runtime_error if none comes
-  explicit WatchedWindow(const XServer& server, ::Window other = 0);
+  explicit WatchedWindow(
+      const XServer& server, ::Window other = 0, const std::function<bool()>& hoping = [] { return true; });
 
   [[nodiscard]] ::Display* display() const { return display_.get(); }
   [[nodiscard]] ::Window id() const { return id_; }
@@ -41,6 +42,10 @@ class WatchedWindow {
   void button(unsigned number, bool down) const;
 
   void resize(int width, int height) const;
+  /// As the window manager's close button does.
+  void askToClose() const;
+  /// Waits until the window is gone.
+  [[nodiscard]] bool goes() const;
   /// What `rect` of the window shows. It must be on the screen and uncovered.
   [[nodiscard]] RgbImage shown(const Rect& rect) const;
   [[nodiscard]] bool comesToShow(const RgbImage& expected, const Rect& rect) const;
@@ -53,6 +58,10 @@ class WatchedWindow {
   OwnedDisplay display_;
   ::Window id_ = 0;
 };
+
+/// Waits until the server shows no window of ours: that of a program that has ended stays until the server
+/// notices, and could be taken for the next one's.
+[[nodiscard]] bool comesToShowNone(::Display* display);
 
 /// The part of an image.
 [[nodiscard]] RgbImage cropped(const RgbImage& image, const Rect& rect);

@@ -25,21 +25,6 @@ std::string sized(int width, int height) {
   return kTeapot + " --size " + std::to_string(width) + "x" + std::to_string(height);
 }
 
-void askToClose(const WatchedWindow& window) {
-  XEvent event{};
-  event.xclient = {.type = ClientMessage,
-                   .serial = 0,
-                   .send_event = 1,
-                   .display = window.display(),
-                   .window = window.id(),
-                   .message_type = XInternAtom(window.display(), "WM_PROTOCOLS", 0),
-                   .format = 32,
-                   .data = {}};
-  event.xclient.data.l[0] = static_cast<long>(XInternAtom(window.display(), "WM_DELETE_WINDOW", 0));
-  XSendEvent(window.display(), window.id(), 0, 0, &event);
-  XSync(window.display(), 0);
-}
-
 /// Somebody else's map, installed as a program without manners does.
 OwnedColormap stealColormap(const WatchedWindow& window) {
   ::Display* d = window.display();
@@ -67,7 +52,7 @@ TEST_P(WindowAt, EndsAsAsked) {
     return [number](const WatchedViewer& viewer) { viewer.program.signal(number); };
   };
   for (const auto& [status, ask] : {End{0, [](const WatchedViewer& v) { v.window.type("q"); }},
-                                    End{0, [](const WatchedViewer& v) { askToClose(v.window); }},
+                                    End{0, [](const WatchedViewer& v) { v.window.askToClose(); }},
                                     End{130, signal(SIGINT)}, End{130, signal(SIGTERM)}}) {
     WatchedViewer viewer{server, kTeapot};
     ask(viewer);
@@ -75,12 +60,14 @@ TEST_P(WindowAt, EndsAsAsked) {
     EXPECT_EQ(end.status, status);
     EXPECT_EQ(end.out, "");
     EXPECT_EQ(end.err, "");
-    ::Window root = 0, parent = 0, *children = nullptr;
-    unsigned left = 0;
-    XQueryTree(viewer.window.display(), DefaultRootWindow(viewer.window.display()), &root, &parent, &children,
-               &left);
-    XFree(children);
-    EXPECT_EQ(left, 0u);
+    EXPECT_TRUE(comesTrue([&] {
+      ::Window root = 0, parent = 0, *children = nullptr;
+      unsigned left = 0;
+      XQueryTree(viewer.window.display(), DefaultRootWindow(viewer.window.display()), &root, &parent,
+                 &children, &left);
+      XFree(children);
+      return left == 0;
+    }));
   }
 }
 

@@ -62,9 +62,10 @@ XServer::XServer(const std::string& program, std::vector<std::string> arguments,
   std::array<int, 2> pipe{};
   if (pipe2(pipe.data(), O_CLOEXEC) != 0) throw std::runtime_error("no pipe for the X server");
   const int log = memfd_create("x server", MFD_CLOEXEC);
-  arguments.insert(arguments.begin(), program);
-  for (const char* always : {"-nolisten", "tcp", "-noreset", "-displayfd"}) arguments.emplace_back(always);
-  arguments.push_back(std::to_string(pipe[1]));
+  // First, so that what a test asks for has the last word.
+  const std::vector<std::string> always{program,    "-nolisten",  "tcp",
+                                        "-noreset", "-displayfd", std::to_string(pipe[1])};
+  arguments.insert(arguments.begin(), always.begin(), always.end());
   std::vector<std::string> environment = environmentWith(host);
   const std::vector<char*> argv = pointers(arguments), envp = pointers(environment);
 

@@ -25,6 +25,8 @@ Palette readCells(::Display* display, ::Colormap map) {
   std::array<XColor, kCellCount> cells{};
   for (int i = 0; i < kCellCount; ++i) cells[i].pixel = i;
   XQueryColors(display, map, cells.data(), kCellCount);
+  // Xlib keeps a BadAlloc here to itself; but where it has an answer, it says which parts are in it.
+  if (cells[0].flags == 0) throw X11Error("X_QueryColors: the X server does not tell its colours");
   Palette palette;
   std::transform(cells.begin(), cells.end(), palette.begin(), [](const XColor& c) {
     return Rgb16{c.red, c.green, c.blue};

@@ -1,13 +1,20 @@
 #include "x11/display.h"
 
+#include <unistd.h>
+
 #include <array>
+#include <csignal>
 #include <cstdio>
 #include <cstdlib>
+#include <memory>
 
 namespace {
 
 ErrorTrap* innermost = nullptr;
 int strays = 0;
+int standardError = STDERR_FILENO;  ///< where our own messages go
+
+void tell(const std::string& what) { dprintf(standardError, "xnewell: %s\n", what.c_str()); }
 
 /// "X_PutImage"; for an extension's request "MIT-SHM.3", or "request 130.3" where we may not ask the server.
 std::string requestName(::Display* display, int major, int minor, bool mayAsk) {
@@ -34,8 +41,29 @@ std::string describe(::Display* display, const XErrorEvent& error, bool mayAsk) 
 
 int onServerGone(::Display* display) {
   std::fflush(stdout);
-  std::fprintf(stderr, "xnewell: the X server of display '%s' has gone\n", DisplayString(display));
+  tell(std::string{"the X server of display '"} + DisplayString(display) + "' has gone");
   std::_Exit(1);
+}
+
+struct FileCloser {
+  void operator()(std::FILE* file) const { std::fclose(file); }
+};
+
+/// Opens a display, and gives what the libraries meanwhile write to standard error: a server that refuses us
+/// says why, and libxcb passes that on nowhere else.
+OwnedDisplay open(const std::string& name, std::string& said) {
+  const std::unique_ptr<std::FILE, FileCloser> aside{std::tmpfile()};
+  const int copy = aside ? dup(STDERR_FILENO) : -1;
+  if (copy < 0) return OwnedDisplay{XOpenDisplay(name.c_str())};
+  dup2(fileno(aside.get()), STDERR_FILENO);
+  standardError = copy;
+  OwnedDisplay display{XOpenDisplay(name.c_str())};
+  standardError = dup2(copy, STDERR_FILENO);
+  close(copy);
+  std::rewind(aside.get());
+  for (int c; (c = std::fgetc(aside.get())) != EOF;) said += static_cast<char>(c);
+  while (!said.empty() && said.back() == '\n') said.pop_back();
+  return display;
 }
 
 }  // namespace
@@ -47,18 +75,20 @@ int onError(::Display* display, XErrorEvent* error) {
     if (!trap->first_) trap->first_ = *error;
     return 0;
   }
-  ++strays;
-  std::fprintf(stderr, "xnewell: %s\n", describe(display, *error, /*mayAsk=*/false).c_str());
+  if (++strays <= kToldErrors) tell(describe(display, *error, /*mayAsk=*/false));
   return 0;
 }
 
 OwnedDisplay openDisplay(const std::string& name) {
+  std::signal(SIGPIPE, SIG_IGN);  // a broken connection is onServerGone()'s
   XSetErrorHandler(onError);
   XSetIOErrorHandler(onServerGone);
   const std::string used = XDisplayName(name.empty() ? nullptr : name.c_str());
   if (used.empty()) throw X11Error("no DISPLAY is set: start an X server, or name one, as in DISPLAY=:0");
-  OwnedDisplay display{XOpenDisplay(used.c_str())};
-  if (!display) throw X11Error("cannot open display '" + used + "'");
+  std::string said;
+  OwnedDisplay display = open(used, said);
+  if (!display) throw X11Error("cannot open display '" + used + "'" + (said.empty() ? "" : ": " + said));
+  if (!said.empty()) tell(said);
   return display;
 }
 

@@ -19,13 +19,16 @@ using OwnedDisplay = std::unique_ptr<::Display, DisplayCloser>;
 
 /// Opens the display called `name`, or the one in $DISPLAY where `name` is empty.
 /// Installs what this program does about errors that no ErrorTrap awaits:
-///   - an X error is printed with its request and counted (strayErrors()); the program goes on;
+///   - an X error is counted (strayErrors()), and the first ten are printed with their requests, for a window
+///     may see one in every frame; the program goes on;
 ///   - a server that has gone is told on standard error and ends the program at once with status 1. Xlib
-///   cannot
-///     go on from there, and nothing but Xlib may be called, so destructors do not run.
-/// @throws X11Error "cannot open display ':7'", or that no DISPLAY is set.
+///     cannot go on from there, and nothing but Xlib may be called, so destructors do not run. For this
+///     SIGPIPE is ignored: a pipe that nobody reads is an error like a full disk.
+/// @throws X11Error "cannot open display ':7'" and the server's reason, if it gives one, or that no DISPLAY
+/// is set.
 [[nodiscard]] OwnedDisplay openDisplay(const std::string& name = {});
 
+inline constexpr int kToldErrors = 10;
 /// Errors so far that arrived outside every trap; not 0 at the end means that something shown may be wrong.
 [[nodiscard]] int strayErrors();
 

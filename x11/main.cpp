@@ -198,7 +198,7 @@ void occupyStandardStreams() {
 
 int main(int argc, char** argv) try {
   occupyStandardStreams();
-  // A picture in the making leaves nothing behind (a window has its own way to end).
+  // A picture in the making leaves nothing behind.
   std::signal(SIGINT, [](int) { _exit(kInterrupted); });
   std::signal(SIGXFSZ, SIG_IGN);  // a file beyond the shell's limit is an error like a full disk
   const int status = run(argc, argv);

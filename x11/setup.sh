@@ -8,7 +8,7 @@ root=$(cd "$(dirname "${BASH_SOURCE[0]}")/.." && pwd -P)
 
 program_packages=(g++ cmake ninja-build libx11-dev libxext-dev libglm-dev libpng-dev
   nlohmann-json3-dev libcli11-dev libfreetype-dev xfonts-base)
-test_packages=(libgtest-dev libgmock-dev libxtst-dev libboost-dev xvfb xserver-xephyr)
+test_packages=(libgtest-dev libgmock-dev libxres-dev libxtst-dev libboost-dev twm x11-apps xvfb xserver-xephyr)
 
 # All messages go to standard error: standard output belongs to the program.
 say() { printf 'xnewell: %s\n' "$*" >&2; }

@@ -105,6 +105,9 @@ bool TransferImage::share(::Visual* visual, int depth, int width, int height) {
   segment.shmid = shmget(IPC_PRIVATE, std::size_t(image->bytes_per_line) * height, IPC_CREAT | 0600);
   if (segment.shmid < 0) return false;
   void* memory = shmat(segment.shmid, nullptr, 0);
+  // Removed at once, so that it goes with the last of us however we end, also while the server is awaited.
+  // Linux lets the server attach it still; a system that does not has its pictures sent.
+  shmctl(segment.shmid, IPC_RMID, nullptr);
   bool attached = reinterpret_cast<std::intptr_t>(memory) != -1;
   if (attached) {
     segment.shmaddr = image->data = static_cast<char*>(memory);
@@ -117,7 +120,6 @@ bool TransferImage::share(::Visual* visual, int depth, int width, int height) {
       shmdt(memory);
     }
   }
-  shmctl(segment.shmid, IPC_RMID, nullptr);
   if (!attached) return false;
   segment_ = segment;
   image_ = std::move(image);

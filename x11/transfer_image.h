@@ -24,8 +24,8 @@ class TransferImage {
  public:
   /// Memory for one picture of the given size. `wantShm` asks for shared memory; without it, or where the
   /// server does not offer it, is not reached through a local socket, or cannot attach (as from another
-  /// container), the memory is ours alone. A shared segment is marked for removal as soon as the server is
-  /// attached: it goes with the last of us, however we end.
+  /// container), the memory is ours alone. A shared segment is marked for removal before the server attaches
+  /// it: it goes with the last of us, however we end.
   /// @throws X11Error if there is no memory.
   TransferImage(::Display* display, ::Visual* visual, int depth, int width, int height, bool wantShm);
   ~TransferImage();

@@ -4,6 +4,7 @@
 #include <X11/Xutil.h>
 #include <X11/keysym.h>
 #include <poll.h>
+#include <unistd.h>
 
 #include <csignal>
 #include <utility>
@@ -46,22 +47,10 @@ struct Server {
 
 Setup setupOf(const Options& options) { return {options.picture, options.fill}; }
 
-volatile std::sig_atomic_t interrupted = 0;
-void onSignal(int) { interrupted = 1; }
-
-/// SIGINT, SIGTERM and SIGHUP end the event loop. They are held back but while it waits, so that none comes
-/// between its looking and its waiting. Returns the mask to wait with.
-sigset_t catchSignals() {
-  struct sigaction action {};
-  action.sa_handler = onSignal;
-  sigset_t held, before;
-  sigemptyset(&held);
-  for (const int signal : {SIGINT, SIGTERM, SIGHUP}) {
-    sigaction(signal, &action, nullptr);
-    sigaddset(&held, signal);
-  }
-  sigprocmask(SIG_BLOCK, &held, &before);
-  return before;
+/// A signal ends the window at once, also where Xlib waits for a server that has hung: what we have on the
+/// server, a grab too, goes with the connection.
+void endWithSignals() {
+  for (const int signal : {SIGINT, SIGTERM, SIGHUP}) std::signal(signal, [](int) { _exit(130); });
 }
 
 /// Keysyms to keys, Latin-1 letters by themselves.
@@ -116,39 +105,49 @@ class Viewer {
   }
 
   int run() {
-    const sigset_t whileWaiting = catchSignals();
-    refresh();  // the first picture is there before the window is
-    canvas_.map();
-    XFlush(display());
+    endWithSignals();
+    {
+      ErrorTrap trap{display()};  // a window that cannot be seen could not be closed either
+      refresh();                  // the first picture is there before the window is
+      canvas_.map();
+      trap.check();
+    }
     while (true) {
       while (XPending(display()) > 0) {
         XEvent event;
         XNextEvent(display(), &event);
         handle(event);
       }
+      if (errorsToTell()) {
+        toldOfErrors_ = true;
+        bench_.notify("the X server refused a request: what is shown may be wrong");
+      }
       refresh();
-      if (bench_.quitAsked()) return strayErrors() > 0 ? 1 : 0;
-      if (interrupted) return 130;
-      // A zero wait where events are queued already: a signal held back is still let in.
-      const std::optional<timespec> most = longestWait();
+      if (bench_.quitAsked()) break;
       pollfd connection{ConnectionNumber(display()), POLLIN, 0};
-      ppoll(&connection, 1, most ? &*most : nullptr, &whileWaiting);
+      poll(&connection, 1, longestWait());
     }
+    XSync(display(), 0);  // the last frame may still be refused
+    if (strayErrors() == 0) return 0;
+    throw X11Error{"the X server refused requests (" + std::to_string(strayErrors()) +
+                   " in all): what was shown may be wrong"};
   }
 
  private:
   [[nodiscard]] ::Display* display() const { return server_.display.get(); }
 
-  /// None where nothing happens but events. Colours that move do so every 40 ms at most.
-  [[nodiscard]] std::optional<timespec> longestWait() {
+  [[nodiscard]] bool errorsToTell() const { return strayErrors() > 0 && !toldOfErrors_; }
+
+  /// In milliseconds; -1 where nothing happens but events. Colours that move do so every 40 ms at most.
+  [[nodiscard]] int longestWait() {
     constexpr double kTick = 40;
-    if (XPending(display()) > 0 || bench_.stale() != Workbench::Stale::Nothing) return timespec{};
-    if (!bench_.moving()) return std::nullopt;
+    if (XPending(display()) > 0 || errorsToTell() || bench_.stale() != Workbench::Stale::Nothing) return 0;
+    if (!bench_.moving()) return -1;
     const double rest = kTick - sinceTick_.ms();
-    if (rest > 0) return timespec{0, static_cast<long>(rest * 1e6)};
+    if (rest > 0) return 1 + static_cast<int>(rest);
     sinceTick_ = {};
     bench_.tick();
-    return timespec{};
+    return 0;
   }
 
   void handle(XEvent& event) {
@@ -265,6 +264,7 @@ class Viewer {
   Canvas canvas_;
   Workbench bench_;
   bool dragging_ = false, pointerInside_ = false;
+  bool toldOfErrors_ = false;  ///< once: to tell is a frame more, which may be refused too
   Stopwatch sinceTick_;
   int dragX_ = 0, dragY_ = 0;
 };
@@ -279,8 +279,7 @@ struct Shot {
   std::vector<Rect> over{};  ///< parts of the image that lie over the picture
 };
 
-double present(Server& server, Canvas& canvas, const Shot& shot, Fill fill) {
-  const Stopwatch watch;
+void present(Server& server, Canvas& canvas, const Shot& shot, Fill fill) {
   server.colormap.store(shot.palette);
   const Rect all{0, 0, shot.image.width, shot.image.height};
   canvas.upload(shot.image, all);
@@ -289,8 +288,6 @@ double present(Server& server, Canvas& canvas, const Shot& shot, Fill fill) {
     for (const Rect& part : shot.over) canvas.upload(shot.image, part);
   }
   canvas.expose(all);
-  XSync(server.display.get(), 0);
-  return watch.ms();
 }
 
 }  // namespace
@@ -304,12 +301,16 @@ void takeSnapshot(const Options& options, Scene scene, double msRead) {
   Server server{options};
   const glm::ivec2 size = options.size.value_or(options.wholeWindow ? kWindowSize : kPictureSize);
   Canvas canvas{server.display.get(), server.colormap, {.width = size.x, .height = size.y}};
+  ErrorTrap trap{server.display.get()};
   canvas.map();
 
   const auto shoot = [&](const Shot& shot) {
     StageTimes times = shot.picture.times();
     times.read = msRead;
-    times.present = present(server, canvas, shot, options.fill);
+    const Stopwatch watch;
+    present(server, canvas, shot, options.fill);
+    trap.check();
+    times.present = watch.ms();
     if (strayErrors() > 0) throw X11Error{"the X server refused requests: no picture"};
     std::optional<ColoredImage> cells = readCells(server.display.get(), canvas, server.colormap, shot.image);
     const RgbImage seen = cells ? RgbImage{} : canvas.readBack({0, 0, size.x, size.y});
@@ -354,5 +355,8 @@ void takeSnapshot(const Options& options, Scene scene, double msRead) {
 
 std::string visualsTable(const Options& options) {
   const OwnedDisplay display = openDisplay();
-  return describeVisuals(readVisuals(display.get()), wishOf(options));
+  const std::string table = describeVisuals(readVisuals(display.get()), wishOf(options));
+  XSync(display.get(), 0);
+  if (strayErrors() > 0) throw X11Error{"the X server refused requests: no table"};
+  return table;
 }

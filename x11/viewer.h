@@ -4,8 +4,8 @@
 
 #include "x11/options.h"
 
-/// The window: events in, frames out. Returns the exit status: 0 when the user quits, 130 when a signal
-/// ends it. @throws X11Error, ViewError
+/// The window: events in, frames out. Returns the exit status: 0 when the user quits; a signal ends the
+/// program with 130. @throws X11Error also at the end, if the server refused to show something; ViewError
 [[nodiscard]] int runViewer(const Options& options, Scene scene);
 
 /// The picture (or with options.wholeWindow the window with its controls) through a real window, read

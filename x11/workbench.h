@@ -36,7 +36,10 @@ class Workbench {
   /// > 1 comes nearer.
   void zoom(double factor);
   /// A sentence for the status line until the next key.
-  void notify(std::string notice) { state_.notice = std::move(notice); }
+  void notify(std::string notice) {
+    state_.notice = std::move(notice);
+    repaint_ = true;
+  }
 
   [[nodiscard]] bool quitAsked() const { return quit_; }
   [[nodiscard]] const Setup& setup() const { return state_.setup; }
@@ -62,6 +65,8 @@ class Workbench {
   [[nodiscard]] bool serverFills() const { return setup().fill == Fill::XFillPolygon && !showsColors(); }
   /// Parts of image() that lie over the picture.
   [[nodiscard]] std::vector<Rect> overPicture() const { return drawnOverPicture(layout_, state_.help); }
+  /// Where the tool's colours are in palette(): by the table that picks the indices.
+  [[nodiscard]] CellPlan plan() const { return server_.plan(painted().picture.table.kind); }
   /// The picture's ground in image().
   [[nodiscard]] std::uint8_t ground() const { return plan()[Cell::Well]; }
 
@@ -81,9 +86,8 @@ class Workbench {
   [[nodiscard]] std::string exactnessText();
   /// Where there is no room for it the picture is shown instead.
   [[nodiscard]] bool showsColors() const { return state_.view == WindowView::Colors && layout_.roomy; }
-  /// The setup by which indices are picked, and its cells.
+  /// The setup by which indices are picked.
   [[nodiscard]] Setup painted() const { return showsColors() ? colors_.painted(state_.setup) : state_.setup; }
-  [[nodiscard]] CellPlan plan() const { return server_.plan(painted().picture.table.kind); }
   /// That picture at the size the window has for it, which is nothing to undo.
   [[nodiscard]] PictureSettings sized() const;
   /// As the setup has it now, which may be newer than the picture.

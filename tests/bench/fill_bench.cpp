@@ -103,8 +103,8 @@ EvaluatedTriangle phong(const Values& at) {
   e.phong = true;
   const double u = (*at.u)[0] / 256, v = (*at.v)[0] / 256;
   e.N = {planes({u, 1, 0}), planes({1 - u, 0, v}), planes({0.5, 0.5, 1})};
-  e.places = with.lighting.needsPlaces();
-  e.at = {planes({0, u, 0.1}), planes({0, 0.1, v}), planes({0, 0.05, 0.1})};
+  e.variesV = with.lighting.variesV();
+  e.V = {planes({2, 2 - u, 1.9}), planes({-5, -5.1, -5 - v}), planes({3, 2.95, 2.9})};
   return e;
 }
 /// Constant terms times the texel.
