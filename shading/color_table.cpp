@@ -16,12 +16,7 @@ double ratioOfShades(double I0, int n) {
 }
 
 ColorTable::ColorTable(const TableSettings& settings)
-    : first_{settings.first.value_or(kTables[static_cast<int>(settings.kind)].first)},
-      hue_{settings.hue},
-      bits_{settings.bits},
-      low_{settings.low},
-      high_{settings.high},
-      corrected_{settings.kind == TableKind::Corrected} {
+    : settings_{settings}, first_{settings.first.value_or(kTables[static_cast<int>(settings.kind)].first)} {
   const int N = settings.shades;
   assert(N >= 2 && N <= kMaxShades && settings.I0 > 0.0 && settings.I0 < 1.0);
   assert(0.0 <= settings.low && settings.low <= settings.high && settings.high <= 1.0);
@@ -61,8 +56,9 @@ int ColorTable::shade(double I) const {
 
 Rgb16 ColorTable::color(int j) const {
   const auto stored = [&](double v) {
-    return static_cast<std::uint16_t>(bits_ == 8 ? 257.0 * std::floor(255.0 * v + 0.5)
-                                                 : std::floor(65535.0 * v + 0.5));
+    return static_cast<std::uint16_t>(settings_.bits == 8 ? 257.0 * std::floor(255.0 * v + 0.5)
+                                                          : std::floor(65535.0 * v + 0.5));
   };
-  return {stored(levels_[j] * hue_.r), stored(levels_[j] * hue_.g), stored(levels_[j] * hue_.b)};
+  const glm::dvec3 color = levels_[j] * settings_.hue;
+  return {stored(color.r), stored(color.g), stored(color.b)};
 }

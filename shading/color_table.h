@@ -73,20 +73,27 @@ class ColorTable {
   /// What shade j stands for: the middle of the intensities that pick it, by the table's own measure; at the
   /// ends, the end.
   [[nodiscard]] double intensity(int j) const {
-    return corrected_ ? levels_[j] : low_ + (high_ - low_) * j / (shades() - 1);
+    return settings_.kind == TableKind::Corrected ? levels_[j]
+                                                  : low() + (high() - low()) * j / (shades() - 1);
   }
   [[nodiscard]] Rgb16 color(int j) const;
+  /// The intensities that pick shade j: `from` and above, below `to`. The first takes whatever lies below it
+  /// too, the last whatever lies above.
+  struct Picked {
+    double from, to;
+  };
+  [[nodiscard]] Picked picked(int j) const {
+    return {j == 0 ? 0.0 : thresholds_[j - 1], j + 1 == shades() ? 1.0 : thresholds_[j]};
+  }
   /// The intensities that the shades spread over.
-  [[nodiscard]] double low() const { return low_; }
-  [[nodiscard]] double high() const { return high_; }
+  [[nodiscard]] double low() const { return settings_.low; }
+  [[nodiscard]] double high() const { return settings_.high; }
+  [[nodiscard]] const TableSettings& settings() const { return settings_; }
 
  private:
   static constexpr int kBuckets = 1024;  ///< I * kBuckets narrows the search to a few thresholds
+  TableSettings settings_;
   int first_;
-  glm::dvec3 hue_;
-  int bits_;
-  double low_, high_;
-  bool corrected_;
   std::vector<double> levels_;      ///< #shades
   std::vector<double> thresholds_;  ///< #shades - 1, ascending; shade j + 1 begins at thresholds_[j]
   std::vector<int> bucket_;         ///< kBuckets + 1; thresholds below each bucket's lower end

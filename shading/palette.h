@@ -2,6 +2,7 @@
 
 #include <array>
 #include <cstdint>
+#include <string_view>
 
 #include "shading/color_table.h"
 
@@ -26,6 +27,23 @@ enum class Cell {
   Focus
 };
 inline constexpr int kCells = 16;
+/// What each is for, in a word or two.
+inline constexpr std::array<std::string_view, kCells> kCellNames{"black",
+                                                                 "white",
+                                                                 "paper",
+                                                                 "panel",
+                                                                 "rule",
+                                                                 "faint",
+                                                                 "soft",
+                                                                 "ink",
+                                                                 "well",
+                                                                 "lines on the well",
+                                                                 "words on the well",
+                                                                 "polygon P",
+                                                                 "polygon Q",
+                                                                 "holds",
+                                                                 "fails",
+                                                                 "focus"};
 
 /// Where each interface colour lives. The usual places are those of the drawing of the window; black
 /// and white are the server's own pixels, and whoever stood there moves aside.

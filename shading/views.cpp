@@ -2,6 +2,7 @@
 
 #include <cassert>
 
+#include "shading/colors_view.h"
 #include "shading/difference.h"
 #include "shading/mach_bands.h"
 #include "shading/normals_view.h"
@@ -10,6 +11,8 @@ ColoredImage drawView(Picture& picture, const ViewSettings& settings) {
   assert(settings.picture.width >= rowOf(settings.view).leastWidth &&
          settings.picture.height >= rowOf(settings.view).leastHeight);
   switch (settings.view) {
+    case View::Colors:
+      return drawColors(picture, settings);
     case View::MachBands:
       return drawMachBands(picture, settings);
     case View::Normals:

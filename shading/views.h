@@ -6,11 +6,12 @@
 
 #include "shading/index_image.h"
 #include "shading/palette.h"
+#include "shading/palette_effects.h"
 #include "shading/picture.h"
 
 /// What may be drawn of a scene: the picture, or the numbers that it was made from.
 
-enum class View { Picture, MachBands, Normals, Difference };
+enum class View { Picture, Colors, MachBands, Normals, Difference };
 struct ViewRow {
   View id;
   std::string_view name, shows;
@@ -18,6 +19,8 @@ struct ViewRow {
 };
 inline constexpr std::array kViews{
     ViewRow{View::Picture, "picture", "the picture", 1, 1},
+    ViewRow{View::Colors, "colours", "the colour table: what every cell holds, and how much it is used", 768,
+            560},
     ViewRow{View::MachBands, "machbands",
             "the intensity along a scanline and its change from pixel to pixel, for three methods", 720, 480},
     ViewRow{View::Normals, "normals", "the normals that the light is computed with, as colours and needles",
@@ -36,6 +39,8 @@ struct ColoredImage {
 struct ViewSettings {
   View view = View::Picture;
   std::optional<int> scanline = {};  ///< of MachBands: a row of its picture; else defaultScanline()
+  std::optional<int> cell = {};      ///< of Colors: the inspected one; else that of the middle sample
+  PaletteEffects effects = {};       ///< of Colors
   PictureSettings picture;           ///< width and height are the whole view's, at least its row's
   CellPlan cells{};
   Palette unneeded{};  ///< as makePalette() has it

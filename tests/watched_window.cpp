@@ -92,6 +92,11 @@ void WatchedWindow::press(KeySym symbol, bool shift) const {
   XSync(display(), 0);
 }
 
+void WatchedWindow::hold(KeySym symbol, bool down) const {
+  XTestFakeKeyEvent(display(), XKeysymToKeycode(display(), symbol), down, CurrentTime);
+  XSync(display(), 0);
+}
+
 void WatchedWindow::moveTo(int x, int y) const {
   XTestFakeMotionEvent(display(), DefaultScreen(display()), x, y, CurrentTime);
   XSync(display(), 0);

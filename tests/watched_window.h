@@ -35,6 +35,8 @@ class WatchedWindow {
   /// Keys by their Latin-1 letters, with Shift where the keyboard needs it.
   void type(std::string_view letters) const;
   void press(KeySym symbol, bool shift = false) const;
+  /// One key held, or let go.
+  void hold(KeySym symbol, bool down) const;
   /// Mouse, in pixels of the screen.
   void moveTo(int x, int y) const;
   void button(unsigned number, bool down) const;

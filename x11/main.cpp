@@ -86,7 +86,8 @@ StageTimes draw(const Options& options, Picture& picture, double msRead) {
   StageTimes times = picture.times();
   times.read = msRead;
   const Stopwatch watch;
-  writePictures(options, picture, encodePng(image, picture.palette(plan)));
+  const Palette palette = withEffects(picture.palette(plan), picture, plan, options.effects);
+  writePictures(options, picture, encodePng(image, palette));
   times.present = watch.ms();
   return times;
 }
@@ -96,6 +97,8 @@ void drawNumbers(const Options& options, Picture& picture) {
   const Doing drawing{"drawing"};
   const ColoredImage view = drawView(picture, {.view = options.view,
                                                .scanline = options.scanline,
+                                               .cell = options.cell,
+                                               .effects = options.effects,
                                                .picture = settingsOf(options),
                                                .cells = CellPlan{options.picture.table.kind}});
   writePictures(options, picture, encodePng(view.image, view.palette));

@@ -255,6 +255,38 @@ void addTable(Reader& r, TableSettings& table) {
   });
 }
 
+/// What is stored in the cells once they are picked.
+void addEffects(Reader& r, Options& o) {
+  const auto cell = [](const std::string& option, const std::string& text) {
+    const std::string expected = "a cell, a whole number from 0 to 255";
+    const double v = numbers(option, text, 1, expected)[0];
+    if (v < 0 || v > 255 || v != std::floor(v)) refuse(option, text, expected);
+    return static_cast<int>(v);
+  };
+  r.text("--cell", "the cell that --view colours inspects", "that of the middle sample of the scene",
+         [&o, cell](const std::string& s) { o.cell = cell("--cell", s); });
+  r.text("--store",
+         "hold the indices that --table picks and store the colours of this table: brief, linear, corrected",
+         "", [&o](const std::string& s) {
+           const auto row = std::ranges::find(kTables, s, &TableRow::name);
+           if (row == kTables.end()) refuse("--store", s, "one of brief, linear, corrected");
+           o.effects.stored = row->id;
+         });
+  r.number("--turn", o.effects.hueTurn, -360, 360, "turn the hue of all stored colours by degrees");
+  r.number("--gamma", o.effects.gamma, kLeastGamma, kMostGamma,
+           "store v^(1/gamma) for v: what a screen needs that shows v^gamma");
+  r.text("--bend", "CELL,VALUE: drag the curve of stored values there to a value of 255", "",
+         [&o, cell](const std::string& s) {
+           const std::string expected = "CELL,VALUE with a value from 0 to 255";
+           const auto v = numbers("--bend", s, 2, expected);
+           if (v[1] < 0 || v[1] > 255) refuse("--bend", s, expected);
+           o.effects.bend = CurvePoint{cell("--bend", s.substr(0, s.find(','))), v[1]};
+         });
+  r.number("--rotate", o.effects.rotate, -255, 255, "move the stored colours up the ramp by so many cells");
+  r.text("--lit", "store yellow in this cell: which polygons have this shade?", "",
+         [&o, cell](const std::string& s) { o.effects.lit = cell("--lit", s); });
+}
+
 /// Two thumbs on one bar: the one that was set pushes the other, so that Ia + Ip <= 1.
 void coupleIntensities(Illumination& light, bool iaGiven, bool ipGiven) {
   if (light.Ia + light.Ip <= 1.0) return;
@@ -299,6 +331,18 @@ bool sameFile(const std::string& a, const std::string& b) {
   return fs::absolute(a).lexically_normal() == fs::absolute(b).lexically_normal();
 }
 
+void checkEffects(const Options& o) {
+  if (o.cell && o.view != View::Colors) throw UsageError{"--cell goes with --view colours"};
+  if (o.cell && o.wholeWindow) throw UsageError{"--cell and --whole-window exclude each other"};
+  if (o.effects == PaletteEffects{}) return;
+  const std::string all = "--store, --turn, --gamma, --bend, --rotate and --lit";
+  if (o.command != Command::Draw && o.command != Command::Snapshot)
+    throw UsageError{all + " go with draw and snapshot"};
+  if (o.view != View::Picture && o.view != View::Colors)
+    throw UsageError{all + " go with --view picture and colours"};
+  if (o.wholeWindow) throw UsageError{all + " and --whole-window exclude each other"};
+}
+
 void checkView(const Options& o) {
   if (o.scanline && o.view != View::MachBands) throw UsageError{"--scanline goes with --view machbands"};
   if (o.view == View::Picture) return;
@@ -306,11 +350,13 @@ void checkView(const Options& o) {
   const std::string view = "--view " + std::string{row.name};
   if (o.command != Command::Draw && o.command != Command::Snapshot)
     throw UsageError{view + " goes with draw and snapshot"};
-  const glm::ivec2 size = o.size.value_or(kPictureSize);
-  if (size.x < row.leastWidth || size.y < row.leastHeight)
-    throw UsageError{view + " needs a --size of at least " + std::to_string(row.leastWidth) + "x" +
-                     std::to_string(row.leastHeight)};
-  if (o.wholeWindow) throw UsageError{view + " and --whole-window exclude each other"};
+  const bool inWindow = o.wholeWindow && o.view == View::Colors;
+  const glm::ivec2 size = o.size.value_or(inWindow ? kWindowSize : kPictureSize);
+  const glm::ivec2 least = inWindow ? kLeastWindow : glm::ivec2{row.leastWidth, row.leastHeight};
+  if (size.x < least.x || size.y < least.y)
+    throw UsageError{view + " needs a --size of at least " + std::to_string(least.x) + "x" +
+                     std::to_string(least.y)};
+  if (o.wholeWindow && !inWindow) throw UsageError{view + " and --whole-window exclude each other"};
   if (o.stats || !o.ids.empty())
     throw UsageError{view + " is more than a picture: --stats and --ids go with --view picture"};
   if (o.fill == Fill::XFillPolygon)
@@ -368,6 +414,7 @@ void check(const Options& o, bool sceneGiven) {
   either(c.fov.has_value(), c.window.has_value(), "--fov and --view-window");
   either(o.wholeWindow, !o.ids.empty(), "--whole-window and --ids");
   checkView(o);
+  checkEffects(o);
   if (c.fov && (c.parallel || c.oblique))
     throw UsageError{"--fov is for perspective: leave out --parallel and --oblique"};
 }
@@ -439,7 +486,7 @@ std::optional<Options> parseOptions(int argc, const char* const* argv, const Pic
   r.choice("--colormap", kMapOwners, o.colormap,
            "a map of our own, or cells of the default one, as many shades as it has free");
   r.flag("--nearest", o.nearest, "colours that the server has not got: no dithering, the nearest it has");
-  r.choice("--view", kViews, o.view, "draw, snapshot: what to show", {"colours", "overdraw", "wireframe"});
+  r.choice("--view", kViews, o.view, "draw, snapshot: what to show", {"overdraw", "wireframe"});
   r.text("--scanline", "the row of the picture that --view machbands follows, from 0 at its top",
          "the middle one; where nothing shows there, the one that shows most", [&](const std::string& s) {
            const std::string expected = "a whole number from 0 to " + std::to_string(kMaxPicture - 1);
@@ -447,6 +494,7 @@ std::optional<Options> parseOptions(int argc, const char* const* argv, const Pic
            if (v < 0 || v >= kMaxPicture || v != std::floor(v)) refuse("--scanline", s, expected);
            o.scanline = static_cast<int>(v);
          });
+  addEffects(r, o);
   r.text("--ids", "also write the face image: 8-bit RGB, face number + 1, 0 where nothing is", "",
          [&](const std::string& s) {
            if (s.empty()) throw UsageError{"--ids: the file's name is empty"};

@@ -44,6 +44,7 @@ inline constexpr std::array kFills{
 };
 
 inline constexpr glm::ivec2 kPictureSize{800, 600}, kWindowSize{1024, 768};
+inline constexpr glm::ivec2 kLeastWindow{800, 600};  ///< with all controls
 
 /// Of light and surfaces, what the command line says: what a scene says of the same gives way to it.
 struct Said {
@@ -71,6 +72,8 @@ struct Options {
   bool stats = false, wholeWindow = false;
   View view = View::Picture;    ///< draw, snapshot: what of the picture
   std::optional<int> scanline;  ///< of View::MachBands
+  std::optional<int> cell;      ///< of View::Colors
+  PaletteEffects effects;       ///< of the picture and of View::Colors
   bool quick = false;           ///< trace: the accelerated run, not the textbook's
   std::string frames;           ///< trace: a folder for pictures; "" for JSON lines
   Every every = Every::Cut;     ///< trace: of which steps

@@ -37,16 +37,24 @@ const ChoiceRow& choice(char key) { return *std::ranges::find(choices(), key, &C
 void drawViews(Pen& pen, const Layout& at) {
   pen.paint.fillRect(at.views, pen(Cell::Panel));
   pen.rule(0, at.views.height, at.width);
-  const Rect tab{6, 5, 78, at.views.height - 4};
-  pen.paint.fillRect(tab, pen(Cell::Paper));
-  pen.paint.fillRect({tab.x, tab.y, tab.width, 2}, pen(Cell::Ink));
-  pen.paint.vline(tab.x, tab.y, at.views.height - tab.y, pen(Cell::Rule));
-  pen.paint.vline(tab.x + tab.width - 1, tab.y, at.views.height - tab.y, pen(Cell::Rule));
-  pen.soft(15, 23, "1");
-  pen.bold(30, 23, "Picture");
+  int x = 6;
+  for (const WindowViewRow& row : kWindowViews) {
+    const Rect tab{x, 5, 36 + textWidth(row.name), at.views.height - 4};
+    const bool shown = row.id == pen.state.view;
+    if (shown) {
+      pen.paint.fillRect(tab, pen(Cell::Paper));
+      pen.paint.fillRect({tab.x, tab.y, tab.width, 2}, pen(Cell::Ink));
+      for (const int edge : {tab.x, tab.x + tab.width - 1})
+        pen.paint.vline(edge, tab.y, at.views.height - tab.y, pen(Cell::Rule));
+    }
+    pen.soft(x + 9, 23, std::string_view{&row.key, 1});
+    pen.paint.text(x + 24, 23, row.name, pen(shown ? Cell::Ink : Cell::Soft),
+                   shown ? Voice::Bold : Voice::Plain);
+    x += tab.width + 4;
+  }
   // A long name keeps its end, which tells files apart.
   std::string title = pen.state.sceneTitle;
-  const auto room = static_cast<std::size_t>(at.width - 2 * kMargin - tab.x - tab.width) / 6;
+  const auto room = static_cast<std::size_t>(at.width - 2 * kMargin - x) / 6;
   if (title.size() > room) title = "..." + title.substr(title.size() - room + 3);
   pen.paint.textRight(at.width - kMargin, 23, title, pen(Cell::Soft));
 }
@@ -140,7 +148,7 @@ void drawLightBall(Pen& pen, const Rect& box) {
       const double lit =
           NdotL <= 0 ? 0.0 : light.kd * NdotL + light.ks * power(std::clamp(RdotV, 0.0, 1.0), light.n);
       pen.paint.point(cx + x, cy + y,
-                      pen.state.colors.ball[static_cast<std::size_t>(
+                      pen.state.ball[static_cast<std::size_t>(
                           255.0 * std::min(1.0, light.ka * light.Ia + light.Ip * lit) + 0.5)]);
     }
   const int lx = cx + static_cast<int>(std::lround(radius * L.x)),
@@ -248,48 +256,6 @@ void drawControls(Pen& pen, const Layout& at) {
   sliders(Section::ColourTable);
 }
 
-void drawStrip(Pen& pen, const Layout& at, const IndexImage& image) {
-  std::array<int, 256> count{};
-  for (int j = at.picture.y; j < at.picture.y + at.picture.height; ++j)
-    for (int i = at.picture.x; i < at.picture.x + at.picture.width; ++i) ++count[image.row(j)[i]];
-
-  const int cell = at.width / 256, x0 = (at.width - 256 * cell) / 2;
-  const int barsBottom = at.strip.y + 23, stripTop = at.strip.y + 24, stripBottom = stripTop + 17;
-  const int most = std::max(2, *std::ranges::max_element(count));
-  for (int i = 0; i < 256; ++i) {
-    pen.paint.fillRect({x0 + i * cell, stripTop, cell, 17}, static_cast<std::uint8_t>(i));
-    if (count[i] == 0) continue;
-    const int height = 1 + static_cast<int>(17 * std::log(count[i]) / std::log(most));
-    pen.paint.fillRect({x0 + i * cell, barsBottom - height, std::max(1, cell - 1), height}, pen(Cell::Ink));
-  }
-  const PanelColors& colors = pen.state.colors;
-  const int first = colors.first, last = first + colors.count - 1;
-  for (const int edge : {x0 + first * cell, x0 + (last + 1) * cell - 1})
-    pen.paint.vline(edge, stripTop - 3, 22, pen(Cell::Ink));
-  int used = 0;
-  for (int i = first; i <= last; ++i) used += count[i] > 0;
-
-  const int y = stripBottom + 13;
-  if (!at.compact) pen.paint.text(x0 + 4, y, "0.." + std::to_string(first - 1), pen(Cell::Faint));
-  // The ramp's cells below its two ends, or as one range where it is too short for both.
-  const int rampLeft = x0 + first * cell + 4, rampRight = x0 + (last + 1) * cell - 4;
-  int left = rampLeft + 56;
-  if (rampRight - rampLeft >= 60) {
-    pen.soft(rampLeft, y, std::to_string(first));
-    pen.paint.textRight(rampRight, y, std::to_string(last), pen(Cell::Soft));
-  } else {
-    left = std::max(left, pen.soft(rampLeft, y, std::to_string(first) + ".." + std::to_string(last)) + 18);
-  }
-  const std::string& rule = at.compact ? colors.shortRule : colors.rule;
-  std::string uses =
-      std::to_string(used) + " of " + std::to_string(colors.count) + " " + std::string{colors.what} + " used";
-  if (!at.compact) uses += " by the picture";
-  const int centre = x0 + 146 * cell - textWidth(uses) / 2;
-  if (rampRight > left - 18 && rampRight < left + textWidth(rule) + 42) left = rampRight + 18;
-  pen.soft(left, y, rule);
-  pen.soft(std::max(centre, left + textWidth(rule) + 18), y, uses);
-}
-
 void drawStatus(Pen& pen, const Layout& at) {
   pen.paint.fillRect(at.status, pen(Cell::Panel));
   pen.rule(0, at.status.y, at.width);
@@ -312,7 +278,28 @@ void drawStatus(Pen& pen, const Layout& at) {
     x = pen.soft(x + 4, keys, does) + 12;
   };
   x += pen.arrow(x, keys - 11, Direction::Left) + 2;
-  x += pen.arrow(x, keys - 11, Direction::Right) + 6;
+  x += pen.arrow(x, keys - 11, Direction::Right) + (s.view == WindowView::Colors ? 2 : 6);
+  if (s.view == WindowView::Colors) {
+    x += pen.arrow(x, keys - 11, Direction::Up) + 2;
+    x += pen.arrow(x, keys - 11, Direction::Down) + 6;
+    x = pen.soft(x, keys, "cell") + 12;
+    legend({"h"}, "light it up");
+    const bool ramps = s.words.what == "shades";  // else there is no table to change
+    if (ramps) {
+      legend({"T"}, "table");
+      legend({"j"}, "nearest");
+      legend({"H"}, "hue");
+      legend({"B"}, "bits");
+    }
+    legend({"g"}, "gamma");
+    if (ramps) {
+      legend({"i"}, "hold indices");
+      legend({"m"}, "move the ramp");
+    }
+    legend({"Esc"}, "put back");
+    legend({"?"}, "all keys");
+    return;
+  }
   const auto* const row = std::ranges::find(kSliders, s.focus, &SliderRow::key);
   std::string focus = s.focus == 'l' ? "light" : s.focus == 't' ? "turn" : s.focus == 'z' ? "zoom" : "";
   if (row != kSliders.end()) focus = row->label;
@@ -322,13 +309,14 @@ void drawStatus(Pen& pen, const Layout& at) {
   legend({"["}, "Ia = 1");
   legend({"]"}, "Ip = 1");
   legend({"H"}, "hue");
+  legend({"3"}, "colours");
   legend({"u"}, "undo");
   legend({"r"}, "reset");
   legend({"?"}, "all keys");
   legend({"q"}, "quit");
 }
 
-constexpr int kHelpLines = 12, kShadow = 4;
+constexpr int kHelpLines = 15, kShadow = 4;
 
 Rect helpBox(const Layout& at) {
   const int width = std::min(at.width - 2 * kMargin, 560), height = 52 + 18 * kHelpLines;
@@ -351,6 +339,9 @@ void drawHelp(Pen& pen, const Layout& at) {
       Line{"S N O F P K T", "next shading, normals, order, fill, projection, backs, table"},
       Line{"H B J", "next hue; 8 or 16 bits a cell; nearest in ratio or difference"},
       Line{"u U r", "undo, redo, reset"},
+      Line{"1 3", "the picture; the colour table, and there:"},
+      Line{"arrows, h", "  go over the cells; light one up for as long as h is held"},
+      Line{"m g i", "  move the ramp; gamma; hold the indices. Esc puts all back"},
       Line{"? or Esc", "close this; q quits"},
   };
   static_assert(kLines.size() == kHelpLines);
@@ -441,6 +432,7 @@ Layout layoutOf(int width, int height) {
   at.status = {0, height - kStatusHeight, width, kStatusHeight};
   at.strip = {0, at.status.y - kStripHeight, width, kStripHeight};
   at.controls = {width - kMargin - kControls, bodyTop, kControls, at.strip.y - bodyTop};
+  at.body = {kMargin, bodyTop, width - 2 * kMargin, at.strip.y - 4 - bodyTop};
   at.picture = {kMargin, bodyTop, at.controls.x - 2 * kMargin, at.strip.y - below - bodyTop};
   return at;
 }
@@ -460,17 +452,19 @@ void drawPanel(IndexImage& image, const Layout& at, const PanelState& state, con
     if (state.help) drawHelp(pen, at);
     return;
   }
-  const Rect& p = at.picture;
   const std::uint8_t paper = plan[Cell::Paper];
-  pen.paint.fillRect({0, 0, at.width, p.y}, paper);
-  pen.paint.fillRect({0, p.y, p.x, at.height - p.y}, paper);
-  pen.paint.fillRect({p.x + p.width, p.y, at.width - p.x - p.width, at.height - p.y}, paper);
-  pen.paint.fillRect({p.x, p.y + p.height, p.width, at.height - p.y - p.height}, paper);
+  if (state.view == WindowView::Picture) {
+    const Rect& p = at.picture;
+    pen.paint.fillRect({0, 0, at.width, p.y}, paper);
+    pen.paint.fillRect({0, p.y, p.x, at.height - p.y}, paper);
+    pen.paint.fillRect({p.x + p.width, p.y, at.width - p.x - p.width, at.height - p.y}, paper);
+    pen.paint.fillRect({p.x, p.y + p.height, p.width, at.height - p.y - p.height}, paper);
+    drawCaption(pen, at);
+    drawControls(pen, at);
+  }
   drawViews(pen, at);
-  drawCaption(pen, at);
-  drawControls(pen, at);
   pen.rule(0, at.strip.y, at.width);
-  drawStrip(pen, at, image);
+  drawColorStrip(pen.paint, at.strip, plan, state.use, state.words, at.compact, state.inspected);
   drawStatus(pen, at);
   if (state.help) drawHelp(pen, at);
 }

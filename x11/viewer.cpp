@@ -1,5 +1,6 @@
 #include "x11/viewer.h"
 
+#include <X11/XKBlib.h>
 #include <X11/Xutil.h>
 #include <X11/keysym.h>
 #include <poll.h>
@@ -10,11 +11,13 @@
 #include <iostream>
 #include <utility>
 
+#include "shading/few_colors.h"
 #include "shading/png.h"
 #include "x11/canvas.h"
 #include "x11/colormap.h"
 #include "x11/display.h"
 #include "x11/fill_polygons.h"
+#include "x11/read_cells.h"
 #include "x11/report.h"
 #include "x11/visual.h"
 #include "x11/workbench.h"
@@ -140,6 +143,7 @@ class Viewer {
                 {.title = "xnewell: " + scene.name, .width = size_.x, .height = size_.y}},
         bench_{std::move(scene), server_.setupOf(options), server_.forBench()} {
     bench_.resize(size_.x, size_.y);
+    XkbSetDetectableAutoRepeat(display(), 1, nullptr);  // a key held is released once
   }
 
   int run() {
@@ -163,7 +167,7 @@ class Viewer {
       refresh();
       if (bench_.quitAsked()) break;
       pollfd connection{ConnectionNumber(display()), POLLIN, 0};
-      if (XPending(display()) == 0 && !errorsToTell()) poll(&connection, 1, -1);
+      poll(&connection, 1, longestWait());
     }
     XSync(display(), 0);  // the last frame may still be refused
     if (strayErrors() == 0) return 0;
@@ -175,6 +179,18 @@ class Viewer {
   [[nodiscard]] ::Display* display() const { return server_.display.get(); }
 
   [[nodiscard]] bool errorsToTell() const { return strayErrors() > 0 && !toldOfErrors_; }
+
+  /// In milliseconds; -1 where nothing happens but events. Colours that move do so every 40 ms at most.
+  [[nodiscard]] int longestWait() {
+    constexpr double kTick = 40;
+    if (XPending(display()) > 0 || errorsToTell() || bench_.stale() != Workbench::Stale::Nothing) return 0;
+    if (!bench_.moving()) return -1;
+    const double rest = kTick - sinceTick_.ms();
+    if (rest > 0) return 1 + static_cast<int>(rest);
+    sinceTick_ = {};
+    bench_.tick();
+    return 0;
+  }
 
   void handle(XEvent& event) {
     switch (event.type) {
@@ -205,6 +221,12 @@ class Viewer {
         break;
       case KeyPress:
         if (const std::optional<Key> key = keyOf(event.xkey)) bench_.press(*key);
+        break;
+      case KeyRelease:
+        if (const std::optional<Key> key = keyOf(event.xkey)) bench_.release(key->letter);
+        break;
+      case FocusOut:  // a key let go elsewhere is not told
+        bench_.release('h');
         break;
       case ButtonPress:
         pressed(event.xbutton);
@@ -240,9 +262,7 @@ class Viewer {
     constexpr double kWheelStep = 1.1;
     if (e.button == Button4) bench_.zoom(kWheelStep);
     if (e.button == Button5) bench_.zoom(1.0 / kWheelStep);
-    const Rect& at = bench_.layout().picture;
-    if (e.button == Button1 && e.x >= at.x && e.x < at.x + at.width && e.y >= at.y &&
-        e.y < at.y + at.height) {
+    if (e.button == Button1 && bench_.grab(e.x, e.y)) {
       dragging_ = true;
       dragX_ = e.x;
       dragY_ = e.y;
@@ -250,7 +270,7 @@ class Viewer {
   }
 
   void moved(const XMotionEvent& e) {
-    if (!dragging_) return;
+    if (!dragging_) return bench_.hover(e.x, e.y);
     bench_.drag(e.x - dragX_, e.y - dragY_);
     dragX_ = e.x;
     dragY_ = e.y;
@@ -262,7 +282,7 @@ class Viewer {
     const Workbench::Stale stale = bench_.stale();
     if (stale == Workbench::Stale::Nothing) return;
     bench_.update(dragging_);
-    const CellPlan plan = server_.colormap.plan(bench_.setup().picture.table.kind);
+    const CellPlan plan = bench_.plan();
     const Palette palette = server_.colorsOf(bench_.picture(), bench_.palette());
     const bool otherPixels = server_.colormap.lookUp(palette, plan);
     if (stale == Workbench::Stale::Colors && !otherPixels) {
@@ -272,7 +292,7 @@ class Viewer {
     }
     const Rect all{0, 0, canvas_.width(), canvas_.height()};
     canvas_.upload(bench_.image(), all);
-    if (bench_.setup().fill == Fill::XFillPolygon) {
+    if (bench_.serverFills()) {
       fillPolygons(display(), canvas_, bench_.picture(), bench_.layout().picture, bench_.ground());
       for (const Rect& part : bench_.overPicture()) canvas_.upload(bench_.image(), part);
     }
@@ -287,6 +307,7 @@ class Viewer {
   Workbench bench_;
   bool dragging_ = false, pointerInside_ = false;
   bool toldOfErrors_ = false;  ///< once: to tell is a frame more, which may be refused too
+  Stopwatch sinceTick_;
   int dragX_ = 0, dragY_ = 0;
 };
 
@@ -333,15 +354,18 @@ void takeSnapshot(const Options& options, Scene scene, double msRead) {
     trap.check();
     times.present = watch.ms();
     if (strayErrors() > 0) throw X11Error{"the X server refused requests: no picture"};
-    writePictures(options, shot.picture, encodePng(canvas.readBack({0, 0, size.x, size.y})));
+    std::optional<ColoredImage> cells = readCells(server.display.get(), canvas, server.colormap, shot.image);
+    const RgbImage seen = cells ? RgbImage{} : canvas.readBack({0, 0, size.x, size.y});
+    if (!cells) cells = inFewColors(seen);
+    writePictures(options, shot.picture, cells ? encodePng(cells->image, cells->palette) : encodePng(seen));
     report(options, shot.picture, times);
   };
   if (options.wholeWindow) {
     Workbench bench{std::move(scene), server.setupOf(options), server.forBench()};
     bench.resize(size.x, size.y);
+    if (options.view == View::Colors) bench.press({NamedKey::Letter, '3'});
     bench.update();
-    shoot({bench.picture(), bench.image(), bench.palette(),
-           server.colormap.plan(bench.setup().picture.table.kind), bench.layout().picture,
+    shoot({bench.picture(), bench.image(), bench.palette(), bench.plan(), bench.layout().picture,
            bench.overPicture()});
     return;
   }
@@ -354,6 +378,8 @@ void takeSnapshot(const Options& options, Scene scene, double msRead) {
   if (options.view != View::Picture) {
     const ColoredImage view = drawView(picture, {.view = options.view,
                                                  .scanline = options.scanline,
+                                                 .cell = options.cell,
+                                                 .effects = options.effects,
                                                  .picture = settings,
                                                  .cells = plan,
                                                  .unneeded = server.colormap.unneeded()});
@@ -362,7 +388,9 @@ void takeSnapshot(const Options& options, Scene scene, double msRead) {
   picture.make(settings);
   IndexImage image;
   picture.paint(image, plan[Cell::Well]);
-  shoot({picture, image, picture.palette(plan, server.colormap.unneeded()), plan, {0, 0, size.x, size.y}});
+  const Palette palette =
+      withEffects(picture.palette(plan, server.colormap.unneeded()), picture, plan, options.effects);
+  shoot({picture, image, palette, plan, {0, 0, size.x, size.y}});
 }
 
 std::string visualsTable(const Options& options) {

@@ -25,44 +25,26 @@ std::string titleOf(const Scene& scene) {
   return title;
 }
 
-/// The scene's cells in words, and those that stand for intensities where a plan holds no ramp: the nearest
-/// grays.
-PanelColors panelColors(const Picture& picture, const Palette& palette) {
-  const SceneColors& scene = picture.colors();
-  const TableSettings& table = picture.settings().table;
-  const TableRow& row = kTables[static_cast<int>(table.kind)];
-  PanelColors colors{.first = scene.table().first(), .count = scene.table().shades()};
-  colors.shortRule = std::string{row.name} + " table";
-  colors.rule =
-      table.shades == kMaxShades ? std::string{row.name} + ": " + std::string{row.holds} : colors.shortRule;
-  if (scene.plan() == ColorPlan::Hues) {
-    const std::string hues = std::to_string(scene.tables().size()) + " hues";
-    colors.shortRule = hues + ", " + colors.shortRule;
-    colors.rule = hues + ", each with a ramp of the " + std::string{row.name} + " table";
-    const ColorTable& last = scene.tables().back();
-    colors.count = last.first() + last.shades() - colors.first;
-  }
-  if (channelsOf(scene.plan()) != Channels::Rgb) {
-    for (int k = 0; k < 256; ++k) colors.ball[k] = static_cast<std::uint8_t>(scene.table().cell(k / 255.0));
-    return colors;
-  }
-  colors.count = picture.chosenColors();
-  colors.what = "colours";
-  colors.shortRule = scene.plan() == ColorPlan::Cube ? "colour cube" : "chosen colours";
-  colors.rule =
-      scene.plan() == ColorPlan::Cube ? "6 reds x 8 greens x 5 blues" : "colours chosen from the picture";
+/// The cells that stand for intensities on the ball: where a plan holds no ramp the nearest grays.
+std::array<std::uint8_t, 256> ballCells(const Picture& picture, const Palette& palette) {
+  std::array<std::uint8_t, 256> ball{};
+  const CellRange cells = sceneCells(picture);
   for (int k = 0; k < 256; ++k) {
+    if (channelsOf(picture.colors().plan()) != Channels::Rgb) {
+      ball[k] = static_cast<std::uint8_t>(picture.table().cell(k / 255.0));
+      continue;
+    }
     const auto distance = [&](int cell) {
       const Rgb16& c = palette[cell];
       const auto square = [&](int v) { return ((v >> 8) - k) * ((v >> 8) - k); };
       return square(c.r) + square(c.g) + square(c.b);
     };
-    int nearest = colors.first;
-    for (int cell = colors.first; cell < colors.first + colors.count; ++cell)
+    int nearest = cells.first;
+    for (int cell = cells.first; cell <= cells.last(); ++cell)
       if (distance(cell) < distance(nearest)) nearest = cell;
-    colors.ball[k] = static_cast<std::uint8_t>(nearest);
+    ball[k] = static_cast<std::uint8_t>(nearest);
   }
-  return colors;
+  return ball;
 }
 
 /// The setup with the colours of its cells left out: what the indices depend on.
@@ -101,6 +83,7 @@ void Workbench::change(char control, const std::function<void(Setup&)>& edit) {
 void Workbench::press(const Key& key) {
   repaint_ = repaint_ || !state_.notice.empty();
   state_.notice.clear();
+  if (showsColors() && !(state_.help && key.name == NamedKey::Escape)) return pressInColors(key);
   const int times = key.shift ? 10 : 1;
   switch (key.name) {
     case NamedKey::Left:
@@ -126,7 +109,27 @@ void Workbench::press(const Key& key) {
   }
 }
 
+void Workbench::pressInColors(const Key& key) {
+  constexpr std::string_view kShared = "q?13HBJTuUr";  // what this view shows too
+  if (colors_.press(key, state_.setup))
+    state_.notice = colors_.notice();
+  else if (key.letter == 'j')
+    pressLetter('J');
+  else if (kShared.find(key.letter) != std::string_view::npos)
+    pressLetter(key.letter);
+  repaint_ = repaint_ || !state_.notice.empty();
+}
+
+void Workbench::show(WindowView view) {
+  if (state_.view == view) return;
+  colors_.undo();
+  state_.view = view;
+  repaint_ = true;
+}
+
 void Workbench::pressLetter(char letter) {
+  for (const WindowViewRow& row : kWindowViews)
+    if (row.key == letter) return show(row.id);
   if (kFocusOrder.find(letter) != std::string_view::npos) {
     state_.focus = letter;
     repaint_ = true;
@@ -225,26 +228,56 @@ Camera Workbench::camera() const {
   return placeCamera(p.camera, picture_.scene().mesh.points, picture_.scene().up, aspect);
 }
 
+void Workbench::release(char letter) {
+  if (showsColors()) colors_.release(letter);
+}
+
+bool Workbench::grab(int x, int y) {
+  if (!showsColors()) return !intersection(layout_.picture, {x, y, 1, 1}).empty();
+  hover(x, y);
+  const bool grabbed = colors_.grab(x, y);
+  repaint_ = repaint_ || state_.notice != colors_.notice();
+  state_.notice = colors_.notice();
+  return grabbed;
+}
+
+void Workbench::hover(int x, int y) {
+  if (!showsColors()) return;
+  colors_.hover(x, y);
+  if (const std::optional<int> cell = cellInStrip(layout_.strip, x, y)) colors_.inspect(*cell);
+}
+
+void Workbench::settle() {
+  colors_.drop();
+  repaint_ = repaint_ || !counted_;
+}
+
 void Workbench::drag(int dx, int dy) {
   if (dx == 0 && dy == 0) return;
+  if (showsColors()) return colors_.dragBy(dx, dy);
   change('t',
          [&](Setup& s) { s.picture.camera = moved(s.picture.camera, camera(), -0.5 * dx, 0.5 * dy, 1.0); });
 }
 
 void Workbench::zoom(double factor) {
+  if (showsColors()) return;
   change('z', [&](Setup& s) { s.picture.camera = moved(s.picture.camera, camera(), 0.0, 0.0, factor); });
 }
 
 Workbench::Stale Workbench::stale() const {
-  if (!any_ || repaint_ || withoutColors(state_.setup) != withoutColors(drawn_)) return Stale::Everything;
-  return state_.setup == drawn_ ? Stale::Nothing : Stale::Colors;
+  if (!any_ || repaint_ || withoutColors(painted()) != drawnIndices_) return Stale::Everything;
+  if (state_.setup != drawn_) return Stale::Colors;
+  if (!showsColors()) return Stale::Nothing;
+  if (colors_.stored(state_.setup) != stored_) return Stale::Colors;
+  return colors_.wordsAreLate(state_.setup) ? Stale::Everything : Stale::Nothing;
 }
 
 PictureSettings Workbench::sized() const {
-  PictureSettings settings = setup().picture;
-  settings.width = layout_.picture.width;
-  settings.height = layout_.picture.height;
-  settings.inPixels = setup().fill == Fill::XFillPolygon;
+  const Rect at = showsColors() ? layoutOfColors(layout_.body).picture : layout_.picture;
+  PictureSettings settings = painted().picture;
+  settings.width = at.width;
+  settings.height = at.height;
+  settings.inPixels = serverFills();
   return settings;
 }
 
@@ -258,18 +291,17 @@ std::string Workbench::exactnessText() {
          " of " + withCommas(e.samples) + " samples.";
 }
 
-void Workbench::drawFrame(bool dragging) {
-  const Rect& at = layout_.picture;
-  picture_.make(sized());
-  const CellPlan plan = server_.plan(state_.setup.picture.table.kind);
-  picture_.paint(pictureImage_, plan[Cell::Well]);
-  palette_ = picture_.palette(plan, server_.unneeded);
+void Workbench::makePalette() {
+  const CellPlan cells = plan();
+  palette_ = picture_.palette(cells, server_.unneeded);
+  stored_ = showsColors() ? colors_.stored(state_.setup) : PaletteEffects{};
+  palette_ = withEffects(palette_, picture_, cells, stored_);
+}
 
-  if (image_.width != layout_.width || image_.height != layout_.height)
-    image_ = IndexImage{layout_.width, layout_.height, plan[Cell::Paper]};
+void Workbench::drawPicture(bool dragging) {
+  const Rect& at = layout_.picture;
   for (int j = 0; j < at.height; ++j)
     std::copy_n(pictureImage_.row(j), at.width, image_.row(at.y + j) + at.x);
-
   const SnappedScene& snapped = picture_.snapped();
   const auto backs = std::ranges::count(snapped.faces, true, &SnappedFace::back);
   const auto splits = static_cast<int>(picture_.sorted().statistics.splits);
@@ -284,21 +316,45 @@ void Workbench::drawFrame(bool dragging) {
   state_.light = lightAngles(state_.setup.picture.light, picture_.scene().up, centre_);
   state_.lightInView =
       vrcRotation(picture_.camera().view) * towardsLight(state_.setup.picture.light, centre_);
-  state_.colors = panelColors(picture_, palette_);
-  drawPanel(image_, layout_, state_, plan);
+  state_.use = cellUse(pictureImage_);
+  state_.ball = ballCells(picture_, palette_);
+  state_.inspected.reset();
+}
+
+void Workbench::drawFrame(bool dragging) {
+  picture_.make(sized());
+  const CellPlan cells = plan();
+  picture_.paint(pictureImage_, cells[Cell::Well]);
+  makePalette();
+  if (image_.width != layout_.width || image_.height != layout_.height)
+    image_ = IndexImage{layout_.width, layout_.height, cells[Cell::Paper]};
+  state_.words = wordsOf(picture_);
+  if (showsColors()) {
+    state_.use = cellUse(pictureImage_, picture_.faceImage());
+    const Palette plain = picture_.palette(cells, server_.unneeded);
+    state_.counts =
+        colors_.draw(image_, layout_.body, {picture_, pictureImage_, state_.use, cells, plain}, state_.setup);
+    state_.inspected = colors_.cell();
+    state_.times.clear();
+    counted_ = true;
+  } else {
+    drawPicture(dragging);
+  }
+  drawPanel(image_, layout_, state_, cells);
+  drawnIndices_ = withoutColors(painted());
 }
 
 void Workbench::update(bool dragging) {
   if (stale() == Stale::Colors) {
-    const CellPlan plan = server_.plan(state_.setup.picture.table.kind);
     picture_.make(sized());
-    palette_ = picture_.palette(plan, server_.unneeded);
+    makePalette();
   } else if (stale() == Stale::Everything) {
     try {
       drawFrame(dragging);
     } catch (const ViewError& e) {
       if (!any_) throw;
       state_.setup = drawn_;
+      colors_.undo();
       state_.notice = e.what();
       drawFrame(dragging);
     }

@@ -1,0 +1,307 @@
+#include "shading/colors_page.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "shading/wording.h"
+
+namespace {
+
+constexpr int kGridLabels = 26, kTitle = 24, kGutter = 28, kTableWidth = 240;
+constexpr int kLabels = 108;  // of facts, to their values
+constexpr int kOptions = 60;  // of the table's lines, from label to options
+constexpr int kKeyColumn = 24;
+constexpr int kCompactBelow = 560;
+constexpr int kLines = 9;  // of the table in a window
+
+/// Draws the page's parts, one function each.
+class Page {
+ public:
+  Page(IndexImage& image, const ColorsLayout& at, const ColorsPage& page)
+      : paint_{image}, at_{at}, page_{page}, scene_{sceneCells(page.picture)} {}
+
+  void drawGrid();
+  void drawFacts();
+  void drawStored();
+  void drawSteps();
+  void drawTable();
+
+ private:
+  [[nodiscard]] std::uint8_t operator()(Cell c) const { return page_.plan[c]; }
+  [[nodiscard]] KeyCapCells keyCells() const {
+    return {(*this)(Cell::Panel), (*this)(Cell::Rule), (*this)(Cell::Faint), (*this)(Cell::Soft)};
+  }
+  [[nodiscard]] bool isTools(int cell) const {
+    for (int role = 0; role < kCells; ++role)
+      if (page_.plan[static_cast<Cell>(role)] == cell) return true;
+    return false;
+  }
+  [[nodiscard]] bool holdsColors() const {
+    return channelsOf(page_.picture.colors().plan()) == Channels::Rgb;
+  }
+  [[nodiscard]] Rect cellRect(int cell) const {
+    return {at_.grid.x + cell % 16 * at_.pitch, at_.grid.y + cell / 16 * at_.pitch, at_.pitch, at_.pitch};
+  }
+  void title(const Rect& plot, std::string_view name, std::string_view unit);
+  /// Words on the plot, on ground of their own.
+  void remark(int x, int baseline, std::string_view text, Cell cell);
+  void drawLine(const TableLine& line, int x, int baseline);
+  void outline(const CellRange& cells);
+
+  Painter paint_;
+  const ColorsLayout& at_;
+  const ColorsPage& page_;
+  CellRange scene_;
+};
+
+/// Around the cells, wherever they end within a row.
+void Page::outline(const CellRange& cells) {
+  for (int cell = cells.first; cell <= cells.last(); ++cell) {
+    const Rect r = cellRect(cell);
+    const std::uint8_t line = (*this)(Cell::Faint);
+    if (!cells.has(cell - 16)) paint_.hline(r.x, r.y, r.width + 1, line);
+    if (!cells.has(cell + 16)) paint_.hline(r.x, r.y + r.height, r.width + 1, line);
+    if (cell % 16 == 0 || !cells.has(cell - 1)) paint_.vline(r.x, r.y, r.height + 1, line);
+    if (cell % 16 == 15 || !cells.has(cell + 1)) paint_.vline(r.x + r.width, r.y, r.height + 1, line);
+  }
+}
+
+void Page::drawGrid() {
+  const int top = at_.grid.y - kTitle + 11;
+  paint_.text(at_.grid.x - kGridLabels, top, "CELLS", (*this)(Cell::Soft), Voice::Caps);
+  paint_.textRight(at_.grid.x + 16 * at_.pitch, top, "large: used by the picture", (*this)(Cell::Soft));
+  for (int row = 0; row < 16; ++row)
+    paint_.textRight(at_.grid.x - 8, at_.grid.y + row * at_.pitch + at_.pitch / 2 + 5,
+                     std::to_string(16 * row), (*this)(Cell::Soft));
+
+  const int large = at_.pitch - 2, middle = at_.pitch / 2, small = at_.pitch * 2 / 5;
+  for (int cell = 0; cell < 256; ++cell) {
+    const Rect r = cellRect(cell);
+    const bool used = page_.use.samples[cell] > 0;
+    const int side = isTools(cell) ? middle : used ? large : small;
+    const Rect mark{r.x + (r.width - side + 1) / 2, r.y + (r.height - side + 1) / 2, side, side};
+    paint_.fillRect(mark, static_cast<std::uint8_t>(cell));
+    if (isTools(cell)) paint_.frame(mark, (*this)(Cell::Rule));
+  }
+  if (scene_.count > 0) outline(scene_);
+  const std::vector<CellRange> ramps = rampsOf(page_.picture);
+  if (ramps.size() > 1) std::ranges::for_each(ramps, [&](const CellRange& ramp) { outline(ramp); });
+  const Rect r = cellRect(page_.cell);
+  paint_.frame({r.x - 1, r.y - 1, r.width + 2, r.height + 2}, (*this)(Cell::Ink));
+  paint_.frame(r, (*this)(Cell::White));
+  paint_.fillRect({r.x + 1, r.y + 1, r.width - 2, r.height - 2}, static_cast<std::uint8_t>(page_.cell));
+}
+
+void Page::drawFacts() {
+  const Rect& at = at_.facts;
+  paint_.hline(at.x, at.y, at.width, (*this)(Cell::Rule));
+  paint_.text(at.x, at.y + 32, "cell " + std::to_string(page_.cell), (*this)(Cell::Ink), Voice::Title);
+  const int aside = paint_.textRight(at.x + at.width, at.y + 32, page_.aside, (*this)(Cell::Soft));
+  if (page_.asideKey) paint_.keyCap(aside - 22, at.y + 21, std::string_view{&page_.asideKey, 1}, keyCells());
+  int y = at.y + (at_.compact ? 52 : 57);
+  for (const Fact& fact : factsOf(page_.cell, page_.picture, page_.palette, page_.plan, page_.use)) {
+    paint_.text(at.x, y, fact.label, (*this)(Cell::Soft));
+    paint_.text(at.x + kLabels, y, fact.value, (*this)(Cell::Ink));
+    y += at_.compact ? 16 : 18;
+  }
+}
+
+void Page::title(const Rect& plot, std::string_view name, std::string_view unit) {
+  const int y = plot.y - 13;
+  paint_.text(plot.x - kPlotLeft, y, name, (*this)(Cell::Soft), Voice::Caps);
+  paint_.textRight(plot.x + plot.width + kPlotRight, y, unit, (*this)(Cell::Soft));
+}
+
+void Page::remark(int x, int baseline, std::string_view text, Cell cell) {
+  paint_.fillRect({x - 2, baseline - 11, textWidth(text) + 4, 14}, (*this)(Cell::Paper));
+  paint_.text(x, baseline, text, (*this)(cell));
+}
+
+void Page::drawStored() {
+  const Rect& area = at_.stored;
+  title(area, holdsColors() ? "luminance" : "stored value", "of 255, for each cell");
+  const Plot plot = storedPlot(page_.picture, page_.palette);
+  drawPlot(paint_, page_.plan, area, plot);
+  if (!at_.compact) paint_.text(area.x + 12, area.y + 14, page_.hint, (*this)(Cell::Soft));
+  for (const Curve& curve : plot.curves) {
+    const int k = page_.cell - curve.first;
+    if (!curve.chosen || k < 0 || k >= static_cast<int>(curve.y.size())) continue;
+    const int x = plotX(plot, area, page_.cell), y = plotY(plot, area, curve.y[k]);
+    paint_.vline(x, y, area.y + area.height - y, (*this)(Cell::Ink));
+    paint_.disc(x, y, 4, (*this)(Cell::Ink));
+    paint_.disc(x, y, 3, static_cast<std::uint8_t>(page_.cell));
+    const std::string text = std::to_string(page_.cell) + ": " + fixed(curve.y[k], 1);
+    const int width = textWidth(text);
+    const int left = x - width - 6 >= area.x + 2 ? x - width - 6 : x + 8;
+    const int baseline = std::max(area.y + 28, y - 8);
+    remark(left, baseline, text, Cell::Ink);
+    break;
+  }
+}
+
+void Page::drawSteps() {
+  const Rect& area = at_.steps;
+  Plot plot{.cells = scene_,
+            .ticks = {},
+            .logarithmic = true,
+            .curves = page_.steps,
+            .level = kSeenStep,
+            .levelName = "the eye"};
+  double most = 30.0, least = 0.3;
+  for (const Curve& curve : plot.curves)
+    for (const double y : curve.y)
+      if (y > 0.0) most = std::max(most, y), least = std::min(least, y);
+  plot.ticks = logarithmicTicks(std::max(least, 0.03), std::min(most, 3e4));
+  if (holdsColors())
+    title(area, "to the nearest colour", "CIEDE2000, log scale");
+  else
+    title(area, "step to the next shade", "per cent brighter, log scale");
+  drawPlot(paint_, page_.plan, area, plot);
+}
+
+void Page::drawLine(const TableLine& line, int x, int y) {
+  const bool keys = std::ranges::any_of(page_.lines, [](const TableLine& l) { return l.key != 0; });
+  if (line.key) paint_.keyCap(x, y - 11, std::string_view{&line.key, 1}, keyCells());
+  if (keys) x += kKeyColumn;
+  paint_.text(x, y, line.label, (*this)(Cell::Ink));
+  if (line.options.empty()) {
+    paint_.text(x + kOptions, y, line.value, (*this)(Cell::Ink), Voice::Bold);
+    return;
+  }
+  int option = x + kOptions;
+  for (int k = 0; k < static_cast<int>(line.options.size()); ++k) {
+    const int width = textWidth(line.options[k]);
+    if (k == line.chosen) {
+      const Rect box{option - 6, y - 13, width + 13, 18};
+      paint_.fillRect(box, (*this)(Cell::White));
+      paint_.frame(box, (*this)(Cell::Ink));
+      paint_.text(option, y, line.options[k], (*this)(Cell::Ink), Voice::Bold);
+    } else {
+      paint_.text(option, y, line.options[k], (*this)(Cell::Soft));
+    }
+    option += width + 14;
+  }
+}
+
+void Page::drawTable() {
+  const Rect& at = at_.table;
+  paint_.hline(at.x, at.y, at_.picture.x + at_.picture.width - at.x, (*this)(Cell::Rule));
+  paint_.text(at.x, at.y + 16, "TABLE", (*this)(Cell::Soft), Voice::Caps);
+  int y = at.y + (at_.compact ? 35 : 37);
+  for (const TableLine& line : page_.lines) {
+    drawLine(line, at.x, y);
+    y += at_.compact ? 18 : 22;
+  }
+}
+
+}  // namespace
+
+ColorsLayout layoutOfColors(const Rect& body) {
+  ColorsLayout at;
+  at.compact = body.height < kCompactBelow;
+  const int factsHeight = at.compact ? 158 : 178, gap = at.compact ? 8 : 20;
+  const int columns = (body.width + 16) * 5 / 12 - 16;
+  at.pitch = std::min((columns - kGridLabels) / 16, (body.height - kTitle - factsHeight - gap) / 16);
+  at.grid = {body.x + kGridLabels, body.y + kTitle, 16 * at.pitch, 16 * at.pitch};
+  const int left = std::max(300, kGridLabels + 16 * at.pitch + 1);
+  at.facts = {body.x, at.grid.y + at.grid.height + gap, left, factsHeight};
+
+  const int x = body.x + left + kGutter, width = body.x + body.width - x;
+  const int lines = (at.compact ? 18 : 22) * kLines + (at.compact ? 24 : 28);
+  const int bottom = std::max(lines, body.height * 36 / 100);
+  const int between = kPlotBelow + (at.compact ? 22 : 30);
+  const int plots = body.height - bottom - 12 - kTitle - between - kPlotBelow;
+  const int upper = plots * 56 / 100;
+  at.stored = {x + kPlotLeft, body.y + kTitle, width - kPlotLeft - kPlotRight, upper};
+  at.steps = {at.stored.x, at.stored.y + upper + between, at.stored.width, plots - upper};
+  at.table = {x, body.y + body.height - bottom, kTableWidth, bottom};
+  at.picture = {x + kTableWidth + 12, at.table.y + 8, width - kTableWidth - 12, bottom - 8};
+  return at;
+}
+
+std::optional<int> cellInGrid(const ColorsLayout& at, int x, int y) {
+  const int column = x - at.grid.x, row = y - at.grid.y;
+  if (column < 0 || row < 0 || column >= at.grid.width || row >= at.grid.height) return std::nullopt;
+  return row / at.pitch * 16 + column / at.pitch;
+}
+
+Plot storedPlot(const Picture& picture, const Palette& palette) {
+  return {.cells = sceneCells(picture),
+          .ticks = {0, 64, 128, 192, 255},
+          .curves = storedCurves(picture, palette)};
+}
+
+std::vector<TableLine> tableLines(const Picture& picture, const PaletteEffects& effects) {
+  const TableSettings& table = picture.settings().table;
+  const bool colors = channelsOf(picture.colors().plan()) == Channels::Rgb;
+  const std::string turned = effects.hueTurn != 0.0 ? " + " + fixed(effects.hueTurn, 0) + "\u00B0" : "";
+  std::vector<TableLine> lines;
+  if (colors) {
+    lines.push_back({.label = "colours",
+                     .options = {"chosen", "cube"},
+                     .chosen = picture.colors().plan() == ColorPlan::Cube});
+    lines.push_back({.label = "cells", .value = std::to_string(sceneCells(picture).count)});
+    if (!turned.empty()) lines.push_back({.label = "hue", .value = turned});
+    lines.push_back({.label = "dither", .options = {"off", "on"}, .chosen = picture.settings().dither});
+  } else {
+    TableLine kinds{.label = "table", .chosen = static_cast<int>(table.kind)};
+    for (const TableRow& row : kTables) kinds.options.emplace_back(row.name);
+    lines.push_back(kinds);
+    const bool corrected = table.kind == TableKind::Corrected;
+    const std::string I0 = corrected ? ", I0 " + fixed(table.I0, table.I0 < 0.001 ? 6 : 3) : "";
+    lines.push_back({.label = "shades", .value = std::to_string(table.shades) + I0});
+    if (corrected)
+      lines.push_back(
+          {.label = "nearest", .options = {"in ratio", "difference"}, .chosen = table.pick == Pick::Search});
+    const std::size_t ramps = picture.colors().tables().size();
+    const glm::dvec3& h = table.hue;
+    const std::string hue = ramps > 1 ? std::to_string(ramps) + ", a ramp each"
+                                      : fixed(h.r, 2) + ", " + fixed(h.g, 2) + ", " + fixed(h.b, 2);
+    lines.push_back({.label = ramps > 1 ? "hues" : "hue", .value = hue + turned});
+    lines.push_back({.label = "stored", .options = {"8 bits", "16 bits"}, .chosen = table.bits == 16});
+  }
+  if (effects.stored)
+    lines.push_back({.label = "colours", .value = "of " + std::string{kTables[int(*effects.stored)].name}});
+  if (effects.gamma != 1.0) lines.push_back({.label = "gamma", .value = fixed(effects.gamma, 2)});
+  if (effects.bend)
+    lines.push_back({.label = "bent",
+                     .value = std::to_string(effects.bend->cell) + " to " + fixed(effects.bend->value, 1)});
+  if (effects.rotate != 0) lines.push_back({.label = "rotated", .value = std::to_string(effects.rotate)});
+  return lines;
+}
+
+std::string levelsText(const Picture& picture, const std::vector<Curve>& curves) {
+  const SceneColors& colors = picture.colors();
+  int steps = 0, seen = 0;
+  for (const Curve& curve : curves)
+    for (const double y : curve.y)
+      if (curve.chosen && !std::isnan(y)) ++steps, seen += y >= kSeenStep;
+  const std::string told = "   the eye tells " + std::to_string(seen) + " of " + std::to_string(steps);
+  if (channelsOf(colors.plan()) == Channels::Rgb)
+    return (colors.plan() == ColorPlan::Cube
+                ? "6 x 8 x 5 = 240 colours, whatever the picture"
+                : counted(sceneCells(picture).count, "colour") + " chosen from the picture") +
+           told + " from all others";
+  int shades = 0, sixteen = 0, eight = 0;
+  for (const ColorTable& table : colors.tables()) {
+    shades += table.shades();
+    sixteen += distinctLevels(table.settings(), 16);
+    eight += distinctLevels(table.settings(), 8);
+  }
+  std::string text;
+  if (colors.tables().size() == 1 && picture.settings().table.kind == TableKind::Corrected)
+    text = "r = " + fixed(ratioOf(colors.table()), 8) + "   ";
+  return text + std::to_string(sixteen) + " of " + std::to_string(shades) + " levels distinct at 16 bits, " +
+         std::to_string(eight) + " at 8" + told + " steps";
+}
+
+void drawColorsPage(IndexImage& image, const ColorsLayout& at, const ColorsPage& page) {
+  for (int j = 0; j < at.picture.height; ++j)
+    std::copy_n(page.image.row(j), at.picture.width, image.row(at.picture.y + j) + at.picture.x);
+  Page draws{image, at, page};
+  draws.drawGrid();
+  draws.drawFacts();
+  draws.drawStored();
+  draws.drawSteps();
+  draws.drawTable();
+}

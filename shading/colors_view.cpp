@@ -1,0 +1,71 @@
+#include "shading/colors_view.h"
+
+#include "shading/color_strip.h"
+#include "shading/colors_page.h"
+#include "shading/sheet.h"
+#include "shading/wording.h"
+
+namespace {
+
+constexpr int kStrip = 60, kFoot = 28;
+
+std::string titleOf(const Scene& scene) {
+  const std::string name = scene.name.substr(scene.name.find_last_of('/') + 1);
+  if (scene.divisions == 0) return name;
+  const std::string divisions = std::to_string(scene.divisions);
+  return name + " \u00B7 " + divisions + " x " + divisions + " divisions";
+}
+
+}  // namespace
+
+ColoredImage drawColors(Picture& picture, const ViewSettings& settings) {
+  const int W = settings.picture.width, H = settings.picture.height;
+  const Rect strip{0, H - kFoot - kStrip, W, kStrip};
+  const ColorsLayout at =
+      layoutOfColors({Sheet::kMargin, Sheet::kMargin, W - 2 * Sheet::kMargin, strip.y - 12 - Sheet::kMargin});
+
+  PictureSettings shown = settings.picture;
+  shown.width = at.picture.width, shown.height = at.picture.height;
+  picture.make(shown);
+  IndexImage image;
+  picture.paint(image, settings.cells[Cell::Well]);
+  const CellUse use = cellUse(image, picture.faceImage());
+  const CellRange scene = sceneCells(picture);
+  const int cell = settings.cell.value_or(settings.effects.lit.value_or(medianCell(use, scene)));
+
+  // Words and curves tell what is stored, but for the light: that only says where the cell is.
+  PaletteEffects effects = settings.effects;
+  effects.lit.reset();
+  const CellPlan& plan = settings.cells;
+  const Palette stored = withEffects(picture.palette(plan, settings.unneeded), picture, plan, effects);
+  Palette palette = stored;
+  if (settings.effects.lit)
+    palette = withEffects(stored, picture, plan, {.lit = settings.effects.lit});
+  else if (scene.has(cell))
+    palette[cell] = kLit;
+
+  const std::vector<Curve> steps = stepCurves(picture, stored);
+  IndexImage page{W, H, plan[Cell::Paper]};
+  drawColorsPage(page, at,
+                 {.picture = picture,
+                  .image = image,
+                  .palette = stored,
+                  .steps = steps,
+                  .plan = plan,
+                  .use = use,
+                  .cell = cell,
+                  .aside = scene.has(cell) ? "lit up everywhere" : "",
+                  .lines = tableLines(picture, effects),
+                  .hint = ""});
+  Painter paint{page};
+  paint.hline(0, strip.y, W, plan[Cell::Rule]);
+  drawColorStrip(paint, strip, plan, use, wordsOf(picture), W < 1024, cell);
+  const int foot = H - kFoot;
+  paint.fillRect({0, foot, W, kFoot}, plan[Cell::Panel]);
+  paint.hline(0, foot, W, plan[Cell::Rule]);
+  const int end = paint.text(Sheet::kMargin, foot + 18, levelsText(picture, steps), plan[Cell::Ink]);
+  const std::string title = titleOf(picture.scene());
+  if (end + 18 + textWidth(title) <= W - Sheet::kMargin)
+    paint.textRight(W - Sheet::kMargin, foot + 18, title, plan[Cell::Soft]);
+  return {page, palette};
+}

@@ -1,0 +1,11 @@
+#pragma once
+
+#include <optional>
+
+#include "shading/palette.h"
+#include "shading/rgb_image.h"
+#include "shading/views.h"
+
+/// A picture of at most 256 colours as cells: its own colours, ascending by red, green and blue, in cells 0
+/// and up, the others black. Nothing where it has more.
+[[nodiscard]] std::optional<ColoredImage> inFewColors(const RgbImage& picture);

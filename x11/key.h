@@ -1,0 +1,9 @@
+#pragma once
+
+/// A key as the workbench knows it: a Latin-1 letter or one of these.
+enum class NamedKey { Letter, Left, Right, Up, Down, Home, End, Tab, Escape };
+struct Key {
+  NamedKey name = NamedKey::Letter;
+  char letter = 0;
+  bool shift = false;
+};

@@ -1,0 +1,35 @@
+#include "x11/read_cells.h"
+
+#include <X11/Xutil.h>
+
+#include <cassert>
+#include <memory>
+#include <unordered_map>
+
+std::optional<ColoredImage> readCells(::Display* display, const Canvas& canvas,
+                                      const ServerColormap& colormap, const IndexImage& sent) {
+  assert(sent.width == canvas.width() && sent.height == canvas.height());
+  ErrorTrap trap{display};
+  struct Destroy {
+    void operator()(::XImage* image) const { XDestroyImage(image); }
+  };
+  const std::unique_ptr<::XImage, Destroy> got{
+      XGetImage(display, canvas.drawable(), 0, 0, sent.width, sent.height, AllPlanes, ZPixmap)};
+  trap.check();
+  if (!got) throw X11Error("the X server did not give the picture back");
+
+  const std::array<unsigned long, 256>& pixels = colormap.pixels();
+  std::unordered_map<unsigned long, std::uint8_t> cellOf;
+  for (int cell = 0; cell < 256; ++cell) cellOf.try_emplace(pixels[cell], static_cast<std::uint8_t>(cell));
+  ColoredImage cells{sent, colormap.shown()};
+  for (int j = 0; j < sent.height; ++j)
+    for (int i = 0; i < sent.width; ++i) {
+      const unsigned long pixel = XGetPixel(got.get(), i, j);
+      std::uint8_t& cell = cells.image.row(j)[i];
+      if (pixels[cell] == pixel) continue;
+      const auto known = cellOf.find(pixel);
+      if (known == cellOf.end()) return std::nullopt;
+      cell = known->second;
+    }
+  return cells;
+}
