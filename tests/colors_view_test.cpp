@@ -139,7 +139,7 @@ TEST(ColorsView, MarksAreTheUseOfThePicture) {
     }
     EXPECT_GT(used, 40);
     if (plan != ColorPlan::Chosen) {
-      EXPECT_GT(unused, 20);
+      EXPECT_GT(unused, 5);
     }
   }
 }
