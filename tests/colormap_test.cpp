@@ -159,7 +159,7 @@ TEST(ServerColormap, NeedsNoFreeCell) {
   for (int i = 0; i < 256; ++i)
     if (!XAllocColorCells(greedy.get(), DefaultColormap(greedy.get(), 0), 0, nullptr, 0, &cells[i], 1)) break;
   XSync(greedy.get(), 0);
-  const ServerVisuals server = readVisuals(display.get());
+  const ServerVisuals server = readVisuals(display.get(), true);
   ASSERT_EQ(server.freeCells, 0);
   ServerColormap map{display.get(), chooseVisual(server)};
   const Palette palette = makePalette(map.plan(TableKind::Linear), ColorTable{{.hue = {1, 1, 1}}});

@@ -301,7 +301,7 @@ TEST(SharedCells, OnDirectColor) {
     }
   }
   XSync(d, 0);
-  const std::size_t before = readVisuals(d).freeCells.value();
+  const std::size_t before = readVisuals(d, true).freeCells.value();
   EXPECT_GT(before, 240u);
 }
 

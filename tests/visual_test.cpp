@@ -46,7 +46,7 @@ std::string refusal(const ServerVisuals& s, const std::optional<VisualWish>& wis
   return {};
 }
 
-ServerVisuals askedOf(const XServer& x) { return readVisuals(openDisplay(x.name()).get()); }
+ServerVisuals askedOf(const XServer& x) { return readVisuals(openDisplay(x.name()).get(), true); }
 
 }  // namespace
 
@@ -177,14 +177,14 @@ TEST(ReadVisuals, StockServers) {
 TEST(ReadVisuals, CountsTheFreeCells) {
   const XServer x = XServer::xvfb(8, 640, 480, {"-extension", "RENDER"});
   const OwnedDisplay display = openDisplay(x.name()), other = openDisplay(x.name());
-  EXPECT_EQ(readVisuals(display.get()).freeCells, 254);
-  EXPECT_EQ(readVisuals(display.get()).freeCells, 254);
+  EXPECT_EQ(readVisuals(display.get(), true).freeCells, 254);
+  EXPECT_EQ(readVisuals(display.get(), true).freeCells, 254);
   std::vector<unsigned long> cells(254);
   const ::Colormap map = DefaultColormap(other.get(), 0);
   ASSERT_NE(XAllocColorCells(other.get(), map, 0, nullptr, 0, cells.data(), 77), 0);
-  EXPECT_EQ(readVisuals(display.get()).freeCells, 177);
+  EXPECT_EQ(readVisuals(display.get(), true).freeCells, 177);
   ASSERT_NE(XAllocColorCells(other.get(), map, 0, nullptr, 0, cells.data() + 77, 177), 0);
-  EXPECT_EQ(readVisuals(display.get()).freeCells, 0);
+  EXPECT_EQ(readVisuals(display.get(), true).freeCells, 0);
 }
 
 // The table has a row for each kind of visual with its number, and ends with the choice and its reason.

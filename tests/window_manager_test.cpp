@@ -120,7 +120,7 @@ Traces tracesOn(::Display* d) {
     const std::unique_ptr<char, int (*)(void*)> name{XGetAtomName(d, properties[i]), XFree};
     traces.rootProperties.insert(name.get());
   }
-  traces.freeCells = readVisuals(d).freeCells.value_or(-1);
+  traces.freeCells = readVisuals(d, true).freeCells.value_or(-1);
   traces.installed = installed(d);
   return traces;
 }

@@ -68,7 +68,11 @@ ServerColormap::ServerColormap(::Display* display, const VisualChoice& choice, c
   if (!sharing && (writable || xVisual_ != DefaultVisual(display, screen_))) {
     OwnedColormap made{display, XCreateColormap(display, RootWindow(display, screen_), xVisual_,
                                                 writable && !byCell ? AllocAll : AllocNone)};
-    trap.check();
+    try {
+      trap.check();
+    } catch (const X11Error& e) {
+      throw NoColormapError{e.what()};
+    }
     own_ = std::move(made);
   }
   if (byCell) {

@@ -32,7 +32,7 @@ class ServerColormap {
   /// The Display must outlive it. Where the default visual is 8 bits deep too, a private map starts as a copy
   /// of the default one, so that cells we do not need look as they do everywhere else; elsewhere it starts
   /// black. A shared map needs the default visual.
-  /// @throws X11Error if the server has no room for a colormap.
+  /// @throws NoColormapError; X11Error if the server refuses anything else
   ServerColormap(::Display* display, const VisualChoice& choice, const Settings& settings);
   ServerColormap(::Display* display, const VisualChoice& choice)
       : ServerColormap{display, choice, Settings{}} {}

@@ -44,7 +44,7 @@ ServerColormap openColormap(::Display* display, const Options& options) {
     ServerColormap colormap{display, choice, settings};
     tell(colormap.shortfall());
     return colormap;
-  } catch (const X11Error& e) {
+  } catch (const NoColormapError& e) {
     const VisualInfo& standard = server.defaultVisual();
     if (options.colormap == MapOwner::Shared || (wish && choice.visual.name() != standard.name())) throw;
     settings.owner = MapOwner::Shared;
@@ -395,7 +395,8 @@ void takeSnapshot(const Options& options, Scene scene, double msRead) {
 
 std::string visualsTable(const Options& options) {
   const OwnedDisplay display = openDisplay();
-  const std::string table = describeVisuals(readVisuals(display.get()), wishOf(options), options.colormap);
+  const std::string table =
+      describeVisuals(readVisuals(display.get(), /*countsCells=*/true), wishOf(options), options.colormap);
   XSync(display.get(), 0);
   if (strayErrors() > 0) throw X11Error{"the X server refused requests: no table"};
   return table;

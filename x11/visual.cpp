@@ -181,7 +181,7 @@ const VisualInfo& ServerVisuals::defaultVisual() const {
                        [&](const VisualInfo& v) { return v.id == defaultId; });
 }
 
-ServerVisuals readVisuals(::_XDisplay* display) {
+ServerVisuals readVisuals(::_XDisplay* display, bool countsCells) {
   const int screen = DefaultScreen(display);
   ServerVisuals server;
   server.display = DisplayString(display);
@@ -203,7 +203,7 @@ ServerVisuals readVisuals(::_XDisplay* display) {
                               .bitsPerRgb = v.bits_per_rgb,
                               .cells = v.colormap_size});
   }
-  if (const VisualInfo& v = server.defaultVisual(); v.writable()) {
+  if (const VisualInfo& v = server.defaultVisual(); countsCells && v.writable()) {
     const ::Colormap map = DefaultColormap(display, screen);
     const ServerGrab grab{display};
     std::vector<unsigned long> taken = takeCells(display, map, v.cells);

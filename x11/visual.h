@@ -77,12 +77,13 @@ struct ServerVisuals {
   std::vector<VisualInfo> visuals;  ///< of the default screen, in the server's order
   unsigned long defaultId = 0;
   unsigned long black = 0, white = 0;  ///< pixel values in the default colormap
-  std::optional<int> freeCells;        ///< of the default colormap, where that is writable
+  std::optional<int> freeCells;        ///< of the default colormap, where that is writable, if counted
   [[nodiscard]] const VisualInfo& defaultVisual() const;
 };
 
-/// Free cells are counted by taking them and giving them back, while all other programs wait.
-[[nodiscard]] ServerVisuals readVisuals(::_XDisplay* display);
+/// Free cells are counted only if asked for: by taking them and giving them back, some fifteen round trips in
+/// which all other programs wait.
+[[nodiscard]] ServerVisuals readVisuals(::_XDisplay* display, bool countsCells = false);
 
 /// `--visual CLASS[DEPTH]`: PseudoColor8, truecolor24, TrueColor.
 struct VisualWish {

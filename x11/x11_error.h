@@ -8,3 +8,9 @@ class X11Error : public std::runtime_error {
  public:
   using std::runtime_error::runtime_error;
 };
+
+/// The server has no room for another colormap.
+class NoColormapError : public X11Error {
+ public:
+  using X11Error::X11Error;
+};
