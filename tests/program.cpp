@@ -45,6 +45,7 @@ RunningProgram::RunningProgram(const std::string& program, const std::vector<std
   dup2(open("/dev/null", O_RDONLY | O_CLOEXEC), STDIN_FILENO);
   dup2(out_, STDOUT_FILENO);
   dup2(err_, STDERR_FILENO);
+  ::signal(SIGPIPE, SIG_DFL);  // which a test that has opened a display ignores
   execvpe(argv[0], argv.data(), envp.data());
   _exit(127);
 }

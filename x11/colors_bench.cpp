@@ -167,7 +167,7 @@ std::string ColorsBench::draw(IndexImage& image, const Rect& body, const Shown& 
                   .aside = "lit up everywhere",
                   .asideKey = 'h',
                   .lines = lines(shown.picture, setup),
-                  .hint = ramps == 1 ? "Drag the curve: cells change, nothing is painted again." : ""});
+                  .hint = ramps == 1 ? "Drag the curve: colours change, the indices stay." : ""});
   return levelsText(shown.picture, steps);
 }
 
