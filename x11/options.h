@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <optional>
 #include <stdexcept>
@@ -77,6 +78,11 @@ struct Options {
   bool quick = false;           ///< trace: the accelerated run, not the textbook's
   std::string frames;           ///< trace: a folder for pictures; "" for JSON lines
   Every every = Every::Cut;     ///< trace: of which steps
+
+  /// Whether the command line says it: an option's name, or "scene".
+  [[nodiscard]] bool gave(std::string_view option) const {
+    return std::ranges::find(given, option) != given.end();
+  }
 };
 
 /// Wrong usage: one line for standard error, exit status 2.
