@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <random>
+#include <span>
 
 namespace {
 
@@ -182,6 +183,22 @@ TEST(Workbench, OracleFillsNoPolygons) {
   press(b, "F");
   EXPECT_EQ(b.setup().fill, Fill::Scanline);
   EXPECT_EQ(b.stale(), Stale::Everything);  // the status line tells why
+}
+
+// Controls of the light do nothing where a scene brings its own: that is said, and nowhere else.
+TEST(Workbench, TellsOfLightsThatAreTheScenes) {
+  for (const std::string scene : {"spotlight", "teapot"})
+    for (const char key : {'[', ']'}) {
+      SCOPED_TRACE(scene + key);
+      Workbench b{readScene(scene, 3), {}, {}};
+      b.resize(1024, 768);
+      b.update();
+      press(b, {&key, 1});
+      b.update();
+      const std::uint8_t alarm = b.plan()[Cell::Alarm];
+      const std::span status{b.image().row(b.layout().status.y), std::size_t{24} * 1024};
+      EXPECT_EQ(std::ranges::find(status, alarm) != status.end(), scene == "spotlight");
+    }
 }
 
 // While the picture is dragged wrong faces are not counted; afterwards they are.

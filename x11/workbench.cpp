@@ -78,6 +78,11 @@ void Workbench::change(char control, const std::function<void(Setup&)>& edit) {
   lastChanged_ = control;
   redo_.clear();
   state_.setup = next;
+  const SceneLight& own = picture_.scene().light;
+  if (!own.lights.empty() && (control == 'l' || control == 'p' || control == ']'))
+    notify("The scene brings its own lights: Ip and where the light is are theirs, not the control's.");
+  else if (own.Ia && (control == 'i' || control == '['))
+    notify("The scene brings its own ambient light: Ia is the scene's, not the control's.");
 }
 
 void Workbench::press(const Key& key) {
