@@ -7,6 +7,7 @@
 #include <fstream>
 #include <memory>
 #include <set>
+#include <stdexcept>
 
 #include "tests/watched_viewer.h"
 #include "tests/x_proxy.h"
@@ -30,12 +31,17 @@ class WindowManager {
   explicit WindowManager(const XServer& server) : twm_{"twm", {"-f", configured(folder_)}, server.name()} {
     const OwnedDisplay display = openDisplay(server.name());
     EXPECT_TRUE(comesTrue([&] { return windowManagerRuns(display.get()) || !twm_.running(); }));
-    EXPECT_TRUE(twm_.running()) << "the tests need the program twm";
+    if (!twm_.running()) throw std::runtime_error{"twm has ended, which the tests need"};
   }
 
  private:
   static std::string configured(const TemporaryFolder& folder) {
-    std::ofstream{folder.file("twmrc")} << "RandomPlacement\n";
+    std::ofstream out{folder.file("twmrc")};
+    out << "RandomPlacement\n";
+    // The fonts that it takes by default are in a package of their own, and without them it ends.
+    for (const char* font : {"TitleFont", "ResizeFont", "MenuFont", "IconFont", "IconManagerFont"})
+      out << font << " \"fixed\"\n";
+    out.close();
     return folder.file("twmrc");
   }
   TemporaryFolder folder_;
