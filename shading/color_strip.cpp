@@ -15,7 +15,7 @@ struct Places {
 
 }  // namespace
 
-SceneCellWords wordsOf(const Picture& picture) {
+SceneCellWords wordsOf(const Picture& picture, const PaletteEffects& effects) {
   const SceneColors& scene = picture.colors();
   const TableRow& row = kTables[static_cast<int>(picture.settings().table.kind)];
   const std::string table{row.name};
@@ -27,6 +27,12 @@ SceneCellWords wordsOf(const Picture& picture) {
     words.shortRule = hues + ", " + words.shortRule;
     words.rule = hues + ", each with a ramp of the " + table + " table";
   }
+  if (effects.stored)
+    words.rule = "indices of " + table + ", colours of " +
+                 std::string{kTables[static_cast<int>(*effects.stored)].name};
+  PaletteEffects others = effects;
+  others.stored.reset(), others.lit.reset(), others.rotate = 0;
+  if (others != PaletteEffects{}) words.rule = (effects.stored ? words.rule : table) + ", changed";
   if (channelsOf(scene.plan()) != Channels::Rgb) return words;
   const bool cube = scene.plan() == ColorPlan::Cube;
   words.what = "colours";
@@ -83,5 +89,7 @@ void drawColorStrip(Painter paint, const Rect& at, const CellPlan& plan, const C
   const int centre = x0 + 146 * cell - textWidth(uses) / 2;
   if (rampRight > left - 18 && rampRight < left + textWidth(rule) + 42) left = rampRight + 18;
   paint.text(left, y, rule, soft);
-  paint.text(std::max(centre, left + textWidth(rule) + 18), y, uses, soft);
+  int begin = std::max(centre, left + textWidth(rule) + 18);
+  if (begin < rampRight + 18 && begin + textWidth(uses) > rampRight - 36) begin = rampRight + 18;
+  paint.text(begin, y, uses, soft);
 }

@@ -6,6 +6,7 @@
 #include "shading/cell_use.h"
 #include "shading/painter.h"
 #include "shading/palette.h"
+#include "shading/palette_effects.h"
 
 /// All 256 cells side by side, how much the picture uses each above them, and what they hold below.
 
@@ -16,7 +17,7 @@ struct SceneCellWords {
   std::string shortRule;        ///< "linear table"
   std::string what = "shades";  ///< or "colours"
 };
-[[nodiscard]] SceneCellWords wordsOf(const Picture& picture);
+[[nodiscard]] SceneCellWords wordsOf(const Picture& picture, const PaletteEffects& effects = {});
 
 /// `at` is 60 high and at least 512 wide; what it has more than whole pixels a cell stays empty at both ends.
 /// Bars grow with the logarithm of the samples. `compact` leaves out what a narrow one has no room for.

@@ -89,7 +89,8 @@ void Page::drawGrid() {
   const Rect r = cellRect(page_.cell);
   paint_.frame({r.x - 1, r.y - 1, r.width + 2, r.height + 2}, (*this)(Cell::Ink));
   paint_.frame(r, (*this)(Cell::White));
-  paint_.fillRect({r.x + 1, r.y + 1, r.width - 2, r.height - 2}, static_cast<std::uint8_t>(page_.cell));
+  if (page_.use.samples[page_.cell] > 0)
+    paint_.fillRect({r.x + 1, r.y + 1, r.width - 2, r.height - 2}, static_cast<std::uint8_t>(page_.cell));
 }
 
 void Page::drawFacts() {
@@ -155,7 +156,9 @@ void Page::drawSteps() {
   if (holdsColors())
     title(area, "to the nearest colour", "CIEDE2000, log scale");
   else
-    title(area, "step to the next shade", "per cent brighter, log scale");
+    title(area, "step to the next shade",
+          page_.gamma == 1.0 ? "per cent brighter, log scale"
+                             : "per cent, on a screen of gamma " + fixed(page_.gamma, 1));
   drawPlot(paint_, page_.plan, area, plot);
 }
 
@@ -209,7 +212,7 @@ ColorsLayout layoutOfColors(const Rect& body) {
   const int x = body.x + left + kGutter, width = body.x + body.width - x;
   const int lines = (at.compact ? 18 : 22) * kLines + (at.compact ? 24 : 28);
   const int bottom = std::max(lines, body.height * 36 / 100);
-  const int between = kPlotBelow + (at.compact ? 22 : 30);
+  const int between = kPlotBelow + (at.compact ? 28 : 30);
   const int plots = body.height - bottom - 12 - kTitle - between - kPlotBelow;
   const int upper = plots * 56 / 100;
   at.stored = {x + kPlotLeft, body.y + kTitle, width - kPlotLeft - kPlotRight, upper};
@@ -223,6 +226,12 @@ std::optional<int> cellInGrid(const ColorsLayout& at, int x, int y) {
   const int column = x - at.grid.x, row = y - at.grid.y;
   if (column < 0 || row < 0 || column >= at.grid.width || row >= at.grid.height) return std::nullopt;
   return row / at.pitch * 16 + column / at.pitch;
+}
+
+std::vector<Curve> stepsSeen(const Picture& picture, const Palette& plain, const CellPlan& plan,
+                             PaletteEffects effects) {
+  effects.gamma = 1;
+  return stepCurves(picture, withEffects(plain, picture, plan, effects));
 }
 
 Plot storedPlot(const Picture& picture, const Palette& palette) {

@@ -45,8 +45,13 @@ struct ColorsPage {
   std::string aside;  ///< beside its number, at the right
   char asideKey = 0;  ///< before that, for a window
   std::vector<TableLine> lines;
-  std::string hint;  ///< in the upper plot, where it is high
+  double gamma = 1;    ///< of the screen that the steps are seen on
+  std::string hint{};  ///< in the upper plot, where it is high
 };
+
+/// The steps of what is stored, as they are seen: where it is corrected for a screen's gamma, on that screen.
+[[nodiscard]] std::vector<Curve> stepsSeen(const Picture& picture, const Palette& plain, const CellPlan& plan,
+                                           PaletteEffects effects);
 
 void drawColorsPage(IndexImage& image, const ColorsLayout& at, const ColorsPage& page);
 

@@ -37,14 +37,17 @@ ColoredImage drawColors(Picture& picture, const ViewSettings& settings) {
   PaletteEffects effects = settings.effects;
   effects.lit.reset();
   const CellPlan& plan = settings.cells;
-  const Palette stored = withEffects(picture.palette(plan, settings.unneeded), picture, plan, effects);
+  Palette plain = picture.palette(plan, settings.unneeded);
+  if (settings.gray) plain = forGrayScreen(plain, picture);
+  const Palette stored = withEffects(plain, picture, plan, effects);
   Palette palette = stored;
   if (settings.effects.lit)
     palette = withEffects(stored, picture, plan, {.lit = settings.effects.lit});
   else if (scene.has(cell))
     palette[cell] = kLit;
 
-  const std::vector<Curve> steps = stepCurves(picture, stored);
+  const bool lit = palette[cell] == kLit && use.samples[cell] > 0;
+  const std::vector<Curve> steps = stepsSeen(picture, plain, plan, effects);
   IndexImage page{W, H, plan[Cell::Paper]};
   drawColorsPage(page, at,
                  {.picture = picture,
@@ -54,12 +57,13 @@ ColoredImage drawColors(Picture& picture, const ViewSettings& settings) {
                   .plan = plan,
                   .use = use,
                   .cell = cell,
-                  .aside = scene.has(cell) ? "lit up everywhere" : "",
+                  .aside = lit ? "lit up everywhere" : "",
                   .lines = tableLines(picture, effects),
+                  .gamma = effects.gamma,
                   .hint = ""});
   Painter paint{page};
   paint.hline(0, strip.y, W, plan[Cell::Rule]);
-  drawColorStrip(paint, strip, plan, use, wordsOf(picture), W < 1024, cell);
+  drawColorStrip(paint, strip, plan, use, wordsOf(picture, effects), W < 1024, cell);
   const int foot = H - kFoot;
   paint.fillRect({0, foot, W, kFoot}, plan[Cell::Panel]);
   paint.hline(0, foot, W, plan[Cell::Rule]);

@@ -13,6 +13,10 @@ constexpr double kFull = 65535.0;
 std::uint16_t stored(double v) {
   return static_cast<std::uint16_t>(std::floor(kFull * std::clamp(v, 0.0, 1.0) + 0.5));
 }
+Rgb16 inEightBits(const Rgb16& c) {
+  const auto rounded = [](std::uint16_t v) { return static_cast<std::uint16_t>((v + 128) / 257 * 257); };
+  return {rounded(c.r), rounded(c.g), rounded(c.b)};
+}
 int largest(const Rgb16& c) { return std::max({c.r, c.g, c.b}); }
 
 /// v^e for v in [0, 1], e >= 0: by squaring for the whole part, by square roots for the binary digits behind
@@ -90,6 +94,18 @@ void bend(Palette& palette, const CellRange& ramp, const CurvePoint& point) {
   }
 }
 
+Palette forGrayScreen(Palette palette, const Picture& picture) {
+  const bool oneHue = picture.colors().plan() == ColorPlan::OneHue;
+  const CellRange scene = sceneCells(picture);
+  for (int cell = scene.first; cell <= scene.last(); ++cell) {
+    const Rgb16 c = palette[cell];
+    const auto gray =
+        static_cast<std::uint16_t>(oneHue ? largest(c) : (30 * c.r + 59 * c.g + 11 * c.b) / 100);
+    palette[cell] = {gray, gray, gray};
+  }
+  return palette;
+}
+
 ColorTable inTable(const ColorTable& table, TableKind kind) {
   TableSettings settings = table.settings();
   const auto first = [](TableKind k) { return kTables[static_cast<int>(k)].first; };
@@ -125,6 +141,8 @@ Palette withEffects(Palette palette, const Picture& picture, const CellPlan& pla
                       range(scene)};
     bend(palette, *ramp, *effects.bend);
   }
+  if (picture.settings().table.bits == 8 && effects != PaletteEffects{})
+    for (int cell = scene.first; cell <= scene.last(); ++cell) palette[cell] = inEightBits(palette[cell]);
   if (effects.rotate != 0) {
     requireRamps(ramps, "rotating");
     for (const CellRange& ramp : ramps) rotate(palette, ramp, effects.rotate);

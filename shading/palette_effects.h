@@ -16,7 +16,8 @@ struct CurvePoint {
   bool operator==(const CurvePoint&) const = default;
 };
 
-/// In the order in which they are applied. The first value of each leaves the colours alone.
+/// In the order in which they are applied; what a table of 8 bits keeps is then rounded to them. The first
+/// value of each leaves the colours alone.
 struct PaletteEffects {
   std::optional<TableKind> stored = {};  ///< this table's colours for indices that another one picked
   double hueTurn = 0;                    ///< degrees, towards green from red
@@ -49,5 +50,9 @@ void rotate(Palette& palette, const CellRange& ramp, int steps);
 /// shade's, which stays; below, values keep their ratio, above, their share of what is left. A curve that
 /// never falls still never falls. The hue is that of the brightest shade.
 void bend(Palette& palette, const CellRange& ramp, const CurvePoint& point);
+/// What is stored where the screen is gray. Of one hue the intensities, which the hue would only darken: red
+/// to 30 %. Several hues, and colours, have the grays of their brightness, (30 R + 59 G + 11 B) / 100, cut
+/// off to a whole number as servers do. Cells that are not the scene's stay.
+[[nodiscard]] Palette forGrayScreen(Palette palette, const Picture& picture);
 /// The same shades of another table, in its usual cells.
 [[nodiscard]] ColorTable inTable(const ColorTable& table, TableKind kind);

@@ -178,7 +178,7 @@ void Picture::paintColors(IndexImage& image) {
   chosen_ = quantize(colors, channel.pixels,
                      {.quantizer = colors_.plan() == ColorPlan::Cube ? Quantizer::Cube : Quantizer::Chosen,
                       .dither = made_.dither,
-                      .colors = kMaxShades,
+                      .colors = made_.table.shades,
                       .first = colors_.table().first()},
                      image);
   if (!rowOf(made_.shading).interpolates) cells_ = nearestCells();

@@ -44,6 +44,7 @@ struct ViewSettings {
   PictureSettings picture;           ///< width and height are the whole view's, at least its row's
   CellPlan cells{};
   Palette unneeded{};  ///< as makePalette() has it
+  bool gray = false;   ///< Colors: of a screen that shows grays only
 };
 
 /// Any but View::Picture. `picture` becomes the one that the view shows: smaller than the view.

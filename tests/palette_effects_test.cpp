@@ -230,3 +230,47 @@ TEST(PaletteEffects, RefuseWhatMakesNoSense) {
   EXPECT_EQ(complaint(teapot, {.bend = CurvePoint{251, 3}}),
             "cell 251 is in no ramp: choose one of 11 to 250");
 }
+
+// A table of 8 bits keeps 8 bits of what the effects make, too: each value is 257 times a byte.
+TEST(PaletteEffects, EightBitsStayEight) {
+  for (const int bits : {8, 16}) {
+    Picture picture{readScene("teapot", 2)};
+    PictureSettings settings;
+    settings.width = 64, settings.height = 48;
+    settings.table.kind = TableKind::Corrected;
+    settings.table.bits = bits;
+    picture.make(settings);
+    const CellPlan plan{TableKind::Corrected};
+    const Palette plain = picture.palette(plan);
+    const Palette palette = withEffects(plain, picture, plan, {.gamma = 1.4, .bend = CurvePoint{100, 33.3}});
+    int odd = 0;
+    for (int cell = 11; cell <= 250; ++cell) odd += palette[cell].r % 257 != 0;
+    EXPECT_EQ(odd > 0, bits == 16);
+    EXPECT_NE(palette, plain);
+  }
+}
+
+// On gray screens one hue is its intensity, and of several the brightness is left; the tool's cells stay.
+TEST(PaletteEffects, GraysForGrayScreens) {
+  for (const std::string scene : {"teapot", "hues"}) {
+    Picture picture{readScene(scene, 2)};
+    PictureSettings settings = picture.scene().settings;
+    settings.width = 64, settings.height = 48;
+    picture.make(settings);
+    const CellPlan plan{TableKind::Linear};
+    const Palette plain = picture.palette(plan), gray = forGrayScreen(plain, picture);
+    for (int cell = 0; cell < 256; ++cell) {
+      const Rgb16 c = plain[cell], g = gray[cell];
+      if (cell < 11 || cell > 250) {
+        EXPECT_EQ(g, c) << cell;
+        continue;
+      }
+      EXPECT_EQ(g.r, g.g);
+      EXPECT_EQ(g.g, g.b);
+      if (scene == "teapot")
+        EXPECT_EQ(g.r, c.r) << cell;
+      else
+        EXPECT_NEAR(g.r, 0.30 * c.r + 0.59 * c.g + 0.11 * c.b, 1) << cell;
+    }
+  }
+}

@@ -98,7 +98,7 @@ TEST(ReadCells, TellEqualColorsApart) {
   }
   EXPECT_GT(painted, 30'000);
   EXPECT_GT(same, painted * 9 / 10);
-  EXPECT_LT(same, painted);  // outlines: the cells are those of the server
+  EXPECT_LT(same, painted);        // outlines: the cells are those of the server
   EXPECT_GT(twins, painted / 20);  // where the first cell of that colour would be wrong
   EXPECT_EQ(readPng(made(folder, "y.png", "snapshot --fill x11 " + line, deep.name())), readPng(filled));
 }
@@ -138,9 +138,8 @@ TEST(ReadCells, EffectsAreRefusedWhereTheyMakeNoSense) {
             "xnewell: rotating needs a ramp: the cells of this picture hold single colours\n");
   EXPECT_EQ(refused("draw teapot --lit 8"),
             "xnewell: cell 8 is not one of the scene's: choose one of 11 to 250\n");
-  EXPECT_EQ(
-      refused("draw teapot --view normals --gamma 2"),
-      "xnewell: --store, --turn, --gamma, --bend, --rotate and --lit go with --view picture and colours\n");
+  EXPECT_EQ(refused("draw teapot --view normals --gamma 2"),
+            "xnewell: --gamma goes with --view picture and colours\n");
   EXPECT_EQ(refused("draw teapot --cell 3"), "xnewell: --cell goes with --view colours\n");
   EXPECT_EQ(folder.entries(), 0);
 }

@@ -154,7 +154,7 @@ std::string ColorsBench::draw(IndexImage& image, const Rect& body, const Shown& 
   if (!cell_) cell_ = medianCell(shown.use, scene_);
   drawn_ = told(setup);
   const Palette palette = withEffects(shown.palette, shown.picture, shown.plan, drawn_->effects);
-  const std::vector<Curve> steps = stepCurves(shown.picture, palette);
+  const std::vector<Curve> steps = stepsSeen(shown.picture, shown.palette, shown.plan, drawn_->effects);
   std::ranges::fill(image.pixels, shown.plan[Cell::Paper]);
   drawColorsPage(image, at_,
                  {.picture = shown.picture,
@@ -167,7 +167,10 @@ std::string ColorsBench::draw(IndexImage& image, const Rect& body, const Shown& 
                   .aside = "lit up everywhere",
                   .asideKey = 'h',
                   .lines = lines(shown.picture, setup),
-                  .hint = ramps == 1 ? "Drag the curve: colours change, the indices stay." : ""});
+                  .gamma = effects_.gamma,
+                  .hint = moving_      ? "Colours move on; what is told is of standing still."
+                          : ramps == 1 ? "Drag the curve: colours change, the indices stay."
+                                       : ""});
   return levelsText(shown.picture, steps);
 }
 

@@ -5,8 +5,8 @@
 
 namespace {
 
-void exclude(bool a, bool b, const char* both) {
-  if (a && b) throw UsageError{std::string{both} + " exclude each other"};
+void exclude(bool a, bool b, const std::string& both) {
+  if (a && b) throw UsageError{both + " exclude each other"};
 }
 
 /// Whether two names lead to one file, which is regular or is to be made.
@@ -21,12 +21,14 @@ void checkEffects(const Options& o) {
   if (o.cell && o.view != View::Colors) throw UsageError{"--cell goes with --view colours"};
   if (o.cell && o.wholeWindow) throw UsageError{"--cell and --whole-window exclude each other"};
   if (o.effects == PaletteEffects{}) return;
-  const std::string all = "--store, --turn, --gamma, --bend, --rotate and --lit";
+  constexpr std::array<std::string_view, 6> kEffects{"--store", "--turn",   "--gamma",
+                                                     "--bend",  "--rotate", "--lit"};
+  const std::string effect{*std::ranges::find_if(kEffects, [&](auto name) { return o.gave(name); })};
   if (o.command != Command::Draw && o.command != Command::Snapshot)
-    throw UsageError{all + " go with draw and snapshot"};
+    throw UsageError{effect + " goes with draw and snapshot"};
   if (o.view != View::Picture && o.view != View::Colors)
-    throw UsageError{all + " go with --view picture and colours"};
-  if (o.wholeWindow) throw UsageError{all + " and --whole-window exclude each other"};
+    throw UsageError{effect + " goes with --view picture and colours"};
+  exclude(true, o.wholeWindow, effect + " and --whole-window");
 }
 
 void checkView(const Options& o) {

@@ -60,8 +60,8 @@ struct Server {
       : display{openDisplay()}, colormap{openColormap(display.get(), options)} {}
 
   [[nodiscard]] Workbench::Server forBench() const {
-    return {[this](TableKind table) { return colormap.plan(table); }, colormap.unneeded(),
-            colormap.account()};
+    return {[this](TableKind table) { return colormap.plan(table); }, colormap.unneeded(), colormap.account(),
+            gray()};
   }
   /// With a ramp of as many shades as there are cells for.
   [[nodiscard]] PictureSettings fitted(PictureSettings settings) const {
@@ -72,17 +72,10 @@ struct Server {
     return {fitted(options.picture), options.fill};
   }
 
-  /// What to store for a picture's colours. On a gray visual a ramp shows its intensities, whatever the hue,
-  /// which would only darken it: red to 30 %. Several hues, and colours, have the grays of their brightness.
-  [[nodiscard]] Palette colorsOf(const Picture& picture, Palette palette) const {
-    if (!colormap.visual().gray() || picture.colors().plan() != ColorPlan::OneHue) return palette;
-    const ColorTable& ramp = picture.table();
-    for (int cell = ramp.first(); cell < ramp.first() + ramp.shades(); ++cell) {
-      const Rgb16 c = palette[cell];
-      const std::uint16_t intensity = std::max({c.r, c.g, c.b});  // the hue's largest component is 1
-      palette[cell] = {intensity, intensity, intensity};
-    }
-    return palette;
+  [[nodiscard]] bool gray() const { return colormap.visual().gray(); }
+  /// What to store for a picture's colours.
+  [[nodiscard]] Palette colorsOf(const Picture& picture, const Palette& palette) const {
+    return gray() ? forGrayScreen(palette, picture) : palette;
   }
 
   OwnedDisplay display;
@@ -382,7 +375,8 @@ void takeSnapshot(const Options& options, Scene scene, double msRead) {
                                                  .effects = options.effects,
                                                  .picture = settings,
                                                  .cells = plan,
-                                                 .unneeded = server.colormap.unneeded()});
+                                                 .unneeded = server.colormap.unneeded(),
+                                                 .gray = server.gray()});
     return shoot({picture, view.image, view.palette, plan, {0, 0, size.x, size.y}});
   }
   picture.make(settings);

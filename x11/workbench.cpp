@@ -296,11 +296,15 @@ std::string Workbench::exactnessText() {
          " of " + withCommas(e.samples) + " samples.";
 }
 
+/// Without effects.
+Palette Workbench::plainPalette() const {
+  const Palette palette = picture_.palette(plan(), server_.unneeded);
+  return server_.gray ? forGrayScreen(palette, picture_) : palette;
+}
+
 void Workbench::makePalette() {
-  const CellPlan cells = plan();
-  palette_ = picture_.palette(cells, server_.unneeded);
   stored_ = showsColors() ? colors_.stored(state_.setup) : PaletteEffects{};
-  palette_ = withEffects(palette_, picture_, cells, stored_);
+  palette_ = withEffects(plainPalette(), picture_, plan(), stored_);
 }
 
 void Workbench::drawPicture(bool dragging) {
@@ -333,10 +337,10 @@ void Workbench::drawFrame(bool dragging) {
   makePalette();
   if (image_.width != layout_.width || image_.height != layout_.height)
     image_ = IndexImage{layout_.width, layout_.height, cells[Cell::Paper]};
-  state_.words = wordsOf(picture_);
+  state_.words = wordsOf(picture_, showsColors() ? colors_.stored(state_.setup) : PaletteEffects{});
   if (showsColors()) {
     state_.use = cellUse(pictureImage_, picture_.faceImage());
-    const Palette plain = picture_.palette(cells, server_.unneeded);
+    const Palette plain = plainPalette();
     state_.counts =
         colors_.draw(image_, layout_.body, {picture_, pictureImage_, state_.use, cells, plain}, state_.setup);
     state_.inspected = colors_.cell();

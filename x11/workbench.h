@@ -20,6 +20,7 @@ class Workbench {
     std::function<CellPlan(TableKind)> plan = [](TableKind t) { return CellPlan{t}; };
     Palette unneeded{};
     std::string visual;  ///< for the status line
+    bool gray = false;   ///< shows grays only
   };
   Workbench(Scene scene, const Setup& setup, Server server);
 
@@ -83,6 +84,7 @@ class Workbench {
   void drawPicture(bool dragging);
   /// Of the picture as it was made.
   void makePalette();
+  [[nodiscard]] Palette plainPalette() const;
   [[nodiscard]] std::string exactnessText();
   /// Where there is no room for it the picture is shown instead.
   [[nodiscard]] bool showsColors() const { return state_.view == WindowView::Colors && layout_.roomy; }
