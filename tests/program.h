@@ -35,7 +35,7 @@ class RunningProgram {
   [[nodiscard]] bool running();
   void signal(int number) const;
   /// Waits for the end; kills it after `limit`. Later calls give the same answer.
-  Finished wait(std::chrono::seconds limit = std::chrono::seconds{60});
+  Finished wait(std::chrono::seconds limit = std::chrono::seconds{150});
 
  private:
   void reap(int options);
