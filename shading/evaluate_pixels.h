@@ -25,7 +25,7 @@ template <class Real>
   return {on(p[0], along, down), on(p[1], along, down), on(p[2], along, down)};
 }
 
-/// The largest whole number not above v, |v| <= 2^22.
+/// The largest whole number not above v, |v| < 2^23.
 template <class Real>
 [[gnu::always_inline]] inline Real wholePart(const Real& v) {
   if constexpr (std::is_floating_point_v<Real>) {
@@ -37,20 +37,25 @@ template <class Real>
 }
 
 /// Where the texels at coordinates (u, v) stand in a channel of the texture: always within it, also for lanes
-/// past the end of a span, where 1 / w may have crossed 0 and the coordinates are anything.
+/// past the end of a span, where 1 / w may have crossed 0 and the coordinates are anything. (One comparison
+/// of places costs a tenth of a texel less than bounds for both coordinates.)
 template <class Real>
-[[gnu::always_inline]] inline auto placesOf(const Texture& texture, const Real& anyU, const Real& anyV) {
-  const Real least = splat<Real>(-0x1p22), most = splat<Real>(0x1p22);
-  const Real u = smaller(larger(anyU, least), most), v = smaller(larger(anyV, least), most);
+[[gnu::always_inline]] inline auto placesOf(const Texture& texture, const Real& u, const Real& v) {
   const Real s = u - wholePart(u), t = splat<Real>(1.0) - (v - wholePart(v));  // t runs down, in (0, 1]
   const Real width = splat<Real>(texture.width), height = splat<Real>(texture.height);
   const Real column = smaller(s * width, width - splat<Real>(1.0));
   const Real row = smaller(t * height, height - splat<Real>(1.0));
-  if constexpr (std::is_floating_point_v<Real>)
+  if constexpr (std::is_floating_point_v<Real>) {
     return static_cast<int>(row) * texture.width + static_cast<int>(column);
-  else
-    return __builtin_convertvector(row, IntegersOf<Real>) * texture.width +
-           __builtin_convertvector(column, IntegersOf<Real>);
+  } else {
+    using Places = Lanes<unsigned, kLanes<Real>>;
+    const auto whole = [](const Real& x) {
+      return reinterpret_cast<Places>(__builtin_convertvector(x, IntegersOf<Real>));
+    };
+    const Places last = Places{} + static_cast<unsigned>(texture.width * texture.height - 1);
+    const Places place = whole(row) * static_cast<unsigned>(texture.width) + whole(column);
+    return place < last ? place : last;
+  }
 }
 
 /// As many pixels are evaluated together, step by step: what a step needs stays in registers.
