@@ -15,7 +15,7 @@ int BoxGrid::levelFor(int length, int shift) {
   return std::max(0, (bitsFor(length) - shift + kSteps - 1) / kSteps);
 }
 
-BoxGrid::BoxGrid(std::span<const Box> boxes, bool fine) {
+BoxGrid::BoxGrid(std::span<const ScreenBox> boxes, bool fine) {
   for (auto& row : levelAt_) row.fill(-1);
   if (boxes.empty() || !fine) {
     levels_.push_back({31, 31, 1, 1, 0});
@@ -29,7 +29,7 @@ BoxGrid::BoxGrid(std::span<const Box> boxes, bool fine) {
   int right = boxes[0].x1, bottom = boxes[0].y1;
   left_ = boxes[0].x0, top_ = boxes[0].y0;
   std::array<std::size_t, 33> widths{}, heights{};
-  for (const Box& b : boxes) {
+  for (const ScreenBox& b : boxes) {
     left_ = std::min(left_, b.x0), right = std::max(right, b.x1);
     top_ = std::min(top_, b.y0), bottom = std::max(bottom, b.y1);
     ++widths[bitsFor(b.x1 - b.x0)], ++heights[bitsFor(b.y1 - b.y0)];
@@ -51,7 +51,8 @@ BoxGrid::BoxGrid(std::span<const Box> boxes, bool fine) {
     columns >= rows ? ++xShift_ : ++yShift_;
   }
 
-  for (const Box& b : boxes) levelAt_[levelFor(b.y1 - b.y0, yShift_)][levelFor(b.x1 - b.x0, xShift_)] = 0;
+  for (const ScreenBox& b : boxes)
+    levelAt_[levelFor(b.y1 - b.y0, yShift_)][levelFor(b.x1 - b.x0, xShift_)] = 0;
   cells_ = 0;
   for (int y = 0; y < kMostLevels; ++y)
     for (int x = 0; x < kMostLevels; ++x) {
@@ -65,13 +66,13 @@ BoxGrid::BoxGrid(std::span<const Box> boxes, bool fine) {
     }
 }
 
-int BoxGrid::cellOf(const Box& b) const {
+int BoxGrid::cellOf(const ScreenBox& b) const {
   if (cells_ == 1) return 0;
   const Level& l = levels_[levelAt_[levelFor(b.y1 - b.y0, yShift_)][levelFor(b.x1 - b.x0, xShift_)]];
   return l.firstCell + ((b.y0 - top_) >> l.yShift) * l.columns + ((b.x0 - left_) >> l.xShift);
 }
 
-bool BoxGrid::settle(const Box& box, Place& place) const {
+bool BoxGrid::settle(const ScreenBox& box, Place& place) const {
   for (; place.level < static_cast<int>(levels_.size()); place = {std::int16_t(place.level + 1), 0, 0}) {
     const Level& l = levels_[place.level];
     // Boxes start at most one cell before what they reach into.

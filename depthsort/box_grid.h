@@ -12,22 +12,22 @@
 /// an axis stay where the fine cells are.
 
 /// On the screen grid, x0 <= x1, y0 <= y1.
-struct Box {
+struct ScreenBox {
   int x0 = 0, y0 = 0, x1 = 0, y1 = 0;
   /// Share more than their borders.
-  [[nodiscard]] bool overlaps(const Box& o) const { return overlapsInX(o) && y0 < o.y1 && o.y0 < y1; }
-  [[nodiscard]] bool overlapsInX(const Box& o) const { return x0 < o.x1 && o.x0 < x1; }
+  [[nodiscard]] bool overlaps(const ScreenBox& o) const { return overlapsInX(o) && y0 < o.y1 && o.y0 < y1; }
+  [[nodiscard]] bool overlapsInX(const ScreenBox& o) const { return x0 < o.x1 && o.x0 < x1; }
 };
 
 class BoxGrid {
  public:
   /// The finest cells are so large that three quarters of the boxes fit, and at most as many as there are
   /// boxes. `fine` false: one cell for all.
-  explicit BoxGrid(std::span<const Box> boxes, bool fine = true);
+  explicit BoxGrid(std::span<const ScreenBox> boxes, bool fine = true);
 
   [[nodiscard]] int cells() const { return cells_; }
   /// The cell in which a box of the given ones is entered: 0..cells() - 1.
-  [[nodiscard]] int cellOf(const Box& box) const;
+  [[nodiscard]] int cellOf(const ScreenBox& box) const;
 
   /// A walk over the cells whose boxes may overlap a box, level by level, row by row.
   struct Place {
@@ -40,7 +40,7 @@ class BoxGrid {
   }
   /// The first cell for the box at or after the place; false if there is none left. A walk
   /// may go on with a smaller box within the one it began with.
-  [[nodiscard]] bool settle(const Box& box, Place& place) const;
+  [[nodiscard]] bool settle(const ScreenBox& box, Place& place) const;
 
  private:
   static constexpr int kSteps = 2;  ///< each level's cells are 2^kSteps times as large

@@ -65,7 +65,7 @@ class DepthSort {
 
   void enterFaces();
   [[nodiscard]] Polygon enter(int face) const;
-  [[nodiscard]] bool shows(const SnappedFace& face, const Box& box) const {
+  [[nodiscard]] bool shows(const SnappedFace& face, const ScreenBox& box) const {
     const int width = settings_.width, height = settings_.height;
     return mayOwnSample(scene_, face, box, width, height) ||
            (settings_.inPixels && box.overlaps({0, 0, width * kGrid, height * kGrid}) &&
@@ -176,11 +176,11 @@ Polygon DepthSort::enter(int face) const {
 void DepthSort::enterFaces() {
   std::vector<Polygon> unsorted;
   unsorted.reserve(scene_.faces.size());
-  const Box picture{0, 0, settings_.width * kGrid, settings_.height * kGrid};
+  const ScreenBox picture{0, 0, settings_.width * kGrid, settings_.height * kGrid};
   for (int f = 0; f < static_cast<int>(scene_.faces.size()); ++f) {
     unsorted.push_back(enter(f));
     if (settings_.textbook) continue;
-    Box& box = unsorted.back().extents.box;
+    ScreenBox& box = unsorted.back().extents.box;
     if (!shows(scene_.faces[f], box))
       unsorted.pop_back();
     else  // outside the picture nothing is compared
@@ -188,7 +188,7 @@ void DepthSort::enterFaces() {
              std::min(box.y1, picture.y1)};
   }
 
-  std::vector<Box> boxes;
+  std::vector<ScreenBox> boxes;
   boxes.reserve(unsorted.size());
   for (const Polygon& P : unsorted) boxes.push_back(P.extents.box);
   grid_.emplace(boxes, settings_.grid && !settings_.textbook);
@@ -325,7 +325,7 @@ void DepthSort::breakCycle(int P, int R) {
 /// P and Q cross where they overlap: either plane properly crosses the other polygon.
 void DepthSort::splitCrossing(int P, int Q) {
   const auto area = [&](int i) {
-    const Box& b = list_[i].extents.box;
+    const ScreenBox& b = list_[i].extents.box;
     return std::int64_t{b.x1 - b.x0} * (b.y1 - b.y0);
   };
   const bool splitQ = list_[Q].state != State::Marked &&
@@ -368,7 +368,7 @@ void DepthSort::addPiece(int P, Region region) {
       ++record.cuts;
     }
   piece.extents = extentsOf(scene_, scene_.faces[piece.face], region, piece.extents);
-  const Box& box = piece.extents.box;
+  const ScreenBox& box = piece.extents.box;
   record.firstRow = std::max(0, box.y0 >> kGridBits);
   record.rows = std::max(0, std::min(settings_.height, (box.y1 >> kGridBits) + 1) - record.firstRow);
   list_.push_back(piece);

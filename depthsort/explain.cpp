@@ -147,12 +147,12 @@ std::vector<Test> Explainer::testsMade(const Event& compare) const {
 double Explainer::pixels(double zSteps) const { return std::ldexp(onScreen(zSteps), scene_->zShift); }
 
 Range Explainer::xExtent(int id) const {
-  const Box box = fragments_.extents(id).box;
+  const ScreenBox box = fragments_.extents(id).box;
   return {onScreen(box.x0), onScreen(box.x1)};
 }
 
 Range Explainer::yExtent(int id) const {
-  const Box box = fragments_.extents(id).box;
+  const ScreenBox box = fragments_.extents(id).box;
   return {onScreen(box.y0), onScreen(box.y1)};
 }
 
@@ -179,9 +179,41 @@ std::optional<SeparatingEdge> Explainer::separatingEdge(int P, int Q) const {
   return std::nullopt;
 }
 
-CommonArea Explainer::commonArea(int P, int Q) const {
+std::vector<CornerDistance> Explainer::distances(int of, int fromPlaneOf) const {
+  const int plane = fragments_.face(of).plane, other = fragments_.face(fromPlaneOf).plane;
+  const bool same = regions_.samePlane(plane, other);
+  const Line nearer = same ? Line{} : regions_.cut(plane, other);
+  const Region region = fragments_.region(of);
+  std::vector<CornerDistance> distances;
+  for (std::size_t k = 0; k < region.size(); ++k) {
+    const Side &side = region[k], &next = region[k + 1 == region.size() ? 0 : k + 1];
+    const auto x = std::llrint(side.corner.x), y = std::llrint(side.corner.y);
+    distances.push_back({{onScreen(side.corner.x), onScreen(side.corner.y)},
+                         pixels(depthAt(scene_->planes[plane], x, y) - depthAt(scene_->planes[other], x, y)),
+                         same ? 0 : regions_.sign(nearer, side.line, next.line, side.corner)});
+  }
+  return distances;
+}
+
+double Explainer::depth(int id, Place at) const {
+  return pixels(depthAt(scene_->planes[fragments_.face(id).plane], std::llrint(at.x * kGrid),
+                        std::llrint(at.y * kGrid)));
+}
+
+Region Explainer::common(int P, int Q) const {
   Region both = fragments_.region(P);
   for (const Side& side : fragments_.region(Q)) regions_.clip(both, side.line);
+  return both;
+}
+
+std::vector<Place> Explainer::overlap(int P, int Q) const {
+  std::vector<Place> corners;
+  for (const Side& side : common(P, Q)) corners.push_back({onScreen(side.corner.x), onScreen(side.corner.y)});
+  return corners;
+}
+
+CommonArea Explainer::commonArea(int P, int Q) const {
+  const Region both = common(P, Q);
   const SnappedFace &p = fragments_.face(P), &q = fragments_.face(Q);
   CommonArea common;
   if (both.empty()) return common;
@@ -212,14 +244,14 @@ std::string Explainer::settled(const Event& e) const {
                                             "parts, or both, is only a contact; {P} may be painted first."
                                           : "where they overlap, {P} and {Q} cross, but one of the two "
                                             "parts, or both, is only a contact; {Q} is to be painted first.";
-  return filled(reason, name(e.P), name(e.Q));
+  return filled(reason, called(e.P, "P"), called(e.Q, "Q"));
 }
 
 std::string Explainer::failed(const Event& e, Test test) const {
   const bool aboutPlanes = test == Test::PBehindQ || test == Test::QInFrontOfP;
   if (aboutPlanes && regions_.samePlane(fragments_.face(e.P).plane, fragments_.face(e.Q).plane))
-    return filled("{P} and {Q} lie in one plane.", name(e.P), name(e.Q));
-  return filled(refutationOf(test), name(e.P), name(e.Q));
+    return filled("{P} and {Q} lie in one plane.", called(e.P, "P"), called(e.Q, "Q"));
+  return filled(refutationOf(test), called(e.P, "P"), called(e.Q, "Q"));
 }
 
 std::string Explainer::sentence(const Event& e, Test test) const {
@@ -228,7 +260,8 @@ std::string Explainer::sentence(const Event& e, Test test) const {
 }
 
 std::string Explainer::sentence(const Event& e, int splits) const {
-  const std::string P = name(e.P), Q = e.Q < 0 ? "" : name(e.Q);
+  const bool taken = e.kind == Event::Kind::Take;
+  const std::string P = taken ? name(e.P) : called(e.P, "P"), Q = e.Q < 0 ? "" : called(e.Q, "Q");
   switch (e.kind) {
     case Event::Kind::Take:
       if (fragments_.isPiece(e.P))
@@ -240,7 +273,7 @@ std::string Explainer::sentence(const Event& e, int splits) const {
     case Event::Kind::Compare:
       return sentence(e, e.test);
     case Event::Kind::Move:
-      return filled("Move: {Q} is moved to the end of the list, marked, and becomes P.", P, Q);
+      return filled("Move: {Q} is moved to the far end of the list, marked, and becomes P.", P, Q);
     case Event::Kind::Cycle:
       return filled("Cycle: {Q} should come before {P}, but it is marked already: the order goes round.", P,
                     Q);
@@ -253,8 +286,8 @@ std::string Explainer::sentence(const Event& e, int splits) const {
           P, Q);
     case Event::Kind::Split: {
       const int behind = fragments_.pieceOf(splits);
-      return filled("Cut: {P} is split by the plane of {Q} into ", P, Q) + name(behind) +
-             ", behind it, and " + name(behind + 1) + ", in front.";
+      return filled("Cut: {P} is split by the plane of {Q} into ", P, Q) + listed(behind) +
+             ", behind it, and " + listed(behind + 1) + ", in front.";
     }
     case Event::Kind::Paint:
       return filled("Paint: nothing that is left needs to come before {P}.", P, Q);

@@ -17,6 +17,17 @@
 
 struct Range {
   double low = 0, high = 0;
+  [[nodiscard]] bool overlaps(const Range& other) const { return low <= other.high && other.low <= high; }
+};
+/// A place on the screen, in pixels.
+struct Place {
+  double x = 0, y = 0;
+};
+/// A corner of a fragment and its distance from a plane, along z.
+struct CornerDistance {
+  Place at;
+  double inFront;  ///< below 0: behind it
+  int sign;        ///< exact, also where inFront rounds to 0
 };
 /// How many corners of a fragment lie on the viewer's side of a plane, on it and beyond it.
 struct CornerCounts {
@@ -37,6 +48,9 @@ struct CommonArea {
   double doubt = 0;  ///< of both, at most (SnappedFace::doubt): a part with a larger |zP - zQ| is no contact
 };
 
+/// How sentences about two fragments call them: by name, or as P and Q of a list of numbers.
+enum class Called { ByName, PAndQ };
+
 class Explainer {
  public:
   Explainer(const Mesh& mesh, const SnappedScene& scene, const SortedScene& sorted, bool textbook)
@@ -52,8 +66,14 @@ class Explainer {
   [[nodiscard]] Range zExtent(int id) const;
   /// Where the corners of one fragment lie from the plane of another. Exact.
   [[nodiscard]] CornerCounts corners(int of, int fromPlaneOf) const;
+  /// One by one, in the outline's order.
+  [[nodiscard]] std::vector<CornerDistance> distances(int of, int fromPlaneOf) const;
+  /// Of the plane of a fragment at any place.
+  [[nodiscard]] double depth(int id, Place at) const;
   /// Nothing where the projections overlap. Exact.
   [[nodiscard]] std::optional<SeparatingEdge> separatingEdge(int P, int Q) const;
+  /// Its corners on the screen; none where they do not overlap.
+  [[nodiscard]] std::vector<Place> overlap(int P, int Q) const;
   /// Counts are exact; the rest is in doubles.
   [[nodiscard]] CommonArea commonArea(int P, int Q) const;
 
@@ -63,6 +83,9 @@ class Explainer {
   /// proves nothing, and the last settled the pair. A test behind it was not made; nor are 3 and 4 for two
   /// in one plane.
   [[nodiscard]] std::vector<Test> testsMade(const Event& compare) const;
+  /// But for the sentence about taking P, which tells which one it is.
+  void call(Called called) { called_ = called; }
+
   /// Of one test of a Compare event, one of testsMade().
   [[nodiscard]] std::string sentence(const Event& compare, Test test) const;
   /// Of any event; of a Compare event, that of the test that settled the pair. `splits` is how many there
@@ -70,12 +93,21 @@ class Explainer {
   [[nodiscard]] std::string sentence(const Event& event, int splits) const;
 
  private:
+  [[nodiscard]] std::string called(int id, std::string_view letter) const {
+    return called_ == Called::PAndQ ? std::string{letter} : name(id);
+  }
+  /// A piece that has no letter: beside P and Q, as their list has it.
+  [[nodiscard]] std::string listed(int id) const {
+    return called_ == Called::PAndQ && !fragments_.hasName(id) ? fragments_.number(id) : name(id);
+  }
   [[nodiscard]] std::string settled(const Event& compare) const;
   [[nodiscard]] std::string failed(const Event& compare, Test test) const;
   [[nodiscard]] double pixels(double zSteps) const;
+  [[nodiscard]] Region common(int P, int Q) const;
 
   const SnappedScene* scene_;
   bool textbook_;
+  Called called_ = Called::ByName;
   Fragments fragments_;
   Regions regions_;
 };

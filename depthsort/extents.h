@@ -9,7 +9,7 @@
 /// How far a fragment reaches on the screen grid and in z: never less than it does, and at most a step more
 /// where its corners or its depths are no integers.
 struct Extents {
-  Box box;
+  ScreenBox box;
   int zFar = 0, zNear = 0;  ///< z steps, larger is nearer
 };
 

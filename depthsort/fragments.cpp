@@ -46,22 +46,34 @@ Extents Fragments::extents(int id) const {
   return extentsOf(*scene_, face(id), region(id), extents(parent(id)));
 }
 
-std::string Fragments::name(int id) const {
-  std::string path;
+std::string Fragments::path(int id) const {
+  std::string splits;
   while (isPiece(id)) {
-    path += (id - faces_) % 2 == 0 ? 'a' : 'b';
+    splits += (id - faces_) % 2 == 0 ? 'a' : 'b';
     id = parent(id);
   }
-  std::ranges::reverse(path);
+  std::ranges::reverse(splits);
 
   const int number = face(id).number;
-  std::string name = mesh_->groupNames[mesh_->group[number]];
-  if (name.empty() || facesNamed_.at(name) != 1) name = "face " + std::to_string(number);
-  name = shortened(name);
   const auto numberOf = [&](int i) { return scene_->faces[i].number; };
   int part = 1;
   while (id - part >= 0 && numberOf(id - part) == number) ++part;
-  if (part > 1 || (id + 1 < faces_ && numberOf(id + 1) == number)) name += "." + std::to_string(part);
-  if (!path.empty() && std::isdigit(static_cast<unsigned char>(name.back())) == 0) name += '.';
-  return name + path;
+  if (part > 1 || (id + 1 < faces_ && numberOf(id + 1) == number)) return "." + std::to_string(part) + splits;
+  return splits;
 }
+
+const std::string& Fragments::group(int id) const { return mesh_->groupNames[mesh_->group[face(id).number]]; }
+
+bool Fragments::hasName(int id) const { return !group(id).empty() && facesNamed_.at(group(id)) == 1; }
+
+std::string Fragments::name(int id) const {
+  const std::string name = hasName(id) ? shortened(group(id)) : "face " + std::to_string(face(id).number);
+  const std::string path = this->path(id);
+  const bool joins =
+      path.empty() || path.front() == '.' || std::isdigit(static_cast<unsigned char>(name.back())) != 0;
+  return name + (joins ? "" : ".") + path;
+}
+
+std::string Fragments::number(int id) const { return std::to_string(face(id).number) + path(id); }
+
+std::string Fragments::part(int id) const { return hasName(id) ? name(id) : shortened(group(id)); }

@@ -29,8 +29,18 @@ class Fragments {
   /// of a face that was divided. Its pieces: `face 12a` behind the plane that split it, `face 12b` in front;
   /// pieces of these go on so: `face 12ba`. After a letter a point comes first: `bar.a`.
   [[nodiscard]] std::string name(int id) const;
+  /// Whether it is named by its group.
+  [[nodiscard]] bool hasName(int id) const;
+  /// By the face's number alone: `12`, `12.2`, `12ba`; and what that is of: its own name or, of bounded
+  /// length, that of its group, or "".
+  [[nodiscard]] std::string number(int id) const;
+  [[nodiscard]] std::string part(int id) const;
 
  private:
+  /// What divided the face, then what split it: `.2ba`.
+  [[nodiscard]] std::string path(int id) const;
+  [[nodiscard]] const std::string& group(int id) const;
+
   const Mesh* mesh_;
   const SnappedScene* scene_;
   const SortedScene* sorted_;

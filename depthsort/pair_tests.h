@@ -13,9 +13,9 @@
 /// A polygon as the tests see it.
 struct Shape {
   const SnappedFace& face;
-  int index;            ///< of the face in its scene
-  const Box& box;       ///< around it
-  const Region* piece;  ///< the part of the face that it is; null: the whole face
+  int index;             ///< of the face in its scene
+  const ScreenBox& box;  ///< around it
+  const Region* piece;   ///< the part of the face that it is; null: the whole face
 };
 
 /// What settled a pair, and how.

@@ -53,7 +53,8 @@ bool ownsSample(const SnappedScene& scene, const Region& region, int width, int 
   return false;
 }
 
-bool mayOwnSample(const SnappedScene& scene, const SnappedFace& face, const Box& box, int width, int height) {
+bool mayOwnSample(const SnappedScene& scene, const SnappedFace& face, const ScreenBox& box, int width,
+                  int height) {
   const int left = std::max(0, sampleFrom(box.x0)), right = std::min(width, sampleFrom(box.x1));
   const int top = std::max(0, sampleFrom(box.y0)), bottom = std::min(height, sampleFrom(box.y1));
   if (left >= right || top >= bottom) return false;

@@ -13,8 +13,8 @@
 [[nodiscard]] bool ownsSample(const SnappedScene& scene, const Region& region, int width, int height);
 
 /// Whether a face may own one: false only if it owns none, exactly asked where its box holds at most four.
-[[nodiscard]] bool mayOwnSample(const SnappedScene& scene, const SnappedFace& face, const Box& box, int width,
-                                int height);
+[[nodiscard]] bool mayOwnSample(const SnappedScene& scene, const SnappedFace& face, const ScreenBox& box,
+                                int width, int height);
 
 /// Whether the face has an area when its vertices are rounded to pixels, as they are for XFillPolygon
 /// (fill_polygons.h): such a face may show there without owning a sample.

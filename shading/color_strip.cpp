@@ -31,7 +31,7 @@ SceneCellWords wordsOf(const Picture& picture, const PaletteEffects& effects) {
     words.rule = "indices of " + table + ", colours of " +
                  std::string{kTables[static_cast<int>(*effects.stored)].name};
   PaletteEffects others = effects;
-  others.stored.reset(), others.lit.reset(), others.rotate = 0;
+  others.stored.reset(), others.lit.reset();
   if (others != PaletteEffects{}) words.rule = (effects.stored ? words.rule : table) + ", changed";
   if (channelsOf(scene.plan()) != Channels::Rgb) return words;
   const bool cube = scene.plan() == ColorPlan::Cube;

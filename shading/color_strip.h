@@ -13,7 +13,7 @@
 /// The cells of the scene in words.
 struct SceneCellWords {
   CellRange cells{11, 240};
-  std::string rule;             ///< "linear: cell i holds (i - 10, 0, 0) of 255"
+  std::string rule;             ///< "linear: cell i holds (i - 10)/255 of the hue"
   std::string shortRule;        ///< "linear table"
   std::string what = "shades";  ///< or "colours"
 };

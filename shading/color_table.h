@@ -19,9 +19,9 @@ struct TableRow {
   std::string_view holds;
 };
 inline constexpr std::array kTables{
-    TableRow{TableKind::Brief, "brief", 10, "cell i holds (i - 10, 0, 0) of 255"},
-    TableRow{TableKind::Linear, "linear", 11, "cell i holds (i - 10, 0, 0) of 255"},
-    TableRow{TableKind::Corrected, "corrected", 11, "cell 11 + j holds I0 r^j"},
+    TableRow{TableKind::Brief, "brief", 10, "cell i holds (i - 10)/255 of the hue"},
+    TableRow{TableKind::Linear, "linear", 11, "cell i holds (i - 10)/255 of the hue"},
+    TableRow{TableKind::Corrected, "corrected", 11, "cell 11 + j holds I0 r^j of the hue"},
 };
 
 /// How `corrected` picks the shade for an intensity. They disagree on about 0.2 % of uniformly spread I.
@@ -54,6 +54,13 @@ struct Rgb16 {
   std::uint16_t r = 0, g = 0, b = 0;
   bool operator==(const Rgb16&) const = default;
 };
+
+/// The gray that a colour shows as on gray visuals, where red, green and blue get this value:
+/// (30 R + 59 G + 11 B) / 100, cut off to a whole number as the servers' own formula is.
+[[nodiscard]] constexpr Rgb16 grayOf(Rgb16 c) {
+  const auto gray = static_cast<std::uint16_t>((30u * c.r + 59u * c.g + 11u * c.b) / 100u);
+  return {gray, gray, gray};
+}
 
 /// The ramp of one hue. Computed with + - * / alone, so the same on every machine.
 class ColorTable {

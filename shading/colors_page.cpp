@@ -2,7 +2,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
+#include "shading/pen.h"
 #include "shading/wording.h"
 
 namespace {
@@ -12,13 +14,31 @@ constexpr int kLabels = 108;  // of facts, to their values
 constexpr int kOptions = 60;  // of the table's lines, from label to options
 constexpr int kKeyColumn = 24;
 constexpr int kCompactBelow = 560;
-constexpr int kLines = 9;  // of the table in a window
+constexpr int kLines = 10;  // of the table in a window
+constexpr int kTrack = 96, kTrackValue = 152;
+
+int pitchOf(const ColorsLayout& at) { return at.compact ? 16 : 20; }
+int firstLine(const ColorsLayout& at) { return at.table.y + (at.compact ? 35 : 37); }
+
+std::vector<std::string_view> optionsOf(const TableLine& line) {
+  return {line.options.begin(), line.options.end()};
+}
+
+/// Where the options of a line stand, from its text on.
+std::vector<Rect> framesOf(const ColorsLayout& at, const TableLine& line, int x, int baseline) {
+  return optionFrames(optionsOf(line), x, baseline, kTableWidth - kKeyColumn - kOptions,
+                      std::min(18, pitchOf(at)));
+}
 
 /// Draws the page's parts, one function each.
 class Page {
  public:
   Page(IndexImage& image, const ColorsLayout& at, const ColorsPage& page)
-      : paint_{image}, at_{at}, page_{page}, scene_{sceneCells(page.picture)} {}
+      : image_{image},
+        pen_{Painter{image}, page.plan},
+        at_{at},
+        page_{page},
+        scene_{sceneCells(page.picture)} {}
 
   void drawGrid();
   void drawFacts();
@@ -28,9 +48,6 @@ class Page {
 
  private:
   [[nodiscard]] std::uint8_t operator()(Cell c) const { return page_.plan[c]; }
-  [[nodiscard]] KeyCapCells keyCells() const {
-    return {(*this)(Cell::Panel), (*this)(Cell::Rule), (*this)(Cell::Faint), (*this)(Cell::Soft)};
-  }
   [[nodiscard]] bool isTools(int cell) const {
     for (int role = 0; role < kCells; ++role)
       if (page_.plan[static_cast<Cell>(role)] == cell) return true;
@@ -43,12 +60,20 @@ class Page {
     return {at_.grid.x + cell % 16 * at_.pitch, at_.grid.y + cell / 16 * at_.pitch, at_.pitch, at_.pitch};
   }
   void title(const Rect& plot, std::string_view name, std::string_view unit);
-  /// Words on the plot, on ground of their own.
-  void remark(int x, int baseline, std::string_view text, Cell cell);
+  /// The room that words at that place take, with a halo.
+  [[nodiscard]] static Rect roomOf(int x, int baseline, std::string_view text) {
+    return {x - 2, baseline - 11, textWidth(text) + 4, 14};
+  }
+  /// What of curves is there, in pixels; those of the chosen one count more than all others.
+  [[nodiscard]] int hidden(const Rect& room) const;
+  /// Words beside a point of the plot's curve, or beside the line from there down: as near as they hide
+  /// nothing, and where that is nowhere, least.
+  void remark(int x, int y, std::string_view text);
   void drawLine(const TableLine& line, int x, int baseline);
   void outline(const CellRange& cells);
 
-  Painter paint_;
+  const IndexImage& image_;
+  Pen pen_;
   const ColorsLayout& at_;
   const ColorsPage& page_;
   CellRange scene_;
@@ -59,20 +84,20 @@ void Page::outline(const CellRange& cells) {
   for (int cell = cells.first; cell <= cells.last(); ++cell) {
     const Rect r = cellRect(cell);
     const std::uint8_t line = (*this)(Cell::Faint);
-    if (!cells.has(cell - 16)) paint_.hline(r.x, r.y, r.width + 1, line);
-    if (!cells.has(cell + 16)) paint_.hline(r.x, r.y + r.height, r.width + 1, line);
-    if (cell % 16 == 0 || !cells.has(cell - 1)) paint_.vline(r.x, r.y, r.height + 1, line);
-    if (cell % 16 == 15 || !cells.has(cell + 1)) paint_.vline(r.x + r.width, r.y, r.height + 1, line);
+    if (!cells.has(cell - 16)) pen_.paint.hline(r.x, r.y, r.width + 1, line);
+    if (!cells.has(cell + 16)) pen_.paint.hline(r.x, r.y + r.height, r.width + 1, line);
+    if (cell % 16 == 0 || !cells.has(cell - 1)) pen_.paint.vline(r.x, r.y, r.height + 1, line);
+    if (cell % 16 == 15 || !cells.has(cell + 1)) pen_.paint.vline(r.x + r.width, r.y, r.height + 1, line);
   }
 }
 
 void Page::drawGrid() {
   const int top = at_.grid.y - kTitle + 11;
-  paint_.text(at_.grid.x - kGridLabels, top, "CELLS", (*this)(Cell::Soft), Voice::Caps);
-  paint_.textRight(at_.grid.x + 16 * at_.pitch, top, "large: used by the picture", (*this)(Cell::Soft));
+  pen_.paint.text(at_.grid.x - kGridLabels, top, "CELLS", (*this)(Cell::Soft), Voice::Caps);
+  pen_.paint.textRight(at_.grid.x + 16 * at_.pitch, top, "large: used by the picture", (*this)(Cell::Soft));
   for (int row = 0; row < 16; ++row)
-    paint_.textRight(at_.grid.x - 8, at_.grid.y + row * at_.pitch + at_.pitch / 2 + 5,
-                     std::to_string(16 * row), (*this)(Cell::Soft));
+    pen_.paint.textRight(at_.grid.x - 8, at_.grid.y + row * at_.pitch + at_.pitch / 2 + 5,
+                         std::to_string(16 * row), (*this)(Cell::Soft));
 
   const int large = at_.pitch - 2, middle = at_.pitch / 2, small = at_.pitch * 2 / 5;
   for (int cell = 0; cell < 256; ++cell) {
@@ -80,62 +105,81 @@ void Page::drawGrid() {
     const bool used = page_.use.samples[cell] > 0;
     const int side = isTools(cell) ? middle : used ? large : small;
     const Rect mark{r.x + (r.width - side + 1) / 2, r.y + (r.height - side + 1) / 2, side, side};
-    paint_.fillRect(mark, static_cast<std::uint8_t>(cell));
-    if (isTools(cell)) paint_.frame(mark, (*this)(Cell::Rule));
+    pen_.paint.fillRect(mark, static_cast<std::uint8_t>(cell));
+    if (isTools(cell)) pen_.paint.frame(mark, (*this)(Cell::Rule));
   }
   if (scene_.count > 0) outline(scene_);
   const std::vector<CellRange> ramps = rampsOf(page_.picture);
   if (ramps.size() > 1) std::ranges::for_each(ramps, [&](const CellRange& ramp) { outline(ramp); });
   const Rect r = cellRect(page_.cell);
-  paint_.frame({r.x - 1, r.y - 1, r.width + 2, r.height + 2}, (*this)(Cell::Ink));
-  paint_.frame(r, (*this)(Cell::White));
+  pen_.paint.frame({r.x - 1, r.y - 1, r.width + 2, r.height + 2}, (*this)(Cell::Ink));
+  pen_.paint.frame(r, (*this)(Cell::White));
   if (page_.use.samples[page_.cell] > 0)
-    paint_.fillRect({r.x + 1, r.y + 1, r.width - 2, r.height - 2}, static_cast<std::uint8_t>(page_.cell));
+    pen_.paint.fillRect({r.x + 1, r.y + 1, r.width - 2, r.height - 2}, static_cast<std::uint8_t>(page_.cell));
 }
 
 void Page::drawFacts() {
   const Rect& at = at_.facts;
-  paint_.hline(at.x, at.y, at.width, (*this)(Cell::Rule));
-  paint_.text(at.x, at.y + 32, "cell " + std::to_string(page_.cell), (*this)(Cell::Ink), Voice::Title);
-  const int aside = paint_.textRight(at.x + at.width, at.y + 32, page_.aside, (*this)(Cell::Soft));
-  if (page_.asideKey) paint_.keyCap(aside - 22, at.y + 21, std::string_view{&page_.asideKey, 1}, keyCells());
+  pen_.paint.hline(at.x, at.y, at.width, (*this)(Cell::Rule));
+  pen_.paint.text(at.x, at.y + 32, "cell " + std::to_string(page_.cell), (*this)(Cell::Ink), Voice::Title);
+  const int aside = pen_.paint.textRight(at.x + at.width, at.y + 32, page_.aside, (*this)(Cell::Soft));
+  if (page_.asideKey) pen_.key(aside - 22, at.y + 21, std::string_view{&page_.asideKey, 1});
   int y = at.y + (at_.compact ? 52 : 57);
   for (const Fact& fact : factsOf(page_.cell, page_.picture, page_.palette, page_.plan, page_.use)) {
-    paint_.text(at.x, y, fact.label, (*this)(Cell::Soft));
-    paint_.text(at.x + kLabels, y, fact.value, (*this)(Cell::Ink));
+    pen_.paint.text(at.x, y, fact.label, (*this)(Cell::Soft));
+    pen_.paint.text(at.x + kLabels, y, fact.value, (*this)(Cell::Ink));
     y += at_.compact ? 16 : 18;
   }
 }
 
 void Page::title(const Rect& plot, std::string_view name, std::string_view unit) {
   const int y = plot.y - 13;
-  paint_.text(plot.x - kPlotLeft, y, name, (*this)(Cell::Soft), Voice::Caps);
-  paint_.textRight(plot.x + plot.width + kPlotRight, y, unit, (*this)(Cell::Soft));
+  pen_.paint.text(plot.x - kPlotLeft, y, name, (*this)(Cell::Soft), Voice::Caps);
+  pen_.paint.textRight(plot.x + plot.width + kPlotRight, y, unit, (*this)(Cell::Soft));
 }
 
-void Page::remark(int x, int baseline, std::string_view text, Cell cell) {
-  paint_.fillRect({x - 2, baseline - 11, textWidth(text) + 4, 14}, (*this)(Cell::Paper));
-  paint_.text(x, baseline, text, (*this)(cell));
+int Page::hidden(const Rect& room) const {
+  constexpr int kChosen = 100;
+  int sum = 0;
+  for (int y = room.y; y < room.y + room.height; ++y)
+    for (int x = room.x; x < room.x + room.width; ++x) {
+      const std::uint8_t cell = image_.row(y)[x];
+      if (cell != (*this)(Cell::Paper) && cell != (*this)(Cell::Panel))
+        sum += cell == (*this)(Cell::Ink) ? kChosen : 1;
+    }
+  return sum;
+}
+
+void Page::remark(int x, int y, std::string_view text) {
+  const Rect& area = at_.stored;
+  Rect best;
+  int least = std::numeric_limits<int>::max();
+  for (int away = 8; away < area.height; away += 2)
+    for (const int baseline : {y - away, y + away + 8})
+      for (const int at : {x - textWidth(text) - 6, x + 8}) {
+        const Rect room = roomOf(at, baseline, text);
+        if (intersection(room, area) != room) continue;
+        if (const int hides = hidden(room); hides < least) least = hides, best = room;
+      }
+  pen_.paint.fillRect(best, (*this)(Cell::Paper));
+  pen_.paint.text(best.x + 2, best.y + 11, text, (*this)(Cell::Ink));
 }
 
 void Page::drawStored() {
   const Rect& area = at_.stored;
   title(area, holdsColors() ? "luminance" : "stored value", "of 255, for each cell");
   const Plot plot = storedPlot(page_.picture, page_.palette);
-  drawPlot(paint_, page_.plan, area, plot);
-  if (!at_.compact) paint_.text(area.x + 12, area.y + 14, page_.hint, (*this)(Cell::Soft));
+  drawPlot(pen_.paint, page_.plan, area, plot);
+  if (!at_.compact && hidden(roomOf(area.x + 12, area.y + 14, page_.hint)) == 0)
+    pen_.paint.text(area.x + 12, area.y + 14, page_.hint, (*this)(Cell::Soft));
   for (const Curve& curve : plot.curves) {
     const int k = page_.cell - curve.first;
     if (!curve.chosen || k < 0 || k >= static_cast<int>(curve.y.size())) continue;
     const int x = plotX(plot, area, page_.cell), y = plotY(plot, area, curve.y[k]);
-    paint_.vline(x, y, area.y + area.height - y, (*this)(Cell::Ink));
-    paint_.disc(x, y, 4, (*this)(Cell::Ink));
-    paint_.disc(x, y, 3, static_cast<std::uint8_t>(page_.cell));
-    const std::string text = std::to_string(page_.cell) + ": " + fixed(curve.y[k], 1);
-    const int width = textWidth(text);
-    const int left = x - width - 6 >= area.x + 2 ? x - width - 6 : x + 8;
-    const int baseline = std::max(area.y + 28, y - 8);
-    remark(left, baseline, text, Cell::Ink);
+    remark(x, y, std::to_string(page_.cell) + ": " + fixed(curve.y[k], 1));
+    pen_.paint.vline(x, y, area.y + area.height - y, (*this)(Cell::Ink));
+    pen_.paint.disc(x, y, 4, (*this)(Cell::Ink));
+    pen_.paint.disc(x, y, 3, static_cast<std::uint8_t>(page_.cell));
     break;
   }
 }
@@ -159,41 +203,33 @@ void Page::drawSteps() {
     title(area, "step to the next shade",
           page_.gamma == 1.0 ? "per cent brighter, log scale"
                              : "per cent, on a screen of gamma " + fixed(page_.gamma, 1));
-  drawPlot(paint_, page_.plan, area, plot);
+  drawPlot(pen_.paint, page_.plan, area, plot);
 }
 
 void Page::drawLine(const TableLine& line, int x, int y) {
   const bool keys = std::ranges::any_of(page_.lines, [](const TableLine& l) { return l.key != 0; });
-  if (line.key) paint_.keyCap(x, y - 11, std::string_view{&line.key, 1}, keyCells());
+  if (line.key) pen_.key(x, y - 11, std::string_view{&line.key, 1});
   if (keys) x += kKeyColumn;
-  paint_.text(x, y, line.label, (*this)(Cell::Ink));
-  if (line.options.empty()) {
-    paint_.text(x + kOptions, y, line.value, (*this)(Cell::Ink), Voice::Bold);
-    return;
+  pen_.paint.text(x, y, line.label, (*this)(Cell::Ink));
+  x += kOptions;
+  if (line.share) {
+    drawTrack(pen_, x, y, kTrack, {.share = *line.share});
+    pen_.paint.textRight(x + kTrackValue, y, line.value, (*this)(Cell::Ink), Voice::Bold);
+  } else if (line.options.empty()) {
+    pen_.paint.text(x, y, line.value, (*this)(Cell::Ink), Voice::Bold);
   }
-  int option = x + kOptions;
-  for (int k = 0; k < static_cast<int>(line.options.size()); ++k) {
-    const int width = textWidth(line.options[k]);
-    if (k == line.chosen) {
-      const Rect box{option - 6, y - 13, width + 13, 18};
-      paint_.fillRect(box, (*this)(Cell::White));
-      paint_.frame(box, (*this)(Cell::Ink));
-      paint_.text(option, y, line.options[k], (*this)(Cell::Ink), Voice::Bold);
-    } else {
-      paint_.text(option, y, line.options[k], (*this)(Cell::Soft));
-    }
-    option += width + 14;
-  }
+  drawOptions(pen_, optionsOf(line), framesOf(at_, line, x, y), line.chosen);
 }
 
 void Page::drawTable() {
   const Rect& at = at_.table;
-  paint_.hline(at.x, at.y, at_.picture.x + at_.picture.width - at.x, (*this)(Cell::Rule));
-  paint_.text(at.x, at.y + 16, "TABLE", (*this)(Cell::Soft), Voice::Caps);
-  int y = at.y + (at_.compact ? 35 : 37);
+  pen_.paint.hline(at.x, at.y, at_.picture.x + at_.picture.width - at.x, (*this)(Cell::Rule));
+  pen_.paint.text(at.x, at.y + 16, "TABLE", (*this)(Cell::Soft), Voice::Caps);
+  int y = firstLine(at_);
   for (const TableLine& line : page_.lines) {
+    if (line.key != 0 && line.key == page_.focus) drawFocus(pen_, {at.x, y - 14, at.width, pitchOf(at_)});
     drawLine(line, at.x, y);
-    y += at_.compact ? 18 : 22;
+    y += pitchOf(at_);
   }
 }
 
@@ -210,7 +246,7 @@ ColorsLayout layoutOfColors(const Rect& body) {
   at.facts = {body.x, at.grid.y + at.grid.height + gap, left, factsHeight};
 
   const int x = body.x + left + kGutter, width = body.x + body.width - x;
-  const int lines = (at.compact ? 18 : 22) * kLines + (at.compact ? 24 : 28);
+  const int lines = pitchOf(at) * kLines + (at.compact ? 24 : 28);
   const int bottom = std::max(lines, body.height * 36 / 100);
   const int between = kPlotBelow + (at.compact ? 28 : 30);
   const int plots = body.height - bottom - 12 - kTitle - between - kPlotBelow;
@@ -220,6 +256,25 @@ ColorsLayout layoutOfColors(const Rect& body) {
   at.table = {x, body.y + body.height - bottom, kTableWidth, bottom};
   at.picture = {x + kTableWidth + 12, at.table.y + 8, width - kTableWidth - 12, bottom - 8};
   return at;
+}
+
+std::optional<TableLineHit> lineAt(const ColorsLayout& at, const std::vector<TableLine>& lines, int x,
+                                   int y) {
+  const int from = y - firstLine(at) + 14, line = from / pitchOf(at);
+  if (from < 0 || line >= static_cast<int>(lines.size()) || x < at.table.x ||
+      x >= at.table.x + at.table.width)
+    return std::nullopt;
+  TableLineHit hit{.line = line};
+  const int first = at.table.x + kKeyColumn + kOptions, baseline = firstLine(at) + line * pitchOf(at);
+  if (lines[line].share && x >= first - 5 && x <= first + kTrack + 5) hit.share = trackShare(at, x);
+  const std::vector<Rect> frames = framesOf(at, lines[line], first, baseline);
+  for (int k = 0; k < static_cast<int>(frames.size()); ++k)
+    if (frames[k].has(x, y)) hit.option = k;
+  return hit;
+}
+
+double trackShare(const ColorsLayout& at, int x) {
+  return std::clamp(static_cast<double>(x - at.table.x - kKeyColumn - kOptions) / kTrack, 0.0, 1.0);
 }
 
 std::optional<int> cellInGrid(const ColorsLayout& at, int x, int y) {

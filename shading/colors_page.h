@@ -24,14 +24,23 @@ struct ColorsLayout {
 [[nodiscard]] ColorsLayout layoutOfColors(const Rect& body);
 [[nodiscard]] std::optional<int> cellInGrid(const ColorsLayout& at, int x, int y);
 
-/// A line of the table's settings: a choice with its options, or a value.
+/// A line of the table's settings: a choice with its options, or a value, also on a track.
 struct TableLine {
   char key = 0;  ///< that changes it in a window; 0 for none
   std::string label;
   std::vector<std::string> options = {};
   int chosen = 0;
   std::string value = {};
+  std::optional<double> share = {};  ///< of the track up to its thumb
 };
+
+/// What of the lines is under the pointer.
+struct TableLineHit {
+  int line, option = -1;
+  std::optional<double> share = {};  ///< on its track
+};
+[[nodiscard]] std::optional<TableLineHit> lineAt(const ColorsLayout& at, const std::vector<TableLine>& lines,
+                                                 int x, int y);
 
 /// All that the page shows. The palette's colours are shown by the cells themselves.
 struct ColorsPage {
@@ -45,9 +54,13 @@ struct ColorsPage {
   std::string aside;  ///< beside its number, at the right
   char asideKey = 0;  ///< before that, for a window
   std::vector<TableLine> lines;
+  char focus = 0;      ///< key of the line that the arrows change
   double gamma = 1;    ///< of the screen that the steps are seen on
   std::string hint{};  ///< in the upper plot, where it is high
 };
+
+/// Of any line's track, wherever the pointer is beside it.
+[[nodiscard]] double trackShare(const ColorsLayout& at, int x);
 
 /// The steps of what is stored, as they are seen: where it is corrected for a screen's gamma, on that screen.
 [[nodiscard]] std::vector<Curve> stepsSeen(const Picture& picture, const Palette& plain, const CellPlan& plan,

@@ -9,13 +9,6 @@ namespace {
 
 constexpr int kStrip = 60, kFoot = 28;
 
-std::string titleOf(const Scene& scene) {
-  const std::string name = scene.name.substr(scene.name.find_last_of('/') + 1);
-  if (scene.divisions == 0) return name;
-  const std::string divisions = std::to_string(scene.divisions);
-  return name + " \u00B7 " + divisions + " x " + divisions + " divisions";
-}
-
 }  // namespace
 
 ColoredImage drawColors(Picture& picture, const ViewSettings& settings) {
@@ -40,13 +33,7 @@ ColoredImage drawColors(Picture& picture, const ViewSettings& settings) {
   Palette plain = picture.palette(plan, settings.unneeded);
   if (settings.gray) plain = forGrayScreen(plain, picture);
   const Palette stored = withEffects(plain, picture, plan, effects);
-  Palette palette = stored;
-  if (settings.effects.lit)
-    palette = withEffects(stored, picture, plan, {.lit = settings.effects.lit});
-  else if (scene.has(cell))
-    palette[cell] = kLit;
-
-  const bool lit = palette[cell] == kLit && use.samples[cell] > 0;
+  const Palette palette = withEffects(stored, picture, plan, {.lit = settings.effects.lit});
   const std::vector<Curve> steps = stepsSeen(picture, plain, plan, effects);
   IndexImage page{W, H, plan[Cell::Paper]};
   drawColorsPage(page, at,
@@ -57,7 +44,7 @@ ColoredImage drawColors(Picture& picture, const ViewSettings& settings) {
                   .plan = plan,
                   .use = use,
                   .cell = cell,
-                  .aside = lit ? "lit up everywhere" : "",
+                  .aside = settings.effects.lit == cell ? "lit up everywhere" : "",
                   .lines = tableLines(picture, effects),
                   .gamma = effects.gamma,
                   .hint = ""});

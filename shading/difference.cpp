@@ -42,15 +42,18 @@ PictureSettings referenceFor(const Scene& scene, PictureSettings settings) {
   return settings;
 }
 
-void compareIntensities(Compared& result, const Picture& reference, const SeenRows& seen) {
+/// `colors` are the picture's: several hues share the cells by what a picture shows of each, so the
+/// reference's own may have them otherwise.
+void compareIntensities(Compared& result, const Picture& reference, const SeenRows& seen,
+                        const SceneColors& colors) {
   const std::vector<double> I = reference.intensities(seen);
   Comparison comparison{result.difference, I.size()};
   for (std::size_t k = 0; k < I.size(); ++k) {
     if (seen.faces[k] == kNothing) continue;
     const SnappedFace& face = reference.snapped().faces[seen.faces[k]];
-    const ColorTable& table = reference.colors().tableOf(reference.scene().mesh.material[face.number]);
+    const ColorTable& table = colors.tableOf(reference.scene().mesh.material[face.number]);
     result.reference.pixels[k] = static_cast<std::uint8_t>(table.cell(I[k]));
-    comparison.add(k, std::abs(reference.colors().intensityOf(result.picture.pixels[k]) - I[k]));
+    comparison.add(k, std::abs(colors.intensityOf(result.picture.pixels[k]) - I[k]));
   }
 }
 
@@ -94,6 +97,7 @@ Compared comparedWithPhong(Picture& picture, const PictureSettings& settings, st
   picture.make(settings);
   picture.paint(result.picture, ground);
   const Palette palette = picture.palette(CellPlan{settings.table.kind});
+  const SceneColors colors = picture.colors();
   const std::vector<int> shown = numbersOf(picture, picture.seen(0, settings.height));
 
   picture.make(referenceFor(picture.scene(), settings));
@@ -104,7 +108,7 @@ Compared comparedWithPhong(Picture& picture, const PictureSettings& settings, st
     result.difference.measure = Measure::Color;
     compareColors(result, picture, seen, palette);
   } else {
-    compareIntensities(result, picture, seen);
+    compareIntensities(result, picture, seen, colors);
   }
   const std::vector<int> numbers = numbersOf(picture, seen);
   for (std::size_t k = 0; k < numbers.size(); ++k) result.difference.otherFace += shown[k] != numbers[k];

@@ -1,8 +1,10 @@
 #pragma once
 
 #include <cstdint>
+#include <string>
 #include <vector>
 
+#include "shading/sheet.h"
 #include "shading/views.h"
 
 /// A picture against Phong's method at every pixel, in double precision and not rounded to shades: the same
@@ -41,6 +43,10 @@ struct Compared {
 /// screen shows it, against the reference's three channels. `picture` becomes that of `settings`.
 [[nodiscard]] Compared comparedWithPhong(Picture& picture, const PictureSettings& settings,
                                          std::uint8_t ground);
+
+/// The difference as an image of the picture's size: six steps that double from the unit on.
+[[nodiscard]] IndexImage differenceImage(const Difference& difference, const CellPlan& plan);
+[[nodiscard]] Finding findingOf(const Difference& difference);
 
 /// Both pictures, the difference in six steps that double from the unit on, and its numbers in words.
 [[nodiscard]] ColoredImage drawDifference(Picture& picture, const ViewSettings& settings);

@@ -45,15 +45,10 @@ void caption(Sheet& sheet, const Rect& of, int y, std::string_view bold, std::st
     sheet.painter().text(x + 12, y + Sheet::kAscent, soft, sheet.cell(Cell::Soft));
 }
 
-void drawSteps(Sheet& sheet, const Difference& d, const Rect& at) {
-  Painter painter = sheet.painter().within(at);
-  const double unit = kMeasures[static_cast<int>(d.measure)].unit;
-  painter.fillRect(at, sheet.cell(Cell::Well));
-  for (std::size_t k = 0; k < d.at.size(); ++k)
-    if (!std::isnan(d.at[k]))
-      painter.point(at.x + static_cast<int>(k % d.width), at.y + static_cast<int>(k / d.width),
-                    sheet.cell(kSteps[stepOf(d.at[k], unit)]));
+void drawSteps(Sheet& sheet, const Difference& d, const Rect& at, const CellPlan& plan) {
+  sheet.place(differenceImage(d, plan), {0, 0, at.width, at.height}, at.x, at.y);
   if (d.above == 0) return;
+  Painter painter = sheet.painter().within(at);
   const int x = at.x + static_cast<int>(d.largestAt % d.width),
             y = at.y + static_cast<int>(d.largestAt / d.width);
   painter.ring(x, y, 8, sheet.cell(Cell::White));
@@ -85,22 +80,6 @@ std::string share(const Difference& d) {
          " %";
 }
 
-struct Finding {
-  std::string bold, why;
-};
-Finding findingOf(const Difference& d) {
-  const MeasureRow& measure = kMeasures[static_cast<int>(d.measure)];
-  const int decimals = d.measure == Measure::Intensity ? 4 : 2;
-  const std::string unit{measure.unitInWords};
-  if (d.samples == 0) return {"Nothing shows.", ""};
-  Finding finding{d.above == 0 ? "Nowhere more than " + unit + " off, " + std::string{measure.means} + "."
-                               : "More than " + unit + " off at " + share(d) + " of the samples.",
-                  "By " + fixed(d.mean, decimals) + " in the mean and " + fixed(d.largest, decimals) +
-                      " at most" + (d.above == 0 ? "." : ", in the ring.")};
-  if (d.otherFace > 0) finding.why += " Another face shows at " + counted(d.otherFace, "sample") + ".";
-  return finding;
-}
-
 void drawNumbers(Sheet& sheet, const Difference& d, int x, int y, int width) {
   const MeasureRow& measure = kMeasures[static_cast<int>(d.measure)];
   const int decimals = d.measure == Measure::Intensity ? 4 : 2;
@@ -120,6 +99,27 @@ void drawNumbers(Sheet& sheet, const Difference& d, int x, int y, int width) {
 
 }  // namespace
 
+IndexImage differenceImage(const Difference& d, const CellPlan& plan) {
+  IndexImage image{d.width, static_cast<int>(d.at.size()) / d.width, plan[Cell::Well]};
+  const double unit = kMeasures[static_cast<int>(d.measure)].unit;
+  for (std::size_t k = 0; k < d.at.size(); ++k)
+    if (!std::isnan(d.at[k])) image.pixels[k] = plan[kSteps[stepOf(d.at[k], unit)]];
+  return image;
+}
+
+Finding findingOf(const Difference& d) {
+  const MeasureRow& measure = kMeasures[static_cast<int>(d.measure)];
+  const int decimals = d.measure == Measure::Intensity ? 4 : 2;
+  const std::string unit{measure.unitInWords};
+  if (d.samples == 0) return {"Nothing shows.", ""};
+  Finding finding{d.above == 0 ? "Nowhere more than " + unit + " off, " + std::string{measure.means} + "."
+                               : "More than " + unit + " off at " + share(d) + " of the samples.",
+                  "By " + fixed(d.mean, decimals) + " in the mean and " + fixed(d.largest, decimals) +
+                      " at most" + (d.above == 0 ? "." : ", in the ring.")};
+  if (d.otherFace > 0) finding.why += " Another face shows at " + counted(d.otherFace, "sample") + ".";
+  return finding;
+}
+
 ColoredImage drawDifference(Picture& picture, const ViewSettings& settings) {
   const Places at{settings.picture.width, settings.picture.height};
   PictureSettings shown = settings.picture;
@@ -138,7 +138,7 @@ ColoredImage drawDifference(Picture& picture, const ViewSettings& settings) {
   sheet.place(compared.picture, whole, at.picture.x, at.picture.y);
   sheet.place(compared.reference, whole, at.reference.x, at.reference.y);
   sheet.section(at.difference.x, at.sections, at.difference.width, "difference");
-  drawSteps(sheet, compared.difference, at.difference);
+  drawSteps(sheet, compared.difference, at.difference, settings.cells);
   const int y = sheet.section(at.numbers, at.sections, at.reference.width, "numbers");
   drawNumbers(sheet, compared.difference, at.numbers, y, at.reference.width);
   return {sheet.image(), picture.palette(settings.cells, settings.unneeded)};

@@ -66,7 +66,7 @@ Environment makeEnvironment(EnvironmentForm form, const Lighting& lighting, cons
       const double lobe = cosine > std::max(0.0, material.leastCosine) ? power(cosine, material.n) : 0.0;
       if (cosine > 0.0) I += light.Ip * (material.kd[channel] * cosine + material.ks[channel] * lobe);
     }
-    return static_cast<float>(std::min(1.0, I));
+    return static_cast<float>(I);
   };
   const auto fill = [&](std::vector<float>& cells, double side) {
     cells.resize(kSide * kSide);

@@ -27,7 +27,7 @@ inline constexpr std::array kEnvironmentForms{
 /// A component of a unit normal, in [-1, 1], as a value whose whole part is the column or row of the map.
 inline constexpr double kMapScale = 127.0, kMapCentre = 128.0;
 
-/// What a channel of one surface reflects, as intensities in [0, 1].
+/// What a channel of one surface reflects, as intensities. Those above 1 are clamped when they are shown.
 struct Environment {
   glm::dmat3 frame{1.0};           ///< from the world to where x and y are looked up
   bool sides = false;              ///< whether z < 0 is another map

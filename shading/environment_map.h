@@ -1,8 +1,10 @@
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <bit>
 #include <cstdint>
+#include <span>
 
 #include "shading/affine.h"
 #include "shading/eight.h"
@@ -29,14 +31,69 @@ struct EnvironmentMap {
   }
 
   [[nodiscard]] auto rowsOfEight(int i, int j) const {
-    return [columns = EightOfRows{column, i, j}, rows = EightOfRows{row, i, j}, cells = map]() mutable {
-      return lookUp(cells, places(columns.next(), rows.next()));
-    };
+    return [columns = EightOfRows{column, i, j}, rows = EightOfRows{row, i, j}, cells = map](
+               std::uint64_t) mutable { return lookUp(cells, places(columns.next(), rows.next())); };
   }
 
  private:
   static EightWords places(const Eight& u, const Eight& v) {
     return (upperHalves(v) & 0xFF00) | upperHalves(u) >> 8;
+  }
+};
+
+/// Cells of `shown`, whose maps hold `mark` at some places: there it is `cell`, and `count` counts them.
+template <class S>
+struct Counted {
+  S shown;
+  std::uint8_t mark, cell;
+  std::int64_t* count;
+
+  void span(std::uint8_t* cells, int i, int j, int length) const {
+    shown.span(cells, i, j, length);
+    int marks = 0;
+    for (int k = 0; k < length; ++k) {
+      const bool marked = cells[k] == mark;
+      marks += marked;
+      cells[k] = marked ? cell : cells[k];
+    }
+    *count += marks;
+  }
+
+  [[nodiscard]] auto rowsOfEight(int i, int j) const {
+    return [of = *this, rows = shown.rowsOfEight(i, j)](std::uint64_t owned) mutable {
+      const std::uint64_t cells = rows(owned);
+      const auto bytes = std::bit_cast<SixteenBytes>(std::array{cells, cells});
+      const std::uint64_t marked = std::bit_cast<std::array<std::uint64_t, 2>>(bytes == of.mark)[0];
+      *of.count += std::popcount(marked & owned) / 8;
+      return (cells & ~marked) | (marked & of.cell * 0x0101010101010101u);
+    };
+  }
+};
+
+/// Columns and rows of a map around the places that hold a mark; of none, a box that nothing meets.
+struct MapBox {
+  int left = 256, right = -1, top = 256, bottom = -1;  ///< all within
+
+  /// Of 65,536 cells, or of none.
+  MapBox(std::span<const std::uint8_t> cells, std::uint8_t mark) {
+    for (int k = 0; k < static_cast<int>(cells.size()); ++k)
+      if (cells[k] == mark) {
+        left = std::min(left, k % 256), right = std::max(right, k % 256);
+        top = std::min(top, k / 256), bottom = std::max(bottom, k / 256);
+      }
+  }
+
+  /// Whether a triangle with these values at its vertices, in steps, may have a sample in the box: affine.h
+  /// says how far beyond them a sample's can be.
+  [[nodiscard]] bool meets(const std::array<std::uint32_t, 3>& column,
+                           const std::array<std::uint32_t, 3>& row) const {
+    constexpr std::uint32_t kBeyond = 1U << (24 - 9);
+    const auto overlap = [](const std::array<std::uint32_t, 3>& v, int first, int last) {
+      const auto [least, most] = std::ranges::minmax(v);
+      return static_cast<int>((least - kBeyond) >> 24) <= last &&
+             static_cast<int>((most + kBeyond) >> 24) >= first;
+    };
+    return overlap(column, left, right) && overlap(row, top, bottom);
   }
 };
 
@@ -68,9 +125,9 @@ struct EitherSide {
 
   [[nodiscard]] auto rowsOfEight(int i, int j) const {
     return [cells = front.rowsOfEight(i, j), others = away.rowsOfEight(i, j),
-            rows = EightOfRows{facing, i, j}]() mutable {
+            rows = EightOfRows{facing, i, j}](std::uint64_t owned) mutable {
       const std::uint64_t faces = negativeBytes(rows.next());
-      return (cells() & faces) | (others() & ~faces);
+      return (cells(owned & faces) & faces) | (others(owned & ~faces) & ~faces);
     };
   }
 };

@@ -31,8 +31,9 @@ template <class Real>
   if constexpr (std::is_floating_point_v<Real>) {
     return std::floor(v);
   } else {
-    const Real cut = __builtin_convertvector(__builtin_convertvector(v, IntegersOf<Real>), Real);
-    return cut > v ? cut - splat<Real>(1.0) : cut;
+    Real whole;
+    for (int k = 0; k < kLanes<Real>; ++k) whole[k] = std::floor(v[k]);  // an instruction, where there is one
+    return whole;
   }
 }
 
@@ -168,17 +169,20 @@ template <class Real, bool kPhong>
   Real lane;
   for (int k = 0; k < kSideBySide; ++k) lane[k] = static_cast<Number<Real>>(k);
   IntegersOf<Real> above{};
-  for (int done = 0; done < count; done += kMost) {
-    const int pixels = std::min(kMost, count - done), blocks = (pixels + kSideBySide - 1) / kSideBySide;
+  const auto fill = [&] [[gnu::always_inline]] (int from, int pixels, int blocks) {
     Real along[kMostBlocks], sum[kMostBlocks];
-    for (int b = 0; b < blocks; ++b) along[b] = splat<Real>(i + done - t.i0 + b * kSideBySide) + lane;
+    for (int b = 0; b < blocks; ++b) along[b] = splat<Real>(i + from - t.i0 + b * kSideBySide) + lane;
     evaluatePixels<Real, kPhong>(t, along, j - t.j0, blocks, sum);
     for (int b = 0; b < blocks; ++b)
       above -= __builtin_convertvector(
           (sum[b] > splat<Real>(1.0)) & (lane < splat<Real>(pixels - b * kSideBySide)), IntegersOf<Real>);
     std::array<std::uint8_t, kMost> bytes;
     storeCells(t.ramp, sum, blocks, bytes.data());
-    std::memcpy(cells + done, bytes.data(), static_cast<std::size_t>(pixels));
-  }
+    std::memcpy(cells + from, bytes.data(), static_cast<std::size_t>(pixels));
+  };
+  // Of whole blocks by themselves: how many steps there are is known when they are compiled.
+  int done = 0;
+  for (; count - done >= kMost; done += kMost) fill(done, kMost, kMostBlocks);
+  if (done < count) fill(done, count - done, (count - done + kSideBySide - 1) / kSideBySide);
   for (int l = 0; l < kSideBySide; ++l) *t.clamped += above[l];
 }

@@ -17,8 +17,9 @@ concept Shader = requires(const S& shader, std::uint8_t* cells, int i, int j, in
   /// Stores the cells of pixels (i, j) to (i + count - 1, j), whose samples are all owned, count >= 1.
   shader.span(cells, i, j, count);
   /// For triangles of a few pixels: a function that gives the cells of the eight pixels from (i, j) on, as
-  /// eight bytes in order of memory, then of those in the row below, ... Few of the samples are owned.
-  { shader.rowsOfEight(i, j)() } -> std::same_as<std::uint64_t>;
+  /// eight bytes in order of memory, then of those in the row below, ... Few of the samples are owned: those
+  /// whose bytes in its argument are 0xFF; the others' are 0.
+  { shader.rowsOfEight(i, j)(std::uint64_t{}) } -> std::same_as<std::uint64_t>;
 };
 
 /// cells[0..count-1] = cell, count >= 1; most spans are short, and memset costs a call.
@@ -61,7 +62,7 @@ struct FlatCell {
 
   void span(std::uint8_t* cells, int, int, int count) const { fillSpan(cells, count, cell); }
   [[nodiscard]] auto rowsOfEight(int, int) const {
-    return [eight = cell * 0x0101010101010101u] { return eight; };
+    return [eight = cell * 0x0101010101010101u](std::uint64_t) { return eight; };
   }
 };
 
@@ -104,7 +105,7 @@ inline void fillSmallTriangle(IndexImage& image, const glm::ivec3* p, const Samp
       const std::uint64_t outside = negativeBytes(edge[0] | edge[1] | edge[2]);
       std::uint64_t old = 0;
       std::memcpy(&old, cells, sizeof old);
-      old = (old & outside) | (nextCells() & ~outside);
+      old = (old & outside) | (nextCells(~outside) & ~outside);
       std::memcpy(cells, &old, sizeof old);
       for (int k = 0; k < 3; ++k) edge[k] += down[k];
     }

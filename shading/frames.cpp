@@ -3,45 +3,31 @@
 #include <algorithm>
 #include <cmath>
 
-#include "shading/fill.h"
-#include "shading/fragment_spans.h"
-#include "shading/painter.h"
+#include "shading/figure.h"
+#include "shading/fragment_tint.h"
 #include "shading/wording.h"
 
 namespace {
 
 constexpr int kLeastWidth = 320;     // pixels: some fifty letters
 constexpr int kLargeWidth = 1600;    // from here on letters are doubled
-constexpr int kMostWaiting = 1000;   // more thin outlines than this are a blot
 constexpr int kLeastLabelled = 800;  // a fragment of fewer pixels has no room for a letter
 constexpr int kMargin = 6;
 constexpr auto kThinOutlines = " Thin outlines: still in the list, marked ones brighter.";
 
-/// The region's sides as lines from pixel to pixel.
-void outline(Painter& painter, const Region& region, int thickness, std::uint8_t cell) {
-  const auto pixel = [](double v) { return static_cast<int>(std::floor(v / kGrid)); };
-  Corner from = region.back().corner;
-  for (const Side& side : region) {
-    const Corner& to = side.corner;
-    painter.line(pixel(from.x), pixel(from.y), pixel(to.x), pixel(to.y), cell, {thickness});
-    from = to;
-  }
-}
-
 }  // namespace
 
 Frames::Frames(const Picture& picture, const SortedScene& sorted, bool textbook,
-               const std::vector<int>& steps)
+               const std::vector<int>& steps, const CellPlan& plan)
     : picture_{picture},
       sorted_{sorted},
-      painter_{picture.painter(sorted)},
       explainer_{picture.scene().mesh, picture.snapped(), sorted, textbook},
       replay_{picture.snapped(), sorted},
-      plan_{picture.settings().table.kind},
+      plan_{plan},
       palette_{picture.palette(plan_)},
       voice_{picture.settings().width < kLargeWidth ? Voice::Plain : Voice::Title},
       width_{std::max(kLeastWidth, picture.settings().width)},
-      soFar_{picture.settings().width, picture.settings().height, plan_[Cell::Well]} {
+      soFar_{picture, sorted, plan_[Cell::Well], 0} {
   rows_ = static_cast<int>(wrapped(lastLines()).size());
   for (const int step : steps) rows_ = std::max(rows_, static_cast<int>(wrapped(linesOf(step)).size()));
 }
@@ -59,6 +45,8 @@ std::vector<Frames::Line> Frames::linesOf(int step) {
   lines.push_back({explainer_.sentence(e, splits)});
   return lines;
 }
+
+Rect Frames::pictureArea() const { return {0, 0, picture_.settings().width, picture_.settings().height}; }
 
 bool Frames::waitingAreOutlined() const {
   const int fragments = static_cast<int>(sorted_.fragments.size()) - replay_.painted();
@@ -88,8 +76,7 @@ std::vector<Frames::Line> Frames::wrapped(const std::vector<Line>& lines) const 
 
 const IndexImage& Frames::at(int step) {
   const std::vector<Line> lines = linesOf(step);
-  paintTo(replay_.painted());
-  compose(wrapped(lines));
+  compose(soFar_.at(replay_.painted()), wrapped(lines));
 
   const Event& e = *replay_.event();
   outlineWaiting();
@@ -105,30 +92,21 @@ const IndexImage& Frames::at(int step) {
 }
 
 const IndexImage& Frames::finished() {
-  paintTo(static_cast<int>(sorted_.fragments.size()));
-  compose(wrapped(lastLines()));
+  compose(soFar_.at(static_cast<int>(sorted_.fragments.size())), wrapped(lastLines()));
   return frame_;
 }
 
-void Frames::paintTo(int painted) {
-  if (painted < painted_) {
-    std::ranges::fill(soFar_.pixels, cell(Cell::Well));
-    painted_ = 0;
-  }
-  for (; painted_ < painted; ++painted_) painter_.paint(soFar_, sorted_.fragments[painted_]);
-}
-
 /// The picture as it is so far, and the strip.
-void Frames::compose(const std::vector<Line>& lines) {
+void Frames::compose(const IndexImage& soFar, const std::vector<Line>& lines) {
   const VoiceRow& voice = kVoices[static_cast<int>(voice_)];
   const int rowHeight = 15 * voice.scale, strip = rows_ * rowHeight + 2 * kMargin;
-  frame_ = IndexImage{width_, soFar_.height + strip, cell(Cell::Panel)};
-  for (int j = 0; j < soFar_.height; ++j) std::copy_n(soFar_.row(j), soFar_.width, frame_.row(j));
+  frame_ = IndexImage{width_, soFar.height + strip, cell(Cell::Panel)};
+  for (int j = 0; j < soFar.height; ++j) std::copy_n(soFar.row(j), soFar.width, frame_.row(j));
 
   Painter painter{frame_};
-  painter.fillRect({0, soFar_.height, width_, strip}, cell(Cell::Paper));
-  painter.hline(0, soFar_.height, width_, cell(Cell::Rule));
-  int top = soFar_.height + kMargin;
+  painter.fillRect({0, soFar.height, width_, strip}, cell(Cell::Paper));
+  painter.hline(0, soFar.height, width_, cell(Cell::Rule));
+  int top = soFar.height + kMargin;
   for (const Line& line : lines) {
     int x = kMargin;
     if (line.swatch >= 0) {
@@ -144,34 +122,27 @@ void Frames::compose(const std::vector<Line>& lines) {
 /// What is not painted yet, in thin lines.
 void Frames::outlineWaiting() {
   if (!waitingAreOutlined()) return;
-  Painter painter = Painter{frame_}.within({0, 0, soFar_.width, soFar_.height});
+  Painter painter = Painter{frame_}.within(pictureArea());
   for (const auto& [id, marked] : replay_.list(kMostWaiting))
-    outline(painter, explainer_.fragments().region(id), 1, cell(marked ? Cell::Faint : Cell::WellLine));
+    outline(painter, figureOf(explainer_.fragments().region(id)),
+            cell(marked ? Cell::Faint : Cell::WellLine));
 }
 
 /// A fragment tinted where it is not painted yet, outlined, and with its letter in the middle.
 void Frames::mark(int fragment, Cell color, Stipple tint, std::string_view letter) {
-  const int W = soFar_.width, H = soFar_.height, faces = static_cast<int>(picture_.snapped().faces.size());
-  const Fragment which{explainer_.fragments().faceIndex(fragment), fragment < faces ? -1 : fragment - faces};
-  std::int64_t x = 0, y = 0, samples = 0;
   const bool paintedNow = replay_.event()->kind == Event::Kind::Paint;
-  forEachSpan(picture_.snapped(), sorted_, which, W, H, [&](int row, int from, int to) {
-    samples += to - from, y += std::int64_t{row} * (to - from),
-        x += std::int64_t{from + to} * (to - from) / 2;
-    for (int i = from; i < to && !paintedNow; ++i)
-      if (stippled(tint, i, row)) frame_.row(row)[i] = cell(color);
-  });
+  const auto [samples, x, y] = tintFragment(frame_, pictureArea(), picture_.snapped(), sorted_, fragment,
+                                            paintedNow ? std::nullopt : std::optional{tint}, cell(color));
 
-  Painter painter = Painter{frame_}.within({0, 0, W, H});
-  const int thickness = std::max(1, std::min(W, H) / 250);
-  const Region region = explainer_.fragments().region(fragment);
-  if (thickness > 1) outline(painter, region, thickness + 2, cell(Cell::Black));
-  outline(painter, region, thickness, cell(color));
+  Painter painter = Painter{frame_}.within(pictureArea());
+  const int thickness = std::max(1, std::min(pictureArea().width, pictureArea().height) / 250);
+  const Figure figure = figureOf(explainer_.fragments().region(fragment));
+  if (thickness > 1) outline(painter, figure, cell(Cell::Black), {thickness + 2});
+  outline(painter, figure, cell(color), {thickness});
 
   const VoiceRow& voice = kVoices[static_cast<int>(voice_)];
   if (samples < kLeastLabelled * voice.scale * voice.scale) return;
-  const Rect plate{static_cast<int>(x / samples) - 5 * voice.scale,
-                   static_cast<int>(y / samples) - 7 * voice.scale, 11 * voice.scale, 15 * voice.scale};
+  const Rect plate{x - 5 * voice.scale, y - 7 * voice.scale, 11 * voice.scale, 15 * voice.scale};
   painter.fillRect(plate, cell(color));
   painter.frame(plate, cell(Cell::Black));
   painter.text(plate.x + 3 * voice.scale, plate.y + 11 * voice.scale, letter, cell(Cell::Black), voice_);

@@ -36,7 +36,7 @@ struct GouraudLinear {
   }
 
   [[nodiscard]] auto rowsOfEight(int i, int j) const {
-    return [rows = EightOfRows{value, i, j}]() mutable { return topBytes(rows.next()); };
+    return [rows = EightOfRows{value, i, j}](std::uint64_t) mutable { return topBytes(rows.next()); };
   }
 };
 
@@ -70,7 +70,7 @@ struct GouraudTable {
   }
 
   [[nodiscard]] auto rowsOfEight(int i, int j) const {
-    return [rows = EightOfRows{value, i, j}, cells = table]() mutable {
+    return [rows = EightOfRows{value, i, j}, cells = table](std::uint64_t) mutable {
       return lookUp(cells, upperHalves(rows.next()));
     };
   }

@@ -49,7 +49,7 @@ std::string_view behaviour(Shading method) {
     case Shading::Flat:
       return "jumps from face to face";
     case Shading::Gouraud:
-      return "no jumps, but kinks at the edges";
+      return "kinks where faces share vertices";
     default:
       return "smooth where the normals are";
   }
@@ -67,11 +67,11 @@ double scaleOf(const std::vector<double>& slopes) {
 
 class MachBands {
  public:
-  MachBands(const Picture& picture, const ViewSettings& settings, const Places& at, const Scanline& line)
-      : picture_{picture},
-        chosen_{settings.picture.shading},
+  MachBands(const ViewSettings& settings, const Places& at, const Scanline& line, std::optional<int> firstRow)
+      : chosen_{settings.picture.shading},
         at_{at},
         line_{line},
+        firstRow_{firstRow},
         sheet_{settings.picture.width, settings.picture.height, settings.cells} {
     for (const Profile& p : line.profiles)
       if (p.method != Shading::Flat) smoothScale_ = std::max(smoothScale_, scaleOf(p.slope));
@@ -104,16 +104,19 @@ class MachBands {
     }
   }
 
-  /// `explains`: there is room to say what the words mean. `grayed`: colours had to become one hue.
-  void drawFindings(bool explains, bool grayed);
+  /// `explains`: there is room to say what the words mean. `grayed`: colours had to become one hue. Returns
+  /// the place left for controls of this height.
+  Rect drawFindings(bool explains, bool grayed, int controls);
 
   [[nodiscard]] const IndexImage& image() const { return sheet_.image(); }
 
- private:
-  /// The first row that is shown: the scanline in the middle where the picture reaches.
+  /// The first row that is shown.
   [[nodiscard]] int firstRow() const {
-    return std::clamp(line_.row - at_.picture.height / 2, 0, at_.pictureHeight - at_.picture.height);
+    const int first = firstRow_.value_or(line_.row - at_.picture.height / 2);
+    return std::clamp(first, 0, at_.pictureHeight - at_.picture.height);
   }
+
+ private:
   [[nodiscard]] bool chosen(const Profile& p) const { return p.method == chosen_; }
   /// The chosen one is twice as thick.
   [[nodiscard]] int thickness(const Profile& p) const { return chosen(p) ? 2 : 1; }
@@ -123,10 +126,10 @@ class MachBands {
   void drawSlope(const Profile& profile, int y);
   void axes(const Rect& plot);
 
-  const Picture& picture_;
   Shading chosen_;
   const Places& at_;
   const Scanline& line_;
+  std::optional<int> firstRow_;
   Sheet sheet_;
   double smoothScale_ = kLeastScale;  ///< of slopes, the same for all methods but flat shading
 };
@@ -192,12 +195,11 @@ void MachBands::drawSlope(const Profile& profile, int y) {
 }
 
 /// A sentence that the numbers of this scanline bear out.
-struct Finding {
-  std::string bold, why;
-};
-Finding findingOf(const Scanline& line) {
+Finding findingOf(const Scanline& line, bool inWindow) {
   const auto& [flat, gouraud, phong] = line.profiles;
-  if (line.samples == 0) return {"Nothing shows on this scanline.", "Choose another with --scanline."};
+  if (line.samples == 0)
+    return {"Nothing shows on this scanline.",
+            inWindow ? "Move it up or down." : "Choose another with --scanline."};
   const auto bands = [](const Profile& p) { return grouped(p.bands); };
   if (std::ranges::all_of(line.profiles, [](const Profile& p) { return p.bands == 0; }))
     return {"No bands in any method.", "No kink of 1/1200 or more stands out on any surface."};
@@ -208,13 +210,13 @@ Finding findingOf(const Scanline& line) {
                 " shades of 240 in flat shading, " + shadesIn(gouraud.largestJump) + " in Gouraud's and " +
                 shadesIn(phong.largestJump) + " in Phong's.";
   if (gouraud.bands > phong.bands && gouraud.largestJump < flat.largestJump / 2)
-    finding.why += " Gouraud's bands are kinks: the intensity goes on, its slope does not.";
+    finding.why +=
+        " Gouraud's bands are kinks, but where surfaces end: the intensity goes on, its slope does not.";
   return finding;
 }
 
-void MachBands::drawFindings(bool explains, bool grayed) {
+Rect MachBands::drawFindings(bool explains, bool grayed, int controls) {
   const int x = at_.findings;
-  const Picture& p = picture_;
   const std::vector<int> ends{148, 234, kFindings};
   int y = sheet_.title(x, Sheet::kMargin, "Mach bands");
   y = sheet_.paragraph(x, y, kFindings, "Where does the eye see stripes that the picture does not hold?",
@@ -226,13 +228,13 @@ void MachBands::drawFindings(bool explains, bool grayed) {
                          Cell::Soft);
 
   y = sheet_.section(x, y + 8, kFindings, "picture");
-  const std::string divisions = p.scene().divisions > 0
-                                    ? ", " + std::to_string(p.scene().divisions) + " x " +
-                                          std::to_string(p.scene().divisions) + " divisions"
-                                    : "";
-  y = sheet_.tableRow(x, y, "shading", {std::string{rowOf(chosen_).label}}, {kFindings});
-  y = sheet_.tableRow(x, y, "scanline", {grouped(line_.row) + " of 0.." + grouped(at_.pictureHeight - 1)},
-                      {kFindings});
+  const Rect place{x, y, kFindings, controls};
+  y += controls;
+  if (controls == 0) {
+    y = sheet_.tableRow(x, y, "shading", {std::string{rowOf(chosen_).label}}, {kFindings});
+    y = sheet_.tableRow(x, y, "scanline", {grouped(line_.row) + " of 0.." + grouped(at_.pictureHeight - 1)},
+                        {kFindings});
+  }
   y = sheet_.tableRow(x, y, "it shows", {grouped(line_.samples) + " pixels, " + counted(line_.edges, "edge")},
                       {kFindings});
 
@@ -257,8 +259,9 @@ void MachBands::drawFindings(bool explains, bool grayed) {
         "change of that change. A band is a kink of 1/1200 or more that stands out among its "
         "neighbours. Bars that reach the edge of their plot go beyond it.",
         Cell::Soft);
-  const Finding finding = findingOf(line_);
+  const Finding finding = findingOf(line_, controls > 0);
   sheet_.finding(x, y + 10, kFindings, finding.bold, finding.why);
+  return place;
 }
 
 }  // namespace
@@ -274,14 +277,25 @@ ColoredImage drawMachBands(Picture& picture, const ViewSettings& settings) {
                                 " is below the picture: in this view its rows are 0 to " +
                                 std::to_string(shown.height - 1)};
   picture.make(shown);
-  const int row = settings.scanline.value_or(defaultScanline(picture));
-  const Scanline line = scanlineOf(picture, shown, row, settings.cells[Cell::Well]);
   IndexImage image;
   picture.paint(image, settings.cells[Cell::Well]);
+  const int row = settings.scanline.value_or(defaultScanline(picture));
+  MachBandsPage page = drawMachBandsPage(picture, image, {.row = row, .grayed = grayed}, settings);
+  return {std::move(page.image), picture.palette(settings.cells, settings.unneeded)};
+}
 
-  MachBands view{picture, settings, at, line};
+MachBandsLayout layoutOfMachBands(int width, int height) {
+  const Places at{width, height};
+  return {at.picture, at.pictureHeight};
+}
+
+MachBandsPage drawMachBandsPage(Picture& picture, const IndexImage& image, const MachBandsShown& shown,
+                                const ViewSettings& settings) {
+  const Places at{settings.picture.width, settings.picture.height};
+  const Scanline line = scanlineOf(picture, picture.settings(), shown.row, settings.cells[Cell::Well]);
+  MachBands view{settings, at, line, shown.firstRow};
   view.drawPicture(image);
   view.drawBlocks();
-  view.drawFindings(settings.picture.height >= 600, grayed);
-  return {view.image(), picture.palette(settings.cells, settings.unneeded)};
+  const Rect place = view.drawFindings(settings.picture.height >= 600, shown.grayed, shown.controls);
+  return {view.image(), view.firstRow(), place};
 }

@@ -79,6 +79,24 @@ RgbImage normalColors(const Picture& picture) {
   return colorsOf(seenNormals(picture), picture.settings().width, picture.settings().height);
 }
 
+ColoredImage normalsImage(const Picture& picture, const CellPlan& plan, const Palette& palette) {
+  const PictureSettings& settings = picture.settings();
+  const std::vector<glm::dvec3> N = seenNormals(picture);
+  const int first = kTables[static_cast<int>(settings.table.kind)].first;
+  std::vector<std::uint8_t> shows(N.size());
+  std::ranges::transform(N, shows.begin(), [](const glm::dvec3& n) { return n != glm::dvec3{0.0}; });
+  ColoredImage normals{{settings.width, settings.height, plan[Cell::Well]}, palette};
+  const std::vector<Rgb16> chosen =
+      quantize(colorsOf(N, settings.width, settings.height), shows,
+               {.quantizer = settings.colors == ColorPlan::Cube ? Quantizer::Cube : Quantizer::Chosen,
+                .dither = true,
+                .first = first},
+               normals.image);
+  drawNeedles(Painter{normals.image}, N, {0, 0, settings.width, settings.height}, plan[Cell::Black]);
+  std::ranges::copy(chosen, normals.palette.begin() + first);
+  return normals;
+}
+
 ColoredImage drawNormals(Picture& picture, const ViewSettings& settings) {
   const int W = settings.picture.width, H = settings.picture.height;
   const std::string heading = "Normals, " + std::string{rowOf(settings.picture.shading).label} + " shading";

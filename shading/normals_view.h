@@ -10,5 +10,9 @@
 /// (N + 1) / 2 for each sample that shows something, black elsewhere.
 [[nodiscard]] RgbImage normalColors(const Picture& picture);
 
+/// They as an image of the picture's size on the plan's well, with needles, in colours of its own: the
+/// scene's cells hold those, and the palette is `palette` but for them.
+[[nodiscard]] ColoredImage normalsImage(const Picture& picture, const CellPlan& plan, const Palette& palette);
+
 /// The picture of normals, a ball as the key to its colours, and what they mean in words.
 [[nodiscard]] ColoredImage drawNormals(Picture& picture, const ViewSettings& settings);

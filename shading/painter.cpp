@@ -6,6 +6,7 @@
 #include <string>
 
 #include "shading/font.h"
+#include "shading/line_pixels.h"
 
 int textWidth(std::string_view utf8, Voice voice) {
   return kVoices[static_cast<int>(voice)].pitch * static_cast<int>(latin1(utf8).size());
@@ -59,32 +60,13 @@ void Painter::stipple(const Rect& area, Stipple stipple, std::uint8_t cell) {
 void Painter::line(int x0, int y0, int x1, int y1, std::uint8_t cell, const LineStyle& style) {
   assert(style.thickness >= 1 && style.on >= 1 && style.off >= 0);
   const bool steep = std::abs(y1 - y0) > std::abs(x1 - x0);
-  const int from = steep ? y0 : x0, to = steep ? y1 : x1, across = steep ? x0 : y0;
-  const int forward = to < from ? -1 : 1;
-  const int clipFrom = steep ? clip_.y : clip_.x, clipEnd = clipFrom + (steep ? clip_.height : clip_.width);
-  const std::int64_t n = std::abs(to - from), d = steep ? x1 - x0 : y1 - y0;
-
-  const int enters = forward > 0 ? clipFrom - from : from - (clipEnd - 1);
-  const int leaves = forward > 0 ? clipEnd - 1 - from : from - clipFrom;
-  const int first = std::max(0, enters), last = std::min(static_cast<int>(n), leaves);
-  const std::int64_t whole2n = std::max<std::int64_t>(1, 2 * n), numerator = 2 * first * d + n;
-  std::int64_t rest = ((numerator % whole2n) + whole2n) % whole2n, whole = (numerator - rest) / whole2n;
-  for (int k = first; k <= last; ++k) {
-    if (k % (style.on + style.off) < style.on)
-      for (int t = 0; t < style.thickness; ++t) {
-        const int along = from + forward * k,
-                  beside = across + static_cast<int>(whole) + t - (style.thickness - 1) / 2;
-        steep ? point(beside, along, cell) : point(along, beside, cell);
-      }
-    rest += 2 * d;
-    if (rest >= whole2n) {
-      rest -= whole2n;
-      ++whole;
-    } else if (rest < 0) {
-      rest += whole2n;
-      --whole;
+  forEachPixelOfLine(clip_, x0, y0, x1, y1, [&](int k, int x, int y) {
+    if (k % (style.on + style.off) >= style.on) return;
+    for (int t = 0; t < style.thickness; ++t) {
+      const int beside = t - (style.thickness - 1) / 2;
+      steep ? point(x + beside, y, cell) : point(x, y + beside, cell);
     }
-  }
+  });
 }
 
 namespace {

@@ -99,9 +99,8 @@ Palette forGrayScreen(Palette palette, const Picture& picture) {
   const CellRange scene = sceneCells(picture);
   for (int cell = scene.first; cell <= scene.last(); ++cell) {
     const Rgb16 c = palette[cell];
-    const auto gray =
-        static_cast<std::uint16_t>(oneHue ? largest(c) : (30 * c.r + 59 * c.g + 11 * c.b) / 100);
-    palette[cell] = {gray, gray, gray};
+    const auto intensity = static_cast<std::uint16_t>(largest(c));
+    palette[cell] = oneHue ? Rgb16{intensity, intensity, intensity} : grayOf(c);
   }
   return palette;
 }

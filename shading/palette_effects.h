@@ -51,8 +51,7 @@ void rotate(Palette& palette, const CellRange& ramp, int steps);
 /// never falls still never falls. The hue is that of the brightest shade.
 void bend(Palette& palette, const CellRange& ramp, const CurvePoint& point);
 /// What is stored where the screen is gray. Of one hue the intensities, which the hue would only darken: red
-/// to 30 %. Several hues, and colours, have the grays of their brightness, (30 R + 59 G + 11 B) / 100, cut
-/// off to a whole number as servers do. Cells that are not the scene's stay.
+/// to 30 %. Several hues, and colours, become grayOf() them. Cells that are not the scene's stay.
 [[nodiscard]] Palette forGrayScreen(Palette palette, const Picture& picture);
 /// The same shades of another table, in its usual cells.
 [[nodiscard]] ColorTable inTable(const ColorTable& table, TableKind kind);

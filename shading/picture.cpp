@@ -85,7 +85,7 @@ void Picture::make(const PictureSettings& next) {
 
   // Intensities to cells of the colour table.
   timed(times_.fill, [&] {
-    colors_.make(scene_, next, plan, shading_, snapped_);
+    colors_.make(scene_, next, plan, shading_, snapped_, camera_.view);
     if (rowOf(next.shading).interpolates)
       cells_.clear();
     else if (channelsOf(plan) != Channels::Rgb)
@@ -237,6 +237,15 @@ SeenRows Picture::seen(int firstRow, int endRow) const {
   return seen;
 }
 
+std::vector<int> Picture::timesPainted() const {
+  std::vector<int> times(std::size_t(made_.width) * made_.height, 0);
+  paintFaces(0, made_.height, [&](int row, int from, int to, int) {
+    const auto begin = times.begin() + std::ptrdiff_t{row} * made_.width;
+    std::for_each(begin + from, begin + to, [](int& t) { ++t; });
+  });
+  return times;
+}
+
 std::vector<double> Picture::intensities(const SeenRows& rows, int channel) const {
   const std::vector<double> ofFaces =
       rowOf(made_.shading).interpolates ? std::vector<double>{} : faceIntensities(made_, channel);
@@ -256,7 +265,7 @@ std::vector<std::uint32_t> Picture::faceImage() const {
   return image;
 }
 
-Picture::Exactness Picture::exactness() {
+std::vector<Picture::Verdict> Picture::verdicts() {
   addPlanes();
   const std::vector<int> painted = seen(0, made_.height).faces;
   const auto apart = [&](int p, int q, int i, int j) {
@@ -266,14 +275,23 @@ Picture::Exactness Picture::exactness() {
     return P.plane == Q.plane || std::abs(zP - zQ) > P.doubt.at(zP) + Q.doubt.at(zQ);
   };
   const std::vector<int> visible = visibleFaces(snapped_, made_.width, made_.height);
-  Exactness exactness;
+  std::vector<Verdict> verdicts(visible.size(), Verdict::Nothing);
   for (int j = 0; j < made_.height; ++j)
     for (int i = 0; i < made_.width; ++i) {
       const std::size_t k = std::size_t(j) * made_.width + i;
       if (visible[k] == kNothing) continue;
-      ++exactness.samples;
-      exactness.wrong += painted[k] != visible[k] && apart(painted[k], visible[k], i, j);
+      const bool wrong = painted[k] != visible[k] && apart(painted[k], visible[k], i, j);
+      verdicts[k] = wrong ? Verdict::Wrong : Verdict::Right;
     }
+  return verdicts;
+}
+
+Picture::Exactness Picture::exactness() {
+  Exactness exactness;
+  for (const Verdict verdict : verdicts()) {
+    exactness.samples += verdict != Verdict::Nothing;
+    exactness.wrong += verdict == Verdict::Wrong;
+  }
   return exactness;
 }
 

@@ -2,6 +2,7 @@
 
 #include <array>
 #include <chrono>
+#include <cstdint>
 #include <optional>
 #include <vector>
 
@@ -48,6 +49,9 @@ class Picture {
 
   /// What each sample of rows [firstRow, endRow) of the picture shows.
   [[nodiscard]] SeenRows seen(int firstRow, int endRow) const;
+  /// How often each sample was painted, row by row: as often as fragments cover it, or once where the face
+  /// is decided at each sample.
+  [[nodiscard]] std::vector<int> timesPainted() const;
   /// Of one channel, before the colour table; as intensitiesAt().
   [[nodiscard]] std::vector<double> intensities(const SeenRows& rows, int channel = 0) const;
   /// As normalsAt().
@@ -76,8 +80,12 @@ class Picture {
     int samples = 0, wrong = 0;
   };
   [[nodiscard]] Exactness exactness();
-  /// Evaluations of the illumination that exceeded 1 and were clamped: at faces or vertices, or, where each
-  /// pixel is evaluated, in the last paint().
+  /// The same of each sample, row by row.
+  enum class Verdict : std::uint8_t { Nothing, Right, Wrong };
+  [[nodiscard]] std::vector<Verdict> verdicts();
+  /// Evaluations of the illumination that exceeded 1 and were clamped, in each channel: of flat shading at
+  /// faces and of Gouraud's at vertices, on either side; at pixels where each is evaluated or looked up, by
+  /// the last paint(), as often as they were painted.
   [[nodiscard]] std::int64_t saturated() const;
   [[nodiscard]] const StageTimes& times() const { return times_; }
 

@@ -2,6 +2,8 @@
 
 #include <optional>
 
+#include "geometry/project.h"
+
 CameraSettings readCamera(const Node& node) {
   node.expectKeys({"eye", "look_at", "up", "fov", "parallel", "oblique", "vrp", "vpn", "vup", "prp", "window",
                    "front", "back"});
@@ -9,8 +11,12 @@ CameraSettings readCamera(const Node& node) {
   const auto point = [&](const char* key, std::optional<glm::dvec3>& p) {
     if (node.has(key)) p = node.at(key).point();
   };
-  point("eye", camera.eye), point("look_at", camera.lookAt), point("up", camera.up);
-  point("vrp", camera.vrp), point("vpn", camera.vpn), point("vup", camera.vup), point("prp", camera.prp);
+  const auto direction = [&](const char* key, std::optional<glm::dvec3>& v) {
+    if (node.has(key)) v = node.at(key).direction();
+  };
+  point("eye", camera.eye), point("look_at", camera.lookAt), direction("up", camera.up);
+  point("vrp", camera.vrp), direction("vpn", camera.vpn), direction("vup", camera.vup);
+  point("prp", camera.prp);
   if (node.has("window")) camera.window = node.at("window").numbers<4>();
   if (node.has("front")) camera.front = node.at("front").number();
   if (node.has("back")) camera.back = node.at("back").number();
@@ -21,8 +27,8 @@ CameraSettings readCamera(const Node& node) {
       node.at("fov").fail("a field of view is for perspective");
   }
   if (node.has("parallel")) {
-    camera.height = node.at("parallel").numberAbove(0);
     camera.parallel = true;
+    if (!node.at("parallel").isTrue()) camera.height = node.at("parallel").numberAbove(0);
   }
   if (node.has("oblique")) {
     const Node oblique = node.at("oblique");
@@ -36,4 +42,17 @@ CameraSettings readCamera(const Node& node) {
     if (oblique.has("angle")) camera.oblique->angle = oblique.at("angle").number();
   }
   return camera;
+}
+
+CameraSettings seeing(const CameraSettings& camera, const Scene& scene, const Node& node) {
+  // What is not said keeps clear of the scene, the farther the narrower the picture: what the narrowest
+  // cannot show no other can.
+  constexpr double kNarrowest = 1.0 / kMaxPicture;
+  try {
+    const CameraSettings settings = inSceneUnits(camera, scene);
+    (void)canonicalFromVrc(placeCamera(settings, scene.mesh.points, scene.up, kNarrowest).view);
+    return settings;
+  } catch (const ViewError& e) {
+    node.fail(e.what());
+  }
 }

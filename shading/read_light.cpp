@@ -99,6 +99,18 @@ void check(const glm::dvec3& sum, const Node& node) {
     }
 }
 
+/// What the scene says of its light leaves the one light that pictures begin with no say: nobody should have
+/// to guess which counts.
+void expectOnce(const Scene& scene, const Node& root) {
+  if (!root.has("shading")) return;
+  const Node shading = root.at("shading");
+  if (scene.light.Ia && shading.has("Ia"))
+    shading.at("Ia").fail("the ambient light is said twice: see ambient");
+  for (const char* key : {"light", "light_at"})
+    if (!scene.light.lights.empty() && shading.has(key))
+      shading.at(key).fail("where light comes from is said twice: see lights");
+}
+
 }  // namespace
 
 void readLight(Scene& scene, const Node& root) {
@@ -125,6 +137,7 @@ void readLight(Scene& scene, const Node& root) {
       sum += scene.light.lights[k].Ip;
     }
   }
+  expectOnce(scene, root);
   check(sum, root);
   if (!scene.light.Ia) user.Ia = std::clamp(1.0 - largest(sum), 0.0, user.Ia);
   if (scene.light.lights.empty()) user.Ip = std::clamp(1.0 - largest(sum), 0.0, user.Ip);

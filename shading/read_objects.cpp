@@ -14,7 +14,7 @@
 #include "geometry/solids.h"
 #include "geometry/trig.h"
 #include "geometry/view.h"
-#include "shading/json_decimals.h"
+#include "shading/json_text.h"
 
 namespace {
 
@@ -168,6 +168,15 @@ Mesh readSolid(const Node& node) {
   node.at("solid").fail("cube, sphere or torus is needed");
 }
 
+/// That only solids that are round are divided, and only in their own two ways.
+void expectDividable(const Node& node) {
+  const std::string solid = node.has("solid") ? node.at("solid").text() : "";
+  if (node.has("around") && solid != "sphere" && solid != "torus")
+    node.at("around").fail("is for solid sphere and torus");
+  if (node.has("down") && solid != "sphere") node.at("down").fail("is for solid sphere");
+  if (node.has("across") && solid != "torus") node.at("across").fail("is for solid torus");
+}
+
 /// Collects the objects one after the other.
 class Collector {
  public:
@@ -191,6 +200,7 @@ class Collector {
                      "around", "down", "across", "scale", "rotate", "move"});
     if (node.has("file") + node.has("polygons") + node.has("solid") != 1)
       node.fail("one of file, polygons and solid is needed");
+    expectDividable(node);
     if (node.has("uv") && !node.has("polygons")) node.at("uv").fail("texture coordinates are for polygons");
     const Transform transform{node};
     PatchRun run;
@@ -314,13 +324,12 @@ class Collector {
 
 Objects readObjects(const Node& root, std::string_view text, const std::filesystem::path& folder,
                     int divisions) {
-  DecimalsOfPolygons decimalsOf;
-  Node::Json::sax_parse(text, &decimalsOf);
+  const std::vector<RoundingOfNumbers> rounding = roundingOfPolygons(text);
   Collector collector{root, folder, divisions};
   if (root.has("objects"))
-    for (int i = 0, polygons = 0; i < root.at("objects").size(); ++i) {
-      const Node object = root.at("objects").item(i);
-      collector.add(object, decimalsOf.rounding(polygons));
+    for (std::size_t i = 0, polygons = 0; i < static_cast<std::size_t>(root.at("objects").size()); ++i) {
+      const Node object = root.at("objects").item(static_cast<int>(i));
+      collector.add(object, polygons < rounding.size() ? rounding[polygons].rounding() : 0.0);
       polygons += object.has("polygons");
     }
   return collector.take();

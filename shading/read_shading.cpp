@@ -27,8 +27,10 @@ void readTable(TableSettings& table, const Node& node) {
 }  // namespace
 
 void readShading(PictureSettings& settings, const Node& node) {
-  node.expectKeys({"method", "normals", "crease", "polygons", "form", "environment", "mapping", "order",
-                   "colors", "dither", "table", "Ia", "Ip", "ka", "kd", "ks", "n", "light"});
+  node.expectKeys({"method", "normals", "crease", "polygons", "adapt", "form", "environment", "mapping",
+                   "order", "cull", "fill", "colors", "dither", "table"},
+                  {"Ia", "Ip", "ka", "kd", "ks", "n", "light", "light_at", "attenuation", "range", "c",
+                   "constant_l", "constant_v", "sided"});
   const auto choose = [&](const char* key, const auto& rows, auto& choice) {
     if (node.has(key)) choice = node.at(key).choice(rows);
   };
@@ -56,4 +58,42 @@ void readShading(PictureSettings& settings, const Node& node) {
   }
   if (node.has("n")) light.n = node.at("n").whole(0, 1'000'000);
   if (node.has("light")) light.light = node.at("light").direction();
+  if (node.has("light_at")) light.lightPosition = node.at("light_at").point();
+  choose("attenuation", kAttenuations, light.attenuation);
+  if (node.has("range")) light.range = node.at("range").numberAbove(0);
+  if (node.has("c")) {
+    light.c = node.at("c").point();
+    if (std::min({light.c->x, light.c->y, light.c->z}) < 0.0)
+      node.at("c").fail("c1, c2 and c3 must not be negative");
+  }
+  if (node.has("constant_l")) light.constantL = node.at("constant_l").truth();
+  if (node.has("constant_v")) light.constantV = node.at("constant_v").truth();
+  const auto oneOf = [&](const char* key, const char* no, const char* yes) {
+    const std::string word = node.at(key).text();
+    if (word != no && word != yes) node.at(key).fail(std::string{no} + " or " + yes + " is needed");
+    return word == yes;
+  };
+  if (node.has("sided")) light.twoSided = oneOf("sided", "one", "two");
+  if (node.has("cull")) settings.cull = oneOf("cull", "none", "back") ? Cull::Back : Cull::Keep;
+  if (node.has("fill")) settings.inPixels = oneOf("fill", "scanline", "x11");
+  if (node.has("adapt")) settings.adapt = node.at("adapt").numberFrom(0, 1);
+}
+
+void expectCounts(const PictureSettings& settings, const Node& node) {
+  const Illumination& light = settings.light;
+  if (node.has("range") && light.attenuation != Attenuation::Linear)
+    node.at("range").fail("a range is for attenuation linear");
+  if (node.has("c") && light.attenuation != Attenuation::Textbook)
+    node.at("c").fail("c1, c2 and c3 are for attenuation textbook");
+  if (node.has("attenuation") && light.attenuation != Attenuation::None && !light.lightPosition)
+    node.at("attenuation")
+        .fail("only a light at a place fades: light_at is needed; lights say it themselves");
+}
+
+void expectDivides(const PictureSettings& settings, const Node& node) {
+  if (!node.has("adapt")) return;
+  const Node adapt = node.at("adapt");
+  if (settings.adapt == 0.0) adapt.fail("a number above 0 is needed; without adapt nothing is divided");
+  if (settings.shading != Shading::Flat && settings.shading != Shading::Gouraud)
+    adapt.fail("goes with method flat and gouraud");
 }

@@ -6,6 +6,8 @@
 struct Rect {
   int x = 0, y = 0, width = 0, height = 0;
   [[nodiscard]] bool empty() const { return width <= 0 || height <= 0; }
+  /// Whether pixel (i, j) is one of them. Precondition: its sides end within int.
+  [[nodiscard]] bool has(int i, int j) const { return i >= x && i < x + width && j >= y && j < y + height; }
   bool operator==(const Rect&) const = default;
 };
 

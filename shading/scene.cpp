@@ -96,7 +96,9 @@ std::vector<BuiltInScene> builtInScenes() {
 
 bool isBuiltIn(const std::string& name) { return !fileOfBuiltIn(name).empty(); }
 
-Scene readScene(const std::string& nameOrFile, int divisions) {
+namespace {
+
+Scene readAny(const std::string& nameOrFile, int divisions) {
   const std::filesystem::path builtIn = fileOfBuiltIn(nameOrFile);
   const std::filesystem::path file = builtIn.empty() ? std::filesystem::path{nameOrFile} : builtIn;
   const std::string extension = lowerCase(file.extension().string());
@@ -120,6 +122,14 @@ Scene readScene(const std::string& nameOrFile, int divisions) {
                    !std::filesystem::exists(file) && extension.empty()
                        ? "no built-in scene of that name; `xnewell scenes` lists them"
                        : "not a scene: .obj, .bpt and .json files are"};
+}
+
+}  // namespace
+
+Scene readScene(const std::string& nameOrFile, int divisions) {
+  Scene scene = readAny(nameOrFile, divisions);
+  if (scene.origin.of.empty()) scene.origin = {.of = nameOrFile, .divisions = divisions};
+  return scene;
 }
 
 glm::dvec3 defaultLight(UpAxis up) {
@@ -177,6 +187,19 @@ void toSceneUnits(Illumination& light, const Scene& scene) {
                std::ldexp(light.c->z, 2 * scene.exponent)};
 }
 
+void strip(Scene& scene, std::string_view what) {
+  for (MeshMaterial& m : scene.mesh.materials) {
+    if (what == "ka") m.ka.reset();
+    if (what == "kd") m.kd.reset();
+    if (what == "ks") m.ks.reset();
+    if (what == "n") m.n.reset();
+  }
+  if (what == "ambient") scene.light.Ia.reset();
+  if (what == "lights") scene.light.lights.clear();
+  std::vector<std::string>& without = scene.origin.without;
+  if (std::ranges::find(without, what) == without.end()) without.emplace_back(what);
+}
+
 void wear(Scene& scene, Texture texture) {
   Mesh& mesh = scene.mesh;
   if (mesh.uvOfCorner.empty())
@@ -186,4 +209,11 @@ void wear(Scene& scene, Texture texture) {
   if (std::ranges::find(mesh.material, -1) != mesh.material.end()) mesh.materials.emplace_back();
   std::ranges::replace(mesh.material, -1, bare);
   for (MeshMaterial& m : mesh.materials) m.texture = number;
+}
+
+std::string titleOf(const Scene& scene) {
+  const std::string name = scene.name.substr(scene.name.find_last_of('/') + 1);
+  if (scene.divisions == 0) return name;
+  const std::string divisions = std::to_string(scene.divisions);
+  return name + " \u00B7 " + divisions + " x " + divisions + " divisions";
 }

@@ -1,6 +1,8 @@
 #pragma once
 
+#include <array>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "geometry/bezier.h"
@@ -18,6 +20,14 @@ struct PatchRun {
   int divisions = 0;
 };
 
+/// Where a scene came from, and what was done to it since: enough to name it in a scene file.
+struct SceneOrigin {
+  std::string of;                         ///< as readScene() takes it: a built-in name, or a file
+  int divisions = 0;                      ///< that were asked for
+  std::vector<std::string> without = {};  ///< of kStrippable
+  std::string texture = {};               ///< the file of wear(); "" for none
+};
+
 /// What is to be drawn, in world coordinates scaled by a power of two so that the largest is in [1/2, 1):
 /// an exact step that keeps files of any magnitude (1e-300, 1e300) within reach of everything after it.
 struct Scene {
@@ -31,6 +41,7 @@ struct Scene {
   int divisions = 0;         ///< of each Bezier patch; 0 where there are none, or some differ
   std::vector<PatchRun> patches;
   SceneLight light;  ///< of the scene file, lengths in the mesh's units
+  SceneOrigin origin;
   std::vector<Texture> textures;
 };
 
@@ -65,8 +76,16 @@ inline constexpr int kDefaultDivisions = 8;
 /// The user's light, its place and attenuation.
 void toSceneUnits(Illumination& light, const Scene& scene);
 
+/// What a scene may say of itself and can be made to forget, so that the user's choice counts.
+inline constexpr std::array<std::string_view, 6> kStrippable{"ambient", "lights", "ka", "kd", "ks", "n"};
+/// `what` is one of them.
+void strip(Scene& scene, std::string_view what);
+
 /// All surfaces get the texture. @throws ViewError if no face has texture coordinates
 void wear(Scene& scene, Texture texture);
+
+/// For people: the name without its folders, and how finely patches are divided.
+[[nodiscard]] std::string titleOf(const Scene& scene);
 
 /// What was said, and the scene's own camera for the rest: a projection or a textbook specification that was
 /// said replaces the scene's as a whole.

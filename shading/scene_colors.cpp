@@ -6,6 +6,7 @@
 
 #include "shading/at_source.h"
 #include "shading/hue_plan.h"
+#include "shading/surface_painter.h"
 
 namespace {
 
@@ -39,31 +40,42 @@ Hues huesOf(const Scene& scene) {
   return result;
 }
 
-/// The intensities of a face.
+/// The intensities of a face: at it or its vertices, or where they are not interpolated at its samples.
 class FaceRanges {
  public:
   struct Range {
     double low, high;
   };
 
-  FaceRanges(const Scene& scene, Shading method, const SceneShading& shading, const SnappedScene& snapped)
-      : scene_{scene}, method_{method}, shading_{shading}, snapped_{snapped} {
-    // What the light can make of each material.
-    const Lighting& lighting = shading.lighting();
-    for (const Material& material : lighting.materials) {
-      double most = material.ambient[0];
-      for (const Lighting::Source& light : lighting.sources)
-        most += light.Ip[0] * (material.kd[0] + material.ks[0]);
-      possible_.push_back({material.ambient[0], most});
-    }
-  }
+  FaceRanges(const Scene& scene, const PictureSettings& settings, const SceneShading& shading,
+             const SnappedScene& snapped, const ViewSpec& view)
+      : method_{settings.shading},
+        shading_{shading},
+        snapped_{snapped},
+        painter_{{.width = settings.width,
+                  .height = settings.height,
+                  .snapped = snapped,
+                  .sorted = unsorted_,
+                  .visible = nothing_,
+                  .scene = scene,
+                  .mesh = shading.mesh(scene),
+                  .view = view,
+                  .settings = settings,
+                  .shading = shading,
+                  .channel = 0,
+                  .ramps = std::vector<Ramp>(scene.mesh.materials.size() + 1, kChannelRamp),
+                  .cells = noCells_}} {}
 
-  [[nodiscard]] Range operator()(const SnappedFace& face) const {
+  /// Of snapped.faces; low > high where it has no sample.
+  [[nodiscard]] Range operator()(int f) {
     if (!rowOf(method_).lit) return {0.0, 1.0};
-    const int material = scene_.mesh.material[face.number];
-    const bool textured = material >= 0 && scene_.mesh.materials[material].texture >= 0;
-    const bool stored = (method_ == Shading::Flat || method_ == Shading::Gouraud) && !textured;
-    if (!stored) return possible_[material + 1];
+    const SnappedFace& face = snapped_.faces[f];
+    if (method_ == Shading::Environment || painter_.evaluates(face)) {
+      // An intensity I has cell round(first + (shades - 1) I).
+      const auto [least, greatest] = painter_.cellEnds(f);
+      const double perCell = 1.0 / (kChannelRamp.shades - 1);
+      return {(least - kChannelRamp.first - 0.5) * perCell, (greatest - kChannelRamp.first + 0.5) * perCell};
+    }
     const std::vector<Sides<double>>& I = shading_.shades(0).I;
     const auto seen = [&](int point) { return face.back ? I[point].back : I[point].front; };
     if (method_ == Shading::Flat) return {seen(shading_.pointOf(face)), seen(shading_.pointOf(face))};
@@ -77,11 +89,13 @@ class FaceRanges {
   }
 
  private:
-  const Scene& scene_;
   Shading method_;
   const SceneShading& shading_;
   const SnappedScene& snapped_;
-  std::vector<Range> possible_;  ///< by material, of none first
+  const SortedScene unsorted_;  ///< these are what the painter need not know
+  const std::vector<int> nothing_;
+  const std::vector<std::uint8_t> noCells_;
+  SurfacePainter painter_;
 };
 
 /// The range in whole 255ths around it, so that it does not change with every turn, and at least one of them.
@@ -115,7 +129,7 @@ ColorPlan planOf(const Scene& scene, const PictureSettings& settings) {
 }
 
 void SceneColors::make(const Scene& scene, const PictureSettings& settings, ColorPlan plan,
-                       const SceneShading& shading, const SnappedScene& snapped) {
+                       const SceneShading& shading, const SnappedScene& snapped, const ViewSpec& view) {
   plan_ = plan;
   const std::size_t materials = scene.mesh.materials.size() + 1;
   tables_.clear();
@@ -127,13 +141,14 @@ void SceneColors::make(const Scene& scene, const PictureSettings& settings, Colo
     tableOf_ = hues.ofMaterial;
     std::vector<HueNeed> needs;
     for (const glm::dvec3& hue : hues.hues) needs.push_back({hue, 1.0, 0.0, 0});
-    const FaceRanges rangeOf{scene, settings.shading, shading, snapped};
-    for (const SnappedFace& face : snapped.faces) {
+    FaceRanges rangeOf{scene, settings, shading, snapped, view};
+    for (int f = 0; f < static_cast<int>(snapped.faces.size()); ++f) {
+      const SnappedFace& face = snapped.faces[f];
       HueNeed& need = needs[tableOf_[scene.mesh.material[face.number] + 1]];
       const double pixels =
           static_cast<double>(doubleArea(&snapped.vertices[face.first], face.count)) / (2.0 * kGrid * kGrid);
       need.samples += std::lround(pixels);
-      const auto [low, high] = rangeOf(face);
+      const auto [low, high] = rangeOf(f);
       need.low = std::min(need.low, low), need.high = std::max(need.high, high);
     }
     for (HueNeed& need : needs) toBytes(need);

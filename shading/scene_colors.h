@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "geometry/project.h"
+#include "geometry/view.h"
 #include "shading/color_plan.h"
 #include "shading/color_table.h"
 #include "shading/picture_settings.h"
@@ -27,9 +28,10 @@ inline constexpr int kLeastShades = 24;
 class SceneColors {
  public:
   /// Where a plan has several hues, their shades go where the need is: by the samples that a hue covers and
-  /// the intensities that its surfaces have, or, where they are found pixel by pixel, can have in this light.
+  /// the intensities that its surfaces have, at faces or vertices or, where they are found pixel by pixel, at
+  /// all pixels of all faces, hidden or not: no order of painting changes the plan.
   void make(const Scene& scene, const PictureSettings& settings, ColorPlan plan, const SceneShading& shading,
-            const SnappedScene& snapped);
+            const SnappedScene& snapped, const ViewSpec& view);
 
   [[nodiscard]] ColorPlan plan() const { return plan_; }
   [[nodiscard]] const std::vector<ColorTable>& tables() const { return tables_; }

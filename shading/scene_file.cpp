@@ -1,13 +1,13 @@
 #include "shading/scene_file.h"
 
 #include <algorithm>
-#include <nlohmann/json.hpp>
-#include <set>
 #include <vector>
 
+#include "geometry/bezier.h"
 #include "geometry/parse_error.h"
 #include "geometry/text_file.h"
 #include "shading/json_node.h"
+#include "shading/json_text.h"
 #include "shading/read_camera.h"
 #include "shading/read_light.h"
 #include "shading/read_objects.h"
@@ -15,45 +15,46 @@
 
 namespace {
 
-/// Of two values of one key a parser keeps the last; here nobody should have to guess which counts.
-class KeysOnce {
- public:
-  explicit KeysOnce(const std::string& file) : file_{file} {}
-  bool operator()(int, Node::Json::parse_event_t event, const Node::Json& parsed) {
-    using Event = Node::Json::parse_event_t;
-    if (event == Event::object_start) open_.emplace_back();
-    if (event == Event::object_end) open_.pop_back();
-    if (event == Event::key && !open_.back().insert(parsed.get<std::string>()).second)
-      throw ParseError{file_, 0,
-                       "the key " + inQuotes(parsed.get<std::string>()) + " stands twice in an object"};
-    return true;
-  }
-
- private:
-  const std::string& file_;
-  std::vector<std::set<std::string>> open_;  ///< the keys so far of the objects that are being read
-};
-
-/// JSON or a ParseError with its line.
-Node::Json parsed(std::string_view text, const std::string& name) {
+/// The scene that the file says how to set up.
+Scene otherScene(const Node& root, const std::filesystem::path& folder, int divisions) {
+  root.expectKeys({"shows", "scene", "divisions", "without", "texture", "camera", "shading"});
+  const Node other = root.at("scene");
+  if (root.has("divisions")) divisions = root.at("divisions").whole(1, kMaxDivisions);
+  const std::string of = isBuiltIn(other.text()) ? other.text() : (folder / other.text()).string();
+  if (!isBuiltIn(of) && of.ends_with(".json") && std::filesystem::is_regular_file(of) &&
+      JsonText{readTextFile(of), of}.root().has("scene"))
+    other.fail(inQuotes(other.text()) + " is a set-up of another scene itself: name that");
+  Scene scene;
   try {
-    return Node::Json::parse(text, KeysOnce{name});
-  } catch (const Node::Json::parse_error& e) {
-    const auto end = text.begin() + static_cast<std::ptrdiff_t>(std::min(e.byte, text.size()));
-    throw ParseError{name, 1 + static_cast<int>(std::count(text.begin(), end, '\n')), "not JSON here"};
-  } catch (const Node::Json::out_of_range&) {
-    throw ParseError{name, 0, "a number is too large"};
+    scene = readScene(of, divisions);
+  } catch (const std::system_error& e) {
+    throw std::system_error{e.code(), other.place() + ": " + inQuotes(other.text())};
   }
+  if (root.has("without"))
+    for (int i = 0; i < root.at("without").size(); ++i) {
+      const Node what = root.at("without").item(i);
+      if (std::ranges::find(kStrippable, what.text()) == kStrippable.end())
+        what.fail(inQuotes(what.text()) + " is not one of ambient, lights, ka, kd, ks, n");
+      strip(scene, what.text());
+    }
+  if (root.has("texture")) {
+    const Node texture = root.at("texture");
+    scene.origin.texture = (folder / texture.text()).string();
+    try {
+      wear(scene, readTexture(scene.origin.texture));
+    } catch (const ViewError& e) {
+      texture.fail(e.what());
+    } catch (const std::system_error& e) {
+      throw std::system_error{e.code(), texture.place() + ": " + inQuotes(texture.text())};
+    }
+  }
+  return scene;
 }
 
-}  // namespace
-
-Scene parseSceneFile(std::string_view text, const std::string& name, const std::filesystem::path& folder,
-                     int divisions) {
-  const Node::Json json = parsed(text, name);
-  const Node root{json, name, ""};
+/// From the file's own objects.
+Scene ownScene(const Node& root, std::string_view text, const std::string& name,
+               const std::filesystem::path& folder, int divisions) {
   root.expectKeys({"shows", "up", "camera", "ambient", "lights", "shading", "materials", "objects"});
-  if (root.has("shows")) (void)root.at("shows").text();
   UpAxis up = UpAxis::Y;
   if (root.has("up")) {
     const std::string axis = root.at("up").text();
@@ -68,9 +69,28 @@ Scene parseSceneFile(std::string_view text, const std::string& name, const std::
   Scene scene = makeScene(name, std::move(objects.mesh), up, alike ? divided : 0);
   scene.patches = std::move(objects.patches);
   scene.textures = std::move(objects.textures);
-  if (root.has("camera")) scene.camera = readCamera(root.at("camera"));
-  if (root.has("shading")) readShading(scene.settings, root.at("shading"));
-  readLight(scene, root);
+  return scene;
+}
+
+}  // namespace
+
+Scene parseSceneFile(std::string_view text, const std::string& name, const std::filesystem::path& folder,
+                     int divisions) {
+  const JsonText json{text, name};
+  const Node root = json.root();
+  if (root.has("shows")) (void)root.at("shows").text();
+  const bool other = root.has("scene");
+  Scene scene = other ? otherScene(root, folder, divisions) : ownScene(root, text, name, folder, divisions);
+  if (root.has("camera")) {
+    scene.camera = readCamera(root.at("camera"));
+    (void)seeing(scene.camera, scene, root.at("camera"));
+  }
+  if (root.has("shading")) {
+    readShading(scene.settings, root.at("shading"));
+    expectCounts(scene.settings, root.at("shading"));
+    if (!other) expectDivides(scene.settings, root.at("shading"));
+  }
+  if (!other) readLight(scene, root);
   return scene;
 }
 
@@ -79,5 +99,6 @@ Scene readSceneFile(const std::filesystem::path& file, int divisions) {
 }
 
 std::string sentenceOf(const std::filesystem::path& file) {
-  return parsed(readTextFile(file), file.string()).value("shows", std::string{});
+  const JsonText json{readTextFile(file), file.string()};
+  return json.root().has("shows") ? json.root().at("shows").text() : "";
 }

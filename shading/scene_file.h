@@ -10,7 +10,7 @@
 ///
 ///   "shows"     a sentence on what the scene is for
 ///   "up"        "y" (also if left out) or "z"
-///   "camera"    any of "eye", "look_at", "up" [x, y, z], "fov" degrees, "parallel" height,
+///   "camera"    any of "eye", "look_at", "up" [x, y, z], "fov" degrees, "parallel" height or true,
 ///               "oblique" {"kind": "cavalier" or "cabinet", "angle": degrees}, and the textbook's
 ///               "vrp", "vpn", "vup", "prp" [x, y, z], "window" [umin, umax, vmin, vmax], "front", "back"
 ///   "objects"   a list; each has one of
@@ -41,8 +41,15 @@
 ///                 "method", "normals", "polygons", "form", "environment", "mapping", "order", "colors", by
 ///                 the names of their tables; "crease" degrees; "dither" true or false;
 ///                 "table" {"kind", "shades", "i0", "pick", "hue", "bits"};
-///                 "ka", "kd", "ks", "n" of surfaces that do not say; "Ia", "Ip" and "light" (the way to it)
-///                 where there is no "ambient" or there are no "lights"
+///                 "adapt"; "cull" "back" or "none"; "fill" "scanline" or "x11", in a window;
+///                 "ka", "kd", "ks", "n" of surfaces that do not say; "sided" "one" or "two"; "constant_l",
+///                 "constant_v" true or false; "Ia", "Ip" and "light" (the way to it) or "light_at" with
+///                 "attenuation", "range", "c"; "Ia" where there is no "ambient", a light where there are
+///                 no "lights"
+///   "scene"     in place of "objects", "up", "materials", "ambient" and "lights": a built-in name, or a
+///               scene's file beside this one unless absolute, that has them; with "divisions" of patches,
+///               "without", a list of what it shall not say itself (kStrippable), and "texture", a PNG for
+///               all its surfaces. So a set-up is saved (save_scene.h)
 ///
 /// A colour is "color": [r, g, b] from 0 to 1 or "color255": the same of 255; "specular" likewise.
 /// How many decimals the corners of an object carry tells how they are rounded (RoundingOfNumbers), and so

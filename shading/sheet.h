@@ -1,10 +1,16 @@
 #pragma once
 
+#include <string>
 #include <string_view>
 #include <vector>
 
 #include "shading/painter.h"
 #include "shading/palette.h"
+
+/// What a view has found, and why: a sentence each, or more.
+struct Finding {
+  std::string bold, why;
+};
 
 /// A sheet of paper for a view of numbers: pictures, titles, paragraphs, tables and findings on the grid of
 /// the window's drawing. Units are pixels; parts are placed by their upper left corner and answer with the y

@@ -7,7 +7,6 @@
 #include <limits>
 
 #include "shading/at_source.h"
-#include "shading/environment_map.h"
 #include "shading/fill.h"
 #include "shading/fragment_spans.h"
 #include "shading/gouraud.h"
@@ -30,12 +29,15 @@ SurfacePainter::SurfacePainter(const Surfaces& surfaces)
   const std::vector<Environment>& environments = s_.shading.environments(s_.channel);
   for (std::size_t m = 0; m < environments.size(); ++m) {
     const Ramp& ramp = s_.ramps[m];
+    const auto mark =
+        static_cast<std::uint8_t>(ramp.first > 0 ? ramp.first - 1 : ramp.shades);  // not its own
     const auto cells = [&](const std::vector<float>& intensities) {
       std::vector<std::uint8_t> result(intensities.size());
-      std::ranges::transform(intensities, result.begin(), [&](float I) { return ramp.cell(I); });
+      std::ranges::transform(intensities, result.begin(),
+                             [&](float I) { return I > 1.0F ? mark : ramp.cell(I); });
       return result;
     };
-    maps_.push_back({cells(environments[m].front), cells(environments[m].away)});
+    maps_.push_back({cells(environments[m].front), cells(environments[m].away), mark, ramp.cell(1.0)});
   }
 }
 
@@ -131,20 +133,27 @@ void SurfacePainter::gouraud(const SnappedFace& face, const Ramp& ramp, Fill&& f
 template <class Fill>
 void SurfacePainter::environment(const SnappedFace& face, Fill&& fill) {
   constexpr std::uint32_t kZero = static_cast<std::uint32_t>(kMapCentre) << 24;
-  const MapCells& map = maps_[mesh_.material[face.number] + 1];
+  const Maps& maps = maps_[mesh_.material[face.number] + 1];
   forEachTriangle(snapped_, face, [&](const FaceTriangle& t) {
     const MapSteps &a = mapSteps_[t.vertex[0]], &b = mapSteps_[t.vertex[1]], &c = mapSteps_[t.vertex[2]];
     const AffineOver over{t.p.data()};
-    const auto plane = [&](std::uint32_t MapSteps::*of) {
-      const std::array steps{a.*of, b.*of, c.*of};
-      return over(steps.data());
-    };
-    const AffineValue column = plane(&MapSteps::column), row = plane(&MapSteps::row);
-    const EnvironmentMap front{column, row, map.front.data()}, away{column, row, map.away.data()};
+    const auto atVertices = [&](std::uint32_t MapSteps::*of) { return std::array{a.*of, b.*of, c.*of}; };
+    const std::array columns = atVertices(&MapSteps::column), rows = atVertices(&MapSteps::row);
+    const AffineValue column = over(columns.data()), row = over(rows.data());
     const int facing = (a.facing >= kZero) + (b.facing >= kZero) + (c.facing >= kZero);
-    if (map.away.empty() || facing == 3) return fill(t.p.data(), 3, front);
-    if (facing == 0) return fill(t.p.data(), 3, away);
-    fill(t.p.data(), 3, EitherSide<EnvironmentMap, EnvironmentMap>{front, away, plane(&MapSteps::facing)});
+    const bool inFront = maps.away.empty() || facing > 0, inAway = !maps.away.empty() && facing < 3;
+    const bool clamps =
+        (inFront && maps.frontBox.meets(columns, rows)) || (inAway && maps.awayBox.meets(columns, rows));
+    const auto filled = [&](const auto& shown) {
+      if (clamps)
+        fill(t.p.data(), 3, Counted{shown, maps.mark, maps.full, &clamped_});
+      else
+        fill(t.p.data(), 3, shown);
+    };
+    const EnvironmentMap front{column, row, maps.front.data()}, away{column, row, maps.away.data()};
+    if (!inAway) return filled(front);
+    if (!inFront) return filled(away);
+    filled(EitherSide{front, away, over(atVertices(&MapSteps::facing).data())});
   });
 }
 
@@ -232,6 +241,19 @@ void SurfacePainter::paint(IndexImage& image, const Fragment& fragment) {
     forEachSpan(snapped_, s_.sorted, fragment, outline, count, image.width, image.height,
                 [&](int row, int from, int to) { shader.span(image.row(row) + from, from, row, to - from); });
   });
+}
+
+SurfacePainter::CellEnds SurfacePainter::cellEnds(int face) {
+  CellEnds ends;
+  std::vector<std::uint8_t> cells(static_cast<std::size_t>(s_.width));
+  shade(face, [&](const glm::ivec3* outline, int count, const auto& shader) {
+    forEachSpan(outline, count, s_.width, s_.height, [&](int row, int from, int to) {
+      shader.span(cells.data(), from, row, to - from);
+      const auto [least, greatest] = std::ranges::minmax_element(cells.begin(), cells.begin() + (to - from));
+      ends = {std::min<int>(ends.least, *least), std::max<int>(ends.greatest, *greatest)};
+    });
+  });
+  return ends;
 }
 
 void SurfacePainter::paintVisible(IndexImage& image) {

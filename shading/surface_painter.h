@@ -6,6 +6,7 @@
 #include "depthsort/depth_sort.h"
 #include "geometry/project.h"
 #include "geometry/view.h"
+#include "shading/environment_map.h"
 #include "shading/evaluated.h"
 #include "shading/index_image.h"
 #include "shading/picture_settings.h"
@@ -41,6 +42,12 @@ class SurfacePainter {
   /// Whether a face's samples are evaluated one by one, and by what.
   [[nodiscard]] bool evaluates(const SnappedFace& face) const;
   [[nodiscard]] EvaluatedTriangle evaluated(const SnappedFace& face, const FaceTriangle& triangle);
+  /// The least and the greatest cell at the samples of a face, whatever hides them; greatest < least where it
+  /// has none.
+  struct CellEnds {
+    int least = 256, greatest = -1;
+  };
+  [[nodiscard]] CellEnds cellEnds(int face);
   /// Evaluations at pixels that were above 1.
   [[nodiscard]] std::int64_t clamped() const { return clamped_; }
   /// 1 / w at the vertices, w their depth along the viewing direction over the least of the three.
@@ -59,9 +66,12 @@ class SurfacePainter {
   void paintVisible(IndexImage& image);
   [[nodiscard]] bool textured(const SnappedFace& face) const;
 
-  /// The cells of an environment's two sides.
-  struct MapCells {
+  /// The cells that an environment's two sides show; where it was clamped `mark` in place of `full`, within
+  /// the boxes.
+  struct Maps {
     std::vector<std::uint8_t> front, away;
+    std::uint8_t mark, full;
+    MapBox frontBox{front, mark}, awayBox{away, mark};
   };
 
   Surfaces s_;
@@ -75,6 +85,6 @@ class SurfacePainter {
     std::uint32_t column, row, facing;
   };
   std::vector<MapSteps> mapSteps_;
-  std::vector<MapCells> maps_;  ///< by material, of none first
+  std::vector<Maps> maps_;  ///< by material, of none first
   std::int64_t clamped_ = 0;
 };

@@ -58,11 +58,11 @@ std::array<glm::dvec3, 3> normalsOf(const Surfaces& s, const SnappedFace& face, 
   return N;
 }
 
-/// The intensities of an environment's places, without the cells that a picture keeps of them.
+/// The intensities of an environment's places, clamped, without the cells that a picture keeps of them.
 double lookedUp(const Environment& environment, const glm::dvec3& N) {
   const auto place = [](double v) { return static_cast<std::size_t>(kMapCentre + kMapScale * v); };
   const bool away = environment.sides && N.z < 0.0;
-  return (away ? environment.away : environment.front)[256 * place(N.y) + place(N.x)];
+  return std::min(1.0F, (away ? environment.away : environment.front)[256 * place(N.y) + place(N.x)]);
 }
 
 }  // namespace

@@ -8,6 +8,7 @@
 #include <tuple>
 
 #include "shading/color_difference.h"
+#include "shading/illumination.h"
 #include "shading/palette_effects.h"
 
 namespace {
@@ -16,8 +17,7 @@ constexpr double kNothing = std::numeric_limits<double>::quiet_NaN();
 
 double of255(int v) { return v / 257.0; }
 double largest(const Rgb16& c) { return of255(std::max({c.r, c.g, c.b})); }
-/// As gray screens show it.
-double grayOf(const Rgb16& c) { return of255(c.r) * 0.30 + of255(c.g) * 0.59 + of255(c.b) * 0.11; }
+double brightness(const Rgb16& c) { return luminance({of255(c.r), of255(c.g), of255(c.b)}); }
 
 template <class Value>
 Curve curveOf(std::string name, const Palette& palette, const CellRange& cells, Value&& value) {
@@ -56,7 +56,7 @@ std::vector<Curve> storedCurves(const Picture& picture, const Palette& palette) 
   if (holdsColors(picture)) {
     Curve bright = curveOf("largest", palette, sceneCells(picture), largest);
     bright.chosen = false;
-    return {curveOf("luminance", palette, sceneCells(picture), grayOf), bright};
+    return {curveOf("luminance", palette, sceneCells(picture), brightness), bright};
   }
   std::vector<Curve> curves;
   const std::vector<CellRange> ramps = rampsOf(picture);

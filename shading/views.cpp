@@ -6,6 +6,8 @@
 #include "shading/difference.h"
 #include "shading/mach_bands.h"
 #include "shading/normals_view.h"
+#include "shading/overdraw.h"
+#include "shading/wireframe.h"
 
 ColoredImage drawView(Picture& picture, const ViewSettings& settings) {
   assert(settings.picture.width >= rowOf(settings.view).leastWidth &&
@@ -19,6 +21,10 @@ ColoredImage drawView(Picture& picture, const ViewSettings& settings) {
       return drawNormals(picture, settings);
     case View::Difference:
       return drawDifference(picture, settings);
+    case View::Overdraw:
+      return drawOverdraw(picture, settings);
+    case View::Wireframe:
+      return drawWireframe(picture, settings);
     case View::Picture:
       break;
   }

@@ -11,7 +11,7 @@
 
 /// What may be drawn of a scene: the picture, or the numbers that it was made from.
 
-enum class View { Picture, Colors, MachBands, Normals, Difference };
+enum class View { Picture, Colors, MachBands, Normals, Difference, Overdraw, Wireframe };
 struct ViewRow {
   View id;
   std::string_view name, shows;
@@ -27,6 +27,9 @@ inline constexpr std::array kViews{
             400, 320},
     ViewRow{View::Difference, "difference", "the picture against Phong's method at every pixel, unquantised",
             640, 560},
+    ViewRow{View::Overdraw, "overdraw", "how often each sample was painted, and what that costs", 640, 480},
+    ViewRow{View::Wireframe, "wireframe", "the edges of all polygons, dashed where the depth sort cut one",
+            640, 480},
 };
 [[nodiscard]] constexpr const ViewRow& rowOf(View view) { return kViews[static_cast<std::size_t>(view)]; }
 
@@ -39,7 +42,7 @@ struct ColoredImage {
 struct ViewSettings {
   View view = View::Picture;
   std::optional<int> scanline = {};  ///< of MachBands: a row of its picture; else defaultScanline()
-  std::optional<int> cell = {};      ///< of Colors: the inspected one; else that of the middle sample
+  std::optional<int> cell = {};      ///< of Colors: the inspected one; else the lit one, else medianCell()
   PaletteEffects effects = {};       ///< of Colors
   PictureSettings picture;           ///< width and height are the whole view's, at least its row's
   CellPlan cells{};

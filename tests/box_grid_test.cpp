@@ -10,11 +10,11 @@ namespace {
 constexpr int kLimit = 1 << 29;
 
 /// Boxes of one kind: any, small ones, strips along x or y, all sizes, points, at the limits.
-std::vector<Box> randomBoxes(unsigned seed, int count) {
+std::vector<ScreenBox> randomBoxes(unsigned seed, int count) {
   std::mt19937 rng{seed};
   const auto uniform = [&](int low, int high) { return std::uniform_int_distribution{low, high}(rng); };
   const int kind = static_cast<int>(seed % 7), area = 1 << uniform(4, 29);
-  std::vector<Box> boxes;
+  std::vector<ScreenBox> boxes;
   while (static_cast<int>(boxes.size()) < count) {
     const auto length = [&](bool along) {
       switch (kind) {
@@ -44,7 +44,7 @@ std::vector<Box> randomBoxes(unsigned seed, int count) {
   return boxes;
 }
 
-Box within(const Box& b, std::mt19937& rng) {
+ScreenBox within(const ScreenBox& b, std::mt19937& rng) {
   const auto uniform = [&](int low, int high) { return std::uniform_int_distribution{low, high}(rng); };
   const int x0 = uniform(b.x0, b.x1), y0 = uniform(b.y0, b.y1);
   return {x0, y0, uniform(x0, b.x1), uniform(y0, b.y1)};
@@ -60,21 +60,21 @@ TEST(BoxGrid, WalkFindsAllThatOverlap) {
   for (unsigned seed = 0; seed < 700; ++seed) {
     SCOPED_TRACE(seed);
     std::mt19937 rng{seed};
-    const std::vector<Box> boxes = randomBoxes(seed, 1 + static_cast<int>(seed) % 150);
+    const std::vector<ScreenBox> boxes = randomBoxes(seed, 1 + static_cast<int>(seed) % 150);
     for (const bool fine : {true, false}) {
       const BoxGrid grid{boxes, fine};
       mostCells = std::max(mostCells, static_cast<std::size_t>(grid.cells()));
       if (!fine) {
         ASSERT_EQ(grid.cells(), 1);
       }
-      for (const Box& b : boxes) {
+      for (const ScreenBox& b : boxes) {
         ASSERT_GE(grid.cellOf(b), 0);
         ASSERT_LT(grid.cellOf(b), grid.cells());
       }
-      for (const Box& whole : boxes)
+      for (const ScreenBox& whole : boxes)
         for (const bool shrinks : {false, true}) {
           std::vector<int> visits(grid.cells());
-          Box box = whole;
+          ScreenBox box = whole;
           BoxGrid::Place place;
           while (grid.settle(box, place)) {
             ASSERT_LT(grid.cell(place), grid.cells());
@@ -83,7 +83,7 @@ TEST(BoxGrid, WalkFindsAllThatOverlap) {
             ++place.column;
           }
           ASSERT_LE(*std::ranges::max_element(visits), 1);
-          for (const Box& other : boxes) {
+          for (const ScreenBox& other : boxes) {
             const int found = visits[grid.cellOf(other)];
             if (box.overlaps(other)) {
               ASSERT_EQ(found, 1);

@@ -60,7 +60,7 @@ TEST(Bpt, ReturnsTheDoublesThatWereWritten) {
   const std::vector<BezierPatch> read = parseBpt(toText(written), "teapot.bpt");
   ASSERT_EQ(read.size(), written.size());
   for (std::size_t i = 0; i < read.size(); ++i) EXPECT_EQ(read[i].p, written[i].p) << i;
-  const Folder folder;
+  const TemporaryFolder folder;
   EXPECT_EQ(readBpt(folder.write("teapot.bpt", toText(written))).back().p, written.back().p);
 }
 

@@ -151,12 +151,25 @@ TEST(BuiltInScenes, MachBandsAreSteps) {
 // Intensities above 1 are cut off, by every method that is lit, and leave an area of full intensity; without
 // the highlight nothing is.
 TEST(BuiltInScenes, SaturatedIsClamped) {
-  for (const Shading method : {Shading::Flat, Shading::Gouraud, Shading::Phong}) {
+  for (const Shading method : {Shading::Flat, Shading::Gouraud, Shading::Phong, Shading::Environment}) {
     const Drawn drawn{"saturated", by(method)};
     EXPECT_GT(drawn.picture.saturated(), 0);
     EXPECT_GT(std::ranges::count(drawn.image.pixels, drawn.picture.table().cell(1.0)), drawn.samples() / 50);
     const Drawn dull{"saturated", [&](PictureSettings& s) { s.shading = method, s.light.ks = 0; }};
     EXPECT_EQ(dull.picture.saturated(), 0);
+  }
+}
+
+// Where each sample is painted once, those that are evaluated or looked up are counted by pixels: as many as
+// have intensity 1, but for the few where the fixed point of a fill steps to a neighbour.
+TEST(BuiltInScenes, SaturatedCountsPixels) {
+  for (const Shading method : {Shading::Phong, Shading::Environment}) {
+    Drawn drawn{"saturated", [&](PictureSettings& s) { s.shading = method, s.order = Order::Oracle; }};
+    const auto I = drawn.picture.intensities(drawn.picture.seen(0, kHeight));
+    int full = 0;
+    for (std::size_t k = 0; k < I.size(); ++k) full += drawn.faces[k] != 0 && I[k] >= 1.0;
+    EXPECT_GT(full, drawn.samples() / 50);
+    EXPECT_NEAR(static_cast<double>(drawn.picture.saturated()), full, full / 50.0);
   }
 }
 
@@ -277,12 +290,16 @@ TEST(BuiltInScenes, HuesHaveRampsOfTheirOwn) {
     EXPECT_GT(std::ranges::count(cells, true), material < 0 ? 0 : 10) << material;
 }
 
-// No shade is given to intensities that no surface has: the floor, which has one, gets two shades, and where
-// intensities are stored every ramp begins and ends within 1/255 of some.
+// No shade is given to intensities that no surface has: the floor, which has one, gets two shades, or three
+// where it is found pixel by pixel, and every ramp begins and ends within 1/255 of some, or 3/255.
 TEST(BuiltInScenes, HuesSpanTheIntensitiesThatAreThere) {
-  for (const Shading method : {Shading::Flat, Shading::Gouraud, Shading::Phong}) {
+  for (const Shading method : {Shading::Flat, Shading::Gouraud, Shading::Phong, Shading::Environment}) {
     SCOPED_TRACE(rowOf(method).name);
-    const Drawn drawn{"hues", by(method)};
+    const bool atPixels = method == Shading::Phong || method == Shading::Environment;
+    const Drawn drawn{"hues", [&](PictureSettings& s) {
+                        s.shading = method;
+                        if (atPixels) s.cull = Cull::Back;  // nearly all samples are seen
+                      }};
     const Scene& scene = drawn.picture.scene();
     const SceneColors& colors = drawn.picture.colors();
     const SeenRows rows = drawn.picture.seen(0, drawn.image.height);
@@ -297,11 +314,13 @@ TEST(BuiltInScenes, HuesSpanTheIntensitiesThatAreThere) {
       ++inside;
     }
     EXPECT_GT(inside, 10'000);
-    if (method == Shading::Phong) continue;  // what the light can do: more than it does
-    EXPECT_EQ(colors.tableOf(-1).shades(), 2);
+    EXPECT_LE(colors.tableOf(-1).shades(), atPixels ? 3 : 2);
     const auto& stored = drawn.picture.shading().shades(0).I;
     for (const ColorTable& table : colors.tables()) {
       const auto has = [&](double end) {
+        if (atPixels)
+          return std::ranges::any_of(
+              I, [&](double at) { return std::abs(std::min(at, 1.0) - end) <= 3 / 255.0; });
         return std::ranges::any_of(stored, [&](const Sides<double>& sides) {
           return std::abs(sides.front - end) <= 1 / 255.0 || std::abs(sides.back - end) <= 1 / 255.0;
         });

@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <array>
-#include <memory>
 #include <random>
 #include <string>
 #include <tuple>
@@ -32,9 +31,7 @@ RgbImage colored(const IndexImage& image, const Palette& palette, const Rect& re
 }
 
 bool windowShows(const IndexImage& image, ::Display* d, const Canvas& canvas, const ServerColormap& map) {
-  const std::unique_ptr<::XImage, int (*)(::XImage*)> got{
-      XGetImage(d, canvas.window(), 0, 0, image.width, image.height, AllPlanes, ZPixmap),
-      [](::XImage* shown) { return XDestroyImage(shown); }};
+  const OwnedImage got{XGetImage(d, canvas.window(), 0, 0, image.width, image.height, AllPlanes, ZPixmap)};
   for (int y = 0; y < image.height; ++y)
     for (int x = 0; x < image.width; ++x)
       if (XGetPixel(got.get(), x, y) != map.pixel(image.row(y)[x])) return false;

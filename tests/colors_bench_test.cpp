@@ -4,7 +4,7 @@
 
 #include <algorithm>
 
-#include "x11/workbench.h"
+#include "tests/ready_workbench.h"
 
 // The colour table in the window: what keys and pointer do to the colours, and that it is undone.
 
@@ -12,32 +12,13 @@ namespace {
 
 using Stale = Workbench::Stale;
 
-constexpr int kWidth = 1024, kHeight = 768;
-
-Workbench bench(const ::Setup& setup = {}, int width = kWidth, int height = kHeight,
-                const char* scene = "teapot") {
-  Workbench b{readScene(scene, 3), setup, {}};
-  b.resize(width, height);
-  b.update();
-  return b;
-}
-
-void press(Workbench& b, std::string_view letters) {
-  for (const char c : letters) b.press({NamedKey::Letter, c});
-}
-
-/// Colours first, then words about them.
-void finish(Workbench& b) {
-  for (int k = 0; k < 3 && b.stale() != Stale::Nothing; ++k) b.update();
-  ASSERT_EQ(b.stale(), Stale::Nothing);
-}
-
-Workbench inColors(const ::Setup& setup = {}, const char* scene = "teapot") {
-  Workbench b = bench(setup, kWidth, kHeight, scene);
-  press(b, "3");
-  b.update();
-  return b;
-}
+struct InColors : ReadyWorkbench {
+  explicit InColors(const ::Setup& setup = {}, const std::string& scene = "teapot")
+      : ReadyWorkbench{setup, 1024, 768, scene} {
+    type("3");
+    update();
+  }
+};
 
 ::Setup corrected() {
   ::Setup setup;
@@ -60,41 +41,41 @@ IndexImage withoutStatus(const Workbench& b) {
 void dragCurve(Workbench& b, int dy) {
   const Rect plot = layoutIn(b).stored;
   ASSERT_TRUE(b.grab(plot.x + plot.width / 2, plot.y + plot.height / 2));
-  b.drag(0, dy);
+  b.dragTo(plot.x + plot.width / 2, plot.y + plot.height / 2 + dy);
 }
 
 /// Each changes the colours of the view, and no setting of the picture.
-const std::array<std::function<void(Workbench&)>, 5> kEffects{
-    [](Workbench& b) { press(b, "h"); }, [](Workbench& b) { press(b, "m"), b.tick(); },
-    [](Workbench& b) { press(b, "g"); }, [](Workbench& b) { dragCurve(b, -30); },
-    [](Workbench& b) { press(b, "hgm"), b.tick(), dragCurve(b, 20); }};
+const std::array<std::function<void(ReadyWorkbench&)>, 5> kEffects{
+    [](ReadyWorkbench& b) { b.type("h"); }, [](ReadyWorkbench& b) { b.type("m"), b.tick(); },
+    [](ReadyWorkbench& b) { b.type("g"); }, [](ReadyWorkbench& b) { dragCurve(b, -30); },
+    [](ReadyWorkbench& b) { b.type("hgm"), b.tick(), dragCurve(b, 20); }};
 
 }  // namespace
 
 // Whatever was stored, leaving the view brings the picture's colours back bit for bit, and the window as it
-// was; Esc does the same for the view.
+// was; Esc does the same for the view, and so does r.
 TEST(ColorsBench, LeavingRestoresThePalette) {
   for (const ::Setup& setup : {::Setup{}, corrected()}) {
-    Workbench b = bench(setup);
+    ReadyWorkbench b{setup};
     const Palette palette = b.palette();
     const IndexImage image = withoutStatus(b);
     for (std::size_t k = 0; k < kEffects.size(); ++k) {
       SCOPED_TRACE(k);
-      press(b, "3");
-      finish(b);
+      b.type("3");
+      b.finish();
       const IndexImage before = withoutStatus(b);
       EXPECT_NE(before, image);
       EXPECT_EQ(b.palette(), palette);
-      for (const bool byEscape : {true, false}) {
+      for (const char leaving : {'e', 'r', '1'}) {
         kEffects[k](b);
-        finish(b);
+        b.finish();
         EXPECT_NE(b.palette(), palette);
         b.settle();
-        if (byEscape)
+        if (leaving == 'e')
           b.press({NamedKey::Escape});
         else
-          press(b, "1");
-        finish(b);
+          b.type({&leaving, 1});
+        b.finish();
         EXPECT_EQ(b.palette(), palette);
         EXPECT_FALSE(b.moving());
       }
@@ -106,10 +87,10 @@ TEST(ColorsBench, LeavingRestoresThePalette) {
 // What passes by itself, a shade lit and the ramp moving, is colours alone: not one index of the window
 // changes. What stays changes colours first; then words follow, but the picture's indices do not change.
 TEST(ColorsBench, EffectsAreColorsAlone) {
-  Workbench b = inColors(corrected());
-  press(b, "m");
+  InColors b{corrected()};
+  b.type("m");
   EXPECT_EQ(b.stale(), Stale::Everything);  // the line that says so
-  finish(b);
+  b.finish();
   const Rect picture = layoutIn(b).picture;
   const IndexImage image = b.image(), shown = part(image, picture);
   EXPECT_GT(std::ranges::count_if(shown.pixels, [](int cell) { return cell > 10; }), 10'000);
@@ -123,14 +104,14 @@ TEST(ColorsBench, EffectsAreColorsAlone) {
     EXPECT_NE(b.palette(), palette);
   };
   for (int k = 0; k < 5; ++k) changesColors([&] { b.tick(); });
-  changesColors([&] { press(b, "h"); });
+  changesColors([&] { b.type("h"); });
   changesColors([&] { b.release('h'); });
   EXPECT_EQ(b.stale(), Stale::Nothing);
   EXPECT_EQ(b.image(), image);
 
   for (const char key : {'g', 'H', 'B'}) {
     SCOPED_TRACE(key);
-    changesColors([&] { press(b, {&key, 1}); });
+    changesColors([&] { b.type({&key, 1}); });
     EXPECT_EQ(b.stale(), Stale::Everything);
     b.update();
     EXPECT_EQ(b.stale(), Stale::Nothing);
@@ -143,26 +124,26 @@ TEST(ColorsBench, EffectsAreColorsAlone) {
 TEST(ColorsBench, AFullTurnIsNone) {
   ::Setup setup;
   setup.picture.table.shades = 50;
-  Workbench b = inColors(setup);
+  InColors b{setup};
   const Palette start = b.palette();
-  press(b, "m");
-  finish(b);
+  b.type("m");
+  b.finish();
   EXPECT_TRUE(b.moving());
   for (int k = 1; k <= 50; ++k) {
     b.tick();
     b.update();
     EXPECT_EQ(b.palette() == start, k == 50) << k;
   }
-  press(b, "m");
+  b.type("m");
   EXPECT_FALSE(b.moving());
 }
 
 // Several hues move each within its own ramp: the cells of a ramp keep their colours as a set.
 TEST(ColorsBench, EachRampMovesWithinItself) {
-  Workbench b = inColors({}, "hues");
+  InColors b{{}, "hues"};
   const Palette start = b.palette();
-  press(b, "m");
-  finish(b);
+  b.type("m");
+  b.finish();
   for (int k = 0; k < 7; ++k) b.tick();
   b.update();
   EXPECT_NE(b.palette(), start);
@@ -177,28 +158,28 @@ TEST(ColorsBench, EachRampMovesWithinItself) {
 // Indices held, another table is colours alone: the picture keeps its cells, and they hold the other table's
 // colours. Let go, it is the window of a fresh start with that table.
 TEST(ColorsBench, HeldIndicesStayWhenTheTableChanges) {
-  Workbench b = inColors();
+  InColors b;
   const Rect picture = layoutIn(b).picture;
   const IndexImage shown = part(b.image(), picture);
-  press(b, "i");
-  finish(b);
-  press(b, "T");
+  b.type("i");
+  b.finish();
+  b.type("T");
   EXPECT_EQ(b.setup().picture.table.kind, TableKind::Corrected);
   EXPECT_EQ(b.stale(), Stale::Colors);
-  finish(b);
+  b.finish();
   EXPECT_EQ(part(b.image(), picture), shown);
   const ColorTable other{b.setup().picture.table};
   for (int j = 0; j < kMaxShades; ++j) ASSERT_EQ(b.palette()[other.first() + j], other.color(j));
 
-  press(b, "i");
+  b.type("i");
   EXPECT_EQ(b.stale(), Stale::Everything);
-  finish(b);
+  b.finish();
   EXPECT_NE(part(b.image(), picture), shown);
-  Workbench fresh = inColors(corrected());
+  InColors fresh{corrected()};
   EXPECT_EQ(b.palette(), fresh.palette());
   EXPECT_EQ(part(b.image(), picture), part(fresh.image(), picture));
-  press(b, "iT1");  // held again, changed again, and left: the table stays, as a setting does
-  finish(b);
+  b.type("iT1");  // held again, changed again, and left: the table stays, as a setting does
+  b.finish();
   EXPECT_EQ(b.setup().picture.table.kind, TableKind::Brief);
   EXPECT_EQ(b.palette()[10], ColorTable{b.setup().picture.table}.color(0));
 }
@@ -206,13 +187,13 @@ TEST(ColorsBench, HeldIndicesStayWhenTheTableChanges) {
 // The pointer inspects the cell that it is over, in the grid, in the strip and in the column of a plot; the
 // arrows go on from there and stop at the ends. The strip and the words show it: the image changes.
 TEST(ColorsBench, PointerAndArrowsInspectCells) {
-  Workbench b = inColors();
+  InColors b;
   const ColorsLayout at = layoutIn(b);
   const auto inspected = [&](int cell) {
-    finish(b);
-    Workbench other = inColors();
+    b.finish();
+    InColors other;
     other.hover(at.grid.x + cell % 16 * at.pitch + 2, at.grid.y + cell / 16 * at.pitch + 2);
-    finish(other);
+    other.finish();
     return withoutStatus(b) == withoutStatus(other);
   };
   b.hover(4 * 77 + 1, b.layout().strip.y + 30);
@@ -245,17 +226,17 @@ TEST(ColorsBench, PointerAndArrowsInspectCells) {
 // Of the scene's cells the inspected one is lit for as long as the key is held, wherever it goes meanwhile;
 // the tool's are not lit, and the status line says so.
 TEST(ColorsBench, LightsWhatIsInspected) {
-  Workbench b = inColors();
+  InColors b;
   const Palette start = b.palette();
   const auto lit = [&] {
-    finish(b);
+    b.finish();
     std::vector<int> cells;
     for (int cell = 0; cell < 256; ++cell)
       if (b.palette()[cell] != start[cell]) cells.push_back(cell);
     return cells;
   };
   b.press({NamedKey::Home});
-  press(b, "hh");  // held, a key repeats
+  b.type("hh");  // held, a key repeats
   EXPECT_EQ(lit(), std::vector<int>{11});
   EXPECT_EQ(b.palette()[11], kLit);
   b.press({NamedKey::Right});
@@ -265,7 +246,7 @@ TEST(ColorsBench, LightsWhatIsInspected) {
   b.press({NamedKey::Home});
   b.press({NamedKey::Left});
   const IndexImage before = b.image();
-  press(b, "h");
+  b.type("h");
   EXPECT_TRUE(lit().empty());
   EXPECT_NE(b.image(), before);
 }
@@ -273,25 +254,25 @@ TEST(ColorsBench, LightsWhatIsInspected) {
 // The curve goes where it is dragged, at the cell where it was taken, and still rises; nowhere else is there
 // anything to drag.
 TEST(ColorsBench, TheCurveIsDragged) {
-  Workbench b = inColors();
+  InColors b;
   const ColorsLayout at = layoutIn(b);
   EXPECT_FALSE(b.grab(at.steps.x + 30, at.steps.y + 5));
   EXPECT_FALSE(b.grab(at.picture.x + 30, at.picture.y + 30));
   const int x = at.stored.x + at.stored.width / 4, cell = cellAtX({11, 240}, at.stored, x);
   ASSERT_TRUE(b.grab(x, at.stored.y + 100));
-  finish(b);
+  b.finish();
   for (const int y : {90, 50, 20}) {
-    b.drag(1, y - (y == 90 ? 100 : y == 50 ? 90 : 50));
+    b.dragTo(x, at.stored.y + y);
     EXPECT_EQ(b.stale(), Stale::Colors);
-    finish(b);
+    b.finish();
     const double asked = 255.0 * (1 - static_cast<double>(y) / (at.stored.height - 1));
     EXPECT_NEAR(b.palette()[cell].r / 257.0, std::min(asked, 240.0), 0.01);
     for (int k = 12; k <= 250; ++k) ASSERT_GE(b.palette()[k].r, b.palette()[k - 1].r) << k;
   }
   b.settle();
   const Palette bent = b.palette();
-  b.drag(0, 50);
-  finish(b);
+  b.dragTo(x, at.stored.y + 50);
+  b.finish();
   EXPECT_EQ(b.palette(), bent);
 }
 
@@ -300,39 +281,39 @@ TEST(ColorsBench, TheCurveIsDragged) {
 TEST(ColorsBench, SaysWhatNeedsARamp) {
   ::Setup setup;
   setup.picture.colors = ColorPlan::Cube;
-  Workbench b = inColors(setup, "hues");
+  InColors b{setup, "hues"};
   const Palette start = b.palette();
   const Rect plot = layoutIn(b).stored;
   const IndexImage before = b.image();
-  press(b, "m");
-  finish(b);
+  b.type("m");
+  b.finish();
   EXPECT_FALSE(b.moving());
   EXPECT_EQ(b.palette(), start);
   EXPECT_NE(b.image(), before);
   EXPECT_FALSE(b.grab(plot.x + 50, plot.y + 50));
   for (const char key : {'g', 'h'}) {
-    press(b, {&key, 1});
-    finish(b);
+    b.type({&key, 1});
+    b.finish();
     EXPECT_NE(b.palette(), start);
     b.press({NamedKey::Escape});
-    finish(b);
+    b.finish();
     EXPECT_EQ(b.palette(), start);
   }
 }
 
 // Keys of controls that are not on the screen do nothing here: the setup stays.
 TEST(ColorsBench, LettersBelongToTheScreen) {
-  Workbench b = inColors();
+  InColors b;
   const ::Setup setup = b.setup();
-  press(b, "SNOFPKLV[]+-ipadsnc0ltz");
+  b.type("SNOFPKLV[]+-ipadsnc0ltz");
   b.press({NamedKey::Escape});
   b.press({NamedKey::Tab});
   b.zoom(1.1);
-  b.drag(5, 5);
+  b.dragTo(5, 5);
   EXPECT_EQ(b.setup(), setup);
-  press(b, "T");
+  b.type("T");
   EXPECT_NE(b.setup(), setup);
-  press(b, "u");
+  b.type("u");
   EXPECT_EQ(b.setup(), setup);
 }
 
@@ -341,21 +322,21 @@ TEST(ColorsBench, LettersBelongToTheScreen) {
 TEST(ColorsBench, EverySizeShowsSomething) {
   ::Setup setup;
   setup.fill = Fill::XFillPolygon;
-  Workbench small = bench(setup, 640, 480);
+  ReadyWorkbench small{setup, 640, 480};
   const IndexImage picture = small.image();
-  press(small, "3");
-  finish(small);
+  small.type("3");
+  small.finish();
   EXPECT_EQ(small.image(), picture);
   EXPECT_TRUE(small.serverFills());
   small.resize(800, 600);
   EXPECT_FALSE(small.serverFills());
-  finish(small);
+  small.finish();
   for (const auto& [w, h] : {std::pair{800, 600}, {801, 767}, {1024, 768}, {1600, 1200}, {3000, 700}}) {
     SCOPED_TRACE(testing::Message() << w << " x " << h);
     small.resize(w, h);
-    press(small, "gm");
+    small.type("gm");
     small.tick();
-    finish(small);
+    small.finish();
     EXPECT_EQ(small.image().width, w);
     EXPECT_EQ(small.image().height, h);
     EXPECT_GT(std::ranges::count(small.image().pixels, CellPlan{}[Cell::Ink]), 4000);

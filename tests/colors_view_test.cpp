@@ -9,6 +9,7 @@
 #include "shading/cell_use.h"
 #include "shading/color_strip.h"
 #include "shading/colors_page.h"
+#include "tests/seeds.h"
 
 namespace {
 
@@ -160,38 +161,75 @@ TEST(ColorStrip, BarsGrowWithTheUse) {
   EXPECT_GE(before, 15);
 }
 
-// The inspected cell is lit: its palette entry is another, so exactly its samples in the small picture
-// change, and the view's picture is that of its size.
-TEST(ColorsView, LightsTheSamplesOfTheInspectedCell) {
+// What is stored is shown, the inspected cell too, unless it is to be lit: then its palette entry is another,
+// so exactly its samples in the small picture change, which is the picture of that size.
+TEST(ColorsView, LightsWhatIsAskedFor) {
   Picture picture{readScene("teapot", 6)};
   ViewSettings s = settingsOf(1024, 768, TableKind::Corrected);
-  const ColoredImage view = drawView(picture, s);
-  const int cell = medianCell(
-      cellUse(shownIn(view.image, layoutOfView(1024, 768)).image, picture.faceImage()), sceneCells(picture));
-  const Palette plain = picture.palette(s.cells);
-  for (int c = 0; c < 256; ++c) EXPECT_EQ(view.palette[c], c == cell ? kLit : plain[c]);
+  const ColoredImage plainly = drawView(picture, s);
+  EXPECT_EQ(plainly.palette, picture.palette(s.cells));
   const ColorsLayout at = layoutOfView(1024, 768);
+  const int cell =
+      medianCell(cellUse(shownIn(plainly.image, at).image, picture.faceImage()), sceneCells(picture));
+  s.effects.lit = cell;
+  const ColoredImage view = drawView(picture, s);
+  for (int c = 0; c < 256; ++c) EXPECT_EQ(view.palette[c], c == cell ? kLit : plainly.palette[c]);
+  EXPECT_EQ(shownIn(view.image, at).image, shownIn(plainly.image, at).image);
   IndexImage alone;
   picture.paint(alone, s.cells[Cell::Well]);
   EXPECT_EQ(shownIn(view.image, at).image, alone);
   EXPECT_GT(std::ranges::count(alone.pixels, cell), 20);
 }
 
-// Of the tool's cells none is lit, wherever --cell points; --lit chooses the cell where --cell does not.
+// --cell chooses what is inspected, of the tool's cells too, and --lit where --cell does not.
 TEST(ColorsView, InspectsWhatIsAskedFor) {
   Picture picture{readScene("teapot", 3)};
   ViewSettings s = settingsOf(768, 560);
-  for (const int cell : {0, 8, 255}) {
+  const IndexImage usual = drawView(picture, s).image;
+  for (const int cell : {0, 8, 20, 255}) {
     s.cell = cell;
-    const Palette shown = drawView(picture, s).palette;
-    EXPECT_EQ(shown, picture.palette(s.cells));
+    const ColoredImage shown = drawView(picture, s);
+    EXPECT_EQ(shown.palette, picture.palette(s.cells));
+    EXPECT_NE(shown.image, usual);
   }
   s.cell = 20;
-  const IndexImage twenty = drawView(picture, s).image;
-  EXPECT_NE(drawView(picture, settingsOf(768, 560)).image, twenty);
-  s.cell.reset();
   s.effects.lit = 20;
+  const IndexImage twenty = drawView(picture, s).image;
+  s.cell.reset();
   EXPECT_EQ(drawView(picture, s).image, twenty);
+  s.cell = 21;
+  EXPECT_NE(drawView(picture, s).image, twenty);
+}
+
+// Words beside the inspected cell's point hide nothing of any curve; where one is all over the plot, as that
+// of a cube's largest channels, nothing of the other.
+TEST(ColorsView, WordsStandBesideTheCurves) {
+  for (const auto& [scene, plan] : kPlans)
+    for (const TableKind kind : {TableKind::Linear, TableKind::Corrected}) {
+      Picture picture{readScene(scene, 3)};
+      ViewSettings s = settingsOf(1024, 768, kind);
+      s.picture.colors = plan;
+      const CellPlan& cells = s.cells;
+      const Rect plot = layoutOfView(1024, 768).stored;
+      s.cell = cells[Cell::Paper];
+      const IndexImage bare = drawView(picture, s).image;
+      int curve = 0;
+      for (int cell = 11; cell <= 250; cell += kSanitized ? 49 : 7) {
+        SCOPED_TRACE(testing::Message() << scene << ' ' << static_cast<int>(plan) << ' ' << cell);
+        s.cell = cell;
+        const IndexImage image = drawView(picture, s).image;
+        int hidden = 0;
+        for (int j = plot.y; j < plot.y + plot.height; ++j)
+          for (int i = plot.x; i < plot.x + plot.width; ++i) {
+            const bool line = bare.row(j)[i] == cells[Cell::Ink] ||
+                              (plan != ColorPlan::Cube && bare.row(j)[i] == cells[Cell::Faint]);
+            curve += line;
+            hidden += line && image.row(j)[i] == cells[Cell::Paper];
+          }
+        EXPECT_EQ(hidden, 0);
+      }
+      EXPECT_GT(curve, kSanitized ? 100 : 1000);
+    }
 }
 
 // Effects change colours and what is said of them, not the cells of the picture, of the grid's marks or of

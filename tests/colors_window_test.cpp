@@ -88,6 +88,7 @@ TEST_P(ColorsWindowAt, TheRampMovesThroughStoresAlone) {
     RequestRecord record{server, window.id()};
     const auto start = std::chrono::steady_clock::now();
     std::this_thread::sleep_for(std::chrono::milliseconds(1000));
+    (void)comesTrue([&] { return real ? record.count(X_StoreColors) >= 3 : record.drawing() >= 3; });
     if (real) {
       EXPECT_TRUE(onlyStores(record));
       const double ms =

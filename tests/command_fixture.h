@@ -3,6 +3,8 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <chrono>
+#include <csignal>
 #include <cstdio>
 #include <filesystem>
 #include <fstream>
@@ -10,6 +12,7 @@
 #include <map>
 #include <nlohmann/json.hpp>
 #include <string>
+#include <thread>
 #include <vector>
 
 #include "shading/png.h"
@@ -32,6 +35,16 @@ inline std::string contents(const std::string& file) {
 }
 
 inline const std::string kTriangle = "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n";
+
+/// The names in a folder, in their order; none where there is no folder.
+inline Words filesIn(const std::string& folder) {
+  Words names;
+  std::error_code none;
+  for (const auto& entry : std::filesystem::directory_iterator{folder, none})
+    names.push_back(entry.path().filename().string());
+  std::ranges::sort(names);
+  return names;
+}
 
 /// A folder with a picture of before in it, and what became of it.
 class CommandTest : public testing::Test {
@@ -60,6 +73,28 @@ class CommandTest : public testing::Test {
     EXPECT_EQ(end.status, status) << line;
     EXPECT_EQ(end.out, "");
     EXPECT_EQ(everything(), before) << line;
+  }
+  /// Ctrl-C at the start of a program that writes frames this wide, and right after each of its first five:
+  /// it ends at once (status 130), or had just ended; every frame that is there is whole, and nothing else
+  /// is.
+  void interruptsLeaveWholeFrames(Words words, int width) const {
+    int interrupted = 0;
+    for (int frames = 0; frames <= 5; ++frames) {
+      SCOPED_TRACE(frames);
+      const std::string folder = file("frames" + std::to_string(frames));
+      RunningProgram child{words + Words{"--frames", folder}};
+      const auto latest = std::chrono::steady_clock::now() + std::chrono::seconds{60};
+      do std::this_thread::sleep_for(std::chrono::milliseconds{3});
+      while (std::ssize(filesIn(folder)) < frames && std::chrono::steady_clock::now() < latest);
+      child.signal(SIGINT);
+      const Finished end = child.wait();
+      EXPECT_TRUE(end.status == 130 || end.status == 0) << end.status;
+      interrupted += end.status == 130;
+      const Words names = filesIn(folder);
+      EXPECT_GE(std::ssize(names), frames);
+      for (const std::string& name : names) EXPECT_EQ(readPng(folder + "/" + name).width, width) << name;
+    }
+    EXPECT_GT(interrupted, 2);
   }
   /// The same for drawing a file, over an old picture and to a new one.
   void refusedToDraw(const std::string& scene, int status, const std::string& what) const {

@@ -7,6 +7,7 @@
 #include <set>
 #include <thread>
 
+#include "shading/lesson.h"
 #include "tests/command_fixture.h"
 #include "x11/options.h"
 
@@ -43,6 +44,10 @@ TEST_F(CommandTest, BadScenesAreRefusedInOneLine) {
   refusedToDraw(write("scene.xyz", kTriangle), 2, ": not a scene: .obj, .bpt and .json files are");
   refused({"draw", "nosuch", "-o", file("new.png")}, 2,
           "nosuch: no built-in scene of that name; `xnewell scenes` lists them");
+  refused(
+      {"nosuch"}, 2,
+      "nosuch: no command and no built-in scene of that name; `xnewell --help` lists the commands, `xnewell "
+      "scenes` the scenes");
 }
 
 // A message is one line of bounded length whatever the names in it.
@@ -82,7 +87,7 @@ TEST_F(CommandTest, WrongUsageIsStatus2) {
           "the view window is empty: umin < umax and vmin < vmax are needed");
   refused(whole + Words{"--front", "-1", "--back", "1"}, 2,
           "the front plane must lie nearer than the back plane (larger n)");
-  for (const std::string command : {"figure", "trade", "lesson"})
+  for (const std::string command : {"figure", "trade"})
     refused({command, "teapot", "-o", file("old.png")}, 2,
             "the command '" + command + "' is not built yet; `xnewell --help` lists what is");
 }
@@ -201,7 +206,7 @@ TEST_F(CommandTest, HelpTellsWhatThereIs) {
   for (const std::string expected : {"[800x600, a window 1024x768]", "[flat]", "[newell]", "[linear]",
                                      "[240]", "[0.02]", "[30]", "[1,0,0]", "[8]", "[teapot]"})
     EXPECT_NE(help.out.find(expected), std::string::npos) << expected;
-  for (const std::string later : {"figure", "trade", "lesson", "--json"})
+  for (const std::string later : {"figure", "trade", "--json"})
     EXPECT_EQ(help.out.find(later), std::string::npos) << later;
   for (const Words& words :
        {Words{"-h"}, Words{"draw", "--help"}, Words{"draw", "nosuch", "-h"}, Words{"view", "-h"},
@@ -213,10 +218,13 @@ TEST_F(CommandTest, HelpTellsWhatThereIs) {
   EXPECT_EQ(everything().size(), 1u);
 }
 
-// `scenes` has a line for every built-in scene, and each can be drawn.
+// `scenes` has a line for every built-in scene, and each can be drawn; and one for every lesson.
 TEST_F(CommandTest, ScenesListsTheBuiltInOnes) {
   const std::string list = runProgram({"scenes"}).out;
-  EXPECT_EQ(std::ranges::count(list, '\n'), std::ssize(builtInScenes()));
+  const std::vector<LessonEntry> lessons = builtInLessons();
+  EXPECT_EQ(std::ranges::count(list, '\n'), std::ssize(builtInScenes()) + std::ssize(lessons));
+  for (const LessonEntry& lesson : lessons)
+    EXPECT_NE(list.find("lesson " + lesson.name + ' '), std::string::npos);
   for (const BuiltInScene& scene : builtInScenes()) {
     EXPECT_NE(list.find(scene.shows), std::string::npos);
     EXPECT_GT(draw(std::string{scene.name}).stats["fragments"], 0);

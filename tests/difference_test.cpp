@@ -97,6 +97,29 @@ TEST(Difference, CountsOtherFaces) {
   EXPECT_GT(unsorted.largest, exact.largest);
 }
 
+// Several hues share the cells otherwise in every picture: a picture's cells stand for what they do in it.
+TEST(Difference, OfHuesGoesByThePicturesOwnCells) {
+  Picture hues{readScene("hues")};
+  PictureSettings s = small(Shading::Gouraud);
+  s.camera = inSceneUnits(completed({}, hues.scene().camera), hues.scene());
+  s.colors = ColorPlan::Hues;
+  const Compared compared = comparedWithPhong(hues, s, 8);
+  ASSERT_GT(hues.colors().tables().size(), 5u);
+  int fewest = 240;
+  for (const ColorTable& table : hues.colors().tables()) fewest = std::min(fewest, table.shades());
+  const std::vector<double> gouraud = hues.intensities(hues.seen(0, s.height));
+  int samples = 0;
+  for (std::size_t k = 0; k < gouraud.size(); ++k) {
+    if (std::isnan(gouraud[k])) continue;
+    ++samples;
+    ASSERT_NEAR(hues.colors().intensityOf(compared.picture.pixels[k]), gouraud[k], 1.0 / fewest);
+    ASSERT_NEAR(hues.colors().intensityOf(compared.reference.pixels[k]), gouraud[k],
+                compared.difference.at[k] + 1.0 / fewest);
+  }
+  EXPECT_GT(samples, 5000);
+  EXPECT_LT(compared.difference.mean, 0.02);
+}
+
 // Colours are compared as they look. With more than enough cells for one gray ramp, what is left of Phong's
 // own difference is below what the eye sees; flat shading's is not.
 TEST(Difference, OfColoursIsHowTheyLook) {

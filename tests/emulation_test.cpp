@@ -3,47 +3,17 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
 #include <cstdlib>
 #include <map>
 #include <random>
 #include <set>
 
+#include "tests/masks.h"
+
 namespace {
 
-constexpr ChannelMasks k332{0x07, 0x38, 0xC0}, k565{0xF800, 0x7E0, 0x1F}, k555{0x7C00, 0x3E0, 0x1F},
-    kBgr233{0xE0, 0x1C, 0x03}, k888{0xFF0000, 0xFF00, 0xFF};
-constexpr std::array kLayouts{k332, kBgr233, k565, k555, k888, ChannelMasks{0x1, 0x6, 0x8}};
-
-/// What level l of n shows, as servers fill their maps: 65535 l / (n - 1), of which 8 bits are seen.
-int levelShown(unsigned long l, unsigned long n) { return static_cast<int>(l * 65535 / (n - 1)) >> 8; }
-
-int width(unsigned long mask) {
-  int bits = 0;
-  for (; mask != 0; mask >>= 1) bits += static_cast<int>(mask & 1);
-  return bits;
-}
-
-/// All levels of a channel, by the bits of the pixel value that hold them.
-std::map<unsigned long, int> levels(unsigned long mask) {
-  std::map<unsigned long, int> found;
-  unsigned long shift = 1;
-  while ((mask & shift) == 0) shift *= 2;
-  const unsigned long n = 1ul << width(mask);
-  for (unsigned long l = 0; l < n; ++l) found[l * shift] = levelShown(l, n);
-  return found;
-}
-
 std::array<unsigned long, 3> channels(const ChannelMasks& m) { return {m.red, m.green, m.blue}; }
-
-OfferedColors allOf(const ChannelMasks& masks, unsigned long opaque = 0) {
-  return OfferedColors{masks, opaque, [&](unsigned long pixel) {
-                         const auto value = [&](unsigned long mask) {
-                           const std::map<unsigned long, int> all = levels(mask);
-                           return static_cast<std::uint16_t>(257 * all.at(pixel & mask));
-                         };
-                         return Rgb16{value(masks.red), value(masks.green), value(masks.blue)};
-                       }};
-}
 
 std::vector<OfferedColor> randomColors(std::mt19937& rng, std::size_t count) {
   std::vector<OfferedColor> list;
@@ -98,6 +68,34 @@ TEST(OfferedColors, NearestOfAllLevels) {
         ASSERT_EQ(all.at(got.pixel & channels(masks)[c]), got.color[c]);
         ASSERT_EQ(std::abs(got.color[c] - target[c]), least) << v << ' ' << c;
       }
+    }
+  }
+}
+
+// Around a colour are the nearest and, in each channel, two levels on either side of that, as far as there
+// are any; each is a colour on offer.
+TEST(OfferedColors, AroundAreTheNextLevels) {
+  for (const ChannelMasks& masks : kLayouts) {
+    SCOPED_TRACE(masks.red);
+    const OfferedColors offered = allOf(masks);
+    std::size_t all = 1;
+    for (const unsigned long mask : channels(masks)) all *= levels(mask).size();
+    EXPECT_EQ(offered.size(), all);
+    for (int v = 0; v < 256; v += 5) {
+      const glm::ivec3 target{v, 255 - v, (v * 7) % 256};
+      const std::vector<OfferedColor> around = offered.around(target);
+      for (int c = 0; c < 3; ++c) {
+        std::vector<int> shown;
+        for (const auto& [bits, shows] : levels(channels(masks)[c])) shown.push_back(shows);
+        const auto at = std::ranges::find(shown, offered.nearest(target).color[c]);
+        const auto from = at - std::min<std::ptrdiff_t>(2, at - shown.begin());
+        const auto to = at + std::min<std::ptrdiff_t>(3, shown.end() - at);
+        std::set<int> seen;
+        for (const OfferedColor& color : around) seen.insert(color.color[c]);
+        ASSERT_EQ(seen, std::set(from, to)) << v << ' ' << c;
+      }
+      for (const OfferedColor& color : around)
+        ASSERT_EQ(offered.nearest(color.color).pixel, color.pixel) << v;
     }
   }
 }
@@ -224,4 +222,17 @@ TEST(GrayOf, HasTheWeightsOfXServers) {
   EXPECT_EQ(grayOf({65535, 0, 0}).r, 19660);  // 0.30 * 65535 = 19660.5
   EXPECT_EQ(grayOf({0, 65535, 0}).g, 38665);  // 38665.65
   EXPECT_EQ(grayOf({0, 0, 65535}).b, 7208);   // 7208.85
+}
+
+// What is offered misses nothing of itself. Half way between black and white the nearest misses by half the
+// diagonal of the cube of colours, the mixture by an eighth of that: its mean is right, its grain is not.
+TEST(OfferedColors, MissCountsMeanAndGrain) {
+  const OfferedColors offered{{{0, glm::ivec3{0}}, {1, glm::ivec3{254}}}};
+  const double half = 127 * std::sqrt(3.0);
+  EXPECT_EQ(offered.miss(glm::ivec3{254}, false), 0.0);
+  EXPECT_EQ(offered.miss(glm::ivec3{254}, true), 0.0);
+  EXPECT_NEAR(offered.miss(glm::ivec3{127}, false), half, 1e-9);
+  EXPECT_NEAR(offered.miss(glm::ivec3{127}, true), half / 8, 1e-9);
+  // No mixture of grays has a hue: red is missed by more than its gray's grain.
+  EXPECT_GT(offered.miss({254, 0, 0}, true), 254 * std::sqrt(2.0 / 3.0));
 }

@@ -170,6 +170,15 @@ TEST(Explain, NamesAreUnique) {
     EXPECT_EQ(fragments.name(5), "bar-1");
     EXPECT_EQ(fragments.name(6), "bar");
     EXPECT_EQ(fragments.name(7), "face 6");
+    // What has a name of its own is called by it, and else by what it is of.
+    for (int id = 2; id <= 7; ++id) {
+      const bool named = id == 5 || id == 6;
+      EXPECT_EQ(fragments.hasName(id), named);
+      if (named) {
+        EXPECT_EQ(fragments.part(id), fragments.name(id));
+      }
+    }
+    EXPECT_EQ(fragments.number(4), "3.2");
     for (const Event& e : sorted.events)
       if (e.kind == Event::Kind::Split && (e.P == 5 || e.P == 6)) ++pieces;
     for (int id = 12; id < count; ++id) {

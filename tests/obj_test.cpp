@@ -215,7 +215,7 @@ TEST(Obj, GroupsAreNumberedAsFacesUseThem) {
 // Colours come from the libraries beside the file, wherever it names them, the first library first; a library
 // that does not exist, a name that no library knows and a face without a material are white.
 TEST(Obj, TakesColorsFromItsLibraries) {
-  const Folder folder;
+  const TemporaryFolder folder;
   folder.write("a.mtl", "newmtl red\nKd 1 0 0\n");
   folder.write("b.mtl", "newmtl red\nKd 0.5 0 0\nnewmtl blue\nKd 0 0 1\n");
   folder.write("my own.mtl", "newmtl my green\nKd 0 1 0\n");
@@ -242,8 +242,8 @@ TEST(Obj, TakesColorsFromItsLibraries) {
 
 // A fault in a library is reported there.
 TEST(Obj, NamesTheLibraryThatIsWrong) {
-  const Folder folder;
-  const std::string library = folder.write("a.mtl", "newmtl red\nKd 1 0 x\n").string();
+  const TemporaryFolder folder;
+  const std::string library = folder.write("a.mtl", "newmtl red\nKd 1 0 x\n");
   const std::filesystem::path file = folder.write("a.obj", "mtllib a.mtl\n");
   EXPECT_EQ(complaint([&] { return readObj(file); }), library + ":2: malformed number 'x'");
 }
@@ -267,9 +267,9 @@ TEST(Obj, RoundingIsHalfTheLastDecimal) {
 TEST(Obj, RefusesFilesItCannotRead) {
   EXPECT_EQ(complaint([] { return readObj("none/teapot.obj"); }),
             "none/teapot.obj: No such file or directory");
-  const Folder folder;
+  const TemporaryFolder folder;
   EXPECT_EQ(complaint([&] { return readObj(folder.path()); }), folder.path().string() + ": Is a directory");
-  const std::string empty = folder.write("empty.obj", "").string();
+  const std::string empty = folder.write("empty.obj", "");
   EXPECT_EQ(complaint([&] { return readObj(empty); }), empty + ": holds no face");
 }
 

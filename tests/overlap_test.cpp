@@ -7,6 +7,8 @@
 #include <set>
 #include <utility>
 
+#include "tests/seeds.h"
+
 namespace {
 
 /// Boxes of one kind: small everywhere, flat in some axes and large in others, on a lattice so that ends
@@ -36,8 +38,9 @@ std::vector<ItemBox> randomBoxes(unsigned seed) {
 
 // The pairs found are those of comparing all with all of other groups, no more and no less.
 TEST(Overlap, FindsEveryPair) {
+  const Seeds seeds{200};
   std::size_t found = 0, apart = 0;
-  for (unsigned seed = 0; seed < 200; ++seed) {
+  for (unsigned seed = seeds.from; seed < seeds.end; ++seed) {
     SCOPED_TRACE(seed);
     std::vector<ItemBox> boxes = randomBoxes(seed);
     using Pairs = std::set<std::pair<int, int>>;
@@ -53,6 +56,7 @@ TEST(Overlap, FindsEveryPair) {
     EXPECT_EQ(visited, expected);
     found += visited.size();
   }
+  if (!seeds.all()) return;
   EXPECT_GT(found, 100'000u);
   EXPECT_GT(apart, 100'000u);
 }

@@ -6,26 +6,22 @@
 #include <cmath>
 #include <random>
 
+#include "shading/color_strip.h"
+#include "tests/scattered_palette.h"
+
 namespace {
 
-Picture made(const char* scene, ColorPlan plan, TableKind kind = TableKind::Corrected) {
+Picture made(const char* scene, ColorPlan plan, TableKind kind = TableKind::Corrected, int bits = 16) {
   Picture picture{readScene(scene, 3)};
   PictureSettings s;
   s.width = 80, s.height = 60;
   s.colors = plan;
   s.table.kind = kind;
+  s.table.bits = bits;
   picture.make(s);
   IndexImage image;
   picture.paint(image, CellPlan{kind}[Cell::Well]);
   return picture;
-}
-
-Palette scattered(unsigned seed) {
-  std::mt19937 rng{seed};
-  const auto value = [&] { return static_cast<std::uint16_t>(rng()); };
-  Palette palette;
-  for (Rgb16& c : palette) c = {value(), value(), value()};
-  return palette;
 }
 
 int largest(const Rgb16& c) { return std::max({c.r, c.g, c.b}); }
@@ -234,12 +230,7 @@ TEST(PaletteEffects, RefuseWhatMakesNoSense) {
 // A table of 8 bits keeps 8 bits of what the effects make, too: each value is 257 times a byte.
 TEST(PaletteEffects, EightBitsStayEight) {
   for (const int bits : {8, 16}) {
-    Picture picture{readScene("teapot", 2)};
-    PictureSettings settings;
-    settings.width = 64, settings.height = 48;
-    settings.table.kind = TableKind::Corrected;
-    settings.table.bits = bits;
-    picture.make(settings);
+    const Picture picture = made("teapot", ColorPlan::OneHue, TableKind::Corrected, bits);
     const CellPlan plan{TableKind::Corrected};
     const Palette plain = picture.palette(plan);
     const Palette palette = withEffects(plain, picture, plan, {.gamma = 1.4, .bend = CurvePoint{100, 33.3}});
@@ -252,11 +243,8 @@ TEST(PaletteEffects, EightBitsStayEight) {
 
 // On gray screens one hue is its intensity, and of several the brightness is left; the tool's cells stay.
 TEST(PaletteEffects, GraysForGrayScreens) {
-  for (const std::string scene : {"teapot", "hues"}) {
-    Picture picture{readScene(scene, 2)};
-    PictureSettings settings = picture.scene().settings;
-    settings.width = 64, settings.height = 48;
-    picture.make(settings);
+  for (const auto& [scene, colors] : {std::pair{"teapot", ColorPlan::OneHue}, {"hues", ColorPlan::Hues}}) {
+    const Picture picture = made(scene, colors, TableKind::Linear);
     const CellPlan plan{TableKind::Linear};
     const Palette plain = picture.palette(plan), gray = forGrayScreen(plain, picture);
     for (int cell = 0; cell < 256; ++cell) {
@@ -267,10 +255,34 @@ TEST(PaletteEffects, GraysForGrayScreens) {
       }
       EXPECT_EQ(g.r, g.g);
       EXPECT_EQ(g.g, g.b);
-      if (scene == "teapot")
+      if (colors == ColorPlan::OneHue)
         EXPECT_EQ(g.r, c.r) << cell;
       else
         EXPECT_NEAR(g.r, 0.30 * c.r + 0.59 * c.g + 0.11 * c.b, 1) << cell;
     }
+  }
+}
+
+// What the strip says of the cells is so, of any hue; what is changed is said to be.
+TEST(PaletteEffects, AreInTheWordsOfTheStrip) {
+  for (const glm::dvec3 hue : {glm::dvec3{1, 0, 0}, glm::dvec3{1, 0.7, 0.2}}) {
+    Picture picture{readScene("teapot", 3)};
+    PictureSettings s;
+    s.width = 80, s.height = 60;
+    s.table.hue = hue;
+    picture.make(s);
+    EXPECT_EQ(wordsOf(picture).rule, "linear: cell i holds (i - 10)/255 of the hue");
+    const Palette palette = picture.palette(CellPlan{});
+    for (int i = 11; i <= 250; ++i) {
+      const glm::dvec3 said = (i - 10) / 255.0 * 65535.0 * hue;
+      EXPECT_NEAR(palette[i].r, said.r, 1.0);
+      EXPECT_NEAR(palette[i].g, said.g, 1.0);
+      EXPECT_NEAR(palette[i].b, said.b, 1.0);
+    }
+    EXPECT_EQ(wordsOf(picture, {.rotate = 60}).rule, "linear, changed");
+    EXPECT_EQ(wordsOf(picture, {.gamma = 1.8}).rule, "linear, changed");
+    EXPECT_EQ(wordsOf(picture, {.stored = TableKind::Corrected}).rule,
+              "indices of linear, colours of corrected");
+    EXPECT_EQ(wordsOf(picture, {.lit = 40}).rule, wordsOf(picture).rule);
   }
 }

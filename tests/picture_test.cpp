@@ -276,6 +276,40 @@ TEST(Picture, CountsClampedEvaluations) {
   EXPECT_GT(picture.saturated(), 100);
 }
 
+// Environment mapping counts its clamped samples where a triangle may meet the places of the map that were
+// clamped: as many as there are. The samples are those of the upper of two shades for intensities just below
+// 1 and 1; each is painted once, for the ball is convex and the oracle paints what is visible.
+TEST(Picture, EnvironmentCountsEveryClampedSample) {
+  std::vector<std::pair<Picture, Order>> pictures;
+  pictures.emplace_back(Picture{makeScene("ball", sphere(80, 40), UpAxis::Z)}, Order::ZSort);  // small faces
+  pictures.emplace_back(Picture{makeScene("ball", sphere(6, 4), UpAxis::Z)}, Order::ZSort);
+  pictures.emplace_back(Picture{readScene("teapot", 4)}, Order::Oracle);
+  Scene beside = makeScene("ball", sphere(30, 20), UpAxis::Z);
+  beside.light.lights = {{.Ip = glm::dvec3{0.85}},  // turned to the axis; the others lie beside and behind
+                         {.Ip = glm::dvec3{0.8}, .direction = {-1, -0.3, 0.5}},
+                         {.Ip = glm::dvec3{0.8}, .direction = {0.2, 1, -0.6}}};
+  pictures.emplace_back(Picture{std::move(beside)}, Order::ZSort);
+  int some = 0, none = 0;
+  for (auto& [picture, order] : pictures)
+    for (const EnvironmentRow& form : kEnvironmentForms)
+      for (const glm::dvec3 towards : {glm::dvec3{1, -1, 1}, {-1, -0.3, 0.2}, {0.3, 1, -1}, {0, -1, 0}})
+        for (const int n : {1, 5, 100}) {
+          PictureSettings s = small();
+          s.shading = Shading::Environment;
+          s.environment = form.id;
+          s.order = order;
+          s.cull = Cull::Back;
+          s.light = {.Ia = 0.1, .Ip = 1, .kd = 0.3, .ks = 0.9, .n = n, .light = towards};
+          s.table = {.shades = 2, .low = 1 - 0x1p-30};
+          const IndexImage image = painted(picture, s);
+          const auto full = std::ranges::count(image.pixels, picture.table().cell(1.0));
+          ASSERT_EQ(picture.saturated(), full) << form.name << ", n " << n;
+          ++(full > 0 ? some : none);
+        }
+  EXPECT_GT(some, 30);
+  EXPECT_GT(none, 5);
+}
+
 // The painter is right where no order can be wrong: a convex solid without its back faces, in every
 // order. The oracle is right everywhere, and knows where sorting the teapot by z is not.
 TEST(Picture, OracleKnowsWhereTheOrderIsWrong) {

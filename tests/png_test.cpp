@@ -9,6 +9,7 @@
 
 #include "geometry/parse_error.h"
 #include "shading/output_file.h"
+#include "tests/scattered_palette.h"
 #include "tests/temporary_folder.h"
 
 namespace {
@@ -19,14 +20,6 @@ IndexImage noise(int width, int height, unsigned seed) {
   IndexImage image{width, height, 0};
   for (auto& p : image.pixels) p = static_cast<std::uint8_t>(rng());
   return image;
-}
-
-Palette scattered(unsigned seed) {
-  std::mt19937 rng{seed};
-  const auto value = [&] { return static_cast<std::uint16_t>(rng()); };
-  Palette palette;
-  for (Rgb16& c : palette) c = {value(), value(), value()};
-  return palette;
 }
 
 std::string contents(const std::string& file) {

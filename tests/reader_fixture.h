@@ -1,16 +1,14 @@
 #pragma once
 
 #include <gtest/gtest.h>
-#include <unistd.h>
 
-#include <filesystem>
-#include <fstream>
 #include <random>
 #include <string>
 #include <string_view>
 #include <system_error>
 
 #include "geometry/parse_error.h"
+#include "tests/temporary_folder.h"
 
 /// What `read()` complains of: the exact text of its ParseError or system_error, "" if it does not.
 /// Anything else it throws ends the test.
@@ -25,28 +23,6 @@ std::string complaint(Read read) {
   }
   return "";
 }
-
-/// A folder of its own for a test's files, removed with it.
-class Folder {
- public:
-  Folder() {
-    std::string pattern = (std::filesystem::temp_directory_path() / "reader-XXXXXX").string();
-    path_ = ::mkdtemp(pattern.data());
-  }
-  ~Folder() { std::filesystem::remove_all(path_); }
-  Folder(const Folder&) = delete;
-  Folder& operator=(const Folder&) = delete;
-
-  [[nodiscard]] const std::filesystem::path& path() const { return path_; }
-  /// Writes a file and returns its path.
-  std::filesystem::path write(const std::string& name, std::string_view text) const {
-    std::ofstream{path_ / name, std::ios::binary} << text;
-    return path_ / name;
-  }
-
- private:
-  std::filesystem::path path_;
-};
 
 /// `text` with 1 to 4 bytes overwritten, taken out or put in, preferably ones that mean something to a
 /// reader.

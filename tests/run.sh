@@ -7,4 +7,4 @@ source "$(dirname "${BASH_SOURCE[0]}")/../x11/setup.sh"
 need "${program_packages[@]}" "${test_packages[@]}"
 build release -DXNEWELL_TESTS=ON
 cd "$root"
-exec ctest --preset release --output-on-failure -j "$(nproc)" "$@"
+exec ctest --preset release --output-on-failure -j "$(($(nproc) + 1))" "$@"

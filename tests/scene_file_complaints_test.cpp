@@ -34,7 +34,7 @@ TEST(SceneFile, ComplaintsNameThePlace) {
   EXPECT_EQ(complaint(R"({"camera": {"fov": 180}, "objects": [)" + kTriangle + "]}"),
             "s.json: camera.fov: an angle between 0 and 180 degrees is needed");
   EXPECT_EQ(complaint(withObject(R"({"polygons": [[[1e999,0,0],[1,0,0],[1,1,0]]]})")),
-            "s.json: a number is too large");
+            "s.json:1: a number is too large");
   EXPECT_NE(complaint(withObject(R"({"file": "nosuch.obj"})")).find("No such file"), std::string::npos);
 }
 
@@ -61,7 +61,7 @@ TEST(SceneFile, ComplaintsOfEachPart) {
   EXPECT_EQ(object(R"("color": [1, 1, 1], "color255": [1, 1, 1])"),
             "s.json: objects[0].color255: the colour is said twice");
   EXPECT_EQ(object(R"("color": [1, 1, 1], "color": [1, 1, 1])"),
-            "s.json: the key 'color' stands twice in an object");
+            "s.json:1: the key 'color' stands twice in an object");
   EXPECT_EQ(object(R"("material": "tin")"), "s.json: objects[0].material: the file has no materials");
   EXPECT_EQ(
       complaint(
@@ -150,6 +150,95 @@ TEST(SceneFile, ComplaintsOfEachPart) {
   EXPECT_EQ(shading(R"("table": {"hue": [0.5, 0, 0]})"),
             "s.json: shading.table.hue: the largest of r, g, b must be 1");
   EXPECT_EQ(shading(R"("table": {"bits": 12})"), "s.json: shading.table.bits: 8 or 16 is needed");
+}
+
+// A number too large and a key said twice are told with their line, as what is no JSON at all: also where the
+// line ends with them.
+TEST(SceneFile, ComplaintsOfTextNameTheLine) {
+  const std::string before = "{\n\"objects\": [\n{\"polygons\": [[[0,0,0],\n[1,0,", after = "0]\n]]}]}";
+  EXPECT_EQ(complaint(before + "1e400\n],[0,1," + after), "s.json:4: a number is too large");
+  EXPECT_EQ(complaint(before + "1e400],[0,1," + after), "s.json:4: a number is too large");
+  EXPECT_EQ(complaint(before + "\n1e400\n],[0,1," + after), "s.json:5: a number is too large");
+  EXPECT_EQ(complaint(before + "0\n],[0,1," + after), "no complaint");
+  EXPECT_EQ(complaint("{\n\"up\": \"y\",\n\"up\"\n: \"z\"}"),
+            "s.json:3: the key 'up' stands twice in an object");
+}
+
+// A camera that sees nothing in a picture of any size is the file's mistake, and told as its reader's are.
+// One that a wide picture sees with, or that shows nothing of the scene, is none.
+TEST(SceneFile, ComplaintsOfTheCamera) {
+  const auto camera = [](const std::string& what) {
+    return complaint(withTriangle(R"("camera": {)" + what + "}"));
+  };
+  const std::string along = "s.json: camera: the up vector is zero or along the line of sight";
+  const std::string window =
+      "s.json: camera: the view window is empty: umin < umax and vmin < vmax are needed";
+  const std::string planes = "s.json: camera: the front plane must lie nearer than the back plane (larger n)";
+  EXPECT_EQ(camera(R"("eye": [0, 0, 0], "look_at": [0, 0, 0])"),
+            "s.json: camera: the view plane normal is zero: eye and look-at point coincide");
+  for (const std::string key : {"vpn", "vup", "up"})
+    EXPECT_EQ(camera('"' + key + R"(": [0, 0, 0])"), "s.json: camera." + key + ": 0, 0, 0 is no direction");
+  EXPECT_EQ(camera(R"("vpn": [0, 0, 2], "vup": [0, 0, -1])"), along);
+  EXPECT_EQ(camera(R"("eye": [0, 3, 0], "look_at": [0, 0, 0], "up": [0, 1, 0])"), along);
+  EXPECT_EQ(camera(R"("eye": [0, 3, 0], "look_at": [0, 0, 0])"), "no complaint");
+  EXPECT_EQ(camera(R"("window": [1, -1, 1, -1])"), window);
+  EXPECT_EQ(camera(R"("parallel": true, "window": [-1, 1, 1, 1])"), window);
+  EXPECT_EQ(camera(R"("front": -3, "back": -2)"), planes);
+  EXPECT_EQ(camera(R"("parallel": true, "front": -3, "back": -2)"), planes);
+  EXPECT_EQ(camera(R"("eye": [0, 0, 5], "front": 6)"),
+            "s.json: camera: the front plane must lie in front of the eye (n below the projection reference "
+            "point's)");
+  EXPECT_EQ(camera(R"("front": 6)"), "no complaint");  // how far the eye is, the picture's shape decides
+  EXPECT_EQ(camera(R"("prp": [0, 0, -1])"),
+            "s.json: camera: the projection reference point must lie in front of the view plane (n > 0)");
+  EXPECT_EQ(camera(R"("eye": [0, 0, -5], "look_at": [0, 0, -9])"), "no complaint");
+}
+
+// What has no say is refused where it stands, and so is what is said twice.
+TEST(SceneFile, ComplaintsOfWhatDoesNotCount) {
+  const auto shading = [](const std::string& what, const std::string& beside = "") {
+    return complaint(withTriangle(beside + R"("shading": {)" + what + "}"));
+  };
+  const std::string at = R"("light_at": [0, 0, 9])";
+  const std::string noLight =
+      "s.json: shading.attenuation: only a light at a place fades: light_at is needed; "
+      "lights say it themselves";
+  EXPECT_EQ(shading(R"("attenuation": "linear")"), noLight);
+  EXPECT_EQ(
+      shading(R"("attenuation": "linear")", R"("lights": [{"kind": "point", "at": [0, 0, 9], "Ip": 0.5}], )"),
+      noLight);
+  EXPECT_EQ(shading(R"("attenuation": "none")"), "no complaint");
+  EXPECT_EQ(shading(at + R"(, "attenuation": "linear", "range": 20)"), "no complaint");
+  EXPECT_EQ(shading(R"("range": 1)"), "s.json: shading.range: a range is for attenuation linear");
+  EXPECT_EQ(shading(at + R"(, "attenuation": "inverse", "range": 1)"),
+            "s.json: shading.range: a range is for attenuation linear");
+  EXPECT_EQ(shading(at + R"(, "attenuation": "linear", "c": [1, 0, 0])"),
+            "s.json: shading.c: c1, c2 and c3 are for attenuation textbook");
+  EXPECT_EQ(shading(R"("method": "phong", "adapt": 0.1)"),
+            "s.json: shading.adapt: goes with method flat and gouraud");
+  EXPECT_EQ(shading(R"("method": "gouraud", "adapt": 0)"),
+            "s.json: shading.adapt: a number above 0 is needed; without adapt nothing is divided");
+  EXPECT_EQ(shading(R"("method": "gouraud", "adapt": 0.1)"), "no complaint");
+
+  EXPECT_EQ(shading(R"("Ia": 0.1)", R"("ambient": 0.1, )"),
+            "s.json: shading.Ia: the ambient light is said twice: see ambient");
+  EXPECT_EQ(shading(R"("Ia": 0.1)", R"("lights": [{"Ip": 0.1}], )"), "no complaint");
+  for (const std::string key : {"light", "light_at"}) {
+    const std::string where = '"' + key + R"(": [0, 0, 9])";
+    EXPECT_EQ(shading(where, R"("lights": [{"Ip": 0.1}], )"),
+              "s.json: shading." + key + ": where light comes from is said twice: see lights");
+    EXPECT_EQ(shading(where, R"("lights": [], "ambient": 0.1, )"), "no complaint");
+  }
+
+  const auto solid = [](const std::string& what) { return complaint(withObject('{' + what + '}')); };
+  EXPECT_EQ(solid(R"("solid": "cube", "around": 5)"),
+            "s.json: objects[0].around: is for solid sphere and torus");
+  EXPECT_EQ(solid(R"("solid": "torus", "down": 5)"), "s.json: objects[0].down: is for solid sphere");
+  EXPECT_EQ(solid(R"("solid": "sphere", "across": 5)"), "s.json: objects[0].across: is for solid torus");
+  EXPECT_EQ(solid(R"("file": "teapot.bpt", "around": 5)"),
+            "s.json: objects[0].around: is for solid sphere and torus");
+  EXPECT_EQ(solid(R"("solid": "sphere", "around": 5, "down": 5)"), "no complaint");
+  EXPECT_EQ(solid(R"("solid": "torus", "around": 5, "across": 5)"), "no complaint");
 }
 
 // Cutting a scene file short at any byte is refused, never more.

@@ -113,6 +113,21 @@ std::vector<std::array<int, 3>> firstRow(const RgbImage& image) {
   return row;
 }
 
+/// The mean difference of a channel between two pictures' blocks of 8 x 8 pixels, each block's mean for it.
+double missOfBlocks(const RgbImage& seen, const RgbImage& wanted) {
+  double sum = 0;
+  int blocks = 0;
+  for (int top = 0; top < wanted.height; top += 8)
+    for (int left = 0; left < wanted.width; left += 8)
+      for (int c = 0; c < 3; ++c, ++blocks) {
+        int owed = 0;
+        for (int k = 0; k < 64; ++k)
+          owed += seen.pixel(left + k % 8, top + k / 8)[c] - wanted.pixel(left + k % 8, top + k / 8)[c];
+        sum += std::abs(owed) / 64.0;
+      }
+  return sum / blocks;
+}
+
 std::size_t lines(const std::string& text) { return std::ranges::count(text, '\n'); }
 
 }  // namespace
@@ -125,8 +140,9 @@ extern "C" ::Colormap XCreateColormap(::Display* display, ::Window window, ::Vis
   return xlibs(display, window, visual, allocated);
 }
 
-// However few cells are left, a program that shares gets all of them, shows its shades exactly and live, and
-// with none shows colours of the map; it tells how many shades it has; and it gives everything back.
+// A program that shares gets all the cells that are left, and shows its shades exactly and live. With none,
+// or with so few that the map's colours show more, it mixes those: of RENDER's there are many, without it
+// only black and white, and no mixture has a hue. It tells what it does, and gives everything back.
 TEST(SharedCells, TakesWhatIsFreeAndGivesItBack) {
   for (const bool render : {true, false})
     for (const std::size_t left : {0, 1, 2, 3, 7, 50, 183}) {
@@ -141,7 +157,7 @@ TEST(SharedCells, TakesWhatIsFreeAndGivesItBack) {
         ServerColormap map = sharedOn(d);
         EXPECT_EQ(map.id(), DefaultColormap(d, 0));
         EXPECT_FALSE(map.identity());
-        ASSERT_EQ(map.live(), left >= 2);
+        ASSERT_EQ(map.live(), left >= (render ? 50u : 2u));
         const int shades = map.mostShades();
         if (map.live()) {
           // All are taken: a quarter at most for the tool, which needs 14 besides black and white.
@@ -152,8 +168,11 @@ TEST(SharedCells, TakesWhatIsFreeAndGivesItBack) {
           EXPECT_THAT(map.shortfall(), HasSubstr(std::to_string(shades) + " of 240 shades"));
         } else {
           EXPECT_EQ(shades, kMaxShades);
-          EXPECT_THAT(map.account(), HasSubstr("no cell free"));
-          EXPECT_THAT(map.shortfall(), HasSubstr("no free cells"));
+          EXPECT_GE(stranger.countFree(), left - left / 4);
+          EXPECT_THAT(map.account(), HasSubstr(left < 2 ? "no cell free, colours mixed"
+                                                        : "too few cells free, colours mixed"));
+          EXPECT_THAT(map.shortfall(), HasSubstr(left < 2 ? "no free cells" : "free cells for "));
+          EXPECT_THAT(map.shortfall(), HasSubstr("its colours are mixed"));
         }
         Canvas canvas{d, map, {.width = shades, .height = 8}};
         const Rect all{0, 0, shades, 8};
@@ -299,10 +318,60 @@ TEST(SharedCells, OnDirectColor) {
       const Rgb16 c = palette[11 + j];
       ASSERT_EQ(row[j], (std::array<int, 3>{c.r >> 8, c.g >> 8, c.b >> 8})) << j;
     }
+    // The tool's colours have cells too: a pixel value there is no colour.
+    const Palette shown = map.shown();
+    const CellPlan plan;
+    for (int role = 0; role < kCells; ++role) {
+      const int i = plan[static_cast<Cell>(role)];
+      EXPECT_EQ(eightBits(shown[i]), eightBits(palette[i])) << role;
+    }
   }
   XSync(d, 0);
   const std::size_t before = readVisuals(d, true).freeCells.value();
   EXPECT_GT(before, 240u);
+}
+
+// Where a channel has few levels, all of them that can be had are shared: in a fresh map as many colours as a
+// map of our own would have, and no flashing; beside a stranger fewer, of which black and white are two.
+TEST(SharedCells, LevelsOfDirectColor) {
+  std::size_t before = 257;
+  for (const bool beside : {false, true}) {
+    SCOPED_TRACE(beside);
+    Session s{XServer::xvfb(8, 640, 480, {"-cc", "5"})};
+    ::Display* d = s.display.get();
+    std::optional<Stranger> stranger;
+    if (beside) stranger.emplace(s.server, 0);
+    std::set<unsigned long> used;
+    {
+      ServerColormap map = sharedOn(d);
+      EXPECT_FALSE(map.live());
+      EXPECT_EQ(map.id(), DefaultColormap(d, 0));
+      map.store(rampOf(kMaxShades, {1, 1, 1}));
+      for (int place = 0; place < 64; ++place)
+        for (const unsigned long pixel : map.table().at(place)) used.insert(pixel);
+      const std::string account = map.account();
+      const std::size_t colors = std::stoul(account.substr(account.find("map, ") + 5));
+      EXPECT_THAT(account, HasSubstr("colours, mixed"));
+      EXPECT_THAT(map.shortfall(), HasSubstr("levels for " + std::to_string(colors) + " colours"));
+      if (!beside) {
+        EXPECT_EQ(colors, 256u);
+      }
+      EXPECT_LT(colors, before);
+      EXPECT_GE(colors, 8u);
+      before = colors;
+      // Nobody can change what they show.
+      const std::vector<unsigned long> pixels{used.begin(), used.end()};
+      const PixelColors shows{d, map.id(), map.visual()};
+      if (stranger) stranger->paint(3);
+      const PixelColors now{d, map.id(), map.visual()};
+      for (const unsigned long pixel : pixels) EXPECT_EQ(shows(pixel), now(pixel));
+      EXPECT_GE(pixels.size(), 4u);
+    }
+    XSync(d, 0);
+    if (!beside) {
+      EXPECT_EQ(Stranger(s.server, 0).cells().size(), 2u);  // all given back
+    }
+  }
 }
 
 // The program itself, beside a stranger who has taken nearly everything: always a picture, always told in one
@@ -333,6 +402,70 @@ TEST(SharedCells, AlwaysAPictureAlwaysTold) {
       const std::string told = done.err.substr(done.err.find(" for ") + 5);
       EXPECT_EQ(picture, pictureOf("draw " + line + " --shades " + told.substr(0, told.find(' '))));
     }
+}
+
+// Seen from where 8 x 8 pixels are one spot, some free cells never show less of a picture than none do: where
+// several hues would have too few shades each, or a channel has few levels, the map's colours are mixed as
+// with none.
+TEST(SharedCells, FewCellsShowNoLessThanNone) {
+  struct Case {
+    int defaultClass;
+    std::string scene;
+    std::vector<std::size_t> left;  ///< so many that only black and white serve, then more
+  };
+  for (const Case& at :
+       {Case{3, "hues", {0, 2, 20, 50, 100, 183}}, Case{5, "teapot --divisions 3", {0, 1, 2}}}) {
+    SCOPED_TRACE(at.scene);
+    const std::string line = at.scene + " --size 160x120";
+    const RgbImage drawn = pictureOf("draw " + line);
+    const TemporaryFolder folder;
+    const std::string file = folder.file("picture.png");
+    double none = 0;
+    for (const std::size_t left : at.left) {
+      const XServer server = XServer::xvfb(8, 640, 480, {"-cc", std::to_string(at.defaultClass)});
+      const Stranger stranger{server, left};
+      const Finished done =
+          runProgram(words("snapshot --colormap shared " + line + " -o " + file), server.name());
+      ASSERT_EQ(done.status, 0) << done.err;
+      EXPECT_EQ(done.err.find("its colours are mixed") != std::string::npos, left < 183) << done.err;
+      const double missed = missOfBlocks(readPng(file), drawn);
+      if (left == 0) none = missed;
+      EXPECT_LE(missed, none) << left;
+    }
+    EXPECT_GT(none, 0.0);
+  }
+}
+
+// A scene that is opened in the window is shown as a start with it would: few cells are a ramp for one hue,
+// and for several the map's colours are mixed; and for one hue again a ramp.
+TEST(SharedCells, AreDividedAnewForAnotherScene) {
+  const XServer server = XServer::xvfb(8, 1280, 1024);
+  const Stranger stranger{server, 50};
+  const TemporaryFolder folder;
+  const std::string shared = " --colormap shared", file = folder.file("window.png");
+  const Rect seen = aboveStatus(1024, 768);
+  const auto fresh = [&](const std::string& scene) {
+    const Finished done =
+        runProgram(words("snapshot --whole-window " + scene + shared + " -o " + file), server.name());
+    EXPECT_EQ(done.err.find("its colours are mixed") != std::string::npos, scene == "hues") << done.err;
+    return cropped(readPng(file), seen);
+  };
+  const RgbImage teapot = fresh("teapot"), hues = fresh("hues");
+  const WatchedViewer viewer{server, "teapot" + shared};
+  ASSERT_TRUE(viewer.window.comesToShow(teapot, seen));
+  EXPECT_EQ(stranger.countFree(), 0u);
+  const auto open = [&](const std::string& scene) {
+    viewer.window.type("e");
+    for (int k = 0; k < 20; ++k) viewer.window.press(XK_BackSpace);
+    viewer.window.type(scene);
+    viewer.window.press(XK_Return);
+  };
+  open("hues");
+  EXPECT_TRUE(viewer.window.comesToShow(hues, seen));
+  EXPECT_GT(stranger.countFree(), 30u);  // the ramp is given back
+  open("teapot");
+  EXPECT_TRUE(viewer.window.comesToShow(teapot, seen));
+  EXPECT_EQ(stranger.countFree(), 0u);
 }
 
 // In the window the status line tells the shades, and a new hue is stored and nothing drawn.

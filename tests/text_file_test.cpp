@@ -92,7 +92,7 @@ TEST(Words, RefuseTextsBeyond31Bits) {
 
 // A file's bytes come back unchanged, whatever they are, from a file and from a pipe of unknown length.
 TEST(ReadTextFile, GivesEveryByteBack) {
-  const Folder folder;
+  const TemporaryFolder folder;
   for (const std::size_t size : {0u, 1u, 65'535u, 65'536u, 65'537u, 300'001u}) {
     SCOPED_TRACE(size);
     std::mt19937 rng{1975};
@@ -110,7 +110,7 @@ TEST(ReadTextFile, GivesEveryByteBack) {
 
 // What the system refuses is said in its words, with the name as the user gave it.
 TEST(ReadTextFile, SaysWhatTheSystemSays) {
-  const Folder folder;
+  const TemporaryFolder folder;
   EXPECT_EQ(complaint([] { return readTextFile("no/such/../teapot.obj"); }),
             "no/such/../teapot.obj: No such file or directory");
   EXPECT_EQ(complaint([] { return readTextFile(""); }), ": No such file or directory");
@@ -125,7 +125,7 @@ TEST(ReadTextFile, SaysWhatTheSystemSays) {
 
 // A file too long to be read is refused by its size; this one takes no room on the disk.
 TEST(ReadTextFile, RefusesFilesBeyond31Bits) {
-  const Folder folder;
+  const TemporaryFolder folder;
   const std::filesystem::path file = folder.write("long.obj", "");
   std::filesystem::resize_file(file, kMaxTextBytes + 1);
   EXPECT_EQ(complaint([&] { return readTextFile(file); }), file.string() + ": longer than 2147483647 bytes");

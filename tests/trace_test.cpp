@@ -4,12 +4,10 @@
 
 #include <sys/wait.h>
 
-#include <csignal>
 #include <cstdlib>
 #include <set>
 #include <span>
 #include <sstream>
-#include <thread>
 
 #include "tests/command_fixture.h"
 
@@ -190,14 +188,50 @@ TEST_F(TraceCommand, FramesOfEachKind) {
   }
 }
 
+// With --whole-window they are the stepper's page at each of its own run's steps.
+TEST_F(TraceCommand, FramesOfTheStepper) {
+  const std::string folder = file("stepper");
+  const Finished end =
+      runProgram({"trace", "cycle", "--frames", folder, "--every", "step", "--whole-window"});
+  ASSERT_EQ(end.status, 0) << end.err;
+  const std::map<std::string, int> words = framesIn(folder);
+  EXPECT_EQ(words.at("cut"), 1);
+  EXPECT_EQ(words.at("paint"), 3);
+  EXPECT_EQ(words.at("done"), 1);  // the fourth
+  std::set<std::string> names;
+  for (const auto& entry : std::filesystem::directory_iterator{folder}) names.insert(entry.path().string());
+  std::set<std::vector<std::uint8_t>> pictures;
+  for (const std::string& name : names) {
+    const RgbImage frame = readPng(name);
+    EXPECT_EQ(frame.width, 1024);
+    EXPECT_EQ(frame.height, 768);
+    pictures.insert(frame.rgb);
+  }
+  EXPECT_EQ(pictures.size(), names.size());
+  const std::string cuts = file("cuts");
+  ASSERT_EQ(runProgram({"trace", "cycle", "--frames", cuts, "--whole-window", "--size", "800x600"}).status,
+            0);
+  EXPECT_EQ(framesIn(cuts), (std::map<std::string, int>{{"cut", 1}, {"done", 1}}));
+
+  const std::string none = file("none");
+  refused({"trace", "cycle", "--frames", none, "--whole-window", "--quick"}, 2,
+          "--quick and --whole-window exclude each other");
+  refused({"trace", "cycle", "--frames", none, "--whole-window", "--size", "799x600"}, 2,
+          "the stepper needs a --size of at least 800x600");
+  refused({"trace", "cycle", "--whole-window"}, 2,
+          "--whole-window goes with snapshot and with trace --frames");
+  refused({"trace", "room", "--frames", none, "--whole-window"}, 2,
+          "room: the run has no cut to make a frame of; --every paint has 325");
+}
+
 // What makes no frames says why, and leaves no folder and no file.
 TEST_F(TraceCommand, Refusals) {
   const std::string folder = file("frames");
   refused({"trace", "room", "--frames", folder}, 2,
           "room: the run has no cut to make a frame of; --every paint has 325");
-  refused({"trace", "teapot", "--frames", folder, "--every", "step", "--quick", "--divisions", "20"}, 2,
+  refused({"trace", "teapot", "--frames", folder, "--every", "step", "--quick", "--divisions", "10"}, 2,
           "--every step: " +
-              std::to_string(linesOf({"teapot", "--quick", "--divisions", "20"})[0]["steps"].get<int>()) +
+              std::to_string(linesOf({"teapot", "--quick", "--divisions", "10"})[0]["steps"].get<int>()) +
               " frames are too many; at most 9,998 are written");
   refused({"trace", "cycle", "--every", "cut"}, 2, "--every goes with --frames");
   refused({"trace", "cycle", "--frames", folder, "--every", "day"}, 2,
@@ -206,9 +240,9 @@ TEST_F(TraceCommand, Refusals) {
   refused({"trace"}, 2, "trace needs a scene, such as teapot");
   refused({"trace", "cycle", "--order", "zsort"}, 2, "trace follows the depth sort: no --order but newell");
   refused({"trace", "cycle", "-o", file("new.png")}, 2, "-o goes with draw and snapshot");
-  refused({"draw", "cycle", "-o", file("new.png"), "--quick"}, 2, "--quick and --frames go with trace");
+  refused({"draw", "cycle", "-o", file("new.png"), "--quick"}, 2, "--quick goes with trace");
   refused({"draw", "cycle", "-o", file("new.png"), "--frames", folder}, 2,
-          "--quick and --frames go with trace");
+          "--frames goes with trace and lesson");
   refused({"trace", "cycle", "--frames", file("old.png")}, 1, file("old.png") + ": Not a directory");
   refused({"trace", "nosuch"}, 2, "nosuch: no built-in scene of that name; `xnewell scenes` lists them");
 
@@ -222,27 +256,8 @@ TEST_F(TraceCommand, Refusals) {
   EXPECT_EQ(everything(), before);
 }
 
-// Ctrl-C at any moment: every frame that is there is whole, and nothing else is.
 TEST_F(TraceCommand, AnInterruptLeavesWholeFrames) {
-  int interrupted = 0, whole = 0;
-  for (int delay = 5; delay <= 200; delay += 30) {
-    const std::string folder = file("frames" + std::to_string(delay));
-    RunningProgram child{
-        {"trace", "nested-cycles", "--frames", folder, "--every", "step", "--size", "1500x1500"}};
-    std::this_thread::sleep_for(std::chrono::milliseconds(delay));
-    child.signal(SIGINT);
-    const Finished end = child.wait();
-    EXPECT_TRUE(end.status == 130 || end.status == 0) << end.status;
-    interrupted += end.status == 130;
-    if (!std::filesystem::exists(folder)) continue;
-    for (const auto& entry : std::filesystem::directory_iterator{folder}) {
-      EXPECT_EQ(entry.path().extension(), ".png");
-      EXPECT_EQ(readPng(entry.path().string()).width, 1500);
-      ++whole;
-    }
-  }
-  EXPECT_GT(interrupted, 3);
-  EXPECT_GT(whole, 3);
+  interruptsLeaveWholeFrames({"trace", "nested-cycles", "--every", "step", "--size", "1500x1500"}, 1500);
 }
 
 // Lines that nobody can take are an error; lines that nobody wants any more are none worth a word.

@@ -84,6 +84,39 @@ TEST(ChooseVisual, TakesTheFirstRowThatTheServerHas) {
   EXPECT_EQ(chooseVisual(server({trueColor(1, 24), pseudo(2), pseudo(3)}, 1)).visual.id, 2u);
 }
 
+// A real colormap is the subject: where one is passed over, it is said why, unless nobody asked for it.
+TEST(ChooseVisual, SaysWhyARealColormapIsPassedOver) {
+  const ServerVisuals both = server({trueColor(1, 24), direct(2)}, 2);
+  ASSERT_EQ(chooseVisual(both).visual.id, 1u);
+  EXPECT_THAT(chooseVisual(both).why,
+              testing::EndsWith("; the real colormap of DirectColor 24 would make all other windows flash"));
+  EXPECT_THAT(describeVisuals(both), HasSubstr("would make all other windows flash"));
+  for (const std::string& why :
+       {chooseVisual(both, parseVisualWish("TrueColor")).why,
+        chooseVisual(both, parseVisualWish("DirectColor")).why,
+        chooseVisual(server({trueColor(1, 24)}, 1)).why, chooseVisual(server({pseudo(1), direct(2)}, 2)).why})
+    EXPECT_THAT(why, testing::Not(HasSubstr("flash")));
+}
+
+// Visuals that differ in the order of their channels alone have rows that do, too.
+TEST(DescribeVisuals, ChannelsInTheirOrder) {
+  VisualInfo swapped = trueColor(2, 24);
+  std::swap(swapped.masks.red, swapped.masks.blue);
+  const std::string text = describeVisuals(server({trueColor(1, 24), swapped}, 1));
+  EXPECT_THAT(text, HasSubstr("TrueColor       24    rgb        1"));
+  EXPECT_THAT(text, HasSubstr("TrueColor       24    bgr        1"));
+}
+
+// Of 256 fixed grays every gray is one: none is mixed. Of fewer they are.
+TEST(DescribeVisuals, FixedGraysAreMixedOnlyWhereSomeAreMissing) {
+  const auto grays = [](int depth) {
+    return VisualInfo{VisualClass::StaticGrayClass, depth, 1, {}, 8, 1 << depth};
+  };
+  EXPECT_THAT(describeVisuals(server({grays(8)}, 1)),
+              AllOf(HasSubstr("look grays up itself"), testing::Not(HasSubstr("mixed"))));
+  EXPECT_THAT(describeVisuals(server({grays(4)}, 1)), HasSubstr("the nearest of its fixed grays, mixed"));
+}
+
 // Cells of the default map are for windows of the default visual: whoever wants to share takes that, whatever
 // else there is, and may not insist on another.
 TEST(ChooseVisual, SharingTakesTheDefaultVisual) {
@@ -119,10 +152,11 @@ TEST(ParseVisualWish, TakesClassAndDepth) {
     EXPECT_EQ(parseVisualWish(row.name).kind, row.id);
     EXPECT_FALSE(parseVisualWish(row.name).depth);
     EXPECT_EQ(parseVisualWish(std::string{row.name} + "12").depth, 12);
+    EXPECT_EQ(parseVisualWish(std::string{row.name} + " 12").depth, 12);
   }
   EXPECT_EQ(parseVisualWish("pseudoCOLOR8").kind, VisualClass::PseudoColorClass);
   for (const char* wrong : {"", "8", "Pseudo", "PseudoColor0", "PseudoColor33", "PseudoColor8x",
-                            "PseudoColor-8", "PseudoColor 8", "PseudoColor99999999999"}) {
+                            "PseudoColor-8", "PseudoColor  8", "PseudoColor ", "PseudoColor99999999999"}) {
     SCOPED_TRACE(wrong);
     try {
       (void)parseVisualWish(wrong);
@@ -193,16 +227,21 @@ TEST(DescribeVisuals, IsATableThatEndsWithTheChoice) {
   s.black = 1;
   s.freeCells = 183;
   const std::string text = describeVisuals(s);
-  EXPECT_THAT(text, HasSubstr("TrueColor       24       2    256     -     8  fixed     look colours up"));
-  EXPECT_THAT(text, HasSubstr("DirectColor     24       1    256     -     8  writable  store colours"));
-  EXPECT_THAT(text, HasSubstr("PseudoColor      8       1    256   183     8  writable  store colours"));
+  EXPECT_THAT(text,
+              HasSubstr("TrueColor       24    rgb        2    256     -     8  fixed     look colours up"));
+  EXPECT_THAT(text,
+              HasSubstr("DirectColor     24    rgb        1    256     -     8  writable  store colours"));
+  EXPECT_THAT(text,
+              HasSubstr("PseudoColor      8      -        1    256   183     8  writable  store colours"));
   EXPECT_THAT(text, HasSubstr("pixels 1 and 0"));
   EXPECT_THAT(text, HasSubstr("183 of 256 cells free"));
   EXPECT_THAT(text.substr(text.rfind('\n', text.size() - 2)),
               HasSubstr("PseudoColor 8 (0x21): its colormap is real"));
   const std::string shared = describeVisuals(s, {}, MapOwner::Shared);
-  EXPECT_THAT(shared, HasSubstr("PseudoColor      8       1    256   183     8  writable  take free cells"));
-  EXPECT_THAT(shared, HasSubstr("TrueColor       24       2    256     -     8  fixed     not take it"));
+  EXPECT_THAT(shared,
+              HasSubstr("PseudoColor      8      -        1    256   183     8  writable  take free cells"));
+  EXPECT_THAT(shared,
+              HasSubstr("TrueColor       24    rgb        2    256     -     8  fixed     not take it"));
   EXPECT_THAT(shared, HasSubstr("chosen            PseudoColor 8 (0x21): the default visual"));
   EXPECT_THAT(describeVisuals(s, parseVisualWish("GrayScale")),
               HasSubstr("none: display ':7' has no GrayScale"));

@@ -60,6 +60,24 @@ WatchedWindow::WatchedWindow(const XServer& server, ::Window other, const std::f
   const ::Window root = DefaultRootWindow(display());
   if (!comesTrue([&] { return (id_ = findWindow(display(), root, other)) != 0 || !hoping(); }) || id_ == 0)
     throw std::runtime_error("the program shows no window");
+  if (!comesTrue([&] { return !isDrawing(); })) throw std::runtime_error("the program draws no picture");
+}
+
+WatchedWindow WatchedWindow::early(const XServer& server) {
+  WatchedWindow window{openDisplay(server.name())};
+  ::Display* const display = window.display();
+  if (!comesTrue([&] { return (window.id_ = findWindow(display, DefaultRootWindow(display), 0)) != 0; }))
+    throw std::runtime_error("the program shows no window");
+  return window;
+}
+
+std::string WatchedWindow::title() const {
+  const ErrorTrap trap{display()};  // the window may go
+  char* name = nullptr;
+  if (!XFetchName(display(), id_, &name)) return {};
+  const std::string title{name};
+  XFree(name);
+  return title;
 }
 
 ::Colormap WatchedWindow::colormap() const {
@@ -136,9 +154,8 @@ bool WatchedWindow::goes() const {
 RgbImage WatchedWindow::shown(const Rect& rect) const {
   XWindowAttributes attributes{};
   XGetWindowAttributes(display(), id_, &attributes);
-  const std::unique_ptr<::XImage, int (*)(::XImage*)> got{
-      XGetImage(display(), id_, rect.x, rect.y, rect.width, rect.height, AllPlanes, ZPixmap),
-      [](::XImage* image) { return image ? XDestroyImage(image) : 0; }};
+  const OwnedImage got{
+      XGetImage(display(), id_, rect.x, rect.y, rect.width, rect.height, AllPlanes, ZPixmap)};
   if (!got || got->bits_per_pixel != (attributes.depth == 8 ? 8 : 32))
     throw std::runtime_error("the window cannot be read");
   std::array<XColor, 256> cells{};

@@ -3,7 +3,9 @@
 #include <chrono>
 #include <functional>
 #include <optional>
+#include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 #include "shading/rect.h"
@@ -22,15 +24,22 @@
 
 class WatchedWindow {
  public:
-  /// Waits until the server shows a window of ours that is not `other`, while `hoping`.
+  /// Waits until the server shows a window of ours that is not `other`, while `hoping`, and its picture is
+  /// drawn.
   /// @throws std::runtime_error if none comes
   explicit WatchedWindow(
       const XServer& server, ::Window other = 0, const std::function<bool()>& hoping = [] { return true; });
+  /// One that need not have its picture yet.
+  [[nodiscard]] static WatchedWindow early(const XServer& server);
 
   [[nodiscard]] ::Display* display() const { return display_.get(); }
   [[nodiscard]] ::Window id() const { return id_; }
   [[nodiscard]] ::Colormap colormap() const;
   [[nodiscard]] bool colormapInstalled() const;
+
+  [[nodiscard]] std::string title() const;
+  /// What the title says too.
+  [[nodiscard]] bool isDrawing() const { return title().starts_with("(drawing) "); }
 
   /// Keys by their Latin-1 letters, with Shift where the keyboard needs it.
   void type(std::string_view letters) const;
@@ -55,6 +64,8 @@ class WatchedWindow {
   [[nodiscard]] bool settles() const;
 
  private:
+  explicit WatchedWindow(OwnedDisplay display) : display_{std::move(display)} {}
+
   OwnedDisplay display_;
   ::Window id_ = 0;
 };

@@ -5,20 +5,11 @@
 #include <random>
 #include <span>
 
+#include "tests/ready_workbench.h"
+
 namespace {
 
 using Stale = Workbench::Stale;
-
-Workbench bench(const ::Setup& setup = {}, int width = 1024, int height = 768) {
-  Workbench b{readScene("teapot", 3), setup, {}};
-  b.resize(width, height);
-  b.update();
-  return b;
-}
-
-void press(Workbench& b, std::string_view letters) {
-  for (const char c : letters) b.press({NamedKey::Letter, c});
-}
 
 /// The part of the window that holds no milliseconds: all but the status line.
 IndexImage withoutStatus(const Workbench& b) {
@@ -32,11 +23,11 @@ IndexImage withoutStatus(const Workbench& b) {
 
 // A new hue and 8 or 16 bits are colours in the same cells: not one index of the window changes.
 TEST(Workbench, HueAndBitsAreColoursAlone) {
-  Workbench b = bench();
+  ReadyWorkbench b;
   const IndexImage before = b.image();
   const Palette palette = b.palette();
   for (const char key : {'H', 'B'}) {
-    press(b, {&key, 1});
+    b.type({&key, 1});
     EXPECT_EQ(b.stale(), Stale::Colors);
     b.update();
     EXPECT_EQ(b.stale(), Stale::Nothing);
@@ -47,12 +38,12 @@ TEST(Workbench, HueAndBitsAreColoursAlone) {
 
 // Table, shades and I0 change cells and indices; the window then is that of a fresh start with them.
 TEST(Workbench, TableChangesEqualAFreshStart) {
-  Workbench b = bench();
-  press(b, "TT");
+  ReadyWorkbench b;
+  b.type("T");  // corrected
   b.update();
-  press(b, "0");
+  b.type("0");
   b.press({NamedKey::Right, 0, true});
-  press(b, "c");
+  b.type("c");
   b.press({NamedKey::Left, 0, true});
   EXPECT_EQ(b.stale(), Stale::Everything);
   b.update();
@@ -61,7 +52,7 @@ TEST(Workbench, TableChangesEqualAFreshStart) {
 
   ::Setup same;
   same.picture.table = b.setup().picture.table;
-  Workbench fresh = bench(same);
+  ReadyWorkbench fresh{same};
   EXPECT_EQ(b.palette(), fresh.palette());
   const Rect& at = b.layout().picture;
   for (int j = at.y; j < at.y + at.height; ++j)
@@ -73,29 +64,31 @@ TEST(Workbench, TableChangesEqualAFreshStart) {
 // Undo leads back step by step to the start, redo forth again; reset is a step like any other. A run of
 // one control's changes is one step.
 TEST(Workbench, UndoRedoReset) {
-  Workbench b = bench();
+  ReadyWorkbench b;
   const ::Setup start = b.setup();
-  press(b, "OLn");
+  b.type("OLn");
   for (int i = 0; i < 5; ++i) b.press({NamedKey::Right});
   b.drag(30, 10);
   const ::Setup end = b.setup();
   EXPECT_NE(end, start);
-  press(b, "uuuu");
+  b.type("uuuu");
   EXPECT_EQ(b.setup(), start);
-  press(b, "uuUUUU");
+  b.type("uuUUUU");
   EXPECT_EQ(b.setup(), end);
-  press(b, "r");
+  b.type("r");
   EXPECT_EQ(b.setup(), start);
-  press(b, "u");
+  b.type("u");
   EXPECT_EQ(b.setup(), end);
 }
 
 // Dragging adds up: ten drags of 3 pixels are one of 30, whether or not a frame was drawn between them.
 TEST(Workbench, DragsAddUp) {
-  Workbench one = bench(), many = bench();
+  ReadyWorkbench one, many;
   one.drag(30, 0);
-  for (int i = 0; i < 10; ++i) {
-    many.drag(3, 0);
+  const Rect& at = many.layout().picture;
+  ASSERT_TRUE(many.grab(at.x, at.y));
+  for (int i = 1; i <= 10; ++i) {
+    many.dragTo(at.x + 3 * i, at.y);
     if (i % 3 == 0) many.update();
   }
   const glm::dvec3 a = *one.setup().picture.camera.eye, b = *many.setup().picture.camera.eye;
@@ -114,13 +107,13 @@ TEST(Workbench, EverySizeDraws) {
                              {1600, 1200},
                              {2500, 700}}) {
     SCOPED_TRACE(testing::Message() << w << " x " << h);
-    Workbench b = bench({}, w, h);
+    ReadyWorkbench b{{}, w, h};
     EXPECT_EQ(b.image().width, w);
     EXPECT_EQ(b.image().height, h);
     EXPECT_EQ(b.layout().roomy, w >= 800 && h >= 600);
     const Rect& at = b.layout().picture;
     EXPECT_EQ(intersection(at, {0, 0, w, h}), at);
-    press(b, "?");
+    b.type("?");
     b.update();
   }
 }
@@ -129,7 +122,7 @@ TEST(Workbench, EverySizeDraws) {
 TEST(Workbench, NothingLingers) {
   std::mt19937 rng{7};
   constexpr std::string_view kLetters = "ipadsnc0lLVSOFPKTHBJ[]uUr+-=?tz133hmgj";
-  Workbench b = bench();
+  ReadyWorkbench b;
   for (int trial = 0; trial < 40; ++trial) {
     SCOPED_TRACE(trial);
     for (int k = 0; k < 6; ++k) {
@@ -142,10 +135,10 @@ TEST(Workbench, NothingLingers) {
       if (rng() % 2) b.update();
     }
     b.press({NamedKey::Escape});
-    press(b, "1s");
+    b.type("1s");
     b.update();
-    Workbench fresh = bench(b.setup());
-    press(fresh, "s");
+    ReadyWorkbench fresh{b.setup()};
+    fresh.type("s");
     fresh.update();
     EXPECT_EQ(b.palette(), fresh.palette());
     // The sliders' default marks differ: compare left of the controls.
@@ -157,9 +150,9 @@ TEST(Workbench, NothingLingers) {
 
 // The camera keys lead to no view that cannot be drawn: a thousand steps in each direction.
 TEST(Workbench, TheCameraSurvivesAnyKeys) {
-  Workbench b = bench({}, 300, 200);
+  ReadyWorkbench b{{}, 300, 200};
   for (const char mode : {'t', 'z'}) {
-    press(b, {&mode, 1});
+    b.type({&mode, 1});
     for (const NamedKey key : {NamedKey::Up, NamedKey::Left, NamedKey::Down, NamedKey::Right}) {
       for (int i = 0; i < 300; ++i) b.press({key, 0, true});
       EXPECT_NO_THROW(b.update());
@@ -172,17 +165,76 @@ TEST(Workbench, TheCameraSurvivesAnyKeys) {
 // The oracle has no polygons for the server to fill: the choice falls back to the scanline filler, and says
 // so.
 TEST(Workbench, OracleFillsNoPolygons) {
-  Workbench b = bench();
-  press(b, "FF");
+  ReadyWorkbench b;
+  b.type("FF");
   EXPECT_EQ(b.setup().fill, Fill::Scanline);
-  press(b, "F");
+  b.type("F");
   EXPECT_EQ(b.setup().fill, Fill::XFillPolygon);
-  press(b, "O");
+  b.type("O");
   EXPECT_EQ(b.setup().picture.order, Order::Oracle);
   EXPECT_EQ(b.setup().fill, Fill::Scanline);
-  press(b, "F");
+  b.type("F");
   EXPECT_EQ(b.setup().fill, Fill::Scanline);
   EXPECT_EQ(b.stale(), Stale::Everything);  // the status line tells why
+}
+
+// A key that does nothing says why: nothing was done yet that could be undone, and a slider that is off keeps
+// its value from the arrows, the ends and the typed line.
+TEST(Workbench, KeysThatDoNothingSayWhy) {
+  ReadyWorkbench b;
+  const ::Setup before = b.setup();
+  for (const std::string letters : {"u", "U", "0>", "0H", "0=", "i>"}) {
+    SCOPED_TRACE(letters);
+    for (const char c : letters) {
+      if (c == '>')
+        b.press({NamedKey::Right});
+      else if (c == 'H')
+        b.press({NamedKey::End});
+      else
+        b.type({&c, 1});
+    }
+    b.update();
+    const bool off = letters[0] != 'i';
+    const std::uint8_t alarm = b.plan()[Cell::Alarm];
+    const std::span status{b.image().row(b.layout().status.y), std::size_t{24} * 1024};
+    EXPECT_EQ(std::ranges::find(status, alarm) != status.end(), off);
+    EXPECT_EQ(b.setup() == before, off);
+  }
+}
+
+// The first letter that is typed replaces what stands in the line, but not where some of it was taken away.
+TEST(Workbench, TypingReplacesOrGoesOn) {
+  for (const bool shortened : {false, true}) {
+    ReadyWorkbench b;
+    b.type("d=");  // 0.90
+    if (shortened) b.press({NamedKey::Backspace});
+    b.type(shortened ? "5" : ".5");
+    b.press({NamedKey::Return});
+    EXPECT_EQ(b.setup().picture.light.kd, shortened ? 0.95 : 0.5);
+  }
+}
+
+// However shading comes to interpolate, in whichever view, the server does not fill any more.
+TEST(Workbench, NoViewLeavesTheServerWhatItCannotFill) {
+  for (const std::string_view keys : {"S", "5AS", "5Agg", "5Sx", "5ASux", "5BSx1"}) {
+    SCOPED_TRACE(keys);
+    ReadyWorkbench b;
+    b.type("FF");
+    EXPECT_EQ(b.setup().fill, Fill::Scanline);
+    b.type("F");
+    b.update();
+    ASSERT_TRUE(b.serverFills());
+    for (const char key : keys) {
+      b.type({&key, 1});
+      b.finish();
+    }
+    b.type("1");
+    b.finish();
+    EXPECT_EQ(b.serverFills(), !rowOf(b.setup().picture.shading).interpolates);
+    if (b.serverFills()) {
+      EXPECT_EQ(b.picture().cells().size(), b.picture().snapped().faces.size());
+    }
+  }
 }
 
 // Controls of the light do nothing where a scene brings its own: that is said, and nowhere else.
@@ -190,10 +242,8 @@ TEST(Workbench, TellsOfLightsThatAreTheScenes) {
   for (const std::string scene : {"spotlight", "teapot"})
     for (const char key : {'[', ']'}) {
       SCOPED_TRACE(scene + key);
-      Workbench b{readScene(scene, 3), {}, {}};
-      b.resize(1024, 768);
-      b.update();
-      press(b, {&key, 1});
+      ReadyWorkbench b{{}, 1024, 768, scene};
+      b.type({&key, 1});
       b.update();
       const std::uint8_t alarm = b.plan()[Cell::Alarm];
       const std::span status{b.image().row(b.layout().status.y), std::size_t{24} * 1024};
@@ -203,10 +253,11 @@ TEST(Workbench, TellsOfLightsThatAreTheScenes) {
 
 // While the picture is dragged wrong faces are not counted; afterwards they are.
 TEST(Workbench, CountsWrongFacesWhenSettled) {
-  Workbench b = bench();
+  ReadyWorkbench b;
   const IndexImage counted = b.image();
   b.drag(0, 0);
   b.settle();
+  b.update();
   EXPECT_EQ(b.stale(), Stale::Nothing);  // nothing was left out
   b.drag(3, 3);
   b.update(true);
@@ -214,7 +265,7 @@ TEST(Workbench, CountsWrongFacesWhenSettled) {
   EXPECT_EQ(b.stale(), Stale::Everything);
   b.update();
   EXPECT_EQ(b.stale(), Stale::Nothing);
-  press(b, "u");
+  b.type("u");
   b.update();
   EXPECT_TRUE(std::equal(counted.row(600), counted.row(663), b.image().row(600)));
 }

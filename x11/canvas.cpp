@@ -39,12 +39,7 @@ void tellWindowManager(::Display* display, ::Window window, const Canvas::Settin
   hints.initial_state = NormalState;
   std::string name = "xnewell", group = "Xnewell";
   XClassHint classHint{name.data(), group.data()};
-  Xutf8SetWMProperties(display, window, settings.title.c_str(), settings.title.c_str(), nullptr, 0, &sizes,
-                       &hints, &classHint);
-  const ::Atom utf8 = XInternAtom(display, "UTF8_STRING", 0), title = XInternAtom(display, "_NET_WM_NAME", 0);
-  XChangeProperty(display, window, title, utf8, 8, PropModeReplace,
-                  reinterpret_cast<const unsigned char*>(settings.title.data()),
-                  static_cast<int>(settings.title.size()));
+  Xutf8SetWMProperties(display, window, nullptr, nullptr, nullptr, 0, &sizes, &hints, &classHint);
 }
 
 }  // namespace
@@ -56,6 +51,9 @@ Canvas::Canvas(::Display* display, const ServerColormap& colormap, const Setting
   trap.check();
   window_ = std::move(made);
   tellWindowManager(display, window(), settings);
+  netName_ = XInternAtom(display, "_NET_WM_NAME", 0);
+  utf8_ = XInternAtom(display, "UTF8_STRING", 0);
+  entitle(settings.title);
   deleteWindow_ = XInternAtom(display, "WM_DELETE_WINDOW", 0);
   protocols_ = XInternAtom(display, "WM_PROTOCOLS", 0);
   XSetWMProtocols(display, window(), &deleteWindow_, 1);
@@ -68,6 +66,13 @@ Canvas::Canvas(::Display* display, const ServerColormap& colormap, const Setting
   gc_ = {display, XCreateGC(display, window(), GCGraphicsExposures, &values)};
   trap.check();
   resize(settings.width, settings.height);
+}
+
+void Canvas::entitle(const std::string& title) const {
+  Xutf8SetWMProperties(display_, window(), title.c_str(), title.c_str(), nullptr, 0, nullptr, nullptr,
+                       nullptr);
+  XChangeProperty(display_, window(), netName_, utf8_, 8, PropModeReplace,
+                  reinterpret_cast<const unsigned char*>(title.data()), static_cast<int>(title.size()));
 }
 
 bool Canvas::isCloseRequest(const XEvent& event) const {
@@ -133,16 +138,18 @@ void Canvas::setFill(std::uint8_t index) {
   XSetFillStyle(display_, gc(), FillTiled);
 }
 
-RgbImage Canvas::readBack(const Rect& rect) const {
+OwnedImage Canvas::pixels(const Rect& rect) const {
   assert(!rect.empty() && intersection(rect, size_) == rect);
-  struct Destroy {
-    void operator()(::XImage* image) const { XDestroyImage(image); }
-  };
   ErrorTrap trap{display_};
-  const std::unique_ptr<::XImage, Destroy> got{
+  OwnedImage got{
       XGetImage(display_, drawable(), rect.x, rect.y, rect.width, rect.height, AllPlanes, ZPixmap)};
   trap.check();
   if (!got) throw X11Error("the X server did not give the picture back");
+  return got;
+}
+
+RgbImage Canvas::readBack(const Rect& rect) const {
+  const OwnedImage got = pixels(rect);
   const PixelColors colors{display_, colormap_.id(), colormap_.visual()};
   RgbImage image{rect.width, rect.height};
   std::uint8_t* out = image.rgb.data();

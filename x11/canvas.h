@@ -29,6 +29,8 @@ class Canvas {
   Canvas(const Canvas&) = delete;
   Canvas& operator=(const Canvas&) = delete;
 
+  /// What window managers write over the window.
+  void entitle(const std::string& title) const;
   void map() { XMapWindow(display_, window()); }
   [[nodiscard]] ::Window window() const { return window_.get(); }
   [[nodiscard]] int width() const { return size_.width; }
@@ -57,8 +59,10 @@ class Canvas {
   /// or where it is dithered the tile, from the picture's upper left corner.
   void setFill(std::uint8_t index);
 
-  /// What `rect` shows: pixels from the server, through its colormap, each value >> 8. Precondition: rect is
-  /// not empty and within the picture. @throws X11Error if the server cannot.
+  /// The pixel values of `rect`, as the server has them. Precondition: rect is not empty and within the
+  /// picture. @throws X11Error if the server cannot.
+  [[nodiscard]] OwnedImage pixels(const Rect& rect) const;
+  /// What they show, through the colormap, each value >> 8.
   [[nodiscard]] RgbImage readBack(const Rect& rect) const;
 
  private:
@@ -76,5 +80,5 @@ class Canvas {
     OwnedPixmap pixmap;
   };
   std::map<std::uint8_t, ServerTile> tiles_;
-  ::Atom deleteWindow_ = 0, protocols_ = 0;
+  ::Atom deleteWindow_ = 0, protocols_ = 0, netName_ = 0, utf8_ = 0;
 };

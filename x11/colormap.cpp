@@ -3,12 +3,16 @@
 #include <X11/Xutil.h>
 
 #include <algorithm>
+#include <glm/geometric.hpp>
 #include <memory>
+#include <utility>
 #include <vector>
 
 namespace {
 
 constexpr int kCellCount = 256;
+/// Where a picture has several hues they are taken to be these: red, yellow, green, cyan, blue, magenta.
+constexpr int kPureHues = 6;
 
 ::Visual* findVisual(::Display* display, unsigned long id) {
   ::XVisualInfo wanted{};
@@ -75,9 +79,11 @@ ServerColormap::ServerColormap(::Display* display, const VisualChoice& choice, c
     }
     own_ = std::move(made);
   }
-  if (byCell) {
-    shared_ = std::make_unique<SharedCells>(display, id(), visual_, settings.shades);
-    if (!shared_->ramp().empty()) has_ = Own::Ramp;
+  if (sharing && visual_.hasChannels() && !visual_.holdsTable()) {
+    shared_ = std::make_unique<SharedCells>(display, id(), visual_, 0);
+    fixed_.emplace(shared_->levels(), visual_.alphaMask());
+  } else if (byCell) {
+    takeShades();
   } else if (visual_.holdsTable()) {
     has_ = Own::Everything;
     useEveryCell();
@@ -88,6 +94,22 @@ ServerColormap::ServerColormap(::Display* display, const VisualChoice& choice, c
   trap.check();
 }
 
+void ServerColormap::takeShades() {
+  shared_.reset();  // what was taken before is free again
+  shared_ = std::make_unique<SharedCells>(display_, id(), visual_, settings_.shades);
+  found_ = static_cast<int>(shared_->ramp().size());
+  if (mixingShowsMore()) shared_->giveRampBack();
+  has_ = shared_->ramp().empty() ? Own::Nothing : Own::Ramp;
+}
+
+void ServerColormap::reconsider(bool severalHues) {
+  if (std::exchange(settings_.severalHues, severalHues) == severalHues || !shared_ || fixed_) return;
+  takeShades();
+  lookedUp_.reset();
+  tool_.reset();
+  stored_.fill({});
+}
+
 void ServerColormap::useEveryCell() {
   std::array<unsigned long, kCellCount> pixels;
   for (int i = 0; i < kCellCount; ++i) pixels[i] = pixelOfCell(visual_, i);
@@ -95,6 +117,26 @@ void ServerColormap::useEveryCell() {
   if (!identity() || DefaultDepth(display_, screen_) != 8) return;
   std::ranges::copy(readColors(display_, DefaultColormap(display_, screen_), {pixels.begin(), pixels.end()}),
                     unneeded_.begin());
+}
+
+bool ServerColormap::mixingShowsMore() const {
+  const bool several = settings_.severalHues && !visual_.gray();
+  const int shades = several ? found_ / kPureHues : found_;
+  // Mixing has no more than 65 levels between two colours; and to ask for the colours takes many round trips.
+  if (found_ == 0 || found_ == settings_.shades || shades > 65) return false;
+  const std::vector<OfferedColor> held = shared_->held();
+  if (held.empty()) return false;
+  const OfferedColors offered{held};
+  double mixing = 0, ramp = 0;
+  for (int corner = visual_.gray() ? 7 : 1; corner <= 7; ++corner) {
+    const glm::ivec3 hue{corner & 1, corner >> 1 & 1, corner >> 2 & 1};
+    for (int value = 0; value < 256; value += 17) {
+      mixing += offered.miss(hue * value, settings_.dither);
+      // Equally spaced, the nearest shade is on average a quarter of a step away.
+      ramp += glm::length(glm::dvec3{hue}) * 255.0 / (4.0 * std::max(shades - 1, 1));
+    }
+  }
+  return mixing < ramp;
 }
 
 void ServerColormap::offerFixedColors() {
@@ -134,21 +176,32 @@ std::string ServerColormap::account() const {
   if (has_ == Own::Everything) return map + "256 of 256 cells";
   if (has_ == Own::Ramp)
     return map + std::to_string(mostShades()) + " of " + std::to_string(settings_.shades) + " shades";
-  return (shared_ ? map + "no cell free" : visual_.name()) + (visual_.exact()    ? ", table emulated"
-                                                              : settings_.dither ? ", dithered"
-                                                                                 : ", nearest colours");
+  const std::string emulated = visual_.holdsColors() ? ", table emulated"
+                               : settings_.dither    ? ", colours mixed"
+                                                     : ", nearest colours";
+  if (!shared_) return visual_.name() + emulated;
+  if (fixed_) return map + std::to_string(fixed_->size()) + " colours" + (settings_.dither ? ", mixed" : "");
+  return map + (found_ > 0 ? "too few cells free" : "no cell free") + emulated;
 }
 
 std::string ServerColormap::shortfall() const {
-  if (has_ == Own::Ramp && mostShades() < settings_.shades)
-    return "the " + std::string{own_.get() ? "" : "default "} + "colormap has free cells for " +
-           std::to_string(mostShades()) + " of " + std::to_string(settings_.shades) + " shades";
-  if (shared_ && has_ == Own::Nothing)
-    return "the default colormap has no free cells for a ramp of shades: the nearest of its colours are "
-           "shown";
+  const std::string its = "the " + std::string{own_.get() ? "" : "default "} + "colormap";
+  if (shared_ && found_ > 0 && found_ < settings_.shades) {
+    const std::string has = its + " has free cells for " + std::to_string(found_) + " of " +
+                            std::to_string(settings_.shades) + " shades";
+    return has_ == Own::Ramp ? has : has + ", and " + instead() + ", which shows more";
+  }
+  if (shared_ && fixed_)
+    return its + " has levels for " + std::to_string(fixed_->size()) +
+           " colours and no ramp of shades: " + instead();
+  if (shared_ && has_ == Own::Nothing) return its + " has no free cells for a ramp of shades: " + instead();
   if (!shared_ && settings_.owner == MapOwner::Shared)
     return "the default colormap, of " + visual_.name() + ", is not writable: the colour table is emulated";
   return "";
+}
+
+std::string ServerColormap::instead() const {
+  return settings_.dither ? "its colours are mixed" : "the nearest of its colours are shown";
 }
 
 CellPlan ServerColormap::plan(TableKind table) const {
@@ -178,47 +231,53 @@ OfferedColors ServerColormap::offered(const Palette& palette, const OwnCells& ow
   return OfferedColors{std::move(list)};
 }
 
+const ToolColors& ServerColormap::toolColors() {
+  if (tool_) return *tool_;
+  const CellPlan plan;
+  const Palette colors = withInterface({}, plan);
+  std::array<glm::ivec3, kCells> wanted;
+  std::array<std::optional<OfferedColor>, kCells> has;
+  for (int role = 0; role < kCells; ++role) {
+    const Cell cell = static_cast<Cell>(role);
+    wanted[role] = eightBits(seen(colors[plan[cell]]));
+    if (!shared_) continue;
+    if (const std::optional<unsigned long> pixel = shared_->interfaceCell(cell))
+      has[role] = OfferedColor{*pixel, wanted[role]};
+  }
+  // To ask for what others hold takes many round trips.
+  const bool settled = std::ranges::all_of(has, [](const auto& cell) { return cell.has_value(); });
+  return tool_.emplace(chooseToolColors(settled ? OfferedColors{{}} : offered({}, {}), wanted, has));
+}
+
 bool ServerColormap::lookUp(const Palette& palette, const CellPlan& plan) {
   const LookedUp now{palette, plan};
   if (has_ == Own::Everything || lookedUp_ == now) return false;
   const OwnCells own = ownCells(plan);
   const auto interface = interfaceCells(palette, plan);
   PixelTable next;
-  std::optional<OfferedColors> lasting, all;  // asked for where needed: most maps have cells for all
+  std::optional<OfferedColors> all;
   for (int i = 0; i < kCellCount; ++i) {
     const Rgb16 color = seen(palette[i]);
     std::optional<unsigned long> pixel = own[i];
     if (!pixel && visual_.exact()) pixel = pixelOf(color, visual_.masks) | visual_.alphaMask();
-    if (!pixel && shared_ && interface[i]) pixel = shared_->interfaceCell(*interface[i]);
     if (!pixel && shared_ && color == Rgb16{}) pixel = shared_->interfaceCell(Cell::Black);
+    // The tool not by a shade of ours, which would change with the hue.
+    if (!pixel && interface[i]) pixel = toolColors()[static_cast<int>(*interface[i])].pixel;
     if (pixel) {
       next.set(i, *pixel);
-    } else if (interface[i]) {  // not by a shade of ours, which would change with the hue
-      if (!lasting) lasting.emplace(offered(palette, {}));
-      next.set(i, lasting->nearest(eightBits(color)).pixel);
-    } else {
-      if (!all) all.emplace(offered(palette, own));
-      const unsigned long nearest = all->nearest(eightBits(color)).pixel;
-      if (settings_.dither)
-        next.set(i, nearest, all->mixture(eightBits(color)));
-      else
-        next.set(i, nearest);
+      continue;
     }
+    if (!all) all.emplace(offered(palette, own));
+    const unsigned long nearest = all->nearest(eightBits(color)).pixel;
+    if (settings_.dither)
+      next.set(i, nearest, all->mixture(eightBits(color)));
+    else
+      next.set(i, nearest);
   }
-  keepReadable(next, plan);
   const bool again = next != table_;
   table_ = std::move(next);
   lookedUp_ = now;
   return again;
-}
-
-/// Where colours are few, text may become the colour it stands on: then it is black, or white on the well.
-void ServerColormap::keepReadable(PixelTable& table, const CellPlan& plan) const {
-  const auto pixel = [&](Cell cell) { return table.pixels()[plan[cell]]; };
-  for (const Cell text : {Cell::Faint, Cell::Soft, Cell::Ink, Cell::Good, Cell::Alarm, Cell::P})
-    if (pixel(text) == pixel(Cell::Paper) || pixel(text) == pixel(Cell::Panel))
-      table.set(plan[text], pixel(Cell::Black));
-  if (pixel(Cell::WellText) == pixel(Cell::Well)) table.set(plan[Cell::WellText], pixel(Cell::White));
 }
 
 bool ServerColormap::store(const Palette& palette, const CellPlan& plan) {

@@ -11,23 +11,28 @@
 #include "x11/display.h"
 #include "x11/emulation.h"
 #include "x11/shared_cells.h"
+#include "x11/tool_colors.h"
 #include "x11/visual.h"
 
 /// The picture's 256 colours on the server. Each index has either a cell of ours there, into which its colour
-/// is stored, or stands for the nearest of the colours that the server has, dithered. What the visual and
+/// is stored, or stands for the nearest of the colours that the server has, or several mixed. What the visual
+/// and
 /// `--colormap` give:
 ///   private map of 256 cells    PseudoColor, GrayScale: every index its own cell, pixel value = index;
 ///                               DirectColor: through pixel values (i, i, i)
-///   shared map                  the ramp's indices as far as cells were free, the others emulated
-///   private map of fewer cells  the same, but DirectColor's is filled with even levels once, then emulated
+///   shared map                  the ramp's indices as far as cells were free, the others emulated; or all
+///                               emulated, where the map's own colours show more than so few shades
+///   private map of fewer cells  the same, but DirectColor's is filled with even levels once, then emulated,
+///                               and of a shared one so many levels are taken as are free
 ///   map that cannot be written  emulated
-/// What cells there are is known when it is made, and does not change.
+/// What cells there are is known when it is made, and changes with reconsider() alone.
 class ServerColormap {
  public:
   struct Settings {
     MapOwner owner = MapOwner::Private;
-    bool dither = true;       ///< else every index is one colour, also where that is not the one wanted
-    int shades = kMaxShades;  ///< of the ramp: a shared map is asked for no more
+    bool dither = true;        ///< else every index is one colour, also where that is not the one wanted
+    int shades = kMaxShades;   ///< of the ramp: a shared map is asked for no more
+    bool severalHues = false;  ///< the shades are divided among them
   };
   /// The Display must outlive it. Where the default visual is 8 bits deep too, a private map starts as a copy
   /// of the default one, so that cells we do not need look as they do everywhere else; elsewhere it starts
@@ -45,6 +50,9 @@ class ServerColormap {
   [[nodiscard]] bool live() const { return has_ != Own::Nothing; }
   /// Is index i shown by pixel value i?
   [[nodiscard]] bool identity() const { return has_ == Own::Everything && !visual_.hasChannels(); }
+  /// For a scene with several hues, or with one again: where cells are shared they are taken anew. What is
+  /// shown meanwhile is to be stored and presented again.
+  void reconsider(bool severalHues);
   /// How many shades a ramp can have so that each gets its own cell; where none does, all are emulated.
   [[nodiscard]] int mostShades() const;
   /// "PseudoColor 8, shared map, 143 of 240 shades"
@@ -85,14 +93,21 @@ class ServerColormap {
  private:
   enum class Own { Nothing, Ramp, Everything };  ///< which indices have their own
   void useEveryCell();
+  void takeShades();
   void offerFixedColors();
+  /// Do the colours of the shared map come nearer to those of a picture than the ramp does?
+  [[nodiscard]] bool mixingShowsMore() const;
+  /// What is done with the colours of a shared map that has too few cells.
+  [[nodiscard]] std::string instead() const;
   void fillEvenly();  ///< a DirectColor map of fewer than 256 levels a channel
   /// The pixel value of the cell of ours that holds an index's colour, where there is one.
   using OwnCells = std::array<std::optional<unsigned long>, 256>;
   [[nodiscard]] OwnCells ownCells(const CellPlan& plan) const;
   /// What is on offer for the other indices while `palette` is stored.
   [[nodiscard]] OfferedColors offered(const Palette& palette, const OwnCells& own) const;
-  void keepReadable(PixelTable& table, const CellPlan& plan) const;
+  /// What shows the tool's colours where they have no cells of their own; asked for where needed, for most
+  /// maps have cells for all, and does not change.
+  [[nodiscard]] const ToolColors& toolColors();
   /// A colour as this visual can show it.
   [[nodiscard]] Rgb16 seen(Rgb16 color) const { return visual_.gray() ? grayOf(color) : color; }
 
@@ -102,9 +117,11 @@ class ServerColormap {
   ::Visual* xVisual_;
   Settings settings_;
   Own has_ = Own::Nothing;
-  OwnedColormap own_;                    ///< empty: the default map serves
+  int found_ = 0;      ///< shades that the map had cells for, also where it was better to give them back
+  OwnedColormap own_;  ///< empty: the default map serves
   std::unique_ptr<SharedCells> shared_;  ///< of Own::Ramp, and where a shared map had none
   std::optional<OfferedColors> fixed_;   ///< of a map that does not change
+  std::optional<ToolColors> tool_;
   Palette unneeded_{};
   struct LookedUp {
     Palette palette;

@@ -1,7 +1,6 @@
 #include "x11/controls.h"
 
 #include <algorithm>
-#include <charconv>
 #include <cmath>
 #include <glm/geometric.hpp>
 #include <numbers>
@@ -35,41 +34,50 @@ bool isParallel(const CameraSettings& camera) { return camera.parallel || camera
 }  // namespace
 
 const std::array<SliderRow, 8> kSliders{{
-    {'i', "Ia", Section::Light, 0, 1, 0.01, false, 2, [](const Setup& s) { return s.picture.light.Ia; },
-     setIa, always},
-    {'p', "Ip", Section::Light, 0, 1, 0.01, false, 2, [](const Setup& s) { return s.picture.light.Ip; },
-     setIp, always},
-    {'a', "ka", Section::Surface, 0, 1, 0.01, false, 2, [](const Setup& s) { return s.picture.light.ka; },
-     [](Setup& s, double v) { s.picture.light.ka = v; }, always},
-    {'d', "kd", Section::Surface, 0, 1, 0.01, false, 2, [](const Setup& s) { return s.picture.light.kd; },
-     [](Setup& s, double v) { s.picture.light.kd = v; }, always},
-    {'s', "ks", Section::Surface, 0, 1, 0.01, false, 2, [](const Setup& s) { return s.picture.light.ks; },
-     [](Setup& s, double v) { s.picture.light.ks = v; }, always},
-    {'n', "n", Section::Surface, 1, 1000, 0.01, true, 0,
+    {'i', "Ia", "light that comes from everywhere alike", Section::Light, 0, 1, 0.01, false, 2,
+     [](const Setup& s) { return s.picture.light.Ia; }, setIa, always},
+    {'p', "Ip", "light of the source; Ia + Ip keep within 1", Section::Light, 0, 1, 0.01, false, 2,
+     [](const Setup& s) { return s.picture.light.Ip; }, setIp, always},
+    {'a', "ka", "how much of Ia the surface gives back", Section::Surface, 0, 1, 0.01, false, 2,
+     [](const Setup& s) { return s.picture.light.ka; }, [](Setup& s, double v) { s.picture.light.ka = v; },
+     always},
+    {'d', "kd", "how much of Ip it scatters, times N.L", Section::Surface, 0, 1, 0.01, false, 2,
+     [](const Setup& s) { return s.picture.light.kd; }, [](Setup& s, double v) { s.picture.light.kd = v; },
+     always},
+    {'s', "ks", "how much of Ip it mirrors: the highlight", Section::Surface, 0, 1, 0.01, false, 2,
+     [](const Setup& s) { return s.picture.light.ks; }, [](Setup& s, double v) { s.picture.light.ks = v; },
+     always},
+    {'n', "n", "how sharp the highlight is: R.V to the n", Section::Surface, 1, 1000, 0.01, true, 0,
      [](const Setup& s) { return double(s.picture.light.n); },
-     [](Setup& s, double v) { s.picture.light.n = static_cast<int>(v); }, needsSpecular},
-    {'c', "shades", Section::ColourTable, 2, kMaxShades, 1, false, 0,
+     [](Setup& s, double v) { s.picture.light.n = static_cast<int>(v); }, needsSpecular,
+     "n is the highlight's, and ks is 0: there is none."},
+    {'c', "shades", "cells of the ramp from dark to bright", Section::ColourTable, 2, kMaxShades, 1, false, 0,
      [](const Setup& s) { return double(s.picture.table.shades); },
      [](Setup& s, double v) { s.picture.table.shades = static_cast<int>(v); }, always},
-    {'0', "I0", Section::ColourTable, 0.001, 0.5, 0.01, true, 3,
-     [](const Setup& s) { return s.picture.table.I0; }, [](Setup& s, double v) { s.picture.table.I0 = v; },
-     corrected},
+    {'0', "I0", "the darkest shade, also of what is darker; each next r times as bright",
+     Section::ColourTable, 0.001, 0.5, 0.01, true, 3, [](const Setup& s) { return s.picture.table.I0; },
+     [](Setup& s, double v) { s.picture.table.I0 = v; }, corrected,
+     "I0 is for the corrected table: T goes through the tables."},
 }};
 
 const std::vector<ChoiceRow>& choices() {
   static const std::vector<ChoiceRow> rows{
-      {'S', "shading", Section::Method, labels(kShadings),
-       [](const Setup& s) { return int(s.picture.shading); },
+      {'W', "show", "what is drawn of the scene", Section::Method, labels(kShows),
+       [](const Setup& s) { return int(s.show); }, [](Setup& s, int i) { s.show = kShows[i].id; }},
+      {'S', "shading", "where I is computed: a face, its corners, each pixel", Section::Method,
+       labels(kShadings), [](const Setup& s) { return int(s.picture.shading); },
        [](Setup& s, int i) { s.picture.shading = kShadings[i].id; }},
-      {'N', "normals", Section::Method, names(kNormalRules),
+      {'N', "normals", "how a vertex gets N from the faces around it", Section::Method, names(kNormalRules),
        [](const Setup& s) { return int(s.picture.normals); },
        [](Setup& s, int i) { s.picture.normals = kNormalRules[i].id; }},
-      {'O', "order", Section::Method, labels(kOrders), [](const Setup& s) { return int(s.picture.order); },
+      {'O', "order", "which is painted first; what comes later covers it", Section::Method, labels(kOrders),
+       [](const Setup& s) { return int(s.picture.order); },
        [](Setup& s, int i) { s.picture.order = kOrders[i].id; }},
-      {'F', "fill", Section::Method, labels(kFills), [](const Setup& s) { return int(s.fill); },
-       [](Setup& s, int i) { s.fill = kFills[i].id; }},
+      {'F', "fill", "who finds the pixels of a polygon", Section::Method, labels(kFills),
+       [](const Setup& s) { return int(s.fill); }, [](Setup& s, int i) { s.fill = kFills[i].id; }},
       {'P',
        "project",
+       "whether what is far is smaller",
        Section::Method,
        {"parallel", "perspective"},
        [](const Setup& s) { return isParallel(s.picture.camera) ? 0 : 1; },
@@ -81,18 +89,40 @@ const std::vector<ChoiceRow>& choices() {
        }},
       {'K',
        "backs",
+       "faces turned away: painted, or left out",
        Section::Method,
        {"keep", "cull"},
        [](const Setup& s) { return int(s.picture.cull); },
        [](Setup& s, int i) { s.picture.cull = i == 0 ? Cull::Keep : Cull::Back; }},
       {'T',
        "table",
+       "which intensity the i-th shade stands for",
        Section::ColourTable,
        {kTables[0].name, kTables[1].name, kTables[2].name},
        [](const Setup& s) { return int(s.picture.table.kind); },
        [](Setup& s, int i) { s.picture.table.kind = kTables[i].id; }},
   };
   return rows;
+}
+
+std::string_view keepFillable(Setup& setup) {
+  if (setup.fill != Fill::XFillPolygon) return {};
+  const bool oracle = setup.picture.order == Order::Oracle;
+  if (!oracle && !rowOf(setup.picture.shading).interpolates) return {};
+  setup.fill = Fill::Scanline;
+  return oracle ? "The oracle decides each sample by itself: there is no polygon for the server to fill."
+                : "XFillPolygon gives a polygon one cell: the server cannot interpolate.";
+}
+
+std::string_view whatIs(char key) {
+  if (key == 'l') return "where the light is: drag it on the ball";
+  for (const SliderRow& row : kSliders)
+    if (row.key == key) return row.tells;
+  for (const ChoiceRow& row : choices())
+    if (row.key == key) return row.tells;
+  for (const ToggleRow& row : kToggles)
+    if (row.key == key) return row.tells;
+  return {};
 }
 
 void nextHue(Setup& setup) {
@@ -122,13 +152,6 @@ void step(Setup& setup, const SliderRow& row, int steps) {
   if (std::abs(after - before) < unit / 2)
     after = std::clamp(before + (steps > 0 ? unit : -unit), row.low, row.high);
   row.set(setup, after);
-}
-
-std::string formatted(double value, int decimals) {
-  std::array<char, 64> text;
-  const auto end =
-      std::to_chars(text.data(), text.data() + text.size(), value, std::chars_format::fixed, decimals).ptr;
-  return {text.data(), end};
 }
 
 namespace {
@@ -178,7 +201,11 @@ void turnLight(Illumination& light, UpAxis up, double azimuth, double elevation,
   double a = std::round(now.azimuth + azimuth);
   a -= 360.0 * std::floor((a + 180.0) / 360.0);
   const SinCos sa = sinCosDegrees(a), se = sinCosDegrees(e);
-  light.light = se.cos * (sa.sin * h.right + sa.cos * h.towards) + se.sin * h.up;
+  aimLight(light, se.cos * (sa.sin * h.right + sa.cos * h.towards) + se.sin * h.up, centre);
+}
+
+void aimLight(Illumination& light, glm::dvec3 towards, glm::dvec3 centre) {
+  light.light = towards;
   if (light.lightPosition)
-    *light.lightPosition = centre + glm::length(*light.lightPosition - centre) * light.light;
+    *light.lightPosition = centre + glm::length(*light.lightPosition - centre) * towards;
 }

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "shading/picture.h"
+#include "shading/shows.h"
 #include "x11/options.h"
 
 /// What can be changed while the program runs, one row a control: the panel draws these rows, the keys
@@ -16,15 +17,21 @@
 struct Setup {
   PictureSettings picture;
   Fill fill = Fill::Scanline;
+  int divisions = 0;         ///< of patches; 0: as the scene was read
+  Show show = Show::Shaded;  ///< in the view of the picture
   bool operator==(const Setup&) const = default;
 };
+
+/// A server fills polygons, each with one cell: where the setup has none, or has more, the scanline filler
+/// takes its place. Why, as a sentence; "" where nothing changed.
+[[nodiscard]] std::string_view keepFillable(Setup& setup);
 
 enum class Section { Light, Surface, Method, ColourTable };
 
 /// A small letter goes to the slider; then the arrows change it.
 struct SliderRow {
   char key;
-  std::string_view label;
+  std::string_view label, tells;  ///< what it is, for the status line
   Section section;
   double low, high,
       step;  ///< arrows move by `step`, with Shift by ten; logarithmic: by that share of the track
@@ -33,6 +40,7 @@ struct SliderRow {
   double (*get)(const Setup&);
   void (*set)(Setup&, double);
   bool (*enabled)(const Setup&);
+  std::string_view whenOff = {};  ///< a sentence
 };
 enum SliderIndex { kIa, kIp, kKa, kKd, kKs, kN, kShadesSlider, kI0 };
 extern const std::array<SliderRow, 8> kSliders;
@@ -40,7 +48,7 @@ extern const std::array<SliderRow, 8> kSliders;
 /// A capital takes the next option.
 struct ChoiceRow {
   char key;
-  std::string_view label;
+  std::string_view label, tells;
   Section section;
   std::vector<std::string_view> options;
   int (*get)(const Setup&);
@@ -50,13 +58,18 @@ struct ChoiceRow {
 
 struct ToggleRow {
   char key;
-  std::string_view label;
+  std::string_view label, tells;
   bool Illumination::*value;
 };
 inline constexpr std::array kToggles{
-    ToggleRow{'L', "L constant", &Illumination::constantL},
-    ToggleRow{'V', "V constant", &Illumination::constantV},
+    ToggleRow{'L', "L constant", "the light is so far away that L is the same everywhere",
+              &Illumination::constantL},
+    ToggleRow{'V', "V constant", "the eye is so far away that V is the same everywhere",
+              &Illumination::constantV},
 };
+
+/// What the control of a key is; "" for others.
+[[nodiscard]] std::string_view whatIs(char key);
 
 /// Hues the key `H` walks through.
 struct HueRow {
@@ -74,7 +87,6 @@ void nextHue(Setup& setup);
 [[nodiscard]] double trackValue(const SliderRow& row, double position);
 /// The slider's value after `steps` of its steps, kept within its range.
 void step(Setup& setup, const SliderRow& row, int steps);
-[[nodiscard]] std::string formatted(double value, int decimals);
 
 /// Ia and Ip are two thumbs on one bar: the one that moves pushes the other, so that Ia + Ip <= 1.
 void setIa(Setup& setup, double Ia);
@@ -93,3 +105,5 @@ struct LightAngles {
 /// its distance from the centre.
 void turnLight(Illumination& light, UpAxis up, double azimuth, double elevation,
                glm::dvec3 centre = glm::dvec3{0});
+/// Puts the light where `towards` points from the centre, unit; a point light keeps its distance.
+void aimLight(Illumination& light, glm::dvec3 towards, glm::dvec3 centre);

@@ -1,5 +1,6 @@
 #include "x11/display.h"
 
+#include <X11/Xutil.h>
 #include <unistd.h>
 
 #include <array>
@@ -80,6 +81,7 @@ int onError(::Display* display, XErrorEvent* error) {
 }
 
 OwnedDisplay openDisplay(const std::string& name) {
+  XInitThreads();                 // long_work.h: a scene that is opened meanwhile asks for its cells
   std::signal(SIGPIPE, SIG_IGN);  // a broken connection is onServerGone()'s
   XSetErrorHandler(onError);
   XSetIOErrorHandler(onServerGone);
@@ -93,6 +95,8 @@ OwnedDisplay openDisplay(const std::string& name) {
 }
 
 int strayErrors() { return strays; }
+
+void ImageDestroyer::operator()(::XImage* image) const { XDestroyImage(image); }
 
 ErrorTrap::ErrorTrap(::Display* display)
     : display_{display}, outer_{innermost}, from_{NextRequest(display)}, synced_{from_} {

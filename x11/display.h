@@ -59,6 +59,12 @@ using OwnedWindow = XResource<::Window, XDestroyWindow>;
 using OwnedColormap = XResource<::Colormap, XFreeColormap>;
 using OwnedGC = XResource<::GC, XFreeGC>;
 
+/// An image in our memory.
+struct ImageDestroyer {
+  void operator()(::XImage* image) const;
+};
+using OwnedImage = std::unique_ptr<::XImage, ImageDestroyer>;
+
 /// While it lives all other programs wait; for a few requests that belong together.
 class ServerGrab {
  public:

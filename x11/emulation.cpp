@@ -1,7 +1,9 @@
 #include "x11/emulation.h"
 
 #include <algorithm>
+#include <cmath>
 #include <cstdlib>
+#include <glm/geometric.hpp>
 #include <limits>
 
 #include "shading/quantize.h"
@@ -13,32 +15,43 @@ int squaredDistance(const glm::ivec3& p, const glm::ivec3& q) {
   return d.r * d.r + d.g * d.g + d.b * d.b;
 }
 
+std::array<std::vector<OfferedLevel>, 3> levelsIn(const ChannelMasks& masks,
+                                                  const std::function<Rgb16(unsigned long)>& shown) {
+  std::array<std::vector<OfferedLevel>, 3> levels;
+  const std::array channels{masks.red, masks.green, masks.blue};
+  for (int c = 0; c < 3; ++c) {
+    const unsigned long step = channels[c] & -channels[c];
+    for (unsigned long l = 0; l < levelsOf(channels[c]); ++l)
+      levels[c].push_back({l * step, eightBits(shown(l * step))[c]});
+  }
+  return levels;
+}
+
 int brightness(const glm::ivec3& c) { return 30 * c.r + 59 * c.g + 11 * c.b; }
 
 }  // namespace
 
-OfferedColors::Channel::Channel(unsigned long mask, const std::function<int(unsigned long)>& shown) {
-  const unsigned long step = mask & -mask;  // from level to level
-  unsigned long level = 0;
+OfferedColors::Channel::Channel(const std::vector<OfferedLevel>& offered) : levels{offered.size()} {
   for (int v = 0; v < 256; ++v) {
-    const auto distance = [&](unsigned long l) { return std::abs(shown(l) - v); };
-    // Equal levels in a row, as where few bits of a stored colour count, are passed too.
-    for (unsigned long next = level; next != mask;) {
-      next += step;
-      if (distance(next) > distance(level)) break;
-      level = next;
-    }
-    shows[v] = shown(level);
-    bits[v] = level;
+    const OfferedLevel* best = &offered.front();
+    for (const OfferedLevel& level : offered)
+      if (std::abs(level.value - v) <= std::abs(best->value - v)) best = &level;
+    shows[v] = best->value;
+    bits[v] = best->bits;
   }
 }
 
+OfferedColors::OfferedColors(const std::array<std::vector<OfferedLevel>, 3>& levels, unsigned long opaque)
+    : channels_{levels.begin(), levels.end()}, opaque_{opaque} {}
+
 OfferedColors::OfferedColors(const ChannelMasks& masks, unsigned long opaque,
                              const std::function<Rgb16(unsigned long)>& shown)
-    : opaque_{opaque} {
-  channels_.emplace_back(masks.red, [&](unsigned long bits) { return shown(bits).r >> 8; });
-  channels_.emplace_back(masks.green, [&](unsigned long bits) { return shown(bits).g >> 8; });
-  channels_.emplace_back(masks.blue, [&](unsigned long bits) { return shown(bits).b >> 8; });
+    : OfferedColors{levelsIn(masks, shown), opaque} {}
+
+std::size_t OfferedColors::size() const {
+  std::size_t size = channels_.empty() ? list_.size() : 1;
+  for (const Channel& channel : channels_) size *= channel.levels;
+  return size;
 }
 
 OfferedColor OfferedColors::nearest(const glm::ivec3& target) const {
@@ -59,13 +72,54 @@ OfferedColor OfferedColors::nearest(const glm::ivec3& target) const {
   return *best;
 }
 
-Tile OfferedColors::mixture(const glm::ivec3& wanted) const {
-  std::array<OfferedColor, 64> mixed;
+std::vector<int> OfferedColors::Channel::around(int v) const {
+  constexpr std::size_t kEitherSide = 2;
+  std::vector<int> found{v};
+  for (const int step : {-1, 1}) {
+    int last = v;
+    const std::size_t enough = found.size() + kEitherSide;
+    for (int at = v + step; at >= 0 && at < 256 && found.size() < enough; at += step)
+      if (bits[at] != bits[last]) found.push_back(last = at);
+  }
+  return found;
+}
+
+std::vector<OfferedColor> OfferedColors::around(const glm::ivec3& target) const {
+  if (channels_.empty()) return list_;
+  const auto valuesOf = [&](int c) { return channels_[c].around(std::clamp(target[c], 0, 255)); };
+  const std::vector<int> greens = valuesOf(1), blues = valuesOf(2);
+  std::vector<OfferedColor> found;
+  for (const int red : valuesOf(0))
+    for (const int green : greens)
+      for (const int blue : blues) found.push_back(nearest({red, green, blue}));
+  return found;
+}
+
+OfferedColors::Parts OfferedColors::partsOf(const glm::ivec3& wanted) const {
+  Parts parts;
   glm::ivec3 owed{0};  // at most 64 * 255, so that squares of it fit an int
-  for (OfferedColor& next : mixed) {
+  for (OfferedColor& next : parts) {
     next = nearest(wanted + owed);
     owed += wanted - next.color;
   }
+  return parts;
+}
+
+double OfferedColors::miss(const glm::ivec3& wanted, bool mixed) const {
+  if (!mixed) return glm::distance(glm::dvec3{nearest(wanted).color}, glm::dvec3{wanted});
+  const Parts parts = partsOf(wanted);
+  glm::dvec3 mean{0};
+  for (const OfferedColor& part : parts) mean += glm::dvec3{part.color} / 64.0;
+  double variance = 0;
+  for (const OfferedColor& part : parts) {
+    const glm::dvec3 d = glm::dvec3{part.color} - mean;
+    variance += glm::dot(d, d) / 64.0;
+  }
+  return glm::distance(mean, glm::dvec3{wanted}) + std::sqrt(variance / 64.0);
+}
+
+Tile OfferedColors::mixture(const glm::ivec3& wanted) const {
+  Parts mixed = partsOf(wanted);
   std::ranges::stable_sort(mixed, [](const OfferedColor& p, const OfferedColor& q) {
     return brightness(p.color) > brightness(q.color);
   });

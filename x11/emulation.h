@@ -12,12 +12,18 @@
 
 /// What stands for a colour where cells cannot be stored: the nearest that the server has, or several of them
 /// side by side whose mean it is. Nearest is meant by the squared distance of the 8-bit values, of two
-/// equally near the later (as nearest_color.h). Integers alone.
+/// equally near the later (as nearest_color.h). What is shown is found with integers alone.
 
 /// A pixel value and what it shows.
 struct OfferedColor {
   unsigned long pixel;
   glm::ivec3 color;  ///< 8-bit values
+};
+
+/// The bits of a pixel value that are one channel's, and what they show.
+struct OfferedLevel {
+  unsigned long bits;
+  int value;  ///< of 255
 };
 
 /// Pixel values for an 8 x 8 block, row by row, repeated from the picture's upper left corner.
@@ -28,13 +34,18 @@ class OfferedColors {
  public:
   /// Some colours, in any order; at least one.
   explicit OfferedColors(std::vector<OfferedColor> list) : list_{std::move(list)} {}
-  /// All that the channels' bits can say. `shown` tells what a pixel value shows, no channel's next level
-  /// less than the one before; `opaque` is set in every pixel.
+  /// Each of a red, a green and a blue level; some of each, in any order. `opaque` is set in every pixel.
+  OfferedColors(const std::array<std::vector<OfferedLevel>, 3>& levels, unsigned long opaque);
+  /// All that the channels' bits can say. `shown` tells what a pixel value shows.
   OfferedColors(const ChannelMasks& masks, unsigned long opaque,
                 const std::function<Rgb16(unsigned long pixel)>& shown);
 
+  [[nodiscard]] std::size_t size() const;
   /// To `target`, whose values may lie outside 0..255.
   [[nodiscard]] OfferedColor nearest(const glm::ivec3& target) const;
+  /// What there is to choose from where another distance counts: the whole list; of each channel the nearest
+  /// level and two on either side.
+  [[nodiscard]] std::vector<OfferedColor> around(const glm::ivec3& target) const;
 
   /// Sixty-four times the colour nearest to the wanted one plus what is still owed of it, the brighter ones
   /// where bayerRank() is low: ordered dithering with any colours. What is owed at the end is the error of
@@ -43,13 +54,22 @@ class OfferedColors {
   /// 128. Where no mixture gives the colour, the mean tends to the nearest that one can give. @see T. Knoll,
   /// "Pattern dithering", US patent 6606166, expired; Adler et al., "The mathematics of halftoning", 2003
   [[nodiscard]] Tile mixture(const glm::ivec3& wanted) const;
+  /// How far a colour is from what stands for it, in 8-bit values: the nearest, or the mixture seen as one
+  /// spot. Of that the error of the mean counts, and of the grain an eighth of its root mean square, as the
+  /// mean of 64 places drawn at random has.
+  [[nodiscard]] double miss(const glm::ivec3& wanted, bool mixed) const;
 
  private:
+  using Parts = std::array<OfferedColor, 64>;
+  [[nodiscard]] Parts partsOf(const glm::ivec3& wanted) const;
   /// One channel's bits, and the nearest of its levels to each 8-bit value.
   struct Channel {
-    Channel(unsigned long mask, const std::function<int(unsigned long bits)>& shown);
+    explicit Channel(const std::vector<OfferedLevel>& offered);
+    /// Values of 0..255 that the levels around `v` are nearest to, one for each.
+    [[nodiscard]] std::vector<int> around(int v) const;
     std::array<int, 256> shows{};
     std::array<unsigned long, 256> bits{};
+    std::size_t levels;
   };
   std::vector<OfferedColor> list_;
   std::vector<Channel> channels_;  ///< red, green, blue; empty where there is a list
@@ -80,13 +100,6 @@ class PixelTable {
   std::array<unsigned long, 256> pixels_{};
   std::vector<std::array<unsigned long, 256>> places_;  ///< 64, or none while every index has one pixel value
 };
-
-/// The gray that a colour shows as on gray visuals, where red, green and blue get this value:
-/// (30 R + 59 G + 11 B) / 100, cut off to a whole number as the servers' own formula is.
-[[nodiscard]] constexpr Rgb16 grayOf(Rgb16 c) {
-  const auto gray = static_cast<std::uint16_t>((30u * c.r + 59u * c.g + 11u * c.b) / 100u);
-  return {gray, gray, gray};
-}
 
 /// The values that servers show of a stored colour.
 [[nodiscard]] inline glm::ivec3 eightBits(Rgb16 c) { return {c.r >> 8, c.g >> 8, c.b >> 8}; }

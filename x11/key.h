@@ -1,7 +1,22 @@
 #pragma once
 
 /// A key as the workbench knows it: a Latin-1 letter or one of these.
-enum class NamedKey { Letter, Left, Right, Up, Down, Home, End, Tab, Escape };
+enum class NamedKey {
+  Letter,
+  Left,
+  Right,
+  Up,
+  Down,
+  Home,
+  End,
+  PageUp,
+  PageDown,
+  Tab,
+  Space,
+  Return,
+  Backspace,
+  Escape
+};
 struct Key {
   NamedKey name = NamedKey::Letter;
   char letter = 0;

@@ -6,6 +6,7 @@
 #include <csignal>
 #include <cstdio>
 #include <exception>
+#include <glm/geometric.hpp>
 #include <iomanip>
 #include <iostream>
 #include <new>
@@ -13,16 +14,19 @@
 #include <string>
 #include <system_error>
 
+#include "geometry/box.h"
 #include "geometry/parse_error.h"
 #include "shading/picture.h"
 #include "shading/png.h"
 #include "shading/scene.h"
 #include "shading/views.h"
+#include "x11/one_line.h"
 #include "x11/options.h"
 #include "x11/report.h"
 #include "x11/trace.h"
 #include "x11/viewer.h"
 #include "x11/write_frames.h"
+#include "x11/write_lesson.h"
 #include "x11/x11_error.h"
 
 namespace {
@@ -45,16 +49,6 @@ class Doing {
  private:
   bool told_;
 };
-
-/// One line of bounded length, whatever names and words it quotes: control characters become '?', and a
-/// very long text keeps its two ends.
-std::string oneLine(std::string text) {
-  constexpr std::size_t kBegin = 600, kEnd = 200;
-  if (text.size() > kBegin + kEnd) text.replace(kBegin, text.size() - kBegin - kEnd, "...");
-  std::ranges::replace_if(
-      text, [](unsigned char c) { return c < ' ' || c == 0x7F; }, '?');
-  return text;
-}
 
 Scene read(const Options& options) {
   std::optional<Doing> reading{"reading " + options.scene};
@@ -106,6 +100,14 @@ void drawNumbers(const Options& options, Picture& picture) {
 
 /// The walk through a run of the depth sort: read, shade, project, sort, tell.
 void trace(const Options& options, Picture& picture) {
+  if (options.wholeWindow) {
+    std::optional<Doing> drawing;
+    return writeStepperFrames(options, Scene{picture.scene()}, [&](int number, int all) {
+      if (number % 25 != 1) return;
+      drawing.reset();  // each tells in the place of the one before
+      drawing.emplace("drawing frame " + std::to_string(number) + " of " + std::to_string(all));
+    });
+  }
   SortedScene sorted;
   {
     const Doing sorting{"sorting"};
@@ -128,6 +130,30 @@ void trace(const Options& options, Picture& picture) {
 void listScenes() {
   for (const BuiltInScene& scene : builtInScenes())
     std::cout << std::left << std::setw(18) << scene.name << ' ' << scene.shows << '\n';
+  for (const LessonEntry& lesson : builtInLessons())
+    std::cout << std::left << std::setw(26) << "lesson " + lesson.name << ' ' << lesson.shows << '\n';
+}
+
+int openWindow(const Options& options, Scene scene, std::optional<Lesson> lesson = {}) {
+  std::optional<Doing> drawing{"drawing the first picture"};
+  return runViewer(options, std::move(scene), std::move(lesson), [&] { drawing.reset(); });
+}
+
+/// A lesson in the window, or its steps as pictures.
+int teach(const Options& options) {
+  std::optional<Lesson> lesson;
+  if (options.gave("scene")) {
+    const Doing reading{"reading " + options.scene};
+    lesson = lessonNamed(options.scene);
+  }
+  if (options.frames.empty()) return openWindow(options, readScene("teapot"), std::move(lesson));
+  const std::string all = " of " + std::to_string(lesson->steps.size());
+  std::optional<Doing> writing;
+  writeLesson(options, std::move(*lesson), [&](int step) {
+    writing.reset();  // each tells in the place of the one before
+    writing.emplace("drawing step " + std::to_string(step) + all);
+  });
+  return kDone;
 }
 
 /// The scene's light and surfaces without what the command line says otherwise.
@@ -136,14 +162,9 @@ void giveWay(Scene& scene, const Options& options) {
   if (options.fill == Fill::XFillPolygon && !scene.textures.empty())
     throw UsageError{"--fill x11 gives a polygon one cell: it does not show the scene's textures"};
   const Said& said = options.said;
-  for (MeshMaterial& m : scene.mesh.materials) {
-    if (said.ka) m.ka.reset();
-    if (said.kd) m.kd.reset();
-    if (said.ks) m.ks.reset();
-    if (said.n) m.n.reset();
-  }
-  if (said.Ia) scene.light.Ia.reset();
-  if (said.light) scene.light.lights.clear();
+  const std::array<bool, kStrippable.size()> given{said.Ia, said.light, said.ka, said.kd, said.ks, said.n};
+  for (std::size_t k = 0; k < given.size(); ++k)
+    if (given[k]) strip(scene, kStrippable[k]);
 
   // What the user said of either has to do with what is left of the scene's.
   const Illumination& user = options.picture.light;
@@ -157,11 +178,37 @@ void giveWay(Scene& scene, const Options& options) {
         ": their sum must not exceed 1"};
 }
 
+/// What the user says of attenuation counts for the scene's own lights at places where he has none: lengths
+/// are in the scene's units by then. @throws UsageError where no light can fade
+void fade(Scene& scene, const Options& options) {
+  const Illumination& user = options.picture.light;
+  if (!options.gave("--attenuation") || user.lightPosition) return;
+  const glm::dvec3 centre = boxOf(scene.mesh.points).centre();
+  bool any = false;
+  for (Light& light : scene.light.lights) {
+    if (light.kind == LightKind::Directional) continue;
+    any = true;
+    const double distance = std::max(glm::length(light.position - centre), 0x1p-20);
+    light.attenuation = user.attenuation;
+    light.range = user.range.value_or(2.0 * distance);
+    light.c = user.c.value_or(glm::dvec3{1.0, 0.0, 1.0 / (distance * distance)});
+  }
+  if (!any && user.attenuation != Attenuation::None)
+    throw UsageError{"--attenuation needs a light at a place: --light-at x,y,z, or a scene that has one"};
+  if (any &&
+      options.command == Command::View)  // whose set-ups name the scene, and not what became of its lights
+    throw UsageError{
+        "--attenuation of the scene's own lights goes with draw, snapshot and trace; for a window "
+        "say --light-at x,y,z too"};
+}
+
 int run(int argc, char** argv) {
   std::optional<Options> said = parseOptions(argc, argv);
   if (!said) return kDone;
   if (said->command == Command::Scenes) return listScenes(), kDone;
   if (said->command == Command::Visuals) return std::cout << visualsTable(*said), kDone;
+
+  if (said->command == Command::Lesson) return teach(*said);
 
   const Stopwatch watch;
   Scene scene = read(*said);
@@ -170,9 +217,13 @@ int run(int argc, char** argv) {
   giveWay(scene, options);
   options.picture.camera = inSceneUnits(completed(options.picture.camera, scene.camera), scene);
   toSceneUnits(options.picture.light, scene);
-  if (!options.texture.empty()) wear(scene, readTexture(options.texture));
+  fade(scene, options);
+  if (!options.texture.empty()) {
+    wear(scene, readTexture(options.texture));
+    scene.origin.texture = options.texture;
+  }
   const double msRead = watch.ms();
-  if (options.command == Command::View) return runViewer(options, std::move(scene));
+  if (options.command == Command::View) return openWindow(options, std::move(scene));
   if (options.command == Command::Snapshot) return takeSnapshot(options, std::move(scene), msRead), kDone;
   Picture picture{std::move(scene)};
   if (options.command == Command::Trace) return trace(options, picture), kDone;

@@ -6,5 +6,6 @@
 #include "x11/options.h"
 
 /// A line for each option that was given and does nothing to this picture, for other choices leave it no say:
-/// scripts may give all options always, but who tries one out should not wonder.
+/// scripts may give all options always, but who tries one out should not wonder. So too for what of its scene
+/// the picture leaves out, and where it shows nothing at all.
 void noteMoot(std::ostream& out, const Options& options, const Picture& picture);

@@ -4,7 +4,9 @@
 #include <algorithm>
 #include <charconv>
 #include <cmath>
+#include <filesystem>
 #include <iostream>
+#include <utility>
 #include <vector>
 
 #include "geometry/text_file.h"
@@ -13,7 +15,7 @@
 namespace {
 
 /// Words of the command line that are fixed but do not do anything yet: they say so.
-constexpr std::array<std::string_view, 3> kLaterCommands{"figure", "trade", "lesson"};
+constexpr std::array<std::string_view, 2> kLaterCommands{"figure", "trade"};
 constexpr std::array<std::string_view, 1> kLaterOptions{"--json"};
 
 [[noreturn]] void refuse(const std::string& option, const std::string& text, const std::string& expected) {
@@ -60,16 +62,16 @@ class Reader {
       target = static_cast<Number>(v);
     });
   }
-  void point(const std::string& name, const std::string& help, const std::string& initially, auto&& set) {
+  void point(const std::string& name, const std::string& help, const std::string& initially, auto&& set,
+             const std::string& letters = "x,y,z") {
     add(name, initially, help, [=](const std::string& text) {
-      const auto v = numbers(name, text, 3, "three finite numbers x,y,z");
+      const auto v = numbers(name, text, 3, "three finite numbers " + letters);
       set(glm::dvec3{v[0], v[1], v[2]});
     });
   }
-  /// One row of a table of choices, by name; `later` are names that are fixed but not built yet.
+  /// One row of a table of choices, by name.
   template <class Rows, class Id>
-  void choice(const std::string& name, const Rows& rows, Id& target, const std::string& help,
-              const std::vector<std::string_view>& later = {}) {
+  void choice(const std::string& name, const Rows& rows, Id& target, const std::string& help) {
     std::string all;
     std::string initially;
     for (const auto& row : rows) {
@@ -82,8 +84,6 @@ class Reader {
         target = row->id;
         return;
       }
-      if (std::ranges::find(later, text) != later.end())
-        throw UsageError{name + " " + text + " is not built yet; there is " + all};
       refuse(name, text, "one of " + all);
     });
   }
@@ -199,18 +199,22 @@ void addLight(Reader& r, Illumination& light, bool& lightGiven) {
          "take L at the scene's centre for every face: the light is far away");
   r.flag("--constant-v", light.constantV,
          "take V at the look-at point for every face: the viewer is far away");
-  r.choice("--attenuation", kAttenuations, light.attenuation, "what distance d leaves of the point light");
+  r.choice("--attenuation", kAttenuations, light.attenuation,
+           "what distance d leaves of the point light, or of the scene's own");
   r.text("--range", "where attenuation linear reaches 0, in world units",
          "twice the way to the scene's centre", [&](const std::string& text) {
            light.range = numbers("--range", text, 1, "a distance above 0")[0];
            if (!(*light.range > 0)) refuse("--range", text, "a distance above 0");
          });
-  r.point("--coefficients", "c1,c2,c3 of attenuation textbook, min(1, 1/(c1 + c2 d + c3 d^2))",
-          "half the light at the scene's centre", [&](glm::dvec3 c) {
-            if (std::min({c.x, c.y, c.z}) < 0)
-              throw UsageError{"--coefficients: c1, c2 and c3 must not be negative"};
-            light.c = c;
-          });
+  r.point(
+      "--coefficients", "c1,c2,c3 of attenuation textbook, min(1, 1/(c1 + c2 d + c3 d^2))",
+      "half the light at the scene's centre",
+      [&](glm::dvec3 c) {
+        if (std::min({c.x, c.y, c.z}) < 0)
+          throw UsageError{"--coefficients: c1, c2 and c3 must not be negative"};
+        light.c = c;
+      },
+      "c1,c2,c3");
   r.choice("--form", kForms, light.form, "of which cosine the specular term is the n-th power");
 }
 
@@ -244,11 +248,14 @@ void addTable(Reader& r, TableSettings& table) {
   r.number("--shades", table.shades, 2, kMaxShades, "shades in the table");
   r.number("--i0", table.I0, 0, 1, "lowest intensity of the corrected table", true);
   r.choice("--pick", kPicks, table.pick, "how the corrected table picks a shade");
-  r.point("--hue", "hue r,g,b of the ramp, each 0 to 1, the largest 1", "1,0,0", [&](glm::dvec3 h) {
-    if (std::min({h.r, h.g, h.b}) < 0 || std::max({h.r, h.g, h.b}) != 1)
-      throw UsageError{"--hue: r,g,b must lie from 0 to 1 and the largest must be 1"};
-    table.hue = h;
-  });
+  r.point(
+      "--hue", "hue r,g,b of the ramp, each 0 to 1, the largest 1", "1,0,0",
+      [&](glm::dvec3 h) {
+        if (std::min({h.r, h.g, h.b}) < 0 || std::max({h.r, h.g, h.b}) != 1)
+          throw UsageError{"--hue: r,g,b must lie from 0 to 1 and the largest must be 1"};
+        table.hue = h;
+      },
+      "r,g,b");
   r.text("--bits", "what a cell keeps of its value: 8 or 16 bits", "16", [&](const std::string& text) {
     if (text != "8" && text != "16") refuse("--bits", text, "8 or 16");
     table.bits = text == "8" ? 8 : 16;
@@ -263,7 +270,7 @@ void addEffects(Reader& r, Options& o) {
     if (v < 0 || v > 255 || v != std::floor(v)) refuse(option, text, expected);
     return static_cast<int>(v);
   };
-  r.text("--cell", "the cell that --view colours inspects", "that of the middle sample of the scene",
+  r.text("--cell", "the cell that --view colours inspects", "the middle one of those that polygons show",
          [&o, cell](const std::string& s) { o.cell = cell("--cell", s); });
   r.text("--store",
          "hold the indices that --table picks and store the colours of this table: brief, linear, corrected",
@@ -307,11 +314,14 @@ Command takeCommand(std::vector<std::string>& arguments) {
 }
 
 /// What CLI11 found wrong, in words of ours.
-[[noreturn]] void refuse(const CLI::App& app, const CLI::ParseError& e) {
+[[noreturn]] void refuse(const CLI::App& app, const std::string& scene, const CLI::ParseError& e) {
   if (e.get_exit_code() == static_cast<int>(CLI::ExitCodes::ExtrasError)) {
     std::vector<std::string> extra = app.remaining();
     std::erase(extra, "--");
     const bool option = extra.front().starts_with('-');
+    if (!option && !isBuiltIn(scene) && !std::filesystem::exists(scene))
+      throw UsageError{inQuotes(scene) +
+                       ": no command, no built-in scene and no file; `xnewell --help` lists the commands"};
     throw UsageError{(option ? "unknown option " : "one argument too many: ") + inQuotes(extra.front())};
   }
   for (const CLI::Option* option : app.get_options()) {
@@ -339,13 +349,38 @@ class Help : public CLI::Formatter {
   }
 };
 
+/// Every view that draw, snapshot or the window has, once.
+std::string viewNames() {
+  std::string all;
+  for (const ViewRow& row : kViews) all += (all.empty() ? "" : ", ") + std::string{row.name};
+  all += "; in a window";
+  for (const WindowViewRow& row : kWindowViews)
+    if (std::ranges::find(kViews, row.option, &ViewRow::name) == kViews.end())
+      all += (all.ends_with("window") ? " " : ", ") + std::string{row.option};
+  return all;
+}
+
+/// False: there is no view of that name. Which command has it is checked when all is read.
+bool takeView(Options& o, const std::string& name) {
+  o.viewName = name;
+  const auto* const view = std::ranges::find(kViews, name, &ViewRow::name);
+  const auto* const window = std::ranges::find(kWindowViews, name, &WindowViewRow::option);
+  const auto* const show = std::ranges::find(kShows, name, &ShowRow::name);
+  o.view = view == kViews.end() ? View::Picture : view->id;
+  o.windowView = window == kWindowViews.end() ? WindowView::Picture : window->id;
+  o.show = show == kShows.end() ? Show::Shaded : show->id;
+  return view != kViews.end() || window != kWindowViews.end();
+}
+
 }  // namespace
 
 std::optional<Options> parseOptions(int argc, const char* const* argv, const PictureSettings& initially) {
   std::vector<std::string> arguments(argv + 1, argv + argc);
   Options o;
   o.picture = initially;
+  const std::size_t words = arguments.size();
   o.command = takeCommand(arguments);
+  o.commandMeant = !arguments.empty() && arguments.size() == words && !arguments.front().starts_with('-');
   for (const std::string& a : arguments)
     if (std::ranges::find(kLaterOptions, a.substr(0, a.find('='))) != kLaterOptions.end())
       throw UsageError{a.substr(0, a.find('=')) + " is not built yet"};
@@ -367,7 +402,7 @@ std::optional<Options> parseOptions(int argc, const char* const* argv, const Pic
   r.number("--divisions", o.divisions, 1, kMaxDivisions,
            "each Bezier patch becomes N x N polygons, unless a scene file says so itself");
   r.choice("--shade", kShadings, o.picture.shading, "shading method");
-  r.choice("--order", kOrders, o.picture.order, "hidden-surface method", {});
+  r.choice("--order", kOrders, o.picture.order, "hidden-surface method");
   r.choice("--fill", kFills, o.fill, "who fills the polygons");
   r.text("--cull", "back faces: back leaves them out, none keeps them", "none", [&](const std::string& s) {
     if (s != "back" && s != "none") refuse("--cull", s, "back or none");
@@ -389,8 +424,10 @@ std::optional<Options> parseOptions(int argc, const char* const* argv, const Pic
          });
   r.choice("--colormap", kMapOwners, o.colormap,
            "a map of our own, or cells of the default one, as many shades as it has free");
-  r.flag("--nearest", o.nearest, "colours that the server has not got: no dithering, the nearest it has");
-  r.choice("--view", kViews, o.view, "draw, snapshot: what to show", {"overdraw", "wireframe"});
+  r.flag("--nearest", o.nearest, "colours that the server has not got: the nearest it has, not mixed");
+  r.text("--view", "what to show: " + viewNames(), o.viewName, [&](const std::string& s) {
+    if (!takeView(o, s)) refuse("--view", s, viewNames());
+  });
   r.text("--scanline", "the row of the picture that --view machbands follows, from 0 at its top",
          "the middle one; where nothing shows there, the one that shows most", [&](const std::string& s) {
            const std::string expected = "a whole number from 0 to " + std::to_string(kMaxPicture - 1);
@@ -404,8 +441,11 @@ std::optional<Options> parseOptions(int argc, const char* const* argv, const Pic
            if (s.empty()) throw UsageError{"--ids: the file's name is empty"};
            o.ids = s;
          });
-  r.flag("--stats", o.stats, "print counts and times as one JSON object");
-  r.flag("--whole-window", o.wholeWindow, "snapshot: the window with all its controls");
+  r.flag("--stats", o.stats,
+         "print counts and times as one JSON object; its `saturated` counts intensities above 1: of faces "
+         "(flat), vertices (gouraud) or pixels as often as painted (phong, envmap, textures)");
+  r.flag("--whole-window", o.wholeWindow,
+         "snapshot: the window with all its controls; trace --frames: with the stepper at each step");
   r.flag("--quick", o.quick,
          "trace: the accelerated run; without it the textbook's, whose steps grow with the square of the "
          "polygons");
@@ -424,7 +464,7 @@ std::optional<Options> parseOptions(int argc, const char* const* argv, const Pic
     std::cout << app.help();
     return std::nullopt;
   } catch (const CLI::ParseError& e) {
-    refuse(app, e);
+    refuse(app, o.scene, e);
   }
   for (const CLI::Option* option : app.parse_order()) o.given.push_back(option->get_name());
   const auto said = [&](std::string_view option) { return o.gave(option); };
@@ -435,7 +475,16 @@ std::optional<Options> parseOptions(int argc, const char* const* argv, const Pic
             .kd = said("--kd"),
             .ks = said("--ks"),
             .n = said("--n")};
+  if (o.lightGiven && !said("--light-at")) {  // in place of the scene's, and of how that fades
+    o.picture.light.lightPosition.reset();
+    if (!said("--attenuation")) o.picture.light.attenuation = Attenuation::None;
+  }
   coupleIntensities(o.picture.light, o.said.Ia, o.said.Ip);
+  // A scene's wish for the window: elsewhere there is no server, and what the user says comes first.
+  const bool window = o.command == Command::View || o.command == Command::Snapshot;
+  const bool fillable = o.picture.order != Order::Oracle && !rowOf(o.picture.shading).interpolates;
+  if (std::exchange(o.picture.inPixels, false) && window && fillable && !said("--fill"))
+    o.fill = Fill::XFillPolygon;
   if (o.halfVector) {
     if (said("--form") && o.picture.light.form != Form::HalfVector)
       throw UsageError{"--half-vector and --form exclude each other"};

@@ -10,12 +10,14 @@
 
 #include "depthsort/replay.h"
 #include "shading/picture.h"
+#include "shading/shows.h"
 #include "shading/views.h"
+#include "x11/layout.h"
 #include "x11/visual.h"
 
 /// The command line as a value.
 
-enum class Command { View, Draw, Snapshot, Trace, Visuals, Scenes };
+enum class Command { View, Draw, Snapshot, Trace, Lesson, Visuals, Scenes };
 struct CommandRow {
   Command id;
   std::string_view name, usage, does;
@@ -28,9 +30,11 @@ inline constexpr std::array kCommands{
                "the picture through a real X window, read back from the server"},
     CommandRow{Command::Trace, "trace", "trace SCENE [options]",
                "the depth sort's events, one JSON object a line, or as pictures"},
+    CommandRow{Command::Lesson, "lesson", "lesson [NAME] [--frames DIR]",
+               "a guided lesson in the window, or as pictures; without NAME, the list"},
     CommandRow{Command::Visuals, "visuals", "visuals [options]",
                "what this X server offers and what xnewell would choose, and why"},
-    CommandRow{Command::Scenes, "scenes", "scenes", "the built-in scenes, one line each"},
+    CommandRow{Command::Scenes, "scenes", "scenes", "the built-in scenes and lessons, one line each"},
 };
 
 /// Who fills the polygons.
@@ -56,7 +60,8 @@ struct Said {
 
 struct Options {
   Command command = Command::View;
-  std::string scene = "teapot";
+  bool commandMeant = false;     ///< the scene stands where a command may: it may be one, mistyped
+  std::string scene = "teapot";  ///< or the lesson
   int divisions = kDefaultDivisions;
   std::optional<glm::ivec2> size;  ///< --size, else kPictureSize or kWindowSize
   PictureSettings picture;         ///< its camera and light in the file's units
@@ -71,13 +76,16 @@ struct Options {
   bool nearest = false;  ///< colours that the server lacks become the nearest it has, not a mixture
   std::string output, ids;
   bool stats = false, wholeWindow = false;
-  View view = View::Picture;    ///< draw, snapshot: what of the picture
-  std::optional<int> scanline;  ///< of View::MachBands
-  std::optional<int> cell;      ///< of View::Colors
-  PaletteEffects effects;       ///< of the picture and of View::Colors
-  bool quick = false;           ///< trace: the accelerated run, not the textbook's
-  std::string frames;           ///< trace: a folder for pictures; "" for JSON lines
-  Every every = Every::Cut;     ///< trace: of which steps
+  std::string viewName = "picture";
+  View view = View::Picture;                    ///< draw, snapshot: what of the picture
+  WindowView windowView = WindowView::Picture;  ///< of a window,
+  Show show = Show::Shaded;                     ///< and what its picture shows
+  std::optional<int> scanline;                  ///< of View::MachBands
+  std::optional<int> cell;                      ///< of View::Colors
+  PaletteEffects effects;                       ///< of the picture and of View::Colors
+  bool quick = false;                           ///< trace: the accelerated run, not the textbook's
+  std::string frames;        ///< trace, lesson: a folder for pictures; "" for JSON lines, or a window
+  Every every = Every::Cut;  ///< trace: of which steps
 
   /// Whether the command line says it: an option's name, or "scene".
   [[nodiscard]] bool gave(std::string_view option) const {

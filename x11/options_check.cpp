@@ -31,20 +31,25 @@ void checkEffects(const Options& o) {
   exclude(true, o.wholeWindow, effect + " and --whole-window");
 }
 
-void checkView(const Options& o) {
-  if (o.scanline && o.view != View::MachBands) throw UsageError{"--scanline goes with --view machbands"};
-  if (o.view == View::Picture) return;
-  const ViewRow& row = rowOf(o.view);
-  const std::string view = "--view " + std::string{row.name};
-  if (o.command != Command::Draw && o.command != Command::Snapshot)
-    throw UsageError{view + " goes with draw and snapshot"};
-  const bool inWindow = o.wholeWindow && o.view == View::Colors;
-  const glm::ivec2 size = o.size.value_or(inWindow ? kWindowSize : kPictureSize);
-  const glm::ivec2 least = inWindow ? kLeastWindow : glm::ivec2{row.leastWidth, row.leastHeight};
+void needsSize(const std::string& view, glm::ivec2 size, glm::ivec2 least) {
   if (size.x < least.x || size.y < least.y)
     throw UsageError{view + " needs a --size of at least " + std::to_string(least.x) + "x" +
                      std::to_string(least.y)};
-  if (o.wholeWindow && !inWindow) throw UsageError{view + " and --whole-window exclude each other"};
+}
+
+void checkView(const Options& o) {
+  if (o.scanline && o.view != View::MachBands) throw UsageError{"--scanline goes with --view machbands"};
+  if (o.viewName == "picture") return;
+  const std::string view = "--view " + o.viewName;
+  const bool window = o.command == Command::View || o.wholeWindow;
+  if (o.scanline && window) throw UsageError{"--scanline goes with a view that is drawn without its window"};
+  if (window) return needsSize(view, o.size.value_or(kWindowSize), kLeastWindow);
+  if (o.command != Command::Draw && o.command != Command::Snapshot)
+    throw UsageError{view + " goes with view, draw and snapshot"};
+  if (o.view == View::Picture)
+    throw UsageError{view + " is a view of the window: with view, or with snapshot --whole-window"};
+  const ViewRow& row = rowOf(o.view);
+  needsSize(view, o.size.value_or(kPictureSize), {row.leastWidth, row.leastHeight});
   if (o.stats || !o.ids.empty())
     throw UsageError{view + " is more than a picture: --stats and --ids go with --view picture"};
   if (o.fill == Fill::XFillPolygon)
@@ -57,9 +62,7 @@ void checkLight(const Options& o) {
     throw UsageError{"--range goes with --attenuation linear"};
   if (o.gave("--coefficients") && light.attenuation != Attenuation::Textbook)
     throw UsageError{"--coefficients goes with --attenuation textbook"};
-  if (light.attenuation != Attenuation::None && !light.lightPosition)
-    throw UsageError{"--attenuation needs a light at a place: --light-at x,y,z"};
-  exclude(o.lightGiven, light.lightPosition.has_value(), "--light and --light-at");
+  exclude(o.lightGiven, o.gave("--light-at"), "--light and --light-at");
 }
 
 /// What each command needs and takes.
@@ -70,8 +73,30 @@ void checkCommand(const Options& o) {
   const bool traces = o.command == Command::Trace;
   if ((makesPng || traces) && !sceneGiven) throw UsageError{name + " needs a scene, such as teapot"};
   if (makesPng && o.output.empty()) throw UsageError{name + " needs -o FILE.png"};
+  constexpr std::array<std::string_view, 8> kOtherPictures{".jpg", ".jpeg", ".gif", ".bmp",
+                                                           ".ppm", ".tif",  ".svg", ".pdf"};
+  for (const std::string_view other : kOtherPictures)
+    if (makesPng && o.output.ends_with(other))
+      throw UsageError{"-o " + o.output + ": pictures are PNG files; call it .png"};
   if (sceneGiven && o.scene.empty()) throw UsageError{"the scene's name is empty"};
-  if (sceneGiven && !makesPng && !traces && o.command != Command::View)
+  const std::filesystem::path path{o.scene};
+  if (o.commandMeant && !isBuiltIn(o.scene) && path.extension().empty() && !std::filesystem::exists(path))
+    throw UsageError{o.scene +
+                     ": no command and no built-in scene of that name; `xnewell --help` lists the commands, "
+                     "`xnewell scenes` the scenes"};
+  const bool lesson = o.command == Command::Lesson;
+  if (lesson) {
+    constexpr std::array<std::string_view, 6> kTaken{"scene",    "--size",     "--frames",
+                                                     "--visual", "--colormap", "--nearest"};
+    for (const std::string& option : o.given)
+      if (std::ranges::find(kTaken, option) == kTaken.end())
+        throw UsageError{option + " does not go with lesson: a lesson says itself how its steps are drawn"};
+    if (!o.frames.empty() && !sceneGiven) throw UsageError{"--frames needs a lesson's name"};
+    const glm::ivec2 size = o.size.value_or(kWindowSize);
+    if (size.x < kLeastWindow.x || size.y < kLeastWindow.y)
+      throw UsageError{"a lesson needs a --size of at least 800x600"};
+  }
+  if (sceneGiven && !makesPng && !traces && !lesson && o.command != Command::View)
     throw UsageError{name + " takes no scene"};
   if (!makesPng && !o.output.empty()) throw UsageError{"-o goes with draw and snapshot"};
   if (!makesPng && (o.stats || !o.ids.empty()))
@@ -81,13 +106,21 @@ void checkCommand(const Options& o) {
     if (file && !made->empty() && sameFile(*made, o.scene))
       throw UsageError{"-o and --ids must not name the scene's own file: it would be lost"};
   if (!o.ids.empty() && sameFile(o.ids, o.output)) throw UsageError{"-o and --ids name the same file"};
-  if (o.command != Command::Snapshot && o.wholeWindow) throw UsageError{"--whole-window goes with snapshot"};
-  if (!traces && (o.quick || !o.frames.empty())) throw UsageError{"--quick and --frames go with trace"};
+  const bool stepper = traces && !o.frames.empty();
+  if (o.wholeWindow && o.command != Command::Snapshot && !stepper)
+    throw UsageError{"--whole-window goes with snapshot and with trace --frames"};
+  exclude(o.quick, o.wholeWindow, "--quick and --whole-window");
+  const glm::ivec2 window = o.size.value_or(kWindowSize);
+  if (stepper && o.wholeWindow && (window.x < kLeastWindow.x || window.y < kLeastWindow.y))
+    throw UsageError{"the stepper needs a --size of at least 800x600"};
+  if (!traces && o.quick) throw UsageError{"--quick goes with trace"};
+  if (!traces && !lesson && !o.frames.empty()) throw UsageError{"--frames goes with trace and lesson"};
   if (traces && o.picture.order != Order::Newell)
     throw UsageError{"trace follows the depth sort: no --order but newell"};
   if (o.gave("--every") && o.frames.empty()) throw UsageError{"--every goes with --frames"};
   exclude(o.wholeWindow, !o.ids.empty(), "--whole-window and --ids");
-  const bool serverless = o.command == Command::Draw || traces || o.command == Command::Scenes;
+  const bool serverless =
+      o.command == Command::Draw || traces || o.command == Command::Scenes || (lesson && !o.frames.empty());
   if (serverless && !o.visual.empty()) throw UsageError{"--visual goes with view, snapshot and visuals"};
   if (serverless && (o.colormap != MapOwner::Private || o.nearest))
     throw UsageError{"--colormap shared and --nearest go with view and snapshot: they need a server"};
@@ -107,7 +140,7 @@ void checkMethods(const Options& o) {
   if (serverFills && o.picture.order == Order::Oracle)
     throw UsageError{
         "--order oracle decides each sample by itself: there is no polygon for --fill x11 to fill"};
-  if (o.picture.adapt > 0 && o.picture.shading != Shading::Flat && o.picture.shading != Shading::Gouraud)
+  if (o.gave("--adapt") && o.picture.shading != Shading::Flat && o.picture.shading != Shading::Gouraud)
     throw UsageError{"--adapt goes with --shade flat and gouraud"};
 }
 

@@ -3,21 +3,12 @@
 #include <X11/Xutil.h>
 
 #include <cassert>
-#include <memory>
 #include <unordered_map>
 
-std::optional<ColoredImage> readCells(::Display* display, const Canvas& canvas,
-                                      const ServerColormap& colormap, const IndexImage& sent) {
+std::optional<ColoredImage> readCells(const Canvas& canvas, const ServerColormap& colormap,
+                                      const IndexImage& sent) {
   assert(sent.width == canvas.width() && sent.height == canvas.height());
-  ErrorTrap trap{display};
-  struct Destroy {
-    void operator()(::XImage* image) const { XDestroyImage(image); }
-  };
-  const std::unique_ptr<::XImage, Destroy> got{
-      XGetImage(display, canvas.drawable(), 0, 0, sent.width, sent.height, AllPlanes, ZPixmap)};
-  trap.check();
-  if (!got) throw X11Error("the X server did not give the picture back");
-
+  const OwnedImage got = canvas.pixels({0, 0, sent.width, sent.height});
   const std::array<unsigned long, 256>& pixels = colormap.pixels();
   std::unordered_map<unsigned long, std::uint8_t> cellOf;
   for (int cell = 0; cell < 256; ++cell) cellOf.try_emplace(pixels[cell], static_cast<std::uint8_t>(cell));

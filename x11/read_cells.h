@@ -13,5 +13,5 @@
 /// has painted since, the first of them. Colours are those that the server says these pixels show.
 /// Nothing where some pixel value is no cell's, as where a colour is dithered.
 /// @throws X11Error if the server cannot
-[[nodiscard]] std::optional<ColoredImage> readCells(::Display* display, const Canvas& canvas,
-                                                    const ServerColormap& colormap, const IndexImage& sent);
+[[nodiscard]] std::optional<ColoredImage> readCells(const Canvas& canvas, const ServerColormap& colormap,
+                                                    const IndexImage& sent);

@@ -19,7 +19,8 @@ class SharedCells {
   /// them: of the free cells a quarter at most, so that few cells still make a picture. Whoever gets none is
   /// shown by the nearest colour there is; so the order is by what would suffer most: first the grays between
   /// black and white, for those two are always there, then the colours that mean something, last those that
-  /// hardly differ from black or white. A ramp of one shade is none: the cell is given back.
+  /// hardly differ from black or white. A ramp of one shade is none: the cell is given back. Where no shades
+  /// are asked for, no cell is taken but the map's black and white.
   /// All others wait meanwhile, so that two programs that start together share and do not starve.
   SharedCells(::Display* display, ::Colormap map, const VisualInfo& visual, int shades);
   ~SharedCells();
@@ -28,6 +29,8 @@ class SharedCells {
 
   /// Ours to store into: pixel values of shade 0, 1, ...
   [[nodiscard]] const std::vector<unsigned long>& ramp() const { return ramp_; }
+  /// For who shows more without: all their cells back. The colours held() are then those asked for before.
+  void giveRampBack();
   /// The cell that shows an interface colour exactly, if there is one.
   [[nodiscard]] std::optional<unsigned long> interfaceCell(Cell cell) const {
     return interface_[static_cast<int>(cell)];
@@ -35,6 +38,9 @@ class SharedCells {
   /// All read-only colours of the map, black and white at least. Takes hold of them, which asks the server
   /// once for each.
   [[nodiscard]] std::vector<OfferedColor> held();
+  /// Of a visual with channels: even levels of each, as far as there are free cells or others show the same,
+  /// and those that others show; full and none at least. Asks the server once for each.
+  [[nodiscard]] std::array<std::vector<OfferedLevel>, 3> levels();
 
  private:
   /// The read-only cell of that colour: the map's, or a new one where a cell is free.

@@ -2,6 +2,7 @@
 
 #include <X11/XKBlib.h>
 #include <X11/Xutil.h>
+#include <X11/cursorfont.h>
 #include <X11/keysym.h>
 #include <poll.h>
 #include <unistd.h>
@@ -17,70 +18,14 @@
 #include "x11/colormap.h"
 #include "x11/display.h"
 #include "x11/fill_polygons.h"
+#include "x11/long_work.h"
 #include "x11/read_cells.h"
 #include "x11/report.h"
+#include "x11/server.h"
 #include "x11/visual.h"
 #include "x11/workbench.h"
 
 namespace {
-
-std::optional<VisualWish> wishOf(const Options& options) {
-  if (options.visual.empty()) return std::nullopt;
-  return parseVisualWish(options.visual);
-}
-
-/// The colormap that the options ask for, or, where the server has no room for another one, cells of the
-/// default one. What the user gets less than asked for is told on standard error.
-ServerColormap openColormap(::Display* display, const Options& options) {
-  const ServerVisuals server = readVisuals(display);
-  const std::optional<VisualWish> wish = wishOf(options);
-  const VisualChoice choice = chooseVisual(server, wish, options.colormap);
-  ServerColormap::Settings settings{
-      .owner = options.colormap, .dither = !options.nearest, .shades = options.picture.table.shades};
-  const auto tell = [](const std::string& what) {
-    if (!what.empty()) std::cerr << "xnewell: " << what << '\n';
-  };
-  try {
-    ServerColormap colormap{display, choice, settings};
-    tell(colormap.shortfall());
-    return colormap;
-  } catch (const NoColormapError& e) {
-    const VisualInfo& standard = server.defaultVisual();
-    if (options.colormap == MapOwner::Shared || (wish && choice.visual.name() != standard.name())) throw;
-    settings.owner = MapOwner::Shared;
-    ServerColormap colormap{display, chooseVisual(server, {}, MapOwner::Shared), settings};
-    tell("no colormap of our own (" + std::string{e.what()} + "), but " + colormap.account());
-    return colormap;
-  }
-}
-
-/// A connection with its visual and colormap chosen: what every window needs.
-struct Server {
-  explicit Server(const Options& options)
-      : display{openDisplay()}, colormap{openColormap(display.get(), options)} {}
-
-  [[nodiscard]] Workbench::Server forBench() const {
-    return {[this](TableKind table) { return colormap.plan(table); }, colormap.unneeded(), colormap.account(),
-            gray()};
-  }
-  /// With a ramp of as many shades as there are cells for.
-  [[nodiscard]] PictureSettings fitted(PictureSettings settings) const {
-    settings.table.shades = std::min(settings.table.shades, colormap.mostShades());
-    return settings;
-  }
-  [[nodiscard]] Setup setupOf(const Options& options) const {
-    return {fitted(options.picture), options.fill};
-  }
-
-  [[nodiscard]] bool gray() const { return colormap.visual().gray(); }
-  /// What to store for a picture's colours.
-  [[nodiscard]] Palette colorsOf(const Picture& picture, const Palette& palette) const {
-    return gray() ? forGrayScreen(palette, picture) : palette;
-  }
-
-  OwnedDisplay display;
-  ServerColormap colormap;
-};
 
 /// A signal ends the window at once, also where Xlib waits for a server that has hung: what we have on the
 /// server, a grab too, goes with the connection.
@@ -88,65 +33,76 @@ void endWithSignals() {
   for (const int signal : {SIGINT, SIGTERM, SIGHUP}) std::signal(signal, [](int) { _exit(130); });
 }
 
+struct KeysymRow {
+  KeySym symbol, onKeypad;
+  NamedKey name;
+};
+constexpr std::array kNamedKeys{
+    KeysymRow{XK_Left, XK_KP_Left, NamedKey::Left},
+    KeysymRow{XK_Right, XK_KP_Right, NamedKey::Right},
+    KeysymRow{XK_Up, XK_KP_Up, NamedKey::Up},
+    KeysymRow{XK_Down, XK_KP_Down, NamedKey::Down},
+    KeysymRow{XK_Home, XK_KP_Home, NamedKey::Home},
+    KeysymRow{XK_End, XK_KP_End, NamedKey::End},
+    KeysymRow{XK_Prior, XK_KP_Prior, NamedKey::PageUp},
+    KeysymRow{XK_Next, XK_KP_Next, NamedKey::PageDown},
+    KeysymRow{XK_Tab, XK_ISO_Left_Tab, NamedKey::Tab},
+    KeysymRow{XK_space, XK_KP_Space, NamedKey::Space},
+    KeysymRow{XK_Return, XK_KP_Enter, NamedKey::Return},
+    KeysymRow{XK_BackSpace, XK_Delete, NamedKey::Backspace},
+    KeysymRow{XK_Escape, XK_Escape, NamedKey::Escape},
+};
+
 /// Keysyms to keys, Latin-1 letters by themselves.
 std::optional<Key> keyOf(XKeyEvent& event) {
   char letter = 0;
   KeySym symbol = NoSymbol;
   const int count = XLookupString(&event, &letter, 1, &symbol, nullptr);
   const bool shift = (event.state & ShiftMask) != 0;
-  switch (symbol) {
-    case XK_Left:
-    case XK_KP_Left:
-      return Key{NamedKey::Left, 0, shift};
-    case XK_Right:
-    case XK_KP_Right:
-      return Key{NamedKey::Right, 0, shift};
-    case XK_Up:
-    case XK_KP_Up:
-      return Key{NamedKey::Up, 0, shift};
-    case XK_Down:
-    case XK_KP_Down:
-      return Key{NamedKey::Down, 0, shift};
-    case XK_Home:
-    case XK_KP_Home:
-      return Key{NamedKey::Home, 0, shift};
-    case XK_End:
-    case XK_KP_End:
-      return Key{NamedKey::End, 0, shift};
-    case XK_Tab:
-      return Key{NamedKey::Tab, 0, shift};
-    case XK_ISO_Left_Tab:
-      return Key{NamedKey::Tab, 0, true};
-    case XK_Escape:
-      return Key{NamedKey::Escape, 0, shift};
-    default:
-      break;
-  }
+  const auto* const row = std::ranges::find_if(
+      kNamedKeys, [&](const KeysymRow& r) { return r.symbol == symbol || r.onKeypad == symbol; });
+  if (row != kNamedKeys.end()) return Key{row->name, 0, shift || symbol == XK_ISO_Left_Tab};
   if (count == 1 && letter > ' ') return Key{NamedKey::Letter, letter, shift};
   return std::nullopt;
+}
+
+Bool isQuitKey(::Display*, XEvent* event, XPointer) {
+  return event->type == KeyPress && XLookupKeysym(&event->xkey, 0) == XK_q &&
+         (event->xkey.state & (ShiftMask | ControlMask)) == 0;
+}
+
+/// Whoever destroyed it leaves nothing to draw into.
+[[noreturn]] void endWithoutWindow() {
+  std::cerr << "xnewell: the window was destroyed by another program" << std::endl;
+  _exit(1);
 }
 
 class Viewer {
  public:
   Viewer(const Options& options, Scene scene)
-      : server_{options},
+      : server_{options, scene},
         size_{options.size.value_or(kWindowSize)},
         canvas_{server_.display.get(),
                 server_.colormap,
-                {.title = "xnewell: " + scene.name, .width = size_.x, .height = size_.y}},
-        bench_{std::move(scene), server_.setupOf(options), server_.forBench()} {
+                {.title = titleOf(scene), .width = size_.x, .height = size_.y}},
+        bench_{std::move(scene), server_.setupOf(options), server_.forBench()},
+        title_{titleOf(bench_.picture().scene())},
+        plan_{bench_.plan()} {
     bench_.resize(size_.x, size_.y);
     XkbSetDetectableAutoRepeat(display(), 1, nullptr);  // a key held is released once
   }
 
-  int run() {
+  [[nodiscard]] Workbench& bench() { return bench_; }
+
+  int run(const std::function<void()>& shown) {
     endWithSignals();
     {
       ErrorTrap trap{display()};  // a window that cannot be seen could not be closed either
-      refresh();                  // the first picture is there before the window is
-      canvas_.map();
+      show();                     // the first picture is there before the window is, if it does not take long
+      map();
       trap.check();
     }
+    shown();
     while (true) {
       while (XPending(display()) > 0) {
         XEvent event;
@@ -157,7 +113,7 @@ class Viewer {
         toldOfErrors_ = true;
         bench_.notify("the X server refused a request: what is shown may be wrong");
       }
-      refresh();
+      show();
       if (bench_.quitAsked()) break;
       pollfd connection{ConnectionNumber(display()), POLLIN, 0};
       poll(&connection, 1, longestWait());
@@ -170,6 +126,76 @@ class Viewer {
 
  private:
   [[nodiscard]] ::Display* display() const { return server_.display.get(); }
+
+  static std::string titleOf(const Scene& scene) { return "xnewell: " + scene.name; }
+
+  /// The first picture, another scene or view, what decides how much is to be sorted, and all once something
+  /// took long in this window. All else is made on the spot: a thread of its own begins with cold memory,
+  /// which costs milliseconds.
+  [[nodiscard]] bool mayTakeLong() const {
+    const Setup& now = bench_.setup();
+    return !mapped_ || tookLong_ || titleOf(bench_.picture().scene()) != title_ || bench_.view() != view_ ||
+           now.picture.order != order_ || now.divisions != divisions_;
+  }
+
+  /// Brings the window up to date.
+  void show() {
+    ::show(server_, canvas_, bench_, [this] {
+      const Stopwatch watch;
+      if (bench_.stale() != Workbench::Stale::Everything || !mayTakeLong()) {
+        bench_.update(dragging_);
+        tookLong_ = tookLong_ || watch.ms() > kLong;
+        return;
+      }
+      const bool mayEnd = bench_.isSaved() && !bench_.isAsking();
+      doPatiently([this] { bench_.update(dragging_); }, [&](int seconds) { sayBusy(seconds, mayEnd); });
+      tookLong_ = tookLong_ || watch.ms() > kLong;
+    });
+    plan_ = bench_.plan();
+    view_ = bench_.view();
+    order_ = bench_.setup().picture.order;
+    divisions_ = bench_.setup().divisions;
+    if (busyFor_ >= 0) XUndefineCursor(display(), canvas_.window());
+    busyFor_ = -1;
+    entitle(titleOf(bench_.picture().scene()));
+  }
+
+  void entitle(const std::string& title) {
+    if (title != std::exchange(title_, title)) canvas_.entitle(title);
+  }
+
+  /// A box over what is shown, or over an empty window, while the bench is at work and not to be touched.
+  /// Events wait, except those that uncover parts of the window, or close it where nothing is lost by it.
+  void sayBusy(int seconds, bool mayEnd) {
+    XEvent event;
+    while (XCheckTypedEvent(display(), Expose, &event)) handle(event);
+    if (XCheckTypedEvent(display(), DestroyNotify, &event)) endWithoutWindow();
+    if (mayEnd && XCheckTypedEvent(display(), ClientMessage, &event) && canvas_.isCloseRequest(event))
+      _exit(0);
+    if (mayEnd && XCheckIfEvent(display(), &event, isQuitKey, nullptr)) _exit(0);
+    if (seconds == busyFor_) return;
+    IndexImage box{canvas_.width(), canvas_.height(), plan_[Cell::Paper]};
+    drawBusyBox(box, plan_, seconds, mayEnd);
+    if (busyFor_ < 0) {
+      entitle("(drawing) " + title_);
+      if (watch_ == 0) watch_ = XCreateFontCursor(display(), XC_watch);
+      XDefineCursor(display(), canvas_.window(), watch_);
+    }
+    if (!mapped_) {  // of the colours there are only the tool's
+      const Palette tool = withInterface(server_.colormap.unneeded(), plan_);
+      (void)server_.colormap.lookUp(tool, plan_);
+      server_.colormap.store(tool, plan_);
+      canvas_.upload(box, {0, 0, box.width, box.height});
+    }
+    canvas_.present(box, busyBox(box.width, box.height));
+    map();
+    XFlush(display());
+    busyFor_ = seconds;
+  }
+
+  void map() {
+    if (!std::exchange(mapped_, true)) canvas_.map();
+  }
 
   [[nodiscard]] bool errorsToTell() const { return strayErrors() > 0 && !toldOfErrors_; }
 
@@ -195,6 +221,8 @@ class Viewer {
       case ConfigureNotify:
         resized(event.xconfigure.width, event.xconfigure.height);
         break;
+      case DestroyNotify:
+        endWithoutWindow();
       case MapNotify:
       case FocusIn:
         server_.colormap.installUnlessManaged();
@@ -231,7 +259,7 @@ class Viewer {
         moved(event.xmotion);
         break;
       case ClientMessage:
-        if (canvas_.isCloseRequest(event)) bench_.press({NamedKey::Letter, 'q'});
+        if (canvas_.isCloseRequest(event)) bench_.askToQuit();
         break;
       case MappingNotify:
         XRefreshKeyboardMapping(&event.xmapping);
@@ -253,55 +281,36 @@ class Viewer {
 
   void pressed(const XButtonEvent& e) {
     constexpr double kWheelStep = 1.1;
-    if (e.button == Button4) bench_.zoom(kWheelStep);
-    if (e.button == Button5) bench_.zoom(1.0 / kWheelStep);
-    if (e.button == Button1 && bench_.grab(e.x, e.y)) {
-      dragging_ = true;
-      dragX_ = e.x;
-      dragY_ = e.y;
-    }
+    if (e.button == Button4) bench_.wheel(e.x, e.y, kWheelStep);
+    if (e.button == Button5) bench_.wheel(e.x, e.y, 1.0 / kWheelStep);
+    if (e.button == Button1) dragging_ = bench_.grab(e.x, e.y);
   }
 
   void moved(const XMotionEvent& e) {
-    if (!dragging_) return bench_.hover(e.x, e.y);
-    bench_.drag(e.x - dragX_, e.y - dragY_);
-    dragX_ = e.x;
-    dragY_ = e.y;
-  }
-
-  /// Colours alone are stored and nothing is drawn. New indices go into the picture behind the window
-  /// first; then cells and indices change together, and no other client sees one without the other.
-  void refresh() {
-    const Workbench::Stale stale = bench_.stale();
-    if (stale == Workbench::Stale::Nothing) return;
-    bench_.update(dragging_);
-    const CellPlan plan = bench_.plan();
-    const Palette palette = server_.colorsOf(bench_.picture(), bench_.palette());
-    const bool otherPixels = server_.colormap.lookUp(palette, plan);
-    if (stale == Workbench::Stale::Colors && !otherPixels) {
-      server_.colormap.store(palette, plan);
-      XFlush(display());
-      return;
-    }
-    const Rect all{0, 0, canvas_.width(), canvas_.height()};
-    canvas_.upload(bench_.image(), all);
-    if (bench_.serverFills()) {
-      fillPolygons(display(), canvas_, bench_.picture(), bench_.layout().picture, bench_.ground());
-      for (const Rect& part : bench_.overPicture()) canvas_.upload(bench_.image(), part);
-    }
-    const ServerGrab grab{display()};
-    server_.colormap.store(palette, plan);
-    canvas_.expose(all);
+    if (dragging_)
+      bench_.dragTo(e.x, e.y);
+    else
+      bench_.hover(e.x, e.y);
   }
 
   Server server_;
   glm::ivec2 size_;
   Canvas canvas_;
   Workbench bench_;
+  static constexpr double kLong = 100;  ///< ms
+
+  std::string title_;
+  bool tookLong_ = false;                  ///< anything so far
+  WindowView view_ = WindowView::Picture;  ///< this and what follows: of what is shown
+  Order order_ = {};
+  int divisions_ = 0;
+  CellPlan plan_;       ///< of what is shown
+  int busyFor_ = -1;    ///< seconds that the window tells; -1: none
+  ::Cursor watch_ = 0;  ///< the server's, until the connection ends
+  bool mapped_ = false;
   bool dragging_ = false, pointerInside_ = false;
   bool toldOfErrors_ = false;  ///< once: to tell is a frame more, which may be refused too
   Stopwatch sinceTick_;
-  int dragX_ = 0, dragY_ = 0;
 };
 
 /// What a snapshot shows: the picture alone, or the whole window.
@@ -327,13 +336,18 @@ void present(Server& server, Canvas& canvas, const Shot& shot, Fill fill) {
 
 }  // namespace
 
-int runViewer(const Options& options, Scene scene) {
+int runViewer(const Options& options, Scene scene, std::optional<Lesson> lesson,
+              const std::function<void()>& shown) {
   Viewer viewer{options, std::move(scene)};
-  return viewer.run();
+  if (lesson)
+    viewer.bench().teach(std::move(*lesson));
+  else
+    viewer.bench().show(options.command == Command::Lesson ? WindowView::Lesson : options.windowView);
+  return viewer.run(shown);
 }
 
 void takeSnapshot(const Options& options, Scene scene, double msRead) {
-  Server server{options};
+  Server server{options, scene};
   const glm::ivec2 size = options.size.value_or(options.wholeWindow ? kWindowSize : kPictureSize);
   Canvas canvas{server.display.get(), server.colormap, {.width = size.x, .height = size.y}};
   ErrorTrap trap{server.display.get()};
@@ -347,7 +361,7 @@ void takeSnapshot(const Options& options, Scene scene, double msRead) {
     trap.check();
     times.present = watch.ms();
     if (strayErrors() > 0) throw X11Error{"the X server refused requests: no picture"};
-    std::optional<ColoredImage> cells = readCells(server.display.get(), canvas, server.colormap, shot.image);
+    std::optional<ColoredImage> cells = readCells(canvas, server.colormap, shot.image);
     const RgbImage seen = cells ? RgbImage{} : canvas.readBack({0, 0, size.x, size.y});
     if (!cells) cells = inFewColors(seen);
     writePictures(options, shot.picture, cells ? encodePng(cells->image, cells->palette) : encodePng(seen));
@@ -356,8 +370,8 @@ void takeSnapshot(const Options& options, Scene scene, double msRead) {
   if (options.wholeWindow) {
     Workbench bench{std::move(scene), server.setupOf(options), server.forBench()};
     bench.resize(size.x, size.y);
-    if (options.view == View::Colors) bench.press({NamedKey::Letter, '3'});
-    bench.update();
+    bench.show(options.windowView);
+    for (int k = 0; k == 0 || (k < 3 && bench.stale() != Workbench::Stale::Nothing); ++k) bench.update();
     shoot({bench.picture(), bench.image(), bench.palette(), bench.plan(), bench.layout().picture,
            bench.overPicture()});
     return;

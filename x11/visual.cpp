@@ -34,7 +34,7 @@ constexpr std::string_view kLive =
 constexpr std::string_view kExactly =
     "the 256-entry table is emulated: a change of colours draws the picture again";
 constexpr std::string_view kCoarse =
-    "for want of what shows every colour; the table is emulated with the nearest, dithered";
+    "for want of what shows every colour; the table is emulated with those there are, mixed";
 
 constexpr std::array kPreferences{
     Preference{[](const VisualInfo& v) {
@@ -52,7 +52,7 @@ constexpr std::array kPreferences{
         [](const VisualInfo& v) { return isClass(v, VisualClass::DirectColorClass) && v.holdsTable(); },
         "store colours in a map of its own through pixels (i, i, i), draw nothing", kLive},
     Preference{[](const VisualInfo& v) { return trueColor(v) && v.alphaMask() == 0 && v.depth >= 15; },
-               "look up the nearest of its colours, dithered", kCoarse},
+               "look up the nearest of its colours, mixed", kCoarse},
     Preference{
         [](const VisualInfo& v) { return trueColor(v) && v.exact(); }, kEmulates,
         "for want of better; the table is emulated, and the alpha that a compositor may use is opaque"},
@@ -60,14 +60,17 @@ constexpr std::array kPreferences{
                "store grays in a map of its own, draw nothing when they change",
                "its colormap is real and holds the grays of the colours: storing draws nothing"},
     Preference{[](const VisualInfo& v) { return isClass(v, VisualClass::StaticColorClass) && v.depth >= 8; },
-               "look up the nearest of its fixed colours, dithered", kCoarse},
-    Preference{trueColor, "look up the nearest of its colours, dithered", kCoarse},
+               "look up the nearest of its fixed colours, mixed", kCoarse},
+    Preference{trueColor, "look up the nearest of its colours, mixed", kCoarse},
     Preference{[](const VisualInfo& v) { return isClass(v, VisualClass::DirectColorClass); },
-               "fill a map of its own with even levels; look up the nearest, dithered", kCoarse},
+               "fill a map of its own with even levels; look up the nearest, mixed", kCoarse},
+    Preference{[](const VisualInfo& v) { return v.gray() && v.holdsColors(); },
+               "look grays up itself, draw again when they change",
+               "for want of colour; the table is emulated with the grays of the colours"},
     Preference{[](const VisualInfo& v) { return v.gray() && !v.writable(); },
-               "look up the nearest of its fixed grays, dithered",
-               "for want of colour; the table is emulated with the nearest grays, dithered"},
-    Preference{[](const VisualInfo&) { return true; }, "look up the nearest of its few cells, dithered",
+               "look up the nearest of its fixed grays, mixed",
+               "for want of colour; the table is emulated with the grays there are, mixed"},
+    Preference{[](const VisualInfo&) { return true; }, "look up the nearest of its few cells, mixed",
                kCoarse},
 };
 
@@ -131,12 +134,24 @@ std::string namesOf(const ServerVisuals& server) {
   return list(names);
 }
 
+/// "rgb", from the highest bits of a pixel value down; "-" where they have none of their own.
+std::string orderOf(const VisualInfo& v) {
+  if (!v.hasChannels()) return "-";
+  std::array channels{std::pair{v.masks.red, 'r'}, std::pair{v.masks.green, 'g'},
+                      std::pair{v.masks.blue, 'b'}};
+  std::ranges::sort(channels, std::ranges::greater{});
+  return {channels[0].second, channels[1].second, channels[2].second};
+}
+
 /// What xnewell would do with it.
 std::string deed(const VisualInfo& v, const ServerVisuals& server, MapOwner owner) {
   const std::string does{kPreferences[rowOf(v)].does};
   if (owner == MapOwner::Private) return does;
   if (!sameKind(v, server.defaultVisual())) return "not take it: the default map is another visual's";
-  return v.writable() ? "take free cells of the default map, fewer shades where they are fewer" : does;
+  if (!v.writable()) return does;
+  return v.hasChannels() && !v.holdsTable()
+             ? "take what levels of the default map can be had, mixed"
+             : "take free cells of the default map as shades; if too few, its colours, mixed";
 }
 
 /// A mask's lowest bit and number of bits.
@@ -221,8 +236,9 @@ VisualWish parseVisualWish(std::string_view text) {
     if (text.size() < row.name.size() ||
         !std::equal(row.name.begin(), row.name.end(), text.begin(), sameLetter))
       continue;
-    const std::string_view digits = text.substr(row.name.size());
+    std::string_view digits = text.substr(row.name.size());
     if (digits.empty()) return {row.id, std::nullopt};
+    if (digits.front() == ' ') digits.remove_prefix(1);  // as name() has it
     int depth = 0;
     const auto [end, error] = std::from_chars(digits.data(), digits.data() + digits.size(), depth);
     if (error == std::errc{} && end == digits.data() + digits.size() && depth >= 1 && depth <= 32)
@@ -252,7 +268,8 @@ VisualChoice chooseVisual(const ServerVisuals& server, const std::optional<Visua
     if (!has(v))
       throw X11Error("--colormap shared takes cells of the default map, which is for " + v.name() +
                      ", not for " + wished());
-    return {v, v.writable() ? "the default visual, whose map is shared: as many shades as it has free cells"
+    return {v, v.writable() ? "the default visual, whose map is shared: as many shades as it has free cells, "
+                              "or its colours mixed"
                             : "the default visual; its map is not writable, so the table is emulated"};
   }
   const auto rank = [&](const VisualInfo& v) {
@@ -262,27 +279,34 @@ VisualChoice chooseVisual(const ServerVisuals& server, const std::optional<Visua
   for (const VisualInfo& v : server.visuals)
     if (has(v) && (best == nullptr || rank(v) > rank(*best))) best = &v;
   if (best == nullptr) throw X11Error("display '" + server.display + "' has no visual");
-  return {*best, (wish ? "as insisted on; " : "") + std::string{kPreferences[rowOf(*best)].why}};
+  std::string why = (wish ? "as insisted on; " : "") + std::string{kPreferences[rowOf(*best)].why};
+  const auto flashing = std::ranges::find_if(server.visuals, [&](const VisualInfo& v) {
+    return has(v) && isClass(v, VisualClass::DirectColorClass) && v.holdsTable();
+  });
+  if (best->exact() && flashing != server.visuals.end())
+    why += "; the real colormap of " + flashing->name() + " would make all other windows flash";
+  return {*best, why};
 }
 
 std::string describeVisuals(const ServerVisuals& server, const std::optional<VisualWish>& wish,
                             MapOwner owner) {
   std::ostringstream out;
   out << "display " << server.display << " (" << server.vendor << ")\n\n" << std::left;
-  const auto line = [&](std::string_view name, std::string_view depth, std::string_view number,
-                        std::string_view cells, std::string_view free, std::string_view bits,
-                        std::string_view map, std::string_view what) {
-    out << std::setw(13) << name << std::right << std::setw(5) << depth << std::setw(8) << number
-        << std::setw(7) << cells << std::setw(6) << free << std::setw(6) << bits << "  " << std::left
-        << std::setw(10) << map << what << '\n';
+  const auto line = [&](std::string_view name, std::string_view depth, std::string_view order,
+                        std::string_view number, std::string_view cells, std::string_view free,
+                        std::string_view bits, std::string_view map, std::string_view what) {
+    out << std::setw(13) << name << std::right << std::setw(5) << depth << std::setw(7) << order
+        << std::setw(9) << number << std::setw(7) << cells << std::setw(6) << free << std::setw(6) << bits
+        << "  " << std::left << std::setw(10) << map << what << '\n';
   };
-  line("class", "depth", "visuals", "cells", "free", "bits", "colormap", "xnewell would");
+  line("class", "depth", "order", "visuals", "cells", "free", "bits", "colormap", "xnewell would");
   for (const auto& [v, count] : fold(server))
-    line(kVisualClasses[static_cast<int>(v.kind)].name, std::to_string(v.depth), std::to_string(count),
-         std::to_string(v.cells),
+    line(kVisualClasses[static_cast<int>(v.kind)].name, std::to_string(v.depth), orderOf(v),
+         std::to_string(count), std::to_string(v.cells),
          server.freeCells && sameKind(v, server.defaultVisual()) ? std::to_string(*server.freeCells) : "-",
          std::to_string(v.bitsPerRgb), v.writable() ? "writable" : "fixed", deed(v, server, owner));
-  out << "\ncells: entries of its colormap (of each channel where red, green and blue have their own)\n"
+  out << "\norder: of red, green and blue in a pixel value, from its highest bits down\n"
+      << "cells: entries of its colormap (of each channel where red, green and blue have their own)\n"
       << "free:  of the default colormap, which all programs share\n"
       << "bits:  of a stored colour that reach the screen\n\n"
       << "default visual    " << server.defaultVisual().name() << " (" << hex(server.defaultId) << ")\n"

@@ -65,8 +65,12 @@ struct VisualInfo {
   }
   /// Does a colormap of our own hold the picture's 256 cells? With channels through the pixels (i, i, i).
   [[nodiscard]] bool holdsTable() const { return writable() && leastLevels() >= 256; }
-  /// Does every 8-bit colour have a pixel value of its own?
-  [[nodiscard]] bool exact() const { return hasChannels() && leastLevels() >= 256; }
+  /// Does every 8-bit colour have a pixel value of its own? Not where others store what pixels show.
+  [[nodiscard]] bool exact() const { return !writable() && hasChannels() && leastLevels() >= 256; }
+  /// Does every 8-bit colour, or on gray visuals its gray, have a pixel value that cannot change?
+  [[nodiscard]] bool holdsColors() const {
+    return exact() || (kind == VisualClass::StaticGrayClass && cells >= 256);
+  }
   /// Of its channels, or where there are none its cells.
   [[nodiscard]] int leastLevels() const;
   [[nodiscard]] std::string name() const;  ///< "PseudoColor 8"
@@ -85,7 +89,7 @@ struct ServerVisuals {
 /// which all other programs wait.
 [[nodiscard]] ServerVisuals readVisuals(::_XDisplay* display, bool countsCells = false);
 
-/// `--visual CLASS[DEPTH]`: PseudoColor8, truecolor24, TrueColor.
+/// `--visual CLASS[DEPTH]`: PseudoColor8, truecolor24, TrueColor, or "TrueColor 24" as messages have it.
 struct VisualWish {
   VisualClass kind;
   std::optional<int> depth;
@@ -115,7 +119,7 @@ struct VisualChoice {
 ///   coarser TrueColor, the deepest first; TrueColor with alpha (bits in no mask)
 ///   GrayScale of 256 cells
 ///   StaticColor, TrueColor and DirectColor of fewer than 15 bits
-///   StaticGray; whatever has fewer cells
+///   StaticGray of 256 grays, then of fewer; whatever has fewer cells
 /// Why: all colours before some, all grays before few colours, and among equals what can be stored, for that
 /// is our subject. But DirectColor comes after TrueColor, since on the screens that have both its map makes
 /// all other windows flash, and alpha late, since a compositor may make something of it. MapOwner::Shared

@@ -1,51 +1,21 @@
 #include "x11/workbench.h"
 
 #include <algorithm>
-#include <cmath>
+#include <filesystem>
+#include <utility>
 
 #include "geometry/box.h"
+#include "geometry/text_file.h"
+#include "shading/output_file.h"
+#include "shading/save_scene.h"
+#include "x11/colors_bench.h"
+#include "x11/mach_bench.h"
+#include "x11/one_line.h"
+#include "x11/picture_bench.h"
+#include "x11/side_bench.h"
+#include "x11/sort_bench.h"
 
 namespace {
-
-constexpr std::string_view kFocusOrder = "lipadsnc0tz";
-
-/// 4032 as 4,032.
-std::string withCommas(int n) {
-  std::string s = std::to_string(n);
-  for (int at = static_cast<int>(s.size()) - 3; at > 0; at -= 3) s.insert(at, ",");
-  return s;
-}
-
-std::string titleOf(const Scene& scene) {
-  const std::size_t slash = scene.name.find_last_of('/');
-  std::string title = slash == std::string::npos ? scene.name : scene.name.substr(slash + 1);
-  if (scene.divisions > 0)
-    title +=
-        " \u00B7 " + std::to_string(scene.divisions) + " x " + std::to_string(scene.divisions) + " divisions";
-  return title;
-}
-
-/// The cells that stand for intensities on the ball: where a plan holds no ramp the nearest grays.
-std::array<std::uint8_t, 256> ballCells(const Picture& picture, const Palette& palette) {
-  std::array<std::uint8_t, 256> ball{};
-  const CellRange cells = sceneCells(picture);
-  for (int k = 0; k < 256; ++k) {
-    if (channelsOf(picture.colors().plan()) != Channels::Rgb) {
-      ball[k] = static_cast<std::uint8_t>(picture.table().cell(k / 255.0));
-      continue;
-    }
-    const auto distance = [&](int cell) {
-      const Rgb16& c = palette[cell];
-      const auto square = [&](int v) { return ((v >> 8) - k) * ((v >> 8) - k); };
-      return square(c.r) + square(c.g) + square(c.b);
-    };
-    int nearest = cells.first;
-    for (int cell = cells.first; cell <= cells.last(); ++cell)
-      if (distance(cell) < distance(nearest)) nearest = cell;
-    ball[k] = static_cast<std::uint8_t>(nearest);
-  }
-  return ball;
-}
 
 /// The setup with the colours of its cells left out: what the indices depend on.
 Setup withoutColors(Setup s) {
@@ -54,14 +24,52 @@ Setup withoutColors(Setup s) {
   return s;
 }
 
+/// What takes least and still shows where everything is.
+PictureSettings coarse(PictureSettings settings) {
+  settings.shading = settings.shading == Shading::Full ? Shading::Full : Shading::Flat;
+  settings.order = Order::ZSort;
+  settings.adapt = 0;
+  settings.dither = false;
+  return settings;
+}
+
 }  // namespace
 
+Workbench::Work::Work(Scene scene, const Setup& s)
+    : picture{std::move(scene)},
+      centre{boxOf(picture.scene().mesh.points).centre()},
+      setup{s},
+      defaults{s},
+      saved{s},
+      divisions{picture.scene().origin.divisions} {}
+
+void Workbench::fit(const Scene& scene, const Setup& setup) {
+  mostShades_ = server_.mostShades(planOf(scene, setup.picture) != ColorPlan::OneHue);
+}
+
+Workbench::Work Workbench::workOn(Scene scene, Setup setup) {
+  (void)keepFillable(setup);
+  fit(scene, setup);
+  TableSettings& table = setup.picture.table;
+  table.shades = std::min(table.shades, mostShades_);
+  return {std::move(scene), setup};
+}
+
 Workbench::Workbench(Scene scene, const Setup& setup, Server server)
-    : picture_{std::move(scene)}, server_{std::move(server)} {
-  state_.setup = state_.defaults = setup;
-  state_.sceneTitle = titleOf(picture_.scene());
-  state_.visual = server_.visual;
-  centre_ = boxOf(picture_.scene().mesh.points).centre();
+    : work_{std::move(scene), setup}, server_{std::move(server)} {
+  fit(work_.picture.scene(), setup);
+  const auto at = [this](WindowView view) -> auto& { return benches_[static_cast<std::size_t>(view)]; };
+  at(WindowView::Picture) = std::make_unique<PictureBench>(*this, keys_, [this] { return subject(); });
+  auto stepper = std::make_unique<SortBench>(*this);
+  stepper_ = stepper.get();
+  at(WindowView::DepthSort) = std::move(stepper);
+  at(WindowView::Colors) = std::make_unique<ColorsBench>(*this);
+  at(WindowView::MachBands) = std::make_unique<MachBench>(*this, keys_, [this] { return subject(); });
+  at(WindowView::SideBySide) = std::make_unique<SideBench>(
+      *this, [this] { return subject(); }, [this] { return mostShades_; });
+  auto lessons = std::make_unique<LessonBench>(*this);
+  lessons_ = lessons.get();
+  at(WindowView::Lesson) = std::move(lessons);
 }
 
 void Workbench::resize(int width, int height) {
@@ -70,15 +78,58 @@ void Workbench::resize(int width, int height) {
   repaint_ = true;
 }
 
+void Workbench::teach(Lesson lesson) {
+  show(WindowView::Lesson);
+  lessons_->start(std::move(lesson));
+}
+
+void Workbench::begin(Work work) {
+  bench().drop();
+  work_ = std::move(work);
+  repaint_ = true;
+  any_ = false;
+}
+
+void Workbench::open(Scene scene, const Setup& setup) {
+  Work work = workOn(std::move(scene), setup);
+  if (!before_) before_ = std::make_unique<Work>(std::move(work_));
+  begin(std::move(work));
+}
+
+void Workbench::close() {
+  if (!before_) return;
+  fit(before_->picture.scene(), before_->setup);
+  begin(std::move(*before_));
+  before_.reset();
+}
+
+void Workbench::ask(Question question) {
+  question_ = std::move(question);
+  complaint_.clear();
+  repaint_ = true;
+}
+
+void Workbench::notify(std::string notice) {
+  notice_ = std::move(notice);
+  repaint_ = true;
+}
+
+void Workbench::tell(std::string news) {
+  told_ = std::move(news);
+  repaint_ = true;
+}
+
 void Workbench::change(char control, const std::function<void(Setup&)>& edit) {
-  Setup next = state_.setup;
+  Setup next = work_.setup;
   edit(next);
-  if (next == state_.setup) return;
-  if (control != lastChanged_ || undo_.empty()) undo_.push_back(state_.setup);
-  lastChanged_ = control;
-  redo_.clear();
-  state_.setup = next;
-  const SceneLight& own = picture_.scene().light;
+  if (const std::string_view why = keepFillable(next); !why.empty()) notify(std::string{why});
+  if (next == work_.setup) return;
+  if (control != work_.lastChanged || work_.undo.empty()) work_.undo.push_back(work_.setup);
+  if (work_.undo.size() > kMostUndone) work_.undo.erase(work_.undo.begin());
+  work_.lastChanged = control;
+  work_.redo.clear();
+  work_.setup = next;
+  const SceneLight& own = work_.picture.scene().light;
   if (!own.lights.empty() && (control == 'l' || control == 'p' || control == ']'))
     notify("The scene brings its own lights: Ip and where the light is are theirs, not the control's.");
   else if (own.Ia && (control == 'i' || control == '['))
@@ -86,199 +137,219 @@ void Workbench::change(char control, const std::function<void(Setup&)>& edit) {
 }
 
 void Workbench::press(const Key& key) {
-  repaint_ = repaint_ || !state_.notice.empty();
-  state_.notice.clear();
-  if (showsColors() && !(state_.help && key.name == NamedKey::Escape)) return pressInColors(key);
-  const int times = key.shift ? 10 : 1;
-  switch (key.name) {
-    case NamedKey::Left:
-      return pressArrow(-times, 0);
-    case NamedKey::Right:
-      return pressArrow(times, 0);
-    case NamedKey::Up:
-      return pressArrow(0, times);
-    case NamedKey::Down:
-      return pressArrow(0, -times);
-    case NamedKey::Home:
-      return pressEnd(false);
-    case NamedKey::End:
-      return pressEnd(true);
-    case NamedKey::Tab:
-      return nextFocus(key.shift ? -1 : 1);
-    case NamedKey::Escape:
-      repaint_ = repaint_ || state_.help;
-      state_.help = false;
-      return;
-    case NamedKey::Letter:
-      return pressLetter(key.letter);
+  repaint_ = repaint_ || !notice_.empty() || !told_.empty();
+  notice_.clear();
+  told_.clear();
+  if (key.letter != 'q') warned_ = false;
+  if (question_) return answer(key);
+  if (help_ && key.letter != '?') {  // whatever is done is to be seen
+    pressLetter('?');
+    if (key.name == NamedKey::Escape) return;
   }
+  if (bench().press(key, work_.setup)) return;
+  if (key.name == NamedKey::Escape && visitsFromLesson()) return show(WindowView::Lesson);
+  if (key.name == NamedKey::Letter &&
+      std::string_view{"uUrwe?q1234567"}.find(key.letter) != std::string_view::npos)
+    return pressLetter(key.letter);
+  const Setup before = work_.setup;
+  keys_.press(key, bench().sharedKeys(), before, subject(), *this);
 }
 
-void Workbench::pressInColors(const Key& key) {
-  constexpr std::string_view kShared = "q?13HBJTuUr";  // what this view shows too
-  if (colors_.press(key, state_.setup))
-    state_.notice = colors_.notice();
-  else if (key.letter == 'j')
-    pressLetter('J');
-  else if (kShared.find(key.letter) != std::string_view::npos)
-    pressLetter(key.letter);
-  repaint_ = repaint_ || !state_.notice.empty();
-}
-
-void Workbench::show(WindowView view) {
-  if (state_.view == view) return;
-  colors_.undo();
-  state_.view = view;
-  repaint_ = true;
-}
-
+/// What all views have, and for a button what a key does.
 void Workbench::pressLetter(char letter) {
   for (const WindowViewRow& row : kWindowViews)
     if (row.key == letter) return show(row.id);
-  if (kFocusOrder.find(letter) != std::string_view::npos) {
-    state_.focus = letter;
-    repaint_ = true;
-    return;
-  }
-  for (const ChoiceRow& row : choices())
-    if (row.key == letter) return choose(row);
-  for (const ToggleRow& row : kToggles)
-    if (row.key == letter)
-      return change(letter, [&](Setup& s) { s.picture.light.*row.value = !(s.picture.light.*row.value); });
-  const auto restore = [this](std::vector<Setup>& from, std::vector<Setup>& to) {
-    if (from.empty()) return;
-    to.push_back(state_.setup);
-    state_.setup = from.back();
+  const auto restore = [this](std::vector<Setup>& from, std::vector<Setup>& to, const char* what) {
+    if (from.empty())
+      return notify(std::string{"There is nothing to "} + what +
+                    (stored_ == PaletteEffects{} ? " here." : " here; Esc puts the stored colours back."));
+    to.push_back(std::exchange(work_.setup, from.back()));
     from.pop_back();
-    lastChanged_ = 0;
+    work_.lastChanged = 0;
   };
   switch (letter) {
     case 'q':
-      quit_ = true;
+      if (isSaved() || std::exchange(warned_, true))
+        quit_ = true;
+      else
+        notify("What was changed since " + work_.file + " is not saved: w saves it, q again leaves it.");
       return;
     case '?':
-      state_.help = !state_.help;
+      help_ = !help_;
       repaint_ = true;
       return;
-    case '[':
-      return change('[', [](Setup& s) { setIa(s, 1.0); });
-    case ']':
-      return change(']', [](Setup& s) { setIp(s, 1.0); });
-    case 'H':
-      return change('H', nextHue);
-    case 'B':
-      return change('B', [](Setup& s) { s.picture.table.bits = s.picture.table.bits == 16 ? 8 : 16; });
-    case 'J':
-      return change('J', [](Setup& s) {
-        s.picture.table.pick = s.picture.table.pick == Pick::Log ? Pick::Search : Pick::Log;
-      });
-    case '+':
-      return zoom(1.1);
-    case '-':
-      return zoom(1.0 / 1.1);
+    case 'w':
+      return askToSave();
+    case 'e':
+      return askToOpen();
     case 'u':
-      return restore(undo_, redo_);
+      return restore(work_.undo, work_.redo, "undo");
     case 'U':
-      return restore(redo_, undo_);
+      return restore(work_.redo, work_.undo, "redo");
     case 'r':
-      return change('r', [this](Setup& s) { s = state_.defaults; });
+      return change('r', [this](Setup& s) { s = work_.defaults; });
+    default:
+      keys_.press({NamedKey::Letter, letter}, kAllControls, Setup{work_.setup}, subject(), *this);
+  }
+}
+
+namespace {
+
+/// How a scene that is opened is set up: as it says itself, and else as by default.
+Setup setupOf(const Scene& scene) {
+  Setup setup{scene.settings, scene.settings.inPixels ? Fill::XFillPolygon : Fill::Scanline};
+  setup.picture.inPixels = false;
+  setup.picture.camera = inSceneUnits(scene.camera, scene);
+  toSceneUnits(setup.picture.light, scene);
+  return setup;
+}
+
+}  // namespace
+
+void Workbench::askToSave() {
+  const Scene& scene = work_.picture.scene();
+  const std::string stem = std::filesystem::path{scene.name}.stem().string();
+  ask({.asks = "save the set-up as",
+       .text = work_.file.empty() ? stem + "-set-up.json" : work_.file,
+       .take = [this, replaced = std::string{}](const std::string& file) mutable -> std::string {
+         if (!file.ends_with(".json")) return "A scene file's name ends in .json.";
+         if (std::filesystem::is_directory(file)) return "That is a folder.";
+         if (file != work_.file && file != replaced && std::filesystem::exists(file)) {
+           replaced = file;
+           return "It is there already: Return again replaces it.";
+         }
+         PictureSettings settings = work_.setup.picture;
+         settings.inPixels = work_.setup.fill == Fill::XFillPolygon;
+         try {
+           writeFile(file,
+                     savedScene(work_.picture.scene(), settings, std::filesystem::path{file}.parent_path()));
+         } catch (const std::system_error& e) {
+           return oneLine(e.what());
+         }
+         work_.file = file;
+         work_.saved = work_.setup;
+         told_ = "saved: xnewell " + file + " shows " +
+                 (view() == WindowView::Picture ? "it" : "the picture of view 1") + " again";
+         return {};
+       }});
+}
+
+void Workbench::askToOpen() {
+  std::vector<std::string> names;
+  for (const BuiltInScene& scene : builtInScenes()) names.push_back(scene.name);
+  ask({.asks = "open a scene: a file, or a built-in name",
+       .text = work_.file,
+       .offers = std::move(names),
+       .take = [this](const std::string& name) -> std::string {
+         if (name.empty()) return "Type a name, or Esc leaves it.";
+         try {
+           Scene scene = readScene(name);
+           const Setup setup = setupOf(scene);
+           Work work = workOn(std::move(scene), setup);
+           if (name.ends_with(".json")) work.file = name;
+           before_.reset();
+           begin(std::move(work));
+         } catch (const std::exception& e) {
+           return oneLine(e.what());
+         }
+         return {};
+       }});
+}
+
+/// A key for the line that is typed.
+void Workbench::answer(const Key& key) {
+  repaint_ = true;
+  complaint_.clear();
+  std::string& text = question_->text;
+  switch (key.name) {
+    case NamedKey::Escape:
+      return question_.reset();
+    case NamedKey::Backspace:
+      if (!text.empty()) text.pop_back();
+      question_->fresh = false;  // the rest is kept
+      return;
+    case NamedKey::Return: {
+      const Question asked = *std::exchange(question_, std::nullopt);
+      complaint_ = asked.take(asked.text);
+      if (!complaint_.empty()) question_ = asked;
+      return;
+    }
+    case NamedKey::Space:
+      text += ' ';
+      return;
+    case NamedKey::Up:
+    case NamedKey::Down: {
+      const std::vector<std::string>& offers = question_->offers;
+      if (offers.empty()) return;
+      const auto at = std::ranges::find(offers, text);
+      if (key.name == NamedKey::Up)
+        text = at == offers.begin() || at == offers.end() ? offers.back() : *(at - 1);
+      else
+        text = at == offers.end() || at + 1 == offers.end() ? offers.front() : *(at + 1);
+      question_->fresh = true;
+      return;
+    }
+    case NamedKey::Letter: {
+      if (question_->fresh) text.clear();
+      text += key.letter;
+      question_->fresh = false;
+      return;
+    }
     default:
       return;
   }
 }
 
-void Workbench::choose(const ChoiceRow& row) {
-  change(row.key, [&](Setup& s) {
-    row.set(s, (row.get(s) + 1) % static_cast<int>(row.options.size()));
-    if (s.fill != Fill::XFillPolygon) return;
-    const bool oracle = s.picture.order == Order::Oracle;
-    if (!oracle && !rowOf(s.picture.shading).interpolates) return;
-    s.fill = Fill::Scanline;
-    notify(oracle ? "The oracle decides each sample by itself: there is no polygon for the server to fill."
-                  : "XFillPolygon gives a polygon one cell: the server cannot interpolate.");
-    repaint_ = true;
-  });
-}
-
-void Workbench::pressArrow(int along, int up) {
-  const char focus = state_.focus;
-  if (focus == 't') {
-    change('t', [&](Setup& s) {
-      s.picture.camera = moved(s.picture.camera, camera(), -2.0 * along, -2.0 * up, 1.0);
-    });
-  } else if (focus == 'z') {
-    zoom(along + up > 0 ? std::pow(1.02, along + up) : 1.0 / std::pow(1.02, -along - up));
-  } else if (focus == 'l') {
-    change('l', [&](Setup& s) { turnLight(s.picture.light, picture_.scene().up, along, up, centre_); });
-  } else {
-    const auto* const row = std::ranges::find(kSliders, focus, &SliderRow::key);
-    change(focus, [&](Setup& s) { step(s, *row, along + up); });
-  }
-}
-
-void Workbench::pressEnd(bool high) {
-  const auto* const row = std::ranges::find(kSliders, state_.focus, &SliderRow::key);
-  if (row != kSliders.end()) change(row->key, [&](Setup& s) { row->set(s, high ? row->high : row->low); });
-}
-
-void Workbench::nextFocus(int direction) {
-  const std::size_t n = kFocusOrder.size();
-  state_.focus = kFocusOrder[(kFocusOrder.find(state_.focus) + n + direction) % n];
+void Workbench::show(WindowView view) {
+  if (view_ == view) return;
+  bench().leave();
+  view_ = view;
+  bench().enter();
   repaint_ = true;
 }
 
-Camera Workbench::camera() const {
-  const PictureSettings& p = state_.setup.picture;
-  const double aspect = static_cast<double>(layout_.picture.width) / layout_.picture.height;
-  return placeCamera(p.camera, picture_.scene().mesh.points, picture_.scene().up, aspect);
-}
-
-void Workbench::release(char letter) {
-  if (showsColors()) colors_.release(letter);
+ControlKeys::Subject Workbench::subject() const {
+  const Rect at = bench().picture(layout_);
+  return {work_.picture.scene(), work_.centre, static_cast<double>(at.width) / std::max(1, at.height)};
 }
 
 bool Workbench::grab(int x, int y) {
-  if (!showsColors()) return !intersection(layout_.picture, {x, y, 1, 1}).empty();
-  hover(x, y);
-  const bool grabbed = colors_.grab(x, y);
-  repaint_ = repaint_ || state_.notice != colors_.notice();
-  state_.notice = colors_.notice();
-  return grabbed;
+  repaint_ = repaint_ || !notice_.empty() || help_ || question_;
+  notice_.clear();
+  help_ = false;
+  question_.reset();
+  if (const std::optional<WindowView> tab = tabAt(layout_, x, y)) return show(*tab), false;
+  return isDrawn() && bench().grab(x, y);
 }
 
 void Workbench::hover(int x, int y) {
-  if (!showsColors()) return;
-  colors_.hover(x, y);
-  if (const std::optional<int> cell = cellInStrip(layout_.strip, x, y)) colors_.inspect(*cell);
+  if (!question_ && isDrawn()) bench().hover(x, y);
 }
 
 void Workbench::settle() {
-  colors_.drop();
-  repaint_ = repaint_ || !counted_;
+  bench().drop();
+  repaint_ = repaint_ || dragged_;
 }
 
-void Workbench::drag(int dx, int dy) {
-  if (dx == 0 && dy == 0) return;
-  if (showsColors()) return colors_.dragBy(dx, dy);
-  change('t',
-         [&](Setup& s) { s.picture.camera = moved(s.picture.camera, camera(), -0.5 * dx, 0.5 * dy, 1.0); });
+void Workbench::wheel(int x, int y, double factor) {
+  const bool overPicture = bench().picture(layout_).has(x, y);
+  if (overPicture && !question_) zoom(factor);
 }
 
 void Workbench::zoom(double factor) {
-  if (showsColors()) return;
-  change('z', [&](Setup& s) { s.picture.camera = moved(s.picture.camera, camera(), 0.0, 0.0, factor); });
+  if (bench().sharedKeys().find('z') != std::string_view::npos)
+    ::zoom(*this, Setup{work_.setup}, subject(), factor);
 }
 
 Workbench::Stale Workbench::stale() const {
   if (!any_ || repaint_ || withoutColors(painted()) != drawnIndices_) return Stale::Everything;
-  if (state_.setup != drawn_) return Stale::Colors;
-  if (!showsColors()) return Stale::Nothing;
-  if (colors_.stored(state_.setup) != stored_) return Stale::Colors;
-  return colors_.wordsAreLate(state_.setup) ? Stale::Everything : Stale::Nothing;
+  if (work_.setup != drawn_ || bench().stored(work_.setup) != stored_)
+    return bench().colors() ? Stale::Everything : Stale::Colors;
+  return bench().late(work_.setup) ? Stale::Everything : Stale::Nothing;
 }
 
 PictureSettings Workbench::sized() const {
-  const Rect at = showsColors() ? layoutOfColors(layout_.body).picture : layout_.picture;
+  const Rect at = bench().picture(layout_);
   PictureSettings settings = painted().picture;
   settings.width = at.width;
   settings.height = at.height;
@@ -286,89 +357,117 @@ PictureSettings Workbench::sized() const {
   return settings;
 }
 
-std::string Workbench::exactnessText() {
-  constexpr std::size_t kMost = 100'000;  // polygons: more take longer to count than to look at
-  const Order order = setup().picture.order;
-  if (order == Order::Newell || order == Order::Oracle || picture_.snapped().faces.size() > kMost) return {};
-  const Picture::Exactness e = picture_.exactness();
-  if (e.wrong == 0) return {};
-  return "Not exact: " + orderInWords(order) + ", it shows the wrong face at " + withCommas(e.wrong) +
-         " of " + withCommas(e.samples) + " samples.";
-}
-
 /// Without effects.
 Palette Workbench::plainPalette() const {
-  const Palette palette = picture_.palette(plan(), server_.unneeded);
-  return server_.gray ? forGrayScreen(palette, picture_) : palette;
+  const Palette palette = work_.picture.palette(plan(), server_.unneeded);
+  return server_.gray ? forGrayScreen(palette, work_.picture) : palette;
 }
 
 void Workbench::makePalette() {
-  stored_ = showsColors() ? colors_.stored(state_.setup) : PaletteEffects{};
-  palette_ = withEffects(plainPalette(), picture_, plan(), stored_);
+  stored_ = bench().stored(work_.setup);
+  palette_ = withEffects(plainPalette(), work_.picture, plan(), stored_);
 }
 
-void Workbench::drawPicture(bool dragging) {
-  const Rect& at = layout_.picture;
-  for (int j = 0; j < at.height; ++j)
-    std::copy_n(pictureImage_.row(j), at.width, image_.row(at.y + j) + at.x);
-  const SnappedScene& snapped = picture_.snapped();
-  const auto backs = std::ranges::count(snapped.faces, true, &SnappedFace::back);
-  const auto splits = static_cast<int>(picture_.sorted().statistics.splits);
-  state_.counts = withCommas(snapped.polygons - snapped.degenerate) + " polygons, " +
-                  (splits > 0 ? withCommas(splits) + " cuts, " : "") +
-                  withCommas(static_cast<int>(snapped.faces.size()) + splits) + " painted, " +
-                  withCommas(static_cast<int>(backs) + snapped.culled) + " back faces   " +
-                  withCommas(static_cast<int>(picture_.saturated())) + " clamped";
-  state_.times = formatted(picture_.times().total(), 1) + " ms";
-  counted_ = !dragging;
-  state_.inexact = dragging ? "" : exactnessText();
-  state_.light = lightAngles(state_.setup.picture.light, picture_.scene().up, centre_);
-  state_.lightInView =
-      vrcRotation(picture_.camera().view) * towardsLight(state_.setup.picture.light, centre_);
-  state_.use = cellUse(pictureImage_);
-  state_.ball = ballCells(picture_, palette_);
-  state_.inspected.reset();
+std::vector<Legend> Workbench::legend() const {
+  std::vector<Legend> all = bench().legend();
+  if (visitsFromLesson()) all.insert(all.begin(), {{"Esc"}, "the lesson"});
+  all.push_back({{"?"}, "all keys"});
+  return all;
+}
+
+std::vector<HelpLine> Workbench::helpLines() const {
+  std::vector<HelpLine> lines = bench().help();
+  lines.insert(lines.end(), {{"1 2 3 ...", "the views; or click their names"},
+                             {"u U r", "undo, redo, reset"},
+                             {"w e", "save the set-up as a scene file; open one"},
+                             {"? or Esc", "close this; q quits"}});
+  return lines;
+}
+
+/// The scene's patches as the setup wants them: as many divisions as it was read with, if it does not say.
+void Workbench::divide() {
+  const Scene& scene = work_.picture.scene();
+  const int wanted = work_.setup.divisions > 0 ? work_.setup.divisions : work_.divisions;
+  if (scene.divisions == 0 || scene.origin.of.empty() || scene.origin.divisions == wanted) return;
+  Scene other = redivided(scene, wanted);
+  work_.picture = Picture{std::move(other)};
+  painted_.reset();
 }
 
 void Workbench::drawFrame(bool dragging) {
-  picture_.make(sized());
+  constexpr double kFluid = 40;  // ms: what takes longer is made more coarsely while something is dragged
+  const PictureSettings wanted = sized();
+  Bench& view = bench();
+  const bool whole = view.wantsImage();
+  const bool quick = dragging && slow_ && whole && !serverFills() && coarse(wanted) != wanted;
+  divide();
+  Picture& picture = work_.picture;
+  const PictureSettings made = quick ? coarse(wanted) : wanted;
+  picture.make(made);
   const CellPlan cells = plan();
-  picture_.paint(pictureImage_, cells[Cell::Well]);
+  const bool fresh = !any_ || !whole || painted_ != made;
+  if (whole && fresh) picture.paint(pictureImage_, cells[Cell::Well]);
+  painted_ = whole ? std::optional{made} : std::nullopt;
+  slow_ = dragging && (quick || picture.times().total() > kFluid);
+  dragged_ = dragging;
+
   makePalette();
-  if (image_.width != layout_.width || image_.height != layout_.height)
-    image_ = IndexImage{layout_.width, layout_.height, cells[Cell::Paper]};
-  state_.words = wordsOf(picture_, showsColors() ? colors_.stored(state_.setup) : PaletteEffects{});
-  if (showsColors()) {
-    state_.use = cellUse(pictureImage_, picture_.faceImage());
-    const Palette plain = plainPalette();
-    state_.counts =
-        colors_.draw(image_, layout_.body, {picture_, pictureImage_, state_.use, cells, plain}, state_.setup);
-    state_.inspected = colors_.cell();
-    state_.times.clear();
-    counted_ = true;
-  } else {
-    drawPicture(dragging);
-  }
-  drawPanel(image_, layout_, state_, cells);
+  image_.width = layout_.width, image_.height = layout_.height;
+  image_.pixels.assign(static_cast<std::size_t>(layout_.width) * layout_.height, cells[Cell::Paper]);
+  const Palette plain = plainPalette();
+  const CellUse use = whole ? cellUse(pictureImage_, view.countsPolygons() ? picture.faceImage()
+                                                                           : std::vector<std::uint32_t>{})
+                            : CellUse{};
+  view.draw(image_, {.picture = picture,
+                     .image = pictureImage_,
+                     .plan = cells,
+                     .palette = plain,
+                     .use = use,
+                     .setup = work_.setup,
+                     .layout = layout_,
+                     .fresh = fresh,
+                     .dragging = dragging,
+                     .coarse = quick,
+                     .gray = server_.gray});
+  const OwnColors* const own = view.colors();
+  if (own) palette_ = own->palette;
+  panel_ = {.title = titleOf(picture.scene()),
+            .visual = server_.visual(),
+            .view = this->view(),
+            .words = own && own->words ? *own->words : wordsOf(picture, stored_),
+            .use = view.use() ? *view.use() : use,
+            .inspected = view.inspected(),
+            .status = view.status(),
+            .aside = view.aside(),
+            .notice = notice_,
+            .told = told_,
+            .legend = legend(),
+            .help = help_ ? helpLines() : std::vector<HelpLine>{}};
+  if (question_)
+    panel_.typed = Typed{question_->asks, question_->text, complaint_, !question_->offers.empty()};
+  drawPanel(image_, layout_, panel_, cells);
   drawnIndices_ = withoutColors(painted());
+  drawnView_ = this->view();
+  drawnLayout_ = layout_;
 }
 
 void Workbench::update(bool dragging) {
   if (stale() == Stale::Colors) {
-    picture_.make(sized());
+    work_.picture.make(sized());
     makePalette();
   } else if (stale() == Stale::Everything) {
     try {
       drawFrame(dragging);
-    } catch (const ViewError& e) {
+    } catch (const std::runtime_error& e) {  // also of a file that was there before
       if (!any_) throw;
-      state_.setup = drawn_;
-      colors_.undo();
-      state_.notice = e.what();
+      work_.setup = drawn_;
+      bench().leave();
+      bench().enter();
+      notify(e.what());
       drawFrame(dragging);
     }
   }
-  drawn_ = state_.setup;
+  drawn_ = work_.setup;
   any_ = true;
   repaint_ = false;
 }

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <functional>
+
 #include "depthsort/depth_sort.h"
 #include "shading/picture.h"
 #include "x11/options.h"
@@ -8,3 +10,7 @@
 /// Makes the folder if need be. @throws UsageError if the run has no such step, more than 9,999 of them, or
 /// the folder holds frames already; std::system_error
 void writeFrames(const Options& options, const Picture& picture, const SortedScene& sorted);
+
+/// The same with --whole-window: the window's stepper at each of the steps. `tell` gets how many of how many
+/// are drawn.
+void writeStepperFrames(const Options& options, Scene scene, const std::function<void(int, int)>& tell);

@@ -144,6 +144,25 @@ const int kRegistered = [] {
   return 0;
 }();
 
+// Painting with environment mapping scenes in which something is above 1, and the same without highlights,
+// where nothing is and nothing is counted: making the maps and filling. `clamped`: samples counted.
+void BM_EnvironmentClamped(benchmark::State& state, const char* name, double highlights) {
+  Picture picture{readScene(name)};
+  PictureSettings settings = picture.scene().settings;
+  settings.camera = inSceneUnits(picture.scene().camera, picture.scene());
+  settings.shading = Shading::Environment;
+  settings.order = Order::ZSort;
+  settings.light.ks *= highlights;
+  picture.make(settings);
+  IndexImage image;
+  for (auto _ : state) picture.paint(image, 0);
+  state.counters["clamped"] = static_cast<double>(picture.saturated());
+}
+BENCHMARK_CAPTURE(BM_EnvironmentClamped, teapot, "teapot", 1.0)->Unit(benchmark::kMillisecond);
+BENCHMARK_CAPTURE(BM_EnvironmentClamped, teapotDull, "teapot", 0.0)->Unit(benchmark::kMillisecond);
+BENCHMARK_CAPTURE(BM_EnvironmentClamped, saturated, "saturated", 1.0)->Unit(benchmark::kMillisecond);
+BENCHMARK_CAPTURE(BM_EnvironmentClamped, saturatedDull, "saturated", 0.0)->Unit(benchmark::kMillisecond);
+
 // What `xnewell draw` of an OBJ file does, from reading to PNG: 64,800 triangles with six decimals.
 void BM_DrawObj(benchmark::State& state) {
   const std::filesystem::path file = std::filesystem::temp_directory_path() / "xnewell_draw_bench.obj";

@@ -32,7 +32,8 @@ Difference fromPhong(const Picture& picture) {
       phong.i0 = planes.i0(), phong.j0 = planes.j0();
       phong.lighting = &shading.lighting();
       phong.material = &shading.lighting().materials.front();
-      phong.phong = true;
+      phong.phong = phong.placed = true;
+      phong.variesV = shading.lighting().variesV();
       std::array<double, 3> shown;
       std::array<glm::dvec3, 3> at;
       for (int k = 0; k < 3; ++k) {
@@ -43,6 +44,8 @@ Difference fromPhong(const Picture& picture) {
       }
       for (int axis = 0; axis < 3; ++axis) {
         phong.at[axis] = planes({at[0][axis], at[1][axis], at[2][axis]});
+        const double eye = shading.lighting().eye[axis];
+        phong.V[axis] = planes({eye - at[0][axis], eye - at[1][axis], eye - at[2][axis]});
         phong.N[axis] = planes(axis == 2 ? std::array{1.0, 1.0, 1.0} : std::array{0.0, 0.0, 0.0});
       }
       const PixelPlane plane = planes(shown);

@@ -1,0 +1,93 @@
+#include <benchmark/benchmark.h>
+#include <stdlib.h>
+
+#include <string>
+
+#include "tests/x_server.h"
+
+#include "x11/server.h"
+
+// From a key to the picture on the server, a round trip at the end: the teapot of 7,300 polygons, exact
+// order and Gouraud shading, in a picture of 656 x 560. `turn` makes everything anew; `hue` stores colours
+// alone, where there is a colormap to store them in; `hover` draws the window again with the picture as it
+// was.
+
+namespace {
+
+struct Window {
+  explicit Window(int depth) : server{XServer::xvfb(depth, 1280, 1024)} {
+    ::setenv("DISPLAY", server.name().c_str(), 1);
+    Options options;
+    options.picture.shading = Shading::Gouraud;
+    options.picture.order = Order::Newell;
+    Scene scene = readScene("teapot", 13);
+    ours.emplace(options, scene);
+    canvas.emplace(ours->display.get(), ours->colormap, Canvas::Settings{});
+    bench.emplace(std::move(scene), ours->setupOf(options), ours->forBench());
+    bench->resize(1024, 768);
+    canvas->map();
+    shown();
+  }
+  void shown() {
+    show(*ours, *canvas, *bench, [this] { bench->update(); });
+    XSync(ours->display.get(), 0);
+  }
+
+  XServer server;
+  std::optional<Server> ours;
+  std::optional<Canvas> canvas;
+  std::optional<Workbench> bench;
+};
+
+void press(Workbench& bench, char letter) { bench.press({NamedKey::Letter, letter}); }
+
+void turn(benchmark::State& state) {
+  Window window{static_cast<int>(state.range(0))};
+  press(*window.bench, 't');
+  window.shown();
+  for (auto _ : state) {
+    window.bench->press({NamedKey::Right});
+    window.shown();
+  }
+  const auto& faces = window.bench->picture().snapped().faces;
+  state.SetLabel(std::to_string(faces.size()) + " polygons, " +
+                 std::to_string(window.bench->picture().sorted().statistics.splits) + " cuts");
+}
+
+void hue(benchmark::State& state) {
+  Window window{static_cast<int>(state.range(0))};
+  for (auto _ : state) {
+    press(*window.bench, 'H');
+    window.shown();
+  }
+}
+
+void hover(benchmark::State& state) {
+  Window window{static_cast<int>(state.range(0))};
+  const Rect& at = window.bench->layout().controls;
+  int y = 0;
+  for (auto _ : state) {
+    window.bench->hover(at.x + 100, at.y + 220 + (y += 21) % 420);
+    window.shown();
+  }
+}
+
+/// A step of the depth sort forward, in its view.
+void step(benchmark::State& state) {
+  Window window{static_cast<int>(state.range(0))};
+  press(*window.bench, '2');
+  window.shown();
+  for (auto _ : state) {
+    window.bench->press({NamedKey::Right});
+    window.shown();
+  }
+}
+
+BENCHMARK(turn)->Arg(8)->Arg(24)->Unit(benchmark::kMillisecond)->UseRealTime();
+BENCHMARK(hue)->Arg(8)->Arg(24)->Unit(benchmark::kMillisecond)->UseRealTime();
+BENCHMARK(hover)->Arg(8)->Arg(24)->Unit(benchmark::kMillisecond)->UseRealTime();
+BENCHMARK(step)->Arg(8)->Arg(24)->Unit(benchmark::kMillisecond)->UseRealTime();
+
+}  // namespace
+
+BENCHMARK_MAIN();

@@ -1,0 +1,12 @@
+#pragma once
+
+#include <string>
+
+#include "x11/controls.h"
+
+/// A setup in words.
+
+/// The picture's making in a line: "flat; sorted by farthest z; own scanline; perspective".
+[[nodiscard]] std::string captionOf(const Setup& setup);
+/// "sorted by farthest z"
+[[nodiscard]] std::string orderInWords(Order order);

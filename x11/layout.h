@@ -1,0 +1,34 @@
+#pragma once
+
+#include <array>
+#include <string_view>
+
+#include "shading/rect.h"
+
+/// What the window may show, a tab and a key each.
+enum class WindowView { Picture, DepthSort, Colors, MachBands, SideBySide, Lesson };
+inline constexpr int kEveryWindowView = 6;
+struct WindowViewRow {
+  WindowView id;
+  char key;
+  std::string_view name, option;  ///< on the tab, and of --view
+};
+inline constexpr std::array kWindowViews{
+    WindowViewRow{WindowView::Picture, '1', "Picture", "picture"},
+    WindowViewRow{WindowView::DepthSort, '2', "Depth sort", "depthsort"},
+    WindowViewRow{WindowView::Colors, '3', "Colours", "colours"},
+    WindowViewRow{WindowView::MachBands, '4', "Mach bands", "machbands"},
+    WindowViewRow{WindowView::SideBySide, '5', "Side by side", "sidebyside"},
+    WindowViewRow{WindowView::Lesson, '7', "Lesson", "lesson"},
+};
+
+inline constexpr int kMargin = 16, kControls = 320;  ///< pixels
+
+/// Where things are, in pixels. Below 800 x 600 there is no room for the controls and `roomy` is false.
+struct Layout {
+  int width = 0, height = 0;
+  bool roomy = false, compact = false;
+  Rect views, picture, controls, strip, status;
+  Rect body;  ///< between the views and the strip, for a view without controls
+};
+[[nodiscard]] Layout layoutOf(int width, int height);
