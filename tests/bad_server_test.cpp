@@ -273,7 +273,7 @@ TEST_P(BadServer, StalledConnectionsCanBeInterrupted) {
         [&](const XFaultPlan&, const Course& course) {
           EXPECT_EQ(course.end.status, 130);
           EXPECT_EQ(course.end.err, "");
-          EXPECT_LT(course.toEnd, std::chrono::seconds{2});
+          EXPECT_LT(course.toEnd, std::chrono::seconds{10});
         });
   }
 }
@@ -385,8 +385,9 @@ TEST(DyingServer, EndsWhileWeWrite) {
   const XServer server = serverFor(8);
   XProxy proxy{server};
   const TemporaryFolder folder;
-  // Several times what Xlib writes at once.
-  const Use use = snapshot(folder, "--fill x11 --divisions 8" + kSmall);
+  // Some megabyte of requests, several times what can lie between the two: when the first polygon arrives,
+  // the program has not written the last.
+  const Use use = snapshot(folder, "--fill x11 --divisions 30" + kSmall);
   const Course course = runThrough(use, server, proxy, XFaultPlan{XFault::Deaf, {X_FillPoly}});
   EXPECT_TRUE(course.carriedOut);
   EXPECT_EQ(course.end.status, 1);

@@ -89,6 +89,14 @@ std::string errorFor(const XRequest& request, std::uint16_t sequence, int code) 
   return error;
 }
 
+/// From here on writing at the other end is an error. What lies between is taken off, for a writer who waits
+/// for room is not told.
+void turnDeaf(int socket) {
+  shutdown(socket, SHUT_RD);
+  std::array<char, 65536> bytes;
+  while (recv(socket, bytes.data(), bytes.size(), 0) > 0) continue;
+}
+
 std::string refusedSetup() {
   const std::string reason = "no more clients here";
   std::string refusal(sz_xConnSetupPrefix, '\0');
@@ -267,7 +275,7 @@ void XProxy::takeRequests(Link& link) {
     if (!std::exchange(link.known, true)) link.fault = countRequest(link, heard.data() + from);
     link.over = link.fault == XFault::CutRequest;
     link.stalled = link.fault == XFault::Stalled || link.fault == XFault::Deaf;
-    if (link.fault == XFault::Deaf) shutdown(link.program.socket, SHUT_RD);
+    if (link.fault == XFault::Deaf) turnDeaf(link.program.socket);
     if (link.over || link.stalled || heard.size() - from < *size) break;
 
     std::string request = heard.substr(from, *size);
