@@ -7,6 +7,8 @@
 #include <array>
 #include <bit>
 #include <cstdint>
+#include <cstring>
+#include <utility>
 
 #include "shading/affine.h"
 
@@ -86,6 +88,29 @@ using SixteenBytes [[gnu::vector_size(16)]] = std::uint8_t;
   std::array<std::uint8_t, 8> bytes{};
   for (int k = 0; k < 8; ++k) bytes[k] = table[words[k]];
   return std::bit_cast<std::uint64_t>(bytes);
+}
+
+/// Bytes that are followed by another one: SSE2 gathers pairs of bytes, of which the second is cut off.
+/// (Stored one by one they take an eighth longer: a processor stores one in a cycle.)
+[[nodiscard]] inline std::uint64_t gathered(const std::array<const std::uint8_t*, 8>& at) {
+#ifdef __SSE2__
+  __m128i words = _mm_setzero_si128();
+  const auto pair = [](const std::uint8_t* from) {
+    std::uint16_t word = 0;
+    std::memcpy(&word, from, sizeof word);
+    return word;
+  };
+  [&]<int... k>(std::integer_sequence<int, k...>) {
+    ((words = _mm_insert_epi16(words, pair(at[k]), k)), ...);
+  }
+  (std::make_integer_sequence<int, 8>{});
+  const __m128i bytes = _mm_and_si128(words, _mm_set1_epi16(0xFF));
+  return static_cast<std::uint64_t>(_mm_cvtsi128_si64(_mm_packus_epi16(bytes, bytes)));
+#else
+  std::array<std::uint8_t, 8> bytes{};
+  for (int k = 0; k < 8; ++k) bytes[k] = *at[k];
+  return std::bit_cast<std::uint64_t>(bytes);
+#endif
 }
 
 /// A value at eight pixels of a row, then of the row below it, and so on.

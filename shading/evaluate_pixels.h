@@ -14,16 +14,25 @@
 template <class Real>
 using IntegersOf = Lanes<int, kLanes<Real>>;
 
-/// Values of a plane at a row's pixels, `along` of them right of i0 and `down` rows below j0.
+/// The values of a plane, or of three, along a row. Made once for all its pixels, as everything below that
+/// they have in common.
 template <class Real>
-[[gnu::always_inline]] inline Real on(const PixelPlane& plane, const Real& along, double down) {
-  return splat<Real>(plane.c + plane.gy * down) + splat<Real>(plane.gx) * along;
-}
+struct RowOf {
+  Real c, gx;
+  [[gnu::always_inline]] RowOf(const PixelPlane& plane, double down)
+      : c{splat<Real>(plane.c + plane.gy * down)}, gx{splat<Real>(plane.gx)} {}
+  /// At pixels `along` right of i0.
+  [[gnu::always_inline]] Real at(const Real& along) const { return c + gx * along; }
+};
 template <class Real>
-[[gnu::always_inline]] inline Vec<Real> on(const std::array<PixelPlane, 3>& p, const Real& along,
-                                           double down) {
-  return {on(p[0], along, down), on(p[1], along, down), on(p[2], along, down)};
-}
+struct RowOfThree {
+  RowOf<Real> x, y, z;
+  [[gnu::always_inline]] RowOfThree(const std::array<PixelPlane, 3>& p, double down)
+      : x{p[0], down}, y{p[1], down}, z{p[2], down} {}
+  [[gnu::always_inline]] Vec<Real> at(const Real& along) const {
+    return {x.at(along), y.at(along), z.at(along)};
+  }
+};
 
 /// The largest whole number not above v, |v| < 2^23.
 template <class Real>
@@ -68,27 +77,35 @@ template <class Real, bool kPlaced>
                                                  int blocks, Real* diffuse, Real* rest) {
   const Lighting& lighting = *t.lighting;
   const Material& material = *t.material;
-  const auto place = [&](int b) {
-    if constexpr (kPlaced)
-      return on(t.at, along[b], down) * (splat<Real>(1.0) / on(t.q, along[b], down));
-    else
-      return Vec<Real>{};
-  };
   const bool shiny = material.ks[t.channel] != 0.0;
   Vec<Real> N[kMostBlocks], V[kMostBlocks];
+  const RowOfThree<Real> normals{t.N, down};
+  const Real ambient = splat<Real>(material.ambient[t.channel]);
   for (int b = 0; b < blocks; ++b) {
-    N[b] = unitOf(on(t.N, along[b], down));
-    if (shiny) V[b] = t.variesV ? unitOf(on(t.V, along[b], down)) : splatVec<Real>(lighting.farV);
+    N[b] = unitOf(normals.at(along[b]));
     diffuse[b] = splat<Real>(0.0);
-    rest[b] = splat<Real>(material.ambient[t.channel]);
+    rest[b] = ambient;
+  }
+  const Vec<Real> farV = splatVec<Real>(lighting.farV);
+  if (shiny && t.variesV) {
+    const RowOfThree<Real> towardsEye{t.V, down};
+    for (int b = 0; b < blocks; ++b) V[b] = unitOf(towardsEye.at(along[b]));
   }
   for (const Lighting::Source& light : lighting.sources) {
     const Real kd = splat<Real>(light.Ip[t.channel] * material.kd[t.channel]);
     const Real ks = splat<Real>(light.Ip[t.channel] * material.ks[t.channel]);
-    for (int b = 0; b < blocks; ++b) {
-      const Incident<Real> in = incident(light, place(b));
+    const auto reflect = [&] [[gnu::always_inline]] (int b, const Incident<Real>& in) {
       diffuse[b] += kd * diffuseTerm(in, N[b], false).front;
-      if (shiny) rest[b] += ks * specularTerm(in, N[b], V[b], material, lighting).front;
+      if (shiny) rest[b] += ks * specularTerm(in, N[b], t.variesV ? V[b] : farV, material, lighting).front;
+    };
+    if constexpr (kPlaced) {
+      const RowOfThree<Real> places{t.at, down};
+      const RowOf<Real> q{t.q, down};
+      for (int b = 0; b < blocks; ++b)
+        reflect(b, incident(light, places.at(along[b]) * (splat<Real>(1.0) / q.at(along[b]))));
+    } else {
+      const Incident<Real> everywhere = incident(light, Vec<Real>{});
+      for (int b = 0; b < blocks; ++b) reflect(b, everywhere);
     }
   }
 }
@@ -98,17 +115,19 @@ template <class Real>
 [[gnu::always_inline]] inline void multiplyByTexels(const EvaluatedTriangle& t, const Real* along,
                                                     double down, int blocks, Real* diffuse) {
   constexpr int kSideBySide = kLanes<Real>;
+  if (blocks < 1) __builtin_unreachable();  // or gcc 12 warns of arrays that are not filled
   std::array<int, kMostBlocks * kSideBySide> places;
+  const RowOf<Real> u{t.u, down}, v{t.v, down}, q{t.q, down};
   for (int b = 0; b < blocks; ++b) {
-    const Real w = splat<Real>(1.0) / on(t.q, along[b], down);
-    const auto at = placesOf(*t.texture, on(t.u, along[b], down) * w, on(t.v, along[b], down) * w);
+    const Real w = splat<Real>(1.0) / q.at(along[b]);
+    const auto at = placesOf(*t.texture, u.at(along[b]) * w, v.at(along[b]) * w);
     std::memcpy(&places[b * kSideBySide], &at, sizeof at);
   }
   std::array<std::uint8_t, kMostBlocks * kSideBySide> bytes;
-  std::array<Number<Real>, kMostBlocks * kSideBySide> texels;
   const std::uint8_t* const from = t.texels;
   const int count = blocks * kSideBySide;
   for (int k = 0; k < count; ++k) bytes[k] = from[places[k]];
+  std::array<Number<Real>, kMostBlocks * kSideBySide> texels;
   for (int k = 0; k < count; ++k) texels[k] = static_cast<Number<Real>>(bytes[k]);
   for (int b = 0; b < blocks; ++b) {
     Real texel;
@@ -128,9 +147,10 @@ template <class Real, bool kPhong>
     else
       evaluatePhong<Real, false>(t, along, down, blocks, diffuse, rest);
   } else {
+    const RowOf<Real> diffuseTerms{t.diffuse, down}, otherTerms{t.rest, down};
     for (int b = 0; b < blocks; ++b) {
-      diffuse[b] = on(t.diffuse, along[b], down);
-      rest[b] = on(t.rest, along[b], down);
+      diffuse[b] = diffuseTerms.at(along[b]);
+      rest[b] = otherTerms.at(along[b]);
     }
   }
   if (t.texture != nullptr) multiplyByTexels(t, along, down, blocks, diffuse);

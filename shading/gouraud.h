@@ -44,7 +44,7 @@ struct GouraudLinear {
 /// corrected for the eye.
 struct GouraudTable {
   AffineValue value;
-  const std::uint8_t* table;  ///< 65,536 cells
+  const std::uint8_t* table;  ///< 65,536 cells; values below 255.992 never ask for the last one
 
   void span(std::uint8_t* cells, int i, int j, int count) const {
     const std::uint8_t* const cellAt =
@@ -53,20 +53,24 @@ struct GouraudTable {
     // one would wait for itself.
     const std::uint64_t g = std::uint64_t{value.gx} << 32;
     std::uint64_t v = std::uint64_t{value.at(i, j)} << 32;
-    if (count < 4) {
+    if (count < 8) {
       for (int k = 0; k < count; ++k, v += g) cells[k] = cellAt[v >> 48];
       return;
     }
     std::uint64_t v1 = v + g, v2 = v1 + g, v3 = v2 + g;
-    const auto four = [&](std::uint8_t* to) {
-      to[0] = cellAt[v >> 48], to[1] = cellAt[v1 >> 48], to[2] = cellAt[v2 >> 48], to[3] = cellAt[v3 >> 48];
+    const auto eight = [&](std::uint8_t* to) {
+      const std::uint64_t w = v + 4 * g, w1 = v1 + 4 * g, w2 = v2 + 4 * g, w3 = v3 + 4 * g;
+      const std::uint64_t bytes =
+          gathered({cellAt + (v >> 48), cellAt + (v1 >> 48), cellAt + (v2 >> 48), cellAt + (v3 >> 48),
+                    cellAt + (w >> 48), cellAt + (w1 >> 48), cellAt + (w2 >> 48), cellAt + (w3 >> 48)});
+      std::memcpy(to, &bytes, sizeof bytes);
     };
     const auto step = [&](std::uint64_t by) { v += by, v1 += by, v2 += by, v3 += by; };
     int k = 0;
-    for (; k + 4 < count; k += 4, step(4 * g)) four(cells + k);
-    // The last four end with the span.
-    step(g * static_cast<std::uint64_t>(count - 4 - k));
-    four(cells + count - 4);
+    for (; k + 8 < count; k += 8, step(8 * g)) eight(cells + k);
+    // The last eight end with the span.
+    step(g * static_cast<std::uint64_t>(count - 8 - k));
+    eight(cells + count - 8);
   }
 
   [[nodiscard]] auto rowsOfEight(int i, int j) const {
