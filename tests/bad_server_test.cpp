@@ -27,7 +27,7 @@ namespace {
 using testing::HasSubstr;
 
 const std::string kTeapot = "teapot --divisions 2", kSmall = " --size 120x90";
-constexpr std::chrono::seconds kEnough{20};
+constexpr std::chrono::seconds kEnough{90};
 
 XServer serverFor(int depth) { return XServer::xvfb(depth, 320, 240); }
 
@@ -273,7 +273,7 @@ TEST_P(BadServer, StalledConnectionsCanBeInterrupted) {
         [&](const XFaultPlan&, const Course& course) {
           EXPECT_EQ(course.end.status, 130);
           EXPECT_EQ(course.end.err, "");
-          EXPECT_LT(course.toEnd, std::chrono::seconds{10});
+          EXPECT_LT(course.toEnd, std::chrono::seconds{20});
         });
   }
 }

@@ -42,7 +42,7 @@ class BoxWatch {
   }
 
  private:
-  static constexpr int kSeconds = 30;
+  static constexpr int kSeconds = 120;
 
   static std::vector<RgbImage> boxes() {
     const CellPlan plan;

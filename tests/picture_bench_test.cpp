@@ -5,6 +5,7 @@
 #include <fstream>
 #include <glm/geometric.hpp>
 
+#include "tests/bench_stage.h"
 #include "tests/ready_workbench.h"
 #include "tests/temporary_folder.h"
 
@@ -313,4 +314,28 @@ TEST(PictureBench, SavesAndOpens) {
   b.press({NamedKey::Return});
   b.update();
   EXPECT_EQ(b.picture().scene().name, builtInScenes().back().name);
+}
+
+// What is shown in the picture's place is what the strip tells of: its cells, and what they hold.
+TEST(PictureBench, TheStripIsOfWhatIsShown) {
+  for (const Show show : {Show::Shaded, Show::Wireframe, Show::Normals, Show::Overdraw}) {
+    SCOPED_TRACE(static_cast<int>(show));
+    ::Setup setup;
+    setup.show = show;
+    BenchStage stage{"teapot", 3, 1024, 768, setup};
+    ControlKeys keys;
+    PictureBench bench{stage, keys, [&] { return ControlKeys::Subject{stage.picture.scene(), {}, 1.0}; }};
+    stage.draw(bench);
+    const CellUse shaded = cellUse(stage.painted);
+    ASSERT_EQ(bench.use() == nullptr, show == Show::Shaded);
+    if (bench.use() != nullptr) {
+      EXPECT_NE(bench.use()->samples, shaded.samples);
+    }
+    ASSERT_EQ(bench.colors() == nullptr, show != Show::Normals);
+    if (show != Show::Normals) continue;
+    const SceneCellWords& words = bench.colors()->words.value();
+    EXPECT_EQ(words.what, "colours");
+    EXPECT_EQ(usedCells(*bench.use(), words.cells), words.cells.count);
+    EXPECT_EQ(words.cells.first, stage.picture.colors().table().first());
+  }
 }

@@ -18,10 +18,14 @@
 #include "x11/visual.h"
 
 bool comesTrue(const std::function<bool()>& holds) {
-  const auto end = std::chrono::steady_clock::now() + std::chrono::seconds(20);
-  while (!holds()) {
-    if (std::chrono::steady_clock::now() > end) return false;
-    std::this_thread::sleep_for(std::chrono::milliseconds(3));
+  using namespace std::chrono_literals;
+  // The longer it lasts the more seldom it is asked: asking costs time that those asked may need.
+  std::chrono::milliseconds waited{}, pause{3};
+  for (const auto start = std::chrono::steady_clock::now(); !holds();) {
+    if (waited > 90s) return false;
+    std::this_thread::sleep_for(pause);
+    waited = std::chrono::duration_cast<std::chrono::milliseconds>(std::chrono::steady_clock::now() - start);
+    pause = std::clamp(waited / 10, 3ms, 50ms);
   }
   return true;
 }

@@ -19,7 +19,8 @@
 /// The program's window as its user has it: keys and mouse in through XTEST, pixels out through the
 /// colormap that the window really has.
 
-/// Waits until `holds`, asking every few milliseconds, at most 20 s. Returns whether it came to hold.
+/// Waits until `holds`, asking again and again, at most 90 s: machines may be busy. Returns whether it came
+/// to hold.
 [[nodiscard]] bool comesTrue(const std::function<bool()>& holds);
 
 class WatchedWindow {

@@ -56,7 +56,7 @@ TEST_P(WindowAt, EndsAsAsked) {
                                     End{130, signal(SIGINT)}, End{130, signal(SIGTERM)}}) {
     WatchedViewer viewer{server, kTeapot};
     ask(viewer);
-    const Finished end = viewer.program.wait(std::chrono::seconds{20});
+    const Finished end = viewer.program.wait(std::chrono::seconds{90});
     EXPECT_EQ(end.status, status);
     EXPECT_EQ(end.out, "");
     EXPECT_EQ(end.err, "");
@@ -140,7 +140,7 @@ TEST_P(WindowAt, SurvivesResizingWhileKeysArrive) {
   window.type("rs");
   EXPECT_TRUE(window.comesToShow(expected, aboveStatus(900, 700)));
   window.type("q");
-  const Finished end = viewer.program.wait(std::chrono::seconds{20});
+  const Finished end = viewer.program.wait(std::chrono::seconds{90});
   EXPECT_EQ(end.status, 0);
   EXPECT_EQ(end.err, "");
 }

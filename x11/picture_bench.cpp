@@ -52,6 +52,16 @@ std::string inexactness(Picture& picture, bool compact) {
          grouped(e.wrong) + " of " + grouped(e.samples) + " samples.";
 }
 
+/// Of colours that were chosen from the picture of normals, for the cells from `first` on.
+SceneCellWords wordsOfNormals(const CellUse& use, int first) {
+  int last = first + kMaxShades - 1;
+  while (last > first && use.samples[last] == 0) --last;
+  return {.cells = {first, last - first + 1},
+          .rule = "directions of N, chosen from the picture",
+          .shortRule = "directions of N",
+          .what = "colours"};
+}
+
 }  // namespace
 
 void PictureBench::hover(int x, int y) { hover_ = controlAt(column_, host_.setup(), x, y); }
@@ -143,7 +153,10 @@ void PictureBench::draw(IndexImage& image, const Desk& desk) {
     shown_ = ::shownAs(show, desk.picture, {desk.image, desk.palette}, desk.plan);
     shownAs_ = show;
   }
-  colors_ = OwnColors{shown_.palette, {}};
+  use_ = cellUse(shown_.image);
+  colors_ = {shown_.palette, {}};
+  if (show == Show::Normals && channelsOf(desk.picture.colors().plan()) != Channels::Rgb)
+    colors_.words = wordsOfNormals(use_, desk.picture.colors().table().first());
   for (int j = 0; j < shown_.image.height; ++j)
     std::copy_n(shown_.image.row(j), shown_.image.width, image.row(at_.picture.y + j) + at_.picture.x);
   counts_ = countsOf(desk.picture);

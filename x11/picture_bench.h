@@ -28,6 +28,7 @@ class PictureBench : public Bench {
   [[nodiscard]] const OwnColors* colors() const override {
     return shownAs_ == Show::Normals ? &colors_ : nullptr;
   }
+  [[nodiscard]] const CellUse* use() const override { return shownAs_ == Show::Shaded ? nullptr : &use_; }
   [[nodiscard]] std::string status() const override { return counts_; }
   [[nodiscard]] std::string aside() const override { return aside_; }
   [[nodiscard]] std::vector<Legend> legend() const override;
@@ -53,6 +54,7 @@ class PictureBench : public Bench {
   Show shownAs_ = Show::Shaded;
   ShownPicture shown_;
   OwnColors colors_;
+  CellUse use_;
   std::string counts_, aside_;
   std::string inexact_;   ///< how wrong the picture is, as a sentence
   bool counted_ = false;  ///< whether that is known
