@@ -2,9 +2,11 @@
 
 #include <png.h>
 
+#include <array>
 #include <cassert>
 #include <cerrno>
 #include <csetjmp>
+#include <cstdint>
 #include <cstdio>
 #include <memory>
 #include <stdexcept>
@@ -117,16 +119,23 @@ RgbImage readPng(const std::string& file) {
   const std::unique_ptr<std::FILE, decltype(&std::fclose)> input{std::fopen(file.c_str(), "rb"),
                                                                  &std::fclose};
   if (!input) throw std::system_error{errno, std::generic_category(), file};
+  std::array<std::uint8_t, 8> signature{};
+  const std::size_t there = std::fread(signature.data(), 1, signature.size(), input.get());
+  if (std::ferror(input.get())) throw std::system_error{errno, std::generic_category(), file};
+  if (there < signature.size() || png_sig_cmp(signature.data(), 0, signature.size()) != 0)
+    throw ParseError{file, 0, "no PNG file"};
+  std::rewind(input.get());
   // libpng's simplified reader keeps its errors to itself and tells them in `message`.
   png_image png{};
   png.version = PNG_IMAGE_VERSION;
   const std::unique_ptr<png_image, decltype(&png_image_free)> freed{&png, &png_image_free};
-  if (!png_image_begin_read_from_stdio(&png, input.get())) throw ParseError{file, 0, png.message};
+  if (!png_image_begin_read_from_stdio(&png, input.get()))
+    throw ParseError{file, 0, std::feof(input.get()) ? "the PNG file ends early" : png.message};
   if (png.width > kLargest || png.height > kLargest) throw ParseError{file, 0, "larger than 8192 pixels"};
   png.format = PNG_FORMAT_RGB;
   RgbImage image{static_cast<int>(png.width), static_cast<int>(png.height)};
   const png_color black{0, 0, 0};
   if (!png_image_finish_read(&png, &black, image.rgb.data(), 0, nullptr))
-    throw ParseError{file, 0, png.message};
+    throw ParseError{file, 0, std::feof(input.get()) ? "the PNG file ends early" : png.message};
   return image;
 }

@@ -172,13 +172,17 @@ void Page::drawNumbers() {
     row(label, grouped(ofA), grouped(ofB), signedDifference(ofA, ofB), alarm && ofA != ofB);
   };
   const auto amount = [&](const std::string& label, double ofA, double ofB, int decimals, bool alike) {
-    row(label, fixed(ofA, decimals), fixed(ofB, decimals), alike ? fixed(ofA - ofB, decimals) : "");
+    const double unit = std::pow(10.0, decimals);  // what is shown is subtracted
+    const double apart = (std::round(ofA * unit) - std::round(ofB * unit)) / unit;
+    row(label, fixed(ofA, decimals), fixed(ofB, decimals), alike ? fixed(apart + 0.0, decimals) : "");
   };
   const bool alike = a.measure == b.measure;
   const int decimals = a.measure == Measure::Intensity && alike ? 4 : 2;
   count("wrong face, samples", a.wrong, b.wrong, true);
   amount("largest error against Phong's", a.largest, b.largest, decimals, alike);
-  amount("root mean square error", a.rootMeanSquare, b.rootMeanSquare, decimals, alike);
+  const bool colors = alike && a.measure == Measure::Color;
+  amount(colors ? "root mean square, CIEDE2000" : "root mean square error", a.rootMeanSquare,
+         b.rootMeanSquare, decimals, alike);
   count("polygons painted", a.painted, b.painted);
   count("cuts", a.cuts, b.cuts);
   amount(

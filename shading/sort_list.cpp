@@ -143,6 +143,9 @@ void drawWords(SortPen& pen) {
     y += pen.at.compact ? 13 : 17;
   }
   const int below = side.y + side.height + (pen.at.compact ? 12 : 14);
+  // On paper: P's extent passes below.
+  pen.paint.fillRect({side.x, side.y + side.height + 1, side.width, below - side.y - side.height + 2},
+                     pen(Cell::Paper));
   pen.soft(side.x, below, "far");
   const int right = pen.paint.textRight(side.x + side.width, below, "near, the eye", pen(Cell::Soft));
   const int z = pen.soft(side.x + 46, below, "z") + 6, tip = right - 22;

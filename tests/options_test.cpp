@@ -272,6 +272,7 @@ TEST(Options, RefuseTheUnknown) {
   EXPECT_EQ(complaint({"extra.obj"}), "one argument too many: 'extra.obj'");
   EXPECT_EQ(complaint({""}), "one argument too many: ''");
   EXPECT_EQ(complaint({"--", "extra.obj"}), "one argument too many: 'extra.obj'");
+  EXPECT_EQ(complaintAll({"lesson", "cycles", "extra"}), "one argument too many: 'extra'");
   EXPECT_EQ(complaint({"--shade", "\x1b[2J"}),
             "--shade: '?[2J' is not one of none, depth, flat, gouraud, phong, envmap");
   const std::string longest(100'000, 'a');

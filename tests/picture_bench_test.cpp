@@ -276,6 +276,10 @@ TEST(PictureBench, SavesAndOpens) {
   EXPECT_EQ(b.view(), WindowView::Picture);
   b.press({NamedKey::Return});  // the file that it knows
   b.update();
+  EXPECT_TRUE(complains(b));
+  EXPECT_NE(b.setup(), saved);
+  b.press({NamedKey::Return});
+  b.update();
   EXPECT_EQ(b.setup(), saved);
   EXPECT_EQ(pictureOf(), picture);
   b.type("q");

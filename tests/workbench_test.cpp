@@ -6,6 +6,7 @@
 #include <span>
 
 #include "tests/ready_workbench.h"
+#include "tests/temporary_folder.h"
 
 namespace {
 
@@ -237,18 +238,56 @@ TEST(Workbench, NoViewLeavesTheServerWhatItCannotFill) {
   }
 }
 
-// Controls of the light do nothing where a scene brings its own: that is said, and nowhere else.
-TEST(Workbench, TellsOfLightsThatAreTheScenes) {
-  for (const std::string scene : {"spotlight", "teapot"})
-    for (const char key : {'[', ']'}) {
-      SCOPED_TRACE(scene + key);
-      ReadyWorkbench b{{}, 1024, 768, scene};
+// Controls that do nothing say so, and nowhere else: those of a light that is the scene's own are not moved.
+TEST(Workbench, TellsOfControlsThatDoNothing) {
+  struct Case {
+    std::string scene;
+    Shading shading;
+    std::string keys, idle;  ///< of the keys those that do nothing
+  };
+  for (const Case& c :
+       {Case{"teapot", Shading::Gouraud, "[]HNST", ""}, Case{"teapot", Shading::Flat, "[]HNT", "N"},
+        Case{"spotlight", Shading::Gouraud, "[]N", "[]"},
+        Case{"textured-cube", Shading::Gouraud, "HTJN", "HTJ"},
+        Case{"textured-cube", Shading::Phong, "S", "S"}, Case{"teapot", Shading::Phong, "S", ""},
+        Case{"hues", Shading::Gouraud, "HTN", "H"}})
+    for (const char key : c.keys) {
+      SCOPED_TRACE(c.scene + key);
+      ::Setup setup;
+      setup.picture.shading = c.shading;
+      if (c.scene != "teapot") setup.picture.colors = readScene(c.scene).settings.colors;
+      ReadyWorkbench b{setup, 1024, 768, c.scene};
+      const ::Setup before = b.setup();
       b.type({&key, 1});
       b.update();
       const std::uint8_t alarm = b.plan()[Cell::Alarm];
       const std::span status{b.image().row(b.layout().status.y), std::size_t{24} * 1024};
-      EXPECT_EQ(std::ranges::find(status, alarm) != status.end(), scene == "spotlight");
+      EXPECT_EQ(std::ranges::find(status, alarm) != status.end(), c.idle.find(key) != std::string::npos);
+      if (c.scene == "spotlight" && key != 'N') {
+        EXPECT_EQ(b.setup(), before);
+      }
     }
+}
+
+// What was changed since it was saved is not lost to another scene without a word.
+TEST(Workbench, OpeningAnotherSceneWarns) {
+  const TemporaryFolder folder;
+  ReadyWorkbench b;
+  const auto say = [&](std::string_view key, std::string_view text) {
+    b.type(key);
+    b.type(text);
+    b.press({NamedKey::Return});
+    b.update();
+  };
+  say("w", folder.file("kept.json"));
+  b.type("N");
+  b.update();
+  const ::Setup changed = b.setup();
+  say("e", "cubes");
+  EXPECT_EQ(b.setup(), changed);
+  b.press({NamedKey::Return});
+  b.update();
+  EXPECT_NE(b.setup(), changed);
 }
 
 // While the picture is dragged wrong faces are not counted; afterwards they are.

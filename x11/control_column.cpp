@@ -7,6 +7,7 @@
 #include "geometry/power.h"
 #include "shading/painter.h"
 #include "shading/pen.h"
+#include "shading/quantize.h"
 #include "shading/wording.h"
 
 namespace {
@@ -158,6 +159,10 @@ void ColumnPen::light(const ControlPlace& place) {
   if (shown.focus == 'l') drawFocus(*this, {place.row.x, place.row.y, place.row.width, at.compact ? 18 : 40});
   const int x = place.x, y = place.y, end = place.row.x + place.row.width;
   key(x, y - 11, "l");
+  if (shown.ownLights) {
+    paint.text(x + kName, y, "the scene's own", cell(Cell::Faint));
+    return;
+  }
   if (at.compact) {
     ink(x + kName, y,
         "azimuth " + withDegree(shown.light.azimuth) + " elev. " + withDegree(shown.light.elevation));
@@ -175,6 +180,11 @@ void ColumnPen::light(const ControlPlace& place) {
 void ColumnPen::ball() {
   paint.fillRect(at.ball, cell(Cell::Well));
   const int radius = at.radius, cx = at.ball.x + at.ball.width / 2, cy = at.ball.y + at.ball.height / 2;
+  if (shown.ownLights) {
+    paint.text(cx - textWidth("the scene's") / 2, cy - 3, "the scene's", cell(Cell::WellText));
+    paint.text(cx - textWidth("own lights") / 2, cy + 13, "own lights", cell(Cell::WellText));
+    return;
+  }
   paint.hline(cx - radius - 5, cy, 2 * radius + 11, cell(Cell::WellLine));
   paint.vline(cx, cy - radius - 5, 2 * radius + 11, cell(Cell::WellLine));
   const Illumination& light = shown.setup.picture.light;
@@ -187,9 +197,10 @@ void ColumnPen::ball() {
       const double NdotL = glm::dot(N, L), RdotV = 2 * NdotL * N.z - L.z;
       const double lit =
           NdotL <= 0 ? 0.0 : light.kd * NdotL + light.ks * power(std::clamp(RdotV, 0.0, 1.0), light.n);
-      paint.point(cx + x, cy + y,
-                  shown.ball[static_cast<std::size_t>(
-                      255.0 * std::min(1.0, light.ka * light.Ia + light.Ip * lit) + 0.5)]);
+      const auto k =
+          static_cast<std::size_t>(255.0 * std::min(1.0, light.ka * light.Ia + light.Ip * lit) + 0.5);
+      const bool high = bayerRank(x & 7, y & 7) < shown.ball.share[k];
+      paint.point(cx + x, cy + y, (high ? shown.ball.high : shown.ball.low)[k]);
     }
   const int lx = cx + static_cast<int>(std::lround(radius * L.x)),
             ly = cy - static_cast<int>(std::lround(radius * L.y));

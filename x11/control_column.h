@@ -60,14 +60,21 @@ struct ControlHit {
 /// The ball of the light is `l`; of the two intensities the thumb that is nearer.
 [[nodiscard]] std::optional<ControlHit> controlAt(const ControlColumn& at, const Setup& setup, int x, int y);
 
+/// The cells that stand for intensities k / 255 on the ball: where few do, two of them by turns.
+struct BallCells {
+  std::array<std::uint8_t, 256> low{}, high{};
+  std::array<int, 256> share{};  ///< of 64 neighbours those that have `high`
+};
+
 /// What the column shows beside the setup itself.
 struct ControlsShown {
   const Setup& setup;
   const Setup& defaults;
   LightAngles light;
-  glm::dvec3 lightInView{0, 0, 1};            ///< unit: to the right, up, towards the viewer
-  const std::array<std::uint8_t, 256>& ball;  ///< cells for intensities k / 255
-  char focus = 0;                             ///< key of the control that the arrows change
+  glm::dvec3 lightInView{0, 0, 1};  ///< unit: to the right, up, towards the viewer
+  const BallCells& ball;
+  bool ownLights = false;  ///< the scene's, which are not those of the setup
+  char focus = 0;          ///< key of the control that the arrows change
   std::optional<ControlHit> hover = {};
   char dragged = 0;
 };

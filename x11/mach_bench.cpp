@@ -230,7 +230,7 @@ std::vector<HelpLine> MachBench::help() const {
   return {{"up, down", "move the scanline, with Shift by ten; Home and End to the ends"},
           {"drag", "the scanline, in the picture or on its slider"},
           {"y =", "go to the scanline; type its row"},
-          {"k", "go to the divisions of the patches; left and right change them, = types them"},
+          {"k", "the divisions of the patches: left and right, or = types them"},
           {"S", "next shading: the method that the picture is shown in"},
           {"t z", "go to turning, or to zooming; then arrows"}};
 }

@@ -314,13 +314,14 @@ Command takeCommand(std::vector<std::string>& arguments) {
 }
 
 /// What CLI11 found wrong, in words of ours.
-[[noreturn]] void refuse(const CLI::App& app, const std::string& scene, const CLI::ParseError& e) {
+[[noreturn]] void refuse(const CLI::App& app, const Options& o, const CLI::ParseError& e) {
   if (e.get_exit_code() == static_cast<int>(CLI::ExitCodes::ExtrasError)) {
     std::vector<std::string> extra = app.remaining();
     std::erase(extra, "--");
     const bool option = extra.front().starts_with('-');
-    if (!option && !isBuiltIn(scene) && !std::filesystem::exists(scene))
-      throw UsageError{inQuotes(scene) +
+    const bool meansScene = o.command != Command::Lesson;
+    if (!option && meansScene && !isBuiltIn(o.scene) && !std::filesystem::exists(o.scene))
+      throw UsageError{inQuotes(o.scene) +
                        ": no command, no built-in scene and no file; `xnewell --help` lists the commands"};
     throw UsageError{(option ? "unknown option " : "one argument too many: ") + inQuotes(extra.front())};
   }
@@ -464,7 +465,7 @@ std::optional<Options> parseOptions(int argc, const char* const* argv, const Pic
     std::cout << app.help();
     return std::nullopt;
   } catch (const CLI::ParseError& e) {
-    refuse(app, o.scene, e);
+    refuse(app, o, e);
   }
   for (const CLI::Option* option : app.parse_order()) o.given.push_back(option->get_name());
   const auto said = [&](std::string_view option) { return o.gave(option); };

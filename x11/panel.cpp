@@ -41,11 +41,17 @@ void drawTabs(Pen& pen, const Layout& at, const PanelState& state) {
                    shown ? Voice::Bold : Voice::Plain);
     end = tab.x + tab.width + 4;
   }
-  // A long name keeps its end, which tells files apart.
+  // A long path keeps its end, which tells files apart; other names keep their beginning.
   std::string title = state.title;
   const auto room = static_cast<std::size_t>(std::max(0, at.width - 2 * kMargin - end) / 6);
   if (room < 4) return;
-  if (title.size() > room) title = "..." + title.substr(title.size() - room + 3);
+  if (title.size() > room && title.find('/') != std::string::npos) {
+    title = "..." + title.substr(title.size() - room + 3);
+  } else if (title.size() > room) {
+    title.resize(room - 3);
+    while (!title.empty() && static_cast<unsigned char>(title.back()) >= 0x80) title.pop_back();
+    title += "...";
+  }
   pen.paint.textRight(at.width - kMargin, 23, title, pen.cell(Cell::Soft));
 }
 

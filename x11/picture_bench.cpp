@@ -9,24 +9,32 @@
 
 namespace {
 
-/// The cells that stand for intensities on the ball: where a plan holds no ramp the nearest grays.
-std::array<std::uint8_t, 256> ballCells(const Picture& picture, const Palette& palette) {
-  std::array<std::uint8_t, 256> ball{};
-  const CellRange cells = sceneCells(picture);
+/// Of one ramp its cells; else, for a scene's cells may hold anything, the tool's grays.
+BallCells ballCells(const Picture& picture, const CellPlan& plan, bool ramp) {
+  struct Gray {
+    Cell cell;
+    int k;
+  };
+  static const std::vector<Gray> grays = [] {
+    const CellPlan usual;
+    const Palette palette = withInterface({}, usual);
+    std::vector<Gray> all;
+    for (const Cell cell :
+         {Cell::Black, Cell::Well, Cell::WellLine, Cell::Soft, Cell::Faint, Cell::WellText, Cell::White})
+      all.push_back({cell, palette[usual[cell]].g >> 8});
+    return all;
+  }();
+  BallCells ball;
   for (int k = 0; k < 256; ++k) {
-    if (channelsOf(picture.colors().plan()) != Channels::Rgb) {
-      ball[k] = static_cast<std::uint8_t>(picture.table().cell(k / 255.0));
+    if (ramp) {
+      ball.low[k] = ball.high[k] = static_cast<std::uint8_t>(picture.table().cell(k / 255.0));
       continue;
     }
-    const auto distance = [&](int cell) {
-      const Rgb16& c = palette[cell];
-      const auto square = [&](int v) { return ((v >> 8) - k) * ((v >> 8) - k); };
-      return square(c.r) + square(c.g) + square(c.b);
-    };
-    int nearest = cells.first;
-    for (int cell = cells.first; cell <= cells.last(); ++cell)
-      if (distance(cell) < distance(nearest)) nearest = cell;
-    ball[k] = static_cast<std::uint8_t>(nearest);
+    const auto above = std::ranges::find_if(grays.begin() + 1, grays.end() - 1,
+                                            [&](const Gray& gray) { return gray.k > k; });
+    const Gray &low = *(above - 1), &high = *above;
+    ball.low[k] = plan[low.cell], ball.high[k] = plan[high.cell];
+    ball.share[k] = (64 * (k - low.k) + (high.k - low.k) / 2) / (high.k - low.k);
   }
   return ball;
 }
@@ -155,7 +163,7 @@ void PictureBench::draw(IndexImage& image, const Desk& desk) {
   }
   use_ = cellUse(shown_.image);
   colors_ = {shown_.palette, {}};
-  if (show == Show::Normals && channelsOf(desk.picture.colors().plan()) != Channels::Rgb)
+  if (show == Show::Normals && desk.picture.colors().plan() != ColorPlan::Cube)
     colors_.words = wordsOfNormals(use_, desk.picture.colors().table().first());
   for (int j = 0; j < shown_.image.height; ++j)
     std::copy_n(shown_.image.row(j), shown_.image.width, image.row(at_.picture.y + j) + at_.picture.x);
@@ -179,7 +187,9 @@ void PictureBench::draw(IndexImage& image, const Desk& desk) {
                 .defaults = host_.defaults(),
                 .light = lightAngles(light, subject.scene.up, subject.centre),
                 .lightInView = toView_ * towardsLight(light, subject.centre),
-                .ball = ballCells(desk.picture, desk.palette),
+                .ball = ballCells(desk.picture, desk.plan,
+                                  show != Show::Normals && desk.picture.colors().plan() == ColorPlan::OneHue),
+                .ownLights = !desk.picture.scene().light.lights.empty(),
                 .focus = focus_,
                 .hover = hover_,
                 .dragged = dragged_},

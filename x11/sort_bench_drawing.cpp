@@ -31,6 +31,7 @@ void SortBench::record(const Desk& desk) {
   if ((run_ || tooLong_) && same && settings_ == desk.picture.settings()) return;
   const bool sameScene = scene_ == desk.picture.scene().mesh.points.data();
   const int step = view_.step;
+  const bool atEnd = run_ && step > 0 && step == run_->steps();
   run_.reset();
   tooLong_ = false;
   if (!sameScene) view_.polygon.reset(), about_.reset();
@@ -47,7 +48,7 @@ void SortBench::record(const Desk& desk) {
   }
   const bool asking = view_.asking && same;
   const std::optional<Verdict> answer = same ? view_.answer : std::nullopt;
-  goTo(same ? step : likeBefore());
+  goTo(same ? step : atEnd && sameScene ? run_->steps() : likeBefore());
   view_.asking = view_.asking && asking;
   view_.answer = answer;
   for (const Key& key : std::exchange(early_, {})) static_cast<void>(press(key, desk.setup));
@@ -112,7 +113,7 @@ std::vector<HelpLine> SortBench::help() const {
           {"Space - +", "play and stop; slower, faster"},
           {"j J K", "next and previous step of a kind; the next kind"},
           {"g /", "go to a step by its number; to a polygon's next one"},
-          {"b 1..6", "stop at a kind of step, or at the polygon"},
+          {"b, then 1..6", "stop at a kind of step, or at the polygon"},
           {"y, then a b c", "predict: answer what follows; Return tells"},
           {"l", "the loupe over the picture, shown or not"},
           {"click", "a polygon, a row, the timeline, any box"}};
@@ -120,6 +121,7 @@ std::vector<HelpLine> SortBench::help() const {
 
 std::string SortBench::aside() const {
   if (!run_) return "";
+  if (fullColor_) return "in one hue: the picture chooses its colours when all of it is painted";
   return order_ == Order::Newell ? "the textbook's run; the picture's own is quicker and may cut others"
                                  : "Newell's sort; the picture itself is " + orderInWords(order_);
 }

@@ -119,7 +119,45 @@ void Workbench::tell(std::string news) {
   repaint_ = true;
 }
 
+namespace {
+
+/// Why a control changes nothing in the picture; "" where it does.
+std::string_view whyIdle(char control, const Picture& picture, const Setup& setup) {
+  const ColorPlan plan = picture.colors().plan();
+  const ShadingRow& shading = rowOf(setup.picture.shading);
+  switch (control) {
+    case 'T':
+    case '0':
+      if (channelsOf(plan) != Channels::Rgb) return {};
+      return "The cells hold colours here: tables count where they hold ramps.";
+    case 'H':
+      if (plan == ColorPlan::OneHue) return {};
+      return "The scene's own colours are shown: the hue counts for scenes without.";
+    case 'J':
+      if (channelsOf(plan) != Channels::Rgb && setup.picture.table.kind == TableKind::Corrected) return {};
+      return "Which shade is the nearest is asked of ramps of the corrected table only.";
+    case 'N':
+      if (shading.interpolates) return {};
+      return "This shading asks for no normals at vertices: Gouraud's, Phong's and env do.";
+    case 'S':
+      if (setup.picture.shading != Shading::Environment ||
+          std::ranges::all_of(picture.scene().mesh.materials,
+                              [](const MeshMaterial& material) { return material.texture < 0; }))
+        return {};
+      return "The environment map shows no textures: the scene's are left out.";
+    default:
+      return {};
+  }
+}
+
+}  // namespace
+
 void Workbench::change(char control, const std::function<void(Setup&)>& edit) {
+  const SceneLight& own = work_.picture.scene().light;
+  if (!own.lights.empty() && (control == 'l' || control == 'p' || control == ']'))
+    return notify("The scene brings its own lights: Ip and where the light is are theirs.");
+  if (own.Ia && (control == 'i' || control == '['))
+    return notify("The scene brings its own ambient light: Ia is the scene's.");
   Setup next = work_.setup;
   edit(next);
   if (const std::string_view why = keepFillable(next); !why.empty()) notify(std::string{why});
@@ -129,11 +167,8 @@ void Workbench::change(char control, const std::function<void(Setup&)>& edit) {
   work_.lastChanged = control;
   work_.redo.clear();
   work_.setup = next;
-  const SceneLight& own = work_.picture.scene().light;
-  if (!own.lights.empty() && (control == 'l' || control == 'p' || control == ']'))
-    notify("The scene brings its own lights: Ip and where the light is are theirs, not the control's.");
-  else if (own.Ia && (control == 'i' || control == '['))
-    notify("The scene brings its own ambient light: Ia is the scene's, not the control's.");
+  if (const std::string_view why = whyIdle(control, work_.picture, next); !why.empty())
+    notify(std::string{why});
 }
 
 void Workbench::press(const Key& key) {
@@ -159,6 +194,7 @@ void Workbench::press(const Key& key) {
 void Workbench::pressLetter(char letter) {
   for (const WindowViewRow& row : kWindowViews)
     if (row.key == letter) return show(row.id);
+  if (letter == '6') return notify("View 6, what accuracy costs, is not built yet.");
   const auto restore = [this](std::vector<Setup>& from, std::vector<Setup>& to, const char* what) {
     if (from.empty())
       return notify(std::string{"There is nothing to "} + what +
@@ -240,13 +276,15 @@ void Workbench::askToOpen() {
   ask({.asks = "open a scene: a file, or a built-in name",
        .text = work_.file,
        .offers = std::move(names),
-       .take = [this](const std::string& name) -> std::string {
+       .take = [this, warned = std::string{}](const std::string& name) mutable -> std::string {
          if (name.empty()) return "Type a name, or Esc leaves it.";
          try {
            Scene scene = readScene(name);
            const Setup setup = setupOf(scene);
            Work work = workOn(std::move(scene), setup);
            if (name.ends_with(".json")) work.file = name;
+           if (!isSaved() && std::exchange(warned, name) != name)
+             return "What was changed is not saved: Return again opens this and forgets it.";
            before_.reset();
            begin(std::move(work));
          } catch (const std::exception& e) {
