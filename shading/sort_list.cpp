@@ -144,8 +144,9 @@ void drawWords(SortPen& pen) {
   }
   const int below = side.y + side.height + (pen.at.compact ? 12 : 14);
   // On paper: P's extent passes below.
-  pen.paint.fillRect({side.x, side.y + side.height + 1, side.width, below - side.y - side.height + 2},
-                     pen(Cell::Paper));
+  const int eye = side.x + side.width - textWidth("near, the eye");
+  pen.paint.fillRect({eye - 2, below - 10, textWidth("near, the eye") + 2, 13}, pen(Cell::Paper));
+  pen.paint.fillRect({side.x, below - 10, textWidth("far") + 2, 13}, pen(Cell::Paper));
   pen.soft(side.x, below, "far");
   const int right = pen.paint.textRight(side.x + side.width, below, "near, the eye", pen(Cell::Soft));
   const int z = pen.soft(side.x + 46, below, "z") + 6, tip = right - 22;
@@ -215,9 +216,9 @@ std::vector<int> drawSidesAndList(SortPen& pen) {
   const Rows rows = rowsOf(pen);
   const Axis axis = axisOf(pen, rows);
   drawSide(pen, axis, rows);
-  drawWords(pen);
   const int heading = pen.at.list.y - (pen.at.compact ? 5 : 9);
   drawBand(pen, axis);
+  drawWords(pen);
   pen.caps(pen.at.list.x, heading, "LIST");
   const int mark = pen.at.list.x + 64;
   pen.paint.triangle(mark, heading - 8, 4, Direction::Right, pen(Cell::Soft));
