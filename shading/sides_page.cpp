@@ -139,12 +139,19 @@ void Page::drawDifference() {
         at_.difference.y);
   drawFrame(paint_.within(at_.difference), x, at_.difference.y - first);
   drawLegend(at_.difference);
+  // What stands on the well at the panel's foot, to the left or to the right.
+  const int base = at_.difference.y + at_.difference.height - 8;
+  const auto foot = [&](int left, const std::string& words) {
+    paint_.fillRect({left - 4, base - 12, textWidth(words) + 8, 16}, (*this)(Cell::Well));
+    paint_.text(left, base, words, (*this)(Cell::WellText));
+  };
+  if (at_.difference.height < at_.A.height)
+    foot(x + 8, "rows " + std::to_string(first) + " to " + std::to_string(first + at_.difference.height - 1) +
+                    " of " + std::to_string(at_.A.height));
   if (!page_.place) return;
   const std::string which = "place " + std::to_string(page_.number + 1) + " of " +
                             std::to_string(page_.places) + ": " + counted(page_.place->samples, "sample");
-  const int left = right - textWidth(which) - 8, base = at_.difference.y + at_.difference.height - 8;
-  paint_.fillRect({left - 4, base - 12, textWidth(which) + 8, 16}, (*this)(Cell::Well));
-  paint_.text(left, base, which, (*this)(Cell::WellText));
+  foot(right - textWidth(which) - 8, which);
 }
 
 std::string signedDifference(std::int64_t a, std::int64_t b) {
