@@ -49,27 +49,25 @@ struct GouraudTable {
   void span(std::uint8_t* cells, int i, int j, int count) const {
     const std::uint8_t* const cellAt =
         table;  // a copy: for all the compiler knows, a store may change members
-    // In the upper half of 64 bits, from where one shift makes the place; four sums beside each other, for
-    // one would wait for itself.
+    // In the upper half of 64 bits, from where one shift makes the place. Of the sums each waits for at most
+    // three others.
     const std::uint64_t g = std::uint64_t{value.gx} << 32;
     std::uint64_t v = std::uint64_t{value.at(i, j)} << 32;
     if (count < 8) {
       for (int k = 0; k < count; ++k, v += g) cells[k] = cellAt[v >> 48];
       return;
     }
-    std::uint64_t v1 = v + g, v2 = v1 + g, v3 = v2 + g;
     const auto eight = [&](std::uint8_t* to) {
-      const std::uint64_t w = v + 4 * g, w1 = v1 + 4 * g, w2 = v2 + 4 * g, w3 = v3 + 4 * g;
+      const std::uint64_t w = v + 4 * g;
+      const auto at = [&](std::uint64_t from, std::uint64_t k) { return cellAt + ((from + k * g) >> 48); };
       const std::uint64_t bytes =
-          gathered({cellAt + (v >> 48), cellAt + (v1 >> 48), cellAt + (v2 >> 48), cellAt + (v3 >> 48),
-                    cellAt + (w >> 48), cellAt + (w1 >> 48), cellAt + (w2 >> 48), cellAt + (w3 >> 48)});
+          gathered({at(v, 0), at(v, 1), at(v, 2), at(v, 3), at(w, 0), at(w, 1), at(w, 2), at(w, 3)});
       std::memcpy(to, &bytes, sizeof bytes);
     };
-    const auto step = [&](std::uint64_t by) { v += by, v1 += by, v2 += by, v3 += by; };
     int k = 0;
-    for (; k + 8 < count; k += 8, step(8 * g)) eight(cells + k);
+    for (; k + 8 < count; k += 8, v += 8 * g) eight(cells + k);
     // The last eight end with the span.
-    step(g * static_cast<std::uint64_t>(count - 8 - k));
+    v += g * static_cast<std::uint64_t>(count - 8 - k);
     eight(cells + count - 8);
   }
 
