@@ -110,12 +110,24 @@ template <class Real, bool kPlaced>
   }
 }
 
+/// The texels at places, in registers all the way: bytes that were stored one by one would keep a load of
+/// all of them waiting.
+template <class Real>
+[[gnu::always_inline]] inline Real texelsAt(const std::uint8_t* texels, const int* places) {
+  if constexpr (std::is_floating_point_v<Real>) {
+    return texels[places[0]];
+  } else {
+    IntegersOf<Real> at;
+    for (int k = 0; k < kLanes<Real>; ++k) at[k] = texels[places[k]];
+    return __builtin_convertvector(at, Real);
+  }
+}
+
 /// The diffuse terms times their texels, as shares of 1. Places first, then all look-ups, then all products.
 template <class Real>
 [[gnu::always_inline]] inline void multiplyByTexels(const EvaluatedTriangle& t, const Real* along,
                                                     double down, int blocks, Real* diffuse) {
   constexpr int kSideBySide = kLanes<Real>;
-  if (blocks < 1) __builtin_unreachable();  // or gcc 12 warns of arrays that are not filled
   std::array<int, kMostBlocks * kSideBySide> places;
   const RowOf<Real> u{t.u, down}, v{t.v, down}, q{t.q, down};
   for (int b = 0; b < blocks; ++b) {
@@ -123,17 +135,8 @@ template <class Real>
     const auto at = placesOf(*t.texture, u.at(along[b]) * w, v.at(along[b]) * w);
     std::memcpy(&places[b * kSideBySide], &at, sizeof at);
   }
-  std::array<std::uint8_t, kMostBlocks * kSideBySide> bytes;
-  const std::uint8_t* const from = t.texels;
-  const int count = blocks * kSideBySide;
-  for (int k = 0; k < count; ++k) bytes[k] = from[places[k]];
-  std::array<Number<Real>, kMostBlocks * kSideBySide> texels;
-  for (int k = 0; k < count; ++k) texels[k] = static_cast<Number<Real>>(bytes[k]);
-  for (int b = 0; b < blocks; ++b) {
-    Real texel;
-    std::memcpy(&texel, &texels[b * kSideBySide], sizeof texel);
-    diffuse[b] *= texel * splat<Real>(1.0 / 255.0);
-  }
+  for (int b = 0; b < blocks; ++b)
+    diffuse[b] *= texelsAt<Real>(t.texels, &places[b * kSideBySide]) * splat<Real>(1.0 / 255.0);
 }
 
 /// The sum of all terms there. `kPhong`: whether the illumination is evaluated or its terms interpolated.
