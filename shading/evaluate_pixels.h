@@ -194,11 +194,14 @@ template <class Real, bool kPhong>
   IntegersOf<Real> above{};
   const auto fill = [&] [[gnu::always_inline]] (int from, int pixels, int blocks) {
     Real along[kMostBlocks], sum[kMostBlocks];
-    for (int b = 0; b < blocks; ++b) along[b] = splat<Real>(i + from - t.i0 + b * kSideBySide) + lane;
+    const Real first = splat<Real>(i + from - t.i0) + lane;
+    for (int b = 0; b < blocks; ++b) along[b] = first + splat<Real>(b * kSideBySide);
     evaluatePixels<Real, kPhong>(t, along, j - t.j0, blocks, sum);
-    for (int b = 0; b < blocks; ++b)
-      above -= __builtin_convertvector(
-          (sum[b] > splat<Real>(1.0)) & (lane < splat<Real>(pixels - b * kSideBySide)), IntegersOf<Real>);
+    for (int b = 0; b < blocks; ++b) {
+      auto clamped = sum[b] > splat<Real>(1.0);
+      if (pixels < blocks * kSideBySide) clamped &= lane < splat<Real>(pixels - b * kSideBySide);
+      above -= __builtin_convertvector(clamped, IntegersOf<Real>);
+    }
     std::array<std::uint8_t, kMost> bytes;
     storeCells(t.ramp, sum, blocks, bytes.data());
     std::memcpy(cells + from, bytes.data(), static_cast<std::size_t>(pixels));
