@@ -91,7 +91,7 @@ using SixteenBytes [[gnu::vector_size(16)]] = std::uint8_t;
 }
 
 /// Bytes that are followed by another one: SSE2 gathers pairs of bytes, of which the second is cut off.
-/// (Stored one by one they take an eighth longer: a processor stores one in a cycle.)
+/// (Stored one by one they take longer, for a processor stores no more than one or two in a cycle.)
 [[nodiscard]] inline std::uint64_t gathered(const std::array<const std::uint8_t*, 8>& at) {
 #ifdef __SSE2__
   __m128i words = _mm_setzero_si128();
