@@ -127,3 +127,26 @@ void noteMoot(std::ostream& out, const Options& options, const Picture& picture)
     if (loss.lost(picture)) out << "xnewell: note: " << loss.what << '\n';
   noteEmpty(out, picture);
 }
+
+std::string_view whyMoot(char control, const Picture& picture, const Setup& setup) {
+  switch (control) {
+    case 'T':
+    case '0':
+      if (inRamps(picture)) return {};
+      return "The cells hold colours here: tables count where they hold ramps.";
+    case 'H':
+      if (oneHue(picture)) return {};
+      return "The scene's own colours are shown: the hue counts for scenes without.";
+    case 'J':
+      if (inRamps(picture) && setup.picture.table.kind == TableKind::Corrected) return {};
+      return "Which shade is the nearest is asked of ramps of the corrected table only.";
+    case 'N':
+      if (rowOf(setup.picture.shading).interpolates) return {};
+      return "This shading asks for no normals at vertices: Gouraud's, Phong's and env do.";
+    case 'S':
+      if (setup.picture.shading != Shading::Environment || !textured(picture)) return {};
+      return "The environment map shows no textures: the scene's are left out.";
+    default:
+      return {};
+  }
+}

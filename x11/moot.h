@@ -1,11 +1,17 @@
 #pragma once
 
 #include <iosfwd>
+#include <string_view>
 
 #include "shading/picture.h"
+#include "x11/controls.h"
 #include "x11/options.h"
 
 /// A line for each option that was given and does nothing to this picture, for other choices leave it no say:
 /// scripts may give all options always, but who tries one out should not wonder. So too for what of its scene
 /// the picture leaves out, and where it shows nothing at all.
 void noteMoot(std::ostream& out, const Options& options, const Picture& picture);
+
+/// The same of the window's control of a key, for the `setup` that it has just changed: a sentence, "" where
+/// the control counts. `picture` is the one before, of whose scene and plan of colours it is.
+[[nodiscard]] std::string_view whyMoot(char control, const Picture& picture, const Setup& setup);

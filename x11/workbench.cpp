@@ -10,6 +10,7 @@
 #include "shading/save_scene.h"
 #include "x11/colors_bench.h"
 #include "x11/mach_bench.h"
+#include "x11/moot.h"
 #include "x11/one_line.h"
 #include "x11/picture_bench.h"
 #include "x11/side_bench.h"
@@ -119,39 +120,6 @@ void Workbench::tell(std::string news) {
   repaint_ = true;
 }
 
-namespace {
-
-/// Why a control changes nothing in the picture; "" where it does.
-std::string_view whyIdle(char control, const Picture& picture, const Setup& setup) {
-  const ColorPlan plan = picture.colors().plan();
-  const ShadingRow& shading = rowOf(setup.picture.shading);
-  switch (control) {
-    case 'T':
-    case '0':
-      if (channelsOf(plan) != Channels::Rgb) return {};
-      return "The cells hold colours here: tables count where they hold ramps.";
-    case 'H':
-      if (plan == ColorPlan::OneHue) return {};
-      return "The scene's own colours are shown: the hue counts for scenes without.";
-    case 'J':
-      if (channelsOf(plan) != Channels::Rgb && setup.picture.table.kind == TableKind::Corrected) return {};
-      return "Which shade is the nearest is asked of ramps of the corrected table only.";
-    case 'N':
-      if (shading.interpolates) return {};
-      return "This shading asks for no normals at vertices: Gouraud's, Phong's and env do.";
-    case 'S':
-      if (setup.picture.shading != Shading::Environment ||
-          std::ranges::all_of(picture.scene().mesh.materials,
-                              [](const MeshMaterial& material) { return material.texture < 0; }))
-        return {};
-      return "The environment map shows no textures: the scene's are left out.";
-    default:
-      return {};
-  }
-}
-
-}  // namespace
-
 void Workbench::change(char control, const std::function<void(Setup&)>& edit) {
   const SceneLight& own = work_.picture.scene().light;
   if (!own.lights.empty() && (control == 'l' || control == 'p' || control == ']'))
@@ -167,7 +135,7 @@ void Workbench::change(char control, const std::function<void(Setup&)>& edit) {
   work_.lastChanged = control;
   work_.redo.clear();
   work_.setup = next;
-  if (const std::string_view why = whyIdle(control, work_.picture, next); !why.empty())
+  if (const std::string_view why = whyMoot(control, work_.picture, next); !why.empty())
     notify(std::string{why});
 }
 
