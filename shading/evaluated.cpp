@@ -56,11 +56,16 @@ void EvaluatedTriangle::span(std::uint8_t* cells, int i, int j, int count) const
 }
 
 double EvaluatedTriangle::intensity(int i, int j) const {
-  const double along = i - i0, down = j - j0;
+  using Real = Lanes<double, 4>;
+  const Real along = splat<Real>(i - i0);
+  const double down = j - j0;
+  TexelRow<Real> texelRow{*this, down};
+  if (texelRow) texelRow.locate(&along, 1);
   double sum = 0;
-  if (phong)
-    evaluatePixels<double, true>(*this, &along, down, 1, &sum);
-  else
-    evaluatePixels<double, false>(*this, &along, down, 1, &sum);
+  const auto evaluate = [&](auto row) {
+    row.evaluate(&along, 1, texelRow);
+    sum = row.sum(0)[0];
+  };
+  phong ? withRow<Real, true>(*this, down, evaluate) : withRow<Real, false>(*this, down, evaluate);
   return sum;
 }

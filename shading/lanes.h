@@ -58,13 +58,15 @@ template <class Real>
   return a < b ? a : b;
 }
 
-/// x^n by squaring, as geometry/power.h.
+/// x^n by squaring, the same bits as geometry/power.h: without its products by 1.
 template <class Real>
 [[nodiscard, gnu::always_inline]] inline Real powerOf(Real x, int n) {
-  Real result = splat<Real>(1.0);
-  for (; n > 0; n >>= 1) {
-    if (n & 1) result *= x;
+  if (n <= 0) return splat<Real>(1.0);
+  for (; (n & 1) == 0; n >>= 1) x *= x;
+  Real result = x;
+  for (n >>= 1; n > 0; n >>= 1) {
     x *= x;
+    if (n & 1) result *= x;
   }
   return result;
 }

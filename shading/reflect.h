@@ -51,6 +51,20 @@ template <class Real>
   return {front, twoSided ? in.f * larger(zero, zero - NdotL) : front};
 }
 
+/// R.V of the textbook's R = 2 N (N.L) - L.
+template <class Real>
+[[nodiscard, gnu::always_inline]] inline Real reflectedCosine(const Real& NdotL, const Real& NdotV,
+                                                              const Real& LdotV) {
+  return splat<Real>(2.0) * NdotL * NdotV - LdotV;
+}
+
+/// What is raised to the power n. Clamped before: an even n would turn a negative cosine into a highlight.
+template <class Real>
+[[nodiscard, gnu::always_inline]] inline Real clampedCosine(const Real& cosine, const Material& material) {
+  const Real some = cosine > splat<Real>(material.leastCosine) ? cosine : splat<Real>(0.0);
+  return smaller(splat<Real>(1.0), some);
+}
+
 /// f max(0, R.V)^n, or the form's other cosine; ks and Ip aside. R is the same for N and -N.
 template <class Real>
 [[nodiscard, gnu::always_inline]] inline Sides<Real> specularTerm(const Incident<Real>& in,
@@ -61,7 +75,7 @@ template <class Real>
   Real cosine = zero;
   switch (lighting.form) {
     case Form::Textbook:
-      cosine = splat<Real>(2.0) * NdotL * dot(N, V) - dot(in.L, V);
+      cosine = reflectedCosine(NdotL, dot(N, V), dot(in.L, V));
       break;
     case Form::HalfVector: {
       const Real NdotH = dot(N, unitOf(in.L + V));
@@ -72,9 +86,7 @@ template <class Real>
       cosine = NdotL > zero ? NdotL : zero - NdotL;
       break;
   }
-  // Clamped before the power: an even n would turn a negative cosine into a highlight.
-  cosine = smaller(splat<Real>(1.0), cosine > splat<Real>(material.leastCosine) ? cosine : zero);
-  const Real term = in.f * powerOf(cosine, material.n);
+  const Real term = in.f * powerOf(clampedCosine(cosine, material), material.n);
   const Real front = NdotL > zero ? term : zero;
   return {front, lighting.twoSided ? (NdotL < zero ? term : zero) : front};
 }

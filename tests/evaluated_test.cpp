@@ -4,6 +4,7 @@
 
 #include <cmath>
 #include <random>
+#include <type_traits>
 
 #include "geometry/solids.h"
 #include "shading/evaluate_pixels.h"
@@ -67,6 +68,7 @@ class RandomTriangles {
     e.clamped = &clamped;
     return e;
   }
+  [[nodiscard]] const Lighting& lighting() const { return lighting_; }
   [[nodiscard]] int n() const { return lighting_.materials[0].n; }
 
   std::int64_t clamped = 0;
@@ -94,10 +96,10 @@ TEST(Evaluated, AgreesWithDoublePrecision) {
       const EvaluatedTriangle e = random.triangle(p, seed % 4 != 0, false);
       int rows = 0;
       forEachSpan(p.data(), 3, 8192, 8192, [&](int j, int from, int to) {
-        if (rows++ % (size > 100 ? 500 : 1) != 0) return;
+        if (rows++ % (size > 100 ? 100 : 1) != 0) return;
         std::vector<std::uint8_t> cells(to - from);
         e.span(cells.data(), from, j, to - from);
-        for (int i = from; i < to; i += 1 + (to - from) / 50) {
+        for (int i = from; i < to; i += 1 + (to - from) / 400) {
           const double I = e.intensity(i, j), v = cells[i - from];
           // The intensities that have this cell.
           const double low = v == 1 ? -1e9 : (v - 1.5) / 254, high = v == 255 ? 1e9 : (v - 0.5) / 254;
@@ -109,8 +111,82 @@ TEST(Evaluated, AgreesWithDoublePrecision) {
       });
     }
   }
-  EXPECT_GT(compared, 30'000);
+  EXPECT_GT(compared, 1'000'000);
   EXPECT_GT(farthest, 0.0);  // the two are not the same computation
+}
+
+// Lights far away are evaluated from planes of N.L and L.V; as all other lights, from vectors, they give the
+// same, with any number of them and V near or far.
+TEST(Evaluated, FarLightsAreAsAnyLights) {
+  using Real = Lanes<double, 4>;
+  int highlights = 0;
+  for (unsigned seed = 0; seed < 400; seed += 2) {
+    SCOPED_TRACE(seed);
+    RandomTriangles random{seed};
+    const auto p = random.outline(700);
+    EvaluatedTriangle e = random.triangle(p, true, seed % 3 == 0);
+    Lighting lighting = *e.lighting;
+    Material material = *e.material;
+    while (lighting.sources.size() < 1 + seed / 2 % 3) {
+      Lighting::Source light = lighting.sources[0];
+      light.L = glm::normalize(glm::dvec3{random.uniform(-1, 1), random.uniform(-1, 1), 0.5});
+      light.f = 0.75;
+      lighting.sources.push_back(light);
+    }
+    e.lighting = &lighting, e.material = &material;
+    e.variesV = seed % 4 == 0;
+    if (seed % 10 == 0) material.ks = {};
+    if (material.n == 0) material.n = 1;
+    const bool shines = material.ks[0] != 0.0;
+    for (int j = e.j0; j < e.j0 + 700; j += 41) {
+      const Real along{random.uniform(0, 700), random.uniform(0, 700), 0, 699};
+      const double down = j - e.j0;
+      TexelRow<Real> texels{e, down};
+      if (texels) texels.locate(&along, 1);
+      PhongRow<Real> any{e, down};
+      any.evaluate(&along, 1, texels);
+      withRow<Real, true>(e, down, [&](auto far) {
+        static_assert(!std::is_same_v<decltype(far), TermRow<Real>>);
+        ASSERT_NE((std::is_same_v<decltype(far), PhongRow<Real>>), true);
+        far.evaluate(&along, 1, texels);
+        for (int k = 0; k < 4; ++k) ASSERT_NEAR(far.sum(0)[k], any.sum(0)[k], 1e-14 * (material.n + 50)) << j;
+      });
+      if (!shines) continue;
+      material.ks = {};
+      PhongRow<Real> dull{e, down};
+      dull.evaluate(&along, 1, texels);
+      for (int k = 0; k < 4; ++k) highlights += any.sum(0)[k] > dull.sum(0)[k] + 1e-6;
+      material.ks = random.lighting().materials[0].ks;
+    }
+  }
+  EXPECT_GT(highlights, 300);
+}
+
+// Between opposite normals there is a place that has none. Beside it pixels are as lit as a unit vector can
+// make them and no more, wherever rounding leaves the normal there.
+TEST(Evaluated, OppositeNormalsStayWithinBounds) {
+  RandomTriangles random{4};
+  for (int trial = 0; trial < 2000; ++trial) {
+    SCOPED_TRACE(trial);
+    const auto p = random.outline(trial % 2 ? 9 : 300);
+    EvaluatedTriangle e = random.triangle(p, true, false);
+    Material matt = *e.material;
+    matt.ks = {};
+    e.material = &matt;
+    const double zero = std::round(random.uniform(1, trial % 2 ? 9 : 300)), slope = random.uniform(1e-3, 1);
+    for (PixelPlane& plane : e.N) {
+      const double c = random.uniform(-1, 1) * slope;
+      plane = {-c * zero, c, 0};  // but for rounding all are 0 at the same pixel
+    }
+    double most = matt.ambient[0];
+    for (const Lighting::Source& light : e.lighting->sources) most += light.f * light.Ip[0] * matt.kd[0];
+    ASSERT_LT(most, 1);
+    std::vector<std::uint8_t> cells(300);
+    random.clamped = 0;
+    e.span(cells.data(), e.i0, e.j0, 300);
+    EXPECT_EQ(random.clamped, 0);
+    for (const std::uint8_t cell : cells) ASSERT_LE(cell, kChannelRamp.cell(most + 1e-6));
+  }
 }
 
 // A pixel has one value: whole spans, parts of them and single pixels agree, and so do the code that is
