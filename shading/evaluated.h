@@ -22,6 +22,8 @@
 /// A plane over the picture: c + gx (i - i0) + gy (j - j0).
 struct PixelPlane {
   double c = 0, gx = 0, gy = 0;
+  PixelPlane operator-(const PixelPlane& p) const { return {c - p.c, gx - p.gx, gy - p.gy}; }
+  PixelPlane operator*(double s) const { return {c * s, gx * s, gy * s}; }
 };
 
 /// The planes through values at the vertices of a triangle, about the first pixel of its box.
@@ -53,7 +55,8 @@ struct EvaluatedTriangle {
   PixelPlane diffuse, rest;      ///< else: the terms themselves, `rest` ambient and specular
   const Texture* texture = nullptr;
   const std::uint8_t* texels = nullptr;  ///< the channel of it
-  PixelPlane u, v;                       ///< texture coordinates over w
+  bool repeats = true;                   ///< whether texture coordinates leave [0, 1]
+  PixelPlane u, v;                       ///< they, over w
   PixelPlane q{1, 0, 0};                 ///< 1 / w; w = 1 where the mapping is affine
   Ramp ramp;
   std::int64_t* clamped = nullptr;  ///< counts samples whose sum is above 1

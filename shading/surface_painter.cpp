@@ -4,7 +4,6 @@
 #include <cmath>
 #include <glm/geometric.hpp>
 #include <glm/matrix.hpp>
-#include <limits>
 
 #include "shading/at_source.h"
 #include "shading/fill.h"
@@ -210,12 +209,14 @@ EvaluatedTriangle SurfacePainter::evaluated(const SnappedFace& face, const FaceT
     const bool rgb = s_.shading.lighting().channels == 3;
     e.texels = (rgb ? e.texture->channel[s_.channel] : e.texture->gray).data();
     // Textures repeat: the nearest copy keeps numbers small.
+    e.repeats = false;
     for (int axis = 0; axis < 2; ++axis) {
       const auto coordinate = [&](int corner) { return mesh_.uv[mesh_.uvOfCorner[corner]][axis]; };
-      double least = std::numeric_limits<double>::infinity();
-      for (const int v : t.vertex)
-        least = std::min(least, atSource(snapped_, snapped_.source[v], coordinate));
-      (axis == 0 ? e.u : e.v) = plane(q, [&](int corner) { return coordinate(corner) - std::floor(least); });
+      const auto at = [&](int k) { return atSource(snapped_, snapped_.source[t.vertex[k]], coordinate); };
+      const auto [least, most] = std::minmax({at(0), at(1), at(2)});
+      const double copy = std::floor(least);
+      e.repeats = e.repeats || most - copy > 1.0;
+      (axis == 0 ? e.u : e.v) = plane(q, [&](int corner) { return coordinate(corner) - copy; });
     }
   }
   return e;

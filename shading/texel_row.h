@@ -28,13 +28,19 @@ template <class Real>
 template <class Real>
 class TexelRow {
  public:
-  [[gnu::always_inline]] TexelRow(const EvaluatedTriangle& t, double down) : texels_{t.texels} {
+  [[gnu::always_inline]] TexelRow(const EvaluatedTriangle& t, double down)
+      : texels_{t.texels}, repeats_{t.repeats} {
     if (texels_ == nullptr) return;
     const int width = t.texture->width, height = t.texture->height;
     columns_ = splat<Real>(width), rows_ = splat<Real>(height);
+    lastColumn_ = splat<Real>(width - 1), lastRow_ = splat<Real>(height - 1);
     stride_ = Places{} + static_cast<unsigned>(width);
     last_ = Places{} + static_cast<unsigned>(width * height - 1);
-    u_ = {t.u, down}, v_ = {t.v, down}, q_ = {t.q, down};
+    q_ = {t.q, down};
+    if (repeats_)
+      u_ = {t.u, down}, v_ = {t.v, down};
+    else
+      u_ = {t.u * width, down}, v_ = {(t.q - t.v) * height, down};
   }
   [[gnu::always_inline]] explicit operator bool() const { return texels_ != nullptr; }
   /// Finds their places, before any of them is looked up.
@@ -57,19 +63,22 @@ class TexelRow {
   /// coordinates are anything. (One comparison of places costs a tenth of a texel less than bounds for both
   /// coordinates.)
   [[nodiscard, gnu::always_inline]] Places placesOf(const Real& u, const Real& v) const {
-    const Real one = splat<Real>(1.0);
-    const Real s = u - wholePart(u), t = one - (v - wholePart(v));  // t runs down, in (0, 1]
+    Real column = u, row = v;
+    if (repeats_) {
+      const Real s = u - wholePart(u), t = splat<Real>(1.0) - (v - wholePart(v));  // t runs down, in (0, 1]
+      column = s * columns_, row = t * rows_;
+    }
     const auto whole = [](const Real& x) {
       return reinterpret_cast<Places>(__builtin_convertvector(x, IntegersOf<Real>));
     };
-    const Places place =
-        whole(smaller(t * rows_, rows_ - one)) * stride_ + whole(smaller(s * columns_, columns_ - one));
+    const Places place = whole(smaller(row, lastRow_)) * stride_ + whole(smaller(column, lastColumn_));
     return place < last_ ? place : last_;
   }
 
   const std::uint8_t* texels_;
-  Real columns_, rows_;
+  bool repeats_;
+  Real columns_, rows_, lastColumn_, lastRow_;
   Places stride_, last_;
-  RowOf<Real> u_, v_, q_;
+  RowOf<Real> u_, v_, q_;  ///< if the texture does not repeat, columns and rows instead of u and v
   std::array<int, kMostBlocks * kLanes<Real>> places_;
 };

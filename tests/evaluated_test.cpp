@@ -62,7 +62,9 @@ class RandomTriangles {
     if (textured) {
       e.texture = &texture_;
       e.texels = texture_.gray.data();
-      e.u = three(0, 3), e.v = three(0, 3), e.q = three(0.5, 1);
+      e.repeats = uniform(0, 1) < 0.5;
+      const double most = e.repeats ? 3 : 0.5;  // over w, which is at most 2
+      e.u = three(0, most), e.v = three(0, most), e.q = three(0.5, 1);
     }
     e.ramp = kChannelRamp;
     e.clamped = &clamped;
@@ -241,7 +243,8 @@ TEST(Evaluated, PerspectiveFollowsTheSurface) {
     };
     e.u = over(u), e.v = over(v), e.q = planes({1 / w[0], 1 / w[1], 1 / w[2]});
     e.diffuse = {1, 0, 0}, e.rest = {0, 0, 0};
-    EvaluatedTriangle affine = e;
+    EvaluatedTriangle once = e, affine = e;
+    once.repeats = false;
     affine.u = planes(u), affine.v = planes(v), affine.q = {1, 0, 0};
     forEachSpan(p.data(), 3, 8192, 8192, [&](int j, int from, int to) {
       for (int i = from; i < to; i += 9) {
@@ -257,6 +260,7 @@ TEST(Evaluated, PerspectiveFollowsTheSurface) {
         if (std::abs(s - std::round(s)) < 1e-3 || std::abs(t - std::round(t)) < 1e-3) continue;
         const double texel = 17 * (static_cast<int>(t) * 5 + static_cast<int>(s)) / 255.0;
         ASSERT_NEAR(e.intensity(i, j), texel, 1e-9) << i << ", " << j;
+        ASSERT_NEAR(once.intensity(i, j), texel, 1e-9) << i << ", " << j;
         apart += std::abs(affine.intensity(i, j) - texel) > 1e-9;
         ++compared;
       }
@@ -264,6 +268,29 @@ TEST(Evaluated, PerspectiveFollowsTheSurface) {
   }
   EXPECT_GT(compared, 50'000);
   EXPECT_GT(apart, compared / 6);
+}
+
+// A texture that does not repeat ends with its last texels, where coordinates are 1 to the last bit or a
+// rounding beyond; one that repeats begins again there. v = 0 is the lowest row in both.
+TEST(Evaluated, TexturesEndOrRepeat) {
+  RandomTriangles random{2};
+  const auto p = random.outline(50);
+  EvaluatedTriangle e = random.triangle(p, false, true);  // 5 x 3 texels, the k-th is 17 k
+  e.diffuse = {1, 0, 0}, e.rest = {0, 0, 0}, e.q = {1, 0, 0};
+  const auto texel = [&](double u, double v, bool repeats) {
+    e.u = {u, 0, 0}, e.v = {v, 0, 0}, e.repeats = repeats;
+    return std::lrint(e.intensity(e.i0, e.j0) * 255) / 17;
+  };
+  for (const double beyond : {0.0, 1e-15, 1e-9}) {
+    EXPECT_EQ(texel(1 + beyond, 0.5, false), 9);
+    EXPECT_EQ(texel(1 + beyond, 0.5, true), 5);
+    EXPECT_EQ(texel(0.5, 1 + beyond, false), 2);
+    EXPECT_EQ(texel(0.5, 1 + beyond, true), 12);
+    EXPECT_EQ(texel(0 - beyond, 0.5, false), 5);
+    EXPECT_EQ(texel(0.5, 0 - beyond, false), 12);
+  }
+  EXPECT_EQ(texel(0.5, 0, true), 12);
+  EXPECT_EQ(texel(-1.5, 7.5, true), 7);
 }
 
 // A sliver has the mean of its corners, and no normal at all only ambient light.

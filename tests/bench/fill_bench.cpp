@@ -108,6 +108,7 @@ EvaluatedTriangle phong(const Values& at) {
   return e;
 }
 /// Constant terms times the texel.
+template <bool kRepeats>
 EvaluatedTriangle perspectiveTexture(const Values& at) {
   static Evaluation with{true};
   const PixelPlanes planes{{at.p[0], at.p[1], at.p[2]}};
@@ -115,6 +116,7 @@ EvaluatedTriangle perspectiveTexture(const Values& at) {
   e.diffuse.c = (*at.w)[0] / 512, e.rest.c = 0.2;
   e.texture = &with.texture;
   e.texels = with.texture.gray.data();
+  e.repeats = kRepeats;
   const std::array q{0.5, 0.7, 0.9};
   const auto overW = [&](const std::array<double, 3>& c) {
     return planes({c[0] / 256 * q[0], c[1] / 256 * q[1], c[2] / 256 * q[2]});
@@ -176,6 +178,7 @@ BENCHMARK(BM_Fill<environmentMap>)->Name("BM_FillEnvironmentMap")->Apply(everySi
 BENCHMARK(BM_Fill<environmentMapDark>)->Name("BM_FillEnvironmentMapDark")->Apply(everySide);
 BENCHMARK(BM_Fill<phong<true>>)->Name("BM_FillPhongConstantV")->Apply(everySide);
 BENCHMARK(BM_Fill<phong<false>>)->Name("BM_FillPhong")->Apply(everySide);
-BENCHMARK(BM_Fill<perspectiveTexture>)->Name("BM_FillPerspectiveTexture")->Apply(everySide);
+BENCHMARK(BM_Fill<perspectiveTexture<false>>)->Name("BM_FillPerspectiveTexture")->Apply(everySide);
+BENCHMARK(BM_Fill<perspectiveTexture<true>>)->Name("BM_FillRepeatedTexture")->Apply(everySide);
 
 }  // namespace
