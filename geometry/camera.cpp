@@ -97,20 +97,22 @@ Camera placeCamera(const CameraSettings& s, std::span<const glm::dvec3> points, 
     const SinCos a = sinCosDegrees(s.oblique->angle);
     lean = s.oblique->length * glm::dvec2{a.cos, a.sin};
   }
+  const bool free = !aimed && !s.eye && !s.prp && !s.window;
+  const bool fits = free || !s.eye || s.prp || (parallel && !s.window && !s.height);  // or all is said
   std::vector<glm::dvec3> vrc;
-  vrc.reserve(points.size());
+  if (fits) vrc.reserve(points.size());
   Box vrcBox;
   for (const glm::dvec3& p : points) {
     const glm::dvec3 q = rotation * (p - view.vrp);
     vrcBox.add(q);
-    vrc.push_back(q - glm::dvec3{lean * q.z, 0.0});
+    if (fits) vrc.push_back(q - glm::dvec3{lean * q.z, 0.0});
   }
-  if (vrc.empty()) vrcBox.add(glm::dvec3{0.0});
+  if (points.empty()) vrcBox.add(glm::dvec3{0.0});
 
   // Distance and window: as said, else so that the scene fills the picture.
   const double tanV = tanDegrees(fov / 2.0);
-  const bool free = !aimed && !s.eye && !s.prp && !s.window;
-  const Frame fit = frame(vrc, (1.0 - kMargin) * tanV * glm::dvec2{aspect, 1.0}, !free, parallel);
+  const Frame fit =
+      fits ? frame(vrc, (1.0 - kMargin) * tanV * glm::dvec2{aspect, 1.0}, !free, parallel) : Frame{};
   if (free) {
     view.vrp += glm::transpose(rotation) * glm::dvec3{fit.centre, 0.0};
     vrcBox.low -= glm::dvec3{fit.centre, 0.0};

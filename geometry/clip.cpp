@@ -11,13 +11,6 @@ std::array<ClipPlane, 6> clipPlanes(double zFront, double guard) {
            {0, -1, 0, guard}}};
 }
 
-unsigned outcode(const std::array<ClipPlane, 6>& planes, const glm::dvec4& p) {
-  unsigned code = 0;
-  for (unsigned k = 0; k < planes.size(); ++k)
-    if (!(glm::dot(planes[k], p) >= 0.0)) code |= 1u << k;
-  return code;
-}
-
 void clip(std::vector<ClipVertex>& polygon, const std::array<ClipPlane, 6>& planes, unsigned planesMask,
           std::vector<Between>& made) {
   std::vector<ClipVertex> kept;

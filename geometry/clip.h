@@ -1,6 +1,7 @@
 #pragma once
 
 #include <array>
+#include <glm/geometric.hpp>
 #include <glm/vec4.hpp>
 #include <vector>
 
@@ -15,7 +16,12 @@ using ClipPlane = glm::dvec4;
 [[nodiscard]] std::array<ClipPlane, 6> clipPlanes(double zFront, double guard);
 
 /// Bit k is set where p lies outside plane k.
-[[nodiscard]] unsigned outcode(const std::array<ClipPlane, 6>& planes, const glm::dvec4& p);
+[[nodiscard]] inline unsigned outcode(const std::array<ClipPlane, 6>& planes, const glm::dvec4& p) {
+  unsigned code = 0;
+  for (unsigned k = 0; k < planes.size(); ++k)
+    code |= static_cast<unsigned>(!(glm::dot(planes[k], p) >= 0.0)) << k;
+  return code;
+}
 
 /// A vertex on its way through the clipper.
 struct ClipVertex {

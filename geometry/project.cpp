@@ -33,10 +33,15 @@ struct Owner {
   int number, piece, plane;
 };
 
-/// Appends the snapped outlines of one convex piece after the other.
+/// Appends the snapped outlines of one convex piece after the other. There is room for those of all pieces
+/// from the start: growing by three vertices at a time takes as long as all the rest.
 class Snapper {
  public:
-  Snapper(SnappedScene& scene, Cull cull, double zScale) : scene_{scene}, cull_{cull}, zScale_{zScale} {}
+  Snapper(SnappedScene& scene, const Pieces& pieces, Cull cull, double zScale)
+      : scene_{scene}, cull_{cull}, zScale_{zScale} {
+    scene_.faces.reserve(pieces.face.size());
+    makeRoom(pieces.corners.size());
+  }
 
   [[nodiscard]] glm::ivec3 snap(const glm::dvec3& p) const {
     return {std::lrint(p.x * kGrid), std::lrint(p.y * kGrid), std::lrint(p.z * zScale_)};
@@ -79,18 +84,21 @@ class Snapper {
     }
   }
 
+  /// Leaves no room beyond what was written.
+  void finish() { makeRoom(vertices_); }
+
  private:
   /// A face whose outline is still to be written, from the vertex on that is returned.
   std::size_t addFace(int count, const Owner& owner, bool back) {
-    const std::size_t first = scene_.vertices.size();
+    const std::size_t first = vertices_;
+    vertices_ += static_cast<std::size_t>(count);
     scene_.faces.push_back({.first = static_cast<int>(first),
                             .count = count,
                             .number = owner.number,
                             .piece = owner.piece,
                             .back = back,
                             .plane = owner.plane});
-    scene_.vertices.resize(first + static_cast<std::size_t>(count));
-    scene_.source.resize(first + static_cast<std::size_t>(count));
+    if (vertices_ > scene_.vertices.size()) makeRoom(2 * vertices_);
     return first;
   }
 
@@ -148,9 +156,15 @@ class Snapper {
     addConvex(rest.data(), static_cast<int>(rest.size()), owner, back);
   }
 
+  void makeRoom(std::size_t vertices) {
+    scene_.vertices.resize(vertices);
+    scene_.source.resize(vertices);
+  }
+
   SnappedScene& scene_;
   Cull cull_;
   double zScale_;
+  std::size_t vertices_ = 0;  ///< so many have been written
 };
 
 }  // namespace
@@ -217,14 +231,11 @@ SnappedScene snap(const Mesh& mesh, const Pieces& pieces, const ViewSpec& view, 
 
   // One snap. z gets the steps of x and y unless something comes too near for 30 bits.
   while (zMax * kGrid > std::ldexp(1.0, 30 + scene.zShift)) ++scene.zShift;
-  Snapper snapper{scene, cull, std::ldexp(1.0, kGridBits - scene.zShift)};
+  Snapper snapper{scene, pieces, cull, std::ldexp(1.0, kGridBits - scene.zShift)};
   std::vector<glm::ivec3> snapped(mesh.points.size());
   for (std::size_t i = 0; i < mesh.points.size(); ++i)
     if (!outside[i]) snapped[i] = snapper.snap(screen[i]);
 
-  scene.faces.reserve(count);
-  scene.vertices.reserve(pieces.corners.size());
-  scene.source.reserve(pieces.corners.size());
   std::vector<Corner> outline;
   auto next = clipped.begin();
   for (int i = 0; i < count; ++i) {
@@ -251,7 +262,7 @@ SnappedScene snap(const Mesh& mesh, const Pieces& pieces, const ViewSpec& view, 
     }
     snapper.add(outline, {pieces.face[i], i, pieces.plane[i]});
   }
-
+  snapper.finish();
   return scene;
 }
 

@@ -58,7 +58,7 @@ class AffineOver {
  public:
   static constexpr double kSteepest = 0x1p44;
 
-  explicit AffineOver(const glm::ivec3* p)
+  [[gnu::always_inline]] explicit AffineOver(const glm::ivec3* p)
       : x0_{p[0].x - kGrid / 2},
         y0_{p[0].y - kGrid / 2},
         x1_{p[1].x - p[0].x},

@@ -65,25 +65,26 @@ void SurfacePainter::interpolateIntensity() {
   // Once for a vertex of the model, then for those of outlines.
   const ShadingPoints& points = s_.shading.points();
   const std::vector<Sides<double>>& I = s_.shading.shades(s_.channel).I;
-  std::vector<Sides<std::uint32_t>> ofVertex(I.size());
+  std::vector<std::uint32_t> ofFront(I.size()), ofBack(I.size());
   for (std::size_t v = 0; v < I.size(); ++v) {
     const Ramp& ramp = s_.ramps[points.material[v] + 1];
-    ofVertex[v] = {valueSteps(ramp.value(I[v].front)), valueSteps(ramp.value(I[v].back))};
+    ofFront[v] = valueSteps(ramp.value(I[v].front)), ofBack[v] = valueSteps(ramp.value(I[v].back));
   }
   const std::vector<int>& vertexOf = s_.shading.vertices().ofCorner;
+  const auto between = [&](const SnappedFace& face, int source) {
+    const double value =
+        atSource(snapped_, source, [&](int corner) { return component(I[vertexOf[corner]], face.back); });
+    return valueSteps(s_.ramps[mesh_.material[face.number] + 1].value(value));
+  };
   steps_.resize(snapped_.vertices.size());
-  for (const SnappedFace& face : snapped_.faces)
+  std::uint32_t* const steps = steps_.data();
+  for (const SnappedFace& face : snapped_.faces) {
+    const std::uint32_t* const ofVertex = (face.back ? ofBack : ofFront).data();
     for (int k = face.first; k < face.first + face.count; ++k) {
       const int source = snapped_.source[k];
-      if (source >= 0) {
-        const Sides<std::uint32_t>& sides = ofVertex[vertexOf[source]];
-        steps_[k] = face.back ? sides.back : sides.front;
-      } else {
-        const double between =
-            atSource(snapped_, source, [&](int corner) { return component(I[vertexOf[corner]], face.back); });
-        steps_[k] = valueSteps(s_.ramps[mesh_.material[face.number] + 1].value(between));
-      }
+      steps[k] = source >= 0 ? ofVertex[vertexOf[source]] : between(face, source);
     }
+  }
 }
 
 void SurfacePainter::interpolateNormals() {
@@ -109,7 +110,8 @@ bool SurfacePainter::evaluates(const SnappedFace& face) const {
 template <class Fill>
 void SurfacePainter::gouraud(const SnappedFace& face, const Ramp& ramp, Fill&& fill) {
   const glm::ivec3* const outline = &snapped_.vertices[face.first];
-  const auto shaded = [&](const glm::ivec3* p, int count, const AffineValue& plane, auto&& wrap) {
+  const auto shaded = [&] [[gnu::always_inline]] (const glm::ivec3* p, int count, const AffineValue& plane,
+                                                  auto&& wrap) {
     if (ramp.table != nullptr)
       fill(p, count, wrap(GouraudTable{plane, ramp.table}));
     else
