@@ -34,7 +34,7 @@ struct Owner {
 };
 
 /// Appends the snapped outlines of one convex piece after the other. There is room for those of all pieces
-/// from the start: growing by three vertices at a time takes as long as all the rest.
+/// from the start: to grow for each of them costs nearly as much as to snap them.
 class Snapper {
  public:
   Snapper(SnappedScene& scene, const Pieces& pieces, Cull cull, double zScale)
