@@ -41,7 +41,7 @@ template <class Real, bool kPhong, class Then>
 [[gnu::always_inline]] inline void withRow(const EvaluatedTriangle& t, double down, const Then& then) {
   if constexpr (!kPhong)
     then(TermRow<Real>{t, down});
-  else if (!FarLightsRow<Real, Eye::Near>::takes(t))
+  else if (!isOfFarLights(t))
     then(PhongRow<Real>{t, down});
   else if (t.material->ks[t.channel] == 0.0)
     then(FarLightsRow<Real, Eye::None>{t, down});
@@ -51,9 +51,10 @@ template <class Real, bool kPhong, class Then>
     then(FarLightsRow<Real, Eye::Far>{t, down});
 }
 
-/// The numbers, each in [0, 255], in a byte each; of other numbers any byte.
+/// The numbers, four or eight, each in [0, 255], in a byte each; of other numbers any byte.
 template <class Integers>
 [[gnu::always_inline]] inline auto bytesOf(const Integers& whole) {
+  static_assert(kLanes<Integers> == 4 || kLanes<Integers> == 8);
   Lanes<std::uint8_t, kLanes<Integers>> bytes;
 #ifdef __SSE2__
   __m128i first, last;  // of four numbers the same

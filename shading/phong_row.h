@@ -57,6 +57,11 @@ template <class Real>
   return splat<Real>(1.0) / root(larger(square, splat<Real>(kLeast)));
 }
 
+/// Whether FarLightsRow evaluates all that the triangle needs: the textbook's cosine, n of at least 1.
+[[nodiscard]] inline bool isOfFarLights(const EvaluatedTriangle& t) {
+  return !t.placed && t.lighting->form == Form::Textbook && t.material->n > 0;
+}
+
 /// What a highlight asks of the eye.
 enum class Eye { None, Far, Near };
 
@@ -65,10 +70,6 @@ enum class Eye { None, Far, Near };
 template <class Real, Eye kEye>
 class FarLightsRow {
  public:
-  /// Whether these are all that the triangle needs: the textbook's cosine, n of at least 1.
-  [[nodiscard]] static bool takes(const EvaluatedTriangle& t) {
-    return !t.placed && t.lighting->form == Form::Textbook && t.material->n > 0;
-  }
   [[gnu::always_inline]] FarLightsRow(const EvaluatedTriangle& t, double down)
       : t_{t}, down_{down}, N_{t.N, down} {
     if constexpr (kEye == Eye::Near) V_ = {t.V, down};

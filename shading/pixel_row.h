@@ -12,8 +12,7 @@
 template <class Real>
 using IntegersOf = Lanes<int, kLanes<Real>>;
 
-/// The values of a plane, or of three, along a row. Made once for all its pixels, as everything below that
-/// they have in common.
+/// The values of a plane, or of three, along a row.
 template <class Real>
 struct RowOf {
   Real c, gx;
