@@ -4,6 +4,7 @@
 #include <fstream>
 
 #include "geometry/solids.h"
+#include "least.h"
 #include "shading/picture.h"
 #include "shading/png.h"
 #include "triangulated.h"
@@ -72,6 +73,10 @@ void BM_MovingFrame(benchmark::State& state) {
 }
 BENCHMARK(BM_MovingFrame)->Arg(22)->Arg(71)->Arg(224)->Unit(benchmark::kMillisecond);
 
+void ofAFrame(benchmark::internal::Benchmark* frame) {
+  frame->Unit(benchmark::kMillisecond)->ComputeStatistics("least", least);
+}
+
 // Frames of 64,800 triangles while the eye moves, by method and order: transform, shade, order, fill. What a
 // method costs beyond flat shading is what it requires; the exact order costs its sort and its planes.
 template <Shading kShading, Order kOrder>
@@ -83,11 +88,11 @@ void BM_Frame64k(benchmark::State& state) {
   const StageTimes sum = moveEye(state, picture, settings);
   reportShares(state, sum, picture);
 }
-BENCHMARK(BM_Frame64k<Shading::Flat, Order::ZSort>)->Unit(benchmark::kMillisecond);
-BENCHMARK(BM_Frame64k<Shading::Gouraud, Order::ZSort>)->Unit(benchmark::kMillisecond);
-BENCHMARK(BM_Frame64k<Shading::Gouraud, Order::Newell>)->Unit(benchmark::kMillisecond);
-BENCHMARK(BM_Frame64k<Shading::Phong, Order::ZSort>)->Unit(benchmark::kMillisecond);
-BENCHMARK(BM_Frame64k<Shading::Environment, Order::ZSort>)->Unit(benchmark::kMillisecond);
+BENCHMARK(BM_Frame64k<Shading::Flat, Order::ZSort>)->Apply(ofAFrame);
+BENCHMARK(BM_Frame64k<Shading::Gouraud, Order::ZSort>)->Apply(ofAFrame);
+BENCHMARK(BM_Frame64k<Shading::Gouraud, Order::Newell>)->Apply(ofAFrame);
+BENCHMARK(BM_Frame64k<Shading::Phong, Order::ZSort>)->Apply(ofAFrame);
+BENCHMARK(BM_Frame64k<Shading::Environment, Order::ZSort>)->Apply(ofAFrame);
 
 /// What a scene may require, one thing after the other.
 struct Requirement {
@@ -140,7 +145,7 @@ const int kRegistered = [] {
   for (const Requirement& requirement : kRequirements)
     benchmark::RegisterBenchmark((std::string{"BM_Required"} + requirement.name).c_str(), BM_Required,
                                  requirement)
-        ->Unit(benchmark::kMillisecond);
+        ->Apply(ofAFrame);
   return 0;
 }();
 
