@@ -119,6 +119,7 @@ void readLight(Scene& scene, const Node& root) {
   glm::dvec3 sum = scene.light.Ia.value_or(glm::dvec3{0.0});
   if (root.has("lights")) {
     const Node lights = root.at("lights");
+    if (lights.size() == 0) lights.fail("at least one light is needed; for none shading takes Ip 0");
     const glm::dvec3 centre = boxOf(scene.mesh.points).centre();
     std::vector<int> unsaid;
     for (int k = 0; k < lights.size(); ++k) {
@@ -139,6 +140,11 @@ void readLight(Scene& scene, const Node& root) {
   }
   expectOnce(scene, root);
   check(sum, root);
+  const auto checkWith = [&](const char* key, double I) {
+    if (root.has("shading") && root.at("shading").has(key)) check(sum + I, root.at("shading").at(key));
+  };
+  if (!scene.light.Ia) checkWith("Ia", user.Ia);
+  if (scene.light.lights.empty()) checkWith("Ip", user.Ip);
   if (!scene.light.Ia) user.Ia = std::clamp(1.0 - largest(sum), 0.0, user.Ia);
   if (scene.light.lights.empty()) user.Ip = std::clamp(1.0 - largest(sum), 0.0, user.Ip);
 }

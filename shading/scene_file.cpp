@@ -25,6 +25,8 @@ Scene otherScene(const Node& root, const std::filesystem::path& folder, int divi
       JsonText{readTextFile(of), of}.root().has("scene"))
     other.fail(inQuotes(other.text()) + " is a set-up of another scene itself: name that");
   Scene scene;
+  if (!isBuiltIn(of) && !std::filesystem::path{of}.has_extension())
+    other.fail(inQuotes(other.text()) + " is no built-in scene; `xnewell scenes` lists them");
   try {
     scene = readScene(of, divisions);
   } catch (const std::system_error& e) {

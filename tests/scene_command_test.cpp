@@ -123,3 +123,18 @@ TEST_F(SceneCommandTest, DivisionsOfPatches) {
   EXPECT_EQ(draw("saturated", {"--divisions", "2"}).stats["faces"], 128);
   EXPECT_EQ(draw("coarse-teapot", {"--divisions", "2"}).stats["faces"], 288);
 }
+
+// A tolerance that is not reached is told: the rim of a hard spot is a step, of a soft one it is not.
+TEST_F(SceneCommandTest, TellsWhereAdaptIsNotReached) {
+  const auto told = [&](const std::string& outer) {
+    const std::string floor = write("floor.json", R"({"up": "z", "shading": {"method": "gouraud"}, "lights": [
+      {"kind": "spot", "Ip": 0.7, "at": [0.1, 0.2, 4], "look_at": [0, 0, 0], "inner": 15, "outer": )" +
+                                                      outer + R"(}],
+      "objects": [{"polygons": [[[-2, -2, 0], [2, -2, 0], [2, 2, 0], [-2, 2, 0]]]}]})");
+    const Finished end = runProgram(Words{"draw", floor, "-o", file("out.png"), "--adapt", "0.1"});
+    EXPECT_EQ(end.status, 0);
+    return end.err;
+  };
+  EXPECT_EQ(told("15"), "xnewell: --adapt 0.1 is not reached everywhere: light ends in a step somewhere\n");
+  EXPECT_EQ(told("25"), "");
+}

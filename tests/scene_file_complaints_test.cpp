@@ -12,6 +12,10 @@ TEST(SceneFile, ComplaintsNameThePlace) {
   EXPECT_EQ(complaint(R"({"light": []})"),
             "s.json: unknown key 'light'; there are shows, up, camera, ambient, lights, shading, materials, "
             "objects");
+  EXPECT_EQ(complaint(R"({"lights": [], "objects": [{"solid": "cube"}]})"),
+            "s.json: lights: at least one light is needed; for none shading takes Ip 0");
+  EXPECT_EQ(complaint(R"({"scene": "nope"})"),
+            "s.json: scene: 'nope' is no built-in scene; `xnewell scenes` lists them");
   EXPECT_EQ(complaint(R"({"up": "x"})"), "s.json: up: \"y\" or \"z\" is needed");
   EXPECT_EQ(complaint(R"({"objects": {}})"), "s.json: objects: a list [ ] is needed");
   EXPECT_EQ(complaint(withObject("{}")), "s.json: objects[0]: one of file, polygons and solid is needed");
@@ -227,7 +231,7 @@ TEST(SceneFile, ComplaintsOfWhatDoesNotCount) {
     const std::string where = '"' + key + R"(": [0, 0, 9])";
     EXPECT_EQ(shading(where, R"("lights": [{"Ip": 0.1}], )"),
               "s.json: shading." + key + ": where light comes from is said twice: see lights");
-    EXPECT_EQ(shading(where, R"("lights": [], "ambient": 0.1, )"), "no complaint");
+    EXPECT_EQ(shading(where, R"("ambient": 0.1, )"), "no complaint");
   }
 
   const auto solid = [](const std::string& what) { return complaint(withObject('{' + what + '}')); };

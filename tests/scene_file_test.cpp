@@ -289,6 +289,10 @@ TEST(SceneFile, IntensitiesSumToOne) {
       "no complaint");
   EXPECT_EQ(complaint(withTriangle(R"("ambient": [0, 0.1, 0], "lights": [{"Ip": 0.95}])")),
             "s.json: Ia + the sum of Ip is 1.05 in green; it must not exceed 1");
+  EXPECT_EQ(complaint(R"({"ambient": 0.9, "shading": {"Ip": 0.9}, "objects": [{"solid": "cube"}]})"),
+            "s.json: shading.Ip: Ia + the sum of Ip is 1.8 in red; it must not exceed 1");
+  EXPECT_EQ(complaint(R"({"lights": [{"Ip": 0.8}], "shading": {"Ia": 0.3}, "objects": [{"solid": "cube"}]})"),
+            "s.json: shading.Ia: Ia + the sum of Ip is 1.1 in red; it must not exceed 1");
 }
 
 // Everything that a scene can ask for, each by the name that the command line has for it.

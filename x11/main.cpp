@@ -70,9 +70,10 @@ PictureSettings settingsOf(const Options& options) {
 StageTimes draw(const Options& options, Picture& picture, double msRead) {
   const Doing drawing{"drawing"};
   picture.make(settingsOf(options));
-  if (const auto& refined = picture.shading().refined(); refined && refined->limit == RefineLimit::Pieces)
-    std::cerr << "xnewell: --adapt " << options.picture.adapt
-              << " is not reached everywhere: that would take more than a million polygons\n";
+  if (const auto& refined = picture.shading().refined(); refined && refined->limit != RefineLimit::None)
+    std::cerr << "xnewell: --adapt " << options.picture.adapt << " is not reached everywhere: "
+              << (refined->limit == RefineLimit::Pieces ? "that would take more than a million polygons\n"
+                                                        : "light ends in a step somewhere\n");
 
   const CellPlan plan{picture.settings().table.kind};
   IndexImage image;

@@ -181,8 +181,8 @@ void addCamera(Reader& r, CameraSettings& camera) {
 }
 
 void addLight(Reader& r, Illumination& light, bool& lightGiven) {
-  r.number("--ia", light.Ia, 0, 1, "ambient intensity Ia; Ia + Ip <= 1");
-  r.number("--ip", light.Ip, 0, 1, "point light intensity Ip");
+  r.number("--ia", light.Ia, 0, 1, "ambient intensity Ia, in place of the scene's; Ia + Ip <= 1");
+  r.number("--ip", light.Ip, 0, 1, "intensity Ip of one light, in place of all lights of the scene");
   r.number("--ka", light.ka, 0, 1, "ambient reflection ka");
   r.number("--kd", light.kd, 0, 1, "diffuse reflection kd");
   r.number("--ks", light.ks, 0, 1, "specular reflection ks");

@@ -44,7 +44,7 @@ nlohmann::ordered_json requiredBy(const Picture& picture) {
       {"textures", method.lit && std::ranges::any_of(picture.scene().mesh.materials, wears)},
       {"planes", !picture.snapped().planes.empty()},
       {"ramps", channelsOf(picture.colors().plan()) == Channels::Rgb ? 0 : picture.colors().tables().size()},
-      {"divided_faces",
+      {"cuts_of_concave_faces",
        static_cast<int>(picture.scene().pieces.face.size()) - picture.scene().mesh.faceCount()}};
 }
 
