@@ -11,6 +11,7 @@
 #include "geometry/int128.h"
 #include "geometry/solids.h"
 #include "shading/scanline.h"
+#include "tests/painted_picture.h"
 
 namespace {
 
@@ -19,16 +20,6 @@ PictureSettings small() {
   s.width = 240;
   s.height = 180;
   return s;
-}
-
-/// How often the painter paints each sample.
-std::vector<int> timesPainted(const SnappedScene& scene, int width, int height) {
-  std::vector<int> times(std::size_t(width) * height, 0);
-  for (const SnappedFace& f : scene.faces)
-    forEachSpan(&scene.vertices[f.first], f.count, width, height, [&](int row, int from, int to) {
-      for (int i = from; i < to; ++i) ++times[std::size_t(row) * width + i];
-    });
-  return times;
 }
 
 /// How many faces cover each sample, each edge asked by itself: the sign of its function at the pixel's
@@ -60,13 +51,6 @@ std::vector<int> timesCovered(const SnappedScene& scene, int width, int height) 
 
 bool sameBits(const std::vector<Sides<double>>& a, const std::vector<Sides<double>>& b) {
   return a.size() == b.size() && std::memcmp(a.data(), b.data(), a.size() * sizeof a[0]) == 0;
-}
-
-IndexImage painted(Picture& picture, const PictureSettings& settings) {
-  picture.make(settings);
-  IndexImage image;
-  picture.paint(image, 8);
-  return image;
 }
 
 }  // namespace

@@ -5,35 +5,12 @@
 #include <random>
 #include <vector>
 
-#include "shading/fragment_spans.h"
-#include "shading/picture.h"
 #include "shading/refine.h"
 #include "tests/lit_floor.h"
 #include "tests/lit_solids.h"
+#include "tests/painted_picture.h"
 
 // What refined polygons show in a picture.
-
-namespace {
-
-std::vector<int> timesPainted(const Picture& picture) {
-  const PictureSettings& s = picture.settings();
-  std::vector<int> times(std::size_t(s.width) * s.height, 0);
-  for (const SnappedFace& f : picture.snapped().faces)
-    forEachSpan(&picture.snapped().vertices[f.first], f.count, s.width, s.height,
-                [&](int row, int from, int to) {
-                  for (int i = from; i < to; ++i) ++times[std::size_t(row) * s.width + i];
-                });
-  return times;
-}
-
-IndexImage painted(Picture& picture, const PictureSettings& settings) {
-  picture.make(settings);
-  IndexImage image;
-  picture.paint(image, 0);
-  return image;
-}
-
-}  // namespace
 
 // No crack and no overlap on the screen: every sample is covered exactly as often as by the undivided scene,
 // and in closed solids in pairs. Random triangles, too, which have borders.
@@ -50,11 +27,11 @@ TEST(RefinePicture, CoversEachSampleAsBefore) {
     picture.make(s);
     s.camera = moved(s.camera, picture.camera(), 17.0 * seed, 7.0 * seed - 100, 1.3);
     picture.make(s);
-    const std::vector<int> before = timesPainted(picture);
+    const std::vector<int> before = timesPainted(picture.snapped(), s.width, s.height);
     const int polygons = picture.snapped().polygons;
     s.adapt = 0.05;
     picture.make(s);
-    ASSERT_EQ(timesPainted(picture), before);
+    ASSERT_EQ(timesPainted(picture.snapped(), s.width, s.height), before);
     for (const int n : before) {
       if (!soup) {
         ASSERT_EQ(n % 2, 0);

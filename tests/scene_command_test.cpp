@@ -135,6 +135,8 @@ TEST_F(SceneCommandTest, TellsWhereAdaptIsNotReached) {
     EXPECT_EQ(end.status, 0);
     return end.err;
   };
-  EXPECT_EQ(told("15"), "xnewell: --adapt 0.1 is not reached everywhere: light ends in a step somewhere\n");
+  EXPECT_EQ(told("15"),
+            "xnewell: --adapt 0.1 is not reached everywhere: that would take pieces smaller than a "
+            "thousandth of a polygon\n");
   EXPECT_EQ(told("25"), "");
 }
