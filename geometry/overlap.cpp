@@ -1,9 +1,10 @@
 #include "geometry/overlap.h"
 
-// Not inline: by itself a compiler makes four vector comparisons of it.
-bool overlap(const ItemBox& P, const ItemBox& Q) {
+// By itself a compiler makes four vector comparisons of it, inline it does not.
+[[gnu::noinline]] bool overlap(const ItemBox& P, const ItemBox& Q) {
   int apart = 0;  // without branches: which axis parts two is anyone's guess
-  for (int axis = 0; axis < 8; ++axis) apart |= (P.low[axis] > Q.high[axis]) | (Q.low[axis] > P.high[axis]);
+  for (int axis = 0; axis < 8; ++axis)
+    apart |= int{P.low[axis] > Q.high[axis]} | int{Q.low[axis] > P.high[axis]};
   return apart == 0;
 }
 

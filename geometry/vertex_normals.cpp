@@ -151,8 +151,9 @@ class VertexNormals {
       if (faces_[c.face].area > 0.0) sorted_.emplace_back(glm::dot(faces_[c.face].N, kDirection), c.face);
     std::ranges::sort(sorted_);
     equal_.clear();
-    for (const auto& [key, f] : sorted_) {
-      const FaceNormal& face = faces_[f];
+    for (const auto& entry : sorted_) {
+      const double key = entry.first;
+      const FaceNormal& face = faces_[entry.second];
       const double within = face.doubt + kMostDoubt;
       const auto found = std::find_if(equal_.rbegin(), equal_.rend(), [&](const EqualNormals& e) {
         return key - e.key > within || equal(face, *e.first);

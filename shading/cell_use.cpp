@@ -29,8 +29,7 @@ CellUse cellUse(const IndexImage& image, const std::vector<std::uint32_t>& faces
     if (faces[k] != 0 && (shown.empty() || shown.back() != both)) shown.push_back(both);
   }
   std::ranges::sort(shown);
-  const auto repeated = std::ranges::unique(shown);
-  shown.erase(repeated.begin(), repeated.end());
+  shown.erase(std::unique(shown.begin(), shown.end()), shown.end());
   for (const auto& [cell, face] : shown) ++use.polygons[cell];
   return use;
 }

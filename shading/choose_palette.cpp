@@ -125,10 +125,11 @@ std::vector<glm::u8vec3> choosePalette(const RgbImage& picture, Shows shows, int
     const auto most = std::max_element(boxes.begin(), boxes.end(),
                                        [](const Box& p, const Box& q) { return p.cut.gain < q.cut.gain; });
     if (most->cut.gain == 0) break;
-    const auto [box, cut] = *most;
-    const auto upper = std::partition(box.begin(), box.end(),
-                                      [&](const CountedColor& c) { return c.color[cut.axis] <= cut.last; });
-    const std::span<CountedColor> parts[] = {{box.begin(), upper}, {upper, box.end()}};
+    const Box box = *most;
+    const auto first = box.colors.begin(), end = box.colors.end();
+    const auto upper = std::partition(
+        first, end, [&](const CountedColor& c) { return c.color[box.cut.axis] <= box.cut.last; });
+    const std::span<CountedColor> parts[] = {{first, upper}, {upper, end}};
     *most = {parts[0], bestCut(parts[0])};
     boxes.push_back({parts[1], bestCut(parts[1])});
   }

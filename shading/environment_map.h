@@ -69,6 +69,8 @@ struct Counted {
     };
   }
 };
+template <class S>
+Counted(S, std::uint8_t, std::uint8_t, std::int64_t*) -> Counted<S>;  // for Clang before 17
 
 /// Columns and rows of a map around the places that hold a mark; of none, a box that nothing meets.
 struct MapBox {
@@ -131,3 +133,5 @@ struct EitherSide {
     };
   }
 };
+template <class Front, class Away>
+EitherSide(Front, Away, AffineValue) -> EitherSide<Front, Away>;  // for Clang before 17

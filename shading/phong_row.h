@@ -80,6 +80,7 @@ class FarLightsRow {
     const Material& material = *t_.material;
     Real perN[kMostBlocks], perV[kMostBlocks], NdotV[kMostBlocks], cosine[kMostBlocks], share[kMostBlocks];
     const Real ambient = splat<Real>(material.ambient[t_.channel]);
+    const Real zero = splat<Real>(0.0), one = splat<Real>(1.0);
     const RowOf<Real> towardsFarV = rowOfDot(t_.N, lighting.farV);
     for (int b = 0; b < blocks; ++b) {
       const Vec<Real> N = N_.at(along[b]);
@@ -91,9 +92,8 @@ class FarLightsRow {
       }
       if constexpr (kEye == Eye::Far) NdotV[b] = towardsFarV.at(along[b]) * perN[b];
       sum_[b] = ambient;
-      if (texels) share[b] = texels.share(b);
+      share[b] = texels ? texels.share(b) : one;
     }
-    const Real zero = splat<Real>(0.0), one = splat<Real>(1.0);
     for (const Lighting::Source& light : lighting.sources) {
       const double I = light.f * light.Ip[t_.channel];
       const Real kd = splat<Real>(I * material.kd[t_.channel]), ks = splat<Real>(I * material.ks[t_.channel]);

@@ -33,6 +33,10 @@ struct Pixels {
   const png_color* palette;  ///< 256 entries, or null
 };
 
+struct CloseFile {
+  void operator()(std::FILE* file) const { std::fclose(file); }
+};
+
 struct Output {
   std::string bytes;
   std::string error;
@@ -116,8 +120,7 @@ void writePng(const std::string& file, const IndexImage& image, const Palette& p
 void writePng(const std::string& file, const RgbImage& image) { writeFile(file, encodePng(image)); }
 
 RgbImage readPng(const std::string& file) {
-  const std::unique_ptr<std::FILE, decltype(&std::fclose)> input{std::fopen(file.c_str(), "rb"),
-                                                                 &std::fclose};
+  const std::unique_ptr<std::FILE, CloseFile> input{std::fopen(file.c_str(), "rb")};
   if (!input) throw std::system_error{errno, std::generic_category(), file};
   std::array<std::uint8_t, 8> signature{};
   const std::size_t there = std::fread(signature.data(), 1, signature.size(), input.get());

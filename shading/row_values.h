@@ -65,3 +65,5 @@ struct ByRows {
     here.span(cells, i, j, count);
   }
 };
+template <class RowShader>
+ByRows(RowValues, RowShader) -> ByRows<RowShader>;  // for Clang before 17

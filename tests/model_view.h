@@ -27,8 +27,8 @@ inline PictureSettings randomView(const Scene& scene, unsigned seed, int width, 
   std::mt19937 rng{seed};
   std::uniform_real_distribution<double> unit{0.0, 1.0};
   const auto [low, high] = boxOf(scene.mesh.points);
-  const auto within = [&, low = low, high = high] {
-    return low + (high - low) * glm::dvec3{unit(rng), unit(rng), unit(rng)};
+  const auto within = [&, from = low, size = high - low] {
+    return from + size * glm::dvec3{unit(rng), unit(rng), unit(rng)};
   };
   const double size = glm::length(high - low);
   glm::dvec3 towards;

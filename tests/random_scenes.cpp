@@ -226,8 +226,13 @@ bool addFace(SnappedScene& scene, std::vector<glm::ivec3> outline, int plane) {
     plane = static_cast<int>(scene.planes.size());
     scene.planes.push_back(planeThrough(outline.data(), count));
   }
-  scene.faces.push_back({static_cast<int>(scene.vertices.size()), count, static_cast<int>(scene.faces.size()),
-                         0, false, plane, 0});
+  scene.faces.push_back({static_cast<int>(scene.vertices.size()),
+                         count,
+                         static_cast<int>(scene.faces.size()),
+                         0,
+                         false,
+                         plane,
+                         {}});
   scene.vertices.insert(scene.vertices.end(), outline.begin(), outline.end());
   return true;
 }

@@ -51,7 +51,7 @@ class Reader {
   template <class Number>
   void number(const std::string& name, Number& target, double low, double high, const std::string& help,
               bool open = false) {
-    add(name, trimmed(static_cast<double>(target)), help, [=, this, &target](const std::string& text) {
+    add(name, trimmed(static_cast<double>(target)), help, [=, &target](const std::string& text) {
       const bool whole = std::is_integral_v<Number>;
       const std::string expected = std::string{whole ? "a whole number" : "a number"} +
                                    (open ? " between " : " from ") + trimmed(low) +
