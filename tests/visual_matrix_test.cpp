@@ -13,6 +13,7 @@
 #include <vector>
 
 #include "shading/picture.h"
+#include "tests/temporary_folder.h"
 #include "tests/watched_viewer.h"
 #include "tests/x_server.h"
 
@@ -80,14 +81,16 @@ using Color = std::array<int, 3>;  ///< 8-bit values
 Color shownOf(const XColor& c) { return {c.red >> 8, c.green >> 8, c.blue >> 8}; }
 Color shownOf(const Rgb16& c) { return {c.r >> 8, c.g >> 8, c.b >> 8}; }
 
-/// What the server says that pixel values show through a map.
-std::map<unsigned long, Color> asked(::Display* d, ::Colormap map, const std::set<unsigned long>& pixels) {
+/// What the server says that pixel values of a visual show through a map. See VisualInfo::withoutAlpha.
+std::map<unsigned long, Color> asked(::Display* d, ::Colormap map, const VisualInfo& v,
+                                     const std::set<unsigned long>& pixels) {
   std::vector<XColor> cells;
   for (const unsigned long pixel : pixels)
-    cells.push_back({.pixel = pixel, .red = 0, .green = 0, .blue = 0, .flags = 0, .pad = 0});
+    cells.push_back({.pixel = v.withoutAlpha(pixel), .red = 0, .green = 0, .blue = 0, .flags = 0, .pad = 0});
   XQueryColors(d, map, cells.data(), static_cast<int>(cells.size()));
   std::map<unsigned long, Color> colors;
-  for (const XColor& cell : cells) colors[cell.pixel] = shownOf(cell);
+  auto cell = cells.begin();
+  for (const unsigned long pixel : pixels) colors[pixel] = shownOf(*cell++);
   return colors;
 }
 
@@ -126,7 +129,7 @@ Offered offeredBy(::Display* d, ::Colormap map, const VisualInfo& v) {
   std::set<unsigned long> pixels;
   if (!v.hasChannels()) {
     for (unsigned long p = 0; p < 256; ++p) pixels.insert(p);
-    for (const auto& [pixel, color] : asked(d, map, pixels)) offered.colors.push_back(color);
+    for (const auto& [pixel, color] : asked(d, map, v, pixels)) offered.colors.push_back(color);
     return offered;
   }
   const std::array masks{v.masks.red, v.masks.green, v.masks.blue};
@@ -134,7 +137,7 @@ Offered offeredBy(::Display* d, ::Colormap map, const VisualInfo& v) {
     const unsigned long unit = masks[c] & -masks[c];
     pixels.clear();
     for (unsigned long p = 0; p <= masks[c]; p += unit) pixels.insert(p);
-    for (const auto& [pixel, color] : asked(d, map, pixels)) offered.levels[c].push_back(color[c]);
+    for (const auto& [pixel, color] : asked(d, map, v, pixels)) offered.levels[c].push_back(color[c]);
     std::ranges::sort(offered.levels[c]);
   }
   return offered;
@@ -235,14 +238,18 @@ std::ostream& operator<<(std::ostream& out, const ServerRow& row) { return out <
 
 class VisualMatrix : public testing::TestWithParam<ServerRow> {
  protected:
+  TemporaryFolder folder;
   std::optional<XServer> host, server;
   OwnedDisplay display;
 
   void SetUp() override {
     const ServerRow& row = GetParam();
     if (row.nested) host.emplace(XServer::xvfb(24, 640, 480));
+    std::vector<std::string> arguments = row.arguments;
+    if (row.program == "Xvnc")  // without a port it wants a socket, from TigerVNC 1.15 on
+      arguments.insert(arguments.end(), {"-rfbunixpath", folder.file("vnc")});
     try {
-      server.emplace(std::string{row.program}, row.arguments, host ? host->name() : "");
+      server.emplace(std::string{row.program}, arguments, host ? host->name() : "");
     } catch (const std::runtime_error& e) {
       if (row.required) throw;
       GTEST_SKIP() << e.what();
@@ -256,7 +263,7 @@ class VisualMatrix : public testing::TestWithParam<ServerRow> {
     const VisualInfo& v = colormap.visual();
     std::set<unsigned long> pixels;
     for (const Tile& tile : tiles) pixels.insert(tile.begin(), tile.end());
-    const std::map<unsigned long, Color> shows = asked(display.get(), colormap.id(), pixels);
+    const std::map<unsigned long, Color> shows = asked(display.get(), colormap.id(), v, pixels);
     const Offered offered = offeredBy(display.get(), colormap.id(), v);
     for (int c = 0; c < 3 && v.hasChannels() && v.depth < 24;
          ++c)  // evenly spaced, as far as 6 bits of a stored colour go
@@ -337,7 +344,8 @@ TEST_P(VisualMatrix, ShowsEveryIndexAsItsClassAllows) {
         EXPECT_TRUE(shows(reference.scanline, kPicture));
         const RgbImage read = canvas.readBack(kPicture);
         const std::vector<unsigned long> pixels = pixelsOf(canvas, kPicture);
-        const std::map<unsigned long, Color> colors = asked(d, colormap.id(), {pixels.begin(), pixels.end()});
+        const std::map<unsigned long, Color> colors =
+            asked(d, colormap.id(), v, {pixels.begin(), pixels.end()});
         for (std::size_t k = 0; k < pixels.size(); ++k)
           for (int c = 0; c < 3; ++c) ASSERT_EQ(read.rgb[3 * k + c], colors.at(pixels[k])[c]);
         fillPolygons(d, canvas, *reference.picture, kInside, CellPlan{reference.table}[Cell::Well]);

@@ -24,9 +24,10 @@ constexpr int kPureHues = 6;
   return found->visual;
 }
 
-std::vector<Rgb16> readColors(::Display* display, ::Colormap map, const std::vector<unsigned long>& pixels) {
+std::vector<Rgb16> readColors(::Display* display, ::Colormap map, const VisualInfo& visual,
+                              const std::vector<unsigned long>& pixels) {
   std::vector<XColor> cells(pixels.size());
-  for (std::size_t k = 0; k < cells.size(); ++k) cells[k].pixel = pixels[k];
+  for (std::size_t k = 0; k < cells.size(); ++k) cells[k].pixel = visual.withoutAlpha(pixels[k]);
   ErrorTrap trap{display};
   XQueryColors(display, map, cells.data(), static_cast<int>(cells.size()));
   trap.check();
@@ -115,8 +116,9 @@ void ServerColormap::useEveryCell() {
   for (int i = 0; i < kCellCount; ++i) pixels[i] = pixelOfCell(visual_, i);
   table_ = PixelTable{pixels};
   if (!identity() || DefaultDepth(display_, screen_) != 8) return;
-  std::ranges::copy(readColors(display_, DefaultColormap(display_, screen_), {pixels.begin(), pixels.end()}),
-                    unneeded_.begin());
+  std::ranges::copy(
+      readColors(display_, DefaultColormap(display_, screen_), visual_, {pixels.begin(), pixels.end()}),
+      unneeded_.begin());
 }
 
 bool ServerColormap::mixingShowsMore() const {
@@ -318,7 +320,7 @@ PixelColors::PixelColors(::Display* display, ::Colormap map, const VisualInfo& v
   if (!visual.hasChannels()) masks_ = {all, all, all};
   std::vector<unsigned long> pixels(visual.cells);
   for (int k = 0; k < visual.cells; ++k) pixels[k] = pixelOfCell(visual, k);
-  cells_ = readColors(display, map, pixels);
+  cells_ = readColors(display, map, visual, pixels);
 }
 
 bool windowManagerRuns(::Display* display) {

@@ -63,6 +63,8 @@ struct VisualInfo {
   [[nodiscard]] unsigned long alphaMask() const {
     return hasChannels() ? ((1ul << depth) - 1) & ~(masks.red | masks.green | masks.blue) : 0;
   }
+  /// A pixel value as XQueryColors takes it: X.Org 21.1.16 answers BadValue where bits of alpha are set.
+  [[nodiscard]] unsigned long withoutAlpha(unsigned long pixel) const { return pixel & ~alphaMask(); }
   /// Does a colormap of our own hold the picture's 256 cells? With channels through the pixels (i, i, i).
   [[nodiscard]] bool holdsTable() const { return writable() && leastLevels() >= 256; }
   /// Does every 8-bit colour have a pixel value of its own? Not where others store what pixels show.
