@@ -14,7 +14,7 @@
 
 namespace {
 
-constexpr int kGridBits = 50;
+constexpr int kDivisionGridBits = 50;
 
 /// A face by itself, ready for decisions.
 struct Outline {
@@ -45,14 +45,14 @@ Outline outlineOf(const Mesh& mesh, std::span<const int> corners, double roundin
   for (const int c : corners) p.push_back(scaled(at(c), -exponent));
   const Box box = boxOf(p);
   const double extent = std::frexp(box.side(), &boxExponent);
-  const int steps = kGridBits - boxExponent;
+  const int steps = kDivisionGridBits - boxExponent;
   for (glm::dvec3& q : p) q = scaled(q - box.low, steps);
 
   Outline outline;
   std::vector<int> all(p.size());
   std::iota(all.begin(), all.end(), 0);
   const Plane plane = newellPlane(p, all);
-  const double e = std::ldexp(extent, kGridBits), u = std::ldexp(rounding, steps - exponent);
+  const double e = std::ldexp(extent, kDivisionGridBits), u = std::ldexp(rounding, steps - exponent);
   const double tolerance = std::min(7.0 * u, 3e-5 * e) + 0x1p-46 * e + 0x1p-50 * std::ldexp(magnitude, steps);
   outline.planar = std::all_of(p.begin(), p.end(), [&](const glm::dvec3& q) {
     return std::abs(glm::dot(plane.N, q) - plane.d) <= tolerance;

@@ -23,7 +23,7 @@ glm::dvec3 divided(const glm::dvec4& p) { return glm::dvec3{p} / p.w; }
 constexpr int kMostCorners = 64;
 
 /// A vertex of an outline and SnappedScene::source of it.
-struct Corner {
+struct ClippedCorner {
   glm::ivec3 at;
   int source;
 };
@@ -47,7 +47,7 @@ class Snapper {
     return {std::lrint(p.x * kGrid), std::lrint(p.y * kGrid), std::lrint(p.z * zScale_)};
   }
 
-  void add(std::vector<Corner>& outline, const Owner& owner) {
+  void add(std::vector<ClippedCorner>& outline, const Owner& owner) {
     dropRepeats(outline);
     const int count = static_cast<int>(outline.size());
     const std::int64_t area = count < 3 ? 0 : doubleAreaOf(outline.data(), count);
@@ -65,7 +65,7 @@ class Snapper {
   }
 
   /// The same for most faces of most scenes, from where they are: corners `from` and the snapped points `at`
-  /// refers to. (What is gathered in a Corner is read back before it has been stored.)
+  /// refers to. (What is gathered in a ClippedCorner is read back before it has been stored.)
   void addTriangle(const int* at, const int* from, const std::vector<glm::ivec3>& snapped,
                    const Owner& owner) {
     const glm::ivec3 &a = snapped[at[0]], &b = snapped[at[1]], &c = snapped[at[2]];
@@ -102,7 +102,7 @@ class Snapper {
     return first;
   }
 
-  void append(const Corner* p, int count, const Owner& owner, bool back) {
+  void append(const ClippedCorner* p, int count, const Owner& owner, bool back) {
     const std::size_t first = addFace(count, owner, back);
     for (int k = 0; k < count; ++k) {
       scene_.vertices[first + k] = p[k].at;
@@ -110,14 +110,14 @@ class Snapper {
     }
   }
 
-  static void dropRepeats(std::vector<Corner>& outline) {
-    const auto same = [](const Corner& a, const Corner& b) { return a.at == b.at; };
+  static void dropRepeats(std::vector<ClippedCorner>& outline) {
+    const auto same = [](const ClippedCorner& a, const ClippedCorner& b) { return a.at == b.at; };
     outline.erase(std::unique(outline.begin(), outline.end(), same), outline.end());
     while (outline.size() > 1 && same(outline.front(), outline.back())) outline.pop_back();
   }
 
   /// Twice the area, as doubleArea().
-  static std::int64_t doubleAreaOf(const Corner* p, int count) {
+  static std::int64_t doubleAreaOf(const ClippedCorner* p, int count) {
     std::uint64_t sum = 0;
     for (int i = 1; i + 1 < count; ++i)
       sum += static_cast<std::uint64_t>(doubleArea(p[0].at, p[i].at, p[i + 1].at));
@@ -128,7 +128,7 @@ class Snapper {
     return std::int64_t{b.x - a.x} * (c.x - b.x) + std::int64_t{b.y - a.y} * (c.y - b.y) < 0;
   }
 
-  static bool convex(const Corner* p, int count) {
+  static bool convex(const ClippedCorner* p, int count) {
     int descents = 0;  // a convex outline changes from rising to falling once a turn
     for (int i = 0; i < count; ++i) {
       const glm::ivec3 &a = p[i].at, &b = p[(i + 1) % count].at, &c = p[(i + 2) % count].at;
@@ -142,7 +142,7 @@ class Snapper {
   /// Rounding may bend the outline of a polygon with many corners by a grid step, and pairs are compared
   /// corner by corner. So such an outline is halved along a chord between two of its own vertices until the
   /// parts are convex, as a triangle always is, and of few corners.
-  void addConvex(const Corner* p, int count, const Owner& owner, bool back) {
+  void addConvex(const ClippedCorner* p, int count, const Owner& owner, bool back) {
     if (count == 3 || (count <= kMostCorners && convex(p, count))) {
       if (doubleAreaOf(p, count) <= 0)
         return;  // a part that the rounding has turned over: less than a step wide
@@ -150,7 +150,7 @@ class Snapper {
       return;
     }
     const int half = count / 2;
-    std::vector<Corner> rest{p + half, p + count};
+    std::vector<ClippedCorner> rest{p + half, p + count};
     rest.push_back(p[0]);  // last: chords from one vertex to all others would make needles
     addConvex(p, half + 1, owner, back);
     addConvex(rest.data(), static_cast<int>(rest.size()), owner, back);
@@ -236,7 +236,7 @@ SnappedScene snap(const Mesh& mesh, const Pieces& pieces, const ViewSpec& view, 
   for (std::size_t i = 0; i < mesh.points.size(); ++i)
     if (!outside[i]) snapped[i] = snapper.snap(screen[i]);
 
-  std::vector<Corner> outline;
+  std::vector<ClippedCorner> outline;
   auto next = clipped.begin();
   for (int i = 0; i < count; ++i) {
     outline.clear();

@@ -71,11 +71,11 @@ std::string pickedText(const ColorTable& table, int j) {
   return (j > 0 ? up(from) + " <= " : "") + "I" + (j + 1 < table.shades() ? " < " + up(to) : "");
 }
 
-std::vector<Fact> factsOf(int cell, const Picture& picture, const Palette& palette, const CellPlan& plan,
-                          const CellUse& use) {
+std::vector<CellFact> factsOf(int cell, const Picture& picture, const Palette& palette, const CellPlan& plan,
+                              const CellUse& use) {
   const Rgb16& c = palette[cell];
-  std::vector<Fact> facts{{"stored RGB", storedText(c)},
-                          {"8 bits", triple(c.r >> 8, c.g >> 8, c.b >> 8) + " of 255"}};
+  std::vector<CellFact> facts{{"stored RGB", storedText(c)},
+                              {"8 bits", triple(c.r >> 8, c.g >> 8, c.b >> 8) + " of 255"}};
   const SceneColors& colors = picture.colors();
   const CellRange scene = sceneCells(picture);
   for (int role = 0; role < kCells; ++role)

@@ -8,9 +8,11 @@ namespace {
 constexpr int kBars = 23, kHeight = 17;  // of the bars with what is above them; of a cell
 
 /// Cell i stands at x0 + i * width.
-struct Places {
+struct StripPlaces {
   int x0, width;
-  explicit Places(const Rect& at) : x0{0}, width{at.width / 256} { x0 = at.x + (at.width - 256 * width) / 2; }
+  explicit StripPlaces(const Rect& at) : x0{0}, width{at.width / 256} {
+    x0 = at.x + (at.width - 256 * width) / 2;
+  }
 };
 
 }  // namespace
@@ -42,7 +44,7 @@ SceneCellWords wordsOf(const Picture& picture, const PaletteEffects& effects) {
 }
 
 std::optional<int> cellInStrip(const Rect& at, int x, int y) {
-  const Places places{at};
+  const StripPlaces places{at};
   const int cell = x < places.x0 ? -1 : (x - places.x0) / places.width;
   if (cell < 0 || cell > 255 || y < at.y || y >= at.y + kBars + 1 + kHeight) return std::nullopt;
   return cell;
@@ -50,7 +52,7 @@ std::optional<int> cellInStrip(const Rect& at, int x, int y) {
 
 void drawColorStrip(Painter paint, const Rect& at, const CellPlan& plan, const CellUse& use,
                     const SceneCellWords& words, bool compact, std::optional<int> inspected) {
-  const auto [x0, cell] = Places{at};
+  const auto [x0, cell] = StripPlaces{at};
   const std::uint8_t ink = plan[Cell::Ink], soft = plan[Cell::Soft];
   const int barsBottom = at.y + kBars, stripTop = barsBottom + 1, stripBottom = stripTop + kHeight;
   const int most = std::max(2, *std::ranges::max_element(use.samples));

@@ -5,17 +5,17 @@
 #include <limits>
 
 #include "shading/pen.h"
+#include "shading/sheet.h"
 #include "shading/wording.h"
 
 namespace {
 
-constexpr int kGridLabels = 26, kTitle = 24, kGutter = 28, kTableWidth = 240;
+constexpr int kGridLabels = 26, kTitle = 24, kGridGutter = 28, kTableWidth = 240;
 constexpr int kLabels = 108;  // of facts, to their values
 constexpr int kOptions = 60;  // of the table's lines, from label to options
 constexpr int kKeyColumn = 24;
-constexpr int kCompactBelow = 560;
 constexpr int kLines = 10;  // of the table in a window
-constexpr int kTrack = 96, kTrackValue = 152;
+constexpr int kTableTrack = 96, kTrackValue = 152;
 
 int pitchOf(const ColorsLayout& at) { return at.compact ? 16 : 20; }
 int firstLine(const ColorsLayout& at) { return at.table.y + (at.compact ? 35 : 37); }
@@ -31,9 +31,9 @@ std::vector<Rect> framesOf(const ColorsLayout& at, const TableLine& line, int x,
 }
 
 /// Draws the page's parts, one function each.
-class Page {
+class ColorsDrawing {
  public:
-  Page(IndexImage& image, const ColorsLayout& at, const ColorsPage& page)
+  ColorsDrawing(IndexImage& image, const ColorsLayout& at, const ColorsPage& page)
       : image_{image},
         pen_{Painter{image}, page.plan},
         at_{at},
@@ -80,7 +80,7 @@ class Page {
 };
 
 /// Around the cells, wherever they end within a row.
-void Page::outline(const CellRange& cells) {
+void ColorsDrawing::outline(const CellRange& cells) {
   for (int cell = cells.first; cell <= cells.last(); ++cell) {
     const Rect r = cellRect(cell);
     const std::uint8_t line = (*this)(Cell::Faint);
@@ -91,7 +91,7 @@ void Page::outline(const CellRange& cells) {
   }
 }
 
-void Page::drawGrid() {
+void ColorsDrawing::drawGrid() {
   const int top = at_.grid.y - kTitle + 11;
   pen_.paint.text(at_.grid.x - kGridLabels, top, "CELLS", (*this)(Cell::Soft), Voice::Caps);
   pen_.paint.textRight(at_.grid.x + 16 * at_.pitch, top, "large: used by the picture", (*this)(Cell::Soft));
@@ -118,27 +118,27 @@ void Page::drawGrid() {
     pen_.paint.fillRect({r.x + 1, r.y + 1, r.width - 2, r.height - 2}, static_cast<std::uint8_t>(page_.cell));
 }
 
-void Page::drawFacts() {
+void ColorsDrawing::drawFacts() {
   const Rect& at = at_.facts;
   pen_.paint.hline(at.x, at.y, at.width, (*this)(Cell::Rule));
   pen_.paint.text(at.x, at.y + 32, "cell " + std::to_string(page_.cell), (*this)(Cell::Ink), Voice::Title);
   const int aside = pen_.paint.textRight(at.x + at.width, at.y + 32, page_.aside, (*this)(Cell::Soft));
   if (page_.asideKey) pen_.key(aside - 22, at.y + 21, std::string_view{&page_.asideKey, 1});
   int y = at.y + (at_.compact ? 52 : 57);
-  for (const Fact& fact : factsOf(page_.cell, page_.picture, page_.palette, page_.plan, page_.use)) {
+  for (const CellFact& fact : factsOf(page_.cell, page_.picture, page_.palette, page_.plan, page_.use)) {
     pen_.paint.text(at.x, y, fact.label, (*this)(Cell::Soft));
     pen_.paint.text(at.x + kLabels, y, fact.value, (*this)(Cell::Ink));
     y += at_.compact ? 16 : 18;
   }
 }
 
-void Page::title(const Rect& plot, std::string_view name, std::string_view unit) {
+void ColorsDrawing::title(const Rect& plot, std::string_view name, std::string_view unit) {
   const int y = plot.y - 13;
   pen_.paint.text(plot.x - kPlotLeft, y, name, (*this)(Cell::Soft), Voice::Caps);
   pen_.paint.textRight(plot.x + plot.width + kPlotRight, y, unit, (*this)(Cell::Soft));
 }
 
-int Page::hidden(const Rect& room) const {
+int ColorsDrawing::hidden(const Rect& room) const {
   constexpr int kChosen = 100;
   int sum = 0;
   for (int y = room.y; y < room.y + room.height; ++y)
@@ -150,7 +150,7 @@ int Page::hidden(const Rect& room) const {
   return sum;
 }
 
-void Page::remark(int x, int y, std::string_view text) {
+void ColorsDrawing::remark(int x, int y, std::string_view text) {
   const Rect& area = at_.stored;
   Rect best;
   int least = std::numeric_limits<int>::max();
@@ -165,7 +165,7 @@ void Page::remark(int x, int y, std::string_view text) {
   pen_.paint.text(best.x + 2, best.y + 11, text, (*this)(Cell::Ink));
 }
 
-void Page::drawStored() {
+void ColorsDrawing::drawStored() {
   const Rect& area = at_.stored;
   title(area, holdsColors() ? "luminance" : "stored value", "of 255, for each cell");
   const Plot plot = storedPlot(page_.picture, page_.palette);
@@ -184,7 +184,7 @@ void Page::drawStored() {
   }
 }
 
-void Page::drawSteps() {
+void ColorsDrawing::drawSteps() {
   const Rect& area = at_.steps;
   Plot plot{.cells = scene_,
             .ticks = {},
@@ -206,14 +206,14 @@ void Page::drawSteps() {
   drawPlot(pen_.paint, page_.plan, area, plot);
 }
 
-void Page::drawLine(const TableLine& line, int x, int y) {
+void ColorsDrawing::drawLine(const TableLine& line, int x, int y) {
   const bool keys = std::ranges::any_of(page_.lines, [](const TableLine& l) { return l.key != 0; });
   if (line.key) pen_.key(x, y - 11, std::string_view{&line.key, 1});
   if (keys) x += kKeyColumn;
   pen_.paint.text(x, y, line.label, (*this)(Cell::Ink));
   x += kOptions;
   if (line.share) {
-    drawTrack(pen_, x, y, kTrack, {.share = *line.share});
+    drawTrack(pen_, x, y, kTableTrack, {.share = *line.share});
     pen_.paint.textRight(x + kTrackValue, y, line.value, (*this)(Cell::Ink), Voice::Bold);
   } else if (line.options.empty()) {
     pen_.paint.text(x, y, line.value, (*this)(Cell::Ink), Voice::Bold);
@@ -221,7 +221,7 @@ void Page::drawLine(const TableLine& line, int x, int y) {
   drawOptions(pen_, optionsOf(line), framesOf(at_, line, x, y), line.chosen);
 }
 
-void Page::drawTable() {
+void ColorsDrawing::drawTable() {
   const Rect& at = at_.table;
   pen_.paint.hline(at.x, at.y, at_.picture.x + at_.picture.width - at.x, (*this)(Cell::Rule));
   pen_.paint.text(at.x, at.y + 16, "TABLE", (*this)(Cell::Soft), Voice::Caps);
@@ -245,7 +245,7 @@ ColorsLayout layoutOfColors(const Rect& body) {
   const int left = std::max(300, kGridLabels + 16 * at.pitch + 1);
   at.facts = {body.x, at.grid.y + at.grid.height + gap, left, factsHeight};
 
-  const int x = body.x + left + kGutter, width = body.x + body.width - x;
+  const int x = body.x + left + kGridGutter, width = body.x + body.width - x;
   const int lines = pitchOf(at) * kLines + (at.compact ? 24 : 28);
   const int bottom = std::max(lines, body.height * 36 / 100);
   const int between = kPlotBelow + (at.compact ? 28 : 30);
@@ -266,7 +266,7 @@ std::optional<TableLineHit> lineAt(const ColorsLayout& at, const std::vector<Tab
     return std::nullopt;
   TableLineHit hit{.line = line};
   const int first = at.table.x + kKeyColumn + kOptions, baseline = firstLine(at) + line * pitchOf(at);
-  if (lines[line].share && x >= first - 5 && x <= first + kTrack + 5) hit.share = trackShare(at, x);
+  if (lines[line].share && x >= first - 5 && x <= first + kTableTrack + 5) hit.share = trackShare(at, x);
   const std::vector<Rect> frames = framesOf(at, lines[line], first, baseline);
   for (int k = 0; k < static_cast<int>(frames.size()); ++k)
     if (frames[k].has(x, y)) hit.option = k;
@@ -274,7 +274,7 @@ std::optional<TableLineHit> lineAt(const ColorsLayout& at, const std::vector<Tab
 }
 
 double trackShare(const ColorsLayout& at, int x) {
-  return std::clamp(static_cast<double>(x - at.table.x - kKeyColumn - kOptions) / kTrack, 0.0, 1.0);
+  return std::clamp(static_cast<double>(x - at.table.x - kKeyColumn - kOptions) / kTableTrack, 0.0, 1.0);
 }
 
 std::optional<int> cellInGrid(const ColorsLayout& at, int x, int y) {
@@ -362,7 +362,7 @@ std::string levelsText(const Picture& picture, const std::vector<Curve>& curves)
 void drawColorsPage(IndexImage& image, const ColorsLayout& at, const ColorsPage& page) {
   for (int j = 0; j < at.picture.height; ++j)
     std::copy_n(page.image.row(j), at.picture.width, image.row(at.picture.y + j) + at.picture.x);
-  Page draws{image, at, page};
+  ColorsDrawing draws{image, at, page};
   draws.drawGrid();
   draws.drawFacts();
   draws.drawStored();

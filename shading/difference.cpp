@@ -83,7 +83,7 @@ void compareColors(Compared& result, const Picture& reference, const SeenRows& s
 }
 
 /// The number of the face at each sample.
-std::vector<int> numbersOf(const Picture& picture, const SeenRows& seen) {
+std::vector<int> faceNumbersOf(const Picture& picture, const SeenRows& seen) {
   std::vector<int> numbers(seen.faces.size(), kNothing);
   for (std::size_t k = 0; k < numbers.size(); ++k)
     if (seen.faces[k] != kNothing) numbers[k] = picture.snapped().faces[seen.faces[k]].number;
@@ -98,7 +98,7 @@ Compared comparedWithPhong(Picture& picture, const PictureSettings& settings, st
   picture.paint(result.picture, ground);
   const Palette palette = picture.palette(CellPlan{settings.table.kind});
   const SceneColors colors = picture.colors();
-  const std::vector<int> shown = numbersOf(picture, picture.seen(0, settings.height));
+  const std::vector<int> shown = faceNumbersOf(picture, picture.seen(0, settings.height));
 
   picture.make(referenceFor(picture.scene(), settings));
   const SeenRows seen = picture.seen(0, settings.height);
@@ -110,7 +110,7 @@ Compared comparedWithPhong(Picture& picture, const PictureSettings& settings, st
   } else {
     compareIntensities(result, picture, seen, colors);
   }
-  const std::vector<int> numbers = numbersOf(picture, seen);
+  const std::vector<int> numbers = faceNumbersOf(picture, seen);
   for (std::size_t k = 0; k < numbers.size(); ++k) result.difference.otherFace += shown[k] != numbers[k];
 
   picture.make(settings);

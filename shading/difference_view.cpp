@@ -1,32 +1,23 @@
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <string>
 
 #include "shading/difference.h"
 #include "shading/sheet.h"
+#include "shading/step_legend.h"
 #include "shading/wording.h"
 
 namespace {
 
-/// The difference in steps of the unit: below it, below twice, four times, ...; and what is beyond all.
-constexpr std::array kSteps{Cell::WellLine, Cell::Soft, Cell::Faint, Cell::WellText, Cell::White, Cell::Q};
-int stepOf(double difference, double unit) {
-  int step = 0;
-  for (double limit = unit; step + 1 < static_cast<int>(kSteps.size()) && difference > limit; limit *= 2)
-    ++step;
-  return step;
-}
-
-constexpr int kSwatch = 36;
+constexpr int kDifferenceSwatch = 36;
 
 /// Two columns of two: the pictures above, the difference and its numbers below.
-struct Places {
+struct DifferencePlaces {
   Rect picture, reference, difference;
   int captions, sections;  ///< y
   int numbers;             ///< x
 
-  Places(int width, int height) {
+  DifferencePlaces(int width, int height) {
     const int left = Sheet::kMargin, column = (width - 2 * Sheet::kMargin - Sheet::kGutter) / 2;
     captions = Sheet::kMargin - 4;
     const int top = captions + 20, between = 12;
@@ -58,14 +49,15 @@ void drawSteps(Sheet& sheet, const Difference& d, const Rect& at, const CellPlan
 /// The steps side by side, their limits below the borders, and in words.
 int drawScale(Sheet& sheet, const MeasureRow& measure, int x, int y) {
   Painter painter = sheet.painter();
-  for (int step = 0; step < static_cast<int>(kSteps.size()); ++step) {
-    painter.fillRect({x + step * kSwatch, y, kSwatch, 12}, sheet.cell(kSteps[step]));
+  for (int step = 0; step < static_cast<int>(kDoublingSteps.size()); ++step) {
+    painter.fillRect({x + step * kDifferenceSwatch, y, kDifferenceSwatch, 12},
+                     sheet.cell(kDoublingSteps[step].cell));
     if (step == 0) continue;
     const std::string limit = std::to_string(1 << (step - 1));
-    painter.text(x + step * kSwatch - textWidth(limit) / 2, y + 14 + Sheet::kAscent, limit,
+    painter.text(x + step * kDifferenceSwatch - textWidth(limit) / 2, y + 14 + Sheet::kAscent, limit,
                  sheet.cell(Cell::Soft));
   }
-  const int width = kSwatch * static_cast<int>(kSteps.size());
+  const int width = kDifferenceSwatch * static_cast<int>(kDoublingSteps.size());
   painter.frame({x, y, width, 12}, sheet.cell(Cell::Ink));
   painter.text(x + width + 8, y + Sheet::kAscent - 1, measure.times, sheet.cell(Cell::Soft));
   painter.text(x, y + 32 + Sheet::kAscent,
@@ -103,7 +95,7 @@ IndexImage differenceImage(const Difference& d, const CellPlan& plan) {
   IndexImage image{d.width, static_cast<int>(d.at.size()) / d.width, plan[Cell::Well]};
   const double unit = kMeasures[static_cast<int>(d.measure)].unit;
   for (std::size_t k = 0; k < d.at.size(); ++k)
-    if (!std::isnan(d.at[k])) image.pixels[k] = plan[kSteps[stepOf(d.at[k], unit)]];
+    if (!std::isnan(d.at[k])) image.pixels[k] = plan[doublingStep(d.at[k], unit).cell];
   return image;
 }
 
@@ -121,7 +113,7 @@ Finding findingOf(const Difference& d) {
 }
 
 ColoredImage drawDifference(Picture& picture, const ViewSettings& settings) {
-  const Places at{settings.picture.width, settings.picture.height};
+  const DifferencePlaces at{settings.picture.width, settings.picture.height};
   PictureSettings shown = settings.picture;
   shown.width = at.picture.width, shown.height = at.picture.height;
   const Compared compared = comparedWithPhong(picture, shown, settings.cells[Cell::Well]);

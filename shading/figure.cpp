@@ -7,7 +7,7 @@
 namespace {
 
 // Painter's coordinates end at 2^24; dashes need them shorter than int divided by two.
-constexpr double kFar = 1 << 20;
+constexpr double kFarthestDrawn = 1 << 20;
 
 /// The part of a segment that is near the image; false: none of it. Liang and Barsky 1984.
 bool nearImage(Place& from, Place& to) {
@@ -19,8 +19,8 @@ bool nearImage(Place& from, Place& to) {
     (slope < 0.0 ? enters : leaves) = slope < 0.0 ? std::max(enters, t) : std::min(leaves, t);
     return enters <= leaves;
   };
-  if (!clip(-dx, from.x + kFar) || !clip(dx, kFar - from.x) || !clip(-dy, from.y + kFar) ||
-      !clip(dy, kFar - from.y))
+  if (!clip(-dx, from.x + kFarthestDrawn) || !clip(dx, kFarthestDrawn - from.x) ||
+      !clip(-dy, from.y + kFarthestDrawn) || !clip(dy, kFarthestDrawn - from.y))
     return false;
   const Place start = from;
   if (enters > 0.0) from = {start.x + enters * dx, start.y + enters * dy};
@@ -64,15 +64,16 @@ void outline(Painter& painter, const Figure& figure, std::uint8_t cell, const Li
 void tint(Painter& painter, const Rect& area, const Figure& figure, Stipple stipple, std::uint8_t cell) {
   for (int j = area.y; j < area.y + area.height; ++j) {
     const double y = j + 0.5;
-    double left = kFar, right = -kFar;
+    double left = kFarthestDrawn, right = -kFarthestDrawn;
     for (std::size_t k = 0; k < figure.size(); ++k) {
       const Place &a = figure[k], &b = figure[k + 1 == figure.size() ? 0 : k + 1];
       if ((a.y <= y) == (b.y <= y)) continue;
       const double x = a.x + (y - a.y) / (b.y - a.y) * (b.x - a.x);
       left = std::min(left, x), right = std::max(right, x);
     }
-    const int from = std::max(area.x, static_cast<int>(std::ceil(std::max(left, -kFar) - 0.5)));
-    const int to = std::min(area.x + area.width, static_cast<int>(std::ceil(std::min(right, kFar) - 0.5)));
+    const int from = std::max(area.x, static_cast<int>(std::ceil(std::max(left, -kFarthestDrawn) - 0.5)));
+    const int to =
+        std::min(area.x + area.width, static_cast<int>(std::ceil(std::min(right, kFarthestDrawn) - 0.5)));
     painter.stipple({from, j, to - from, 1}, stipple, cell);
   }
 }

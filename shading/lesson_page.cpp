@@ -9,7 +9,6 @@
 namespace {
 
 constexpr int kLetters = 53;  // of a paragraph
-constexpr int kTrackLeft = 84, kTrack = 168;
 constexpr int kBoxLeft = 16, kAnswerText = 64;
 constexpr int kAnswerLetters = (kLessonColumn - kAnswerText - 8) / 6;
 
@@ -19,7 +18,7 @@ struct Pitches {
 };
 constexpr Pitches kRoomy{16, 8, 26, 22, 30, 12}, kCompact{14, 5, 20, 19, 24, 6};
 
-struct Draws : Pen {
+struct LessonPen : Pen {
   [[nodiscard]] std::uint8_t operator()(Cell c) const { return plan[c]; }
   void lines(const std::vector<LessonLayout::Line>& lines, Cell cell, Voice voice = Voice::Plain) {
     for (const auto& line : lines) paint.text(line.x, line.baseline, line.text, plan[cell], voice);
@@ -43,7 +42,7 @@ void flow(std::vector<LessonLayout::Line>& lines, int x, int& baseline, std::str
   }
 }
 
-void drawTop(Draws& draws, const LessonLayout& at, const LessonPage& page) {
+void drawTop(LessonPen& draws, const LessonLayout& at, const LessonPage& page) {
   const Rect& c = at.column;
   draws.paint.text(c.x, c.y + 21, page.heading, draws(Cell::Ink), Voice::Title);
   draws.paint.text(c.x, at.dots + 4,
@@ -61,7 +60,7 @@ void drawTop(Draws& draws, const LessonLayout& at, const LessonPage& page) {
   draws.paint.hline(c.x, at.dots + 13, c.width, draws(Cell::Rule));
 }
 
-void drawQuestion(Draws& draws, const LessonLayout& at, const PageQuestion& question) {
+void drawQuestion(LessonPen& draws, const LessonLayout& at, const PageQuestion& question) {
   draws.paint.fillRect(at.box, draws(Cell::White));
   draws.paint.fillRect({at.box.x, at.box.y, 3, at.box.height}, draws(Cell::Ink));
   draws.lines(at.asks, Cell::Ink, Voice::Bold);
@@ -102,19 +101,20 @@ std::vector<std::string_view> optionsOf(const PageControl& control) {
 
 /// The frames of its options in a row of the column.
 std::vector<Rect> framesOf(const PageControl& control, const Rect& row) {
-  return optionFrames(optionsOf(control), row.x + kTrackLeft, row.y + 14, kLessonColumn - kTrackLeft - 6);
+  return optionFrames(optionsOf(control), row.x + kColumnTrackAt, row.y + 14,
+                      kLessonColumn - kColumnTrackAt - 6);
 }
 
-void drawControl(Draws& draws, const PageControl& control, const Rect& row) {
+void drawControl(LessonPen& draws, const PageControl& control, const Rect& row) {
   const int x = row.x, y = row.y + 14;
   if (control.focused) drawFocus(draws, {x, row.y, kLessonColumn, row.height});
   draws.key(x, y - 11, std::string_view{&control.key, 1});
   draws.paint.text(x + 24, y, control.label, draws(control.enabled ? Cell::Ink : Cell::Faint));
   if (control.track)
-    drawTrack(draws, x + kTrackLeft, y, kTrack,
+    drawTrack(draws, x + kColumnTrackAt, y, kColumnTrack,
               {.share = *control.track, .initially = control.usual, .enabled = control.enabled});
   if (control.toggle) {
-    const Rect box{x + kTrackLeft, y - 10, 11, 11};
+    const Rect box{x + kColumnTrackAt, y - 10, 11, 11};
     draws.paint.fillRect(box, draws(Cell::White));
     draws.paint.frame(box, draws(Cell::Ink));
     if (control.chosen) draws.paint.tick(box.x + 2, box.y + 2, draws(Cell::Ink));
@@ -126,7 +126,7 @@ void drawControl(Draws& draws, const PageControl& control, const Rect& row) {
                         control.enabled ? Voice::Bold : Voice::Plain);
 }
 
-void drawControls(Draws& draws, const LessonLayout& at, const LessonPage& page) {
+void drawControls(LessonPen& draws, const LessonLayout& at, const LessonPage& page) {
   if (page.controls.empty()) return;
   draws.paint.hline(at.column.x, at.controlsTop - 16, at.column.width, draws(Cell::Rule));
   draws.paint.text(at.column.x, at.controlsTop, "in this step", draws(Cell::Soft), Voice::Caps);
@@ -136,7 +136,7 @@ void drawControls(Draws& draws, const LessonLayout& at, const LessonPage& page) 
     draws.paint.text(at.column.x, y, "The other controls rest. Esc leaves the lesson.", draws(Cell::Soft));
 }
 
-void drawWays(Draws& draws, const LessonLayout& at, const LessonPage& page) {
+void drawWays(LessonPen& draws, const LessonLayout& at, const LessonPage& page) {
   const int y = at.back.y + (at.back.height + 9) / 2, middle = at.back.y + at.back.height / 2 - 5;
   const bool first = page.step == 0, last = page.step + 1 == page.steps;
   draws.button(at.back, false);
@@ -208,21 +208,21 @@ std::vector<std::string> tooWide(const LessonPage& page) {
   std::vector<std::string> found;
   if (textWidth(page.heading, Voice::Title) > kLessonColumn) found.push_back(page.heading);
   for (const PageControl& control : page.controls) {
-    if (24 + textWidth(control.label) > kTrackLeft - 4) found.push_back(control.label);
+    if (24 + textWidth(control.label) > kColumnTrackAt - 4) found.push_back(control.label);
     const std::vector<Rect> frames = framesOf(control, {});
     const auto wordsEnd = [&](const Rect& frame) { return frame.x + frame.width - 7; };
     if (!frames.empty() && wordsEnd(frames.back()) > kLessonColumn) found.push_back(control.options.back());
     for (std::size_t k = 1; k < frames.size(); ++k)
       if (frames[k].x + 6 - wordsEnd(frames[k - 1]) < 6) found.push_back(control.options[k]);
-    const int room =
-        control.track ? kLessonColumn - kTrackLeft - kTrack - 8 : kLessonColumn - kTrackLeft - 18;
+    const int room = control.track ? kLessonColumn - kColumnTrackAt - kColumnTrack - 8
+                                   : kLessonColumn - kColumnTrackAt - 18;
     if (textWidth(control.value) > room) found.push_back(control.value);
   }
   return found;
 }
 
 void drawLessonPage(IndexImage& image, const LessonLayout& at, const LessonPage& page, const CellPlan& plan) {
-  Draws draws{{Painter{image}, plan}};
+  LessonPen draws{{Painter{image}, plan}};
   drawTop(draws, at, page);
   draws.lines(at.words, Cell::Ink);
   if (page.question) drawQuestion(draws, at, *page.question);
@@ -231,9 +231,9 @@ void drawLessonPage(IndexImage& image, const LessonLayout& at, const LessonPage&
 }
 
 std::optional<double> trackAt(const Rect& row, int x) {
-  const int along = x - row.x - kTrackLeft;
-  if (along < -6 || along > kTrack + 6) return std::nullopt;
-  return std::clamp(static_cast<double>(along) / kTrack, 0.0, 1.0);
+  const int along = x - row.x - kColumnTrackAt;
+  if (along < -6 || along > kColumnTrack + 6) return std::nullopt;
+  return std::clamp(static_cast<double>(along) / kColumnTrack, 0.0, 1.0);
 }
 
 std::optional<int> optionAt(const Rect& row, const PageControl& control, int x) {
@@ -253,7 +253,7 @@ std::vector<Rect> layoutOfList(const Rect& body, const LessonList& list, bool co
 
 void drawLessonList(IndexImage& image, const Rect& body, const LessonList& list, const CellPlan& plan,
                     bool compact) {
-  Draws draws{{Painter{image}, plan}};
+  LessonPen draws{{Painter{image}, plan}};
   draws.paint.text(body.x, body.y + 21, "Lessons", draws(Cell::Ink), Voice::Title);
   draws.paint.textRight(body.x + body.width, body.y + 21, "arrows, then Return; or the pointer",
                         draws(Cell::Soft));

@@ -18,7 +18,7 @@ namespace {
 constexpr int kDisc = 10;       // radius of the plate of a letter
 constexpr int kNameWidth = 92;  // names at the left of bars and profiles
 
-struct Draws {
+struct SightDrawing {
   Painter paint;
   const SightLayout& at;
   const Sight& sight;
@@ -44,7 +44,7 @@ void copyTo(IndexImage& image, const Rect& at, const IndexImage& picture) {
   for (int j = 0; j < at.height; ++j) std::copy_n(picture.row(j), at.width, image.row(at.y + j) + at.x);
 }
 
-void markWrong(IndexImage& image, Draws& draws) {
+void markWrong(IndexImage& image, SightDrawing& draws) {
   const Rect& at = draws.at.picture;
   const std::vector<Picture::Verdict> verdicts = draws.sight.picture.verdicts();
   std::int64_t wrong = 0, samples = 0;
@@ -67,7 +67,7 @@ void markWrong(IndexImage& image, Draws& draws) {
   draws.paint.text(at.x + (wrong > 0 ? 28 : 10), baseline, words, draws(Cell::WellText));
 }
 
-void drawNames(Draws& draws) {
+void drawNames(SightDrawing& draws) {
   const Rect& at = draws.at.picture;
   const std::vector<std::uint32_t> faces = draws.sight.picture.faceImage();
   for (const NamedFace& named : draws.sight.exhibit.names)
@@ -93,7 +93,7 @@ std::string remarkOn(const std::vector<Range>& extents) {
                           : "Where two extents overlap, z alone cannot say which goes first.";
 }
 
-void drawExtents(Draws& draws) {
+void drawExtents(SightDrawing& draws) {
   constexpr double kNone = std::numeric_limits<double>::infinity();
   const SnappedScene& snapped = draws.sight.picture.snapped();
   std::vector<Range> extents(draws.sight.exhibit.names.size(), {kNone, -kNone});
@@ -133,7 +133,7 @@ std::string corners(const CornerCounts& c) {
 }
 
 /// The numbers that decided.
-std::string numbersOf(const Explainer& explainer, const Event& e, Test test) {
+std::string decidingNumbers(const Explainer& explainer, const Event& e, Test test) {
   switch (test) {
     case Test::SamePlane:
       return "";
@@ -158,7 +158,7 @@ std::string numbersOf(const Explainer& explainer, const Event& e, Test test) {
 }
 
 /// All tests of a pair, those that were made with their numbers.
-int drawTests(Draws& draws, const Explainer& explainer, const Event& e, int y) {
+int drawTests(SightDrawing& draws, const Explainer& explainer, const Event& e, int y) {
   constexpr int kAsks = 44, kNumbers = 324;  // pixels from the left
   const int x = draws.at.below.x, pitch = draws.at.compact ? 15 : 16;
   const std::vector<Test> made = explainer.testsMade(e);
@@ -173,7 +173,7 @@ int drawTests(Draws& draws, const Explainer& explainer, const Event& e, int y) {
     const Cell ink = !reached ? Cell::Faint : settles ? Cell::Ink : Cell::Soft;
     draws.paint.text(x + 20, y, row.name, draws(ink));
     draws.paint.text(x + kAsks, y, row.asks, draws(ink), settles ? Voice::Bold : Voice::Plain);
-    if (const std::string numbers = reached ? numbersOf(explainer, e, row.id) : "";
+    if (const std::string numbers = reached ? decidingNumbers(explainer, e, row.id) : "";
         x + kNumbers + textWidth(numbers) <= draws.right())
       draws.paint.text(x + kNumbers, y, numbers, draws(ink));
     y += pitch;
@@ -182,7 +182,7 @@ int drawTests(Draws& draws, const Explainer& explainer, const Event& e, int y) {
 }
 
 /// What is not painted yet, in the order in which it is taken, with z-extents to scale.
-void drawList(Draws& draws, const Explainer& explainer, const Event& e, int y) {
+void drawList(SightDrawing& draws, const Explainer& explainer, const Event& e, int y) {
   const SortedScene& run = *draws.sight.run;
   const int bottom = draws.at.below.y + draws.at.below.height, pitch = 16;
   Replay replay{draws.sight.picture.snapped(), run};
@@ -214,7 +214,7 @@ void drawList(Draws& draws, const Explainer& explainer, const Event& e, int y) {
   }
 }
 
-void drawRun(IndexImage& image, Draws& draws) {
+void drawRun(IndexImage& image, SightDrawing& draws) {
   const Sight& sight = draws.sight;
   const Rect& at = draws.at.picture;
   const SortedScene& run = *sight.run;
@@ -251,7 +251,7 @@ void drawRun(IndexImage& image, Draws& draws) {
   if (e.kind != Event::Kind::Compare) drawList(draws, explainer, e, y + 8);
 }
 
-void drawCurves(Draws& draws) {
+void drawCurves(SightDrawing& draws) {
   const Sight& sight = draws.sight;
   const Rect& below = draws.at.below;
   draws.section("what the cells hold");
@@ -279,7 +279,7 @@ void drawCurves(Draws& draws) {
 }
 
 /// Under the picture's columns, for each method: its row as a strip, and the intensity.
-void drawProfiles(IndexImage& image, Draws& draws) {
+void drawProfiles(IndexImage& image, SightDrawing& draws) {
   const Sight& sight = draws.sight;
   const Rect &below = draws.at.below, &at = draws.at.picture;
   const int row = defaultScanline(sight.picture);
@@ -317,7 +317,7 @@ void drawProfiles(IndexImage& image, Draws& draws) {
   }
 }
 
-void drawDifference(Draws& draws) {
+void drawDifference(SightDrawing& draws) {
   const Sight& sight = draws.sight;
   int differing = 0;
   for (std::size_t k = 0; k < sight.image.pixels.size(); ++k)
@@ -386,7 +386,7 @@ std::optional<LetterPlace> placeOfLetter(const std::vector<std::uint32_t>& faces
 }
 
 void drawSight(IndexImage& image, const SightLayout& at, const Sight& sight) {
-  Draws draws{Painter{image}, at, sight};
+  SightDrawing draws{Painter{image}, at, sight};
   const Exhibit& exhibit = sight.exhibit;
   if (exhibit.stage == Stage::DepthSort && sight.run)
     drawRun(image, draws);

@@ -10,22 +10,22 @@
 
 namespace {
 
-constexpr int kNames = 84;      // what profiles are called, at their left
-constexpr int kFindings = 320;  // at the right edge
-constexpr int kBetween = 4;     // parts of one method's block
-constexpr int kAfter = 8;       // from block to block
+constexpr int kMethodNames = 84;  // what profiles are called, at their left
+constexpr int kFindings = 320;    // at the right edge
+constexpr int kBetweenParts = 4;  // parts of one method's block
+constexpr int kAfter = 8;         // from block to block
 constexpr double kLeastScale = 0.001;
 
 /// Where everything is. All that the view has more than its least goes to pictures and plots.
-struct Places {
+struct BandsPlaces {
   Rect picture;           ///< what is shown of it
   int pictureHeight;      ///< of the whole
   int findings;           ///< x
   int firstBlock, block;  ///< y; height with what follows it
   int strip, intensity, slope;
 
-  Places(int width, int height) {
-    const int left = Sheet::kMargin + kNames, top = Sheet::kMargin;
+  BandsPlaces(int width, int height) {
+    const int left = Sheet::kMargin + kMethodNames, top = Sheet::kMargin;
     findings = width - Sheet::kMargin - kFindings;
     const int plotWidth = findings - Sheet::kGutter - left;
     pictureHeight =
@@ -36,7 +36,7 @@ struct Places {
     firstBlock = top + shown + kAfter;
     block = (room - shown) / static_cast<int>(kProfiled.size());
     strip = std::clamp(block / 8, 12, 40);
-    const int plots = block - Sheet::kLine - strip - 2 * kBetween - kAfter;
+    const int plots = block - Sheet::kLine - strip - 2 * kBetweenParts - kAfter;
     intensity = plots * 4 / 7;
     slope = plots - intensity;
   }
@@ -67,7 +67,8 @@ double scaleOf(const std::vector<double>& slopes) {
 
 class MachBands {
  public:
-  MachBands(const ViewSettings& settings, const Places& at, const Scanline& line, std::optional<int> firstRow)
+  MachBands(const ViewSettings& settings, const BandsPlaces& at, const Scanline& line,
+            std::optional<int> firstRow)
       : chosen_{settings.picture.shading},
         at_{at},
         line_{line},
@@ -127,7 +128,7 @@ class MachBands {
   void axes(const Rect& plot);
 
   Shading chosen_;
-  const Places& at_;
+  const BandsPlaces& at_;
   const Scanline& line_;
   std::optional<int> firstRow_;
   Sheet sheet_;
@@ -143,9 +144,9 @@ void MachBands::drawBlock(const Profile& profile, int y) {
   y += Sheet::kLine;
   for (int j = 0; j < at_.strip; ++j)
     for (int i = 0; i < at_.picture.width; ++i) painter.point(x + i, y + j, profile.cells[i]);
-  y += at_.strip + kBetween;
+  y += at_.strip + kBetweenParts;
   drawIntensity(profile, y);
-  drawSlope(profile, y + at_.intensity + kBetween);
+  drawSlope(profile, y + at_.intensity + kBetweenParts);
 }
 
 /// Only left and bottom.
@@ -267,7 +268,7 @@ Rect MachBands::drawFindings(bool explains, bool grayed, int controls) {
 }  // namespace
 
 ColoredImage drawMachBands(Picture& picture, const ViewSettings& settings) {
-  const Places at{settings.picture.width, settings.picture.height};
+  const BandsPlaces at{settings.picture.width, settings.picture.height};
   PictureSettings shown = settings.picture;
   shown.width = at.picture.width, shown.height = at.pictureHeight;
   const bool grayed = channelsOf(planOf(picture.scene(), shown)) == Channels::Rgb;
@@ -285,13 +286,13 @@ ColoredImage drawMachBands(Picture& picture, const ViewSettings& settings) {
 }
 
 MachBandsLayout layoutOfMachBands(int width, int height) {
-  const Places at{width, height};
+  const BandsPlaces at{width, height};
   return {at.picture, at.pictureHeight};
 }
 
 MachBandsPage drawMachBandsPage(Picture& picture, const IndexImage& image, const MachBandsShown& shown,
                                 const ViewSettings& settings) {
-  const Places at{settings.picture.width, settings.picture.height};
+  const BandsPlaces at{settings.picture.width, settings.picture.height};
   const Scanline line = scanlineOf(picture, picture.settings(), shown.row, settings.cells[Cell::Well]);
   MachBands view{settings, at, line, shown.firstRow};
   view.drawPicture(image);

@@ -8,18 +8,18 @@
 
 namespace {
 
-constexpr int kSwatch = 48, kRows = 5;
+constexpr int kCountSwatch = 48, kLegendRows = 5;
 
-void drawLegend(Sheet& sheet, int x, int y) {
+void drawCountLegend(Sheet& sheet, int x, int y) {
   Painter painter = sheet.painter();
   const int steps = static_cast<int>(kOverdrawSteps.size());
   for (int k = 0; k < steps; ++k) {
     const OverdrawStep& step = kOverdrawSteps[k];
-    painter.fillRect({x + k * kSwatch, y, kSwatch, 12}, sheet.cell(step.cell));
-    painter.text(x + k * kSwatch + (kSwatch - textWidth(step.label)) / 2, y + 14 + Sheet::kAscent, step.label,
-                 sheet.cell(Cell::Soft));
+    painter.fillRect({x + k * kCountSwatch, y, kCountSwatch, 12}, sheet.cell(step.cell));
+    painter.text(x + k * kCountSwatch + (kCountSwatch - textWidth(step.label)) / 2, y + 14 + Sheet::kAscent,
+                 step.label, sheet.cell(Cell::Soft));
   }
-  painter.frame({x, y, steps * kSwatch, 12}, sheet.cell(Cell::Ink));
+  painter.frame({x, y, steps * kCountSwatch, 12}, sheet.cell(Cell::Ink));
 }
 
 }  // namespace
@@ -69,7 +69,7 @@ IndexImage overdrawImage(const Overdraw& overdraw, const CellPlan& plan) {
 }
 
 ColoredImage drawOverdraw(Picture& picture, const ViewSettings& settings) {
-  PictureSheet page{picture, settings, Sheet::kSection + 36 + kRows * Sheet::kRow};
+  PictureSheet page{picture, settings, Sheet::kSection + 36 + kLegendRows * Sheet::kRow};
   const Overdraw o = overdrawOf(picture);
   page.place(overdrawImage(o, settings.cells));
   if (o.most > 1) {
@@ -80,7 +80,7 @@ ColoredImage drawOverdraw(Picture& picture, const ViewSettings& settings) {
     painter.ring(x, y, 9, page.sheet.cell(Cell::Black));
   }
   int y = page.section("times painted");
-  drawLegend(page.sheet, page.left, y);
+  drawCountLegend(page.sheet, page.left, y);
   page.finding(y, findingOf(o, picture));
   y += 36;
   const auto row = [&](std::string_view label, const std::string& value) { y = page.row(y, label, value); };

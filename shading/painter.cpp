@@ -166,11 +166,12 @@ int Painter::keyCap(int x, int y, std::string_view name, const KeyCapCells& cell
 
 int Painter::keyCap(int x, int y, Direction arrow, const KeyCapCells& cells) {
   constexpr int kDepth = 4, kBase = 2 * kDepth - 1;
-  constexpr int kBeside = (kKeyCap - kBase) / 2, kBefore = (kKeyCap - kDepth) / 2;
+  constexpr int kLeftOfLevel = (kKeyCap - kBase) / 2, kBefore = (kKeyCap - kDepth) / 2;
   // The room left over is odd: it lies behind the arrow, so that opposite arrows are mirror images.
   const bool level = arrow == Direction::Left || arrow == Direction::Right;
   const int ahead = kBefore + (arrow == Direction::Right || arrow == Direction::Down);
   keyBlank({x, y, kKeyCap, kKeyCap}, cells);
-  triangle(x + (level ? ahead : kBeside), y + (level ? kBeside : ahead), kDepth, arrow, cells.letter);
+  triangle(x + (level ? ahead : kLeftOfLevel), y + (level ? kLeftOfLevel : ahead), kDepth, arrow,
+           cells.letter);
   return kKeyCap;
 }

@@ -8,7 +8,7 @@ struct CellRow {
   int preferred;
   Rgb16 color;
 };
-constexpr std::array<CellRow, kCells> kRows{{
+constexpr std::array<CellRow, kCells> kCellRows{{
     {0, {0x0000, 0x0000, 0x0000}},    // Black
     {1, {0xFFFF, 0xFFFF, 0xFFFF}},    // White
     {2, {0xF5F5, 0xF2F2, 0xEBEB}},    // Paper
@@ -43,14 +43,14 @@ CellPlan::CellPlan(TableKind table, int black, int white) {
   if (white >= 0 && white < 256 && white != black && !inRamp(white)) place(1, white);
   // Whoever finds its usual cell free keeps it; the rest take what is left, in order.
   for (int role = 0; role < kCells; ++role)
-    if (!placed[role] && !taken[kRows[role].preferred]) place(role, kRows[role].preferred);
+    if (!placed[role] && !taken[kCellRows[role].preferred]) place(role, kCellRows[role].preferred);
   for (int role = 0; role < kCells; ++role)
     if (!placed[role])
       place(role, static_cast<int>(std::find(taken.begin(), taken.end(), false) - taken.begin()));
 }
 
 Palette withInterface(Palette palette, const CellPlan& plan) {
-  for (int role = 0; role < kCells; ++role) palette[plan[static_cast<Cell>(role)]] = kRows[role].color;
+  for (int role = 0; role < kCells; ++role) palette[plan[static_cast<Cell>(role)]] = kCellRows[role].color;
   return palette;
 }
 

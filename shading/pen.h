@@ -32,6 +32,8 @@ struct TrackLook {
   std::optional<double> initially = {};  ///< marked
   bool enabled = true, hovered = false, dragged = false;
 };
+/// Where a slider's track stands in a row of a column of controls, and its width: pixels.
+inline constexpr int kColumnTrackAt = 84, kColumnTrack = 168;
 /// The track is `width` pixels from x on, for a row of text on `baseline`.
 void drawTrack(Pen& pen, int x, int baseline, int width, const TrackLook& look);
 /// All options of a choice in a line: their frames, from x on within `width`; at least 17 high.

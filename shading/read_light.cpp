@@ -89,12 +89,12 @@ Light readOne(const Scene& scene, const Node& node, const glm::dvec3& centre) {
 }
 
 void check(const glm::dvec3& sum, const Node& node) {
-  constexpr std::array kNames{"red", "green", "blue"};
+  constexpr std::array kChannelNames{"red", "green", "blue"};
   for (int c = 0; c < 3; ++c)
     if (sum[c] > kMostLight) {
       std::array<char, 32> text;
       std::snprintf(text.data(), text.size(), "%.6g", sum[c]);
-      node.fail(std::string{"Ia + the sum of Ip is "} + text.data() + " in " + kNames[c] +
+      node.fail(std::string{"Ia + the sum of Ip is "} + text.data() + " in " + kChannelNames[c] +
                 "; it must not exceed 1");
     }
 }

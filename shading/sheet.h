@@ -12,6 +12,9 @@ struct Finding {
   std::string bold, why;
 };
 
+/// Below this height of its body, in pixels, a page of the window stands closer together.
+inline constexpr int kCompactBelow = 560;
+
 /// A sheet of paper for a view of numbers: pictures, titles, paragraphs, tables and findings on the grid of
 /// the window's drawing. Units are pixels; parts are placed by their upper left corner and answer with the y
 /// below them.

@@ -7,15 +7,13 @@
 #include "depthsort/oracle.h"
 #include "shading/color_difference.h"
 #include "shading/quantize.h"
+#include "shading/step_legend.h"
 #include "shading/wording.h"
 
 namespace {
 
 constexpr float kNone = std::numeric_limits<float>::quiet_NaN();
 constexpr double kPatience = 300;  // milliseconds that all runs of a timing may take
-
-/// One after the other: below the unit, below twice, ...
-constexpr std::array kSteps{Cell::WellLine, Cell::Soft, Cell::Faint, Cell::WellText, Cell::White, Cell::Q};
 
 /// The piece of a face that each sample shows, or, where either picture divided pieces by itself, the face;
 /// kNothing where nothing shows.
@@ -127,12 +125,10 @@ IndexImage unlikenessImage(const Unlikeness& unlike, const CellPlan& plan) {
   for (std::size_t k = 0; k < unlike.at.size(); ++k) {
     const double d = unlike.at[k];
     if (std::isnan(d)) continue;
-    std::size_t step = 0;
-    if (unlike.kind == Unlike::Face)
-      step = d > 0 ? kSteps.size() - 1 : 0;
-    else
-      for (double limit = rowOf(unlike.kind).unit; step + 1 < kSteps.size() && d > limit; limit *= 2) ++step;
-    image.pixels[k] = plan[kSteps[step]];
+    const LegendStep& step = unlike.kind != Unlike::Face ? doublingStep(d, rowOf(unlike.kind).unit)
+                             : d > 0                     ? kDoublingSteps.back()
+                                                         : kDoublingSteps.front();
+    image.pixels[k] = plan[step.cell];
   }
   return image;
 }

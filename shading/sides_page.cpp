@@ -11,16 +11,15 @@
 namespace {
 
 constexpr int kCaption = 24;                      // of a picture, above it
-constexpr int kBetween = 14;                      // from the pictures to the sections below
+constexpr int kBelowPictures = 14;                // from the pictures to the sections below
 constexpr int kSection = 28;                      // a section's line and name
-constexpr int kCompactBelow = 560;                // height of the body
 constexpr int kLower = 262, kLowerCompact = 222;  // at least, for table and finding
 constexpr int kMostMagnified = 8;
 
 /// Draws the page's parts, one function each.
-class Page {
+class SidesDrawing {
  public:
-  Page(IndexImage& image, const SidesLayout& at, const SidesPage& page, const CellPlan& plan)
+  SidesDrawing(IndexImage& image, const SidesLayout& at, const SidesPage& page, const CellPlan& plan)
       : image_{image}, paint_{image}, at_{at}, page_{page}, plan_{plan} {}
 
   void drawSide(char letter, const Rect& caption, const Rect& picture);
@@ -49,19 +48,19 @@ class Page {
   const CellPlan& plan_;
 };
 
-void Page::place(const IndexImage& picture, const Rect& part, int x, int y) {
+void SidesDrawing::place(const IndexImage& picture, const Rect& part, int x, int y) {
   const Rect r = intersection(part, {0, 0, picture.width, picture.height});
   for (int j = 0; j < r.height; ++j) std::copy_n(picture.row(r.y + j) + r.x, r.width, image_.row(y + j) + x);
 }
 
-void Page::drawFrame(Painter paint, int x, int y) {
+void SidesDrawing::drawFrame(Painter paint, int x, int y) {
   if (!page_.place) return;
   const Rect& f = page_.place->frame;
   paint.frame({x + f.x - 2, y + f.y - 2, f.width + 4, f.height + 4}, (*this)(Cell::Black));
   paint.frame({x + f.x - 1, y + f.y - 1, f.width + 2, f.height + 2}, (*this)(Cell::White));
 }
 
-void Page::drawSide(char letter, const Rect& caption, const Rect& picture) {
+void SidesDrawing::drawSide(char letter, const Rect& caption, const Rect& picture) {
   const bool B = letter == 'B' || page_.blinking;
   const char shown = B ? 'B' : 'A';
   if (page_.focus == letter) {
@@ -89,14 +88,14 @@ void Page::drawSide(char letter, const Rect& caption, const Rect& picture) {
   drawFrame(paint_.within(picture), picture.x, picture.y);
 }
 
-int Page::firstRow() const {
+int SidesDrawing::firstRow() const {
   const int spare = at_.A.height - at_.difference.height;
   if (!page_.place) return spare / 2;
   const Rect& f = page_.place->frame;
   return std::clamp(f.y + f.height / 2 - at_.difference.height / 2, 0, spare);
 }
 
-int Page::drawKinds(int x, int y) {
+int SidesDrawing::drawKinds(int x, int y) {
   if (page_.focus) x += paint_.keyCap(x, y - 11, "f", keyCells()) + 8;
   for (const UnlikeRow& row : kUnlikes) {
     const bool chosen = row.id == page_.unlike.kind;
@@ -113,7 +112,7 @@ int Page::drawKinds(int x, int y) {
   return x;
 }
 
-void Page::drawLegend(const Rect& at) {
+void SidesDrawing::drawLegend(const Rect& at) {
   const UnlikeRow& kind = rowOf(page_.unlike.kind);
   const std::array faces{LegendStep{Cell::Q, kind.differs}, LegendStep{Cell::WellLine, kind.same}};
   const bool twofold = kind.id == Unlike::Face;
@@ -121,7 +120,7 @@ void Page::drawLegend(const Rect& at) {
                  twofold ? std::span<const LegendStep>{faces} : kDoublingSteps, kind.unitInWords);
 }
 
-void Page::drawDifference() {
+void SidesDrawing::drawDifference() {
   const int y = at_.sections.y, x = at_.difference.x;
   paint_.hline(x, y, at_.sections.width, (*this)(Cell::Rule));
   const int kinds = paint_.text(x, y + 17, "DIFFERENCE", (*this)(Cell::Soft), Voice::Caps) + 14;
@@ -158,7 +157,7 @@ std::string signedDifference(std::int64_t a, std::int64_t b) {
   return (a < b ? "-" : "") + grouped(std::abs(a - b));
 }
 
-void Page::drawNumbers() {
+void SidesDrawing::drawNumbers() {
   const Rect& at = at_.numbers;
   Sheet sheet{at.width, at.height, plan_};
   const std::vector<int> ends{at.width * 61 / 100, at.width * 80 / 100, at.width};
@@ -220,7 +219,7 @@ void Page::drawNumbers() {
   paint_.text(at.x + cap + 6, baseline, page_.pairs, (*this)(Cell::Soft));
 }
 
-void Page::drawLoupe(const Rect& at) {
+void SidesDrawing::drawLoupe(const Rect& at) {
   if (!page_.place) return;
   const Rect& f = page_.place->frame;
   const int half = (at.width - Sheet::kGutter) / 2, high = at.height - Sheet::kLine;
@@ -246,7 +245,7 @@ SidesLayout layoutOfSides(const Rect& body) {
   SidesLayout at;
   at.compact = body.height < kCompactBelow;
   const int column = (body.width - Sheet::kGutter) / 2, right = body.x + body.width - column;
-  const int free = body.height - kCaption - kBetween;
+  const int free = body.height - kCaption - kBelowPictures;
   // The lower part needs its least; beyond that pictures are three to two, and beyond that, as high as the
   // difference below them.
   const int height =
@@ -255,7 +254,7 @@ SidesLayout layoutOfSides(const Rect& body) {
   at.captionB = {right, body.y, column, kCaption};
   at.A = {body.x, body.y + kCaption, column, height};
   at.B = {right, at.A.y, column, height};
-  const int sections = at.A.y + height + kBetween, left = body.y + body.height - sections;
+  const int sections = at.A.y + height + kBelowPictures, left = body.y + body.height - sections;
   at.sections = {body.x, sections, body.width, kSection};
   at.difference = {body.x, sections + kSection, column, std::min(height, left - kSection)};
   at.numbers = {right, sections, column, left};
@@ -285,7 +284,7 @@ std::string sidesStatus(const PictureSettings& A, const PictureSettings& B) {
 }
 
 void drawSidesPage(IndexImage& image, const SidesLayout& at, const SidesPage& page, const CellPlan& plan) {
-  Page draws{image, at, page, plan};
+  SidesDrawing draws{image, at, page, plan};
   draws.drawSide('A', at.captionA, at.A);
   draws.drawSide('B', at.captionB, at.B);
   draws.drawDifference();

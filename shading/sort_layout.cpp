@@ -4,11 +4,12 @@
 #include <cmath>
 
 #include "shading/painter.h"
+#include "shading/sheet.h"
 
 namespace {
 
 constexpr int kGutter = 16, kTestRowsShown = 8;
-constexpr int kCompactBelow = 560, kNarrowBelow = 900;  // pixels: of the body's height, and of its width
+constexpr int kNarrowBelow = 900;  // pixels of the body's width
 
 void placeLower(SortLayout& at) {
   const Rect& body = at.body;

@@ -76,8 +76,8 @@ class Loupe {
         paint_{pen.paint.within({at.x + 1, at.y + 1, at.width - 2, at.height - 2})},
         at_{at},
         focus_{focus},
-        scale_{
-            std::min((at.width - 2 * kBeside) / focus.width(), (at.height - 2 * kAbove) / focus.height())} {}
+        scale_{std::min((at.width - 2 * kAroundLabels) / focus.width(),
+                        (at.height - 2 * kAbove) / focus.height())} {}
 
   /// Else it only shows the numbers: then a frame around nearly all of the picture would say nothing.
   [[nodiscard]] bool enlarges() const { return scale_ > 1.0; }
@@ -104,8 +104,8 @@ class Loupe {
   }
 
  private:
-  static constexpr int kBeside = 42, kAbove = 22;  // pixels for numbers
-  static constexpr double kRoomForLetter = 30;     // pixels
+  static constexpr int kAroundLabels = 42, kAbove = 22;  // pixels for numbers
+  static constexpr double kRoomForLetter = 30;           // pixels
 
   [[nodiscard]] Place place(Place p) const {
     const Place m = focus_.middle();

@@ -93,7 +93,7 @@ void drawTests(SortPen& pen) {
 void drawFinding(SortPen& pen) {
   const Rect& at = pen.at.finding;
   pen.paint.fillRect(at, pen(Cell::White));
-  const Finding finding = findingOf(pen.run, pen.view);
+  const StepFinding finding = findingOf(pen.run, pen.view);
   const bool alarm = finding.alarm;
   pen.paint.fillRect({at.x, at.y, 3, at.height}, pen(alarm ? Cell::Alarm : Cell::Ink));
   const int x = at.x + 13, room = at.width - 20;

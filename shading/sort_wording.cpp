@@ -179,7 +179,7 @@ TestAnswer answerOf(const Event& e, Test test) {
   return {Mark::Cross, ""};
 }
 
-Finding findingOf(const SortRun& run, const SortView& view) {
+StepFinding findingOf(const SortRun& run, const SortView& view) {
   const Event* const e = run.replay().event();
   const auto polygons = static_cast<std::int64_t>(run.sorted().list.size());
   if (e == nullptr) {
@@ -191,7 +191,7 @@ Finding findingOf(const SortRun& run, const SortView& view) {
   if (view.asking)
     return {"What follows?", "P and Q overlap in x and in y, and in z. Look, then answer; the arrow tells."};
 
-  Finding finding{.bold = "", .why = sentenceOf(run)};
+  StepFinding finding{.bold = "", .why = sentenceOf(run)};
   switch (e->kind) {
     case Event::Kind::Take:
       finding.bold = "P is " + numberAndPart(run, e->P) + ".";

@@ -34,9 +34,9 @@ struct TestAnswer {
 [[nodiscard]] TestAnswer answerOf(const Event& compare, Test test);
 
 /// What a step amounts to.
-struct Finding {
+struct StepFinding {
   std::string bold, why;
   std::string aside = {};  ///< whether the learner foresaw it
   bool alarm = false;      ///< a cut, or what leads to one
 };
-[[nodiscard]] Finding findingOf(const SortRun& run, const SortView& view);
+[[nodiscard]] StepFinding findingOf(const SortRun& run, const SortView& view);

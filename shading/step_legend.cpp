@@ -1,5 +1,11 @@
 #include "shading/step_legend.h"
 
+const LegendStep& doublingStep(double difference, double unit) {
+  std::size_t step = 0;
+  for (double limit = unit; step + 1 < kDoublingSteps.size() && difference > limit; limit *= 2) ++step;
+  return kDoublingSteps[step];
+}
+
 void drawStepLegend(Painter painter, const CellPlan& plan, int x, int y, std::span<const LegendStep> steps,
                     std::string_view unit) {
   constexpr int kSwatch = 12, kHigh = 16;

@@ -13,10 +13,10 @@
 
 namespace {
 
-constexpr double kNothing = std::numeric_limits<double>::quiet_NaN();
+constexpr double kNoValue = std::numeric_limits<double>::quiet_NaN();
 
 double of255(int v) { return v / 257.0; }
-double largest(const Rgb16& c) { return of255(std::max({c.r, c.g, c.b})); }
+double brightest(const Rgb16& c) { return of255(std::max({c.r, c.g, c.b})); }
 double brightness(const Rgb16& c) { return luminance({of255(c.r), of255(c.g), of255(c.b)}); }
 
 template <class Value>
@@ -28,11 +28,11 @@ Curve curveOf(std::string name, const Palette& palette, const CellRange& cells, 
 
 bool holdsColors(const Picture& picture) { return channelsOf(picture.colors().plan()) == Channels::Rgb; }
 
-Curve stepsOf(const Curve& values) {
+Curve stepsBetween(const Curve& values) {
   Curve steps = values;
   for (std::size_t k = 0; k < values.y.size(); ++k) {
     const bool any = k + 1 < values.y.size() && values.y[k] > 0.0;
-    steps.y[k] = any ? 100.0 * (values.y[k + 1] / values.y[k] - 1.0) : kNothing;
+    steps.y[k] = any ? 100.0 * (values.y[k + 1] / values.y[k] - 1.0) : kNoValue;
   }
   return steps;
 }
@@ -40,7 +40,7 @@ Curve stepsOf(const Curve& values) {
 Curve nearestOthers(const Palette& palette, const CellRange& cells) {
   std::vector<Lab> colors;
   for (int cell = cells.first; cell <= cells.last(); ++cell) colors.push_back(labFromSrgb(palette[cell]));
-  Curve curve{"", cells.first, std::vector<double>(colors.size(), kNothing), true};
+  Curve curve{"", cells.first, std::vector<double>(colors.size(), kNoValue), true};
   for (std::size_t p = 0; p < colors.size(); ++p)
     for (std::size_t q = 0; q < p; ++q) {
       const double difference = ciede2000(colors[p], colors[q]);
@@ -54,13 +54,13 @@ Curve nearestOthers(const Palette& palette, const CellRange& cells) {
 
 std::vector<Curve> storedCurves(const Picture& picture, const Palette& palette) {
   if (holdsColors(picture)) {
-    Curve bright = curveOf("largest", palette, sceneCells(picture), largest);
+    Curve bright = curveOf("largest", palette, sceneCells(picture), brightest);
     bright.chosen = false;
     return {curveOf("luminance", palette, sceneCells(picture), brightness), bright};
   }
   std::vector<Curve> curves;
   const std::vector<CellRange> ramps = rampsOf(picture);
-  for (const CellRange& ramp : ramps) curves.push_back(curveOf("", palette, ramp, largest));
+  for (const CellRange& ramp : ramps) curves.push_back(curveOf("", palette, ramp, brightest));
   if (ramps.size() > 1) return curves;
   const ColorTable& table = picture.table();
   bool changed = false;
@@ -71,7 +71,7 @@ std::vector<Curve> storedCurves(const Picture& picture, const Palette& palette) 
     if (row.id == table.settings().kind && !changed) continue;
     const ColorTable other = inTable(table, row.id);
     Curve curve{name(row.id), other.first(), {}, false};
-    for (int j = 0; j < other.shades(); ++j) curve.y.push_back(largest(other.color(j)));
+    for (int j = 0; j < other.shades(); ++j) curve.y.push_back(brightest(other.color(j)));
     curves.push_back(std::move(curve));
   }
   return curves;
@@ -80,12 +80,12 @@ std::vector<Curve> storedCurves(const Picture& picture, const Palette& palette) 
 std::vector<Curve> stepCurves(const Picture& picture, const Palette& palette) {
   if (holdsColors(picture)) return {nearestOthers(palette, sceneCells(picture))};
   std::vector<Curve> curves = storedCurves(picture, palette);
-  std::ranges::transform(curves, curves.begin(), stepsOf);
+  std::ranges::transform(curves, curves.begin(), stepsBetween);
   return curves;
 }
 
 double nearestOther(const Palette& palette, const CellRange& cells, int cell) {
-  double nearest = kNothing;
+  double nearest = kNoValue;
   for (int other = cells.first; other <= cells.last(); ++other)
     if (other != cell)
       nearest = std::fmin(nearest, ciede2000(labFromSrgb(palette[cell]), labFromSrgb(palette[other])));

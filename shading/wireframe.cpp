@@ -107,15 +107,16 @@ int forEachPlace(std::vector<Edge>& edges, Use&& use) {
 }
 
 /// A sample of each kind of line, and what it is.
-int drawLegend(Sheet& sheet, int x, int y) {
-  struct Row {
+int drawEdgeLegend(Sheet& sheet, int x, int y) {
+  struct EdgeRow {
     Cell cell;
     bool dashed;
     std::string_view name;
   };
   Painter painter = sheet.painter();
-  for (const Row& row : {Row{Cell::WellText, false, "shows"}, Row{Cell::WellLine, false, "hidden"},
-                         Row{Cell::White, true, "cut by the depth sort"}}) {
+  for (const EdgeRow& row :
+       {EdgeRow{Cell::WellText, false, "shows"}, EdgeRow{Cell::WellLine, false, "hidden"},
+        EdgeRow{Cell::White, true, "cut by the depth sort"}}) {
     painter.fillRect({x, y, 36, 13}, sheet.cell(Cell::Well));
     painter.line(x + 3, y + 6, x + 32, y + 6, sheet.cell(row.cell),
                  {.on = kDash, .off = row.dashed ? kDashPeriod - kDash : 0});
@@ -165,7 +166,7 @@ ColoredImage drawWireframe(Picture& picture, const ViewSettings& settings) {
   const Wireframe wires = wireframeOf(picture, settings.cells);
   page.place(wires.image);
   int y = page.section("edges");
-  y = drawLegend(page.sheet, page.left, y);
+  y = drawEdgeLegend(page.sheet, page.left, y);
   page.finding(y, findingOf(wires, picture));
   const auto row = [&](std::string_view label, std::int64_t value) {
     y = page.row(y, label, grouped(value));

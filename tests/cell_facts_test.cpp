@@ -26,8 +26,8 @@ Interval parsed(const std::string& text) {
   return interval;
 }
 
-std::string valueOf(const std::vector<Fact>& facts, std::string_view label) {
-  const auto fact = std::ranges::find(facts, label, &Fact::label);
+std::string valueOf(const std::vector<CellFact>& facts, std::string_view label) {
+  const auto fact = std::ranges::find(facts, label, &CellFact::label);
   return fact == facts.end() ? "" : fact->value;
 }
 
@@ -88,7 +88,7 @@ TEST(CellFacts, TheIntervalPicksExactlyThatShade) {
 // The textbook's cell: what the drawing of the window says of cell 148 of the corrected table.
 TEST(CellFacts, OfTheCorrectedTable) {
   const Made m = made("teapot", ColorPlan::OneHue, {.kind = TableKind::Corrected});
-  const std::vector<Fact> facts = factsOf(148, m.picture, m.palette, m.plan, m.use);
+  const std::vector<CellFact> facts = factsOf(148, m.picture, m.palette, m.plan, m.use);
   EXPECT_EQ(valueOf(facts, "stored RGB"), "(12342, 0, 0) of 65535, 0x3036");
   EXPECT_EQ(valueOf(facts, "8 bits"), "(48, 0, 0) of 255");
   EXPECT_EQ(valueOf(facts, "intensity"), "I_137 = r^137 I0 = 0.1883");
@@ -122,7 +122,7 @@ TEST(CellFacts, EveryCellHasSome) {
     const Made m = made(scene, plan, {.shades = 100});
     int tools = 0, free = 0;
     for (int cell = 0; cell < 256; ++cell) {
-      const std::vector<Fact> facts = factsOf(cell, m.picture, m.palette, m.plan, m.use);
+      const std::vector<CellFact> facts = factsOf(cell, m.picture, m.palette, m.plan, m.use);
       EXPECT_GE(facts.size(), 3u);
       EXPECT_LE(facts.size(), 7u);
       const std::string holds = valueOf(facts, "holds");

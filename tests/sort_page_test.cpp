@@ -341,7 +341,7 @@ TEST(SortPage, EveryStepHasAFinding) {
       page.run->goTo(step);
       page.view.step = step;
       kinds.insert(page.event(step).kind);
-      const Finding finding = findingOf(*page.run, page.view);
+      const StepFinding finding = findingOf(*page.run, page.view);
       for (const std::string& text : {finding.bold, finding.why}) {
         ASSERT_GE(text.size(), 7u);  // "P is b."
         ASSERT_TRUE(text.back() == '.') << text;

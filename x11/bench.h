@@ -50,6 +50,9 @@ class Host {
   virtual void pressLetter(char letter) = 0;
 };
 
+/// Milliseconds. While something is dragged, a picture that takes longer is made more coarsely.
+inline constexpr double kFluid = 40;
+
 /// What a view draws.
 struct Desk {
   Picture& picture;         ///< made; a view that makes it anew leaves it as it was found

@@ -6,8 +6,6 @@
 
 namespace {
 
-constexpr std::array kGammas{1.0, 1.4, 1.8, 2.2};
-
 /// Which key changes the setting that a line of the table tells.
 struct LineKey {
   std::string_view label;
@@ -15,8 +13,6 @@ struct LineKey {
 };
 constexpr std::array kLineKeys{LineKey{"table", 'T'}, LineKey{"shades", 'c'}, LineKey{"nearest", 'j'},
                                LineKey{"hue", 'H'}, LineKey{"stored", 'B'}};
-
-const SliderRow& sliderOf(char key) { return *std::ranges::find(kSliders, key, &SliderRow::key); }
 
 }  // namespace
 
@@ -81,7 +77,8 @@ bool ColorsBench::press(const Key& key, const Setup& setup) {
       undo();
       return false;
     case '0':
-      if (!sliderOf('0').enabled(setup)) return host_.notify(std::string{sliderOf('0').whenOff}), true;
+      if (const SliderRow& I0 = kSliders[kI0]; !I0.enabled(setup))
+        return host_.notify(std::string{I0.whenOff}), true;
       [[fallthrough]];
     case 'c':
       focus_ = std::ranges::find(lines_, key.letter, &TableLine::key) == lines_.end() ? '\0' : key.letter;
@@ -93,7 +90,7 @@ bool ColorsBench::press(const Key& key, const Setup& setup) {
 
 /// The arrows are a slider's until Esc, Tab or the pointer gives them back to the cells.
 bool ColorsBench::pressOnSlider(const Key& key, int times) {
-  const SliderRow& row = sliderOf(focus_);
+  const SliderRow& row = *sliderOf(focus_);
   const auto change = [&](const std::function<void(Setup&)>& edit) { host_.change(focus_, edit); };
   switch (key.name) {
     case NamedKey::Left:
@@ -169,7 +166,7 @@ bool ColorsBench::grabLine(const TableLineHit& hit) {
 }
 
 void ColorsBench::setSlider(double share) {
-  const SliderRow& row = sliderOf(dragged_);
+  const SliderRow& row = *sliderOf(dragged_);
   host_.change(dragged_, [&](Setup& s) { row.set(s, trackValue(row, share)); });
 }
 
@@ -246,7 +243,7 @@ void ColorsBench::draw(IndexImage& image, const Desk& desk) {
 
 std::vector<Legend> ColorsBench::legend() const {
   std::vector<Legend> legend{
-      {{"<", ">", "^", "v"}, focus_ == 0 ? std::string_view{"cell"} : sliderOf(focus_).label},
+      {{"<", ">", "^", "v"}, focus_ == 0 ? std::string_view{"cell"} : sliderOf(focus_)->label},
       {{"h"}, "light it up"},
       {{"Esc"}, "put back"}};
   if (ramps_)  // else there is no table to change

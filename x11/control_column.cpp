@@ -14,7 +14,7 @@ namespace {
 
 using Kind = ControlPlace::Kind;
 
-constexpr int kName = 24, kTrackAt = 84, kTrack = 168;  // from a row's left edge
+constexpr int kName = 24;  // from a row's left edge
 constexpr int kButton = 20;
 
 /// Walks down the column.
@@ -68,7 +68,7 @@ class Walk {
     const auto sliders = [&] {
       for (const SliderRow& slider : kSliders)
         if (slider.section == section) {
-          add(Kind::Slider, slider.key, row(), {x_ + kTrackAt, y_ - 5, kTrack + 1, 2});
+          add(Kind::Slider, slider.key, row(), {x_ + kColumnTrackAt, y_ - 5, kColumnTrack + 1, 2});
           y_ += pitch_;
         }
     };
@@ -76,7 +76,8 @@ class Walk {
     for (const ChoiceRow& choice : choices())
       if (choice.section == section) {
         add(Kind::Choice, choice.key, row(), {},
-            optionFrames(choice.options, x_ + kTrackAt, y_, kControls - kTrackAt, std::min(19, pitch_)));
+            optionFrames(choice.options, x_ + kColumnTrackAt, y_, kControls - kColumnTrackAt,
+                         std::min(19, pitch_)));
         y_ += pitch_;
       }
     if (section == Section::ColourTable) sliders();
@@ -122,7 +123,7 @@ void ColumnPen::slider(const ControlPlace& place) {
   if (shown.focus == row.key) drawFocus(*this, place.row, place.row.width == kControls ? 6 : 2);
   key(place.x, place.y - 11, std::string_view{&row.key, 1});
   paint.text(place.x + kName, place.y, row.label, cell(enabled ? Cell::Ink : Cell::Faint));
-  drawTrack(*this, place.track.x, place.y, kTrack,
+  drawTrack(*this, place.track.x, place.y, kColumnTrack,
             {.share = trackPosition(row, row.get(shown.setup)),
              .initially = trackPosition(row, row.get(shown.defaults)),
              .enabled = enabled,

@@ -13,11 +13,6 @@ constexpr std::string_view kFocusOrder = "lipadsnc0tz";
 
 bool has(std::string_view letters, char letter) { return letters.find(letter) != std::string_view::npos; }
 
-const SliderRow* sliderOf(char key) {
-  const auto* const row = std::ranges::find(kSliders, key, &SliderRow::key);
-  return row == kSliders.end() ? nullptr : row;
-}
-
 /// Written out, with nothing before or behind it.
 std::optional<double> numberIn(const std::string& text) {
   double value = 0;

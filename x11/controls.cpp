@@ -114,6 +114,11 @@ std::string_view keepFillable(Setup& setup) {
                 : "XFillPolygon gives a polygon one cell: the server cannot interpolate.";
 }
 
+const SliderRow* sliderOf(char key) {
+  const auto* const row = std::ranges::find(kSliders, key, &SliderRow::key);
+  return row == kSliders.end() ? nullptr : row;
+}
+
 std::string_view whatIs(char key) {
   if (key == 'l') return "where the light is: drag it on the ball";
   for (const SliderRow& row : kSliders)

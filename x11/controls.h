@@ -44,6 +44,8 @@ struct SliderRow {
 };
 enum SliderIndex { kIa, kIp, kKa, kKd, kKs, kN, kShadesSlider, kI0 };
 extern const std::array<SliderRow, 8> kSliders;
+/// The slider of a key; null for others.
+[[nodiscard]] const SliderRow* sliderOf(char key);
 
 /// A capital takes the next option.
 struct ChoiceRow {
@@ -81,6 +83,9 @@ inline constexpr std::array kHues{
     HueRow{"blue", {0.3, 0.5, 1}}, HueRow{"gray", {1, 1, 1}},
 };
 void nextHue(Setup& setup);
+
+/// Gammas the key `g` walks through.
+inline constexpr std::array kGammas{1.0, 1.4, 1.8, 2.2};
 
 /// Where a value stands on its track, in [0, 1], and back.
 [[nodiscard]] double trackPosition(const SliderRow& row, double value);

@@ -8,12 +8,7 @@
 
 namespace {
 
-constexpr std::array kGammas{1.0, 1.4, 1.8, 2.2};
-
-const SliderRow* slider(LessonControl control) {
-  const auto* const row = std::ranges::find(kSliders, rowOf(control).window, &SliderRow::key);
-  return row == kSliders.end() ? nullptr : row;
-}
+const SliderRow* slider(LessonControl control) { return sliderOf(rowOf(control).window); }
 
 const ChoiceRow* choice(LessonControl control) {
   const auto row = std::ranges::find(choices(), rowOf(control).window, &ChoiceRow::key);

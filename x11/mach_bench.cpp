@@ -11,7 +11,7 @@
 namespace {
 
 constexpr int kMostDivisions = 32;  // what is fluid, and more than shows
-constexpr int kRow = 22, kTrackAt = 84, kTrack = 168, kRows = 3;
+constexpr int kRow = 22, kRows = 3;
 
 /// The sheet's margin is the window's: it begins so much above the body, and ends so much below.
 int sheetHeight(const Layout& at) { return at.body.height + 2 * Sheet::kMargin; }
@@ -135,8 +135,8 @@ bool MachBench::grab(int x, int y) {
     return false;
   } else if (hovered_ != 0) {
     focus_ = hovered_;
-    const int track = controls_.x + kTrackAt;
-    if (x < track - 5 || x > track + kTrack + 5) return false;
+    const int track = controls_.x + kColumnTrackAt;
+    if (x < track - 5 || x > track + kColumnTrack + 5) return false;
     dragged_ = hovered_;
   }
   if (dragged_ == 0) return false;
@@ -146,7 +146,7 @@ bool MachBench::grab(int x, int y) {
 }
 
 void MachBench::dragTo(int x, int y) {
-  const double share = std::clamp(double(x - controls_.x - kTrackAt) / kTrack, 0.0, 1.0);
+  const double share = std::clamp(double(x - controls_.x - kColumnTrackAt) / kColumnTrack, 0.0, 1.0);
   if (dragged_ == 'p')
     row_ = std::clamp(std::clamp(y - picture_.y, 0, picture_.height - 1) + firstRow_.value_or(0), 0,
                       height_ - 1);
@@ -201,7 +201,7 @@ void MachBench::drawControls(IndexImage& image, const Desk& desk) {
     pen.paint.text(x + 24, y, label, pen.cell(enabled ? Cell::Ink : Cell::Faint));
   };
   const auto slider = [&](char key, double value, double initially, double low, double high, bool enabled) {
-    drawTrack(pen, x + kTrackAt, y, kTrack,
+    drawTrack(pen, x + kColumnTrackAt, y, kColumnTrack,
               {.share = std::clamp((value - low) / std::max(1.0, high - low), 0.0, 1.0),
                .initially = std::clamp((initially - low) / std::max(1.0, high - low), 0.0, 1.0),
                .enabled = enabled,
@@ -211,7 +211,7 @@ void MachBench::drawControls(IndexImage& image, const Desk& desk) {
     y += kRow;
   };
   row("S", "shading");
-  options_ = optionFrames(shadings().options, x + kTrackAt, y, kControls - kTrackAt);
+  options_ = optionFrames(shadings().options, x + kColumnTrackAt, y, kControls - kColumnTrackAt);
   drawOptions(pen, shadings().options, options_, shadings().get(desk.setup), hovered_ == 'S' ? option_ : -1);
   y += kRow;
   row("y", "scanline");

@@ -33,7 +33,7 @@ bool overDepth(const Picture& p) {
 bool oneHue(const Picture& p) { return p.colors().plan() == ColorPlan::OneHue; }
 bool inColors(const Picture& p) { return channelsOf(p.colors().plan()) == Channels::Rgb; }
 bool inRamps(const Picture& p) { return !inColors(p); }
-bool counted(const Picture& p) { return p.colors().plan() != ColorPlan::Cube; }
+bool hasShades(const Picture& p) { return p.colors().plan() != ColorPlan::Cube; }
 bool corrected(const Picture& p) { return p.settings().table.kind == TableKind::Corrected && inRamps(p); }
 
 struct Family {
@@ -64,7 +64,7 @@ constexpr std::array kFamilies{
     Family{{"--constant-v"},
            asksForEye,
            "highlights that ask for the eye: ks above 0, --shade flat, gouraud or phong, no --form tutorial"},
-    Family{{"--shades"}, counted, "ramps and chosen colours; a cube has always 240"},
+    Family{{"--shades"}, hasShades, "ramps and chosen colours; a cube has always 240"},
     Family{{"--table"}, inRamps, "ramps; here the cells hold colours"},
     Family{{"--i0", "--pick"}, corrected, "ramps of --table corrected"},
     Family{{"--hue"}, oneHue, "one hue; here the scene's own colours are shown: see --colors one"},
@@ -111,8 +111,8 @@ void noteEmpty(std::ostream& out, const Picture& picture) {
   }
   const SnappedScene& snapped = picture.snapped();
   if (!snapped.faces.empty()) return;
-  out << "xnewell: note: nothing of the scene can be seen: of " << ::counted(snapped.polygons, "polygon")
-      << " " << snapped.degenerate << " have no area on the screen, " << snapped.culled << " are culled, "
+  out << "xnewell: note: nothing of the scene can be seen: of " << counted(snapped.polygons, "polygon") << " "
+      << snapped.degenerate << " have no area on the screen, " << snapped.culled << " are culled, "
       << snapped.outside << " lie outside the view\n";
 }
 

@@ -14,9 +14,6 @@ bool isSame(const Scene& a, const Scene& b) {
 
 bool isExact(Order order) { return order == Order::Newell || order == Order::Oracle; }
 
-/// Milliseconds: a picture that takes longer is made more coarsely while something is dragged.
-constexpr double kFluid = 40;
-
 /// What makes a lesson beside A: the order that is exact, or one that is not.
 Setup lessonBeside(const Setup& A) {
   Setup B = A;

@@ -401,7 +401,6 @@ void Workbench::divide() {
 }
 
 void Workbench::drawFrame(bool dragging) {
-  constexpr double kFluid = 40;  // ms: what takes longer is made more coarsely while something is dragged
   const PictureSettings wanted = sized();
   Bench& view = bench();
   const bool whole = view.wantsImage();
