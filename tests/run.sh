@@ -1,10 +1,12 @@
 #!/usr/bin/env bash
-# tests/run.sh [ctest options]: every test. Installs the packages that are missing and builds first;
-# the exit status is that of the tests, which start X servers of their own.
+# tests/run.sh [ctest options]: every test. Installs the packages that are missing and builds first.
+# The exit status is that of the tests. They start X servers of their own.
+# XNEWELL_PRESET=developer builds that preset instead of `release`: warnings are errors.
 set -euo pipefail
-source "$(dirname "${BASH_SOURCE[0]}")/../x11/setup.sh"
+source "$(dirname "$(readlink -f "${BASH_SOURCE[0]}")")/../x11/setup.sh"
 
+preset=${XNEWELL_PRESET:-release}
 need "${program_packages[@]}" "${test_packages[@]}"
-build release -DXNEWELL_TESTS=ON
+build "$preset" -DXNEWELL_TESTS=ON
 cd "$root"
-exec ctest --preset release --output-on-failure -j "$(($(nproc) + 1))" "$@"
+exec ctest --preset "$preset" --output-on-failure -j "$(($(nproc) + 1))" "$@"

@@ -4,7 +4,7 @@
 # Without a display, an 8-bit PseudoColor server (Xvfb) is started for a moment, and the window, as that
 # server shows it, is saved as build/demo.png.
 set -euo pipefail
-source "$(dirname "${BASH_SOURCE[0]}")/setup.sh"
+source "$(dirname "$(readlink -f "${BASH_SOURCE[0]}")")/setup.sh"
 
 scene=teapot
 if (($#)) && [[ $1 != -* ]]; then
@@ -15,10 +15,7 @@ fi
 packages=("${program_packages[@]}")
 [[ -n ${DISPLAY:-} ]] || packages+=(xvfb)
 need "${packages[@]}"
-# The tests need GoogleTest, the window does not.
-tests=()
-[[ -z $(missing libgtest-dev libgmock-dev) ]] || tests=(-DXNEWELL_TESTS=OFF)
-build release "${tests[@]}" -- xnewell
+build release -DXNEWELL_TESTS=OFF -- xnewell
 xnewell=$root/build/release/x11/xnewell
 
 if [[ -n ${DISPLAY:-} ]]; then

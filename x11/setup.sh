@@ -1,20 +1,24 @@
 # shellcheck shell=bash disable=SC2034  # the lists of packages are for those who source this
-# For the other scripts to source: installs what Debian or Ubuntu lacks, and builds.
-#   need PACKAGE...         installs the missing ones; the network is not touched when there are none
-#   build PRESET [-D...] [-- TARGET]    into build/PRESET, quietly; the log is shown if it fails
-# XNEWELL_NO_INSTALL=1 installs nothing: what is missing is named, and that is a failure.
+# For the other scripts to source: installs what Debian or Ubuntu lacks, and builds. Both show how far they are.
+#   need PACKAGE...         installs the missing ones; the network is not used when there are none
+#   build PRESET [-D...] [-- TARGET]    into build/PRESET
+# With XNEWELL_NO_INSTALL=1, need() installs nothing: it names what is missing and fails.
+# With CXX set, that compiler is used, and g++ is not needed.
 
-root=$(cd "$(dirname "${BASH_SOURCE[0]}")/.." && pwd -P)
+set -o pipefail
+root=$(cd "$(dirname "$(readlink -f "${BASH_SOURCE[0]}")")/.." && pwd -P)
 
-program_packages=(g++ cmake ninja-build libx11-dev libxext-dev libglm-dev libpng-dev
+# tests/front_door.sh shows that these lists are complete.
+program_packages=(cmake ninja-build libx11-dev libxext-dev libglm-dev libpng-dev libboost-dev
   nlohmann-json3-dev libcli11-dev libfreetype-dev xfonts-base)
-test_packages=(libgtest-dev libgmock-dev libxres-dev libxtst-dev libboost-dev
+[[ ${CXX:-} ]] || program_packages=(g++ "${program_packages[@]}")
+test_packages=(libgtest-dev libgmock-dev libxres-dev libxtst-dev
   xvfb xserver-xephyr tigervnc-standalone-server twm x11-apps)
 
 # All messages go to standard error: standard output belongs to the program.
 say() { printf 'xnewell: %s\n' "$*" >&2; }
 
-# Those of the packages that are not installed, one a line. A system without dpkg is trusted to have them.
+# The packages that are not installed, one a line. A system without dpkg is trusted to have them all.
 missing() {
   command -v dpkg-query >/dev/null || return 0
   local package
@@ -23,17 +27,60 @@ missing() {
   done
 }
 
-# Runs a command with its output in a log; if it fails, shows the log and passes the exit status on.
-logged() {
-  local log=$1 status=0
-  shift
-  mkdir -p "$(dirname "$log")"
-  "$@" >"$log" 2>&1 || status=$?
-  if ((status)); then
-    cat "$log" >&2
-    say "failed with status $status: $*"
+# Reads the output of apt-get or ninja and shows how far it is: on a terminal one line that changes, elsewhere a
+# line every ten seconds.
+show_progress() {
+  local what=$1 line percent=0 now='' start=$SECONDS shown=$SECONDS every=10
+  local apt='^(dl|pm)status:[^:]*:([0-9]+)[0-9.]*:(.*)' ninja='^\[([0-9]+)/([0-9]+)\] (.*)'
+  [[ ! -t 2 ]] || every=1
+  trap 'say "$what: interrupted; it ends as soon as it can"' INT
+  while IFS= read -r -t "$every" line || (($? > 128)); do  # above 128: nothing was said for so long
+    if [[ $line =~ $apt ]]; then
+      percent=${BASH_REMATCH[2]} now=${BASH_REMATCH[3]}
+      # apt-get counts to 100 twice. Installing takes about twice as long as downloading.
+      [[ ${BASH_REMATCH[1]} == dl ]] && percent=$((percent / 3)) || percent=$((33 + percent * 2 / 3))
+    elif [[ $line =~ $ninja ]]; then
+      percent=$((100 * BASH_REMATCH[1] / BASH_REMATCH[2])) now=${BASH_REMATCH[3]%/CMakeFiles/*}
+      now=${now##* }  # the folder that is compiled, or the program that is linked
+    elif [[ $line == *'Waiting for'* ]]; then
+      now=$line  # another program is installing
+    fi
+    if [[ -t 2 ]]; then
+      printf '\r\033[K%.79s' "xnewell: $what: $percent %, $((SECONDS - start)) s  $now" >&2
+    elif ((SECONDS - shown >= every)); then
+      shown=$SECONDS
+      say "$what: $percent %, $((SECONDS - start)) s  $now"
+    fi
+  done
+  [[ ! -t 2 ]] || printf '\r\033[K' >&2
+}
+
+# Of the log of what failed, the part that says why.
+why_it_failed() {
+  if grep -q '^E: ' "$1"; then
+    grep '^E: ' "$1" | sort -u | head -3
+  else
+    sed -n '/FAILED:\|[Ee]rror:\|CMake Error/,$p' "$1" | head -40 | grep . || tail -20 "$1"
   fi
-  return "$status"
+}
+
+# logged LOG WHAT COMMAND...: runs the command and shows how far it is. Its output goes to the log. Returns its status;
+# an interrupt ends the script.
+logged() {
+  local log=$1 what=$2 start=$SECONDS status=0 interrupted=''
+  shift 2
+  mkdir -p "$(dirname "$log")" && : >"$log" || return
+  say "$what"
+  trap 'interrupted=yes' INT
+  "$@" 2>&1 </dev/null | (trap '' INT && exec tee "$log") | show_progress "$what" || status=${PIPESTATUS[0]}
+  trap - INT
+  [[ ! $interrupted ]] || exit 130
+  if ((status)); then
+    why_it_failed "$log" >&2
+    say "$what: FAILED; the whole log is $log"
+    return "$status"
+  fi
+  say "$what: done in $((SECONDS - start)) s"
 }
 
 need() {
@@ -41,7 +88,8 @@ need() {
   mapfile -t absent < <(missing "$@")
   ((${#absent[@]})) || return 0
   if [[ ${XNEWELL_NO_INSTALL:-} == 1 ]]; then
-    say "missing packages: ${absent[*]}"
+    say "${0#"$root/"} needs packages that are missing here. As root, this installs them:"
+    say "  apt-get update && apt-get install --no-install-recommends ${absent[*]}"
     return 1
   fi
   if ((EUID)); then
@@ -51,17 +99,27 @@ need() {
     fi
     as_root=(sudo)
   fi
-  local apt=("${as_root[@]}" env DEBIAN_FRONTEND=noninteractive apt-get -o DPkg::Lock::Timeout=300)
-  say "installing with apt-get: ${absent[*]}"
-  logged "$root/build/apt-update.log" "${apt[@]}" update &&
-    logged "$root/build/apt-install.log" "${apt[@]}" install -y --no-install-recommends "${absent[@]}"
+  local apt=("${as_root[@]}" env DEBIAN_FRONTEND=noninteractive
+    apt-get -y -o DPkg::Lock::Timeout=300 -o APT::Status-Fd=1)
+  say "missing packages: ${absent[*]}"
+  local lists=$root/build/apt-update.log
+  logged "$lists" "reading the lists of packages" "${apt[@]}" update || return
+  if ! grep -qE '^(Get|Hit):' "$lists"; then  # apt-get takes that for a success
+    grep -m 1 '^W: ' "$lists" >&2
+    say "no package server answers; the whole log is $lists"
+    return 1
+  fi
+  logged "$root/build/apt-install.log" "installing packages" \
+    "${apt[@]}" install --no-install-recommends "${absent[@]}"
 }
 
 build() {
-  local preset=$1
-  shift
-  say "building build/$preset"
-  logged "$root/build/$preset.log" configure_and_build "$preset" "$@"
+  local cache=$root/build/$1/CMakeCache.txt
+  if [[ -f $cache ]] && ! grep -qxF "CMAKE_HOME_DIRECTORY:INTERNAL=$root" "$cache"; then
+    say "build/$1 was made for another folder: it is made anew"
+    rm -rf "$root/build/$1"
+  fi
+  logged "$root/build/$1.log" "building build/$1" configure_and_build "$@"
 }
 
 # A body in (): the caller's folder and options stay as they are.
