@@ -159,6 +159,8 @@ front_door() {
 }
 
 mkdir -p "$roots" "$root/build"
+exec {lock}>"$roots/lock"
+flock --nonblock "$lock" || { say "waiting for another run of this check" && flock "$lock"; }
 [[ -z $(git -C "$root" status --porcelain) ]] || say "what is not committed is not tried"
 status=0
 for release in "${releases[@]}"; do
