@@ -104,8 +104,9 @@ need() {
   say "missing packages: ${absent[*]}"
   local lists=$root/build/apt-update.log
   logged "$lists" "reading the lists of packages" "${apt[@]}" update || return
-  if ! grep -qE '^(Get|Hit):' "$lists"; then  # apt-get takes that for a success
-    grep -m 1 '^W: ' "$lists" >&2
+  # Where no server answers, apt-get says so and succeeds.
+  if grep -q '^Err:' "$lists" && ! grep -qE '^(Get|Hit):' "$lists"; then
+    grep -m 1 '^W: ' "$lists" >&2 || true
     say "no package server answers; the whole log is $lists"
     return 1
   fi
