@@ -4,6 +4,8 @@
 #include <bit>
 #include <limits>
 
+namespace xnewell {
+
 namespace {
 
 /// The least s with length <= 2^s.
@@ -96,3 +98,5 @@ bool BoxGrid::settle(const ScreenBox& box, Place& place) const {
   }
   return false;
 }
+
+}  // namespace xnewell

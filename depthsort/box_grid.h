@@ -5,6 +5,8 @@
 #include <span>
 #include <vector>
 
+namespace xnewell {
+
 /// Which boxes may overlap a box, without asking all of them: a grid of cells over the screen, in levels of
 /// coarser cells for larger boxes. A box is entered once, in the cell of its upper left corner on the finest
 /// level whose cells are as wide and as high as it is; so a level's boxes that reach into an area start in
@@ -54,3 +56,5 @@ class BoxGrid {
   std::vector<Level> levels_;
   std::array<std::array<std::int8_t, kMostLevels>, kMostLevels> levelAt_;  ///< [y][x], -1: no box there
 };
+
+}  // namespace xnewell

@@ -14,6 +14,8 @@
 #include "depthsort/region.h"
 #include "depthsort/samples.h"
 
+namespace xnewell {
+
 namespace {
 
 constexpr int kNone = -1;
@@ -382,3 +384,5 @@ void DepthSort::addPiece(int P, Region region) {
 SortedScene depthSort(const SnappedScene& scene, const SortSettings& settings) {
   return DepthSort{scene, settings}.run();
 }
+
+}  // namespace xnewell

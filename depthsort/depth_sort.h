@@ -7,7 +7,9 @@
 #include <string_view>
 #include <vector>
 
-#include "geometry/project.h"
+#include "geometry/view/project.h"
+
+namespace xnewell {
 
 /// Newell's depth sort, exact: an order of painting in which nothing is painted over what is nearer, but
 /// for contacts (below), with polygons split where no such order exists.
@@ -158,3 +160,5 @@ struct TooManyEvents : std::length_error {
 
 /// @throws TooManyEvents only where it records
 [[nodiscard]] SortedScene depthSort(const SnappedScene& scene, const SortSettings& settings);
+
+}  // namespace xnewell

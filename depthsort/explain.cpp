@@ -5,6 +5,8 @@
 #include <limits>
 #include <span>
 
+namespace xnewell {
+
 namespace {
 
 double onScreen(double grid) { return grid / kGrid; }
@@ -294,3 +296,5 @@ std::string Explainer::sentence(const Event& e, int splits) const {
   }
   return "";
 }
+
+}  // namespace xnewell

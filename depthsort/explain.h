@@ -8,6 +8,8 @@
 
 #include "depthsort/fragments.h"
 
+namespace xnewell {
+
 /// What a recorded event means: the tests that were made, the numbers that decided, and a sentence. Numbers
 /// are computed again from the fragments, by the predicates of the sort. Lengths and places are in pixels,
 /// z in pixels of the view plane, larger is nearer.
@@ -111,3 +113,5 @@ class Explainer {
   Fragments fragments_;
   Regions regions_;
 };
+
+}  // namespace xnewell

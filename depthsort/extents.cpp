@@ -4,6 +4,8 @@
 #include <cmath>
 #include <limits>
 
+namespace xnewell {
+
 namespace {
 
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
@@ -64,3 +66,5 @@ Extents extentsOf(const SnappedScene& scene, const SnappedFace& face, const Regi
           std::max(parent.zFar, floorToInt(far)),
           std::min(parent.zNear, floorToInt(near + 1.0))};
 }
+
+}  // namespace xnewell

@@ -6,6 +6,8 @@
 #include "depthsort/box_grid.h"
 #include "depthsort/region.h"
 
+namespace xnewell {
+
 /// How far a fragment reaches on the screen grid and in z: never less than it does, and at most a step more
 /// where its corners or its depths are no integers.
 struct Extents {
@@ -25,3 +27,5 @@ struct Extents {
 /// Of a piece of the face, whose parent's extents are given.
 [[nodiscard]] Extents extentsOf(const SnappedScene& scene, const SnappedFace& face, const Region& piece,
                                 const Extents& parent);
+
+}  // namespace xnewell

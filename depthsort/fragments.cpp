@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cctype>
 
+namespace xnewell {
+
 namespace {
 
 /// A name of bounded length; what is cut off ends at a character.
@@ -77,3 +79,5 @@ std::string Fragments::name(int id) const {
 std::string Fragments::number(int id) const { return std::to_string(face(id).number) + path(id); }
 
 std::string Fragments::part(int id) const { return hasName(id) ? name(id) : shortened(group(id)); }
+
+}  // namespace xnewell

@@ -6,7 +6,9 @@
 
 #include "depthsort/depth_sort.h"
 #include "depthsort/extents.h"
-#include "geometry/mesh.h"
+#include "geometry/model/mesh.h"
+
+namespace xnewell {
 
 /// The fragments of a recorded run by their ids: name, outline and extents, exactly as the sort had
 /// them, made when asked for. The scene, the mesh and the run outlive it.
@@ -50,3 +52,5 @@ class Fragments {
   std::vector<int> splitter_;              ///< of each split, the plane
   std::map<std::string, int> facesNamed_;  ///< of each group's name in the mesh
 };
+
+}  // namespace xnewell

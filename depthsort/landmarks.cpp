@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+namespace xnewell {
+
 std::optional<Landmark> landmarkOf(const Event& event) {
   switch (event.kind) {
     case Event::Kind::Compare:
@@ -96,3 +98,5 @@ std::array<int, kTests> settledFor(const SortedScene& sorted, int step) {
   }
   return settled;
 }
+
+}  // namespace xnewell

@@ -7,6 +7,8 @@
 
 #include "depthsort/depth_sort.h"
 
+namespace xnewell {
+
 /// The steps of a recorded run that a learner looks for, and how many of them there were by any step. Step n
 /// is the run after its first n events, as in replay.h.
 
@@ -59,3 +61,5 @@ class Landmarks {
 
 /// Of a step that paints P: how many Q's each test settled since P was taken or moved, by Test.
 [[nodiscard]] std::array<int, kTests> settledFor(const SortedScene& sorted, int step);
+
+}  // namespace xnewell

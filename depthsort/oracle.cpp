@@ -4,7 +4,9 @@
 #include <cmath>
 #include <cstdint>
 
-#include "geometry/screen_plane.h"
+#include "geometry/view/screen_plane.h"
+
+namespace xnewell {
 
 namespace {
 
@@ -98,3 +100,5 @@ std::vector<int> visibleFaces(const SnappedScene& scene, int width, int height) 
   }
   return seen;
 }
+
+}  // namespace xnewell

@@ -2,7 +2,9 @@
 
 #include <vector>
 
-#include "geometry/project.h"
+#include "geometry/view/project.h"
+
+namespace xnewell {
 
 /// Which face is seen at each sample, decided there and nowhere else: every face that covers the sample
 /// is compared with the nearest so far, in exact arithmetic. No order of faces is made, so there is nothing
@@ -17,3 +19,5 @@
 /// plane (the same on the grid) the later one of the scene wins.
 inline constexpr int kNothing = -1;
 [[nodiscard]] std::vector<int> visibleFaces(const SnappedScene& scene, int width, int height);
+
+}  // namespace xnewell

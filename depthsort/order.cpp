@@ -4,6 +4,8 @@
 #include <numeric>
 #include <utility>
 
+namespace xnewell {
+
 std::vector<int> sortedByKey(std::span<const std::uint32_t> keys) {
   constexpr int kBits = 11, kDigits = 1 << kBits;
   const auto digit = [](std::uint32_t key, int pass) { return (key >> (pass * kBits)) & (kDigits - 1); };
@@ -39,3 +41,5 @@ std::vector<int> paintingOrder(const SnappedScene& scene, Order order) {
   }
   return sortedByKey(keys);
 }
+
+}  // namespace xnewell

@@ -6,7 +6,9 @@
 #include <string_view>
 #include <vector>
 
-#include "geometry/project.h"
+#include "geometry/view/project.h"
+
+namespace xnewell {
 
 /// In which order to paint: the hidden-surface method.
 enum class Order { Unsorted, ZMean, ZSort, Newell, Oracle };
@@ -31,3 +33,5 @@ inline constexpr std::array kOrders{
 /// Indices 0..#keys-1 in ascending order of key, equal keys in order of index (stable): a radix sort,
 /// three passes of 11 bits, linear in #keys.
 [[nodiscard]] std::vector<int> sortedByKey(std::span<const std::uint32_t> keys);
+
+}  // namespace xnewell

@@ -5,6 +5,8 @@
 
 #include "depthsort/samples.h"
 
+namespace xnewell {
+
 PairTests::PairTests(const SnappedScene& scene, const SortSettings& settings)
     : scene_{scene},
       width_{settings.width},
@@ -156,3 +158,5 @@ void PairTests::overlap(const Shape& P, const Shape& Q) {
   both_ = regionOf(P, bufferP_);
   for (const Side& side : regionOf(Q, bufferQ_)) regions_.clip(both_, side.line);
 }
+
+}  // namespace xnewell

@@ -8,6 +8,8 @@
 #include "depthsort/extents.h"
 #include "depthsort/region.h"
 
+namespace xnewell {
+
 /// The tests of the depth sort on one pair of polygons.
 
 /// A polygon as the tests see it.
@@ -33,7 +35,7 @@ class PairTests {
 
   /// Whether a face's plane passes through its vertices.
   [[nodiscard]] bool vertexDepthsAreExact(const SnappedFace& face) const {
-    return ::vertexDepthsAreExact(face, shared_);
+    return xnewell::vertexDepthsAreExact(face, shared_);
   }
   /// May P be painted before Q? In the textbook's order of tests or in the quick one, whose caller has
   /// compared the boxes.
@@ -77,3 +79,5 @@ class PairTests {
   Region bufferP_, bufferQ_, both_, part_;
   Line line_;
 };
+
+}  // namespace xnewell

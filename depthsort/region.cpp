@@ -5,6 +5,8 @@
 #include <boost/multiprecision/cpp_int.hpp>
 #include <cassert>
 
+namespace xnewell {
+
 namespace {
 
 namespace mp = boost::multiprecision;
@@ -158,3 +160,5 @@ int Regions::exactSign(const Line& line, const Line& first, const Line& second, 
   const Wide value = n.a * X + n.b * Y + n.c * W;
   return value.sign() * W.sign();
 }
+
+}  // namespace xnewell

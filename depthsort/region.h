@@ -3,7 +3,9 @@
 #include <cmath>
 #include <vector>
 
-#include "geometry/project.h"
+#include "geometry/view/project.h"
+
+namespace xnewell {
 
 /// Convex regions of the screen bounded by lines, exactly. The corner of a region is where the
 /// lines of two successive sides meet. Doubles with an error radius stand beside it and decide nearly every
@@ -91,3 +93,5 @@ class Regions {
   const SnappedScene& scene_;
   mutable Region kept_;  ///< of clip(), kept so as not to ask for memory each time
 };
+
+}  // namespace xnewell

@@ -4,6 +4,8 @@
 #include <cassert>
 #include <limits>
 
+namespace xnewell {
+
 Replay::Replay(const SnappedScene& scene, const SortedScene& sorted)
     : sorted_{&sorted}, faces_{static_cast<int>(scene.faces.size())} {
   const std::size_t fragments = scene.faces.size() + sorted.pieces.size();
@@ -103,3 +105,5 @@ std::vector<int> stepsOf(const SortedScene& sorted, Every every) {
       steps.push_back(k + 1);
   return steps;
 }
+
+}  // namespace xnewell

@@ -6,6 +6,8 @@
 
 #include "depthsort/depth_sort.h"
 
+namespace xnewell {
+
 /// A recorded run that stands at any of its steps, and goes forward or back without sorting. Step n is the
 /// run after its first n events; at step 0 nothing has happened.
 ///
@@ -83,3 +85,5 @@ inline constexpr std::array kEvery{
 };
 /// In ascending order.
 [[nodiscard]] std::vector<int> stepsOf(const SortedScene& sorted, Every every);
+
+}  // namespace xnewell

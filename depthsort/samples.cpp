@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+namespace xnewell {
+
 namespace {
 
 /// The sign of a x + b y + c, inside positive, for the edge from p to q.
@@ -92,3 +94,5 @@ bool isWide(const Region& region) {
   }
   return doubleArea > kThin * std::sqrt(longest);
 }
+
+}  // namespace xnewell

@@ -3,6 +3,8 @@
 #include "depthsort/box_grid.h"
 #include "depthsort/region.h"
 
+namespace xnewell {
+
 /// Which regions own a sample of the picture, by the sample rule of scanline.h: the centre of a pixel moved
 /// by (e, e^2) lies inside.
 
@@ -24,3 +26,5 @@
 /// the model's vertices makes. In doubles.
 inline constexpr double kThin = 64.0;  // 1/1024 of a pixel
 [[nodiscard]] bool isWide(const Region& region);
+
+}  // namespace xnewell

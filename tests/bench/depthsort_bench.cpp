@@ -11,10 +11,10 @@
 #include <numeric>
 
 #include "depthsort/depth_sort.h"
-#include "geometry/bpt.h"
-#include "geometry/camera.h"
-#include "geometry/solids.h"
-#include "triangulated.h"
+#include "geometry/files/bpt.h"
+#include "geometry/model/solids.h"
+#include "geometry/view/camera.h"
+#include "tests/bench/triangulated.h"
 
 /// Bytes in use, and the most since it was set: all that is asked for comes this way.
 static std::size_t inUse = 0, most = 0;
@@ -29,6 +29,8 @@ static std::size_t inUse = 0, most = 0;
   std::free(p);
 }
 [[gnu::noinline]] void operator delete(void* p, std::size_t) noexcept { operator delete(p); }
+
+namespace xnewell {
 
 namespace {
 
@@ -184,3 +186,5 @@ RECORD(triangleTorus);
 RECORD(soup);
 
 }  // namespace
+
+}  // namespace xnewell

@@ -7,12 +7,14 @@
 #include <random>
 #include <vector>
 
-#include "geometry/solids.h"
-#include "least.h"
-#include "shading/environment_map.h"
-#include "shading/evaluated.h"
-#include "shading/fill.h"
-#include "shading/gouraud.h"
+#include "geometry/model/solids.h"
+#include "shading/fill/environment_map.h"
+#include "shading/fill/evaluated.h"
+#include "shading/fill/fill.h"
+#include "shading/fill/gouraud.h"
+#include "tests/bench/least.h"
+
+namespace xnewell {
 
 namespace {
 
@@ -183,3 +185,5 @@ BENCHMARK(BM_Fill<perspectiveTexture<false>>)->Name("BM_FillPerspectiveTexture")
 BENCHMARK(BM_Fill<perspectiveTexture<true>>)->Name("BM_FillRepeatedTexture")->Apply(everySide);
 
 }  // namespace
+
+}  // namespace xnewell

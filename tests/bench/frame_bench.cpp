@@ -3,11 +3,13 @@
 #include <filesystem>
 #include <fstream>
 
-#include "geometry/solids.h"
-#include "least.h"
-#include "shading/picture.h"
-#include "shading/png.h"
-#include "triangulated.h"
+#include "geometry/model/solids.h"
+#include "shading/color/png.h"
+#include "shading/picture/picture.h"
+#include "tests/bench/least.h"
+#include "tests/bench/triangulated.h"
+
+namespace xnewell {
 
 namespace {
 
@@ -191,3 +193,5 @@ void BM_DrawObj(benchmark::State& state) {
 BENCHMARK(BM_DrawObj)->Unit(benchmark::kMillisecond);
 
 }  // namespace
+
+}  // namespace xnewell

@@ -10,15 +10,17 @@
 #include <tuple>
 #include <vector>
 
-#include "geometry/bpt.h"
-#include "geometry/camera.h"
-#include "geometry/coplanar.h"
-#include "geometry/obj.h"
-#include "geometry/project.h"
-#include "geometry/solids.h"
-#include "geometry/vertex_normals.h"
-#include "tests/normal_error.h"
-#include "triangulated.h"
+#include "geometry/files/bpt.h"
+#include "geometry/files/obj.h"
+#include "geometry/model/coplanar.h"
+#include "geometry/model/solids.h"
+#include "geometry/model/vertex_normals.h"
+#include "geometry/view/camera.h"
+#include "geometry/view/project.h"
+#include "tests/bench/triangulated.h"
+#include "tests/support/normal_error.h"
+
+namespace xnewell {
 
 namespace {
 
@@ -217,3 +219,5 @@ void BM_CoplanarFloor(benchmark::State& state) {
 BENCHMARK(BM_CoplanarFloor)->Arg(32)->Arg(100)->Arg(320)->Unit(benchmark::kMillisecond);
 
 }  // namespace
+
+}  // namespace xnewell

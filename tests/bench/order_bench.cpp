@@ -2,7 +2,9 @@
 
 #include <string>
 
-#include "shading/picture.h"
+#include "shading/picture/picture.h"
+
+namespace xnewell {
 
 namespace {
 
@@ -37,3 +39,5 @@ const bool kRegistered = [] {
 }();
 
 }  // namespace
+
+}  // namespace xnewell

@@ -4,10 +4,12 @@
 #include <cmath>
 #include <cstdint>
 
-#include "shading/evaluated.h"
-#include "shading/picture.h"
-#include "shading/scanline.h"
-#include "tests/lit_floor.h"
+#include "shading/fill/evaluated.h"
+#include "shading/fill/scanline.h"
+#include "shading/picture/picture.h"
+#include "tests/support/lit_floor.h"
+
+namespace xnewell {
 
 namespace {
 
@@ -128,3 +130,5 @@ REFINED(spotFlat, spotFloor, 8, Shading::Flat);
 REFINED(highlightFlat, highlightFloor, 1, Shading::Flat);
 
 }  // namespace
+
+}  // namespace xnewell

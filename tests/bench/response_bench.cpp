@@ -3,9 +3,11 @@
 
 #include <string>
 
-#include "tests/x_server.h"
+#include "tests/x11/support/x_server.h"
 
-#include "x11/server.h"
+#include "x11/app/server.h"
+
+namespace xnewell {
 
 // From a key to the picture on the server, a round trip at the end: the teapot of 7,300 polygons, exact
 // order and Gouraud shading, in a picture of 656 x 560. `turn` makes everything anew; `hue` stores colours
@@ -89,5 +91,7 @@ BENCHMARK(hover)->Arg(8)->Arg(24)->Unit(benchmark::kMillisecond)->UseRealTime();
 BENCHMARK(step)->Arg(8)->Arg(24)->Unit(benchmark::kMillisecond)->UseRealTime();
 
 }  // namespace
+
+}  // namespace xnewell
 
 BENCHMARK_MAIN();

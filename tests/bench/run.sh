@@ -6,6 +6,6 @@ source "$(dirname "${BASH_SOURCE[0]}")/../../x11/setup.sh"
 
 need "${program_packages[@]}" libbenchmark-dev
 build bench
-for program in geometry depthsort shading; do
+for program in geometry depthsort shading x11; do
   "$root/build/bench/tests/bench/${program}_bench" --benchmark_filter="${1:-.}" "${@:2}"
 done

@@ -3,15 +3,17 @@
 #include <filesystem>
 #include <random>
 
-#include "geometry/solids.h"
-#include "geometry/trig.h"
-#include "shading/color_difference.h"
-#include "shading/environment.h"
-#include "shading/png.h"
-#include "shading/quantize.h"
-#include "shading/shade.h"
-#include "tests/colored_picture.h"
-#include "triangulated.h"
+#include "geometry/exact/trig.h"
+#include "geometry/model/solids.h"
+#include "shading/color/color_difference.h"
+#include "shading/color/png.h"
+#include "shading/color/quantize.h"
+#include "shading/light/environment.h"
+#include "shading/light/shade.h"
+#include "tests/bench/triangulated.h"
+#include "tests/support/colored_picture.h"
+
+namespace xnewell {
 
 namespace {
 
@@ -143,3 +145,5 @@ BENCHMARK_CAPTURE(BM_Quantize, chosen, Quantizer::Chosen, false)->Unit(benchmark
 BENCHMARK_CAPTURE(BM_Quantize, chosen_dithered, Quantizer::Chosen, true)->Unit(benchmark::kMillisecond);
 
 }  // namespace
+
+}  // namespace xnewell

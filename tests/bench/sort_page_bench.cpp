@@ -3,7 +3,9 @@
 #include <memory>
 #include <random>
 
-#include "shading/sort_page.h"
+#include "x11/stepper/sort_page.h"
+
+namespace xnewell {
 
 // Steps of the depth-sort stepper as they are shown: the run is gone to the step and the whole page drawn,
 // at 1024 x 768. The teapot of 5 divisions has some 110,000 steps, of 8 some 420,000. A view is to follow its
@@ -73,3 +75,5 @@ void BM_Record(benchmark::State& state) {
 BENCHMARK(BM_Record)->Arg(3)->Arg(5)->Arg(8)->Unit(benchmark::kMillisecond);
 
 }  // namespace
+
+}  // namespace xnewell

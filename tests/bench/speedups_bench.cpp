@@ -6,10 +6,12 @@
 #include <glm/mat3x3.hpp>
 #include <vector>
 
-#include "geometry/plane.h"
-#include "geometry/solids.h"
-#include "geometry/trig.h"
-#include "triangulated.h"
+#include "geometry/exact/plane.h"
+#include "geometry/exact/trig.h"
+#include "geometry/model/solids.h"
+#include "tests/bench/triangulated.h"
+
+namespace xnewell {
 
 /// The speed-ups that tutorials on flat shading name, on an object that turns before a fixed light: the
 /// colour of each face, max_col cos x, for 64,800 triangles a frame. `max_error` is the largest difference
@@ -151,3 +153,5 @@ BENCHMARK(BM_Speedup<scaledNormals, turnedLight>)
     ->Unit(benchmark::kMicrosecond);
 
 }  // namespace
+
+}  // namespace xnewell

@@ -2,7 +2,9 @@
 
 #include <array>
 
-#include "geometry/mesh.h"
+#include "geometry/model/mesh.h"
+
+namespace xnewell {
 
 /// Every face of a mesh of convex faces as a fan of triangles from its first corner, each a face of its own.
 [[nodiscard]] inline Mesh triangulated(Mesh mesh) {
@@ -14,3 +16,5 @@
       triangles.addFace(std::array{mesh.face(f)[0], mesh.face(f)[i - 1], mesh.face(f)[i]}, 0);
   return triangles;
 }
+
+}  // namespace xnewell

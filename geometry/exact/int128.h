@@ -1,0 +1,20 @@
+#pragma once
+
+#include <cstdint>
+
+namespace xnewell {
+
+/// 128-bit integers, a compiler extension of gcc and clang, for products of grid coordinates.
+__extension__ using Int128 = __int128;
+
+/// In doubles, within 2^-52 of itself. (The compiler's own conversion rounds to the nearest and takes three
+/// times as long.)
+[[nodiscard]] inline double approximately(Int128 n) {
+  __extension__ using Unsigned = unsigned __int128;
+  const auto magnitude = static_cast<Unsigned>(n < 0 ? -n : n);
+  const double d = static_cast<double>(static_cast<std::uint64_t>(magnitude >> 64)) * 0x1p64 +
+                   static_cast<double>(static_cast<std::uint64_t>(magnitude));
+  return n < 0 ? -d : d;
+}
+
+}  // namespace xnewell

@@ -1,0 +1,46 @@
+#include "geometry/exact/overlap.h"
+
+namespace xnewell {
+
+// By itself a compiler makes four vector comparisons of it, inline it does not.
+[[gnu::noinline]] bool overlap(const ItemBox& P, const ItemBox& Q) {
+  int apart = 0;  // without branches: which axis parts two is anyone's guess
+  for (int axis = 0; axis < 8; ++axis)
+    apart |= int{P.low[axis] > Q.high[axis]} | int{Q.low[axis] > P.high[axis]};
+  return apart == 0;
+}
+
+BoxCut chooseCut(std::span<const ItemBox> boxes) {
+  constexpr std::size_t kSample = 17;
+  if (boxes.size() <= kFewBoxes) return {};
+  std::array<const ItemBox*, kSample> sample;
+  for (std::size_t s = 0; s < kSample; ++s) sample[s] = &boxes[s * boxes.size() / kSample];
+  std::ranges::sort(sample, {}, &ItemBox::group);
+  const bool oneGroup = sample.front()->group == sample.back()->group;  // the others are few: count all pairs
+  const auto pairsAmong = [&](const auto& isIn) {
+    std::size_t pairs = 0, seen = 0, seenOfOthers = 0;
+    for (std::size_t s = 0; s < kSample; ++s) {
+      if (s > 0 && (oneGroup || sample[s]->group != sample[s - 1]->group)) seenOfOthers = seen;
+      if (isIn(*sample[s])) pairs += seenOfOthers, ++seen;
+    }
+    return pairs;
+  };
+
+  BoxCut best;
+  const std::size_t all = pairsAmong([](const ItemBox&) { return true; });
+  std::size_t fewest = all * 4 / 5;  // a cut must spare a fifth of the pairs; half is the best there is
+  for (int axis = 0; axis < 6 && fewest > all * 11 / 20; ++axis) {
+    std::array<float, kSample> centre;
+    for (std::size_t s = 0; s < kSample; ++s)
+      centre[s] = (sample[s]->low[axis] + sample[s]->high[axis]) / 2.0f;
+    const auto median = centre.begin() + kSample / 2;
+    std::nth_element(centre.begin(), median, centre.end());
+    const float at = *median;
+    const std::size_t pairs = pairsAmong([&](const ItemBox& box) { return box.low[axis] < at; }) +
+                              pairsAmong([&](const ItemBox& box) { return box.high[axis] >= at; });
+    if (pairs < fewest) fewest = pairs, best = {axis, at};
+  }
+  return best;
+}
+
+}  // namespace xnewell

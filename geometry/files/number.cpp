@@ -1,0 +1,89 @@
+#include "geometry/files/number.h"
+
+#include <algorithm>
+#include <charconv>
+#include <cmath>
+
+#include "geometry/exact/power.h"
+
+namespace xnewell {
+
+namespace {
+
+/// std::from_chars takes no leading '+', as it takes no second sign behind one.
+std::string_view withoutPlus(std::string_view word) {
+  if (word.starts_with('+') && !word.starts_with("+-")) word.remove_prefix(1);
+  return word;
+}
+
+/// The value of an exponent's digits, within +-10^18: far more than a text's digits can make up for.
+long long toExponent(std::string_view digits) {
+  constexpr long long kFar = 1'000'000'000'000'000'000;
+  digits = withoutPlus(digits);
+  long long exponent = 0;
+  const std::errc error = std::from_chars(digits.data(), digits.data() + digits.size(), exponent).ec;
+  if (error == std::errc::result_out_of_range) return digits.starts_with('-') ? -kFar : kFar;
+  return std::clamp(exponent, -kFar, kFar);
+}
+
+/// Whether a well-formed number other than 0 is at least 1 in magnitude. std::from_chars says "out of range"
+/// of the too large and of the too small alike and leaves the value alone (LWG 3081); this tells them apart.
+bool isAtLeastOne(std::string_view number) {
+  long long power = -1;  // of ten, of the first digit that is not 0
+  bool fraction = false, leading = true;
+  for (std::size_t i = 0; i < number.size(); ++i) {
+    const char c = number[i];
+    if (c == 'e' || c == 'E') return power + toExponent(number.substr(i + 1)) >= 0;
+    if (c == '.') {
+      fraction = true;
+    } else if (c != '-') {
+      leading = leading && c == '0';
+      if (!fraction && !leading) ++power;
+      if (fraction && leading) --power;
+    }
+  }
+  return power >= 0;
+}
+
+}  // namespace
+
+double toNumber(const Words& words, std::string_view word) {
+  const std::string_view number = withoutPlus(word);
+  const char* const end = number.data() + number.size();
+  double value = 0.0;
+  const auto [stop, error] = std::from_chars(number.data(), end, value);
+  if (stop != end || error == std::errc::invalid_argument) words.fail("malformed number " + inQuotes(word));
+  if (error == std::errc::result_out_of_range) {
+    if (isAtLeastOne(number)) words.fail("number " + inQuotes(word) + " is too large");
+    return number.starts_with('-') ? -0.0 : 0.0;
+  }
+  if (!std::isfinite(value)) words.fail("number " + inQuotes(word) + " is not finite");
+  return value;
+}
+
+int decimals(std::string_view number) {
+  long long count = 0;
+  bool fraction = false;
+  for (std::size_t i = 0; i < number.size(); ++i) {
+    const char c = number[i];
+    if (c == 'e' || c == 'E') {
+      count -= toExponent(number.substr(i + 1));
+      break;
+    }
+    count += fraction;
+    fraction |= c == '.';
+  }
+  return static_cast<int>(std::clamp<long long>(count, -kMaxDecimals, kMaxDecimals));
+}
+
+double RoundingOfNumbers::rounding() const {
+  int d = 0;
+  if (all_ > 0) {
+    d = -kMaxDecimals;
+    for (int fit = count_[0]; 10LL * fit < 9LL * all_; fit += count_[kMaxDecimals + d]) ++d;
+  }
+  if (integers_) d = std::max(d, 0);
+  return d < 0 ? 0.5 * power(10.0, -d) : 0.5 / power(10.0, d);
+}
+
+}  // namespace xnewell

@@ -1,0 +1,256 @@
+#include "geometry/files/obj.h"
+
+#include <algorithm>
+#include <charconv>
+#include <map>
+#include <set>
+#include <utility>
+#include <vector>
+
+#include "geometry/exact/power.h"
+#include "geometry/files/mtl.h"
+#include "geometry/files/number.h"
+#include "geometry/files/parse_error.h"
+#include "geometry/files/text_file.h"
+
+namespace xnewell {
+
+namespace {
+
+/// Numbers the names that faces use, in the order of their first use.
+class NamesInUse {
+ public:
+  explicit NamesInUse(std::string name) : name_{std::move(name)} {}
+
+  void select(std::string name) {
+    name_ = std::move(name);
+    number_ = -1;
+  }
+  /// Of the selected name; a name never asked for gets no number.
+  [[nodiscard]] int number() {
+    if (number_ < 0) {
+      const auto [entry, isNew] = numbers_.try_emplace(name_, static_cast<int>(names_.size()));
+      if (isNew) names_.push_back(name_);
+      number_ = entry->second;
+    }
+    return number_;
+  }
+  [[nodiscard]] const std::string& selected() const { return name_; }
+  [[nodiscard]] const std::vector<std::string>& names() const { return names_; }
+
+ private:
+  std::string name_;
+  int number_ = -1;  ///< of name_, -1 until asked for
+  std::map<std::string, int> numbers_;
+  std::vector<std::string> names_;
+};
+
+class ObjReader {
+ public:
+  ObjReader(std::string_view text, const std::string& name, std::filesystem::path folder)
+      : words_{text, name}, name_{name}, folder_{std::move(folder)} {}
+
+  Mesh read() {
+    while (words_.nextLine()) {
+      const std::string_view key = words_.next();
+      if (key == "v")
+        readVertex();
+      else if (key == "vt")
+        readTexture();
+      else if (key == "f")
+        readFace();
+      else if (key == "g" || key == "o")
+        selectGroup();
+      else if (key == "usemtl")
+        material_.select(words_.rest());
+      else if (key == "mtllib")
+        readLibraries();
+    }
+    checkForward(points_, mesh_.points.size());
+    checkForward(texture_, mesh_.uv.size());
+    if (mesh_.uvOfCorner.empty()) mesh_.uv.clear();
+    if (mesh_.faceCount() == 0) words_.fail(0, "holds no face");
+    mesh_.groupNames = group_.names();
+    bool told = libraries_.empty();  // then all are white, and a library that is missing is told
+    for (const std::string& name : material_.names()) {
+      const auto known = colors_.find(name);
+      if (known == colors_.end() && !std::exchange(told, true))
+        note(0, "no library has the material " + inQuotes(name) + ": it is white");
+      mesh_.materials.push_back({name, known == colors_.end() ? glm::dvec3{1.0} : known->second});
+    }
+    mesh_.rounding.assign(mesh_.groupNames.size(), rounding_.rounding());
+    return std::move(mesh_);
+  }
+
+ private:
+  void readVertex() {
+    glm::dvec3 point;
+    for (int axis = 0; axis < 3; ++axis) {
+      const std::string_view word = words_.next();
+      if (word.empty()) words_.fail("a vertex needs three coordinates");
+      point[axis] = toNumber(words_, word);
+      rounding_.add(word, point[axis]);
+    }
+    mesh_.points.push_back(point);
+  }
+
+  /// One to three numbers: v is 0 if absent, and a depth is not used.
+  void readTexture() {
+    glm::dvec2 uv{0.0};
+    for (int axis = 0; axis < 2; ++axis) {
+      const std::string_view word = words_.next();
+      if (word.empty() && axis == 0) words_.fail("a texture coordinate needs a number");
+      if (!word.empty()) uv[axis] = toNumber(words_, word);
+    }
+    mesh_.uv.push_back(uv);
+  }
+
+  void readFace() {
+    const int line = words_.line();
+    face_.clear();
+    faceUv_.clear();
+    bool textured = false;
+    for (std::string_view word = words_.next(); !word.empty(); word = words_.next()) {
+      const Corner corner = readCorner(word);
+      face_.push_back(corner.point);
+      faceUv_.push_back(corner.uv);
+      textured |= corner.uv >= 0;
+    }
+    if (face_.size() < 3) {
+      words_.fail(line, "a face needs three vertices; this one has " + std::to_string(face_.size()));
+    }
+    if (!textured) faceUv_.clear();
+    mesh_.addFace(face_, group_.number(), material_.selected().empty() ? -1 : material_.number(), faceUv_);
+  }
+
+  struct Corner {
+    int point, uv;  ///< indices into Mesh::points and Mesh::uv, that of no texture coordinate -1
+  };
+
+  /// What stands behind the second slash is not used, but must be an index or absent.
+  Corner readCorner(std::string_view corner) {
+    const char* at = corner.data();
+    const char* const end = at + corner.size();
+    Corner result{place(readIndex(at, corner), points_, mesh_.points.size()), -1};
+    for (int slashes = 1; at != end; ++slashes) {
+      if (*at != '/' || slashes > 2) failMalformed(corner);
+      ++at;
+      if (at == end || *at == '/') continue;
+      const int index = readIndex(at, corner);
+      if (slashes == 1) result.uv = place(index, texture_, mesh_.uv.size());
+    }
+    return result;
+  }
+
+  /// The index at `at`, inside `corner`; steps behind it.
+  int readIndex(const char*& at, std::string_view corner) {
+    const char* const end = corner.data() + corner.size();
+    if (end - at > 1 && *at == '+' && at[1] != '-') ++at;  // std::from_chars takes none
+    int index = 0;
+    const auto [stop, error] = std::from_chars(at, end, index);
+    if (error == std::errc::invalid_argument) failMalformed(corner);
+    if (error == std::errc::result_out_of_range)
+      words_.fail(outOfRange(inQuotes(corner), points_, "so far", mesh_.points.size()));
+    if (index == 0) words_.fail("face index 0; OBJ counts from 1");
+    at = stop;
+    return index;
+  }
+
+  [[noreturn]] void failMalformed(std::string_view corner) const {
+    words_.fail("malformed face index " + inQuotes(corner));
+  }
+
+  /// What corners name by its index, and those that named one not yet read. Kept only while the index grows:
+  /// if any index is beyond the last one read, the first such is greater than all before it.
+  struct Forward {
+    int index, line;
+  };
+  struct Indexed {
+    const char* name;
+    std::vector<Forward> forward;
+  };
+
+  /// From 0, of the `read` so far.
+  int place(int index, Indexed& of, std::size_t read) {
+    const int count = static_cast<int>(read);
+    if (index < 0) {
+      if (index < -count) words_.fail(outOfRange(std::to_string(index), of, "so far", read));
+      return count + index;
+    }
+    if (index > count && (of.forward.empty() || index > of.forward.back().index)) {
+      of.forward.push_back({index, words_.line()});
+    }
+    return index - 1;
+  }
+
+  /// A face may come before what it names; only the end of the file tells whether that exists.
+  void checkForward(const Indexed& of, std::size_t read) const {
+    const auto bad = std::ranges::find_if(
+        of.forward, [&](const Forward& reference) { return reference.index > static_cast<int>(read); });
+    if (bad != of.forward.end())
+      words_.fail(bad->line, outOfRange(std::to_string(bad->index), of, "in the file", read));
+  }
+
+  static std::string outOfRange(const std::string& index, const Indexed& of, const char* where,
+                                std::size_t read) {
+    return "face index " + index + " is out of range; " + of.name + " " + where + ": " + std::to_string(read);
+  }
+
+  void selectGroup() {
+    const std::string name = words_.rest();
+    group_.select(name.empty() ? kDefaultGroup : name);
+  }
+
+  /// Of two libraries that know a material the first one holds. A name with blanks in it is tried before its
+  /// words.
+  void readLibraries() {
+    const std::string names = words_.rest();
+    if (readLibrary(names)) return;
+    Words each{names, {}};
+    each.nextLine();
+    bool all = true;
+    for (std::string_view name = each.next(); !name.empty(); name = each.next())
+      all = readLibrary(std::string{name}) && all;
+    if (!all && mesh_.notes.empty())
+      note(words_.line(), "no such material library: " + inQuotes(names) + "; what only it has is white");
+  }
+
+  void note(int line, const std::string& what) {
+    mesh_.notes.emplace_back(ParseError{name_, line, what}.what());
+  }
+
+  /// False if there is no such file.
+  bool readLibrary(const std::string& name) {
+    const std::filesystem::path file = folder_ / name;
+    std::error_code missing;
+    if (!std::filesystem::is_regular_file(file, missing)) return false;
+    if (libraries_.insert(name).second) colors_.merge(parseMtl(readTextFile(file), file.string()));
+    return true;
+  }
+
+  inline static const std::string kDefaultGroup = "default";
+
+  Words words_;
+  std::string name_;
+  std::filesystem::path folder_;
+  Mesh mesh_;
+  NamesInUse group_{kDefaultGroup};
+  NamesInUse material_{""};  ///< the empty name stands for no material
+  MaterialColors colors_;
+  std::set<std::string> libraries_;  ///< already read: some writers name theirs before every object
+  Indexed points_{"vertices", {}}, texture_{"texture coordinates", {}};
+  std::vector<int> face_, faceUv_;  ///< of the face being read, kept for their memory
+  RoundingOfNumbers rounding_;
+};
+
+}  // namespace
+
+Mesh parseObj(std::string_view text, const std::string& name, const std::filesystem::path& folder) {
+  return ObjReader{text, name, folder}.read();
+}
+
+Mesh readObj(const std::filesystem::path& file) {
+  return parseObj(readTextFile(file), file.string(), file.parent_path());
+}
+
+}  // namespace xnewell

@@ -1,0 +1,138 @@
+#include "geometry/files/output_file.h"
+
+#include <fcntl.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+#include <array>
+#include <cerrno>
+#include <csignal>
+#include <cstdio>
+#include <cstdlib>
+#include <memory>
+#include <system_error>
+#include <utility>
+#include <vector>
+
+namespace xnewell {
+
+namespace {
+
+[[noreturn]] void fail(int error, const std::string& file) {
+  throw std::system_error{error, std::generic_category(), file};
+}
+
+/// 0, or what went wrong. Closes the descriptor in either case.
+int writeAndClose(int descriptor, std::string_view bytes) {
+  int error = 0;
+  while (!error && !bytes.empty()) {
+    const ssize_t n = ::write(descriptor, bytes.data(), bytes.size());
+    if (n >= 0)
+      bytes.remove_prefix(n);
+    else if (errno != EINTR)
+      error = errno;
+  }
+  // Some file systems tell of a full disk only here.
+  if (::close(descriptor) != 0 && !error && errno != EINTR) error = errno;
+  return error;
+}
+
+/// Where the bytes finally are: the end of a chain of symbolic links.
+std::string resolved(const std::string& file) {
+  const std::unique_ptr<char, decltype(&std::free)> real{::realpath(file.c_str(), nullptr), &std::free};
+  return real ? real.get() : file;
+}
+
+/// A new file beside `target`; `name` is set to what it is called.
+int openTemporary(const std::string& target, std::string& name) {
+  const std::size_t slash = target.rfind('/');
+  const std::string folder = slash == std::string::npos ? "" : target.substr(0, slash + 1);
+  for (int attempt = 0;; ++attempt) {
+    name = folder + ".xnewell-" + std::to_string(::getpid()) + "-" + std::to_string(attempt);
+    const int descriptor = ::open(name.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0666);
+    if (descriptor >= 0 || errno != EEXIST) return descriptor;
+  }
+}
+
+/// Whether the bytes go straight in. A standard stream may lead to a regular file that somebody else
+/// holds open: it must not be replaced.
+bool goesStraightIn(const std::string& file) {
+  if (file == "/dev/stdout" || file == "/dev/stderr" || file.starts_with("/dev/fd/")) return true;
+  struct ::stat status {};
+  return ::stat(file.c_str(), &status) == 0 && !S_ISREG(status.st_mode);
+}
+
+void writeStraight(const std::string& file, std::string_view bytes) {
+  const int descriptor = ::open(file.c_str(), O_WRONLY | O_TRUNC | O_CLOEXEC);
+  if (descriptor < 0) fail(errno, file);
+  if (const int error = writeAndClose(descriptor, bytes)) fail(error, file);
+}
+
+/// A complete file under a temporary name: it takes its own, or goes.
+class Replacement {
+ public:
+  Replacement(std::string file, std::string_view bytes) : file_{std::move(file)}, target_{resolved(file_)} {
+    if (::access(file_.c_str(), F_OK) == 0 && ::faccessat(AT_FDCWD, file_.c_str(), W_OK, AT_EACCESS) != 0)
+      fail(errno, file_);
+    const int descriptor = openTemporary(target_, temporary_);
+    if (descriptor < 0) fail(errno, file_);
+    if (const int error = writeAndClose(descriptor, bytes)) {
+      ::unlink(temporary_.c_str());
+      fail(error, file_);
+    }
+  }
+  Replacement(Replacement&& o) noexcept
+      : file_{std::move(o.file_)},
+        target_{std::move(o.target_)},
+        temporary_{std::exchange(o.temporary_, std::string{})} {}
+  ~Replacement() {
+    if (!temporary_.empty()) ::unlink(temporary_.c_str());
+  }
+  void takeName() {
+    if (std::rename(temporary_.c_str(), target_.c_str()) != 0) fail(errno, file_);
+    temporary_.clear();
+  }
+
+ private:
+  std::string file_, target_, temporary_;
+};
+
+/// While it lives, signals that would end the program wait.
+class Uninterrupted {
+ public:
+  Uninterrupted() {
+    sigset_t ending;
+    ::sigemptyset(&ending);
+    for (const int signal : {SIGINT, SIGTERM, SIGHUP, SIGQUIT}) ::sigaddset(&ending, signal);
+    ::sigprocmask(SIG_BLOCK, &ending, &before_);
+  }
+  Uninterrupted(const Uninterrupted&) = delete;
+  Uninterrupted& operator=(const Uninterrupted&) = delete;
+  ~Uninterrupted() { ::sigprocmask(SIG_SETMASK, &before_, nullptr); }
+
+ private:
+  sigset_t before_{};
+};
+
+}  // namespace
+
+void writeFiles(std::span<const OutputFile> files) {
+  std::vector<const OutputFile*> whole;
+  for (const OutputFile& file : files) {
+    if (goesStraightIn(file.name))
+      writeStraight(file.name, file.bytes);
+    else
+      whole.push_back(&file);
+  }
+  const Uninterrupted section;
+  std::vector<Replacement> replacements;
+  replacements.reserve(whole.size());
+  for (const OutputFile* file : whole) replacements.emplace_back(file->name, file->bytes);
+  for (Replacement& replacement : replacements) replacement.takeName();
+}
+
+void writeFile(const std::string& file, std::string_view bytes) {
+  writeFiles(std::array{OutputFile{file, bytes}});
+}
+
+}  // namespace xnewell

@@ -1,0 +1,154 @@
+#include "geometry/model/divide.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <glm/common.hpp>
+#include <glm/geometric.hpp>
+#include <numeric>
+
+#include "geometry/exact/box.h"
+#include "geometry/exact/plane.h"
+#include "geometry/exact/scale.h"
+#include "geometry/model/ear_clip.h"
+
+namespace xnewell {
+
+namespace {
+
+constexpr int kDivisionGridBits = 50;
+
+/// A face by itself, ready for decisions.
+struct Outline {
+  std::vector<LatticePoint> grid;  ///< counter-clockwise
+  bool planar = false;
+  bool hasArea = false;
+};
+
+/// A face's corners, as indices into Mesh::corners, without those at the place of the one before them.
+void collapse(const Mesh& mesh, int face, std::vector<int>& corners) {
+  const auto at = [&](int corner) { return mesh.points[mesh.corners[corner]]; };
+  corners.clear();
+  for (int c = mesh.firstCorner[face]; c < mesh.firstCorner[face + 1]; ++c)
+    if (corners.empty() || at(c) != at(corners.back())) corners.push_back(c);
+  while (corners.size() > 1 && at(corners.back()) == at(corners.front())) corners.pop_back();
+}
+
+Outline outlineOf(const Mesh& mesh, std::span<const int> corners, double rounding) {
+  const auto at = [&](int corner) { return mesh.points[mesh.corners[corner]]; };
+  // First scaled by a power of two so that differences do not overflow, then moved to the box's corner and
+  // scaled again, so that the box is 2^49 to 2^50 steps long.
+  double magnitude = 0.0;
+  for (const int c : corners) magnitude = std::max(magnitude, largest(glm::abs(at(c))));
+  int exponent = 0, boxExponent = 0;
+  magnitude = std::frexp(magnitude, &exponent);
+  std::vector<glm::dvec3> p;
+  p.reserve(corners.size());
+  for (const int c : corners) p.push_back(scaled(at(c), -exponent));
+  const Box box = boxOf(p);
+  const double extent = std::frexp(box.side(), &boxExponent);
+  const int steps = kDivisionGridBits - boxExponent;
+  for (glm::dvec3& q : p) q = scaled(q - box.low, steps);
+
+  Outline outline;
+  std::vector<int> all(p.size());
+  std::iota(all.begin(), all.end(), 0);
+  const Plane plane = newellPlane(p, all);
+  const double e = std::ldexp(extent, kDivisionGridBits), u = std::ldexp(rounding, steps - exponent);
+  const double tolerance = std::min(7.0 * u, 3e-5 * e) + 0x1p-46 * e + 0x1p-50 * std::ldexp(magnitude, steps);
+  outline.planar = std::all_of(p.begin(), p.end(), [&](const glm::dvec3& q) {
+    return std::abs(glm::dot(plane.N, q) - plane.d) <= tolerance;
+  });
+
+  const glm::dvec3 N = glm::abs(plane.N);
+  const int dropped = N.z >= N.x && N.z >= N.y ? 2 : N.y >= N.x ? 1 : 0;
+  const auto nearest = [](double x) { return static_cast<std::int64_t>(x + 0.5); };
+  for (const glm::dvec3& q : p)
+    outline.grid.push_back({nearest(q[(dropped + 1) % 3]), nearest(q[(dropped + 2) % 3])});
+  Int128 area = 0;
+  for (std::size_t i = 2; i < p.size(); ++i)
+    area += turn(outline.grid[0], outline.grid[i - 1], outline.grid[i]);
+  if (area < 0)
+    for (LatticePoint& q : outline.grid) std::swap(q.x, q.y);
+  outline.hasArea = area != 0;
+  return outline;
+}
+
+/// Weakly convex: no right turn, and one way round: of the edges' directions, only one run points to the
+/// right (or straight up) and one to the left.
+bool isConvex(std::span<const LatticePoint> p) {
+  const std::size_t n = p.size();
+  const auto pointsRight = [&](std::size_t i) {
+    const LatticePoint &a = p[i % n], &b = p[(i + 1) % n];
+    return b.x > a.x || (b.x == a.x && b.y > a.y);
+  };
+  int runs = 0;
+  for (std::size_t i = 0; i < n; ++i) {
+    if (turn(p[i], p[(i + 1) % n], p[(i + 2) % n]) < 0) return false;
+    runs += pointsRight(i) != pointsRight(i + 1);
+  }
+  return runs == 2;
+}
+
+/// Two triangles: along 0-2 if both turn left there or if 1-3 is no better.
+std::array<std::array<int, 3>, 2> cutQuad(std::span<const LatticePoint> p) {
+  const auto worst = [&](int a, int b, int c, int d) {
+    return std::min(turn(p[a], p[b], p[c]), turn(p[a], p[c], p[d]));
+  };
+  if (worst(0, 1, 2, 3) <= 0 && worst(1, 2, 3, 0) > 0) return {{{1, 2, 3}, {1, 3, 0}}};
+  return {{{0, 1, 2}, {0, 2, 3}}};
+}
+
+void addPiece(Pieces& pieces, const Mesh& mesh, std::span<const int> corners, int face,
+              bool planeOfTheLast = false) {
+  const int planes = pieces.plane.empty() ? 0 : pieces.plane.back() + 1;
+  pieces.plane.push_back(planeOfTheLast ? planes - 1 : planes);
+  for (const int c : corners) pieces.corners.push_back(mesh.corners[c]);
+  pieces.from.insert(pieces.from.end(), corners.begin(), corners.end());
+  pieces.firstCorner.push_back(static_cast<int>(pieces.corners.size()));
+  pieces.face.push_back(face);
+}
+
+}  // namespace
+
+Pieces divideFaces(const Mesh& mesh) {
+  Pieces pieces;
+  pieces.corners.reserve(mesh.corners.size());
+  pieces.from.reserve(mesh.corners.size());
+  pieces.firstCorner.reserve(mesh.firstCorner.size());
+  pieces.face.reserve(mesh.firstCorner.size());
+  pieces.plane.reserve(mesh.firstCorner.size());
+  std::vector<int> corners;
+  for (int f = 0; f < mesh.faceCount(); ++f) {
+    collapse(mesh, f, corners);
+    if (corners.size() < 3) {
+      corners.resize(mesh.face(f).size());
+      std::iota(corners.begin(), corners.end(), mesh.firstCorner[f]);
+      addPiece(pieces, mesh, corners, f);
+      continue;
+    }
+    if (corners.size() == 3) {
+      addPiece(pieces, mesh, corners, f);
+      continue;
+    }
+    const Outline outline = outlineOf(mesh, corners, mesh.roundingOf(f));
+    if (!outline.hasArea || (outline.planar && isConvex(outline.grid))) {
+      addPiece(pieces, mesh, corners, f);
+      continue;
+    }
+    const auto addTriangles = [&](const auto& triangles) {
+      bool later = false;
+      for (const auto& [a, b, c] : triangles) {
+        addPiece(pieces, mesh, std::array{corners[a], corners[b], corners[c]}, f, later && outline.planar);
+        later = true;
+      }
+    };
+    if (corners.size() == 4)
+      addTriangles(cutQuad(outline.grid));
+    else
+      addTriangles(clipEars(outline.grid));
+  }
+  return pieces;
+}
+
+}  // namespace xnewell

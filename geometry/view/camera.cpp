@@ -1,0 +1,183 @@
+#include "geometry/view/camera.h"
+
+#include <algorithm>
+#include <cmath>
+#include <glm/geometric.hpp>
+#include <limits>
+#include <vector>
+
+#include "geometry/exact/box.h"
+#include "geometry/exact/trig.h"
+#include "geometry/exact/unit.h"
+
+namespace xnewell {
+
+namespace {
+
+constexpr double kMargin = 0.06;  // of the picture's half side, left free around a framed scene
+constexpr double kNearFraction = 1.0 / 1024;
+
+glm::dvec3 defaultDirection(UpAxis axis) {
+  return axis == UpAxis::Z ? glm::dvec3{0.22, -1.0, 0.52} : glm::dvec3{0.22, 0.52, 1.0};
+}
+
+/// Of the scene; of a single point anything positive will do.
+double sizeOf(const Box& box) {
+  if (const double side = box.side(); side > 0.0) return side;
+  const double magnitude = box.magnitude();
+  return magnitude > 0.0 ? magnitude : 1.0;
+}
+
+/// The smallest view of slopes `tan`, upright and symmetric, that holds all points.
+struct Frame {
+  glm::dvec2 centre{0};  ///< of the picture, on n = 0
+  double distance = 0;   ///< of the eye from n = 0
+  double height = 0;     ///< of the parallel view about the same centre
+};
+
+/// Centres a parallel view on the points' box and a perspective one on their picture; a view that is
+/// `aimed` stays about the origin.
+Frame frame(std::span<const glm::dvec3> vrc, glm::dvec2 tan, bool aimed, bool parallel) {
+  constexpr double kLowest = -std::numeric_limits<double>::infinity();
+  glm::dvec2 right{kLowest}, left{kLowest}, most{kLowest}, least{-kLowest};
+  for (const glm::dvec3& p : vrc) {
+    const glm::dvec2 uv{p};
+    right = glm::max(right, uv + tan * p.z);
+    left = glm::max(left, tan * p.z - uv);
+    most = glm::max(most, uv);
+    least = glm::min(least, uv);
+  }
+  // A point is in the picture if |uv - centre| <= tan (distance - n): in each direction the best centre
+  // and its least distance are linear in the two extremes.
+  Frame f;
+  if (!aimed) f.centre = parallel ? (most + least) / 2.0 : (right - left) / 2.0;
+  const glm::dvec2 distance = glm::max(right - f.centre, left + f.centre) / tan;
+  f.distance = std::max(distance.x, distance.y);
+  const glm::dvec2 half = glm::max(most - f.centre, f.centre - least);
+  f.height = 2.0 * std::max(half.y, half.x * tan.y / tan.x);
+  // The direction with room to spare is now centred for a nearer eye: a few steps centre it for this one.
+  constexpr int kSteps = 4;
+  for (int step = 0; step < kSteps && !aimed && !parallel; ++step) {
+    glm::dvec2 high{kLowest}, low{-kLowest};
+    for (const glm::dvec3& p : vrc) {
+      const glm::dvec2 seen = (glm::dvec2{p} - f.centre) / (f.distance - p.z);
+      high = glm::max(high, seen);
+      low = glm::min(low, seen);
+    }
+    f.centre += (high + low) * (f.distance / 2.0);
+  }
+  return f;
+}
+
+}  // namespace
+
+glm::dvec3 upVector(UpAxis axis) { return axis == UpAxis::Z ? glm::dvec3{0, 0, 1} : glm::dvec3{0, 1, 0}; }
+
+Camera placeCamera(const CameraSettings& s, std::span<const glm::dvec3> points, UpAxis axis, double aspect) {
+  const double fov = s.fov.value_or(kDefaultFov);
+  if (!(fov > 0.0 && fov < 180.0)) throw ViewError{"the field of view must lie between 0 and 180 degrees"};
+  Box box;
+  for (const glm::dvec3& p : points) box.add(p);
+  if (points.empty()) box.add(glm::dvec3{0.0});
+  const double side = sizeOf(box);
+
+  // Axes: what was said, else a pleasant direction.
+  Camera camera;
+  ViewSpec& view = camera.view;
+  const bool parallel = s.parallel || s.oblique;
+  view.projection = parallel ? Projection::Parallel : Projection::Perspective;
+  const bool aimed = s.vrp || s.lookAt;
+  view.vrp = s.vrp ? *s.vrp : s.lookAt.value_or(box.centre());
+  view.vpn = s.vpn ? *s.vpn : s.eye ? *s.eye - view.vrp : defaultDirection(axis);
+  view.vup = s.vup ? *s.vup : s.up.value_or(upVector(axis));
+  if (!s.vup && !s.up && glm::cross(unit(view.vup), unit(view.vpn)) == glm::dvec3{0.0})
+    view.vup = upVector(axis == UpAxis::Z ? UpAxis::Y : UpAxis::Z);  // looking straight down or up
+
+  // The scene in VRC; receding lines of an oblique view lean before they are framed.
+  const glm::dmat3 rotation = vrcRotation(view);
+  glm::dvec2 lean{0.0};
+  if (s.oblique) {
+    const SinCos a = sinCosDegrees(s.oblique->angle);
+    lean = s.oblique->length * glm::dvec2{a.cos, a.sin};
+  }
+  const bool free = !aimed && !s.eye && !s.prp && !s.window;
+  const bool fits = free || !s.eye || s.prp || (parallel && !s.window && !s.height);  // or all is said
+  std::vector<glm::dvec3> vrc;
+  if (fits) vrc.reserve(points.size());
+  Box vrcBox;
+  for (const glm::dvec3& p : points) {
+    const glm::dvec3 q = rotation * (p - view.vrp);
+    vrcBox.add(q);
+    if (fits) vrc.push_back(q - glm::dvec3{lean * q.z, 0.0});
+  }
+  if (points.empty()) vrcBox.add(glm::dvec3{0.0});
+
+  // Distance and window: as said, else so that the scene fills the picture.
+  const double tanV = tanDegrees(fov / 2.0);
+  const Frame fit =
+      fits ? frame(vrc, (1.0 - kMargin) * tanV * glm::dvec2{aspect, 1.0}, !free, parallel) : Frame{};
+  if (free) {
+    view.vrp += glm::transpose(rotation) * glm::dvec3{fit.centre, 0.0};
+    vrcBox.low -= glm::dvec3{fit.centre, 0.0};
+    vrcBox.high -= glm::dvec3{fit.centre, 0.0};
+  }
+  const double D = s.eye && !s.prp ? (rotation * (*s.eye - view.vrp)).z
+                                   : std::max(fit.distance, vrcBox.high.z + side * kNearFraction * 2);
+  view.prp = s.prp ? *s.prp : glm::dvec3{lean * D, D};
+  if (s.window) {
+    view.windowMin = {s.window->x, s.window->z};
+    view.windowMax = {s.window->y, s.window->w};
+  } else {
+    const double halfHeight =
+        parallel ? s.height.value_or(fit.height / (1.0 - kMargin)) / 2.0 : view.prp.z * tanV;
+    const glm::dvec2 half =
+        halfHeight > 0.0 ? halfHeight * glm::dvec2{aspect, 1.0} : side * glm::dvec2{aspect, 1.0};
+    view.windowMin = -half;
+    view.windowMax = half;
+  }
+
+  // Clipping planes: as said, else around the scene, and the front one before the eye.
+  const double gap = side * kNearFraction;
+  const double sceneFront = vrcBox.high.z + gap, sceneBack = vrcBox.low.z - gap;
+  view.front = s.front    ? *s.front
+               : parallel ? sceneFront
+                          : view.prp.z - std::max(gap, (view.prp.z - sceneFront) / 2.0);
+  view.back = s.back ? *s.back : std::min(sceneBack, view.front - gap);
+
+  const glm::dvec3 eyeInVrc = s.prp ? *s.prp : glm::dvec3{0, 0, D};
+  camera.eye = s.eye && !s.prp ? *s.eye : view.vrp + glm::transpose(rotation) * eyeInVrc;
+  camera.lookAt = view.vrp;
+  camera.up = view.vup;
+  return camera;
+}
+
+CameraSettings moved(const CameraSettings& s, const Camera& camera, double azimuth, double elevation,
+                     double zoom) {
+  const glm::dvec3 up = unit(camera.up), arm = camera.eye - camera.lookAt;
+  const double length = std::sqrt(glm::dot(arm, arm));
+  // Turn about the up vector, then towards it along the circle through the eye and the pole.
+  const SinCos a = sinCosDegrees(azimuth);
+  const glm::dvec3 turned =
+      arm * a.cos + glm::cross(up, arm) * a.sin + up * glm::dot(up, arm) * (1.0 - a.cos);
+  const glm::dvec3 flat = unit(turned - up * glm::dot(up, turned));
+  const SinCos e = sinCosDegrees(elevation), limit = sinCosDegrees(89.0);
+  const double sinNow = glm::dot(up, unit(turned)), cosNow = glm::dot(flat, unit(turned));
+  const double sinNext = std::clamp(sinNow * e.cos + cosNow * e.sin, -limit.sin, limit.sin);
+  const bool past = cosNow * e.cos - sinNow * e.sin < limit.cos;
+  const double s1 = past ? (sinNow > 0.0 ? limit.sin : -limit.sin) : sinNext;
+  const double c1 = std::sqrt(std::max(0.0, 1.0 - s1 * s1));
+
+  CameraSettings next = s;
+  next.vrp = next.vpn = next.vup = next.prp = std::nullopt;
+  next.window = std::nullopt;
+  next.front = next.back = std::nullopt;
+  const bool parallel = camera.view.projection == Projection::Parallel;
+  next.parallel = parallel;
+  next.lookAt = camera.lookAt;
+  next.up = camera.up;
+  next.eye = camera.lookAt + (flat * c1 + up * s1) * (parallel ? length : length / zoom);
+  if (parallel) next.height = (camera.view.windowMax.y - camera.view.windowMin.y) / zoom;
+  return next;
+}
+
+}  // namespace xnewell

@@ -1,0 +1,314 @@
+#include "geometry/view/project.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <utility>
+
+#include "geometry/view/clip.h"
+#include "geometry/view/depth_doubt.h"
+
+namespace xnewell {
+
+namespace {
+
+/// Twice the area of a triangle.
+std::int64_t doubleArea(const glm::ivec3& a, const glm::ivec3& b, const glm::ivec3& c) {
+  const std::int64_t x1 = b.x - a.x, y1 = b.y - a.y, x2 = c.x - a.x, y2 = c.y - a.y;
+  return y1 * x2 - x1 * y2;  // y runs down
+}
+
+/// A vertex before the snap: pixels, divided by w.
+glm::dvec3 divided(const glm::dvec4& p) { return glm::dvec3{p} / p.w; }
+
+/// More corners than this cost more in comparisons than a part more.
+constexpr int kMostCorners = 64;
+
+/// A vertex of an outline and SnappedScene::source of it.
+struct ClippedCorner {
+  glm::ivec3 at;
+  int source;
+};
+
+/// What pieces an outline belongs to.
+struct Owner {
+  int number, piece, plane;
+};
+
+/// Appends the snapped outlines of one convex piece after the other. There is room for those of all pieces
+/// from the start: to grow for each of them costs nearly as much as to snap them.
+class Snapper {
+ public:
+  Snapper(SnappedScene& scene, const Pieces& pieces, Cull cull, double zScale)
+      : scene_{scene}, cull_{cull}, zScale_{zScale} {
+    scene_.faces.reserve(pieces.face.size());
+    makeRoom(pieces.corners.size());
+  }
+
+  [[nodiscard]] glm::ivec3 snap(const glm::dvec3& p) const {
+    return {std::lrint(p.x * kGrid), std::lrint(p.y * kGrid), std::lrint(p.z * zScale_)};
+  }
+
+  void add(std::vector<ClippedCorner>& outline, const Owner& owner) {
+    dropRepeats(outline);
+    const int count = static_cast<int>(outline.size());
+    const std::int64_t area = count < 3 ? 0 : doubleAreaOf(outline.data(), count);
+    if (area == 0) {
+      ++scene_.degenerate;
+      return;
+    }
+    const bool back = area < 0;
+    if (back && cull_ == Cull::Back) {
+      ++scene_.culled;
+      return;
+    }
+    if (back) std::reverse(outline.begin(), outline.end());
+    addConvex(outline.data(), count, owner, back);
+  }
+
+  /// The same for most faces of most scenes, from where they are: corners `from` and the snapped points `at`
+  /// refers to. (What is gathered in a ClippedCorner is read back before it has been stored.)
+  void addTriangle(const int* at, const int* from, const std::vector<glm::ivec3>& snapped,
+                   const Owner& owner) {
+    const glm::ivec3 &a = snapped[at[0]], &b = snapped[at[1]], &c = snapped[at[2]];
+    const std::int64_t area = doubleArea(a, b, c);
+    const bool back = area < 0;
+    if (area == 0) {
+      ++scene_.degenerate;
+    } else if (back && cull_ == Cull::Back) {
+      ++scene_.culled;
+    } else {
+      const std::size_t first = addFace(3, owner, back);
+      glm::ivec3* const vertex = &scene_.vertices[first];
+      int* const source = &scene_.source[first];
+      vertex[0] = back ? c : a, vertex[1] = b, vertex[2] = back ? a : c;
+      source[0] = from[back ? 2 : 0], source[1] = from[1], source[2] = from[back ? 0 : 2];
+    }
+  }
+
+  /// Leaves no room beyond what was written.
+  void finish() { makeRoom(vertices_); }
+
+ private:
+  /// A face whose outline is still to be written, from the vertex on that is returned.
+  std::size_t addFace(int count, const Owner& owner, bool back) {
+    const std::size_t first = vertices_;
+    vertices_ += static_cast<std::size_t>(count);
+    scene_.faces.push_back({.first = static_cast<int>(first),
+                            .count = count,
+                            .number = owner.number,
+                            .piece = owner.piece,
+                            .back = back,
+                            .plane = owner.plane});
+    if (vertices_ > scene_.vertices.size()) makeRoom(2 * vertices_);
+    return first;
+  }
+
+  void append(const ClippedCorner* p, int count, const Owner& owner, bool back) {
+    const std::size_t first = addFace(count, owner, back);
+    for (int k = 0; k < count; ++k) {
+      scene_.vertices[first + k] = p[k].at;
+      scene_.source[first + k] = p[k].source;
+    }
+  }
+
+  static void dropRepeats(std::vector<ClippedCorner>& outline) {
+    const auto same = [](const ClippedCorner& a, const ClippedCorner& b) { return a.at == b.at; };
+    outline.erase(std::unique(outline.begin(), outline.end(), same), outline.end());
+    while (outline.size() > 1 && same(outline.front(), outline.back())) outline.pop_back();
+  }
+
+  /// Twice the area, as doubleArea().
+  static std::int64_t doubleAreaOf(const ClippedCorner* p, int count) {
+    std::uint64_t sum = 0;
+    for (int i = 1; i + 1 < count; ++i)
+      sum += static_cast<std::uint64_t>(doubleArea(p[0].at, p[i].at, p[i + 1].at));
+    return static_cast<std::int64_t>(sum);
+  }
+
+  static bool turnsBack(const glm::ivec3& a, const glm::ivec3& b, const glm::ivec3& c) {
+    return std::int64_t{b.x - a.x} * (c.x - b.x) + std::int64_t{b.y - a.y} * (c.y - b.y) < 0;
+  }
+
+  static bool convex(const ClippedCorner* p, int count) {
+    int descents = 0;  // a convex outline changes from rising to falling once a turn
+    for (int i = 0; i < count; ++i) {
+      const glm::ivec3 &a = p[i].at, &b = p[(i + 1) % count].at, &c = p[(i + 2) % count].at;
+      const std::int64_t turn = doubleArea(a, b, c);
+      if (turn < 0 || (turn == 0 && turnsBack(a, b, c))) return false;
+      descents += (b.y > a.y || (b.y == a.y && b.x > a.x)) && !(c.y > b.y || (c.y == b.y && c.x > b.x));
+    }
+    return descents == 1;
+  }
+
+  /// Rounding may bend the outline of a polygon with many corners by a grid step, and pairs are compared
+  /// corner by corner. So such an outline is halved along a chord between two of its own vertices until the
+  /// parts are convex, as a triangle always is, and of few corners.
+  void addConvex(const ClippedCorner* p, int count, const Owner& owner, bool back) {
+    if (count == 3 || (count <= kMostCorners && convex(p, count))) {
+      if (doubleAreaOf(p, count) <= 0)
+        return;  // a part that the rounding has turned over: less than a step wide
+      append(p, count, owner, back);
+      return;
+    }
+    const int half = count / 2;
+    std::vector<ClippedCorner> rest{p + half, p + count};
+    rest.push_back(p[0]);  // last: chords from one vertex to all others would make needles
+    addConvex(p, half + 1, owner, back);
+    addConvex(rest.data(), static_cast<int>(rest.size()), owner, back);
+  }
+
+  void makeRoom(std::size_t vertices) {
+    scene_.vertices.resize(vertices);
+    scene_.source.resize(vertices);
+  }
+
+  SnappedScene& scene_;
+  Cull cull_;
+  double zScale_;
+  std::size_t vertices_ = 0;  ///< so many have been written
+};
+
+}  // namespace
+
+std::int64_t doubleArea(const glm::ivec3* p, int count) {
+  std::uint64_t sum = 0;
+  for (int i = 1; i + 1 < count; ++i) sum += static_cast<std::uint64_t>(doubleArea(p[0], p[i], p[i + 1]));
+  return static_cast<std::int64_t>(sum);
+}
+
+SnappedScene snap(const Mesh& mesh, const Pieces& pieces, const ViewSpec& view, int width, int height,
+                  Cull cull) {
+  const glm::dmat4 screenFromVrc = screenFromCanonical(view, width, height) * canonicalFromVrc(view);
+  const glm::dmat3 rotation = vrcRotation(view);
+  const std::array<ClipPlane, 6> planes = clipPlanes(frontDepth(view, width), kMaxPicture);
+
+  // Every vertex once: transformed, and where it lies inside the volume divided.
+  std::vector<glm::dvec4> homogeneous(mesh.points.size());
+  std::vector<glm::dvec3> screen(mesh.points.size());
+  std::vector<std::uint8_t> outside(mesh.points.size());
+  double zMax = 0.0;
+  for (std::size_t i = 0; i < mesh.points.size(); ++i) {
+    homogeneous[i] = screenFromVrc * glm::dvec4{rotation * (mesh.points[i] - view.vrp), 1.0};
+    outside[i] = static_cast<std::uint8_t>(outcode(planes, homogeneous[i]));
+    if (outside[i]) continue;
+    screen[i] = divided(homogeneous[i]);
+    zMax = std::max(zMax, screen[i].z);
+  }
+
+  // Pieces that cross a plane are clipped first: their new vertices count in the choice of the z scale.
+  struct Clipped {
+    int piece, first, count;
+  };
+  SnappedScene scene;
+  std::vector<Clipped> clipped;
+  struct ClippedVertex {
+    glm::dvec3 at;
+    int source;
+  };
+  std::vector<ClippedVertex> clippedVertices;
+  std::vector<ClipVertex> polygon;
+  const int count = static_cast<int>(pieces.face.size());
+  scene.polygons = count;
+  const bool allInside = std::ranges::all_of(outside, [](std::uint8_t code) { return code == 0; });
+  for (int i = 0; i < count && !allInside; ++i) {
+    unsigned any = 0, all = ~0u;
+    for (const int corner : pieces.piece(i)) {
+      any |= outside[corner];
+      all &= outside[corner];
+    }
+    if (!any) continue;
+    clipped.push_back({i, static_cast<int>(clippedVertices.size()), 0});
+    if (all) continue;
+    polygon.clear();
+    for (int c = pieces.firstCorner[i]; c < pieces.firstCorner[i + 1]; ++c)
+      polygon.push_back({homogeneous[pieces.corners[c]], pieces.from[c]});
+    clip(polygon, planes, any, scene.between);
+    for (const ClipVertex& v : polygon) {
+      clippedVertices.push_back({divided(v.p), v.source});
+      zMax = std::max(zMax, clippedVertices.back().at.z);
+    }
+    clipped.back().count = static_cast<int>(polygon.size());
+  }
+
+  // One snap. z gets the steps of x and y unless something comes too near for 30 bits.
+  while (zMax * kGrid > std::ldexp(1.0, 30 + scene.zShift)) ++scene.zShift;
+  Snapper snapper{scene, pieces, cull, std::ldexp(1.0, kGridBits - scene.zShift)};
+  std::vector<glm::ivec3> snapped(mesh.points.size());
+  for (std::size_t i = 0; i < mesh.points.size(); ++i)
+    if (!outside[i]) snapped[i] = snapper.snap(screen[i]);
+
+  std::vector<ClippedCorner> outline;
+  auto next = clipped.begin();
+  for (int i = 0; i < count; ++i) {
+    outline.clear();
+    if (next != clipped.end() && next->piece == i) {
+      for (int v = 0; v < next->count; ++v) {
+        const ClippedVertex& vertex = clippedVertices[next->first + v];
+        outline.push_back({snapper.snap(vertex.at), vertex.source});
+      }
+      ++next;
+      if (outline.empty()) {
+        ++scene.outside;
+        continue;
+      }
+    } else {
+      const int first = pieces.firstCorner[i];
+      if (pieces.firstCorner[i + 1] == first + 3) {
+        snapper.addTriangle(&pieces.corners[first], &pieces.from[first], snapped,
+                            {pieces.face[i], i, pieces.plane[i]});
+        continue;
+      }
+      for (int c = first; c < pieces.firstCorner[i + 1]; ++c)
+        outline.push_back({snapped[pieces.corners[c]], pieces.from[c]});
+    }
+    snapper.add(outline, {pieces.face[i], i, pieces.plane[i]});
+  }
+  snapper.finish();
+  return scene;
+}
+
+// Records are in order of their first face.
+void addPlanes(SnappedScene& scene, const Mesh& mesh, const ViewSpec& view, int width, int height) {
+  const DepthDoubt doubt{view, width, height, scene.zShift};
+  const int count = static_cast<int>(scene.faces.size());
+  int modelPlanes = 0;
+  for (const SnappedFace& face : scene.faces) modelPlanes = std::max(modelPlanes, face.plane + 1);
+  std::vector<int> next(count, -1), first(modelPlanes, -1);  // faces of a plane, from each to the next
+  for (int f = count - 1; f >= 0; --f) next[f] = std::exchange(first[scene.faces[f].plane], f);
+
+  scene.planes.reserve(count);
+  std::vector<glm::ivec3> together;
+  for (int f = 0; f < count; ++f) {
+    const SnappedFace& face = scene.faces[f];
+    if (first[face.plane] != f) continue;  // a later one of its plane has the record by now
+    const glm::ivec3* vertices = &scene.vertices[face.first];
+    int vertexCount = face.count;
+    if (next[f] >= 0) {
+      together.clear();
+      for (int g = f; g >= 0; g = next[g]) {
+        const auto outline = scene.vertices.begin() + scene.faces[g].first;
+        together.insert(together.end(), outline, outline + scene.faces[g].count);
+      }
+      vertices = together.data();
+      vertexCount = static_cast<int>(together.size());
+    }
+    const int record = static_cast<int>(scene.planes.size());
+    scene.planes.push_back(planeThrough(vertices, vertexCount));
+    for (int g = f; g >= 0; g = next[g]) {
+      SnappedFace& member = scene.faces[g];
+      member.plane = record;
+      member.doubt = doubt.of(&scene.vertices[member.first], member.count, scene.planes.back(),
+                              mesh.roundingOf(member.number));
+    }
+  }
+}
+
+SnappedScene project(const Mesh& mesh, const Pieces& pieces, const ViewSpec& view, int width, int height,
+                     Cull cull) {
+  SnappedScene scene = snap(mesh, pieces, view, width, height, cull);
+  addPlanes(scene, mesh, view, width, height);
+  return scene;
+}
+
+}  // namespace xnewell

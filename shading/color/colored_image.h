@@ -1,0 +1,14 @@
+#pragma once
+
+#include "shading/color/index_image.h"
+#include "shading/color/palette.h"
+
+namespace xnewell {
+
+/// An image and the colours of its cells.
+struct ColoredImage {
+  IndexImage image;
+  Palette palette;
+};
+
+}  // namespace xnewell

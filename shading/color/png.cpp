@@ -1,0 +1,148 @@
+#include "shading/color/png.h"
+
+#include <png.h>
+
+#include <array>
+#include <cassert>
+#include <cerrno>
+#include <csetjmp>
+#include <cstdint>
+#include <cstdio>
+#include <memory>
+#include <stdexcept>
+#include <system_error>
+#include <utility>
+#include <vector>
+
+#include "geometry/files/output_file.h"
+#include "geometry/files/parse_error.h"
+
+namespace xnewell {
+
+namespace {
+
+constexpr int kLargest = 8192;
+
+/// Of zlib, behind the filter that stores differences to the left. Measured with a shaded teapot of
+/// 800 x 600: level 1 makes 37 kB in 2.5 ms, 4 makes 29 kB in 4.3 ms, 6 makes 26 kB in 8 ms, 9 makes
+/// 24 kB in 58 ms. The same picture in RGB: 39 kB in 10 ms at level 4.
+constexpr int kCompression = 4;
+
+struct Pixels {
+  int width, height, colorType;
+  const std::uint8_t* bytes;  ///< rows without padding
+  int bytesPerRow;
+  const png_color* palette;  ///< 256 entries, or null
+};
+
+struct CloseFile {
+  void operator()(std::FILE* file) const { std::fclose(file); }
+};
+
+struct Output {
+  std::string bytes;
+  std::string error;
+};
+
+// libpng is C: no exception may pass through it. Its errors jump back to encode(), which has nothing to
+// destroy.
+void onError(png_structp png, png_const_charp what) {
+  static_cast<Output*>(png_get_error_ptr(png))->error = what;
+  png_longjmp(png, 1);
+}
+void onWarning(png_structp, png_const_charp) {}
+
+void append(png_structp png, png_bytep data, png_size_t size) {
+  bool done = true;
+  try {
+    static_cast<Output*>(png_get_io_ptr(png))->bytes.append(reinterpret_cast<const char*>(data), size);
+  } catch (...) {
+    done = false;
+  }
+  if (!done) png_error(png, "out of memory");
+}
+
+/// False after an error, which is in the output.
+bool encode(png_structp png, png_infop info, const Pixels& p) {
+  if (setjmp(png_jmpbuf(png))) return false;
+  png_set_IHDR(png, info, p.width, p.height, 8, p.colorType, PNG_INTERLACE_NONE, PNG_COMPRESSION_TYPE_DEFAULT,
+               PNG_FILTER_TYPE_DEFAULT);
+  if (p.palette) png_set_PLTE(png, info, p.palette, 256);
+  png_set_compression_level(png, kCompression);
+  png_set_filter(png, PNG_FILTER_TYPE_BASE, PNG_FILTER_SUB);
+  png_write_info(png, info);
+  for (int j = 0; j < p.height; ++j) png_write_row(png, p.bytes + std::size_t(j) * p.bytesPerRow);
+  png_write_end(png, nullptr);
+  return true;
+}
+
+struct Writer {
+  png_structp png;
+  png_infop info;
+  explicit Writer(Output& output)
+      : png{png_create_write_struct(PNG_LIBPNG_VER_STRING, &output, onError, onWarning)},
+        info{png ? png_create_info_struct(png) : nullptr} {
+    if (png) png_set_write_fn(png, &output, append, nullptr);
+  }
+  Writer(const Writer&) = delete;
+  Writer& operator=(const Writer&) = delete;
+  ~Writer() { png_destroy_write_struct(&png, &info); }
+};
+
+std::string encoded(const Pixels& pixels) {
+  Output output;
+  const Writer writer{output};
+  if (!writer.info) throw std::bad_alloc{};
+  if (!encode(writer.png, writer.info, pixels)) throw std::runtime_error{"PNG: " + output.error};
+  return std::move(output.bytes);
+}
+
+}  // namespace
+
+std::string encodePng(const IndexImage& image, const Palette& palette) {
+  assert(image.pixels.size() == std::size_t(image.width) * image.height);
+  std::array<png_color, 256> colors;
+  for (int c = 0; c < 256; ++c) {
+    const auto shown = [](std::uint16_t v) { return static_cast<png_byte>(v >> 8); };
+    colors[c] = {shown(palette[c].r), shown(palette[c].g), shown(palette[c].b)};
+  }
+  return encoded(
+      {image.width, image.height, PNG_COLOR_TYPE_PALETTE, image.pixels.data(), image.width, colors.data()});
+}
+
+std::string encodePng(const RgbImage& image) {
+  assert(image.rgb.size() == std::size_t{3} * image.width * image.height);
+  return encoded({image.width, image.height, PNG_COLOR_TYPE_RGB, image.rgb.data(), 3 * image.width, nullptr});
+}
+
+void writePng(const std::string& file, const IndexImage& image, const Palette& palette) {
+  writeFile(file, encodePng(image, palette));
+}
+
+void writePng(const std::string& file, const RgbImage& image) { writeFile(file, encodePng(image)); }
+
+RgbImage readPng(const std::string& file) {
+  const std::unique_ptr<std::FILE, CloseFile> input{std::fopen(file.c_str(), "rb")};
+  if (!input) throw std::system_error{errno, std::generic_category(), file};
+  std::array<std::uint8_t, 8> signature{};
+  const std::size_t there = std::fread(signature.data(), 1, signature.size(), input.get());
+  if (std::ferror(input.get())) throw std::system_error{errno, std::generic_category(), file};
+  if (there < signature.size() || png_sig_cmp(signature.data(), 0, signature.size()) != 0)
+    throw ParseError{file, 0, "no PNG file"};
+  std::rewind(input.get());
+  // libpng's simplified reader keeps its errors to itself and tells them in `message`.
+  png_image png{};
+  png.version = PNG_IMAGE_VERSION;
+  const std::unique_ptr<png_image, decltype(&png_image_free)> freed{&png, &png_image_free};
+  if (!png_image_begin_read_from_stdio(&png, input.get()))
+    throw ParseError{file, 0, std::feof(input.get()) ? "the PNG file ends early" : png.message};
+  if (png.width > kLargest || png.height > kLargest) throw ParseError{file, 0, "larger than 8192 pixels"};
+  png.format = PNG_FORMAT_RGB;
+  RgbImage image{static_cast<int>(png.width), static_cast<int>(png.height)};
+  const png_color black{0, 0, 0};
+  if (!png_image_finish_read(&png, &black, image.rgb.data(), 0, nullptr))
+    throw ParseError{file, 0, std::feof(input.get()) ? "the PNG file ends early" : png.message};
+  return image;
+}
+
+}  // namespace xnewell

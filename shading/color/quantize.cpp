@@ -1,0 +1,189 @@
+#include "shading/color/quantize.h"
+
+#include <algorithm>
+#include <cassert>
+#include <optional>
+#include <utility>
+
+#include "shading/color/nearest_color.h"
+
+namespace xnewell {
+
+namespace {
+
+/// Calls paint(x, y, color, cell) for every pixel that shows something.
+template <class Paint>
+void eachPixel(const RgbImage& picture, Shows shows, IndexImage& cells, Paint&& paint) {
+  assert(cells.width == picture.width && cells.height == picture.height);
+  assert(shows.empty() || shows.size() == cells.pixels.size());
+  std::size_t k = 0;
+  for (int y = 0; y < picture.height; ++y)
+    for (int x = 0; x < picture.width; ++x, ++k) {
+      const std::uint8_t* rgb = &picture.rgb[3 * k];
+      if (shows.empty() || shows[k]) paint(x, y, glm::u8vec3{rgb[0], rgb[1], rgb[2]}, cells.pixels[k]);
+    }
+}
+
+/// One channel of the cube.
+class Channel {
+ public:
+  explicit Channel(int levels) : levels_{levels} {
+    for (int v = 0; v < 256; ++v) {
+      int k = levels - 2;
+      while (k > 0 && level(k) > v) --k;
+      const int above = v - level(k), step = level(k + 1) - level(k);
+      below_[v] = static_cast<std::uint8_t>(k);
+      fraction_[v] = static_cast<std::uint8_t>((128 * above + step) / (2 * step));
+      nearest_[v] = static_cast<std::uint8_t>(2 * above >= step ? k + 1 : k);
+    }
+  }
+  [[nodiscard]] std::uint8_t level(int k) const {
+    return static_cast<std::uint8_t>((2 * 255 * k + levels_ - 1) / (2 * (levels_ - 1)));
+  }
+  [[nodiscard]] int nearest(int v) const { return nearest_[v]; }
+  [[nodiscard]] int dithered(int v, int rank) const { return below_[v] + (rank < fraction_[v]); }
+
+ private:
+  int levels_;
+  std::array<std::uint8_t, 256> below_, nearest_;
+  std::array<std::uint8_t, 256> fraction_;  ///< 0..64 of the step from the level below, to the nearest
+};
+
+struct Cube {
+  static constexpr int kReds = 6, kGreens = 8, kBlues = 5;
+  static_assert(kReds * kGreens * kBlues == kMaxShades);
+  Channel red{kReds}, green{kGreens}, blue{kBlues};
+  static int number(int r, int g, int b) { return (r * kGreens + g) * kBlues + b; }
+};
+
+/// Two colours of a palette, and how many of 64 places the second has.
+struct Mixture {
+  std::uint8_t color, other;
+  std::uint8_t share;  ///< 0..32
+  /// Whoever comes later in the palette has the lower ranks, so that a gradient passes the middle unbroken.
+  [[nodiscard]] int at(int rank) const {
+    return (other > color ? rank < share : rank >= 64 - share) ? other : color;
+  }
+};
+
+/// Which colours to mix for those that the palette does not hold.
+class Mixer {
+ public:
+  explicit Mixer(std::span<const glm::u8vec3> palette) : palette_{palette} {
+    const int count = static_cast<int>(palette.size());
+    std::vector<Neighbor> others;
+    for (int k = 0; k < count; ++k) {
+      others.clear();
+      for (int l = 0; l < count; ++l) {
+        const glm::ivec3 to = glm::ivec3{palette[l]} - glm::ivec3{palette[k]};
+        if (to != glm::ivec3{0}) others.push_back({to, dot(to, to), static_cast<std::uint8_t>(l)});
+      }
+      const auto end = others.begin() + std::min<std::ptrdiff_t>(kNeighbors, std::ssize(others));
+      std::partial_sort(others.begin(), end, others.end(), [](const Neighbor& p, const Neighbor& q) {
+        return std::pair{p.square, p.number} < std::pair{q.square, q.number};
+      });
+      neighbors_.emplace_back(others.begin(), end);
+    }
+  }
+
+  /// For colour v, whose nearest is `color`. Among equals the nearer neighbour.
+  [[nodiscard]] Mixture operator()(glm::u8vec3 v, std::uint8_t color) const {
+    const glm::ivec3 off = glm::ivec3{v} - glm::ivec3{palette_[color]};
+    Mixture best{color, color, 0};
+    std::int64_t most = 0;
+    if (off != glm::ivec3{0})
+      for (const Neighbor& neighbor : neighbors_[color]) {
+        const int along = dot(off, neighbor.to);
+        // The share whose mean is nearest to v. At most a half, for `color` is nearer than the neighbour.
+        const int f = along <= 0 ? 0 : (128 * along + neighbor.square) / (2 * neighbor.square);
+        // By how much the squared error of the mean falls, less the charge; times 8 * 64^2.
+        const std::int64_t gain =
+            std::int64_t{1024} * f * along - std::int64_t{f} * (8 * f + (64 - f)) * neighbor.square;
+        if (gain > most) most = gain, best = {color, neighbor.number, static_cast<std::uint8_t>(f)};
+      }
+    return best;
+  }
+
+ private:
+  static constexpr int kNeighbors = 16;
+  struct Neighbor {
+    glm::ivec3 to;
+    int square;  ///< |to|^2
+    std::uint8_t number;
+  };
+  static int dot(glm::ivec3 p, glm::ivec3 q) { return p.x * q.x + p.y * q.y + p.z * q.z; }
+
+  std::span<const glm::u8vec3> palette_;
+  std::vector<std::vector<Neighbor>> neighbors_;  ///< of each colour, the nearest first
+};
+
+}  // namespace
+
+std::vector<glm::u8vec3> cubeColors() {
+  const Cube cube;
+  std::vector<glm::u8vec3> colors;
+  for (int r = 0; r < Cube::kReds; ++r)
+    for (int g = 0; g < Cube::kGreens; ++g)
+      for (int b = 0; b < Cube::kBlues; ++b)
+        colors.push_back({cube.red.level(r), cube.green.level(g), cube.blue.level(b)});
+  return colors;
+}
+
+void paintCube(const RgbImage& picture, Shows shows, int first, bool dither, IndexImage& cells) {
+  const Cube cube;
+  if (dither)
+    eachPixel(picture, shows, cells, [&](int x, int y, glm::u8vec3 v, std::uint8_t& cell) {
+      const int rank = bayerRank(x, y);
+      cell = static_cast<std::uint8_t>(first + Cube::number(cube.red.dithered(v.r, rank),
+                                                            cube.green.dithered(v.g, rank),
+                                                            cube.blue.dithered(v.b, rank)));
+    });
+  else
+    eachPixel(picture, shows, cells, [&](int, int, glm::u8vec3 v, std::uint8_t& cell) {
+      cell = static_cast<std::uint8_t>(
+          first + Cube::number(cube.red.nearest(v.r), cube.green.nearest(v.g), cube.blue.nearest(v.b)));
+    });
+}
+
+void paintNearest(const RgbImage& picture, Shows shows, std::span<const glm::u8vec3> palette, bool dither,
+                  int first, IndexImage& cells) {
+  if (palette.empty()) return;
+  NearestColor nearest{palette};
+  std::optional<Mixer> mixer;
+  if (dither) mixer.emplace(palette);
+  const auto mixtureOf = [&](glm::u8vec3 v) {
+    const auto color = static_cast<std::uint8_t>(nearest(v));
+    return mixer ? (*mixer)(v, color) : Mixture{color, color, 0};
+  };
+  // Neighbouring rows repeat each other's colours: three of four pixels of a shaded picture find theirs here.
+  struct Known {
+    glm::u8vec3 v;
+    Mixture mixture;
+  };
+  constexpr int kBits = 13;
+  std::vector<Known> known(1 << kBits, Known{{0, 0, 0}, mixtureOf({0, 0, 0})});
+  eachPixel(picture, shows, cells, [&](int x, int y, glm::u8vec3 v, std::uint8_t& cell) {
+    const std::uint32_t key = std::uint32_t{v.r} << 16 | std::uint32_t{v.g} << 8 | v.b;
+    Known& at = known[key * 2654435761u >> (32 - kBits)];  // 2^32 over the golden ratio
+    if (at.v != v) at = {v, mixtureOf(v)};
+    cell = static_cast<std::uint8_t>(first + at.mixture.at(bayerRank(x, y)));
+  });
+}
+
+std::vector<Rgb16> quantize(const RgbImage& picture, Shows shows, const QuantizeSettings& settings,
+                            IndexImage& cells) {
+  std::vector<glm::u8vec3> colors;
+  if (settings.quantizer == Quantizer::Cube) {
+    colors = cubeColors();
+    paintCube(picture, shows, settings.first, settings.dither, cells);
+  } else {
+    colors = choosePalette(picture, shows, settings.colors);
+    paintNearest(picture, shows, colors, settings.dither, settings.first, cells);
+  }
+  std::vector<Rgb16> stored;
+  const auto wide = [](std::uint8_t v) { return static_cast<std::uint16_t>(257 * v); };
+  for (const glm::u8vec3 color : colors) stored.push_back({wide(color.r), wide(color.g), wide(color.b)});
+  return stored;
+}
+
+}  // namespace xnewell

@@ -1,0 +1,132 @@
+#pragma once
+
+#ifdef __SSE2__
+#include <emmintrin.h>
+#endif
+
+#include <array>
+#include <bit>
+#include <cstdint>
+#include <cstring>
+#include <utility>
+
+#include "shading/fill/affine.h"
+
+namespace xnewell {
+
+/// Eight numbers modulo 2^32, at eight pixels side by side, by GCC's and Clang's vector extension: any
+/// processor has them. What compilers do not find by themselves is written out for SSE2, which every x86-64
+/// processor has.
+struct Eight {
+  using Four [[gnu::vector_size(16)]] = std::uint32_t;
+  Four left, right;  ///< pixels 0 to 3, 4 to 7
+
+  void operator+=(std::uint32_t step) { left += step, right += step; }
+  friend Eight operator|(const Eight& a, const Eight& b) { return {a.left | b.left, a.right | b.right}; }
+};
+using EightWords [[gnu::vector_size(16)]] = std::uint16_t;
+using SixteenBytes [[gnu::vector_size(16)]] = std::uint8_t;
+
+/// first, first + step, first + 2 step, ...
+[[nodiscard]] inline Eight eightFrom(std::uint32_t first, std::uint32_t step) {
+  const Eight::Four left{first, first + step, first + 2 * step, first + 3 * step};
+  return {left, left + 4 * step};
+}
+
+/// The upper half of each number.
+[[nodiscard]] inline EightWords upperHalves(const Eight& eight) {
+#ifdef __SSE2__
+  const auto half = [](Eight::Four four) { return _mm_srai_epi32(reinterpret_cast<__m128i>(four), 16); };
+  return reinterpret_cast<EightWords>(_mm_packs_epi32(half(eight.left), half(eight.right)));
+#else
+  EightWords words{};
+  for (int k = 0; k < 4; ++k) {
+    words[k] = static_cast<std::uint16_t>(eight.left[k] >> 16);
+    words[4 + k] = static_cast<std::uint16_t>(eight.right[k] >> 16);
+  }
+  return words;
+#endif
+}
+
+/// The uppermost byte of each number.
+[[nodiscard]] inline SixteenBytes topBytes(const Eight& left, const Eight& right) {
+#ifdef __SSE2__
+  const auto words = [](const Eight& eight) {
+    return _mm_packs_epi32(reinterpret_cast<__m128i>(eight.left >> 24),
+                           reinterpret_cast<__m128i>(eight.right >> 24));
+  };
+  return reinterpret_cast<SixteenBytes>(_mm_packus_epi16(words(left), words(right)));
+#else
+  SixteenBytes bytes{};
+  for (int k = 0; k < 4; ++k) {
+    bytes[k] = static_cast<std::uint8_t>(left.left[k] >> 24);
+    bytes[4 + k] = static_cast<std::uint8_t>(left.right[k] >> 24);
+    bytes[8 + k] = static_cast<std::uint8_t>(right.left[k] >> 24);
+    bytes[12 + k] = static_cast<std::uint8_t>(right.right[k] >> 24);
+  }
+  return bytes;
+#endif
+}
+
+/// From here on eight bytes are one number, in order of memory.
+[[nodiscard]] inline std::uint64_t topBytes(const Eight& eight) {
+  return std::bit_cast<std::array<std::uint64_t, 2>>(topBytes(eight, eight))[0];
+}
+
+/// 0xFF for each number whose top bit is set, which as a signed one is negative; else 0.
+[[nodiscard]] inline std::uint64_t negativeBytes(const Eight& eight) {
+#ifdef __SSE2__
+  const __m128i signs = _mm_srai_epi16(
+      _mm_packs_epi32(reinterpret_cast<__m128i>(eight.left), reinterpret_cast<__m128i>(eight.right)), 15);
+  return static_cast<std::uint64_t>(_mm_cvtsi128_si64(_mm_packs_epi16(signs, signs)));
+#else
+  return (topBytes(eight) >> 7 & 0x0101010101010101u) * 0xFF;
+#endif
+}
+
+/// The bytes of a table at eight places.
+[[nodiscard]] inline std::uint64_t lookUp(const std::uint8_t* table, EightWords at) {
+  const auto words = std::bit_cast<std::array<std::uint16_t, 8>>(at);
+  std::array<std::uint8_t, 8> bytes{};
+  for (int k = 0; k < 8; ++k) bytes[k] = table[words[k]];
+  return std::bit_cast<std::uint64_t>(bytes);
+}
+
+/// Bytes that are followed by another one: SSE2 gathers pairs of bytes, of which the second is cut off.
+/// (Stored one by one they take longer, for a processor stores no more than one or two in a cycle.)
+[[nodiscard]] inline std::uint64_t gathered(const std::array<const std::uint8_t*, 8>& at) {
+#ifdef __SSE2__
+  __m128i words = _mm_setzero_si128();
+  const auto pair = [](const std::uint8_t* from) {
+    std::uint16_t word = 0;
+    std::memcpy(&word, from, sizeof word);
+    return word;
+  };
+  [&]<int... k>(std::integer_sequence<int, k...>) {
+    ((words = _mm_insert_epi16(words, pair(at[k]), k)), ...);
+  }
+  (std::make_integer_sequence<int, 8>{});
+  const __m128i bytes = _mm_and_si128(words, _mm_set1_epi16(0xFF));
+  return static_cast<std::uint64_t>(_mm_cvtsi128_si64(_mm_packus_epi16(bytes, bytes)));
+#else
+  std::array<std::uint8_t, 8> bytes{};
+  for (int k = 0; k < 8; ++k) bytes[k] = *at[k];
+  return std::bit_cast<std::uint64_t>(bytes);
+#endif
+}
+
+/// A value at eight pixels of a row, then of the row below it, and so on.
+struct EightOfRows {
+  Eight row;
+  std::uint32_t gy;
+
+  EightOfRows(const AffineValue& value, int i, int j)
+      : row{eightFrom(value.at(i, j), value.gx)}, gy{value.gy} {}
+  Eight next() {
+    const Eight eight = row;
+    row += gy;
+    return eight;
+  }
+};
+
+}  // namespace xnewell

@@ -1,0 +1,136 @@
+#pragma once
+
+#ifdef __SSE2__
+#include <emmintrin.h>
+#endif
+
+#include <algorithm>
+#include <cstring>
+
+#include "shading/fill/phong_row.h"
+#include "shading/fill/pixel_row.h"
+#include "shading/fill/texel_row.h"
+
+namespace xnewell {
+
+/// How EvaluatedTriangle is evaluated, several pixels side by side.
+
+/// The sum of interpolated terms along a row.
+template <class Real>
+class TermRow {
+ public:
+  [[gnu::always_inline]] TermRow(const EvaluatedTriangle& t, double down)
+      : diffuse_{t.diffuse, down}, rest_{t.rest, down} {}
+  /// Goes to `blocks` times kLanes pixels, where the texels are.
+  [[gnu::always_inline]] void evaluate(const Real* along, int, const TexelRow<Real>& texels) {
+    along_ = along, texels_ = &texels;
+  }
+  /// The sum at a block of them.
+  [[nodiscard, gnu::always_inline]] Real sum(int b) const {
+    const Real diffuse = diffuse_.at(along_[b]), rest = rest_.at(along_[b]);
+    return rest + (*texels_ ? diffuse * texels_->share(b) : diffuse);
+  }
+
+ private:
+  RowOf<Real> diffuse_, rest_;
+  const Real* along_ = nullptr;
+  const TexelRow<Real>* texels_ = nullptr;
+};
+
+/// Calls `then` with the row of the triangle's kind, `down` rows below its first. `kPhong`: whether the
+/// illumination is evaluated or its terms interpolated.
+template <class Real, bool kPhong, class Then>
+[[gnu::always_inline]] inline void withRow(const EvaluatedTriangle& t, double down, const Then& then) {
+  if constexpr (!kPhong)
+    then(TermRow<Real>{t, down});
+  else if (!isOfFarLights(t))
+    then(PhongRow<Real>{t, down});
+  else if (t.material->ks[t.channel] == 0.0)
+    then(FarLightsRow<Real, Eye::None>{t, down});
+  else if (t.variesV)
+    then(FarLightsRow<Real, Eye::Near>{t, down});
+  else
+    then(FarLightsRow<Real, Eye::Far>{t, down});
+}
+
+/// The numbers, four or eight, each in [0, 255], in a byte each; of other numbers any byte.
+template <class Integers>
+[[gnu::always_inline]] inline auto bytesOf(const Integers& whole) {
+  static_assert(kLanes<Integers> == 4 || kLanes<Integers> == 8);
+  Lanes<std::uint8_t, kLanes<Integers>> bytes;
+#ifdef __SSE2__
+  __m128i first, last;  // of four numbers the same
+  std::memcpy(&first, &whole, sizeof first);
+  std::memcpy(&last, reinterpret_cast<const char*>(&whole) + sizeof whole - sizeof last, sizeof last);
+  const __m128i words = _mm_packs_epi32(first, last), packed = _mm_packus_epi16(words, words);
+  std::memcpy(&bytes, &packed, sizeof bytes);
+#else
+  for (int k = 0; k < kLanes<Integers>; ++k) bytes[k] = static_cast<std::uint8_t>(whole[k]);
+#endif
+  return bytes;
+}
+
+/// Stores the ramp's cells of a row's sums at `pixels` pixels; of its lowest where a sum is not a number,
+/// past the end of a span. Adds to `above` the sums above 1.
+template <class Real>
+[[gnu::always_inline]] inline void storeCells(const Ramp& ramp, const auto& row, int pixels,
+                                              std::uint8_t* cells, IntegersOf<Real>& above) {
+  constexpr int kSideBySide = kLanes<Real>;
+  using Bytes = Lanes<std::uint8_t, kSideBySide>;
+  const Real zero = splat<Real>(0.0), one = splat<Real>(1.0), lane = lanesFrom0<Real>();
+  const auto cut = [](const Real& v) { return __builtin_convertvector(v, IntegersOf<Real>); };
+  const auto each = [&] [[gnu::always_inline]] (const auto& cellsOf) {
+    const int whole = pixels / kSideBySide, left = pixels % kSideBySide;
+    for (int b = 0; b < whole; ++b) {
+      const Real sum = row.sum(b);
+      above -= __builtin_convertvector(sum > one, IntegersOf<Real>);
+      const Bytes bytes = cellsOf(sum);
+      std::memcpy(cells + b * kSideBySide, &bytes, sizeof bytes);
+    }
+    if (left == 0) return;
+    const Real sum = row.sum(whole);
+    above -= __builtin_convertvector(sum > one && lane < splat<Real>(left), IntegersOf<Real>);
+    const Bytes bytes = cellsOf(sum);
+    std::memcpy(cells + whole * kSideBySide, &bytes, static_cast<std::size_t>(left));
+  };
+  if (ramp.table != nullptr) {
+    each([&] [[gnu::always_inline]] (const Real& I) {
+      const IntegersOf<Real> at = cut(smaller(larger(I, zero), one) * splat<Real>(65535.0));
+      Bytes bytes;
+      for (int k = 0; k < kSideBySide; ++k) bytes[k] = ramp.table[at[k]];
+      return bytes;
+    });
+  } else {
+    const Real low = splat<Real>(ramp.low), high = splat<Real>(ramp.high);
+    const double rise = ramp.perIntensity();
+    const Real perIntensity = splat<Real>(rise), first = splat<Real>(ramp.first + 0.5 - rise * ramp.low);
+    each([&] [[gnu::always_inline]] (const Real& I) {
+      const Real v = first + perIntensity * smaller(larger(I, low), high);
+      return bytesOf(cut(v));
+    });
+  }
+}
+
+template <class Real, bool kPhong>
+[[gnu::always_inline]] inline void fillPixels(const EvaluatedTriangle& t, std::uint8_t* cells, int i, int j,
+                                              int count) {
+  constexpr int kSideBySide = kLanes<Real>;
+  constexpr int kMost = kMostBlocks * kSideBySide;
+  IntegersOf<Real> above{};
+  const double down = j - t.j0;
+  TexelRow<Real> texels{t, down};
+  withRow<Real, kPhong>(t, down, [&] [[gnu::always_inline]] (auto row) {
+    Real at = splat<Real>(i - t.i0) + lanesFrom0<Real>();
+    for (int done = 0; done < count; done += kMost) {
+      const int pixels = std::min(kMost, count - done), blocks = (pixels + kSideBySide - 1) / kSideBySide;
+      Real along[kMostBlocks];
+      for (int b = 0; b < blocks; ++b, at += splat<Real>(kSideBySide)) along[b] = at;
+      if (texels) texels.locate(along, blocks);
+      row.evaluate(along, blocks, texels);
+      storeCells<Real>(t.ramp, row, pixels, cells + done, above);
+    }
+  });
+  for (int l = 0; l < kSideBySide; ++l) *t.clamped += above[l];
+}
+
+}  // namespace xnewell

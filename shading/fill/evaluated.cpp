@@ -1,0 +1,75 @@
+#include "shading/fill/evaluated.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "shading/fill/evaluate_pixels.h"
+#include "shading/light/dispatch.h"
+
+namespace xnewell {
+
+namespace {
+
+/// As AffineOver: a triangle narrower than 2^-12 pixel has the gradients of the snap.
+constexpr double kSteepest = 0x1p12;
+
+constexpr int kMostForSingle = 1024;  ///< n
+
+XNEWELL_DISPATCHED
+void fillSingle(const EvaluatedTriangle& t, std::uint8_t* cells, int i, int j, int count) {
+  if (t.phong)
+    fillPixels<Lanes<float, 8>, true>(t, cells, i, j, count);
+  else
+    fillPixels<Lanes<float, 8>, false>(t, cells, i, j, count);
+}
+
+XNEWELL_DISPATCHED
+void fillDouble(const EvaluatedTriangle& t, std::uint8_t* cells, int i, int j, int count) {
+  fillPixels<Lanes<double, 4>, true>(t, cells, i, j, count);
+}
+
+}  // namespace
+
+PixelPlanes::PixelPlanes(const std::array<glm::ivec3, 3>& p)
+    : i0_{sampleFrom(std::min({p[0].x, p[1].x, p[2].x}))},
+      j0_{sampleFrom(std::min({p[0].y, p[1].y, p[2].y}))} {
+  const auto pixels = [](std::int64_t steps) { return static_cast<double>(steps) / kGrid; };
+  const auto centre = [](int i) { return std::int64_t{i} * kGrid + kGrid / 2; };
+  x0_ = pixels(p[0].x - centre(i0_)), y0_ = pixels(p[0].y - centre(j0_));
+  x1_ = pixels(std::int64_t{p[1].x} - p[0].x), y1_ = pixels(std::int64_t{p[1].y} - p[0].y);
+  x2_ = pixels(std::int64_t{p[2].x} - p[0].x), y2_ = pixels(std::int64_t{p[2].y} - p[0].y);
+  const double area = x1_ * y2_ - x2_ * y1_;
+  const double longest = std::max({std::abs(x1_), std::abs(y1_), std::abs(x2_), std::abs(y2_)});
+  perArea_ = std::abs(area) * kSteepest > longest ? 1.0 / area : 0.0;
+}
+
+PixelPlane PixelPlanes::operator()(const std::array<double, 3>& v) const {
+  if (perArea_ == 0.0) return {(v[0] + v[1] + v[2]) / 3.0, 0.0, 0.0};
+  const double d1 = v[1] - v[0], d2 = v[2] - v[0];
+  const double gx = (d1 * y2_ - d2 * y1_) * perArea_, gy = (d2 * x1_ - d1 * x2_) * perArea_;
+  return {v[0] - gx * x0_ - gy * y0_, gx, gy};
+}
+
+void EvaluatedTriangle::span(std::uint8_t* cells, int i, int j, int count) const {
+  if (phong && material->n > kMostForSingle)
+    fillDouble(*this, cells, i, j, count);
+  else
+    fillSingle(*this, cells, i, j, count);
+}
+
+double EvaluatedTriangle::intensity(int i, int j) const {
+  using Real = Lanes<double, 4>;
+  const Real along = splat<Real>(i - i0);
+  const double down = j - j0;
+  TexelRow<Real> texelRow{*this, down};
+  if (texelRow) texelRow.locate(&along, 1);
+  double sum = 0;
+  const auto evaluate = [&](auto row) {
+    row.evaluate(&along, 1, texelRow);
+    sum = row.sum(0)[0];
+  };
+  phong ? withRow<Real, true>(*this, down, evaluate) : withRow<Real, false>(*this, down, evaluate);
+  return sum;
+}
+
+}  // namespace xnewell

@@ -1,0 +1,163 @@
+#include "shading/light/illumination.h"
+
+#include <algorithm>
+#include <cmath>
+#include <glm/common.hpp>
+#include <glm/geometric.hpp>
+
+#include "geometry/exact/box.h"
+#include "geometry/exact/power.h"
+#include "geometry/exact/trig.h"
+#include "geometry/exact/unit.h"
+
+namespace xnewell {
+
+namespace {
+
+/// Farther away, in scenes of size 1, a point's direction differs by less than 2^-29 from place to place.
+constexpr double kFar = 0x1p30;
+
+double lengthOf(const glm::dvec3& v) {
+  const glm::dvec3 along = unit(v);
+  return glm::dot(v, along);  // no square to overflow
+}
+
+/// The largest x with x^n < 2^-40, by bisection.
+double leastCosine(int n) {
+  if (n == 0) return -1.0;  // x^0 = 1
+  double low = 0.0, high = 1.0;
+  for (;;) {
+    const double middle = (low + high) / 2;
+    if (middle <= low || middle >= high) return low;
+    (power(middle, n) < 0x1p-40 ? low : high) = middle;
+  }
+}
+
+/// The user's light, where a scene has none.
+Light usersLight(const Illumination& user, double distance) {
+  Light light{.kind = user.lightPosition ? LightKind::Point : LightKind::Directional,
+              .Ip = glm::dvec3{user.Ip},
+              .direction = user.light,
+              .position = user.lightPosition.value_or(glm::dvec3{0}),
+              .attenuation = user.attenuation};
+  light.range = user.range.value_or(2.0 * distance);
+  light.c = user.c.value_or(glm::dvec3{1.0, 0.0, 1.0 / (distance * distance)});
+  return light;
+}
+
+/// f as 1 / max(1, c1 + c2 d + c3 d^2); of `linear` in c.x what a unit takes away.
+glm::dvec3 coefficients(const Light& light, double unitLength) {
+  const double perUnit = 1.0 / unitLength;
+  switch (light.attenuation) {
+    case Attenuation::None:
+      break;
+    case Attenuation::Inverse:
+      return {0.0, perUnit, 0.0};
+    case Attenuation::InverseSquare:
+      return {0.0, 0.0, perUnit * perUnit};
+    case Attenuation::Linear:
+      return {1.0 / light.range, 0.0, 0.0};
+    case Attenuation::Textbook:
+      return light.c;
+  }
+  return {1.0, 0.0, 0.0};
+}
+
+double attenuationAt(const Lighting::Source& source, double d) {
+  if (source.linear) return std::max(0.0, 1.0 - source.c.x * d);
+  return 1.0 / std::max(1.0, (source.c.z * d + source.c.y) * d + source.c.x);
+}
+
+Lighting::Source sourceOf(const Light& light, const glm::dvec3& centre, double unitLength, bool constantL) {
+  Lighting::Source source;
+  if (light.kind == LightKind::Directional) {
+    source.L = unit(light.direction);
+    return source;
+  }
+  source.placed = true;
+  source.position = light.position;
+  source.linear = light.attenuation == Attenuation::Linear;
+  source.c = coefficients(light, unitLength);
+  const double distance = lengthOf(light.position - centre);
+  source.L = unit(light.position - centre);
+  const bool far = distance > kFar;
+  source.constantL = constantL || far;
+  if (source.constantL) source.f = attenuationAt(source, distance);
+  if (light.kind == LightKind::Spot) {
+    source.spot = true;
+    source.axis = unit(light.direction);
+    source.cosInner = sinCosDegrees(light.inner).cos;
+    source.cosOuter = sinCosDegrees(light.outer).cos;
+    source.falloff = light.falloff;
+  }
+  source.placed = source.spot || !source.constantL;
+  return source;
+}
+
+/// Whether the light can reach any place of the box.
+bool reaches(const Lighting::Source& source, const Box& box) {
+  if (*std::ranges::max_element(source.Ip) <= 0.0) return false;
+  if (!source.placed) return source.f > 0.0;
+  if (!source.linear || source.constantL) return true;
+  const glm::dvec3 nearest = glm::clamp(source.position, box.low, box.high);
+  return lengthOf(nearest - source.position) * source.c.x < 1.0;
+}
+
+}  // namespace
+
+double luminance(glm::dvec3 color) {
+  if (color.r == color.g && color.r == color.b) return color.r;  // without a rounding
+  return 0.30 * color.r + 0.59 * color.g + 0.11 * color.b;
+}
+
+Lighting resolve(const Mesh& mesh, const SceneLight& scene, const Illumination& user, Channels channels,
+                 glm::dvec3 eye, glm::dvec3 lookAt) {
+  const auto share = [&](glm::dvec3 color) {
+    if (channels == Channels::Rgb) return std::array{color.r, color.g, color.b};
+    const bool brightness = channels == Channels::Brightness;
+    return std::array{brightness ? std::max({color.r, color.g, color.b}) : luminance(color), 0.0, 0.0};
+  };
+  const Box box = boxOf(mesh.points);
+  const glm::dvec3 centre = box.centre();
+
+  Lighting lighting;
+  lighting.channels = channels == Channels::Rgb ? 3 : 1;
+  lighting.form = user.form;
+  lighting.twoSided = user.twoSided;
+  lighting.eye = eye;
+  lighting.farV = unit(eye - lookAt);
+  lighting.constantV = user.constantV || lengthOf(eye - centre) > kFar;
+
+  std::vector<Light> lights = scene.lights;
+  if (lights.empty())
+    lights.push_back(usersLight(user, lengthOf(user.lightPosition.value_or(glm::dvec3{0}) - centre)));
+  for (const Light& light : lights) {
+    Lighting::Source source = sourceOf(light, centre, scene.unit, user.constantL);
+    // The colour of light on a single ramp: as bright as it looks.
+    source.Ip = channels == Channels::Rgb ? share(light.Ip) : std::array{luminance(light.Ip), 0.0, 0.0};
+    if (reaches(source, box)) lighting.sources.push_back(source);
+  }
+
+  const glm::dvec3 Ia = scene.Ia.value_or(glm::dvec3{user.Ia});
+  const std::array ambientLight = channels == Channels::Rgb ? share(Ia) : std::array{luminance(Ia), 0.0, 0.0};
+  const auto resolved = [&](const MeshMaterial& m) {
+    const std::array Od = share(m.diffuse), Os = share(m.specular);
+    Material material;
+    for (int c = 0; c < 3; ++c) {
+      material.ambient[c] = m.ka.value_or(user.ka) * Od[c] * ambientLight[c];
+      material.kd[c] = m.kd.value_or(user.kd) * Od[c];
+      material.ks[c] = m.ks.value_or(user.ks) * Os[c];
+    }
+    material.n = m.n.value_or(user.n);
+    material.leastCosine = leastCosine(material.n);
+    return material;
+  };
+  lighting.materials.push_back(resolved({}));
+  for (const MeshMaterial& m : mesh.materials) lighting.materials.push_back(resolved(m));
+  lighting.specular = !lighting.sources.empty() && std::ranges::any_of(lighting.materials, [](const auto& m) {
+    return *std::ranges::max_element(m.ks) > 0.0;
+  });
+  return lighting;
+}
+
+}  // namespace xnewell

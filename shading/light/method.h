@@ -1,0 +1,47 @@
+#pragma once
+
+#include <array>
+#include <string_view>
+
+namespace xnewell {
+
+/// Shading methods, a row each. @see Foley & van Dam 2e §16.2
+
+enum class Shading { Full, Depth, Flat, Gouraud, Phong, Environment };
+struct ShadingRow {
+  Shading id;
+  std::string_view name, label;
+  bool lit;           ///< asks for the illumination
+  bool interpolates;  ///< asks for normals at vertices
+  std::string_view evaluates;
+};
+inline constexpr std::array kShadings{
+    ShadingRow{Shading::Full, "none", "none", false, false, "nothing: every face at full intensity"},
+    ShadingRow{Shading::Depth, "depth", "depth", false, false,
+               "color = max - (z1 + z2 + z3) / a: the nearer, the brighter"},
+    ShadingRow{Shading::Flat, "flat", "flat", true, false, "the illumination once a face, at its centroid"},
+    ShadingRow{Shading::Gouraud, "gouraud", "Gouraud", true, true,
+               "the illumination at vertices; intensities are interpolated (Gouraud 1971)"},
+    ShadingRow{Shading::Phong, "phong", "Phong", true, true,
+               "the illumination at every pixel; normals are interpolated (Phong 1975)"},
+    ShadingRow{Shading::Environment, "envmap", "env", true, true,
+               "nothing at a pixel: a map is looked up by x and y of the interpolated normal"},
+};
+[[nodiscard]] constexpr const ShadingRow& rowOf(Shading shading) {
+  return kShadings[static_cast<std::size_t>(shading)];
+}
+
+/// Over what a polygon of more than three corners interpolates. A plane over the screen has three values to
+/// pass through, so triangles are the default. Increments from edge to edge along each row, as the first
+/// programs had them, take every corner; but then a value inside depends on how the polygon is turned.
+enum class Polygons { Triangles, Rows };
+struct PolygonsRow {
+  Polygons id;
+  std::string_view name, interpolates;
+};
+inline constexpr std::array kPolygons{
+    PolygonsRow{Polygons::Triangles, "triangles", "a fan of triangles, the same in every view"},
+    PolygonsRow{Polygons::Rows, "rows", "along the edges, then along each row: turns with the view"},
+};
+
+}  // namespace xnewell

@@ -1,0 +1,102 @@
+#pragma once
+
+#include "shading/light/illumination.h"
+
+namespace xnewell {
+
+/// The bracket of the illumination equation at one place, or at several side by side (lanes.h): for faces,
+/// vertices and pixels alike.
+
+/// What arrives from a light: the direction towards it, unit, and s f.
+template <class Real>
+struct Incident {
+  Vec<Real> L;
+  Real f;
+};
+
+/// At a light's own place L is 0, and so is what it lights: nothing becomes infinite.
+template <class Real>
+[[nodiscard, gnu::always_inline]] inline Incident<Real> incident(const Lighting::Source& light,
+                                                                 const Vec<Real>& at) {
+  if (!light.placed) return {splatVec<Real>(light.L), splat<Real>(light.f)};
+  const Real zero = splat<Real>(0.0), one = splat<Real>(1.0);
+  const Vec<Real> to = splatVec<Real>(light.position) - at, L = unitOf(to);
+  Incident<Real> in{L, splat<Real>(light.f)};
+  if (light.constantL) {
+    in.L = splatVec<Real>(light.L);
+  } else {
+    const Real d = root(dot(to, to));
+    if (light.linear) {
+      in.f = larger(zero, one - splat<Real>(light.c.x) * d);
+    } else {
+      const Real fall = (splat<Real>(light.c.z) * d + splat<Real>(light.c.y)) * d + splat<Real>(light.c.x);
+      in.f = one / larger(fall, one);
+    }
+  }
+  if (light.spot) {
+    const Real a = zero - dot(splatVec<Real>(light.axis), L);
+    const Real inner = splat<Real>(light.cosInner), outer = splat<Real>(light.cosOuter);
+    const double width = light.cosInner - light.cosOuter;
+    const Real between =
+        smaller(one, larger(zero, (a - outer) * splat<Real>(width > 0.0 ? 1.0 / width : 0.0)));
+    in.f *= a >= inner ? one : a > outer ? powerOf(between, light.falloff) : zero;
+  }
+  return in;
+}
+
+/// f max(0, N.L), kd and Ip aside.
+template <class Real>
+[[nodiscard, gnu::always_inline]] inline Sides<Real> diffuseTerm(const Incident<Real>& in, const Vec<Real>& N,
+                                                                 bool twoSided) {
+  const Real zero = splat<Real>(0.0), NdotL = dot(N, in.L);
+  const Real front = in.f * larger(zero, NdotL);
+  return {front, twoSided ? in.f * larger(zero, zero - NdotL) : front};
+}
+
+/// R.V of the textbook's R = 2 N (N.L) - L.
+template <class Real>
+[[nodiscard, gnu::always_inline]] inline Real reflectedCosine(const Real& NdotL, const Real& NdotV,
+                                                              const Real& LdotV) {
+  return splat<Real>(2.0) * NdotL * NdotV - LdotV;
+}
+
+/// What is raised to the power n. Clamped before: an even n would turn a negative cosine into a highlight.
+template <class Real>
+[[nodiscard, gnu::always_inline]] inline Real clampedCosine(const Real& cosine, const Material& material) {
+  const Real some = cosine > splat<Real>(material.leastCosine) ? cosine : splat<Real>(0.0);
+  return smaller(splat<Real>(1.0), some);
+}
+
+/// f max(0, R.V)^n, or the form's other cosine; ks and Ip aside. R is the same for N and -N.
+template <class Real>
+[[nodiscard, gnu::always_inline]] inline Sides<Real> specularTerm(const Incident<Real>& in,
+                                                                  const Vec<Real>& N, const Vec<Real>& V,
+                                                                  const Material& material,
+                                                                  const Lighting& lighting) {
+  const Real zero = splat<Real>(0.0), NdotL = dot(N, in.L);
+  Real cosine = zero;
+  switch (lighting.form) {
+    case Form::Textbook:
+      cosine = reflectedCosine(NdotL, dot(N, V), dot(in.L, V));
+      break;
+    case Form::HalfVector: {
+      const Real NdotH = dot(N, unitOf(in.L + V));
+      cosine = NdotL > zero ? NdotH : zero - NdotH;
+      break;
+    }
+    case Form::Tutorial:
+      cosine = NdotL > zero ? NdotL : zero - NdotL;
+      break;
+  }
+  const Real term = in.f * powerOf(clampedCosine(cosine, material), material.n);
+  const Real front = NdotL > zero ? term : zero;
+  return {front, lighting.twoSided ? (NdotL < zero ? term : zero) : front};
+}
+
+/// V at a place.
+template <class Real>
+[[nodiscard, gnu::always_inline]] inline Vec<Real> towardsEye(const Lighting& lighting, const Vec<Real>& at) {
+  return lighting.constantV ? splatVec<Real>(lighting.farV) : unitOf(splatVec<Real>(lighting.eye) - at);
+}
+
+}  // namespace xnewell

@@ -1,0 +1,111 @@
+#include "shading/light/shade.h"
+
+#include <algorithm>
+
+#include "geometry/exact/plane.h"
+#include "geometry/exact/unit.h"
+#include "shading/light/dispatch.h"
+#include "shading/light/reflect.h"
+
+namespace xnewell {
+
+namespace {
+
+constexpr int kSideBySide = 4;
+using Four = Lanes<double, kSideBySide>;
+
+/// Points from `first` on that have one material, at most four.
+std::size_t runOf(const std::vector<int>& material, std::size_t first) {
+  std::size_t end = first + 1;
+  while (end < material.size() && end < first + kSideBySide && material[end] == material[first]) ++end;
+  return end - first;
+}
+
+[[gnu::always_inline]] inline Vec<Four> gathered(const std::vector<glm::dvec3>& from, std::size_t first,
+                                                 std::size_t count) {
+  Vec<Four> v;
+  for (int k = 0; k < kSideBySide; ++k) {
+    const glm::dvec3& p = from[first + std::min<std::size_t>(k, count - 1)];
+    v.x[k] = p.x, v.y[k] = p.y, v.z[k] = p.z;
+  }
+  return v;
+}
+
+[[gnu::always_inline]] inline void add(std::vector<Sides<double>>& sums, std::size_t first, std::size_t count,
+                                       double share, const Sides<Four>& term) {
+  for (int k = 0; k < static_cast<int>(count); ++k) {
+    sums[first + k].front += share * term.front[k];
+    sums[first + k].back += share * term.back[k];
+  }
+}
+
+}  // namespace
+
+ShadingPoints facePoints(const Mesh& mesh) {
+  ShadingPoints points;
+  points.at.resize(mesh.faceCount());
+  points.N.resize(mesh.faceCount());
+  points.material = mesh.material;
+  for (int f = 0; f < mesh.faceCount(); ++f) {
+    points.N[f] = unit(newellVector(mesh.points, mesh.face(f)));
+    points.at[f] = centroid(mesh.points, mesh.face(f));
+  }
+  return points;
+}
+
+ShadingPoints vertexPoints(const Mesh& mesh, const Vertices& vertices) {
+  ShadingPoints points;
+  points.at.reserve(vertices.vertices.size());
+  points.N.reserve(vertices.vertices.size());
+  points.material.reserve(vertices.vertices.size());
+  for (const Vertex& v : vertices.vertices) {
+    points.at.push_back(mesh.points[v.point]);
+    points.N.push_back(v.N);
+    points.material.push_back(v.material);
+  }
+  return points;
+}
+
+XNEWELL_DISPATCHED
+void shadeDiffuse(Shades& shades, const ShadingPoints& points, const Lighting& lighting, int channel) {
+  shades.diffuse.assign(points.at.size(), {0.0, 0.0});
+  shades.specular.assign(points.at.size(), {0.0, 0.0});
+  for (const Lighting::Source& light : lighting.sources)
+    for (std::size_t first = 0, count = 0; first < points.at.size(); first += count) {
+      count = runOf(points.material, first);
+      const Incident<Four> in = incident(light, gathered(points.at, first, count));
+      const double kd = lighting.materials[points.material[first] + 1].kd[channel];
+      add(shades.diffuse, first, count, light.Ip[channel] * kd,
+          diffuseTerm(in, gathered(points.N, first, count), lighting.twoSided));
+    }
+}
+
+XNEWELL_DISPATCHED
+void shadeSpecular(Shades& shades, const ShadingPoints& points, const Lighting& lighting, int channel) {
+  shades.specular.assign(points.at.size(), {0.0, 0.0});
+  if (!lighting.specular) return;
+  for (const Lighting::Source& light : lighting.sources)
+    for (std::size_t first = 0, count = 0; first < points.at.size(); first += count) {
+      count = runOf(points.material, first);
+      const Material& material = lighting.materials[points.material[first] + 1];
+      if (material.ks[channel] == 0.0) continue;
+      const Vec<Four> at = gathered(points.at, first, count);
+      add(shades.specular, first, count, light.Ip[channel] * material.ks[channel],
+          specularTerm(incident(light, at), gathered(points.N, first, count), towardsEye(lighting, at),
+                       material, lighting));
+    }
+}
+
+void addTerms(Shades& shades, const ShadingPoints& points, const Lighting& lighting, int channel) {
+  shades.I.resize(points.at.size());
+  shades.clamped = 0;
+  for (std::size_t k = 0; k < points.at.size(); ++k) {
+    const double ambient = lighting.materials[points.material[k] + 1].ambient[channel];
+    const Sides<double>&d = shades.diffuse[k], &s = shades.specular[k];
+    const Sides<double> sum{ambient + d.front + s.front, ambient + d.back + s.back};
+    shades.clamped += sum.front > 1.0 || sum.back > 1.0;
+    shades.I[k] = {std::min(1.0, sum.front), std::min(1.0, sum.back)};
+  }
+}
+
+}  // namespace xnewell

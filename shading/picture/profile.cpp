@@ -1,0 +1,131 @@
+#include "shading/picture/profile.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdlib>
+#include <glm/geometric.hpp>
+#include <limits>
+
+#include "depthsort/oracle.h"
+
+namespace xnewell {
+
+namespace {
+
+constexpr double kOneSurface = 0.9998476951563913;  // cos 1 degree
+constexpr double kUnknown = std::numeric_limits<double>::quiet_NaN();
+
+/// Which faces go on into each other.
+class Surface {
+ public:
+  explicit Surface(const Picture& picture)
+      : mesh_{picture.scene().mesh}, vertices_{picture.shading().vertices()}, side_(mesh_.faceCount(), 0) {
+    for (const SnappedFace& face : picture.snapped().faces) side_[face.number] = face.back ? -1 : 1;
+    cornersAt_.resize(mesh_.points.size());
+    for (int f = 0; f < mesh_.faceCount(); ++f)
+      for (int c = mesh_.firstCorner[f]; c < mesh_.firstCorner[f + 1]; ++c)
+        cornersAt_[mesh_.corners[c]].push_back({f, c});
+  }
+
+  [[nodiscard]] bool joined(int p, int q) const {
+    if (p == q) return true;
+    const std::vector<int> ofP = neighbours(p), ofQ = neighbours(q);
+    return std::ranges::binary_search(ofP, q) ||
+           std::ranges::any_of(ofP, [&](int f) { return std::ranges::binary_search(ofQ, f); });
+  }
+
+ private:
+  struct FaceCorner {
+    int face, corner;
+  };
+  [[nodiscard]] const glm::dvec3& normal(int corner) const {
+    return vertices_.vertices[vertices_.ofCorner[corner]].N;
+  }
+  /// Ascending.
+  [[nodiscard]] std::vector<int> neighbours(int face) const {
+    std::vector<int> result;
+    for (int c = mesh_.firstCorner[face]; c < mesh_.firstCorner[face + 1]; ++c)
+      for (const FaceCorner& other : cornersAt_[mesh_.corners[c]])
+        if (side_[other.face] == side_[face] && dot(normal(c), normal(other.corner)) >= kOneSurface)
+          result.push_back(other.face);
+    std::ranges::sort(result);
+    return result;
+  }
+
+  const Mesh& mesh_;
+  const Vertices& vertices_;
+  std::vector<int> side_;                           ///< of each face: 1 front, -1 back, 0 not in the picture
+  std::vector<std::vector<FaceCorner>> cornersAt_;  ///< of each point
+};
+
+}  // namespace
+
+int defaultScanline(const Picture& picture) {
+  const int W = picture.settings().width, H = picture.settings().height;
+  const SeenRows seen = picture.seen(0, H);
+  const auto shown = [&](int j) {
+    const auto row = seen.faces.begin() + std::ptrdiff_t(j) * W;
+    return W - std::count(row, row + W, kNothing);
+  };
+  int best = H / 2;
+  if (shown(best) == 0)
+    for (int j = 0; j < H; ++j)
+      if (shown(j) > shown(best)) best = j;
+  return best;
+}
+
+void addSlopes(Profile& profile, const std::vector<bool>& joined) {
+  const std::size_t pixels = profile.I.size();
+  profile.slope.assign(pixels - 1, kUnknown);
+  for (std::size_t i = 0; i + 1 < pixels; ++i) {
+    if (!joined[i]) continue;
+    profile.slope[i] = profile.I[i + 1] - profile.I[i];
+    profile.largestJump = std::max(profile.largestJump, std::abs(profile.slope[i]));
+  }
+  std::vector<double> kinks(pixels, kUnknown);  // at pixel i, from the slope before it to that behind it
+  for (std::size_t i = 1; i + 1 < pixels; ++i) {
+    kinks[i] = std::abs(profile.slope[i] - profile.slope[i - 1]);
+    if (kinks[i] > profile.largestKink) profile.largestKink = kinks[i];  // not where it is unknown
+  }
+  const auto isBelow = [&](std::size_t i, double most) { return i >= pixels || !(kinks[i] > most); };
+  std::size_t last = 0;  // pixel with a band
+  for (std::size_t i = 1; i + 1 < pixels; ++i) {
+    if (!(kinks[i] >= kBand && isBelow(i - kBeside, kinks[i] / 2) && isBelow(i + kBeside, kinks[i] / 2)))
+      continue;
+    profile.bands += last == 0 || i > last + 2;
+    last = i;
+  }
+}
+
+Scanline scanlineOf(Picture& picture, const PictureSettings& settings, int row, std::uint8_t ground) {
+  Scanline line;
+  line.row = row;
+  PictureSettings method = settings;
+  method.shading = Shading::Phong;  // it knows the normals at vertices
+  picture.make(method);
+  const SeenRows seen = picture.seen(row, row + 1);
+  const Surface surface{picture};
+  std::vector<bool> joined(std::size_t(seen.width) - 1, false);
+  for (int i = 0; i < seen.width; ++i) {
+    line.samples += seen.faces[i] != kNothing;
+    if (i == 0 || seen.faces[i - 1] == kNothing || seen.faces[i] == kNothing) continue;
+    const auto number = [&](int at) { return picture.snapped().faces[seen.faces[at]].number; };
+    joined[i - 1] = surface.joined(number(i - 1), number(i));
+    line.edges += !joined[i - 1];
+  }
+
+  for (std::size_t k = 0; k < kProfiled.size(); ++k) {
+    Profile& profile = line.profiles[k];
+    profile.method = method.shading = kProfiled[k];
+    picture.make(method);
+    profile.I = picture.intensities(seen);
+    addSlopes(profile, joined);
+    IndexImage image;
+    picture.paint(image, ground);
+    profile.cells.assign(image.row(row), image.row(row) + image.width);
+  }
+  picture.make(settings);
+  return line;
+}
+
+}  // namespace xnewell

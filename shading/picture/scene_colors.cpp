@@ -1,0 +1,188 @@
+#include "shading/picture/scene_colors.h"
+
+#include <algorithm>
+#include <cassert>
+#include <cmath>
+
+#include "shading/color/hue_plan.h"
+#include "shading/picture/at_source.h"
+#include "shading/picture/surface_painter.h"
+
+namespace xnewell {
+
+namespace {
+
+bool gray(const glm::dvec3& color) { return color.r == color.g && color.g == color.b; }
+
+/// The largest component made 1; white for black, which has no hue.
+glm::dvec3 hueOf(const glm::dvec3& color) {
+  const double largest = std::max({color.r, color.g, color.b});
+  return largest > 0.0 ? color / largest : glm::dvec3{1.0};
+}
+
+/// The hues of the materials, each once, and which is whose, of no material first: white, as it reflects all.
+struct Hues {
+  std::vector<glm::dvec3> hues;
+  std::vector<int> ofMaterial;
+};
+Hues huesOf(const Scene& scene) {
+  Hues result;
+  const auto add = [&](const glm::dvec3& hue) {
+    const auto known = std::ranges::find(result.hues, hue);
+    result.ofMaterial.push_back(static_cast<int>(known - result.hues.begin()));
+    if (known == result.hues.end()) result.hues.push_back(hue);
+  };
+  const std::vector<int>& used = scene.mesh.material;
+  const bool bare = std::ranges::find(used, -1) != used.end();
+  if (bare || scene.mesh.materials.empty())
+    add(glm::dvec3{1.0});
+  else
+    result.ofMaterial.push_back(0);
+  for (const MeshMaterial& m : scene.mesh.materials) add(hueOf(m.diffuse));
+  return result;
+}
+
+/// The intensities of a face: at it or its vertices, or where they are not interpolated at its samples.
+class FaceRanges {
+ public:
+  struct Range {
+    double low, high;
+  };
+
+  FaceRanges(const Scene& scene, const PictureSettings& settings, const SceneShading& shading,
+             const SnappedScene& snapped, const ViewSpec& view)
+      : method_{settings.shading},
+        shading_{shading},
+        snapped_{snapped},
+        painter_{{.width = settings.width,
+                  .height = settings.height,
+                  .snapped = snapped,
+                  .sorted = unsorted_,
+                  .visible = nothing_,
+                  .scene = scene,
+                  .mesh = shading.mesh(scene),
+                  .view = view,
+                  .settings = settings,
+                  .shading = shading,
+                  .channel = 0,
+                  .ramps = std::vector<Ramp>(scene.mesh.materials.size() + 1, kChannelRamp),
+                  .cells = noCells_}} {}
+
+  /// Of snapped.faces; low > high where it has no sample.
+  [[nodiscard]] Range operator()(int f) {
+    if (!rowOf(method_).lit) return {0.0, 1.0};
+    const SnappedFace& face = snapped_.faces[f];
+    if (method_ == Shading::Environment || painter_.evaluates(face)) {
+      // An intensity I has cell round(first + (shades - 1) I).
+      const auto [least, greatest] = painter_.cellEnds(f);
+      const double perCell = 1.0 / (kChannelRamp.shades - 1);
+      return {(least - kChannelRamp.first - 0.5) * perCell, (greatest - kChannelRamp.first + 0.5) * perCell};
+    }
+    const std::vector<Sides<double>>& I = shading_.shades(0).I;
+    const auto seen = [&](int point) { return face.back ? I[point].back : I[point].front; };
+    if (method_ == Shading::Flat) return {seen(shading_.pointOf(face)), seen(shading_.pointOf(face))};
+    Range range{1.0, 0.0};
+    for (int k = face.first; k < face.first + face.count; ++k) {
+      const double v = atSource(snapped_, snapped_.source[k],
+                                [&](int corner) { return seen(shading_.vertices().ofCorner[corner]); });
+      range = {std::min(range.low, v), std::max(range.high, v)};
+    }
+    return range;
+  }
+
+ private:
+  Shading method_;
+  const SceneShading& shading_;
+  const SnappedScene& snapped_;
+  const SortedScene unsorted_;  ///< these are what the painter need not know
+  const std::vector<int> nothing_;
+  const std::vector<std::uint8_t> noCells_;
+  SurfacePainter painter_;
+};
+
+/// The range in whole 255ths around it, so that it does not change with every turn, and at least one of them.
+void toBytes(HueNeed& need) {
+  need.low = std::floor(255.0 * std::clamp(need.low, 0.0, 1.0)) / 255.0;
+  need.high = std::ceil(255.0 * std::clamp(need.high, 0.0, 1.0)) / 255.0;
+  if (need.low < need.high) return;
+  need.low = std::min(need.low, 254.0 / 255.0);
+  need.high = need.low + 1.0 / 255.0;
+}
+
+}  // namespace
+
+ColorPlan planOf(const Scene& scene, const PictureSettings& settings) {
+  if (settings.colors == ColorPlan::Hues) {
+    const int hues = static_cast<int>(huesOf(scene).hues.size());
+    if (2 * hues > settings.table.shades)
+      throw ViewError{std::to_string(hues) + " hues need two shades each, and the table has " +
+                      std::to_string(settings.table.shades) + ": choose other colours"};
+  }
+  if (settings.colors != ColorPlan::Needed) return settings.colors;
+  if (!rowOf(settings.shading).lit) return ColorPlan::OneHue;
+  const bool coloredLight =
+      std::ranges::any_of(scene.light.lights, [](const Light& l) { return !gray(l.Ip); }) ||
+      !gray(scene.light.Ia.value_or(glm::dvec3{0.0}));
+  if (coloredLight || std::ranges::any_of(scene.textures, &Texture::colored)) return ColorPlan::Chosen;
+  if (std::ranges::all_of(scene.mesh.materials, [](const MeshMaterial& m) { return gray(m.diffuse); }))
+    return ColorPlan::OneHue;
+  const int hues = static_cast<int>(huesOf(scene).hues.size());
+  return hues * kLeastShades <= settings.table.shades ? ColorPlan::Hues : ColorPlan::Chosen;
+}
+
+void SceneColors::make(const Scene& scene, const PictureSettings& settings, ColorPlan plan,
+                       const SceneShading& shading, const SnappedScene& snapped, const ViewSpec& view) {
+  plan_ = plan;
+  const std::size_t materials = scene.mesh.materials.size() + 1;
+  tables_.clear();
+  if (plan != ColorPlan::Hues) {
+    tables_.emplace_back(settings.table);
+    tableOf_.assign(materials, 0);
+  } else {
+    const Hues hues = huesOf(scene);
+    tableOf_ = hues.ofMaterial;
+    std::vector<HueNeed> needs;
+    for (const glm::dvec3& hue : hues.hues) needs.push_back({hue, 1.0, 0.0, 0});
+    FaceRanges rangeOf{scene, settings, shading, snapped, view};
+    for (int f = 0; f < static_cast<int>(snapped.faces.size()); ++f) {
+      const SnappedFace& face = snapped.faces[f];
+      HueNeed& need = needs[tableOf_[scene.mesh.material[face.number] + 1]];
+      const double pixels =
+          static_cast<double>(doubleArea(&snapped.vertices[face.first], face.count)) / (2.0 * kGrid * kGrid);
+      need.samples += std::lround(pixels);
+      const auto [low, high] = rangeOf(f);
+      need.low = std::min(need.low, low), need.high = std::max(need.high, high);
+    }
+    for (HueNeed& need : needs) toBytes(need);
+    for (const TableSettings& table : planHues(needs, settings.table)) tables_.emplace_back(table);
+  }
+
+  const bool interpolated = rowOf(settings.shading).interpolates || !scene.textures.empty();
+  lookUps_.assign(tables_.size(), {});
+  if (settings.table.kind == TableKind::Corrected && interpolated && channelsOf(plan) != Channels::Rgb)
+    for (std::size_t t = 0; t < tables_.size(); ++t)
+      for (int k = 0; k < 65536; ++k)
+        lookUps_[t].push_back(static_cast<std::uint8_t>(tables_[t].cell((k + 0.5) / 65536.0)));
+}
+
+double SceneColors::intensityOf(int cell) const {
+  const auto table = std::ranges::find_if(
+      tables_, [&](const ColorTable& t) { return cell >= t.first() && cell < t.first() + t.shades(); });
+  assert(table != tables_.end());
+  return table->intensity(cell - table->first());
+}
+
+std::vector<Ramp> SceneColors::ramps() const {
+  std::vector<Ramp> ramps;
+  for (const int t : tableOf_) {
+    const ColorTable& table = tables_[t];
+    if (channelsOf(plan_) == Channels::Rgb)
+      ramps.push_back(kChannelRamp);
+    else
+      ramps.push_back({table.first(), table.shades(), table.low(), table.high(),
+                       lookUps_[t].empty() ? nullptr : lookUps_[t].data()});
+  }
+  return ramps;
+}
+
+}  // namespace xnewell

@@ -1,0 +1,148 @@
+#include "shading/picture/surface_values.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+
+#include "depthsort/oracle.h"
+#include "geometry/exact/plane.h"
+#include "geometry/exact/unit.h"
+#include "shading/fill/row_values.h"
+#include "shading/picture/at_source.h"
+
+namespace xnewell {
+
+namespace {
+
+/// Calls of(face) for each that is seen, once.
+template <class Of>
+void forEachSeenFace(const SeenRows& seen, std::size_t faces, Of&& of) {
+  std::vector<bool> shows(faces, false);
+  for (const int f : seen.faces)
+    if (f != kNothing) shows[f] = true;
+  for (std::size_t f = 0; f < faces; ++f)
+    if (shows[f]) of(static_cast<int>(f));
+}
+
+/// Of an outline within a face, result = at(i, j) at the samples that show the face.
+template <class Value, class At>
+void store(std::vector<Value>& result, const SeenRows& seen, int face, const glm::ivec3* outline, int count,
+           const At& at) {
+  forEachSpan(outline, count, seen.firstRow, seen.width, seen.endRow(), [&](int row, int from, int to) {
+    const std::size_t first = std::size_t(row - seen.firstRow) * seen.width;
+    for (int i = from; i < to; ++i)
+      if (seen.faces[first + i] == face) result[first + i] = at(i, row);
+  });
+}
+
+/// The vectors interpolated over a triangle from those at its vertices.
+auto interpolated(const PixelPlanes& planes, const std::array<glm::dvec3, 3>& v) {
+  std::array<PixelPlane, 3> plane;
+  for (int axis = 0; axis < 3; ++axis) plane[axis] = planes({v[0][axis], v[1][axis], v[2][axis]});
+  return [=, i0 = planes.i0(), j0 = planes.j0()](int i, int j) {
+    glm::dvec3 result;
+    for (int axis = 0; axis < 3; ++axis)
+      result[axis] = plane[axis].c + plane[axis].gx * (i - i0) + plane[axis].gy * (j - j0);
+    return result;
+  };
+}
+
+/// Of vertices of the shading, on the side that is seen.
+template <class OfVertex>
+std::array<glm::dvec3, 3> normalsOf(const Surfaces& s, const SnappedFace& face, const FaceTriangle& t,
+                                    const OfVertex& ofVertex) {
+  const double side = face.back && s.shading.lighting().twoSided ? -1.0 : 1.0;
+  std::array<glm::dvec3, 3> N;
+  for (int k = 0; k < 3; ++k)
+    N[k] = side * atSource(s.snapped, s.snapped.source[t.vertex[k]],
+                           [&](int corner) { return ofVertex[s.shading.vertices().ofCorner[corner]]; });
+  return N;
+}
+
+/// The intensities of an environment's places, clamped, without the cells that a picture keeps of them.
+double lookedUp(const Environment& environment, const glm::dvec3& N) {
+  const auto place = [](double v) { return static_cast<std::size_t>(kMapCentre + kMapScale * v); };
+  const bool away = environment.sides && N.z < 0.0;
+  return std::min(1.0F, (away ? environment.away : environment.front)[256 * place(N.y) + place(N.x)]);
+}
+
+}  // namespace
+
+std::vector<double> intensitiesAt(const SeenRows& seen, const Surfaces& s,
+                                  const std::vector<double>& ofFaces) {
+  std::vector<double> I(seen.faces.size(), std::numeric_limits<double>::quiet_NaN());
+  SurfacePainter painter{s};
+  forEachSeenFace(seen, s.snapped.faces.size(), [&](int f) {
+    const SnappedFace& face = s.snapped.faces[f];
+    const glm::ivec3* const outline = &s.snapped.vertices[face.first];
+    const auto fill = [&](const glm::ivec3* p, int count, const auto& at) {
+      store(I, seen, f, p, count, [&](int i, int j) { return std::clamp(at(i, j), 0.0, 1.0); });
+    };
+    const auto atVertex = [&](int source) {
+      return atSource(s.snapped, source, [&](int corner) {
+        const Sides<double>& sides = s.shading.shades(s.channel).I[s.shading.vertices().ofCorner[corner]];
+        return face.back ? sides.back : sides.front;
+      });
+    };
+
+    if (painter.evaluates(face)) {
+      forEachTriangle(s.snapped, face, [&](const FaceTriangle& t) {
+        const EvaluatedTriangle e = painter.evaluated(face, t);
+        fill(t.p.data(), 3, [&](int i, int j) { return e.intensity(i, j); });
+      });
+    } else if (s.settings.shading == Shading::Gouraud && s.settings.polygons == Polygons::Rows &&
+               face.count > 3) {
+      std::vector<double> v;
+      for (int k = face.first; k < face.first + face.count; ++k) v.push_back(atVertex(s.snapped.source[k]));
+      const RowValues rows{outline, face.count, std::move(v)};
+      fill(outline, face.count, [&](int i, int j) { return rows.at(i, j); });
+    } else if (s.settings.shading == Shading::Gouraud) {
+      forEachTriangle(s.snapped, face, [&](const FaceTriangle& t) {
+        const PixelPlanes planes{t.p};
+        const PixelPlane plane =
+            planes({atVertex(s.snapped.source[t.vertex[0]]), atVertex(s.snapped.source[t.vertex[1]]),
+                    atVertex(s.snapped.source[t.vertex[2]])});
+        fill(t.p.data(), 3, [&](int i, int j) {
+          return plane.c + plane.gx * (i - planes.i0()) + plane.gy * (j - planes.j0());
+        });
+      });
+    } else if (s.settings.shading == Shading::Environment) {
+      const Environment& environment =
+          s.shading.environments(s.channel)[s.scene.mesh.material[face.number] + 1];
+      forEachTriangle(s.snapped, face, [&](const FaceTriangle& t) {
+        const auto N = interpolated(PixelPlanes{t.p}, normalsOf(s, face, t, s.shading.mapped()));
+        fill(t.p.data(), 3, [&](int i, int j) { return lookedUp(environment, N(i, j)); });
+      });
+    } else {
+      fill(outline, face.count, [&](int, int) { return ofFaces[f]; });
+    }
+  });
+  return I;
+}
+
+std::vector<glm::dvec3> normalsAt(const SeenRows& seen, const Surfaces& s) {
+  std::vector<glm::dvec3> normals(seen.faces.size(), glm::dvec3{0.0});
+  const SurfacePainter painter{s};
+  forEachSeenFace(seen, s.snapped.faces.size(), [&](int f) {
+    const SnappedFace& face = s.snapped.faces[f];
+    if (rowOf(s.settings.shading).interpolates) {
+      forEachTriangle(s.snapped, face, [&](const FaceTriangle& t) {
+        std::array<glm::dvec3, 3> ofVertices = normalsOf(s, face, t, s.shading.points().N);
+        if (s.settings.shading == Shading::Phong) {
+          const std::array<double, 3> q = painter.overDepths(t);
+          for (int k = 0; k < 3; ++k) ofVertices[k] *= q[k];
+        }
+        const auto N = interpolated(PixelPlanes{t.p}, ofVertices);
+        store(normals, seen, f, t.p.data(), 3, [&](int i, int j) { return unit(N(i, j)); });
+      });
+    } else {
+      const double side = face.back && s.settings.light.twoSided ? -1.0 : 1.0;
+      const glm::dvec3 N = side * unit(newellVector(s.scene.mesh.points, s.scene.mesh.face(face.number)));
+      store(normals, seen, f, &s.snapped.vertices[face.first], face.count, [&](int, int) { return N; });
+    }
+  });
+  return normals;
+}
+
+}  // namespace xnewell

@@ -1,0 +1,134 @@
+#include "shading/scene/json_text.h"
+
+#include <algorithm>
+#include <iterator>
+#include <nlohmann/json.hpp>
+#include <set>
+
+namespace xnewell {
+
+namespace {
+
+/// How far a text is read: neither a key nor a number that is too large comes with its place.
+struct Progress {
+  std::string_view text;
+  const std::string& file;
+  std::ptrdiff_t read = 0;
+
+  /// The character read last may be a line's end that only tells that a number is over.
+  [[noreturn]] void fail(const std::string& what) const {
+    const auto end = text.begin() + std::max(read - 1, std::ptrdiff_t{0});
+    throw ParseError{file, 1 + static_cast<int>(std::count(text.begin(), end, '\n')), what};
+  }
+};
+
+/// Walks a text and tells how far it came.
+class Walk {
+ public:
+  using iterator_category = std::input_iterator_tag;
+  using value_type = char;
+  using difference_type = std::ptrdiff_t;
+  using pointer = const char*;
+  using reference = const char&;
+
+  Walk(const char* at, Progress& progress) : at_{at}, progress_{&progress} {}
+  reference operator*() const { return *at_; }
+  Walk& operator++() {
+    ++at_, ++progress_->read;
+    return *this;
+  }
+  bool operator==(const Walk& other) const { return at_ == other.at_; }
+
+ private:
+  const char* at_;
+  Progress* progress_;
+};
+
+/// Of two values of one key a parser keeps the last; here nobody should have to guess which counts.
+class KeysOnce {
+ public:
+  explicit KeysOnce(const Progress& progress) : progress_{progress} {}
+  bool operator()(int, Node::Json::parse_event_t event, const Node::Json& parsed) {
+    using Event = Node::Json::parse_event_t;
+    if (event == Event::object_start) open_.emplace_back();
+    if (event == Event::object_end) open_.pop_back();
+    if (event == Event::key && !open_.back().insert(parsed.get<std::string>()).second)
+      progress_.fail("the key " + inQuotes(parsed.get<std::string>()) + " stands twice in an object");
+    return true;
+  }
+
+ private:
+  const Progress& progress_;
+  std::vector<std::set<std::string>> open_;  ///< the keys so far of the objects that are being read
+};
+
+/// @throws ParseError
+Node::Json parsed(std::string_view text, const std::string& name) {
+  Progress progress{text, name};
+  const Walk begin{text.data(), progress}, end{text.data() + text.size(), progress};
+  try {
+    return Node::Json::parse(begin, end, KeysOnce{progress});
+  } catch (const Node::Json::parse_error&) {
+    progress.fail("not JSON here");
+  } catch (const Node::Json::out_of_range&) {
+    progress.fail("a number is too large");
+  }
+}
+
+/// Reads nothing but the decimals that numbers below a key "polygons" carry in their text.
+class DecimalsOfPolygons : public nlohmann::json_sax<Node::Json> {
+ public:
+  [[nodiscard]] std::vector<RoundingOfNumbers> numbers() && { return std::move(numbers_); }
+
+  bool number_float(double value, const std::string& text) override {
+    if (inside_ > 0) numbers_.back().add(text, value);
+    return true;
+  }
+  bool key(std::string& name) override {
+    polygonsNext_ = name == "polygons";
+    return true;
+  }
+  bool start_array(std::size_t) override {
+    if (inside_ == 0 && polygonsNext_) numbers_.emplace_back();
+    if (inside_ > 0 || polygonsNext_) ++inside_;
+    polygonsNext_ = false;
+    return true;
+  }
+  bool end_array() override {
+    if (inside_ > 0) --inside_;
+    return true;
+  }
+  bool null() override { return true; }
+  bool boolean(bool) override { return true; }
+  bool number_integer(std::int64_t) override { return true; }
+  bool number_unsigned(std::uint64_t) override { return true; }
+  bool string(std::string&) override { return true; }
+  bool binary(Node::Json::binary_t&) override { return true; }
+  bool start_object(std::size_t) override { return true; }
+  bool end_object() override { return true; }
+  bool parse_error(std::size_t, const std::string&, const nlohmann::detail::exception&) override {
+    return false;
+  }
+
+ private:
+  std::vector<RoundingOfNumbers> numbers_;
+  int inside_ = 0;
+  bool polygonsNext_ = false;
+};
+
+}  // namespace
+
+JsonText::JsonText(std::string_view text, std::string name)
+    : name_{std::move(name)}, value_{std::make_unique<const Node::Json>(parsed(text, name_))} {}
+
+JsonText::~JsonText() = default;
+
+Node JsonText::root() const { return {*value_, name_, ""}; }
+
+std::vector<RoundingOfNumbers> roundingOfPolygons(std::string_view text) {
+  DecimalsOfPolygons decimals;
+  Node::Json::sax_parse(text, &decimals);
+  return std::move(decimals).numbers();
+}
+
+}  // namespace xnewell

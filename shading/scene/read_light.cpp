@@ -1,0 +1,154 @@
+#include "shading/scene/read_light.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdio>
+#include <glm/common.hpp>
+#include <glm/geometric.hpp>
+#include <string>
+#include <vector>
+
+#include "geometry/exact/box.h"
+#include "geometry/view/view.h"
+
+namespace xnewell {
+
+namespace {
+
+/// Of a length or its power, in file units, the scene's.
+double scaledTo(const Scene& scene, const Node& node, double v, int power = 1) {
+  v = std::ldexp(v, -power * scene.exponent);
+  if (!std::isfinite(v)) node.fail("too large for the size of the scene");
+  return v;
+}
+
+glm::dvec3 place(const Scene& scene, const Node& node) {
+  glm::dvec3 p = node.point();
+  for (int k = 0; k < 3; ++k) p[k] = scaledTo(scene, node, p[k]);
+  return p;
+}
+
+void readAttenuation(Light& light, const Scene& scene, const Node& node, double distance) {
+  if (node.has("attenuation")) light.attenuation = node.at("attenuation").choice(kAttenuations);
+  light.range = 2.0 * distance;
+  light.c = {1.0, 0.0, 1.0 / (distance * distance)};
+  if (node.has("range")) {
+    const Node range = node.at("range");
+    if (light.attenuation != Attenuation::Linear) range.fail("a range is for attenuation linear");
+    light.range = scaledTo(scene, range, range.numberAbove(0));
+  }
+  if (!node.has("c")) return;
+  const Node c = node.at("c");
+  if (light.attenuation != Attenuation::Textbook) c.fail("c1, c2 and c3 are for attenuation textbook");
+  light.c = c.point();
+  if (std::min({light.c.x, light.c.y, light.c.z}) < 0.0) c.fail("c1, c2 and c3 must not be negative");
+  light.c.y = scaledTo(scene, c, light.c.y, -1);
+  light.c.z = scaledTo(scene, c, light.c.z, -2);
+}
+
+void readCone(Light& light, const Scene& scene, const Node& node, const glm::dvec3& centre) {
+  if (node.has("shines") && node.has("look_at")) node.at("look_at").fail("where it shines is said twice");
+  light.direction = (node.has("look_at") ? place(scene, node.at("look_at")) : centre) - light.position;
+  if (node.has("shines")) light.direction = node.at("shines").direction();
+  if (light.direction == glm::dvec3{0.0}) node.fail("the spot looks at its own place");
+  // A cone that is said on one side only keeps the other out of its way.
+  if (node.has("inner")) light.inner = node.at("inner").numberFrom(0, 180);
+  if (node.has("outer")) light.outer = node.at("outer").numberFrom(0, 180);
+  if (!node.has("outer")) light.outer = std::max(light.outer, light.inner);
+  if (!node.has("inner")) light.inner = std::min(light.outer, light.inner);
+  if (light.inner > light.outer) node.at("inner").fail("it must not exceed outer");
+  if (node.has("falloff")) light.falloff = node.at("falloff").whole(0, 1'000'000);
+}
+
+/// All but an Ip that is not said.
+Light readOne(const Scene& scene, const Node& node, const glm::dvec3& centre) {
+  Light light;
+  if (node.has("kind")) light.kind = node.at("kind").choice(kLights);
+  switch (light.kind) {
+    case LightKind::Directional:
+      node.expectKeys({"kind", "color", "Ip", "towards"});
+      light.direction = node.has("towards") ? node.at("towards").direction() : defaultLight(scene.up);
+      break;
+    case LightKind::Point:
+      node.expectKeys({"kind", "color", "Ip", "at", "attenuation", "range", "c"});
+      break;
+    case LightKind::Spot:
+      node.expectKeys({"kind", "color", "Ip", "at", "attenuation", "range", "c"},
+                      {"shines", "look_at", "inner", "outer", "falloff"});
+      break;
+  }
+  if (node.has("color") && node.has("Ip")) node.at("Ip").fail("the light's intensity is said twice");
+  for (const char* key : {"color", "Ip"})
+    if (node.has(key)) light.Ip = node.at(key).grayOrColor();
+  if (light.kind == LightKind::Directional) return light;
+
+  if (!node.has("at")) node.fail("at is needed: where the light is");
+  light.position = place(scene, node.at("at"));
+  readAttenuation(light, scene, node, std::max(glm::length(light.position - centre), 0x1p-20));
+  if (light.kind == LightKind::Spot) readCone(light, scene, node, centre);
+  return light;
+}
+
+void check(const glm::dvec3& sum, const Node& node) {
+  constexpr std::array kChannelNames{"red", "green", "blue"};
+  for (int c = 0; c < 3; ++c)
+    if (sum[c] > kMostLight) {
+      std::array<char, 32> text;
+      std::snprintf(text.data(), text.size(), "%.6g", sum[c]);
+      node.fail(std::string{"Ia + the sum of Ip is "} + text.data() + " in " + kChannelNames[c] +
+                "; it must not exceed 1");
+    }
+}
+
+/// What the scene says of its light leaves the one light that pictures begin with no say: nobody should have
+/// to guess which counts.
+void expectOnce(const Scene& scene, const Node& root) {
+  if (!root.has("shading")) return;
+  const Node shading = root.at("shading");
+  if (scene.light.Ia && shading.has("Ia"))
+    shading.at("Ia").fail("the ambient light is said twice: see ambient");
+  for (const char* key : {"light", "light_at"})
+    if (!scene.light.lights.empty() && shading.has(key))
+      shading.at(key).fail("where light comes from is said twice: see lights");
+}
+
+}  // namespace
+
+void readLight(Scene& scene, const Node& root) {
+  Illumination& user = scene.settings.light;
+  if (root.has("ambient")) scene.light.Ia = root.at("ambient").grayOrColor();
+  glm::dvec3 sum = scene.light.Ia.value_or(glm::dvec3{0.0});
+  if (root.has("lights")) {
+    const Node lights = root.at("lights");
+    if (lights.size() == 0) lights.fail("at least one light is needed; for none shading takes Ip 0");
+    const glm::dvec3 centre = boxOf(scene.mesh.points).centre();
+    std::vector<int> unsaid;
+    for (int k = 0; k < lights.size(); ++k) {
+      const Node node = lights.item(k);
+      scene.light.lights.push_back(readOne(scene, node, centre));
+      if (node.has("Ip") || node.has("color"))
+        sum += scene.light.lights.back().Ip;
+      else
+        unsaid.push_back(k);
+    }
+    // Lights that do not say their Ip share what the others leave, all together that of the user's light.
+    const double taken = largest(sum) + (scene.light.Ia ? 0.0 : user.Ia);
+    const double left = std::clamp(1.0 - taken, 0.0, user.Ip);
+    for (const int k : unsaid) {
+      scene.light.lights[k].Ip = glm::dvec3{left / static_cast<double>(unsaid.size())};
+      sum += scene.light.lights[k].Ip;
+    }
+  }
+  expectOnce(scene, root);
+  check(sum, root);
+  const auto checkWith = [&](const char* key, double I) {
+    if (root.has("shading") && root.at("shading").has(key)) check(sum + I, root.at("shading").at(key));
+  };
+  if (!scene.light.Ia) checkWith("Ia", user.Ia);
+  if (scene.light.lights.empty()) checkWith("Ip", user.Ip);
+  if (!scene.light.Ia) user.Ia = std::clamp(1.0 - largest(sum), 0.0, user.Ia);
+  if (scene.light.lights.empty()) user.Ip = std::clamp(1.0 - largest(sum), 0.0, user.Ip);
+}
+
+}  // namespace xnewell

@@ -1,0 +1,340 @@
+#include "shading/scene/read_objects.h"
+
+#include <algorithm>
+#include <cmath>
+#include <glm/geometric.hpp>
+#include <glm/mat3x3.hpp>
+#include <map>
+#include <optional>
+#include <string>
+
+#include "geometry/exact/trig.h"
+#include "geometry/exact/unit.h"
+#include "geometry/files/bpt.h"
+#include "geometry/files/obj.h"
+#include "geometry/model/bezier.h"
+#include "geometry/model/solids.h"
+#include "shading/scene/json_text.h"
+
+namespace xnewell {
+
+namespace {
+
+/// What `read` makes of an object's file; that it cannot be read is told with the place that names it.
+template <class Read>
+auto fromFile(const Node& file, const Read& read) -> decltype(read()) {
+  try {
+    return read();
+  } catch (const std::system_error& e) {
+    throw std::system_error{e.code(), file.place() + ": " + inQuotes(file.text())};
+  }
+}
+
+/// "color": [r, g, b] or "color255": the same of 255.
+std::optional<glm::dvec3> readColor(const Node& node, const std::string& key) {
+  const std::string bytes = key + "255";
+  if (node.has(key) && node.has(bytes)) node.at(bytes).fail("the colour is said twice");
+  if (node.has(key)) return node.at(key).color();
+  if (!node.has(bytes)) return std::nullopt;
+  const Node of255 = node.at(bytes);
+  glm::dvec3 color = of255.point();
+  for (int c = 0; c < 3; ++c) color[c] = of255.item(c).numberFrom(0, 255) / 255.0;
+  return color;
+}
+
+/// All but the texture.
+MeshMaterial readMaterial(const Node& node, const std::string& name) {
+  node.expectKeys({"color", "color255", "specular", "specular255", "ka", "kd", "ks", "n", "texture"});
+  MeshMaterial material;
+  material.name = name;
+  material.diffuse = readColor(node, "color").value_or(material.diffuse);
+  material.specular = readColor(node, "specular").value_or(material.specular);
+  const auto coefficient = [&](const char* key, std::optional<double>& k) {
+    if (node.has(key)) k = node.at(key).numberFrom(0, 1);
+  };
+  coefficient("ka", material.ka), coefficient("kd", material.kd), coefficient("ks", material.ks);
+  if (node.has("n")) material.n = node.at("n").whole(0, 1'000'000);
+  return material;
+}
+
+/// Turns vectors about an axis through the origin, counter-clockwise seen from its tip. @see Rodrigues 1840
+glm::dmat3 rotation(const glm::dvec3& axis, double degrees) {
+  const auto [sine, cosine] = sinCosDegrees(degrees);
+  const glm::dvec3 a = unit(axis);
+  glm::dmat3 turn;
+  for (int k = 0; k < 3; ++k) {
+    glm::dvec3 e{0.0};
+    e[k] = 1.0;
+    turn[k] = cosine * e + sine * glm::cross(a, e) + (1.0 - cosine) * a[k] * a;
+  }
+  return turn;
+}
+
+glm::dmat3 readRotation(const Node& node) {
+  const auto degrees = [](const Node& angle) {
+    const double v = angle.number();
+    if (std::abs(v) > 1e6) angle.fail("an angle within 1,000,000 degrees is needed");
+    return v;
+  };
+  if (node.isObject()) {
+    node.expectKeys({"axis", "degrees"});
+    for (const char* key : {"axis", "degrees"})
+      if (!node.has(key)) node.fail(std::string{key} + " is needed");
+    return rotation(node.at("axis").direction(), degrees(node.at("degrees")));
+  }
+  (void)node.point();
+  const auto about = [&](int axis) {
+    glm::dvec3 e{0.0};
+    e[axis] = 1.0;
+    return rotation(e, degrees(node.item(axis)));
+  };
+  return about(2) * about(1) * about(0);
+}
+
+/// An object's own: it is scaled, then turned, then moved.
+class Transform {
+ public:
+  explicit Transform(const Node& node) : node_{node} {
+    if (node.has("scale")) {
+      const Node by = node.at("scale");
+      if (by.isList()) (void)by.point();
+      for (int k = 0; k < 3; ++k) scale_[k] = (by.isList() ? by.item(k) : by).numberAbove(0);
+    }
+    if (node.has("rotate")) turn_ = readRotation(node.at("rotate"));
+    if (node.has("move")) move_ = node.at("move").point();
+  }
+  [[nodiscard]] glm::dvec3 operator()(glm::dvec3 p) const {
+    p *= scale_;
+    if (turn_) p = *turn_ * p;
+    p += move_;
+    if (!std::isfinite(p.x) || !std::isfinite(p.y) || !std::isfinite(p.z))
+      node_.fail("the object is scaled out of range");
+    return p;
+  }
+  /// Scales the roundings of coordinates, by the largest factor. A turn brings together those of three axes,
+  /// at most sqrt 3 times one, and adds its own: eight roundings of coordinates up to the largest.
+  void round(Mesh& mesh) const {
+    double largest = 0.0;
+    for (const glm::dvec3& p : mesh.points)
+      largest = std::max({largest, std::abs(p.x), std::abs(p.y), std::abs(p.z)});
+    for (double& u : mesh.rounding) {
+      u *= std::max({scale_.x, scale_.y, scale_.z});
+      if (turn_) u = u * std::sqrt(3.0) + 0x1p-50 * largest;
+    }
+  }
+
+ private:
+  const Node& node_;
+  glm::dvec3 scale_{1.0}, move_{0.0};
+  std::optional<glm::dmat3> turn_;
+};
+
+Mesh readPolygons(const Node& node) {
+  Mesh mesh;
+  std::vector<int> corners, uv;
+  const Node polygons = node.at("polygons");
+  const bool textured = node.has("uv");
+  if (textured && node.at("uv").size() != polygons.size())
+    node.at("uv").fail("a list for each polygon is needed");
+  for (int f = 0; f < polygons.size(); ++f) {
+    const Node polygon = polygons.item(f);
+    corners.clear(), uv.clear();
+    for (int c = 0; c < polygon.size(); ++c) {
+      const glm::dvec3 p = polygon.item(c).point();
+      const auto known = std::ranges::find(mesh.points, p);
+      corners.push_back(static_cast<int>(known - mesh.points.begin()));
+      if (known == mesh.points.end()) mesh.points.push_back(p);
+    }
+    if (corners.size() < 3) polygon.fail("a polygon needs at least 3 corners");
+    if (textured) {
+      const Node ofCorners = node.at("uv").item(f);
+      if (ofCorners.size() != polygon.size()) ofCorners.fail("[u, v] for each corner is needed");
+      for (int c = 0; c < ofCorners.size(); ++c) {
+        uv.push_back(static_cast<int>(mesh.uv.size()));
+        mesh.uv.push_back(ofCorners.item(c).numbers<2>());
+      }
+    }
+    mesh.addFace(corners, 0, -1, uv);
+  }
+  return mesh;
+}
+
+Mesh readSolid(const Node& node) {
+  const std::string solid = node.at("solid").text();
+  const auto count = [&](const char* key, int low, int otherwise) {
+    return node.has(key) ? node.at(key).whole(low, 4096) : otherwise;
+  };
+  if (solid == "cube") return cube();
+  if (solid == "sphere") return sphere(count("around", 3, 24), count("down", 2, 12));
+  if (solid == "torus") return torus(count("around", 3, 32), count("across", 3, 16));
+  node.at("solid").fail("cube, sphere or torus is needed");
+}
+
+/// That only solids that are round are divided, and only in their own two ways.
+void expectDividable(const Node& node) {
+  const std::string solid = node.has("solid") ? node.at("solid").text() : "";
+  if (node.has("around") && solid != "sphere" && solid != "torus")
+    node.at("around").fail("is for solid sphere and torus");
+  if (node.has("down") && solid != "sphere") node.at("down").fail("is for solid sphere");
+  if (node.has("across") && solid != "torus") node.at("across").fail("is for solid torus");
+}
+
+/// Collects the objects one after the other.
+class Collector {
+ public:
+  Collector(const Node& root, const std::filesystem::path& folder, int divisions)
+      : folder_{folder}, divisions_{divisions} {
+    if (!root.has("materials")) return;
+    const Node all = root.at("materials");
+    for (const std::string& name : all.keys()) {
+      const Node node = all.at(name);
+      Named& named = materials_[name];
+      named.material = readMaterial(node, name);
+      if (!node.has("texture")) continue;
+      named.texture.emplace(node.at("texture"));
+      (void)named.texture->text();  // also where no object uses it
+    }
+  }
+
+  /// `rounding` is of its polygons.
+  void add(const Node& node, double rounding) {
+    node.expectKeys({"file", "polygons", "uv", "solid", "name", "color", "color255", "material", "divisions",
+                     "around", "down", "across", "scale", "rotate", "move"});
+    if (node.has("file") + node.has("polygons") + node.has("solid") != 1)
+      node.fail("one of file, polygons and solid is needed");
+    expectDividable(node);
+    if (node.has("uv") && !node.has("polygons")) node.at("uv").fail("texture coordinates are for polygons");
+    const Transform transform{node};
+    PatchRun run;
+    Mesh mesh = meshOf(node, transform, run);
+    if (node.has("polygons")) mesh.rounding = {rounding};
+    mesh.rounding.resize(std::max<std::size_t>(mesh.groupNames.size(), 1), 0.0);
+    if (node.has("name")) {
+      mesh.groupNames = {node.at("name").text()};
+      std::ranges::fill(mesh.group, 0);
+      mesh.rounding.resize(1);  // the same for all of a file
+    }
+    if (run.patches.empty()) {
+      for (glm::dvec3& p : mesh.points) p = transform(p);
+      transform.round(mesh);
+    }
+    const std::optional<int> material = materialOf(node, !mesh.uvOfCorner.empty());
+    run.firstCorner = static_cast<int>(all_.mesh.corners.size());
+    append(mesh, material);
+    if (!run.patches.empty()) all_.patches.push_back(std::move(run));
+  }
+
+  [[nodiscard]] Objects take() { return std::move(all_); }
+
+ private:
+  struct Named {
+    MeshMaterial material;
+    std::optional<Node> texture;
+    std::optional<int> number;  ///< once an object wears it
+  };
+
+  /// Patches come transformed: what is made of them is the surface itself.
+  Mesh meshOf(const Node& node, const Transform& transform, PatchRun& run) const {
+    std::filesystem::path file;
+    if (node.has("file")) file = folder_ / node.at("file").text();
+    if (node.has("divisions") && file.extension() != ".bpt")
+      node.at("divisions").fail("divisions are for the patches of a .bpt file");
+    if (node.has("solid")) return readSolid(node);
+    if (node.has("polygons")) return readPolygons(node);
+    if (file.extension() == ".obj") return fromFile(node.at("file"), [&] { return readObj(file); });
+    if (file.extension() != ".bpt") node.at("file").fail("an .obj or .bpt file is needed");
+    run.divisions = node.has("divisions") ? node.at("divisions").whole(1, kMaxDivisions) : divisions_;
+    run.patches = fromFile(node.at("file"), [&] { return readBpt(file); });
+    for (BezierPatch& patch : run.patches)
+      for (glm::dvec3& p : patch.p) p = transform(p);
+    return tessellate(run.patches, run.divisions);
+  }
+
+  /// The one material of all of an object's faces; nothing: they keep theirs.
+  std::optional<int> materialOf(const Node& node, bool hasUv) {
+    const std::optional<glm::dvec3> color = readColor(node, "color");
+    const int next = static_cast<int>(all_.mesh.materials.size());
+    if (!node.has("material")) {
+      if (!color) return std::nullopt;
+      all_.mesh.materials.push_back({"", *color});
+      return next;
+    }
+    const Node said = node.at("material");
+    if (color) said.fail("an object has a material or a colour");
+    const auto found = materials_.find(said.text());
+    if (found == materials_.end()) {
+      std::string names;
+      for (const auto& [name, unused] : materials_) names += (names.empty() ? "" : ", ") + name;
+      said.fail(names.empty() ? "the file has no materials"
+                              : inQuotes(said.text()) + " is not one of " + names);
+    }
+    Named& named = found->second;
+    if (named.texture && !hasUv)
+      said.fail(inQuotes(said.text()) + " has a texture, but the object has no texture coordinates");
+    if (!named.number) {
+      named.number = next;
+      if (named.texture) named.material.texture = textureOf(*named.texture);
+      all_.mesh.materials.push_back(named.material);
+    }
+    return named.number;
+  }
+
+  /// Each file once.
+  int textureOf(const Node& file) {
+    const auto [known, isNew] = textures_.try_emplace(file.text(), static_cast<int>(all_.textures.size()));
+    if (isNew)
+      all_.textures.push_back(fromFile(file, [&] { return readTexture((folder_ / file.text()).string()); }));
+    return known->second;
+  }
+
+  /// Each object keeps the rounding of its own coordinates.
+  void append(const Mesh& part, std::optional<int> material) {
+    Mesh& whole = all_.mesh;
+    const auto sizeOf = [](const auto& list) { return static_cast<int>(list.size()); };
+    const auto extend = [](auto& list, const auto& by) { list.insert(list.end(), by.begin(), by.end()); };
+    const int points = sizeOf(whole.points), groups = sizeOf(whole.groupNames), uvs = sizeOf(whole.uv);
+    const int materials = sizeOf(whole.materials);
+    extend(whole.points, part.points);
+    extend(whole.groupNames, part.groupNames);
+    if (part.groupNames.empty()) whole.groupNames.emplace_back();
+    extend(whole.rounding, part.rounding);
+    extend(whole.notes, part.notes);
+    extend(whole.uv, part.uv);
+    if (!material) extend(whole.materials, part.materials);
+    std::vector<int> corners, uv;
+    for (int f = 0; f < part.faceCount(); ++f) {
+      corners.assign(part.face(f).begin(), part.face(f).end());
+      for (int& c : corners) c += points;
+      if (!part.uvOfCorner.empty()) {
+        uv.assign(part.uvOfCorner.begin() + part.firstCorner[f],
+                  part.uvOfCorner.begin() + part.firstCorner[f + 1]);
+        for (int& k : uv) k += k < 0 ? 0 : uvs;
+      }
+      const int own = part.material[f] < 0 ? -1 : part.material[f] + materials;
+      whole.addFace(corners, part.group[f] + groups, material.value_or(own), uv);
+    }
+  }
+
+  const std::filesystem::path& folder_;
+  int divisions_;
+  std::map<std::string, Named> materials_;
+  std::map<std::string, int> textures_;
+  Objects all_;
+};
+
+}  // namespace
+
+Objects readObjects(const Node& root, std::string_view text, const std::filesystem::path& folder,
+                    int divisions) {
+  const std::vector<RoundingOfNumbers> rounding = roundingOfPolygons(text);
+  Collector collector{root, folder, divisions};
+  if (root.has("objects"))
+    for (std::size_t i = 0, polygons = 0; i < static_cast<std::size_t>(root.at("objects").size()); ++i) {
+      const Node object = root.at("objects").item(static_cast<int>(i));
+      collector.add(object, polygons < rounding.size() ? rounding[polygons].rounding() : 0.0);
+      polygons += object.has("polygons");
+    }
+  return collector.take();
+}
+
+}  // namespace xnewell

@@ -1,0 +1,223 @@
+#include "shading/scene/scene.h"
+
+#include <algorithm>
+#include <cerrno>
+#include <cmath>
+#include <filesystem>
+#include <stdexcept>
+#include <system_error>
+#include <vector>
+
+#include "geometry/exact/scale.h"
+#include "geometry/files/bpt.h"
+#include "geometry/files/obj.h"
+#include "geometry/files/parse_error.h"
+#include "geometry/model/bezier.h"
+#include "geometry/model/coplanar.h"
+#include "geometry/model/teapot.h"
+#include "shading/scene/scene_file.h"
+
+namespace xnewell {
+
+namespace {
+
+const std::filesystem::path kData{XNEWELL_DATA_DIR};
+
+/// Empty if the name is none of the program's own. These are plain words: no folder, no extension.
+std::filesystem::path fileOfBuiltIn(const std::string& name) {
+  if (name == "teapot") return kData / "teapot.bpt";
+  if (name.empty() || name.find_first_of("./") != std::string::npos) return {};
+  const std::filesystem::path file = kData / "scenes" / (name + ".json");
+  return std::filesystem::exists(file) ? file : std::filesystem::path{};
+}
+
+std::string lowerCase(std::string text) {
+  for (char& c : text)
+    if (c >= 'A' && c <= 'Z') c = static_cast<char>(c - 'A' + 'a');
+  return text;
+}
+
+/// Drops the vertices that no face uses: they are not to be framed, nor to be transformed in every picture.
+void keepUsedPoints(Mesh& mesh) {
+  std::vector<int> place(mesh.points.size(), -1);
+  std::vector<glm::dvec3> used;
+  used.reserve(mesh.points.size());
+  for (int& corner : mesh.corners) {
+    if (place[corner] < 0) {
+      place[corner] = static_cast<int>(used.size());
+      used.push_back(mesh.points[corner]);
+    }
+    corner = place[corner];
+  }
+  mesh.points = std::move(used);
+}
+
+}  // namespace
+
+Scene makeScene(std::string name, Mesh mesh, UpAxis up, int divisions) {
+  if (mesh.faceCount() == 0) throw std::invalid_argument{name + ": holds no face"};
+  keepUsedPoints(mesh);
+  double largest = 0.0;
+  for (const glm::dvec3& p : mesh.points)
+    largest = std::max({largest, std::abs(p.x), std::abs(p.y), std::abs(p.z)});
+  Scene scene;
+  scene.name = std::move(name);
+  scene.mesh = std::move(mesh);
+  scene.up = up;
+  scene.settings.light.light = defaultLight(up);
+  scene.divisions = divisions;
+  if (largest > 0.0) std::frexp(largest, &scene.exponent);
+  scene.light.unit = std::ldexp(1.0, -scene.exponent);
+  for (glm::dvec3& p : scene.mesh.points) p = scaled(p, -scene.exponent);
+  for (double& u : scene.mesh.rounding) u = std::ldexp(u, -scene.exponent);
+  scene.pieces = divideFaces(scene.mesh);
+  scene.pieces.plane = coplanarClasses(scene.mesh, scene.pieces);
+  return scene;
+}
+
+std::vector<glm::dvec3> exactNormals(const Scene& scene) {
+  std::vector<glm::dvec3> normals;
+  for (const PatchRun& run : scene.patches) {
+    normals.resize(scene.mesh.corners.size(), glm::dvec3{0.0});
+    std::ranges::copy(cornerNormals(run.patches, run.divisions), normals.begin() + run.firstCorner);
+  }
+  return normals;
+}
+
+std::vector<BuiltInScene> builtInScenes() {
+  std::vector<BuiltInScene> scenes;
+  for (const auto& entry : std::filesystem::directory_iterator{kData / "scenes"})
+    if (entry.path().extension() == ".json")
+      scenes.push_back({entry.path().stem().string(), sentenceOf(entry.path())});
+  std::ranges::sort(scenes, {}, &BuiltInScene::name);
+  scenes.insert(
+      scenes.begin(),
+      {"teapot", "Martin Newell's teapot: 32 Bezier patches; handle and spout pass through the body"});
+  return scenes;
+}
+
+bool isBuiltIn(const std::string& name) { return !fileOfBuiltIn(name).empty(); }
+
+namespace {
+
+Scene readAny(const std::string& nameOrFile, int divisions) {
+  const std::filesystem::path builtIn = fileOfBuiltIn(nameOrFile);
+  const std::filesystem::path file = builtIn.empty() ? std::filesystem::path{nameOrFile} : builtIn;
+  const std::string extension = lowerCase(file.extension().string());
+  if (extension == ".bpt") {
+    const std::vector<BezierPatch> patches = readBpt(file);
+    const std::span<const PatchPart> parts =
+        builtIn.empty() ? std::span<const PatchPart>{} : std::span<const PatchPart>{kTeapotParts};
+    Scene scene = makeScene(nameOrFile, tessellate(patches, divisions, parts), UpAxis::Z, divisions);
+    scene.patches.push_back({0, patches, divisions});
+    return scene;
+  }
+  if (extension == ".obj") return makeScene(nameOrFile, readObj(file), UpAxis::Y);
+  if (extension == ".json") {
+    Scene scene = readSceneFile(file, divisions);
+    scene.name = nameOrFile;
+    return scene;
+  }
+  if (std::filesystem::is_directory(file))
+    throw std::system_error{EISDIR, std::generic_category(), nameOrFile};
+  throw ParseError{nameOrFile, 0,
+                   !std::filesystem::exists(file) && extension.empty()
+                       ? "no built-in scene of that name; `xnewell scenes` lists them"
+                       : "not a scene: .obj, .bpt and .json files are"};
+}
+
+}  // namespace
+
+Scene readScene(const std::string& nameOrFile, int divisions) {
+  Scene scene = readAny(nameOrFile, divisions);
+  if (scene.origin.of.empty()) scene.origin = {.of = nameOrFile, .divisions = divisions};
+  return scene;
+}
+
+glm::dvec3 defaultLight(UpAxis up) {
+  return up == UpAxis::Z ? glm::dvec3{-0.54, -0.64, 0.55} : glm::dvec3{-0.54, 0.55, 0.64};
+}
+
+double inSceneUnits(double length, const Scene& scene) {
+  const double v = std::ldexp(length, -scene.exponent);
+  if (!std::isfinite(v)) throw ViewError{"the camera or the light is too far away for the size of the scene"};
+  return v;
+}
+
+glm::dvec3 inSceneUnits(glm::dvec3 p, const Scene& scene) {
+  return {inSceneUnits(p.x, scene), inSceneUnits(p.y, scene), inSceneUnits(p.z, scene)};
+}
+
+CameraSettings completed(CameraSettings said, const CameraSettings& scene) {
+  const bool textbook =
+      said.vrp || said.vpn || said.vup || said.prp || said.window || said.front || said.back;
+  const bool projection = said.parallel || said.oblique || said.fov;
+  const auto fill = [](auto& mine, const auto& theirs) {
+    if (!mine) mine = theirs;
+  };
+  if (!textbook) {
+    fill(said.eye, scene.eye), fill(said.lookAt, scene.lookAt), fill(said.up, scene.up);
+  }
+  if (!said.eye && !said.lookAt) {
+    fill(said.vrp, scene.vrp), fill(said.vpn, scene.vpn), fill(said.vup, scene.vup),
+        fill(said.prp, scene.prp);
+    fill(said.window, scene.window), fill(said.front, scene.front), fill(said.back, scene.back);
+  }
+  if (!projection) {
+    said.parallel = scene.parallel;
+    fill(said.height, scene.height), fill(said.oblique, scene.oblique), fill(said.fov, scene.fov);
+  }
+  return said;
+}
+
+CameraSettings inSceneUnits(CameraSettings c, const Scene& scene) {
+  for (std::optional<glm::dvec3>* p : {&c.eye, &c.lookAt, &c.vrp, &c.prp})
+    if (*p) *p = inSceneUnits(**p, scene);
+  for (std::optional<double>* v : {&c.height, &c.front, &c.back})
+    if (*v) *v = inSceneUnits(**v, scene);
+  if (c.window)
+    for (int k = 0; k < 4; ++k) (*c.window)[k] = inSceneUnits((*c.window)[k], scene);
+  return c;
+}
+
+void toSceneUnits(Illumination& light, const Scene& scene) {
+  if (light.lightPosition) light.lightPosition = inSceneUnits(*light.lightPosition, scene);
+  if (light.range) light.range = inSceneUnits(*light.range, scene);
+  // c2 and c3 are for a unit of length and its square.
+  if (light.c)
+    light.c = {light.c->x, std::ldexp(light.c->y, scene.exponent),
+               std::ldexp(light.c->z, 2 * scene.exponent)};
+}
+
+void strip(Scene& scene, std::string_view what) {
+  for (MeshMaterial& m : scene.mesh.materials) {
+    if (what == "ka") m.ka.reset();
+    if (what == "kd") m.kd.reset();
+    if (what == "ks") m.ks.reset();
+    if (what == "n") m.n.reset();
+  }
+  if (what == "ambient") scene.light.Ia.reset();
+  if (what == "lights") scene.light.lights.clear();
+  std::vector<std::string>& without = scene.origin.without;
+  if (std::ranges::find(without, what) == without.end()) without.emplace_back(what);
+}
+
+void wear(Scene& scene, Texture texture) {
+  Mesh& mesh = scene.mesh;
+  if (mesh.uvOfCorner.empty())
+    throw ViewError{scene.name + ": holds no texture coordinates to put a texture on"};
+  const int number = static_cast<int>(scene.textures.size()), bare = static_cast<int>(mesh.materials.size());
+  scene.textures.push_back(std::move(texture));
+  if (std::ranges::find(mesh.material, -1) != mesh.material.end()) mesh.materials.emplace_back();
+  std::ranges::replace(mesh.material, -1, bare);
+  for (MeshMaterial& m : mesh.materials) m.texture = number;
+}
+
+std::string titleOf(const Scene& scene) {
+  const std::string name = scene.name.substr(scene.name.find_last_of('/') + 1);
+  if (scene.divisions == 0) return name;
+  const std::string divisions = std::to_string(scene.divisions);
+  return name + " \u00B7 " + divisions + " x " + divisions + " divisions";
+}
+
+}  // namespace xnewell

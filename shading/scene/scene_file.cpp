@@ -1,0 +1,110 @@
+#include "shading/scene/scene_file.h"
+
+#include <algorithm>
+#include <vector>
+
+#include "geometry/files/parse_error.h"
+#include "geometry/files/text_file.h"
+#include "geometry/model/bezier.h"
+#include "shading/scene/json_node.h"
+#include "shading/scene/json_text.h"
+#include "shading/scene/read_camera.h"
+#include "shading/scene/read_light.h"
+#include "shading/scene/read_objects.h"
+#include "shading/scene/read_shading.h"
+
+namespace xnewell {
+
+namespace {
+
+/// The scene that the file says how to set up.
+Scene otherScene(const Node& root, const std::filesystem::path& folder, int divisions) {
+  root.expectKeys({"shows", "scene", "divisions", "without", "texture", "camera", "shading"});
+  const Node other = root.at("scene");
+  if (root.has("divisions")) divisions = root.at("divisions").whole(1, kMaxDivisions);
+  const std::string of = isBuiltIn(other.text()) ? other.text() : (folder / other.text()).string();
+  if (!isBuiltIn(of) && of.ends_with(".json") && std::filesystem::is_regular_file(of) &&
+      JsonText{readTextFile(of), of}.root().has("scene"))
+    other.fail(inQuotes(other.text()) + " is a set-up of another scene itself: name that");
+  Scene scene;
+  if (!isBuiltIn(of) && !std::filesystem::path{of}.has_extension())
+    other.fail(inQuotes(other.text()) + " is no built-in scene; `xnewell scenes` lists them");
+  try {
+    scene = readScene(of, divisions);
+  } catch (const std::system_error& e) {
+    throw std::system_error{e.code(), other.place() + ": " + inQuotes(other.text())};
+  }
+  if (root.has("without"))
+    for (int i = 0; i < root.at("without").size(); ++i) {
+      const Node what = root.at("without").item(i);
+      if (std::ranges::find(kStrippable, what.text()) == kStrippable.end())
+        what.fail(inQuotes(what.text()) + " is not one of ambient, lights, ka, kd, ks, n");
+      strip(scene, what.text());
+    }
+  if (root.has("texture")) {
+    const Node texture = root.at("texture");
+    scene.origin.texture = (folder / texture.text()).string();
+    try {
+      wear(scene, readTexture(scene.origin.texture));
+    } catch (const ViewError& e) {
+      texture.fail(e.what());
+    } catch (const std::system_error& e) {
+      throw std::system_error{e.code(), texture.place() + ": " + inQuotes(texture.text())};
+    }
+  }
+  return scene;
+}
+
+/// From the file's own objects.
+Scene ownScene(const Node& root, std::string_view text, const std::string& name,
+               const std::filesystem::path& folder, int divisions) {
+  root.expectKeys({"shows", "up", "camera", "ambient", "lights", "shading", "materials", "objects"});
+  UpAxis up = UpAxis::Y;
+  if (root.has("up")) {
+    const std::string axis = root.at("up").text();
+    if (axis != "y" && axis != "z") root.at("up").fail("\"y\" or \"z\" is needed");
+    up = axis == "z" ? UpAxis::Z : UpAxis::Y;
+  }
+  Objects objects = readObjects(root, text, folder, divisions);
+  if (objects.mesh.faceCount() == 0) root.fail("holds no face");
+  const int divided = objects.patches.empty() ? 0 : objects.patches.front().divisions;
+  const bool alike =
+      std::ranges::all_of(objects.patches, [&](const auto& run) { return run.divisions == divided; });
+  Scene scene = makeScene(name, std::move(objects.mesh), up, alike ? divided : 0);
+  scene.patches = std::move(objects.patches);
+  scene.textures = std::move(objects.textures);
+  return scene;
+}
+
+}  // namespace
+
+Scene parseSceneFile(std::string_view text, const std::string& name, const std::filesystem::path& folder,
+                     int divisions) {
+  const JsonText json{text, name};
+  const Node root = json.root();
+  if (root.has("shows")) (void)root.at("shows").text();
+  const bool other = root.has("scene");
+  Scene scene = other ? otherScene(root, folder, divisions) : ownScene(root, text, name, folder, divisions);
+  if (root.has("camera")) {
+    scene.camera = readCamera(root.at("camera"));
+    (void)seeing(scene.camera, scene, root.at("camera"));
+  }
+  if (root.has("shading")) {
+    readShading(scene.settings, root.at("shading"));
+    expectCounts(scene.settings, root.at("shading"));
+    if (!other) expectDivides(scene.settings, root.at("shading"));
+  }
+  if (!other) readLight(scene, root);
+  return scene;
+}
+
+Scene readSceneFile(const std::filesystem::path& file, int divisions) {
+  return parseSceneFile(readTextFile(file), file.string(), file.parent_path(), divisions);
+}
+
+std::string sentenceOf(const std::filesystem::path& file) {
+  const JsonText json{readTextFile(file), file.string()};
+  return json.root().has("shows") ? json.root().at("shows").text() : "";
+}
+
+}  // namespace xnewell

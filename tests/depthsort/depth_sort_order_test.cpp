@@ -1,0 +1,123 @@
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <random>
+
+#include "depthsort/samples.h"
+#include "tests/support/exact_region.h"
+#include "tests/support/random_scenes.h"
+#include "tests/support/seeds.h"
+
+namespace xnewell {
+
+namespace {
+
+constexpr int kSize = 24;
+
+struct Counts {
+  int overlaps = 0, inOnePlane = 0, pieces = 0, slivers = 0, shallow = 0;
+};
+
+/// Of every two overlapping fragments the one painted first is nowhere above the other, all over their common
+/// area in the picture, not just at samples. The sort may disregard what is no deeper than the doubt of
+/// both, and what is both thin and without a sample. What it took for that has become smaller by
+/// later splits: so it is at most twice as thick (a convex region's 2 area / diameter is one to two times
+/// its width). It measures depth at corners rounded to the grid: half a step's slope aside.
+void expectOrder(const SnappedScene& scene, const SortedScene& sorted, Counts& counts) {
+  struct Painted {
+    ExactRegion region;
+    double x0, y0, x1, y1;
+  };
+  std::vector<Painted> all;
+  for (const Fragment& fragment : sorted.fragments) {
+    Painted p{withinPicture(exactFragment(scene, sorted, fragment), kSize, kSize), 1e99, 1e99, -1e99, -1e99};
+    for (const ExactPoint& corner : p.region) {
+      const double x = corner.x.convert_to<double>(), y = corner.y.convert_to<double>();
+      p.x0 = std::min(p.x0, x - 1), p.x1 = std::max(p.x1, x + 1);
+      p.y0 = std::min(p.y0, y - 1), p.y1 = std::max(p.y1, y + 1);
+    }
+    counts.pieces += fragment.piece >= 0;
+    all.push_back(std::move(p));
+  }
+  for (std::size_t later = 0; later < all.size(); ++later)
+    for (std::size_t earlier = 0; earlier < later; ++earlier) {
+      const Painted &P = all[earlier], &Q = all[later];
+      if (P.x1 < Q.x0 || Q.x1 < P.x0 || P.y1 < Q.y0 || Q.y1 < P.y0) continue;
+      const ExactRegion both = common(P.region, Q.region);
+      if (both.empty()) continue;
+      ++counts.overlaps;
+      const int p = sorted.fragments[earlier].face, q = sorted.fragments[later].face;
+      ASSERT_NE(p, q) << "pieces of one face overlap";
+      const ScreenPlane &planeP = scene.planes[scene.faces[p].plane],
+                        &planeQ = scene.planes[scene.faces[q].plane];
+      const ExactLine above = exactDifference(planeP, planeQ);
+      const bool one = samePlane(planeP, planeQ);
+      counts.inOnePlane += one;
+      const ExactRegion wrong = one ? (p > q ? both : ExactRegion{}) : clipped(both, above);
+      if (wrong.empty()) continue;
+      SCOPED_TRACE(testing::Message()
+                   << "fragments " << earlier << " (face " << p << "), " << later << " (face " << q << ")");
+      const double doubt = double{scene.faces[p].doubt.atBack} + scene.faces[q].doubt.atBack;
+      const double depth = greatest(above, wrong).convert_to<double>();
+      const double slope = std::abs(above.a.convert_to<double>()) + std::abs(above.b.convert_to<double>());
+      if (!one && doubt > 0.0 && depth <= doubt + 0.5 * slope) {
+        ++counts.shallow;
+        continue;
+      }
+      ++counts.slivers;
+      ASSERT_LE(thickness(wrong), 2.0 * kThin) << "above by " << depth << ", doubt " << doubt;
+      ASSERT_FALSE(exactlyOwnsSample(wrong, kSize, kSize)) << "above by " << depth << ", doubt " << doubt;
+    }
+}
+
+}  // namespace
+
+// Given on the grid, scenes have nothing to doubt.
+TEST(DepthSortOrder, NothingIsPaintedOverWhatIsNearer) {
+  const Seeds seeds{192};
+  Counts counts;
+  for (unsigned seed = seeds.from; seed < seeds.end; ++seed) {
+    const SnappedScene scene = randomScene(seed, 2 + static_cast<int>(seed / kSceneKinds.size()) % 12, kSize);
+    SCOPED_TRACE(testing::Message() << "XNEWELL_SEED=" << seed);
+    expectOrder(scene, depthSort(scene, {kSize, kSize, seed % 3 == 0}), counts);
+    if (HasFatalFailure()) return;
+  }
+  if (!seeds.all()) return;
+  EXPECT_GT(counts.overlaps, 4'000);
+  EXPECT_GT(counts.inOnePlane, 300);
+  EXPECT_GT(counts.pieces, 800);
+  EXPECT_GT(counts.slivers, 0);
+}
+
+// With doubt, of a step to many, contacts leave polygons whole. Near-coplanar ones most of all.
+TEST(DepthSortOrder, NothingIsPaintedOverWhatIsNearerBeyondDoubt) {
+  const Seeds seeds{192};
+  Counts counts;
+  SortStatistics exact, doubtful;
+  for (unsigned seed = seeds.from; seed < seeds.end; ++seed) {
+    SnappedScene scene = randomScene(seed, 2 + static_cast<int>(seed / kSceneKinds.size()) % 12, kSize);
+    exact.splits += depthSort(scene, {kSize, kSize}).statistics.splits;
+    std::mt19937 rng{seed};
+    const double reach = std::uniform_real_distribution{0.0, 20.0}(rng);
+    for (SnappedFace& face : scene.faces)
+      face.doubt.atBack = static_cast<float>(std::exp2(std::uniform_real_distribution{0.0, reach}(rng)));
+    SCOPED_TRACE(testing::Message() << "XNEWELL_SEED=" << seed);
+    const SortedScene sorted = depthSort(scene, {kSize, kSize, seed % 3 == 0});
+    doubtful.splits += sorted.statistics.splits;
+    doubtful.voids += sorted.statistics.voids;
+    doubtful.contacts += sorted.statistics.contacts;
+    expectOrder(scene, sorted, counts);
+    if (HasFatalFailure()) return;
+  }
+  if (!seeds.all()) return;
+  EXPECT_GT(counts.overlaps, 3'000);
+  EXPECT_GT(counts.inOnePlane, 300);
+  EXPECT_GT(counts.pieces, 500);
+  EXPECT_GT(counts.shallow, 150);
+  EXPECT_GT(doubtful.voids, 50);
+  EXPECT_GT(doubtful.contacts, 200);
+  EXPECT_LT(doubtful.splits, exact.splits);  // contacts are not split for
+}
+
+}  // namespace xnewell

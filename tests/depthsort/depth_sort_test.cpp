@@ -1,0 +1,95 @@
+#include "depthsort/depth_sort.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <array>
+
+#include "tests/support/painted.h"
+#include "tests/support/random_scenes.h"
+#include "tests/support/seeds.h"
+
+namespace xnewell {
+
+namespace {
+
+void add(SortStatistics& sum, const SortStatistics& s) {
+  for (int t = 0; t < kTests; ++t) sum.settled[t] += s.settled[t];
+  sum.moves += s.moves, sum.cycles += s.cycles, sum.impossible += s.impossible, sum.splits += s.splits;
+  sum.voids += s.voids, sum.contacts += s.contacts;
+  sum.deepest = std::max(sum.deepest, s.deepest);
+}
+
+struct Way {
+  const char* name;
+  bool textbook, grid;
+  SortSettings::Split crossing;
+};
+using enum SortSettings::Split;
+constexpr std::array kWays{
+    Way{"quick", false, true, Smaller},           Way{"quick, first", false, true, First},
+    Way{"quick, second", false, true, Second},    Way{"no grid", false, false, Smaller},
+    Way{"textbook", true, false, Smaller},        Way{"textbook, first", true, false, First},
+    Way{"textbook, second", true, false, Second},
+};
+
+}  // namespace
+
+// Painting in the order of the depth sort shows what the oracle sees, in every sample of scenes of every
+// kind, whatever the run, the choice of which to split, and the picture's size: the scenes are made for 32 by
+// 32 pixels, so the other pictures cut them off or see them in a corner.
+TEST(DepthSort, PaintsWhatTheOracleSees) {
+  struct Size {
+    int width, height;
+  };
+  constexpr std::array kSizes{Size{32, 32}, Size{1, 1}, Size{40, 11}, Size{7, 48}};
+  const Seeds seeds{1600};
+  SortStatistics quick, textbook;
+  std::array<int, kSceneKinds.size()> covered{};  ///< samples, by kind of scene
+  for (unsigned seed = seeds.from; seed < seeds.end; ++seed) {
+    const SnappedScene scene = randomScene(seed, 2 + static_cast<int>(seed / kSceneKinds.size()) % 17, 32);
+    for (std::size_t s = 0; s < kSizes.size(); ++s) {
+      const auto [width, height] = kSizes[s];
+      const std::vector<int> seen = visibleFaces(scene, width, height);
+      for (const Way& way : kWays) {
+        if (s > 0 && &way != &kWays[seed % kWays.size()]) continue;  // all runs once, one in the other sizes
+        SCOPED_TRACE(testing::Message()
+                     << "XNEWELL_SEED=" << seed << ", " << way.name << ", " << width << " by " << height);
+        const SortedScene sorted = depthSort(scene, {.width = width,
+                                                     .height = height,
+                                                     .textbook = way.textbook,
+                                                     .grid = way.grid,
+                                                     .crossing = way.crossing});
+        const std::vector<int> shown = painted(scene, sorted, width, height);
+        for (int k = 0; k < width * height; ++k) {
+          covered[seed % covered.size()] += seen[k] != kNothing;
+          ASSERT_EQ(shown[k], seen[k]) << "sample " << k % width << ", " << k / width;
+        }
+        add(way.textbook ? textbook : quick, sorted.statistics);
+      }
+    }
+  }
+  if (!seeds.all()) return;
+  // The property was really exercised: every test settled pairs, and all that happens did.
+  for (int t = 0; t < kTests; ++t) {
+    const bool extents = kTestRows[t].id == xnewell::Test::XExtents || kTestRows[t].id == xnewell::Test::YExtents;
+    EXPECT_GT(textbook.settled[t], 10'000) << kTestRows[t].name;
+    if (extents) {
+      EXPECT_EQ(quick.settled[t], 0) << "the quick run compares boxes before";
+    } else {
+      EXPECT_GT(quick.settled[t], 10'000) << kTestRows[t].name;
+    }
+  }
+  for (const SortStatistics& s : {quick, textbook}) {
+    EXPECT_GT(s.moves, 100'000);
+    EXPECT_GT(s.cycles, 10'000);
+    EXPECT_GT(s.impossible, 20'000);
+    EXPECT_GT(s.splits, 50'000);
+    EXPECT_GT(s.voids, 200);
+    EXPECT_GT(s.contacts, 400);
+    EXPECT_GE(s.deepest, 12);
+  }
+  for (std::size_t k = 0; k < covered.size(); ++k) EXPECT_GT(covered[k], 1'000) << kSceneKinds[k].name;
+}
+
+}  // namespace xnewell

@@ -1,0 +1,119 @@
+#include "tests/support/list_sort.h"
+
+#include <gtest/gtest.h>
+
+#include "tests/support/painted.h"
+#include "tests/support/random_scenes.h"
+#include "tests/support/seeds.h"
+
+namespace xnewell {
+
+namespace {
+
+constexpr int kSize = 24;
+
+/// Index of the face painted last at each pixel's centre; of scenes without ties the picture.
+std::vector<int> paintedList(const ListSorted& sorted) {
+  std::vector<int> faces(kSize * kSize, kNothing);
+  for (int j = 0; j < kSize; ++j)
+    for (int i = 0; i < kSize; ++i)
+      for (const ListPolygon& P : sorted.painted)
+        if (exactlyCovers(P.region, i, j)) faces[j * kSize + i] = P.face;
+  return faces;
+}
+
+/// A rectangle from column x0 to x1, at depth z0 at its left side and z1 at its right.
+void addRectangle(SnappedScene& scene, int x0, int x1, int z0, int z1) {
+  const int top = 4 * kGrid, bottom = 8 * kGrid;
+  addFace(scene,
+          {{x0 * kGrid, top, z0}, {x0 * kGrid, bottom, z0}, {x1 * kGrid, bottom, z1}, {x1 * kGrid, top, z1}});
+}
+
+}  // namespace
+
+// Where it does not come to splits, the list and the stack paint in the same order, face by face: to move Q
+// to the end and mark it is a search in depth, and the stack is the marks.
+TEST(ListSort, WithoutSplitsPaintsInTheOrderOfTheStack) {
+  const Seeds seeds{640};
+  int same = 0, moves = 0, faces = 0;
+  for (unsigned seed = seeds.from; seed < seeds.end; ++seed) {
+    SCOPED_TRACE(seed);
+    const SnappedScene scene = randomScene(seed, 2 + static_cast<int>(seed / kSceneKinds.size()) % 8, kSize);
+    const SortedScene stack = depthSort(scene, {kSize, kSize, true});
+    ListSettings settings;
+    settings.mostSplits = 1;
+    const ListSorted list = listSort(scene, settings);
+    if (list.splits > 0 || stack.statistics.contacts > 0) continue;
+    ++same;
+    moves += list.moves;
+    ASSERT_EQ(stack.statistics.splits, 0);
+    ASSERT_EQ(stack.statistics.moves, list.moves);
+    ASSERT_EQ(stack.fragments.size(), list.painted.size());
+    for (std::size_t k = 0; k < list.painted.size(); ++k, ++faces)
+      ASSERT_EQ(stack.fragments[k].face, list.painted[k].face) << k;
+  }
+  if (!seeds.all()) return;
+  EXPECT_GT(same, 200);
+  EXPECT_GT(moves, 100);
+  EXPECT_GT(faces, 1'000);
+}
+
+// Its choice of what to split, P by Q's plane, need not cut: the list is then as before and goes on so for
+// ever, in cycles most of all.
+TEST(ListSort, DemandsSplitsThatDoNotCut) {
+  const Seeds seeds{16};
+  for (const SceneKind kind : {SceneKind::BigTriangles, SceneKind::Pinwheels}) {
+    int idle = 0, endless = 0;
+    for (unsigned seed = seeds.from; seed < seeds.end; ++seed) {
+      SCOPED_TRACE(seed);
+      const ListSorted list = listSort(randomScene(kind, seed, 8, kSize));
+      idle += list.idle > 0, endless += list.endless;
+      EXPECT_EQ(list.idle > 0, list.endless);  // one is enough, and nothing else makes it endless
+    }
+    if (!seeds.all()) continue;
+    EXPECT_GE(idle, 4);
+    EXPECT_GE(endless, 4);
+  }
+}
+
+// Once polygons were moved the list is no longer sorted. P rises from depth 0 to 100, over A's end, A lies
+// over B's and B over C's: A is moved before P, B before A. After B, now the first, the list has A, beyond B:
+// who stops there does not come to C and paints it over B.
+TEST(ListSort, WrongIfItStopsAtTheFirstBeyond) {
+  SnappedScene scene;
+  addRectangle(scene, 0, 10, 0, 100);   // P
+  addRectangle(scene, 8, 14, 50, 50);   // A
+  addRectangle(scene, 12, 20, 40, 40);  // B
+  addRectangle(scene, 18, 23, 30, 30);  // C
+  ListSettings settings;
+  const ListSorted patient = listSort(scene, settings);
+  settings.stopAtFirstBeyond = true;
+  const ListSorted hasty = listSort(scene, settings);
+  const std::vector<int> seen = visibleFaces(scene, kSize, kSize);
+  EXPECT_EQ(patient.moves, 3);
+  EXPECT_EQ(paintedList(patient), seen);
+  EXPECT_EQ(hasty.moves, 2);
+  EXPECT_EQ(seen[5 * kSize + 19], 2);
+  EXPECT_EQ(paintedList(hasty)[5 * kSize + 19], 3);
+}
+
+// Pieces that keep the mark of their parent are split where moving them would do, and again: more than sixty
+// splits of five triangles, where a few are enough.
+TEST(ListSort, EndlessIfPiecesInheritMarks) {
+  const Seeds seeds{60};
+  int endless = 0, better = 0;
+  for (unsigned seed = seeds.from; seed < seeds.end; ++seed) {
+    const SnappedScene scene = randomScene(SceneKind::BigTriangles, seed, 5, kSize);
+    ListSettings settings;
+    const ListSorted plain = listSort(scene, settings);
+    if (plain.splits == 0 || plain.endless) continue;
+    settings.piecesInheritMarks = true;
+    ++better;
+    endless += listSort(scene, settings).endless;
+  }
+  if (!seeds.all()) return;
+  EXPECT_GT(better, 30);
+  EXPECT_GT(endless, 10);
+}
+
+}  // namespace xnewell

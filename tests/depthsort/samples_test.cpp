@@ -1,0 +1,138 @@
+#include "depthsort/samples.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <random>
+
+#include "shading/fill/fragment_spans.h"
+#include "tests/support/exact_region.h"
+#include "tests/support/random_scenes.h"
+#include "tests/support/seeds.h"
+
+namespace xnewell {
+
+namespace {
+
+/// By the definition of the sample rule, in rational arithmetic.
+int exactSignAtSample(const ExactLine& line, int i, int j) {
+  const Rational value = valueAt(line, {Rational{2 * i + 1, 2} * kGrid, Rational{2 * j + 1, 2} * kGrid});
+  return (value != 0 ? value : line.a != 0 ? line.a : line.b).sign();
+}
+
+}  // namespace
+
+// Sides of samples, and who owns one, as rational arithmetic has them: for parts of faces clipped by the
+// planes of others, many of them thin, in pictures that do not hold them whole.
+TEST(Samples, AreOwnedByTheRule) {
+  const Seeds seeds{1600};
+  int owning = 0, empty = 0, ties = 0, asked = 0;
+  for (unsigned seed = seeds.from; seed < seeds.end; ++seed) {
+    SCOPED_TRACE(seed);
+    std::mt19937 rng{seed};
+    const int width = 1 + static_cast<int>(rng() % 12), height = 1 + static_cast<int>(rng() % 12);
+    const SnappedScene scene = randomScene(seed, 5, 12);
+    const Regions regions{scene};
+    Region region;
+    regions.outline(scene.faces[0], region);
+    ExactRegion exact = exactOutline(scene, scene.faces[0]);
+    for (std::size_t f = 0; f < scene.faces.size() && !region.empty(); ++f) {
+      const int over = scene.faces[0].plane, under = scene.faces[f].plane;
+      if (!regions.samePlane(over, under)) {
+        const Line cut = regions.cut(over, under);
+        const ExactLine exactCut = exactDifference(scene.planes[over], scene.planes[under]);
+        for (int k = 0; k < 4; ++k) {
+          const int i = static_cast<int>(rng() % 12), j = static_cast<int>(rng() % 12);
+          ASSERT_EQ(signAtSample(scene, cut, i, j), exactSignAtSample(exactCut, i, j));
+          ties += valueAt(exactCut, {Rational{2 * i + 1, 2} * kGrid, Rational{2 * j + 1, 2} * kGrid}) == 0;
+          ++asked;
+        }
+        const bool flip = rng() % 2;
+        regions.clip(region, flip ? Regions::flipped(cut) : cut);
+        exact = clipped(exact, flip ? exactDifference(scene.planes[under], scene.planes[over]) : exactCut);
+      }
+      if (region.empty()) break;
+      const bool owns = exactlyOwnsSample(exact, width, height);
+      ASSERT_EQ(ownsSample(scene, region, width, height), owns);
+      ++(owns ? owning : empty);
+    }
+  }
+  if (!seeds.all()) return;
+  EXPECT_GT(owning, 1'500);
+  EXPECT_GT(empty, 500);
+  EXPECT_GT(asked, 8'000);
+  EXPECT_GT(ties, 20);
+}
+
+// A face that is left out owns no sample; of those that own none in a box of up to four samples all are.
+TEST(Samples, MayOwnIsFalseOnlyWhereNoneIsOwned) {
+  const Seeds seeds{3200};
+  int may = 0, none = 0, needless = 0;
+  for (unsigned seed = seeds.from; seed < seeds.end; ++seed) {
+    SCOPED_TRACE(seed);
+    const int width = 1 + static_cast<int>(seed % 10), height = 1 + static_cast<int>(seed % 9);
+    for (const SnappedScene& scene : {randomScene(seed, 3, 10), randomScene(SceneKind::Tiny, seed, 3, 10)})
+      for (const SnappedFace& face : scene.faces) {
+        const glm::ivec3* const v = &scene.vertices[face.first];
+        const auto [x0, x1] =
+            std::minmax_element(v, v + face.count, [](auto& a, auto& b) { return a.x < b.x; });
+        const auto [y0, y1] =
+            std::minmax_element(v, v + face.count, [](auto& a, auto& b) { return a.y < b.y; });
+        const bool owns = exactlyOwnsSample(exactOutline(scene, face), width, height);
+        const bool mayOwn = mayOwnSample(scene, face, {x0->x, y0->y, x1->x, y1->y}, width, height);
+        ASSERT_TRUE(mayOwn || !owns);
+        if (x1->x - x0->x < 2 * kGrid && y1->y - y0->y < 2 * kGrid) {
+          ASSERT_EQ(mayOwn, owns);
+        }
+        ++(mayOwn ? may : none);
+        needless += mayOwn && !owns;
+      }
+  }
+  if (!seeds.all()) return;
+  EXPECT_GT(may, 5'000);
+  EXPECT_GT(none, 2'000);
+  EXPECT_GT(needless, 0);
+}
+
+// Thick is more than 2 area / diameter = 64 steps.
+TEST(Samples, WideIsThickerThanTheBound) {
+  const auto rectangle = [](int wide, int high) {
+    SnappedScene scene;
+    addFace(scene, {{0, 0, 0}, {0, high, 0}, {wide, high, 0}, {wide, 0, 0}});
+    Region region;
+    Regions{scene}.outline(scene.faces[0], region);
+    return region;
+  };
+  EXPECT_FALSE(isWide(rectangle(1 << 20, 31)));
+  EXPECT_FALSE(isWide(rectangle(31, 1 << 20)));
+  EXPECT_TRUE(isWide(rectangle(1 << 20, 33)));
+  EXPECT_TRUE(isWide(rectangle(33, 1 << 20)));
+}
+
+// Where a cut passes a row is the first column after which all samples are on its other side.
+TEST(FragmentSpans, ColumnOfCutIsTheFirstBeyondIt) {
+  const Seeds seeds{800};
+  int inside = 0, atEnds = 0;
+  for (unsigned seed = seeds.from; seed < seeds.end; ++seed) {
+    SCOPED_TRACE(seed);
+    const SnappedScene scene = randomScene(seed, 4, 40);
+    for (std::size_t p = 0; p < scene.planes.size(); ++p)
+      for (std::size_t q = 0; q < p; ++q)
+        for (int row = 0; row < 40; row += 7) {
+          const ScreenPlane &over = scene.planes[p], &under = scene.planes[q];
+          const Int128 grows = Int128{over.A} * under.C - Int128{under.A} * over.C;
+          if (grows == 0) continue;
+          const int from = row / 3, to = 40 - row / 2;
+          const ExactLine difference = exactDifference(over, under);
+          int first = from;
+          while (first < to && (exactSignAtSample(difference, first, row) > 0) != (grows > 0)) ++first;
+          ASSERT_EQ(columnOfCut(over, under, row, from, to, grows > 0), first);
+          ++(first > from && first < to ? inside : atEnds);
+        }
+  }
+  if (!seeds.all()) return;
+  EXPECT_GT(inside, 1'000);
+  EXPECT_GT(atEnds, 1'000);
+}
+
+}  // namespace xnewell

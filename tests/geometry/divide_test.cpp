@@ -1,0 +1,226 @@
+#include "geometry/model/divide.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <glm/geometric.hpp>
+#include <random>
+
+#include "geometry/exact/plane.h"
+#include "geometry/model/bezier.h"
+
+namespace xnewell {
+
+namespace {
+
+using Pts = std::vector<glm::dvec3>;
+
+Mesh oneFace(const Pts& points, double rounding = 0.0) {
+  Mesh mesh;
+  mesh.points = points;
+  mesh.groupNames = {"face"};
+  mesh.rounding = {rounding};
+  std::vector<int> corners;
+  for (int i = 0; i < static_cast<int>(points.size()); ++i) corners.push_back(i);
+  mesh.addFace(corners, 0);
+  return mesh;
+}
+
+std::vector<std::vector<int>> piecesOf(const Mesh& mesh) {
+  const Pieces pieces = divideFaces(mesh);
+  EXPECT_EQ(pieces.firstCorner.size(), pieces.face.size() + 1);
+  std::vector<std::vector<int>> list;
+  for (int k = 0; k < pieces.count(); ++k) list.emplace_back(pieces.piece(k).begin(), pieces.piece(k).end());
+  return list;
+}
+
+std::vector<std::vector<int>> piecesOf(const Pts& points, double rounding = 0.0) {
+  return piecesOf(oneFace(points, rounding));
+}
+
+using List = std::vector<std::vector<int>>;
+
+/// A circle of n corners in the plane spanned by a and b, counter-clockwise about a x b.
+Pts circle(int n, const glm::dvec3& a, const glm::dvec3& b) {
+  Pts p;
+  for (int i = 0; i < n; ++i) {
+    const double angle = 2 * 3.141592653589793 * i / n;
+    p.push_back(std::cos(angle) * a + std::sin(angle) * b);
+  }
+  return p;
+}
+
+}  // namespace
+
+// Triangles and planar convex polygons are left alone, with the corners on their straight sides.
+TEST(Divide, ConvexPlanarFacesStayWhole) {
+  EXPECT_EQ(piecesOf(Pts{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}), (List{{0, 1, 2}}));
+  EXPECT_EQ(piecesOf(Pts{{0, 0, 5}, {1, 0, 5}, {2, 0, 5}, {2, 2, 5}, {1, 2, 5}, {0, 2, 5}}),
+            (List{{0, 1, 2, 3, 4, 5}}));
+  // From either side, along each axis, and on a slope.
+  for (const glm::dvec3& a : {glm::dvec3{1, 0, 0}, {0, 1, 0}, {0, 0, 1}, {0.6, 0, 0.8}})
+    for (const glm::dvec3& b : {glm::dvec3{0, 1, 0}, {0, -0.6, 0.8}, {1, 0, 0}, {-0.8, 0, 0.6}})
+      if (glm::length(glm::cross(a, b)) > 0.1) {
+        EXPECT_EQ(piecesOf(circle(7, a, b)).size(), 1u);
+      }
+}
+
+// A corner repeated at once, by index or by place, is listed once; a face that collapses keeps a piece.
+TEST(Divide, CoincidentCornersCollapse) {
+  EXPECT_EQ(piecesOf(Pts{{0, 0, 0}, {0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}, {-0.0, 0, 0}}),
+            (List{{0, 2, 3, 4}}));
+  EXPECT_EQ(piecesOf(Pts{{1, 1, 1}, {1, 1, 1}, {1, 1, 1}, {2, 2, 2}}), (List{{0, 1, 2, 3}}));
+  EXPECT_EQ(piecesOf(Pts{{1, 1, 1}, {1, 1, 1}, {1, 1, 1}}), (List{{0, 1, 2}}));
+}
+
+// A bent quad is cut from corner 0 to corner 2, whichever way it is bent or seen.
+TEST(Divide, BentQuadIsCutFromItsFirstCorner) {
+  for (const double bend : {0.1, -0.1, 1e-9}) {
+    EXPECT_EQ(piecesOf(Pts{{0, 0, 0}, {1, 0, 0}, {1, 1, bend}, {0, 1, 0}}), (List{{0, 1, 2}, {0, 2, 3}}));
+    EXPECT_EQ(piecesOf(Pts{{0, 1, 0}, {1, 1, bend}, {1, 0, 0}, {0, 0, 0}}), (List{{0, 1, 2}, {0, 2, 3}}));
+  }
+}
+
+// An arrowhead is cut through its reflex corner: from 0 to 2 if that is corner 0 or 2, else 1 to 3.
+TEST(Divide, ArrowheadIsCutThroughItsNotch) {
+  const Pts arrow{{0, 0, 0}, {3, -2, 0}, {1, 0, 0}, {3, 2, 0}};  // notch at corner 2
+  const Pts line{{0, 0, 0}, {1, 0, 0.1}, {2, 0, 0}, {1, 1, 0}};  // from above corner 1 is on a side
+  for (int shift = 0; shift < 4; ++shift)
+    for (const bool backwards : {false, true}) {
+      Pts p = arrow;
+      std::rotate(p.begin(), p.begin() + shift, p.end());
+      if (backwards) std::reverse(p.begin(), p.end());
+      const int notch = static_cast<int>(std::find(p.begin(), p.end(), arrow[2]) - p.begin());
+      EXPECT_EQ(piecesOf(p), notch % 2 ? (List{{1, 2, 3}, {1, 3, 0}}) : (List{{0, 1, 2}, {0, 2, 3}}));
+    }
+  EXPECT_EQ(piecesOf(line), (List{{1, 2, 3}, {1, 3, 0}}));
+}
+
+// Pieces turn as their face does: on a lattice their areas sum to the face's exactly, in each of the
+// three planes, from both sides.
+TEST(Divide, PiecesOfConcaveFacesSumToTheFace) {
+  for (unsigned seed = 0; seed < 300; ++seed) {
+    SCOPED_TRACE(seed);
+    std::mt19937 rng{seed};
+    std::uniform_int_distribution<int> height{1, 9};
+    Pts p;  // a skyline: a base and towers
+    const int towers = 2 + static_cast<int>(seed % 8);
+    p.push_back({0, 0, 0});
+    p.push_back({towers, 0, 0});
+    for (int x = towers; x > 0; --x) {
+      const double h = height(rng);
+      p.push_back({x, h, 0});
+      p.push_back({x - 1, h, 0});
+    }
+    for (glm::dvec3& q : p) {  // turn the axes, and look from behind
+      for (unsigned i = 0; i < seed % 3; ++i) q = {q.z, q.x, q.y};
+      if (seed % 2) q = {q.y, q.x, q.z};
+    }
+    const Mesh mesh = oneFace(p);
+    const Pieces pieces = divideFaces(mesh);
+    const glm::dvec3 whole = newellVector(mesh.points, mesh.face(0));
+    glm::dvec3 sum{0.0};
+    for (int k = 0; k < pieces.count(); ++k) {
+      const glm::dvec3 part = newellVector(mesh.points, pieces.piece(k));
+      EXPECT_GT(glm::dot(part, whole), 0.0);
+      sum += part;
+    }
+    EXPECT_EQ(sum, whole);
+  }
+}
+
+// A file's rounding is no bend: up to 7 times half its last decimal, but never more than 3e-5 of the
+// face, counts as planar; exact data is held to 2^-46.
+TEST(Divide, RoundedFacesArePlanar) {
+  // Corner 2 raised by 4 h: the corners lie h off the Newell plane.
+  const auto cuts = [](double h, double rounding) {
+    return piecesOf(Pts{{0, 0, 0}, {1, 0, 0}, {1, 1, 4 * h}, {0, 1, 0}}, rounding).size() > 1;
+  };
+  EXPECT_FALSE(cuts(6.9e-6, 1e-6));
+  EXPECT_TRUE(cuts(7.1e-6, 1e-6));
+  EXPECT_FALSE(cuts(2.9e-5, 1e-3));
+  EXPECT_TRUE(cuts(3.1e-5, 1e-3));
+  EXPECT_FALSE(cuts(0x1p-47, 0.0));
+  EXPECT_TRUE(cuts(0x1p-45, 0.0));
+}
+
+// Pentagons far from the origin have corners rounded to double: still planar.
+TEST(Divide, FarFacesArePlanarUpToTheRoundingOfDoubles) {
+  std::mt19937 rng{53};
+  std::uniform_real_distribution<double> component{-1.0, 1.0};
+  const auto direction = [&] {
+    return glm::normalize(glm::dvec3{component(rng), component(rng), component(rng)});
+  };
+  for (int round = 0; round < 2000; ++round) {
+    const glm::dvec3 a = direction(), b = glm::normalize(glm::cross(a, direction()));
+    const glm::dvec3 centre = std::ldexp(1.0, round % 30) * direction();
+    Pts p = circle(5, a, b);
+    for (glm::dvec3& q : p) q += centre;
+    EXPECT_EQ(piecesOf(p).size(), 1u) << round;
+  }
+}
+
+// Scale does not matter, up to the largest and down to the smallest doubles.
+TEST(Divide, DoesNotDependOnScale) {
+  const Pts notched{{0, 0, 0}, {8, 0, 0}, {8, 8, 0}, {5, 8, 0}, {5, 2, 0}, {3, 2, 0}, {3, 8, 0}, {0, 8, 0}};
+  const Pts bent{{-8, 0, 0}, {8, 0, 0}, {8, 8, 1}, {-8, 8, 0}};
+  const Pts flat{{-8, -8, -8}, {8, -8, -8}, {8, 8, 8}, {-8, 8, 8}};
+  for (const int exponent : {-1074, -600, 0, 500, 1020})
+    for (const Pts& p : {notched, bent, flat}) {
+      Pts scaled = p;
+      for (glm::dvec3& q : scaled)
+        for (int axis = 0; axis < 3; ++axis) q[axis] = std::ldexp(q[axis], exponent);
+      EXPECT_EQ(piecesOf(scaled), piecesOf(p)) << exponent;
+    }
+  EXPECT_EQ(piecesOf(flat).size(), 1u);
+}
+
+// Faces without area or crossing themselves end in some pieces, each of the face's own corners.
+TEST(Divide, DegenerateFacesEnd) {
+  EXPECT_EQ(piecesOf(Pts{{0, 0, 0}, {1, 1, 1}, {2, 2, 2}, {3, 3, 3}}).size(), 1u);  // in line
+  EXPECT_EQ(piecesOf(Pts{{0, 0, 0}, {1, 1, 0}, {1, 0, 0}, {0, 1, 0}}).size(), 1u);  // a bow tie
+  EXPECT_EQ(piecesOf(Pts{{0, 0, 0}, {3, 3, 0}, {3, 0, 0}, {0, 1, 0}}).size(), 2u);  // an uneven one
+  const Pts star = circle(5, {1, 0, 0}, {0, 1, 0});
+  EXPECT_EQ(piecesOf(Pts{star[0], star[2], star[4], star[1], star[3]}).size(), 3u);  // a pentagram
+  std::mt19937 rng{4};
+  std::uniform_real_distribution<double> coordinate{-1.0, 1.0};
+  for (int round = 0; round < 2000; ++round) {
+    Pts p(3 + round % 10);
+    for (glm::dvec3& q : p)
+      for (int axis = 0; axis < 3; ++axis)
+        q[axis] = std::ldexp(coordinate(rng), round % 7 ? 0 : round % 2000 - 1000);
+    for (const auto& piece : piecesOf(p)) {
+      EXPECT_GE(piece.size(), 3u);
+      for (const int corner : piece) EXPECT_LT(corner, static_cast<int>(p.size()));
+    }
+  }
+}
+
+// Pieces come in face order with the face's number, and every face has one.
+TEST(Divide, KeepsFaceNumbers) {
+  BezierPatch patch;
+  for (int i = 0; i < 16; ++i) patch.p[i] = {i / 4, i % 4, i % 5 == 0 ? 1.0 : 0.0};
+  for (int j = 0; j < 4; ++j) patch.p[j] = {0, 0, 0};
+  const Mesh mesh = tessellate(std::array{patch}, 6);
+  const Pieces pieces = divideFaces(mesh);
+  EXPECT_TRUE(std::is_sorted(pieces.face.begin(), pieces.face.end()));
+  for (int f = 0; f < mesh.faceCount(); ++f)
+    EXPECT_TRUE(std::binary_search(pieces.face.begin(), pieces.face.end(), f));
+  for (int k = 0; k < pieces.count(); ++k)
+    for (const int corner : pieces.piece(k)) {
+      const auto face = mesh.face(pieces.face[k]);
+      EXPECT_NE(std::find(face.begin(), face.end(), corner), face.end());
+    }
+}
+
+// A regular polygon of a million corners stays whole; with one corner pushed in it is cut into all but
+// two triangles.
+TEST(Divide, MillionCorners) {
+  Pts p = circle(1'000'000, {1, 0, 0}, {0, 0.6, 0.8});
+  EXPECT_EQ(divideFaces(oneFace(p)).count(), 1);
+  p[777'777] *= 0.5;
+  EXPECT_EQ(divideFaces(oneFace(p)).count(), 999'998);
+}
+
+}  // namespace xnewell

@@ -1,0 +1,145 @@
+#include "geometry/files/number.h"
+
+#include <gtest/gtest.h>
+
+#include <bit>
+#include <cfloat>
+#include <cmath>
+#include <cstdint>
+#include <cstdio>
+#include <cstdlib>
+
+#include "tests/support/reader_fixture.h"
+
+namespace xnewell {
+
+namespace {
+
+double numberIn(const std::string& word) {
+  Words words{word, "n.obj"};
+  words.nextLine();
+  return toNumber(words, words.next());
+}
+
+}  // namespace
+
+// Seventeen significant digits name every double, so whatever is printed with them comes back bit for bit:
+// all exponents, subnormals and the sign of 0 included.
+TEST(ToNumber, ReturnsEveryDoubleFromSeventeenDigits) {
+  std::mt19937_64 rng{17};
+  for (int i = 0; i < 100'000; ++i) {
+    const auto x =
+        std::bit_cast<double>(i % 4 ? rng() : rng() & 0x800f'ffff'ffff'ffff);  // a quarter subnormal
+    if (!(std::abs(x) <= DBL_MAX)) continue;
+    char text[40];
+    std::snprintf(text, sizeof text, "%.17g", x);
+    ASSERT_EQ(std::bit_cast<std::uint64_t>(numberIn(text)), std::bit_cast<std::uint64_t>(x)) << text;
+  }
+}
+
+// Decimal texts longer than any double are rounded to the nearest, as the C library does.
+TEST(ToNumber, RoundsLongDecimalsToNearest) {
+  std::mt19937 rng{40};
+  for (int i = 0; i < 20'000; ++i) {
+    std::string text;
+    for (auto digits = 1 + rng() % 40; digits > 0; --digits) text += static_cast<char>('0' + rng() % 10);
+    text.insert(text.begin() + static_cast<int>(rng() % text.size()), '.');
+    text += 'e';
+    text += std::to_string(static_cast<int>(rng() % 720) - 380);
+    const double expected = std::strtod(text.c_str(), nullptr);
+    if (expected > DBL_MAX) {
+      EXPECT_EQ(complaint([&] { return numberIn(text); }),
+                "n.obj:1: number " + inQuotes(text) + " is too large");
+    } else {
+      ASSERT_EQ(numberIn(text), expected) << text;
+    }
+  }
+}
+
+// The spellings that modellers use and from_chars alone would not all take.
+TEST(ToNumber, TakesTheUsualSpellings) {
+  EXPECT_EQ(numberIn("+2"), 2.0);
+  EXPECT_EQ(numberIn("1."), 1.0);
+  EXPECT_EQ(numberIn(".5"), 0.5);
+  EXPECT_EQ(numberIn("-.5"), -0.5);
+  EXPECT_EQ(numberIn("+.5E+1"), 5.0);
+  EXPECT_EQ(numberIn("1e3"), 1000.0);
+  EXPECT_EQ(numberIn("007"), 7.0);
+  EXPECT_TRUE(std::signbit(numberIn("-0")));
+}
+
+// The smallest subnormal is 2^-1074 = 4.94...e-324; what lies below its half is 0, with its sign.
+TEST(ToNumber, UnderflowsGradually) {
+  EXPECT_EQ(numberIn("5e-324"), DBL_TRUE_MIN);
+  EXPECT_EQ(numberIn("2.4703282292062328e-324"), DBL_TRUE_MIN);
+  EXPECT_EQ(numberIn("2.4703282292062327e-324"), 0.0);
+  EXPECT_EQ(numberIn("1e-320"), 1e-320);
+  EXPECT_EQ(numberIn("1e-99999999999999999999999"), 0.0);
+  EXPECT_EQ(numberIn("0." + std::string(400, '0') + "1"), 0.0);
+  EXPECT_EQ(numberIn("0." + std::string(400, '0') + "1e10"), 0.0) << "a large exponent, yet too small";
+  EXPECT_EQ(numberIn("1" + std::string(400, '0') + "e-800"), 0.0) << "a large mantissa, yet too small";
+  EXPECT_EQ(numberIn("0e99999999999999999999999"), 0.0);
+  EXPECT_TRUE(std::signbit(numberIn("-1e-400")));
+  EXPECT_EQ(numberIn("1" + std::string(400, '0') + "e-400"), 1.0);
+}
+
+// The first decimal that would round beyond the largest double, 2^1024 - 2^970, is refused, and all above it.
+TEST(ToNumber, RefusesOverflow) {
+  EXPECT_EQ(numberIn("1.7976931348623158e308"), DBL_MAX);
+  const std::string small = "0." + std::string(400, '0') + "1e800";  // a small mantissa, yet too large
+  for (const std::string& word :
+       {std::string{"1.7976931348623159e308"}, std::string{"-1e309"}, std::string{"+1e400"},
+        std::string{"1e99999999999999999999"}, "1" + std::string(309, '0'), small}) {
+    EXPECT_EQ(complaint([&] { return numberIn(word); }),
+              "n.obj:1: number " + inQuotes(word) + " is too large");
+  }
+}
+
+TEST(ToNumber, RefusesWhatIsNoFiniteNumber) {
+  for (const std::string word : {"nan", "-nan", "inf", "-inf", "+inf", "INFINITY", "nan(0)", "-nan(ind)"}) {
+    EXPECT_EQ(complaint([&] { return numberIn(word); }), "n.obj:1: number '" + word + "' is not finite");
+  }
+  for (const std::string word : {"x", "1x", "+-1", "-+1", "++1", "--1", "+", "-", ".", "e3", "1e", "1e+",
+                                 "0x10", "1,5", "1.2.3", "1.#INF", "1e400x", "1d3"}) {
+    EXPECT_EQ(complaint([&] { return numberIn(word); }), "n.obj:1: malformed number '" + word + "'");
+  }
+}
+
+// Decimals are counted in the text: the point's place moved by the exponent, trailing zeros included.
+TEST(Decimals, AreThoseOfTheText) {
+  EXPECT_EQ(decimals("-1.250"), 3);
+  EXPECT_EQ(decimals("1.5e-3"), 4);
+  EXPECT_EQ(decimals("1.5E+0"), 1);
+  EXPECT_EQ(decimals("1.25e1"), 1);
+  EXPECT_EQ(decimals("1.25e7"), -5);
+  EXPECT_EQ(decimals("1e3"), -3);
+  EXPECT_EQ(decimals("1000"), 0);
+  EXPECT_EQ(decimals("1e-3"), 3);
+  EXPECT_EQ(decimals("+.5"), 1);
+  EXPECT_EQ(decimals("7."), 0);
+  EXPECT_EQ(decimals("7"), 0);
+  EXPECT_EQ(decimals("1e-99999999999999999999"), kMaxDecimals);
+  EXPECT_EQ(decimals("1e99999999999999999999"), -kMaxDecimals);
+}
+
+// The most decimals tell the rounding, whatever the exponent; few numbers with more, zeros and integers do
+// not.
+TEST(RoundingOfNumbers, IsThatOfMost) {
+  const auto rounding = [](const std::vector<std::string>& numbers) {
+    RoundingOfNumbers r;
+    for (const std::string& n : numbers) r.add(n, std::stod(n));
+    return r.rounding();
+  };
+  EXPECT_EQ(rounding({}), 0.5);
+  EXPECT_EQ(rounding({"1", "0.0000", "250"}), 0.5);
+  EXPECT_EQ(rounding({"1.5", "0.25", "7"}), 0.005);
+  EXPECT_EQ(rounding({"1.234567e200", "1e0", "0"}), 0.5);
+  EXPECT_EQ(rounding({"1.234567e9", "-2.5e8", "0.000"}), 500.0);
+  std::vector<std::string> many(18, "0.125");
+  many.insert(many.end(), {"1", "0", "2.3000000000000003", "0.1000000000000000055"});
+  EXPECT_EQ(rounding(many), 0.0005);  // two of twenty
+  many.push_back("0.30000000000000004");
+  EXPECT_LT(rounding(many), 1e-15);
+}
+
+}  // namespace xnewell

@@ -1,0 +1,342 @@
+#include "geometry/files/obj.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <bit>
+#include <cmath>
+#include <cstdio>
+
+#include "tests/support/reader_fixture.h"
+
+namespace xnewell {
+
+using testing::ElementsAre;
+
+namespace {
+
+/// The mesh of a text without libraries.
+Mesh meshOf(std::string_view text) { return parseObj(text, "a.obj", "no such folder"); }
+
+std::string complaintOf(std::string_view text) {
+  return complaint([&] { return meshOf(text); });
+}
+
+/// Three vertices for tests whose subject comes after them, on line 4.
+std::string afterThreeVertices(const std::string& text) { return "v 0 0 0\nv 1 0 0\nv 0 1 0\n" + text; }
+
+/// Equality of everything in a mesh, named part by part.
+void expectSame(const Mesh& a, const Mesh& b) {
+  EXPECT_EQ(a.points, b.points);
+  EXPECT_EQ(a.corners, b.corners);
+  EXPECT_EQ(a.firstCorner, b.firstCorner);
+  EXPECT_EQ(a.group, b.group);
+  EXPECT_EQ(a.groupNames, b.groupNames);
+  EXPECT_EQ(a.material, b.material);
+  EXPECT_EQ(a.materials.size(), b.materials.size());
+  EXPECT_EQ(a.rounding, b.rounding);
+  EXPECT_EQ(a.uv, b.uv);
+  EXPECT_EQ(a.uvOfCorner, b.uvOfCorner);
+}
+
+/// What mesh.h promises of every mesh.
+void expectSound(const Mesh& mesh) {
+  ASSERT_GT(mesh.faceCount(), 0);
+  EXPECT_EQ(mesh.group.size(), mesh.faceCount());
+  EXPECT_EQ(mesh.material.size(), mesh.faceCount());
+  EXPECT_EQ(mesh.firstCorner.back(), static_cast<int>(mesh.corners.size()));
+  for (const glm::dvec3& p : mesh.points) EXPECT_TRUE(std::isfinite(p.x + p.y + p.z));
+  for (int f = 0; f < mesh.faceCount(); ++f) {
+    EXPECT_GE(mesh.face(f).size(), 3u);
+    EXPECT_TRUE(mesh.group[f] >= 0 && mesh.group[f] < static_cast<int>(mesh.groupNames.size()));
+    EXPECT_TRUE(mesh.material[f] >= -1 && mesh.material[f] < static_cast<int>(mesh.materials.size()));
+  }
+  for (const int corner : mesh.corners) {
+    EXPECT_TRUE(corner >= 0 && corner < static_cast<int>(mesh.points.size()));
+  }
+  EXPECT_EQ(mesh.uvOfCorner.size(), mesh.uv.empty() ? 0 : mesh.corners.size());
+  for (const int uv : mesh.uvOfCorner) EXPECT_TRUE(uv >= -1 && uv < static_cast<int>(mesh.uv.size()));
+  EXPECT_EQ(mesh.rounding.size(), mesh.groupNames.size());
+  for (const double u : mesh.rounding) EXPECT_TRUE(u >= 0.0 && u <= 0.5);
+}
+
+/// A file with a bit of everything that is read or skipped.
+constexpr std::string_view kWhole =
+    "# a bit of everything\r\n"
+    "mtllib none.mtl\n"
+    "o box\n"
+    "v 0 0.5 -1e-1 1.0\nv +1. 0 0 0.2 0.3 0.4\nv\t1\t1\t0\nv 0 1 .25\n"
+    "vt 0.5 1\nvn 0 0 1\nvn -nan(ind) 0 0\n"
+    "g front left\nusemtl red paint\ns off\n"
+    "f 1 2 3\nf 1/1 2/1 3/1 4/1\nf 1//1 2//2 \\\n 3//1\n"
+    "g\nusemtl\n"
+    "f -4/-1/-1 -3/1/1 -1/1/1 # back\nl 1 2\np 1\ncurv 0 1 1 2\n"
+    "f 1 3 4";
+
+}  // namespace
+
+// A worked example: every kind of statement, in every spelling, ends up where mesh.h says.
+TEST(Obj, ReadsABitOfEverything) {
+  const Mesh mesh = meshOf(kWhole);
+  EXPECT_THAT(mesh.points, ElementsAre(glm::dvec3(0, 0.5, -0.1), glm::dvec3(1, 0, 0), glm::dvec3(1, 1, 0),
+                                       glm::dvec3(0, 1, 0.25)));
+  EXPECT_THAT(mesh.corners, ElementsAre(0, 1, 2, 0, 1, 2, 3, 0, 1, 2, 0, 1, 3, 0, 2, 3));
+  EXPECT_THAT(mesh.firstCorner, ElementsAre(0, 3, 7, 10, 13, 16));
+  EXPECT_THAT(mesh.group, ElementsAre(0, 0, 0, 1, 1));
+  EXPECT_THAT(mesh.groupNames, ElementsAre("front left", "default"));
+  EXPECT_THAT(mesh.material, ElementsAre(0, 0, 0, -1, -1));
+  ASSERT_EQ(mesh.materials.size(), 1u);
+  EXPECT_EQ(mesh.materials[0].name, "red paint");
+  EXPECT_EQ(mesh.materials[0].diffuse, glm::dvec3(1.0)) << "its library is missing";
+  EXPECT_THAT(mesh.rounding, ElementsAre(0.5e-2, 0.5e-2));
+  EXPECT_THAT(mesh.uv, ElementsAre(glm::dvec2(0.5, 1)));
+  EXPECT_THAT(mesh.uvOfCorner, ElementsAre(-1, -1, -1, 0, 0, 0, 0, -1, -1, -1, 0, 0, 0, -1, -1, -1));
+  expectSound(mesh);
+}
+
+// Line ends do not matter: LF or CR LF, the last one there or not.
+TEST(Obj, DoesNotDependOnLineEnds) {
+  std::string lf, crLf;
+  for (const char c : kWhole) {
+    if (c == '\r') continue;
+    lf += c;
+    crLf += c == '\n' ? "\r\n" : std::string{c};
+  }
+  expectSame(meshOf(lf), meshOf(kWhole));
+  expectSame(meshOf(crLf), meshOf(kWhole));
+  expectSame(meshOf(crLf + "\r\n"), meshOf(kWhole));
+}
+
+// What is printed with 17 digits comes back bit for bit, subnormals included.
+TEST(Obj, ReturnsTheDoublesThatWereWritten) {
+  std::mt19937_64 rng{17};
+  std::string text;
+  std::vector<double> written;
+  while (written.size() < 30'000) {
+    const auto x = std::bit_cast<double>(static_cast<std::uint64_t>(rng()));
+    if (!std::isfinite(x)) continue;
+    char word[40];
+    std::snprintf(word, sizeof word, "%s%.17g", written.size() % 3 ? " " : "\nv ", x);
+    text += word;
+    written.push_back(x);
+  }
+  const Mesh mesh = meshOf(text + "\nf 1 2 3\n");
+  ASSERT_EQ(mesh.points.size(), written.size() / 3);
+  for (std::size_t i = 0; i < written.size(); ++i) {
+    ASSERT_EQ(std::bit_cast<std::uint64_t>(mesh.points[i / 3][static_cast<int>(i % 3)]),
+              std::bit_cast<std::uint64_t>(written[i]));
+  }
+}
+
+// An index counted back from the last vertex names the same vertex as the one counted from the first, also
+// between the vertices.
+TEST(Obj, NegativeIndicesEqualPositiveOnes) {
+  std::mt19937 rng{5};
+  std::string positive, negative;
+  int vertices = 0;
+  for (int i = 0; i < 2'000; ++i) {
+    if (vertices < 3 || rng() % 3 == 0) {
+      ++vertices;
+      const std::string vertex = "v " + std::to_string(i) + " 0 0\n";
+      positive += vertex;
+      negative += vertex;
+    } else {
+      positive += 'f';
+      negative += 'f';
+      for (auto corners = 3 + rng() % 4; corners > 0; --corners) {
+        const int index = 1 + static_cast<int>(rng() % vertices);
+        positive.append(" ").append(std::to_string(index));
+        negative.append(" ").append(std::to_string(index - vertices - 1));
+      }
+      positive += '\n';
+      negative += '\n';
+    }
+  }
+  expectSame(meshOf(negative), meshOf(positive));
+}
+
+// A face may come before its vertices.
+TEST(Obj, TakesForwardReferences) {
+  const Mesh mesh = meshOf("f 1 2 3\nf 3 4 1\nv 0 0 0\nv 1 0 0\nv 0 1 0\nv 1 1 0\n");
+  EXPECT_THAT(mesh.corners, ElementsAre(0, 1, 2, 2, 3, 0));
+  EXPECT_EQ(complaintOf("f 1 2 3\nf 3 4 1\nf 9 8 7\nf 5 5 99\nv 0 0 0\nv 1 0 0\nv 0 1 0\nv 1 1 0\n"),
+            "a.obj:3: face index 9 is out of range; vertices in the file: 4");
+}
+
+// Texture coordinates of one to three numbers, by corner: counted as vertices are, before or after the face,
+// and not on every corner or face. Without a face that uses them they are not kept.
+TEST(Obj, ReadsTextureCoordinates) {
+  const std::string three = "vt 0.25 # u\nvt 0.5 -1.5\nvt 1e-1 2 3\n";
+  const Mesh mesh = meshOf(afterThreeVertices(
+      "f 1 2 3\n" + three + "f 1/1 2/-1/7 3\nf 3//1 2//1 1//1\nf 1/4/ 2/-2 3/+1\nvt 7 8\n"));
+  EXPECT_THAT(mesh.uv,
+              ElementsAre(glm::dvec2(0.25, 0), glm::dvec2(0.5, -1.5), glm::dvec2(0.1, 2), glm::dvec2(7, 8)));
+  EXPECT_THAT(mesh.uvOfCorner, ElementsAre(-1, -1, -1, 0, 2, -1, -1, -1, -1, 3, 1, 0));
+  expectSound(mesh);
+  const Mesh unused = meshOf(afterThreeVertices(three + "f 1 2 3//1\n"));
+  EXPECT_TRUE(unused.uv.empty());
+  EXPECT_TRUE(unused.uvOfCorner.empty());
+}
+
+TEST(Obj, RefusesWrongTextureCoordinates) {
+  const auto complaintAfter = [](const std::string& text) {
+    return complaintOf(afterThreeVertices("vt 0 0\n" + text));
+  };
+  EXPECT_EQ(complaintAfter("vt"), "a.obj:5: a texture coordinate needs a number");
+  EXPECT_EQ(complaintAfter("vt 0 x"), "a.obj:5: malformed number 'x'");
+  EXPECT_EQ(complaintAfter("vt inf"), "a.obj:5: number 'inf' is not finite");
+  EXPECT_EQ(complaintAfter("f 1/1 2/2 3/1\n"),
+            "a.obj:5: face index 2 is out of range; texture coordinates in the file: 1");
+  EXPECT_EQ(complaintAfter("f 1/1 2/-2 3/1\nvt 1 1"),
+            "a.obj:5: face index -2 is out of range; texture coordinates so far: 1");
+  EXPECT_EQ(complaintAfter("f 1/1 2/2 3/1\nf 1/1 2/4 3/3\nvt 1 1\nvt 1 1"),
+            "a.obj:6: face index 4 is out of range; texture coordinates in the file: 3");
+}
+
+// A face has as many corners as it likes; a million take no longer than as many in small faces.
+TEST(Obj, TakesAFaceOfAMillionVertices) {
+  constexpr int kCount = 1'000'000;
+  std::string text = "v 0 0 0\n";
+  text += 'f';
+  for (int i = 0; i < kCount; ++i) text += i % 1000 ? " 1" : " \\\n1";
+  const Mesh mesh = meshOf(text);
+  EXPECT_EQ(mesh.faceCount(), 1);
+  EXPECT_EQ(mesh.face(0).size(), kCount);
+}
+
+// Groups: `o` and `g` alike, numbered in the order faces use them; a name that owns no face is not listed,
+// and one that comes back is the same group.
+TEST(Obj, GroupsAreNumberedAsFacesUseThem) {
+  const Mesh mesh = meshOf(
+      afterThreeVertices("f 1 2 3\no Teapot\ng body\nf 1 2 3\ng spout\t tip \nf 1 2 3\ng body\nf 1 2 3\n"
+                         "o lid\nf 1 2 3\ng\nf 1 2 3\ng unused\n"));
+  EXPECT_THAT(mesh.groupNames, ElementsAre("default", "body", "spout tip", "lid"));
+  EXPECT_THAT(mesh.group, ElementsAre(0, 1, 2, 1, 3, 0));
+}
+
+// Colours come from the libraries beside the file, wherever it names them, the first library first; a library
+// that does not exist, a name that no library knows and a face without a material are white.
+TEST(Obj, TakesColorsFromItsLibraries) {
+  const TemporaryFolder folder;
+  folder.write("a.mtl", "newmtl red\nKd 1 0 0\n");
+  folder.write("b.mtl", "newmtl red\nKd 0.5 0 0\nnewmtl blue\nKd 0 0 1\n");
+  folder.write("my own.mtl", "newmtl my green\nKd 0 1 0\n");
+  const std::filesystem::path file = folder.write(
+      "a.obj", afterThreeVertices("f 1 2 3\nusemtl blue\nf 1 2 3\nmtllib none.mtl\nmtllib a.mtl b.mtl\n"
+                                  "mtllib a.mtl\nmtllib my own.mtl\nmtllib .\nusemtl red\nf 1 2 3\n"
+                                  "usemtl unused\nusemtl my  green\nf 1 2 3\nusemtl what\nf 1 2 3\n"
+                                  "usemtl blue\nf 1 2 3\n"));
+  const Mesh mesh = readObj(file);
+  EXPECT_THAT(
+      mesh.notes,
+      ElementsAre(file.string() + ":7: no such material library: 'none.mtl'; what only it has is white",
+                  file.string() + ": no library has the material 'what': it is white"));
+  EXPECT_THAT(mesh.material, ElementsAre(-1, 0, 1, 2, 3, 0));
+  ASSERT_EQ(mesh.materials.size(), 4u);
+  EXPECT_EQ(mesh.materials[0].name, "blue");
+  EXPECT_EQ(mesh.materials[0].diffuse, glm::dvec3(0, 0, 1));
+  EXPECT_EQ(mesh.materials[1].diffuse, glm::dvec3(1, 0, 0));
+  EXPECT_EQ(mesh.materials[2].name, "my green");
+  EXPECT_EQ(mesh.materials[2].diffuse, glm::dvec3(0, 1, 0));
+  EXPECT_EQ(mesh.materials[3].name, "what");
+  EXPECT_EQ(mesh.materials[3].diffuse, glm::dvec3(1.0));
+}
+
+// A fault in a library is reported there.
+TEST(Obj, NamesTheLibraryThatIsWrong) {
+  const TemporaryFolder folder;
+  const std::string library = folder.write("a.mtl", "newmtl red\nKd 1 0 x\n");
+  const std::filesystem::path file = folder.write("a.obj", "mtllib a.mtl\n");
+  EXPECT_EQ(complaint([&] { return readObj(file); }), library + ":2: malformed number 'x'");
+}
+
+// Half a unit of the last decimal of the coordinates that carry most; weights, colours, texture coordinates
+// and normals do not count. 0.5 * 10^-d is the nearest double up to d = 22, where 10^d is exact.
+TEST(Obj, RoundingIsHalfTheLastDecimal) {
+  const auto roundingOf = [](const std::string& coordinates) {
+    return meshOf(afterThreeVertices("v " + coordinates + "\nvt 0.12345678\nf 1 2 3\n")).roundingOf(0);
+  };
+  EXPECT_EQ(roundingOf("1 2 3"), 0.5);
+  EXPECT_EQ(roundingOf("1e3 2 3"), 0.5);
+  EXPECT_EQ(roundingOf("1.5 2.25 -1.250"), 0.5e-3);
+  EXPECT_EQ(roundingOf("1.234567 2 3 0.123456789"), 0.5e-6);
+  EXPECT_EQ(roundingOf("1.5e-3 0.1 0.12"), 0.5e-4);
+  EXPECT_EQ(roundingOf("0 0 1e-22"), 0.5e-22);
+  EXPECT_NEAR(roundingOf("0 0 1e-308") / 0.5e-308, 1.0, 309 * 0x1p-53) << "power.h, and one division";
+  EXPECT_EQ(roundingOf("0 0 1e-999999999999"), 0.5) << "it is zero, which tells nothing";
+}
+
+TEST(Obj, RefusesFilesItCannotRead) {
+  EXPECT_EQ(complaint([] { return readObj("none/teapot.obj"); }),
+            "none/teapot.obj: No such file or directory");
+  const TemporaryFolder folder;
+  EXPECT_EQ(complaint([&] { return readObj(folder.path()); }), folder.path().string() + ": Is a directory");
+  const std::string empty = folder.write("empty.obj", "");
+  EXPECT_EQ(complaint([&] { return readObj(empty); }), empty + ": holds no face");
+}
+
+TEST(Obj, RefusesFilesWithoutAFace) {
+  for (const std::string text : {"", "\n", "# f 1 2 3\n", "v 0 0 0\nl 1 1\n",
+                                 "\x7f"
+                                 "ELF\x01"}) {
+    EXPECT_EQ(complaintOf(text), "a.obj: holds no face");
+  }
+}
+
+TEST(Obj, RefusesMalformedVertices) {
+  EXPECT_EQ(complaintOf("\nv\n"), "a.obj:2: a vertex needs three coordinates");
+  EXPECT_EQ(complaintOf("v 1 2 # 3\n"), "a.obj:1: a vertex needs three coordinates");
+  EXPECT_EQ(complaintOf("v 1 2 1.#INF\n"), "a.obj:1: malformed number '1.#INF'");
+  EXPECT_EQ(complaintOf("v 1 \\\n2,5 3\n"), "a.obj:2: malformed number '2,5'");
+  EXPECT_EQ(complaintOf("v 0 0 0\nv nan 0 0\n"), "a.obj:2: number 'nan' is not finite");
+  EXPECT_EQ(complaintOf("v 0 -inf 0\n"), "a.obj:1: number '-inf' is not finite");
+  EXPECT_EQ(complaintOf("v 0 0 1e309\n"), "a.obj:1: number '1e309' is too large");
+  EXPECT_EQ(complaintOf("v " + std::string(50, 'y')),
+            "a.obj:1: malformed number '" + std::string(40, 'y') + "...'");
+}
+
+TEST(Obj, RefusesMalformedFaces) {
+  const auto complaintAfter = [](const std::string& text) { return complaintOf(afterThreeVertices(text)); };
+  EXPECT_EQ(complaintAfter("f 1 \\\n2\n"), "a.obj:4: a face needs three vertices; this one has 2");
+  EXPECT_EQ(complaintAfter("f"), "a.obj:4: a face needs three vertices; this one has 0");
+  EXPECT_EQ(complaintAfter("f 1 2 0"), "a.obj:4: face index 0; OBJ counts from 1");
+  EXPECT_EQ(complaintAfter("f 1 2 3/0"), "a.obj:4: face index 0; OBJ counts from 1");
+  EXPECT_EQ(complaintAfter("f 1 2 4\n#\n"), "a.obj:4: face index 4 is out of range; vertices in the file: 3");
+  EXPECT_EQ(complaintAfter("f -1 -2 -4\nv 0 0 0"),
+            "a.obj:4: face index -4 is out of range; vertices so far: 3");
+  EXPECT_EQ(complaintAfter("f 1 2 99999999999"),
+            "a.obj:4: face index '99999999999' is out of range; vertices so far: 3");
+  for (const std::string word : {"x", "1.5", "1e0", "+-1", "/1", "//", "1/x", "1//x", "1/1/1/1", "1/1/1/"}) {
+    EXPECT_EQ(complaintAfter("f 1 2 " + word), "a.obj:4: malformed face index '" + word + "'");
+  }
+  for (const std::string word : {"3", "+3", "-1", "3/", "3//", "3/7", "3//-7", "3/+7/7"}) {
+    const std::string seven = "vt 0\nvt 0\nvt 0\nvt 0\nvt 0\nvt 0\nvt 0\n";
+    EXPECT_EQ(meshOf(afterThreeVertices(seven + "f 1 2 " + word)).corners.back(), 2) << word;
+  }
+}
+
+// A file cut off anywhere, at every byte, is read or complained of, and what is read is sound.
+TEST(Obj, SurvivesTruncation) {
+  for (std::size_t size = 0; size <= kWhole.size(); ++size) {
+    SCOPED_TRACE(size);
+    const std::string text{kWhole.substr(0, size)};  // of its own, so that a byte read too many is noticed
+    if (complaintOf(text).empty()) expectSound(meshOf(text));
+  }
+}
+
+// Whatever a few wrong bytes make of a file, it is read or complained of, and what is read is sound.
+TEST(Obj, SurvivesMutation) {
+  int readable = 0;
+  for (unsigned seed = 0; seed < 5'000; ++seed) {
+    SCOPED_TRACE(seed);
+    std::mt19937 rng{seed};
+    const std::string text = mutated(std::string{kWhole}, rng);
+    if (!complaintOf(text).empty()) continue;
+    ++readable;
+    expectSound(meshOf(text));
+  }
+  EXPECT_GT(readable, 500);
+  EXPECT_LT(readable, 4'500);
+}
+
+}  // namespace xnewell

@@ -1,0 +1,161 @@
+#include "geometry/files/output_file.h"
+
+#include <fcntl.h>
+#include <gtest/gtest.h>
+#include <sys/resource.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+#include <array>
+#include <csignal>
+#include <fstream>
+#include <iterator>
+#include <system_error>
+
+#include "tests/support/temporary_folder.h"
+
+namespace xnewell {
+
+namespace {
+
+std::string contents(const std::string& file) {
+  std::ifstream in{file, std::ios::binary};
+  return {std::istreambuf_iterator<char>{in}, {}};
+}
+
+/// The message and errno of the failure; fails the test if there is none.
+std::pair<std::string, int> failure(const std::string& file, std::string_view bytes) {
+  try {
+    writeFile(file, bytes);
+  } catch (const std::system_error& e) {
+    return {e.what(), e.code().value()};
+  }
+  ADD_FAILURE() << file << ": written";
+  return {};
+}
+
+/// While it lives, no file grows beyond `bytes`: a disk that fills up, as seen by write().
+class SmallDisk {
+ public:
+  explicit SmallDisk(rlim_t bytes) {
+    handler_ = std::signal(SIGXFSZ, SIG_IGN);
+    ::getrlimit(RLIMIT_FSIZE, &before_);
+    const ::rlimit small{bytes, before_.rlim_max};
+    ::setrlimit(RLIMIT_FSIZE, &small);
+  }
+  SmallDisk(const SmallDisk&) = delete;
+  SmallDisk& operator=(const SmallDisk&) = delete;
+  ~SmallDisk() {
+    ::setrlimit(RLIMIT_FSIZE, &before_);
+    std::signal(SIGXFSZ, handler_);
+  }
+
+ private:
+  ::rlimit before_{};
+  void (*handler_)(int);
+};
+
+}  // namespace
+
+// Afterwards the file holds the bytes, whatever it held, and nothing else is in the folder.
+TEST(OutputFile, IsReplacedWhole) {
+  const TemporaryFolder folder;
+  const std::string file = folder.file("a.bin"), bytes("\0abc\n", 5);
+  writeFile(file, std::string(100'000, 'x'));
+  writeFile(file, bytes);
+  EXPECT_EQ(contents(file), bytes);
+  EXPECT_EQ(folder.entries(), 1);
+}
+
+// A new file gets the permissions that any program's new file gets.
+TEST(OutputFile, ObeysTheUmask) {
+  const TemporaryFolder folder;
+  const mode_t before = ::umask(027);
+  writeFile(folder.file("a"), "x");
+  ::umask(before);
+  EXPECT_EQ(static_cast<int>(std::filesystem::status(folder.file("a")).permissions()), 0640);
+}
+
+// When the disk fills up after 1000 bytes, what was there stays and no temporary file does.
+TEST(OutputFile, OfAFullDiskIsAsItWas) {
+  const TemporaryFolder folder;
+  const std::string old = folder.file("old"), fresh = folder.file("fresh");
+  writeFile(old, "before");
+  {
+    const SmallDisk disk{1000};
+    EXPECT_EQ(failure(old, std::string(5000, 'x')).second, EFBIG);
+    EXPECT_EQ(failure(fresh, std::string(5000, 'x')).second, EFBIG);
+  }
+  EXPECT_EQ(contents(old), "before");
+  EXPECT_FALSE(std::filesystem::exists(fresh));
+  EXPECT_EQ(folder.entries(), 1);
+}
+
+// The message names the file as the user gave it, and the reason in the system's words.
+TEST(OutputFile, FailureNamesFileAndReason) {
+  const TemporaryFolder folder;
+  const std::string nowhere = folder.file("no/such/folder");
+  EXPECT_EQ(failure(nowhere, "x").first, nowhere + ": No such file or directory");
+  EXPECT_EQ(failure("/dev/full", "x").first, "/dev/full: No space left on device");
+  std::filesystem::create_directory(folder.file("folder"));
+  EXPECT_EQ(failure(folder.file("folder"), "x").second, EISDIR);
+  EXPECT_EQ(folder.entries(), 1);
+}
+
+// Neither a folder nor a file that may not be written is written.
+TEST(OutputFile, RespectsPermissions) {
+  const TemporaryFolder folder;
+  const std::string place = folder.file("place"), file = place + "/kept";
+  std::filesystem::create_directory(place);
+  writeFile(file, "before");
+  std::filesystem::permissions(file, std::filesystem::perms{0444});
+  std::filesystem::permissions(folder.file("."), std::filesystem::perms{0755});
+  std::filesystem::permissions(place, std::filesystem::perms{0777});
+  // Root may write everywhere, so for a while it is somebody else.
+  const uid_t user = ::geteuid(), nobody = 65534;
+  if (user == 0 && ::seteuid(nobody) != 0) GTEST_SKIP() << "root cannot be anybody else here";
+  const int readOnlyFile = failure(file, "x").second;
+  EXPECT_EQ(::seteuid(user), 0);
+  std::filesystem::permissions(place, std::filesystem::perms{0555});
+  EXPECT_EQ(::seteuid(user == 0 ? nobody : user), 0);
+  const int readOnlyFolder = failure(place + "/new", "x").second;
+  EXPECT_EQ(::seteuid(user), 0);
+  std::filesystem::permissions(place, std::filesystem::perms{0755});
+  EXPECT_EQ(readOnlyFile, EACCES);
+  EXPECT_EQ(readOnlyFolder, EACCES);
+  EXPECT_EQ(contents(file), "before");
+}
+
+// A symbolic link stays one, and the file at its end is what changes.
+TEST(OutputFile, FollowsALink) {
+  const TemporaryFolder folder;
+  writeFile(folder.file("real"), "before");
+  std::filesystem::create_symlink("real", folder.file("link"));
+  writeFile(folder.file("link"), "after");
+  EXPECT_TRUE(std::filesystem::is_symlink(folder.file("link")));
+  EXPECT_EQ(contents(folder.file("real")), "after");
+  EXPECT_EQ(folder.entries(), 2);
+}
+
+// A pipe and a descriptor are written to, not replaced.
+TEST(OutputFile, GoesStraightIntoAPipeOrADescriptor) {
+  const TemporaryFolder folder;
+  const std::string pipe = folder.file("pipe"), held = folder.file("held");
+  ASSERT_EQ(::mkfifo(pipe.c_str(), 0600), 0);
+  const int reader = ::open(pipe.c_str(), O_RDWR);
+  writeFile(pipe, "through");
+  std::array<char, 16> read{};
+  EXPECT_EQ(::read(reader, read.data(), read.size()), 7);
+  EXPECT_STREQ(read.data(), "through");
+  EXPECT_TRUE(std::filesystem::is_fifo(pipe));
+  ::close(reader);
+
+  const int holder = ::open(held.c_str(), O_RDWR | O_CREAT, 0600);
+  writeFile("/dev/fd/" + std::to_string(holder), "seen");
+  EXPECT_EQ(::pread(holder, read.data(), read.size(), 0), 4);
+  ::close(holder);
+  EXPECT_EQ(folder.entries(), 2);
+  writeFile("/dev/null", "nothing");
+}
+
+}  // namespace xnewell

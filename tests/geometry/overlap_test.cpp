@@ -1,0 +1,67 @@
+#include "geometry/exact/overlap.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <random>
+#include <set>
+#include <utility>
+
+#include "geometry/exact/unit.h"
+#include "tests/support/seeds.h"
+
+namespace xnewell {
+
+namespace {
+
+/// Boxes of one kind: small everywhere, flat in some axes and large in others, on a lattice so that ends
+/// meet, and many the same along one axis or along all. Each a group of its own, or most in one large group.
+std::vector<ItemBox> randomBoxes(unsigned seed) {
+  std::mt19937 rng{seed};
+  std::uniform_real_distribution<float> unit{0.0f, 1.0f};
+  const unsigned kind = seed % 5;
+  const bool large = seed % 2 == 0;
+  std::vector<ItemBox> boxes;
+  const int count = 10 + static_cast<int>(unit(rng) * 600.0f);
+  for (int i = 0; i < count; ++i) {
+    ItemBox& box = boxes.emplace_back(ItemBox{i, large && unit(rng) < 0.9f ? 0 : i / 2, {}, {}});
+    for (int axis = 0; axis < 6; ++axis) {
+      float low = unit(rng), length = 0.5f * unit(rng);
+      if (kind == 1) length *= axis < 3 ? 1e-9f : 2.0f;
+      if (kind == 2) low = std::floor(8.0f * low), length = std::floor(8.0f * length);
+      if (kind == 3 && axis != 4) low = length = 0.0f;
+      if (kind == 4) low = length = 0.25f;
+      box.low[axis] = low, box.high[axis] = low + length;
+    }
+  }
+  return boxes;
+}
+
+}  // namespace
+
+// The pairs found are those of comparing all with all of other groups, no more and no less.
+TEST(Overlap, FindsEveryPair) {
+  const Seeds seeds{200};
+  std::size_t found = 0, apart = 0;
+  for (unsigned seed = seeds.from; seed < seeds.end; ++seed) {
+    SCOPED_TRACE(seed);
+    std::vector<ItemBox> boxes = randomBoxes(seed);
+    using Pairs = std::set<std::pair<int, int>>;
+    Pairs expected, visited;
+    for (const ItemBox& P : boxes)
+      for (const ItemBox& Q : boxes)
+        if (P.item < Q.item && P.group != Q.group && overlap(P, Q)) expected.insert({P.item, Q.item});
+    apart += boxes.size() * (boxes.size() - 1) / 2 - expected.size();
+    forOverlapping(std::span{boxes}, [&](int i, int j) {
+      ASSERT_NE(i, j);
+      visited.insert(std::minmax(i, j));
+    });
+    EXPECT_EQ(visited, expected);
+    found += visited.size();
+  }
+  if (!seeds.all()) return;
+  EXPECT_GT(found, 100'000u);
+  EXPECT_GT(apart, 100'000u);
+}
+
+}  // namespace xnewell

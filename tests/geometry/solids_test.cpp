@@ -1,0 +1,112 @@
+#include "geometry/model/solids.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <glm/geometric.hpp>
+#include <map>
+#include <utility>
+#include <vector>
+
+#include "geometry/exact/plane.h"
+
+namespace xnewell {
+
+namespace {
+
+/// Every edge is run along once each way, so the surface is closed and its faces agree on a side.
+void expectClosed(const Mesh& mesh) {
+  std::map<std::pair<int, int>, int> edges;
+  for (int f = 0; f < mesh.faceCount(); ++f) {
+    const auto face = mesh.face(f);
+    for (std::size_t i = 0; i < face.size(); ++i) ++edges[{face[i], face[(i + 1) % face.size()]}];
+  }
+  for (const auto& [edge, count] : edges) {
+    EXPECT_EQ(count, 1);
+    EXPECT_EQ(edges.count({edge.second, edge.first}), 1u);
+  }
+}
+
+/// By the divergence theorem: positive if the faces look outward.
+double volume(const Mesh& mesh) {
+  double sum = 0.0;
+  for (int f = 0; f < mesh.faceCount(); ++f)
+    sum += glm::dot(newellVector(mesh.points, mesh.face(f)), centroid(mesh.points, mesh.face(f)));
+  return sum / 6.0;
+}
+
+}  // namespace
+
+// Closed, outward, of the known volume: 8; 4/3 pi and 2 pi^2 r^2 up to the inscribed polygons' deficit,
+// which is below (2 pi / n)^2 / 4 a circle.
+TEST(Solids, AreClosedAndFaceOutward) {
+  const double pi = 3.141592653589793, deficit = (2 * pi / 60) * (2 * pi / 60) / 2;
+  expectClosed(cube());
+  EXPECT_EQ(volume(cube()), 8.0);
+  const Mesh ball = sphere(60, 60), ring = torus(60, 60);
+  EXPECT_EQ(ball.faceCount(), 3600);
+  EXPECT_EQ(ring.faceCount(), 3600);
+  expectClosed(ball);
+  expectClosed(ring);
+  expectClosed(sphere(3, 2));
+  expectClosed(torus(3, 3));
+  EXPECT_NEAR(volume(ball), 4 * pi / 3, 4 * pi / 3 * deficit);
+  EXPECT_NEAR(volume(ring), 2 * pi * pi * 0.16, 2 * pi * pi * 0.16 * deficit);
+}
+
+// Texture coordinates lie in the unit square, and every face shows its part of the texture from outside as it
+// is, not mirrored: counter-clockwise there too. All parts together are the whole texture, of the cube each
+// one.
+TEST(Solids, TextureIsSeenFromOutside) {
+  const auto areas = [](const Mesh& mesh) {
+    std::vector<double> result;
+    EXPECT_EQ(mesh.uvOfCorner.size(), mesh.corners.size());
+    for (int f = 0; f < mesh.faceCount(); ++f) {
+      double area = 0.0;
+      const int first = mesh.firstCorner[f], n = static_cast<int>(mesh.face(f).size());
+      for (int i = 0; i < n; ++i) {
+        const glm::dvec2 a = mesh.uv[mesh.uvOfCorner[first + i]],
+                         b = mesh.uv[mesh.uvOfCorner[first + (i + 1) % n]];
+        EXPECT_TRUE(0.0 <= a.x && a.x <= 1.0 && 0.0 <= a.y && a.y <= 1.0);
+        area += (a.x * b.y - a.y * b.x) / 2.0;
+      }
+      result.push_back(area);
+    }
+    return result;
+  };
+  for (const double area : areas(cube())) EXPECT_EQ(area, 1.0);
+  for (const double area : areas(torus(12, 8))) EXPECT_NEAR(area, 1.0 / 96, 0x1p-50);
+  const Mesh ball = sphere(12, 8);
+  const std::vector<double> ofBall = areas(ball);
+  for (int f = 0; f < 96; ++f) EXPECT_NEAR(ofBall[f], (f < 12 || f >= 84 ? 0.5 : 1.0) / 96, 0x1p-50);
+
+  // The seam: the last faces end at u = 1 where the first begin with u = 0. North is up.
+  for (std::size_t c = 0; c < ball.corners.size(); ++c) {
+    const glm::dvec3 p = ball.points[ball.corners[c]];
+    const glm::dvec2 uv = ball.uv[ball.uvOfCorner[c]];
+    EXPECT_NEAR(p.z, -std::cos(3.141592653589793 * uv.y), 1e-15);
+    if (std::abs(p.z) < 1.0) {
+      EXPECT_NEAR(p.x, std::sin(3.141592653589793 * uv.y) * std::cos(6.283185307179586 * uv.x), 1e-15);
+    }
+  }
+  for (int c = 0; c < 3 * 12; c += 3) {
+    const auto u = [&](int corner) { return ball.uv[ball.uvOfCorner[corner]].x; };
+    EXPECT_NEAR(u(c), (u(c + 1) + u(c + 2)) / 2.0, 1e-15) << "at the pole, the middle of its triangle";
+  }
+  // The sides of the cube stand upright.
+  const Mesh box = cube();
+  for (int c = 0; c < 16; ++c)
+    EXPECT_EQ(box.uv[box.uvOfCorner[c]].y, (box.points[box.corners[c]].z + 1.0) / 2.0);
+}
+
+// The soup is fixed by its seed: splitmix64's first number for seed 0 is 0xE220A8397B1DCDAF.
+TEST(Solids, SoupIsTheSameOnEveryMachine) {
+  const Mesh point = triangleSoup(1, 0.0, 0);
+  EXPECT_EQ(point.points[0].x, static_cast<double>(0xE220A8397B1DCDAFu >> 11) * 0x1p-52 - 1.0);
+  EXPECT_EQ(triangleSoup(100, 0.1, 7).points, triangleSoup(100, 0.1, 7).points);
+  EXPECT_NE(triangleSoup(100, 0.1, 7).points, triangleSoup(100, 0.1, 8).points);
+  for (const glm::dvec3& p : triangleSoup(1000, 0.1, 7).points)
+    for (int axis = 0; axis < 3; ++axis) EXPECT_LE(std::abs(p[axis]), 1.1);
+}
+
+}  // namespace xnewell

@@ -1,0 +1,125 @@
+#include "shading/color/png.h"
+
+#include <gtest/gtest.h>
+
+#include <fstream>
+#include <iterator>
+#include <random>
+#include <system_error>
+
+#include "geometry/files/output_file.h"
+#include "geometry/files/parse_error.h"
+#include "tests/support/scattered_palette.h"
+#include "tests/support/temporary_folder.h"
+
+namespace xnewell {
+
+namespace {
+
+/// Noise, where every filter and every code length of zlib is met.
+IndexImage noise(int width, int height, unsigned seed) {
+  std::mt19937 rng{seed};
+  IndexImage image{width, height, 0};
+  for (auto& p : image.pixels) p = static_cast<std::uint8_t>(rng());
+  return image;
+}
+
+std::string contents(const std::string& file) {
+  std::ifstream in{file, std::ios::binary};
+  return {std::istreambuf_iterator<char>{in}, {}};
+}
+
+}  // namespace
+
+// Every pixel comes back as its cell's 16-bit colour >> 8, at the smallest and at odd sizes too.
+TEST(Png, PaletteRoundTrip) {
+  const TemporaryFolder folder;
+  const Palette palette = scattered(1975);
+  for (const auto& [w, h] : {std::pair{1, 1}, {1, 7}, {37, 1}, {101, 64}, {800, 600}}) {
+    const IndexImage image = noise(w, h, 1972);
+    writePng(folder.file("a.png"), image, palette);
+    const RgbImage back = readPng(folder.file("a.png"));
+    ASSERT_EQ(back.width, w);
+    ASSERT_EQ(back.height, h);
+    for (int j = 0; j < h; ++j)
+      for (int i = 0; i < w; ++i) {
+        const Rgb16 c = palette[image.row(j)[i]];
+        ASSERT_EQ(back.pixel(i, j)[0], c.r >> 8);
+        ASSERT_EQ(back.pixel(i, j)[1], c.g >> 8);
+        ASSERT_EQ(back.pixel(i, j)[2], c.b >> 8);
+      }
+  }
+  EXPECT_EQ(folder.entries(), 1);
+}
+
+// The file's header says 8 bits a pixel with a palette, and all 256 colours are there, used or not: the
+// palette of the file is the colormap.
+TEST(Png, KeepsTheWholeColormap) {
+  const TemporaryFolder folder;
+  const Palette palette = scattered(1);
+  writePng(folder.file("a.png"), IndexImage{3, 2, 7}, palette);
+  const std::string bytes = contents(folder.file("a.png"));
+  EXPECT_EQ(bytes[24], 8);  // IHDR: bit depth, colour type
+  EXPECT_EQ(bytes[25], 3);
+  const std::size_t plte = bytes.find("PLTE");
+  ASSERT_NE(plte, std::string::npos);
+  for (int c = 0; c < 256; ++c)
+    EXPECT_EQ(static_cast<std::uint8_t>(bytes[plte + 4 + 3 * c]), palette[c].r >> 8);
+  EXPECT_EQ(static_cast<std::uint8_t>(bytes[plte - 2]), 3);  // 0x300 = 768 bytes
+}
+
+// All three channels of an RGB picture come back.
+TEST(Png, RgbRoundTrip) {
+  const TemporaryFolder folder;
+  RgbImage image{61, 43};
+  std::mt19937 rng{3};
+  for (auto& v : image.rgb) v = static_cast<std::uint8_t>(rng());
+  writePng(folder.file("a.png"), image);
+  EXPECT_EQ(readPng(folder.file("a.png")), image);
+}
+
+// The same pixels give the same bytes: no time, no counter.
+TEST(Png, SamePixelsSameBytes) {
+  const TemporaryFolder folder;
+  const IndexImage image = noise(50, 40, 4);
+  writePng(folder.file("a.png"), image, scattered(4));
+  writePng(folder.file("b.png"), image, scattered(4));
+  EXPECT_EQ(contents(folder.file("a.png")), contents(folder.file("b.png")));
+  EXPECT_EQ(contents(folder.file("a.png")).find("tIME"), std::string::npos);
+}
+
+// A file that cannot be opened is the system's failure, one that is no PNG or ends early the file's.
+TEST(Png, ReadingSaysWhoIsWrong) {
+  const TemporaryFolder folder;
+  const std::string file = folder.file("a.png");
+  const auto complaint = [&]() -> std::string {
+    try {
+      (void)readPng(file);
+    } catch (const ParseError& e) {
+      return e.what();
+    }
+    return {};
+  };
+  EXPECT_THROW((void)readPng(file), std::system_error);
+  EXPECT_THROW((void)readPng(folder.file("")), std::system_error);
+  writeFile(file, "no picture at all");
+  EXPECT_EQ(complaint(), file + ": no PNG file");
+  writePng(file, noise(64, 64, 5), scattered(5));
+  const std::string whole = contents(file);
+  for (const std::size_t length : {std::size_t{0}, std::size_t{20}, std::size_t{500}, whole.size() / 2}) {
+    writeFile(file, whole.substr(0, length));
+    EXPECT_EQ(complaint(), file + (length == 0 ? ": no PNG file" : ": the PNG file ends early")) << length;
+  }
+}
+
+// A write that fails says so in the system's words.
+TEST(Png, FailsAsTheFileDoes) {
+  try {
+    writePng("/dev/full", IndexImage{8, 8, 1}, scattered(6));
+    FAIL() << "written";
+  } catch (const std::system_error& e) {
+    EXPECT_STREQ(e.what(), "/dev/full: No space left on device");
+  }
+}
+
+}  // namespace xnewell

@@ -1,0 +1,339 @@
+#include "shading/fill/evaluated.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <random>
+#include <type_traits>
+
+#include "geometry/model/solids.h"
+#include "shading/fill/evaluate_pixels.h"
+#include "shading/fill/scanline.h"
+
+namespace xnewell {
+
+namespace {
+
+/// Triangles on the screen with random normals, places, terms and textures.
+class RandomTriangles {
+ public:
+  explicit RandomTriangles(unsigned seed) : rng_{seed} {
+    texture_ = {5, 3, {}, {}};
+    for (int k = 0; k < 15; ++k) texture_.gray.push_back(static_cast<std::uint8_t>(17 * k));
+    const Illumination user{.Ia = 0.1, .Ip = 0.6, .n = seed % 3 == 0 ? 1'000'000 : int(seed % 1000)};
+    SceneLight scene;
+    if (seed % 2)
+      scene.lights = {
+          {.kind = LightKind::Spot, .direction = {0, 0.1, -1}, .position = {0.2, 0, 2}, .outer = 40},
+          {.kind = LightKind::Point, .position = {-1, 1, 0.5}, .attenuation = Attenuation::InverseSquare},
+          {.direction = {0, -1, 1}}};
+    lighting_ = resolve(cube(), scene, user, Channels::Luminance, {0, 0, 5}, {0, 0, 0});
+  }
+
+  [[nodiscard]] double uniform(double low, double high) {
+    return low + (high - low) * (static_cast<double>(rng_()) * 0x1p-32);
+  }
+  /// Counter-clockwise, of about `size` pixels, somewhere within 8192 x 8192.
+  [[nodiscard]] std::array<glm::ivec3, 3> outline(double size) {
+    std::array<glm::ivec3, 3> p;
+    do {
+      const double x = uniform(0, 8192 - size), y = uniform(0, 8192 - size);
+      for (glm::ivec3& v : p)
+        v = {std::lrint((x + uniform(0, size)) * kGrid), std::lrint((y + uniform(0, size)) * kGrid), 0};
+      if (doubleArea(p.data(), 3) < 0) std::swap(p[0], p[1]);
+    } while (doubleArea(p.data(), 3) == 0);
+    return p;
+  }
+  EvaluatedTriangle triangle(const std::array<glm::ivec3, 3>& p, bool phong, bool textured) {
+    const PixelPlanes planes{p};
+    EvaluatedTriangle e;
+    e.i0 = planes.i0(), e.j0 = planes.j0();
+    e.lighting = &lighting_;
+    e.material = &lighting_.materials[0];
+    e.phong = phong;
+    e.placed = lighting_.placed();
+    e.variesV = lighting_.variesV();
+    const auto three = [&](double low, double high) {
+      return planes({uniform(low, high), uniform(low, high), uniform(low, high)});
+    };
+    // Normals within 60 degrees of the z axis: in between they stay longer than 1/2.
+    e.N = {three(-0.6, 0.6), three(-0.6, 0.6), planes({1, 1, 1})};
+    e.at = {three(-1, 1), three(-1, 1), three(-1, 0)};
+    e.V = {three(-1, 1), three(-1, 1), three(4, 6)};
+    e.diffuse = three(0, 1), e.rest = three(0, 0.5);
+    if (textured) {
+      e.texture = &texture_;
+      e.texels = texture_.gray.data();
+      e.repeats = uniform(0, 1) < 0.5;
+      const double most = e.repeats ? 3 : 0.5;  // over w, which is at most 2
+      e.u = three(0, most), e.v = three(0, most), e.q = three(0.5, 1);
+    }
+    e.ramp = kChannelRamp;
+    e.clamped = &clamped;
+    return e;
+  }
+  [[nodiscard]] const Lighting& lighting() const { return lighting_; }
+  [[nodiscard]] int n() const { return lighting_.materials[0].n; }
+
+  std::int64_t clamped = 0;
+
+ private:
+  std::mt19937 rng_;
+  Lighting lighting_;
+  Texture texture_;
+};
+
+}  // namespace
+
+// The pixels' single precision against the same evaluation in double: planes, normal and cosine are off by
+// less than 2^-19 together, which the power multiplies by n; beyond n = 1,024 pixels have double precision
+// too. So the cell is that of an intensity no farther away.
+TEST(Evaluated, AgreesWithDoublePrecision) {
+  int compared = 0;
+  double farthest = 0;
+  for (unsigned seed = 0; seed < 400; ++seed) {
+    SCOPED_TRACE(seed);
+    RandomTriangles random{seed};
+    const double bound = std::ldexp(random.n() > 1024 ? 8.0 : random.n() + 8.0, -19);
+    for (const double size : {3.0, 40.0, 700.0, 8191.0}) {
+      const auto p = random.outline(size);
+      const EvaluatedTriangle e = random.triangle(p, seed % 4 != 0, false);
+      int rows = 0;
+      forEachSpan(p.data(), 3, 8192, 8192, [&](int j, int from, int to) {
+        if (rows++ % (size > 100 ? 100 : 1) != 0) return;
+        std::vector<std::uint8_t> cells(to - from);
+        e.span(cells.data(), from, j, to - from);
+        for (int i = from; i < to; i += 1 + (to - from) / 400) {
+          const double I = e.intensity(i, j), v = cells[i - from];
+          // The intensities that have this cell.
+          const double low = v == 1 ? -1e9 : (v - 1.5) / 254, high = v == 255 ? 1e9 : (v - 0.5) / 254;
+          const double off = std::max({0.0, low - I, I - high});
+          ASSERT_LE(off, bound) << i << ", " << j << ": " << I;
+          farthest = std::max(farthest, off);
+          ++compared;
+        }
+      });
+    }
+  }
+  EXPECT_GT(compared, 1'000'000);
+  EXPECT_GT(farthest, 0.0);  // the two are not the same computation
+}
+
+// Lights far away are evaluated from planes of N.L and L.V; as all other lights, from vectors, they give the
+// same, with any number of them and V near or far.
+TEST(Evaluated, FarLightsAreAsAnyLights) {
+  using Real = Lanes<double, 4>;
+  int highlights = 0;
+  for (unsigned seed = 0; seed < 400; seed += 2) {
+    SCOPED_TRACE(seed);
+    RandomTriangles random{seed};
+    const auto p = random.outline(700);
+    EvaluatedTriangle e = random.triangle(p, true, seed % 3 == 0);
+    Lighting lighting = *e.lighting;
+    Material material = *e.material;
+    while (lighting.sources.size() < 1 + seed / 2 % 3) {
+      Lighting::Source light = lighting.sources[0];
+      light.L = glm::normalize(glm::dvec3{random.uniform(-1, 1), random.uniform(-1, 1), 0.5});
+      light.f = 0.75;
+      lighting.sources.push_back(light);
+    }
+    e.lighting = &lighting, e.material = &material;
+    e.variesV = seed % 4 == 0;
+    if (seed % 10 == 0) material.ks = {};
+    if (material.n == 0) material.n = 1;
+    const bool shines = material.ks[0] != 0.0;
+    for (int j = e.j0; j < e.j0 + 700; j += 41) {
+      const Real along{random.uniform(0, 700), random.uniform(0, 700), 0, 699};
+      const double down = j - e.j0;
+      TexelRow<Real> texels{e, down};
+      if (texels) texels.locate(&along, 1);
+      PhongRow<Real> any{e, down};
+      any.evaluate(&along, 1, texels);
+      withRow<Real, true>(e, down, [&](auto far) {
+        static_assert(!std::is_same_v<decltype(far), TermRow<Real>>);
+        ASSERT_NE((std::is_same_v<decltype(far), PhongRow<Real>>), true);
+        far.evaluate(&along, 1, texels);
+        for (int k = 0; k < 4; ++k) ASSERT_NEAR(far.sum(0)[k], any.sum(0)[k], 1e-14 * (material.n + 50)) << j;
+      });
+      if (!shines) continue;
+      material.ks = {};
+      PhongRow<Real> dull{e, down};
+      dull.evaluate(&along, 1, texels);
+      for (int k = 0; k < 4; ++k) highlights += any.sum(0)[k] > dull.sum(0)[k] + 1e-6;
+      material.ks = random.lighting().materials[0].ks;
+    }
+  }
+  EXPECT_GT(highlights, 300);
+}
+
+// Between opposite normals there is a place that has none. Beside it pixels are as lit as a unit vector can
+// make them and no more, wherever rounding leaves the normal there.
+TEST(Evaluated, OppositeNormalsStayWithinBounds) {
+  RandomTriangles random{4};
+  for (int trial = 0; trial < 2000; ++trial) {
+    SCOPED_TRACE(trial);
+    const auto p = random.outline(trial % 2 ? 9 : 300);
+    EvaluatedTriangle e = random.triangle(p, true, false);
+    Material matt = *e.material;
+    matt.ks = {};
+    e.material = &matt;
+    const double zero = std::round(random.uniform(1, trial % 2 ? 9 : 300)), slope = random.uniform(1e-3, 1);
+    for (PixelPlane& plane : e.N) {
+      const double c = random.uniform(-1, 1) * slope;
+      plane = {-c * zero, c, 0};  // but for rounding all are 0 at the same pixel
+    }
+    double most = matt.ambient[0];
+    for (const Lighting::Source& light : e.lighting->sources) most += light.f * light.Ip[0] * matt.kd[0];
+    ASSERT_LT(most, 1);
+    std::vector<std::uint8_t> cells(300);
+    random.clamped = 0;
+    e.span(cells.data(), e.i0, e.j0, 300);
+    EXPECT_EQ(random.clamped, 0);
+    for (const std::uint8_t cell : cells) ASSERT_LE(cell, kChannelRamp.cell(most + 1e-6));
+  }
+}
+
+// A pixel has one value: whole spans, parts of them and single pixels agree, and so do the code that is
+// chosen for the processor and the code for any.
+TEST(Evaluated, SpansMayBeginAnywhere) {
+  int pixels = 0;
+  for (unsigned seed = 0; seed < 300; ++seed) {
+    SCOPED_TRACE(seed);
+    RandomTriangles random{seed};
+    const auto p = random.outline(seed % 2 ? 60 : 900);
+    const bool phong = seed % 5 != 0;
+    const EvaluatedTriangle e = random.triangle(p, phong, seed % 3 == 1);
+    forEachSpan(p.data(), 3, 8192, 8192, [&](int j, int from, int to) {
+      if (j % 7 != 0) return;
+      const int count = to - from, cut = static_cast<int>(random.uniform(0, count));
+      std::vector<std::uint8_t> whole(count), parts(count), plain(count);
+      random.clamped = 0;
+      e.span(whole.data(), from, j, count);
+      const std::int64_t clamped = random.clamped;
+      if (cut > 0) e.span(parts.data(), from, j, cut);
+      e.span(parts.data() + cut, from + cut, j, count - cut);
+      ASSERT_EQ(whole, parts) << j;
+      ASSERT_EQ(random.clamped, 2 * clamped);
+      if (phong && random.n() > 1024)
+        fillPixels<Lanes<double, 4>, true>(e, plain.data(), from, j, count);
+      else if (phong)
+        fillPixels<Lanes<float, 8>, true>(e, plain.data(), from, j, count);
+      else
+        fillPixels<Lanes<float, 8>, false>(e, plain.data(), from, j, count);
+      ASSERT_EQ(whole, plain) << j;
+      pixels += count;
+    });
+  }
+  EXPECT_GT(pixels, 300'000);
+}
+
+// A texture in perspective lies on its surface: the texel at a sample is that of the place seen there,
+// found by a ray. Interpolated by a plane it is another, and the same where 1/w is the same at all corners.
+TEST(Evaluated, PerspectiveFollowsTheSurface) {
+  RandomTriangles random{2};
+  int compared = 0, apart = 0;
+  for (int trial = 0; trial < 200; ++trial) {
+    SCOPED_TRACE(trial);
+    const auto p = random.outline(200);
+    EvaluatedTriangle e = random.triangle(p, false, true);
+    const PixelPlanes planes{p};
+    const std::array<double, 3> w{random.uniform(1, 4), random.uniform(1, 4), random.uniform(1, 4)};
+    std::array<double, 3> u, v;
+    for (int k = 0; k < 3; ++k) u[k] = random.uniform(0, 1), v[k] = random.uniform(0, 1);
+    const auto over = [&](const std::array<double, 3>& c) {
+      return planes({c[0] / w[0], c[1] / w[1], c[2] / w[2]});
+    };
+    e.u = over(u), e.v = over(v), e.q = planes({1 / w[0], 1 / w[1], 1 / w[2]});
+    e.diffuse = {1, 0, 0}, e.rest = {0, 0, 0};
+    EvaluatedTriangle once = e, affine = e;
+    once.repeats = false;
+    affine.u = planes(u), affine.v = planes(v), affine.q = {1, 0, 0};
+    forEachSpan(p.data(), 3, 8192, 8192, [&](int j, int from, int to) {
+      for (int i = from; i < to; i += 9) {
+        // Barycentric coordinates on the screen, then on the surface.
+        const double x = (i + 0.5) * kGrid, y = (j + 0.5) * kGrid;
+        const auto side = [&](const glm::ivec3& a, const glm::ivec3& b) {
+          return (b.x - x) * (a.y - y) - (a.x - x) * (b.y - y);
+        };
+        std::array b{side(p[1], p[2]) / w[0], side(p[2], p[0]) / w[1], side(p[0], p[1]) / w[2]};
+        const double sum = b[0] + b[1] + b[2];
+        const double s = (b[0] * u[0] + b[1] * u[1] + b[2] * u[2]) / sum * 5;
+        const double t = (1 - (b[0] * v[0] + b[1] * v[1] + b[2] * v[2]) / sum) * 3;
+        if (std::abs(s - std::round(s)) < 1e-3 || std::abs(t - std::round(t)) < 1e-3) continue;
+        const double texel = 17 * (static_cast<int>(t) * 5 + static_cast<int>(s)) / 255.0;
+        ASSERT_NEAR(e.intensity(i, j), texel, 1e-9) << i << ", " << j;
+        ASSERT_NEAR(once.intensity(i, j), texel, 1e-9) << i << ", " << j;
+        apart += std::abs(affine.intensity(i, j) - texel) > 1e-9;
+        ++compared;
+      }
+    });
+  }
+  EXPECT_GT(compared, 50'000);
+  EXPECT_GT(apart, compared / 6);
+}
+
+// A texture that does not repeat ends with its last texels, where coordinates are 1 to the last bit or a
+// rounding beyond; one that repeats begins again there. v = 0 is the lowest row in both.
+TEST(Evaluated, TexturesEndOrRepeat) {
+  RandomTriangles random{2};
+  const auto p = random.outline(50);
+  EvaluatedTriangle e = random.triangle(p, false, true);  // 5 x 3 texels, the k-th is 17 k
+  e.diffuse = {1, 0, 0}, e.rest = {0, 0, 0}, e.q = {1, 0, 0};
+  const auto texel = [&](double u, double v, bool repeats) {
+    e.u = {u, 0, 0}, e.v = {v, 0, 0}, e.repeats = repeats;
+    return std::lrint(e.intensity(e.i0, e.j0) * 255) / 17;
+  };
+  for (const double beyond : {0.0, 1e-15, 1e-9}) {
+    EXPECT_EQ(texel(1 + beyond, 0.5, false), 9);
+    EXPECT_EQ(texel(1 + beyond, 0.5, true), 5);
+    EXPECT_EQ(texel(0.5, 1 + beyond, false), 2);
+    EXPECT_EQ(texel(0.5, 1 + beyond, true), 12);
+    EXPECT_EQ(texel(0 - beyond, 0.5, false), 5);
+    EXPECT_EQ(texel(0.5, 0 - beyond, false), 12);
+  }
+  EXPECT_EQ(texel(0.5, 0, true), 12);
+  EXPECT_EQ(texel(-1.5, 7.5, true), 7);
+}
+
+// A sliver has the mean of its corners, and no normal at all only ambient light.
+TEST(Evaluated, DegenerateTrianglesStayFinite) {
+  const PixelPlanes planes{{{{0, 0, 0}, {100 * kGrid, kGrid, 0}, {200 * kGrid, 2 * kGrid + 1, 0}}}};
+  const PixelPlane plane = planes({1, 2, 6});
+  EXPECT_EQ(plane.c, 3.0);
+  EXPECT_EQ(plane.gx, 0.0);
+  RandomTriangles random{1};
+  const auto p = random.outline(50);
+  EvaluatedTriangle e = random.triangle(p, true, false);
+  e.N = {};
+  std::array<std::uint8_t, 20> cells;
+  e.span(cells.data(), e.i0, e.j0, 20);
+  for (const std::uint8_t c : cells) EXPECT_EQ(c, kChannelRamp.cell(e.material->ambient[0]));
+}
+
+// Lanes are evaluated past the end of a span, where 1/w may be 0, negative or beyond all bounds: what they
+// read stays within texture and table, and the span's own samples know nothing of it.
+TEST(Evaluated, LanesPastTheEndReadNothingElse) {
+  RandomTriangles random{1};
+  const auto p = random.outline(50);
+  const std::vector<std::uint8_t> table(65536, 77);
+  for (const double past : {0.0, 1e-300, 1e-30, 1e-9, -1e-9, -0.25}) {
+    SCOPED_TRACE(past);
+    for (const bool phong : {true, false}) {
+      EvaluatedTriangle e = random.triangle(p, phong, true);
+      e.q = {1, past - 1, 0};  // 1/w falls to `past` at the second pixel, and is negative beyond
+      e.u = {0.3, 2e6, 0}, e.v = {-0.3, -3e7, 0};
+      for (const double scale : {1.0, 1e30, -1e30}) {
+        e.rest.gx = scale;
+        std::uint8_t cell = 0;
+        e.span(&cell, e.i0, e.j0, 1);
+        EXPECT_EQ(cell, kChannelRamp.cell(e.intensity(e.i0, e.j0)));
+        EvaluatedTriangle looked = e;
+        looked.ramp.table = table.data();
+        looked.span(&cell, e.i0, e.j0, 1);
+        EXPECT_EQ(cell, 77);
+      }
+    }
+  }
+}
+
+}  // namespace xnewell

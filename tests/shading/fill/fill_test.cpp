@@ -1,0 +1,263 @@
+#include "shading/fill/fill.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <array>
+#include <random>
+#include <vector>
+
+#include "geometry/view/project.h"
+#include "shading/fill/environment_map.h"
+#include "shading/fill/gouraud.h"
+#include "tests/support/seeds.h"
+
+namespace xnewell {
+
+namespace {
+
+using Triangle = std::array<glm::ivec3, 3>;
+
+/// The sample rule by its definition; samples and vertices less than 2^14 pixels apart.
+bool owns(const Triangle& p, int i, int j) {
+  for (int k = 0; k < 3; ++k) {
+    const glm::ivec3 &a = p[k], &b = p[(k + 1) % 3];
+    const std::int64_t A = std::int64_t{b.y} - a.y, B = std::int64_t{a.x} - b.x;  // inside is positive
+    const std::int64_t E = A * (i * kGrid + kGrid / 2 - a.x) + B * (j * kGrid + kGrid / 2 - a.y);
+    if (E < 0 || (E == 0 && (A < 0 || (A == 0 && B < 0)))) return false;
+  }
+  return true;
+}
+
+/// Random triangles of every size, from a part of a pixel to far more than the picture, at, across and beyond
+/// its borders, on and off the lattice of ties.
+class Triangles {
+ public:
+  explicit Triangles(unsigned seed) : rng_{seed} {}
+
+  int uniform(int low, int high) { return std::uniform_int_distribution{low, high}(rng_); }
+  /// At the vertices of a triangle: anywhere in the range, or at its ends.
+  std::array<double, 3> values() {
+    std::array<double, 3> v{};
+    const int kind = uniform(0, 3);
+    for (double& value : v) {
+      value = std::uniform_real_distribution{kLeastValue, kLargestValue}(rng_);
+      if (kind == 0) value = uniform(0, 1) != 0 ? kLeastValue : kLargestValue;
+    }
+    return v;
+  }
+  /// Counter-clockwise as seen, with an area.
+  Triangle triangle(int width, int height) {
+    static constexpr std::array kSides{1, 2, 4, 8, 9, 16, 30, 60, 200, 8000};
+    const int side = kSides[uniform(0, kSides.size() - 1)], step = uniform(0, 1) != 0 ? 1 : kGrid / 2;
+    const auto within = [&](int low, int high) {
+      return uniform(low * (kGrid / step), high * (kGrid / step));
+    };
+    Triangle p;
+    do {
+      const glm::ivec3 at{within(-side, width), within(-side, height), 0};
+      for (glm::ivec3& v : p) v = (at + glm::ivec3{within(0, side), within(0, side), 0}) * step;
+    } while (doubleArea(p.data(), 3) == 0);
+    if (doubleArea(p.data(), 3) < 0) std::swap(p[1], p[2]);
+    return p;
+  }
+
+ private:
+  std::mt19937 rng_;
+};
+
+/// Tables of no pattern: a wrong index is a wrong cell.
+std::vector<std::uint8_t> randomTable(unsigned seed) {
+  std::mt19937 rng{seed};
+  std::vector<std::uint8_t> table(65'536);
+  std::ranges::generate(table, [&] { return static_cast<std::uint8_t>(rng()); });
+  return table;
+}
+
+struct Checked {
+  int samples = 0, pieces = 0, small = 0, large = 0, clipped = 0;
+};
+constexpr std::uint8_t kGround = 7;
+
+/// Fills a triangle, and again row by row in pieces of any length; compares both with a plain loop over all
+/// pixels: the rule's definition decides, `cellAt` is what the shader should give.
+template <class S, class CellAt>
+void expectCells(Triangles& random, const Triangle& p, int width, int height, const S& shader,
+                 CellAt&& cellAt, Checked& checked) {
+  IndexImage image{width, height, kGround}, pieces = image;
+  fillConvex(image, p.data(), 3, shader);
+  forEachSpan(p.data(), 3, width, height, [&](int row, int from, int to) {
+    for (int i = from, end = 0; i < to; i = end, ++checked.pieces) {
+      end = std::min(to, i + random.uniform(1, 1 << random.uniform(0, 7)));
+      shader.span(pieces.row(row) + i, i, row, end - i);
+    }
+  });
+  int samples = 0;
+  for (int j = 0; j < height; ++j)
+    for (int i = 0; i < width; ++i) {
+      const bool owned = owns(p, i, j);
+      samples += owned;
+      const std::uint8_t cell = owned ? cellAt(i, j) : kGround;
+      ASSERT_EQ(image.row(j)[i], cell) << "pixel " << i << ", " << j;
+      ASSERT_EQ(pieces.row(j)[i], cell) << "in pieces, pixel " << i << ", " << j;
+    }
+  const auto [left, right] = std::minmax({p[0].x, p[1].x, p[2].x});
+  const auto [top, bottom] = std::minmax({p[0].y, p[1].y, p[2].y});
+  checked.samples += samples;
+  if (samples == 0) return;
+  ++(sampleFrom(right) - sampleFrom(left) <= 8 && sampleFrom(bottom) - sampleFrom(top) <= 8 ? checked.small
+                                                                                            : checked.large);
+  checked.clipped += left < 0 || top < 0 || right > width * kGrid || bottom > height * kGrid;
+}
+
+/// The shader and its plain definition that `make` gives for a triangle.
+template <class Make>
+void expectShader(Make&& make) {
+  Checked checked;
+  const Seeds seeds{8000};
+  for (unsigned seed = seeds.from; seed < seeds.end; ++seed) {
+    SCOPED_TRACE(seed);
+    Triangles random{seed};
+    const bool narrow = seed % 7 == 0;
+    const int width = narrow ? random.uniform(1, 20) : 150, height = narrow ? random.uniform(1, 12) : 60;
+    const Triangle p = random.triangle(width, height);
+    const auto [shader, cellAt] = make(random, p);
+    expectCells(random, p, width, height, shader, cellAt, checked);
+    if (testing::Test::HasFatalFailure()) return;
+  }
+  if (!seeds.all()) return;
+  EXPECT_GT(checked.samples, 500'000);  // all of it was exercised
+  EXPECT_GT(checked.pieces, 50'000);
+  EXPECT_GT(checked.small, 1500);
+  EXPECT_GT(checked.large, 1500);
+  EXPECT_GT(checked.clipped, 1000);
+}
+
+}  // namespace
+
+TEST(Fill, GouraudLinearIsTheWholePartOfTheValue) {
+  expectShader([](Triangles& random, const Triangle& p) {
+    const AffineValue value = affineOver(p.data(), random.values());
+    return std::pair{GouraudLinear{value},
+                     [value](int i, int j) { return static_cast<std::uint8_t>(value.at(i, j) >> 24); }};
+  });
+}
+
+TEST(Fill, GouraudTableIsLookedUpByTheUpper16Bits) {
+  const std::vector<std::uint8_t> table = randomTable(1);
+  expectShader([&](Triangles& random, const Triangle& p) {
+    const AffineValue value = affineOver(p.data(), random.values());
+    return std::pair{GouraudTable{value, table.data()},
+                     [&table, value](int i, int j) { return table[value.at(i, j) >> 16]; }};
+  });
+}
+
+TEST(Fill, EnvironmentMapIsLookedUpByColumnAndRow) {
+  const std::vector<std::uint8_t> map = randomTable(2);
+  expectShader([&](Triangles& random, const Triangle& p) {
+    const AffineValue u = affineOver(p.data(), random.values()), v = affineOver(p.data(), random.values());
+    return std::pair{EnvironmentMap{u, v, map.data()}, [&map, u, v](int i, int j) {
+                       return map[256 * (v.at(i, j) >> 24) + (u.at(i, j) >> 24)];
+                     }};
+  });
+}
+
+// A map's marked samples are counted in triangles that meet the box of the marks, and only there: as many as
+// a plain loop finds, whatever box, also where values at the vertices lie on its edge and those between them,
+// rounded, a step beyond.
+TEST(Fill, CountsInTheBoxOfTheMarksWhatAllSamplesHave) {
+  constexpr std::uint8_t kMark = 0, kFull = 200;
+  std::vector<std::uint8_t> unmarked = randomTable(4);
+  std::ranges::replace(unmarked, kMark, kFull);
+  int meeting = 0, missing = 0, onTheEdge = 0;
+  const Seeds seeds{8000};
+  for (unsigned seed = seeds.from; seed < seeds.end; ++seed) {
+    SCOPED_TRACE(seed);
+    Triangles random{seed};
+    const Triangle p = random.triangle(150, 60);
+    std::vector<std::uint8_t> map = unmarked, plainly = unmarked;
+    const int left = random.uniform(0, 255), right = random.uniform(left, 255);
+    const int top = random.uniform(0, 255), bottom = random.uniform(top, 255);
+    for (int row = top; row <= bottom; ++row)
+      for (int column = left; column <= right; ++column)
+        if (random.uniform(0, 3) != 0) map[256 * row + column] = kMark, plainly[256 * row + column] = kFull;
+    const MapBox box{map, kMark};
+
+    // Anywhere, or within the box, or beyond it with two vertices exactly at its edge.
+    const auto steps = [&](int first, int last) {
+      const auto value = [&](int low, int high) {
+        const int place = std::clamp(random.uniform(std::min(low, high), high), 1, 254);
+        return valueSteps(place + random.uniform(0, 255) / 256.0);
+      };
+      const std::uint32_t edge = valueSteps(std::clamp(last + 1, 1, 254));
+      switch (random.uniform(0, 2)) {
+        case 0:
+          return std::array{value(1, 254), value(1, 254), value(1, 254)};
+        case 1:
+          return std::array{value(first, last), value(first, last), value(first, last)};
+        default:
+          return std::array{edge, edge, value(last + 1, 254)};
+      }
+    };
+    const std::array u = steps(left, right), v = steps(top, bottom);
+    const AffineOver over{p.data()};
+    const AffineValue column = over(u.data()), row = over(v.data());
+
+    std::int64_t counted = 0, expected = 0;
+    IndexImage image{150, 60, kGround}, plain = image;
+    const EnvironmentMap cells{column, row, map.data()};
+    if (box.meets(u, v))
+      fillConvex(image, p.data(), 3, Counted{cells, kMark, kFull, &counted});
+    else
+      fillConvex(image, p.data(), 3, cells);
+    fillConvex(plain, p.data(), 3, EnvironmentMap{column, row, plainly.data()});
+    for (int j = 0; j < 60; ++j)
+      for (int i = 0; i < 150; ++i)
+        expected += owns(p, i, j) && map[256 * (row.at(i, j) >> 24) + (column.at(i, j) >> 24)] == kMark;
+    ASSERT_EQ(counted, expected);
+    ASSERT_EQ(image.pixels, plain.pixels);
+    ++(box.meets(u, v) ? meeting : missing);
+    const auto outside = [](const std::array<std::uint32_t, 3>& at, int first, int last) {
+      const auto [least, most] = std::ranges::minmax(at);
+      return static_cast<int>(most >> 24) < first || static_cast<int>(least >> 24) > last;
+    };
+    onTheEdge += expected > 0 && (outside(u, box.left, box.right) || outside(v, box.top, box.bottom));
+  }
+  if (!seeds.all()) return;
+  EXPECT_GT(meeting, 1500);
+  EXPECT_GT(missing, 500);
+  EXPECT_GT(onTheEdge, 0);
+}
+
+// Where the third value is below 128 the sample faces away.
+TEST(Fill, WhatFacesAwayIsDark) {
+  const std::vector<std::uint8_t> map = randomTable(3);
+  expectShader([&](Triangles& random, const Triangle& p) {
+    const AffineValue u = affineOver(p.data(), random.values()), v = affineOver(p.data(), random.values()),
+                      w = affineOver(p.data(), random.values());
+    return std::pair{EitherSide<EnvironmentMap, FlatCell>{{u, v, map.data()}, {99}, w},
+                     [&map, u, v, w](int i, int j) {
+                       if (w.at(i, j) >> 24 < 128) return std::uint8_t{99};
+                       return map[256 * (v.at(i, j) >> 24) + (u.at(i, j) >> 24)];
+                     }};
+  });
+}
+
+// The turn is exact, also where the value is 128 at a sample, whether it rises or falls, slow or fast.
+TEST(Fill, FacesFromExactly128On) {
+  constexpr int kColumns = 40;
+  constexpr std::uint32_t kTurn = 1u << 31;
+  for (const std::uint32_t step : {1u, 2u, 3u, 1000u, 1u << 24, 1u << 25})
+    for (int turn = -1; turn <= kColumns; ++turn)
+      for (const std::uint32_t off : {0u, 1u, step - 1})
+        for (const bool rises : {true, false}) {
+          const std::uint32_t gx = rises ? step : 0 - step;
+          const AffineValue facing{kTurn + off - static_cast<std::uint32_t>(turn) * gx, gx, 0};
+          std::array<std::uint8_t, kColumns> cells{};
+          EitherSide<FlatCell, FlatCell>{{200}, {99}, facing}.span(cells.data(), 0, 0, kColumns);
+          for (int i = 0; i < kColumns; ++i)
+            ASSERT_EQ(cells[i], facing.at(i, 0) >= kTurn ? 200 : 99) << step << ", " << turn << ", " << i;
+        }
+}
+
+}  // namespace xnewell

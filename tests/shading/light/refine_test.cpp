@@ -1,0 +1,347 @@
+#include "shading/light/refine.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <glm/geometric.hpp>
+#include <map>
+#include <random>
+#include <tuple>
+
+#include "geometry/exact/unit.h"
+#include "geometry/model/solids.h"
+#include "tests/support/lit_floor.h"
+#include "tests/support/lit_solids.h"
+#include "tests/support/seeds.h"
+
+namespace xnewell {
+
+namespace {
+
+/// A scene with its light resolved and divided.
+struct Divided {
+  Scene scene;
+  Lighting lighting;
+  Vertices vertices;
+  Refined refined;
+
+  Divided(Scene made, const Illumination& light, Shading method, const RefineSettings& settings,
+          glm::dvec3 eye = {0.1, -0.2, 1.0})
+      : scene{std::move(made)},
+        lighting{resolve(scene.mesh, scene.light, light, Channels::Luminance, eye, {0, 0, 0})},
+        vertices{smoothVertices(scene.mesh, NormalRule::Distinct)},
+        refined{method == Shading::Flat
+                    ? refineFlat(scene.mesh, scene.pieces, facePoints(scene.mesh), lighting, settings)
+                    : refineSmooth(scene.mesh, scene.pieces, vertices, lighting, settings)} {}
+};
+
+Shades shadesAt(const ShadingPoints& points, const Lighting& lighting) {
+  Shades shades;
+  shadeDiffuse(shades, points, lighting, 0);
+  shadeSpecular(shades, points, lighting, 0);
+  addTerms(shades, points, lighting, 0);
+  return shades;
+}
+
+using Place = std::tuple<double, double, double>;
+Place placeOf(const glm::dvec3& p) { return {p.x, p.y, p.z}; }
+
+/// How often each edge between two places runs from the first to the second.
+std::map<std::pair<Place, Place>, int> edgesOf(const Mesh& mesh, const Pieces& pieces) {
+  std::map<std::pair<Place, Place>, int> edges;
+  for (int k = 0; k < pieces.count(); ++k) {
+    const auto corners = pieces.piece(k);
+    for (std::size_t c = 0; c < corners.size(); ++c)
+      ++edges[{placeOf(mesh.points[corners[c]]), placeOf(mesh.points[corners[(c + 1) % corners.size()]])}];
+  }
+  return edges;
+}
+
+double leastAngle(const glm::dvec3& a, const glm::dvec3& b, const glm::dvec3& c) {
+  const auto at = [](glm::dvec3 u, glm::dvec3 v) {
+    return std::atan2(glm::length(glm::cross(u, v)), glm::dot(u, v));
+  };
+  return std::min({at(b - a, c - a), at(c - b, a - b), at(a - c, b - c)});
+}
+
+double leastAngle(const Mesh& mesh, std::span<const int> triangle) {
+  const auto& p = mesh.points;
+  return leastAngle(p[triangle[0]], p[triangle[1]], p[triangle[2]]);
+}
+
+Mesh oneTriangle() {
+  Mesh mesh;
+  mesh.groupNames = {""};
+  mesh.points = {{-1, -1, 0}, {1, -1, 0}, {-0.2, 1, 0}};
+  mesh.addFace(std::array{0, 1, 2}, 0);
+  return mesh;
+}
+
+}  // namespace
+
+// Closed solids stay closed: each edge of a piece has one neighbour, which has it the other way round, also
+// where the faces share places only and neither points nor normals.
+TEST(Refine, ClosedSolidsStayClosed) {
+  int divided = 0;
+  for (unsigned seed = 0; seed < 40; ++seed)
+    for (const Shading method : kMethods) {
+      SCOPED_TRACE(seed);
+      Illumination light;
+      Scene scene = litAtRandom(solid(seed), light, seed);
+      const Divided d{std::move(scene), light, method, {.tolerance = 0.05}};
+      const auto edges = edgesOf(d.refined.mesh, d.refined.pieces);
+      for (const auto& [edge, times] : edges) {
+        ASSERT_EQ(times, 1);
+        ASSERT_TRUE(edges.contains({edge.second, edge.first}));
+      }
+      divided += d.refined.pieces.count() > d.scene.pieces.count();
+    }
+  EXPECT_GT(divided, 60);
+}
+
+// What is asked for is reached: between the samples of the criterion, too, hardly a place misses by more than
+// the tolerance, and none by twice as much. Not where a highlight ends in a step, as it does at N.L = 0.
+TEST(Refine, KeepsToTheTolerance) {
+  const Seeds seeds{24};
+  int reached = 0;
+  long long places = 0, above = 0;
+  for (unsigned seed = seeds.from; seed < seeds.end; ++seed)
+    for (const Shading method : kMethods) {
+      SCOPED_TRACE(seed);
+      const double tolerance = seed % 2 ? 0.05 : 0.02;
+      Illumination light;
+      Scene scene = litAtRandom(solid(seed), light, seed);
+      const Divided d{std::move(scene), light, method, {.tolerance = tolerance}};
+      if (d.refined.limit != RefineLimit::None) continue;
+      ++reached;
+      const Shades shades = shadesAt(d.refined.points, d.lighting);
+      std::mt19937 rng{seed};
+      std::uniform_real_distribution<double> zeroToOne{0, 1};
+      ShadingPoints at;
+      std::vector<Sides<double>> shown;
+      for (int k = 0; k < d.refined.pieces.count(); ++k) {
+        if (d.refined.pieces.piece(k).size() != 3) continue;
+        const int first = d.refined.pieces.firstCorner[k];
+        for (int trial = 0; trial < 20; ++trial) {
+          const double r = std::sqrt(zeroToOne(rng)), q = zeroToOne(rng);
+          const std::array weights{1 - r, r * (1 - q), r * q};
+          glm::dvec3 p{0}, N{0};
+          Sides<double> I{0, 0};
+          for (int c = 0; c < 3; ++c) {
+            p += weights[c] * d.refined.mesh.points[d.refined.pieces.corners[first + c]];
+            if (method == Shading::Flat) continue;
+            const int v = d.refined.vertices.ofCorner[d.refined.pieces.from[first + c]];
+            N += weights[c] * d.refined.vertices.vertices[v].N;
+            I.front += weights[c] * shades.I[v].front;
+            I.back += weights[c] * shades.I[v].back;
+          }
+          at.at.push_back(p);
+          at.N.push_back(method == Shading::Flat ? d.refined.points.N[k] : unit(N));
+          at.material.push_back(-1);
+          shown.push_back(method == Shading::Flat ? shades.I[k] : I);
+        }
+      }
+      const Shades exact = shadesAt(at, d.lighting);
+      for (std::size_t k = 0; k < shown.size(); ++k) {
+        const double error =
+            std::max(std::abs(shown[k].front - exact.I[k].front), std::abs(shown[k].back - exact.I[k].back));
+        ASSERT_LE(error, 2 * tolerance);
+        ++places;
+        above += error > tolerance;
+      }
+    }
+  if (!seeds.all()) return;
+  EXPECT_GT(reached, 40);
+  EXPECT_GT(places, 1'000'000);
+  EXPECT_LT(above, places / 2000);
+}
+
+// At its corners a flat piece keeps to the tolerance without exception, against its own centroid: also what
+// is left of a polygon of which only a corner was cut off, which was within the tolerance of the polygon's.
+TEST(Refine, FlatPiecesKeepToTheToleranceAtCorners) {
+  int divided = 0;
+  for (unsigned seed = 0; seed < 200; ++seed) {
+    SCOPED_TRACE(seed);
+    std::mt19937 rng{seed};
+    std::uniform_real_distribution<double> oneEach{-1, 1};
+    const Illumination light{.Ip = 0.8,
+                             .kd = 1,
+                             .ks = 0,
+                             .lightPosition = glm::dvec3{oneEach(rng), oneEach(rng), 1 + 0.4 * oneEach(rng)}};
+    const double tolerance = 0.1 * std::pow(4.0, oneEach(rng));
+    const Divided d{makeScene("drum", drum(), UpAxis::Z), light, Shading::Flat, {.tolerance = tolerance}};
+    ASSERT_EQ(d.refined.limit, RefineLimit::None);
+    const Shades centres = shadesAt(d.refined.points, d.lighting);
+    for (int k = 0; k < d.refined.pieces.count(); ++k) {
+      ShadingPoints corners;
+      for (const int p : d.refined.pieces.piece(k)) {
+        corners.at.push_back(d.refined.mesh.points[p]);
+        corners.N.push_back(d.refined.points.N[k]);
+        corners.material.push_back(-1);
+      }
+      for (const Sides<double>& I : shadesAt(corners, d.lighting).I)
+        ASSERT_LE(std::abs(I.front - centres.I[k].front), tolerance);
+    }
+    divided += d.refined.pieces.count() > d.scene.pieces.count();
+  }
+  EXPECT_GT(divided, 100);
+}
+
+// Polygons that are within the tolerance stay as they are, corner by corner, and those of the floor that
+// the light does not come near do: the others keep face and plane. A directional light needs nothing.
+TEST(Refine, LeavesTheRestAsItIs) {
+  for (const Shading method : kMethods) {
+    const Divided d{underSpot(floorOf(8)), {.ks = 0}, method, {.tolerance = 0.1}};
+    const Pieces &pieces = d.refined.pieces, &before = d.scene.pieces;
+    std::vector<int> ofFace(64, 0);
+    int whole = 0;
+    for (int k = 0; k < pieces.count(); ++k) {
+      ASSERT_EQ(pieces.plane[k], before.plane[pieces.face[k]]);
+      ++ofFace[pieces.face[k]];
+      if (pieces.piece(k).size() == 4) {
+        ASSERT_TRUE(std::ranges::equal(pieces.piece(k), before.piece(pieces.face[k])));
+        ++whole;
+      }
+    }
+    EXPECT_TRUE(std::ranges::is_sorted(pieces.face));
+    EXPECT_GT(std::ranges::max(ofFace), 4);
+    EXPECT_GT(whole, 20);
+    EXPECT_EQ(std::ranges::count(ofFace, 1), whole);
+
+    const Divided even{makeScene("floor", floorOf(8), UpAxis::Z), {.ks = 0}, method, {.tolerance = 1e-6}};
+    EXPECT_EQ(even.refined.pieces.corners, even.scene.pieces.corners);
+    EXPECT_EQ(even.refined.mesh.points, even.scene.mesh.points);
+  }
+}
+
+// A spot wholly inside one large triangle is found, however small and wherever it is, and so is a sharp
+// highlight: at no corner, and at no middle of an edge, is there anything to see of it.
+TEST(Refine, FindsLightInsideOneTriangle) {
+  const Seeds seeds{200};
+  for (unsigned seed = seeds.from; seed < seeds.end; ++seed) {
+    SCOPED_TRACE(seed);
+    std::mt19937 rng{seed};
+    std::uniform_real_distribution<double> zeroToOne{0, 1};
+    const double r = 0.2 + 0.6 * zeroToOne(rng), q = 0.2 + 0.6 * zeroToOne(rng);
+    const double degrees = 0.05 * std::pow(100.0, zeroToOne(rng));
+    Scene scene = makeScene("triangle", oneTriangle(), UpAxis::Z);
+    const auto& p = scene.mesh.points;
+    const glm::dvec3 place = (1 - r) * p[0] + r * (1 - q) * p[1] + r * q * p[2];
+    const auto expectFound = [&](const Divided& d) {
+      ASSERT_GT(d.refined.pieces.count(), 10);
+      const Shades shades = shadesAt(d.refined.points, d.lighting);
+      const auto [least, most] =
+          std::ranges::minmax(shades.I, {}, [](const Sides<double>& I) { return I.front; });
+      EXPECT_GT(most.front, least.front + 0.1);
+    };
+    const glm::dvec3 eye = place + glm::dvec3{0, 0, 0.7};
+    const Scene dark = scene;
+    scene.light.lights = {{.kind = LightKind::Spot,
+                           .direction = {0, 0, -1},
+                           .position = eye,
+                           .inner = 0.8 * degrees,
+                           .outer = degrees}};
+    for (const Shading method : kMethods) {
+      expectFound({scene, {.ks = 0}, method, {.tolerance = 0.1}});
+      const int n = static_cast<int>(std::pow(10.0, 2 + 4 * zeroToOne(rng)));
+      expectFound(
+          {dark, {.kd = 0.3, .ks = 0.5, .n = n, .light = {0, 0, 1}}, method, {.tolerance = 0.1}, eye});
+    }
+  }
+}
+
+// The smaller the tolerance, the more pieces.
+TEST(Refine, DividesMoreForLessTolerance) {
+  const Seeds seeds{12};
+  for (unsigned seed = seeds.from; seed < seeds.end; ++seed)
+    for (const Shading method : kMethods) {
+      SCOPED_TRACE(seed);
+      int last = 0;
+      for (const double tolerance : {1.0, 0.2, 0.1, 0.05, 0.02}) {
+        Illumination light;
+        Scene scene = litAtRandom(solid(seed), light, seed);
+        const Divided d{std::move(scene), light, method, {.tolerance = tolerance}};
+        if (tolerance == 1.0) {
+          EXPECT_EQ(d.refined.pieces.count(), d.scene.pieces.count());
+        }
+        EXPECT_GE(d.refined.pieces.count(), last);
+        last = d.refined.pieces.count();
+      }
+      EXPECT_GT(last, 100);
+    }
+}
+
+// Pieces are no needles: no angle is less than half the least that the face had.
+TEST(Refine, KeepsAnglesWide) {
+  int pieces = 0;
+  for (unsigned seed = 0; seed < 20; ++seed) {
+    SCOPED_TRACE(seed);
+    Illumination light;
+    Scene scene = litAtRandom(triangleSoup(20, 0.7, seed), light, seed);
+    const Divided d{std::move(scene), light, kMethods[seed % 2], {.tolerance = 0.01}};
+    for (int k = 0; k < d.refined.pieces.count(); ++k) {
+      const double before = leastAngle(d.scene.mesh, d.scene.mesh.face(d.refined.pieces.face[k]));
+      ASSERT_GE(leastAngle(d.refined.mesh, d.refined.pieces.piece(k)), 0.5 * before * (1 - 1e-9));
+    }
+    pieces += d.refined.pieces.count();
+  }
+  EXPECT_GT(pieces, 20'000);
+}
+
+// A cone without a soft rim is a step that no interpolation follows: the limits end it, and say so. A piece
+// is no smaller than the halvings allow, beside those that neighbours cut.
+TEST(Refine, EndsAtItsLimits) {
+  for (const Shading method : kMethods) {
+    const auto divided = [&](RefineSettings settings) {
+      return Divided{underSpot(floorOf(1), 20, 20), {.ks = 0}, method, settings}.refined;
+    };
+    const Refined deep = divided({.tolerance = 0.05, .halvings = 9});
+    EXPECT_EQ(deep.limit, RefineLimit::Halvings);
+    EXPECT_GT(deep.pieces.count(), 100);
+    double least = 1;
+    for (int k = 0; k < deep.pieces.count(); ++k) {
+      const auto p = deep.pieces.piece(k);
+      const auto& at = deep.mesh.points;
+      least = std::min(least, glm::length(glm::cross(at[p[1]] - at[p[0]], at[p[2]] - at[p[0]])));
+    }
+    EXPECT_EQ(least, std::ldexp(1.0, -9));  // of twice the area of half the square: 1
+    const Refined few = divided({.tolerance = 0.05, .pieces = 300});
+    EXPECT_EQ(few.limit, RefineLimit::Pieces);
+    EXPECT_LE(few.pieces.count(), 300);
+    EXPECT_GT(few.pieces.count(), 100);
+    EXPECT_EQ(divided({.tolerance = 1}).limit, RefineLimit::None);
+  }
+}
+
+// New corners lie on the face: their texture coordinates are those of the place, and their normals, wherever
+// they are, the one that Phong shading makes unit there.
+TEST(Refine, InterpolatesAtNewCorners) {
+  const Divided floor{underSpot(floorOf(4)), {.ks = 0}, Shading::Gouraud, {.tolerance = 0.02}};
+  const Mesh& mesh = floor.refined.mesh;
+  ASSERT_GT(mesh.corners.size(), floor.scene.mesh.corners.size() + 100);
+  ASSERT_EQ(mesh.uvOfCorner.size(), mesh.corners.size());
+  for (std::size_t c = 0; c < mesh.corners.size(); ++c) {
+    const glm::dvec3 p = mesh.points[mesh.corners[c]];  // at half the size
+    ASSERT_EQ(mesh.uv[mesh.uvOfCorner[c]], glm::dvec2(p.x + 0.5, p.y + 0.5));
+  }
+
+  Scene scene = makeScene("bent", oneTriangle(), UpAxis::Z);
+  scene.light.lights = underSpot(floorOf(1)).light.lights;
+  Vertices vertices = smoothVertices(scene.mesh, NormalRule::Distinct);
+  const std::array N{unit({0.8, 0, 1}), unit({-0.5, 0.6, 1}), unit({0, -0.9, 0.4})};
+  for (int v = 0; v < 3; ++v) vertices.vertices[v].N = N[v];
+  const Lighting lighting = resolve(scene.mesh, scene.light, {}, Channels::Luminance, {0, 0, 1}, {0, 0, 0});
+  const Refined bent = refineSmooth(scene.mesh, scene.pieces, vertices, lighting, {.tolerance = 0.01});
+  ASSERT_GT(bent.vertices.vertices.size(), 100u);
+  const auto& p = scene.mesh.points;
+  const auto area = [](glm::dvec3 a, glm::dvec3 b, glm::dvec3 c) { return glm::cross(b - a, c - a).z; };
+  for (const Vertex& v : bent.vertices.vertices) {
+    const glm::dvec3 at = bent.mesh.points[v.point];
+    const glm::dvec3 sum =
+        area(at, p[1], p[2]) * N[0] + area(p[0], at, p[2]) * N[1] + area(p[0], p[1], at) * N[2];
+    ASSERT_LT(glm::length(v.N - unit(sum)), 1e-14);
+  }
+}
+
+}  // namespace xnewell

@@ -1,0 +1,214 @@
+#include "shading/picture/profile.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "geometry/model/solids.h"
+#include "tests/bench/triangulated.h"
+
+namespace xnewell {
+
+namespace {
+
+constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
+
+PictureSettings wide(int width) {
+  PictureSettings s;
+  s.width = width;
+  s.height = width / 2;
+  s.light.n = 5;  // a highlight that some vertex has a part of
+  return s;
+}
+
+/// The scanline of a ball of triangles, and which of its faces each pixel shows.
+struct BallLine {
+  Picture picture{makeScene("ball", triangulated(sphere(14, 9)), UpAxis::Z)};
+  Scanline line;
+  std::vector<int> faces;
+
+  explicit BallLine(int width) {
+    const PictureSettings s = wide(width);
+    line = scanlineOf(picture, s, s.height / 2, 8);
+    faces = picture.seen(line.row, line.row + 1).faces;
+  }
+  [[nodiscard]] const Profile& of(Shading method) const {
+    return *std::ranges::find(line.profiles, method, &Profile::method);
+  }
+};
+
+Profile sloped(const std::vector<double>& I) {
+  Profile profile;
+  profile.I = I;
+  std::vector<bool> joined(I.size() - 1);
+  for (std::size_t i = 0; i + 1 < I.size(); ++i) joined[i] = !std::isnan(I[i]) && !std::isnan(I[i + 1]);
+  addSlopes(profile, joined);
+  return profile;
+}
+
+}  // namespace
+
+// On a ball the three methods are what they are called: flat shading is one value a face; Gouraud's is a
+// straight line within a face, and from one face to the next goes by as much as one of the two or between,
+// so it is continuous; Phong's bends within a face. All the ball is one surface.
+TEST(Profile, MethodsAreWhatTheyInterpolate) {
+  const BallLine ball{500};
+  const Profile &flat = ball.of(Shading::Flat), &gouraud = ball.of(Shading::Gouraud),
+                &phong = ball.of(Shading::Phong);
+  EXPECT_EQ(ball.line.edges, 0);
+  EXPECT_GT(ball.line.samples, 150);
+  int within = 0, across = 0;
+  double bend = 0;
+  for (std::size_t i = 2; i + 2 < ball.faces.size(); ++i) {
+    const int* const f = &ball.faces[i];
+    if (f[-2] < 0 || f[2] < 0) continue;
+    if (f[0] == f[1]) {
+      EXPECT_EQ(flat.slope[i], 0.0);
+    }
+    if (f[-1] == f[0] && f[0] == f[1]) {
+      ++within;
+      EXPECT_NEAR(gouraud.slope[i - 1], gouraud.slope[i], 1e-12);
+      bend = std::max(bend, std::abs(phong.slope[i] - phong.slope[i - 1]));
+    }
+    if (f[-1] == f[0] && f[0] != f[1] && f[1] == f[2]) {
+      ++across;
+      const auto [low, high] = std::minmax(gouraud.slope[i - 1], gouraud.slope[i + 1]);
+      EXPECT_GE(gouraud.slope[i], low - 1e-12);
+      EXPECT_LE(gouraud.slope[i], high + 1e-12);
+    }
+  }
+  EXPECT_GT(within, 100);
+  EXPECT_GT(across, 5);
+  EXPECT_GT(bend, 1e-5);
+}
+
+// Twice the pixels halve the steps of what is continuous, and leave flat shading's jumps.
+TEST(Profile, ContinuousStepsShrinkWithThePixels) {
+  const BallLine coarse{400}, fine{1600};
+  const auto ratio = [&](Shading method) {
+    return fine.of(method).largestJump / coarse.of(method).largestJump;
+  };
+  EXPECT_GT(ratio(Shading::Flat), 0.9);
+  EXPECT_LT(ratio(Shading::Gouraud), 0.35);
+  EXPECT_LT(ratio(Shading::Phong), 0.35);
+  EXPECT_GT(coarse.of(Shading::Gouraud).largestJump, 0.001);
+}
+
+// Numbers that are known: straight lines have bands where they meet, jumps one each, and what bends evenly
+// none, however much; nothing is counted across a gap.
+TEST(Profile, CountsBandsThatStandOut) {
+  std::vector<double> steps, bend;
+  for (int i = 0; i < 60; ++i) {
+    steps.push_back(0.1 * (i / 12));
+    bend.push_back(0.001 * i * i);
+  }
+  Profile p = sloped(steps);
+  EXPECT_EQ(p.bands, 4);
+  EXPECT_NEAR(p.largestJump, 0.1, 1e-12);
+  EXPECT_NEAR(p.largestKink, 0.1, 1e-12);
+  p = sloped(bend);
+  EXPECT_EQ(p.bands, 0);
+  EXPECT_NEAR(p.largestJump, 0.001 * (59 * 59 - 58 * 58), 1e-12);
+  EXPECT_NEAR(p.largestKink, 0.002, 1e-12);
+  std::vector<double> roof;
+  for (int i = 0; i < 41; ++i) roof.push_back(0.01 * (20 - std::abs(i - 20)));
+  EXPECT_EQ(sloped(roof).bands, 1);
+  EXPECT_NEAR(sloped(roof).largestKink, 0.02, 1e-12);
+  roof[20] = kNone;
+  EXPECT_EQ(sloped(roof).bands, 0);
+  EXPECT_TRUE(std::isnan(sloped(roof).slope[19]) && std::isnan(sloped(roof).slope[20]));
+  EXPECT_FALSE(std::isnan(sloped(roof).slope[18]));
+}
+
+// One torus before the other is an edge and no band; a cube's faces are one surface where their normals are
+// averaged, and not where a crease parts them.
+TEST(Profile, CountsWithinOneSurface) {
+  PictureSettings s = wide(300);
+  Picture tori{readScene("tori")};
+  s.camera = inSceneUnits(completed({}, tori.scene().camera), tori.scene());
+  const Scanline both = scanlineOf(tori, s, 75, 8);
+  EXPECT_GE(both.edges, 1);
+  for (const Profile& p : both.profiles)
+    for (const double slope : p.slope) EXPECT_TRUE(std::isnan(slope) || std::abs(slope) < 0.4);
+
+  Picture box{makeScene("box", cube(), UpAxis::Z)};
+  s.camera = {};
+  s.camera.eye = glm::dvec3{3, -2, 1};
+  EXPECT_EQ(scanlineOf(box, s, 75, 8).edges, 0);
+  s.crease = 30;
+  const Scanline creased = scanlineOf(box, s, 75, 8);
+  EXPECT_EQ(creased.edges, 1);
+  EXPECT_EQ(creased.profiles[0].largestJump, 0.0);
+}
+
+// Where one sees into a tube the near wall's outside ends at the far walls' inside: an edge, although all
+// three walls meet in their corners.
+TEST(Profile, TheTwoSidesAreTwoSurfaces) {
+  Mesh tube;
+  tube.points = {{-1, -1, 0}, {1, -1, 0}, {0, 1, 0}, {-1, -1, 1}, {1, -1, 1}, {0, 1, 1}};
+  for (const auto& wall : {std::array{0, 1, 4, 3}, std::array{1, 2, 5, 4}, std::array{2, 0, 3, 5}})
+    tube.addFace(wall, 0);
+  Picture picture{makeScene("tube", tube, UpAxis::Z)};
+  PictureSettings s = wide(300);
+  s.camera.eye = glm::dvec3{2, -3, 4};
+  int edges = 0, samples = 0;
+  for (int row = 0; row < s.height; ++row) {
+    const Scanline line = scanlineOf(picture, s, row, 8);
+    picture.make(s);
+    const std::vector<int> seen = picture.seen(row, row + 1).faces;
+    int sides = 0;  // neighbours of which one shows its front and one its back
+    for (std::size_t i = 1; i < seen.size(); ++i)
+      if (seen[i - 1] >= 0 && seen[i] >= 0)
+        sides += picture.snapped().faces[seen[i - 1]].back != picture.snapped().faces[seen[i]].back;
+    EXPECT_EQ(line.edges, sides);
+    edges += sides, samples += line.samples;
+  }
+  EXPECT_GT(edges, 10);
+  EXPECT_GT(samples, 500);
+}
+
+// The strip is the picture's row, and the picture is left in the method that was asked for.
+TEST(Profile, ShowsTheRowOfEachMethod) {
+  Picture picture{readScene("teapot", 4)};
+  PictureSettings s = wide(200);
+  s.shading = Shading::Gouraud;
+  const Scanline line = scanlineOf(picture, s, 60, 8);
+  EXPECT_EQ(picture.settings(), s);
+  for (const Profile& p : line.profiles) {
+    s.shading = p.method;
+    picture.make(s);
+    IndexImage image;
+    picture.paint(image, 8);
+    EXPECT_TRUE(std::equal(p.cells.begin(), p.cells.end(), image.row(60), image.row(61)));
+  }
+  EXPECT_NE(line.profiles[0].cells, line.profiles[1].cells);
+}
+
+// The default is the middle row, unless it shows nothing.
+TEST(Profile, DefaultScanlineShowsSomething) {
+  Mesh m;
+  m.points = {{-1, 0.5, 0}, {1, 0.5, 0}, {0, 0.9, 0}};
+  const int triangle[] = {0, 1, 2};
+  m.addFace(triangle, 0);
+  Picture above{makeScene("above", m, UpAxis::Y)};
+  PictureSettings s = wide(100);
+  s.camera.parallel = true;
+  s.camera.eye = glm::dvec3{0, 0, 3};
+  s.camera.lookAt = glm::dvec3{0};
+  s.camera.height = 1.0;  // of the mesh's units: the triangle spans rows 0 to ...
+  above.make(s);
+  const SeenRows middle = above.seen(25, 26);
+  const SeenRows chosen = above.seen(defaultScanline(above), defaultScanline(above) + 1);
+  const auto shown = [](const SeenRows& r) {
+    return std::ranges::count_if(r.faces, [](int f) { return f >= 0; });
+  };
+  EXPECT_EQ(shown(middle), 0);
+  EXPECT_GT(shown(chosen), 10);
+  Picture teapot{readScene("teapot", 3)};
+  teapot.make(wide(100));
+  EXPECT_EQ(defaultScanline(teapot), 25);
+}
+
+}  // namespace xnewell

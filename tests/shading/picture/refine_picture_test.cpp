@@ -1,0 +1,170 @@
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <random>
+#include <vector>
+
+#include "shading/light/refine.h"
+#include "tests/support/lit_floor.h"
+#include "tests/support/lit_solids.h"
+#include "tests/support/painted_picture.h"
+
+namespace xnewell {
+
+// What refined polygons show in a picture.
+
+// No crack and no overlap on the screen: every sample is covered exactly as often as by the undivided scene,
+// and in closed solids in pairs. Random triangles, too, which have borders.
+TEST(RefinePicture, CoversEachSampleAsBefore) {
+  long long samples = 0, more = 0;
+  for (unsigned seed = 0; seed < 40; ++seed) {
+    SCOPED_TRACE(seed);
+    PictureSettings s;
+    s.width = 240, s.height = 180;
+    s.shading = kMethods[seed / 5 % 2];
+    const bool soup = seed % 7 == 6;
+    Picture picture{litAtRandom(soup ? triangleSoup(20, 0.5, seed) : solid(seed), s.light, seed)};
+    s.camera.parallel = seed % 3 == 0;
+    picture.make(s);
+    s.camera = moved(s.camera, picture.camera(), 17.0 * seed, 7.0 * seed - 100, 1.3);
+    picture.make(s);
+    const std::vector<int> before = timesPainted(picture.snapped(), s.width, s.height);
+    const int polygons = picture.snapped().polygons;
+    s.adapt = 0.05;
+    picture.make(s);
+    ASSERT_EQ(timesPainted(picture.snapped(), s.width, s.height), before);
+    for (const int n : before) {
+      if (!soup) {
+        ASSERT_EQ(n % 2, 0);
+      }
+      samples += n > 0;
+    }
+    more += picture.snapped().polygons - polygons;
+  }
+  EXPECT_GT(samples, 300'000);
+  EXPECT_GT(more, 5'000);
+}
+
+// What is painted comes near to per-pixel shading: nowhere on the floor is a cell further off than the
+// tolerance and its own rounding, but where a rim passes between samples; undivided many are. With a texture,
+// too.
+TEST(RefinePicture, PaintsWhatPixelsShow) {
+  constexpr double kTolerance = 0.05;
+  for (const Shading method : kMethods)
+    for (const bool textured : {false, true}) {
+      SCOPED_TRACE(textured);
+      Scene scene = underSpot(floorOf(8));
+      if (textured) {
+        Texture stripes;
+        stripes.width = 32, stripes.height = 1;
+        for (int k = 0; k < 32; ++k) stripes.gray.push_back(k % 2 ? 255 : 100);
+        stripes.channel = {stripes.gray, stripes.gray, stripes.gray};
+        wear(scene, stripes);
+      }
+      PictureSettings s = fromAbove(scene, Shading::Phong);
+      s.table.kind = TableKind::Linear;
+      Picture picture{scene};
+      const IndexImage exact = painted(picture, s);
+      const auto farOff = [&](double adapt) {
+        s.shading = method;
+        s.adapt = adapt;
+        const IndexImage image = painted(picture, s);
+        int count = 0;
+        for (std::size_t k = 0; k < image.pixels.size(); ++k)
+          count += std::abs(image.pixels[k] - exact.pixels[k]) > 240 * kTolerance + 1;
+        return count;
+      };
+      EXPECT_GT(farOff(0.0), 5'000);
+      EXPECT_LT(farOff(kTolerance), 50);
+    }
+}
+
+// Which face is seen where is not changed, and the depth sort stays exact: it paints what the oracle sees,
+// in every pixel.
+TEST(RefinePicture, KeepsFacesAndOrder) {
+  int divided = 0, samples = 0;
+  for (const char* const name : {"penetrate", "cycle", "decals", "room"})
+    for (const Shading method : kMethods) {
+      SCOPED_TRACE(name);
+      Scene scene = readScene(name);
+      const Mesh& mesh = scene.mesh;
+      glm::dvec3 centre{0};
+      for (const glm::dvec3& p : mesh.points) centre += p / double(mesh.points.size());
+      PictureSettings s;
+      s.width = 320, s.height = 240;
+      s.shading = method;
+      Picture plain{scene};
+      plain.make(s);
+      const glm::dvec3 eye = plain.camera().eye;
+      scene.light.lights = {
+          {.kind = LightKind::Spot, .direction = centre - eye, .position = eye, .inner = 3, .outer = 6}};
+      Picture picture{scene};
+      picture.make(s);
+      const std::vector<std::uint32_t> ids = picture.faceImage();
+      const int polygons = picture.snapped().polygons;
+      s.adapt = 0.05;
+      const IndexImage image = painted(picture, s);
+      EXPECT_EQ(picture.faceImage(), ids);
+      EXPECT_EQ(picture.exactness().wrong, 0);
+      samples += picture.exactness().samples;
+      divided += picture.snapped().polygons > polygons;
+      s.order = Order::Oracle;
+      EXPECT_EQ(painted(picture, s), image);
+    }
+  EXPECT_EQ(divided, 8);
+  EXPECT_GT(samples, 100'000);
+}
+
+// Keeping results is invisible: whatever changes, the picture is the one made afresh. What divides nothing
+// costs nothing: without a tolerance there are no refined polygons, and after a new table none are made anew.
+TEST(RefinePicture, IsMadeAgainWhenItMust) {
+  std::mt19937 rng{1984};
+  PictureSettings s = withHighlight(fromAbove(underSpot(floorOf(3)), Shading::Gouraud));
+  s.width = s.height = 100;
+  Picture kept{underSpot(floorOf(3))};
+  int divided = 0;
+  for (int trial = 0; trial < 150; ++trial) {
+    SCOPED_TRACE(trial);
+    switch (rng() % 7) {
+      case 0:
+        s.adapt = std::array{0.0, 0.1, 0.03}[rng() % 3];
+        break;
+      case 1:
+        s.shading = kShadings[rng() % 6].id;
+        break;
+      case 2:
+        s.light.kd = static_cast<double>(rng() % 100) / 100;
+        break;
+      case 3:
+        s.camera = moved(s.camera, kept.camera(), 20, 3, 1.02);
+        break;
+      case 4:
+        s.light.ks = rng() % 2 ? 0.5 : 0.0;
+        break;
+      case 5:
+        s.normals = kNormalRules[rng() % 5].id;
+        break;
+      default:
+        s.order = kOrders[rng() % 4].id;
+    }
+    const IndexImage image = painted(kept, s);
+    Picture fresh{underSpot(floorOf(3))};
+    ASSERT_EQ(image, painted(fresh, s));
+    const bool asked = s.adapt > 0 && (s.shading == Shading::Flat || s.shading == Shading::Gouraud);
+    ASSERT_EQ(kept.shading().refined().has_value(), asked);
+    if (asked) {
+      ASSERT_EQ(kept.snapped().polygons, kept.shading().refined()->pieces.count());
+      divided += kept.snapped().polygons > 9;
+    }
+  }
+  EXPECT_GT(divided, 20);
+  s.shading = Shading::Gouraud;
+  s.adapt = 0.05;
+  kept.make(s);
+  s.table.kind = TableKind::Brief;
+  kept.make(s);
+  EXPECT_EQ(kept.times().transform, 0);
+}
+
+}  // namespace xnewell

@@ -1,0 +1,151 @@
+#include <gtest/gtest.h>
+
+#include "tests/support/doubt.h"
+#include "tests/support/model_view.h"
+#include "tests/support/painted.h"
+#include "tests/support/seeds.h"
+
+namespace xnewell {
+
+namespace {
+
+constexpr int kWidth = 96, kHeight = 72;
+
+/// What was seen of one kind of view.
+struct Tally {
+  long certain = 0, doubtful = 0, culled = 0, clipped = 0, splits = 0, contacts = 0;
+};
+
+}  // namespace
+
+// The picture of every scene in data/ is the oracle's in every sample that is not doubtful, and where one is
+// doubtful the painted face may touch the one on top: from any side and from within, in every projection,
+// with back faces and without, as the program sorts and as the textbook does.
+TEST(Model, PaintsWhatTheOracleSees) {
+  const Seeds seeds{96};
+  std::array<Tally, kSeen.size()> tallies;
+  for (const BuiltInScene& scene : builtInScenes()) {
+    SCOPED_TRACE(scene.name);
+    Picture picture{readScene(scene.name, 6)};
+    for (unsigned seed = seeds.from; seed < seeds.end; ++seed) {
+      SCOPED_TRACE(seed);
+      Tally& tally = tallies[seed % kSeen.size()];
+      picture.make(randomView(picture.scene(), seed, kWidth, kHeight));
+      const SnappedScene& snapped = picture.snapped();
+      tally.culled += snapped.culled;
+      tally.clipped += snapped.outside;
+      const std::vector<int> seen = visibleFaces(snapped, kWidth, kHeight);
+      const std::vector<char> doubt = doubtful(snapped, seen, kWidth, kHeight);
+      for (const bool textbook : {false, true}) {
+        SCOPED_TRACE(textbook ? "textbook" : "quick");
+        const SortedScene sorted = textbook ? depthSort(snapped, {kWidth, kHeight, true}) : picture.sorted();
+        const std::vector<int> shown = painted(snapped, sorted, kWidth, kHeight);
+        for (int k = 0; k < kWidth * kHeight; ++k) {
+          if (shown[k] != seen[k]) {
+            ASSERT_TRUE(doubt[k]) << "sample " << k % kWidth << ", " << k / kWidth;
+            ASSERT_NE(shown[k], kNothing);
+            ASSERT_TRUE(mayTouch(snapped, shown[k], seen[k], k, kWidth));
+          }
+          tally.certain += seen[k] != kNothing && !doubt[k];
+          tally.doubtful += doubt[k];
+        }
+        tally.splits += sorted.statistics.splits;
+        tally.contacts += sorted.statistics.contacts;
+      }
+    }
+  }
+  if (!seeds.all()) return;
+  for (const SeenRow& row : kSeen) {
+    SCOPED_TRACE(row.name);
+    const Tally& tally = tallies[static_cast<int>(row.id)];
+    EXPECT_GT(tally.certain, 500'000);
+    EXPECT_GT(tally.doubtful, 100);
+    EXPECT_GT(tally.culled, 1'000);
+    EXPECT_GT(tally.splits, 5'000);
+    EXPECT_GT(tally.contacts, 10);
+  }
+  EXPECT_GT(tallies[static_cast<int>(Seen::Inside)].clipped, 3'000);
+}
+
+// Plates that pass through each other and the eye's surroundings, where rounding tells most: near the eye it
+// moves a plate by whole pixels, but none of that reaches what is seen far away.
+TEST(Model, WhatIsNearTheEyeLeavesNoDoubtAboutTheRest) {
+  long samples = 0, near = 0, splits = 0;
+  for (const char* name : {"penetrate", "crossing-sheets"}) {
+    SCOPED_TRACE(name);
+    Picture picture{readScene(name)};
+    for (unsigned seed = static_cast<unsigned>(Seen::Inside); seed < 400; seed += kSeen.size()) {
+      SCOPED_TRACE(seed);
+      PictureSettings s = randomView(picture.scene(), seed, kWidth, kHeight);
+      s.cull = Cull::Keep;
+      picture.make(s);
+      const SnappedScene& snapped = picture.snapped();
+      const std::vector<int> seen = visibleFaces(snapped, kWidth, kHeight);
+      EXPECT_EQ(painted(snapped, picture.sorted(), kWidth, kHeight), seen);
+      samples += std::ranges::count_if(seen, [](int face) { return face != kNothing; });
+      splits += picture.sorted().statistics.splits;
+      near += std::ranges::count_if(snapped.faces, [&](const SnappedFace& face) {
+        const auto first = snapped.vertices.begin() + face.first;
+        return std::any_of(first, first + face.count,
+                           [&](const glm::ivec3& v) { return face.doubt.at(v.z) > kGrid >> snapped.zShift; });
+      });
+    }
+  }
+  EXPECT_GT(samples, 500'000);
+  EXPECT_GT(near, 100);
+  EXPECT_GT(splits, 500);
+}
+
+// A split changes no shading: in every shading each pixel has the colour of its face, in the painter's
+// picture and in the oracle's, and that is the cell of the face's stored intensity, whatever piece shows it.
+TEST(Model, PiecesHaveTheColorOfTheirFace) {
+  const Seeds seeds{24};
+  long ofPieces = 0, same = 0;
+  std::vector<int> colors(256, 0);
+  for (const char* name : {"teapot", "tori", "cycle", "pinwheels", "slivers"}) {
+    SCOPED_TRACE(name);
+    Picture newell{readScene(name, 6)}, oracle{newell.scene()};
+    for (const ShadingRow& shading : kShadings)
+      for (unsigned seed = seeds.from; seed < seeds.end; ++seed) {
+        SCOPED_TRACE(seed);
+        PictureSettings s = randomView(newell.scene(), seed, kWidth, kHeight);
+        s.shading = shading.id;
+        newell.make(s);
+        s.order = Order::Oracle;
+        oracle.make(s);
+        IndexImage image, exact;
+        newell.paint(image, 0);
+        oracle.paint(exact, 0);
+        const SnappedScene& snapped = newell.snapped();
+        const ColorTable table{s.table};
+        const std::vector<std::uint32_t> shown = newell.faceImage(), seen = oracle.faceImage();
+        std::vector<int> face = painted(snapped, newell.sorted(), kWidth, kHeight);
+        for (int k = 0; k < kWidth * kHeight; ++k) {
+          if (face[k] == kNothing) continue;
+          const SnappedFace& f = snapped.faces[face[k]];
+          if (shading.id == Shading::Full) {
+            ASSERT_EQ(image.pixels[k], table.cell(1.0));
+          } else if (shading.id == Shading::Flat) {
+            const Sides<double>& I = oracle.shading().shades(0).I[f.number];
+            ASSERT_EQ(image.pixels[k], table.cell(f.back ? I.back : I.front));
+          }
+          ASSERT_EQ(shown[k], f.number + 1u);
+          if (shown[k] != seen[k]) continue;
+          ASSERT_EQ(image.pixels[k], exact.pixels[k]);
+          ++same;
+          ++colors[image.pixels[k]];
+        }
+        for (const Fragment& fragment : newell.sorted().fragments)
+          if (fragment.piece >= 0)
+            forEachSpan(snapped, newell.sorted(), fragment, kWidth, kHeight, [&](int row, int from, int to) {
+              for (int i = from; i < to; ++i) ofPieces += face[row * kWidth + i] == fragment.face;
+            });
+      }
+  }
+  if (!seeds.all()) return;
+  EXPECT_GT(ofPieces, 5'000);
+  EXPECT_GT(same, 100'000);
+  EXPECT_GT(std::ranges::count_if(colors, [](int n) { return n > 0; }), 100);
+}
+
+}  // namespace xnewell

@@ -1,0 +1,409 @@
+#include "shading/scene/scene_file.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <filesystem>
+#include <glm/geometric.hpp>
+
+#include "geometry/files/parse_error.h"
+#include "geometry/model/solids.h"
+#include "shading/color/png.h"
+#include "tests/support/scene_text.h"
+#include "tests/support/temporary_folder.h"
+
+namespace xnewell {
+
+namespace {
+
+glm::dvec3 inFile(const Scene& scene, glm::dvec3 p) {
+  for (int k = 0; k < 3; ++k) p[k] = std::ldexp(p[k], scene.exponent);
+  return p;
+}
+
+}  // namespace
+
+// Faces are numbered object by object, corners at one place are one vertex, names become groups.
+TEST(SceneFile, ObjectByObject) {
+  const Scene s = parsed(R"({"up": "z", "objects": [
+    {"name": "floor", "polygons": [[[0,0,0],[4,0,0],[4,4,0],[0,4,0]], [[0,0,0],[0,4,0],[0,4,3]]]},
+    {"name": "pot", "file": "teapot.bpt", "divisions": 2, "scale": 0.5, "move": [2, 2, 0]},
+    {"solid": "cube", "color": [0.5, 0.25, 1]}]})");
+  EXPECT_EQ(s.up, UpAxis::Z);
+  EXPECT_EQ(s.mesh.faceCount(), 2 + 32 * 4 + 6);
+  EXPECT_EQ(s.mesh.face(0)[0], s.mesh.face(1)[0]);
+  EXPECT_EQ(s.mesh.groupNames[s.mesh.group[1]], "floor");
+  EXPECT_EQ(s.mesh.groupNames[s.mesh.group[2]], "pot");
+  EXPECT_EQ(s.mesh.groupNames[s.mesh.group[129]], "pot");
+  EXPECT_EQ(s.mesh.material[129], -1);
+  EXPECT_EQ(s.mesh.materials[s.mesh.material[130]].diffuse, glm::dvec3(0.5, 0.25, 1));
+}
+
+// Scale, then move; the scene is normalised by a power of two, so file coordinates come back exactly.
+TEST(SceneFile, ScaleThenMove) {
+  const Scene s = parsed(withObject(R"({"solid": "cube", "scale": 2, "move": [10, 0, 0]})"));
+  double low = 1e9, high = -1e9;
+  for (const glm::dvec3& p : s.mesh.points) {
+    low = std::min(low, std::ldexp(p.x, s.exponent));
+    high = std::max(high, std::ldexp(p.x, s.exponent));
+  }
+  EXPECT_EQ(low, 8);
+  EXPECT_EQ(high, 12);
+}
+
+// The rounding of inline polygons is half a unit of the last decimal in their text, and of nothing else.
+TEST(SceneFile, RoundingFromTheTextOfPolygons) {
+  const auto rounding = [](const std::string& text) {
+    const Scene s = parsed(text);
+    return std::ldexp(s.mesh.roundingOf(0), s.exponent);
+  };
+  EXPECT_EQ(rounding(withObject(R"({"polygons": [[[0.25, 0, 0], [1.5, 0, 0], [0, 1, 0]]]})")), 0.5 / 10 / 10);
+  EXPECT_EQ(rounding(withObject(
+                R"({"polygons": [[[0.250, 0, 0], [1, 0, 0], [0, 1, 0]]], "color": [0.12345, 0, 0]})")),
+            0.5 / 10 / 10 / 10);
+  EXPECT_EQ(rounding(withObject(R"({"solid": "cube", "move": [0.12345, 0, 0]})")), 0);
+  // The choice of that name is none.
+  EXPECT_EQ(rounding(R"({"shading": {"polygons": "rows", "light": [0.12345, 0, 1]}, "objects": [
+    {"polygons": [[[0.25, 0, 0], [1.5, 0, 0], [0, 1, 0]]]}]})"),
+            0.5 / 10 / 10);
+}
+
+// Every object keeps the rounding of its own coordinates, scaled with it; a solid's are exact.
+TEST(SceneFile, RoundingByObject) {
+  const std::string polygons = R"("polygons": [[[0.25, 0, 0], [1.5, 0, 0], [0, 1, 0]]])";
+  const Scene s = parsed(R"({"objects": [{"solid": "cube"}, {)" + polygons + R"(, "scale": 4}, {)" +
+                         polygons + R"(, "name": "last"}, {"solid": "cube"}]})");
+  const auto rounding = [&](int f) { return std::ldexp(s.mesh.roundingOf(f), s.exponent); };
+  ASSERT_EQ(s.mesh.faceCount(), 14);
+  EXPECT_EQ(rounding(5), 0);
+  EXPECT_EQ(rounding(6), 4 * (0.5 / 10 / 10));
+  EXPECT_EQ(rounding(7), 0.5 / 10 / 10);
+  EXPECT_EQ(rounding(8), 0);
+}
+
+// First scaled, then turned about x, y and z one after the other, then moved: exactly, where the turn is by
+// quarters.
+TEST(SceneFile, TransformsInTheirOrder) {
+  const auto first = [](const std::string& object) {
+    const Scene s =
+        parsed(withObject(R"({"polygons": [[[1, 2, 3], [4, 0, 0], [0, 5, 0]]], )" + object + "}"));
+    return inFile(s, s.mesh.points[0]);
+  };
+  EXPECT_EQ(first(R"("scale": [2, 3, 4])"), glm::dvec3(2, 6, 12));
+  EXPECT_EQ(first(R"("rotate": [90, 0, 0])"), glm::dvec3(1, -3, 2));
+  EXPECT_EQ(first(R"("rotate": [0, 90, 0])"), glm::dvec3(3, 2, -1));
+  EXPECT_EQ(first(R"("rotate": [0, 0, 90])"), glm::dvec3(-2, 1, 3));
+  EXPECT_EQ(first(R"("rotate": [90, 0, 90])"), glm::dvec3(3, 1, 2));  // (1, -3, 2), then about z
+  EXPECT_EQ(first(R"("scale": [2, 1, 1], "rotate": [0, 0, -90], "move": [0, 10, 100])"),
+            glm::dvec3(2, 10 - 2, 103));
+  const glm::dvec3 turned = first(R"("rotate": {"axis": [2, 2, 2], "degrees": 120})");  // x to y to z
+  EXPECT_LT(glm::length(turned - glm::dvec3(3, 1, 2)), 1e-14);
+  EXPECT_EQ(first(R"("rotate": {"axis": [0, 0, 7], "degrees": 90})"), first(R"("rotate": [0, 0, 90])"));
+}
+
+// Polygons that are flat in the file stay flat however they are turned: none is cut into triangles.
+TEST(SceneFile, TurnedPolygonsStayFlat) {
+  for (int k = 1; k < 60; ++k) {
+    const std::string degrees = std::to_string(k);
+    const Scene s = parsed(R"({"objects": [{"solid": "cube", "scale": [3, 0.7, 1], "rotate": [)" + degrees +
+                           ", " + std::to_string(7 * k) + R"(, 11.3], "move": [40, 3, 0]}]})");
+    EXPECT_EQ(s.pieces.count(), 6) << k;
+  }
+}
+
+// Patches are transformed before they are divided: their exact normals are those of what is seen, and their
+// points those of the transformed surface.
+TEST(SceneFile, PatchesAreTransformedThemselves) {
+  const Scene s = parsed(R"({"up": "z", "objects": [{"solid": "cube"},
+    {"file": "teapot.bpt", "scale": [3, 1, 0.5], "rotate": [20, 30, 40], "move": [1, 2, 3], "divisions": 24}]})");
+  ASSERT_EQ(s.patches.size(), 1u);
+  EXPECT_EQ(s.patches[0].firstCorner, 24);
+  EXPECT_EQ(s.divisions, 24);
+  const std::vector<glm::dvec3> exact = exactNormals(s);
+  ASSERT_EQ(exact.size(), s.mesh.corners.size());
+  int compared = 0, apart = 0;
+  for (int f = 6; f < s.mesh.faceCount(); ++f) {
+    const auto face = s.mesh.face(f);
+    const glm::dvec3 a = s.mesh.points[face[0]], b = s.mesh.points[face[1]], c = s.mesh.points[face[2]];
+    const glm::dvec3 N = glm::cross(b - a, c - a);
+    if (glm::length(N) < 1e-9) continue;
+    ++compared;
+    apart += glm::dot(glm::normalize(N), exact[s.mesh.firstCorner[f]]) < 0.9;
+  }
+  EXPECT_GT(compared, 18'000);
+  EXPECT_LT(apart, compared / 100);  // but for the small faces at the poles and at the spout's tip
+}
+
+// The command line's divisions are for patches that do not say theirs.
+TEST(SceneFile, DivisionsOfPatches) {
+  const auto faces = [](const std::string& said, int divisions) {
+    const Scene s =
+        parseSceneFile(withObject(R"({"file": "teapot.bpt")" + said + "}"), "s.json", kData, divisions);
+    return s.mesh.faceCount();
+  };
+  EXPECT_EQ(faces("", 3), 32 * 9);
+  EXPECT_EQ(faces(R"(, "divisions": 2)", 3), 32 * 4);
+  EXPECT_EQ(
+      parsed(R"({"objects": [{"file": "teapot.bpt", "divisions": 2}, {"file": "teapot.bpt"}]})").divisions,
+      0);
+}
+
+// Texture coordinates follow their object, whatever comes before and after it; corners without any have none.
+TEST(SceneFile, TextureCoordinatesOfEachObject) {
+  const Scene s = parsed(R"({"objects": [
+    {"polygons": [[[0,0,0],[1,0,0],[0,1,0]]]},
+    {"solid": "cube"},
+    {"polygons": [[[0,0,1],[1,0,1],[0,1,1]]], "uv": [[[0.25, 0.5], [2, 0.5], [0.25, -3]]]},
+    {"polygons": [[[0,0,2],[1,0,2],[0,1,2]]]}]})");
+  ASSERT_EQ(s.mesh.uvOfCorner.size(), s.mesh.corners.size());
+  const auto uv = [&](int face, int corner) {
+    const int k = s.mesh.uvOfCorner[s.mesh.firstCorner[face] + corner];
+    return k < 0 ? glm::dvec2{-99} : s.mesh.uv[k];
+  };
+  EXPECT_EQ(uv(0, 0), glm::dvec2{-99});
+  const Mesh alone = cube();
+  for (int f = 0; f < 6; ++f)
+    for (int c = 0; c < 4; ++c) EXPECT_EQ(uv(1 + f, c), alone.uv[alone.uvOfCorner[4 * f + c]]);
+  EXPECT_EQ(uv(7, 0), glm::dvec2(0.25, 0.5));
+  EXPECT_EQ(uv(7, 2), glm::dvec2(0.25, -3));
+  EXPECT_EQ(uv(8, 0), glm::dvec2{-99});
+}
+
+// An object wears the material that it names, once however many objects name it; what a material does not say
+// is the user's to choose.
+TEST(SceneFile, Materials) {
+  const Scene s = parsed(R"({"materials": {
+      "unused": {"color": [0, 0, 1]},
+      "brass": {"color255": [255, 0, 51], "specular": [1, 0.5, 0], "ka": 0.25, "kd": 0.5, "ks": 1, "n": 80},
+      "chalk": {"ks": 0}},
+    "objects": [{"solid": "cube", "material": "brass"}, {"solid": "cube"}, {"solid": "cube", "material": "brass"},
+                {"solid": "cube", "material": "chalk"}]})");
+  ASSERT_EQ(s.mesh.materials.size(), 2u);
+  const MeshMaterial& brass = s.mesh.materials[s.mesh.material[0]];
+  EXPECT_EQ(brass.name, "brass");
+  EXPECT_EQ(brass.diffuse, glm::dvec3(1, 0, 0.2));
+  EXPECT_EQ(brass.specular, glm::dvec3(1, 0.5, 0));
+  EXPECT_EQ(brass.ka, 0.25);
+  EXPECT_EQ(brass.kd, 0.5);
+  EXPECT_EQ(brass.ks, 1);
+  EXPECT_EQ(brass.n, 80);
+  EXPECT_EQ(s.mesh.material[6], -1);
+  EXPECT_EQ(s.mesh.material[12], s.mesh.material[0]);
+  const MeshMaterial& chalk = s.mesh.materials[s.mesh.material[18]];
+  EXPECT_EQ(chalk.ks, 0);
+  EXPECT_FALSE(chalk.ka || chalk.kd || chalk.n);
+}
+
+// Textures lie beside the scene file, each read once; an object without texture coordinates cannot wear one.
+TEST(SceneFile, TexturesOfMaterials) {
+  const TemporaryFolder folder;
+  RgbImage image{2, 1};
+  image.rgb = {10, 20, 30, 40, 50, 60};
+  writePng(folder.file("t.png"), image);
+  const auto read = [&](const std::string& objects) {
+    return parseSceneFile(
+        R"({"materials": {"a": {"texture": "t.png"}, "b": {"texture": "t.png", "ks": 0}, "c": {},
+      "gone": {"texture": "no.png"}}, "objects": [)" +
+            objects + "]}",
+        "s.json", folder.file(""));
+  };
+  const Scene s = read(R"({"solid": "cube", "material": "c"}, {"solid": "cube", "material": "b"},
+                          {"solid": "torus", "material": "a"})");
+  ASSERT_EQ(s.textures.size(), 1u);
+  EXPECT_EQ(s.textures[0].width, 2);
+  EXPECT_EQ(s.textures[0].channel[2][1], 60);
+  EXPECT_EQ(s.mesh.materials[s.mesh.material[0]].texture, -1);
+  EXPECT_EQ(s.mesh.materials[s.mesh.material[6]].texture, 0);
+  EXPECT_EQ(s.mesh.materials[s.mesh.material[12]].texture, 0);
+  EXPECT_THROW((void)read(kTriangle.substr(0, kTriangle.size() - 1) + R"(, "material": "a"})"), ParseError);
+  try {
+    (void)read(R"({"solid": "cube", "material": "gone"})");
+    ADD_FAILURE() << "a texture that is not there";
+  } catch (const std::system_error& e) {
+    EXPECT_EQ(std::string{e.what()}, "s.json: materials.gone.texture: 'no.png': No such file or directory");
+  }
+}
+
+// Lights of each kind, lengths in the scene's units: a triangle of size 1 is kept at half its size.
+TEST(SceneFile, Lights) {
+  const Scene s = parsed(withTriangle(R"("up": "z", "ambient": [0.1, 0.2, 0.3], "lights": [
+    {"Ip": 0.25, "towards": [0, 0, 5]},
+    {"kind": "point", "color": [0.1, 0, 0.2], "at": [1, 2, 3], "attenuation": "linear", "range": 8},
+    {"kind": "spot", "Ip": 0, "at": [0, 0, 4], "shines": [0, 1, -1], "inner": 5, "outer": 30, "falloff": 3,
+     "attenuation": "textbook", "c": [1, 2, 4]},
+    {"kind": "spot", "Ip": 0, "at": [0, 0, 4], "look_at": [1, 0, 0], "attenuation": "inverse-square"}])"));
+  ASSERT_EQ(s.exponent, 1);
+  EXPECT_EQ(s.light.Ia, glm::dvec3(0.1, 0.2, 0.3));
+  EXPECT_EQ(s.light.unit, 0.5);
+  ASSERT_EQ(s.light.lights.size(), 4u);
+  const std::vector<Light>& l = s.light.lights;
+  EXPECT_EQ(l[0].kind, LightKind::Directional);
+  EXPECT_EQ(l[0].Ip, glm::dvec3{0.25});
+  EXPECT_EQ(l[0].direction, glm::dvec3(0, 0, 5));
+  EXPECT_EQ(l[1].kind, LightKind::Point);
+  EXPECT_EQ(l[1].Ip, glm::dvec3(0.1, 0, 0.2));
+  EXPECT_EQ(l[1].position, glm::dvec3(0.5, 1, 1.5));
+  EXPECT_EQ(l[1].attenuation, Attenuation::Linear);
+  EXPECT_EQ(l[1].range, 4);
+  EXPECT_EQ(l[2].kind, LightKind::Spot);
+  EXPECT_EQ(l[2].direction, glm::dvec3(0, 1, -1));
+  EXPECT_EQ(l[2].inner, 5);
+  EXPECT_EQ(l[2].outer, 30);
+  EXPECT_EQ(l[2].falloff, 3);
+  EXPECT_EQ(l[2].c, glm::dvec3(1, 4, 16));  // so that c2 d and c3 d^2 are as they were
+  EXPECT_EQ(l[3].direction, glm::dvec3(0.5, 0, -2));
+  EXPECT_EQ(l[3].attenuation, Attenuation::InverseSquare);
+}
+
+// What a light does not say: it comes from the upper left, a spot looks at the scene's centre, intensities
+// are shared.
+TEST(SceneFile, LightsThatSayLittle) {
+  const Scene one = parsed(withTriangle(R"("up": "z", "lights": [{}])"));
+  EXPECT_EQ(one.light.lights.at(0), (Light{.Ip = glm::dvec3{0.7}, .direction = defaultLight(UpAxis::Z)}));
+  EXPECT_FALSE(one.light.Ia.has_value());
+  EXPECT_EQ(one.settings.light.Ia, 0.2);
+
+  const Scene shared = parsed(withTriangle(R"("ambient": 0.25, "lights": [{}, {"Ip": [0.5, 0, 0]}, {}])"));
+  EXPECT_EQ(shared.light.lights.at(0).Ip, glm::dvec3{0.125});
+  EXPECT_EQ(shared.light.lights.at(2).Ip, glm::dvec3{0.125});
+
+  const Scene spot = parsed(withTriangle(R"("lights": [{"kind": "spot", "at": [0.5, 0.5, 4], "outer": 9,
+    "attenuation": "textbook"}, {"kind": "spot", "at": [0.5, 0.5, 4], "inner": 40, "attenuation": "linear"}])"));
+  const Light& light = spot.light.lights.at(0);
+  EXPECT_EQ(light.direction, glm::dvec3(0, 0, -2));
+  EXPECT_EQ(light.inner, 9);
+  EXPECT_EQ(light.c, glm::dvec3(1, 0, 0.25));  // 1/2 at the centre
+  EXPECT_EQ(spot.light.lights.at(1).outer, 40);
+  EXPECT_EQ(spot.light.lights.at(1).range, 4);  // 1/2 at the centre
+
+  // What the scene's own light leaves is the most that is the user's.
+  EXPECT_NEAR(parsed(withTriangle(R"("ambient": [0.2, 0.6, 0])")).settings.light.Ip, 0.4, 1e-15);
+  EXPECT_NEAR(parsed(withTriangle(R"("lights": [{"Ip": 0.95}])")).settings.light.Ia, 0.05, 1e-15);
+}
+
+// Ia + the sum of Ip may be 1, as decimals add up, and no more, each channel by itself.
+TEST(SceneFile, IntensitiesSumToOne) {
+  EXPECT_GT(0.05 + 0.55 + 0.3 + 0.1, 1.0);  // in doubles
+  EXPECT_EQ(complaint(withTriangle(R"("ambient": 0.05, "lights": [{"Ip": 0.55}, {"Ip": 0.3}, {"Ip": 0.1}])")),
+            "no complaint");
+  EXPECT_EQ(
+      complaint(withTriangle(R"("ambient": 0.1, "lights": [{"Ip": [0, 0.9, 0]}, {"Ip": [0.9, 0, 0.9]}])")),
+      "no complaint");
+  EXPECT_EQ(complaint(withTriangle(R"("ambient": [0, 0.1, 0], "lights": [{"Ip": 0.95}])")),
+            "s.json: Ia + the sum of Ip is 1.05 in green; it must not exceed 1");
+  EXPECT_EQ(complaint(R"({"ambient": 0.9, "shading": {"Ip": 0.9}, "objects": [{"solid": "cube"}]})"),
+            "s.json: shading.Ip: Ia + the sum of Ip is 1.8 in red; it must not exceed 1");
+  EXPECT_EQ(complaint(R"({"lights": [{"Ip": 0.8}], "shading": {"Ia": 0.3}, "objects": [{"solid": "cube"}]})"),
+            "s.json: shading.Ia: Ia + the sum of Ip is 1.1 in red; it must not exceed 1");
+}
+
+// Everything that a scene can ask for, each by the name that the command line has for it.
+TEST(SceneFile, Choices) {
+  const auto asked = [](const std::string& shading) {
+    return parsed(withTriangle(R"("up": "z", "shading": )" + shading)).settings;
+  };
+  PictureSettings none;
+  none.light.light = defaultLight(UpAxis::Z);
+  EXPECT_EQ(asked("{}"), none);
+  const auto quoted = [](std::string_view name) { return "\"" + std::string{name} + "\"}"; };
+  for (const auto& row : kShadings) EXPECT_EQ(asked(R"({"method": )" + quoted(row.name)).shading, row.id);
+  for (const auto& row : kNormalRules) EXPECT_EQ(asked(R"({"normals": )" + quoted(row.name)).normals, row.id);
+  for (const auto& row : kPolygons) EXPECT_EQ(asked(R"({"polygons": )" + quoted(row.name)).polygons, row.id);
+  for (const auto& row : kForms) EXPECT_EQ(asked(R"({"form": )" + quoted(row.name)).light.form, row.id);
+  for (const auto& row : kEnvironmentForms)
+    EXPECT_EQ(asked(R"({"environment": )" + quoted(row.name)).environment, row.id);
+  for (const auto& row : kTextureMappings)
+    EXPECT_EQ(asked(R"({"mapping": )" + quoted(row.name)).mapping, row.id);
+  for (const auto& row : kOrders) EXPECT_EQ(asked(R"({"order": )" + quoted(row.name)).order, row.id);
+  for (const auto& row : kColorPlans) EXPECT_EQ(asked(R"({"colors": )" + quoted(row.name)).colors, row.id);
+  for (const auto& row : kTables)
+    EXPECT_EQ(asked(R"({"table": {"kind": )" + quoted(row.name) + "}").table.kind, row.id);
+  for (const auto& row : kPicks)
+    EXPECT_EQ(asked(R"({"table": {"pick": )" + quoted(row.name) + "}").table.pick, row.id);
+
+  const PictureSettings s =
+      asked(R"({"crease": 30, "dither": true, "Ia": 0.1, "Ip": 0.8, "ka": 0.3, "kd": 0.4,
+    "ks": 0.5, "n": 7, "light": [1, 2, 3], "table": {"shades": 64, "i0": 0.05, "hue": [0.5, 1, 0], "bits": 8}})");
+  PictureSettings expected;
+  expected.crease = 30;
+  expected.dither = true;
+  expected.light = {.Ia = 0.1, .Ip = 0.8, .ka = 0.3, .kd = 0.4, .ks = 0.5, .n = 7, .light = {1, 2, 3}};
+  expected.table.shades = 64;
+  expected.table.I0 = 0.05;
+  expected.table.hue = {0.5, 1, 0};
+  expected.table.bits = 8;
+  EXPECT_EQ(s, expected);
+  EXPECT_EQ(asked(R"({"Ia": 0.9})").light.Ip, 1.0 - 0.9);  // Ia and Ip push each other
+  EXPECT_EQ(asked(R"({"Ip": 1})").light.Ia, 0);
+}
+
+// A turn brings together the roundings of three axes, and adds some of doubles.
+TEST(SceneFile, RoundingOfTurnedObjects) {
+  const auto rounding = [](const std::string& object) {
+    const Scene s = parsed(withObject(object));
+    return std::ldexp(s.mesh.roundingOf(0), s.exponent);
+  };
+  EXPECT_NEAR(
+      rounding(
+          R"({"polygons": [[[0.25, 0, 0], [1.5, 0, 0], [0, 1, 0]]], "scale": [1, 2, 4], "rotate": [1, 2, 3]})"),
+      4 * std::sqrt(3.0) * 0.005, 1e-14);
+  const double ofDoubles = rounding(R"({"solid": "cube", "rotate": [1, 2, 3]})");
+  EXPECT_GT(ofDoubles, 0x1p-52);
+  EXPECT_LT(ofDoubles, 0x1p-48);
+}
+
+// A camera of each kind.
+TEST(SceneFile, Cameras) {
+  const auto camera = [](const std::string& text) {
+    return parsed(R"({"camera": )" + text + R"(, "objects": [)" + kTriangle + "]}").camera;
+  };
+  const CameraSettings look =
+      camera(R"({"eye": [1, 2, 3], "look_at": [0, 0, 1], "up": [0, 1, 0], "fov": 40})");
+  EXPECT_EQ(look.eye, glm::dvec3(1, 2, 3));
+  EXPECT_EQ(look.lookAt, glm::dvec3(0, 0, 1));
+  EXPECT_EQ(look.fov, 40);
+  const CameraSettings oblique = camera(R"({"parallel": 5, "oblique": {"kind": "cabinet", "angle": 30}})");
+  EXPECT_TRUE(oblique.parallel);
+  EXPECT_EQ(oblique.height, 5);
+  EXPECT_EQ(oblique.oblique, (Oblique{0.5, 30}));
+  const CameraSettings book = camera(
+      R"({"vrp": [0,0,0], "vpn": [0,0,1], "vup": [0,1,0], "prp": [0,0,9], "window": [-1,1,-2,2], "front": 1, "back": -9})");
+  EXPECT_EQ(book.window, glm::dvec4(-1, 1, -2, 2));
+  EXPECT_EQ(book.back, -9);
+}
+
+// What the user says replaces the scene's camera where it says something.
+TEST(SceneFile, SaidCamerasComeFirst) {
+  CameraSettings scene, said;
+  scene.eye = glm::dvec3{1, 2, 3};
+  scene.lookAt = glm::dvec3{0};
+  scene.fov = 50;
+  EXPECT_EQ(completed(said, scene), scene);
+  said.parallel = true;
+  said.height = 2;
+  EXPECT_EQ(completed(said, scene).eye, scene.eye);
+  EXPECT_TRUE(completed(said, scene).parallel);
+  EXPECT_FALSE(completed(said, scene).fov);
+  said.eye = glm::dvec3{7, 7, 7};
+  EXPECT_EQ(completed(said, scene).eye, said.eye);
+  EXPECT_EQ(completed(said, scene).lookAt, scene.lookAt);
+  CameraSettings book;
+  book.vrp = glm::dvec3{0};
+  EXPECT_FALSE(completed(book, scene).eye);
+}
+
+// Every built-in scene says what it shows, has faces and can be read.
+TEST(SceneFile, BuiltInScenes) {
+  const std::vector<BuiltInScene> scenes = builtInScenes();
+  EXPECT_GE(scenes.size(), 15u);
+  for (const BuiltInScene& s : scenes) {
+    SCOPED_TRACE(s.name);
+    EXPECT_TRUE(isBuiltIn(s.name));
+    EXPECT_GT(s.shows.size(), 10u);
+    EXPECT_GT(readScene(s.name).pieces.count(), 1);
+  }
+  EXPECT_FALSE(isBuiltIn("../scenes/room"));
+  EXPECT_FALSE(isBuiltIn("room.json"));
+}
+
+}  // namespace xnewell

@@ -1,0 +1,88 @@
+#pragma once
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdint>
+#include <glm/geometric.hpp>
+#include <vector>
+
+#include "shading/color/index_image.h"
+#include "shading/color/quantize.h"
+#include "shading/color/rgb_image.h"
+
+namespace xnewell {
+
+/// Full-colour pictures to put into cells, and what the cells then show.
+
+struct ColoredPicture {
+  RgbImage rgb;
+  std::vector<std::uint8_t> shows;
+};
+
+/// Seven balls of different hues under a white and a blue light, highlights included, on nothing.
+inline ColoredPicture coloredBalls(int width, int height) {
+  const std::array<glm::dvec3, 7> hues{{{1, 0.15, 0.1},
+                                        {0.9, 0.8, 0.1},
+                                        {0.2, 0.7, 0.2},
+                                        {0.1, 0.3, 1},
+                                        {0.6, 0.2, 0.7},
+                                        {0.9, 0.6, 0.5},
+                                        {0.8, 0.8, 0.8}}};
+  const glm::dvec3 white = glm::normalize(glm::dvec3{-1, -1, 1.5}),
+                   blue = glm::normalize(glm::dvec3{1, 1, 0.3});
+  ColoredPicture picture{RgbImage{width, height}, std::vector<std::uint8_t>(std::size_t(width) * height)};
+  const double radius = 0.49 * std::min(width / 4.0, height / 2.0);
+  for (int j = 0; j < height; ++j)
+    for (int i = 0; i < width; ++i) {
+      // Four balls above, three below.
+      const double x = 4.0 * (i + 0.5) / width, y = 2.0 * (j + 0.5) / height;
+      const int row = static_cast<int>(y);
+      const int column = static_cast<int>(std::max(0.0, x - 0.5 * row));
+      if (column > 3 - row) continue;
+      const double u = (x - 0.5 * row - column - 0.5) * width / 4 / radius;
+      const double v = (y - row - 0.5) * height / 2 / radius, square = u * u + v * v;
+      if (square >= 1) continue;
+      const glm::dvec3 N{u, v, std::sqrt(1 - square)};
+      const double diffuse = std::max(0.0, dot(N, white)), rim = std::max(0.0, dot(N, blue));
+      const double mirrored = std::max(0.0, 2 * dot(N, white) * N.z - white.z);
+      const glm::dvec3 color =
+          hues[4 * row + column] * (0.1 + 0.8 * diffuse + rim * glm::dvec3{0.1, 0.2, 0.6}) +
+          0.5 * std::pow(mirrored, 30);
+      for (int axis = 0; axis < 3; ++axis)
+        picture.rgb.pixel(i, j)[axis] =
+            static_cast<std::uint8_t>(std::floor(255 * std::min(1.0, color[axis]) + 0.5));
+      picture.shows[std::size_t(j) * width + i] = 1;
+    }
+  return picture;
+}
+
+/// The picture as a server shows it, `colors` in the cells first and up; black elsewhere.
+inline RgbImage shown(const IndexImage& cells, std::span<const Rgb16> colors, int first) {
+  RgbImage image{cells.width, cells.height};
+  for (std::size_t k = 0; k < cells.pixels.size(); ++k) {
+    const std::size_t number = std::size_t(cells.pixels[k]) - first;
+    if (number >= colors.size()) continue;
+    const Rgb16 c = colors[number];
+    image.rgb[3 * k] = static_cast<std::uint8_t>(c.r >> 8);
+    image.rgb[3 * k + 1] = static_cast<std::uint8_t>(c.g >> 8);
+    image.rgb[3 * k + 2] = static_cast<std::uint8_t>(c.b >> 8);
+  }
+  return image;
+}
+
+/// The mean of each whole 8 x 8 block: what the eye makes of a dithered picture from afar.
+inline RgbImage blocksOf(const RgbImage& image) {
+  RgbImage blocks{image.width / 8, image.height / 8};
+  for (int j = 0; j < blocks.height; ++j)
+    for (int i = 0; i < blocks.width; ++i)
+      for (int axis = 0; axis < 3; ++axis) {
+        int sum = 0;
+        for (int place = 0; place < 64; ++place)
+          sum += image.pixel(8 * i + place % 8, 8 * j + place / 8)[axis];
+        blocks.pixel(i, j)[axis] = static_cast<std::uint8_t>((sum + 32) / 64);
+      }
+  return blocks;
+}
+
+}  // namespace xnewell

@@ -1,0 +1,48 @@
+#pragma once
+
+#include <cmath>
+#include <cstdint>
+#include <vector>
+
+#include "depthsort/oracle.h"
+#include "shading/fill/scanline.h"
+
+namespace xnewell {
+
+/// Where a picture of a model may differ from the oracle's, which takes the rounded scene at its word.
+
+/// z of a face at the centre of sample k.
+inline double depthOf(const SnappedScene& scene, const SnappedFace& face, int k, int width) {
+  return depthAt(scene.planes[face.plane], std::int64_t{k % width} * kGrid + kGrid / 2,
+                 std::int64_t{k / width} * kGrid + kGrid / 2);
+}
+
+/// Whether the two may touch at sample k for all that is known of the model: they lie in two planes,
+/// nearer to each other than the rounding of both.
+inline bool mayTouch(const SnappedScene& scene, int p, int q, int k, int width) {
+  const SnappedFace &P = scene.faces[p], &Q = scene.faces[q];
+  const double zP = depthOf(scene, P, k, width), zQ = depthOf(scene, Q, k, width);
+  return P.plane != Q.plane && std::abs(zP - zQ) <= P.doubt.at(zP) + Q.doubt.at(zQ);
+}
+
+/// Calls visit(k, face) for each sample of each face.
+template <class Visit>
+void forEachSample(const SnappedScene& scene, int width, int height, Visit&& visit) {
+  for (int f = 0; f < static_cast<int>(scene.faces.size()); ++f)
+    forEachSpan(&scene.vertices[scene.faces[f].first], scene.faces[f].count, width, height,
+                [&](int row, int from, int to) {
+                  for (int i = from; i < to; ++i) visit(row * width + i, f);
+                });
+}
+
+/// The doubtful samples: where a face may touch the one that is seen.
+inline std::vector<char> doubtful(const SnappedScene& scene, const std::vector<int>& seen, int width,
+                                  int height) {
+  std::vector<char> samples(seen.size(), false);
+  forEachSample(scene, width, height, [&](int k, int face) {
+    samples[k] |= face != seen[k] && mayTouch(scene, face, seen[k], k, width);
+  });
+  return samples;
+}
+
+}  // namespace xnewell

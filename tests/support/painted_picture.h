@@ -1,0 +1,27 @@
+#pragma once
+
+#include <vector>
+
+#include "shading/fill/fragment_spans.h"
+#include "shading/picture/picture.h"
+
+namespace xnewell {
+
+/// How often the painter paints each sample.
+inline std::vector<int> timesPainted(const SnappedScene& scene, int width, int height) {
+  std::vector<int> times(std::size_t(width) * height, 0);
+  for (const SnappedFace& f : scene.faces)
+    forEachSpan(&scene.vertices[f.first], f.count, width, height, [&](int row, int from, int to) {
+      for (int i = from; i < to; ++i) ++times[std::size_t(row) * width + i];
+    });
+  return times;
+}
+
+inline IndexImage painted(Picture& picture, const PictureSettings& settings) {
+  picture.make(settings);
+  IndexImage image;
+  picture.paint(image, 8);
+  return image;
+}
+
+}  // namespace xnewell

@@ -1,0 +1,51 @@
+#pragma once
+
+#include <gtest/gtest.h>
+
+#include <random>
+#include <string>
+#include <string_view>
+#include <system_error>
+
+#include "geometry/files/parse_error.h"
+#include "tests/support/temporary_folder.h"
+
+namespace xnewell {
+
+/// What `read()` complains of: the exact text of its ParseError or system_error, "" if it does not.
+/// Anything else it throws ends the test.
+template <typename Read>
+std::string complaint(Read read) {
+  try {
+    static_cast<void>(read());
+  } catch (const ParseError& error) {
+    return error.what();
+  } catch (const std::system_error& error) {
+    return error.what();
+  }
+  return "";
+}
+
+/// `text` with 1 to 4 bytes overwritten, taken out or put in, preferably ones that mean something to a
+/// reader.
+inline std::string mutated(std::string text, std::mt19937& rng) {
+  constexpr std::string_view kTelling = "0123456789+-.eE/#\\ \t\r\nvfgonai\0\xff";
+  const auto below = [&](std::size_t n) { return std::uniform_int_distribution<std::size_t>{0, n - 1}(rng); };
+  for (std::size_t edits = 1 + below(4); edits > 0 && !text.empty(); --edits) {
+    const std::size_t at = below(text.size());
+    const char byte = below(8) ? kTelling[below(kTelling.size())] : static_cast<char>(below(256));
+    switch (below(3)) {
+      case 0:
+        text[at] = byte;
+        break;
+      case 1:
+        text.erase(at, 1 + below(3));
+        break;
+      default:
+        text.insert(at, 1, byte);
+    }
+  }
+  return text;
+}
+
+}  // namespace xnewell

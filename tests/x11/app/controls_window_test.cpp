@@ -1,0 +1,223 @@
+#include <gtest/gtest.h>
+
+#include <filesystem>
+
+#include "tests/support/temporary_folder.h"
+#include "tests/x11/support/twin_window.h"
+#include "x11/lessons/lesson.h"
+#include "x11/window/control_column.h"
+
+namespace xnewell {
+
+// Every control of the picture's view, resizes, lessons and saved set-ups on real servers: keys and mouse
+// come in as a user's do, and what is shown is what a workbench without a server shows after the same.
+
+namespace {
+
+/// The column's places as the window has them now.
+ControlColumn columnOf(const TwinWindow& twin) { return layoutOfControls(twin.same.layout()); }
+
+/// The corrected table, so that no slider is off.
+const std::string kCorrected = "teapot --divisions 3 --table corrected";
+xnewell::Setup corrected() {
+  xnewell::Setup setup;
+  setup.picture.table.kind = TableKind::Corrected;
+  return setup;
+}
+
+}  // namespace
+
+class ControlsWindowAt : public testing::TestWithParam<int> {
+ protected:
+  TwinWindow twin{GetParam(), kCorrected, "teapot", corrected()};
+  void SetUp() override { ASSERT_TRUE(twin.agrees()); }
+};
+INSTANTIATE_TEST_SUITE_P(Depths, ControlsWindowAt, testing::Values(8, 24), testing::PrintToStringParamName());
+
+// Sliders, both thumbs of the bar and the ball of the light follow a drag; each option of each choice, each
+// box and each button takes a click.
+TEST_P(ControlsWindowAt, AllAnswerToTheMouse) {
+  int dragged = 0, clicked = 0;
+  for (const ControlPlace& place : columnOf(twin).places) {
+    SCOPED_TRACE(place.key);
+    const xnewell::Setup before = twin.same.setup();
+    const Rect& track = place.track;
+    switch (place.kind) {
+      case ControlPlace::Kind::Slider:
+        twin.drag(track.x + track.width / 3, track.y + 2, track.x + track.width * 2 / 3, track.y + 40);
+        break;
+      case ControlPlace::Kind::Intensity: {
+        const Illumination& light = before.picture.light;
+        const double thumb = light.Ia + (place.key == 'p' ? light.Ip : 0.0);
+        const int x = track.x + static_cast<int>(thumb * (track.width - 1));
+        twin.drag(x, track.y + 4, track.x + track.width / 2, track.y + 4);
+        break;
+      }
+      case ControlPlace::Kind::Light: {
+        const Rect& ball = columnOf(twin).ball;
+        twin.drag(ball.x + ball.width / 2, ball.y + ball.height / 2, ball.x + ball.width * 2 / 3,
+                  ball.y + ball.height / 4);
+        break;
+      }
+      case ControlPlace::Kind::Choice:
+        if (place.key == 'F') continue;  // the server's pixels are its own: snapshot_test.cpp
+        for (const Rect& option : place.options) {
+          twin.click(option);
+          ASSERT_TRUE(twin.agrees());
+          ++clicked;
+        }
+        twin.click(place.row);
+        break;
+      case ControlPlace::Kind::Toggle:
+        twin.click(place.row);
+        break;
+      case ControlPlace::Kind::Button:
+        if (place.key == 'w' || place.key == 'e') continue;  // they ask
+        twin.click(place.row);
+        break;
+    }
+    ASSERT_TRUE(twin.agrees());
+    const bool drags = track.width > 0 || place.kind == ControlPlace::Kind::Light;
+    if (drags) {
+      EXPECT_NE(twin.same.setup(), before);
+    }
+    ++(drags ? dragged : clicked);
+    twin.type("r");
+  }
+  EXPECT_GE(dragged, 9);
+  EXPECT_GE(clicked, 30);
+}
+
+// Every view is drawn anew at each size, and answers to a drag there.
+TEST_P(ControlsWindowAt, EveryViewAtEverySize) {
+  for (const WindowViewRow& row : kWindowViews) {
+    if (row.id == WindowView::SideBySide) continue;  // it shows times: sides_window_test.cpp
+    SCOPED_TRACE(row.name);
+    twin.type({&row.key, 1});
+    ASSERT_TRUE(twin.agrees());
+    for (const glm::ivec2 size :
+         {glm::ivec2{800, 600}, glm::ivec2{1280, 1024}, glm::ivec2{1000, 640}, glm::ivec2{1024, 768}}) {
+      twin.resize(size.x, size.y);
+      ASSERT_TRUE(twin.agrees()) << size.x << " x " << size.y;
+      const Rect& body = twin.body();
+      twin.drag(body.x + body.width / 4, body.y + body.height / 4, body.x + body.width / 3,
+                body.y + body.height / 4);
+      ASSERT_TRUE(twin.agrees()) << "dragged, " << size.x << " x " << size.y;
+    }
+    twin.press(XK_Escape, NamedKey::Escape);
+    twin.type("1r");
+  }
+}
+
+// Every key in every view, a few at a time; those that type are Esc's to leave.
+TEST_P(ControlsWindowAt, EveryKeyInEveryView) {
+  constexpr std::string_view kLetters = "ipadsncl0tzLVSNOPKTW[]HBJ+-rjgbxfAhmkyuUGDC";
+  constexpr std::array kNamed{std::pair{XK_Right, NamedKey::Right},  std::pair{XK_Up, NamedKey::Up},
+                              std::pair{XK_Home, NamedKey::Home},    std::pair{XK_End, NamedKey::End},
+                              std::pair{XK_Tab, NamedKey::Tab},      std::pair{XK_Prior, NamedKey::PageUp},
+                              std::pair{XK_Next, NamedKey::PageDown}};
+  for (const WindowViewRow& row : kWindowViews) {
+    if (row.id == WindowView::SideBySide) continue;  // it shows times: sides_window_test.cpp
+    SCOPED_TRACE(row.name);
+    twin.type({&row.key, 1});
+    ASSERT_TRUE(twin.agrees());
+    int k = 0;
+    for (const char letter : kLetters) {
+      if (row.id == WindowView::Colors && letter == 'm') continue;  // colours that move by themselves
+      if (row.id == WindowView::Colors && letter == 'h') continue;  // while it is held
+      twin.type({&letter, 1});
+      twin.press(XK_Escape, NamedKey::Escape);
+      if (row.id == WindowView::Lesson) twin.type("7");
+      // What follows a change of the set-up acts on what is drawn by then.
+      if (++k % 4 == 0 || std::string_view{"uUr"}.find(letter) != std::string_view::npos) {
+        ASSERT_TRUE(twin.agrees()) << letter;
+      }
+    }
+    for (const auto& [symbol, name] : kNamed) {
+      twin.press(static_cast<KeySym>(symbol), name);
+      ASSERT_TRUE(twin.agrees()) << symbol;
+    }
+    twin.type("1r");
+  }
+}
+
+// To the end step by step and back: each step shows the same on both ways.
+TEST_P(ControlsWindowAt, StepsThereAndBack) {
+  twin.type("e");
+  twin.type("cycle");
+  twin.press(XK_Return, NamedKey::Return);
+  ASSERT_TRUE(twin.agrees());
+  twin.type("2");
+  std::vector<RgbImage> shown;
+  ASSERT_TRUE(twin.agrees());
+  shown.push_back(twin.window.shown(twin.body()));
+  while (true) {
+    twin.press(XK_Right, NamedKey::Right);
+    ASSERT_TRUE(twin.agrees());
+    const RgbImage now = twin.window.shown(twin.body());
+    if (now == shown.back()) break;
+    shown.push_back(now);
+  }
+  EXPECT_GT(shown.size(), 15u);
+  for (std::size_t k = shown.size() - 1; k-- > 0;) {
+    twin.press(XK_Left, NamedKey::Left);
+    ASSERT_TRUE(twin.window.comesToShow(shown[k], twin.body())) << k;
+  }
+}
+
+// Every lesson is opened from the list and gone through to its end, the first answer of each question given.
+TEST_P(ControlsWindowAt, LessonsRunThrough) {
+  twin.type("7");
+  ASSERT_TRUE(twin.agrees());
+  const auto next = [&] {
+    twin.press(XK_Next, NamedKey::PageDown);
+    return twin.agrees();
+  };
+  twin.press(XK_Return, NamedKey::Return);
+  ASSERT_TRUE(twin.agrees());
+  int steps = 0, answers = 0;
+  for (const LessonEntry& entry : builtInLessons()) {
+    SCOPED_TRACE(entry.name);
+    const Lesson lesson = readLesson(entry.file);
+    EXPECT_NE(twin.same.picture().scene().name.find(lesson.title), std::string::npos);
+    for (const LessonStep& step : lesson.steps) {
+      if (step.question) {
+        twin.type("a");
+        twin.press(XK_Return, NamedKey::Return);
+        ASSERT_TRUE(twin.agrees()) << step.heading;
+        ++answers;
+      }
+      ASSERT_TRUE(next()) << step.heading;
+      ++steps;
+    }
+  }
+  EXPECT_GT(steps, 40);
+  EXPECT_GT(answers, 9);
+  twin.press(XK_Escape, NamedKey::Escape);
+  twin.press(XK_Escape, NamedKey::Escape);
+  ASSERT_TRUE(twin.agrees());
+  EXPECT_EQ(twin.same.view(), WindowView::Picture);
+}
+
+// What was changed is saved by keys, and another program shows it again from the file alone.
+TEST_P(ControlsWindowAt, SavedSetupsReload) {
+  const TemporaryFolder folder;
+  const std::string file = folder.file("kept.json");
+  twin.type("SSNTlV");
+  twin.press(XK_Left, NamedKey::Left, true);
+  twin.type("t");
+  twin.press(XK_Up, NamedKey::Up, true);
+  twin.type("d");
+  twin.press(XK_Left, NamedKey::Left, true);
+  ASSERT_TRUE(twin.agrees());
+  const Rect& at = twin.same.layout().picture;
+  const RgbImage changed = twin.window.shown(at);
+  twin.window.type("w");
+  twin.window.type(file);
+  twin.window.press(XK_Return);
+  ASSERT_TRUE(comesTrue([&] { return std::filesystem::exists(file); }));
+  const WatchedViewer again{twin.server, file, twin.window.id()};
+  EXPECT_TRUE(again.window.comesToShow(changed, at));
+}
+
+}  // namespace xnewell

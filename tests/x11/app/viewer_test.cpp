@@ -1,0 +1,242 @@
+#include <gtest/gtest.h>
+
+#include <array>
+#include <functional>
+
+#include "tests/x11/support/watched_viewer.h"
+
+#include <X11/Xproto.h>
+#include <X11/keysym.h>
+
+namespace xnewell {
+
+// What keys and mouse do to the picture in the window, on real servers.
+
+namespace {
+
+constexpr Rect kSeen{0, 0, 1024, 724};  ///< the window of 1024 x 768 but for its status line
+const std::string kTeapot = "teapot --divisions 4";
+
+XServer serverFor(int depth) { return XServer::xvfb(depth, 1280, 1024); }
+
+/// The requests that matter to a frame, in their order; `S` stands for StoreColors, `[` and `]` for
+/// GrabServer and UngrabServer, `c` for CopyArea and `d` for all other drawing.
+std::string frames(RequestRecord& record) {
+  std::string seen;
+  for (const int opcode : record.opcodes()) {
+    if (opcode == X_StoreColors) seen += 'S';
+    if (opcode == X_GrabServer) seen += '[';
+    if (opcode == X_UngrabServer) seen += ']';
+    if (opcode == X_CopyArea)
+      seen += 'c';
+    else if (record.isDrawing(opcode))
+      seen += 'd';
+  }
+  return seen;
+}
+
+}  // namespace
+
+class ViewerAt : public testing::TestWithParam<int> {
+ protected:
+  XServer server = serverFor(GetParam());
+};
+INSTANTIATE_TEST_SUITE_P(Depths, ViewerAt, testing::Values(8, 24), testing::PrintToStringParamName());
+
+// A new hue shows the window as a fresh start with that hue would, and round the five hues it is the first
+// again. On a real colormap colours are stored and nothing is drawn; the counter does count, for a key that
+// changes the panel draws.
+TEST_P(ViewerAt, NewHueStoresColorsAndDrawsNothingWhereCellsAreReal) {
+  const RgbImage red = freshWindow(server, kTeapot), amber = freshWindow(server, kTeapot + " --hue 1,0.7,0");
+  EXPECT_NE(red, amber);
+  const WatchedViewer viewer{server, kTeapot};
+  ASSERT_TRUE(viewer.window.comesToShow(red, kSeen));
+  RequestRecord record{server, viewer.window.id()};
+
+  viewer.window.type("H");
+  EXPECT_TRUE(viewer.window.comesToShow(amber, kSeen));
+  viewer.window.type("HHHH");
+  EXPECT_TRUE(viewer.window.comesToShow(red, kSeen));
+  // Key presses that arrive together may share a frame.
+  const std::ptrdiff_t stores = record.count(X_StoreColors);
+  if (GetParam() == 8) {
+    EXPECT_GE(stores, 2);
+    EXPECT_EQ(frames(record), std::string(stores, 'S'));
+    record.forget();
+    viewer.window.press(XK_Right);
+    EXPECT_TRUE(comesTrue([&] { return record.count(X_UngrabServer) == 1; }));
+    EXPECT_EQ(frames(record), "d[c]");
+  } else {
+    EXPECT_EQ(stores, 0);
+    EXPECT_GE(record.drawing(), 4);
+  }
+}
+
+// A change of table, shades or I0 gives intensities other cells: colours and indices arrive together, between
+// GrabServer and UngrabServer, and the window is then the one of a fresh start with these values.
+TEST_P(ViewerAt, CellsAndIndicesChangeInOneFrame) {
+  struct Change {
+    std::string before;
+    std::function<void(const WatchedWindow&)> focus, act;
+    std::string after;
+  };
+  const auto nothing = [](const WatchedWindow&) {};
+  const auto key = [](KeySym symbol) { return [symbol](const WatchedWindow& w) { w.press(symbol); }; };
+  const auto type = [](const char* letters) {
+    return [letters](const WatchedWindow& w) { w.type(letters); };
+  };
+  const std::array changes{
+      Change{"--table linear", nothing, type("T"), "--table corrected"},
+      Change{"--table corrected", nothing, type("T"), "--table brief"},
+      Change{"--table brief", nothing, type("T"), "--table linear"},
+      Change{"--shades 64", type("c"), key(XK_Left), "--shades 63"},
+      Change{"--table corrected --shades 64", type("c"), key(XK_Home), "--table corrected --shades 2"},
+      Change{"--table corrected", type("0"), key(XK_End), "--table corrected --i0 0.5"},
+  };
+  // The mark of the slider's default, on the tracks of the colour table, is not the one of a fresh start.
+  const Layout at = layoutOf(1024, 768);
+  const Rect tracks{at.controls.x + 78, at.controls.y + at.controls.height - 160, 180, 160};
+  const auto withoutTracks = [&](RgbImage image) {
+    for (int y = tracks.y; y < tracks.y + tracks.height; ++y)
+      std::fill_n(image.pixel(tracks.x, y), 3 * tracks.width, 0);
+    return image;
+  };
+  for (const Change& change : changes) {
+    SCOPED_TRACE(change.before + " -> " + change.after);
+    const RgbImage before = freshWindow(server, kTeapot + " " + change.before),
+                   after = withoutTracks(freshWindow(server, kTeapot + " " + change.after));
+    const WatchedViewer viewer{server, kTeapot + " " + change.before};
+    ASSERT_TRUE(viewer.window.comesToShow(before, kSeen));
+    change.focus(viewer.window);
+    ASSERT_TRUE(viewer.window.settles());
+    RequestRecord record{server, viewer.window.id()};
+    change.act(viewer.window);
+    EXPECT_TRUE(comesTrue([&] { return record.count(X_UngrabServer) == 1; }));
+    EXPECT_EQ(frames(record), GetParam() == 8 ? "d[Sc]" : "d[c]");
+    viewer.window.type("s");  // where a fresh start has the keyboard
+    EXPECT_TRUE(comesTrue([&] { return withoutTracks(viewer.window.shown(kSeen)) == after; }));
+  }
+}
+
+// Every key that the help lists changes what is seen; undo takes it back exactly, redo brings it again, and
+// reset returns to the start.
+TEST_P(ViewerAt, EveryKeyDoesSomethingAndIsUndone) {
+  // With few shades of the corrected table even the rule that picks a shade can be seen.
+  const std::string line = kTeapot + " --table corrected --shades 24";
+  const RgbImage start = freshWindow(server, line);
+  const WatchedViewer viewer{server, line};
+  const WatchedWindow& window = viewer.window;
+  ASSERT_TRUE(window.comesToShow(start, kSeen));
+
+  const auto isUndone = [&](const RgbImage& before) {
+    ASSERT_TRUE(window.comesToDiffer(before, kSeen));
+    ASSERT_TRUE(window.settles());
+    const RgbImage after = window.shown(kSeen);
+    window.type("u");
+    EXPECT_TRUE(window.comesToShow(before, kSeen));
+    window.type("U");
+    EXPECT_TRUE(window.comesToShow(after, kSeen));
+    window.type("r");
+    EXPECT_TRUE(window.comesToShow(before, kSeen));
+  };
+  for (const char key : std::string{"[]LVSOFPKTHBJ+-"}) {
+    SCOPED_TRACE(key);
+    window.type({&key, 1});
+    isUndone(start);
+  }
+  for (const char focus : std::string{"ipadnc0ltz"}) {
+    SCOPED_TRACE(focus);
+    window.type({&focus, 1});
+    ASSERT_TRUE(window.comesToDiffer(start, focus == 't' || focus == 'z' ? Rect{0, 0, 1024, 768} : kSeen));
+    ASSERT_TRUE(window.settles());
+    const RgbImage focused = window.shown(kSeen);
+    window.press(XK_Left);
+    isUndone(focused);
+    window.press(XK_Up, true);
+    isUndone(focused);
+    if (focus == 'l' || focus == 't' || focus == 'z') continue;
+    window.press(XK_Home);
+    isUndone(focused);
+    window.press(XK_End);
+    isUndone(focused);
+  }
+  window.type("s");
+  ASSERT_TRUE(window.comesToShow(start, kSeen));
+  window.press(XK_Tab);
+  EXPECT_TRUE(window.comesToDiffer(start, kSeen));
+  window.press(XK_Tab, true);
+  EXPECT_TRUE(window.comesToShow(start, kSeen));
+}
+
+// The overlay of all keys opens with `?` and closes with `?` or Esc, and what was behind is there again.
+TEST_P(ViewerAt, HelpOpensAndCloses) {
+  const RgbImage start = freshWindow(server, kTeapot);
+  const WatchedViewer viewer{server, kTeapot};
+  for (const KeySym close : {XK_question, XK_Escape}) {
+    ASSERT_TRUE(viewer.window.comesToShow(start, kSeen));
+    viewer.window.type("?");
+    ASSERT_TRUE(viewer.window.comesToDiffer(start, kSeen));
+    viewer.window.press(close, close == XK_question);
+  }
+  EXPECT_TRUE(viewer.window.comesToShow(start, kSeen));
+}
+
+// Dragging over the picture turns the scene, until the button is released and only if it went down there; the
+// wheel zooms. Undo takes each back.
+TEST_P(ViewerAt, MouseTurnsAndZooms) {
+  const RgbImage start = freshWindow(server, kTeapot);
+  const WatchedViewer viewer{server, kTeapot};
+  const WatchedWindow& window = viewer.window;
+  ASSERT_TRUE(window.comesToShow(start, kSeen));
+
+  window.moveTo(300, 300);
+  window.button(1, true);
+  window.moveTo(340, 310);
+  window.button(1, false);
+  ASSERT_TRUE(window.comesToDiffer(start, kSeen));
+  ASSERT_TRUE(window.settles());
+  const RgbImage turned = window.shown(kSeen);
+  window.moveTo(100, 100);
+  ASSERT_TRUE(window.settles());
+  EXPECT_EQ(window.shown(kSeen), turned);
+  window.type("u");
+  EXPECT_TRUE(window.comesToShow(start, kSeen));
+
+  window.moveTo(900, 358);  // over the controls, on none
+  window.button(1, true);
+  window.moveTo(300, 300);
+  window.button(1, false);
+  ASSERT_TRUE(window.settles());
+  EXPECT_EQ(window.shown(kSeen), start);
+
+  for (const unsigned wheel : {4u, 5u}) {
+    window.button(wheel, true);
+    window.button(wheel, false);
+    EXPECT_TRUE(window.comesToDiffer(start, kSeen));
+    window.type("u");
+    EXPECT_TRUE(window.comesToShow(start, kSeen));
+  }
+}
+
+// The same keys show the same windows at both depths, step by step.
+TEST(Viewer, ShowsTheSameAtBothDepths) {
+  const XServer eight = serverFor(8), deep = serverFor(24);
+  const WatchedViewer one{eight, kTeapot}, two{deep, kTeapot};
+  const RgbImage fresh = freshWindow(eight, kTeapot);
+  ASSERT_TRUE(one.window.comesToShow(fresh, kSeen) && two.window.comesToShow(fresh, kSeen));
+  RgbImage before;
+  for (const char key : std::string{"TFHOPTKS+]VBHJr"}) {
+    SCOPED_TRACE(key);
+    for (const WatchedViewer* viewer : {&one, &two}) {
+      viewer->window.type({&key, 1});
+      ASSERT_TRUE(viewer->window.settles());
+    }
+    // Settled is not yet shown in every part: the last part may still be on its way.
+    RgbImage seen;
+    EXPECT_TRUE(comesTrue([&] { return (seen = one.window.shown(kSeen)) == two.window.shown(kSeen); }));
+    EXPECT_TRUE(seen != before || key == 'J' || key == 'B');
+    before = seen;
+  }
+}
+
+}  // namespace xnewell

@@ -1,0 +1,314 @@
+#include "x11/app/workbench.h"
+
+#include <gtest/gtest.h>
+
+#include <random>
+#include <span>
+
+#include "tests/support/temporary_folder.h"
+#include "tests/x11/support/ready_workbench.h"
+
+namespace xnewell {
+
+namespace {
+
+using Stale = Workbench::Stale;
+
+/// The part of the window that holds no milliseconds: all but the status line.
+IndexImage withoutStatus(const Workbench& b) {
+  IndexImage image = b.image();
+  for (int j = b.layout().status.y; b.layout().roomy && j < image.height; ++j)
+    std::fill_n(image.row(j), image.width, std::uint8_t{0});
+  return image;
+}
+
+}  // namespace
+
+// A new hue and 8 or 16 bits are colours in the same cells: not one index of the window changes.
+TEST(Workbench, HueAndBitsAreColoursAlone) {
+  ReadyWorkbench b;
+  const IndexImage before = b.image();
+  const Palette palette = b.palette();
+  for (const char key : {'H', 'B'}) {
+    b.type({&key, 1});
+    EXPECT_EQ(b.stale(), Stale::Colors);
+    b.update();
+    EXPECT_EQ(b.stale(), Stale::Nothing);
+    EXPECT_EQ(b.image(), before);
+  }
+  EXPECT_NE(b.palette(), palette);
+}
+
+// Table, shades and I0 change cells and indices; the window then is that of a fresh start with them.
+TEST(Workbench, TableChangesEqualAFreshStart) {
+  ReadyWorkbench b;
+  b.type("T");  // corrected
+  b.update();
+  b.type("0");
+  b.press({NamedKey::Right, 0, true});
+  b.type("c");
+  b.press({NamedKey::Left, 0, true});
+  EXPECT_EQ(b.stale(), Stale::Everything);
+  b.update();
+  EXPECT_NE(b.setup().picture.table.I0, 0.02);
+  EXPECT_EQ(b.setup().picture.table.shades, 230);
+
+  xnewell::Setup same;
+  same.picture.table = b.setup().picture.table;
+  ReadyWorkbench fresh{same};
+  EXPECT_EQ(b.palette(), fresh.palette());
+  const Rect& at = b.layout().picture;
+  for (int j = at.y; j < at.y + at.height; ++j)
+    ASSERT_TRUE(
+        std::equal(b.image().row(j) + at.x, b.image().row(j) + at.x + at.width, fresh.image().row(j) + at.x))
+        << j;
+}
+
+// Undo leads back step by step to the start, redo forth again; reset is a step like any other. A run of
+// one control's changes is one step.
+TEST(Workbench, UndoRedoReset) {
+  ReadyWorkbench b;
+  const xnewell::Setup start = b.setup();
+  b.type("OLn");
+  for (int i = 0; i < 5; ++i) b.press({NamedKey::Right});
+  b.drag(30, 10);
+  const xnewell::Setup end = b.setup();
+  EXPECT_NE(end, start);
+  b.type("uuuu");
+  EXPECT_EQ(b.setup(), start);
+  b.type("uuUUUU");
+  EXPECT_EQ(b.setup(), end);
+  b.type("r");
+  EXPECT_EQ(b.setup(), start);
+  b.type("u");
+  EXPECT_EQ(b.setup(), end);
+}
+
+// Dragging adds up: ten drags of 3 pixels are one of 30, whether or not a frame was drawn between them.
+TEST(Workbench, DragsAddUp) {
+  ReadyWorkbench one, many;
+  one.drag(30, 0);
+  const Rect& at = many.layout().picture;
+  ASSERT_TRUE(many.grab(at.x, at.y));
+  for (int i = 1; i <= 10; ++i) {
+    many.dragTo(at.x + 3 * i, at.y);
+    if (i % 3 == 0) many.update();
+  }
+  const glm::dvec3 a = *one.setup().picture.camera.eye, b = *many.setup().picture.camera.eye;
+  for (int k = 0; k < 3; ++k) EXPECT_NEAR(a[k], b[k], 1e-12);
+}
+
+// Sizes from 1 x 1 up draw something everywhere; with no room for the controls the picture takes it all.
+TEST(Workbench, EverySizeDraws) {
+  for (const auto& [w, h] : {std::pair{1, 1},
+                             {7, 900},
+                             {800, 599},
+                             {799, 600},
+                             {800, 600},
+                             {1023, 767},
+                             {1024, 768},
+                             {1600, 1200},
+                             {2500, 700}}) {
+    SCOPED_TRACE(testing::Message() << w << " x " << h);
+    ReadyWorkbench b{{}, w, h};
+    EXPECT_EQ(b.image().width, w);
+    EXPECT_EQ(b.image().height, h);
+    EXPECT_EQ(b.layout().roomy, w >= 800 && h >= 600);
+    const Rect& at = b.layout().picture;
+    EXPECT_EQ(intersection(at, {0, 0, w, h}), at);
+    b.type("?");
+    b.update();
+  }
+}
+
+// A frame after any keys is the frame of a fresh start with the same setup: nothing lingers.
+TEST(Workbench, NothingLingers) {
+  std::mt19937 rng{7};
+  constexpr std::string_view kLetters = "ipadsnc0lLVSOFPKTHBJ[]uUr+-=?tz133hmgj";
+  ReadyWorkbench b;
+  for (int trial = 0; trial < 40; ++trial) {
+    SCOPED_TRACE(trial);
+    for (int k = 0; k < 6; ++k) {
+      if (rng() % 3)
+        b.press({NamedKey::Letter, kLetters[rng() % kLetters.size()]});
+      else
+        b.press({std::array{NamedKey::Left, NamedKey::Right, NamedKey::Up, NamedKey::Down, NamedKey::Home,
+                            NamedKey::End, NamedKey::Tab}[rng() % 7],
+                 0, rng() % 2 == 0});
+      if (rng() % 2) b.update();
+    }
+    b.press({NamedKey::Escape});
+    b.type("1s");
+    b.update();
+    ReadyWorkbench fresh{b.setup()};
+    fresh.type("s");
+    fresh.update();
+    EXPECT_EQ(b.palette(), fresh.palette());
+    // The sliders' default marks differ: compare left of the controls.
+    const IndexImage x = withoutStatus(b), y = withoutStatus(fresh);
+    for (int j = 0; j < x.height; ++j)
+      ASSERT_TRUE(std::equal(x.row(j), x.row(j) + b.layout().controls.x - 8, y.row(j))) << j;
+  }
+}
+
+// The camera keys lead to no view that cannot be drawn: a thousand steps in each direction.
+TEST(Workbench, TheCameraSurvivesAnyKeys) {
+  ReadyWorkbench b{{}, 300, 200};
+  for (const char mode : {'t', 'z'}) {
+    b.type({&mode, 1});
+    for (const NamedKey key : {NamedKey::Up, NamedKey::Left, NamedKey::Down, NamedKey::Right}) {
+      for (int i = 0; i < 300; ++i) b.press({key, 0, true});
+      EXPECT_NO_THROW(b.update());
+      b.press({NamedKey::Letter, 'P'});
+      EXPECT_NO_THROW(b.update());
+    }
+  }
+}
+
+// The oracle has no polygons for the server to fill: the choice falls back to the scanline filler, and says
+// so.
+TEST(Workbench, OracleFillsNoPolygons) {
+  ReadyWorkbench b;
+  b.type("FF");
+  EXPECT_EQ(b.setup().fill, Fill::Scanline);
+  b.type("F");
+  EXPECT_EQ(b.setup().fill, Fill::XFillPolygon);
+  b.type("O");
+  EXPECT_EQ(b.setup().picture.order, Order::Oracle);
+  EXPECT_EQ(b.setup().fill, Fill::Scanline);
+  b.type("F");
+  EXPECT_EQ(b.setup().fill, Fill::Scanline);
+  EXPECT_EQ(b.stale(), Stale::Everything);  // the status line tells why
+}
+
+// A key that does nothing says why: nothing was done yet that could be undone, and a slider that is off keeps
+// its value from the arrows, the ends and the typed line.
+TEST(Workbench, KeysThatDoNothingSayWhy) {
+  ReadyWorkbench b;
+  const xnewell::Setup before = b.setup();
+  for (const std::string letters : {"u", "U", "0>", "0H", "0=", "i>"}) {
+    SCOPED_TRACE(letters);
+    for (const char c : letters) {
+      if (c == '>')
+        b.press({NamedKey::Right});
+      else if (c == 'H')
+        b.press({NamedKey::End});
+      else
+        b.type({&c, 1});
+    }
+    b.update();
+    const bool off = letters[0] != 'i';
+    const std::uint8_t alarm = b.plan()[Cell::Alarm];
+    const std::span status{b.image().row(b.layout().status.y), std::size_t{24} * 1024};
+    EXPECT_EQ(std::ranges::find(status, alarm) != status.end(), off);
+    EXPECT_EQ(b.setup() == before, off);
+  }
+}
+
+// The first letter that is typed replaces what stands in the line, but not where some of it was taken away.
+TEST(Workbench, TypingReplacesOrGoesOn) {
+  for (const bool shortened : {false, true}) {
+    ReadyWorkbench b;
+    b.type("d=");  // 0.90
+    if (shortened) b.press({NamedKey::Backspace});
+    b.type(shortened ? "5" : ".5");
+    b.press({NamedKey::Return});
+    EXPECT_EQ(b.setup().picture.light.kd, shortened ? 0.95 : 0.5);
+  }
+}
+
+// However shading comes to interpolate, in whichever view, the server does not fill any more.
+TEST(Workbench, NoViewLeavesTheServerWhatItCannotFill) {
+  for (const std::string_view keys : {"S", "5AS", "5Agg", "5Sx", "5ASux", "5BSx1"}) {
+    SCOPED_TRACE(keys);
+    ReadyWorkbench b;
+    b.type("FF");
+    EXPECT_EQ(b.setup().fill, Fill::Scanline);
+    b.type("F");
+    b.update();
+    ASSERT_TRUE(b.serverFills());
+    for (const char key : keys) {
+      b.type({&key, 1});
+      b.finish();
+    }
+    b.type("1");
+    b.finish();
+    EXPECT_EQ(b.serverFills(), !rowOf(b.setup().picture.shading).interpolates);
+    if (b.serverFills()) {
+      EXPECT_EQ(b.picture().cells().size(), b.picture().snapped().faces.size());
+    }
+  }
+}
+
+// Controls that do nothing say so, and nowhere else: those of a light that is the scene's own are not moved.
+TEST(Workbench, TellsOfControlsThatDoNothing) {
+  struct Case {
+    std::string scene;
+    Shading shading;
+    std::string keys, idle;  ///< of the keys those that do nothing
+  };
+  for (const Case& c :
+       {Case{"teapot", Shading::Gouraud, "[]HNST", ""}, Case{"teapot", Shading::Flat, "[]HNT", "N"},
+        Case{"spotlight", Shading::Gouraud, "[]N", "[]"},
+        Case{"textured-cube", Shading::Gouraud, "HTJN", "HTJ"},
+        Case{"textured-cube", Shading::Phong, "S", "S"}, Case{"teapot", Shading::Phong, "S", ""},
+        Case{"hues", Shading::Gouraud, "HTN", "H"}})
+    for (const char key : c.keys) {
+      SCOPED_TRACE(c.scene + key);
+      xnewell::Setup setup;
+      setup.picture.shading = c.shading;
+      if (c.scene != "teapot") setup.picture.colors = readScene(c.scene).settings.colors;
+      ReadyWorkbench b{setup, 1024, 768, c.scene};
+      const xnewell::Setup before = b.setup();
+      b.type({&key, 1});
+      b.update();
+      const std::uint8_t alarm = b.plan()[Cell::Alarm];
+      const std::span status{b.image().row(b.layout().status.y), std::size_t{24} * 1024};
+      EXPECT_EQ(std::ranges::find(status, alarm) != status.end(), c.idle.find(key) != std::string::npos);
+      if (c.scene == "spotlight" && key != 'N') {
+        EXPECT_EQ(b.setup(), before);
+      }
+    }
+}
+
+// What was changed since it was saved is not lost to another scene without a word.
+TEST(Workbench, OpeningAnotherSceneWarns) {
+  const TemporaryFolder folder;
+  ReadyWorkbench b;
+  const auto say = [&](std::string_view key, std::string_view text) {
+    b.type(key);
+    b.type(text);
+    b.press({NamedKey::Return});
+    b.update();
+  };
+  say("w", folder.file("kept.json"));
+  b.type("N");
+  b.update();
+  const xnewell::Setup changed = b.setup();
+  say("e", "cubes");
+  EXPECT_EQ(b.setup(), changed);
+  b.press({NamedKey::Return});
+  b.update();
+  EXPECT_NE(b.setup(), changed);
+}
+
+// While the picture is dragged wrong faces are not counted; afterwards they are.
+TEST(Workbench, CountsWrongFacesWhenSettled) {
+  ReadyWorkbench b;
+  const IndexImage counted = b.image();
+  b.drag(0, 0);
+  b.settle();
+  b.update();
+  EXPECT_EQ(b.stale(), Stale::Nothing);  // nothing was left out
+  b.drag(3, 3);
+  b.update(true);
+  b.settle();
+  EXPECT_EQ(b.stale(), Stale::Everything);
+  b.update();
+  EXPECT_EQ(b.stale(), Stale::Nothing);
+  b.type("u");
+  b.update();
+  EXPECT_TRUE(std::equal(counted.row(600), counted.row(663), b.image().row(600)));
+}
+
+}  // namespace xnewell

@@ -1,0 +1,47 @@
+#include <gtest/gtest.h>
+
+#include "geometry/files/text_file.h"
+#include "shading/scene/scene_file.h"
+#include "tests/support/temporary_folder.h"
+#include "tests/x11/support/program_picture.h"
+
+namespace xnewell {
+
+// The code for newer processors and that for any give the same picture, bit by bit. Not in a build that has
+// the latter alone.
+#ifdef XNEWELL_BASELINE_PROGRAM
+
+namespace {
+
+/// The PNG that the program draws, and what it says.
+std::string drawn(const std::string& program, const std::string& line, const TemporaryFolder& folder) {
+  const std::string file = folder.file("drawn.png");
+  std::vector<std::string> arguments{"draw"};
+  for (const std::string& word : words(line)) arguments.push_back(word);
+  arguments.insert(arguments.end(), {"-o", file});
+  RunningProgram child{program, arguments, ""};
+  const Finished end = child.wait();
+  EXPECT_EQ(end.status, 0) << line << ": " << end.err;
+  return end.err + readTextFile(file);
+}
+
+}  // namespace
+
+TEST(Baseline, GivesTheSameBits) {
+#if defined(__x86_64__)
+  if (!__builtin_cpu_supports("avx2")) GTEST_SKIP() << "both programs run the same code here";
+#endif
+  const TemporaryFolder folder;
+  int pictures = 0;
+  for (const std::string scene : {"teapot", "saturated", "highlight", "colored-lights", "spotlight", "hues"})
+    for (const std::string method : {"flat", "gouraud", "phong", "phong --constant-v", "envmap"}) {
+      const std::string line = scene + " --size 320x240 --shade " + method;
+      EXPECT_EQ(drawn(XNEWELL_PROGRAM, line, folder), drawn(XNEWELL_BASELINE_PROGRAM, line, folder)) << line;
+      ++pictures;
+    }
+  EXPECT_EQ(pictures, 30);
+}
+
+#endif
+
+}  // namespace xnewell

@@ -1,0 +1,288 @@
+#include <gtest/gtest.h>
+#include <sys/resource.h>
+#include <sys/wait.h>
+
+#include <csignal>
+#include <cstdlib>
+#include <set>
+#include <thread>
+
+#include "tests/x11/support/command_fixture.h"
+#include "x11/lessons/lesson.h"
+#include "x11/options/options.h"
+
+namespace xnewell {
+
+/// The program's words, files and exit status when something is wrong, and when nothing is.
+
+// Bad files: one line with the file, the line in it and what is wrong; an old picture stays as it was.
+TEST_F(CommandTest, BadScenesAreRefusedInOneLine) {
+  std::filesystem::create_directory(file("folder"));
+  std::filesystem::create_directory(file("folder.obj"));
+  std::ifstream whole{XNEWELL_DATA_DIR "/teapot.bpt"};
+  std::string truncated;
+  for (std::string line; std::getline(whole, line) && truncated.size() < 3000;) truncated += line + "\n";
+
+  refusedToDraw(file("missing.obj"), 1, ": No such file or directory");
+  refusedToDraw(file("folder"), 1, ": Is a directory");
+  refusedToDraw(file("folder.obj"), 1, ": Is a directory");
+  refusedToDraw(write("empty.obj", ""), 2, ": holds no face");
+  refusedToDraw(write("empty.bpt", ""), 2, ": holds no patch");
+  refusedToDraw(write("vertices.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\n"), 2, ": holds no face");
+  const std::string cut = write("cut.bpt", truncated);
+  EXPECT_TRUE(runProgram({"draw", cut, "-o", file("x")}).err.starts_with("xnewell: " + cut + ":"))
+      << truncated;
+  const std::string three = "v 0 0 0\nv 1 0 0\nv 0 1 0\n";
+  refusedToDraw(write("zero.obj", three + "f 0 1 2\n"), 2, ":4: face index 0; OBJ counts from 1");
+  refusedToDraw(write("range.obj", three + "f 1 2 4\n"), 2,
+                ":4: face index 4 is out of range; vertices in the file: 3");
+  refusedToDraw(write("negative.obj", three + "f 1 2 -4\n"), 2,
+                ":4: face index -4 is out of range; vertices so far: 3");
+  refusedToDraw(write("nan.obj", "v 0 nan 0\n" + kTriangle), 2, ":1: number 'nan' is not finite");
+  refusedToDraw(write("inf.obj", "\nv 0 -inf 0\n" + kTriangle), 2, ":2: number '-inf' is not finite");
+  refusedToDraw(write("huge.obj", "v 1e999 0 0\n" + kTriangle), 2, ":1: number '1e999' is too large");
+  refusedToDraw(write("two.obj", three + "f 1 2\n"), 2, ":4: a face needs three vertices; this one has 2");
+  refusedToDraw(write("scene.json", "{}"), 2, ": holds no face");
+  refusedToDraw(write("scene.xyz", kTriangle), 2, ": not a scene: .obj, .bpt and .json files are");
+  refused({"draw", "nosuch", "-o", file("new.png")}, 2,
+          "nosuch: no built-in scene of that name; `xnewell scenes` lists them");
+  refused(
+      {"nosuch"}, 2,
+      "nosuch: no command and no built-in scene of that name; `xnewell --help` lists the commands, `xnewell "
+      "scenes` the scenes");
+}
+
+// A message is one line of bounded length whatever the names in it.
+TEST_F(CommandTest, MessagesAreOneShortLine) {
+  const std::string longest(100'000, 'a');
+  for (const Words& words :
+       {Words{"draw", longest, "-o", file("a.png")}, Words{"draw", longest + ".obj", "-o", file("a.png")},
+        Words{longest}, Words{"draw", "teapot", "-o", longest}, Words{"--" + longest},
+        Words{"draw", "no\nsuch\x1b.obj", "-o", file("a.png")}, Words{"draw", "teapot", "--size", "3\n4"},
+        Words{"draw", "teapot", "--fo\no"}, Words{"no\r\nsuch"}}) {
+    const Finished end = runProgram(words);
+    EXPECT_TRUE(end.status == 1 || end.status == 2) << end.status;
+    EXPECT_EQ(end.err.find_first_of("\n\r\x1b"), end.err.size() - 1);
+    EXPECT_LT(end.err.size(), 1000u);
+    EXPECT_TRUE(end.err.starts_with("xnewell: "));
+  }
+}
+
+// Wrong usage: one line, status 2, no file touched. (options_test.cpp has the lines in full.)
+TEST_F(CommandTest, WrongUsageIsStatus2) {
+  const Words whole{"draw", "teapot", "-o", file("old.png")};
+  refused(whole + Words{"--nonsense"}, 2, "unknown option '--nonsense'");
+  for (const std::string size : {"0x600", "800x0", "-8x6", "8193x600", "800x8193", "800"})
+    refused(whole + Words{"--size", size}, 2,
+            "--size: '" + size + "' is not a size WxH from 1x1 to 8192x8192");
+  refused(whole + Words{"--eye", "nan,0,0"}, 2, "--eye: 'nan,0,0' is not three finite numbers x,y,z");
+  refused(whole + Words{"--shade", "foggy"}, 2,
+          "--shade: 'foggy' is not one of none, depth, flat, gouraud, phong, envmap");
+  refused(whole + Words{"--view", "machbands", "--scanline", "261"}, 2,
+          "--scanline: 261 is below the picture: in this view its rows are 0 to 260");
+  refused(whole + Words{"--texture", "none.png"}, 1, "none.png: No such file or directory");
+  refused(whole + Words{"--eye", "1,1,1", "--look-at", "1,1,1"}, 2,
+          "the view plane normal is zero: eye and look-at point coincide");
+  refused(whole + Words{"--up", "0,0,1", "--eye", "0,0,9", "--look-at", "0,0,0"}, 2,
+          "the up vector is zero or along the line of sight");
+  refused(whole + Words{"--view-window", "1,-1,0,1"}, 2,
+          "the view window is empty: umin < umax and vmin < vmax are needed");
+  refused(whole + Words{"--front", "-1", "--back", "1"}, 2,
+          "the front plane must lie nearer than the back plane (larger n)");
+  for (const std::string command : {"figure", "trade"})
+    refused({command, "teapot", "-o", file("old.png")}, 2,
+            "the command '" + command + "' is not built yet; `xnewell --help` lists what is");
+}
+
+// Without a server what needs one fails in one line, status 1; `draw` and `scenes` do not need one.
+TEST_F(CommandTest, NoServerIsStatus1) {
+  const std::string unset = "no DISPLAY is set: start an X server, or name one, as in DISPLAY=:0";
+  refused({}, 1, unset);
+  refused({"view", "cycle"}, 1, unset);
+  refused({"snapshot", "teapot", "-o", file("old.png")}, 1, unset);
+  refused({"visuals"}, 1, unset);
+  const Finished none = runProgram({"snapshot", "teapot", "-o", file("new.png")}, "nowhere.invalid:7");
+  EXPECT_EQ(none.status, 1);
+  EXPECT_TRUE(none.err.starts_with("xnewell: ") && none.err.find('\n') == none.err.size() - 1) << none.err;
+  EXPECT_EQ(runProgram({"scenes"}).status, 0);
+}
+
+// The output goes nowhere, to a place that refuses it, or is swallowed: status 1, 1 and 0.
+TEST_F(CommandTest, OutputsThatCannotBeWritten) {
+  std::filesystem::create_directory(file("folder"));
+  const auto to = [](const std::string& o) { return Words{"draw", "cycle", "-o", o}; };
+  refused(to(file("no/such/a.png")), 1, file("no/such/a.png") + ": No such file or directory");
+  refused(to(file("folder")), 1, file("folder") + ": Is a directory");
+  refused(to(file("old.png") + "/a.png"), 1, file("old.png") + "/a.png: Not a directory");
+  refused(to("/dev/full"), 1, "/dev/full: No space left on device");
+  EXPECT_EQ(runProgram(to("/dev/null")).status, 0);
+  const Finished piped = runProgram(to("/dev/stdout"));
+  EXPECT_EQ(runProgram(to(file("a.png"))).status, 0);
+  EXPECT_EQ(piped.out, contents(file("a.png")));
+}
+
+// Of a picture and a face image that cannot both be written neither is, whichever it is.
+TEST_F(CommandTest, PictureAndFacesAreWrittenTogether) {
+  const auto to = [](const std::string& o, const std::string& ids) {
+    return Words{"draw", "cycle", "-o", o, "--ids", ids, "--stats"};
+  };
+  for (const std::string& good : {file("old.png"), file("new.png")}) {
+    refused(to(good, file("no/such/i.png")), 1, file("no/such/i.png") + ": No such file or directory");
+    refused(to(good, "/dev/full"), 1, "/dev/full: No space left on device");
+    refused(to(file("no/such/a.png"), good), 1, file("no/such/a.png") + ": No such file or directory");
+    refused(to("/dev/full", good), 1, "/dev/full: No space left on device");
+    refused(to(good, good), 2, "-o and --ids name the same file");
+  }
+}
+
+// Beyond the shell's limit for files nothing is left, and the reason is told: no signal kills the program.
+TEST_F(CommandTest, AFileTooLargeIsAnError) {
+  rlimit before{};
+  ASSERT_EQ(getrlimit(RLIMIT_FSIZE, &before), 0);
+  const rlimit small{100, before.rlim_max};
+  const auto ours = std::signal(SIGXFSZ, SIG_IGN);
+  ASSERT_EQ(setrlimit(RLIMIT_FSIZE, &small), 0);
+  // The child's messages go to a file in memory, which the limit concerns as well: 100 bytes are enough.
+  const std::filesystem::path here = std::filesystem::current_path();
+  std::filesystem::current_path(file("."));
+  std::signal(SIGXFSZ, SIG_DFL);
+  const Finished end = runProgram({"draw", "cycle", "-o", "old.png"});
+  std::signal(SIGXFSZ, ours);
+  ASSERT_EQ(setrlimit(RLIMIT_FSIZE, &before), 0);
+  std::filesystem::current_path(here);
+  EXPECT_EQ(end.status, 1);
+  EXPECT_EQ(end.err, "xnewell: old.png: File too large\n");
+  EXPECT_EQ(everything(), (std::map<std::string, std::string>{{"old.png", "before"}}));
+}
+
+// Ctrl-C at any moment of a long picture: status 130 (0 if it came too late), the picture whole or absent,
+// and never anything else in the folder.
+TEST_F(CommandTest, AnInterruptLeavesNothingHalfWritten) {
+  int interrupted = 0;
+  for (int delay = 0; delay <= 240; delay += 20) {
+    std::filesystem::remove(file("big.png"));
+    RunningProgram child{
+        {"draw", "teapot", "-o", file("big.png"), "--size", "3000x3000", "--ids", file("big-ids.png")}};
+    std::this_thread::sleep_for(std::chrono::milliseconds(10 + delay));
+    child.signal(SIGINT);
+    const Finished end = child.wait();
+    EXPECT_TRUE(end.status == 130 || end.status == 0) << end.status;
+    interrupted += end.status == 130;
+    std::set<std::string> names;
+    for (const auto& [name, bytes] : everything()) names.insert(name);
+    names.erase("big.png");
+    names.erase("big-ids.png");
+    EXPECT_EQ(names, (std::set<std::string>{"old.png"}));
+    if (std::filesystem::exists(file("big.png"))) {
+      EXPECT_EQ(readPng(file("big.png")).width, 3000);
+    }
+  }
+  EXPECT_GT(interrupted, 0);
+}
+
+// What goes to a closed, full or broken standard output is missed: it fails, and no file gets the text.
+TEST_F(CommandTest, StandardOutputThatCannotBeWritten) {
+  const std::string program = XNEWELL_PROGRAM;
+  const auto shell = [](const std::string& line) {
+    const int status = std::system(("exec 2>/dev/null; " + line).c_str());
+    return WIFEXITED(status) ? WEXITSTATUS(status) : 128 + WTERMSIG(status);
+  };
+  EXPECT_EQ(shell(program + " --help >&-"), 1);
+  EXPECT_EQ(shell(program + " --help >/dev/full"), 1);
+  EXPECT_EQ(shell(program + " scenes >/dev/full"), 1);
+  const std::string drawing = program + " draw cycle --size 80x60 -o '" + file("a.png") + "'";
+  EXPECT_EQ(shell(drawing + " --stats >/dev/full"), 1);
+  EXPECT_EQ(shell(drawing + " --stats >&-"), 1);
+  EXPECT_EQ(shell(drawing + " >&- 2>&- <&-"), 0);  // nothing to say, nothing missed
+  EXPECT_EQ(readPng(file("a.png")).width, 80);
+  EXPECT_EQ(shell("{ sleep 0.2; " + drawing + " --stats; echo $? >'" + file("status") + "'; } | true"), 0);
+  EXPECT_EQ(contents(file("status")), "141\n");  // SIGPIPE, as everywhere
+}
+
+// --help is on standard output wherever it stands, with the defaults, and promises nothing that is not built.
+TEST_F(CommandTest, HelpTellsWhatThereIs) {
+  const Finished help = runProgram({"--help"});
+  EXPECT_EQ(help.status, 0);
+  EXPECT_EQ(help.err, "");
+  for (const CommandRow& row : kCommands) EXPECT_NE(help.out.find(row.usage), std::string::npos);
+  for (const std::string expected : {"[800x600, a window 1024x768]", "[flat]", "[newell]", "[linear]",
+                                     "[240]", "[0.02]", "[30]", "[1,0,0]", "[8]", "[teapot]"})
+    EXPECT_NE(help.out.find(expected), std::string::npos) << expected;
+  for (const std::string later : {"figure", "trade", "--json"})
+    EXPECT_EQ(help.out.find(later), std::string::npos) << later;
+  for (const Words& words :
+       {Words{"-h"}, Words{"draw", "--help"}, Words{"draw", "nosuch", "-h"}, Words{"view", "-h"},
+        Words{"visuals", "--help"}, Words{"draw", "teapot", "-o", file("x.png"), "--help"}}) {
+    const Finished same = runProgram(words);
+    EXPECT_EQ(same.status, 0);
+    EXPECT_EQ(same.out, help.out);
+  }
+  EXPECT_EQ(everything().size(), 1u);
+}
+
+// `scenes` has a line for every built-in scene, and each can be drawn; and one for every lesson.
+TEST_F(CommandTest, ScenesListsTheBuiltInOnes) {
+  const std::string list = runProgram({"scenes"}).out;
+  const std::vector<LessonEntry> lessons = builtInLessons();
+  EXPECT_EQ(std::ranges::count(list, '\n'), std::ssize(builtInScenes()) + std::ssize(lessons));
+  for (const LessonEntry& lesson : lessons)
+    EXPECT_NE(list.find("lesson " + lesson.name + ' '), std::string::npos);
+  for (const BuiltInScene& scene : builtInScenes()) {
+    EXPECT_NE(list.find(scene.shows), std::string::npos);
+    EXPECT_GT(draw(std::string{scene.name}).stats["fragments"], 0);
+  }
+}
+
+// A built-in name wins over a file of that name, a path does not; odd names work.
+TEST_F(CommandTest, NamesOfScenes) {
+  const std::filesystem::path before = std::filesystem::current_path();
+  write("teapot", kTriangle);
+  for (const std::string name : {"teapot.obj", "-dash.obj", "with blank.obj", "\xC3\xBC\xE6\x97\xA5.obj",
+                                 "q'\"$.obj", "new\nline.obj", "\xFF.obj"})
+    write(name, kTriangle);
+  std::filesystem::current_path(std::filesystem::path{file(".")});
+  const auto facesOf = [&](const Words& words) {
+    const Finished end = runProgram(Words{"draw", "--stats", "--size", "8x6", "-o", "-o.png"} + words);
+    EXPECT_EQ(end.err, "");
+    return end.status == 0 ? Json::parse(end.out)["faces"].get<int>() : -1;
+  };
+  EXPECT_EQ(facesOf({"teapot"}), 32 * 8 * 8);
+  EXPECT_EQ(facesOf({"--", "teapot"}), 32 * 8 * 8);
+  for (const std::string name : {"./teapot.obj", "teapot.obj", "./-dash.obj", "with blank.obj",
+                                 "\xC3\xBC\xE6\x97\xA5.obj", "q'\"$.obj", "new\nline.obj"})
+    EXPECT_EQ(facesOf({name}), 1) << name;
+  EXPECT_EQ(facesOf({"--", "-dash.obj"}), 1);
+  EXPECT_TRUE(std::filesystem::exists("-o.png"));
+  // A name that is no UTF-8 is still a name; only the statistics cannot hold its bytes.
+  const Finished bytes = runProgram({"draw", "\xFF.obj", "-o", "bytes.png", "--stats"});
+  EXPECT_EQ(bytes.status, 0) << bytes.err;
+  EXPECT_EQ(Json::parse(bytes.out)["scene"], "\xEF\xBF\xBD.obj");
+  std::filesystem::current_path(before);
+}
+
+// --stats: one object with everything promised, and times that add up.
+TEST_F(CommandTest, StatsHoldWhatIsPromised) {
+  const Json stats = draw("teapot").stats;
+  for (const char* key : {"polygons", "culled", "fragments", "splits", "cycles", "saturated"})
+    EXPECT_TRUE(stats.at(key).is_number_integer()) << key;
+  EXPECT_TRUE(stats.at("tests").is_object());
+  double sum = 0;
+  for (const char* key : {"read", "shade", "transform", "sort", "fill", "present"})
+    sum += stats.at("ms").at(key).get<double>();
+  EXPECT_GT(sum, 0);
+  EXPECT_NEAR(stats.at("ms").at("total").get<double>(), sum, 1e-6);
+  EXPECT_EQ(stats["polygons"], stats["fragments"].get<int>() - stats["splits"].get<int>() +
+                                   stats["degenerate"].get<int>() + stats["culled"].get<int>() +
+                                   stats["outside"].get<int>());
+}
+
+// The same command twice writes the same bytes.
+TEST_F(CommandTest, IsDeterministic) {
+  for (const std::string scene : {"teapot", "cycle"}) {
+    const Drawn a = draw(scene), b = draw(scene);
+    EXPECT_EQ(a.png, b.png);
+    EXPECT_EQ(a.ids.rgb, b.ids.rgb);
+  }
+}
+
+}  // namespace xnewell

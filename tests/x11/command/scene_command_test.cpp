@@ -1,0 +1,146 @@
+#include <gtest/gtest.h>
+
+#include "tests/x11/support/command_fixture.h"
+
+namespace xnewell {
+
+/// What a scene file says and what the command line says: the command line wins, then the scene, then the
+/// program's defaults.
+
+namespace {
+
+class SceneCommandTest : public CommandTest {
+ protected:
+  /// A sphere with this said beside it.
+  [[nodiscard]] std::string sphere(const std::string& name, const std::string& said,
+                                   const std::string& ofObject = "") const {
+    return write(name, R"({"up": "z", )" + said +
+                           R"("objects": [{"solid": "sphere", "around": 9, "down": 6)" + ofObject + "}]}");
+  }
+};
+
+}  // namespace
+
+// What a scene asks for is what its options would do, and each option changes the same in both.
+TEST_F(SceneCommandTest, OptionsWinOverTheSceneOverDefaults) {
+  const std::string plain = sphere("plain.json", "");
+  const std::string asks =
+      sphere("asks.json", R"("shading": {"method": "gouraud", "normals": "sum", "crease": 100,
+    "polygons": "rows", "form": "half-vector", "order": "zsort", "Ia": 0.05, "Ip": 0.9, "ka": 0.8, "kd": 0.7,
+    "ks": 0.6, "n": 5, "light": [-1, -1, 0], "table": {"kind": "corrected", "shades": 40, "i0": 0.1,
+    "pick": "search", "hue": [0, 1, 0.5], "bits": 8}}, )");
+  const std::vector<Words> same{
+      {"--shade", "gouraud"},    {"--normals", "sum"},     {"--crease", "100"}, {"--polygons", "rows"},
+      {"--form", "half-vector"}, {"--order", "zsort"},     {"--ia", "0.05"},    {"--ip", "0.9"},
+      {"--ka", "0.8"},           {"--kd", "0.7"},          {"--ks", "0.6"},     {"--n", "5"},
+      {"--light", "-1,-1,0"},    {"--table", "corrected"}, {"--shades", "40"},  {"--i0", "0.1"},
+      {"--pick", "search"},      {"--hue", "0,1,0.5"},     {"--bits", "8"}};
+  const std::vector<Words> other{
+      {"--shade", "phong"},   {"--normals", "distinct"}, {"--crease", "0"},  {"--polygons", "triangles"},
+      {"--form", "textbook"}, {"--order", "newell"},     {"--ia", "0.1"},    {"--ip", "0.5"},
+      {"--ka", "0.1"},        {"--kd", "0.1"},           {"--ks", "0.1"},    {"--n", "50"},
+      {"--light", "-1,1,1"},  {"--table", "brief"},      {"--shades", "10"}, {"--i0", "0.3"},
+      {"--pick", "log"},      {"--hue", "1,0,0"},        {"--bits", "16"}};
+  Words all;
+  for (const Words& option : same) all = all + option;
+  const std::string as = draw(asks).png;
+  EXPECT_EQ(as, draw(plain, all).png);
+  EXPECT_NE(as, draw(plain).png);
+
+  int changed = 0;
+  for (std::size_t k = 0; k < same.size(); ++k) {
+    Words rest = other[k];
+    for (std::size_t i = 0; i < same.size(); ++i)
+      if (i != k) rest = rest + same[i];
+    const std::string over = draw(asks, other[k]).png;
+    EXPECT_EQ(over, draw(plain, rest).png) << other[k][0];
+    changed += over != as;
+  }
+  EXPECT_GE(changed, 15);  // not each is seen: of a sphere alone the order does not matter
+}
+
+// The scene's own light and surfaces give way, each to the options of the same.
+TEST_F(SceneCommandTest, OwnLightAndSurfacesGiveWay) {
+  const std::string plain = sphere("plain.json", "");
+  const std::string lit =
+      sphere("lit.json", R"("ambient": 0.1, "lights": [{"Ip": 0.6, "towards": [1, 0, 0]}], )");
+  EXPECT_NE(draw(lit).png, draw(plain).png);
+  const Words light{"--ia", "0.3", "--ip", "0.4", "--light", "0,0,1"};
+  EXPECT_EQ(draw(lit, light).png, draw(plain, light).png);
+  EXPECT_EQ(draw(lit, {"--light", "0,0,1"}).png, draw(plain, {"--light", "0,0,1", "--ia", "0.1"}).png);
+  EXPECT_EQ(draw(lit, {"--light-at", "0,0,3"}).png, draw(plain, {"--light-at", "0,0,3", "--ia", "0.1"}).png);
+  EXPECT_EQ(draw(lit, {"--ia", "0.3"}).png,
+            draw(plain, {"--ia", "0.3", "--ip", "0.6", "--light", "1,0,0"}).png);
+
+  // A light that leaves less than the default of the user's.
+  const std::string bright = sphere("bright.json", R"("ambient": 0.5, )");
+  EXPECT_EQ(draw(bright).png, draw(plain, {"--ia", "0.5", "--ip", "0.5"}).png);
+  EXPECT_EQ(draw(bright, {"--light", "0,0,1"}).png,
+            draw(plain, {"--ia", "0.5", "--ip", "0.5", "--light", "0,0,1"}).png);
+
+  const std::string shiny =
+      sphere("shiny.json", R"("materials": {"m": {"ka": 0.1, "kd": 0.2, "ks": 0.3, "n": 4}}, )",
+             R"(, "material": "m")");
+  const Words surface{"--ka", "0.1", "--kd", "0.2", "--ks", "0.3", "--n", "4"};
+  EXPECT_EQ(draw(shiny).png, draw(plain, surface).png);
+  for (std::size_t k = 0; k < surface.size(); k += 2) {
+    Words rest = surface;
+    rest[k + 1] = "1";
+    EXPECT_EQ(draw(shiny, {surface[k], "1"}).png, draw(plain, rest).png) << surface[k];
+    EXPECT_NE(draw(shiny, {surface[k], "1"}).png, draw(shiny).png) << surface[k];
+  }
+}
+
+// What cannot be together is refused, whoever said its half.
+TEST_F(SceneCommandTest, RefusesWhatExceedsOrCannotBeShown) {
+  const std::string lit = sphere("lit.json", R"("lights": [{"Ip": 0.6}], )");
+  const std::string ambient = sphere("ambient.json", R"("ambient": 0.6, )");
+  const std::string smooth = sphere("smooth.json", R"("shading": {"method": "gouraud"}, )");
+  const Words to{"-o", file("new.png")};
+  refused(Words{"draw", lit, "--ia", "0.5"} + to, 2,
+          "--ia and the scene's lights: their sum must not exceed 1");
+  refused(Words{"draw", ambient, "--ip", "0.5"} + to, 2,
+          "--ip and the scene's ambient light: their sum must not exceed 1");
+  refused(Words{"snapshot", smooth, "--fill", "x11"} + to, 2,
+          "--fill x11 gives a polygon one cell: use --shade none, depth or flat");
+  refused(Words{"snapshot", "textured-cube", "--shade", "flat", "--fill", "x11"} + to, 2,
+          "--fill x11 gives a polygon one cell: it does not show the scene's textures");
+  EXPECT_EQ(runProgram(Words{"draw", lit, "--ia", "0.4"} + to).status, 0);
+  EXPECT_EQ(runProgram(Words{"draw", ambient, "--ip", "0.4"} + to).status, 0);
+  const std::string decimals =
+      sphere("decimals.json", R"("lights": [{"Ip": 0.55}, {"Ip": 0.3}, {"Ip": 0.1}], )");
+  EXPECT_GT(0.05 + 0.55 + 0.3 + 0.1, 1.0);  // in doubles
+  EXPECT_EQ(runProgram(Words{"draw", decimals, "--ia", "0.05"} + to).status, 0);
+}
+
+// The depth sort is told of a scene that asks for another order.
+TEST_F(SceneCommandTest, TraceFollowsTheDepthSort) {
+  const Finished end = runProgram({"trace", sphere("s.json", R"("shading": {"order": "zmean"}, )")});
+  EXPECT_EQ(end.status, 0) << end.err;
+  EXPECT_GT(std::ranges::count(end.out, '\n'), 54);
+}
+
+// The divisions that the user asks for are those of patches that do not say theirs.
+TEST_F(SceneCommandTest, DivisionsOfPatches) {
+  EXPECT_EQ(draw("saturated", {"--divisions", "2"}).stats["faces"], 128);
+  EXPECT_EQ(draw("coarse-teapot", {"--divisions", "2"}).stats["faces"], 288);
+}
+
+// A tolerance that is not reached is told: the rim of a hard spot is a step, of a soft one it is not.
+TEST_F(SceneCommandTest, TellsWhereAdaptIsNotReached) {
+  const auto told = [&](const std::string& outer) {
+    const std::string floor = write("floor.json", R"({"up": "z", "shading": {"method": "gouraud"}, "lights": [
+      {"kind": "spot", "Ip": 0.7, "at": [0.1, 0.2, 4], "look_at": [0, 0, 0], "inner": 15, "outer": )" +
+                                                      outer + R"(}],
+      "objects": [{"polygons": [[[-2, -2, 0], [2, -2, 0], [2, 2, 0], [-2, 2, 0]]]}]})");
+    const Finished end = runProgram(Words{"draw", floor, "-o", file("out.png"), "--adapt", "0.1"});
+    EXPECT_EQ(end.status, 0);
+    return end.err;
+  };
+  EXPECT_EQ(told("15"),
+            "xnewell: --adapt 0.1 is not reached everywhere: that would take pieces smaller than a "
+            "thousandth of a polygon\n");
+  EXPECT_EQ(told("25"), "");
+}
+
+}  // namespace xnewell

@@ -1,0 +1,183 @@
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <array>
+#include <fstream>
+#include <random>
+#include <set>
+
+#include "x11/window/panel.h"
+
+#include "tests/x11/support/program_picture.h"
+#include "tests/x11/support/watched_window.h"
+#include "tests/x11/support/x_server.h"
+
+namespace xnewell {
+
+namespace {
+
+/// The three tables, hues, orders, projections, sizes up to more than the screen (640 x 480), and scenes.
+constexpr std::array kPictures{
+    "teapot --divisions 8",
+    "teapot --divisions 4 --table brief --hue 1,1,1 --order zmean --parallel 6",
+    "teapot --divisions 4 --table corrected --hue 0.3,0.5,1 --order none",
+    "teapot --divisions 3 --table corrected --i0 0.001 --shades 64 --pick search --size 1023x777",
+    "teapot --divisions 3 --table corrected --bits 8 --hue 0,1,0 --size 333x250 --cull back",
+    "teapot --divisions 3 --table brief --shades 2 --size 1x1",
+    "teapot --divisions 3 --size 1300x900 --fov 12 --ia 0 --ip 1 --ks 1 --n 200",
+    "teapot --divisions 5 --oblique cabinet:30 --size 401x203 --shade none",
+    "teapot --divisions 5 --oblique cavalier --size 64x300 --order zmean --table linear --hue 1,0.7,0",
+    "cycle --table corrected --size 255x257",
+    "penetrate --table brief --parallel 5 --size 100x700",
+    "nested-cycles --size 301x299",
+};
+
+}  // namespace
+
+// A picture does not depend on how it came about: drawn without a server, or through the real colormap of an
+// 8-bit server, or emulated at depth 24, it is the same to the last bit. What the server fills is the same on
+// both servers.
+TEST(Snapshot, EqualsDrawOnEveryKindOfServer) {
+  const XServer eight = XServer::xvfb(8), deep = XServer::xvfb(24);
+  for (const std::string line : kPictures) {
+    SCOPED_TRACE(line);
+    const RgbImage drawn = pictureOf("draw " + line);
+    EXPECT_EQ(pictureOf("snapshot --visual PseudoColor8 " + line, eight.name()), drawn);
+    EXPECT_EQ(pictureOf("snapshot --visual TrueColor24 " + line, deep.name()), drawn);
+    const RgbImage filled = pictureOf("snapshot --fill x11 " + line, eight.name());
+    EXPECT_EQ(pictureOf("snapshot --fill x11 " + line, deep.name()), filled);
+    EXPECT_EQ(filled.width, drawn.width);
+    if (drawn.width < 100) continue;
+    // Not by painting nothing: corners are snapped to pixels there, so only outlines may differ.
+    int differ = 0, painted = 0;
+    for (std::size_t i = 0; i < drawn.rgb.size(); i += 3) {
+      differ += !std::equal(&drawn.rgb[i], &drawn.rgb[i] + 3, &filled.rgb[i]);
+      painted += !std::equal(&drawn.rgb[i], &drawn.rgb[i] + 3, &drawn.rgb[0]);
+    }
+    EXPECT_GT(painted, 1000);
+    EXPECT_LT(differ, painted / 2);
+  }
+}
+
+// So is a view of the numbers behind a picture, with cells for the tool's own colours where each server has
+// them.
+TEST(Snapshot, ViewsEqualDrawnOnesOnEveryKindOfServer) {
+  const XServer eight = XServer::xvfb(8), deep = XServer::xvfb(24);
+  const XServer host = XServer::xvfb(24, 1400, 1000);
+  const XServer nested = XServer::xephyr(host, 8, 320, 240);
+  for (const std::string line :
+       {"teapot --divisions 3 --shade gouraud --view machbands --scanline 100 --table brief",
+        "penetrate --view normals --shade phong --size 640x400", "cycle --view difference --order none"}) {
+    SCOPED_TRACE(line);
+    const RgbImage drawn = pictureOf("draw " + line);
+    EXPECT_GT(drawn.width, 600);
+    EXPECT_EQ(pictureOf("snapshot --visual PseudoColor8 " + line, eight.name()), drawn);
+    EXPECT_EQ(pictureOf("snapshot --visual TrueColor24 " + line, deep.name()), drawn);
+    EXPECT_EQ(pictureOf("snapshot " + line, nested.name()), drawn);
+  }
+}
+
+// Black and white stand where the server has them, and the picture is the same: in a nested server, whose
+// black is 1 and white 0.
+TEST(Snapshot, EqualsDrawWhereBlackIsOneAndWhiteZero) {
+  const XServer host = XServer::xvfb(24, 1400, 1000);
+  const XServer nested = XServer::xephyr(host, 8, 320, 240);
+  {
+    const OwnedDisplay display = openDisplay(nested.name());
+    ASSERT_EQ(BlackPixel(display.get(), 0), 1u);
+    ASSERT_EQ(WhitePixel(display.get(), 0), 0u);
+  }
+  for (const std::string line : {kPictures[1], kPictures[2], kPictures[3], kPictures[9]}) {
+    SCOPED_TRACE(line);
+    EXPECT_EQ(pictureOf("snapshot " + line, nested.name()), pictureOf("draw " + line));
+  }
+}
+
+// Where the depth sort splits polygons, the server shows no background between the pieces: it paints the same
+// pixels as for whole polygons in any other order.
+TEST(Snapshot, PiecesLeaveNoGap) {
+  const XServer server = XServer::xvfb(8);
+  for (const std::string scene : {"crossing-sheets", "nested-cycles", "tori", "teapot"}) {
+    SCOPED_TRACE(scene);
+    const RgbImage whole = pictureOf("snapshot --fill x11 --order none " + scene, server.name());
+    const RgbImage pieces = pictureOf("snapshot --fill x11 --order newell " + scene, server.name());
+    const auto ground = [](const RgbImage& image, std::size_t i) {
+      return std::equal(&image.rgb[i], &image.rgb[i] + 3, &image.rgb[0]);
+    };
+    int covered = 0, gained = 0;
+    ASSERT_EQ(whole.rgb.size(), pieces.rgb.size());
+    for (std::size_t i = 0; i < whole.rgb.size(); i += 3) {
+      covered += !ground(whole, i);
+      gained += ground(whole, i) != ground(pieces, i);
+    }
+    EXPECT_GT(covered, 10'000);
+    EXPECT_EQ(gained, 0);
+    EXPECT_NE(whole, pieces);
+  }
+}
+
+// The X server as an oracle of the sample rule. With corners exactly on pixel centres our filling and
+// XFillPolygon, on triangles (its convex filler) and quads (its general one), own the same samples: left and
+// top edges in, right and bottom edges out.
+TEST(Snapshot, OwnsTheSamplesThatTheServerOwns) {
+  const XServer server = XServer::xvfb(8);
+  const TemporaryFolder folder;
+  constexpr int kSize = 128;  // one world unit a pixel: x = i + 1/2 is the centre of pixel i
+  for (unsigned seed = 0; seed < 6; ++seed) {
+    SCOPED_TRACE(seed);
+    std::mt19937 rng{seed};
+    const auto below = [&rng](int n) { return static_cast<int>(rng() % n); };
+    const std::string name = folder.file("corners.obj");
+    {
+      std::ofstream obj{name};
+      int vertices = 0;
+      for (int face = 0; face < 250; ++face) {
+        // A parallelogram or half of one, on a plane of its own slope, so that colours differ.
+        const int reach = seed % 2 ? 12 : 60, slope = -below(9);
+        const std::array<int, 2> a{below(kSize), below(kSize)};
+        const std::array<int, 2> u{below(2 * reach + 1) - reach, below(2 * reach + 1) - reach};
+        const std::array<int, 2> v{below(2 * reach + 1) - reach, below(2 * reach + 1) - reach};
+        const int corners = 3 + below(2);
+        for (const auto& [p, q] : {std::array{0, 0}, {1, 0}, {1, 1}, {0, 1}}) {
+          if (corners == 3 && p == 1 && q == 1) continue;
+          const int i = a[0] + p * u[0] + q * v[0], j = a[1] + p * u[1] + q * v[1];
+          obj << "v " << i + 0.5 << ' ' << kSize - (j + 0.5) << ' ' << slope * i << '\n';
+        }
+        obj << 'f';
+        for (int k = 0; k < corners; ++k) obj << ' ' << ++vertices;
+        obj << '\n';
+      }
+    }
+    const std::string line = name + " --eye 64,64,5000 --look-at 64,64,0 --up 0,1,0 --parallel 128" +
+                             " --light 1,0,1 --size 128x128 --order ";
+    RgbImage ours;
+    for (const std::string order : {"none", "newell"}) {  // whole polygons, and pieces by clip list
+      ours = pictureOf("snapshot --fill scanline " + line + order, server.name());
+      EXPECT_EQ(pictureOf("snapshot --fill x11 " + line + order, server.name()), ours);
+    }
+    std::set<std::array<int, 3>> colors;
+    for (int i = 0; i < kSize * kSize; ++i)
+      colors.insert({ours.rgb[3 * i], ours.rgb[3 * i + 1], ours.rgb[3 * i + 2]});
+    EXPECT_GE(colors.size(), 6u);  // faces are told apart
+  }
+}
+
+// The whole window is the same at depth 8 and 24, but for its status line, which tells the visual and the
+// time; also where there is no room for the controls.
+TEST(Snapshot, WholeWindowIsTheSameAtBothDepths) {
+  const XServer eight = XServer::xvfb(8), deep = XServer::xvfb(24);
+  for (const auto& [w, h] :
+       {std::pair{1024, 768}, {800, 600}, {1601, 1201}, {640, 480}, {799, 600}, {1, 1}}) {
+    SCOPED_TRACE(testing::Message() << w << " x " << h);
+    const std::string line = "teapot --divisions 4 --table corrected --whole-window --size " +
+                             std::to_string(w) + "x" + std::to_string(h);
+    const Layout at = layoutOf(w, h);
+    const Rect part{0, 0, w, at.roomy ? at.status.y : h};
+    const RgbImage one = pictureOf("snapshot " + line, eight.name()),
+                   two = pictureOf("snapshot " + line, deep.name());
+    ASSERT_EQ(std::pair(one.width, one.height), std::pair(w, h));
+    EXPECT_EQ(cropped(one, part), cropped(two, part));
+  }
+}
+
+}  // namespace xnewell

@@ -1,0 +1,281 @@
+#include "x11/command/trace.h"
+
+#include <gtest/gtest.h>
+
+#include <sys/wait.h>
+
+#include <cstdlib>
+#include <set>
+#include <span>
+#include <sstream>
+
+#include "tests/x11/support/command_fixture.h"
+
+namespace xnewell {
+
+/// The trace as a user meets it: its lines, its frames, and what is refused.
+
+namespace {
+
+using TraceCommand = CommandTest;
+
+std::vector<Json> linesOf(const Words& words) {
+  const Finished end = runProgram(Words{"trace"} + words);
+  EXPECT_EQ(end.status, 0) << end.err;
+  EXPECT_EQ(end.err, "");
+  std::vector<Json> lines;
+  std::istringstream in{end.out};
+  for (std::string line; std::getline(in, line);) lines.push_back(Json::parse(line));
+  return lines;
+}
+
+/// What the numbers of a test line say by themselves.
+std::string decided(const Json& line) {
+  const Json& n = line["numbers"];
+  const std::string test = line["test"];
+  const auto apart = [](const Json& p, const Json& q) { return p[1] <= q[0] || q[1] <= p[0] ? "yes" : "no"; };
+  const auto only = [](const Json& corners, const char* where, const char* notThere) {
+    return corners[notThere] == 0 && corners[where] > 0 ? "yes" : "no";
+  };
+  if (test == "1") return apart(n["P_x"], n["Q_x"]);
+  if (test == "2") return apart(n["P_y"], n["Q_y"]);
+  if (test == "3") return only(n["P_from_plane_of_Q"], "behind", "in_front");
+  if (test == "4") return only(n["Q_from_plane_of_P"], "in_front", "behind");
+  if (test == "5") return n["separating_edge"].is_null() ? "no" : "yes";
+  if (test == "3'") return only(n["Q_from_plane_of_P"], "behind", "in_front");
+  if (test == "4'") return only(n["P_from_plane_of_Q"], "in_front", "behind");
+  if (test == "plane") return "yes";
+  if (n["contact"]) return line["outcome"];
+  return n["P_nearer"] == 0 ? "P first" : n["Q_nearer"] == 0 ? "Q first" : "crossing";
+}
+
+/// How many files of the folder there are, by the word behind their number.
+std::map<std::string, int> framesIn(const std::string& folder) {
+  std::map<std::string, int> words;
+  for (const auto& entry : std::filesystem::directory_iterator{folder}) {
+    const std::string name = entry.path().filename().string();
+    EXPECT_TRUE(name.size() > 9 && name[4] == '-' && name.ends_with(".png")) << name;
+    ++words[name.substr(5, name.size() - 9)];
+  }
+  return words;
+}
+
+}  // namespace
+
+// Every line is JSON. Steps count without a gap; the tests of a step failed but for the last, which settled
+// the pair; the numbers of each decide as it did; and the summary counts what was told.
+TEST_F(TraceCommand, LinesTellTheRun) {
+  std::map<std::string, int> settled;
+  for (const Words& words :
+       {Words{"cycle"}, Words{"penetrate"}, Words{"nested-cycles"}, Words{"decals"}, Words{"crossing-sheets"},
+        Words{"room", "--quick"}, Words{"nested-cycles", "--quick"}, Words{"cycle", "--size", "64x64"}}) {
+    SCOPED_TRACE(words[0]);
+    const bool quick = std::ranges::find(words, "--quick") != words.end();
+    const std::vector<Json> lines = linesOf(words);
+    ASSERT_GT(lines.size(), 2u);
+    EXPECT_EQ(lines.front()["event"], "run");
+    EXPECT_EQ(lines.front()["scene"], words[0]);
+    EXPECT_EQ(lines.front()["run"], quick ? "quick" : "textbook");
+    const Json& summary = lines.back();
+    EXPECT_EQ(summary["event"], "summary");
+
+    std::map<std::string, int> events;
+    int step = 0, pairs = 0;
+    bool open = false;  // a test failed, and the next line goes on with the same pair
+    for (const Json& line : std::span{lines}.subspan(1, lines.size() - 2)) {
+      const std::string event = line["event"];
+      ASSERT_EQ(line["step"], open ? step : step + 1) << line;
+      step = line["step"];
+      if (open) {
+        ASSERT_EQ(event, "test") << line;
+      }
+      ASSERT_FALSE(line["P"].empty());
+      ASSERT_TRUE(line["says"].get<std::string>().ends_with('.'));
+      ++events[event];
+      open = event == "test" && line["outcome"] == "no";
+      if (event != "test") continue;
+      EXPECT_EQ(line["outcome"], decided(line)) << line;
+      EXPECT_EQ(line.contains("verdict"), !open) << line;
+      if (open) continue;
+      ++pairs;
+      ++settled[line["test"]];
+      const std::string test = line["test"], verdict = line["verdict"];
+      if (test.size() == 1 && test != "6") {
+        EXPECT_EQ(verdict, "P first");
+      }
+      if (test.size() == 2) {
+        EXPECT_EQ(verdict, "Q first");
+      }
+      if (test == "plane") {
+        EXPECT_EQ(verdict == "P first", line["numbers"]["P_place"] < line["numbers"]["Q_place"]);
+      }
+    }
+    EXPECT_FALSE(open);
+    EXPECT_EQ(lines.front()["steps"], step);
+    EXPECT_EQ(summary["pairs"], pairs);
+    EXPECT_EQ(summary["fragments"], events["paint"]);
+    EXPECT_EQ(summary["moves"], events["move"]);
+    EXPECT_EQ(summary["cycles"], events["cycle"]);
+    EXPECT_EQ(summary["cuts"], events["cut"]);
+    if (words[0] == "cycle") {
+      EXPECT_GE(events["cycle"], 1);
+      EXPECT_GE(events["cut"], 1);
+    }
+    if (words[0] == "penetrate") {
+      EXPECT_GE(events["cut"], 1);
+    }
+  }
+  for (const TestRow& row : kTestRows) EXPECT_GT(settled[std::string{row.name}], 0) << row.name;
+}
+
+// By the lines alone: every polygon is either cut, once, into pieces, or painted, once.
+TEST_F(TraceCommand, EveryPolygonIsPaintedOrCut) {
+  for (const Words& words :
+       {Words{"nested-cycles"}, Words{"crossing-sheets"}, Words{"nested-cycles", "--quick"}}) {
+    const std::vector<Json> lines = linesOf(words);
+    std::set<int> there;
+    for (int id = 0; id < lines.front()["polygons"]; ++id) there.insert(id);
+    int cuts = 0;
+    for (const Json& line : lines) {
+      if (line["event"] != "cut" && line["event"] != "paint") continue;
+      ASSERT_EQ(there.erase(line["P_id"].get<int>()), 1u) << line;
+      if (line["event"] == "paint") continue;
+      ++cuts;
+      EXPECT_TRUE(there.insert(line["behind_id"].get<int>()).second);
+      EXPECT_TRUE(there.insert(line["in_front_id"].get<int>()).second);
+    }
+    EXPECT_TRUE(there.empty());
+    EXPECT_GT(cuts, 0);
+  }
+}
+
+// --frames writes a picture for each step of its kind and one of the end, which shows what `draw` draws.
+TEST_F(TraceCommand, FramesOfEachKind) {
+  const std::map<std::string, int> all = [] {
+    std::map<std::string, int> events;
+    std::set<int> told;
+    for (const Json& line : linesOf({"nested-cycles"}))
+      if (line.contains("step") && told.insert(line["step"].get<int>()).second) ++events[line["event"]];
+    return events;
+  }();
+  for (const auto& row : kEvery) {
+    const std::string word{row.name}, folder = file("deep/" + word);
+    const Finished end =
+        runProgram({"trace", "nested-cycles", "--frames", folder, "--every", word, "--size", "160x120"});
+    ASSERT_EQ(end.status, 0) << end.err;
+    EXPECT_EQ(end.out + end.err, "");
+    std::map<std::string, int> expected = all;
+    if (row.id != Every::Step) expected = {{word, all.at(word)}};
+    expected["done"] = 1;
+    EXPECT_EQ(framesIn(folder), expected) << word;
+  }
+  for (const std::string scene : {"cycle", "penetrate", "nested-cycles", "room"}) {
+    const Words options = scene == "room" ? Words{"--every", "cycle"} : Words{};
+    for (const std::string size : {"64x64", "800x600"}) {
+      const std::string folder = file(scene + size);
+      ASSERT_EQ(runProgram(Words{"trace", scene, "--frames", folder, "--size", size} + options).status, 0);
+      const Drawn drawn = draw(scene, {"--size", size});
+      std::set<std::string> names;
+      for (const auto& entry : std::filesystem::directory_iterator{folder})
+        names.insert(entry.path().string());
+      ASSERT_TRUE(names.rbegin()->ends_with("-done.png"));
+      EXPECT_GT(names.size(), 1u);
+      const RgbImage last = readPng(*names.rbegin());
+      ASSERT_GE(last.width, drawn.picture.width);
+      for (int j = 0; j < drawn.picture.height; ++j)
+        ASSERT_TRUE(std::equal(drawn.picture.pixel(0, j), drawn.picture.pixel(0, j) + 3 * drawn.picture.width,
+                               last.pixel(0, j)))
+            << scene << size << ", row " << j;
+    }
+  }
+}
+
+// With --whole-window they are the stepper's page at each of its own run's steps.
+TEST_F(TraceCommand, FramesOfTheStepper) {
+  const std::string folder = file("stepper");
+  const Finished end =
+      runProgram({"trace", "cycle", "--frames", folder, "--every", "step", "--whole-window"});
+  ASSERT_EQ(end.status, 0) << end.err;
+  const std::map<std::string, int> words = framesIn(folder);
+  EXPECT_EQ(words.at("cut"), 1);
+  EXPECT_EQ(words.at("paint"), 3);
+  EXPECT_EQ(words.at("done"), 1);  // the fourth
+  std::set<std::string> names;
+  for (const auto& entry : std::filesystem::directory_iterator{folder}) names.insert(entry.path().string());
+  std::set<std::vector<std::uint8_t>> pictures;
+  for (const std::string& name : names) {
+    const RgbImage frame = readPng(name);
+    EXPECT_EQ(frame.width, 1024);
+    EXPECT_EQ(frame.height, 768);
+    pictures.insert(frame.rgb);
+  }
+  EXPECT_EQ(pictures.size(), names.size());
+  const std::string cuts = file("cuts");
+  ASSERT_EQ(runProgram({"trace", "cycle", "--frames", cuts, "--whole-window", "--size", "800x600"}).status,
+            0);
+  EXPECT_EQ(framesIn(cuts), (std::map<std::string, int>{{"cut", 1}, {"done", 1}}));
+
+  const std::string none = file("none");
+  refused({"trace", "cycle", "--frames", none, "--whole-window", "--quick"}, 2,
+          "--quick and --whole-window exclude each other");
+  refused({"trace", "cycle", "--frames", none, "--whole-window", "--size", "799x600"}, 2,
+          "the stepper needs a --size of at least 800x600");
+  refused({"trace", "cycle", "--whole-window"}, 2,
+          "--whole-window goes with snapshot and with trace --frames");
+  refused({"trace", "room", "--frames", none, "--whole-window"}, 2,
+          "room: the run has no cut to make a frame of; --every paint has 325");
+}
+
+// What makes no frames says why, and leaves no folder and no file.
+TEST_F(TraceCommand, Refusals) {
+  const std::string folder = file("frames");
+  refused({"trace", "room", "--frames", folder}, 2,
+          "room: the run has no cut to make a frame of; --every paint has 325");
+  refused({"trace", "teapot", "--frames", folder, "--every", "step", "--quick", "--divisions", "10"}, 2,
+          "--every step: " +
+              std::to_string(linesOf({"teapot", "--quick", "--divisions", "10"})[0]["steps"].get<int>()) +
+              " frames are too many; at most 9,998 are written");
+  refused({"trace", "cycle", "--every", "cut"}, 2, "--every goes with --frames");
+  refused({"trace", "cycle", "--frames", folder, "--every", "day"}, 2,
+          "--every: 'day' is not one of step, paint, move, cycle, cut");
+  refused({"trace", "cycle", "--frames", ""}, 2, "--frames: the folder's name is empty");
+  refused({"trace"}, 2, "trace needs a scene, such as teapot");
+  refused({"trace", "cycle", "--order", "zsort"}, 2, "trace follows the depth sort: no --order but newell");
+  refused({"trace", "cycle", "-o", file("new.png")}, 2, "-o goes with draw and snapshot");
+  refused({"draw", "cycle", "-o", file("new.png"), "--quick"}, 2, "--quick goes with trace");
+  refused({"draw", "cycle", "-o", file("new.png"), "--frames", folder}, 2,
+          "--frames goes with trace and lesson");
+  refused({"trace", "cycle", "--frames", file("old.png")}, 1, file("old.png") + ": Not a directory");
+  refused({"trace", "nosuch"}, 2, "nosuch: no built-in scene of that name; `xnewell scenes` lists them");
+
+  // Frames of an earlier run would be mistaken for this one's; other files do not matter.
+  ASSERT_EQ(runProgram({"trace", "cycle", "--frames", file(".")}).status, 0);
+  EXPECT_TRUE(std::filesystem::exists(file("0001-cut.png")));
+  const auto before = everything();
+  const Finished again = runProgram({"trace", "penetrate", "--frames", file(".")});
+  EXPECT_EQ(again.status, 2);
+  EXPECT_NE(again.err.find("holds frames already"), std::string::npos) << again.err;
+  EXPECT_EQ(everything(), before);
+}
+
+TEST_F(TraceCommand, AnInterruptLeavesWholeFrames) {
+  interruptsLeaveWholeFrames({"trace", "nested-cycles", "--every", "step", "--size", "1500x1500"}, 1500);
+}
+
+// Lines that nobody can take are an error; lines that nobody wants any more are none worth a word.
+TEST_F(TraceCommand, StandardOutputThatTakesNoMore) {
+  const std::string trace = "'" XNEWELL_PROGRAM "' trace room";
+  const auto shell = [&](const std::string& line) {
+    return WEXITSTATUS(std::system(("( " + line + " ) 2>'" + file("said") + "'").c_str()));
+  };
+  EXPECT_EQ(shell(trace + " >/dev/full"), 1);
+  EXPECT_EQ(contents(file("said")), "xnewell: standard output: No space left on device\n");
+  EXPECT_EQ(shell("trap '' PIPE; { " + trace + "; echo $? >'" + file("status") + "'; } | head -n 1 >'" +
+                  file("line") + "'"),
+            0);
+  EXPECT_EQ(contents(file("status")), "141\n");  // SIGPIPE, even where it was ignored
+  EXPECT_EQ(contents(file("said")), "");
+  EXPECT_EQ(Json::parse(contents(file("line")))["event"], "run");
+}
+
+}  // namespace xnewell

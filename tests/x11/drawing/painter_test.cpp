@@ -1,0 +1,271 @@
+#include "x11/drawing/painter.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdlib>
+#include <map>
+#include <random>
+#include <set>
+#include <utility>
+
+namespace xnewell {
+
+namespace {
+
+using Pixels = std::set<std::pair<int, int>>;
+
+/// Where the image is not 0.
+Pixels painted(const IndexImage& image, int dx = 0, int dy = 0) {
+  Pixels pixels;
+  for (int j = 0; j < image.height; ++j)
+    for (int i = 0; i < image.width; ++i)
+      if (image.row(j)[i]) pixels.emplace(i + dx, j + dy);
+  return pixels;
+}
+
+/// What `draw` paints with its origin at (dx, dy), on a large image, in the drawing's own coordinates.
+template <typename Draw>
+Pixels drawn(Draw draw, int dx = 200, int dy = 200) {
+  IndexImage image{400, 400, 0};
+  Painter painter{image};
+  draw(painter, dx, dy);
+  return painted(image, -dx, -dy);
+}
+
+Pixels lineFrom(int x0, int y0, int x1, int y1, const LineStyle& style = {}) {
+  return drawn([&](Painter& p, int x, int y) { p.line(x + x0, y + y0, x + x1, y + y1, 1, style); });
+}
+
+/// Everything the painter can draw, somewhere around (x, y).
+void everything(Painter& p, int x, int y) {
+  p.fillRect({x - 3, y - 2, 4, 5}, 1);
+  p.frame({x, y, 9, 7}, 2);
+  p.stipple({x + 4, y - 9, 13, 11}, Stipple::Quarter, 3);
+  p.line(x - 40, y + 3, x + 30, y - 20, 4, {.thickness = 3, .on = 5, .off = 2});
+  p.line(x, y + 50, x + 7, y - 50, 5);
+  p.disc(x, y, 6, 6);
+  p.ring(x + 9, y, 8, 7);
+  for (const VoiceRow& voice : kVoices) p.text(x - 10, y + 4, "Wg\u00B7", 8, voice.id);
+  p.textRight(x, y, "0.40", 9, Voice::Bold);
+  p.tick(x - 2, y, 10);
+  p.cross(x, y - 3, 11);
+  for (const Direction to : {Direction::Left, Direction::Right, Direction::Up, Direction::Down}) {
+    p.triangle(x, y, 5, to, 12);
+    p.keyCap(x - 7, y, to, {13, 14, 15, 16});
+  }
+  p.keyCap(x, y - 7, "Space", {13, 14, 15, 16});
+}
+
+}  // namespace
+
+// Clipping leaves out pixels and changes none: drawn anywhere over the border of a small image, or of a
+// smaller clip, the picture is the part of the whole picture that is inside.
+TEST(Painter, ClipsExactly) {
+  constexpr int kWidth = 31, kHeight = 23, kMargin = 120;
+  const Rect clip{5, 4, 17, 13};
+  for (int y = -60; y <= kHeight + 60; y += 7)
+    for (int x = -60; x <= kWidth + 60; x += 5) {
+      IndexImage whole{kWidth + 2 * kMargin, kHeight + 2 * kMargin, 0}, small{kWidth, kHeight, 0},
+          inner = small;
+      Painter large{whole}, direct{small};
+      everything(large, x + kMargin, y + kMargin);
+      everything(direct, x, y);
+      Painter clipped = Painter{inner}.within(clip);
+      everything(clipped, x, y);
+      for (int j = 0; j < kHeight; ++j)
+        for (int i = 0; i < kWidth; ++i) {
+          const int expected = whole.row(j + kMargin)[i + kMargin];
+          const bool inside =
+              i >= clip.x && i < clip.x + clip.width && j >= clip.y && j < clip.y + clip.height;
+          ASSERT_EQ(small.row(j)[i], expected) << x << ' ' << y << ' ' << i << ' ' << j;
+          ASSERT_EQ(inner.row(j)[i], inside ? expected : 0) << x << ' ' << y << ' ' << i << ' ' << j;
+        }
+    }
+}
+
+// A line has one pixel for each step of its longer axis, each within half a pixel of the line, both ends
+// among them, and the same from either end.
+TEST(Painter, LineIsTheNearestPixels) {
+  std::mt19937 rng{1965};
+  std::uniform_int_distribution<int> any{-90, 90};
+  for (int k = 0; k < 2000; ++k) {
+    const int x0 = any(rng), y0 = any(rng), x1 = any(rng), y1 = any(rng);
+    const int dx = x1 - x0, dy = y1 - y0, n = std::max(std::abs(dx), std::abs(dy));
+    const Pixels line = lineFrom(x0, y0, x1, y1);
+    ASSERT_EQ(static_cast<int>(line.size()), n + 1);
+    EXPECT_TRUE(line.contains({x0, y0}) && line.contains({x1, y1}));
+    // Distance along the shorter axis times n is the cross product.
+    for (const auto& [x, y] : line) ASSERT_LE(2 * std::abs((x - x0) * dy - (y - y0) * dx), n);
+    ASSERT_EQ(line, lineFrom(x1, y1, x0, y0));
+  }
+  EXPECT_TRUE(lineFrom(0, 0, 2, 1).contains({1, 1}));  // half way: the larger coordinate
+  EXPECT_TRUE(lineFrom(0, 1, 2, 0).contains({1, 1}));
+  EXPECT_TRUE(lineFrom(0, -2, -1, 0).contains({0, -1}));
+}
+
+// Ends far outside cost nothing and shift nothing: the clipped part of a line 2^24 long is that of the
+// same line begun near the image.
+TEST(Painter, LongLinesKeepTheirPlace) {
+  const int far = 1 << 24;
+  IndexImage a{100, 80, 0}, b = a;
+  Painter{a}.line(-far, -far / 2, far, far / 2, 1);
+  Painter{b}.line(-2, -1, 200, 100, 1);
+  EXPECT_EQ(a, b);
+  EXPECT_EQ(painted(a).size(), 100u);
+}
+
+// Dashes repeat from the first point; with the gaps filled in they are the whole line.
+TEST(Painter, DashesFromTheFirstPoint) {
+  const LineStyle dashed{.thickness = 1, .on = 4, .off = 3};
+  for (const auto& [x, y] : lineFrom(0, 0, 69, 20, dashed)) EXPECT_LT(x % 7, 4);
+  EXPECT_EQ(lineFrom(0, 0, 69, 20, dashed).size(), 40u);
+  for (const auto& [x, y] : lineFrom(69, 20, 0, 0, dashed)) EXPECT_LT((69 - x) % 7, 4);
+}
+
+// A thick line is as many pixels across its longer axis.
+TEST(Painter, ThicknessAcrossTheLongerAxis) {
+  for (const int t : {1, 2, 3, 5}) {
+    std::map<int, int> columns;
+    for (const auto& [x, y] : lineFrom(0, 0, 50, 31, {.thickness = t})) ++columns[x];
+    EXPECT_EQ(columns.size(), 51u);
+    for (const auto& [x, count] : columns) EXPECT_EQ(count, t);
+  }
+}
+
+// In any 8 x 8 of the image, wherever it begins, exactly the part that the table promises is painted.
+TEST(Painter, StippleDensityIsExact) {
+  for (const StippleRow& row : kStipples)
+    for (int y = 0; y < 8; ++y)
+      for (int x = 0; x < 8; ++x) {
+        IndexImage image{20, 20, 0};
+        Painter{image}.stipple({x, y, 8, 8}, row.id, 1);
+        EXPECT_EQ(painted(image).size(), static_cast<std::size_t>(row.ofSixtyFour)) << row.looks;
+      }
+}
+
+// Two tints side by side are the tint of both.
+TEST(Painter, StipplesJoinWithoutASeam) {
+  for (const StippleRow& row : kStipples) {
+    IndexImage parts{50, 30, 0}, whole = parts;
+    Painter{parts}.stipple({3, 2, 11, 20}, row.id, 1);
+    Painter{parts}.stipple({14, 2, 9, 20}, row.id, 1);
+    Painter{whole}.stipple({3, 2, 20, 20}, row.id, 1);
+    EXPECT_EQ(parts, whole);
+  }
+}
+
+// The lowest row of a letter without descender is the one above the baseline, and text returns the pen.
+TEST(Painter, TextStandsOnItsBaseline) {
+  for (const VoiceRow& voice : kVoices) {
+    int pen = 0;
+    const Pixels A = drawn([&](Painter& p, int x, int y) { pen = p.text(x, y, "AA", 1, voice.id) - x; });
+    const auto byRow = [](const auto& a, const auto& b) { return a.second < b.second; };
+    EXPECT_EQ(std::max_element(A.begin(), A.end(), byRow)->second, -1) << voice.looks;
+    EXPECT_EQ(std::min_element(A.begin(), A.end(), byRow)->second, -9 * voice.scale) << voice.looks;
+    EXPECT_EQ(A.begin()->first, 0) << voice.looks;
+    EXPECT_EQ(pen, 2 * voice.pitch);
+  }
+}
+
+// Widths count characters, not bytes, in multiples of the pitch: 6, 6, 8 and 12.
+TEST(Painter, TextWidths) {
+  EXPECT_EQ(textWidth("33\u00B0"), 18);
+  EXPECT_EQ(textWidth("33\u00B0", Voice::Bold), 18);
+  EXPECT_EQ(textWidth("Ia", Voice::Caps), 16);
+  EXPECT_EQ(textWidth("cell 148", Voice::Title), 96);
+  EXPECT_EQ(textWidth(""), 0);
+}
+
+// Bold is the plain text and the same one pixel to the right; CAPS is the capitals, 8 px apart.
+TEST(Painter, VoicesAreMadeOfThePlainOne) {
+  const auto plain = [](std::string_view s, int dx) {
+    return drawn([&](Painter& p, int x, int y) { p.text(x + dx, y, s, 1); });
+  };
+  Pixels twice = plain("Gouraud", 0);
+  twice.merge(plain("Gouraud", 1));
+  EXPECT_EQ(drawn([](Painter& p, int x, int y) { p.text(x, y, "Gouraud", 1, Voice::Bold); }), twice);
+  Pixels capitals = plain("I", 0);
+  capitals.merge(plain("P", 8));
+  EXPECT_EQ(drawn([](Painter& p, int x, int y) { p.text(x, y, "ip", 1, Voice::Caps); }), capitals);
+}
+
+// Right-aligned text of any length ends in the same place, in every voice.
+TEST(Painter, RightAligned) {
+  for (const VoiceRow& voice : kVoices)
+    for (const std::string_view s : {"0", "0.40", "4,032"}) {
+      const auto right = drawn([&](Painter& p, int x, int y) {
+        EXPECT_EQ(p.textRight(x, y, s, 1, voice.id), x - textWidth(s, voice.id));
+      });
+      const int width = textWidth(s, voice.id);
+      EXPECT_EQ(right, drawn([&](Painter& p, int x, int y) { p.text(x - width, y, s, 1, voice.id); }));
+    }
+}
+
+// The four triangles are each other's mirror images, 1 + 3 + 5 + ... pixels.
+TEST(Painter, TrianglesAreMirrored) {
+  const auto shape = [](Direction to) {
+    return drawn([&](Painter& p, int x, int y) { p.triangle(x, y, 4, to, 1); });
+  };
+  const Pixels right = shape(Direction::Right);
+  EXPECT_EQ(right.size(), 16u);
+  Pixels left, down, up;
+  for (const auto& [x, y] : right) {
+    left.emplace(3 - x, y);
+    down.emplace(y, x);
+    up.emplace(y, 3 - x);
+  }
+  EXPECT_EQ(shape(Direction::Left), left);
+  EXPECT_EQ(shape(Direction::Down), down);
+  EXPECT_EQ(shape(Direction::Up), up);
+  EXPECT_TRUE(right.contains({3, 3}));  // the tip
+}
+
+// A disc is the pixels whose centres are nearer than radius + 1/2; the rings inside it, each once, fill it.
+TEST(Painter, DiscIsItsRings) {
+  for (int r = 0; r < 12; ++r) {
+    Pixels rings;
+    std::size_t count = 0;
+    for (int k = 0; k <= r; ++k) {
+      const Pixels ring = drawn([&](Painter& p, int x, int y) { p.ring(x, y, k, 1); });
+      count += ring.size();
+      rings.insert(ring.begin(), ring.end());
+    }
+    const Pixels disc = drawn([&](Painter& p, int x, int y) { p.disc(x, y, r, 1); });
+    EXPECT_EQ(disc, rings);
+    EXPECT_EQ(disc.size(), count);
+    for (const auto& [x, y] : disc) EXPECT_LT(std::hypot(x, y), r + 0.5);
+    EXPECT_TRUE(disc.contains({r, 0}) && disc.contains({0, -r}) && !disc.contains({r + 1, 0}));
+  }
+}
+
+// A key cap is 15 x 15 without its corners, wider only for longer names, 4 px around the letters.
+TEST(Painter, KeyCapsFitTheirNames) {
+  const KeyCapCells cells{3, 4, 5, 6};
+  const auto width = [&](std::string_view name) {
+    IndexImage image{120, 30, 0};
+    return Painter{image}.keyCap(0, 0, name, cells);
+  };
+  EXPECT_EQ(width("s"), 15);
+  EXPECT_EQ(width("Space"), 38);
+  const Pixels cap = drawn([&](Painter& p, int x, int y) { p.keyCap(x, y, "s", cells); });
+  EXPECT_EQ(cap.size(), 15u * 15u - 4u);
+  EXPECT_FALSE(cap.contains({0, 0}) || cap.contains({14, 14}));
+  EXPECT_TRUE(cap.contains({0, 1}) && cap.contains({14, 13}));
+}
+
+// Opposite arrows are mirror images within their caps, edges and shadow apart.
+TEST(Painter, ArrowCapsAreMirrored) {
+  const auto arrow = [](Direction to) {
+    return drawn([&](Painter& p, int x, int y) { p.keyCap(x, y, to, {0, 0, 0, 1}); });
+  };
+  Pixels right, down;
+  for (const auto& [x, y] : arrow(Direction::Left)) right.emplace(14 - x, y);
+  for (const auto& [x, y] : arrow(Direction::Up)) down.emplace(x, 14 - y);
+  EXPECT_EQ(arrow(Direction::Right), right);
+  EXPECT_EQ(arrow(Direction::Down), down);
+  EXPECT_EQ(right.size(), 16u);
+}
+
+}  // namespace xnewell

@@ -1,0 +1,30 @@
+#include "x11/drawing/wording.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+namespace xnewell {
+
+// No line is longer than asked, letters are counted and not bytes, and no word is lost.
+TEST(Wording, BreaksAtSpaces) {
+  EXPECT_THAT(broken("one two three", 7), testing::ElementsAre("one two", "three"));
+  EXPECT_THAT(broken("abcdefgh ij", 4), testing::ElementsAre("abcd", "efgh", "ij"));
+  EXPECT_THAT(broken("\xC3\xA4\xC3\xB6\xC3\xBC x", 3), testing::ElementsAre("\xC3\xA4\xC3\xB6\xC3\xBC", "x"));
+  EXPECT_THAT(broken("", 5), testing::IsEmpty());
+}
+
+TEST(Wording, WritesNumbers) {
+  EXPECT_EQ(fixed(0.00416, 4), "0.0042");
+  EXPECT_EQ(fixed(-0.00001, 4), "0.0000");
+  EXPECT_EQ(fixed(-0.5, 1), "-0.5");
+  EXPECT_EQ(grouped(0), "0");
+  EXPECT_EQ(grouped(999), "999");
+  EXPECT_EQ(grouped(1000), "1,000");
+  EXPECT_EQ(grouped(-123456), "-123,456");
+  EXPECT_EQ(grouped(1234567), "1,234,567");
+  EXPECT_EQ(counted(0, "cut"), "no cuts");
+  EXPECT_EQ(counted(1, "cut"), "1 cut");
+  EXPECT_EQ(counted(1200, "cut"), "1,200 cuts");
+}
+
+}  // namespace xnewell

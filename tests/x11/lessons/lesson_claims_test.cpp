@@ -1,0 +1,158 @@
+#include <gtest/gtest.h>
+
+#include "depthsort/explain.h"
+#include "x11/lessons/lesson.h"
+#include "x11/lessons/lesson_facts.h"
+#include "x11/lessons/lesson_sight.h"
+#include "x11/window/layout.h"
+
+namespace xnewell {
+
+// What lessons say is what the program shows.
+
+namespace {
+
+constexpr std::array kSizes{glm::ivec2{800, 600}, glm::ivec2{1024, 768}, glm::ivec2{1600, 1200}};
+
+/// An exhibit drawn as the window draws it at a size.
+struct Shown {
+  Picture picture;
+  std::optional<Picture> lower;
+  IndexImage image, lowerImage;
+
+  Shown(const Exhibit& exhibit, glm::ivec2 window) : picture{Scene{*exhibit.scene}} {
+    const Layout at = layoutOf(window.x, window.y);
+    const Rect area{at.body.x, at.body.y, at.body.width - 320 - kMargin,
+                    at.body.height - (at.compact ? 2 : 12)};
+    const SightLayout sight = layoutOfSight(area, exhibit, at.compact);
+    PictureSettings settings = exhibit.settings;
+    settings.width = sight.picture.width, settings.height = sight.picture.height;
+    picture.make(settings);
+    picture.paint(image, 8);
+    if (exhibit.stage != Stage::SideBySide) return;
+    settings = exhibit.beside;
+    settings.width = sight.lower.width, settings.height = sight.lower.height;
+    lower.emplace(Scene{*exhibit.scene});
+    lower->make(settings);
+    lower->paint(lowerImage, 8);
+  }
+  [[nodiscard]] ShownExhibit facts() { return {picture, image, lower ? &lowerImage : nullptr}; }
+};
+
+/// All exhibits of all lessons, with where they stand.
+template <class Visit>
+void forEachExhibit(Visit&& visit) {
+  for (const LessonEntry& entry : builtInLessons()) {
+    const Lesson lesson = readLesson(entry.file);
+    for (std::size_t k = 0; k < lesson.steps.size(); ++k) {
+      const std::string place = entry.name + ", step " + std::to_string(k + 1);
+      visit(place, lesson.steps[k].exhibit);
+      if (const auto& question = lesson.steps[k].question)
+        for (const LessonAnswer& answer : question->answers) visit(place + ": " + answer.text, answer.shown);
+    }
+  }
+}
+
+}  // namespace
+
+// Each claim of each step and of each answer holds, in a window of any size.
+TEST(LessonClaims, Hold) {
+  int claims = 0;
+  forEachExhibit([&](const std::string& place, const Exhibit& exhibit) {
+    if (exhibit.claims.empty()) return;
+    for (const glm::ivec2 size : kSizes) {
+      Shown shown{exhibit, size};
+      ShownExhibit facts = shown.facts();
+      for (const Claim& claim : exhibit.claims) {
+        const FactRow& fact = kFacts[static_cast<std::size_t>(claim.fact)];
+        EXPECT_TRUE(facts.holds(claim))
+            << place << ", at " << size.x << ": " << fact.name << " is " << facts.text(fact.id);
+        ++claims;
+      }
+    }
+  });
+  EXPECT_GT(claims, 200);
+}
+
+// The steps of the depth sort that lessons speak of are there, and are what the lesson says.
+TEST(LessonClaims, EventsAreThere) {
+  int events = 0;
+  forEachExhibit([&](const std::string& place, const Exhibit& exhibit) {
+    if (exhibit.stage != Stage::DepthSort) return;
+    for (const glm::ivec2 size : kSizes) {
+      SCOPED_TRACE(place + ", at " + std::to_string(size.x));
+      Shown shown{exhibit, size};
+      const SortedScene run = textbookRun(shown.picture);
+      const std::optional<int> step = stepOf(run, exhibit.event);
+      ASSERT_TRUE(step);
+      const Explainer explainer{shown.picture.scene().mesh, shown.picture.snapped(), run, true};
+      const std::string sentence = explainer.sentence(run.events[static_cast<std::size_t>(*step - 1)], 0);
+      EXPECT_NE(sentence.find(exhibit.event.says), std::string::npos) << sentence;
+      ++events;
+    }
+  });
+  EXPECT_GT(events, 30);
+}
+
+// A claim that is not so is seen to fail: each one that names a number, off by its last decimal.
+TEST(LessonClaims, FailWhereTheyAreChanged) {
+  int changed = 0;
+  forEachExhibit([&](const std::string& place, const Exhibit& exhibit) {
+    if (exhibit.claims.empty()) return;
+    Shown shown{exhibit, kSizes[1]};
+    ShownExhibit facts = shown.facts();
+    for (Claim claim : exhibit.claims) {
+      const double value = facts.value(kFacts[static_cast<std::size_t>(claim.fact)].id);
+      const double unit = std::pow(10.0, -kFacts[static_cast<std::size_t>(claim.fact)].decimals);
+      if (claim.is) *claim.is += unit;
+      if (claim.least) claim.least = value + unit;
+      if (claim.most) claim.most = value - unit;
+      EXPECT_FALSE(facts.holds(claim)) << place;
+      ++changed;
+    }
+  });
+  EXPECT_GT(changed, 70);
+}
+
+// Asking for facts leaves the picture as it was: what is shown and what is told are of one picture.
+TEST(LessonFacts, LeaveThePicture) {
+  const Lesson lesson = readLesson(std::string{XNEWELL_DATA_DIR} + "/lessons/mach-bands.json");
+  Shown shown{lesson.steps[2].exhibit, kSizes[0]};
+  const IndexImage before = shown.image;
+  const PictureSettings settings = shown.picture.settings();
+  ShownExhibit facts = shown.facts();
+  for (const FactRow& row : kFacts)
+    if (row.needs != FactNeeds::Beside) {
+      EXPECT_FALSE(facts.text(row.id).empty());
+    }
+  EXPECT_EQ(shown.picture.settings(), settings);
+  IndexImage after;
+  shown.picture.paint(after, 8);
+  EXPECT_EQ(after, before);
+}
+
+TEST(LessonFacts, SayWhereThereIsNone) {
+  const Lesson lesson = readLesson(std::string{XNEWELL_DATA_DIR} + "/lessons/mach-bands.json");
+  Exhibit exhibit = lesson.steps[0].exhibit;
+  const Claim claim{.fact = *factNamed("ratio"), .is = {}, .least = 0.0};
+  for (const TableKind kind : {TableKind::Linear, TableKind::Corrected}) {
+    exhibit.settings.table.kind = kind;
+    Shown shown{exhibit, kSizes[0]};
+    ShownExhibit facts = shown.facts();
+    EXPECT_EQ(facts.text(Fact::Ratio) == "none", kind == TableKind::Linear);
+    EXPECT_EQ(facts.holds(claim), kind == TableKind::Corrected);
+  }
+}
+
+TEST(LessonFacts, FillWords) {
+  const Lesson lesson = readLesson(std::string{XNEWELL_DATA_DIR} + "/lessons/cycles.json");
+  Shown shown{lesson.steps[0].exhibit, kSizes[1]};
+  ShownExhibit facts = shown.facts();
+  EXPECT_EQ(facts.filled("{cuts} cut, {painted} parts of {polygons}"), "1 cut, 4 parts of 3");
+  EXPECT_EQ(checkPlaceholders("{cuts} and {wrong samples}"), "");
+  EXPECT_EQ(checkPlaceholders("a } b"), "a } without a {");
+  EXPECT_EQ(checkPlaceholders("a { b"), "a { without a }");
+  EXPECT_TRUE(checkPlaceholders("{cats}").starts_with("no such fact: 'cats'; there are polygons, "));
+}
+
+}  // namespace xnewell

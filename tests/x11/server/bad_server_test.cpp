@@ -1,0 +1,424 @@
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+#include <signal.h>
+
+#include <algorithm>
+#include <array>
+#include <chrono>
+#include <fstream>
+#include <functional>
+#include <iomanip>
+#include <iostream>
+#include <map>
+#include <set>
+#include <sstream>
+
+#include "tests/x11/support/watched_viewer.h"
+#include "tests/x11/support/x_proxy.h"
+
+#include <X11/Xproto.h>
+#include <X11/keysym.h>
+
+namespace xnewell {
+
+// What the user sees of servers that refuse, die or hang: the right picture, or a message and status 1; never
+// a wrong picture, half a file or a program that does not end.
+
+namespace {
+
+using testing::HasSubstr;
+
+const std::string kTeapot = "teapot --divisions 2", kSmall = " --size 120x90";
+constexpr std::chrono::seconds kEnough{90};
+
+XServer serverFor(int depth) { return XServer::xvfb(depth, 320, 240); }
+
+/// A way to use the program, from its start to its end.
+struct Use {
+  std::string name;
+  std::vector<std::string> arguments;
+  std::string file = "";  ///< what it writes
+  /// What the user does meanwhile, unless there is nothing more to hope for.
+  std::function<void(const XServer&, const std::function<bool()>& hoping)> act = [](auto&&...) {};
+};
+
+Use visuals() { return {"visuals", {"visuals"}}; }
+
+/// The server fills, which asks more of it, and puts the picture first.
+Use snapshot(const TemporaryFolder& folder, const std::string& more = "--divisions 2 --fill x11" + kSmall) {
+  std::vector<std::string> arguments = words("snapshot teapot " + more);
+  arguments.insert(arguments.end(), {"-o", folder.file("picture.png")});
+  return {"snapshot", arguments, folder.file("picture.png")};
+}
+
+/// A new table, size and hue, and the close button, as soon as there is a window.
+Use view() {
+  return {"view", words("view " + kTeapot + kSmall), "", [](const XServer& server, const auto& hoping) {
+            try {
+              const WatchedWindow window{server, 0, hoping};
+              const ErrorTrap trap{window.display()};  // it may be gone
+              window.moveTo(60, 45);
+              window.type("T");
+              window.resize(140, 100);
+              window.type("H");
+              window.askToClose();
+            } catch (const std::runtime_error&) {
+              EXPECT_FALSE(hoping());
+            }
+          }};
+}
+
+/// Segments of System V shared memory that a process made and that are still there.
+std::ptrdiff_t segmentsOf(pid_t maker) {
+  std::ifstream table{"/proc/sysvipc/shm"};
+  std::string line;
+  std::getline(table, line);
+  std::ptrdiff_t count = 0;
+  for (long key, id, size, made; std::getline(table, line);) {
+    std::string permissions;
+    if (std::istringstream{line} >> key >> id >> permissions >> size >> made) count += made == maker;
+  }
+  return count;
+}
+
+/// What it came to on the proxy's server.
+struct Course {
+  Finished end{};
+  bool carriedOut = false;
+  std::vector<XRequest> requests{}, answered{};
+  std::chrono::milliseconds toEnd{};  ///< since it was interrupted
+};
+
+/// A program that is stalled is interrupted.
+Course runThrough(const Use& use, const XServer& server, XProxy& proxy,
+                  const std::optional<XFaultPlan>& plan = {}) {
+  std::filesystem::remove(use.file);
+  proxy.begin(plan);
+  RunningProgram program{use.arguments, proxy.name()};
+  const pid_t pid = program.pid();
+  const bool stalls = plan && plan->fault == XFault::Stalled;
+  const auto hoping = [&] { return program.running() && !(stalls && proxy.carriedOut()); };
+  use.act(server, hoping);
+  if (stalls && comesTrue([&] { return !hoping(); })) program.signal(SIGINT);
+  const auto asked = std::chrono::steady_clock::now();
+  Course course{.end = program.wait(kEnough)};
+  course.toEnd =
+      std::chrono::duration_cast<std::chrono::milliseconds>(std::chrono::steady_clock::now() - asked);
+  course.carriedOut = proxy.carriedOut();
+  course.requests = proxy.requests();
+  course.answered = proxy.answered();
+  // Its memory and its window go when the server has let go too.
+  EXPECT_TRUE(comesTrue([&] { return segmentsOf(pid) == 0; }));
+  EXPECT_TRUE(comesToShowNone(openDisplay(server.name()).get()));
+  return course;
+}
+
+/// Different requests, in the order of their first occurrence.
+std::vector<XRequest> kinds(const std::vector<XRequest>& requests) {
+  std::vector<XRequest> different;
+  for (const XRequest& r : requests)
+    if (std::ranges::find(different, r) == different.end()) different.push_back(r);
+  return different;
+}
+
+std::string contents(const std::string& file) {
+  std::ifstream in{file, std::ios::binary};
+  return {std::istreambuf_iterator<char>{in}, {}};
+}
+
+/// Every line is one of ours.
+bool linesAreOurs(const std::string& text) {
+  std::istringstream in{text};
+  for (std::string line; std::getline(in, line);)
+    if (!line.starts_with("xnewell: ")) return false;
+  return text.empty() || text.back() == '\n';
+}
+
+/// A good server, and a proxy that makes a bad one of it.
+class BadServer : public testing::TestWithParam<int> {
+ protected:
+  /// Runs `use` once for each plan, and prints how each ended.
+  void sweep(const std::string& fault, const Use& use,
+             const std::function<std::vector<XFaultPlan>(const Course&)>& plans,
+             const std::function<void(const XFaultPlan&, const Course&)>& judge) {
+    const Course good = runThrough(use, server, proxy);
+    ASSERT_EQ(good.end.status, 0) << good.end.err;
+    ASSERT_EQ(good.end.err, "");
+    const std::string file = contents(use.file);
+    std::map<XRequest, std::string> outcomes;
+    const std::vector<XFaultPlan> all = plans(good);
+    for (const XFaultPlan& plan : all) {
+      SCOPED_TRACE(proxy.nameOf(plan.request) + ", occurrence " + std::to_string(plan.occurrence));
+      const Course course = runThrough(use, server, proxy, plan);
+      outcomes[plan.request] += (plan.occurrence == 1 ? "  first: " : "  last: ") +
+                                (course.carriedOut ? std::to_string(course.end.status) : "not reached");
+      // The window's later requests depend on which events come together.
+      EXPECT_TRUE(course.carriedOut || plan.occurrence > 1);
+      EXPECT_TRUE(linesAreOurs(course.end.err)) << course.end.err;
+      const bool written = std::filesystem::exists(use.file);
+      // Without a colormap of its own the picture has the colours of the default one.
+      EXPECT_TRUE(!written || contents(use.file) == file || plan.request.major == X_CreateColormap);
+      EXPECT_TRUE(use.file.empty() || folder.entries() == written);
+      if (course.end.status == 0) {
+        // A refused cell is nothing bad: so many fewer are free.
+        EXPECT_TRUE(course.end.out == good.end.out || plan.request.major == X_AllocColorCells);
+        EXPECT_EQ(written, !use.file.empty());
+      }
+      if (course.carriedOut) judge(plan, course);
+    }
+    std::cout << fault << ": xnewell " << use.name << ", depth " << GetParam() << ", " << all.size()
+              << " runs; how often asked, and exit statuses\n";
+    for (const XRequest& r : kinds(good.requests))
+      if (outcomes.contains(r))
+        std::cout << "  " << std::left << std::setw(26) << proxy.nameOf(r) << std::right << std::setw(4)
+                  << std::ranges::count(good.requests, r) << outcomes[r] << '\n';
+  }
+
+  XServer server = serverFor(GetParam());
+  XProxy proxy{server};
+  TemporaryFolder folder;
+};
+INSTANTIATE_TEST_SUITE_P(Depths, BadServer, testing::Values(8, 24), testing::PrintToStringParamName());
+
+/// A fault at the first and the last of each kind of request.
+std::vector<XFaultPlan> at(XFault fault, const std::vector<XRequest>& which, const Course& good) {
+  std::vector<XFaultPlan> plans;
+  for (const XRequest& r : kinds(which))
+    for (const int occurrence : std::set<int>{1, static_cast<int>(std::ranges::count(good.requests, r))})
+      plans.push_back({fault, r, occurrence, occurrence == 1 ? BadAlloc : BadMatch});
+  return plans;
+}
+
+/// How a message may name what was refused.
+testing::Matcher<const std::string&> names(const XProxy& proxy, const XRequest& request) {
+  if (request == kConnectionSetup) return HasSubstr("cannot open display '" + proxy.name() + "': no more");
+  // The atom is missed when it is used, and the pixels when they have not come; Xlib says no more.
+  if (request.major == X_InternAtom)
+    return testing::AnyOf(HasSubstr("X_ChangeProperty: BadAtom"), HasSubstr("X_InternAtom: "));
+  if (request.major == X_GetImage) return HasSubstr("the X server did not give the picture back");
+  return testing::AnyOf(
+      HasSubstr(proxy.nameOf(request) + ": "),
+      HasSubstr("request " + std::to_string(request.major) + "." + std::to_string(request.minor) + ": "));
+}
+
+}  // namespace
+
+// A refused request ends in the right output, or in a message that names it and status 1.
+TEST_P(BadServer, RefusedRequestsAreNamed) {
+  // There is no error for UngrabServer. Where the other is refused, libXext 1.3.4, which asks it by itself,
+  // frees the same memory twice when the connection is closed.
+  const auto plans = [&](const Course& good) {
+    std::vector<XFaultPlan> refusals = at(XFault::Refused, good.requests, good);
+    std::erase_if(refusals, [&](const XFaultPlan& plan) {
+      return plan.request.major == X_UngrabServer ||
+             proxy.nameOf(plan.request) == "Generic Event Extension.0";
+    });
+    return refusals;
+  };
+  std::set<std::string> fatal;
+  for (const Use& use : {visuals(), snapshot(folder), view()}) {
+    SCOPED_TRACE(use.name);
+    sweep("refused", use, plans, [&](const XFaultPlan& plan, const Course& course) {
+      EXPECT_THAT(course.end.status, testing::AnyOf(0, 1));
+      if (course.end.status == 0) {
+        EXPECT_TRUE(plan.request.major != X_CreateColormap ||
+                    course.end.err.find("no colormap of our own (X_CreateColormap: ") != std::string::npos);
+        return;
+      }
+      fatal.insert(proxy.nameOf(plan.request));
+      EXPECT_THAT(course.end.err, names(proxy, plan.request));
+      EXPECT_TRUE(use.file.empty() || folder.entries() == 0);
+    });
+  }
+  EXPECT_THAT(fatal, testing::IsSupersetOf({"setup", "X_CreateWindow", "X_CreatePixmap", "X_CreateGC",
+                                            "X_ChangeProperty", "X_InternAtom", "MIT-SHM.3", "X_CopyArea",
+                                            "X_GetImage", "X_FillPoly", "X_MapWindow"}));
+}
+
+// A connection that ends, before a request is whole or within a reply, ends the program with status 1 and one
+// line.
+TEST_P(BadServer, CutConnectionsAreTold) {
+  for (const Use& use : {visuals(), snapshot(folder), view()}) {
+    SCOPED_TRACE(use.name);
+    const auto judge = [&](const XFaultPlan& plan, const Course& course) {
+      EXPECT_EQ(course.end.status, 1);
+      EXPECT_THAT(course.end.err,
+                  testing::AnyOf("xnewell: the X server of display '" + proxy.name() + "' has gone\n",
+                                 "xnewell: cannot open display '" + proxy.name() + "'\n"));
+      EXPECT_TRUE(plan.request != kConnectionSetup ||
+                  course.end.err.find("cannot open") != std::string::npos);
+    };
+    sweep(
+        "cut", use, [](const Course& good) { return at(XFault::CutRequest, good.requests, good); }, judge);
+    sweep(
+        "cut in the reply", use,
+        [](const Course& good) {
+          std::vector<XRequest> answered = good.answered;
+          answered.push_back(kConnectionSetup);
+          return at(XFault::CutReply, answered, good);
+        },
+        judge);
+  }
+}
+
+// A server that hangs while we wait for it does not keep the program from ending with SIGINT.
+TEST_P(BadServer, StalledConnectionsCanBeInterrupted) {
+  for (const Use& use : {visuals(), snapshot(folder), view()}) {
+    SCOPED_TRACE(use.name);
+    sweep(
+        "stalled", use,
+        [](const Course& good) {
+          std::vector<XRequest> answered = good.answered;
+          answered.push_back(kConnectionSetup);
+          return at(XFault::Stalled, answered, good);
+        },
+        [&](const XFaultPlan&, const Course& course) {
+          EXPECT_EQ(course.end.status, 130);
+          EXPECT_EQ(course.end.err, "");
+          EXPECT_LT(course.toEnd, std::chrono::seconds{20});
+        });
+  }
+}
+
+// A window that has hung in the middle of a frame, with the server grabbed, lets go when it is interrupted.
+TEST_P(BadServer, AStalledFrameLetsGoOfTheServer) {
+  for (const int signal : {SIGINT, SIGTERM, SIGHUP}) {
+    proxy.begin(XFaultPlan{XFault::Stalled, {X_CopyArea}});
+    RunningProgram program{words("view " + kTeapot + kSmall), proxy.name()};
+    ASSERT_TRUE(comesTrue([&] { return proxy.carriedOut(); }));
+    ASSERT_THAT(proxy.requests(), testing::Contains(XRequest{X_GrabServer}));
+    ASSERT_THAT(proxy.requests(), testing::Not(testing::Contains(XRequest{X_UngrabServer})));
+    program.signal(signal);
+    const Finished end = program.wait(kEnough);
+    EXPECT_EQ(end.status, 130);
+    EXPECT_EQ(end.err, "");
+    EXPECT_EQ(runProgram({"visuals"}, server.name()).status, 0);
+  }
+}
+
+// Where the server does not attach to our memory the picture is sent, and is the same.
+TEST_P(BadServer, SharedMemoryThatIsRefusedIsDoneWithout) {
+  const Use use = snapshot(folder, "--divisions 2" + kSmall);
+  const Course shared = runThrough(use, server, proxy);
+  const RgbImage expected = readPng(use.file);
+  const auto attach = std::ranges::find_if(shared.requests,
+                                           [&](const XRequest& r) { return proxy.nameOf(r) == "MIT-SHM.1"; });
+  ASSERT_NE(attach, shared.requests.end());
+  EXPECT_EQ(std::ranges::count(shared.requests, XRequest{X_PutImage}), 0);
+  const Course refused = runThrough(use, server, proxy, XFaultPlan{XFault::Refused, *attach, 1, BadAccess});
+  EXPECT_TRUE(refused.carriedOut);
+  EXPECT_EQ(refused.end.status, 0);
+  EXPECT_EQ(refused.end.err, "");
+  EXPECT_EQ(std::ranges::count(refused.requests, XRequest{X_PutImage}), 1);
+  EXPECT_EQ(readPng(use.file), expected);
+}
+
+// What is refused later is told in the window and, the last frame's too, at its end. A size that is refused
+// is no error: the next may be had.
+TEST_P(BadServer, RefusalsAreToldInTheWindow) {
+  struct Refusal {
+    XRequest request;
+    Rect status;  ///< where it is told
+    bool last, error;
+  };
+  const Rect before = layoutOf(1024, 768).status, after = layoutOf(1100, 800).status;
+  const XServer wide = XServer::xvfb(GetParam(), 1280, 1024);
+  XProxy between{wide};
+  const RgbImage first = freshWindow(wide, kTeapot), next = freshWindow(wide, kTeapot, 1020, 760);
+  const CellPlan plan;
+  const Rgb16 alarm = withInterface({}, plan)[plan[Cell::Alarm]];
+  for (const Refusal& refusal :
+       {Refusal{{X_GrabServer}, after, false, true}, Refusal{{X_GrabServer}, after, true, true},
+        Refusal{{X_CreatePixmap}, before, false, false}}) {
+    SCOPED_TRACE(between.nameOf(refusal.request) + (refusal.last ? ", last" : ""));
+    RunningProgram program{words("view " + kTeapot), between.name()};
+    const WatchedWindow window{wide};
+    const auto alarmed = [&] {
+      const RgbImage image = window.shown(refusal.status);
+      for (std::size_t i = 0; i < image.rgb.size(); i += 3)
+        if (image.rgb[i] == alarm.r >> 8 && image.rgb[i + 1] == alarm.g >> 8 &&
+            image.rgb[i + 2] == alarm.b >> 8)
+          return true;
+      return false;
+    };
+    ASSERT_TRUE(window.comesToShow(first, aboveStatus(1024, 768)));
+    between.begin(XFaultPlan{XFault::Refused, refusal.request});
+    if (refusal.last) program.signal(SIGSTOP);  // the frame and the end come together
+    window.resize(1100, 800);
+    if (!refusal.last) {
+      EXPECT_TRUE(comesTrue(alarmed));
+      window.resize(1020, 760);
+      EXPECT_TRUE(window.comesToShow(next, aboveStatus(1020, 760)));
+    }
+    window.askToClose();
+    program.signal(SIGCONT);
+    const Finished end = program.wait(kEnough);
+    EXPECT_TRUE(between.carriedOut());
+    EXPECT_EQ(end.status, refusal.error ? 1 : 0);
+    EXPECT_EQ(end.err,
+              refusal.error
+                  ? "xnewell: X_GrabServer: BadAlloc (insufficient resources for operation)\n"
+                    "xnewell: the X server refused requests (1 in all): what was shown may be wrong\n"
+                  : "");
+    EXPECT_TRUE(window.goes());
+  }
+}
+
+// A connection that ends while a picture is being sent, which is more than the system takes at once, is told
+// like any other.
+TEST(DyingServer, EndsWhileAPictureIsSent) {
+  const XServer server = XServer::xvfb(24, 320, 240, {"-extension", "MIT-SHM"});
+  XProxy proxy{server};
+  const TemporaryFolder folder;
+  const Use use = snapshot(folder, "--divisions 2 --size 1600x1200");
+  for (const int occurrence : {1, 100}) {
+    const Course course = runThrough(
+        use, server, proxy,
+        XFaultPlan{.fault = XFault::CutRequest, .request = {X_PutImage}, .occurrence = occurrence});
+    EXPECT_EQ(course.carriedOut, occurrence == 1);
+    EXPECT_EQ(course.end.status, course.carriedOut ? 1 : 0);
+    EXPECT_EQ(course.end.err.empty(), !course.carriedOut);
+    EXPECT_EQ(folder.entries(), course.carriedOut ? 0 : 1);
+  }
+}
+
+// So is one that ends just as we write, which is a signal to programs that do not say they know.
+TEST(DyingServer, EndsWhileWeWrite) {
+  const XServer server = serverFor(8);
+  XProxy proxy{server};
+  const TemporaryFolder folder;
+  // Some megabyte of requests, several times what can lie between the two: when the first polygon arrives,
+  // the program has not written the last.
+  const Use use = snapshot(folder, "--fill x11 --divisions 30" + kSmall);
+  const Course course = runThrough(use, server, proxy, XFaultPlan{XFault::Deaf, {X_FillPoly}});
+  EXPECT_TRUE(course.carriedOut);
+  EXPECT_EQ(course.end.status, 1);
+  EXPECT_EQ(course.end.err, "xnewell: the X server of display '" + proxy.name() + "' has gone\n");
+  EXPECT_EQ(folder.entries(), 0);
+}
+
+// The server ends in the middle of a frame, between two, and while the user drags: one line, status 1.
+TEST(DyingServer, EndsTheWindowAtAnyTime) {
+  enum class When { Presenting, Between, Dragging };
+  for (const When when : {When::Presenting, When::Between, When::Dragging}) {
+    SCOPED_TRACE(static_cast<int>(when));
+    XServer server = serverFor(8);
+    XProxy proxy{server};
+    if (when == When::Presenting) proxy.begin(XFaultPlan{XFault::Stalled, {X_CopyArea}});
+    RunningProgram program{words("view " + kTeapot + kSmall), proxy.name()};
+    if (when == When::Presenting) {
+      ASSERT_TRUE(comesTrue([&] { return proxy.carriedOut(); }));
+    } else {
+      const WatchedWindow window{server};
+      window.moveTo(60, 45);
+      window.button(1, when == When::Dragging);
+      for (int i = 0; when == When::Dragging && i < 300; ++i) window.moveTo(20 + i % 80, 45);
+    }
+    server.stop();
+    const Finished end = program.wait(kEnough);
+    EXPECT_EQ(end.status, 1);
+    EXPECT_EQ(end.err, "xnewell: the X server of display '" + proxy.name() + "' has gone\n");
+  }
+}
+
+}  // namespace xnewell

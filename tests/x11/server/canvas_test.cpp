@@ -1,0 +1,253 @@
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <array>
+#include <random>
+#include <string>
+#include <tuple>
+
+#include "tests/x11/support/x_session.h"
+
+#include <X11/Xutil.h>
+
+#include "x11/server/canvas.h"
+
+namespace xnewell {
+
+using testing::AllOf;
+using testing::HasSubstr;
+
+namespace {
+
+/// What the image shows through the palette, by definition.
+RgbImage colored(const IndexImage& image, const Palette& palette, const Rect& rect) {
+  RgbImage rgb{rect.width, rect.height};
+  std::uint8_t* out = rgb.rgb.data();
+  for (int y = rect.y; y < rect.y + rect.height; ++y)
+    for (int x = rect.x; x < rect.x + rect.width; ++x) {
+      const Rgb16 c = palette[image.row(y)[x]];
+      for (const std::uint16_t v : {c.r, c.g, c.b}) *out++ = static_cast<std::uint8_t>(v >> 8);
+    }
+  return rgb;
+}
+
+bool windowShows(const IndexImage& image, Display* d, const Canvas& canvas, const ServerColormap& map) {
+  const OwnedImage got{XGetImage(d, canvas.window(), 0, 0, image.width, image.height, AllPlanes, ZPixmap)};
+  for (int y = 0; y < image.height; ++y)
+    for (int x = 0; x < image.width; ++x)
+      if (XGetPixel(got.get(), x, y) != map.pixel(image.row(y)[x])) return false;
+  return true;
+}
+
+}  // namespace
+
+/// Visual, and shared memory or not.
+class CanvasOn : public testing::TestWithParam<std::tuple<std::string, bool>> {
+ protected:
+  static XServer serverFor(const std::string& visual) {
+    return XServer::xvfb(visual == "PseudoColor8" ? 8 : 24);
+  }
+};
+INSTANTIATE_TEST_SUITE_P(
+    Visuals, CanvasOn,
+    testing::Combine(testing::Values<std::string>("PseudoColor8", "TrueColor24", "TrueColor32"),
+                     testing::Values(false, true)),
+    [](const auto& made) { return std::get<0>(made.param) + (std::get<1>(made.param) ? "Shared" : "Sent"); });
+
+// What was presented is read back as its palette says, for every index, on every kind of visual, with shared
+// memory or without, at odd sizes.
+TEST_P(CanvasOn, RoundTripIsTheIdentity) {
+  const auto& [visual, shared] = GetParam();
+  Session s{serverFor(visual), visual};
+  const Palette palette = distinctPalette();
+  s.colormap.store(palette);
+  unsigned seed = 0;
+  for (const auto& [w, h] : {std::pair{1, 1}, {3, 5}, {256, 1}, {17, 300}, {1023, 777}}) {
+    SCOPED_TRACE(testing::Message() << w << " x " << h);
+    Canvas canvas{s.display.get(), s.colormap, {.width = w, .height = h, .sharedMemory = shared}};
+    EXPECT_EQ(canvas.sharedMemory(), shared);
+    const Rect all{0, 0, w, h};
+    IndexImage image = randomImage(w, h, ++seed);
+    if (w == 256)
+      for (int i = 0; i < 256; ++i) image.pixels[i] = static_cast<std::uint8_t>(i);
+    canvas.present(image, all);
+    EXPECT_EQ(canvas.readBack(all), colored(image, palette, all));
+    // Again, without a round trip between.
+    for (int k = 0; k < 5; ++k) canvas.present(image = randomImage(w, h, ++seed), all);
+    EXPECT_EQ(canvas.readBack(all), colored(image, palette, all));
+    const Rect inner{w / 3, h / 4, w - w / 3, h - h / 4};
+    EXPECT_EQ(canvas.readBack(inner), colored(image, palette, inner));
+  }
+}
+
+// A dirty rectangle changes what is inside it and nothing else, and is cut to image and canvas.
+TEST_P(CanvasOn, PresentsOnlyTheDirtyRectangle) {
+  const auto& [visual, shared] = GetParam();
+  Session s{serverFor(visual), visual};
+  const Palette palette = distinctPalette();
+  s.colormap.store(palette);
+  const int w = 101, h = 67;
+  const Rect all{0, 0, w, h};
+  Canvas canvas{s.display.get(), s.colormap, {.width = w, .height = h, .sharedMemory = shared}};
+  IndexImage expected = randomImage(w, h, 1);
+  canvas.present(expected, all);
+  std::mt19937 rng{1972};
+  for (unsigned k = 0; k < 200; ++k) {
+    SCOPED_TRACE(k);
+    const auto among = [&](int low, int high) { return low + static_cast<int>(rng() % (high - low + 1)); };
+    const IndexImage next = randomImage(among(1, w + 20), among(1, h + 20), k);
+    const Rect dirty{among(-20, w), among(-20, h), among(-5, w), among(-5, h)};
+    canvas.present(next, dirty);
+    for (int y = 0; y < std::min(h, next.height); ++y)
+      for (int x = 0; x < std::min(w, next.width); ++x)
+        if (x >= dirty.x && x < dirty.x + dirty.width && y >= dirty.y && y < dirty.y + dirty.height)
+          expected.row(y)[x] = next.row(y)[x];
+    ASSERT_EQ(canvas.readBack(all), colored(expected, palette, all));
+  }
+}
+
+// The window shows the picture: after present, and again after an expose when something had wiped it.
+TEST_P(CanvasOn, TheWindowShowsThePicture) {
+  const auto& [visual, shared] = GetParam();
+  Session s{serverFor(visual), visual};
+  Display* d = s.display.get();
+  const Palette palette = distinctPalette();
+  s.colormap.store(palette);
+  const Rect all{0, 0, 120, 90};
+  Canvas canvas{d, s.colormap, {.width = 120, .height = 90, .sharedMemory = shared}};
+  canvas.map();
+  for (XEvent event{}; event.type != Expose;) XNextEvent(d, &event);
+  const IndexImage image = randomImage(120, 90, 3);
+  canvas.present(image, all);
+  EXPECT_TRUE(windowShows(image, d, canvas, s.colormap));
+  XSetForeground(d, canvas.gc(), s.colormap.pixel(9));
+  XFillRectangle(d, canvas.window(), canvas.gc(), 10, 10, 50, 50);
+  EXPECT_FALSE(windowShows(image, d, canvas, s.colormap));
+  canvas.expose({10, 10, 50, 50});
+  EXPECT_TRUE(windowShows(image, d, canvas, s.colormap));
+  XEvent event{};
+  EXPECT_FALSE(XCheckTypedEvent(d, NoExpose, &event)) << "every copy is answered by an event";
+}
+
+// A new size keeps what fits and fills the rest with index 0; the largest picture works, the server's refusal
+// of a larger one is an error with the request's name and leaves the picture as it was.
+TEST_P(CanvasOn, Resizes) {
+  const auto& [visual, shared] = GetParam();
+  Session s{serverFor(visual), visual};
+  const Palette palette = distinctPalette();
+  s.colormap.store(palette);
+  Canvas canvas{s.display.get(), s.colormap, {.width = 50, .height = 40, .sharedMemory = shared}};
+  const IndexImage image = randomImage(50, 40, 4);
+  canvas.present(image, {0, 0, 50, 40});
+  canvas.resize(30, 60);
+  IndexImage expected{30, 60, 0};
+  for (int y = 0; y < 40; ++y) std::copy_n(image.row(y), 30, expected.row(y));
+  EXPECT_EQ(canvas.readBack({0, 0, 30, 60}), colored(expected, palette, {0, 0, 30, 60}));
+  try {
+    canvas.resize(40'000, 1);
+    ADD_FAILURE() << "a pixmap above 32767";
+  } catch (const X11Error& error) {
+    EXPECT_THAT(error.what(), AllOf(HasSubstr("X_CreatePixmap"), HasSubstr("BadAlloc")));
+  }
+  EXPECT_EQ(canvas.width(), 30);
+  EXPECT_EQ(canvas.readBack({0, 0, 30, 60}), colored(expected, palette, {0, 0, 30, 60}));
+}
+
+// On a real colormap a change of colours shows in the same pixels without presenting; emulated, only after
+// it.
+TEST_P(CanvasOn, ColoursChangeAsTheMapIs) {
+  const auto& [visual, shared] = GetParam();
+  Session s{serverFor(visual), visual};
+  const Rect all{0, 0, 64, 64};
+  const IndexImage image = randomImage(64, 64, 5);
+  Palette palette = distinctPalette();
+  s.colormap.store(palette);
+  Canvas canvas{s.display.get(), s.colormap, {.width = 64, .height = 64, .sharedMemory = shared}};
+  canvas.present(image, all);
+  const RgbImage before = canvas.readBack(all);
+  std::reverse(palette.begin(), palette.end());
+  const bool again = s.colormap.store(palette);
+  EXPECT_EQ(again, !s.colormap.live());
+  EXPECT_EQ(canvas.readBack(all), again ? before : colored(image, palette, all));
+  canvas.present(image, all);
+  EXPECT_EQ(canvas.readBack(all), colored(image, palette, all));
+}
+
+// The server draws into the picture with the pixel of an index, in the colour of that index.
+TEST_P(CanvasOn, TheServerDrawsIntoThePicture) {
+  const auto& [visual, shared] = GetParam();
+  Session s{serverFor(visual), visual};
+  const Palette palette = distinctPalette();
+  s.colormap.store(palette);
+  Canvas canvas{s.display.get(), s.colormap, {.width = 20, .height = 20, .sharedMemory = shared}};
+  IndexImage expected{20, 20, 7};
+  canvas.present(expected, {0, 0, 20, 20});
+  std::array<XPoint, 4> square{{{4, 5}, {10, 5}, {10, 12}, {4, 12}}};
+  XSetForeground(s.display.get(), canvas.gc(), s.colormap.pixel(200));
+  XFillPolygon(s.display.get(), canvas.drawable(), canvas.gc(), square.data(), 4, Convex, CoordModeOrigin);
+  for (int y = 5; y < 12; ++y)
+    for (int x = 4; x < 10; ++x) expected.row(y)[x] = 200;
+  EXPECT_EQ(canvas.readBack({0, 0, 20, 20}), colored(expected, palette, {0, 0, 20, 20}));
+}
+
+// A picture far larger than the screen, and than one request, arrives whole at its corners and in the middle.
+TEST(Canvas, TakesTheLargestSize) {
+  const int side = 8192;
+  IndexImage image{side, side, 0};
+  for (int y = 0; y < side; ++y)
+    for (int x = 0; x < side; ++x)
+      image.row(y)[x] = static_cast<std::uint8_t>(x * 31 + y * 17 + x * y / 4096);
+  const Palette palette = distinctPalette();
+  for (const int depth : {8, 24}) {
+    Session s{XServer::xvfb(depth)};
+    s.colormap.store(palette);
+    for (const bool shared : {false, true}) {
+      SCOPED_TRACE(testing::Message() << "depth " << depth << (shared ? " shared" : " sent"));
+      Canvas canvas{s.display.get(), s.colormap, {.width = side, .height = side, .sharedMemory = shared}};
+      canvas.present(image, {0, 0, side, side});
+      for (const Rect part : {Rect{0, 0, 100, 100}, Rect{side - 100, side - 100, 100, 100},
+                              Rect{0, 4000, side, 3}, Rect{4095, 0, 2, side}})
+        EXPECT_EQ(canvas.readBack(part), colored(image, palette, part));
+    }
+  }
+}
+
+// A server without MIT-SHM is served through the connection, with the same picture.
+TEST(Canvas, FallsBackWithoutSharedMemory) {
+  Session s{XServer::xvfb(24, 640, 480, {"-extension", "MIT-SHM"})};
+  s.colormap.store(distinctPalette());
+  Canvas canvas{s.display.get(), s.colormap, {.width = 33, .height = 21}};
+  EXPECT_FALSE(canvas.sharedMemory());
+  const IndexImage image = randomImage(33, 21, 6);
+  canvas.present(image, {0, 0, 33, 21});
+  EXPECT_EQ(canvas.readBack({0, 0, 33, 21}), colored(image, distinctPalette(), {0, 0, 33, 21}));
+}
+
+// The close button's message and no other is a request to close; the window says that it knows it.
+TEST(Canvas, KnowsTheCloseButton) {
+  Session s{XServer::xvfb(8)};
+  Display* d = s.display.get();
+  Canvas canvas{d, s.colormap, {.width = 10, .height = 10}};
+  const Atom close = XInternAtom(d, "WM_DELETE_WINDOW", 0);
+  XEvent event{};
+  event.xclient.type = ClientMessage;
+  event.xclient.window = canvas.window();
+  event.xclient.message_type = XInternAtom(d, "WM_PROTOCOLS", 0);
+  event.xclient.format = 32;
+  event.xclient.data.l[0] = static_cast<long>(close);
+  EXPECT_TRUE(canvas.isCloseRequest(event));
+  event.xclient.data.l[0] = static_cast<long>(XInternAtom(d, "WM_TAKE_FOCUS", 0));
+  EXPECT_FALSE(canvas.isCloseRequest(event));
+  Atom* known = nullptr;
+  int count = 0;
+  ASSERT_NE(XGetWMProtocols(d, canvas.window(), &known, &count), 0);
+  EXPECT_TRUE(std::find(known, known + count, close) != known + count);
+  XFree(known);
+  XWindowAttributes attributes{};
+  XGetWindowAttributes(d, canvas.window(), &attributes);
+  EXPECT_EQ(attributes.colormap, s.colormap.id());
+  EXPECT_EQ(attributes.bit_gravity, NorthWestGravity);
+}
+
+}  // namespace xnewell

@@ -1,0 +1,285 @@
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <array>
+#include <memory>
+#include <set>
+#include <string>
+#include <vector>
+
+#include "tests/x11/support/stranger.h"
+#include "tests/x11/support/x_session.h"
+
+#include "x11/server/canvas.h"
+#include "x11/server/read_visuals.h"
+
+namespace xnewell {
+
+using testing::HasSubstr;
+
+// Cells of the default map beside other programs: few of them, none, and others who change what they please.
+
+namespace {
+
+ServerColormap sharedOn(Display* display, int shades = kMaxShades) {
+  const VisualChoice choice = chooseVisual(readVisuals(display), {}, MapOwner::Shared);
+  return ServerColormap{display, choice, {.owner = MapOwner::Shared, .shades = shades}};
+}
+
+Palette rampOf(int shades, glm::dvec3 hue = {1, 0, 0}) {
+  return makePalette(CellPlan{}, ColorTable{{.shades = shades, .hue = hue}});
+}
+
+IndexImage rampImage(int shades) {
+  IndexImage image{shades, 8, 0};
+  for (int y = 0; y < 8; ++y)
+    for (int x = 0; x < shades; ++x) image.row(y)[x] = static_cast<std::uint8_t>(11 + x);
+  return image;
+}
+
+/// The colours of a row of pixels.
+std::vector<std::array<int, 3>> firstRow(const RgbImage& image) {
+  std::vector<std::array<int, 3>> row;
+  for (int x = 0; x < image.width; ++x)
+    row.push_back({image.pixel(x, 0)[0], image.pixel(x, 0)[1], image.pixel(x, 0)[2]});
+  return row;
+}
+
+}  // namespace
+
+// A program that shares gets all the cells that are left, and shows its shades exactly and live. With none,
+// or with so few that the map's colours show more, it mixes those: of RENDER's there are many, without it
+// only black and white, and no mixture has a hue. It tells what it does, and gives everything back.
+TEST(SharedCells, TakesWhatIsFreeAndGivesItBack) {
+  for (const bool render : {true, false})
+    for (const std::size_t left : {0, 1, 2, 3, 7, 50, 183}) {
+      SCOPED_TRACE(testing::Message() << left << (render ? "" : ", no RENDER"));
+      Session s{XServer::xvfb(
+          8, 640, 480,
+          render ? std::vector<std::string>{} : std::vector<std::string>{"-extension", "RENDER"})};
+      Display* d = s.display.get();
+      const Stranger stranger{s.server, left};
+      ASSERT_EQ(stranger.countFree(), left);
+      {
+        ServerColormap map = sharedOn(d);
+        EXPECT_EQ(map.id(), DefaultColormap(d, 0));
+        EXPECT_FALSE(map.identity());
+        ASSERT_EQ(map.live(), left >= (render ? 50u : 2u));
+        const int shades = map.mostShades();
+        if (map.live()) {
+          // All are taken: a quarter at most for the tool, which needs 14 besides black and white.
+          EXPECT_EQ(stranger.countFree(), 0u);
+          EXPECT_GE(shades, static_cast<int>(left - std::min<std::size_t>(left / 4, 14)));
+          EXPECT_LE(shades, static_cast<int>(left));
+          EXPECT_THAT(map.account(), HasSubstr("shared map, " + std::to_string(shades) + " of 240 shades"));
+          EXPECT_THAT(map.shortfall(), HasSubstr(std::to_string(shades) + " of 240 shades"));
+        } else {
+          EXPECT_EQ(shades, kMaxShades);
+          EXPECT_GE(stranger.countFree(), left - left / 4);
+          EXPECT_THAT(map.account(), HasSubstr(left < 2 ? "no cell free, colours mixed"
+                                                        : "too few cells free, colours mixed"));
+          EXPECT_THAT(map.shortfall(), HasSubstr(left < 2 ? "no free cells" : "free cells for "));
+          EXPECT_THAT(map.shortfall(), HasSubstr("its colours are mixed"));
+        }
+        Canvas canvas{d, map, {.width = shades, .height = 8}};
+        const Rect all{0, 0, shades, 8};
+        for (const glm::dvec3 hue : {glm::dvec3{1, 0, 0}, glm::dvec3{0.5, 1, 0.25}}) {
+          const Palette palette = rampOf(shades, hue);
+          const bool again = map.store(palette);
+          if (hue.r == 1 || again) canvas.present(rampImage(shades), all);
+          EXPECT_TRUE(hue.r == 1 || again != map.live());
+          const std::vector<std::array<int, 3>> row = firstRow(canvas.readBack(all));
+          for (int j = 0; map.live() && j < shades; ++j) {
+            const Rgb16 c = palette[11 + j];
+            ASSERT_EQ(row[j], (std::array<int, 3>{c.r >> 8, c.g >> 8, c.b >> 8})) << j;
+          }
+          EXPECT_GE(std::set(row.begin(), row.end()).size(), 2u);
+        }
+        // Black and white are there always, and text stands out from the paper.
+        const Palette shown = map.shown();
+        const CellPlan plan;
+        EXPECT_EQ(shown[plan[Cell::Black]], (Rgb16{0, 0, 0}));
+        EXPECT_EQ(shown[plan[Cell::White]], (Rgb16{0xFFFF, 0xFFFF, 0xFFFF}));
+        for (const Cell text : {Cell::Faint, Cell::Soft, Cell::Ink, Cell::Good, Cell::Alarm, Cell::P})
+          for (const Cell ground : {Cell::Paper, Cell::Panel, Cell::White})
+            EXPECT_GT(grayOf(shown[plan[ground]]).r - grayOf(shown[plan[text]]).r, 0x2000)
+                << static_cast<int>(text);
+        EXPECT_GT(grayOf(shown[plan[Cell::WellText]]).r - grayOf(shown[plan[Cell::Well]]).r, 0x2000);
+      }
+      XSync(d, 0);
+      EXPECT_EQ(stranger.countFree(), left);
+    }
+}
+
+// Nobody needs more cells than it has shades: the others stay free.
+TEST(SharedCells, TakesNoMoreThanItNeeds) {
+  Session s{XServer::xvfb(8)};
+  const Stranger stranger{s.server, 183};
+  const ServerColormap map = sharedOn(s.display.get(), 64);
+  EXPECT_EQ(map.mostShades(), 64);
+  EXPECT_EQ(map.shortfall(), "");
+  EXPECT_THAT(map.account(), HasSubstr("shared map, 64 of 64 shades"));
+  EXPECT_GE(stranger.countFree(), 183u - 64 - 14);
+}
+
+// What others do to the map does not show: they change their cells, free them, and others take those.
+TEST(SharedCells, OthersCannotChangeWhatWeShow) {
+  for (const std::size_t left : {0, 20}) {
+    SCOPED_TRACE(left);
+    Session s{XServer::xvfb(8)};
+    Display* d = s.display.get();
+    Stranger stranger{s.server, left};
+    ASSERT_GT(stranger.cells().size(), 100u);
+    ServerColormap map = sharedOn(d);
+    // All 240 shades, also those without a cell, in colours that would suit the stranger's.
+    Palette palette = distinctPalette();
+    map.store(palette);
+    Canvas canvas{d, map, {.width = 256, .height = 64}};
+    const Rect all{0, 0, 256, 64};
+    canvas.present(randomImage(256, 64, 1), all);
+    const RgbImage before = canvas.readBack(all);
+    stranger.paint(7);
+    EXPECT_EQ(canvas.readBack(all), before);
+    stranger.leave();
+    EXPECT_EQ(canvas.readBack(all), before);
+  }
+}
+
+// A map of our own that has too few cells for the table is used the same way: as if of depth 4, which no
+// server at hand has.
+TEST(SharedCells, SmallMapsOfOurOwn) {
+  Session s{XServer::xvfb(8)};
+  Display* d = s.display.get();
+  VisualInfo small = readVisuals(d).defaultVisual();
+  small.cells = 16;
+  ServerColormap map{d, {small, ""}};
+  EXPECT_NE(map.id(), DefaultColormap(d, 0));
+  EXPECT_TRUE(map.live());
+  EXPECT_FALSE(map.identity());
+  const int shades = map.mostShades();
+  EXPECT_GE(shades, 12);  // a quarter is the tool's
+  EXPECT_LE(shades, 16);
+  EXPECT_THAT(map.account(), HasSubstr("private map, " + std::to_string(shades) + " of 240 shades"));
+  EXPECT_EQ(map.shortfall(), "the colormap has free cells for " + std::to_string(shades) + " of 240 shades");
+  const Palette palette = rampOf(shades);
+  map.store(palette);
+  const std::vector<XColor> cells = [&] {
+    std::vector<XColor> asked;
+    for (int j = 0; j < shades; ++j) {
+      XColor cell{};
+      cell.pixel = map.pixel(static_cast<std::uint8_t>(11 + j));
+      asked.push_back(cell);
+    }
+    XQueryColors(d, map.id(), asked.data(), shades);
+    return asked;
+  }();
+  for (int j = 0; j < shades; ++j) EXPECT_EQ(cells[j].red >> 8, palette[11 + j].r >> 8);
+}
+
+// A second program on the same server has what the first left, and all of it once that has gone.
+TEST(SharedCells, TwoShare) {
+  Session s{XServer::xvfb(8)};
+  const OwnedDisplay other = openDisplay(s.server.name());
+  auto first = std::make_unique<ServerColormap>(sharedOn(other.get(), 100));
+  EXPECT_EQ(first->mostShades(), 100);
+  {
+    const ServerColormap second = sharedOn(s.display.get());
+    EXPECT_TRUE(second.live());
+    EXPECT_LT(second.mostShades(), 183 - 100 + 1);
+    EXPECT_GT(second.mostShades(), 50);
+  }
+  first.reset();
+  XSync(other.get(), 0);
+  EXPECT_GE(sharedOn(s.display.get()).mostShades(), 169);
+}
+
+// Where the default map cannot be written there are no cells to share: its colours are used, and that is
+// told.
+TEST(SharedCells, FixedMapsAreEmulated) {
+  for (const int defaultClass : {0, 2, 4}) {
+    SCOPED_TRACE(defaultClass);
+    Session s{XServer::xvfb(8, 640, 480, {"-cc", std::to_string(defaultClass)})};
+    const ServerColormap map = sharedOn(s.display.get());
+    EXPECT_FALSE(map.live());
+    EXPECT_EQ(map.id(), DefaultColormap(s.display.get(), 0));
+    EXPECT_THAT(map.shortfall(), HasSubstr("is not writable"));
+  }
+}
+
+// On a DirectColor screen cells are shared too: of each channel.
+TEST(SharedCells, OnDirectColor) {
+  Session s{XServer::xvfb(24, 640, 480, {"-cc", "5"})};
+  Display* d = s.display.get();
+  ASSERT_EQ(readVisuals(d).defaultVisual().name(), "DirectColor 24");
+  {
+    ServerColormap map = sharedOn(d);
+    ASSERT_TRUE(map.live());
+    const int shades = map.mostShades();
+    EXPECT_GT(shades, 200);
+    const Palette palette = rampOf(shades, {0.5, 1, 0.25});
+    map.store(palette);
+    Canvas canvas{d, map, {.width = shades, .height = 8}};
+    canvas.present(rampImage(shades), {0, 0, shades, 8});
+    const std::vector<std::array<int, 3>> row = firstRow(canvas.readBack({0, 0, shades, 8}));
+    for (int j = 0; j < shades; ++j) {
+      const Rgb16 c = palette[11 + j];
+      ASSERT_EQ(row[j], (std::array<int, 3>{c.r >> 8, c.g >> 8, c.b >> 8})) << j;
+    }
+    // The tool's colours have cells too: a pixel value there is no colour.
+    const Palette shown = map.shown();
+    const CellPlan plan;
+    for (int role = 0; role < kCells; ++role) {
+      const int i = plan[static_cast<Cell>(role)];
+      EXPECT_EQ(eightBits(shown[i]), eightBits(palette[i])) << role;
+    }
+  }
+  XSync(d, 0);
+  const std::size_t before = readVisuals(d, true).freeCells.value();
+  EXPECT_GT(before, 240u);
+}
+
+// Where a channel has few levels, all of them that can be had are shared: in a fresh map as many colours as a
+// map of our own would have, and no flashing; beside a stranger fewer, of which black and white are two.
+TEST(SharedCells, LevelsOfDirectColor) {
+  std::size_t before = 257;
+  for (const bool beside : {false, true}) {
+    SCOPED_TRACE(beside);
+    Session s{XServer::xvfb(8, 640, 480, {"-cc", "5"})};
+    Display* d = s.display.get();
+    std::optional<Stranger> stranger;
+    if (beside) stranger.emplace(s.server, 0);
+    std::set<unsigned long> used;
+    {
+      ServerColormap map = sharedOn(d);
+      EXPECT_FALSE(map.live());
+      EXPECT_EQ(map.id(), DefaultColormap(d, 0));
+      map.store(rampOf(kMaxShades, {1, 1, 1}));
+      for (int place = 0; place < 64; ++place)
+        for (const unsigned long pixel : map.table().at(place)) used.insert(pixel);
+      const std::string account = map.account();
+      const std::size_t colors = std::stoul(account.substr(account.find("map, ") + 5));
+      EXPECT_THAT(account, HasSubstr("colours, mixed"));
+      EXPECT_THAT(map.shortfall(), HasSubstr("levels for " + std::to_string(colors) + " colours"));
+      if (!beside) {
+        EXPECT_EQ(colors, 256u);
+      }
+      EXPECT_LT(colors, before);
+      EXPECT_GE(colors, 8u);
+      before = colors;
+      // Nobody can change what they show.
+      const std::vector<unsigned long> pixels{used.begin(), used.end()};
+      const PixelColors shows{d, map.id(), map.visual()};
+      if (stranger) stranger->paint(3);
+      const PixelColors now{d, map.id(), map.visual()};
+      for (const unsigned long pixel : pixels) EXPECT_EQ(shows(pixel), now(pixel));
+      EXPECT_GE(pixels.size(), 4u);
+    }
+    XSync(d, 0);
+    if (!beside) {
+      EXPECT_EQ(Stranger(s.server, 0).cells().size(), 2u);  // all given back
+    }
+  }
+}
+
+}  // namespace xnewell

@@ -1,0 +1,384 @@
+#include "x11/sides/side_bench.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+
+#include "tests/x11/support/bench_stage.h"
+
+namespace xnewell {
+
+// Two setups beside each other, without a server.
+
+namespace {
+
+/// A bench on a stage, drawn.
+struct Shown {
+  BenchStage stage;
+  SideBench bench{stage,
+                  [this] {
+                    return ControlKeys::Subject{stage.picture.scene(), glm::dvec3{0}, 1.5};
+                  },
+                  [] { return kMaxShades; }};
+  explicit Shown(const char* scene = "teapot", const xnewell::Setup& setup = {}, int width = 1024, int height = 768)
+      : stage{scene, 3, width, height, setup} {
+    stage.draw(bench);
+  }
+  void press(std::string_view letters) {
+    for (const char c : letters) {
+      stage.press(bench, std::string_view{&c, 1});
+      EXPECT_TRUE(stage.taken) << c;
+    }
+    stage.draw(bench);
+  }
+  void press(NamedKey key) { stage.press(bench, key), stage.draw(bench); }
+  [[nodiscard]] SidesLayout at() const { return layoutOfSides(stage.layout.body); }
+  [[nodiscard]] IndexImage A() const { return stage.part(at().A); }
+  [[nodiscard]] IndexImage B() const { return stage.part(at().B); }
+  [[nodiscard]] IndexImage difference() const { return stage.part(at().difference); }
+  /// But for the times, which are measured.
+  [[nodiscard]] IndexImage pictures() const {
+    const Rect& body = stage.layout.body;
+    return stage.part({body.x, body.y, body.width, at().sections.y - body.y});
+  }
+  [[nodiscard]] xnewell::Setup setupB() const { return bench.beside(stage.now); }
+};
+
+xnewell::Setup ordered(Order order, Shading shading = Shading::Flat) {
+  xnewell::Setup s;
+  s.picture.order = order;
+  s.picture.shading = shading;
+  return s;
+}
+
+int inkIn(const IndexImage& image) {
+  return static_cast<int>(std::ranges::count(image.pixels, CellPlan{}[Cell::Ink]));
+}
+
+}  // namespace
+
+// What is beside A at first makes a lesson: the order that is exact, or one that is not; and all else is A's.
+TEST(SideBench, BeginsWithAnotherOrder) {
+  for (const OrderRow& row : kOrders) {
+    const Shown s{"teapot", ordered(row.id)};
+    const bool exact = row.id == Order::Newell || row.id == Order::Oracle;
+    EXPECT_EQ(s.setupB().picture.order, exact ? Order::ZSort : Order::Newell);
+    EXPECT_EQ(differencesOf(s.stage.now.picture, s.setupB().picture), std::vector<std::string>{"order"});
+    EXPECT_EQ(s.bench.status(), "same scene, same view, same light   only the order differs");
+  }
+}
+
+// A letter of a control changes the one in focus and leaves the other alone; the window's setup through its
+// host, so that it can be undone.
+TEST(SideBench, KeysChangeTheOneInFocus) {
+  for (const char key : std::string{"SNOKTLVH"}) {
+    SCOPED_TRACE(key);
+    Shown s{"teapot", ordered(Order::Newell, Shading::Gouraud)};
+    const xnewell::Setup A = s.stage.now, B = s.setupB();
+    s.press({&key, 1});
+    EXPECT_EQ(s.stage.now, A);
+    EXPECT_NE(s.setupB(), B);
+    const xnewell::Setup changed = s.setupB();
+    s.press("A");
+    s.press({&key, 1});
+    EXPECT_NE(s.stage.now, A);
+    EXPECT_EQ(s.setupB(), changed);
+    EXPECT_EQ(s.stage.undo, std::vector{A});
+  }
+  for (const char key : std::string{"ipadsc"}) {
+    SCOPED_TRACE(key);
+    Shown s;
+    const xnewell::Setup A = s.stage.now, B = s.setupB();
+    s.press({&key, 1});
+    EXPECT_EQ(s.setupB(), B);
+    s.press(NamedKey::Left);
+    EXPECT_TRUE(s.stage.taken);
+    EXPECT_EQ(s.stage.now, A);
+    EXPECT_NE(s.setupB(), B);
+    EXPECT_NE(s.bench.aside().find(" of B, "), std::string::npos);
+    s.press(NamedKey::Right);
+    EXPECT_EQ(s.setupB(), B);
+    s.press("A");
+    s.press(NamedKey::Left);
+    EXPECT_NE(s.stage.now, A);
+    EXPECT_EQ(s.setupB(), B);
+    s.press(NamedKey::Escape);
+    s.press(NamedKey::Left);
+    EXPECT_FALSE(s.stage.taken);  // the arrows are nobody's here
+  }
+}
+
+// Turning and zooming are the window's, for both: the bench leaves these keys, and the arrows after them, to
+// it, and B is drawn with A's camera.
+TEST(SideBench, TheCameraIsShared) {
+  Shown s;
+  s.press("s");
+  for (const char key : {'t', 'z'}) {
+    EXPECT_FALSE(s.bench.press({NamedKey::Letter, key}, s.stage.now));
+    EXPECT_FALSE(s.bench.press({NamedKey::Left}, s.stage.now));
+    EXPECT_NE(s.bench.sharedKeys().find(key), std::string_view::npos);
+  }
+  const IndexImage before = s.B();
+  s.stage.now.picture.camera.fov = 17.0;
+  s.stage.draw(s.bench);
+  EXPECT_EQ(s.setupB().picture.camera, s.stage.now.picture.camera);
+  EXPECT_NE(s.B(), before);
+  s.press("P");
+  EXPECT_TRUE(s.stage.now.picture.camera.parallel);
+  EXPECT_EQ(s.setupB().picture.camera, s.stage.now.picture.camera);
+}
+
+// What is changed elsewhere B follows in all that it had in common with A, and keeps what was its own.
+TEST(SideBench, FollowsWhatIsChangedElsewhere) {
+  Shown s;
+  s.press("T");  // B's own table
+  const xnewell::Setup B = s.setupB();
+  s.bench.leave();
+  s.stage.now.picture.light.ks = 0.9;
+  s.stage.now.picture.table.kind = TableKind::Brief;
+  s.stage.now.picture.shading = Shading::Phong;
+  s.bench.enter();
+  s.stage.draw(s.bench);
+  EXPECT_EQ(s.setupB().picture.light.ks, 0.9);
+  EXPECT_EQ(s.setupB().picture.shading, Shading::Phong);
+  EXPECT_EQ(s.setupB().picture.table.kind, B.picture.table.kind);
+  EXPECT_EQ(s.setupB().picture.order, B.picture.order);
+}
+
+// Swapped twice nothing has happened; swapped once, the pictures have changed places and A - B its sign.
+TEST(SideBench, SwapTwiceIsIdentity) {
+  Shown s{"teapot", ordered(Order::ZSort)};
+  s.press("S");
+  const xnewell::Setup A = s.stage.now, B = s.setupB();
+  const IndexImage pictures = s.pictures(), left = s.A(), right = s.B(), difference = s.difference();
+  EXPECT_NE(left, right);
+  s.press("x");
+  EXPECT_EQ(s.stage.now, B);
+  EXPECT_EQ(s.setupB(), A);
+  EXPECT_EQ(s.A(), right);
+  EXPECT_EQ(s.B(), left);
+  EXPECT_EQ(s.difference(), difference);
+  s.press("x");
+  EXPECT_EQ(s.stage.now, A);
+  EXPECT_EQ(s.setupB(), B);
+  EXPECT_EQ(s.pictures(), pictures);
+}
+
+// Space puts B in A's place, pixel by pixel, and takes it away again; so do Esc and leaving.
+TEST(SideBench, BlinksInPlace) {
+  Shown s{"teapot", ordered(Order::ZSort)};
+  const IndexImage left = s.A(), right = s.B(), pictures = s.pictures();
+  EXPECT_NE(left, right);
+  s.press(NamedKey::Space);
+  EXPECT_TRUE(s.stage.taken);
+  EXPECT_EQ(s.A(), right);
+  EXPECT_EQ(s.B(), right);
+  s.press(NamedKey::Space);
+  EXPECT_EQ(s.pictures(), pictures);
+  s.press(NamedKey::Space);
+  s.press(NamedKey::Escape);
+  EXPECT_EQ(s.pictures(), pictures);
+  s.press(NamedKey::Space);
+  s.bench.leave();
+  s.stage.draw(s.bench);
+  EXPECT_EQ(s.pictures(), pictures);
+}
+
+// f goes through the kinds and comes back; n through the places and comes back, frame by frame.
+TEST(SideBench, KindsAndPlacesGoRound) {
+  Shown s{"teapot", ordered(Order::ZSort)};
+  const IndexImage face = s.difference(), pictures = s.pictures();
+  s.press("f");
+  EXPECT_NE(s.difference(), face);
+  s.press("f");
+  EXPECT_NE(s.difference(), face);
+  s.press("f");
+  EXPECT_EQ(s.difference(), face);
+  int places = 0;
+  do {
+    s.press("n");
+    ASSERT_LE(++places, kMostPlaces);
+  } while (s.pictures() != pictures);
+  EXPECT_GT(places, 1);
+  EXPECT_EQ(s.difference(), face);
+}
+
+// The other one is undone by u step by step; what the window has to undo is left to it.
+TEST(SideBench, UndoesWhatIsItsOwn) {
+  Shown s;
+  const xnewell::Setup A = s.stage.now, B = s.setupB();
+  s.press("ST");
+  s.press("A");
+  s.press("S");
+  EXPECT_FALSE(s.bench.press({NamedKey::Letter, 'u'}, s.stage.now));
+  s.stage.now = s.stage.undo.back();  // as the window does
+  s.stage.draw(s.bench);
+  EXPECT_EQ(s.stage.now, A);
+  EXPECT_NE(s.setupB(), B);
+  s.press("u");
+  s.press("u");
+  EXPECT_EQ(s.setupB(), B);
+  EXPECT_FALSE(s.bench.press({NamedKey::Letter, 'u'}, s.stage.now));
+
+  s.press("x");
+  EXPECT_FALSE(s.bench.press({NamedKey::Letter, 'u'}, s.stage.now));
+  s.stage.now = s.stage.undo.back();
+  s.stage.draw(s.bench);
+  EXPECT_EQ(s.stage.now, A);
+  EXPECT_EQ(s.setupB(), B);
+}
+
+// Pairs that make a lesson come one after the other, and differ in that alone.
+TEST(SideBench, PairsDifferInOneThing) {
+  Shown s{"teapot", ordered(Order::Newell, Shading::Phong)};
+  for (const PairRow& row : kPairs) {
+    SCOPED_TRACE(row.name);
+    s.press("g");
+    EXPECT_EQ(differencesOf(s.stage.now.picture, s.setupB().picture).size(), 1u);
+    EXPECT_NE(s.A(), s.B());
+    EXPECT_GT(std::ranges::count(s.difference().pixels, CellPlan{}[Cell::Q]) +
+                  std::ranges::count(s.difference().pixels, CellPlan{}[Cell::Faint]),
+              50);
+  }
+}
+
+// Set up alike, the pictures are the same, the difference is empty, and nothing is bold but what is found.
+TEST(SideBench, AlikeIsSaid) {
+  Shown s{"teapot", ordered(Order::ZSort)};
+  const int bold = inkIn(s.stage.part(s.at().captionA));
+  s.press("A");
+  s.press("O");  // Newell, as B
+  EXPECT_EQ(s.stage.now, s.setupB());
+  EXPECT_EQ(s.A(), s.B());
+  EXPECT_EQ(s.bench.status(), "same scene, same view, same light   nothing differs");
+  EXPECT_EQ(inkIn(s.stage.part({s.at().captionA.x + 24, s.at().captionA.y, s.at().captionA.width - 24,
+                                s.at().captionA.height})),
+            0);
+  EXPECT_GT(bold, 100);
+  EXPECT_EQ(std::ranges::count(s.stage
+                                   .part({s.at().difference.x, s.at().difference.y + 24,
+                                          s.at().difference.width, s.at().difference.height - 24})
+                                   .pixels,
+                               CellPlan{}[Cell::Q]),
+            0);
+  const std::size_t notices = s.stage.notices.size();
+  s.press("n");
+  EXPECT_EQ(s.stage.notices.size(), notices + 1);
+}
+
+// In a caption what differs is bold, in ink, and what does not is neither.
+TEST(SideBench, OnlyWhatDiffersIsBold) {
+  const Shown s{"teapot", ordered(Order::ZSort)};
+  const Rect& at = s.at().captionA;
+  const CellPlan plan;
+  IndexImage expected{at.width - 24, 18, plan[Cell::Paper]};
+  Painter paint{expected};
+  const int end = paint.text(0, 12, "z-sort by farthest z", plan[Cell::Ink], Voice::Bold);
+  paint.text(end, 12, "  flat, linear", plan[Cell::Soft]);
+  EXPECT_EQ(s.stage.part({at.x + 24, at.y, at.width - 24, 18}), expected);
+}
+
+// While something is dragged the pictures follow at once; the numbers, faint meanwhile, when it is over: then
+// all is as if it had been drawn so at once.
+TEST(SideBench, NumbersFollowWhenADragIsOver) {
+  Shown s{"teapot", ordered(Order::ZSort)};
+  const IndexImage before = s.B();
+  s.stage.now.picture.camera.fov = 17.0;
+  s.stage.draw(s.bench, true);
+  EXPECT_NE(s.B(), before);
+  EXPECT_EQ(s.bench.aside(), "numbers follow");
+  const auto finding = [&] {
+    return std::ranges::count(s.stage.part(s.at().numbers).pixels, CellPlan{}[Cell::White]);
+  };
+  EXPECT_EQ(finding(), 0);
+  const std::int64_t faint = std::ranges::count(s.stage.part(s.at().numbers).pixels, CellPlan{}[Cell::Faint]);
+  EXPECT_GT(faint, 500);
+  s.stage.draw(s.bench);
+  EXPECT_EQ(s.bench.aside(), "numbers from these pictures");
+  EXPECT_GT(finding(), 1000);
+  Shown fresh{"teapot", s.stage.now};
+  EXPECT_EQ(s.pictures(), fresh.pictures());
+  EXPECT_EQ(s.difference(), fresh.difference());
+}
+
+// Two tables in one palette: on the screen each picture has its own colours.
+TEST(SideBench, TwoTablesAreShownAtOnce) {
+  Shown s{"teapot", ordered(Order::Newell)};
+  s.press("ggg");  // the first pair is shown already
+  EXPECT_EQ(s.stage.now.picture.table.kind, TableKind::Linear);
+  EXPECT_EQ(s.setupB().picture.table.kind, TableKind::Corrected);
+  const IndexImage right = s.B();
+  Shown corrected{"teapot", s.setupB()};
+  corrected.press("B");
+  int samples = 0;
+  const IndexImage own = corrected.A();
+  const Rect frameless{0, 0, own.width, own.height};
+  for (int k = 0; k < frameless.width * frameless.height; ++k) {
+    const Rgb16 there = s.bench.colors()->palette[right.pixels[k]],
+                here = corrected.bench.colors()->palette[own.pixels[k]];
+    if (own.pixels[k] < 11 || own.pixels[k] > 250 || right.pixels[k] < 11 || right.pixels[k] > 250) continue;
+    ASSERT_EQ(there.r >> 8, here.r >> 8);
+    ++samples;
+  }
+  EXPECT_GT(samples, 20'000);
+}
+
+// Nothing to see, lights of its own, colours without intensities, a plan that cannot be: it is drawn and
+// said.
+TEST(SideBench, ExtremesAreDrawn) {
+  xnewell::Setup away;
+  away.picture.camera.eye = glm::dvec3{500, 0, 0}, away.picture.camera.lookAt = glm::dvec3{900, 0, 0};
+  Shown nothing{"teapot", away};
+  EXPECT_EQ(nothing.A(), nothing.B());
+  nothing.press("fnxOSTu");
+
+  Shown lights{"spotlight"};
+  lights.press("OSTfn");
+  EXPECT_NE(lights.A(), lights.B());
+
+  xnewell::Setup colors;
+  colors.picture.colors = ColorPlan::Chosen;
+  Shown tori{"tori", colors};
+  tori.press("f");
+  EXPECT_EQ(tori.stage.notices.size(), 1u);  // no intensities: colours at once
+  tori.press("S");
+  EXPECT_NE(tori.A(), tori.B());
+  tori.press("f");
+
+  xnewell::Setup hues;
+  hues.picture.colors = ColorPlan::Hues;
+  Shown few{"hues", hues};
+  few.press("c");
+  const std::size_t notices = few.stage.notices.size();
+  few.stage.press(few.bench, "c");
+  for (int k = 0; k < 24; ++k) few.stage.taken = few.bench.press({NamedKey::Left, 0, true}, few.stage.now);
+  few.stage.draw(few.bench);  // two shades for seven hues
+  EXPECT_GT(few.stage.notices.size(), notices);
+  EXPECT_GT(few.setupB().picture.table.shades, 13);
+}
+
+// From 800 x 600 up all is drawn inside the body, and nothing is left of what stood there.
+TEST(SideBench, EverySizeIsWhole) {
+  for (const auto& [width, height] :
+       {std::pair{800, 600}, {801, 767}, {1024, 768}, {1600, 1200}, {3000, 700}}) {
+    SCOPED_TRACE(testing::Message() << width << " x " << height);
+    Shown s{"teapot", ordered(Order::ZSort), width, height};
+    std::ranges::fill(s.stage.image.pixels, 123);
+    s.stage.draw(s.bench);
+    const Rect& body = s.stage.layout.body;
+    int outside = 0, left = 0;
+    for (int j = 0; j < height; ++j)
+      for (int i = 0; i < width; ++i) {
+        const bool in = body.has(i, j);
+        const std::uint8_t cell = s.stage.image.row(j)[i];
+        outside += !in && cell != 123;
+        left += in && cell == 123;
+      }
+    EXPECT_LE(outside, 2 * 19);            // the bar of what is in focus
+    EXPECT_LT(left, width * height / 50);  // a shade of the pictures, too
+    EXPECT_GT(inkIn(s.stage.part(s.at().numbers)), 1500);
+    EXPECT_GT(inkIn(s.stage.part(s.at().captionA)), 80);
+  }
+}
+
+}  // namespace xnewell

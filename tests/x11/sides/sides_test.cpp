@@ -1,0 +1,294 @@
+#include "x11/sides/sides.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "depthsort/oracle.h"
+#include "x11/sides/sides_page.h"
+
+namespace xnewell {
+
+namespace {
+
+/// A picture, painted.
+struct Made {
+  Picture picture;
+  IndexImage image;
+  Palette palette;
+  Made(const Scene& scene, const PictureSettings& settings) : picture{scene} {
+    picture.make(settings);
+    picture.paint(image, CellPlan{}[Cell::Well]);
+    palette = picture.palette(CellPlan{settings.table.kind});
+  }
+  [[nodiscard]] PaintedPicture painted() const { return {picture, image, palette}; }
+};
+
+PictureSettings viewOf(const Scene& scene, Shading shading = Shading::Flat, Order order = Order::Newell) {
+  PictureSettings s;
+  s.width = 220, s.height = 150;
+  s.shading = shading;
+  s.order = order;
+  s.camera = inSceneUnits(completed({}, scene.camera), scene);
+  return s;
+}
+
+Rgb16 onScreen(Rgb16 c) {
+  return {static_cast<std::uint16_t>(c.r >> 8), static_cast<std::uint16_t>(c.g >> 8),
+          static_cast<std::uint16_t>(c.b >> 8)};
+}
+
+}  // namespace
+
+// Two pictures made alike differ nowhere in nothing, whatever their cells hold and whatever is measured.
+TEST(Sides, AlikeDifferNowhere) {
+  for (const auto& [name, plan] : {std::pair{"teapot", ColorPlan::Needed},
+                                   {"hues", ColorPlan::Needed},
+                                   {"tori", ColorPlan::Chosen},
+                                   {"spotlight", ColorPlan::Needed}}) {
+    SCOPED_TRACE(name);
+    const Scene scene = readScene(name, 3);
+    PictureSettings s = viewOf(scene, Shading::Gouraud, Order::ZSort);
+    s.colors = plan;
+    Made A{scene, s}, B{scene, s};
+    for (const UnlikeRow& row : kUnlikes) {
+      if (row.id == Unlike::Intensity && !hasIntensities(A.picture, B.picture)) continue;
+      const Unlikeness u = unlikeness(row.id, A.painted(), B.painted());
+      EXPECT_GT(u.samples, 2000);
+      EXPECT_EQ(u.differ, 0);
+      EXPECT_EQ(u.largest, 0.0);
+      EXPECT_EQ(u.rootMeanSquare, 0.0);
+      EXPECT_TRUE(placesOf(u, 30, 40).empty());
+      EXPECT_EQ(findingOf(A.picture, B.picture, numbersOf(A.picture), numbersOf(B.picture), u, {}).bold,
+                "A and B are set up alike.");
+    }
+    EXPECT_TRUE(differencesOf(s, s).empty());
+    EXPECT_FALSE(onePalette(A.painted(), B.painted(), CellPlan{}, A.palette).shared);
+  }
+}
+
+// Another face is another face of the model at that sample; what the oracle's picture shows otherwise is what
+// is counted as wrong, where nothing lies too close to tell.
+TEST(Sides, CountsOtherFaces) {
+  const Scene scene = readScene("penetrate");
+  Made A{scene, viewOf(scene, Shading::Flat, Order::ZSort)},
+      B{scene, viewOf(scene, Shading::Flat, Order::Oracle)};
+  const std::vector<std::uint32_t> a = A.picture.faceImage(), b = B.picture.faceImage();
+  std::int64_t others = 0, samples = 0;
+  for (std::size_t k = 0; k < a.size(); ++k) others += a[k] != b[k], samples += a[k] != 0 || b[k] != 0;
+  const Unlikeness u = unlikeness(Unlike::Face, A.painted(), B.painted());
+  EXPECT_EQ(u.differ, others);
+  EXPECT_EQ(u.samples, samples);
+  EXPECT_GT(u.differ, 500);
+  const SideNumbers ofA = numbersOf(A.picture), ofB = numbersOf(B.picture);
+  EXPECT_LE(ofA.wrong, others);
+  EXPECT_GT(ofA.wrong, others * 99 / 100);
+  EXPECT_EQ(ofB.wrong, 0);
+  EXPECT_EQ(ofB.cuts, 0);
+  EXPECT_EQ(ofA.painted, 2);
+  // Of a face of several pieces it may be the wrong one.
+  for (const int divisions : {2, 3, 5, 8}) {
+    const Scene pot = readScene("teapot", divisions);
+    Made z{pot, viewOf(pot, Shading::Flat, Order::ZSort)},
+        oracle{pot, viewOf(pot, Shading::Flat, Order::Oracle)};
+    EXPECT_LE(numbersOf(z.picture).wrong, unlikeness(Unlike::Face, z.painted(), oracle.painted()).differ);
+  }
+  Made C{scene, viewOf(scene)};
+  EXPECT_EQ(unlikeness(Unlike::Face, B.painted(), C.painted()).differ, 0);
+  EXPECT_EQ(numbersOf(C.picture).cuts, 1);
+  EXPECT_EQ(numbersOf(C.picture).painted, 3);
+}
+
+// Differences of intensity are those of the surfaces to within a shade of each, and their numbers add up.
+TEST(Sides, IntensitiesAreThoseOfTheSurfaces) {
+  const Scene scene = readScene("teapot", 3);
+  Made A{scene, viewOf(scene, Shading::Flat)}, B{scene, viewOf(scene, Shading::Gouraud)};
+  const Unlikeness u = unlikeness(Unlike::Intensity, A.painted(), B.painted());
+  const std::vector<double> a = A.picture.intensities(A.picture.seen(0, 150)),
+                            b = B.picture.intensities(B.picture.seen(0, 150));
+  double squares = 0, largest = 0;
+  std::int64_t samples = 0, differ = 0;
+  for (std::size_t k = 0; k < a.size(); ++k) {
+    ASSERT_EQ(std::isnan(a[k]), std::isnan(u.at[k]));
+    if (std::isnan(a[k])) continue;
+    ASSERT_NEAR(u.at[k], std::abs(a[k] - b[k]), 1.02 / 239);
+    ++samples, squares += double{u.at[k]} * u.at[k], differ += u.at[k] > 1.0 / 240;
+    largest = std::max(largest, double{u.at[k]});
+  }
+  EXPECT_EQ(u.samples, samples);
+  EXPECT_EQ(u.differ, differ);
+  EXPECT_GT(differ, samples / 2);
+  EXPECT_DOUBLE_EQ(u.largest, largest);
+  EXPECT_NEAR(u.rootMeanSquare, std::sqrt(squares / static_cast<double>(samples)), 1e-12);
+  EXPECT_GT(u.rootMeanSquare, 0.01);
+}
+
+// The errors against Phong's method are those that difference.h measures; Gouraud's are smaller than flat
+// shading's, and Phong's own are below half a shade.
+TEST(Sides, ErrorsAreAgainstPhong) {
+  const Scene scene = readScene("teapot", 3);
+  double before = 1;
+  for (const Shading shading : {Shading::Flat, Shading::Gouraud, Shading::Phong}) {
+    Made made{scene, viewOf(scene, shading)};
+    const SideNumbers numbers = numbersOf(made.picture);
+    const Difference d = comparedWithPhong(made.picture, viewOf(scene, shading), 8).difference;
+    double squares = 0;
+    for (const float v : d.at) squares += std::isnan(v) ? 0.0 : double{v} * v;
+    EXPECT_EQ(numbers.largest, d.largest);
+    EXPECT_NEAR(numbers.rootMeanSquare, std::sqrt(squares / static_cast<double>(d.samples)), 1e-12);
+    EXPECT_LT(numbers.rootMeanSquare, before);
+    before = numbers.rootMeanSquare;
+    EXPECT_EQ(made.picture.settings(), viewOf(scene, shading));
+  }
+  EXPECT_LT(before, 0.51 / 239);
+}
+
+// The first place has more differing samples than any other frame of its size; the others have what is left,
+// each no more than the one before; and all of few samples is in some place.
+TEST(Sides, PlacesAreTheDensest) {
+  Unlikeness u{.width = 100, .at = std::vector<float>(100 * 60, 0.0f)};
+  const auto spot = [&](int x, int y, int width, int height) {
+    for (int j = y; j < y + height; ++j)
+      for (int i = x; i < x + width; ++i) u.at[100 * j + i] = 1, ++u.differ;
+  };
+  spot(10, 10, 6, 5), spot(70, 40, 4, 4), spot(95, 2, 2, 3);
+  std::vector<DifferingPlace> places = placesOf(u, 12, 15);
+  ASSERT_EQ(places.size(), 3u);
+  EXPECT_EQ(places[0].samples, 30);
+  EXPECT_EQ(places[1].samples, 16);
+  EXPECT_EQ(places[2].samples, 6);
+  EXPECT_EQ(places[0].frame, (Rect{7, 5, 12, 15}));   // in its middle
+  EXPECT_EQ(places[2].frame, (Rect{88, 0, 12, 15}));  // inside the picture
+  for (int k = 0; k < 12; ++k) spot(8 * k, 55, 2, 2);
+  places = placesOf(u, 4, 4);
+  EXPECT_EQ(places.size(), std::size_t{kMostPlaces});
+  EXPECT_TRUE(std::ranges::is_sorted(places, std::greater{}, &DifferingPlace::samples));
+  EXPECT_FALSE(placesOf(u, 500, 500).empty());
+}
+
+// Where two tables hold other colours both pictures are shown in one palette: every sample in the very colour
+// that its own table stores, as 8 bits show it, if there are at most 240 of them.
+TEST(Sides, OnePaletteShowsBoth) {
+  const Scene scene = readScene("teapot", 3);
+  PictureSettings a = viewOf(scene), b = a;
+  b.table.kind = TableKind::Corrected;
+  for (const TableKind kind : {TableKind::Linear, TableKind::Brief}) {
+    a.table.kind = kind;
+    Made A{scene, a}, B{scene, b};
+    const CellPlan plan{kind};
+    const OnePalette one = onePalette(A.painted(), B.painted(), plan, A.picture.palette(plan));
+    EXPECT_TRUE(one.shared);
+    EXPECT_TRUE(one.exact);
+    EXPECT_EQ(withInterface(one.palette, plan), one.palette);
+    int samples = 0, others = 0;
+    for (const auto& [made, image] : {std::pair{&A, &one.A}, {&B, &one.B}}) {
+      const SeenRows seen = made->picture.seen(0, 150);
+      for (std::size_t k = 0; k < image->pixels.size(); ++k) {
+        if (seen.faces[k] == kNothing) {
+          ASSERT_EQ(image->pixels[k], plan[Cell::Well]);
+          continue;
+        }
+        ++samples;
+        ASSERT_EQ(onScreen(one.palette[image->pixels[k]]), onScreen(made->palette[made->image.pixels[k]]));
+        others += onScreen(A.palette[A.image.pixels[k]]) != onScreen(B.palette[B.image.pixels[k]]);
+      }
+    }
+    EXPECT_GT(samples, 10'000);
+    EXPECT_GT(others, samples / 2);
+  }
+  // Of many colours they are the nearest, and it is said.
+  const Scene hues = readScene("hues");
+  Made A{hues, viewOf(hues, Shading::Flat)}, B{hues, viewOf(hues, Shading::Phong)};
+  const OnePalette one = onePalette(A.painted(), B.painted(), CellPlan{}, A.palette);
+  EXPECT_TRUE(one.shared);
+  EXPECT_EQ(one.colors, 240);
+  EXPECT_FALSE(one.exact);
+}
+
+// Words are bold only for what differs, which comes first; and the same of A beside B as of B beside A.
+TEST(Sides, PhrasesTellWhatDiffers) {
+  const Scene scene = readScene("teapot", 3);
+  PictureSettings a = viewOf(scene), b = a;
+  const auto differing = [](const std::vector<Phrase>& phrases) {
+    EXPECT_TRUE(std::ranges::is_partitioned(phrases, &Phrase::differs));
+    std::string all;
+    for (const Phrase& p : phrases) all += p.differs ? p.text + ';' : "";
+    return all;
+  };
+  EXPECT_EQ(differing(phrasesOf(a, b)), "");
+  EXPECT_EQ(phrasesOf(a, b).size(), 3u);
+  EXPECT_EQ(sidesStatus(a, b), "same scene, same view, same light   nothing differs");
+  b.order = Order::ZSort;
+  EXPECT_EQ(differing(phrasesOf(a, b)), "Newell;");
+  EXPECT_EQ(differing(phrasesOf(b, a)), "z-sort by farthest z;");
+  EXPECT_EQ(sidesStatus(a, b), "same scene, same view, same light   only the order differs");
+  b.light.ks = 0.125, b.light.Ia = 0.3;
+  EXPECT_EQ(differing(phrasesOf(b, a)), "z-sort by farthest z;Ia 0.3;ks 0.125;");
+  EXPECT_EQ(sidesStatus(a, b), "same scene, same view   the order, light and surface differ");
+  b = a;
+  b.table.shades = 20;
+  EXPECT_EQ(sidesStatus(a, b), "same scene, same view, same light   only the shades differ");
+  // Size and camera are the same by the view, and are not words.
+  b = a;
+  b.width = 99, b.camera.fov = 20;
+  EXPECT_TRUE(differencesOf(a, b).empty());
+}
+
+// What is found is true of the numbers: who is wrong and by how much, or who is nearer to Phong's method.
+TEST(Sides, FindingsAreOfTheNumbers) {
+  const Scene scene = readScene("teapot", 4);
+  const auto found = [&](const PictureSettings& a, const PictureSettings& b) {
+    Made A{scene, a}, B{scene, b};
+    const Unlikeness u = unlikeness(Unlike::Face, A.painted(), B.painted());
+    const std::vector<DifferingPlace> places = placesOf(u, 30, 40);
+    return findingOf(A.picture, B.picture, numbersOf(A.picture), numbersOf(B.picture), u,
+                     places.empty() ? std::nullopt : std::optional{places[0]});
+  };
+  PictureSettings a = viewOf(scene, Shading::Flat, Order::ZSort), b = viewOf(scene);
+  Made A{scene, a};
+  const int wrong = numbersOf(A.picture).wrong;
+  EXPECT_GT(wrong, 30);
+  const std::string bold = found(a, b).bold;
+  EXPECT_TRUE(bold.starts_with("A is wrong at " + std::to_string(wrong) + " samples, ")) << bold;
+  EXPECT_TRUE(bold.ends_with(" of them where spout and upper body meet.")) << bold;
+  EXPECT_EQ(found(b, a).bold.substr(0, 12), "B is wrong a");
+  EXPECT_NE(found(a, b).why.find("; B cuts "), std::string::npos);
+  a = b;
+  a.shading = Shading::Gouraud;
+  EXPECT_EQ(found(a, b).bold, "A is nearer to Phong's method on the whole.");
+  EXPECT_NE(found(a, b).why.find("Both show the same face at every sample."), std::string::npos);
+  a = b;
+  a.dither = true;
+  EXPECT_EQ(found(a, b).bold, "A and B show the same.");
+  a.camera.eye = glm::dvec3{500, 0, 0}, a.camera.lookAt = glm::dvec3{900, 0, 0};
+  b.camera = a.camera;
+  EXPECT_EQ(found(a, b).bold, "Nothing shows.");
+}
+
+// The page's parts lie inside the body, apart from each other, the three pictures in one scale.
+TEST(SidesLayout, HasRoomForAll) {
+  for (const Rect body : {Rect{16, 43, 768, 449},
+                          {16, 48, 992, 612},
+                          {16, 48, 1568, 1044},
+                          {16, 43, 2968, 549},
+                          {16, 43, 768, 1500}}) {
+    SCOPED_TRACE(testing::Message() << body.width << " x " << body.height);
+    const SidesLayout at = layoutOfSides(body);
+    const std::array parts{at.captionA, at.captionB, at.A, at.B, at.difference, at.numbers};
+    for (std::size_t k = 0; k < parts.size(); ++k) {
+      EXPECT_EQ(intersection(parts[k], body), parts[k]) << k;
+      EXPECT_FALSE(parts[k].empty()) << k;
+      for (std::size_t l = 0; l < k; ++l) EXPECT_TRUE(intersection(parts[k], parts[l]).empty()) << k << l;
+    }
+    EXPECT_EQ(at.A.width, at.B.width);
+    EXPECT_EQ(at.A.height, at.B.height);
+    EXPECT_EQ(at.difference.width, at.A.width);
+    EXPECT_GE(at.A.height, 160);
+    EXPECT_LE(at.difference.height, at.A.height);
+    EXPECT_GE(at.difference.height, 160);
+    EXPECT_LT(at.frameHeight, at.A.height);
+  }
+}
+
+}  // namespace xnewell

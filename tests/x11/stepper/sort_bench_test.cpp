@@ -1,0 +1,417 @@
+#include "x11/stepper/sort_bench.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <random>
+
+#include "tests/x11/support/stepper.h"
+
+namespace xnewell {
+
+// The depth-sort stepper: keys, pointer, play and prediction. What it draws: sort_page_test.cpp.
+
+namespace {
+
+using Kind = Event::Kind;
+
+std::vector<int> stepsOfKind(Stepper& s, Landmark kind) { return s.run().landmarks().steps(kind); }
+
+}  // namespace
+
+// Arrows step by one, with Shift by ten, never beyond the ends; Home and End go there.
+TEST(SortBench, ArrowsStep) {
+  Stepper s{"cycle"};
+  const int steps = s.run().steps();
+  ASSERT_GT(steps, 12);
+  EXPECT_EQ(s.step(), 0);
+  s.press(NamedKey::Left);
+  EXPECT_EQ(s.step(), 0);
+  s.press(NamedKey::Right);
+  EXPECT_EQ(s.step(), 1);
+  s.press(NamedKey::Right, true);
+  EXPECT_EQ(s.step(), 11);
+  s.press(NamedKey::Left);
+  EXPECT_EQ(s.step(), 10);
+  s.press(NamedKey::Left, true);
+  EXPECT_EQ(s.step(), 0);
+  s.press(NamedKey::End);
+  EXPECT_EQ(s.step(), steps);
+  s.press(NamedKey::Right);
+  EXPECT_EQ(s.step(), steps);
+  s.press(NamedKey::Home);
+  EXPECT_EQ(s.step(), 0);
+  EXPECT_TRUE(s.taken);
+  s.press("x");
+  EXPECT_FALSE(s.taken);
+}
+
+// `j` visits every step of the chosen kind once and no other, `J` the same ones back; `K` takes every kind in
+// turn; where there is no more a sentence says so and the step stays.
+TEST(SortBench, JumpsToStepsOfTheKind) {
+  Stepper s{"nested-cycles"};
+  int visited = 0;
+  for (const LandmarkRow& row : kLandmarks) {
+    ASSERT_EQ(s.bench.view().kind, row.id);
+    const std::vector<int> all = stepsOfKind(s, row.id);
+    for (const int step : all) {
+      s.press("j");
+      ASSERT_EQ(s.step(), step) << row.name;
+      ASSERT_EQ(landmarkOf(s.event()), row.id);
+      ++visited;
+    }
+    const std::size_t notices = s.notices.size();
+    s.press("j");
+    EXPECT_EQ(s.step(), all.back());
+    EXPECT_EQ(s.notices.size(), notices + 1);
+    for (std::size_t k = all.size() - 1; k-- > 0;) {
+      s.press("J");
+      ASSERT_EQ(s.step(), all[k]) << row.name;
+    }
+    s.press(NamedKey::Home);
+    s.press("K");
+  }
+  EXPECT_EQ(s.bench.view().kind, kLandmarks.front().id);
+  EXPECT_GT(visited, 50);
+}
+
+// A step's number is typed; what is none of the run is refused with the range.
+TEST(SortBench, GoesToATypedStep) {
+  Stepper s{"cycle"};
+  s.press("g");
+  ASSERT_EQ(s.questions.size(), 1u);
+  EXPECT_EQ(s.type("7"), "");
+  EXPECT_EQ(s.step(), 7);
+  for (const char* wrong : {"", "1e3", "-1", "20", "99999999999999999999", "3.5"}) {
+    EXPECT_NE(s.type(wrong).find("from 0 to 19"), std::string::npos) << wrong;
+    EXPECT_EQ(s.step(), 7);
+  }
+  EXPECT_EQ(s.type("19"), "");
+  EXPECT_EQ(s.step(), 19);
+}
+
+// `/` and a face's number goes along the steps that have a part of it as P or Q: all of them and only these.
+TEST(SortBench, GoesAlongTheStepsOfAPolygon) {
+  Stepper s{"cycle"};
+  const auto has = [&](int step) { return s.run().landmarks().has(s.run().scene(), 1, step); };
+  int visited = 0;
+  for (int step = 1; step <= s.run().steps(); ++step) {
+    const auto& e = s.run().sorted().events[step - 1];
+    const bool parts =
+        s.run().fragments().face(e.P).number == 1 || (e.Q >= 0 && s.run().fragments().face(e.Q).number == 1);
+    ASSERT_EQ(has(step), parts);
+    if (!parts) continue;
+    s.press("/");
+    if (visited) {
+      EXPECT_EQ(s.questions.back().text, "1");
+    }
+    ASSERT_EQ(s.type("1"), "");
+    ASSERT_EQ(s.step(), step);
+    ++visited;
+  }
+  EXPECT_GT(visited, 3);
+  EXPECT_LT(visited, s.run().steps());
+  EXPECT_NE(s.type("77"), "");
+  EXPECT_EQ(s.type("1"), "");  // no later one: told, not refused
+  EXPECT_NE(s.notices.back().find("No later step"), std::string::npos);
+}
+
+// What plays goes on by its speed and stops at the end, at ticked kinds and at the polygon, nowhere else.
+TEST(SortBench, PlaysUntilAStop) {
+  Stepper s{"nested-cycles"};
+  s.press(NamedKey::Space);
+  ASSERT_TRUE(s.bench.moving());
+  for (int k = 0; k < 25; ++k) s.bench.tick();  // a second
+  EXPECT_EQ(s.step(), static_cast<int>(kUsualSpeed));
+  s.press(NamedKey::Space);
+  EXPECT_FALSE(s.bench.moving());
+  const auto playOn = [&] {
+    s.press(NamedKey::Space);
+    for (int k = 0; k < 100000 && s.bench.moving(); ++k) s.bench.tick();
+    ASSERT_FALSE(s.bench.moving());
+  };
+  for (int k = 0; k < 5; ++k) {
+    s.press(NamedKey::Home);
+    s.press("b");
+    s.press({NamedKey::Letter, static_cast<char>('1' + k)});
+    for (const int step : stepsOfKind(s, static_cast<Landmark>(k))) {
+      playOn();
+      ASSERT_EQ(s.step(), step) << kToggleNames[k];
+    }
+    s.click(s.places().toggles[k]);  // off again
+  }
+  s.press(NamedKey::Home);
+  playOn();
+  EXPECT_EQ(s.step(), s.run().steps());
+  s.press("b6");  // a polygon is asked for
+  ASSERT_EQ(s.type("2"), "");
+  s.press(NamedKey::Home);
+  int stops = 0;
+  for (int step = 1; step <= s.run().steps(); ++step) {
+    if (!s.run().landmarks().has(s.run().scene(), 2, step)) continue;
+    playOn();
+    ASSERT_EQ(s.step(), step);
+    ++stops;
+  }
+  EXPECT_GT(stops, 5);
+  // From the end it plays again from the start.
+  s.press(NamedKey::End);
+  s.press(NamedKey::Space);
+  EXPECT_EQ(s.step(), 0);
+  s.press(NamedKey::Escape);
+  EXPECT_FALSE(s.bench.moving());
+}
+
+// Faster and slower keep to the slider's ends, and as many notches back lead back.
+TEST(SortBench, SpeedHasEnds) {
+  Stepper s{"cycle"};
+  s.press("+++---");
+  EXPECT_NEAR(s.bench.view().speed, kUsualSpeed, 1e-9);
+  for (int k = 0; k < 100; ++k) s.press("+");
+  EXPECT_EQ(s.bench.view().speed, kFastest);
+  s.press(NamedKey::Space);
+  s.bench.tick();  // 80 steps at once end at the last one
+  EXPECT_EQ(s.step(), s.run().steps());
+  for (int k = 0; k < 100; ++k) s.press("-");
+  EXPECT_EQ(s.bench.view().speed, kSlowest);
+}
+
+// Each button does what its key does.
+TEST(SortBench, ButtonsAreKeys) {
+  const std::array<Key, kTransport> keys{
+      Key{NamedKey::Home}, {NamedKey::Left, 0, true},  {NamedKey::Left}, {NamedKey::Space},
+      {NamedKey::Right},   {NamedKey::Right, 0, true}, {NamedKey::End}};
+  for (int k = 0; k < kTransport; ++k) {
+    Stepper clicked{"nested-cycles"}, typed{"nested-cycles"};
+    clicked.goTo(40), typed.goTo(40);
+    clicked.click(clicked.places().transport[k]);
+    typed.press(keys[k]);
+    EXPECT_EQ(clicked.bench.view(), typed.bench.view()) << k;
+    const bool play = k == static_cast<int>(Transport::Play);
+    EXPECT_EQ(clicked.bench.moving(), play);
+    EXPECT_EQ(clicked.step() != 40, !play) << k;
+  }
+}
+
+// Boxes, kinds and the slider answer to clicks; what they do shows at once in what is drawn.
+TEST(SortBench, EveryRectangleDoesItsThing) {
+  for (const auto& [width, height] : {std::pair{1024, 768}, {800, 600}, {1600, 1200}}) {
+    Stepper s{"nested-cycles", 3, width, height};
+    const SortLayout at = s.places();
+    for (int k = 0; k < kToggleCount; ++k) {
+      const IndexImage before = s.draw();
+      s.click(at.toggles[k]);
+      EXPECT_TRUE(k == kPredict ? s.bench.view().predict : s.bench.view().stops[k]) << k;
+      EXPECT_TRUE(s.bench.late(s.wanted));
+      EXPECT_NE(s.draw(), before) << k;
+      s.click(at.toggles[k]);
+      EXPECT_FALSE(k == kPredict ? s.bench.view().predict : s.bench.view().stops[k]) << k;
+    }
+    EXPECT_EQ(s.questions.size(), 1u);  // which polygon?
+    for (const LandmarkRow& row : kLandmarks) {
+      s.press(NamedKey::Home);
+      s.click(at.kinds[static_cast<int>(row.id)]);
+      EXPECT_EQ(s.bench.view().kind, row.id);
+      EXPECT_EQ(s.step(), stepsOfKind(s, row.id).front());
+    }
+    ASSERT_TRUE(s.bench.grab(at.speed.x, at.speed.y + 7));
+    EXPECT_NEAR(s.bench.view().speed, kSlowest, 1e-9);
+    s.bench.dragTo(at.speed.x + 10 * at.speed.width, 0);
+    EXPECT_NEAR(s.bench.view().speed, kFastest, 1e-6);
+    EXPECT_TRUE(s.bench.view().dragged);
+    s.bench.drop();
+    EXPECT_FALSE(s.bench.view().dragged);
+    EXPECT_FALSE(s.bench.grab(at.body.x + at.body.width - 2, at.rule));
+  }
+}
+
+// A click on the timeline goes to the step whose mark is there; dragging goes along it, and beyond its ends
+// to the ends of the run.
+TEST(SortBench, TheTimelineIsTheRun) {
+  Stepper s{"cycle"};
+  const Rect line = s.places().timeline;
+  const int steps = s.run().steps();
+  for (int step = 0; step <= steps; ++step) {
+    s.click(columnOf(line, step, steps), line.y + 5);
+    EXPECT_EQ(s.step(), step);
+  }
+  ASSERT_TRUE(s.bench.grab(line.x + line.width / 2, line.y));
+  EXPECT_NEAR(s.step(), steps / 2.0, 1.0);
+  s.bench.dragTo(-500, 9999);
+  EXPECT_EQ(s.step(), 0);
+  s.bench.dragTo(line.x + line.width + 500, -500);
+  EXPECT_EQ(s.step(), steps);
+  s.bench.drop();
+  s.bench.dragTo(line.x, line.y);
+  EXPECT_EQ(s.step(), steps);
+}
+
+// A click on a polygon, in the picture or in the list, goes to the next step that has it; one on the loupe,
+// which stands over the picture, does nothing.
+TEST(SortBench, ClickingAPolygonGoesToItsNextStep) {
+  Stepper s{"teapot"};
+  s.goTo(200);
+  s.draw();
+  const SortDrawn drawn = s.bench.places();
+  int rows = 0;
+  for (int k = 0; k < static_cast<int>(drawn.rows.size()); ++k) {
+    if (drawn.rows[k] < 0) continue;
+    s.goTo(200);
+    s.draw();
+    ASSERT_EQ(s.bench.places().rows, drawn.rows);
+    const int number = s.run().fragments().face(drawn.rows[k]).number;
+    const auto next = s.run().landmarks().nextWith(s.run().scene(), number, 200);
+    const SortLayout at = s.places();
+    s.click(at.list.x + 30, at.list.y + k * at.line + 5);
+    const auto first = s.run().landmarks().nextWith(s.run().scene(), number, 0);
+    ASSERT_TRUE(first);
+    EXPECT_EQ(s.step(), next.value_or(*first)) << k;
+    EXPECT_EQ(s.bench.view().polygon, number);
+    rows += next.has_value();
+  }
+  EXPECT_GT(rows, 8);
+
+  s.goTo(200);
+  s.draw();
+  ASSERT_FALSE(drawn.loupe.empty());
+  const std::size_t notices = s.notices.size();
+  s.click(drawn.loupe);
+  EXPECT_EQ(s.step(), 200);
+  EXPECT_EQ(s.notices.size(), notices);
+  const Rect area = s.places().picture;
+  s.press(NamedKey::End);
+  s.draw();
+  int hits = 0;
+  for (int x = 5; x < area.width; x += 23) {
+    s.goTo(200);
+    s.draw();
+    const int id = s.run().fragmentAt(x, area.height / 2);
+    if (s.bench.places().loupe.has(area.x + x, area.y + area.height / 2)) continue;
+    s.click(area.x + x, area.y + area.height / 2);
+    if (id < 0) {
+      EXPECT_EQ(s.notices.back(), "There is no polygon there.");
+      continue;
+    }
+    EXPECT_EQ(s.bench.view().polygon, s.run().fragments().face(id).number);
+    ++hits;
+  }
+  EXPECT_GT(hits, 5);
+}
+
+// Prediction asks at every pair whose extents overlap in x and y, takes an answer by key or click, and keeps
+// the score; the arrow tells without counting; then all is shown as without it.
+TEST(SortBench, PredictsAndKeepsTheScore) {
+  Stepper s{"cycle"}, plain{"cycle"};
+  s.press("y");
+  int asked = 0, right = 0, told = 0;
+  for (int step = 1; step <= s.run().steps(); ++step) {
+    s.press(NamedKey::Right);
+    plain.press(NamedKey::Right);
+    ASSERT_EQ(s.step(), step);
+    const bool question = s.event().kind == Kind::Compare && s.event().test != xnewell::Test::XExtents &&
+                          s.event().test != xnewell::Test::YExtents;
+    ASSERT_EQ(s.bench.view().asking, question) << step;
+    if (!question) continue;
+    EXPECT_NE(s.draw(), plain.draw());
+    if (told == 0) {
+      s.press(NamedKey::Right);
+      ++told;
+    } else {
+      const int says = asked % 3;
+      ++asked;
+      right += says == static_cast<int>(s.event().verdict);
+      if (says == 1)
+        s.click(s.places().answers[1]);
+      else
+        s.press({NamedKey::Letter, kAnswerKeys[says]});
+      EXPECT_EQ(static_cast<int>(*s.bench.view().answer), says);
+    }
+    ASSERT_EQ(s.step(), step) << "the answer is shown before the next step";
+    EXPECT_FALSE(s.bench.view().asking);
+    EXPECT_EQ(s.bench.view().asked, asked);
+    EXPECT_EQ(s.bench.view().right, right);
+  }
+  EXPECT_GT(asked, 3);
+  EXPECT_EQ(told, 1);
+  s.press("y");
+  s.press(NamedKey::Home);
+  s.press("a");  // no question stands
+  EXPECT_FALSE(s.taken);
+}
+
+// Which setup is shown: Newell's run whatever the picture's order, painted in one hue where the scene's own
+// plan is of colours, for these are chosen from the finished picture.
+TEST(SortBench, AlwaysShowsNewellsRun) {
+  Stepper newell{"cycle"};
+  for (const OrderRow& row : kOrders) {
+    Stepper s{"cycle"};
+    s.wanted.picture.order = row.id;
+    s.draw();
+    newell.goTo(9), s.goTo(9);
+    EXPECT_EQ(s.draw(), newell.draw()) << row.label;
+  }
+  Stepper colors{"colored-lights"};
+  EXPECT_EQ(colors.draws, 2);
+  ASSERT_NE(colors.bench.run(), nullptr);
+  EXPECT_GT(colors.run().steps(), 0);
+}
+
+// A new camera makes another run, of which the step is shown that is most like the one before; a new light
+// only paints anew, at the same step.
+TEST(SortBench, RecordsAgainWhereTheSortChanged) {
+  Stepper s{"cycle"};
+  s.goTo(18);  // all but one are painted
+  const IndexImage before = s.draw();
+  s.wanted.picture.light.Ip = 0.1;
+  EXPECT_NE(s.draw(), before);
+  EXPECT_EQ(s.step(), 18);
+  const StepAbout about = s.run().about(s.step());
+  const std::size_t told = s.notices.size();
+  s.wanted.picture.camera = moved(s.wanted.picture.camera, s.picture().camera(), 20, 0, 1);
+  s.draw();
+  ASSERT_GT(s.step(), 0);
+  EXPECT_EQ(s.run().about(s.step()).P, about.P);
+  EXPECT_EQ(s.notices.size(), told + 1);
+  s.goTo(3);
+  s.bench.leave();
+  EXPECT_FALSE(s.bench.moving());
+  s.draw();
+  EXPECT_EQ(s.step(), 3) << "coming back to the same run";
+}
+
+// Of another run that step is like one of this which has its kind, P and Q; else P and Q; else P.
+TEST(SortBench, StepsOfAnotherRunAreAlike) {
+  Stepper s{"nested-cycles"};
+  const SortRun& run = s.run();
+  int exact = 0;
+  for (int step = 1; step <= run.steps(); ++step) {
+    StepAbout about = run.about(step);
+    const auto found = run.stepAbout(about);
+    ASSERT_TRUE(found);
+    EXPECT_LE(*found, step);
+    EXPECT_EQ(run.about(*found).kind, about.kind);
+    EXPECT_EQ(run.about(*found).Q, about.Q);
+    exact += *found == step;
+    about.Q = 9999;
+    ASSERT_TRUE(run.stepAbout(about));
+    EXPECT_EQ(run.about(*run.stepAbout(about)).P, about.P);
+    about.P = 9999;
+    EXPECT_FALSE(run.stepAbout(about));
+  }
+  EXPECT_GT(exact, 20);
+}
+
+// The loupe is put away and brought back.
+TEST(SortBench, TheLoupeCanBePutAway) {
+  Stepper s{"cycle"};
+  s.goTo(10);
+  const IndexImage with = s.draw();
+  ASSERT_FALSE(s.bench.places().loupe.empty());
+  s.press("l");
+  EXPECT_NE(s.draw(), with);
+  EXPECT_TRUE(s.bench.places().loupe.empty());
+  s.press("l");
+  EXPECT_EQ(s.draw(), with);
+}
+
+}  // namespace xnewell

@@ -1,0 +1,358 @@
+#include "x11/stepper/sort_page.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <memory>
+#include <numbers>
+#include <random>
+#include <set>
+
+#include "tests/support/scene_text.h"
+#include "tests/support/seeds.h"
+#include "x11/stepper/sort_wording.h"
+
+namespace xnewell {
+
+// What the stepper draws.
+
+namespace {
+
+constexpr Rect kWide{16, 48, 992, 612}, kCompact{16, 43, 768, 428};
+
+/// The page of a scene's run in a body, on a ground of its own.
+struct Page {
+  static constexpr std::uint8_t kGround = 77;
+
+  Picture picture;
+  CellPlan plan;
+  SortLayout at;
+  std::unique_ptr<SortRun> run;
+  IndexImage image;
+  SortView view;
+  SortDrawn drawn;
+
+  explicit Page(Scene scene, const Rect& body = kWide, Cull cull = Cull::Keep)
+      : picture{std::move(scene)},
+        at{layoutOfSort(body)},
+        image{body.x + body.width + 16, body.y + body.height + 16, kGround} {
+    PictureSettings settings;
+    settings.width = at.picture.width;
+    settings.height = at.picture.height;
+    settings.cull = cull;
+    settings.camera = inSceneUnits(completed({}, picture.scene().camera), picture.scene());
+    picture.make(settings);
+    run = std::make_unique<SortRun>(picture, plan[Cell::Well]);
+  }
+  const IndexImage& show(int step) {
+    view.step = step;
+    drawn = drawSortPage(image, at, *run, view, plan);
+    return image;
+  }
+  [[nodiscard]] const Event& event(int step) const { return run->sorted().events[step - 1]; }
+  [[nodiscard]] std::uint8_t operator()(Cell c) const { return plan[c]; }
+};
+
+Scene polygons(const std::string& list, const std::string& name = "p") {
+  return parsed(R"({"objects": [{"name": ")" + name + R"(", "polygons": [)" + list + "]}]}");
+}
+
+/// A regular polygon at some depth, leaning by `lean`.
+std::string regular(int corners, double radius, double z, double lean) {
+  std::string text = "[";
+  for (int k = 0; k < corners; ++k) {
+    const double a = 2 * std::numbers::pi * k / corners, x = radius * std::cos(a), y = radius * std::sin(a);
+    text += (k ? ", [" : "[") + std::to_string(x) + ", " + std::to_string(y) + ", " +
+            std::to_string(z + lean * x) + "]";
+  }
+  return text + "]";
+}
+
+/// The scenes at the edges of what the page has to tell.
+std::vector<Scene> extremes() {
+  std::vector<Scene> all;
+  all.push_back(polygons(regular(3, 1, 0, 0)));
+  all.push_back(polygons(regular(12, 1, 0, 0.2) + ", " + regular(12, 0.9, 0.05, -0.3) + ", " +
+                         regular(11, 0.8, 0.1, 0.1)));
+  all.push_back(
+      polygons(regular(4, 1, 0, 0.1) + ", " + regular(5, 0.8, 0, 0.1) + ", " + regular(6, 0.5, 0, 0.1)));
+  all.push_back(polygons(regular(4, 1, 0, 0.4) + ", " + regular(4, 1, 0, -0.4), std::string(200, 'W')));
+  all.push_back(polygons(regular(4, 1, 0, 0) + ", " + regular(4, 1e-4, 0.3, 0.2)));
+  all.push_back(readScene("pinwheels"));
+  all.push_back(readScene("slivers"));
+  return all;
+}
+
+}  // namespace
+
+// A step looks the same from before, from behind and from anywhere.
+TEST(SortPage, DoesNotDependOnTheWayThere) {
+  for (const char* scene : {"cycle", "penetrate", "nested-cycles", "teapot"}) {
+    Page page{readScene(scene, 3)};
+    const int steps = page.run->steps(), stride = std::max(1, steps / 300);
+    std::vector<IndexImage> forward;
+    for (int step = 0; step <= steps; step += stride) forward.push_back(page.show(step));
+    const auto last = static_cast<int>(forward.size()) - 1;
+    for (int k = last; k >= 0; --k) ASSERT_EQ(page.show(k * stride), forward[k]) << scene << ' ' << k;
+    std::mt19937 rng{1972};
+    for (int n = 0; n < 60; ++n) {
+      const int k = static_cast<int>(rng() % forward.size());
+      ASSERT_EQ(page.show(k * stride), forward[k]) << scene << ' ' << k;
+    }
+    for (int k = 1; k <= last; ++k) ASSERT_NE(forward[k], forward[k - 1]) << scene << ' ' << k;
+  }
+}
+
+// The picture within the page, where nothing stands over it, is the run's so far; at the end all of it is
+// the finished picture.
+TEST(SortPage, ShowsThePictureSoFar) {
+  Page page{readScene("teapot", 3)};
+  const int steps = page.run->steps();
+  page.show(steps);
+  IndexImage whole;
+  page.picture.paint(whole, page(Cell::Well));
+  std::int64_t same = 0;
+  for (int j = 0; j < whole.height; ++j)
+    for (int i = 0; i < whole.width; ++i)
+      same += page.image.row(page.at.picture.y + j)[page.at.picture.x + i] == whole.row(j)[i];
+  const Rect loupe = page.drawn.loupe;
+  ASSERT_FALSE(loupe.empty());
+  ASSERT_EQ(intersection(loupe, page.at.picture), loupe);
+  const std::int64_t all = std::int64_t{whole.width} * whole.height;
+  EXPECT_GT(same, all - loupe.width * loupe.height - 17 * 250 - 3000);
+}
+
+// The polygon at a pixel is the one that is seen there: at the end that of the finished picture, before
+// anything is painted the first that will be, and in between what the picture so far shows last.
+TEST(SortPage, FindsThePolygonAtAPixel) {
+  Page page{readScene("teapot", 3)};
+  const std::vector<std::uint32_t> faces = page.picture.faceImage();
+  const int width = page.at.picture.width, all = static_cast<int>(page.run->sorted().fragments.size());
+  int hits = 0, later = 0;
+  for (int k = 0; k < static_cast<int>(faces.size()); k += 997) {
+    const int column = k % width, row = k / width;
+    page.run->goTo(page.run->steps());
+    const int top = page.run->fragmentAt(column, row);
+    ASSERT_EQ(top < 0 ? 0 : page.run->fragments().face(top).number + 1, static_cast<int>(faces[k]));
+    if (top < 0) continue;
+    ++hits;
+    page.run->goTo(0);
+    const int first = page.run->fragmentAt(column, row);
+    const auto place = [&](int id) {
+      for (int n = 0; n < all; ++n)
+        if (page.run->paintedId(n) == id) return n;
+      return all;
+    };
+    ASSERT_LE(place(first), place(top));
+    later += first != top;
+  }
+  EXPECT_GT(hits, 40);
+  EXPECT_GT(later, 20);
+}
+
+// The numbers in the table are the Explainer's: as many corners on either side as it counts, and areas and
+// extents that say what the tests say.
+TEST(SortPage, NumbersAreTheExplainers) {
+  std::set<xnewell::Test> seen;
+  for (const char* scene : {"teapot", "cycle", "penetrate", "decals", "room", "slivers"}) {
+    Page page{readScene(scene, 3)};
+    const Explainer& explainer = page.run->explainer();
+    for (int step = 1; step <= page.run->steps(); ++step) {
+      const Event& e = page.event(step);
+      if (e.kind != Event::Kind::Compare) continue;
+      for (const xnewell::Test test : explainer.testsMade(e)) {
+        const std::vector<std::string> texts = numbersOf(explainer, e, test);
+        const bool first = seen.insert(test).second;
+        if (!first && step % 7) continue;
+        ASSERT_FALSE(texts.empty());
+        const auto starts = [&](int count, std::size_t of) {
+          const std::string start = std::to_string(count) + " of " + std::to_string(of) + " ";
+          EXPECT_TRUE(texts[0].starts_with(start)) << texts[0] << " for " << start;
+        };
+        const auto plane = [&](int of, int other, bool behind) {
+          const std::vector<CornerDistance> distances = explainer.distances(of, other);
+          const CornerCounts counts = explainer.corners(of, other);
+          CornerCounts again;
+          for (const CornerDistance& d : distances) {
+            ++(d.sign > 0 ? again.inFront : d.sign < 0 ? again.behind : again.on);
+            EXPECT_NE(texts[0].find(distanceText(d)), std::string::npos) << texts[0];
+            if (std::abs(d.inFront) > 1e-3) {
+              EXPECT_EQ(d.sign > 0, d.inFront > 0);
+            }
+          }
+          EXPECT_EQ(again, counts);
+          starts(behind ? counts.behind : counts.inFront, distances.size());
+          const bool holds = behind ? counts.inFront == 0 : counts.behind == 0;
+          if (test == e.test) {
+            EXPECT_TRUE(holds);
+          }
+        };
+        switch (test) {
+          case xnewell::Test::PBehindQ:
+            plane(e.P, e.Q, true);
+            break;
+          case xnewell::Test::QInFrontOfP:
+            plane(e.Q, e.P, false);
+            break;
+          case xnewell::Test::QBehindP:
+            plane(e.Q, e.P, true);
+            break;
+          case xnewell::Test::PInFrontOfQ:
+            plane(e.P, e.Q, false);
+            break;
+          case xnewell::Test::XExtents:
+          case xnewell::Test::YExtents:
+            EXPECT_EQ(texts[0].find("apart") != std::string::npos, test == e.test) << texts[0];
+            break;
+          case xnewell::Test::Projections:
+            EXPECT_EQ(texts[0].find("share") == std::string::npos, test == e.test) << texts[0];
+            break;
+          case xnewell::Test::SamePlane:
+          case xnewell::Test::Overlap:
+            break;
+        }
+        // The last of the tests made is the one that settled it; all before it failed.
+        EXPECT_EQ(answerOf(e, test).words == "no", test != e.test);
+      }
+    }
+  }
+  EXPECT_EQ(seen.size(), std::size_t{kTests});
+}
+
+// A distance that is not 0 is not shown as 0, and what is 0 has no sign.
+TEST(SortPage, SmallDistancesKeepTheirSign) {
+  EXPECT_EQ(distanceText({{}, 3.14, 1}), "+3.1");
+  EXPECT_EQ(distanceText({{}, -28.57, -1}), "-28.6");
+  EXPECT_EQ(distanceText({{}, 0.004, 1}), "+0.004");
+  EXPECT_EQ(distanceText({{}, -0.00002, -1}), "-0.00002");
+  EXPECT_EQ(distanceText({{}, 0.0, 0}), "0.0");
+  EXPECT_EQ(distanceText({{}, 1e-12, 0}), "0.0");
+}
+
+// What is asked does not show: with another test and another verdict in the event itself, the page that
+// asks is the same, bit for bit; the one that tells is not.
+TEST(SortPage, AQuestionHidesItsOutcome) {
+  int questions = 0;
+  for (const char* scene : {"cycle", "penetrate", "nested-cycles", "teapot"}) {
+    Page page{readScene(scene, 3)};
+    for (int step = 1; step <= page.run->steps(); ++step) {
+      // The run is not const; what is changed is put back.
+      Event& e = const_cast<Event&>(page.event(step));
+      if (!isQuestion(e) || (questions > 60 && step % 50)) continue;
+      ++questions;
+      page.view.asking = true;
+      const IndexImage asked = page.show(step);
+      // Nor does the timeline show what is to come.
+      const Rect& line = page.at.timeline;
+      const int head = columnOf(line, step, page.run->steps()) + 6;
+      for (int j = line.y; j < line.y + line.height; ++j)
+        for (int i = head; i < line.x + line.width; ++i) {
+          ASSERT_TRUE(asked.row(j)[i] == page(Cell::Paper) || asked.row(j)[i] == page(Cell::Rule));
+        }
+      page.view.asking = false;
+      const IndexImage told = page.show(step);
+      ASSERT_NE(asked, told);
+      const Event was = e;
+      for (const Verdict verdict : {Verdict::PFirst, Verdict::QFirst, Verdict::Crossing}) {
+        e.verdict = verdict;
+        e.test = was.test == xnewell::Test::Overlap ? xnewell::Test::QBehindP : xnewell::Test::Overlap;
+        page.view.asking = true;
+        ASSERT_EQ(page.show(step), asked) << scene << ' ' << step;
+        page.view.asking = false;
+        ASSERT_NE(page.show(step), told);
+      }
+      e = was;
+    }
+  }
+  EXPECT_GT(questions, 60);
+}
+
+// Whatever the scene and however small the window, nothing is drawn outside the body, and above the buttons
+// the gutter between the columns stays free, so no word is cut off by another column.
+TEST(SortPage, KeepsWithinItsColumns) {
+  int steps = 0;
+  for (const Rect& body : {kWide, kCompact})
+    for (Scene& scene : extremes()) {
+      SCOPED_TRACE(scene.name);
+      Page page{std::move(scene), body};
+      ASSERT_GT(page.run->steps(), 0);
+      const int stride = std::max(1, page.run->steps() / (kSanitized ? 5 : 40));
+      for (int step = 0; step <= page.run->steps(); step += stride, ++steps) {
+        page.view.asking = step % 2 == 1 && isQuestion(page.event(step));
+        page.show(step);
+        const int left = page.at.picture.x + page.at.picture.width;
+        for (int j = 0; j < page.image.height; ++j)
+          for (int i = 0; i < page.image.width; ++i) {
+            const bool in = body.has(i, j);
+            if (!in) {
+              ASSERT_EQ(page.image.row(j)[i], Page::kGround) << i << ' ' << j;
+            }
+            if (in && j < page.at.rule && i >= left && i < left + 14) {
+              ASSERT_EQ(page.image.row(j)[i], page(Cell::Paper)) << step << ": " << i << ' ' << j;
+            }
+          }
+      }
+    }
+  EXPECT_GT(steps, kSanitized ? 25 : 200);
+}
+
+// A scene of which nothing shows has a page too, that says so.
+TEST(SortPage, NothingToSort) {
+  const auto page = [](const char* corners) { return Page{polygons(corners), kWide, Cull::Back}; };
+  Page one = page("[[0, 0, 0], [1, 0, 0], [0, 1, 0]]"), other = page("[[0, 0, 0], [0, 1, 0], [1, 0, 0]]");
+  Page& empty = one.run->steps() == 0 ? one : other;
+  Page& full = one.run->steps() == 0 ? other : one;
+  ASSERT_EQ(empty.run->steps(), 0);
+  EXPECT_EQ(full.run->steps(), 2);  // taken, painted
+  empty.show(0);
+  EXPECT_EQ(findingOf(*empty.run, empty.view).bold, "There is nothing to sort.");
+  for (const int id : empty.drawn.rows) EXPECT_EQ(id, -1);
+  EXPECT_EQ(empty.run->fragmentAt(10, 10), -1);
+}
+
+// The list has P and Q at every step, and what is marked; the rows are those that were drawn.
+TEST(SortPage, TheListHoldsThePair) {
+  for (const char* scene : {"teapot", "nested-cycles"})
+    for (const Rect& body : {kWide, kCompact}) {
+      Page page{readScene(scene, 3), body};
+      int far = 0;
+      for (int step = 1; step <= page.run->steps(); step += page.run->steps() > 1000 ? 31 : 1) {
+        page.show(step);
+        const std::vector<int>& rows = page.drawn.rows;
+        ASSERT_EQ(static_cast<int>(rows.size()), page.at.rows());
+        const Event& e = page.event(step);
+        ASSERT_NE(std::ranges::find(rows, e.P), rows.end()) << step;
+        if (e.Q < 0) continue;
+        const auto q = std::ranges::find(rows, e.Q);
+        ASSERT_NE(q, rows.end()) << step;
+        far += q == rows.end() - 1;
+      }
+      if (page.run->steps() > 1000) {
+        EXPECT_GT(far, 10);
+      }
+    }
+}
+
+// The finding of every kind of step is a sentence, and its bold line another.
+TEST(SortPage, EveryStepHasAFinding) {
+  std::set<Event::Kind> kinds;
+  for (const char* scene : {"teapot", "cycle", "nested-cycles", "room", "crossing-sheets", "slivers"}) {
+    Page page{readScene(scene, 3)};
+    for (int step = 1; step <= page.run->steps(); ++step) {
+      if (page.run->steps() > 1000 && step % 7 && !kinds.insert(page.event(step).kind).second) continue;
+      page.run->goTo(step);
+      page.view.step = step;
+      kinds.insert(page.event(step).kind);
+      const StepFinding finding = findingOf(*page.run, page.view);
+      for (const std::string& text : {finding.bold, finding.why}) {
+        ASSERT_GE(text.size(), 7u);  // "P is b."
+        ASSERT_TRUE(text.back() == '.') << text;
+        ASSERT_EQ(text.find("{"), std::string::npos) << text;
+      }
+      ASSERT_LT(finding.why.size(), 190u) << finding.why;
+    }
+  }
+  EXPECT_GE(kinds.size(), 6u);
+}
+
+}  // namespace xnewell

@@ -1,0 +1,94 @@
+#include <gtest/gtest.h>
+
+#include "tests/x11/support/twin_window.h"
+#include "x11/stepper/sort_layout.h"
+
+namespace xnewell {
+
+// The depth-sort stepper in the window, on real servers: keys and mouse come in as a user's do, and what is
+// shown is what a workbench without a server shows after the same.
+
+class SortWindowAt : public testing::TestWithParam<int> {
+ protected:
+  TwinWindow twin{GetParam()};
+  const SortLayout at = layoutOfSort(twin.body());
+
+  void SetUp() override {
+    twin.type("2");
+    ASSERT_TRUE(twin.agrees());
+  }
+};
+INSTANTIATE_TEST_SUITE_P(Depths, SortWindowAt, testing::Values(8, 24), testing::PrintToStringParamName());
+
+// Every key of the view, one after the other.
+TEST_P(SortWindowAt, KeysStep) {
+  twin.press(XK_Right, NamedKey::Right);
+  EXPECT_TRUE(twin.agrees());
+  twin.press(XK_Right, NamedKey::Right, true);
+  EXPECT_TRUE(twin.agrees());
+  twin.type("j");
+  EXPECT_TRUE(twin.agrees());
+  twin.type("KKKj");
+  EXPECT_TRUE(twin.agrees());
+  const RgbImage cut = twin.expected();
+  twin.type("J");
+  twin.press(XK_Left, NamedKey::Left);
+  EXPECT_TRUE(twin.agrees());
+  twin.press(XK_End, NamedKey::End);
+  EXPECT_TRUE(twin.agrees());
+  twin.press(XK_Home, NamedKey::Home);
+  twin.type("j");
+  EXPECT_TRUE(twin.agrees());
+  EXPECT_EQ(twin.expected(), cut);
+  twin.type("g");
+  twin.type("720");
+  twin.press(XK_Return, NamedKey::Return);
+  EXPECT_TRUE(twin.agrees());
+  twin.type("y");
+  twin.press(XK_Left, NamedKey::Left);
+  twin.press(XK_Right, NamedKey::Right);
+  EXPECT_TRUE(twin.agrees());
+  twin.type("b");
+  EXPECT_TRUE(twin.agrees());
+  twin.type("y/");
+  twin.type("92");
+  twin.press(XK_Return, NamedKey::Return);
+  twin.type("b2b");
+  EXPECT_TRUE(twin.agrees());
+  twin.type("2-+");
+  EXPECT_TRUE(twin.agrees());
+}
+
+// Boxes, buttons, kinds, rows, the picture, the slider and the timeline answer to the mouse.
+TEST_P(SortWindowAt, TheMouseDoesWhatItPointsAt) {
+  const RgbImage start = twin.expected();
+  for (const Rect& box : at.toggles)
+    if (box.x != at.toggles[kPolygonStop].x || box.y != at.toggles[kPolygonStop].y) twin.click(box);
+  EXPECT_TRUE(twin.agrees());
+  twin.click(at.toggles[kPredict]);
+  twin.click(at.kinds[3]);
+  EXPECT_TRUE(twin.agrees());
+  twin.click(at.transport[4]);
+  twin.click(at.transport[5]);
+  EXPECT_TRUE(twin.agrees());
+  twin.click({at.list.x, at.list.y + 5 * at.line, 40, at.line});
+  EXPECT_TRUE(twin.agrees());
+  twin.click({at.picture.x + 300, at.picture.y + 160, 2, 2});
+  EXPECT_TRUE(twin.agrees());
+  EXPECT_NE(twin.expected(), start);
+
+  const int x = at.timeline.x + 100, y = at.timeline.y + 10;
+  twin.drag(x, y, x + 400, y);
+  EXPECT_TRUE(twin.agrees());
+}
+
+// What plays comes to its stop by itself.
+TEST_P(SortWindowAt, PlaysToAStop) {
+  twin.type("++++++++++++++");
+  twin.type("b4");
+  twin.press(XK_space, NamedKey::Space);
+  while (twin.same.moving()) twin.same.tick();
+  EXPECT_TRUE(twin.agrees());
+}
+
+}  // namespace xnewell

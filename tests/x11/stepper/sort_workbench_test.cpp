@@ -1,0 +1,182 @@
+#include <gtest/gtest.h>
+
+#include <algorithm>
+
+#include "tests/x11/support/ready_workbench.h"
+#include "x11/stepper/sort_layout.h"
+
+namespace xnewell {
+
+// The depth-sort stepper as a view of the window, without a server.
+
+namespace {
+
+struct InDepthSort : ReadyWorkbench {
+  explicit InDepthSort(const std::string& scene = "cycle", int width = 1024, int height = 768,
+                       const xnewell::Setup& setup = {})
+      : ReadyWorkbench{setup, width, height, scene} {
+    type("2");
+    finish();
+  }
+  const IndexImage& shown() {
+    finish();
+    return image();
+  }
+  [[nodiscard]] SortLayout places() const { return layoutOfSort(layout().body); }
+};
+
+int different(const IndexImage& a, const IndexImage& b, const Rect& part) {
+  int count = 0;
+  for (int j = part.y; j < part.y + part.height; ++j)
+    for (int i = part.x; i < part.x + part.width; ++i) count += a.row(j)[i] != b.row(j)[i];
+  return count;
+}
+
+}  // namespace
+
+// `2` shows the view, `1` the picture as it was before; back in the view the step is the same.
+TEST(SortWorkbench, ComesAndGoes) {
+  ReadyWorkbench b{{}, 1024, 768, "cycle"};
+  const IndexImage picture = b.image();
+  const Palette palette = b.palette();
+  b.type("2");
+  b.finish();
+  EXPECT_EQ(b.view(), WindowView::DepthSort);
+  EXPECT_NE(b.image(), picture);
+  for (int k = 0; k < 7; ++k) b.press({NamedKey::Right});
+  b.finish();
+  const IndexImage seventh = b.image();
+  b.type("1");
+  b.finish();
+  EXPECT_EQ(different(b.image(), picture, {0, 0, 1024, b.layout().status.y}), 0);
+  EXPECT_EQ(b.palette(), palette);
+  b.type("2");
+  b.finish();
+  EXPECT_EQ(b.image(), seventh);
+}
+
+// From the end back to the start each step shows what it showed on the way there, whatever the size; one
+// update is enough for a step.
+TEST(SortWorkbench, BackShowsTheSame) {
+  for (const auto& [width, height] : {std::pair{800, 600}, {1024, 768}, {1600, 1200}}) {
+    InDepthSort b{"nested-cycles", width, height};
+    std::vector<IndexImage> forward{b.shown()};
+    for (int k = 0; k < 400; ++k) {
+      b.press({NamedKey::Right});
+      if (b.stale() == Workbench::Stale::Nothing) break;
+      b.update();
+      ASSERT_EQ(b.stale(), Workbench::Stale::Nothing);
+      forward.push_back(b.image());
+    }
+    ASSERT_GT(forward.size(), 50u);
+    for (std::size_t k = forward.size() - 1; k-- > 0;) {
+      b.press({NamedKey::Left});
+      ASSERT_EQ(b.shown(), forward[k]) << k;
+    }
+  }
+}
+
+// A change of the colour table or of the shading is undone in the view too, and steps go on from what is
+// then: nothing of the run before it is painted with.
+TEST(SortWorkbench, UndoPaintsAnew) {
+  xnewell::Setup gouraud;
+  gouraud.picture.shading = Shading::Gouraud;
+  gouraud.picture.table.kind = TableKind::Corrected;
+  ReadyWorkbench b{gouraud, 1024, 768, "teapot"};
+  b.type("S");
+  b.type("H");
+  b.type("T");
+  b.finish();
+  b.type("2");
+  b.press({NamedKey::End});
+  b.finish();
+  const IndexImage changed = b.image();
+  b.type("uUuUuuu");  // hue alone, and back: no picture is painted in between
+  b.finish();
+  b.press({NamedKey::Left});
+  b.press({NamedKey::Right});
+  b.finish();
+  EXPECT_NE(b.image(), changed);
+  ReadyWorkbench fresh{gouraud, 1024, 768, "teapot"};
+  fresh.type("2");
+  fresh.press({NamedKey::End});
+  fresh.finish();
+  fresh.press({NamedKey::End});
+  fresh.finish();
+  EXPECT_EQ(different(b.image(), fresh.image(), fresh.layout().body), 0);
+  EXPECT_EQ(b.palette(), fresh.palette());
+}
+
+// Step and polygon are typed under the body; what is wrong is said there and can be mended.
+TEST(SortWorkbench, QuestionsAreTyped) {
+  InDepthSort b;
+  const IndexImage start = b.shown();
+  b.type("g");
+  b.type("99");
+  b.press({NamedKey::Return});
+  b.press({NamedKey::Backspace});
+  b.press({NamedKey::Return});
+  const IndexImage ninth = b.shown();
+  EXPECT_NE(ninth, start);
+  InDepthSort walked;
+  for (int k = 0; k < 9; ++k) walked.press({NamedKey::Right});
+  EXPECT_EQ(different(walked.shown(), ninth, walked.layout().body), 0);
+  b.type("/");
+  b.type("1");
+  b.press({NamedKey::Return});
+  EXPECT_NE(b.shown(), ninth);
+}
+
+// Playing moves by itself until the end, a drag along the timeline follows the pointer, and tabs answer to
+// clicks.
+TEST(SortWorkbench, PlaysAndIsDragged) {
+  InDepthSort b;
+  EXPECT_FALSE(b.moving());
+  b.type("++++++++++++");
+  b.press({NamedKey::Space});
+  ASSERT_TRUE(b.moving());
+  int ticks = 0;
+  for (; b.moving() && ticks < 1000; ++ticks) b.tick();
+  EXPECT_GT(ticks, 0);
+  EXPECT_LT(ticks, 1000);
+  const IndexImage end = b.shown();
+  const Rect line = b.places().timeline;
+  ASSERT_TRUE(b.grab(line.x, line.y + 3));
+  b.update(true);
+  b.dragTo(line.x + line.width, 0);
+  b.update(true);
+  b.settle();
+  EXPECT_EQ(different(b.shown(), end, b.layout().body), 0);
+  b.type("1");
+  EXPECT_EQ(b.view(), WindowView::Picture);
+}
+
+// A scene whose plan is of full colour is shown in one hue, a scene too long to step through says so, in
+// words that fit; both come and go like any other.
+TEST(SortWorkbench, SaysWhatItCannotShow) {
+  InDepthSort colors{"colored-lights"};
+  const IndexImage start = colors.shown();
+  colors.press({NamedKey::End});
+  EXPECT_NE(colors.shown(), start);
+  colors.type("1");
+  colors.finish();
+  colors.type("2");
+  colors.finish();
+
+  ReadyWorkbench b;
+  b.open(readScene("teapot", 30), {});
+  b.update();
+  b.type("2");
+  b.finish();
+  EXPECT_EQ(b.view(), WindowView::DepthSort);
+  const IndexImage tooLong = b.image();
+  b.press({NamedKey::Right});
+  b.type("jgy/");
+  b.finish();
+  EXPECT_EQ(b.image(), tooLong) << "there are no steps, and nothing is asked";
+  b.close();
+  b.finish();
+  EXPECT_NE(b.image(), tooLong);
+}
+
+}  // namespace xnewell

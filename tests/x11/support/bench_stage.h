@@ -1,0 +1,77 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "x11/window/bench.h"
+
+namespace xnewell {
+
+/// A window's worth of surroundings for one bench: what the workbench does for it, and no more.
+class BenchStage : public Host {
+ public:
+  BenchStage(const char* scene, int divisions, int width, int height, const xnewell::Setup& first = {})
+      : now{first},
+        layout{layoutOf(width, height)},
+        image{width, height, 0},
+        picture{readScene(scene, divisions)} {
+    now.picture.camera = inSceneUnits(completed(now.picture.camera, picture.scene().camera), picture.scene());
+  }
+
+  [[nodiscard]] const xnewell::Setup& setup() const override { return now; }
+  [[nodiscard]] const xnewell::Setup& defaults() const override { return now; }
+  void open(Scene scene, const xnewell::Setup& s) override { picture = Picture{std::move(scene)}, now = s; }
+  void close() override {}
+  void pressLetter(char) override {}
+  void show(WindowView) override {}
+  void ask(Question) override {}
+  void notify(std::string notice) override { notices.push_back(std::move(notice)); }
+  void tell(std::string news) override { notices.push_back(std::move(news)); }
+  void change(char, const std::function<void(xnewell::Setup&)>& edit) override {
+    undo.push_back(now);
+    edit(now);
+  }
+
+  void press(Bench& bench, std::string_view letters) {
+    for (const char c : letters) taken = bench.press({NamedKey::Letter, c}, now);
+  }
+  void press(Bench& bench, NamedKey name) { taken = bench.press({name}, now); }
+
+  void draw(Bench& bench, bool dragging = false) {
+    const Rect at = bench.picture(layout);
+    PictureSettings s = bench.painted(now).picture;
+    s.width = at.width, s.height = at.height;
+    picture.make(s);
+    plan = CellPlan{s.table.kind};
+    picture.paint(painted, plan[Cell::Well]);
+    palette = picture.palette(plan);
+    const CellUse use = cellUse(painted);
+    bench.draw(image, {.picture = picture,
+                       .image = painted,
+                       .plan = plan,
+                       .palette = palette,
+                       .use = use,
+                       .setup = now,
+                       .layout = layout,
+                       .dragging = dragging,
+                       .coarse = false});
+  }
+
+  [[nodiscard]] IndexImage part(const Rect& r) const {
+    IndexImage copy{r.width, r.height, 0};
+    for (int j = 0; j < r.height; ++j) std::copy_n(image.row(r.y + j) + r.x, r.width, copy.row(j));
+    return copy;
+  }
+
+  xnewell::Setup now;
+  Layout layout;
+  IndexImage image, painted;
+  CellPlan plan{};
+  Palette palette{};
+  Picture picture;
+  std::vector<std::string> notices;
+  std::vector<xnewell::Setup> undo;
+  bool taken = false;  ///< the last key
+};
+
+}  // namespace xnewell

@@ -1,0 +1,151 @@
+#pragma once
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <chrono>
+#include <csignal>
+#include <cstdio>
+#include <filesystem>
+#include <fstream>
+#include <iterator>
+#include <map>
+#include <nlohmann/json.hpp>
+#include <string>
+#include <thread>
+#include <vector>
+
+#include "shading/color/png.h"
+#include "tests/support/temporary_folder.h"
+#include "tests/x11/support/program.h"
+
+namespace xnewell {
+
+/// What the tests of the program as a user meets it share.
+
+using Words = std::vector<std::string>;
+using Json = nlohmann::json;
+
+inline Words operator+(Words a, const Words& b) {
+  a.insert(a.end(), b.begin(), b.end());
+  return a;
+}
+
+inline std::string contents(const std::string& file) {
+  std::ifstream in{file, std::ios::binary};
+  return {std::istreambuf_iterator<char>{in}, {}};
+}
+
+inline const std::string kTriangle = "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n";
+
+/// The names in a folder, in their order; none where there is no folder.
+inline Words filesIn(const std::string& folder) {
+  Words names;
+  std::error_code none;
+  for (const auto& entry : std::filesystem::directory_iterator{folder, none})
+    names.push_back(entry.path().filename().string());
+  std::ranges::sort(names);
+  return names;
+}
+
+/// A folder with a picture of before in it, and what became of it.
+class CommandTest : public testing::Test {
+ protected:
+  CommandTest() { write("old.png", "before"); }
+
+  std::string write(const std::string& name, const std::string& text) const {
+    std::ofstream{folder_.file(name), std::ios::binary} << text;
+    return folder_.file(name);
+  }
+  [[nodiscard]] std::string file(const std::string& name) const { return folder_.file(name); }
+
+  /// Every file of the folder with its bytes.
+  [[nodiscard]] std::map<std::string, std::string> everything() const {
+    std::map<std::string, std::string> all;
+    for (const auto& entry : std::filesystem::directory_iterator{folder_.file(".")})
+      all[entry.path().filename().string()] = entry.is_regular_file() ? contents(entry.path().string()) : "";
+    return all;
+  }
+
+  /// The arguments are refused in exactly this line (`xnewell: ` before it) and nothing is written.
+  void refused(const Words& words, int status, const std::string& line) const {
+    const auto before = everything();
+    const Finished end = runProgram(words);
+    EXPECT_EQ(end.err, "xnewell: " + line + "\n");
+    EXPECT_EQ(end.status, status) << line;
+    EXPECT_EQ(end.out, "");
+    EXPECT_EQ(everything(), before) << line;
+  }
+  /// Ctrl-C at the start of a program that writes frames this wide, and right after each of its first five:
+  /// it ends at once (status 130), or had just ended; every frame that is there is whole, and nothing else
+  /// is.
+  void interruptsLeaveWholeFrames(Words words, int width) const {
+    int interrupted = 0;
+    for (int frames = 0; frames <= 5; ++frames) {
+      SCOPED_TRACE(frames);
+      const std::string folder = file("frames" + std::to_string(frames));
+      RunningProgram child{words + Words{"--frames", folder}};
+      const auto latest = std::chrono::steady_clock::now() + std::chrono::seconds{60};
+      do std::this_thread::sleep_for(std::chrono::milliseconds{3});
+      while (std::ssize(filesIn(folder)) < frames && std::chrono::steady_clock::now() < latest);
+      child.signal(SIGINT);
+      const Finished end = child.wait();
+      EXPECT_TRUE(end.status == 130 || end.status == 0) << end.status;
+      interrupted += end.status == 130;
+      const Words names = filesIn(folder);
+      EXPECT_GE(std::ssize(names), frames);
+      for (const std::string& name : names) EXPECT_EQ(readPng(folder + "/" + name).width, width) << name;
+    }
+    EXPECT_GT(interrupted, 2);
+  }
+  /// The same for drawing a file, over an old picture and to a new one.
+  void refusedToDraw(const std::string& scene, int status, const std::string& what) const {
+    refused({"draw", scene, "-o", file("old.png"), "--ids", file("ids.png"), "--stats"}, status,
+            scene + what);
+    refused({"draw", scene, "-o", file("new.png")}, status, scene + what);
+  }
+
+  struct Drawn {
+    Json stats;
+    std::string png;
+    RgbImage picture, ids;
+  };
+  /// Draws, at 160x120 unless told otherwise; everything that contract promises of a success is checked.
+  [[nodiscard]] Drawn draw(const std::string& scene, Words options = {}) const {
+    if (std::ranges::find(options, "--size") == options.end()) options = options + Words{"--size", "160x120"};
+    const Finished end = runProgram(
+        Words{"draw", scene, "-o", file("out.png"), "--ids", file("ids.png"), "--stats"} + options);
+    EXPECT_EQ(end.status, 0) << end.err;
+    for (std::size_t from = 0; from < end.err.size(); from = end.err.find('\n', from) + 1)
+      EXPECT_EQ(end.err.compare(from, 15, "xnewell: note: "), 0) << end.err;
+    if (end.status != 0) return {};
+    EXPECT_EQ(end.out.find('\n'), end.out.size() - 1);
+    return {Json::parse(end.out), contents(file("out.png")), readPng(file("out.png")),
+            readPng(file("ids.png"))};
+  }
+
+ private:
+  TemporaryFolder folder_;
+};
+
+inline int idAt(const RgbImage& ids, int i, int j) {
+  const std::uint8_t* p = &ids.rgb[3 * (std::size_t(j) * ids.width + i)];
+  return p[0] << 16 | p[1] << 8 | p[2];
+}
+
+/// Each id with its number of pixels.
+inline std::map<int, int> idCounts(const RgbImage& ids) {
+  std::map<int, int> counts;
+  for (int j = 0; j < ids.height; ++j)
+    for (int i = 0; i < ids.width; ++i) ++counts[idAt(ids, i, j)];
+  return counts;
+}
+
+/// Every digit of a double.
+inline std::string number(double v) {
+  std::array<char, 40> text;
+  std::snprintf(text.data(), text.size(), "%.17g", v);
+  return text.data();
+}
+
+}  // namespace xnewell

@@ -1,0 +1,76 @@
+#pragma once
+
+#include <optional>
+#include <string>
+#include <utility>
+
+#include "x11/lessons/lesson_bench.h"
+
+namespace xnewell {
+
+/// A window of one view, the lessons, without its bands: what the workbench does for a bench, and no more.
+class LessonWindow : public Host {
+ public:
+  explicit LessonWindow(glm::ivec2 size = {1024, 768}) : layout{layoutOf(size.x, size.y)} {}
+
+  void open(Scene scene, const Setup& s) override {
+    picture.emplace(std::move(scene));
+    setup_ = first_ = s;
+    ++opened;
+  }
+  void close() override {
+    picture.emplace(readScene("teapot", 3));
+    setup_ = first_ = own;
+    ++closed;
+  }
+  void show(WindowView v) override {
+    bench.leave();
+    view = v;
+  }
+  void ask(Question) override {}
+  void notify(std::string n) override { notice = std::move(n); }
+  void tell(std::string n) override { notice = std::move(n); }
+  void change(char, const std::function<void(Setup&)>& edit) override { edit(setup_); }
+  [[nodiscard]] const Setup& setup() const override { return setup_; }
+  [[nodiscard]] const Setup& defaults() const override { return first_; }
+  void pressLetter(char) override {}
+
+  /// Whether the bench took the key.
+  bool press(const Key& key) {
+    notice.clear();
+    return bench.press(key, Setup{setup_});
+  }
+  bool press(char letter) { return press(Key{NamedKey::Letter, letter}); }
+  bool press(NamedKey name) { return press(Key{name}); }
+
+  const IndexImage& draw() {
+    const Rect at = bench.picture(layout);
+    PictureSettings settings = setup_.picture;
+    settings.width = at.width, settings.height = at.height;
+    picture->make(settings);
+    const CellPlan plan{settings.table.kind};
+    IndexImage painted;
+    picture->paint(painted, plan[Cell::Well]);
+    image = IndexImage{layout.width, layout.height, plan[Cell::Paper]};
+    const Palette plain = picture->palette(plan);
+    const CellUse use = cellUse(painted);
+    bench.draw(image, {*picture, painted, plan, plain, use, setup_, layout, false, false});
+    palette = withEffects(plain, *picture, plan, bench.stored(setup_));
+    return image;
+  }
+
+  Layout layout;
+  xnewell::Setup own;  ///< of the window before any lesson
+  LessonBench bench{*this};
+  std::optional<Picture> picture{readScene("teapot", 3)};
+  WindowView view = WindowView::Lesson;
+  IndexImage image;
+  Palette palette{};
+  std::string notice;
+  int opened = 0, closed = 0;
+
+ private:
+  xnewell::Setup setup_, first_;
+};
+
+}  // namespace xnewell

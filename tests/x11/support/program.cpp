@@ -1,0 +1,96 @@
+#include "tests/x11/support/program.h"
+
+#include <fcntl.h>
+#include <signal.h>
+#include <sys/mman.h>
+#include <sys/prctl.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <cerrno>
+#include <system_error>
+#include <thread>
+
+#include "tests/x11/support/child.h"
+
+namespace xnewell {
+
+namespace {
+
+std::string contents(int file) {
+  std::string text(static_cast<std::size_t>(lseek(file, 0, SEEK_END)), '\0');
+  const ssize_t n = pread(file, text.data(), text.size(), 0);
+  text.resize(n > 0 ? static_cast<std::size_t>(n) : 0);
+  return text;
+}
+
+}  // namespace
+
+RunningProgram::RunningProgram(const std::vector<std::string>& arguments, const std::string& display)
+    : RunningProgram{XNEWELL_PROGRAM, arguments, display} {}
+
+RunningProgram::RunningProgram(const std::string& program, const std::vector<std::string>& arguments,
+                               const std::string& display)
+    : out_{memfd_create("standard output", MFD_CLOEXEC)}, err_{memfd_create("standard error", MFD_CLOEXEC)} {
+  std::vector<std::string> words{program};
+  words.insert(words.end(), arguments.begin(), arguments.end());
+  std::vector<std::string> environment = environmentWith(display);
+  const std::vector<char*> argv = pointers(words), envp = pointers(environment);
+
+  const pid_t parent = getpid();
+  pid_ = fork();
+  if (pid_ < 0) throw std::system_error{errno, std::generic_category(), "fork"};
+  if (pid_ > 0) return;
+  // Only what is safe between fork and exec.
+  prctl(PR_SET_PDEATHSIG, SIGKILL);
+  if (getppid() != parent) _exit(126);  // it died before we could ask
+  dup2(open("/dev/null", O_RDONLY | O_CLOEXEC), STDIN_FILENO);
+  dup2(out_, STDOUT_FILENO);
+  dup2(err_, STDERR_FILENO);
+  ::signal(SIGPIPE, SIG_DFL);  // which a test that has opened a display ignores
+  execvpe(argv[0], argv.data(), envp.data());
+  _exit(127);
+}
+
+RunningProgram::~RunningProgram() {
+  if (running()) {
+    signal(SIGKILL);
+    reap(0);
+  }
+  close(out_);
+  close(err_);
+}
+
+bool RunningProgram::running() {
+  reap(WNOHANG);
+  return pid_ > 0;
+}
+
+void RunningProgram::signal(int number) const {
+  if (pid_ > 0) kill(pid_, number);
+}
+
+void RunningProgram::reap(int options) {
+  int status = 0;
+  if (pid_ <= 0 || waitpid(pid_, &status, options) != pid_) return;
+  pid_ = -1;
+  status_ = WIFSIGNALED(status) ? 128 + WTERMSIG(status) : WEXITSTATUS(status);
+}
+
+Finished RunningProgram::wait(std::chrono::seconds limit) {
+  const auto end = std::chrono::steady_clock::now() + limit;
+  while (running() && std::chrono::steady_clock::now() < end)
+    std::this_thread::sleep_for(std::chrono::milliseconds(2));
+  if (pid_ > 0) {
+    signal(SIGKILL);
+    reap(0);
+    status_ = -1;
+  }
+  return {status_, contents(out_), contents(err_)};
+}
+
+Finished runProgram(const std::vector<std::string>& arguments, const std::string& display) {
+  return RunningProgram{arguments, display}.wait();
+}
+
+}  // namespace xnewell

@@ -1,0 +1,38 @@
+#pragma once
+
+#include <gtest/gtest.h>
+
+#include <string>
+#include <string_view>
+
+#include "x11/app/workbench.h"
+
+namespace xnewell {
+
+/// A workbench at a size, up to date, and hands for it.
+struct ReadyWorkbench : Workbench {
+  explicit ReadyWorkbench(const xnewell::Setup& setup = {}, int width = 1024, int height = 768,
+                          const std::string& scene = "teapot")
+      : Workbench{readScene(scene, 3), setup, {}} {
+    resize(width, height);
+    update();
+  }
+
+  void type(std::string_view letters) {
+    for (const char c : letters) press({NamedKey::Letter, c});
+  }
+  /// The picture, by so many pixels.
+  void drag(int dx, int dy) {
+    const Rect& at = layout().picture;
+    const int x = at.x + at.width / 2, y = at.y + at.height / 2;
+    ASSERT_TRUE(grab(x, y));
+    dragTo(x + dx, y + dy);
+  }
+  /// Whatever is late; in the view of the colours that is colours first, then words about them.
+  void finish() {
+    for (int k = 0; k < 3 && stale() != Stale::Nothing; ++k) update();
+    ASSERT_EQ(stale(), Stale::Nothing);
+  }
+};
+
+}  // namespace xnewell

@@ -1,0 +1,89 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "x11/stepper/sort_bench.h"
+#include "x11/stepper/sort_page.h"
+
+namespace xnewell {
+
+/// The depth-sort stepper as a window would have it, without one: a scene, its picture made anew when the
+/// bench asks for another, and what the bench asks of its host.
+class Stepper : private Host {
+ public:
+  explicit Stepper(Scene scene, int width = 1024, int height = 768)
+      : bench{*this}, picture_{std::move(scene)}, image_{width, height, 0} {
+    wanted.picture.camera = inSceneUnits(completed({}, picture_.scene().camera), picture_.scene());
+    layout_ = layoutOf(width, height);
+    draw();
+  }
+  explicit Stepper(const char* scene, int divisions = 3, int width = 1024, int height = 768)
+      : Stepper{readScene(scene, divisions), width, height} {}
+
+  SortBench bench;
+  xnewell::Setup wanted;
+  std::vector<std::string> notices;
+  std::vector<Question> questions;
+  int draws = 0;
+
+  /// As the workbench does it: drawn again where the bench wants another picture by then.
+  const IndexImage& draw() {
+    xnewell::Setup painted;
+    do {
+      painted = bench.painted(wanted);
+      const Rect at = bench.picture(layout_);
+      xnewell::Setup sized = painted;
+      sized.picture.width = at.width, sized.picture.height = at.height;
+      picture_.make(sized.picture);
+      const CellPlan plan{painted.picture.table.kind};
+      const CellUse use;
+      const Palette palette = picture_.palette(plan);
+      bench.draw(image_, {picture_, pictureImage_, plan, palette, use, painted, layout_, false, false});
+      ++draws;
+    } while (bench.painted(wanted) != painted);
+    return image_;
+  }
+  void press(const Key& key) { taken = bench.press(key, wanted); }
+  void press(std::string_view letters) {
+    for (const char c : letters) press({NamedKey::Letter, c});
+  }
+  void press(NamedKey name, bool shift = false) { press({name, 0, shift}); }
+  bool taken = false;
+  /// The button pressed and let go in the middle of a rectangle.
+  void click(const Rect& r) { click(r.x + r.width / 2, r.y + r.height / 2); }
+  void click(int x, int y) {
+    if (bench.grab(x, y)) bench.drop();
+  }
+  /// Types into the newest question; what it has against the text.
+  std::string type(const std::string& text) { return questions.back().take(text); }
+
+  [[nodiscard]] int step() const { return bench.view().step; }
+  void goTo(int step) {
+    press("g");
+    static_cast<void>(type(std::to_string(step)));
+  }
+  [[nodiscard]] const Picture& picture() const { return picture_; }
+  [[nodiscard]] SortRun& run() { return *bench.run(); }
+  [[nodiscard]] const Event& event() { return run().sorted().events[step() - 1]; }
+  [[nodiscard]] SortLayout places() const { return layoutOfSort(layout_.body); }
+  [[nodiscard]] const IndexImage& image() const { return image_; }
+
+ private:
+  [[nodiscard]] const xnewell::Setup& setup() const override { return wanted; }
+  [[nodiscard]] const xnewell::Setup& defaults() const override { return wanted; }
+  void close() override {}
+  void pressLetter(char) override {}
+  void open(Scene, const xnewell::Setup&) override {}
+  void show(WindowView) override {}
+  void ask(Question question) override { questions.push_back(std::move(question)); }
+  void notify(std::string notice) override { notices.push_back(std::move(notice)); }
+  void tell(std::string news) override { notices.push_back(std::move(news)); }
+  void change(char, const std::function<void(xnewell::Setup&)>&) override {}
+
+  Picture picture_;
+  Layout layout_;
+  IndexImage image_, pictureImage_;
+};
+
+}  // namespace xnewell

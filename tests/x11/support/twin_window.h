@@ -1,0 +1,94 @@
+#pragma once
+
+#include <string>
+#include <string_view>
+
+#include "tests/x11/support/ready_workbench.h"
+#include "tests/x11/support/watched_viewer.h"
+
+#include <X11/keysym.h>
+
+namespace xnewell {
+
+/// What the window of a workbench without a server shows on a screen.
+[[nodiscard]] inline RgbImage onScreen(const Workbench& bench, const Rect& rect) {
+  RgbImage image{rect.width, rect.height};
+  for (int j = 0; j < rect.height; ++j)
+    for (int i = 0; i < rect.width; ++i) {
+      const Rgb16& c = bench.palette()[bench.image().row(rect.y + j)[rect.x + i]];
+      std::uint8_t* const pixel = image.pixel(i, j);
+      pixel[0] = static_cast<std::uint8_t>(c.r >> 8);
+      pixel[1] = static_cast<std::uint8_t>(c.g >> 8);
+      pixel[2] = static_cast<std::uint8_t>(c.b >> 8);
+    }
+  return image;
+}
+
+/// The program's window on a server and a workbench without one, which get the same keys and mouse: events
+/// in, pixels out, and both show the same. On a screen of 1280 x 1024, the window in its upper left corner.
+class TwinWindow {
+ public:
+  explicit TwinWindow(int depth, const std::string& line = "teapot --divisions 3",
+                      const std::string& scene = "teapot", const xnewell::Setup& setup = {})
+      : server{XServer::xvfb(depth, 1280, 1024)},
+        viewer{server, line},
+        window{viewer.window},
+        same{setup, 1024, 768, scene} {
+    moveTo(700, 15);  // over nothing
+  }
+
+  void type(std::string_view letters) {
+    window.type(letters);
+    same.type(letters);
+  }
+  void press(KeySym symbol, NamedKey name, bool shift = false) {
+    window.press(symbol, shift);
+    same.press({name, 0, shift});
+  }
+  void moveTo(int x, int y) {
+    window.moveTo(x, y);
+    same.hover(x, y);
+  }
+  /// The button pressed, moved along and let go; then the pointer is over nothing.
+  void drag(int fromX, int fromY, int toX, int toY) {
+    finish();
+    moveTo(fromX, fromY);
+    window.button(1, true);
+    const bool dragging = same.grab(fromX, fromY);
+    if (fromX != toX || fromY != toY) {
+      window.moveTo(toX, toY);
+      if (dragging)
+        same.dragTo(toX, toY);
+      else
+        same.hover(toX, toY);
+    }
+    window.button(1, false);
+    if (dragging) same.settle();
+    moveTo(700, 15);
+  }
+  void click(const Rect& r) {
+    const int x = r.x + r.width / 2, y = r.y + r.height / 2;
+    drag(x, y, x, y);
+  }
+  void resize(int width, int height) {
+    window.resize(width, height);
+    same.resize(width, height);
+  }
+  /// The workbench's places are those that it drew.
+  void finish() { same.finish(); }
+
+  [[nodiscard]] const Rect& body() const { return same.layout().body; }
+  /// Of the body: the bands around it tell times and of the server.
+  [[nodiscard]] RgbImage expected() {
+    finish();
+    return onScreen(same, body());
+  }
+  [[nodiscard]] bool agrees() { return window.comesToShow(expected(), body()); }
+
+  XServer server;
+  const WatchedViewer viewer;
+  const WatchedWindow& window;
+  ReadyWorkbench same;
+};
+
+}  // namespace xnewell

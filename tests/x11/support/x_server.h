@@ -1,0 +1,34 @@
+#pragma once
+
+#include <sys/types.h>
+
+#include <string>
+#include <vector>
+
+namespace xnewell {
+
+/// An X server of the test's own: Xvfb, or Xephyr inside another server. The server itself picks a free
+/// display number (-displayfd), so test programs that run at the same time cannot meet. It ends with the
+/// object, and also when the test program crashes.
+class XServer {
+ public:
+  /// @throws std::runtime_error saying what is missing; a test that cannot have its server fails.
+  static XServer xvfb(int depth, int width = 640, int height = 480, std::vector<std::string> more = {});
+  static XServer xephyr(const XServer& host, int depth, int width = 320, int height = 240);
+  /// Any program that takes -displayfd. `host` is its own $DISPLAY, empty for none.
+  XServer(const std::string& program, std::vector<std::string> arguments, const std::string& host = {});
+  ~XServer() { stop(); }
+  XServer(XServer&& o) noexcept;
+  XServer& operator=(XServer&&) = delete;
+
+  [[nodiscard]] const std::string& name() const { return name_; }  ///< as in ":7"
+  [[nodiscard]] pid_t pid() const { return pid_; }
+  /// Ends the server and waits until it is gone: asks, and after 5 s kills.
+  void stop();
+
+ private:
+  pid_t pid_ = -1;
+  std::string name_;
+};
+
+}  // namespace xnewell

@@ -1,0 +1,266 @@
+#include "x11/views/colors_view.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <array>
+#include <stdexcept>
+
+#include "shading/picture/cell_use.h"
+#include "tests/support/seeds.h"
+#include "x11/views/color_strip.h"
+#include "x11/views/colors_page.h"
+
+namespace xnewell {
+
+namespace {
+
+constexpr int kStripAndFoot = 88;
+
+ViewSettings settingsOf(int width, int height, TableKind kind = TableKind::Linear) {
+  ViewSettings s;
+  s.view = View::Colors;
+  s.picture.width = width, s.picture.height = height;
+  s.picture.shading = Shading::Gouraud;
+  s.picture.table.kind = kind;
+  s.cells = CellPlan{kind};
+  return s;
+}
+
+ColorsLayout layoutOfView(int width, int height) {
+  return layoutOfColors({16, 16, width - 32, height - kStripAndFoot - 28});
+}
+
+struct PlannedScene {
+  const char* scene;
+  ColorPlan plan;
+};
+constexpr std::array kPlans{PlannedScene{"teapot", ColorPlan::OneHue}, PlannedScene{"hues", ColorPlan::Hues},
+                            PlannedScene{"hues", ColorPlan::Cube}, PlannedScene{"hues", ColorPlan::Chosen}};
+
+int countIn(const IndexImage& image, const Rect& area, int cell) {
+  int count = 0;
+  for (int j = area.y; j < area.y + area.height; ++j)
+    count += static_cast<int>(std::count(image.row(j) + area.x, image.row(j) + area.x + area.width, cell));
+  return count;
+}
+
+/// The picture within the view, and how it uses its cells.
+struct Shown {
+  IndexImage image;
+  CellUse use;
+};
+Shown shownIn(const IndexImage& view, const ColorsLayout& at) {
+  Shown shown{IndexImage{at.picture.width, at.picture.height, 0}, {}};
+  for (int j = 0; j < at.picture.height; ++j)
+    std::copy_n(view.row(at.picture.y + j) + at.picture.x, at.picture.width, shown.image.row(j));
+  shown.use = cellUse(shown.image);
+  return shown;
+}
+
+}  // namespace
+
+// The parts lie within the page and beside each other, from the least size to the largest, in a picture of
+// the view and in a window.
+TEST(ColorsLayout, PartsDoNotMeet) {
+  for (const auto& [w, h] :
+       {std::pair{736, 428}, {768, 453}, {992, 612}, {1568, 1044}, {736, 1500}, {4000, 428}, {8160, 8000}}) {
+    SCOPED_TRACE(testing::Message() << w << " x " << h);
+    const Rect body{16, 48, w, h};
+    const ColorsLayout at = layoutOfColors(body);
+    const auto widened = [](Rect r, int left, int above, int right, int below) {
+      return Rect{r.x - left, r.y - above, r.width + left + right, r.height + above + below};
+    };
+    const std::array parts{widened(at.grid, 26, 24, 2, 2),
+                           at.facts,
+                           widened(at.stored, kPlotLeft, 20, kPlotRight, 4),
+                           widened(at.steps, kPlotLeft, 20, kPlotRight, kPlotBelow),
+                           at.table,
+                           at.picture};
+    for (std::size_t p = 0; p < parts.size(); ++p) {
+      EXPECT_FALSE(parts[p].empty());
+      EXPECT_EQ(intersection(parts[p], widened(body, 0, 0, 2, 0)), parts[p]) << p;
+      for (std::size_t q = 0; q < p; ++q) EXPECT_TRUE(intersection(parts[p], parts[q]).empty()) << p << q;
+    }
+    EXPECT_GE(at.pitch, 12);
+    EXPECT_GE(std::min({at.stored.height, at.steps.height, at.picture.width}), 60);
+    for (int cell = 0; cell < 256; ++cell)
+      EXPECT_EQ(cellInGrid(at, at.grid.x + cell % 16 * at.pitch, at.grid.y + cell / 16 * at.pitch), cell);
+    EXPECT_FALSE(cellInGrid(at, at.grid.x - 1, at.grid.y) ||
+                 cellInGrid(at, at.grid.x + at.grid.width, at.grid.y));
+  }
+}
+
+// Nothing runs over the right margin or from the page into the strip, whatever the plan and however many
+// effects the table tells.
+TEST(ColorsView, NothingIsCutOff) {
+  for (const auto& [scene, plan] : kPlans) {
+    Picture picture{readScene(scene, 3)};
+    for (const auto& [w, h] : {std::pair{768, 560}, {800, 600}, {1024, 768}, {1600, 1200}, {768, 1200}}) {
+      SCOPED_TRACE(testing::Message() << scene << ' ' << w << " x " << h);
+      ViewSettings s = settingsOf(w, h, TableKind::Corrected);
+      s.picture.colors = plan;
+      s.effects = {.hueTurn = 120, .gamma = 2.2};
+      if (plan == ColorPlan::OneHue || plan == ColorPlan::Hues) {
+        s.effects.stored = TableKind::Linear, s.effects.rotate = 100;
+        s.effects.bend = CurvePoint{100, 120};
+      }
+      const IndexImage image = drawView(picture, s).image;
+      ASSERT_EQ(std::pair(image.width, image.height), std::pair(w, h));
+      const int strip = h - kStripAndFoot;
+      for (const Rect& margin :
+           {Rect{0, 0, 12, strip}, Rect{w - 12, 0, 12, strip}, Rect{0, 0, w, 10}, Rect{0, strip - 11, w, 11}})
+        EXPECT_EQ(countIn(image, margin, s.cells[Cell::Paper]), margin.width * margin.height);
+    }
+  }
+}
+
+// In the grid a cell that the picture uses is large and any other small, in the strip it has a bar: both are
+// the use of the picture that is shown beside them, and the strip says how many cells that are.
+TEST(ColorsView, MarksAreTheUseOfThePicture) {
+  for (const auto& [scene, plan] : kPlans) {
+    SCOPED_TRACE(scene);
+    Picture picture{readScene(scene, 4)};
+    ViewSettings s = settingsOf(1024, 768);
+    s.picture.colors = plan;
+    s.cell = 200;
+    const IndexImage view = drawView(picture, s).image;
+    const ColorsLayout at = layoutOfView(1024, 768);
+    const CellUse use = shownIn(view, at).use;
+    const CellRange cells = sceneCells(picture);
+    const int strip = 768 - kStripAndFoot, large = (at.pitch - 2) * (at.pitch - 2);
+    int used = 0, unused = 0;
+    for (int cell = cells.first; cell <= cells.last(); ++cell) {
+      if (std::abs(cell - 200) < 2) continue;  // the mark of the inspected one is over them
+      const Rect square{at.grid.x + cell % 16 * at.pitch, at.grid.y + cell / 16 * at.pitch, at.pitch,
+                        at.pitch};
+      const int pixels = countIn(view, square, cell), side = at.pitch * 2 / 5;
+      ASSERT_EQ(pixels, use.samples[cell] > 0 ? large : side * side) << cell;
+      const int bar = countIn(view, {4 * cell + 1, strip + 5, 2, 18}, s.cells[Cell::Ink]);
+      ASSERT_EQ(bar > 0, use.samples[cell] > 0) << cell;
+      (use.samples[cell] > 0 ? used : unused) += 1;
+    }
+    EXPECT_GT(used, 40);
+    if (plan != ColorPlan::Chosen) {
+      EXPECT_GT(unused, 5);
+    }
+  }
+}
+
+// A longer bar stands for more samples.
+TEST(ColorStrip, BarsGrowWithTheUse) {
+  CellUse use;
+  for (int cell = 0; cell < 256; ++cell) use.samples[cell] = cell * cell;
+  IndexImage image{1024, 60, 2};
+  drawColorStrip(Painter{image}, {0, 0, 1024, 60}, CellPlan{}, use, {.rule = "", .shortRule = ""}, false);
+  int before = 0;
+  for (int cell = 0; cell < 256; ++cell) {
+    const int bar = countIn(image, {4 * cell, 0, 3, 20}, CellPlan{}[Cell::Ink]) / 3;
+    EXPECT_GE(bar, before);
+    EXPECT_EQ(cellInStrip({0, 0, 1024, 60}, 4 * cell + 2, 30), cell);
+    before = bar;
+  }
+  EXPECT_GE(before, 15);
+}
+
+// What is stored is shown, the inspected cell too, unless it is to be lit: then its palette entry is another,
+// so exactly its samples in the small picture change, which is the picture of that size.
+TEST(ColorsView, LightsWhatIsAskedFor) {
+  Picture picture{readScene("teapot", 6)};
+  ViewSettings s = settingsOf(1024, 768, TableKind::Corrected);
+  const ColoredImage plainly = drawView(picture, s);
+  EXPECT_EQ(plainly.palette, picture.palette(s.cells));
+  const ColorsLayout at = layoutOfView(1024, 768);
+  const int cell =
+      medianCell(cellUse(shownIn(plainly.image, at).image, picture.faceImage()), sceneCells(picture));
+  s.effects.lit = cell;
+  const ColoredImage view = drawView(picture, s);
+  for (int c = 0; c < 256; ++c) EXPECT_EQ(view.palette[c], c == cell ? kLit : plainly.palette[c]);
+  EXPECT_EQ(shownIn(view.image, at).image, shownIn(plainly.image, at).image);
+  IndexImage alone;
+  picture.paint(alone, s.cells[Cell::Well]);
+  EXPECT_EQ(shownIn(view.image, at).image, alone);
+  EXPECT_GT(std::ranges::count(alone.pixels, cell), 20);
+}
+
+// --cell chooses what is inspected, of the tool's cells too, and --lit where --cell does not.
+TEST(ColorsView, InspectsWhatIsAskedFor) {
+  Picture picture{readScene("teapot", 3)};
+  ViewSettings s = settingsOf(768, 560);
+  const IndexImage usual = drawView(picture, s).image;
+  for (const int cell : {0, 8, 20, 255}) {
+    s.cell = cell;
+    const ColoredImage shown = drawView(picture, s);
+    EXPECT_EQ(shown.palette, picture.palette(s.cells));
+    EXPECT_NE(shown.image, usual);
+  }
+  s.cell = 20;
+  s.effects.lit = 20;
+  const IndexImage twenty = drawView(picture, s).image;
+  s.cell.reset();
+  EXPECT_EQ(drawView(picture, s).image, twenty);
+  s.cell = 21;
+  EXPECT_NE(drawView(picture, s).image, twenty);
+}
+
+// Words beside the inspected cell's point hide nothing of any curve; where one is all over the plot, as that
+// of a cube's largest channels, nothing of the other.
+TEST(ColorsView, WordsStandBesideTheCurves) {
+  for (const auto& [scene, plan] : kPlans)
+    for (const TableKind kind : {TableKind::Linear, TableKind::Corrected}) {
+      Picture picture{readScene(scene, 3)};
+      ViewSettings s = settingsOf(1024, 768, kind);
+      s.picture.colors = plan;
+      const CellPlan& cells = s.cells;
+      const Rect plot = layoutOfView(1024, 768).stored;
+      s.cell = cells[Cell::Paper];
+      const IndexImage bare = drawView(picture, s).image;
+      int curve = 0;
+      for (int cell = 11; cell <= 250; cell += kSanitized ? 49 : 7) {
+        SCOPED_TRACE(testing::Message() << scene << ' ' << static_cast<int>(plan) << ' ' << cell);
+        s.cell = cell;
+        const IndexImage image = drawView(picture, s).image;
+        int hidden = 0;
+        for (int j = plot.y; j < plot.y + plot.height; ++j)
+          for (int i = plot.x; i < plot.x + plot.width; ++i) {
+            const bool line = bare.row(j)[i] == cells[Cell::Ink] ||
+                              (plan != ColorPlan::Cube && bare.row(j)[i] == cells[Cell::Faint]);
+            curve += line;
+            hidden += line && image.row(j)[i] == cells[Cell::Paper];
+          }
+        EXPECT_EQ(hidden, 0);
+      }
+      EXPECT_GT(curve, kSanitized ? 100 : 1000);
+    }
+}
+
+// Effects change colours and what is said of them, not the cells of the picture, of the grid's marks or of
+// the strip.
+TEST(ColorsView, EffectsLeaveIndicesAlone) {
+  Picture picture{readScene("teapot", 4)};
+  ViewSettings s = settingsOf(800, 600);
+  s.cell = 100;
+  const ColoredImage plain = drawView(picture, s);
+  const ColorsLayout at = layoutOfView(800, 600);
+  for (const PaletteEffects& effects :
+       {PaletteEffects{.stored = TableKind::Corrected}, PaletteEffects{.hueTurn = 90},
+        PaletteEffects{.gamma = 0.5}, PaletteEffects{.bend = CurvePoint{90, 10}},
+        PaletteEffects{.rotate = -3}}) {
+    s.effects = effects;
+    const ColoredImage changed = drawView(picture, s);
+    EXPECT_NE(changed.palette, plain.palette);
+    EXPECT_EQ(shownIn(changed.image, at).image, shownIn(plain.image, at).image);
+    for (int j = 0; j < 600; ++j) {
+      const bool inGrid = j < at.grid.y + at.grid.height;
+      const bool inStrip = j >= 600 - kStripAndFoot && j < 600 - 28;
+      ASSERT_TRUE(std::equal(plain.image.row(j),
+                             plain.image.row(j) + (inStrip  ? 800
+                                                   : inGrid ? 320
+                                                            : 0),
+                             changed.image.row(j)))
+          << j;
+    }
+  }
+}
+
+}  // namespace xnewell

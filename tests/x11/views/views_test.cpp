@@ -1,0 +1,171 @@
+#include "x11/views/views.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <stdexcept>
+
+#include "geometry/model/solids.h"
+#include "tests/support/seeds.h"
+#include "x11/drawing/rect.h"
+#include "x11/views/normals_view.h"
+
+namespace xnewell {
+
+namespace {
+
+constexpr std::array kDrawn{View::MachBands, View::Normals, View::Difference, View::Overdraw,
+                            View::Wireframe};
+
+ViewSettings settingsOf(View view, const Scene& scene, int width, int height) {
+  ViewSettings s;
+  s.view = view;
+  s.picture.width = width;
+  s.picture.height = height;
+  s.picture.camera = inSceneUnits(completed({}, scene.camera), scene);
+  return s;
+}
+
+ColoredImage drawn(Picture& picture, View view, int width, int height, Shading shading = Shading::Gouraud) {
+  ViewSettings s = settingsOf(view, picture.scene(), width, height);
+  s.picture.shading = shading;
+  return drawView(picture, s);
+}
+
+/// Whether all pixels of the area are paper.
+bool isPaper(const IndexImage& image, const Rect& area) {
+  for (int j = area.y; j < area.y + area.height; ++j)
+    for (int i = area.x; i < area.x + area.width; ++i)
+      if (image.row(j)[i] != CellPlan{}[Cell::Paper]) return false;
+  return true;
+}
+
+}  // namespace
+
+// From the least size to 1600 x 1200, whatever is shown: the view is as large as asked, and words, plots and
+// pictures keep out of the margins and of the gutter between the columns, so nothing is cut off.
+TEST(Views, NothingIsCutOff) {
+  Picture teapot{readScene("teapot", 3)}, cycle{readScene("cycle")}, tori{readScene("tori")};
+  for (const View view : kDrawn) {
+    const ViewRow& row = rowOf(view);
+    for (Picture* const picture : {&teapot, &cycle, &tori})
+      for (const auto& [width, height] : {std::pair{row.leastWidth, row.leastHeight},
+                                          std::pair{row.leastWidth, 1200}, std::pair{1600, row.leastHeight},
+                                          std::pair{801, 601}, std::pair{1024, 768}, std::pair{1600, 1200}}) {
+        if (kSanitized && width * height > 1'000'000) continue;
+        SCOPED_TRACE(std::string{row.name} + ' ' + picture->scene().name + ' ' + std::to_string(width) + 'x' +
+                     std::to_string(height));
+        ViewSettings s = settingsOf(view, picture->scene(), width, height);
+        s.picture.shading = Shading::Phong;
+        s.picture.colors = picture == &tori ? ColorPlan::Chosen : ColorPlan::Needed;
+        const IndexImage image = drawView(*picture, s).image;
+        ASSERT_EQ(image.width, width);
+        ASSERT_EQ(image.height, height);
+        const int margin = 8;
+        EXPECT_TRUE(isPaper(image, {0, 0, margin, height}) && isPaper(image, {0, 0, width, margin}));
+        EXPECT_TRUE(isPaper(image, {width - margin, 0, margin, height}));
+        EXPECT_TRUE(isPaper(image, {0, height - margin, width, margin}));
+        if (view == View::MachBands) {
+          EXPECT_TRUE(isPaper(image, {width - 16 - 320 - 6, 0, 6, height}));
+        }
+        if (view == View::Difference) {
+          EXPECT_TRUE(isPaper(image, {(width - 16) / 2 + (width % 2), 0, 15, height}));
+        }
+        EXPECT_GT(std::ranges::count(image.pixels, CellPlan{}[Cell::Ink]), 500);
+      }
+  }
+}
+
+// A view is of what is seen, not of how the sort got there: split faces show what whole ones show.
+TEST(Views, DoNotDependOnSplits) {
+  for (const char* const scene : {"penetrate", "cycle"})
+    for (const View view : {View::MachBands, View::Normals}) {
+      Picture split{readScene(scene)}, whole{readScene(scene)};
+      ViewSettings s = settingsOf(view, split.scene(), 800, 600);
+      s.picture.shading = Shading::Gouraud;
+      const ColoredImage sorted = drawView(split, s);
+      EXPECT_GT(split.sorted().statistics.splits, 0);
+      s.picture.order = Order::Oracle;
+      const ColoredImage decided = drawView(whole, s);
+      EXPECT_EQ(sorted.image, decided.image);
+      EXPECT_EQ(sorted.palette, decided.palette);
+    }
+}
+
+// The same view again is the same, after any other: nothing of one stays in the picture for the next.
+TEST(Views, DoNotDependOnTheOneBefore) {
+  Picture picture{readScene("teapot", 3)};
+  std::vector<IndexImage> first;
+  for (const View view : kDrawn) {
+    Picture fresh{readScene("teapot", 3)};
+    first.push_back(drawn(fresh, view, 800, 600).image);
+  }
+  EXPECT_NE(first[0], first[2]);
+  for (int round = 0; round < 2; ++round)
+    for (std::size_t k = 0; k < kDrawn.size(); ++k)
+      EXPECT_EQ(drawn(picture, kDrawn[k], 800, 600).image, first[k]);
+}
+
+// A scanline must be in the picture that the view shows; the line that refuses it says where that ends.
+TEST(Views, RefuseAScanlineBelowThePicture) {
+  Picture picture{readScene("teapot", 3)};
+  ViewSettings s = settingsOf(View::MachBands, picture.scene(), 800, 600);
+  s.scanline = 260;
+  EXPECT_NO_THROW(static_cast<void>(drawView(picture, s)));
+  EXPECT_EQ(picture.settings().height, 261);
+  s.scanline = 261;
+  try {
+    static_cast<void>(drawView(picture, s));
+    FAIL();
+  } catch (const std::invalid_argument& e) {
+    EXPECT_EQ(std::string{e.what()},
+              "--scanline: 261 is below the picture: in this view its rows are 0 to 260");
+  }
+}
+
+// The profiles stand exactly under their pixels: the marked scanline's cells are the chosen method's strip,
+// column by column.
+TEST(Views, StripsRepeatTheMarkedScanline) {
+  Picture picture{readScene("teapot", 3)};
+  ViewSettings s = settingsOf(View::MachBands, picture.scene(), 800, 600);
+  s.picture.shading = Shading::Gouraud;
+  s.scanline = 100;
+  const IndexImage view = drawView(picture, s).image;
+  IndexImage image;
+  picture.paint(image, CellPlan{}[Cell::Well]);
+  int rows = 0;
+  for (int j = 0; j < view.height; ++j) rows += std::equal(image.row(100), image.row(101), view.row(j) + 100);
+  EXPECT_GE(rows, 12);  // the strip; in the picture the line is drawn over it
+}
+
+// A fine ball from afar shows every normal of its half once: at each sample the colour is that of the
+// sphere's own normal, red to the right, green up and blue towards the viewer.
+TEST(NormalColors, AreThoseOfTheSphere) {
+  Picture ball{makeScene("ball", sphere(96, 48), UpAxis::Z)};
+  PictureSettings s;
+  s.width = s.height = 200;
+  s.shading = Shading::Phong;
+  s.camera.parallel = true;
+  ball.make(s);
+  const RgbImage colors = normalColors(ball);
+  int first = 200, last = 0;
+  for (int j = 0; j < 200; ++j)
+    if (colors.pixel(100, j)[2] > 0) first = std::min(first, j), last = std::max(last, j);
+  const double radius = (last + 1 - first) / 2.0;
+  EXPECT_GT(radius, 80);
+  int samples = 0;
+  for (int j = 0; j < 200; ++j)
+    for (int i = 0; i < 200; ++i) {
+      const double x = (i + 0.5 - 100) / radius, y = (100 - j - 0.5) / radius;
+      if (x * x + y * y > 0.9) continue;
+      ++samples;
+      const std::uint8_t* const c = colors.pixel(i, j);
+      ASSERT_NEAR(c[0], 127.5 * (x + 1), 4) << i << ", " << j;
+      ASSERT_NEAR(c[1], 127.5 * (y + 1), 4);
+      ASSERT_NEAR(c[2], 127.5 * (std::sqrt(1 - x * x - y * y) + 1), 4);
+    }
+  EXPECT_GT(samples, 15'000);
+}
+
+}  // namespace xnewell

@@ -1,0 +1,242 @@
+#include "x11/visual/emulation.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdlib>
+#include <map>
+#include <random>
+#include <set>
+
+#include "tests/support/masks.h"
+
+namespace xnewell {
+
+namespace {
+
+std::array<unsigned long, 3> channels(const ChannelMasks& m) { return {m.red, m.green, m.blue}; }
+
+std::vector<OfferedColor> randomColors(std::mt19937& rng, std::size_t count) {
+  std::vector<OfferedColor> list;
+  const auto value = [&] { return static_cast<int>(rng() >> 24); };
+  for (unsigned long k = 0; k < count; ++k) list.push_back({1000 + k, {value(), value(), value()}});
+  return list;
+}
+
+int square(const glm::ivec3& v) { return v.r * v.r + v.g * v.g + v.b * v.b; }
+
+}  // namespace
+
+// Of a list the nearest is what comparing with all of them finds, the later of two; outside 0..255 too.
+TEST(OfferedColors, NearestOfAList) {
+  std::mt19937 rng{8};
+  int ties = 0;
+  for (int round = 0; round < 200; ++round) {
+    std::vector<OfferedColor> list = randomColors(rng, 1 + round);
+    list.push_back({5, list[rng() % list.size()].color});  // of two alike the later
+    const OfferedColors offered{list};
+    for (int k = 0; k < 50; ++k) {
+      const auto value = [&] { return static_cast<int>(rng() % 1000) - 400; };
+      const glm::ivec3 target{value(), value(), value()};
+      std::vector<int> distances;
+      for (const OfferedColor& c : list) distances.push_back(square(c.color - target));
+      const int least = *std::ranges::min_element(distances);
+      ties += std::ranges::count(distances, least) > 1;
+      std::size_t last = 0;
+      for (std::size_t c = 0; c < list.size(); ++c)
+        if (distances[c] == least) last = c;
+      ASSERT_EQ(offered.nearest(target).pixel, list[last].pixel);
+    }
+  }
+  EXPECT_GT(ties, 100);
+}
+
+// Of channels the nearest has in each the level that is nearest among all that its bits can say, whatever the
+// layout; the bits of no channel are the opaque ones.
+TEST(OfferedColors, NearestOfAllLevels) {
+  for (const ChannelMasks& masks : kLayouts) {
+    SCOPED_TRACE(masks.red);
+    constexpr unsigned long kOpaque = 0xFF000000;
+    const OfferedColors offered = allOf(masks, kOpaque);
+    for (int v = -50; v < 300; ++v) {
+      const glm::ivec3 target{v, 250 - v, (v * 7) % 256};
+      const OfferedColor got = offered.nearest(target);
+      EXPECT_EQ(got.pixel & ~(masks.red | masks.green | masks.blue), kOpaque);
+      for (int c = 0; c < 3; ++c) {
+        const std::map<unsigned long, int> all = levels(channels(masks)[c]);
+        int least = 1000;
+        for (const auto& [bits, shows] : all) least = std::min(least, std::abs(shows - target[c]));
+        ASSERT_EQ(all.at(got.pixel & channels(masks)[c]), got.color[c]);
+        ASSERT_EQ(std::abs(got.color[c] - target[c]), least) << v << ' ' << c;
+      }
+    }
+  }
+}
+
+// Around a colour are the nearest and, in each channel, two levels on either side of that, as far as there
+// are any; each is a colour on offer.
+TEST(OfferedColors, AroundAreTheNextLevels) {
+  for (const ChannelMasks& masks : kLayouts) {
+    SCOPED_TRACE(masks.red);
+    const OfferedColors offered = allOf(masks);
+    std::size_t all = 1;
+    for (const unsigned long mask : channels(masks)) all *= levels(mask).size();
+    EXPECT_EQ(offered.size(), all);
+    for (int v = 0; v < 256; v += 5) {
+      const glm::ivec3 target{v, 255 - v, (v * 7) % 256};
+      const std::vector<OfferedColor> around = offered.around(target);
+      for (int c = 0; c < 3; ++c) {
+        std::vector<int> shown;
+        for (const auto& [bits, shows] : levels(channels(masks)[c])) shown.push_back(shows);
+        const auto at = std::ranges::find(shown, offered.nearest(target).color[c]);
+        const auto from = at - std::min<std::ptrdiff_t>(2, at - shown.begin());
+        const auto to = at + std::min<std::ptrdiff_t>(3, shown.end() - at);
+        std::set<int> seen;
+        for (const OfferedColor& color : around) seen.insert(color.color[c]);
+        ASSERT_EQ(seen, std::set(from, to)) << v << ' ' << c;
+      }
+      for (const OfferedColor& color : around)
+        ASSERT_EQ(offered.nearest(color.color).pixel, color.pixel) << v;
+    }
+  }
+}
+
+// The mean of a tile is the wanted value within 1/128 of the widest step between levels, in each channel: the
+// 64 values sum up to 64 times the wanted one within half a step. A colour on offer is itself everywhere.
+TEST(OfferedColors, MixturesOfLevelsHaveTheWantedMean) {
+  std::mt19937 rng{1973};
+  int mixed = 0;
+  for (const ChannelMasks& masks : kLayouts) {
+    SCOPED_TRACE(masks.red);
+    const OfferedColors offered = allOf(masks);
+    for (int k = 0; k < 300; ++k) {
+      const auto value = [&] { return static_cast<int>(rng() >> 24); };
+      const glm::ivec3 wanted = k < 256 ? glm::ivec3{k, 255 - k, k} : glm::ivec3{value(), value(), value()};
+      const Tile tile = offered.mixture(wanted);
+      mixed += std::set<unsigned long>{tile.begin(), tile.end()}.size() > 1;
+      for (int c = 0; c < 3; ++c) {
+        const std::map<unsigned long, int> all = levels(channels(masks)[c]);
+        int step = 0, sum = 0;
+        for (auto next = std::next(all.begin()); next != all.end(); ++next)
+          step = std::max(step, next->second - std::prev(next)->second);
+        for (const unsigned long pixel : tile) sum += all.at(pixel & channels(masks)[c]);
+        ASSERT_LE(2 * std::abs(sum - 64 * wanted[c]), step) << k << ' ' << c;
+      }
+    }
+  }
+  EXPECT_GT(mixed, 1000);
+}
+
+// The same of any grays. Where they are evenly spaced, the bright places of a darker one are among those of a
+// brighter one: ordered dithering.
+TEST(OfferedColors, MixturesOfGraysAreOrdered) {
+  std::mt19937 rng{64};
+  int rising = 0;
+  for (int round = 0; round < 60; ++round) {
+    const bool even = round % 2 == 0;
+    const int count = 2 + round / 4;
+    std::set<int> grays{0, 255};
+    for (int k = 1; even && k < count; ++k) grays.insert(k * 255 / (count - 1));
+    while (std::ssize(grays) < count) grays.insert(static_cast<int>(rng() >> 24));
+    std::vector<OfferedColor> list;
+    int step = 0;
+    for (const int g : grays) {
+      if (!list.empty()) step = std::max(step, g - list.back().color.r);
+      list.push_back({static_cast<unsigned long>(g), {g, g, g}});
+    }
+    std::ranges::shuffle(list, rng);
+    const OfferedColors offered{list};
+    Tile before{};
+    for (int v = 0; v < 256; ++v) {
+      const Tile tile = offered.mixture({v, v, v});
+      long sum = 0;
+      for (int place = 0; place < 64; ++place) {
+        sum += static_cast<long>(tile[place]);
+        if (even) {
+          ASSERT_GE(tile[place], before[place]) << v;
+        }
+        rising += tile[place] > before[place];
+      }
+      ASSERT_LE(2 * std::labs(sum - 64 * v), step) << v;
+      before = tile;
+    }
+  }
+  EXPECT_GT(rising, 60 * 64);
+  // A quarter: one place in each 2 x 2, the one of rank 0 among them.
+  const Tile quarter = OfferedColors{{{0, glm::ivec3{0}}, {1, glm::ivec3{255}}}}.mixture({64, 64, 64});
+  for (int y = 0; y < 8; ++y)
+    for (int x = 0; x < 8; ++x) EXPECT_EQ(quarter[placeInTile(x, y)], x % 2 == 0 && y % 2 == 0);
+}
+
+// Where no mixture gives the colour, the mean is nearer to it than the nearest one colour, and near to the
+// best that a mixture of two can give.
+TEST(OfferedColors, MixturesApproachWhatCannotBeMixed) {
+  std::mt19937 rng{2003};
+  int better = 0;
+  for (int round = 0; round < 300; ++round) {
+    const auto value = [&] { return static_cast<int>(rng() >> 24); };
+    const std::vector<OfferedColor> list = randomColors(rng, 2);
+    const glm::ivec3 wanted{value(), value(), value()};
+    const OfferedColors offered{list};
+    glm::ivec3 sum{0};
+    for (const unsigned long pixel : offered.mixture(wanted)) sum += list[pixel - 1000].color;
+    int best = 1 << 30;  // of all 65 mixtures
+    for (int share = 0; share <= 64; ++share)
+      best = std::min(best, square((64 - share) * list[0].color + share * list[1].color - 64 * wanted));
+    const int step = square(list[0].color - list[1].color);
+    ASSERT_LE(square(sum - 64 * wanted), best + step) << round;
+    better += square(sum - 64 * wanted) < 4096 * square(offered.nearest(wanted).color - wanted);
+  }
+  EXPECT_GT(better, 150);
+}
+
+// A table is one pixel value an index until a tile is set, and then at each place what the tile has there.
+TEST(PixelTable, KeepsTiles) {
+  std::array<unsigned long, 256> pixels;
+  for (unsigned long i = 0; i < 256; ++i) pixels[i] = 3 * i;
+  PixelTable table{pixels};
+  Tile tile;
+  for (unsigned long k = 0; k < 64; ++k) tile[k] = 1000 + k;
+  EXPECT_FALSE(table.dithers());
+  table.set(7, 21, Tile{});
+  EXPECT_FALSE(table.solid(7));
+  table.set(7, 70, tile);
+  EXPECT_TRUE(table.dithers());
+  EXPECT_FALSE(table.solid(7));
+  EXPECT_EQ(table.tile(7), tile);
+  EXPECT_EQ(table.pixels()[7], 70u);
+  for (int k = 0; k < 64; ++k) {
+    EXPECT_EQ(table.at(k)[7], tile[k]);
+    EXPECT_EQ(table.at(k)[8], 24u);
+  }
+  EXPECT_TRUE(table.solid(8));
+  table.set(7, 5);
+  EXPECT_TRUE(table.solid(7));
+}
+
+// The gray of a gray is itself, the weights are those of X servers, and nothing exceeds 16 bits.
+TEST(GrayOf, HasTheWeightsOfXServers) {
+  for (int v = 0; v < 65536; ++v) {
+    const auto v16 = static_cast<std::uint16_t>(v);
+    ASSERT_EQ(grayOf({v16, v16, v16}), (Rgb16{v16, v16, v16}));
+  }
+  EXPECT_EQ(grayOf({65535, 0, 0}).r, 19660);  // 0.30 * 65535 = 19660.5
+  EXPECT_EQ(grayOf({0, 65535, 0}).g, 38665);  // 38665.65
+  EXPECT_EQ(grayOf({0, 0, 65535}).b, 7208);   // 7208.85
+}
+
+// What is offered misses nothing of itself. Half way between black and white the nearest misses by half the
+// diagonal of the cube of colours, the mixture by an eighth of that: its mean is right, its grain is not.
+TEST(OfferedColors, MissCountsMeanAndGrain) {
+  const OfferedColors offered{{{0, glm::ivec3{0}}, {1, glm::ivec3{254}}}};
+  const double half = 127 * std::sqrt(3.0);
+  EXPECT_EQ(offered.miss(glm::ivec3{254}, false), 0.0);
+  EXPECT_EQ(offered.miss(glm::ivec3{254}, true), 0.0);
+  EXPECT_NEAR(offered.miss(glm::ivec3{127}, false), half, 1e-9);
+  EXPECT_NEAR(offered.miss(glm::ivec3{127}, true), half / 8, 1e-9);
+  // No mixture of grays has a hue: red is missed by more than its gray's grain.
+  EXPECT_GT(offered.miss({254, 0, 0}, true), 254 * std::sqrt(2.0 / 3.0));
+}
+
+}  // namespace xnewell

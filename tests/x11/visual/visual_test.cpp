@@ -1,0 +1,253 @@
+#include "x11/visual/visual.h"
+
+#ifdef None
+#error "x11/visual/visual.h is for code that must not see Xlib's macros"
+#endif
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <stdexcept>
+
+#include "tests/x11/support/x_server.h"
+
+#include "x11/server/display.h"
+#include "x11/server/read_visuals.h"
+
+namespace xnewell {
+
+using testing::AllOf;
+using testing::HasSubstr;
+
+namespace {
+
+constexpr ChannelMasks k888{0xFF0000, 0xFF00, 0xFF};
+
+VisualInfo pseudo(unsigned long id, int depth = 8) {
+  return {VisualClass::PseudoColorClass, depth, id, {}, 8, 1 << depth};
+}
+VisualInfo trueColor(unsigned long id, int depth, ChannelMasks masks = k888) {
+  return {VisualClass::TrueColorClass, depth, id, masks, 8, 256};
+}
+VisualInfo direct(unsigned long id) { return {VisualClass::DirectColorClass, 24, id, k888, 8, 256}; }
+
+ServerVisuals server(std::vector<VisualInfo> visuals, unsigned long defaultId) {
+  ServerVisuals s;
+  s.display = ":7";
+  s.visuals = std::move(visuals);
+  s.defaultId = defaultId;
+  return s;
+}
+
+std::string refusal(const ServerVisuals& s, const std::optional<VisualWish>& wish,
+                    MapOwner owner = MapOwner::Private) {
+  try {
+    (void)chooseVisual(s, wish, owner);
+  } catch (const X11Error& error) {
+    return error.what();
+  }
+  return {};
+}
+
+ServerVisuals askedOf(const XServer& x) { return readVisuals(openDisplay(x.name()).get(), true); }
+
+}  // namespace
+
+// What shows every colour comes before what does not; then a real colormap, then what makes nobody's colours
+// flash; the default visual before its equals. Each pair of neighbours in the order, in both of the server's.
+TEST(ChooseVisual, TakesTheFirstRowThatTheServerHas) {
+  const auto other = [](VisualClass kind, unsigned long id, int depth, int cells) {
+    return VisualInfo{kind, depth, id, {}, 8, cells};
+  };
+  const VisualInfo direct8{VisualClass::DirectColorClass, 8, 11, {0x7, 0x38, 0xC0}, 8, 8};
+  const std::vector<VisualInfo> falling{
+      pseudo(1),
+      pseudo(2, 12),
+      trueColor(3, 24),
+      trueColor(4, 30, {0x3FF00000, 0xFFC00, 0x3FF}),
+      direct(5),
+      trueColor(6, 16, {0xF800, 0x7E0, 0x1F}),
+      trueColor(7, 15, {0x7C00, 0x3E0, 0x1F}),
+      trueColor(8, 32),
+      other(VisualClass::GrayScaleClass, 9, 8, 256),
+      other(VisualClass::StaticColorClass, 10, 8, 256),
+      trueColor(12, 8, {0x7, 0x38, 0xC0}),
+      direct8,
+      other(VisualClass::StaticGrayClass, 13, 8, 256),
+      other(VisualClass::StaticGrayClass, 14, 1, 2),
+      pseudo(15, 4),
+  };
+  for (std::size_t k = 0; k + 1 < falling.size(); ++k) {
+    const VisualInfo &better = falling[k], &worse = falling[k + 1];
+    SCOPED_TRACE(better.name() + " before " + worse.name());
+    EXPECT_EQ(chooseVisual(server({better, worse}, worse.id)).visual.id, better.id);
+    EXPECT_EQ(chooseVisual(server({worse, better}, worse.id)).visual.id, better.id);
+  }
+  EXPECT_EQ(chooseVisual(server({trueColor(1, 24), pseudo(2), pseudo(3)}, 3)).visual.id, 3u);
+  EXPECT_EQ(chooseVisual(server({trueColor(1, 24), pseudo(2), pseudo(3)}, 1)).visual.id, 2u);
+}
+
+// A real colormap is the subject: where one is passed over, it is said why, unless nobody asked for it.
+TEST(ChooseVisual, SaysWhyARealColormapIsPassedOver) {
+  const ServerVisuals both = server({trueColor(1, 24), direct(2)}, 2);
+  ASSERT_EQ(chooseVisual(both).visual.id, 1u);
+  EXPECT_THAT(chooseVisual(both).why,
+              testing::EndsWith("; the real colormap of DirectColor 24 would make all other windows flash"));
+  EXPECT_THAT(describeVisuals(both), HasSubstr("would make all other windows flash"));
+  for (const std::string& why :
+       {chooseVisual(both, parseVisualWish("TrueColor")).why,
+        chooseVisual(both, parseVisualWish("DirectColor")).why,
+        chooseVisual(server({trueColor(1, 24)}, 1)).why, chooseVisual(server({pseudo(1), direct(2)}, 2)).why})
+    EXPECT_THAT(why, testing::Not(HasSubstr("flash")));
+}
+
+// Visuals that differ in the order of their channels alone have rows that do, too.
+TEST(DescribeVisuals, ChannelsInTheirOrder) {
+  VisualInfo swapped = trueColor(2, 24);
+  std::swap(swapped.masks.red, swapped.masks.blue);
+  const std::string text = describeVisuals(server({trueColor(1, 24), swapped}, 1));
+  EXPECT_THAT(text, HasSubstr("TrueColor       24    rgb        1"));
+  EXPECT_THAT(text, HasSubstr("TrueColor       24    bgr        1"));
+}
+
+// Of 256 fixed grays every gray is one: none is mixed. Of fewer they are.
+TEST(DescribeVisuals, FixedGraysAreMixedOnlyWhereSomeAreMissing) {
+  const auto grays = [](int depth) {
+    return VisualInfo{VisualClass::StaticGrayClass, depth, 1, {}, 8, 1 << depth};
+  };
+  EXPECT_THAT(describeVisuals(server({grays(8)}, 1)),
+              AllOf(HasSubstr("look grays up itself"), testing::Not(HasSubstr("mixed"))));
+  EXPECT_THAT(describeVisuals(server({grays(4)}, 1)), HasSubstr("the nearest of its fixed grays, mixed"));
+}
+
+// Cells of the default map are for windows of the default visual: whoever wants to share takes that, whatever
+// else there is, and may not insist on another.
+TEST(ChooseVisual, SharingTakesTheDefaultVisual) {
+  const ServerVisuals s = server({pseudo(1), trueColor(2, 24), direct(3)}, 2);
+  EXPECT_EQ(chooseVisual(s, {}, MapOwner::Shared).visual.id, 2u);
+  EXPECT_THAT(chooseVisual(s, {}, MapOwner::Shared).why, HasSubstr("not writable"));
+  EXPECT_EQ(chooseVisual(s, parseVisualWish("TrueColor"), MapOwner::Shared).visual.id, 2u);
+  EXPECT_THAT(refusal(s, parseVisualWish("PseudoColor8"), MapOwner::Shared),
+              HasSubstr("the default map, which is for TrueColor 24, not for PseudoColor 8"));
+  EXPECT_THAT(chooseVisual(server({pseudo(1), trueColor(2, 24)}, 1), {}, MapOwner::Shared).why,
+              HasSubstr("free cells"));
+}
+
+// What was insisted on is taken or refused in words that list what there is; nothing else is taken instead.
+TEST(ChooseVisual, InsistenceIsObeyedOrRefused) {
+  const ServerVisuals both = server({pseudo(1), trueColor(2, 24), trueColor(3, 32), direct(4)}, 1);
+  EXPECT_EQ(chooseVisual(both, parseVisualWish("TrueColor24")).visual.id, 2u);
+  EXPECT_EQ(chooseVisual(both, parseVisualWish("truecolor")).visual.id, 2u);
+  EXPECT_EQ(chooseVisual(both, parseVisualWish("TRUECOLOR32")).visual.id, 3u);
+  EXPECT_THAT(chooseVisual(both, parseVisualWish("PseudoColor8")).why, HasSubstr("insisted"));
+  EXPECT_EQ(
+      refusal(both, parseVisualWish("TrueColor16")),
+      "display ':7' has no TrueColor 16; it has TrueColor 32, TrueColor 24, DirectColor 24, PseudoColor 8");
+  EXPECT_EQ(
+      refusal(both, parseVisualWish("GrayScale")),
+      "display ':7' has no GrayScale; it has TrueColor 32, TrueColor 24, DirectColor 24, PseudoColor 8");
+  EXPECT_EQ(chooseVisual(both, parseVisualWish("DirectColor24")).visual.id, 4u);
+}
+
+// A wish is a class in any case and perhaps a depth; all else is refused and the classes are listed.
+TEST(ParseVisualWish, TakesClassAndDepth) {
+  for (const VisualClassRow& row : kVisualClasses) {
+    EXPECT_EQ(parseVisualWish(row.name).kind, row.id);
+    EXPECT_FALSE(parseVisualWish(row.name).depth);
+    EXPECT_EQ(parseVisualWish(std::string{row.name} + "12").depth, 12);
+    EXPECT_EQ(parseVisualWish(std::string{row.name} + " 12").depth, 12);
+  }
+  EXPECT_EQ(parseVisualWish("pseudoCOLOR8").kind, VisualClass::PseudoColorClass);
+  for (const char* wrong : {"", "8", "Pseudo", "PseudoColor0", "PseudoColor33", "PseudoColor8x",
+                            "PseudoColor-8", "PseudoColor  8", "PseudoColor ", "PseudoColor99999999999"}) {
+    SCOPED_TRACE(wrong);
+    try {
+      (void)parseVisualWish(wrong);
+      ADD_FAILURE() << "accepted";
+    } catch (const std::invalid_argument& error) {
+      EXPECT_THAT(error.what(),
+                  AllOf(HasSubstr("'" + std::string{wrong} + "'"), HasSubstr("TrueColor, DirectColor")));
+    }
+  }
+}
+
+// For every layout a channel keeps its high bits, the pixel holds nothing else, and reading gives back what a
+// server shows: exact for 8 bits, 0 and full intensity exact for all.
+TEST(PixelOf, KeepsTheHighBitsOfEachChannel) {
+  EXPECT_EQ(pixelOf({0x12FF, 0x34FF, 0x56FF}, k888), 0x123456u);
+  EXPECT_EQ(pixelOf({0x12FF, 0x34FF, 0x56FF}, {0xFF, 0xFF00, 0xFF0000}), 0x563412u);
+  EXPECT_EQ(pixelOf({0xFFFF, 0, 0x7FFF}, {0xF800, 0x7E0, 0x1F}), 0xF80Fu);
+  EXPECT_EQ(pixelOf({0x7FFF, 0xFFFF, 0x8000}, {0x7, 0x38, 0xC0}), 0xBBu);
+  EXPECT_EQ(pixelOf({0xFFC0, 0x003F, 0x0040}, {0x3FF00000, 0xFFC00, 0x3FF}), 0x3FF00001u);
+  EXPECT_EQ(colorOf(0x123456, k888), (Rgb16{0x1212, 0x3434, 0x5656}));
+  EXPECT_EQ(colorOf(0xFFFF, {0xF800, 0x7E0, 0x1F}), (Rgb16{0xFFFF, 0xFFFF, 0xFFFF}));
+  EXPECT_EQ(colorOf(0, {0x7, 0x38, 0xC0}), (Rgb16{0, 0, 0}));
+  for (int v = 0; v < 65536; ++v) {
+    const auto v16 = static_cast<std::uint16_t>(v);
+    ASSERT_EQ(colorOf(pixelOf({v16, v16, v16}, k888), k888).g >> 8, v >> 8);
+  }
+}
+
+// The facts of stock servers: depth 8 has all six classes, depth 24 no PseudoColor.
+TEST(ReadVisuals, StockServers) {
+  const ServerVisuals eight = askedOf(XServer::xvfb(8));
+  std::vector<VisualClass> classes;
+  for (const VisualInfo& v : eight.visuals) classes.push_back(v.kind);
+  EXPECT_THAT(classes,
+              testing::UnorderedElementsAre(VisualClass::StaticGrayClass, VisualClass::GrayScaleClass,
+                                            VisualClass::StaticColorClass, VisualClass::PseudoColorClass,
+                                            VisualClass::TrueColorClass, VisualClass::DirectColorClass));
+  EXPECT_EQ(eight.defaultVisual().name(), "PseudoColor 8");
+  EXPECT_EQ(chooseVisual(eight).visual.id, eight.defaultId);
+  EXPECT_NE(eight.black, eight.white);
+
+  const ServerVisuals full = askedOf(XServer::xvfb(24));
+  EXPECT_EQ(chooseVisual(full).visual.id, full.defaultId);
+  EXPECT_EQ(chooseVisual(full).visual.name(), "TrueColor 24");
+  EXPECT_FALSE(full.freeCells);
+  EXPECT_THAT(refusal(full, parseVisualWish("PseudoColor8")),
+              HasSubstr("has no PseudoColor 8; it has TrueColor"));
+}
+
+// Without RENDER all cells but black and white are free; each cell that another program takes is one less;
+// and counting gives all of them back.
+TEST(ReadVisuals, CountsTheFreeCells) {
+  const XServer x = XServer::xvfb(8, 640, 480, {"-extension", "RENDER"});
+  const OwnedDisplay display = openDisplay(x.name()), other = openDisplay(x.name());
+  EXPECT_EQ(readVisuals(display.get(), true).freeCells, 254);
+  EXPECT_EQ(readVisuals(display.get(), true).freeCells, 254);
+  std::vector<unsigned long> cells(254);
+  const Colormap map = DefaultColormap(other.get(), 0);
+  ASSERT_NE(XAllocColorCells(other.get(), map, 0, nullptr, 0, cells.data(), 77), 0);
+  EXPECT_EQ(readVisuals(display.get(), true).freeCells, 177);
+  ASSERT_NE(XAllocColorCells(other.get(), map, 0, nullptr, 0, cells.data() + 77, 177), 0);
+  EXPECT_EQ(readVisuals(display.get(), true).freeCells, 0);
+}
+
+// The table has a row for each kind of visual with its number, and ends with the choice and its reason.
+TEST(DescribeVisuals, IsATableThatEndsWithTheChoice) {
+  ServerVisuals s = server({pseudo(0x21), trueColor(0x22, 24), trueColor(0x23, 24), direct(0x24)}, 0x21);
+  s.black = 1;
+  s.freeCells = 183;
+  const std::string text = describeVisuals(s);
+  EXPECT_THAT(text,
+              HasSubstr("TrueColor       24    rgb        2    256     -     8  fixed     look colours up"));
+  EXPECT_THAT(text,
+              HasSubstr("DirectColor     24    rgb        1    256     -     8  writable  store colours"));
+  EXPECT_THAT(text,
+              HasSubstr("PseudoColor      8      -        1    256   183     8  writable  store colours"));
+  EXPECT_THAT(text, HasSubstr("pixels 1 and 0"));
+  EXPECT_THAT(text, HasSubstr("183 of 256 cells free"));
+  EXPECT_THAT(text.substr(text.rfind('\n', text.size() - 2)),
+              HasSubstr("PseudoColor 8 (0x21): its colormap is real"));
+  const std::string shared = describeVisuals(s, {}, MapOwner::Shared);
+  EXPECT_THAT(shared,
+              HasSubstr("PseudoColor      8      -        1    256   183     8  writable  take free cells"));
+  EXPECT_THAT(shared,
+              HasSubstr("TrueColor       24    rgb        2    256     -     8  fixed     not take it"));
+  EXPECT_THAT(shared, HasSubstr("chosen            PseudoColor 8 (0x21): the default visual"));
+  EXPECT_THAT(describeVisuals(s, parseVisualWish("GrayScale")),
+              HasSubstr("none: display ':7' has no GrayScale"));
+}
+
+}  // namespace xnewell

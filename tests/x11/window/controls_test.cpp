@@ -1,0 +1,125 @@
+#include "x11/window/controls.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <set>
+
+namespace xnewell {
+
+namespace {
+const SliderRow& slider(char key) { return *std::ranges::find(kSliders, key, &SliderRow::key); }
+}  // namespace
+
+// Ia and Ip push each other: their sum never exceeds 1, and pushing back leaves no dust.
+TEST(Controls, IntensitiesPushEachOther) {
+  xnewell::Setup s;
+  for (int k = 0; k <= 100; ++k) {
+    setIa(s, k / 100.0);
+    ASSERT_LE(s.picture.light.Ia + s.picture.light.Ip, 1.0);
+    ASSERT_EQ(s.picture.light.Ia, k / 100.0);
+  }
+  EXPECT_EQ(s.picture.light.Ip, 0.0);
+  setIp(s, 0.3);
+  EXPECT_EQ(s.picture.light.Ia, 0.7);
+  setIp(s, 0.1);
+  EXPECT_EQ(s.picture.light.Ia, 0.7);  // with room to spare nobody is pushed
+}
+
+// A slider's steps lead from end to end and back, every step moves, and it stays in its range.
+TEST(Controls, StepsReachBothEnds) {
+  for (const SliderRow& row : kSliders) {
+    SCOPED_TRACE(row.key);
+    xnewell::Setup s;
+    s.picture.light.Ia = s.picture.light.Ip = 0;
+    s.picture.table.kind = TableKind::Corrected;
+    row.set(s, row.low);
+    int steps = 0;
+    for (double before = -1; row.get(s) != before && steps < 5000; ++steps) {
+      before = row.get(s);
+      step(s, row, 1);
+      ASSERT_GE(row.get(s), before);
+    }
+    EXPECT_EQ(row.get(s), row.high);
+    EXPECT_GT(steps, 50);
+    step(s, row, -100'000);
+    EXPECT_EQ(row.get(s), row.low);
+  }
+}
+
+// The place on a track and the value there belong together, on straight and logarithmic tracks.
+TEST(Controls, TracksInvert) {
+  for (const SliderRow& row : kSliders)
+    for (int k = 0; k <= 50; ++k) {
+      const double v = trackValue(row, k / 50.0);
+      EXPECT_GE(v, row.low);
+      EXPECT_LE(v, row.high);
+      EXPECT_EQ(trackValue(row, trackPosition(row, v)), v) << row.label;
+    }
+}
+
+// Azimuth and elevation by hand: the default light comes from the upper left; turning by degrees adds up,
+// stops at the zenith and wraps at 180.
+TEST(Controls, LightAngles) {
+  for (const UpAxis up : {UpAxis::Y, UpAxis::Z}) {
+    Illumination light;
+    light.light = up == UpAxis::Z ? glm::dvec3{-1, -1, 0} : glm::dvec3{-1, 0, 1};
+    EXPECT_NEAR(lightAngles(light, up).azimuth, -45, 1e-12);
+    EXPECT_NEAR(lightAngles(light, up).elevation, 0, 1e-12);
+    turnLight(light, up, 60, 30);
+    EXPECT_NEAR(lightAngles(light, up).azimuth, 15, 1e-9);
+    EXPECT_NEAR(lightAngles(light, up).elevation, 30, 1e-9);
+    turnLight(light, up, 170, 0);
+    EXPECT_NEAR(lightAngles(light, up).azimuth, -175, 1e-9);
+    turnLight(light, up, 0, 500);
+    EXPECT_NEAR(lightAngles(light, up).elevation, 90, 1e-6);
+  }
+}
+
+// No two controls share a key, and none takes one that acts.
+TEST(Controls, KeysAreUnique) {
+  std::set<char> keys;
+  std::size_t count = 0;
+  for (const SliderRow& row : kSliders) keys.insert(row.key), ++count;
+  for (const ChoiceRow& row : choices()) keys.insert(row.key), ++count;
+  for (const ToggleRow& row : kToggles) keys.insert(row.key), ++count;
+  for (const char acts : std::string_view{"ltzqurUHBJ?[]+-="}) keys.insert(acts), ++count;
+  EXPECT_EQ(keys.size(), count);
+}
+
+// The hues go round.
+TEST(Controls, HuesGoRound) {
+  xnewell::Setup s;
+  const glm::dvec3 first = s.picture.table.hue;
+  for (std::size_t i = 0; i < kHues.size(); ++i) nextHue(s);
+  EXPECT_EQ(s.picture.table.hue, first);
+  s.picture.table.hue = {1, 0.123, 0};
+  nextHue(s);
+  EXPECT_EQ(s.picture.table.hue, kHues[0].hue);
+}
+
+// A shade slider and an exponent are whole numbers.
+TEST(Controls, WholeNumbersStayWhole) {
+  for (const char key : {'n', 'c'}) {
+    xnewell::Setup s;
+    for (int k = 0; k < 30; ++k) {
+      step(s, slider(key), -1);
+      EXPECT_EQ(slider(key).get(s), std::round(slider(key).get(s)));
+    }
+  }
+}
+
+// A point light turns about the scene's centre and keeps its distance.
+TEST(Controls, PointLightKeepsItsDistance) {
+  Illumination light;
+  const glm::dvec3 centre{1, 2, 3};
+  light.lightPosition = centre + glm::dvec3{0, -4, 3};
+  EXPECT_NEAR(lightAngles(light, UpAxis::Z, centre).azimuth, 0, 1e-12);
+  turnLight(light, UpAxis::Z, 90, 0, centre);
+  const glm::dvec3 arm = *light.lightPosition - centre;
+  EXPECT_NEAR(std::sqrt(arm.x * arm.x + arm.y * arm.y + arm.z * arm.z), 5, 1e-12);
+  EXPECT_NEAR(lightAngles(light, UpAxis::Z, centre).azimuth, 90, 1e-9);
+}
+
+}  // namespace xnewell

@@ -1,0 +1,199 @@
+#include "x11/window/mach_bench.h"
+
+#include <gtest/gtest.h>
+
+#include "tests/x11/support/ready_workbench.h"
+#include "x11/drawing/sheet.h"
+
+namespace xnewell {
+
+// The Mach bands in the window: which scanline is shown, and that a fresh start shows the same.
+
+namespace {
+
+struct InMachBands : ReadyWorkbench {
+  explicit InMachBands(const std::string& scene = "teapot", int width = 1024, int height = 768)
+      : ReadyWorkbench{{}, width, height, scene} {
+    type("4");
+    update();
+  }
+  [[nodiscard]] Rect shownPicture() const {
+    Rect at = layoutOfMachBands(layout().width, layout().body.height + 2 * Sheet::kMargin).picture;
+    at.y += layout().body.y - Sheet::kMargin;
+    return at;
+  }
+  /// Of the window: where a scanline is marked in white from edge to edge; -1 for nowhere.
+  [[nodiscard]] int markedRow() const {
+    const Rect at = shownPicture();
+    for (int j = at.y; j < at.y + at.height; ++j)
+      if (std::all_of(image().row(j) + at.x, image().row(j) + at.x + at.width,
+                      [&](std::uint8_t cell) { return cell == plan()[Cell::White]; }))
+        return j;
+    return -1;
+  }
+  void press(NamedKey name, bool shift = false) {
+    ReadyWorkbench::press({name, 0, shift});
+    update();
+  }
+  using ReadyWorkbench::press;
+};
+
+}  // namespace
+
+// The scanline goes up and down by rows, by ten with Shift, to both ends and no further, and stays where the
+// picture is shown.
+TEST(MachBench, TheScanlineMoves) {
+  InMachBands b;
+  const int start = b.markedRow();
+  ASSERT_GE(start, 0);
+  b.press(NamedKey::Up);
+  EXPECT_EQ(b.markedRow(), start - 1);
+  b.press(NamedKey::Down, true);
+  EXPECT_EQ(b.markedRow(), start + 9);
+  b.press(NamedKey::Left, true);
+  EXPECT_EQ(b.markedRow(), start - 1);
+  b.press(NamedKey::Home);
+  EXPECT_EQ(b.markedRow(), b.shownPicture().y);
+  b.press(NamedKey::Up);
+  EXPECT_EQ(b.markedRow(), b.shownPicture().y);
+  b.press(NamedKey::End);
+  EXPECT_EQ(b.markedRow(), b.shownPicture().y + b.shownPicture().height - 1);
+  b.press(NamedKey::Down);
+  EXPECT_GE(b.markedRow(), 0);
+}
+
+// In a window of another size it crosses the scene where it did.
+TEST(MachBench, TheScanlineKeepsItsPlace) {
+  InMachBands b{"teapot", 800, 600};
+  b.type("=104");  // of 209 rows
+  b.press(NamedKey::Return);
+  const int row = b.markedRow();
+  b.resize(1600, 1200);
+  b.update();
+  InMachBands large{"teapot", 1600, 1200};
+  large.type("=386");  // of 772
+  large.press(NamedKey::Return);
+  const Rect at = b.shownPicture();
+  const std::uint8_t *const above = b.image().row(b.markedRow() - 1) + at.x, *const same =
+                                                                                 large.image().row(
+                                                                                     large.markedRow() - 1) +
+                                                                                 at.x;
+  EXPECT_TRUE(std::equal(above, above + at.width, same));
+  b.resize(800, 600);
+  b.update();
+  EXPECT_EQ(b.markedRow(), row);
+}
+
+// Dragged in the picture it is under the pointer, wherever that goes; on its slider it reaches both ends.
+TEST(MachBench, TheScanlineIsDragged) {
+  for (const auto& [w, h] : {std::pair{800, 600}, {1024, 768}, {1600, 1200}}) {
+    SCOPED_TRACE(w);
+    InMachBands b{"teapot", w, h};
+    const Rect at = b.shownPicture();
+    ASSERT_TRUE(b.grab(at.x + 50, at.y + 20));
+    for (const int y : {at.y + 20, at.y + at.height - 1, at.y + 7, at.y}) {
+      b.dragTo(at.x + 60, y);
+      b.update(true);
+      EXPECT_EQ(b.markedRow(), y);
+    }
+    b.dragTo(at.x, at.y - 300);
+    b.update(true);
+    EXPECT_EQ(b.markedRow(), at.y);
+    b.settle();
+    b.update();
+    EXPECT_EQ(b.stale(), Workbench::Stale::Nothing);
+  }
+}
+
+// A row that is typed is marked; one that the picture has not is told, and nothing changes.
+TEST(MachBench, ARowIsTyped) {
+  InMachBands b;
+  b.type("=5");
+  b.press(NamedKey::Return);
+  const IndexImage five = b.image();
+  EXPECT_GE(b.markedRow(), 0);
+  for (const char* wrong : {"9999", "-1", "1.5", "99999999999"}) {
+    b.type("=");
+    b.type(wrong);
+    b.press(NamedKey::Return);
+    EXPECT_NE(b.image(), five);
+    b.press(NamedKey::Escape);
+    EXPECT_EQ(b.image(), five) << wrong;
+  }
+}
+
+// Divisions are a change of the setup: the scene is divided again, undo divides it as before, and the picture
+// is that of a scene that was read so.
+TEST(MachBench, DivisionsAreUndone) {
+  InMachBands b;
+  const Palette palette = b.palette();
+  const std::size_t faces = b.picture().scene().mesh.firstCorner.size();
+  b.type("k");
+  b.press(NamedKey::Right);
+  EXPECT_EQ(b.picture().scene().divisions, 4);
+  EXPECT_EQ(b.setup().divisions, 4);
+  b.press(NamedKey::End);
+  b.press(NamedKey::Home);
+  EXPECT_EQ(b.picture().scene().divisions, 1);
+  b.type("1");
+  b.update();
+  Workbench fresh{readScene("teapot", 1), {}, {}};
+  fresh.resize(1024, 768);
+  fresh.update();
+  const Rect& at = b.layout().picture;
+  for (int j = at.y; j < at.y + at.height; ++j)
+    ASSERT_TRUE(
+        std::equal(b.image().row(j) + at.x, b.image().row(j) + at.x + at.width, fresh.image().row(j) + at.x));
+  b.type("u");
+  b.update();
+  EXPECT_EQ(b.picture().scene().mesh.firstCorner.size(), faces);
+  EXPECT_EQ(b.palette(), palette);
+
+  b.type("4k=7");
+  b.press(NamedKey::Return);
+  EXPECT_EQ(b.picture().scene().divisions, 7);
+  for (const char* const wrong : {"0", "33", "2.5", "x"}) {
+    b.type("=");
+    b.type(wrong);
+    b.press(NamedKey::Return);
+    b.press(NamedKey::Escape);
+    EXPECT_EQ(b.setup().divisions, 7) << wrong;
+  }
+
+  InMachBands none{"cycle"};
+  const xnewell::Setup setup = none.setup();
+  none.type("k");
+  none.press(NamedKey::Right);
+  EXPECT_EQ(none.setup(), setup);
+}
+
+// The method is chosen with its key or by a click; turning and zooming work as in the picture, and leave the
+// scanline. A scene of colours is shown in one hue, and the others' views in theirs.
+TEST(MachBench, SharesTheSetup) {
+  InMachBands b;
+  b.type("S");
+  b.update();
+  EXPECT_NE(b.setup().picture.shading, xnewell::Setup{}.picture.shading);
+  const IndexImage before = b.image();
+  b.type("t");
+  b.press(NamedKey::Right, true);
+  EXPECT_TRUE(b.setup().picture.camera.eye.has_value());
+  EXPECT_NE(b.image(), before);
+  b.type("y");
+  const int row = b.markedRow();
+  b.press(NamedKey::Down);
+  EXPECT_EQ(b.markedRow(), row + 1);
+
+  xnewell::Setup colours;
+  colours.picture.colors = ColorPlan::Cube;
+  ReadyWorkbench c{colours, 1024, 768, "hues"};
+  const IndexImage picture = c.image();
+  c.type("4");
+  c.update();
+  EXPECT_EQ(c.picture().colors().plan(), ColorPlan::OneHue);
+  c.type("1");
+  c.update();
+  EXPECT_TRUE(std::equal(picture.row(100), picture.row(500), c.image().row(100)));
+}
+
+}  // namespace xnewell

@@ -1,0 +1,133 @@
+#include <gtest/gtest.h>
+
+#include "tests/x11/support/command_fixture.h"
+
+namespace xnewell {
+
+namespace {
+
+using MootOptions = CommandTest;
+
+}  // namespace
+
+// Of an option that does nothing the user is told, in one line, beside the picture; where it counts nothing
+// is said, and the picture is then another.
+TEST_F(MootOptions, AreNamed) {
+  struct Case {
+    Words option, moot, counts;
+  };
+  const std::vector<Case> cases{
+      {{"--normals", "sum"}, {"--shade", "flat"}, {"--shade", "phong"}},
+      {{"--crease", "30"}, {"--shade", "gouraud"}, {"--shade", "gouraud", "--normals", "sum"}},
+      {{"--polygons", "rows"}, {"--shade", "phong"}, {"--shade", "gouraud"}},
+      {{"--environment", "published"}, {"--shade", "phong"}, {"--shade", "envmap"}},
+      {{"--mapping", "affine"}, {"--shade", "flat"}, {"--shade", "phong"}},
+      {{"--sided", "one"}, {"--shade", "depth"}, {"--shade", "flat"}},
+      {{"--ia", "0.1"}, {"--shade", "none"}, {}},
+      {{"--ip", "0.1"}, {"--shade", "none"}, {}},
+      {{"--ka", "0.1"}, {"--shade", "none"}, {}},
+      {{"--kd", "0.1"}, {"--shade", "none"}, {}},
+      {{"--ks", "0.9"}, {"--shade", "depth"}, {}},
+      {{"--light", "1,0,1"}, {"--shade", "depth"}, {}},
+      {{"--light-at", "1,-4,1"}, {"--shade", "depth"}, {}},
+      {{"--constant-v"}, {"--ks", "0"}, {}},
+      {{"--n", "3"}, {"--ks", "0"}, {}},
+      {{"--form", "half-vector"}, {"--ks", "0"}, {}},
+      {{"--half-vector"}, {"--shade", "none"}, {}},
+      {{"--half-vector"}, {"--shade", "envmap"}, {"--shade", "phong"}},
+      {{"--form", "tutorial"}, {"--shade", "envmap"}, {"--shade", "phong"}},
+      {{"--constant-v"}, {"--shade", "envmap"}, {"--shade", "phong"}},
+      {{"--constant-v"}, {"--form", "tutorial"}, {}},
+      {{"--constant-l"},
+       {"--light-at", "1,-4,1", "--shade", "envmap"},
+       {"--light-at", "1,-4,1", "--shade", "phong"}},
+      {{"--shades", "20"}, {"--colors", "cube"}, {"--colors", "chosen"}},
+      {{"--table", "corrected"}, {"--colors", "cube"}, {}},
+      {{"--i0", "0.2"}, {}, {"--table", "corrected"}},
+      {{"--pick", "search"}, {"--table", "brief"}, {"--table", "corrected", "--i0", "0.0001"}},
+      {{"--hue", "0,1,0"}, {"--colors", "chosen"}, {}},
+      {{"--dither"}, {}, {"--colors", "cube"}},
+  };
+  const auto drawn = [&](const Words& options) {
+    const Finished end = runProgram(
+        Words{"draw", "teapot", "--divisions", "4", "--size", "80x60", "-o", file("new.png")} + options);
+    EXPECT_EQ(end.status, 0) << end.err;
+    return std::pair{end.err, contents(file("new.png"))};
+  };
+  for (const Case& c : cases) {
+    SCOPED_TRACE(c.option[0]);
+    const auto [told, picture] = drawn(c.option + c.moot);
+    EXPECT_EQ(told.rfind("xnewell: note: " + c.option[0] + " does nothing here; it counts with ", 0), 0u)
+        << told;
+    EXPECT_EQ(std::ranges::count(told, '\n'), 1);
+    EXPECT_EQ(picture, drawn(c.moot).second);
+    const auto [nothing, other] = drawn(c.option + c.counts);
+    EXPECT_EQ(nothing, "");
+    EXPECT_NE(other, drawn(c.counts).second);
+  }
+}
+
+// What of its scene a picture leaves out is told too, in one line each, and of an empty picture why it is.
+TEST_F(MootOptions, WhatIsLeftOutOfTheSceneIsNamed) {
+  const auto told = [&](const std::string& scene, const Words& options) {
+    const Finished end = runProgram(Words{"draw", scene, "--size", "80x60", "-o", file("new.png")} + options);
+    EXPECT_EQ(end.status, 0) << end.err;
+    return end.err;
+  };
+  const Words mapped{"--shade", "envmap"}, phong{"--shade", "phong"};
+  const std::string far = "xnewell: note: --shade envmap has its lights infinitely far away: the scene's ";
+  EXPECT_EQ(told("spotlight", mapped), far + "spots have no cone\n");
+  EXPECT_EQ(told("lamp", mapped), far + "point lights are not near\n");
+  EXPECT_EQ(told("textured-cube", mapped),
+            "xnewell: note: --shade envmap shows no textures: the scene's are left out\n");
+  for (const std::string scene : {"spotlight", "lamp", "textured-cube"}) EXPECT_EQ(told(scene, phong), "");
+  EXPECT_EQ(told("spotlight", mapped + Words{"--light", "0,0,1"}), "");
+
+  const auto nothing = [&](const std::string& object, const Words& options, const std::string& why) {
+    const std::string scene = write("empty.json", R"({"objects": [)" + object + "]}");
+    EXPECT_EQ(told(scene, options), "xnewell: note: nothing of the scene can be seen: of " + why + '\n');
+  };
+  EXPECT_EQ(told(write("point.json", R"({"objects": [{"solid": "cube", "move": [1e300, 0, 0]}]})"), {}),
+            "xnewell: note: nothing of the scene can be seen: no face has an area\n");
+  EXPECT_EQ(
+      told(write("line.json", R"({"objects": [{"polygons": [[[0, 0, 0], [1, 0, 0], [2, 0, 0]]]}]})"), {}),
+      "xnewell: note: nothing of the scene can be seen: no face has an area\n");
+  nothing(R"({"solid": "cube"})", {"--eye", "0,0,9", "--look-at", "0,0,20"},
+          "6 polygons 0 have no area on the screen, 0 are culled, 6 lie outside the view");
+}
+
+// --attenuation counts for the scene's own lights at places, as it does for the user's at the same place;
+// where neither has one it is refused.
+TEST_F(MootOptions, AttenuationFadesTheScenesLights) {
+  const auto drawn = [&](const std::string& scene, const Words& options) { return draw(scene, options).png; };
+  const Words inverse{"--attenuation", "inverse"}, lamp{"--light-at", "-2.3,0,2", "--ip", "0.94"};
+  EXPECT_EQ(drawn("lamp", inverse), drawn("lamp", lamp + inverse));
+  const Words linear{"--attenuation", "linear", "--range", "5"};
+  EXPECT_EQ(drawn("lamp", linear), drawn("lamp", lamp + linear));
+  EXPECT_EQ(drawn("lamp", {"--attenuation", "linear"}),
+            drawn("lamp", lamp + Words{"--attenuation", "linear"}));
+  EXPECT_NE(drawn("lamp", inverse), drawn("lamp", {}));
+  EXPECT_NE(drawn("lamp", linear), drawn("lamp", {}));
+  EXPECT_NE(drawn("lamp", {"--attenuation", "none"}), drawn("lamp", {}));
+  EXPECT_NE(drawn("spotlight", inverse), drawn("spotlight", {}));
+  refused(Words{"draw", "teapot", "-o", file("new.png")} + inverse, 2,
+          "--attenuation needs a light at a place: --light-at x,y,z, or a scene that has one");
+  refused(Words{"view", "lamp"} + inverse,
+          2,  // whose set-ups name the scene, and not what became of its lights
+          "--attenuation of the scene's own lights goes with draw, snapshot and trace; for a window say "
+          "--light-at x,y,z too");
+  refused(Words{"draw", "lamp", "-o", file("new.png"), "--light", "0,0,1"} + inverse, 2,
+          "--attenuation needs a light at a place: --light-at x,y,z, or a scene that has one");
+}
+
+// What a scene file says of light and division gives way to what the command line says, and is not taken for
+// the user's words.
+TEST_F(MootOptions, TheFilesChoicesGiveWay) {
+  const std::string scene = write("s.json", R"({"objects": [{"solid": "cube"}], "shading": {"method": "flat",
+    "adapt": 0.1, "light_at": [3, 3, 3], "attenuation": "linear", "range": 20}})");
+  const auto drawn = [&](const Words& options) { return draw(scene, options).png; };
+  EXPECT_NE(drawn({"--light", "0,0,1"}), drawn({}));
+  EXPECT_NE(drawn({"--shade", "phong"}), drawn({}));
+}
+
+}  // namespace xnewell

@@ -1,0 +1,349 @@
+#include "x11/window/picture_bench.h"
+
+#include <gtest/gtest.h>
+
+#include <fstream>
+#include <glm/geometric.hpp>
+
+#include "tests/support/temporary_folder.h"
+#include "tests/x11/support/bench_stage.h"
+#include "tests/x11/support/ready_workbench.h"
+
+namespace xnewell {
+
+// The controls under the pointer, values that are typed, and set-ups that are saved.
+
+namespace {
+
+using Kind = ControlPlace::Kind;
+
+ControlColumn columnOf(const Workbench& b) { return layoutOfControls(b.layout()); }
+glm::ivec2 middle(const Rect& r) { return {r.x + r.width / 2, r.y + r.height / 2}; }
+
+void click(ReadyWorkbench& b, glm::ivec2 at) {
+  (void)b.grab(at.x, at.y);
+  b.settle();
+  b.update();
+}
+
+void typeValue(ReadyWorkbench& b, std::string_view text) {
+  b.type("=");
+  b.type(text);
+  b.press({NamedKey::Return});
+}
+
+bool complains(const Workbench& b) {
+  const Rect& at = b.layout().status;
+  for (int j = at.y; j < at.y + 20; ++j)
+    for (int i = 0; i < at.width; ++i)
+      if (b.image().row(j)[i] == b.plan()[Cell::Alarm]) return true;
+  return false;
+}
+
+}  // namespace
+
+// No two controls share a pixel, all are inside the column, and each is found by its own key in the middle of
+// its row; at every size of window.
+TEST(ControlColumn, EveryControlHasItsPlace) {
+  for (const auto& [w, h] : {std::pair{800, 600}, {1023, 768}, {1024, 768}, {1600, 1200}}) {
+    SCOPED_TRACE(w);
+    const Layout layout = layoutOf(w, h);
+    const ControlColumn at = layoutOfControls(layout);
+    const xnewell::Setup setup;
+    for (std::size_t p = 0; p < at.places.size(); ++p) {
+      const ControlPlace& place = at.places[p];
+      EXPECT_LE(place.row.y + place.row.height, layout.strip.y) << place.key;
+      EXPECT_GE(place.row.x, layout.controls.x);
+      EXPECT_LE(place.row.x + place.row.width, w);
+      if (place.kind != Kind::Intensity) {
+        const glm::ivec2 m = middle(place.row);
+        const std::optional<ControlHit> hit = controlAt(at, setup, m.x, m.y);
+        ASSERT_TRUE(hit);
+        EXPECT_EQ(hit->key, place.key);
+      }
+      for (std::size_t q = 0; q < p; ++q)
+        EXPECT_TRUE(intersection(place.row, at.places[q].row).empty()) << place.key << at.places[q].key;
+    }
+    std::string missing{kAllControls};
+    for (const ControlPlace& place : at.places) std::erase(missing, place.key);
+    EXPECT_EQ(missing.find_first_of("lipadsncLVSNOFPKT0"), std::string::npos) << missing;
+  }
+}
+
+// A slider goes where its thumb is dragged, to both ends and beyond; one that says the same undo step.
+TEST(PictureBench, SlidersAreDragged) {
+  for (const SliderRow& row : kSliders) {
+    if (row.key == 'i' || row.key == 'p') continue;
+    SCOPED_TRACE(row.label);
+    xnewell::Setup setup;
+    setup.picture.table.kind = TableKind::Corrected;  // else I0 is off
+    ReadyWorkbench b{setup};
+    const Rect track = columnOf(b).find(row.key)->track;
+    ASSERT_TRUE(b.grab(track.x + track.width / 4, track.y));
+    EXPECT_NEAR(trackPosition(row, row.get(b.setup())), 0.25, 0.02);
+    b.update(true);
+    b.dragTo(track.x + track.width + 500, track.y - 90);
+    EXPECT_EQ(row.get(b.setup()), row.high);
+    b.dragTo(-500, track.y);
+    EXPECT_EQ(row.get(b.setup()), row.low);
+    b.settle();
+    b.update();
+    b.type("u");
+    EXPECT_EQ(b.setup(), setup);
+  }
+}
+
+// The name of a slider takes the keyboard and changes nothing.
+TEST(PictureBench, NamesTakeTheKeyboard) {
+  xnewell::Setup setup;
+  setup.picture.table.kind = TableKind::Corrected;  // else I0 is off
+  ReadyWorkbench b{setup};
+  const xnewell::Setup before = b.setup();
+  for (const SliderRow& row : kSliders) {
+    const Rect place = columnOf(b).find(row.key)->row;
+    EXPECT_FALSE(b.grab(place.x + 30, place.y + 5)) << row.label;
+    EXPECT_EQ(b.setup(), before);
+    b.press({NamedKey::End});
+    EXPECT_EQ(row.get(b.setup()), row.high) << row.label;
+    b.type("r");
+  }
+}
+
+// Ia and Ip push each other on one bar: their sum never exceeds 1, wherever either thumb is dragged, and each
+// thumb follows the pointer.
+TEST(PictureBench, IntensitiesPushEachOther) {
+  ReadyWorkbench b;
+  const Rect bar = columnOf(b).find('i')->track;
+  const auto at = [&](double v) { return bar.x + static_cast<int>(std::lround(v * (bar.width - 1))); };
+  const auto light = [&]() -> const Illumination& { return b.setup().picture.light; };
+  for (const char key : {'i', 'p'})
+    for (const double from : {0.0, 0.3, 0.9})
+      for (int k = -5; k <= 105; k += 5) {
+        SCOPED_TRACE(key + std::to_string(k));
+        b.type("r");
+        const double thumb = light().Ia + (key == 'p' ? light().Ip : 0);
+        ASSERT_TRUE(b.grab(at(thumb), bar.y));
+        b.dragTo(at(from), bar.y);
+        b.dragTo(at(k / 100.0), bar.y + 30);
+        b.settle();
+        EXPECT_LE(light().Ia + light().Ip, 1.0);
+        EXPECT_GE(std::min(light().Ia, light().Ip), 0.0);
+        EXPECT_NEAR(light().Ia + (key == 'p' ? light().Ip : 0), std::clamp(k / 100.0, 0.0, 1.0), 0.0051);
+      }
+}
+
+// A click on an option takes it, on its row's name the next one.
+TEST(PictureBench, OptionsAreClicked) {
+  ReadyWorkbench b;
+  const ControlColumn at = columnOf(b);
+  int taken = 0;
+  for (const ChoiceRow& row : choices()) {
+    const ControlPlace& place = *at.find(row.key);
+    for (int k = 0; k < static_cast<int>(row.options.size()); ++k) {
+      SCOPED_TRACE(row.label);
+      b.type("r");
+      click(b, middle(place.options[k]));
+      if (row.key == 'F' && k == 0) {
+        EXPECT_EQ(b.setup().fill, Fill::XFillPolygon);
+      }
+      EXPECT_EQ(row.get(b.setup()), k);
+      ++taken;
+    }
+    const int before = row.get(b.setup());
+    click(b, {place.row.x + 30, place.row.y + 5});
+    EXPECT_EQ(row.get(b.setup()), (before + 1) % static_cast<int>(row.options.size()));
+  }
+  EXPECT_GT(taken, 20);
+}
+
+// Toggles and buttons do what their keys do.
+TEST(PictureBench, ButtonsAreKeys) {
+  for (const char key : {'L', 'V', '[', ']', 'u', 'r', 'U'}) {
+    SCOPED_TRACE(key);
+    ReadyWorkbench clicked, typed;
+    for (ReadyWorkbench* b : {&clicked, &typed}) b->type("TSu");
+    click(clicked, middle(columnOf(clicked).find(key)->row));
+    typed.type({&key, 1});
+    EXPECT_EQ(clicked.setup(), typed.setup());
+  }
+}
+
+// The light is where it is dropped on the ball: straight at the viewer in the middle, from the side at the
+// rim, from behind beyond; the ring then is drawn there.
+TEST(PictureBench, TheLightIsDragged) {
+  for (const char* scene : {"teapot", "cycle"}) {
+    ReadyWorkbench b{{}, 1024, 768, scene};
+    const ControlColumn at = columnOf(b);
+    const glm::ivec2 centre{at.ball.x + at.ball.width / 2, at.ball.y + at.ball.height / 2};
+    ASSERT_TRUE(b.grab(centre.x, centre.y));
+    const auto towardsEye = [&] {
+      const Camera& camera = b.picture().camera();
+      return glm::dot(glm::normalize(b.setup().picture.light.light),
+                      glm::normalize(camera.eye - camera.lookAt));
+    };
+    EXPECT_NEAR(towardsEye(), 1, 1e-9);
+    b.dragTo(centre.x + at.radius, centre.y);
+    EXPECT_NEAR(towardsEye(), 0, 1e-9);
+    b.dragTo(centre.x + at.radius + at.radius / 2, centre.y);
+    EXPECT_LT(towardsEye(), -0.8);
+    b.dragTo(centre.x - 20, centre.y - 31);
+    b.settle();
+    b.update();
+    EXPECT_EQ(b.image().row(centre.y - 31)[centre.x - 20], b.plan()[Cell::White]);
+  }
+}
+
+// What the pointer is on looks otherwise, and as before when it leaves.
+TEST(PictureBench, HoverShowsAndPasses) {
+  ReadyWorkbench b;
+  const auto aboveStatus = [&] {  // which tells times
+    const std::uint8_t* const pixels = b.image().pixels.data();
+    return std::vector<std::uint8_t>(pixels, pixels + std::ptrdiff_t{1024} * b.layout().status.y);
+  };
+  const std::vector<std::uint8_t> before = aboveStatus();
+  const ControlColumn at = columnOf(b);
+  int shown = 0;
+  for (const ControlPlace& place : at.places) {
+    if (place.kind == Kind::Light || place.kind == Kind::Intensity || place.key == '0') continue;
+    SCOPED_TRACE(place.key);
+    const glm::ivec2 m = place.kind == Kind::Choice ? middle(place.options.back()) : middle(place.row);
+    if (place.kind == Kind::Choice && place.key != 'O' && place.key != 'T') continue;  // the last is chosen
+    b.hover(m.x, m.y);
+    b.update();
+    EXPECT_NE(aboveStatus(), before);
+    b.hover(300, 300);
+    b.update();
+    EXPECT_EQ(aboveStatus(), before);
+    ++shown;
+  }
+  EXPECT_GT(shown, 10);
+}
+
+// A value that is typed is the slider's; what is no number of its range is told and can be mended or left.
+TEST(PictureBench, ValuesAreTyped) {
+  ReadyWorkbench b;
+  b.type("s");
+  typeValue(b, "0.75");
+  EXPECT_EQ(b.setup().picture.light.ks, 0.75);
+  for (const char* wrong : {"1.01", "-1", "", ".", "1.2.3", "--1"}) {
+    SCOPED_TRACE(wrong);
+    b.type("=");
+    for (int k = 0; k < 5; ++k) b.press({NamedKey::Backspace});
+    b.type(wrong);
+    b.press({NamedKey::Return});
+    b.update();
+    EXPECT_TRUE(complains(b));
+    EXPECT_EQ(b.setup().picture.light.ks, 0.75);
+    b.press({NamedKey::Escape});
+    b.update();
+    EXPECT_FALSE(complains(b));
+  }
+  b.type("n");
+  typeValue(b, "137");
+  EXPECT_EQ(b.setup().picture.light.n, 137);
+  b.type("=q");  // no letter of a number, and no key of the window meanwhile
+  EXPECT_FALSE(b.quitAsked());
+  b.askToQuit();  // the window's close button types nothing
+  EXPECT_TRUE(b.quitAsked());
+}
+
+// A set-up that was changed, saved and opened again gives the same window; a file that is there is replaced
+// only when that is said twice, and what cannot be read or written is told in a line.
+TEST(PictureBench, SavesAndOpens) {
+  const TemporaryFolder folder;
+  const std::string file = folder.file("mine.json");
+  ReadyWorkbench b;
+  b.type("STO]");
+  b.drag(40, 10);
+  b.settle();
+  b.type("w");
+  for (int k = 0; k < 60; ++k) b.press({NamedKey::Backspace});
+  b.type(file);
+  b.press({NamedKey::Return});
+  ASSERT_TRUE(std::filesystem::exists(file));
+  b.update();
+  const xnewell::Setup saved = b.setup();
+  const Rect at = b.layout().picture;
+  const auto pictureOf = [&] {
+    std::vector<std::uint8_t> pixels;
+    for (int j = at.y; j < at.y + at.height; ++j)
+      pixels.insert(pixels.end(), b.image().row(j) + at.x, b.image().row(j) + at.x + at.width);
+    return pixels;
+  };
+  const std::vector<std::uint8_t> picture = pictureOf();
+  b.type("SSrNKs");
+  b.type("q");
+  EXPECT_FALSE(b.quitAsked());  // what was changed is not saved
+  b.type("e");
+  EXPECT_EQ(b.view(), WindowView::Picture);
+  b.press({NamedKey::Return});  // the file that it knows
+  b.update();
+  EXPECT_TRUE(complains(b));
+  EXPECT_NE(b.setup(), saved);
+  b.press({NamedKey::Return});
+  b.update();
+  EXPECT_EQ(b.setup(), saved);
+  EXPECT_EQ(pictureOf(), picture);
+  b.type("q");
+  EXPECT_TRUE(b.quitAsked());
+
+  const std::string other = folder.write("other.json", "mine");
+  b.type("w");
+  b.type(other);
+  b.press({NamedKey::Return});
+  b.update();
+  EXPECT_TRUE(complains(b));
+  EXPECT_EQ(std::filesystem::file_size(other), 4u);
+  b.press({NamedKey::Return});
+  EXPECT_GT(std::filesystem::file_size(other), 100u);
+  for (const std::string& bad :
+       {folder.file("none.json"), folder.write("bad.json", "{"), folder.file("x/y.obj")}) {
+    b.type("e");
+    b.type(bad);
+    b.press({NamedKey::Return});
+    b.update();
+    EXPECT_TRUE(complains(b)) << bad;
+    EXPECT_EQ(b.setup(), saved);
+    b.press({NamedKey::Escape});
+  }
+
+  // Up and down offer the scenes that are built in.
+  b.type("e");
+  b.press({NamedKey::Down});
+  b.press({NamedKey::Down});
+  b.press({NamedKey::Up});
+  b.press({NamedKey::Return});
+  b.update();
+  EXPECT_EQ(b.picture().scene().name, builtInScenes().front().name);
+  b.type("e");
+  b.press({NamedKey::Up});
+  b.press({NamedKey::Return});
+  b.update();
+  EXPECT_EQ(b.picture().scene().name, builtInScenes().back().name);
+}
+
+// What is shown in the picture's place is what the strip tells of: its cells, and what they hold.
+TEST(PictureBench, TheStripIsOfWhatIsShown) {
+  for (const Show show : {Show::Shaded, Show::Wireframe, Show::Normals, Show::Overdraw}) {
+    SCOPED_TRACE(static_cast<int>(show));
+    xnewell::Setup setup;
+    setup.show = show;
+    BenchStage stage{"teapot", 3, 1024, 768, setup};
+    ControlKeys keys;
+    PictureBench bench{stage, keys, [&] { return ControlKeys::Subject{stage.picture.scene(), {}, 1.0}; }};
+    stage.draw(bench);
+    const CellUse shaded = cellUse(stage.painted);
+    ASSERT_EQ(bench.use() == nullptr, show == Show::Shaded);
+    if (bench.use() != nullptr) {
+      EXPECT_NE(bench.use()->samples, shaded.samples);
+    }
+    ASSERT_EQ(bench.colors() == nullptr, show != Show::Normals);
+    if (show != Show::Normals) continue;
+    const SceneCellWords& words = bench.colors()->words.value();
+    EXPECT_EQ(words.what, "colours");
+    EXPECT_EQ(usedCells(*bench.use(), words.cells), words.cells.count);
+    EXPECT_EQ(words.cells.first, stage.picture.colors().table().first());
+  }
+}
+
+}  // namespace xnewell

@@ -1,0 +1,103 @@
+#include "x11/app/snapshot.h"
+
+#include <utility>
+
+#include "shading/color/few_colors.h"
+#include "shading/color/png.h"
+#include "x11/app/server.h"
+#include "x11/app/workbench.h"
+#include "x11/server/fill_polygons.h"
+#include "x11/server/read_cells.h"
+#include "x11/server/read_visuals.h"
+#include "x11/views/views.h"
+
+namespace xnewell {
+
+namespace {
+
+/// What a snapshot shows: the picture alone, or the whole window.
+struct Shot {
+  const Picture& picture;
+  const IndexImage& image;
+  const Palette& palette;
+  CellPlan plan;             ///< of the image
+  Rect area;                 ///< of the picture in the image
+  std::vector<Rect> over{};  ///< parts of the image that lie over the picture
+};
+
+void present(Server& server, Canvas& canvas, const Shot& shot, Fill fill) {
+  server.colormap.store(server.colorsOf(shot.picture, shot.palette), shot.plan);
+  const Rect all{0, 0, shot.image.width, shot.image.height};
+  canvas.upload(shot.image, all);
+  if (fill == Fill::XFillPolygon) {
+    fillPolygons(server.display.get(), canvas, shot.picture, shot.area, shot.plan[Cell::Well]);
+    for (const Rect& part : shot.over) canvas.upload(shot.image, part);
+  }
+  canvas.expose(all);
+}
+
+}  // namespace
+
+void takeSnapshot(const Options& options, Scene scene, const Taken& taken) {
+  Server server{options, scene};
+  const glm::ivec2 size = options.size.value_or(options.wholeWindow ? kWindowSize : kPictureSize);
+  Canvas canvas{server.display.get(), server.colormap, {.width = size.x, .height = size.y}};
+  ErrorTrap trap{server.display.get()};
+  canvas.map();
+
+  const auto shoot = [&](const Shot& shot) {
+    StageTimes times = shot.picture.times();
+    const Stopwatch watch;
+    present(server, canvas, shot, options.fill);
+    trap.check();
+    times.present = watch.ms();
+    if (strayErrors() > 0) throw X11Error{"the X server refused requests: no picture"};
+    std::optional<ColoredImage> cells = readCells(canvas, server.colormap, shot.image);
+    const RgbImage seen = cells ? RgbImage{} : canvas.readBack({0, 0, size.x, size.y});
+    if (!cells) cells = inFewColors(seen);
+    taken(shot.picture, cells ? encodePng(cells->image, cells->palette) : encodePng(seen), times);
+  };
+  if (options.wholeWindow) {
+    Workbench bench{std::move(scene), server.setupOf(options), server.forBench()};
+    bench.resize(size.x, size.y);
+    bench.show(options.windowView);
+    for (int k = 0; k == 0 || (k < 3 && bench.stale() != Workbench::Stale::Nothing); ++k) bench.update();
+    shoot({bench.picture(), bench.image(), bench.palette(), bench.plan(), bench.layout().picture,
+           bench.overPicture()});
+    return;
+  }
+  Picture picture{std::move(scene)};
+  PictureSettings settings = server.fitted(options.picture);
+  settings.width = size.x;
+  settings.height = size.y;
+  settings.inPixels = options.fill == Fill::XFillPolygon;
+  const CellPlan plan = server.colormap.plan(settings.table.kind);
+  if (options.view != View::Picture) {
+    const ColoredImage view = drawView(picture, {.view = options.view,
+                                                 .scanline = options.scanline,
+                                                 .cell = options.cell,
+                                                 .effects = options.effects,
+                                                 .picture = settings,
+                                                 .cells = plan,
+                                                 .unneeded = server.colormap.unneeded(),
+                                                 .gray = server.gray()});
+    return shoot({picture, view.image, view.palette, plan, {0, 0, size.x, size.y}});
+  }
+  picture.make(settings);
+  IndexImage image;
+  picture.paint(image, plan[Cell::Well]);
+  const Palette palette =
+      withEffects(picture.palette(plan, server.colormap.unneeded()), picture, plan, options.effects);
+  shoot({picture, image, palette, plan, {0, 0, size.x, size.y}});
+}
+
+std::string visualsTable(const Options& options) {
+  const OwnedDisplay display = openDisplay();
+  const std::string table =
+      describeVisuals(readVisuals(display.get(), /*countsCells=*/true), wishOf(options), options.colormap);
+  XSync(display.get(), 0);
+  if (strayErrors() > 0) throw X11Error{"the X server refused requests: no table"};
+  return table;
+}
+
+}  // namespace xnewell

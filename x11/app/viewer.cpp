@@ -1,0 +1,324 @@
+#include "x11/app/viewer.h"
+
+#include <X11/XKBlib.h>
+#include <X11/Xutil.h>
+#include <X11/cursorfont.h>
+#include <X11/keysym.h>
+#include <poll.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <csignal>
+#include <iostream>
+#include <utility>
+
+#include "x11/app/long_work.h"
+#include "x11/app/server.h"
+#include "x11/app/workbench.h"
+#include "x11/server/canvas.h"
+#include "x11/server/colormap.h"
+#include "x11/server/display.h"
+
+namespace xnewell {
+
+namespace {
+
+/// A signal ends the window at once, also where Xlib waits for a server that has hung: what we have on the
+/// server, a grab too, goes with the connection.
+void endWithSignals() {
+  for (const int signal : {SIGINT, SIGTERM, SIGHUP}) std::signal(signal, [](int) { _exit(130); });
+}
+
+struct KeysymRow {
+  KeySym symbol, onKeypad;
+  NamedKey name;
+};
+constexpr std::array kNamedKeys{
+    KeysymRow{XK_Left, XK_KP_Left, NamedKey::Left},
+    KeysymRow{XK_Right, XK_KP_Right, NamedKey::Right},
+    KeysymRow{XK_Up, XK_KP_Up, NamedKey::Up},
+    KeysymRow{XK_Down, XK_KP_Down, NamedKey::Down},
+    KeysymRow{XK_Home, XK_KP_Home, NamedKey::Home},
+    KeysymRow{XK_End, XK_KP_End, NamedKey::End},
+    KeysymRow{XK_Prior, XK_KP_Prior, NamedKey::PageUp},
+    KeysymRow{XK_Next, XK_KP_Next, NamedKey::PageDown},
+    KeysymRow{XK_Tab, XK_ISO_Left_Tab, NamedKey::Tab},
+    KeysymRow{XK_space, XK_KP_Space, NamedKey::Space},
+    KeysymRow{XK_Return, XK_KP_Enter, NamedKey::Return},
+    KeysymRow{XK_BackSpace, XK_Delete, NamedKey::Backspace},
+    KeysymRow{XK_Escape, XK_Escape, NamedKey::Escape},
+};
+
+/// Keysyms to keys, Latin-1 letters by themselves.
+std::optional<Key> keyOf(XKeyEvent& event) {
+  char letter = 0;
+  KeySym symbol = NoSymbol;
+  const int count = XLookupString(&event, &letter, 1, &symbol, nullptr);
+  const bool shift = (event.state & ShiftMask) != 0;
+  const auto* const row = std::ranges::find_if(
+      kNamedKeys, [&](const KeysymRow& r) { return r.symbol == symbol || r.onKeypad == symbol; });
+  if (row != kNamedKeys.end()) return Key{row->name, 0, shift || symbol == XK_ISO_Left_Tab};
+  if (count == 1 && letter > ' ') return Key{NamedKey::Letter, letter, shift};
+  return std::nullopt;
+}
+
+Bool isQuitKey(Display*, XEvent* event, XPointer) {
+  return event->type == KeyPress && XLookupKeysym(&event->xkey, 0) == XK_q &&
+         (event->xkey.state & (ShiftMask | ControlMask)) == 0;
+}
+
+/// Whoever destroyed it leaves nothing to draw into.
+[[noreturn]] void endWithoutWindow() {
+  std::cerr << "xnewell: the window was destroyed by another program" << std::endl;
+  _exit(1);
+}
+
+class Viewer {
+ public:
+  Viewer(const Options& options, Scene scene)
+      : server_{options, scene},
+        size_{options.size.value_or(kWindowSize)},
+        canvas_{server_.display.get(),
+                server_.colormap,
+                {.title = titleOf(scene), .width = size_.x, .height = size_.y}},
+        bench_{std::move(scene), server_.setupOf(options), server_.forBench()},
+        title_{titleOf(bench_.picture().scene())},
+        plan_{bench_.plan()} {
+    bench_.resize(size_.x, size_.y);
+    XkbSetDetectableAutoRepeat(display(), 1, nullptr);  // a key held is released once
+  }
+
+  [[nodiscard]] Workbench& bench() { return bench_; }
+
+  int run(const std::function<void()>& shown) {
+    endWithSignals();
+    {
+      ErrorTrap trap{display()};  // a window that cannot be seen could not be closed either
+      show();                     // the first picture is there before the window is, if it does not take long
+      map();
+      trap.check();
+    }
+    shown();
+    while (true) {
+      while (XPending(display()) > 0) {
+        XEvent event;
+        XNextEvent(display(), &event);
+        handle(event);
+      }
+      if (errorsToTell()) {
+        toldOfErrors_ = true;
+        bench_.notify("the X server refused a request: what is shown may be wrong");
+      }
+      show();
+      if (bench_.quitAsked()) break;
+      pollfd connection{ConnectionNumber(display()), POLLIN, 0};
+      poll(&connection, 1, longestWait());
+    }
+    XSync(display(), 0);  // the last frame may still be refused
+    if (strayErrors() == 0) return 0;
+    throw X11Error{"the X server refused requests (" + std::to_string(strayErrors()) +
+                   " in all): what was shown may be wrong"};
+  }
+
+ private:
+  [[nodiscard]] Display* display() const { return server_.display.get(); }
+
+  static std::string titleOf(const Scene& scene) { return "xnewell: " + scene.name; }
+
+  /// The first picture, another scene or view, what decides how much is to be sorted, and all once something
+  /// took long in this window. All else is made on the spot: a thread of its own begins with cold memory,
+  /// which costs milliseconds.
+  [[nodiscard]] bool mayTakeLong() const {
+    const Setup& now = bench_.setup();
+    return !mapped_ || tookLong_ || titleOf(bench_.picture().scene()) != title_ || bench_.view() != view_ ||
+           now.picture.order != order_ || now.divisions != divisions_;
+  }
+
+  /// Brings the window up to date.
+  void show() {
+    xnewell::show(server_, canvas_, bench_, [this] {
+      const Stopwatch watch;
+      if (bench_.stale() != Workbench::Stale::Everything || !mayTakeLong()) {
+        bench_.update(dragging_);
+        tookLong_ = tookLong_ || watch.ms() > kLong;
+        return;
+      }
+      const bool mayEnd = bench_.isSaved() && !bench_.isAsking();
+      doPatiently([this] { bench_.update(dragging_); }, [&](int seconds) { sayBusy(seconds, mayEnd); });
+      tookLong_ = tookLong_ || watch.ms() > kLong;
+    });
+    plan_ = bench_.plan();
+    view_ = bench_.view();
+    order_ = bench_.setup().picture.order;
+    divisions_ = bench_.setup().divisions;
+    if (busyFor_ >= 0) XUndefineCursor(display(), canvas_.window());
+    busyFor_ = -1;
+    entitle(titleOf(bench_.picture().scene()));
+  }
+
+  void entitle(const std::string& title) {
+    if (title != std::exchange(title_, title)) canvas_.entitle(title);
+  }
+
+  /// A box over what is shown, or over an empty window, while the bench is at work and not to be touched.
+  /// Events wait, except those that uncover parts of the window, or close it where nothing is lost by it.
+  void sayBusy(int seconds, bool mayEnd) {
+    XEvent event;
+    while (XCheckTypedEvent(display(), Expose, &event)) handle(event);
+    if (XCheckTypedEvent(display(), DestroyNotify, &event)) endWithoutWindow();
+    if (mayEnd && XCheckTypedEvent(display(), ClientMessage, &event) && canvas_.isCloseRequest(event))
+      _exit(0);
+    if (mayEnd && XCheckIfEvent(display(), &event, isQuitKey, nullptr)) _exit(0);
+    if (seconds == busyFor_) return;
+    IndexImage box{canvas_.width(), canvas_.height(), plan_[Cell::Paper]};
+    drawBusyBox(box, plan_, seconds, mayEnd);
+    if (busyFor_ < 0) {
+      entitle("(drawing) " + title_);
+      if (watch_ == 0) watch_ = XCreateFontCursor(display(), XC_watch);
+      XDefineCursor(display(), canvas_.window(), watch_);
+    }
+    if (!mapped_) {  // of the colours there are only the tool's
+      const Palette tool = withInterface(server_.colormap.unneeded(), plan_);
+      (void)server_.colormap.lookUp(tool, plan_);
+      server_.colormap.store(tool, plan_);
+      canvas_.upload(box, {0, 0, box.width, box.height});
+    }
+    canvas_.present(box, busyBox(box.width, box.height));
+    map();
+    XFlush(display());
+    busyFor_ = seconds;
+  }
+
+  void map() {
+    if (!std::exchange(mapped_, true)) canvas_.map();
+  }
+
+  [[nodiscard]] bool errorsToTell() const { return strayErrors() > 0 && !toldOfErrors_; }
+
+  /// In milliseconds; -1 where nothing happens but events. Colours that move do so every 40 ms at most.
+  [[nodiscard]] int longestWait() {
+    constexpr double kTick = 40;
+    if (XPending(display()) > 0 || errorsToTell() || bench_.stale() != Workbench::Stale::Nothing) return 0;
+    if (!bench_.moving()) return -1;
+    const double rest = kTick - sinceTick_.ms();
+    if (rest > 0) return 1 + static_cast<int>(rest);
+    sinceTick_ = {};
+    bench_.tick();
+    return 0;
+  }
+
+  void handle(XEvent& event) {
+    switch (event.type) {
+      case Expose: {
+        const XExposeEvent& e = event.xexpose;
+        canvas_.expose({e.x, e.y, e.width, e.height});
+        break;
+      }
+      case ConfigureNotify:
+        resized(event.xconfigure.width, event.xconfigure.height);
+        break;
+      case DestroyNotify:
+        endWithoutWindow();
+      case MapNotify:
+      case FocusIn:
+        server_.colormap.installUnlessManaged();
+        break;
+      case EnterNotify:
+        pointerInside_ = true;
+        server_.colormap.installUnlessManaged();
+        break;
+      case LeaveNotify:
+        pointerInside_ = false;
+        break;
+      case ColormapNotify:
+        // Stolen while the user is here: take it back. Elsewhere it is due to whoever has the pointer, and
+        // two programs that both insisted would never stop.
+        if (event.xcolormap.state == ColormapUninstalled && pointerInside_)
+          server_.colormap.installUnlessManaged();
+        break;
+      case KeyPress:
+        if (const std::optional<Key> key = keyOf(event.xkey)) bench_.press(*key);
+        break;
+      case KeyRelease:
+        if (const std::optional<Key> key = keyOf(event.xkey)) bench_.release(key->letter);
+        break;
+      case FocusOut:  // a key let go elsewhere is not told
+        bench_.release('h');
+        break;
+      case ButtonPress:
+        pressed(event.xbutton);
+        break;
+      case ButtonRelease:
+        if (event.xbutton.button == Button1 && std::exchange(dragging_, false)) bench_.settle();
+        break;
+      case MotionNotify:
+        moved(event.xmotion);
+        break;
+      case ClientMessage:
+        if (canvas_.isCloseRequest(event)) bench_.askToQuit();
+        break;
+      case MappingNotify:
+        XRefreshKeyboardMapping(&event.xmapping);
+        break;
+      default:
+        break;
+    }
+  }
+
+  void resized(int width, int height) {
+    const int w = std::clamp(width, 1, kMaxPicture), h = std::clamp(height, 1, kMaxPicture);
+    try {
+      canvas_.resize(w, h);
+      bench_.resize(w, h);
+    } catch (const X11Error& e) {
+      bench_.notify(e.what());
+    }
+  }
+
+  void pressed(const XButtonEvent& e) {
+    constexpr double kWheelStep = 1.1;
+    if (e.button == Button4) bench_.wheel(e.x, e.y, kWheelStep);
+    if (e.button == Button5) bench_.wheel(e.x, e.y, 1.0 / kWheelStep);
+    if (e.button == Button1) dragging_ = bench_.grab(e.x, e.y);
+  }
+
+  void moved(const XMotionEvent& e) {
+    if (dragging_)
+      bench_.dragTo(e.x, e.y);
+    else
+      bench_.hover(e.x, e.y);
+  }
+
+  Server server_;
+  glm::ivec2 size_;
+  Canvas canvas_;
+  Workbench bench_;
+  static constexpr double kLong = 100;  ///< ms
+
+  std::string title_;
+  bool tookLong_ = false;                  ///< anything so far
+  WindowView view_ = WindowView::Picture;  ///< this and what follows: of what is shown
+  Order order_ = {};
+  int divisions_ = 0;
+  CellPlan plan_;     ///< of what is shown
+  int busyFor_ = -1;  ///< seconds that the window tells; -1: none
+  Cursor watch_ = 0;  ///< the server's, until the connection ends
+  bool mapped_ = false;
+  bool dragging_ = false, pointerInside_ = false;
+  bool toldOfErrors_ = false;  ///< once: to tell is a frame more, which may be refused too
+  Stopwatch sinceTick_;
+};
+
+}  // namespace
+
+int runViewer(const Options& options, Scene scene, std::optional<Lesson> lesson,
+              const std::function<void()>& shown) {
+  Viewer viewer{options, std::move(scene)};
+  if (lesson)
+    viewer.bench().teach(std::move(*lesson));
+  else
+    viewer.bench().show(options.command == Command::Lesson ? WindowView::Lesson : options.windowView);
+  return viewer.run(shown);
+}
+
+}  // namespace xnewell

@@ -1,0 +1,116 @@
+#include "x11/command/report.h"
+
+#include <algorithm>
+#include <iostream>
+#include <nlohmann/json.hpp>
+#include <vector>
+
+#include "geometry/files/output_file.h"
+#include "shading/color/png.h"
+#include "shading/color/rgb_image.h"
+#include "x11/window/moot.h"
+
+namespace xnewell {
+
+namespace {
+
+RgbImage idsOf(const Picture& picture) {
+  RgbImage image{picture.settings().width, picture.settings().height};
+  std::uint8_t* out = image.rgb.data();
+  for (const std::uint32_t id : picture.faceImage())
+    for (const int shift : {16, 8, 0}) *out++ = static_cast<std::uint8_t>(id >> shift);
+  return image;
+}
+
+/// What of the model this picture needed: nothing is computed for the rest.
+nlohmann::ordered_json requiredBy(const Picture& picture) {
+  const PictureSettings& s = picture.settings();
+  const ShadingRow& method = rowOf(s.shading);
+  const Lighting& lighting = picture.shading().lighting();
+  const bool specular = method.lit && lighting.specular;
+  const auto any = [&](auto Lighting::Source::*what) {
+    return method.lit && std::ranges::any_of(lighting.sources, what);
+  };
+  const auto fades = [](const Lighting::Source& l) { return l.linear || l.c != glm::dvec3{1, 0, 0}; };
+  const auto wears = [](const MeshMaterial& m) { return m.texture >= 0; };
+  return {
+      {"illumination", method.lit},
+      {"channels", method.lit ? lighting.channels : 1},
+      {"lights", method.lit ? lighting.sources.size() : 0},
+      {"specular", specular},
+      {"eye", specular && lighting.asksForEye() && !lighting.constantV},
+      {"places", method.lit && lighting.needsPlaces()},
+      {"spots", any(&Lighting::Source::spot)},
+      {"attenuation", method.lit && std::ranges::any_of(lighting.sources, fades)},
+      {"vertex_normals", picture.shading().vertices().vertices.size()},
+      {"textures", method.lit && std::ranges::any_of(picture.scene().mesh.materials, wears)},
+      {"planes", !picture.snapped().planes.empty()},
+      {"ramps", channelsOf(picture.colors().plan()) == Channels::Rgb ? 0 : picture.colors().tables().size()},
+      {"cuts_of_concave_faces",
+       static_cast<int>(picture.scene().pieces.face.size()) - picture.scene().mesh.faceCount()}};
+}
+
+/// Of --adapt: what ended the division of polygons, null where none was asked for.
+nlohmann::ordered_json adaptLimitOf(const Picture& picture) {
+  const std::optional<Refined>& refined = picture.shading().refined();
+  return refined ? nlohmann::ordered_json(kRefineLimits[static_cast<int>(refined->limit)].name) : nullptr;
+}
+
+nlohmann::ordered_json statsOf(const Options& options, const Picture& picture, const StageTimes& t) {
+  const SnappedScene& scene = picture.snapped();
+  const SortedScene& sorted = picture.sorted();
+  const SortStatistics& sort = sorted.statistics;
+  nlohmann::ordered_json tests;
+  for (const TestRow& row : kTestRows) tests[std::string{row.name}] = sort.settled[static_cast<int>(row.id)];
+  tests["1"] = sort.boxesApart[0];
+  tests["2"] = sort.boxesApart[1];
+  return {{"scene", options.scene},
+          {"size", {picture.settings().width, picture.settings().height}},
+          {"faces", picture.scene().mesh.faceCount()},
+          {"polygons", scene.polygons},
+          {"degenerate", scene.degenerate},
+          {"culled", scene.culled},
+          {"outside", scene.outside},
+          {"fragments", static_cast<std::int64_t>(scene.faces.size()) + sort.splits},
+          {"painted", static_cast<std::int64_t>(sorted.fragments.size())},
+          {"splits", sort.splits},
+          {"cycles", sort.cycles},
+          {"contacts", sort.contacts},
+          {"tests", tests},
+          {"saturated", picture.saturated()},
+          {"shading", rowOf(picture.settings().shading).name},
+          {"colors", kColorPlans[static_cast<int>(picture.colors().plan())].name},
+          {"adapt_limit", adaptLimitOf(picture)},
+          {"required", requiredBy(picture)},
+          {"ms",
+           {{"read", t.read},
+            {"shade", t.shade},
+            {"transform", t.transform},
+            {"sort", t.sort},
+            {"fill", t.fill},
+            {"present", t.present},
+            {"total", t.total()}}}};
+}
+
+}  // namespace
+
+void writePictures(const Options& options, const Picture& picture, const std::string& png) {
+  std::vector<OutputFile> files{{options.output, png}};
+  std::string ids;
+  if (!options.ids.empty()) {
+    ids = encodePng(idsOf(picture));
+    files.push_back({options.ids, ids});
+  }
+  writeFiles(files);
+}
+
+void report(const Options& options, const Picture& picture, const StageTimes& times) {
+  noteMoot(std::cerr, options, picture);
+  if (!options.stats) return;
+  // A file's name may be no UTF-8, which JSON cannot hold.
+  std::cout << statsOf(options, picture, times)
+                   .dump(-1, ' ', false, nlohmann::ordered_json::error_handler_t::replace)
+            << '\n';
+}
+
+}  // namespace xnewell

@@ -1,0 +1,75 @@
+// make_font 6x13-ISO8859-1.pcf.gz font_6x13.cpp: writes the font as a C++ table. Runs when the program
+// is built. A code for which the font has nothing is blank.
+
+#include <ft2build.h>
+#include FT_FREETYPE_H
+
+#include <cstdio>
+#include <cstdlib>
+#include <fstream>
+#include <iostream>
+#include <string>
+
+#include "x11/drawing/font.h"
+
+namespace xnewell {
+
+namespace {
+
+[[noreturn]] void fail(const std::string& what) {
+  std::cerr << "make_font: " << what << '\n';
+  std::exit(1);
+}
+
+/// The glyph's bitmap, put where its origin and the font's ascent say. Precondition: it is loaded.
+Glyph place(const FT_GlyphSlot slot) {
+  Glyph glyph{};
+  const FT_Bitmap& bitmap = slot->bitmap;
+  for (unsigned j = 0; j < bitmap.rows; ++j)
+    for (unsigned i = 0; i < bitmap.width; ++i) {
+      if (!(bitmap.buffer[j * bitmap.pitch + i / 8] >> (7 - i % 8) & 1)) continue;
+      const int x = slot->bitmap_left + static_cast<int>(i);
+      const int y = kGlyphAscent - slot->bitmap_top + static_cast<int>(j);
+      if (x < 0 || x >= kGlyphWidth || y < 0 || y >= kGlyphHeight) fail("a glyph is larger than 6 x 13");
+      glyph[y] = static_cast<std::uint8_t>(glyph[y] | 1 << (kGlyphWidth - 1 - x));
+    }
+  return glyph;
+}
+
+void makeFont(int count, char** arguments) {
+  if (count != 3) fail("usage: make_font FONT.pcf.gz TABLE.cpp");
+  FT_Library library;
+  FT_Face face;
+  if (FT_Init_FreeType(&library)) fail("FreeType does not start");
+  if (FT_New_Face(library, arguments[1], 0, &face))
+    fail(std::string{arguments[1]} + ": FreeType cannot read it");
+  if (face->num_fixed_sizes != 1 || FT_Select_Size(face, 0) || FT_Select_Charmap(face, FT_ENCODING_UNICODE))
+    fail(std::string{arguments[1]} + ": not a bitmap font in ISO 8859-1");
+
+  std::ofstream table{arguments[2]};
+  table << "// Made from the misc-fixed font 6x13 by make_font.cpp.\n"
+           "#include \"x11/drawing/font.h\"\n\n"
+           "namespace xnewell {\n\n"
+           "const std::array<Glyph, 256> kFont6x13{{\n";
+  for (unsigned code = 0; code < 256; ++code) {
+    const unsigned index = FT_Get_Char_Index(face, code);
+    if (!index && code >= 0x20 && code < 0x7F) fail("the font lacks an ASCII character");
+    if (index && FT_Load_Glyph(face, index, FT_LOAD_RENDER | FT_LOAD_MONOCHROME | FT_LOAD_TARGET_MONO))
+      fail("a glyph cannot be loaded");
+    const Glyph glyph = index ? place(face->glyph) : Glyph{};
+    table << "    {";
+    for (const int row : glyph) table << row << ',';
+    table << "},\n";
+  }
+  table << "}};\n\n}  // namespace xnewell\n";
+  table.close();
+  if (!table) fail(std::string{arguments[2]} + ": cannot be written");
+  FT_Done_Face(face);
+  FT_Done_FreeType(library);
+}
+
+}  // namespace
+
+}  // namespace xnewell
+
+int main(int count, char** arguments) { xnewell::makeFont(count, arguments); }

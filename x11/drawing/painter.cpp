@@ -1,0 +1,181 @@
+#include "x11/drawing/painter.h"
+
+#include <algorithm>
+#include <cassert>
+#include <cstdlib>
+#include <string>
+
+#include "x11/drawing/font.h"
+#include "x11/drawing/line_pixels.h"
+
+namespace xnewell {
+
+int textWidth(std::string_view utf8, Voice voice) {
+  return kVoices[static_cast<int>(voice)].pitch * static_cast<int>(latin1(utf8).size());
+}
+
+bool stippled(Stipple stipple, int x, int y) {
+  switch (stipple) {
+    case Stipple::Quarter:
+      return (x + 2 * y) % 4 == 0;
+    case Stipple::Eighth:
+      return y % 2 == 0 && (x + y) % 4 == 0;
+    case Stipple::Diagonals:
+      return (x + y) % 8 == 0;
+  }
+  return false;
+}
+
+Painter Painter::within(const Rect& area) const {
+  Painter inner = *this;
+  inner.clip_ = intersection(clip_, area);
+  return inner;
+}
+
+void Painter::point(int x, int y, std::uint8_t cell) {
+  if (x >= clip_.x && x < clip_.x + clip_.width && y >= clip_.y && y < clip_.y + clip_.height)
+    image_->row(y)[x] = cell;
+}
+
+void Painter::fillRect(const Rect& area, std::uint8_t cell) {
+  const Rect r = intersection(area, clip_);
+  for (int j = r.y; j < r.y + r.height; ++j) std::fill_n(image_->row(j) + r.x, r.width, cell);
+}
+
+void Painter::frame(const Rect& area, std::uint8_t cell) {
+  if (area.width <= 0 || area.height <= 0) return;
+  hline(area.x, area.y, area.width, cell);
+  hline(area.x, area.y + area.height - 1, area.width, cell);
+  vline(area.x, area.y, area.height, cell);
+  vline(area.x + area.width - 1, area.y, area.height, cell);
+}
+
+void Painter::stipple(const Rect& area, Stipple stipple, std::uint8_t cell) {
+  const Rect r = intersection(area, clip_);
+  for (int j = r.y; j < r.y + r.height; ++j)
+    for (int i = r.x; i < r.x + r.width; ++i)
+      if (stippled(stipple, i, j)) image_->row(j)[i] = cell;
+}
+
+// Bresenham 1965, entered where the longer axis enters the clip. After k steps of n the other coordinate is
+// floor(k d / n + 1/2) = floor((2 k d + n) / 2n) from its start: `whole`, and `rest` of 2n.
+void Painter::line(int x0, int y0, int x1, int y1, std::uint8_t cell, const LineStyle& style) {
+  assert(style.thickness >= 1 && style.on >= 1 && style.off >= 0);
+  const bool steep = std::abs(y1 - y0) > std::abs(x1 - x0);
+  forEachPixelOfLine(clip_, x0, y0, x1, y1, [&](int k, int x, int y) {
+    if (k % (style.on + style.off) >= style.on) return;
+    for (int t = 0; t < style.thickness; ++t) {
+      const int beside = t - (style.thickness - 1) / 2;
+      steep ? point(x + beside, y, cell) : point(x, y + beside, cell);
+    }
+  });
+}
+
+namespace {
+
+/// Distances in half pixels, squared: (2i)^2 + (2j)^2 < (2r + 1)^2.
+bool inDisc(int i, int j, int radius) {
+  return radius >= 0 && 4 * (i * i + j * j) < (2 * radius + 1) * (2 * radius + 1);
+}
+
+constexpr std::array<std::string_view, 7> kTick{"      #", "     ##", "    ## ", "#   #",
+                                                "## ## ",  " ###",    "  #"};
+constexpr std::array<std::string_view, 7> kCross{"##    ##", " ##  ##", "  ####",  "   ##",
+                                                 "  ####",   " ##  ##", "##    ##"};
+
+void stamp(Painter& painter, int x, int y, const std::array<std::string_view, 7>& rows, std::uint8_t cell) {
+  for (int j = 0; j < static_cast<int>(rows.size()); ++j)
+    for (int i = 0; i < static_cast<int>(rows[j].size()); ++i)
+      if (rows[j][i] == '#') painter.point(x + i, y + j, cell);
+}
+
+}  // namespace
+
+void Painter::disc(int x, int y, int radius, std::uint8_t cell) {
+  for (int j = -radius; j <= radius; ++j)
+    for (int i = -radius; i <= radius; ++i)
+      if (inDisc(i, j, radius)) point(x + i, y + j, cell);
+}
+
+void Painter::ring(int x, int y, int radius, std::uint8_t cell) {
+  for (int j = -radius; j <= radius; ++j)
+    for (int i = -radius; i <= radius; ++i)
+      if (inDisc(i, j, radius) && !inDisc(i, j, radius - 1)) point(x + i, y + j, cell);
+}
+
+int Painter::text(int x, int baseline, std::string_view utf8, std::uint8_t cell, Voice voice) {
+  const VoiceRow& how = kVoices[static_cast<int>(voice)];
+  const int width = kGlyphWidth * how.scale, top = baseline - kGlyphAscent * how.scale;
+  for (char letter : latin1(utf8)) {
+    if (how.capitals && letter >= 'a' && letter <= 'z') letter = static_cast<char>(letter - 'a' + 'A');
+    const Glyph& glyph = kFont6x13[static_cast<unsigned char>(letter)];
+    DoubledGlyph rows{};
+    if (how.scale == 2)
+      rows = scale2x(glyph);
+    else
+      std::copy(glyph.begin(), glyph.end(), rows.begin());
+    for (int j = 0; j < kGlyphHeight * how.scale; ++j)
+      for (int i = 0; i < width; ++i)
+        if (rows[j] >> (width - 1 - i) & 1) hline(x + i, top + j, how.bold ? 2 : 1, cell);
+    x += how.pitch;
+  }
+  return x;
+}
+
+int Painter::textRight(int right, int baseline, std::string_view utf8, std::uint8_t cell, Voice voice) {
+  const int x = right - textWidth(utf8, voice);
+  text(x, baseline, utf8, cell, voice);
+  return x;
+}
+
+void Painter::tick(int x, int y, std::uint8_t cell) { stamp(*this, x, y, kTick, cell); }
+void Painter::cross(int x, int y, std::uint8_t cell) { stamp(*this, x, y, kCross, cell); }
+
+void Painter::triangle(int x, int y, int depth, Direction to, std::uint8_t cell) {
+  for (int k = 0; k < depth; ++k) {  // k lines from the base, which is the longest
+    const int length = 2 * (depth - k) - 1;
+    switch (to) {
+      case Direction::Left:
+        vline(x + depth - 1 - k, y + k, length, cell);
+        break;
+      case Direction::Right:
+        vline(x + k, y + k, length, cell);
+        break;
+      case Direction::Up:
+        hline(x + k, y + depth - 1 - k, length, cell);
+        break;
+      case Direction::Down:
+        hline(x + k, y + k, length, cell);
+        break;
+    }
+  }
+}
+
+void Painter::keyBlank(const Rect& a, const KeyCapCells& cells) {
+  fillRect({a.x + 1, a.y + 1, a.width - 2, a.height - 2}, cells.face);
+  hline(a.x + 1, a.y, a.width - 2, cells.edge);
+  vline(a.x, a.y + 1, a.height - 2, cells.edge);
+  vline(a.x + a.width - 1, a.y + 1, a.height - 2, cells.edge);
+  hline(a.x + 1, a.y + a.height - 1, a.width - 2, cells.shadow);
+}
+
+int Painter::keyCap(int x, int y, std::string_view name, const KeyCapCells& cells) {
+  const int letters = textWidth(name), width = std::max(kKeyCap, letters + 8);
+  keyBlank({x, y, width, kKeyCap}, cells);
+  text(x + (width - letters + 1) / 2, y + kKeyCapBaseline, name, cells.letter);
+  return width;
+}
+
+int Painter::keyCap(int x, int y, Direction arrow, const KeyCapCells& cells) {
+  constexpr int kDepth = 4, kBase = 2 * kDepth - 1;
+  constexpr int kLeftOfLevel = (kKeyCap - kBase) / 2, kBefore = (kKeyCap - kDepth) / 2;
+  // The room left over is odd: it lies behind the arrow, so that opposite arrows are mirror images.
+  const bool level = arrow == Direction::Left || arrow == Direction::Right;
+  const int ahead = kBefore + (arrow == Direction::Right || arrow == Direction::Down);
+  keyBlank({x, y, kKeyCap, kKeyCap}, cells);
+  triangle(x + (level ? ahead : kLeftOfLevel), y + (level ? kLeftOfLevel : ahead), kDepth, arrow,
+           cells.letter);
+  return kKeyCap;
+}
+
+}  // namespace xnewell

@@ -1,0 +1,60 @@
+#pragma once
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "shading/color/palette.h"
+#include "x11/drawing/painter.h"
+
+namespace xnewell {
+
+/// What a view has found, and why: a sentence each, or more.
+struct Finding {
+  std::string bold, why;
+};
+
+/// Below this height of its body, in pixels, a page of the window stands closer together.
+inline constexpr int kCompactBelow = 560;
+
+/// A sheet of paper for a view of numbers: pictures, titles, paragraphs, tables and findings on the grid of
+/// the window's drawing. Units are pixels; parts are placed by their upper left corner and answer with the y
+/// below them.
+class Sheet {
+ public:
+  static constexpr int kMargin = 16, kGutter = 16;
+  static constexpr int kLine = 16;     ///< from line to line of a paragraph
+  static constexpr int kRow = 18;      ///< of a table
+  static constexpr int kAscent = 11;   ///< from a line's top to its baseline
+  static constexpr int kSection = 28;  ///< of a section's line and name
+  static constexpr int kTitle = 34;
+
+  Sheet(int width, int height, const CellPlan& plan);
+
+  [[nodiscard]] const IndexImage& image() const { return image_; }
+  [[nodiscard]] Painter painter() { return Painter{image_}; }
+  [[nodiscard]] std::uint8_t cell(Cell c) const { return plan_[c]; }
+
+  /// A part of a picture, pixel by pixel.
+  void place(const IndexImage& picture, const Rect& part, int x, int y);
+  int title(int x, int y, std::string_view text);
+  /// A hairline and a name in capitals.
+  int section(int x, int y, int width, std::string_view name);
+  int paragraph(int x, int y, int width, std::string_view text, Cell cell);
+  /// What it is called at the left, values right-aligned where columns end, from x.
+  int tableRow(int x, int y, std::string_view label, const std::vector<std::string>& values,
+               const std::vector<int>& ends, Cell cell = Cell::Ink, Voice voice = Voice::Bold);
+  /// A white box with a bar: the finding in bold, then why.
+  int finding(int x, int y, int width, std::string_view bold, std::string_view why);
+  /// How high that is.
+  [[nodiscard]] static int findingHeight(int width, std::string_view bold, std::string_view why);
+  [[nodiscard]] static int paragraphHeight(int width, std::string_view text);
+
+ private:
+  int lines(int x, int y, int width, std::string_view text, Cell cell, Voice voice);
+
+  IndexImage image_;
+  CellPlan plan_;
+};
+
+}  // namespace xnewell

@@ -1,0 +1,47 @@
+#include "x11/drawing/wording.h"
+
+#include <array>
+#include <charconv>
+#include <cmath>
+
+namespace xnewell {
+
+std::vector<std::string> broken(std::string_view text, int most) {
+  std::vector<std::string> lines;
+  const auto continues = [](char c) { return (static_cast<unsigned char>(c) & 0xC0) == 0x80; };
+  while (!text.empty()) {
+    std::size_t end = 0, space = 0;
+    for (int letters = 0; end < text.size(); ++end) {
+      if (continues(text[end])) continue;
+      if (text[end] == ' ') space = end;
+      if (++letters > most) break;
+    }
+    if (end < text.size() && space > 0) end = space;
+    lines.emplace_back(text.substr(0, end));
+    text.remove_prefix(end);
+    while (text.starts_with(' ')) text.remove_prefix(1);
+  }
+  return lines;
+}
+
+std::string fixed(double value, int decimals) {
+  std::array<char, 400> text;
+  const auto [end, error] =
+      std::to_chars(text.data(), text.data() + text.size(), value, std::chars_format::fixed, decimals);
+  std::string result{text.data(), static_cast<std::size_t>(end - text.data())};
+  if (result.starts_with('-') && result.find_first_not_of("-0.") == std::string::npos) result.erase(0, 1);
+  return result;
+}
+
+std::string grouped(std::int64_t value) {
+  std::string digits = std::to_string(value);
+  const int first = value < 0;
+  for (int at = static_cast<int>(digits.size()) - 3; at > first; at -= 3) digits.insert(at, ",");
+  return digits;
+}
+
+std::string counted(std::int64_t n, std::string_view what) {
+  return (n == 0 ? "no" : grouped(n)) + " " + std::string{what} + (n == 1 ? "" : "s");
+}
+
+}  // namespace xnewell

@@ -1,0 +1,22 @@
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace xnewell {
+
+/// Words and numbers for people.
+
+/// Lines of at most `most` characters, broken at spaces where there are some. UTF-8.
+[[nodiscard]] std::vector<std::string> broken(std::string_view text, int most);
+
+/// With a fixed number of decimals, so that columns align: 0.0042. -0.0 is 0.0.
+[[nodiscard]] std::string fixed(double value, int decimals);
+/// 12,345.
+[[nodiscard]] std::string grouped(std::int64_t value);
+/// `1 cut`, `1,234 cuts`, `no cuts`.
+[[nodiscard]] std::string counted(std::int64_t n, std::string_view what);
+
+}  // namespace xnewell

@@ -1,0 +1,169 @@
+#include "x11/options/options_check.h"
+
+#include <filesystem>
+#include <string>
+
+namespace xnewell {
+
+namespace {
+
+void exclude(bool a, bool b, const std::string& both) {
+  if (a && b) throw UsageError{both + " exclude each other"};
+}
+
+/// Whether two names lead to one file, which is regular or is to be made.
+bool sameFile(const std::string& a, const std::string& b) {
+  namespace fs = std::filesystem;
+  std::error_code missing;
+  if (fs::exists(a, missing)) return fs::is_regular_file(a, missing) && fs::equivalent(a, b, missing);
+  return fs::absolute(a).lexically_normal() == fs::absolute(b).lexically_normal();
+}
+
+void checkEffects(const Options& o) {
+  if (o.cell && o.view != View::Colors) throw UsageError{"--cell goes with --view colours"};
+  if (o.cell && o.wholeWindow) throw UsageError{"--cell and --whole-window exclude each other"};
+  if (o.effects == PaletteEffects{}) return;
+  constexpr std::array<std::string_view, 6> kEffects{"--store", "--turn",   "--gamma",
+                                                     "--bend",  "--rotate", "--lit"};
+  const std::string effect{*std::ranges::find_if(kEffects, [&](auto name) { return o.gave(name); })};
+  if (o.command != Command::Draw && o.command != Command::Snapshot)
+    throw UsageError{effect + " goes with draw and snapshot"};
+  if (o.view != View::Picture && o.view != View::Colors)
+    throw UsageError{effect + " goes with --view picture and colours"};
+  exclude(true, o.wholeWindow, effect + " and --whole-window");
+}
+
+void needsSize(const std::string& view, glm::ivec2 size, glm::ivec2 least) {
+  if (size.x < least.x || size.y < least.y)
+    throw UsageError{view + " needs a --size of at least " + std::to_string(least.x) + "x" +
+                     std::to_string(least.y)};
+}
+
+void checkView(const Options& o) {
+  if (o.scanline && o.view != View::MachBands) throw UsageError{"--scanline goes with --view machbands"};
+  if (o.viewName == "picture") return;
+  const std::string view = "--view " + o.viewName;
+  const bool window = o.command == Command::View || o.wholeWindow;
+  if (o.scanline && window) throw UsageError{"--scanline goes with a view that is drawn without its window"};
+  if (window) return needsSize(view, o.size.value_or(kWindowSize), kLeastWindow);
+  if (o.command != Command::Draw && o.command != Command::Snapshot)
+    throw UsageError{view + " goes with view, draw and snapshot"};
+  if (o.view == View::Picture)
+    throw UsageError{view + " is a view of the window: with view, or with snapshot --whole-window"};
+  const ViewRow& row = rowOf(o.view);
+  needsSize(view, o.size.value_or(kPictureSize), {row.leastWidth, row.leastHeight});
+  if (o.stats || !o.ids.empty())
+    throw UsageError{view + " is more than a picture: --stats and --ids go with --view picture"};
+  if (o.fill == Fill::XFillPolygon)
+    throw UsageError{view + " is filled by the scanline: leave out --fill x11"};
+}
+
+void checkLight(const Options& o) {
+  const Illumination& light = o.picture.light;
+  if (o.gave("--range") && light.attenuation != Attenuation::Linear)
+    throw UsageError{"--range goes with --attenuation linear"};
+  if (o.gave("--coefficients") && light.attenuation != Attenuation::Textbook)
+    throw UsageError{"--coefficients goes with --attenuation textbook"};
+  exclude(o.lightGiven, o.gave("--light-at"), "--light and --light-at");
+}
+
+/// What each command needs and takes.
+void checkCommand(const Options& o) {
+  const bool sceneGiven = o.gave("scene");
+  const bool makesPng = o.command == Command::Draw || o.command == Command::Snapshot;
+  const std::string name{kCommands[static_cast<int>(o.command)].name};
+  const bool traces = o.command == Command::Trace;
+  if ((makesPng || traces) && !sceneGiven) throw UsageError{name + " needs a scene, such as teapot"};
+  if (makesPng && o.output.empty()) throw UsageError{name + " needs -o FILE.png"};
+  constexpr std::array<std::string_view, 8> kOtherPictures{".jpg", ".jpeg", ".gif", ".bmp",
+                                                           ".ppm", ".tif",  ".svg", ".pdf"};
+  for (const std::string_view other : kOtherPictures)
+    if (makesPng && o.output.ends_with(other))
+      throw UsageError{"-o " + o.output + ": pictures are PNG files; call it .png"};
+  if (sceneGiven && o.scene.empty()) throw UsageError{"the scene's name is empty"};
+  const std::filesystem::path path{o.scene};
+  if (o.commandMeant && !isBuiltIn(o.scene) && path.extension().empty() && !std::filesystem::exists(path))
+    throw UsageError{o.scene +
+                     ": no command and no built-in scene of that name; `xnewell --help` lists the commands, "
+                     "`xnewell scenes` the scenes"};
+  const bool lesson = o.command == Command::Lesson;
+  if (lesson) {
+    constexpr std::array<std::string_view, 6> kTaken{"scene",    "--size",     "--frames",
+                                                     "--visual", "--colormap", "--nearest"};
+    for (const std::string& option : o.given)
+      if (std::ranges::find(kTaken, option) == kTaken.end())
+        throw UsageError{option + " does not go with lesson: a lesson says itself how its steps are drawn"};
+    if (!o.frames.empty() && !sceneGiven) throw UsageError{"--frames needs a lesson's name"};
+    const glm::ivec2 size = o.size.value_or(kWindowSize);
+    if (size.x < kLeastWindow.x || size.y < kLeastWindow.y)
+      throw UsageError{"a lesson needs a --size of at least 800x600"};
+  }
+  if (sceneGiven && !makesPng && !traces && !lesson && o.command != Command::View)
+    throw UsageError{name + " takes no scene"};
+  if (!makesPng && !o.output.empty()) throw UsageError{"-o goes with draw and snapshot"};
+  if (!makesPng && (o.stats || !o.ids.empty()))
+    throw UsageError{"--stats and --ids go with draw and snapshot"};
+  const bool file = !isBuiltIn(o.scene);
+  for (const std::string* made : {&o.output, &o.ids})
+    if (file && !made->empty() && sameFile(*made, o.scene))
+      throw UsageError{"-o and --ids must not name the scene's own file: it would be lost"};
+  if (!o.ids.empty() && sameFile(o.ids, o.output)) throw UsageError{"-o and --ids name the same file"};
+  const bool stepper = traces && !o.frames.empty();
+  if (o.wholeWindow && o.command != Command::Snapshot && !stepper)
+    throw UsageError{"--whole-window goes with snapshot and with trace --frames"};
+  exclude(o.quick, o.wholeWindow, "--quick and --whole-window");
+  const glm::ivec2 window = o.size.value_or(kWindowSize);
+  if (stepper && o.wholeWindow && (window.x < kLeastWindow.x || window.y < kLeastWindow.y))
+    throw UsageError{"the stepper needs a --size of at least 800x600"};
+  if (!traces && o.quick) throw UsageError{"--quick goes with trace"};
+  if (!traces && !lesson && !o.frames.empty()) throw UsageError{"--frames goes with trace and lesson"};
+  if (traces && o.picture.order != Order::Newell)
+    throw UsageError{"trace follows the depth sort: no --order but newell"};
+  if (o.gave("--every") && o.frames.empty()) throw UsageError{"--every goes with --frames"};
+  exclude(o.wholeWindow, !o.ids.empty(), "--whole-window and --ids");
+  const bool serverless =
+      o.command == Command::Draw || traces || o.command == Command::Scenes || (lesson && !o.frames.empty());
+  if (serverless && !o.visual.empty()) throw UsageError{"--visual goes with view, snapshot and visuals"};
+  if (serverless && (o.colormap != MapOwner::Private || o.nearest))
+    throw UsageError{"--colormap shared and --nearest go with view and snapshot: they need a server"};
+}
+
+/// What shading, order and filler ask of each other.
+void checkMethods(const Options& o) {
+  const bool serverFills = o.fill == Fill::XFillPolygon;
+  if (serverFills && (o.command == Command::Trace || o.command == Command::Draw))
+    throw UsageError{"--fill x11 needs a server: use snapshot"};
+  if (serverFills && rowOf(o.picture.shading).interpolates)
+    throw UsageError{"--fill x11 gives a polygon one cell: use --shade none, depth or flat"};
+  if (!o.texture.empty() && (!rowOf(o.picture.shading).lit || o.picture.shading == Shading::Environment))
+    throw UsageError{"--texture goes with --shade flat, gouraud and phong"};
+  if (serverFills && !o.texture.empty())
+    throw UsageError{"--fill x11 gives a polygon one cell: it shows no --texture"};
+  if (serverFills && o.picture.order == Order::Oracle)
+    throw UsageError{
+        "--order oracle decides each sample by itself: there is no polygon for --fill x11 to fill"};
+  if (o.gave("--adapt") && o.picture.shading != Shading::Flat && o.picture.shading != Shading::Gouraud)
+    throw UsageError{"--adapt goes with --shade flat and gouraud"};
+}
+
+void checkCamera(const CameraSettings& c) {
+  exclude(c.eye.has_value(), c.vpn || c.prp, "--eye and the textbook's --vpn, --prp");
+  exclude(c.lookAt.has_value(), c.vrp.has_value(), "--look-at and --vrp");
+  exclude(c.up.has_value(), c.vup.has_value(), "--up and --vup");
+  exclude(c.fov.has_value(), c.window.has_value(), "--fov and --view-window");
+  if (c.fov && (c.parallel || c.oblique))
+    throw UsageError{"--fov is for perspective: leave out --parallel and --oblique"};
+}
+
+}  // namespace
+
+void checkTogether(const Options& o) {
+  checkLight(o);
+  checkCommand(o);
+  checkMethods(o);
+  checkCamera(o.picture.camera);
+  checkView(o);
+  checkEffects(o);
+}
+
+}  // namespace xnewell

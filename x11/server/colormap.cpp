@@ -1,0 +1,333 @@
+#include "x11/server/colormap.h"
+
+#include <X11/Xutil.h>
+
+#include <algorithm>
+#include <glm/geometric.hpp>
+#include <memory>
+#include <utility>
+#include <vector>
+
+namespace xnewell {
+
+namespace {
+
+constexpr int kCellCount = 256;
+/// Where a picture has several hues they are taken to be these: red, yellow, green, cyan, blue, magenta.
+constexpr int kPureHues = 6;
+
+Visual* findVisual(Display* display, unsigned long id) {
+  XVisualInfo wanted{};
+  wanted.visualid = id;
+  int count = 0;
+  const std::unique_ptr<XVisualInfo, int (*)(void*)> found{
+      XGetVisualInfo(display, VisualIDMask, &wanted, &count), XFree};
+  if (count == 0) throw X11Error("the X server has no such visual any more");
+  return found->visual;
+}
+
+std::vector<Rgb16> readColors(Display* display, Colormap map, const VisualInfo& visual,
+                              const std::vector<unsigned long>& pixels) {
+  std::vector<XColor> cells(pixels.size());
+  for (std::size_t k = 0; k < cells.size(); ++k) cells[k].pixel = visual.withoutAlpha(pixels[k]);
+  ErrorTrap trap{display};
+  XQueryColors(display, map, cells.data(), static_cast<int>(cells.size()));
+  trap.check();
+  // Xlib keeps a BadAlloc here to itself; but where it has an answer, it says which parts are in it.
+  if (cells[0].flags == 0) throw X11Error("X_QueryColors: the X server does not tell its colours");
+  std::vector<Rgb16> colors(cells.size());
+  std::ranges::transform(cells, colors.begin(), [](const XColor& c) {
+    return Rgb16{c.red, c.green, c.blue};
+  });
+  return colors;
+}
+
+XColor cellHolding(unsigned long pixel, Rgb16 color, int channels = DoRed | DoGreen | DoBlue) {
+  return {.pixel = pixel,
+          .red = color.r,
+          .green = color.g,
+          .blue = color.b,
+          .flags = static_cast<char>(channels),
+          .pad = 0};
+}
+
+/// Where an index has the colour that the plan gives the interface there.
+std::array<std::optional<Cell>, kCellCount> interfaceCells(const Palette& palette, const CellPlan& plan) {
+  const Palette its = withInterface(palette, plan);
+  std::array<std::optional<Cell>, kCellCount> cells;
+  for (int role = 0; role < kCells; ++role)
+    if (const int i = plan[static_cast<Cell>(role)]; palette[i] == its[i]) cells[i] = static_cast<Cell>(role);
+  return cells;
+}
+
+}  // namespace
+
+ServerColormap::ServerColormap(Display* display, const VisualChoice& choice, const Settings& settings)
+    : display_{display},
+      screen_{DefaultScreen(display)},
+      visual_{choice.visual},
+      xVisual_{findVisual(display, choice.visual.id)},
+      settings_{settings} {
+  const bool writable = visual_.writable(), sharing = writable && settings.owner == MapOwner::Shared;
+  // Cells are taken one by one of a map that is not ours alone, and of one that has too few for all.
+  const bool byCell = sharing || (writable && !visual_.hasChannels() && !visual_.holdsTable());
+  ErrorTrap trap{display};
+  if (!sharing && (writable || xVisual_ != DefaultVisual(display, screen_))) {
+    OwnedColormap made{display, XCreateColormap(display, RootWindow(display, screen_), xVisual_,
+                                                writable && !byCell ? AllocAll : AllocNone)};
+    try {
+      trap.check();
+    } catch (const X11Error& e) {
+      throw NoColormapError{e.what()};
+    }
+    own_ = std::move(made);
+  }
+  if (sharing && visual_.hasChannels() && !visual_.holdsTable()) {
+    shared_ = std::make_unique<SharedCells>(display, id(), visual_, 0);
+    fixed_.emplace(shared_->levels(), visual_.alphaMask());
+  } else if (byCell) {
+    takeShades();
+  } else if (visual_.holdsTable()) {
+    has_ = Own::Everything;
+    useEveryCell();
+  } else if (!visual_.exact()) {
+    offerFixedColors();
+  }
+  store(unneeded_);
+  trap.check();
+}
+
+void ServerColormap::takeShades() {
+  shared_.reset();  // what was taken before is free again
+  shared_ = std::make_unique<SharedCells>(display_, id(), visual_, settings_.shades);
+  found_ = static_cast<int>(shared_->ramp().size());
+  if (mixingShowsMore()) shared_->giveRampBack();
+  has_ = shared_->ramp().empty() ? Own::Nothing : Own::Ramp;
+}
+
+void ServerColormap::reconsider(bool severalHues) {
+  if (std::exchange(settings_.severalHues, severalHues) == severalHues || !shared_ || fixed_) return;
+  takeShades();
+  lookedUp_.reset();
+  tool_.reset();
+  stored_.fill({});
+}
+
+void ServerColormap::useEveryCell() {
+  std::array<unsigned long, kCellCount> pixels;
+  for (int i = 0; i < kCellCount; ++i) pixels[i] = pixelOfCell(visual_, i);
+  table_ = PixelTable{pixels};
+  if (!identity() || DefaultDepth(display_, screen_) != 8) return;
+  std::ranges::copy(
+      readColors(display_, DefaultColormap(display_, screen_), visual_, {pixels.begin(), pixels.end()}),
+      unneeded_.begin());
+}
+
+bool ServerColormap::mixingShowsMore() const {
+  const bool several = settings_.severalHues && !visual_.gray();
+  const int shades = several ? found_ / kPureHues : found_;
+  // Mixing has no more than 65 levels between two colours; and to ask for the colours takes many round trips.
+  if (found_ == 0 || found_ == settings_.shades || shades > 65) return false;
+  const std::vector<OfferedColor> held = shared_->held();
+  if (held.empty()) return false;
+  const OfferedColors offered{held};
+  double mixing = 0, ramp = 0;
+  for (int corner = visual_.gray() ? 7 : 1; corner <= 7; ++corner) {
+    const glm::ivec3 hue{corner & 1, corner >> 1 & 1, corner >> 2 & 1};
+    for (int value = 0; value < 256; value += 17) {
+      mixing += offered.miss(hue * value, settings_.dither);
+      // Equally spaced, the nearest shade is on average a quarter of a step away.
+      ramp += glm::length(glm::dvec3{hue}) * 255.0 / (4.0 * std::max(shades - 1, 1));
+    }
+  }
+  return mixing < ramp;
+}
+
+void ServerColormap::offerFixedColors() {
+  if (visual_.writable()) fillEvenly();
+  const PixelColors shown{display_, id(), visual_};
+  if (visual_.hasChannels()) {
+    fixed_.emplace(visual_.masks, visual_.alphaMask(), shown);
+    return;
+  }
+  std::vector<OfferedColor> list;
+  for (int k = 0; k < visual_.cells; ++k)
+    list.push_back({static_cast<unsigned long>(k), eightBits(seen(shown(k)))});
+  fixed_.emplace(std::move(list));
+}
+
+void ServerColormap::fillEvenly() {
+  std::vector<XColor> cells;
+  const ChannelMasks& masks = visual_.masks;
+  for (int k = 0; k < visual_.cells; ++k) {
+    const auto has = [&](unsigned long mask) { return k < static_cast<int>(levelsOf(mask)); };
+    const auto level = [&](unsigned long mask) {
+      return static_cast<std::uint16_t>(has(mask) ? k * 65535ul / (levelsOf(mask) - 1) : 0);
+    };
+    cells.push_back(cellHolding(
+        pixelOfCell(visual_, k), {level(masks.red), level(masks.green), level(masks.blue)},
+        (has(masks.red) ? DoRed : 0) | (has(masks.green) ? DoGreen : 0) | (has(masks.blue) ? DoBlue : 0)));
+  }
+  XStoreColors(display_, id(), cells.data(), static_cast<int>(cells.size()));
+}
+
+int ServerColormap::mostShades() const {
+  return has_ == Own::Ramp ? static_cast<int>(shared_->ramp().size()) : kMaxShades;
+}
+
+std::string ServerColormap::account() const {
+  const std::string map = visual_.name() + (own_.get() ? ", private map, " : ", shared map, ");
+  if (has_ == Own::Everything) return map + "256 of 256 cells";
+  if (has_ == Own::Ramp)
+    return map + std::to_string(mostShades()) + " of " + std::to_string(settings_.shades) + " shades";
+  const std::string emulated = visual_.holdsColors() ? ", table emulated"
+                               : settings_.dither    ? ", colours mixed"
+                                                     : ", nearest colours";
+  if (!shared_) return visual_.name() + emulated;
+  if (fixed_) return map + std::to_string(fixed_->size()) + " colours" + (settings_.dither ? ", mixed" : "");
+  return map + (found_ > 0 ? "too few cells free" : "no cell free") + emulated;
+}
+
+std::string ServerColormap::shortfall() const {
+  const std::string its = "the " + std::string{own_.get() ? "" : "default "} + "colormap";
+  if (shared_ && found_ > 0 && found_ < settings_.shades) {
+    const std::string has = its + " has free cells for " + std::to_string(found_) + " of " +
+                            std::to_string(settings_.shades) + " shades";
+    return has_ == Own::Ramp ? has : has + ", and " + instead() + ", which shows more";
+  }
+  if (shared_ && fixed_)
+    return its + " has levels for " + std::to_string(fixed_->size()) +
+           " colours and no ramp of shades: " + instead();
+  if (shared_ && has_ == Own::Nothing) return its + " has no free cells for a ramp of shades: " + instead();
+  if (!shared_ && settings_.owner == MapOwner::Shared)
+    return "the default colormap, of " + visual_.name() + ", is not writable: the colour table is emulated";
+  return "";
+}
+
+std::string ServerColormap::instead() const {
+  return settings_.dither ? "its colours are mixed" : "the nearest of its colours are shown";
+}
+
+CellPlan ServerColormap::plan(TableKind table) const {
+  if (!identity() || DefaultDepth(display_, screen_) != 8) return CellPlan{table};
+  return CellPlan{table, static_cast<int>(BlackPixel(display_, screen_)),
+                  static_cast<int>(WhitePixel(display_, screen_))};
+}
+
+ServerColormap::OwnCells ServerColormap::ownCells(const CellPlan& plan) const {
+  OwnCells own;
+  if (has_ == Own::Everything) std::ranges::copy(pixels(), own.begin());
+  if (has_ != Own::Ramp) return own;
+  std::array<bool, kCellCount> tools{};
+  for (int role = 0; role < kCells; ++role) tools[plan[static_cast<Cell>(role)]] = true;
+  auto next = shared_->ramp().begin();
+  for (int i = 0; i < kCellCount && next != shared_->ramp().end(); ++i)
+    if (!tools[i]) own[i] = *next++;
+  return own;
+}
+
+OfferedColors ServerColormap::offered(const Palette& palette, const OwnCells& own) const {
+  if (fixed_) return *fixed_;
+  std::vector<OfferedColor> list = shared_->held();
+  for (int i = 0; i < kCellCount; ++i)
+    if (own[i]) list.push_back({*own[i], eightBits(seen(palette[i]))});
+  if (list.empty()) list.push_back({BlackPixel(display_, screen_), glm::ivec3{0}});
+  return OfferedColors{std::move(list)};
+}
+
+const ToolColors& ServerColormap::toolColors() {
+  if (tool_) return *tool_;
+  const CellPlan plan;
+  const Palette colors = withInterface({}, plan);
+  std::array<glm::ivec3, kCells> wanted;
+  std::array<std::optional<OfferedColor>, kCells> has;
+  for (int role = 0; role < kCells; ++role) {
+    const Cell cell = static_cast<Cell>(role);
+    wanted[role] = eightBits(seen(colors[plan[cell]]));
+    if (!shared_) continue;
+    if (const std::optional<unsigned long> pixel = shared_->interfaceCell(cell))
+      has[role] = OfferedColor{*pixel, wanted[role]};
+  }
+  // To ask for what others hold takes many round trips.
+  const bool settled = std::ranges::all_of(has, [](const auto& cell) { return cell.has_value(); });
+  return tool_.emplace(chooseToolColors(settled ? OfferedColors{{}} : offered({}, {}), wanted, has));
+}
+
+bool ServerColormap::lookUp(const Palette& palette, const CellPlan& plan) {
+  const LookedUp now{palette, plan};
+  if (has_ == Own::Everything || lookedUp_ == now) return false;
+  const OwnCells own = ownCells(plan);
+  const auto interface = interfaceCells(palette, plan);
+  PixelTable next;
+  std::optional<OfferedColors> all;
+  for (int i = 0; i < kCellCount; ++i) {
+    const Rgb16 color = seen(palette[i]);
+    std::optional<unsigned long> pixel = own[i];
+    if (!pixel && visual_.exact()) pixel = pixelOf(color, visual_.masks) | visual_.alphaMask();
+    if (!pixel && shared_ && color == Rgb16{}) pixel = shared_->interfaceCell(Cell::Black);
+    // The tool not by a shade of ours, which would change with the hue.
+    if (!pixel && interface[i]) pixel = toolColors()[static_cast<int>(*interface[i])].pixel;
+    if (pixel) {
+      next.set(i, *pixel);
+      continue;
+    }
+    if (!all) all.emplace(offered(palette, own));
+    const unsigned long nearest = all->nearest(eightBits(color)).pixel;
+    if (settings_.dither)
+      next.set(i, nearest, all->mixture(eightBits(color)));
+    else
+      next.set(i, nearest);
+  }
+  const bool again = next != table_;
+  table_ = std::move(next);
+  lookedUp_ = now;
+  return again;
+}
+
+bool ServerColormap::store(const Palette& palette, const CellPlan& plan) {
+  const bool again = lookUp(palette, plan);
+  const OwnCells own = ownCells(plan);
+  std::vector<XColor> changed;
+  for (int i = 0; i < kCellCount; ++i) {
+    const Stored now{own[i].value_or(0), seen(palette[i])};
+    if (!own[i] || stored_[i] == now) continue;
+    changed.push_back(cellHolding(now.pixel, now.color));
+    stored_[i] = now;
+  }
+  if (!changed.empty()) XStoreColors(display_, id(), changed.data(), static_cast<int>(changed.size()));
+  return again;
+}
+
+Palette ServerColormap::shown() const {
+  const PixelColors colors{display_, id(), visual_};
+  Palette palette;
+  std::ranges::transform(pixels(), palette.begin(), colors);
+  return palette;
+}
+
+bool ServerColormap::installed() const {
+  int count = 0;
+  const std::unique_ptr<Colormap[], int (*)(void*)> maps{
+      XListInstalledColormaps(display_, RootWindow(display_, screen_), &count), XFree};
+  return std::find(maps.get(), maps.get() + count, id()) != maps.get() + count;
+}
+
+void ServerColormap::installUnlessManaged() {
+  if (own_.get() && !windowManagerRuns(display_)) XInstallColormap(display_, id());
+}
+
+PixelColors::PixelColors(Display* display, Colormap map, const VisualInfo& visual) : masks_{visual.masks} {
+  const unsigned long all = (1ul << visual.depth) - 1;
+  if (!visual.hasChannels()) masks_ = {all, all, all};
+  std::vector<unsigned long> pixels(visual.cells);
+  for (int k = 0; k < visual.cells; ++k) pixels[k] = pixelOfCell(visual, k);
+  cells_ = readColors(display, map, visual, pixels);
+}
+
+bool windowManagerRuns(Display* display) {
+  XWindowAttributes root{};
+  XGetWindowAttributes(display, DefaultRootWindow(display), &root);
+  return (root.all_event_masks & SubstructureRedirectMask) != 0;
+}
+
+}  // namespace xnewell

@@ -1,0 +1,126 @@
+#include "x11/server/display.h"
+
+#include <X11/Xutil.h>
+#include <unistd.h>
+
+#include <array>
+#include <csignal>
+#include <cstdio>
+#include <cstdlib>
+#include <memory>
+
+namespace xnewell {
+
+namespace {
+
+ErrorTrap* innermost = nullptr;
+int strays = 0;
+int standardError = STDERR_FILENO;  ///< where our own messages go
+
+void tell(const std::string& what) { dprintf(standardError, "xnewell: %s\n", what.c_str()); }
+
+/// "X_PutImage"; for an extension's request "MIT-SHM.3", or "request 130.3" where we may not ask the server.
+std::string requestName(Display* display, int major, int minor, bool mayAsk) {
+  const std::string number = std::to_string(major);
+  std::array<char, 128> text{};
+  XGetErrorDatabaseText(display, "XRequest", number.c_str(), "", text.data(), text.size());
+  if (text[0] != '\0') return text.data();
+  std::string extension = "request " + number;
+  int count = 0;
+  char** names = mayAsk ? XListExtensions(display, &count) : nullptr;
+  for (int i = 0; i < count; ++i) {
+    int opcode = 0, event = 0, error = 0;
+    if (XQueryExtension(display, names[i], &opcode, &event, &error) && opcode == major) extension = names[i];
+  }
+  if (names != nullptr) XFreeExtensionList(names);
+  return extension + "." + std::to_string(minor);
+}
+
+std::string describe(Display* display, const XErrorEvent& error, bool mayAsk) {
+  std::array<char, 256> text{};
+  XGetErrorText(display, error.error_code, text.data(), text.size());
+  return requestName(display, error.request_code, error.minor_code, mayAsk) + ": " + text.data();
+}
+
+int onServerGone(Display* display) {
+  std::fflush(stdout);
+  tell(std::string{"the X server of display '"} + DisplayString(display) + "' has gone");
+  std::_Exit(1);
+}
+
+struct FileCloser {
+  void operator()(std::FILE* file) const { std::fclose(file); }
+};
+
+/// Opens a display, and gives what the libraries meanwhile write to standard error: a server that refuses us
+/// says why, and libxcb passes that on nowhere else.
+OwnedDisplay open(const std::string& name, std::string& said) {
+  const std::unique_ptr<std::FILE, FileCloser> aside{std::tmpfile()};
+  const int copy = aside ? dup(STDERR_FILENO) : -1;
+  if (copy < 0) return OwnedDisplay{XOpenDisplay(name.c_str())};
+  dup2(fileno(aside.get()), STDERR_FILENO);
+  standardError = copy;
+  OwnedDisplay display{XOpenDisplay(name.c_str())};
+  standardError = dup2(copy, STDERR_FILENO);
+  close(copy);
+  std::rewind(aside.get());
+  for (int c; (c = std::fgetc(aside.get())) != EOF;) said += static_cast<char>(c);
+  while (!said.empty() && said.back() == '\n') said.pop_back();
+  return display;
+}
+
+}  // namespace
+
+/// Called by Xlib while it reads the server's answers: must not make requests, must not throw.
+int onError(Display* display, XErrorEvent* error) {
+  for (ErrorTrap* trap = innermost; trap != nullptr; trap = trap->outer_) {
+    if (trap->display_ != display || error->serial < trap->from_) continue;
+    if (!trap->first_) trap->first_ = *error;
+    return 0;
+  }
+  if (++strays <= kToldErrors) tell(describe(display, *error, /*mayAsk=*/false));
+  return 0;
+}
+
+OwnedDisplay openDisplay(const std::string& name) {
+  XInitThreads();                 // long_work.h: a scene that is opened meanwhile asks for its cells
+  std::signal(SIGPIPE, SIG_IGN);  // a broken connection is onServerGone()'s
+  XSetErrorHandler(onError);
+  XSetIOErrorHandler(onServerGone);
+  const std::string used = XDisplayName(name.empty() ? nullptr : name.c_str());
+  if (used.empty()) throw X11Error("no DISPLAY is set: start an X server, or name one, as in DISPLAY=:0");
+  std::string said;
+  OwnedDisplay display = open(used, said);
+  if (!display) throw X11Error("cannot open display '" + used + "'" + (said.empty() ? "" : ": " + said));
+  if (!said.empty()) tell(said);
+  return display;
+}
+
+int strayErrors() { return strays; }
+
+void ImageDestroyer::operator()(XImage* image) const { XDestroyImage(image); }
+
+ErrorTrap::ErrorTrap(Display* display)
+    : display_{display}, outer_{innermost}, from_{NextRequest(display)}, synced_{from_} {
+  innermost = this;
+}
+
+ErrorTrap::~ErrorTrap() {
+  sync();
+  innermost = outer_;
+}
+
+void ErrorTrap::sync() {
+  if (NextRequest(display_) == synced_) return;
+  XSync(display_, 0);
+  synced_ = NextRequest(display_);
+}
+
+void ErrorTrap::check() {
+  sync();
+  if (!first_) return;
+  const XErrorEvent error = *std::exchange(first_, std::nullopt);
+  throw X11Error(describe(display_, error, /*mayAsk=*/true));
+}
+
+}  // namespace xnewell

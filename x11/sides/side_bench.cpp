@@ -1,0 +1,403 @@
+#include "x11/sides/side_bench.h"
+
+#include <algorithm>
+
+#include "geometry/view/view.h"
+#include "x11/drawing/wording.h"
+
+namespace xnewell {
+
+namespace {
+
+/// A scene is opened whole, so that its points tell it.
+bool isSame(const Scene& a, const Scene& b) {
+  return a.name == b.name && a.mesh.points == b.mesh.points && a.mesh.corners == b.mesh.corners;
+}
+
+bool isExact(Order order) { return order == Order::Newell || order == Order::Oracle; }
+
+/// What makes a lesson beside A: the order that is exact, or one that is not.
+Setup lessonBeside(const Setup& A) {
+  Setup B = A;
+  B.picture.order = isExact(A.picture.order) ? Order::ZSort : Order::Newell;
+  return B;
+}
+
+/// B's member follows A's if both had the same.
+template <class Member>
+void follow(Member& b, const Member& before, const Member& now) {
+  if (b == before) b = now;
+}
+
+}  // namespace
+
+const std::array<PairRow, 4> kPairs{{
+    {"z-sort | Newell", Unlike::Face,
+     [](PictureSettings& A, PictureSettings& B) { A.order = Order::ZSort, B.order = Order::Newell; }},
+    {"flat | Gouraud", Unlike::Intensity,
+     [](PictureSettings& A, PictureSettings& B) { A.shading = Shading::Flat, B.shading = Shading::Gouraud; }},
+    {"Gouraud | Phong", Unlike::Intensity,
+     [](PictureSettings& A, PictureSettings& B) {
+       A.shading = Shading::Gouraud, B.shading = Shading::Phong;
+     }},
+    {"linear | corrected", Unlike::Color,
+     [](PictureSettings& A, PictureSettings& B) {
+       A.table.kind = TableKind::Linear, B.table.kind = TableKind::Corrected;
+     }},
+}};
+
+Setup SideBench::beside(const Setup& A) const {
+  if (!a_ || !b_) return lessonBeside(A);
+  Setup B = *b_;
+  const PictureSettings &before = a_->picture, &now = A.picture;
+  PictureSettings& b = B.picture;
+  b.width = now.width, b.height = now.height;
+  b.camera = now.camera;
+  B.fill = A.fill;
+  (void)keepFillable(B);
+  if (!joins_) return B;
+  const auto all = [&](auto... member) { (xnewell::follow(b.*member, before.*member, now.*member), ...); };
+  using P = PictureSettings;
+  all(&P::shading, &P::normals, &P::crease, &P::polygons, &P::adapt, &P::environment, &P::mapping, &P::order,
+      &P::cull, &P::colors, &P::dither);
+  const auto light = [&](auto... member) {
+    (xnewell::follow(b.light.*member, before.light.*member, now.light.*member), ...);
+  };
+  using L = Illumination;
+  light(&L::Ia, &L::Ip, &L::ka, &L::kd, &L::ks, &L::n, &L::light, &L::lightPosition, &L::attenuation,
+        &L::range, &L::c, &L::form, &L::constantL, &L::constantV, &L::twoSided);
+  const auto table = [&](auto... member) {
+    (xnewell::follow(b.table.*member, before.table.*member, now.table.*member), ...);
+  };
+  using T = TableSettings;
+  table(&T::kind, &T::shades, &T::I0, &T::pick, &T::hue, &T::bits, &T::first, &T::low, &T::high);
+  // Each thumb of the bar follows alone; together they stay within it.
+  if (b.light.Ia + b.light.Ip > 1.0) setIp(B, 1.0 - b.light.Ia);
+  return B;
+}
+
+void SideBench::follow(const Setup& A) {
+  b_ = beside(A);
+  a_ = A;
+  joins_ = false;
+}
+
+void SideBench::remember(Changed changed, char control, const Setup& A) {
+  if (!before_.empty() && before_.back().changed == changed && before_.back().control == control &&
+      changed != Changed::Both)
+    before_.back().A = A;
+  else
+    before_.push_back({changed, control, A, *b_});
+}
+
+void SideBench::change(char control, const Setup& A, const std::function<void(Setup&)>& edit) {
+  Setup next = focus_ == 'A' ? A : *b_;
+  edit(next);
+  (void)keepFillable(next);
+  if (next == (focus_ == 'A' ? A : *b_)) return;
+  if (focus_ == 'A') {
+    remember(Changed::A, control, next);
+    host_->change(control, edit);
+  } else {
+    remember(Changed::B, control, A);
+    b_ = next;
+  }
+}
+
+void SideBench::swap(const Setup& A) {
+  const Setup B = *b_;
+  remember(Changed::Both, 'x', B);
+  b_ = A;
+  host_->change('x', [&](Setup& s) { s = B; });
+}
+
+void SideBench::nextPair(const Setup& A) {
+  Setup nextA = A, nextB = A;
+  const PairRow* row = nullptr;
+  do {  // what is shown already, this way round or the other, is no news
+    row = &kPairs[pair_];
+    pair_ = (pair_ + 1) % kPairs.size();
+    nextA = nextB = A;
+    row->set(nextA.picture, nextB.picture);
+    (void)keepFillable(nextA), (void)keepFillable(nextB);
+  } while ((nextA == A && nextB == *b_) || (nextA == *b_ && nextB == A));
+  kind_ = row->shows;
+  place_ = 0;
+  remember(Changed::Both, 'g', nextA);
+  b_ = nextB;
+  host_->change('g', [&](Setup& s) { s = nextA; });
+  host_->tell("A and B are " + std::string{row->name} +
+              "; all else is A's, which is the picture of view 1. u takes it back.");
+}
+
+bool SideBench::undo(const Setup& A) {
+  if (before_.empty()) return false;
+  const Before last = before_.back();
+  if (last.changed != Changed::B && A != last.A) return false;  // the window has changed something since
+  before_.pop_back();
+  b_ = last.B;
+  return last.changed == Changed::B;
+}
+
+bool SideBench::pressArrow(int steps, const Setup& A) {
+  if (!slider_) return false;
+  const auto* const row = std::ranges::find(kSliders, slider_, &SliderRow::key);
+  const Setup& of = focus_ == 'A' ? A : *b_;
+  if (!row->enabled(of)) {
+    host_->notify(std::string{row->label} + " does nothing in " + focus_ + " as it is set up.");
+    return true;
+  }
+  change(slider_, A, [&](Setup& s) { step(s, *row, steps); });
+  return true;
+}
+
+bool SideBench::pressControl(char letter, const Setup& A) {
+  if (letter == 'F') {
+    host_->notify("Both pictures are filled by the program's own scanline here.");
+    return true;
+  }
+  for (const ChoiceRow& row : choices())
+    if (row.key == letter) {
+      const auto next = [&](Setup& s) {
+        row.set(s, (row.get(s) + 1) % static_cast<int>(row.options.size()));
+      };
+      if (letter == 'P')  // one camera for both
+        choose(*host_, row, (row.get(A) + 1) % static_cast<int>(row.options.size()));
+      else
+        change(letter, A, next);
+      return true;
+    }
+  for (const ToggleRow& row : kToggles)
+    if (row.key == letter) {
+      change(letter, A, [&](Setup& s) { s.picture.light.*row.value = !(s.picture.light.*row.value); });
+      return true;
+    }
+  if (letter == 'H') return change('H', A, nextHue), true;
+  if (std::ranges::find(kSliders, letter, &SliderRow::key) == kSliders.end()) return false;
+  slider_ = letter;
+  return true;
+}
+
+bool SideBench::press(const Key& key, const Setup& setup) {
+  follow(setup);
+  const int times = key.shift ? 10 : 1;
+  switch (key.name) {
+    case NamedKey::Space:
+      return blinking_ = !blinking_, true;
+    case NamedKey::Left:
+    case NamedKey::Down:
+      return pressArrow(-times, setup);
+    case NamedKey::Right:
+    case NamedKey::Up:
+      return pressArrow(times, setup);
+    case NamedKey::Tab:
+      return focus_ = focus_ == 'A' ? 'B' : 'A', true;
+    case NamedKey::Escape:
+      blinking_ = false, slider_ = 0;
+      return true;
+    case NamedKey::Letter:
+      break;
+    default:
+      return false;
+  }
+  switch (key.letter) {
+    case 'A':
+    case 'B':
+      return focus_ = key.letter, true;
+    case 'x':
+      return swap(setup), true;
+    case 'g':
+      return nextPair(setup), true;
+    case 'n':
+      place_ = places_.empty() ? 0 : (place_ + 1) % static_cast<int>(places_.size());
+      if (places_.empty()) host_->notify("Nothing differs: there is no place to go to.");
+      return true;
+    case 'f':
+      kind_ = kUnlikes[(static_cast<std::size_t>(kind_) + 1) % kUnlikes.size()].id;
+      place_ = 0;
+      if (kind_ == Unlike::Intensity && noIntensities_) {
+        kind_ = Unlike::Color;
+        host_->notify("Cells that hold single colours stand for no intensity.");
+      }
+      return true;
+    case 'u':
+      return undo(setup);
+    case 't':
+    case 'z':
+      slider_ = 0;
+      return false;
+    default:
+      return pressControl(key.letter, setup);
+  }
+}
+
+bool SideBench::grab(int x, int y) {
+  if (at_.captionA.has(x, y)) focus_ = 'A';
+  if (at_.captionB.has(x, y)) focus_ = 'B';
+  const Rect kinds{at_.difference.x, at_.sections.y + 3, at_.difference.width, 20};
+  if (kinds.has(x, y)) (void)press({NamedKey::Letter, 'f'}, host_->setup());
+  const Rect pairs{at_.numbers.x, at_.numbers.y + at_.numbers.height - 18, at_.numbers.width, 18};
+  if (pairs.has(x, y)) (void)press({NamedKey::Letter, 'g'}, host_->setup());
+  if (at_.difference.has(x, y)) (void)press({NamedKey::Letter, 'n'}, host_->setup());
+  x_ = x, y_ = y;
+  return at_.A.has(x, y) || at_.B.has(x, y);
+}
+
+void SideBench::dragTo(int x, int y) {
+  if (x == x_ && y == y_) return;
+  turn(*host_, host_->setup(), subject_(), -0.5 * (x - x_), 0.5 * (y - y_));
+  x_ = x, y_ = y;
+}
+
+void SideBench::leave() {
+  blinking_ = false, slider_ = 0;
+  before_.clear();
+}
+
+bool SideBench::late(const Setup&) const { return told() != drawn_; }
+
+void SideBench::makeB(const Desk& desk) {
+  if (!pictureB_ || !isSame(pictureB_->scene(), desk.picture.scene())) {
+    if (pictureB_) b_ = lessonBeside(desk.setup), before_.clear();
+    pictureB_.emplace(desk.picture.scene());
+    measuredA_ = measuredB_ = {};
+    placed_.reset();
+  }
+  const PictureSettings& A = desk.picture.settings();
+  coarse_ = desk.coarse || (desk.dragging && slow_);
+  const auto sized = [&](const Setup& setup) {
+    PictureSettings s = setup.picture;
+    s.width = A.width, s.height = A.height;
+    s.camera = A.camera;
+    s.inPixels = A.inPixels;
+    if (coarse_) {  // as the workbench makes A, then
+      if (s.shading != Shading::Full) s.shading = Shading::Flat;
+      s.order = Order::ZSort;
+      s.adapt = 0;
+      s.dither = false;
+    }
+    return s;
+  };
+  try {
+    pictureB_->make(sized(*b_));
+  } catch (const ViewError& e) {
+    host_->notify("B cannot be drawn so: " + std::string{e.what()});
+    b_ = drawn_ && drawn_->b ? drawn_->b : desk.setup;
+    pictureB_->make(sized(*b_));
+  }
+  pictureB_->paint(imageB_, desk.plan[Cell::Well]);
+  slow_ = desk.dragging && (coarse_ || pictureB_->times().total() > kFluid);
+}
+
+void SideBench::measure(Measured& side, const Measured& other, Picture& picture) {
+  if (side.of == picture.settings()) return;
+  if (other.of == picture.settings()) {  // swapped
+    side = other;
+    return;
+  }
+  side = {picture.settings(), numbersOf(picture), timeOf(picture.scene(), picture.settings())};
+}
+
+void SideBench::draw(IndexImage& image, const Desk& desk) {
+  follow(desk.setup);
+  at_ = layoutOfSides(desk.layout.body);
+  makeB(desk);
+  if (!desk.dragging) {
+    const Measured before = measuredA_;
+    measure(measuredA_, measuredB_, desk.picture);
+    measure(measuredB_, before, *pictureB_);
+  }
+
+  const PictureSettings &ofA = desk.picture.settings(), &ofB = pictureB_->settings();
+  const auto own = [&](const Picture& picture, TableKind kind) {
+    const Palette palette = picture.palette(CellPlan{kind});
+    return desk.gray ? forGrayScreen(palette, picture) : palette;
+  };
+  const Palette ownA = own(desk.picture, ofA.table.kind), ownB = own(*pictureB_, ofB.table.kind);
+  const PaintedPicture A{desk.picture, desk.image, ownA}, B{*pictureB_, imageB_, ownB};
+  noIntensities_ = !hasIntensities(*pictureB_, desk.picture);
+  if (kind_ == Unlike::Intensity && noIntensities_) kind_ = Unlike::Color;
+  const Unlikeness unlike = unlikeness(kind_, A, B);
+  const std::pair<Unlike, std::pair<PictureSettings, PictureSettings>> placed{kind_, {ofA, ofB}};
+  if (desk.dragging) {
+    places_.clear(), placed_.reset();
+  } else if (placed_ != placed) {
+    places_ = placesOf(unlike, at_.frameWidth, at_.frameHeight);
+    placed_ = placed;
+  }
+  if (place_ >= static_cast<int>(places_.size())) place_ = 0;
+  const std::optional<DifferingPlace> place = places_.empty() ? std::nullopt : std::optional{places_[place_]};
+  const OnePalette one = onePalette(A, B, desk.plan, desk.palette, most_());
+  colors_ = {one.palette, std::nullopt};
+  if (one.shared) {
+    const std::string rule = std::to_string(one.colors) + " colours, what A and B show";
+    colors_.words = SceneCellWords{.cells = {desk.picture.table().first(), one.colors},
+                                   .rule = rule,
+                                   .shortRule = rule,
+                                   .what = "colours"};
+  }
+
+  const PictureSettings &askedA = desk.setup.picture, &askedB = b_->picture;
+  std::string pairs;
+  for (const PairRow& row : kPairs) pairs += (pairs.empty() ? "" : ", ") + std::string{row.name};
+  if (textWidth(pairs) + 21 > at_.numbers.width) pairs = "next pair: " + std::string{kPairs[pair_].name};
+  Painter{image}.fillRect(desk.layout.body, desk.plan[Cell::Paper]);
+  const bool known = measuredA_.of == ofA && measuredB_.of == ofB;
+  drawSidesPage(
+      image, at_,
+      {.A = one.A,
+       .B = one.B,
+       .unlike = unlike,
+       .ofA = {phrasesOf(askedA, askedB), measuredA_.numbers, measuredA_.time},
+       .ofB = {phrasesOf(askedB, askedA), measuredB_.numbers, measuredB_.time},
+       .finding =
+           known ? findingOf(desk.picture, *pictureB_, measuredA_.numbers, measuredB_.numbers, unlike, place)
+                 : Finding{},
+       .known = known,
+       .place = place,
+       .number = place_,
+       .places = static_cast<int>(places_.size()),
+       .focus = focus_,
+       .blinking = blinking_,
+       .colors = one.shared ? "Both in one palette of " + std::to_string(one.colors) + " colours, " +
+                                  (one.exact ? "each exactly its own." : "each the nearest.")
+                            : "",
+       .pairs = pairs},
+      desk.plan);
+  use_ = cellUse(one.A);
+  const CellUse second = cellUse(one.B);
+  for (std::size_t k = 0; k < use_.samples.size(); ++k) use_.samples[k] += second.samples[k];
+  status_ = sidesStatus(askedA, askedB);
+  if (slider_) {
+    const auto* const row = std::ranges::find(kSliders, slider_, &SliderRow::key);
+    const Setup& of = focus_ == 'A' ? desk.setup : *b_;
+    aside_ =
+        "arrows: " + std::string{row->label} + " of " + focus_ + ", " + fixed(row->get(of), row->decimals);
+  } else {
+    aside_ = known                    ? "numbers from these pictures"
+             : coarse_ || desk.coarse ? "coarse while dragging; numbers follow"
+                                      : "numbers follow";
+  }
+  drawn_ = told();
+}
+
+std::vector<Legend> SideBench::legend() const {
+  return {
+      {{"A", "B"}, "focus"}, {{"x"}, "swap"},      {{"Space"}, "blink in place"},    {{"f"}, "difference of"},
+      {{"n"}, "next place"}, {{"g"}, "next pair"}, {{"S", "N", "O", "T"}, "change"}, {{"t"}, "turn both"},
+      {{"z"}, "zoom both"}};
+}
+
+std::vector<HelpLine> SideBench::help() const {
+  return {{"A B", "which one the letters below change; Tab is the other, or a click"},
+          {"S N O K T H L V", "shading, normals, order, backs, table, hue, L, V: the next"},
+          {"i p a d s c 0", "Ia, Ip, ka, kd, ks, shades, I0: then < >, Shift by ten"},
+          {"g", "two setups that make a lesson: z-sort | Newell, flat | Gouraud, ..."},
+          {"x", "swap A and B"},
+          {"Space", "B in A's place, and back: what differs jumps"},
+          {"f", "what the difference is of: face, intensity, colour"},
+          {"n", "the next place where they differ"},
+          {"t z P", "turn, zoom, projection: of both; or drag a picture"}};
+}
+
+}  // namespace xnewell

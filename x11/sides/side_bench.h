@@ -1,0 +1,120 @@
+#pragma once
+
+#include <array>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "x11/sides/sides_page.h"
+#include "x11/window/bench.h"
+#include "x11/window/control_keys.h"
+
+namespace xnewell {
+
+/// Two setups of the scene beside each other: A is the window's, B is kept here. Size and camera are A's for
+/// both, and so is all of A that is changed elsewhere while both have it in common.
+
+/// Two setups that make a lesson.
+struct PairRow {
+  std::string_view name;
+  Unlike shows;
+  void (*set)(PictureSettings& A, PictureSettings& B);  ///< both are A's before
+};
+extern const std::array<PairRow, 4> kPairs;
+
+class SideBench : public Bench {
+ public:
+  /// What is passed outlives it; the screen has cells for `most` colours.
+  SideBench(Host& host, std::function<ControlKeys::Subject()> subject, std::function<int()> most)
+      : host_{&host}, subject_{std::move(subject)}, most_{std::move(most)} {}
+
+  [[nodiscard]] bool press(const Key& key, const Setup& setup) override;
+  [[nodiscard]] std::string_view sharedKeys() const override { return "tz"; }
+  /// The captions are for the focus; the pictures turn both.
+  [[nodiscard]] bool grab(int x, int y) override;
+  void dragTo(int x, int y) override;
+  void enter() override { joins_ = true; }
+  void leave() override;
+  [[nodiscard]] Rect picture(const Layout& at) const override { return layoutOfSides(at.body).A; }
+  [[nodiscard]] bool late(const Setup& setup) const override;
+  void draw(IndexImage& image, const Desk& desk) override;
+  [[nodiscard]] std::string status() const override { return status_; }
+  [[nodiscard]] std::string aside() const override { return aside_; }
+  [[nodiscard]] std::vector<Legend> legend() const override;
+  [[nodiscard]] std::vector<HelpLine> help() const override;
+  [[nodiscard]] const CellUse* use() const override { return &use_; }
+  [[nodiscard]] const OwnColors* colors() const override { return &colors_; }
+
+  /// B, as it would be drawn beside this A.
+  [[nodiscard]] Setup beside(const Setup& A) const;
+  [[nodiscard]] char focus() const { return focus_; }
+
+ private:
+  enum class Changed { A, B, Both };
+  /// A change made here: what A was after it, and B before.
+  struct Before {
+    Changed changed;
+    char control;
+    Setup A, B;
+  };
+  /// Several of one control in a row are one, as they are in the window.
+  void remember(Changed changed, char control, const Setup& A);
+  /// B takes over what A has become since both were seen: camera and size, and what was changed elsewhere.
+  void follow(const Setup& A);
+  [[nodiscard]] bool pressArrow(int steps, const Setup& A);
+  [[nodiscard]] bool pressControl(char letter, const Setup& A);
+  /// Of the one that keys change.
+  void change(char control, const Setup& A, const std::function<void(Setup&)>& edit);
+  void swap(const Setup& A);
+  void nextPair(const Setup& A);
+  /// Whether that was all: what A was before is the window's to undo.
+  bool undo(const Setup& A);
+  /// The picture of B, made and painted; a setup that cannot be drawn is undone and told.
+  void makeB(const Desk& desk);
+  /// What was measured, of a picture of these settings.
+  struct Measured {
+    std::optional<PictureSettings> of;
+    SideNumbers numbers;
+    BestTime time;
+  };
+  static void measure(Measured& side, const Measured& other, Picture& picture);
+
+  Host* host_;
+  std::function<ControlKeys::Subject()> subject_;
+  std::function<int()> most_;
+  int x_ = 0, y_ = 0;           ///< the pointer, while both are turned
+  std::optional<Setup> a_, b_;  ///< as both were seen last
+  char focus_ = 'B';
+  char slider_ = 0;  ///< that the arrows change, 0 for none
+  Unlike kind_ = Unlike::Face;
+  int place_ = 0;
+  bool blinking_ = false;
+  std::size_t pair_ = 0;        ///< the next of kPairs
+  bool joins_ = true;           ///< A may have been changed elsewhere
+  std::vector<Before> before_;  ///< the changes made here, the oldest first
+
+  std::optional<Picture> pictureB_;
+  IndexImage imageB_;
+  // Of what was drawn last.
+  struct Told {
+    std::optional<Setup> b;
+    Unlike kind;
+    int place;
+    bool blinking;
+    char focus, slider;
+    bool operator==(const Told&) const = default;
+  };
+  [[nodiscard]] Told told() const { return {b_, kind_, place_, blinking_, focus_, slider_}; }
+  std::optional<Told> drawn_;
+  Measured measuredA_, measuredB_;
+  std::optional<std::pair<Unlike, std::pair<PictureSettings, PictureSettings>>> placed_;
+  std::vector<DifferingPlace> places_;
+  SidesLayout at_;
+  CellUse use_;
+  OwnColors colors_{};
+  std::string status_, aside_;
+  bool noIntensities_ = false, coarse_ = false;
+  bool slow_ = false;  ///< B takes long while something is dragged
+};
+
+}  // namespace xnewell

@@ -1,0 +1,238 @@
+#include "x11/sides/sides.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "depthsort/oracle.h"
+#include "shading/color/color_difference.h"
+#include "shading/color/quantize.h"
+#include "x11/drawing/wording.h"
+#include "x11/views/step_legend.h"
+
+namespace xnewell {
+
+namespace {
+
+constexpr float kNone = std::numeric_limits<float>::quiet_NaN();
+constexpr double kPatience = 300;  // milliseconds that all runs of a timing may take
+
+/// The piece of a face that each sample shows, or, where either picture divided pieces by itself, the face;
+/// kNothing where nothing shows.
+std::vector<int> pieceImage(const Picture& picture, bool wholeFaces) {
+  std::vector<int> image = picture.seen(0, picture.settings().height).faces;
+  for (int& face : image)
+    if (face != kNothing)
+      face = wholeFaces ? picture.snapped().faces[face].number : picture.snapped().faces[face].piece;
+  return image;
+}
+
+std::vector<float> otherFaces(const Picture& A, const Picture& B) {
+  const bool wholeFaces = A.settings().adapt > 0 || B.settings().adapt > 0;
+  const std::vector<int> a = pieceImage(A, wholeFaces), b = pieceImage(B, wholeFaces);
+  std::vector<float> at(a.size(), kNone);
+  for (std::size_t k = 0; k < at.size(); ++k)
+    if (a[k] != kNothing || b[k] != kNothing) at[k] = a[k] != b[k];
+  return at;
+}
+
+std::vector<std::uint8_t> shown(const Picture& picture) {
+  const SeenRows seen = picture.seen(0, picture.settings().height);
+  std::vector<std::uint8_t> shows(seen.faces.size());
+  std::ranges::transform(seen.faces, shows.begin(), [](int face) { return face != kNothing; });
+  return shows;
+}
+
+/// `of(picture, cell)` is a value, `nothing` that where nothing shows, and `apart` how far two are.
+template <class Of, class Value, class Apart>
+std::vector<float> valuesApart(const PaintedPicture& A, const PaintedPicture& B, Of&& of,
+                               const Value& nothing, Apart&& apart) {
+  const std::vector<std::uint8_t> showsA = shown(A.picture), showsB = shown(B.picture);
+  std::vector<float> at(showsA.size(), kNone), known(257 * 257, kNone);  // of each pair of cells
+  for (std::size_t k = 0; k < at.size(); ++k)
+    if (showsA[k] || showsB[k]) {
+      float& d = known[257 * (showsA[k] ? A.image.pixels[k] : 256) + (showsB[k] ? B.image.pixels[k] : 256)];
+      if (std::isnan(d))
+        d = static_cast<float>(apart(showsA[k] ? of(A, A.image.pixels[k]) : nothing,
+                                     showsB[k] ? of(B, B.image.pixels[k]) : nothing));
+      at[k] = d;
+    }
+  return at;
+}
+
+/// The counts of a unit's excess in all rectangles from the upper left corner.
+class Sums {
+ public:
+  Sums(const std::vector<std::uint8_t>& differs, int width)
+      : width_{width + 1}, sums_(std::size_t(width_) * (differs.size() / width + 1), 0) {
+    const int height = static_cast<int>(differs.size()) / width;
+    for (int j = 0; j < height; ++j)
+      for (int i = 0; i < width; ++i)
+        at(i + 1, j + 1) = at(i, j + 1) + at(i + 1, j) - at(i, j) + differs[std::size_t(j) * width + i];
+  }
+  [[nodiscard]] int in(const Rect& r) const {
+    return at(r.x + r.width, r.y + r.height) - at(r.x, r.y + r.height) - at(r.x + r.width, r.y) +
+           at(r.x, r.y);
+  }
+
+ private:
+  [[nodiscard]] int at(int i, int j) const { return sums_[std::size_t(j) * width_ + i]; }
+  int& at(int i, int j) { return sums_[std::size_t(j) * width_ + i]; }
+  int width_;
+  std::vector<int> sums_;
+};
+
+}  // namespace
+
+bool hasIntensities(const Picture& A, const Picture& B) {
+  return channelsOf(A.colors().plan()) != Channels::Rgb && channelsOf(B.colors().plan()) != Channels::Rgb;
+}
+
+Unlikeness unlikeness(Unlike kind, const PaintedPicture& A, const PaintedPicture& B) {
+  Unlikeness unlike{.kind = kind, .width = A.picture.settings().width};
+  switch (kind) {
+    case Unlike::Face:
+      unlike.at = otherFaces(A.picture, B.picture);
+      break;
+    case Unlike::Intensity:
+      unlike.at = valuesApart(
+          A, B, [](const PaintedPicture& p, int cell) { return p.picture.colors().intensityOf(cell); }, 0.0,
+          [](double a, double b) { return std::abs(a - b); });
+      break;
+    case Unlike::Color: {
+      std::array<std::array<Lab, 256>, 2> labs;
+      for (int cell = 0; cell < 256; ++cell)
+        labs[0][cell] = labFromSrgb(A.palette[cell]), labs[1][cell] = labFromSrgb(B.palette[cell]);
+      const Lab well = labFromSrgb(withInterface({}, CellPlan{})[CellPlan{}[Cell::Well]]);
+      unlike.at = valuesApart(
+          A, B, [&](const PaintedPicture& p, int cell) { return labs[&p == &B][cell]; }, well,
+          [](const Lab& a, const Lab& b) { return ciede2000(a, b); });
+      break;
+    }
+  }
+  double squares = 0;
+  for (const float d : unlike.at) {
+    if (std::isnan(d)) continue;
+    ++unlike.samples;
+    unlike.differ += d > rowOf(kind).unit;
+    unlike.largest = std::max(unlike.largest, double{d});
+    squares += double{d} * d;
+  }
+  if (unlike.samples > 0) unlike.rootMeanSquare = std::sqrt(squares / static_cast<double>(unlike.samples));
+  return unlike;
+}
+
+IndexImage unlikenessImage(const Unlikeness& unlike, const CellPlan& plan) {
+  IndexImage image{unlike.width, static_cast<int>(unlike.at.size()) / unlike.width, plan[Cell::Well]};
+  for (std::size_t k = 0; k < unlike.at.size(); ++k) {
+    const double d = unlike.at[k];
+    if (std::isnan(d)) continue;
+    const LegendStep& step = unlike.kind != Unlike::Face ? doublingStep(d, rowOf(unlike.kind).unit)
+                             : d > 0                     ? kDoublingSteps.back()
+                                                         : kDoublingSteps.front();
+    image.pixels[k] = plan[step.cell];
+  }
+  return image;
+}
+
+std::vector<DifferingPlace> placesOf(const Unlikeness& unlike, int frameWidth, int frameHeight) {
+  std::vector<DifferingPlace> places;
+  if (unlike.differ == 0) return places;
+  const int width = unlike.width, height = static_cast<int>(unlike.at.size()) / width;
+  Rect frame{0, 0, std::min(frameWidth, width), std::min(frameHeight, height)};
+  std::vector<std::uint8_t> differs(unlike.at.size());
+  std::ranges::transform(unlike.at, differs.begin(),
+                         [&](float d) { return d > rowOf(unlike.kind).unit; });  // not where it is NaN
+  while (static_cast<int>(places.size()) < kMostPlaces) {
+    const Sums sums{differs, width};
+    DifferingPlace best;
+    for (frame.y = 0; frame.y + frame.height <= height; ++frame.y)
+      for (frame.x = 0; frame.x + frame.width <= width; ++frame.x)
+        if (const int count = sums.in(frame); count > best.samples) best = {frame, count};
+    if (best.samples == 0) break;
+    // What the frame holds, in its middle: as many frames hold the same.
+    int left = width, right = 0, top = height, bottom = 0;
+    for (int j = best.frame.y; j < best.frame.y + best.frame.height; ++j)
+      for (int i = best.frame.x; i < best.frame.x + best.frame.width; ++i) {
+        std::uint8_t& here = differs[std::size_t(j) * width + i];
+        if (here) left = std::min(left, i), right = std::max(right, i), top = std::min(top, j), bottom = j;
+        here = 0;
+      }
+    best.frame.x = std::clamp((left + right + 1 - best.frame.width) / 2, 0, width - best.frame.width);
+    best.frame.y = std::clamp((top + bottom + 1 - best.frame.height) / 2, 0, height - best.frame.height);
+    places.push_back(best);
+  }
+  return places;
+}
+
+SideNumbers numbersOf(Picture& picture) {
+  const Picture::Exactness exactness = picture.exactness();
+  SideNumbers numbers{.samples = exactness.samples,
+                      .wrong = exactness.wrong,
+                      .painted = static_cast<std::int64_t>(picture.sorted().fragments.size()),
+                      .cuts = picture.sorted().statistics.splits};
+  const PictureSettings settings = picture.settings();
+  const Difference difference = comparedWithPhong(picture, settings, CellPlan{}[Cell::Well]).difference;
+  numbers.measure = difference.measure;
+  numbers.largest = difference.largest;
+  double squares = 0;
+  for (const float d : difference.at)
+    if (!std::isnan(d)) squares += double{d} * d;
+  if (difference.samples > 0)
+    numbers.rootMeanSquare = std::sqrt(squares / static_cast<double>(difference.samples));
+  return numbers;
+}
+
+BestTime timeOf(const Scene& scene, const PictureSettings& settings) {
+  BestTime best;
+  for (double spent = 0; best.runs < 3 && (best.runs == 0 || spent < kPatience); ++best.runs) {
+    Picture fresh{scene};
+    IndexImage image;
+    fresh.make(settings);
+    fresh.paint(image, 0);
+    const double ms = fresh.times().total();
+    spent += ms;
+    best.ms = best.runs == 0 ? ms : std::min(best.ms, ms);
+  }
+  return best;
+}
+
+OnePalette onePalette(const PaintedPicture& A, const PaintedPicture& B, const CellPlan& plan,
+                      const Palette& own, int most) {
+  OnePalette one{A.image, B.image, own};
+  if (A.palette == B.palette) return one;
+
+  const int width = A.image.width, height = A.image.height;
+  const std::size_t samples = A.image.pixels.size();
+  std::vector<std::uint8_t> shows = shown(A.picture);
+  const std::vector<std::uint8_t> showsB = shown(B.picture);
+  shows.insert(shows.end(), showsB.begin(), showsB.end());
+  RgbImage colors{width, 2 * height};
+  for (std::size_t k = 0; k < 2 * samples; ++k) {
+    const PaintedPicture& p = k < samples ? A : B;
+    const Rgb16& c = p.palette[p.image.pixels[k % samples]];
+    colors.rgb[3 * k] = static_cast<std::uint8_t>(c.r >> 8);
+    colors.rgb[3 * k + 1] = static_cast<std::uint8_t>(c.g >> 8);
+    colors.rgb[3 * k + 2] = static_cast<std::uint8_t>(c.b >> 8);
+  }
+  IndexImage both{width, 2 * height, plan[Cell::Well]};
+  const int first = A.picture.table().first();
+  const std::vector<Rgb16> chosen = quantize(colors, shows, {.colors = most, .first = first}, both);
+  for (std::size_t k = 0; k < 2 * samples && one.exact; ++k) {
+    if (!shows[k]) continue;
+    const Rgb16& c = chosen[both.pixels[k] - first];
+    one.exact = colors.rgb[3 * k] == c.r >> 8 && colors.rgb[3 * k + 1] == c.g >> 8 &&
+                colors.rgb[3 * k + 2] == c.b >> 8;
+  }
+  const auto half = both.pixels.begin() + static_cast<std::ptrdiff_t>(samples);
+  one.A.pixels.assign(both.pixels.begin(), half);
+  one.B.pixels.assign(half, both.pixels.end());
+  one.shared = true;
+  one.colors = static_cast<int>(chosen.size());
+  std::fill_n(one.palette.begin() + first, most, Rgb16{});
+  std::ranges::copy(chosen, one.palette.begin() + first);
+  one.palette = withInterface(one.palette, plan);
+  return one;
+}
+
+}  // namespace xnewell

@@ -1,0 +1,296 @@
+#include "x11/sides/sides_page.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "x11/drawing/sheet.h"
+#include "x11/drawing/wording.h"
+#include "x11/views/step_legend.h"
+
+namespace xnewell {
+
+namespace {
+
+constexpr int kCaption = 24;                      // of a picture, above it
+constexpr int kBelowPictures = 14;                // from the pictures to the sections below
+constexpr int kSection = 28;                      // a section's line and name
+constexpr int kLower = 262, kLowerCompact = 222;  // at least, for table and finding
+constexpr int kMostMagnified = 8;
+
+/// Draws the page's parts, one function each.
+class SidesDrawing {
+ public:
+  SidesDrawing(IndexImage& image, const SidesLayout& at, const SidesPage& page, const CellPlan& plan)
+      : image_{image}, paint_{image}, at_{at}, page_{page}, plan_{plan} {}
+
+  void drawSide(char letter, const Rect& caption, const Rect& picture);
+  void drawDifference();
+  void drawNumbers();
+
+ private:
+  [[nodiscard]] std::uint8_t operator()(Cell c) const { return plan_[c]; }
+  [[nodiscard]] KeyCapCells keyCells() const {
+    return {(*this)(Cell::Panel), (*this)(Cell::Rule), (*this)(Cell::Faint), (*this)(Cell::Soft)};
+  }
+  void place(const IndexImage& picture, const Rect& part, int x, int y);
+  /// Around the place in a picture whose first pixel would be at (x, y).
+  void drawFrame(Painter paint, int x, int y);
+  int drawKinds(int x, int baseline);
+  void drawLegend(const Rect& at);
+  /// The place in both, pixel by pixel, where there is room for it.
+  void drawLoupe(const Rect& at);
+  /// Of the difference picture: so that the place is in the middle.
+  [[nodiscard]] int firstRow() const;
+
+  IndexImage& image_;
+  Painter paint_;
+  const SidesLayout& at_;
+  const SidesPage& page_;
+  const CellPlan& plan_;
+};
+
+void SidesDrawing::place(const IndexImage& picture, const Rect& part, int x, int y) {
+  const Rect r = intersection(part, {0, 0, picture.width, picture.height});
+  for (int j = 0; j < r.height; ++j) std::copy_n(picture.row(r.y + j) + r.x, r.width, image_.row(y + j) + x);
+}
+
+void SidesDrawing::drawFrame(Painter paint, int x, int y) {
+  if (!page_.place) return;
+  const Rect& f = page_.place->frame;
+  paint.frame({x + f.x - 2, y + f.y - 2, f.width + 4, f.height + 4}, (*this)(Cell::Black));
+  paint.frame({x + f.x - 1, y + f.y - 1, f.width + 2, f.height + 2}, (*this)(Cell::White));
+}
+
+void SidesDrawing::drawSide(char letter, const Rect& caption, const Rect& picture) {
+  const bool B = letter == 'B' || page_.blinking;
+  const char shown = B ? 'B' : 'A';
+  if (page_.focus == letter) {
+    paint_.fillRect({caption.x, caption.y, caption.width, 18}, (*this)(Cell::Focus));
+    paint_.fillRect({caption.x - 6, caption.y, 2, 18}, (*this)(Cell::Ink));
+  }
+  const int y = caption.y + 12, end = caption.x + caption.width;
+  if (page_.focus)
+    paint_.keyCap(caption.x + 1, y - 11, std::string_view{&shown, 1}, keyCells());
+  else
+    paint_.text(caption.x + 5, y, std::string_view{&shown, 1}, (*this)(Cell::Ink), Voice::Bold);
+  int x = caption.x + 24;
+  if (B && letter == 'A') x = paint_.text(x, y, "in A's place", (*this)(Cell::Alarm), Voice::Bold) + 12;
+  bool first = true, differed = false;
+  for (const Phrase& phrase : (B ? page_.ofB : page_.ofA).made) {
+    // What differs stands first, apart from the rest.
+    const std::string_view gap = first ? "" : differed && !phrase.differs ? "  " : ", ";
+    if (x + textWidth(gap) + textWidth(phrase.text) + 1 > end) break;
+    const Voice voice = phrase.differs ? Voice::Bold : Voice::Plain;
+    x = paint_.text(x, y, gap, (*this)(phrase.differs ? Cell::Ink : Cell::Soft), voice);
+    x = paint_.text(x, y, phrase.text, (*this)(phrase.differs ? Cell::Ink : Cell::Soft), voice);
+    first = false, differed = phrase.differs;
+  }
+  place(B ? page_.B : page_.A, {0, 0, picture.width, picture.height}, picture.x, picture.y);
+  drawFrame(paint_.within(picture), picture.x, picture.y);
+}
+
+int SidesDrawing::firstRow() const {
+  const int spare = at_.A.height - at_.difference.height;
+  if (!page_.place) return spare / 2;
+  const Rect& f = page_.place->frame;
+  return std::clamp(f.y + f.height / 2 - at_.difference.height / 2, 0, spare);
+}
+
+int SidesDrawing::drawKinds(int x, int y) {
+  if (page_.focus) x += paint_.keyCap(x, y - 11, "f", keyCells()) + 8;
+  for (const UnlikeRow& row : kUnlikes) {
+    const bool chosen = row.id == page_.unlike.kind;
+    if (!page_.focus && !chosen) continue;
+    if (chosen) {
+      const Rect box{x - 5, y - 13, textWidth(row.name) + 11, 18};
+      paint_.fillRect(box, (*this)(Cell::White));
+      paint_.frame(box, (*this)(Cell::Ink));
+    }
+    x = paint_.text(x, y, row.name, (*this)(chosen ? Cell::Ink : Cell::Soft),
+                    chosen ? Voice::Bold : Voice::Plain) +
+        12;
+  }
+  return x;
+}
+
+void SidesDrawing::drawLegend(const Rect& at) {
+  const UnlikeRow& kind = rowOf(page_.unlike.kind);
+  const std::array faces{LegendStep{Cell::Q, kind.differs}, LegendStep{Cell::WellLine, kind.same}};
+  const bool twofold = kind.id == Unlike::Face;
+  drawStepLegend(paint_.within(at), plan_, at.x + 8, at.y + 8,
+                 twofold ? std::span<const LegendStep>{faces} : kDoublingSteps, kind.unitInWords);
+}
+
+void SidesDrawing::drawDifference() {
+  const int y = at_.sections.y, x = at_.difference.x;
+  paint_.hline(x, y, at_.sections.width, (*this)(Cell::Rule));
+  const int kinds = paint_.text(x, y + 17, "DIFFERENCE", (*this)(Cell::Soft), Voice::Caps) + 14;
+  const int end = drawKinds(kinds, y + 17);
+  const Unlikeness& u = page_.unlike;
+  const double share =
+      u.samples == 0 ? 0.0 : 100.0 * static_cast<double>(u.differ) / static_cast<double>(u.samples);
+  const std::string percent = fixed(share, 2) + " %", all = grouped(u.differ) + " samples, " + percent;
+  const int right = x + at_.difference.width;
+  const std::string& told = end + textWidth(all) + 4 <= right ? all : percent;
+  paint_.textRight(right - 1, y + 17, told, (*this)(Cell::Ink), Voice::Bold);
+
+  const int first = firstRow();
+  place(unlikenessImage(u, plan_), {0, first, at_.difference.width, at_.difference.height}, x,
+        at_.difference.y);
+  drawFrame(paint_.within(at_.difference), x, at_.difference.y - first);
+  drawLegend(at_.difference);
+  // What stands on the well at the panel's foot, to the left or to the right.
+  const int base = at_.difference.y + at_.difference.height - 8;
+  const auto foot = [&](int left, const std::string& words) {
+    paint_.fillRect({left - 4, base - 12, textWidth(words) + 8, 16}, (*this)(Cell::Well));
+    paint_.text(left, base, words, (*this)(Cell::WellText));
+  };
+  if (at_.difference.height < at_.A.height)
+    foot(x + 8, "rows " + std::to_string(first) + " to " + std::to_string(first + at_.difference.height - 1) +
+                    " of " + std::to_string(at_.A.height));
+  if (!page_.place) return;
+  const std::string which = "place " + std::to_string(page_.number + 1) + " of " +
+                            std::to_string(page_.places) + ": " + counted(page_.place->samples, "sample");
+  foot(right - textWidth(which) - 8, which);
+}
+
+std::string signedDifference(std::int64_t a, std::int64_t b) {
+  return (a < b ? "-" : "") + grouped(std::abs(a - b));
+}
+
+void SidesDrawing::drawNumbers() {
+  const Rect& at = at_.numbers;
+  Sheet sheet{at.width, at.height, plan_};
+  const std::vector<int> ends{at.width * 61 / 100, at.width * 80 / 100, at.width};
+  sheet.section(0, 0, at.width, "numbers");
+  for (const auto& [k, name] : {std::pair{0, "A"}, {1, "B"}, {2, "A - B"}})
+    sheet.painter().textRight(ends[k] - 1, 17, name, plan_[Cell::Soft], Voice::Bold);
+  int y = kSection - 3;
+  const SideNumbers &a = page_.ofA.numbers, &b = page_.ofB.numbers;
+  const Cell cell = page_.known ? Cell::Ink : Cell::Faint;
+  const Voice voice = Voice::Plain;
+  const auto row = [&](const std::string& label, std::string ofA, std::string ofB, std::string apart,
+                       bool alarm = false) {
+    sheet.tableRow(0, y, label, {std::move(ofA), std::move(ofB)}, ends, cell, voice);
+    y = sheet.tableRow(0, y, "", {std::move(apart)}, {ends[2]}, alarm && page_.known ? Cell::Alarm : cell,
+                       Voice::Bold);
+  };
+  const auto count = [&](const std::string& label, std::int64_t ofA, std::int64_t ofB, bool alarm = false) {
+    row(label, grouped(ofA), grouped(ofB), signedDifference(ofA, ofB), alarm && ofA != ofB);
+  };
+  const auto amount = [&](const std::string& label, double ofA, double ofB, int decimals, bool alike) {
+    const double unit = std::pow(10.0, decimals);  // what is shown is subtracted
+    const double apart = (std::round(ofA * unit) - std::round(ofB * unit)) / unit;
+    row(label, fixed(ofA, decimals), fixed(ofB, decimals), alike ? fixed(apart + 0.0, decimals) : "");
+  };
+  const bool alike = a.measure == b.measure;
+  const int decimals = a.measure == Measure::Intensity && alike ? 4 : 2;
+  count("wrong face, samples", a.wrong, b.wrong, true);
+  amount("largest error against Phong's", a.largest, b.largest, decimals, alike);
+  const bool colors = alike && a.measure == Measure::Color;
+  amount(colors ? "root mean square, CIEDE2000" : "root mean square error", a.rootMeanSquare,
+         b.rootMeanSquare, decimals, alike);
+  count("polygons painted", a.painted, b.painted);
+  count("cuts", a.cuts, b.cuts);
+  amount(
+      "time, ms, best of " + std::to_string(std::max(1, std::min(page_.ofA.time.runs, page_.ofB.time.runs))),
+      page_.ofA.time.ms, page_.ofB.time.ms, 1, true);
+
+  const bool pairs = !page_.pairs.empty() && !at_.compact;
+  const int room = at.height - (pairs ? 20 : 0);
+  if (page_.known) {
+    Finding finding = page_.finding;
+    const auto fits = [&] {
+      return y + 6 + Sheet::findingHeight(at.width, finding.bold, finding.why) <= room;
+    };
+    if (!fits()) finding.why.clear();
+    if (fits()) {
+      const int top = y + 6;
+      y = sheet.finding(0, top, at.width, finding.bold, finding.why);
+      if (a.wrong != b.wrong) sheet.painter().fillRect({0, top, 3, y - top}, plan_[Cell::Alarm]);
+    }
+  }
+  if (!page_.colors.empty() && y + 6 + Sheet::paragraphHeight(at.width, page_.colors) <= room)
+    y = sheet.paragraph(0, y + 6, at.width, page_.colors, Cell::Soft);
+  place(sheet.image(), {0, 0, at.width, at.height}, at.x, at.y);
+  drawLoupe({at.x, at.y + y + 12, at.width, room - y - 24});
+  if (!pairs) return;
+  const int baseline = at.y + at.height - 4;
+  const int cap = paint_.keyCap(at.x, baseline - 11, "g", keyCells());
+  paint_.text(at.x + cap + 6, baseline, page_.pairs, (*this)(Cell::Soft));
+}
+
+void SidesDrawing::drawLoupe(const Rect& at) {
+  if (!page_.place) return;
+  const Rect& f = page_.place->frame;
+  const int half = (at.width - Sheet::kGutter) / 2, high = at.height - Sheet::kLine;
+  const int scale = std::min({half / f.width, 2 * high / f.height, kMostMagnified});
+  if (scale < 2) return;
+  // At least half of it, about its middle.
+  const int rows = std::min(f.height, high / scale), first = f.y + (f.height - rows) / 2;
+  const int top = at.y + Sheet::kLine;
+  int x = at.x;
+  for (const auto& [image, name] : {std::pair{&page_.A, "A"}, {&page_.B, "B"}}) {
+    paint_.text(x, at.y + Sheet::kAscent - 2,
+                std::string{name} + " in the frame, " + std::to_string(scale) + " x", (*this)(Cell::Soft));
+    for (int j = 0; j < rows; ++j)
+      for (int i = 0; i < f.width; ++i)
+        paint_.fillRect({x + i * scale, top + j * scale, scale, scale}, image->row(first + j)[f.x + i]);
+    x += half + Sheet::kGutter;
+  }
+}
+
+}  // namespace
+
+SidesLayout layoutOfSides(const Rect& body) {
+  SidesLayout at;
+  at.compact = body.height < kCompactBelow;
+  const int column = (body.width - Sheet::kGutter) / 2, right = body.x + body.width - column;
+  const int free = body.height - kCaption - kBelowPictures;
+  // The lower part needs its least; beyond that pictures are three to two, and beyond that, as high as the
+  // difference below them.
+  const int height =
+      std::min(free - (at.compact ? kLowerCompact : kLower), std::max(column * 2 / 3, (free - kSection) / 2));
+  at.captionA = {body.x, body.y, column, kCaption};
+  at.captionB = {right, body.y, column, kCaption};
+  at.A = {body.x, body.y + kCaption, column, height};
+  at.B = {right, at.A.y, column, height};
+  const int sections = at.A.y + height + kBelowPictures, left = body.y + body.height - sections;
+  at.sections = {body.x, sections, body.width, kSection};
+  at.difference = {body.x, sections + kSection, column, std::min(height, left - kSection)};
+  at.numbers = {right, sections, column, left};
+  at.frameWidth = std::max(24, column / 10);
+  at.frameHeight = std::max(24, height / 4);
+  return at;
+}
+
+std::string sidesStatus(const PictureSettings& A, const PictureSettings& B) {
+  const std::vector<std::string> what = differencesOf(A, B);
+  const auto differs = [&](std::string_view name) { return std::ranges::find(what, name) != what.end(); };
+  std::string text = "same scene, same view";
+  if (!differs("light") && !differs("L") && !differs("V")) text += ", same light";
+  if (what.empty()) return text + "   nothing differs";
+  text += what.size() == 1 ? "   only the " : "   the ";
+  for (std::size_t k = 0; k < what.size(); ++k) {
+    if (k == 3 && what.size() > 4) {
+      text += " and " + std::to_string(what.size() - k) + " more";
+      break;
+    }
+    text += (k == 0 ? "" : k + 1 == what.size() ? " and " : ", ") + what[k];
+  }
+  return text + (what.size() == 1 && what[0] != "shades" && what[0] != "normals" && what[0] != "backs" &&
+                         what[0] != "bits"
+                     ? " differs"
+                     : " differ");
+}
+
+void drawSidesPage(IndexImage& image, const SidesLayout& at, const SidesPage& page, const CellPlan& plan) {
+  SidesDrawing draws{image, at, page, plan};
+  draws.drawSide('A', at.captionA, at.A);
+  draws.drawSide('B', at.captionB, at.B);
+  draws.drawDifference();
+  draws.drawNumbers();
+}
+
+}  // namespace xnewell

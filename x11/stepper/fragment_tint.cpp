@@ -1,0 +1,49 @@
+#include "x11/stepper/fragment_tint.h"
+
+#include "shading/fill/fragment_spans.h"
+
+namespace xnewell {
+
+Fragment fragmentOf(const SnappedScene& scene, const SortedScene& sorted, int id) {
+  const int faces = static_cast<int>(scene.faces.size());
+  return id < faces ? Fragment{id} : Fragment{sorted.pieces[id - faces].face, id - faces};
+}
+
+Samples tintFragment(IndexImage& image, const Rect& at, const SnappedScene& scene, const SortedScene& sorted,
+                     int id, std::optional<Stipple> tint, std::uint8_t cell) {
+  std::int64_t x = 0, y = 0, samples = 0;
+  forEachSpan(scene, sorted, fragmentOf(scene, sorted, id), at.width, at.height,
+              [&](int row, int from, int to) {
+                samples += to - from, y += std::int64_t{row} * (to - from),
+                    x += std::int64_t{from + to} * (to - from) / 2;
+                for (int i = from; i < to && tint; ++i)
+                  if (stippled(*tint, at.x + i, at.y + row)) image.row(at.y + row)[at.x + i] = cell;
+              });
+  if (samples == 0) return {};
+  return {samples, at.x + static_cast<int>(x / samples), at.y + static_cast<int>(y / samples)};
+}
+
+std::int64_t samplesWithin(const SnappedScene& scene, const SortedScene& sorted, int id, const Rect& area) {
+  std::int64_t samples = 0;
+  forEachSpan(scene, sorted, fragmentOf(scene, sorted, id), area.x + area.width, area.y + area.height,
+              [&](int row, int from, int to) {
+                if (row >= area.y) samples += std::max(0, to - std::max(from, area.x));
+              });
+  return samples;
+}
+
+bool owns(const SnappedScene& scene, const SortedScene& sorted, const Fragment& fragment, int column,
+          int row) {
+  bool found = false;
+  const SnappedFace& face = scene.faces[fragment.face];
+  forEachSpan(&scene.vertices[face.first], face.count, row, column + 1, row + 1,
+              [&](int j, int from, int to) {
+                Columns columns{from, to};
+                if (fragment.piece >= 0)
+                  columns = withinCuts(scene, sorted, sorted.pieces[fragment.piece], j, columns);
+                found |= columns.from <= column && column < columns.to;
+              });
+  return found;
+}
+
+}  // namespace xnewell

@@ -1,0 +1,235 @@
+#include <algorithm>
+#include <cmath>
+
+#include "x11/drawing/wording.h"
+#include "x11/stepper/sort_pen.h"
+
+namespace xnewell {
+
+// The side view and the list below it share one z axis, far at the left.
+
+namespace {
+
+enum class Mark { Painted, P, Q, Marked, Waiting };
+struct Row {
+  int id;
+  Mark mark;
+};
+
+struct Rows {
+  std::vector<Row> shown;
+  int more = 0;  ///< that overlap P in z as well, or are in the list where there is no P
+};
+
+Rows rowsOf(const SortPen& pen) {
+  const int room = pen.at.rows(), P = pen.P(), Q = pen.Q();
+  const Replay& replay = pen.run.replay();
+  Rows rows;
+  for (int n = std::max(0, replay.painted() - 3); n < replay.painted(); ++n)
+    if (const int id = pen.run.paintedId(n); id != P) rows.shown.push_back({id, Mark::Painted});
+  while (rows.shown.size() > 2) rows.shown.erase(rows.shown.begin());
+  if (P >= 0) rows.shown.push_back({P, Mark::P});
+
+  std::vector<Row> others;
+  const Range z = P >= 0 ? pen.run.zExtent(P) : Range{};
+  bool hasQ = false;
+  const auto& faces = pen.run.scene().faces;
+  for (const auto& [id, marked] :
+       replay.list(static_cast<int>(faces.size() + pen.run.sorted().pieces.size()))) {
+    if (id == P) continue;
+    hasQ |= id == Q;
+    if (id == Q)
+      others.push_back({id, Mark::Q});
+    else if (marked || P < 0 || pen.run.zExtent(id).overlaps(z))
+      others.push_back({id, marked ? Mark::Marked : Mark::Waiting});
+  }
+  if (Q >= 0 && !hasQ) others.insert(others.begin(), {Q, Mark::Q});
+
+  // Q is among the rows, whatever stands before it.
+  const int count = static_cast<int>(others.size()), left = room - static_cast<int>(rows.shown.size());
+  const auto q = std::ranges::find(others, Mark::Q, &Row::mark) - others.begin();
+  const int first = q < count ? std::max(0, static_cast<int>(q) - left + 1) : 0;
+  const int last = std::min(count, first + left);
+  rows.shown.insert(rows.shown.end(), others.begin() + first, others.begin() + last);
+  rows.more = count - (last - first);
+  return rows;
+}
+
+/// Between a depth and its column.
+struct Axis {
+  Range z;
+  int x, width;
+  [[nodiscard]] double at(double depth) const { return x + (depth - z.low) / (z.high - z.low) * (width - 1); }
+};
+
+Range widened(Range r, double share) {
+  const double margin = r.high > r.low ? share * (r.high - r.low) : 1.0;
+  return {r.low - margin, r.high + margin};
+}
+
+Range united(const Range& a, const Range& b) { return {std::min(a.low, b.low), std::max(a.high, b.high)}; }
+
+Axis axisOf(const SortPen& pen, const Rows& rows) {
+  const Rect& side = pen.at.side;
+  Range z;
+  if (pen.P() >= 0) {
+    z = pen.run.zExtent(pen.P());
+    if (pen.Q() >= 0) z = united(z, pen.run.zExtent(pen.Q()));
+  } else if (!rows.shown.empty()) {
+    z = pen.run.zExtent(rows.shown.front().id);
+    for (const Row& row : rows.shown) z = united(z, pen.run.zExtent(row.id));
+  }
+  return {widened(z, 0.2), side.x, side.width};
+}
+
+/// P's extent as a band through both.
+void drawBand(SortPen& pen, const Axis& axis) {
+  if (pen.P() < 0) return;
+  const Rect& side = pen.at.side;
+  const int bottom = pen.at.list.y + pen.at.list.height;
+  const Range z = pen.run.zExtent(pen.P());
+  const int from = static_cast<int>(axis.at(z.low)), to = static_cast<int>(axis.at(z.high));
+  pen.paint.fillRect({from, pen.at.list.y, to - from + 1, bottom - pen.at.list.y}, pen(Cell::Panel));
+  pen.paint.vline(from, side.y, bottom - side.y, pen(Cell::P));
+  pen.paint.vline(to, side.y, bottom - side.y, pen(Cell::P));
+}
+
+void drawSide(SortPen& pen, const Axis& axis, const Rows& rows) {
+  const Rect& side = pen.at.side;
+  pen.paint.fillRect(side, pen(Cell::White));
+  pen.paint.frame(side, pen(Cell::Rule));
+  if (pen.P() < 0) return;
+  const Explainer& explainer = pen.run.explainer();
+  const int P = pen.P(), Q = pen.Q();
+  Range x = explainer.xExtent(P), y = explainer.yExtent(P);
+  if (Q >= 0) x = united(x, explainer.xExtent(Q)), y = united(y, explainer.yExtent(Q));
+  x = widened(x, 0.15);
+  const auto place = [&](double depth, double across) {
+    return Place{axis.at(depth), side.y + (across - x.low) / (x.high - x.low) * (side.height - 1)};
+  };
+  const auto figure = [&](int id) {
+    Figure corners = figureOf(pen.run.fragments().region(id));
+    for (Place& p : corners) p = place(explainer.depth(id, p), p.x);
+    return corners;
+  };
+  Painter inside = pen.paint.within({side.x + 1, side.y + 1, side.width - 2, side.height - 2});
+  for (const Row& row : rows.shown)
+    if (row.mark == Mark::Waiting || row.mark == Mark::Marked)
+      outline(inside, figure(row.id), pen(row.mark == Mark::Marked ? Cell::Faint : Cell::Rule));
+
+  double middle = (y.low + y.high) / 2;
+  if (Q >= 0)
+    if (const Figure both = explainer.overlap(P, Q); !both.empty()) middle = middleOf(both).y;
+  const auto plane = [&](int id, std::uint8_t cell, const LineStyle& style) {
+    segment(inside, place(explainer.depth(id, {x.low, middle}), x.low),
+            place(explainer.depth(id, {x.high, middle}), x.high), cell, style);
+  };
+  plane(P, pen(Cell::P), {});
+  if (Q >= 0) plane(Q, pen(Cell::Ink), {1, 5, 4});
+  if (Q >= 0) {
+    outline(inside, figure(Q), pen(Cell::Ink), {4});
+    outline(inside, figure(Q), pen(Cell::Q), {2, 6, 3});
+  }
+  outline(inside, figure(P), pen(Cell::P), {2});
+}
+
+void drawWords(SortPen& pen) {
+  const Rect& side = pen.at.side;
+  const int x = pen.at.list.x;
+  pen.caps(x, side.y + 11, "SIDE VIEW");
+  const std::array lines{"x against z;", "lines: the planes", "through the middle", "of the overlap"};
+  int y = side.y + (pen.at.compact ? 25 : 30);
+  for (const char* const line : lines) {
+    if (y > side.y + side.height + 4) break;
+    pen.soft(x, y, line);
+    y += pen.at.compact ? 13 : 17;
+  }
+  const int below = side.y + side.height + (pen.at.compact ? 12 : 14);
+  // On paper: P's extent passes below.
+  const int eye = side.x + side.width - textWidth("near, the eye");
+  pen.paint.fillRect({eye - 2, below - 10, textWidth("near, the eye") + 2, 13}, pen(Cell::Paper));
+  pen.paint.fillRect({side.x, below - 10, textWidth("far") + 2, 13}, pen(Cell::Paper));
+  pen.soft(side.x, below, "far");
+  const int right = pen.paint.textRight(side.x + side.width, below, "near, the eye", pen(Cell::Soft));
+  const int z = pen.soft(side.x + 46, below, "z") + 6, tip = right - 22;
+  if (tip - 30 > z) {
+    pen.paint.hline(z, below - 4, tip - z, pen(Cell::Soft));
+    pen.paint.triangle(tip, below - 6, 3, Direction::Right, pen(Cell::Soft));
+  }
+}
+
+void drawMark(SortPen& pen, Mark mark, int x, int y) {
+  switch (mark) {
+    case Mark::Painted:
+      return pen.paint.tick(x + 3, y - 8, pen(Cell::Faint));
+    case Mark::P:
+    case Mark::Q:
+      return drawBadge(pen, x, y - 11, mark == Mark::P);
+    case Mark::Marked:
+      return pen.paint.triangle(x + 5, y - 8, 4, Direction::Right, pen(Cell::Ink));
+    case Mark::Waiting:
+      return pen.paint.ring(x + 6, y - 5, 2, pen(Cell::Soft));
+  }
+}
+
+void drawBar(SortPen& pen, const Axis& axis, const Row& row, int y) {
+  const Range z = pen.run.zExtent(row.id);
+  const double left = pen.at.side.x, right = left + pen.at.side.width;
+  const int from = static_cast<int>(std::clamp(axis.at(z.low), left, right - 1));
+  const int to = static_cast<int>(std::clamp(axis.at(z.high), left, right - 1));
+  const Rect bar{from, y - 8, std::max(1, to - from + 1), 7};
+  const Cell cell = row.mark == Mark::P         ? Cell::P
+                    : row.mark == Mark::Q       ? Cell::Q
+                    : row.mark == Mark::Painted ? Cell::Rule
+                                                : Cell::Soft;
+  pen.paint.fillRect(bar, pen(cell));
+  if (row.mark == Mark::Q) pen.paint.frame(bar, pen(Cell::Ink));
+}
+
+void drawRows(SortPen& pen, const Axis& axis, const Rows& rows) {
+  const Rect& at = pen.at.list;
+  int y = at.y + pen.at.line - 4;
+  for (int k = 0; k < static_cast<int>(rows.shown.size()); ++k) {
+    const Row& row = rows.shown[k];
+    const bool pair = row.mark == Mark::P || row.mark == Mark::Q;
+    const Rect words{at.x, y - pen.at.line + 4, pen.at.side.x - at.x - 8, pen.at.line};
+    if (pair || pen.hovers(SortPart::Row, k)) pen.paint.fillRect(words, pen(Cell::White));
+    drawMark(pen, row.mark, at.x + 2, y);
+    const Cell cell = row.mark == Mark::Painted ? Cell::Faint : pair ? Cell::Ink : Cell::Soft;
+    const Voice voice = pair ? Voice::Bold : Voice::Plain;
+    const std::string number = fitting(pen.run.fragments().number(row.id), 54);
+    const int end = std::max(at.x + 54, at.x + 20 + textWidth(number));
+    pen.paint.textRight(end, y, number, pen(cell), voice);
+    pen.paint.text(end + 8, y, fitting(pen.run.fragments().part(row.id), words.x + words.width - end - 8),
+                   pen(row.mark == Mark::Painted ? Cell::Faint
+                       : pair                    ? Cell::Ink
+                                                 : Cell::Soft));
+    drawBar(pen, axis, row, y);
+    y += pen.at.line;
+  }
+  if (rows.more > 0)
+    pen.soft(at.x + 18, at.y + at.height + pen.at.line - 4,
+             "and " + grouped(rows.more) + (pen.P() >= 0 ? " more that overlap P in z" : " more"));
+}
+
+}  // namespace
+
+std::vector<int> drawSidesAndList(SortPen& pen) {
+  const Rows rows = rowsOf(pen);
+  const Axis axis = axisOf(pen, rows);
+  drawSide(pen, axis, rows);
+  const int heading = pen.at.list.y - (pen.at.compact ? 5 : 9);
+  drawBand(pen, axis);
+  drawWords(pen);
+  pen.caps(pen.at.list.x, heading, "LIST");
+  const int mark = pen.at.list.x + 64;
+  pen.paint.triangle(mark, heading - 8, 4, Direction::Right, pen(Cell::Soft));
+  pen.soft(mark + 10, heading, "marked");
+  pen.rule(pen.at.list.x, heading + (pen.at.compact ? 2 : 5), pen.at.list.width);
+  drawRows(pen, axis, rows);
+  std::vector<int> ids(pen.at.rows(), -1);
+  for (std::size_t k = 0; k < rows.shown.size() && k < ids.size(); ++k) ids[k] = rows.shown[k].id;
+  return ids;
+}
+
+}  // namespace xnewell

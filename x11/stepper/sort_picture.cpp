@@ -1,0 +1,93 @@
+#include <algorithm>
+#include <cmath>
+
+#include "x11/drawing/wording.h"
+#include "x11/stepper/fragment_tint.h"
+#include "x11/stepper/frames.h"
+#include "x11/stepper/sort_loupe.h"
+
+namespace xnewell {
+
+namespace {
+
+/// What is not painted yet, in thin lines; false: there is too much of it.
+bool outlineWaiting(SortPen& pen, Painter& paint, const auto& placed) {
+  const int left = static_cast<int>(pen.run.sorted().fragments.size()) - pen.run.replay().painted();
+  if (left > kMostWaiting) return false;
+  for (const auto& [id, marked] : pen.run.replay().list(kMostWaiting))
+    outline(paint, placed(id), pen(marked ? Cell::Faint : Cell::WellLine));
+  return left > 0;
+}
+
+/// A letter in the middle of a piece that has room for it.
+void letter(SortPen& pen, Painter& paint, const Samples& where, std::string_view text) {
+  constexpr int kLeast = 300;  // samples
+  if (where.count < kLeast) return;
+  const Rect plate{where.x - 5, where.y - 7, 11, 15};
+  paint.fillRect(plate, pen(Cell::P));
+  paint.frame(plate, pen(Cell::Black));
+  paint.text(plate.x + 3, plate.y + 11, text, pen(Cell::White));
+}
+
+void markPair(SortPen& pen, Painter& paint, const auto& placed) {
+  const Event& e = *pen.event;
+  const auto tinted = [&](int id, Cell cell, std::optional<Stipple> stipple) {
+    return tintFragment(pen.image, pen.at.picture, pen.run.scene(), pen.run.sorted(), id, stipple, pen(cell));
+  };
+  if (e.Q >= 0) {
+    tinted(e.Q, Cell::Q, Stipple::Diagonals);
+    outline(paint, placed(e.Q), pen(Cell::Black), {4});
+    outline(paint, placed(e.Q), pen(Cell::Q), {2, 5, 3});
+  }
+  if (e.kind == Event::Kind::Split) {
+    const int behind = pen.run.fragments().pieceOf(pen.run.replay().splits() - 1);
+    const std::array names{"a", "b"};
+    for (int k = 0; k < 2; ++k) {
+      const Samples where = tinted(behind + k, Cell::P, k == 0 ? Stipple::Eighth : Stipple::Quarter);
+      outline(paint, placed(behind + k), pen(Cell::Black), {4});
+      outline(paint, placed(behind + k), pen(Cell::P), {2});
+      letter(pen, paint, where, names[k]);
+    }
+    return;
+  }
+  if (e.kind != Event::Kind::Paint) tinted(e.P, Cell::P, Stipple::Quarter);
+  outline(paint, placed(e.P), pen(Cell::Black), {4});
+  outline(paint, placed(e.P), pen(Cell::P), {2});
+}
+
+}  // namespace
+
+Rect drawSortPicture(SortPen& pen) {
+  const Rect& at = pen.at.picture;
+  const IndexImage& soFar = pen.run.soFar();
+  for (int j = 0; j < at.height; ++j) std::copy_n(soFar.row(j), at.width, pen.image.row(at.y + j) + at.x);
+  Painter paint = pen.paint.within(at);
+  const auto placed = [&](int id) {
+    Figure figure = figureOf(pen.run.fragments().region(id));
+    for (Place& p : figure) p = {p.x + at.x, p.y + at.y};
+    return figure;
+  };
+  const bool outlined = outlineWaiting(pen, paint, placed);
+  Rect loupe;
+  if (pen.event) {
+    markPair(pen, paint, placed);
+    if (pen.view.loupe) loupe = drawLoupe(pen, paint);
+  }
+
+  const int painted = pen.run.replay().painted();
+  const int all = static_cast<int>(pen.run.sorted().fragments.size());
+  const std::string words = painted == all && all > 0 ? "painted: all " + counted(all, "piece")
+                            : all == 0
+                                ? "nothing to paint"
+                                : "painted so far: " + grouped(painted) + " of " + counted(all, "piece") +
+                                      (outlined                       ? "; the rest in outline"
+                                       : all - painted > kMostWaiting ? "; the rest is too much to outline"
+                                                                      : "");
+  // A halo, and no plate, which would hide what is behind it.
+  for (const int dx : {-1, 0, 1})
+    for (const int dy : {-1, 0, 1}) pen.paint.text(at.x + 10 + dx, at.y + 18 + dy, words, pen(Cell::Well));
+  pen.paint.text(at.x + 10, at.y + 18, words, pen(Cell::WellText));
+  return loupe;
+}
+
+}  // namespace xnewell

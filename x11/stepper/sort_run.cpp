@@ -1,0 +1,68 @@
+#include "x11/stepper/sort_run.h"
+
+#include "x11/stepper/fragment_tint.h"
+
+namespace xnewell {
+
+namespace {
+
+SortedScene recorded(Picture& picture) {
+  picture.addPlanes();
+  return depthSort(picture.snapped(), {.width = picture.settings().width,
+                                       .height = picture.settings().height,
+                                       .textbook = true,
+                                       .record = true,
+                                       .mostEvents = SortRun::kMostEvents});
+}
+
+}  // namespace
+
+SortRun::SortRun(Picture& picture, std::uint8_t ground)
+    : picture_{picture},
+      sorted_{recorded(picture)},
+      explainer_{picture.scene().mesh, picture.snapped(), sorted_, true},
+      landmarks_{sorted_},
+      replay_{picture.snapped(), sorted_},
+      soFar_{picture, sorted_, ground, kCopies} {
+  explainer_.call(Called::PAndQ);
+  const int fragments = static_cast<int>(scene().faces.size() + sorted_.pieces.size());
+  zExtents_.reserve(fragments);
+  for (int id = 0; id < fragments; ++id) zExtents_.push_back(explainer_.zExtent(id));
+  // All copies at once, so that no later step has to wait for them.
+  static_cast<void>(soFar_.at(static_cast<int>(sorted_.fragments.size())));
+}
+
+int SortRun::paintedId(int n) const {
+  const Fragment& fragment = sorted_.fragments[n];
+  return fragment.piece < 0 ? fragment.face : static_cast<int>(scene().faces.size()) + fragment.piece;
+}
+
+int SortRun::fragmentAt(int column, int row) const {
+  const auto found = [&](int n) { return owns(scene(), sorted_, sorted_.fragments[n], column, row); };
+  const int painted = replay_.painted(), all = static_cast<int>(sorted_.fragments.size());
+  for (int n = painted; n-- > 0;)
+    if (found(n)) return paintedId(n);
+  for (int n = painted; n < all; ++n)
+    if (found(n)) return paintedId(n);
+  return -1;
+}
+
+StepAbout SortRun::about(int step) const {
+  const Event& e = sorted_.events[static_cast<std::size_t>(step - 1)];
+  return {e.kind, fragments().face(e.P).number, e.Q < 0 ? -1 : fragments().face(e.Q).number};
+}
+
+std::optional<int> SortRun::stepAbout(const StepAbout& wanted) const {
+  std::optional<int> withBoth, withP;
+  for (int step = 1; step <= steps(); ++step) {
+    const StepAbout found = about(step);
+    if (found.P != wanted.P) continue;
+    if (!withP) withP = step;
+    if (found.Q != wanted.Q) continue;
+    if (!withBoth) withBoth = step;
+    if (found.kind == wanted.kind) return step;
+  }
+  return withBoth ? withBoth : withP;
+}
+
+}  // namespace xnewell

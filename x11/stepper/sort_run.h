@@ -1,0 +1,64 @@
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include "depthsort/explain.h"
+#include "depthsort/landmarks.h"
+#include "depthsort/replay.h"
+#include "x11/stepper/so_far.h"
+
+namespace xnewell {
+
+/// What a step is about, told so that the run of another view of the scene may have such a step too.
+struct StepAbout {
+  Event::Kind kind = Event::Kind::Take;
+  int P = -1, Q = -1;  ///< numbers of faces; Q -1: none
+};
+
+/// The textbook's run of a picture's depth sort, recorded, with all that the stepper asks about its steps.
+class SortRun {
+ public:
+  /// A run with more steps is not shown: 48 megabytes of events.
+  static constexpr std::size_t kMostEvents = std::size_t{1} << 22;
+  static constexpr std::size_t kCopies = std::size_t{64} << 20;  ///< bytes, of SoFar
+
+  /// Sorts the picture, which has been made and outlives this. @throws TooManyEvents
+  SortRun(Picture& picture, std::uint8_t ground);
+  SortRun(const SortRun&) = delete;
+  SortRun& operator=(const SortRun&) = delete;
+  ~SortRun() = default;
+
+  [[nodiscard]] const SnappedScene& scene() const { return picture_.snapped(); }
+  [[nodiscard]] const SortedScene& sorted() const { return sorted_; }
+  [[nodiscard]] const Explainer& explainer() const { return explainer_; }
+  [[nodiscard]] const Fragments& fragments() const { return explainer_.fragments(); }
+  [[nodiscard]] const Landmarks& landmarks() const { return landmarks_; }
+  [[nodiscard]] const Replay& replay() const { return replay_; }
+  [[nodiscard]] int steps() const { return replay_.steps(); }
+  /// 0 <= step <= steps().
+  void goTo(int step) { replay_.goTo(step); }
+  [[nodiscard]] const IndexImage& soFar() { return soFar_.at(replay_.painted()); }
+
+  /// As Explainer has it, kept for every fragment.
+  [[nodiscard]] Range zExtent(int id) const { return zExtents_[id]; }
+  /// Of the n-th that is painted.
+  [[nodiscard]] int paintedId(int n) const;
+  /// Of step 1..steps().
+  [[nodiscard]] StepAbout about(int step) const;
+  /// The first step of that kind with P and Q, or else of any kind with both, or else with P.
+  [[nodiscard]] std::optional<int> stepAbout(const StepAbout& wanted) const;
+  /// The fragment seen at a sample now, or else the next one that will be, or -1.
+  [[nodiscard]] int fragmentAt(int column, int row) const;
+
+ private:
+  Picture& picture_;
+  SortedScene sorted_;
+  Explainer explainer_;
+  Landmarks landmarks_;
+  Replay replay_;
+  SoFar soFar_;
+  std::vector<Range> zExtents_;
+};
+
+}  // namespace xnewell

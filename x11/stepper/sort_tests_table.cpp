@@ -1,0 +1,127 @@
+#include <algorithm>
+#include <cmath>
+
+#include "x11/drawing/font.h"
+#include "x11/drawing/wording.h"
+#include "x11/stepper/sort_pen.h"
+#include "x11/stepper/sort_wording.h"
+
+namespace xnewell {
+
+namespace {
+
+constexpr std::array kOrder{Test::XExtents,    Test::YExtents, Test::PBehindQ,    Test::QInFrontOfP,
+                            Test::Projections, Test::QBehindP, Test::PInFrontOfQ, Test::Overlap};
+
+/// The first of the texts, longest first, that has room.
+std::string firstThatFits(const std::vector<std::string>& texts, int width) {
+  for (const std::string& text : texts)
+    if (textWidth(text) <= width) return text;
+  return fitting(texts.back(), width);
+}
+
+void drawHeading(SortPen& pen) {
+  const Rect& at = pen.at.table;
+  const int y = at.y + (pen.at.compact ? 14 : 18), right = at.x + at.width;
+  pen.caps(at.x, y, "WHY");
+  if (!pen.event) return;
+  int x = at.x + 45;
+  const bool pair = pen.Q() >= 0;
+  const std::string asks = "may P be painted before Q?";
+  const bool asked = pair && pen.compare != nullptr && at.width > 520;
+  const int room = (right - (asked ? textWidth(asks) + 12 : 0) - x) / (pair ? 2 : 1) - 34;
+  const auto name = [&](int id, bool isP) {
+    drawBadge(pen, x, y - 11, isP);
+    const std::string farthest =
+        numberAndPart(pen.run, id) + (pen.event->kind == Event::Kind::Take ? ", farthest" : "");
+    x = pen.ink(x + 18, y, fitting(farthest, room)) + 24;
+  };
+  name(pen.P(), true);
+  if (pair) name(pen.Q(), false);
+  if (asked) pen.paint.textRight(right, y, asks, pen(Cell::Soft));
+}
+
+/// The answer at the row's end: a mark and words, right-aligned.
+void drawAnswer(SortPen& pen, int right, int y, const TestAnswer& answer) {
+  const bool holds = answer.mark == TestAnswer::Mark::Tick;
+  const Cell cell = holds ? Cell::Good : Cell::Alarm;
+  const int x = pen.paint.textRight(right, y, answer.words, pen(cell));
+  if (holds)
+    pen.paint.tick(x - 16, y - 8, pen(cell));
+  else
+    pen.paint.cross(x - 17, y - 8, pen(cell));
+}
+
+}  // namespace
+
+void drawTests(SortPen& pen) {
+  drawHeading(pen);
+  const Rect& at = pen.at.table;
+  const int heading = at.height - static_cast<int>(kOrder.size()) * pen.at.line;
+  const int numbers = at.x + (pen.at.compact ? 174 : 186), right = at.x + at.width;
+  const std::vector<Test> made =
+      pen.told() ? pen.run.explainer().testsMade(*pen.compare) : std::vector<Test>{};
+  // A polygon that is painted has passed against every Q: by which tests?
+  const bool painted = pen.event && pen.event->kind == Event::Kind::Paint;
+  const std::array<int, kTests> settled =
+      painted ? settledFor(pen.run.sorted(), pen.view.step) : std::array<int, kTests>{};
+  int y = at.y + heading + pen.at.line - 4;
+  for (Test test : kOrder) {
+    // Two in one plane have no use for test 6: their numbers decide.
+    if (test == Test::Overlap && std::ranges::find(made, Test::SamePlane) != made.end())
+      test = Test::SamePlane;
+    const int pairs = settled[static_cast<int>(test)] +
+                      (test == Test::Overlap ? settled[static_cast<int>(Test::SamePlane)] : 0);
+    const bool reached = pairs > 0 || std::ranges::find(made, test) != made.end();
+    if (test == Test::QBehindP) pen.rule(at.x, y - pen.at.line + 4, at.width);
+    const Cell cell = reached ? Cell::Ink : Cell::Faint;
+    pen.paint.text(at.x, y, shortNameOf(test), pen(reached ? Cell::Soft : Cell::Faint));
+    pen.paint.text(at.x + (pen.at.compact ? 20 : 24), y, questionOf(test), pen(cell));
+    if (pairs > 0) {
+      pen.ink(numbers, y, "settled it against " + counted(pairs, "polygon"));
+    } else if (reached) {
+      const TestAnswer answer = answerOf(*pen.compare, test);
+      pen.ink(numbers, y,
+              firstThatFits(numbersOf(pen.run.explainer(), *pen.compare, test),
+                            right - textWidth(answer.words) - 24 - numbers));
+      drawAnswer(pen, right, y, answer);
+    } else if (pen.view.asking) {
+      pen.paint.textRight(right, y, "?", pen(Cell::Soft));
+    }
+    y += pen.at.line;
+  }
+}
+
+void drawFinding(SortPen& pen) {
+  const Rect& at = pen.at.finding;
+  pen.paint.fillRect(at, pen(Cell::White));
+  const StepFinding finding = findingOf(pen.run, pen.view);
+  const bool alarm = finding.alarm;
+  pen.paint.fillRect({at.x, at.y, 3, at.height}, pen(alarm ? Cell::Alarm : Cell::Ink));
+  const int x = at.x + 13, room = at.width - 20;
+  int y = at.y + pen.at.line - (pen.at.compact ? 2 : 1);
+  const int end = pen.bold(x, y, fitting(finding.bold, room));
+  if (!finding.aside.empty() && end + 12 + textWidth(finding.aside) <= at.x + at.width - 6)
+    pen.paint.textRight(at.x + at.width - 8, y, finding.aside, pen(Cell::Soft));
+  if (pen.view.asking) {
+    for (std::size_t k = 0; k < kAnswers.size(); ++k) {
+      const Rect& r = pen.at.answers[k];
+      if (pen.hovers(SortPart::Answer, static_cast<int>(k)))
+        pen.paint.fillRect({r.x - 3, r.y - 1, r.width + 6, r.height + 1}, pen(Cell::Focus));
+      const int width =
+          pen.paint.keyCap(r.x, r.y + 1, std::string_view{&kAnswerKeys[k], 1},
+                           {pen(Cell::Panel), pen(Cell::Rule), pen(Cell::Faint), pen(Cell::Soft)});
+      pen.ink(r.x + width + 6, r.y + 1 + kKeyCapBaseline, kAnswers[k]);
+    }
+    y += 2 * pen.at.line;
+  } else {
+    y += pen.at.line;
+  }
+  for (const std::string& line : broken(finding.why, room / kGlyphWidth)) {
+    if (y > at.y + at.height) break;
+    pen.ink(x, y, line);
+    y += pen.at.line;
+  }
+}
+
+}  // namespace xnewell

@@ -1,0 +1,241 @@
+#include "x11/stepper/sort_wording.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "x11/drawing/wording.h"
+
+namespace xnewell {
+
+namespace {
+
+std::string rangeText(const Range& r) { return fixed(r.low, 1) + ".." + fixed(r.high, 1); }
+
+/// With one decimal, or as many as show that it is not 0.
+std::string shown(double v) {
+  int decimals = 1;
+  while (decimals < 6 && v != 0.0 && std::abs(v) * std::pow(10.0, decimals) < 0.5) ++decimals;
+  return fixed(v, decimals);
+}
+
+std::vector<std::string> extentNumbers(const Range& P, const Range& Q) {
+  const double shared = std::min(P.high, Q.high) - std::max(P.low, Q.low);
+  const std::string both = rangeText(P) + " and " + rangeText(Q);
+  // Touching extents do not overlap: they share nothing, 0.0 px.
+  const std::string share = shared > 0.0 ? "share " + shown(shared) + " px" : shown(-shared) + " px apart";
+  return {both + (shared > 0.0 ? " " : ", ") + share, share};
+}
+
+/// How many corners keep to the side that the test asks for, and each one's distance.
+std::vector<std::string> planeNumbers(const Explainer& explainer, int of, int other, bool behind) {
+  const std::vector<CornerDistance> corners = explainer.distances(of, other);
+  int kept = 0, on = 0;
+  std::string each;
+  for (const CornerDistance& c : corners) {
+    kept += behind ? c.sign < 0 : c.sign > 0;
+    on += c.sign == 0;
+    each += (each.empty() ? "" : " ") + distanceText(c);
+  }
+  const std::string side = behind ? "behind" : "in front";
+  std::string count = std::to_string(kept) + " of " +
+                      counted(static_cast<std::int64_t>(corners.size()), "corner") + " " + side;
+  std::string brief = std::to_string(kept) + " of " + std::to_string(corners.size()) + " " + side;
+  if (on > 0) {
+    count += ", " + std::to_string(on) + " on it";
+    brief += ", " + std::to_string(on) + " on it";
+  }
+  return {count + ": " + each, brief + ": " + each, count, brief};
+}
+
+std::string verdictText(const Event& compare) {
+  switch (compare.verdict) {
+    case Verdict::PFirst:
+      return "P may be painted before Q.";
+    case Verdict::QFirst:
+      return "Q must be painted before P.";
+    case Verdict::Crossing:
+      return "P and Q pass through each other.";
+  }
+  return "";
+}
+
+std::string_view answerText(Verdict verdict) { return kAnswers[static_cast<std::size_t>(verdict)]; }
+
+/// The sentence without the word that the bold line or the status says already.
+std::string sentenceOf(const SortRun& run) {
+  const Event& e = *run.replay().event();
+  const int splits = run.replay().splits() - (e.kind == Event::Kind::Split);
+  std::string sentence = run.explainer().sentence(e, splits);
+  if (e.kind != Event::Kind::Compare)
+    if (const std::size_t colon = sentence.find(": "); colon != std::string::npos) {
+      sentence.erase(0, colon + 2);
+      sentence[0] = static_cast<char>(std::toupper(static_cast<unsigned char>(sentence[0])));
+    }
+  return sentence;
+}
+
+}  // namespace
+
+bool isQuestion(const Event& event) {
+  return event.kind == Event::Kind::Compare && event.test != Test::XExtents && event.test != Test::YExtents;
+}
+
+std::string numberAndPart(const SortRun& run, int id) {
+  const std::string part = run.fragments().part(id);
+  if (run.fragments().hasName(id)) return part;
+  return run.fragments().number(id) + (part.empty() ? "" : " " + part);
+}
+
+std::string stepInWords(const SortRun& run) {
+  const Event* const e = run.replay().event();
+  if (e == nullptr) return "start: nothing is painted";
+  std::string words = std::string{wordFor(e->kind)} + ": P " + numberAndPart(run, e->P);
+  if (e->Q >= 0) words += ", Q " + numberAndPart(run, e->Q);
+  return words;
+}
+
+std::string_view shortNameOf(Test test) {
+  return test == Test::SamePlane ? "=" : kTestRows[static_cast<std::size_t>(test)].name;
+}
+
+std::string_view questionOf(Test test) {
+  switch (test) {
+    case Test::SamePlane:
+      return "in one plane?";
+    case Test::XExtents:
+      return "x-extents apart?";
+    case Test::YExtents:
+      return "y-extents apart?";
+    case Test::PBehindQ:
+      return "P behind Q's plane?";
+    case Test::QInFrontOfP:
+      return "Q in front of P's plane?";
+    case Test::Projections:
+      return "projections apart?";
+    case Test::QBehindP:
+      return "Q behind P's plane?";
+    case Test::PInFrontOfQ:
+      return "P in front of Q's plane?";
+    case Test::Overlap:
+      return "nearer in the overlap?";
+  }
+  return "";
+}
+
+std::string distanceText(const CornerDistance& corner) {
+  if (corner.sign == 0) return "0.0";
+  return (corner.sign > 0 ? "+" : "-") + shown(std::abs(corner.inFront));
+}
+
+std::vector<std::string> numbersOf(const Explainer& explainer, const Event& e, Test test) {
+  switch (test) {
+    case Test::XExtents:
+      return extentNumbers(explainer.xExtent(e.P), explainer.xExtent(e.Q));
+    case Test::YExtents:
+      return extentNumbers(explainer.yExtent(e.P), explainer.yExtent(e.Q));
+    case Test::PBehindQ:
+      return planeNumbers(explainer, e.P, e.Q, true);
+    case Test::QInFrontOfP:
+      return planeNumbers(explainer, e.Q, e.P, false);
+    case Test::QBehindP:
+      return planeNumbers(explainer, e.Q, e.P, true);
+    case Test::PInFrontOfQ:
+      return planeNumbers(explainer, e.P, e.Q, false);
+    case Test::Projections: {
+      if (const std::optional<SeparatingEdge> edge = explainer.separatingEdge(e.P, e.Q))
+        return {std::string{"an edge of "} + (edge->ofP ? "P has all of Q" : "Q has all of P") +
+                    " on its other side",
+                std::string{"an edge of "} + (edge->ofP ? "P" : "Q") + " parts them", "an edge parts them"};
+      const double shared = explainer.commonArea(e.P, e.Q).area;
+      const std::string area = shared < 1000.0 ? shown(shared) : grouped(std::llround(shared));
+      return {"they share " + area + " square px", area + " square px"};
+    }
+    case Test::SamePlane: {
+      const int p = explainer.fragments().face(e.P).number, q = explainer.fragments().face(e.Q).number;
+      return {"P is face " + std::to_string(p) + ", Q is " + std::to_string(q) + ": the later is nearer",
+              std::to_string(p) + ", " + std::to_string(q) + ": the later is nearer", "by number"};
+    }
+    case Test::Overlap: {
+      const Range ahead = explainer.commonArea(e.P, e.Q).aheadOfQ;
+      const std::string range = shown(ahead.low) + " to " + shown(ahead.high) + " px";
+      return {ahead.high <= 0.0
+                  ? "P is behind Q by " + shown(-ahead.high) + " to " + shown(-ahead.low) + " px"
+                  : "P is in front of Q by " + range,
+              "zP - zQ: " + range, range};
+    }
+  }
+  return {""};
+}
+
+TestAnswer answerOf(const Event& e, Test test) {
+  using Mark = TestAnswer::Mark;
+  if (test != e.test) return {Mark::Cross, "no"};
+  switch (e.verdict) {
+    case Verdict::PFirst:
+      return {Mark::Tick, "yes, P first"};
+    case Verdict::QFirst:
+      return {Mark::Tick, "yes, Q first"};
+    case Verdict::Crossing:
+      return {Mark::Cross, "both are"};
+  }
+  return {Mark::Cross, ""};
+}
+
+StepFinding findingOf(const SortRun& run, const SortView& view) {
+  const Event* const e = run.replay().event();
+  const auto polygons = static_cast<std::int64_t>(run.sorted().list.size());
+  if (e == nullptr) {
+    if (polygons == 0) return {"There is nothing to sort.", "No polygon of the scene shows."};
+    return {"Nothing is painted yet.",
+            "The list holds " + counted(polygons, "polygon") +
+                ", the farthest first. Each step is one decision: the arrow to the right takes the next."};
+  }
+  if (view.asking)
+    return {"What follows?", "P and Q overlap in x and in y, and in z. Look, then answer; the arrow tells."};
+
+  StepFinding finding{.bold = "", .why = sentenceOf(run)};
+  switch (e->kind) {
+    case Event::Kind::Take:
+      finding.bold = "P is " + numberAndPart(run, e->P) + ".";
+      break;
+    case Event::Kind::Compare:
+      finding.bold = verdictText(*e);
+      finding.alarm = e->verdict == Verdict::Crossing;
+      break;
+    case Event::Kind::Move:
+      finding.bold = "Q goes first.";
+      break;
+    case Event::Kind::Cycle:
+      finding.bold = "The order goes round.";
+      finding.alarm = true;
+      break;
+    case Event::Kind::Impossible:
+      finding.bold = "The plane of Q does not cut P.";
+      finding.alarm = true;
+      break;
+    case Event::Kind::Void:
+      finding.bold = "P and Q only touch.";
+      break;
+    case Event::Kind::Split:
+      finding.bold = "P is cut in two.";
+      if (const Event* const compare = comparisonAt(run.sorted(), view.step);
+          compare && compare->verdict == Verdict::Crossing)
+        finding.why = "P and Q pass through each other" +
+                      std::string{compare->P == e->P ? ": " : "; the smaller is cut, called P here: "} +
+                      finding.why;
+      else if (!compare || compare->P != e->P)
+        finding.why += " The steps before tell why.";
+      finding.alarm = true;
+      break;
+    case Event::Kind::Paint:
+      finding.bold =
+          run.replay().step() == run.steps() ? "P is painted, the last one: all is done." : "P is painted.";
+      break;
+  }
+  if (view.answer)
+    finding.aside = "you said: " + std::string{answerText(*view.answer)} +
+                    (*view.answer == e->verdict ? ", and so it is" : "");
+  return finding;
+}
+
+}  // namespace xnewell

@@ -1,0 +1,375 @@
+#include "x11/views/colors_page.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "x11/drawing/pen.h"
+#include "x11/drawing/sheet.h"
+#include "x11/drawing/wording.h"
+
+namespace xnewell {
+
+namespace {
+
+constexpr int kGridLabels = 26, kTitle = 24, kGridGutter = 28, kTableWidth = 240;
+constexpr int kLabels = 108;  // of facts, to their values
+constexpr int kOptions = 60;  // of the table's lines, from label to options
+constexpr int kKeyColumn = 24;
+constexpr int kLines = 10;  // of the table in a window
+constexpr int kTableTrack = 96, kTrackValue = 152;
+
+int pitchOf(const ColorsLayout& at) { return at.compact ? 16 : 20; }
+int firstLine(const ColorsLayout& at) { return at.table.y + (at.compact ? 35 : 37); }
+
+std::vector<std::string_view> optionsOf(const TableLine& line) {
+  return {line.options.begin(), line.options.end()};
+}
+
+/// Where the options of a line stand, from its text on.
+std::vector<Rect> framesOf(const ColorsLayout& at, const TableLine& line, int x, int baseline) {
+  return optionFrames(optionsOf(line), x, baseline, kTableWidth - kKeyColumn - kOptions,
+                      std::min(18, pitchOf(at)));
+}
+
+/// Draws the page's parts, one function each.
+class ColorsDrawing {
+ public:
+  ColorsDrawing(IndexImage& image, const ColorsLayout& at, const ColorsPage& page)
+      : image_{image},
+        pen_{Painter{image}, page.plan},
+        at_{at},
+        page_{page},
+        scene_{sceneCells(page.picture)} {}
+
+  void drawGrid();
+  void drawFacts();
+  void drawStored();
+  void drawSteps();
+  void drawTable();
+
+ private:
+  [[nodiscard]] std::uint8_t operator()(Cell c) const { return page_.plan[c]; }
+  [[nodiscard]] bool isTools(int cell) const {
+    for (int role = 0; role < kCells; ++role)
+      if (page_.plan[static_cast<Cell>(role)] == cell) return true;
+    return false;
+  }
+  [[nodiscard]] bool holdsColors() const {
+    return channelsOf(page_.picture.colors().plan()) == Channels::Rgb;
+  }
+  [[nodiscard]] Rect cellRect(int cell) const {
+    return {at_.grid.x + cell % 16 * at_.pitch, at_.grid.y + cell / 16 * at_.pitch, at_.pitch, at_.pitch};
+  }
+  void title(const Rect& plot, std::string_view name, std::string_view unit);
+  /// The room that words at that place take, with a halo.
+  [[nodiscard]] static Rect roomOf(int x, int baseline, std::string_view text) {
+    return {x - 2, baseline - 11, textWidth(text) + 4, 14};
+  }
+  /// What of curves is there, in pixels; those of the chosen one count more than all others.
+  [[nodiscard]] int hidden(const Rect& room) const;
+  /// Words beside a point of the plot's curve, or beside the line from there down: as near as they hide
+  /// nothing, and where that is nowhere, least.
+  void remark(int x, int y, std::string_view text);
+  void drawLine(const TableLine& line, int x, int baseline);
+  void outline(const CellRange& cells);
+
+  const IndexImage& image_;
+  Pen pen_;
+  const ColorsLayout& at_;
+  const ColorsPage& page_;
+  CellRange scene_;
+};
+
+/// Around the cells, wherever they end within a row.
+void ColorsDrawing::outline(const CellRange& cells) {
+  for (int cell = cells.first; cell <= cells.last(); ++cell) {
+    const Rect r = cellRect(cell);
+    const std::uint8_t line = (*this)(Cell::Faint);
+    if (!cells.has(cell - 16)) pen_.paint.hline(r.x, r.y, r.width + 1, line);
+    if (!cells.has(cell + 16)) pen_.paint.hline(r.x, r.y + r.height, r.width + 1, line);
+    if (cell % 16 == 0 || !cells.has(cell - 1)) pen_.paint.vline(r.x, r.y, r.height + 1, line);
+    if (cell % 16 == 15 || !cells.has(cell + 1)) pen_.paint.vline(r.x + r.width, r.y, r.height + 1, line);
+  }
+}
+
+void ColorsDrawing::drawGrid() {
+  const int top = at_.grid.y - kTitle + 11;
+  pen_.paint.text(at_.grid.x - kGridLabels, top, "CELLS", (*this)(Cell::Soft), Voice::Caps);
+  pen_.paint.textRight(at_.grid.x + 16 * at_.pitch, top, "large: used by the picture", (*this)(Cell::Soft));
+  for (int row = 0; row < 16; ++row)
+    pen_.paint.textRight(at_.grid.x - 8, at_.grid.y + row * at_.pitch + at_.pitch / 2 + 5,
+                         std::to_string(16 * row), (*this)(Cell::Soft));
+
+  const int large = at_.pitch - 2, middle = at_.pitch / 2, small = at_.pitch * 2 / 5;
+  for (int cell = 0; cell < 256; ++cell) {
+    const Rect r = cellRect(cell);
+    const bool used = page_.use.samples[cell] > 0;
+    const int side = isTools(cell) ? middle : used ? large : small;
+    const Rect mark{r.x + (r.width - side + 1) / 2, r.y + (r.height - side + 1) / 2, side, side};
+    pen_.paint.fillRect(mark, static_cast<std::uint8_t>(cell));
+    if (isTools(cell)) pen_.paint.frame(mark, (*this)(Cell::Rule));
+  }
+  if (scene_.count > 0) outline(scene_);
+  const std::vector<CellRange> ramps = rampsOf(page_.picture);
+  if (ramps.size() > 1) std::ranges::for_each(ramps, [&](const CellRange& ramp) { outline(ramp); });
+  const Rect r = cellRect(page_.cell);
+  pen_.paint.frame({r.x - 1, r.y - 1, r.width + 2, r.height + 2}, (*this)(Cell::Ink));
+  pen_.paint.frame(r, (*this)(Cell::White));
+  if (page_.use.samples[page_.cell] > 0)
+    pen_.paint.fillRect({r.x + 1, r.y + 1, r.width - 2, r.height - 2}, static_cast<std::uint8_t>(page_.cell));
+}
+
+void ColorsDrawing::drawFacts() {
+  const Rect& at = at_.facts;
+  pen_.paint.hline(at.x, at.y, at.width, (*this)(Cell::Rule));
+  pen_.paint.text(at.x, at.y + 32, "cell " + std::to_string(page_.cell), (*this)(Cell::Ink), Voice::Title);
+  const int aside = pen_.paint.textRight(at.x + at.width, at.y + 32, page_.aside, (*this)(Cell::Soft));
+  if (page_.asideKey) pen_.key(aside - 22, at.y + 21, std::string_view{&page_.asideKey, 1});
+  int y = at.y + (at_.compact ? 52 : 57);
+  for (const CellFact& fact : factsOf(page_.cell, page_.picture, page_.palette, page_.plan, page_.use)) {
+    pen_.paint.text(at.x, y, fact.label, (*this)(Cell::Soft));
+    pen_.paint.text(at.x + kLabels, y, fact.value, (*this)(Cell::Ink));
+    y += at_.compact ? 16 : 18;
+  }
+}
+
+void ColorsDrawing::title(const Rect& plot, std::string_view name, std::string_view unit) {
+  const int y = plot.y - 13;
+  pen_.paint.text(plot.x - kPlotLeft, y, name, (*this)(Cell::Soft), Voice::Caps);
+  pen_.paint.textRight(plot.x + plot.width + kPlotRight, y, unit, (*this)(Cell::Soft));
+}
+
+int ColorsDrawing::hidden(const Rect& room) const {
+  constexpr int kChosen = 100;
+  int sum = 0;
+  for (int y = room.y; y < room.y + room.height; ++y)
+    for (int x = room.x; x < room.x + room.width; ++x) {
+      const std::uint8_t cell = image_.row(y)[x];
+      if (cell != (*this)(Cell::Paper) && cell != (*this)(Cell::Panel))
+        sum += cell == (*this)(Cell::Ink) ? kChosen : 1;
+    }
+  return sum;
+}
+
+void ColorsDrawing::remark(int x, int y, std::string_view text) {
+  const Rect& area = at_.stored;
+  Rect best;
+  int least = std::numeric_limits<int>::max();
+  for (int away = 8; away < area.height; away += 2)
+    for (const int baseline : {y - away, y + away + 8})
+      for (const int at : {x - textWidth(text) - 6, x + 8}) {
+        const Rect room = roomOf(at, baseline, text);
+        if (intersection(room, area) != room) continue;
+        if (const int hides = hidden(room); hides < least) least = hides, best = room;
+      }
+  pen_.paint.fillRect(best, (*this)(Cell::Paper));
+  pen_.paint.text(best.x + 2, best.y + 11, text, (*this)(Cell::Ink));
+}
+
+void ColorsDrawing::drawStored() {
+  const Rect& area = at_.stored;
+  title(area, holdsColors() ? "luminance" : "stored value", "of 255, for each cell");
+  const Plot plot = storedPlot(page_.picture, page_.palette);
+  drawPlot(pen_.paint, page_.plan, area, plot);
+  if (!at_.compact && hidden(roomOf(area.x + 12, area.y + 14, page_.hint)) == 0)
+    pen_.paint.text(area.x + 12, area.y + 14, page_.hint, (*this)(Cell::Soft));
+  for (const Curve& curve : plot.curves) {
+    const int k = page_.cell - curve.first;
+    if (!curve.chosen || k < 0 || k >= static_cast<int>(curve.y.size())) continue;
+    const int x = plotX(plot, area, page_.cell), y = plotY(plot, area, curve.y[k]);
+    remark(x, y, std::to_string(page_.cell) + ": " + fixed(curve.y[k], 1));
+    pen_.paint.vline(x, y, area.y + area.height - y, (*this)(Cell::Ink));
+    pen_.paint.disc(x, y, 4, (*this)(Cell::Ink));
+    pen_.paint.disc(x, y, 3, static_cast<std::uint8_t>(page_.cell));
+    break;
+  }
+}
+
+void ColorsDrawing::drawSteps() {
+  const Rect& area = at_.steps;
+  Plot plot{.cells = scene_,
+            .ticks = {},
+            .logarithmic = true,
+            .curves = page_.steps,
+            .level = kSeenStep,
+            .levelName = "the eye"};
+  double most = 30.0, least = 0.3;
+  for (const Curve& curve : plot.curves)
+    for (const double y : curve.y)
+      if (y > 0.0) most = std::max(most, y), least = std::min(least, y);
+  plot.ticks = logarithmicTicks(std::max(least, 0.03), std::min(most, 3e4));
+  if (holdsColors())
+    title(area, "to the nearest colour", "CIEDE2000, log scale");
+  else
+    title(area, "step to the next shade",
+          page_.gamma == 1.0 ? "per cent brighter, log scale"
+                             : "per cent, on a screen of gamma " + fixed(page_.gamma, 1));
+  drawPlot(pen_.paint, page_.plan, area, plot);
+}
+
+void ColorsDrawing::drawLine(const TableLine& line, int x, int y) {
+  const bool keys = std::ranges::any_of(page_.lines, [](const TableLine& l) { return l.key != 0; });
+  if (line.key) pen_.key(x, y - 11, std::string_view{&line.key, 1});
+  if (keys) x += kKeyColumn;
+  pen_.paint.text(x, y, line.label, (*this)(Cell::Ink));
+  x += kOptions;
+  if (line.share) {
+    drawTrack(pen_, x, y, kTableTrack, {.share = *line.share});
+    pen_.paint.textRight(x + kTrackValue, y, line.value, (*this)(Cell::Ink), Voice::Bold);
+  } else if (line.options.empty()) {
+    pen_.paint.text(x, y, line.value, (*this)(Cell::Ink), Voice::Bold);
+  }
+  drawOptions(pen_, optionsOf(line), framesOf(at_, line, x, y), line.chosen);
+}
+
+void ColorsDrawing::drawTable() {
+  const Rect& at = at_.table;
+  pen_.paint.hline(at.x, at.y, at_.picture.x + at_.picture.width - at.x, (*this)(Cell::Rule));
+  pen_.paint.text(at.x, at.y + 16, "TABLE", (*this)(Cell::Soft), Voice::Caps);
+  int y = firstLine(at_);
+  for (const TableLine& line : page_.lines) {
+    if (line.key != 0 && line.key == page_.focus) drawFocus(pen_, {at.x, y - 14, at.width, pitchOf(at_)});
+    drawLine(line, at.x, y);
+    y += pitchOf(at_);
+  }
+}
+
+}  // namespace
+
+ColorsLayout layoutOfColors(const Rect& body) {
+  ColorsLayout at;
+  at.compact = body.height < kCompactBelow;
+  const int factsHeight = at.compact ? 158 : 178, gap = at.compact ? 8 : 20;
+  const int columns = (body.width + 16) * 5 / 12 - 16;
+  at.pitch = std::min((columns - kGridLabels) / 16, (body.height - kTitle - factsHeight - gap) / 16);
+  at.grid = {body.x + kGridLabels, body.y + kTitle, 16 * at.pitch, 16 * at.pitch};
+  const int left = std::max(300, kGridLabels + 16 * at.pitch + 1);
+  at.facts = {body.x, at.grid.y + at.grid.height + gap, left, factsHeight};
+
+  const int x = body.x + left + kGridGutter, width = body.x + body.width - x;
+  const int lines = pitchOf(at) * kLines + (at.compact ? 24 : 28);
+  const int bottom = std::max(lines, body.height * 36 / 100);
+  const int between = kPlotBelow + (at.compact ? 28 : 30);
+  const int plots = body.height - bottom - 12 - kTitle - between - kPlotBelow;
+  const int upper = plots * 56 / 100;
+  at.stored = {x + kPlotLeft, body.y + kTitle, width - kPlotLeft - kPlotRight, upper};
+  at.steps = {at.stored.x, at.stored.y + upper + between, at.stored.width, plots - upper};
+  at.table = {x, body.y + body.height - bottom, kTableWidth, bottom};
+  at.picture = {x + kTableWidth + 12, at.table.y + 8, width - kTableWidth - 12, bottom - 8};
+  return at;
+}
+
+std::optional<TableLineHit> lineAt(const ColorsLayout& at, const std::vector<TableLine>& lines, int x,
+                                   int y) {
+  const int from = y - firstLine(at) + 14, line = from / pitchOf(at);
+  if (from < 0 || line >= static_cast<int>(lines.size()) || x < at.table.x ||
+      x >= at.table.x + at.table.width)
+    return std::nullopt;
+  TableLineHit hit{.line = line};
+  const int first = at.table.x + kKeyColumn + kOptions, baseline = firstLine(at) + line * pitchOf(at);
+  if (lines[line].share && x >= first - 5 && x <= first + kTableTrack + 5) hit.share = trackShare(at, x);
+  const std::vector<Rect> frames = framesOf(at, lines[line], first, baseline);
+  for (int k = 0; k < static_cast<int>(frames.size()); ++k)
+    if (frames[k].has(x, y)) hit.option = k;
+  return hit;
+}
+
+double trackShare(const ColorsLayout& at, int x) {
+  return std::clamp(static_cast<double>(x - at.table.x - kKeyColumn - kOptions) / kTableTrack, 0.0, 1.0);
+}
+
+std::optional<int> cellInGrid(const ColorsLayout& at, int x, int y) {
+  const int column = x - at.grid.x, row = y - at.grid.y;
+  if (column < 0 || row < 0 || column >= at.grid.width || row >= at.grid.height) return std::nullopt;
+  return row / at.pitch * 16 + column / at.pitch;
+}
+
+std::vector<Curve> stepsSeen(const Picture& picture, const Palette& plain, const CellPlan& plan,
+                             PaletteEffects effects) {
+  effects.gamma = 1;
+  return stepCurves(picture, withEffects(plain, picture, plan, effects));
+}
+
+Plot storedPlot(const Picture& picture, const Palette& palette) {
+  return {.cells = sceneCells(picture),
+          .ticks = {0, 64, 128, 192, 255},
+          .curves = storedCurves(picture, palette)};
+}
+
+std::vector<TableLine> tableLines(const Picture& picture, const PaletteEffects& effects) {
+  const TableSettings& table = picture.settings().table;
+  const bool colors = channelsOf(picture.colors().plan()) == Channels::Rgb;
+  const std::string turned = effects.hueTurn != 0.0 ? " + " + fixed(effects.hueTurn, 0) + "\u00B0" : "";
+  std::vector<TableLine> lines;
+  if (colors) {
+    lines.push_back({.label = "colours",
+                     .options = {"chosen", "cube"},
+                     .chosen = picture.colors().plan() == ColorPlan::Cube});
+    lines.push_back({.label = "cells", .value = std::to_string(sceneCells(picture).count)});
+    if (!turned.empty()) lines.push_back({.label = "hue", .value = turned});
+    lines.push_back({.label = "dither", .options = {"off", "on"}, .chosen = picture.settings().dither});
+  } else {
+    TableLine kinds{.label = "table", .chosen = static_cast<int>(table.kind)};
+    for (const TableRow& row : kTables) kinds.options.emplace_back(row.name);
+    lines.push_back(kinds);
+    const bool corrected = table.kind == TableKind::Corrected;
+    const std::string I0 = corrected ? ", I0 " + fixed(table.I0, table.I0 < 0.001 ? 6 : 3) : "";
+    lines.push_back({.label = "shades", .value = std::to_string(table.shades) + I0});
+    if (corrected)
+      lines.push_back(
+          {.label = "nearest", .options = {"in ratio", "difference"}, .chosen = table.pick == Pick::Search});
+    const std::size_t ramps = picture.colors().tables().size();
+    const glm::dvec3& h = table.hue;
+    const std::string hue = ramps > 1 ? std::to_string(ramps) + ", a ramp each"
+                                      : fixed(h.r, 2) + ", " + fixed(h.g, 2) + ", " + fixed(h.b, 2);
+    lines.push_back({.label = ramps > 1 ? "hues" : "hue", .value = hue + turned});
+    lines.push_back({.label = "stored", .options = {"8 bits", "16 bits"}, .chosen = table.bits == 16});
+  }
+  if (effects.stored)
+    lines.push_back({.label = "colours", .value = "of " + std::string{kTables[int(*effects.stored)].name}});
+  if (effects.gamma != 1.0) lines.push_back({.label = "gamma", .value = fixed(effects.gamma, 2)});
+  if (effects.bend)
+    lines.push_back({.label = "bent",
+                     .value = std::to_string(effects.bend->cell) + " to " + fixed(effects.bend->value, 1)});
+  if (effects.rotate != 0) lines.push_back({.label = "rotated", .value = std::to_string(effects.rotate)});
+  return lines;
+}
+
+std::string levelsText(const Picture& picture, const std::vector<Curve>& curves) {
+  const SceneColors& colors = picture.colors();
+  int steps = 0, seen = 0;
+  for (const Curve& curve : curves)
+    for (const double y : curve.y)
+      if (curve.chosen && !std::isnan(y)) ++steps, seen += y >= kSeenStep;
+  const std::string told = "   the eye tells " + std::to_string(seen) + " of " + std::to_string(steps);
+  if (channelsOf(colors.plan()) == Channels::Rgb)
+    return (colors.plan() == ColorPlan::Cube
+                ? "6 x 8 x 5 = 240 colours, whatever the picture"
+                : counted(sceneCells(picture).count, "colour") + " chosen from the picture") +
+           told + " from all others";
+  int shades = 0, sixteen = 0, eight = 0;
+  for (const ColorTable& table : colors.tables()) {
+    shades += table.shades();
+    sixteen += distinctLevels(table.settings(), 16);
+    eight += distinctLevels(table.settings(), 8);
+  }
+  std::string text;
+  if (colors.tables().size() == 1 && picture.settings().table.kind == TableKind::Corrected)
+    text = "r = " + fixed(ratioOf(colors.table()), 8) + "   ";
+  return text + std::to_string(sixteen) + " of " + std::to_string(shades) + " levels distinct at 16 bits, " +
+         std::to_string(eight) + " at 8" + told + " steps";
+}
+
+void drawColorsPage(IndexImage& image, const ColorsLayout& at, const ColorsPage& page) {
+  for (int j = 0; j < at.picture.height; ++j)
+    std::copy_n(page.image.row(j), at.picture.width, image.row(at.picture.y + j) + at.picture.x);
+  ColorsDrawing draws{image, at, page};
+  draws.drawGrid();
+  draws.drawFacts();
+  draws.drawStored();
+  draws.drawSteps();
+  draws.drawTable();
+}
+
+}  // namespace xnewell

@@ -1,0 +1,124 @@
+#include "x11/views/difference.h"
+
+#include <algorithm>
+#include <cmath>
+#include <glm/gtc/type_precision.hpp>
+#include <limits>
+
+#include "depthsort/oracle.h"
+#include "shading/color/color_difference.h"
+#include "shading/color/quantize.h"
+
+namespace xnewell {
+
+namespace {
+
+/// Reference and picture at one sample after the other.
+class Comparison {
+ public:
+  Comparison(Difference& difference, std::size_t samples) : difference_{difference} {
+    difference.at.assign(samples, std::numeric_limits<float>::quiet_NaN());
+  }
+  void add(std::size_t sample, double by) {
+    Difference& d = difference_;
+    d.at[sample] = static_cast<float>(by);
+    d.mean += (by - d.mean) / static_cast<double>(++d.samples);
+    d.above += by > kMeasures[static_cast<int>(d.measure)].unit;
+    if (by > d.largest) d.largest = by, d.largestAt = sample;
+  }
+
+ private:
+  Difference& difference_;
+};
+
+Rgb16 stored(const glm::dvec3& intensities) {
+  const auto channel = [](double v) { return static_cast<std::uint16_t>(std::floor(65535.0 * v + 0.5)); };
+  return {channel(intensities.r), channel(intensities.g), channel(intensities.b)};
+}
+
+/// The settings of the reference: the picture's plan of colours stays.
+PictureSettings referenceFor(const Scene& scene, PictureSettings settings) {
+  settings.colors = planOf(scene, settings);
+  settings.shading = Shading::Phong;
+  settings.order = Order::Oracle;
+  return settings;
+}
+
+/// `colors` are the picture's: several hues share the cells by what a picture shows of each, so the
+/// reference's own may have them otherwise.
+void compareIntensities(Compared& result, const Picture& reference, const SeenRows& seen,
+                        const SceneColors& colors) {
+  const std::vector<double> I = reference.intensities(seen);
+  Comparison comparison{result.difference, I.size()};
+  for (std::size_t k = 0; k < I.size(); ++k) {
+    if (seen.faces[k] == kNothing) continue;
+    const SnappedFace& face = reference.snapped().faces[seen.faces[k]];
+    const ColorTable& table = colors.tableOf(reference.scene().mesh.material[face.number]);
+    result.reference.pixels[k] = static_cast<std::uint8_t>(table.cell(I[k]));
+    comparison.add(k, std::abs(colors.intensityOf(result.picture.pixels[k]) - I[k]));
+  }
+}
+
+/// `palette` is the picture's.
+void compareColors(Compared& result, const Picture& reference, const SeenRows& seen, const Palette& palette) {
+  const std::array<std::vector<double>, 3> I{reference.intensities(seen, 0), reference.intensities(seen, 1),
+                                             reference.intensities(seen, 2)};
+  std::array<Lab, 256> ofCell;
+  std::ranges::transform(palette, ofCell.begin(), [](const Rgb16& c) { return labFromSrgb(c); });
+  Comparison comparison{result.difference, seen.faces.size()};
+  RgbImage bytes{result.picture.width, result.picture.height};
+  std::vector<std::uint8_t> shows(seen.faces.size(), 0);
+  for (std::size_t k = 0; k < seen.faces.size(); ++k) {
+    if (seen.faces[k] == kNothing) continue;
+    shows[k] = 1;
+    const Rgb16 color = stored({I[0][k], I[1][k], I[2][k]});
+    bytes.rgb[3 * k] = static_cast<std::uint8_t>(color.r >> 8);
+    bytes.rgb[3 * k + 1] = static_cast<std::uint8_t>(color.g >> 8);
+    bytes.rgb[3 * k + 2] = static_cast<std::uint8_t>(color.b >> 8);
+    comparison.add(k, ciede2000(ofCell[result.picture.pixels[k]], labFromSrgb(color)));
+  }
+  std::vector<glm::u8vec3> colors;
+  const int first = reference.table().first();
+  for (int c = first; c < first + kMaxShades; ++c)
+    colors.emplace_back(palette[c].r >> 8, palette[c].g >> 8, palette[c].b >> 8);
+  paintNearest(bytes, shows, colors, false, first, result.reference);
+}
+
+/// The number of the face at each sample.
+std::vector<int> faceNumbersOf(const Picture& picture, const SeenRows& seen) {
+  std::vector<int> numbers(seen.faces.size(), kNothing);
+  for (std::size_t k = 0; k < numbers.size(); ++k)
+    if (seen.faces[k] != kNothing) numbers[k] = picture.snapped().faces[seen.faces[k]].number;
+  return numbers;
+}
+
+}  // namespace
+
+Compared comparedWithPhong(Picture& picture, const PictureSettings& settings, std::uint8_t ground) {
+  Compared result;
+  picture.make(settings);
+  picture.paint(result.picture, ground);
+  const Palette palette = picture.palette(CellPlan{settings.table.kind});
+  const SceneColors colors = picture.colors();
+  const std::vector<int> shown = faceNumbersOf(picture, picture.seen(0, settings.height));
+
+  picture.make(referenceFor(picture.scene(), settings));
+  const SeenRows seen = picture.seen(0, settings.height);
+  result.reference = IndexImage{settings.width, settings.height, ground};
+  result.difference.width = settings.width;
+  if (channelsOf(picture.colors().plan()) == Channels::Rgb) {
+    result.difference.measure = Measure::Color;
+    compareColors(result, picture, seen, palette);
+  } else {
+    compareIntensities(result, picture, seen, colors);
+  }
+  const std::vector<int> numbers = faceNumbersOf(picture, seen);
+  for (std::size_t k = 0; k < numbers.size(); ++k) result.difference.otherFace += shown[k] != numbers[k];
+
+  picture.make(settings);
+  IndexImage again;  // its colours are those of its last painting
+  picture.paint(again, ground);
+  return result;
+}
+
+}  // namespace xnewell

@@ -1,0 +1,56 @@
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "x11/drawing/sheet.h"
+#include "x11/views/views.h"
+
+namespace xnewell {
+
+/// A picture against Phong's method at every pixel, in double precision and not rounded to shades: the same
+/// scene, camera and light, and at each sample the face that the oracle sees. How wrong is it, and where?
+
+/// In what a difference is measured, a row each.
+enum class Measure { Intensity, Color };
+struct MeasureRow {
+  Measure id;
+  double unit;  ///< what a difference should stay below
+  std::string_view unitInWords, times, means;
+};
+inline constexpr std::array kMeasures{
+    MeasureRow{Measure::Intensity, 1.0 / 240, "1/240", "x 1/240", "one shade of 240"},
+    MeasureRow{Measure::Color, 1.0, "CIEDE2000 1", "CIEDE2000", "what the eye just sees side by side"},
+};
+
+struct Difference {
+  Measure measure = Measure::Intensity;  ///< Color where the cells hold colours, not ramps
+  int width = 0;
+  std::vector<float> at;       ///< of each sample, row by row; NaN where nothing shows
+  std::int64_t samples = 0;    ///< those that show something
+  std::int64_t above = 0;      ///< of them, those that differ by more than the unit
+  std::int64_t otherFace = 0;  ///< of them, those that show another face than the reference
+  double mean = 0, largest = 0;
+  std::size_t largestAt = 0;  ///< index of the first sample that differs most
+};
+
+/// What is compared, and the reference in the picture's own cells.
+struct Compared {
+  IndexImage picture, reference;
+  Difference difference;
+};
+
+/// A cell of a ramp counts as the intensity in the middle of those that it stands for; a colour as the
+/// screen shows it, against the reference's three channels. `picture` becomes that of `settings`.
+[[nodiscard]] Compared comparedWithPhong(Picture& picture, const PictureSettings& settings,
+                                         std::uint8_t ground);
+
+/// The difference as an image of the picture's size: six steps that double from the unit on.
+[[nodiscard]] IndexImage differenceImage(const Difference& difference, const CellPlan& plan);
+[[nodiscard]] Finding findingOf(const Difference& difference);
+
+/// Both pictures, the difference in six steps that double from the unit on, and its numbers in words.
+[[nodiscard]] ColoredImage drawDifference(Picture& picture, const ViewSettings& settings);
+
+}  // namespace xnewell

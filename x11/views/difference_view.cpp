@@ -1,0 +1,141 @@
+#include <algorithm>
+#include <cmath>
+#include <string>
+
+#include "x11/drawing/sheet.h"
+#include "x11/drawing/wording.h"
+#include "x11/views/difference.h"
+#include "x11/views/step_legend.h"
+
+namespace xnewell {
+
+namespace {
+
+constexpr int kDifferenceSwatch = 36;
+
+/// Two columns of two: the pictures above, the difference and its numbers below.
+struct DifferencePlaces {
+  Rect picture, reference, difference;
+  int captions, sections;  ///< y
+  int numbers;             ///< x
+
+  DifferencePlaces(int width, int height) {
+    const int left = Sheet::kMargin, column = (width - 2 * Sheet::kMargin - Sheet::kGutter) / 2;
+    captions = Sheet::kMargin - 4;
+    const int top = captions + 20, between = 12;
+    const int rows = (height - top - between - Sheet::kSection - Sheet::kMargin) / 2;
+    sections = top + rows + between;
+    numbers = width - Sheet::kMargin - column;
+    picture = {left, top, column, rows};
+    reference = {numbers, top, column, rows};
+    difference = {left, sections + Sheet::kSection, column, rows};
+  }
+};
+
+void caption(Sheet& sheet, const Rect& of, int y, std::string_view bold, std::string_view soft) {
+  const int x = sheet.painter().text(of.x, y + Sheet::kAscent, bold, sheet.cell(Cell::Ink), Voice::Bold);
+  if (x + 12 + textWidth(soft) <= of.x + of.width)
+    sheet.painter().text(x + 12, y + Sheet::kAscent, soft, sheet.cell(Cell::Soft));
+}
+
+void drawSteps(Sheet& sheet, const Difference& d, const Rect& at, const CellPlan& plan) {
+  sheet.place(differenceImage(d, plan), {0, 0, at.width, at.height}, at.x, at.y);
+  if (d.above == 0) return;
+  Painter painter = sheet.painter().within(at);
+  const int x = at.x + static_cast<int>(d.largestAt % d.width),
+            y = at.y + static_cast<int>(d.largestAt / d.width);
+  painter.ring(x, y, 8, sheet.cell(Cell::White));
+  painter.ring(x, y, 9, sheet.cell(Cell::Black));
+}
+
+/// The steps side by side, their limits below the borders, and in words.
+int drawScale(Sheet& sheet, const MeasureRow& measure, int x, int y) {
+  Painter painter = sheet.painter();
+  for (int step = 0; step < static_cast<int>(kDoublingSteps.size()); ++step) {
+    painter.fillRect({x + step * kDifferenceSwatch, y, kDifferenceSwatch, 12},
+                     sheet.cell(kDoublingSteps[step].cell));
+    if (step == 0) continue;
+    const std::string limit = std::to_string(1 << (step - 1));
+    painter.text(x + step * kDifferenceSwatch - textWidth(limit) / 2, y + 14 + Sheet::kAscent, limit,
+                 sheet.cell(Cell::Soft));
+  }
+  const int width = kDifferenceSwatch * static_cast<int>(kDoublingSteps.size());
+  painter.frame({x, y, width, 12}, sheet.cell(Cell::Ink));
+  painter.text(x + width + 8, y + Sheet::kAscent - 1, measure.times, sheet.cell(Cell::Soft));
+  painter.text(x, y + 32 + Sheet::kAscent,
+               "Darkest below " + std::string{measure.unitInWords} + "; each step doubles.",
+               sheet.cell(Cell::Soft));
+  return y + 32 + Sheet::kLine;
+}
+
+std::string share(const Difference& d) {
+  return fixed(d.samples == 0 ? 0.0 : 100.0 * static_cast<double>(d.above) / static_cast<double>(d.samples),
+               2) +
+         " %";
+}
+
+void drawNumbers(Sheet& sheet, const Difference& d, int x, int y, int width) {
+  const MeasureRow& measure = kMeasures[static_cast<int>(d.measure)];
+  const int decimals = d.measure == Measure::Intensity ? 4 : 2;
+  const auto row = [&](const std::string& label, const std::string& value) {
+    y = sheet.tableRow(x, y, label, {value}, {width});
+  };
+  const std::string of = d.measure == Measure::Intensity ? ", intensity" : ", CIEDE2000";
+  row("samples", grouped(d.samples));
+  row("mean difference" + of, fixed(d.mean, decimals));
+  row("largest difference", fixed(d.largest, decimals));
+  row("above " + std::string{measure.unitInWords}, share(d));
+  row("another face", grouped(d.otherFace));
+  y = drawScale(sheet, measure, x, y + 6);
+  const Finding finding = findingOf(d);
+  sheet.finding(x, y + 6, width, finding.bold, finding.why);
+}
+
+}  // namespace
+
+IndexImage differenceImage(const Difference& d, const CellPlan& plan) {
+  IndexImage image{d.width, static_cast<int>(d.at.size()) / d.width, plan[Cell::Well]};
+  const double unit = kMeasures[static_cast<int>(d.measure)].unit;
+  for (std::size_t k = 0; k < d.at.size(); ++k)
+    if (!std::isnan(d.at[k])) image.pixels[k] = plan[doublingStep(d.at[k], unit).cell];
+  return image;
+}
+
+Finding findingOf(const Difference& d) {
+  const MeasureRow& measure = kMeasures[static_cast<int>(d.measure)];
+  const int decimals = d.measure == Measure::Intensity ? 4 : 2;
+  const std::string unit{measure.unitInWords};
+  if (d.samples == 0) return {"Nothing shows.", ""};
+  Finding finding{d.above == 0 ? "Nowhere more than " + unit + " off, " + std::string{measure.means} + "."
+                               : "More than " + unit + " off at " + share(d) + " of the samples.",
+                  "By " + fixed(d.mean, decimals) + " in the mean and " + fixed(d.largest, decimals) +
+                      " at most" + (d.above == 0 ? "." : ", in the ring.")};
+  if (d.otherFace > 0) finding.why += " Another face shows at " + counted(d.otherFace, "sample") + ".";
+  return finding;
+}
+
+ColoredImage drawDifference(Picture& picture, const ViewSettings& settings) {
+  const DifferencePlaces at{settings.picture.width, settings.picture.height};
+  PictureSettings shown = settings.picture;
+  shown.width = at.picture.width, shown.height = at.picture.height;
+  const Compared compared = comparedWithPhong(picture, shown, settings.cells[Cell::Well]);
+
+  Sheet sheet{settings.picture.width, settings.picture.height, settings.cells};
+  const Rect whole{0, 0, shown.width, shown.height};
+  caption(sheet, at.picture, at.captions,
+          std::string{rowOf(shown.shading).label} + ", " +
+              std::string{kOrders[static_cast<int>(shown.order)].label},
+          "as it is painted");
+  caption(sheet, at.reference, at.captions, "Phong at every pixel",
+          compared.difference.measure == Measure::Color ? "the reference, in cells of the picture"
+                                                        : "the reference");
+  sheet.place(compared.picture, whole, at.picture.x, at.picture.y);
+  sheet.place(compared.reference, whole, at.reference.x, at.reference.y);
+  sheet.section(at.difference.x, at.sections, at.difference.width, "difference");
+  drawSteps(sheet, compared.difference, at.difference, settings.cells);
+  const int y = sheet.section(at.numbers, at.sections, at.reference.width, "numbers");
+  drawNumbers(sheet, compared.difference, at.numbers, y, at.reference.width);
+  return {sheet.image(), picture.palette(settings.cells, settings.unneeded)};
+}
+
+}  // namespace xnewell

@@ -1,0 +1,306 @@
+#include "x11/views/mach_bands.h"
+
+#include <algorithm>
+#include <cmath>
+#include <stdexcept>
+#include <string>
+
+#include "x11/drawing/sheet.h"
+#include "x11/drawing/wording.h"
+
+namespace xnewell {
+
+namespace {
+
+constexpr int kMethodNames = 84;  // what profiles are called, at their left
+constexpr int kFindings = 320;    // at the right edge
+constexpr int kBetweenParts = 4;  // parts of one method's block
+constexpr int kAfter = 8;         // from block to block
+constexpr double kLeastScale = 0.001;
+
+/// Where everything is. All that the view has more than its least goes to pictures and plots.
+struct BandsPlaces {
+  Rect picture;           ///< what is shown of it
+  int pictureHeight;      ///< of the whole
+  int findings;           ///< x
+  int firstBlock, block;  ///< y; height with what follows it
+  int strip, intensity, slope;
+
+  BandsPlaces(int width, int height) {
+    const int left = Sheet::kMargin + kMethodNames, top = Sheet::kMargin;
+    findings = width - Sheet::kMargin - kFindings;
+    const int plotWidth = findings - Sheet::kGutter - left;
+    pictureHeight =
+        std::clamp(static_cast<int>(std::lround(double(plotWidth) * height / width)), 1, kMaxPicture);
+    const int room = height - 2 * Sheet::kMargin - kAfter;
+    const int shown = std::min(pictureHeight, room / 3 + (height - rowOf(View::MachBands).leastHeight) / 8);
+    picture = {left, top, plotWidth, shown};
+    firstBlock = top + shown + kAfter;
+    block = (room - shown) / static_cast<int>(kProfiled.size());
+    strip = std::clamp(block / 8, 12, 40);
+    const int plots = block - Sheet::kLine - strip - 2 * kBetweenParts - kAfter;
+    intensity = plots * 4 / 7;
+    slope = plots - intensity;
+  }
+};
+
+std::string shadesIn(double intensity) { return fixed(intensity * (kMaxShades - 1), 1); }
+
+std::string_view behaviour(Shading method) {
+  switch (method) {
+    case Shading::Flat:
+      return "jumps from face to face";
+    case Shading::Gouraud:
+      return "kinks where faces share vertices";
+    default:
+      return "smooth where the normals are";
+  }
+}
+
+/// What the bars of slopes reach: the largest of all, or five times their mean where a few are far larger;
+/// not so little that they show what rounding leaves.
+double scaleOf(const std::vector<double>& slopes) {
+  double sum = 0, largest = 0;
+  int count = 0;
+  for (const double s : slopes)
+    if (s != 0.0 && !std::isnan(s)) sum += std::abs(s), ++count, largest = std::max(largest, std::abs(s));
+  return std::max(kLeastScale, std::min(largest, 5.0 * sum / std::max(1, count)));
+}
+
+class MachBands {
+ public:
+  MachBands(const ViewSettings& settings, const BandsPlaces& at, const Scanline& line,
+            std::optional<int> firstRow)
+      : chosen_{settings.picture.shading},
+        at_{at},
+        line_{line},
+        firstRow_{firstRow},
+        sheet_{settings.picture.width, settings.picture.height, settings.cells} {
+    for (const Profile& p : line.profiles)
+      if (p.method != Shading::Flat) smoothScale_ = std::max(smoothScale_, scaleOf(p.slope));
+  }
+
+  void drawPicture(const IndexImage& image) {
+    const int first = firstRow();
+    const Rect& p = at_.picture;
+    sheet_.place(image, {0, first, p.width, p.height}, p.x, p.y);
+    Painter inside = sheet_.painter().within(p);
+    const int y = p.y + line_.row - first;
+    inside.hline(p.x, y - 1, p.width, sheet_.cell(Cell::Black));
+    inside.hline(p.x, y, p.width, sheet_.cell(Cell::White));
+    inside.hline(p.x, y + 1, p.width, sheet_.cell(Cell::Black));
+    Painter painter = sheet_.painter();
+    painter.triangle(p.x - 8, y - 5, 6, Direction::Right, sheet_.cell(Cell::Ink));
+    painter.triangle(p.x + p.width + 2, y - 5, 6, Direction::Left, sheet_.cell(Cell::Ink));
+    // Beside its mark, but whole.
+    const int words = std::clamp(y - 13, p.y, std::max(p.y, p.y + p.height - 2 * Sheet::kLine));
+    painter.text(Sheet::kMargin, words + Sheet::kAscent, "scanline", sheet_.cell(Cell::Soft));
+    painter.text(Sheet::kMargin, words + Sheet::kLine + Sheet::kAscent, grouped(line_.row),
+                 sheet_.cell(Cell::Ink), Voice::Bold);
+  }
+
+  void drawBlocks() {
+    int y = at_.firstBlock;
+    for (const Profile& profile : line_.profiles) {
+      drawBlock(profile, y);
+      y += at_.block;
+    }
+  }
+
+  /// `explains`: there is room to say what the words mean. `grayed`: colours had to become one hue. Returns
+  /// the place left for controls of this height.
+  Rect drawFindings(bool explains, bool grayed, int controls);
+
+  [[nodiscard]] const IndexImage& image() const { return sheet_.image(); }
+
+  /// The first row that is shown.
+  [[nodiscard]] int firstRow() const {
+    const int first = firstRow_.value_or(line_.row - at_.picture.height / 2);
+    return std::clamp(first, 0, at_.pictureHeight - at_.picture.height);
+  }
+
+ private:
+  [[nodiscard]] bool chosen(const Profile& p) const { return p.method == chosen_; }
+  /// The chosen one is twice as thick.
+  [[nodiscard]] int thickness(const Profile& p) const { return chosen(p) ? 2 : 1; }
+
+  void drawBlock(const Profile& profile, int y);
+  void drawIntensity(const Profile& profile, int y);
+  void drawSlope(const Profile& profile, int y);
+  void axes(const Rect& plot);
+
+  Shading chosen_;
+  const BandsPlaces& at_;
+  const Scanline& line_;
+  std::optional<int> firstRow_;
+  Sheet sheet_;
+  double smoothScale_ = kLeastScale;  ///< of slopes, the same for all methods but flat shading
+};
+
+void MachBands::drawBlock(const Profile& profile, int y) {
+  const ShadingRow& method = rowOf(profile.method);
+  Painter painter = sheet_.painter();
+  const int x = at_.picture.x;
+  painter.text(x, y + Sheet::kAscent, method.label, sheet_.cell(Cell::Ink), Voice::Bold);
+  painter.text(x + 60, y + Sheet::kAscent, behaviour(profile.method), sheet_.cell(Cell::Soft));
+  y += Sheet::kLine;
+  for (int j = 0; j < at_.strip; ++j)
+    for (int i = 0; i < at_.picture.width; ++i) painter.point(x + i, y + j, profile.cells[i]);
+  y += at_.strip + kBetweenParts;
+  drawIntensity(profile, y);
+  drawSlope(profile, y + at_.intensity + kBetweenParts);
+}
+
+/// Only left and bottom.
+void MachBands::axes(const Rect& plot) {
+  Painter painter = sheet_.painter();
+  painter.vline(plot.x - 1, plot.y, plot.height, sheet_.cell(Cell::Faint));
+  painter.hline(plot.x - 1, plot.y + plot.height - 1, plot.width + 1, sheet_.cell(Cell::Faint));
+}
+
+void MachBands::drawIntensity(const Profile& profile, int y) {
+  Painter painter = sheet_.painter();
+  const Rect plot{at_.picture.x, y, at_.picture.width, at_.intensity};
+  const auto height = [&](double I) {
+    return plot.y + static_cast<int>(std::lround((1.0 - I) * (plot.height - 1)));
+  };
+  for (const double I : {0.25, 0.5, 0.75, 1.0})
+    painter.hline(plot.x, height(I), plot.width, sheet_.cell(Cell::Panel));
+  axes(plot);
+  painter.text(Sheet::kMargin, y + Sheet::kAscent, "intensity", sheet_.cell(Cell::Soft));
+  painter.textRight(plot.x - 5, y + Sheet::kAscent - 1, "1", sheet_.cell(Cell::Soft));
+  painter.textRight(plot.x - 5, y + plot.height, "0", sheet_.cell(Cell::Soft));
+
+  for (int i = 0; i < plot.width; ++i) {
+    if (std::isnan(profile.I[i])) continue;
+    const bool joins = i + 1 < plot.width && !std::isnan(profile.slope[i]);
+    painter.line(plot.x + i, height(profile.I[i]), plot.x + i + joins, height(profile.I[i + joins]),
+                 sheet_.cell(Cell::Ink), {thickness(profile)});
+  }
+}
+
+void MachBands::drawSlope(const Profile& profile, int y) {
+  Painter painter = sheet_.painter();
+  const Rect plot{at_.picture.x, y, at_.picture.width, at_.slope};
+  const double scale = profile.method == Shading::Flat ? scaleOf(profile.slope) : smoothScale_;
+  const int middle = plot.y + plot.height / 2, reach = (plot.height - 1) / 2;
+  painter.vline(plot.x - 1, plot.y, plot.height, sheet_.cell(Cell::Faint));
+  painter.hline(plot.x - 1, middle, plot.width + 1, sheet_.cell(Cell::Rule));
+  painter.text(Sheet::kMargin, y + Sheet::kAscent - 1, "derivative", sheet_.cell(Cell::Soft));
+  painter.textRight(plot.x - 5, y + Sheet::kAscent + 12, "to " + fixed(scale, 4), sheet_.cell(Cell::Soft));
+  for (int i = 0; i + 1 < plot.width; ++i) {
+    if (std::isnan(profile.slope[i])) continue;
+    const double share = std::clamp(profile.slope[i] / scale, -1.0, 1.0);
+    const int bar = static_cast<int>(std::lround(share * reach));
+    painter.vline(plot.x + i, bar > 0 ? middle - bar : middle, std::abs(bar) + 1,
+                  sheet_.cell(chosen(profile) ? Cell::Ink : Cell::Soft));
+  }
+}
+
+/// A sentence that the numbers of this scanline bear out.
+Finding findingOf(const Scanline& line, bool inWindow) {
+  const auto& [flat, gouraud, phong] = line.profiles;
+  if (line.samples == 0)
+    return {"Nothing shows on this scanline.",
+            inWindow ? "Move it up or down." : "Choose another with --scanline."};
+  const auto bands = [](const Profile& p) { return grouped(p.bands); };
+  if (std::ranges::all_of(line.profiles, [](const Profile& p) { return p.bands == 0; }))
+    return {"No bands in any method.", "No kink of 1/1200 or more stands out on any surface."};
+  Finding finding{"Bands: " + bands(flat) + " in flat shading, " + bands(gouraud) + " in Gouraud's, " +
+                      bands(phong) + " in Phong's.",
+                  ""};
+  finding.why = "The largest jump between neighbours is " + shadesIn(flat.largestJump) +
+                " shades of 240 in flat shading, " + shadesIn(gouraud.largestJump) + " in Gouraud's and " +
+                shadesIn(phong.largestJump) + " in Phong's.";
+  if (gouraud.bands > phong.bands && gouraud.largestJump < flat.largestJump / 2)
+    finding.why +=
+        " Gouraud's bands are kinks, but where surfaces end: the intensity goes on, its slope does not.";
+  return finding;
+}
+
+Rect MachBands::drawFindings(bool explains, bool grayed, int controls) {
+  const int x = at_.findings;
+  const std::vector<int> ends{148, 234, kFindings};
+  int y = sheet_.title(x, Sheet::kMargin, "Mach bands");
+  y = sheet_.paragraph(x, y, kFindings, "Where does the eye see stripes that the picture does not hold?",
+                       Cell::Ink);
+  if (explains)
+    y = sheet_.paragraph(x, y + 6, kFindings,
+                         "The eye sharpens edges. It answers to a change of slope, not only to a jump. Each "
+                         "strip repeats the marked scanline in one method.",
+                         Cell::Soft);
+
+  y = sheet_.section(x, y + 8, kFindings, "picture");
+  const Rect place{x, y, kFindings, controls};
+  y += controls;
+  if (controls == 0) {
+    y = sheet_.tableRow(x, y, "shading", {std::string{rowOf(chosen_).label}}, {kFindings});
+    y = sheet_.tableRow(x, y, "scanline", {grouped(line_.row) + " of 0.." + grouped(at_.pictureHeight - 1)},
+                        {kFindings});
+  }
+  y = sheet_.tableRow(x, y, "it shows", {grouped(line_.samples) + " pixels, " + counted(line_.edges, "edge")},
+                      {kFindings});
+
+  if (grayed) y = sheet_.tableRow(x, y, "colours", {"by their gray"}, {kFindings});
+
+  y = sheet_.section(x, y + 6, kFindings, "on this scanline");
+  const auto row = [&](std::string_view label, auto&& value) {
+    std::vector<std::string> values;
+    for (const Profile& profile : line_.profiles) values.push_back(value(profile));
+    y = sheet_.tableRow(x, y, label, values, ends);
+  };
+  std::vector<std::string> names;
+  for (const Profile& profile : line_.profiles) names.emplace_back(rowOf(profile.method).label);
+  y = sheet_.tableRow(x, y, "", names, ends, Cell::Soft, Voice::Plain);
+  row("largest jump", [](const Profile& q) { return fixed(q.largestJump, 4); });
+  row("largest kink", [](const Profile& q) { return fixed(q.largestKink, 4); });
+  row("bands", [](const Profile& q) { return grouped(q.bands); });
+  if (explains)
+    y = sheet_.paragraph(
+        x, y + 6, kFindings,
+        "A jump is the change of I from one pixel to the next of a surface, a kink the "
+        "change of that change. A band is a kink of 1/1200 or more that stands out among its "
+        "neighbours. Bars that reach the edge of their plot go beyond it.",
+        Cell::Soft);
+  const Finding finding = findingOf(line_, controls > 0);
+  sheet_.finding(x, y + 10, kFindings, finding.bold, finding.why);
+  return place;
+}
+
+}  // namespace
+
+ColoredImage drawMachBands(Picture& picture, const ViewSettings& settings) {
+  const BandsPlaces at{settings.picture.width, settings.picture.height};
+  PictureSettings shown = settings.picture;
+  shown.width = at.picture.width, shown.height = at.pictureHeight;
+  const bool grayed = channelsOf(planOf(picture.scene(), shown)) == Channels::Rgb;
+  if (grayed) shown.colors = ColorPlan::OneHue;
+  if (settings.scanline && *settings.scanline >= shown.height)
+    throw std::invalid_argument{"--scanline: " + std::to_string(*settings.scanline) +
+                                " is below the picture: in this view its rows are 0 to " +
+                                std::to_string(shown.height - 1)};
+  picture.make(shown);
+  IndexImage image;
+  picture.paint(image, settings.cells[Cell::Well]);
+  const int row = settings.scanline.value_or(defaultScanline(picture));
+  MachBandsPage page = drawMachBandsPage(picture, image, {.row = row, .grayed = grayed}, settings);
+  return {std::move(page.image), picture.palette(settings.cells, settings.unneeded)};
+}
+
+MachBandsLayout layoutOfMachBands(int width, int height) {
+  const BandsPlaces at{width, height};
+  return {at.picture, at.pictureHeight};
+}
+
+MachBandsPage drawMachBandsPage(Picture& picture, const IndexImage& image, const MachBandsShown& shown,
+                                const ViewSettings& settings) {
+  const BandsPlaces at{settings.picture.width, settings.picture.height};
+  const Scanline line = scanlineOf(picture, picture.settings(), shown.row, settings.cells[Cell::Well]);
+  MachBands view{settings, at, line, shown.firstRow};
+  view.drawPicture(image);
+  view.drawBlocks();
+  const Rect place = view.drawFindings(settings.picture.height >= 600, shown.grayed, shown.controls);
+  return {view.image(), view.firstRow(), place};
+}
+
+}  // namespace xnewell

@@ -1,0 +1,152 @@
+#include "x11/views/normals_view.h"
+
+#include <algorithm>
+#include <cmath>
+#include <string>
+
+#include "depthsort/oracle.h"
+#include "shading/color/quantize.h"
+#include "x11/drawing/sheet.h"
+#include "x11/drawing/wording.h"
+
+namespace xnewell {
+
+namespace {
+
+constexpr int kBall = 72;     // the key's diameter
+constexpr int kNeedles = 24;  // from needle to needle
+constexpr double kNeedle = 14.0;
+
+/// To 8 bits, the nearest.
+void setColor(std::uint8_t* rgb, const glm::dvec3& N) {
+  for (int axis = 0; axis < 3; ++axis)
+    rgb[axis] =
+        static_cast<std::uint8_t>(std::floor(255.0 * std::clamp((N[axis] + 1.0) / 2.0, 0.0, 1.0) + 0.5));
+}
+
+/// Calls use(i, j, N) for the samples of a ball's half that faces the viewer.
+template <class Use>
+void forEachOfBall(int diameter, Use&& use) {
+  for (int j = 0; j < diameter; ++j)
+    for (int i = 0; i < diameter; ++i) {
+      const double x = (2.0 * i + 1.0) / diameter - 1.0, y = 1.0 - (2.0 * j + 1.0) / diameter;
+      if (x * x + y * y < 1.0) use(i, j, glm::dvec3{x, y, std::sqrt(1.0 - x * x - y * y)});
+    }
+}
+
+/// In the viewing coordinates.
+std::vector<glm::dvec3> seenNormals(const Picture& picture) {
+  std::vector<glm::dvec3> N = picture.normals(picture.seen(0, picture.settings().height));
+  const glm::dmat3 rotation = vrcRotation(picture.camera().view);
+  for (glm::dvec3& n : N) n = rotation * n;
+  return N;
+}
+
+RgbImage colorsOf(const std::vector<glm::dvec3>& N, int width, int height) {
+  RgbImage colors{width, height};
+  for (std::size_t k = 0; k < N.size(); ++k)
+    if (N[k] != glm::dvec3{0.0}) setColor(&colors.rgb[3 * k], N[k]);
+  return colors;
+}
+
+/// One for each cell of the coarse grid whose middle shows something; a dot where it points at the viewer.
+void drawNeedles(Painter painter, const std::vector<glm::dvec3>& N, const Rect& at, std::uint8_t cell) {
+  for (int j = kNeedles / 2; j < at.height; j += kNeedles)
+    for (int i = kNeedles / 2; i < at.width; i += kNeedles) {
+      const glm::dvec3& n = N[std::size_t(j) * at.width + i];
+      if (n == glm::dvec3{0.0}) continue;
+      const int x = at.x + i, y = at.y + j;
+      painter.line(x, y, x + static_cast<int>(std::lround(kNeedle * n.x)),
+                   y - static_cast<int>(std::lround(kNeedle * n.y)), cell);
+      painter.disc(x, y, 1, cell);
+    }
+}
+
+std::string wordsFor(const PictureSettings& settings) {
+  const std::string which =
+      rowOf(settings.shading).interpolates
+          ? "Interpolated from the vertices over each face, a unit vector at every pixel; "
+            "at vertices by the rule " +
+                std::string{kNormalRules[static_cast<int>(settings.normals)].name} + ". "
+          : "One for each face, that of its plane. ";
+  return which +
+         "Red, green and blue are (N + 1) / 2 of x to the right, y up and z towards the viewer. A needle is "
+         "N "
+         "from its dot, as long as it is seen.";
+}
+
+}  // namespace
+
+RgbImage normalColors(const Picture& picture) {
+  return colorsOf(seenNormals(picture), picture.settings().width, picture.settings().height);
+}
+
+ColoredImage normalsImage(const Picture& picture, const CellPlan& plan, const Palette& palette) {
+  const PictureSettings& settings = picture.settings();
+  const std::vector<glm::dvec3> N = seenNormals(picture);
+  const int first = kTables[static_cast<int>(settings.table.kind)].first;
+  std::vector<std::uint8_t> shows(N.size());
+  std::ranges::transform(N, shows.begin(), [](const glm::dvec3& n) { return n != glm::dvec3{0.0}; });
+  ColoredImage normals{{settings.width, settings.height, plan[Cell::Well]}, palette};
+  const std::vector<Rgb16> chosen =
+      quantize(colorsOf(N, settings.width, settings.height), shows,
+               {.quantizer = settings.colors == ColorPlan::Cube ? Quantizer::Cube : Quantizer::Chosen,
+                .dither = true,
+                .first = first},
+               normals.image);
+  drawNeedles(Painter{normals.image}, N, {0, 0, settings.width, settings.height}, plan[Cell::Black]);
+  std::ranges::copy(chosen, normals.palette.begin() + first);
+  return normals;
+}
+
+ColoredImage drawNormals(Picture& picture, const ViewSettings& settings) {
+  const int W = settings.picture.width, H = settings.picture.height;
+  const std::string heading = "Normals, " + std::string{rowOf(settings.picture.shading).label} + " shading";
+  const std::string words = wordsFor(settings.picture);
+  const int textLeft = Sheet::kMargin + kBall + Sheet::kGutter, textWidth = W - textLeft - Sheet::kMargin;
+  const int strip = std::max(kBall, Sheet::kRow + Sheet::paragraphHeight(textWidth, words));
+
+  const Rect at{Sheet::kMargin, Sheet::kMargin, W - 2 * Sheet::kMargin,
+                H - strip - 2 * Sheet::kMargin - Sheet::kGutter};
+  PictureSettings smaller = settings.picture;
+  smaller.width = at.width, smaller.height = at.height;
+  picture.make(smaller);
+  const std::vector<glm::dvec3> N = seenNormals(picture);
+
+  // The ball's colours are chosen with the picture's: one image above the other.
+  const int rows = at.height + kBall, first = kTables[static_cast<int>(smaller.table.kind)].first;
+  RgbImage colors = colorsOf(N, at.width, at.height);
+  colors.height = rows;
+  colors.rgb.resize(std::size_t{3} * at.width * rows);
+  std::vector<std::uint8_t> shows(std::size_t(at.width) * rows, 0);
+  for (std::size_t k = 0; k < N.size(); ++k) shows[k] = N[k] != glm::dvec3{0.0};
+  forEachOfBall(kBall, [&](int i, int j, const glm::dvec3& n) {
+    setColor(colors.pixel(i, at.height + j), n);
+    shows[std::size_t(at.height + j) * at.width + i] = 1;
+  });
+  IndexImage cells{at.width, rows, settings.cells[Cell::Well]};
+  const std::vector<Rgb16> chosen =
+      quantize(colors, shows,
+               {.quantizer = smaller.colors == ColorPlan::Cube ? Quantizer::Cube : Quantizer::Chosen,
+                .dither = true,
+                .first = first},
+               cells);
+  for (int j = at.height; j < rows; ++j)
+    std::replace(cells.row(j), cells.row(j) + at.width, settings.cells[Cell::Well],
+                 settings.cells[Cell::Paper]);
+
+  Sheet sheet{W, H, settings.cells};
+  sheet.place(cells, {0, 0, at.width, at.height}, at.x, at.y);
+  drawNeedles(sheet.painter().within(at), N, at, sheet.cell(Cell::Black));
+  sheet.painter().frame(at, sheet.cell(Cell::Ink));
+  const int top = at.y + at.height + Sheet::kGutter;
+  sheet.place(cells, {0, at.height, kBall, kBall}, Sheet::kMargin, top);
+  sheet.painter().text(textLeft, top + Sheet::kAscent, heading, sheet.cell(Cell::Ink), Voice::Bold);
+  sheet.paragraph(textLeft, top + Sheet::kRow, textWidth, words, Cell::Soft);
+
+  Palette palette = settings.unneeded;
+  std::ranges::copy(chosen, palette.begin() + first);
+  return {sheet.image(), withInterface(palette, settings.cells)};
+}
+
+}  // namespace xnewell

@@ -1,0 +1,99 @@
+#include "x11/views/overdraw.h"
+
+#include <algorithm>
+#include <string>
+
+#include "x11/drawing/wording.h"
+#include "x11/views/picture_sheet.h"
+
+namespace xnewell {
+
+namespace {
+
+constexpr int kCountSwatch = 48, kLegendRows = 5;
+
+void drawCountLegend(Sheet& sheet, int x, int y) {
+  Painter painter = sheet.painter();
+  const int steps = static_cast<int>(kOverdrawSteps.size());
+  for (int k = 0; k < steps; ++k) {
+    const OverdrawStep& step = kOverdrawSteps[k];
+    painter.fillRect({x + k * kCountSwatch, y, kCountSwatch, 12}, sheet.cell(step.cell));
+    painter.text(x + k * kCountSwatch + (kCountSwatch - textWidth(step.label)) / 2, y + 14 + Sheet::kAscent,
+                 step.label, sheet.cell(Cell::Soft));
+  }
+  painter.frame({x, y, steps * kCountSwatch, 12}, sheet.cell(Cell::Ink));
+}
+
+}  // namespace
+
+Finding findingOf(const Overdraw& o, const Picture& picture) {
+  if (o.samples == 0) return {"Nothing shows.", ""};
+  const Order order = picture.settings().order;
+  if (order == Order::Oracle)
+    return {"Every sample is painted once.",
+            "The oracle asks for the face that each sample shows and paints no other: nothing is painted "
+            "over. The other orders paint faces."};
+  const double over = 100.0 * static_cast<double>(o.painted - o.samples) / static_cast<double>(o.painted);
+  Finding finding{"A sample is painted " + fixed(o.mean(), 2) + " times in the mean, " +
+                      std::to_string(o.most) + " at most.",
+                  fixed(over, 1) +
+                      " % of all that is painted is painted over: the price of an order that needs no depth "
+                      "at any sample."};
+  const auto faces = static_cast<std::int64_t>(picture.snapped().faces.size());
+  if (order == Order::Newell && picture.sorted().statistics.splits == 0 &&
+      static_cast<std::int64_t>(picture.sorted().fragments.size()) < faces)
+    finding.why += " Polygons that show nowhere were left out: " +
+                   grouped(faces - static_cast<std::int64_t>(picture.sorted().fragments.size())) + " of " +
+                   grouped(faces) + ".";
+  return finding;
+}
+
+Overdraw overdrawOf(const Picture& picture) {
+  Overdraw o{.width = picture.settings().width, .times = picture.timesPainted()};
+  for (std::size_t k = 0; k < o.times.size(); ++k) {
+    const int times = o.times[k];
+    o.painted += times;
+    o.samples += times > 0;
+    o.once += times == 1;
+    if (times > o.most) o.most = times, o.mostAt = k;
+  }
+  return o;
+}
+
+IndexImage overdrawImage(const Overdraw& overdraw, const CellPlan& plan) {
+  IndexImage image{overdraw.width, static_cast<int>(overdraw.times.size()) / overdraw.width,
+                   plan[Cell::Well]};
+  for (std::size_t k = 0; k < overdraw.times.size(); ++k)
+    if (overdraw.times[k] > 0)
+      image.pixels[k] =
+          plan[std::ranges::lower_bound(kOverdrawSteps, overdraw.times[k], {}, &OverdrawStep::most)->cell];
+  return image;
+}
+
+ColoredImage drawOverdraw(Picture& picture, const ViewSettings& settings) {
+  PictureSheet page{picture, settings, Sheet::kSection + 36 + kLegendRows * Sheet::kRow};
+  const Overdraw o = overdrawOf(picture);
+  page.place(overdrawImage(o, settings.cells));
+  if (o.most > 1) {
+    Painter painter = page.sheet.painter().within(page.at);
+    const int x = page.at.x + static_cast<int>(o.mostAt % o.width),
+              y = page.at.y + static_cast<int>(o.mostAt / o.width);
+    painter.ring(x, y, 8, page.sheet.cell(Cell::White));
+    painter.ring(x, y, 9, page.sheet.cell(Cell::Black));
+  }
+  int y = page.section("times painted");
+  drawCountLegend(page.sheet, page.left, y);
+  page.finding(y, findingOf(o, picture));
+  y += 36;
+  const auto row = [&](std::string_view label, const std::string& value) { y = page.row(y, label, value); };
+  row("order", std::string{kOrders[static_cast<int>(picture.settings().order)].label});
+  row("samples that show something", grouped(o.samples));
+  row("samples painted, all in all", grouped(o.painted));
+  row("times each, mean and most", fixed(o.mean(), 2) + "   " + std::to_string(o.most));
+  row("painted once",
+      fixed(o.samples == 0 ? 0.0 : 100.0 * static_cast<double>(o.once) / static_cast<double>(o.samples), 1) +
+          " %");
+  return {page.sheet.image(), picture.palette(settings.cells, settings.unneeded)};
+}
+
+}  // namespace xnewell

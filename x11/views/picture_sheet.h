@@ -1,0 +1,37 @@
+#pragma once
+
+#include <string_view>
+
+#include "x11/drawing/sheet.h"
+#include "x11/views/views.h"
+
+namespace xnewell {
+
+/// A view that is a picture over the sheet's whole width with a strip of numbers below it, in two columns:
+/// its legend and table to the left, what was found to the right.
+class PictureSheet {
+ public:
+  /// Makes and paints the scene's picture at the size that a strip of so many pixels, its section's line and
+  /// name included, leaves.
+  PictureSheet(Picture& picture, const ViewSettings& settings, int strip);
+
+  /// The view's picture, of the size the scene's was made at.
+  void place(const IndexImage& image) { sheet.place(image, {0, 0, at.width, at.height}, at.x, at.y); }
+  /// Begins the strip; the y below its name.
+  int section(std::string_view name) { return sheet.section(left, top_, width_, name); }
+  void finding(int y, const Finding& found) { sheet.finding(right, y, column, found.bold, found.why); }
+  /// A row of the table; the y below it.
+  int row(int y, std::string_view label, const std::string& value) {
+    return sheet.tableRow(left, y, label, {value}, {column});
+  }
+
+  Rect at;                           ///< the picture
+  int left = Sheet::kMargin, right;  ///< where the columns begin
+  int column;                        ///< how wide they are
+  Sheet sheet;
+
+ private:
+  int top_, width_;
+};
+
+}  // namespace xnewell

@@ -1,0 +1,141 @@
+#include "x11/views/plot.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "x11/drawing/wording.h"
+
+namespace xnewell {
+
+namespace {
+
+constexpr int kAscent = 4;       // of a label's middle above its baseline
+constexpr int kLabelPitch = 14;  // from label to label at the right
+constexpr int kTickPitch = 13;
+
+std::string number(double v) { return fixed(v, v >= 1 || v == 0 ? 0 : v < 0.1 ? 2 : 1); }
+
+/// Every cell whose number is a multiple of a step that leaves room, and both ends.
+std::vector<int> cellTicks(const Plot& plot, const Rect& area) {
+  const auto [first, count] = plot.cells;
+  int step = 1;
+  while (step * (area.width - 1) < 80 * std::max(1, count - 1)) step *= 2;
+  std::vector<int> ticks{first};
+  const int room = 30 * std::max(1, count - 1) / std::max(1, area.width - 1);
+  for (int cell = (first / step + 1) * step; cell < plot.cells.last(); cell += step)
+    if (cell - first > room && plot.cells.last() - cell > room) ticks.push_back(cell);
+  if (count > 1) ticks.push_back(plot.cells.last());
+  return ticks;
+}
+
+struct EndLabel {
+  int y;
+  std::string name;
+  Cell color;
+  Voice voice;
+};
+
+void drawCurve(Painter paint, const Rect& area, const Plot& plot, const Curve& curve, std::uint8_t cell) {
+  Painter inside = paint.within(area);
+  for (std::size_t k = 0; k < curve.y.size(); ++k) {
+    if (std::isnan(curve.y[k])) continue;
+    const int at = curve.first + static_cast<int>(k);
+    const bool joins = k + 1 < curve.y.size() && !std::isnan(curve.y[k + 1]);
+    inside.line(plotX(plot, area, at), plotY(plot, area, curve.y[k]), plotX(plot, area, at + joins),
+                plotY(plot, area, curve.y[k + joins]), cell, {curve.chosen ? 2 : 1});
+  }
+}
+
+/// The last value that is within the plot.
+double endOf(const Curve& curve, const Plot& plot) {
+  double y = plot.ticks.front();
+  for (std::size_t k = 0; k < curve.y.size(); ++k)
+    if (!std::isnan(curve.y[k]) && curve.first + static_cast<int>(k) <= plot.cells.last()) y = curve.y[k];
+  return y;
+}
+
+/// Names keep apart: each moves down as far as the one above it asks, and all up again from the bottom.
+void drawEndLabels(Painter paint, const CellPlan& plan, const Rect& area, std::vector<EndLabel> labels) {
+  std::ranges::stable_sort(labels, {}, &EndLabel::y);
+  for (std::size_t k = 1; k < labels.size(); ++k)
+    labels[k].y = std::max(labels[k].y, labels[k - 1].y + kLabelPitch);
+  int most = area.y + area.height - kAscent;
+  for (std::size_t k = labels.size(); k-- > 0; most = labels[k].y - kLabelPitch)
+    labels[k].y = std::min(labels[k].y, most);
+  for (const EndLabel& label : labels)
+    paint.text(area.x + area.width + 8, label.y + kAscent, label.name, plan[label.color], label.voice);
+}
+
+}  // namespace
+
+std::vector<double> logarithmicTicks(double least, double most) {
+  const auto tick = [](int k) {  // 1 at 0, 3 at 1, 10 at 2
+    double power = 1.0;
+    const int decades = (k - (k & 1)) / 2;
+    for (int d = 0; d < std::abs(decades); ++d) power *= 10.0;
+    return (k & 1 ? 3.0 : 1.0) * (decades < 0 ? 1.0 / power : power);
+  };
+  constexpr int kMost = 40;  // twenty decades either way
+  int from = 0, to = 1;
+  while (from > -kMost && tick(from) > least * (1 + 1e-9)) --from;
+  while (to < kMost && tick(to) < most) ++to;
+  std::vector<double> ticks;
+  for (int k = from; k <= to; ++k) ticks.push_back(tick(k));
+  return ticks;
+}
+
+int plotX(const Plot& plot, const Rect& area, int cell) {
+  const double share = static_cast<double>(cell - plot.cells.first) / std::max(1, plot.cells.count - 1);
+  return area.x + static_cast<int>(std::lround(share * (area.width - 1)));
+}
+
+int cellAtX(const CellRange& cells, const Rect& area, int x) {
+  const double share = static_cast<double>(x - area.x) / std::max(1, area.width - 1);
+  return cells.first +
+         std::clamp(static_cast<int>(std::lround(share * (cells.count - 1))), 0, cells.count - 1);
+}
+
+int plotY(const Plot& plot, const Rect& area, double value) {
+  const double low = plot.ticks.front(), high = plot.ticks.back(), v = std::clamp(value, low, high);
+  const double share = plot.logarithmic ? std::log(v / low) / std::log(high / low) : (v - low) / (high - low);
+  return area.y + static_cast<int>(std::lround((1.0 - share) * (area.height - 1)));
+}
+
+void drawPlot(Painter paint, const CellPlan& plan, const Rect& area, const Plot& plot) {
+  const auto cell = [&](Cell c) { return plan[c]; };
+  int labelled = area.y + area.height + kTickPitch;
+  for (const double tick : plot.ticks) {
+    const int y = plotY(plot, area, tick);
+    if (y > labelled - kTickPitch) continue;
+    labelled = y;
+    paint.hline(area.x, y, area.width, cell(Cell::Panel));
+    paint.hline(area.x - 5, y, 4, cell(Cell::Faint));
+    paint.textRight(area.x - 8, y + kAscent, number(tick), cell(Cell::Soft));
+  }
+  paint.vline(area.x - 1, area.y, area.height, cell(Cell::Faint));
+  paint.hline(area.x - 1, area.y + area.height, area.width + 1, cell(Cell::Faint));
+  for (const int tick : cellTicks(plot, area)) {
+    const int x = plotX(plot, area, tick);
+    const std::string text = std::to_string(tick);
+    paint.vline(x, area.y + area.height, 4, cell(Cell::Faint));
+    paint.text(x - textWidth(text) / 2, area.y + area.height + 16, text, cell(Cell::Soft));
+  }
+
+  std::vector<EndLabel> labels;
+  if (plot.level) {
+    const int y = plotY(plot, area, *plot.level);
+    paint.line(area.x, y, area.x + area.width - 1, y, cell(Cell::Alarm), {1, 4, 3});
+    labels.push_back({y, plot.levelName, Cell::Alarm, Voice::Plain});
+  }
+  for (const bool chosen : {false, true})
+    for (const Curve& curve : plot.curves) {
+      if (curve.chosen != chosen) continue;
+      drawCurve(paint, area, plot, curve, cell(chosen ? Cell::Ink : Cell::Faint));
+      if (!curve.name.empty())
+        labels.push_back({plotY(plot, area, endOf(curve, plot)), curve.name, chosen ? Cell::Ink : Cell::Soft,
+                          chosen ? Voice::Bold : Voice::Plain});
+    }
+  drawEndLabels(paint, plan, area, labels);
+}
+
+}  // namespace xnewell

@@ -1,0 +1,50 @@
+#include "x11/views/shows.h"
+
+#include "x11/views/difference.h"
+#include "x11/views/normals_view.h"
+#include "x11/views/overdraw.h"
+#include "x11/views/step_legend.h"
+#include "x11/views/wireframe.h"
+
+namespace xnewell {
+
+namespace {
+
+constexpr int kLegend = 8;  // from the upper left corner
+
+}  // namespace
+
+ShownPicture shownAs(Show show, Picture& picture, const ColoredImage& painted, const CellPlan& plan) {
+  switch (show) {
+    case Show::Shaded:
+      break;
+    case Show::Wireframe: {
+      const Wireframe wires = wireframeOf(picture, plan);
+      return {wires.image, painted.palette, findingOf(wires, picture).bold};
+    }
+    case Show::Normals: {
+      const ColoredImage normals = normalsImage(picture, plan, painted.palette);
+      return {normals.image, normals.palette, ""};
+    }
+    case Show::Overdraw: {
+      const Overdraw overdraw = overdrawOf(picture);
+      ShownPicture shown{overdrawImage(overdraw, plan), painted.palette, findingOf(overdraw, picture).bold};
+      std::vector<LegendStep> steps;
+      for (const OverdrawStep& step : kOverdrawSteps) steps.push_back({step.cell, step.label});
+      drawStepLegend(Painter{shown.image}, plan, kLegend, kLegend, steps, "");
+      return shown;
+    }
+    case Show::Difference: {
+      const Compared compared =
+          comparedWithPhong(picture, PictureSettings{picture.settings()}, plan[Cell::Well]);
+      ShownPicture shown{differenceImage(compared.difference, plan), painted.palette,
+                         findingOf(compared.difference).bold};
+      drawStepLegend(Painter{shown.image}, plan, kLegend, kLegend, kDoublingSteps,
+                     kMeasures[static_cast<int>(compared.difference.measure)].times);
+      return shown;
+    }
+  }
+  return {painted.image, painted.palette, ""};
+}
+
+}  // namespace xnewell

@@ -1,0 +1,42 @@
+#pragma once
+
+#include <array>
+#include <string>
+#include <string_view>
+
+#include "x11/views/views.h"
+
+namespace xnewell {
+
+/// What a picture may show of its scene in the picture's own place: the shaded surfaces, or one of the views
+/// of numbers without a sheet around it.
+
+enum class Show { Shaded, Wireframe, Normals, Overdraw, Difference };
+struct ShowRow {
+  Show id;
+  std::string_view name, label, shows;
+};
+inline constexpr std::array kShows{
+    ShowRow{Show::Shaded, "shaded", "shaded", "the picture"},
+    ShowRow{Show::Wireframe, "wireframe", "wire",
+            "all edges, hidden ones darker, dashed where the depth sort cut"},
+    ShowRow{Show::Normals, "normals", "normals",
+            "N as a colour: red to the right, green up, blue towards the viewer"},
+    ShowRow{Show::Overdraw, "overdraw", "overdraw",
+            "how often each sample was painted: the brighter, the more often"},
+    ShowRow{Show::Difference, "difference", "differ",
+            "from Phong's method at every pixel: the brighter, the more"},
+};
+
+struct ShownPicture {
+  IndexImage image;  ///< of the picture's size
+  Palette palette;   ///< the picture's own, but for Show::Normals
+  std::string finding;
+};
+
+/// `picture` is made, and left so; `painted` is it and its palette. Show::Difference makes another picture in
+/// between: as slow as two.
+[[nodiscard]] ShownPicture shownAs(Show show, Picture& picture, const ColoredImage& painted,
+                                   const CellPlan& plan);
+
+}  // namespace xnewell

@@ -1,0 +1,54 @@
+#pragma once
+
+#include <array>
+#include <optional>
+#include <string_view>
+
+#include "shading/color/colored_image.h"
+#include "shading/color/index_image.h"
+#include "shading/color/palette.h"
+#include "shading/picture/palette_effects.h"
+#include "shading/picture/picture.h"
+
+namespace xnewell {
+
+/// What may be drawn of a scene: the picture, or the numbers that it was made from.
+
+enum class View { Picture, Colors, MachBands, Normals, Difference, Overdraw, Wireframe };
+struct ViewRow {
+  View id;
+  std::string_view name, shows;
+  int leastWidth, leastHeight;  ///< pixels: where all words find room
+};
+inline constexpr std::array kViews{
+    ViewRow{View::Picture, "picture", "the picture", 1, 1},
+    ViewRow{View::Colors, "colours", "the colour table: what every cell holds, and how much it is used", 768,
+            560},
+    ViewRow{View::MachBands, "machbands",
+            "the intensity along a scanline and its change from pixel to pixel, for three methods", 720, 480},
+    ViewRow{View::Normals, "normals", "the normals that the light is computed with, as colours and needles",
+            400, 320},
+    ViewRow{View::Difference, "difference", "the picture against Phong's method at every pixel, unquantised",
+            640, 560},
+    ViewRow{View::Overdraw, "overdraw", "how often each sample was painted, and what that costs", 640, 480},
+    ViewRow{View::Wireframe, "wireframe", "the edges of all polygons, dashed where the depth sort cut one",
+            640, 480},
+};
+[[nodiscard]] constexpr const ViewRow& rowOf(View view) { return kViews[static_cast<std::size_t>(view)]; }
+
+struct ViewSettings {
+  View view = View::Picture;
+  std::optional<int> scanline = {};  ///< of MachBands: a row of its picture; else defaultScanline()
+  std::optional<int> cell = {};      ///< of Colors: the inspected one; else the lit one, else medianCell()
+  PaletteEffects effects = {};       ///< of Colors
+  PictureSettings picture;           ///< width and height are the whole view's, at least its row's
+  CellPlan cells{};
+  Palette unneeded{};  ///< as makePalette() has it
+  bool gray = false;   ///< Colors: of a screen that shows grays only
+};
+
+/// Any but View::Picture. `picture` becomes the one that the view shows: smaller than the view.
+/// @throws ViewError as Picture::make(), std::invalid_argument where the scanline is not in the picture
+[[nodiscard]] ColoredImage drawView(Picture& picture, const ViewSettings& settings);
+
+}  // namespace xnewell

@@ -1,0 +1,184 @@
+#include "x11/views/wireframe.h"
+
+#include <algorithm>
+#include <cmath>
+#include <string>
+#include <tuple>
+
+#include "depthsort/region.h"
+#include "x11/drawing/line_pixels.h"
+#include "x11/drawing/wording.h"
+#include "x11/views/picture_sheet.h"
+
+namespace xnewell {
+
+namespace {
+
+/// Between two places of the screen grid; at `from` the one that is less.
+struct Edge {
+  glm::ivec3 from, to;
+  int face;  ///< index into SnappedScene::faces
+  [[nodiscard]] auto place() const { return std::tuple{from.x, from.y, from.z, to.x, to.y, to.z}; }
+};
+
+Edge edgeOf(glm::ivec3 a, glm::ivec3 b, int face) {
+  if (std::tuple{b.x, b.y, b.z} < std::tuple{a.x, a.y, a.z}) std::swap(a, b);
+  return {a, b, face};
+}
+
+/// Those of all outlines; polygons that share one snap its ends to the same integers.
+std::vector<Edge> outlines(const SnappedScene& scene) {
+  std::vector<Edge> edges;
+  for (std::size_t f = 0; f < scene.faces.size(); ++f) {
+    const SnappedFace& face = scene.faces[f];
+    for (int k = 0; k < face.count; ++k)
+      edges.push_back(edgeOf(scene.vertices[face.first + k],
+                             scene.vertices[face.first + (k + 1) % face.count], static_cast<int>(f)));
+  }
+  return edges;
+}
+
+glm::ivec3 onGrid(const Corner& corner) {
+  return {static_cast<int>(std::lround(corner.x)), static_cast<int>(std::lround(corner.y)), 0};
+}
+
+/// The sides of painted pieces that cuts made, each as often as a piece has it.
+std::vector<Edge> cutSides(const SnappedScene& scene, const SortedScene& sorted) {
+  const Regions regions{scene};
+  std::vector<Edge> edges;
+  Region region;
+  for (const Fragment& fragment : sorted.fragments) {
+    if (fragment.piece < 0) continue;
+    const Piece& piece = sorted.pieces[fragment.piece];
+    regions.outline(scene.faces[piece.face], region);
+    for (int k = piece.firstCut; k < piece.firstCut + piece.cuts && !region.empty(); ++k)
+      regions.clip(region, regions.cut(sorted.cuts[k].over, sorted.cuts[k].under));
+    for (std::size_t k = 0; k < region.size(); ++k)
+      if (region[k].line.kind == Line::Kind::Cut)
+        edges.push_back(edgeOf(onGrid(region[(k + region.size() - 1) % region.size()].corner),
+                               onGrid(region[k].corner), piece.face));
+  }
+  return edges;
+}
+
+/// Draws lines that know where they show.
+class Wires {
+ public:
+  Wires(IndexImage& image, const Picture& picture)
+      : image_{image}, seen_{picture.seen(0, picture.settings().height)} {}
+
+  /// Where one of edges [begin, end), all in one place, shows, or where none does.
+  template <class Edges>
+  void draw(const Edges& begin, const Edges& end, bool showing, bool dashed, std::uint8_t cell) {
+    const auto pixel = [](int v) { return v >> kGridBits; };
+    const int x0 = pixel(begin->from.x), y0 = pixel(begin->from.y), x1 = pixel(begin->to.x),
+              y1 = pixel(begin->to.y);
+    const bool steep = std::abs(y1 - y0) > std::abs(x1 - x0);
+    forEachPixelOfLine({0, 0, image_.width, image_.height}, x0, y0, x1, y1, [&](int, int x, int y) {
+      if (x < 0 || y < 0 || x >= image_.width || y >= image_.height) return;
+      if (dashed && (steep ? y : x) % kDashPeriod >= kDash) return;
+      if (std::any_of(begin, end, [&](const Edge& e) { return showsAt(e.face, x, y); }) == showing)
+        image_.row(y)[x] = cell;
+    });
+  }
+
+ private:
+  [[nodiscard]] bool showsAt(int face, int x, int y) const {
+    for (int j = std::max(0, y - 1); j <= std::min(image_.height - 1, y + 1); ++j)
+      for (int i = std::max(0, x - 1); i <= std::min(image_.width - 1, x + 1); ++i)
+        if (seen_.faces[std::size_t(j) * image_.width + i] == face) return true;
+    return false;
+  }
+
+  IndexImage& image_;
+  SeenRows seen_;
+};
+
+/// Calls use(begin, end) for the edges of each place.
+template <class Use>
+int forEachPlace(std::vector<Edge>& edges, Use&& use) {
+  std::ranges::sort(edges, {}, &Edge::place);
+  int places = 0;
+  for (auto begin = edges.cbegin(); begin != edges.cend(); ++places) {
+    const auto end =
+        std::find_if(begin, edges.cend(), [&](const Edge& e) { return e.place() != begin->place(); });
+    use(begin, end);
+    begin = end;
+  }
+  return places;
+}
+
+/// A sample of each kind of line, and what it is.
+int drawEdgeLegend(Sheet& sheet, int x, int y) {
+  struct EdgeRow {
+    Cell cell;
+    bool dashed;
+    std::string_view name;
+  };
+  Painter painter = sheet.painter();
+  for (const EdgeRow& row :
+       {EdgeRow{Cell::WellText, false, "shows"}, EdgeRow{Cell::WellLine, false, "hidden"},
+        EdgeRow{Cell::White, true, "cut by the depth sort"}}) {
+    painter.fillRect({x, y, 36, 13}, sheet.cell(Cell::Well));
+    painter.line(x + 3, y + 6, x + 32, y + 6, sheet.cell(row.cell),
+                 {.on = kDash, .off = row.dashed ? kDashPeriod - kDash : 0});
+    x = painter.text(x + 42, y + Sheet::kAscent - 1, row.name, sheet.cell(Cell::Soft)) + 14;
+  }
+  return y + 22;
+}
+
+}  // namespace
+
+Finding findingOf(const Wireframe& wires, const Picture& picture) {
+  if (wires.polygons == 0) return {"Nothing shows.", ""};
+  switch (picture.settings().order) {
+    case Order::Oracle:
+      return {"Nothing is cut.", "The oracle decides at each sample and puts no polygons in order."};
+    case Order::Newell:
+      break;
+    default:
+      return {"Nothing is cut.",
+              "A sort by one z a polygon takes them whole, whether they have an order or not."};
+  }
+  if (wires.cuts == 0) return {"Nothing had to be cut.", "Whole polygons have an order here that is exact."};
+  return {"The depth sort cut " + (wires.cuts == 1 ? "once" : counted(wires.cuts, "time")) + ".",
+          "Dashed lines lie where a polygon's plane passes through another, or where polygons lie over each "
+          "other in a circle: no order of whole polygons is right there."};
+}
+
+Wireframe wireframeOf(const Picture& picture, const CellPlan& plan) {
+  const SnappedScene& scene = picture.snapped();
+  Wireframe wires{.image = {picture.settings().width, picture.settings().height, plan[Cell::Well]},
+                  .polygons = static_cast<int>(scene.faces.size()),
+                  .back = static_cast<int>(std::ranges::count(scene.faces, true, &SnappedFace::back)),
+                  .cuts = static_cast<int>(picture.sorted().statistics.splits)};
+  Wires draws{wires.image, picture};
+  std::vector<Edge> edges = outlines(scene), cuts = cutSides(scene, picture.sorted());
+  wires.edges = forEachPlace(
+      edges, [&](auto begin, auto end) { draws.draw(begin, end, false, false, plan[Cell::WellLine]); });
+  forEachPlace(cuts, [&](auto begin, auto end) { draws.draw(begin, end, false, true, plan[Cell::Soft]); });
+  forEachPlace(edges,
+               [&](auto begin, auto end) { draws.draw(begin, end, true, false, plan[Cell::WellText]); });
+  forEachPlace(cuts, [&](auto begin, auto end) { draws.draw(begin, end, true, true, plan[Cell::White]); });
+  return wires;
+}
+
+ColoredImage drawWireframe(Picture& picture, const ViewSettings& settings) {
+  PictureSheet page{picture, settings, Sheet::kSection + 22 + 5 * Sheet::kRow};
+  const Wireframe wires = wireframeOf(picture, settings.cells);
+  page.place(wires.image);
+  int y = page.section("edges");
+  y = drawEdgeLegend(page.sheet, page.left, y);
+  page.finding(y, findingOf(wires, picture));
+  const auto row = [&](std::string_view label, std::int64_t value) {
+    y = page.row(y, label, grouped(value));
+  };
+  row("polygons", wires.polygons);
+  row("of them seen from behind", wires.back);
+  row("edges, each once", wires.edges);
+  row("cuts", wires.cuts);
+  row("polygons and pieces painted", static_cast<std::int64_t>(picture.sorted().fragments.size()));
+  return {page.sheet.image(), picture.palette(settings.cells, settings.unneeded)};
+}
+
+}  // namespace xnewell

@@ -1,0 +1,305 @@
+#include "x11/visual/visual.h"
+
+#include <algorithm>
+#include <bit>
+#include <cctype>
+#include <charconv>
+#include <cstdint>
+#include <iomanip>
+#include <sstream>
+#include <stdexcept>
+#include <tuple>
+
+namespace xnewell {
+
+namespace {
+
+/// What can be done with a visual, and why one would: the rows of chooseVisual().
+struct Preference {
+  bool (*holds)(const VisualInfo&);
+  std::string_view does;  ///< completes "xnewell would"
+  std::string_view why;
+};
+
+bool isClass(const VisualInfo& v, VisualClass kind) { return v.kind == kind; }
+bool trueColor(const VisualInfo& v) { return isClass(v, VisualClass::TrueColorClass); }
+
+constexpr std::string_view kStores = "store colours in a map of its own, draw nothing when they change";
+constexpr std::string_view kEmulates = "look colours up itself, draw again when they change";
+constexpr std::string_view kLive =
+    "its colormap is real: a new hue or gamma stores colours and draws nothing";
+constexpr std::string_view kExactly =
+    "the 256-entry table is emulated: a change of colours draws the picture again";
+constexpr std::string_view kCoarse =
+    "for want of what shows every colour; the table is emulated with those there are, mixed";
+
+constexpr std::array kPreferences{
+    Preference{[](const VisualInfo& v) {
+                 return isClass(v, VisualClass::PseudoColorClass) && v.depth == 8 && v.holdsTable();
+               },
+               kStores, kLive},
+    Preference{
+        [](const VisualInfo& v) { return isClass(v, VisualClass::PseudoColorClass) && v.holdsTable(); },
+        kStores, kLive},
+    Preference{[](const VisualInfo& v) { return trueColor(v) && v.depth == 24 && v.exact(); }, kEmulates,
+               kExactly},
+    Preference{[](const VisualInfo& v) { return trueColor(v) && v.exact() && v.alphaMask() == 0; }, kEmulates,
+               kExactly},
+    Preference{
+        [](const VisualInfo& v) { return isClass(v, VisualClass::DirectColorClass) && v.holdsTable(); },
+        "store colours in a map of its own through pixels (i, i, i), draw nothing", kLive},
+    Preference{[](const VisualInfo& v) { return trueColor(v) && v.alphaMask() == 0 && v.depth >= 15; },
+               "look up the nearest of its colours, mixed", kCoarse},
+    Preference{
+        [](const VisualInfo& v) { return trueColor(v) && v.exact(); }, kEmulates,
+        "for want of better; the table is emulated, and the alpha that a compositor may use is opaque"},
+    Preference{[](const VisualInfo& v) { return isClass(v, VisualClass::GrayScaleClass) && v.holdsTable(); },
+               "store grays in a map of its own, draw nothing when they change",
+               "its colormap is real and holds the grays of the colours: storing draws nothing"},
+    Preference{[](const VisualInfo& v) { return isClass(v, VisualClass::StaticColorClass) && v.depth >= 8; },
+               "look up the nearest of its fixed colours, mixed", kCoarse},
+    Preference{trueColor, "look up the nearest of its colours, mixed", kCoarse},
+    Preference{[](const VisualInfo& v) { return isClass(v, VisualClass::DirectColorClass); },
+               "fill a map of its own with even levels; look up the nearest, mixed", kCoarse},
+    Preference{[](const VisualInfo& v) { return v.gray() && v.holdsColors(); },
+               "look grays up itself, draw again when they change",
+               "for want of colour; the table is emulated with the grays of the colours"},
+    Preference{[](const VisualInfo& v) { return v.gray() && !v.writable(); },
+               "look up the nearest of its fixed grays, mixed",
+               "for want of colour; the table is emulated with the grays there are, mixed"},
+    Preference{[](const VisualInfo&) { return true; }, "look up the nearest of its few cells, mixed",
+               kCoarse},
+};
+
+int rowOf(const VisualInfo& v) {
+  return static_cast<int>(
+      std::ranges::find_if(kPreferences, [&](const Preference& row) { return row.holds(v); }) -
+      kPreferences.begin());
+}
+
+bool granted(const std::optional<VisualWish>& wish, const VisualInfo& v) {
+  return !wish || (wish->kind == v.kind && wish->depth.value_or(v.depth) == v.depth);
+}
+
+std::string hex(unsigned long id) {
+  std::ostringstream text;
+  text << "0x" << std::hex << id;
+  return text.str();
+}
+
+bool sameKind(const VisualInfo& a, const VisualInfo& b) {
+  return a.kind == b.kind && a.depth == b.depth && a.masks == b.masks && a.bitsPerRgb == b.bitsPerRgb &&
+         a.cells == b.cells;
+}
+
+struct Fold {
+  VisualInfo visual;
+  int count;
+};
+
+/// Equal visuals together, the deepest first, then in the order of kVisualClasses.
+std::vector<Fold> fold(const ServerVisuals& server) {
+  std::vector<Fold> rows;
+  for (const VisualInfo& v : server.visuals) {
+    const auto same =
+        std::find_if(rows.begin(), rows.end(), [&](const Fold& row) { return sameKind(row.visual, v); });
+    if (same != rows.end())
+      ++same->count;
+    else
+      rows.push_back({v, 1});
+  }
+  std::stable_sort(rows.begin(), rows.end(), [](const Fold& a, const Fold& b) {
+    return a.visual.depth != b.visual.depth ? a.visual.depth > b.visual.depth : a.visual.kind < b.visual.kind;
+  });
+  return rows;
+}
+
+/// "a, b, c", each once.
+std::string list(const std::vector<std::string>& names) {
+  std::string text;
+  for (auto name = names.begin(); name != names.end(); ++name) {
+    if (std::find(names.begin(), name, *name) != name) continue;
+    if (!text.empty()) text.append(", ");
+    text.append(*name);
+  }
+  return text;
+}
+
+std::string namesOf(const ServerVisuals& server) {
+  std::vector<std::string> names;
+  for (const Fold& row : fold(server)) names.push_back(row.visual.name());
+  return list(names);
+}
+
+/// "rgb", from the highest bits of a pixel value down; "-" where they have none of their own.
+std::string orderOf(const VisualInfo& v) {
+  if (!v.hasChannels()) return "-";
+  std::array channels{std::pair{v.masks.red, 'r'}, std::pair{v.masks.green, 'g'},
+                      std::pair{v.masks.blue, 'b'}};
+  std::ranges::sort(channels, std::ranges::greater{});
+  return {channels[0].second, channels[1].second, channels[2].second};
+}
+
+/// What xnewell would do with it.
+std::string deed(const VisualInfo& v, const ServerVisuals& server, MapOwner owner) {
+  const std::string does{kPreferences[rowOf(v)].does};
+  if (owner == MapOwner::Private) return does;
+  if (!sameKind(v, server.defaultVisual())) return "not take it: the default map is another visual's";
+  if (!v.writable()) return does;
+  return v.hasChannels() && !v.holdsTable()
+             ? "take what levels of the default map can be had, mixed"
+             : "take free cells of the default map as shades; if too few, its colours, mixed";
+}
+
+/// A mask's lowest bit and number of bits.
+struct Channel {
+  int shift, width;
+  explicit Channel(unsigned long mask)
+      : shift{mask ? std::countr_zero(mask) : 0}, width{std::popcount(mask)} {}
+  [[nodiscard]] unsigned long bits(std::uint16_t v) const {
+    return static_cast<unsigned long>(v >> (16 - width)) << shift;
+  }
+  [[nodiscard]] std::uint16_t value(unsigned long pixel) const {
+    const unsigned long top = (1ul << width) - 1;
+    return static_cast<std::uint16_t>(top ? ((pixel >> shift) & top) * 65535 / top : 0);
+  }
+};
+
+}  // namespace
+
+std::string VisualInfo::name() const {
+  return std::string{kVisualClasses[static_cast<int>(kind)].name} + " " + std::to_string(depth);
+}
+
+int VisualInfo::leastLevels() const {
+  return hasChannels()
+             ? static_cast<int>(std::min({levelsOf(masks.red), levelsOf(masks.green), levelsOf(masks.blue)}))
+             : cells;
+}
+
+const VisualInfo& ServerVisuals::defaultVisual() const {
+  return *std::find_if(visuals.begin(), visuals.end(),
+                       [&](const VisualInfo& v) { return v.id == defaultId; });
+}
+
+VisualWish parseVisualWish(std::string_view text) {
+  const auto sameLetter = [](char a, char b) {
+    return std::tolower(static_cast<unsigned char>(a)) == std::tolower(static_cast<unsigned char>(b));
+  };
+  for (const VisualClassRow& row : kVisualClasses) {
+    if (text.size() < row.name.size() ||
+        !std::equal(row.name.begin(), row.name.end(), text.begin(), sameLetter))
+      continue;
+    std::string_view digits = text.substr(row.name.size());
+    if (digits.empty()) return {row.id, std::nullopt};
+    if (digits.front() == ' ') digits.remove_prefix(1);  // as name() has it
+    int depth = 0;
+    const auto [end, error] = std::from_chars(digits.data(), digits.data() + digits.size(), depth);
+    if (error == std::errc{} && end == digits.data() + digits.size() && depth >= 1 && depth <= 32)
+      return {row.id, depth};
+  }
+  std::vector<std::string> classes;
+  classes.reserve(kVisualClasses.size());
+  for (const VisualClassRow& row : kVisualClasses) classes.emplace_back(row.name);
+  throw std::invalid_argument(
+      "'" + std::string{text} +
+      "' is no visual: write a class and, if it matters, a depth, as in PseudoColor8 or "
+      "TrueColor24; the classes are " +
+      list(classes));
+}
+
+VisualChoice chooseVisual(const ServerVisuals& server, const std::optional<VisualWish>& wish,
+                          MapOwner owner) {
+  const auto has = [&](const VisualInfo& v) { return granted(wish, v); };
+  const auto wished = [&] {
+    std::string name{kVisualClasses[static_cast<int>(wish->kind)].name};
+    return wish->depth ? name + " " + std::to_string(*wish->depth) : name;
+  };
+  if (wish && std::ranges::none_of(server.visuals, has))
+    throw X11Error("display '" + server.display + "' has no " + wished() + "; it has " + namesOf(server));
+  if (owner == MapOwner::Shared) {
+    const VisualInfo& v = server.defaultVisual();
+    if (!has(v))
+      throw X11Error("--colormap shared takes cells of the default map, which is for " + v.name() +
+                     ", not for " + wished());
+    return {v, v.writable() ? "the default visual, whose map is shared: as many shades as it has free cells, "
+                              "or its colours mixed"
+                            : "the default visual; its map is not writable, so the table is emulated"};
+  }
+  const auto rank = [&](const VisualInfo& v) {
+    return std::tuple{-rowOf(v), v.depth, v.id == server.defaultId};
+  };
+  const VisualInfo* best = nullptr;
+  for (const VisualInfo& v : server.visuals)
+    if (has(v) && (best == nullptr || rank(v) > rank(*best))) best = &v;
+  if (best == nullptr) throw X11Error("display '" + server.display + "' has no visual");
+  std::string why = (wish ? "as insisted on; " : "") + std::string{kPreferences[rowOf(*best)].why};
+  const auto flashing = std::ranges::find_if(server.visuals, [&](const VisualInfo& v) {
+    return has(v) && isClass(v, VisualClass::DirectColorClass) && v.holdsTable();
+  });
+  if (best->exact() && flashing != server.visuals.end())
+    why += "; the real colormap of " + flashing->name() + " would make all other windows flash";
+  return {*best, why};
+}
+
+std::string describeVisuals(const ServerVisuals& server, const std::optional<VisualWish>& wish,
+                            MapOwner owner) {
+  std::ostringstream out;
+  out << "display " << server.display << " (" << server.vendor << ")\n\n" << std::left;
+  const auto line = [&](std::string_view name, std::string_view depth, std::string_view order,
+                        std::string_view number, std::string_view cells, std::string_view free,
+                        std::string_view bits, std::string_view map, std::string_view what) {
+    out << std::setw(13) << name << std::right << std::setw(5) << depth << std::setw(7) << order
+        << std::setw(9) << number << std::setw(7) << cells << std::setw(6) << free << std::setw(6) << bits
+        << "  " << std::left << std::setw(10) << map << what << '\n';
+  };
+  line("class", "depth", "order", "visuals", "cells", "free", "bits", "colormap", "xnewell would");
+  for (const auto& [v, count] : fold(server))
+    line(kVisualClasses[static_cast<int>(v.kind)].name, std::to_string(v.depth), orderOf(v),
+         std::to_string(count), std::to_string(v.cells),
+         server.freeCells && sameKind(v, server.defaultVisual()) ? std::to_string(*server.freeCells) : "-",
+         std::to_string(v.bitsPerRgb), v.writable() ? "writable" : "fixed", deed(v, server, owner));
+  out << "\norder: of red, green and blue in a pixel value, from its highest bits down\n"
+      << "cells: entries of its colormap (of each channel where red, green and blue have their own)\n"
+      << "free:  of the default colormap, which all programs share\n"
+      << "bits:  of a stored colour that reach the screen\n\n"
+      << "default visual    " << server.defaultVisual().name() << " (" << hex(server.defaultId) << ")\n"
+      << "black and white   pixels " << server.black << " and " << server.white << '\n'
+      << "default colormap  ";
+  if (server.freeCells)
+    out << *server.freeCells << " of " << server.defaultVisual().cells
+        << " cells free (counted by taking them and giving them back)\n";
+  else
+    out << "not writable\n";
+  try {
+    const VisualChoice choice = chooseVisual(server, wish, owner);
+    out << "chosen            " << choice.visual.name() << " (" << hex(choice.visual.id)
+        << "): " << choice.why << '\n';
+  } catch (const X11Error& error) {
+    out << "chosen            none: " << error.what() << '\n';
+  }
+  return out.str();
+}
+
+unsigned long pixelOfCell(const VisualInfo& visual, int k) {
+  const auto bits = [&](unsigned long mask) {
+    return (static_cast<unsigned long>(k) << Channel{mask}.shift) & mask;
+  };
+  const ChannelMasks& m = visual.masks;
+  return visual.hasChannels() ? bits(m.red) | bits(m.green) | bits(m.blue) | visual.alphaMask()
+                              : static_cast<unsigned long>(k);
+}
+
+unsigned long levelsOf(unsigned long mask) { return 1ul << std::popcount(mask); }
+
+unsigned long pixelOf(Rgb16 color, const ChannelMasks& masks) {
+  return Channel{masks.red}.bits(color.r) | Channel{masks.green}.bits(color.g) |
+         Channel{masks.blue}.bits(color.b);
+}
+
+Rgb16 colorOf(unsigned long pixel, const ChannelMasks& masks) {
+  return {Channel{masks.red}.value(pixel), Channel{masks.green}.value(pixel),
+          Channel{masks.blue}.value(pixel)};
+}
+
+}  // namespace xnewell

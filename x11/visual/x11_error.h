@@ -1,0 +1,20 @@
+#pragma once
+
+#include <stdexcept>
+
+namespace xnewell {
+
+/// What the X server (or its absence) made impossible, in one line that can be shown as it is:
+/// "X_CreatePixmap: BadAlloc (insufficient resources for operation)". Free of Xlib, for main().
+class X11Error : public std::runtime_error {
+ public:
+  using std::runtime_error::runtime_error;
+};
+
+/// The server has no room for another colormap.
+class NoColormapError : public X11Error {
+ public:
+  using X11Error::X11Error;
+};
+
+}  // namespace xnewell

@@ -1,0 +1,29 @@
+#include "x11/window/layout.h"
+
+namespace xnewell {
+
+namespace {
+constexpr int kStatusHeight = 44, kStripHeight = 60, kViewsHeight = 32;
+}
+
+Layout layoutOf(int width, int height) {
+  Layout at;
+  at.width = width;
+  at.height = height;
+  at.roomy = width >= 800 && height >= 600;
+  at.compact = width < 1024 || height < 768;
+  if (!at.roomy) {
+    at.picture = {0, 0, width, height};
+    return at;
+  }
+  const int bodyTop = at.compact ? 43 : 48, below = at.compact ? 44 : 56;
+  at.views = {0, 0, width, kViewsHeight};
+  at.status = {0, height - kStatusHeight, width, kStatusHeight};
+  at.strip = {0, at.status.y - kStripHeight, width, kStripHeight};
+  at.controls = {width - kMargin - kControls, bodyTop, kControls, at.strip.y - bodyTop};
+  at.body = {kMargin, bodyTop, width - 2 * kMargin, at.strip.y - 4 - bodyTop};
+  at.picture = {kMargin, bodyTop, at.controls.x - 2 * kMargin, at.strip.y - below - bodyTop};
+  return at;
+}
+
+}  // namespace xnewell

@@ -1,0 +1,18 @@
+#pragma once
+
+#include "x11/drawing/rect.h"
+
+namespace xnewell {
+
+inline constexpr int kMargin = 16, kControls = 320;  ///< pixels
+
+/// Where things are, in pixels. Below 800 x 600 there is no room for the controls and `roomy` is false.
+struct Layout {
+  int width = 0, height = 0;
+  bool roomy = false, compact = false;
+  Rect views, picture, controls, strip, status;
+  Rect body;  ///< between the views and the strip, for a view without controls
+};
+[[nodiscard]] Layout layoutOf(int width, int height);
+
+}  // namespace xnewell

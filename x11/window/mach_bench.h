@@ -1,0 +1,72 @@
+#pragma once
+
+#include <optional>
+#include <string>
+
+#include "x11/views/mach_bands.h"
+#include "x11/window/bench.h"
+#include "x11/window/control_keys.h"
+
+namespace xnewell {
+
+/// The view of the Mach bands in the window: the scanline that is drawn, under keys and pointer.
+class MachBench : public Bench {
+ public:
+  using Subject = std::function<ControlKeys::Subject()>;
+  /// What is passed outlives it.
+  MachBench(Host& host, ControlKeys& keys, Subject subject)
+      : host_{host}, keys_{keys}, subject_{std::move(subject)} {}
+
+  [[nodiscard]] bool press(const Key& key, const Setup& setup) override;
+  [[nodiscard]] std::string_view sharedKeys() const override { return "tzS+-"; }
+  void hover(int x, int y) override;
+  [[nodiscard]] bool grab(int x, int y) override;
+  void dragTo(int x, int y) override;
+  void drop() override { dragged_ = 0; }
+  void enter() override { focus_ = 'y'; }
+  void leave() override { hovered_ = 0; }
+
+  [[nodiscard]] Rect picture(const Layout& at) const override;
+  [[nodiscard]] Setup painted(const Setup& setup) const override;
+  [[nodiscard]] bool late(const Setup& setup) const override;
+  void draw(IndexImage& image, const Desk& desk) override;
+  [[nodiscard]] std::string status() const override { return status_; }
+  [[nodiscard]] std::vector<Legend> legend() const override;
+  [[nodiscard]] std::vector<HelpLine> help() const override;
+
+ private:
+  /// What depends on more than the setup.
+  struct Shown {
+    int row = 0;
+    char focus = 'y', hovered = 0, dragged = 0;
+    int option = -1;
+    bool operator==(const Shown&) const = default;
+  };
+  void askForDivisions();
+  [[nodiscard]] Shown shown() const { return {row_.value_or(0), focus(), hovered_, dragged_, option_}; }
+  /// A control of its own, or one of ControlKeys that this view shares.
+  [[nodiscard]] char focus() const { return focus_ ? focus_ : keys_.focus(); }
+  void moveScanline(int rows);
+  void divide(int divisions);
+  /// The control in whose row a place is; of the choice the option too.
+  [[nodiscard]] char rowAt(int x, int y, int& option) const;
+  void drawControls(IndexImage& image, const Desk& desk);
+
+  Host& host_;
+  ControlKeys& keys_;
+  Subject subject_;
+  std::optional<int> row_;  ///< of the picture; none: the one that shows most
+  char focus_ = 'y';        ///< y, k, or 0: what ControlKeys has
+  char dragged_ = 0;        ///< y, k, or p for the picture
+  char hovered_ = 0;
+  int option_ = -1;
+  // Of what was drawn last.
+  Rect picture_{}, controls_{};
+  std::optional<int> firstRow_;  ///< that is shown
+  int height_ = 1, divisions_ = 0;
+  std::vector<Rect> options_;
+  std::optional<Shown> drawn_;
+  std::string status_;
+};
+
+}  // namespace xnewell

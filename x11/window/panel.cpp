@@ -1,0 +1,197 @@
+#include "x11/window/panel.h"
+
+#include <algorithm>
+
+#include "x11/drawing/font.h"
+#include "x11/drawing/pen.h"
+
+namespace xnewell {
+
+namespace {
+
+constexpr std::string_view kNoRoom = "the controls need a window of 800 x 600";
+
+struct Tab {
+  WindowViewRow view;
+  Rect place;
+};
+std::vector<Tab> tabsOf(const Layout& at) {
+  std::vector<Tab> tabs;
+  const int letter = at.compact ? 0 : 9;  // a narrow window has less room beside the names
+  int x = 6;
+  for (const WindowViewRow& row : kWindowViews) {
+    tabs.push_back({row, {x, 5, 27 + letter + textWidth(row.name), at.views.height - 4}});
+    x += tabs.back().place.width + (at.compact ? 0 : 4);
+  }
+  return tabs;
+}
+
+void drawTabs(Pen& pen, const Layout& at, const PanelState& state) {
+  pen.paint.fillRect(at.views, pen.cell(Cell::Panel));
+  pen.rule(0, at.views.height, at.width);
+  int end = 0;
+  for (const auto& [view, tab] : tabsOf(at)) {
+    const bool shown = view.id == state.view;
+    if (shown) {
+      pen.paint.fillRect(tab, pen.cell(Cell::Paper));
+      pen.paint.fillRect({tab.x, tab.y, tab.width, 2}, pen.cell(Cell::Ink));
+      for (const int edge : {tab.x, tab.x + tab.width - 1})
+        pen.paint.vline(edge, tab.y, at.views.height - tab.y, pen.cell(Cell::Rule));
+    }
+    pen.soft(tab.x + 9, 23, std::string_view{&view.key, 1});
+    pen.paint.text(tab.x + 24 - (at.compact ? 4 : 0), 23, view.name, pen.cell(shown ? Cell::Ink : Cell::Soft),
+                   shown ? Voice::Bold : Voice::Plain);
+    end = tab.x + tab.width + 4;
+  }
+  // A long path keeps its end, which tells files apart; other names keep their beginning.
+  std::string title = state.title;
+  const auto room = static_cast<std::size_t>(std::max(0, at.width - 2 * kMargin - end) / 6);
+  if (room < 4) return;
+  if (title.size() > room && title.find('/') != std::string::npos) {
+    title = "..." + title.substr(title.size() - room + 3);
+  } else if (title.size() > room) {
+    title.resize(room - 3);
+    while (!title.empty() && static_cast<unsigned char>(title.back()) >= 0x80) title.pop_back();
+    title += "...";
+  }
+  pen.paint.textRight(at.width - kMargin, 23, title, pen.cell(Cell::Soft));
+}
+
+std::optional<Direction> arrowOf(std::string_view key) {
+  if (key == "<") return Direction::Left;
+  if (key == ">") return Direction::Right;
+  if (key == "^") return Direction::Up;
+  if (key == "v") return Direction::Down;
+  return std::nullopt;
+}
+
+int widthOf(const Legend& legend) {
+  int width = textWidth(legend.does) + 12;
+  for (const std::string_view key : legend.keys)
+    width += (arrowOf(key) ? kKeyCap : std::max(kKeyCap, textWidth(key) + 9)) + 2;
+  return width;
+}
+
+/// What does not fit is left out, but never the last.
+void drawLegend(Pen& pen, const Layout& at, int y, const std::vector<Legend>& legends) {
+  int x = kMargin;
+  const int last = legends.empty() ? 0 : widthOf(legends.back());
+  for (const Legend& legend : legends) {
+    const bool isLast = &legend == &legends.back();
+    if (!isLast && x + widthOf(legend) + last > at.width - kMargin) continue;
+    for (const std::string_view key : legend.keys) {
+      const std::optional<Direction> arrow = arrowOf(key);
+      x += (arrow ? pen.arrow(x, y - 11, *arrow) : pen.key(x, y - 11, key)) + 2;
+    }
+    x = pen.soft(x + 4, y, legend.does) + 12;
+  }
+}
+
+/// As much of the end as has room.
+std::string endOf(const std::string& text, int width) {
+  const auto letters = static_cast<std::size_t>(std::max(0, width) / kGlyphWidth);
+  if (text.size() <= letters) return text;
+  return letters > 3 ? "..." + text.substr(text.size() - letters + 3) : "";
+}
+
+void drawTyped(Pen& pen, const Layout& at, const Typed& typed) {
+  const int y = at.status.y + 15;
+  int x = pen.ink(kMargin, y, typed.asks + ": ");
+  // The end of a long text, where it grows, and of what is wrong with it, which is told last.
+  const int all = at.width - kMargin - x - 40;
+  const std::string complaint = endOf(typed.complaint, std::max(all / 2, all - textWidth(typed.text)));
+  x = pen.bold(x, y, endOf(typed.text, std::max(60, all - textWidth(complaint))));
+  pen.paint.fillRect({x + 1, y - 10, 7, 13}, pen.cell(Cell::Ink));
+  if (!complaint.empty()) pen.paint.text(x + 26, y, complaint, pen.cell(Cell::Alarm));
+  std::vector<Legend> legend{{{"Return"}, "take it"}, {{"Esc"}, "leave it"}};
+  if (typed.offers) legend.insert(legend.begin() + 1, {{"^", "v"}, "the built-in scenes"});
+  drawLegend(pen, at, y + 18, legend);
+}
+
+void drawStatus(Pen& pen, const Layout& at, const PanelState& state) {
+  pen.paint.fillRect(at.status, pen.cell(Cell::Panel));
+  pen.rule(0, at.status.y, at.width);
+  if (state.typed) return drawTyped(pen, at, *state.typed);
+  const int y = at.status.y + 15;
+  int end = kMargin;
+  if (!state.notice.empty()) {
+    end = pen.paint.text(kMargin, y, state.notice, pen.cell(Cell::Alarm));
+  } else if (!state.told.empty()) {
+    end = pen.paint.text(kMargin, y, state.told, pen.cell(Cell::Good));
+  } else {
+    end = pen.ink(kMargin, y, state.status);
+    if (!at.compact) end = pen.soft(end + 18, y, state.aside);
+  }
+  if (end + 18 + textWidth(state.visual) <= at.width - kMargin)
+    pen.paint.textRight(at.width - kMargin, y, state.visual, pen.cell(Cell::Soft));
+  drawLegend(pen, at, y + 18, state.legend);
+}
+
+constexpr int kHelpLine = 18, kShadow = 4;
+
+Rect helpBox(const Layout& at, const std::vector<HelpLine>& lines) {
+  const int width = std::min(at.width - 2 * kMargin, 560);
+  const int height = 52 + kHelpLine * static_cast<int>(lines.size());
+  return {(at.width - width) / 2, std::max(0, (at.height - height) / 2), width, height};
+}
+
+void drawHelp(Pen& pen, const Layout& at, const std::vector<HelpLine>& lines) {
+  const Rect box = helpBox(at, lines);
+  pen.paint.fillRect({box.x + kShadow, box.y + kShadow, box.width, box.height}, pen.cell(Cell::Ink));
+  pen.paint.fillRect(box, pen.cell(Cell::Paper));
+  pen.paint.frame(box, pen.cell(Cell::Ink));
+  pen.paint.text(box.x + 16, box.y + 24, "ALL KEYS", pen.cell(Cell::Soft), Voice::Caps);
+  int y = box.y + 48;
+  for (const HelpLine& line : lines) {
+    pen.bold(box.x + 16, y, line.keys);
+    pen.ink(box.x + 140, y, line.does);
+    y += kHelpLine;
+  }
+}
+
+}  // namespace
+
+std::optional<WindowView> tabAt(const Layout& at, int x, int y) {
+  if (!at.roomy) return std::nullopt;
+  for (const auto& [view, tab] : tabsOf(at))
+    if (tab.has(x, y)) return view.id;
+  return std::nullopt;
+}
+
+Rect busyBox(int width, int height) {
+  constexpr int kWidth = 280, kHeight = 58;
+  return {(width - kWidth) / 2, (height - kHeight) / 2, kWidth, kHeight};
+}
+
+void drawBusyBox(IndexImage& image, const CellPlan& plan, int seconds, bool mayEnd) {
+  Pen pen{Painter{image}, plan};
+  const Rect box = busyBox(image.width, image.height);
+  pen.paint.fillRect(box, pen.cell(Cell::Paper));
+  pen.paint.frame(box, pen.cell(Cell::Ink));
+  pen.bold(box.x + 16, box.y + 25, "drawing: " + std::to_string(seconds) + " s so far");
+  pen.soft(box.x + 16, box.y + 43,
+           mayEnd ? "q, or closing the window, ends it at once" : "keys pressed meanwhile wait");
+}
+
+std::vector<Rect> drawnOverPicture(const Layout& at, const PanelState& state) {
+  std::vector<Rect> parts;
+  if (!at.roomy) parts.push_back({8, 5, textWidth(kNoRoom), 13});
+  if (const Rect box = helpBox(at, state.help); !state.help.empty())
+    parts.push_back({box.x, box.y, box.width + kShadow, box.height + kShadow});
+  return parts;
+}
+
+void drawPanel(IndexImage& image, const Layout& at, const PanelState& state, const CellPlan& plan) {
+  Pen pen{Painter{image}, plan};
+  if (at.roomy) {
+    drawTabs(pen, at, state);
+    pen.rule(0, at.strip.y, at.width);
+    drawColorStrip(pen.paint, at.strip, plan, state.use, state.words, at.compact, state.inspected);
+    drawStatus(pen, at, state);
+  } else {
+    pen.paint.text(8, 16, kNoRoom, plan[Cell::WellText]);
+  }
+  if (!state.help.empty()) drawHelp(pen, at, state.help);
+}
+
+}  // namespace xnewell

@@ -1,0 +1,17 @@
+#pragma once
+
+#include <charconv>
+#include <optional>
+#include <string>
+
+namespace xnewell {
+
+/// A whole number that was typed, and nothing else; or nothing.
+inline std::optional<int> wholeNumber(const std::string& text) {
+  int value = 0;
+  const char* const end = text.data() + text.size();
+  const auto [at, error] = std::from_chars(text.data(), end, value);
+  return error == std::errc{} && at == end && !text.empty() ? std::optional{value} : std::nullopt;
+}
+
+}  // namespace xnewell
