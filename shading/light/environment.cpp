@@ -56,7 +56,7 @@ Environment makeEnvironment(EnvironmentForm form, const Lighting& lighting, cons
     const FarLight& brightest = *std::ranges::max_element(lights, {}, &FarLight::Ip);
     map.frame = brightest.L == glm::dvec3{0.0} ? glm::dmat3{1.0} : rotationTo(brightest.L);
   }
-  map.sides = rotated;
+  map.twoMaps = rotated;
   for (FarLight& light : lights) light.L = map.frame * light.L;
 
   const auto reflected = [&](double x, double y, double side) {
@@ -78,7 +78,7 @@ Environment makeEnvironment(EnvironmentForm form, const Lighting& lighting, cons
             reflected((column + 0.5 - kMapCentre) / kMapScale, (row + 0.5 - kMapCentre) / kMapScale, side);
   };
   fill(map.front, 1.0);
-  if (map.sides) fill(map.away, -1.0);
+  if (map.twoMaps) fill(map.away, -1.0);
   return map;
 }
 

@@ -32,8 +32,8 @@ inline constexpr double kMapScale = 127.0, kMapCentre = 128.0;
 /// What a channel of one surface reflects, as intensities. Those above 1 are clamped when they are shown.
 struct Environment {
   glm::dmat3 frame{1.0};           ///< from the world to where x and y are looked up
-  bool sides = false;              ///< whether z < 0 is another map
-  std::vector<float> front, away;  ///< 65,536 each, row by row; `away` empty without sides
+  bool twoMaps = false;            ///< whether z < 0 is another map
+  std::vector<float> front, away;  ///< 65,536 each, row by row; `away` empty unless twoMaps
 };
 
 /// `viewFrame` is the rotation from the world to the eye's axes: x right, y up, z towards the viewer.

@@ -112,10 +112,12 @@ struct Lighting {
 /// The share of a colour that lands on a single ramp: 0.30 R + 0.59 G + 0.11 B, the gray of X servers.
 [[nodiscard]] double luminance(glm::dvec3 color);
 
-/// One term on both sides of a surface: a light reaches one of them.
+/// A value for the front and for the back of a face: a light reaches only one of them.
 template <class Real>
-struct Sides {
+struct FrontBack {
   Real front, back;
+  /// The value of the one that is seen.
+  [[nodiscard]] const Real& seen(bool isBack) const { return isBack ? back : front; }
 };
 
 }  // namespace xnewell

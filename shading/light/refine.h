@@ -7,7 +7,7 @@
 #include "geometry/model/mesh.h"
 #include "geometry/model/vertex_normals.h"
 #include "shading/light/illumination.h"
-#include "shading/light/shade.h"
+#include "shading/light/intensities.h"
 
 namespace xnewell {
 

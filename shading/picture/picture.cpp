@@ -111,8 +111,7 @@ std::vector<double> Picture::faceIntensities(const PictureSettings& settings, in
     I = depthIntensities(scene_.mesh, snapped_, camera_.view);
   } else if (settings.shading == Shading::Flat) {
     std::ranges::transform(snapped_.faces, I.begin(), [&](const SnappedFace& f) {
-      const Sides<double>& sides = shading_.shades(channel).I[shading_.pointOf(f)];
-      return f.back ? sides.back : sides.front;
+      return shading_.intensities(channel).I[shading_.pointOf(f)].seen(f.back);
     });
   }
   return I;
@@ -300,7 +299,7 @@ Picture::Exactness Picture::exactness() {
 
 std::int64_t Picture::saturated() const {
   std::int64_t clamped = clampedPixels_;
-  for (int c = 0; c < shading_.lighting().channels; ++c) clamped += shading_.shades(c).clamped;
+  for (int c = 0; c < shading_.lighting().channels; ++c) clamped += shading_.intensities(c).clamped;
   return clamped;
 }
 

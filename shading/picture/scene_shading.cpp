@@ -40,12 +40,12 @@ bool SceneShading::make(const Scene& scene, const PictureSettings& settings, Cha
   }
   if (keepsIntensities) {
     for (int c = 0; c < lighting_.channels; ++c) {
-      if (newLight) shadeDiffuse(shades_[c], points(), lighting_, c);
-      if (newHighlight) shadeSpecular(shades_[c], points(), lighting_, c);
-      if (newLight || eyeMade_ != eye) addTerms(shades_[c], points(), lighting_, c);
+      if (newLight) diffuseIntensities(intensities_[c], points(), lighting_, c);
+      if (newHighlight) specularIntensities(intensities_[c], points(), lighting_, c);
+      if (newLight || eyeMade_ != eye) addTerms(intensities_[c], points(), lighting_, c);
     }
   } else {
-    shades_ = {};
+    intensities_ = {};
   }
   if (settings.shading == Shading::Environment) {
     const Frame frame{settings.environment,

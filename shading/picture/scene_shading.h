@@ -8,8 +8,8 @@
 #include "geometry/view/camera.h"
 #include "shading/light/environment.h"
 #include "shading/light/illumination.h"
+#include "shading/light/intensities.h"
 #include "shading/light/refine.h"
-#include "shading/light/shade.h"
 #include "shading/scene/picture_settings.h"
 #include "shading/scene/scene.h"
 
@@ -38,7 +38,7 @@ class SceneShading {
   [[nodiscard]] int pointOf(const SnappedFace& face) const { return refined_ ? face.piece : face.number; }
   [[nodiscard]] const Lighting& lighting() const { return lighting_; }
   /// At points(), of one channel; empty where nothing is lit once for all.
-  [[nodiscard]] const Shades& shades(int channel) const { return shades_[channel]; }
+  [[nodiscard]] const Intensities& intensities(int channel) const { return intensities_[channel]; }
   /// By channel and material, of none first; empty unless the method looks one up.
   [[nodiscard]] const std::vector<Environment>& environments(int channel) const {
     return environments_[channel];
@@ -81,7 +81,7 @@ class SceneShading {
   ShadingPoints points_;
   std::optional<Refined> refined_;
   Lighting lighting_;
-  std::array<Shades, 3> shades_;
+  std::array<Intensities, 3> intensities_;
   std::array<std::vector<Environment>, 3> environments_;
   std::vector<glm::dvec3> mapped_;
 };

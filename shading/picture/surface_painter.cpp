@@ -13,12 +13,6 @@
 
 namespace xnewell {
 
-namespace {
-
-double component(const Sides<double>& sides, bool back) { return back ? sides.back : sides.front; }
-
-}  // namespace
-
 SurfacePainter::SurfacePainter(const Surfaces& surfaces)
     : s_{surfaces},
       mesh_{s_.mesh},
@@ -66,7 +60,7 @@ bool SurfacePainter::textured(const SnappedFace& face) const {
 void SurfacePainter::interpolateIntensity() {
   // Once for a vertex of the model, then for those of outlines.
   const ShadingPoints& points = s_.shading.points();
-  const std::vector<Sides<double>>& I = s_.shading.shades(s_.channel).I;
+  const std::vector<FrontBack<double>>& I = s_.shading.intensities(s_.channel).I;
   std::vector<std::uint32_t> ofFront(I.size()), ofBack(I.size());
   for (std::size_t v = 0; v < I.size(); ++v) {
     const Ramp& ramp = s_.ramps[points.material[v] + 1];
@@ -75,7 +69,7 @@ void SurfacePainter::interpolateIntensity() {
   const std::vector<int>& vertexOf = s_.shading.vertices().ofCorner;
   const auto between = [&](const SnappedFace& face, int source) {
     const double value =
-        atSource(snapped_, source, [&](int corner) { return component(I[vertexOf[corner]], face.back); });
+        atSource(snapped_, source, [&](int corner) { return I[vertexOf[corner]].seen(face.back); });
     return valueSteps(s_.ramps[mesh_.material[face.number] + 1].value(value));
   };
   steps_.resize(snapped_.vertices.size());
@@ -194,19 +188,18 @@ EvaluatedTriangle SurfacePainter::evaluated(const SnappedFace& face, const FaceT
       if (e.variesV) e.V[axis] = plane(q, [&](int corner) { return e.lighting->eye[axis] - at(corner); });
     }
   } else if (s_.settings.shading == Shading::Gouraud) {
-    const auto term = [&](const std::vector<Sides<double>>& terms) {
-      return plane(one, [&](int corner) {
-        return component(terms[s_.shading.vertices().ofCorner[corner]], face.back);
-      });
+    const auto term = [&](const std::vector<FrontBack<double>>& terms) {
+      return plane(one,
+                   [&](int corner) { return terms[s_.shading.vertices().ofCorner[corner]].seen(face.back); });
     };
-    e.diffuse = term(s_.shading.shades(s_.channel).diffuse);
-    e.rest = term(s_.shading.shades(s_.channel).specular);
+    e.diffuse = term(s_.shading.intensities(s_.channel).diffuse);
+    e.rest = term(s_.shading.intensities(s_.channel).specular);
     e.rest.c += ambient;
   } else {
-    const Shades& shades = s_.shading.shades(s_.channel);
+    const Intensities& intensities = s_.shading.intensities(s_.channel);
     const int point = s_.shading.pointOf(face);
-    e.diffuse.c = component(shades.diffuse[point], face.back);
-    e.rest.c = ambient + component(shades.specular[point], face.back);
+    e.diffuse.c = intensities.diffuse[point].seen(face.back);
+    e.rest.c = ambient + intensities.specular[point].seen(face.back);
   }
   if (textured(face)) {
     e.texture = &s_.scene.textures[mesh_.materials[material - 1].texture];

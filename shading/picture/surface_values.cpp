@@ -63,7 +63,7 @@ std::array<glm::dvec3, 3> normalsOf(const Surfaces& s, const SnappedFace& face, 
 /// The intensities of an environment's places, clamped, without the cells that a picture keeps of them.
 double lookedUp(const Environment& environment, const glm::dvec3& N) {
   const auto place = [](double v) { return static_cast<std::size_t>(kMapCentre + kMapScale * v); };
-  const bool away = environment.sides && N.z < 0.0;
+  const bool away = environment.twoMaps && N.z < 0.0;
   return std::min(1.0F, (away ? environment.away : environment.front)[256 * place(N.y) + place(N.x)]);
 }
 
@@ -81,8 +81,7 @@ std::vector<double> intensitiesAt(const SeenRows& seen, const Surfaces& s,
     };
     const auto atVertex = [&](int source) {
       return atSource(s.snapped, source, [&](int corner) {
-        const Sides<double>& sides = s.shading.shades(s.channel).I[s.shading.vertices().ofCorner[corner]];
-        return face.back ? sides.back : sides.front;
+        return s.shading.intensities(s.channel).I[s.shading.vertices().ofCorner[corner]].seen(face.back);
       });
     };
 

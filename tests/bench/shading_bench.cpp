@@ -9,7 +9,7 @@
 #include "shading/color/png.h"
 #include "shading/color/quantize.h"
 #include "shading/light/environment.h"
-#include "shading/light/shade.h"
+#include "shading/light/intensities.h"
 #include "tests/bench/triangulated.h"
 #include "tests/support/colored_picture.h"
 
@@ -39,9 +39,9 @@ BENCHMARK(BM_FacePoints)->Arg(14)->Arg(56)->Arg(224)->Unit(benchmark::kMicroseco
 // Diffuse terms of every face: expect linear.
 void BM_ShadeDiffuse(benchmark::State& state) {
   const ShadedTorus scene{static_cast<int>(state.range(0))};
-  Shades shades;
+  Intensities intensities;
   for (auto _ : state) {
-    shadeDiffuse(shades, scene.points, scene.lighting, 0);
+    diffuseIntensities(intensities, scene.points, scene.lighting, 0);
     benchmark::ClobberMemory();
   }
   state.SetItemsProcessed(state.iterations() * scene.mesh.faceCount());
@@ -51,10 +51,10 @@ BENCHMARK(BM_ShadeDiffuse)->Arg(14)->Arg(56)->Arg(224)->Unit(benchmark::kMicrose
 // The specular term again, as whenever the eye moves: expect linear.
 void BM_ShadeSpecular(benchmark::State& state) {
   const ShadedTorus scene{static_cast<int>(state.range(0))};
-  Shades shades;
-  shadeDiffuse(shades, scene.points, scene.lighting, 0);
+  Intensities intensities;
+  diffuseIntensities(intensities, scene.points, scene.lighting, 0);
   for (auto _ : state) {
-    shadeSpecular(shades, scene.points, scene.lighting, 0);
+    specularIntensities(intensities, scene.points, scene.lighting, 0);
     benchmark::ClobberMemory();
   }
   state.SetItemsProcessed(state.iterations() * scene.mesh.faceCount());
@@ -81,7 +81,7 @@ void BM_EnvironmentError(benchmark::State& state) {
     const glm::dvec3 N{x, y, std::sqrt(z)}, at = map.frame * N;
     const int column = static_cast<int>(kMapCentre + kMapScale * at.x);
     const int row = static_cast<int>(kMapCentre + kMapScale * at.y);
-    const std::vector<float>& side = map.sides && at.z < 0 ? map.away : map.front;
+    const std::vector<float>& side = map.twoMaps && at.z < 0 ? map.away : map.front;
     const double error = side[256 * row + column] - std::max(0.0, glm::dot(N, L));
     squares += error * error;
     ++count;

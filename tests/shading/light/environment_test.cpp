@@ -65,7 +65,7 @@ TEST(Environment, RotatedIsExactAtEveryPlace) {
     for (const int n : {0, 1, 20, 100'000}) {
       const glm::dvec3 L = glm::normalize(along);
       const Environment map = Lit{L, 0.5, 0.4, n}.map(EnvironmentForm::Rotated);
-      ASSERT_TRUE(map.sides);
+      ASSERT_TRUE(map.twoMaps);
       int places = 0;
       for (int k = 0; k < 65'536; ++k)
         for (const double side : {1.0, -1.0}) {

@@ -1,4 +1,4 @@
-#include "shading/light/shade.h"
+#include "shading/light/intensities.h"
 
 #include <gtest/gtest.h>
 
@@ -22,24 +22,28 @@ Mesh square() {
 }
 
 /// What flat shading makes of the first face, in one channel.
-struct FaceShade {
+struct LitFace {
   glm::dvec3 N, at;
   double ambient;
-  Sides<double> diffuse, specular, I;
+  FrontBack<double> diffuse, specular, I;
   bool clamped;
 };
 
-FaceShade shaded(const Illumination& user, glm::dvec3 eye, const Mesh& mesh = square(),
-                 glm::dvec3 lookAt = {0.5, 0.5, 0}, const SceneLight& scene = {}) {
+LitFace lit(const Illumination& user, glm::dvec3 eye, const Mesh& mesh = square(),
+            glm::dvec3 lookAt = {0.5, 0.5, 0}, const SceneLight& scene = {}) {
   const Lighting lighting = resolve(mesh, scene, user, Channels::Luminance, eye, lookAt);
   const ShadingPoints points = facePoints(mesh);
-  Shades shades;
-  shadeDiffuse(shades, points, lighting, 0);
-  shadeSpecular(shades, points, lighting, 0);
-  addTerms(shades, points, lighting, 0);
-  return {points.N[0],       points.at[0],       lighting.materials[mesh.material[0] + 1].ambient[0],
-          shades.diffuse[0], shades.specular[0], shades.I[0],
-          shades.clamped > 0};
+  Intensities intensities;
+  diffuseIntensities(intensities, points, lighting, 0);
+  specularIntensities(intensities, points, lighting, 0);
+  addTerms(intensities, points, lighting, 0);
+  return {points.N[0],
+          points.at[0],
+          lighting.materials[mesh.material[0] + 1].ambient[0],
+          intensities.diffuse[0],
+          intensities.specular[0],
+          intensities.I[0],
+          intensities.clamped > 0};
 }
 
 const Illumination kBook{.Ia = 0.2, .Ip = 0.7, .ka = 0.9, .kd = 0.8, .ks = 0.4, .n = 3, .light = {0, 3, 4}};
@@ -49,7 +53,7 @@ const Illumination kBook{.Ia = 0.2, .Ip = 0.7, .ka = 0.9, .kd = 0.8, .ks = 0.4, 
 // N = (0,0,1), L = (0, 0.6, 0.8): N.L = 0.8, R = (0, -0.6, 0.8). The eye in direction R sees R.V = 1:
 // I = 0.9 0.2 + 0.7 (0.8 0.8 + 0.4) = 0.908; straight above R.V = 0.8 and the term is 0.7 0.4 0.8^3.
 TEST(Illumination, EquationByHand) {
-  const FaceShade f = shaded(kBook, glm::dvec3{0.5, 0.5, 0} + 10.0 * glm::dvec3{0, -0.6, 0.8});
+  const LitFace f = lit(kBook, glm::dvec3{0.5, 0.5, 0} + 10.0 * glm::dvec3{0, -0.6, 0.8});
   EXPECT_EQ(f.N, glm::dvec3(0, 0, 1));
   EXPECT_EQ(f.at, glm::dvec3(0.5, 0.5, 0));
   EXPECT_NEAR(f.ambient, 0.18, 1e-15);
@@ -57,17 +61,17 @@ TEST(Illumination, EquationByHand) {
   EXPECT_NEAR(f.specular.front, 0.7 * 0.4, 1e-14);
   EXPECT_NEAR(f.I.front, 0.908, 1e-14);
   EXPECT_EQ(f.I.back, f.ambient);  // the back is in the dark
-  EXPECT_NEAR(shaded(kBook, {0.5, 0.5, 9}).specular.front, 0.7 * 0.4 * 0.512, 1e-14);
+  EXPECT_NEAR(lit(kBook, {0.5, 0.5, 9}).specular.front, 0.7 * 0.4 * 0.512, 1e-14);
 }
 
 // Ia = 1 knows no direction, Ip = 1 leaves the back black.
 TEST(Illumination, TheTwoTellingExtremes) {
   const Illumination ambient{.Ia = 1, .Ip = 0, .ka = 0.9};
-  EXPECT_EQ(shaded(ambient, {0, 0, 5}).I.front, 0.9);
-  EXPECT_EQ(shaded(ambient, {0, 0, 5}).I.back, 0.9);
+  EXPECT_EQ(lit(ambient, {0, 0, 5}).I.front, 0.9);
+  EXPECT_EQ(lit(ambient, {0, 0, 5}).I.back, 0.9);
   const Illumination point{.Ia = 0, .Ip = 1, .kd = 0.9, .ks = 0, .light = {0, 0, 1}};
-  EXPECT_EQ(shaded(point, {0, 0, 5}).I.front, 0.9);
-  EXPECT_EQ(shaded(point, {0, 0, 5}).I.back, 0.0);
+  EXPECT_EQ(lit(point, {0, 0, 5}).I.front, 0.9);
+  EXPECT_EQ(lit(point, {0, 0, 5}).I.back, 0.0);
 }
 
 // A light behind lights the back; one-sided, neither side gets more than the ambient term. R.V is clamped
@@ -76,16 +80,16 @@ TEST(Illumination, LightBehindAndEvenPowers) {
   Illumination light = kBook;
   light.light = {0, 3, -4};
   light.n = 2;
-  const FaceShade f = shaded(light, {0.5, 0.5, -9});
+  const LitFace f = lit(light, {0.5, 0.5, -9});
   EXPECT_EQ(f.I.front, f.ambient);
   EXPECT_NEAR(f.I.back, f.ambient + 0.7 * (0.8 * 0.8 + 0.4 * 0.64), 1e-14);
-  EXPECT_EQ(shaded(light, {0.5, 0.5, 9}).specular.back, 0.0);  // R.V = -0.8
+  EXPECT_EQ(lit(light, {0.5, 0.5, 9}).specular.back, 0.0);  // R.V = -0.8
   light.twoSided = false;
-  const FaceShade one = shaded(light, {0.5, 0.5, -9});
+  const LitFace one = lit(light, {0.5, 0.5, -9});
   EXPECT_EQ(one.I.front, one.ambient);
   EXPECT_EQ(one.I.back, one.ambient);
   light.light = {0, 1, 0};
-  const FaceShade grazing = shaded(light, {0.5, 0.5, 9});
+  const LitFace grazing = lit(light, {0.5, 0.5, 9});
   EXPECT_EQ(grazing.I.front, grazing.ambient);
 }
 
@@ -93,11 +97,11 @@ TEST(Illumination, LightBehindAndEvenPowers) {
 TEST(Illumination, ExponentsAtTheirEnds) {
   Illumination light = kBook;
   light.n = 0;
-  EXPECT_NEAR(shaded(light, {0.5, 0.5, 9}).specular.front, 0.28, 1e-15);
+  EXPECT_NEAR(lit(light, {0.5, 0.5, 9}).specular.front, 0.28, 1e-15);
   light.n = 1'000'000;
-  EXPECT_EQ(shaded(light, {0.5, 0.5, 9}).specular.front, 0.0);
+  EXPECT_EQ(lit(light, {0.5, 0.5, 9}).specular.front, 0.0);
   light.light = {0, 0, 1};
-  EXPECT_EQ(shaded(light, {0.5, 0.5, 9}).specular.front, 0.7 * 0.4);
+  EXPECT_EQ(lit(light, {0.5, 0.5, 9}).specular.front, 0.7 * 0.4);
 }
 
 // Above 1 the intensity is clamped and says so.
@@ -105,10 +109,10 @@ TEST(Illumination, ClampsAndCounts) {
   Illumination light = kBook;
   light.light = {0, 0, 1};
   light.kd = light.ks = 1;
-  const FaceShade f = shaded(light, {0.5, 0.5, 9});
+  const LitFace f = lit(light, {0.5, 0.5, 9});
   EXPECT_EQ(f.I.front, 1.0);
   EXPECT_TRUE(f.clamped);
-  EXPECT_FALSE(shaded(kBook, {0.5, 0.5, 9}).clamped);
+  EXPECT_FALSE(lit(kBook, {0.5, 0.5, 9}).clamped);
 }
 
 // A point light at (0.5, 0.5, 2) shines straight down on the centroid; held constant it shines from
@@ -118,14 +122,14 @@ TEST(Illumination, ConstantLAndV) {
   m.points.push_back({0.5, 0.5, 4});  // the scene's centre is (0.5, 0.5, 2), its faces stay
   m.points.push_back({1.5, 0.5, 4});  // and now (0.75, 0.5, 2)
   Illumination light{.Ip = 1, .kd = 1, .ks = 0, .lightPosition = glm::dvec3{0.5, 0.5, 6}};
-  EXPECT_EQ(shaded(light, {0, 0, 5}, m).diffuse.front, 1.0);
+  EXPECT_EQ(lit(light, {0, 0, 5}, m).diffuse.front, 1.0);
   light.constantL = true;
-  EXPECT_NEAR(shaded(light, {0, 0, 5}, m).diffuse.front, 4 / std::sqrt(16 + 0.0625), 1e-15);
+  EXPECT_NEAR(lit(light, {0, 0, 5}, m).diffuse.front, 4 / std::sqrt(16 + 0.0625), 1e-15);
 
   Illumination v{.Ia = 0, .Ip = 1, .kd = 0, .ks = 1, .n = 1, .light = {0, 0, 1}};
-  EXPECT_NEAR(shaded(v, {4.5, 0.5, 3}).specular.front, 0.6, 1e-15);
+  EXPECT_NEAR(lit(v, {4.5, 0.5, 3}).specular.front, 0.6, 1e-15);
   v.constantV = true;
-  EXPECT_NEAR(shaded(v, {4.5, 0.5, 3}, square(), {4.5, 0.5, 0}).specular.front, 1.0, 1e-15);
+  EXPECT_NEAR(lit(v, {4.5, 0.5, 3}, square(), {4.5, 0.5, 0}).specular.front, 1.0, 1e-15);
 }
 
 // MTL colours reach the ramp as luminance: green counts 0.59.
@@ -134,7 +138,7 @@ TEST(Illumination, MaterialsAsLuminance) {
   m.materials.push_back({"grass", {0, 1, 0}});
   m.material[0] = 0;
   const Illumination light{.Ia = 0.5, .Ip = 0.5, .ka = 1, .kd = 1, .ks = 0, .light = {0, 0, 1}};
-  EXPECT_NEAR(shaded(light, {0, 0, 5}, m).I.front, 0.59, 1e-15);
+  EXPECT_NEAR(lit(light, {0, 0, 5}, m).I.front, 0.59, 1e-15);
 }
 
 // No light, no material, no eye makes anything but a number in [0, 1] of it.
@@ -153,9 +157,10 @@ TEST(Illumination, StaysInRange) {
     if (trial % 2) light.lightPosition = glm::dvec3{wild(), wild(), wild()};
     light.twoSided = trial % 3 != 0;
     const glm::dvec3 eye = trial % 5 ? glm::dvec3{wild(), wild(), wild()} : glm::dvec3{0.5, 0.5, 0};
-    const FaceShade f = shaded(light, eye);
+    const LitFace f = lit(light, eye);
     for (const double I : {f.I.front, f.I.back}) ASSERT_TRUE(I >= 0 && I <= 1) << I;
-    for (const Sides<double>& term : {f.diffuse, f.specular}) ASSERT_TRUE(term.front >= 0 && term.back >= 0);
+    for (const FrontBack<double>& term : {f.diffuse, f.specular})
+      ASSERT_TRUE(term.front >= 0 && term.back >= 0);
   }
 }
 
@@ -165,8 +170,8 @@ namespace {
 double diffuseBelow(double height, Light light, double unit = 1) {
   light.Ip = glm::dvec3{1};
   light.position = {0.5, 0.5, height};
-  return shaded({.kd = 1, .ks = 0}, {0, 0, 5}, square(), {0.5, 0.5, 0},
-                {.Ia = {}, .lights = {light}, .unit = unit})
+  return lit({.kd = 1, .ks = 0}, {0, 0, 5}, square(), {0.5, 0.5, 0},
+             {.Ia = {}, .lights = {light}, .unit = unit})
       .diffuse.front;
 }
 
@@ -225,8 +230,8 @@ TEST(Illumination, Forms) {
   const auto cosine = [](double degrees) { return std::cos(degrees * std::acos(-1.0) / 180); };
   const auto specular = [&](Form form, int n) {
     const double a = std::acos(-1.0) / 180;
-    return shaded({.Ip = 1, .ks = 1, .n = n, .light = {-std::sin(30 * a), 0, std::cos(30 * a)}, .form = form},
-                  glm::dvec3{0.5, 0.5, 0} + 2.0 * glm::dvec3{std::sin(50 * a), 0, std::cos(50 * a)})
+    return lit({.Ip = 1, .ks = 1, .n = n, .light = {-std::sin(30 * a), 0, std::cos(30 * a)}, .form = form},
+               glm::dvec3{0.5, 0.5, 0} + 2.0 * glm::dvec3{std::sin(50 * a), 0, std::cos(50 * a)})
         .specular.front;
   };
   for (const int n : {1, 2, 7}) {
@@ -247,10 +252,10 @@ TEST(Illumination, Channels) {
   const ShadingPoints points = facePoints(m);
   const std::array expected{0.1 * 0.5 + 0.8 * 0.5, 0.1 + 0.3 * 0.8, 0.2 * 0.5};
   for (int c = 0; c < 3; ++c) {
-    Shades shades;
-    shadeDiffuse(shades, points, lighting, c);
-    addTerms(shades, points, lighting, c);
-    EXPECT_NEAR(shades.I[0].front, expected[c], 1e-15) << c;
+    Intensities intensities;
+    diffuseIntensities(intensities, points, lighting, c);
+    addTerms(intensities, points, lighting, c);
+    EXPECT_NEAR(intensities.I[0].front, expected[c], 1e-15) << c;
   }
 }
 
@@ -291,27 +296,27 @@ TEST(Illumination, SideBySideAsAlone) {
             {.kind = LightKind::Point, .position = {2, 1, 0}, .attenuation = Attenuation::InverseSquare}}};
     const Lighting lighting =
         resolve(m, scene, {.form = form.id}, Channels::Luminance, {1, -3, 2}, {0, 0, 0});
-    Shades shades;
-    shadeDiffuse(shades, points, lighting, 0);
-    shadeSpecular(shades, points, lighting, 0);
+    Intensities intensities;
+    diffuseIntensities(intensities, points, lighting, 0);
+    specularIntensities(intensities, points, lighting, 0);
     const auto vec = [](const glm::dvec3& v) { return Vec<double>{v.x, v.y, v.z}; };
     int lit = 0;
     for (std::size_t k = 0; k < points.at.size(); ++k) {
       const Material& material = lighting.materials[points.material[k] + 1];
       const Vec<double> at = vec(points.at[k]), N = vec(points.N[k]);
-      Sides<double> diffuse{0, 0}, specular{0, 0};
+      FrontBack<double> diffuse{0, 0}, specular{0, 0};
       for (const Lighting::Source& light : lighting.sources) {
         const Incident<double> in = incident(light, at);
-        const Sides<double> d = diffuseTerm(in, N, true);
-        const Sides<double> s = specularTerm(in, N, towardsEye(lighting, at), material, lighting);
+        const FrontBack<double> d = diffuseTerm(in, N, true);
+        const FrontBack<double> s = specularTerm(in, N, towardsEye(lighting, at), material, lighting);
         const double kd = light.Ip[0] * material.kd[0], ks = light.Ip[0] * material.ks[0];
         diffuse = {diffuse.front + kd * d.front, diffuse.back + kd * d.back};
         specular = {specular.front + ks * s.front, specular.back + ks * s.back};
       }
-      ASSERT_EQ(diffuse.front, shades.diffuse[k].front) << k;
-      ASSERT_EQ(diffuse.back, shades.diffuse[k].back) << k;
-      ASSERT_EQ(specular.front, shades.specular[k].front) << k;
-      ASSERT_EQ(specular.back, shades.specular[k].back) << k;
+      ASSERT_EQ(diffuse.front, intensities.diffuse[k].front) << k;
+      ASSERT_EQ(diffuse.back, intensities.diffuse[k].back) << k;
+      ASSERT_EQ(specular.front, intensities.specular[k].front) << k;
+      ASSERT_EQ(specular.back, intensities.specular[k].back) << k;
       lit += specular.front > 0 || specular.back > 0;
     }
     EXPECT_GT(lit, 100);

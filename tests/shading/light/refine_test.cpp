@@ -36,12 +36,12 @@ struct Divided {
                     : refineSmooth(scene.mesh, scene.pieces, vertices, lighting, settings)} {}
 };
 
-Shades shadesAt(const ShadingPoints& points, const Lighting& lighting) {
-  Shades shades;
-  shadeDiffuse(shades, points, lighting, 0);
-  shadeSpecular(shades, points, lighting, 0);
-  addTerms(shades, points, lighting, 0);
-  return shades;
+Intensities intensitiesAt(const ShadingPoints& points, const Lighting& lighting) {
+  Intensities intensities;
+  diffuseIntensities(intensities, points, lighting, 0);
+  specularIntensities(intensities, points, lighting, 0);
+  addTerms(intensities, points, lighting, 0);
+  return intensities;
 }
 
 using Place = std::tuple<double, double, double>;
@@ -115,11 +115,11 @@ TEST(Refine, KeepsToTheTolerance) {
       const Divided d{std::move(scene), light, method, {.tolerance = tolerance}};
       if (d.refined.limit != RefineLimit::None) continue;
       ++reached;
-      const Shades shades = shadesAt(d.refined.points, d.lighting);
+      const Intensities intensities = intensitiesAt(d.refined.points, d.lighting);
       std::mt19937 rng{seed};
       std::uniform_real_distribution<double> zeroToOne{0, 1};
       ShadingPoints at;
-      std::vector<Sides<double>> shown;
+      std::vector<FrontBack<double>> shown;
       for (int k = 0; k < d.refined.pieces.count(); ++k) {
         if (d.refined.pieces.piece(k).size() != 3) continue;
         const int first = d.refined.pieces.firstCorner[k];
@@ -127,22 +127,22 @@ TEST(Refine, KeepsToTheTolerance) {
           const double r = std::sqrt(zeroToOne(rng)), q = zeroToOne(rng);
           const std::array weights{1 - r, r * (1 - q), r * q};
           glm::dvec3 p{0}, N{0};
-          Sides<double> I{0, 0};
+          FrontBack<double> I{0, 0};
           for (int c = 0; c < 3; ++c) {
             p += weights[c] * d.refined.mesh.points[d.refined.pieces.corners[first + c]];
             if (method == Shading::Flat) continue;
             const int v = d.refined.vertices.ofCorner[d.refined.pieces.from[first + c]];
             N += weights[c] * d.refined.vertices.vertices[v].N;
-            I.front += weights[c] * shades.I[v].front;
-            I.back += weights[c] * shades.I[v].back;
+            I.front += weights[c] * intensities.I[v].front;
+            I.back += weights[c] * intensities.I[v].back;
           }
           at.at.push_back(p);
           at.N.push_back(method == Shading::Flat ? d.refined.points.N[k] : unit(N));
           at.material.push_back(-1);
-          shown.push_back(method == Shading::Flat ? shades.I[k] : I);
+          shown.push_back(method == Shading::Flat ? intensities.I[k] : I);
         }
       }
-      const Shades exact = shadesAt(at, d.lighting);
+      const Intensities exact = intensitiesAt(at, d.lighting);
       for (std::size_t k = 0; k < shown.size(); ++k) {
         const double error =
             std::max(std::abs(shown[k].front - exact.I[k].front), std::abs(shown[k].back - exact.I[k].back));
@@ -172,7 +172,7 @@ TEST(Refine, FlatPiecesKeepToTheToleranceAtCorners) {
     const double tolerance = 0.1 * std::pow(4.0, oneEach(rng));
     const Divided d{makeScene("drum", drum(), UpAxis::Z), light, Shading::Flat, {.tolerance = tolerance}};
     ASSERT_EQ(d.refined.limit, RefineLimit::None);
-    const Shades centres = shadesAt(d.refined.points, d.lighting);
+    const Intensities centres = intensitiesAt(d.refined.points, d.lighting);
     for (int k = 0; k < d.refined.pieces.count(); ++k) {
       ShadingPoints corners;
       for (const int p : d.refined.pieces.piece(k)) {
@@ -180,7 +180,7 @@ TEST(Refine, FlatPiecesKeepToTheToleranceAtCorners) {
         corners.N.push_back(d.refined.points.N[k]);
         corners.material.push_back(-1);
       }
-      for (const Sides<double>& I : shadesAt(corners, d.lighting).I)
+      for (const FrontBack<double>& I : intensitiesAt(corners, d.lighting).I)
         ASSERT_LE(std::abs(I.front - centres.I[k].front), tolerance);
     }
     divided += d.refined.pieces.count() > d.scene.pieces.count();
@@ -230,9 +230,9 @@ TEST(Refine, FindsLightInsideOneTriangle) {
     const glm::dvec3 place = (1 - r) * p[0] + r * (1 - q) * p[1] + r * q * p[2];
     const auto expectFound = [&](const Divided& d) {
       ASSERT_GT(d.refined.pieces.count(), 10);
-      const Shades shades = shadesAt(d.refined.points, d.lighting);
+      const Intensities intensities = intensitiesAt(d.refined.points, d.lighting);
       const auto [least, most] =
-          std::ranges::minmax(shades.I, {}, [](const Sides<double>& I) { return I.front; });
+          std::ranges::minmax(intensities.I, {}, [](const FrontBack<double>& I) { return I.front; });
       EXPECT_GT(most.front, least.front + 0.1);
     };
     const glm::dvec3 eye = place + glm::dvec3{0, 0, 0.7};

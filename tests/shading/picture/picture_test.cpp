@@ -51,7 +51,7 @@ std::vector<int> timesCovered(const SnappedScene& scene, int width, int height) 
   return times;
 }
 
-bool sameBits(const std::vector<Sides<double>>& a, const std::vector<Sides<double>>& b) {
+bool sameBits(const std::vector<FrontBack<double>>& a, const std::vector<FrontBack<double>>& b) {
   return a.size() == b.size() && std::memcmp(a.data(), b.data(), a.size() * sizeof a[0]) == 0;
 }
 
@@ -123,13 +123,13 @@ TEST_P(StoredShading, KnowsNoCamera) {
   s.camera.eye = glm::dvec3{0.3, -2, 0.8};
   s.camera.lookAt = glm::dvec3{0, 0, 0.2};
   picture.make(s);
-  const Shades stored = picture.shading().shades(0);
+  const Intensities stored = picture.shading().intensities(0);
   ASSERT_GT(stored.I.size(), 200u);
   const auto expectSame = [&](const PictureSettings& changed, bool specularToo) {
     Picture fresh{readScene("teapot", 4)};
     fresh.make(changed);
     picture.make(changed);
-    const Shades &kept = picture.shading().shades(0), &made = fresh.shading().shades(0);
+    const Intensities &kept = picture.shading().intensities(0), &made = fresh.shading().intensities(0);
     EXPECT_TRUE(sameBits(kept.diffuse, made.diffuse) && sameBits(kept.specular, made.specular));
     EXPECT_TRUE(sameBits(kept.I, made.I));
     EXPECT_TRUE(sameBits(stored.diffuse, made.diffuse));
@@ -355,7 +355,7 @@ TEST(Picture, FullIntensityShadesNothing) {
   Picture full{readScene("teapot", 3)};
   s.shading = Shading::Full;
   painted(full, s);
-  EXPECT_TRUE(full.shading().shades(0).I.empty());
+  EXPECT_TRUE(full.shading().intensities(0).I.empty());
 }
 
 // No lights, materials, normals or methods make a cell that is not on the ramp: no NaN, no infinity, nothing

@@ -126,8 +126,8 @@ TEST(Model, PiecesHaveTheColorOfTheirFace) {
           if (shading.id == Shading::Full) {
             ASSERT_EQ(image.pixels[k], table.cell(1.0));
           } else if (shading.id == Shading::Flat) {
-            const Sides<double>& I = oracle.shading().shades(0).I[f.number];
-            ASSERT_EQ(image.pixels[k], table.cell(f.back ? I.back : I.front));
+            const FrontBack<double>& I = oracle.shading().intensities(0).I[f.number];
+            ASSERT_EQ(image.pixels[k], table.cell(I.seen(f.back)));
           }
           ASSERT_EQ(shown[k], f.number + 1u);
           if (shown[k] != seen[k]) continue;

@@ -25,17 +25,19 @@ struct ShadingPoints {
 
 /// One channel at each point. Both sides are kept: the light reaches one of them, and which one the eye sees
 /// is the projected outline's to say (SnappedFace::back).
-struct Shades {
-  std::vector<Sides<double>> diffuse, specular;  ///< times Ip and kd or ks, summed over the lights
-  std::vector<Sides<double>> I;                  ///< with the ambient term, clamped to [0, 1]
-  int clamped = 0;                               ///< points where one side was above 1
+struct Intensities {
+  std::vector<FrontBack<double>> diffuse, specular;  ///< times Ip and kd or ks, summed over the lights
+  std::vector<FrontBack<double>> I;                  ///< with the ambient term, clamped to [0, 1]
+  int clamped = 0;                                   ///< points where one side was above 1
 };
 
 /// Everything but the specular term, which is 0.
-void shadeDiffuse(Shades& shades, const ShadingPoints& points, const Lighting& lighting, int channel);
+void diffuseIntensities(Intensities& intensities, const ShadingPoints& points, const Lighting& lighting,
+                        int channel);
 /// The specular term, again whenever the eye moves.
-void shadeSpecular(Shades& shades, const ShadingPoints& points, const Lighting& lighting, int channel);
+void specularIntensities(Intensities& intensities, const ShadingPoints& points, const Lighting& lighting,
+                         int channel);
 /// I from the terms.
-void addTerms(Shades& shades, const ShadingPoints& points, const Lighting& lighting, int channel);
+void addTerms(Intensities& intensities, const ShadingPoints& points, const Lighting& lighting, int channel);
 
 }  // namespace xnewell
