@@ -63,7 +63,7 @@ void Picture::make(const PictureSettings& next) {
   // View, shear, warp, clip, viewport, and one snap to the grid, from where all is exact.
   if (newView)
     timed(times_.transform, [&] {
-      snapped_ = snap(shading_.mesh(scene_), shading_.pieces(scene_), camera.view, next.width, next.height,
+      snapped_ = snap(shading_.mesh(scene_), shading_.parts(scene_), camera.view, next.width, next.height,
                       next.cull);
     });
   camera_ = camera;
