@@ -54,9 +54,9 @@ class DisjointSets {
   std::vector<int> parent_;
 };
 
-/// The pieces of one planar face, or a piece of a bent one.
+/// The parts of one planar face, or a part of a bent one.
 struct Sheet {
-  int firstPiece = 0, pieceCount = 0;
+  int firstPart = 0, partCount = 0;
   Plane plane;
   double area = 0.0;  ///< twice the area
   double rounding = 0.0;
@@ -64,20 +64,20 @@ struct Sheet {
 
 class Coplanarity {
  public:
-  Coplanarity(const Mesh& mesh, const Pieces& pieces) : pieces_{pieces}, box_{mesh.points} {
+  Coplanarity(const Mesh& mesh, const ConvexParts& parts) : parts_{parts}, box_{mesh.points} {
     double coarsest = 0.0;
     for (const double u : mesh.rounding) coarsest = std::max(coarsest, rounding(u));
     mostTolerance_ = tolerance(coarsest);
-    for (int k = 0; k < pieces.count(); ++k) {
-      if (k > 0 && pieces.plane[k] == pieces.plane[k - 1]) {
-        ++sheets_.back().pieceCount;
+    for (int k = 0; k < parts.count(); ++k) {
+      if (k > 0 && parts.plane[k] == parts.plane[k - 1]) {
+        ++sheets_.back().partCount;
         continue;
       }
-      sheets_.push_back({k, 1, {}, 0.0, rounding(mesh.roundingOf(pieces.face[k]))});
+      sheets_.push_back({k, 1, {}, 0.0, rounding(mesh.roundingOf(parts.face[k]))});
     }
     for (Sheet& sheet : sheets_) {
-      const int k = sheet.firstPiece;
-      const auto outline = sheet.pieceCount == 1 ? pieces.piece(k) : mesh.face(pieces.face[k]);
+      const int k = sheet.firstPart;
+      const auto outline = sheet.partCount == 1 ? parts.part(k) : mesh.face(parts.face[k]);
       const glm::dvec3 v = newellVector(box_.points, outline);
       sheet.area = glm::length(v);
       if (sheet.area > 0.0) sheet.plane.N = v / sheet.area;
@@ -89,7 +89,7 @@ class Coplanarity {
     DisjointSets sets{static_cast<int>(sheets_.size())};
     std::vector<ItemBox> boxes = places();
     forOverlapping(std::span{boxes}, [&](int i, int j) {
-      const int P = pieces_.plane[i], Q = pieces_.plane[j];
+      const int P = parts_.plane[i], Q = parts_.plane[j];
       if (sets.of(P) != sets.of(Q) && inOnePlane(i, j)) sets.unite(P, Q);
     });
 
@@ -100,7 +100,7 @@ class Coplanarity {
       if (most < 0 || sheets_[s].area > sheets_[most].area) most = s;
     }
     // The number of a class is known from its first sheet on, that of one who leaves is new.
-    std::vector<int> number(sheets_.size(), -1), planes(pieces_.count());
+    std::vector<int> number(sheets_.size(), -1), planes(parts_.count());
     int next = 0;
     for (int s = 0; s < count; ++s) {
       const int seed = largestOf[sets.of(s)];
@@ -109,7 +109,7 @@ class Coplanarity {
       int alone = -1;
       int& mine = stays ? number[seed] : alone;
       if (mine < 0) mine = next++;
-      std::fill_n(planes.begin() + sheets_[s].firstPiece, sheets_[s].pieceCount, mine);
+      std::fill_n(planes.begin() + sheets_[s].firstPart, sheets_[s].partCount, mine);
     }
     return planes;
   }
@@ -123,8 +123,8 @@ class Coplanarity {
     return tolerance(std::max(P.rounding, Q.rounding));
   }
   [[nodiscard]] std::span<const int> corners(const Sheet& sheet) const {
-    const auto at = [&](int k) { return pieces_.corners.data() + pieces_.firstCorner[k]; };
-    return {at(sheet.firstPiece), at(sheet.firstPiece + sheet.pieceCount)};
+    const auto at = [&](int k) { return parts_.corners.data() + parts_.firstCorner[k]; };
+    return {at(sheet.firstPart), at(sheet.firstPart + sheet.partCount)};
   }
   [[nodiscard]] bool within(std::span<const int> corners, const Sheet& sheet, double tol) const {
     return std::all_of(corners.begin(), corners.end(), [&](int c) {
@@ -132,25 +132,25 @@ class Coplanarity {
     });
   }
 
-  /// Boxes in six dimensions that overlap if two pieces can share a plane: the piece's own box, and the
+  /// Boxes in six dimensions that overlap if two parts can share a plane: the part's own box, and the
   /// places where the perpendicular onto its plane from a point amid all may end. If every corner of a
   /// polygon of area A is within tol of a plane, the sine of the angle between both is at most
   /// tol * perimeter / A (its vector area changes by no more); the end of the perpendicular then moves by
-  /// that times the distance, and tol. Twice all that where a piece may lie tol off its face's plane.
+  /// that times the distance, and tol. Twice all that where a part may lie tol off its face's plane.
   [[nodiscard]] std::vector<ItemBox> places() const {
     const glm::dvec3 from{0.43, 0.56, 0.47};
     std::vector<ItemBox> boxes;
-    boxes.reserve(pieces_.count());
+    boxes.reserve(parts_.count());
     for (const Sheet& sheet : sheets_) {
       const glm::dvec3 foot = sheet.plane.N * (sheet.plane.d - glm::dot(sheet.plane.N, from));
-      for (int k = sheet.firstPiece; k < sheet.firstPiece + sheet.pieceCount; ++k) {
+      for (int k = sheet.firstPart; k < sheet.firstPart + sheet.partCount; ++k) {
         const double area =
-            sheet.pieceCount == 1 ? sheet.area : glm::length(newellVector(box_.points, pieces_.piece(k)));
+            sheet.partCount == 1 ? sheet.area : glm::length(newellVector(box_.points, parts_.part(k)));
         if (area == 0.0 || sheet.area == 0.0) continue;
         Box around;
-        glm::dvec3 last = box_.points[pieces_.piece(k).back()];
+        glm::dvec3 last = box_.points[parts_.part(k).back()];
         double perimeter = 0.0;
-        for (const int c : pieces_.piece(k)) {
+        for (const int c : parts_.part(k)) {
           const glm::dvec3& p = box_.points[c];
           around.add(p);
           perimeter += glm::length(p - last);
@@ -159,10 +159,10 @@ class Coplanarity {
         const double distance =
             glm::length(glm::max(glm::abs(around.low - from), glm::abs(around.high - from)));
         const double sine = 2.0 * mostTolerance_ * perimeter / area;
-        const double play = (sheet.pieceCount == 1 ? 1.0 : 2.0) * (sine * distance + mostTolerance_);
+        const double play = (sheet.partCount == 1 ? 1.0 : 2.0) * (sine * distance + mostTolerance_);
         // No two feet are further than 4 apart, and to float a number up to 8 is rounded by 2^-22.
         const double nearFoot = std::min(play, 4.0) + 0x1p-22, nearby = mostTolerance_ + 0x1p-22;
-        ItemBox& box = boxes.emplace_back(ItemBox{k, pieces_.plane[k], {}, {}});
+        ItemBox& box = boxes.emplace_back(ItemBox{k, parts_.plane[k], {}, {}});
         for (int axis = 0; axis < 3; ++axis) {
           box.low[axis] = static_cast<float>(foot[axis] - nearFoot);
           box.high[axis] = static_cast<float>(foot[axis] + nearFoot);
@@ -175,19 +175,19 @@ class Coplanarity {
   }
 
   [[nodiscard]] bool inOnePlane(int i, int j) const {
-    const Sheet &P = sheets_[pieces_.plane[i]], &Q = sheets_[pieces_.plane[j]];
+    const Sheet &P = sheets_[parts_.plane[i]], &Q = sheets_[parts_.plane[j]];
     const double tol = toleranceOf(P, Q);
     const bool first = P.area > Q.area || (P.area == Q.area && i < j);
     const Sheet& larger = first ? P : Q;
-    if (!within(pieces_.piece(first ? j : i), larger, tol)) return false;
+    if (!within(parts_.part(first ? j : i), larger, tol)) return false;
     const glm::dvec3 N = glm::abs(larger.plane.N);
     const int dropped = N.z >= N.x && N.z >= N.y ? 2 : N.y >= N.x ? 1 : 0;
     return !parted(i, j, dropped, tol) && !parted(j, i, dropped, tol);
   }
 
-  /// Whether an edge of piece i parts it from piece j, seen along an axis.
+  /// Whether an edge of part i parts it from part j, seen along an axis.
   [[nodiscard]] bool parted(int i, int j, int dropped, double tol) const {
-    const auto P = pieces_.piece(i), Q = pieces_.piece(j);
+    const auto P = parts_.part(i), Q = parts_.part(j);
     const auto seen = [&](int c) {
       return glm::dvec2{box_.points[c][(dropped + 1) % 3], box_.points[c][(dropped + 2) % 3]};
     };
@@ -211,7 +211,7 @@ class Coplanarity {
     return false;
   }
 
-  const Pieces& pieces_;
+  const ConvexParts& parts_;
   UnitBox box_;
   std::vector<Sheet> sheets_;
   double mostTolerance_ = 0.0;
@@ -219,9 +219,9 @@ class Coplanarity {
 
 }  // namespace
 
-std::vector<int> coplanarClasses(const Mesh& mesh, const Pieces& pieces) {
-  if (pieces.count() == 0) return {};
-  return Coplanarity{mesh, pieces}.classes();
+std::vector<int> coplanarClasses(const Mesh& mesh, const ConvexParts& parts) {
+  if (parts.count() == 0) return {};
+  return Coplanarity{mesh, parts}.classes();
 }
 
 }  // namespace xnewell

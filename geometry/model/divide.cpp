@@ -99,47 +99,47 @@ std::array<std::array<int, 3>, 2> cutQuad(std::span<const LatticePoint> p) {
   return {{{0, 1, 2}, {0, 2, 3}}};
 }
 
-void addPiece(Pieces& pieces, const Mesh& mesh, std::span<const int> corners, int face,
-              bool planeOfTheLast = false) {
-  const int planes = pieces.plane.empty() ? 0 : pieces.plane.back() + 1;
-  pieces.plane.push_back(planeOfTheLast ? planes - 1 : planes);
-  for (const int c : corners) pieces.corners.push_back(mesh.corners[c]);
-  pieces.from.insert(pieces.from.end(), corners.begin(), corners.end());
-  pieces.firstCorner.push_back(static_cast<int>(pieces.corners.size()));
-  pieces.face.push_back(face);
+void addPart(ConvexParts& parts, const Mesh& mesh, std::span<const int> corners, int face,
+             bool planeOfTheLast = false) {
+  const int planes = parts.plane.empty() ? 0 : parts.plane.back() + 1;
+  parts.plane.push_back(planeOfTheLast ? planes - 1 : planes);
+  for (const int c : corners) parts.corners.push_back(mesh.corners[c]);
+  parts.from.insert(parts.from.end(), corners.begin(), corners.end());
+  parts.firstCorner.push_back(static_cast<int>(parts.corners.size()));
+  parts.face.push_back(face);
 }
 
 }  // namespace
 
-Pieces divideFaces(const Mesh& mesh) {
-  Pieces pieces;
-  pieces.corners.reserve(mesh.corners.size());
-  pieces.from.reserve(mesh.corners.size());
-  pieces.firstCorner.reserve(mesh.firstCorner.size());
-  pieces.face.reserve(mesh.firstCorner.size());
-  pieces.plane.reserve(mesh.firstCorner.size());
+ConvexParts divideFaces(const Mesh& mesh) {
+  ConvexParts parts;
+  parts.corners.reserve(mesh.corners.size());
+  parts.from.reserve(mesh.corners.size());
+  parts.firstCorner.reserve(mesh.firstCorner.size());
+  parts.face.reserve(mesh.firstCorner.size());
+  parts.plane.reserve(mesh.firstCorner.size());
   std::vector<int> corners;
   for (int f = 0; f < mesh.faceCount(); ++f) {
     collapse(mesh, f, corners);
     if (corners.size() < 3) {
       corners.resize(mesh.face(f).size());
       std::iota(corners.begin(), corners.end(), mesh.firstCorner[f]);
-      addPiece(pieces, mesh, corners, f);
+      addPart(parts, mesh, corners, f);
       continue;
     }
     if (corners.size() == 3) {
-      addPiece(pieces, mesh, corners, f);
+      addPart(parts, mesh, corners, f);
       continue;
     }
     const Outline outline = outlineOf(mesh, corners, mesh.roundingOf(f));
     if (!outline.hasArea || (outline.planar && isConvex(outline.grid))) {
-      addPiece(pieces, mesh, corners, f);
+      addPart(parts, mesh, corners, f);
       continue;
     }
     const auto addTriangles = [&](const auto& triangles) {
       bool later = false;
       for (const auto& [a, b, c] : triangles) {
-        addPiece(pieces, mesh, std::array{corners[a], corners[b], corners[c]}, f, later && outline.planar);
+        addPart(parts, mesh, std::array{corners[a], corners[b], corners[c]}, f, later && outline.planar);
         later = true;
       }
     };
@@ -148,7 +148,7 @@ Pieces divideFaces(const Mesh& mesh) {
     else
       addTriangles(clipEars(outline.grid));
   }
-  return pieces;
+  return parts;
 }
 
 }  // namespace xnewell

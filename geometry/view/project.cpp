@@ -21,7 +21,7 @@ std::int64_t doubleArea(const glm::ivec3& a, const glm::ivec3& b, const glm::ive
 /// A vertex before the snap: pixels, divided by w.
 glm::dvec3 divided(const glm::dvec4& p) { return glm::dvec3{p} / p.w; }
 
-/// More corners than this cost more in comparisons than a part more.
+/// More corners than this cost more in comparisons than one more outline.
 constexpr int kMostCorners = 64;
 
 /// A vertex of an outline and SnappedScene::source of it.
@@ -30,19 +30,19 @@ struct ClippedCorner {
   int source;
 };
 
-/// What pieces an outline belongs to.
+/// What parts an outline belongs to.
 struct Owner {
-  int number, piece, plane;
+  int number, part, plane;
 };
 
-/// Appends the snapped outlines of one convex piece after the other. There is room for those of all pieces
+/// Appends the snapped outlines of one convex part after the other. There is room for those of all parts
 /// from the start: to grow for each of them costs nearly as much as to snap them.
 class Snapper {
  public:
-  Snapper(SnappedScene& scene, const Pieces& pieces, Cull cull, double zScale)
+  Snapper(SnappedScene& scene, const ConvexParts& parts, Cull cull, double zScale)
       : scene_{scene}, cull_{cull}, zScale_{zScale} {
-    scene_.faces.reserve(pieces.face.size());
-    makeRoom(pieces.corners.size());
+    scene_.faces.reserve(parts.face.size());
+    makeRoom(parts.corners.size());
   }
 
   [[nodiscard]] glm::ivec3 snap(const glm::dvec3& p) const {
@@ -97,7 +97,7 @@ class Snapper {
     scene_.faces.push_back({.first = static_cast<int>(first),
                             .count = count,
                             .number = owner.number,
-                            .piece = owner.piece,
+                            .part = owner.part,
                             .back = back,
                             .plane = owner.plane});
     if (vertices_ > scene_.vertices.size()) makeRoom(2 * vertices_);
@@ -177,7 +177,7 @@ std::int64_t doubleArea(const glm::ivec3* p, int count) {
   return static_cast<std::int64_t>(sum);
 }
 
-SnappedScene snap(const Mesh& mesh, const Pieces& pieces, const ViewSpec& view, int width, int height,
+SnappedScene snap(const Mesh& mesh, const ConvexParts& parts, const ViewSpec& view, int width, int height,
                   Cull cull) {
   const glm::dmat4 screenFromVrc = screenFromCanonical(view, width, height) * canonicalFromVrc(view);
   const glm::dmat3 rotation = vrcRotation(view);
@@ -196,9 +196,9 @@ SnappedScene snap(const Mesh& mesh, const Pieces& pieces, const ViewSpec& view, 
     zMax = std::max(zMax, screen[i].z);
   }
 
-  // Pieces that cross a plane are clipped first: their new vertices count in the choice of the z scale.
+  // Parts that cross a plane are clipped first: their new vertices count in the choice of the z scale.
   struct Clipped {
-    int piece, first, count;
+    int part, first, count;
   };
   SnappedScene scene;
   std::vector<Clipped> clipped;
@@ -208,12 +208,12 @@ SnappedScene snap(const Mesh& mesh, const Pieces& pieces, const ViewSpec& view, 
   };
   std::vector<ClippedVertex> clippedVertices;
   std::vector<ClipVertex> polygon;
-  const int count = static_cast<int>(pieces.face.size());
+  const int count = static_cast<int>(parts.face.size());
   scene.polygons = count;
   const bool allInside = std::ranges::all_of(outside, [](std::uint8_t code) { return code == 0; });
   for (int i = 0; i < count && !allInside; ++i) {
     unsigned any = 0, all = ~0u;
-    for (const int corner : pieces.piece(i)) {
+    for (const int corner : parts.part(i)) {
       any |= outside[corner];
       all &= outside[corner];
     }
@@ -221,8 +221,8 @@ SnappedScene snap(const Mesh& mesh, const Pieces& pieces, const ViewSpec& view, 
     clipped.push_back({i, static_cast<int>(clippedVertices.size()), 0});
     if (all) continue;
     polygon.clear();
-    for (int c = pieces.firstCorner[i]; c < pieces.firstCorner[i + 1]; ++c)
-      polygon.push_back({homogeneous[pieces.corners[c]], pieces.from[c]});
+    for (int c = parts.firstCorner[i]; c < parts.firstCorner[i + 1]; ++c)
+      polygon.push_back({homogeneous[parts.corners[c]], parts.from[c]});
     clip(polygon, planes, any, scene.between);
     for (const ClipVertex& v : polygon) {
       clippedVertices.push_back({divided(v.p), v.source});
@@ -233,7 +233,7 @@ SnappedScene snap(const Mesh& mesh, const Pieces& pieces, const ViewSpec& view, 
 
   // One snap. z gets the steps of x and y unless something comes too near for 30 bits.
   while (zMax * kGrid > std::ldexp(1.0, 30 + scene.zShift)) ++scene.zShift;
-  Snapper snapper{scene, pieces, cull, std::ldexp(1.0, kGridBits - scene.zShift)};
+  Snapper snapper{scene, parts, cull, std::ldexp(1.0, kGridBits - scene.zShift)};
   std::vector<glm::ivec3> snapped(mesh.points.size());
   for (std::size_t i = 0; i < mesh.points.size(); ++i)
     if (!outside[i]) snapped[i] = snapper.snap(screen[i]);
@@ -242,7 +242,7 @@ SnappedScene snap(const Mesh& mesh, const Pieces& pieces, const ViewSpec& view, 
   auto next = clipped.begin();
   for (int i = 0; i < count; ++i) {
     outline.clear();
-    if (next != clipped.end() && next->piece == i) {
+    if (next != clipped.end() && next->part == i) {
       for (int v = 0; v < next->count; ++v) {
         const ClippedVertex& vertex = clippedVertices[next->first + v];
         outline.push_back({snapper.snap(vertex.at), vertex.source});
@@ -253,16 +253,16 @@ SnappedScene snap(const Mesh& mesh, const Pieces& pieces, const ViewSpec& view, 
         continue;
       }
     } else {
-      const int first = pieces.firstCorner[i];
-      if (pieces.firstCorner[i + 1] == first + 3) {
-        snapper.addTriangle(&pieces.corners[first], &pieces.from[first], snapped,
-                            {pieces.face[i], i, pieces.plane[i]});
+      const int first = parts.firstCorner[i];
+      if (parts.firstCorner[i + 1] == first + 3) {
+        snapper.addTriangle(&parts.corners[first], &parts.from[first], snapped,
+                            {parts.face[i], i, parts.plane[i]});
         continue;
       }
-      for (int c = first; c < pieces.firstCorner[i + 1]; ++c)
-        outline.push_back({snapped[pieces.corners[c]], pieces.from[c]});
+      for (int c = first; c < parts.firstCorner[i + 1]; ++c)
+        outline.push_back({snapped[parts.corners[c]], parts.from[c]});
     }
-    snapper.add(outline, {pieces.face[i], i, pieces.plane[i]});
+    snapper.add(outline, {parts.face[i], i, parts.plane[i]});
   }
   snapper.finish();
   return scene;
@@ -304,9 +304,9 @@ void addPlanes(SnappedScene& scene, const Mesh& mesh, const ViewSpec& view, int 
   }
 }
 
-SnappedScene project(const Mesh& mesh, const Pieces& pieces, const ViewSpec& view, int width, int height,
+SnappedScene project(const Mesh& mesh, const ConvexParts& parts, const ViewSpec& view, int width, int height,
                      Cull cull) {
-  SnappedScene scene = snap(mesh, pieces, view, width, height, cull);
+  SnappedScene scene = snap(mesh, parts, view, width, height, cull);
   addPlanes(scene, mesh, view, width, height);
   return scene;
 }

@@ -34,20 +34,20 @@ std::uint64_t keyOf(int a, int b) {
 
 struct Triangle {
   std::array<int, 3> point{}, corner{};  ///< of places the first point; index into Mesh::corners
-  int piece = 0;                         ///< index into the pieces that are divided
+  int part = 0;                          ///< index into the parts that are divided
   int halvings = 0;
   bool tested = false;
 };
 
 class Refiner {
  public:
-  Refiner(const Mesh& mesh, const Pieces& pieces, const Vertices* vertices, const ShadingPoints* faces,
+  Refiner(const Mesh& mesh, const ConvexParts& parts, const Vertices* vertices, const ShadingPoints* faces,
           const Lighting& lighting, const RefineSettings& settings)
-      : old_{pieces},
+      : old_{parts},
         faces_{faces},
         settings_{settings},
         misfit_{lighting, faces != nullptr, settings.tolerance},
-        divided_(pieces.count(), false) {
+        divided_(parts.count(), false) {
     result_.mesh = mesh;
     if (vertices != nullptr) {
       result_.vertices = *vertices;
@@ -95,12 +95,12 @@ class Refiner {
   int middleCorner(const Triangle& t, int edge);
   void collect();
 
-  const Pieces& old_;
+  const ConvexParts& old_;
   const ShadingPoints* faces_;
   RefineSettings settings_;
   Misfit misfit_;
-  std::vector<bool> divided_;        ///< by piece
-  std::vector<Triangle> triangles_;  ///< in order of their pieces
+  std::vector<bool> divided_;        ///< by part
+  std::vector<Triangle> triangles_;  ///< in order of their parts
   std::vector<glm::dvec3> N_;        ///< of vertices, as interpolated: their lengths matter
   /// Edges to be cut in this round, by their ends: the point in the middle, -1 until a triangle is cut there.
   std::unordered_map<std::uint64_t, int> marked_;
@@ -116,7 +116,7 @@ void Refiner::cutFans() {
     const int apex = static_cast<int>(std::min_element(from, from + count) - from);
     for (int v = 1; v + 1 < count; ++v) {
       Triangle t;
-      t.piece = k;
+      t.part = k;
       for (int c = 0; c < 3; ++c) {
         const int corner = first + (apex + (c == 0 ? 0 : v + c - 1)) % count;
         t.point[c] = places[old_.corners[corner]];
@@ -131,14 +131,14 @@ void Refiner::cutFans() {
 }
 
 Facet Refiner::facet(const Triangle& t) const {
-  const int face = old_.face[t.piece];
+  const int face = old_.face[t.part];
   Facet f;
   f.material = result_.mesh.material[face];
   for (int c = 0; c < 3; ++c) {
     f.at[c] = at(t.point[c]);
     f.N[c] = flat() ? faces_->N[face] : N_[result_.vertices.ofCorner[t.corner[c]]];
   }
-  if (flat()) f.centre = divided_[t.piece] ? (f.at[0] + f.at[1] + f.at[2]) / 3.0 : faces_->at[face];
+  if (flat()) f.centre = divided_[t.part] ? (f.at[0] + f.at[1] + f.at[2]) / 3.0 : faces_->at[face];
   return f;
 }
 
@@ -193,17 +193,17 @@ bool Refiner::halve() {
   for (const Triangle& t : triangles_) {
     const int cuts = isMarked(t, 0) + isMarked(t, 1) + isMarked(t, 2);
     count += cuts;
-    if (cuts > 0 && !divided_[t.piece]) newlyDivided[t.piece] = true;
+    if (cuts > 0 && !divided_[t.part]) newlyDivided[t.part] = true;
   }
-  if (count > static_cast<std::size_t>(settings_.pieces)) {
-    result_.limit = RefineLimit::Pieces;
+  if (count > static_cast<std::size_t>(settings_.parts)) {
+    result_.limit = RefineLimit::Parts;
     return false;
   }
   std::vector<Triangle> next;
   next.reserve(count);
   for (Triangle& t : triangles_) {
     // The rest of a fan has its own centroids from now on.
-    if (flat() && newlyDivided[t.piece]) t.tested = false;
+    if (flat() && newlyDivided[t.part]) t.tested = false;
     cut(t, next);
   }
   for (int k = 0; k < old_.count(); ++k)
@@ -266,18 +266,18 @@ int Refiner::middleCorner(const Triangle& t, int edge) {
   return corner;
 }
 
-/// Pieces from triangles, and where to shade them.
+/// Parts from triangles, and where to shade them.
 void Refiner::collect() {
-  Pieces& pieces = result_.pieces;
+  ConvexParts& parts = result_.parts;
   ShadingPoints& points = result_.points;
   auto next = triangles_.begin();
   for (int k = 0; k < old_.count(); ++k) {
     const int face = old_.face[k];
-    const auto end = std::find_if(next, triangles_.end(), [&](const Triangle& t) { return t.piece != k; });
+    const auto end = std::find_if(next, triangles_.end(), [&](const Triangle& t) { return t.part != k; });
     const auto finish = [&](const glm::dvec3& centre) {
-      pieces.firstCorner.push_back(static_cast<int>(pieces.corners.size()));
-      pieces.face.push_back(face);
-      pieces.plane.push_back(old_.plane[k]);
+      parts.firstCorner.push_back(static_cast<int>(parts.corners.size()));
+      parts.face.push_back(face);
+      parts.plane.push_back(old_.plane[k]);
       if (!flat()) return;
       points.at.push_back(centre);
       points.N.push_back(faces_->N[face]);
@@ -285,14 +285,14 @@ void Refiner::collect() {
     };
     if (divided_[k]) {
       for (; next != end; ++next) {
-        pieces.corners.insert(pieces.corners.end(), next->point.begin(), next->point.end());
-        pieces.from.insert(pieces.from.end(), next->corner.begin(), next->corner.end());
+        parts.corners.insert(parts.corners.end(), next->point.begin(), next->point.end());
+        parts.from.insert(parts.from.end(), next->corner.begin(), next->corner.end());
         finish((at(next->point[0]) + at(next->point[1]) + at(next->point[2])) / 3.0);
       }
     } else {
       const int first = old_.firstCorner[k], last = old_.firstCorner[k + 1];
-      pieces.corners.insert(pieces.corners.end(), old_.corners.begin() + first, old_.corners.begin() + last);
-      pieces.from.insert(pieces.from.end(), old_.from.begin() + first, old_.from.begin() + last);
+      parts.corners.insert(parts.corners.end(), old_.corners.begin() + first, old_.corners.begin() + last);
+      parts.from.insert(parts.from.end(), old_.from.begin() + first, old_.from.begin() + last);
       finish(flat() ? faces_->at[face] : glm::dvec3{0.0});
       next = end;
     }
@@ -302,14 +302,14 @@ void Refiner::collect() {
 
 }  // namespace
 
-Refined refineSmooth(const Mesh& mesh, const Pieces& pieces, const Vertices& vertices,
+Refined refineSmooth(const Mesh& mesh, const ConvexParts& parts, const Vertices& vertices,
                      const Lighting& lighting, const RefineSettings& settings) {
-  return Refiner{mesh, pieces, &vertices, nullptr, lighting, settings}.result();
+  return Refiner{mesh, parts, &vertices, nullptr, lighting, settings}.result();
 }
 
-Refined refineFlat(const Mesh& mesh, const Pieces& pieces, const ShadingPoints& faces,
+Refined refineFlat(const Mesh& mesh, const ConvexParts& parts, const ShadingPoints& faces,
                    const Lighting& lighting, const RefineSettings& settings) {
-  return Refiner{mesh, pieces, nullptr, &faces, lighting, settings}.result();
+  return Refiner{mesh, parts, nullptr, &faces, lighting, settings}.result();
 }
 
 }  // namespace xnewell

@@ -29,8 +29,8 @@ namespace xnewell {
 /// What ended it.
 enum class RefineLimit {
   None,      ///< all is within the tolerance
-  Halvings,  ///< some pieces are not, and are as small as they get
-  Pieces,    ///< the next round would have made too many
+  Halvings,  ///< some parts are not, and are as small as they get
+  Parts,     ///< the next round would have made too many
 };
 struct RefineLimitRow {
   RefineLimit id;
@@ -39,30 +39,30 @@ struct RefineLimitRow {
 inline constexpr std::array kRefineLimits{
     RefineLimitRow{RefineLimit::None, "none"},
     RefineLimitRow{RefineLimit::Halvings, "halvings"},
-    RefineLimitRow{RefineLimit::Pieces, "pieces"},
+    RefineLimitRow{RefineLimit::Parts, "parts"},
 };
 
 struct RefineSettings {
   double tolerance = 0.02;  ///< in intensity, (0, 1]
   int halvings = 20;        ///< of a triangle for its own sake: then its edges are a thousandth
-  int pieces = 1'000'000;   ///< never more, polygons left whole counted by the triangles of their fans
+  int parts = 1'000'000;    ///< never more, polygons left whole counted by the triangles of their fans
 };
 
 /// A scene's polygons, divided. Nothing is renumbered: what is new comes after what is old.
 struct Refined {
-  Mesh mesh;      ///< with new points; new corners, after those of its faces; and their texture coordinates
-  Pieces pieces;  ///< coplanar as those they came from; those left whole have the outlines they had
+  Mesh mesh;  ///< with new points; new corners, after those of its faces; and their texture coordinates
+  ConvexParts parts;     ///< coplanar as those they came from; those left whole have the outlines they had
   Vertices vertices;     ///< Gouraud: new ones last, their normals as Phong interpolates them; else empty
-  ShadingPoints points;  ///< one a vertex; flat: one a piece, its centroid and its face's normal
+  ShadingPoints points;  ///< one a vertex; flat: one a part, its centroid and its face's normal
   RefineLimit limit = RefineLimit::None;
 };
 
 /// For Gouraud shading.
-[[nodiscard]] Refined refineSmooth(const Mesh& mesh, const Pieces& pieces, const Vertices& vertices,
+[[nodiscard]] Refined refineSmooth(const Mesh& mesh, const ConvexParts& parts, const Vertices& vertices,
                                    const Lighting& lighting, const RefineSettings& settings);
-/// For flat shading. `faces` as facePoints() has them: a piece that is left whole keeps the place of its
+/// For flat shading. `faces` as facePoints() has them: a part that is left whole keeps the place of its
 /// face.
-[[nodiscard]] Refined refineFlat(const Mesh& mesh, const Pieces& pieces, const ShadingPoints& faces,
+[[nodiscard]] Refined refineFlat(const Mesh& mesh, const ConvexParts& parts, const ShadingPoints& faces,
                                  const Lighting& lighting, const RefineSettings& settings);
 
 }  // namespace xnewell

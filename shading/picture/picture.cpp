@@ -63,7 +63,7 @@ void Picture::make(const PictureSettings& next) {
   // View, shear, warp, clip, viewport, and one snap to the grid, from where all is exact.
   if (newView)
     timed(times_.transform, [&] {
-      snapped_ = snap(shading_.mesh(scene_), shading_.pieces(scene_), camera.view, next.width, next.height,
+      snapped_ = snap(shading_.mesh(scene_), shading_.parts(scene_), camera.view, next.width, next.height,
                       next.cull);
     });
   camera_ = camera;
@@ -267,7 +267,7 @@ std::vector<std::uint32_t> Picture::faceImage() const {
   return image;
 }
 
-std::vector<Picture::Verdict> Picture::verdicts() {
+std::vector<Picture::SampleCheck> Picture::checkedSamples() {
   addPlanes();
   const std::vector<int> painted = seen(0, made_.height).faces;
   const auto apart = [&](int p, int q, int i, int j) {
@@ -277,22 +277,22 @@ std::vector<Picture::Verdict> Picture::verdicts() {
     return P.plane == Q.plane || std::abs(zP - zQ) > P.doubt.at(zP) + Q.doubt.at(zQ);
   };
   const std::vector<int> visible = visibleFaces(snapped_, made_.width, made_.height);
-  std::vector<Verdict> verdicts(visible.size(), Verdict::Nothing);
+  std::vector<SampleCheck> checked(visible.size(), SampleCheck::Nothing);
   for (int j = 0; j < made_.height; ++j)
     for (int i = 0; i < made_.width; ++i) {
       const std::size_t k = std::size_t(j) * made_.width + i;
       if (visible[k] == kNothing) continue;
       const bool wrong = painted[k] != visible[k] && apart(painted[k], visible[k], i, j);
-      verdicts[k] = wrong ? Verdict::Wrong : Verdict::Right;
+      checked[k] = wrong ? SampleCheck::Wrong : SampleCheck::Right;
     }
-  return verdicts;
+  return checked;
 }
 
 Picture::Exactness Picture::exactness() {
   Exactness exactness;
-  for (const Verdict verdict : verdicts()) {
-    exactness.samples += verdict != Verdict::Nothing;
-    exactness.wrong += verdict == Verdict::Wrong;
+  for (const SampleCheck sample : checkedSamples()) {
+    exactness.samples += sample != SampleCheck::Nothing;
+    exactness.wrong += sample == SampleCheck::Wrong;
   }
   return exactness;
 }

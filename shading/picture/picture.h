@@ -83,8 +83,8 @@ class Picture {
   };
   [[nodiscard]] Exactness exactness();
   /// The same of each sample, row by row.
-  enum class Verdict : std::uint8_t { Nothing, Right, Wrong };
-  [[nodiscard]] std::vector<Verdict> verdicts();
+  enum class SampleCheck : std::uint8_t { Nothing, Right, Wrong };
+  [[nodiscard]] std::vector<SampleCheck> checkedSamples();
   /// Evaluations of the illumination that exceeded 1 and were clamped, in each channel: of flat shading at
   /// faces and of Gouraud's at vertices, on either side; at pixels where each is evaluated or looked up, by
   /// the last paint(), as often as they were painted.

@@ -65,8 +65,8 @@ bool SceneShading::make(const Scene& scene, const PictureSettings& settings, Cha
 void SceneShading::refine(const Scene& scene, const PictureSettings& settings) {
   const RefineSettings asked{.tolerance = settings.adapt};
   refined_ = settings.shading == Shading::Flat
-                 ? refineFlat(scene.mesh, scene.pieces, points_, lighting_, asked)
-                 : refineSmooth(scene.mesh, scene.pieces, vertices_, lighting_, asked);
+                 ? refineFlat(scene.mesh, scene.parts, points_, lighting_, asked)
+                 : refineSmooth(scene.mesh, scene.parts, vertices_, lighting_, asked);
 }
 
 void SceneShading::makeEnvironments(const Scene& scene, const PictureSettings& settings,

@@ -20,22 +20,22 @@ namespace xnewell {
 /// and nothing is done again unless what it depends on changed.
 class SceneShading {
  public:
-  /// True if mesh() and pieces() are others than before.
+  /// True if mesh() and parts() are others than before.
   bool make(const Scene& scene, const PictureSettings& settings, Channels channels, const Camera& camera);
 
   /// The scene's polygons, divided; nothing unless PictureSettings::adapt asks for it.
   [[nodiscard]] const std::optional<Refined>& refined() const { return refined_; }
   /// What is projected and painted of a scene: its own, or refined().
   [[nodiscard]] const Mesh& mesh(const Scene& scene) const { return refined_ ? refined_->mesh : scene.mesh; }
-  [[nodiscard]] const Pieces& pieces(const Scene& scene) const {
-    return refined_ ? refined_->pieces : scene.pieces;
+  [[nodiscard]] const ConvexParts& parts(const Scene& scene) const {
+    return refined_ ? refined_->parts : scene.parts;
   }
   /// Empty unless the method interpolates.
   [[nodiscard]] const Vertices& vertices() const { return refined_ ? refined_->vertices : vertices_; }
-  /// Centroids of faces, of pieces if refined, or vertices.
+  /// Centroids of faces, of parts if refined, or vertices.
   [[nodiscard]] const ShadingPoints& points() const { return refined_ ? refined_->points : points_; }
   /// Where flat shading evaluates a face, an index into points().
-  [[nodiscard]] int pointOf(const SnappedFace& face) const { return refined_ ? face.piece : face.number; }
+  [[nodiscard]] int pointOf(const SnappedFace& face) const { return refined_ ? face.part : face.number; }
   [[nodiscard]] const Lighting& lighting() const { return lighting_; }
   /// At points(), of one channel; empty where nothing is lit once for all.
   [[nodiscard]] const Intensities& intensities(int channel) const { return intensities_[channel]; }

@@ -74,10 +74,10 @@ BENCHMARK(BM_ReadObj)->Arg(45)->Arg(179)->Unit(benchmark::kMillisecond);  // 4k 
 // The whole viewing transformation and the snap: expect linear; half as many points as triangles.
 void BM_Project(benchmark::State& state) {
   const Mesh mesh = triangleTorus(static_cast<int>(state.range(0)));
-  const Pieces pieces = divideFaces(mesh);
+  const ConvexParts parts = divideFaces(mesh);
   const Camera camera = placeCamera({}, mesh.points, UpAxis::Z, double{kWidth} / kHeight);
   for (auto _ : state)
-    benchmark::DoNotOptimize(project(mesh, pieces, camera.view, kWidth, kHeight, Cull::Keep));
+    benchmark::DoNotOptimize(project(mesh, parts, camera.view, kWidth, kHeight, Cull::Keep));
   state.SetItemsProcessed(state.iterations() * mesh.faceCount());  // triangles
 }
 BENCHMARK(BM_Project)->Arg(14)->Arg(56)->Arg(224)->Unit(benchmark::kMicrosecond);
@@ -91,7 +91,7 @@ void BM_PlaceCamera(benchmark::State& state) {
 }
 BENCHMARK(BM_PlaceCamera)->Arg(14)->Arg(56)->Arg(224)->Unit(benchmark::kMicrosecond);
 
-// Convex planar pieces, all of them triangles already: expect linear.
+// Convex planar parts, all of them triangles already: expect linear.
 void BM_DivideFaces(benchmark::State& state) {
   const Mesh mesh = triangleTorus(static_cast<int>(state.range(0)));
   for (auto _ : state) benchmark::DoNotOptimize(divideFaces(mesh));
@@ -192,10 +192,10 @@ Mesh tiledFloor(int side) {
 }
 
 void findCoplanar(benchmark::State& state, const Mesh& mesh) {
-  const Pieces pieces = divideFaces(mesh);
+  const ConvexParts parts = divideFaces(mesh);
   std::vector<int> planes;
-  for (auto _ : state) benchmark::DoNotOptimize(planes = coplanarClasses(mesh, pieces));
-  state.SetItemsProcessed(state.iterations() * pieces.count());
+  for (auto _ : state) benchmark::DoNotOptimize(planes = coplanarClasses(mesh, parts));
+  state.SetItemsProcessed(state.iterations() * parts.count());
   state.counters["planes"] = 1 + *std::max_element(planes.begin(), planes.end());
 }
 // No two coplanar, neighbours touch: expect n log n. Exact, and as if read with that many decimals.

@@ -77,9 +77,9 @@ Scene spotFloor(int n) { return underSpot(floorOf(n)); }
 Scene highlightFloor(int n) { return makeScene("floor", floorOf(n), UpAxis::Z); }
 
 // A floor of n by n squares under a spot, or with a highlight, 480x480 from above, divided where it misses by
-// more than range / 1000. Beside it polygons of one size, as many as there are pieces: expect a
+// more than range / 1000. Beside it polygons of one size, as many as there are parts: expect a
 // larger difference by the share of the floor that the rim or the highlight takes. And Phong per pixel: the
-// same each frame, where the pieces are kept until light or eye move (again_ms: another window).
+// same each frame, where the parts are kept until light or eye move (again_ms: another window).
 void BM_Refine(benchmark::State& state, Scene (*make)(int), int n, Shading shading) {
   const bool highlight = make == highlightFloor;
   const auto settingsOf = [&](const Scene& scene, Shading method) {
@@ -95,9 +95,9 @@ void BM_Refine(benchmark::State& state, Scene (*make)(int), int n, Shading shadi
     picture = Picture{scene};
     ms += frame(picture, settings);
   }
-  const int pieces = picture.snapped().polygons;
+  const int parts = picture.snapped().polygons;
   const Difference d = fromPhong(picture);
-  state.counters["pieces"] = pieces;
+  state.counters["parts"] = parts;
   state.counters["mean"] = d.mean;
   state.counters["largest"] = d.largest;
   state.counters["frame_ms"] = ms / static_cast<double>(state.iterations());
@@ -107,10 +107,10 @@ void BM_Refine(benchmark::State& state, Scene (*make)(int), int n, Shading shadi
 
   settings = settingsOf(scene, shading);
   const int triangles = shading == Shading::Flat ? 1 : 2;  // or polygons that a square is shaded as
-  Picture even{make(std::max(n, static_cast<int>(std::lround(std::sqrt(double(pieces) / triangles)))))};
+  Picture even{make(std::max(n, static_cast<int>(std::lround(std::sqrt(double(parts) / triangles)))))};
   state.counters["even_ms"] = frame(even, settings);
   const Difference e = fromPhong(even);
-  state.counters["even_pieces"] = triangles * even.snapped().polygons;
+  state.counters["even_parts"] = triangles * even.snapped().polygons;
   state.counters["even_mean"] = e.mean;
   state.counters["even_largest"] = e.largest;
 

@@ -31,7 +31,7 @@ struct Window {
     shown();
   }
   void shown() {
-    show(*ours, *canvas, *bench, [this] { bench->update(); });
+    bringUpToDate(*ours, *canvas, *bench, [this] { bench->update(); });
     XSync(ours->display.get(), 0);
   }
 

@@ -54,8 +54,8 @@ void addBox(Mesh& mesh, glm::dvec3 low, glm::dvec3 size) {
   }
 }
 
-/// The classes as coplanar.h defines them, from all pairs of pieces; for scenes where none leaves its class.
-std::vector<int> classesOfAllPairs(const Mesh& mesh, const Pieces& pieces) {
+/// The classes as coplanar.h defines them, from all pairs of parts; for scenes where none leaves its class.
+std::vector<int> classesOfAllPairs(const Mesh& mesh, const ConvexParts& parts) {
   glm::dvec3 low = mesh.points[0], high = low;
   double magnitude = 0.0;
   for (const glm::dvec3& p : mesh.points)
@@ -67,41 +67,40 @@ std::vector<int> classesOfAllPairs(const Mesh& mesh, const Pieces& pieces) {
   const double u = mesh.rounding.empty() ? 0.0 : mesh.rounding[0];
   const double tol = std::min(7.0 * u, 3e-5 * e) + 0x1p-46 * e + 0x1p-50 * magnitude;
 
-  std::vector<int> classes = pieces.plane;
+  std::vector<int> classes = parts.plane;
   const auto whole = [&](int i) {
-    const bool alone = std::count(pieces.plane.begin(), pieces.plane.end(), pieces.plane[i]) == 1;
-    return alone ? pieces.piece(i) : mesh.face(pieces.face[i]);
+    const bool alone = std::count(parts.plane.begin(), parts.plane.end(), parts.plane[i]) == 1;
+    return alone ? parts.part(i) : mesh.face(parts.face[i]);
   };
   std::vector<double> area;
-  for (int i = 0; i < pieces.count(); ++i) area.push_back(glm::length(newellVector(mesh.points, whole(i))));
+  for (int i = 0; i < parts.count(); ++i) area.push_back(glm::length(newellVector(mesh.points, whole(i))));
   const auto parted = [&](int i, int j, const glm::dvec3& axis) {
-    const auto P = pieces.piece(i);
+    const auto P = parts.part(i);
     const double turns = glm::dot(newellVector(mesh.points, P), axis) > 0.0 ? 1.0 : -1.0;
     for (std::size_t k = 0; k < P.size(); ++k) {
       const glm::dvec3 a = mesh.points[P[k]], edge = mesh.points[P[(k + 1) % P.size()]] - a;
       const glm::dvec3 inwards = turns * glm::cross(axis, edge);
-      if (std::ranges::all_of(pieces.piece(j), [&](int c) {
+      if (std::ranges::all_of(parts.part(j), [&](int c) {
             return glm::dot(inwards, mesh.points[c] - a) <= tol * glm::length(inwards);
           }))
         return true;
     }
     return false;
   };
-  for (int i = 0; i < pieces.count(); ++i)
-    for (int j = 0; j < pieces.count(); ++j) {
+  for (int i = 0; i < parts.count(); ++i)
+    for (int j = 0; j < parts.count(); ++j) {
       if (classes[i] == classes[j] || area[i] < area[j]) continue;
       const Plane plane = newellPlane(mesh.points, whole(i));
       const glm::dvec3 N = glm::abs(plane.N);
       const glm::dvec3 axis = N.z >= N.x && N.z >= N.y ? glm::dvec3{0, 0, 1}
                               : N.y >= N.x             ? glm::dvec3{0, 1, 0}
                                                        : glm::dvec3{1, 0, 0};
-      const bool coplanar = std::ranges::all_of(pieces.piece(j), [&](int c) {
-        return std::abs(glm::dot(plane.N, mesh.points[c]) - plane.d) <= tol;
-      });
+      const bool coplanar = std::ranges::all_of(
+          parts.part(j), [&](int c) { return std::abs(glm::dot(plane.N, mesh.points[c]) - plane.d) <= tol; });
       if (coplanar && !parted(i, j, axis) && !parted(j, i, axis))
         std::replace(classes.begin(), classes.end(), int{classes[j]}, int{classes[i]});
     }
-  std::vector<int> seen;  // numbered in order of the first piece of each
+  std::vector<int> seen;  // numbered in order of the first part of each
   for (int& c : classes) {
     if (std::find(seen.begin(), seen.end(), c) == seen.end()) seen.push_back(c);
     c = static_cast<int>(std::find(seen.begin(), seen.end(), c) - seen.begin());
@@ -109,7 +108,7 @@ std::vector<int> classesOfAllPairs(const Mesh& mesh, const Pieces& pieces) {
   return classes;
 }
 
-/// A comb of 60 long teeth, one concave face of which most pieces' boxes overlap; decals on its plane, on a
+/// A comb of 60 long teeth, one concave face of which most parts' boxes overlap; decals on its plane, on a
 /// tooth or in a gap, over several or behind its back; and triangles through it.
 Mesh combWithDecals(unsigned seed) {
   std::mt19937 rng{seed};
@@ -271,21 +270,21 @@ TEST(Coplanar, RoundingByObjectAndCapped) {
   EXPECT_FALSE(united(0x1p-45, 0, 0));
 }
 
-// The pieces of a concave planar face are one plane, with the decals on any of its arms; those of a bent
+// The parts of a concave planar face are one plane, with the decals on any of its arms; those of a bent
 // face are several.
-TEST(Coplanar, PiecesOfOneFace) {
+TEST(Coplanar, PartsOfOneFace) {
   Mesh mesh = exactMesh();
   addRounded(mesh, {{0, 0, 0}, {3, 0, 0}, {3, 1, 0}, {1, 1, 0}, {1, 3, 0}, {0, 3, 0}}, 0);
   addRounded(mesh, rectangle({0.25, 2, 0}, {0.5, 0, 0}, {0, 0.5, 0}), 0);
   addRounded(mesh, rectangle({2, 0.25, 0}, {0, 0.5, 0}, {0.5, 0, 0}), 0);
   addRounded(mesh, rectangle({1, 1, 0}, {2, 0, 0}, {0, 2, 0}), 0);  // in the notch: only touches
   addRounded(mesh, {{5, 0, 0}, {6, 0, 0}, {6, 1, 0.5}, {5, 1, 0}}, 0);
-  const Pieces pieces = divideFaces(mesh);
-  const std::vector<int> classes = coplanarClasses(mesh, pieces);
-  EXPECT_GE(pieces.count(), 4 + 1 + 1 + 1 + 2);
+  const ConvexParts parts = divideFaces(mesh);
+  const std::vector<int> classes = coplanarClasses(mesh, parts);
+  EXPECT_GE(parts.count(), 4 + 1 + 1 + 1 + 2);
   std::vector<int> ofFace(5, -1), seen;
-  for (int k = 0; k < pieces.count(); ++k) {
-    const int f = pieces.face[k];
+  for (int k = 0; k < parts.count(); ++k) {
+    const int f = parts.face[k];
     if (f < 4 && ofFace[f] >= 0) {
       EXPECT_EQ(classes[k], ofFace[f]);
     }
@@ -301,22 +300,22 @@ TEST(Coplanar, PiecesOfOneFace) {
   EXPECT_EQ(countOf(classes), 4);
 }
 
-// A comb, what lies in its plane and what does not: the classes are those that comparing all pairs of pieces
-// gives, and the comb's pieces are always of one.
+// A comb, what lies in its plane and what does not: the classes are those that comparing all pairs of parts
+// gives, and the comb's parts are always of one.
 TEST(Coplanar, CombsAsAllPairsGiveThem) {
   const Seeds seeds{30};
   int onComb = 0, inGaps = 0;
   for (unsigned seed = seeds.from; seed < seeds.end; ++seed) {
     SCOPED_TRACE(seed);
     const Mesh mesh = combWithDecals(seed);
-    const Pieces pieces = divideFaces(mesh);
-    const std::vector<int> classes = coplanarClasses(mesh, pieces);
-    ASSERT_EQ(classes, classesOfAllPairs(mesh, pieces));
-    const auto combPieces = std::count(pieces.face.begin(), pieces.face.end(), 0);
-    ASSERT_GT(combPieces, 100);
-    EXPECT_EQ(std::count(classes.begin(), classes.begin() + combPieces, 0), combPieces);
+    const ConvexParts parts = divideFaces(mesh);
+    const std::vector<int> classes = coplanarClasses(mesh, parts);
+    ASSERT_EQ(classes, classesOfAllPairs(mesh, parts));
+    const auto combParts = std::count(parts.face.begin(), parts.face.end(), 0);
+    ASSERT_GT(combParts, 100);
+    EXPECT_EQ(std::count(classes.begin(), classes.begin() + combParts, 0), combParts);
     for (int k = 0; k < 120; ++k) {
-      const int decal = static_cast<int>(combPieces) + k;
+      const int decal = static_cast<int>(combParts) + k;
       onComb += classes[decal] == 0;
       inGaps += k % 4 != 0 && classes[decal] != 0;
     }
@@ -356,7 +355,7 @@ TEST(Coplanar, WithoutArea) {
   addRounded(mesh, rectangle({0, 0, 0}, {1, 0, 0}, {0, 1, 0}), 0);
   addRounded(mesh, {{0.25, 0.25, 0}, {0.5, 0.5, 0}, {0.75, 0.75, 0}}, 0);
   EXPECT_EQ(countOf(classesOf(mesh)), 3);
-  EXPECT_TRUE(coplanarClasses(Mesh{}, Pieces{}).empty());
+  EXPECT_TRUE(coplanarClasses(Mesh{}, ConvexParts{}).empty());
 }
 
 }  // namespace xnewell

@@ -27,16 +27,16 @@ Mesh oneFace(const Pts& points, double rounding = 0.0) {
   return mesh;
 }
 
-std::vector<std::vector<int>> piecesOf(const Mesh& mesh) {
-  const Pieces pieces = divideFaces(mesh);
-  EXPECT_EQ(pieces.firstCorner.size(), pieces.face.size() + 1);
+std::vector<std::vector<int>> partsOf(const Mesh& mesh) {
+  const ConvexParts parts = divideFaces(mesh);
+  EXPECT_EQ(parts.firstCorner.size(), parts.face.size() + 1);
   std::vector<std::vector<int>> list;
-  for (int k = 0; k < pieces.count(); ++k) list.emplace_back(pieces.piece(k).begin(), pieces.piece(k).end());
+  for (int k = 0; k < parts.count(); ++k) list.emplace_back(parts.part(k).begin(), parts.part(k).end());
   return list;
 }
 
-std::vector<std::vector<int>> piecesOf(const Pts& points, double rounding = 0.0) {
-  return piecesOf(oneFace(points, rounding));
+std::vector<std::vector<int>> partsOf(const Pts& points, double rounding = 0.0) {
+  return partsOf(oneFace(points, rounding));
 }
 
 using List = std::vector<std::vector<int>>;
@@ -55,30 +55,30 @@ Pts circle(int n, const glm::dvec3& a, const glm::dvec3& b) {
 
 // Triangles and planar convex polygons are left alone, with the corners on their straight sides.
 TEST(Divide, ConvexPlanarFacesStayWhole) {
-  EXPECT_EQ(piecesOf(Pts{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}), (List{{0, 1, 2}}));
-  EXPECT_EQ(piecesOf(Pts{{0, 0, 5}, {1, 0, 5}, {2, 0, 5}, {2, 2, 5}, {1, 2, 5}, {0, 2, 5}}),
+  EXPECT_EQ(partsOf(Pts{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}), (List{{0, 1, 2}}));
+  EXPECT_EQ(partsOf(Pts{{0, 0, 5}, {1, 0, 5}, {2, 0, 5}, {2, 2, 5}, {1, 2, 5}, {0, 2, 5}}),
             (List{{0, 1, 2, 3, 4, 5}}));
   // From either side, along each axis, and on a slope.
   for (const glm::dvec3& a : {glm::dvec3{1, 0, 0}, {0, 1, 0}, {0, 0, 1}, {0.6, 0, 0.8}})
     for (const glm::dvec3& b : {glm::dvec3{0, 1, 0}, {0, -0.6, 0.8}, {1, 0, 0}, {-0.8, 0, 0.6}})
       if (glm::length(glm::cross(a, b)) > 0.1) {
-        EXPECT_EQ(piecesOf(circle(7, a, b)).size(), 1u);
+        EXPECT_EQ(partsOf(circle(7, a, b)).size(), 1u);
       }
 }
 
-// A corner repeated at once, by index or by place, is listed once; a face that collapses keeps a piece.
+// A corner repeated at once, by index or by place, is listed once; a face that collapses keeps a part.
 TEST(Divide, CoincidentCornersCollapse) {
-  EXPECT_EQ(piecesOf(Pts{{0, 0, 0}, {0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}, {-0.0, 0, 0}}),
+  EXPECT_EQ(partsOf(Pts{{0, 0, 0}, {0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}, {-0.0, 0, 0}}),
             (List{{0, 2, 3, 4}}));
-  EXPECT_EQ(piecesOf(Pts{{1, 1, 1}, {1, 1, 1}, {1, 1, 1}, {2, 2, 2}}), (List{{0, 1, 2, 3}}));
-  EXPECT_EQ(piecesOf(Pts{{1, 1, 1}, {1, 1, 1}, {1, 1, 1}}), (List{{0, 1, 2}}));
+  EXPECT_EQ(partsOf(Pts{{1, 1, 1}, {1, 1, 1}, {1, 1, 1}, {2, 2, 2}}), (List{{0, 1, 2, 3}}));
+  EXPECT_EQ(partsOf(Pts{{1, 1, 1}, {1, 1, 1}, {1, 1, 1}}), (List{{0, 1, 2}}));
 }
 
 // A bent quad is cut from corner 0 to corner 2, whichever way it is bent or seen.
 TEST(Divide, BentQuadIsCutFromItsFirstCorner) {
   for (const double bend : {0.1, -0.1, 1e-9}) {
-    EXPECT_EQ(piecesOf(Pts{{0, 0, 0}, {1, 0, 0}, {1, 1, bend}, {0, 1, 0}}), (List{{0, 1, 2}, {0, 2, 3}}));
-    EXPECT_EQ(piecesOf(Pts{{0, 1, 0}, {1, 1, bend}, {1, 0, 0}, {0, 0, 0}}), (List{{0, 1, 2}, {0, 2, 3}}));
+    EXPECT_EQ(partsOf(Pts{{0, 0, 0}, {1, 0, 0}, {1, 1, bend}, {0, 1, 0}}), (List{{0, 1, 2}, {0, 2, 3}}));
+    EXPECT_EQ(partsOf(Pts{{0, 1, 0}, {1, 1, bend}, {1, 0, 0}, {0, 0, 0}}), (List{{0, 1, 2}, {0, 2, 3}}));
   }
 }
 
@@ -92,14 +92,14 @@ TEST(Divide, ArrowheadIsCutThroughItsNotch) {
       std::rotate(p.begin(), p.begin() + shift, p.end());
       if (backwards) std::reverse(p.begin(), p.end());
       const int notch = static_cast<int>(std::find(p.begin(), p.end(), arrow[2]) - p.begin());
-      EXPECT_EQ(piecesOf(p), notch % 2 ? (List{{1, 2, 3}, {1, 3, 0}}) : (List{{0, 1, 2}, {0, 2, 3}}));
+      EXPECT_EQ(partsOf(p), notch % 2 ? (List{{1, 2, 3}, {1, 3, 0}}) : (List{{0, 1, 2}, {0, 2, 3}}));
     }
-  EXPECT_EQ(piecesOf(line), (List{{1, 2, 3}, {1, 3, 0}}));
+  EXPECT_EQ(partsOf(line), (List{{1, 2, 3}, {1, 3, 0}}));
 }
 
-// Pieces turn as their face does: on a lattice their areas sum to the face's exactly, in each of the
+// Parts turn as their face does: on a lattice their areas sum to the face's exactly, in each of the
 // three planes, from both sides.
-TEST(Divide, PiecesOfConcaveFacesSumToTheFace) {
+TEST(Divide, PartsOfConcaveFacesSumToTheFace) {
   for (unsigned seed = 0; seed < 300; ++seed) {
     SCOPED_TRACE(seed);
     std::mt19937 rng{seed};
@@ -118,11 +118,11 @@ TEST(Divide, PiecesOfConcaveFacesSumToTheFace) {
       if (seed % 2) q = {q.y, q.x, q.z};
     }
     const Mesh mesh = oneFace(p);
-    const Pieces pieces = divideFaces(mesh);
+    const ConvexParts parts = divideFaces(mesh);
     const glm::dvec3 whole = newellVector(mesh.points, mesh.face(0));
     glm::dvec3 sum{0.0};
-    for (int k = 0; k < pieces.count(); ++k) {
-      const glm::dvec3 part = newellVector(mesh.points, pieces.piece(k));
+    for (int k = 0; k < parts.count(); ++k) {
+      const glm::dvec3 part = newellVector(mesh.points, parts.part(k));
       EXPECT_GT(glm::dot(part, whole), 0.0);
       sum += part;
     }
@@ -135,7 +135,7 @@ TEST(Divide, PiecesOfConcaveFacesSumToTheFace) {
 TEST(Divide, RoundedFacesArePlanar) {
   // Corner 2 raised by 4 h: the corners lie h off the Newell plane.
   const auto cuts = [](double h, double rounding) {
-    return piecesOf(Pts{{0, 0, 0}, {1, 0, 0}, {1, 1, 4 * h}, {0, 1, 0}}, rounding).size() > 1;
+    return partsOf(Pts{{0, 0, 0}, {1, 0, 0}, {1, 1, 4 * h}, {0, 1, 0}}, rounding).size() > 1;
   };
   EXPECT_FALSE(cuts(6.9e-6, 1e-6));
   EXPECT_TRUE(cuts(7.1e-6, 1e-6));
@@ -157,7 +157,7 @@ TEST(Divide, FarFacesArePlanarUpToTheRoundingOfDoubles) {
     const glm::dvec3 centre = std::ldexp(1.0, round % 30) * direction();
     Pts p = circle(5, a, b);
     for (glm::dvec3& q : p) q += centre;
-    EXPECT_EQ(piecesOf(p).size(), 1u) << round;
+    EXPECT_EQ(partsOf(p).size(), 1u) << round;
   }
 }
 
@@ -171,18 +171,18 @@ TEST(Divide, DoesNotDependOnScale) {
       Pts scaled = p;
       for (glm::dvec3& q : scaled)
         for (int axis = 0; axis < 3; ++axis) q[axis] = std::ldexp(q[axis], exponent);
-      EXPECT_EQ(piecesOf(scaled), piecesOf(p)) << exponent;
+      EXPECT_EQ(partsOf(scaled), partsOf(p)) << exponent;
     }
-  EXPECT_EQ(piecesOf(flat).size(), 1u);
+  EXPECT_EQ(partsOf(flat).size(), 1u);
 }
 
-// Faces without area or crossing themselves end in some pieces, each of the face's own corners.
+// Faces without area or crossing themselves end in some parts, each of the face's own corners.
 TEST(Divide, DegenerateFacesEnd) {
-  EXPECT_EQ(piecesOf(Pts{{0, 0, 0}, {1, 1, 1}, {2, 2, 2}, {3, 3, 3}}).size(), 1u);  // in line
-  EXPECT_EQ(piecesOf(Pts{{0, 0, 0}, {1, 1, 0}, {1, 0, 0}, {0, 1, 0}}).size(), 1u);  // a bow tie
-  EXPECT_EQ(piecesOf(Pts{{0, 0, 0}, {3, 3, 0}, {3, 0, 0}, {0, 1, 0}}).size(), 2u);  // an uneven one
+  EXPECT_EQ(partsOf(Pts{{0, 0, 0}, {1, 1, 1}, {2, 2, 2}, {3, 3, 3}}).size(), 1u);  // in line
+  EXPECT_EQ(partsOf(Pts{{0, 0, 0}, {1, 1, 0}, {1, 0, 0}, {0, 1, 0}}).size(), 1u);  // a bow tie
+  EXPECT_EQ(partsOf(Pts{{0, 0, 0}, {3, 3, 0}, {3, 0, 0}, {0, 1, 0}}).size(), 2u);  // an uneven one
   const Pts star = circle(5, {1, 0, 0}, {0, 1, 0});
-  EXPECT_EQ(piecesOf(Pts{star[0], star[2], star[4], star[1], star[3]}).size(), 3u);  // a pentagram
+  EXPECT_EQ(partsOf(Pts{star[0], star[2], star[4], star[1], star[3]}).size(), 3u);  // a pentagram
   std::mt19937 rng{4};
   std::uniform_real_distribution<double> coordinate{-1.0, 1.0};
   for (int round = 0; round < 2000; ++round) {
@@ -190,26 +190,26 @@ TEST(Divide, DegenerateFacesEnd) {
     for (glm::dvec3& q : p)
       for (int axis = 0; axis < 3; ++axis)
         q[axis] = std::ldexp(coordinate(rng), round % 7 ? 0 : round % 2000 - 1000);
-    for (const auto& piece : piecesOf(p)) {
-      EXPECT_GE(piece.size(), 3u);
-      for (const int corner : piece) EXPECT_LT(corner, static_cast<int>(p.size()));
+    for (const auto& part : partsOf(p)) {
+      EXPECT_GE(part.size(), 3u);
+      for (const int corner : part) EXPECT_LT(corner, static_cast<int>(p.size()));
     }
   }
 }
 
-// Pieces come in face order with the face's number, and every face has one.
+// Parts come in face order with the face's number, and every face has one.
 TEST(Divide, KeepsFaceNumbers) {
   BezierPatch patch;
   for (int i = 0; i < 16; ++i) patch.p[i] = {i / 4, i % 4, i % 5 == 0 ? 1.0 : 0.0};
   for (int j = 0; j < 4; ++j) patch.p[j] = {0, 0, 0};
   const Mesh mesh = tessellate(std::array{patch}, 6);
-  const Pieces pieces = divideFaces(mesh);
-  EXPECT_TRUE(std::is_sorted(pieces.face.begin(), pieces.face.end()));
+  const ConvexParts parts = divideFaces(mesh);
+  EXPECT_TRUE(std::is_sorted(parts.face.begin(), parts.face.end()));
   for (int f = 0; f < mesh.faceCount(); ++f)
-    EXPECT_TRUE(std::binary_search(pieces.face.begin(), pieces.face.end(), f));
-  for (int k = 0; k < pieces.count(); ++k)
-    for (const int corner : pieces.piece(k)) {
-      const auto face = mesh.face(pieces.face[k]);
+    EXPECT_TRUE(std::binary_search(parts.face.begin(), parts.face.end(), f));
+  for (int k = 0; k < parts.count(); ++k)
+    for (const int corner : parts.part(k)) {
+      const auto face = mesh.face(parts.face[k]);
       EXPECT_NE(std::find(face.begin(), face.end(), corner), face.end());
     }
 }

@@ -48,7 +48,7 @@ std::optional<VisualWish> wishOf(const Options& options) {
 Server::Server(const Options& options, const Scene& scene)
     : display{openDisplay()}, colormap{openColormap(display.get(), options, scene)} {}
 
-void show(Server& server, Canvas& canvas, Workbench& bench, const std::function<void()>& update) {
+void bringUpToDate(Server& server, Canvas& canvas, Workbench& bench, const std::function<void()>& update) {
   const Workbench::Stale stale = bench.stale();
   if (stale == Workbench::Stale::Nothing) return;
   update();

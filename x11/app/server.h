@@ -52,6 +52,6 @@ struct Server {
 /// Brings the window up to date, if anything is late, and the bench by `update`. Colours alone are stored and
 /// nothing is drawn. New indices go into the picture behind the window first; then cells and indices change
 /// together, and no other client sees one without the other.
-void show(Server& server, Canvas& canvas, Workbench& bench, const std::function<void()>& update);
+void bringUpToDate(Server& server, Canvas& canvas, Workbench& bench, const std::function<void()>& update);
 
 }  // namespace xnewell

@@ -60,7 +60,7 @@ void takeSnapshot(const Options& options, Scene scene, const Taken& taken) {
   if (options.wholeWindow) {
     Workbench bench{std::move(scene), server.setupOf(options), server.forBench()};
     bench.resize(size.x, size.y);
-    bench.show(options.windowView);
+    bench.switchTo(options.windowView);
     for (int k = 0; k == 0 || (k < 3 && bench.stale() != Workbench::Stale::Nothing); ++k) bench.update();
     shoot({bench.picture(), bench.image(), bench.palette(), bench.plan(), bench.layout().picture,
            bench.overPicture()});

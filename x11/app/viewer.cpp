@@ -94,7 +94,7 @@ class Viewer {
     endWithSignals();
     {
       ErrorTrap trap{display()};  // a window that cannot be seen could not be closed either
-      show();                     // the first picture is there before the window is, if it does not take long
+      refresh();                  // the first picture is there before the window is, if it does not take long
       map();
       trap.check();
     }
@@ -109,7 +109,7 @@ class Viewer {
         toldOfErrors_ = true;
         bench_.notify("the X server refused a request: what is shown may be wrong");
       }
-      show();
+      refresh();
       if (bench_.quitAsked()) break;
       pollfd connection{ConnectionNumber(display()), POLLIN, 0};
       poll(&connection, 1, longestWait());
@@ -135,8 +135,8 @@ class Viewer {
   }
 
   /// Brings the window up to date.
-  void show() {
-    xnewell::show(server_, canvas_, bench_, [this] {
+  void refresh() {
+    bringUpToDate(server_, canvas_, bench_, [this] {
       const Stopwatch watch;
       if (bench_.stale() != Workbench::Stale::Everything || !mayTakeLong()) {
         bench_.update(dragging_);
@@ -317,7 +317,7 @@ int runViewer(const Options& options, Scene scene, std::optional<Lesson> lesson,
   if (lesson)
     viewer.bench().teach(std::move(*lesson));
   else
-    viewer.bench().show(options.command == Command::Lesson ? WindowView::Lesson : options.windowView);
+    viewer.bench().switchTo(options.command == Command::Lesson ? WindowView::Lesson : options.windowView);
   return viewer.run(shown);
 }
 

@@ -82,7 +82,7 @@ void Workbench::resize(int width, int height) {
 }
 
 void Workbench::teach(Lesson lesson) {
-  show(WindowView::Lesson);
+  switchTo(WindowView::Lesson);
   lessons_->start(std::move(lesson));
 }
 
@@ -152,7 +152,7 @@ void Workbench::press(const Key& key) {
     if (key.name == NamedKey::Escape) return;
   }
   if (bench().press(key, work_.setup)) return;
-  if (key.name == NamedKey::Escape && visitsFromLesson()) return show(WindowView::Lesson);
+  if (key.name == NamedKey::Escape && visitsFromLesson()) return switchTo(WindowView::Lesson);
   if (key.name == NamedKey::Letter &&
       std::string_view{"uUrwe?q1234567"}.find(key.letter) != std::string_view::npos)
     return pressLetter(key.letter);
@@ -163,7 +163,7 @@ void Workbench::press(const Key& key) {
 /// What all views have, and for a button what a key does.
 void Workbench::pressLetter(char letter) {
   for (const WindowViewRow& row : kWindowViews)
-    if (row.key == letter) return show(row.id);
+    if (row.key == letter) return switchTo(row.id);
   if (letter == '6') return notify("View 6, what accuracy costs, is not built yet.");
   const auto restore = [this](std::vector<Setup>& from, std::vector<Setup>& to, const char* what) {
     if (from.empty())
@@ -308,7 +308,7 @@ void Workbench::answer(const Key& key) {
   }
 }
 
-void Workbench::show(WindowView view) {
+void Workbench::switchTo(WindowView view) {
   if (view_ == view) return;
   bench().leave();
   view_ = view;
@@ -326,7 +326,7 @@ bool Workbench::grab(int x, int y) {
   notice_.clear();
   help_ = false;
   question_.reset();
-  if (const std::optional<WindowView> tab = tabAt(layout_, x, y)) return show(*tab), false;
+  if (const std::optional<WindowView> tab = tabAt(layout_, x, y)) return switchTo(*tab), false;
   return isDrawn() && bench().grab(x, y);
 }
 

@@ -99,7 +99,7 @@ class Workbench : public Host {
   [[nodiscard]] const Setup& defaults() const override { return work_.defaults; }
   void open(Scene scene, const Setup& setup) override;
   void close() override;
-  void show(WindowView view) override;
+  void switchTo(WindowView view) override;
   void ask(Question question) override;
   void notify(std::string notice) override;
   void tell(std::string news) override;

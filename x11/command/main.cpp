@@ -75,9 +75,9 @@ StageTimes draw(const Options& options, Picture& picture, double msRead) {
   picture.make(settingsOf(options));
   if (const auto& refined = picture.shading().refined(); refined && refined->limit != RefineLimit::None)
     std::cerr << "xnewell: --adapt " << options.picture.adapt << " is not reached everywhere: "
-              << (refined->limit == RefineLimit::Pieces
+              << (refined->limit == RefineLimit::Parts
                       ? "that would take more than a million polygons\n"
-                      : "that would take pieces smaller than a thousandth of a polygon\n");
+                      : "that would take parts smaller than a thousandth of a polygon\n");
 
   const CellPlan plan{picture.settings().table.kind};
   IndexImage image;

@@ -46,7 +46,7 @@ void writeStepperFrames(const Options& options, Scene scene, const std::function
   Workbench bench{std::move(scene), {.picture = options.picture, .fill = options.fill}, {}};
   const glm::ivec2 size = options.size.value_or(kWindowSize);
   bench.resize(size.x, size.y);
-  bench.show(WindowView::DepthSort);
+  bench.switchTo(WindowView::DepthSort);
   const auto draw = [&] {
     while (bench.stale() != Workbench::Stale::Nothing) bench.update();
   };

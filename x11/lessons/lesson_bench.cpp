@@ -69,7 +69,7 @@ void LessonBench::leave() {
 void LessonBench::leaveForGood() {
   if (opened_) host_.close();
   opened_ = false;
-  host_.show(WindowView::Picture);
+  host_.switchTo(WindowView::Picture);
 }
 
 void LessonBench::choose(int answer) {
@@ -182,7 +182,7 @@ bool LessonBench::press(const Key& key, const Setup&) {
       return showList(true), true;
     case '2':
       handing_ = true;  // its scene goes along
-      host_.show(WindowView::DepthSort);
+      host_.switchTo(WindowView::DepthSort);
       return true;
     default:
       // What all views have; the other controls rest.

@@ -48,13 +48,13 @@ void copyTo(IndexImage& image, const Rect& at, const IndexImage& picture) {
 
 void markWrong(IndexImage& image, SightDrawing& draws) {
   const Rect& at = draws.at.picture;
-  const std::vector<Picture::Verdict> verdicts = draws.sight.picture.verdicts();
+  const std::vector<Picture::SampleCheck> checked = draws.sight.picture.checkedSamples();
   std::int64_t wrong = 0, samples = 0;
   for (int j = 0; j < at.height; ++j)
     for (int i = 0; i < at.width; ++i) {
-      const Picture::Verdict v = verdicts[std::size_t(j) * at.width + i];
-      samples += v != Picture::Verdict::Nothing;
-      if (v != Picture::Verdict::Wrong) continue;
+      const Picture::SampleCheck sample = checked[std::size_t(j) * at.width + i];
+      samples += sample != Picture::SampleCheck::Nothing;
+      if (sample != Picture::SampleCheck::Wrong) continue;
       ++wrong;
       image.row(at.y + j)[at.x + i] = draws(Cell::Q);
     }

@@ -17,19 +17,19 @@ namespace {
 constexpr float kNone = std::numeric_limits<float>::quiet_NaN();
 constexpr double kPatience = 300;  // milliseconds that all runs of a timing may take
 
-/// The piece of a face that each sample shows, or, where either picture divided pieces by itself, the face;
+/// The part of a face that each sample shows, or, where either picture divided parts by itself, the face;
 /// kNothing where nothing shows.
-std::vector<int> pieceImage(const Picture& picture, bool wholeFaces) {
+std::vector<int> partImage(const Picture& picture, bool wholeFaces) {
   std::vector<int> image = picture.seen(0, picture.settings().height).faces;
   for (int& face : image)
     if (face != kNothing)
-      face = wholeFaces ? picture.snapped().faces[face].number : picture.snapped().faces[face].piece;
+      face = wholeFaces ? picture.snapped().faces[face].number : picture.snapped().faces[face].part;
   return image;
 }
 
 std::vector<float> otherFaces(const Picture& A, const Picture& B) {
   const bool wholeFaces = A.settings().adapt > 0 || B.settings().adapt > 0;
-  const std::vector<int> a = pieceImage(A, wholeFaces), b = pieceImage(B, wholeFaces);
+  const std::vector<int> a = partImage(A, wholeFaces), b = partImage(B, wholeFaces);
   std::vector<float> at(a.size(), kNone);
   for (std::size_t k = 0; k < at.size(); ++k)
     if (a[k] != kNothing || b[k] != kNothing) at[k] = a[k] != b[k];

@@ -40,7 +40,7 @@ class Host {
   /// of them comes back. Undo begins anew.
   virtual void open(Scene scene, const Setup& setup) = 0;
   virtual void close() = 0;
-  virtual void show(WindowView view) = 0;
+  virtual void switchTo(WindowView view) = 0;
   virtual void ask(Question question) = 0;
   /// A sentence for the status line until the next key.
   virtual void notify(std::string notice) = 0;

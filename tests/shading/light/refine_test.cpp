@@ -32,8 +32,8 @@ struct Divided {
         lighting{resolve(scene.mesh, scene.light, light, Channels::Luminance, eye, {0, 0, 0})},
         vertices{smoothVertices(scene.mesh, NormalRule::Distinct)},
         refined{method == Shading::Flat
-                    ? refineFlat(scene.mesh, scene.pieces, facePoints(scene.mesh), lighting, settings)
-                    : refineSmooth(scene.mesh, scene.pieces, vertices, lighting, settings)} {}
+                    ? refineFlat(scene.mesh, scene.parts, facePoints(scene.mesh), lighting, settings)
+                    : refineSmooth(scene.mesh, scene.parts, vertices, lighting, settings)} {}
 };
 
 Intensities intensitiesAt(const ShadingPoints& points, const Lighting& lighting) {
@@ -48,10 +48,10 @@ using Place = std::tuple<double, double, double>;
 Place placeOf(const glm::dvec3& p) { return {p.x, p.y, p.z}; }
 
 /// How often each edge between two places runs from the first to the second.
-std::map<std::pair<Place, Place>, int> edgesOf(const Mesh& mesh, const Pieces& pieces) {
+std::map<std::pair<Place, Place>, int> edgesOf(const Mesh& mesh, const ConvexParts& parts) {
   std::map<std::pair<Place, Place>, int> edges;
-  for (int k = 0; k < pieces.count(); ++k) {
-    const auto corners = pieces.piece(k);
+  for (int k = 0; k < parts.count(); ++k) {
+    const auto corners = parts.part(k);
     for (std::size_t c = 0; c < corners.size(); ++c)
       ++edges[{placeOf(mesh.points[corners[c]]), placeOf(mesh.points[corners[(c + 1) % corners.size()]])}];
   }
@@ -80,7 +80,7 @@ Mesh oneTriangle() {
 
 }  // namespace
 
-// Closed solids stay closed: each edge of a piece has one neighbour, which has it the other way round, also
+// Closed solids stay closed: each edge of a part has one neighbour, which has it the other way round, also
 // where the faces share places only and neither points nor normals.
 TEST(Refine, ClosedSolidsStayClosed) {
   int divided = 0;
@@ -90,12 +90,12 @@ TEST(Refine, ClosedSolidsStayClosed) {
       Illumination light;
       Scene scene = litAtRandom(solid(seed), light, seed);
       const Divided d{std::move(scene), light, method, {.tolerance = 0.05}};
-      const auto edges = edgesOf(d.refined.mesh, d.refined.pieces);
+      const auto edges = edgesOf(d.refined.mesh, d.refined.parts);
       for (const auto& [edge, times] : edges) {
         ASSERT_EQ(times, 1);
         ASSERT_TRUE(edges.contains({edge.second, edge.first}));
       }
-      divided += d.refined.pieces.count() > d.scene.pieces.count();
+      divided += d.refined.parts.count() > d.scene.parts.count();
     }
   EXPECT_GT(divided, 60);
 }
@@ -120,18 +120,18 @@ TEST(Refine, KeepsToTheTolerance) {
       std::uniform_real_distribution<double> zeroToOne{0, 1};
       ShadingPoints at;
       std::vector<FrontBack<double>> shown;
-      for (int k = 0; k < d.refined.pieces.count(); ++k) {
-        if (d.refined.pieces.piece(k).size() != 3) continue;
-        const int first = d.refined.pieces.firstCorner[k];
+      for (int k = 0; k < d.refined.parts.count(); ++k) {
+        if (d.refined.parts.part(k).size() != 3) continue;
+        const int first = d.refined.parts.firstCorner[k];
         for (int trial = 0; trial < 20; ++trial) {
           const double r = std::sqrt(zeroToOne(rng)), q = zeroToOne(rng);
           const std::array weights{1 - r, r * (1 - q), r * q};
           glm::dvec3 p{0}, N{0};
           FrontBack<double> I{0, 0};
           for (int c = 0; c < 3; ++c) {
-            p += weights[c] * d.refined.mesh.points[d.refined.pieces.corners[first + c]];
+            p += weights[c] * d.refined.mesh.points[d.refined.parts.corners[first + c]];
             if (method == Shading::Flat) continue;
-            const int v = d.refined.vertices.ofCorner[d.refined.pieces.from[first + c]];
+            const int v = d.refined.vertices.ofCorner[d.refined.parts.from[first + c]];
             N += weights[c] * d.refined.vertices.vertices[v].N;
             I.front += weights[c] * intensities.I[v].front;
             I.back += weights[c] * intensities.I[v].back;
@@ -157,9 +157,9 @@ TEST(Refine, KeepsToTheTolerance) {
   EXPECT_LT(above, places / 2000);
 }
 
-// At its corners a flat piece keeps to the tolerance without exception, against its own centroid: also what
+// At its corners a flat part keeps to the tolerance without exception, against its own centroid: also what
 // is left of a polygon of which only a corner was cut off, which was within the tolerance of the polygon's.
-TEST(Refine, FlatPiecesKeepToTheToleranceAtCorners) {
+TEST(Refine, FlatPartsKeepToTheToleranceAtCorners) {
   int divided = 0;
   for (unsigned seed = 0; seed < 200; ++seed) {
     SCOPED_TRACE(seed);
@@ -172,10 +172,10 @@ TEST(Refine, FlatPiecesKeepToTheToleranceAtCorners) {
     const double tolerance = 0.1 * std::pow(4.0, oneEach(rng));
     const Divided d{makeScene("drum", drum(), UpAxis::Z), light, Shading::Flat, {.tolerance = tolerance}};
     ASSERT_EQ(d.refined.limit, RefineLimit::None);
-    const Intensities centres = intensitiesAt(d.refined.points, d.lighting);
-    for (int k = 0; k < d.refined.pieces.count(); ++k) {
+    const Intensities centres = shadesAt(d.refined.points, d.lighting);
+    for (int k = 0; k < d.refined.parts.count(); ++k) {
       ShadingPoints corners;
-      for (const int p : d.refined.pieces.piece(k)) {
+      for (const int p : d.refined.parts.part(k)) {
         corners.at.push_back(d.refined.mesh.points[p]);
         corners.N.push_back(d.refined.points.N[k]);
         corners.material.push_back(-1);
@@ -183,7 +183,7 @@ TEST(Refine, FlatPiecesKeepToTheToleranceAtCorners) {
       for (const FrontBack<double>& I : intensitiesAt(corners, d.lighting).I)
         ASSERT_LE(std::abs(I.front - centres.I[k].front), tolerance);
     }
-    divided += d.refined.pieces.count() > d.scene.pieces.count();
+    divided += d.refined.parts.count() > d.scene.parts.count();
   }
   EXPECT_GT(divided, 100);
 }
@@ -193,24 +193,24 @@ TEST(Refine, FlatPiecesKeepToTheToleranceAtCorners) {
 TEST(Refine, LeavesTheRestAsItIs) {
   for (const Shading method : kMethods) {
     const Divided d{underSpot(floorOf(8)), {.ks = 0}, method, {.tolerance = 0.1}};
-    const Pieces &pieces = d.refined.pieces, &before = d.scene.pieces;
+    const ConvexParts &parts = d.refined.parts, &before = d.scene.parts;
     std::vector<int> ofFace(64, 0);
     int whole = 0;
-    for (int k = 0; k < pieces.count(); ++k) {
-      ASSERT_EQ(pieces.plane[k], before.plane[pieces.face[k]]);
-      ++ofFace[pieces.face[k]];
-      if (pieces.piece(k).size() == 4) {
-        ASSERT_TRUE(std::ranges::equal(pieces.piece(k), before.piece(pieces.face[k])));
+    for (int k = 0; k < parts.count(); ++k) {
+      ASSERT_EQ(parts.plane[k], before.plane[parts.face[k]]);
+      ++ofFace[parts.face[k]];
+      if (parts.part(k).size() == 4) {
+        ASSERT_TRUE(std::ranges::equal(parts.part(k), before.part(parts.face[k])));
         ++whole;
       }
     }
-    EXPECT_TRUE(std::ranges::is_sorted(pieces.face));
+    EXPECT_TRUE(std::ranges::is_sorted(parts.face));
     EXPECT_GT(std::ranges::max(ofFace), 4);
     EXPECT_GT(whole, 20);
     EXPECT_EQ(std::ranges::count(ofFace, 1), whole);
 
     const Divided even{makeScene("floor", floorOf(8), UpAxis::Z), {.ks = 0}, method, {.tolerance = 1e-6}};
-    EXPECT_EQ(even.refined.pieces.corners, even.scene.pieces.corners);
+    EXPECT_EQ(even.refined.parts.corners, even.scene.parts.corners);
     EXPECT_EQ(even.refined.mesh.points, even.scene.mesh.points);
   }
 }
@@ -229,8 +229,8 @@ TEST(Refine, FindsLightInsideOneTriangle) {
     const auto& p = scene.mesh.points;
     const glm::dvec3 place = (1 - r) * p[0] + r * (1 - q) * p[1] + r * q * p[2];
     const auto expectFound = [&](const Divided& d) {
-      ASSERT_GT(d.refined.pieces.count(), 10);
-      const Intensities intensities = intensitiesAt(d.refined.points, d.lighting);
+      ASSERT_GT(d.refined.parts.count(), 10);
+      const Intensities shades = shadesAt(d.refined.points, d.lighting);
       const auto [least, most] =
           std::ranges::minmax(intensities.I, {}, [](const FrontBack<double>& I) { return I.front; });
       EXPECT_GT(most.front, least.front + 0.1);
@@ -251,7 +251,7 @@ TEST(Refine, FindsLightInsideOneTriangle) {
   }
 }
 
-// The smaller the tolerance, the more pieces.
+// The smaller the tolerance, the more parts.
 TEST(Refine, DividesMoreForLessTolerance) {
   const Seeds seeds{12};
   for (unsigned seed = seeds.from; seed < seeds.end; ++seed)
@@ -263,33 +263,33 @@ TEST(Refine, DividesMoreForLessTolerance) {
         Scene scene = litAtRandom(solid(seed), light, seed);
         const Divided d{std::move(scene), light, method, {.tolerance = tolerance}};
         if (tolerance == 1.0) {
-          EXPECT_EQ(d.refined.pieces.count(), d.scene.pieces.count());
+          EXPECT_EQ(d.refined.parts.count(), d.scene.parts.count());
         }
-        EXPECT_GE(d.refined.pieces.count(), last);
-        last = d.refined.pieces.count();
+        EXPECT_GE(d.refined.parts.count(), last);
+        last = d.refined.parts.count();
       }
       EXPECT_GT(last, 100);
     }
 }
 
-// Pieces are no needles: no angle is less than half the least that the face had.
+// Parts are no needles: no angle is less than half the least that the face had.
 TEST(Refine, KeepsAnglesWide) {
-  int pieces = 0;
+  int parts = 0;
   for (unsigned seed = 0; seed < 20; ++seed) {
     SCOPED_TRACE(seed);
     Illumination light;
     Scene scene = litAtRandom(triangleSoup(20, 0.7, seed), light, seed);
     const Divided d{std::move(scene), light, kMethods[seed % 2], {.tolerance = 0.01}};
-    for (int k = 0; k < d.refined.pieces.count(); ++k) {
-      const double before = leastAngle(d.scene.mesh, d.scene.mesh.face(d.refined.pieces.face[k]));
-      ASSERT_GE(leastAngle(d.refined.mesh, d.refined.pieces.piece(k)), 0.5 * before * (1 - 1e-9));
+    for (int k = 0; k < d.refined.parts.count(); ++k) {
+      const double before = leastAngle(d.scene.mesh, d.scene.mesh.face(d.refined.parts.face[k]));
+      ASSERT_GE(leastAngle(d.refined.mesh, d.refined.parts.part(k)), 0.5 * before * (1 - 1e-9));
     }
-    pieces += d.refined.pieces.count();
+    parts += d.refined.parts.count();
   }
-  EXPECT_GT(pieces, 20'000);
+  EXPECT_GT(parts, 20'000);
 }
 
-// A cone without a soft rim is a step that no interpolation follows: the limits end it, and say so. A piece
+// A cone without a soft rim is a step that no interpolation follows: the limits end it, and say so. A part
 // is no smaller than the halvings allow, beside those that neighbours cut.
 TEST(Refine, EndsAtItsLimits) {
   for (const Shading method : kMethods) {
@@ -298,18 +298,18 @@ TEST(Refine, EndsAtItsLimits) {
     };
     const Refined deep = divided({.tolerance = 0.05, .halvings = 9});
     EXPECT_EQ(deep.limit, RefineLimit::Halvings);
-    EXPECT_GT(deep.pieces.count(), 100);
+    EXPECT_GT(deep.parts.count(), 100);
     double least = 1;
-    for (int k = 0; k < deep.pieces.count(); ++k) {
-      const auto p = deep.pieces.piece(k);
+    for (int k = 0; k < deep.parts.count(); ++k) {
+      const auto p = deep.parts.part(k);
       const auto& at = deep.mesh.points;
       least = std::min(least, glm::length(glm::cross(at[p[1]] - at[p[0]], at[p[2]] - at[p[0]])));
     }
     EXPECT_EQ(least, std::ldexp(1.0, -9));  // of twice the area of half the square: 1
-    const Refined few = divided({.tolerance = 0.05, .pieces = 300});
-    EXPECT_EQ(few.limit, RefineLimit::Pieces);
-    EXPECT_LE(few.pieces.count(), 300);
-    EXPECT_GT(few.pieces.count(), 100);
+    const Refined few = divided({.tolerance = 0.05, .parts = 300});
+    EXPECT_EQ(few.limit, RefineLimit::Parts);
+    EXPECT_LE(few.parts.count(), 300);
+    EXPECT_GT(few.parts.count(), 100);
     EXPECT_EQ(divided({.tolerance = 1}).limit, RefineLimit::None);
   }
 }
@@ -332,7 +332,7 @@ TEST(Refine, InterpolatesAtNewCorners) {
   const std::array N{unit({0.8, 0, 1}), unit({-0.5, 0.6, 1}), unit({0, -0.9, 0.4})};
   for (int v = 0; v < 3; ++v) vertices.vertices[v].N = N[v];
   const Lighting lighting = resolve(scene.mesh, scene.light, {}, Channels::Luminance, {0, 0, 1}, {0, 0, 0});
-  const Refined bent = refineSmooth(scene.mesh, scene.pieces, vertices, lighting, {.tolerance = 0.01});
+  const Refined bent = refineSmooth(scene.mesh, scene.parts, vertices, lighting, {.tolerance = 0.01});
   ASSERT_GT(bent.vertices.vertices.size(), 100u);
   const auto& p = scene.mesh.points;
   const auto area = [](glm::dvec3 a, glm::dvec3 b, glm::dvec3 c) { return glm::cross(b - a, c - a).z; };

@@ -86,18 +86,18 @@ TEST(Crossing, ToriSplitOnceAPair) {
     SCOPED_TRACE(across);
     Picture picture{makeScene("tori", crossingTori(2 * across, across), UpAxis::Z)};
     const Mesh& mesh = picture.scene().mesh;
-    const Pieces& pieces = picture.scene().pieces;
+    const ConvexParts& parts = picture.scene().parts;
     long crossing = 0, undecided = 0;
     std::vector<Outline> outlines;
     std::vector<std::pair<glm::dvec3, glm::dvec3>> boxes;
-    for (int k = 0; k < pieces.count(); ++k) {
-      outlines.push_back(outlineOf(mesh, pieces.piece(k)));
+    for (int k = 0; k < parts.count(); ++k) {
+      outlines.push_back(outlineOf(mesh, parts.part(k)));
       glm::dvec3 low = outlines[k][0], high = low;
       for (const glm::dvec3& p : outlines[k]) low = glm::min(low, p), high = glm::max(high, p);
       boxes.push_back({low, high});
     }
-    for (int k = 0; k < pieces.count() / 2; ++k)
-      for (int i = pieces.count() / 2; i < pieces.count(); ++i) {
+    for (int k = 0; k < parts.count() / 2; ++k)
+      for (int i = parts.count() / 2; i < parts.count(); ++i) {
         if (glm::any(glm::lessThan(boxes[k].second, boxes[i].first)) ||
             glm::any(glm::lessThan(boxes[i].second, boxes[k].first)))
           continue;
@@ -113,7 +113,7 @@ TEST(Crossing, ToriSplitOnceAPair) {
       s.cull = Cull::Keep;
       s.camera = wholeScene(s.camera, seed);
       picture.make(s);
-      ASSERT_EQ(picture.snapped().faces.size(), pieces.face.size());
+      ASSERT_EQ(picture.snapped().faces.size(), parts.face.size());
       EXPECT_NEAR(static_cast<double>(picture.sorted().statistics.splits), static_cast<double>(crossing),
                   0.02 * static_cast<double>(crossing));
     }

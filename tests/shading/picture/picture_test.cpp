@@ -222,7 +222,7 @@ TEST(Picture, ANewTableOnlyPaintsAgain) {
   EXPECT_EQ(picture.times().sort, 0);
 }
 
-// The face image names the face that is seen: number + 1, 0 where nothing is; pieces of a divided face
+// The face image names the face that is seen: number + 1, 0 where nothing is; parts of a divided face
 // carry its number.
 TEST(Picture, FaceImageNamesFaces) {
   Mesh m;
@@ -232,7 +232,7 @@ TEST(Picture, FaceImageNamesFaces) {
   m.addFace(floor, 0);
   m.addFace(concave, 0);
   Picture picture{makeScene("two", m, UpAxis::Y)};
-  EXPECT_GT(picture.scene().pieces.count(), 2);
+  EXPECT_GT(picture.scene().parts.count(), 2);
   PictureSettings s = small();
   s.camera.parallel = true;
   s.camera.eye = glm::dvec3{0, 0, 3};
@@ -320,8 +320,8 @@ TEST(Picture, OracleKnowsWhereTheOrderIsWrong) {
 // right. Without the rounding's allowance it is not.
 TEST(Picture, CoplanarFacesAreNotCalledWrong) {
   Scene scene = readScene("decals");
-  EXPECT_EQ(std::ranges::max(scene.pieces.plane), 0);
-  std::iota(scene.pieces.plane.begin(), scene.pieces.plane.end(), 0);
+  EXPECT_EQ(std::ranges::max(scene.parts.plane), 0);
+  std::iota(scene.parts.plane.begin(), scene.parts.plane.end(), 0);
   Picture decals{std::move(scene)};
   PictureSettings s = small();
   s.order = Order::Unsorted;

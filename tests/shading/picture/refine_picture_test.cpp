@@ -154,7 +154,7 @@ TEST(RefinePicture, IsMadeAgainWhenItMust) {
     const bool asked = s.adapt > 0 && (s.shading == Shading::Flat || s.shading == Shading::Gouraud);
     ASSERT_EQ(kept.shading().refined().has_value(), asked);
     if (asked) {
-      ASSERT_EQ(kept.snapped().polygons, kept.shading().refined()->pieces.count());
+      ASSERT_EQ(kept.snapped().polygons, kept.shading().refined()->parts.count());
       divided += kept.snapped().polygons > 9;
     }
   }

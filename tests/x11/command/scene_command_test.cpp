@@ -138,7 +138,7 @@ TEST_F(SceneCommandTest, TellsWhereAdaptIsNotReached) {
     return end.err;
   };
   EXPECT_EQ(told("15"),
-            "xnewell: --adapt 0.1 is not reached everywhere: that would take pieces smaller than a "
+            "xnewell: --adapt 0.1 is not reached everywhere: that would take parts smaller than a "
             "thousandth of a polygon\n");
   EXPECT_EQ(told("25"), "");
 }

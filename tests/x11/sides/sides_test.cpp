@@ -87,7 +87,7 @@ TEST(Sides, CountsOtherFaces) {
   EXPECT_EQ(ofB.wrong, 0);
   EXPECT_EQ(ofB.cuts, 0);
   EXPECT_EQ(ofA.painted, 2);
-  // Of a face of several pieces it may be the wrong one.
+  // Of a face of several parts it may be the wrong one.
   for (const int divisions : {2, 3, 5, 8}) {
     const Scene pot = readScene("teapot", divisions);
     Made z{pot, viewOf(pot, Shading::Flat, Order::ZSort)},

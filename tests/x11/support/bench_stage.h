@@ -23,7 +23,7 @@ class BenchStage : public Host {
   void open(Scene scene, const xnewell::Setup& s) override { picture = Picture{std::move(scene)}, now = s; }
   void close() override {}
   void pressLetter(char) override {}
-  void show(WindowView) override {}
+  void switchTo(WindowView) override {}
   void ask(Question) override {}
   void notify(std::string notice) override { notices.push_back(std::move(notice)); }
   void tell(std::string news) override { notices.push_back(std::move(news)); }

@@ -23,7 +23,7 @@ class LessonWindow : public Host {
     setup_ = first_ = own;
     ++closed;
   }
-  void show(WindowView v) override {
+  void switchTo(WindowView v) override {
     bench.leave();
     view = v;
   }

@@ -75,7 +75,7 @@ class Stepper : private Host {
   void close() override {}
   void pressLetter(char) override {}
   void open(Scene, const xnewell::Setup&) override {}
-  void show(WindowView) override {}
+  void switchTo(WindowView) override {}
   void ask(Question question) override { questions.push_back(std::move(question)); }
   void notify(std::string notice) override { notices.push_back(std::move(notice)); }
   void tell(std::string news) override { notices.push_back(std::move(news)); }

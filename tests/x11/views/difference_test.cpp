@@ -144,7 +144,7 @@ TEST(Difference, OfColoursIsHowTheyLook) {
   EXPECT_GT(compared.difference.largest, 3.0);
 }
 
-// Pieces of a divided polygon show its face, not another.
+// Parts of a divided polygon show its face, not another.
 TEST(Difference, DividedPolygonsShowTheirFaces) {
   Picture spot{readScene("spotlight")};
   PictureSettings s = small(Shading::Gouraud);
