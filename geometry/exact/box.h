@@ -10,7 +10,8 @@
 
 namespace xnewell {
 
-/// The smallest box that holds points; before add() it holds none, and its centre is not a number.
+/// The smallest axis-aligned box that holds a set of points. A new box is empty, and the centre of an empty
+/// box is not a number (NaN).
 struct Box {
   glm::dvec3 low{std::numeric_limits<double>::infinity()}, high{-std::numeric_limits<double>::infinity()};
 
@@ -19,13 +20,13 @@ struct Box {
     high = glm::max(high, p);
   }
   [[nodiscard]] glm::dvec3 centre() const { return low / 2.0 + high / 2.0; }
-  /// The longest, which may overflow to infinity.
+  /// The length of the longest side. It may overflow to infinity.
   [[nodiscard]] double side() const { return largest(high - low); }
-  /// Of the largest coordinate.
+  /// The largest absolute value of a coordinate.
   [[nodiscard]] double magnitude() const { return std::max(largest(glm::abs(low)), largest(glm::abs(high))); }
 };
 
-/// Of no points the origin, so that all of it is finite.
+/// The box of `points`. For no points it is the origin alone, so that all its coordinates are finite.
 [[nodiscard]] inline Box boxOf(const std::vector<glm::dvec3>& points) {
   if (points.empty()) return {glm::dvec3{0.0}, glm::dvec3{0.0}};
   Box box;

@@ -4,11 +4,11 @@
 
 namespace xnewell {
 
-/// 128-bit integers, a compiler extension of gcc and clang, for products of grid coordinates.
+/// A 128-bit integer, for products of grid coordinates. It is a compiler extension of gcc and clang.
 __extension__ using Int128 = __int128;
 
-/// In doubles, within 2^-52 of itself. (The compiler's own conversion rounds to the nearest and takes three
-/// times as long.)
+/// n as a double, with a relative error of at most 2^-52. The compiler's own conversion rounds to nearest,
+/// but takes three times as long.
 [[nodiscard]] inline double approximately(Int128 n) {
   __extension__ using Unsigned = unsigned __int128;
   const auto magnitude = static_cast<Unsigned>(n < 0 ? -n : n);

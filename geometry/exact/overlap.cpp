@@ -2,9 +2,10 @@
 
 namespace xnewell {
 
-// By itself a compiler makes four vector comparisons of it, inline it does not.
+// Do not inline this function. Compiled on its own, the loop becomes four vector comparisons; inlined, it
+// does not.
 [[gnu::noinline]] bool overlap(const ItemBox& P, const ItemBox& Q) {
-  int apart = 0;  // without branches: which axis parts two is anyone's guess
+  int apart = 0;  // no branches: no one can predict along which axis two boxes are apart
   for (int axis = 0; axis < 8; ++axis)
     apart |= int{P.low[axis] > Q.high[axis]} | int{Q.low[axis] > P.high[axis]};
   return apart == 0;
@@ -16,7 +17,8 @@ BoxCut chooseCut(std::span<const ItemBox> boxes) {
   std::array<const ItemBox*, kSample> sample;
   for (std::size_t s = 0; s < kSample; ++s) sample[s] = &boxes[s * boxes.size() / kSample];
   std::ranges::sort(sample, {}, &ItemBox::group);
-  const bool oneGroup = sample.front()->group == sample.back()->group;  // the others are few: count all pairs
+  // If the sample is of one group, few boxes are of others: then count all pairs.
+  const bool oneGroup = sample.front()->group == sample.back()->group;
   const auto pairsAmong = [&](const auto& isIn) {
     std::size_t pairs = 0, seen = 0, seenOfOthers = 0;
     for (std::size_t s = 0; s < kSample; ++s) {
@@ -28,7 +30,7 @@ BoxCut chooseCut(std::span<const ItemBox> boxes) {
 
   BoxCut best;
   const std::size_t all = pairsAmong([](const ItemBox&) { return true; });
-  std::size_t fewest = all * 4 / 5;  // a cut must spare a fifth of the pairs; half is the best there is
+  std::size_t fewest = all * 4 / 5;  // a cut must save a fifth of the pairs; it can save half at best
   for (int axis = 0; axis < 6 && fewest > all * 11 / 20; ++axis) {
     std::array<float, kSample> centre;
     for (std::size_t s = 0; s < kSample; ++s)

@@ -8,40 +8,48 @@
 
 namespace xnewell {
 
-/// The closed intervals that an item occupies in six dimensions; single, for the search is bound by memory.
+/// The closed intervals that an item occupies in six dimensions. They are in single precision because memory
+/// bandwidth limits the search.
 struct ItemBox {
   int item = 0;
-  int group = 0;                       ///< pairs within a group are of no interest
-  std::array<float, 8> low{}, high{};  ///< the last two are 0: eight are compared at once
+  int group = 0;  ///< two items of one group are never reported as a pair
+  /// Eight values are compared at once; the last two are always 0.
+  std::array<float, 8> low{}, high{};
 };
 
+/// True if the boxes overlap in every dimension. Boxes that only touch overlap.
 [[nodiscard]] bool overlap(const ItemBox& P, const ItemBox& Q);
 
+/// A cut of a set of boxes in two, at the coordinate `at` of an axis.
 struct BoxCut {
-  int axis = -1;  ///< -1: none is worth its trouble
+  int axis = -1;  ///< -1 if no cut is worth its cost
   float at = 0.0f;
 };
 
-/// So many boxes are compared all with all sooner than cut.
+/// A set of at most this many boxes is not cut: each box is compared with every other.
 constexpr std::size_t kFewBoxes = 64;
 
-/// The median of a sample along the axis where it leaves the fewest pairs of two groups to compare.
+/// Chooses where to cut a set of boxes in two: at the median of a sample, along the axis that leaves the
+/// fewest pairs of different groups to compare.
 [[nodiscard]] BoxCut chooseCut(std::span<const ItemBox> boxes);
 
-/// Calls visit(item, item) for every pair of boxes of two groups that overlap, now and then twice. Halves the
-/// set, boxes across the cut in both halves, until few are left or no cut parts them; then compares each with
-/// all of other groups. `boxes` is used up.
+/// Calls visit(item, item) for every pair of boxes that overlap and are of different groups; for some pairs,
+/// twice. The function cuts the set in two halves, again and again; a box across a cut belongs to both
+/// halves. When few boxes are left, or no cut separates them, it compares each box with all boxes of other
+/// groups. It overwrites `boxes`.
 template <class Visit>
 void forOverlapping(std::span<ItemBox> boxes, const Visit& visit) {
   const BoxCut cut = chooseCut(boxes);
   if (cut.axis >= 0) {
-    // Below the cut, above it, across it. The last two are one half; the place of those above is then free
-    // for those across, to make the other.
+    // Sort the boxes into three runs: below the cut, above it, across it. The last two runs form one half.
+    // That half is done first; then the boxes across the cut are copied to the place of those above it, to
+    // form the other half with those below.
     const auto above = std::partition(boxes.begin(), boxes.end(),
                                       [&](const ItemBox& box) { return box.high[cut.axis] < cut.at; });
     const auto across =
         std::partition(above, boxes.end(), [&](const ItemBox& box) { return box.low[cut.axis] >= cut.at; });
-    // What the sample promised the whole set must keep in part, or the halves might not get smaller.
+    // The sample predicted that the halves are smaller. Check this for the whole set, or the recursion might
+    // not end.
     const auto few = static_cast<std::ptrdiff_t>(boxes.size() / 20);
     if (above - boxes.begin() > few && across - above > few) {
       const std::vector<ItemBox> both(across, boxes.end());

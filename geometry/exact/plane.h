@@ -5,23 +5,23 @@
 
 namespace xnewell {
 
-/// N.p = d, with N a unit vector, or 0 where the polygon spans no area.
+/// The plane N.p = d. N is a unit vector, or 0 if the polygon has no area.
 struct Plane {
   glm::dvec3 N{0.0};
   double d = 0.0;
 };
 
-/// Twice the vector area of a closed polygon by Newell's method: every vertex counts, so a slightly
-/// bent polygon gets the plane that fits it and a concave or collinear corner does no harm. Points
-/// towards the side from which the vertices run counter-clockwise; 0 for a polygon without area.
-/// Vertices are taken relative to the first one, so that a far-away polygon loses no digits.
+/// Twice the vector area of a closed polygon, by Newell's method. It uses every vertex, so a slightly bent
+/// polygon gets the plane that fits it best, and concave or collinear corners do no harm. The vector points
+/// to the side from which the vertices run counter-clockwise. It is 0 for a polygon without area.
+/// Vertices are taken relative to the first one, so that a polygon far from the origin loses no digits.
 /// @see Sutherland, Sproull & Schumacker 1974, who credit M. Newell; Foley & van Dam 2e §11.1.3
 [[nodiscard]] glm::dvec3 newellVector(std::span<const glm::dvec3> points, std::span<const int> corners);
 
-/// The plane through the corners' mean with the normalised Newell vector as N.
+/// The plane through the mean of the corners. Its N is the normalised Newell vector.
 [[nodiscard]] Plane newellPlane(std::span<const glm::dvec3> points, std::span<const int> corners);
 
-/// The mean of the corners, where flat shading evaluates the illumination.
+/// The mean of the corners. Flat shading evaluates the illumination there.
 [[nodiscard]] glm::dvec3 centroid(std::span<const glm::dvec3> points, std::span<const int> corners);
 
 }  // namespace xnewell

@@ -2,8 +2,9 @@
 
 namespace xnewell {
 
-/// x^n by squaring, x^0 = 1. At most 2 log2(n) multiplications, each correctly rounded, so the same on
-/// every machine (the C library's pow is not) and within n 2^-53 of exact, relatively.
+/// x^n by repeated squaring; x^0 = 1. It takes at most 2 log2(n) multiplications. Each is correctly rounded,
+/// so the result is the same on every machine (the C library's pow is not). The relative error is at most
+/// n 2^-53.
 [[nodiscard]] constexpr double power(double x, int n) {
   double result = 1.0;
   for (; n > 0; n >>= 1) {

@@ -6,12 +6,12 @@
 namespace xnewell {
 
 SinCos sinCosDegrees(double degrees) {
-  // All three steps are exact: what is left is within 45 degrees of a multiple of 90.
+  // Reduce the angle to within 45 degrees of a multiple of 90. All three steps are exact.
   const double magnitude = std::fmod(std::abs(degrees), 360.0);
   const int quarter = static_cast<int>(magnitude / 90.0 + 0.5);
   const double left = magnitude - 90.0 * quarter;
 
-  // Taylor's series; the first terms left out are below 45 deg^19 / 19! < 2^-60.
+  // Taylor's series. The first terms left out are below 45 deg^19 / 19! < 2^-60.
   const double x = left * (3.14159265358979323846 / 180.0), x2 = x * x;
   double sine = 0.0, cosine = 0.0;
   for (int k = 17; k >= 3; k -= 2) sine = (1.0 + sine) * -x2 / (k * (k - 1));
@@ -38,11 +38,11 @@ double tanDegrees(double degrees) {
 
 double degreesOf(double sine, double cosine) {
   double s = std::abs(sine), c = std::abs(cosine);
-  const bool steep = s > c;  // 90 degrees less the angle in [0, 45] to be found
+  const bool steep = s > c;  // then find the angle's complement to 90 degrees, in [0, 45]
   if (steep) std::swap(s, c);
   if (c == 0.0) return 0.0;
 
-  // What the angle exceeds the nearest of 0, 22.5 and 45 degrees by, as the tangent of the difference.
+  // Subtract the nearest of 0, 22.5 and 45 degrees. t is the tangent of the difference.
   constexpr double kTangent11 = 0.19891236737965800691, kTangent22 = 0.41421356237309504880,
                    kTangent33 = 0.66817863791929891999;
   double degrees = 0.0, tangent = 0.0;
@@ -52,7 +52,7 @@ double degreesOf(double sine, double cosine) {
     tangent = kTangent22, degrees = 22.5;
   const double t = (s - tangent * c) / (c + tangent * s);
 
-  // Gregory's series; the first term left out is below tan(11.25 deg)^23 / 23 < 2^-57.
+  // Gregory's series. The first term left out is below tan(11.25 deg)^23 / 23 < 2^-57.
   const double t2 = t * t;
   double series = 0.0;
   for (int k = 21; k >= 3; k -= 2) series = (1.0 / k + series) * -t2;

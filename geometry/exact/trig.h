@@ -6,17 +6,18 @@ struct SinCos {
   double sin, cos;
 };
 
-/// Sine and cosine of an angle in degrees, |degrees| < 2^52, by + - * and sqrt alone, so the same on every
-/// machine (the C library's last bit differs). Within 2^-51 of exact; exact where the value is 0, 1/2 or 1,
-/// and equal for both at 45 degrees. Odd and even to the bit.
+/// The sine and cosine of an angle in degrees, |degrees| < 2^52. They use only + - * and sqrt, so they are
+/// the same on every machine (the C library's last bit differs). The error is at most 2^-51. Values of 0, 1/2
+/// and 1 are exact, and at 45 degrees both are equal. The sine is odd and the cosine even, to the last bit.
 [[nodiscard]] SinCos sinCosDegrees(double degrees);
 
-/// sin / cos, within 2^-48 relatively up to 80 degrees; exactly 1 at 45, infinite at 90.
+/// sin / cos, with a relative error of at most 2^-48 up to 80 degrees; exactly 1 at 45, infinite at 90.
 [[nodiscard]] double tanDegrees(double degrees);
 
-/// The angle in degrees, in (-180, 180], with this ratio of sine to cosine: an angle between vectors from
-/// their cross and dot product. By + - * and / alone. Within 2^-45 of exact; exact for multiples of 45.
-/// Numbers of any size from 2^-1000 to 2^1000; 0 if both are 0.
+/// The angle in degrees, in (-180, 180], whose sine and cosine have this ratio and these signs; rounding may
+/// give -180. Use it to find the angle between two vectors from their cross and dot products. It uses only
+/// + - * and /. The error is at most 2^-45; multiples of 45 are exact. The arguments need not be normalised:
+/// 2^-1000 to 2^1000 in size. The result is 0 if both are 0.
 [[nodiscard]] double degreesOf(double sine, double cosine);
 
 }  // namespace xnewell

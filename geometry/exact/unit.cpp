@@ -7,8 +7,8 @@
 namespace xnewell {
 
 glm::dvec3 unit(glm::dvec3 v) {
-  // In this range no square that counts leaves a double's, and scaling by a power of two, as below, would
-  // change no bit.
+  // In this range no square that matters overflows or underflows. Scaling by a power of two, as below, would
+  // not change a bit.
   const double square = glm::dot(v, v);
   if (square > 0x1p-900 && square < 0x1p900) return v / std::sqrt(square);
   const double largest = std::max({std::abs(v.x), std::abs(v.y), std::abs(v.z)});

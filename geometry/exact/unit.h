@@ -4,7 +4,7 @@
 
 namespace xnewell {
 
-/// v / |v| without overflow or underflow on the way; 0 for the zero vector.
+/// v / |v|, without overflow or underflow on the way. For the zero vector the result is 0.
 [[nodiscard]] glm::dvec3 unit(glm::dvec3 v);
 
 }  // namespace xnewell

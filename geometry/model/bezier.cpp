@@ -13,20 +13,20 @@ namespace xnewell {
 
 namespace {
 
-/// A parameter t with its complement s = 1 - t, so that (s, t) and (t, s) are the same place on a curve
-/// and on the curve traversed backwards.
+/// A parameter t with its complement s = 1 - t. The pairs (s, t) and (t, s) are the same place on a curve and
+/// on the reversed curve.
 struct Parameter {
   double s, t;
 };
 
 Parameter parameter(double t) { return {1.0 - t, t}; }
 
-/// i / n, and (n - i) / n rounded by itself: 1 - i / n may differ from it in the last bit.
+/// i / n together with (n - i) / n, which is rounded by itself: 1 - i / n may differ from it in the last bit.
 Parameter fraction(int i, int n) { return {static_cast<double>(n - i) / n, static_cast<double>(i) / n}; }
 
-/// The cubic curve's point. Each term treats both ends alike and the sum pairs the terms that change
-/// places, so that reversal changes no bit. A coordinate that all control points share is kept exactly
-/// (the rounded weights need not sum to 1): a pole is one point and a level ring stays level.
+/// A point of a cubic curve. Each term treats both ends alike, and the sum pairs the terms that reversal
+/// exchanges, so reversal changes no bit. A coordinate that all control points share is kept exactly, because
+/// the rounded weights need not sum to 1: a pole stays one point and a level ring stays level.
 glm::dvec3 curvePoint(const glm::dvec3& p0, const glm::dvec3& p1, const glm::dvec3& p2, const glm::dvec3& p3,
                       Parameter at) {
   const auto [s, t] = at;
@@ -44,7 +44,7 @@ glm::dvec3 surfacePoint(const BezierPatch& patch, Parameter u, Parameter v) {
   return curvePoint(row(0), row(1), row(2), row(3), u);
 }
 
-/// Polynomials in h, the distance from the place asked for, constant term first.
+/// Polynomials in h, the distance from the given place; the constant term comes first.
 using Scalars = std::array<double, 6>;
 using Vectors = std::array<glm::dvec3, 6>;
 
@@ -55,7 +55,7 @@ Scalars product(const Scalars& a, const Scalars& b) {
   return c;
 }
 
-/// Bernstein polynomials of degree n <= 3 along t + direction h.
+/// The Bernstein polynomials of degree n <= 3 at t + direction h.
 std::array<Scalars, 4> bernstein(int n, double t, double direction) {
   constexpr double kBinomial[4][4] = {{1}, {1, 1}, {1, 2, 1}, {1, 3, 3, 1}};
   const Scalars rising{t, direction}, falling{1.0 - t, -direction};
@@ -67,11 +67,12 @@ std::array<Scalars, 4> bernstein(int n, double t, double direction) {
   return b;
 }
 
-/// Differences of neighbouring control points, 3 by 4 along u and 4 by 3 along v, scaled by a power of two.
+/// The differences of neighbouring control points, 3 by 4 along u and 4 by 3 along v, scaled by a power of
+/// two.
 struct Hodograph {
-  std::array<glm::dvec3, 12> u,
-      v;            ///< u[4 * i + j] = p(i+1, j) - p(i, j), v[3 * i + j] = p(i, j+1) - p(i, j)
-  double smallest;  ///< du x dv / 9 vanishes where it is no longer than this
+  /// u[4 * i + j] = p(i+1, j) - p(i, j); v[3 * i + j] = p(i, j+1) - p(i, j)
+  std::array<glm::dvec3, 12> u, v;
+  double smallest;  ///< du x dv / 9 vanishes if it is no longer than this
 };
 
 double largestLength(std::span<const glm::dvec3> vectors) {
@@ -99,7 +100,7 @@ Hodograph hodograph(const BezierPatch& patch) {
   return d;
 }
 
-/// du x dv / 9 at (u, v): the first coefficient of productAlong(), for a fraction of its cost.
+/// du x dv / 9 at (u, v). This is the first coefficient of productAlong(), at a fraction of its cost.
 glm::dvec3 productAt(const Hodograph& d, Parameter u, Parameter v) {
   const auto quadratic = [](Parameter p) { return std::array{p.s * p.s, 2.0 * (p.s * p.t), p.t * p.t}; };
   const std::array u2 = quadratic(u), v2 = quadratic(v);
@@ -111,7 +112,7 @@ glm::dvec3 productAt(const Hodograph& d, Parameter u, Parameter v) {
   return glm::cross(du, dv);
 }
 
-/// du x dv / 9 along (u, v) + direction h: the coefficients of h^0, h^1, ... up to h^10.
+/// du x dv / 9 at (u, v) + direction h: the coefficients of h^0, h^1, ... up to h^10.
 std::array<glm::dvec3, 11> productAlong(const Hodograph& d, glm::dvec2 at, glm::dvec2 direction) {
   const auto u2 = bernstein(2, at.x, direction.x), u3 = bernstein(3, at.x, direction.x);
   const auto v2 = bernstein(2, at.y, direction.y), v3 = bernstein(3, at.y, direction.y);
@@ -130,15 +131,15 @@ std::array<glm::dvec3, 11> productAlong(const Hodograph& d, glm::dvec2 at, glm::
   return n;
 }
 
-/// Numbers points as they come; equal ones get one number. A hash table with linear probing: no more
-/// than half of its slots fill up.
+/// Numbers points in the order in which they arrive; equal points get one number. It is a hash table with
+/// linear probing, at most half full.
 class PointTable {
  public:
   PointTable(std::vector<glm::dvec3>& points, std::size_t atMost)
       : points_{points}, slots_(std::bit_ceil(2 * atMost + 1), -1) {}
 
   int add(glm::dvec3 p) {
-    p += 0.0;  // makes -0 a 0: they are equal but differ in their bits
+    p += 0.0;  // turns -0 into 0: they are equal but differ in their bits
     std::size_t slot = hash(p);
     for (;; ++slot) {
       int& number = slots_[slot & (slots_.size() - 1)];
@@ -165,14 +166,14 @@ class PointTable {
   std::vector<int> slots_;
 };
 
-/// The corners of a quad that its face lists, 0 to 3: without repeated neighbours, or all if less than three
-/// would be left.
+/// The corners of a quad that its face lists, as indices 0 to 3. It omits repeated neighbours, unless fewer
+/// than three corners would be left; then it lists all.
 struct Listed {
   std::array<int, 4> corners;
   int count;
 };
 
-/// Of points or of their numbers.
+/// A Place is a point or the number of a point.
 template <typename Place>
 Listed listedCorners(const std::array<Place, 4>& quad) {
   Listed listed{{}, 0};
@@ -181,7 +182,7 @@ Listed listedCorners(const std::array<Place, 4>& quad) {
   return listed.count >= 3 ? listed : Listed{{0, 1, 2, 3}, 4};
 }
 
-/// The places of a face's corners among the (n + 1)^2 of a patch, row by row.
+/// The places of a face's corners among the (n + 1)^2 points of a patch, row by row.
 std::array<int, 4> quadOf(int row, int column, int n) {
   const int first = row * (n + 1) + column;
   return {first, first + n + 1, first + n + 2, first + 1};

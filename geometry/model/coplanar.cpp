@@ -18,16 +18,16 @@ namespace xnewell {
 
 namespace {
 
-/// A mesh's points moved and scaled by a power of two into [0, 1]^3, the longest side of their box in
+/// A mesh's points, moved and scaled by a power of two into [0, 1]^3. The longest side of their box is in
 /// [1/2, 1).
 struct UnitBox {
   std::vector<glm::dvec3> points;
-  double side = 0.0;       ///< the longest
-  double magnitude = 0.0;  ///< of the largest coordinate before the move
+  double side = 0.0;       ///< length of the box's longest side
+  double magnitude = 0.0;  ///< largest absolute coordinate before the move, at this scale
   int exponent = 0;        ///< length in the mesh = length here * 2^exponent
 
   explicit UnitBox(const std::vector<glm::dvec3>& meshPoints) {
-    // Scaled first, so that differences do not overflow.
+    // Scale first, so that differences do not overflow.
     Box box = boxOf(meshPoints);
     int first = 0, second = 0;
     std::frexp(box.magnitude(), &first);
@@ -54,7 +54,7 @@ class DisjointSets {
   std::vector<int> parent_;
 };
 
-/// The parts of one planar face, or a part of a bent one.
+/// The parts of one planar face, or one part of a bent face.
 struct Sheet {
   int firstPart = 0, partCount = 0;
   Plane plane;
@@ -99,7 +99,7 @@ class Coplanarity {
       int& most = largestOf[sets.of(s)];
       if (most < 0 || sheets_[s].area > sheets_[most].area) most = s;
     }
-    // The number of a class is known from its first sheet on, that of one who leaves is new.
+    // A class gets its number at its first sheet. A sheet that leaves its class gets a new number.
     std::vector<int> number(sheets_.size(), -1), planes(parts_.count());
     int next = 0;
     for (int s = 0; s < count; ++s) {
@@ -132,11 +132,12 @@ class Coplanarity {
     });
   }
 
-  /// Boxes in six dimensions that overlap if two parts can share a plane: the part's own box, and the
-  /// places where the perpendicular onto its plane from a point amid all may end. If every corner of a
-  /// polygon of area A is within tol of a plane, the sine of the angle between both is at most
-  /// tol * perimeter / A (its vector area changes by no more); the end of the perpendicular then moves by
-  /// that times the distance, and tol. Twice all that where a part may lie tol off its face's plane.
+  /// Boxes in six dimensions. They overlap if two parts can share a plane. Three dimensions are the part's
+  /// own box. The other three are the places where the perpendicular from a fixed point near the middle can
+  /// meet the part's plane. If every corner of a polygon of area A is within tol of a plane, the sine of the
+  /// angle between them is at most tol * perimeter / A, because the polygon's vector area changes by no more.
+  /// The foot of the perpendicular then moves by at most that sine times the distance, plus tol. The bound
+  /// doubles for a part that may lie tol off its face's plane.
   [[nodiscard]] std::vector<ItemBox> places() const {
     const glm::dvec3 from{0.43, 0.56, 0.47};
     std::vector<ItemBox> boxes;
@@ -160,7 +161,8 @@ class Coplanarity {
             glm::length(glm::max(glm::abs(around.low - from), glm::abs(around.high - from)));
         const double sine = 2.0 * mostTolerance_ * perimeter / area;
         const double play = (sheet.partCount == 1 ? 1.0 : 2.0) * (sine * distance + mostTolerance_);
-        // No two feet are further than 4 apart, and to float a number up to 8 is rounded by 2^-22.
+        // Two feet are never more than 4 apart. Rounding a number up to 8 to float changes it by at most
+        // 2^-22.
         const double nearFoot = std::min(play, 4.0) + 0x1p-22, nearby = mostTolerance_ + 0x1p-22;
         ItemBox& box = boxes.emplace_back(ItemBox{k, parts_.plane[k], {}, {}});
         for (int axis = 0; axis < 3; ++axis) {
@@ -185,7 +187,8 @@ class Coplanarity {
     return !parted(i, j, dropped, tol) && !parted(j, i, dropped, tol);
   }
 
-  /// Whether an edge of part i parts it from part j, seen along an axis.
+  /// True if an edge of part i separates it from part j, seen along the axis `dropped`. Part j may reach
+  /// across the edge by tol.
   [[nodiscard]] bool parted(int i, int j, int dropped, double tol) const {
     const auto P = parts_.part(i), Q = parts_.part(j);
     const auto seen = [&](int c) {
@@ -195,7 +198,7 @@ class Coplanarity {
     double area = 0.0;
     const glm::dvec2 origin = seen(P[0]);
     for (std::size_t c = 2; c < P.size(); ++c) area += cross(seen(P[c - 1]) - origin, seen(P[c]) - origin);
-    std::size_t inside = 0;  // the corner of Q inside the last edge is probably inside the next
+    std::size_t inside = 0;  // a corner of Q inside the last edge is probably inside the next too
     glm::dvec2 a = seen(P.back());
     for (const int c : P) {
       const glm::dvec2 b = seen(c), edge = area < 0.0 ? a - b : b - a;

@@ -19,7 +19,8 @@ struct Triangle {
 struct Box {
   LatticePoint low, high;
 
-  /// Whether the box lies strictly to the right of a -> b: then so does its leftmost corner, seen along ab.
+  /// True if the box lies strictly to the right of a -> b, that is, if its leftmost corner does, seen along
+  /// ab.
   bool rightOf(const LatticePoint& a, const LatticePoint& b) const {
     return turn(a, b, {b.y > a.y ? low.x : high.x, b.x > a.x ? high.y : low.y}) < 0;
   }
@@ -30,8 +31,8 @@ struct Box {
   }
 };
 
-/// The corners that can lie in an ear, in a k-d tree: halved by x and y in turn down to a few, so that
-/// crowded places cost no more than empty ones. Corners can be taken out.
+/// A k-d tree of the corners that can lie in an ear. It halves them by x and y in turn until few are left, so
+/// crowded places cost no more than empty ones. Corners can be removed.
 class CornerTree {
  public:
   CornerTree(std::span<const LatticePoint> points, std::vector<int> corners)
@@ -56,7 +57,8 @@ class CornerTree {
     }
   }
 
-  /// A corner in the closed triangle at none of its corners' places, or -1.
+  /// A corner in the closed triangle, or -1. Corners that coincide with a corner of the triangle do not
+  /// count.
   [[nodiscard]] int findIn(const Triangle& t) const { return corners_.empty() ? -1 : find(t, 0, 0, size()); }
 
  private:
@@ -79,7 +81,8 @@ class CornerTree {
     nodes_[node] = {box, high - low};
     if (high - low <= kLeaf) return;
     const int middle = (low + high) / 2;
-    const auto before = [&](int i, int j) {  // ties by number: the same tree on every machine
+    // break ties by number, so that the tree is the same on every machine
+    const auto before = [&](int i, int j) {
       const std::int64_t a = byX ? points_[i].x : points_[i].y, b = byX ? points_[j].x : points_[j].y;
       return a != b ? a < b : i < j;
     };
@@ -104,7 +107,7 @@ class CornerTree {
 
   std::span<const LatticePoint> points_;
   std::vector<int> corners_;  ///< in tree order
-  std::vector<int> place_;    ///< of a corner in corners_, -1 if it is not in the tree
+  std::vector<int> place_;    ///< place of a corner in corners_, -1 if it is not in the tree
   std::vector<Node> nodes_;   ///< children of k at 2k + 1 and 2k + 2
 };
 
@@ -136,7 +139,7 @@ class EarClipper {
  private:
   static constexpr int kGone = -1;
 
-  /// A corner to be tested. Stale once the corner was queued again or cut off.
+  /// A corner to be tested. The entry is stale after the corner is queued again or cut off.
   struct Turn {
     int corner, version;
   };
@@ -145,8 +148,8 @@ class EarClipper {
     int next;
   };
 
-  /// Links the corners and returns those that are not convex: if any corner lies in a triangle of three
-  /// successive corners, one of these does.
+  /// Links the corners and returns those that are not convex. Only these need testing: if any corner lies in
+  /// a triangle of three successive corners, one of these does.
   std::vector<int> ring() {
     const int n = static_cast<int>(p_.size());
     std::vector<int> notConvex;
@@ -161,8 +164,8 @@ class EarClipper {
   [[nodiscard]] bool isConvex(int v) const { return turn(p_[previous_[v]], p_[v], p_[next_[v]]) > 0; }
   [[nodiscard]] bool isCurrent(const Turn& t) const { return version_[t.corner] == t.version; }
 
-  /// To the end of the queue, where a corner also goes when a neighbour was cut off: so cuts alternate along
-  /// the outline, and triangles grow evenly instead of fanning out from one corner.
+  /// Adds a corner at the end of the queue. A corner is queued again when a neighbour is cut off. So the cuts
+  /// alternate along the outline, and the triangles grow evenly instead of fanning out from one corner.
   void enqueue(int v) { queue_.push_back({v, ++version_[v]}); }
 
   bool isEar(int v) {
@@ -174,7 +177,7 @@ class EarClipper {
     return false;
   }
 
-  /// Takes a corner out of the tree and queues those it stood in the way of.
+  /// Removes a corner from the tree and queues the corners whose triangles it obstructed.
   void release(int obstacle) {
     tree_.remove(obstacle);
     for (int w = firstWaiting_[obstacle]; w >= 0; w = waiting_[w].next)
@@ -196,8 +199,8 @@ class EarClipper {
     }
   }
 
-  /// For outlines that cross themselves, when no ear is left: the first convex corner found
-  /// obstructed that still is, else any.
+  /// Chooses a corner when no ear is left, in an outline that crosses itself: the first obstructed convex
+  /// corner that is still obstructed, otherwise any corner.
   int anyCorner() {
     for (; obstructed_ < waiting_.size(); ++obstructed_) {
       const Turn& t = waiting_[obstructed_].turn;
@@ -207,13 +210,13 @@ class EarClipper {
   }
 
   std::span<const LatticePoint> p_;
-  std::vector<int> previous_, next_;  ///< the outline that is left, a ring
-  std::vector<int> version_;          ///< counts a corner's places in the queue, kGone after the cut
+  std::vector<int> previous_, next_;  ///< a ring: the rest of the outline
+  std::vector<int> version_;          ///< how often each corner was queued; kGone after it is cut off
   std::vector<Turn> queue_;
   std::vector<Waiting> waiting_;
-  std::vector<int> firstWaiting_;  ///< of the corners waiting for this one to go, -1 for none
+  std::vector<int> firstWaiting_;  ///< first of the corners that wait for this one to go, -1 for none
   std::size_t obstructed_ = 0;     ///< entries of waiting_ before this one are stale
-  int last_ = 0;                   ///< a corner that is still there
+  int last_ = 0;                   ///< a corner of the rest of the outline
   CornerTree tree_;
   std::vector<std::array<int, 3>> triangles_;
 };

@@ -8,12 +8,12 @@ namespace xnewell {
 
 namespace {
 
-/// splitmix64, as standard generators are portable but standard distributions are not.
+/// The generator splitmix64. The standard generators are portable, but the standard distributions are not.
 /// @see Steele, Lea & Flood 2014
 class Random {
  public:
   explicit Random(std::uint64_t seed) : state_{seed} {}
-  /// In [-1, 1), a multiple of 2^-52.
+  /// A multiple of 2^-52 in [-1, 1).
   double next() {
     std::uint64_t z = state_ += 0x9E3779B97F4A7C15u;
     z = (z ^ (z >> 30)) * 0xBF58476D1CE4E5B9u;
@@ -21,7 +21,8 @@ class Random {
     return static_cast<double>((z ^ (z >> 31)) >> 11) * 0x1p-52 - 1.0;
   }
   glm::dvec3 nextVector() {
-    const double x = next(), y = next();  // one after the other: argument order is not fixed
+    // separate statements: the evaluation order of arguments is not fixed
+    const double x = next(), y = next();
     return {x, y, next()};
   }
 
@@ -41,7 +42,8 @@ Mesh cube() {
   Mesh mesh = emptyMesh("cube");
   for (int i = 0; i < 8; ++i) mesh.points.push_back({i & 1 ? 1 : -1, i & 2 ? 1 : -1, i & 4 ? 1 : -1});
   mesh.uv = {{0, 0}, {1, 0}, {1, 1}, {0, 1}};
-  constexpr std::array kFromFirst{0, 1, 2, 3}, kFromLast{1, 2, 3, 0};  // the face's corner at (0, 0)
+  // The face's first or last corner has the texture coordinates (0, 0).
+  constexpr std::array kFromFirst{0, 1, 2, 3}, kFromLast{1, 2, 3, 0};
   mesh.addFace(std::array{0, 4, 6, 2}, 0, -1, kFromLast);
   mesh.addFace(std::array{1, 3, 7, 5}, 0, -1, kFromFirst);
   mesh.addFace(std::array{0, 1, 5, 4}, 0, -1, kFromFirst);

@@ -6,24 +6,24 @@
 
 namespace xnewell {
 
-// Meshes for tests, benchmarks and lessons. One group, no rounding. Faces of closed solids are
-// counter-clockwise seen from outside.
+// Meshes for tests, benchmarks and lessons. Each has one group and exact coordinates. The faces of closed
+// solids are counter-clockwise seen from outside.
 
-/// The cube |x|, |y|, |z| <= 1: 8 vertices, 6 squares. Each shows the whole texture, v along z; of top and
-/// bottom along y.
+/// The cube |x|, |y|, |z| <= 1: 8 vertices, 6 squares. Each square shows the whole texture; v runs along z,
+/// on the top and the bottom along y.
 [[nodiscard]] Mesh cube();
 
-/// A unit sphere about the origin, poles on the z axis: `around` >= 3 meridians, `down` >= 2 bands;
-/// around * down faces, triangles at the poles. Texture: u eastward from the x axis, v from pole to pole; the
-/// corners at a pole have the u of their triangle's middle.
+/// A unit sphere about the origin with its poles on the z axis. It has `around` >= 3 meridians and `down` >=
+/// 2 bands, so around * down faces; those at the poles are triangles. Texture: u runs eastward from the x
+/// axis, v from the south pole to the north pole. A corner at a pole has the u of its triangle's middle.
 [[nodiscard]] Mesh sphere(int around, int down);
 
-/// A torus about the z axis, radii 1 and 0.4: around * across quadrilaterals, both >= 3. Texture: u
-/// eastward from the x axis, v around the tube, upwards from its outermost circle.
+/// A torus about the z axis with radii 1 and 0.4. It has around * across quadrilaterals, both >= 3. Texture:
+/// u runs eastward from the x axis, v around the tube, upwards from its outermost circle.
 [[nodiscard]] Mesh torus(int around, int across);
 
-/// `count` triangles with corners within `size` of centres scattered in the cube |x|, |y|, |z| <= 1; the
-/// same for a seed on every machine.
+/// `count` triangles, scattered. Their centres are in the cube |x|, |y|, |z| <= 1, and each coordinate of a
+/// corner is within `size` of its centre's. A seed gives the same triangles on every machine.
 [[nodiscard]] Mesh triangleSoup(int count, double size, std::uint64_t seed);
 
 }  // namespace xnewell

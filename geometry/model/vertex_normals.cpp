@@ -16,30 +16,31 @@ namespace xnewell {
 
 namespace {
 
-constexpr double kMostDoubt = 0x1p-10;     ///< of one normal, whatever the rounding: a length of its change
-constexpr double kRoundingOnly = 0x1p-40;  ///< of a sum by its terms' lengths, and of cosines
+constexpr double kMostDoubt = 0x1p-10;  ///< limit of FaceNormal::doubt, however coarse the rounding
+/// a sum this small, relative to its terms, is all rounding; also the slack of cosines
+constexpr double kRoundingOnly = 0x1p-40;
 
 struct FaceNormal {
   glm::dvec3 N{0.0};
   double area = 0.0;   ///< twice the area
-  double doubt = 0.0;  ///< how far N may be from the true normal, by the rounding of the coordinates
+  double doubt = 0.0;  ///< bound of |N - true normal| from the rounding of the coordinates
 };
 
-/// One summand at a point.
+/// One term of the sum at a point.
 struct Term {
   glm::dvec3 N{0.0};
   double weight = 0.0;
 };
 
-/// A corner of a face, listed at its point.
+/// A corner of a face, in the list of its point.
 struct Corner {
   int corner = 0, face = 0;
 };
 
-/// Normals of one point that are equal to the first of them.
+/// The normals at one point that are equal to the first of them.
 struct EqualNormals {
   const FaceNormal* first;
-  double key;  ///< the first's, as collectDistinct() sorts them
+  double key;  ///< the sort key of the first; see collectDistinct()
   glm::dvec3 vectorArea{0.0};
 };
 
@@ -70,7 +71,7 @@ class VertexNormals {
         collectTerms(corners);
       const std::size_t firstHere = result.vertices.size();
       for (const Corner& c : corners) {
-        const Vertex vertex{p, mesh_.material[c.face], normalAt(c) + 0.0};  // makes -0 a 0
+        const Vertex vertex{p, mesh_.material[c.face], normalAt(c) + 0.0};  // turns -0 into 0
         std::size_t v = firstHere;
         while (v < result.vertices.size() && !(result.vertices[v] == vertex)) ++v;
         if (v == result.vertices.size()) result.vertices.push_back(vertex);
@@ -81,9 +82,9 @@ class VertexNormals {
   }
 
  private:
-  /// A corner that moves by d changes Newell's vector by d x (the one after it - the one before it), so that
-  /// all together turn it by no more than 2 d perimeter / its length. d: the rounding of the file, half a
-  /// unit on each axis, and of doubles, as in divideFaces().
+  /// If a corner moves by d, the Newell vector changes by d x (the next corner - the previous corner). So all
+  /// corners together turn the vector by at most 2 d perimeter / its length. Here d is the rounding of the
+  /// file, half a unit on each axis, plus that of doubles, as in divideFaces().
   void measureFaces() {
     double magnitude = 0.0;
     for (const glm::dvec3& p : mesh_.points) magnitude = std::max(magnitude, largest(glm::abs(p)));
@@ -106,7 +107,7 @@ class VertexNormals {
     }
   }
 
-  /// The corners by their points, in file order at each.
+  /// Lists the corners of each point, in file order.
   void listCorners() {
     firstListed_.assign(mesh_.points.size() + 1, 0);
     for (const int p : mesh_.corners) ++firstListed_[p + 1];
@@ -118,7 +119,7 @@ class VertexNormals {
         listed_[next[mesh_.corners[c]]++] = {c, f};
   }
 
-  /// What is summed at a point, and the sum if it is the same for all its corners.
+  /// Collects the terms to sum at a point, and their sum if it is the same for all corners there.
   void collectTerms(std::span<const Corner> corners) {
     terms_.clear();
     if (countsEqualOnce_) {
@@ -137,15 +138,16 @@ class VertexNormals {
                                                   : 1.0;
       }
     }
-    // Two normals within half the crease of a third are within the crease of each other.
+    // Two normals that are within half the crease of a third are within the crease of each other.
     smooth_ = leastCosine_ <= -1.0 || std::ranges::all_of(terms_, [&](const Term& t) {
                 return glm::dot(t.N, terms_.front().N) >= leastCosineOfHalf_;
               });
     common_ = normalisedSum([](const Term&) { return true; });
   }
 
-  /// Equal normals have nearly the same component along any direction: faces sorted by it (a direction that
-  /// no cone is likely to have as its axis) find theirs among the few just before them.
+  /// Collects the equal normals. Equal normals have nearly the same component along any direction. So the
+  /// faces are sorted by this component, and a face finds its equals among the few before it. The direction
+  /// is one that is unlikely to be the axis of a cone.
   void collectDistinct(std::span<const Corner> corners) {
     constexpr glm::dvec3 kDirection{0.48, 0.6, 0.64};
     sorted_.clear();
@@ -173,7 +175,7 @@ class VertexNormals {
     return glm::dot(apart, apart) <= doubt * doubt;
   }
 
-  /// In degrees, [0, 360).
+  /// In degrees, in [0, 360).
   [[nodiscard]] double interiorAngle(const Corner& c) const {
     const int first = mesh_.firstCorner[c.face], last = mesh_.firstCorner[c.face + 1] - 1;
     const auto at = [&](int corner) { return mesh_.points[mesh_.corners[corner]]; };
@@ -182,7 +184,7 @@ class VertexNormals {
     const glm::dvec3 here = at(c.corner);
     int next = after(c.corner);
     while (at(next) == here) next = after(next);
-    // Where the corner before is at the same place, b is 0 and so is the angle.
+    // If the previous corner is at the same place, b is 0 and so is the angle.
     const glm::dvec3 a = at(next) - here, b = at(before(c.corner)) - here, N = faces_[c.face].N;
     const double sine = glm::dot(glm::cross(a, b), N);
     const double cosine = glm::dot(a, b) - glm::dot(a, N) * glm::dot(b, N);
@@ -203,7 +205,7 @@ class VertexNormals {
     return sum == glm::dvec3{0.0} ? own : sum;
   }
 
-  /// 0 for a sum that is all rounding.
+  /// The unit vector along the sum of the terms that `takes` selects; 0 if the sum is all rounding.
   template <typename Takes>
   [[nodiscard]] glm::dvec3 normalisedSum(Takes takes) const {
     glm::dvec3 sum{0.0};
@@ -225,11 +227,11 @@ class VertexNormals {
   std::vector<int> firstListed_;  ///< #points + 1, into listed_
   std::vector<Corner> listed_;
 
-  // Of the point at hand; kept for their memory.
+  // For the current point. They are members to reuse their memory.
   std::vector<Term> terms_;
   std::vector<std::pair<double, int>> sorted_;
   std::vector<EqualNormals> equal_;
-  bool smooth_ = true;  ///< no two terms are further apart than the crease
+  bool smooth_ = true;  ///< true if no two terms are further apart than the crease
   glm::dvec3 common_{0.0};
 };
 

@@ -10,8 +10,8 @@
 
 namespace xnewell {
 
-/// Normals of the surface that the faces stand for, at their corners: what Gouraud and Phong shading
-/// interpolate. @see Gouraud 1971, Foley & van Dam 2e §16.2.2
+/// Normals at the corners of faces, of the surface that the faces approximate. Gouraud and Phong shading
+/// interpolate them. @see Gouraud 1971, Foley & van Dam 2e §16.2.2
 
 enum class NormalRule { Sum, Distinct, Area, Angle, Exact };
 struct NormalRow {
@@ -26,48 +26,51 @@ inline constexpr std::array kNormalRules{
     NormalRow{NormalRule::Exact, "exact", "the surface itself, where there are patches; else distinct"},
 };
 
-/// Where the illumination is evaluated for the corners of faces: a place, a surface and its normal.
+/// A place where the illumination is evaluated: a point, the material of the surface and its normal.
 struct Vertex {
   int point = 0;      ///< index into Mesh::points
-  int material = -1;  ///< as Mesh::material
-  glm::dvec3 N{0};    ///< unit; 0 where no face at the point has an area
+  int material = -1;  ///< as in Mesh::material
+  glm::dvec3 N{0};    ///< unit; 0 if no face at the point has an area
   bool operator==(const Vertex&) const = default;
 };
 
-/// The corners of a mesh, those that agree in place, material and every bit of the normal as one vertex.
+/// The vertices of a mesh. Corners with the same point, the same material and the same normal, in every bit,
+/// share one vertex.
 struct Vertices {
-  std::vector<Vertex> vertices;  ///< in order of their points, those of one point as its corners come
+  std::vector<Vertex> vertices;  ///< in order of their points; at one point, in order of its corners
   std::vector<int> ofCorner;     ///< as many as Mesh::corners, index into vertices
 };
 
-/// The normals at the corners of a mesh's faces, unit vectors on the side from which faces run
-/// counter-clockwise. A face is what the file calls one, however it is divided later; a face without area
-/// contributes nothing.
+/// The unit normals at the corners of a mesh's faces. They point to the side from which the faces run
+/// counter-clockwise. A face here is a face of the file, however it is divided later. A face without area
+/// contributes nothing. The rules differ in the weights of the faces at a point:
 ///
-/// Sum       A face counts once at a point, and a flat face that the file holds in triangles as often as
-///           those meet there: a cube in 12 triangles leans where a side brings two to a corner.
-/// Distinct  Normals are equal if they are no further apart than the rounding of the file, and of doubles,
-///           can have turned them (at most 2^-10, about 0.06 degrees, each: finer than the facets of any
-///           tessellate()). Equal ones count as one, that of their areas together: of the face before it was
-///           cut. Whether they touch is no matter.
-/// Area      The vector areas.
-/// Angle     A corner counts by its interior angle, seen along the face's normal: more than 180 degrees where
-///           the face is concave. Cutting a flat face changes neither this nor Distinct. Of successive
-///           corners at one place the first has the angle. @see Thürmer & Wüthrich 1998
-/// Exact     `exact` has one unit normal for every corner of the mesh, 0 where it is not known, or nothing;
-///           there, Distinct holds.
+/// Sum       Every face counts once. A flat face stored as triangles counts as often as its triangles meet
+///           at the point. So a cube of 12 triangles has skewed normals where a side has two triangles.
+/// Distinct  Equal normals count once. Two normals are equal if they differ by no more than the rounding of
+///           the file and of doubles can explain, at most 2^-10 (about 0.06 degrees) for each. That is finer
+///           than the facets of any tessellate(). Equal normals become one, weighted by area: the normal of
+///           the face before it was cut. The faces need not touch each other along an edge.
+/// Area      Every face counts by its area.
+/// Angle     Every face counts by its interior angle at the corner, seen along the face's normal; it is more
+///           than 180 degrees at a concave corner. Cutting a flat face changes neither this nor Distinct. If
+///           successive corners coincide, the first has the angle. @see Thürmer & Wüthrich 1998
+/// Exact     `exact` holds the normals: one unit vector for each corner of the mesh, or 0 if it is unknown.
+///           There, and everywhere if `exact` is empty, Distinct applies.
 ///
-/// A corner takes part only with faces whose normal is within `creaseDegrees` of its own face's, those at the
-/// very angle included (cosines are compared to 2^-40): all at 180, its own face and its plane at 0. A corner
-/// of a face without area takes all. Exact normals know no crease.
+/// At a corner of a face, only those faces take part whose normals are within `creaseDegrees` of the face's
+/// own. A tie takes part (cosines are compared to 2^-40). At 180 all faces take part; at 0 only the face
+/// itself and faces in its plane. At a corner of a face without area all take part. The crease does not apply
+/// to exact normals.
 ///
-/// A sum no longer than 2^-40 of its terms' lengths is all rounding (two faces back to back): the corner then
-/// has its own face's normal.
+/// A sum no longer than 2^-40 of the total length of its terms is all rounding (for example, two faces back
+/// to back). The corner then has its own face's normal.
 ///
-/// Coordinates up to 2^500; faces narrower than 2^-500 count as without area. Well within this a mesh that is
-/// scaled by a power of two, and its rounding with it, has the same normals to the bit.
+/// Coordinates may be up to 2^500; faces narrower than 2^-500 count as faces without area. Well within these
+/// limits, scaling the mesh and its rounding by a power of two changes no bit of the normals.
 ///
-/// Work: linear; n log n for n faces at one point, with a crease n^2 where the surface turns by more there.
+/// Work: linear, but n log n for n faces at one point, and n^2 there if there is a crease and the surface
+/// turns by more than it.
 [[nodiscard]] Vertices smoothVertices(const Mesh& mesh, NormalRule rule, double creaseDegrees = 180.0,
                                       std::span<const glm::dvec3> exact = {});
 
