@@ -1,12 +1,14 @@
 #!/usr/bin/env bash
 # tests/front_door.sh [--tests] [--sudo] [--with "PACKAGE..."] [12|13]...
-# Does the README's first command work on a bare machine? Makes a root of Debian 12 and one of Debian 13, or the
-# ones named: debootstrap's smallest variant with git. Clones the last commit into a copy of it and runs the command.
-#   --tests             the README's second command, too
-#   --sudo              as a user with sudo, not as root
-#   --with "PACKAGE..." after these packages have been installed
-# The bare roots are kept in ~/.cache/xnewell. The copies are removed, except where a command failed.
-# Exit status: 0 all commands succeeded, 1 one failed, 77 a root could not be made here and nothing failed.
+# Checks that the README's first command works on a bare machine. It makes a root folder of Debian 12 and one
+# of Debian 13, or of the ones named, with debootstrap's smallest variant and git. In a copy of each it clones
+# the last commit and runs the command.
+#   --tests             runs the README's second command, too
+#   --sudo              runs them as a user with sudo, not as root
+#   --with "PACKAGE..." installs these packages first
+# The bare roots are kept in ~/.cache/xnewell. The copies are removed, except after a failure.
+# Exit status: 0 if all commands succeeded, 1 if one failed, 77 if nothing failed but a root could not be made
+# here.
 set -euo pipefail
 source "$(dirname "$(readlink -f "${BASH_SOURCE[0]}")")/../x11/setup.sh"
 
@@ -32,13 +34,13 @@ while (($#)); do
 done
 ((${#releases[@]})) || releases=(12 13)
 
-# Runs a command where mounts and processes are its own: they end with it, so nothing is mounted into a root from
-# outside, and removing a root cannot reach what is mounted there.
+# Runs a command with its own mounts and processes, which end with it. So nothing outside is ever mounted into
+# a root, and removing a root cannot reach anything mounted there.
 apart() { unshare --mount --pid --fork --kill-child --propagation private "$@"; }
 
-# inside ROOT COMMAND...: as root in that root, in a fresh environment without a display.
+# inside ROOT COMMAND...: runs the command as root in that root, in a fresh environment without a display.
 inside() {
-  # shellcheck disable=SC2016  # $1 is the inner shell's
+  # shellcheck disable=SC2016  # $1 belongs to the inner shell
   apart sh -c '
     mount -t proc proc "$1/proc" &&
       mount -t devpts -o newinstance,ptmxmode=0666,mode=620 devpts "$1/dev/pts" &&
@@ -47,7 +49,7 @@ inside() {
     PATH=/usr/local/sbin:/usr/local/bin:/usr/sbin:/usr/bin:/sbin:/bin "${@:2}"
 }
 
-# Refuses where something is mounted below. mountinfo writes a space as \040.
+# Removes a folder, unless something is mounted in it. mountinfo writes a space as \040.
 remove_root() {
   if grep -qF " ${1// /\\040}/" /proc/self/mountinfo; then
     say "something is mounted in $1: nothing there is removed"
@@ -56,10 +58,10 @@ remove_root() {
   rm -rf --one-file-system "$1"
 }
 
-# The package server of this machine, from its own apt sources: the first that has the suite.
+# Prints the package server of this machine that has the suite: the first one in its apt sources.
 package_server() {
   local uri
-  # shellcheck disable=SC2016  # apt's own variable
+  # shellcheck disable=SC2016  # REPO_URI is apt's own variable
   while read -r uri; do
     if /usr/lib/apt/apt-helper download-file "${uri%/}/dists/$1/Release" "$roots/Release" >/dev/null 2>&1; then
       rm "$roots/Release"
@@ -70,7 +72,7 @@ package_server() {
   return 1
 }
 
-# A root needs the way to the package server that this machine has: names, proxies, certificates.
+# Copies what this machine needs to reach the package server: names, proxies, certificates.
 copy_apt_settings() {
   local file
   apt-config dump | grep -E '^Acquire::(https?|Check-|ForceIP|Retries)' >"$1/etc/apt/apt.conf.d/00machine" || true
@@ -83,7 +85,7 @@ copy_apt_settings() {
   done
 }
 
-# bare_root RELEASE: makes the root, unless it is there. Where that is impossible, `why` says why.
+# bare_root RELEASE: makes the root, unless it exists. If that is impossible, `why` gets the reason.
 bare_root() {
   local suite=${suites[$1]} bare=$roots/debian-$1 server refused
   if ((EUID)); then
@@ -106,15 +108,15 @@ bare_root() {
   return 1
 }
 
-# The README's two commands: the first two lines of its first block.
+# The README's two commands are the first two lines of its first block.
 mapfile -t commands < <(sed -n '/^```sh$/,/^```$/p' "$root/README.md" | sed -n 's/^\([^`# ]\+\) *#.*/\1/p' | head -2)
 ((${#commands[@]} == 2)) || { say "README.md: its first block should have two commands"; exit 1; }
 [[ $with_tests ]] || unset 'commands[1]'
 
-# What a command says, indented; of ctest only the failures and the end.
+# Indents what a command prints. Of ctest it keeps only the failures and the end.
 indented() { sed -uE '/(Start +[0-9]+:| Passed +[0-9.]+ sec)/d; s/^/    /' >&2; }
 
-# prepare RELEASE COPY HOME: a copy of the bare root, with the user, the packages asked for and a clone.
+# prepare RELEASE COPY HOME: makes a copy of the bare root, with the user, the packages asked for and a clone.
 prepare() {
   local copy=$2 home=$3 with=$preinstalled
   [[ $user == root ]] || with=${with:+$with }sudo
@@ -132,7 +134,7 @@ prepare() {
   git clone --quiet "$root" "$copy$home/xnewell" && inside "$copy" chown -R "$user:" "$home/xnewell"
 }
 
-# front_door RELEASE: whether the commands succeed there.
+# front_door RELEASE: succeeds if the commands succeed in that release.
 front_door() {
   local copy=$roots/debian-$1-copy home=/root run=(bash -c) log=$root/build/front-door-$1.log command start
   [[ $user == root ]] || home=/home/$user run=(su --login "$user" --command)

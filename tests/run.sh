@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
-# tests/run.sh [ctest options]: every test. Installs the packages that are missing and builds first.
-# The exit status is that of the tests. They start X servers of their own.
-# XNEWELL_PRESET=developer builds that preset instead of `release`: warnings are errors.
+# tests/run.sh [ctest options]: runs every test. It first installs missing packages and builds. Its exit
+# status is that of the tests. The tests start their own X servers.
+# With XNEWELL_PRESET=developer it builds that preset instead of `release`: warnings are errors.
 set -euo pipefail
 source "$(dirname "$(readlink -f "${BASH_SOURCE[0]}")")/../x11/setup.sh"
 

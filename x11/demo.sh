@@ -1,8 +1,8 @@
 #!/usr/bin/env bash
-# x11/demo.sh [SCENE] [options]: the teapot, or SCENE, in a window. Installs the packages that are
-# missing and builds first. The options are those of `xnewell view`.
-# Without a display, an 8-bit PseudoColor server (Xvfb) is started for a moment, and the window, as that
-# server shows it, is saved as build/demo.png.
+# x11/demo.sh [SCENE] [options]: shows the teapot, or SCENE, in a window. It first installs missing packages
+# and builds. The options are those of `xnewell view`.
+# Without a display, it starts an 8-bit PseudoColor server (Xvfb) for a moment and saves the window, as that
+# server shows it, to build/demo.png.
 set -euo pipefail
 source "$(dirname "$(readlink -f "${BASH_SOURCE[0]}")")/setup.sh"
 
@@ -22,7 +22,7 @@ if [[ -n ${DISPLAY:-} ]]; then
   exec "$xnewell" view "$scene" "$@"
 fi
 
-# Both run beside this script, so that Ctrl-C or kill is answered at once, and takes them along.
+# Both run in the background, so that Ctrl-C or kill ends this script at once, and them with it.
 server='' program=''
 finish() {
   trap '' INT TERM HUP
@@ -54,7 +54,7 @@ program=$!
 status=0
 wait "$program" || status=$?
 program=''
-if ((status == 0)) && [[ -f $picture ]]; then  # `--help` makes none
+if ((status == 0)) && [[ -f $picture ]]; then  # `--help` makes no picture
   echo "the window: $picture"
 fi
 exit "$status"

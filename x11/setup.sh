@@ -1,24 +1,26 @@
-# shellcheck shell=bash disable=SC2034  # the lists of packages are for those who source this
-# For the other scripts to source: installs what Debian or Ubuntu lacks, and builds. Both show how far they are.
-#   need PACKAGE...         installs the missing ones; the network is not used when there are none
-#   build PRESET [-D...] [-- TARGET]    into build/PRESET
-# With XNEWELL_NO_INSTALL=1, need() installs nothing: it names what is missing and fails.
+# shellcheck shell=bash disable=SC2034  # the scripts that source this use the lists of packages
+# Other scripts source this file. need() installs the packages that Debian or Ubuntu lacks, and build() builds.
+# Both show their progress.
+#   need PACKAGE...         installs those that are missing; if there are none, it does not use the network
+#   build PRESET [-D...] [-- TARGET]    builds into build/PRESET
+# With XNEWELL_NO_INSTALL=1, need() installs nothing: it lists what is missing and fails.
 # With CXX set, that compiler is used, and g++ is not needed.
 
 set -o pipefail
 root=$(cd "$(dirname "$(readlink -f "${BASH_SOURCE[0]}")")/.." && pwd -P)
 
-# tests/front_door.sh shows that these lists are complete.
+# tests/front_door.sh checks that these lists are complete.
 program_packages=(cmake ninja-build libx11-dev libxext-dev libglm-dev libpng-dev libboost-dev
   nlohmann-json3-dev libcli11-dev libfreetype-dev xfonts-base)
 [[ ${CXX:-} ]] || program_packages=(g++ "${program_packages[@]}")
 test_packages=(libgtest-dev libgmock-dev libxres-dev libxtst-dev
   xvfb xserver-xephyr tigervnc-standalone-server twm x11-apps)
 
-# All messages go to standard error: standard output belongs to the program.
+# All messages go to standard error, because standard output belongs to the program.
 say() { printf 'xnewell: %s\n' "$*" >&2; }
 
-# The packages that are not installed, one a line. A system without dpkg is trusted to have them all.
+# Prints the packages that are not installed, one per line. If there is no dpkg, we assume that all are
+# installed.
 missing() {
   command -v dpkg-query >/dev/null || return 0
   local package
@@ -27,23 +29,24 @@ missing() {
   done
 }
 
-# Reads the output of apt-get or ninja and shows how far it is: on a terminal one line that changes, elsewhere a
-# line every ten seconds.
+# Reads the output of apt-get or ninja and shows the progress: on a terminal in one line that changes,
+# elsewhere with a new line every ten seconds.
 show_progress() {
   local what=$1 line percent=0 now='' start=$SECONDS shown=$SECONDS every=10
   local apt='^(dl|pm)status:[^:]*:([0-9]+)[0-9.]*:(.*)' ninja='^\[([0-9]+)/([0-9]+)\] (.*)'
   [[ ! -t 2 ]] || every=1
   trap 'say "$what: interrupted; it ends as soon as it can"' INT
-  while IFS= read -r -t "$every" line || (($? > 128)); do  # above 128: nothing was said for so long
+  while IFS= read -r -t "$every" line || (($? > 128)); do  # above 128: no line came in that time
     if [[ $line =~ $apt ]]; then
       percent=${BASH_REMATCH[2]} now=${BASH_REMATCH[3]}
-      # apt-get counts to 100 twice. Installing takes about twice as long as downloading.
+      # apt-get counts to 100 twice: while it downloads, and while it installs, which takes about twice as
+      # long.
       [[ ${BASH_REMATCH[1]} == dl ]] && percent=$((percent / 3)) || percent=$((33 + percent * 2 / 3))
     elif [[ $line =~ $ninja ]]; then
       percent=$((100 * BASH_REMATCH[1] / BASH_REMATCH[2])) now=${BASH_REMATCH[3]%/CMakeFiles/*}
       now=${now##* }  # the folder that is compiled, or the program that is linked
     elif [[ $line == *'Waiting for'* ]]; then
-      now=$line  # another program is installing
+      now=$line  # another program is installing packages
     fi
     if [[ -t 2 ]]; then
       printf '\r\033[K%.79s' "xnewell: $what: $percent %, $((SECONDS - start)) s  $now" >&2
@@ -55,7 +58,7 @@ show_progress() {
   [[ ! -t 2 ]] || printf '\r\033[K' >&2
 }
 
-# Of the log of what failed, the part that says why.
+# Prints the part of a failed command's log that says why it failed.
 why_it_failed() {
   if grep -q '^E: ' "$1"; then
     grep '^E: ' "$1" | sort -u | head -3
@@ -64,8 +67,8 @@ why_it_failed() {
   fi
 }
 
-# logged LOG WHAT COMMAND...: runs the command and shows how far it is. Its output goes to the log. Returns its status;
-# an interrupt ends the script.
+# logged LOG WHAT COMMAND...: runs the command, shows its progress and writes its output to the log. Returns
+# its status; an interrupt ends the script.
 logged() {
   local log=$1 what=$2 start=$SECONDS status=0 interrupted=''
   shift 2
@@ -104,7 +107,7 @@ need() {
   say "missing packages: ${absent[*]}"
   local lists=$root/build/apt-update.log
   logged "$lists" "reading the lists of packages" "${apt[@]}" update || return
-  # Where no server answers, apt-get says so and succeeds.
+  # If no server answers, apt-get prints errors but succeeds.
   if grep -q '^Err:' "$lists" && ! grep -qE '^(Get|Hit):' "$lists"; then
     grep -m 1 '^W: ' "$lists" >&2 || true
     say "no package server answers; the whole log is $lists"
@@ -123,7 +126,7 @@ build() {
   logged "$root/build/$1.log" "building build/$1" configure_and_build "$@"
 }
 
-# A body in (): the caller's folder and options stay as they are.
+# The body is in (), a subshell, so that the caller's folder and options do not change.
 configure_and_build() (
   preset=$1 definitions=()
   shift

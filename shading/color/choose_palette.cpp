@@ -13,7 +13,7 @@ struct CountedColor {
   std::uint32_t count;  ///< pixels, at most 2^26
 };
 
-/// Pixels and their summed channels: below 2^26 and 2^34.
+/// A number of pixels (at most 2^26) and the sum of each of their channels (below 2^34).
 struct Sum {
   std::int64_t n = 0, r = 0, g = 0, b = 0;
   Sum& operator+=(const Sum& o) {
@@ -33,7 +33,8 @@ glm::u8vec3 mean(const Sum& s) {
   return {rounded(s.r), rounded(s.g), rounded(s.b)};
 }
 
-/// Every different colour, ascending by red, green, blue, and how many pixels show it.
+/// Lists every distinct colour, in ascending order of red, then green, then blue, with the number of pixels
+/// that show it.
 std::vector<CountedColor> countColors(const RgbImage& picture, Shows shows) {
   struct Run {
     std::uint32_t key, pixels;
@@ -46,7 +47,7 @@ std::vector<CountedColor> countColors(const RgbImage& picture, Shows shows) {
     if (runs.empty() || runs.back().key != key) runs.push_back({key, 0});
     ++runs.back().pixels;
   }
-  // Radix sort, the lower twelve bits first.
+  // A radix sort in two passes: first the lower twelve bits of the key, then the upper twelve.
   constexpr int kBits = 12;
   sorted.resize(runs.size());
   for (const int shift : {0, kBits}) {
@@ -67,15 +68,17 @@ std::vector<CountedColor> countColors(const RgbImage& picture, Shows shows) {
   return colors;
 }
 
-/// Where to part a box in two: colours whose channel `axis` is at most `last`, and the others.
+/// A plane that divides a box in two: on one side the colours whose channel `axis` is at most `last`, on the
+/// other the rest.
 struct Cut {
-  double gain = 0;  ///< by how much the summed squared distances from the means fall; 0 for a single colour
+  double gain = 0;  ///< the drop in the sum of squared distances from the means; 0 if there is only one
+                    ///< colour
   int axis = 0, last = 0;
 };
 
-/// Parting the sum of a box into p and q makes its squared error smaller by
-/// |mean p - mean q|^2 n_p n_q / (n_p + n_q) = |n_q p - n_p q|^2 / (n_p n_q (n_p + n_q)).
-/// The differences are exact, below 2^61; the rest is rounded, everywhere alike.
+/// Dividing a box with sum p + q into p and q lowers its squared error by
+/// mean p - mean q|^2 n_p n_q / (n_p + n_q) = |n_q p - n_p q|^2 / (n_p n_q (n_p + n_q)).
+/// The differences are exact integers below 2^61. The rest is rounded, in the same way on every machine.
 double gainOf(const Sum& p, const Sum& q) {
   const auto difference = [&](std::int64_t inP, std::int64_t inQ) {
     return static_cast<double>(q.n * inP - p.n * inQ);
@@ -85,7 +88,7 @@ double gainOf(const Sum& p, const Sum& q) {
   return (r * r + g * g + b * b) / (m * n * (m + n));
 }
 
-/// The cut that gains most; among equals the first axis, then the lowest value.
+/// The cut with the largest gain. If several are equal: the first axis, then the lowest value.
 Cut bestCut(std::span<const CountedColor> box) {
   std::array<std::array<Sum, 256>, 3> slices{};
   Sum whole;
@@ -107,7 +110,7 @@ Cut bestCut(std::span<const CountedColor> box) {
   return best;
 }
 
-/// What X servers show on gray visuals, times 100.
+/// The gray that X servers show for this colour on gray visuals, times 100.
 int luminance100(glm::u8vec3 c) { return 30 * c.r + 59 * c.g + 11 * c.b; }
 
 }  // namespace
@@ -117,7 +120,7 @@ std::vector<glm::u8vec3> choosePalette(const RgbImage& picture, Shows shows, int
   std::vector<CountedColor> counted = countColors(picture, shows);
   if (counted.empty()) return {};
 
-  // Each cut parts the box that gains most by it, among equals the first.
+  // Each step cuts the box that gains most by its cut; if several gain the same, the first of them.
   struct Box {
     std::span<CountedColor> colors;
     Cut cut;
@@ -136,7 +139,7 @@ std::vector<glm::u8vec3> choosePalette(const RgbImage& picture, Shows shows, int
     boxes.push_back({parts[1], bestCut(parts[1])});
   }
 
-  // The boxes are disjoint, so their rounded means differ.
+  // The boxes do not overlap, so no two of their rounded means are equal.
   std::vector<glm::u8vec3> palette;
   for (const Box& box : boxes) {
     Sum sum;

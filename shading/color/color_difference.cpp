@@ -12,16 +12,16 @@ namespace {
 
 constexpr double kDegree = std::numbers::pi / 180;
 
-/// Linear light of a stored value, both in [0, 1].
+/// The linear light of an sRGB value. Both lie in [0, 1].
 double linear(double v) { return v <= 0.04045 ? v / 12.92 : std::pow((v + 0.055) / 1.055, 2.4); }
 
-/// CIE's cube root with its straight part near black, which meets it at (6/29)^3 with one slope.
+/// CIE's cube root. Near black a straight line replaces it; the two meet at (6/29)^3 with the same slope.
 double labRoot(double t) {
   constexpr double kJoin = 6.0 / 29.0;
   return t > kJoin * kJoin * kJoin ? std::cbrt(t) : t / (3 * kJoin * kJoin) + 4.0 / 29.0;
 }
 
-/// In [0, 360), 0 for a neutral colour.
+/// The hue angle in degrees, in [0, 360). It is 0 for a neutral colour.
 double hueAngle(double a, double b) {
   if (a == 0 && b == 0) return 0;
   const double angle = std::atan2(b, a) / kDegree;
@@ -30,7 +30,7 @@ double hueAngle(double a, double b) {
 
 double square(double x) { return x * x; }
 
-/// sqrt(C^7 / (C^7 + 25^7)): 0 for grays, 1 for the most colourful.
+/// sqrt(C^7 / (C^7 + 25^7)). It is 0 for grays and tends to 1 for the most colourful colours.
 double saturation(double C) {
   const double seventh = std::pow(C, 7);
   return std::sqrt(seventh / (seventh + 6103515625.0));
@@ -40,7 +40,8 @@ double saturation(double C) {
 
 Lab labFromSrgb(Rgb16 color) {
   const double r = linear(color.r / 65535.0), g = linear(color.g / 65535.0), b = linear(color.b / 65535.0);
-  // Each row over its own sum, the white point: white is (100, 0, 0) and grays are neutral.
+  // Each row is divided by its own sum, which is the white point. So white is (100, 0, 0) and grays are
+  // neutral.
   const double X = labRoot((0.4124564 * r + 0.3575761 * g + 0.1804375 * b) / 0.9504700);
   const double Y = labRoot((0.2126729 * r + 0.7151522 * g + 0.0721750 * b) / 1.0000001);
   const double Z = labRoot((0.0193339 * r + 0.1191920 * g + 0.9503041 * b) / 1.0888300);
@@ -52,16 +53,16 @@ Lab labFromSrgb(const std::uint8_t* rgb) {
   return labFromSrgb(Rgb16{wide(rgb[0]), wide(rgb[1]), wide(rgb[2])});
 }
 
-// The paper's letters, primes left out: equations (2) to (22).
+// The letters are the paper's, without the primes: equations (2) to (22).
 double ciede2000(const Lab& p, const Lab& q) {
   const double G = (1 - saturation((std::hypot(p.a, p.b) + std::hypot(q.a, q.b)) / 2)) / 2;
   const double a1 = (1 + G) * p.a, a2 = (1 + G) * q.a;
   const double C1 = std::hypot(a1, p.b), C2 = std::hypot(a2, q.b);
   const double h1 = hueAngle(a1, p.b), h2 = hueAngle(a2, q.b);
 
-  // The hue's difference the short way round, and its mean. A neutral colour has no hue: then there is no
-  // difference and the other's hue is the mean.
-  constexpr double kRounding = 1e-12;  // degrees; an angle below 360 is rounded by less
+  // The difference of the hues, taken the short way round the circle, and their mean. A neutral colour has no
+  // hue: the difference is then 0, and the hue of the other colour is the mean.
+  constexpr double kRounding = 1e-12;  // degrees; the rounding error of an angle below 360 is smaller
   const bool neutral = C1 * C2 == 0, wraps = !neutral && std::abs(h2 - h1) > 180 + kRounding;
   double dh = neutral ? 0 : h2 - h1;
   if (wraps) dh += dh > 0 ? -360 : 360;
@@ -84,7 +85,7 @@ ImageDifference imageDifference(const RgbImage& p, const RgbImage& q, std::span<
   assert(counts.empty() || counts.size() * 3 == p.rgb.size());
   ImageDifference result;
   double sum = 0;
-  // Neighbours are often alike: the last pair's difference is kept.
+  // Neighbouring pixels are often alike, so we keep the difference of the last pair.
   const std::uint8_t* lastP = nullptr;
   const std::uint8_t* lastQ = nullptr;
   double difference = 0;

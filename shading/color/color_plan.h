@@ -5,7 +5,7 @@
 
 namespace xnewell {
 
-/// Which colours the cells of the scene hold.
+/// The plans for the colours that the scene's cells hold.
 
 enum class ColorPlan { Needed, OneHue, Hues, Cube, Chosen };
 struct ColorPlanRow {

@@ -5,7 +5,7 @@
 
 namespace xnewell {
 
-/// An image and the colours of its cells.
+/// An index image together with the colours of its cells.
 struct ColoredImage {
   IndexImage image;
   Palette palette;

@@ -8,8 +8,9 @@
 
 namespace xnewell {
 
-/// A picture of at most 256 colours as cells: its own colours, ascending by red, green and blue, in cells 0
-/// and up, the others black. Nothing where it has more.
+/// Converts a picture of at most 256 colours to an index image. Its colours fill cells 0 and up, in ascending
+/// order of red, then green, then blue; the other cells are black. Returns nothing if the picture has more
+/// than 256 colours.
 [[nodiscard]] std::optional<ColoredImage> inFewColors(const RgbImage& picture);
 
 }  // namespace xnewell

@@ -23,7 +23,7 @@ std::vector<TableSettings> planHues(std::span<const HueNeed> needs, const TableS
     ramps.push_back(ramp);
   }
 
-  // By how much one shade more would lower each hue's part of the sum.
+  // The amount by which one more shade for a hue would lower that hue's part of the sum.
   std::vector<double> gains(hues);
   const auto gainOf = [&](int k) {
     const int N = ramps[k].shades;

@@ -6,8 +6,8 @@
 
 namespace xnewell {
 
-/// 8-bit colour indices, row by row from the top: the picture, whatever the server.
-/// Pixel (i, j), j downward, covers [i, i+1) x [j, j+1); its sample is the centre.
+/// A picture of 8-bit colour indices, row by row from the top. It does not depend on the server.
+/// Pixel (i, j), with j counted downward, covers [i, i+1) x [j, j+1); its sample is the centre.
 struct IndexImage {
   int width = 0, height = 0;  ///< 1..8192 each
   std::vector<std::uint8_t> pixels;

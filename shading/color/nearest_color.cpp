@@ -6,12 +6,12 @@
 
 namespace xnewell {
 
-// A palette colour is nearest nowhere in a block if its least distance to the block exceeds another's
-// greatest.
+// A palette colour can be left out of a block's list if its least distance to the block is greater than the
+// greatest distance of another colour: the other is then nearer everywhere in the block.
 int NearestColor::candidates(glm::u8vec3 color) {
   assert(!palette_.empty() && palette_.size() <= 255);
   constexpr int kSide = 1 << kBits;
-  std::array<int, 255> nearest;  // squared distance to the block
+  std::array<int, 255> nearest;  // squared distance from each palette colour to the block
   int bound = 1 << 20;           // the least of the greatest distances
   for (std::size_t k = 0; k < palette_.size(); ++k) {
     int least = 0, greatest = 0;

@@ -7,12 +7,13 @@
 
 namespace xnewell {
 
-/// The nearest of a palette's colours by squared distance of the 8-bit values, exactly; of two equally near
-/// the later. The 256^3 colours are divided into blocks of 8^3; what is nearest somewhere in a block
-/// is found when its first colour is asked for, and only that is compared.
+/// Finds the palette colour nearest to a given colour, exactly, by the squared distance of the 8-bit values.
+/// If two are equally near, the later one counts. The 256^3 colours are divided into blocks of 8^3. When a
+/// colour of a block is first asked for, we list the palette colours that are nearest to some colour of the
+/// block; only those are compared.
 class NearestColor {
  public:
-  /// 1..255 colours. The palette outlives this.
+  /// The palette has 1..255 colours and must outlive this object.
   explicit NearestColor(std::span<const glm::u8vec3> palette)
       : palette_{palette}, list_(kBlocks * kBlocks * kBlocks, -1) {}
 
@@ -35,11 +36,12 @@ class NearestColor {
     const int r = p.r - q.r, g = p.g - q.g, b = p.b - q.b;
     return r * r + g * g + b * b;
   }
-  /// Appends the list of the block that holds `color`: how many, then their numbers, ascending.
+  /// Appends the list of the block that holds `color`: first the number of candidates, then their palette
+  /// indices in ascending order. Returns the place where the list begins.
   int candidates(glm::u8vec3 color);
 
   std::span<const glm::u8vec3> palette_;
-  std::vector<int> list_;                 ///< where each block's list begins, -1 while nobody asked
+  std::vector<int> list_;                 ///< where each block's list begins; -1 if it was not made yet
   std::vector<std::uint8_t> candidates_;  ///< the lists
 };
 

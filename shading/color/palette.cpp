@@ -43,7 +43,7 @@ CellPlan::CellPlan(TableKind table, int black, int white) {
   };
   if (black >= 0 && black < 256 && !inRamp(black)) place(0, black);
   if (white >= 0 && white < 256 && white != black && !inRamp(white)) place(1, white);
-  // Whoever finds its usual cell free keeps it; the rest take what is left, in order.
+  // A colour keeps its usual cell if that is free. The others take the cells that are left, in order.
   for (int role = 0; role < kCells; ++role)
     if (!placed[role] && !taken[kCellRows[role].preferred]) place(role, kCellRows[role].preferred);
   for (int role = 0; role < kCells; ++role)

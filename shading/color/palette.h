@@ -8,7 +8,7 @@
 
 namespace xnewell {
 
-/// The 256 colours that go with an index image: sixteen cells for the tool, the rest for the ramp.
+/// The 256 colours of an index image: sixteen cells for the interface, the rest for the scene.
 
 enum class Cell {
   Black,
@@ -29,7 +29,7 @@ enum class Cell {
   Focus
 };
 inline constexpr int kCells = 16;
-/// What each is for, in a word or two.
+/// A short name of each cell's use.
 inline constexpr std::array<std::string_view, kCells> kCellNames{"black",
                                                                  "white",
                                                                  "paper",
@@ -47,12 +47,12 @@ inline constexpr std::array<std::string_view, kCells> kCellNames{"black",
                                                                  "fails",
                                                                  "focus"};
 
-/// Where each interface colour lives. The usual places are those of the drawing of the window; black
-/// and white are the server's own pixels, and whoever stood there moves aside.
+/// The cell of each interface colour. The usual cells are those of the window's design. Black and white keep
+/// the pixel values that the server gives them; a colour whose usual cell is thereby taken moves to another.
 class CellPlan {
  public:
-  /// `black` and `white` as the server tells them. A pixel inside the ramp cannot be kept: the tool
-  /// then keeps a black or white of its own.
+  /// `black` and `white` are the server's pixel values. If one of them lies inside the ramp, it cannot be
+  /// kept: the interface then has a black or white of its own.
   explicit CellPlan(TableKind table = TableKind::Linear, int black = 0, int white = 1);
   [[nodiscard]] std::uint8_t operator[](Cell cell) const { return at_[static_cast<int>(cell)]; }
   bool operator==(const CellPlan&) const = default;
@@ -63,11 +63,11 @@ class CellPlan {
 
 using Palette = std::array<Rgb16, 256>;
 
-/// The colours of the scene's cells, and in the plan's sixteen those of the tool.
+/// The scene's colours, with the interface's sixteen colours put into the cells of the plan.
 [[nodiscard]] Palette withInterface(Palette scene, const CellPlan& plan);
 
-/// Every cell's colour: the plan's sixteen, the ramp, and `unneeded` (the server's default colours, or
-/// black) in the cells that fewer than 240 shades leave free.
+/// The colour of every cell: the plan's sixteen, the ramp, and `unneeded` in the cells that a ramp of fewer
+/// than 240 shades leaves free (the server's default colours, or black).
 [[nodiscard]] Palette makePalette(const CellPlan& plan, const ColorTable& table,
                                   const Palette& unneeded = {});
 

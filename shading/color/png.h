@@ -8,24 +8,24 @@
 
 namespace xnewell {
 
-/// PNG files. What is written depends on the pixels alone: no time, no name of a program.
-/// A file is complete or absent, as writeFile() has it.
+/// Reads and writes PNG files. The bytes written depend on the pixels alone: they hold no time and no program
+/// name. A file is written completely or not at all (see writeFile()).
 
-/// A palette PNG of 8 bits a pixel: the index image as it is, with the 256 colours as a server shows
-/// them, 16-bit value >> 8. 1..8192 pixels each way.
+/// Writes a palette PNG of 8 bits per pixel: the index image unchanged, and its 256 colours as a server shows
+/// them (16-bit value >> 8). Width and height are 1..8192 pixels.
 /// @throws std::system_error `FILE: No such file or directory`
 void writePng(const std::string& file, const IndexImage& image, const Palette& palette);
 
-/// An RGB PNG of 8 bits a channel.
+/// Writes an RGB PNG of 8 bits per channel.
 void writePng(const std::string& file, const RgbImage& image);
 
-/// The same as the bytes of a file.
+/// The same pictures as the bytes of a file.
 [[nodiscard]] std::string encodePng(const IndexImage& image, const Palette& palette);
 [[nodiscard]] std::string encodePng(const RgbImage& image);
 
-/// A PNG of any kind as RGB; what is transparent shows black behind it.
-/// @throws std::system_error when the file cannot be opened, ParseError when it is no whole PNG or
-/// larger than 8192 pixels either way
+/// Reads a PNG of any kind as RGB. Transparent pixels are shown on black.
+/// @throws std::system_error if the file cannot be opened; ParseError if it is not a complete PNG, or if its
+/// width or height is more than 8192 pixels
 [[nodiscard]] RgbImage readPng(const std::string& file);
 
 }  // namespace xnewell

@@ -11,7 +11,7 @@ namespace xnewell {
 
 namespace {
 
-/// Calls paint(x, y, color, cell) for every pixel that shows something.
+/// Calls paint(x, y, color, cell) for every pixel that shows part of the scene.
 template <class Paint>
 void eachPixel(const RgbImage& picture, Shows shows, IndexImage& cells, Paint&& paint) {
   assert(cells.width == picture.width && cells.height == picture.height);
@@ -24,7 +24,7 @@ void eachPixel(const RgbImage& picture, Shows shows, IndexImage& cells, Paint&& 
     }
 }
 
-/// One channel of the cube.
+/// The levels of one channel of the cube.
 class Channel {
  public:
   explicit Channel(int levels) : levels_{levels} {
@@ -46,7 +46,8 @@ class Channel {
  private:
   int levels_;
   std::array<std::uint8_t, 256> below_, nearest_;
-  std::array<std::uint8_t, 256> fraction_;  ///< 0..64 of the step from the level below, to the nearest
+  std::array<std::uint8_t, 256> fraction_;  ///< the part of the step above the lower level, rounded to 64ths:
+                                            ///< 0..64
 };
 
 struct Cube {
@@ -56,17 +57,18 @@ struct Cube {
   static int number(int r, int g, int b) { return (r * kGreens + g) * kBlues + b; }
 };
 
-/// Two colours of a palette, and how many of 64 places the second has.
+/// Two colours of a palette, and the number of the 64 places in a block that get the second one.
 struct Mixture {
   std::uint8_t color, other;
   std::uint8_t share;  ///< 0..32
-  /// Whoever comes later in the palette has the lower ranks, so that a gradient passes the middle unbroken.
+  /// The colour that comes later in the palette takes the lower ranks. So a gradient crosses the half-way
+  /// mixture without a visible seam.
   [[nodiscard]] int at(int rank) const {
     return (other > color ? rank < share : rank >= 64 - share) ? other : color;
   }
 };
 
-/// Which colours to mix for those that the palette does not hold.
+/// Chooses the two colours to mix for a colour that the palette does not hold.
 class Mixer {
  public:
   explicit Mixer(std::span<const glm::u8vec3> palette) : palette_{palette} {
@@ -86,7 +88,8 @@ class Mixer {
     }
   }
 
-  /// For colour v, whose nearest is `color`. Among equals the nearer neighbour.
+  /// The mixture for colour v, whose nearest palette colour is `color`. If two neighbours gain the same, the
+  /// nearer one is mixed in.
   [[nodiscard]] Mixture operator()(glm::u8vec3 v, std::uint8_t color) const {
     const glm::ivec3 off = glm::ivec3{v} - glm::ivec3{palette_[color]};
     Mixture best{color, color, 0};
@@ -94,9 +97,10 @@ class Mixer {
     if (off != glm::ivec3{0})
       for (const Neighbor& neighbor : neighbors_[color]) {
         const int along = dot(off, neighbor.to);
-        // The share whose mean is nearest to v. At most a half, for `color` is nearer than the neighbour.
+        // The share that brings the mean nearest to v. It is at most a half, because `color` is nearer to v
+        // than the neighbour is.
         const int f = along <= 0 ? 0 : (128 * along + neighbor.square) / (2 * neighbor.square);
-        // By how much the squared error of the mean falls, less the charge; times 8 * 64^2.
+        // The drop in the squared error of the mean, minus the charge for noise; both times 8 * 64^2.
         const std::int64_t gain =
             std::int64_t{1024} * f * along - std::int64_t{f} * (8 * f + (64 - f)) * neighbor.square;
         if (gain > most) most = gain, best = {color, neighbor.number, static_cast<std::uint8_t>(f)};
@@ -114,7 +118,7 @@ class Mixer {
   static int dot(glm::ivec3 p, glm::ivec3 q) { return p.x * q.x + p.y * q.y + p.z * q.z; }
 
   std::span<const glm::u8vec3> palette_;
-  std::vector<std::vector<Neighbor>> neighbors_;  ///< of each colour, the nearest first
+  std::vector<std::vector<Neighbor>> neighbors_;  ///< for each colour, its neighbours; the nearest is first
 };
 
 }  // namespace
@@ -155,7 +159,8 @@ void paintNearest(const RgbImage& picture, Shows shows, std::span<const glm::u8v
     const auto color = static_cast<std::uint8_t>(nearest(v));
     return mixer ? (*mixer)(v, color) : Mixture{color, color, 0};
   };
-  // Neighbouring rows repeat each other's colours: three of four pixels of a shaded picture find theirs here.
+  // Neighbouring rows repeat the same colours, so this cache answers for three of four pixels of a shaded
+  // picture.
   struct Known {
     glm::u8vec3 v;
     Mixture mixture;
@@ -164,7 +169,8 @@ void paintNearest(const RgbImage& picture, Shows shows, std::span<const glm::u8v
   std::vector<Known> known(1 << kBits, Known{{0, 0, 0}, mixtureOf({0, 0, 0})});
   eachPixel(picture, shows, cells, [&](int x, int y, glm::u8vec3 v, std::uint8_t& cell) {
     const std::uint32_t key = std::uint32_t{v.r} << 16 | std::uint32_t{v.g} << 8 | v.b;
-    Known& at = known[key * 2654435761u >> (32 - kBits)];  // 2^32 over the golden ratio
+    Known& at = known[key * 2654435761u >> (32 - kBits)];  // the multiplier is 2^32 divided by the golden
+                                                           // ratio
     if (at.v != v) at = {v, mixtureOf(v)};
     cell = static_cast<std::uint8_t>(first + at.mixture.at(bayerRank(x, y)));
   });

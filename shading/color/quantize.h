@@ -13,9 +13,9 @@
 
 namespace xnewell {
 
-/// A full-colour picture in the cells of the scene: which colours they hold, and which cell each pixel gets.
-/// Integers and + - * / and square root alone, so the same on every machine. Nearness and averages are those
-/// of the stored 8-bit values.
+/// Shows a full-colour picture with the scene's cells: chooses the colours of the cells, and a cell for each
+/// pixel. The computation uses only integers and the operations + - * / of doubles, so it gives the same
+/// result on every machine. Distances and averages are those of the stored 8-bit values.
 
 enum class Quantizer { Cube, Chosen };
 struct QuantizerRow {
@@ -31,47 +31,57 @@ inline constexpr std::array kQuantizers{
 
 struct QuantizeSettings {
   Quantizer quantizer = Quantizer::Chosen;
-  bool dither = false;      ///< ordered: two colours share each 8 x 8 block by the fraction between them
-  int colors = kMaxShades;  ///< of Chosen, at most: 1..240. The cube always has 240
+  bool dither = false;      ///< ordered dithering: two colours share each 8 x 8 block in the ratio that the
+                            ///< wanted colour needs
+  int colors = kMaxShades;  ///< the most that Chosen may use: 1..240; Cube always uses 240
   int first = 11;           ///< cell of the first colour
   bool operator==(const QuantizeSettings&) const = default;
 };
 
-/// Which pixels show something: one byte each, 0 where nothing is. An empty span: all of them do.
+/// Marks the pixels that show part of the scene: one byte per pixel, 0 for a pixel that does not. If the span
+/// is empty, every pixel does.
 using Shows = std::span<const std::uint8_t>;
 
-/// Every pixel of `cells` that shows something becomes first + k, colour k of the result. The others keep
-/// their cell. `cells` is as large as the picture. Nothing to show chooses no colour.
+/// Quantizes the picture. Each pixel of `cells` that shows part of the scene is set to first + k, where k is
+/// the number of its colour in the result. The other pixels keep their cells. `cells` must be as large as the
+/// picture. If no pixel shows part of the scene, Chosen returns no colours; Cube always returns its 240.
 [[nodiscard]] std::vector<Rgb16> quantize(const RgbImage& picture, Shows shows,
                                           const QuantizeSettings& settings, IndexImage& cells);
 
-// Its steps, for whoever keeps a palette from one picture to the next.
+// The steps of quantize(), for callers that keep one palette for several pictures.
 
-/// Colour (8 r + g) 5 + b has level r of 6 red, g of 8 green, b of 5 blue; level k of n is 255 k / (n - 1)
-/// rounded. Green has most levels, for the eye sees its steps best, and blue fewest.
+/// The 240 colours of the cube. Colour (8 r + g) 5 + b has level r of 6 in red, g of 8 in green and b of 5 in
+/// blue. Level k of n is 255 k / (n - 1), rounded. The eye sees steps of green best and steps of blue least,
+/// so green has the most levels and blue the fewest.
 [[nodiscard]] std::vector<glm::u8vec3> cubeColors();
 
-/// At most `colors` colours, 1..240: the picture's own where it has no more. Only how often each colour
-/// occurs counts, not where. All different, ascending in luminance. @see X. Wu, "Efficient Statistical
-/// Computations for Optimal Color Quantization", Graphics Gems II, 1991. Departs: the colours themselves are
-/// cut, not a histogram of 32^3, which would leave one hue 32 shades; and the box cut next is the one that
-/// gains most by it, not the one of largest variance.
+/// Chooses at most `colors` colours, 1..240. A picture with no more colours than that keeps its own. Only the
+/// number of pixels of each colour matters, not their places. The result is in ascending order of luminance
+/// and holds no colour twice. @see X. Wu, "Efficient Statistical Computations for Optimal Color
+/// Quantization", Graphics Gems II, 1991.
+/// We depart from the paper in two ways. We cut the set of colours itself, not a histogram of 32^3 bins,
+/// which would leave only 32 shades of one hue. And the next box to be cut is the one that gains most by its
+/// cut, not the one with the largest variance.
 [[nodiscard]] std::vector<glm::u8vec3> choosePalette(const RgbImage& picture, Shows shows, int colors);
 
-/// The nearest level of each channel, half way between two the brighter; dithered, the level above in as many
-/// places of an 8 x 8 block as the value has sixty-fourths of the step.
+/// Gives each pixel the nearest level of each channel; half way between two levels, the brighter. With
+/// dithering, the level above is used in n of the 64 places of an 8 x 8 block, where n/64 is the rounded
+/// fraction of the step.
 void paintCube(const RgbImage& picture, Shows shows, int first, bool dither, IndexImage& cells);
 
-/// The nearest of `palette` by squared distance, of two equally near the later. Dithered, that colour and one
-/// of its sixteen nearest neighbours share each 8 x 8 block in the ratio that brings their mean nearest, a
-/// ratio that makes more noise being charged an eighth of its variance. What the palette holds stays itself.
-/// Displacing the colours before the search, as suits evenly spaced levels, leaves up to three times the
-/// error of the means, for here the neighbours lie in any direction. @see J. Yliluoma, "Arbitrary-palette
-/// positional dithering algorithm", 2011, whose first method this is, with fewer pairs and another charge.
+/// Gives each pixel the nearest colour of `palette` by squared distance; if two are equally near, the later
+/// one. With dithering, that colour and one of its sixteen nearest neighbours share each 8 x 8 block. For
+/// each neighbour, the ratio is the one that brings the mean nearest to the wanted colour. The neighbour is
+/// chosen to minimize the squared error of the mean plus an eighth of the mixture's variance (its noise). A
+/// colour that the palette holds stays solid.
+/// Ordered dithering of evenly spaced levels displaces a colour before the search. Here the neighbours lie in
+/// any direction, and displacement would leave up to three times the error of the means.
+/// @see J. Yliluoma, "Arbitrary-palette positional dithering algorithm", 2011. This is his first method, with
+/// fewer pairs and another charge for noise.
 void paintNearest(const RgbImage& picture, Shows shows, std::span<const glm::u8vec3> palette, bool dither,
                   int first, IndexImage& cells);
 
-/// Rank 0..63 of pixel (x, y) in ordered dithering. Places of neighbouring ranks lie far apart.
+/// The rank 0..63 of pixel (x, y) in ordered dithering. Places with neighbouring ranks lie far apart.
 /// @see Bayer 1973; Foley & van Dam 2e §13.1.2
 [[nodiscard]] constexpr int bayerRank(int x, int y) {
   constexpr std::array<std::array<int, 2>, 2> kTwo{{{0, 2}, {3, 1}}};

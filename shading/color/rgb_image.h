@@ -6,11 +6,11 @@
 
 namespace xnewell {
 
-/// 8-bit red, green, blue for each pixel, row by row from the top: pictures read from files, and
-/// whatever needs more than 256 colours.
+/// A picture of 8-bit red, green and blue for each pixel, row by row from the top. Used for pictures read
+/// from files and for pictures with more than 256 colours.
 struct RgbImage {
   int width = 0, height = 0;      ///< 1..8192 each
-  std::vector<std::uint8_t> rgb;  ///< 3 * width * height
+  std::vector<std::uint8_t> rgb;  ///< #bytes = 3 * width * height
 
   RgbImage() = default;
   RgbImage(int w, int h) : width{w}, height{h}, rgb(std::size_t{3} * w * h) {}

@@ -13,8 +13,9 @@
 
 namespace xnewell {
 
-/// A value of a JSON file and where it stands, so that every complaint names the place:
-/// `room.json: objects[2].scale: a number above 0 is needed`. What is read is checked here, once.
+/// A value of a JSON file, with its place in the file, so that every error names the place:
+/// `room.json: objects[2].scale: a number above 0 is needed`. Values are checked here, when they are read.
+/// The readers throw ParseError if the value has another type or is out of range.
 class Node {
  public:
   using Json = nlohmann::ordered_json;
@@ -23,15 +24,15 @@ class Node {
       : value_{value}, file_{file}, path_{std::move(path)} {}
 
   [[noreturn]] void fail(const std::string& what) const;
-  /// Where it stands, for complaints that are no ParseError.
+  /// The place of the value, for errors that are not a ParseError.
   [[nodiscard]] std::string place() const { return path_.empty() ? file_ : file_ + ": " + path_; }
 
-  /// An object with no key but these, of one list and another.
+  /// Checks that the value is an object whose keys are all in one of the two lists.
   void expectKeys(std::initializer_list<std::string_view> keys,
                   std::initializer_list<std::string_view> more = {}) const;
   [[nodiscard]] bool has(std::string_view key) const;
   [[nodiscard]] Node at(std::string_view key) const;
-  /// The keys of an object, in the file's order.
+  /// The keys of an object, in the order of the file.
   [[nodiscard]] std::vector<std::string> keys() const;
 
   [[nodiscard]] bool isList() const;
@@ -41,7 +42,7 @@ class Node {
 
   [[nodiscard]] double number() const;
   [[nodiscard]] double numberAbove(double low) const;
-  /// In [low, high], both whole.
+  /// A number in [low, high].
   [[nodiscard]] double numberFrom(int low, int high) const;
   [[nodiscard]] int whole(int low, int high) const;
   [[nodiscard]] bool isTrue() const;
@@ -55,13 +56,13 @@ class Node {
     return v;
   }
   [[nodiscard]] glm::dvec3 point() const { return numbers<3>(); }
-  /// A point that is not 0.
+  /// A vector that is not 0.
   [[nodiscard]] glm::dvec3 direction() const;
-  /// r, g, b, each in [0, 1].
+  /// [r, g, b], each in [0, 1].
   [[nodiscard]] glm::dvec3 color() const;
-  /// A colour, or one number for a gray.
+  /// A colour [r, g, b], or one number for a gray.
   [[nodiscard]] glm::dvec3 grayOrColor() const { return isList() ? color() : glm::dvec3{numberFrom(0, 1)}; }
-  /// One row of a table of choices, by its name.
+  /// Finds the row of a table of choices that has this name, and returns its id.
   template <class Rows>
   [[nodiscard]] auto choice(const Rows& rows) const {
     const std::string name = text();

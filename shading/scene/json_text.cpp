@@ -9,20 +9,22 @@ namespace xnewell {
 
 namespace {
 
-/// How far a text is read: neither a key nor a number that is too large comes with its place.
+/// How far a text has been read. The parser does not give the place of a key, nor of a number that is too
+/// large.
 struct Progress {
   std::string_view text;
   const std::string& file;
   std::ptrdiff_t read = 0;
 
-  /// The character read last may be a line's end that only tells that a number is over.
+  /// Names the line of the last character read. If that character ends a line, it does not count: it may be
+  /// what ended a number.
   [[noreturn]] void fail(const std::string& what) const {
     const auto end = text.begin() + std::max(read - 1, std::ptrdiff_t{0});
     throw ParseError{file, 1 + static_cast<int>(std::count(text.begin(), end, '\n')), what};
   }
 };
 
-/// Walks a text and tells how far it came.
+/// An iterator over the text that records how far it came.
 class Walk {
  public:
   using iterator_category = std::input_iterator_tag;
@@ -44,7 +46,8 @@ class Walk {
   Progress* progress_;
 };
 
-/// Of two values of one key a parser keeps the last; here nobody should have to guess which counts.
+/// Refuses an object that has the same key twice. A parser keeps the last value, but nobody should have to
+/// guess which one counts.
 class KeysOnce {
  public:
   explicit KeysOnce(const Progress& progress) : progress_{progress} {}
@@ -59,10 +62,10 @@ class KeysOnce {
 
  private:
   const Progress& progress_;
-  std::vector<std::set<std::string>> open_;  ///< the keys so far of the objects that are being read
+  std::vector<std::set<std::string>> open_;  ///< for each object being read, its keys so far
 };
 
-/// @throws ParseError
+/// @throws ParseError with the line
 Node::Json parsed(std::string_view text, const std::string& name) {
   Progress progress{text, name};
   const Walk begin{text.data(), progress}, end{text.data() + text.size(), progress};
@@ -75,7 +78,7 @@ Node::Json parsed(std::string_view text, const std::string& name) {
   }
 }
 
-/// Reads nothing but the decimals that numbers below a key "polygons" carry in their text.
+/// Reads only the decimals with which the numbers below a key "polygons" are written.
 class DecimalsOfPolygons : public nlohmann::json_sax<Node::Json> {
  public:
   [[nodiscard]] std::vector<RoundingOfNumbers> numbers() && { return std::move(numbers_); }

@@ -10,16 +10,17 @@
 
 namespace xnewell {
 
-/// A file's text as JSON, in which no object has a key twice.
+/// A file's text as JSON. No object has a key twice.
 class JsonText {
  public:
-  /// @throws ParseError with the line where it is no JSON
+  /// @throws ParseError with the line if the text is not JSON, has a number that is too large, or has a key
+  /// twice in an object
   JsonText(std::string_view text, std::string name);
   ~JsonText();
   JsonText(const JsonText&) = delete;
   JsonText& operator=(const JsonText&) = delete;
 
-  /// The whole of it; for as long as this lives.
+  /// The top-level value. It is valid as long as this object lives.
   [[nodiscard]] Node root() const;
 
  private:
@@ -27,8 +28,8 @@ class JsonText {
   std::unique_ptr<const Node::Json> value_;
 };
 
-/// How the numbers below each key "polygons" of a text are rounded, in the file's order: JSON's values no
-/// longer tell with how many decimals they were written.
+/// How the numbers below each key "polygons" of a text are rounded, in the order of the file. JSON values no
+/// longer tell how many decimals they were written with.
 [[nodiscard]] std::vector<RoundingOfNumbers> roundingOfPolygons(std::string_view text);
 
 }  // namespace xnewell

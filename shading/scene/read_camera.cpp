@@ -47,8 +47,8 @@ CameraSettings readCamera(const Node& node) {
 }
 
 CameraSettings seeing(const CameraSettings& camera, const Scene& scene, const Node& node) {
-  // What is not said keeps clear of the scene, the farther the narrower the picture: what the narrowest
-  // cannot show no other can.
+  // The parts that the file leaves out are chosen to keep clear of the scene; for a narrower picture they are
+  // farther away. So what the narrowest picture cannot show, no other can.
   constexpr double kNarrowest = 1.0 / kMaxPicture;
   try {
     const CameraSettings settings = inSceneUnits(camera, scene);

@@ -6,12 +6,12 @@
 
 namespace xnewell {
 
-/// The "camera" of a scene file (scene_file.h), in the file's units. @throws ParseError
+/// Reads the "camera" of a scene file (scene_file.h), in the file's units. @throws ParseError
 [[nodiscard]] CameraSettings readCamera(const Node& node);
 
-/// `camera`, which `node` says, in the scene's units. @throws ParseError where it sees nothing in a picture
-/// of any size: of each mistake that the file alone decides its reader is to hear, not who draws a picture of
-/// it
+/// Converts `camera`, which was read from `node`, to the scene's units. It throws ParseError if the camera
+/// sees nothing in a picture of any size. An error that depends on the file alone is thus reported when the
+/// file is read, and not only when someone draws a picture of it.
 [[nodiscard]] CameraSettings seeing(const CameraSettings& camera, const Scene& scene, const Node& node);
 
 }  // namespace xnewell

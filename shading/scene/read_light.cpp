@@ -16,7 +16,7 @@ namespace xnewell {
 
 namespace {
 
-/// Of a length or its power, in file units, the scene's.
+/// Converts a length in file units, or a power of one, to scene units.
 double scaledTo(const Scene& scene, const Node& node, double v, int power = 1) {
   v = std::ldexp(v, -power * scene.exponent);
   if (!std::isfinite(v)) node.fail("too large for the size of the scene");
@@ -52,7 +52,7 @@ void readCone(Light& light, const Scene& scene, const Node& node, const glm::dve
   light.direction = (node.has("look_at") ? place(scene, node.at("look_at")) : centre) - light.position;
   if (node.has("shines")) light.direction = node.at("shines").direction();
   if (light.direction == glm::dvec3{0.0}) node.fail("the spot looks at its own place");
-  // A cone that is said on one side only keeps the other out of its way.
+  // If only one of the two angles is given, the other one gives way to it.
   if (node.has("inner")) light.inner = node.at("inner").numberFrom(0, 180);
   if (node.has("outer")) light.outer = node.at("outer").numberFrom(0, 180);
   if (!node.has("outer")) light.outer = std::max(light.outer, light.inner);
@@ -61,7 +61,7 @@ void readCone(Light& light, const Scene& scene, const Node& node, const glm::dve
   if (node.has("falloff")) light.falloff = node.at("falloff").whole(0, 1'000'000);
 }
 
-/// All but an Ip that is not said.
+/// Reads one light, except an Ip that the file does not give.
 Light readOne(const Scene& scene, const Node& node, const glm::dvec3& centre) {
   Light light;
   if (node.has("kind")) light.kind = node.at("kind").choice(kLights);
@@ -101,8 +101,8 @@ void check(const glm::dvec3& sum, const Node& node) {
     }
 }
 
-/// What the scene says of its light leaves the one light that pictures begin with no say: nobody should have
-/// to guess which counts.
+/// Refuses a light that is given twice. If "ambient" or "lights" are given, the one light of "shading" would
+/// have no effect, and nobody should have to guess which one counts.
 void expectOnce(const Scene& scene, const Node& root) {
   if (!root.has("shading")) return;
   const Node shading = root.at("shading");
@@ -132,7 +132,7 @@ void readLight(Scene& scene, const Node& root) {
       else
         unsaid.push_back(k);
     }
-    // Lights that do not say their Ip share what the others leave, all together that of the user's light.
+    // Lights without an Ip share what the others leave, but together at most the Ip of the user's light.
     const double taken = largest(sum) + (scene.light.Ia ? 0.0 : user.Ia);
     const double left = std::clamp(1.0 - taken, 0.0, user.Ip);
     for (const int k : unsaid) {

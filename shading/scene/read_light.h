@@ -5,8 +5,9 @@
 
 namespace xnewell {
 
-/// The "ambient" and the "lights" of a scene file (scene_file.h), into the scene's units; what they leave of
-/// Ia + sum of Ip <= 1 is the most that scene.settings keeps of the user's. @throws ParseError
+/// Reads "ambient" and "lights" of a scene file (scene_file.h) into scene units. Ia + the sum of Ip must not
+/// exceed 1; if the scene's own light leaves less than the Ia and Ip of scene.settings, these are lowered to
+/// fit. @throws ParseError
 void readLight(Scene& scene, const Node& root);
 
 }  // namespace xnewell

@@ -20,7 +20,7 @@ namespace xnewell {
 
 namespace {
 
-/// What `read` makes of an object's file; that it cannot be read is told with the place that names it.
+/// Calls `read` for the file of an object. An error of the system names the place in the scene file as well.
 template <class Read>
 auto fromFile(const Node& file, const Read& read) -> decltype(read()) {
   try {
@@ -30,7 +30,7 @@ auto fromFile(const Node& file, const Read& read) -> decltype(read()) {
   }
 }
 
-/// "color": [r, g, b] or "color255": the same of 255.
+/// Reads "color": [r, g, b] from 0 to 1, or "color255": [r, g, b] from 0 to 255.
 std::optional<glm::dvec3> readColor(const Node& node, const std::string& key) {
   const std::string bytes = key + "255";
   if (node.has(key) && node.has(bytes)) node.at(bytes).fail("the colour is said twice");
@@ -42,7 +42,7 @@ std::optional<glm::dvec3> readColor(const Node& node, const std::string& key) {
   return color;
 }
 
-/// All but the texture.
+/// Reads a material, except its texture.
 MeshMaterial readMaterial(const Node& node, const std::string& name) {
   node.expectKeys({"color", "color255", "specular", "specular255", "ka", "kd", "ks", "n", "texture"});
   MeshMaterial material;
@@ -57,7 +57,8 @@ MeshMaterial readMaterial(const Node& node, const std::string& name) {
   return material;
 }
 
-/// Turns vectors about an axis through the origin, counter-clockwise seen from its tip. @see Rodrigues 1840
+/// The rotation about an axis through the origin, counter-clockwise as seen from the axis' tip. @see
+/// Rodrigues 1840
 glm::dmat3 rotation(const glm::dvec3& axis, double degrees) {
   const auto [sine, cosine] = sinCosDegrees(degrees);
   const glm::dvec3 a = unit(axis);
@@ -91,7 +92,7 @@ glm::dmat3 readRotation(const Node& node) {
   return about(2) * about(1) * about(0);
 }
 
-/// An object's own: it is scaled, then turned, then moved.
+/// The transformation of one object: scale, then rotate, then move.
 class Transform {
  public:
   explicit Transform(const Node& node) : node_{node} {
@@ -111,8 +112,9 @@ class Transform {
       node_.fail("the object is scaled out of range");
     return p;
   }
-  /// Scales the roundings of coordinates, by the largest factor. A turn brings together those of three axes,
-  /// at most sqrt 3 times one, and adds its own: eight roundings of coordinates up to the largest.
+  /// Scales the rounding of the coordinates by the largest factor. A rotation combines the roundings of three
+  /// axes, which gives at most sqrt 3 times one of them. It also adds its own: eight roundings of coordinates
+  /// up to the largest.
   void round(Mesh& mesh) const {
     double largest = 0.0;
     for (const glm::dvec3& p : mesh.points)
@@ -170,7 +172,7 @@ Mesh readSolid(const Node& node) {
   node.at("solid").fail("cube, sphere or torus is needed");
 }
 
-/// That only solids that are round are divided, and only in their own two ways.
+/// Refuses "around", "down" and "across" for anything but the round solids that they divide.
 void expectDividable(const Node& node) {
   const std::string solid = node.has("solid") ? node.at("solid").text() : "";
   if (node.has("around") && solid != "sphere" && solid != "torus")
@@ -179,7 +181,7 @@ void expectDividable(const Node& node) {
   if (node.has("across") && solid != "torus") node.at("across").fail("is for solid torus");
 }
 
-/// Collects the objects one after the other.
+/// Collects the objects in one mesh, one after the other.
 class Collector {
  public:
   Collector(const Node& root, const std::filesystem::path& folder, int divisions)
@@ -192,11 +194,11 @@ class Collector {
       named.material = readMaterial(node, name);
       if (!node.has("texture")) continue;
       named.texture.emplace(node.at("texture"));
-      (void)named.texture->text();  // also where no object uses it
+      (void)named.texture->text();  // check it even if no object uses it
     }
   }
 
-  /// `rounding` is of its polygons.
+  /// Adds an object. `rounding` is that of its polygons' coordinates.
   void add(const Node& node, double rounding) {
     node.expectKeys({"file", "polygons", "uv", "solid", "name", "color", "color255", "material", "divisions",
                      "around", "down", "across", "scale", "rotate", "move"});
@@ -212,7 +214,7 @@ class Collector {
     if (node.has("name")) {
       mesh.groupNames = {node.at("name").text()};
       std::ranges::fill(mesh.group, 0);
-      mesh.rounding.resize(1);  // the same for all of a file
+      mesh.rounding.resize(1);  // one group for the whole file, so one rounding
     }
     if (run.patches.empty()) {
       for (glm::dvec3& p : mesh.points) p = transform(p);
@@ -230,10 +232,11 @@ class Collector {
   struct Named {
     MeshMaterial material;
     std::optional<Node> texture;
-    std::optional<int> number;  ///< once an object wears it
+    std::optional<int> number;  ///< its index in the mesh, once an object uses it
   };
 
-  /// Patches come transformed: what is made of them is the surface itself.
+  /// The mesh of an object. Patches are transformed before they are divided, because exact normals are
+  /// computed from the patches themselves.
   Mesh meshOf(const Node& node, const Transform& transform, PatchRun& run) const {
     std::filesystem::path file;
     if (node.has("file")) file = folder_ / node.at("file").text();
@@ -250,7 +253,7 @@ class Collector {
     return tessellate(run.patches, run.divisions);
   }
 
-  /// The one material of all of an object's faces; nothing: they keep theirs.
+  /// The index of the one material for all faces of an object; no value if the faces keep their own.
   std::optional<int> materialOf(const Node& node, bool hasUv) {
     const std::optional<glm::dvec3> color = readColor(node, "color");
     const int next = static_cast<int>(all_.mesh.materials.size());
@@ -279,7 +282,7 @@ class Collector {
     return named.number;
   }
 
-  /// Each file once.
+  /// The index of a texture. Each file is read once.
   int textureOf(const Node& file) {
     const auto [known, isNew] = textures_.try_emplace(file.text(), static_cast<int>(all_.textures.size()));
     if (isNew)
@@ -287,7 +290,7 @@ class Collector {
     return known->second;
   }
 
-  /// Each object keeps the rounding of its own coordinates.
+  /// Appends an object's mesh to the whole. Each object keeps the rounding of its own coordinates.
   void append(const Mesh& part, std::optional<int> material) {
     Mesh& whole = all_.mesh;
     const auto sizeOf = [](const auto& list) { return static_cast<int>(list.size()); };

@@ -11,16 +11,16 @@
 
 namespace xnewell {
 
-/// The "objects" of a scene file and the "materials" that they wear (scene_file.h), one after the other in
-/// one mesh, in the file's units.
+/// The "objects" of a scene file and the "materials" that they use (scene_file.h): one mesh, in the file's
+/// units and order.
 struct Objects {
   Mesh mesh;
   std::vector<PatchRun> patches;
-  std::vector<Texture> textures;  ///< those that an object wears
+  std::vector<Texture> textures;  ///< the textures that some object uses
 };
 
-/// `text` is the file as it stands, for the decimals of its numbers; `divisions` of patches that do not say
-/// theirs. @throws ParseError, std::system_error
+/// Reads the objects. `text` is the text of the file, which shows the decimals of its numbers. `divisions` is
+/// for patches that do not set their own. @throws ParseError, std::system_error
 [[nodiscard]] Objects readObjects(const Node& root, std::string_view text,
                                   const std::filesystem::path& folder, int divisions);
 

@@ -23,7 +23,8 @@ namespace {
 
 const std::filesystem::path kData{XNEWELL_DATA_DIR};
 
-/// Empty if the name is none of the program's own. These are plain words: no folder, no extension.
+/// The file of a built-in scene; empty if the name is not one. Built-in names are plain words, with no folder
+/// and no extension.
 std::filesystem::path fileOfBuiltIn(const std::string& name) {
   if (name == "teapot") return kData / "teapot.bpt";
   if (name.empty() || name.find_first_of("./") != std::string::npos) return {};
@@ -37,7 +38,8 @@ std::string lowerCase(std::string text) {
   return text;
 }
 
-/// Drops the vertices that no face uses: they are not to be framed, nor to be transformed in every picture.
+/// Drops the vertices that no face uses. Otherwise the camera would frame them, and every picture would
+/// transform them.
 void keepUsedPoints(Mesh& mesh) {
   std::vector<int> place(mesh.points.size(), -1);
   std::vector<glm::dvec3> used;
@@ -183,7 +185,7 @@ CameraSettings inSceneUnits(CameraSettings c, const Scene& scene) {
 void toSceneUnits(Illumination& light, const Scene& scene) {
   if (light.lightPosition) light.lightPosition = inSceneUnits(*light.lightPosition, scene);
   if (light.range) light.range = inSceneUnits(*light.range, scene);
-  // c2 and c3 are for a unit of length and its square.
+  // c2 is per unit of length, c3 per unit of length squared.
   if (light.c)
     light.c = {light.c->x, std::ldexp(light.c->y, scene.exponent),
                std::ldexp(light.c->z, 2 * scene.exponent)};

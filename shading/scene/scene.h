@@ -15,82 +15,85 @@
 
 namespace xnewell {
 
-/// Faces of the mesh that are Bezier patches, divided.
+/// The faces of the mesh that come from one set of Bezier patches.
 struct PatchRun {
-  int firstCorner = 0;  ///< of the mesh: theirs follow one another, as tessellate() has them
+  int firstCorner = 0;  ///< index of their first corner in the mesh; the others follow in the order of
+                        ///< tessellate()
   std::vector<BezierPatch> patches;
   int divisions = 0;
 };
 
-/// Where a scene came from, and what was done to it since: enough to name it in a scene file.
+/// Where a scene came from and what was done to it since, so that a scene file can name it.
 struct SceneOrigin {
-  std::string of;                         ///< as readScene() takes it: a built-in name, or a file
-  int divisions = 0;                      ///< that were asked for
-  std::vector<std::string> without = {};  ///< of kStrippable
-  std::string texture = {};               ///< the file of wear(); "" for none
+  std::string of;                         ///< the argument of readScene(): a built-in name, or a file
+  int divisions = 0;                      ///< the divisions that were asked for
+  std::vector<std::string> without = {};  ///< what strip() removed, in words of kStrippable
+  std::string texture = {};               ///< the file of the texture that wear() applied; "" for none
 };
 
-/// What is to be drawn, in world coordinates scaled by a power of two so that the largest is in [1/2, 1):
-/// an exact step that keeps files of any magnitude (1e-300, 1e300) within reach of everything after it.
+/// What is to be drawn. World coordinates are scaled by a power of two so that the largest is in [1/2, 1).
+/// This step is exact, and everything after it can handle files of any magnitude (1e-300, 1e300).
 struct Scene {
   std::string name;
   Mesh mesh;
-  ConvexParts parts;  ///< the mesh's faces as convex planar polygons
+  ConvexParts parts;  ///< the faces of the mesh as convex planar polygons
   UpAxis up = UpAxis::Y;
   int exponent = 0;          ///< file coordinate = mesh coordinate * 2^exponent
-  CameraSettings camera;     ///< of the scene file, in its units; empty where it has none
-  PictureSettings settings;  ///< what the scene asks for, size and camera aside: to begin a picture with
-  int divisions = 0;         ///< of each Bezier patch; 0 where there are none, or some differ
+  CameraSettings camera;     ///< from the scene file, in its units; empty if the file has none
+  PictureSettings settings;  ///< the settings that the scene asks for; size and camera are not among them
+  int divisions = 0;         ///< divisions of each Bezier patch; 0 if there are no patches, or if they differ
   std::vector<PatchRun> patches;
-  SceneLight light;  ///< of the scene file, lengths in the mesh's units
+  SceneLight light;  ///< from the scene file, with lengths in the mesh's units
   SceneOrigin origin;
   std::vector<Texture> textures;
 };
 
-/// The normals of the patches at the mesh's corners, 0 at all others; empty where there are no patches.
+/// The normals of the patches at the corners of the mesh; 0 at corners of other faces. Empty if there are no
+/// patches.
 [[nodiscard]] std::vector<glm::dvec3> exactNormals(const Scene& scene);
 
 struct BuiltInScene {
   std::string name, shows;
 };
-/// The teapot, then every scene file of the data folder by name.
+/// The teapot, then every scene file of the data folder, sorted by name.
 [[nodiscard]] std::vector<BuiltInScene> builtInScenes();
 [[nodiscard]] bool isBuiltIn(const std::string& name);
 
 inline constexpr int kDefaultDivisions = 8;
 
-/// A built-in name or a file, `.obj`, `.bpt` or `.json`. The built-in name wins over a file of
-/// that name; a path such as `./teapot` does not mean it. @throws ParseError, std::system_error
+/// Reads a built-in scene, or a file `.obj`, `.bpt` or `.json`. A built-in name wins over a file of that
+/// name; a path such as `./teapot` always means the file. `divisions` applies to Bezier patches.
+/// @throws ParseError, std::system_error
 [[nodiscard]] Scene readScene(const std::string& nameOrFile, int divisions = kDefaultDivisions);
 
-/// The scene of a mesh in file coordinates, without the vertices that no face uses. @throws
-/// std::invalid_argument if it holds no face
+/// Makes a scene from a mesh in file coordinates. It drops the vertices that no face uses.
+/// @throws std::invalid_argument if the mesh has no face
 [[nodiscard]] Scene makeScene(std::string name, Mesh mesh, UpAxis up, int divisions = 0);
 
-/// The direction towards the light where none is given: the upper left of the default view.
+/// The direction towards the light if none is given: from the upper left of the default view.
 [[nodiscard]] glm::dvec3 defaultLight(UpAxis up);
 
-/// A length or a place given in file coordinates, in the scene's. @throws ViewError where that leaves the
+/// Converts a length or a point from file units to scene units. @throws ViewError if the result is out of the
 /// range of doubles
 [[nodiscard]] double inSceneUnits(double length, const Scene& scene);
 [[nodiscard]] glm::dvec3 inSceneUnits(glm::dvec3 point, const Scene& scene);
 [[nodiscard]] CameraSettings inSceneUnits(CameraSettings camera, const Scene& scene);
-/// The user's light, its place and attenuation.
+/// Converts the place and the attenuation of the user's light from file units to scene units.
 void toSceneUnits(Illumination& light, const Scene& scene);
 
-/// What a scene may say of itself and can be made to forget, so that the user's choice counts.
+/// What a scene file may set and strip() can remove, so that the user's choice counts.
 inline constexpr std::array<std::string_view, 6> kStrippable{"ambient", "lights", "ka", "kd", "ks", "n"};
-/// `what` is one of them.
+/// Removes `what`, one of kStrippable, from the scene.
 void strip(Scene& scene, std::string_view what);
 
-/// All surfaces get the texture. @throws ViewError if no face has texture coordinates
+/// Gives the texture to all surfaces. @throws ViewError if no face has texture coordinates
 void wear(Scene& scene, Texture texture);
 
-/// For people: the name without its folders, and how finely patches are divided.
+/// The scene's name as people see it: without its folders, and with the divisions of its patches.
 [[nodiscard]] std::string titleOf(const Scene& scene);
 
-/// What was said, and the scene's own camera for the rest: a projection or a textbook specification that was
-/// said replaces the scene's as a whole.
+/// The user's camera, completed with the scene's own. If the user gives any part of a projection or of a
+/// textbook specification, the scene's is not used for it at all.
 [[nodiscard]] CameraSettings completed(CameraSettings said, const CameraSettings& scene);
 
 }  // namespace xnewell

@@ -8,64 +8,67 @@
 
 namespace xnewell {
 
-/// Scene files: one JSON object. Everything may be left out but an object with a face.
+/// Scene files: one JSON object. Every key is optional, except that some object must have a face.
 ///
-///   "shows"     a sentence on what the scene is for
-///   "up"        "y" (also if left out) or "z"
+///   "shows"     a sentence that says what the scene is for
+///   "up"        "y" (the default) or "z"
 ///   "camera"    any of "eye", "look_at", "up" [x, y, z], "fov" degrees, "parallel" height or true,
 ///               "oblique" {"kind": "cavalier" or "cabinet", "angle": degrees}, and the textbook's
 ///               "vrp", "vpn", "vup", "prp" [x, y, z], "window" [umin, umax, vmin, vmax], "front", "back"
-///   "objects"   a list; each has one of
-///                 "file"      an .obj or .bpt file, beside the scene file unless absolute
-///                 "polygons"  a list of polygons, each a list of corners [x, y, z]; with "uv", nested alike,
-///                             [u, v] for each corner
+///   "objects"   a list; each object has one of
+///                 "file"      an .obj or .bpt file; a relative path starts at the scene file's folder
+///                 "polygons"  a list of polygons, each a list of corners [x, y, z]; with "uv", a list of
+///                             the same form with [u, v] for each corner
 ///                 "solid"     "cube", "sphere" or "torus" about the origin (solids.h), with "around" and
-///                 "down" or "across"
-///               and, if wanted, "name", "color" or "material", "divisions" (of patches; else those the
-///               user asks for), "scale" (a factor, or [x, y, z]), "rotate" and "move" [x, y, z], in this
-///               order. "rotate" is [x, y, z], degrees about the axes one after the other, or
-///               {"axis": [x, y, z], "degrees": d}; counter-clockwise seen from the axis' tip
-///   "materials" {"name": {"color", "specular" (of the highlight), "ka", "kd", "ks", "n", "texture": "F.png"
-///               beside the scene file}, ...}; an .obj file keeps its own unless its object names one
-///   "ambient"   Ia: a number, or [r, g, b] by channel
+///                             "down" or "across"
+///               It may also have "name"; "color" or "material"; "divisions" of patches (default: those that
+///               the user asks for); and "scale" (a factor, or [x, y, z]), "rotate" and "move" [x, y, z],
+///               applied in this order. "rotate" is [x, y, z], degrees about the axes one after the other,
+///               or {"axis": [x, y, z], "degrees": d}; it turns counter-clockwise as seen from the axis' tip
+///   "materials" {"name": {"color", "specular" (the highlight's colour), "ka", "kd", "ks", "n", "texture":
+///               "F.png" in the scene file's folder}, ...}; an .obj file keeps its own materials unless its
+///               object names one
+///   "ambient"   Ia: a number, or [r, g, b] with one value per channel
 ///   "lights"    a list of light sources (light.h); each has
-///                 "kind"      "directional" (also if left out), "point" or "spot"
-///                 "Ip" or "color"  a number or [r, g, b]; those of no Ip share equally what the others and
-///                             Ia leave, at most 0.7 in all
-///                 "towards"   [x, y, z], directional: the way to the light; else the upper left
-///                 "at"        [x, y, z], point and spot: where it is; needed
-///                 "attenuation" a name of kAttenuations, with "range" (else twice the way to the scene's
-///                             centre) or "c" [c1, c2, c3] (else half the light at the centre)
-///                 "shines" a direction, or "look_at" a place; else the scene's centre. Spot
-///                 "inner", "outer" half angles of a spot, degrees (else 15, 20); "falloff" (else 1)
+///                 "kind"      "directional" (the default), "point" or "spot"
+///                 "Ip" or "color"  a number or [r, g, b]; lights without it share equally what the others
+///                             and Ia leave, at most 0.7 in all
+///                 "towards"   [x, y, z], for directional: the direction to the light (default: upper left)
+///                 "at"        [x, y, z], for point and spot, required: where the light is
+///                 "attenuation" a name of kAttenuations, with "range" (default: twice the distance to the
+///                             scene's centre) or "c" [c1, c2, c3] (default: half the light at the centre)
+///                 "shines"    a direction, or "look_at" a point, for spot; default: at the scene's centre
+///                 "inner", "outer" half angles of a spot in degrees (default: 15, 20); "falloff" (default 1)
 ///               Ia + the sum of Ip must not exceed 1 in any channel
-///   "shading"   what the user's choices are to begin with; the command line may say otherwise:
+///   "shading"   the settings that a picture begins with; the command line may change them:
 ///                 "method", "normals", "polygons", "form", "environment", "mapping", "order", "colors", by
 ///                 the names of their tables; "crease" degrees; "dither" true or false;
 ///                 "table" {"kind", "shades", "i0", "pick", "hue", "bits"};
 ///                 "adapt"; "cull" "back" or "none"; "fill" "scanline" or "x11", in a window;
-///                 "ka", "kd", "ks", "n" of surfaces that do not say; "sided" "one" or "two"; "constant_l",
-///                 "constant_v" true or false; "Ia", "Ip" and "light" (the way to it) or "light_at" with
-///                 "attenuation", "range", "c"; "Ia" where there is no "ambient", a light where there are
-///                 no "lights"
-///   "scene"     in place of "objects", "up", "materials", "ambient" and "lights": a built-in name, or a
-///               scene's file beside this one unless absolute, that has them; with "divisions" of patches,
-///               "without", a list of what it shall not say itself (kStrippable), and "texture", a PNG for
-///               all its surfaces. So a set-up is saved (save_scene.h)
+///                 "ka", "kd", "ks", "n" of surfaces that do not set them; "sided" "one" or "two";
+///                 "constant_l", "constant_v" true or false; "Ia", "Ip" and "light" (the direction to it) or
+///                 "light_at" with "attenuation", "range", "c". "Ia" is not allowed beside "ambient", nor
+///                 "light" or "light_at" beside "lights"
+///   "scene"     instead of "objects", "up", "materials", "ambient" and "lights": a built-in name, or a
+///               scene's file (a relative path starts at this file's folder), that has them; with
+///               "divisions" of patches, "without", a list of what that scene must not set (kStrippable),
+///               and "texture", a PNG for all its surfaces. This is how a set-up is saved (save_scene.h)
 ///
-/// A colour is "color": [r, g, b] from 0 to 1 or "color255": the same of 255; "specular" likewise.
-/// How many decimals the corners of an object carry tells how they are rounded (RoundingOfNumbers), and so
-/// what counts as lying in one plane: write 2.500000 or 2.5 in a file of six decimals,
-/// not 2.4999999999999996. Faces are numbered object by object. Unknown keys, wrong types and values out of
-/// range are refused.
+/// A colour is "color": [r, g, b] from 0 to 1, or "color255": [r, g, b] from 0 to 255; "specular" works
+/// alike.
+/// The number of decimals in an object's corners shows how they are rounded (RoundingOfNumbers), and so which
+/// faces count as lying in one plane. In a file of six decimals write 2.500000 or 2.5, not
+/// 2.4999999999999996. Faces are numbered object by object. Unknown keys, wrong types and values out of range
+/// are errors.
 /// @throws ParseError `room.json: objects[2].polygons[0]: a polygon needs at least 3 corners`, or with the
-/// line where it is no JSON at all; std::system_error
+/// line number if the text is not JSON; std::system_error
 [[nodiscard]] Scene readSceneFile(const std::filesystem::path& file, int divisions = kDefaultDivisions);
 
-/// What the file says it shows; "" if it does not say. @throws as readSceneFile()
+/// The "shows" sentence of a file; "" if it has none. It throws what readSceneFile() throws.
 [[nodiscard]] std::string sentenceOf(const std::filesystem::path& file);
 
-/// The same from text; files are looked for in `folder`.
+/// Reads a scene file from its text. `name` stands for the file in errors; other files are looked for in
+/// `folder`.
 [[nodiscard]] Scene parseSceneFile(std::string_view text, const std::string& name,
                                    const std::filesystem::path& folder, int divisions = kDefaultDivisions);
 

@@ -5,14 +5,14 @@
 
 namespace xnewell {
 
-/// Work that may take long, beside the thread that talks to the server.
+/// Does work that may take long on its own thread, while the calling thread talks to the server.
 
-/// For so long nothing is said: what comes and goes in a blink tells nobody anything.
+/// The program says nothing before this time: a message that comes and goes in a blink tells nobody anything.
 inline constexpr std::chrono::milliseconds kPatience{1000};
 
-/// Does `work` on a thread of its own and returns when it is done. From kPatience on `meanwhile` is called
-/// about every tenth of a second, on the calling thread, with the whole seconds since the start. What either
-/// throws is thrown when the work is done.
+/// Does `work` on a thread of its own and returns when it is done. After kPatience it calls `meanwhile` about
+/// ten times a second, on the calling thread, with the whole seconds since the start. An exception from
+/// `work` is thrown again here; one from `meanwhile` is thrown after `work` is done.
 void doPatiently(const std::function<void()>& work, const std::function<void(int seconds)>& meanwhile);
 
 }  // namespace xnewell

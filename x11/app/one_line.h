@@ -5,8 +5,8 @@
 
 namespace xnewell {
 
-/// One line of bounded length, whatever names and words it quotes: control characters become '?', and a
-/// very long text keeps its two ends.
+/// Makes one line of bounded length from a text, whatever names and words it quotes. Control characters
+/// become '?'. A text of more than 800 bytes keeps its first 600 and its last 200.
 [[nodiscard]] inline std::string oneLine(std::string text) {
   constexpr std::size_t kBegin = 600, kEnd = 200;
   if (text.size() > kBegin + kEnd) text.replace(kBegin, text.size() - kBegin - kEnd, "...");

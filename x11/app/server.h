@@ -5,7 +5,7 @@
 #include "x11/app/workbench.h"
 #include "x11/options/options.h"
 
-// What includes Xlib comes last: its macros (None, Above) are words of ours.
+// Headers that include Xlib come last: our own code uses the words that its macros (None, Above) define.
 #include "x11/server/canvas.h"
 #include "x11/server/colormap.h"
 #include "x11/server/display.h"
@@ -13,9 +13,10 @@
 
 namespace xnewell {
 
-/// A connection with its visual and colormap chosen: what every window needs.
+/// A connection to a server, with its visual and colormap chosen: what every window needs.
 struct Server {
-  /// On $DISPLAY, for the scene's colours. What the user gets less than asked for is told on standard error.
+  /// Connects to $DISPLAY and prepares the colours of the scene. What the user asked for and does not get is
+  /// printed on standard error.
   /// @throws X11Error
   Server(const Options& options, const Scene& scene);
 
@@ -27,7 +28,7 @@ struct Server {
               return colormap.mostShades();
             }};
   }
-  /// With a ramp of as many shades as there are cells for.
+  /// The settings, with the ramp shortened to the shades that there are cells for.
   [[nodiscard]] PictureSettings fitted(PictureSettings settings) const {
     settings.table.shades = std::min(settings.table.shades, colormap.mostShades());
     return settings;
@@ -37,7 +38,7 @@ struct Server {
   }
 
   [[nodiscard]] bool gray() const { return colormap.visual().gray(); }
-  /// What to store for a picture's colours.
+  /// The colours to store for a picture: on a gray screen, their grays.
   [[nodiscard]] Palette colorsOf(const Picture& picture, const Palette& palette) const {
     return gray() ? forGrayScreen(palette, picture) : palette;
   }
@@ -46,12 +47,13 @@ struct Server {
   ServerColormap colormap;
 };
 
-/// The visual that the options insist on.
+/// The visual that --visual asks for; no value without --visual.
 [[nodiscard]] std::optional<VisualWish> wishOf(const Options& options);
 
-/// Brings the window up to date, if anything is late, and the bench by `update`. Colours alone are stored and
-/// nothing is drawn. New indices go into the picture behind the window first; then cells and indices change
-/// together, and no other client sees one without the other.
+/// Brings the window up to date if anything has changed; `update` brings the bench up to date first. If only
+/// colours changed, they are stored and nothing is drawn. Otherwise the new indices go into the picture
+/// behind the window first. Then the cells and the window change together, and no other client sees one
+/// without the other.
 void bringUpToDate(Server& server, Canvas& canvas, Workbench& bench, const std::function<void()>& update);
 
 }  // namespace xnewell

@@ -20,9 +20,9 @@ struct Shot {
   const Picture& picture;
   const IndexImage& image;
   const Palette& palette;
-  CellPlan plan;             ///< of the image
-  Rect area;                 ///< of the picture in the image
-  std::vector<Rect> over{};  ///< parts of the image that lie over the picture
+  CellPlan plan;             ///< the cells of the image
+  Rect area;                 ///< the picture's place in the image
+  std::vector<Rect> over{};  ///< the parts of the image that lie over the picture
 };
 
 void present(Server& server, Canvas& canvas, const Shot& shot, Fill fill) {

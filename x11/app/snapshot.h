@@ -8,14 +8,14 @@
 
 namespace xnewell {
 
-/// Gets a snapshot: the picture that it is of, the bytes of a PNG file, and the time that each stage took.
+/// Receives a snapshot: its picture, the bytes of a PNG file, and the time that each stage took.
 using Taken = std::function<void(const Picture&, const std::string& png, const StageTimes&)>;
 
-/// The picture (or with options.wholeWindow the window with its controls) through a real window, read back
-/// from the server. @throws X11Error, ViewError, and what `taken` throws
+/// Draws the picture in a real window and reads it back from the server; with options.wholeWindow, the whole
+/// window with its controls. @throws X11Error, ViewError, and whatever `taken` throws
 void takeSnapshot(const Options& options, Scene scene, const Taken& taken);
 
-/// What `xnewell visuals` prints. @throws X11Error
+/// The text that `xnewell visuals` prints. @throws X11Error
 [[nodiscard]] std::string visualsTable(const Options& options);
 
 }  // namespace xnewell

@@ -23,8 +23,8 @@ namespace xnewell {
 
 namespace {
 
-/// A signal ends the window at once, also where Xlib waits for a server that has hung: what we have on the
-/// server, a grab too, goes with the connection.
+/// A signal ends the window at once, even while Xlib waits for a server that hangs. The server frees what we
+/// have there, and any grab, when the connection closes.
 void endWithSignals() {
   for (const int signal : {SIGINT, SIGTERM, SIGHUP}) std::signal(signal, [](int) { _exit(130); });
 }
@@ -49,7 +49,7 @@ constexpr std::array kNamedKeys{
     KeysymRow{XK_Escape, XK_Escape, NamedKey::Escape},
 };
 
-/// Keysyms to keys, Latin-1 letters by themselves.
+/// Translates a key event: keysyms to named keys, Latin-1 letters to themselves.
 std::optional<Key> keyOf(XKeyEvent& event) {
   char letter = 0;
   KeySym symbol = NoSymbol;
@@ -67,7 +67,7 @@ Bool isQuitKey(Display*, XEvent* event, XPointer) {
          (event->xkey.state & (ShiftMask | ControlMask)) == 0;
 }
 
-/// Whoever destroyed it leaves nothing to draw into.
+/// Ends the program: there is no window left to draw into.
 [[noreturn]] void endWithoutWindow() {
   std::cerr << "xnewell: the window was destroyed by another program" << std::endl;
   _exit(1);
@@ -85,7 +85,7 @@ class Viewer {
         title_{titleOf(bench_.picture().scene())},
         plan_{bench_.plan()} {
     bench_.resize(size_.x, size_.y);
-    XkbSetDetectableAutoRepeat(display(), 1, nullptr);  // a key held is released once
+    XkbSetDetectableAutoRepeat(display(), 1, nullptr);  // a key held down sends one release event only
   }
 
   [[nodiscard]] Workbench& bench() { return bench_; }
@@ -93,8 +93,9 @@ class Viewer {
   int run(const std::function<void()>& shown) {
     endWithSignals();
     {
-      ErrorTrap trap{display()};  // a window that cannot be seen could not be closed either
-      refresh();                  // the first picture is there before the window is, if it does not take long
+      ErrorTrap trap{display()};  // if the window cannot be shown, the user could not close it either
+      refresh();                  // the first picture is drawn before the window appears, unless that takes
+                                  // long
       map();
       trap.check();
     }
@@ -114,7 +115,7 @@ class Viewer {
       pollfd connection{ConnectionNumber(display()), POLLIN, 0};
       poll(&connection, 1, longestWait());
     }
-    XSync(display(), 0);  // the last frame may still be refused
+    XSync(display(), 0);  // the server may still refuse the last frame
     if (strayErrors() == 0) return 0;
     throw X11Error{"the X server refused requests (" + std::to_string(strayErrors()) +
                    " in all): what was shown may be wrong"};
@@ -125,9 +126,9 @@ class Viewer {
 
   static std::string titleOf(const Scene& scene) { return "xnewell: " + scene.name; }
 
-  /// The first picture, another scene or view, what decides how much is to be sorted, and all once something
-  /// took long in this window. All else is made on the spot: a thread of its own begins with cold memory,
-  /// which costs milliseconds.
+  /// True if the work may take long: for the first picture, for another scene or view, for a change in how
+  /// much must be sorted, and for everything once something took long in this window. All other work is done
+  /// on this thread: a new thread starts with a cold cache, which costs milliseconds.
   [[nodiscard]] bool mayTakeLong() const {
     const Setup& now = bench_.setup();
     return !mapped_ || tookLong_ || titleOf(bench_.picture().scene()) != title_ || bench_.view() != view_ ||
@@ -160,8 +161,9 @@ class Viewer {
     if (title != std::exchange(title_, title)) canvas_.entitle(title);
   }
 
-  /// A box over what is shown, or over an empty window, while the bench is at work and not to be touched.
-  /// Events wait, except those that uncover parts of the window, or close it where nothing is lost by it.
+  /// Draws a box over what is shown, or over an empty window, while the bench works and must not be touched.
+  /// Events wait. Exceptions are those that uncover parts of the window, and those that close it when nothing
+  /// would be lost.
   void sayBusy(int seconds, bool mayEnd) {
     XEvent event;
     while (XCheckTypedEvent(display(), Expose, &event)) handle(event);
@@ -177,7 +179,7 @@ class Viewer {
       if (watch_ == 0) watch_ = XCreateFontCursor(display(), XC_watch);
       XDefineCursor(display(), canvas_.window(), watch_);
     }
-    if (!mapped_) {  // of the colours there are only the tool's
+    if (!mapped_) {  // no picture was stored yet, so only the interface's colours are needed
       const Palette tool = withInterface(server_.colormap.unneeded(), plan_);
       (void)server_.colormap.lookUp(tool, plan_);
       server_.colormap.store(tool, plan_);
@@ -195,7 +197,8 @@ class Viewer {
 
   [[nodiscard]] bool errorsToTell() const { return strayErrors() > 0 && !toldOfErrors_; }
 
-  /// In milliseconds; -1 where nothing happens but events. Colours that move do so every 40 ms at most.
+  /// The longest time to wait for events, in milliseconds; -1 if nothing but an event can happen. Colours
+  /// that move change every 40 ms at most.
   [[nodiscard]] int longestWait() {
     constexpr double kTick = 40;
     if (XPending(display()) > 0 || errorsToTell() || bench_.stale() != Workbench::Stale::Nothing) return 0;
@@ -231,8 +234,9 @@ class Viewer {
         pointerInside_ = false;
         break;
       case ColormapNotify:
-        // Stolen while the user is here: take it back. Elsewhere it is due to whoever has the pointer, and
-        // two programs that both insisted would never stop.
+        // If another program installs its map while the pointer is in our window, we take the screen back. If
+        // the pointer is elsewhere, the map of that window should be installed; two programs that both
+        // insisted would never stop.
         if (event.xcolormap.state == ColormapUninstalled && pointerInside_)
           server_.colormap.installUnlessManaged();
         break;
@@ -242,7 +246,7 @@ class Viewer {
       case KeyRelease:
         if (const std::optional<Key> key = keyOf(event.xkey)) bench_.release(key->letter);
         break;
-      case FocusOut:  // a key let go elsewhere is not told
+      case FocusOut:  // we do not hear of a key released in another window
         bench_.release('h');
         break;
       case ButtonPress:
@@ -293,19 +297,20 @@ class Viewer {
   glm::ivec2 size_;
   Canvas canvas_;
   Workbench bench_;
-  static constexpr double kLong = 100;  ///< ms
+  static constexpr double kLong = 100;  ///< ms; a longer update counts as long
 
   std::string title_;
-  bool tookLong_ = false;                  ///< anything so far
-  WindowView view_ = WindowView::Picture;  ///< this and what follows: of what is shown
+  bool tookLong_ = false;                  ///< true once any update took longer than kLong
+  WindowView view_ = WindowView::Picture;  ///< this and the next two are those of the frame shown
   Order order_ = {};
   int divisions_ = 0;
-  CellPlan plan_;     ///< of what is shown
-  int busyFor_ = -1;  ///< seconds that the window tells; -1: none
-  Cursor watch_ = 0;  ///< the server's, until the connection ends
+  CellPlan plan_;     ///< of the frame shown
+  int busyFor_ = -1;  ///< the seconds that the busy box shows; -1 if there is no box
+  Cursor watch_ = 0;  ///< a resource of the server, freed when the connection ends
   bool mapped_ = false;
   bool dragging_ = false, pointerInside_ = false;
-  bool toldOfErrors_ = false;  ///< once: to tell is a frame more, which may be refused too
+  bool toldOfErrors_ = false;  ///< told once only, because the notice is one more frame, which the server may
+                               ///< refuse too
   Stopwatch sinceTick_;
 };
 

@@ -12,13 +12,13 @@ namespace xnewell {
 
 namespace {
 
-/// A frame's number has at least four digits; the folder's names are in order of the run.
+/// A frame's number has at least four digits, so the file names sort in the order of the run.
 std::string fileName(int number, std::string_view word) {
   std::string digits = std::to_string(number);
   return std::string(4 - digits.size(), '0') + digits + "-" + std::string{word} + ".png";
 }
 
-/// A frame of an earlier run, which would be mistaken for one of this.
+/// True for a frame of an earlier run, which would be mistaken for one of this run.
 bool isFrame(const std::string& name) {
   return name.size() > 9 &&
          std::all_of(name.begin(), name.begin() + 4, [](unsigned char c) { return std::isdigit(c); }) &&

@@ -34,10 +34,10 @@ namespace xnewell {
 
 namespace {
 
-/// Exit statuses of the contract.
+/// The exit statuses that the program promises: success, an error outside our control, wrong input, SIGINT.
 enum Status { kDone = 0, kOutside = 1, kWrong = 2, kInterrupted = 130 };
 
-/// Tells on a terminal what is being done, for as long as it lasts; silent anywhere else.
+/// On a terminal, shows what is being done for as long as it lasts. Silent anywhere else.
 class Doing {
  public:
   explicit Doing(const std::string& what) : told_{::isatty(STDERR_FILENO) == 1} {
@@ -46,7 +46,7 @@ class Doing {
   Doing(const Doing&) = delete;
   Doing& operator=(const Doing&) = delete;
   ~Doing() {
-    if (told_) std::cerr << "\r\033[K" << std::flush;  // back to the line's start, and clear it
+    if (told_) std::cerr << "\r\033[K" << std::flush;  // go back to the start of the line and clear it
   }
 
  private:
@@ -91,7 +91,7 @@ StageTimes draw(const Options& options, Picture& picture, double msRead) {
   return times;
 }
 
-/// The same for the numbers behind the picture, which is then a part of what is written.
+/// Draws the numbers behind the picture (--view) and writes them.
 void drawNumbers(const Options& options, Picture& picture) {
   const Doing drawing{"drawing"};
   const ColoredImage view = drawView(picture, {.view = options.view,
@@ -103,13 +103,13 @@ void drawNumbers(const Options& options, Picture& picture) {
   writePictures(options, picture, encodePng(view.image, view.palette));
 }
 
-/// The walk through a run of the depth sort: read, shade, project, sort, tell.
+/// The walk through a run of the depth sort: read, shade, project, sort, trace.
 void trace(const Options& options, Picture& picture) {
   if (options.wholeWindow) {
     std::optional<Doing> drawing;
     return writeStepperFrames(options, Scene{picture.scene()}, [&](int number, int all) {
       if (number % 25 != 1) return;
-      drawing.reset();  // each tells in the place of the one before
+      drawing.reset();  // each message replaces the one before
       drawing.emplace("drawing frame " + std::to_string(number) + " of " + std::to_string(all));
     });
   }
@@ -117,7 +117,7 @@ void trace(const Options& options, Picture& picture) {
   {
     const Doing sorting{"sorting"};
     PictureSettings settings = settingsOf(options);
-    settings.order = Order::Unsorted;  // the run that is told is the sort
+    settings.order = Order::Unsorted;  // the trace makes its own sort
     if (channelsOf(planOf(picture.scene(), settings)) == Channels::Rgb) settings.colors = ColorPlan::OneHue;
     picture.make(settings);
     picture.addPlanes();
@@ -128,7 +128,9 @@ void trace(const Options& options, Picture& picture) {
     return writeFrames(options, picture, sorted);
   }
   std::optional<Doing> telling;
-  if (::isatty(STDOUT_FILENO) == 0) telling.emplace("telling");  // else the lines are seen
+  if (::isatty(STDOUT_FILENO) == 0)
+    telling.emplace("telling");  // if standard output is a terminal, its
+                                 // lines show the progress
   printTrace(options, picture, sorted, std::cout);
 }
 
@@ -144,7 +146,7 @@ int openWindow(const Options& options, Scene scene, std::optional<Lesson> lesson
   return runViewer(options, std::move(scene), std::move(lesson), [&] { drawing.reset(); });
 }
 
-/// A lesson in the window, or its steps as pictures.
+/// Shows a lesson in the window, or writes its steps as pictures.
 int teach(const Options& options) {
   std::optional<Lesson> lesson;
   if (options.gave("scene")) {
@@ -155,14 +157,14 @@ int teach(const Options& options) {
   const std::string all = " of " + std::to_string(lesson->steps.size());
   std::optional<Doing> writing;
   writeLesson(options, std::move(*lesson), [&](int step) {
-    writing.reset();  // each tells in the place of the one before
+    writing.reset();  // each message replaces the one before
     writing.emplace("drawing step " + std::to_string(step) + all);
   });
   return kDone;
 }
 
-/// The scene's light and surfaces without what the command line says otherwise.
-/// @throws UsageError where Ia + the sum of Ip then exceeds 1, or a texture is to be shown that cannot be
+/// Removes from the scene the light and surface values that the command line replaces.
+/// @throws UsageError if Ia + the sum of Ip then exceeds 1, or if --fill x11 cannot show the scene's textures
 void giveWay(Scene& scene, const Options& options) {
   if (options.fill == Fill::XFillPolygon && !scene.textures.empty())
     throw UsageError{"--fill x11 gives a polygon one cell: it does not show the scene's textures"};
@@ -171,7 +173,7 @@ void giveWay(Scene& scene, const Options& options) {
   for (std::size_t k = 0; k < given.size(); ++k)
     if (given[k]) strip(scene, kStrippable[k]);
 
-  // What the user said of either has to do with what is left of the scene's.
+  // A user's Ia must fit the scene's lights, and a user's Ip the scene's Ia.
   const Illumination& user = options.picture.light;
   const bool besideLights = said.Ia && !scene.light.lights.empty(), besideIa = said.Ip && scene.light.Ia;
   glm::dvec3 sum = scene.light.Ia.value_or(glm::dvec3{user.Ia});
@@ -183,8 +185,9 @@ void giveWay(Scene& scene, const Options& options) {
         ": their sum must not exceed 1"};
 }
 
-/// What the user says of attenuation counts for the scene's own lights at places where he has none: lengths
-/// are in the scene's units by then. @throws UsageError where no light can fade
+/// Applies the user's attenuation to the scene's own lights that have a place, if the user gave no such
+/// light. All lengths are in the scene's units by now.
+/// @throws UsageError if no light can be attenuated
 void fade(Scene& scene, const Options& options) {
   const Illumination& user = options.picture.light;
   if (!options.gave("--attenuation") || user.lightPosition) return;
@@ -200,14 +203,14 @@ void fade(Scene& scene, const Options& options) {
   }
   if (!any && user.attenuation != Attenuation::None)
     throw UsageError{"--attenuation needs a light at a place: --light-at x,y,z, or a scene that has one"};
-  if (any &&
-      options.command == Command::View)  // whose set-ups name the scene, and not what became of its lights
+  if (any && options.command == Command::View)  // a set-up of the window names the scene, but not what became
+                                                // of its lights
     throw UsageError{
         "--attenuation of the scene's own lights goes with draw, snapshot and trace; for a window "
         "say --light-at x,y,z too"};
 }
 
-/// The picture through a window of a server.
+/// Draws the picture in a window of a server, reads it back and writes it.
 void snapshot(const Options& options, Scene scene, double msRead) {
   takeSnapshot(options, std::move(scene),
                [&](const Picture& picture, const std::string& png, StageTimes times) {
@@ -227,8 +230,9 @@ int run(int argc, char** argv) {
 
   const Stopwatch watch;
   Scene scene = read(*said);
-  if (said->command == Command::Trace) scene.settings.order = Order::Newell;  // what it follows
-  Options options = *parseOptions(argc, argv, scene.settings);  // again, over what the scene asks for
+  if (said->command == Command::Trace) scene.settings.order = Order::Newell;  // the trace follows this order
+  Options options = *parseOptions(argc, argv, scene.settings);  // parse again, over the settings that the
+                                                                // scene asks for
   giveWay(scene, options);
   options.picture.camera = inSceneUnits(completed(options.picture.camera, scene.camera), scene);
   toSceneUnits(options.picture.light, scene);
@@ -253,8 +257,8 @@ int failed(Status status, const std::string& what) {
   return status;
 }
 
-/// A standard stream that was closed when we started stays unusable: no file of ours, and no connection to a
-/// server, may get its number and be written to by mistake.
+/// Opens /dev/null on each standard stream that was closed when we started. It stays unusable, and no file or
+/// server connection of ours can get its number and be written to by mistake.
 void occupyStandardStreams() {
   for (int stream = STDIN_FILENO; stream <= STDERR_FILENO; ++stream)
     if (::fcntl(stream, F_GETFD) < 0) ::open("/dev/null", stream == STDIN_FILENO ? O_WRONLY : O_RDONLY);
@@ -265,9 +269,9 @@ void occupyStandardStreams() {
 /// Returns the exit status.
 int program(int argc, char** argv) try {
   occupyStandardStreams();
-  // A picture in the making leaves nothing behind.
+  // An interrupted picture leaves no files behind.
   std::signal(SIGINT, [](int) { _exit(kInterrupted); });
-  std::signal(SIGXFSZ, SIG_IGN);  // a file beyond the shell's limit is an error like a full disk
+  std::signal(SIGXFSZ, SIG_IGN);  // a file larger than the shell's limit is an error like a full disk
   const int status = run(argc, argv);
   std::cout.flush();
   if (!std::cout) throw std::system_error{errno, std::generic_category(), "standard output"};

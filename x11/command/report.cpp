@@ -22,7 +22,7 @@ RgbImage idsOf(const Picture& picture) {
   return image;
 }
 
-/// What of the model this picture needed: nothing is computed for the rest.
+/// What this picture needed of the illumination model. The rest is not computed.
 nlohmann::ordered_json requiredBy(const Picture& picture) {
   const PictureSettings& s = picture.settings();
   const ShadingRow& method = rowOf(s.shading);
@@ -50,7 +50,7 @@ nlohmann::ordered_json requiredBy(const Picture& picture) {
        static_cast<int>(picture.scene().parts.face.size()) - picture.scene().mesh.faceCount()}};
 }
 
-/// Of --adapt: what ended the division of polygons, null where none was asked for.
+/// Why --adapt stopped dividing polygons; null if it was not asked for.
 nlohmann::ordered_json adaptLimitOf(const Picture& picture) {
   const std::optional<Refined>& refined = picture.shading().refined();
   return refined ? nlohmann::ordered_json(kRefineLimits[static_cast<int>(refined->limit)].name) : nullptr;
@@ -107,7 +107,7 @@ void writePictures(const Options& options, const Picture& picture, const std::st
 void report(const Options& options, const Picture& picture, const StageTimes& times) {
   noteMoot(std::cerr, options, picture);
   if (!options.stats) return;
-  // A file's name may be no UTF-8, which JSON cannot hold.
+  // A file name need not be UTF-8, but JSON can hold nothing else.
   std::cout << statsOf(options, picture, times)
                    .dump(-1, ' ', false, nlohmann::ordered_json::error_handler_t::replace)
             << '\n';

@@ -17,7 +17,7 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-/// To ten digits: all that a place on the grid or a depth can have, and no more.
+/// Rounds to ten significant digits: grid positions and depths have no more.
 double shown(double v) {
   std::array<char, 32> text;
   const char* const end = std::to_chars(text.begin(), text.end(), v, std::chars_format::scientific, 9).ptr;
@@ -50,7 +50,7 @@ std::string_view nameOf(Verdict verdict) {
   return "";
 }
 
-/// Tells a run event by event.
+/// Writes a run event by event.
 class Teller {
  public:
   Teller(const Options& options, const Picture& picture, const SortedScene& sorted, std::ostream& out)
@@ -78,7 +78,7 @@ class Teller {
 
  private:
   void line(const Json& object) {
-    // A name may be no UTF-8, which JSON cannot hold.
+    // A name need not be UTF-8, but JSON can hold nothing else.
     out_ << object.dump(-1, ' ', false, Json::error_handler_t::replace) << '\n';
     if (!out_) throw std::system_error{errno, std::generic_category(), "standard output"};
   }
@@ -190,7 +190,7 @@ class Teller {
     return {};
   }
 
-  /// From Q, which would come first, to P: each is to come after the next one.
+  /// The members of the cycle, from Q, which would come first, to P. Each must be painted after the next one.
   void cycle(const Event& e) {
     constexpr std::size_t kMostNamed = 100;
     std::vector<int> members = replay_.marked();
@@ -226,7 +226,7 @@ class Teller {
   Explainer explainer_;
   Replay replay_;
   std::ostream& out_;
-  int splits_ = 0;  ///< before the event that is told
+  int splits_ = 0;  ///< the number of splits before the current event
 };
 
 }  // namespace
@@ -244,7 +244,7 @@ SortedScene recordedRun(const Options& options, const Picture& picture) {
 
 void printTrace(const Options& options, const Picture& picture, const SortedScene& sorted,
                 std::ostream& out) {
-  std::signal(SIGPIPE, SIG_DFL);  // whoever reads may have read enough
+  std::signal(SIGPIPE, SIG_DFL);  // the reader may stop reading early
   Teller{options, picture, sorted, out}.tell();
 }
 

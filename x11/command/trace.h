@@ -8,17 +8,19 @@
 
 namespace xnewell {
 
-/// `trace`: a run of the depth sort, told.
+/// `trace`: describes a run of the depth sort.
 
-/// The run of a picture that was made, with its events: the textbook's, or with --quick the accelerated one.
-/// @throws std::runtime_error where it has too many steps to be recorded
+/// Runs the depth sort on a picture that was made, and records its events: the textbook's run, or with
+/// --quick the accelerated one.
+/// @throws std::runtime_error if the run has too many steps to record
 [[nodiscard]] SortedScene recordedRun(const Options& options, const Picture& picture);
 
-/// One JSON object a line. The first, "event": "run", describes the run and the last, "summary", counts.
-/// Those between are, in the order of the run: take, test, move, cycle, impossible, contact, cut, paint. A
-/// test that settles a pair is preceded by those that were made before it and failed; all of them are one
-/// step. Lengths are pixels, z larger is nearer, numbers have ten digits.
-/// @throws std::system_error if `out` takes no more
+/// Writes one JSON object per line. The first, "event": "run", describes the run; the last, "summary", gives
+/// its counts. Between them stand, in the order of the run, the events take, test, move, cycle, impossible,
+/// contact, cut and paint. Before a test that settles a pair stand the tests that were made earlier and
+/// failed; together they are one step. Lengths are in pixels, a larger z is nearer, and numbers have ten
+/// digits.
+/// @throws std::system_error if `out` accepts no more
 void printTrace(const Options& options, const Picture& picture, const SortedScene& sorted, std::ostream& out);
 
 }  // namespace xnewell

@@ -14,7 +14,7 @@ namespace {
 
 constexpr int kMostFrames = 9999;
 
-/// The steps of the kind of --every. @throws UsageError
+/// The steps of the kind that --every names. @throws UsageError
 std::vector<int> stepsToDraw(const Options& options, const SortedScene& sorted) {
   const std::string word{kEvery[static_cast<int>(options.every)].name};
   std::vector<int> steps = stepsOf(sorted, options.every);
@@ -57,7 +57,7 @@ void writeStepperFrames(const Options& options, Scene scene, const std::function
   const std::vector<int> steps = stepsToDraw(options, sorted);
   makeFrameFolder(options.frames);
 
-  // The last step shows all painted: it is the last frame, whatever its kind.
+  // The last step shows every face painted, so it is the last frame, whatever its kind.
   const int end = bench.stepper().run()->steps();
   std::vector<int> shown = steps;
   if (shown.back() != end) shown.push_back(end);

@@ -14,8 +14,9 @@ constexpr long kEvents = ExposureMask | KeyPressMask | KeyReleaseMask | ButtonPr
                          PointerMotionMask | StructureNotifyMask | EnterWindowMask | LeaveWindowMask |
                          FocusChangeMask | ColormapChangeMask;
 
-/// Border pixel and colormap are given always: inherited ones are BadMatch where depth or visual differ from
-/// the root's. No background: the picture covers all of it, and the server painting first would be seen.
+/// Border pixel and colormap are always given: a window that inherits them causes BadMatch if its depth or
+/// visual differs from the root's. The window has no background: the picture covers all of it, and a
+/// background painted first by the server would flash.
 Window createWindow(Display* display, const ServerColormap& colormap, const Canvas::Settings& settings) {
   XSetWindowAttributes attributes{};
   attributes.background_pixmap = 0;
@@ -64,7 +65,7 @@ Canvas::Canvas(Display* display, const ServerColormap& colormap, const Settings&
     XSetWMColormapWindows(display, self, &self, 1);
   }
   XGCValues values{};
-  values.graphics_exposures = 0;  // the copies below would be answered by an event each
+  values.graphics_exposures = 0;  // without this, the server would answer each copy below with an event
   gc_ = {display, XCreateGC(display, window(), GCGraphicsExposures, &values)};
   trap.check();
   resize(settings.width, settings.height);
@@ -132,7 +133,9 @@ void Canvas::setFill(std::uint8_t index) {
     TransferImage transfer{display_,         colormap_.xVisual(), colormap_.visual().depth, kSide, kSide,
                            /*wantShm=*/false};
     tile = {pixels, {display_, XCreatePixmap(display_, window(), kSide, kSide, colormap_.visual().depth)}};
-    const OwnedGC whole{display_, XCreateGC(display_, tile.pixmap.get(), 0, nullptr)};  // gc() may be clipped
+    const OwnedGC whole{display_,
+                        XCreateGC(display_, tile.pixmap.get(), 0, nullptr)};  // a context of its own, because
+                                                                              // gc() may be clipped
     transfer.put(tile.pixmap.get(), whole.get(), IndexImage{kSide, kSide, index}, {0, 0, kSide, kSide},
                  colormap_.table());
   }

@@ -13,58 +13,60 @@
 
 namespace xnewell {
 
-/// A top-level window and the picture behind it: a pixmap of the same size that keeps what was presented, so
-/// that uncovering the window asks nobody to draw. Sizes 1 x 1 to 8192 x 8192, also larger than the screen.
+/// A top-level window and the picture behind it. The picture is a pixmap of the window's size that keeps what
+/// was presented, so an uncovered window needs no new drawing. Sizes are 1 x 1 to 8192 x 8192 pixels; a
+/// window may be larger than the screen.
 class Canvas {
  public:
   struct Settings {
     std::string title = "xnewell";
     int width = 1024, height = 768;
-    int minWidth = 1, minHeight = 1;  ///< asked of the window manager
-    bool sharedMemory = true;         ///< MIT-SHM where it works
+    int minWidth = 1, minHeight = 1;  ///< the smallest size, as a hint to the window manager
+    bool sharedMemory = true;         ///< use MIT-SHM if it works
   };
 
-  /// Makes the window, not yet on the screen; the picture is all index 0. Display and colormap must outlive
-  /// it.
+  /// Makes the window but does not map it. The picture is all index 0. The Display and the colormap must
+  /// outlive the canvas.
   /// @throws X11Error if the server has no room for the picture.
   Canvas(Display* display, const ServerColormap& colormap, const Settings& settings);
   Canvas(const Canvas&) = delete;
   Canvas& operator=(const Canvas&) = delete;
 
-  /// What window managers write over the window.
+  /// Sets the title that window managers show.
   void entitle(const std::string& title) const;
   void map() { XMapWindow(display_, window()); }
   [[nodiscard]] Window window() const { return window_.get(); }
   [[nodiscard]] int width() const { return size_.width; }
   [[nodiscard]] int height() const { return size_.height; }
   [[nodiscard]] bool sharedMemory() const { return transfer_->shared(); }
-  /// Did the user press the close button?
+  /// True if the event says that the user pressed the close button.
   [[nodiscard]] bool isCloseRequest(const XEvent& event) const;
 
-  /// Puts the part of `image` within `dirty` into the picture, not yet onto the window. What lies outside the
-  /// image or the canvas is left out. Pixel values are those of the colormap's last lookUp().
+  /// Puts the part of `image` within `dirty` into the picture, but not yet onto the window. Parts outside the
+  /// image or the canvas are left out. The pixel values are those of the colormap's last lookUp().
   void upload(const IndexImage& image, const Rect& dirty);
-  /// The same, and onto the window.
+  /// upload(), then expose().
   void present(const IndexImage& image, const Rect& dirty);
-  /// Copies `rect` of the picture to the window, as after an Expose event or after drawing into the picture.
+  /// Copies `rect` of the picture to the window: after an Expose event, or after drawing into the picture.
   void expose(const Rect& rect);
-  /// Gives the picture a new size (after ConfigureNotify); what fits is kept at the top left, new parts are
-  /// index 0. Sets the fill of gc(). The window's own size is the user's and the window manager's
-  /// business.
+  /// Gives the picture a new size, after ConfigureNotify. What fits stays at the upper left; new parts are
+  /// index 0. It changes the fill of gc(). The size of the window itself is left to the user and the window
+  /// manager.
   /// @throws X11Error if the server has no room; the old picture is then kept.
   void resize(int width, int height);
 
-  /// For drawing by the server: XFillPolygon into drawable(), gc() as setFill() left it, then expose().
+  /// For drawing by the server: call setFill(), draw into drawable() with gc(), then expose().
   [[nodiscard]] Drawable drawable() const { return picture_.get(); }
   [[nodiscard]] GC gc() const { return gc_.get(); }
-  /// What the server fills with gc() becomes the pixel values that upload() has for this index: one of them,
-  /// or where it is dithered the tile, from the picture's upper left corner.
+  /// Makes gc() fill with what upload() shows for this index: one pixel value, or for a dithered index the
+  /// tile, aligned with the picture's upper left corner.
   void setFill(std::uint8_t index);
 
-  /// The pixel values of `rect`, as the server has them. Precondition: rect is not empty and within the
-  /// picture. @throws X11Error if the server cannot.
+  /// The pixel values of `rect`, read from the server. Precondition: rect is not empty and lies within the
+  /// picture.
+  /// @throws X11Error if the server does not deliver them.
   [[nodiscard]] OwnedImage pixels(const Rect& rect) const;
-  /// What they show, through the colormap, each value >> 8.
+  /// The colours that these pixel values show through the colormap, each value >> 8.
   [[nodiscard]] RgbImage readBack(const Rect& rect) const;
 
  private:
@@ -76,7 +78,7 @@ class Canvas {
   OwnedPixmap picture_;
   OwnedGC gc_;
   std::unique_ptr<TransferImage> transfer_;
-  /// Tiles that the server has, and what they hold.
+  /// The tiles that the server holds, with their pixel values.
   struct ServerTile {
     Tile pixels;
     OwnedPixmap pixmap;

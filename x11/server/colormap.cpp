@@ -13,7 +13,7 @@ namespace xnewell {
 namespace {
 
 constexpr int kCellCount = 256;
-/// Where a picture has several hues they are taken to be these: red, yellow, green, cyan, blue, magenta.
+/// A picture with several hues is taken to have these six: red, yellow, green, cyan, blue, magenta.
 constexpr int kPureHues = 6;
 
 Visual* findVisual(Display* display, unsigned long id) {
@@ -33,7 +33,7 @@ std::vector<Rgb16> readColors(Display* display, Colormap map, const VisualInfo& 
   ErrorTrap trap{display};
   XQueryColors(display, map, cells.data(), static_cast<int>(cells.size()));
   trap.check();
-  // Xlib keeps a BadAlloc here to itself; but where it has an answer, it says which parts are in it.
+  // Xlib does not report a BadAlloc here. But an answer sets the flags, so flags of 0 mean that none came.
   if (cells[0].flags == 0) throw X11Error("X_QueryColors: the X server does not tell its colours");
   std::vector<Rgb16> colors(cells.size());
   std::ranges::transform(cells, colors.begin(), [](const XColor& c) {
@@ -51,7 +51,8 @@ XColor cellHolding(unsigned long pixel, Rgb16 color, int channels = DoRed | DoGr
           .pad = 0};
 }
 
-/// Where an index has the colour that the plan gives the interface there.
+/// For each index: the interface colour that the plan puts there, if the palette really has that colour
+/// there.
 std::array<std::optional<Cell>, kCellCount> interfaceCells(const Palette& palette, const CellPlan& plan) {
   const Palette its = withInterface(palette, plan);
   std::array<std::optional<Cell>, kCellCount> cells;
@@ -69,7 +70,8 @@ ServerColormap::ServerColormap(Display* display, const VisualChoice& choice, con
       xVisual_{findVisual(display, choice.visual.id)},
       settings_{settings} {
   const bool writable = visual_.writable(), sharing = writable && settings.owner == MapOwner::Shared;
-  // Cells are taken one by one of a map that is not ours alone, and of one that has too few for all.
+  // Cells are taken one by one from a map that others share, and from a map too small to hold the whole
+  // table.
   const bool byCell = sharing || (writable && !visual_.hasChannels() && !visual_.holdsTable());
   ErrorTrap trap{display};
   if (!sharing && (writable || xVisual_ != DefaultVisual(display, screen_))) {
@@ -98,7 +100,7 @@ ServerColormap::ServerColormap(Display* display, const VisualChoice& choice, con
 }
 
 void ServerColormap::takeShades() {
-  shared_.reset();  // what was taken before is free again
+  shared_.reset();  // frees what was taken before
   shared_ = std::make_unique<SharedCells>(display_, id(), visual_, settings_.shades);
   found_ = static_cast<int>(shared_->ramp().size());
   if (mixingShowsMore()) shared_->giveRampBack();
@@ -126,7 +128,8 @@ void ServerColormap::useEveryCell() {
 bool ServerColormap::mixingShowsMore() const {
   const bool several = settings_.severalHues && !visual_.gray();
   const int shades = several ? found_ / kPureHues : found_;
-  // Mixing has no more than 65 levels between two colours; and to ask for the colours takes many round trips.
+  // A mixture of two colours has at most 65 levels, so it cannot beat a longer ramp. And asking for the
+  // colours takes many round trips.
   if (found_ == 0 || found_ == settings_.shades || shades > 65) return false;
   const std::vector<OfferedColor> held = shared_->held();
   if (held.empty()) return false;
@@ -136,7 +139,7 @@ bool ServerColormap::mixingShowsMore() const {
     const glm::ivec3 hue{corner & 1, corner >> 1 & 1, corner >> 2 & 1};
     for (int value = 0; value < 256; value += 17) {
       mixing += offered.miss(hue * value, settings_.dither);
-      // Equally spaced, the nearest shade is on average a quarter of a step away.
+      // With equally spaced shades, the nearest one is a quarter of a step away on average.
       ramp += glm::length(glm::dvec3{hue}) * 255.0 / (4.0 * std::max(shades - 1, 1));
     }
   }
@@ -248,7 +251,7 @@ const ToolColors& ServerColormap::toolColors() {
     if (const std::optional<unsigned long> pixel = shared_->interfaceCell(cell))
       has[role] = OfferedColor{*pixel, wanted[role]};
   }
-  // To ask for what others hold takes many round trips.
+  // Asking for the colours that others hold takes many round trips, so we do it only if we need them.
   const bool settled = std::ranges::all_of(has, [](const auto& cell) { return cell.has_value(); });
   return tool_.emplace(chooseToolColors(settled ? OfferedColors{{}} : offered({}, {}), wanted, has));
 }
@@ -265,7 +268,7 @@ bool ServerColormap::lookUp(const Palette& palette, const CellPlan& plan) {
     std::optional<unsigned long> pixel = own[i];
     if (!pixel && visual_.exact()) pixel = pixelOf(color, visual_.masks) | visual_.alphaMask();
     if (!pixel && shared_ && color == Rgb16{}) pixel = shared_->interfaceCell(Cell::Black);
-    // The tool not by a shade of ours, which would change with the hue.
+    // The interface must not use one of our shades, because a shade changes with the hue.
     if (!pixel && interface[i]) pixel = toolColors()[static_cast<int>(*interface[i])].pixel;
     if (pixel) {
       next.set(i, *pixel);

@@ -16,30 +16,30 @@
 
 namespace xnewell {
 
-/// The picture's 256 colours on the server. Each index has either a cell of ours there, into which its colour
-/// is stored, or stands for the nearest of the colours that the server has, or several mixed. What the visual
-/// and
-/// `--colormap` give:
-///   private map of 256 cells    PseudoColor, GrayScale: every index its own cell, pixel value = index;
-///                               DirectColor: through pixel values (i, i, i)
-///   shared map                  the ramp's indices as far as cells were free, the others emulated; or all
-///                               emulated, where the map's own colours show more than so few shades
-///   private map of fewer cells  the same, but DirectColor's is filled with even levels once, then emulated,
-///                               and of a shared one so many levels are taken as are free
-///   map that cannot be written  emulated
-/// What cells there are is known when it is made, and changes with reconsider() alone.
+/// The picture's 256 colours on the server. An index either has a cell of ours, into which its colour is
+/// stored, or it is emulated: by the nearest colour that the server has, or by a mixture of several. The
+/// visual and `--colormap` decide which:
+///   private map of 256 cells    each index i has its own cell. PseudoColor, GrayScale: its pixel value is i;
+///                               DirectColor: its pixel value is (i, i, i)
+///   shared map                  the ramp's indices have cells as far as cells were free; the others are
+///                               emulated. If the map's own colours show more than so short a ramp, all are
+///   private map of fewer cells  the same. But a private DirectColor map is filled with even levels once and
+///                               then emulated; of a shared one we take as many levels as we can get
+///   map that cannot be written  all are emulated
+/// The cells are taken when the object is made. Only reconsider() changes them.
 class ServerColormap {
  public:
   struct Settings {
     MapOwner owner = MapOwner::Private;
-    bool dither = true;        ///< else every index is one colour, also where that is not the one wanted
-    int shades = kMaxShades;   ///< of the ramp: a shared map is asked for no more
-    bool severalHues = false;  ///< the shades are divided among them
+    bool dither = true;        ///< if false, each emulated index shows one colour, even if that is not the
+                               ///< one wanted
+    int shades = kMaxShades;   ///< of the ramp; we ask a shared map for no more
+    bool severalHues = false;  ///< true if several hues divide the shades
   };
-  /// The Display must outlive it. Where the default visual is 8 bits deep too, a private map starts as a copy
-  /// of the default one, so that cells we do not need look as they do everywhere else; elsewhere it starts
-  /// black. A shared map needs the default visual.
-  /// @throws NoColormapError; X11Error if the server refuses anything else
+  /// The Display must outlive this object. If the default visual is 8 bits deep too, a private map starts as
+  /// a copy of the default map, so cells that we do not need look as they do everywhere else. Otherwise it
+  /// starts black. A shared map needs the default visual.
+  /// @throws NoColormapError if there is no room for a map; X11Error if the server refuses anything else
   ServerColormap(Display* display, const VisualChoice& choice, const Settings& settings);
   ServerColormap(Display* display, const VisualChoice& choice)
       : ServerColormap{display, choice, Settings{}} {}
@@ -48,69 +48,73 @@ class ServerColormap {
   [[nodiscard]] const VisualInfo& visual() const { return visual_; }
   [[nodiscard]] Visual* xVisual() const { return xVisual_; }
 
-  /// Do stored colours show by themselves, at least those of the ramp? Else the picture is drawn again.
+  /// True if stored colours show at once, at least those of the ramp. If false, the picture must be drawn
+  /// again.
   [[nodiscard]] bool live() const { return has_ != Own::Nothing; }
-  /// Is index i shown by pixel value i?
+  /// True if index i is shown by pixel value i.
   [[nodiscard]] bool identity() const { return has_ == Own::Everything && !visual_.hasChannels(); }
-  /// For a scene with several hues, or with one again: where cells are shared they are taken anew. What is
-  /// shown meanwhile is to be stored and presented again.
+  /// Call this when the scene gets several hues, or one hue again. If cells are shared, they are taken anew;
+  /// the colours must then be stored, and the picture presented, again.
   void reconsider(bool severalHues);
-  /// How many shades a ramp can have so that each gets its own cell; where none does, all are emulated.
+  /// The longest ramp in which each shade has its own cell; 240 if no shade has one, because then all are
+  /// emulated.
   [[nodiscard]] int mostShades() const;
-  /// "PseudoColor 8, shared map, 143 of 240 shades"
+  /// What we use, such as "PseudoColor 8, shared map, 143 of 240 shades".
   [[nodiscard]] std::string account() const;
-  /// What the user gets less than was asked for, in a sentence; "" for nothing.
+  /// A sentence about what the user asked for and does not get; "" if nothing is missing.
   [[nodiscard]] std::string shortfall() const;
 
-  /// The default map's colours at the start (black where it is not copied): what makePalette() puts into
-  /// unneeded cells.
+  /// The default map's colours when this object was made; black if they were not copied. makePalette() puts
+  /// them into cells that it does not need.
   [[nodiscard]] const Palette& unneeded() const { return unneeded_; }
-  /// The plan that leaves black and white where this server has them. Where pixel values are not indices, or
-  /// the default map's are not of 8 bits, its pixels mean nothing here, and the plan is the usual one.
+  /// The plan that keeps black and white at this server's pixel values. If pixel values are not indices, or
+  /// the default map is not 8 bits deep, the server's pixel values mean nothing here, and the plan is the
+  /// usual one.
   [[nodiscard]] CellPlan plan(TableKind table) const;
 
-  /// Looks up the pixel values that show `palette`; the sixteen cells of `plan` are never dithered, for text
-  /// must be read. Returns true if some index is now shown by others: the index image must be presented
-  /// again. Draws and stores nothing.
+  /// Looks up the pixel values that show `palette`. The sixteen cells of `plan` are never dithered, because
+  /// text must be legible. Returns true if the pixel values of some index changed: the index image must then
+  /// be presented again. It draws nothing and stores nothing.
   bool lookUp(const Palette& palette, const CellPlan& plan = CellPlan{});
-  /// lookUp(), and stores: one XStoreColors with the cells that changed since the last store, and nothing at
-  /// all if none did; it leaves with the next flush, so that colours and cells that change together arrive
-  /// together.
+  /// Calls lookUp(), then stores the cells that changed since the last store, with one XStoreColors; if none
+  /// changed, it sends nothing. The request leaves with the next flush, so colours and cells that change
+  /// together arrive together.
   bool store(const Palette& palette, const CellPlan& plan = CellPlan{});
 
-  /// How the indices are shown since the last lookUp().
+  /// The pixel values of the indices since the last lookUp().
   [[nodiscard]] const PixelTable& table() const { return table_; }
-  /// One pixel value each, the nearest.
+  /// One pixel value for each index: its cell's, or that of the nearest colour.
   [[nodiscard]] const std::array<unsigned long, 256>& pixels() const { return table_.pixels(); }
   [[nodiscard]] unsigned long pixel(std::uint8_t index) const { return pixels()[index]; }
-  /// What those pixels show, as the server says (a round trip).
+  /// The colours that those pixels show, read from the server (a round trip).
   [[nodiscard]] Palette shown() const;
 
-  /// Is it the map that the screen uses now?
+  /// True if the screen uses this map now.
   [[nodiscard]] bool installed() const;
-  /// ICCCM §4.1.8 leaves installing to the window manager. Where there is none we do it. To be called
-  /// when the window is mapped, entered or focused.
+  /// Installs our map if no window manager runs; ICCCM §4.1.8 leaves it to the window manager otherwise. Call
+  /// this when the window is mapped, entered or focused.
   void installUnlessManaged();
 
  private:
-  enum class Own { Nothing, Ramp, Everything };  ///< which indices have their own
+  enum class Own { Nothing, Ramp, Everything };  ///< which indices have a cell of ours
   void useEveryCell();
   void takeShades();
   void offerFixedColors();
-  /// Do the colours of the shared map come nearer to those of a picture than the ramp does?
+  /// True if mixtures of the shared map's colours come nearer to a picture's colours than the ramp does.
   [[nodiscard]] bool mixingShowsMore() const;
-  /// What is done with the colours of a shared map that has too few cells.
+  /// Says what is done with the colours of a shared map that has too few cells.
   [[nodiscard]] std::string instead() const;
-  void fillEvenly();  ///< a DirectColor map of fewer than 256 levels a channel
-  /// The pixel value of the cell of ours that holds an index's colour, where there is one.
+  void fillEvenly();  ///< fills a DirectColor map that has fewer than 256 levels per channel
+  /// The pixel value of the cell of ours that holds an index's colour; no value if the index has no such
+  /// cell.
   using OwnCells = std::array<std::optional<unsigned long>, 256>;
   [[nodiscard]] OwnCells ownCells(const CellPlan& plan) const;
-  /// What is on offer for the other indices while `palette` is stored.
+  /// The colours that can stand for the other indices while `palette` is stored.
   [[nodiscard]] OfferedColors offered(const Palette& palette, const OwnCells& own) const;
-  /// What shows the tool's colours where they have no cells of their own; asked for where needed, for most
-  /// maps have cells for all, and does not change.
+  /// What shows the interface colours that have no cell of their own. It is computed when first needed,
+  /// because most maps have cells for all of them. It does not change.
   [[nodiscard]] const ToolColors& toolColors();
-  /// A colour as this visual can show it.
+  /// The colour as this visual can show it.
   [[nodiscard]] Rgb16 seen(Rgb16 color) const { return visual_.gray() ? grayOf(color) : color; }
 
   Display* display_;
@@ -119,10 +123,11 @@ class ServerColormap {
   Visual* xVisual_;
   Settings settings_;
   Own has_ = Own::Nothing;
-  int found_ = 0;      ///< shades that the map had cells for, also where it was better to give them back
-  OwnedColormap own_;  ///< empty: the default map serves
-  std::unique_ptr<SharedCells> shared_;  ///< of Own::Ramp, and where a shared map had none
-  std::optional<OfferedColors> fixed_;   ///< of a map that does not change
+  int found_ = 0;                        ///< shades that the map had cells for, even if we gave them back
+  OwnedColormap own_;                    ///< empty if we use the default map
+  std::unique_ptr<SharedCells> shared_;  ///< set if cells were taken one by one, even if there were none for
+                                         ///< the ramp
+  std::optional<OfferedColors> fixed_;   ///< set if the map's colours do not change
   std::optional<ToolColors> tool_;
   Palette unneeded_{};
   struct LookedUp {
@@ -132,7 +137,8 @@ class ServerColormap {
   };
   std::optional<LookedUp> lookedUp_;
   PixelTable table_;
-  /// What an index's cell holds; nothing before the first store, for a new map's contents are undefined.
+  /// What the cell of each index holds. It is empty before the first store, because the contents of a new map
+  /// are undefined.
   struct Stored {
     unsigned long pixel;
     Rgb16 color;
@@ -141,10 +147,10 @@ class ServerColormap {
   std::array<std::optional<Stored>, 256> stored_;
 };
 
-/// What pixel values show through a colormap, as the server says.
+/// Tells which colours pixel values show through a colormap, as the server says.
 class PixelColors {
  public:
-  /// A round trip. @throws X11Error if the server does not answer
+  /// Takes a round trip. @throws X11Error if the server does not answer
   PixelColors(Display* display, Colormap map, const VisualInfo& visual);
   [[nodiscard]] Rgb16 operator()(unsigned long pixel) const {
     return {cells_[field(pixel, masks_.red)].r, cells_[field(pixel, masks_.green)].g,
@@ -155,14 +161,13 @@ class PixelColors {
   static std::size_t field(unsigned long pixel, unsigned long mask) {
     return (pixel & mask) >> std::countr_zero(mask);
   }
-  ChannelMasks masks_;  ///< of a visual without channels all bits for each
+  ChannelMasks masks_;  ///< for a visual without channels, each mask has all bits
   std::vector<Rgb16> cells_;
 };
 
-/// Does a window manager run on the default screen? Asked by the one thing that every window manager must do
-/// and only one client at a time can: select SubstructureRedirect on the root window. The root's attributes
-/// tell it in one round trip, also of managers too old for the WM_S0 selection, and we need not try to become
-/// one.
+/// True if a window manager runs on the default screen. Every window manager must select SubstructureRedirect
+/// on the root window, and only one client at a time can. The root's attributes show this in one round trip,
+/// even for managers too old for the WM_S0 selection, and we need not try to become one ourselves.
 [[nodiscard]] bool windowManagerRuns(Display* display);
 
 }  // namespace xnewell

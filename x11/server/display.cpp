@@ -15,11 +15,12 @@ namespace {
 
 ErrorTrap* innermost = nullptr;
 int strays = 0;
-int standardError = STDERR_FILENO;  ///< where our own messages go
+int standardError = STDERR_FILENO;  ///< the stream for our own messages
 
 void tell(const std::string& what) { dprintf(standardError, "xnewell: %s\n", what.c_str()); }
 
-/// "X_PutImage"; for an extension's request "MIT-SHM.3", or "request 130.3" where we may not ask the server.
+/// The name of a request, such as "X_PutImage"; for an extension's request "MIT-SHM.3", or "request 130.3" if
+/// we must not ask the server for the extension's name.
 std::string requestName(Display* display, int major, int minor, bool mayAsk) {
   const std::string number = std::to_string(major);
   std::array<char, 128> text{};
@@ -52,8 +53,8 @@ struct FileCloser {
   void operator()(std::FILE* file) const { std::fclose(file); }
 };
 
-/// Opens a display, and gives what the libraries meanwhile write to standard error: a server that refuses us
-/// says why, and libxcb passes that on nowhere else.
+/// Opens a display. `said` gets what the libraries write to standard error meanwhile: a server that refuses
+/// us gives a reason, and libxcb reports it nowhere else.
 OwnedDisplay open(const std::string& name, std::string& said) {
   const std::unique_ptr<std::FILE, FileCloser> aside{std::tmpfile()};
   const int copy = aside ? dup(STDERR_FILENO) : -1;
@@ -71,7 +72,7 @@ OwnedDisplay open(const std::string& name, std::string& said) {
 
 }  // namespace
 
-/// Called by Xlib while it reads the server's answers: must not make requests, must not throw.
+/// Xlib calls this while it reads the server's answers. It must not make requests and must not throw.
 int onError(Display* display, XErrorEvent* error) {
   for (ErrorTrap* trap = innermost; trap != nullptr; trap = trap->outer_) {
     if (trap->display_ != display || error->serial < trap->from_) continue;
@@ -83,8 +84,8 @@ int onError(Display* display, XErrorEvent* error) {
 }
 
 OwnedDisplay openDisplay(const std::string& name) {
-  XInitThreads();                 // long_work.h: a scene that is opened meanwhile asks for its cells
-  std::signal(SIGPIPE, SIG_IGN);  // a broken connection is onServerGone()'s
+  XInitThreads();                 // see long_work.h: a scene opened on the other thread asks for its cells
+  std::signal(SIGPIPE, SIG_IGN);  // onServerGone() handles a broken connection
   XSetErrorHandler(onError);
   XSetIOErrorHandler(onServerGone);
   const std::string used = XDisplayName(name.empty() ? nullptr : name.c_str());

@@ -12,30 +12,31 @@
 namespace xnewell {
 
 /// The connection to the X server: who owns what on it, and how its errors become ours.
-/// Includes Xlib and with it the macros None, Bool, Status ...: only for x11/*.cpp and their tests.
+/// This header includes Xlib, and with it the macros None, Bool, Status and others. So only
+/// x11/server, x11/app and their tests may include it.
 
 struct DisplayCloser {
   void operator()(Display* display) const { XCloseDisplay(display); }
 };
 using OwnedDisplay = std::unique_ptr<Display, DisplayCloser>;
 
-/// Opens the display called `name`, or the one in $DISPLAY where `name` is empty.
-/// Installs what this program does about errors that no ErrorTrap awaits:
-///   - an X error is counted (strayErrors()), and the first ten are printed with their requests, for a window
-///     may see one in every frame; the program goes on;
-///   - a server that has gone is told on standard error and ends the program at once with status 1. Xlib
-///     cannot go on from there, and nothing but Xlib may be called, so destructors do not run. For this
-///     SIGPIPE is ignored: a pipe that nobody reads is an error like a full disk.
-/// @throws X11Error "cannot open display ':7'" and the server's reason, if it gives one, or that no DISPLAY
-/// is set.
+/// Opens the display called `name`, or the one in $DISPLAY if `name` is empty.
+/// It also installs what this program does about errors that no ErrorTrap awaits:
+///   - An X error is counted (see strayErrors()), and the program goes on. The first ten are printed with
+///     their requests; no more, because a window may cause one in every frame.
+///   - If the server is gone, the program prints a message and ends at once with status 1. Xlib cannot go on
+///     from there, and we may call nothing but Xlib, so destructors do not run. SIGPIPE is ignored for this,
+///     so writing to a pipe that nobody reads is an ordinary error, like a full disk.
+/// @throws X11Error "cannot open display ':7'" with the server's reason, if it gives one; or "no DISPLAY is
+/// set"
 [[nodiscard]] OwnedDisplay openDisplay(const std::string& name = {});
 
 inline constexpr int kToldErrors = 10;
-/// Errors so far that arrived outside every trap; not 0 at the end means that something shown may be wrong.
+/// The number of errors so far that no trap caught. If it is not 0 at the end, something shown may be wrong.
 [[nodiscard]] int strayErrors();
 
-/// A server resource released by Free(display, id). Move-only; id 0 owns nothing.
-/// The Display is borrowed and must outlive every resource made on it.
+/// A server resource that Free(display, id) releases. It can be moved but not copied; id 0 owns nothing.
+/// The Display is borrowed. It must outlive every resource made on it.
 template <typename Id, auto Free>
 class XResource {
  public:
@@ -61,13 +62,13 @@ using OwnedWindow = XResource<Window, XDestroyWindow>;
 using OwnedColormap = XResource<Colormap, XFreeColormap>;
 using OwnedGC = XResource<GC, XFreeGC>;
 
-/// An image in our memory.
+/// An image in our own memory.
 struct ImageDestroyer {
   void operator()(XImage* image) const;
 };
 using OwnedImage = std::unique_ptr<XImage, ImageDestroyer>;
 
-/// While it lives all other programs wait; for a few requests that belong together.
+/// While this object lives, all other programs wait. Use it for a few requests that belong together.
 class ServerGrab {
  public:
   explicit ServerGrab(Display* display) : display_{display} { XGrabServer(display); }
@@ -82,9 +83,9 @@ class ServerGrab {
   Display* display_;
 };
 
-/// Collects the errors of the requests made on `display` while it lives; answers of earlier requests that
-/// are still under way go to the trap around it, so no round trip is needed to begin. Traps nest.
-/// The destructor waits for the server only if check() has not, and drops what it finds.
+/// Collects the errors of the requests made on `display` while it lives. Errors of earlier requests go to the
+/// trap around it, even if they arrive now, so a trap begins without a round trip. Traps nest.
+/// The destructor waits for the server only if check() has not done so; it drops the errors that it finds.
 class ErrorTrap {
  public:
   explicit ErrorTrap(Display* display);
@@ -92,8 +93,9 @@ class ErrorTrap {
   ErrorTrap(const ErrorTrap&) = delete;
   ErrorTrap& operator=(const ErrorTrap&) = delete;
 
-  /// Waits until the server has done everything (XSync).
-  /// @throws X11Error the first error since the trap was set or last checked, with its request's name.
+  /// Waits until the server has processed every request (XSync).
+  /// @throws X11Error for the first error since the trap was set or last checked, with the name of its
+  /// request.
   void check();
 
  private:
@@ -102,8 +104,8 @@ class ErrorTrap {
 
   Display* display_;
   ErrorTrap* outer_;
-  unsigned long from_;    ///< serial of the first request that is ours
-  unsigned long synced_;  ///< serial of the next request when we last waited
+  unsigned long from_;    ///< serial of the first request that belongs to this trap
+  unsigned long synced_;  ///< serial that the next request had when we last waited
   std::optional<XErrorEvent> first_;
 };
 

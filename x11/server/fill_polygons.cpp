@@ -9,15 +9,16 @@ namespace xnewell {
 
 namespace {
 
-/// Repeated pixels in a row say nothing to the server, and without them no polygon outgrows a request:
-/// a convex outline within the guard band passes fewer than 4 * 16384 pixels.
+/// Appends a vertex as a pixel, unless it repeats the last one. A repeated pixel does not change the polygon.
+/// Without repeats no polygon is too long for a request: a convex outline within the guard band passes fewer
+/// than 4 * 16384 pixels.
 void appendPixel(std::vector<XPoint>& points, const glm::ivec3& v, const Rect& area) {
   const XPoint p{static_cast<short>(area.x + (v.x >> kGridBits)),
                  static_cast<short>(area.y + (v.y >> kGridBits))};
   if (points.empty() || points.back().x != p.x || points.back().y != p.y) points.push_back(p);
 }
 
-/// The pixels on a piece's side of all its cuts, in the rows that its face may reach.
+/// The pixels on the piece's side of all its cuts, row by row, within the rows that its face may reach.
 void clipToPiece(std::vector<XRectangle>& rows, const SnappedScene& scene, const SortedScene& sorted,
                  const Fragment& fragment, const Rect& area) {
   const SnappedFace& face = scene.faces[fragment.face];
@@ -56,7 +57,7 @@ void fillPolygons(Display* display, Canvas& canvas, const Picture& picture, cons
     const SnappedFace& face = scene.faces[i];
     points.clear();
     for (int v = face.first; v < face.first + face.count; ++v) appendPixel(points, scene.vertices[v], area);
-    if (points.size() < 3) continue;  // thinner than a pixel: the server would own no centre of it
+    if (points.size() < 3) continue;  // thinner than a pixel: it covers no pixel centre
     if (current != picture.cells()[i]) {
       current = picture.cells()[i];
       canvas.setFill(picture.cells()[i]);

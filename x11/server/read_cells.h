@@ -8,13 +8,15 @@
 
 namespace xnewell {
 
-/// What a canvas shows as cells, not as colours: pixel values from the server, and the index of each.
+/// Reads what a canvas shows as an index image: the pixel values from the server, each with its index.
 ///
-/// With a colormap of our own a pixel value is one cell's, so its number is read and not assumed. Where cells
-/// are emulated several may share a pixel value: then it is the one that was sent there, or where the server
-/// has painted since, the first of them. Colours are those that the server says these pixels show.
-/// Nothing where some pixel value is no cell's, as where a colour is dithered.
-/// @throws X11Error if the server cannot
+/// With a colormap of our own, each pixel value belongs to one cell, so the index is read and not assumed.
+/// Where cells are emulated, several indices may share a pixel value. The result is then the index of `sent`,
+/// if it has that pixel value; if the server has painted something else since, it is the lowest index that
+/// has it. The colours are those that the server says these pixels show.
+/// Returns nothing if some pixel value belongs to no index, as for a dithered colour. `sent` must be as large
+/// as the canvas.
+/// @throws X11Error if the server does not deliver the picture
 [[nodiscard]] std::optional<ColoredImage> readCells(const Canvas& canvas, const ServerColormap& colormap,
                                                     const IndexImage& sent);
 

@@ -7,14 +7,14 @@
 
 namespace xnewell {
 
-/// Asks a server what it has.
+/// Asks a server for its visuals and cells.
 
-/// Free cells are counted only if asked for: by taking them and giving them back, some fifteen round trips in
-/// which all other programs wait.
+/// Free cells are counted only if `countsCells` is true. They are counted by taking them and giving them
+/// back: some fifteen round trips, during which all other programs wait.
 [[nodiscard]] ServerVisuals readVisuals(Display* display, bool countsCells = false);
 
-/// Takes cells of the map for ourselves, as many as it gives but at most `most`, in falling powers of two.
-/// Nobody else is to free or change them; give them back with XFreeColors.
+/// Takes free cells of the map for ourselves: as many as it has, but at most `most`. It asks for falling
+/// powers of two. Nobody else may free or change these cells. Give them back with XFreeColors.
 [[nodiscard]] std::vector<unsigned long> takeCells(Display* display, unsigned long map, int most);
 
 }  // namespace xnewell

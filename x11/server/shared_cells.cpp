@@ -40,7 +40,7 @@ SharedCells::SharedCells(Display* display, Colormap map, const VisualInfo& visua
 
 SharedCells::~SharedCells() {
   giveBack(display_, map_, ramp_, 0);
-  // A list must not name a cell more often than the server counts us in one request: one by one.
+  // A list may not name a cell more often than one request of ours is counted, so we free one cell at a time.
   for (unsigned long pixel : taken_) XFreeColors(display_, map_, &pixel, 1, 0);
 }
 
@@ -59,7 +59,8 @@ std::vector<OfferedColor> SharedCells::held() {
   for (int k = 0; k < visual_.cells; ++k) cells[k].pixel = pixelOfCell(visual_, k);
   XQueryColors(display_, map_, cells.data(), visual_.cells);
   std::vector<Rgb16> colors;
-  // Where channels have cells of their own, black and white have those of all eight corners.
+  // Where each channel has its own cells, the cells of black and white also give all eight corners of the
+  // cube.
   for (unsigned corner = 0; visual_.hasChannels() && corner < 8; ++corner) {
     const auto full = [&](unsigned bit) { return static_cast<std::uint16_t>(corner & bit ? 65535 : 0); };
     colors.push_back({full(1), full(2), full(4)});
@@ -82,7 +83,7 @@ std::array<std::vector<OfferedLevel>, 3> SharedCells::levels() {
   std::array<std::vector<OfferedLevel>, 3> levels;
   for (int c = 0; c < 3; ++c) {
     const unsigned long n = levelsOf(masks[c]);
-    const auto ask = [&](std::uint16_t value) {  // black is there in the other two
+    const auto ask = [&](std::uint16_t value) {  // the other two channels are black, which is already there
       if (std::ranges::find(levels[c], value >> 8, &OfferedLevel::value) != levels[c].end()) return;
       Rgb16 color;
       (c == 0 ? color.r : c == 1 ? color.g : color.b) = value;
@@ -91,7 +92,7 @@ std::array<std::vector<OfferedLevel>, 3> SharedCells::levels() {
     };
     ask(0);
     ask(65535);
-    // The others so that any number of them are spread: n / 2, n / 4, 3 n / 4, ...
+    // Ask for the other levels in an order that spreads any number of them evenly: n / 2, n / 4, 3 n / 4, ...
     for (unsigned long step = n / 2; step > 0; step /= 2)
       for (unsigned long l = step; l < n; l += 2 * step) ask(static_cast<std::uint16_t>(l * 65535 / (n - 1)));
     if (levels[c].size() < n) XQueryColors(display_, map_, cells.data(), visual_.cells);

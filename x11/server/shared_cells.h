@@ -11,41 +11,42 @@
 
 namespace xnewell {
 
-/// `--colormap shared`: cells of the default colormap, which other programs use too; or of any map that has
-/// too few for the whole table. Only what nobody else can change is used: cells of our own, and cells that
-/// are read-only for as long as somebody has them, as we then do. So it does not matter what others do to the
-/// map.
+/// Cells of a map that others use too (`--colormap shared`), or of a map that is too small for the whole
+/// table. We use only what nobody else can change: cells of our own, and read-only cells, which cannot change
+/// as long as some program holds them, as we do. So it does not matter what other programs do to the map.
 class SharedCells {
  public:
-  /// Takes up to `shades` cells for a ramp, and cells for the interface's colours where the map has not got
-  /// them: of the free cells a quarter at most, so that few cells still make a picture. Whoever gets none is
-  /// shown by the nearest colour there is; so the order is by what would suffer most: first the grays between
-  /// black and white, for those two are always there, then the colours that mean something, last those that
-  /// hardly differ from black or white. A ramp of one shade is none: the cell is given back. Where no shades
-  /// are asked for, no cell is taken but the map's black and white.
-  /// All others wait meanwhile, so that two programs that start together share and do not starve.
+  /// Takes up to `shades` cells for a ramp, and cells for those interface colours that the map does not have
+  /// yet. The interface gets at most a quarter of the free cells, so that few cells still make a picture. An
+  /// interface colour without a cell is shown by the nearest colour there is, so those that would suffer most
+  /// come first: black and white, which the map has anyway; then the grays between them; then the colours
+  /// that carry a meaning; last those that hardly differ from black or white. A ramp of one shade is useless:
+  /// its cell is given back. If `shades` is 0, we take only black and white.
+  /// All other programs wait during this. So if two programs start together, they share the cells and neither
+  /// gets none.
   SharedCells(Display* display, Colormap map, const VisualInfo& visual, int shades);
   ~SharedCells();
   SharedCells(const SharedCells&) = delete;
   SharedCells& operator=(const SharedCells&) = delete;
 
-  /// Ours to store into: pixel values of shade 0, 1, ...
+  /// The cells that we may store into: the pixel values of shade 0, 1, ...
   [[nodiscard]] const std::vector<unsigned long>& ramp() const { return ramp_; }
-  /// For who shows more without: all their cells back. The colours held() are then those asked for before.
+  /// Gives all cells of the ramp back, for a caller that can show more without them. held() still returns the
+  /// colours that it found before.
   void giveRampBack();
   /// The cell that shows an interface colour exactly, if there is one.
   [[nodiscard]] std::optional<unsigned long> interfaceCell(Cell cell) const {
     return interface_[static_cast<int>(cell)];
   }
-  /// All read-only colours of the map, black and white at least. Takes hold of them, which asks the server
-  /// once for each.
+  /// All read-only colours of the map; at least black and white. We take hold of each, with one request each.
   [[nodiscard]] std::vector<OfferedColor> held();
-  /// Of a visual with channels: even levels of each, as far as there are free cells or others show the same,
-  /// and those that others show; full and none at least. Asks the server once for each.
+  /// The levels that each channel of a visual with channels can have. These are even levels, as far as cells
+  /// are free or others show the same level, and levels that others show; at least 0 and full. Each costs one
+  /// request.
   [[nodiscard]] std::array<std::vector<OfferedLevel>, 3> levels();
 
  private:
-  /// The read-only cell of that colour: the map's, or a new one where a cell is free.
+  /// Takes the read-only cell with that colour: one that the map has, or a new one if a cell is free.
   std::optional<unsigned long> take(Rgb16 color);
 
   Display* display_;
@@ -54,7 +55,7 @@ class SharedCells {
   std::vector<unsigned long> ramp_;
   std::array<std::optional<unsigned long>, kCells> interface_{};
   std::vector<OfferedColor> held_;
-  std::vector<unsigned long> taken_;  ///< read-only cells, each as often as it was taken
+  std::vector<unsigned long> taken_;  ///< the read-only cells, each listed as often as we took it
 };
 
 }  // namespace xnewell

@@ -15,7 +15,8 @@ namespace xnewell {
 
 namespace {
 
-/// A forwarded connection may offer MIT-SHM and mean the memory of another machine.
+/// True if the server runs on this machine. A forwarded connection may offer MIT-SHM but mean the memory of
+/// another machine.
 bool isLocal(Display* display) {
   sockaddr_storage address{};
   socklen_t length = sizeof address;
@@ -23,7 +24,7 @@ bool isLocal(Display* display) {
          address.ss_family == AF_UNIX;
 }
 
-/// Pictures are made of runs: eight equal indices are looked up once.
+/// Pictures consist of runs, so eight equal indices are looked up once.
 void expandRow(const std::uint8_t* in, int count, const std::array<std::uint32_t, 256>& pixels,
                std::uint32_t* out) {
   int i = 0;
@@ -90,7 +91,7 @@ void writePixels(XImage& out, const IndexImage& image, const Rect& rect, const P
 }
 
 void TransferImage::ImageDeleter::operator()(XImage* image) const {
-  image->data = nullptr;  // ours, not malloc's
+  image->data = nullptr;  // the memory is ours and was not allocated by malloc
   XDestroyImage(image);
 }
 
@@ -121,8 +122,9 @@ bool TransferImage::share(Visual* visual, int depth, int width, int height) {
   segment.shmid = shmget(IPC_PRIVATE, std::size_t(image->bytes_per_line) * height, IPC_CREAT | 0600);
   if (segment.shmid < 0) return false;
   void* memory = shmat(segment.shmid, nullptr, 0);
-  // Removed at once, so that it goes with the last of us however we end, also while the server is awaited.
-  // Linux lets the server attach it still; a system that does not has its pictures sent.
+  // The segment is marked for removal now. So it disappears with its last user, however we end, even while we
+  // wait for the server. Linux still lets the server attach it. On a system that does not, pictures are sent
+  // through the connection.
   shmctl(segment.shmid, IPC_RMID, nullptr);
   bool attached = reinterpret_cast<std::intptr_t>(memory) != -1;
   if (attached) {
@@ -139,7 +141,7 @@ bool TransferImage::share(Visual* visual, int depth, int width, int height) {
   if (!attached) return false;
   segment_ = segment;
   image_ = std::move(image);
-  image_->obdata = reinterpret_cast<XPointer>(&segment_);  // where XShmPutImage looks
+  image_->obdata = reinterpret_cast<XPointer>(&segment_);  // XShmPutImage looks for the segment there
   return true;
 }
 
@@ -151,7 +153,7 @@ void TransferImage::put(Drawable target, GC gc, const IndexImage& image, const R
     lastPut_ = NextRequest(display_);
     XShmPutImage(display_, target, gc, image_.get(), rect.x, rect.y, rect.x, rect.y, rect.width, rect.height,
                  0);
-  } else {  // Xlib cuts this into requests that the server takes
+  } else {  // Xlib divides this into requests of a size that the server accepts
     XPutImage(display_, target, gc, image_.get(), rect.x, rect.y, rect.x, rect.y, rect.width, rect.height);
   }
 }

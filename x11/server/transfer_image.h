@@ -13,20 +13,20 @@
 
 namespace xnewell {
 
-/// How an index image gets to the server: written into an XImage in the server's own format, in memory that
-/// the server can read directly (MIT-SHM) where it is on this machine, and sent through the connection
-/// elsewhere.
+/// Brings an index image to the server. The image is written into an XImage in the server's own format. If
+/// the server runs on this machine, the XImage lies in memory that it can read directly (MIT-SHM); otherwise
+/// the image is sent through the connection.
 
-/// Writes the cells of `rect` as pixel values at the same place of `out`, whatever its bits per pixel and
-/// byte order. Precondition: rect is within both; pixel values < 2^depth.
+/// Writes the cells of `rect` as pixel values at the same place of `out`, for any number of bits per pixel
+/// and any byte order. Precondition: rect lies within both images; pixel values < 2^depth.
 void writePixels(XImage& out, const IndexImage& image, const Rect& rect, const PixelTable& table);
 
 class TransferImage {
  public:
-  /// Memory for one picture of the given size. `wantShm` asks for shared memory; without it, or where the
-  /// server does not offer it, is not reached through a local socket, or cannot attach (as from another
-  /// container), the memory is ours alone. A shared segment is marked for removal before the server attaches
-  /// it: it goes with the last of us, however we end.
+  /// Makes memory for one picture of the given size. `wantShm` asks for shared memory. The memory is private
+  /// if `wantShm` is false, if the server does not offer MIT-SHM, if we do not reach it through a local
+  /// socket, or if it cannot attach the segment (as from another container). A shared segment is marked for
+  /// removal before the server attaches it: it disappears with its last user, however we end.
   /// @throws X11Error if there is no memory.
   TransferImage(Display* display, Visual* visual, int depth, int width, int height, bool wantShm);
   ~TransferImage();
@@ -34,8 +34,8 @@ class TransferImage {
   TransferImage& operator=(const TransferImage&) = delete;
 
   [[nodiscard]] bool shared() const { return segment_.shmaddr != nullptr; }
-  /// Puts `rect` of `image` at the same place of `target`. Waits first until the server has read what
-  /// the last call wrote into shared memory; usually it has.
+  /// Puts `rect` of `image` at the same place of `target`. It first waits until the server has read what the
+  /// last call wrote into shared memory; usually the server has.
   void put(Drawable target, GC gc, const IndexImage& image, const Rect& rect, const PixelTable& table);
 
  private:
@@ -45,7 +45,7 @@ class TransferImage {
   bool share(Visual* visual, int depth, int width, int height);
 
   Display* display_;
-  XShmSegmentInfo segment_{};  ///< shmaddr null: not shared
+  XShmSegmentInfo segment_{};  ///< shmaddr is null if the memory is not shared
   std::unique_ptr<std::byte[]> own_;
   std::unique_ptr<XImage, ImageDeleter> image_;
   unsigned long lastPut_ = 0;  ///< serial of the request that reads the shared memory

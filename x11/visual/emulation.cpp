@@ -99,7 +99,7 @@ std::vector<OfferedColor> OfferedColors::around(const glm::ivec3& target) const 
 
 OfferedColors::Parts OfferedColors::partsOf(const glm::ivec3& wanted) const {
   Parts parts;
-  glm::ivec3 owed{0};  // at most 64 * 255, so that squares of it fit an int
+  glm::ivec3 owed{0};  // |each component| <= 64 * 255, so its square fits an int
   for (OfferedColor& next : parts) {
     next = nearest(wanted + owed);
     owed += wanted - next.color;

@@ -12,69 +12,74 @@
 
 namespace xnewell {
 
-/// What stands for a colour where cells cannot be stored: the nearest that the server has, or several of them
-/// side by side whose mean it is. Nearest is meant by the squared distance of the 8-bit values, of two
-/// equally near the later (as nearest_color.h). What is shown is found with integers alone.
+/// How a colour is shown where cells cannot be written: by the nearest colour that the server has, or by a
+/// mixture of several whose mean it is. Nearness is the squared distance of the 8-bit values; of two equally
+/// near colours the later one counts (as in nearest_color.h). The search uses integers only.
 
-/// A pixel value and what it shows.
+/// A pixel value and the colour that it shows.
 struct OfferedColor {
   unsigned long pixel;
   glm::ivec3 color;  ///< 8-bit values
 };
 
-/// The bits of a pixel value that are one channel's, and what they show.
+/// The bits of one channel in a pixel value, and the level that they show.
 struct OfferedLevel {
   unsigned long bits;
-  int value;  ///< of 255
+  int value;  ///< 0..255
 };
 
-/// Pixel values for an 8 x 8 block, row by row, repeated from the picture's upper left corner.
+/// The pixel values of an 8 x 8 block, row by row. The block repeats from the picture's upper left corner.
 using Tile = std::array<unsigned long, 64>;
 [[nodiscard]] constexpr int placeInTile(int x, int y) { return (y & 7) * 8 + (x & 7); }
 
 class OfferedColors {
  public:
-  /// Some colours, in any order; at least one.
+  /// Any list of at least one colour, in any order.
   explicit OfferedColors(std::vector<OfferedColor> list) : list_{std::move(list)} {}
-  /// Each of a red, a green and a blue level; some of each, in any order. `opaque` is set in every pixel.
+  /// Every combination of a red, a green and a blue level. Each channel has at least one level, in any order.
+  /// The bits of `opaque` are set in every pixel value.
   OfferedColors(const std::array<std::vector<OfferedLevel>, 3>& levels, unsigned long opaque);
-  /// All that the channels' bits can say. `shown` tells what a pixel value shows.
+  /// Every combination of the channels' bits. `shown` gives the colour that a pixel value shows.
   OfferedColors(const ChannelMasks& masks, unsigned long opaque,
                 const std::function<Rgb16(unsigned long pixel)>& shown);
 
   [[nodiscard]] std::size_t size() const;
-  /// To `target`, whose values may lie outside 0..255.
+  /// The nearest colour to `target`, whose values may lie outside 0..255.
   [[nodiscard]] OfferedColor nearest(const glm::ivec3& target) const;
-  /// What there is to choose from where another distance counts: the whole list; of each channel the nearest
-  /// level and two on either side.
+  /// The candidates near `target`, for a caller that measures distance in another way: the whole list; or
+  /// with channels, every combination of the nearest level and two levels on either side of it.
   [[nodiscard]] std::vector<OfferedColor> around(const glm::ivec3& target) const;
 
-  /// Sixty-four times the colour nearest to the wanted one plus what is still owed of it, the brighter ones
-  /// where bayerRank() is low: ordered dithering with any colours. What is owed at the end is the error of
-  /// the mean, times 64. Where the levels of a channel, or the grays of a list, are at most s apart, and the
-  /// wanted one lies between the least and the greatest, it never exceeds s / 2: the mean is right within s /
-  /// 128. Where no mixture gives the colour, the mean tends to the nearest that one can give. @see T. Knoll,
-  /// "Pattern dithering", US patent 6606166, expired; Adler et al., "The mathematics of halftoning", 2003
+  /// Ordered dithering with any set of colours. The tile holds 64 colours. Each is the nearest to the wanted
+  /// colour plus the error that is still owed. The brighter ones stand where bayerRank() is low.
+  /// The error owed at the end is 64 times the error of the mean. If the levels of a channel (or the grays of
+  /// a list) are at most s apart, and the wanted colour lies between the least and the greatest, this error
+  /// never exceeds s / 2: the mean is right within s / 128. If no mixture gives the colour, the mean tends to
+  /// the nearest mean that a mixture can give.
+  /// @see T. Knoll, "Pattern dithering", US patent 6606166, expired; Adler et al., "The mathematics of
+  /// halftoning", 2003
   [[nodiscard]] Tile mixture(const glm::ivec3& wanted) const;
-  /// How far a colour is from what stands for it, in 8-bit values: the nearest, or the mixture seen as one
-  /// spot. Of that the error of the mean counts, and of the grain an eighth of its root mean square, as the
-  /// mean of 64 places drawn at random has.
+  /// The distance between a colour and what stands for it, in 8-bit values. Without `mixed` that is the
+  /// nearest colour. With `mixed` it is the mixture, seen as one spot: the error of its mean, plus an eighth
+  /// of the root mean square of its grain, which is the standard error of the mean of 64 places drawn at
+  /// random.
   [[nodiscard]] double miss(const glm::ivec3& wanted, bool mixed) const;
 
  private:
   using Parts = std::array<OfferedColor, 64>;
   [[nodiscard]] Parts partsOf(const glm::ivec3& wanted) const;
-  /// One channel's bits, and the nearest of its levels to each 8-bit value.
+  /// The levels of one channel, with the nearest level for each 8-bit value.
   struct Channel {
     explicit Channel(const std::vector<OfferedLevel>& offered);
-    /// Values of 0..255 that the levels around `v` are nearest to, one for each.
+    /// The values, in 0..255, that stand for the level nearest to `v` and for up to two levels on either
+    /// side: one value for each level.
     [[nodiscard]] std::vector<int> around(int v) const;
     std::array<int, 256> shows{};
     std::array<unsigned long, 256> bits{};
     std::size_t levels;
   };
   std::vector<OfferedColor> list_;
-  std::vector<Channel> channels_;  ///< red, green, blue; empty where there is a list
+  std::vector<Channel> channels_;  ///< red, green, blue; empty if there is a list
   unsigned long opaque_ = 0;
 };
 
@@ -85,14 +90,14 @@ class PixelTable {
   explicit PixelTable(const std::array<unsigned long, 256>& pixels) : pixels_{pixels} {}
 
   void set(int index, unsigned long pixel);
-  /// `pixel` stands for it where there can be only one.
+  /// Shows the index by `tile`. `pixel` is used where only one pixel value is possible.
   void set(int index, unsigned long pixel, const Tile& tile);
 
-  /// One pixel value each.
+  /// One pixel value for each index.
   [[nodiscard]] const std::array<unsigned long, 256>& pixels() const { return pixels_; }
-  /// Is any index shown by several?
+  /// True if some index is shown by several pixel values.
   [[nodiscard]] bool dithers() const { return !places_.empty(); }
-  /// The pixel values at a place of the tile; only where it dithers.
+  /// The pixel value of each index at one place of the tile. Precondition: dithers().
   [[nodiscard]] const std::array<unsigned long, 256>& at(int place) const { return places_[place]; }
   [[nodiscard]] Tile tile(int index) const;
   [[nodiscard]] bool solid(int index) const;
@@ -100,10 +105,11 @@ class PixelTable {
 
  private:
   std::array<unsigned long, 256> pixels_{};
-  std::vector<std::array<unsigned long, 256>> places_;  ///< 64, or none while every index has one pixel value
+  std::vector<std::array<unsigned long, 256>> places_;  ///< 64 tables, one for each place; none while every
+                                                        ///< index has one pixel value
 };
 
-/// The values that servers show of a stored colour.
+/// The 8-bit values that a server shows for a stored colour.
 [[nodiscard]] inline glm::ivec3 eightBits(Rgb16 c) { return {c.r >> 8, c.g >> 8, c.b >> 8}; }
 
 }  // namespace xnewell

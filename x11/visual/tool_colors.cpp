@@ -10,7 +10,8 @@ namespace xnewell {
 
 namespace {
 
-/// Who chooses, one after the other, and between which earlier ones its brightness lies.
+/// One colour to choose, and the earlier choices between which its lightness must lie. The rows are in the
+/// order of choice.
 struct Choice {
   Cell cell;
   std::optional<Cell> above, below;
@@ -26,8 +27,9 @@ constexpr std::array kChoices{
 };
 static_assert(kChoices.size() == kCells);
 
-/// CIEDE2000 beyond which words had better be black. Of 3:3:2 none misses by more than 13; orange for gray,
-/// which is all that fewer blues have, by 28.
+/// If words miss their colour by more than this (CIEDE2000), they had better be black. With 3:3:2 bits no
+/// colour misses by more than 13. Where blue has fewer levels, the nearest to gray is an orange, which misses
+/// by 28.
 constexpr double kStrange = 20;
 
 Lab labOf(const glm::ivec3& c) {
@@ -48,7 +50,7 @@ ToolColors chooseToolColors(const OfferedColors& offered, const std::array<glm::
       continue;
     }
     const Lab aim = labOf(wanted[role]);
-    bool within = false;  // the best so far
+    bool within = false;  // true if the best so far lies between its two neighbours
     double least = std::numeric_limits<double>::infinity();
     for (const OfferedColor& c : offered.around(wanted[role])) {
       const Lab lab = labOf(c.color);

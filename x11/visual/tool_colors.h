@@ -8,16 +8,18 @@
 
 namespace xnewell {
 
-/// Which of the colours that a server has stand for the tool's sixteen, where they cannot be stored.
+/// Chooses which of the server's colours stand for the sixteen interface colours where these cannot be
+/// stored.
 ///
-/// None is mixed, for text must be read. Near is meant by CIEDE2000: by 8-bit values a dark gray would become
-/// navy where blue has few levels. Who is drawn on another, or follows it in a legend of differences, stays
-/// darker or brighter than that as long as there are colours to choose from; where nothing near is left,
-/// words are still black, or white on the well.
+/// No interface colour is mixed, because text must be legible. Nearness is CIEDE2000: by 8-bit values, a dark
+/// gray would become navy where blue has few levels. A colour that is drawn on another, or that follows
+/// another in a legend of differences, stays darker or lighter than the other as long as the server's colours
+/// allow it. If no colour is near enough, words become black, or white on the dark well.
 
 using ToolColors = std::array<OfferedColor, kCells>;
 
-/// `wanted` is what the tool's colours would be, `has` what is settled already.
+/// `wanted` holds the 8-bit values of the interface colours; `has` holds the choices that are already
+/// settled.
 [[nodiscard]] ToolColors chooseToolColors(const OfferedColors& offered,
                                           const std::array<glm::ivec3, kCells>& wanted,
                                           const std::array<std::optional<OfferedColor>, kCells>& has = {});

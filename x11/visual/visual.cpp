@@ -14,10 +14,11 @@ namespace xnewell {
 
 namespace {
 
-/// What can be done with a visual, and why one would: the rows of chooseVisual().
+/// One row of chooseVisual()'s order of preference: what xnewell does with such a visual, and why it takes
+/// it.
 struct Preference {
   bool (*holds)(const VisualInfo&);
-  std::string_view does;  ///< completes "xnewell would"
+  std::string_view does;  ///< completes the sentence "xnewell would ..."
   std::string_view why;
 };
 
@@ -97,7 +98,7 @@ struct Fold {
   int count;
 };
 
-/// Equal visuals together, the deepest first, then in the order of kVisualClasses.
+/// Counts equal visuals together. The deepest come first, then the order is that of kVisualClasses.
 std::vector<Fold> fold(const ServerVisuals& server) {
   std::vector<Fold> rows;
   for (const VisualInfo& v : server.visuals) {
@@ -114,7 +115,7 @@ std::vector<Fold> fold(const ServerVisuals& server) {
   return rows;
 }
 
-/// "a, b, c", each once.
+/// "a, b, c". Repeated names are listed once.
 std::string list(const std::vector<std::string>& names) {
   std::string text;
   for (auto name = names.begin(); name != names.end(); ++name) {
@@ -131,7 +132,8 @@ std::string namesOf(const ServerVisuals& server) {
   return list(names);
 }
 
-/// "rgb", from the highest bits of a pixel value down; "-" where they have none of their own.
+/// The order of the channels in a pixel value, from the highest bits down, such as "rgb"; "-" if the visual
+/// has no channels.
 std::string orderOf(const VisualInfo& v) {
   if (!v.hasChannels()) return "-";
   std::array channels{std::pair{v.masks.red, 'r'}, std::pair{v.masks.green, 'g'},
@@ -140,7 +142,7 @@ std::string orderOf(const VisualInfo& v) {
   return {channels[0].second, channels[1].second, channels[2].second};
 }
 
-/// What xnewell would do with it.
+/// What xnewell would do with this visual.
 std::string deed(const VisualInfo& v, const ServerVisuals& server, MapOwner owner) {
   const std::string does{kPreferences[rowOf(v)].does};
   if (owner == MapOwner::Private) return does;
@@ -151,7 +153,7 @@ std::string deed(const VisualInfo& v, const ServerVisuals& server, MapOwner owne
              : "take free cells of the default map as shades; if too few, its colours, mixed";
 }
 
-/// A mask's lowest bit and number of bits.
+/// The position of a channel in a pixel value: its lowest bit, and its number of bits.
 struct Channel {
   int shift, width;
   explicit Channel(unsigned long mask)
@@ -192,7 +194,7 @@ VisualWish parseVisualWish(std::string_view text) {
       continue;
     std::string_view digits = text.substr(row.name.size());
     if (digits.empty()) return {row.id, std::nullopt};
-    if (digits.front() == ' ') digits.remove_prefix(1);  // as name() has it
+    if (digits.front() == ' ') digits.remove_prefix(1);  // name() writes the space
     int depth = 0;
     const auto [end, error] = std::from_chars(digits.data(), digits.data() + digits.size(), depth);
     if (error == std::errc{} && end == digits.data() + digits.size() && depth >= 1 && depth <= 32)

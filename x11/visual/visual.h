@@ -11,10 +11,11 @@
 
 namespace xnewell {
 
-/// What kinds of window the server offers (its visuals), and which one we take. Asked once; all that
-/// follows works on these plain values.
+/// What kinds of window the server offers (its visuals), and which one we take. The server is asked once;
+/// everything after that works on these plain values.
 
-/// Numbered as in the X protocol. Xlib has the plain words as macros.
+/// The numbers are those of the X protocol. The names end in Class because Xlib defines the plain words as
+/// macros.
 enum class VisualClass {
   StaticGrayClass,
   GrayScaleClass,
@@ -26,7 +27,7 @@ enum class VisualClass {
 struct VisualClassRow {
   VisualClass id;
   std::string_view name;
-  bool writable;  ///< its colormaps can hold colours of our own
+  bool writable;  ///< true if a colormap of this class can hold colours of our own
 };
 inline constexpr std::array kVisualClasses{
     VisualClassRow{VisualClass::StaticGrayClass, "StaticGray", false},
@@ -37,43 +38,45 @@ inline constexpr std::array kVisualClasses{
     VisualClassRow{VisualClass::DirectColorClass, "DirectColor", true},
 };
 
-/// The bits of a pixel value that hold red, green and blue; they mean nothing where pixels are cell numbers.
+/// The bits of a pixel value that hold red, green and blue. They have no meaning where pixel values are cell
+/// numbers.
 struct ChannelMasks {
-  unsigned long red = 0, green = 0, blue = 0;  ///< each one run of at most 16 bits
+  unsigned long red = 0, green = 0, blue = 0;  ///< each is one run of at most 16 bits
   bool operator==(const ChannelMasks&) const = default;
 };
 
 struct VisualInfo {
   VisualClass kind{};
-  int depth = 0;         ///< bits of a pixel value
-  unsigned long id = 0;  ///< as `xdpyinfo` shows it
+  int depth = 0;         ///< bits per pixel value
+  unsigned long id = 0;  ///< the id that `xdpyinfo` prints
   ChannelMasks masks;
   int bitsPerRgb = 0;  ///< bits of each stored colour that reach the screen
-  int cells = 0;       ///< colormap size; where masks are not 0 the levels of the channel that has most
+  int cells = 0;       ///< colormap entries; for a visual with channels, the levels of the channel that has
+                       ///< the most
   [[nodiscard]] bool writable() const { return kVisualClasses[static_cast<int>(kind)].writable; }
-  /// Do red, green and blue have bits of their own in a pixel value?
+  /// True if red, green and blue each have their own bits in a pixel value.
   [[nodiscard]] bool hasChannels() const {
     return kind == VisualClass::TrueColorClass || kind == VisualClass::DirectColorClass;
   }
-  /// Shows red, green and blue as one gray.
+  /// True if the visual shows red, green and blue as one gray.
   [[nodiscard]] bool gray() const {
     return kind == VisualClass::StaticGrayClass || kind == VisualClass::GrayScaleClass;
   }
-  /// Bits of a pixel that no colour uses: alpha, on some visuals of depth 32.
+  /// The bits of a pixel value that belong to no colour: alpha, on some visuals of depth 32.
   [[nodiscard]] unsigned long alphaMask() const {
     return hasChannels() ? ((1ul << depth) - 1) & ~(masks.red | masks.green | masks.blue) : 0;
   }
-  /// A pixel value as XQueryColors takes it: X.Org 21.1.16 answers BadValue where bits of alpha are set.
+  /// A pixel value as XQueryColors accepts it. X.Org 21.1.16 answers BadValue if bits of alpha are set.
   [[nodiscard]] unsigned long withoutAlpha(unsigned long pixel) const { return pixel & ~alphaMask(); }
-  /// Does a colormap of our own hold the picture's 256 cells? With channels through the pixels (i, i, i).
+  /// True if a private colormap holds the picture's 256 cells. With channels, the pixel values are (i, i, i).
   [[nodiscard]] bool holdsTable() const { return writable() && leastLevels() >= 256; }
-  /// Does every 8-bit colour have a pixel value of its own? Not where others store what pixels show.
+  /// True if every 8-bit colour has its own pixel value, and no client can change what that value shows.
   [[nodiscard]] bool exact() const { return !writable() && hasChannels() && leastLevels() >= 256; }
-  /// Does every 8-bit colour, or on gray visuals its gray, have a pixel value that cannot change?
+  /// True if every 8-bit colour has a fixed pixel value. On a gray visual: if every 8-bit gray has one.
   [[nodiscard]] bool holdsColors() const {
     return exact() || (kind == VisualClass::StaticGrayClass && cells >= 256);
   }
-  /// Of its channels, or where there are none its cells.
+  /// The least number of levels among the channels; without channels, the number of cells.
   [[nodiscard]] int leastLevels() const;
   [[nodiscard]] std::string name() const;  ///< "PseudoColor 8"
 };
@@ -83,19 +86,20 @@ struct ServerVisuals {
   std::vector<VisualInfo> visuals;  ///< of the default screen, in the server's order
   unsigned long defaultId = 0;
   unsigned long black = 0, white = 0;  ///< pixel values in the default colormap
-  std::optional<int> freeCells;        ///< of the default colormap, where that is writable, if counted
+  std::optional<int> freeCells;        ///< free cells of the default colormap, if it is writable and they
+                                       ///< were counted
   [[nodiscard]] const VisualInfo& defaultVisual() const;
 };
 
-/// `--visual CLASS[DEPTH]`: PseudoColor8, truecolor24, TrueColor, or "TrueColor 24" as messages have it.
+/// `--visual CLASS[DEPTH]`: PseudoColor8, truecolor24, TrueColor, or "TrueColor 24" as in messages.
 struct VisualWish {
   VisualClass kind;
   std::optional<int> depth;
 };
-/// @throws std::invalid_argument naming what may be written.
+/// Upper and lower case are the same. @throws std::invalid_argument with a list of the classes.
 [[nodiscard]] VisualWish parseVisualWish(std::string_view text);
 
-/// `--colormap`: a map of our own, or cells of the one that all programs share by default.
+/// `--colormap`: a map of our own, or cells of the default map, which all programs share.
 enum class MapOwner { Private, Shared };
 struct MapOwnerRow {
   MapOwner id;
@@ -111,36 +115,37 @@ struct VisualChoice {
   std::string why;  ///< "a real 8-bit colormap: ..."
 };
 
-/// The first of these that the server has, and among equals the default visual, else the server's first:
-///   PseudoColor of 256 cells, of depth 8 before others
-///   TrueColor 24, other TrueColor of 8 bits a channel, such DirectColor
-///   coarser TrueColor, the deepest first; TrueColor with alpha (bits in no mask)
+/// Takes the first of these that the server has. If there are several of a kind, it takes the deepest, then
+/// the default visual, then the server's first.
+///   PseudoColor of 256 cells, first of depth 8, then of other depths
+///   TrueColor 24, other TrueColor with 8 bits per channel, then DirectColor with 8 bits per channel
+///   coarser TrueColor of 15 bits or more; TrueColor with alpha (bits in no mask)
 ///   GrayScale of 256 cells
-///   StaticColor, TrueColor and DirectColor of fewer than 15 bits
-///   StaticGray of 256 grays, then of fewer; whatever has fewer cells
-/// Why: all colours before some, all grays before few colours, and among equals what can be stored, for that
-/// is our subject. But DirectColor comes after TrueColor, since on the screens that have both its map makes
-/// all other windows flash, and alpha late, since a compositor may make something of it. MapOwner::Shared
-/// takes the default visual: the cells of the default map are for no other.
-/// @throws X11Error listing what the server has, if what was wished for is not among it.
+///   StaticColor of 8 bits or more, then other TrueColor, then other DirectColor
+///   StaticGray of 256 grays, then of fewer; then any other visual
+/// The reasons: all colours are better than some, and all grays are better than few colours. Among equals, a
+/// map that can be written is better, because it is our subject. But DirectColor comes after TrueColor: on
+/// screens that have both, its map makes all other windows flash. And alpha comes late, because a compositor
+/// may use it. MapOwner::Shared takes the default visual, because the cells of the default map fit no other.
+/// @throws X11Error with a list of what the server has, if it lacks the visual that was asked for.
 [[nodiscard]] VisualChoice chooseVisual(const ServerVisuals& server,
                                         const std::optional<VisualWish>& wish = {},
                                         MapOwner owner = MapOwner::Private);
 
-/// The table of `xnewell visuals`: equal visuals in one row with their number, what xnewell would do
-/// with each, and the choice with its reason in the last line.
+/// The table that `xnewell visuals` prints. Equal visuals share a row with their number. Each row says what
+/// xnewell would do with the visual. The last line names the choice and its reason.
 [[nodiscard]] std::string describeVisuals(const ServerVisuals& server,
                                           const std::optional<VisualWish>& wish = {},
                                           MapOwner owner = MapOwner::Private);
 
-/// The pixel value of the map's entry k: where red, green and blue have their own, of the k-th of each.
+/// The pixel value of the colormap's entry k. With channels, it selects the k-th entry of each.
 [[nodiscard]] unsigned long pixelOfCell(const VisualInfo& visual, int k);
-/// How many levels a channel with these bits has.
+/// The number of levels of a channel with these bits.
 [[nodiscard]] unsigned long levelsOf(unsigned long mask);
-/// The pixel value that shows `color` through `masks`: each channel's high bits, the others dropped, so 8-bit
-/// channels show value >> 8 as servers do.
+/// The pixel value that shows `color` through `masks`. Each channel keeps its high bits and drops the others,
+/// so an 8-bit channel shows value >> 8, as servers do.
 [[nodiscard]] unsigned long pixelOf(Rgb16 color, const ChannelMasks& masks);
-/// What such a pixel shows: 0 is 0 and all bits set are 65535.
+/// The colour that such a pixel value shows. A channel with no bit set is 0; one with all bits set is 65535.
 [[nodiscard]] Rgb16 colorOf(unsigned long pixel, const ChannelMasks& masks);
 
 }  // namespace xnewell
