@@ -11,7 +11,7 @@ namespace {
 
 double onScreen(double grid) { return grid / kGrid; }
 
-/// The text with names for {P} and {Q}.
+/// The text with {P} and {Q} replaced by names.
 std::string filled(std::string_view text, const std::string& P, const std::string& Q) {
   std::string sentence;
   for (std::size_t at = 0; at < text.size();) {
@@ -137,7 +137,7 @@ std::vector<Test> Explainer::testsMade(const Event& compare) const {
   static constexpr std::array kQuick{Projections, PBehindQ, QInFrontOfP, QBehindP, PInFrontOfQ, Overlap};
   const std::span<const Test> order =
       textbook_ ? std::span<const Test>{kTextbook} : std::span<const Test>{kQuick};
-  // Two in one plane have only their numbers left when the projections overlap: no side of it is asked for.
+  // If two faces in one plane overlap on the screen, only their numbers decide. Tests 3 and 4 are not made.
   const Test last = compare.test == SamePlane ? Projections : compare.test;
   std::vector<Test> made{order.begin(), std::ranges::find(order, last) + 1};
   if (regions_.samePlane(fragments_.face(compare.P).plane, fragments_.face(compare.Q).plane))
