@@ -21,8 +21,8 @@ inline constexpr std::array kOrders{
     OrderRow{Order::ZMean, "zmean", "z mean", "by the mean z of the vertices, farthest first"},
     OrderRow{Order::ZSort, "zsort", "z far", "by the farthest z, farthest first"},
     OrderRow{Order::Newell, "newell", "Newell",
-             "by the depth sort, splitting what has no order (depth_sort.h)"},
-    OrderRow{Order::Oracle, "oracle", "oracle", "none: the face seen is decided at each sample (oracle.h)"},
+             "by the depth sort; it splits polygons that have no order (depth_sort.h)"},
+    OrderRow{Order::Oracle, "oracle", "oracle", "none: each sample finds its nearest face (oracle.h)"},
 };
 
 /// Indices into scene.faces in painting order, for the orders that sort by one key. At equal z the later face
