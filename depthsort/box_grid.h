@@ -24,8 +24,8 @@ struct ScreenBox {
 
 class BoxGrid {
  public:
-  /// The finest cells are so large that three quarters of the boxes fit into them, and at most 64 more than
-  /// there are boxes. If `fine` is false, there is one cell for all.
+  /// The finest cells are so large that three quarters of the boxes fit into them. There are at most 64 more
+  /// of them than boxes. If `fine` is false, there is one cell for all.
   explicit BoxGrid(std::span<const ScreenBox> boxes, bool fine = true);
 
   [[nodiscard]] int cells() const { return cells_; }
@@ -46,7 +46,7 @@ class BoxGrid {
   [[nodiscard]] bool settle(const ScreenBox& box, Place& place) const;
 
  private:
-  /// each level's cells are 2^kSteps times as large as the level's before it
+  /// each level's cells are 2^kSteps times as large as those of the level before
   static constexpr int kSteps = 2;
   static constexpr int kMostLevels = 16;
   struct Level {

@@ -18,8 +18,8 @@ struct Line {
   Kind kind = Kind::Edge;
   /// Edge: from vertex p to vertex q. Cut: positive where planes[p] is nearer than planes[q].
   int p = 0, q = 0;
-  /// The coefficients as doubles, each with a relative error of at most 2^-52, scaled so that max(|a|, |b|) =
-  /// 1.
+  /// The coefficients as doubles, each with a relative error of at most 2^-52. The larger of |a| and |b| is
+  /// scaled to 1.
   double a = 0, b = 0, c = 0;
 };
 
@@ -39,7 +39,7 @@ struct Side {
 };
 
 /// Convex, counter-clockwise as seen on the screen (y down), with an area; no side has length 0. An empty
-/// vector is no region.
+/// vector stands for the empty region.
 using Region = std::vector<Side>;
 
 /// The signs that a line, or the difference of two planes, has at the corners of a region. It is linear, so

@@ -29,7 +29,7 @@ struct SnappedFace {
   int part = 0;    ///< index into ConvexParts; the outlines that clipping and halving make of a part keep it
   bool back = false;  ///< the viewer sees the side from which the model lists the corners clockwise
   /// Index into SnappedScene::planes. All faces in one plane of the model share one. Before addPlanes() it is
-  /// the number of ConvexParts::plane.
+  /// the number from ConvexParts::plane.
   int plane = 0;
   /// The error bound of its plane within the face, from the rounding of the snap and of the model. Two faces
   /// that are nearer to each other than the sum of their doubts may touch in the model.
