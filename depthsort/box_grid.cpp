@@ -8,7 +8,7 @@ namespace xnewell {
 
 namespace {
 
-/// The least s with length <= 2^s.
+/// The smallest s with length <= 2^s.
 int bitsFor(int length) { return length <= 1 ? 0 : std::bit_width(static_cast<unsigned>(length) - 1u); }
 
 }  // namespace
@@ -27,7 +27,7 @@ BoxGrid::BoxGrid(std::span<const ScreenBox> boxes, bool fine) {
     return;
   }
 
-  // The area, and how many boxes are how wide and how high.
+  // Find the area, and count the boxes by width and by height.
   int right = boxes[0].x1, bottom = boxes[0].y1;
   left_ = boxes[0].x0, top_ = boxes[0].y0;
   std::array<std::size_t, 33> widths{}, heights{};
@@ -77,7 +77,7 @@ int BoxGrid::cellOf(const ScreenBox& b) const {
 bool BoxGrid::settle(const ScreenBox& box, Place& place) const {
   for (; place.level < static_cast<int>(levels_.size()); place = {std::int16_t(place.level + 1), 0, 0}) {
     const Level& l = levels_[place.level];
-    // Boxes start at most one cell before what they reach into.
+    // A box starts at most one cell before the cells that it reaches into.
     const auto from = [](std::int64_t edge, int shift) {
       return static_cast<int>(std::max<std::int64_t>(0, (edge - (std::int64_t{1} << shift) + 1) >> shift));
     };

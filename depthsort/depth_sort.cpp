@@ -20,7 +20,7 @@ namespace {
 
 constexpr int kNone = -1;
 
-/// A polygon of the list, whole or a piece: what is asked of every Q, two to a cache line.
+/// A polygon of the list, whole or a piece. It holds what is read for every Q; two fit into a cache line.
 struct Polygon {
   enum class State : std::uint8_t { Waiting, Marked, Split, Painted };
   Extents extents;
@@ -29,20 +29,21 @@ struct Polygon {
 };
 static_assert(sizeof(Polygon) == 32);
 
-/// What is only asked of P: its place in the tree of pieces and in the walk over the Q's. Those before are
-/// settled, for good and for all pieces of P.
+/// What is read only for P: its place in the tree of pieces and in the walk over the Q's. All Q's before that
+/// place are settled for good, for P and for all pieces of P.
 struct Progress {
-  int list = 0, end = 0, Q = 0;  ///< list: the polygon the walk has come to, Q: it or a piece of it
+  /// list: the polygon that the walk has reached; Q: that polygon or a piece of it
+  int list = 0, end = 0, Q = 0;
   BoxGrid::Place place;
   bool walking = false;
-  int depth = 0;      ///< in the stack, where marked
-  int piece = kNone;  ///< index into pieces_, or a whole face
+  int depth = 0;      ///< in the stack, while marked
+  int piece = kNone;  ///< index into pieces_; kNone for a whole face
   int parent = kNone;
-  int pieces = kNone;  ///< of a split one, the first of its two: behind, in front
+  int pieces = kNone;  ///< for a split polygon, the first of its two pieces: behind, then in front
 };
 
-/// The run. The list (whole faces first, pieces after them) is in the grid's order, cell by cell and in each
-/// cell by farthest z.
+/// One run of the sort. The list holds whole faces first, pieces after them. The faces are in the grid's
+/// order: cell by cell, and by farthest z within a cell.
 class DepthSort {
  public:
   DepthSort(const SnappedScene& scene, const SortSettings& settings)
@@ -74,7 +75,7 @@ class DepthSort {
             hasAreaInPixels(scene_, face));
   }
 
-  /// The polygon or piece after Q in the order of the list, without the pieces of Q.
+  /// The polygon or piece after Q in the order of the list. It skips the pieces of Q.
   [[nodiscard]] int after(int Q) const {
     for (;;) {
       const int parent = progress_[Q].parent;
@@ -83,12 +84,13 @@ class DepthSort {
       Q = parent;
     }
   }
-  /// A face and itself, or parts of one model face in one plane: they show the same, whatever their order.
+  /// True for a face and itself, and for parts of one model face in one plane. They show the same picture in
+  /// any order.
   [[nodiscard]] bool oneSurface(int f, int g) const {
     const SnappedFace &F = scene_.faces[f], &G = scene_.faces[g];
     return F.number == G.number && F.plane == G.plane;
   }
-  /// The first of a face's pieces, or the face, that is neither painted nor split.
+  /// The first polygon that is neither painted nor split, among a face and its pieces.
   [[nodiscard]] int nextOpen(int root) const {
     for (int P = root; P != kNone;) {
       if (list_[P].state == State::Waiting) return P;
@@ -97,10 +99,10 @@ class DepthSort {
     return kNone;
   }
 
-  /// The next Q against which P is not settled, or kNone: P's walk stands there.
+  /// Moves P's walk to the next Q against which P is not settled. Returns that Q or kNone.
   [[nodiscard]] int candidate(int P);
   [[nodiscard]] int openWithin(int Q, int P) const;
-  /// P is settled against the Q where its walk stands.
+  /// Settles P against the Q at which its walk stands.
   void settle(int P) {
     Progress& p = progress_[P];
     p.Q = after(p.Q);
@@ -119,14 +121,14 @@ class DepthSort {
   void paint(int P);
   void breakCycle(int P, int R);
   void splitCrossing(int P, int R);
-  /// Unmarks all polygons above the place in the stack; their walks keep what is settled.
+  /// Unmarks all polygons from this depth of the stack on. Their walks keep what is settled.
   void unwind(int depth) {
     while (static_cast<int>(stack_.size()) > depth) {
       list_[stack_.back()].state = State::Waiting;
       stack_.pop_back();
     }
   }
-  /// Splits P by Q's plane, if that crosses it properly.
+  /// Splits P by Q's plane, if the plane properly crosses P. Returns true if it did.
   bool split(int P, int Q);
   void addPiece(int P, Region region);
 
@@ -134,7 +136,7 @@ class DepthSort {
     const int face = list_[P].face, piece = progress_[P].piece;
     return {scene_.faces[face], face, list_[P].extents.box, piece == kNone ? nullptr : &pieces_[piece]};
   }
-  /// What is painted or split is compared no more.
+  /// Frees a region that is painted or split: it is never compared again.
   void forget(int P) {
     if (progress_[P].piece != kNone) Region{}.swap(pieces_[progress_[P].piece]);
   }
@@ -155,12 +157,13 @@ class DepthSort {
   const SnappedScene& scene_;
   SortSettings settings_;
   PairTests tests_;
-  int faces_ = 0;  ///< whole ones in the list
+  int faces_ = 0;  ///< number of whole faces in the list
   std::vector<Polygon> list_;
-  std::vector<Progress> progress_;  ///< of each in the list
+  std::vector<Progress> progress_;  ///< one for each polygon of the list
   std::vector<Region> pieces_;
   std::optional<BoxGrid> grid_;
-  std::vector<int> cellBegin_, cellOpen_;  ///< #cells + 1, #cells: first polygon, first not painted one
+  /// #cells + 1 and #cells: first polygon, first polygon not painted
+  std::vector<int> cellBegin_, cellOpen_;
   std::vector<int> stack_;
   SortedScene sorted_;
 };
@@ -185,7 +188,7 @@ void DepthSort::enterFaces() {
     ScreenBox& box = unsorted.back().extents.box;
     if (!shows(scene_.faces[f], box))
       unsorted.pop_back();
-    else  // outside the picture nothing is compared
+    else  // nothing outside the picture is compared
       box = {std::max(box.x0, picture.x0), std::max(box.y0, picture.y0), std::min(box.x1, picture.x1),
              std::min(box.y1, picture.y1)};
   }
@@ -201,7 +204,7 @@ void DepthSort::enterFaces() {
   std::partial_sum(cellBegin_.begin(), cellBegin_.end(), cellBegin_.begin());
   cellOpen_.assign(cellBegin_.begin(), cellBegin_.end() - 1);
 
-  // By farthest z, in scene order where that is equal; then cell by cell.
+  // Sort by farthest z, at equal z in scene order; then cell by cell.
   std::vector<std::uint32_t> keys(faces_);
   std::ranges::transform(unsorted, keys.begin(), [](const Polygon& P) {
     return static_cast<std::uint32_t>(P.extents.zFar) ^ 0x80000000u;
@@ -212,8 +215,8 @@ void DepthSort::enterFaces() {
   for (const int i : sortedByKey(keys)) list_[next[cell[i]]++] = unsorted[i];
   if (settings_.record) {
     for (const Polygon& P : list_) sorted_.list.push_back(P.face);
-    // Room for most runs; what is never written to costs no memory. Moving the events whenever there are
-    // twice as many took a fifth of the time of the run.
+    // Reserve room for most runs; memory that is never written costs nothing. Moving the events at every
+    // doubling took a fifth of the time of a run.
     sorted_.events.reserve(std::min(std::size_t{16} * faces_, settings_.mostEvents));
   }
 }
@@ -225,7 +228,7 @@ int DepthSort::candidate(int P) {
   for (;;) {
     for (; p.list < p.end; p.Q = ++p.list) {
       const Polygon& q = list_[p.list];
-      if (q.extents.zFar > polygon.extents.zNear) break;  // as are all after it in this cell
+      if (q.extents.zFar > polygon.extents.zNear) break;  // so are all after it in this cell
       if (q.state == State::Painted) continue;
       if (!settings_.textbook && !polygon.extents.box.overlaps(q.extents.box)) {
         ++(polygon.extents.box.overlapsInX(q.extents.box) ? apartInY : apartInX);
@@ -244,7 +247,8 @@ int DepthSort::candidate(int P) {
   }
 }
 
-/// Q, or the first after it of the pieces of its face, against which P is to be tested.
+/// The first polygon against which P must be tested, among Q and what follows it in its face: Q, its pieces
+/// and the pieces after Q. Or kNone.
 int DepthSort::openWithin(int Q, int P) const {
   const Polygon& p = list_[P];
   while (Q != kNone) {
@@ -291,7 +295,7 @@ void DepthSort::paint(int P) {
   sorted_.fragments.push_back({list_[P].face, progress_[P].piece});
   list_[P].state = State::Painted;
   forget(P);
-  // Of a split polygon all is painted when both pieces are.
+  // A split polygon is painted when both its pieces are.
   for (int parent = progress_[P].parent; parent != kNone; parent = progress_[parent].parent) {
     const int first = progress_[parent].pieces;
     if (list_[first].state != State::Painted || list_[first + 1].state != State::Painted) break;
@@ -299,8 +303,9 @@ void DepthSort::paint(int P) {
   }
 }
 
-/// R is marked, and each polygon from there on in the stack is nearer than the next one somewhere; the last
-/// one, P, than R. An edge of this cycle that is only a contact is void; without one, a polygon is split.
+/// Breaks a cycle. R is marked. In the stack from R on, each polygon is nearer than the next one somewhere,
+/// and the last one, P, is nearer than R somewhere. If one of these pairs is only a contact, that pair does
+/// not count. If none is, a polygon is split.
 void DepthSort::breakCycle(int P, int R) {
   ++sorted_.statistics.cycles;
   note(Event::Kind::Cycle, P, R);
@@ -315,7 +320,8 @@ void DepthSort::breakCycle(int P, int R) {
     return settle(A);
   }
 
-  // The textbook's choice, then neighbours, last any: P's plane properly crosses one of them.
+  // Try the textbook's choice, then neighbours in the cycle, then any polygon: P's plane properly crosses one
+  // of them.
   if (split(P, R) || split(R, P)) return;
   for (int depth = last - 1; depth >= first; --depth)
     if (split(stack_[depth], next(depth)) || split(next(depth), stack_[depth])) return;
@@ -324,7 +330,7 @@ void DepthSort::breakCycle(int P, int R) {
   throw std::logic_error{"a cycle without a proper split"};
 }
 
-/// P and Q cross where they overlap: either plane properly crosses the other polygon.
+/// P and Q cross where they overlap. Each one's plane properly crosses the other polygon.
 void DepthSort::splitCrossing(int P, int Q) {
   const auto area = [&](int i) {
     const ScreenBox& b = list_[i].extents.box;

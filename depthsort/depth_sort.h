@@ -11,51 +11,55 @@
 
 namespace xnewell {
 
-/// Newell's depth sort, exact: an order of painting in which nothing is painted over what is nearer, but
-/// for contacts (below), with polygons split where no such order exists.
+/// Newell's depth sort, exact. It finds an order of painting in which no polygon is painted over a nearer
+/// one, except for contacts (see below). It splits polygons where no such order exists.
 ///
-/// P is taken from the far end. Against every Q that is not painted yet and whose z-extent reaches back to
-/// P's, the textbook's tests say whether P may be painted before Q; if not, and Q may go before P, then Q
-/// comes first: it is marked and becomes the new P. The textbook moves Q to the end of its list; here the
-/// marked polygons are a stack, whose top is P, and the list stays sorted. (The order is the same; the
-/// list, once moves have unsorted it, could no longer stop its scan at the first Q beyond P's z-extent.) A Q
-/// that must come first and is marked already closes a cycle: one of the cycle is split, or found a contact.
+/// P is the polygon farthest away. It is compared with every Q that is not yet painted and whose z-extent
+/// reaches back to P's. The textbook's tests say whether P may be painted before Q. If not, and Q may be
+/// painted before P, then Q goes first: it is marked and becomes the new P. If neither may go first, they
+/// cross, and one of them is split. The textbook moves Q to the end of its list. Here the marked polygons are
+/// a stack with P at its top, and the list stays sorted. (The order is the same. But once a move had unsorted
+/// the list, the scan could no longer stop at the first Q beyond P's z-extent.) If a Q that must go first is
+/// already marked, there is a cycle. Then one polygon of the cycle is split, or one of its pairs is found to
+/// be a contact.
 ///
-/// Polygons are compared over their common area on the screen: Q > P, Q is nearer than P somewhere in it.
-/// Depth there is what the plane records say (project.h). Of two faces in one plane the later one of the
-/// scene counts as nearer, everywhere. No sample lies on any line (scanline.h), so what only touches is
-/// in no order.
+/// Polygons are compared over their common area on the screen. Q > P means that Q is nearer than P somewhere
+/// in it. The plane records (project.h) define the depth. Of two faces in one plane, the later one of the
+/// scene counts as nearer everywhere. No sample lies on a line (scanline.h), so polygons that only touch have
+/// no order.
 ///
-/// Why it ends, whatever the scene. A plane splits only what it properly crosses, and each piece lies to one
-/// side of it for good: so no plane splits a piece twice, and the pieces of a face, cells between the lines
-/// of at most n - 1 planes, are finite in number. Between two splits a pair is settled, a polygon marked or
-/// one painted, and none of that is undone without a split or a void mark.
+/// Why it ends, for every scene. A plane splits only a polygon that it properly crosses. Each piece then lies
+/// on one side of that plane for good, so no plane splits a piece twice. The pieces of a face are cells
+/// between the lines of at most n - 1 planes, so their number is finite. Between two splits, every step
+/// settles a pair, marks a polygon or paints one. Only a split or a contact undoes a mark, and a contact
+/// settles a pair.
 ///
-/// That there is a proper split in every cycle A1 > A2 > ... > A1: else all others lie wholly in the closed
-/// back or front of A1's plane. Going from A1's successor, behind, to its predecessor, in front, some X
-/// behind comes right before a Y in front. X > Y says zX >= zY somewhere, equal only in one plane; with zY >=
-/// zA1 >= zX all three are in one plane. If that is so at every such step, the cycle is one of face numbers,
-/// which cannot go in a circle.
+/// Why every cycle A1 > A2 > ... > A1 has a proper split. Assume that it has none. Then each of the others
+/// lies wholly in the closed back or wholly in the closed front of A1's plane. A1's successor is behind, and
+/// A1's predecessor is in front. So on the way from one to the other, some X behind comes right before some Y
+/// in front. X > Y says that zX >= zY somewhere, and they are equal only in one plane. But zY >= zA1 >= zX,
+/// so all three lie in one plane. If this holds for every A1, the cycle is a cycle of face numbers, which
+/// cannot exist.
 ///
-/// Why it is right. Every order that is asserted is exactly true, and P is painted when all orders against
-/// what is still unpainted are settled in its favour. Contacts are orders that are true and not asserted
-/// (pair_tests.h): what touches in the model may cross by its rounding, in no more depth than
-/// SnappedFace::doubt allows, or in a sliver without a sample. It is not split for that, and there the
-/// farther may show.
+/// Why it is right. Every order that is asserted is exactly true. P is painted when its order against
+/// everything unpainted is settled in its favour. Contacts are orders that are true but not asserted
+/// (pair_tests.h). Faces that touch in the model may cross because of its rounding: no deeper than
+/// SnappedFace::doubt allows, or in a sliver without a sample. They are not split for that, and there the
+/// farther one may show.
 ///
 /// @see Newell, Newell and Sancha 1972; Foley & van Dam 2e §15.5.1
 
-/// The tests that settle a pair, P against Q. 1 to 5 as the textbook counts them.
+/// The tests that settle a pair, P against Q. The numbers 1 to 5 are the textbook's.
 enum class Test : std::uint8_t {
-  SamePlane,    ///< both in one plane: the later face is in front
-  XExtents,     ///< 1: apart in x
-  YExtents,     ///< 2: apart in y
+  SamePlane,    ///< both lie in one plane: the later face is in front
+  XExtents,     ///< 1: they are apart in x
+  YExtents,     ///< 2: they are apart in y
   PBehindQ,     ///< 3: P is wholly on the far side of Q's plane
   QInFrontOfP,  ///< 4: Q is wholly on the near side of P's plane
   Projections,  ///< 5: the projections have no common area
   QBehindP,     ///< 3': Q is wholly on the far side of P's plane
   PInFrontOfQ,  ///< 4': P is wholly on the near side of Q's plane
-  Overlap,      ///< 6: which is nearer where they overlap
+  Overlap,      ///< 6: which one is nearer where they overlap
 };
 inline constexpr int kTests = 9;
 struct TestRow {
@@ -75,52 +79,55 @@ inline constexpr std::array<TestRow, kTests> kTestRows{{
 }};
 enum class Verdict : std::uint8_t { PFirst, QFirst, Crossing };
 
-/// Where planes[over] is nearer than planes[under], by the sample rule.
+/// The line where two planes meet. The kept side is where planes[over] is nearer than planes[under], by the
+/// sample rule.
 struct CutLine {
   int over, under;
 };
 
-/// A face or, after splits, a part of one: its outline's part where all its cut lines hold. All of its
-/// attributes are the face's: a split changes no shading.
+/// A part of a face, made by splits. It is the part of the face's outline where all its cut lines hold. It
+/// has all attributes of the face: a split changes no shading.
 struct Piece {
   int face;            ///< index into SnappedScene::faces
   int firstCut, cuts;  ///< range of SortedScene::cuts
-  int firstRow, rows;  ///< of the picture: all that it may reach into
+  int firstRow, rows;  ///< rows of the picture; the piece reaches into no others
   int parent;          ///< fragment id
 };
-/// What is painted at once. An id names a face (0..#faces-1) or a piece (#faces + index into pieces).
+/// What is painted at once: a face or a piece. An id is the index of a face (0..#faces-1), or #faces + the
+/// index of a piece.
 struct Fragment {
   int face;
-  int piece = -1;  ///< index into SortedScene::pieces; -1: the whole face
+  int piece = -1;  ///< index into SortedScene::pieces; -1 for the whole face
 };
 
-/// One step of a run, for whoever wants to follow it: what was decided, not how it looked.
+/// One step of a recorded run. It tells what was decided, not how it looked.
 struct Event {
   enum class Kind : std::uint8_t {
-    Take,        ///< P is the farthest that is left
+    Take,        ///< P is the farthest polygon that is left
     Compare,     ///< `test` settled P against Q, with `verdict`
     Move,        ///< Q goes first: it is marked and becomes P
-    Cycle,       ///< Q, marked already, should go first
-    Impossible,  ///< P is not properly crossed by Q's plane: no split
-    Void,        ///< P > Q does not count in the cycle: a contact; P is on top of the stack again
-    Split,       ///< P is split by Q's plane, the k-th of all splits into pieces 2k (behind it) and 2k + 1;
-                 ///< P leaves the stack, with all above it, if it was there
-    Paint,       ///< P is painted
+    Cycle,       ///< Q should go first but is already marked
+    Impossible,  ///< Q's plane does not properly cross P: no split
+    Void,        ///< P > Q is only a contact and does not count in the cycle; P is on top of the stack again
+    Split,  ///< P is split by Q's plane. The k-th split makes pieces 2k (behind the plane) and 2k + 1. If P
+            ///< was in the stack, it leaves it, with all above it.
+    Paint,  ///< P is painted
   };
   Kind kind;
   Test test = Test::SamePlane;
   Verdict verdict = Verdict::PFirst;
-  bool contact = false;  ///< of Test::Overlap: a part of the overlap did not count
+  bool contact = false;  ///< for Test::Overlap: a part of the overlap did not count
   int P, Q = -1;         ///< fragment ids
 };
 static_assert(sizeof(Event) == 12);
 
 struct SortStatistics {
   std::array<std::int64_t, kTests> settled{};  ///< pairs that each test settled
-  /// Of the quick run: Q's dropped on the way, without an event, for boxes apart in x, or in y.
+  /// In the quick run only: the Q's that were skipped, without an event, because their boxes are apart in x,
+  /// or in y.
   std::array<std::int64_t, 2> boxesApart{};
   std::int64_t moves = 0, cycles = 0, impossible = 0, splits = 0, voids = 0, contacts = 0;
-  int deepest = 0;  ///< marked polygons at once
+  int deepest = 0;  ///< most polygons marked at once
   [[nodiscard]] std::int64_t pairs() const {
     std::int64_t sum = 0;
     for (const std::int64_t count : settled) sum += count;
@@ -129,36 +136,37 @@ struct SortStatistics {
 };
 
 struct SortSettings {
-  int width, height;  ///< the picture in pixels
-  /// The textbook's run, for learners: every Q in the list whose z-extent reaches back to P's, in order of
-  /// farthest z, tests 1, 2, 3, 4, 5, 3', 4', 6, and no polygon left out. Else the quick one: Q's found
-  /// through a grid, P's taken from one part of the screen after the other, test 5 before 3 and 4,
-  /// and faces that show nowhere left out. Both paint the same picture.
+  int width, height;  ///< size of the picture in pixels
+  /// True for the textbook's run, for learners. It takes every Q in the list whose z-extent reaches back to
+  /// P's, in order of farthest z; the tests are 1, 2, 3, 4, 5, 3', 4', 6; no polygon is left out. False for
+  /// the quick run. It finds the Q's through a grid, takes the P's from one part of the screen after the
+  /// other, makes test 5 before 3 and 4, and leaves out faces that do not show. Both paint the same picture.
   bool textbook = false;
-  /// The polygons are to be painted with their vertices rounded to pixels (fill_polygons.h): faces without a
-  /// sample may show.
+  /// True if the polygons are painted with their vertices rounded to pixels (fill_polygons.h). Then faces
+  /// without a sample may show.
   bool inPixels = false;
-  bool grid = true;                               ///< of the quick run: else Q's come from one list
+  bool grid = true;                               ///< for the quick run; if false, the Q's come from one list
   bool record = false;                            ///< fills SortedScene::list and events
-  std::size_t mostEvents = std::size_t{1} << 27;  ///< of 12 bytes
-  enum class Split { Smaller, First, Second } crossing = Split::Smaller;  ///< of P and Q, which is split
+  std::size_t mostEvents = std::size_t{1} << 27;  ///< of 12 bytes each
+  /// which of P and Q is split if they cross
+  enum class Split { Smaller, First, Second } crossing = Split::Smaller;
 };
 
 struct SortedScene {
   std::vector<Fragment> fragments;  ///< in painting order
-  std::vector<Piece> pieces;        ///< all that ever were, also those split again
+  std::vector<Piece> pieces;        ///< every piece ever made, also those that were split again
   std::vector<CutLine> cuts;
-  std::vector<int> list;  ///< the faces as the list has them at the start, P's are taken in this order
+  std::vector<int> list;  ///< the faces in the order of the list at the start; P's are taken in this order
   std::vector<Event> events;
   SortStatistics statistics;
 };
 
-/// A run with more events than were to be recorded.
+/// The error if a run has more events than it may record.
 struct TooManyEvents : std::length_error {
   using std::length_error::length_error;
 };
 
-/// @throws TooManyEvents only where it records
+/// Sorts a scene. @throws TooManyEvents only if it records
 [[nodiscard]] SortedScene depthSort(const SnappedScene& scene, const SortSettings& settings);
 
 }  // namespace xnewell

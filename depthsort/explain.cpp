@@ -11,7 +11,7 @@ namespace {
 
 double onScreen(double grid) { return grid / kGrid; }
 
-/// The text with names for {P} and {Q}.
+/// The text with {P} and {Q} replaced by names.
 std::string filled(std::string_view text, const std::string& P, const std::string& Q) {
   std::string sentence;
   for (std::size_t at = 0; at < text.size();) {
@@ -71,7 +71,7 @@ std::string_view reasonOf(Test test, Verdict verdict) {
 std::string_view refutationOf(Test test) {
   switch (test) {
     case Test::SamePlane:
-      return "{P} and {Q} lie in two planes.";
+      return "{P} and {Q} lie in different planes.";
     case Test::XExtents:
       return "the x-extents of {P} and {Q} overlap.";
     case Test::YExtents:
@@ -137,7 +137,7 @@ std::vector<Test> Explainer::testsMade(const Event& compare) const {
   static constexpr std::array kQuick{Projections, PBehindQ, QInFrontOfP, QBehindP, PInFrontOfQ, Overlap};
   const std::span<const Test> order =
       textbook_ ? std::span<const Test>{kTextbook} : std::span<const Test>{kQuick};
-  // Two in one plane have only their numbers left when the projections overlap: no side of it is asked for.
+  // If two faces in one plane overlap on the screen, only their numbers decide. Tests 3 and 4 are not made.
   const Test last = compare.test == SamePlane ? Projections : compare.test;
   std::vector<Test> made{order.begin(), std::ranges::find(order, last) + 1};
   if (regions_.samePlane(fragments_.face(compare.P).plane, fragments_.face(compare.Q).plane))
@@ -245,7 +245,7 @@ std::string Explainer::settled(const Event& e) const {
     reason = e.verdict == Verdict::PFirst ? "where they overlap, {P} and {Q} cross, but one of the two "
                                             "parts, or both, is only a contact; {P} may be painted first."
                                           : "where they overlap, {P} and {Q} cross, but one of the two "
-                                            "parts, or both, is only a contact; {Q} is to be painted first.";
+                                            "parts, or both, is only a contact; {Q} must be painted first.";
   return filled(reason, called(e.P, "P"), called(e.Q, "Q"));
 }
 
@@ -269,7 +269,7 @@ std::string Explainer::sentence(const Event& e, int splits) const {
       if (fragments_.isPiece(e.P))
         return filled("Take: {P}, a piece of {Q}, is the first in the list and becomes P.", P,
                       name(fragments_.parent(e.P)));
-      return filled(textbook_ ? "Take: {P} reaches farthest back of all that is left and becomes P."
+      return filled(textbook_ ? "Take: {P} reaches farthest back of all polygons that are left; it becomes P."
                               : "Take: {P} is the first in the list and becomes P.",
                     P, Q);
     case Event::Kind::Compare:
@@ -277,14 +277,14 @@ std::string Explainer::sentence(const Event& e, int splits) const {
     case Event::Kind::Move:
       return filled("Move: {Q} is moved to the far end of the list, marked, and becomes P.", P, Q);
     case Event::Kind::Cycle:
-      return filled("Cycle: {Q} should come before {P}, but it is marked already: the order goes round.", P,
+      return filled("Cycle: {Q} should come before {P}, but it is already marked: the order is a cycle.", P,
                     Q);
     case Event::Kind::Impossible:
       return filled("Cut impossible: {P} lies on one side of the plane of {Q}.", P, Q);
     case Event::Kind::Void:
       return filled(
-          "Contact: {P} and {Q} only touch, as far as the model's rounding tells; that breaks the "
-          "cycle without a cut.",
+          "Contact: within the model's rounding, {P} and {Q} only touch; this breaks the cycle without a "
+          "cut.",
           P, Q);
     case Event::Kind::Split: {
       const int behind = fragments_.pieceOf(splits);
@@ -292,7 +292,7 @@ std::string Explainer::sentence(const Event& e, int splits) const {
              ", behind it, and " + listed(behind + 1) + ", in front.";
     }
     case Event::Kind::Paint:
-      return filled("Paint: nothing that is left needs to come before {P}.", P, Q);
+      return filled("Paint: no polygon that is left must come before {P}.", P, Q);
   }
   return "";
 }

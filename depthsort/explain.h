@@ -10,11 +10,11 @@
 
 namespace xnewell {
 
-/// What a recorded event means: the tests that were made, the numbers that decided, and a sentence. Numbers
-/// are computed again from the fragments, by the predicates of the sort. Lengths and places are in pixels,
-/// z in pixels of the view plane, larger is nearer.
+/// Explains a recorded event: the tests that were made, the numbers that decided, and a sentence. It computes
+/// the numbers again from the fragments, with the predicates of the sort. Lengths and places are in pixels, z
+/// is in pixels of the view plane, larger is nearer.
 
-/// `take`, `test`, `move`, `cycle`, `impossible`, `contact`, `cut`, `paint`.
+/// One of `take`, `test`, `move`, `cycle`, `impossible`, `contact`, `cut`, `paint`.
 [[nodiscard]] std::string_view wordFor(Event::Kind kind);
 
 struct Range {
@@ -25,32 +25,34 @@ struct Range {
 struct Place {
   double x = 0, y = 0;
 };
-/// A corner of a fragment and its distance from a plane, along z.
+/// A corner of a fragment and its distance along z from a plane.
 struct CornerDistance {
   Place at;
-  double inFront;  ///< below 0: behind it
-  int sign;        ///< exact, also where inFront rounds to 0
+  double inFront;  ///< negative if it is behind the plane
+  int sign;        ///< exact, even if inFront rounds to 0
 };
-/// How many corners of a fragment lie on the viewer's side of a plane, on it and beyond it.
+/// How many corners of a fragment lie in front of a plane (on the viewer's side), on it and behind it.
 struct CornerCounts {
   int inFront = 0, on = 0, behind = 0;
   bool operator==(const CornerCounts&) const = default;
 };
-/// A line along an edge, with all of one fragment on one side and all of the other one on the other.
+/// An edge whose line separates two fragments: one lies wholly on one side, the other on the other.
 struct SeparatingEdge {
-  bool ofP;  ///< the edge is P's, else Q's
+  bool ofP;  ///< true if it is an edge of P, false if of Q
   double fromX, fromY, toX, toY;
 };
-/// What P and Q have in common on the screen.
+/// The common area of P and Q on the screen.
 struct CommonArea {
   int corners = 0;
-  double area = 0;   ///< square pixels
-  CornerCounts P;    ///< its corners on P, as seen from Q's plane
-  Range aheadOfQ;    ///< zP - zQ
-  double doubt = 0;  ///< of both, at most (SnappedFace::doubt): a part with a larger |zP - zQ| is no contact
+  double area = 0;  ///< square pixels
+  CornerCounts P;   ///< the corners of the area, on P, relative to Q's plane
+  Range aheadOfQ;   ///< zP - zQ
+  /// the largest sum of both doubts (SnappedFace::doubt) in the area; a part with a larger |zP - zQ| is no
+  /// contact
+  double doubt = 0;
 };
 
-/// How sentences about two fragments call them: by name, or as P and Q of a list of numbers.
+/// What sentences call two fragments: their names, or P and Q.
 enum class Called { ByName, PAndQ };
 
 class Explainer {
@@ -66,39 +68,40 @@ class Explainer {
   [[nodiscard]] Range xExtent(int id) const;
   [[nodiscard]] Range yExtent(int id) const;
   [[nodiscard]] Range zExtent(int id) const;
-  /// Where the corners of one fragment lie from the plane of another. Exact.
+  /// How many corners of one fragment lie on which side of another's plane. Exact.
   [[nodiscard]] CornerCounts corners(int of, int fromPlaneOf) const;
-  /// One by one, in the outline's order.
+  /// The corners one by one, in the outline's order.
   [[nodiscard]] std::vector<CornerDistance> distances(int of, int fromPlaneOf) const;
-  /// Of the plane of a fragment at any place.
+  /// The depth of a fragment's plane at any place.
   [[nodiscard]] double depth(int id, Place at) const;
-  /// Nothing where the projections overlap. Exact.
+  /// An edge that separates P and Q; nothing if their projections overlap. Exact.
   [[nodiscard]] std::optional<SeparatingEdge> separatingEdge(int P, int Q) const;
-  /// Its corners on the screen; none where they do not overlap.
+  /// The corners of the common area on the screen; none if P and Q do not overlap.
   [[nodiscard]] std::vector<Place> overlap(int P, int Q) const;
-  /// Counts are exact; the rest is in doubles.
+  /// The counts are exact; the rest is in doubles.
   [[nodiscard]] CommonArea commonArea(int P, int Q) const;
 
   // The sentences.
 
-  /// The tests of a Compare event in the order in which they were made: all but the last one failed, which
-  /// proves nothing, and the last settled the pair. A test behind it was not made; nor are 3 and 4 for two
-  /// in one plane.
+  /// The tests of a Compare event, in the order in which they were made. The last one settled the pair. All
+  /// others failed, which proves nothing. Later tests were not made. Tests 3 and 4 are not made for two
+  /// polygons in one plane.
   [[nodiscard]] std::vector<Test> testsMade(const Event& compare) const;
-  /// But for the sentence about taking P, which tells which one it is.
+  /// Chooses what sentences call P and Q. The sentence about taking P always gives its name.
   void call(Called called) { called_ = called; }
 
-  /// Of one test of a Compare event, one of testsMade().
+  /// The sentence for one test of a Compare event. `test` is one of testsMade().
   [[nodiscard]] std::string sentence(const Event& compare, Test test) const;
-  /// Of any event; of a Compare event, that of the test that settled the pair. `splits` is how many there
-  /// were before it.
+  /// The sentence for any event. For a Compare event it is about the test that settled the pair. `splits` is
+  /// the number of splits before the event.
   [[nodiscard]] std::string sentence(const Event& event, int splits) const;
 
  private:
   [[nodiscard]] std::string called(int id, std::string_view letter) const {
     return called_ == Called::PAndQ ? std::string{letter} : name(id);
   }
-  /// A piece that has no letter: beside P and Q, as their list has it.
+  /// What a sentence calls a piece that is neither P nor Q. With P and Q it is the number from their list, or
+  /// the name if there is one.
   [[nodiscard]] std::string listed(int id) const {
     return called_ == Called::PAndQ && !fragments_.hasName(id) ? fragments_.number(id) : name(id);
   }

@@ -7,7 +7,7 @@ namespace xnewell {
 
 namespace {
 
-/// A name of bounded length; what is cut off ends at a character.
+/// A name of bounded length. It is cut at a character's boundary.
 std::string shortened(const std::string& name) {
   constexpr std::size_t kMost = 48;  // bytes
   if (name.size() <= kMost) return name;

@@ -16,14 +16,14 @@ struct Columns {
   int from, to;
 };
 
-/// The samples of row j that a convex outline owns: each edge is a half plane and leaves the columns on its
-/// inner side, an upright sample exactly on a left edge included and on a right edge not.
+/// The samples of row j that a convex outline owns. Each edge is a half plane and keeps the columns on its
+/// inner side. A sample exactly on a left edge is inside, on a right edge outside.
 Columns columnsInside(const glm::ivec3* p, int count, int j, int width) {
   std::int64_t from = 0, to = width;
   const std::int64_t y = (std::int64_t{j} << kGridBits) + kGrid / 2;
   for (int v = 0; v < count; ++v) {
     const glm::ivec3 &a = p[v], &b = p[v + 1 == count ? 0 : v + 1];
-    // Inside, A (x - ax) + B (y - ay) > 0; |A|, |B| <= 2^30 and so the sums stay below 2^62.
+    // Inside, A (x - ax) + B (y - ay) > 0. |A|, |B| <= 2^30, so the sums stay below 2^62.
     const std::int64_t A = std::int64_t{b.y} - a.y, B = std::int64_t{a.x} - b.x;
     if (A == 0) {
       const std::int64_t height = B > 0 ? y - a.y : a.y - y;
@@ -39,7 +39,8 @@ Columns columnsInside(const glm::ivec3* p, int count, int j, int width) {
   return {static_cast<int>(from), static_cast<int>(std::max(from, to))};
 }
 
-/// Depths of one face's plane in doubles, good for telling most samples apart.
+/// The depths of one face's plane, estimated in doubles. The estimate is good enough to separate the faces at
+/// most samples.
 class DepthEstimate {
  public:
   DepthEstimate(const SnappedScene& scene, const SnappedFace& face, const ScreenPlane& plane)
@@ -52,12 +53,12 @@ class DepthEstimate {
       const glm::dvec2 d = glm::dvec2{scene.vertices[v]} - glm::dvec2{anchor_};
       reach = std::max(reach, std::abs(dzdx_ * d.x) + std::abs(dzdy_ * d.y));
     }
-    // Samples lie in the hull of the vertices, so each term is at most `reach`. Slopes are within three
-    // roundings of 2^-53, z within three, products and sums within one each: eight in all, of at most
-    // reach + |z|.
+    // Samples lie in the hull of the vertices, so each term is at most `reach`. A slope has at most three
+    // roundings of 2^-53 and z has four; each product and each sum adds one. So no term has more than six
+    // roundings, and 2^-50 allows eight, of reach + |z|.
     error_ = 0x1p-50 * (reach + std::abs(z_));
   }
-  /// At pixel (i, j)'s centre; off by at most error().
+  /// The depth at the centre of pixel (i, j). Its error is at most error().
   [[nodiscard]] double at(int i, int j) const {
     return dzdx_ * (kGrid * (i + 0.5) - anchor_.x) + (dzdy_ * (kGrid * (j + 0.5) - anchor_.y) + z_);
   }
@@ -76,7 +77,7 @@ std::vector<int> visibleFaces(const SnappedScene& scene, int width, int height) 
   const auto planeOf = [&](int face) -> const ScreenPlane& { return scene.planes[scene.faces[face].plane]; };
 
   std::vector<int> seen(std::size_t(width) * height, kNothing);
-  std::vector<double> nearest(seen.size());  // estimate of the face seen
+  std::vector<double> nearest(seen.size());  // estimated depth of the face that is seen
   for (int f = 0; f < static_cast<int>(scene.faces.size()); ++f) {
     const SnappedFace& face = scene.faces[f];
     const glm::ivec3* const outline = &scene.vertices[face.first];

@@ -6,17 +6,18 @@
 
 namespace xnewell {
 
-/// Which face is seen at each sample, decided there and nowhere else: every face that covers the sample
-/// is compared with the nearest so far, in exact arithmetic. No order of faces is made, so there is nothing
-/// to sort, to cut or to get wrong; it shares the snapped scene and the sample rule with the painter, and no
-/// code. Work: one comparison for every sample of every face.
+/// Finds which face is seen at each sample. It decides each sample by itself: it compares every face that
+/// covers the sample with the nearest face so far, in exact arithmetic. It makes no order of faces, so it
+/// cannot sort or cut wrongly. It shares the snapped scene and the sample rule with the painter, but no code.
+/// Work: one comparison for every sample of every face.
 ///
-/// Exact for the snapped scene, which is not the model: faces that only touch there are parted by the
-/// rounding of the snap, and the oracle sees the parts. Only equal planes are ties: those of faces that
-/// overlap in one plane of the model share a record (coplanar.h), others may be equal on the grid.
+/// The result is exact for the snapped scene, which is not the model. Faces that only touch in the model are
+/// separated by the rounding of the snap, and the oracle sees them apart. Only equal planes tie. Faces that
+/// overlap in one plane of the model share one plane record (coplanar.h); other planes may happen to be equal
+/// on the grid.
 ///
-/// Returns an index into scene.faces for each sample, row by row from the top, or kNothing. Of faces in one
-/// plane (the same on the grid) the later one of the scene wins.
+/// Returns for each sample an index into scene.faces or kNothing, row by row from the top. In a tie the later
+/// face of the scene wins.
 inline constexpr int kNothing = -1;
 [[nodiscard]] std::vector<int> visibleFaces(const SnappedScene& scene, int width, int height);
 

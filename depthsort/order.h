@@ -10,7 +10,7 @@
 
 namespace xnewell {
 
-/// In which order to paint: the hidden-surface method.
+/// The order in which faces are painted, that is, the hidden-surface method.
 enum class Order { Unsorted, ZMean, ZSort, Newell, Oracle };
 struct OrderRow {
   Order id;
@@ -21,17 +21,17 @@ inline constexpr std::array kOrders{
     OrderRow{Order::ZMean, "zmean", "z mean", "by the mean z of the vertices, farthest first"},
     OrderRow{Order::ZSort, "zsort", "z far", "by the farthest z, farthest first"},
     OrderRow{Order::Newell, "newell", "Newell",
-             "by the depth sort, splitting what has no order (depth_sort.h)"},
-    OrderRow{Order::Oracle, "oracle", "oracle", "none: the face seen is decided at each sample (oracle.h)"},
+             "by the depth sort; it splits polygons that have no order (depth_sort.h)"},
+    OrderRow{Order::Oracle, "oracle", "oracle", "none: each sample finds its nearest face (oracle.h)"},
 };
 
-/// Indices into scene.faces, the first to be painted first, for the orders that are a sort by one key. Equal
-/// z: the later face in the scene is painted later, so it wins. Means are compared rounded
-/// to a z step. The sorts by z give a decent picture and no guarantee. @see Foley & van Dam 2e §15.5.1
+/// Indices into scene.faces in painting order, for the orders that sort by one key. At equal z the later face
+/// in the scene is painted later, so it wins. Means are rounded to a z step before they are compared. The
+/// sorts by z give a decent picture and no guarantee. @see Foley & van Dam 2e §15.5.1
 [[nodiscard]] std::vector<int> paintingOrder(const SnappedScene& scene, Order order);
 
-/// Indices 0..#keys-1 in ascending order of key, equal keys in order of index (stable): a radix sort,
-/// three passes of 11 bits, linear in #keys.
+/// The indices 0..#keys-1 in ascending order of key; equal keys stay in order of index (a stable sort). It is
+/// a radix sort with three passes of 11 bits. Work: linear in #keys.
 [[nodiscard]] std::vector<int> sortedByKey(std::span<const std::uint32_t> keys);
 
 }  // namespace xnewell

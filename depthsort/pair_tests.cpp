@@ -94,8 +94,9 @@ Relation PairTests::nearerInOverlap(const Shape& P, const Shape& Q) {
   return {Test::Overlap, qFirst ? Verdict::QFirst : Verdict::PFirst, true};
 }
 
-/// Along an edge the depths are linear and the doubt is a parabola, so how far they exceed it has one
-/// maximum. Along lines of equal depth, within the part, all is linear: the edges tell of the whole.
+/// Along an edge the depths are linear and the doubt is a parabola, so the excess of their difference over
+/// the doubt has one maximum. Along a line of equal depth within the part the doubt hardly bends, so the
+/// edges stand for the whole part.
 bool PairTests::isDeep(const Region& part, const SnappedFace& p, const SnappedFace& q) const {
   struct Depths {
     double p, q;
@@ -110,7 +111,7 @@ bool PairTests::isDeep(const Region& part, const SnappedFace& p, const SnappedFa
     const Depths b = depthsAt(side.corner);
     const double apart = a.p - a.q, growth = b.p - b.q - apart, doubt = doubtAt(a);
     const double bend = p.doubt.byZZ * (b.p - a.p) * (b.p - a.p) + q.doubt.byZZ * (b.q - a.q) * (b.q - a.q);
-    const double rise = doubtAt(b) - doubt - bend;  // the doubt at a + s (b - a): doubt + rise s + bend s^2
+    const double rise = doubtAt(b) - doubt - bend;  // the doubt at a + s (b - a) is doubt + rise s + bend s^2
     for (const double sign : {1.0, -1.0}) {
       const double ahead = sign * growth - rise;
       const double s = ahead <= 0.0 ? 0.0 : ahead >= 2.0 * bend ? 1.0 : ahead / (2.0 * bend);

@@ -10,39 +10,39 @@
 
 namespace xnewell {
 
-/// The tests of the depth sort on one pair of polygons.
+/// The tests of the depth sort for one pair of polygons.
 
 /// A polygon as the tests see it.
 struct Shape {
   const SnappedFace& face;
-  int index;             ///< of the face in its scene
-  const ScreenBox& box;  ///< around it
-  const Region* piece;   ///< the part of the face that it is; null: the whole face
+  int index;             ///< index of the face in its scene
+  const ScreenBox& box;  ///< bounding box
+  const Region* piece;   ///< the part of the face that the polygon is; null for the whole face
 };
 
-/// What settled a pair, and how.
+/// Which test settled a pair, and how.
 struct Relation {
   Test test;
   Verdict verdict;
   bool contact = false;  ///< a part of the overlap did not count
 };
 
-/// All answers are exact, but for what is a contact: that is estimated in doubles, and only chooses among
-/// orders that are all exactly true.
+/// All answers are exact, with one exception: whether a part of an overlap is a contact is estimated in
+/// doubles. That only chooses between orders that are both exactly true.
 class PairTests {
  public:
   PairTests(const SnappedScene& scene, const SortSettings& settings);
 
-  /// Whether a face's plane passes through its vertices.
+  /// True if a face's plane passes exactly through its vertices.
   [[nodiscard]] bool vertexDepthsAreExact(const SnappedFace& face) const {
     return xnewell::vertexDepthsAreExact(face, shared_);
   }
-  /// May P be painted before Q? In the textbook's order of tests or in the quick one, whose caller has
-  /// compared the boxes.
+  /// Decides whether P may be painted before Q. It makes the tests in the textbook's order or in the quick
+  /// one. For the quick one the caller must have compared the boxes.
   [[nodiscard]] Relation compare(const Shape& P, const Shape& Q);
-  /// Whether the overlap is more than a contact.
+  /// True if the overlap is more than a contact.
   [[nodiscard]] bool overlapCounts(const Shape& P, const Shape& Q);
-  /// Whether Q's plane properly crosses P, and the parts of P behind and in front of it.
+  /// True if Q's plane properly crosses P. Then split() returns the parts of P behind it and in front of it.
   [[nodiscard]] bool crosses(const Shape& P, const Shape& Q) { return signsOver(P, Q).both(); }
   struct Parts {
     Region behind, front;
@@ -53,22 +53,22 @@ class PairTests {
   [[nodiscard]] bool projectionsApart(const Shape& P, const Shape& Q);
   [[nodiscard]] bool apartAlongEdges(const SnappedFace& P, const SnappedFace& Q) const;
   [[nodiscard]] bool apartAlongSides(const Region& P, const Region& Q) const;
-  /// Signs of zP - zQ all over P.
+  /// The signs of zP - zQ in all of P.
   [[nodiscard]] Signs signsOver(const Shape& P, const Shape& Q);
   /// Test 6.
   [[nodiscard]] Relation nearerInOverlap(const Shape& P, const Shape& Q);
 
-  /// Whether a part of the overlap, or all of it, is more than a contact: deeper than the doubt of both
-  /// (asked only if they are in two planes), and wide or owner of a sample.
+  /// True if `part`, a part of the overlap or all of it, is more than a contact. It must be deeper than the
+  /// doubt of both (tested only if they lie in two planes), and it must be wide or own a sample.
   [[nodiscard]] bool counts(const Region& part, const SnappedFace& p, const SnappedFace& q) const;
-  /// Whether zP and zQ are further apart than both may be off, somewhere in the part.
+  /// True if somewhere in the part zP and zQ are further apart than the sum of both doubts.
   [[nodiscard]] bool isDeep(const Region& part, const SnappedFace& p, const SnappedFace& q) const;
 
-  /// Regions::cut() of both planes, remembered: a pair asks for it again and again.
+  /// Regions::cut() of both planes. It remembers the last one, because a pair asks for it again and again.
   [[nodiscard]] const Line& nearer(const SnappedFace& p, const SnappedFace& q);
-  /// Of a whole face made in `buffer`.
+  /// The region of P. For a whole face it is made in `buffer`.
   [[nodiscard]] const Region& regionOf(const Shape& P, Region& buffer) const;
-  /// Into both_.
+  /// Sets both_ to the common area of P and Q.
   void overlap(const Shape& P, const Shape& Q);
 
   const SnappedScene& scene_;

@@ -11,8 +11,8 @@ namespace {
 
 namespace mp = boost::multiprecision;
 
-/// 512 bits and a sign. Two cut lines meet at (X, Y) / W with |X|, |Y| <= 2^279 and |W| <= 2^247, and a third
-/// has the value a X + b Y + c W there: below 3 * 2^402.
+/// An integer of 512 bits and a sign. Two cut lines meet at (X, Y) / W with |X|, |Y| <= 2^279 and |W| <=
+/// 2^247. The value of a third line there is a X + b Y + c W, below 3 * 2^402.
 using Wide = mp::number<mp::cpp_int_backend<512, 512, mp::signed_magnitude, mp::unchecked, void>>;
 
 struct ExactLine {
@@ -23,8 +23,8 @@ Int128 difference(std::int64_t p, std::int64_t c, std::int64_t q, std::int64_t d
   return Int128{p} * d - Int128{q} * c;
 }
 
-/// D d - E c for |D|, |E| <= 2^93 and 0 < c, d <= 2^61, as high * 2^64 + low, -2^63 <= low < 2^63: as near to
-/// zero, so that the sum of both in doubles is near the whole also where that is small and negative.
+/// D d - E c for |D|, |E| <= 2^93 and 0 < c, d <= 2^61, as high * 2^64 + low, -2^63 <= low < 2^63. With low
+/// this near to zero, the sum of both in doubles is accurate even if the value is small and negative.
 struct Product {
   Int128 high, low;
 };
@@ -98,7 +98,7 @@ Signs Regions::signs(const Line& line, const Region& region) const {
 void Regions::clip(Region& region, const Line& line) const {
   const int count = static_cast<int>(region.size());
   const auto next = [count](int k) { return k + 1 == count ? 0 : k + 1; };
-  constexpr int kFew = 32;  // most regions are: no memory is asked for then
+  constexpr int kFew = 32;  // most regions have no more corners and need no allocation
   std::array<std::int8_t, kFew> few;
   std::vector<std::int8_t> many;
   if (count > kFew) many.resize(count);
@@ -111,12 +111,12 @@ void Regions::clip(Region& region, const Line& line) const {
   if (!signs.negative) return;
   if (!signs.positive) return region.clear();
 
-  // Corner k ends side k; a side stays if one of its ends is strictly inside, and these sides follow each
-  // other. Of the first and the last, one end is inside and the other is not, so they truly cross the line
-  // and meet it in a corner: the old one, where that lies on the line.
+  // Corner k is the end of side k. A side stays if one of its ends is strictly inside, and these sides are
+  // successive. The first and the last of them have one end inside and one not, so they really cross the line
+  // and meet it in a corner. If an old corner lies on the line, it is that corner.
   int last = 0;
   while (at[last] > 0 || at[next(last)] <= 0) last = next(last);
-  const Corner before = region[last].corner;  // where the first side begins
+  const Corner before = region[last].corner;  // the start of the first side
   const bool beginsThere = at[last] == 0;
   Region& kept = kept_;
   kept.clear();
@@ -132,8 +132,8 @@ void Regions::clip(Region& region, const Line& line) const {
 
 Corner Regions::meeting(const Line& l, const Line& m) const {
   const double w = l.a * m.b - m.a * l.b;
-  // The numerators are within 2^-50 (|c| + |c'|) of themselves, w within 2^-49.
-  if (std::abs(w) < 0x1p-30) {  // a flat angle
+  // The numerators have an error of at most 2^-50 (|c| + |c'|), and w of at most 2^-49.
+  if (std::abs(w) < 0x1p-30) {  // the lines are nearly parallel
     const ExactLine p = exactly(scene_, l), q = exactly(scene_, m);
     const Wide X = p.b * q.c - q.b * p.c, Y = q.a * p.c - p.a * q.c, W = p.a * q.b - q.a * p.b;
     const double x = X.convert_to<double>() / W.convert_to<double>();

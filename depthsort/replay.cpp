@@ -41,7 +41,7 @@ void Replay::advance(State& state, int index) const {
       break;
     case Event::Kind::Split: {
       ++state.splits;
-      // Where a pair crosses, Q may be the one that is split, and it is not marked then.
+      // If a pair crosses, Q may be the one that is split. Then it is not marked.
       const bool crossing = sorted_->events[index - 1].kind == Event::Kind::Compare;
       if (crossing && marks_[state.top].fragment != e.P) break;
       while (marks_[state.top].fragment != e.P) state.top = marks_[state.top].below;
@@ -80,7 +80,7 @@ std::vector<Replay::Listed> Replay::list(int most) const {
     all.push_back({id, true});
   }
   std::ranges::sort(stack);
-  std::vector<int> next;  // of one face, what is to be looked at, the first on top
+  std::vector<int> next;  // a stack of one face's fragments still to visit
   for (const int face : sorted_->list) {
     next.push_back(face);
     while (!next.empty()) {

@@ -7,7 +7,7 @@ namespace xnewell {
 
 namespace {
 
-/// The sign of a x + b y + c, inside positive, for the edge from p to q.
+/// The sign of a x + b y + c at a sample, for the edge from p to q; the inside is positive.
 int edgeAtSample(const glm::ivec3& p, const glm::ivec3& q, int i, int j) {
   const std::int64_t a = q.y - p.y, b = p.x - q.x;
   const std::int64_t x = std::int64_t{i} * kGrid + kGrid / 2, y = std::int64_t{j} * kGrid + kGrid / 2;
@@ -32,7 +32,8 @@ bool ownsSample(const SnappedScene& scene, const Region& region, int width, int 
   }
   const int end = static_cast<int>(std::min<double>(height, std::floor(bottom / kGrid) + 1.0));
   for (int j = static_cast<int>(std::max(0.0, std::floor(top / kGrid))); j < end; ++j) {
-    // The columns inside all sides in doubles and one more at either end; who is inside is asked exactly.
+    // Compute in doubles which columns lie inside all sides. Widen this range by one column at either end and
+    // test its columns exactly.
     const double y = (j + 0.5) * kGrid;
     double from = 0.0, to = double{kGrid} * width;
     bool some = true;

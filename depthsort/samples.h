@@ -5,26 +5,28 @@
 
 namespace xnewell {
 
-/// Which regions own a sample of the picture, by the sample rule of scanline.h: the centre of a pixel moved
-/// by (e, e^2) lies inside.
+/// Finds which regions own a sample of the picture. The sample rule is that of scanline.h: the centre of a
+/// pixel, moved by an infinitely small (e, e^2), lies inside.
 
-/// The sign of a line at pixel (i, j)'s sample; never 0.
+/// The sign of a line at the sample of pixel (i, j). It is never 0.
 [[nodiscard]] int signAtSample(const SnappedScene& scene, const Line& line, int i, int j);
 
-/// Whether the region owns a sample of the picture. Exact. Work: its sides times its rows; for thin regions.
+/// True if the region owns a sample of the picture. Exact. Work: #sides times #rows, so use it for thin
+/// regions.
 [[nodiscard]] bool ownsSample(const SnappedScene& scene, const Region& region, int width, int height);
 
-/// Whether a face may own one: false only if it owns none, exactly asked where its box holds at most four.
+/// False only if the face owns no sample. The answer is exact if the face's box holds at most four samples;
+/// for a larger box it is true.
 [[nodiscard]] bool mayOwnSample(const SnappedScene& scene, const SnappedFace& face, const ScreenBox& box,
                                 int width, int height);
 
-/// Whether the face has an area when its vertices are rounded to pixels, as they are for XFillPolygon
-/// (fill_polygons.h): such a face may show there without owning a sample.
+/// True if the face has an area after its vertices are rounded to pixels, as they are for XFillPolygon
+/// (fill_polygons.h). Such a face may show there without owning a sample.
 [[nodiscard]] bool hasAreaInPixels(const SnappedScene& scene, const SnappedFace& face);
 
-/// Twice the area over the diameter, more than kThin: what is thinner is a sliver that only the rounding of
-/// the model's vertices makes. In doubles.
-inline constexpr double kThin = 64.0;  // 1/1024 of a pixel
+/// True if twice the area over the diameter is more than kThin. A thinner region is a sliver that only the
+/// rounding of the model's vertices makes. Computed in doubles.
+inline constexpr double kThin = 64.0;  // in grid steps: 1/1024 of a pixel
 [[nodiscard]] bool isWide(const Region& region);
 
 }  // namespace xnewell

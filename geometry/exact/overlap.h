@@ -33,10 +33,10 @@ constexpr std::size_t kFewBoxes = 64;
 /// fewest pairs of different groups to compare.
 [[nodiscard]] BoxCut chooseCut(std::span<const ItemBox> boxes);
 
-/// Calls visit(item, item) for every pair of boxes that overlap and are of different groups; for some pairs,
-/// twice. The function cuts the set in two halves, again and again; a box across a cut belongs to both
-/// halves. When few boxes are left, or no cut separates them, it compares each box with all boxes of other
-/// groups. It overwrites `boxes`.
+/// Calls visit(item, item) for every pair of overlapping boxes of different groups, twice for some pairs. It
+/// halves the set of boxes again and again. A box across a cut belongs to both halves. When few boxes are
+/// left, or no cut separates them, it compares each box with all boxes of other groups. It overwrites
+/// `boxes`.
 template <class Visit>
 void forOverlapping(std::span<ItemBox> boxes, const Visit& visit) {
   const BoxCut cut = chooseCut(boxes);

@@ -12,7 +12,7 @@ struct Plane {
 };
 
 /// Twice the vector area of a closed polygon, by Newell's method. It uses every vertex, so a slightly bent
-/// polygon gets the plane that fits it best, and concave or collinear corners do no harm. The vector points
+/// polygon gets the plane that fits it, and concave or collinear corners do no harm. The vector points
 /// to the side from which the vertices run counter-clockwise. It is 0 for a polygon without area.
 /// Vertices are taken relative to the first one, so that a polygon far from the origin loses no digits.
 /// @see Sutherland, Sproull & Schumacker 1974, who credit M. Newell; Foley & van Dam 2e §11.1.3

@@ -34,7 +34,7 @@ int toPatchCount(const Words& words, std::string_view word) {
   return count;
 }
 
-/// The rest of a patch whose line of degrees begins with `word`.
+/// Reads the rest of a patch. `word` is the first word of its line of degrees.
 BezierPatch parsePatch(Words& words, std::string_view word, const std::string& which) {
   const std::string_view second = words.next();
   if (word != "3" || second != "3") {

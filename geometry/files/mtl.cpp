@@ -9,7 +9,7 @@ namespace xnewell {
 
 namespace {
 
-/// The components after `Kd`; a missing green or blue is as the red.
+/// Reads the components after `Kd`. A missing green or blue equals the red.
 glm::dvec3 readColor(Words& words) {
   glm::dvec3 color{1.0};
   for (int channel = 0; channel < 3; ++channel) {

@@ -10,13 +10,15 @@ namespace xnewell {
 
 namespace {
 
-/// std::from_chars takes no leading '+', as it takes no second sign behind one.
+/// Removes a leading '+', which std::from_chars does not accept. It keeps the '+' of "+-", so that a second
+/// sign is an error.
 std::string_view withoutPlus(std::string_view word) {
   if (word.starts_with('+') && !word.starts_with("+-")) word.remove_prefix(1);
   return word;
 }
 
-/// The value of an exponent's digits, within +-10^18: far more than a text's digits can make up for.
+/// The value of an exponent's digits, clamped to +-10^18. No text has enough digits to make up for such an
+/// exponent.
 long long toExponent(std::string_view digits) {
   constexpr long long kFar = 1'000'000'000'000'000'000;
   digits = withoutPlus(digits);
@@ -26,10 +28,11 @@ long long toExponent(std::string_view digits) {
   return std::clamp(exponent, -kFar, kFar);
 }
 
-/// Whether a well-formed number other than 0 is at least 1 in magnitude. std::from_chars says "out of range"
-/// of the too large and of the too small alike and leaves the value alone (LWG 3081); this tells them apart.
+/// True if a well-formed number other than 0 is at least 1 in magnitude. std::from_chars reports "out of
+/// range" for both too large and too small numbers and leaves the value unchanged (LWG 3081). This function
+/// tells them apart.
 bool isAtLeastOne(std::string_view number) {
-  long long power = -1;  // of ten, of the first digit that is not 0
+  long long power = -1;  // power of ten of the first digit that is not 0
   bool fraction = false, leading = true;
   for (std::size_t i = 0; i < number.size(); ++i) {
     const char c = number[i];

@@ -7,21 +7,23 @@
 
 namespace xnewell {
 
-/// The number a word stands for, correctly rounded: the double nearest to its decimal value, subnormals
-/// included; what is nearer to 0 than to any other double is read as 0. Decimal with an optional sign, point
-/// and exponent: `-1.25`, `+2`, `1.`, `.5`, `1e3`; independent of the locale.
-/// Throws ParseError at the words' line for anything else, for NaN and infinity, and for overflow.
+/// The number that a word stands for: the double nearest to its decimal value, subnormals included. A value
+/// nearer to 0 than to any other double is read as 0. The word is decimal, with an optional sign, point and
+/// exponent: `-1.25`, `+2`, `1.`, `.5`, `1e3`. The locale has no effect.
+/// Throws ParseError with the current line of `words` for anything else, for NaN and infinity, and for
+/// overflow.
 [[nodiscard]] double toNumber(const Words& words, std::string_view word);
 
-/// Decimals a well-formed number carries in its text, trailing zeros included: 3 in `-1.250`, 4 in `1.5e-3`,
-/// 1 in `1.25e1`, -3 in `1e3` but 0 in `1000`. Within kMaxDecimals of 0.
+/// The number of decimals in the text of a well-formed number, trailing zeros included: 3 in `-1.250`, 4 in
+/// `1.5e-3`, 1 in `1.25e1`, -3 in `1e3` but 0 in `1000`. The result is clamped to +-kMaxDecimals.
 [[nodiscard]] int decimals(std::string_view number);
-inline constexpr int kMaxDecimals = 400;  ///< 10^400 is infinite as a double, and its inverse 0
+inline constexpr int kMaxDecimals = 400;  ///< 10^400 is infinite as a double, and its inverse is 0
 
-/// How finely the numbers of a file are rounded, told from their texts: half a unit of the last decimal that
-/// they carry. A writer may drop trailing zeros, so the most decimals tell; but a number or two with all the
-/// digits of a double among others of six does not make those exact. So a tenth of the numbers may
-/// carry more. Zeros tell nothing, and a plain integer that its units count.
+/// Estimates from their texts how finely the numbers of a file are rounded: half a unit of the last decimal.
+/// A writer may drop trailing zeros, so the most decimals count. But if one or two numbers have all the
+/// digits of a double and the others have six, the others are not exact. So a tenth of the numbers may have
+/// more decimals than the result says. Zeros tell nothing. A plain integer tells only that the unit's digit
+/// is given.
 class RoundingOfNumbers {
  public:
   void add(std::string_view number, double value) {

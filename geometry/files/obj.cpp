@@ -26,7 +26,7 @@ class NamesInUse {
     name_ = std::move(name);
     number_ = -1;
   }
-  /// Of the selected name; a name never asked for gets no number.
+  /// The number of the selected name. A name gets its number when this is first called for it.
   [[nodiscard]] int number() {
     if (number_ < 0) {
       const auto [entry, isNew] = numbers_.try_emplace(name_, static_cast<int>(names_.size()));
@@ -40,7 +40,7 @@ class NamesInUse {
 
  private:
   std::string name_;
-  int number_ = -1;  ///< of name_, -1 until asked for
+  int number_ = -1;  ///< number of name_, or -1 until it is asked for
   std::map<std::string, int> numbers_;
   std::vector<std::string> names_;
 };
@@ -71,7 +71,8 @@ class ObjReader {
     if (mesh_.uvOfCorner.empty()) mesh_.uv.clear();
     if (mesh_.faceCount() == 0) words_.fail(0, "holds no face");
     mesh_.groupNames = group_.names();
-    bool told = libraries_.empty();  // then all are white, and a library that is missing is told
+    // Without a library all materials are white, and a missing library has its own note.
+    bool told = libraries_.empty();
     for (const std::string& name : material_.names()) {
       const auto known = colors_.find(name);
       if (known == colors_.end() && !std::exchange(told, true))
@@ -94,7 +95,7 @@ class ObjReader {
     mesh_.points.push_back(point);
   }
 
-  /// One to three numbers: v is 0 if absent, and a depth is not used.
+  /// Reads one to three numbers. An absent v is 0; the depth is not used.
   void readTexture() {
     glm::dvec2 uv{0.0};
     for (int axis = 0; axis < 2; ++axis) {
@@ -124,10 +125,11 @@ class ObjReader {
   }
 
   struct Corner {
-    int point, uv;  ///< indices into Mesh::points and Mesh::uv, that of no texture coordinate -1
+    int point, uv;  ///< indices into Mesh::points and Mesh::uv; uv is -1 for no texture coordinate
   };
 
-  /// What stands behind the second slash is not used, but must be an index or absent.
+  /// Reads one corner of a face. The normal after the second slash is not used, but it must be an index or
+  /// absent.
   Corner readCorner(std::string_view corner) {
     const char* at = corner.data();
     const char* const end = at + corner.size();
@@ -142,10 +144,10 @@ class ObjReader {
     return result;
   }
 
-  /// The index at `at`, inside `corner`; steps behind it.
+  /// Reads the index at `at`, inside `corner`, and moves `at` behind it.
   int readIndex(const char*& at, std::string_view corner) {
     const char* const end = corner.data() + corner.size();
-    if (end - at > 1 && *at == '+' && at[1] != '-') ++at;  // std::from_chars takes none
+    if (end - at > 1 && *at == '+' && at[1] != '-') ++at;  // std::from_chars does not accept '+'
     int index = 0;
     const auto [stop, error] = std::from_chars(at, end, index);
     if (error == std::errc::invalid_argument) failMalformed(corner);
@@ -160,8 +162,9 @@ class ObjReader {
     words_.fail("malformed face index " + inQuotes(corner));
   }
 
-  /// What corners name by its index, and those that named one not yet read. Kept only while the index grows:
-  /// if any index is beyond the last one read, the first such is greater than all before it.
+  /// References to indices that are not yet read. An entry is kept only if its index is larger than all
+  /// before it. This is enough: if any index is beyond the end, so is the largest, and the first bad one is
+  /// larger than all before it.
   struct Forward {
     int index, line;
   };
@@ -170,7 +173,7 @@ class ObjReader {
     std::vector<Forward> forward;
   };
 
-  /// From 0, of the `read` so far.
+  /// The position from 0 that an index of a face means, when `read` entries have been read.
   int place(int index, Indexed& of, std::size_t read) {
     const int count = static_cast<int>(read);
     if (index < 0) {
@@ -183,7 +186,7 @@ class ObjReader {
     return index - 1;
   }
 
-  /// A face may come before what it names; only the end of the file tells whether that exists.
+  /// A face may come before its vertices. Only the end of the file tells whether they exist.
   void checkForward(const Indexed& of, std::size_t read) const {
     const auto bad = std::ranges::find_if(
         of.forward, [&](const Forward& reference) { return reference.index > static_cast<int>(read); });
@@ -201,8 +204,8 @@ class ObjReader {
     group_.select(name.empty() ? kDefaultGroup : name);
   }
 
-  /// Of two libraries that know a material the first one holds. A name with blanks in it is tried before its
-  /// words.
+  /// Reads the libraries of a line. If two libraries have a material, the first one counts. The whole rest of
+  /// the line is tried as one name before its words are tried.
   void readLibraries() {
     const std::string names = words_.rest();
     if (readLibrary(names)) return;
@@ -219,7 +222,7 @@ class ObjReader {
     mesh_.notes.emplace_back(ParseError{name_, line, what}.what());
   }
 
-  /// False if there is no such file.
+  /// Returns false if there is no such file.
   bool readLibrary(const std::string& name) {
     const std::filesystem::path file = folder_ / name;
     std::error_code missing;
@@ -237,9 +240,9 @@ class ObjReader {
   NamesInUse group_{kDefaultGroup};
   NamesInUse material_{""};  ///< the empty name stands for no material
   MaterialColors colors_;
-  std::set<std::string> libraries_;  ///< already read: some writers name theirs before every object
+  std::set<std::string> libraries_;  ///< already read: some writers name the library before every object
   Indexed points_{"vertices", {}}, texture_{"texture coordinates", {}};
-  std::vector<int> face_, faceUv_;  ///< of the face being read, kept for their memory
+  std::vector<int> face_, faceUv_;  ///< of the current face; members to reuse their memory
   RoundingOfNumbers rounding_;
 };
 

@@ -22,7 +22,8 @@ namespace {
   throw std::system_error{error, std::generic_category(), file};
 }
 
-/// 0, or what went wrong. Closes the descriptor in either case.
+/// Writes the bytes and closes the descriptor, even after an error. Returns 0 or the errno of the first
+/// error.
 int writeAndClose(int descriptor, std::string_view bytes) {
   int error = 0;
   while (!error && !bytes.empty()) {
@@ -32,18 +33,18 @@ int writeAndClose(int descriptor, std::string_view bytes) {
     else if (errno != EINTR)
       error = errno;
   }
-  // Some file systems tell of a full disk only here.
+  // Some file systems report a full disk only here.
   if (::close(descriptor) != 0 && !error && errno != EINTR) error = errno;
   return error;
 }
 
-/// Where the bytes finally are: the end of a chain of symbolic links.
+/// The file at the end of a chain of symbolic links.
 std::string resolved(const std::string& file) {
   const std::unique_ptr<char, decltype(&std::free)> real{::realpath(file.c_str(), nullptr), &std::free};
   return real ? real.get() : file;
 }
 
-/// A new file beside `target`; `name` is set to what it is called.
+/// Opens a new file beside `target` and sets `name` to its name.
 int openTemporary(const std::string& target, std::string& name) {
   const std::size_t slash = target.rfind('/');
   const std::string folder = slash == std::string::npos ? "" : target.substr(0, slash + 1);
@@ -54,8 +55,8 @@ int openTemporary(const std::string& target, std::string& name) {
   }
 }
 
-/// Whether the bytes go straight in. A standard stream may lead to a regular file that somebody else
-/// holds open: it must not be replaced.
+/// True if the bytes are written directly. A standard stream may lead to a regular file that another process
+/// holds open; that file must not be replaced.
 bool goesStraightIn(const std::string& file) {
   if (file == "/dev/stdout" || file == "/dev/stderr" || file.starts_with("/dev/fd/")) return true;
   struct ::stat status {};
@@ -68,7 +69,7 @@ void writeStraight(const std::string& file, std::string_view bytes) {
   if (const int error = writeAndClose(descriptor, bytes)) fail(error, file);
 }
 
-/// A complete file under a temporary name: it takes its own, or goes.
+/// A complete file under a temporary name. It is renamed by takeName(), or removed.
 class Replacement {
  public:
   Replacement(std::string file, std::string_view bytes) : file_{std::move(file)}, target_{resolved(file_)} {
@@ -97,7 +98,7 @@ class Replacement {
   std::string file_, target_, temporary_;
 };
 
-/// While it lives, signals that would end the program wait.
+/// Blocks the signals that would end the program, for the lifetime of the object.
 class Uninterrupted {
  public:
   Uninterrupted() {

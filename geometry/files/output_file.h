@@ -6,17 +6,18 @@
 
 namespace xnewell {
 
-/// Writes a whole file: afterwards it is complete, or as it was before (absent, if it was absent).
-/// The bytes go to a temporary file in the same folder, which takes the name when it is complete; a
-/// symbolic link stays, and the file it leads to is replaced. Where that makes no sense (/dev/stdout,
-/// /dev/fd/N, /dev/null, a pipe) they go straight in.
+/// Writes a whole file. Afterwards the file is complete, or it is as it was before (absent, if it was
+/// absent). The bytes go to a temporary file in the same folder, which is renamed when it is complete. A
+/// symbolic link stays, and the file that it points to is replaced. If this makes no sense (/dev/stdout,
+/// /dev/fd/N, /dev/null, a pipe), the bytes are written directly.
 /// @throws std::system_error `FILE: No space left on device`
 void writeFile(const std::string& file, std::string_view bytes);
 
-/// Several whole files, all or none: each takes its name only when all are complete. What goes straight in
-/// goes first. An interrupt (SIGINT, SIGTERM, SIGHUP, SIGQUIT) meanwhile waits, so that it leaves no
-/// temporary file; one that is needed to end the wait for a pipe does not.
-/// @throws std::system_error as writeFile()
+/// Writes several whole files, all or none: each is renamed only when all are complete. Files that are
+/// written directly come first. After that, an interrupt (SIGINT, SIGTERM, SIGHUP, SIGQUIT) waits until the
+/// end, so that no temporary file is left behind. While the program waits for a pipe, an interrupt still ends
+/// it.
+/// @throws std::system_error as writeFile() does
 struct OutputFile {
   std::string name;
   std::string_view bytes;

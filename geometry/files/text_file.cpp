@@ -22,7 +22,7 @@ struct Close {
   throw ParseError{name, 0, "longer than " + std::to_string(kMaxTextBytes) + " bytes"};
 }
 
-/// Whether a byte may end a word: blanks, the end of the line, and a backslash, if it continues the line.
+/// The bytes that may end a word: blanks, the end of the line, and a backslash, which may continue the line.
 constexpr auto kMayEndWord = [] {
   std::array<bool, 256> table{};
   for (const unsigned char c : {' ', '\t', '\r', '\v', '\f', '\n', '\\'}) table[c] = true;
@@ -33,7 +33,7 @@ bool mayEndWord(char c) { return kMayEndWord[static_cast<unsigned char>(c)]; }
 
 bool isBlank(char c) { return mayEndWord(c) && c != '\n' && c != '\\'; }
 
-/// The beginning of the next line if a backslash at `p` joins it to this one, otherwise null.
+/// The beginning of the next line if a backslash at `p` joins it to this one; otherwise null.
 const char* afterContinuation(const char* p, const char* end) {
   if (*p != '\\') return nullptr;
   ++p;
@@ -49,7 +49,8 @@ std::string readTextFile(const std::filesystem::path& file) {
   const std::unique_ptr<std::FILE, Close> in{std::fopen(file.c_str(), "rb")};
   if (!in) failErrno();
 
-  // The size is a hint: a pipe has none, and one byte more than it lets the first read meet the end.
+  // The size is only a hint, because a pipe has none. One extra byte lets the first read find the end of the
+  // file.
   std::error_code noSize;
   const std::uintmax_t size = std::filesystem::file_size(file, noSize);
   if (!noSize && size > kMaxTextBytes) failTooLong(name);
@@ -79,7 +80,7 @@ bool Words::nextLine() {
   }
   while (!next().empty()) {
   }
-  if (end_ - at_ <= 1) {  // nothing after the last line's own end
+  if (end_ - at_ <= 1) {  // nothing after the end of the last line
     at_ = end_;
     return false;
   }
@@ -89,7 +90,7 @@ bool Words::nextLine() {
 }
 
 std::string_view Words::next() {
-  const char* p = at_;  // a local, so that it stays in a register
+  const char* p = at_;  // a local variable, so that it stays in a register
   for (; p != end_; ++p) {
     if (isBlank(*p)) continue;
     const char* const joined = afterContinuation(p, end_);

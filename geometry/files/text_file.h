@@ -6,35 +6,36 @@
 
 namespace xnewell {
 
-/// The longest text that is read, in bytes: whatever is counted in it (lines, vertices, corners of faces)
-/// then fits an int.
+/// The longest text that is read, in bytes. Every count in it (lines, vertices, corners of faces) then fits
+/// an int.
 inline constexpr std::size_t kMaxTextBytes = 2'147'483'647;
 
-/// The whole file, byte for byte, in one go.
-/// Throws std::system_error, whose text is `teapot.obj: No such file or directory`, if it cannot be opened or
-/// read (a directory cannot), and ParseError if it is longer than kMaxTextBytes. The name in the message
-/// is the path as given.
+/// Returns the whole file, byte for byte.
+/// Throws std::system_error, with the text `teapot.obj: No such file or directory`, if the file cannot be
+/// opened or read (a directory cannot). Throws ParseError if it is longer than kMaxTextBytes. The name in the
+/// message is the path as given.
 [[nodiscard]] std::string readTextFile(const std::filesystem::path& file);
 
-/// Walks over the lines of a text and the words of a line without copying them: `nextLine()`, then
-/// `next()` until it is empty; words not asked for are skipped.
+/// Walks over the lines of a text and the words of a line without copying them. Call `nextLine()`, then
+/// `next()` until it returns an empty word; nextLine() skips the words that are left.
 /// Words are separated by blanks, tabs and the CR of a CR LF. A backslash right before the end of a line
-/// is a blank that joins the next line. A word that begins with '#' opens a comment up to the end of its
-/// line, where a backslash joins nothing (paths in comments end in one); a '#' inside a word is part of it,
-/// so that the `1.#INF` of some writers is a wrong number and not a 1. A byte order mark is skipped.
+/// counts as a blank and joins the next line. A word that begins with '#' opens a comment up to the end of
+/// its line. There a backslash joins nothing, because paths in comments can end in one. A '#' inside a word
+/// is part of the word, so that the `1.#INF` of some writers is a malformed number and not a 1. A byte order
+/// mark is skipped.
 class Words {
  public:
-  /// `text` is borrowed; `name` is how errors call it. Throws ParseError beyond kMaxTextBytes.
+  /// Borrows `text`. Error messages call it `name`. Throws ParseError if it is longer than kMaxTextBytes.
   Words(std::string_view text, std::string name);
 
-  /// Steps to the next line; false when there is none.
+  /// Steps to the next line. Returns false if there is none.
   bool nextLine();
-  /// The next word of this line, empty when there is none.
+  /// The next word of this line; empty if there is none.
   [[nodiscard]] std::string_view next();
-  /// The remaining words of this line, joined by single blanks: names may hold some.
+  /// The remaining words of this line, joined by single blanks, for names that contain blanks.
   [[nodiscard]] std::string rest();
 
-  /// Of the last word read, from 1; after the last line, that line's. 0 before the first.
+  /// The line of the last word read, counted from 1; after the end, the last line; 0 before the first.
   [[nodiscard]] int line() const { return line_; }
   /// Throws ParseError at this line.
   [[noreturn]] void fail(const std::string& what) const { fail(line_, what); }
@@ -47,8 +48,8 @@ class Words {
   int line_ = 0;
 };
 
-/// A word of a file for use in a message: in quotes, at most 40 bytes of it, and '?' for every byte that
-/// is not printable ASCII, so that a binary file does no harm to a terminal.
+/// A word of a file, for use in a message: in quotes, cut to 40 bytes. Every byte that is not printable ASCII
+/// becomes '?', so that a binary file does no harm to a terminal.
 [[nodiscard]] std::string inQuotes(std::string_view word);
 
 }  // namespace xnewell

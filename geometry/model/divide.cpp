@@ -18,14 +18,15 @@ namespace {
 
 constexpr int kDivisionGridBits = 50;
 
-/// A face by itself, ready for decisions.
+/// One face, prepared for the decisions.
 struct Outline {
   std::vector<LatticePoint> grid;  ///< counter-clockwise
   bool planar = false;
   bool hasArea = false;
 };
 
-/// A face's corners, as indices into Mesh::corners, without those at the place of the one before them.
+/// Sets `corners` to a face's corners, as indices into Mesh::corners. A corner at the same place as the one
+/// before it is left out.
 void collapse(const Mesh& mesh, int face, std::vector<int>& corners) {
   const auto at = [&](int corner) { return mesh.points[mesh.corners[corner]]; };
   corners.clear();
@@ -36,8 +37,8 @@ void collapse(const Mesh& mesh, int face, std::vector<int>& corners) {
 
 Outline outlineOf(const Mesh& mesh, std::span<const int> corners, double rounding) {
   const auto at = [&](int corner) { return mesh.points[mesh.corners[corner]]; };
-  // First scaled by a power of two so that differences do not overflow, then moved to the box's corner and
-  // scaled again, so that the box is 2^49 to 2^50 steps long.
+  // Scale by a power of two first, so that differences do not overflow. Then move the box to the origin and
+  // scale again, so that the box is 2^49 to 2^50 steps long.
   double magnitude = 0.0;
   for (const int c : corners) magnitude = std::max(magnitude, largest(glm::abs(at(c))));
   int exponent = 0, boxExponent = 0;
@@ -74,8 +75,8 @@ Outline outlineOf(const Mesh& mesh, std::span<const int> corners, double roundin
   return outline;
 }
 
-/// Weakly convex: no right turn, and one way round: of the edges' directions, only one run points to the
-/// right (or straight up) and one to the left.
+/// True if the polygon is weakly convex: it has no right turn and goes round once. It goes round once if its
+/// edges form only one run that points to the right (or straight up) and one run to the left.
 bool isConvex(std::span<const LatticePoint> p) {
   const std::size_t n = p.size();
   const auto pointsRight = [&](std::size_t i) {
@@ -90,7 +91,7 @@ bool isConvex(std::span<const LatticePoint> p) {
   return runs == 2;
 }
 
-/// Two triangles: along 0-2 if both turn left there or if 1-3 is no better.
+/// Cuts a quadrilateral into two triangles: along 0-2 if both turn left there, or if 1-3 is no better.
 std::array<std::array<int, 3>, 2> cutQuad(std::span<const LatticePoint> p) {
   const auto worst = [&](int a, int b, int c, int d) {
     return std::min(turn(p[a], p[b], p[c]), turn(p[a], p[c], p[d]));

@@ -7,15 +7,16 @@
 
 namespace xnewell {
 
-/// The faces of a mesh as convex planar polygons. A face keeps its number: part k belongs to face[k].
-/// Parts are in face order and every face has at least one.
+/// The faces of a mesh as convex planar polygons. Part k belongs to face[k], and faces keep their numbers.
+/// Parts are in face order, and every face has at least one.
 struct ConvexParts {
-  std::vector<int> corners;            ///< vertex indices of all parts, one part after the other
-  std::vector<int> from;               ///< as many: the corner of the mesh, an index into Mesh::corners
+  std::vector<int> corners;  ///< vertex indices of all parts, one part after the other
+  std::vector<int> from;     ///< for each of these: its corner in the mesh, an index into Mesh::corners
   std::vector<int> firstCorner = {0};  ///< #parts + 1, as in Mesh
-  std::vector<int> face;               ///< #parts, the number of the face it came from
-  /// #parts, 0 to n - 1 in order of the first part of each: parts with the same number are in one plane of
-  /// the model. divideFaces() knows it of the parts of one planar face, coplanarClasses() of all.
+  std::vector<int> face;               ///< #parts, number of the part's face
+  /// #parts, 0 to n - 1 in order of the first part of each plane. Parts with the same number lie in one plane
+  /// of the model. divideFaces() finds this for the parts of one planar face, coplanarClasses() for all
+  /// parts.
   std::vector<int> plane;
 
   [[nodiscard]] int count() const { return static_cast<int>(face.size()); }
@@ -24,22 +25,22 @@ struct ConvexParts {
   }
 };
 
-/// Divides the faces that are bent or concave, by a rule that knows the model only, never a camera:
-/// - of successive corners at one place the first is kept;
-/// - a triangle, or a planar and convex polygon, is one part, with the corners on its straight sides,
-///   for neighbours may use them;
-/// - another quadrilateral is cut from corner 0 to 2, or from 1 to 3 if only that gives two triangles that
-///   turn as the face does;
-/// - any other face is cut into triangles by clipEars(), all its corners used.
-/// A face whose corners are all in line, or that has no vector area, covers nothing and is one part as
-/// it stands. A face that crosses itself becomes triangles that may overlap.
+/// Divides the faces that are bent or concave. The rule depends on the model only, never on a camera:
+/// - Of successive corners at one place, the first is kept.
+/// - A triangle, or a planar convex polygon, is one part. It keeps the corners on its straight sides, because
+///   neighbours may use them.
+/// - Any other quadrilateral is cut from corner 0 to 2, or from 1 to 3 if only that gives two triangles that
+///   turn as the face does.
+/// - Any other face is cut into triangles by clipEars(), with all its corners.
+/// A face whose corners are all in line, or that has no vector area, covers nothing. It stays as it is, as
+/// one part. A face that crosses itself becomes triangles that may overlap.
 ///
-/// Planar: every corner within min(7 u, 3e-5 e) + 2^-46 e + 2^-50 m of the Newell plane; u the face's
-/// rounding, e the longest side of the face's box, m the largest coordinate. The first term is the
-/// rounding of the file, capped for coarse files; the second our own arithmetic; the third the rounding of
-/// coordinates to double: 2^-53 m an axis, sqrt 3 times that a corner, four corners' worth.
-/// Convex, and every choice of a cut: exact on a grid of 2^49 to 2^50 steps across the box, seen along
-/// the axis nearest to the face's normal. Any finite coordinates, up to the largest double.
+/// Planar: every corner is within min(7 u, 3e-5 e) + 2^-46 e + 2^-50 m of the Newell plane. u is the face's
+/// rounding, e the longest side of the face's box, m the largest coordinate. The first term is the rounding
+/// of the file, with a limit for coarse files. The second is our own arithmetic. The third is the rounding of
+/// coordinates to double: 2^-53 m on each axis, sqrt 3 times that for a corner, for four corners.
+/// Convexity, and every choice of a cut, is exact on a grid of 2^49 to 2^50 steps across the box, seen along
+/// the axis nearest to the face's normal. All finite coordinates are allowed, up to the largest double.
 [[nodiscard]] ConvexParts divideFaces(const Mesh& mesh);
 
 }  // namespace xnewell

@@ -20,10 +20,10 @@ struct NormalRow {
 };
 inline constexpr std::array kNormalRules{
     NormalRow{NormalRule::Sum, "sum", "the unit normals of the faces that share the vertex"},
-    NormalRow{NormalRule::Distinct, "distinct", "the same, those of one plane once"},
-    NormalRow{NormalRule::Area, "area", "the same, each by its face's area"},
-    NormalRow{NormalRule::Angle, "angle", "the same, each by its face's angle at the vertex"},
-    NormalRow{NormalRule::Exact, "exact", "the surface itself, where there are patches; else distinct"},
+    NormalRow{NormalRule::Distinct, "distinct", "the same, but those of one plane count once"},
+    NormalRow{NormalRule::Area, "area", "the same, each weighted by its face's area"},
+    NormalRow{NormalRule::Angle, "angle", "the same, each weighted by its face's angle at the vertex"},
+    NormalRow{NormalRule::Exact, "exact", "the normals of the patches; without patches as distinct"},
 };
 
 /// A place where the illumination is evaluated: a point, the material of the surface and its normal.

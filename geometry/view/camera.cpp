@@ -14,29 +14,29 @@ namespace xnewell {
 
 namespace {
 
-constexpr double kMargin = 0.06;  // of the picture's half side, left free around a framed scene
+constexpr double kMargin = 0.06;  // of the picture's half side; left free around a framed scene
 constexpr double kNearFraction = 1.0 / 1024;
 
 glm::dvec3 defaultDirection(UpAxis axis) {
   return axis == UpAxis::Z ? glm::dvec3{0.22, -1.0, 0.52} : glm::dvec3{0.22, 0.52, 1.0};
 }
 
-/// Of the scene; of a single point anything positive will do.
+/// The length of the box's longest side. For a single point any positive length will do.
 double sizeOf(const Box& box) {
   if (const double side = box.side(); side > 0.0) return side;
   const double magnitude = box.magnitude();
   return magnitude > 0.0 ? magnitude : 1.0;
 }
 
-/// The smallest view of slopes `tan`, upright and symmetric, that holds all points.
+/// The smallest upright, symmetric view with slopes `tan` that holds all points.
 struct Frame {
   glm::dvec2 centre{0};  ///< of the picture, on n = 0
   double distance = 0;   ///< of the eye from n = 0
   double height = 0;     ///< of the parallel view about the same centre
 };
 
-/// Centres a parallel view on the points' box and a perspective one on their picture; a view that is
-/// `aimed` stays about the origin.
+/// Fits a view around points. It centres a parallel view on the points' box and a perspective view on their
+/// picture. A view that is `aimed` stays centred on the origin.
 Frame frame(std::span<const glm::dvec3> vrc, glm::dvec2 tan, bool aimed, bool parallel) {
   constexpr double kLowest = -std::numeric_limits<double>::infinity();
   glm::dvec2 right{kLowest}, left{kLowest}, most{kLowest}, least{-kLowest};
@@ -47,7 +47,7 @@ Frame frame(std::span<const glm::dvec3> vrc, glm::dvec2 tan, bool aimed, bool pa
     most = glm::max(most, uv);
     least = glm::min(least, uv);
   }
-  // A point is in the picture if |uv - centre| <= tan (distance - n): in each direction the best centre
+  // A point is in the picture if |uv - centre| <= tan (distance - n). So in each direction the best centre
   // and its least distance are linear in the two extremes.
   Frame f;
   if (!aimed) f.centre = parallel ? (most + least) / 2.0 : (right - left) / 2.0;
@@ -55,7 +55,8 @@ Frame frame(std::span<const glm::dvec3> vrc, glm::dvec2 tan, bool aimed, bool pa
   f.distance = std::max(distance.x, distance.y);
   const glm::dvec2 half = glm::max(most - f.centre, f.centre - least);
   f.height = 2.0 * std::max(half.y, half.x * tan.y / tan.x);
-  // The direction with room to spare is now centred for a nearer eye: a few steps centre it for this one.
+  // One direction has room to spare: its centre was computed for a nearer eye. A few steps centre it for this
+  // one.
   constexpr int kSteps = 4;
   for (int step = 0; step < kSteps && !aimed && !parallel; ++step) {
     glm::dvec2 high{kLowest}, low{-kLowest};
@@ -81,7 +82,7 @@ Camera placeCamera(const CameraSettings& s, std::span<const glm::dvec3> points, 
   if (points.empty()) box.add(glm::dvec3{0.0});
   const double side = sizeOf(box);
 
-  // Axes: what was said, else a pleasant direction.
+  // The axes: as given, otherwise a pleasant direction.
   Camera camera;
   ViewSpec& view = camera.view;
   const bool parallel = s.parallel || s.oblique;
@@ -91,9 +92,9 @@ Camera placeCamera(const CameraSettings& s, std::span<const glm::dvec3> points, 
   view.vpn = s.vpn ? *s.vpn : s.eye ? *s.eye - view.vrp : defaultDirection(axis);
   view.vup = s.vup ? *s.vup : s.up.value_or(upVector(axis));
   if (!s.vup && !s.up && glm::cross(unit(view.vup), unit(view.vpn)) == glm::dvec3{0.0})
-    view.vup = upVector(axis == UpAxis::Z ? UpAxis::Y : UpAxis::Z);  // looking straight down or up
+    view.vup = upVector(axis == UpAxis::Z ? UpAxis::Y : UpAxis::Z);  // the view is straight down or up
 
-  // The scene in VRC; receding lines of an oblique view lean before they are framed.
+  // The scene in VRC. An oblique view shears it before it is framed.
   const glm::dmat3 rotation = vrcRotation(view);
   glm::dvec2 lean{0.0};
   if (s.oblique) {
@@ -101,7 +102,8 @@ Camera placeCamera(const CameraSettings& s, std::span<const glm::dvec3> points, 
     lean = s.oblique->length * glm::dvec2{a.cos, a.sin};
   }
   const bool free = !aimed && !s.eye && !s.prp && !s.window;
-  const bool fits = free || !s.eye || s.prp || (parallel && !s.window && !s.height);  // or all is said
+  // false if everything is given
+  const bool fits = free || !s.eye || s.prp || (parallel && !s.window && !s.height);
   std::vector<glm::dvec3> vrc;
   if (fits) vrc.reserve(points.size());
   Box vrcBox;
@@ -112,7 +114,7 @@ Camera placeCamera(const CameraSettings& s, std::span<const glm::dvec3> points, 
   }
   if (points.empty()) vrcBox.add(glm::dvec3{0.0});
 
-  // Distance and window: as said, else so that the scene fills the picture.
+  // The distance and the window: as given, otherwise so that the scene fills the picture.
   const double tanV = tanDegrees(fov / 2.0);
   const Frame fit =
       fits ? frame(vrc, (1.0 - kMargin) * tanV * glm::dvec2{aspect, 1.0}, !free, parallel) : Frame{};
@@ -136,7 +138,7 @@ Camera placeCamera(const CameraSettings& s, std::span<const glm::dvec3> points, 
     view.windowMax = half;
   }
 
-  // Clipping planes: as said, else around the scene, and the front one before the eye.
+  // The clipping planes: as given, otherwise around the scene, with the front plane in front of the eye.
   const double gap = side * kNearFraction;
   const double sceneFront = vrcBox.high.z + gap, sceneBack = vrcBox.low.z - gap;
   view.front = s.front    ? *s.front
@@ -155,7 +157,7 @@ CameraSettings moved(const CameraSettings& s, const Camera& camera, double azimu
                      double zoom) {
   const glm::dvec3 up = unit(camera.up), arm = camera.eye - camera.lookAt;
   const double length = std::sqrt(glm::dot(arm, arm));
-  // Turn about the up vector, then towards it along the circle through the eye and the pole.
+  // Turn about the up vector, then towards it, along the circle through the eye and the pole.
   const SinCos a = sinCosDegrees(azimuth);
   const glm::dvec3 turned =
       arm * a.cos + glm::cross(up, arm) * a.sin + up * glm::dot(up, arm) * (1.0 - a.cos);

@@ -10,28 +10,29 @@
 
 namespace xnewell {
 
-/// Where the eye stands: from what the user said, and from the scene for all the rest.
+/// Places the camera from the user's settings. The scene supplies what the user left out.
 
-/// Oblique parallel projections: receding lines at `angle` to the horizontal, `length` long a unit.
+/// An oblique parallel projection. A line of one unit along n is drawn `length` units long, at `angle` to the
+/// horizontal.
 struct Oblique {
-  double length = 1.0;  ///< 1 cavalier, 1/2 cabinet
+  double length = 1.0;  ///< 1 for a cavalier projection, 1/2 for a cabinet projection
   double angle = 45.0;  ///< degrees
   bool operator==(const Oblique&) const = default;
 };
 
 inline constexpr double kDefaultFov = 30.0;  ///< degrees
 
-/// Each part the user left out is chosen by `placeCamera`.
+/// The user's settings. placeCamera() chooses each part that is left out.
 struct CameraSettings {
   std::optional<glm::dvec3> eye, lookAt, up;  ///< world
-  std::optional<double> fov;  ///< degrees, vertical, in (0, 180), else kDefaultFov; perspective
+  std::optional<double> fov;  ///< vertical, in degrees, in (0, 180), default kDefaultFov; for perspective
   bool parallel = false;
-  std::optional<double> height;    ///< world units the picture is tall; parallel
-  std::optional<Oblique> oblique;  ///< makes the view parallel
-  // The textbook's specification; vrp takes the place of lookAt, vpn and prp of eye.
+  std::optional<double> height;    ///< of the picture, in world units; for parallel views
+  std::optional<Oblique> oblique;  ///< if set, the view is parallel
+  // The textbook's specification. vrp replaces lookAt; vpn and prp replace eye.
   std::optional<glm::dvec3> vrp, vpn, vup, prp;
   std::optional<glm::dvec4> window;   ///< umin, umax, vmin, vmax
-  std::optional<double> front, back;  ///< n of the clipping planes
+  std::optional<double> front, back;  ///< the clipping planes, as values of n
   bool operator==(const CameraSettings&) const = default;
 };
 
@@ -42,22 +43,26 @@ struct Camera {
   bool operator==(const Camera&) const = default;
 };
 
-/// The direction from the scene's centre to the default eye, and up, for scenes with z or y up.
+/// The axis that points up in the scene. It also selects the default direction from the scene's centre to the
+/// eye.
 enum class UpAxis { Y, Z };
 [[nodiscard]] glm::dvec3 upVector(UpAxis axis);
 
-/// Completes the settings: without them the scene is framed whole, centred, with a margin of 6 % of the
-/// smaller side, from a pleasant angle. `aspect` is width / height of the picture. The front plane of a
-/// perspective view defaults to 1/1024 of the scene's largest side before the eye; the other planes enclose
-/// the scene.
+/// Completes the settings. With no settings, the picture shows the whole scene, centred, from a pleasant
+/// angle, with a margin of 6 % of half the picture's width or height. `aspect` is width / height of the
+/// picture.
+/// The front plane of a perspective view defaults to half way between the eye and the scene, but is at least
+/// 1/1024 of the scene's largest side in front of the eye. The back plane and the planes of a parallel view
+/// enclose the scene.
 /// @throws ViewError as ViewSpec says
 [[nodiscard]] Camera placeCamera(const CameraSettings& settings, std::span<const glm::dvec3> points,
                                  UpAxis axis, double aspect);
 
-/// The settings after turning the eye about the look-at point: `azimuth` degrees about the up vector,
-/// `elevation` degrees towards it (kept 1 degree short of straight up and down), and after dividing the
-/// distance (perspective) or the height (parallel) by `zoom` > 0. The projection stays, an oblique or
-/// off-axis window too as far as the textbook's specification is replaced by eye, look-at and up.
+/// The settings after a move of the eye. The eye turns about the look-at point, by `azimuth` degrees about
+/// the up vector and by `elevation` degrees towards it (it stops 1 degree short of straight up and down). The
+/// distance (perspective) or the height (parallel) is divided by `zoom` > 0. The kind of projection stays,
+/// and so does an oblique angle. Eye, look-at and up replace the textbook's specification, so an off-axis
+/// window, `front` and `back` are lost.
 [[nodiscard]] CameraSettings moved(const CameraSettings& settings, const Camera& camera, double azimuth,
                                    double elevation, double zoom);
 

@@ -37,7 +37,7 @@ Doubt DepthDoubt::of(const glm::ivec3* outline, int count, const ScreenPlane& pl
   double byQQ = steps * zSteps_;
   const auto magnification = [&](double z) { return z * magnificationPerZ_ + backMagnification_; };
   const auto sum = [&](double q) { return 4.0 * (0.5 + 0.5 * slope + q * (byQ + q * byQQ)); };
-  // What holds for every corner, also where rounding put the plane farther off.
+  // The bound must hold for every corner, even where rounding put the plane further off.
   double beyond = 0.0;
   for (const glm::ivec3* p = outline; u > 0.0 && p != outline + count; ++p) {
     const double z = depthAt(plane, p->x, p->y), q = magnification(z);
@@ -45,7 +45,7 @@ Doubt DepthDoubt::of(const glm::ivec3* outline, int count, const ScreenPlane& pl
   }
   byQQ += beyond / 4.0;
 
-  // The sum by powers of z.
+  // Expand the sum in powers of z.
   const double m = magnificationPerZ_, q0 = backMagnification_;
   return {static_cast<float>(sum(q0)), static_cast<float>(4.0 * m * (byQ + 2.0 * q0 * byQQ)),
           static_cast<float>(4.0 * m * m * byQQ)};

@@ -18,25 +18,25 @@ std::int64_t doubleArea(const glm::ivec3& a, const glm::ivec3& b, const glm::ive
   return y1 * x2 - x1 * y2;  // y runs down
 }
 
-/// A vertex before the snap: pixels, divided by w.
+/// A vertex before the snap, in pixels: divided by w.
 glm::dvec3 divided(const glm::dvec4& p) { return glm::dvec3{p} / p.w; }
 
-/// More corners than this cost more in comparisons than one more outline.
+/// An outline with more corners is halved: comparing its corners would cost more than one more outline does.
 constexpr int kMostCorners = 64;
 
-/// A vertex of an outline and SnappedScene::source of it.
+/// A vertex of an outline with its SnappedScene::source.
 struct ClippedCorner {
   glm::ivec3 at;
   int source;
 };
 
-/// What parts an outline belongs to.
+/// The face, the part and the plane that an outline belongs to.
 struct Owner {
   int number, part, plane;
 };
 
-/// Appends the snapped outlines of one convex part after the other. There is room for those of all parts
-/// from the start: to grow for each of them costs nearly as much as to snap them.
+/// Appends the snapped outlines of convex parts, one after the other. It reserves the room for all parts at
+/// the start: growing for each would cost nearly as much as snapping them.
 class Snapper {
  public:
   Snapper(SnappedScene& scene, const ConvexParts& parts, Cull cull, double zScale)
@@ -66,8 +66,9 @@ class Snapper {
     addConvex(outline.data(), count, owner, back);
   }
 
-  /// The same for most faces of most scenes, from where they are: corners `from` and the snapped points `at`
-  /// refers to. (What is gathered in a ClippedCorner is read back before it has been stored.)
+  /// Does the same for a triangle, the most frequent face, without a copy: `from` are its corners, and `at`
+  /// are the indices of their snapped points. (Gathered in ClippedCorners, the values would be read back
+  /// before their stores complete.)
   void addTriangle(const int* at, const int* from, const std::vector<glm::ivec3>& snapped,
                    const Owner& owner) {
     const glm::ivec3 &a = snapped[at[0]], &b = snapped[at[1]], &c = snapped[at[2]];
@@ -86,11 +87,11 @@ class Snapper {
     }
   }
 
-  /// Leaves no room beyond what was written.
+  /// Frees the room that was not used.
   void finish() { makeRoom(vertices_); }
 
  private:
-  /// A face whose outline is still to be written, from the vertex on that is returned.
+  /// Adds a face and returns the index of its first vertex. The caller must write the outline there.
   std::size_t addFace(int count, const Owner& owner, bool back) {
     const std::size_t first = vertices_;
     vertices_ += static_cast<std::size_t>(count);
@@ -118,7 +119,7 @@ class Snapper {
     while (outline.size() > 1 && same(outline.front(), outline.back())) outline.pop_back();
   }
 
-  /// Twice the area, as doubleArea().
+  /// Twice the area, as in doubleArea().
   static std::int64_t doubleAreaOf(const ClippedCorner* p, int count) {
     std::uint64_t sum = 0;
     for (int i = 1; i + 1 < count; ++i)
@@ -131,7 +132,7 @@ class Snapper {
   }
 
   static bool convex(const ClippedCorner* p, int count) {
-    int descents = 0;  // a convex outline changes from rising to falling once a turn
+    int descents = 0;  // a convex outline changes from rising to falling once per turn
     for (int i = 0; i < count; ++i) {
       const glm::ivec3 &a = p[i].at, &b = p[(i + 1) % count].at, &c = p[(i + 2) % count].at;
       const std::int64_t turn = doubleArea(a, b, c);
@@ -142,18 +143,17 @@ class Snapper {
   }
 
   /// Rounding may bend the outline of a polygon with many corners by a grid step, and pairs are compared
-  /// corner by corner. So such an outline is halved along a chord between two of its own vertices until the
-  /// parts are convex, as a triangle always is, and of few corners.
+  /// corner by corner. So such an outline is halved along a chord between two of its own vertices, until the
+  /// halves are convex (a triangle always is) and have few corners.
   void addConvex(const ClippedCorner* p, int count, const Owner& owner, bool back) {
     if (count == 3 || (count <= kMostCorners && convex(p, count))) {
-      if (doubleAreaOf(p, count) <= 0)
-        return;  // a part that the rounding has turned over: less than a step wide
+      if (doubleAreaOf(p, count) <= 0) return;  // rounding turned this half over: it is less than a step wide
       append(p, count, owner, back);
       return;
     }
     const int half = count / 2;
     std::vector<ClippedCorner> rest{p + half, p + count};
-    rest.push_back(p[0]);  // last: chords from one vertex to all others would make needles
+    rest.push_back(p[0]);  // last, because chords from one vertex to all others would make needles
     addConvex(p, half + 1, owner, back);
     addConvex(rest.data(), static_cast<int>(rest.size()), owner, back);
   }
@@ -166,7 +166,7 @@ class Snapper {
   SnappedScene& scene_;
   Cull cull_;
   double zScale_;
-  std::size_t vertices_ = 0;  ///< so many have been written
+  std::size_t vertices_ = 0;  ///< number of vertices written
 };
 
 }  // namespace
@@ -183,7 +183,7 @@ SnappedScene snap(const Mesh& mesh, const ConvexParts& parts, const ViewSpec& vi
   const glm::dmat3 rotation = vrcRotation(view);
   const std::array<ClipPlane, 6> planes = clipPlanes(frontDepth(view, width), kMaxPicture);
 
-  // Every vertex once: transformed, and where it lies inside the volume divided.
+  // Transform every vertex once. Divide those inside the volume by w.
   std::vector<glm::dvec4> homogeneous(mesh.points.size());
   std::vector<glm::dvec3> screen(mesh.points.size());
   std::vector<std::uint8_t> outside(mesh.points.size());
@@ -196,7 +196,7 @@ SnappedScene snap(const Mesh& mesh, const ConvexParts& parts, const ViewSpec& vi
     zMax = std::max(zMax, screen[i].z);
   }
 
-  // Parts that cross a plane are clipped first: their new vertices count in the choice of the z scale.
+  // First clip the parts that cross a plane: their new vertices count in the choice of the z scale.
   struct Clipped {
     int part, first, count;
   };
@@ -231,7 +231,7 @@ SnappedScene snap(const Mesh& mesh, const ConvexParts& parts, const ViewSpec& vi
     clipped.back().count = static_cast<int>(polygon.size());
   }
 
-  // One snap. z gets the steps of x and y unless something comes too near for 30 bits.
+  // Snap everything once. A z step equals a step of x and y, unless a point comes too near for 30 bits.
   while (zMax * kGrid > std::ldexp(1.0, 30 + scene.zShift)) ++scene.zShift;
   Snapper snapper{scene, parts, cull, std::ldexp(1.0, kGridBits - scene.zShift)};
   std::vector<glm::ivec3> snapped(mesh.points.size());
@@ -268,20 +268,20 @@ SnappedScene snap(const Mesh& mesh, const ConvexParts& parts, const ViewSpec& vi
   return scene;
 }
 
-// Records are in order of their first face.
+// The records are in the order of their first faces.
 void addPlanes(SnappedScene& scene, const Mesh& mesh, const ViewSpec& view, int width, int height) {
   const DepthDoubt doubt{view, width, height, scene.zShift};
   const int count = static_cast<int>(scene.faces.size());
   int modelPlanes = 0;
   for (const SnappedFace& face : scene.faces) modelPlanes = std::max(modelPlanes, face.plane + 1);
-  std::vector<int> next(count, -1), first(modelPlanes, -1);  // faces of a plane, from each to the next
+  std::vector<int> next(count, -1), first(modelPlanes, -1);  // lists of the faces of each plane
   for (int f = count - 1; f >= 0; --f) next[f] = std::exchange(first[scene.faces[f].plane], f);
 
   scene.planes.reserve(count);
   std::vector<glm::ivec3> together;
   for (int f = 0; f < count; ++f) {
     const SnappedFace& face = scene.faces[f];
-    if (first[face.plane] != f) continue;  // a later one of its plane has the record by now
+    if (first[face.plane] != f) continue;  // an earlier face of its plane made the record
     const glm::ivec3* vertices = &scene.vertices[face.first];
     int vertexCount = face.count;
     if (next[f] >= 0) {

@@ -13,68 +13,69 @@
 
 namespace xnewell {
 
-/// How far off in z a plane may be, in z steps, by z itself: rounding in the model moves what is near the eye
-/// further. Quadratic, none of the terms negative. All 0: it is taken as it is.
+/// A bound for the error of a plane's z, in z steps, as a quadratic in z: rounding in the model moves points
+/// near the eye further. No coefficient is negative. If all are 0, the plane counts as exact.
 struct Doubt {
   float atBack = 0, byZ = 0, byZZ = 0;
   [[nodiscard]] double at(double z) const { return atBack + z * (byZ + z * byZZ); }
 };
 
 /// A convex face on the screen grid, ready to be ordered and painted.
-/// Holds:  its outline has an area and runs counter-clockwise as seen (x right, y down).
+/// Holds:  the outline has an area and runs counter-clockwise as seen on the screen (x right, y down).
 struct SnappedFace {
-  int first = 0, count = 0;  ///< its outline: count >= 3 vertices of SnappedScene::vertices from `first` on
-  int number = 0;            ///< face number in the model; every part and piece keeps it
-  int part = 0;              ///< index into ConvexParts; what clipping and halving make of a part keeps it
-  bool back = false;         ///< seen from the side from which the model lists it clockwise
-  /// Index into SnappedScene::planes, one for all faces of a plane of the model; before addPlanes() it is
-  /// ConvexParts::plane.
+  /// the outline: count >= 3 vertices of SnappedScene::vertices, starting at `first`
+  int first = 0, count = 0;
+  int number = 0;  ///< face number in the model; every part and piece keeps it
+  int part = 0;    ///< index into ConvexParts; the outlines that clipping and halving make of a part keep it
+  bool back = false;  ///< the viewer sees the side from which the model lists the corners clockwise
+  /// Index into SnappedScene::planes. All faces in one plane of the model share one. Before addPlanes() it is
+  /// the number from ConvexParts::plane.
   int plane = 0;
-  /// Of its plane within the face, for the rounding of the snap and of the model. Where two faces are nearer
-  /// to each other than the sum of theirs, they may touch in the model.
+  /// The error bound of its plane within the face, from the rounding of the snap and of the model. Two faces
+  /// that are nearer to each other than the sum of their doubts may touch in the model.
   Doubt doubt = {};
 };
 
-/// The scene as painter and oracle see it: integers from here on.
-/// Space:  screen. x, y in 1/65536 pixel, origin top left, y down, |x|, |y| <= 2^29;
-///         z in 2^zShift / 65536 pixel of the view plane, larger is nearer, 0 <= z <= 2^30.
-/// Holds:  a triangle that shares its plane with no other face lies in it exactly.
+/// The scene on the screen grid. From here on, all coordinates are integers.
+/// Space:  screen. x, y in 1/65536 pixel, origin top left, y down, |x|, |y| <= 2^29; z in 2^zShift / 65536
+///         pixel of the view plane, larger is nearer, 0 <= z <= 2^30.
+/// Holds:  a triangle that shares its plane with no other face lies in that plane exactly.
 struct SnappedScene {
   std::vector<glm::ivec3> vertices;  ///< outlines, one after the other
-  /// As many: where a vertex comes from, an index into Mesh::corners, or the complement of one into
-  /// `between`.
+  /// One for each vertex: where it comes from. An index into Mesh::corners, or the complement of an index
+  /// into `between`.
   std::vector<int> source;
-  std::vector<Between> between;    ///< vertices that clipping made; each refers to earlier ones only
+  std::vector<Between> between;    ///< vertices that clipping made; each refers only to earlier ones
   std::vector<SnappedFace> faces;  ///< in order of number
-  /// Depth is what they say; that of a vertex may be a step or more off. Empty before addPlanes().
+  /// These planes define the depth. The z of a vertex may be off by a step or more. Empty before addPlanes().
   std::vector<ScreenPlane> planes;
   int zShift = 0;
-  int polygons = 0;    ///< convex parts that came in
-  int culled = 0;      ///< back faces left out by choice
-  int outside = 0;     ///< wholly outside the view volume and its guard band
-  int degenerate = 0;  ///< without area on the grid: they cover no sample
+  int polygons = 0;    ///< number of convex parts given
+  int culled = 0;      ///< number of back faces removed by choice
+  int outside = 0;     ///< number wholly outside the view volume and its guard band
+  int degenerate = 0;  ///< number without area on the grid; they cover no sample
 };
 
 enum class Cull { Keep, Back };
 
-/// The whole viewing transformation: view, shear, warp, clip, viewport, snap. Vertices shared in the mesh,
-/// and new ones where a shared edge is clipped, snap to identical integers in every face that uses them.
-/// The scene's coordinates should be near 1 in magnitude (readScene normalises).
-/// width, height: the picture in pixels, 1..kMaxPicture. @throws ViewError
+/// The whole viewing transformation: view, shear, warp, clip, viewport, snap. A vertex that faces share, or a
+/// new one where a shared edge is clipped, snaps to the same integers in every face.
+/// The scene's coordinates should be near 1 in magnitude (readScene normalises them). width and height are
+/// those of the picture in pixels, 1..kMaxPicture. @throws ViewError
 [[nodiscard]] SnappedScene snap(const Mesh& mesh, const ConvexParts& parts, const ViewSpec& view, int width,
                                 int height, Cull cull);
 
-/// What only an order that compares planes needs: parts of one plane (ConvexParts::plane) get one plane
-/// record, through three of their vertices far apart: they are coplanar exactly, and of those at one sample
-/// the later is seen. Once for each snap(), with the same view.
+/// Adds the planes, which only orders that compare planes need. Parts of one plane (ConvexParts::plane) get
+/// one plane record, through three of their vertices that lie far apart. So they are exactly coplanar, and at
+/// a common sample the later one is seen. Call it once after each snap(), with the same view.
 void addPlanes(SnappedScene& scene, const Mesh& mesh, const ViewSpec& view, int width, int height);
 
-/// Both.
+/// Calls snap(), then addPlanes().
 [[nodiscard]] SnappedScene project(const Mesh& mesh, const ConvexParts& parts, const ViewSpec& view,
                                    int width, int height, Cull cull);
 
-/// Twice the area of an outline on the grid, positive where it runs counter-clockwise as seen. Exact:
-/// |x|, |y| <= 2^29 bounds it by 2^61; partial sums may wrap, the result cannot.
+/// Twice the area of an outline on the grid; positive if it runs counter-clockwise as seen on the screen.
+/// Exact: |x|, |y| <= 2^29 bounds it by 2^61; partial sums may wrap, but the result cannot.
 [[nodiscard]] std::int64_t doubleArea(const glm::ivec3* outline, int count);
 
 }  // namespace xnewell

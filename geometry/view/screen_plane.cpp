@@ -23,7 +23,7 @@ int compare(Integer a, Integer b) {
   return a < b ? -1 : a > b ? 1 : 0;
 }
 
-/// The sign of m / c - n / d, c and d positive.
+/// The sign of m / c - n / d; c and d are positive.
 int compareQuotients(Int128 m, std::int64_t c, Int128 n, std::int64_t d) {
   const Quotient p = floorDivide(m, c), q = floorDivide(n, d);
   if (p.whole != q.whole) return compare(p.whole, q.whole);
@@ -67,7 +67,7 @@ ScreenPlane planeThrough(const glm::ivec3* v, int count) {
   }
   const std::int64_t x1 = b->x - a->x, y1 = b->y - a->y, z1 = b->z - a->z;
   const std::int64_t x2 = c->x - a->x, y2 = c->y - a->y, z2 = c->z - a->z;
-  // C dz = A dx + B dy has the solution of Cramer's rule for both edges.
+  // Cramer's rule solves C dz = A dx + B dy for both edges.
   ScreenPlane plane;
   plane.C = x1 * y2 - x2 * y1;
   plane.A = z1 * y2 - z2 * y1;
@@ -79,8 +79,8 @@ ScreenPlane planeThrough(const glm::ivec3* v, int count) {
 
 int compareDepths(const ScreenPlane& P, const ScreenPlane& Q, std::int64_t x, std::int64_t y) {
   const Int128 p = numerator(P, x, y), q = numerator(Q, x, y);
-  // The doubles of two quotients that lie further apart than all their rounding, four steps of 2^-53
-  // each, have the order of the exact ones.
+  // The double of each quotient is off by at most four roundings of 2^-53. If the doubles differ by more than
+  // all this rounding, they have the order of the exact quotients.
   const double zP = approximately(p) / static_cast<double>(P.C);
   const double zQ = approximately(q) / static_cast<double>(Q.C);
   const double difference = zP - zQ;

@@ -8,8 +8,8 @@
 
 namespace xnewell {
 
-/// The plane of faces over the screen, exactly: z = (A x + B y + D) / C in the units of SnappedScene.
-/// Holds:  C > 0, for a snapped face has an area.
+/// The exact plane of faces over the screen: z = (A x + B y + D) / C in the units of SnappedScene.
+/// Holds:  C > 0, because a snapped face has an area.
 /// Bounds: |x|, |y| <= 2^29 and 0 <= z <= 2^30 make |A|, |B|, C <= 2^61 and |D| <= 2^93.
 struct ScreenPlane {
   std::int64_t A = 0, B = 0, C = 1;
@@ -17,23 +17,24 @@ struct ScreenPlane {
   bool operator==(const ScreenPlane&) const = default;
 };
 
-/// Through three of the points that lie far apart: the least in x, y, z, the farthest from it on the screen,
-/// and the one that spans the largest triangle with both; of equals the least again, so the points' order
-/// does not matter. A face of more than three corners, or several faces in one plane, are planar only up to
-/// the rounding of the snap; this plane is the one they have from here on. count >= 3, the points not all in
-/// line on the screen.
+/// The plane through three of the points that lie far apart: the least point (in x, then y, then z), the
+/// point farthest from it on the screen, and the point that spans the largest triangle with both. Of equal
+/// choices it takes the least, so the order of the points does not matter. A face with more than three
+/// corners, or several faces in one plane, are planar only up to the rounding of the snap; from here on, this
+/// plane is theirs. count >= 3, and not all points are in line on the screen.
 [[nodiscard]] ScreenPlane planeThrough(const glm::ivec3* points, int count);
 
-/// The sign of zP - zQ at (x, y), |x|, |y| <= 2^30 grid steps: +1 where P is nearer, 0 where they meet.
-/// Exact: whole parts and remainders of the two quotients are compared, remainders crosswise in 128 bits.
+/// The sign of zP - zQ at (x, y), |x|, |y| <= 2^30 grid steps: +1 if P is nearer, 0 if the planes meet there.
+/// Exact: it compares the whole parts of the two quotients, then their remainders, cross-multiplied in 128
+/// bits.
 [[nodiscard]] int compareDepths(const ScreenPlane& P, const ScreenPlane& Q, std::int64_t x, std::int64_t y);
 
-/// The same at pixel (i, j)'s sample, the centre moved by (e, e^2): 0 only if the planes are the same
-/// everywhere. At equal z at the centre the steeper rise to the right is nearer, then the steeper
-/// rise downward.
+/// The same at the sample of pixel (i, j), which is the centre moved by an infinitely small (e, e^2). The
+/// result is 0 only if the planes are the same everywhere. If z is equal at the centre, the plane that rises
+/// more steeply to the right is nearer; if those are equal too, the one that rises more steeply downward.
 [[nodiscard]] int nearer(const ScreenPlane& P, const ScreenPlane& Q, int i, int j);
 
-/// z at (x, y), |x|, |y| <= 2^30 grid steps, in doubles: three roundings of 2^-53 off at most.
+/// z at (x, y), |x|, |y| <= 2^30 grid steps, as a double. Its error is at most four roundings of 2^-53.
 [[nodiscard]] double depthAt(const ScreenPlane& plane, std::int64_t x, std::int64_t y);
 
 }  // namespace xnewell

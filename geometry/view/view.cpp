@@ -13,7 +13,7 @@ namespace {
 glm::dmat4 translation(glm::dvec3 t) { return glm::translate(glm::dmat4{1.0}, t); }
 glm::dmat4 scaling(glm::dvec3 s) { return glm::scale(glm::dmat4{1.0}, s); }
 
-/// Leaves z and moves a point by (x, y) for every unit of z.
+/// Keeps z and moves a point by (x, y) for every unit of z.
 glm::dmat4 shearAlongZ(glm::dvec2 xy) {
   glm::dmat4 m{1.0};
   m[2][0] = xy.x;
@@ -34,7 +34,7 @@ void checkSpec(const ViewSpec& s) {
         "the front plane must lie in front of the eye (n below the projection reference point's)");
 }
 
-/// Pixels a world unit spans on the view plane, horizontally.
+/// The number of pixels that a world unit spans on the view plane, horizontally.
 double pixelsPerUnit(const ViewSpec& s, int width) { return width / (s.windowMax.x - s.windowMin.x); }
 
 }  // namespace
@@ -57,16 +57,17 @@ glm::dmat4 canonicalFromVrc(const ViewSpec& s) {
   const glm::dmat4 shear = shearAlongZ(-glm::dvec2{dop} / dop.z);
 
   if (s.projection == Projection::Parallel) {
-    // Shear the projectors upright, centre the window at the front plane, scale to the volume.
+    // Shear the projectors parallel to n, centre the window at the front plane, scale to the volume.
     return scaling({2.0 / size.x, 2.0 / size.y, 1.0 / (s.front - s.back)}) *
            translation({-centre, -s.front}) * shear;
   }
-  // Eye to the origin, shear the window's centre line upright, scale the pyramid to |x|, |y| <= -z <= 1.
+  // Move the eye to the origin, shear the window's centre line onto the n axis, scale the pyramid to |x|, |y|
+  // <= -z <= 1.
   const double vrpZ = -s.prp.z, backZ = vrpZ + s.back, frontZ = vrpZ + s.front;
   const glm::dmat4 canonicalPerspective =
       scaling({2.0 * vrpZ / (size.x * backZ), 2.0 * vrpZ / (size.y * backZ), -1.0 / backZ}) * shear *
       translation(-s.prp);
-  // Warp it to the parallel volume: the front plane z = zmax goes to 0, z = -1 stays.
+  // Warp the pyramid to the parallel volume: the front plane z = zmax goes to 0, and z = -1 stays.
   const double zmax = -frontZ / backZ;
   glm::dmat4 M{1.0};
   M[2][2] = 1.0 / (1.0 + zmax);
@@ -78,7 +79,7 @@ glm::dmat4 canonicalFromVrc(const ViewSpec& s) {
 
 double frontDepth(const ViewSpec& s, int width) {
   if (s.projection == Projection::Parallel) return pixelsPerUnit(s, width) * (s.front - s.back);
-  // z + 1 = (1/d - 1/dB) / (1/dF - 1/dB) at distance d from the eye; its slope at d = D is to be
+  // z + 1 = (1/d - 1/dB) / (1/dF - 1/dB) at distance d from the eye. Its slope at d = D must be
   // pixelsPerUnit.
   const double D = s.prp.z, dF = D - s.front, dB = D - s.back;
   return pixelsPerUnit(s, width) * D * D * (1.0 / dF - 1.0 / dB);

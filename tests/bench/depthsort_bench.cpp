@@ -16,7 +16,7 @@
 #include "geometry/view/camera.h"
 #include "tests/bench/triangulated.h"
 
-/// Bytes in use, and the most since it was set: all that is asked for comes this way.
+/// The bytes in use, and the most since `most` was set. All allocations are counted here.
 static std::size_t inUse = 0, most = 0;
 [[gnu::noinline]] void* operator new(std::size_t size) {
   void* const p = std::malloc(size);
@@ -43,11 +43,12 @@ SnappedScene seen(Mesh mesh) {
 }
 
 int sideOf(int count) { return static_cast<int>(std::lround(std::sqrt(count / 2.0))); }
-/// The edge of the cube that a triangle has to itself, of `count` in the cube of edge 2.
+/// The edge of the cube that each of `count` triangles has to itself in the cube of edge 2.
 double spacing(int count) { return 2.0 / std::cbrt(count); }
 
 Mesh triangleTorus(int count) { return triangulated(torus(sideOf(count), sideOf(count))); }
-/// Triangles of half the room that each has to itself cross here and there; of all of it, everywhere.
+/// Triangles. If their size is half the room that each has to itself, they cross here and there; if it is all
+/// of it, everywhere.
 Mesh soup(int count) { return triangleSoup(count, spacing(count) / 2.0, 1972); }
 Mesh denseSoup(int count) { return triangleSoup(count, spacing(count), 1972); }
 Mesh tinySoup(int count) { return triangleSoup(count, spacing(count) / 5.0, 1972); }
@@ -65,7 +66,7 @@ Mesh crossingTori(int count) {
   return both;
 }
 
-/// Rows of quadrilaterals, each lying on the next, as many columns.
+/// Rows of quadrilaterals, as many rows as columns. Each lies on the next.
 Mesh shingles(int count) {
   Mesh mesh;
   mesh.groupNames = {""};
@@ -95,7 +96,7 @@ Mesh teapot(int count) {
                                  static_cast<int>(std::lround(std::sqrt(count / 64.0)))));
 }
 
-/// What is measured beside it: std::sort of the same polygons by farthest z.
+/// For comparison: std::sort of the same polygons by farthest z.
 double sortByZ(const SnappedScene& scene) {
   std::vector<int> far(scene.faces.size()), order(scene.faces.size());
   std::ranges::transform(scene.faces, far.begin(), [&](const SnappedFace& f) {
@@ -110,7 +111,7 @@ double sortByZ(const SnappedScene& scene) {
   return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
 }
 
-/// Expect about n log n and no split for what does not cross.
+/// Expect about n log n, and no split where nothing crosses.
 void BM_DepthSort(benchmark::State& state, Mesh (*make)(int), SortSettings settings) {
   const SnappedScene scene = seen(make(static_cast<int>(state.range(0))));
   SortedScene sorted;
@@ -152,8 +153,8 @@ SCENE(crossingTori, 100000);
 SCENE(largeTriangles, 1000);
 SCENE(sheets, 1000);
 
-/// The accelerated run with its events against the same without, run by run in turn, so that a machine that
-/// slows down slows both: expect at most 1.1, and some pairs a polygon of 12 bytes each.
+/// The quick run with events against the same without, in turns, so that a machine that slows down slows
+/// both. Expect at most 1.1 times the time, and some pairs a polygon of 12 bytes each.
 void BM_Record(benchmark::State& state, Mesh (*make)(int)) {
   const SnappedScene scene = seen(make(static_cast<int>(state.range(0))));
   SortSettings recording = kQuick;

@@ -18,7 +18,7 @@ namespace xnewell {
 
 namespace {
 
-/// Triangles of equal sides, `side` pixels, anywhere within 800x600 and turned any way.
+/// Equilateral triangles with sides of `side` pixels, anywhere within 800x600 and turned any way.
 std::vector<glm::ivec3> randomTriangles(int side, int count) {
   std::mt19937 rng{1972};
   const double radius = side / std::sqrt(3.0);
@@ -28,17 +28,17 @@ std::vector<glm::ivec3> randomTriangles(int side, int count) {
   std::vector<glm::ivec3> p;
   for (int t = 0; t < count; ++t) {
     const double x = uniform(radius, 800 - radius), y = uniform(radius, 600 - radius), a = uniform(0, 6.2832);
-    for (int k = 0; k < 3; ++k)  // counter-clockwise as seen: y runs down
+    for (int k = 0; k < 3; ++k)  // counter-clockwise as seen, with y down
       p.push_back({std::lrint((x + radius * std::cos(a + k * 2.0944)) * kGrid),
                    std::lrint((y - radius * std::sin(a + k * 2.0944)) * kGrid), 0});
   }
   return p;
 }
 
-/// Nanoseconds of the processor, not of the wall: machines are shared.
+/// Processor time in nanoseconds, not wall time: machines are shared.
 double processorTime() { return 1e9 * static_cast<double>(std::clock()) / CLOCKS_PER_SEC; }
 
-/// Nanoseconds a byte of an explicit loop of stores over the image, the best so far: the floor of filling.
+/// Nanoseconds a byte of an explicit loop of stores over the image, the best so far. No filler can be faster.
 double storeLoop(IndexImage& image) {
   constexpr int kPasses = 40;
   static double best = 1e30;
@@ -56,7 +56,7 @@ double storeLoop(IndexImage& image) {
   return best / kPasses / static_cast<double>(image.pixels.size());
 }
 
-/// What the triangles are filled with, of values at their vertices: its set-up is a part of the work.
+/// What the triangles are filled with, made from values at their vertices. Its set-up is a part of the work.
 struct Values {
   const glm::ivec3* p;
   const std::array<double, 3>*u, *v, *w;
@@ -81,7 +81,7 @@ EitherSide<EnvironmentMap, FlatCell> environmentMapDark(const Values& at) {
   return {{over(*at.u), over(*at.v), table().data()}, {3}, over(*at.w)};
 }
 
-/// What Phong shading and textures are evaluated with: one light far away, as the defaults have it.
+/// What Phong shading and textures need: one light far away, as by default.
 struct Evaluation {
   Lighting lighting;
   Texture texture{256, 256, {}, std::vector<std::uint8_t>(65'536, 200)};
@@ -97,7 +97,7 @@ EvaluatedTriangle evaluated(Evaluation& with, const PixelPlanes& planes) {
   e.clamped = &with.clamped;
   return e;
 }
-/// Unit normals turned by up to a right angle from vertex to vertex; places beside each other.
+/// Unit normals that turn by up to a right angle from vertex to vertex, at places beside each other.
 template <bool kConstantV>
 EvaluatedTriangle phong(const Values& at) {
   static Evaluation with{kConstantV};
@@ -137,10 +137,10 @@ void fillTriangle(IndexImage& image, const glm::ivec3* p, const S& shader) {
                 [&](int row, int from, int to) { shader.span(image.row(row) + from, from, row, to - from); });
 }
 
-// Triangles in random order, with random values at their vertices. Expect a constant for the three edges and
-// the planes of the values, one share a row, one a pixel.
-// `store_ns_byte`: a byte of the store loop. (Their ratio is not among the counters: where a neighbour
-// disturbs the store loop alone, the least of ratios is too good.)
+// Triangles in random order, with random values at their vertices. Expect a constant cost for the three edges
+// and the planes of the values, plus a cost for each row and for each pixel.
+// `store_ns_byte`: the time of a byte in the store loop. (Their ratio is not a counter. If another program
+// disturbs only the store loop, the least of the ratios is too good.)
 template <auto Shading>
 void BM_Fill(benchmark::State& state) {
   IndexImage image{800, 600, 0};

@@ -13,7 +13,7 @@ namespace xnewell {
 
 namespace {
 
-/// The share of each stage in the frames, in percent, and what they held.
+/// Reports the share of each stage in the frames, in percent, and the counts of the picture.
 void reportShares(benchmark::State& state, const StageTimes& sum, const Picture& picture) {
   const double percent = 100.0 / sum.total();
   state.counters["%shade"] = sum.shade * percent;
@@ -35,7 +35,7 @@ void add(StageTimes& sum, const StageTimes& t) {
   sum.fill += t.fill;
 }
 
-// The first frame of a scene at 800x600, everything included: expect linear, on top of the image itself.
+// The first frame of a scene at 800x600, with everything: expect linear time, plus that of the image itself.
 void BM_WholeFrame(benchmark::State& state) {
   const Picture fresh = torusPicture(static_cast<int>(state.range(0)));
   IndexImage image;
@@ -53,7 +53,8 @@ void BM_WholeFrame(benchmark::State& state) {
 }
 BENCHMARK(BM_WholeFrame)->Arg(22)->Arg(71)->Arg(224)->Unit(benchmark::kMillisecond);
 
-/// Frames while the eye moves by a degree: all that such a frame asks for. The sum of their stages.
+/// Makes frames while the eye moves by a degree, with everything that such a frame needs. Returns the sum of
+/// their stages.
 StageTimes moveEye(benchmark::State& state, Picture& picture, PictureSettings settings) {
   picture.make(settings);
   IndexImage image;
@@ -80,7 +81,7 @@ void ofAFrame(benchmark::internal::Benchmark* frame) {
 }
 
 // Frames of 64,800 triangles while the eye moves, by method and order: transform, shade, order, fill. What a
-// method costs beyond flat shading is what it requires; the exact order costs its sort and its planes.
+// method costs beyond flat shading is what it requires. The exact order costs its sort and its planes.
 template <Shading kShading, Order kOrder>
 void BM_Frame64k(benchmark::State& state) {
   Picture picture = torusPicture(180);
@@ -96,7 +97,7 @@ BENCHMARK(BM_Frame64k<Shading::Gouraud, Order::Newell>)->Apply(ofAFrame);
 BENCHMARK(BM_Frame64k<Shading::Phong, Order::ZSort>)->Apply(ofAFrame);
 BENCHMARK(BM_Frame64k<Shading::Environment, Order::ZSort>)->Apply(ofAFrame);
 
-/// What a scene may require, one thing after the other.
+/// The things that a scene may require, one after the other.
 struct Requirement {
   const char* name;
   void (*add)(Scene& scene, PictureSettings& settings);
@@ -130,8 +131,8 @@ constexpr std::array kRequirements{
                 }},
 };
 
-// A frame of 64,800 triangles while the eye moves, flat, by what the scene requires: who does not ask for a
-// thing does not pay for it. `shade_ms`, `fill_ms`: of a frame.
+// A flat frame of 64,800 triangles while the eye moves, by what the scene requires. A scene that does not use
+// a feature does not pay for it. `shade_ms`, `fill_ms`: times of a frame.
 void BM_Required(benchmark::State& state, const Requirement& requirement) {
   Scene scene = makeScene("torus", triangulated(torus(180, 180)), UpAxis::Z);
   PictureSettings settings;
@@ -151,8 +152,9 @@ const int kRegistered = [] {
   return 0;
 }();
 
-// Painting with environment mapping scenes in which something is above 1, and the same without highlights,
-// where nothing is and nothing is counted: making the maps and filling. `clamped`: samples counted.
+// Environment mapping of scenes in which some intensity is above 1, and of the same scenes without
+// highlights, where none is and nothing is counted. The time includes making the maps and filling. `clamped`:
+// number of samples clamped.
 void BM_EnvironmentClamped(benchmark::State& state, const char* name, double highlights) {
   Picture picture{readScene(name)};
   PictureSettings settings = picture.scene().settings;
@@ -170,7 +172,8 @@ BENCHMARK_CAPTURE(BM_EnvironmentClamped, teapotDull, "teapot", 0.0)->Unit(benchm
 BENCHMARK_CAPTURE(BM_EnvironmentClamped, saturated, "saturated", 1.0)->Unit(benchmark::kMillisecond);
 BENCHMARK_CAPTURE(BM_EnvironmentClamped, saturatedDull, "saturated", 0.0)->Unit(benchmark::kMillisecond);
 
-// What `xnewell draw` of an OBJ file does, from reading to PNG: 64,800 triangles with six decimals.
+// Everything that `xnewell draw` does with an OBJ file, from reading to PNG: 64,800 triangles with six
+// decimals.
 void BM_DrawObj(benchmark::State& state) {
   const std::filesystem::path file = std::filesystem::temp_directory_path() / "xnewell_draw_bench.obj";
   {

@@ -31,14 +31,14 @@ std::string teapotText() {
   return {std::istreambuf_iterator<char>{file}, {}};
 }
 
-/// A torus of 2 * side^2 triangles. Its size is within the range that readScene makes.
+/// A torus of 2 * side^2 triangles. Its size is in the range that readScene produces.
 Mesh triangleTorus(int side) {
   Mesh mesh = triangulated(torus(side, side));
   for (glm::dvec3& p : mesh.points) p /= 2.0;
   return mesh;
 }
 
-// The teapot's 32 patches, N x N faces each: expect N^2.
+// The teapot's 32 patches with N x N faces each: expect N^2.
 void BM_Tessellate(benchmark::State& state) {
   const std::vector<BezierPatch> patches = parseBpt(teapotText(), "teapot.bpt");
   const int N = static_cast<int>(state.range(0));
@@ -47,7 +47,7 @@ void BM_Tessellate(benchmark::State& state) {
 }
 BENCHMARK(BM_Tessellate)->RangeMultiplier(4)->Range(4, 64)->Unit(benchmark::kMicrosecond);
 
-// 545 lines, of which all but a few are points.
+// 545 lines, nearly all of them points.
 void BM_ReadTeapot(benchmark::State& state) {
   const std::string text = teapotText();
   for (auto _ : state) benchmark::DoNotOptimize(parseBpt(text, "teapot.bpt"));
@@ -55,7 +55,7 @@ void BM_ReadTeapot(benchmark::State& state) {
 }
 BENCHMARK(BM_ReadTeapot)->Unit(benchmark::kMicrosecond);
 
-// A torus as a modeller writes it, six decimals: expect linear, by the byte.
+// A torus as a modeller writes it, with six decimals: expect time linear in the bytes.
 void BM_ReadObj(benchmark::State& state) {
   const Mesh mesh = triangleTorus(static_cast<int>(state.range(0)));
   std::ostringstream out;
@@ -71,7 +71,8 @@ void BM_ReadObj(benchmark::State& state) {
 }
 BENCHMARK(BM_ReadObj)->Arg(45)->Arg(179)->Unit(benchmark::kMillisecond);  // 4k and 64k triangles
 
-// The whole viewing transformation and the snap: expect linear; half as many points as triangles.
+// The whole viewing transformation and the snap: expect linear time. There are half as many points as
+// triangles.
 void BM_Project(benchmark::State& state) {
   const Mesh mesh = triangleTorus(static_cast<int>(state.range(0)));
   const ConvexParts parts = divideFaces(mesh);
@@ -82,7 +83,7 @@ void BM_Project(benchmark::State& state) {
 }
 BENCHMARK(BM_Project)->Arg(14)->Arg(56)->Arg(224)->Unit(benchmark::kMicrosecond);
 
-// Framing a scene whole: passes over its points, expect linear and less than BM_Project.
+// Framing a whole scene takes passes over its points: expect linear time, less than BM_Project.
 void BM_PlaceCamera(benchmark::State& state) {
   const Mesh mesh = triangleTorus(static_cast<int>(state.range(0)));
   for (auto _ : state)
@@ -91,7 +92,7 @@ void BM_PlaceCamera(benchmark::State& state) {
 }
 BENCHMARK(BM_PlaceCamera)->Arg(14)->Arg(56)->Arg(224)->Unit(benchmark::kMicrosecond);
 
-// Convex planar parts, all of them triangles already: expect linear.
+// All faces are triangles already, so each is one convex part: expect linear time.
 void BM_DivideFaces(benchmark::State& state) {
   const Mesh mesh = triangleTorus(static_cast<int>(state.range(0)));
   for (auto _ : state) benchmark::DoNotOptimize(divideFaces(mesh));
@@ -108,7 +109,7 @@ void BM_CornerNormals(benchmark::State& state) {
 }
 BENCHMARK(BM_CornerNormals)->RangeMultiplier(4)->Range(4, 64)->Unit(benchmark::kMicrosecond);
 
-// Normals at the corners of a mesh of triangles, by rule: expect linear.
+// Normals at the corners of a mesh of triangles, by rule: expect linear time.
 void BM_VertexNormals(benchmark::State& state) {
   const NormalRow& rule = kNormalRules[state.range(0)];
   const Mesh mesh = triangleTorus(static_cast<int>(state.range(1)));
@@ -118,7 +119,7 @@ void BM_VertexNormals(benchmark::State& state) {
 }
 BENCHMARK(BM_VertexNormals)->ArgsProduct({{0, 1, 2, 3}, {45, 179}})->Unit(benchmark::kMicrosecond);
 
-// With a crease that nothing reaches, and one that every edge does.
+// With a crease that no edge reaches, and with one that every edge exceeds.
 void BM_VertexNormalsCrease(benchmark::State& state) {
   const Mesh mesh = triangleTorus(179);
   const auto crease = static_cast<double>(state.range(0));
@@ -127,7 +128,7 @@ void BM_VertexNormalsCrease(benchmark::State& state) {
 }
 BENCHMARK(BM_VertexNormalsCrease)->Arg(60)->Arg(0)->Unit(benchmark::kMicrosecond);
 
-// All triangles at one point, no two normals equal: expect n log n.
+// All triangles meet at one point, and no two normals are equal: expect n log n.
 void BM_VertexNormalsCone(benchmark::State& state) {
   Mesh cone = sphere(static_cast<int>(state.range(0)), 2);
   for (auto _ : state) benchmark::DoNotOptimize(smoothVertices(cone, NormalRule::Distinct));
@@ -135,8 +136,8 @@ void BM_VertexNormalsCone(benchmark::State& state) {
 }
 BENCHMARK(BM_VertexNormalsCone)->Arg(1000)->Arg(10'000)->Arg(100'000)->Unit(benchmark::kMillisecond);
 
-// How far each rule's normals are from the true ones: the sphere's, or the patches' at the same corner; of
-// the teapot also where it has no crease.
+// The errors of each rule against the true normals: the sphere's, or the patches' at the same corner. For the
+// teapot also without its creases.
 void BM_NormalError(benchmark::State& state) {
   const NormalRow& rule = kNormalRules[state.range(1)];
   const std::vector<BezierPatch> patches = parseBpt(teapotText(), "teapot.bpt");
@@ -173,7 +174,7 @@ BENCHMARK(BM_NormalError)
     ->ArgsProduct({{0, 1, 2, 3, 4, 5, 6, 7}, {0, 1, 2, 3}})
     ->Unit(benchmark::kMicrosecond);
 
-/// side * side unit tiles of six decimals, every one with a smaller square on it.
+/// side * side unit tiles with six decimals, each with a smaller square on it.
 Mesh tiledFloor(int side) {
   Mesh mesh;
   mesh.groupNames = {"floor"};
@@ -198,7 +199,8 @@ void findCoplanar(benchmark::State& state, const Mesh& mesh) {
   state.SetItemsProcessed(state.iterations() * parts.count());
   state.counters["planes"] = 1 + *std::max_element(planes.begin(), planes.end());
 }
-// No two coplanar, neighbours touch: expect n log n. Exact, and as if read with that many decimals.
+// No two faces are coplanar, and neighbours touch: expect n log n. The mesh is exact, or as if read with that
+// many decimals.
 void BM_CoplanarTorus(benchmark::State& state) {
   Mesh mesh = triangleTorus(static_cast<int>(state.range(0)));
   if (state.range(1) > 0) mesh.rounding = {0.5 / std::pow(10.0, state.range(1))};
@@ -206,13 +208,14 @@ void BM_CoplanarTorus(benchmark::State& state) {
 }
 BENCHMARK(BM_CoplanarTorus)->ArgsProduct({{56, 224, 707}, {0, 6}})->Unit(benchmark::kMillisecond);
 
-// No two coplanar, boxes overlap a hundredfold: expect n log n, for their planes differ.
+// No two faces are coplanar, and each box overlaps about a hundred others: expect n log n, because their
+// planes differ.
 void BM_CoplanarSoup(benchmark::State& state) {
   findCoplanar(state, triangleSoup(static_cast<int>(state.range(0)), 0.3, 1972));
 }
 BENCHMARK(BM_CoplanarSoup)->Arg(10'000)->Arg(100'000)->Unit(benchmark::kMillisecond);
 
-// All in one plane, and every tile with its decal: expect n log n.
+// All faces lie in one plane, and every tile has its decal: expect n log n.
 void BM_CoplanarFloor(benchmark::State& state) {
   findCoplanar(state, tiledFloor(static_cast<int>(state.range(0))));
 }

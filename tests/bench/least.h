@@ -5,7 +5,7 @@
 
 namespace xnewell {
 
-/// The least of the repetitions: what a machine takes while its neighbours leave it alone. For
+/// The least of the repetitions: the time that the machine takes while nothing else runs on it. Use it as
 /// `ComputeStatistics("least", least)`.
 [[nodiscard]] inline double least(const std::vector<double>& repetitions) {
   return *std::ranges::min_element(repetitions);

@@ -8,14 +8,15 @@ namespace xnewell {
 
 namespace {
 
-// Every order on six scenes at 800x600: the time it takes to find, and what it gets wrong.
+// Every order on six scenes at 800x600: the time to find it, and how many samples it gets wrong.
 void orders(benchmark::State& state, const std::string& name, Order order) {
   Scene scene = readScene(name);
   PictureSettings settings;
   settings.camera = inSceneUnits(scene.camera, scene);
   Picture picture{std::move(scene)};
   for (auto _ : state) {
-    settings.order = order == Order::Unsorted ? Order::ZSort : Order::Unsorted;  // so that it is found anew
+    // so that the order is computed again
+    settings.order = order == Order::Unsorted ? Order::ZSort : Order::Unsorted;
     picture.make(settings);
     settings.order = order;
     picture.make(settings);

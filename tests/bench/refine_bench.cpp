@@ -13,12 +13,12 @@ namespace xnewell {
 
 namespace {
 
-/// How far a picture is from per-pixel shading, in intensity.
+/// The difference of a picture from per-pixel shading, in intensity.
 struct Difference {
   double mean = 0, largest = 0;
 };
 
-/// Flat or Gouraud against Phong, sample by sample, both as they are before a cell is looked up.
+/// Compares flat or Gouraud with Phong, sample by sample, before intensities are turned into cells.
 Difference fromPhong(const Picture& picture) {
   const PictureSettings& s = picture.settings();
   const SceneShading& shading = picture.shading();
@@ -65,7 +65,7 @@ Difference fromPhong(const Picture& picture) {
   return d;
 }
 
-/// A frame, everything but the reading.
+/// Makes a frame, everything except the reading.
 double frame(Picture& picture, const PictureSettings& settings) {
   IndexImage image;
   picture.make(settings);
@@ -76,10 +76,11 @@ double frame(Picture& picture, const PictureSettings& settings) {
 Scene spotFloor(int n) { return underSpot(floorOf(n)); }
 Scene highlightFloor(int n) { return makeScene("floor", floorOf(n), UpAxis::Z); }
 
-// A floor of n by n squares under a spot, or with a highlight, 480x480 from above, divided where it misses by
-// more than range / 1000. Beside it polygons of one size, as many as there are parts: expect a
-// larger difference by the share of the floor that the rim or the highlight takes. And Phong per pixel: the
-// same each frame, where the parts are kept until light or eye move (again_ms: another window).
+// A floor of n by n squares under a spotlight, or with a highlight, 480x480 from above. It is divided where
+// the error is more than range / 1000. For comparison, polygons of one size, as many as there are parts:
+// expect a larger difference, by the share of the floor that the rim or the highlight takes. Phong per pixel
+// costs the same each frame, but the parts are kept until the light or the eye moves (again_ms: another
+// window).
 void BM_Refine(benchmark::State& state, Scene (*make)(int), int n, Shading shading) {
   const bool highlight = make == highlightFloor;
   const auto settingsOf = [&](const Scene& scene, Shading method) {
@@ -106,7 +107,7 @@ void BM_Refine(benchmark::State& state, Scene (*make)(int), int n, Shading shadi
   state.counters["again_ms"] = frame(picture, settings);
 
   settings = settingsOf(scene, shading);
-  const int triangles = shading == Shading::Flat ? 1 : 2;  // or polygons that a square is shaded as
+  const int triangles = shading == Shading::Flat ? 1 : 2;  // or polygons with which a square is shaded
   Picture even{make(std::max(n, static_cast<int>(std::lround(std::sqrt(double(parts) / triangles)))))};
   state.counters["even_ms"] = frame(even, settings);
   const Difference e = fromPhong(even);

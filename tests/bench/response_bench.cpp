@@ -9,10 +9,10 @@
 
 namespace xnewell {
 
-// From a key to the picture on the server, a round trip at the end: the teapot of 7,300 polygons, exact
-// order and Gouraud shading, in a picture of 656 x 560. `turn` makes everything anew; `hue` stores colours
-// alone, where there is a colormap to store them in; `hover` draws the window again with the picture as it
-// was.
+// The time from a key to the picture on the server, ending in a round trip. The picture is the teapot of
+// 7,300 polygons with exact order and Gouraud shading, 656 x 560. `turn` makes everything again; `hue` only
+// stores colours, if there is a colormap to store them in; `hover` draws the window again with the same
+// picture.
 
 namespace {
 

@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
-# tests/bench/run.sh [FILTER [options of Google Benchmark]]: the benchmarks, or those whose name matches
-# the regular expression. Installs the packages that are missing and builds first.
+# tests/bench/run.sh [FILTER [options of Google Benchmark]] runs all benchmarks, or those whose names match
+# the regular expression FILTER. First it installs missing packages and builds.
 set -euo pipefail
 source "$(dirname "${BASH_SOURCE[0]}")/../../x11/setup.sh"
 

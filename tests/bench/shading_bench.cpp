@@ -17,7 +17,7 @@ namespace xnewell {
 
 namespace {
 
-/// Points to shade: the centroids of a torus's triangles, its light and an eye.
+/// Points to shade: the centroids of a torus's triangles, with a light and an eye.
 struct ShadedTorus {
   Mesh mesh;
   ShadingPoints points;
@@ -28,7 +28,7 @@ struct ShadedTorus {
         lighting{resolve(mesh, {}, {}, Channels::Luminance, {1, -4, 2}, {0, 0, 0})} {}
 };
 
-// Normals and centroids of all faces, once a scene: expect linear.
+// The normals and centroids of all faces, once for each scene: expect linear time.
 void BM_FacePoints(benchmark::State& state) {
   const ShadedTorus scene{static_cast<int>(state.range(0))};
   for (auto _ : state) benchmark::DoNotOptimize(facePoints(scene.mesh));
@@ -36,7 +36,7 @@ void BM_FacePoints(benchmark::State& state) {
 }
 BENCHMARK(BM_FacePoints)->Arg(14)->Arg(56)->Arg(224)->Unit(benchmark::kMicrosecond);
 
-// Diffuse terms of every face: expect linear.
+// The diffuse terms of every face: expect linear time.
 void BM_ShadeDiffuse(benchmark::State& state) {
   const ShadedTorus scene{static_cast<int>(state.range(0))};
   Intensities intensities;
@@ -48,7 +48,7 @@ void BM_ShadeDiffuse(benchmark::State& state) {
 }
 BENCHMARK(BM_ShadeDiffuse)->Arg(14)->Arg(56)->Arg(224)->Unit(benchmark::kMicrosecond);
 
-// The specular term again, as whenever the eye moves: expect linear.
+// The specular term again, as after each move of the eye: expect linear time.
 void BM_ShadeSpecular(benchmark::State& state) {
   const ShadedTorus scene{static_cast<int>(state.range(0))};
   Intensities intensities;
@@ -61,9 +61,9 @@ void BM_ShadeSpecular(benchmark::State& state) {
 }
 BENCHMARK(BM_ShadeSpecular)->Arg(14)->Arg(56)->Arg(224)->Unit(benchmark::kMicrosecond);
 
-// A light so many degrees off the view axis, on a white surface: the environment map as published and
-// turned, against the equation at all normals that face the eye and have a place in the map.
-// `rms`: root of the mean square error of the intensity. Time: of making a map.
+// The environment map against the illumination equation, for a light some degrees off the view axis on a
+// white surface. The map is as published or turned. All normals count that face the eye and have a place in
+// the map. `rms`: root of the mean square error of the intensity. Time: making one map.
 template <EnvironmentForm kForm>
 void BM_EnvironmentError(benchmark::State& state) {
   const SinCos angle = sinCosDegrees(static_cast<double>(state.range(0)));
@@ -107,7 +107,8 @@ BENCHMARK(BM_EnvironmentError<EnvironmentForm::Rotated>)
     ->Arg(120)
     ->Unit(benchmark::kMicrosecond);
 
-// An 800x600 palette picture of `range` random cells in runs of 16 pixels, to a file: deflate is the cost.
+// Writes an 800x600 palette picture to a file: `range` random cells in runs of 16 pixels. Deflate is the
+// cost.
 void BM_WritePng(benchmark::State& state) {
   IndexImage image{800, 600, 0};
   std::mt19937 rng{1972};
@@ -122,9 +123,9 @@ void BM_WritePng(benchmark::State& state) {
 }
 BENCHMARK(BM_WritePng)->Arg(1)->Arg(240)->Unit(benchmark::kMillisecond);
 
-// Balls of seven hues, 800x600, into the cells: with the cube linear in the pixels, with a chosen palette
-// also in the different colours. The differences are CIEDE2000 over the pixels that show something, as they
-// are and as means of 8x8 blocks, which is what dithering is for.
+// Balls of seven hues, 800x600, quantized into the cells. With the cube the time is linear in the pixels;
+// with a chosen palette it also depends on the different colours. The differences are CIEDE2000 over the
+// pixels that show something: pixel by pixel, and as means of 8x8 blocks, which is what dithering is for.
 void BM_Quantize(benchmark::State& state, Quantizer quantizer, bool dither) {
   const ColoredPicture picture = coloredBalls(800, 600);
   const QuantizeSettings settings{.quantizer = quantizer, .dither = dither};

@@ -7,9 +7,9 @@
 
 namespace xnewell {
 
-// Steps of the depth-sort stepper as they are shown: the run is gone to the step and the whole page drawn,
-// at 1024 x 768. The teapot of 5 divisions has some 110,000 steps, of 8 some 420,000. A view is to follow its
-// key within 16 ms, so the slowest step is reported beside the mean.
+// The steps of the depth-sort stepper as they are shown: each goes to its step of the run and draws the whole
+// page, at 1024 x 768. The teapot with 5 divisions has some 110,000 steps, with 8 some 420,000. The view must
+// follow a key within 16 ms, so the slowest step is reported beside the mean.
 
 namespace {
 
@@ -30,7 +30,7 @@ struct Page {
     picture.make(settings);
     run = std::make_unique<SortRun>(picture, plan[Cell::Well]);
   }
-  /// Milliseconds.
+  /// In milliseconds.
   double show(int step) {
     const Stopwatch watch;
     view.step = step;
@@ -53,7 +53,7 @@ void BM_StepForward(benchmark::State& state) {
 }
 BENCHMARK(BM_StepForward)->Arg(5)->Arg(8)->Unit(benchmark::kMillisecond);
 
-// From the end: most is painted there.
+// From the end, where most is painted.
 void BM_StepBack(benchmark::State& state) {
   showSteps(state,
             [](const Page& page) { return (page.view.step + page.run->steps()) % (page.run->steps() + 1); });
@@ -66,7 +66,7 @@ void BM_JumpAnywhere(benchmark::State& state) {
 }
 BENCHMARK(BM_JumpAnywhere)->Arg(5)->Arg(8)->Unit(benchmark::kMillisecond);
 
-// Sorting, keeping copies of the picture, and depths: expect it to follow the number of steps.
+// Sorting, keeping copies of the picture, and depths: expect time linear in the number of steps.
 void BM_Record(benchmark::State& state) {
   Page page{static_cast<int>(state.range(0))};
   for (auto _ : state) page.run = std::make_unique<SortRun>(page.picture, page.plan[Cell::Well]);

@@ -13,9 +13,10 @@
 
 namespace xnewell {
 
-/// The speed-ups that tutorials on flat shading name, on an object that turns before a fixed light: the
-/// colour of each face, max_col cos x, for 64,800 triangles a frame. `max_error` is the largest difference
-/// from the plain way in double precision, in shades of 240, after a full turn in steps of one degree.
+/// The speed-ups that tutorials on flat shading name, on an object that turns before a fixed light. Each
+/// computes the colour of each face, max_col cos x, for 64,800 triangles a frame. `max_error` is the largest
+/// difference from the plain way in double precision, in shades of 240, after a full turn in steps of one
+/// degree.
 
 namespace {
 
@@ -32,8 +33,8 @@ glm::mat3 turnedBy(int degrees) {
 
 struct Object {
   Mesh mesh = triangulated(torus(180, 180));
-  Points points;                        ///< of each face, three
-  Points normals;                       ///< of each face, as they are made: not of unit length
+  Points points;                        ///< three for each face
+  Points normals;                       ///< one for each face, not normalised
   glm::vec3 light{-0.9f, -1.1f, 0.9f};  ///< not of unit length
   Object() {
     for (int f = 0; f < mesh.faceCount(); ++f) {
@@ -47,10 +48,10 @@ const Object& object() {
   return made;
 }
 
-/// A way to colour all faces has a part that is done once, and one for each frame, at so many degrees.
+/// A way to colour all faces has two parts: one runs once, the other for each frame at its angle in degrees.
 void nothing(const Object&, Points&) {}
 
-/// Vertices are turned, a normal is made of each face, and its angle found by two roots and a division.
+/// Turns the vertices, computes each face's normal, and finds its angle with two square roots and a division.
 void plain(const Object& o, Points&, int degrees, std::vector<float>& colors) {
   const glm::mat3 turn = turnedBy(degrees);
   for (std::size_t f = 0; f < colors.size(); ++f) {
@@ -63,7 +64,7 @@ void plain(const Object& o, Points&, int degrees, std::vector<float>& colors) {
   }
 }
 
-/// The light's length is known: one root less.
+/// The same, but the light's length is known: one square root less.
 void unitLight(const Object& o, Points&, int degrees, std::vector<float>& colors) {
   const glm::mat3 turn = turnedBy(degrees);
   const glm::vec3 L = glm::normalize(o.light);
@@ -78,7 +79,7 @@ void unitLight(const Object& o, Points&, int degrees, std::vector<float>& colors
 void unitNormals(const Object& o, Points& N) {
   for (const glm::vec3& n : o.normals) N.push_back(glm::normalize(n));
 }
-/// Unit normals made once and turned with the object.
+/// Turns unit normals, made once, with the object.
 void turnedNormals(const Object& o, Points& N, int degrees, std::vector<float>& colors) {
   const glm::mat3 turn = turnedBy(degrees);
   const glm::vec3 L = glm::normalize(o.light);
@@ -89,14 +90,14 @@ void turnedNormals(const Object& o, Points& N, int degrees, std::vector<float>& 
 void scaledNormals(const Object& o, Points& N) {
   for (const glm::vec3& n : o.normals) N.push_back(kMaxColor * glm::normalize(n));
 }
-/// The same, max_col long: one product less.
+/// The same with normals of length max_col: one product less.
 void prescaledNormals(const Object& o, Points& N, int degrees, std::vector<float>& colors) {
   const glm::mat3 turn = turnedBy(degrees);
   const glm::vec3 L = glm::normalize(o.light);
   for (std::size_t f = 0; f < colors.size(); ++f) colors[f] = std::max(0.0f, glm::dot(turn * N[f], L));
 }
 
-/// The same, turned a little further each frame: errors add up.
+/// The same, but each frame turns the normals a little further, so errors add up.
 void turnedOn(const Object& o, Points& N, int degrees, std::vector<float>& colors) {
   if (degrees > 0) {
     const glm::mat3 turn = turnedBy(1);
@@ -106,7 +107,7 @@ void turnedOn(const Object& o, Points& N, int degrees, std::vector<float>& color
   for (std::size_t f = 0; f < colors.size(); ++f) colors[f] = std::max(0.0f, glm::dot(N[f], L));
 }
 
-/// Not in the tutorials: the light is turned back instead.
+/// Turns the light back instead. This is not in the tutorials.
 void turnedLight(const Object& o, Points& N, int degrees, std::vector<float>& colors) {
   const glm::vec3 L = glm::transpose(turnedBy(degrees)) * glm::normalize(o.light);
   for (std::size_t f = 0; f < colors.size(); ++f) colors[f] = std::max(0.0f, glm::dot(N[f], L));

@@ -6,7 +6,8 @@
 
 namespace xnewell {
 
-/// Every face of a mesh of convex faces as a fan of triangles from its first corner, each a face of its own.
+/// Cuts every face of a mesh of convex faces into a fan of triangles from its first corner. Each triangle
+/// becomes a face.
 [[nodiscard]] inline Mesh triangulated(Mesh mesh) {
   Mesh triangles;
   triangles.groupNames = mesh.groupNames;

@@ -11,7 +11,7 @@ namespace {
 
 constexpr int kLimit = 1 << 29;
 
-/// Boxes of one kind: any, small ones, strips along x or y, all sizes, points, at the limits.
+/// Boxes of one kind: any size, small, strips along x or y, all sizes mixed, points, at the limits.
 std::vector<ScreenBox> randomBoxes(unsigned seed, int count) {
   std::mt19937 rng{seed};
   const auto uniform = [&](int low, int high) { return std::uniform_int_distribution{low, high}(rng); };
@@ -54,8 +54,8 @@ ScreenBox within(const ScreenBox& b, std::mt19937& rng) {
 
 }  // namespace
 
-// A walk for a box visits no cell twice and comes by every box that overlaps it; if the box shrinks on the
-// way, by every one that overlaps what is left of it at the end.
+// A walk for a box visits no cell twice and reaches every box that overlaps it. If the box shrinks on the
+// way, the walk reaches every box that overlaps what is left at the end.
 TEST(BoxGrid, WalkFindsAllThatOverlap) {
   long long overlaps = 0, visited = 0, all = 0;
   std::size_t mostCells = 0;
@@ -98,7 +98,7 @@ TEST(BoxGrid, WalkFindsAllThatOverlap) {
   }
   EXPECT_GT(overlaps, 100'000);
   EXPECT_GT(mostCells, 150u);
-  EXPECT_LT(visited, all * 2 / 3);  // else a single cell would do as well
+  EXPECT_LT(visited, all * 2 / 3);  // otherwise a single cell would do as well
 }
 
 }  // namespace xnewell

@@ -19,8 +19,8 @@ namespace {
 
 constexpr int kSize = 160;
 
-/// Any side of the wall, from far to as near as a fifth of a decal, steep and slanted, parallel and
-/// perspective by turns.
+/// A view from any side of the wall, from far away to as near as a fifth of a decal, steep or slanted.
+/// Parallel and perspective views take turns.
 ViewSpec randomView(const Mesh& mesh, unsigned seed) {
   std::mt19937 rng{seed + 1};
   std::uniform_real_distribution<double> component{-1.0, 1.0};
@@ -57,17 +57,17 @@ Mesh normalised(Mesh mesh, double scale) {
   return mesh;
 }
 
-/// Which face covers each sample last, of faces that have no depth.
+/// Which face covers each sample last, for faces without depth.
 std::vector<int> lastFaces(SnappedScene scene) {
   scene.planes.assign(1, ScreenPlane{});
   for (SnappedFace& face : scene.faces) face.plane = 0;
   return visibleFaces(scene, kSize, kSize);
 }
 
-constexpr int kPlates = 5;  ///< their first number, after the wall and its decals
+constexpr int kPlates = 5;  ///< number of the first plate, after the wall and its decals
 
-/// Two plates through wall and decals near the middle of the decal that the view looks at, rounded as those
-/// are.
+/// Adds two plates that pass through the wall and its decals, near the middle of the decal that the view
+/// looks at. They are rounded as the wall and the decals are.
 void addCrossingPlates(Mesh& mesh, unsigned seed) {
   std::mt19937 rng{seed + 2};
   std::uniform_real_distribution<double> component{-1.0, 1.0};
@@ -88,7 +88,7 @@ void addCrossingPlates(Mesh& mesh, unsigned seed) {
   }
 }
 
-/// Number of the wall's or the decals' face that covers each sample last, as if there were no plates.
+/// The number of the face of the wall or its decals that covers each sample last, as if there were no plates.
 std::vector<int> lastOfWall(SnappedScene scene) {
   std::erase_if(scene.faces, [](const SnappedFace& face) { return face.number >= kPlates; });
   std::vector<int> last = lastFaces(scene);
@@ -99,8 +99,8 @@ std::vector<int> lastOfWall(SnappedScene scene) {
 
 }  // namespace
 
-// Faces in one plane are seen in the scene's order, in every sample of every view. With a plane of its own
-// for each, samples are lost by the thousand.
+// Faces in one plane are seen in the order of the scene, in every sample of every view. If each face has its
+// own plane, thousands of samples are wrong.
 TEST(Decals, TheLaterIsSeen) {
   long decalSamples = 0, nearSamples = 0, lostWithout = 0;
   for (unsigned seed = 0; seed < 400; ++seed) {
@@ -131,13 +131,13 @@ TEST(Decals, TheLaterIsSeen) {
   EXPECT_GT(lostWithout, 100'000);
 }
 
-// The depth sort loses none of a decal's pixels to the face under it either, though both are split: two
-// plates pass through wall and decals, and each kind of split is tried.
+// The depth sort loses none of a decal's pixels to the face under it, even if both are split. Two plates pass
+// through the wall and its decals, and each choice of the polygon to split is tried.
 TEST(Decals, KeepTheirPixelsWhenSplit) {
   constexpr std::array kSplits{SortSettings::Split::Smaller, SortSettings::Split::First,
                                SortSettings::Split::Second};
   long plateSamples = 0, wallPieces = 0, decalPieces = 0, platePieces = 0;
-  std::array<long, 2> decalSamples{};  // of parallel and of perspective views
+  std::array<long, 2> decalSamples{};  // for parallel and for perspective views
   for (unsigned seed = 0; seed < 400; ++seed) {
     SCOPED_TRACE(seed);
     const double scale = std::pow(10.0, static_cast<int>(seed % 13) - 6);

@@ -11,8 +11,8 @@ namespace xnewell {
 
 namespace {
 
-/// Follows the events of a run with the marks of the textbook and nothing else, and asks at each whether it
-/// may happen.
+/// Follows the events of a run with nothing but the textbook's marks, and checks whether each event may
+/// happen.
 class Replay {
  public:
   Replay(const SnappedScene& scene, const SortedScene& sorted)
@@ -55,7 +55,7 @@ class Replay {
     for (auto id = first; id != marked_.end(); ++id) state_[*id] = State::Waiting;
     marked_.erase(first, marked_.end());
   }
-  /// Whether it is marked and not below the polygon that closed the last cycle.
+  /// True if the polygon is marked and not below the polygon that closed the last cycle.
   [[nodiscard]] bool inCycle(int id) const { return std::find(cycle_, marked_.end(), id) != marked_.end(); }
   void step(const Event& event);
 
@@ -149,9 +149,9 @@ void Replay::step(const Event& event) {
 
 }  // namespace
 
-// The recorded events are those of the algorithm: marks come and go as the textbook has them, only polygons
-// that are left are compared, voided or split, every split has its reason, what is painted are the fragments
-// in their order, and all counts are those of the statistics.
+// The recorded events are those of the algorithm. Marks come and go as in the textbook. Only polygons that
+// are left are compared, split or found to be contacts. Every split has its reason. The painted polygons are
+// the fragments in their order. All counts are those of the statistics.
 TEST(Events, TellTheRun) {
   const Seeds seeds{960};
   SortStatistics sum;

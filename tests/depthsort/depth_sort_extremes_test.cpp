@@ -7,7 +7,8 @@ namespace xnewell {
 
 namespace {
 
-/// A rectangle of the screen, in half pixels, whose depth grows by `rise` over each from z on along (dx, dy).
+/// Adds a rectangle of the screen, in half pixels. Its depth starts at z and grows by `rise` for each half
+/// pixel along (dx, dy).
 void addShingle(SnappedScene& scene, int x, int y, int wide, int high, int dx, int dy, int z, int rise) {
   const auto corner = [&](int u, int v) {
     const int along = (dx > 0 ? u : dx < 0 ? wide - u : 0) + (dy > 0 ? v : 0);
@@ -18,8 +19,8 @@ void addShingle(SnappedScene& scene, int x, int y, int wide, int high, int dx, i
 
 constexpr int kPerRow = 400;
 
-/// A band of shingles that winds down the picture, each lying on the beginning of the next although that is
-/// nearer at its farthest: all must be painted in the opposite order of their farthest z.
+/// A band of shingles that winds down the picture. Each lies on the beginning of the next one, although that
+/// is nearer at its farthest point. So all must be painted in the opposite order of their farthest z.
 SnappedScene shingles(int count) {
   SnappedScene scene;
   constexpr int kStep = 10'000, kRise = 10'000;
@@ -42,7 +43,7 @@ void expectOracle(const SnappedScene& scene, const SortedScene& sorted, int widt
 
 }  // namespace
 
-// A chain as long as the scene: the marks are a stack a hundred thousand deep, and nothing recurses.
+// A chain as long as the scene: the stack of marks is a hundred thousand deep, and nothing recurses.
 TEST(DepthSortExtremes, ChainOfAHundredThousand) {
   const SnappedScene scene = shingles(100'000);
   const int width = 2 * kPerRow + 4, height = 2 * 100'000 / kPerRow + 4;
@@ -64,7 +65,7 @@ TEST(DepthSortExtremes, ChainInEveryRun) {
     }
 }
 
-// Copies lie in one plane: nothing is split, and the last one of the scene is seen.
+// Copies lie in one plane. Nothing is split, and the last one of the scene is seen.
 TEST(DepthSortExtremes, OfThousandsOfCopiesTheLastIsSeen) {
   SnappedScene scene = randomScene(SceneKind::BigTriangles, 1, 1, 16);
   while (scene.faces.size() < 2'000) addCopy(scene, 0);
@@ -82,7 +83,7 @@ TEST(DepthSortExtremes, OfThousandsOfCopiesTheLastIsSeen) {
   }
 }
 
-// The same with crossing faces between the copies: splits go through all of them.
+// The same with faces that cross the copies: the splits go through all copies.
 TEST(DepthSortExtremes, CopiesThatCross) {
   SnappedScene scene = randomScene(SceneKind::BigTriangles, 5, 4, 16);
   for (int i = 0; i < 200; ++i) addCopy(scene, i % 4);
@@ -112,7 +113,8 @@ TEST(DepthSortExtremes, OneFace) {
   }
 }
 
-// Faces to every side of the picture, up to its border: the quick run drops them, the textbook's sorts them.
+// Faces on every side of the picture, up to its border. The quick run drops them; the textbook's run sorts
+// them.
 TEST(DepthSortExtremes, AllOutsideThePicture) {
   for (unsigned seed = 0; seed < 40; ++seed) {
     const SnappedScene inside = randomScene(SceneKind::Lattice, seed, 8, 10);
@@ -131,8 +133,8 @@ TEST(DepthSortExtremes, AllOutsideThePicture) {
   }
 }
 
-// The widest picture and the highest: walls from corner to corner over all of the depth, two of them
-// rising by it within a step of the grid.
+// The widest and the highest picture: walls from corner to corner over the whole depth. Two of them rise by
+// the whole depth within one step of the grid.
 TEST(DepthSortExtremes, LimitsOfTheGrid) {
   constexpr int L = 1 << 29, Z = 1 << 30;
   SnappedScene scene;
@@ -152,7 +154,8 @@ TEST(DepthSortExtremes, LimitsOfTheGrid) {
   }
 }
 
-// Steepest planes: thin as a step across a sample, over all of the depth, before and behind what is flat.
+// The steepest planes: triangles as thin as a step that cross a sample, over the whole depth, before and
+// behind flat faces.
 TEST(DepthSortExtremes, EdgeOn) {
   SnappedScene scene;
   const int c = kGrid / 2, Z = 1 << 30;

@@ -19,11 +19,12 @@ struct Counts {
   int overlaps = 0, inOnePlane = 0, pieces = 0, slivers = 0, shallow = 0;
 };
 
-/// Of every two overlapping fragments the one painted first is nowhere above the other, all over their common
-/// area in the picture, not just at samples. The sort may disregard what is no deeper than the doubt of
-/// both, and what is both thin and without a sample. What it took for that has become smaller by
-/// later splits: so it is at most twice as thick (a convex region's 2 area / diameter is one to two times
-/// its width). It measures depth at corners rounded to the grid: half a step's slope aside.
+/// For every two overlapping fragments, the one painted first is nowhere nearer than the other in their whole
+/// common area in the picture, not just at samples. The sort may ignore a part that is no deeper than the
+/// doubt of both, or a part that is thin and has no sample. Later splits may have made the part that it
+/// ignored smaller. So the part is at most twice as thick (2 area / diameter of a convex region is one to two
+/// times its width). The sort measures depth at corners rounded to the grid, which allows half a step's slope
+/// more.
 void expectOrder(const SnappedScene& scene, const SortedScene& sorted, Counts& counts) {
   struct Painted {
     ExactRegion region;
@@ -73,7 +74,7 @@ void expectOrder(const SnappedScene& scene, const SortedScene& sorted, Counts& c
 
 }  // namespace
 
-// Given on the grid, scenes have nothing to doubt.
+// Scenes that are given on the grid have no doubt.
 TEST(DepthSortOrder, NothingIsPaintedOverWhatIsNearer) {
   const Seeds seeds{192};
   Counts counts;
@@ -90,7 +91,8 @@ TEST(DepthSortOrder, NothingIsPaintedOverWhatIsNearer) {
   EXPECT_GT(counts.slivers, 0);
 }
 
-// With doubt, of a step to many, contacts leave polygons whole. Near-coplanar ones most of all.
+// With doubts of one step to many, contacts leave polygons whole. This is most frequent for nearly coplanar
+// ones.
 TEST(DepthSortOrder, NothingIsPaintedOverWhatIsNearerBeyondDoubt) {
   const Seeds seeds{192};
   Counts counts;
@@ -117,7 +119,7 @@ TEST(DepthSortOrder, NothingIsPaintedOverWhatIsNearerBeyondDoubt) {
   EXPECT_GT(counts.shallow, 150);
   EXPECT_GT(doubtful.voids, 50);
   EXPECT_GT(doubtful.contacts, 200);
-  EXPECT_LT(doubtful.splits, exact.splits);  // contacts are not split for
+  EXPECT_LT(doubtful.splits, exact.splits);  // contacts cause no split
 }
 
 }  // namespace xnewell

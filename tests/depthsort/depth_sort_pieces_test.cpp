@@ -11,8 +11,9 @@ namespace {
 
 constexpr int kSize = 32;
 
-/// The splits of a run as its events tell them, and which fragment owns a sample by them alone: down from
-/// the face, at every split to the piece on the sample's side of the splitting plane.
+/// The splits of a run as its events tell them. The tree finds the fragment that owns a sample from the
+/// events alone: it goes down from the face, at every split to the piece on the sample's side of the
+/// splitting plane.
 class SplitTree {
  public:
   SplitTree(const SnappedScene& scene, const SortedScene& sorted)
@@ -33,7 +34,7 @@ class SplitTree {
   [[nodiscard]] const ScreenPlane& planeOf(int id) const {
     return scene_.planes[scene_.faces[faceOf_[id]].plane];
   }
-  /// The fragment by whose plane it was split, -1: not at all.
+  /// The fragment whose plane split it, or -1 if it was not split.
   [[nodiscard]] int splitBy(int id) const { return by_[id]; }
   [[nodiscard]] int owner(int face, int i, int j) const {
     int id = face;
@@ -49,8 +50,8 @@ class SplitTree {
 
 }  // namespace
 
-// Every sample of a face that is painted belongs to one of its fragments, to the one on its side of all
-// splits, and is painted by it once; the rows of a piece hold all its samples.
+// Every painted sample of a face belongs to one of its fragments, the one on its side of all splits, and is
+// painted by it once. The rows of a piece contain all its samples.
 TEST(Pieces, OwnTheSamplesOfTheirFaceOnce) {
   const Seeds seeds{960};
   int splits = 0, ofPieces = 0;
@@ -96,8 +97,9 @@ TEST(Pieces, OwnTheSamplesOfTheirFaceOnce) {
   EXPECT_GT(ofPieces, 100'000);
 }
 
-// A split is proper: both pieces have an area, together that of what was split, and they have no area in
-// common; so no plane splits a piece of a piece it split. Each piece is within its parent, of the same face.
+// A split is proper. Both pieces have an area, together that of the polygon that was split, and they have no
+// common area. So no plane splits a piece of a polygon that it split. Each piece lies within its parent and
+// is of the same face.
 TEST(Pieces, ComeFromProperCuts) {
   const Seeds seeds{480};
   int checked = 0;

@@ -35,9 +35,9 @@ constexpr std::array kWays{
 
 }  // namespace
 
-// Painting in the order of the depth sort shows what the oracle sees, in every sample of scenes of every
-// kind, whatever the run, the choice of which to split, and the picture's size: the scenes are made for 32 by
-// 32 pixels, so the other pictures cut them off or see them in a corner.
+// Painting in the order of the depth sort shows what the oracle sees, in every sample. This holds for scenes
+// of every kind, for both runs, for every choice of the polygon to split, and for every size of the picture.
+// The scenes are made for 32 by 32 pixels, so the other pictures cut them off or show them in a corner.
 TEST(DepthSort, PaintsWhatTheOracleSees) {
   struct Size {
     int width, height;
@@ -45,14 +45,15 @@ TEST(DepthSort, PaintsWhatTheOracleSees) {
   constexpr std::array kSizes{Size{32, 32}, Size{1, 1}, Size{40, 11}, Size{7, 48}};
   const Seeds seeds{1600};
   SortStatistics quick, textbook;
-  std::array<int, kSceneKinds.size()> covered{};  ///< samples, by kind of scene
+  std::array<int, kSceneKinds.size()> covered{};  ///< number of samples, by kind of scene
   for (unsigned seed = seeds.from; seed < seeds.end; ++seed) {
     const SnappedScene scene = randomScene(seed, 2 + static_cast<int>(seed / kSceneKinds.size()) % 17, 32);
     for (std::size_t s = 0; s < kSizes.size(); ++s) {
       const auto [width, height] = kSizes[s];
       const std::vector<int> seen = visibleFaces(scene, width, height);
       for (const Way& way : kWays) {
-        if (s > 0 && &way != &kWays[seed % kWays.size()]) continue;  // all runs once, one in the other sizes
+        // every run in the first size, one run in the other sizes
+        if (s > 0 && &way != &kWays[seed % kWays.size()]) continue;
         SCOPED_TRACE(testing::Message()
                      << "XNEWELL_SEED=" << seed << ", " << way.name << ", " << width << " by " << height);
         const SortedScene sorted = depthSort(scene, {.width = width,
@@ -70,9 +71,10 @@ TEST(DepthSort, PaintsWhatTheOracleSees) {
     }
   }
   if (!seeds.all()) return;
-  // The property was really exercised: every test settled pairs, and all that happens did.
+  // The property was really tested: every test settled pairs, and every kind of event happened.
   for (int t = 0; t < kTests; ++t) {
-    const bool extents = kTestRows[t].id == xnewell::Test::XExtents || kTestRows[t].id == xnewell::Test::YExtents;
+    const bool extents =
+        kTestRows[t].id == xnewell::Test::XExtents || kTestRows[t].id == xnewell::Test::YExtents;
     EXPECT_GT(textbook.settled[t], 10'000) << kTestRows[t].name;
     if (extents) {
       EXPECT_EQ(quick.settled[t], 0) << "the quick run compares boxes before";

@@ -19,7 +19,7 @@ SortedScene recorded(const SnappedScene& scene, bool textbook) {
   return depthSort(scene, settings);
 }
 
-/// A mesh of so many faces without names: their points do not matter here.
+/// A mesh of `faces` faces without names. Their points do not matter here.
 Mesh namelessMesh(int faces) {
   Mesh mesh;
   mesh.groupNames = {""};
@@ -28,7 +28,8 @@ Mesh namelessMesh(int faces) {
   return mesh;
 }
 
-/// Corners of triangle p from the plane of triangle q, by the volumes they span: no plane record is asked.
+/// How the corners of triangle p lie from the plane of triangle q, from the volumes that they span. No plane
+/// record is used.
 CornerCounts byVolumes(const SnappedScene& scene, int p, int q) {
   const glm::ivec3 *const P = &scene.vertices[scene.faces[p].first], *const Q =
                                                                          &scene
@@ -41,14 +42,15 @@ CornerCounts byVolumes(const SnappedScene& scene, int p, int q) {
     const auto u = minus(Q[1], Q[0]), v = minus(Q[2], Q[0]), w = minus(P[k], Q[0]);
     const Int128 volume = u[0] * (v[1] * w[2] - v[2] * w[1]) - u[1] * (v[0] * w[2] - v[2] * w[0]) +
                           u[2] * (v[0] * w[1] - v[1] * w[0]);
-    // Counter-clockwise as seen, y down: u x v points away from the viewer where x, y do so.
+    // The outline is counter-clockwise as seen, with y down: u x v points away from the viewer if x and y do
+    // so.
     const Int128 side = (u[0] * v[1] - u[1] * v[0]) > 0 ? volume : -volume;
     ++(side > 0 ? counts.inFront : side < 0 ? counts.behind : counts.on);
   }
   return counts;
 }
 
-/// Whether the numbers of a test say yes.
+/// True if the numbers of a test say yes.
 bool passes(const Explainer& explainer, Test test, int P, int Q) {
   const auto apart = [](const Range& p, const Range& q) { return p.high <= q.low || q.high <= p.low; };
   switch (test) {
@@ -76,8 +78,8 @@ bool passes(const Explainer& explainer, Test test, int P, int Q) {
 
 }  // namespace
 
-// The numbers bear out every test that was made: those before the last one fail, the last one does not, and
-// of test 6 the signs over the common area give the verdict.
+// The numbers confirm every test that was made. All tests before the last one fail, and the last one does
+// not. For test 6 the signs over the common area give the verdict.
 TEST(Explain, NumbersDecideAsTheRunDid) {
   std::array<int, kTests> settled{};
   int withPieces = 0, contacts = 0;
@@ -112,13 +114,13 @@ TEST(Explain, NumbersDecideAsTheRunDid) {
   EXPECT_GT(contacts, 0);
 }
 
-// Where the corners of a face lie from another's plane is what volumes of tetrahedra say, and extents are
-// those of the vertices.
+// The volumes of tetrahedra say on which side of another plane a face's corners lie. The extents are those of
+// the vertices.
 TEST(Explain, NumbersOfFacesAreThoseOfTheirVertices) {
   int on = 0;
   for (unsigned seed = 0; seed < 70; ++seed) {
-    if (seed % 7 == 2)
-      continue;  // volumes up to 2^95 would do, extents of 2^30 in pixels too; kept for below
+    // Leaves out the kinds Limits and EqualZ. They would fit too: volumes are below 2^95.
+    if (seed % 7 == 2) continue;
     SCOPED_TRACE(seed);
     const SnappedScene scene = randomScene(kSceneKinds[seed % kTriangleKinds].id, seed, 8, kSize);
     const SortedScene sorted = recorded(scene, true);
@@ -143,13 +145,14 @@ TEST(Explain, NumbersOfFacesAreThoseOfTheirVertices) {
   EXPECT_GT(on, 100);
 }
 
-// Each fragment of a run has a name of its own, and a piece's begins with its parent's.
+// Each fragment of a run has its own name. The name of a piece begins with its parent's.
 TEST(Explain, NamesAreUnique) {
   int pieces = 0;
   for (unsigned seed = 0; seed < 70; ++seed) {
     SCOPED_TRACE(seed);
     SnappedScene scene = randomScene(SceneKind::BigTriangles, seed, 12, kSize);
-    // Faces 3 and 4 are parts of one; two groups have a face each, two of one name, one holds the rest.
+    // Faces 3 and 4 are parts of one face. Two groups have one face each, two groups share a name, and one
+    // group has the rest.
     for (int f = 4; f < 12; ++f) scene.faces[f].number = f - 1;
     Mesh mesh = namelessMesh(11);
     mesh.groupNames = {"rest", "bar-1", "bar", "twice", "twice", std::string(200, 'x')};
@@ -172,7 +175,7 @@ TEST(Explain, NamesAreUnique) {
     EXPECT_EQ(fragments.name(5), "bar-1");
     EXPECT_EQ(fragments.name(6), "bar");
     EXPECT_EQ(fragments.name(7), "face 6");
-    // What has a name of its own is called by it, and else by what it is of.
+    // A fragment with a name of its own is called by it, otherwise by its group's.
     for (int id = 2; id <= 7; ++id) {
       const bool named = id == 5 || id == 6;
       EXPECT_EQ(fragments.hasName(id), named);
@@ -195,7 +198,7 @@ TEST(Explain, NamesAreUnique) {
   EXPECT_GT(pieces, 20);
 }
 
-// Every sentence is one, names what it is about and leaves no blank open.
+// Every sentence ends in a full stop, names its polygons and has no placeholder left.
 TEST(Explain, SentencesNameTheirPolygons) {
   std::set<std::string> beginnings;
   for (unsigned seed = 0; seed < 140; ++seed) {
@@ -209,7 +212,8 @@ TEST(Explain, SentencesNameTheirPolygons) {
       std::vector<std::string> sentences{explainer.sentence(e, splits)};
       splits += e.kind == Event::Kind::Split;
       if (e.kind == Event::Kind::Compare)
-        for (const xnewell::Test test : explainer.testsMade(e)) sentences.push_back(explainer.sentence(e, test));
+        for (const xnewell::Test test : explainer.testsMade(e))
+          sentences.push_back(explainer.sentence(e, test));
       for (const std::string& s : sentences) {
         ASSERT_TRUE(s.ends_with('.') && s.find_first_of("{}") == std::string::npos) << s;
         if (e.kind != Event::Kind::Move) {

@@ -20,7 +20,7 @@ SortedScene recorded(const SnappedScene& scene) {
 
 }  // namespace
 
-// Counts, next and previous agree with a walk over all events, at every step.
+// The counts, next() and previous() agree with a walk over all events, at every step.
 TEST(Landmarks, AgreeWithAWalk) {
   std::array<int, kLandmarks.size()> seen{};
   for (unsigned seed = 0; seed < 40; ++seed) {
@@ -55,7 +55,7 @@ TEST(Landmarks, AgreeWithAWalk) {
   for (const int count : seen) EXPECT_GT(count, 20);
 }
 
-// The comparison of a step is about its two polygons, and of a failed test it is the step itself.
+// The comparison of a step is about its two polygons. For a failed test it is the step itself.
 TEST(Landmarks, TheComparisonIsOfTheSamePair) {
   int moves = 0;
   for (unsigned seed = 0; seed < 40; ++seed) {
@@ -81,7 +81,7 @@ TEST(Landmarks, TheComparisonIsOfTheSamePair) {
   EXPECT_GT(moves, 100);
 }
 
-// Of what is painted, all tests that settled it since it was taken are counted, and none of another P.
+// For a painted polygon, all tests that settled it since it was taken are counted, and none of another P.
 TEST(Landmarks, CountWhatSettledAPolygon) {
   int pairs = 0;
   for (unsigned seed = 0; seed < 40; ++seed) {

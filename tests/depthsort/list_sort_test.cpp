@@ -12,7 +12,7 @@ namespace {
 
 constexpr int kSize = 24;
 
-/// Index of the face painted last at each pixel's centre; of scenes without ties the picture.
+/// The index of the face painted last at each pixel's centre. For scenes without ties this is the picture.
 std::vector<int> paintedList(const ListSorted& sorted) {
   std::vector<int> faces(kSize * kSize, kNothing);
   for (int j = 0; j < kSize; ++j)
@@ -22,7 +22,7 @@ std::vector<int> paintedList(const ListSorted& sorted) {
   return faces;
 }
 
-/// A rectangle from column x0 to x1, at depth z0 at its left side and z1 at its right.
+/// A rectangle from column x0 to x1, with depth z0 at its left side and z1 at its right.
 void addRectangle(SnappedScene& scene, int x0, int x1, int z0, int z1) {
   const int top = 4 * kGrid, bottom = 8 * kGrid;
   addFace(scene,
@@ -31,8 +31,8 @@ void addRectangle(SnappedScene& scene, int x0, int x1, int z0, int z1) {
 
 }  // namespace
 
-// Where it does not come to splits, the list and the stack paint in the same order, face by face: to move Q
-// to the end and mark it is a search in depth, and the stack is the marks.
+// Without splits, the list and the stack paint in the same order, face by face. Moving Q to the end and
+// marking it is a depth-first search, and the stack holds the marks.
 TEST(ListSort, WithoutSplitsPaintsInTheOrderOfTheStack) {
   const Seeds seeds{640};
   int same = 0, moves = 0, faces = 0;
@@ -58,8 +58,8 @@ TEST(ListSort, WithoutSplitsPaintsInTheOrderOfTheStack) {
   EXPECT_GT(faces, 1'000);
 }
 
-// Its choice of what to split, P by Q's plane, need not cut: the list is then as before and goes on so for
-// ever, in cycles most of all.
+// The textbook always splits P by Q's plane, but that plane need not cross P. Then the list stays as it was,
+// and the run goes on for ever, most often in cycles.
 TEST(ListSort, DemandsSplitsThatDoNotCut) {
   const Seeds seeds{16};
   for (const SceneKind kind : {SceneKind::BigTriangles, SceneKind::Pinwheels}) {
@@ -68,7 +68,8 @@ TEST(ListSort, DemandsSplitsThatDoNotCut) {
       SCOPED_TRACE(seed);
       const ListSorted list = listSort(randomScene(kind, seed, 8, kSize));
       idle += list.idle > 0, endless += list.endless;
-      EXPECT_EQ(list.idle > 0, list.endless);  // one is enough, and nothing else makes it endless
+      // one such split is enough, and nothing else makes the run endless
+      EXPECT_EQ(list.idle > 0, list.endless);
     }
     if (!seeds.all()) continue;
     EXPECT_GE(idle, 4);
@@ -76,9 +77,9 @@ TEST(ListSort, DemandsSplitsThatDoNotCut) {
   }
 }
 
-// Once polygons were moved the list is no longer sorted. P rises from depth 0 to 100, over A's end, A lies
-// over B's and B over C's: A is moved before P, B before A. After B, now the first, the list has A, beyond B:
-// who stops there does not come to C and paints it over B.
+// After a move the list is no longer sorted. P rises from depth 0 to 100 over A's end. A lies over B's end,
+// and B over C's. So A is moved before P, and B before A. Now B is first, and the list then has A, beyond B's
+// z-extent. A scan that stops there does not reach C: B is painted before C, which then hides B's end.
 TEST(ListSort, WrongIfItStopsAtTheFirstBeyond) {
   SnappedScene scene;
   addRectangle(scene, 0, 10, 0, 100);   // P
@@ -97,7 +98,7 @@ TEST(ListSort, WrongIfItStopsAtTheFirstBeyond) {
   EXPECT_EQ(paintedList(hasty)[5 * kSize + 19], 3);
 }
 
-// Pieces that keep the mark of their parent are split where moving them would do, and again: more than sixty
+// Pieces that keep their parent's mark are split where a move would do, again and again: more than sixty
 // splits of five triangles, where a few are enough.
 TEST(ListSort, EndlessIfPiecesInheritMarks) {
   const Seeds seeds{60};

@@ -25,8 +25,8 @@ struct Perturbed {
   }
 };
 
-/// The second oracle: depths and edges in rational arithmetic with the sample at (i + 1/2 + e, j + 1/2 +
-/// e^2), straight from the vertices. It shares no line with the first.
+/// The second oracle. It computes depths and edges in rational arithmetic, with the sample at (i + 1/2 + e, j
+/// + 1/2 + e^2), straight from the vertices. It shares no line with the first.
 struct RationalFace {
   std::vector<std::array<Rational, 3>> v;
 
@@ -46,7 +46,7 @@ struct RationalFace {
     }
     return true;
   }
-  /// Depth at the sample of a triangle, through its barycentric coordinates.
+  /// The depth of a triangle at the sample, from its barycentric coordinates.
   [[nodiscard]] Perturbed depth(int i, int j) const {
     const auto &a = v[0], &b = v[1], &c = v[2];
     const auto area = [](const Rational& ux, const Rational& uy, const Rational& vx,
@@ -98,7 +98,7 @@ TEST(Oracle, AgreesWithRationalArithmetic) {
   EXPECT_GT(ties, 250);
 }
 
-// Two faces with the same three corners in depth and place: the later one is seen everywhere.
+// Two faces with the same three corners in place and depth: the later one is seen everywhere.
 TEST(Oracle, OfCopiesTheLaterWins) {
   SnappedScene scene = randomScene(SceneKind::BigTriangles, 0, 1, 16);
   scene.faces.push_back(scene.faces[0]);
@@ -111,7 +111,7 @@ TEST(Oracle, OfCopiesTheLaterWins) {
   EXPECT_GT(covered, 0);
 }
 
-// nearer() is an order: it changes sign with its arguments' places and is 0 for a plane and itself.
+// nearer() is an order: exchanging its arguments changes its sign, and it is 0 for a plane and itself.
 TEST(Oracle, NearerIsAntisymmetric) {
   for (unsigned seed = 0; seed < 600; ++seed) {
     const SnappedScene scene = randomTriangles(seed, 2, 8);
@@ -123,8 +123,9 @@ TEST(Oracle, NearerIsAntisymmetric) {
   }
 }
 
-// Depths that differ far below a double's last bit are told apart: slopes F(n-1)/F(n) of Fibonacci numbers
-// up to 2^60 lie on alternating sides of the golden ratio, 1/(F(n) F(n+1)) from each other (Cassini).
+// nearer() separates depths that differ far below a double's last bit. The slopes F(n-1)/F(n) of Fibonacci
+// numbers up to 2^60 lie on alternating sides of the golden ratio, at a distance of 1/(F(n) F(n+1)) from each
+// other (Cassini).
 TEST(Oracle, NearerDecidesBeyondDoubles) {
   std::vector<std::int64_t> F{1, 1};
   while (F.size() < 87) F.push_back(F[F.size() - 1] + F[F.size() - 2]);
@@ -136,7 +137,7 @@ TEST(Oracle, NearerDecidesBeyondDoubles) {
   }
 }
 
-// The plane of a face of many corners goes through three of them, far apart.
+// The plane of a face with many corners goes through three of them that are far apart.
 TEST(Oracle, PlaneOfManyCorners) {
   SnappedScene scene;
   scene.vertices = {
@@ -148,7 +149,7 @@ TEST(Oracle, PlaneOfManyCorners) {
   };
   EXPECT_GT(p.C, 0);
   EXPECT_TRUE(on(0));
-  EXPECT_FALSE(on(1));  // bent by 7 steps near the first corner: too near to decide the plane
+  EXPECT_FALSE(on(1));  // bent by 7 steps near the first corner, too near to decide the plane
   EXPECT_TRUE(on(3));
 }
 

@@ -8,7 +8,7 @@
 
 namespace xnewell {
 
-// The radix sort is std::stable_sort by key: same order, equal keys by index.
+// The radix sort gives the result of std::stable_sort by key: equal keys stay in order of index.
 TEST(Order, RadixSortIsTheStableSort) {
   std::mt19937 rng{1972};
   for (const std::uint32_t range : {3u, 5000u, 0xFFFFFFFFu}) {
@@ -36,8 +36,8 @@ SnappedScene facesAt(const std::vector<std::array<int, 3>>& z) {
 
 }  // namespace
 
-// Farthest first: by the smallest z, by the mean, or as listed; equal z in the order of the scene, so that
-// the later face is painted later and wins.
+// The farthest face comes first, by the smallest z, by the mean z, or as listed. At equal z the order is that
+// of the scene, so that the later face is painted later and wins.
 TEST(Order, FarthestFirst) {
   const SnappedScene scene = facesAt({{5, 90, 90}, {40, 50, 60}, {4, 10, 10}, {5, 6, 7}, {60, 50, 40}});
   EXPECT_EQ(paintingOrder(scene, Order::ZSort), (std::vector{2, 0, 3, 1, 4}));

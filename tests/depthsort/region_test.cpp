@@ -23,7 +23,7 @@ ExactPoint meeting(const ExactLine& l, const ExactLine& m) {
 }
 int signOf(const Rational& r) { return r.sign(); }
 
-/// What sign() asks first: whether its doubles decide.
+/// True if the doubles decide in sign(), which tries them first.
 bool doublesDecide(const Line& line, const Corner& at) {
   const double value = line.a * at.x + line.b * at.y + line.c;
   return std::abs(value) > 0x1p-49 * (std::abs(at.x) + std::abs(at.y) + std::abs(line.c)) + 2.0 * at.radius;
@@ -33,7 +33,7 @@ struct Asked {
   int doubles = 0, integers = 0, zeros = 0, corners = 0;
 };
 
-/// A line of the scene: an edge, or where two different planes meet.
+/// A line of the scene: an edge, or the line where two different planes meet.
 Line randomLine(const Regions& regions, const SnappedScene& scene, std::mt19937& rng) {
   const auto below = [&](std::size_t n) {
     return std::uniform_int_distribution{0, static_cast<int>(n) - 1}(rng);
@@ -47,9 +47,9 @@ Line randomLine(const Regions& regions, const SnappedScene& scene, std::mt19937&
   return regions.cut(p, (p + 1 + below(scene.planes.size() - 1)) % static_cast<int>(scene.planes.size()));
 }
 
-/// Triangles whose first edges and planes pass a common point V at 2^-22 step or less, or go through it:
-/// through V + u and V - k u + d, d at most a step, they pass V at d / (k + 1). The first face is large and
-/// around V.
+/// Triangles whose first edges and planes pass a common point V at 2^-22 step or less, or go through it. A
+/// line through V + u and V - k u + d, with d at most a step, passes V at a distance of d / (k + 1). The
+/// first face is large and surrounds V.
 SnappedScene nearlyConcurrent(unsigned seed) {
   std::mt19937 rng{seed};
   const auto uniform = [&](int low, int high) { return std::uniform_int_distribution{low, high}(rng); };
@@ -66,7 +66,8 @@ SnappedScene nearlyConcurrent(unsigned seed) {
   return scene;
 }
 
-/// Clips a region by lines of the scene, quickly and exactly, and asks every line at every corner.
+/// Clips a region by lines of the scene, both quickly and exactly, and compares the signs of every line at
+/// every corner.
 void expectExact(const SnappedScene& scene, unsigned seed, Asked& asked) {
   std::mt19937 rng{seed};
   const Regions regions{scene};
@@ -80,7 +81,7 @@ void expectExact(const SnappedScene& scene, unsigned seed, Asked& asked) {
     const bool nowhere = exactLine.a == 0 && exactLine.b == 0 && exactLine.c == 0;
     ASSERT_EQ(nowhere, line.kind == Line::Kind::Cut && regions.samePlane(line.p, line.q));
     if (nowhere) continue;
-    // The coefficients, up to their common scale, are as near as their bound says.
+    // Up to a common scale, the coefficients are as accurate as their bound says.
     const double a = exactLine.a.convert_to<double>(), b = exactLine.b.convert_to<double>();
     const double scale = std::max(std::abs(a), std::abs(b));
     if (scale > 0.0) {
@@ -109,7 +110,7 @@ void expectExact(const SnappedScene& scene, unsigned seed, Asked& asked) {
     regions.clip(region, line);
     exact = clipped(exact, exactLine);
     ASSERT_EQ(region.empty(), exact.empty());
-    // The same corners, but for those in the middle of a side.
+    // The corners are the same, except for those in the middle of a side.
     for (std::size_t k = 0; k < region.size(); ++k) {
       const Side &side = region[k], &next = region[k + 1 == region.size() ? 0 : k + 1];
       const ExactPoint corner = side.corner.exact()
@@ -126,7 +127,7 @@ void expectExact(const SnappedScene& scene, unsigned seed, Asked& asked) {
 
 }  // namespace
 
-// Coefficients, corners, signs and clips are those of rational arithmetic, in scenes of every kind.
+// The coefficients, corners, signs and clips agree with rational arithmetic, in scenes of every kind.
 TEST(Region, IsExact) {
   const Seeds seeds{1600};
   Asked asked;
@@ -140,8 +141,8 @@ TEST(Region, IsExact) {
   EXPECT_GT(asked.zeros, 1'000);
 }
 
-// The same where lines run by a point so closely that doubles cannot tell: integers find both signs, and 0
-// where three lines go through one point.
+// The same where lines pass a point so closely that doubles cannot decide. The integers find both signs, and
+// 0 where three lines go through one point.
 TEST(Region, IsExactWhereDoublesAreNot) {
   const Seeds seeds{1500};
   Asked asked;
@@ -156,8 +157,8 @@ TEST(Region, IsExactWhereDoublesAreNot) {
   EXPECT_GT(asked.zeros, 1'000);
 }
 
-// A negative constant of a cut line far below 2^64 is as exact as any: here -3, in doubles once 0 for two
-// planes 3 steps apart, which were then taken for one.
+// A negative constant of a cut line far below 2^64 is as exact as any other. Here it is -3. As a double it
+// was once 0, so that two planes 3 steps apart were taken for one.
 TEST(Region, SmallNegativeConstantOfACut) {
   SnappedScene scene;
   for (const int z : {5, 8}) addFace(scene, {{0, 0, z}, {0, 1, z}, {1, 0, z}});

@@ -31,8 +31,8 @@ Seen seenBy(const Replay& replay) {
   return {replay.marked(), replay.painted(), replay.splits(), replay.list(kAll)};
 }
 
-/// The states of all steps by the plain words of Event::Kind: a stack that is a vector, and a list in which
-/// pieces replace what was split.
+/// The states of all steps by the plain words of Event::Kind. The stack is a vector, and in the list pieces
+/// replace the polygon that was split.
 std::vector<Seen> literally(const SnappedScene& scene, const SortedScene& sorted) {
   std::vector<int> stack, list = sorted.list;
   int painted = 0, splits = 0;
@@ -80,8 +80,8 @@ std::vector<Seen> literally(const SnappedScene& scene, const SortedScene& sorted
 
 }  // namespace
 
-// Every step looks as the literal replay from the start has it, whether it is reached forward, back or by a
-// leap from anywhere.
+// Every step looks as in the literal replay from the start, whether it is reached forward, back or by a jump
+// from anywhere.
 TEST(Replay, AnyStepIsReachedFromAnyOther) {
   int farBack = 0, splits = 0, voids = 0, unmarked = 0;
   for (unsigned seed = 0; seed < 140; ++seed)
@@ -122,8 +122,8 @@ TEST(Replay, AnyStepIsReachedFromAnyOther) {
   EXPECT_GT(unmarked, 100);
 }
 
-// The paint events in their order are the fragments of the run; at the end there is nothing left. So
-// replaying them paints the same picture.
+// The paint events in their order are the fragments of the run, and at the end nothing is left. So replaying
+// them paints the same picture.
 TEST(Replay, PaintsTheFragmentsInTheirOrder) {
   int pieces = 0;
   for (unsigned seed = 0; seed < 200; ++seed) {
@@ -146,7 +146,7 @@ TEST(Replay, PaintsTheFragmentsInTheirOrder) {
   EXPECT_GT(pieces, 1000);
 }
 
-// A P is taken from the head of the list, which stands by farthest z in the textbook's run.
+// P is always taken from the head of the list, which is sorted by farthest z in the textbook's run.
 TEST(Replay, TheNextPIsTheFirstOfTheList) {
   int taken = 0;
   for (unsigned seed = 0; seed < 100; ++seed) {
@@ -171,8 +171,8 @@ TEST(Replay, TheNextPIsTheFirstOfTheList) {
   EXPECT_GT(taken, 500);
 }
 
-// A run with more events than are wanted says so instead of keeping them; one with as many does not, nor does
-// one that is not recorded.
+// A run with more events than allowed throws instead of keeping them. A run with exactly as many does not
+// throw, nor does one that is not recorded.
 TEST(Replay, TooManyEventsAreRefused) {
   const SnappedScene scene = randomScene(0, 12, kSize);
   const std::size_t count = recorded(scene, true).events.size();

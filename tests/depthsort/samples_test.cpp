@@ -14,7 +14,7 @@ namespace xnewell {
 
 namespace {
 
-/// By the definition of the sample rule, in rational arithmetic.
+/// The sign by the definition of the sample rule, in rational arithmetic.
 int exactSignAtSample(const ExactLine& line, int i, int j) {
   const Rational value = valueAt(line, {Rational{2 * i + 1, 2} * kGrid, Rational{2 * j + 1, 2} * kGrid});
   return (value != 0 ? value : line.a != 0 ? line.a : line.b).sign();
@@ -22,8 +22,8 @@ int exactSignAtSample(const ExactLine& line, int i, int j) {
 
 }  // namespace
 
-// Sides of samples, and who owns one, as rational arithmetic has them: for parts of faces clipped by the
-// planes of others, many of them thin, in pictures that do not hold them whole.
+// The sides of samples, and their owners, agree with rational arithmetic. The regions are parts of faces
+// clipped by the planes of others, many of them thin, in pictures that do not show them whole.
 TEST(Samples, AreOwnedByTheRule) {
   const Seeds seeds{1600};
   int owning = 0, empty = 0, ties = 0, asked = 0;
@@ -64,7 +64,8 @@ TEST(Samples, AreOwnedByTheRule) {
   EXPECT_GT(ties, 20);
 }
 
-// A face that is left out owns no sample; of those that own none in a box of up to four samples all are.
+// A face that is left out owns no sample. Every face that owns no sample, and whose box has at most four
+// samples, is left out.
 TEST(Samples, MayOwnIsFalseOnlyWhereNoneIsOwned) {
   const Seeds seeds{3200};
   int may = 0, none = 0, needless = 0;
@@ -94,7 +95,7 @@ TEST(Samples, MayOwnIsFalseOnlyWhereNoneIsOwned) {
   EXPECT_GT(needless, 0);
 }
 
-// Thick is more than 2 area / diameter = 64 steps.
+// A region is thick if 2 area / diameter is more than 64 steps.
 TEST(Samples, WideIsThickerThanTheBound) {
   const auto rectangle = [](int wide, int high) {
     SnappedScene scene;
@@ -109,7 +110,7 @@ TEST(Samples, WideIsThickerThanTheBound) {
   EXPECT_TRUE(isWide(rectangle(33, 1 << 20)));
 }
 
-// Where a cut passes a row is the first column after which all samples are on its other side.
+// Where a cut crosses a row, the result is the first column after which all samples are on its other side.
 TEST(FragmentSpans, ColumnOfCutIsTheFirstBeyondIt) {
   const Seeds seeds{800};
   int inside = 0, atEnds = 0;

@@ -38,7 +38,7 @@ BezierPatch transposed(const BezierPatch& patch) {
   return t;
 }
 
-/// De Casteljau's halving in long double: a value and the derivative of a cubic.
+/// De Casteljau's construction in long double: the value and the derivative of a cubic.
 struct Cubic {
   Wide value, slope;
 };
@@ -80,9 +80,9 @@ std::array<std::uint64_t, 3> bits(const glm::dvec3& p) {
 
 }  // namespace
 
-// Points and normals agree with de Casteljau's construction in long double. A point is a convex sum
-// of coordinates below 4, two nested cubics of about 8 roundings: 16 * 4 * 2^-53 a coordinate. A normal
-// loses as many bits as du x dv is shorter than the product of the net's edges.
+// Points and normals agree with de Casteljau's construction in long double. A point is a convex sum of
+// coordinates below 4. It takes two nested cubics of about 8 roundings: 16 * 4 * 2^-53 for each coordinate. A
+// normal loses as many bits as du x dv is shorter than the product of the net's edges.
 TEST(Bezier, AgreesWithDeCasteljau) {
   for (unsigned seed = 0; seed < 2000; ++seed) {
     SCOPED_TRACE(seed);
@@ -97,8 +97,8 @@ TEST(Bezier, AgreesWithDeCasteljau) {
   }
 }
 
-// Faces run counter-clockwise seen from the side of du x dv, are numbered row by row, and their corners
-// are (i, j), (i + 1, j), (i + 1, j + 1), (i, j + 1).
+// Faces run counter-clockwise seen from the side of du x dv. They are numbered row by row. Their corners are
+// (i, j), (i + 1, j), (i + 1, j + 1), (i, j + 1).
 TEST(Bezier, FacesAreNumberedRowByRowAndFaceDuCrossDv) {
   const Mesh mesh = tessellate(std::array{flatPatch()}, 4);
   ASSERT_EQ(mesh.faceCount(), 16);
@@ -115,7 +115,7 @@ TEST(Bezier, FacesAreNumberedRowByRowAndFaceDuCrossDv) {
   EXPECT_EQ(normal(flatPatch(), 0.25, 0.75), glm::dvec3(0, 0, 1));
 }
 
-// Faces belong to their patch's part; patch k owns the numbers from k * N * N.
+// Faces belong to their patch's part. Patch k owns the numbers from k * N * N on.
 TEST(Bezier, PartsBecomeGroups) {
   const std::array patches{flatPatch(), flatPatch(), flatPatch()};
   const std::array parts{PatchPart{"one", 1}, PatchPart{"two", 2}};
@@ -124,8 +124,8 @@ TEST(Bezier, PartsBecomeGroups) {
   for (int f = 0; f < 27; ++f) EXPECT_EQ(mesh.group[f], f < 9 ? 0 : 1);
 }
 
-// A patch turned about (rows or columns reversed) and a mirrored patch give the same points to the bit,
-// whatever the number of divisions.
+// A patch with reversed rows or columns, and a mirrored patch, give the same points to the bit, for any
+// number of divisions.
 TEST(Bezier, ReversalAndReflectionChangeNoBit) {
   std::mt19937 rng{1975};
   for (int n = 1; n <= 64; ++n) {
@@ -143,8 +143,8 @@ TEST(Bezier, ReversalAndReflectionChangeNoBit) {
   }
 }
 
-// Two patches with a common edge share its n + 1 vertices, whichever of the eight ways the second one
-// runs along it.
+// Two patches with a common edge share its n + 1 vertices, in whichever of the eight ways the second patch
+// runs along the edge.
 TEST(Bezier, NeighboursShareTheVerticesOfTheirEdge) {
   std::mt19937 rng{1984};
   for (int n : {1, 3, 7, 10, 49}) {
@@ -164,8 +164,8 @@ TEST(Bezier, NeighboursShareTheVerticesOfTheirEdge) {
   }
 }
 
-// At a pole the quads are triangles; a patch that is a curve keeps its quads, so that later faces keep
-// their numbers.
+// At a pole the quads are triangles. A patch that is a curve keeps its quads, so that later faces keep their
+// numbers.
 TEST(Bezier, DegenerateQuadsKeepTheirNumbers) {
   BezierPatch pole = flatPatch(), curve = flatPatch();
   for (int j = 0; j < 4; ++j) pole.p[j] = {-1.0, 0.5, 0.0};
@@ -183,13 +183,13 @@ TEST(Bezier, NegativeZeroIsWelded) {
   EXPECT_EQ(tessellate(std::array{flatPatch(), negative}, 3).points.size(), 16u);
 }
 
-// Where du x dv vanishes the normal is its limit: it agrees with the long double normal a step h
-// towards the middle of the patch, but for the O(h) that the normal turns on the way.
+// Where du x dv vanishes, the normal is its limit. It agrees with the long double normal a step h towards the
+// middle of the patch, up to the O(h) that the normal turns on the way.
 TEST(Bezier, NormalIsTheLimitAtDegeneratePlaces) {
   constexpr long double h = 1e-7L;
   const auto expectLimit = [&](const BezierPatch& patch, double u, double v) {
     const Oracle o = oracle(patch, u, v);
-    EXPECT_LT(glm::length(glm::cross(o.du, o.dv)), 1e-12L);  // degenerate indeed
+    EXPECT_LT(glm::length(glm::cross(o.du, o.dv)), 1e-12L);  // it is really degenerate
     const glm::dvec3 nearby = oracleNormal(patch, u + h * (0.5L - u), v + h * (0.5L - v));
     EXPECT_LT(distance(normal(patch, u, v), nearby), 1e-4) << u << ' ' << v;
   };
@@ -221,7 +221,7 @@ TEST(Bezier, NormalIsTheLimitAtDegeneratePlaces) {
   }
 }
 
-// A patch that is a curve or a point has no normal, and says 0.
+// A patch that is a curve or a point has no normal; the result is 0.
 TEST(Bezier, NoNormalIsZero) {
   BezierPatch dot, curve, line;
   dot.p.fill({0.1, 0.2, 0.3});
@@ -236,7 +236,7 @@ TEST(Bezier, NoNormalIsZero) {
       for (const BezierPatch& p : {dot, curve, line}) EXPECT_EQ(normal(p, u, v), glm::dvec3{0.0});
 }
 
-// Size does not matter: scaled by any power of two a patch has the same normals to the bit.
+// Scaling a patch by a power of two changes no bit of its normals.
 TEST(Bezier, NormalDoesNotDependOnScale) {
   std::mt19937 rng{300};
   const BezierPatch patch = randomPatch(rng);
@@ -248,15 +248,16 @@ TEST(Bezier, NormalDoesNotDependOnScale) {
   }
 }
 
-// One normal for each corner of the tessellation: that of the patch at the corner's texture coordinates,
-// which are its u and v; on the side from which its face runs counter-clockwise; across the edges in the
-// surface. Patches with poles and without, and one that is a curve and has none.
+// There is one normal for each corner of the tessellation. It is the patch's normal at the corner's texture
+// coordinates, which are its u and v. It points to the side from which the face runs counter-clockwise, and
+// it is perpendicular to the edges in the surface. The patches have poles or none, and one patch is a curve
+// and has no normals.
 TEST(Bezier, CornerNormalsAreThoseOfThePatch) {
   int poles = 0;
   for (unsigned seed = 0; seed < 40; ++seed) {
     SCOPED_TRACE(seed);
     std::mt19937 rng{seed};
-    // A gently curved patch, so that a facet turns by less than a right angle from its corners' normals.
+    // A gently curved patch: a facet turns by less than a right angle from its corners' normals.
     BezierPatch patch = flatPatch(), curve = flatPatch();
     std::uniform_real_distribution<double> height{-0.2, 0.2};
     for (glm::dvec3& p : patch.p) p.z = height(rng);
@@ -289,10 +290,10 @@ TEST(Bezier, CornerNormalsAreThoseOfThePatch) {
   EXPECT_GT(poles, 0);
 }
 
-// On the paraboloid z = x^2 + y^2, which a patch represents exactly, the normals at all corners are the
-// analytic ones, along (-2x, -2y, 1).
+// A patch represents the paraboloid z = x^2 + y^2 exactly. The normals at all corners are the analytic ones,
+// along (-2x, -2y, 1).
 TEST(Bezier, CornerNormalsOfAParaboloid) {
-  // x^2 as a cubic: 0, 0, 1/3, 1 (degree raised), so z = x^2 + y^2 exactly.
+  // x^2 as a cubic is 0, 0, 1/3, 1 (degree raised), so z = x^2 + y^2 exactly.
   constexpr std::array kSquare{0.0, 0.0, 1.0 / 3, 1.0};
   BezierPatch patch;
   for (int i = 0; i < 16; ++i) patch.p[i] = {i / 4 / 3.0, i % 4 / 3.0, kSquare[i / 4] + kSquare[i % 4]};
@@ -305,10 +306,10 @@ TEST(Bezier, CornerNormalsOfAParaboloid) {
   }
 }
 
-// On a patch like an octant of a sphere the pole is smooth, and its triangles have the axis as their normal
+// On a patch like an octant of a sphere the pole is smooth. Its triangles have the axis as their normal
 // there.
 TEST(Bezier, CornerNormalsAtAPole) {
-  // A quarter turn of control points about the z axis, ring i of radius r and height z.
+  // A quarter turn of control points about the z axis; ring i has radius r and height z.
   constexpr double k = 0.5522847498;
   const std::array<glm::dvec2, 4> rings{{{0, 1}, {k, 1}, {1, k}, {1, 0}}};
   BezierPatch octant;
@@ -324,7 +325,7 @@ TEST(Bezier, CornerNormalsAtAPole) {
   int atPole = 0;
   for (std::size_t c = 0; c < normals.size(); ++c) {
     const glm::dvec3 p = mesh.points[mesh.corners[c]];
-    // The surface is within 3e-4 of the sphere, and so, but for a factor of a few, its normal.
+    // The surface is within 3e-4 of the sphere. So is its normal, up to a factor of a few.
     EXPECT_LT(distance(normals[c], glm::normalize(p)), 5e-3);
     if (p == glm::dvec3{0, 0, 1}) {
       ++atPole;

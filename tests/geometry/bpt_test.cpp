@@ -11,7 +11,7 @@ namespace xnewell {
 
 namespace {
 
-/// Patches of random doubles, and their text in which every number names its double.
+/// Patches of random doubles, and their text, in which every number identifies its double.
 std::vector<BezierPatch> randomPatches(int count, std::mt19937& rng) {
   std::uniform_real_distribution<double> uniform{-4.0, 4.0};
   std::vector<BezierPatch> patches(count);
@@ -34,7 +34,7 @@ std::string toText(const std::vector<BezierPatch>& patches) {
   return text;
 }
 
-/// One patch whose point i is (i, 0, -i): 18 lines, the points on lines 3 to 18.
+/// One patch whose point i is (i, 0, -i). The text has 18 lines, with the points on lines 3 to 18.
 std::string onePatch() {
   std::string text = "1\n3 3\n";
   for (int i = 0; i < 16; ++i) text += std::to_string(i) + " 0 -" + std::to_string(i) + "\n";
@@ -55,7 +55,7 @@ std::string complaintOf(const std::string& text) {
 
 }  // namespace
 
-// What is written with 17 digits is read bit for bit, points row by row in file order.
+// Numbers written with 17 digits are read bit for bit. The points come row by row, in file order.
 TEST(Bpt, ReturnsTheDoublesThatWereWritten) {
   std::mt19937 rng{1975};
   const std::vector<BezierPatch> written = randomPatches(32, rng);
@@ -66,7 +66,7 @@ TEST(Bpt, ReturnsTheDoublesThatWereWritten) {
   EXPECT_EQ(readBpt(folder.write("teapot.bpt", toText(written))).back().p, written.back().p);
 }
 
-// Comments, blank lines, blanks, CR LF and a missing last line end change nothing.
+// Comments, blank lines, blanks, CR LF and a missing end of the last line change nothing.
 TEST(Bpt, IgnoresCommentsAndBlanks) {
   std::string text = "# the teapot\r\n\r\n  1 # patches\r\n\t3\t3 #degrees\r\n";
   for (int i = 0; i < 16; ++i) {
@@ -77,7 +77,7 @@ TEST(Bpt, IgnoresCommentsAndBlanks) {
   EXPECT_EQ(parseBpt(text, "teapot.bpt").at(0).p, parseBpt(onePatch(), "teapot.bpt").at(0).p);
 }
 
-// A number of patches is a promise: kept to the letter, and no memory is taken on its word.
+// The file must hold exactly the number of patches that it states. A large number alone allocates no memory.
 TEST(Bpt, RefusesNumbersOfPatchesItCannotTrust) {
   EXPECT_EQ(complaintOf(""), "teapot.bpt: holds no patch");
   EXPECT_EQ(complaintOf("# nothing\n\n"), "teapot.bpt: holds no patch");
@@ -91,7 +91,7 @@ TEST(Bpt, RefusesNumbersOfPatchesItCannotTrust) {
   EXPECT_EQ(complaintOf("1 2\n"), "teapot.bpt:1: unexpected '2'");
 }
 
-// A patch that stops short is missed at the file's last line, by its number.
+// An incomplete patch is reported by its number, at the last line of the file.
 TEST(Bpt, NamesThePatchThatIsIncomplete) {
   std::mt19937 rng{24};
   const std::string whole = toText(randomPatches(32, rng));
@@ -131,7 +131,7 @@ TEST(Bpt, SaysWhatTheSystemSays) {
             "none/teapot.bpt: No such file or directory");
 }
 
-// A file cut off anywhere, at every byte, is complained of, unless the cut only shortens the last number.
+// A file cut off at any byte is an error, unless the cut only shortens the last number.
 TEST(Bpt, NoticesEveryTruncation) {
   std::mt19937 rng{1972};
   const std::string whole = toText(randomPatches(2, rng));
@@ -143,7 +143,7 @@ TEST(Bpt, NoticesEveryTruncation) {
   EXPECT_EQ(complaintOf(whole), "");
 }
 
-// Whatever a few wrong bytes make of a file, it is read or complained of; what is read is finite.
+// A file with a few wrong bytes is either read or reported as wrong. What is read is finite.
 TEST(Bpt, SurvivesMutation) {
   std::mt19937 patches{7};
   const std::string whole = toText(randomPatches(2, patches));

@@ -11,7 +11,7 @@ namespace xnewell {
 
 namespace {
 
-/// The box of the projected points in the canonical square.
+/// The bounding box of the projected points in the canonical square.
 struct Reach {
   glm::dvec2 low{2}, high{-2};
 };
@@ -39,8 +39,9 @@ std::vector<glm::dvec3> cloud(unsigned seed, double scale, glm::dvec3 centre) {
 
 }  // namespace
 
-// Without camera options the whole scene is in the picture, centred, the tighter side filled up to the
-// margin of 6 %, for perspective, parallel and oblique views, small scenes and far-away ones.
+// Without camera options the picture shows the whole scene, centred. The tighter side is filled up to the
+// margin of 6 %. This holds for perspective, parallel and oblique views, for small scenes and for scenes far
+// away.
 TEST(Camera, FramesTheSceneWhole) {
   for (unsigned seed = 0; seed < 60; ++seed) {
     SCOPED_TRACE(seed);
@@ -58,7 +59,7 @@ TEST(Camera, FramesTheSceneWhole) {
   }
 }
 
-// What was said is taken as said: the eye, the point looked at, what is up, the angle.
+// Given settings are used as they are: the eye, the look-at point, the up vector, the angle.
 TEST(Camera, TakesWhatWasSaid) {
   CameraSettings s;
   s.eye = glm::dvec3{3, 4, 5};
@@ -75,7 +76,7 @@ TEST(Camera, TakesWhatWasSaid) {
   EXPECT_NEAR(c.view.windowMax.x, 2 * D, 1e-13);
 }
 
-// The textbook's specification passes through; the eye that shading sees is PRP in the world.
+// The textbook's specification is used unchanged. The eye that shading sees is PRP in world coordinates.
 TEST(Camera, TextbookSpecification) {
   CameraSettings s;
   s.vrp = glm::dvec3{16, 0, 54};
@@ -93,7 +94,7 @@ TEST(Camera, TextbookSpecification) {
   EXPECT_NEAR(glm::length(c.eye - glm::dvec3{36, 25, 74}), 0, 1e-12);
 }
 
-// Oblique views move no eye: V, and so the specular term, is that of the upright view.
+// Oblique views do not move the eye. So V, and with it the specular term, is that of the upright view.
 TEST(Camera, ObliqueKeepsTheEye) {
   const auto points = cloud(3, 1, {0, 0, 0});
   CameraSettings s;
@@ -108,8 +109,8 @@ TEST(Camera, ObliqueKeepsTheEye) {
   EXPECT_NE(upright.view.prp, oblique.view.prp);
 }
 
-// Four quarter turns lead back; up and down again too; the poles stop the eye one degree short; zooming
-// in by two halves the distance.
+// Four quarter turns lead back to the start, and so do a turn up and down. The eye stops one degree short of
+// the poles. Zooming in by two halves the distance.
 TEST(Camera, MovesOnASphere) {
   const auto points = cloud(4, 1, {0.2, 0.1, 0});
   CameraSettings s;
@@ -129,7 +130,7 @@ TEST(Camera, MovesOnASphere) {
   EXPECT_NEAR(std::asin(glm::normalize(place().eye - place().lookAt).z), 89 * 3.14159265358979 / 180, 1e-9);
 }
 
-// Looking straight down with the default up vector picks another one instead of failing.
+// A view straight down with the default up vector picks another up vector instead of failing.
 TEST(Camera, LooksStraightDown) {
   CameraSettings s;
   s.eye = glm::dvec3{0, 0, 9};

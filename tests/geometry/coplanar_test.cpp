@@ -42,7 +42,7 @@ Mesh scaledBy(Mesh mesh, double factor) {
   return mesh;
 }
 
-/// Six faces outwards, from `low` on.
+/// Adds a box whose six faces look outwards, with its lowest corner at `low`.
 void addBox(Mesh& mesh, glm::dvec3 low, glm::dvec3 size) {
   const Mesh unit = cube();
   const int first = static_cast<int>(mesh.points.size());
@@ -54,7 +54,8 @@ void addBox(Mesh& mesh, glm::dvec3 low, glm::dvec3 size) {
   }
 }
 
-/// The classes as coplanar.h defines them, from all pairs of parts; for scenes where none leaves its class.
+/// The classes as coplanar.h defines them, from all pairs of parts. It is for scenes where no part leaves its
+/// class.
 std::vector<int> classesOfAllPairs(const Mesh& mesh, const ConvexParts& parts) {
   glm::dvec3 low = mesh.points[0], high = low;
   double magnitude = 0.0;
@@ -108,8 +109,8 @@ std::vector<int> classesOfAllPairs(const Mesh& mesh, const ConvexParts& parts) {
   return classes;
 }
 
-/// A comb of 60 long teeth, one concave face of which most parts' boxes overlap; decals on its plane, on a
-/// tooth or in a gap, over several or behind its back; and triangles through it.
+/// A comb of 60 long teeth: one concave face, and the boxes of most of its parts overlap. Decals lie in its
+/// plane, on a tooth, in a gap, over several teeth or behind its back. Triangles pass through it.
 Mesh combWithDecals(unsigned seed) {
   std::mt19937 rng{seed};
   std::uniform_real_distribution<double> unit{0.0, 1.0};
@@ -138,8 +139,8 @@ Mesh combWithDecals(unsigned seed) {
 
 }  // namespace
 
-// Faces that touch along edges and in corners are not united, exact, turned or rounded: solids, and a tiled
-// floor whose tiles meet T-wise and share no corner.
+// Faces that touch along edges and in corners are not united, whether exact, turned or rounded. The scenes
+// are solids, and a tiled floor whose tiles meet in T-junctions and share no corner.
 TEST(Coplanar, TouchingDoesNotUnite) {
   for (const Mesh& mesh : {cube(), sphere(24, 12), torus(32, 16)})
     for (const double scale : {1e-300, 1e-6, 1.0, 1e6, 1e300})
@@ -158,8 +159,8 @@ TEST(Coplanar, TouchingDoesNotUnite) {
   }
 }
 
-// Triangles that touch along an edge, its ends rounded apart, are not united although they lie in one plane,
-// whichever way the edge runs.
+// Triangles that touch along an edge are not united, whichever way the edge runs. They lie in one plane, but
+// rounding may move the ends of the edge apart.
 TEST(Coplanar, NeighboursAcrossAnyEdge) {
   for (unsigned seed = 0; seed < 3000; ++seed) {
     SCOPED_TRACE(seed);
@@ -170,15 +171,15 @@ TEST(Coplanar, NeighboursAcrossAnyEdge) {
     const glm::dvec3 low = frame.at(0.1 + 0.3 * s0, t0), high = frame.at(0.6 + 0.3 * s1, t1);
     Mesh mesh = exactMesh();
     addRounded(mesh, {low, high, frame.at(unit(rng), 0.5 + unit(rng) / 2)}, kDecimals[seed % 3]);
-    const glm::dvec3 along = high - low;  // the neighbour's edge is as long, but starts elsewhere
+    const glm::dvec3 along = high - low;  // the neighbour's edge is as long but starts elsewhere
     addRounded(mesh, {high + 0.05 * along, low + 0.05 * along, frame.at(unit(rng), -0.5 - unit(rng) / 2)},
                kDecimals[seed % 3]);
     EXPECT_EQ(countOf(classesOf(mesh)), 2);
   }
 }
 
-// A box that stands on a floor: its bottom looks the other way and is in the floor's plane, its sides only
-// touch it.
+// A box stands on a floor. Its bottom looks the other way but is in the floor's plane. Its sides only touch
+// the floor.
 TEST(Coplanar, BoxOnFloor) {
   Mesh mesh = exactMesh();
   addRounded(mesh, rectangle({-2, -2, 0}, {4, 0, 0}, {0, 4, 0}), 0);
@@ -195,8 +196,9 @@ TEST(Coplanar, BoxOnFloor) {
   EXPECT_EQ(countOf(classes), 6);
 }
 
-// Decals on a wall that stands anywhere, written with 6 or 9 decimals of its size or exactly, listed either
-// way round, are always in its plane, at every scale; so is a decal that reaches over the wall's edge.
+// Decals are always in the plane of their wall, at every scale. The wall stands anywhere. The file is exact
+// or has 6 or 9 decimals of the wall's size, and faces are listed either way round. A decal that reaches over
+// the wall's edge is in the plane too.
 TEST(Coplanar, DecalsUniteWithTheirWall) {
   for (unsigned seed = 0; seed < 3000; ++seed) {
     SCOPED_TRACE(seed);
@@ -207,8 +209,8 @@ TEST(Coplanar, DecalsUniteWithTheirWall) {
   }
 }
 
-// Sheets ten tolerances apart are never united, however many lie over one another; sheets half a tolerance
-// apart are.
+// Sheets ten tolerances apart are never united, however many lie over one another. Sheets half a tolerance
+// apart are united.
 TEST(Coplanar, ParallelSheetsStayApart) {
   for (unsigned seed = 0; seed < 300; ++seed) {
     SCOPED_TRACE(seed);
@@ -226,8 +228,8 @@ TEST(Coplanar, ParallelSheetsStayApart) {
   }
 }
 
-// A staircase of sheets, each within the tolerance of the next: members of a class lie within three
-// tolerances of the largest, and the others leave it.
+// A staircase of sheets, each within the tolerance of the next. The members of a class lie within three
+// tolerances of the largest, and the others leave the class.
 TEST(Coplanar, ChainsDoNotDrift) {
   constexpr double kTol = 7 * 0.5e-6;
   for (const int largest : {0, 10, 39}) {
@@ -249,8 +251,8 @@ TEST(Coplanar, ChainsDoNotDrift) {
   }
 }
 
-// Coarse files are taken at their word: the tolerance is never more than 3e-5 of the scene, and the coarse
-// object of a scene lends its own to those it meets only.
+// The tolerance is never more than 3e-5 of the scene, however coarse the file. A coarse object lends its
+// tolerance only to the objects that it meets.
 TEST(Coplanar, RoundingByObjectAndCapped) {
   const auto united = [](double height, double u, double v) {
     Mesh mesh = exactMesh();
@@ -270,8 +272,8 @@ TEST(Coplanar, RoundingByObjectAndCapped) {
   EXPECT_FALSE(united(0x1p-45, 0, 0));
 }
 
-// The parts of a concave planar face are one plane, with the decals on any of its arms; those of a bent
-// face are several.
+// The parts of a concave planar face lie in one plane, with the decals on any of its arms. The parts of a
+// bent face lie in several planes.
 TEST(Coplanar, PartsOfOneFace) {
   Mesh mesh = exactMesh();
   addRounded(mesh, {{0, 0, 0}, {3, 0, 0}, {3, 1, 0}, {1, 1, 0}, {1, 3, 0}, {0, 3, 0}}, 0);
@@ -300,8 +302,8 @@ TEST(Coplanar, PartsOfOneFace) {
   EXPECT_EQ(countOf(classes), 4);
 }
 
-// A comb, what lies in its plane and what does not: the classes are those that comparing all pairs of parts
-// gives, and the comb's parts are always of one.
+// For a comb, decals in its plane and triangles across it, the classes are those that a comparison of all
+// pairs of parts gives. The comb's parts are always in one class.
 TEST(Coplanar, CombsAsAllPairsGiveThem) {
   const Seeds seeds{30};
   int onComb = 0, inGaps = 0;
@@ -325,8 +327,8 @@ TEST(Coplanar, CombsAsAllPairsGiveThem) {
   EXPECT_GT(inGaps, 500);
 }
 
-// A floor of many tiles, each with a decal turned a little, and a rug over nine of them: every tile is in one
-// plane with its own decal only, but for those that the rug joins.
+// A floor of many tiles, each with a decal turned a little, and a rug over nine of them. Every tile is in one
+// plane with its own decal only, except for the tiles that the rug joins.
 TEST(Coplanar, FloorsOfManyDecals) {
   constexpr int kSide = 100;
   Mesh mesh = exactMesh();
@@ -347,7 +349,7 @@ TEST(Coplanar, FloorsOfManyDecals) {
     }
 }
 
-// Faces without area, and a mesh of nothing else, have planes of their own.
+// Faces without area have planes of their own, even in a mesh that has no other faces.
 TEST(Coplanar, WithoutArea) {
   Mesh mesh = exactMesh();
   addRounded(mesh, {{0, 0, 0}, {0, 0, 0}, {0, 0, 0}}, 0);

@@ -53,12 +53,12 @@ Pts circle(int n, const glm::dvec3& a, const glm::dvec3& b) {
 
 }  // namespace
 
-// Triangles and planar convex polygons are left alone, with the corners on their straight sides.
+// Triangles and planar convex polygons are not divided. They keep the corners on their straight sides.
 TEST(Divide, ConvexPlanarFacesStayWhole) {
   EXPECT_EQ(partsOf(Pts{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}), (List{{0, 1, 2}}));
   EXPECT_EQ(partsOf(Pts{{0, 0, 5}, {1, 0, 5}, {2, 0, 5}, {2, 2, 5}, {1, 2, 5}, {0, 2, 5}}),
             (List{{0, 1, 2, 3, 4, 5}}));
-  // From either side, along each axis, and on a slope.
+  // Seen from either side, along each axis, and on a slope.
   for (const glm::dvec3& a : {glm::dvec3{1, 0, 0}, {0, 1, 0}, {0, 0, 1}, {0.6, 0, 0.8}})
     for (const glm::dvec3& b : {glm::dvec3{0, 1, 0}, {0, -0.6, 0.8}, {1, 0, 0}, {-0.8, 0, 0.6}})
       if (glm::length(glm::cross(a, b)) > 0.1) {
@@ -66,7 +66,8 @@ TEST(Divide, ConvexPlanarFacesStayWhole) {
       }
 }
 
-// A corner repeated at once, by index or by place, is listed once; a face that collapses keeps a part.
+// Successive corners with the same index or the same place are listed once. A face that collapses keeps a
+// part.
 TEST(Divide, CoincidentCornersCollapse) {
   EXPECT_EQ(partsOf(Pts{{0, 0, 0}, {0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}, {-0.0, 0, 0}}),
             (List{{0, 2, 3, 4}}));
@@ -74,7 +75,7 @@ TEST(Divide, CoincidentCornersCollapse) {
   EXPECT_EQ(partsOf(Pts{{1, 1, 1}, {1, 1, 1}, {1, 1, 1}}), (List{{0, 1, 2}}));
 }
 
-// A bent quad is cut from corner 0 to corner 2, whichever way it is bent or seen.
+// A bent quadrilateral is cut from corner 0 to corner 2, whichever way it is bent or seen.
 TEST(Divide, BentQuadIsCutFromItsFirstCorner) {
   for (const double bend : {0.1, -0.1, 1e-9}) {
     EXPECT_EQ(partsOf(Pts{{0, 0, 0}, {1, 0, 0}, {1, 1, bend}, {0, 1, 0}}), (List{{0, 1, 2}, {0, 2, 3}}));
@@ -82,10 +83,10 @@ TEST(Divide, BentQuadIsCutFromItsFirstCorner) {
   }
 }
 
-// An arrowhead is cut through its reflex corner: from 0 to 2 if that is corner 0 or 2, else 1 to 3.
+// An arrowhead is cut through its reflex corner: from 0 to 2 if that is corner 0 or 2, otherwise from 1 to 3.
 TEST(Divide, ArrowheadIsCutThroughItsNotch) {
-  const Pts arrow{{0, 0, 0}, {3, -2, 0}, {1, 0, 0}, {3, 2, 0}};  // notch at corner 2
-  const Pts line{{0, 0, 0}, {1, 0, 0.1}, {2, 0, 0}, {1, 1, 0}};  // from above corner 1 is on a side
+  const Pts arrow{{0, 0, 0}, {3, -2, 0}, {1, 0, 0}, {3, 2, 0}};  // the notch is corner 2
+  const Pts line{{0, 0, 0}, {1, 0, 0.1}, {2, 0, 0}, {1, 1, 0}};  // seen from above, corner 1 is on a side
   for (int shift = 0; shift < 4; ++shift)
     for (const bool backwards : {false, true}) {
       Pts p = arrow;
@@ -97,8 +98,8 @@ TEST(Divide, ArrowheadIsCutThroughItsNotch) {
   EXPECT_EQ(partsOf(line), (List{{1, 2, 3}, {1, 3, 0}}));
 }
 
-// Parts turn as their face does: on a lattice their areas sum to the face's exactly, in each of the
-// three planes, from both sides.
+// Parts turn as their face does. On a lattice their areas sum exactly to the face's, in each of the three
+// planes and from both sides.
 TEST(Divide, PartsOfConcaveFacesSumToTheFace) {
   for (unsigned seed = 0; seed < 300; ++seed) {
     SCOPED_TRACE(seed);
@@ -113,7 +114,7 @@ TEST(Divide, PartsOfConcaveFacesSumToTheFace) {
       p.push_back({x, h, 0});
       p.push_back({x - 1, h, 0});
     }
-    for (glm::dvec3& q : p) {  // turn the axes, and look from behind
+    for (glm::dvec3& q : p) {  // exchange the axes, and look from behind
       for (unsigned i = 0; i < seed % 3; ++i) q = {q.z, q.x, q.y};
       if (seed % 2) q = {q.y, q.x, q.z};
     }
@@ -130,10 +131,10 @@ TEST(Divide, PartsOfConcaveFacesSumToTheFace) {
   }
 }
 
-// A file's rounding is no bend: up to 7 times half its last decimal, but never more than 3e-5 of the
-// face, counts as planar; exact data is held to 2^-46.
+// The rounding of a file does not bend a face. A face counts as planar up to 7 times half the last decimal,
+// but at most up to 3e-5 of the face. Exact data must be planar to 2^-46.
 TEST(Divide, RoundedFacesArePlanar) {
-  // Corner 2 raised by 4 h: the corners lie h off the Newell plane.
+  // Raising corner 2 by 4 h moves the corners h off the Newell plane.
   const auto cuts = [](double h, double rounding) {
     return partsOf(Pts{{0, 0, 0}, {1, 0, 0}, {1, 1, 4 * h}, {0, 1, 0}}, rounding).size() > 1;
   };
@@ -145,7 +146,7 @@ TEST(Divide, RoundedFacesArePlanar) {
   EXPECT_TRUE(cuts(0x1p-45, 0.0));
 }
 
-// Pentagons far from the origin have corners rounded to double: still planar.
+// Pentagons far from the origin are planar although their corners are rounded to double.
 TEST(Divide, FarFacesArePlanarUpToTheRoundingOfDoubles) {
   std::mt19937 rng{53};
   std::uniform_real_distribution<double> component{-1.0, 1.0};
@@ -161,7 +162,7 @@ TEST(Divide, FarFacesArePlanarUpToTheRoundingOfDoubles) {
   }
 }
 
-// Scale does not matter, up to the largest and down to the smallest doubles.
+// Scale makes no difference, from the smallest to the largest doubles.
 TEST(Divide, DoesNotDependOnScale) {
   const Pts notched{{0, 0, 0}, {8, 0, 0}, {8, 8, 0}, {5, 8, 0}, {5, 2, 0}, {3, 2, 0}, {3, 8, 0}, {0, 8, 0}};
   const Pts bent{{-8, 0, 0}, {8, 0, 0}, {8, 8, 1}, {-8, 8, 0}};
@@ -176,7 +177,7 @@ TEST(Divide, DoesNotDependOnScale) {
   EXPECT_EQ(partsOf(flat).size(), 1u);
 }
 
-// Faces without area or crossing themselves end in some parts, each of the face's own corners.
+// Faces without area, and faces that cross themselves, give some parts, each made of the face's own corners.
 TEST(Divide, DegenerateFacesEnd) {
   EXPECT_EQ(partsOf(Pts{{0, 0, 0}, {1, 1, 1}, {2, 2, 2}, {3, 3, 3}}).size(), 1u);  // in line
   EXPECT_EQ(partsOf(Pts{{0, 0, 0}, {1, 1, 0}, {1, 0, 0}, {0, 1, 0}}).size(), 1u);  // a bow tie
@@ -197,7 +198,7 @@ TEST(Divide, DegenerateFacesEnd) {
   }
 }
 
-// Parts come in face order with the face's number, and every face has one.
+// Parts come in face order with the face's number. Every face has at least one.
 TEST(Divide, KeepsFaceNumbers) {
   BezierPatch patch;
   for (int i = 0; i < 16; ++i) patch.p[i] = {i / 4, i % 4, i % 5 == 0 ? 1.0 : 0.0};
@@ -214,8 +215,8 @@ TEST(Divide, KeepsFaceNumbers) {
     }
 }
 
-// A regular polygon of a million corners stays whole; with one corner pushed in it is cut into all but
-// two triangles.
+// A regular polygon of a million corners stays whole. With one corner pushed in, it is cut into a million - 2
+// triangles.
 TEST(Divide, MillionCorners) {
   Pts p = circle(1'000'000, {1, 0, 0}, {0, 0.6, 0.8});
   EXPECT_EQ(divideFaces(oneFace(p)).count(), 1);

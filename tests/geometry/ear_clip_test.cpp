@@ -20,7 +20,7 @@ Int128 area(const Outline& p) {
   return sum;
 }
 
-/// How often the outline runs around q counter-clockwise; q on no edge.
+/// How often the outline runs around q counter-clockwise. q must not be on an edge.
 int windingNumber(const Outline& p, const LatticePoint& q) {
   int winding = 0;
   for (std::size_t i = 0; i < p.size(); ++i) {
@@ -37,8 +37,8 @@ bool onSegment(const LatticePoint& a, const LatticePoint& b, const LatticePoint&
          std::min(a.y, b.y) <= q.y && q.y <= std::max(a.y, b.y);
 }
 
-/// n - 2 counter-clockwise triangles whose areas sum to the outline's; with no more than that area to
-/// share, they cannot overlap unless something is left out: so samples count, too.
+/// Expects n - 2 counter-clockwise triangles whose areas sum to the outline's. With this total, triangles can
+/// overlap only if some area is left uncovered, so samples are checked too.
 void expectTiling(const Outline& p, const Triangles& triangles, bool checkSamples) {
   ASSERT_EQ(triangles.size(), p.size() - 2);
   Int128 sum = 0;
@@ -51,7 +51,7 @@ void expectTiling(const Outline& p, const Triangles& triangles, bool checkSample
   EXPECT_EQ(backwards, 0);
   EXPECT_TRUE(sum == area(p));
   if (!checkSamples) return;
-  // Samples lie off the lattice: outlines are multiples of 6.
+  // Samples lie off the lattice, because outlines are multiples of 6.
   LatticePoint low = p[0], high = p[0];
   for (const LatticePoint& q : p) {
     low = {std::min(low.x, q.x), std::min(low.y, q.y)};
@@ -80,7 +80,7 @@ void expectTiling(const Outline& p, const Triangles& triangles, bool checkSample
   EXPECT_GT(inside, 0);
 }
 
-/// No corner of the outline lies in the middle of a triangle's side: neighbours would gape there.
+/// Expects no corner of the outline in the middle of a triangle's side: neighbours would leave a gap there.
 void expectNoCornerOnASide(const Outline& p, const Triangles& triangles) {
   for (const auto& t : triangles)
     for (int i = 0; i < 3; ++i) {
@@ -89,8 +89,8 @@ void expectNoCornerOnASide(const Outline& p, const Triangles& triangles) {
     }
 }
 
-/// A polygon around the origin, its corners sorted by direction. Simple, since no two directions are
-/// equal and no gap between them exceeds a right angle.
+/// A polygon around the origin with its corners sorted by direction. It is simple, because no two directions
+/// are equal and no gap between them exceeds a right angle.
 Outline randomStar(std::mt19937& rng, int wanted, int reach) {
   std::uniform_int_distribution<int> coordinate{-reach, reach};
   Outline p{{6 * reach, 0}, {0, 6 * reach}, {-6 * reach, 0}, {0, -6 * reach}};
@@ -109,8 +109,8 @@ Outline randomStar(std::mt19937& rng, int wanted, int reach) {
   return p;
 }
 
-/// A tangle without order: random points, then crossing edges are exchanged until none cross (each
-/// exchange shortens the tour, so it ends). No three points in line.
+/// A simple polygon without any order. It starts from random points and exchanges crossing edges until none
+/// cross (each exchange shortens the tour, so this ends). No three points are in line.
 Outline randomTangle(std::mt19937& rng, int n) {
   std::uniform_int_distribution<int> coordinate{0, 40};
   Outline p;
@@ -138,7 +138,7 @@ Outline randomTangle(std::mt19937& rng, int n) {
   return p;
 }
 
-/// Teeth of random height over a base line; with many corners in line, on the base as well.
+/// Teeth of random height over a base line. Many corners are in line, also on the base.
 Outline randomHistogram(std::mt19937& rng, int columns) {
   std::uniform_int_distribution<int> height{1, 4};
   Outline p;
@@ -175,7 +175,8 @@ Outline spiral(int n, int turns) {
   return p;
 }
 
-/// n tips, inner corners at a random radius; `crowd` squeezes half of them into a millionth of the turn.
+/// A star with n tips and inner corners at a random radius. `crowd` squeezes half of them into a millionth of
+/// the turn.
 Outline star(int n, bool crowd) {
   std::mt19937 rng{1};
   std::uniform_real_distribution<double> radius{0.2, 0.9};
@@ -192,7 +193,7 @@ Outline star(int n, bool crowd) {
 
 }  // namespace
 
-// Triangles tile a simple polygon: each sample belongs to exactly as many as the winding number says.
+// The triangles tile a simple polygon: the number of triangles that hold a sample is the winding number.
 TEST(ClipEars, TilesRandomStars) {
   for (unsigned seed = 0; seed < 300; ++seed) {
     SCOPED_TRACE(seed);
@@ -204,7 +205,7 @@ TEST(ClipEars, TilesRandomStars) {
   }
 }
 
-// The same for outlines that wind about themselves.
+// The same for outlines without any order.
 TEST(ClipEars, TilesRandomTangles) {
   for (unsigned seed = 0; seed < 500; ++seed) {
     SCOPED_TRACE(seed);
@@ -214,7 +215,7 @@ TEST(ClipEars, TilesRandomTangles) {
   }
 }
 
-// The same where many corners are in line, and each of them is used.
+// The same where many corners are in line. Each of them is used.
 TEST(ClipEars, UsesCornersOnStraightSides) {
   for (unsigned seed = 0; seed < 300; ++seed) {
     SCOPED_TRACE(seed);
@@ -226,7 +227,7 @@ TEST(ClipEars, UsesCornersOnStraightSides) {
   }
 }
 
-// A triangle with k corners on each side has no reflex corner, yet must not be cut along a side.
+// A triangle with k corners on each side has no reflex corner, but it must not be cut along a side.
 TEST(ClipEars, TriangleWithCornersOnItsSides) {
   for (int k = 1; k < 12; ++k) {
     Outline p;
@@ -239,7 +240,7 @@ TEST(ClipEars, TriangleWithCornersOnItsSides) {
   }
 }
 
-// A hole that an edge, run along twice, joins to the outside is left out.
+// A hole that is joined to the outside by an edge, run along twice, is left out.
 TEST(ClipEars, LeavesOutAHoleJoinedByABridge) {
   const Outline p{{0, 0},   {60, 0},  {60, 60}, {0, 60},  {0, 0},
                   {18, 18}, {18, 42}, {42, 36}, {36, 18}, {18, 18}};
@@ -248,7 +249,7 @@ TEST(ClipEars, LeavesOutAHoleJoinedByABridge) {
   expectTiling(p, clipEars(p), true);
 }
 
-// The largest coordinates: the same cuts as at a small scale.
+// At the largest coordinates the cuts are the same as at a small scale.
 TEST(ClipEars, IsExactAtTheLimits) {
   const std::int64_t k = std::int64_t{1} << 58;
   std::mt19937 rng{58};
@@ -260,7 +261,7 @@ TEST(ClipEars, IsExactAtTheLimits) {
   }
 }
 
-// Whatever the outline, it ends, with n - 2 triangles of three different corners each.
+// For every outline the function ends with n - 2 triangles of three different corners each.
 TEST(ClipEars, EndsOnOutlinesThatCrossThemselves) {
   for (unsigned seed = 0; seed < 2000; ++seed) {
     std::mt19937 rng{seed};
@@ -278,8 +279,8 @@ TEST(ClipEars, EndsOnOutlinesThatCrossThemselves) {
   }
 }
 
-// Large outlines of the shapes that make naive clipping quadratic: the tiling is right, and the test
-// ends within its time.
+// Large outlines of the shapes that make naive clipping quadratic. The tiling is right, and the test ends
+// within its time limit.
 TEST(ClipEars, LargeCombSpiralAndStars) {
   for (const Outline& p :
        {comb(33'333), spiral(50'000, 10), spiral(50'000, 500), star(100'000, false), star(100'000, true)})

@@ -6,7 +6,7 @@
 
 namespace xnewell {
 
-// Every newmtl makes a material, its Kd the colour, clamped to [0, 1]; the last Kd holds.
+// Every newmtl makes a material. Its Kd is the colour, clamped to [0, 1]. The last Kd counts.
 TEST(Mtl, GivesColorsByName) {
   const MaterialColors colors = parseMtl(
       "# colours\r\nKd 9 9 9\nnewmtl red\r\n\tKa 1 1 1\r\n\tKd 1 .25 0\r\n\tmap_Kd red.png\r\n"

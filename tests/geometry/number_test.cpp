@@ -23,7 +23,7 @@ double numberIn(const std::string& word) {
 
 }  // namespace
 
-// Seventeen significant digits name every double, so whatever is printed with them comes back bit for bit:
+// Seventeen significant digits identify every double, so numbers printed with them are read back bit for bit:
 // all exponents, subnormals and the sign of 0 included.
 TEST(ToNumber, ReturnsEveryDoubleFromSeventeenDigits) {
   std::mt19937_64 rng{17};
@@ -37,7 +37,7 @@ TEST(ToNumber, ReturnsEveryDoubleFromSeventeenDigits) {
   }
 }
 
-// Decimal texts longer than any double are rounded to the nearest, as the C library does.
+// Decimal texts longer than any double are rounded to the nearest double, as the C library does.
 TEST(ToNumber, RoundsLongDecimalsToNearest) {
   std::mt19937 rng{40};
   for (int i = 0; i < 20'000; ++i) {
@@ -56,7 +56,7 @@ TEST(ToNumber, RoundsLongDecimalsToNearest) {
   }
 }
 
-// The spellings that modellers use and from_chars alone would not all take.
+// The spellings that modellers use. from_chars alone does not accept them all.
 TEST(ToNumber, TakesTheUsualSpellings) {
   EXPECT_EQ(numberIn("+2"), 2.0);
   EXPECT_EQ(numberIn("1."), 1.0);
@@ -68,7 +68,7 @@ TEST(ToNumber, TakesTheUsualSpellings) {
   EXPECT_TRUE(std::signbit(numberIn("-0")));
 }
 
-// The smallest subnormal is 2^-1074 = 4.94...e-324; what lies below its half is 0, with its sign.
+// The smallest subnormal is 2^-1074 = 4.94...e-324. Numbers below half of it are read as 0, with their sign.
 TEST(ToNumber, UnderflowsGradually) {
   EXPECT_EQ(numberIn("5e-324"), DBL_TRUE_MIN);
   EXPECT_EQ(numberIn("2.4703282292062328e-324"), DBL_TRUE_MIN);
@@ -83,10 +83,11 @@ TEST(ToNumber, UnderflowsGradually) {
   EXPECT_EQ(numberIn("1" + std::string(400, '0') + "e-400"), 1.0);
 }
 
-// The first decimal that would round beyond the largest double, 2^1024 - 2^970, is refused, and all above it.
+// The first decimal that would round beyond the largest double, 2^1024 - 2^970, is an error, and so are all
+// above it.
 TEST(ToNumber, RefusesOverflow) {
   EXPECT_EQ(numberIn("1.7976931348623158e308"), DBL_MAX);
-  const std::string small = "0." + std::string(400, '0') + "1e800";  // a small mantissa, yet too large
+  const std::string small = "0." + std::string(400, '0') + "1e800";  // a small mantissa, but too large
   for (const std::string& word :
        {std::string{"1.7976931348623159e308"}, std::string{"-1e309"}, std::string{"+1e400"},
         std::string{"1e99999999999999999999"}, "1" + std::string(309, '0'), small}) {
@@ -105,7 +106,7 @@ TEST(ToNumber, RefusesWhatIsNoFiniteNumber) {
   }
 }
 
-// Decimals are counted in the text: the point's place moved by the exponent, trailing zeros included.
+// Decimals are counted in the text, trailing zeros included. The exponent moves the decimal point.
 TEST(Decimals, AreThoseOfTheText) {
   EXPECT_EQ(decimals("-1.250"), 3);
   EXPECT_EQ(decimals("1.5e-3"), 4);
@@ -122,8 +123,8 @@ TEST(Decimals, AreThoseOfTheText) {
   EXPECT_EQ(decimals("1e99999999999999999999"), -kMaxDecimals);
 }
 
-// The most decimals tell the rounding, whatever the exponent; few numbers with more, zeros and integers do
-// not.
+// The most decimals give the rounding, for any exponent. A few numbers with more decimals, zeros and integers
+// do not count.
 TEST(RoundingOfNumbers, IsThatOfMost) {
   const auto rounding = [](const std::vector<std::string>& numbers) {
     RoundingOfNumbers r;

@@ -22,10 +22,10 @@ std::string complaintOf(std::string_view text) {
   return complaint([&] { return meshOf(text); });
 }
 
-/// Three vertices for tests whose subject comes after them, on line 4.
+/// Three vertices before the text that a test is about, which is then on line 4.
 std::string afterThreeVertices(const std::string& text) { return "v 0 0 0\nv 1 0 0\nv 0 1 0\n" + text; }
 
-/// Equality of everything in a mesh, named part by part.
+/// Expects that two meshes are equal, part by part.
 void expectSame(const Mesh& a, const Mesh& b) {
   EXPECT_EQ(a.points, b.points);
   EXPECT_EQ(a.corners, b.corners);
@@ -39,7 +39,7 @@ void expectSame(const Mesh& a, const Mesh& b) {
   EXPECT_EQ(a.uvOfCorner, b.uvOfCorner);
 }
 
-/// What mesh.h promises of every mesh.
+/// Expects what mesh.h promises of every mesh.
 void expectSound(const Mesh& mesh) {
   ASSERT_GT(mesh.faceCount(), 0);
   EXPECT_EQ(mesh.group.size(), mesh.faceCount());
@@ -60,7 +60,7 @@ void expectSound(const Mesh& mesh) {
   for (const double u : mesh.rounding) EXPECT_TRUE(u >= 0.0 && u <= 0.5);
 }
 
-/// A file with a bit of everything that is read or skipped.
+/// A file with every kind of statement that is read or skipped.
 constexpr std::string_view kWhole =
     "# a bit of everything\r\n"
     "mtllib none.mtl\n"
@@ -94,7 +94,7 @@ TEST(Obj, ReadsABitOfEverything) {
   expectSound(mesh);
 }
 
-// Line ends do not matter: LF or CR LF, the last one there or not.
+// Line ends make no difference: LF or CR LF, with or without the last one.
 TEST(Obj, DoesNotDependOnLineEnds) {
   std::string lf, crLf;
   for (const char c : kWhole) {
@@ -107,7 +107,7 @@ TEST(Obj, DoesNotDependOnLineEnds) {
   expectSame(meshOf(crLf + "\r\n"), meshOf(kWhole));
 }
 
-// What is printed with 17 digits comes back bit for bit, subnormals included.
+// Numbers printed with 17 digits are read back bit for bit, subnormals included.
 TEST(Obj, ReturnsTheDoublesThatWereWritten) {
   std::mt19937_64 rng{17};
   std::string text;
@@ -128,8 +128,8 @@ TEST(Obj, ReturnsTheDoublesThatWereWritten) {
   }
 }
 
-// An index counted back from the last vertex names the same vertex as the one counted from the first, also
-// between the vertices.
+// An index counted back from the last vertex means the same vertex as the index counted from the first, also
+// between vertex lines.
 TEST(Obj, NegativeIndicesEqualPositiveOnes) {
   std::mt19937 rng{5};
   std::string positive, negative;
@@ -163,8 +163,8 @@ TEST(Obj, TakesForwardReferences) {
             "a.obj:3: face index 9 is out of range; vertices in the file: 4");
 }
 
-// Texture coordinates of one to three numbers, by corner: counted as vertices are, before or after the face,
-// and not on every corner or face. Without a face that uses them they are not kept.
+// Texture coordinates have one to three numbers. Corners refer to them with the same counting as vertices,
+// before or after the face, and not every corner or face needs one. They are not kept if no face uses them.
 TEST(Obj, ReadsTextureCoordinates) {
   const std::string three = "vt 0.25 # u\nvt 0.5 -1.5\nvt 1e-1 2 3\n";
   const Mesh mesh = meshOf(afterThreeVertices(
@@ -193,7 +193,7 @@ TEST(Obj, RefusesWrongTextureCoordinates) {
             "a.obj:6: face index 4 is out of range; texture coordinates in the file: 3");
 }
 
-// A face has as many corners as it likes; a million take no longer than as many in small faces.
+// A face may have any number of corners. A million take no longer than as many in small faces.
 TEST(Obj, TakesAFaceOfAMillionVertices) {
   constexpr int kCount = 1'000'000;
   std::string text = "v 0 0 0\n";
@@ -204,8 +204,8 @@ TEST(Obj, TakesAFaceOfAMillionVertices) {
   EXPECT_EQ(mesh.face(0).size(), kCount);
 }
 
-// Groups: `o` and `g` alike, numbered in the order faces use them; a name that owns no face is not listed,
-// and one that comes back is the same group.
+// `o` and `g` both begin groups. Groups are numbered in the order in which faces use them. A name that owns
+// no face is not listed, and a name that comes again is the same group.
 TEST(Obj, GroupsAreNumberedAsFacesUseThem) {
   const Mesh mesh = meshOf(
       afterThreeVertices("f 1 2 3\no Teapot\ng body\nf 1 2 3\ng spout\t tip \nf 1 2 3\ng body\nf 1 2 3\n"
@@ -214,8 +214,9 @@ TEST(Obj, GroupsAreNumberedAsFacesUseThem) {
   EXPECT_THAT(mesh.group, ElementsAre(0, 1, 2, 1, 3, 0));
 }
 
-// Colours come from the libraries beside the file, wherever it names them, the first library first; a library
-// that does not exist, a name that no library knows and a face without a material are white.
+// Colours come from the libraries beside the file, wherever the file names them. The first library has
+// priority. A library that does not exist, a name that no library knows, and a face without a material give
+// white.
 TEST(Obj, TakesColorsFromItsLibraries) {
   const TemporaryFolder folder;
   folder.write("a.mtl", "newmtl red\nKd 1 0 0\n");
@@ -242,7 +243,7 @@ TEST(Obj, TakesColorsFromItsLibraries) {
   EXPECT_EQ(mesh.materials[3].diffuse, glm::dvec3(1.0));
 }
 
-// A fault in a library is reported there.
+// An error in a library is reported with the library's name.
 TEST(Obj, NamesTheLibraryThatIsWrong) {
   const TemporaryFolder folder;
   const std::string library = folder.write("a.mtl", "newmtl red\nKd 1 0 x\n");
@@ -250,8 +251,9 @@ TEST(Obj, NamesTheLibraryThatIsWrong) {
   EXPECT_EQ(complaint([&] { return readObj(file); }), library + ":2: malformed number 'x'");
 }
 
-// Half a unit of the last decimal of the coordinates that carry most; weights, colours, texture coordinates
-// and normals do not count. 0.5 * 10^-d is the nearest double up to d = 22, where 10^d is exact.
+// The rounding is half a unit of the last decimal of the coordinates with the most decimals. Weights,
+// colours, texture coordinates and normals do not count. 0.5 * 10^-d is the nearest double up to d = 22,
+// where 10^d is exact.
 TEST(Obj, RoundingIsHalfTheLastDecimal) {
   const auto roundingOf = [](const std::string& coordinates) {
     return meshOf(afterThreeVertices("v " + coordinates + "\nvt 0.12345678\nf 1 2 3\n")).roundingOf(0);
@@ -315,16 +317,16 @@ TEST(Obj, RefusesMalformedFaces) {
   }
 }
 
-// A file cut off anywhere, at every byte, is read or complained of, and what is read is sound.
+// A file cut off at any byte is either read or reported as wrong. What is read is sound.
 TEST(Obj, SurvivesTruncation) {
   for (std::size_t size = 0; size <= kWhole.size(); ++size) {
     SCOPED_TRACE(size);
-    const std::string text{kWhole.substr(0, size)};  // of its own, so that a byte read too many is noticed
+    const std::string text{kWhole.substr(0, size)};  // a copy, so that reading one byte too many is noticed
     if (complaintOf(text).empty()) expectSound(meshOf(text));
   }
 }
 
-// Whatever a few wrong bytes make of a file, it is read or complained of, and what is read is sound.
+// A file with a few wrong bytes is either read or reported as wrong. What is read is sound.
 TEST(Obj, SurvivesMutation) {
   int readable = 0;
   for (unsigned seed = 0; seed < 5'000; ++seed) {

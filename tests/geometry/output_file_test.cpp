@@ -23,7 +23,7 @@ std::string contents(const std::string& file) {
   return {std::istreambuf_iterator<char>{in}, {}};
 }
 
-/// The message and errno of the failure; fails the test if there is none.
+/// The message and the errno of the failure. The test fails if there is no failure.
 std::pair<std::string, int> failure(const std::string& file, std::string_view bytes) {
   try {
     writeFile(file, bytes);
@@ -34,7 +34,7 @@ std::pair<std::string, int> failure(const std::string& file, std::string_view by
   return {};
 }
 
-/// While it lives, no file grows beyond `bytes`: a disk that fills up, as seen by write().
+/// During its lifetime no file grows beyond `bytes`. To write() this looks like a full disk.
 class SmallDisk {
  public:
   explicit SmallDisk(rlim_t bytes) {
@@ -57,7 +57,7 @@ class SmallDisk {
 
 }  // namespace
 
-// Afterwards the file holds the bytes, whatever it held, and nothing else is in the folder.
+// Afterwards the file holds the bytes, whatever it held before, and nothing else is in the folder.
 TEST(OutputFile, IsReplacedWhole) {
   const TemporaryFolder folder;
   const std::string file = folder.file("a.bin"), bytes("\0abc\n", 5);
@@ -67,7 +67,7 @@ TEST(OutputFile, IsReplacedWhole) {
   EXPECT_EQ(folder.entries(), 1);
 }
 
-// A new file gets the permissions that any program's new file gets.
+// A new file gets the permissions that the umask gives to any new file.
 TEST(OutputFile, ObeysTheUmask) {
   const TemporaryFolder folder;
   const mode_t before = ::umask(027);
@@ -76,7 +76,7 @@ TEST(OutputFile, ObeysTheUmask) {
   EXPECT_EQ(static_cast<int>(std::filesystem::status(folder.file("a")).permissions()), 0640);
 }
 
-// When the disk fills up after 1000 bytes, what was there stays and no temporary file does.
+// If the disk fills up after 1000 bytes, the old file stays and no temporary file does.
 TEST(OutputFile, OfAFullDiskIsAsItWas) {
   const TemporaryFolder folder;
   const std::string old = folder.file("old"), fresh = folder.file("fresh");
@@ -91,7 +91,7 @@ TEST(OutputFile, OfAFullDiskIsAsItWas) {
   EXPECT_EQ(folder.entries(), 1);
 }
 
-// The message names the file as the user gave it, and the reason in the system's words.
+// The message has the file's name as the user gave it, and the reason in the system's words.
 TEST(OutputFile, FailureNamesFileAndReason) {
   const TemporaryFolder folder;
   const std::string nowhere = folder.file("no/such/folder");
@@ -102,7 +102,7 @@ TEST(OutputFile, FailureNamesFileAndReason) {
   EXPECT_EQ(folder.entries(), 1);
 }
 
-// Neither a folder nor a file that may not be written is written.
+// A folder, or a file without write permission, is not written.
 TEST(OutputFile, RespectsPermissions) {
   const TemporaryFolder folder;
   const std::string place = folder.file("place"), file = place + "/kept";
@@ -111,7 +111,7 @@ TEST(OutputFile, RespectsPermissions) {
   std::filesystem::permissions(file, std::filesystem::perms{0444});
   std::filesystem::permissions(folder.file("."), std::filesystem::perms{0755});
   std::filesystem::permissions(place, std::filesystem::perms{0777});
-  // Root may write everywhere, so for a while it is somebody else.
+  // Root may write everywhere, so the test becomes another user for a while.
   const uid_t user = ::geteuid(), nobody = 65534;
   if (user == 0 && ::seteuid(nobody) != 0) GTEST_SKIP() << "root cannot be anybody else here";
   const int readOnlyFile = failure(file, "x").second;
@@ -126,7 +126,7 @@ TEST(OutputFile, RespectsPermissions) {
   EXPECT_EQ(contents(file), "before");
 }
 
-// A symbolic link stays one, and the file at its end is what changes.
+// A symbolic link stays a link. The file at its end changes.
 TEST(OutputFile, FollowsALink) {
   const TemporaryFolder folder;
   writeFile(folder.file("real"), "before");
@@ -137,7 +137,7 @@ TEST(OutputFile, FollowsALink) {
   EXPECT_EQ(folder.entries(), 2);
 }
 
-// A pipe and a descriptor are written to, not replaced.
+// A pipe and a file descriptor are written to, not replaced.
 TEST(OutputFile, GoesStraightIntoAPipeOrADescriptor) {
   const TemporaryFolder folder;
   const std::string pipe = folder.file("pipe"), held = folder.file("held");

@@ -14,8 +14,9 @@ namespace xnewell {
 
 namespace {
 
-/// Boxes of one kind: small everywhere, flat in some axes and large in others, on a lattice so that ends
-/// meet, and many the same along one axis or along all. Each a group of its own, or most in one large group.
+/// Boxes of one kind: all sizes, or flat along some axes and large along others, on a lattice so that ends
+/// meet, or many equal along one axis or along all. Groups have two boxes each, or most boxes are in one
+/// large group.
 std::vector<ItemBox> randomBoxes(unsigned seed) {
   std::mt19937 rng{seed};
   std::uniform_real_distribution<float> unit{0.0f, 1.0f};
@@ -39,7 +40,7 @@ std::vector<ItemBox> randomBoxes(unsigned seed) {
 
 }  // namespace
 
-// The pairs found are those of comparing all with all of other groups, no more and no less.
+// The function finds exactly the pairs that a comparison of every box with all boxes of other groups finds.
 TEST(Overlap, FindsEveryPair) {
   const Seeds seeds{200};
   std::size_t found = 0, apart = 0;

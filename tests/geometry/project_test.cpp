@@ -13,7 +13,7 @@ namespace xnewell {
 
 namespace {
 
-/// Looks down -z at the square [-1, 1]^2 of the plane z = 0 from distance 4.
+/// Looks down the z axis at the square [-1, 1]^2 of the plane z = 0, from distance 4.
 ViewSpec fromAbove(Projection projection) {
   return {projection, {0, 0, 0}, {0, 0, 1}, {0, 1, 0}, {0, 0, 4}, {-1, -1}, {1, 1}, 3.75, -4};
 }
@@ -32,7 +32,8 @@ Mesh triangle(glm::dvec3 a, glm::dvec3 b, glm::dvec3 c) {
 
 }  // namespace
 
-// Parallel, 512 pixels for 2 units: (x, y) goes to 256 (1 + x), 256 (1 - y) pixels, z to 256 (z - back).
+// Parallel view, 512 pixels for 2 units: (x, y) goes to 256 (1 + x), 256 (1 - y) pixels, and z to 256 (z -
+// back).
 TEST(Project, ParallelByHand) {
   const SnappedScene s =
       projected(triangle({-1, -1, 0}, {0.5, 0, 0}, {0, 1, 1}), fromAbove(Projection::Parallel));
@@ -44,7 +45,7 @@ TEST(Project, ParallelByHand) {
   EXPECT_FALSE(s.faces[0].back);
 }
 
-// Perspective, distance 4: at z = 2 everything is twice as large.
+// Perspective view from distance 4: at z = 2 everything is twice as large.
 TEST(Project, PerspectiveByHand) {
   const SnappedScene s =
       projected(triangle({-0.5, -0.5, 2}, {0.5, -0.5, 0}, {0, 0.5, 2}), fromAbove(Projection::Perspective));
@@ -58,7 +59,7 @@ TEST(Project, PerspectiveByHand) {
   EXPECT_GT(s.vertices[0].z, s.vertices[1].z);  // larger is nearer
 }
 
-// Seen from behind, a face keeps its samples and its outline turns round; culling leaves it out and counts.
+// Seen from behind, a face keeps its samples and its outline is reversed. Culling removes it and counts it.
 TEST(Project, BackFaces) {
   const Mesh m = triangle({0, 0, 0}, {0, 1, 0}, {1, 0, 0});
   const SnappedScene kept = projected(m, fromAbove(Projection::Parallel));
@@ -70,7 +71,7 @@ TEST(Project, BackFaces) {
   EXPECT_EQ(culled.culled, 1);
 }
 
-// Faces without area on the grid are dropped and counted; the others keep their numbers.
+// Faces without area on the grid are dropped and counted. The others keep their numbers.
 TEST(Project, DropsAndCountsFacesWithoutArea) {
   Mesh m;
   m.points = {{0, 0, 0}, {0.5, 0, 0}, {1, 0, 0}, {0, 1, 0}, {1e-9, 1e-9, 0}, {1e-9, 0, 0}};
@@ -82,15 +83,15 @@ TEST(Project, DropsAndCountsFacesWithoutArea) {
   EXPECT_EQ(s.degenerate, 4);
 }
 
-// A mesh that reaches through the front plane, behind the eye and a million pixels to the side: both
-// neighbours of every inner edge get the same clipped vertices, all of them within the guard band.
+// A mesh reaches through the front plane, behind the eye and a million pixels to the side. Both neighbours of
+// every inner edge get the same clipped vertices. All vertices lie within the guard band.
 TEST(Project, NeighboursShareClippedVertices) {
   int clippedEdges = 0;
   for (unsigned seed = 0; seed < 200; ++seed) {
     SCOPED_TRACE(seed);
     std::mt19937 rng{seed};
     std::uniform_real_distribution<double> wide{-40, 40}, deep{-3, 6};
-    // Two triangles on the edge a b, listed in opposite directions as a closed mesh does.
+    // Two triangles on the edge a b, listed in opposite directions as in a closed mesh.
     const glm::dvec3 a{wide(rng), wide(rng), deep(rng)}, b{wide(rng), wide(rng), deep(rng)};
     Mesh m;
     m.points = {a, b, {wide(rng), wide(rng), deep(rng)}, {wide(rng), wide(rng), deep(rng)}};
@@ -104,7 +105,7 @@ TEST(Project, NeighboursShareClippedVertices) {
       ASSERT_TRUE(v.z >= 0 && v.z <= 1 << 30);
     }
     if (s.faces.size() != 2) continue;
-    // The visible part of the shared edge lies on both outlines with the same two ends.
+    // The visible part of the shared edge lies on both outlines, with the same two ends.
     const auto outline = [&](int f) {
       std::set<std::array<int, 3>> v;
       for (int i = 0; i < s.faces[f].count; ++i) {
@@ -116,7 +117,7 @@ TEST(Project, NeighboursShareClippedVertices) {
     const auto one = outline(0), two = outline(1);
     int shared = 0;
     for (const auto& v : one) shared += static_cast<int>(two.count(v));
-    // Clip the edge by itself, with the textbook's parametric form, to know whether any of it is visible.
+    // Clip the edge by itself, in the textbook's parametric form, to find out whether any of it is visible.
     const glm::dmat4 M =
         screenFromCanonical(fromAbove(seed % 2 ? Projection::Perspective : Projection::Parallel), 512, 512) *
         canonicalFromVrc(fromAbove(seed % 2 ? Projection::Perspective : Projection::Parallel));
@@ -145,7 +146,7 @@ TEST(Project, NeighboursShareClippedVertices) {
 }
 
 // A polygon with a million corners keeps its area: rounding its corners to the grid moves the outline by at
-// most one step, and every part of it is convex and of positive area.
+// most one step. Every part of it is convex and has a positive area.
 TEST(Project, MillionCorners) {
   Mesh m;
   constexpr int kCorners = 1'000'000;
@@ -168,7 +169,7 @@ TEST(Project, MillionCorners) {
   EXPECT_NEAR(area, std::numbers::pi * radius * radius, 2 * perimeter / kGrid);
 }
 
-// Something very near the eye takes z out of the steps of x and y, never out of 30 bits.
+// A point very near the eye makes z steps coarser than those of x and y. z never needs more than 30 bits.
 TEST(Project, DepthKeepsItsBits) {
   ViewSpec view = fromAbove(Projection::Perspective);
   view.front = 4 - 1e-6;
@@ -180,9 +181,8 @@ TEST(Project, DepthKeepsItsBits) {
   EXPECT_TRUE(largest <= 1 << 30 && largest > 1 << 29) << largest;
 }
 
-// Parts of one plane share one record, and it comes from their farthest vertices: neither a small decal of
-// the model's that lies a little off decides it, nor the order in which they are listed. Others keep their
-// own.
+// Parts of one plane share one record, made from the vertices that are farthest apart. A small decal that
+// lies a little off does not decide it, nor does the order of the faces. Other parts keep their own records.
 TEST(Project, OnePlaneHasOneRecord) {
   const auto projectedIn = [](bool decalFirst, Projection projection) {
     Mesh m;
@@ -207,7 +207,7 @@ TEST(Project, OnePlaneHasOneRecord) {
   }
 }
 
-// The doubt about a face's depth grows with the rounding of its own coordinates, not with those of others.
+// The doubt of a face's depth grows with the rounding of its own coordinates, not with that of others.
 TEST(Project, DoubtIsByObject) {
   Mesh m;
   m.points = {{-0.9, -0.8, 0}, {0.9, -0.8, 0}, {0.9, 0.8, 0}};

@@ -14,7 +14,8 @@ namespace xnewell {
 
 namespace {
 
-/// Every edge is run along once each way, so the surface is closed and its faces agree on a side.
+/// Expects that every edge is run along once in each direction. Then the surface is closed and its faces
+/// agree on a side.
 void expectClosed(const Mesh& mesh) {
   std::map<std::pair<int, int>, int> edges;
   for (int f = 0; f < mesh.faceCount(); ++f) {
@@ -27,7 +28,7 @@ void expectClosed(const Mesh& mesh) {
   }
 }
 
-/// By the divergence theorem: positive if the faces look outward.
+/// The volume by the divergence theorem. It is positive if the faces look outward.
 double volume(const Mesh& mesh) {
   double sum = 0.0;
   for (int f = 0; f < mesh.faceCount(); ++f)
@@ -37,8 +38,8 @@ double volume(const Mesh& mesh) {
 
 }  // namespace
 
-// Closed, outward, of the known volume: 8; 4/3 pi and 2 pi^2 r^2 up to the inscribed polygons' deficit,
-// which is below (2 pi / n)^2 / 4 a circle.
+// The solids are closed and look outward, with the known volumes: 8; 4/3 pi and 2 pi^2 r^2 less the deficit
+// of the inscribed polygons, which is below (2 pi / n)^2 / 4 for each circle.
 TEST(Solids, AreClosedAndFaceOutward) {
   const double pi = 3.141592653589793, deficit = (2 * pi / 60) * (2 * pi / 60) / 2;
   expectClosed(cube());
@@ -54,9 +55,9 @@ TEST(Solids, AreClosedAndFaceOutward) {
   EXPECT_NEAR(volume(ring), 2 * pi * pi * 0.16, 2 * pi * pi * 0.16 * deficit);
 }
 
-// Texture coordinates lie in the unit square, and every face shows its part of the texture from outside as it
-// is, not mirrored: counter-clockwise there too. All parts together are the whole texture, of the cube each
-// one.
+// Texture coordinates lie in the unit square. From outside, every face shows its part of the texture
+// unmirrored: its texture coordinates run counter-clockwise too. All faces together show the whole texture;
+// on the cube each face does.
 TEST(Solids, TextureIsSeenFromOutside) {
   const auto areas = [](const Mesh& mesh) {
     std::vector<double> result;
@@ -80,7 +81,7 @@ TEST(Solids, TextureIsSeenFromOutside) {
   const std::vector<double> ofBall = areas(ball);
   for (int f = 0; f < 96; ++f) EXPECT_NEAR(ofBall[f], (f < 12 || f >= 84 ? 0.5 : 1.0) / 96, 0x1p-50);
 
-  // The seam: the last faces end at u = 1 where the first begin with u = 0. North is up.
+  // At the seam the last faces end at u = 1, and the first begin at u = 0. North is up.
   for (std::size_t c = 0; c < ball.corners.size(); ++c) {
     const glm::dvec3 p = ball.points[ball.corners[c]];
     const glm::dvec2 uv = ball.uv[ball.uvOfCorner[c]];
@@ -93,13 +94,13 @@ TEST(Solids, TextureIsSeenFromOutside) {
     const auto u = [&](int corner) { return ball.uv[ball.uvOfCorner[corner]].x; };
     EXPECT_NEAR(u(c), (u(c + 1) + u(c + 2)) / 2.0, 1e-15) << "at the pole, the middle of its triangle";
   }
-  // The sides of the cube stand upright.
+  // The sides of the cube show the texture upright.
   const Mesh box = cube();
   for (int c = 0; c < 16; ++c)
     EXPECT_EQ(box.uv[box.uvOfCorner[c]].y, (box.points[box.corners[c]].z + 1.0) / 2.0);
 }
 
-// The soup is fixed by its seed: splitmix64's first number for seed 0 is 0xE220A8397B1DCDAF.
+// A seed fixes the soup. splitmix64's first number for seed 0 is 0xE220A8397B1DCDAF.
 TEST(Solids, SoupIsTheSameOnEveryMachine) {
   const Mesh point = triangleSoup(1, 0.0, 0);
   EXPECT_EQ(point.points[0].x, static_cast<double>(0xE220A8397B1DCDAFu >> 11) * 0x1p-52 - 1.0);

@@ -26,7 +26,7 @@ class Teapot : public testing::Test {
   std::vector<BezierPatch> patches = readBpt(XNEWELL_DATA_DIR "/teapot.bpt");
   void SetUp() override { ASSERT_EQ(patches.size(), 32u); }
 
-  /// Calls check(patch, u, v) on a grid of places of one part, poles included.
+  /// Calls check(patch, u, v) at a grid of places of one part, poles included.
   template <typename Check>
   void overPart(int part, Check check) {
     for (int k = 4 * part; k < 4 * part + 4; ++k)
@@ -40,7 +40,7 @@ class Teapot : public testing::Test {
 
 enum Part { kRim, kUpperBody, kLowerBody, kHandle, kSpout, kKnob, kLid, kBottom };
 
-/// Area of a tessellation, every quad cut along its first diagonal.
+/// The area of a tessellation, with every quad cut along its first diagonal.
 double area(const Mesh& mesh) {
   double sum = 0.0;
   for (int f = 0; f < mesh.faceCount(); ++f) {
@@ -52,7 +52,7 @@ double area(const Mesh& mesh) {
   return sum;
 }
 
-/// The radial direction at P, 0 on the axis.
+/// The radial direction at P; 0 on the axis.
 glm::dvec3 radial(const glm::dvec3& P) { return {P.x, P.y, 0.0}; }
 
 }  // namespace
@@ -81,7 +81,7 @@ TEST_F(Teapot, ControlPointsHaveTheKnownChecksum) {
   EXPECT_STREQ(digest, "89429611b6eeaf2988c815dea4494a30f9ed46a4dca77e618f5b857344add026");
 }
 
-// The file again from a second source: each part's patches have the points that its rings (radius,
+// The file is checked against a second source. Each part's patches have the points that its rings (radius,
 // height) or sections (x, z at y = 0, -w, -w, 0) demand.
 TEST_F(Teapot, ControlPointsFollowTheRingsAndSections) {
   struct Ring {
@@ -145,7 +145,8 @@ TEST_F(Teapot, ControlPointsFollowTheRingsAndSections) {
       for (const glm::dvec3& p : patches[k].p) points.push_back(triple(p));
     std::sort(points.begin(), points.end());
     ASSERT_EQ(points.size(), expected[part].size());
-    auto other = expected[part].begin();  // k * r in double may miss the file's decimal by a rounding
+    // k * r as a double may differ from the file's decimal by a rounding
+    auto other = expected[part].begin();
     for (const auto& [x, y, z] : points) {
       const auto& [ex, ey, ez] = *other++;
       EXPECT_LT(glm::length(glm::dvec3{x - ex, y - ey, z - ez}), 1e-15) << kTeapotParts[part].name;
@@ -153,8 +154,8 @@ TEST_F(Teapot, ControlPointsFollowTheRingsAndSections) {
   }
 }
 
-// The control points fill the box (-3, -2, 0)..(3.525, 2, 3.15); the surface stops short of it at the
-// spout's lip, in the plane y = 0.
+// The control points fill the box (-3, -2, 0)..(3.525, 2, 3.15). The surface stops short of it at the spout's
+// lip, in the plane y = 0.
 TEST_F(Teapot, BoxOfControlPointsAndReachOfTheSpout) {
   glm::dvec3 lowest{1e9}, highest{-1e9};
   for (const BezierPatch& patch : patches)
@@ -170,8 +171,8 @@ TEST_F(Teapot, BoxOfControlPointsAndReachOfTheSpout) {
     return x;
   };
   EXPECT_NEAR(reach(32), 3.43406, 5e-6);
-  // The lip's edge has x = 3.3, 3.525, 3.45, 3.2, so dx/dt / 3 = 0.225 - 0.6 t + 0.125 t^2; half a step
-  // of 1/128 beside its zero the edge is lower by less than 0.6 * 3 / 2 / 256^2.
+  // The lip's edge has x = 3.3, 3.525, 3.45, 3.2, so dx/dt / 3 = 0.225 - 0.6 t + 0.125 t^2. Half a step of
+  // 1/128 beside its zero, the edge is lower by less than 0.6 * 3 / 2 / 256^2.
   const double t = (0.6 - std::sqrt(0.6 * 0.6 - 4 * 0.225 * 0.125)) / (2 * 0.125);
   const double tip = point(patches[18], t, 0.0).x;
   EXPECT_LE(reach(128), tip);
@@ -190,7 +191,7 @@ TEST_F(Teapot, TessellationIsMirrorSymmetric) {
   }
 }
 
-// Areas known from independent work; the choice of diagonal moves the coarsest by up to 0.0003, and by
+// The areas are known from independent work. The choice of diagonal changes the coarsest by up to 0.0003, and
 // a quarter of that with each doubling. The fourth decimal is rounded.
 TEST_F(Teapot, AreasOfTessellations) {
   EXPECT_NEAR(area(tessellate(patches, 8, kTeapotParts)), 52.5370, 0.0003 + 0.00005);
@@ -199,9 +200,10 @@ TEST_F(Teapot, AreasOfTessellations) {
   EXPECT_NEAR(area(tessellate(patches, 64)), 52.8778, 0.0003 / 64 + 0.00005);
 }
 
-// Neighbours share vertices. A ring of four patches has 4 n of them around, a tube of two halves 2 n;
-// knob and bottom start in a pole. Rim, upper body, lower body and bottom share a circle each with the
-// next, the knob one with the lid, and the handle's lower end touches the body in one point, (-2, 0, 0.9).
+// Neighbours share vertices. A ring of four patches has 4 n of them around, a tube of two halves has 2 n. The
+// knob and the bottom start in a pole. Rim, upper body, lower body and bottom each share a circle with the
+// next one, and the knob shares one with the lid. The handle's lower end touches the body in one point, (-2,
+// 0, 0.9).
 TEST_F(Teapot, NeighbouringPatchesAreWelded) {
   const int n = 6;
   const int openRings = 4 * (4 * n * (n + 1));  // rim, upper and lower body, lid
@@ -212,9 +214,9 @@ TEST_F(Teapot, NeighbouringPatchesAreWelded) {
             static_cast<std::size_t>(openRings + closedRings + tubes - shared));
 }
 
-// The front of every patch is the outside: away from the axis on body, knob and lid, away from the
-// middle of its own cross-section on rim, handle and spout, downwards at the bottom. The spout's last
-// quarter turns over its lip: there the outside is above, then towards the middle.
+// The front of every patch is the outside: away from the axis on body, knob and lid; away from the middle of
+// its own cross-section on rim, handle and spout; downwards at the bottom. The spout's last quarter turns
+// over its lip: there the outside is above, then towards the middle.
 TEST_F(Teapot, EveryPatchFacesOutward) {
   for (const int part : {kUpperBody, kLowerBody})
     overPart(part, [](const BezierPatch& patch, double u, double v) {
@@ -252,8 +254,8 @@ TEST_F(Teapot, EveryPatchFacesOutward) {
     });
 }
 
-// At the poles of knob and bottom a whole row of control points is one point and du x dv is 0; the
-// normal there is the axis, and agrees with the one a step of 2^-30 away.
+// At the poles of knob and bottom a whole row of control points is one point, and du x dv is 0. The normal
+// there is the axis. It agrees with the normal a step of 2^-30 away.
 TEST_F(Teapot, PolesHaveLimitNormals) {
   for (const auto& [part, up] : {std::pair{kKnob, 1.0}, std::pair{kBottom, -1.0}})
     for (int k = 4 * part; k < 4 * part + 4; ++k) {
@@ -268,7 +270,7 @@ TEST_F(Teapot, PolesHaveLimitNormals) {
     }
 }
 
-// No place of the teapot is without a normal.
+// The teapot has a normal everywhere.
 TEST_F(Teapot, HasNormalsEverywhere) {
   for (int part = 0; part < 8; ++part)
     overPart(part, [](const BezierPatch& patch, double u, double v) {

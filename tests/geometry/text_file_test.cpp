@@ -16,7 +16,7 @@ using testing::ElementsAre;
 
 namespace {
 
-/// Every word of a text with the line it is said to stand on: "1:v".
+/// Every word of a text with its line number: "1:v".
 std::vector<std::string> wordsOf(std::string_view text) {
   std::vector<std::string> all;
   Words words{text, "text"};
@@ -30,7 +30,8 @@ std::vector<std::string> wordsOf(std::string_view text) {
 
 }  // namespace
 
-// Any mixture of line ends, blanks and a missing last line end gives the same words on the same lines.
+// Any mixture of line ends and blanks, with or without the last line end, gives the same words on the same
+// lines.
 TEST(Words, DoNotDependOnBlanksAndLineEnds) {
   const auto expected = ElementsAre("1:v", "1:1", "3:f", "3:2");
   EXPECT_THAT(wordsOf("v 1\n\nf 2\n"), expected);
@@ -39,7 +40,7 @@ TEST(Words, DoNotDependOnBlanksAndLineEnds) {
   EXPECT_THAT(wordsOf("\xEF\xBB\xBFv 1\n\nf 2"), expected);
 }
 
-// A backslash that ends a line joins the next one to it, separates words, and keeps the lines' numbers.
+// A backslash at the end of a line joins the next line to it and separates words. Line numbers still count.
 TEST(Words, JoinContinuedLines) {
   EXPECT_THAT(wordsOf("f 1\\\n2 \\\r\n 3\nf"), ElementsAre("1:f", "1:1", "2:2", "3:3", "4:f"));
   EXPECT_THAT(wordsOf("a\\b \\ \\"), ElementsAre("1:a\\b", "1:\\", "1:\\")) << "only at a line's end";
@@ -49,7 +50,8 @@ TEST(Words, JoinContinuedLines) {
   EXPECT_EQ(words.next(), "g");
 }
 
-// A comment begins with a word's '#', ends with its line, and no backslash makes it longer.
+// A comment begins with a '#' that begins a word, and it ends with its line. A backslash does not continue
+// it.
 TEST(Words, LeaveOutComments) {
   EXPECT_THAT(wordsOf("# a\nv # b\nm#1 1.#INF\n#c\\\nv"), ElementsAre("2:v", "3:m#1", "3:1.#INF", "5:v"));
 }
@@ -65,7 +67,7 @@ TEST(Words, StayOnTheLastLineAtTheEnd) {
   }
 }
 
-// No text, however short, has a word it should not have.
+// A text without words gives none, however short it is.
 TEST(Words, OfTextsWithoutAny) {
   for (const std::string_view text : {"", "\n", " ", "#", "\\\n", "\r\n", "\xEF\xBB\xBF"}) {
     EXPECT_TRUE(wordsOf(text).empty());
@@ -73,7 +75,7 @@ TEST(Words, OfTextsWithoutAny) {
   EXPECT_TRUE(wordsOf({}).empty());
 }
 
-// The rest of a line is its words with single blanks between them.
+// rest() returns the remaining words with single blanks between them.
 TEST(Words, RestOfALine) {
   Words words{"g  left \t front # x\n", "text"};
   words.nextLine();
@@ -92,7 +94,7 @@ TEST(Words, RefuseTextsBeyond31Bits) {
   ::munmap(map, size);
 }
 
-// A file's bytes come back unchanged, whatever they are, from a file and from a pipe of unknown length.
+// Every byte of a file is returned unchanged, from a file and from a pipe of unknown length.
 TEST(ReadTextFile, GivesEveryByteBack) {
   const TemporaryFolder folder;
   for (const std::size_t size : {0u, 1u, 65'535u, 65'536u, 65'537u, 300'001u}) {
@@ -110,7 +112,7 @@ TEST(ReadTextFile, GivesEveryByteBack) {
   }
 }
 
-// What the system refuses is said in its words, with the name as the user gave it.
+// Failures of the system are reported in its words, with the name as the user gave it.
 TEST(ReadTextFile, SaysWhatTheSystemSays) {
   const TemporaryFolder folder;
   EXPECT_EQ(complaint([] { return readTextFile("no/such/../teapot.obj"); }),
@@ -121,11 +123,11 @@ TEST(ReadTextFile, SaysWhatTheSystemSays) {
   const std::filesystem::path secret = folder.write("secret.obj", "v 0 0 0");
   std::filesystem::permissions(secret, std::filesystem::perms::none);
   const std::string refusal =
-      ::geteuid() == 0 ? "" : secret.string() + ": Permission denied";  // root reads all
+      ::geteuid() == 0 ? "" : secret.string() + ": Permission denied";  // root may read everything
   EXPECT_EQ(complaint([&] { return readTextFile(secret); }), refusal);
 }
 
-// A file too long to be read is refused by its size; this one takes no room on the disk.
+// A file that is too long is refused by its size. This one takes no room on the disk.
 TEST(ReadTextFile, RefusesFilesBeyond31Bits) {
   const TemporaryFolder folder;
   const std::filesystem::path file = folder.write("long.obj", "");
@@ -133,7 +135,7 @@ TEST(ReadTextFile, RefusesFilesBeyond31Bits) {
   EXPECT_EQ(complaint([&] { return readTextFile(file); }), file.string() + ": longer than 2147483647 bytes");
 }
 
-// A quoted word shows 40 bytes at most and nothing that a terminal would obey.
+// A quoted word shows at most 40 bytes and no control characters for the terminal.
 TEST(InQuotes, IsShortAndPrintable) {
   EXPECT_EQ(inQuotes("1.2.3"), "'1.2.3'");
   const std::string longest(40, 'x');

@@ -8,7 +8,8 @@
 
 namespace xnewell {
 
-// Within the stated 2^-51 of the C library's long double functions, whose argument is reduced exactly.
+// The values are within the stated 2^-51 of the C library's long double functions, whose argument is reduced
+// exactly.
 TEST(Trig, AgreesWithLongDouble) {
   constexpr long double kDegree = 3.14159265358979323846264338327950288L / 180.0L;
   std::mt19937 rng{90};
@@ -25,7 +26,7 @@ TEST(Trig, AgreesWithLongDouble) {
   }
 }
 
-// Exact where the value is 0, 1/2, 1; one turn more changes nothing; sine odd, cosine even.
+// Values of 0, 1/2 and 1 are exact. A whole turn changes nothing. The sine is odd and the cosine even.
 TEST(Trig, ExactValuesAndSymmetries) {
   for (int turns = -720; turns <= 720; turns += 360) {
     for (int k = 0; k < 4; ++k) {
@@ -43,8 +44,9 @@ TEST(Trig, ExactValuesAndSymmetries) {
   }
 }
 
-// Within the stated 2^-45 degrees of the C library's long double arc tangent, whatever the size of the pair;
-// multiples of 45 degrees are exact; a quarter turn and a reflection change the angle as they should.
+// The angle is within the stated 2^-45 degrees of the C library's long double arc tangent, whatever the size
+// of the pair. Multiples of 45 degrees are exact. A quarter turn and a reflection change the angle as they
+// should.
 TEST(Trig, DegreesOfASineAndACosine) {
   constexpr long double kDegree = 3.14159265358979323846264338327950288L / 180.0L;
   std::mt19937 rng{91};

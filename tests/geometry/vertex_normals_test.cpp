@@ -46,7 +46,7 @@ std::vector<glm::dvec3> normals(const Mesh& mesh, NormalRule rule, double crease
   return N;
 }
 
-/// With all corners of a point alike, the normal of every point.
+/// The normal of every point, if all corners of a point have the same.
 std::vector<glm::dvec3> pointNormals(const Mesh& mesh, NormalRule rule) {
   std::vector<glm::dvec3> N(mesh.points.size(), glm::dvec3{0.0});
   for (const Vertex& v : smoothVertices(mesh, rule).vertices) {
@@ -56,7 +56,7 @@ std::vector<glm::dvec3> pointNormals(const Mesh& mesh, NormalRule rule) {
   return N;
 }
 
-/// Every face of a mesh of convex faces cut into triangles, from a random corner each.
+/// Every face of a mesh of convex faces, cut into triangles from a random corner.
 Mesh cut(const Mesh& mesh, std::mt19937& rng) {
   Mesh triangles;
   triangles.groupNames = mesh.groupNames;
@@ -89,7 +89,7 @@ void turn(Mesh& mesh, const glm::dmat3& rotation) {
   for (glm::dvec3& p : mesh.points) p = rotation * p;
 }
 
-/// As a file holds it: coordinates of `decimals` decimals.
+/// Rounds the coordinates to `decimals` decimals, as a file holds them.
 void writeAndRead(Mesh& mesh, int decimals) {
   const double ten = std::pow(10.0, decimals);
   for (glm::dvec3& p : mesh.points)
@@ -97,7 +97,8 @@ void writeAndRead(Mesh& mesh, int decimals) {
   mesh.rounding.assign(mesh.groupNames.size(), 0.5 / ten);
 }
 
-/// Upright, of radius 1 and height 2, `sides` rectangles and two caps. Corner i of the bottom is point i.
+/// A cylinder of radius 1 and height 2 along z: `sides` rectangles and two caps. Corner i of the bottom is
+/// point i.
 Mesh cylinder(int sides) {
   Mesh mesh;
   mesh.groupNames = {"cylinder"};
@@ -120,8 +121,9 @@ Mesh cylinder(int sides) {
 
 }  // namespace
 
-// A worked example: at the origin meet a wall x = 0 of two triangles, each with 45 degrees there and twice
-// the area 9, and an L-shaped floor, twice the area 6, with its inner corner of 270 degrees there.
+// A worked example. At the origin meet a wall x = 0 and an L-shaped floor. The wall has two triangles, each
+// with 45 degrees there and a double area of 9. The floor has a double area of 6, and its inner corner of 270
+// degrees is there.
 TEST(VertexNormals, WorkedExample) {
   const Mesh mesh = meshOf(
       {{0, 0, 0}, {0, 3, 0}, {0, 3, 3}, {0, 0, 3}, {0, -1, 0}, {1, -1, 0}, {1, 1, 0}, {-1, 1, 0}, {-1, 0, 0}},
@@ -135,7 +137,7 @@ TEST(VertexNormals, WorkedExample) {
   expect(NormalRule::Angle, {90, 0, 270});
 }
 
-// The angle of a bent face is the one seen along its normal: here of a square, whose corners are alternately
+// The angle of a bent face is seen along its normal. Here the face is a square whose corners are alternately
 // down and up.
 TEST(VertexNormals, AngleOfABentFace) {
   const Mesh mesh =
@@ -143,9 +145,9 @@ TEST(VertexNormals, AngleOfABentFace) {
   EXPECT_LT(distance(pointNormals(mesh, NormalRule::Angle)[0], unit({1, 0, 1})), 0x1p-51);
 }
 
-// The cube of 12 triangles has its diagonals as normals if equal normals count once, or by the angles,
-// however its squares are cut; the naive sum and the areas favour the sides that two triangles bring to a
-// corner, unless all three sides bring as many.
+// The cube of 12 triangles has its diagonals as normals by the rules Distinct and Angle, however its squares
+// are cut. Sum and Area favour the sides that bring two triangles to a corner, unless all three sides bring
+// as many.
 TEST(VertexNormals, CubeOfTwelveTriangles) {
   std::mt19937 rng{12};
   int uneven = 0;
@@ -169,9 +171,9 @@ TEST(VertexNormals, CubeOfTwelveTriangles) {
   EXPECT_GT(uneven, 40);
 }
 
-// Cutting flat faces into triangles changes no normal of the rules Distinct and Angle, and some of Sum and
-// Area; so on a torus turned about, and on one with the rounding of a file. The bounds: a normal is turned by
-// the rounding u of the corners over the height of the triangle (0.1 at least), and the angles likewise.
+// Cutting flat faces into triangles changes no normal of Distinct and Angle, but some of Sum and Area. This
+// holds on a turned torus and on one with the rounding of a file. The bounds: a normal, and likewise an
+// angle, turns by the rounding u of the corners over the height of the triangle (at least 0.1).
 TEST(VertexNormals, CuttingFlatFacesChangesSumAndAreaOnly) {
   const Seeds seeds{60};
   for (unsigned seed = seeds.from; seed < seeds.end; ++seed) {
@@ -196,9 +198,9 @@ TEST(VertexNormals, CuttingFlatFacesChangesSumAndAreaOnly) {
 }
 
 // Normals that differ are not taken for equal, however fine the facets: on a sphere of 32k faces Distinct is
-// Sum. So with six decimals, but for the needles about the poles: a facet r from the axis is 0.025 r wide,
-// turns by 0.025 r from its neighbour and by about 0.5e-6 / (0.025 r) by the rounding, and the stated bound
-// is some times that: the two meet at r = 0.1.
+// Sum. This also holds with six decimals, except for the needles around the poles. A facet at distance r from
+// the axis is 0.025 r wide and turns by 0.025 r from its neighbour. Rounding turns it by about 0.5e-6 /
+// (0.025 r), and the stated bound is several times that. The two meet at r = 0.1.
 TEST(VertexNormals, FineFacetsStayDistinct) {
   Mesh mesh = sphere(256, 128);
   for (const bool fromFile : {false, true}) {
@@ -212,8 +214,8 @@ TEST(VertexNormals, FineFacetsStayDistinct) {
   }
 }
 
-// However coarse a file says that it is, normals further apart than 2^-9 are not equal: here those away from
-// the poles of that sphere.
+// However coarse the file says that it is, normals further apart than 2^-9 are not equal: here those of that
+// sphere away from the poles.
 TEST(VertexNormals, CoarseFilesKeepTheirFacets) {
   Mesh mesh = sphere(256, 128);
   mesh.rounding = {0.1};
@@ -225,8 +227,9 @@ TEST(VertexNormals, CoarseFilesKeepTheirFacets) {
     }
 }
 
-// Equal normals count as that of their areas together: in the middle of a flat face cut into a fan it is the
-// whole face's, closer by far than any triangle's, which the rounding of the file turns.
+// Equal normals count as one, that of their areas together. In the middle of a flat face cut into a fan it is
+// the whole face's normal. It is much closer to the truth than any triangle's, which the rounding of the file
+// turns.
 TEST(VertexNormals, EqualNormalsMakeTheFaceWhole) {
   const Seeds seeds{50};
   for (unsigned seed = seeds.from; seed < seeds.end; ++seed) {
@@ -252,7 +255,7 @@ TEST(VertexNormals, EqualNormalsMakeTheFaceWhole) {
   }
 }
 
-// The order of the faces does not matter but for the rounding of a sum of a few unit vectors.
+// The order of the faces makes no difference, up to the rounding of a sum of a few unit vectors.
 TEST(VertexNormals, FacesInAnyOrder) {
   const Seeds seeds{100};
   for (unsigned seed = seeds.from; seed < seeds.end; ++seed) {
@@ -275,7 +278,7 @@ TEST(VertexNormals, FacesInAnyOrder) {
   }
 }
 
-// Scaled by a power of two, and its rounding with it, a mesh has the same normals to the bit.
+// If a mesh and its rounding are scaled by a power of two, no bit of its normals changes.
 TEST(VertexNormals, SizeDoesNotMatter) {
   std::mt19937 rng{2};
   Mesh mesh = cut(torus(16, 8), rng);
@@ -294,8 +297,9 @@ TEST(VertexNormals, SizeDoesNotMatter) {
   }
 }
 
-// Of a cube, whose faces turn by 90 degrees, a crease below 90 leaves every face its own normal and three
-// vertices a point; 90 itself counts as within, and one vertex is left, also for a cube turned about.
+// The faces of a cube turn by 90 degrees. With a crease below 90 every face keeps its own normal, and there
+// are three vertices at each point. 90 itself counts as within, and leaves one vertex. The same holds for a
+// turned cube.
 TEST(VertexNormals, CreaseOfACube) {
   std::mt19937 rng{90};
   for (int i = 0; i < 50; ++i) {
@@ -320,8 +324,8 @@ TEST(VertexNormals, CreaseOfACube) {
   }
 }
 
-// A cylinder of 12 sides turns by 30 degrees from side to side and by 90 to its caps. A crease of 30 to 89
-// makes its sides round, their normals radial, and leaves its caps flat.
+// A cylinder of 12 sides turns by 30 degrees from side to side and by 90 to its caps. With a crease of 30 to
+// 89 its sides are round, with radial normals, and its caps are flat.
 TEST(VertexNormals, CreaseOfACylinder) {
   const Mesh mesh = cylinder(12);
   for (const NormalRule rule : kComputed) {
@@ -339,7 +343,7 @@ TEST(VertexNormals, CreaseOfACylinder) {
   }
 }
 
-// One point in two materials is two vertices, with one normal.
+// A point with two materials becomes two vertices, with one normal.
 TEST(VertexNormals, MaterialsAreVerticesOfTheirOwn) {
   Mesh mesh = cube();
   mesh.materials = {{"a", glm::dvec3{1.0}}, {"b", glm::dvec3{1.0}}};
@@ -353,9 +357,9 @@ TEST(VertexNormals, MaterialsAreVerticesOfTheirOwn) {
   }
 }
 
-// Faces without area contribute nothing and take the normals of their points; where there are no others the
-// normal is 0. A face that comes by a point twice counts once, its angles both; a repeated corner has no
-// angle.
+// Faces without area contribute nothing and take the normals of their points. If there are no other faces,
+// the normal is 0. A face that meets a point twice counts once there, but both of its angles count. A
+// repeated corner has no angle.
 TEST(VertexNormals, DegenerateFaces) {
   const std::vector<glm::dvec3> points{{0, 0, 0}, {1, 0, 0}, {0, 1, 0},  {0, 0, 1},
                                        {2, 0, 0}, {5, 5, 5}, {0, -1, 0}, {-1, 0, 0}};
@@ -371,7 +375,8 @@ TEST(VertexNormals, DegenerateFaces) {
       EXPECT_EQ(b[12], glm::dvec3{0.0});
     }
 
-  // A floor with a hole, which a slit joins to its corner at the origin: two angles of 45 degrees there.
+  // A floor with a hole. A slit joins the hole to the floor's corner at the origin, so there are two angles
+  // of 45 degrees there.
   const Mesh slit =
       meshOf({{0, 0, 0}, {4, 0, 0}, {4, 4, 0}, {0, 4, 0}, {1, 1, 0}, {1, 2, 0}, {2, 1, 0}, {0, 0, 4}},
              {{0, 1, 2, 3, 0, 4, 5, 6, 4}, {0, 3, 7}});
@@ -383,7 +388,8 @@ TEST(VertexNormals, DegenerateFaces) {
     EXPECT_LT(distance(pointNormals(repeated, rule)[0], pointNormals(lean, rule)[0]), 1e-15);
 }
 
-// Two faces back to back have no sum: each corner keeps its face's normal, exact cancellation or not.
+// Two faces back to back have no sum. Each corner keeps its face's normal, whether they cancel exactly or
+// not.
 TEST(VertexNormals, OppositeFacesKeepTheirOwn) {
   std::mt19937 rng{180};
   for (int i = 0; i < 200; ++i) {
@@ -397,7 +403,7 @@ TEST(VertexNormals, OppositeFacesKeepTheirOwn) {
   }
 }
 
-// Exact normals are taken as they are, whatever the crease; where there is none, Distinct.
+// Exact normals are used as they are, whatever the crease. Where there is none, Distinct applies.
 TEST(VertexNormals, ExactNormalsWhereThereAre) {
   std::mt19937 rng{3};
   const Mesh mesh = cut(cube(), rng);
@@ -413,9 +419,9 @@ TEST(VertexNormals, ExactNormalsWhereThereAre) {
   }
 }
 
-// A second method: the rules word by word in long double, every corner by itself, on triangles among few
-// points, some of them twice. Corners where an angle is near the crease are left out, and points where the
-// sum nearly vanishes.
+// A second method: the rules word by word in long double, each corner by itself. The meshes are triangles
+// among few points, some of them listed twice. It skips corners where an angle is near the crease, and points
+// where the sum nearly vanishes.
 TEST(VertexNormals, AgreeWithTheRulesWordByWord) {
   using Wide = glm::vec<3, long double>;
   const Seeds seeds{300};
@@ -473,11 +479,11 @@ TEST(VertexNormals, AgreeWithTheRulesWordByWord) {
   }
 }
 
-// How near the rules come to the true normals (`tests/bench/run.sh NormalError` prints the figures). On a
-// sphere's bands of quadrilaterals the sum is best, for the faces at a vertex lie symmetrically but for a
-// small term, then come the angles, then the areas, which favour the wider band; each by a factor of two at
-// least. Cut into triangles, the sum loses ten times that and Distinct nothing. On the teapot, whose patches
-// differ in size, the areas are better than the sum. With twice the divisions every error is less than half.
+// How close the rules come to the true normals (`tests/bench/run.sh NormalError` prints the figures). On a
+// sphere's bands of quadrilaterals Sum is best, because the faces at a vertex lie almost symmetrically. Then
+// comes Angle, then Area, which favours the wider band; each step is at least a factor of two. After cutting
+// into triangles, Sum has ten times its error and Distinct the same. On the teapot, whose patches differ in
+// size, Area is better than Sum. With twice the divisions every error is less than half.
 TEST(VertexNormals, ErrorsAgainstTheTrueNormals) {
   const auto ofSphere = [](int around, NormalRule rule) {
     const Mesh mesh = sphere(around, around / 2);

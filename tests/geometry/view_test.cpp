@@ -24,15 +24,15 @@ void expectNear(glm::dvec3 got, glm::dvec3 expected, double bound) {
 
 glm::dmat4 canonicalFromWorld(const ViewSpec& s) { return canonicalFromVrc(s) * vrcFromWorld(s); }
 
-/// VRC axes along the world's, window [-1, 3] x [-2, 2], so that its centre is (1, 0).
+/// VRC axes along the world's axes; window [-1, 3] x [-2, 2], so that its centre is (1, 0).
 ViewSpec offCentre(Projection projection, glm::dvec3 prp) {
   return {projection, {0, 0, 0}, {0, 0, 1}, {0, 1, 0}, prp, {-1, -2}, {3, 2}, 1, -3};
 }
 
 }  // namespace
 
-// u, v, n of an eye at (0, 0, 5) above the xy plane with y up are x, y, z; an eye on +x with z up sees
-// +y to the right.
+// For an eye at (0, 0, 5) above the xy plane with y up, u, v, n are x, y, z. An eye on +x with z up sees +y
+// to the right.
 TEST(View, VrcAxesByHand) {
   ViewSpec s;
   s.vrp = {1, 2, 3};
@@ -44,9 +44,9 @@ TEST(View, VrcAxesByHand) {
   expectNear(mapped(vrcFromWorld(s), {4, 2, 3}), {0, 0, 3}, 0.0);
 }
 
-// Orthographic: the window's corners are the volume's, front plane 0, back plane -1.
+// Orthographic: the window's corners are the volume's corners; the front plane is at 0, the back plane at -1.
 TEST(View, OrthographicByHand) {
-  const ViewSpec s = offCentre(Projection::Parallel, {1, 0, 4});  // PRP straight above the window's centre
+  const ViewSpec s = offCentre(Projection::Parallel, {1, 0, 4});  // PRP is straight above the window's centre
   const glm::dmat4 m = canonicalFromWorld(s);
   expectNear(mapped(m, {-1, -2, 1}), {-1, -1, 0}, 0.0);
   expectNear(mapped(m, {3, 2, -3}), {1, 1, -1}, 0.0);
@@ -54,7 +54,7 @@ TEST(View, OrthographicByHand) {
 }
 
 // Cavalier at 45 degrees: a point one unit behind the view plane appears (cos 45, sin 45) further up and
-// right, one unit in front as much down and left; on the view plane nothing moves. Cabinet: half as much.
+// right, and one unit in front as much down and left. On the view plane nothing moves. Cabinet: half as much.
 TEST(View, CavalierAndCabinetByHand) {
   const double c = std::sqrt(0.5);
   for (const double length : {1.0, 0.5}) {
@@ -68,8 +68,8 @@ TEST(View, CavalierAndCabinetByHand) {
   }
 }
 
-// Perspective from (1, 0, 4), the window at distance 4: a point at distance 2 appears twice as far from
-// the axis, at distance 7 (the back plane) 4/7 as far; z is linear in 1/distance between the planes.
+// Perspective from (1, 0, 4), with the window at distance 4. A point at distance 2 appears twice as far from
+// the axis, at distance 7 (the back plane) 4/7 as far. Between the planes z is linear in 1/distance.
 TEST(View, PerspectiveByHand) {
   const glm::dmat4 m = canonicalFromWorld(offCentre(Projection::Perspective, {1, 0, 4}));
   expectNear(mapped(m, {3, 2, 0}), {1, 1, (1.0 / 4 - 1.0 / 3) / (1.0 / 3 - 1.0 / 7)}, 1e-15);
@@ -77,7 +77,7 @@ TEST(View, PerspectiveByHand) {
   expectNear(mapped(m, {1 + 7.0 / 2, 0, -3}), {1, 0, -1}, 1e-15);
 }
 
-// An off-axis window shears: the eye before the window's left edge still maps the window to the square.
+// An off-axis window shears. An eye left of the window still maps the window to the square.
 TEST(View, OffAxisPerspectiveMapsTheWindowToTheSquare) {
   const glm::dmat4 m = canonicalFromWorld(offCentre(Projection::Perspective, {-1, 1, 4}));
   for (const glm::dvec2 corner :
@@ -88,8 +88,8 @@ TEST(View, OffAxisPerspectiveMapsTheWindowToTheSquare) {
   }
 }
 
-// The matrices agree with GLM's lookAt, perspective and ortho; GLM's z runs from -1 (near) to 1 (far),
-// ours from 0 to -1: z_ours = -(z_glm + 1) / 2.
+// The matrices agree with GLM's lookAt, perspective and ortho. GLM's z runs from -1 (near) to 1 (far), ours
+// from 0 to -1: z_ours = -(z_glm + 1) / 2.
 TEST(View, AgreesWithGlm) {
   std::mt19937 rng{1972};
   std::uniform_real_distribution<double> around{-1, 1};
@@ -116,8 +116,8 @@ TEST(View, AgreesWithGlm) {
   }
 }
 
-// The warp keeps planes: four points of a plane stay in one plane, relative to the size of the
-// tetrahedron's edges, for every projection.
+// The warp keeps planes: for every projection four points of a plane stay in one plane, relative to the size
+// of the tetrahedron's edges.
 TEST(View, PlanesStayPlanes) {
   std::mt19937 rng{1975};
   std::uniform_real_distribution<double> around{-1, 1};
@@ -132,7 +132,7 @@ TEST(View, PlanesStayPlanes) {
     const glm::dvec3 A = mapped(m, a), AB = mapped(m, b) - A, AC = mapped(m, c) - A, AD = mapped(m, d) - A;
     const double volume = glm::dot(glm::cross(AB, AC), AD);
     EXPECT_LE(std::abs(volume), 1e-12 * 800 * 800 * 800);
-    // And a point that is not on the plane leaves it: the check can fail.
+    // A point off the plane stays off it, so the check can fail.
     const glm::dvec3 off = mapped(m, d + 0.1 * glm::normalize(glm::cross(b - a, c - a))) - A;
     if (glm::length(glm::cross(b - a, c - a)) > 0.3) {
       EXPECT_GT(std::abs(glm::dot(glm::cross(AB, AC), off)), 1e-12 * 800 * 800 * 800);
@@ -155,7 +155,7 @@ TEST(View, ScreenDepthIsIsotropicOnTheViewPlane) {
   }
 }
 
-// What cannot see says so.
+// A camera that cannot see is an error.
 TEST(View, RefusesWhatCannotSee) {
   const ViewSpec good = offCentre(Projection::Perspective, {1, 0, 4});
   const auto refuses = [&](auto&& change) {
@@ -172,7 +172,7 @@ TEST(View, RefusesWhatCannotSee) {
   refuses([](ViewSpec& s) { s.front = 4; });
 }
 
-// unit() keeps its length 1 from denormals to the largest doubles.
+// unit() returns a vector of length 1 for everything from denormals to the largest doubles.
 TEST(View, UnitVectorsAtTheExtremes) {
   for (const double scale : {5e-324, 1e-310, 1e-300, 1.0, 1e300}) {
     const glm::dvec3 u = unit(glm::dvec3{1, 1, 0} * scale);
@@ -182,8 +182,8 @@ TEST(View, UnitVectorsAtTheExtremes) {
   EXPECT_EQ(unit({0, 0, 0}), glm::dvec3(0));
 }
 
-// A power of two changes no bit of a unit vector, from 2^-1000 to 2^1000: scaled and unscaled arithmetic
-// are the same.
+// Scaling by a power of two, from 2^-1000 to 2^1000, changes no bit of a unit vector: scaled and unscaled
+// arithmetic agree.
 TEST(View, UnitVectorsAreTheSameAtEveryScale) {
   std::mt19937 rng{1972};
   const auto coordinate = [&] { return std::uniform_real_distribution{-1.0, 1.0}(rng); };

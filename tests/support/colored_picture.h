@@ -13,14 +13,14 @@
 
 namespace xnewell {
 
-/// Full-colour pictures to put into cells, and what the cells then show.
+/// Full-colour pictures for tests that put them into colour cells, and what the cells then show.
 
 struct ColoredPicture {
   RgbImage rgb;
   std::vector<std::uint8_t> shows;
 };
 
-/// Seven balls of different hues under a white and a blue light, highlights included, on nothing.
+/// Seven balls of different hues under a white and a blue light, with highlights, on an empty background.
 inline ColoredPicture coloredBalls(int width, int height) {
   const std::array<glm::dvec3, 7> hues{{{1, 0.15, 0.1},
                                         {0.9, 0.8, 0.1},
@@ -57,7 +57,7 @@ inline ColoredPicture coloredBalls(int width, int height) {
   return picture;
 }
 
-/// The picture as a server shows it, `colors` in the cells first and up; black elsewhere.
+/// The picture as a server shows it, with `colors` in the cells from `first` on; other cells are black.
 inline RgbImage shown(const IndexImage& cells, std::span<const Rgb16> colors, int first) {
   RgbImage image{cells.width, cells.height};
   for (std::size_t k = 0; k < cells.pixels.size(); ++k) {
@@ -71,7 +71,7 @@ inline RgbImage shown(const IndexImage& cells, std::span<const Rgb16> colors, in
   return image;
 }
 
-/// The mean of each whole 8 x 8 block: what the eye makes of a dithered picture from afar.
+/// The mean of each whole 8 x 8 block. That is what the eye sees of a dithered picture from a distance.
 inline RgbImage blocksOf(const RgbImage& image) {
   RgbImage blocks{image.width / 8, image.height / 8};
   for (int j = 0; j < blocks.height; ++j)

@@ -9,15 +9,15 @@
 
 namespace xnewell {
 
-/// Where a picture of a model may differ from the oracle's, which takes the rounded scene at its word.
+/// Finds where a picture of a model may differ from the oracle's, which takes the rounded scene as exact.
 
-/// z of a face at the centre of sample k.
+/// The z of a face at the centre of sample k.
 inline double depthOf(const SnappedScene& scene, const SnappedFace& face, int k, int width) {
   return depthAt(scene.planes[face.plane], std::int64_t{k % width} * kGrid + kGrid / 2,
                  std::int64_t{k / width} * kGrid + kGrid / 2);
 }
 
-/// Whether the two may touch at sample k for all that is known of the model: they lie in two planes,
+/// True if the two faces may touch at sample k, as far as the model tells: they lie in two planes that are
 /// nearer to each other than the rounding of both.
 inline bool mayTouch(const SnappedScene& scene, int p, int q, int k, int width) {
   const SnappedFace &P = scene.faces[p], &Q = scene.faces[q];
@@ -35,7 +35,7 @@ void forEachSample(const SnappedScene& scene, int width, int height, Visit&& vis
                 });
 }
 
-/// The doubtful samples: where a face may touch the one that is seen.
+/// The doubtful samples, where a face may touch the face that is seen.
 inline std::vector<char> doubtful(const SnappedScene& scene, const std::vector<int>& seen, int width,
                                   int height) {
   std::vector<char> samples(seen.size(), false);

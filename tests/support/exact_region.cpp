@@ -52,7 +52,7 @@ ExactRegion exactFragment(const SnappedScene& scene, const SortedScene& sorted, 
   return region;
 }
 
-// Sutherland and Hodgman 1974, one line.
+// Sutherland and Hodgman 1974, for one line.
 ExactRegion clipped(const ExactRegion& region, const ExactLine& line) {
   ExactRegion kept;
   bool inside = false;
@@ -88,7 +88,7 @@ Rational exactDoubleArea(const ExactRegion& region) {
   Rational sum = 0;
   for (std::size_t k = 0; k < region.size(); ++k) {
     const ExactPoint &p = region[k], &q = region[(k + 1) % region.size()];
-    sum += p.y * q.x - p.x * q.y;  // y runs down
+    sum += p.y * q.x - p.x * q.y;  // y points down
   }
   return sum;
 }

@@ -7,12 +7,12 @@
 
 namespace xnewell {
 
-/// Convex regions of the screen as polygons with rational corners, the plain way: nothing is filtered,
-/// nothing rounded and no line of depthsort/region.h is shared. Slow; it judges what the quick way says.
+/// Convex regions of the screen as polygons with rational corners, computed in the plain way. Nothing is
+/// filtered or rounded, and no line of depthsort/region.h is used. It is slow; it checks the quick way.
 
 using Rational = boost::multiprecision::cpp_rational;
 
-/// a x + b y + c, in grid steps.
+/// The line a x + b y + c = 0, in grid steps.
 struct ExactLine {
   Rational a, b, c;
 };
@@ -21,33 +21,34 @@ struct ExactPoint {
 };
 [[nodiscard]] Rational valueAt(const ExactLine& line, const ExactPoint& p);
 
-/// Positive inside the outline's edge from p to q.
+/// The line of the outline's edge from p to q. It is positive inside.
 [[nodiscard]] ExactLine exactEdge(const glm::ivec3& p, const glm::ivec3& q);
 /// zP - zQ, in depth steps.
 [[nodiscard]] ExactLine exactDifference(const ScreenPlane& P, const ScreenPlane& Q);
 [[nodiscard]] bool samePlane(const ScreenPlane& P, const ScreenPlane& Q);
 
-/// Counter-clockwise as seen. Without an area: empty.
+/// Counter-clockwise as seen on the screen; empty if there is no area.
 using ExactRegion = std::vector<ExactPoint>;
 
 [[nodiscard]] ExactRegion exactOutline(const SnappedScene& scene, const SnappedFace& face);
-/// The outline within all the cuts of its piece.
+/// The part of the face's outline inside all cuts of its piece.
 [[nodiscard]] ExactRegion exactFragment(const SnappedScene& scene, const SortedScene& sorted,
                                         const Fragment& fragment);
-/// Its part where the line is positive.
+/// The part of the region where the line is positive.
 [[nodiscard]] ExactRegion clipped(const ExactRegion& region, const ExactLine& line);
 [[nodiscard]] ExactRegion common(ExactRegion region, const ExactRegion& other);
-/// Its part within the picture.
+/// The part of the region inside the picture.
 [[nodiscard]] ExactRegion withinPicture(ExactRegion region, int width, int height);
 
 [[nodiscard]] Rational exactDoubleArea(const ExactRegion& region);
 /// The greatest value of a line in the region.
 [[nodiscard]] Rational greatest(const ExactLine& line, const ExactRegion& region);
-/// Whether it owns the sample of pixel (i, j): its centre moved by (e, e^2).
+/// True if the region owns the sample of pixel (i, j), which is its centre moved by an infinitely small (e,
+/// e^2).
 [[nodiscard]] bool exactlyCovers(const ExactRegion& region, int i, int j);
-/// Whether it owns a sample of the picture.
+/// True if the region owns a sample of the picture.
 [[nodiscard]] bool exactlyOwnsSample(const ExactRegion& region, int width, int height);
-/// Twice the area over the diameter, of the corners in doubles.
+/// Twice the area over the diameter, from the corners as doubles.
 [[nodiscard]] double thickness(const ExactRegion& region);
 
 }  // namespace xnewell

@@ -42,14 +42,14 @@ class ListSort {
     P.zFar = least(z, P.region), P.zNear = greatest(z, P.region);
     return P;
   }
-  /// Behind all that are as far.
+  /// Inserts P behind all that are as far.
   void insert(ListPolygon P) {
     list_.insert(
         std::ranges::find_if(list_, [&](const ListPolygon& Q) { return !Q.marked && Q.zFar > P.zFar; }),
         std::move(P));
   }
 
-  /// Tests 1 to 5: whether P may be painted before Q. In one plane the later face of the scene is in front.
+  /// Tests 1 to 5: true if P may be painted before Q. In one plane the later face of the scene is in front.
   [[nodiscard]] bool mayGoFirst(const ListPolygon& P, const ListPolygon& Q) const {
     for (const ExactLine& along : {ExactLine{1, 0, 0}, ExactLine{0, 1, 0}})
       if (greatest(along, P.region) <= least(along, Q.region) ||
@@ -57,7 +57,8 @@ class ListSort {
         return true;
     return liesBehind(P, Q) || common(P.region, Q.region).empty();
   }
-  /// 3, P wholly behind Q's plane, or 4, Q wholly in front of P's; exchanged they are 3' and 4'.
+  /// Test 3 (P wholly behind Q's plane) or test 4 (Q wholly in front of P's plane). With P and Q exchanged
+  /// they are 3' and 4'.
   [[nodiscard]] bool liesBehind(const ListPolygon& P, const ListPolygon& Q) const {
     const ExactLine ahead = exactDifference(plane(P), plane(Q));
     if (ahead.a == 0 && ahead.b == 0 && ahead.c == 0) return P.face <= Q.face;

@@ -8,9 +8,9 @@
 
 namespace xnewell {
 
-/// Coarse floors under light that is narrower than their polygons: what flat and Gouraud shading miss.
+/// Coarse floors under light that is narrower than their polygons, so that flat and Gouraud shading miss it.
 
-/// The square |x|, |y| <= 1 in z = 0 as n by n squares, seen from above; (0, 0) and (1, 1) of the texture are
+/// The square |x|, |y| <= 1 in z = 0 as n by n squares, seen from above. The texture's (0, 0) and (1, 1) are
 /// its corners.
 inline Mesh floorOf(int n) {
   Mesh mesh;
@@ -29,7 +29,7 @@ inline Mesh floorOf(int n) {
   return mesh;
 }
 
-/// A spot above the floor; degrees.
+/// A scene with a spotlight above the floor. Angles are in degrees.
 inline Scene underSpot(Mesh mesh, double inner = 14, double outer = 20) {
   Scene scene = makeScene("spot", std::move(mesh), UpAxis::Z);
   scene.light.lights = {{.kind = LightKind::Spot,
@@ -40,7 +40,7 @@ inline Scene underSpot(Mesh mesh, double inner = 14, double outer = 20) {
   return scene;
 }
 
-/// Straight from above, in parallel projection: interpolated places are those of the floor.
+/// A parallel view straight from above: interpolated places are those of the floor.
 inline PictureSettings fromAbove(const Scene& scene, Shading shading) {
   PictureSettings s;
   s.width = s.height = 480;
@@ -55,7 +55,7 @@ inline PictureSettings fromAbove(const Scene& scene, Shading shading) {
   return s;
 }
 
-/// Lit from far away, so that R meets V at (0.26, 0.42, 0) of the floor.
+/// Light from far away, such that R meets V at (0.26, 0.42, 0) of the floor.
 inline PictureSettings withHighlight(PictureSettings s) {
   s.light.light = {0.13, 0.21, 1.0};
   s.light.kd = 0.5;

@@ -13,9 +13,9 @@
 
 namespace xnewell {
 
-/// Closed solids under light that is narrower than their polygons, at random.
+/// Random closed solids under light that is narrower than their polygons.
 
-/// The methods whose polygons are divided.
+/// The methods that divide polygons.
 inline constexpr std::array kMethods{Shading::Flat, Shading::Gouraud};
 
 /// A prism with polygons of twelve corners at its ends.
@@ -38,7 +38,7 @@ inline Mesh drum() {
   return mesh;
 }
 
-/// A closed solid of one kind after the other; every fifth is a cube whose faces share no point.
+/// A closed solid; the kinds take turns. Every fifth is a cube whose faces share no point.
 inline Mesh solid(unsigned seed) {
   switch (seed % 5) {
     case 0:
@@ -66,7 +66,7 @@ inline Mesh solid(unsigned seed) {
   }
 }
 
-/// Spots from all sides and in all widths that shine on solids about the origin, and highlights.
+/// Spotlights from all sides and of all widths, aimed at solids about the origin, and highlights.
 inline Scene litAtRandom(Mesh mesh, Illumination& light, unsigned seed) {
   std::mt19937 rng{seed};
   std::uniform_real_distribution<double> oneEach{-1, 1};

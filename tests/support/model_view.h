@@ -25,7 +25,8 @@ inline constexpr std::array kSeen{
     SeenRow{Seen::Inside, "perspective, the eye in the scene's box"},
 };
 
-/// Of the whole scene or a part, from any side; back faces are kept and culled by turns of all four kinds.
+/// A view of the whole scene or a part of it, from any side. Back faces are kept and culled by turns, for
+/// each of the four kinds.
 inline PictureSettings randomView(const Scene& scene, unsigned seed, int width, int height) {
   std::mt19937 rng{seed};
   std::uniform_real_distribution<double> unit{0.0, 1.0};

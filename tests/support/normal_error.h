@@ -11,13 +11,13 @@
 
 namespace xnewell {
 
-/// How far a rule's normals are from those of the surface that the faces stand for, in degrees.
+/// The errors in degrees of a rule's normals against the normals of the surface that the faces approximate.
 struct NormalError {
   double mean = 0.0, max = 0.0;
   int corners = 0;
 };
 
-/// Over all corners of a mesh where the true normal is known, that is, not 0.
+/// The errors over all corners of a mesh where the true normal is known, that is, not 0.
 [[nodiscard]] inline NormalError normalError(const Mesh& mesh, NormalRule rule,
                                              std::span<const glm::dvec3> truth) {
   const Vertices v = smoothVertices(mesh, rule);
@@ -34,15 +34,15 @@ struct NormalError {
   return error;
 }
 
-/// The normals of a unit sphere about the origin, at the corners of a mesh that stands for it.
+/// The normals of a unit sphere about the origin, at the corners of a mesh that approximates it.
 [[nodiscard]] inline std::vector<glm::dvec3> sphereNormals(const Mesh& mesh) {
   std::vector<glm::dvec3> normals;
   for (const int corner : mesh.corners) normals.push_back(glm::normalize(mesh.points[corner]));
   return normals;
 }
 
-/// `truth` without the corners of points where it is not one direction, to a degree: where patches meet in a
-/// crease no rule that smooths all can be right.
+/// `truth` without the corners of points where it differs by more than a degree: where patches meet in a
+/// crease, no rule that smooths everything can be right.
 [[nodiscard]] inline std::vector<glm::dvec3> withoutCreases(const Mesh& mesh, std::vector<glm::dvec3> truth) {
   std::vector<glm::dvec3> first(mesh.points.size(), glm::dvec3{0.0});
   std::vector<char> creased(mesh.points.size(), 0);

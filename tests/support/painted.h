@@ -8,8 +8,8 @@
 
 namespace xnewell {
 
-/// Index of the face painted last at each sample, row by row, fragments in their order; kNothing where there
-/// is none.
+/// The index of the face painted last at each sample, row by row, with the fragments in their order; kNothing
+/// where there is none.
 [[nodiscard]] inline std::vector<int> painted(const SnappedScene& scene, const SortedScene& sorted, int width,
                                               int height) {
   std::vector<int> faces(std::size_t(width) * height, kNothing);

@@ -125,7 +125,7 @@ void Maker::add(SceneKind kind) {
       });
     }
     case SceneKind::Steep: {
-      // a x - b y = 1 for (a, b) prime to each other: the points (0, 0), (b, a) and (y, x) span one step.
+      // a x - b y = 1 for coprime a and b: the points (0, 0), (b, a) and (y, x) span an area of one step.
       const int a = uniform(1, 1 << 21), b = uniform(1, 1 << 21);
       int x = 1, y = 0;
       for (int p = a, q = b, s = 0, t = 1; q != 0;) {
@@ -135,7 +135,7 @@ void Maker::add(SceneKind kind) {
         y = std::exchange(t, y - whole * t);
       }
       const glm::ivec3 at{centre() - b / 2, centre() - a / 2, 0};
-      const int wide = uniform(0, 3);  // and a few of its kind, some hundred times as wide
+      const int wide = uniform(0, 3);  // and a few similar ones, some hundred times as wide
       addFace(scene_,
               {at + glm::ivec3{0, 0, uniform(0, kDepthLimit)}, at + glm::ivec3{b, a, uniform(0, kDepthLimit)},
                at + glm::ivec3{-y + wide * 100, x, uniform(0, kDepthLimit)}});
@@ -148,7 +148,7 @@ void Maker::add(SceneKind kind) {
   }
 }
 
-/// A thin triangle between two points, its third corner a little beside one of them.
+/// Adds a thin triangle between two points. Its third corner is a little beside one of them.
 void Maker::addStick() {
   const int width = 1 << uniform(0, 17);
   const glm::ivec3 a{anywhere(), anywhere(), uniform(0, 1 << 22)},
@@ -157,8 +157,8 @@ void Maker::addStick() {
           {a, b, b + glm::ivec3{uniform(-width, width), uniform(-width, width), uniform(0, 1 << 10)}});
 }
 
-/// k blades along the sides of a polygon of k corners. Each begins far away and ends near, beyond the corner
-/// where the next one begins.
+/// Adds k blades along the sides of a polygon of k corners. Each begins far away and ends near, beyond the
+/// corner where the next one begins.
 void Maker::addPinwheel() {
   const int k = uniform(3, 6);
   const double radius = uniform(0.15, 0.5) * size_ * kGrid, turned = uniform(0.0, 6.3);
@@ -180,7 +180,7 @@ void Maker::addPinwheel() {
   }
 }
 
-/// Triangles around a common vertex, from one rim point to the next; some rims turn more than once.
+/// Adds triangles around a common vertex, from one rim point to the next. Some rims turn more than once.
 void Maker::addFan() {
   const int k = uniform(3, 8);
   const glm::ivec3 apex{oneIn(2) ? centre() : anywhere(), oneIn(2) ? centre() : anywhere(),
@@ -194,8 +194,9 @@ void Maker::addFan() {
   }
 }
 
-/// A convex polygon of up to nine corners, or, of classes, sometimes a triangle, in a plane of its own or in
-/// that of an earlier face. Its vertices are a step off the plane here and there, as the snap leaves them.
+/// Adds a convex polygon of up to nine corners, or sometimes a triangle if `classes` is set. Its plane is its
+/// own or, for classes, sometimes that of an earlier face. Its vertices are off the plane by a step here and
+/// there, as the snap leaves them.
 void Maker::addPolygon(bool classes) {
   const bool shared = classes && !scene_.planes.empty() && !oneIn(3);
   const int plane = shared ? uniform(0, static_cast<int>(scene_.planes.size()) - 1) : -1;

@@ -7,8 +7,8 @@
 
 namespace xnewell {
 
-/// Scenes made to be hard to sort, small enough to be checked sample by sample. All are given on the grid:
-/// doubt is 0 and each face is the model's face of its own number.
+/// Scenes made to be hard to sort, and small enough to be checked sample by sample. They are given on the
+/// grid: the doubt is 0, and each face is the model's face of its own number.
 enum class SceneKind {
   BigTriangles,
   Lattice,
@@ -49,27 +49,27 @@ inline constexpr std::array<SceneKindRow, 16> kSceneKinds{{
     {SceneKind::Polygons, "polygons", "up to nine corners, which miss their plane by a step"},
     {SceneKind::Classes, "classes", "triangles and polygons of which several share a plane record"},
 }};
-/// The kinds before Polygons: triangles, whose planes go through their vertices.
+/// The number of kinds before Polygons. They have triangles only, whose planes go through their vertices.
 inline constexpr int kTriangleKinds = static_cast<int>(SceneKind::Polygons);
 
-/// `count` faces or, of rings and fans, about as many; a picture of size by size pixels sees them.
-/// The same for the same arguments.
+/// A scene of `count` faces (for rings and fans, about as many), for a picture of size by size pixels. The
+/// same arguments give the same scene.
 [[nodiscard]] SnappedScene randomScene(SceneKind kind, unsigned seed, int count, int size);
 
-/// Of the kind seed % #kinds.
+/// A scene of kind seed % #kinds.
 [[nodiscard]] inline SnappedScene randomScene(unsigned seed, int count, int size) {
   return randomScene(kSceneKinds[seed % kSceneKinds.size()].id, seed, count, size);
 }
-/// Of the kind seed % kTriangleKinds.
+/// A scene of kind seed % kTriangleKinds.
 [[nodiscard]] inline SnappedScene randomTriangles(unsigned seed, int count, int size) {
   return randomScene(kSceneKinds[seed % kTriangleKinds].id, seed, count, size);
 }
 
-/// Appends a face with a plane record of its own, through vertices that lie far apart, or with a given
-/// record. The outline may run either way; without an area it is left out and false returned.
+/// Appends a face. Its plane is a given record, or a new one through vertices that lie far apart. The outline
+/// may run either way. If it has no area, the function adds nothing and returns false.
 bool addFace(SnappedScene& scene, std::vector<glm::ivec3> outline, int plane = -1);
 
-/// The same face again, as one of its own with its own record.
+/// Adds a copy of a face, as a separate face with its own plane record.
 void addCopy(SnappedScene& scene, int face);
 
 }  // namespace xnewell

@@ -12,16 +12,17 @@
 
 namespace xnewell {
 
-/// Decimals that a scene about 1 in size is written with; 0: exactly.
+/// The numbers of decimals with which scenes about 1 in size are written; 0 for exactly.
 inline constexpr std::array kDecimals{6, 9, 0};
 
-/// A rectangle somewhere in space: a point of its plane is corner + s a + t b, s and t from 0 to 1.
+/// A rectangle somewhere in space. A point of its plane is corner + s a + t b, with s and t from 0 to 1 in
+/// the rectangle.
 struct Frame {
   glm::dvec3 corner, a, b, N;
   [[nodiscard]] glm::dvec3 at(double s, double t) const { return corner + s * a + t * b; }
 };
 
-/// About 1 long, half to once as high, within 2 of the origin.
+/// A rectangle about 1 long and half to once as high, within 2 of the origin.
 inline Frame randomFrame(std::mt19937& rng) {
   std::uniform_real_distribution<double> component{-1.0, 1.0};
   const auto direction = [&] {
@@ -35,7 +36,7 @@ inline Frame randomFrame(std::mt19937& rng) {
   return {0.5 * direction(), a, (0.75 + 0.25 * component(rng)) * glm::cross(N, a), N};
 }
 
-/// Adds a face of group 0 with corners of its own, as a file of so many decimals has them.
+/// Adds a face of group 0 with its own corners, rounded to `decimals` decimals as in a file.
 inline void addRounded(Mesh& mesh, const std::vector<glm::dvec3>& corners, int decimals) {
   const double unit = std::pow(10.0, decimals);
   std::vector<int> face;
@@ -49,9 +50,9 @@ inline void addRounded(Mesh& mesh, const std::vector<glm::dvec3>& corners, int d
   if (decimals > 0) mesh.rounding = {0.5 / unit};
 }
 
-/// A wall and then four decals in its plane, 1/8 to 1/2 of its length, turned any way, each over the one
-/// before in part; the last reaches over the wall's edge. Some are listed clockwise. Decimals by
-/// seed % 3.
+/// A wall, then four decals in its plane. The decals are 1/8 to 1/2 of its length and turned any way. Each
+/// lies partly over the one before it, and the last reaches over the wall's edge. Some are listed clockwise.
+/// seed % 3 selects the decimals.
 inline Mesh wallWithDecals(unsigned seed) {
   std::mt19937 rng{seed};
   std::uniform_real_distribution<double> unit{0.0, 1.0};

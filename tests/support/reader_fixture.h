@@ -12,8 +12,8 @@
 
 namespace xnewell {
 
-/// What `read()` complains of: the exact text of its ParseError or system_error, "" if it does not.
-/// Anything else it throws ends the test.
+/// The error of `read()`: the exact text of its ParseError or system_error, or "" if there is none. Any other
+/// exception ends the test.
 template <typename Read>
 std::string complaint(Read read) {
   try {
@@ -26,7 +26,7 @@ std::string complaint(Read read) {
   return "";
 }
 
-/// `text` with 1 to 4 bytes overwritten, taken out or put in, preferably ones that mean something to a
+/// `text` with 1 to 4 bytes overwritten, removed or inserted, preferably bytes that mean something to a
 /// reader.
 inline std::string mutated(std::string text, std::mt19937& rng) {
   constexpr std::string_view kTelling = "0123456789+-.eE/#\\ \t\r\nvfgonai\0\xff";

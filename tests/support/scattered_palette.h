@@ -7,7 +7,7 @@
 
 namespace xnewell {
 
-/// Colours all over, so that no two cells can be mixed up.
+/// Scattered colours, so that no two cells can be mixed up.
 inline Palette scattered(unsigned seed) {
   std::mt19937 rng{seed};
   const auto value = [&] { return static_cast<std::uint16_t>(rng()); };

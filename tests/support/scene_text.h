@@ -7,7 +7,7 @@
 
 namespace xnewell {
 
-/// Scene files as text, and what is said of them: what the tests of their reader share.
+/// Scene files as text, and the reader's errors about them: what the tests of the scene reader share.
 
 inline const std::filesystem::path kData{XNEWELL_DATA_DIR};
 
@@ -24,7 +24,7 @@ inline std::string complaint(const std::string& text) {
 
 inline std::string withObject(const std::string& object) { return R"({"objects": [)" + object + "]}"; }
 inline const std::string kTriangle = R"({"polygons": [[[0, 0, 0], [1, 0, 0], [0, 1, 0]]]})";
-/// Of size 1/2 to 1: file coordinates are the scene's, halved.
+/// The size of the scene is 1/2 to 1: its coordinates are the file's, halved.
 inline std::string withTriangle(const std::string& more) {
   return "{" + more + R"(, "objects": [)" + kTriangle + "]}";
 }

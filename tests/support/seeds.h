@@ -10,10 +10,10 @@ inline constexpr bool kSanitized = true;
 inline constexpr bool kSanitized = false;
 #endif
 
-/// The seeds of a test: 0..count-1 or, where the environment says XNEWELL_SEED=seed, that one alone. A scene
-/// that failed is run again so; what a test asks of all scenes together, it then leaves out. So it does in a
-/// sanitized build, which takes an eighth of the seeds: it looks for faults of the code on its way, several
-/// times more slowly, and the answers are those of the other builds.
+/// The seeds of a test: 0..count-1. If the environment has XNEWELL_SEED=seed, only that one, so that a scene
+/// that failed can be run again; the test then leaves out what it asks of all scenes together. A sanitized
+/// build leaves that out too and takes an eighth of the seeds: it runs several times more slowly and looks
+/// for faults of the code on its way, and the results are those of the other builds.
 class Seeds {
  public:
   unsigned from = 0, end;

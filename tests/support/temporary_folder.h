@@ -9,7 +9,7 @@
 
 namespace xnewell {
 
-/// An empty folder that goes with its contents.
+/// An empty folder. The destructor removes it with its contents.
 class TemporaryFolder {
  public:
   TemporaryFolder() {
@@ -22,7 +22,7 @@ class TemporaryFolder {
   ~TemporaryFolder() { std::filesystem::remove_all(path_); }
   [[nodiscard]] std::string file(const std::string& name) const { return (path_ / name).string(); }
   [[nodiscard]] const std::filesystem::path& path() const { return path_; }
-  /// Makes a file; returns its whole name.
+  /// Writes a file and returns its full path.
   std::string write(const std::string& name, std::string_view text) const {
     std::ofstream{path_ / name, std::ios::binary} << text;
     return file(name);
