@@ -52,7 +52,7 @@ inside() {
 # Removes a folder, unless something is mounted in it. mountinfo writes a space as \040.
 remove_root() {
   if grep -qF " ${1// /\\040}/" /proc/self/mountinfo; then
-    say "something is mounted in $1: nothing there is removed"
+    say "something is mounted in $1, so it is not removed"
     return 1
   fi
   rm -rf --one-file-system "$1"
@@ -89,9 +89,9 @@ copy_apt_settings() {
 bare_root() {
   local suite=${suites[$1]} bare=$roots/debian-$1 server refused
   if ((EUID)); then
-    why="only root can make a root"
+    why="only root can make a root folder"
   elif ! refused=$(apart true 2>&1); then
-    why="this machine allows no mounts of one's own (${refused:-unshare failed})"
+    why="this machine does not allow private mounts (${refused:-unshare failed})"
   elif ! server=$(package_server "$suite"); then
     why="no package server in this machine's apt sources has $suite"
   elif [[ -d $bare ]]; then
@@ -163,7 +163,7 @@ front_door() {
 mkdir -p "$roots" "$root/build"
 exec {lock}>"$roots/lock"
 flock --nonblock "$lock" || { say "waiting for another run of this check" && flock "$lock"; }
-[[ -z $(git -C "$root" status --porcelain) ]] || say "what is not committed is not tried"
+[[ -z $(git -C "$root" status --porcelain) ]] || say "changes that are not committed are not tested"
 status=0
 for release in "${releases[@]}"; do
   if ! bare_root "$release"; then

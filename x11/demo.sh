@@ -45,7 +45,7 @@ if ! read -r -t 60 -u "$ready" number; then
   say "Xvfb did not start"
   exit 1
 fi
-say "no display: an 8-bit Xvfb stands in, :$number"
+say "no display: using an 8-bit Xvfb server, :$number"
 
 picture=$root/build/demo.png
 rm -f "$picture"

@@ -97,7 +97,7 @@ need() {
   fi
   if ((EUID)); then
     if ! command -v sudo >/dev/null; then
-      say "missing packages, and neither root nor sudo to install them: ${absent[*]}"
+      say "only root or sudo can install the missing packages: ${absent[*]}"
       return 1
     fi
     as_root=(sudo)
@@ -120,7 +120,7 @@ need() {
 build() {
   local cache=$root/build/$1/CMakeCache.txt
   if [[ -f $cache ]] && ! grep -qxF "CMAKE_HOME_DIRECTORY:INTERNAL=$root" "$cache"; then
-    say "build/$1 was made for another folder: it is made anew"
+    say "build/$1 was made for another folder, so it is built again"
     rm -rf "$root/build/$1"
   fi
   logged "$root/build/$1.log" "building build/$1" configure_and_build "$@"

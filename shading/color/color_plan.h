@@ -13,8 +13,7 @@ struct ColorPlanRow {
   std::string_view name, holds;
 };
 inline constexpr std::array kColorPlans{
-    ColorPlanRow{ColorPlan::Needed, "needed",
-                 "what the scene requires: the first of the others that shows it"},
+    ColorPlanRow{ColorPlan::Needed, "needed", "the first of the other plans that can show the scene"},
     ColorPlanRow{ColorPlan::OneHue, "one", "one hue: colours count by their gray"},
     ColorPlanRow{ColorPlan::Hues, "hues", "a ramp for the hue of each surface, as long as it needs"},
     ColorPlanRow{ColorPlan::Cube, "cube", "full colour: 6 reds x 8 greens x 5 blues"},

@@ -129,7 +129,7 @@ RgbImage readPng(const std::string& file) {
   const std::size_t there = std::fread(signature.data(), 1, signature.size(), input.get());
   if (std::ferror(input.get())) throw std::system_error{errno, std::generic_category(), file};
   if (there < signature.size() || png_sig_cmp(signature.data(), 0, signature.size()) != 0)
-    throw ParseError{file, 0, "no PNG file"};
+    throw ParseError{file, 0, "not a PNG file"};
   std::rewind(input.get());
   // libpng's simplified reader prints no errors; it leaves them in `message`.
   png_image png{};
@@ -137,7 +137,8 @@ RgbImage readPng(const std::string& file) {
   const std::unique_ptr<png_image, decltype(&png_image_free)> freed{&png, &png_image_free};
   if (!png_image_begin_read_from_stdio(&png, input.get()))
     throw ParseError{file, 0, std::feof(input.get()) ? "the PNG file ends early" : png.message};
-  if (png.width > kLargest || png.height > kLargest) throw ParseError{file, 0, "larger than 8192 pixels"};
+  if (png.width > kLargest || png.height > kLargest)
+    throw ParseError{file, 0, "the picture is larger than 8192 pixels"};
   png.format = PNG_FORMAT_RGB;
   RgbImage image{static_cast<int>(png.width), static_cast<int>(png.height)};
   const png_color black{0, 0, 0};

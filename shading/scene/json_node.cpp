@@ -18,7 +18,7 @@ void Node::expectKeys(std::initializer_list<std::string_view> keys,
       std::string all;
       for (const auto& list : {keys, more})
         for (const std::string_view k : list) all += (all.empty() ? "" : ", ") + std::string{k};
-      fail("unknown key " + inQuotes(key) + "; there are " + all);
+      fail("unknown key " + inQuotes(key) + "; the keys are " + all);
     }
 }
 
@@ -88,7 +88,7 @@ std::string Node::text() const {
 
 glm::dvec3 Node::direction() const {
   const glm::dvec3 v = point();
-  if (v == glm::dvec3{0.0}) fail("0, 0, 0 is no direction");
+  if (v == glm::dvec3{0.0}) fail("0, 0, 0 is not a direction");
   return v;
 }
 

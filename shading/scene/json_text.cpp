@@ -56,7 +56,7 @@ class KeysOnce {
     if (event == Event::object_start) open_.emplace_back();
     if (event == Event::object_end) open_.pop_back();
     if (event == Event::key && !open_.back().insert(parsed.get<std::string>()).second)
-      progress_.fail("the key " + inQuotes(parsed.get<std::string>()) + " stands twice in an object");
+      progress_.fail("the key " + inQuotes(parsed.get<std::string>()) + " appears twice in an object");
     return true;
   }
 
@@ -72,7 +72,7 @@ Node::Json parsed(std::string_view text, const std::string& name) {
   try {
     return Node::Json::parse(begin, end, KeysOnce{progress});
   } catch (const Node::Json::parse_error&) {
-    progress.fail("not JSON here");
+    progress.fail("not valid JSON here");
   } catch (const Node::Json::out_of_range&) {
     progress.fail("a number is too large");
   }

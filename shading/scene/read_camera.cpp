@@ -26,7 +26,7 @@ CameraSettings readCamera(const Node& node) {
     camera.fov = node.at("fov").numberAbove(0);
     if (*camera.fov >= 180) node.at("fov").fail("an angle between 0 and 180 degrees is needed");
     if (node.has("parallel") || node.has("oblique"))
-      node.at("fov").fail("a field of view is for perspective");
+      node.at("fov").fail("a field of view applies only to perspective");
   }
   if (node.has("parallel")) {
     camera.parallel = true;

@@ -35,12 +35,12 @@ void readAttenuation(Light& light, const Scene& scene, const Node& node, double 
   light.c = {1.0, 0.0, 1.0 / (distance * distance)};
   if (node.has("range")) {
     const Node range = node.at("range");
-    if (light.attenuation != Attenuation::Linear) range.fail("a range is for attenuation linear");
+    if (light.attenuation != Attenuation::Linear) range.fail("a range applies only to attenuation linear");
     light.range = scaledTo(scene, range, range.numberAbove(0));
   }
   if (!node.has("c")) return;
   const Node c = node.at("c");
-  if (light.attenuation != Attenuation::Textbook) c.fail("c1, c2 and c3 are for attenuation textbook");
+  if (light.attenuation != Attenuation::Textbook) c.fail("c1, c2 and c3 apply only to attenuation textbook");
   light.c = c.point();
   if (std::min({light.c.x, light.c.y, light.c.z}) < 0.0) c.fail("c1, c2 and c3 must not be negative");
   light.c.y = scaledTo(scene, c, light.c.y, -1);
@@ -48,16 +48,17 @@ void readAttenuation(Light& light, const Scene& scene, const Node& node, double 
 }
 
 void readCone(Light& light, const Scene& scene, const Node& node, const glm::dvec3& centre) {
-  if (node.has("shines") && node.has("look_at")) node.at("look_at").fail("where it shines is said twice");
+  if (node.has("shines") && node.has("look_at"))
+    node.at("look_at").fail("the spot has both shines and look_at; give one of them");
   light.direction = (node.has("look_at") ? place(scene, node.at("look_at")) : centre) - light.position;
   if (node.has("shines")) light.direction = node.at("shines").direction();
-  if (light.direction == glm::dvec3{0.0}) node.fail("the spot looks at its own place");
+  if (light.direction == glm::dvec3{0.0}) node.fail("the spot points at its own position");
   // If only one of the two angles is given, the other one gives way to it.
   if (node.has("inner")) light.inner = node.at("inner").numberFrom(0, 180);
   if (node.has("outer")) light.outer = node.at("outer").numberFrom(0, 180);
   if (!node.has("outer")) light.outer = std::max(light.outer, light.inner);
   if (!node.has("inner")) light.inner = std::min(light.outer, light.inner);
-  if (light.inner > light.outer) node.at("inner").fail("it must not exceed outer");
+  if (light.inner > light.outer) node.at("inner").fail("inner must not exceed outer");
   if (node.has("falloff")) light.falloff = node.at("falloff").whole(0, 1'000'000);
 }
 
@@ -78,12 +79,13 @@ Light readOne(const Scene& scene, const Node& node, const glm::dvec3& centre) {
                       {"shines", "look_at", "inner", "outer", "falloff"});
       break;
   }
-  if (node.has("color") && node.has("Ip")) node.at("Ip").fail("the light's intensity is said twice");
+  if (node.has("color") && node.has("Ip"))
+    node.at("Ip").fail("the light has both color and Ip; give one of them");
   for (const char* key : {"color", "Ip"})
     if (node.has(key)) light.Ip = node.at(key).grayOrColor();
   if (light.kind == LightKind::Directional) return light;
 
-  if (!node.has("at")) node.fail("at is needed: where the light is");
+  if (!node.has("at")) node.fail("at is missing: the position of the light");
   light.position = place(scene, node.at("at"));
   readAttenuation(light, scene, node, std::max(glm::length(light.position - centre), 0x1p-20));
   if (light.kind == LightKind::Spot) readCone(light, scene, node, centre);
@@ -107,10 +109,10 @@ void expectOnce(const Scene& scene, const Node& root) {
   if (!root.has("shading")) return;
   const Node shading = root.at("shading");
   if (scene.light.Ia && shading.has("Ia"))
-    shading.at("Ia").fail("the ambient light is said twice: see ambient");
+    shading.at("Ia").fail("the ambient light is given twice: here and in ambient");
   for (const char* key : {"light", "light_at"})
     if (!scene.light.lights.empty() && shading.has(key))
-      shading.at(key).fail("where light comes from is said twice: see lights");
+      shading.at(key).fail("the light is given twice: here and in lights");
 }
 
 }  // namespace
@@ -121,7 +123,8 @@ void readLight(Scene& scene, const Node& root) {
   glm::dvec3 sum = scene.light.Ia.value_or(glm::dvec3{0.0});
   if (root.has("lights")) {
     const Node lights = root.at("lights");
-    if (lights.size() == 0) lights.fail("at least one light is needed; for none shading takes Ip 0");
+    if (lights.size() == 0)
+      lights.fail("at least one light is needed; for a scene without lights, set Ip to 0 in shading");
     const glm::dvec3 centre = boxOf(scene.mesh.points).centre();
     std::vector<int> unsaid;
     for (int k = 0; k < lights.size(); ++k) {

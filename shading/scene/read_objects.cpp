@@ -33,7 +33,7 @@ auto fromFile(const Node& file, const Read& read) -> decltype(read()) {
 /// Reads "color": [r, g, b] from 0 to 1, or "color255": [r, g, b] from 0 to 255.
 std::optional<glm::dvec3> readColor(const Node& node, const std::string& key) {
   const std::string bytes = key + "255";
-  if (node.has(key) && node.has(bytes)) node.at(bytes).fail("the colour is said twice");
+  if (node.has(key) && node.has(bytes)) node.at(bytes).fail("the colour is given twice");
   if (node.has(key)) return node.at(key).color();
   if (!node.has(bytes)) return std::nullopt;
   const Node of255 = node.at(bytes);
@@ -176,9 +176,9 @@ Mesh readSolid(const Node& node) {
 void expectDividable(const Node& node) {
   const std::string solid = node.has("solid") ? node.at("solid").text() : "";
   if (node.has("around") && solid != "sphere" && solid != "torus")
-    node.at("around").fail("is for solid sphere and torus");
-  if (node.has("down") && solid != "sphere") node.at("down").fail("is for solid sphere");
-  if (node.has("across") && solid != "torus") node.at("across").fail("is for solid torus");
+    node.at("around").fail("applies only to a sphere or a torus");
+  if (node.has("down") && solid != "sphere") node.at("down").fail("applies only to a sphere");
+  if (node.has("across") && solid != "torus") node.at("across").fail("applies only to a torus");
 }
 
 /// Collects the objects in one mesh, one after the other.
@@ -203,9 +203,10 @@ class Collector {
     node.expectKeys({"file", "polygons", "uv", "solid", "name", "color", "color255", "material", "divisions",
                      "around", "down", "across", "scale", "rotate", "move"});
     if (node.has("file") + node.has("polygons") + node.has("solid") != 1)
-      node.fail("one of file, polygons and solid is needed");
+      node.fail("exactly one of file, polygons and solid is needed");
     expectDividable(node);
-    if (node.has("uv") && !node.has("polygons")) node.at("uv").fail("texture coordinates are for polygons");
+    if (node.has("uv") && !node.has("polygons"))
+      node.at("uv").fail("texture coordinates apply only to polygons");
     const Transform transform{node};
     PatchRun run;
     Mesh mesh = meshOf(node, transform, run);
@@ -241,7 +242,7 @@ class Collector {
     std::filesystem::path file;
     if (node.has("file")) file = folder_ / node.at("file").text();
     if (node.has("divisions") && file.extension() != ".bpt")
-      node.at("divisions").fail("divisions are for the patches of a .bpt file");
+      node.at("divisions").fail("divisions apply only to the patches of a .bpt file");
     if (node.has("solid")) return readSolid(node);
     if (node.has("polygons")) return readPolygons(node);
     if (file.extension() == ".obj") return fromFile(node.at("file"), [&] { return readObj(file); });
@@ -263,7 +264,7 @@ class Collector {
       return next;
     }
     const Node said = node.at("material");
-    if (color) said.fail("an object has a material or a colour");
+    if (color) said.fail("the object has both a material and a colour; give one of them");
     const auto found = materials_.find(said.text());
     if (found == materials_.end()) {
       std::string names;

@@ -57,7 +57,7 @@ void keepUsedPoints(Mesh& mesh) {
 }  // namespace
 
 Scene makeScene(std::string name, Mesh mesh, UpAxis up, int divisions) {
-  if (mesh.faceCount() == 0) throw std::invalid_argument{name + ": holds no face"};
+  if (mesh.faceCount() == 0) throw std::invalid_argument{name + ": the scene has no faces"};
   keepUsedPoints(mesh);
   double largest = 0.0;
   for (const glm::dvec3& p : mesh.points)
@@ -124,8 +124,8 @@ Scene readAny(const std::string& nameOrFile, int divisions) {
     throw std::system_error{EISDIR, std::generic_category(), nameOrFile};
   throw ParseError{nameOrFile, 0,
                    !std::filesystem::exists(file) && extension.empty()
-                       ? "no built-in scene of that name; `xnewell scenes` lists them"
-                       : "not a scene: .obj, .bpt and .json files are"};
+                       ? "there is no built-in scene of that name; `xnewell scenes` lists them"
+                       : "not a scene file: scenes are .obj, .bpt and .json files"};
 }
 
 }  // namespace
@@ -207,7 +207,7 @@ void strip(Scene& scene, std::string_view what) {
 void wear(Scene& scene, Texture texture) {
   Mesh& mesh = scene.mesh;
   if (mesh.uvOfCorner.empty())
-    throw ViewError{scene.name + ": holds no texture coordinates to put a texture on"};
+    throw ViewError{scene.name + ": the scene has no texture coordinates, so it cannot show a texture"};
   const int number = static_cast<int>(scene.textures.size()), bare = static_cast<int>(mesh.materials.size());
   scene.textures.push_back(std::move(texture));
   if (std::ranges::find(mesh.material, -1) != mesh.material.end()) mesh.materials.emplace_back();

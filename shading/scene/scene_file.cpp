@@ -25,10 +25,10 @@ Scene otherScene(const Node& root, const std::filesystem::path& folder, int divi
   const std::string of = isBuiltIn(other.text()) ? other.text() : (folder / other.text()).string();
   if (!isBuiltIn(of) && of.ends_with(".json") && std::filesystem::is_regular_file(of) &&
       JsonText{readTextFile(of), of}.root().has("scene"))
-    other.fail(inQuotes(other.text()) + " is a set-up of another scene itself: name that");
+    other.fail(inQuotes(other.text()) + " is itself a set-up of another scene; name that scene");
   Scene scene;
   if (!isBuiltIn(of) && !std::filesystem::path{of}.has_extension())
-    other.fail(inQuotes(other.text()) + " is no built-in scene; `xnewell scenes` lists them");
+    other.fail(inQuotes(other.text()) + " is not a built-in scene; `xnewell scenes` lists them");
   try {
     scene = readScene(of, divisions);
   } catch (const std::system_error& e) {
@@ -66,7 +66,7 @@ Scene ownScene(const Node& root, std::string_view text, const std::string& name,
     up = axis == "z" ? UpAxis::Z : UpAxis::Y;
   }
   Objects objects = readObjects(root, text, folder, divisions);
-  if (objects.mesh.faceCount() == 0) root.fail("holds no face");
+  if (objects.mesh.faceCount() == 0) root.fail("the scene has no faces");
   const int divided = objects.patches.empty() ? 0 : objects.patches.front().divisions;
   const bool alike =
       std::ranges::all_of(objects.patches, [&](const auto& run) { return run.divisions == divided; });

@@ -33,7 +33,8 @@ ServerColormap openColormap(Display* display, const Options& options, const Scen
     if (options.colormap == MapOwner::Shared || (wish && choice.visual.name() != standard.name())) throw;
     settings.owner = MapOwner::Shared;
     ServerColormap colormap{display, chooseVisual(server, {}, MapOwner::Shared), settings};
-    tell("no colormap of our own (" + std::string{e.what()} + "), but " + colormap.account());
+    tell("the X server has no room for another colormap (" + std::string{e.what()} + "); using " +
+         colormap.account());
     return colormap;
   }
 }

@@ -51,7 +51,7 @@ void takeSnapshot(const Options& options, Scene scene, const Taken& taken) {
     present(server, canvas, shot, options.fill);
     trap.check();
     times.present = watch.ms();
-    if (strayErrors() > 0) throw X11Error{"the X server refused requests: no picture"};
+    if (strayErrors() > 0) throw X11Error{"the X server refused requests, so there is no picture"};
     std::optional<ColoredImage> cells = readCells(canvas, server.colormap, shot.image);
     const RgbImage seen = cells ? RgbImage{} : canvas.readBack({0, 0, size.x, size.y});
     if (!cells) cells = inFewColors(seen);
@@ -96,7 +96,7 @@ std::string visualsTable(const Options& options) {
   const std::string table =
       describeVisuals(readVisuals(display.get(), /*countsCells=*/true), wishOf(options), options.colormap);
   XSync(display.get(), 0);
-  if (strayErrors() > 0) throw X11Error{"the X server refused requests: no table"};
+  if (strayErrors() > 0) throw X11Error{"the X server refused requests, so there is no table"};
   return table;
 }
 

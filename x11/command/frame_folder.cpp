@@ -36,8 +36,8 @@ void makeFrameFolder(const std::string& folder) {
   if (error) throw std::system_error{error, folder};
   for (const fs::directory_entry& file : files)
     if (const std::string name = file.path().filename().string(); isFrame(name))
-      throw UsageError{"--frames: " + inQuotes(folder) + " holds frames already, such as " + name +
-                       ": name another folder, or remove them"};
+      throw UsageError{"--frames: " + inQuotes(folder) + " already holds frames, such as " + name +
+                       "; name another folder, or remove them"};
 }
 
 std::string frameFile(const std::string& folder, int number, std::string_view word) {

@@ -128,9 +128,8 @@ void trace(const Options& options, Picture& picture) {
     return writeFrames(options, picture, sorted);
   }
   std::optional<Doing> telling;
-  if (::isatty(STDOUT_FILENO) == 0)
-    telling.emplace("telling");  // if standard output is a terminal, its
-                                 // lines show the progress
+  // If standard output is a terminal, its lines show the progress.
+  if (::isatty(STDOUT_FILENO) == 0) telling.emplace("writing the trace");
   printTrace(options, picture, sorted, std::cout);
 }
 
@@ -167,7 +166,7 @@ int teach(const Options& options) {
 /// @throws UsageError if Ia + the sum of Ip then exceeds 1, or if --fill x11 cannot show the scene's textures
 void giveWay(Scene& scene, const Options& options) {
   if (options.fill == Fill::XFillPolygon && !scene.textures.empty())
-    throw UsageError{"--fill x11 gives a polygon one cell: it does not show the scene's textures"};
+    throw UsageError{"--fill x11 paints each polygon in one colour, so it cannot show the scene's textures"};
   const Said& said = options.said;
   const std::array<bool, kStrippable.size()> given{said.Ia, said.light, said.ka, said.kd, said.ks, said.n};
   for (std::size_t k = 0; k < given.size(); ++k)
@@ -202,12 +201,13 @@ void fade(Scene& scene, const Options& options) {
     light.c = user.c.value_or(glm::dvec3{1.0, 0.0, 1.0 / (distance * distance)});
   }
   if (!any && user.attenuation != Attenuation::None)
-    throw UsageError{"--attenuation needs a light at a place: --light-at x,y,z, or a scene that has one"};
+    throw UsageError{
+        "--attenuation needs a light at a place: give --light-at x,y,z or a scene with such a light"};
   if (any && options.command == Command::View)  // a set-up of the window names the scene, but not what became
                                                 // of its lights
     throw UsageError{
-        "--attenuation of the scene's own lights goes with draw, snapshot and trace; for a window "
-        "say --light-at x,y,z too"};
+        "--attenuation changes the scene's own lights only with draw, snapshot and trace; for a window, "
+        "give --light-at x,y,z as well"};
 }
 
 /// Draws the picture in a window of a server, reads it back and writes it.

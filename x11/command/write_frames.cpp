@@ -19,11 +19,12 @@ std::vector<int> stepsToDraw(const Options& options, const SortedScene& sorted) 
   const std::string word{kEvery[static_cast<int>(options.every)].name};
   std::vector<int> steps = stepsOf(sorted, options.every);
   if (steps.empty())
-    throw UsageError{options.scene + ": the run has no " + word + " to make a frame of; --every paint has " +
+    throw UsageError{options.scene + ": the run has no " + word +
+                     ", so there is no frame to write; --every paint has " +
                      std::to_string(sorted.fragments.size())};
   if (steps.size() >= kMostFrames)
     throw UsageError{"--every " + word + ": " + std::to_string(steps.size()) +
-                     " frames are too many; at most 9,998 are written"};
+                     " frames are too many; the most is 9,998"};
   return steps;
 }
 

@@ -16,7 +16,7 @@ Lesson lessonNamed(const std::string& nameOrFile) {
     if (entry.name == nameOrFile) return readLesson(entry.file);
   const std::filesystem::path file{nameOrFile};
   if (file.extension() == ".json" && std::filesystem::exists(file)) return readLesson(file);
-  throw UsageError{"no lesson is called " + inQuotes(nameOrFile) + "; `xnewell scenes` lists them"};
+  throw UsageError{"there is no lesson " + inQuotes(nameOrFile) + "; `xnewell scenes` lists the lessons"};
 }
 
 void writeLesson(const Options& options, Lesson lesson, const std::function<void(int)>& tell) {

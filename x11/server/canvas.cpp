@@ -149,7 +149,7 @@ OwnedImage Canvas::pixels(const Rect& rect) const {
   OwnedImage got{
       XGetImage(display_, drawable(), rect.x, rect.y, rect.width, rect.height, AllPlanes, ZPixmap)};
   trap.check();
-  if (!got) throw X11Error("the X server did not give the picture back");
+  if (!got) throw X11Error("the X server did not return the picture");
   return got;
 }
 

@@ -22,7 +22,7 @@ Visual* findVisual(Display* display, unsigned long id) {
   int count = 0;
   const std::unique_ptr<XVisualInfo, int (*)(void*)> found{
       XGetVisualInfo(display, VisualIDMask, &wanted, &count), XFree};
-  if (count == 0) throw X11Error("the X server has no such visual any more");
+  if (count == 0) throw X11Error("the X server no longer has this visual");
   return found->visual;
 }
 
@@ -34,7 +34,7 @@ std::vector<Rgb16> readColors(Display* display, Colormap map, const VisualInfo& 
   XQueryColors(display, map, cells.data(), static_cast<int>(cells.size()));
   trap.check();
   // Xlib does not report a BadAlloc here. But an answer sets the flags, so flags of 0 mean that none came.
-  if (cells[0].flags == 0) throw X11Error("X_QueryColors: the X server does not tell its colours");
+  if (cells[0].flags == 0) throw X11Error("X_QueryColors: the X server did not return the colours");
   std::vector<Rgb16> colors(cells.size());
   std::ranges::transform(cells, colors.begin(), [](const XColor& c) {
     return Rgb16{c.red, c.green, c.blue};
@@ -196,19 +196,19 @@ std::string ServerColormap::shortfall() const {
   if (shared_ && found_ > 0 && found_ < settings_.shades) {
     const std::string has = its + " has free cells for " + std::to_string(found_) + " of " +
                             std::to_string(settings_.shades) + " shades";
-    return has_ == Own::Ramp ? has : has + ", and " + instead() + ", which shows more";
+    return has_ == Own::Ramp ? has : has + "; " + instead() + " instead, because that shows more";
   }
   if (shared_ && fixed_)
     return its + " has levels for " + std::to_string(fixed_->size()) +
-           " colours and no ramp of shades: " + instead();
+           " colours, but no cells for a ramp of shades: " + instead();
   if (shared_ && has_ == Own::Nothing) return its + " has no free cells for a ramp of shades: " + instead();
   if (!shared_ && settings_.owner == MapOwner::Shared)
-    return "the default colormap, of " + visual_.name() + ", is not writable: the colour table is emulated";
+    return "the default colormap (" + visual_.name() + ") is not writable, so the colour table is emulated";
   return "";
 }
 
 std::string ServerColormap::instead() const {
-  return settings_.dither ? "its colours are mixed" : "the nearest of its colours are shown";
+  return settings_.dither ? "its colours are mixed" : "its nearest colours are shown";
 }
 
 CellPlan ServerColormap::plan(TableKind table) const {

@@ -45,7 +45,7 @@ std::string describe(Display* display, const XErrorEvent& error, bool mayAsk) {
 
 int onServerGone(Display* display) {
   std::fflush(stdout);
-  tell(std::string{"the X server of display '"} + DisplayString(display) + "' has gone");
+  tell(std::string{"lost the connection to the X server of display '"} + DisplayString(display) + "'");
   std::_Exit(1);
 }
 
@@ -89,7 +89,8 @@ OwnedDisplay openDisplay(const std::string& name) {
   XSetErrorHandler(onError);
   XSetIOErrorHandler(onServerGone);
   const std::string used = XDisplayName(name.empty() ? nullptr : name.c_str());
-  if (used.empty()) throw X11Error("no DISPLAY is set: start an X server, or name one, as in DISPLAY=:0");
+  if (used.empty())
+    throw X11Error("DISPLAY is not set: start an X server, or name one, for example DISPLAY=:0");
   std::string said;
   OwnedDisplay display = open(used, said);
   if (!display) throw X11Error("cannot open display '" + used + "'" + (said.empty() ? "" : ": " + said));

@@ -27,7 +27,7 @@ using OwnedDisplay = std::unique_ptr<Display, DisplayCloser>;
 ///   - If the server is gone, the program prints a message and ends at once with status 1. Xlib cannot go on
 ///     from there, and we may call nothing but Xlib, so destructors do not run. SIGPIPE is ignored for this,
 ///     so writing to a pipe that nobody reads is an ordinary error, like a full disk.
-/// @throws X11Error "cannot open display ':7'" with the server's reason, if it gives one; or "no DISPLAY is
+/// @throws X11Error "cannot open display ':7'" with the server's reason, if it gives one; or "DISPLAY is not
 /// set"
 [[nodiscard]] OwnedDisplay openDisplay(const std::string& name = {});
 

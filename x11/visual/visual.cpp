@@ -25,14 +25,14 @@ struct Preference {
 bool isClass(const VisualInfo& v, VisualClass kind) { return v.kind == kind; }
 bool trueColor(const VisualInfo& v) { return isClass(v, VisualClass::TrueColorClass); }
 
-constexpr std::string_view kStores = "store colours in a map of its own, draw nothing when they change";
-constexpr std::string_view kEmulates = "look colours up itself, draw again when they change";
+constexpr std::string_view kStores = "store colours in a private map; a change of colours draws nothing";
+constexpr std::string_view kEmulates = "look the colours up itself; a change of colours draws again";
 constexpr std::string_view kLive =
     "its colormap is real: a new hue or gamma stores colours and draws nothing";
 constexpr std::string_view kExactly =
     "the 256-entry table is emulated: a change of colours draws the picture again";
 constexpr std::string_view kCoarse =
-    "for want of what shows every colour; the table is emulated with those there are, mixed";
+    "it does not have every colour; the table is emulated by mixing those it has";
 
 constexpr std::array kPreferences{
     Preference{[](const VisualInfo& v) {
@@ -48,28 +48,25 @@ constexpr std::array kPreferences{
                kExactly},
     Preference{
         [](const VisualInfo& v) { return isClass(v, VisualClass::DirectColorClass) && v.holdsTable(); },
-        "store colours in a map of its own through pixels (i, i, i), draw nothing", kLive},
+        "store colours in a private map, through pixels (i, i, i); a change draws nothing", kLive},
     Preference{[](const VisualInfo& v) { return trueColor(v) && v.alphaMask() == 0 && v.depth >= 15; },
-               "look up the nearest of its colours, mixed", kCoarse},
-    Preference{
-        [](const VisualInfo& v) { return trueColor(v) && v.exact(); }, kEmulates,
-        "for want of better; the table is emulated, and the alpha that a compositor may use is opaque"},
+               "mix its colours", kCoarse},
+    Preference{[](const VisualInfo& v) { return trueColor(v) && v.exact(); }, kEmulates,
+               "the table is emulated; the alpha channel, which a compositor may use, is opaque"},
     Preference{[](const VisualInfo& v) { return isClass(v, VisualClass::GrayScaleClass) && v.holdsTable(); },
-               "store grays in a map of its own, draw nothing when they change",
+               "store grays in a private map; a change of colours draws nothing",
                "its colormap is real and holds the grays of the colours: storing draws nothing"},
     Preference{[](const VisualInfo& v) { return isClass(v, VisualClass::StaticColorClass) && v.depth >= 8; },
-               "look up the nearest of its fixed colours, mixed", kCoarse},
-    Preference{trueColor, "look up the nearest of its colours, mixed", kCoarse},
+               "mix its fixed colours", kCoarse},
+    Preference{trueColor, "mix its colours", kCoarse},
     Preference{[](const VisualInfo& v) { return isClass(v, VisualClass::DirectColorClass); },
-               "fill a map of its own with even levels; look up the nearest, mixed", kCoarse},
+               "fill a private map with even levels and mix these", kCoarse},
     Preference{[](const VisualInfo& v) { return v.gray() && v.holdsColors(); },
-               "look grays up itself, draw again when they change",
-               "for want of colour; the table is emulated with the grays of the colours"},
-    Preference{[](const VisualInfo& v) { return v.gray() && !v.writable(); },
-               "look up the nearest of its fixed grays, mixed",
-               "for want of colour; the table is emulated with the grays there are, mixed"},
-    Preference{[](const VisualInfo&) { return true; }, "look up the nearest of its few cells, mixed",
-               kCoarse},
+               "look the grays up itself; a change of colours draws again",
+               "it shows no colours; the table is emulated with their grays"},
+    Preference{[](const VisualInfo& v) { return v.gray() && !v.writable(); }, "mix its fixed grays",
+               "it shows no colours; the table is emulated by mixing the grays it has"},
+    Preference{[](const VisualInfo&) { return true; }, "mix the colours of its few cells", kCoarse},
 };
 
 int rowOf(const VisualInfo& v) {
@@ -146,11 +143,11 @@ std::string orderOf(const VisualInfo& v) {
 std::string deed(const VisualInfo& v, const ServerVisuals& server, MapOwner owner) {
   const std::string does{kPreferences[rowOf(v)].does};
   if (owner == MapOwner::Private) return does;
-  if (!sameKind(v, server.defaultVisual())) return "not take it: the default map is another visual's";
+  if (!sameKind(v, server.defaultVisual())) return "not take it: the default map belongs to another visual";
   if (!v.writable()) return does;
   return v.hasChannels() && !v.holdsTable()
-             ? "take what levels of the default map can be had, mixed"
-             : "take free cells of the default map as shades; if too few, its colours, mixed";
+             ? "take the levels that the default map offers, and mix them"
+             : "take free cells of the default map as shades; if these are too few, mix its colours";
 }
 
 /// The position of a channel in a pixel value: its lowest bit, and its number of bits.
@@ -205,7 +202,7 @@ VisualWish parseVisualWish(std::string_view text) {
   for (const VisualClassRow& row : kVisualClasses) classes.emplace_back(row.name);
   throw std::invalid_argument(
       "'" + std::string{text} +
-      "' is no visual: write a class and, if it matters, a depth, as in PseudoColor8 or "
+      "' is not a visual: give a class and, if it matters, a depth, such as PseudoColor8 or "
       "TrueColor24; the classes are " +
       list(classes));
 }
@@ -222,11 +219,12 @@ VisualChoice chooseVisual(const ServerVisuals& server, const std::optional<Visua
   if (owner == MapOwner::Shared) {
     const VisualInfo& v = server.defaultVisual();
     if (!has(v))
-      throw X11Error("--colormap shared takes cells of the default map, which is for " + v.name() +
-                     ", not for " + wished());
-    return {v, v.writable() ? "the default visual, whose map is shared: as many shades as it has free cells, "
-                              "or its colours mixed"
-                            : "the default visual; its map is not writable, so the table is emulated"};
+      throw X11Error("--colormap shared uses the default map, which belongs to " + v.name() + ", not to " +
+                     wished());
+    return {v, v.writable()
+                   ? "the default visual, whose map is shared: it gives as many shades as it has free cells, "
+                     "or its colours are mixed"
+                   : "the default visual; its map is not writable, so the table is emulated"};
   }
   const auto rank = [&](const VisualInfo& v) {
     return std::tuple{-rowOf(v), v.depth, v.id == server.defaultId};
@@ -235,7 +233,7 @@ VisualChoice chooseVisual(const ServerVisuals& server, const std::optional<Visua
   for (const VisualInfo& v : server.visuals)
     if (has(v) && (best == nullptr || rank(v) > rank(*best))) best = &v;
   if (best == nullptr) throw X11Error("display '" + server.display + "' has no visual");
-  std::string why = (wish ? "as insisted on; " : "") + std::string{kPreferences[rowOf(*best)].why};
+  std::string why = (wish ? "as you asked; " : "") + std::string{kPreferences[rowOf(*best)].why};
   const auto flashing = std::ranges::find_if(server.visuals, [&](const VisualInfo& v) {
     return has(v) && isClass(v, VisualClass::DirectColorClass) && v.holdsTable();
   });
@@ -261,10 +259,10 @@ std::string describeVisuals(const ServerVisuals& server, const std::optional<Vis
          std::to_string(count), std::to_string(v.cells),
          server.freeCells && sameKind(v, server.defaultVisual()) ? std::to_string(*server.freeCells) : "-",
          std::to_string(v.bitsPerRgb), v.writable() ? "writable" : "fixed", deed(v, server, owner));
-  out << "\norder: of red, green and blue in a pixel value, from its highest bits down\n"
-      << "cells: entries of its colormap (of each channel where red, green and blue have their own)\n"
-      << "free:  of the default colormap, which all programs share\n"
-      << "bits:  of a stored colour that reach the screen\n\n"
+  out << "\norder: of red, green and blue in a pixel value, highest bits first\n"
+      << "cells: entries of the colormap (of each channel, if red, green and blue have their own)\n"
+      << "free:  cells of the default colormap that are free (all programs share it)\n"
+      << "bits:  bits of a stored colour that reach the screen\n\n"
       << "default visual    " << server.defaultVisual().name() << " (" << hex(server.defaultId) << ")\n"
       << "black and white   pixels " << server.black << " and " << server.white << '\n'
       << "default colormap  ";

@@ -103,12 +103,12 @@ TEST(Png, ReadingSaysWhoIsWrong) {
   EXPECT_THROW((void)readPng(file), std::system_error);
   EXPECT_THROW((void)readPng(folder.file("")), std::system_error);
   writeFile(file, "no picture at all");
-  EXPECT_EQ(complaint(), file + ": no PNG file");
+  EXPECT_EQ(complaint(), file + ": not a PNG file");
   writePng(file, noise(64, 64, 5), scattered(5));
   const std::string whole = contents(file);
   for (const std::size_t length : {std::size_t{0}, std::size_t{20}, std::size_t{500}, whole.size() / 2}) {
     writeFile(file, whole.substr(0, length));
-    EXPECT_EQ(complaint(), file + (length == 0 ? ": no PNG file" : ": the PNG file ends early")) << length;
+    EXPECT_EQ(complaint(), file + (length == 0 ? ": not a PNG file" : ": the PNG file ends early")) << length;
   }
 }
 

@@ -7,20 +7,23 @@ namespace xnewell {
 
 // Every complaint names the place and what is allowed there.
 TEST(SceneFile, ComplaintsNameThePlace) {
-  EXPECT_EQ(complaint("{\n\"objects\": [\n1,,\n]}"), "s.json:3: not JSON here");
-  EXPECT_EQ(complaint(""), "s.json:1: not JSON here");
+  EXPECT_EQ(complaint("{\n\"objects\": [\n1,,\n]}"), "s.json:3: not valid JSON here");
+  EXPECT_EQ(complaint(""), "s.json:1: not valid JSON here");
   EXPECT_EQ(complaint("[]"), "s.json: an object { } is needed");
-  EXPECT_EQ(complaint("{}"), "s.json: holds no face");
-  EXPECT_EQ(complaint(R"({"light": []})"),
-            "s.json: unknown key 'light'; there are shows, up, camera, ambient, lights, shading, materials, "
-            "objects");
-  EXPECT_EQ(complaint(R"({"lights": [], "objects": [{"solid": "cube"}]})"),
-            "s.json: lights: at least one light is needed; for none shading takes Ip 0");
+  EXPECT_EQ(complaint("{}"), "s.json: the scene has no faces");
+  EXPECT_EQ(
+      complaint(R"({"light": []})"),
+      "s.json: unknown key 'light'; the keys are shows, up, camera, ambient, lights, shading, materials, "
+      "objects");
+  EXPECT_EQ(
+      complaint(R"({"lights": [], "objects": [{"solid": "cube"}]})"),
+      "s.json: lights: at least one light is needed; for a scene without lights, set Ip to 0 in shading");
   EXPECT_EQ(complaint(R"({"scene": "nope"})"),
-            "s.json: scene: 'nope' is no built-in scene; `xnewell scenes` lists them");
+            "s.json: scene: 'nope' is not a built-in scene; `xnewell scenes` lists them");
   EXPECT_EQ(complaint(R"({"up": "x"})"), "s.json: up: \"y\" or \"z\" is needed");
   EXPECT_EQ(complaint(R"({"objects": {}})"), "s.json: objects: a list [ ] is needed");
-  EXPECT_EQ(complaint(withObject("{}")), "s.json: objects[0]: one of file, polygons and solid is needed");
+  EXPECT_EQ(complaint(withObject("{}")),
+            "s.json: objects[0]: exactly one of file, polygons and solid is needed");
   EXPECT_EQ(complaint(withObject(R"({"solid": "cone"})")),
             "s.json: objects[0].solid: cube, sphere or torus is needed");
   EXPECT_EQ(complaint(withObject(R"({"solid": "torus", "around": 2})")),
@@ -55,19 +58,19 @@ TEST(SceneFile, ComplaintsOfEachPart) {
   EXPECT_EQ(object(R"("rotate": [0, 0, 1e7])"),
             "s.json: objects[0].rotate[2]: an angle within 1,000,000 degrees is needed");
   EXPECT_EQ(object(R"("rotate": {"axis": [0, 0, 0], "degrees": 3})"),
-            "s.json: objects[0].rotate.axis: 0, 0, 0 is no direction");
+            "s.json: objects[0].rotate.axis: 0, 0, 0 is not a direction");
   EXPECT_EQ(object(R"("rotate": {"axis": [0, 0, 1]})"), "s.json: objects[0].rotate: degrees is needed");
   EXPECT_EQ(object(R"("rotate": {"angle": 1})"),
-            "s.json: objects[0].rotate: unknown key 'angle'; there are axis, degrees");
+            "s.json: objects[0].rotate: unknown key 'angle'; the keys are axis, degrees");
   EXPECT_EQ(object(R"("divisions": 4)"),
-            "s.json: objects[0].divisions: divisions are for the patches of a .bpt file");
+            "s.json: objects[0].divisions: divisions apply only to the patches of a .bpt file");
   EXPECT_EQ(object(R"("color": [1, 1, 2])"), "s.json: objects[0].color: r, g, b from 0 to 1 are needed");
   EXPECT_EQ(object(R"("color255": [1, 1, 256])"),
             "s.json: objects[0].color255[2]: a number from 0 to 255 is needed");
   EXPECT_EQ(object(R"("color": [1, 1, 1], "color255": [1, 1, 1])"),
-            "s.json: objects[0].color255: the colour is said twice");
+            "s.json: objects[0].color255: the colour is given twice");
   EXPECT_EQ(object(R"("color": [1, 1, 1], "color": [1, 1, 1])"),
-            "s.json:1: the key 'color' stands twice in an object");
+            "s.json:1: the key 'color' appears twice in an object");
   EXPECT_EQ(object(R"("material": "tin")"), "s.json: objects[0].material: the file has no materials");
   EXPECT_EQ(
       complaint(
@@ -79,17 +82,17 @@ TEST(SceneFile, ComplaintsOfEachPart) {
   EXPECT_EQ(object(R"("uv": [[[0, 0], [1, 0], [1, 0, 0]]])"),
             "s.json: objects[0].uv[0][2]: a list of 2 numbers is needed");
   EXPECT_EQ(complaint(withObject(R"({"solid": "cube", "uv": []})")),
-            "s.json: objects[0].uv: texture coordinates are for polygons");
+            "s.json: objects[0].uv: texture coordinates apply only to polygons");
 
   const auto material = [](const std::string& what) {
     return complaint(R"({"materials": {"tin": )" + what + R"(}, "objects": [)" +
                      kTriangle.substr(0, kTriangle.size() - 1) + R"(, "material": "tin"}]})");
   };
   EXPECT_EQ(material("3"), "s.json: materials.tin: an object { } is needed");
-  EXPECT_EQ(
-      material(R"({"shine": 1})"),
-      "s.json: materials.tin: unknown key 'shine'; there are color, color255, specular, specular255, ka, kd, "
-      "ks, n, texture");
+  EXPECT_EQ(material(R"({"shine": 1})"),
+            "s.json: materials.tin: unknown key 'shine'; the keys are color, color255, specular, "
+            "specular255, ka, kd, "
+            "ks, n, texture");
   EXPECT_EQ(material(R"({"kd": 1.5})"), "s.json: materials.tin.kd: a number from 0 to 1 is needed");
   EXPECT_EQ(material(R"({"n": 2.5})"), "s.json: materials.tin.n: a whole number from 0 to 1000000 is needed");
   EXPECT_EQ(material(R"({"texture": 1})"), "s.json: materials.tin.texture: a string is needed");
@@ -102,32 +105,34 @@ TEST(SceneFile, ComplaintsOfEachPart) {
   };
   EXPECT_EQ(light(R"({"kind": "sun"})"),
             "s.json: lights[0].kind: 'sun' is not one of directional, point, spot");
-  EXPECT_EQ(light(R"({"kind": "point"})"), "s.json: lights[0]: at is needed: where the light is");
+  EXPECT_EQ(light(R"({"kind": "point"})"), "s.json: lights[0]: at is missing: the position of the light");
   EXPECT_EQ(light(R"({"at": [0, 0, 1]})"),
-            "s.json: lights[0]: unknown key 'at'; there are kind, color, Ip, towards");
-  EXPECT_EQ(light(R"({"kind": "point", "at": [0, 0, 1], "inner": 3})"),
-            "s.json: lights[0]: unknown key 'inner'; there are kind, color, Ip, at, attenuation, range, c");
-  EXPECT_EQ(light(R"({"towards": [0, 0, 0]})"), "s.json: lights[0].towards: 0, 0, 0 is no direction");
+            "s.json: lights[0]: unknown key 'at'; the keys are kind, color, Ip, towards");
+  EXPECT_EQ(
+      light(R"({"kind": "point", "at": [0, 0, 1], "inner": 3})"),
+      "s.json: lights[0]: unknown key 'inner'; the keys are kind, color, Ip, at, attenuation, range, c");
+  EXPECT_EQ(light(R"({"towards": [0, 0, 0]})"), "s.json: lights[0].towards: 0, 0, 0 is not a direction");
   EXPECT_EQ(light(R"({"Ip": 1.5})"), "s.json: lights[0].Ip: a number from 0 to 1 is needed");
   EXPECT_EQ(light(R"({"Ip": [0, 0, -1]})"), "s.json: lights[0].Ip: r, g, b from 0 to 1 are needed");
   EXPECT_EQ(light(R"({"Ip": 0.5, "color": 0.5})"),
-            "s.json: lights[0].Ip: the light's intensity is said twice");
+            "s.json: lights[0].Ip: the light has both color and Ip; give one of them");
   const auto placed = [&](const std::string& what) {
     return light(R"({"kind": "spot", "at": [0, 0, 1], )" + what + "}");
   };
   EXPECT_EQ(
       placed(R"("attenuation": "fog")"),
       "s.json: lights[0].attenuation: 'fog' is not one of none, inverse, inverse-square, linear, textbook");
-  EXPECT_EQ(placed(R"("range": 3)"), "s.json: lights[0].range: a range is for attenuation linear");
+  EXPECT_EQ(placed(R"("range": 3)"), "s.json: lights[0].range: a range applies only to attenuation linear");
   EXPECT_EQ(placed(R"("attenuation": "linear", "range": 0)"),
             "s.json: lights[0].range: a number above 0 is needed");
-  EXPECT_EQ(placed(R"("c": [1, 0, 0])"), "s.json: lights[0].c: c1, c2 and c3 are for attenuation textbook");
+  EXPECT_EQ(placed(R"("c": [1, 0, 0])"),
+            "s.json: lights[0].c: c1, c2 and c3 apply only to attenuation textbook");
   EXPECT_EQ(placed(R"("attenuation": "textbook", "c": [1, -1, 0])"),
             "s.json: lights[0].c: c1, c2 and c3 must not be negative");
   EXPECT_EQ(placed(R"("shines": [0, 0, -1], "look_at": [0, 0, 0])"),
-            "s.json: lights[0].look_at: where it shines is said twice");
-  EXPECT_EQ(placed(R"("look_at": [0, 0, 1])"), "s.json: lights[0]: the spot looks at its own place");
-  EXPECT_EQ(placed(R"("inner": 30, "outer": 20)"), "s.json: lights[0].inner: it must not exceed outer");
+            "s.json: lights[0].look_at: the spot has both shines and look_at; give one of them");
+  EXPECT_EQ(placed(R"("look_at": [0, 0, 1])"), "s.json: lights[0]: the spot points at its own position");
+  EXPECT_EQ(placed(R"("inner": 30, "outer": 20)"), "s.json: lights[0].inner: inner must not exceed outer");
   EXPECT_EQ(placed(R"("outer": 181)"), "s.json: lights[0].outer: a number from 0 to 180 is needed");
   EXPECT_EQ(placed(R"("falloff": -1)"),
             "s.json: lights[0].falloff: a whole number from 0 to 1000000 is needed");
@@ -147,9 +152,9 @@ TEST(SceneFile, ComplaintsOfEachPart) {
   EXPECT_EQ(shading(R"("dither": 1)"), "s.json: shading.dither: true or false is needed");
   EXPECT_EQ(shading(R"("ks": -1)"), "s.json: shading.ks: a number from 0 to 1 is needed");
   EXPECT_EQ(shading(R"("Ia": 0.6, "Ip": 0.6)"), "s.json: shading: Ia + Ip must not exceed 1");
-  EXPECT_EQ(shading(R"("light": [0, 0, 0])"), "s.json: shading.light: 0, 0, 0 is no direction");
+  EXPECT_EQ(shading(R"("light": [0, 0, 0])"), "s.json: shading.light: 0, 0, 0 is not a direction");
   EXPECT_EQ(shading(R"("table": {"gamma": 2})"),
-            "s.json: shading.table: unknown key 'gamma'; there are kind, shades, i0, pick, hue, bits");
+            "s.json: shading.table: unknown key 'gamma'; the keys are kind, shades, i0, pick, hue, bits");
   EXPECT_EQ(shading(R"("table": {"shades": 1})"),
             "s.json: shading.table.shades: a whole number from 2 to 240 is needed");
   EXPECT_EQ(shading(R"("table": {"i0": 1})"), "s.json: shading.table.i0: a number between 0 and 1 is needed");
@@ -167,7 +172,7 @@ TEST(SceneFile, ComplaintsOfTextNameTheLine) {
   EXPECT_EQ(complaint(before + "\n1e400\n],[0,1," + after), "s.json:5: a number is too large");
   EXPECT_EQ(complaint(before + "0\n],[0,1," + after), "no complaint");
   EXPECT_EQ(complaint("{\n\"up\": \"y\",\n\"up\"\n: \"z\"}"),
-            "s.json:3: the key 'up' stands twice in an object");
+            "s.json:3: the key 'up' appears twice in an object");
 }
 
 // A camera that sees nothing in a picture of any size is the file's mistake, and told as its reader's are.
@@ -183,7 +188,8 @@ TEST(SceneFile, ComplaintsOfTheCamera) {
   EXPECT_EQ(camera(R"("eye": [0, 0, 0], "look_at": [0, 0, 0])"),
             "s.json: camera: the view plane normal is zero: eye and look-at point coincide");
   for (const std::string key : {"vpn", "vup", "up"})
-    EXPECT_EQ(camera('"' + key + R"(": [0, 0, 0])"), "s.json: camera." + key + ": 0, 0, 0 is no direction");
+    EXPECT_EQ(camera('"' + key + R"(": [0, 0, 0])"),
+              "s.json: camera." + key + ": 0, 0, 0 is not a direction");
   EXPECT_EQ(camera(R"("vpn": [0, 0, 2], "vup": [0, 0, -1])"), along);
   EXPECT_EQ(camera(R"("eye": [0, 3, 0], "look_at": [0, 0, 0], "up": [0, 1, 0])"), along);
   EXPECT_EQ(camera(R"("eye": [0, 3, 0], "look_at": [0, 0, 0])"), "no complaint");
@@ -227,22 +233,22 @@ TEST(SceneFile, ComplaintsOfWhatDoesNotCount) {
   EXPECT_EQ(shading(R"("method": "gouraud", "adapt": 0.1)"), "no complaint");
 
   EXPECT_EQ(shading(R"("Ia": 0.1)", R"("ambient": 0.1, )"),
-            "s.json: shading.Ia: the ambient light is said twice: see ambient");
+            "s.json: shading.Ia: the ambient light is given twice: here and in ambient");
   EXPECT_EQ(shading(R"("Ia": 0.1)", R"("lights": [{"Ip": 0.1}], )"), "no complaint");
   for (const std::string key : {"light", "light_at"}) {
     const std::string where = '"' + key + R"(": [0, 0, 9])";
     EXPECT_EQ(shading(where, R"("lights": [{"Ip": 0.1}], )"),
-              "s.json: shading." + key + ": where light comes from is said twice: see lights");
+              "s.json: shading." + key + ": the light is given twice: here and in lights");
     EXPECT_EQ(shading(where, R"("ambient": 0.1, )"), "no complaint");
   }
 
   const auto solid = [](const std::string& what) { return complaint(withObject('{' + what + '}')); };
   EXPECT_EQ(solid(R"("solid": "cube", "around": 5)"),
-            "s.json: objects[0].around: is for solid sphere and torus");
-  EXPECT_EQ(solid(R"("solid": "torus", "down": 5)"), "s.json: objects[0].down: is for solid sphere");
-  EXPECT_EQ(solid(R"("solid": "sphere", "across": 5)"), "s.json: objects[0].across: is for solid torus");
+            "s.json: objects[0].around: applies only to a sphere or a torus");
+  EXPECT_EQ(solid(R"("solid": "torus", "down": 5)"), "s.json: objects[0].down: applies only to a sphere");
+  EXPECT_EQ(solid(R"("solid": "sphere", "across": 5)"), "s.json: objects[0].across: applies only to a torus");
   EXPECT_EQ(solid(R"("file": "teapot.bpt", "around": 5)"),
-            "s.json: objects[0].around: is for solid sphere and torus");
+            "s.json: objects[0].around: applies only to a sphere or a torus");
   EXPECT_EQ(solid(R"("solid": "sphere", "around": 5, "down": 5)"), "no complaint");
   EXPECT_EQ(solid(R"("solid": "torus", "around": 5, "across": 5)"), "no complaint");
 }

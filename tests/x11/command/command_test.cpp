@@ -42,10 +42,11 @@ TEST_F(CommandTest, BadScenesAreRefusedInOneLine) {
   refusedToDraw(write("inf.obj", "\nv 0 -inf 0\n" + kTriangle), 2, ":2: number '-inf' is not finite");
   refusedToDraw(write("huge.obj", "v 1e999 0 0\n" + kTriangle), 2, ":1: number '1e999' is too large");
   refusedToDraw(write("two.obj", three + "f 1 2\n"), 2, ":4: a face needs three vertices; this one has 2");
-  refusedToDraw(write("scene.json", "{}"), 2, ": holds no face");
-  refusedToDraw(write("scene.xyz", kTriangle), 2, ": not a scene: .obj, .bpt and .json files are");
+  refusedToDraw(write("scene.json", "{}"), 2, ": the scene has no faces");
+  refusedToDraw(write("scene.xyz", kTriangle), 2,
+                ": not a scene file: scenes are .obj, .bpt and .json files");
   refused({"draw", "nosuch", "-o", file("new.png")}, 2,
-          "nosuch: no built-in scene of that name; `xnewell scenes` lists them");
+          "nosuch: there is no built-in scene of that name; `xnewell scenes` lists them");
   refused(
       {"nosuch"}, 2,
       "nosuch: no command and no built-in scene of that name; `xnewell --help` lists the commands, `xnewell "
@@ -96,7 +97,7 @@ TEST_F(CommandTest, WrongUsageIsStatus2) {
 
 // Without a server what needs one fails in one line, status 1; `draw` and `scenes` do not need one.
 TEST_F(CommandTest, NoServerIsStatus1) {
-  const std::string unset = "no DISPLAY is set: start an X server, or name one, as in DISPLAY=:0";
+  const std::string unset = "DISPLAY is not set: start an X server, or name one, for example DISPLAY=:0";
   refused({}, 1, unset);
   refused({"view", "cycle"}, 1, unset);
   refused({"snapshot", "teapot", "-o", file("old.png")}, 1, unset);

@@ -56,8 +56,8 @@ TEST_F(LessonCommand, AFileIsALesson) {
 TEST_F(LessonCommand, Refusals) {
   const std::string folder = file("frames");
   refused({"lesson", "nosuch", "--frames", folder}, 2,
-          "no lesson is called 'nosuch'; `xnewell scenes` lists them");
-  refused({"lesson", "nosuch"}, 2, "no lesson is called 'nosuch'; `xnewell scenes` lists them");
+          "there is no lesson 'nosuch'; `xnewell scenes` lists the lessons");
+  refused({"lesson", "nosuch"}, 2, "there is no lesson 'nosuch'; `xnewell scenes` lists the lessons");
   refused({"lesson", "--frames", folder}, 2, "--frames needs a lesson's name");
   refused({"lesson", "cycles", "--frames", folder, "--shade", "flat"}, 2,
           "--shade does not go with lesson: a lesson says itself how its steps are drawn");
@@ -77,7 +77,7 @@ TEST_F(LessonCommand, FramesOfAnEarlierRunStay) {
   const std::string before = contents(file("f/0002-step.png"));
   const Finished again = runProgram({"lesson", "specular", "--frames", file("f")});
   EXPECT_EQ(again.status, 2);
-  EXPECT_NE(again.err.find("holds frames already"), std::string::npos) << again.err;
+  EXPECT_NE(again.err.find("already holds frames"), std::string::npos) << again.err;
   EXPECT_EQ(contents(file("f/0002-step.png")), before);
 }
 

@@ -104,7 +104,7 @@ TEST_F(SceneCommandTest, RefusesWhatExceedsOrCannotBeShown) {
   refused(Words{"snapshot", smooth, "--fill", "x11"} + to, 2,
           "--fill x11 gives a polygon one cell: use --shade none, depth or flat");
   refused(Words{"snapshot", "textured-cube", "--shade", "flat", "--fill", "x11"} + to, 2,
-          "--fill x11 gives a polygon one cell: it does not show the scene's textures");
+          "--fill x11 paints each polygon in one colour, so it cannot show the scene's textures");
   EXPECT_EQ(runProgram(Words{"draw", lit, "--ia", "0.4"} + to).status, 0);
   EXPECT_EQ(runProgram(Words{"draw", ambient, "--ip", "0.4"} + to).status, 0);
   const std::string decimals =

@@ -223,18 +223,18 @@ TEST_F(TraceCommand, FramesOfTheStepper) {
   refused({"trace", "cycle", "--whole-window"}, 2,
           "--whole-window goes with snapshot and with trace --frames");
   refused({"trace", "room", "--frames", none, "--whole-window"}, 2,
-          "room: the run has no cut to make a frame of; --every paint has 325");
+          "room: the run has no cut, so there is no frame to write; --every paint has 325");
 }
 
 // What makes no frames says why, and leaves no folder and no file.
 TEST_F(TraceCommand, Refusals) {
   const std::string folder = file("frames");
   refused({"trace", "room", "--frames", folder}, 2,
-          "room: the run has no cut to make a frame of; --every paint has 325");
+          "room: the run has no cut, so there is no frame to write; --every paint has 325");
   refused({"trace", "teapot", "--frames", folder, "--every", "step", "--quick", "--divisions", "10"}, 2,
           "--every step: " +
               std::to_string(linesOf({"teapot", "--quick", "--divisions", "10"})[0]["steps"].get<int>()) +
-              " frames are too many; at most 9,998 are written");
+              " frames are too many; the most is 9,998");
   refused({"trace", "cycle", "--every", "cut"}, 2, "--every goes with --frames");
   refused({"trace", "cycle", "--frames", folder, "--every", "day"}, 2,
           "--every: 'day' is not one of step, paint, move, cycle, cut");
@@ -246,7 +246,8 @@ TEST_F(TraceCommand, Refusals) {
   refused({"draw", "cycle", "-o", file("new.png"), "--frames", folder}, 2,
           "--frames goes with trace and lesson");
   refused({"trace", "cycle", "--frames", file("old.png")}, 1, file("old.png") + ": Not a directory");
-  refused({"trace", "nosuch"}, 2, "nosuch: no built-in scene of that name; `xnewell scenes` lists them");
+  refused({"trace", "nosuch"}, 2,
+          "nosuch: there is no built-in scene of that name; `xnewell scenes` lists them");
 
   // Frames of an earlier run would be mistaken for this one's; other files do not matter.
   ASSERT_EQ(runProgram({"trace", "cycle", "--frames", file(".")}).status, 0);
@@ -254,7 +255,7 @@ TEST_F(TraceCommand, Refusals) {
   const auto before = everything();
   const Finished again = runProgram({"trace", "penetrate", "--frames", file(".")});
   EXPECT_EQ(again.status, 2);
-  EXPECT_NE(again.err.find("holds frames already"), std::string::npos) << again.err;
+  EXPECT_NE(again.err.find("already holds frames"), std::string::npos) << again.err;
   EXPECT_EQ(everything(), before);
 }
 

@@ -177,7 +177,7 @@ TEST(OpenDisplayDeathTest, AVanishedServerEndsTheProgram) {
         XMapWindow(display.get(), 0);
         trap.check();
       },
-      testing::ExitedWithCode(1), "xnewell: the X server of display ':[0-9]+' has gone\n$");
+      testing::ExitedWithCode(1), "xnewell: lost the connection to the X server of display ':[0-9]+'\n$");
 }
 
 // A resource has one owner: moving leaves nothing behind, and each id is freed exactly once.

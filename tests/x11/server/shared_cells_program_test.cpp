@@ -200,7 +200,7 @@ TEST(SharedCellsProgram, ServeWhereNoMapCanBeMade) {
   };
   const std::string told = snapshot("");
   EXPECT_EQ(lines(told), 1u) << told;
-  EXPECT_THAT(told, HasSubstr("xnewell: no colormap of our own ("));
+  EXPECT_THAT(told, HasSubstr("xnewell: the X server has no room for another colormap ("));
   EXPECT_THAT(told, HasSubstr("BadAlloc"));
   EXPECT_THAT(told, HasSubstr("169 of 240 shades"));
   const RgbImage picture = readPng(file);
