@@ -106,11 +106,11 @@ TEST(Decals, TheLaterIsSeen) {
   for (unsigned seed = 0; seed < 400; ++seed) {
     SCOPED_TRACE(seed);
     const Mesh mesh = normalised(wallWithDecals(seed), std::pow(10.0, static_cast<int>(seed % 13) - 6));
-    Pieces pieces = divideFaces(mesh);
-    const std::vector<int> ownPlanes = pieces.plane;
-    pieces.plane = coplanarClasses(mesh, pieces);
+    ConvexParts parts = divideFaces(mesh);
+    const std::vector<int> ownPlanes = parts.plane;
+    parts.plane = coplanarClasses(mesh, parts);
     const ViewSpec view = randomView(mesh, seed);
-    const SnappedScene scene = project(mesh, pieces, view, kSize, kSize, Cull::Keep);
+    const SnappedScene scene = project(mesh, parts, view, kSize, kSize, Cull::Keep);
     const std::vector<int> seen = visibleFaces(scene, kSize, kSize), last = lastFaces(scene);
     int lost = 0;
     for (std::size_t k = 0; k < seen.size(); ++k) {
@@ -121,9 +121,9 @@ TEST(Decals, TheLaterIsSeen) {
     }
     EXPECT_EQ(lost, 0);
     EXPECT_LE(scene.planes.size(), 1u);
-    pieces.plane = ownPlanes;
+    parts.plane = ownPlanes;
     const std::vector<int> without =
-        visibleFaces(project(mesh, pieces, view, kSize, kSize, Cull::Keep), kSize, kSize);
+        visibleFaces(project(mesh, parts, view, kSize, kSize, Cull::Keep), kSize, kSize);
     for (std::size_t k = 0; k < seen.size(); ++k) lostWithout += without[k] != last[k];
   }
   EXPECT_GT(decalSamples, 1'000'000);
@@ -144,10 +144,10 @@ TEST(Decals, KeepTheirPixelsWhenSplit) {
     Mesh mesh = wallWithDecals(seed);
     addCrossingPlates(mesh, seed);
     mesh = normalised(mesh, scale);
-    Pieces pieces = divideFaces(mesh);
-    pieces.plane = coplanarClasses(mesh, pieces);
+    ConvexParts parts = divideFaces(mesh);
+    parts.plane = coplanarClasses(mesh, parts);
     const ViewSpec view = randomView(mesh, seed);
-    const SnappedScene scene = project(mesh, pieces, view, kSize, kSize, Cull::Keep);
+    const SnappedScene scene = project(mesh, parts, view, kSize, kSize, Cull::Keep);
     const std::vector<int> last = lastOfWall(scene), seen = visibleFaces(scene, kSize, kSize);
     for (const bool textbook : {false, true}) {
       SortSettings settings{kSize, kSize, textbook};
