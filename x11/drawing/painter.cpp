@@ -57,7 +57,8 @@ void Painter::stipple(const Rect& area, Stipple stipple, std::uint8_t cell) {
       if (stippled(stipple, i, j)) image_->row(j)[i] = cell;
 }
 
-// The pixels: line_pixels.h.
+// Bresenham 1965, entered where the longer axis enters the clip. After k steps of n the other coordinate is
+// floor(k d / n + 1/2) = floor((2 k d + n) / 2n) from its start: `whole`, and `rest` of 2n.
 void Painter::line(int x0, int y0, int x1, int y1, std::uint8_t cell, const LineStyle& style) {
   assert(style.thickness >= 1 && style.on >= 1 && style.off >= 0);
   const bool steep = std::abs(y1 - y0) > std::abs(x1 - x0);
@@ -168,7 +169,7 @@ int Painter::keyCap(int x, int y, std::string_view name, const KeyCapCells& cell
 int Painter::keyCap(int x, int y, Direction arrow, const KeyCapCells& cells) {
   constexpr int kDepth = 4, kBase = 2 * kDepth - 1;
   constexpr int kLeftOfLevel = (kKeyCap - kBase) / 2, kBefore = (kKeyCap - kDepth) / 2;
-  // An odd number of pixels is left over. The extra one goes behind the arrow, so that opposite arrows are mirror images.
+  // The room left over is odd: it lies behind the arrow, so that opposite arrows are mirror images.
   const bool level = arrow == Direction::Left || arrow == Direction::Right;
   const int ahead = kBefore + (arrow == Direction::Right || arrow == Direction::Down);
   keyBlank({x, y, kKeyCap, kKeyCap}, cells);

@@ -31,20 +31,20 @@ struct Pen {
 /// A slider's line and thumb; shares of the track in [0, 1].
 struct TrackLook {
   double share;
-  std::optional<double> initially = {};  ///< marked on the track
+  std::optional<double> initially = {};  ///< marked
   bool enabled = true, hovered = false, dragged = false;
 };
-/// Where the track of a slider begins in a row of controls, and how wide it is, in pixels.
+/// Where a slider's track stands in a row of a column of controls, and its width: pixels.
 inline constexpr int kColumnTrackAt = 84, kColumnTrack = 168;
-/// Draws a track of `width` pixels from x on, beside text on `baseline`.
+/// The track is `width` pixels from x on, for a row of text on `baseline`.
 void drawTrack(Pen& pen, int x, int baseline, int width, const TrackLook& look);
-/// The frames of all options of a choice, in a line from x on within `width`. `height` is at least 17.
+/// All options of a choice in a line: their frames, from x on within `width`; at least 17 high.
 [[nodiscard]] std::vector<Rect> optionFrames(std::span<const std::string_view> options, int x, int baseline,
                                              int width, int height = 19);
-/// The chosen option is framed and bold; the one under the pointer is marked.
+/// The chosen one framed in bold, the one under the pointer marked.
 void drawOptions(Pen& pen, std::span<const std::string_view> options, std::span<const Rect> frames,
                  int chosen, int hovered = -1);
-/// Marks the row that has the keyboard: a background that reaches `beyond` pixels past its end, and an ink bar before it.
+/// The row that has the keyboard: its own colour, so far beyond its end, with an ink bar before it.
 void drawFocus(Pen& pen, const Rect& row, int beyond = 2);
 
 }  // namespace xnewell

@@ -9,16 +9,17 @@
 
 namespace xnewell {
 
-/// What a view has found, and why: one sentence or more each.
+/// What a view has found, and why: a sentence each, or more.
 struct Finding {
   std::string bold, why;
 };
 
-/// A page of the window uses less space between its parts if its body is lower than this, in pixels.
+/// Below this height of its body, in pixels, a page of the window stands closer together.
 inline constexpr int kCompactBelow = 560;
 
 /// A sheet of paper for a view of numbers: pictures, titles, paragraphs, tables and findings on the grid of
-/// the window's drawing. Units are pixels; a part is placed by its upper left corner, and its function returns the y below it.
+/// the window's drawing. Units are pixels; parts are placed by their upper left corner and answer with the y
+/// below them.
 class Sheet {
  public:
   static constexpr int kMargin = 16, kGutter = 16;
@@ -40,12 +41,12 @@ class Sheet {
   /// A hairline and a name in capitals.
   int section(int x, int y, int width, std::string_view name);
   int paragraph(int x, int y, int width, std::string_view text, Cell cell);
-  /// A label at the left, and values aligned right at `ends`, which are counted from x.
+  /// What it is called at the left, values right-aligned where columns end, from x.
   int tableRow(int x, int y, std::string_view label, const std::vector<std::string>& values,
                const std::vector<int>& ends, Cell cell = Cell::Ink, Voice voice = Voice::Bold);
-  /// A white box with a bar at its left: the finding in bold, then why.
+  /// A white box with a bar: the finding in bold, then why.
   int finding(int x, int y, int width, std::string_view bold, std::string_view why);
-  /// The height of such a box.
+  /// How high that is.
   [[nodiscard]] static int findingHeight(int width, std::string_view bold, std::string_view why);
   [[nodiscard]] static int paragraphHeight(int width, std::string_view text);
 

@@ -20,7 +20,7 @@ std::string hex(int v) {
   return "0x" + digits;
 }
 
-/// In hexadecimal too if only one channel is not 0.
+/// In hexadecimal too where one number says it all.
 std::string storedText(const Rgb16& c) {
   std::string text = triple(c.r, c.g, c.b) + " of 65535";
   const int others = (c.r > 0) + (c.g > 0) + (c.b > 0);
@@ -55,7 +55,7 @@ std::string usedText(const CellUse& use, int cell) {
   return counted(use.samples[cell], "sample") + ", " + counted(use.polygons[cell], "polygon");
 }
 
-/// Colour k of the cube, in the order of cubeColors().
+/// Colour k of the cube, as cubeColors() has them.
 std::string cubeText(int k) {
   return "red " + std::to_string(k / 40) + "/5, green " + std::to_string(k / 5 % 8) + "/7, blue " +
          std::to_string(k % 5) + "/4";

@@ -13,8 +13,8 @@ namespace xnewell {
 namespace {
 
 constexpr int kGridLabels = 26, kTitle = 24, kGridGutter = 28, kTableWidth = 240;
-constexpr int kLabels = 108;  // from the name of a fact to its value
-constexpr int kOptions = 60;  // from the label of a line of the table to its options
+constexpr int kLabels = 108;  // of facts, to their values
+constexpr int kOptions = 60;  // of the table's lines, from label to options
 constexpr int kKeyColumn = 24;
 constexpr int kLines = 10;  // of the table in a window
 constexpr int kTableTrack = 96, kTrackValue = 152;
@@ -26,13 +26,13 @@ std::vector<std::string_view> optionsOf(const TableLine& line) {
   return {line.options.begin(), line.options.end()};
 }
 
-/// The frames of the options of a line that begin at x.
+/// Where the options of a line stand, from its text on.
 std::vector<Rect> framesOf(const ColorsLayout& at, const TableLine& line, int x, int baseline) {
   return optionFrames(optionsOf(line), x, baseline, kTableWidth - kKeyColumn - kOptions,
                       std::min(18, pitchOf(at)));
 }
 
-/// Draws the parts of the page, one function each.
+/// Draws the page's parts, one function each.
 class ColorsDrawing {
  public:
   ColorsDrawing(IndexImage& image, const ColorsLayout& at, const ColorsPage& page)
@@ -62,13 +62,14 @@ class ColorsDrawing {
     return {at_.grid.x + cell % 16 * at_.pitch, at_.grid.y + cell / 16 * at_.pitch, at_.pitch, at_.pitch};
   }
   void title(const Rect& plot, std::string_view name, std::string_view unit);
-  /// The area that words at that place take, with a margin around them.
+  /// The room that words at that place take, with a halo.
   [[nodiscard]] static Rect roomOf(int x, int baseline, std::string_view text) {
     return {x - 2, baseline - 11, textWidth(text) + 4, 14};
   }
-  /// How many pixels of curves the area covers. Pixels of the chosen curve count more than all others.
+  /// What of curves is there, in pixels; those of the chosen one count more than all others.
   [[nodiscard]] int hidden(const Rect& room) const;
-  /// Draws words beside a point of the plot's curve, or beside the line from there down: at the nearest place where they hide nothing. If there is no such place, where they hide least.
+  /// Words beside a point of the plot's curve, or beside the line from there down: as near as they hide
+  /// nothing, and where that is nowhere, least.
   void remark(int x, int y, std::string_view text);
   void drawLine(const TableLine& line, int x, int baseline);
   void outline(const CellRange& cells);
@@ -80,7 +81,7 @@ class ColorsDrawing {
   CellRange scene_;
 };
 
-/// Draws an outline around the cells, which may begin and end within a row.
+/// Around the cells, wherever they end within a row.
 void ColorsDrawing::outline(const CellRange& cells) {
   for (int cell = cells.first; cell <= cells.last(); ++cell) {
     const Rect r = cellRect(cell);

@@ -13,7 +13,7 @@ namespace {
 
 constexpr int kDifferenceSwatch = 36;
 
-/// The layout: the two pictures above, the difference and its numbers below.
+/// Two columns of two: the pictures above, the difference and its numbers below.
 struct DifferencePlaces {
   Rect picture, reference, difference;
   int captions, sections;  ///< y
@@ -48,7 +48,7 @@ void drawSteps(Sheet& sheet, const Difference& d, const Rect& at, const CellPlan
   painter.ring(x, y, 9, sheet.cell(Cell::Black));
 }
 
-/// Draws the steps side by side with their limits below the borders, and what they mean in words.
+/// The steps side by side, their limits below the borders, and in words.
 int drawScale(Sheet& sheet, const MeasureRow& measure, int x, int y) {
   Painter painter = sheet.painter();
   for (int step = 0; step < static_cast<int>(kDoublingSteps.size()); ++step) {

@@ -12,16 +12,16 @@ namespace xnewell {
 
 namespace {
 
-constexpr int kMethodNames = 84;  // the names of profiles, at their left
+constexpr int kMethodNames = 84;  // what profiles are called, at their left
 constexpr int kFindings = 320;    // at the right edge
-constexpr int kBetweenParts = 4;  // between the parts of one method's block
+constexpr int kBetweenParts = 4;  // parts of one method's block
 constexpr int kAfter = 8;         // from block to block
 constexpr double kLeastScale = 0.001;
 
-/// The layout. All space beyond the least that the view needs goes to pictures and plots.
+/// Where everything is. All that the view has more than its least goes to pictures and plots.
 struct BandsPlaces {
-  Rect picture;           ///< the part of it that is shown
-  int pictureHeight;      ///< of the whole picture
+  Rect picture;           ///< what is shown of it
+  int pictureHeight;      ///< of the whole
   int findings;           ///< x
   int firstBlock, block;  ///< y; height with what follows it
   int strip, intensity, slope;
@@ -57,7 +57,8 @@ std::string_view behaviour(Shading method) {
   }
 }
 
-/// The slope that a full bar stands for: the largest of all, or five times the mean if a few slopes are far larger. It never is so small that bars show rounding errors.
+/// What the bars of slopes reach: the largest of all, or five times their mean where a few are far larger;
+/// not so little that they show what rounding leaves.
 double scaleOf(const std::vector<double>& slopes) {
   double sum = 0, largest = 0;
   int count = 0;
@@ -91,7 +92,7 @@ class MachBands {
     Painter painter = sheet_.painter();
     painter.triangle(p.x - 8, y - 5, 6, Direction::Right, sheet_.cell(Cell::Ink));
     painter.triangle(p.x + p.width + 2, y - 5, 6, Direction::Left, sheet_.cell(Cell::Ink));
-    // Beside the mark of the scanline, but not cut off.
+    // Beside its mark, but whole.
     const int words = std::clamp(y - 13, p.y, std::max(p.y, p.y + p.height - 2 * Sheet::kLine));
     painter.text(Sheet::kMargin, words + Sheet::kAscent, "scanline", sheet_.cell(Cell::Soft));
     painter.text(Sheet::kMargin, words + Sheet::kLine + Sheet::kAscent, grouped(line_.row),
@@ -106,13 +107,13 @@ class MachBands {
     }
   }
 
-  /// `explains`: there is room to say what the words mean. `grayed`: the colours had to become one hue. Returns
+  /// `explains`: there is room to say what the words mean. `grayed`: colours had to become one hue. Returns
   /// the place left for controls of this height.
   Rect drawFindings(bool explains, bool grayed, int controls);
 
   [[nodiscard]] const IndexImage& image() const { return sheet_.image(); }
 
-  /// The first row of the picture that is shown.
+  /// The first row that is shown.
   [[nodiscard]] int firstRow() const {
     const int first = firstRow_.value_or(line_.row - at_.picture.height / 2);
     return std::clamp(first, 0, at_.pictureHeight - at_.picture.height);
@@ -120,7 +121,7 @@ class MachBands {
 
  private:
   [[nodiscard]] bool chosen(const Profile& p) const { return p.method == chosen_; }
-  /// The curve of the chosen method is twice as thick.
+  /// The chosen one is twice as thick.
   [[nodiscard]] int thickness(const Profile& p) const { return chosen(p) ? 2 : 1; }
 
   void drawBlock(const Profile& profile, int y);
@@ -133,7 +134,7 @@ class MachBands {
   const Scanline& line_;
   std::optional<int> firstRow_;
   Sheet sheet_;
-  double smoothScale_ = kLeastScale;  ///< scale of slopes, the same for all methods except flat shading
+  double smoothScale_ = kLeastScale;  ///< of slopes, the same for all methods but flat shading
 };
 
 void MachBands::drawBlock(const Profile& profile, int y) {
@@ -150,7 +151,7 @@ void MachBands::drawBlock(const Profile& profile, int y) {
   drawSlope(profile, y + at_.intensity + kBetweenParts);
 }
 
-/// Draws the left and the bottom axis only.
+/// Only left and bottom.
 void MachBands::axes(const Rect& plot) {
   Painter painter = sheet_.painter();
   painter.vline(plot.x - 1, plot.y, plot.height, sheet_.cell(Cell::Faint));
@@ -196,7 +197,7 @@ void MachBands::drawSlope(const Profile& profile, int y) {
   }
 }
 
-/// What the numbers of this scanline show.
+/// A sentence that the numbers of this scanline bear out.
 Finding findingOf(const Scanline& line, bool inWindow) {
   const auto& [flat, gouraud, phong] = line.profiles;
   if (line.samples == 0)

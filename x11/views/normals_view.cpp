@@ -13,8 +13,8 @@ namespace xnewell {
 
 namespace {
 
-constexpr int kBall = 72;     // diameter of the ball
-constexpr int kNeedles = 24;  // pixels from needle to needle
+constexpr int kBall = 72;     // the key's diameter
+constexpr int kNeedles = 24;  // from needle to needle
 constexpr double kNeedle = 14.0;
 
 /// To 8 bits, the nearest.
@@ -24,7 +24,7 @@ void setColor(std::uint8_t* rgb, const glm::dvec3& N) {
         static_cast<std::uint8_t>(std::floor(255.0 * std::clamp((N[axis] + 1.0) / 2.0, 0.0, 1.0) + 0.5));
 }
 
-/// Calls use(i, j, N) for the samples of the half of a ball that faces the viewer.
+/// Calls use(i, j, N) for the samples of a ball's half that faces the viewer.
 template <class Use>
 void forEachOfBall(int diameter, Use&& use) {
   for (int j = 0; j < diameter; ++j)
@@ -34,7 +34,7 @@ void forEachOfBall(int diameter, Use&& use) {
     }
 }
 
-/// Turns N into viewing coordinates.
+/// In the viewing coordinates.
 std::vector<glm::dvec3> seenNormals(const Picture& picture) {
   std::vector<glm::dvec3> N = picture.normals(picture.seen(0, picture.settings().height));
   const glm::dmat3 rotation = vrcRotation(picture.camera().view);
@@ -49,7 +49,7 @@ RgbImage colorsOf(const std::vector<glm::dvec3>& N, int width, int height) {
   return colors;
 }
 
-/// Draws one needle for each cell of the coarse grid whose middle shows a face; a dot if it points at the viewer.
+/// One for each cell of the coarse grid whose middle shows something; a dot where it points at the viewer.
 void drawNeedles(Painter painter, const std::vector<glm::dvec3>& N, const Rect& at, std::uint8_t cell) {
   for (int j = kNeedles / 2; j < at.height; j += kNeedles)
     for (int i = kNeedles / 2; i < at.width; i += kNeedles) {

@@ -9,25 +9,25 @@
 
 namespace xnewell {
 
-/// Curves over cells, with a left and a bottom axis and names at the ends of the curves.
+/// Curves over cells: a left and a bottom axis, names at the curves' ends.
 
 struct Plot {
-  CellRange cells;            ///< from the left end to the right end
-  std::vector<double> ticks;  ///< ascending; the first is at the bottom, the last at the top
+  CellRange cells;            ///< from the left end to the right
+  std::vector<double> ticks;  ///< ascending; the first is the bottom, the last the top
   bool logarithmic = false;
-  std::vector<Curve> curves;  ///< values outside the plot are drawn at its edge
-  /// A level with a name, drawn as a dashed line.
+  std::vector<Curve> curves;  ///< what leaves the plot runs along its edge
+  /// A level with a name of its own, dashed.
   std::optional<double> level = {};
   std::string levelName = {};
 };
 
-/// The space that labels need around the area of the curves, in pixels.
+/// What the labels need beside the curves' area.
 inline constexpr int kPlotLeft = 44, kPlotRight = 64, kPlotBelow = 20;
 
-/// 1, 3, 10, 30, ... from a value of at most `least` to one of at least `most`; both above 0.
+/// 1, 3, 10, 30, ... from at most `least` to at least `most`, both above 0.
 [[nodiscard]] std::vector<double> logarithmicTicks(double least, double most);
 
-/// Convert between a cell or a value and its pixel. `area` is that of the curves.
+/// Between a cell or a value and its pixel; `area` is that of the curves.
 [[nodiscard]] int plotX(const Plot& plot, const Rect& area, int cell);
 [[nodiscard]] int plotY(const Plot& plot, const Rect& area, double value);
 [[nodiscard]] int cellAtX(const CellRange& cells, const Rect& area, int x);

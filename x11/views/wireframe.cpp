@@ -14,7 +14,7 @@ namespace xnewell {
 
 namespace {
 
-/// An edge between two points of the screen grid; `from` is the smaller in the order of x, y, z.
+/// Between two places of the screen grid; at `from` the one that is less.
 struct Edge {
   glm::ivec3 from, to;
   int face;  ///< index into SnappedScene::faces
@@ -26,7 +26,7 @@ Edge edgeOf(glm::ivec3 a, glm::ivec3 b, int face) {
   return {a, b, face};
 }
 
-/// The edges of all outlines. Polygons that share an edge snap its ends to the same integers.
+/// Those of all outlines; polygons that share one snap its ends to the same integers.
 std::vector<Edge> outlines(const SnappedScene& scene) {
   std::vector<Edge> edges;
   for (std::size_t f = 0; f < scene.faces.size(); ++f) {
@@ -42,7 +42,7 @@ glm::ivec3 onGrid(const Corner& corner) {
   return {static_cast<int>(std::lround(corner.x)), static_cast<int>(std::lround(corner.y)), 0};
 }
 
-/// The sides of painted pieces that cuts have made, once for each piece.
+/// The sides of painted pieces that cuts made, each as often as a piece has it.
 std::vector<Edge> cutSides(const SnappedScene& scene, const SortedScene& sorted) {
   const Regions regions{scene};
   std::vector<Edge> edges;
@@ -61,13 +61,13 @@ std::vector<Edge> cutSides(const SnappedScene& scene, const SortedScene& sorted)
   return edges;
 }
 
-/// Draws lines where they are visible, or where they are hidden.
+/// Draws lines that know where they show.
 class Wires {
  public:
   Wires(IndexImage& image, const Picture& picture)
       : image_{image}, seen_{picture.seen(0, picture.settings().height)} {}
 
-  /// Draws the pixels of a line where one of the edges [begin, end) is visible, or where none is. All these edges lie in the same place.
+  /// Where one of edges [begin, end), all in one place, shows, or where none does.
   template <class Edges>
   void draw(const Edges& begin, const Edges& end, bool showing, bool dashed, std::uint8_t cell) {
     const auto pixel = [](int v) { return v >> kGridBits; };
@@ -94,7 +94,7 @@ class Wires {
   SeenRows seen_;
 };
 
-/// Calls use(begin, end) for all edges that lie in the same place, and returns the number of such places.
+/// Calls use(begin, end) for the edges of each place.
 template <class Use>
 int forEachPlace(std::vector<Edge>& edges, Use&& use) {
   std::ranges::sort(edges, {}, &Edge::place);
@@ -108,7 +108,7 @@ int forEachPlace(std::vector<Edge>& edges, Use&& use) {
   return places;
 }
 
-/// A legend: an example of each kind of line, and what it means.
+/// A sample of each kind of line, and what it is.
 int drawEdgeLegend(Sheet& sheet, int x, int y) {
   struct EdgeRow {
     Cell cell;

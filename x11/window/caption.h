@@ -6,9 +6,9 @@
 
 namespace xnewell {
 
-/// The settings of a picture in words.
+/// A setup in words.
 
-/// How a picture is made, in one line: "flat; sorted by farthest z; own scanline; perspective".
+/// The picture's making in a line: "flat; sorted by farthest z; own scanline; perspective".
 [[nodiscard]] std::string captionOf(const Setup& setup);
 /// "sorted by farthest z"
 [[nodiscard]] std::string orderInWords(Order order);

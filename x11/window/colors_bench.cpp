@@ -8,7 +8,7 @@ namespace xnewell {
 
 namespace {
 
-/// The key that changes the setting in a line of the table.
+/// Which key changes the setting that a line of the table tells.
 struct LineKey {
   std::string_view label;
   char key;
@@ -75,7 +75,7 @@ bool ColorsBench::press(const Key& key, const Setup& setup) {
       return true;
     case 'j':
       return host_.pressLetter('J'), true;
-    case 'r':  // the host resets the settings, this view its own
+    case 'r':  // of the set-up, by who has it, and of this view
       undo();
       return false;
     case '0':
@@ -90,7 +90,7 @@ bool ColorsBench::press(const Key& key, const Setup& setup) {
   }
 }
 
-/// The arrows change a slider until Esc, Tab or the pointer gives them back to the cells.
+/// The arrows are a slider's until Esc, Tab or the pointer gives them back to the cells.
 bool ColorsBench::pressOnSlider(const Key& key, int times) {
   const SliderRow& row = *sliderOf(focus_);
   const auto change = [&](const std::function<void(Setup&)>& edit) { host_.change(focus_, edit); };
@@ -150,7 +150,7 @@ bool ColorsBench::grab(int x, int y) {
   return grabbed_ = true;
 }
 
-/// A click on a choice takes its next option, a click on an option takes that one. Its key is pressed as often as that needs.
+/// A click on a choice takes the next option, on an option that one: as often as its key would.
 bool ColorsBench::grabLine(const TableLineHit& hit) {
   const TableLine line = lines_[hit.line];
   if (line.share) {
@@ -279,7 +279,7 @@ std::vector<TableLine> ColorsBench::lines(const Picture& picture, const Setup& s
     if (row != kLineKeys.end()) line.key = row->key;
     if (line.key == 'T') line.chosen = static_cast<int>(setup.picture.table.kind);
   }
-  // The number of shades and I0 are sliders here.
+  // The numbers of shades and of I0 are sliders here.
   const auto shades = std::ranges::find(lines, 'c', &TableLine::key);
   if (shades != lines.end()) {
     const auto slider = [&](SliderIndex index) {

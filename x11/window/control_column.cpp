@@ -16,7 +16,7 @@ namespace {
 
 using Kind = ControlPlace::Kind;
 
-constexpr int kName = 24;  // pixels from the left edge of a row
+constexpr int kName = 24;  // from a row's left edge
 constexpr int kButton = 20;
 
 /// Walks down the column.
@@ -102,7 +102,7 @@ class Walk {
   int x_, y_, pitch_;
 };
 
-/// Draws the controls, one function for each kind.
+/// Draws the controls, every kind one function of it.
 struct ColumnPen : Pen {
   const ControlColumn& at;
   const ControlsShown& shown;
@@ -179,7 +179,7 @@ void ColumnPen::light(const ControlPlace& place) {
   boldRight(end, y + 36, shown.setup.picture.light.lightPosition ? "near" : "far");
 }
 
-/// A sphere with the current material in the current table. A ring marks the light, so one can read L.
+/// A sphere with the present material in the present table, the light marked by a ring: L is read off it.
 void ColumnPen::ball() {
   paint.fillRect(at.ball, cell(Cell::Well));
   const int radius = at.radius, cx = at.ball.x + at.ball.width / 2, cy = at.ball.y + at.ball.height / 2;
@@ -227,7 +227,7 @@ void ColumnPen::thumb(int x, const Rect& bar, char key) {
   paint.vline(box.x + 4, box.y + 4, 7, cell(dragged ? Cell::White : Cell::Ink));
 }
 
-/// One bar of length 1: ambient light dark, point light dotted, the rest unused. It is drawn at the place of Ia.
+/// One bar of length 1: ambient dark, point dotted, the rest unused. Drawn with Ia's place.
 void ColumnPen::intensities(const ControlPlace& place) {
   const Illumination& light = shown.setup.picture.light;
   const int x = place.x, y = place.y;
@@ -283,7 +283,7 @@ std::optional<ControlHit> controlAt(const ControlColumn& at, const Setup& setup,
         if (place.row.has(x, y)) return ControlHit{place.key};
         continue;
       }
-      // If both thumbs are in one place, the left side belongs to Ia and the right side to Ip.
+      // Where both thumbs are in one place, left of it is Ia's and right of it Ip's.
       const Illumination& light = setup.picture.light;
       const int ia = onBar(bar, light.Ia), sum = onBar(bar, light.Ia + light.Ip);
       return ControlHit{2 * x < ia + sum || (2 * x == ia + sum && ia == bar.x + bar.width - 1) ? 'i' : 'p'};

@@ -12,10 +12,10 @@ namespace xnewell {
 
 namespace {
 
-constexpr int kMostDivisions = 32;  // more would be slow and would not be seen
+constexpr int kMostDivisions = 32;  // what is fluid, and more than shows
 constexpr int kRow = 22, kRows = 3;
 
-/// The margin of the sheet lies in the margin of the window: the sheet begins that much above the body, and ends that much below.
+/// The sheet's margin is the window's: it begins so much above the body, and ends so much below.
 int sheetHeight(const Layout& at) { return at.body.height + 2 * Sheet::kMargin; }
 int sheetTop(const Layout& at) { return at.body.y - Sheet::kMargin; }
 
@@ -161,7 +161,7 @@ bool MachBench::late(const Setup&) const { return drawn_ != shown(); }
 void MachBench::draw(IndexImage& image, const Desk& desk) {
   const Layout& at = desk.layout;
   const int top = sheetTop(at);
-  // In a window of another size the scanline stays at the same place of the scene.
+  // In a window of another size it stays where it is on the scene.
   if (row_ && height_ != desk.image.height) {
     row_ = (2 * *row_ + 1) * desk.image.height / (2 * height_);
     firstRow_.reset();
@@ -175,7 +175,7 @@ void MachBench::draw(IndexImage& image, const Desk& desk) {
   const bool grayed = painted(desk.setup) != desk.setup;
   picture_ = layoutOfMachBands(at.width, sheetHeight(at)).picture;
   picture_.y += top;
-  // The part of the picture that is shown moves only if the scanline leaves it.
+  // What is shown of the picture follows only a scanline that leaves it.
   if (firstRow_ && (*row_ < *firstRow_ || *row_ >= *firstRow_ + picture_.height)) firstRow_.reset();
   const MachBandsPage page = drawMachBandsPage(
       desk.picture, desk.image,

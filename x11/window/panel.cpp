@@ -17,7 +17,7 @@ struct Tab {
 };
 std::vector<Tab> tabsOf(const Layout& at) {
   std::vector<Tab> tabs;
-  const int letter = at.compact ? 0 : 9;  // a narrow window has less space beside the names
+  const int letter = at.compact ? 0 : 9;  // a narrow window has less room beside the names
   int x = 6;
   for (const WindowViewRow& row : kWindowViews) {
     tabs.push_back({row, {x, 5, 27 + letter + textWidth(row.name), at.views.height - 4}});
@@ -43,7 +43,7 @@ void drawTabs(Pen& pen, const Layout& at, const PanelState& state) {
                    shown ? Voice::Bold : Voice::Plain);
     end = tab.x + tab.width + 4;
   }
-  // A long path keeps its end, which distinguishes files; other names keep their beginning.
+  // A long path keeps its end, which tells files apart; other names keep their beginning.
   std::string title = state.title;
   const auto room = static_cast<std::size_t>(std::max(0, at.width - 2 * kMargin - end) / 6);
   if (room < 4) return;
@@ -72,7 +72,7 @@ int widthOf(const Legend& legend) {
   return width;
 }
 
-/// Entries that do not fit are left out, but never the last one.
+/// What does not fit is left out, but never the last.
 void drawLegend(Pen& pen, const Layout& at, int y, const std::vector<Legend>& legends) {
   int x = kMargin;
   const int last = legends.empty() ? 0 : widthOf(legends.back());
@@ -87,7 +87,7 @@ void drawLegend(Pen& pen, const Layout& at, int y, const std::vector<Legend>& le
   }
 }
 
-/// As much of the end of the text as fits.
+/// As much of the end as has room.
 std::string endOf(const std::string& text, int width) {
   const auto letters = static_cast<std::size_t>(std::max(0, width) / kGlyphWidth);
   if (text.size() <= letters) return text;
@@ -97,7 +97,7 @@ std::string endOf(const std::string& text, int width) {
 void drawTyped(Pen& pen, const Layout& at, const Typed& typed) {
   const int y = at.status.y + 15;
   int x = pen.ink(kMargin, y, typed.asks + ": ");
-  // A long text shows its end, where it grows; so does the complaint, whose end says what is wrong.
+  // The end of a long text, where it grows, and of what is wrong with it, which is told last.
   const int all = at.width - kMargin - x - 40;
   const std::string complaint = endOf(typed.complaint, std::max(all / 2, all - textWidth(typed.text)));
   x = pen.bold(x, y, endOf(typed.text, std::max(60, all - textWidth(complaint))));
