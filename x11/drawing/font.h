@@ -22,11 +22,13 @@ extern const std::array<Glyph, 256> kFont6x13;
 /// Twice the size; bit 11 is the leftmost pixel.
 using DoubledGlyph = std::array<std::uint16_t, 2 * kGlyphHeight>;
 
-/// Doubled by Scale2x (Mazzoleni 2001): a pixel's corner takes the colour of the two neighbours that
-/// meet there when they agree and the other two do not join in. What is outside the glyph is blank.
+/// Doubles a glyph by Scale2x (Mazzoleni 2001): a quarter of a pixel takes the colour of the two neighbours
+/// at its corner if these agree and neither of the other two has the same colour. Pixels outside the glyph
+/// are blank.
 [[nodiscard]] DoubledGlyph scale2x(const Glyph& glyph);
 
-/// UTF-8 as Latin-1. A character that the font lacks becomes one '?', as does what is not UTF-8.
+/// Converts UTF-8 to Latin-1. A character that the font lacks becomes one '?', and so does anything that is
+/// not valid UTF-8.
 [[nodiscard]] std::string latin1(std::string_view utf8);
 
 }  // namespace xnewell

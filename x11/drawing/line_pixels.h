@@ -8,12 +8,14 @@
 
 namespace xnewell {
 
-/// The pixels of a line, both ends included: one for each step along the longer axis, the nearest; half way
-/// between two the one with the larger coordinate, so they are the same from either end.
+/// The pixels of a line, both ends included. Each step along the longer axis gets the nearest pixel; half way
+/// between two, the one with the larger coordinate. So the pixels are the same from either end.
 /// @see Foley & van Dam 2e §3.2
 
-/// Calls use(k, x, y) for the k-th pixel of those that lie within `area` along the longer axis; across it
-/// they may lie outside. Coordinates stay within +-2^24.
+/// Calls use(k, x, y) for each pixel of the line, the k-th of it, that lies within `area` along the longer
+/// axis. Along the other axis it may lie outside. Coordinates stay within +-2^24. Bresenham 1965, begun where
+/// the line enters the area. After k of n steps the other coordinate is floor(k d / n + 1/2) = floor((2 k d +
+/// n) / 2n) from its start: `whole`, and `rest` of 2n.
 template <class Use>
 void forEachPixelOfLine(const Rect& area, int x0, int y0, int x1, int y1, Use&& use) {
   const bool steep = std::abs(y1 - y0) > std::abs(x1 - x0);

@@ -1,5 +1,5 @@
 // make_font 6x13-ISO8859-1.pcf.gz font_6x13.cpp: writes the font as a C++ table. Runs when the program
-// is built. A code for which the font has nothing is blank.
+// is built. A code without a glyph in the font is blank.
 
 #include <ft2build.h>
 #include FT_FREETYPE_H
@@ -21,7 +21,7 @@ namespace {
   std::exit(1);
 }
 
-/// The glyph's bitmap, put where its origin and the font's ascent say. Precondition: it is loaded.
+/// The glyph's bitmap, placed by its origin and the font's ascent. Precondition: the glyph is loaded.
 Glyph place(const FT_GlyphSlot slot) {
   Glyph glyph{};
   const FT_Bitmap& bitmap = slot->bitmap;

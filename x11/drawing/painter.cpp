@@ -57,8 +57,15 @@ void Painter::stipple(const Rect& area, Stipple stipple, std::uint8_t cell) {
       if (stippled(stipple, i, j)) image_->row(j)[i] = cell;
 }
 
-// Bresenham 1965, entered where the longer axis enters the clip. After k steps of n the other coordinate is
-// floor(k d / n + 1/2) = floor((2 k d + n) / 2n) from its start: `whole`, and `rest` of 2n.
+void Painter::place(const IndexImage& picture, const Rect& part, int x, int y) {
+  const int dx = x - part.x, dy = y - part.y;
+  const Rect from = intersection(part, {0, 0, picture.width, picture.height});
+  const Rect to = intersection({from.x + dx, from.y + dy, from.width, from.height}, clip_);
+  if (to.empty()) return;
+  for (int j = to.y; j < to.y + to.height; ++j)
+    std::copy_n(picture.row(j - dy) + to.x - dx, to.width, image_->row(j) + to.x);
+}
+
 void Painter::line(int x0, int y0, int x1, int y1, std::uint8_t cell, const LineStyle& style) {
   assert(style.thickness >= 1 && style.on >= 1 && style.off >= 0);
   const bool steep = std::abs(y1 - y0) > std::abs(x1 - x0);
@@ -169,7 +176,8 @@ int Painter::keyCap(int x, int y, std::string_view name, const KeyCapCells& cell
 int Painter::keyCap(int x, int y, Direction arrow, const KeyCapCells& cells) {
   constexpr int kDepth = 4, kBase = 2 * kDepth - 1;
   constexpr int kLeftOfLevel = (kKeyCap - kBase) / 2, kBefore = (kKeyCap - kDepth) / 2;
-  // The room left over is odd: it lies behind the arrow, so that opposite arrows are mirror images.
+  // An odd number of pixels is left over. The extra one goes behind the arrow, so that opposite arrows are
+  // mirror images.
   const bool level = arrow == Direction::Left || arrow == Direction::Right;
   const int ahead = kBefore + (arrow == Direction::Right || arrow == Direction::Down);
   keyBlank({x, y, kKeyCap, kKeyCap}, cells);

@@ -14,7 +14,7 @@ namespace xnewell {
 /// Units are pixels, x to the right, y downward; coordinates and sizes stay within +-2^24, and what falls
 /// outside the image is not drawn.
 
-/// How text speaks. Widths are a multiple of the pitch.
+/// The styles of text. The width of a text is a multiple of the pitch.
 enum class Voice { Plain, Bold, Caps, Title };
 struct VoiceRow {
   Voice id;
@@ -29,11 +29,11 @@ inline constexpr std::array kVoices{
     VoiceRow{Voice::Caps, 8, 1, false, true, "capitals, 8 px a letter"},
     VoiceRow{Voice::Title, 12, 2, true, false, "doubled by Scale2x, bold"},
 };
-/// Of a text in UTF-8, from the first letter's left edge to where the next letter would start.
+/// The width of a text in UTF-8, from the left edge of its first letter to where the next letter would start.
 [[nodiscard]] int textWidth(std::string_view utf8, Voice voice = Voice::Plain);
 
-/// A tint: the part of an area's pixels that is painted. The dots stand in places of the image, so
-/// areas that touch join without a seam.
+/// A tint: which of an area's pixels are painted. The dots keep to one grid of the whole image, so the tints
+/// of areas that touch join without a seam.
 enum class Stipple { Quarter, Eighth, Diagonals };
 struct StippleRow {
   Stipple id;
@@ -45,7 +45,7 @@ inline constexpr std::array kStipples{
     StippleRow{Stipple::Eighth, 8, "12 %, dots on every other row"},
     StippleRow{Stipple::Diagonals, 8, "diagonals, 8 px apart"},
 };
-/// Is this pixel of the image painted? x, y >= 0.
+/// True if the tint paints this pixel of the image. x, y >= 0.
 [[nodiscard]] bool stippled(Stipple stipple, int x, int y);
 
 struct LineStyle {
@@ -59,13 +59,13 @@ struct KeyCapCells {
   std::uint8_t face, edge, shadow, letter;
 };
 inline constexpr int kKeyCap = 15;          ///< height, and least width
-inline constexpr int kKeyCapBaseline = 11;  ///< of its letter, below its top
+inline constexpr int kKeyCapBaseline = 11;  ///< of its letter, in pixels below its top
 
 /// Draws into an image that outlives it. Small and copyable.
 class Painter {
  public:
   explicit Painter(IndexImage& image) : image_{&image}, clip_{0, 0, image.width, image.height} {}
-  /// The same image, but nothing outside `area` is drawn either.
+  /// A painter of the same image that draws nothing outside `area`.
   [[nodiscard]] Painter within(const Rect& area) const;
 
   void point(int x, int y, std::uint8_t cell);
@@ -75,28 +75,34 @@ class Painter {
   /// The outermost pixels of the area.
   void frame(const Rect& area, std::uint8_t cell);
   void stipple(const Rect& area, Stipple stipple, std::uint8_t cell);
-  /// Both ends are drawn. One pixel for each step along the longer axis, the nearest; half way between
-  /// two the one with the larger coordinate, so the pixels are the same from either end.
+  /// A part of a picture, pixel by pixel, its upper left corner at (x, y).
+  void place(const IndexImage& picture, const Rect& part, int x, int y);
+  /// All of a picture.
+  void place(const IndexImage& picture, int x, int y) {
+    place(picture, {0, 0, picture.width, picture.height}, x, y);
+  }
+  /// Draws both ends too. Each step along the longer axis gets the nearest pixel; half way between two, the
+  /// one with the larger coordinate. So the pixels are the same from either end.
   void line(int x0, int y0, int x1, int y1, std::uint8_t cell, const LineStyle& style = {});
-  /// Around the centre of pixel (x, y): those with centres nearer than radius + 1/2.
+  /// The pixels whose centres are nearer to the centre of pixel (x, y) than radius + 1/2.
   void disc(int x, int y, int radius, std::uint8_t cell);
   /// The disc without the disc of radius - 1.
   void ring(int x, int y, int radius, std::uint8_t cell);
 
-  /// UTF-8 from x to the right, on the baseline: its row is the first below letters without descender.
+  /// Draws UTF-8 from x to the right. The baseline is the first row below letters that have no descender.
   /// Returns where the next letter would start.
   int text(int x, int baseline, std::string_view utf8, std::uint8_t cell, Voice voice = Voice::Plain);
-  /// Ends where x = right. Returns where it starts.
+  /// Draws a text that ends where x = right. Returns where it starts.
   int textRight(int right, int baseline, std::string_view utf8, std::uint8_t cell,
                 Voice voice = Voice::Plain);
 
-  /// Marks, by the upper left corner. A tick is 7 x 7, a cross 8 x 7; a triangle is `depth` from base to
-  /// tip and 2 depth - 1 along its base.
+  /// Marks, placed by their upper left corner. A tick is 7 x 7, a cross 8 x 7; a triangle is `depth` from
+  /// base to tip and 2 depth - 1 along its base.
   void tick(int x, int y, std::uint8_t cell);
   void cross(int x, int y, std::uint8_t cell);
   void triangle(int x, int y, int depth, Direction to, std::uint8_t cell);
 
-  /// A key with its name or an arrow, 15 high and as wide as the name needs. Returns the width.
+  /// A key cap with a name or an arrow, 15 pixels high and as wide as the name needs. Returns its width.
   int keyCap(int x, int y, std::string_view name, const KeyCapCells& cells);
   int keyCap(int x, int y, Direction arrow, const KeyCapCells& cells);
 

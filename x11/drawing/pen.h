@@ -10,12 +10,13 @@
 
 namespace xnewell {
 
-/// The window's voices and marks, drawn with the plan's cells.
+/// Draws the window's texts, keys and rules with the cells of a plan. A view that needs more adds it to a
+/// struct derived from this one.
 struct Pen {
   Painter paint;
   const CellPlan& plan;
 
-  [[nodiscard]] std::uint8_t cell(Cell c) const { return plan[c]; }
+  [[nodiscard]] std::uint8_t operator()(Cell cell) const { return plan[cell]; }
   [[nodiscard]] KeyCapCells keyCells() const {
     return {plan[Cell::Panel], plan[Cell::Rule], plan[Cell::Faint], plan[Cell::Soft]};
   }
@@ -23,28 +24,33 @@ struct Pen {
   int arrow(int x, int y, Direction d) { return paint.keyCap(x, y, d, keyCells()); }
   int soft(int x, int y, std::string_view s) { return paint.text(x, y, s, plan[Cell::Soft]); }
   int ink(int x, int y, std::string_view s) { return paint.text(x, y, s, plan[Cell::Ink]); }
-  int bold(int x, int y, std::string_view s) { return paint.text(x, y, s, plan[Cell::Ink], Voice::Bold); }
+  int bold(int x, int y, std::string_view s, Cell cell = Cell::Ink) {
+    return paint.text(x, y, s, plan[cell], Voice::Bold);
+  }
+  int softRight(int x, int y, std::string_view s) { return paint.textRight(x, y, s, plan[Cell::Soft]); }
   void boldRight(int x, int y, std::string_view s) { paint.textRight(x, y, s, plan[Cell::Ink], Voice::Bold); }
+  int caps(int x, int y, std::string_view s) { return paint.text(x, y, s, plan[Cell::Soft], Voice::Caps); }
   void rule(int x, int y, int width) { paint.hline(x, y, width, plan[Cell::Rule]); }
 };
 
 /// A slider's line and thumb; shares of the track in [0, 1].
 struct TrackLook {
   double share;
-  std::optional<double> initially = {};  ///< marked
+  std::optional<double> initially = {};  ///< marked on the track
   bool enabled = true, hovered = false, dragged = false;
 };
-/// Where a slider's track stands in a row of a column of controls, and its width: pixels.
+/// Where the track of a slider begins in a row of controls, and how wide it is, in pixels.
 inline constexpr int kColumnTrackAt = 84, kColumnTrack = 168;
-/// The track is `width` pixels from x on, for a row of text on `baseline`.
+/// Draws a track of `width` pixels from x on, beside text on `baseline`.
 void drawTrack(Pen& pen, int x, int baseline, int width, const TrackLook& look);
-/// All options of a choice in a line: their frames, from x on within `width`; at least 17 high.
+/// The frames of all options of a choice, in a line from x on within `width`. `height` is at least 17.
 [[nodiscard]] std::vector<Rect> optionFrames(std::span<const std::string_view> options, int x, int baseline,
                                              int width, int height = 19);
-/// The chosen one framed in bold, the one under the pointer marked.
+/// The chosen option is framed and bold; the one under the pointer is marked.
 void drawOptions(Pen& pen, std::span<const std::string_view> options, std::span<const Rect> frames,
                  int chosen, int hovered = -1);
-/// The row that has the keyboard: its own colour, so far beyond its end, with an ink bar before it.
+/// Marks the row that has the keyboard: a background that reaches `beyond` pixels past its end, and an ink
+/// bar before it.
 void drawFocus(Pen& pen, const Rect& row, int beyond = 2);
 
 }  // namespace xnewell

@@ -8,12 +8,12 @@ namespace xnewell {
 struct Rect {
   int x = 0, y = 0, width = 0, height = 0;
   [[nodiscard]] bool empty() const { return width <= 0 || height <= 0; }
-  /// Whether pixel (i, j) is one of them. Precondition: its sides end within int.
+  /// True if pixel (i, j) is one of them. Precondition: its sides end within int.
   [[nodiscard]] bool has(int i, int j) const { return i >= x && i < x + width && j >= y && j < y + height; }
   bool operator==(const Rect&) const = default;
 };
 
-/// What two rectangles share. Precondition: their sides end within int.
+/// The pixels that two rectangles share. Precondition: their sides end within int.
 [[nodiscard]] constexpr Rect intersection(const Rect& a, const Rect& b) {
   const int x = std::max(a.x, b.x), y = std::max(a.y, b.y);
   return {x, y, std::min(a.x + a.width, b.x + b.width) - x, std::min(a.y + a.height, b.y + b.height) - y};

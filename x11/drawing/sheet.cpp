@@ -25,11 +25,6 @@ int textInBox(int width) { return width - kTextInBox - kPadding; }
 Sheet::Sheet(int width, int height, const CellPlan& plan)
     : image_{width, height, plan[Cell::Paper]}, plan_{plan} {}
 
-void Sheet::place(const IndexImage& picture, const Rect& part, int x, int y) {
-  const Rect r = intersection(part, {0, 0, picture.width, picture.height});
-  for (int j = 0; j < r.height; ++j) std::copy_n(picture.row(r.y + j) + r.x, r.width, image_.row(y + j) + x);
-}
-
 int Sheet::title(int x, int y, std::string_view text) {
   painter().text(x, y + 22, text, cell(Cell::Ink), Voice::Title);
   return y + kTitle;

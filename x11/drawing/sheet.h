@@ -9,17 +9,17 @@
 
 namespace xnewell {
 
-/// What a view has found, and why: a sentence each, or more.
+/// What a view has found, and why: one sentence or more each.
 struct Finding {
   std::string bold, why;
 };
 
-/// Below this height of its body, in pixels, a page of the window stands closer together.
+/// A page of the window uses less space between its parts if its body is lower than this, in pixels.
 inline constexpr int kCompactBelow = 560;
 
 /// A sheet of paper for a view of numbers: pictures, titles, paragraphs, tables and findings on the grid of
-/// the window's drawing. Units are pixels; parts are placed by their upper left corner and answer with the y
-/// below them.
+/// the window's drawing. Units are pixels; a part is placed by its upper left corner, and its function
+/// returns the y below it.
 class Sheet {
  public:
   static constexpr int kMargin = 16, kGutter = 16;
@@ -35,18 +35,16 @@ class Sheet {
   [[nodiscard]] Painter painter() { return Painter{image_}; }
   [[nodiscard]] std::uint8_t cell(Cell c) const { return plan_[c]; }
 
-  /// A part of a picture, pixel by pixel.
-  void place(const IndexImage& picture, const Rect& part, int x, int y);
   int title(int x, int y, std::string_view text);
   /// A hairline and a name in capitals.
   int section(int x, int y, int width, std::string_view name);
   int paragraph(int x, int y, int width, std::string_view text, Cell cell);
-  /// What it is called at the left, values right-aligned where columns end, from x.
+  /// A label at the left, and values aligned right at `ends`, which are counted from x.
   int tableRow(int x, int y, std::string_view label, const std::vector<std::string>& values,
                const std::vector<int>& ends, Cell cell = Cell::Ink, Voice voice = Voice::Bold);
-  /// A white box with a bar: the finding in bold, then why.
+  /// A white box with a bar at its left: the finding in bold, then why.
   int finding(int x, int y, int width, std::string_view bold, std::string_view why);
-  /// How high that is.
+  /// The height of such a box.
   [[nodiscard]] static int findingHeight(int width, std::string_view bold, std::string_view why);
   [[nodiscard]] static int paragraphHeight(int width, std::string_view text);
 

@@ -9,10 +9,10 @@ namespace xnewell {
 
 /// Words and numbers for people.
 
-/// Lines of at most `most` characters, broken at spaces where there are some. UTF-8.
+/// Breaks a text in UTF-8 into lines of at most `most` characters, at spaces where it can.
 [[nodiscard]] std::vector<std::string> broken(std::string_view text, int most);
 
-/// With a fixed number of decimals, so that columns align: 0.0042. -0.0 is 0.0.
+/// A number with a fixed number of decimals, so that columns align: 0.0042. -0.0 becomes 0.0.
 [[nodiscard]] std::string fixed(double value, int decimals);
 /// 12,345.
 [[nodiscard]] std::string grouped(std::int64_t value);

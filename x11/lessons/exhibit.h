@@ -14,9 +14,9 @@
 
 namespace xnewell {
 
-/// What a step of a lesson shows: a scene, how it is set up, and what is told beside it.
+/// What a step of a lesson shows: a scene, its settings, and what stands beside it.
 
-/// What stands below the picture, or in its place.
+/// What is shown below the picture, or instead of it.
 enum class Stage { Picture, DepthSort, Colors, MachBands, SideBySide };
 struct StageRow {
   Stage id;
@@ -30,14 +30,14 @@ inline constexpr std::array kStages{
     StageRow{Stage::SideBySide, "side by side", "two ways to draw the scene, and how much differs"},
 };
 
-/// Which step of the depth sort's textbook run: the n-th of a kind, or the n-th that a test settled.
+/// A step of the textbook run of the depth sort: the n-th of a kind, or the n-th that a test settled.
 struct EventChoice {
-  std::optional<Event::Kind> kind = {};  ///< else any
-  std::optional<Test> test = {};         ///< then `kind` does not count
+  std::optional<Event::Kind> kind = {};  ///< any kind if empty
+  std::optional<Test> test = {};         ///< if given, `kind` is not used
   int number = 1;                        ///< from 1
-  std::string says = {};                 ///< claimed: a part of the step's sentence
+  std::string says = {};                 ///< a claim: part of the sentence of the step
 };
-/// The step in the run, from 1; nothing if there are not so many.
+/// The step of the run, counted from 1; nothing if the run has too few such steps.
 [[nodiscard]] std::optional<int> stepOf(const SortedScene& run, const EventChoice& choice);
 
 struct NamedFace {
@@ -45,25 +45,26 @@ struct NamedFace {
   std::string name;
 };
 
-/// A number that a step's words rely on, to be held against what the program shows (lesson_facts.h).
+/// A number that the words of a step rely on. It is checked against what the program computes
+/// (lesson_facts.h).
 struct Claim {
-  int fact = 0;                                     ///< index into kFacts
-  std::optional<double> is, least = {}, most = {};  ///< any of them
+  int fact = 0;                                     ///< index into allFacts()
+  std::optional<double> is, least = {}, most = {};  ///< any of these may be given
 };
 
 struct Exhibit {
   std::shared_ptr<const Scene> scene;
   std::string sceneName;
-  PictureSettings settings;  ///< size aside; camera and light in the scene's units
+  PictureSettings settings;  ///< without the size; camera and light in the scene's units
   Stage stage = Stage::Picture;
-  std::string line;  ///< over the picture
+  std::string line;  ///< a line of words over the picture
   std::vector<NamedFace> names;
-  bool extents = false;      ///< those of the named faces are drawn below
-  bool named = true;         ///< whether the names are shown
-  bool wrongMarked = false;  ///< samples that show a wrong face
+  bool extents = false;      ///< the z-extents of the named faces are drawn below
+  bool named = true;         ///< the names are shown
+  bool wrongMarked = false;  ///< samples that show a wrong face are marked
   PaletteEffects effects;
-  EventChoice event;       ///< of Stage::DepthSort
-  PictureSettings beside;  ///< of Stage::SideBySide, below the other
+  EventChoice event;       ///< for Stage::DepthSort
+  PictureSettings beside;  ///< for Stage::SideBySide: the lower picture
   std::string upperLine, lowerLine;
   std::vector<Claim> claims;
 };

@@ -11,12 +11,12 @@ namespace xnewell {
 
 namespace {
 
-constexpr std::size_t kLongestHeading = 26;  // letters of the display voice in a column of 320
+constexpr std::size_t kLongestHeading = 26;  // letters of Voice::Title in a column of 320 pixels
 constexpr int kMostSteps = 12;               // dots
 
 const std::filesystem::path kLessons = std::filesystem::path{XNEWELL_DATA_DIR} / "lessons";
 
-/// Words with placeholders.
+/// Reads words with placeholders.
 std::string readWords(const Node& node) {
   std::string words = node.text();
   if (const std::string wrong = checkPlaceholders(words); !wrong.empty()) node.fail(wrong);
@@ -35,7 +35,7 @@ LessonAnswer readAnswer(const Node& node, const Exhibit& exhibit, SceneShelf& sh
   answer.text = node.at("text").text();
   answer.says = readWords(node.at("says"));
   answer.holds = node.has("holds") && node.at("holds").truth();
-  if (!answer.holds && !node.has("shown")) node.fail("shown is needed: a wrong answer is shown to fail");
+  if (!answer.holds && !node.has("shown")) node.fail("shown is needed: a wrong answer must be seen to fail");
   answer.shown = exhibit;
   answer.shown.claims.clear();
   if (node.has("shown")) {
@@ -55,7 +55,7 @@ LessonQuestion readQuestion(const Node& node, const Exhibit& exhibit, SceneShelf
   for (int k = 0; k < answers.size(); ++k)
     question.answers.push_back(readAnswer(answers.item(k), exhibit, shelf));
   if (std::ranges::count(question.answers, true, &LessonAnswer::holds) != 1)
-    answers.fail("one answer must hold, and one only");
+    answers.fail("exactly one answer must hold");
   return question;
 }
 
@@ -75,7 +75,7 @@ LessonStep readStep(const Node& node, const Exhibit* before, SceneShelf& shelf) 
     for (int k = 0; k < controls.size(); ++k) {
       step.controls.push_back(controls.item(k).choice(kLessonControls));
       if (std::ranges::count(step.controls, step.controls.back()) > 1)
-        controls.item(k).fail("the control stands twice");
+        controls.item(k).fail("the control is listed twice");
     }
   }
   if (node.has("question")) step.question = readQuestion(node.at("question"), step.exhibit, shelf);

@@ -13,17 +13,17 @@ namespace xnewell {
 
 /// Lessons: files of `data/lessons`, one JSON object each.
 ///
-///   "title"   what it is about, in lower case; "number" its place in the list, from 1
+///   "title"   its subject, in lower case; "number" its place in the list, from 1
 ///   "shows"   a sentence for the list
 ///   "steps"   1 to 12, each one an exhibit (read_exhibit.h) with
 ///     "heading"  at most 26 characters
-///     "caption"  a list of paragraphs; {cuts} is filled in with what the program counts (lesson_facts.h)
-///     "controls" names of kLessonControls: those that answer keys in the step
+///     "caption"  a list of paragraphs; the program replaces {cuts} by what it counts (lesson_facts.h)
+///     "controls" names of kLessonControls: the controls that work in the step
 ///     "question" {"asks", "hint", "answers": 2 to 4 of {"text", "holds", "says", "shown"}}
 ///
-/// One answer "holds". What an answer "says" is read once it was given, beside what is "shown": the step's
-/// exhibit with changes. A wrong answer is not marked wrong, so it needs one in which it fails.
-/// A step without "scene" is the one before it with changes.
+/// Exactly one answer "holds". After an answer is given, the page shows what it "says", and what is "shown":
+/// the step's exhibit with changes. A wrong answer is not marked wrong, so it needs an exhibit in which it
+/// fails. A step without "scene" begins with the exhibit of the step before, and changes it.
 /// Unknown keys, wrong types and values out of range are refused.
 
 enum class LessonControl {
@@ -56,8 +56,8 @@ enum class LessonControl {
 };
 struct LessonControlRow {
   LessonControl id;
-  char key;     ///< in a lesson; none of a to d, which answer
-  char window;  ///< the same control's in the picture's view, 0 where it has none
+  char key;     ///< the key in a lesson; never a to d, which choose answers
+  char window;  ///< the key of the same control in the picture's view, 0 if there is none
   std::string_view name;
 };
 inline constexpr std::array kLessonControls{
@@ -115,19 +115,19 @@ struct Lesson {
   std::vector<LessonStep> steps;
 };
 
-/// A file; scenes are looked for beside it. @throws ParseError, std::system_error
+/// Reads a file. Scene files are looked for in the same folder. @throws ParseError, std::system_error
 [[nodiscard]] Lesson readLesson(const std::filesystem::path& file);
-/// The same from text.
+/// Reads the same from text.
 [[nodiscard]] Lesson parseLesson(std::string_view text, const std::string& name,
                                  const std::filesystem::path& folder);
 
-/// What the list shows of a lesson that is not read yet.
+/// What the list shows of a lesson before it is read.
 struct LessonEntry {
   std::string name, title, shows;
   int number = 1;
   std::filesystem::path file;
 };
-/// Those of the data folder, by number. @throws ParseError, std::system_error
+/// The lessons of the data folder, sorted by number. @throws ParseError, std::system_error
 [[nodiscard]] std::vector<LessonEntry> builtInLessons();
 
 }  // namespace xnewell

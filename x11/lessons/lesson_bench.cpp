@@ -5,7 +5,7 @@
 
 namespace xnewell {
 
-// What keys and pointer do. How a lesson is drawn: lesson_bench_drawing.cpp.
+// This file handles keys and pointer. Drawing: lesson_bench_drawing.cpp.
 
 namespace {
 
@@ -38,7 +38,7 @@ void LessonBench::goTo(int step) {
 
 void LessonBench::openExhibit() {
   state_ = {.exhibit = exhibit()};
-  state_.event = 0;  // the exhibit's own, once the run is known
+  state_.event = 0;  // set to the exhibit's event once the run is known
   lower_.reset();
   if (state_.exhibit.stage == Stage::SideBySide) lower_.emplace(Scene{*state_.exhibit.scene});
   first_ = {};
@@ -63,7 +63,7 @@ void LessonBench::leave() {
   if (!opened_ || handing_) return;
   opened_ = false;
   host_.close();
-  host_.tell("The window's own scene again; 7 goes on with the lesson.");
+  host_.tell("This is the window's own scene again; 7 goes back to the lesson.");
 }
 
 void LessonBench::leaveForGood() {
@@ -78,7 +78,7 @@ void LessonBench::choose(int answer) {
   taken().chosen = answer;
   taken().given = false;
   late_ = true;
-  if (wasGiven) openExhibit();  // the question again, as it was asked
+  if (wasGiven) openExhibit();  // shows the question again, as it was asked
 }
 
 void LessonBench::give() {
@@ -181,15 +181,15 @@ bool LessonBench::press(const Key& key, const Setup&) {
     case 'l':
       return showList(true), true;
     case '2':
-      handing_ = true;  // its scene goes along
+      handing_ = true;  // the stepper keeps the lesson's scene
       host_.switchTo(WindowView::DepthSort);
       return true;
     default:
-      // What all views have; the other controls rest.
+      // These keys work in all views; the others are off.
       if (key.name != NamedKey::Letter ||
           std::string_view{"uUr?q134567"}.find(key.letter) != std::string_view::npos)
         return false;
-      host_.notify("That key rests in this step; Esc leaves the lesson.");
+      host_.notify("That key is off in this step; Esc leaves the lesson.");
       return true;
   }
 }
@@ -298,7 +298,7 @@ void LessonBench::dragTo(int x, int y) {
   }
   for (std::size_t k = 0; k < at_.controls.size() && k < now().controls.size(); ++k)
     if (now().controls[k] == *held_) {
-      const int left = at_.controls[k].x + 84;  // beyond the track's ends the thumb stays there
+      const int left = at_.controls[k].x + 84;  // beyond the ends of the track the thumb stays at its end
       const auto share = trackAt(at_.controls[k], std::clamp(x, left, left + 168));
       change(*held_, [&](Setup& s) { moveTo(s, *held_, share.value_or(0)); });
     }

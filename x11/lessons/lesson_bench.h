@@ -13,25 +13,25 @@
 namespace xnewell {
 
 /// Lessons in the window, without a server: which step is shown, what was answered, and what keys and pointer
-/// do. A step has a scene and a setup of its own; the window's come back when the lesson is left.
+/// do. A step has its own scene and settings; those of the window come back when the user leaves the lesson.
 class LessonBench : public Bench {
  public:
-  /// The host outlives it.
+  /// The host must outlive it.
   explicit LessonBench(Host& host) : host_{host} {}
 
-  /// Opens a lesson at its first step. The view is the host's to show.
+  /// Opens a lesson at its first step. The host must switch to this view.
   void start(Lesson lesson);
   /// 0 <= step < steps.
   void goTo(int step);
   [[nodiscard]] int step() const { return step_; }
-  /// Null while the list is all there is.
+  /// Null if no lesson is open.
   [[nodiscard]] const Lesson* lesson() const { return lesson_ ? &*lesson_ : nullptr; }
   [[nodiscard]] bool showsList() const { return listing_; }
 
-  // Of what was drawn last.
+  // The state of the last drawing.
   [[nodiscard]] const LessonPage& page() const { return page_; }
   [[nodiscard]] const LessonLayout& layout() const { return at_; }
-  /// Rows of the list.
+  /// The rows of the list.
   [[nodiscard]] const std::vector<Rect>& rows() const { return rows_; }
 
   [[nodiscard]] bool press(const Key& key, const Setup& setup) override;
@@ -39,7 +39,7 @@ class LessonBench : public Bench {
   [[nodiscard]] bool grab(int x, int y) override;
   void dragTo(int x, int y) override;
   void drop() override { held_.reset(); }
-  /// The step that was left, or the list.
+  /// Opens the step that the user left, or the list.
   void enter() override;
   void leave() override;
   [[nodiscard]] bool moving() const override { return state_.moving; }
@@ -55,14 +55,14 @@ class LessonBench : public Bench {
   [[nodiscard]] std::vector<HelpLine> help() const override;
 
  private:
-  /// What was done with a question.
+  /// What the user did with a question.
   struct Taken {
     std::optional<int> chosen;
     bool given = false, hint = false;
   };
   [[nodiscard]] const LessonStep& now() const { return lesson_->steps[static_cast<std::size_t>(step_)]; }
   [[nodiscard]] Taken& taken() { return taken_[static_cast<std::size_t>(step_)]; }
-  /// The exhibit that answers ask for.
+  /// The exhibit of the step, or of the answer that was given.
   [[nodiscard]] const Exhibit& exhibit() const;
   void openExhibit();
   void choose(int answer);
@@ -76,30 +76,30 @@ class LessonBench : public Bench {
   void arrow(int along, int up);
   void end(bool high);
   void nextFocus(int direction);
-  /// A setup's control; Host::change() makes it one that can be undone.
+  /// Changes the settings through Host::change(), so that it can be undone.
   void change(LessonControl control, const std::function<void(Setup&)>& edit);
   void drawStep(IndexImage& image, const Desk& desk);
   [[nodiscard]] LessonPage pageOf(const Desk& desk, const IndexImage* lower);
   [[nodiscard]] LessonList list() const;
 
   Host& host_;
-  std::vector<LessonEntry> entries_;  ///< read when they are first asked for
+  std::vector<LessonEntry> entries_;  ///< read when they are first needed
   int listed_ = 0;                    ///< row of the list
   bool listing_ = true;
   std::optional<Lesson> lesson_;
   int step_ = 0;
-  std::vector<Taken> taken_;  ///< of each step
+  std::vector<Taken> taken_;  ///< one for each step
   LessonState state_;
   std::optional<LessonControl> focus_;
-  std::optional<Picture> lower_;      ///< of Stage::SideBySide
-  Setup first_;                       ///< of the step
-  std::vector<std::string> caption_;  ///< of captionOf_, filled in
+  std::optional<Picture> lower_;      ///< for Stage::SideBySide
+  Setup first_;                       ///< the settings with which the step began
+  std::vector<std::string> caption_;  ///< the caption of step captionOf_, with numbers filled in
   int captionOf_ = -1;
-  bool changed_ = false;  ///< the setup is not the step's own
+  bool changed_ = false;  ///< the settings are not those of the step
   bool late_ = true, opened_ = false, handing_ = false;
-  std::optional<LessonControl> held_;  ///< dragged: a slider, or the picture
+  std::optional<LessonControl> held_;  ///< what is dragged: a slider, or the picture
   int x_ = 0, y_ = 0;                  ///< the pointer
-  // Of what was drawn last.
+  // The state of the last drawing.
   Rect sight_;
   double aspect_ = 1;
   LessonLayout at_;

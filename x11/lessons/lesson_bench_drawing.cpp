@@ -6,11 +6,11 @@
 
 namespace xnewell {
 
-// How a lesson is drawn, and what the bands say. What keys and pointer do: lesson_bench.cpp.
+// This file draws a lesson and writes the words of the window's bands. Keys and pointer: lesson_bench.cpp.
 
 namespace {
 
-/// Above the strip's bars.
+/// Above the bars of the strip.
 int heightOf(const Layout& at) { return at.body.height - (at.compact ? 2 : 12); }
 
 Rect columnOf(const Layout& at) {
@@ -54,7 +54,7 @@ void LessonBench::drawStep(IndexImage& image, const Desk& desk) {
   if (lower_) {
     PictureSettings settings = state_.exhibit.beside;
     settings.width = at.lower.width, settings.height = at.lower.height;
-    settings.table = desk.setup.picture.table;  // the window has one
+    settings.table = desk.setup.picture.table;  // the window has one table
     lower_->make(settings);
     lower_->paint(lower, desk.plan[Cell::Well]);
   }
@@ -66,7 +66,7 @@ void LessonBench::drawStep(IndexImage& image, const Desk& desk) {
     state_.event = std::clamp(state_.event, 1, state_.events);
   }
   PaletteEffects effects = state_.exhibit.effects;
-  effects.rotate = 0;  // what passes by itself is not told
+  effects.rotate = 0;  // the words do not describe the moving ramp
   drawSight(image, at,
             {.exhibit = state_.exhibit,
              .picture = desk.picture,
@@ -88,7 +88,7 @@ LessonPage LessonBench::pageOf(const Desk& desk, const IndexImage* lower) {
   page.heading = step.heading;
   page.step = step_;
   page.steps = static_cast<int>(lesson_->steps.size());
-  // The words are about the step as it begins, whatever is tried in it.
+  // The words describe the step as it begins, not what the user tries in it.
   const bool asItBegins = desk.setup == first_ && !(step.question && taken().given);
   if (captionOf_ != step_ || asItBegins) {
     caption_.clear();
@@ -118,9 +118,9 @@ std::string LessonBench::status() const { return counts_; }
 
 std::string LessonBench::aside() const {
   if (listing_ || !lesson_) return "";
-  if (changed_) return "changed: the words are about the step as it began";
+  if (changed_) return "changed: the words describe the step as it began";
   if (!now().question) return "";
-  return taken_[static_cast<std::size_t>(step_)].given ? "another letter asks again"
+  return taken_[static_cast<std::size_t>(step_)].given ? "another letter answers again"
                                                        : "the outcome is hidden until you answer";
 }
 
@@ -145,10 +145,10 @@ std::vector<Legend> LessonBench::legend() const {
 
 std::vector<HelpLine> LessonBench::help() const {
   return {{"PgUp PgDn", "the step before, the next"},
-          {"a b c d", "choose an answer; another letter asks again"},
+          {"a b c d", "choose an answer; another letter answers again"},
           {"Return", "give the answer; then go on"},
           {"h", "a hint"},
-          {"Tab, arrows", "the step's controls, those that arrows change"},
+          {"Tab, arrows", "go through the step's controls; change one"},
           {"l", "all lessons"},
           {"2", "the step's scene in the stepper"},
           {"Esc", "leave the lesson: the window's own scene comes back"}};

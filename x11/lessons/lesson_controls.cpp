@@ -28,7 +28,7 @@ bool* toggle(LessonState& state, LessonControl control) {
   return control == LessonControl::Rotate ? &state.moving : nullptr;
 }
 
-/// What stands beside a tick.
+/// The words beside a tick.
 std::string_view wordsOf(LessonControl control) {
   switch (control) {
     case LessonControl::ConstantL:

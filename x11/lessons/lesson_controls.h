@@ -8,36 +8,37 @@
 
 namespace xnewell {
 
-/// The controls of a lesson's step: rows of the window's controls under the letters that a lesson has for
-/// them, and a few of the lesson's own.
+/// The controls of a step of a lesson: controls of the window, under the letters of a lesson, and a few that
+/// only lessons have.
 
-/// What the lesson's own controls change.
+/// What the controls that only lessons have can change.
 struct LessonState {
-  Exhibit exhibit;            ///< as it is shown now: names, wrong faces, effects
-  int event = 1, events = 1;  ///< step of the depth sort's run
-  bool moving = false;        ///< the ramp
+  Exhibit exhibit;            ///< the exhibit as it is shown now: names, wrong faces, effects
+  int event = 1, events = 1;  ///< the step of the depth sort's run, and how many there are
+  bool moving = false;        ///< the ramp moves
 };
 
-/// The row on the page. `first` is the setup that the step began with.
+/// The row of a control on the page. `first` is the setup with which the step began.
 [[nodiscard]] PageControl pageControl(LessonControl control, const Setup& now, const Setup& first,
                                       const LessonState& state);
 
-/// Whether arrows change it: it takes the keyboard. Else its letter acts.
+/// True if arrows change the control, so that it takes the keyboard. Otherwise its letter changes it.
 [[nodiscard]] bool takesArrows(LessonControl control);
 
-/// Whether it is one of the lesson's own, which actOn() and moveTo() change and no setup.
+/// True if only lessons have the control: it changes a LessonState, not a setup.
 [[nodiscard]] bool isLessonsOwn(LessonControl control);
 
-/// The letter of a control that acts, on the setup: the next option, the other value; or that option.
+/// Presses the letter of a control of the setup: takes the next option or the other value; or the given
+/// option.
 void actOn(Setup& setup, LessonControl control, std::optional<int> option = {});
-/// The same of the lesson's own.
+/// The same for a control that only lessons have.
 void actOn(LessonState& state, LessonControl control, std::optional<int> option = {});
 
-/// Arrows on a control that takes them, the lesson's own event aside.
+/// Presses arrows on a control that takes them, except the lesson's event.
 void move(Setup& setup, LessonControl control, int along, int up, const Scene& scene, double aspect);
-/// A slider to a share of its track.
+/// Moves a slider to a share of its track.
 void moveTo(Setup& setup, LessonControl control, double share);
-/// A slider to its lower or upper end.
+/// Moves a slider to its lower or upper end.
 void moveToEnd(Setup& setup, LessonControl control, bool high);
 
 }  // namespace xnewell

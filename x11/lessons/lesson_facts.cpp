@@ -13,12 +13,129 @@
 
 namespace xnewell {
 
+namespace {
+
+using Found = const FactSources&;
+
+template <Test test>
+double settled(Found found) {
+  return static_cast<double>(found.run->settled[static_cast<std::size_t>(test)]);
+}
+/// By kProfiled.
+template <int method>
+double bands(Found found) {
+  return found.profiled->bands[method];
+}
+template <int method>
+double jump(Found found) {
+  return found.profiled->jumps[method];
+}
+/// Colours of the table that stay distinct at so many bits.
+template <int bits>
+double levels(Found found) {
+  return distinctLevels(found.picture.settings().table, bits);
+}
+
+double ratio(Found found) {
+  return found.picture.settings().table.kind == TableKind::Corrected
+             ? ratioOf(found.picture.table())
+             : std::numeric_limits<double>::quiet_NaN();
+}
+
+double stepsSeen(Found found) {
+  const CellPlan plan{found.picture.settings().table.kind};
+  std::ptrdiff_t seen = 0;
+  for (const Curve& curve : stepCurves(found.picture, found.picture.palette(plan)))
+    if (curve.chosen) seen += std::ranges::count_if(curve.y, [](double y) { return y >= kSeenStep; });
+  return static_cast<double>(seen);
+}
+
+constexpr std::array kFacts{
+    FactRow{"polygons", "polygons that can be seen at all", 0, FactNeeds::Picture,
+            [](Found f) -> double { return f.picture.snapped().polygons - f.picture.snapped().degenerate; }},
+
+    FactRow{"painted", "polygons and pieces that the textbook run paints", 0, FactNeeds::Run,
+            [](Found f) { return static_cast<double>(f.painted); }},
+    FactRow{"cuts", "splits in the textbook run of the depth sort", 0, FactNeeds::Run,
+            [](Found f) { return static_cast<double>(f.run->splits); }},
+    FactRow{"moves", "moves of Q to the far end of the list in that run", 0, FactNeeds::Run,
+            [](Found f) { return static_cast<double>(f.run->moves); }},
+    FactRow{"cycles", "times that Q was marked already in that run", 0, FactNeeds::Run,
+            [](Found f) { return static_cast<double>(f.run->cycles); }},
+    FactRow{"impossible splits", "times that Q's plane did not cross P in that run", 0, FactNeeds::Run,
+            [](Found f) { return static_cast<double>(f.run->impossible); }},
+    FactRow{"steps", "events of that run", 0, FactNeeds::Run,
+            [](Found f) { return static_cast<double>(f.steps); }},
+    FactRow{"test 1", "pairs that test 1 settled in that run", 0, FactNeeds::Run, settled<Test::XExtents>},
+    FactRow{"test 2", "pairs that test 2 settled in that run", 0, FactNeeds::Run, settled<Test::YExtents>},
+    FactRow{"test 3", "pairs that test 3 settled in that run", 0, FactNeeds::Run, settled<Test::PBehindQ>},
+    FactRow{"test 4", "pairs that test 4 settled in that run", 0, FactNeeds::Run, settled<Test::QInFrontOfP>},
+    FactRow{"test 5", "pairs that test 5 settled in that run", 0, FactNeeds::Run, settled<Test::Projections>},
+
+    FactRow{"samples", "samples that show a face", 0, FactNeeds::Oracle,
+            [](Found f) -> double { return f.exactness->samples; }},
+    FactRow{"wrong samples", "samples that show a wrong face are marked", 0, FactNeeds::Oracle,
+            [](Found f) -> double { return f.exactness->wrong; }},
+
+    FactRow{"shades", "shades in the colour table", 0, FactNeeds::Picture,
+            [](Found f) -> double { return f.picture.table().shades(); }},
+    FactRow{"shades used", "shades that the picture shows", 0, FactNeeds::Picture,
+            [](Found f) -> double { return usedCells(cellUse(f.image), sceneCells(f.picture)); }},
+    FactRow{"levels at 8 bits", "colours of the table that stay different at 8 bits", 0, FactNeeds::Picture,
+            levels<8>},
+    FactRow{"levels at 16 bits", "colours of the table that stay different at 16 bits", 0, FactNeeds::Picture,
+            levels<16>},
+    FactRow{"lowest stored", "value in the first cell of the ramp, of 255", 0, FactNeeds::Picture,
+            [](Found f) { return 255 * f.picture.table().level(0); }},
+    FactRow{"highest stored", "value in the last cell of the ramp, of 255", 0, FactNeeds::Picture,
+            [](Found f) { return 255 * f.picture.table().level(f.picture.table().shades() - 1); }},
+    FactRow{"ratio", "r, from each corrected shade to the next", 6, FactNeeds::Picture, ratio},
+    FactRow{"steps seen", "steps of 1 % or more from shade to shade", 0, FactNeeds::Picture, stepsSeen},
+    FactRow{"clamped", "evaluations above 1", 0, FactNeeds::Picture,
+            [](Found f) { return static_cast<double>(f.picture.saturated()); }},
+
+    FactRow{"darkest", "the least intensity in the picture", 2, FactNeeds::Range,
+            [](Found f) { return f.range->low; }},
+    FactRow{"brightest", "the largest intensity in the picture", 2, FactNeeds::Range,
+            [](Found f) { return f.range->high; }},
+
+    FactRow{"bands flat", "Mach bands on the middle row, flat", 0, FactNeeds::Profile, bands<0>},
+    FactRow{"bands gouraud", "the same, Gouraud", 0, FactNeeds::Profile, bands<1>},
+    FactRow{"bands phong", "the same, Phong", 0, FactNeeds::Profile, bands<2>},
+    FactRow{"bands spared", "how many fewer Phong has than Gouraud", 0, FactNeeds::Profile,
+            [](Found f) { return f.profiled->bands[1] - f.profiled->bands[2]; }},
+    FactRow{"jump flat", "largest change from pixel to pixel in shades of 240, flat", 1, FactNeeds::Profile,
+            jump<0>},
+    FactRow{"jump gouraud", "the same, Gouraud", 1, FactNeeds::Profile, jump<1>},
+    FactRow{"jump phong", "the same, Phong", 1, FactNeeds::Profile, jump<2>},
+
+    FactRow{"differing samples", "samples whose cells differ above and below", 0, FactNeeds::Beside,
+            [](Found f) -> double { return f.difference->samples; }},
+    FactRow{"largest difference", "the largest difference of two such cells, in shades", 0, FactNeeds::Beside,
+            [](Found f) -> double { return f.difference->most; }},
+
+    FactRow{"Ia", "ambient intensity", 2, FactNeeds::Picture,
+            [](Found f) -> double { return f.picture.settings().light.Ia; }},
+    FactRow{"Ip", "intensity of the point light", 2, FactNeeds::Picture,
+            [](Found f) -> double { return f.picture.settings().light.Ip; }},
+    FactRow{"ks", "coefficient of specular reflection", 2, FactNeeds::Picture,
+            [](Found f) -> double { return f.picture.settings().light.ks; }},
+    FactRow{"n", "exponent of specular reflection", 0, FactNeeds::Picture,
+            [](Found f) -> double { return f.picture.settings().light.n; }},
+    FactRow{"I0", "lowest intensity of the corrected table", 3, FactNeeds::Picture,
+            [](Found f) -> double { return f.picture.settings().table.I0; }},
+};
+
+}  // namespace
+
+std::span<const FactRow> allFacts() { return kFacts; }
+
 std::optional<int> factNamed(std::string_view name) {
   const auto* const row = std::ranges::find(kFacts, name, &FactRow::name);
   return row == kFacts.end() ? std::nullopt : std::optional{static_cast<int>(row - kFacts.begin())};
 }
 
-std::string allFacts() {
+std::string factNames() {
   std::string all;
   for (const FactRow& row : kFacts) all += (all.empty() ? "" : ", ") + std::string{row.name};
   return all;
@@ -32,150 +149,72 @@ SortedScene textbookRun(Picture& picture) {
                                        .record = true});
 }
 
-void ShownExhibit::sort() {
-  if (run_) return;
-  const SortedScene run = textbookRun(picture_);
-  run_ = run.statistics;
-  steps_ = run.events.size();
-  painted_ = run.fragments.size();
-}
-
-void ShownExhibit::compare() {
-  if (compared_ || !beside_) return;
-  for (std::size_t k = 0; k < image_.pixels.size(); ++k) {
-    const int apart = std::abs(image_.pixels[k] - beside_->pixels[k]);
-    differ_[0] += apart > 0;
-    const CellRange cells = sceneCells(picture_);  // a ground beside a face is no difference in shades
-    if (cells.has(image_.pixels[k]) && cells.has(beside_->pixels[k]))
-      differ_[1] = std::max(differ_[1], apart);
-  }
-  compared_ = true;
-}
-
-double ShownExhibit::value(Fact fact) {
-  const SnappedScene& snapped = picture_.snapped();
-  const TableSettings& table = picture_.settings().table;
-  const Illumination& light = picture_.settings().light;
-  const FactNeeds needs = kFacts[static_cast<std::size_t>(fact)].needs;
-  if (needs == FactNeeds::Run) sort();
-  if (needs == FactNeeds::Oracle && !exactness_) exactness_ = picture_.exactness();
-  if (needs == FactNeeds::Beside) compare();
-  if (needs == FactNeeds::Profile && !profiled_) {
-    const PictureSettings made = picture_.settings();
-    const Scanline line = scanlineOf(picture_, made, defaultScanline(picture_), 0);
-    for (int k = 0; k < 3; ++k) {
-      bands_[k] = line.profiles[k].bands;
-      jumps_[k] = line.profiles[k].largestJump * (kMaxShades - 1);
+void ShownExhibit::find(FactNeeds needs) {
+  Picture& picture = found_.picture;
+  switch (needs) {
+    case FactNeeds::Picture:
+      return;
+    case FactNeeds::Run: {
+      if (found_.run) return;
+      const SortedScene run = textbookRun(picture);
+      found_.run = run.statistics;
+      found_.steps = run.events.size();
+      found_.painted = run.fragments.size();
+      return;
     }
-    IndexImage again{made.width, made.height, 0};
-    picture_.paint(again, 0);
-    profiled_ = true;
-  }
-  if ((fact == Fact::Darkest || fact == Fact::Brightest) && !range_) {
-    range_ = {1.0, 0.0};
-    for (const double I : picture_.intensities(picture_.seen(0, picture_.settings().height)))
-      if (!std::isnan(I)) range_ = {std::min((*range_)[0], I), std::max((*range_)[1], I)};
-  }
-  const auto settled = [&](Test test) {
-    return static_cast<double>(run_->settled[static_cast<std::size_t>(test)]);
-  };
-  switch (fact) {
-    case Fact::Polygons:
-      return snapped.polygons - snapped.degenerate;
-    case Fact::Painted:
-      return static_cast<double>(painted_);
-    case Fact::Cuts:
-      return static_cast<double>(run_->splits);
-    case Fact::Moves:
-      return static_cast<double>(run_->moves);
-    case Fact::Cycles:
-      return static_cast<double>(run_->cycles);
-    case Fact::Impossible:
-      return static_cast<double>(run_->impossible);
-    case Fact::Steps:
-      return static_cast<double>(steps_);
-    case Fact::Test1:
-      return settled(Test::XExtents);
-    case Fact::Test2:
-      return settled(Test::YExtents);
-    case Fact::Test3:
-      return settled(Test::PBehindQ);
-    case Fact::Test4:
-      return settled(Test::QInFrontOfP);
-    case Fact::Test5:
-      return settled(Test::Projections);
-    case Fact::Samples:
-      return exactness_->samples;
-    case Fact::Wrong:
-      return exactness_->wrong;
-    case Fact::Shades:
-      return picture_.table().shades();
-    case Fact::ShadesUsed:
-      return usedCells(cellUse(image_), sceneCells(picture_));
-    case Fact::Levels8:
-      return distinctLevels(table, 8);
-    case Fact::Levels16:
-      return distinctLevels(table, 16);
-    case Fact::LowestStored:
-      return 255 * picture_.table().level(0);
-    case Fact::HighestStored:
-      return 255 * picture_.table().level(picture_.table().shades() - 1);
-    case Fact::Ratio:
-      return table.kind == TableKind::Corrected ? ratioOf(picture_.table())
-                                                : std::numeric_limits<double>::quiet_NaN();
-    case Fact::StepsSeen: {
-      double seen = 0;
-      for (const Curve& curve : stepCurves(picture_, picture_.palette(CellPlan{table.kind})))
-        if (curve.chosen)
-          seen +=
-              static_cast<double>(std::ranges::count_if(curve.y, [](double y) { return y >= kSeenStep; }));
-      return seen;
+    case FactNeeds::Oracle:
+      if (!found_.exactness) found_.exactness = picture.exactness();
+      return;
+    case FactNeeds::Profile: {
+      if (found_.profiled) return;
+      const PictureSettings made = picture.settings();
+      const Scanline line = scanlineOf(picture, made, defaultScanline(picture), 0);
+      found_.profiled.emplace();
+      for (int k = 0; k < 3; ++k) {
+        found_.profiled->bands[k] = line.profiles[k].bands;
+        found_.profiled->jumps[k] = line.profiles[k].largestJump * (kMaxShades - 1);
+      }
+      IndexImage again{made.width, made.height, 0};
+      picture.paint(again, 0);
+      return;
     }
-    case Fact::Clamped:
-      return static_cast<double>(picture_.saturated());
-    case Fact::Darkest:
-      return (*range_)[0];
-    case Fact::Brightest:
-      return (*range_)[1];
-    case Fact::BandsFlat:
-    case Fact::BandsGouraud:
-    case Fact::BandsPhong:
-      return bands_[static_cast<std::size_t>(fact) - static_cast<std::size_t>(Fact::BandsFlat)];
-    case Fact::BandsSpared:
-      return bands_[1] - bands_[2];
-    case Fact::JumpFlat:
-    case Fact::JumpGouraud:
-    case Fact::JumpPhong:
-      return jumps_[static_cast<std::size_t>(fact) - static_cast<std::size_t>(Fact::JumpFlat)];
-    case Fact::Differ:
-      return differ_[0];
-    case Fact::DifferMost:
-      return differ_[1];
-    case Fact::Ia:
-      return light.Ia;
-    case Fact::Ip:
-      return light.Ip;
-    case Fact::Ks:
-      return light.ks;
-    case Fact::N:
-      return light.n;
-    case Fact::I0:
-      return table.I0;
+    case FactNeeds::Range:
+      if (found_.range) return;
+      found_.range = {1.0, 0.0};
+      for (const double I : picture.intensities(picture.seen(0, picture.settings().height)))
+        if (!std::isnan(I)) found_.range = {std::min(found_.range->low, I), std::max(found_.range->high, I)};
+      return;
+    case FactNeeds::Beside: {
+      if (found_.difference) return;
+      FactSources::Difference& difference = found_.difference.emplace();
+      if (!found_.beside) return;
+      const CellRange cells = sceneCells(picture);  // background against a face is no difference in shades
+      for (std::size_t k = 0; k < found_.image.pixels.size(); ++k) {
+        const std::uint8_t above = found_.image.pixels[k], below = found_.beside->pixels[k];
+        difference.samples += above != below;
+        if (cells.has(above) && cells.has(below))
+          difference.most = std::max(difference.most, std::abs(above - below));
+      }
+      return;
+    }
   }
-  return 0;
 }
 
-std::string ShownExhibit::text(Fact fact) {
-  const int decimals = kFacts[static_cast<std::size_t>(fact)].decimals;
+double ShownExhibit::value(const FactRow& fact) {
+  find(fact.needs);
+  return fact.value(found_);
+}
+
+std::string ShownExhibit::text(const FactRow& fact) {
   const double v = value(fact);
   if (std::isnan(v)) return "none";
-  return decimals == 0 ? grouped(std::llround(v)) : fixed(v, decimals);
+  return fact.decimals == 0 ? grouped(std::llround(v)) : fixed(v, fact.decimals);
 }
 
 bool ShownExhibit::holds(const Claim& claim) {
   const double unit = std::pow(10.0, -kFacts[claim.fact].decimals);
   const auto rounded = [&](double v) { return std::round(v / unit); };
-  const double v = rounded(value(kFacts[claim.fact].id));
+  const double v = rounded(value(kFacts[claim.fact]));
   return (!claim.is || v == rounded(*claim.is)) && (!claim.least || v >= rounded(*claim.least)) &&
          (!claim.most || v <= rounded(*claim.most));
 }
@@ -187,7 +226,7 @@ std::string ShownExhibit::filled(std::string_view words) {
     if (open == std::string_view::npos) return text + std::string{words};
     const std::size_t close = words.find('}', open);
     const std::optional<int> fact = factNamed(words.substr(open + 1, close - open - 1));
-    text += std::string{words.substr(0, open)} + this->text(kFacts[*fact].id);
+    text += std::string{words.substr(0, open)} + this->text(kFacts[*fact]);
     words.remove_prefix(close + 1);
   }
 }
@@ -200,7 +239,7 @@ std::string checkPlaceholders(std::string_view words) {
     const std::size_t close = words.find('}', open);
     if (close == std::string_view::npos) return "a { without a }";
     const std::string name{words.substr(open + 1, close - open - 1)};
-    if (!factNamed(name)) return "no such fact: " + inQuotes(name) + "; there are " + allFacts();
+    if (!factNamed(name)) return "there is no fact " + inQuotes(name) + "; the facts are " + factNames();
     words.remove_prefix(close + 1);
   }
 }

@@ -10,32 +10,31 @@ namespace xnewell {
 
 namespace {
 
-constexpr int kLetters = 53;  // of a paragraph
+constexpr int kLetters = 53;  // in a line of a paragraph
 constexpr int kBoxLeft = 16, kAnswerText = 64;
 constexpr int kAnswerLetters = (kLessonColumn - kAnswerText - 8) / 6;
 
-/// Distances that a small window has less of.
+/// Distances in pixels, which are smaller in a small window.
 struct Pitches {
   int text, paragraph, answer, control, button, gap;
 };
 constexpr Pitches kRoomy{16, 8, 26, 22, 30, 12}, kCompact{14, 5, 20, 19, 24, 6};
 
-struct LessonPen : Pen {
-  [[nodiscard]] std::uint8_t operator()(Cell c) const { return plan[c]; }
-  void lines(const std::vector<LessonLayout::Line>& lines, Cell cell, Voice voice = Voice::Plain) {
-    for (const auto& line : lines) paint.text(line.x, line.baseline, line.text, plan[cell], voice);
-  }
-  /// A raised area; strong: with an ink edge on the colour of what has the keyboard.
-  void button(const Rect& r, bool strong) {
-    paint.fillRect(r, plan[strong ? Cell::Focus : Cell::Panel]);
-    paint.frame(r, plan[strong ? Cell::Ink : Cell::Faint]);
-    if (strong) return;
-    paint.hline(r.x + 1, r.y + 1, r.width - 2, plan[Cell::White]);
-    paint.vline(r.x + 1, r.y + 1, r.height - 2, plan[Cell::White]);
-  }
-};
+void drawLines(Pen& pen, const std::vector<LessonLayout::Line>& lines, Cell cell,
+               Voice voice = Voice::Plain) {
+  for (const auto& line : lines) pen.paint.text(line.x, line.baseline, line.text, pen(cell), voice);
+}
 
-/// Lines of a text from `baseline` on, which moves below them.
+/// Draws a raised area. If `strong`, with an ink edge and the colour of the keyboard focus.
+void drawButton(Pen& pen, const Rect& r, bool strong) {
+  pen.paint.fillRect(r, pen(strong ? Cell::Focus : Cell::Panel));
+  pen.paint.frame(r, pen(strong ? Cell::Ink : Cell::Faint));
+  if (strong) return;
+  pen.paint.hline(r.x + 1, r.y + 1, r.width - 2, pen(Cell::White));
+  pen.paint.vline(r.x + 1, r.y + 1, r.height - 2, pen(Cell::White));
+}
+
+/// Adds the lines of a text from `baseline` on, and moves `baseline` below them.
 void flow(std::vector<LessonLayout::Line>& lines, int x, int& baseline, std::string_view text, int letters,
           int pitch) {
   for (const std::string& line : broken(text, letters)) {
@@ -44,112 +43,111 @@ void flow(std::vector<LessonLayout::Line>& lines, int x, int& baseline, std::str
   }
 }
 
-void drawTop(LessonPen& draws, const LessonLayout& at, const LessonPage& page) {
+void drawTop(Pen& pen, const LessonLayout& at, const LessonPage& page) {
   const Rect& c = at.column;
-  draws.paint.text(c.x, c.y + 21, page.heading, draws(Cell::Ink), Voice::Title);
-  draws.paint.text(c.x, at.dots + 4,
-                   "step " + std::to_string(page.step + 1) + " of " + std::to_string(page.steps),
-                   draws(Cell::Soft));
+  pen.paint.text(c.x, c.y + 21, page.heading, pen(Cell::Ink), Voice::Title);
+  pen.paint.text(c.x, at.dots + 4,
+                 "step " + std::to_string(page.step + 1) + " of " + std::to_string(page.steps),
+                 pen(Cell::Soft));
   constexpr int kPitch = 16;
   for (int k = 0; k < page.steps; ++k) {
     const int x = c.x + c.width - 12 - (page.steps - 1 - k) * kPitch;
-    if (k < page.step) draws.paint.disc(x, at.dots, 3, draws(Cell::Ink));
-    if (k > page.step) draws.paint.ring(x, at.dots, 3, draws(Cell::Faint));
+    if (k < page.step) pen.paint.disc(x, at.dots, 3, pen(Cell::Ink));
+    if (k > page.step) pen.paint.ring(x, at.dots, 3, pen(Cell::Faint));
     if (k != page.step) continue;
-    draws.paint.disc(x, at.dots, 5, draws(Cell::Ink));
-    draws.paint.disc(x, at.dots, 2, draws(Cell::Paper));
+    pen.paint.disc(x, at.dots, 5, pen(Cell::Ink));
+    pen.paint.disc(x, at.dots, 2, pen(Cell::Paper));
   }
-  draws.paint.hline(c.x, at.dots + 13, c.width, draws(Cell::Rule));
+  pen.rule(c.x, at.dots + 13, c.width);
 }
 
-void drawQuestion(LessonPen& draws, const LessonLayout& at, const PageQuestion& question) {
-  draws.paint.fillRect(at.box, draws(Cell::White));
-  draws.paint.fillRect({at.box.x, at.box.y, 3, at.box.height}, draws(Cell::Ink));
-  draws.lines(at.asks, Cell::Ink, Voice::Bold);
+void drawQuestion(Pen& pen, const LessonLayout& at, const PageQuestion& question) {
+  pen.paint.fillRect(at.box, pen(Cell::White));
+  pen.paint.fillRect({at.box.x, at.box.y, 3, at.box.height}, pen(Cell::Ink));
+  drawLines(pen, at.asks, Cell::Ink, Voice::Bold);
   for (std::size_t k = 0; k < at.answers.size(); ++k) {
     const Rect& row = at.answers[k];
     const bool chosen = question.chosen == static_cast<int>(k);
     if (chosen) {
-      draws.paint.fillRect({row.x + 10, row.y, row.width - 20, row.height}, draws(Cell::Focus));
-      draws.paint.fillRect({row.x + 10, row.y, 2, row.height}, draws(Cell::Ink));
+      pen.paint.fillRect({row.x + 10, row.y, row.width - 20, row.height}, pen(Cell::Focus));
+      pen.paint.fillRect({row.x + 10, row.y, 2, row.height}, pen(Cell::Ink));
     }
     const int baseline = row.y + (at.compact ? 14 : 16);
-    draws.paint.disc(row.x + 26, baseline - 4, 6, draws(Cell::White));
-    draws.paint.ring(row.x + 26, baseline - 4, 6, draws(Cell::Ink));
-    if (chosen) draws.paint.disc(row.x + 26, baseline - 4, 3, draws(Cell::Ink));
+    pen.paint.disc(row.x + 26, baseline - 4, 6, pen(Cell::White));
+    pen.paint.ring(row.x + 26, baseline - 4, 6, pen(Cell::Ink));
+    if (chosen) pen.paint.disc(row.x + 26, baseline - 4, 3, pen(Cell::Ink));
     const char letter = static_cast<char>('a' + k);
-    draws.key(row.x + 42, baseline - 11, std::string_view{&letter, 1});
+    pen.key(row.x + 42, baseline - 11, std::string_view{&letter, 1});
     int y = baseline;
     for (const std::string& line : at.answerLines[k]) {
-      draws.paint.text(row.x + kAnswerText, y, line, draws(Cell::Ink));
+      pen.ink(row.x + kAnswerText, y, line);
       y += at.compact ? kCompact.text : kRoomy.text;
     }
   }
   if (!at.answer.empty()) {
     const bool ready = question.chosen.has_value();
-    draws.button(at.answer, ready);
+    drawButton(pen, at.answer, ready);
     const int y = at.answer.y + (at.answer.height + 9) / 2;
-    const int x = draws.paint.text(at.answer.x + 10, y, "answer", draws(ready ? Cell::Ink : Cell::Soft),
-                                   ready ? Voice::Bold : Voice::Plain);
-    draws.paint.text(x + 6, y, "Return", draws(Cell::Soft));
-    draws.paint.text(at.answer.x + at.answer.width + 16, y, "or go on without one", draws(Cell::Soft));
+    const int x = pen.paint.text(at.answer.x + 10, y, "answer", pen(ready ? Cell::Ink : Cell::Soft),
+                                 ready ? Voice::Bold : Voice::Plain);
+    pen.soft(x + 6, y, "Return");
+    pen.soft(at.answer.x + at.answer.width + 16, y, "or go on without one");
   }
-  draws.lines(at.after, question.given ? Cell::Ink : Cell::Soft);
+  drawLines(pen, at.after, question.given ? Cell::Ink : Cell::Soft);
 }
 
 std::vector<std::string_view> optionsOf(const PageControl& control) {
   return {control.options.begin(), control.options.end()};
 }
 
-/// The frames of its options in a row of the column.
+/// The frames of the options of a control, in a row of the column.
 std::vector<Rect> framesOf(const PageControl& control, const Rect& row) {
   return optionFrames(optionsOf(control), row.x + kColumnTrackAt, row.y + 14,
                       kLessonColumn - kColumnTrackAt - 6);
 }
 
-void drawControl(LessonPen& draws, const PageControl& control, const Rect& row) {
+void drawControl(Pen& pen, const PageControl& control, const Rect& row) {
   const int x = row.x, y = row.y + 14;
-  if (control.focused) drawFocus(draws, {x, row.y, kLessonColumn, row.height});
-  draws.key(x, y - 11, std::string_view{&control.key, 1});
-  draws.paint.text(x + 24, y, control.label, draws(control.enabled ? Cell::Ink : Cell::Faint));
+  if (control.focused) drawFocus(pen, {x, row.y, kLessonColumn, row.height});
+  pen.key(x, y - 11, std::string_view{&control.key, 1});
+  pen.paint.text(x + 24, y, control.label, pen(control.enabled ? Cell::Ink : Cell::Faint));
   if (control.track)
-    drawTrack(draws, x + kColumnTrackAt, y, kColumnTrack,
+    drawTrack(pen, x + kColumnTrackAt, y, kColumnTrack,
               {.share = *control.track, .initially = control.usual, .enabled = control.enabled});
   if (control.toggle) {
     const Rect box{x + kColumnTrackAt, y - 10, 11, 11};
-    draws.paint.fillRect(box, draws(Cell::White));
-    draws.paint.frame(box, draws(Cell::Ink));
-    if (control.chosen) draws.paint.tick(box.x + 2, box.y + 2, draws(Cell::Ink));
-    draws.paint.text(box.x + 18, y, control.value, draws(Cell::Ink));
+    pen.paint.fillRect(box, pen(Cell::White));
+    pen.paint.frame(box, pen(Cell::Ink));
+    if (control.chosen) pen.paint.tick(box.x + 2, box.y + 2, pen(Cell::Ink));
+    pen.ink(box.x + 18, y, control.value);
     return;
   }
-  drawOptions(draws, optionsOf(control), framesOf(control, row), control.chosen);
-  draws.paint.textRight(x + kLessonColumn, y, control.value, draws(control.enabled ? Cell::Ink : Cell::Faint),
-                        control.enabled ? Voice::Bold : Voice::Plain);
+  drawOptions(pen, optionsOf(control), framesOf(control, row), control.chosen);
+  pen.paint.textRight(x + kLessonColumn, y, control.value, pen(control.enabled ? Cell::Ink : Cell::Faint),
+                      control.enabled ? Voice::Bold : Voice::Plain);
 }
 
-void drawControls(LessonPen& draws, const LessonLayout& at, const LessonPage& page) {
+void drawControls(Pen& pen, const LessonLayout& at, const LessonPage& page) {
   if (page.controls.empty()) return;
-  draws.paint.hline(at.column.x, at.controlsTop - 16, at.column.width, draws(Cell::Rule));
-  draws.paint.text(at.column.x, at.controlsTop, "in this step", draws(Cell::Soft), Voice::Caps);
-  for (std::size_t k = 0; k < page.controls.size(); ++k) drawControl(draws, page.controls[k], at.controls[k]);
+  pen.rule(at.column.x, at.controlsTop - 16, at.column.width);
+  pen.caps(at.column.x, at.controlsTop, "in this step");
+  for (std::size_t k = 0; k < page.controls.size(); ++k) drawControl(pen, page.controls[k], at.controls[k]);
   const Rect& last = at.controls.back();
   if (const int y = last.y + last.height + 16; !at.compact && y + 6 < at.back.y)
-    draws.paint.text(at.column.x, y, "The other controls rest. Esc leaves the lesson.", draws(Cell::Soft));
+    pen.soft(at.column.x, y, "The other controls are off. Esc leaves the lesson.");
 }
 
-void drawWays(LessonPen& draws, const LessonLayout& at, const LessonPage& page) {
+void drawWays(Pen& pen, const LessonLayout& at, const LessonPage& page) {
   const int y = at.back.y + (at.back.height + 9) / 2, middle = at.back.y + at.back.height / 2 - 5;
   const bool first = page.step == 0, last = page.step + 1 == page.steps;
-  draws.button(at.back, false);
-  draws.paint.triangle(at.back.x + 20, middle, 6, Direction::Left, draws(first ? Cell::Faint : Cell::Ink));
-  const int x = draws.paint.text(at.back.x + 46, y, "back", draws(first ? Cell::Faint : Cell::Ink));
-  draws.paint.text(x + 8, y, "PgUp", draws(first ? Cell::Faint : Cell::Soft));
-  draws.button(at.next, false);
-  const int onward =
-      draws.paint.text(at.next.x + (last ? 16 : 46), y, last ? "next lesson" : "next", draws(Cell::Ink));
-  draws.paint.text(onward + 8, y, "PgDn", draws(Cell::Soft));
-  draws.paint.triangle(at.next.x + at.next.width - 24, middle, 6, Direction::Right, draws(Cell::Ink));
+  drawButton(pen, at.back, false);
+  pen.paint.triangle(at.back.x + 20, middle, 6, Direction::Left, pen(first ? Cell::Faint : Cell::Ink));
+  const int x = pen.paint.text(at.back.x + 46, y, "back", pen(first ? Cell::Faint : Cell::Ink));
+  pen.paint.text(x + 8, y, "PgUp", pen(first ? Cell::Faint : Cell::Soft));
+  drawButton(pen, at.next, false);
+  const int onward = pen.ink(at.next.x + (last ? 16 : 46), y, last ? "next lesson" : "next");
+  pen.soft(onward + 8, y, "PgDn");
+  pen.paint.triangle(at.next.x + at.next.width - 24, middle, 6, Direction::Right, pen(Cell::Ink));
 }
 
 }  // namespace
@@ -164,7 +162,7 @@ LessonLayout layoutOfLesson(const Rect& column, const LessonPage& page, bool com
     flow(at.words, column.x, y, paragraph, kLetters, pitch.text);
     y += pitch.paragraph;
   }
-  y += -11 - pitch.paragraph + pitch.gap;  // from a baseline to the top of what follows
+  y += -11 - pitch.paragraph + pitch.gap;  // from a baseline to the top of the next part
   if (page.question) {
     const PageQuestion& question = *page.question;
     at.box = {column.x, y, column.width, 0};
@@ -224,12 +222,12 @@ std::vector<std::string> tooWide(const LessonPage& page) {
 }
 
 void drawLessonPage(IndexImage& image, const LessonLayout& at, const LessonPage& page, const CellPlan& plan) {
-  LessonPen draws{{Painter{image}, plan}};
-  drawTop(draws, at, page);
-  draws.lines(at.words, Cell::Ink);
-  if (page.question) drawQuestion(draws, at, *page.question);
-  drawControls(draws, at, page);
-  drawWays(draws, at, page);
+  Pen pen{Painter{image}, plan};
+  drawTop(pen, at, page);
+  drawLines(pen, at.words, Cell::Ink);
+  if (page.question) drawQuestion(pen, at, *page.question);
+  drawControls(pen, at, page);
+  drawWays(pen, at, page);
 }
 
 std::optional<double> trackAt(const Rect& row, int x) {
@@ -255,24 +253,24 @@ std::vector<Rect> layoutOfList(const Rect& body, const LessonList& list, bool co
 
 void drawLessonList(IndexImage& image, const Rect& body, const LessonList& list, const CellPlan& plan,
                     bool compact) {
-  LessonPen draws{{Painter{image}, plan}};
-  draws.paint.text(body.x, body.y + 21, "Lessons", draws(Cell::Ink), Voice::Title);
-  draws.paint.textRight(body.x + body.width, body.y + 21, "arrows, then Return; or the pointer",
-                        draws(Cell::Soft));
-  draws.paint.hline(body.x, body.y + (compact ? 34 : 42), body.width, draws(Cell::Rule));
+  Pen pen{Painter{image}, plan};
+  pen.paint.text(body.x, body.y + 21, "Lessons", pen(Cell::Ink), Voice::Title);
+  pen.paint.textRight(body.x + body.width, body.y + 21, "arrows, then Return; or the pointer",
+                      pen(Cell::Soft));
+  pen.rule(body.x, body.y + (compact ? 34 : 42), body.width);
   const std::vector<Rect> rows = layoutOfList(body, list, compact);
   for (std::size_t k = 0; k < rows.size(); ++k) {
     const LessonList::Row& lesson = list.rows[k];
     const Rect& row = rows[k];
     const int y = row.y + (compact ? 13 : 16);
     if (static_cast<int>(k) == list.chosen) {
-      draws.paint.fillRect({row.x, row.y, row.width, row.height}, draws(Cell::Focus));
-      draws.paint.fillRect({row.x, row.y, 2, row.height}, draws(Cell::Ink));
+      pen.paint.fillRect({row.x, row.y, row.width, row.height}, pen(Cell::Focus));
+      pen.paint.fillRect({row.x, row.y, 2, row.height}, pen(Cell::Ink));
     }
-    draws.paint.textRight(row.x + 32, y, std::to_string(lesson.number), draws(Cell::Soft));
-    const int end = draws.paint.text(row.x + 48, y, lesson.title, draws(Cell::Ink), Voice::Bold);
-    if (list.current == static_cast<int>(k)) draws.paint.text(end + 18, y, "open", draws(Cell::Soft));
-    draws.paint.text(row.x + 48, y + (compact ? 14 : 17), lesson.shows, draws(Cell::Soft));
+    pen.softRight(row.x + 32, y, std::to_string(lesson.number));
+    const int end = pen.bold(row.x + 48, y, lesson.title);
+    if (list.current == static_cast<int>(k)) pen.soft(end + 18, y, "open");
+    pen.soft(row.x + 48, y + (compact ? 14 : 17), lesson.shows);
   }
 }
 

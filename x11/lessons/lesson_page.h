@@ -10,19 +10,19 @@
 
 namespace xnewell {
 
-/// The right of a lesson's page: heading, paragraphs, question, the step's controls, and the way on. Also the
-/// list of all lessons. Words are broken to the column; what is where is found before it is drawn, so that
-/// the pointer and the tests know it.
+/// The right side of a lesson's page: heading, paragraphs, question, the controls of the step, and the
+/// buttons to go on. Also the list of all lessons. Words are broken to the column. The layout is found before
+/// anything is drawn, so that the pointer and the tests know it.
 
 inline constexpr int kLessonColumn = 320;  ///< pixels
 
-/// A control of the step. Sliders have a track, choices options, toggles neither.
+/// A control of the step. A slider has a track, a choice has options, a toggle has neither.
 struct PageControl {
   char key = 0;
   std::string label;
   std::vector<std::string> options = {};
-  int chosen = 0;                                ///< of the options; of a toggle whether it is on
-  std::optional<double> track = {}, usual = {};  ///< of a slider, in [0, 1]: where it stands, and stood first
+  int chosen = 0;                                ///< the chosen option; for a toggle 1 if it is on
+  std::optional<double> track = {}, usual = {};  ///< of a slider, in [0, 1]: its place now, and at first
   std::string value = {};                        ///< at the right
   bool focused = false, enabled = true, toggle = false;
 };
@@ -31,9 +31,9 @@ struct PageQuestion {
   std::string asks;
   std::vector<std::string> answers;
   std::optional<int> chosen;
-  bool given = false;  ///< then `says` is what the answer brought
+  bool given = false;  ///< the answer was given; `says` is the response
   std::string says;
-  std::string hint;  ///< shown; "" for none
+  std::string hint;  ///< the hint, if it is shown; "" for none
   bool hasHint = false;
 };
 
@@ -52,27 +52,27 @@ struct LessonLayout {
   };
   Rect column;
   bool compact = false;
-  int dots = 0;             ///< their centres' y
-  std::vector<Line> words;  ///< of caption
-  Rect box;                 ///< of the question; empty without one
+  int dots = 0;             ///< y of their centres
+  std::vector<Line> words;  ///< of the caption
+  Rect box;                 ///< of the question; empty if there is none
   std::vector<Line> asks;
-  std::vector<Rect> answers;  ///< a row each
+  std::vector<Rect> answers;  ///< one row for each answer
   std::vector<std::vector<std::string>> answerLines;
-  Rect answer;              ///< the button; empty where there is nothing to answer
-  std::vector<Line> after;  ///< hint, or what the answer brought
-  int controlsTop = 0;      ///< baseline of the section's name
+  Rect answer;              ///< the button; empty if there is nothing to answer
+  std::vector<Line> after;  ///< the hint, or the response to the answer
+  int controlsTop = 0;      ///< baseline of the name of the section
   std::vector<Rect> controls;
   Rect back, next;
-  int end = 0;  ///< below the last of all that flows: at most back.y where all has room
+  int end = 0;  ///< y below the last line; at most back.y if everything fits
 };
 [[nodiscard]] LessonLayout layoutOfLesson(const Rect& column, const LessonPage& page, bool compact);
 void drawLessonPage(IndexImage& image, const LessonLayout& at, const LessonPage& page, const CellPlan& plan);
-/// Texts of one line that end beyond the column, for whoever sees to it that there are none.
+/// One-line texts that are wider than the column; a test checks that there are none.
 [[nodiscard]] std::vector<std::string> tooWide(const LessonPage& page);
 
-/// Where a place on a slider's row lies on its track, in [0, 1]; nothing off the track.
+/// The share of the track of a slider at column x, in [0, 1]; nothing beside the track.
 [[nodiscard]] std::optional<double> trackAt(const Rect& row, int x);
-/// Which option of a choice's row.
+/// The option at column x in the row of a choice.
 [[nodiscard]] std::optional<int> optionAt(const Rect& row, const PageControl& control, int x);
 
 /// The list of all lessons.
@@ -83,7 +83,7 @@ struct LessonList {
   };
   std::vector<Row> rows;
   int chosen = 0;
-  std::optional<int> current;  ///< the one that is open
+  std::optional<int> current;  ///< the lesson that is open
 };
 [[nodiscard]] std::vector<Rect> layoutOfList(const Rect& body, const LessonList& list, bool compact);
 void drawLessonList(IndexImage& image, const Rect& body, const LessonList& list, const CellPlan& plan,

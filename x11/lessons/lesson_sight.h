@@ -10,13 +10,13 @@
 
 namespace xnewell {
 
-/// The left of a lesson's page: the exhibit's picture with letters on its faces, and below it what the stage
-/// asks for.
+/// The left side of a lesson's page: the picture of the exhibit with letters on its faces, and below it what
+/// the stage asks for.
 
 struct SightLayout {
   Rect picture;
-  Rect lower;  ///< the second picture of Stage::SideBySide, else empty
-  Rect below;  ///< extents, tests, curves; empty where there is nothing to tell
+  Rect lower;  ///< the second picture of Stage::SideBySide, otherwise empty
+  Rect below;  ///< extents, tests or curves; empty if there is nothing to show
   bool compact = false;
 };
 /// `area` is at least 400 x 400.
@@ -24,20 +24,20 @@ struct SightLayout {
 
 struct Sight {
   const Exhibit& exhibit;
-  Picture& picture;         ///< of layout's size; left as it was found
-  const IndexImage& image;  ///< it, painted
-  const IndexImage* lower;  ///< of Stage::SideBySide
-  const SortedScene* run;   ///< of Stage::DepthSort, textbookRun()
-  int step = 1;             ///< of the run, from 1
+  Picture& picture;         ///< of the layout's size; it stays as it is
+  const IndexImage& image;  ///< the picture, painted
+  const IndexImage* lower;  ///< the second picture of Stage::SideBySide
+  const SortedScene* run;   ///< textbookRun(), for Stage::DepthSort
+  int step = 1;             ///< the step of the run, from 1
   const CellPlan& plan;
-  const Palette& palette;  ///< what is stored
+  const Palette& palette;  ///< the colours that are stored
 };
 
-/// What stands on the area before is painted over.
+/// Draws the picture and what is below it, on a paper background.
 void drawSight(IndexImage& image, const SightLayout& at, const Sight& sight);
 
-/// Where a letter stands: at a sample of the face with room around it, as far from the picture's middle as
-/// may be; nothing where the face is not seen. `faces` as Picture::faceImage() has them.
+/// The place of a letter: a sample of the face with space around it, as far from the middle of the picture as
+/// possible; nothing if the face is not visible. `faces` comes from Picture::faceImage().
 struct LetterPlace {
   int x, y;
 };

@@ -11,7 +11,7 @@ namespace xnewell {
 
 namespace {
 
-/// The scene with its faces in another order: face k is then `listed[k]` of before.
+/// Puts the faces of the scene in another order: face k is then the old face `listed[k]`.
 Scene relisted(const Scene& scene, const std::vector<int>& listed) {
   Mesh mesh = scene.mesh;
   mesh.corners.clear(), mesh.firstCorner = {0}, mesh.group.clear(), mesh.material.clear();
@@ -33,7 +33,7 @@ void readListed(Exhibit& exhibit, const Node& node) {
   std::vector<int> listed;
   for (int k = 0; k < faces; ++k) {
     listed.push_back(node.item(k).whole(0, faces - 1));
-    if (std::ranges::count(listed, listed.back()) > 1) node.item(k).fail("the face stands twice");
+    if (std::ranges::count(listed, listed.back()) > 1) node.item(k).fail("the face is listed twice");
   }
   exhibit.scene = std::make_shared<const Scene>(relisted(scene, listed));
   for (NamedFace& named : exhibit.names)
@@ -92,7 +92,7 @@ EventChoice readEvent(const Node& node) {
 Claim readClaim(const std::string& name, const Node& node) {
   Claim claim;
   const std::optional<int> fact = factNamed(name);
-  if (!fact) node.fail("no such fact; there are " + allFacts());
+  if (!fact) node.fail("there is no such fact; the facts are " + factNames());
   claim.fact = *fact;
   if (!node.isObject()) {
     claim.is = node.number();
@@ -105,10 +105,10 @@ Claim readClaim(const std::string& name, const Node& node) {
   return claim;
 }
 
-/// What the object says of a picture's settings.
+/// Reads the settings of a picture from an object.
 void readSettings(PictureSettings& settings, const Node& node, const Scene& scene) {
   if (node.has("shading")) {
-    const Illumination before = settings.light;  // what is not said stays, in the scene's units
+    const Illumination before = settings.light;  // values that are not given stay, in the scene's units
     settings.light.lightPosition.reset(), settings.light.range.reset(), settings.light.c.reset();
     readShading(settings, node.at("shading"));
     if (settings.inPixels) node.at("shading").at("fill").fail("lessons are filled by the scanline");

@@ -13,10 +13,10 @@
 
 namespace xnewell {
 
-/// Scenes that were read for a lesson: those that several steps show are read once.
+/// The scenes of a lesson. A scene that several steps show is read once.
 class SceneShelf {
  public:
-  /// Files that are not built in stand in `folder`.
+  /// Scene files that are not built in are in `folder`.
   explicit SceneShelf(std::filesystem::path folder) : folder_{std::move(folder)} {}
   [[nodiscard]] std::shared_ptr<const Scene> scene(const Node& name, int divisions);
 
@@ -25,21 +25,23 @@ class SceneShelf {
   std::map<std::pair<std::string, int>, std::shared_ptr<const Scene>> scenes_;
 };
 
-/// An object with no keys but those of an exhibit, and `more`. @throws ParseError
+/// Checks that an object has no keys except those of an exhibit and `more`. @throws ParseError
 void expectExhibitKeys(const Node& node, std::initializer_list<std::string_view> more = {});
 
-/// `base` with what the object says of it; without a base a scene is needed. Claims are the object's own.
-///   "scene"      a built-in name, or a file beside the lesson; "divisions" of its patches
-///   "listed"     all face numbers, in the order in which the scene is to list them
-///   "camera", "shading"  as in scene files (scene_file.h), over what the scene says
+/// Reads `base` with the changes in the object. Without a base the object needs a scene. Claims are never
+/// taken from the base.
+///
+///   "scene"      a built-in name, or a file in the folder; "divisions" of its patches
+///   "listed"     all face numbers, in the order in which the scene lists them
+///   "camera", "shading"  as in scene files (scene_file.h), in place of the scene's own
 ///   "window"     one of kStages
-///   "line"       what stands over the picture
-///   "names"      {"A": 0, ...}: letters for faces; "extents" true: their z-extents below the picture
+///   "line"       a line of words over the picture
+///   "names"      {"A": 0, ...}: letters for faces; "extents" true: their z-extents below it
 ///   "wrong"      true: samples that show a wrong face are marked
 ///   "beside"     {"shading", "camera", "upper", "lower"}: the second picture of "side by side", below the
-///                first, and what the two are called
+///                first, and the names of both
 ///   "effects"    {"stored", "hue turn", "gamma", "rotate", "lit", "bend"} (palette_effects.h)
-///   "event"      {"kind" (wordFor()) or "test", "number"}, of "depth sort"; "says" claims a part of its
+///   "event"      {"kind" (wordFor()) or "test", "number"}, for "depth sort"; "says" claims a part of its
 ///                sentence
 ///   "claims"     {"cuts": 3, "wrong samples": {"at least": 1}, ...}
 /// @throws ParseError

@@ -9,21 +9,21 @@ namespace xnewell {
 
 namespace {
 
-/// A scene is opened whole, so that its points tell it.
+/// The points identify the scene, since a scene is always opened as a whole.
 bool isSame(const Scene& a, const Scene& b) {
   return a.name == b.name && a.mesh.points == b.mesh.points && a.mesh.corners == b.mesh.corners;
 }
 
 bool isExact(Order order) { return order == Order::Newell || order == Order::Oracle; }
 
-/// What makes a lesson beside A: the order that is exact, or one that is not.
+/// The order that is worth comparing with that of A: an exact one with an inexact one, and the reverse.
 Setup lessonBeside(const Setup& A) {
   Setup B = A;
   B.picture.order = isExact(A.picture.order) ? Order::ZSort : Order::Newell;
   return B;
 }
 
-/// B's member follows A's if both had the same.
+/// The member of B follows A's if both had the same value.
 template <class Member>
 void follow(Member& b, const Member& before, const Member& now) {
   if (b == before) b = now;
@@ -71,7 +71,7 @@ Setup SideBench::beside(const Setup& A) const {
   };
   using T = TableSettings;
   table(&T::kind, &T::shades, &T::I0, &T::pick, &T::hue, &T::bits, &T::first, &T::low, &T::high);
-  // Each thumb of the bar follows alone; together they stay within it.
+  // Each of Ia and Ip follows by itself; their sum stays at most 1.
   if (b.light.Ia + b.light.Ip > 1.0) setIp(B, 1.0 - b.light.Ia);
   return B;
 }
@@ -114,7 +114,7 @@ void SideBench::swap(const Setup& A) {
 void SideBench::nextPair(const Setup& A) {
   Setup nextA = A, nextB = A;
   const PairRow* row = nullptr;
-  do {  // what is shown already, this way round or the other, is no news
+  do {  // skip a pair that is shown already, in either order
     row = &kPairs[pair_];
     pair_ = (pair_ + 1) % kPairs.size();
     nextA = nextB = A;
@@ -127,13 +127,13 @@ void SideBench::nextPair(const Setup& A) {
   b_ = nextB;
   host_->change('g', [&](Setup& s) { s = nextA; });
   host_->tell("A and B are " + std::string{row->name} +
-              "; all else is A's, which is the picture of view 1. u takes it back.");
+              "; all else is as in A, the picture of view 1. u undoes this.");
 }
 
 bool SideBench::undo(const Setup& A) {
   if (before_.empty()) return false;
   const Before last = before_.back();
-  if (last.changed != Changed::B && A != last.A) return false;  // the window has changed something since
+  if (last.changed != Changed::B && A != last.A) return false;  // the window has changed A since
   before_.pop_back();
   b_ = last.B;
   return last.changed == Changed::B;
@@ -144,7 +144,7 @@ bool SideBench::pressArrow(int steps, const Setup& A) {
   const auto* const row = std::ranges::find(kSliders, slider_, &SliderRow::key);
   const Setup& of = focus_ == 'A' ? A : *b_;
   if (!row->enabled(of)) {
-    host_->notify(std::string{row->label} + " does nothing in " + focus_ + " as it is set up.");
+    host_->notify(std::string{row->label} + " has no effect in " + focus_ + " with its settings.");
     return true;
   }
   change(slider_, A, [&](Setup& s) { step(s, *row, steps); });
@@ -153,7 +153,7 @@ bool SideBench::pressArrow(int steps, const Setup& A) {
 
 bool SideBench::pressControl(char letter, const Setup& A) {
   if (letter == 'F') {
-    host_->notify("Both pictures are filled by the program's own scanline here.");
+    host_->notify("Here the program's own scanline code fills both pictures.");
     return true;
   }
   for (const ChoiceRow& row : choices())
@@ -161,7 +161,7 @@ bool SideBench::pressControl(char letter, const Setup& A) {
       const auto next = [&](Setup& s) {
         row.set(s, (row.get(s) + 1) % static_cast<int>(row.options.size()));
       };
-      if (letter == 'P')  // one camera for both
+      if (letter == 'P')  // both have one camera
         choose(*host_, row, (row.get(A) + 1) % static_cast<int>(row.options.size()));
       else
         change(letter, A, next);
@@ -217,7 +217,7 @@ bool SideBench::press(const Key& key, const Setup& setup) {
       place_ = 0;
       if (kind_ == Unlike::Intensity && noIntensities_) {
         kind_ = Unlike::Color;
-        host_->notify("Cells that hold single colours stand for no intensity.");
+        host_->notify("These cells hold single colours, which have no intensity.");
       }
       return true;
     case 'u':
@@ -270,7 +270,7 @@ void SideBench::makeB(const Desk& desk) {
     s.width = A.width, s.height = A.height;
     s.camera = A.camera;
     s.inPixels = A.inPixels;
-    if (coarse_) {  // as the workbench makes A, then
+    if (coarse_) {  // the workbench makes A coarse in the same way
       if (s.shading != Shading::Full) s.shading = Shading::Flat;
       s.order = Order::ZSort;
       s.adapt = 0;
@@ -281,7 +281,7 @@ void SideBench::makeB(const Desk& desk) {
   try {
     pictureB_->make(sized(*b_));
   } catch (const ViewError& e) {
-    host_->notify("B cannot be drawn so: " + std::string{e.what()});
+    host_->notify("B cannot be drawn with these settings: " + std::string{e.what()});
     b_ = drawn_ && drawn_->b ? drawn_->b : desk.setup;
     pictureB_->make(sized(*b_));
   }
@@ -291,7 +291,7 @@ void SideBench::makeB(const Desk& desk) {
 
 void SideBench::measure(Measured& side, const Measured& other, Picture& picture) {
   if (side.of == picture.settings()) return;
-  if (other.of == picture.settings()) {  // swapped
+  if (other.of == picture.settings()) {  // A and B were swapped
     side = other;
     return;
   }
@@ -343,27 +343,26 @@ void SideBench::draw(IndexImage& image, const Desk& desk) {
   if (textWidth(pairs) + 21 > at_.numbers.width) pairs = "next pair: " + std::string{kPairs[pair_].name};
   Painter{image}.fillRect(desk.layout.body, desk.plan[Cell::Paper]);
   const bool known = measuredA_.of == ofA && measuredB_.of == ofB;
-  drawSidesPage(
-      image, at_,
-      {.A = one.A,
-       .B = one.B,
-       .unlike = unlike,
-       .ofA = {phrasesOf(askedA, askedB), measuredA_.numbers, measuredA_.time},
-       .ofB = {phrasesOf(askedB, askedA), measuredB_.numbers, measuredB_.time},
-       .finding =
-           known ? findingOf(desk.picture, *pictureB_, measuredA_.numbers, measuredB_.numbers, unlike, place)
-                 : Finding{},
-       .known = known,
-       .place = place,
-       .number = place_,
-       .places = static_cast<int>(places_.size()),
-       .focus = focus_,
-       .blinking = blinking_,
-       .colors = one.shared ? "Both in one palette of " + std::to_string(one.colors) + " colours, " +
-                                  (one.exact ? "each exactly its own." : "each the nearest.")
-                            : "",
-       .pairs = pairs},
-      desk.plan);
+  drawSidesPage(image, at_,
+                {.A = one.A,
+                 .B = one.B,
+                 .unlike = unlike,
+                 .ofA = {phrasesOf(askedA, askedB), measuredA_.numbers, measuredA_.time},
+                 .ofB = {phrasesOf(askedB, askedA), measuredB_.numbers, measuredB_.time},
+                 .finding = known ? findingOf(desk.picture, *pictureB_, measuredA_.numbers,
+                                              measuredB_.numbers, unlike, place)
+                                  : Finding{},
+                 .known = known,
+                 .place = place,
+                 .number = place_,
+                 .places = static_cast<int>(places_.size()),
+                 .focus = focus_,
+                 .blinking = blinking_,
+                 .colors = one.shared ? "Both in one palette of " + std::to_string(one.colors) +
+                                            " colours, " + (one.exact ? "all exact." : "each the nearest.")
+                                      : "",
+                 .pairs = pairs},
+                desk.plan);
   use_ = cellUse(one.A);
   const CellUse second = cellUse(one.B);
   for (std::size_t k = 0; k < use_.samples.size(); ++k) use_.samples[k] += second.samples[k];
@@ -374,7 +373,7 @@ void SideBench::draw(IndexImage& image, const Desk& desk) {
     aside_ =
         "arrows: " + std::string{row->label} + " of " + focus_ + ", " + fixed(row->get(of), row->decimals);
   } else {
-    aside_ = known                    ? "numbers from these pictures"
+    aside_ = known                    ? "the numbers are of these pictures"
              : coarse_ || desk.coarse ? "coarse while dragging; numbers follow"
                                       : "numbers follow";
   }
@@ -392,10 +391,10 @@ std::vector<HelpLine> SideBench::help() const {
   return {{"A B", "which one the letters below change; Tab is the other, or a click"},
           {"S N O K T H L V", "shading, normals, order, backs, table, hue, L, V: the next"},
           {"i p a d s c 0", "Ia, Ip, ka, kd, ks, shades, I0: then < >, Shift by ten"},
-          {"g", "two setups that make a lesson: z-sort | Newell, flat | Gouraud, ..."},
+          {"g", "a pair worth comparing: z-sort | Newell, flat | Gouraud, ..."},
           {"x", "swap A and B"},
-          {"Space", "B in A's place, and back: what differs jumps"},
-          {"f", "what the difference is of: face, intensity, colour"},
+          {"Space", "B in A's place and back: differences jump out"},
+          {"f", "compare faces, intensities or colours"},
           {"n", "the next place where they differ"},
           {"t z P", "turn, zoom, projection: of both; or drag a picture"}};
 }

@@ -11,26 +11,26 @@
 
 namespace xnewell {
 
-/// Two setups of the scene beside each other: A is the window's, B is kept here. Size and camera are A's for
-/// both, and so is all of A that is changed elsewhere while both have it in common.
+/// Two setups of the scene beside each other: A is the window's, B is kept here. Both use the size and the
+/// camera of A. If a setting of A is changed elsewhere and both had the same value, it changes in B too.
 
-/// Two setups that make a lesson.
+/// Two setups that are worth comparing.
 struct PairRow {
   std::string_view name;
   Unlike shows;
-  void (*set)(PictureSettings& A, PictureSettings& B);  ///< both are A's before
+  void (*set)(PictureSettings& A, PictureSettings& B);  ///< both are equal to A before
 };
 extern const std::array<PairRow, 4> kPairs;
 
 class SideBench : public Bench {
  public:
-  /// What is passed outlives it; the screen has cells for `most` colours.
+  /// All that is passed must outlive it. The screen has cells for `most` colours.
   SideBench(Host& host, std::function<ControlKeys::Subject()> subject, std::function<int()> most)
       : host_{&host}, subject_{std::move(subject)}, most_{std::move(most)} {}
 
   [[nodiscard]] bool press(const Key& key, const Setup& setup) override;
   [[nodiscard]] std::string_view sharedKeys() const override { return "tz"; }
-  /// The captions are for the focus; the pictures turn both.
+  /// A click on a caption sets the focus; dragging a picture turns both.
   [[nodiscard]] bool grab(int x, int y) override;
   void dragTo(int x, int y) override;
   void enter() override { joins_ = true; }
@@ -45,33 +45,34 @@ class SideBench : public Bench {
   [[nodiscard]] const CellUse* use() const override { return &use_; }
   [[nodiscard]] const OwnColors* colors() const override { return &colors_; }
 
-  /// B, as it would be drawn beside this A.
+  /// B as it would be drawn beside this A.
   [[nodiscard]] Setup beside(const Setup& A) const;
   [[nodiscard]] char focus() const { return focus_; }
 
  private:
   enum class Changed { A, B, Both };
-  /// A change made here: what A was after it, and B before.
+  /// A change made here: A after it, and B before it.
   struct Before {
     Changed changed;
     char control;
     Setup A, B;
   };
-  /// Several of one control in a row are one, as they are in the window.
+  /// Several changes of one control in a row count as one, as in the window.
   void remember(Changed changed, char control, const Setup& A);
-  /// B takes over what A has become since both were seen: camera and size, and what was changed elsewhere.
+  /// B takes over what has changed in A since the last drawing: camera and size, and settings that both
+  /// shared.
   void follow(const Setup& A);
   [[nodiscard]] bool pressArrow(int steps, const Setup& A);
   [[nodiscard]] bool pressControl(char letter, const Setup& A);
-  /// Of the one that keys change.
+  /// Changes the setup that has the focus.
   void change(char control, const Setup& A, const std::function<void(Setup&)>& edit);
   void swap(const Setup& A);
   void nextPair(const Setup& A);
-  /// Whether that was all: what A was before is the window's to undo.
+  /// Undoes the last change made here. Returns false if the window must undo a change of A.
   bool undo(const Setup& A);
-  /// The picture of B, made and painted; a setup that cannot be drawn is undone and told.
+  /// Makes and paints the picture of B. A setup that cannot be drawn is undone, and the user is told.
   void makeB(const Desk& desk);
-  /// What was measured, of a picture of these settings.
+  /// The measurements of a picture with these settings.
   struct Measured {
     std::optional<PictureSettings> of;
     SideNumbers numbers;
@@ -82,20 +83,20 @@ class SideBench : public Bench {
   Host* host_;
   std::function<ControlKeys::Subject()> subject_;
   std::function<int()> most_;
-  int x_ = 0, y_ = 0;           ///< the pointer, while both are turned
-  std::optional<Setup> a_, b_;  ///< as both were seen last
+  int x_ = 0, y_ = 0;           ///< the pointer, while it turns both
+  std::optional<Setup> a_, b_;  ///< both setups at the last drawing
   char focus_ = 'B';
-  char slider_ = 0;  ///< that the arrows change, 0 for none
+  char slider_ = 0;  ///< the slider that the arrows change, 0 for none
   Unlike kind_ = Unlike::Face;
   int place_ = 0;
   bool blinking_ = false;
-  std::size_t pair_ = 0;        ///< the next of kPairs
-  bool joins_ = true;           ///< A may have been changed elsewhere
-  std::vector<Before> before_;  ///< the changes made here, the oldest first
+  std::size_t pair_ = 0;        ///< index of the next of kPairs
+  bool joins_ = true;           ///< the view was entered: A may have been changed elsewhere
+  std::vector<Before> before_;  ///< changes made here, the oldest first
 
   std::optional<Picture> pictureB_;
   IndexImage imageB_;
-  // Of what was drawn last.
+  // The state of the last drawing.
   struct Told {
     std::optional<Setup> b;
     Unlike kind;
@@ -114,7 +115,7 @@ class SideBench : public Bench {
   OwnColors colors_{};
   std::string status_, aside_;
   bool noIntensities_ = false, coarse_ = false;
-  bool slow_ = false;  ///< B takes long while something is dragged
+  bool slow_ = false;  ///< B takes long to draw while something is dragged
 };
 
 }  // namespace xnewell

@@ -15,10 +15,10 @@ namespace xnewell {
 namespace {
 
 constexpr float kNone = std::numeric_limits<float>::quiet_NaN();
-constexpr double kPatience = 300;  // milliseconds that all runs of a timing may take
+constexpr double kPatience = 300;  // milliseconds; after this no further run of a timing begins
 
-/// The part of a face that each sample shows, or, where either picture divided parts by itself, the face;
-/// kNothing where nothing shows.
+/// For each sample, the part of a face that it shows, or the whole face if either picture divided parts
+/// itself; kNothing at background.
 std::vector<int> partImage(const Picture& picture, bool wholeFaces) {
   std::vector<int> image = picture.seen(0, picture.settings().height).faces;
   for (int& face : image)
@@ -43,12 +43,14 @@ std::vector<std::uint8_t> shown(const Picture& picture) {
   return shows;
 }
 
-/// `of(picture, cell)` is a value, `nothing` that where nothing shows, and `apart` how far two are.
+/// `of(picture, cell)` is the value of a cell, `nothing` the value of background, and `apart` the distance of
+/// two values.
 template <class Of, class Value, class Apart>
 std::vector<float> valuesApart(const PaintedPicture& A, const PaintedPicture& B, Of&& of,
                                const Value& nothing, Apart&& apart) {
   const std::vector<std::uint8_t> showsA = shown(A.picture), showsB = shown(B.picture);
-  std::vector<float> at(showsA.size(), kNone), known(257 * 257, kNone);  // of each pair of cells
+  std::vector<float> at(showsA.size(), kNone),
+      known(257 * 257, kNone);  // distances that were computed already, for each pair of cells
   for (std::size_t k = 0; k < at.size(); ++k)
     if (showsA[k] || showsB[k]) {
       float& d = known[257 * (showsA[k] ? A.image.pixels[k] : 256) + (showsB[k] ? B.image.pixels[k] : 256)];
@@ -60,7 +62,7 @@ std::vector<float> valuesApart(const PaintedPicture& A, const PaintedPicture& B,
   return at;
 }
 
-/// The counts of a unit's excess in all rectangles from the upper left corner.
+/// The number of differing samples in each rectangle from the upper left corner on.
 class Sums {
  public:
   Sums(const std::vector<std::uint8_t>& differs, int width)
@@ -142,7 +144,7 @@ std::vector<DifferingPlace> placesOf(const Unlikeness& unlike, int frameWidth, i
   Rect frame{0, 0, std::min(frameWidth, width), std::min(frameHeight, height)};
   std::vector<std::uint8_t> differs(unlike.at.size());
   std::ranges::transform(unlike.at, differs.begin(),
-                         [&](float d) { return d > rowOf(unlike.kind).unit; });  // not where it is NaN
+                         [&](float d) { return d > rowOf(unlike.kind).unit; });  // false for NaN
   while (static_cast<int>(places.size()) < kMostPlaces) {
     const Sums sums{differs, width};
     DifferingPlace best;
@@ -150,7 +152,7 @@ std::vector<DifferingPlace> placesOf(const Unlikeness& unlike, int frameWidth, i
       for (frame.x = 0; frame.x + frame.width <= width; ++frame.x)
         if (const int count = sums.in(frame); count > best.samples) best = {frame, count};
     if (best.samples == 0) break;
-    // What the frame holds, in its middle: as many frames hold the same.
+    // Many frames hold the same samples; this moves the frame so that they are in its middle.
     int left = width, right = 0, top = height, bottom = 0;
     for (int j = best.frame.y; j < best.frame.y + best.frame.height; ++j)
       for (int i = best.frame.x; i < best.frame.x + best.frame.width; ++i) {

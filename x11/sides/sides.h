@@ -13,15 +13,14 @@
 
 namespace xnewell {
 
-/// Two pictures of one scene in one view, A and B: where do they differ, by how much, and which of them is
-/// right?
+/// Two pictures A and B of one scene in one view: where do they differ, by how much, and which is right?
 
-/// In what two pictures may differ at a sample, a row each.
+/// What two pictures may differ in at a sample, one row for each.
 enum class Unlike { Face, Intensity, Color };
 struct UnlikeRow {
   Unlike id;
   std::string_view name;
-  double unit;  ///< samples count that differ by more
+  double unit;  ///< samples count as different above this
   std::string_view differs, same, unitInWords;
 };
 inline constexpr std::array kUnlikes{
@@ -33,41 +32,43 @@ inline constexpr std::array kUnlikes{
   return kUnlikes[static_cast<std::size_t>(kind)];
 }
 
-/// A picture, painted; all outlive it.
+/// A painted picture. All parts must outlive it.
 struct PaintedPicture {
   const Picture& picture;
   const IndexImage& image;
-  const Palette& palette;  ///< its own, as CellPlan has it without a server
+  const Palette& palette;  ///< its own palette, with the CellPlan that is used without a server
 };
 
-/// A - B at every sample, as an amount. Where one of them shows nothing, that has intensity 0 and the colour
-/// of the well.
+/// |A - B| at every sample. A picture that shows no face there counts as intensity 0 and as the background
+/// colour.
 struct Unlikeness {
   Unlike kind = Unlike::Face;
   int width = 0;
-  std::vector<float> at = {};  ///< row by row; of faces 0 or 1; NaN where neither shows anything
-  std::int64_t samples = 0;    ///< those that show something in A or in B
-  std::int64_t differ = 0;     ///< of them, those that differ by more than the unit
+  std::vector<float> at = {};  ///< row by row; for faces 0 or 1; NaN where neither shows a face
+  std::int64_t samples = 0;    ///< samples that show a face in A or in B
+  std::int64_t differ = 0;     ///< samples that differ by more than the unit
   double largest = 0, rootMeanSquare = 0;
 };
-/// Precondition: both of one scene and size, and hasIntensities() where kind says so.
+/// Precondition: both have the same scene and size, and hasIntensities() if `kind` is Unlike::Intensity.
 [[nodiscard]] Unlikeness unlikeness(Unlike kind, const PaintedPicture& A, const PaintedPicture& B);
-/// Cells of colours stand for no intensity.
+/// False if a picture's cells hold colours, which have no intensity.
 [[nodiscard]] bool hasIntensities(const Picture& A, const Picture& B);
-/// Steps that double from the unit on; faces are the same or not.
+/// An image in steps of difference: each twice as large as the one before, the first is the unit. Faces have
+/// two steps: the same or not.
 [[nodiscard]] IndexImage unlikenessImage(const Unlikeness& unlike, const CellPlan& plan);
 
-/// Where samples differ: frames of one size, the one with most of them first, then with most of the others.
+/// Places where samples differ: frames of one size. The first frame has most of them, each later one most of
+/// the rest.
 struct DifferingPlace {
   Rect frame;
-  std::int64_t samples = 0;  ///< in no earlier frame
+  std::int64_t samples = 0;  ///< differing samples that no earlier frame has
 };
 inline constexpr int kMostPlaces = 9;
 [[nodiscard]] std::vector<DifferingPlace> placesOf(const Unlikeness& unlike, int frameWidth, int frameHeight);
 
-/// What is measured of each. Intensities, or colours, are compared with Phong's method at every pixel in the
-/// picture's own light and material, unquantised, and the faces that the oracle sees (difference.h): one
-/// reference for both as long as these are the same.
+/// What is measured of each picture. Its intensities or colours are compared with Phong's method at every
+/// pixel, not rounded to shades, with the picture's own light and material and the faces that the oracle sees
+/// (difference.h). Both have the same reference if these are the same.
 struct SideNumbers {
   int samples = 0, wrong = 0;  ///< Picture::exactness()
   Measure measure = Measure::Intensity;
@@ -75,41 +76,41 @@ struct SideNumbers {
   std::int64_t painted = 0;  ///< polygons and pieces
   std::int64_t cuts = 0;
 };
-/// `picture` is made, and left so.
+/// `picture` is made and stays as it is.
 [[nodiscard]] SideNumbers numbersOf(Picture& picture);
 
-/// Milliseconds from the scene's points to the painted picture, nothing kept from before: the best of up to
-/// three runs, fewer where they take long.
+/// Milliseconds from the scene's points to the painted picture, with nothing kept from earlier runs: the best
+/// of three runs, or of fewer if they take long.
 struct BestTime {
   double ms = 0;
   int runs = 0;
 };
 [[nodiscard]] BestTime timeOf(const Scene& scene, const PictureSettings& settings);
 
-/// Both in the cells of one colormap. Where their tables hold the same colours the indices stay. Else the
-/// cells hold the colours that either shows, as 8 bits a channel show them; beyond `most` the nearest of as
-/// many as are chosen for both (quantize.h).
+/// Both pictures in the cells of one colormap. If their tables hold the same colours, the indices stay.
+/// Otherwise the cells hold the colours that either picture shows, at 8 bits a channel. If there are more
+/// than `most`, that many are chosen for both (quantize.h), and samples get the nearest.
 struct OnePalette {
   IndexImage A, B;
   Palette palette{};    ///< with the tool's colours
-  bool shared = false;  ///< chosen for both
+  bool shared = false;  ///< the colours were chosen for both
   bool exact = true;    ///< every sample has its own colour
-  int colors = 0;       ///< that are shared
+  int colors = 0;       ///< the number of shared colours
 };
-/// `own` has A's own colours and the plan's; there are cells for `most` colours.
+/// `own` has the colours of A and of the plan. There are cells for `most` colours.
 [[nodiscard]] OnePalette onePalette(const PaintedPicture& A, const PaintedPicture& B, const CellPlan& plan,
                                     const Palette& own, int most = kMaxShades);
 
-/// A setting in words. What differs comes first.
+/// A setting in words. Settings that differ come first.
 struct Phrase {
   std::string text;
   bool differs = false;
 };
 [[nodiscard]] std::vector<Phrase> phrasesOf(const PictureSettings& mine, const PictureSettings& other);
-/// "order", "shading", ...: what they were made differently by, size and camera apart.
+/// The names of the settings that differ ("order", "shading", ...), except size and camera.
 [[nodiscard]] std::vector<std::string> differencesOf(const PictureSettings& A, const PictureSettings& B);
 
-/// What there is to say about two pictures: one finding, and why.
+/// The finding about two pictures, and why.
 [[nodiscard]] Finding findingOf(const Picture& A, const Picture& B, const SideNumbers& ofA,
                                 const SideNumbers& ofB, const Unlikeness& unlike,
                                 const std::optional<DifferingPlace>& place);

@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 
+#include "x11/drawing/pen.h"
 #include "x11/drawing/sheet.h"
 #include "x11/drawing/wording.h"
 #include "x11/views/step_legend.h"
@@ -12,82 +13,70 @@ namespace xnewell {
 
 namespace {
 
-constexpr int kCaption = 24;                      // of a picture, above it
-constexpr int kBelowPictures = 14;                // from the pictures to the sections below
-constexpr int kSection = 28;                      // a section's line and name
-constexpr int kLower = 262, kLowerCompact = 222;  // at least, for table and finding
+constexpr int kCaption = 24;                      // the height of a caption above a picture
+constexpr int kBelowPictures = 14;                // pixels from the pictures to the sections below
+constexpr int kSection = 28;                      // the line and the name of a section
+constexpr int kLower = 262, kLowerCompact = 222;  // the least height for table and finding
 constexpr int kMostMagnified = 8;
 
-/// Draws the page's parts, one function each.
+/// Draws the parts of the page, one function each.
 class SidesDrawing {
  public:
   SidesDrawing(IndexImage& image, const SidesLayout& at, const SidesPage& page, const CellPlan& plan)
-      : image_{image}, paint_{image}, at_{at}, page_{page}, plan_{plan} {}
+      : pen_{Painter{image}, plan}, at_{at}, page_{page} {}
 
   void drawSide(char letter, const Rect& caption, const Rect& picture);
   void drawDifference();
   void drawNumbers();
 
  private:
-  [[nodiscard]] std::uint8_t operator()(Cell c) const { return plan_[c]; }
-  [[nodiscard]] KeyCapCells keyCells() const {
-    return {(*this)(Cell::Panel), (*this)(Cell::Rule), (*this)(Cell::Faint), (*this)(Cell::Soft)};
-  }
-  void place(const IndexImage& picture, const Rect& part, int x, int y);
-  /// Around the place in a picture whose first pixel would be at (x, y).
+  /// Draws a frame around the place, in a picture whose first pixel would be at (x, y).
   void drawFrame(Painter paint, int x, int y);
   int drawKinds(int x, int baseline);
   void drawLegend(const Rect& at);
-  /// The place in both, pixel by pixel, where there is room for it.
+  /// Draws the place in both pictures, pixel by pixel, if there is room.
   void drawLoupe(const Rect& at);
-  /// Of the difference picture: so that the place is in the middle.
+  /// The first row of the difference that is shown, so that the place is in the middle.
   [[nodiscard]] int firstRow() const;
 
-  IndexImage& image_;
-  Painter paint_;
+  Pen pen_;
   const SidesLayout& at_;
   const SidesPage& page_;
-  const CellPlan& plan_;
 };
-
-void SidesDrawing::place(const IndexImage& picture, const Rect& part, int x, int y) {
-  const Rect r = intersection(part, {0, 0, picture.width, picture.height});
-  for (int j = 0; j < r.height; ++j) std::copy_n(picture.row(r.y + j) + r.x, r.width, image_.row(y + j) + x);
-}
 
 void SidesDrawing::drawFrame(Painter paint, int x, int y) {
   if (!page_.place) return;
   const Rect& f = page_.place->frame;
-  paint.frame({x + f.x - 2, y + f.y - 2, f.width + 4, f.height + 4}, (*this)(Cell::Black));
-  paint.frame({x + f.x - 1, y + f.y - 1, f.width + 2, f.height + 2}, (*this)(Cell::White));
+  paint.frame({x + f.x - 2, y + f.y - 2, f.width + 4, f.height + 4}, pen_(Cell::Black));
+  paint.frame({x + f.x - 1, y + f.y - 1, f.width + 2, f.height + 2}, pen_(Cell::White));
 }
 
 void SidesDrawing::drawSide(char letter, const Rect& caption, const Rect& picture) {
   const bool B = letter == 'B' || page_.blinking;
   const char shown = B ? 'B' : 'A';
   if (page_.focus == letter) {
-    paint_.fillRect({caption.x, caption.y, caption.width, 18}, (*this)(Cell::Focus));
-    paint_.fillRect({caption.x - 6, caption.y, 2, 18}, (*this)(Cell::Ink));
+    pen_.paint.fillRect({caption.x, caption.y, caption.width, 18}, pen_(Cell::Focus));
+    pen_.paint.fillRect({caption.x - 6, caption.y, 2, 18}, pen_(Cell::Ink));
   }
   const int y = caption.y + 12, end = caption.x + caption.width;
   if (page_.focus)
-    paint_.keyCap(caption.x + 1, y - 11, std::string_view{&shown, 1}, keyCells());
+    pen_.key(caption.x + 1, y - 11, std::string_view{&shown, 1});
   else
-    paint_.text(caption.x + 5, y, std::string_view{&shown, 1}, (*this)(Cell::Ink), Voice::Bold);
+    pen_.bold(caption.x + 5, y, std::string_view{&shown, 1});
   int x = caption.x + 24;
-  if (B && letter == 'A') x = paint_.text(x, y, "in A's place", (*this)(Cell::Alarm), Voice::Bold) + 12;
+  if (B && letter == 'A') x = pen_.paint.text(x, y, "in A's place", pen_(Cell::Alarm), Voice::Bold) + 12;
   bool first = true, differed = false;
   for (const Phrase& phrase : (B ? page_.ofB : page_.ofA).made) {
-    // What differs stands first, apart from the rest.
+    // Settings that differ come first, apart from the others.
     const std::string_view gap = first ? "" : differed && !phrase.differs ? "  " : ", ";
     if (x + textWidth(gap) + textWidth(phrase.text) + 1 > end) break;
     const Voice voice = phrase.differs ? Voice::Bold : Voice::Plain;
-    x = paint_.text(x, y, gap, (*this)(phrase.differs ? Cell::Ink : Cell::Soft), voice);
-    x = paint_.text(x, y, phrase.text, (*this)(phrase.differs ? Cell::Ink : Cell::Soft), voice);
+    x = pen_.paint.text(x, y, gap, pen_(phrase.differs ? Cell::Ink : Cell::Soft), voice);
+    x = pen_.paint.text(x, y, phrase.text, pen_(phrase.differs ? Cell::Ink : Cell::Soft), voice);
     first = false, differed = phrase.differs;
   }
-  place(B ? page_.B : page_.A, {0, 0, picture.width, picture.height}, picture.x, picture.y);
-  drawFrame(paint_.within(picture), picture.x, picture.y);
+  pen_.paint.place(B ? page_.B : page_.A, {0, 0, picture.width, picture.height}, picture.x, picture.y);
+  drawFrame(pen_.paint.within(picture), picture.x, picture.y);
 }
 
 int SidesDrawing::firstRow() const {
@@ -98,17 +87,17 @@ int SidesDrawing::firstRow() const {
 }
 
 int SidesDrawing::drawKinds(int x, int y) {
-  if (page_.focus) x += paint_.keyCap(x, y - 11, "f", keyCells()) + 8;
+  if (page_.focus) x += pen_.key(x, y - 11, "f") + 8;
   for (const UnlikeRow& row : kUnlikes) {
     const bool chosen = row.id == page_.unlike.kind;
     if (!page_.focus && !chosen) continue;
     if (chosen) {
       const Rect box{x - 5, y - 13, textWidth(row.name) + 11, 18};
-      paint_.fillRect(box, (*this)(Cell::White));
-      paint_.frame(box, (*this)(Cell::Ink));
+      pen_.paint.fillRect(box, pen_(Cell::White));
+      pen_.paint.frame(box, pen_(Cell::Ink));
     }
-    x = paint_.text(x, y, row.name, (*this)(chosen ? Cell::Ink : Cell::Soft),
-                    chosen ? Voice::Bold : Voice::Plain) +
+    x = pen_.paint.text(x, y, row.name, pen_(chosen ? Cell::Ink : Cell::Soft),
+                        chosen ? Voice::Bold : Voice::Plain) +
         12;
   }
   return x;
@@ -118,14 +107,14 @@ void SidesDrawing::drawLegend(const Rect& at) {
   const UnlikeRow& kind = rowOf(page_.unlike.kind);
   const std::array faces{LegendStep{Cell::Q, kind.differs}, LegendStep{Cell::WellLine, kind.same}};
   const bool twofold = kind.id == Unlike::Face;
-  drawStepLegend(paint_.within(at), plan_, at.x + 8, at.y + 8,
+  drawStepLegend(pen_.paint.within(at), pen_.plan, at.x + 8, at.y + 8,
                  twofold ? std::span<const LegendStep>{faces} : kDoublingSteps, kind.unitInWords);
 }
 
 void SidesDrawing::drawDifference() {
   const int y = at_.sections.y, x = at_.difference.x;
-  paint_.hline(x, y, at_.sections.width, (*this)(Cell::Rule));
-  const int kinds = paint_.text(x, y + 17, "DIFFERENCE", (*this)(Cell::Soft), Voice::Caps) + 14;
+  pen_.rule(x, y, at_.sections.width);
+  const int kinds = pen_.caps(x, y + 17, "DIFFERENCE") + 14;
   const int end = drawKinds(kinds, y + 17);
   const Unlikeness& u = page_.unlike;
   const double share =
@@ -133,18 +122,18 @@ void SidesDrawing::drawDifference() {
   const std::string percent = fixed(share, 2) + " %", all = grouped(u.differ) + " samples, " + percent;
   const int right = x + at_.difference.width;
   const std::string& told = end + textWidth(all) + 4 <= right ? all : percent;
-  paint_.textRight(right - 1, y + 17, told, (*this)(Cell::Ink), Voice::Bold);
+  pen_.boldRight(right - 1, y + 17, told);
 
   const int first = firstRow();
-  place(unlikenessImage(u, plan_), {0, first, at_.difference.width, at_.difference.height}, x,
-        at_.difference.y);
-  drawFrame(paint_.within(at_.difference), x, at_.difference.y - first);
+  pen_.paint.place(unlikenessImage(u, pen_.plan), {0, first, at_.difference.width, at_.difference.height}, x,
+                   at_.difference.y);
+  drawFrame(pen_.paint.within(at_.difference), x, at_.difference.y - first);
   drawLegend(at_.difference);
-  // What stands on the well at the panel's foot, to the left or to the right.
+  // Words on a dark ground at the foot of the panel, at the left or at the right.
   const int base = at_.difference.y + at_.difference.height - 8;
   const auto foot = [&](int left, const std::string& words) {
-    paint_.fillRect({left - 4, base - 12, textWidth(words) + 8, 16}, (*this)(Cell::Well));
-    paint_.text(left, base, words, (*this)(Cell::WellText));
+    pen_.paint.fillRect({left - 4, base - 12, textWidth(words) + 8, 16}, pen_(Cell::Well));
+    pen_.paint.text(left, base, words, pen_(Cell::WellText));
   };
   if (at_.difference.height < at_.A.height)
     foot(x + 8, "rows " + std::to_string(first) + " to " + std::to_string(first + at_.difference.height - 1) +
@@ -161,11 +150,11 @@ std::string signedDifference(std::int64_t a, std::int64_t b) {
 
 void SidesDrawing::drawNumbers() {
   const Rect& at = at_.numbers;
-  Sheet sheet{at.width, at.height, plan_};
+  Sheet sheet{at.width, at.height, pen_.plan};
   const std::vector<int> ends{at.width * 61 / 100, at.width * 80 / 100, at.width};
   sheet.section(0, 0, at.width, "numbers");
   for (const auto& [k, name] : {std::pair{0, "A"}, {1, "B"}, {2, "A - B"}})
-    sheet.painter().textRight(ends[k] - 1, 17, name, plan_[Cell::Soft], Voice::Bold);
+    sheet.painter().textRight(ends[k] - 1, 17, name, pen_.plan[Cell::Soft], Voice::Bold);
   int y = kSection - 3;
   const SideNumbers &a = page_.ofA.numbers, &b = page_.ofB.numbers;
   const Cell cell = page_.known ? Cell::Ink : Cell::Faint;
@@ -180,7 +169,7 @@ void SidesDrawing::drawNumbers() {
     row(label, grouped(ofA), grouped(ofB), signedDifference(ofA, ofB), alarm && ofA != ofB);
   };
   const auto amount = [&](const std::string& label, double ofA, double ofB, int decimals, bool alike) {
-    const double unit = std::pow(10.0, decimals);  // what is shown is subtracted
+    const double unit = std::pow(10.0, decimals);  // subtracts the rounded numbers that are shown
     const double apart = (std::round(ofA * unit) - std::round(ofB * unit)) / unit;
     row(label, fixed(ofA, decimals), fixed(ofB, decimals), alike ? fixed(apart + 0.0, decimals) : "");
   };
@@ -208,17 +197,17 @@ void SidesDrawing::drawNumbers() {
     if (fits()) {
       const int top = y + 6;
       y = sheet.finding(0, top, at.width, finding.bold, finding.why);
-      if (a.wrong != b.wrong) sheet.painter().fillRect({0, top, 3, y - top}, plan_[Cell::Alarm]);
+      if (a.wrong != b.wrong) sheet.painter().fillRect({0, top, 3, y - top}, pen_.plan[Cell::Alarm]);
     }
   }
   if (!page_.colors.empty() && y + 6 + Sheet::paragraphHeight(at.width, page_.colors) <= room)
     y = sheet.paragraph(0, y + 6, at.width, page_.colors, Cell::Soft);
-  place(sheet.image(), {0, 0, at.width, at.height}, at.x, at.y);
+  pen_.paint.place(sheet.image(), {0, 0, at.width, at.height}, at.x, at.y);
   drawLoupe({at.x, at.y + y + 12, at.width, room - y - 24});
   if (!pairs) return;
   const int baseline = at.y + at.height - 4;
-  const int cap = paint_.keyCap(at.x, baseline - 11, "g", keyCells());
-  paint_.text(at.x + cap + 6, baseline, page_.pairs, (*this)(Cell::Soft));
+  const int cap = pen_.key(at.x, baseline - 11, "g");
+  pen_.soft(at.x + cap + 6, baseline, page_.pairs);
 }
 
 void SidesDrawing::drawLoupe(const Rect& at) {
@@ -227,16 +216,16 @@ void SidesDrawing::drawLoupe(const Rect& at) {
   const int half = (at.width - Sheet::kGutter) / 2, high = at.height - Sheet::kLine;
   const int scale = std::min({half / f.width, 2 * high / f.height, kMostMagnified});
   if (scale < 2) return;
-  // At least half of it, about its middle.
+  // Shows at least half of the frame, around its middle.
   const int rows = std::min(f.height, high / scale), first = f.y + (f.height - rows) / 2;
   const int top = at.y + Sheet::kLine;
   int x = at.x;
   for (const auto& [image, name] : {std::pair{&page_.A, "A"}, {&page_.B, "B"}}) {
-    paint_.text(x, at.y + Sheet::kAscent - 2,
-                std::string{name} + " in the frame, " + std::to_string(scale) + " x", (*this)(Cell::Soft));
+    pen_.soft(x, at.y + Sheet::kAscent - 2,
+              std::string{name} + " in the frame, " + std::to_string(scale) + " x");
     for (int j = 0; j < rows; ++j)
       for (int i = 0; i < f.width; ++i)
-        paint_.fillRect({x + i * scale, top + j * scale, scale, scale}, image->row(first + j)[f.x + i]);
+        pen_.paint.fillRect({x + i * scale, top + j * scale, scale, scale}, image->row(first + j)[f.x + i]);
     x += half + Sheet::kGutter;
   }
 }
@@ -248,8 +237,8 @@ SidesLayout layoutOfSides(const Rect& body) {
   at.compact = body.height < kCompactBelow;
   const int column = (body.width - Sheet::kGutter) / 2, right = body.x + body.width - column;
   const int free = body.height - kCaption - kBelowPictures;
-  // The lower part needs its least; beyond that pictures are three to two, and beyond that, as high as the
-  // difference below them.
+  // The lower part gets its least height. Then pictures grow to proportions of three to two, and after that
+  // to the height of the difference below them.
   const int height =
       std::min(free - (at.compact ? kLowerCompact : kLower), std::max(column * 2 / 3, (free - kSection) / 2));
   at.captionA = {body.x, body.y, column, kCaption};

@@ -8,40 +8,42 @@
 
 namespace xnewell {
 
-/// What differs between two pictures, where, and how much? A and B beside each other, below them where they
-/// differ and the numbers of both.
+/// What differs between two pictures, where, and how much? A and B stand beside each other; below them are
+/// the image of their difference and the numbers of both.
 
-/// Where things are, in pixels. The pictures, all three of one scale, take what is free.
+/// The places of the page's parts, in pixels. The three pictures have one scale and take the space that is
+/// free.
 struct SidesLayout {
   bool compact = false;
   Rect A, B;
-  Rect difference;  ///< as many rows of it as there is room for
+  Rect difference;  ///< as many rows of the difference as fit
   Rect captionA, captionB, sections, numbers;
-  int frameWidth = 0, frameHeight = 0;  ///< of what is framed in all three
+  int frameWidth = 0, frameHeight = 0;  ///< the size of the frame in all three
 };
 /// `body` is at least 768 x 428.
 [[nodiscard]] SidesLayout layoutOfSides(const Rect& body);
 
-/// What is known of one of the two.
+/// What is known of one of the two pictures.
 struct SideFacts {
-  std::vector<Phrase> made;  ///< how, in words
+  std::vector<Phrase> made;  ///< how the picture was made, in words
   SideNumbers numbers;
   BestTime time;
 };
 
 /// All that the page shows.
 struct SidesPage {
-  const IndexImage &A, &B;  ///< of the layout's size, in cells of one palette
+  const IndexImage &A, &B;  ///< of the layout's size, in the cells of one palette
   const Unlikeness& unlike;
   SideFacts ofA, ofB;
   Finding finding;
-  bool known = true;  ///< the numbers are these pictures'; else they follow, and are faint
+  bool known = true;  ///< the numbers belong to these pictures; otherwise new ones will follow, and these are
+                      ///< drawn faint
   std::optional<DifferingPlace> place = {};
-  int number = 0, places = 0;  ///< which of how many it is
-  char focus = 0;              ///< 'A' or 'B': which one keys change; 0 on paper
-  bool blinking = false;       ///< B stands in A's place
-  std::string colors = {};     ///< how both share the cells, "" where they have the same ones
-  std::string pairs = {};      ///< which settings are known to make a lesson, for a window
+  int number = 0, places = 0;  ///< the number of the place, and how many there are
+  char focus = 0;              ///< 'A' or 'B': the one that keys change; 0 if nobody can press keys
+  bool blinking = false;       ///< B is shown in the place of A
+  std::string colors = {};     ///< how both share the cells, "" if they have the same ones
+  std::string pairs = {};      ///< pairs of settings that are worth comparing, for a window
 };
 void drawSidesPage(IndexImage& image, const SidesLayout& at, const SidesPage& page, const CellPlan& plan);
 

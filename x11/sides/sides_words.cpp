@@ -4,14 +4,15 @@
 
 #include "x11/drawing/wording.h"
 #include "x11/sides/sides.h"
+#include "x11/window/caption.h"
 
 namespace xnewell {
 
-/// What is said of two pictures beside each other: how they were made, and what was found.
+/// The words about two pictures beside each other: how they were made, and what was found.
 
 namespace {
 
-std::string orderInWords(Order order) {
+std::string shortNameOf(Order order) {
   switch (order) {
     case Order::Unsorted:
       return "unsorted";
@@ -27,13 +28,7 @@ std::string orderInWords(Order order) {
   return "";
 }
 
-std::string shadingInWords(Shading shading) {
-  if (shading == Shading::Full) return "full intensity";
-  if (shading == Shading::Environment) return "environment map";
-  return std::string{rowOf(shading).label};
-}
-
-/// With as many decimals as it has, up to six.
+/// A number with as many decimals as it needs, up to six.
 std::string inWords(double v) {
   int decimals = 0;
   while (decimals < 6 && std::stod(fixed(v, decimals)) != v) ++decimals;
@@ -41,11 +36,11 @@ std::string inWords(double v) {
 }
 std::string inWords(const glm::dvec3& v) { return inWords(v.x) + ", " + inWords(v.y) + ", " + inWords(v.z); }
 
-/// A setting that two pictures may differ in.
+/// A setting in which two pictures may differ.
 struct Item {
   using S = PictureSettings;
   std::string_view what;
-  bool always;  ///< said even where both have the same
+  bool always;  ///< shown even if both have the same value
   std::function<bool(const S&, const S&)> same;
   std::function<std::string(const S&)> words;
 };
@@ -61,8 +56,7 @@ const std::vector<Item>& items() {
   };
   static const std::vector<Item> all{
       item(
-          "order", true, [](const S& s) { return s.order; },
-          [](const S& s) { return orderInWords(s.order); }),
+          "order", true, [](const S& s) { return s.order; }, [](const S& s) { return shortNameOf(s.order); }),
       item(
           "shading", true, [](const S& s) { return s.shading; },
           [](const S& s) { return shadingInWords(s.shading); }),
@@ -156,7 +150,8 @@ const std::vector<Item>& items() {
   return all;
 }
 
-/// "body" and "spout" where most of the samples in the frame that differ show faces of these.
+/// "where body and spout meet", if most of the differing samples in the frame show faces of these two groups;
+/// "" if groups have no names.
 std::string meetingOf(const Picture& A, const Picture& B, const Unlikeness& unlike, const Rect& frame) {
   const Mesh& mesh = A.scene().mesh;
   std::map<std::string, int> groups;
@@ -184,9 +179,10 @@ std::string shareOf(std::int64_t part, std::int64_t all) {
 }
 
 std::string whyOf(Order order, std::string_view other, const SideNumbers& numbers) {
-  std::string why = order == Order::Unsorted ? "The scene's own order knows nothing of depth"
-                                             : "One z a face cannot order faces that overlap or pass through "
-                                               "each other";
+  std::string why =
+      order == Order::Unsorted
+          ? "The scene's own order ignores depth"
+          : "One z for each face cannot order faces that overlap in z or pass through each other";
   if (numbers.cuts > 0)
     why +=
         "; " + std::string{other} + " cuts " + (numbers.cuts == 1 ? "once" : counted(numbers.cuts, "time"));
@@ -219,9 +215,10 @@ std::vector<std::string> differencesOf(const PictureSettings& A, const PictureSe
 Finding findingOf(const Picture& A, const Picture& B, const SideNumbers& ofA, const SideNumbers& ofB,
                   const Unlikeness& unlike, const std::optional<DifferingPlace>& place) {
   const std::vector<std::string> what = differencesOf(A.settings(), B.settings());
-  if (unlike.samples == 0) return {"Nothing shows.", "Turn both with t, or come nearer with z."};
+  if (unlike.samples == 0) return {"Nothing shows.", "Turn both with t, or zoom with z."};
   if (what.empty())
-    return {"A and B are set up alike.", "Change one of them, O for its order: what differs is shown here."};
+    return {"A and B have the same settings.",
+            "Change one of them, for example its order with O. This page then shows what differs."};
   for (const auto& [picture, name] : {std::pair{&A, "A"}, {&B, "B"}})
     if (picture->snapped().faces.empty())
       return {std::string{name} + " shows nothing.", "All its faces are turned away or out of view."};
@@ -244,29 +241,31 @@ Finding findingOf(const Picture& A, const Picture& B, const SideNumbers& ofA, co
             "Neither order is exact: Newell's and the oracle's are."};
   }
   const std::string share = shareOf(unlike.differ, unlike.samples);
+  const Measure measure = unlike.kind == Unlike::Intensity ? Measure::Intensity : Measure::Color;
   const std::string they = unlike.differ > 0 ? "They differ at " + share + " of the samples."
                            : unlike.kind == Unlike::Face
                                ? "Both show the same face at every sample."
-                               : "Nowhere do they differ by more than the least that counts.";
+                               : "The two pictures differ nowhere by more than " +
+                                     std::string{kMeasures[static_cast<int>(measure)].unitInWords} + ".";
   const auto table = [](const Picture& picture) { return picture.settings().table.kind; };
   if (what.size() == 1 &&
       std::minmax({table(A), table(B)}) == std::pair{TableKind::Linear, TableKind::Corrected})
-    return {"The same intensities have other shades. " + they,
-            "The linear table's steps are equally large; the corrected one's are as many per cent each, "
-            "and that is what the eye compares: 3 plots both."};
+    return {"The same intensities get different shades. " + they,
+            "In the linear table all steps are equally large. In the corrected table all are the same "
+            "percentage, and that is what the eye compares. View 3 plots both."};
   const int decimals = ofA.measure == Measure::Intensity ? 4 : 2;
   const bool aIsNearer = ofA.rootMeanSquare < ofB.rootMeanSquare;
   const std::string least = fixed(std::min(ofA.rootMeanSquare, ofB.rootMeanSquare), decimals),
                     most = fixed(std::max(ofA.rootMeanSquare, ofB.rootMeanSquare), decimals);
   if (ofA.measure == ofB.measure && least != most)
-    return {std::string{aIsNearer ? "A" : "B"} + " is nearer to Phong's method on the whole.",
+    return {std::string{aIsNearer ? "A" : "B"} + " is closer to Phong's method overall.",
             "Its root mean square error is " + least + ", against " + most + ". " + they};
   if (unlike.differ > 0)
     return {"A and B differ at " + share + " of the samples.",
-            unlike.kind == Unlike::Color
-                ? "By " + fixed(unlike.largest, 1) + " at most: 1 is what the eye just sees."
-                : ""};
-  return {"A and B show the same.", they};
+            unlike.kind == Unlike::Color ? "The largest difference is " + fixed(unlike.largest, 1) +
+                                               "; the eye just sees a difference of 1."
+                                         : ""};
+  return {"A and B show the same picture.", they};
 }
 
 }  // namespace xnewell

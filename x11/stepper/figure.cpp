@@ -8,10 +8,10 @@ namespace xnewell {
 
 namespace {
 
-// Painter's coordinates end at 2^24; dashes need them shorter than int divided by two.
+// The coordinates of Painter end at 2^24; dashes need lengths below half the range of int.
 constexpr double kFarthestDrawn = 1 << 20;
 
-/// The part of a segment that is near the image; false: none of it. Liang and Barsky 1984.
+/// Cuts a segment to the part near the image; false if there is none. Liang and Barsky 1984.
 bool nearImage(Place& from, Place& to) {
   const double dx = to.x - from.x, dy = to.y - from.y;
   double enters = 0.0, leaves = 1.0;

@@ -8,25 +8,25 @@
 
 namespace xnewell {
 
-/// Convex figures in pixels: what polygons look like on the screen, under a loupe or from the side. Whatever
-/// their size, only what is near the image is drawn.
+/// Convex figures in pixels: polygons on the screen, under a loupe or from the side. They may have any size;
+/// only the part near the image is drawn.
 
 using Figure = std::vector<Place>;
 
 [[nodiscard]] Figure figureOf(const Region& region);
 
-/// Of its corners; of none, the origin.
+/// The mean of its corners; the origin if there are none.
 [[nodiscard]] Place middleOf(const Figure& figure);
 
-/// From one place to the other, the pixels that hold them included; both within +-1e12.
+/// Draws a line from one place to the other, with the pixels of both ends; both lie within +-1e12.
 void segment(Painter& painter, Place from, Place to, std::uint8_t cell, const LineStyle& style = {});
-/// The figure's sides.
+/// Draws the sides of the figure.
 void outline(Painter& painter, const Figure& figure, std::uint8_t cell, const LineStyle& style = {});
-/// The pixels of the area whose centres lie within.
+/// Tints the pixels of the area whose centres lie inside the figure.
 void tint(Painter& painter, const Rect& area, const Figure& figure, Stipple stipple, std::uint8_t cell);
 
-/// Where the values at a figure's corners, growing evenly between them, are 0: the line across it, or nothing
-/// where they have one sign. One value a corner.
+/// The line across a figure where a value is 0, or nothing if it has one sign everywhere. `values` has one
+/// value for each corner; between corners it is linear.
 struct Chord {
   Place from, to;
 };

@@ -11,11 +11,11 @@ namespace xnewell {
 
 namespace {
 
-constexpr int kLeastWidth = 320;     // pixels: some fifty letters
-constexpr int kLargeWidth = 1600;    // from here on letters are doubled
-constexpr int kLeastLabelled = 800;  // a fragment of fewer pixels has no room for a letter
+constexpr int kLeastWidth = 320;     // pixels: about fifty letters
+constexpr int kLargeWidth = 1600;    // from this width on letters are doubled
+constexpr int kLeastLabelled = 800;  // a fragment with fewer pixels has no room for a letter
 constexpr int kMargin = 6;
-constexpr auto kThinOutlines = " Thin outlines: still in the list, marked ones brighter.";
+constexpr auto kThinOutlines = " Thin outlines: polygons still in the list; marked ones are brighter.";
 
 }  // namespace
 
@@ -98,14 +98,13 @@ const IndexImage& Frames::finished() {
   return frame_;
 }
 
-/// The picture as it is so far, and the strip.
+/// Puts the picture so far and the strip together.
 void Frames::compose(const IndexImage& soFar, const std::vector<Line>& lines) {
   const VoiceRow& voice = kVoices[static_cast<int>(voice_)];
   const int rowHeight = 15 * voice.scale, strip = rows_ * rowHeight + 2 * kMargin;
   frame_ = IndexImage{width_, soFar.height + strip, cell(Cell::Panel)};
-  for (int j = 0; j < soFar.height; ++j) std::copy_n(soFar.row(j), soFar.width, frame_.row(j));
-
   Painter painter{frame_};
+  painter.place(soFar, 0, 0);
   painter.fillRect({0, soFar.height, width_, strip}, cell(Cell::Paper));
   painter.hline(0, soFar.height, width_, cell(Cell::Rule));
   int top = soFar.height + kMargin;
@@ -121,7 +120,7 @@ void Frames::compose(const IndexImage& soFar, const std::vector<Line>& lines) {
   }
 }
 
-/// What is not painted yet, in thin lines.
+/// Outlines polygons that are not painted yet in thin lines.
 void Frames::outlineWaiting() {
   if (!waitingAreOutlined()) return;
   Painter painter = Painter{frame_}.within(pictureArea());
@@ -130,7 +129,7 @@ void Frames::outlineWaiting() {
             cell(marked ? Cell::Faint : Cell::WellLine));
 }
 
-/// A fragment tinted where it is not painted yet, outlined, and with its letter in the middle.
+/// Tints a fragment if it is not painted yet, outlines it, and draws its letter in the middle.
 void Frames::mark(int fragment, Cell color, Stipple tint, std::string_view letter) {
   const bool paintedNow = replay_.event()->kind == Event::Kind::Paint;
   const auto [samples, x, y] = tintFragment(frame_, pictureArea(), picture_.snapped(), sorted_, fragment,

@@ -14,24 +14,25 @@
 
 namespace xnewell {
 
-/// Pictures of a recorded run: what is painted so far, P and Q outlined, and below it what happened in a
-/// sentence.
+/// Pictures of a recorded run: what is painted so far, with P and Q outlined, and a sentence below that says
+/// what happened.
 
-inline constexpr int kMostWaiting = 3000;  ///< more thin outlines than this are a blot
+inline constexpr int kMostWaiting = 3000;  ///< more thin outlines would cover the picture
 
-/// The frames of a run. Picture and run outlive it.
+/// The frames of a run. Picture and run must outlive it.
 class Frames {
  public:
-  /// `steps` are those that will be asked for: the strip below the picture is as high as they need.
+  /// `steps` are the steps that will be asked for: the strip below the picture is as high as they need.
   Frames(const Picture& picture, const SortedScene& sorted, bool textbook, const std::vector<int>& steps)
       : Frames{picture, sorted, textbook, steps, CellPlan{picture.settings().table.kind}} {}
   Frames(const Picture& picture, const SortedScene& sorted, bool textbook, const std::vector<int>& steps,
          const CellPlan& plan);
 
-  /// The picture in the upper left corner, at least 320 pixels wide with its surroundings, and the strip.
-  /// Valid until the next call. Asking in ascending order paints each fragment once.
+  /// The frame of a step: the picture in the upper left corner, and the strip below. A frame is at least 320
+  /// pixels wide. It is valid until the next call. If steps are asked for in ascending order, each fragment
+  /// is painted once.
   [[nodiscard]] const IndexImage& at(int step);
-  /// The finished picture, nothing drawn over it.
+  /// The finished picture, with nothing drawn over it.
   [[nodiscard]] const IndexImage& finished();
   [[nodiscard]] const Palette& palette() const { return palette_; }
 
@@ -43,11 +44,12 @@ class Frames {
   };
   [[nodiscard]] std::vector<Line> linesOf(int step);
   [[nodiscard]] std::vector<Line> lastLines() const;
-  /// Broken to the width.
+  /// The lines, broken to the width of the frame.
   [[nodiscard]] std::vector<Line> wrapped(const std::vector<Line>& lines) const;
 
   void compose(const IndexImage& soFar, const std::vector<Line>& lines);
-  /// Whether few enough are left; those that are to be split count as their pieces.
+  /// True if few enough fragments are left to outline them. A polygon that will be split counts as its
+  /// pieces.
   [[nodiscard]] bool waitingAreOutlined() const;
   void outlineWaiting();
   void mark(int fragment, Cell cell, Stipple stipple, std::string_view letter);

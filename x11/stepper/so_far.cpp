@@ -22,7 +22,7 @@ const IndexImage& SoFar::at(int painted) {
     painted_ = copy * space_;
   }
   if (painted_ == painted) return image_;
-  // What a picture paints with moves when it is made again: a painter lasts for this call.
+  // A picture that is made again moves its data, so a painter is valid for this call only.
   SurfacePainter painter = picture_.painter(sorted_);
   while (painted_ < painted) {
     painter.paint(image_, sorted_.fragments[painted_++]);

@@ -42,7 +42,7 @@ void SortBench::jump(bool forward) {
   const std::string name{kLandmarks[static_cast<int>(view_.kind)].name};
   if (step) return goTo(*step);
   host_.notify(run_->landmarks().steps(view_.kind).empty()
-                   ? "No step of this run is a " + name + " one; K chooses another kind."
+                   ? "This run has no " + name + " step; K chooses another kind."
                    : std::string{"There is no "} + name + " step " + (forward ? "after" : "before") +
                          " this one; K chooses another kind.");
 }
@@ -54,12 +54,12 @@ void SortBench::goToPolygon(int number) {
   const std::string face = "face " + std::to_string(number);
   if (const auto step = run_->landmarks().nextWith(run_->scene(), number, view_.step)) {
     goTo(*step);
-    host_.tell("The next step with " + face + "; / and Return goes on to the one after it.");
+    host_.tell("This is the next step with " + face + "; / and Return go to the one after it.");
   } else if (const auto first = run_->landmarks().nextWith(run_->scene(), number, 0)) {
     goTo(*first);
     host_.tell("No later step has " + face + ": this is the first that has it.");
   } else {
-    host_.notify("No step has " + face + ": it shows nowhere, or nothing else is as deep.");
+    host_.notify("No step has " + face + ": it is not visible, or no other polygon is as deep.");
   }
 }
 
@@ -150,12 +150,12 @@ void SortBench::askPolygon() {
   host_.ask({.asks = "go to the next step with face number",
              .text = view_.polygon ? std::to_string(*view_.polygon) : "",
              .take = [this](const std::string& text) -> std::string {
-               // A piece, 12a or 12.1, is its face's.
+               // A piece, 12a or 12.1, counts as its face.
                const std::optional<int> number =
                    wholeNumber(text.substr(0, text.find_first_not_of("0123456789")));
                const auto& faces = run_->scene().faces;
                if (!number || std::ranges::find(faces, *number, &SnappedFace::number) == faces.end())
-                 return "No face with that number is in the picture; the list tells some.";
+                 return "No face with that number is in the picture; the list shows some.";
                goToPolygon(*number);
                return "";
              }});
@@ -188,14 +188,14 @@ bool SortBench::pressNamed(const Key& key) {
 
 bool SortBench::press(const Key& key, const Setup&) {
   if (!run_) {
-    // What is typed before the run is recorded waits for it.
+    // Keys typed before the run is recorded wait for it.
     const bool waits =
         !tooLong_ && (key.name == NamedKey::Letter ? kOwnLetters.find(key.letter) != std::string_view::npos
                                                    : std::ranges::find(kOwnKeys, key.name) != kOwnKeys.end());
     if (waits) early_.push_back(key);
     return waits;
   }
-  // After `b` a digit ticks a box; any other key is itself.
+  // After `b` a digit ticks a box; any other key does what it always does.
   if (view_.numbered) {
     view_.numbered = false;
     if (key.name == NamedKey::Letter && key.letter >= '1' && key.letter < '1' + kStops)
@@ -239,7 +239,7 @@ bool SortBench::press(const Key& key, const Setup&) {
 void SortBench::hover(int x, int y) {
   if (!run_) return;
   SortSpot spot = spotAt(at_, x, y);
-  // A polygon or a place on the timeline does not light up.
+  // A polygon or a place on the timeline is not highlighted.
   if (spot.part == SortPart::Picture || spot.part == SortPart::Timeline) spot = {};
   if (spot.part == SortPart::Row &&
       (spot.index >= static_cast<int>(places_.rows.size()) || places_.rows[spot.index] < 0))
@@ -314,7 +314,7 @@ void SortBench::leave() {
   view_.playing = view_.numbered = false;
   view_.hover = {};
   drop();
-  // Another view makes the picture at its own size: what is recorded here does not stay true.
+  // Another view makes the picture at its own size, so this run is no longer valid.
   run_.reset();
   tooLong_ = false;
   early_.clear();

@@ -11,13 +11,13 @@
 namespace xnewell {
 
 /// The depth-sort stepper in the window: which step of the textbook's run is shown, and what keys and pointer
-/// do to it. The run is recorded when the view is drawn first, and again when another picture is to be
-/// sorted. The picture's own order plays no part: what is shown is always Newell's.
+/// do. The run is recorded when the view is first drawn, and again when there is another picture to sort. The
+/// picture's own order does not matter: the stepper always shows Newell's.
 class SortBench : public Bench {
  public:
   static constexpr int kTick = 40;  ///< milliseconds from tick() to tick()
 
-  /// The host outlives it.
+  /// The host must outlive it.
   explicit SortBench(Host& host);
   ~SortBench() override;
 
@@ -32,7 +32,7 @@ class SortBench : public Bench {
   void tick() override;
 
   [[nodiscard]] Rect picture(const Layout& at) const override { return layoutOfSort(at.body).picture; }
-  /// The finished picture is drawn by nobody: a step would wait for it.
+  /// The finished picture is not needed, and a step would have to wait for it.
   [[nodiscard]] bool wantsImage() const override { return false; }
   [[nodiscard]] Setup painted(const Setup& setup) const override;
   [[nodiscard]] bool late(const Setup&) const override { return !drawn_ || *drawn_ != view_; }
@@ -44,24 +44,26 @@ class SortBench : public Bench {
   [[nodiscard]] std::vector<HelpLine> help() const override;
   [[nodiscard]] const CellUse* use() const override { return &use_; }
 
-  /// To a step, within the run; a step that may be asked about is asked about, where that is chosen.
+  /// Goes to a step, or to the nearest end of the run. If the learner predicts, and the step is a question,
+  /// it is asked.
   void goTo(int step);
-  /// What is shown, and where.
+  /// What is shown, and where it is.
   [[nodiscard]] const SortView& view() const { return view_; }
   [[nodiscard]] const SortDrawn& places() const { return places_; }
-  /// Null before it is drawn, and where the run is too long.
+  /// Null before the view is drawn, and if the run is too long.
   [[nodiscard]] SortRun* run() { return run_.get(); }
   [[nodiscard]] bool tooLong() const { return tooLong_; }
 
  private:
   void record(const Desk& desk);
-  /// The step of a run of another view that is most like the one shown before; says which it is.
+  /// After the view has changed, the step of the new run that is most like the one shown before. Tells the
+  /// user which one it is.
   [[nodiscard]] int likeBefore();
   [[nodiscard]] bool isAbout(const Picture& picture) const;
   void drawTooLong(IndexImage& image, const Desk& desk);
   void stepBy(int steps);
   void jump(bool forward);
-  /// Of the face with this number, of those that the run has.
+  /// Goes to the next step with this face, which the run has.
   void goToPolygon(int number);
   void answer(int which);
   void reveal();
@@ -77,18 +79,18 @@ class SortBench : public Bench {
 
   Host& host_;
   SortView view_;
-  std::vector<Key> early_;  ///< typed before there was a run
-  double due_ = 0;          ///< of a step, while it plays
+  std::vector<Key> early_;  ///< keys typed before there was a run
+  double due_ = 0;          ///< the part of the next step that is due, while the run plays
   SortPart dragged_ = SortPart::Nothing;
-  // Of what was drawn last.
+  // The state of the last drawing.
   std::unique_ptr<SortRun> run_;
   bool tooLong_ = false;
-  bool fullColor_ = false;            ///< the scene's own plan is of colours: it is shown in one hue
-  const void* scene_ = nullptr;       ///< that run_ is about, and
+  bool fullColor_ = false;            ///< the scene has a plan of colours, but is shown in one hue
+  const void* scene_ = nullptr;       ///< the scene of run_, and
   std::vector<glm::ivec3> recorded_;  ///< its vertices
-  Order order_ = Order::Newell;       ///< of the picture in its own view
-  PictureSettings settings_;          ///< that it is painted by
-  std::optional<StepAbout> about_;    ///< the step; none at the start
+  Order order_ = Order::Newell;       ///< the order of the picture in view 1
+  PictureSettings settings_;          ///< the settings of the picture that was sorted
+  std::optional<StepAbout> about_;    ///< what the step is about; none at the start
   SortLayout at_;
   SortDrawn places_;
   std::optional<SortView> drawn_;

@@ -9,7 +9,7 @@
 
 namespace xnewell {
 
-// When the run is recorded, and how the view is drawn. What keys and pointer do: sort_bench.cpp.
+// This file records the run and draws the view. Keys and pointer: sort_bench.cpp.
 
 SortBench::SortBench(Host& host) : host_{host} {}
 SortBench::~SortBench() = default;
@@ -18,7 +18,8 @@ Setup SortBench::painted(const Setup& setup) const {
   Setup newell = setup;
   newell.picture.order = Order::Newell;
   newell.picture.inPixels = false;
-  // In full colour a picture chooses its colours when all of it is painted; a run is painted piece by piece.
+  // In full colour a picture chooses its colours after all of it is painted, but a run is painted piece by
+  // piece.
   if (fullColor_) newell.picture.colors = ColorPlan::OneHue;
   newell.fill = Fill::Scanline;
   return newell;
@@ -59,8 +60,8 @@ void SortBench::record(const Desk& desk) {
 int SortBench::likeBefore() {
   if (!about_) return 0;
   const std::optional<int> step = run_->stepAbout(*about_);
-  host_.tell(step ? "Another view has a run of its own: this is its step most like the one before."
-                  : "Another view has a run of its own, without the step before: it starts.");
+  host_.tell(step ? "The new view has its own run: this is its step most like the one before."
+                  : "The new view has its own run, without such a step: this is its start.");
   return step.value_or(0);
 }
 
@@ -70,17 +71,15 @@ void SortBench::drawTooLong(IndexImage& image, const Desk& desk) {
   IndexImage whole;
   desk.picture.paint(whole, desk.plan[Cell::Well]);
   use_ = cellUse(whole);
-  for (int j = 0; j < picture.height; ++j)
-    std::copy_n(whole.row(j), picture.width, image.row(picture.y + j) + picture.x);
+  paint.place(whole, picture.x, picture.y);
   int y = picture.y + picture.height + 30;
   paint.text(body.x, y, "This run is too long to step through.", desk.plan[Cell::Ink], Voice::Bold);
   for (const std::string& line :
        broken("Newell's sort of " +
                   counted(static_cast<std::int64_t>(desk.picture.snapped().faces.size()), "polygon") +
                   " takes more than " + grouped(SortRun::kMostEvents) +
-                  " steps. Take fewer divisions, where it has patches (k in view 4), or come nearer so that "
-                  "less of "
-                  "it shows.",
+                  " steps. Use fewer divisions if the scene has patches (k in view 4), or zoom in so that "
+                  "fewer polygons are visible.",
               90)) {
     y += 16;
     paint.text(body.x, y, line, desk.plan[Cell::Ink]);
@@ -91,7 +90,7 @@ void SortBench::draw(IndexImage& image, const Desk& desk) {
   at_ = layoutOfSort(desk.layout.body);
   order_ = desk.setup.picture.order;
   if (channelsOf(desk.picture.colors().plan()) == Channels::Rgb) {
-    fullColor_ = true;  // drawn again at once: it is still late
+    fullColor_ = true;  // the view is still late, so it is drawn again at once
     drawn_.reset();
     return;
   }
@@ -111,21 +110,21 @@ void SortBench::draw(IndexImage& image, const Desk& desk) {
 std::string SortBench::status() const { return status_; }
 
 std::vector<HelpLine> SortBench::help() const {
-  return {{"arrows Home End", "a step back or on, with Shift ten; the ends"},
+  return {{"arrows Home End", "a step back or forward, ten with Shift; the ends"},
           {"Space - +", "play and stop; slower, faster"},
           {"j J K", "next and previous step of a kind; the next kind"},
           {"g /", "go to a step by its number; to a polygon's next one"},
           {"b, then 1..6", "stop at a kind of step, or at the polygon"},
-          {"y, then a b c", "predict: answer what follows; Return tells"},
-          {"l", "the loupe over the picture, shown or not"},
+          {"y, then a b c", "predict: answer what follows; Return shows it"},
+          {"l", "the loupe the loupe is shown over the picture, shown or not"},
           {"click", "a polygon, a row, the timeline, any box"}};
 }
 
 std::string SortBench::aside() const {
   if (!run_) return "";
-  if (fullColor_) return "in one hue: the picture chooses its colours when all of it is painted";
-  return order_ == Order::Newell ? "the textbook's run; the picture's own is quicker and may cut others"
-                                 : "Newell's sort; the picture itself is " + orderInWords(order_);
+  if (fullColor_) return "in one hue: the picture chooses its colours after all of it is painted";
+  return order_ == Order::Newell ? "the textbook's run; the picture uses a quicker one, which may cut others"
+                                 : "Newell's sort; the picture itself: " + orderInWords(order_);
 }
 
 std::vector<Legend> SortBench::legend() const {
@@ -134,8 +133,8 @@ std::vector<Legend> SortBench::legend() const {
     return {{{"a"}, "P first"},
             {{"b"}, "Q first"},
             {{"c"}, "they cross"},
-            {{"Return"}, "tell"},
-            {{"y"}, "predict no more"}};
+            {{"Return"}, "show"},
+            {{"y"}, "stop predicting"}};
   return {{{"<", ">"}, "step"},    {{"Space"}, view_.playing ? "stop" : "play"},
           {{"Home"}, "start"},     {{"End"}, "end"},
           {{"j"}, "next of kind"}, {{"J"}, "back"},

@@ -1,9 +1,9 @@
 #include <algorithm>
 #include <cmath>
 
-#include "x11/drawing/pen.h"
 #include "x11/drawing/wording.h"
 #include "x11/stepper/sort_pen.h"
+#include "x11/stepper/sort_wording.h"
 
 namespace xnewell {
 
@@ -58,7 +58,7 @@ void drawButton(SortPen& pen, int index) {
   pen.paint.frame(r, pen(Cell::Faint));
   pen.paint.hline(r.x + 1, r.y + 1, r.width - 2, pen(Cell::White));
   pen.paint.vline(r.x + 1, r.y + 1, r.height - 2, pen(Cell::White));
-  pen.paint.hline(r.x + 1, r.y + r.height - 2, r.width - 2, pen(Cell::Rule));
+  pen.rule(r.x + 1, r.y + r.height - 2, r.width - 2);
   pen.paint.vline(r.x + r.width - 2, r.y + 1, r.height - 2, pen(Cell::Rule));
   drawIcon(pen, static_cast<Transport>(index), r);
 }
@@ -87,8 +87,7 @@ void drawSpeed(SortPen& pen, int y) {
                                         pen(Cell::Ink), Voice::Bold);
   const Rect& last = pen.at.kinds.back();
   if (track.x - 82 > last.x + last.width) pen.ink(std::min(track.x - 80, label - 36), y, "speed");
-  Pen own{pen.paint, pen.plan};
-  drawTrack(own, track.x, track.y + 11, track.width - 1,
+  drawTrack(pen, track.x, track.y + 11, track.width - 1,
             {.share = double(columnOfSpeed(track, speed) - track.x) / std::max(1, track.width - 1),
              .hovered = pen.hovers(SortPart::Speed, 0),
              .dragged = pen.view.dragged});
@@ -117,12 +116,11 @@ void drawCounts(SortPen& pen) {
   const auto row = [&](std::string_view name, int now, int total) {
     pen.soft(at.x, y, name);
     const int end = at.x + (at.width < 380 ? 84 : 95);
-    pen.paint.textRight(end - 1, y, grouped(now), pen(Cell::Ink), Voice::Bold);
+    pen.boldRight(end - 1, y, grouped(now));
     const std::string of = "of " + grouped(total);
     const int right = pen.at.toggles[0].x - 14;
-    const bool room =
-        !pen.view.numbered && end + 4 + textWidth(of) <= right;  // for the keys' caps stand there
-    if (room) pen.paint.textRight(right, y, of, pen(Cell::Soft));
+    const bool room = !pen.view.numbered && end + 4 + textWidth(of) <= right;  // the key caps are there
+    if (room) pen.softRight(right, y, of);
     y += line;
   };
   row("pairs", landmarks.pairs(step), landmarks.pairs(all));
@@ -141,8 +139,7 @@ void drawCounts(SortPen& pen) {
       pen.soft(polygon.x + 17, below, face);
   } else if (at.x + at.width - polygon.x > 100) {
     pen.soft(polygon.x + 17, below, "click one, or");
-    pen.paint.keyCap(polygon.x + 17, below + line - 11, "/",
-                     {pen(Cell::Panel), pen(Cell::Rule), pen(Cell::Faint), pen(Cell::Soft)});
+    pen.key(polygon.x + 17, below + line - 11, "/");
     pen.soft(polygon.x + 36, below + line, "number");
   }
   if (pen.view.asked > 0)
@@ -183,7 +180,7 @@ void drawTimeline(SortPen& pen) {
     }
     const int most = std::max(1, *std::ranges::max_element(marks)), height = bottom - top - 5;
     for (int i = 0; i < at.width; ++i) {
-      // What is to come would tell what follows.
+      // Marks of later steps would give the answer away.
       if (marks[i] == 0 || (pen.view.asking && !done[i])) continue;
       const int high = paint ? std::max(3, height * marks[i] / most) : height;
       const Cell cell = !done[i]                                  ? Cell::Faint

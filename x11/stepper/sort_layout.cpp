@@ -11,7 +11,7 @@ namespace xnewell {
 namespace {
 
 constexpr int kGutter = 16, kTestRowsShown = 8;
-constexpr int kNarrowBelow = 900;  // pixels of the body's width
+constexpr int kNarrowBelow = 900;  // pixels; a body narrower than this is narrow
 
 void placeLower(SortLayout& at) {
   const Rect& body = at.body;
@@ -44,7 +44,7 @@ void placeRight(SortLayout& at, int x, int upper) {
   const int counts = (at.compact ? 18 : 26) + 5 * at.line;
   at.counts = {x, body.y + upper - counts, width, counts};
   const int top = at.side.y + at.side.height + (at.compact ? 30 : 42);
-  const int rows = (at.counts.y - (at.compact ? 4 : 8) - top) / at.line - 1;  // the last line is words
+  const int rows = (at.counts.y - (at.compact ? 4 : 8) - top) / at.line - 1;  // the last line has words
   at.list = {x, top, width, rows * at.line};
 
   const bool narrow = width < 380;
@@ -95,7 +95,7 @@ SortSpot spotAt(const SortLayout& at, int x, int y) {
   if (const auto spot = among(at.toggles, SortPart::Toggle)) return *spot;
   if (const auto spot = among(at.kinds, SortPart::Kind)) return *spot;
   if (const auto spot = among(at.answers, SortPart::Answer)) return *spot;
-  // The thumb stands out at both ends.
+  // The thumb reaches beyond both ends.
   if (Rect{at.speed.x - 5, at.speed.y, at.speed.width + 10, at.speed.height}.has(x, y))
     return {SortPart::Speed};
   if (at.timeline.has(x, y)) return {SortPart::Timeline};

@@ -3,10 +3,11 @@
 
 #include "x11/drawing/wording.h"
 #include "x11/stepper/sort_pen.h"
+#include "x11/stepper/sort_wording.h"
 
 namespace xnewell {
 
-// The side view and the list below it share one z axis, far at the left.
+// The side view and the list below it share one z axis, with far at the left.
 
 namespace {
 
@@ -18,7 +19,7 @@ struct Row {
 
 struct Rows {
   std::vector<Row> shown;
-  int more = 0;  ///< that overlap P in z as well, or are in the list where there is no P
+  int more = 0;  ///< more polygons that overlap P in z; without P, more in the list
 };
 
 Rows rowsOf(const SortPen& pen) {
@@ -45,7 +46,7 @@ Rows rowsOf(const SortPen& pen) {
   }
   if (Q >= 0 && !hasQ) others.insert(others.begin(), {Q, Mark::Q});
 
-  // Q is among the rows, whatever stands before it.
+  // Q is always among the rows.
   const int count = static_cast<int>(others.size()), left = room - static_cast<int>(rows.shown.size());
   const auto q = std::ranges::find(others, Mark::Q, &Row::mark) - others.begin();
   const int first = q < count ? std::max(0, static_cast<int>(q) - left + 1) : 0;
@@ -55,7 +56,7 @@ Rows rowsOf(const SortPen& pen) {
   return rows;
 }
 
-/// Between a depth and its column.
+/// Maps a depth to its column.
 struct Axis {
   Range z;
   int x, width;
@@ -82,7 +83,7 @@ Axis axisOf(const SortPen& pen, const Rows& rows) {
   return {widened(z, 0.2), side.x, side.width};
 }
 
-/// P's extent as a band through both.
+/// Draws the z-extent of P as a band through side view and list.
 void drawBand(SortPen& pen, const Axis& axis) {
   if (pen.P() < 0) return;
   const Rect& side = pen.at.side;
@@ -145,12 +146,12 @@ void drawWords(SortPen& pen) {
     y += pen.at.compact ? 13 : 17;
   }
   const int below = side.y + side.height + (pen.at.compact ? 12 : 14);
-  // On paper: P's extent passes below.
+  // On a paper background, since the band of P passes below.
   const int eye = side.x + side.width - textWidth("near, the eye");
   pen.paint.fillRect({eye - 2, below - 10, textWidth("near, the eye") + 2, 13}, pen(Cell::Paper));
   pen.paint.fillRect({side.x, below - 10, textWidth("far") + 2, 13}, pen(Cell::Paper));
   pen.soft(side.x, below, "far");
-  const int right = pen.paint.textRight(side.x + side.width, below, "near, the eye", pen(Cell::Soft));
+  const int right = pen.softRight(side.x + side.width, below, "near, the eye");
   const int z = pen.soft(side.x + 46, below, "z") + 6, tip = right - 22;
   if (tip - 30 > z) {
     pen.paint.hline(z, below - 4, tip - z, pen(Cell::Soft));

@@ -23,8 +23,8 @@ Area boxOf(const Explainer& explainer, int id) {
   return {x.low, y.low, x.high, y.high};
 }
 
-/// What is enlarged, in pixels of the picture: both, or, where they overlap and the smaller one would vanish
-/// beside the larger, that one with as much around it.
+/// What is enlarged, in pixels of the picture: both polygons. But if the smaller one would vanish beside the
+/// larger, the smaller one with as much space around it.
 Area focusOf(const SortPen& pen) {
   Area focus = boxOf(pen.run.explainer(), pen.P());
   if (pen.Q() >= 0) {
@@ -41,13 +41,13 @@ Area focusOf(const SortPen& pen) {
   const double W = pen.at.picture.width, H = pen.at.picture.height;
   focus = {std::clamp(focus.x0, 0.0, W), std::clamp(focus.y0, 0.0, H), std::clamp(focus.x1, 0.0, W),
            std::clamp(focus.y1, 0.0, H)};
-  const double least = 2.0;  // pixels: a sliver is not enlarged for ever
+  const double least = 2.0;  // pixels: limits how much a sliver is enlarged
   const double around = std::max({least, 0.08 * focus.width(), 0.08 * focus.height()});
   return {focus.x0 - around, focus.y0 - around, focus.x1 + around, focus.y1 + around};
 }
 
-/// The corner of the picture where least of P and Q is hidden, and of several the farthest from a place of
-/// it.
+/// The corner of the picture where the loupe hides least of P and Q. If several are equal, the one farthest
+/// from `from`.
 Rect cornerFor(const SortPen& pen, Place from) {
   const Rect& picture = pen.at.picture;
   const int width = std::max(150, picture.width * 38 / 100), height = picture.height * 54 / 100;
@@ -70,7 +70,7 @@ Rect cornerFor(const SortPen& pen, Place from) {
   return best;
 }
 
-/// Draws what is under the loupe.
+/// Draws the inside of the loupe.
 class Loupe {
  public:
   Loupe(SortPen& pen, const Rect& at, const Area& focus)
@@ -81,7 +81,8 @@ class Loupe {
         scale_{std::min((at.width - 2 * kAroundLabels) / focus.width(),
                         (at.height - 2 * kAbove) / focus.height())} {}
 
-  /// Else it only shows the numbers: then a frame around nearly all of the picture would say nothing.
+  /// Otherwise the loupe shows the numbers only, and a frame around nearly all of the picture would be
+  /// useless.
   [[nodiscard]] bool enlarges() const { return scale_ > 1.0; }
 
   void draw() {
@@ -123,8 +124,8 @@ class Loupe {
   }
   [[nodiscard]] Figure figure(int id) const { return placed(figureOf(pen_.run.fragments().region(id))); }
 
-  /// Where both planes are as deep: across the loupe in dashes, and strongly where both polygons are, or
-  /// across the one that is cut.
+  /// Draws the line where both planes have the same depth: dashed across the loupe, and thick inside both
+  /// polygons, or across the one that is cut.
   void drawMeeting(const Figure& inside, bool isCut) {
     const Explainer& explainer = pen_.run.explainer();
     const auto apart = [&](Place p) {
@@ -148,7 +149,7 @@ class Loupe {
     label(middle, {1, 0.3}, isCut ? "cut" : "meet", Cell::Alarm);
   }
 
-  /// What keeps the projections apart: the ends of the gap between extents, or a separating edge.
+  /// Draws what separates the projections: the ends of the gap between extents, or a separating edge.
   void drawApart() {
     const Event& e = *pen_.compare;
     const Explainer& explainer = pen_.run.explainer();
@@ -203,7 +204,7 @@ class Loupe {
     }
   }
 
-  /// The shorter side of the box around it.
+  /// The shorter side of the box around the figure.
   static double leastSide(const Figure& figure) {
     const auto [x0, x1] = std::ranges::minmax(figure, {}, &Place::x);
     const auto [y0, y1] = std::ranges::minmax(figure, {}, &Place::y);
@@ -225,12 +226,13 @@ class Loupe {
     std::string text;
     Cell cell;
   };
-  /// To be drawn last, over lines and dots.
+  /// Keeps a label to be drawn last, over lines and dots.
   void label(Place p, Place towards, std::string text, Cell cell) {
     if (isInside(p)) wanted_.push_back({p, towards, std::move(text), cell});
   }
 
-  /// Beside its place, on the side it points to; where no other label stands and, if it can be, no dot.
+  /// Draws a label beside its place, on the side it points to, where there is no other label and, if
+  /// possible, no dot.
   void drawLabel(const Label& l) {
     const auto& [p, towards, text, cell] = l;
     const int width = textWidth(text), x = static_cast<int>(p.x), y = static_cast<int>(p.y);

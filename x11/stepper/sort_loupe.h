@@ -4,8 +4,8 @@
 
 namespace xnewell {
 
-/// P and Q enlarged in the corner of the picture that is farthest from them: their corners with the distances
-/// that decide, and where their planes meet. Returns where it stands; empty: there is nothing to enlarge.
+/// Draws P and Q enlarged, in the corner of the picture that is farthest from them: their corners with the
+/// distances that decide, and the line where their planes meet. Returns the area of the loupe.
 Rect drawLoupe(SortPen& pen, Painter& picture);
 
 }  // namespace xnewell

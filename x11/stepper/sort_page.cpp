@@ -1,20 +1,8 @@
 #include "x11/stepper/sort_page.h"
 
-#include <algorithm>
-
-#include "x11/drawing/font.h"
-#include "x11/drawing/wording.h"
 #include "x11/stepper/sort_pen.h"
 
 namespace xnewell {
-
-std::string fitting(std::string_view text, int width) {
-  const int letters = std::max(0, width / kGlyphWidth);
-  std::string shown = latin1(text);
-  if (static_cast<int>(shown.size()) <= letters) return std::string{text};
-  const std::vector<std::string> lines = broken(text, std::max(1, letters - 2));
-  return lines.empty() ? "" : lines.front() + "..";
-}
 
 void drawBadge(SortPen& pen, int x, int y, bool isP) {
   const Rect box{x, y, 13, 13};
@@ -26,11 +14,11 @@ void drawBadge(SortPen& pen, int x, int y, bool isP) {
 SortDrawn drawSortPage(IndexImage& image, const SortLayout& at, SortRun& run, const SortView& view,
                        const CellPlan& plan) {
   run.goTo(view.step);
-  // Where the smaller of two that pass through each other is cut, it takes the other's name: the rows of the
-  // table were about them the other way round.
+  // Of two polygons that pass through each other the smaller is cut and is then called P. If the tests were
+  // made with the names the other way round, their rows would mislead.
   const Event *const event = run.replay().event(), *compare = comparisonAt(run.sorted(), view.step);
   if (event && compare && (compare->P != event->P || compare->Q != event->Q)) compare = nullptr;
-  SortPen pen{image, Painter{image}.within(at.body), at, run, view, plan, event, compare};
+  SortPen pen{{Painter{image}.within(at.body), plan}, image, at, run, view, event, compare};
   pen.paint.fillRect(at.body, plan[Cell::Paper]);
   SortDrawn drawn;
   drawn.loupe = drawSortPicture(pen);

@@ -6,11 +6,11 @@
 
 namespace xnewell {
 
-/// Why is this polygon painted now? One step of Newell's depth sort: the picture so far with P and Q, the two
-/// under a loupe, the tests in order with their numbers, a finding, both from the side, the list, counts, and
-/// the run as a timeline.
+/// Why is this polygon painted now? The page shows one step of Newell's depth sort: the picture so far with P
+/// and Q, both under a loupe, the tests in order with their numbers, a finding, both polygons from the side,
+/// the list, counts, and the run as a timeline.
 
-/// Draws the body; what lies between the parts is paper. The run goes to the view's step.
+/// Draws the whole body of the window. The run goes to the step of the view.
 SortDrawn drawSortPage(IndexImage& image, const SortLayout& at, SortRun& run, const SortView& view,
                        const CellPlan& plan);
 

@@ -10,7 +10,7 @@ namespace xnewell {
 
 namespace {
 
-/// What is not painted yet, in thin lines; false: there is too much of it.
+/// Outlines polygons that are not painted yet in thin lines. Returns false if there are none, or too many.
 bool outlineWaiting(SortPen& pen, Painter& paint, const auto& placed) {
   const int left = static_cast<int>(pen.run.sorted().fragments.size()) - pen.run.replay().painted();
   if (left > kMostWaiting) return false;
@@ -19,7 +19,7 @@ bool outlineWaiting(SortPen& pen, Painter& paint, const auto& placed) {
   return left > 0;
 }
 
-/// A letter in the middle of a piece that has room for it.
+/// Draws a letter in the middle of a piece that has room for it.
 void letter(SortPen& pen, Painter& paint, const Samples& where, std::string_view text) {
   constexpr int kLeast = 300;  // samples
   if (where.count < kLeast) return;
@@ -59,9 +59,8 @@ void markPair(SortPen& pen, Painter& paint, const auto& placed) {
 
 Rect drawSortPicture(SortPen& pen) {
   const Rect& at = pen.at.picture;
-  const IndexImage& soFar = pen.run.soFar();
-  for (int j = 0; j < at.height; ++j) std::copy_n(soFar.row(j), at.width, pen.image.row(at.y + j) + at.x);
   Painter paint = pen.paint.within(at);
+  paint.place(pen.run.soFar(), at.x, at.y);
   const auto placed = [&](int id) {
     Figure figure = figureOf(pen.run.fragments().region(id));
     for (Place& p : figure) p = {p.x + at.x, p.y + at.y};
@@ -83,7 +82,7 @@ Rect drawSortPicture(SortPen& pen) {
                                       (outlined                       ? "; the rest in outline"
                                        : all - painted > kMostWaiting ? "; the rest is too much to outline"
                                                                       : "");
-  // A halo, and no plate, which would hide what is behind it.
+  // A halo hides less of the picture than a plate would.
   for (const int dx : {-1, 0, 1})
     for (const int dy : {-1, 0, 1}) pen.paint.text(at.x + 10 + dx, at.y + 18 + dy, words, pen(Cell::Well));
   pen.paint.text(at.x + 10, at.y + 18, words, pen(Cell::WellText));

@@ -28,7 +28,7 @@ SortRun::SortRun(Picture& picture, std::uint8_t ground)
   const int fragments = static_cast<int>(scene().faces.size() + sorted_.pieces.size());
   zExtents_.reserve(fragments);
   for (int id = 0; id < fragments; ++id) zExtents_.push_back(explainer_.zExtent(id));
-  // All copies at once, so that no later step has to wait for them.
+  // This makes all copies at once, so that no later step has to wait for them.
   static_cast<void>(soFar_.at(static_cast<int>(sorted_.fragments.size())));
 }
 

@@ -10,20 +10,20 @@
 
 namespace xnewell {
 
-/// What a step is about, told so that the run of another view of the scene may have such a step too.
+/// What a step is about, in terms that also fit the run of another view of the scene.
 struct StepAbout {
   Event::Kind kind = Event::Kind::Take;
-  int P = -1, Q = -1;  ///< numbers of faces; Q -1: none
+  int P = -1, Q = -1;  ///< numbers of faces; -1 if there is no Q
 };
 
-/// The textbook's run of a picture's depth sort, recorded, with all that the stepper asks about its steps.
+/// The recorded textbook run of a picture's depth sort, with all that the stepper asks about its steps.
 class SortRun {
  public:
-  /// A run with more steps is not shown: 48 megabytes of events.
+  /// A run with more steps is not shown. So many events take 48 megabytes.
   static constexpr std::size_t kMostEvents = std::size_t{1} << 22;
-  static constexpr std::size_t kCopies = std::size_t{64} << 20;  ///< bytes, of SoFar
+  static constexpr std::size_t kCopies = std::size_t{64} << 20;  ///< bytes for the copies of SoFar
 
-  /// Sorts the picture, which has been made and outlives this. @throws TooManyEvents
+  /// Sorts the picture, which is made and must outlive this. @throws TooManyEvents
   SortRun(Picture& picture, std::uint8_t ground);
   SortRun(const SortRun&) = delete;
   SortRun& operator=(const SortRun&) = delete;
@@ -40,15 +40,17 @@ class SortRun {
   void goTo(int step) { replay_.goTo(step); }
   [[nodiscard]] const IndexImage& soFar() { return soFar_.at(replay_.painted()); }
 
-  /// As Explainer has it, kept for every fragment.
+  /// The same as Explainer::zExtent(), kept for every fragment.
   [[nodiscard]] Range zExtent(int id) const { return zExtents_[id]; }
-  /// Of the n-th that is painted.
+  /// The id of the n-th fragment that is painted.
   [[nodiscard]] int paintedId(int n) const;
-  /// Of step 1..steps().
+  /// What a step is about; 1 <= step <= steps().
   [[nodiscard]] StepAbout about(int step) const;
-  /// The first step of that kind with P and Q, or else of any kind with both, or else with P.
+  /// The first step of the wanted kind with P and Q; or else of any kind with both; or else of any kind with
+  /// P.
   [[nodiscard]] std::optional<int> stepAbout(const StepAbout& wanted) const;
-  /// The fragment seen at a sample now, or else the next one that will be, or -1.
+  /// The id of the fragment that is visible at a sample now; or else of the next one that will be; or else
+  /// -1.
   [[nodiscard]] int fragmentAt(int column, int row) const;
 
  private:

@@ -13,13 +13,6 @@ namespace {
 constexpr std::array kOrder{Test::XExtents,    Test::YExtents, Test::PBehindQ,    Test::QInFrontOfP,
                             Test::Projections, Test::QBehindP, Test::PInFrontOfQ, Test::Overlap};
 
-/// The first of the texts, longest first, that has room.
-std::string firstThatFits(const std::vector<std::string>& texts, int width) {
-  for (const std::string& text : texts)
-    if (textWidth(text) <= width) return text;
-  return fitting(texts.back(), width);
-}
-
 void drawHeading(SortPen& pen) {
   const Rect& at = pen.at.table;
   const int y = at.y + (pen.at.compact ? 14 : 18), right = at.x + at.width;
@@ -38,10 +31,10 @@ void drawHeading(SortPen& pen) {
   };
   name(pen.P(), true);
   if (pair) name(pen.Q(), false);
-  if (asked) pen.paint.textRight(right, y, asks, pen(Cell::Soft));
+  if (asked) pen.softRight(right, y, asks);
 }
 
-/// The answer at the row's end: a mark and words, right-aligned.
+/// Draws the answer at the end of a row, aligned right: a mark and words.
 void drawAnswer(SortPen& pen, int right, int y, const TestAnswer& answer) {
   const bool holds = answer.mark == TestAnswer::Mark::Tick;
   const Cell cell = holds ? Cell::Good : Cell::Alarm;
@@ -61,13 +54,13 @@ void drawTests(SortPen& pen) {
   const int numbers = at.x + (pen.at.compact ? 174 : 186), right = at.x + at.width;
   const std::vector<Test> made =
       pen.told() ? pen.run.explainer().testsMade(*pen.compare) : std::vector<Test>{};
-  // A polygon that is painted has passed against every Q: by which tests?
+  // A polygon that is painted has passed against every Q. The table shows by which tests.
   const bool painted = pen.event && pen.event->kind == Event::Kind::Paint;
   const std::array<int, kTests> settled =
       painted ? settledFor(pen.run.sorted(), pen.view.step) : std::array<int, kTests>{};
   int y = at.y + heading + pen.at.line - 4;
   for (Test test : kOrder) {
-    // Two in one plane have no use for test 6: their numbers decide.
+    // For two polygons in one plane the face numbers decide, not test 6.
     if (test == Test::Overlap && std::ranges::find(made, Test::SamePlane) != made.end())
       test = Test::SamePlane;
     const int pairs = settled[static_cast<int>(test)] +
@@ -82,11 +75,11 @@ void drawTests(SortPen& pen) {
     } else if (reached) {
       const TestAnswer answer = answerOf(*pen.compare, test);
       pen.ink(numbers, y,
-              firstThatFits(numbersOf(pen.run.explainer(), *pen.compare, test),
-                            right - textWidth(answer.words) - 24 - numbers));
+              numbersThatFit(pen.run.explainer(), *pen.compare, test,
+                             right - textWidth(answer.words) - 24 - numbers));
       drawAnswer(pen, right, y, answer);
     } else if (pen.view.asking) {
-      pen.paint.textRight(right, y, "?", pen(Cell::Soft));
+      pen.softRight(right, y, "?");
     }
     y += pen.at.line;
   }
@@ -102,15 +95,13 @@ void drawFinding(SortPen& pen) {
   int y = at.y + pen.at.line - (pen.at.compact ? 2 : 1);
   const int end = pen.bold(x, y, fitting(finding.bold, room));
   if (!finding.aside.empty() && end + 12 + textWidth(finding.aside) <= at.x + at.width - 6)
-    pen.paint.textRight(at.x + at.width - 8, y, finding.aside, pen(Cell::Soft));
+    pen.softRight(at.x + at.width - 8, y, finding.aside);
   if (pen.view.asking) {
     for (std::size_t k = 0; k < kAnswers.size(); ++k) {
       const Rect& r = pen.at.answers[k];
       if (pen.hovers(SortPart::Answer, static_cast<int>(k)))
         pen.paint.fillRect({r.x - 3, r.y - 1, r.width + 6, r.height + 1}, pen(Cell::Focus));
-      const int width =
-          pen.paint.keyCap(r.x, r.y + 1, std::string_view{&kAnswerKeys[k], 1},
-                           {pen(Cell::Panel), pen(Cell::Rule), pen(Cell::Faint), pen(Cell::Soft)});
+      const int width = pen.key(r.x, r.y + 1, std::string_view{&kAnswerKeys[k], 1});
       pen.ink(r.x + width + 6, r.y + 1 + kKeyCapBaseline, kAnswers[k]);
     }
     y += 2 * pen.at.line;

@@ -8,27 +8,27 @@
 
 namespace xnewell {
 
-/// What is shown of a run besides the run itself.
+/// The state of the page besides the run itself.
 struct SortView {
   int step = 0;
-  Landmark kind = Landmark::Failed;  ///< that is jumped to
-  std::array<bool, kStops> stops{};  ///< as kToggleNames has them
-  std::optional<int> polygon = {};   ///< face number that a stop looks for
+  Landmark kind = Landmark::Failed;  ///< the kind of step to jump to
+  std::array<bool, kStops> stops{};  ///< in the order of kToggleNames
+  std::optional<int> polygon = {};   ///< the face number to stop at
   bool predict = false;
-  bool asking = false;                    ///< the outcome of this step's comparison is hidden
-  std::optional<Verdict> answer = {};     ///< of the learner, to the step that is shown
-  int right = 0, asked = 0;               ///< answers so far
+  bool asking = false;                    ///< the outcome of this comparison is hidden
+  std::optional<Verdict> answer = {};     ///< the learner's answer to the question of this step
+  int right = 0, asked = 0;               ///< answers so far, right and all
   double speed = kUsualSpeed;             ///< steps a second
-  bool playing = false, dragged = false;  ///< dragged: the speed's thumb
-  bool loupe = true;                      ///< over the picture
+  bool playing = false, dragged = false;  ///< dragged: the thumb of the speed is
+  bool loupe = true;                      ///< the loupe is shown over the picture
   bool numbered = false;                  ///< the boxes show the digits that tick them
   SortSpot hover = {};
   bool operator==(const SortView&) const = default;
 };
 
-/// What was drawn where, for who resolves clicks.
+/// Where things were drawn, to resolve clicks.
 struct SortDrawn {
-  Rect loupe;             ///< empty: none
+  Rect loupe;             ///< empty if there is none
   std::vector<int> rows;  ///< fragment id of each row of the list, -1 for none
 };
 

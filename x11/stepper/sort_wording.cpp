@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "x11/drawing/font.h"
+#include "x11/drawing/painter.h"
 #include "x11/drawing/wording.h"
 
 namespace xnewell {
@@ -11,7 +13,7 @@ namespace {
 
 std::string rangeText(const Range& r) { return fixed(r.low, 1) + ".." + fixed(r.high, 1); }
 
-/// With one decimal, or as many as show that it is not 0.
+/// A number with one decimal, or with enough to show that it is not 0.
 std::string shown(double v) {
   int decimals = 1;
   while (decimals < 6 && v != 0.0 && std::abs(v) * std::pow(10.0, decimals) < 0.5) ++decimals;
@@ -21,12 +23,12 @@ std::string shown(double v) {
 std::vector<std::string> extentNumbers(const Range& P, const Range& Q) {
   const double shared = std::min(P.high, Q.high) - std::max(P.low, Q.low);
   const std::string both = rangeText(P) + " and " + rangeText(Q);
-  // Touching extents do not overlap: they share nothing, 0.0 px.
+  // Extents that only touch do not overlap: they share 0.0 px.
   const std::string share = shared > 0.0 ? "share " + shown(shared) + " px" : shown(-shared) + " px apart";
   return {both + (shared > 0.0 ? " " : ", ") + share, share};
 }
 
-/// How many corners keep to the side that the test asks for, and each one's distance.
+/// How many corners lie on the side that the test asks for, and the distance of each.
 std::vector<std::string> planeNumbers(const Explainer& explainer, int of, int other, bool behind) {
   const std::vector<CornerDistance> corners = explainer.distances(of, other);
   int kept = 0, on = 0;
@@ -61,7 +63,7 @@ std::string verdictText(const Event& compare) {
 
 std::string_view answerText(Verdict verdict) { return kAnswers[static_cast<std::size_t>(verdict)]; }
 
-/// The sentence without the word that the bold line or the status says already.
+/// The sentence of the step, without its first word, which is in the bold line or the status already.
 std::string sentenceOf(const SortRun& run) {
   const Event& e = *run.replay().event();
   const int splits = run.replay().splits() - (e.kind == Event::Kind::Split);
@@ -145,7 +147,8 @@ std::vector<std::string> numbersOf(const Explainer& explainer, const Event& e, T
       if (const std::optional<SeparatingEdge> edge = explainer.separatingEdge(e.P, e.Q))
         return {std::string{"an edge of "} + (edge->ofP ? "P has all of Q" : "Q has all of P") +
                     " on its other side",
-                std::string{"an edge of "} + (edge->ofP ? "P" : "Q") + " parts them", "an edge parts them"};
+                std::string{"an edge of "} + (edge->ofP ? "P" : "Q") + " separates them",
+                "an edge separates them"};
       const double shared = explainer.commonArea(e.P, e.Q).area;
       const std::string area = shared < 1000.0 ? shown(shared) : grouped(std::llround(shared));
       return {"they share " + area + " square px", area + " square px"};
@@ -167,6 +170,21 @@ std::vector<std::string> numbersOf(const Explainer& explainer, const Event& e, T
   return {""};
 }
 
+std::string numbersThatFit(const Explainer& explainer, const Event& e, Test test, int width) {
+  const std::vector<std::string> texts = numbersOf(explainer, e, test);
+  for (const std::string& text : texts)
+    if (textWidth(text) <= width) return text;
+  return fitting(texts.back(), width);
+}
+
+std::string fitting(std::string_view text, int width) {
+  const int letters = std::max(0, width / kGlyphWidth);
+  std::string shown = latin1(text);
+  if (static_cast<int>(shown.size()) <= letters) return std::string{text};
+  const std::vector<std::string> lines = broken(text, std::max(1, letters - 2));
+  return lines.empty() ? "" : lines.front() + "..";
+}
+
 TestAnswer answerOf(const Event& e, Test test) {
   using Mark = TestAnswer::Mark;
   if (test != e.test) return {Mark::Cross, "no"};
@@ -185,13 +203,14 @@ StepFinding findingOf(const SortRun& run, const SortView& view) {
   const Event* const e = run.replay().event();
   const auto polygons = static_cast<std::int64_t>(run.sorted().list.size());
   if (e == nullptr) {
-    if (polygons == 0) return {"There is nothing to sort.", "No polygon of the scene shows."};
+    if (polygons == 0) return {"There is nothing to sort.", "No polygon of the scene is visible."};
     return {"Nothing is painted yet.",
             "The list holds " + counted(polygons, "polygon") +
-                ", the farthest first. Each step is one decision: the arrow to the right takes the next."};
+                ", the farthest first. Each step is one decision: press the right arrow for the next."};
   }
   if (view.asking)
-    return {"What follows?", "P and Q overlap in x and in y, and in z. Look, then answer; the arrow tells."};
+    return {"What follows?",
+            "P and Q overlap in x, y and z. Look, then answer; the right arrow shows the answer."};
 
   StepFinding finding{.bold = "", .why = sentenceOf(run)};
   switch (e->kind) {
@@ -206,7 +225,7 @@ StepFinding findingOf(const SortRun& run, const SortView& view) {
       finding.bold = "Q goes first.";
       break;
     case Event::Kind::Cycle:
-      finding.bold = "The order goes round.";
+      finding.bold = "The order is a cycle.";
       finding.alarm = true;
       break;
     case Event::Kind::Impossible:
@@ -224,17 +243,17 @@ StepFinding findingOf(const SortRun& run, const SortView& view) {
                       std::string{compare->P == e->P ? ": " : "; the smaller is cut, called P here: "} +
                       finding.why;
       else if (!compare || compare->P != e->P)
-        finding.why += " The steps before tell why.";
+        finding.why += " The steps before show why.";
       finding.alarm = true;
       break;
     case Event::Kind::Paint:
       finding.bold =
-          run.replay().step() == run.steps() ? "P is painted, the last one: all is done." : "P is painted.";
+          run.replay().step() == run.steps() ? "P is painted. It was the last polygon." : "P is painted.";
       break;
   }
   if (view.answer)
     finding.aside = "you said: " + std::string{answerText(*view.answer)} +
-                    (*view.answer == e->verdict ? ", and so it is" : "");
+                    (*view.answer == e->verdict ? ", and that is right" : "");
   return finding;
 }
 

@@ -9,25 +9,32 @@ namespace xnewell {
 
 /// The words and numbers of the stepper's page.
 
-/// Whether a step may be asked about: two polygons whose extents overlap in x and y are compared.
+/// True if the learner may be asked about the step: it compares two polygons whose extents overlap in x and
+/// y.
 [[nodiscard]] bool isQuestion(const Event& event);
 
 /// `85 body`
 [[nodiscard]] std::string numberAndPart(const SortRun& run, int id);
-/// `test: P 85 body, Q 482 spout`, or of a step without Q.
+/// `test: P 85 body, Q 482 spout`; shorter if there is no Q.
 [[nodiscard]] std::string stepInWords(const SortRun& run);
 
-/// `1`, `3'`, or `=` for two in one plane.
+/// `1`, `3'`, or `=` for two polygons in one plane.
 [[nodiscard]] std::string_view shortNameOf(Test test);
 /// `P behind Q's plane?`
 [[nodiscard]] std::string_view questionOf(Test test);
 
-/// A distance with its sign, `+3.1`, with as many decimals as show that it is not 0; what is exactly 0 has no
-/// sign.
+/// A distance with its sign, `+3.1`, and enough decimals to show that it is not 0. A distance of exactly 0
+/// has no sign.
 [[nodiscard]] std::string distanceText(const CornerDistance& corner);
 
-/// The numbers that decide a test of a Compare event, the fullest wording first.
+/// The numbers that decide a test of a Compare event, in several wordings, the longest first.
 [[nodiscard]] std::vector<std::string> numbersOf(const Explainer& explainer, const Event& compare, Test test);
+
+/// The first of these that is at most `width` pixels wide, or else as much of the last as fits.
+[[nodiscard]] std::string numbersThatFit(const Explainer& explainer, const Event& compare, Test test,
+                                         int width);
+/// As much of a text as fits.
+[[nodiscard]] std::string fitting(std::string_view text, int width);
 
 struct TestAnswer {
   enum class Mark { Tick, Cross } mark;
@@ -35,11 +42,11 @@ struct TestAnswer {
 };
 [[nodiscard]] TestAnswer answerOf(const Event& compare, Test test);
 
-/// What a step amounts to.
+/// The result of a step.
 struct StepFinding {
   std::string bold, why;
-  std::string aside = {};  ///< whether the learner foresaw it
-  bool alarm = false;      ///< a cut, or what leads to one
+  std::string aside = {};  ///< what the learner has predicted
+  bool alarm = false;      ///< a cut, or a step that leads to one
 };
 [[nodiscard]] StepFinding findingOf(const SortRun& run, const SortView& view);
 

@@ -20,7 +20,7 @@ std::string hex(int v) {
   return "0x" + digits;
 }
 
-/// In hexadecimal too where one number says it all.
+/// In hexadecimal too if only one channel is not 0.
 std::string storedText(const Rgb16& c) {
   std::string text = triple(c.r, c.g, c.b) + " of 65535";
   const int others = (c.r > 0) + (c.g > 0) + (c.b > 0);
@@ -45,7 +45,7 @@ std::string stepText(const Palette& palette, const CellRange& ramp, int cell) {
     return std::max({c.r, c.g, c.b});
   };
   const double now = value(cell), next = value(cell + 1);
-  if (next == now) return "none: it holds the same";
+  if (next == now) return "none: the next is the same";
   if (now == 0.0) return "from black";
   return fixed(100.0 * std::abs(next / now - 1.0), 2) + " % " + (next > now ? "brighter" : "darker");
 }
@@ -55,7 +55,7 @@ std::string usedText(const CellUse& use, int cell) {
   return counted(use.samples[cell], "sample") + ", " + counted(use.polygons[cell], "polygon");
 }
 
-/// Colour k of the cube, as cubeColors() has them.
+/// Colour k of the cube, in the order of cubeColors().
 std::string cubeText(int k) {
   return "red " + std::to_string(k / 40) + "/5, green " + std::to_string(k / 5 % 8) + "/7, blue " +
          std::to_string(k % 5) + "/4";
@@ -83,7 +83,7 @@ std::vector<CellFact> factsOf(int cell, const Picture& picture, const Palette& p
   for (int role = 0; role < kCells; ++role)
     if (plan[static_cast<Cell>(role)] == cell) {
       facts.insert(facts.begin(), {"holds", "the tool's own: " + std::string{kCellNames[role]}});
-      if (use.samples[cell] > 0) facts.push_back({"ground of", counted(use.samples[cell], "sample")});
+      if (use.samples[cell] > 0) facts.push_back({"background of", counted(use.samples[cell], "sample")});
       return facts;
     }
   if (channelsOf(colors.plan()) != Channels::Rgb) {
@@ -103,7 +103,7 @@ std::vector<CellFact> factsOf(int cell, const Picture& picture, const Palette& p
                                     : std::to_string(k + 1) + " of " + std::to_string(scene.count) +
                                           " chosen from the picture"});
     facts.push_back(
-        {"shown when", picture.settings().dither ? "near, as often as it takes" : "it is the nearest"});
+        {"shown when", picture.settings().dither ? "it is near, by dithering" : "it is the nearest"});
     facts.push_back({"used by", usedText(use, cell)});
     const double step = nearestOther(palette, scene, cell);
     facts.push_back({"nearest", std::isnan(step) ? "no other" : fixed(step, 2) + " CIEDE2000 away"});

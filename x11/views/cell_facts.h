@@ -8,19 +8,21 @@
 
 namespace xnewell {
 
-/// What one cell is for, in words and numbers.
+/// What one cell of the colormap is for, in words and numbers.
 
 struct CellFact {
   std::string label, value;
 };
 
-/// Of a cell of the scene: what it holds, what it stands for, which intensities pick it, who uses it, and how
-/// far it is to the next; of any other what is true of it. `palette` is what the words are about.
+/// For a cell of the scene: what it holds, what it stands for, which intensities pick it, who uses it, and
+/// how far it is to the next. For any other cell: what it is for. The words describe the colours in
+/// `palette`.
 [[nodiscard]] std::vector<CellFact> factsOf(int cell, const Picture& picture, const Palette& palette,
                                             const CellPlan& plan, const CellUse& use);
 
-/// The intensities that pick shade j as `0.1868 <= I < 0.1899`. Both ends are rounded up, so that of all
-/// numbers with so many decimals exactly those pick it; there are ten of them at least.
+/// The intensities that pick shade j, as `0.1868 <= I < 0.1899`. Both ends are rounded up, so that the
+/// statement is exact for all numbers with that many decimals. It uses enough decimals that at least ten such
+/// numbers pick the shade.
 [[nodiscard]] std::string pickedText(const ColorTable& table, int j);
 
 }  // namespace xnewell

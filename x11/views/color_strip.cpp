@@ -7,7 +7,7 @@ namespace xnewell {
 
 namespace {
 
-constexpr int kBars = 23, kHeight = 17;  // of the bars with what is above them; of a cell
+constexpr int kBars = 23, kHeight = 17;  // of the bars and the space above them; of a cell
 
 /// Cell i stands at x0 + i * width.
 struct StripPlaces {
@@ -76,7 +76,8 @@ void drawColorStrip(Painter paint, const Rect& at, const CellPlan& plan, const C
 
   const int y = stripBottom + 13;
   if (!compact) paint.text(x0 + 4, y, "0.." + std::to_string(first - 1), plan[Cell::Faint]);
-  // The scene's cells below its two ends, or as one range where it is too short for both.
+  // The numbers of the scene's first and last cell at the ends of the ramp, or as one range if it is too
+  // short for both.
   const int rampLeft = x0 + first * cell + 4, rampRight = x0 + (last + 1) * cell - 4;
   int left = rampLeft + 56;
   if (rampRight - rampLeft >= 60) {

@@ -10,7 +10,8 @@
 
 namespace xnewell {
 
-/// All 256 cells side by side, how much the picture uses each above them, and what they hold below.
+/// All 256 cells side by side. Bars above them show how much the picture uses each; words below say what they
+/// hold.
 
 /// The cells of the scene in words.
 struct SceneCellWords {
@@ -21,8 +22,9 @@ struct SceneCellWords {
 };
 [[nodiscard]] SceneCellWords wordsOf(const Picture& picture, const PaletteEffects& effects = {});
 
-/// `at` is 60 high and at least 512 wide; what it has more than whole pixels a cell stays empty at both ends.
-/// Bars grow with the logarithm of the samples. `compact` leaves out what a narrow one has no room for.
+/// `at` is 60 pixels high and at least 512 wide. Each cell has a whole number of pixels; the rest stays empty
+/// at both ends. Bars grow with the logarithm of the number of samples. `compact` leaves out what a narrow
+/// strip has no room for.
 void drawColorStrip(Painter paint, const Rect& at, const CellPlan& plan, const CellUse& use,
                     const SceneCellWords& words, bool compact, std::optional<int> inspected = {});
 /// The cell drawn at x.

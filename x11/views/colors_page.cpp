@@ -13,8 +13,8 @@ namespace xnewell {
 namespace {
 
 constexpr int kGridLabels = 26, kTitle = 24, kGridGutter = 28, kTableWidth = 240;
-constexpr int kLabels = 108;  // of facts, to their values
-constexpr int kOptions = 60;  // of the table's lines, from label to options
+constexpr int kLabels = 108;  // from the name of a fact to its value
+constexpr int kOptions = 60;  // from the label of a line of the table to its options
 constexpr int kKeyColumn = 24;
 constexpr int kLines = 10;  // of the table in a window
 constexpr int kTableTrack = 96, kTrackValue = 152;
@@ -26,13 +26,13 @@ std::vector<std::string_view> optionsOf(const TableLine& line) {
   return {line.options.begin(), line.options.end()};
 }
 
-/// Where the options of a line stand, from its text on.
+/// The frames of the options of a line that begin at x.
 std::vector<Rect> framesOf(const ColorsLayout& at, const TableLine& line, int x, int baseline) {
   return optionFrames(optionsOf(line), x, baseline, kTableWidth - kKeyColumn - kOptions,
                       std::min(18, pitchOf(at)));
 }
 
-/// Draws the page's parts, one function each.
+/// Draws the parts of the page, one function each.
 class ColorsDrawing {
  public:
   ColorsDrawing(IndexImage& image, const ColorsLayout& at, const ColorsPage& page)
@@ -49,7 +49,6 @@ class ColorsDrawing {
   void drawTable();
 
  private:
-  [[nodiscard]] std::uint8_t operator()(Cell c) const { return page_.plan[c]; }
   [[nodiscard]] bool isTools(int cell) const {
     for (int role = 0; role < kCells; ++role)
       if (page_.plan[static_cast<Cell>(role)] == cell) return true;
@@ -62,14 +61,14 @@ class ColorsDrawing {
     return {at_.grid.x + cell % 16 * at_.pitch, at_.grid.y + cell / 16 * at_.pitch, at_.pitch, at_.pitch};
   }
   void title(const Rect& plot, std::string_view name, std::string_view unit);
-  /// The room that words at that place take, with a halo.
+  /// The area that words at that place take, with a margin around them.
   [[nodiscard]] static Rect roomOf(int x, int baseline, std::string_view text) {
     return {x - 2, baseline - 11, textWidth(text) + 4, 14};
   }
-  /// What of curves is there, in pixels; those of the chosen one count more than all others.
+  /// How many pixels of curves the area covers. Pixels of the chosen curve count more than all others.
   [[nodiscard]] int hidden(const Rect& room) const;
-  /// Words beside a point of the plot's curve, or beside the line from there down: as near as they hide
-  /// nothing, and where that is nowhere, least.
+  /// Draws words beside a point of the plot's curve, or beside the line from there down: at the nearest place
+  /// where they hide nothing. If there is no such place, where they hide least.
   void remark(int x, int y, std::string_view text);
   void drawLine(const TableLine& line, int x, int baseline);
   void outline(const CellRange& cells);
@@ -81,11 +80,11 @@ class ColorsDrawing {
   CellRange scene_;
 };
 
-/// Around the cells, wherever they end within a row.
+/// Draws an outline around the cells, which may begin and end within a row.
 void ColorsDrawing::outline(const CellRange& cells) {
   for (int cell = cells.first; cell <= cells.last(); ++cell) {
     const Rect r = cellRect(cell);
-    const std::uint8_t line = (*this)(Cell::Faint);
+    const std::uint8_t line = pen_(Cell::Faint);
     if (!cells.has(cell - 16)) pen_.paint.hline(r.x, r.y, r.width + 1, line);
     if (!cells.has(cell + 16)) pen_.paint.hline(r.x, r.y + r.height, r.width + 1, line);
     if (cell % 16 == 0 || !cells.has(cell - 1)) pen_.paint.vline(r.x, r.y, r.height + 1, line);
@@ -95,11 +94,11 @@ void ColorsDrawing::outline(const CellRange& cells) {
 
 void ColorsDrawing::drawGrid() {
   const int top = at_.grid.y - kTitle + 11;
-  pen_.paint.text(at_.grid.x - kGridLabels, top, "CELLS", (*this)(Cell::Soft), Voice::Caps);
-  pen_.paint.textRight(at_.grid.x + 16 * at_.pitch, top, "large: used by the picture", (*this)(Cell::Soft));
+  pen_.caps(at_.grid.x - kGridLabels, top, "CELLS");
+  pen_.softRight(at_.grid.x + 16 * at_.pitch, top, "large: used by the picture");
   for (int row = 0; row < 16; ++row)
-    pen_.paint.textRight(at_.grid.x - 8, at_.grid.y + row * at_.pitch + at_.pitch / 2 + 5,
-                         std::to_string(16 * row), (*this)(Cell::Soft));
+    pen_.softRight(at_.grid.x - 8, at_.grid.y + row * at_.pitch + at_.pitch / 2 + 5,
+                   std::to_string(16 * row));
 
   const int large = at_.pitch - 2, middle = at_.pitch / 2, small = at_.pitch * 2 / 5;
   for (int cell = 0; cell < 256; ++cell) {
@@ -108,36 +107,36 @@ void ColorsDrawing::drawGrid() {
     const int side = isTools(cell) ? middle : used ? large : small;
     const Rect mark{r.x + (r.width - side + 1) / 2, r.y + (r.height - side + 1) / 2, side, side};
     pen_.paint.fillRect(mark, static_cast<std::uint8_t>(cell));
-    if (isTools(cell)) pen_.paint.frame(mark, (*this)(Cell::Rule));
+    if (isTools(cell)) pen_.paint.frame(mark, pen_(Cell::Rule));
   }
   if (scene_.count > 0) outline(scene_);
   const std::vector<CellRange> ramps = rampsOf(page_.picture);
   if (ramps.size() > 1) std::ranges::for_each(ramps, [&](const CellRange& ramp) { outline(ramp); });
   const Rect r = cellRect(page_.cell);
-  pen_.paint.frame({r.x - 1, r.y - 1, r.width + 2, r.height + 2}, (*this)(Cell::Ink));
-  pen_.paint.frame(r, (*this)(Cell::White));
+  pen_.paint.frame({r.x - 1, r.y - 1, r.width + 2, r.height + 2}, pen_(Cell::Ink));
+  pen_.paint.frame(r, pen_(Cell::White));
   if (page_.use.samples[page_.cell] > 0)
     pen_.paint.fillRect({r.x + 1, r.y + 1, r.width - 2, r.height - 2}, static_cast<std::uint8_t>(page_.cell));
 }
 
 void ColorsDrawing::drawFacts() {
   const Rect& at = at_.facts;
-  pen_.paint.hline(at.x, at.y, at.width, (*this)(Cell::Rule));
-  pen_.paint.text(at.x, at.y + 32, "cell " + std::to_string(page_.cell), (*this)(Cell::Ink), Voice::Title);
-  const int aside = pen_.paint.textRight(at.x + at.width, at.y + 32, page_.aside, (*this)(Cell::Soft));
+  pen_.rule(at.x, at.y, at.width);
+  pen_.paint.text(at.x, at.y + 32, "cell " + std::to_string(page_.cell), pen_(Cell::Ink), Voice::Title);
+  const int aside = pen_.softRight(at.x + at.width, at.y + 32, page_.aside);
   if (page_.asideKey) pen_.key(aside - 22, at.y + 21, std::string_view{&page_.asideKey, 1});
   int y = at.y + (at_.compact ? 52 : 57);
   for (const CellFact& fact : factsOf(page_.cell, page_.picture, page_.palette, page_.plan, page_.use)) {
-    pen_.paint.text(at.x, y, fact.label, (*this)(Cell::Soft));
-    pen_.paint.text(at.x + kLabels, y, fact.value, (*this)(Cell::Ink));
+    pen_.soft(at.x, y, fact.label);
+    pen_.ink(at.x + kLabels, y, fact.value);
     y += at_.compact ? 16 : 18;
   }
 }
 
 void ColorsDrawing::title(const Rect& plot, std::string_view name, std::string_view unit) {
   const int y = plot.y - 13;
-  pen_.paint.text(plot.x - kPlotLeft, y, name, (*this)(Cell::Soft), Voice::Caps);
-  pen_.paint.textRight(plot.x + plot.width + kPlotRight, y, unit, (*this)(Cell::Soft));
+  pen_.caps(plot.x - kPlotLeft, y, name);
+  pen_.softRight(plot.x + plot.width + kPlotRight, y, unit);
 }
 
 int ColorsDrawing::hidden(const Rect& room) const {
@@ -146,8 +145,8 @@ int ColorsDrawing::hidden(const Rect& room) const {
   for (int y = room.y; y < room.y + room.height; ++y)
     for (int x = room.x; x < room.x + room.width; ++x) {
       const std::uint8_t cell = image_.row(y)[x];
-      if (cell != (*this)(Cell::Paper) && cell != (*this)(Cell::Panel))
-        sum += cell == (*this)(Cell::Ink) ? kChosen : 1;
+      if (cell != pen_(Cell::Paper) && cell != pen_(Cell::Panel))
+        sum += cell == pen_(Cell::Ink) ? kChosen : 1;
     }
   return sum;
 }
@@ -163,8 +162,8 @@ void ColorsDrawing::remark(int x, int y, std::string_view text) {
         if (intersection(room, area) != room) continue;
         if (const int hides = hidden(room); hides < least) least = hides, best = room;
       }
-  pen_.paint.fillRect(best, (*this)(Cell::Paper));
-  pen_.paint.text(best.x + 2, best.y + 11, text, (*this)(Cell::Ink));
+  pen_.paint.fillRect(best, pen_(Cell::Paper));
+  pen_.ink(best.x + 2, best.y + 11, text);
 }
 
 void ColorsDrawing::drawStored() {
@@ -173,14 +172,14 @@ void ColorsDrawing::drawStored() {
   const Plot plot = storedPlot(page_.picture, page_.palette);
   drawPlot(pen_.paint, page_.plan, area, plot);
   if (!at_.compact && hidden(roomOf(area.x + 12, area.y + 14, page_.hint)) == 0)
-    pen_.paint.text(area.x + 12, area.y + 14, page_.hint, (*this)(Cell::Soft));
+    pen_.soft(area.x + 12, area.y + 14, page_.hint);
   for (const Curve& curve : plot.curves) {
     const int k = page_.cell - curve.first;
     if (!curve.chosen || k < 0 || k >= static_cast<int>(curve.y.size())) continue;
     const int x = plotX(plot, area, page_.cell), y = plotY(plot, area, curve.y[k]);
     remark(x, y, std::to_string(page_.cell) + ": " + fixed(curve.y[k], 1));
-    pen_.paint.vline(x, y, area.y + area.height - y, (*this)(Cell::Ink));
-    pen_.paint.disc(x, y, 4, (*this)(Cell::Ink));
+    pen_.paint.vline(x, y, area.y + area.height - y, pen_(Cell::Ink));
+    pen_.paint.disc(x, y, 4, pen_(Cell::Ink));
     pen_.paint.disc(x, y, 3, static_cast<std::uint8_t>(page_.cell));
     break;
   }
@@ -212,21 +211,21 @@ void ColorsDrawing::drawLine(const TableLine& line, int x, int y) {
   const bool keys = std::ranges::any_of(page_.lines, [](const TableLine& l) { return l.key != 0; });
   if (line.key) pen_.key(x, y - 11, std::string_view{&line.key, 1});
   if (keys) x += kKeyColumn;
-  pen_.paint.text(x, y, line.label, (*this)(Cell::Ink));
+  pen_.ink(x, y, line.label);
   x += kOptions;
   if (line.share) {
     drawTrack(pen_, x, y, kTableTrack, {.share = *line.share});
-    pen_.paint.textRight(x + kTrackValue, y, line.value, (*this)(Cell::Ink), Voice::Bold);
+    pen_.boldRight(x + kTrackValue, y, line.value);
   } else if (line.options.empty()) {
-    pen_.paint.text(x, y, line.value, (*this)(Cell::Ink), Voice::Bold);
+    pen_.bold(x, y, line.value);
   }
   drawOptions(pen_, optionsOf(line), framesOf(at_, line, x, y), line.chosen);
 }
 
 void ColorsDrawing::drawTable() {
   const Rect& at = at_.table;
-  pen_.paint.hline(at.x, at.y, at_.picture.x + at_.picture.width - at.x, (*this)(Cell::Rule));
-  pen_.paint.text(at.x, at.y + 16, "TABLE", (*this)(Cell::Soft), Voice::Caps);
+  pen_.rule(at.x, at.y, at_.picture.x + at_.picture.width - at.x);
+  pen_.caps(at.x, at.y + 16, "TABLE");
   int y = firstLine(at_);
   for (const TableLine& line : page_.lines) {
     if (line.key != 0 && line.key == page_.focus) drawFocus(pen_, {at.x, y - 14, at.width, pitchOf(at_)});
@@ -342,12 +341,12 @@ std::string levelsText(const Picture& picture, const std::vector<Curve>& curves)
   for (const Curve& curve : curves)
     for (const double y : curve.y)
       if (curve.chosen && !std::isnan(y)) ++steps, seen += y >= kSeenStep;
-  const std::string told = "   the eye tells " + std::to_string(seen) + " of " + std::to_string(steps);
+  const std::string told = "   the eye sees " + std::to_string(seen) + " of " + std::to_string(steps);
   if (channelsOf(colors.plan()) == Channels::Rgb)
     return (colors.plan() == ColorPlan::Cube
                 ? "6 x 8 x 5 = 240 colours, whatever the picture"
                 : counted(sceneCells(picture).count, "colour") + " chosen from the picture") +
-           told + " from all others";
+           told + " apart from all others";
   int shades = 0, sixteen = 0, eight = 0;
   for (const ColorTable& table : colors.tables()) {
     shades += table.shades();
@@ -362,8 +361,7 @@ std::string levelsText(const Picture& picture, const std::vector<Curve>& curves)
 }
 
 void drawColorsPage(IndexImage& image, const ColorsLayout& at, const ColorsPage& page) {
-  for (int j = 0; j < at.picture.height; ++j)
-    std::copy_n(page.image.row(j), at.picture.width, image.row(at.picture.y + j) + at.picture.x);
+  Painter{image}.within(at.picture).place(page.image, at.picture.x, at.picture.y);
   ColorsDrawing draws{image, at, page};
   draws.drawGrid();
   draws.drawFacts();

@@ -28,7 +28,7 @@ ColoredImage drawColors(Picture& picture, const ViewSettings& settings) {
   const CellRange scene = sceneCells(picture);
   const int cell = settings.cell.value_or(settings.effects.lit.value_or(medianCell(use, scene)));
 
-  // Words and curves tell what is stored, but for the light: that only says where the cell is.
+  // Words and curves describe what is stored, except for the light, which only shows where the cell is.
   PaletteEffects effects = settings.effects;
   effects.lit.reset();
   const CellPlan& plan = settings.cells;

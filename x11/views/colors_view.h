@@ -4,10 +4,10 @@
 
 namespace xnewell {
 
-/// The colour table as a picture: the page of colors_page.h, all cells as a strip below it with how much the
-/// picture uses each, and the number of levels that differ. Where a cell is lit, it is so in the grid, in the
-/// strip and in the picture alike, for it is the cell that is stored; it is then the inspected one, if no
-/// other is asked for.
+/// The colour table as a picture: the page of colors_page.h, below it the strip of all cells with how much
+/// the picture uses each, and the number of levels that differ. A lit cell is lit in the grid, in the strip
+/// and in the picture, because the light is stored in the cell itself. It is also the inspected cell, unless
+/// another is asked for.
 [[nodiscard]] ColoredImage drawColors(Picture& picture, const ViewSettings& settings);
 
 }  // namespace xnewell

@@ -13,7 +13,7 @@ namespace xnewell {
 
 namespace {
 
-/// Reference and picture at one sample after the other.
+/// Adds up the differences, one sample after the other.
 class Comparison {
  public:
   Comparison(Difference& difference, std::size_t samples) : difference_{difference} {
@@ -36,7 +36,7 @@ Rgb16 stored(const glm::dvec3& intensities) {
   return {channel(intensities.r), channel(intensities.g), channel(intensities.b)};
 }
 
-/// The settings of the reference: the picture's plan of colours stays.
+/// The settings of the reference, which keeps the picture's plan of colours.
 PictureSettings referenceFor(const Scene& scene, PictureSettings settings) {
   settings.colors = planOf(scene, settings);
   settings.shading = Shading::Phong;
@@ -44,8 +44,8 @@ PictureSettings referenceFor(const Scene& scene, PictureSettings settings) {
   return settings;
 }
 
-/// `colors` are the picture's: several hues share the cells by what a picture shows of each, so the
-/// reference's own may have them otherwise.
+/// `colors` are the picture's. Several hues share the cells by how much a picture shows of each, so the
+/// reference may share them differently.
 void compareIntensities(Compared& result, const Picture& reference, const SeenRows& seen,
                         const SceneColors& colors) {
   const std::vector<double> I = reference.intensities(seen);
@@ -84,7 +84,7 @@ void compareColors(Compared& result, const Picture& reference, const SeenRows& s
   paintNearest(bytes, shows, colors, false, first, result.reference);
 }
 
-/// The number of the face at each sample.
+/// For each sample, the number of its face.
 std::vector<int> faceNumbersOf(const Picture& picture, const SeenRows& seen) {
   std::vector<int> numbers(seen.faces.size(), kNothing);
   for (std::size_t k = 0; k < numbers.size(); ++k)
@@ -116,7 +116,7 @@ Compared comparedWithPhong(Picture& picture, const PictureSettings& settings, st
   for (std::size_t k = 0; k < numbers.size(); ++k) result.difference.otherFace += shown[k] != numbers[k];
 
   picture.make(settings);
-  IndexImage again;  // its colours are those of its last painting
+  IndexImage again;  // its colours were chosen when it was painted last
   picture.paint(again, ground);
   return result;
 }

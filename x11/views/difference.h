@@ -9,14 +9,15 @@
 
 namespace xnewell {
 
-/// A picture against Phong's method at every pixel, in double precision and not rounded to shades: the same
-/// scene, camera and light, and at each sample the face that the oracle sees. How wrong is it, and where?
+/// How wrong is a picture, and where? It is compared with Phong's method at every pixel, in double precision
+/// and not rounded to shades: the same scene, camera and light, and at each sample the face that the oracle
+/// sees.
 
-/// In what a difference is measured, a row each.
+/// How a difference is measured, one row for each measure.
 enum class Measure { Intensity, Color };
 struct MeasureRow {
   Measure id;
-  double unit;  ///< what a difference should stay below
+  double unit;  ///< a difference should stay below this
   std::string_view unitInWords, times, means;
 };
 inline constexpr std::array kMeasures{
@@ -25,32 +26,33 @@ inline constexpr std::array kMeasures{
 };
 
 struct Difference {
-  Measure measure = Measure::Intensity;  ///< Color where the cells hold colours, not ramps
+  Measure measure = Measure::Intensity;  ///< Color if the cells hold colours, not ramps
   int width = 0;
-  std::vector<float> at;       ///< of each sample, row by row; NaN where nothing shows
-  std::int64_t samples = 0;    ///< those that show something
-  std::int64_t above = 0;      ///< of them, those that differ by more than the unit
-  std::int64_t otherFace = 0;  ///< of them, those that show another face than the reference
+  std::vector<float> at;       ///< of each sample, row by row; NaN at background
+  std::int64_t samples = 0;    ///< samples that show a face
+  std::int64_t above = 0;      ///< samples that differ by more than the unit
+  std::int64_t otherFace = 0;  ///< samples that show another face than the reference
   double mean = 0, largest = 0;
   std::size_t largestAt = 0;  ///< index of the first sample that differs most
 };
 
-/// What is compared, and the reference in the picture's own cells.
+/// The two pictures that are compared, both in the picture's cells, and their difference.
 struct Compared {
   IndexImage picture, reference;
   Difference difference;
 };
 
-/// A cell of a ramp counts as the intensity in the middle of those that it stands for; a colour as the
-/// screen shows it, against the reference's three channels. `picture` becomes that of `settings`.
+/// A cell of a ramp counts as the middle of the intensities that it stands for. A colour counts as the screen
+/// shows it, against the three channels of the reference. `picture` becomes that of `settings`.
 [[nodiscard]] Compared comparedWithPhong(Picture& picture, const PictureSettings& settings,
                                          std::uint8_t ground);
 
-/// The difference as an image of the picture's size: six steps that double from the unit on.
+/// The difference as an image of the picture's size, in six steps: each is twice as large as the one before,
+/// the first is the unit.
 [[nodiscard]] IndexImage differenceImage(const Difference& difference, const CellPlan& plan);
 [[nodiscard]] Finding findingOf(const Difference& difference);
 
-/// Both pictures, the difference in six steps that double from the unit on, and its numbers in words.
+/// Both pictures, the difference image, and its numbers in words.
 [[nodiscard]] ColoredImage drawDifference(Picture& picture, const ViewSettings& settings);
 
 }  // namespace xnewell

@@ -13,7 +13,7 @@ namespace {
 
 constexpr int kDifferenceSwatch = 36;
 
-/// Two columns of two: the pictures above, the difference and its numbers below.
+/// The layout: the two pictures above, the difference and its numbers below.
 struct DifferencePlaces {
   Rect picture, reference, difference;
   int captions, sections;  ///< y
@@ -39,7 +39,7 @@ void caption(Sheet& sheet, const Rect& of, int y, std::string_view bold, std::st
 }
 
 void drawSteps(Sheet& sheet, const Difference& d, const Rect& at, const CellPlan& plan) {
-  sheet.place(differenceImage(d, plan), {0, 0, at.width, at.height}, at.x, at.y);
+  sheet.painter().place(differenceImage(d, plan), {0, 0, at.width, at.height}, at.x, at.y);
   if (d.above == 0) return;
   Painter painter = sheet.painter().within(at);
   const int x = at.x + static_cast<int>(d.largestAt % d.width),
@@ -48,7 +48,7 @@ void drawSteps(Sheet& sheet, const Difference& d, const Rect& at, const CellPlan
   painter.ring(x, y, 9, sheet.cell(Cell::Black));
 }
 
-/// The steps side by side, their limits below the borders, and in words.
+/// Draws the steps side by side with their limits below the borders, and what they mean in words.
 int drawScale(Sheet& sheet, const MeasureRow& measure, int x, int y) {
   Painter painter = sheet.painter();
   for (int step = 0; step < static_cast<int>(kDoublingSteps.size()); ++step) {
@@ -63,7 +63,7 @@ int drawScale(Sheet& sheet, const MeasureRow& measure, int x, int y) {
   painter.frame({x, y, width, 12}, sheet.cell(Cell::Ink));
   painter.text(x + width + 8, y + Sheet::kAscent - 1, measure.times, sheet.cell(Cell::Soft));
   painter.text(x, y + 32 + Sheet::kAscent,
-               "Darkest below " + std::string{measure.unitInWords} + "; each step doubles.",
+               "The darkest is below " + std::string{measure.unitInWords} + "; each step doubles.",
                sheet.cell(Cell::Soft));
   return y + 32 + Sheet::kLine;
 }
@@ -106,10 +106,11 @@ Finding findingOf(const Difference& d) {
   const int decimals = d.measure == Measure::Intensity ? 4 : 2;
   const std::string unit{measure.unitInWords};
   if (d.samples == 0) return {"Nothing shows.", ""};
-  Finding finding{d.above == 0 ? "Nowhere more than " + unit + " off, " + std::string{measure.means} + "."
-                               : "More than " + unit + " off at " + share(d) + " of the samples.",
-                  "By " + fixed(d.mean, decimals) + " in the mean and " + fixed(d.largest, decimals) +
-                      " at most" + (d.above == 0 ? "." : ", in the ring.")};
+  Finding finding{
+      d.above == 0 ? "The picture is nowhere more than " + unit + " off, " + std::string{measure.means} + "."
+                   : "The picture is more than " + unit + " off at " + share(d) + " of the samples.",
+      "The mean error is " + fixed(d.mean, decimals) + ", the largest " + fixed(d.largest, decimals) +
+          (d.above == 0 ? "." : " (in the ring).")};
   if (d.otherFace > 0) finding.why += " Another face shows at " + counted(d.otherFace, "sample") + ".";
   return finding;
 }
@@ -127,10 +128,10 @@ ColoredImage drawDifference(Picture& picture, const ViewSettings& settings) {
               std::string{kOrders[static_cast<int>(shown.order)].label},
           "as it is painted");
   caption(sheet, at.reference, at.captions, "Phong at every pixel",
-          compared.difference.measure == Measure::Color ? "the reference, in cells of the picture"
+          compared.difference.measure == Measure::Color ? "the reference, in the picture's cells"
                                                         : "the reference");
-  sheet.place(compared.picture, whole, at.picture.x, at.picture.y);
-  sheet.place(compared.reference, whole, at.reference.x, at.reference.y);
+  sheet.painter().place(compared.picture, whole, at.picture.x, at.picture.y);
+  sheet.painter().place(compared.reference, whole, at.reference.x, at.reference.y);
   sheet.section(at.difference.x, at.sections, at.difference.width, "difference");
   drawSteps(sheet, compared.difference, at.difference, settings.cells);
   const int y = sheet.section(at.numbers, at.sections, at.reference.width, "numbers");

@@ -12,16 +12,16 @@ namespace xnewell {
 
 namespace {
 
-constexpr int kMethodNames = 84;  // what profiles are called, at their left
+constexpr int kMethodNames = 84;  // the names of profiles, at their left
 constexpr int kFindings = 320;    // at the right edge
-constexpr int kBetweenParts = 4;  // parts of one method's block
+constexpr int kBetweenParts = 4;  // between the parts of one method's block
 constexpr int kAfter = 8;         // from block to block
 constexpr double kLeastScale = 0.001;
 
-/// Where everything is. All that the view has more than its least goes to pictures and plots.
+/// The layout. All space beyond the least that the view needs goes to pictures and plots.
 struct BandsPlaces {
-  Rect picture;           ///< what is shown of it
-  int pictureHeight;      ///< of the whole
+  Rect picture;           ///< the part of the picture that is shown
+  int pictureHeight;      ///< of the whole picture
   int findings;           ///< x
   int firstBlock, block;  ///< y; height with what follows it
   int strip, intensity, slope;
@@ -57,8 +57,8 @@ std::string_view behaviour(Shading method) {
   }
 }
 
-/// What the bars of slopes reach: the largest of all, or five times their mean where a few are far larger;
-/// not so little that they show what rounding leaves.
+/// The slope that a full bar stands for: the largest of all, or five times the mean if a few slopes are far
+/// larger. It never is so small that bars show rounding errors.
 double scaleOf(const std::vector<double>& slopes) {
   double sum = 0, largest = 0;
   int count = 0;
@@ -83,7 +83,7 @@ class MachBands {
   void drawPicture(const IndexImage& image) {
     const int first = firstRow();
     const Rect& p = at_.picture;
-    sheet_.place(image, {0, first, p.width, p.height}, p.x, p.y);
+    sheet_.painter().place(image, {0, first, p.width, p.height}, p.x, p.y);
     Painter inside = sheet_.painter().within(p);
     const int y = p.y + line_.row - first;
     inside.hline(p.x, y - 1, p.width, sheet_.cell(Cell::Black));
@@ -92,7 +92,7 @@ class MachBands {
     Painter painter = sheet_.painter();
     painter.triangle(p.x - 8, y - 5, 6, Direction::Right, sheet_.cell(Cell::Ink));
     painter.triangle(p.x + p.width + 2, y - 5, 6, Direction::Left, sheet_.cell(Cell::Ink));
-    // Beside its mark, but whole.
+    // Beside the mark of the scanline, but not cut off.
     const int words = std::clamp(y - 13, p.y, std::max(p.y, p.y + p.height - 2 * Sheet::kLine));
     painter.text(Sheet::kMargin, words + Sheet::kAscent, "scanline", sheet_.cell(Cell::Soft));
     painter.text(Sheet::kMargin, words + Sheet::kLine + Sheet::kAscent, grouped(line_.row),
@@ -107,13 +107,13 @@ class MachBands {
     }
   }
 
-  /// `explains`: there is room to say what the words mean. `grayed`: colours had to become one hue. Returns
+  /// `explains`: there is room to explain the words. `grayed`: the colours had to become one hue. Returns
   /// the place left for controls of this height.
   Rect drawFindings(bool explains, bool grayed, int controls);
 
   [[nodiscard]] const IndexImage& image() const { return sheet_.image(); }
 
-  /// The first row that is shown.
+  /// The first row of the picture that is shown.
   [[nodiscard]] int firstRow() const {
     const int first = firstRow_.value_or(line_.row - at_.picture.height / 2);
     return std::clamp(first, 0, at_.pictureHeight - at_.picture.height);
@@ -121,7 +121,7 @@ class MachBands {
 
  private:
   [[nodiscard]] bool chosen(const Profile& p) const { return p.method == chosen_; }
-  /// The chosen one is twice as thick.
+  /// The curve of the chosen method is twice as thick.
   [[nodiscard]] int thickness(const Profile& p) const { return chosen(p) ? 2 : 1; }
 
   void drawBlock(const Profile& profile, int y);
@@ -134,7 +134,7 @@ class MachBands {
   const Scanline& line_;
   std::optional<int> firstRow_;
   Sheet sheet_;
-  double smoothScale_ = kLeastScale;  ///< of slopes, the same for all methods but flat shading
+  double smoothScale_ = kLeastScale;  ///< scale of slopes, the same for all methods except flat shading
 };
 
 void MachBands::drawBlock(const Profile& profile, int y) {
@@ -151,7 +151,7 @@ void MachBands::drawBlock(const Profile& profile, int y) {
   drawSlope(profile, y + at_.intensity + kBetweenParts);
 }
 
-/// Only left and bottom.
+/// Draws the left and the bottom axis only.
 void MachBands::axes(const Rect& plot) {
   Painter painter = sheet_.painter();
   painter.vline(plot.x - 1, plot.y, plot.height, sheet_.cell(Cell::Faint));
@@ -197,7 +197,7 @@ void MachBands::drawSlope(const Profile& profile, int y) {
   }
 }
 
-/// A sentence that the numbers of this scanline bear out.
+/// What the numbers of this scanline show.
 Finding findingOf(const Scanline& line, bool inWindow) {
   const auto& [flat, gouraud, phong] = line.profiles;
   if (line.samples == 0)
@@ -214,7 +214,8 @@ Finding findingOf(const Scanline& line, bool inWindow) {
                 shadesIn(phong.largestJump) + " in Phong's.";
   if (gouraud.bands > phong.bands && gouraud.largestJump < flat.largestJump / 2)
     finding.why +=
-        " Gouraud's bands are kinks, but where surfaces end: the intensity goes on, its slope does not.";
+        " Gouraud shading has kinks instead of jumps: across an edge the intensity is continuous, its slope "
+        "is not.";
   return finding;
 }
 
@@ -222,12 +223,12 @@ Rect MachBands::drawFindings(bool explains, bool grayed, int controls) {
   const int x = at_.findings;
   const std::vector<int> ends{148, 234, kFindings};
   int y = sheet_.title(x, Sheet::kMargin, "Mach bands");
-  y = sheet_.paragraph(x, y, kFindings, "Where does the eye see stripes that the picture does not hold?",
+  y = sheet_.paragraph(x, y, kFindings, "Where does the eye see stripes that are not in the picture?",
                        Cell::Ink);
   if (explains)
     y = sheet_.paragraph(x, y + 6, kFindings,
-                         "The eye sharpens edges. It answers to a change of slope, not only to a jump. Each "
-                         "strip repeats the marked scanline in one method.",
+                         "The eye sharpens edges. It responds to a change of slope, not only to a jump. Each "
+                         "strip repeats the marked scanline in one shading method.",
                          Cell::Soft);
 
   y = sheet_.section(x, y + 8, kFindings, "picture");
@@ -241,7 +242,7 @@ Rect MachBands::drawFindings(bool explains, bool grayed, int controls) {
   y = sheet_.tableRow(x, y, "it shows", {grouped(line_.samples) + " pixels, " + counted(line_.edges, "edge")},
                       {kFindings});
 
-  if (grayed) y = sheet_.tableRow(x, y, "colours", {"by their gray"}, {kFindings});
+  if (grayed) y = sheet_.tableRow(x, y, "colours", {"by their gray value"}, {kFindings});
 
   y = sheet_.section(x, y + 6, kFindings, "on this scanline");
   const auto row = [&](std::string_view label, auto&& value) {
@@ -256,12 +257,11 @@ Rect MachBands::drawFindings(bool explains, bool grayed, int controls) {
   row("largest kink", [](const Profile& q) { return fixed(q.largestKink, 4); });
   row("bands", [](const Profile& q) { return grouped(q.bands); });
   if (explains)
-    y = sheet_.paragraph(
-        x, y + 6, kFindings,
-        "A jump is the change of I from one pixel to the next of a surface, a kink the "
-        "change of that change. A band is a kink of 1/1200 or more that stands out among its "
-        "neighbours. Bars that reach the edge of their plot go beyond it.",
-        Cell::Soft);
+    y = sheet_.paragraph(x, y + 6, kFindings,
+                         "A jump is the change of I from one pixel of a surface to the next. A kink is the "
+                         "change of that change. A band is a kink of 1/1200 or more that stands out from its "
+                         "neighbours. A bar that reaches the edge of its plot is cut off there.",
+                         Cell::Soft);
   const Finding finding = findingOf(line_, controls > 0);
   sheet_.finding(x, y + 10, kFindings, finding.bold, finding.why);
   return place;

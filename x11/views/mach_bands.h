@@ -8,34 +8,34 @@
 
 namespace xnewell {
 
-/// Where does the eye see stripes that the picture does not hold? The picture with a scanline marked, and
-/// under it for each method, exactly under the picture's columns: the scanline repeated as a strip, its
-/// intensity, and the change from pixel to pixel; beside them the findings.
+/// Where does the eye see stripes that are not in the picture? The view shows the picture with a scanline
+/// marked. Under it, exactly under the picture's columns, each method has the scanline repeated as a strip,
+/// its intensity, and the change from pixel to pixel. The findings are beside them.
 ///
-/// The picture is as wide as the profiles, of the view's own proportions, and cut off above and below where
-/// there is no room. A plan of colours becomes one hue: a profile has one channel.
+/// The picture is as wide as the profiles and has the view's proportions; it is cut off above and below if
+/// there is no room. A plan of colours becomes one hue, since a profile has one channel.
 [[nodiscard]] ColoredImage drawMachBands(Picture& picture, const ViewSettings& settings);
 
-/// For whoever shows it in a window: where its picture goes, in a view of this size.
+/// For a window: where the picture goes in a view of this size.
 struct MachBandsLayout {
-  Rect picture;       ///< what is shown of it
-  int pictureHeight;  ///< of the whole
+  Rect picture;       ///< the part of the picture that is shown
+  int pictureHeight;  ///< of the whole picture
 };
 [[nodiscard]] MachBandsLayout layoutOfMachBands(int width, int height);
 
 struct MachBandsPage {
   IndexImage image;
-  int firstRow = 0;  ///< of the picture: the first that is shown
-  Rect controls{};   ///< left empty, for what changes the picture
+  int firstRow = 0;  ///< the first row of the picture that is shown
+  Rect controls{};   ///< left empty for the window's controls
 };
 struct MachBandsShown {
-  int row = 0;  ///< of the picture: the scanline
+  int row = 0;  ///< the row of the picture that is the scanline
   std::optional<int> firstRow =
-      {};               ///< that is shown, as far as the picture reaches; else the scanline is in the middle
-  bool grayed = false;  ///< colours had to become one hue
-  int controls = 0;     ///< pixels left for controls; 0: words say what they would show
+      {};  ///< the first row to show, as far as the picture reaches; without it the scanline is in the middle
+  bool grayed = false;  ///< the colours had to become one hue
+  int controls = 0;     ///< pixels left for controls; 0: words tell their values instead
 };
-/// `picture` was made in the layout's size by a plan of ramps, and painted as `image`.
+/// `picture` was made in the layout's size with a plan of ramps, and painted as `image`.
 [[nodiscard]] MachBandsPage drawMachBandsPage(Picture& picture, const IndexImage& image,
                                               const MachBandsShown& shown, const ViewSettings& settings);
 

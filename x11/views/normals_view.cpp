@@ -13,8 +13,8 @@ namespace xnewell {
 
 namespace {
 
-constexpr int kBall = 72;     // the key's diameter
-constexpr int kNeedles = 24;  // from needle to needle
+constexpr int kBall = 72;     // diameter of the ball
+constexpr int kNeedles = 24;  // pixels from needle to needle
 constexpr double kNeedle = 14.0;
 
 /// To 8 bits, the nearest.
@@ -24,7 +24,7 @@ void setColor(std::uint8_t* rgb, const glm::dvec3& N) {
         static_cast<std::uint8_t>(std::floor(255.0 * std::clamp((N[axis] + 1.0) / 2.0, 0.0, 1.0) + 0.5));
 }
 
-/// Calls use(i, j, N) for the samples of a ball's half that faces the viewer.
+/// Calls use(i, j, N) for the samples of the half of a ball that faces the viewer.
 template <class Use>
 void forEachOfBall(int diameter, Use&& use) {
   for (int j = 0; j < diameter; ++j)
@@ -34,7 +34,7 @@ void forEachOfBall(int diameter, Use&& use) {
     }
 }
 
-/// In the viewing coordinates.
+/// Turns N into viewing coordinates.
 std::vector<glm::dvec3> seenNormals(const Picture& picture) {
   std::vector<glm::dvec3> N = picture.normals(picture.seen(0, picture.settings().height));
   const glm::dmat3 rotation = vrcRotation(picture.camera().view);
@@ -49,7 +49,8 @@ RgbImage colorsOf(const std::vector<glm::dvec3>& N, int width, int height) {
   return colors;
 }
 
-/// One for each cell of the coarse grid whose middle shows something; a dot where it points at the viewer.
+/// Draws one needle for each cell of the coarse grid whose middle shows a face; a dot if it points at the
+/// viewer.
 void drawNeedles(Painter painter, const std::vector<glm::dvec3>& N, const Rect& at, std::uint8_t cell) {
   for (int j = kNeedles / 2; j < at.height; j += kNeedles)
     for (int i = kNeedles / 2; i < at.width; i += kNeedles) {
@@ -63,16 +64,16 @@ void drawNeedles(Painter painter, const std::vector<glm::dvec3>& N, const Rect& 
 }
 
 std::string wordsFor(const PictureSettings& settings) {
-  const std::string which =
-      rowOf(settings.shading).interpolates
-          ? "Interpolated from the vertices over each face, a unit vector at every pixel; "
-            "at vertices by the rule " +
-                std::string{kNormalRules[static_cast<int>(settings.normals)].name} + ". "
-          : "One for each face, that of its plane. ";
+  const std::string which = rowOf(settings.shading).interpolates
+                                ? "The normals are interpolated from the vertices over each face and made "
+                                  "unit vectors at every pixel. At the vertices they follow the rule " +
+                                      std::string{kNormalRules[static_cast<int>(settings.normals)].name} +
+                                      ". "
+                                : "Each face has one normal, that of its plane. ";
   return which +
          "Red, green and blue are (N + 1) / 2 of x to the right, y up and z towards the viewer. A needle is "
          "N "
-         "from its dot, as long as it is seen.";
+         "from its dot, foreshortened as seen.";
 }
 
 }  // namespace
@@ -136,11 +137,11 @@ ColoredImage drawNormals(Picture& picture, const ViewSettings& settings) {
                  settings.cells[Cell::Paper]);
 
   Sheet sheet{W, H, settings.cells};
-  sheet.place(cells, {0, 0, at.width, at.height}, at.x, at.y);
+  sheet.painter().place(cells, {0, 0, at.width, at.height}, at.x, at.y);
   drawNeedles(sheet.painter().within(at), N, at, sheet.cell(Cell::Black));
   sheet.painter().frame(at, sheet.cell(Cell::Ink));
   const int top = at.y + at.height + Sheet::kGutter;
-  sheet.place(cells, {0, at.height, kBall, kBall}, Sheet::kMargin, top);
+  sheet.painter().place(cells, {0, at.height, kBall, kBall}, Sheet::kMargin, top);
   sheet.painter().text(textLeft, top + Sheet::kAscent, heading, sheet.cell(Cell::Ink), Voice::Bold);
   sheet.paragraph(textLeft, top + Sheet::kRow, textWidth, words, Cell::Soft);
 

@@ -5,18 +5,18 @@
 
 namespace xnewell {
 
-/// The normals that the light is computed with as colours, those of the faces or interpolated ones: red,
-/// green and blue are (N + 1) / 2 of x to the right, y up and z towards the viewer. On a coarse grid they are
-/// needles too, as long as they are seen.
+/// The normals that the shading uses, shown as colours: those of the faces, or interpolated ones. Red, green
+/// and blue are (N + 1) / 2 of x to the right, y up and z towards the viewer. On a coarse grid they are drawn
+/// as needles too, foreshortened as seen.
 
-/// (N + 1) / 2 for each sample that shows something, black elsewhere.
+/// (N + 1) / 2 for each sample that shows a face, black elsewhere.
 [[nodiscard]] RgbImage normalColors(const Picture& picture);
 
-/// They as an image of the picture's size on the plan's well, with needles, in colours of its own: the
-/// scene's cells hold those, and the palette is `palette` but for them.
+/// The normals as an image of the picture's size, with needles, on the plan's dark background. The image has
+/// colours of its own in the scene's cells; the rest of its palette is `palette`.
 [[nodiscard]] ColoredImage normalsImage(const Picture& picture, const CellPlan& plan, const Palette& palette);
 
-/// The picture of normals, a ball as the key to its colours, and what they mean in words.
+/// The picture of normals, a ball that explains its colours, and what they mean in words.
 [[nodiscard]] ColoredImage drawNormals(Picture& picture, const ViewSettings& settings);
 
 }  // namespace xnewell

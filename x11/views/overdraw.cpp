@@ -31,20 +31,19 @@ Finding findingOf(const Overdraw& o, const Picture& picture) {
   const Order order = picture.settings().order;
   if (order == Order::Oracle)
     return {"Every sample is painted once.",
-            "The oracle asks for the face that each sample shows and paints no other: nothing is painted "
-            "over. The other orders paint faces."};
+            "The oracle finds the face that each sample shows and paints no other, so nothing is painted "
+            "over. The other orders paint whole faces."};
   const double over = 100.0 * static_cast<double>(o.painted - o.samples) / static_cast<double>(o.painted);
-  Finding finding{"A sample is painted " + fixed(o.mean(), 2) + " times in the mean, " +
+  Finding finding{"A sample is painted " + fixed(o.mean(), 2) + " times on average, " +
                       std::to_string(o.most) + " at most.",
                   fixed(over, 1) +
-                      " % of all that is painted is painted over: the price of an order that needs no depth "
-                      "at any sample."};
+                      " % of all painted samples are painted over. This is the price of an order that needs "
+                      "no depth at any sample."};
   const auto faces = static_cast<std::int64_t>(picture.snapped().faces.size());
   if (order == Order::Newell && picture.sorted().statistics.splits == 0 &&
       static_cast<std::int64_t>(picture.sorted().fragments.size()) < faces)
-    finding.why += " Polygons that show nowhere were left out: " +
-                   grouped(faces - static_cast<std::int64_t>(picture.sorted().fragments.size())) + " of " +
-                   grouped(faces) + ".";
+    finding.why += " " + grouped(faces - static_cast<std::int64_t>(picture.sorted().fragments.size())) +
+                   " of " + grouped(faces) + " polygons show nowhere and were left out.";
   return finding;
 }
 
@@ -87,9 +86,9 @@ ColoredImage drawOverdraw(Picture& picture, const ViewSettings& settings) {
   y += 36;
   const auto row = [&](std::string_view label, const std::string& value) { y = page.row(y, label, value); };
   row("order", std::string{kOrders[static_cast<int>(picture.settings().order)].label});
-  row("samples that show something", grouped(o.samples));
-  row("samples painted, all in all", grouped(o.painted));
-  row("times each, mean and most", fixed(o.mean(), 2) + "   " + std::to_string(o.most));
+  row("samples that show a face", grouped(o.samples));
+  row("samples painted in total", grouped(o.painted));
+  row("times each, mean and largest", fixed(o.mean(), 2) + "   " + std::to_string(o.most));
   row("painted once",
       fixed(o.samples == 0 ? 0.0 : 100.0 * static_cast<double>(o.once) / static_cast<double>(o.samples), 1) +
           " %");

@@ -11,27 +11,28 @@
 
 namespace xnewell {
 
-/// How often each sample was painted. The painter's algorithm pays for its simplicity with what is painted
-/// over; a method that decides at each sample paints each once. @see Foley & van Dam 2e §15.5
+/// How often each sample was painted. The painter's algorithm paints many samples more than once: this is the
+/// price of its simplicity. A method that decides at each sample paints each once. @see Foley & van Dam 2e
+/// §15.5
 
 struct Overdraw {
   int width = 0;
   std::vector<int> times;    ///< of each sample, row by row
-  std::int64_t painted = 0;  ///< their sum: the length of all spans
-  std::int64_t samples = 0;  ///< painted at least once
-  std::int64_t once = 0;     ///< of them, exactly once
+  std::int64_t painted = 0;  ///< the sum of these: the length of all spans
+  std::int64_t samples = 0;  ///< samples painted at least once
+  std::int64_t once = 0;     ///< samples painted exactly once
   int most = 0;
   std::size_t mostAt = 0;  ///< index of the first sample that was painted most often
-  /// Of the samples that show something; 0 where none does.
+  /// Mean over the samples that were painted; 0 if there are none.
   [[nodiscard]] double mean() const {
     return samples == 0 ? 0.0 : static_cast<double>(painted) / static_cast<double>(samples);
   }
 };
 [[nodiscard]] Overdraw overdrawOf(const Picture& picture);
 
-/// The map's steps: brighter where it was painted more often.
+/// The steps of the map: a sample is brighter the more often it was painted.
 struct OverdrawStep {
-  int most;  ///< times; the last has no end
+  int most;  ///< times at most; the last step has no limit
   Cell cell;
   std::string_view label;
 };
@@ -43,10 +44,10 @@ inline constexpr std::array kOverdrawSteps{
 
 [[nodiscard]] Finding findingOf(const Overdraw& overdraw, const Picture& picture);
 
-/// Where nothing was painted it stays ground.
+/// Samples that were not painted stay background.
 [[nodiscard]] IndexImage overdrawImage(const Overdraw& overdraw, const CellPlan& plan);
 
-/// The map, the numbers, and what the order costs.
+/// The map, its numbers, and what the order costs.
 [[nodiscard]] ColoredImage drawOverdraw(Picture& picture, const ViewSettings& settings);
 
 }  // namespace xnewell

@@ -12,7 +12,7 @@ PictureSheet::PictureSheet(Picture& picture, const ViewSettings& settings, int s
   PictureSettings smaller = settings.picture;
   smaller.width = at.width, smaller.height = at.height;
   picture.make(smaller);
-  IndexImage painted;  // a plan of colours chooses them when it is painted
+  IndexImage painted;  // a plan of colours chooses its colours when it is painted
   picture.paint(painted, settings.cells[Cell::Well]);
 }
 

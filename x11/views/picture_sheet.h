@@ -7,20 +7,22 @@
 
 namespace xnewell {
 
-/// A view that is a picture over the sheet's whole width with a strip of numbers below it, in two columns:
-/// its legend and table to the left, what was found to the right.
+/// A view with a picture over the whole width of the sheet and a strip of numbers below it. The strip has two
+/// columns: legend and table at the left, the finding at the right.
 class PictureSheet {
  public:
-  /// Makes and paints the scene's picture at the size that a strip of so many pixels, its section's line and
-  /// name included, leaves.
+  /// Makes and paints the scene's picture in the space above the strip. `strip` is its height in pixels, with
+  /// the line and the name of its section.
   PictureSheet(Picture& picture, const ViewSettings& settings, int strip);
 
-  /// The view's picture, of the size the scene's was made at.
-  void place(const IndexImage& image) { sheet.place(image, {0, 0, at.width, at.height}, at.x, at.y); }
-  /// Begins the strip; the y below its name.
+  /// Places the picture of the view, which has the size of the scene's picture.
+  void place(const IndexImage& image) {
+    sheet.painter().place(image, {0, 0, at.width, at.height}, at.x, at.y);
+  }
+  /// Begins the strip. Returns the y below its name.
   int section(std::string_view name) { return sheet.section(left, top_, width_, name); }
   void finding(int y, const Finding& found) { sheet.finding(right, y, column, found.bold, found.why); }
-  /// A row of the table; the y below it.
+  /// Adds a row to the table. Returns the y below it.
   int row(int y, std::string_view label, const std::string& value) {
     return sheet.tableRow(left, y, label, {value}, {column});
   }

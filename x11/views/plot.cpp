@@ -9,13 +9,13 @@ namespace xnewell {
 
 namespace {
 
-constexpr int kAscent = 4;       // of a label's middle above its baseline
-constexpr int kLabelPitch = 14;  // from label to label at the right
+constexpr int kAscent = 4;       // from the baseline of a label up to its middle
+constexpr int kLabelPitch = 14;  // from label to label at the right, at least
 constexpr int kTickPitch = 13;
 
 std::string number(double v) { return fixed(v, v >= 1 || v == 0 ? 0 : v < 0.1 ? 2 : 1); }
 
-/// Every cell whose number is a multiple of a step that leaves room, and both ends.
+/// Both ends, and the cells at multiples of a step that leaves room for their numbers.
 std::vector<int> cellTicks(const Plot& plot, const Rect& area) {
   const auto [first, count] = plot.cells;
   int step = 1;
@@ -46,7 +46,7 @@ void drawCurve(Painter paint, const Rect& area, const Plot& plot, const Curve& c
   }
 }
 
-/// The last value that is within the plot.
+/// The last value of the curve within the plot.
 double endOf(const Curve& curve, const Plot& plot) {
   double y = plot.ticks.front();
   for (std::size_t k = 0; k < curve.y.size(); ++k)
@@ -54,7 +54,7 @@ double endOf(const Curve& curve, const Plot& plot) {
   return y;
 }
 
-/// Names keep apart: each moves down as far as the one above it asks, and all up again from the bottom.
+/// Keeps names apart: each moves down below the one above it, then all move up again from the bottom.
 void drawEndLabels(Painter paint, const CellPlan& plan, const Rect& area, std::vector<EndLabel> labels) {
   std::ranges::stable_sort(labels, {}, &EndLabel::y);
   for (std::size_t k = 1; k < labels.size(); ++k)

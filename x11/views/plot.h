@@ -9,25 +9,25 @@
 
 namespace xnewell {
 
-/// Curves over cells: a left and a bottom axis, names at the curves' ends.
+/// Curves over cells, with a left and a bottom axis and names at the ends of the curves.
 
 struct Plot {
-  CellRange cells;            ///< from the left end to the right
-  std::vector<double> ticks;  ///< ascending; the first is the bottom, the last the top
+  CellRange cells;            ///< from the left end to the right end
+  std::vector<double> ticks;  ///< ascending; the first is at the bottom, the last at the top
   bool logarithmic = false;
-  std::vector<Curve> curves;  ///< what leaves the plot runs along its edge
-  /// A level with a name of its own, dashed.
+  std::vector<Curve> curves;  ///< values outside the plot are drawn at its edge
+  /// A level with a name, drawn as a dashed line.
   std::optional<double> level = {};
   std::string levelName = {};
 };
 
-/// What the labels need beside the curves' area.
+/// The space that labels need around the area of the curves, in pixels.
 inline constexpr int kPlotLeft = 44, kPlotRight = 64, kPlotBelow = 20;
 
-/// 1, 3, 10, 30, ... from at most `least` to at least `most`, both above 0.
+/// 1, 3, 10, 30, ... from a value of at most `least` to one of at least `most`; both above 0.
 [[nodiscard]] std::vector<double> logarithmicTicks(double least, double most);
 
-/// Between a cell or a value and its pixel; `area` is that of the curves.
+/// Convert between a cell or a value and its pixel. `area` is that of the curves.
 [[nodiscard]] int plotX(const Plot& plot, const Rect& area, int cell);
 [[nodiscard]] int plotY(const Plot& plot, const Rect& area, double value);
 [[nodiscard]] int cellAtX(const CellRange& cells, const Rect& area, int x);

@@ -10,7 +10,7 @@ namespace xnewell {
 
 namespace {
 
-constexpr int kLegend = 8;  // from the upper left corner
+constexpr int kLegend = 8;  // pixels from the upper left corner
 
 }  // namespace
 

@@ -8,8 +8,8 @@
 
 namespace xnewell {
 
-/// What a picture may show of its scene in the picture's own place: the shaded surfaces, or one of the views
-/// of numbers without a sheet around it.
+/// What the window may show in the place of the picture: the shaded surfaces, or one of the other views
+/// without the sheet around it.
 
 enum class Show { Shaded, Wireframe, Normals, Overdraw, Difference };
 struct ShowRow {
@@ -30,12 +30,12 @@ inline constexpr std::array kShows{
 
 struct ShownPicture {
   IndexImage image;  ///< of the picture's size
-  Palette palette;   ///< the picture's own, but for Show::Normals
+  Palette palette;   ///< the picture's own, except for Show::Normals
   std::string finding;
 };
 
-/// `picture` is made, and left so; `painted` is it and its palette. Show::Difference makes another picture in
-/// between: as slow as two.
+/// `picture` is made and stays as it is; `painted` is its image and its palette. Show::Difference makes
+/// another picture in between, so it takes as long as two.
 [[nodiscard]] ShownPicture shownAs(Show show, Picture& picture, const ColoredImage& painted,
                                    const CellPlan& plan);
 

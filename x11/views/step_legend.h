@@ -9,21 +9,21 @@
 
 namespace xnewell {
 
-/// What the steps of a map mean, in one line on the map's own ground.
+/// A legend in one line: what the steps of a map mean, on the background of the map.
 
 struct LegendStep {
   Cell cell;
   std::string_view label;
 };
-/// Of differences in steps that double from a unit on.
+/// Steps of differences. Each is twice as large as the one before; the first is a unit.
 inline constexpr std::array kDoublingSteps{
     LegendStep{Cell::WellLine, "below 1"}, LegendStep{Cell::Soft, "1"},  LegendStep{Cell::Faint, "2"},
     LegendStep{Cell::WellText, "4"},       LegendStep{Cell::White, "8"}, LegendStep{Cell::Q, "16"},
 };
-/// Which of them a difference belongs to: below the unit, below twice the unit, four times, ...; the last has
-/// all that is beyond. Difference and unit in the same measure, unit > 0.
+/// The step that a difference belongs to: below the unit, below twice the unit, below four times the unit,
+/// and so on; the last step has no limit. Difference and unit have the same measure; unit > 0.
 [[nodiscard]] const LegendStep& doublingStep(double difference, double unit);
-/// From the upper left corner; `unit` stands behind the steps.
+/// Draws the legend from its upper left corner on, with `unit` after the steps.
 void drawStepLegend(Painter painter, const CellPlan& plan, int x, int y, std::span<const LegendStep> steps,
                     std::string_view unit);
 

@@ -8,9 +8,9 @@
 
 namespace xnewell {
 
-/// What the cells hold, as curves over the cells, and how far it is from each to the next.
+/// Curves over the cells: what each holds, and how large the step to the next is.
 
-/// From one shade to the next the eye sees a step of 1 % or more: below it a ramp is continuous.
+/// The eye sees a step of 1 % or more from one shade to the next. A ramp with smaller steps looks continuous.
 /// @see Foley & van Dam 2e §13.1.1, after Wyszecki & Stiles 1982
 inline constexpr double kSeenStep = 1.0;  ///< per cent
 
@@ -18,25 +18,25 @@ struct Curve {
   std::string name;       ///< "" for a ramp among several
   int first = 0;          ///< cell of y[0]
   std::vector<double> y;  ///< NaN where there is nothing
-  bool chosen = true;     ///< of what the cells hold; else of another table, for comparison
+  bool chosen = true;     ///< true: what the cells hold; false: another table, for comparison
 };
 
-/// The largest channel of 255, of the cells as they are: a curve a ramp. With one hue then those of the
-/// other tables, and of its own where the cells hold something else. Where cells hold single colours: their
-/// luminance, and the largest channel.
+/// The largest channel of each cell, of 255: one curve for each ramp. With one hue, also the curves of the
+/// other tables, and of its own table if the cells hold something else. If cells hold single colours: their
+/// luminance and their largest channel.
 [[nodiscard]] std::vector<Curve> storedCurves(const Picture& picture, const Palette& palette);
 
-/// Of each such curve of a ramp: by how many per cent the next cell is brighter; nothing after black.
-/// Where cells hold single colours: how far the nearest other one is, in CIEDE2000.
+/// For each such curve of a ramp: by how many per cent the next cell is brighter; NaN after black. If cells
+/// hold single colours: how far the nearest other colour is, in CIEDE2000.
 [[nodiscard]] std::vector<Curve> stepCurves(const Picture& picture, const Palette& palette);
 
-/// The same of one such cell; NaN where there is no other.
+/// How far the nearest other colour is from that of one cell, in CIEDE2000; NaN if there is no other.
 [[nodiscard]] double nearestOther(const Palette& palette, const CellRange& cells, int cell);
 
-/// How many different colours a table has that keeps so many bits of each value.
+/// How many different colours the table has if each value keeps only so many bits.
 [[nodiscard]] int distinctLevels(TableSettings table, int bits);
 
-/// The quotient of neighbouring intensities of a corrected table.
+/// The ratio r of neighbouring intensities in a corrected table.
 [[nodiscard]] double ratioOf(const ColorTable& table);
 
 }  // namespace xnewell

@@ -12,13 +12,13 @@
 
 namespace xnewell {
 
-/// What may be drawn of a scene: the picture, or the numbers that it was made from.
+/// What may be drawn of a scene: the picture, or the numbers behind it.
 
 enum class View { Picture, Colors, MachBands, Normals, Difference, Overdraw, Wireframe };
 struct ViewRow {
   View id;
   std::string_view name, shows;
-  int leastWidth, leastHeight;  ///< pixels: where all words find room
+  int leastWidth, leastHeight;  ///< pixels; all words fit in this size
 };
 inline constexpr std::array kViews{
     ViewRow{View::Picture, "picture", "the picture", 1, 1},
@@ -38,17 +38,19 @@ inline constexpr std::array kViews{
 
 struct ViewSettings {
   View view = View::Picture;
-  std::optional<int> scanline = {};  ///< of MachBands: a row of its picture; else defaultScanline()
-  std::optional<int> cell = {};      ///< of Colors: the inspected one; else the lit one, else medianCell()
-  PaletteEffects effects = {};       ///< of Colors
-  PictureSettings picture;           ///< width and height are the whole view's, at least its row's
+  std::optional<int> scanline = {};  ///< for MachBands: a row of its picture; without it defaultScanline()
+  std::optional<int> cell =
+      {};  ///< for Colors: the inspected cell; without it the lit one, or else medianCell()
+  PaletteEffects effects = {};  ///< for Colors
+  PictureSettings picture;  ///< width and height are those of the whole view, at least the least of its row
   CellPlan cells{};
-  Palette unneeded{};  ///< as makePalette() has it
-  bool gray = false;   ///< Colors: of a screen that shows grays only
+  Palette unneeded{};  ///< the colours of cells that are not needed, as in makePalette()
+  bool gray = false;   ///< for Colors: the screen shows only grays
 };
 
-/// Any but View::Picture. `picture` becomes the one that the view shows: smaller than the view.
-/// @throws ViewError as Picture::make(), std::invalid_argument where the scanline is not in the picture
+/// Draws any view except View::Picture. `picture` becomes the one that the view shows, which is smaller than
+/// the view.
+/// @throws ViewError as Picture::make(); std::invalid_argument if the scanline is not in the picture
 [[nodiscard]] ColoredImage drawView(Picture& picture, const ViewSettings& settings);
 
 }  // namespace xnewell

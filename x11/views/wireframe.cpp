@@ -14,7 +14,7 @@ namespace xnewell {
 
 namespace {
 
-/// Between two places of the screen grid; at `from` the one that is less.
+/// An edge between two points of the screen grid; `from` is the smaller in the order of x, y, z.
 struct Edge {
   glm::ivec3 from, to;
   int face;  ///< index into SnappedScene::faces
@@ -26,7 +26,7 @@ Edge edgeOf(glm::ivec3 a, glm::ivec3 b, int face) {
   return {a, b, face};
 }
 
-/// Those of all outlines; polygons that share one snap its ends to the same integers.
+/// The edges of all outlines. Polygons that share an edge snap its ends to the same integers.
 std::vector<Edge> outlines(const SnappedScene& scene) {
   std::vector<Edge> edges;
   for (std::size_t f = 0; f < scene.faces.size(); ++f) {
@@ -42,7 +42,7 @@ glm::ivec3 onGrid(const Corner& corner) {
   return {static_cast<int>(std::lround(corner.x)), static_cast<int>(std::lround(corner.y)), 0};
 }
 
-/// The sides of painted pieces that cuts made, each as often as a piece has it.
+/// The sides of painted pieces that cuts have made, once for each piece.
 std::vector<Edge> cutSides(const SnappedScene& scene, const SortedScene& sorted) {
   const Regions regions{scene};
   std::vector<Edge> edges;
@@ -61,13 +61,14 @@ std::vector<Edge> cutSides(const SnappedScene& scene, const SortedScene& sorted)
   return edges;
 }
 
-/// Draws lines that know where they show.
+/// Draws lines where they are visible, or where they are hidden.
 class Wires {
  public:
   Wires(IndexImage& image, const Picture& picture)
       : image_{image}, seen_{picture.seen(0, picture.settings().height)} {}
 
-  /// Where one of edges [begin, end), all in one place, shows, or where none does.
+  /// Draws the pixels of a line where one of the edges [begin, end) is visible, or where none is. All these
+  /// edges lie in the same place.
   template <class Edges>
   void draw(const Edges& begin, const Edges& end, bool showing, bool dashed, std::uint8_t cell) {
     const auto pixel = [](int v) { return v >> kGridBits; };
@@ -94,7 +95,7 @@ class Wires {
   SeenRows seen_;
 };
 
-/// Calls use(begin, end) for the edges of each place.
+/// Calls use(begin, end) for all edges that lie in the same place, and returns the number of such places.
 template <class Use>
 int forEachPlace(std::vector<Edge>& edges, Use&& use) {
   std::ranges::sort(edges, {}, &Edge::place);
@@ -108,7 +109,7 @@ int forEachPlace(std::vector<Edge>& edges, Use&& use) {
   return places;
 }
 
-/// A sample of each kind of line, and what it is.
+/// A legend: an example of each kind of line, and what it means.
 int drawEdgeLegend(Sheet& sheet, int x, int y) {
   struct EdgeRow {
     Cell cell;
@@ -133,17 +134,17 @@ Finding findingOf(const Wireframe& wires, const Picture& picture) {
   if (wires.polygons == 0) return {"Nothing shows.", ""};
   switch (picture.settings().order) {
     case Order::Oracle:
-      return {"Nothing is cut.", "The oracle decides at each sample and puts no polygons in order."};
+      return {"Nothing is cut.", "The oracle decides at each sample and does not order polygons."};
     case Order::Newell:
       break;
     default:
       return {"Nothing is cut.",
-              "A sort by one z a polygon takes them whole, whether they have an order or not."};
+              "A sort by one z for each polygon never cuts, even if whole polygons have no right order."};
   }
-  if (wires.cuts == 0) return {"Nothing had to be cut.", "Whole polygons have an order here that is exact."};
+  if (wires.cuts == 0) return {"Nothing had to be cut.", "Here whole polygons have an exact order."};
   return {"The depth sort cut " + (wires.cuts == 1 ? "once" : counted(wires.cuts, "time")) + ".",
-          "Dashed lines lie where a polygon's plane passes through another, or where polygons lie over each "
-          "other in a circle: no order of whole polygons is right there."};
+          "Polygons pass through each other or overlap in a cycle, so that no order of whole polygons is "
+          "right. Dashed lines show the cuts."};
 }
 
 Wireframe wireframeOf(const Picture& picture, const CellPlan& plan) {
@@ -174,8 +175,8 @@ ColoredImage drawWireframe(Picture& picture, const ViewSettings& settings) {
     y = page.row(y, label, grouped(value));
   };
   row("polygons", wires.polygons);
-  row("of them seen from behind", wires.back);
-  row("edges, each once", wires.edges);
+  row("seen from behind", wires.back);
+  row("edges, each counted once", wires.edges);
   row("cuts", wires.cuts);
   row("polygons and pieces painted", static_cast<std::int64_t>(picture.sorted().fragments.size()));
   return {page.sheet.image(), picture.palette(settings.cells, settings.unneeded)};

@@ -5,15 +5,15 @@
 
 namespace xnewell {
 
-/// The polygons as lines: every edge of every polygon, hidden ones darker, and dashed where the depth sort
-/// split one. What is hidden is decided by the picture itself: an edge shows at a pixel where one of its
-/// polygons shows at a sample beside it.
+/// The polygons as lines: every edge of every polygon, darker where it is hidden, and dashed where the depth
+/// sort split a polygon. The picture itself decides what is hidden: an edge is visible at a pixel if one of
+/// its polygons shows at a sample beside it.
 
 struct Wireframe {
   IndexImage image;  ///< of the picture's size
-  int polygons = 0;  ///< in the view volume, convex
-  int back = 0;      ///< of them, seen from behind
-  int edges = 0;     ///< one that polygons share counts once
+  int polygons = 0;  ///< convex polygons in the view volume
+  int back = 0;      ///< polygons seen from behind
+  int edges = 0;     ///< an edge that polygons share counts once
   int cuts = 0;      ///< of the depth sort
 };
 /// `picture` is made.
@@ -21,10 +21,10 @@ struct Wireframe {
 
 [[nodiscard]] Finding findingOf(const Wireframe& wires, const Picture& picture);
 
-/// On screen a dash goes by pixel along the longer axis, so that what pieces share is dashed as one.
+/// Dashes count screen pixels along the longer axis, so that an edge that pieces share is dashed as one line.
 inline constexpr int kDash = 3, kDashPeriod = 5;
 
-/// The wireframe and its numbers.
+/// Draws the wireframe and its numbers.
 [[nodiscard]] ColoredImage drawWireframe(Picture& picture, const ViewSettings& settings);
 
 }  // namespace xnewell

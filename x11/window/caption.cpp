@@ -22,18 +22,21 @@ std::string orderInWords(Order order) {
     case Order::ZSort:
       return "sorted by farthest z";
     case Order::Newell:
-      return "sorted by depth, Newell's way";
+      return "sorted by depth (Newell)";
     case Order::Oracle:
-      return "each sample decided by itself";
+      return "nearest face at each sample";
   }
   return {};
 }
 
+std::string shadingInWords(Shading shading) {
+  if (shading == Shading::Full) return "full intensity";
+  if (shading == Shading::Environment) return "environment map";
+  return std::string{rowOf(shading).label};
+}
+
 std::string captionOf(const Setup& setup) {
-  std::string shading{chosen('S', setup)};
-  if (setup.picture.shading == Shading::Full) shading = "full intensity";
-  if (setup.picture.shading == Shading::Environment) shading = "environment map";
-  return shading + "; " + orderInWords(setup.picture.order) + "; " +
+  return shadingInWords(setup.picture.shading) + "; " + orderInWords(setup.picture.order) + "; " +
          (setup.fill == Fill::Scanline ? "own scanline" : "XFillPolygon") + "; " +
          std::string{chosen('P', setup)};
 }

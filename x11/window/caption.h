@@ -6,11 +6,13 @@
 
 namespace xnewell {
 
-/// A setup in words.
+/// The settings of a picture in words.
 
-/// The picture's making in a line: "flat; sorted by farthest z; own scanline; perspective".
+/// How a picture is made, in one line: "flat; sorted by farthest z; own scanline; perspective".
 [[nodiscard]] std::string captionOf(const Setup& setup);
 /// "sorted by farthest z"
 [[nodiscard]] std::string orderInWords(Order order);
+/// "Gouraud", "full intensity"
+[[nodiscard]] std::string shadingInWords(Shading shading);
 
 }  // namespace xnewell

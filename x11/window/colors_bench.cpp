@@ -8,7 +8,7 @@ namespace xnewell {
 
 namespace {
 
-/// Which key changes the setting that a line of the table tells.
+/// The key that changes the setting in a line of the table.
 struct LineKey {
   std::string_view label;
   char key;
@@ -57,7 +57,7 @@ bool ColorsBench::press(const Key& key, const Setup& setup) {
         effects_.lit = cell();
       else
         host_.notify("Cell " + std::to_string(cell()) +
-                     " is not one of the scene's: there is nothing to light.");
+                     " does not belong to the scene: there is nothing to light up.");
       return true;
     case 'm':
       if (!hasRamp("Moving")) return true;
@@ -75,7 +75,7 @@ bool ColorsBench::press(const Key& key, const Setup& setup) {
       return true;
     case 'j':
       return host_.pressLetter('J'), true;
-    case 'r':  // of the set-up, by who has it, and of this view
+    case 'r':  // the host resets the settings, this view its own
       undo();
       return false;
     case '0':
@@ -90,7 +90,7 @@ bool ColorsBench::press(const Key& key, const Setup& setup) {
   }
 }
 
-/// The arrows are a slider's until Esc, Tab or the pointer gives them back to the cells.
+/// The arrows change a slider until Esc, Tab or the pointer gives them back to the cells.
 bool ColorsBench::pressOnSlider(const Key& key, int times) {
   const SliderRow& row = *sliderOf(focus_);
   const auto change = [&](const std::function<void(Setup&)>& edit) { host_.change(focus_, edit); };
@@ -128,7 +128,7 @@ void ColorsBench::undo() {
 void ColorsBench::leave() {
   effects_.lit.reset();
   if (effects_ != PaletteEffects{} || moving_ || held_)
-    host_.tell("Gamma, curve, ramp and indices are as before: only view 3 changes them.");
+    host_.tell("Gamma, curve, ramp and indices are as they were: only view 3 changes them.");
   undo();
 }
 
@@ -150,7 +150,8 @@ bool ColorsBench::grab(int x, int y) {
   return grabbed_ = true;
 }
 
-/// A click on a choice takes the next option, on an option that one: as often as its key would.
+/// A click on a choice takes its next option, a click on an option takes that one. Its key is pressed as
+/// often as that needs.
 bool ColorsBench::grabLine(const TableLineHit& hit) {
   const TableLine line = lines_[hit.line];
   if (line.share) {
@@ -237,7 +238,7 @@ void ColorsBench::draw(IndexImage& image, const Desk& desk) {
                   .lines = lines_ = lines(desk.picture, desk.setup),
                   .focus = focus_,
                   .gamma = effects_.gamma,
-                  .hint = moving_      ? "Colours move on; what is told is of standing still."
+                  .hint = moving_      ? "The colours are rotating; the numbers are for the table at rest."
                           : ramps == 1 ? "Drag the curve: colours change, the indices stay."
                                        : ""});
   levels_ = levelsText(desk.picture, steps);
@@ -261,12 +262,12 @@ std::vector<Legend> ColorsBench::legend() const {
 }
 
 std::vector<HelpLine> ColorsBench::help() const {
-  return {{"arrows", "go over the cells, with Shift by ten; Home, End: the scene's ends"},
+  return {{"arrows", "move over the cells, by ten with Shift; Home, End: the scene's ends"},
           {"h", "light the cell up for as long as the key is held"},
           {"T j H B", "table; nearest in ratio or difference; hue; 8 or 16 bits a cell"},
           {"c 0", "go to the shades, or to I0; then arrows; Esc goes back to the cells"},
           {"g", "gamma of the screen"},
-          {"i", "hold the indices: what storing alone does"},
+          {"i", "hold the indices, to see what storing colours does"},
           {"m", "move the ramp through the cells"},
           {"drag", "the curve: bend what is stored"},
           {"Esc", "put light, gamma, curve, indices and ramp back"}};
@@ -279,7 +280,7 @@ std::vector<TableLine> ColorsBench::lines(const Picture& picture, const Setup& s
     if (row != kLineKeys.end()) line.key = row->key;
     if (line.key == 'T') line.chosen = static_cast<int>(setup.picture.table.kind);
   }
-  // The numbers of shades and of I0 are sliders here.
+  // The number of shades and I0 are sliders here.
   const auto shades = std::ranges::find(lines, 'c', &TableLine::key);
   if (shades != lines.end()) {
     const auto slider = [&](SliderIndex index) {

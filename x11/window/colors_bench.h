@@ -9,19 +9,19 @@
 
 namespace xnewell {
 
-/// The view of the colour table in the window, without a server: which cell is inspected, and what keys and
-/// pointer do to the colours that are stored. Only colours change: the picture is not painted again.
+/// The view of the colour table in the window, without a server: which cell is inspected, and how keys and
+/// pointer change the stored colours. Only colours change; the picture is not painted again.
 class ColorsBench : public Bench {
  public:
-  /// The host outlives it.
+  /// The host must outlive it.
   explicit ColorsBench(Host& host) : host_{host} {}
 
   [[nodiscard]] bool press(const Key& key, const Setup& setup) override;
   [[nodiscard]] std::string_view sharedKeys() const override { return "HBJT"; }
   void release(char letter) override;
-  /// The pointer over a cell, or over a column of the plots.
+  /// The pointer moves over a cell, or over a column of the plots.
   void hover(int x, int y) override;
-  /// The stored values are dragged.
+  /// The user drags the stored values.
   [[nodiscard]] bool grab(int x, int y) override;
   void dragTo(int x, int y) override;
   void drop() override {
@@ -29,15 +29,15 @@ class ColorsBench : public Bench {
     dragged_ = 0;
   }
   void leave() override;
-  /// The ramp is: tick() moves it by a shade.
+  /// True while the ramp moves: tick() moves it by one shade.
   [[nodiscard]] bool moving() const override { return moving_; }
   void tick() override;
 
   [[nodiscard]] Rect picture(const Layout& at) const override { return layoutOfColors(at.body).picture; }
-  /// With the table that picks the indices: another one where they are held.
+  /// With the table that picks the indices, which differs from the stored one while the indices are held.
   [[nodiscard]] Setup painted(const Setup& setup) const override;
   [[nodiscard]] PaletteEffects stored(const Setup& setup) const override;
-  /// Whether what was drawn tells of other cells or colours than there are now.
+  /// True if the cells or colours have changed since the page was drawn.
   [[nodiscard]] bool late(const Setup& setup) const override { return told(setup) != drawn_; }
   void draw(IndexImage& image, const Desk& desk) override;
   [[nodiscard]] std::string status() const override { return levels_; }
@@ -47,7 +47,7 @@ class ColorsBench : public Bench {
   [[nodiscard]] std::optional<int> inspected() const override { return cell(); }
 
  private:
-  /// Everything stored as it was.
+  /// Restores all stored colours.
   void undo();
   void inspect(int cell);
   [[nodiscard]] int cell() const { return cell_.value_or(0); }
@@ -55,9 +55,11 @@ class ColorsBench : public Bench {
   bool grabLine(const TableLineHit& hit);
   void setSlider(double share);
   [[nodiscard]] bool hasRamp(const char* what);
-  /// Held indices know one number of shades and one I0: with others they follow the setup.
+  /// Held indices are for one number of shades and one I0. If these change, the indices follow the settings
+  /// again.
   [[nodiscard]] bool holds(const Setup& setup) const;
-  /// All words and curves depend on: not what passes by itself, the light and the moving ramp.
+  /// The effects that words and curves describe: without the light and the moving ramp, which pass by
+  /// themselves.
   struct Told {
     std::optional<int> cell;
     PaletteEffects effects;
@@ -71,14 +73,14 @@ class ColorsBench : public Bench {
 
   Host& host_;
   std::optional<int> cell_;
-  PaletteEffects effects_;  ///< but for `stored`, which follows from the setup and held_
+  PaletteEffects effects_;  ///< except `stored`, which follows from the settings and held_
   bool moving_ = false, grabbed_ = false;
-  double brightest_ = 255.0;           ///< of 255, that the ramp's last cell holds
-  int grabbedY_ = 0;                   ///< of the pointer
-  char focus_ = 0;                     ///< of a slider that has the arrows; 0: the cells have them
-  char dragged_ = 0;                   ///< the slider that is
-  std::optional<TableSettings> held_;  ///< what picks the indices
-  // Of what was drawn last.
+  double brightest_ = 255.0;  ///< the value in the last cell of the ramp, of 255
+  int grabbedY_ = 0;          ///< where the pointer was
+  char focus_ = 0;    ///< the key of the slider that the arrows change; 0: the arrows move over the cells
+  char dragged_ = 0;  ///< the slider that is dragged
+  std::optional<TableSettings> held_;  ///< the table that picks the indices
+  // The state of the last drawing.
   ColorsLayout at_;
   Rect strip_{};
   std::vector<TableLine> lines_;

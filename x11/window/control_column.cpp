@@ -16,7 +16,7 @@ namespace {
 
 using Kind = ControlPlace::Kind;
 
-constexpr int kName = 24;  // from a row's left edge
+constexpr int kName = 24;  // pixels from the left edge of a row
 constexpr int kButton = 20;
 
 /// Walks down the column.
@@ -102,7 +102,7 @@ class Walk {
   int x_, y_, pitch_;
 };
 
-/// Draws the controls, every kind one function of it.
+/// Draws the controls, one function for each kind.
 struct ColumnPen : Pen {
   const ControlColumn& at;
   const ControlsShown& shown;
@@ -124,7 +124,7 @@ void ColumnPen::slider(const ControlPlace& place) {
   const bool enabled = row.enabled(shown.setup);
   if (shown.focus == row.key) drawFocus(*this, place.row, place.row.width == kControls ? 6 : 2);
   key(place.x, place.y - 11, std::string_view{&row.key, 1});
-  paint.text(place.x + kName, place.y, row.label, cell(enabled ? Cell::Ink : Cell::Faint));
+  paint.text(place.x + kName, place.y, row.label, (*this)(enabled ? Cell::Ink : Cell::Faint));
   drawTrack(*this, place.track.x, place.y, kColumnTrack,
             {.share = trackPosition(row, row.get(shown.setup)),
              .initially = trackPosition(row, row.get(shown.defaults)),
@@ -135,7 +135,7 @@ void ColumnPen::slider(const ControlPlace& place) {
   if (enabled)
     boldRight(place.x + kControls, place.y, value);
   else
-    paint.textRight(place.x + kControls, place.y, value, cell(Cell::Faint));
+    paint.textRight(place.x + kControls, place.y, value, (*this)(Cell::Faint));
 }
 
 void ColumnPen::choice(const ControlPlace& place) {
@@ -150,9 +150,9 @@ void ColumnPen::toggle(const ControlPlace& place) {
   const auto* const row = std::ranges::find(kToggles, place.key, &ToggleRow::key);
   key(place.x, place.y - 11, std::string_view{&row->key, 1});
   const Rect box{place.x + kName, place.y - 10, 11, 11};
-  paint.fillRect(box, cell(hovered(row->key) ? Cell::Panel : Cell::White));
-  paint.frame(box, cell(Cell::Ink));
-  if (shown.setup.picture.light.*row->value) paint.tick(box.x + 2, box.y + 2, cell(Cell::Ink));
+  paint.fillRect(box, (*this)(hovered(row->key) ? Cell::Panel : Cell::White));
+  paint.frame(box, (*this)(Cell::Ink));
+  if (shown.setup.picture.light.*row->value) paint.tick(box.x + 2, box.y + 2, (*this)(Cell::Ink));
   ink(place.x + 41, place.y, row->label);
 }
 
@@ -163,7 +163,7 @@ void ColumnPen::light(const ControlPlace& place) {
   const int x = place.x, y = place.y, end = place.row.x + place.row.width;
   key(x, y - 11, "l");
   if (shown.ownLights) {
-    paint.text(x + kName, y, "the scene's own", cell(Cell::Faint));
+    paint.text(x + kName, y, "the scene's own", (*this)(Cell::Faint));
     return;
   }
   if (at.compact) {
@@ -179,17 +179,17 @@ void ColumnPen::light(const ControlPlace& place) {
   boldRight(end, y + 36, shown.setup.picture.light.lightPosition ? "near" : "far");
 }
 
-/// A sphere with the present material in the present table, the light marked by a ring: L is read off it.
+/// A sphere with the current material in the current table. A ring marks the light, so one can read L.
 void ColumnPen::ball() {
-  paint.fillRect(at.ball, cell(Cell::Well));
+  paint.fillRect(at.ball, (*this)(Cell::Well));
   const int radius = at.radius, cx = at.ball.x + at.ball.width / 2, cy = at.ball.y + at.ball.height / 2;
   if (shown.ownLights) {
-    paint.text(cx - textWidth("the scene's") / 2, cy - 3, "the scene's", cell(Cell::WellText));
-    paint.text(cx - textWidth("own lights") / 2, cy + 13, "own lights", cell(Cell::WellText));
+    paint.text(cx - textWidth("the scene's") / 2, cy - 3, "the scene's", (*this)(Cell::WellText));
+    paint.text(cx - textWidth("own lights") / 2, cy + 13, "own lights", (*this)(Cell::WellText));
     return;
   }
-  paint.hline(cx - radius - 5, cy, 2 * radius + 11, cell(Cell::WellLine));
-  paint.vline(cx, cy - radius - 5, 2 * radius + 11, cell(Cell::WellLine));
+  paint.hline(cx - radius - 5, cy, 2 * radius + 11, (*this)(Cell::WellLine));
+  paint.vline(cx, cy - radius - 5, 2 * radius + 11, (*this)(Cell::WellLine));
   const Illumination& light = shown.setup.picture.light;
   const glm::dvec3& L = shown.lightInView;
   for (int y = -radius; y <= radius; ++y)
@@ -208,11 +208,11 @@ void ColumnPen::ball() {
   const int lx = cx + static_cast<int>(std::lround(radius * L.x)),
             ly = cy - static_cast<int>(std::lround(radius * L.y));
   const bool behind = L.z < 0;
-  paint.ring(lx, ly, 5, cell(behind ? Cell::Faint : Cell::White));
+  paint.ring(lx, ly, 5, (*this)(behind ? Cell::Faint : Cell::White));
   if (!behind)
-    paint.disc(lx, ly, 1, cell(Cell::White));
+    paint.disc(lx, ly, 1, (*this)(Cell::White));
   else
-    paint.text(at.ball.x + 5, at.ball.y + at.ball.height - 6, "behind", cell(Cell::Faint));
+    paint.text(at.ball.x + 5, at.ball.y + at.ball.height - 6, "behind", (*this)(Cell::Faint));
 }
 
 int onBar(const Rect& bar, double value) {
@@ -222,12 +222,13 @@ int onBar(const Rect& bar, double value) {
 void ColumnPen::thumb(int x, const Rect& bar, char key) {
   const Rect box{std::clamp(x - 4, bar.x, bar.x + bar.width - 9), bar.y - 2, 9, 15};
   const bool dragged = shown.dragged == key;
-  paint.fillRect(box, cell(dragged ? Cell::Ink : hovered(key) ? Cell::White : Cell::Paper));
-  paint.frame(box, cell(Cell::Ink));
-  paint.vline(box.x + 4, box.y + 4, 7, cell(dragged ? Cell::White : Cell::Ink));
+  paint.fillRect(box, (*this)(dragged ? Cell::Ink : hovered(key) ? Cell::White : Cell::Paper));
+  paint.frame(box, (*this)(Cell::Ink));
+  paint.vline(box.x + 4, box.y + 4, 7, (*this)(dragged ? Cell::White : Cell::Ink));
 }
 
-/// One bar of length 1: ambient dark, point dotted, the rest unused. Drawn with Ia's place.
+/// One bar of length 1: ambient light dark, point light dotted, the rest unused. It is drawn at the place of
+/// Ia.
 void ColumnPen::intensities(const ControlPlace& place) {
   const Illumination& light = shown.setup.picture.light;
   const int x = place.x, y = place.y;
@@ -238,17 +239,17 @@ void ColumnPen::intensities(const ControlPlace& place) {
   key(x + 124, y - 11, "p");
   bold(ink(x + 146, y, "Ip "), y, fixed(light.Ip, 2));
   const double unused = std::max(0.0, 1.0 - light.Ia - light.Ip);
-  paint.textRight(x + kControls, y, "unused " + fixed(unused, 2), cell(Cell::Soft));
+  paint.textRight(x + kControls, y, "unused " + fixed(unused, 2), (*this)(Cell::Soft));
 
   const Rect& bar = place.track;
   const int ia = onBar(bar, light.Ia), sum = onBar(bar, light.Ia + light.Ip);
-  paint.fillRect(bar, cell(Cell::Panel));
-  paint.fillRect({ia, bar.y, sum - ia, bar.height}, cell(Cell::Rule));
-  paint.stipple({ia, bar.y, sum - ia, bar.height}, Stipple::Quarter, cell(Cell::Soft));
-  paint.fillRect({x, bar.y, ia - x, bar.height}, cell(Cell::Soft));
-  paint.frame(bar, cell(Cell::Faint));
+  paint.fillRect(bar, (*this)(Cell::Panel));
+  paint.fillRect({ia, bar.y, sum - ia, bar.height}, (*this)(Cell::Rule));
+  paint.stipple({ia, bar.y, sum - ia, bar.height}, Stipple::Quarter, (*this)(Cell::Soft));
+  paint.fillRect({x, bar.y, ia - x, bar.height}, (*this)(Cell::Soft));
+  paint.frame(bar, (*this)(Cell::Faint));
   for (int quarter = 0; quarter <= 4; ++quarter)
-    paint.vline(onBar(bar, quarter / 4.0), bar.y + 13, 3, cell(Cell::Faint));
+    paint.vline(onBar(bar, quarter / 4.0), bar.y + 13, 3, (*this)(Cell::Faint));
   thumb(ia, bar, 'i');
   thumb(sum, bar, 'p');
 }
@@ -257,9 +258,9 @@ void ColumnPen::button(const ControlPlace& place) {
   const auto* const row = std::ranges::find(kButtons, place.key, &ButtonRow::key);
   const Rect& box = place.row;
   const bool pressed = shown.dragged == row->key;
-  paint.fillRect(box, cell(pressed ? Cell::Rule : hovered(row->key) ? Cell::White : Cell::Panel));
-  paint.frame(box, cell(Cell::Faint));
-  paint.hline(box.x + 1, box.y + box.height, box.width, cell(Cell::Rule));
+  paint.fillRect(box, (*this)(pressed ? Cell::Rule : hovered(row->key) ? Cell::White : Cell::Panel));
+  paint.frame(box, (*this)(Cell::Faint));
+  paint.hline(box.x + 1, box.y + box.height, box.width, (*this)(Cell::Rule));
   const int width = textWidth(row->label) + 12, x = box.x + (box.width - width) / 2;
   ink(x, place.y, row->label);
   soft(x + width - 6, place.y, std::string_view{&row->key, 1});
@@ -283,7 +284,7 @@ std::optional<ControlHit> controlAt(const ControlColumn& at, const Setup& setup,
         if (place.row.has(x, y)) return ControlHit{place.key};
         continue;
       }
-      // Where both thumbs are in one place, left of it is Ia's and right of it Ip's.
+      // If both thumbs are in one place, the left side belongs to Ia and the right side to Ip.
       const Illumination& light = setup.picture.light;
       const int ia = onBar(bar, light.Ia), sum = onBar(bar, light.Ia + light.Ip);
       return ControlHit{2 * x < ia + sum || (2 * x == ia + sum && ia == bar.x + bar.width - 1) ? 'i' : 'p'};

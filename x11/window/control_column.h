@@ -12,10 +12,10 @@
 
 namespace xnewell {
 
-/// The column of controls at the window's right edge: where each one is, how it is drawn, and which one the
-/// pointer is on.
+/// The column of controls at the right edge of the window: where each control is, how it is drawn, and which
+/// one the pointer is on.
 
-/// A button does what its key does.
+/// A button does the same as its key.
 struct ButtonRow {
   char key;
   std::string_view label;
@@ -32,9 +32,9 @@ struct ControlPlace {
   enum class Kind { Slider, Choice, Toggle, Light, Intensity, Button };
   Kind kind;
   char key;
-  int x, y;    ///< of the key's left edge, and the baseline
-  Rect row;    ///< what it has to itself; of an intensity its thumb's half of the bar too
-  Rect track;  ///< of a slider and of the intensities: from its lowest value to its highest
+  int x, y;                        ///< of the key's left edge, and the baseline
+  Rect row;                        ///< its own area; for an intensity also the half of the bar with its thumb
+  Rect track;                      ///< for a slider and the intensities: from the lowest value to the highest
   std::vector<Rect> options = {};  ///< of a choice
 };
 struct ControlColumn {
@@ -50,7 +50,7 @@ struct ControlColumn {
 
   [[nodiscard]] const ControlPlace* find(char key) const;
 };
-/// Of layoutOf(), where it is roomy.
+/// The column of a window, if layoutOf() says that it is roomy.
 [[nodiscard]] ControlColumn layoutOfControls(const Layout& at);
 
 /// What the pointer is on.
@@ -59,33 +59,33 @@ struct ControlHit {
   int option = -1;  ///< of a choice
   bool operator==(const ControlHit&) const = default;
 };
-/// The ball of the light is `l`; of the two intensities the thumb that is nearer.
+/// The ball of the light counts as `l`. Of the two intensities, the one whose thumb is nearer.
 [[nodiscard]] std::optional<ControlHit> controlAt(const ControlColumn& at, const Setup& setup, int x, int y);
 
-/// The cells that stand for intensities k / 255 on the ball: where few do, two of them by turns.
+/// The cells that show the intensities k / 255 on the ball. If there are few cells, two of them are mixed.
 struct BallCells {
   std::array<std::uint8_t, 256> low{}, high{};
-  std::array<int, 256> share{};  ///< of 64 neighbours those that have `high`
+  std::array<int, 256> share{};  ///< how many of 64 neighbours get `high`
 };
 
-/// What the column shows beside the setup itself.
+/// What the column shows besides the settings.
 struct ControlsShown {
   const Setup& setup;
   const Setup& defaults;
   LightAngles light;
   glm::dvec3 lightInView{0, 0, 1};  ///< unit: to the right, up, towards the viewer
   const BallCells& ball;
-  bool ownLights = false;  ///< the scene's, which are not those of the setup
-  char focus = 0;          ///< key of the control that the arrows change
+  bool ownLights = false;  ///< the scene has lights of its own, which the settings do not change
+  char focus = 0;          ///< the key of the control that the arrows change
   std::optional<ControlHit> hover = {};
   char dragged = 0;
 };
-/// On paper.
+/// Draws the column on a paper background.
 void drawControls(IndexImage& image, const ControlColumn& at, const ControlsShown& shown,
                   const CellPlan& plan);
 
-/// The direction on the ball under the pointer, unit, to the right, up and towards the viewer: past the
-/// sphere's edge it goes on behind.
+/// The direction on the ball under the pointer, a unit vector: to the right, up, towards the viewer. Past the
+/// edge of the sphere it continues behind it.
 [[nodiscard]] glm::dvec3 directionOnBall(const ControlColumn& at, int x, int y);
 
 }  // namespace xnewell

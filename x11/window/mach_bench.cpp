@@ -12,10 +12,11 @@ namespace xnewell {
 
 namespace {
 
-constexpr int kMostDivisions = 32;  // what is fluid, and more than shows
+constexpr int kMostDivisions = 32;  // more would be slow and would not be seen
 constexpr int kRow = 22, kRows = 3;
 
-/// The sheet's margin is the window's: it begins so much above the body, and ends so much below.
+/// The margin of the sheet lies in the margin of the window: the sheet begins that much above the body, and
+/// ends that much below.
 int sheetHeight(const Layout& at) { return at.body.height + 2 * Sheet::kMargin; }
 int sheetTop(const Layout& at) { return at.body.y - Sheet::kMargin; }
 
@@ -161,7 +162,7 @@ bool MachBench::late(const Setup&) const { return drawn_ != shown(); }
 void MachBench::draw(IndexImage& image, const Desk& desk) {
   const Layout& at = desk.layout;
   const int top = sheetTop(at);
-  // In a window of another size it stays where it is on the scene.
+  // In a window of another size the scanline stays at the same place of the scene.
   if (row_ && height_ != desk.image.height) {
     row_ = (2 * *row_ + 1) * desk.image.height / (2 * height_);
     firstRow_.reset();
@@ -175,14 +176,12 @@ void MachBench::draw(IndexImage& image, const Desk& desk) {
   const bool grayed = painted(desk.setup) != desk.setup;
   picture_ = layoutOfMachBands(at.width, sheetHeight(at)).picture;
   picture_.y += top;
-  // What is shown of the picture follows only a scanline that leaves it.
+  // The part of the picture that is shown moves only if the scanline leaves it.
   if (firstRow_ && (*row_ < *firstRow_ || *row_ >= *firstRow_ + picture_.height)) firstRow_.reset();
   const MachBandsPage page = drawMachBandsPage(
       desk.picture, desk.image,
       {.row = *row_, .firstRow = firstRow_, .grayed = grayed, .controls = kRows * kRow + 4}, settings);
-  const Rect part =
-      intersection({0, top, at.width, at.strip.y - top}, {0, top, page.image.width, page.image.height});
-  for (int j = 0; j < part.height; ++j) std::copy_n(page.image.row(j), part.width, image.row(part.y + j));
+  Painter{image}.within({0, top, at.width, at.strip.y - top}).place(page.image, 0, top);
   firstRow_ = page.firstRow;
   controls_ = page.controls;
   controls_.y += top;
@@ -200,7 +199,7 @@ void MachBench::drawControls(IndexImage& image, const Desk& desk) {
   const auto row = [&](std::string_view key, std::string_view label, bool enabled = true) {
     if (key[0] == focus()) drawFocus(pen, {x, y - 14, kControls, kRow}, 6);
     pen.key(x, y - 11, key);
-    pen.paint.text(x + 24, y, label, pen.cell(enabled ? Cell::Ink : Cell::Faint));
+    pen.paint.text(x + 24, y, label, pen(enabled ? Cell::Ink : Cell::Faint));
   };
   const auto slider = [&](char key, double value, double initially, double low, double high, bool enabled) {
     drawTrack(pen, x + kColumnTrackAt, y, kColumnTrack,

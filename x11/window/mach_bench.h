@@ -9,11 +9,11 @@
 
 namespace xnewell {
 
-/// The view of the Mach bands in the window: the scanline that is drawn, under keys and pointer.
+/// The view of the Mach bands in the window: keys and pointer move the scanline.
 class MachBench : public Bench {
  public:
   using Subject = std::function<ControlKeys::Subject()>;
-  /// What is passed outlives it.
+  /// All that is passed must outlive it.
   MachBench(Host& host, ControlKeys& keys, Subject subject)
       : host_{host}, keys_{keys}, subject_{std::move(subject)} {}
 
@@ -35,7 +35,7 @@ class MachBench : public Bench {
   [[nodiscard]] std::vector<HelpLine> help() const override;
 
  private:
-  /// What depends on more than the setup.
+  /// The state that does not follow from the settings.
   struct Shown {
     int row = 0;
     char focus = 'y', hovered = 0, dragged = 0;
@@ -44,23 +44,23 @@ class MachBench : public Bench {
   };
   void askForDivisions();
   [[nodiscard]] Shown shown() const { return {row_.value_or(0), focus(), hovered_, dragged_, option_}; }
-  /// A control of its own, or one of ControlKeys that this view shares.
+  /// Presses a control of this view, or one of ControlKeys that this view shares.
   [[nodiscard]] char focus() const { return focus_ ? focus_ : keys_.focus(); }
   void moveScanline(int rows);
   void divide(int divisions);
-  /// The control in whose row a place is; of the choice the option too.
+  /// The control in whose row a place is; for a choice also the option.
   [[nodiscard]] char rowAt(int x, int y, int& option) const;
   void drawControls(IndexImage& image, const Desk& desk);
 
   Host& host_;
   ControlKeys& keys_;
   Subject subject_;
-  std::optional<int> row_;  ///< of the picture; none: the one that shows most
-  char focus_ = 'y';        ///< y, k, or 0: what ControlKeys has
-  char dragged_ = 0;        ///< y, k, or p for the picture
+  std::optional<int> row_;  ///< the row of the picture; none: the row that shows most
+  char focus_ = 'y';        ///< y, k, or 0: the focus of ControlKeys
+  char dragged_ = 0;        ///< y, k, or p for the picture; 0: nothing is dragged
   char hovered_ = 0;
   int option_ = -1;
-  // Of what was drawn last.
+  // The state of the last drawing.
   Rect picture_{}, controls_{};
   std::optional<int> firstRow_;  ///< that is shown
   int height_ = 1, divisions_ = 0;

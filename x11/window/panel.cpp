@@ -17,7 +17,7 @@ struct Tab {
 };
 std::vector<Tab> tabsOf(const Layout& at) {
   std::vector<Tab> tabs;
-  const int letter = at.compact ? 0 : 9;  // a narrow window has less room beside the names
+  const int letter = at.compact ? 0 : 9;  // a narrow window has less space beside the names
   int x = 6;
   for (const WindowViewRow& row : kWindowViews) {
     tabs.push_back({row, {x, 5, 27 + letter + textWidth(row.name), at.views.height - 4}});
@@ -27,23 +27,23 @@ std::vector<Tab> tabsOf(const Layout& at) {
 }
 
 void drawTabs(Pen& pen, const Layout& at, const PanelState& state) {
-  pen.paint.fillRect(at.views, pen.cell(Cell::Panel));
+  pen.paint.fillRect(at.views, pen(Cell::Panel));
   pen.rule(0, at.views.height, at.width);
   int end = 0;
   for (const auto& [view, tab] : tabsOf(at)) {
     const bool shown = view.id == state.view;
     if (shown) {
-      pen.paint.fillRect(tab, pen.cell(Cell::Paper));
-      pen.paint.fillRect({tab.x, tab.y, tab.width, 2}, pen.cell(Cell::Ink));
+      pen.paint.fillRect(tab, pen(Cell::Paper));
+      pen.paint.fillRect({tab.x, tab.y, tab.width, 2}, pen(Cell::Ink));
       for (const int edge : {tab.x, tab.x + tab.width - 1})
-        pen.paint.vline(edge, tab.y, at.views.height - tab.y, pen.cell(Cell::Rule));
+        pen.paint.vline(edge, tab.y, at.views.height - tab.y, pen(Cell::Rule));
     }
     pen.soft(tab.x + 9, 23, std::string_view{&view.key, 1});
-    pen.paint.text(tab.x + 24 - (at.compact ? 4 : 0), 23, view.name, pen.cell(shown ? Cell::Ink : Cell::Soft),
+    pen.paint.text(tab.x + 24 - (at.compact ? 4 : 0), 23, view.name, pen(shown ? Cell::Ink : Cell::Soft),
                    shown ? Voice::Bold : Voice::Plain);
     end = tab.x + tab.width + 4;
   }
-  // A long path keeps its end, which tells files apart; other names keep their beginning.
+  // A long path keeps its end, which distinguishes files; other names keep their beginning.
   std::string title = state.title;
   const auto room = static_cast<std::size_t>(std::max(0, at.width - 2 * kMargin - end) / 6);
   if (room < 4) return;
@@ -54,7 +54,7 @@ void drawTabs(Pen& pen, const Layout& at, const PanelState& state) {
     while (!title.empty() && static_cast<unsigned char>(title.back()) >= 0x80) title.pop_back();
     title += "...";
   }
-  pen.paint.textRight(at.width - kMargin, 23, title, pen.cell(Cell::Soft));
+  pen.softRight(at.width - kMargin, 23, title);
 }
 
 std::optional<Direction> arrowOf(std::string_view key) {
@@ -72,7 +72,7 @@ int widthOf(const Legend& legend) {
   return width;
 }
 
-/// What does not fit is left out, but never the last.
+/// Entries that do not fit are left out, but never the last one.
 void drawLegend(Pen& pen, const Layout& at, int y, const std::vector<Legend>& legends) {
   int x = kMargin;
   const int last = legends.empty() ? 0 : widthOf(legends.back());
@@ -87,7 +87,7 @@ void drawLegend(Pen& pen, const Layout& at, int y, const std::vector<Legend>& le
   }
 }
 
-/// As much of the end as has room.
+/// As much of the end of the text as fits.
 std::string endOf(const std::string& text, int width) {
   const auto letters = static_cast<std::size_t>(std::max(0, width) / kGlyphWidth);
   if (text.size() <= letters) return text;
@@ -97,33 +97,33 @@ std::string endOf(const std::string& text, int width) {
 void drawTyped(Pen& pen, const Layout& at, const Typed& typed) {
   const int y = at.status.y + 15;
   int x = pen.ink(kMargin, y, typed.asks + ": ");
-  // The end of a long text, where it grows, and of what is wrong with it, which is told last.
+  // A long text shows its end, where it grows; so does the complaint, whose end says what is wrong.
   const int all = at.width - kMargin - x - 40;
   const std::string complaint = endOf(typed.complaint, std::max(all / 2, all - textWidth(typed.text)));
   x = pen.bold(x, y, endOf(typed.text, std::max(60, all - textWidth(complaint))));
-  pen.paint.fillRect({x + 1, y - 10, 7, 13}, pen.cell(Cell::Ink));
-  if (!complaint.empty()) pen.paint.text(x + 26, y, complaint, pen.cell(Cell::Alarm));
-  std::vector<Legend> legend{{{"Return"}, "take it"}, {{"Esc"}, "leave it"}};
+  pen.paint.fillRect({x + 1, y - 10, 7, 13}, pen(Cell::Ink));
+  if (!complaint.empty()) pen.paint.text(x + 26, y, complaint, pen(Cell::Alarm));
+  std::vector<Legend> legend{{{"Return"}, "accept"}, {{"Esc"}, "cancel"}};
   if (typed.offers) legend.insert(legend.begin() + 1, {{"^", "v"}, "the built-in scenes"});
   drawLegend(pen, at, y + 18, legend);
 }
 
 void drawStatus(Pen& pen, const Layout& at, const PanelState& state) {
-  pen.paint.fillRect(at.status, pen.cell(Cell::Panel));
+  pen.paint.fillRect(at.status, pen(Cell::Panel));
   pen.rule(0, at.status.y, at.width);
   if (state.typed) return drawTyped(pen, at, *state.typed);
   const int y = at.status.y + 15;
   int end = kMargin;
   if (!state.notice.empty()) {
-    end = pen.paint.text(kMargin, y, state.notice, pen.cell(Cell::Alarm));
+    end = pen.paint.text(kMargin, y, state.notice, pen(Cell::Alarm));
   } else if (!state.told.empty()) {
-    end = pen.paint.text(kMargin, y, state.told, pen.cell(Cell::Good));
+    end = pen.paint.text(kMargin, y, state.told, pen(Cell::Good));
   } else {
     end = pen.ink(kMargin, y, state.status);
     if (!at.compact) end = pen.soft(end + 18, y, state.aside);
   }
   if (end + 18 + textWidth(state.visual) <= at.width - kMargin)
-    pen.paint.textRight(at.width - kMargin, y, state.visual, pen.cell(Cell::Soft));
+    pen.softRight(at.width - kMargin, y, state.visual);
   drawLegend(pen, at, y + 18, state.legend);
 }
 
@@ -137,10 +137,10 @@ Rect helpBox(const Layout& at, const std::vector<HelpLine>& lines) {
 
 void drawHelp(Pen& pen, const Layout& at, const std::vector<HelpLine>& lines) {
   const Rect box = helpBox(at, lines);
-  pen.paint.fillRect({box.x + kShadow, box.y + kShadow, box.width, box.height}, pen.cell(Cell::Ink));
-  pen.paint.fillRect(box, pen.cell(Cell::Paper));
-  pen.paint.frame(box, pen.cell(Cell::Ink));
-  pen.paint.text(box.x + 16, box.y + 24, "ALL KEYS", pen.cell(Cell::Soft), Voice::Caps);
+  pen.paint.fillRect({box.x + kShadow, box.y + kShadow, box.width, box.height}, pen(Cell::Ink));
+  pen.paint.fillRect(box, pen(Cell::Paper));
+  pen.paint.frame(box, pen(Cell::Ink));
+  pen.caps(box.x + 16, box.y + 24, "ALL KEYS");
   int y = box.y + 48;
   for (const HelpLine& line : lines) {
     pen.bold(box.x + 16, y, line.keys);
@@ -166,11 +166,11 @@ Rect busyBox(int width, int height) {
 void drawBusyBox(IndexImage& image, const CellPlan& plan, int seconds, bool mayEnd) {
   Pen pen{Painter{image}, plan};
   const Rect box = busyBox(image.width, image.height);
-  pen.paint.fillRect(box, pen.cell(Cell::Paper));
-  pen.paint.frame(box, pen.cell(Cell::Ink));
+  pen.paint.fillRect(box, pen(Cell::Paper));
+  pen.paint.frame(box, pen(Cell::Ink));
   pen.bold(box.x + 16, box.y + 25, "drawing: " + std::to_string(seconds) + " s so far");
   pen.soft(box.x + 16, box.y + 43,
-           mayEnd ? "q, or closing the window, ends it at once" : "keys pressed meanwhile wait");
+           mayEnd ? "q, or closing the window, ends it at once" : "keys pressed now take effect later");
 }
 
 std::vector<Rect> drawnOverPicture(const Layout& at, const PanelState& state) {

@@ -13,13 +13,13 @@
 
 namespace xnewell {
 
-/// What is around a view: tabs above, the colour strip and the status below. Pure: no server is asked, so a
-/// picture of the window is the same on all of them.
+/// What is around a view: tabs above, the colour strip and the status lines below. Nothing here asks the
+/// server, so a picture of the window is the same on all servers.
 
-/// What is typed, and what was wrong with it.
+/// What the user types, and what is wrong with it.
 struct Typed {
   std::string asks, text, complaint;
-  bool offers = false;  ///< up and down put something there
+  bool offers = false;  ///< up and down offer a text
 };
 
 struct PanelState {
@@ -28,29 +28,29 @@ struct PanelState {
   WindowView view = WindowView::Picture;
   SceneCellWords words;
   CellUse use;
-  std::optional<int> inspected = {};  ///< cell that the strip marks
+  std::optional<int> inspected = {};  ///< the cell that the strip marks
   std::string status, aside;          ///< the first line
-  std::string notice, told;           ///< a warning, or a good word, in its place; "" for none
-  std::optional<Typed> typed = {};    ///< in place of both lines
+  std::string notice, told;           ///< a warning, or plain news, in place of the first line; "" for none
+  std::optional<Typed> typed = {};    ///< in place of both lines of text
   std::vector<Legend> legend;         ///< the last line
-  std::vector<HelpLine> help;         ///< all keys over the window; empty: not shown
+  std::vector<HelpLine> help;         ///< the list of all keys, over the window; empty: not shown
 };
 
 /// The tab under the pointer.
 [[nodiscard]] std::optional<WindowView> tabAt(const Layout& layout, int x, int y);
 
-/// The bands of a window with room for them, and what lies over it: all keys, or the word to a small window.
-/// `image` has the layout's size. Nothing drawn depends on the table's hue or bits, so a new hue needs no
-/// redraw.
+/// Draws the bands of a window that has room for them, and what lies over the window: the list of keys, or
+/// the note that the window is too small. `image` has the layout's size. The image does not depend on the
+/// table's hue or bits, so a new hue needs no redraw.
 void drawPanel(IndexImage& image, const Layout& layout, const PanelState& state, const CellPlan& plan);
 
-/// Over the middle of a window of any size, while what is to be seen is not there yet; mayEnd: q
-/// ends the program meanwhile.
+/// Draws a note over the middle of a window of any size while the program is busy drawing. mayEnd: q ends the
+/// program meanwhile.
 [[nodiscard]] Rect busyBox(int width, int height);
 void drawBusyBox(IndexImage& image, const CellPlan& plan, int seconds, bool mayEnd);
 
-/// What drawPanel() draws over the picture. Whoever fills the picture anew puts these parts of the image back
-/// on top.
+/// The areas that drawPanel() draws over the picture. Code that paints the picture again must put these parts
+/// of the image back on top.
 [[nodiscard]] std::vector<Rect> drawnOverPicture(const Layout& layout, const PanelState& state);
 
 }  // namespace xnewell

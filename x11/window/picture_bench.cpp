@@ -11,7 +11,8 @@ namespace xnewell {
 
 namespace {
 
-/// Of one ramp its cells; else, for a scene's cells may hold anything, the tool's grays.
+/// The cells of the ramp, if there is one. Otherwise the scene's cells may hold anything, so the tool's grays
+/// are used.
 BallCells ballCells(const Picture& picture, const CellPlan& plan, bool ramp) {
   struct Gray {
     Cell cell;
@@ -51,9 +52,9 @@ std::string countsOf(const Picture& picture) {
          counted(backs + snapped.culled, "back face") + "   " + grouped(picture.saturated()) + " clamped";
 }
 
-/// How wrong the picture is, as a sentence; "" if it is not, or not known.
+/// How wrong the picture is, as a sentence; "" if it is right, or if that is not known.
 std::string inexactness(Picture& picture, bool compact) {
-  constexpr std::size_t kMost = 100'000;  // polygons: more take longer to count than to look at
+  constexpr std::size_t kMost = 100'000;  // polygons; with more the count would take too long
   const Order order = picture.settings().order;
   if (order == Order::Newell || order == Order::Oracle || picture.snapped().faces.size() > kMost) return {};
   const Picture::Exactness e = picture.exactness();
@@ -62,7 +63,7 @@ std::string inexactness(Picture& picture, bool compact) {
          grouped(e.wrong) + " of " + grouped(e.samples) + " samples.";
 }
 
-/// Of colours that were chosen from the picture of normals, for the cells from `first` on.
+/// Words for colours that were chosen from the picture of normals, in the cells from `first` on.
 SceneCellWords wordsOfNormals(const CellUse& use, int first) {
   int last = first + kMaxShades - 1;
   while (last > first && use.samples[last] == 0) --last;
@@ -106,7 +107,7 @@ void PictureBench::grabControl(const ControlHit& hit) {
       if (const auto* const row = std::ranges::find(kSliders, hit.key, &SliderRow::key);
           row != kSliders.end() && !row->enabled(host_.setup()))
         return host_.notify(std::string{row->whenOff});
-      // On a name or a value the control gets the keyboard, and no other value.
+      // A click on a name or a value gives the control the keyboard and does not change its value.
       const bool onTrack = place->kind == ControlPlace::Kind::Light
                                ? column_.ball.has(x_, y_)
                                : x_ >= place->track.x - 5 && x_ < place->track.x + place->track.width + 5 &&
@@ -138,7 +139,7 @@ void PictureBench::dragControl(int x, int y) {
     }
     case 'i':
       return host_.change('i', [&](Setup& s) { setIa(s, hundredth(share)); });
-    case 'p':  // its thumb stands at the sum
+    case 'p':  // the thumb of Ip stands at Ia + Ip
       return host_.change('p', [&](Setup& s) {
         s.picture.light.Ia = std::min(s.picture.light.Ia, hundredth(share));
         setIp(s, hundredth(share - s.picture.light.Ia));
@@ -167,8 +168,7 @@ void PictureBench::draw(IndexImage& image, const Desk& desk) {
   colors_ = {shown_.palette, {}};
   if (show == Show::Normals && desk.picture.colors().plan() != ColorPlan::Cube)
     colors_.words = wordsOfNormals(use_, desk.picture.colors().table().first());
-  for (int j = 0; j < shown_.image.height; ++j)
-    std::copy_n(shown_.image.row(j), shown_.image.width, image.row(at_.picture.y + j) + at_.picture.x);
+  Painter{image}.place(shown_.image, at_.picture.x, at_.picture.y);
   counts_ = countsOf(desk.picture);
   focus_ = keys_.focus(), drawnDragged_ = dragged_, drawnHover_ = hover_;
   const char pointed = hover_ ? hover_->key : focus_;
@@ -224,7 +224,7 @@ void PictureBench::drawCaption(IndexImage& image, const Desk& desk) {
   counted_ = !desk.dragging;
   const std::string inexact =
       desk.coarse ? "Coarse while dragging: " + captionOf({desk.picture.settings()}) : inexact_;
-  const std::string& finding = shown_.finding;  // of another view than the shaded one
+  const std::string& finding = shown_.finding;  // of a view other than the shaded one
   if (!at_.compact || (inexact.empty() && finding.empty())) pen.soft(x, y, line);
   if (!at_.compact) y += 17;
   if (!finding.empty()) {
@@ -262,7 +262,7 @@ std::vector<Legend> PictureBench::legend() const {
 }
 
 std::vector<HelpLine> PictureBench::help() const {
-  return {{"drag, wheel, + -", "turn the scene; come nearer or go away"},
+  return {{"drag, wheel, + -", "turn the scene; zoom in or out"},
           {"i p a d s n c 0 l", "go to a slider, or to the light"},
           {"t z", "go to turning, or to zooming"},
           {"arrows", "change what the keyboard is on; with Shift by ten"},

@@ -6,12 +6,12 @@
 
 namespace xnewell {
 
-/// The view of the picture and of everything that makes it: the controls, under keys and pointer.
+/// The view of the picture and of all its controls, with keys and pointer.
 class PictureBench : public Bench {
  public:
-  /// The scene that is set up.
+  /// The scene that the controls are for.
   using Subject = std::function<ControlKeys::Subject()>;
-  /// `keys` are shared with the views that show controls too. What is passed outlives it.
+  /// `keys` are shared with the other views that show controls. All that is passed must outlive it.
   PictureBench(Host& host, ControlKeys& keys, Subject subject)
       : host_{host}, keys_{keys}, subject_{std::move(subject)} {}
 
@@ -45,12 +45,12 @@ class PictureBench : public Bench {
   ControlKeys& keys_;
   Subject subject_;
   std::optional<ControlHit> hover_;
-  char dragged_ = 0;   ///< key of the control that is, or `t` for the scene
+  char dragged_ = 0;   ///< the key of the control that is dragged, or `t` for the scene
   int x_ = 0, y_ = 0;  ///< the pointer, while something is dragged
-  // Of what was drawn last.
+  // The state of the last drawing.
   Layout at_;
   ControlColumn column_;
-  glm::dmat3 toView_{1};  ///< from the world to right, up, towards the viewer
+  glm::dmat3 toView_{1};  ///< from world coordinates to right, up, towards the viewer
   char focus_ = 0, drawnDragged_ = 0;
   std::optional<ControlHit> drawnHover_;
   Show shownAs_ = Show::Shaded;
@@ -59,7 +59,7 @@ class PictureBench : public Bench {
   CellUse use_;
   std::string counts_, aside_;
   std::string inexact_;   ///< how wrong the picture is, as a sentence
-  bool counted_ = false;  ///< whether that is known
+  bool counted_ = false;  ///< true if inexact_ is known
 };
 
 }  // namespace xnewell

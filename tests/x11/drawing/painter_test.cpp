@@ -38,6 +38,14 @@ Pixels lineFrom(int x0, int y0, int x1, int y1, const LineStyle& style = {}) {
   return drawn([&](Painter& p, int x, int y) { p.line(x + x0, y + y0, x + x1, y + y1, 1, style); });
 }
 
+/// 7 x 5 pixels with cells 1 to 35.
+IndexImage smallPicture() {
+  IndexImage picture{7, 5, 0};
+  for (std::size_t k = 0; k < picture.pixels.size(); ++k)
+    picture.pixels[k] = static_cast<std::uint8_t>(k + 1);
+  return picture;
+}
+
 /// Everything the painter can draw, somewhere around (x, y).
 void everything(Painter& p, int x, int y) {
   p.fillRect({x - 3, y - 2, 4, 5}, 1);
@@ -83,6 +91,30 @@ TEST(Painter, ClipsExactly) {
           ASSERT_EQ(inner.row(j)[i], inside ? expected : 0) << x << ' ' << y << ' ' << i << ' ' << j;
         }
     }
+}
+
+// A part of a picture moves as a whole, wherever the part reaches: pixel (u, v) of the picture, if the part
+// has it, is painted at (x + u - part.x, y + v - part.y), and nothing else is.
+TEST(Painter, PlacesAPartOfAPicture) {
+  const IndexImage picture = smallPicture();
+  std::mt19937 random{35};
+  std::uniform_int_distribution<int> at{-9, 12}, side{0, 14};
+  int seen = 0;
+  for (int k = 0; k < 2000; ++k) {
+    const Rect part{at(random), at(random), side(random), side(random)};
+    const int x = at(random), y = at(random);
+    IndexImage image{11, 9, 0}, expected = image;
+    Painter{image}.place(picture, part, x, y);
+    for (int v = 0; v < picture.height; ++v)
+      for (int u = 0; u < picture.width; ++u) {
+        const int i = x + u - part.x, j = y + v - part.y;
+        if (!part.has(u, v) || i < 0 || j < 0 || i >= image.width || j >= image.height) continue;
+        expected.row(j)[i] = picture.row(v)[u];
+        ++seen;
+      }
+    ASSERT_EQ(image, expected) << k;
+  }
+  EXPECT_GT(seen, 1000);
 }
 
 // A line has one pixel for each step of its longer axis, each within half a pixel of the line, both ends

@@ -64,9 +64,9 @@ TEST(LessonClaims, Hold) {
       Shown shown{exhibit, size};
       ShownExhibit facts = shown.facts();
       for (const Claim& claim : exhibit.claims) {
-        const FactRow& fact = kFacts[static_cast<std::size_t>(claim.fact)];
+        const FactRow& fact = allFacts()[static_cast<std::size_t>(claim.fact)];
         EXPECT_TRUE(facts.holds(claim))
-            << place << ", at " << size.x << ": " << fact.name << " is " << facts.text(fact.id);
+            << place << ", at " << size.x << ": " << fact.name << " is " << facts.text(fact);
         ++claims;
       }
     }
@@ -102,8 +102,8 @@ TEST(LessonClaims, FailWhereTheyAreChanged) {
     Shown shown{exhibit, kSizes[1]};
     ShownExhibit facts = shown.facts();
     for (Claim claim : exhibit.claims) {
-      const double value = facts.value(kFacts[static_cast<std::size_t>(claim.fact)].id);
-      const double unit = std::pow(10.0, -kFacts[static_cast<std::size_t>(claim.fact)].decimals);
+      const FactRow& fact = allFacts()[static_cast<std::size_t>(claim.fact)];
+      const double value = facts.value(fact), unit = std::pow(10.0, -fact.decimals);
       if (claim.is) *claim.is += unit;
       if (claim.least) claim.least = value + unit;
       if (claim.most) claim.most = value - unit;
@@ -121,9 +121,9 @@ TEST(LessonFacts, LeaveThePicture) {
   const IndexImage before = shown.image;
   const PictureSettings settings = shown.picture.settings();
   ShownExhibit facts = shown.facts();
-  for (const FactRow& row : kFacts)
+  for (const FactRow& row : allFacts())
     if (row.needs != FactNeeds::Beside) {
-      EXPECT_FALSE(facts.text(row.id).empty());
+      EXPECT_FALSE(facts.text(row).empty());
     }
   EXPECT_EQ(shown.picture.settings(), settings);
   IndexImage after;
@@ -139,7 +139,8 @@ TEST(LessonFacts, SayWhereThereIsNone) {
     exhibit.settings.table.kind = kind;
     Shown shown{exhibit, kSizes[0]};
     ShownExhibit facts = shown.facts();
-    EXPECT_EQ(facts.text(Fact::Ratio) == "none", kind == TableKind::Linear);
+    EXPECT_EQ(facts.text(allFacts()[static_cast<std::size_t>(claim.fact)]) == "none",
+              kind == TableKind::Linear);
     EXPECT_EQ(facts.holds(claim), kind == TableKind::Corrected);
   }
 }
@@ -152,7 +153,7 @@ TEST(LessonFacts, FillWords) {
   EXPECT_EQ(checkPlaceholders("{cuts} and {wrong samples}"), "");
   EXPECT_EQ(checkPlaceholders("a } b"), "a } without a {");
   EXPECT_EQ(checkPlaceholders("a { b"), "a { without a }");
-  EXPECT_TRUE(checkPlaceholders("{cats}").starts_with("no such fact: 'cats'; there are polygons, "));
+  EXPECT_TRUE(checkPlaceholders("{cats}").starts_with("there is no fact 'cats'; the facts are polygons, "));
 }
 
 }  // namespace xnewell

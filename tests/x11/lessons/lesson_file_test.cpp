@@ -161,12 +161,12 @@ TEST(LessonFile, EveryControlIsKnown) {
 }
 
 TEST(LessonFile, ComplaintsNameThePlace) {
-  EXPECT_EQ(complaintOf("{\n,}"), "l.json:2: not valid JSON here");
+  EXPECT_EQ(complaintOf("{\n,}"), "l.json:2: not JSON here");
   EXPECT_EQ(complaintOf("{}"), "l.json: title is needed");
   EXPECT_EQ(complaintOf(R"({"titel": "t"})"),
-            "l.json: unknown key 'titel'; the keys are title, number, shows, steps");
+            "l.json: unknown key 'titel'; there are title, number, shows, steps");
   EXPECT_EQ(complaintOf(R"({"title": "t", "title": "u"})"),
-            "l.json:1: the key 'title' appears twice in an object");
+            "l.json:1: the key 'title' stands twice in an object");
   EXPECT_EQ(complaintOf(R"({"title": 3, "steps": []})"), "l.json: title: a string is needed");
   EXPECT_EQ(complaintOf(R"({"title": "t", "steps": []})"), "l.json: steps: 1 to 12 steps are needed");
   EXPECT_EQ(complaintOf(R"({"title": "t", "steps": [{}]})"), "l.json: steps[0]: heading is needed");
@@ -180,7 +180,7 @@ TEST(LessonFile, ComplaintsNameThePlace) {
   EXPECT_EQ(complaintOf(withStep("", "nosuch")),
             "l.json: steps[0].scene: 'nosuch' is no built-in scene, and no file beside the lesson");
   EXPECT_TRUE(complaintOf(withStep(R"("colour": 1)"))
-                  .starts_with("l.json: steps[0]: unknown key 'colour'; the keys are "));
+                  .starts_with("l.json: steps[0]: unknown key 'colour'; there are "));
   EXPECT_EQ(complaintOf(withStep(R"("divisions": 0)")),
             "l.json: steps[0].divisions: a whole number from 1 to 64 is needed");
   EXPECT_EQ(complaintOf(withStep(R"("window": "trade")")),
@@ -201,7 +201,7 @@ TEST(LessonFile, ComplaintsNameThePlace) {
   EXPECT_EQ(complaintOf(withStep(R"("listed": [0, 1])")),
             "l.json: steps[0].listed: all 3 faces are needed, each once");
   EXPECT_EQ(complaintOf(withStep(R"("listed": [0, 1, 1])")),
-            "l.json: steps[0].listed[2]: the face appears twice");
+            "l.json: steps[0].listed[2]: the face is listed twice");
   EXPECT_EQ(complaintOf(withStep(R"("listed": [0])", "teapot")),
             "l.json: steps[0].listed: is for scenes of plain polygons");
   EXPECT_EQ(complaintOf(withStep(R"("wrong": 1)")), "l.json: steps[0].wrong: true or false is needed");
@@ -216,13 +216,13 @@ TEST(LessonFile, ComplaintsNameThePlace) {
   EXPECT_EQ(complaintOf(withStep(R"("event": {"kind": "cut", "number": 0})")),
             "l.json: steps[0].event.number: a whole number from 1 to 1000000 is needed");
   EXPECT_TRUE(complaintOf(withStep(R"("claims": {"cats": 1})"))
-                  .starts_with("l.json: steps[0].claims.cats: no such fact; there are polygons, "));
+                  .starts_with("l.json: steps[0].claims.cats: there is no such fact; the facts are polygons, "));
   EXPECT_EQ(complaintOf(withStep(R"("claims": {"cuts": {}})")),
             "l.json: steps[0].claims.cuts: one of at least and at most is needed");
   EXPECT_TRUE(complaintOf(withStep(R"("controls": ["fill"])"))
                   .starts_with("l.json: steps[0].controls[0]: 'fill' is not one of Ia, Ip, "));
   EXPECT_EQ(complaintOf(withStep(R"("controls": ["ks", "ks"])")),
-            "l.json: steps[0].controls[1]: the control appears twice");
+            "l.json: steps[0].controls[1]: the control is listed twice");
   EXPECT_EQ(
       complaintOf(R"({"title": "t", "steps": [{"heading": "h", "caption": ["{cuts"], "scene": "sticks"}]})"),
       "l.json: steps[0].caption[0]: a { without a }");
@@ -234,13 +234,13 @@ TEST(LessonFile, ComplaintsNameThePlace) {
 TEST(LessonFile, ComplaintsOfQuestions) {
   EXPECT_EQ(complaintOf(withStep(question(R"(, "says": "no", "shown": {})"))), "");
   EXPECT_EQ(complaintOf(withStep(question(R"(, "says": "no")"))),
-            "l.json: steps[0].question.answers[0]: shown is needed: a wrong answer is shown to fail");
+            "l.json: steps[0].question.answers[0]: shown is needed: a wrong answer must be seen to fail");
   EXPECT_EQ(complaintOf(withStep(question(R"(, "shown": {})"))),
             "l.json: steps[0].question.answers[0]: says is needed");
   EXPECT_EQ(complaintOf(withStep(question(R"(, "says": "no", "shown": {"heading": "x"})"))).substr(0, 62),
             "l.json: steps[0].question.answers[0].shown: unknown key 'headi");
   EXPECT_EQ(complaintOf(withStep(question(R"(, "says": "no", "holds": true)"))),
-            "l.json: steps[0].question.answers: one answer must hold, and one only");
+            "l.json: steps[0].question.answers: exactly one answer must hold");
   EXPECT_EQ(complaintOf(withStep(R"("question": {"asks": "q", "answers": [{"text": "a", "says": "b"}]})")),
             "l.json: steps[0].question.answers: 2 to 4 answers are needed");
   EXPECT_EQ(complaintOf(withStep(R"("question": {"asks": "q"})")),

@@ -294,7 +294,7 @@ TEST(SideBench, NumbersFollowWhenADragIsOver) {
   const std::int64_t faint = std::ranges::count(s.stage.part(s.at().numbers).pixels, CellPlan{}[Cell::Faint]);
   EXPECT_GT(faint, 500);
   s.stage.draw(s.bench);
-  EXPECT_EQ(s.bench.aside(), "numbers from these pictures");
+  EXPECT_EQ(s.bench.aside(), "the numbers are of these pictures");
   EXPECT_GT(finding(), 1000);
   Shown fresh{"teapot", s.stage.now};
   EXPECT_EQ(s.pictures(), fresh.pictures());

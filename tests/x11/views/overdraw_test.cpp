@@ -115,8 +115,8 @@ TEST(Overdraw, FindingIsOfTheNumbers) {
   Picture picture{squares({{-1, -1, 0}, {0, 0, 1}, {1, 1, 2}})};
   picture.make(fromAbove(picture.scene(), Order::ZSort));
   Finding finding = findingOf(overdrawOf(picture), picture);
-  EXPECT_EQ(finding.bold, "A sample is painted 1.20 times in the mean, 2 at most.");
-  EXPECT_EQ(finding.why.substr(0, 42), "16.7 % of all that is painted is painted o");
+  EXPECT_EQ(finding.bold, "A sample is painted 1.20 times on average, 2 at most.");
+  EXPECT_EQ(finding.why.substr(0, 43), "16.7 % of all painted samples are painted o");
   picture.make(fromAbove(picture.scene(), Order::Oracle));
   finding = findingOf(overdrawOf(picture), picture);
   EXPECT_EQ(finding.bold, "Every sample is painted once.");
