@@ -14,9 +14,9 @@
 
 namespace xnewell {
 
-/// Eight numbers modulo 2^32, at eight pixels side by side, by GCC's and Clang's vector extension: any
-/// processor has them. What compilers do not find by themselves is written out for SSE2, which every x86-64
-/// processor has.
+/// Eight numbers modulo 2^32, for eight neighbouring pixels, by GCC's and Clang's vector extension; any
+/// processor has them. Instructions that compilers do not find by themselves are written out for SSE2, which
+/// every x86-64 processor has.
 struct Eight {
   using Four [[gnu::vector_size(16)]] = std::uint32_t;
   Four left, right;  ///< pixels 0 to 3, 4 to 7
@@ -68,12 +68,12 @@ using SixteenBytes [[gnu::vector_size(16)]] = std::uint8_t;
 #endif
 }
 
-/// From here on eight bytes are one number, in order of memory.
+/// The same for eight numbers. From here on, eight bytes in the order of memory are one number.
 [[nodiscard]] inline std::uint64_t topBytes(const Eight& eight) {
   return std::bit_cast<std::array<std::uint64_t, 2>>(topBytes(eight, eight))[0];
 }
 
-/// 0xFF for each number whose top bit is set, which as a signed one is negative; else 0.
+/// 0xFF for each number whose top bit is set, so that it is negative if signed; 0 for the others.
 [[nodiscard]] inline std::uint64_t negativeBytes(const Eight& eight) {
 #ifdef __SSE2__
   const __m128i signs = _mm_srai_epi16(
@@ -84,7 +84,7 @@ using SixteenBytes [[gnu::vector_size(16)]] = std::uint8_t;
 #endif
 }
 
-/// The bytes of a table at eight places.
+/// The bytes of a table at eight indices.
 [[nodiscard]] inline std::uint64_t lookUp(const std::uint8_t* table, EightWords at) {
   const auto words = std::bit_cast<std::array<std::uint16_t, 8>>(at);
   std::array<std::uint8_t, 8> bytes{};
@@ -92,8 +92,9 @@ using SixteenBytes [[gnu::vector_size(16)]] = std::uint8_t;
   return std::bit_cast<std::uint64_t>(bytes);
 }
 
-/// Bytes that are followed by another one: SSE2 gathers pairs of bytes, of which the second is cut off.
-/// (Stored one by one they take longer, for a processor stores no more than one or two in a cycle.)
+/// The bytes at eight addresses. Each must be followed by another byte: SSE2 gathers pairs of bytes and cuts
+/// off the second. (To store the bytes one by one takes longer, for a processor stores only one or two in a
+/// cycle.)
 [[nodiscard]] inline std::uint64_t gathered(const std::array<const std::uint8_t*, 8>& at) {
 #ifdef __SSE2__
   __m128i words = _mm_setzero_si128();
@@ -115,7 +116,7 @@ using SixteenBytes [[gnu::vector_size(16)]] = std::uint8_t;
 #endif
 }
 
-/// A value at eight pixels of a row, then of the row below it, and so on.
+/// A value at eight pixels of a row, then at those of the row below, and so on.
 struct EightOfRows {
   Eight row;
   std::uint32_t gy;

@@ -12,14 +12,14 @@
 
 namespace xnewell {
 
-/// A map of 256 x 256 cells, looked up by the whole parts of two interpolated values: of intensities by
-/// direction, or any texture whose coordinates are affine on the screen.
+/// A map of 256 x 256 cells. The whole parts of two interpolated values say where to look. The map holds
+/// intensities by direction, or any texture whose coordinates are affine on the screen.
 struct EnvironmentMap {
   AffineValue column, row;
   const std::uint8_t* map;  ///< 65,536 cells, row by row
 
   void span(std::uint8_t* cells, int i, int j, int count) const {
-    const std::uint8_t* const cellAt = map;  // a copy: for all the compiler knows, a store may change members
+    const std::uint8_t* const cellAt = map;  // a copy: the compiler must assume that a store changes members
     const std::uint32_t du = 8 * column.gx, dv = 8 * row.gx;
     Eight u = eightFrom(column.at(i, j), column.gx), v = eightFrom(row.at(i, j), row.gx);
     int k = 0;
@@ -43,7 +43,8 @@ struct EnvironmentMap {
   }
 };
 
-/// Cells of `shown`, whose maps hold `mark` at some places: there it is `cell`, and `count` counts them.
+/// The cells of `shown`, whose maps hold `mark` at some places. It puts `cell` in the place of `mark` and
+/// adds their number to `count`.
 template <class S>
 struct Counted {
   S shown;
@@ -74,11 +75,11 @@ struct Counted {
 template <class S>
 Counted(S, std::uint8_t, std::uint8_t, std::int64_t*) -> Counted<S>;  // for Clang before 17
 
-/// Columns and rows of a map around the places that hold a mark; of none, a box that nothing meets.
+/// The columns and rows of a map in which a mark occurs. If there is none, nothing meets the box.
 struct MapBox {
-  int left = 256, right = -1, top = 256, bottom = -1;  ///< all within
+  int left = 256, right = -1, top = 256, bottom = -1;  ///< all of them inside
 
-  /// Of 65,536 cells, or of none.
+  /// `cells` are 65,536 or none.
   MapBox(std::span<const std::uint8_t> cells, std::uint8_t mark) {
     for (int k = 0; k < static_cast<int>(cells.size()); ++k)
       if (cells[k] == mark) {
@@ -87,8 +88,8 @@ struct MapBox {
       }
   }
 
-  /// Whether a triangle with these values at its vertices, in steps, may have a sample in the box: affine.h
-  /// says how far beyond them a sample's can be.
+  /// Whether a triangle with these values at its vertices, in steps, may have a sample in the box. affine.h
+  /// says how far the value of a sample can lie beyond them.
   [[nodiscard]] bool meets(const std::array<std::uint32_t, 3>& column,
                            const std::array<std::uint32_t, 3>& row) const {
     constexpr std::uint32_t kBeyond = 1U << (24 - 9);
@@ -101,8 +102,8 @@ struct MapBox {
   }
 };
 
-/// Cells of `front` where a third value is at least 128, which stands for 0, and of `away` where it is less:
-/// those samples face away. Only needed where the vertices of a triangle do not agree.
+/// The cells of `front` where a third value is at least 128, which stands for 0, and those of `away` where it
+/// is less: there the surface faces away. It is needed only for a triangle whose vertices differ in this.
 template <Shader Front, Shader Away>
 struct EitherSide {
   Front front;
@@ -118,8 +119,8 @@ struct EitherSide {
         away.span(cells + from, i + from, j, to - from);
     };
     if (faces(0) == faces(count - 1)) return part(0, count);
-    // Between samples the value does not wrap, so it crosses 2^31 once: of a value that rises from v < 2^31,
-    // at the first k with v + k step >= 2^31. One that falls does so upside down.
+    // The value does not wrap between samples, so it crosses 2^31 once. A value that rises from v < 2^31
+    // crosses at the first k with v + k step >= 2^31. A falling value is turned upside down.
     const std::uint32_t first = facing.at(i, j), v = faces(0) ? ~first : first;
     const std::uint32_t step = faces(0) ? 0 - facing.gx : facing.gx;
     const int turn = static_cast<int>((0x7FFF'FFFF - v) / step) + 1;

@@ -13,15 +13,15 @@
 
 namespace xnewell {
 
-/// How EvaluatedTriangle is evaluated, several pixels side by side.
+/// How PhongTriangle and TermsTriangle are evaluated, several pixels at once.
 
 /// The sum of interpolated terms along a row.
 template <class Real>
 class TermRow {
  public:
-  [[gnu::always_inline]] TermRow(const EvaluatedTriangle& t, double down)
+  [[gnu::always_inline]] TermRow(const TermsTriangle& t, double down)
       : diffuse_{t.diffuse, down}, rest_{t.rest, down} {}
-  /// Goes to `blocks` times kLanes pixels, where the texels are.
+  /// Moves to `blocks` times kLanes pixels, for which `texels` are located.
   [[gnu::always_inline]] void evaluate(const Real* along, int, const TexelRow<Real>& texels) {
     along_ = along, texels_ = &texels;
   }
@@ -37,13 +37,14 @@ class TermRow {
   const TexelRow<Real>* texels_ = nullptr;
 };
 
-/// Calls `then` with the row of the triangle's kind, `down` rows below its first. `kPhong`: whether the
-/// illumination is evaluated or its terms interpolated.
-template <class Real, bool kPhong, class Then>
-[[gnu::always_inline]] inline void withRow(const EvaluatedTriangle& t, double down, const Then& then) {
-  if constexpr (!kPhong)
-    then(TermRow<Real>{t, down});
-  else if (!isOfFarLights(t))
+/// Calls then(row) with the row of a triangle, `down` rows below its first.
+template <class Real, class Then>
+[[gnu::always_inline]] inline void withRow(const TermsTriangle& t, double down, const Then& then) {
+  then(TermRow<Real>{t, down});
+}
+template <class Real, class Then>
+[[gnu::always_inline]] inline void withRow(const PhongTriangle& t, double down, const Then& then) {
+  if (!isOfFarLights(t))
     then(PhongRow<Real>{t, down});
   else if (t.material->ks[t.channel] == 0.0)
     then(FarLightsRow<Real, Eye::None>{t, down});
@@ -53,13 +54,13 @@ template <class Real, bool kPhong, class Then>
     then(FarLightsRow<Real, Eye::Far>{t, down});
 }
 
-/// The numbers, four or eight, each in [0, 255], in a byte each; of other numbers any byte.
+/// Four or eight numbers in [0, 255], each in a byte. A number outside gives any byte.
 template <class Integers>
 [[gnu::always_inline]] inline auto bytesOf(const Integers& whole) {
   static_assert(kLanes<Integers> == 4 || kLanes<Integers> == 8);
   Lanes<std::uint8_t, kLanes<Integers>> bytes;
 #ifdef __SSE2__
-  __m128i first, last;  // of four numbers the same
+  __m128i first, last;  // the same if there are four numbers
   std::memcpy(&first, &whole, sizeof first);
   std::memcpy(&last, reinterpret_cast<const char*>(&whole) + sizeof whole - sizeof last, sizeof last);
   const __m128i words = _mm_packs_epi32(first, last), packed = _mm_packus_epi16(words, words);
@@ -70,14 +71,15 @@ template <class Integers>
   return bytes;
 }
 
-/// Stores the ramp's cells of a row's sums at `pixels` pixels; of its lowest where a sum is not a number,
-/// past the end of a span. Adds to `above` the sums above 1.
+/// Stores the cells of a row's sums at `pixels` pixels. A sum that is not a number, past the end of a span,
+/// has the lowest cell. Adds the number of sums above 1 to `above`.
 template <class Real>
 [[gnu::always_inline]] inline void storeCells(const Ramp& ramp, const auto& row, int pixels,
                                               std::uint8_t* cells, IntegersOf<Real>& above) {
   constexpr int kSideBySide = kLanes<Real>;
   using Bytes = Lanes<std::uint8_t, kSideBySide>;
-  const Real zero = splat<Real>(0.0), one = splat<Real>(1.0), lane = lanesFrom0<Real>();
+  const Real one = splat<Real>(1.0), lane = lanesFrom0<Real>();
+  const ValueOnRamp<Real> value{ramp};
   const auto cut = [](const Real& v) { return __builtin_convertvector(v, IntegersOf<Real>); };
   const auto each = [&] [[gnu::always_inline]] (const auto& cellsOf) {
     const int whole = pixels / kSideBySide, left = pixels % kSideBySide;
@@ -95,31 +97,25 @@ template <class Real>
   };
   if (ramp.table != nullptr) {
     each([&] [[gnu::always_inline]] (const Real& I) {
-      const IntegersOf<Real> at = cut(smaller(larger(I, zero), one) * splat<Real>(65535.0));
+      const IntegersOf<Real> at = cut(value(I) * splat<Real>(256.0));
       Bytes bytes;
       for (int k = 0; k < kSideBySide; ++k) bytes[k] = ramp.table[at[k]];
       return bytes;
     });
   } else {
-    const Real low = splat<Real>(ramp.low), high = splat<Real>(ramp.high);
-    const double rise = ramp.perIntensity();
-    const Real perIntensity = splat<Real>(rise), first = splat<Real>(ramp.first + 0.5 - rise * ramp.low);
-    each([&] [[gnu::always_inline]] (const Real& I) {
-      const Real v = first + perIntensity * smaller(larger(I, low), high);
-      return bytesOf(cut(v));
-    });
+    each([&] [[gnu::always_inline]] (const Real& I) { return bytesOf(cut(value(I))); });
   }
 }
 
-template <class Real, bool kPhong>
-[[gnu::always_inline]] inline void fillPixels(const EvaluatedTriangle& t, std::uint8_t* cells, int i, int j,
+template <class Real, class Triangle>
+[[gnu::always_inline]] inline void fillPixels(const Triangle& t, std::uint8_t* cells, int i, int j,
                                               int count) {
   constexpr int kSideBySide = kLanes<Real>;
   constexpr int kMost = kMostBlocks * kSideBySide;
   IntegersOf<Real> above{};
   const double down = j - t.j0;
   TexelRow<Real> texels{t, down};
-  withRow<Real, kPhong>(t, down, [&] [[gnu::always_inline]] (auto row) {
+  withRow<Real>(t, down, [&] [[gnu::always_inline]] (auto row) {
     Real at = splat<Real>(i - t.i0) + lanesFrom0<Real>();
     for (int done = 0; done < count; done += kMost) {
       const int pixels = std::min(kMost, count - done), blocks = (pixels + kSideBySide - 1) / kSideBySide;

@@ -10,22 +10,40 @@ namespace xnewell {
 
 namespace {
 
-/// As AffineOver: a triangle narrower than 2^-12 pixel has the gradients of the snap.
+/// As in AffineOver: in a triangle narrower than 2^-12 pixel the snap decides the gradient.
 constexpr double kSteepest = 0x1p12;
 
 constexpr int kMostForSingle = 1024;  ///< n
 
 XNEWELL_DISPATCHED
-void fillSingle(const EvaluatedTriangle& t, std::uint8_t* cells, int i, int j, int count) {
-  if (t.phong)
-    fillPixels<Lanes<float, 8>, true>(t, cells, i, j, count);
-  else
-    fillPixels<Lanes<float, 8>, false>(t, cells, i, j, count);
+void fillTerms(const TermsTriangle& t, std::uint8_t* cells, int i, int j, int count) {
+  fillPixels<Lanes<float, 8>>(t, cells, i, j, count);
 }
 
 XNEWELL_DISPATCHED
-void fillDouble(const EvaluatedTriangle& t, std::uint8_t* cells, int i, int j, int count) {
-  fillPixels<Lanes<double, 4>, true>(t, cells, i, j, count);
+void fillPhong(const PhongTriangle& t, std::uint8_t* cells, int i, int j, int count) {
+  fillPixels<Lanes<float, 8>>(t, cells, i, j, count);
+}
+
+XNEWELL_DISPATCHED
+void fillPhongInDouble(const PhongTriangle& t, std::uint8_t* cells, int i, int j, int count) {
+  fillPixels<Lanes<double, 4>>(t, cells, i, j, count);
+}
+
+/// The sum at one sample.
+template <class Triangle>
+double sumAt(const Triangle& t, int i, int j) {
+  using Real = Lanes<double, 4>;
+  const Real along = splat<Real>(i - t.i0);
+  const double down = j - t.j0;
+  TexelRow<Real> texels{t, down};
+  if (texels) texels.locate(&along, 1);
+  double sum = 0;
+  withRow<Real>(t, down, [&](auto row) {
+    row.evaluate(&along, 1, texels);
+    sum = row.sum(0)[0];
+  });
+  return sum;
 }
 
 }  // namespace
@@ -50,26 +68,17 @@ PixelPlane PixelPlanes::operator()(const std::array<double, 3>& v) const {
   return {v[0] - gx * x0_ - gy * y0_, gx, gy};
 }
 
-void EvaluatedTriangle::span(std::uint8_t* cells, int i, int j, int count) const {
-  if (phong && material->n > kMostForSingle)
-    fillDouble(*this, cells, i, j, count);
+void PhongTriangle::span(std::uint8_t* cells, int i, int j, int count) const {
+  if (material->n > kMostForSingle)
+    fillPhongInDouble(*this, cells, i, j, count);
   else
-    fillSingle(*this, cells, i, j, count);
+    fillPhong(*this, cells, i, j, count);
 }
+double PhongTriangle::intensity(int i, int j) const { return sumAt(*this, i, j); }
 
-double EvaluatedTriangle::intensity(int i, int j) const {
-  using Real = Lanes<double, 4>;
-  const Real along = splat<Real>(i - i0);
-  const double down = j - j0;
-  TexelRow<Real> texelRow{*this, down};
-  if (texelRow) texelRow.locate(&along, 1);
-  double sum = 0;
-  const auto evaluate = [&](auto row) {
-    row.evaluate(&along, 1, texelRow);
-    sum = row.sum(0)[0];
-  };
-  phong ? withRow<Real, true>(*this, down, evaluate) : withRow<Real, false>(*this, down, evaluate);
-  return sum;
+void TermsTriangle::span(std::uint8_t* cells, int i, int j, int count) const {
+  fillTerms(*this, cells, i, j, count);
 }
+double TermsTriangle::intensity(int i, int j) const { return sumAt(*this, i, j); }
 
 }  // namespace xnewell

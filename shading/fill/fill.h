@@ -11,20 +11,21 @@
 
 namespace xnewell {
 
-/// Filling convex outlines by the sample rule of scanline.h, with whatever cells a shader gives to samples.
+/// Fills convex outlines by the sample rule of scanline.h, with the cells that a shader gives to the samples.
 
-/// What a fill asks for cells: FlatCell below, gouraud.h, environment_map.h.
+/// A shader gives cells to a fill: FlatCell below, and those of gouraud.h and environment_map.h.
 template <class S>
 concept Shader = requires(const S& shader, std::uint8_t* cells, int i, int j, int count) {
-  /// Stores the cells of pixels (i, j) to (i + count - 1, j), whose samples are all owned, count >= 1.
+  /// Stores the cells of pixels (i, j) to (i + count - 1, j), count >= 1. The outline owns all their samples.
   shader.span(cells, i, j, count);
-  /// For triangles of a few pixels: a function that gives the cells of the eight pixels from (i, j) on, as
-  /// eight bytes in order of memory, then of those in the row below, ... Few of the samples are owned: those
-  /// whose bytes in its argument are 0xFF; the others' are 0.
+  /// For triangles of a few pixels. It returns a function. Each call of that function gives eight cells, as
+  /// eight bytes in the order of memory: first those of the eight pixels from (i, j) on, then those of the
+  /// row below, and so on. Its argument has 0xFF in the bytes of the samples that the outline owns, 0 in the
+  /// others.
   { shader.rowsOfEight(i, j)(std::uint64_t{}) } -> std::same_as<std::uint64_t>;
 };
 
-/// cells[0..count-1] = cell, count >= 1; most spans are short, and memset costs a call.
+/// cells[0..count-1] = cell, count >= 1. Most spans are short, and memset would cost a call.
 inline void fillSpan(std::uint8_t* cells, int count, std::uint8_t cell) {
   const std::uint64_t eight = cell * 0x0101010101010101u;
   const auto store = [&]<class Word>(int at, Word word) { std::memcpy(cells + at, &word, sizeof word); };
@@ -43,7 +44,7 @@ inline void fillSpan(std::uint8_t* cells, int count, std::uint8_t cell) {
   }
 }
 
-/// cells[0..count-1] = bytes[0..count-1], 1 <= count <= 16, by stores that overlap as above.
+/// cells[0..count-1] = bytes[0..count-1], 1 <= count <= 16, by stores that overlap.
 inline void storeSpan(std::uint8_t* cells, SixteenBytes bytes, int count) {
   const auto copy = [&]<class Word>(int at, Word word) {
     std::memcpy(&word, reinterpret_cast<const std::uint8_t*>(&bytes) + at, sizeof word);
@@ -68,23 +69,25 @@ struct FlatCell {
   }
 };
 
-/// Columns and rows of the samples that a small triangle may own, not clipped.
+/// The columns and rows of the samples that a small triangle may own. They are not clipped.
 struct SampleBox {
   int left, right, top, bottom;  ///< right and bottom are the first outside
 };
 
-/// Three edge functions a sample in blocks of 8x4 cells, without a branch but for a second block: for
-/// triangles whose box has at most 8 columns and 8 rows, where an edge is too short to be walked.
-/// The box meets the image, which has at least 8 columns and 8 rows.
+/// Evaluates three edge functions at each sample, in blocks of 8 x 4 cells. The only branch is for a second
+/// block. It is for triangles whose box has at most 8 columns and 8 rows; their edges are too short to be
+/// walked. The box meets the image, which has at least 8 columns and 8 rows.
 ///
-/// E(x, y) = A (x - xa) + B (y - ya), A = yb - ya, B = xa - xb, is positive inside. A sample on the edge,
-/// moved by (e, e^2), is inside if A > 0, or if A = 0 and B > 0; else E - 1 is as good as E. From centre to
-/// centre E grows by multiples of 2^16, so E >> 16, which has E's sign, steps exactly by A and B. These are
-/// below 2^20, samples are less than 2^5 pixels from a, so it stays below 2^26: its sign is the top bit.
+/// E(x, y) = A (x - xa) + B (y - ya), with A = yb - ya and B = xa - xb, is positive inside. A sample on the
+/// edge, moved by (e, e^2), is inside if A > 0, or if A = 0 and B > 0; if it is not, E - 1 takes the place of
+/// E. From centre to centre E grows by multiples of 2^16, so E >> 16, which has the sign of E, steps exactly
+/// by A and B. A and B are below 2^20 and the samples are less than 2^5 pixels from a, so E >> 16 stays below
+/// 2^26 and its sign is the top bit.
 template <Shader S>
 inline void fillSmallTriangle(IndexImage& image, const glm::ivec3* p, const SampleBox& box, const S& shader) {
   constexpr int kColumns = 8, kRows = 4;
-  // Blocks lie within the image: at its border they are moved inwards, and own the same samples.
+  // Blocks lie inside the image. At its border they are moved inwards, and the triangle owns the same
+  // samples.
   const int rows = box.bottom - box.top <= kRows ? kRows : 2 * kRows;
   const int left = std::clamp(box.left, 0, image.width - kColumns);
   const int top = std::clamp(box.top, 0, image.height - rows);
@@ -113,7 +116,8 @@ inline void fillSmallTriangle(IndexImage& image, const glm::ivec3* p, const Samp
     }
 }
 
-/// Fills every sample of the image that the outline owns: convex, counter-clockwise as seen.
+/// Fills every sample of the image that the outline owns. The outline is convex and counter-clockwise on the
+/// screen.
 template <Shader S>
 inline void fillConvex(IndexImage& image, const glm::ivec3* p, int count, const S& shader) {
   if (count == 3 && image.width >= 8 && image.height >= 8) {
@@ -124,7 +128,7 @@ inline void fillConvex(IndexImage& image, const glm::ivec3* p, int count, const 
     if (box.right - box.left <= 8 && box.bottom - box.top <= 8)
       return fillSmallTriangle(image, p, box, shader);
   }
-  // A copy of the shader: through a reference its members would be loaded again for every span.
+  // A copy of the shader: through a reference, every span would load its members again.
   forEachSpan(p, count, image.width, image.height, [&image, shader](int row, int from, int to) {
     shader.span(image.row(row) + from, from, row, to - from);
   });

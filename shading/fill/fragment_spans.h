@@ -7,12 +7,13 @@
 
 namespace xnewell {
 
-/// The samples of fragments: of a piece, those of its face that keep to its side of every cut. They are
-/// asked of the two planes of a cut, sample by sample where it passes, so the pieces of a face own each of
-/// its samples exactly once and the cuts need no vertices.
+/// The samples of fragments. A piece owns those samples of its face that are on its side of every cut. Near a
+/// cut, each sample is tested with the two planes of the cut. So the pieces of a face own each of its samples
+/// exactly once, and a cut needs no vertices.
 
-/// The first column of [from, to) whose sample is on the same side of the cut as all after it, where the
-/// depth difference of both planes grows or falls along row j. Exact; the double only guesses.
+/// The first column of [from, to) whose sample and all later samples are on the same side of the cut, where
+/// the depth difference of the two planes grows, or falls, along row j. The result is exact; the double is
+/// only the first guess.
 [[nodiscard]] inline int columnOfCut(const ScreenPlane& over, const ScreenPlane& under, int j, int from,
                                      int to, bool grows) {
   const auto after = [&](int i) { return (nearer(over, under, i, j) > 0) == grows; };
@@ -20,7 +21,7 @@ namespace xnewell {
   const auto x = [](int i) { return std::int64_t{i} * kGrid + kGrid / 2; };
   const double ahead = depthAt(over, x(from), x(j)) - depthAt(under, x(from), x(j));
   const double columns = -ahead / ((slope(over) - slope(under)) * kGrid);
-  int low = from, high = to;  // the column looked for
+  int low = from, high = to;  // the column lies in [low, high]
   for (int reach = 1,
            i = from + static_cast<int>(std::max(0.0, std::min(columns, static_cast<double>(to - from))));
        low < high; reach *= 2) {
@@ -38,10 +39,10 @@ namespace xnewell {
 }
 
 struct Columns {
-  int from, to;  ///< the first, and the first outside
+  int from, to;  ///< the first column, and the first one outside
 };
 
-/// Of the columns of row j, from < to, those whose samples keep to a piece's side of all its cuts.
+/// The columns of row j whose samples are on a piece's side of all its cuts, among `columns`, from < to.
 [[nodiscard]] inline Columns withinCuts(const SnappedScene& scene, const SortedScene& sorted,
                                         const Piece& piece, int j, Columns columns) {
   auto& [from, to] = columns;
@@ -59,8 +60,8 @@ struct Columns {
   return columns;
 }
 
-/// Calls span(row, from, to) for the runs of samples in [0, width) x [0, height) that a fragment owns of an
-/// outline within its face: the whole face, or one of its triangles.
+/// Calls span(row, from, to) for each run of samples in [0, width) x [0, height) that the fragment owns
+/// inside an outline. The outline is its whole face, or a triangle of it.
 template <class Span>
 void forEachSpan(const SnappedScene& scene, const SortedScene& sorted, const Fragment& fragment,
                  const glm::ivec3* outline, int count, int width, int height, Span&& span) {
@@ -74,7 +75,7 @@ void forEachSpan(const SnappedScene& scene, const SortedScene& sorted, const Fra
   });
 }
 
-/// The same of its face.
+/// The same for the whole face.
 template <class Span>
 void forEachSpan(const SnappedScene& scene, const SortedScene& sorted, const Fragment& fragment, int width,
                  int height, Span&& span) {

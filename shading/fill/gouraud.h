@@ -9,10 +9,10 @@
 
 namespace xnewell {
 
-/// Intensity interpolated over a triangle, for cells of a colour table. @see Gouraud 1971
+/// Intensities interpolated over a triangle, as cells of a colour table. @see Gouraud 1971
 
-/// The cell is the value's whole part: on a linear ramp of N cells from `first` on, interpolate
-/// first + 1/2 + (N - 1) I.
+/// The cell is the value's whole part. The value is that of ramp.h, without a table: first + 1/2 + (N - 1) I
+/// on a ramp of N cells from `first` on.
 struct GouraudLinear {
   AffineValue value;
 
@@ -31,7 +31,7 @@ struct GouraudLinear {
       store(cells + k);
       left += 16 * gx, right += 16 * gx;
     }
-    // The last sixteen end with the span.
+    // The last sixteen cells end with the span.
     const std::uint32_t back = static_cast<std::uint32_t>(count - 16 - k) * gx;
     left += back, right += back;
     store(cells + count - 16);
@@ -42,16 +42,16 @@ struct GouraudLinear {
   }
 };
 
-/// The cell is looked up by the upper 16 bits of the value: in a table that is not linear, such as one
-/// corrected for the eye.
+/// The upper 16 bits of the value are an index into a table of cells, for a ramp that is not linear: one that
+/// is corrected for the eye.
 struct GouraudTable {
   AffineValue value;
-  const std::uint8_t* table;  ///< 65,536 cells; values below 255.992 never ask for the last one
+  const std::uint8_t* table;  ///< 65,536 cells; values are below 255.992, so the last one is never read
 
   void span(std::uint8_t* cells, int i, int j, int count) const {
     const std::uint8_t* const cellAt =
-        table;  // a copy: for all the compiler knows, a store may change members
-    // In the upper half of 64 bits, from where one shift makes the place. Of the sums each waits for at most
+        table;  // a copy: the compiler must assume that a store changes members
+    // The value is in the upper half of 64 bits, so one shift gives the index. Each sum waits for at most
     // three others.
     const std::uint64_t g = std::uint64_t{value.gx} << 32;
     std::uint64_t v = std::uint64_t{value.at(i, j)} << 32;
@@ -68,7 +68,7 @@ struct GouraudTable {
     };
     int k = 0;
     for (; k + 8 < count; k += 8, v += 8 * g) eight(cells + k);
-    // The last eight end with the span.
+    // The last eight cells end with the span.
     v += g * static_cast<std::uint64_t>(count - 8 - k);
     eight(cells + count - 8);
   }

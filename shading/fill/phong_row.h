@@ -9,13 +9,13 @@
 
 namespace xnewell {
 
-/// Phong's illumination along a row, of any lights.
+/// Phong's illumination along a row, for any lights.
 template <class Real>
 class PhongRow {
  public:
-  [[gnu::always_inline]] PhongRow(const EvaluatedTriangle& t, double down)
+  [[gnu::always_inline]] PhongRow(const PhongTriangle& t, double down)
       : t_{t}, N_{t.N, down}, V_{t.V, down}, at_{t.at, down}, q_{t.q, down} {}
-  /// As TermRow's, and so is `sum`.
+  /// As in TermRow, and so is `sum`.
   [[gnu::always_inline]] void evaluate(const Real* along, int blocks, const TexelRow<Real>& texels) {
     const Lighting& lighting = *t_.lighting;
     const Material& material = *t_.material;
@@ -46,37 +46,37 @@ class PhongRow {
   [[nodiscard, gnu::always_inline]] Real sum(int b) const { return sum_[b]; }
 
  private:
-  const EvaluatedTriangle& t_;
+  const PhongTriangle& t_;
   RowOfThree<Real> N_, V_, at_;
   RowOf<Real> q_;
   Real sum_[kMostBlocks];
 };
 
-/// 1 / |v| of v's square; of what the number type does not resolve, of a little more.
+/// 1 / |v| from the square of v. A square that is too small for the number type is replaced by the least one.
 template <class Real>
 [[gnu::always_inline]] inline Real perLength(const Real& square) {
   constexpr double kLeast = sizeof(Number<Real>) == sizeof(float) ? 1e-37 : 1e-307;
   return splat<Real>(1.0) / root(larger(square, splat<Real>(kLeast)));
 }
 
-/// Whether FarLightsRow evaluates all that the triangle needs: the textbook's cosine, n of at least 1.
-[[nodiscard]] inline bool isOfFarLights(const EvaluatedTriangle& t) {
+/// Whether FarLightsRow can evaluate the triangle: all lights far away, the textbook's cosine, n at least 1.
+[[nodiscard]] inline bool isOfFarLights(const PhongTriangle& t) {
   return !t.placed && t.lighting->form == Form::Textbook && t.material->n > 0;
 }
 
-/// What a highlight asks of the eye.
+/// What a highlight needs of the eye: nothing, one direction, or one for each pixel.
 enum class Eye { None, Far, Near };
 
-/// Phong's illumination along a row where all lights are far away: N.L of a light, before N is made a unit
-/// vector, is a plane too, and so is L.V, so that all pixels need are lengths and N.V. @see Duff 1979
+/// Phong's illumination along a row where all lights are far away. Before N is made a unit vector, N.L is a
+/// plane too, and so is L.V. So each pixel needs only the lengths of the vectors, and N.V. @see Duff 1979
 template <class Real, Eye kEye>
 class FarLightsRow {
  public:
-  [[gnu::always_inline]] FarLightsRow(const EvaluatedTriangle& t, double down)
+  [[gnu::always_inline]] FarLightsRow(const PhongTriangle& t, double down)
       : t_{t}, down_{down}, N_{t.N, down} {
     if constexpr (kEye == Eye::Near) V_ = {t.V, down};
   }
-  /// As TermRow's, and so is `sum`.
+  /// As in TermRow, and so is `sum`.
   [[gnu::always_inline]] void evaluate(const Real* along, int blocks, const TexelRow<Real>& texels) {
     const Lighting& lighting = *t_.lighting;
     const Material& material = *t_.material;
@@ -102,7 +102,7 @@ class FarLightsRow {
       const RowOf<Real> facing = rowOfDot(t_.N, light.L), LdotVs = rowOfDot(t_.V, light.L);
       const Real farLdotV = splat<Real>(glm::dot(light.L, lighting.farV));
       for (int b = 0; b < blocks; ++b) {
-        const Real NdotL = smaller(one, facing.at(along[b]) * perN[b]);  // where |N| is as good as 0, too
+        const Real NdotL = smaller(one, facing.at(along[b]) * perN[b]);  // also where |N| is almost 0
         const Real diffuse = kd * larger(zero, NdotL);
         sum_[b] += texels ? diffuse * share[b] : diffuse;
         if constexpr (kEye != Eye::None) {
@@ -128,7 +128,7 @@ class FarLightsRow {
     };
     return {{dotted(&PixelPlane::c), dotted(&PixelPlane::gx), dotted(&PixelPlane::gy)}, down_};
   }
-  /// Of `count` blocks side by side: there is one loop over the bits of n.
+  /// Takes `count` blocks at once, so that there is one loop over the bits of n.
   template <int count>
   [[gnu::always_inline]] static void addPowers(const Real* cosine, int n, const Real& ks, Real* sum) {
     std::array<Real, count> x, power;
@@ -145,7 +145,7 @@ class FarLightsRow {
     each([&](int k) { sum[k] += ks * power[k]; });
   }
 
-  const EvaluatedTriangle& t_;
+  const PhongTriangle& t_;
   double down_;
   RowOfThree<Real> N_, V_;
   Real sum_[kMostBlocks];

@@ -7,21 +7,21 @@
 
 namespace xnewell {
 
-/// What the pixels of a row have in common is made once for all of them; they are evaluated in blocks of as
-/// many as there are lanes. Templates that are inlined whole, here as in the files that include this one, so
-/// that each caller compiles them for its processor.
+/// The values that the pixels of a row have in common are made once. The pixels are evaluated in blocks, one
+/// pixel in each lane. Here, and in the files that include this one, all templates are inlined, so that each
+/// caller compiles them for its processor.
 
 template <class Real>
 using IntegersOf = Lanes<int, kLanes<Real>>;
 
-/// The values of a plane, or of three, along a row.
+/// The values along a row, of one plane or of three.
 template <class Real>
 struct RowOf {
   Real c, gx;
   RowOf() = default;
   [[gnu::always_inline]] RowOf(const PixelPlane& plane, double down)
       : c{splat<Real>(plane.c + plane.gy * down)}, gx{splat<Real>(plane.gx)} {}
-  /// At pixels `along` right of i0.
+  /// At the pixels that are `along` to the right of i0.
   [[gnu::always_inline]] Real at(const Real& along) const { return c + gx * along; }
 };
 template <class Real>
@@ -43,8 +43,9 @@ template <class Real>
   return lane;
 }
 
-/// As many blocks are evaluated together, step by step, so that what a step needs stays in registers. More
-/// than 16, for GCC unrolls shorter loops whole, which takes twice the code and no less time.
+/// This many blocks are evaluated together, one step after the other, so that the numbers of a step stay in
+/// registers. It is more than 16, because GCC unrolls shorter loops completely: twice the code, in the same
+/// time.
 constexpr int kMostBlocks = 24;
 
 }  // namespace xnewell

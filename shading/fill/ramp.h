@@ -1,34 +1,68 @@
 #pragma once
 
-#include <algorithm>
 #include <cstdint>
+#include <vector>
 
+#include "shading/color/color_table.h"
 #include "shading/fill/affine.h"
+#include "shading/light/lanes.h"
 
 namespace xnewell {
 
-/// From an intensity in [0, 1] to a cell where intensities are interpolated: either `shades` cells evenly
-/// from `first` on for [low, high], or a table of 65,536 cells, the k-th for (k + 1/2) / 65536. Sixteen bits
-/// are what an X server keeps of a colour: intensities that share them look the same.
+/// The cells for the intensities on a surface: either `shades` cells, evenly from `first` on, for [low,
+/// high], or a table of 65,536 cells, the k-th for intensities in [k, k + 1) / 65536.
 struct Ramp {
   int first = 11, shades = 240;
   double low = 0, high = 1;
   const std::uint8_t* table = nullptr;
 
-  /// The value whose whole part is the cell, or whose upper 16 bits are the index into the table: what
-  /// AffineOver takes.
-  [[nodiscard]] double value(double I) const {
-    if (table != nullptr) return std::clamp(256.0 * I, kLeastValue, kLargestValue);
-    return first + 0.5 + perIntensity() * (std::clamp(I, low, high) - low);
-  }
-  [[nodiscard]] std::uint8_t cell(double I) const {
-    const double v = value(I);
-    return table != nullptr ? table[static_cast<int>(v * 256.0)] : static_cast<std::uint8_t>(v);
-  }
-  [[nodiscard]] double perIntensity() const { return high > low ? (shades - 1) / (high - low) : 0.0; }
+  /// The intensity in cells; in 256ths where there is a table. What AffineOver takes.
+  [[nodiscard]] double value(double I) const;
+  /// The cell of an intensity, as every filler chooses it.
+  [[nodiscard]] std::uint8_t cell(double I) const;
 };
+
+/// The one rule from an intensity to a cell, for one number or several side by side: it gives a value in
+/// [kLeastValue, kLargestValue]. The value's whole part is the cell. Where the ramp has a table, the upper 16
+/// bits of the value in 8.24 fixed point, the whole part of 256 times the value, are the index into it.
+///
+/// The fillers differ in the precision of the value alone. Flat shading and environment maps have doubles,
+/// Gouraud's planes steps of 2^-24, Phong's illumination and textures single precision, in which the value is
+/// within 2^-15 of the exact one (2^-24 for each of I, the product and the sum, which are below 256; more
+/// where [low, high] is narrow). The index into a table is exact in all of them, for 65536 I is.
+template <class Real>
+class ValueOnRamp {
+ public:
+  [[gnu::always_inline]] explicit ValueOnRamp(const Ramp& ramp) {
+    if (ramp.table != nullptr) {
+      low_ = splat<Real>(kLeastValue / 256.0), high_ = splat<Real>(kLargestValue / 256.0);
+      first_ = splat<Real>(0.0), perIntensity_ = splat<Real>(256.0);
+    } else {
+      const double rise = ramp.high > ramp.low ? (ramp.shades - 1) / (ramp.high - ramp.low) : 0.0;
+      low_ = splat<Real>(ramp.low), high_ = splat<Real>(ramp.high);
+      first_ = splat<Real>(ramp.first + 0.5 - rise * ramp.low), perIntensity_ = splat<Real>(rise);
+    }
+  }
+  /// Of what is not a number the value is that of `low`.
+  [[nodiscard, gnu::always_inline]] Real operator()(const Real& I) const {
+    return first_ + perIntensity_ * smaller(larger(I, low_), high_);
+  }
+
+ private:
+  Real low_, high_, first_, perIntensity_;
+};
+
+inline double Ramp::value(double I) const { return ValueOnRamp<double>{*this}(I); }
+inline std::uint8_t Ramp::cell(double I) const {
+  const double v = value(I);
+  return table != nullptr ? table[static_cast<int>(v * 256.0)] : static_cast<std::uint8_t>(v);
+}
 
 /// A channel of a full-colour picture: 1 to 255, for 0 is where nothing shows.
 inline constexpr Ramp kChannelRamp{.first = 1, .shades = 255};
+
+/// Ramp::table for a colour table: the k-th cell is that of the intensity (k + 1/2) / 65536. An X server
+/// keeps sixteen bits of a colour, so intensities that share them look the same.
+[[nodiscard]] std::vector<std::uint8_t> cellsBy16Bits(const ColorTable& table);
 
 }  // namespace xnewell

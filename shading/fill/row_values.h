@@ -8,12 +8,14 @@
 
 namespace xnewell {
 
-/// Intensity over a polygon of any number of corners, first along its edges to each row, then along the row
-/// (Gouraud 1971). Not a plane: the value inside depends on which edges a row meets, so it changes when the
-/// polygon is turned on the screen. Of the whole polygon, whichever spans of it are asked for.
+/// Intensities over a polygon with any number of corners, interpolated along its edges to each row, then
+/// along the row (Gouraud 1971). This is not a plane: a value inside depends on the edges that its row meets,
+/// so it changes when the polygon is turned on the screen. The values are those of the whole polygon, for any
+/// span of it.
 class RowValues {
  public:
-  /// One of v at each of `count` vertices, for along() in [kLeastValue, kLargestValue]; convex.
+  /// v has a value for each of the `count` vertices of a convex outline. For along() the values are in
+  /// [kLeastValue, kLargestValue].
   RowValues(const glm::ivec3* outline, int count, std::vector<double> v)
       : outline_{outline}, count_{count}, v_{std::move(v)} {}
 
@@ -56,11 +58,11 @@ class RowValues {
   std::vector<double> v_;
 };
 
-/// Cells of such a polygon, from one of the interpolating shaders of a row.
+/// The cells of such a polygon, from GouraudLinear or GouraudTable.
 template <class RowShader>
 struct ByRows {
   RowValues values;
-  RowShader shader;  ///< its `value` is replaced for each row
+  RowShader shader;  ///< each row replaces its `value`
   void span(std::uint8_t* cells, int i, int j, int count) const {
     RowShader here = shader;
     here.value = values.along(j);

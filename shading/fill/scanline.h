@@ -8,25 +8,27 @@
 
 namespace xnewell {
 
-/// Filling convex polygons on the screen grid, by one sample rule: a pixel's sample is its centre moved by
-/// (e, e^2), e > 0 infinitely small. No sample lies on any edge, so faces that share an edge own each
-/// sample exactly once: left and top edges are in, right and bottom edges out.
+/// Fills convex polygons on the screen grid by one sample rule. The sample of a pixel is its centre moved by
+/// (e, e^2), where e > 0 is infinitely small. So no sample lies on an edge, and faces that share an edge own
+/// each sample exactly once: samples on left and top edges are inside, those on right and bottom edges
+/// outside.
 
-/// Where an edge crosses the rows it spans, exactly and with one addition and one shift a row.
+/// Where an edge crosses the rows that it spans: exactly, with one addition and one shift for each row.
 ///
-/// The edge from a down to b crosses row j's samples at X; the first sample at or right of it is
-/// i = ceil(M / dy), M = ceil(((xa - 1/2 px) dy + (yc - ya) dx) / 2^16), in grid steps, and M grows by
-/// exactly dx a row. M / dy is an integer or at least 1/dy >= 2^-30 above one, so floor(x) is that ceiling
-/// as long as M / dy + 1 - 2^-30 <= x < M / dy + 1. `x_` holds x with 47 fraction bits, starts 2^-32 below
-/// the upper end and strays from there by less than 2^-33: |M| <= 2^45, dx and dy are exact as doubles, so
-/// the two roundings of a product with 1/dy leave x at the first row, |x| <= 2^15, within 2^-37 and the
-/// growth over all rows, dx in pixels, within 2^-38; cutting the step off at 2^-47 adds 2^-34 in 8192 rows.
+/// The edge from a down to b crosses the samples of row j at X. The first sample at X or to the right of it
+/// is i = ceil(M / dy), with M = ceil(((xa - 1/2 px) dy + (yc - ya) dx) / 2^16), in grid steps. M grows by
+/// exactly dx for each row. M / dy is an integer, or at least 1/dy >= 2^-30 above one. So floor(x) is that
+/// ceiling as long as M / dy + 1 - 2^-30 <= x < M / dy + 1. `x_` holds x with 47 fraction bits. It starts
+/// 2^-32 below the upper end and strays from there by less than 2^-33: |M| <= 2^45, dx and dy are exact as
+/// doubles. So the two roundings of a product with 1/dy leave x at the first row, |x| <= 2^15, within 2^-37,
+/// and the growth over all rows, which is dx in pixels, within 2^-38. The step is cut off at 2^-47, which
+/// adds 2^-34 in 8192 rows.
 class EdgeWalk {
  public:
   static constexpr int kFraction = 47;
 
   EdgeWalk() = default;
-  /// Edge from a down to b (a.y < b.y), standing at row `firstRow`, one that it spans.
+  /// The edge from a down to b (a.y < b.y), at the row `firstRow`, which it spans.
   EdgeWalk(const glm::ivec3& a, const glm::ivec3& b, int firstRow) {
     constexpr double kOne = 0x1p47;
     const std::int64_t dx = std::int64_t{b.x} - a.x, dy = std::int64_t{b.y} - a.y;
@@ -38,7 +40,7 @@ class EdgeWalk {
     // An edge less than a pixel high spans at most one row: it never steps.
     if (dy >= kGrid) step_ = static_cast<std::int64_t>(static_cast<double>(dx) * perRow);
   }
-  /// First sample of the current row at or right of the edge.
+  /// The first sample of the current row at the edge or to the right of it.
   [[nodiscard]] int column() const { return static_cast<int>(x_ >> kFraction); }
   void nextRow() { x_ += step_; }
 
@@ -46,8 +48,9 @@ class EdgeWalk {
   std::int64_t x_ = 0, step_ = 0;
 };
 
-/// Calls span(row, from, to) for every row of [firstRow, endRow) in which the outline owns samples from..to-1
-/// of [0, width), from < to. The outline is convex and counter-clockwise as seen (y down); firstRow >= 0.
+/// Calls span(row, from, to) for every row of [firstRow, endRow) in which the outline owns samples of [0,
+/// width): those from `from` to `to` - 1, from < to. The outline is convex and counter-clockwise on the
+/// screen (y down); firstRow >= 0.
 template <class Span>
 void forEachSpan(const glm::ivec3* p, int count, int firstRow, int width, int endRow, Span&& span) {
   int top = 0, bottom = 0;
@@ -59,9 +62,9 @@ void forEachSpan(const glm::ivec3* p, int count, int firstRow, int width, int en
   const int end = std::min(endRow, sampleFrom(p[bottom].y));
   if (row >= end) return;
 
-  // Counter-clockwise as seen, the left chain runs forward from the top vertex and the right one backward.
+  // In a counter-clockwise outline the left chain runs forward from the top vertex, the right one backward.
   struct Chain {
-    int vertex, direction, end;  // `end`: first row below the current edge
+    int vertex, direction, end;  // `end`: the first row below the current edge
     EdgeWalk edge;
   };
   Chain left{top, 1, row, {}}, right{top, -1, row, {}};

@@ -13,12 +13,13 @@ namespace xnewell {
 template <class Real>
 [[gnu::always_inline]] inline Real wholePart(const Real& v) {
   Real whole;
-  for (int k = 0; k < kLanes<Real>; ++k) whole[k] = std::floor(v[k]);  // an instruction, where there is one
+  for (int k = 0; k < kLanes<Real>; ++k)
+    whole[k] = std::floor(v[k]);  // one instruction on processors that have it
   return whole;
 }
 
-/// The texels at places, in registers all the way: bytes that were stored one by one would keep a load of
-/// all of them waiting.
+/// The texels at some places. They stay in registers: if the bytes were stored one by one, a load of all of
+/// them would have to wait.
 template <class Real>
 [[gnu::always_inline]] inline Real texelsAt(const std::uint8_t* texels, const int* places) {
   IntegersOf<Real> at;
@@ -26,7 +27,7 @@ template <class Real>
   return __builtin_convertvector(at, Real);
 }
 
-/// The texels along a row, if there are any.
+/// The texels along a row, if the triangle has a texture.
 template <class Real>
 class TexelRow {
  public:
@@ -45,7 +46,7 @@ class TexelRow {
       u_ = {t.u * width, down}, v_ = {(t.q - t.v) * height, down};
   }
   [[gnu::always_inline]] explicit operator bool() const { return texels_ != nullptr; }
-  /// Finds their places, before any of them is looked up.
+  /// Finds the places of the texels, before the first is looked up.
   [[gnu::always_inline]] void locate(const Real* along, int blocks) {
     for (int b = 0; b < blocks; ++b) {
       const Real w = splat<Real>(1.0) / q_.at(along[b]);
@@ -61,9 +62,9 @@ class TexelRow {
  private:
   using Places = Lanes<unsigned, kLanes<Real>>;
 
-  /// Always within the texture, also for lanes past the end of a span, where 1 / w may have crossed 0 and the
-  /// coordinates are anything. (One comparison of places costs a tenth of a texel less than bounds for both
-  /// coordinates.)
+  /// The places are always inside the texture, also for lanes past the end of a span, where 1 / w may have
+  /// crossed 0 and the coordinates may be anything. (To compare the place costs a tenth of a texel less than
+  /// to bound both coordinates.)
   [[nodiscard, gnu::always_inline]] Places placesOf(const Real& u, const Real& v) const {
     Real column = u, row = v;
     if (repeats_) {
@@ -81,7 +82,7 @@ class TexelRow {
   bool repeats_;
   Real columns_, rows_, lastColumn_, lastRow_;
   Places stride_, last_;
-  RowOf<Real> u_, v_, q_;  ///< if the texture does not repeat, columns and rows instead of u and v
+  RowOf<Real> u_, v_, q_;  ///< columns and rows instead of u and v if the texture does not repeat
   std::array<int, kMostBlocks * kLanes<Real>> places_;
 };
 

@@ -8,21 +8,21 @@
 
 namespace xnewell {
 
-/// A picture that surfaces wear: its texels are the diffuse term. Without end in both directions: it repeats.
+/// A picture on a surface: its texels multiply the diffuse term. It repeats without end in both directions.
 struct Texture {
   int width = 0, height = 0;  ///< 1..8192 each
   std::array<std::vector<std::uint8_t>, 3>
-      channel;                     ///< RGB, row by row from the top; 255 is all of the light
+      channel;                     ///< RGB, row by row from the top; 255 reflects all of the light
   std::vector<std::uint8_t> gray;  ///< for pictures of one channel: 0.30 R + 0.59 G + 0.11 B, rounded
-  bool colored = false;            ///< whether the channels differ anywhere
+  bool colored = false;            ///< whether the channels differ somewhere
 };
 
-/// A PNG, rows from the top. @throws as readPng()
+/// Reads a PNG file. @throws as readPng()
 [[nodiscard]] Texture readTexture(const std::string& file);
 
-/// How texture coordinates, and Phong's normals and places, are interpolated over the screen: with 1/w, so
-/// that they stay in place on the surface, or by a plane, as the first programs did: they swim in
-/// perspective.
+/// How texture coordinates, and Phong's normals and places, are interpolated over the screen. `perspective`
+/// divides by w, so that they stay in place on the surface. `affine` uses a plane, as the first programs did:
+/// in a perspective view the texture seems to swim.
 enum class TextureMapping { Perspective, Affine };
 struct TextureMappingRow {
   TextureMapping id;

@@ -2,10 +2,10 @@
 
 namespace xnewell {
 
-/// Functions that are compiled twice, for any processor and for those with AVX2; the program takes the better
-/// one when it starts. Without contraction of products and sums (-ffp-contract=off) both give the same bits:
-/// tests/x11/command/baseline_test.cpp, which has them compiled with XNEWELL_BASELINE, once and for any
-/// processor.
+/// Marks a function that is compiled twice: for any processor, and for processors with AVX2. The program
+/// chooses one when it starts. Both give the same bits, because products and sums are not contracted
+/// (-ffp-contract=off). tests/x11/command/baseline_test.cpp shows this: it compares with a program that is
+/// compiled with XNEWELL_BASELINE, for any processor only.
 #if defined(__x86_64__) && defined(__GNUC__) && !defined(__clang__) && !defined(XNEWELL_BASELINE)
 #define XNEWELL_DISPATCHED [[gnu::target_clones("default", "avx2")]]
 #else

@@ -5,7 +5,6 @@
 #include <glm/geometric.hpp>
 #include <glm/matrix.hpp>
 
-#include "geometry/exact/power.h"
 #include "shading/light/reflect.h"
 
 namespace xnewell {
@@ -15,11 +14,11 @@ namespace {
 constexpr int kSide = 256;
 
 struct FarLight {
-  glm::dvec3 L;  ///< in the frame of the look-up
-  double Ip;
+  glm::dvec3 L;  ///< in the axes of the look-up
+  double Ip, fatt;
 };
 
-/// A rotation that turns L into (0, 0, 1): its rows are two vectors across L, and L.
+/// A rotation that turns L into (0, 0, 1). Its rows are two vectors perpendicular to L, and L.
 glm::dmat3 rotationTo(const glm::dvec3& L) {
   const glm::dvec3 a = glm::abs(L);
   const glm::dvec3 other = a.x <= a.y && a.x <= a.z ? glm::dvec3{1, 0, 0}
@@ -29,8 +28,8 @@ glm::dmat3 rotationTo(const glm::dvec3& L) {
   return glm::transpose(glm::dmat3{u, glm::cross(L, u), L});
 }
 
-/// cos x by the published look-up. A light behind (z < 0) is taken for the opposite one, and the centre of
-/// the map changes places with its edges.
+/// cos x by the published look-up. For a light behind (z < 0) it takes the opposite light, and the centre of
+/// the map and its edges change places.
 double publishedCosine(const glm::dvec3& light, double x, double y) {
   const bool behind = light.z < 0.0;
   glm::dvec2 d = (behind ? -1.0 : 1.0) * glm::dvec2{light} - glm::dvec2{x, y};
@@ -43,30 +42,33 @@ double publishedCosine(const glm::dvec3& light, double x, double y) {
 
 Environment makeEnvironment(EnvironmentForm form, const Lighting& lighting, const Material& material,
                             int channel, const glm::dmat3& viewFrame, const glm::dvec3& centre) {
-  std::vector<FarLight> lights;  // in the world
+  std::vector<FarLight> lights;  // L in world coordinates
   for (const Lighting::Source& source : lighting.sources) {
     const Incident<double> in = incident<double>(source, {centre.x, centre.y, centre.z});
-    lights.push_back({{in.L.x, in.L.y, in.L.z}, in.f * source.Ip[channel]});
+    lights.push_back({{in.L.x, in.L.y, in.L.z}, source.Ip[channel], in.f});
   }
   Environment map;
   const bool rotated = form == EnvironmentForm::Rotated;
   if (!rotated || lights.empty()) {
     map.frame = viewFrame;
   } else {
-    const FarLight& brightest = *std::ranges::max_element(lights, {}, &FarLight::Ip);
+    const auto brightness = [](const FarLight& light) { return light.fatt * light.Ip; };
+    const FarLight& brightest = *std::ranges::max_element(lights, {}, brightness);
     map.frame = brightest.L == glm::dvec3{0.0} ? glm::dmat3{1.0} : rotationTo(brightest.L);
   }
   map.twoMaps = rotated;
   for (FarLight& light : lights) light.L = map.frame * light.L;
 
+  const Reflection surface{0.0, material.kd[channel], material.ks[channel], material.n};
   const auto reflected = [&](double x, double y, double side) {
     const double z = side * std::sqrt(std::max(0.0, 1.0 - x * x - y * y));
     double I = material.ambient[channel];
     for (const FarLight& light : lights) {
       const double cosine = rotated ? std::clamp(x * light.L.x + y * light.L.y + z * light.L.z, 0.0, 1.0)
                                     : publishedCosine(light.L, x, y);
-      const double lobe = cosine > std::max(0.0, material.leastCosine) ? power(cosine, material.n) : 0.0;
-      if (cosine > 0.0) I += light.Ip * (material.kd[channel] * cosine + material.ks[channel] * lobe);
+      const IlluminationTerms terms = termsOf(0.0, light.Ip, light.fatt, 1.0, surface, cosine,
+                                              cosine > material.leastCosine ? cosine : 0.0);
+      I += terms.diffuse + terms.specular;
     }
     return static_cast<float>(I);
   };

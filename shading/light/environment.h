@@ -10,9 +10,9 @@
 
 namespace xnewell {
 
-/// Phong shading by a look-up: a picture of what a surface reflects in each direction of its normal, 256 x
-/// 256 places, found by two components of the interpolated normal. Its light is infinitely far away: L and f
-/// are those at the scene's centre. The specular term is cos^n of the angle between N and L.
+/// Phong shading by a look-up. A map of 256 x 256 places holds what a surface reflects for each direction of
+/// its normal. Two components of the interpolated normal say where to look. The light is infinitely far away:
+/// L and fatt are those at the scene's centre. The specular term is cos^n of the angle between N and L.
 
 enum class EnvironmentForm { Rotated, Published };
 struct EnvironmentRow {
@@ -26,17 +26,19 @@ inline constexpr std::array kEnvironmentForms{
                    "Lx - Nx and Ly - Ny as seen: exact for a light on the view axis"},
 };
 
-/// A component of a unit normal, in [-1, 1], as a value whose whole part is the column or row of the map.
+/// kMapCentre + kMapScale c, for a component c of a unit normal in [-1, 1]: the whole part is the column or
+/// the row of the map.
 inline constexpr double kMapScale = 127.0, kMapCentre = 128.0;
 
-/// What a channel of one surface reflects, as intensities. Those above 1 are clamped when they are shown.
+/// The intensities that one surface reflects, in one channel. An intensity above 1 is clamped when it is
+/// shown.
 struct Environment {
-  glm::dmat3 frame{1.0};           ///< from the world to where x and y are looked up
-  bool twoMaps = false;            ///< whether z < 0 is another map
-  std::vector<float> front, away;  ///< 65,536 each, row by row; `away` empty unless twoMaps
+  glm::dmat3 frame{1.0};           ///< from the world to the axes in which x and y are looked up
+  bool twoMaps = false;            ///< whether normals with z < 0 have a map of their own
+  std::vector<float> front, away;  ///< 65,536 each, row by row; `away` is empty unless twoMaps
 };
 
-/// `viewFrame` is the rotation from the world to the eye's axes: x right, y up, z towards the viewer.
+/// `viewFrame` is the rotation from the world to the eye's axes: x to the right, y up, z towards the viewer.
 [[nodiscard]] Environment makeEnvironment(EnvironmentForm form, const Lighting& lighting,
                                           const Material& material, int channel, const glm::dmat3& viewFrame,
                                           const glm::dvec3& centre);

@@ -14,12 +14,13 @@ namespace xnewell {
 
 namespace {
 
-/// Farther away, in scenes of size 1, a point's direction differs by less than 2^-29 from place to place.
+/// The direction of a point that is farther away than this differs by less than 2^-29 between the places of a
+/// scene of size 1.
 constexpr double kFar = 0x1p30;
 
 double lengthOf(const glm::dvec3& v) {
   const glm::dvec3 along = unit(v);
-  return glm::dot(v, along);  // no square to overflow
+  return glm::dot(v, along);  // without a square that could overflow
 }
 
 /// The largest x with x^n < 2^-40, by bisection.
@@ -33,7 +34,7 @@ double leastCosine(int n) {
   }
 }
 
-/// The user's light, where a scene has none.
+/// The user's light, for a scene that has none.
 Light usersLight(const Illumination& user, double distance) {
   Light light{.kind = user.lightPosition ? LightKind::Point : LightKind::Directional,
               .Ip = glm::dvec3{user.Ip},
@@ -45,7 +46,7 @@ Light usersLight(const Illumination& user, double distance) {
   return light;
 }
 
-/// f as 1 / max(1, c1 + c2 d + c3 d^2); of `linear` in c.x what a unit takes away.
+/// c of fatt = 1 / max(1, c.x + c.y d + c.z d^2). For `linear`, c.x is what each unit of length takes away.
 glm::dvec3 coefficients(const Light& light, double unitLength) {
   const double perUnit = 1.0 / unitLength;
   switch (light.attenuation) {
@@ -63,11 +64,6 @@ glm::dvec3 coefficients(const Light& light, double unitLength) {
   return {1.0, 0.0, 0.0};
 }
 
-double attenuationAt(const Lighting::Source& source, double d) {
-  if (source.linear) return std::max(0.0, 1.0 - source.c.x * d);
-  return 1.0 / std::max(1.0, (source.c.z * d + source.c.y) * d + source.c.x);
-}
-
 Lighting::Source sourceOf(const Light& light, const glm::dvec3& centre, double unitLength, bool constantL) {
   Lighting::Source source;
   if (light.kind == LightKind::Directional) {
@@ -82,7 +78,7 @@ Lighting::Source sourceOf(const Light& light, const glm::dvec3& centre, double u
   source.L = unit(light.position - centre);
   const bool far = distance > kFar;
   source.constantL = constantL || far;
-  if (source.constantL) source.f = attenuationAt(source, distance);
+  if (source.constantL) source.f = attenuation(light, distance, unitLength);
   if (light.kind == LightKind::Spot) {
     source.spot = true;
     source.axis = unit(light.direction);
@@ -106,7 +102,7 @@ bool reaches(const Lighting::Source& source, const Box& box) {
 }  // namespace
 
 double luminance(glm::dvec3 color) {
-  if (color.r == color.g && color.r == color.b) return color.r;  // without a rounding
+  if (color.r == color.g && color.r == color.b) return color.r;  // exactly
   return 0.30 * color.r + 0.59 * color.g + 0.11 * color.b;
 }
 
@@ -133,7 +129,7 @@ Lighting resolve(const Mesh& mesh, const SceneLight& scene, const Illumination& 
     lights.push_back(usersLight(user, lengthOf(user.lightPosition.value_or(glm::dvec3{0}) - centre)));
   for (const Light& light : lights) {
     Lighting::Source source = sourceOf(light, centre, scene.unit, user.constantL);
-    // The colour of light on a single ramp: as bright as it looks.
+    // With one channel, a light counts with its luminance.
     source.Ip = channels == Channels::Rgb ? share(light.Ip) : std::array{luminance(light.Ip), 0.0, 0.0};
     if (reaches(source, box)) lighting.sources.push_back(source);
   }

@@ -5,94 +5,80 @@
 #include <glm/vec3.hpp>
 #include <optional>
 #include <span>
-#include <string_view>
 #include <vector>
 
 #include "geometry/model/mesh.h"
+#include "shading/light/equation.h"
 #include "shading/light/lanes.h"
-#include "shading/light/light.h"
 
 namespace xnewell {
 
-/// The illumination equation, in world coordinates and for each channel by itself:
-///   I = ka Ia + sum over lights of s f Ip [ kd max(0, N.L) + ks max(0, R.V)^n ],  R = 2 N (N.L) - L,
-/// the bracket 0 where N.L <= 0; ka, kd and ks times the surface's colour. f is the attenuation, s the share
-/// of a spot. @see Foley & van Dam 2e §16.1
+/// What goes into the illumination equation (equation.h): what the user and the scene say, and from both the
+/// numbers that are the same for all places.
 ///
-/// Ambient and diffuse terms never depend on the camera; the specular term does on the eye's place, through
-/// V, and on nothing else of it.
+/// The ambient and diffuse terms never depend on the camera. The specular term depends on the eye's place,
+/// through V, and on nothing else of the camera.
 
-/// Of which cosine the specular term is the n-th power.
-enum class Form { Textbook, HalfVector, Tutorial };
-struct FormRow {
-  Form id;
-  std::string_view name, cosine;
-};
-inline constexpr std::array kForms{
-    FormRow{Form::Textbook, "textbook", "R.V, R the reflected L (Phong 1975)"},
-    FormRow{Form::HalfVector, "half-vector", "N.H, H half way from L to V (Blinn 1977)"},
-    FormRow{Form::Tutorial, "tutorial", "N.L: c = ambient + cos x diffuse + cos^n x specular"},
-};
-
-/// What the user says of the light, for what a scene does not say itself.
-/// Holds: all in [0, 1], Ia + Ip <= 1, 0 <= n <= 1,000,000 (x^0 = 1).
+/// What the user says about the light. It applies where the scene says nothing.
+/// Holds: all are in [0, 1], Ia + Ip <= 1, 0 <= n <= 1,000,000 (x^0 = 1).
 struct Illumination {
   double Ia = 0.2, Ip = 0.7;
   double ka = 0.9, kd = 0.9, ks = 0.4;
   int n = 20;
-  glm::dvec3 light{-0.54, -0.64, 0.55};  ///< direction towards the light, any length but 0
+  glm::dvec3 light{-0.54, -0.64, 0.55};  ///< direction towards the light, of any length but 0
   std::optional<glm::dvec3> lightPosition =
-      std::nullopt;                             ///< a point light in the scene's coordinates instead
+      std::nullopt;                             ///< if given, a point light here, in the scene's coordinates
   Attenuation attenuation = Attenuation::None;  ///< of the point light
-  std::optional<double> range = std::nullopt;   ///< scene's units; else twice the way to the scene's centre
-  /// c1, c2, c3 in the scene's units; else 1, 0 and what makes f = 1/2 at the scene's centre.
+  std::optional<double> range =
+      std::nullopt;  ///< in the scene's units; else twice the distance to the scene's centre
+  /// c1, c2, c3 in the scene's units; else 1, 0 and the value for which fatt = 1/2 at the scene's centre.
   std::optional<glm::dvec3> c = std::nullopt;
   Form form = Form::Textbook;
-  bool constantL = false;  ///< take L and f at the scene's centre everywhere (the light is far away)
-  bool constantV = false;  ///< take V at the look-at point everywhere (the viewer is far away)
-  bool twoSided = true;    ///< else the back is as dark and as lit as the front
+  bool constantL = false;  ///< use L and fatt of the scene's centre everywhere: the light is far away
+  bool constantV = false;  ///< use V of the look-at point everywhere: the viewer is far away
+  bool twoSided = true;    ///< if not, the back of a face has the intensity of its front
   bool operator==(const Illumination&) const = default;
 };
 
-/// What a scene says of its light; lengths in the scene's units.
+/// What a scene says about its light. Lengths are in the scene's units.
 struct SceneLight {
   std::optional<glm::dvec3> Ia;  ///< RGB
-  std::vector<Light> lights;     ///< empty: the user's light
-  double unit = 1;               ///< of the world in the scene's units: what `inverse` takes for 1
+  std::vector<Light> lights;     ///< if empty, there is the user's light
+  double unit = 1;               ///< in the scene's units: the length that `inverse` takes for 1
 };
 
 /// Which channels a picture computes.
 enum class Channels {
-  Luminance,   ///< one: the gray of every colour
-  Brightness,  ///< one: of surfaces the largest component, for their hue is in the colour table
+  Luminance,   ///< one channel: the gray of each colour
+  Brightness,  ///< one channel: the largest component of a surface's colour; the table has its hue
   Rgb,
 };
 
-/// Of one surface, what a place on it reflects, by channel.
+/// What one surface reflects, by channel.
 struct Material {
-  std::array<double, 3> ambient{};  ///< ka Ia of its colour
-  std::array<double, 3> kd{}, ks{};
+  std::array<double, 3> ambient{};   ///< ka Ia times the colour
+  std::array<double, 3> kd{}, ks{};  ///< times the colour
   int n = 1;
-  double leastCosine = 0;  ///< below it cos^n is less than 2^-40 and counts as 0
+  double leastCosine = 0;  ///< for a smaller cosine cos^n is below 2^-40 and counts as 0
 };
 
-/// The equation's right side, resolved: everything that is the same for all places.
+/// The numbers in the equation that are the same for all places.
 struct Lighting {
   struct Source {
     std::array<double, 3> Ip{};
-    bool placed = false;    ///< its direction, distance or cone must be asked of each place
-    bool constantL = true;  ///< L and f below hold everywhere
+    bool placed = false;    ///< whether L, fatt or spot differ from place to place
+    bool constantL = true;  ///< whether L and f below hold everywhere
     bool spot = false;
-    glm::dvec3 L{0}, position{0}, axis{0};  ///< L and axis unit
-    double f = 1;
+    glm::dvec3 L{0}, position{0}, axis{0};  ///< L and axis are unit vectors
+    double f = 1;                           ///< fatt
     bool linear = false;
-    glm::dvec3 c{1, 0, 0};  ///< c.x is 1/range if linear
+    glm::dvec3 c{1, 0, 0};  ///< f = 1 / max(1, c.x + c.y d + c.z d^2); if linear, 1 - c.x d
     double cosInner = 1, cosOuter = 1;
     int falloff = 1;
   };
   int channels = 1;
   std::vector<Source> sources;      ///< those that can reach the scene
-  std::vector<Material> materials;  ///< of no material first, then as Mesh::materials
+  std::vector<Material> materials;  ///< the first is that of no material, then as in Mesh::materials
   Form form = Form::Textbook;
   bool twoSided = true;
   bool specular = false;  ///< whether any material has a specular term
@@ -101,7 +87,7 @@ struct Lighting {
   [[nodiscard]] bool asksForEye() const { return specular && form != Form::Tutorial; }
   /// Whether V differs from place to place.
   [[nodiscard]] bool variesV() const { return asksForEye() && !constantV; }
-  /// Whether a light asks where it falls.
+  /// Whether a light differs from place to place.
   [[nodiscard]] bool placed() const { return std::ranges::any_of(sources, &Source::placed); }
   [[nodiscard]] bool needsPlaces() const { return variesV() || placed(); }
 };
@@ -109,7 +95,7 @@ struct Lighting {
 [[nodiscard]] Lighting resolve(const Mesh& mesh, const SceneLight& scene, const Illumination& user,
                                Channels channels, glm::dvec3 eye, glm::dvec3 lookAt);
 
-/// The share of a colour that lands on a single ramp: 0.30 R + 0.59 G + 0.11 B, the gray of X servers.
+/// The gray of a colour on X servers, for pictures of one channel: 0.30 R + 0.59 G + 0.11 B.
 [[nodiscard]] double luminance(glm::dvec3 color);
 
 /// A value for the front and for the back of a face: a light reaches only one of them.

@@ -14,7 +14,7 @@ namespace {
 constexpr int kSideBySide = 4;
 using Four = Lanes<double, kSideBySide>;
 
-/// Points from `first` on that have one material, at most four.
+/// The number of points from `first` on that have the same material, at most four.
 std::size_t runOf(const std::vector<int>& material, std::size_t first) {
   std::size_t end = first + 1;
   while (end < material.size() && end < first + kSideBySide && material[end] == material[first]) ++end;

@@ -10,34 +10,34 @@
 
 namespace xnewell {
 
-/// The illumination where it is evaluated once and kept: at the centroids of faces for flat shading, at
-/// vertices for Gouraud's. In world coordinates: no transformation ever touches what is kept here, and
-/// splitting copies it by copying a number.
+/// The illumination that is evaluated once and kept: at the centroids of faces for flat shading, at vertices
+/// for Gouraud shading. It is in world coordinates, so no transformation changes it. When the depth sort
+/// splits a face, it copies the face's number and thus its intensities.
 
 struct ShadingPoints {
-  std::vector<glm::dvec3> at, N;  ///< N unit, or 0 where a face has no area
-  std::vector<int> material;      ///< as Mesh::material
+  std::vector<glm::dvec3> at, N;  ///< N is a unit vector, or 0 for a face without area
+  std::vector<int> material;      ///< as in Mesh::material
 };
-/// One a face: its centroid, its normal by Newell's method.
+/// One point for each face: its centroid, and its normal by Newell's method.
 [[nodiscard]] ShadingPoints facePoints(const Mesh& mesh);
-/// One a vertex.
+/// One point for each vertex.
 [[nodiscard]] ShadingPoints vertexPoints(const Mesh& mesh, const Vertices& vertices);
 
-/// One channel at each point. Both sides are kept: the light reaches one of them, and which one the eye sees
-/// is the projected outline's to say (SnappedFace::back).
+/// The intensities of one channel at each point, for the front and the back of the face. A light reaches one
+/// of the two; the projected outline says which one the eye sees (SnappedFace::back).
 struct Intensities {
-  std::vector<FrontBack<double>> diffuse, specular;  ///< times Ip and kd or ks, summed over the lights
-  std::vector<FrontBack<double>> I;                  ///< with the ambient term, clamped to [0, 1]
-  int clamped = 0;                                   ///< points where one side was above 1
+  std::vector<FrontBack<double>> diffuse, specular;  ///< the terms of the equation, summed over the lights
+  std::vector<FrontBack<double>> I;                  ///< the sum with the ambient term, clamped to [0, 1]
+  int clamped = 0;                                   ///< points where the sum was above 1 on either side
 };
 
-/// Everything but the specular term, which is 0.
+/// Makes the diffuse terms. It sets the specular terms to 0.
 void diffuseIntensities(Intensities& intensities, const ShadingPoints& points, const Lighting& lighting,
                         int channel);
-/// The specular term, again whenever the eye moves.
+/// Makes the specular terms, again whenever the eye moves.
 void specularIntensities(Intensities& intensities, const ShadingPoints& points, const Lighting& lighting,
                          int channel);
-/// I from the terms.
+/// Makes I from the terms.
 void addTerms(Intensities& intensities, const ShadingPoints& points, const Lighting& lighting, int channel);
 
 }  // namespace xnewell

@@ -5,10 +5,10 @@
 
 namespace xnewell {
 
-/// Arithmetic on one number or on several side by side, written once: functions over `Real` take a float, a
-/// double, or Lanes of them (GCC's and Clang's vector extension, on any processor). + - * /, comparisons and
-/// ?: work lane by lane, each rounded as it would be alone, so all give the same bits.
-/// `a < b ? c : d` evaluates both c and d.
+/// Arithmetic on one number, or on several at once, written once. A function over `Real` takes a float, a
+/// double, or Lanes of them (GCC's and Clang's vector extension; any processor has it). The operators + - *
+/// /, the comparisons and ?: work on each lane by itself and round as for one number, so all give the same
+/// bits. `a < b ? c : d` evaluates both c and d.
 
 template <class Number, int N>
 struct LanesOf {
@@ -38,7 +38,7 @@ template <class Real>
   return Real{} + static_cast<Number<Real>>(v);
 }
 
-/// v >= 0.
+/// The square root of v >= 0.
 template <class Real>
 [[nodiscard, gnu::always_inline]] inline Real root(const Real& v) {
   if constexpr (std::is_floating_point_v<Real>) {
@@ -50,7 +50,8 @@ template <class Real>
   }
 }
 
-/// b where a is not a number: larger(x, bound), smaller(x, bound) are within their bounds for every x.
+/// Where a is not a number the result is b, so larger(x, bound) and smaller(x, bound) keep to the bound for
+/// every x.
 template <class Real>
 [[nodiscard, gnu::always_inline]] inline Real larger(const Real& a, const Real& b) {
   return a > b ? a : b;
@@ -60,7 +61,7 @@ template <class Real>
   return a < b ? a : b;
 }
 
-/// x^n by squaring, the same bits as geometry/exact/power.h: without its products by 1.
+/// x^n by squaring. It gives the same bits as geometry/exact/power.h, without the products by 1.
 template <class Real>
 [[nodiscard, gnu::always_inline]] inline Real powerOf(Real x, int n) {
   if (n <= 0) return splat<Real>(1.0);
@@ -94,13 +95,13 @@ template <class Real>
 [[nodiscard, gnu::always_inline]] inline Real dot(const Vec<Real>& a, const Vec<Real>& b) {
   return a.x * b.x + a.y * b.y + a.z * b.z;
 }
-/// One vector in every lane; V has x, y and z.
+/// The same vector in every lane. V has x, y and z.
 template <class Real, class V>
 [[nodiscard, gnu::always_inline]] inline Vec<Real> splatVec(const V& v) {
   return {splat<Real>(v.x), splat<Real>(v.y), splat<Real>(v.z)};
 }
 
-/// v / |v|, and 0 where |v|^2 is below what the number type resolves.
+/// v / |v|; 0 where |v|^2 is too small for the number type.
 template <class Real>
 [[nodiscard, gnu::always_inline]] inline Vec<Real> unitOf(const Vec<Real>& v) {
   constexpr double kLeast = sizeof(Number<Real>) == sizeof(float) ? 1e-37 : 1e-307;

@@ -5,14 +5,14 @@
 
 namespace xnewell {
 
-/// Shading methods, a row each. @see Foley & van Dam 2e §16.2
+/// The shading methods, one row each. @see Foley & van Dam 2e §16.2
 
 enum class Shading { Full, Depth, Flat, Gouraud, Phong, Environment };
 struct ShadingRow {
   Shading id;
   std::string_view name, label;
-  bool lit;           ///< asks for the illumination
-  bool interpolates;  ///< asks for normals at vertices
+  bool lit;           ///< whether it needs the illumination
+  bool interpolates;  ///< whether it needs normals at vertices
   std::string_view evaluates;
 };
 inline constexpr std::array kShadings{
@@ -31,9 +31,10 @@ inline constexpr std::array kShadings{
   return kShadings[static_cast<std::size_t>(shading)];
 }
 
-/// Over what a polygon of more than three corners interpolates. A plane over the screen has three values to
-/// pass through, so triangles are the default. Increments from edge to edge along each row, as the first
-/// programs had them, take every corner; but then a value inside depends on how the polygon is turned.
+/// How values are interpolated over a polygon with more than three corners. The default divides it into
+/// triangles, because a plane over the screen passes through three values. The first programs stepped along
+/// the edges, then along each row. That uses every corner, but a value inside depends on how the polygon is
+/// turned.
 enum class Polygons { Triangles, Rows };
 struct PolygonsRow {
   Polygons id;

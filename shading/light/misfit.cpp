@@ -14,22 +14,23 @@ namespace xnewell {
 
 namespace {
 
-constexpr std::size_t kTogether = 4096;  // samples: their terms fit the second-level cache
+constexpr std::size_t kTogether = 4096;  // samples; their terms fit into the second-level cache
 
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 constexpr double kDegrees = 180.0 / std::numbers::pi;
-/// Half the angle of the pool under a lamp, seen from the lamp: there N.L and 1/d^2 have halved.
+/// Half the angle of the pool of light under a lamp, in degrees, seen from the lamp: at its border 1/d^2 is
+/// half as large as in the middle.
 constexpr double kPool = 45.0;
-/// No place of a triangle is farther from the corners of its grid than this share of their longest step.
+/// No place of a triangle is farther from the nearest point of its grid than this share of the longest step.
 const double kFarthest = 1.0 / std::sqrt(3.0);
 
-/// Degrees.
+/// In degrees.
 double angleOf(double cosine) {
   const double c = std::clamp(cosine, -1.0, 1.0);
   return degreesOf(std::sqrt(1.0 - c * c), c);
 }
 
-/// x in [0, 1] with x^n = v, 0 < v < 1 <= n, by bisection: the same on every machine.
+/// x in [0, 1] with x^n = v, for 0 < v < 1 <= n. Bisection gives the same on every machine.
 double rootOf(double v, int n) {
   double low = 0.0, high = 1.0;
   for (;;) {
@@ -39,11 +40,11 @@ double rootOf(double v, int n) {
   }
 }
 
-/// A facet as a whole.
+/// The size of a facet, and how much its normal turns.
 struct Extent {
-  glm::dvec3 middle{0}, normal{0};  ///< normal of its plane, unit
-  double radius = 0, longest = 0;   ///< about the middle; edge
-  double turn = 0;                  ///< largest distance between two unit normals: about their angle
+  glm::dvec3 middle{0}, normal{0};  ///< unit normal of its plane
+  double radius = 0, longest = 0;   ///< around the middle; the longest edge
+  double turn = 0;  ///< largest distance between two unit normals: about their angle in radians
 
   explicit Extent(const Facet& f) {
     middle = (f.at[0] + f.at[1] + f.at[2]) / 3.0;
@@ -55,24 +56,17 @@ struct Extent {
       turn = std::max(turn, glm::length(unit(f.N[next]) - unit(f.N[k])));
     }
   }
-  /// No place of the facet is nearer to p.
+  /// No place of the facet is nearer to p than this.
   [[nodiscard]] double distanceFrom(const glm::dvec3& p) const {
     return std::max(std::abs(glm::dot(normal, p - middle)), glm::length(p - middle) - radius);
   }
 };
 
-/// The angle whose cosine the specular term is a power of.
-double specularAngle(const Lighting& lighting, const glm::dvec3& N, const glm::dvec3& L,
-                     const glm::dvec3& V) {
-  switch (lighting.form) {
-    case Form::Textbook:
-      return angleOf(2.0 * glm::dot(N, L) * glm::dot(N, V) - glm::dot(L, V));
-    case Form::HalfVector:
-      return angleOf(std::abs(glm::dot(N, unit(L + V))));
-    case Form::Tutorial:
-      break;
-  }
-  return angleOf(std::abs(glm::dot(N, L)));
+/// The angle whose cosine the specular term is a power of, on the side of the facet that is lit. R is the
+/// same for N and -N; the other two cosines change their sign.
+double specularAngle(Form form, const glm::dvec3& N, const glm::dvec3& L, const glm::dvec3& V) {
+  const double cosine = specularCosine(form, N, L, V);
+  return angleOf(form == Form::Textbook ? cosine : std::abs(cosine));
 }
 
 }  // namespace
@@ -92,7 +86,7 @@ double Misfit::coneOf(const Lighting::Source& light) const {
     for (int c = 0; c < lighting_.channels; ++c)
       brightest = std::max(brightest, light.Ip[c] * (m.kd[c] + m.ks[c]));
   if (brightest <= tolerance_) return 0.0;
-  // x^0 = 1, up to the outer cone.
+  // x^0 = 1: with falloff 0 the spot is bright up to the outer cone.
   const double share = light.falloff > 0 ? rootOf(tolerance_ / brightest, light.falloff) : 0.0;
   return angleOf(light.cosOuter + (light.cosInner - light.cosOuter) * share);
 }
@@ -107,8 +101,8 @@ double Misfit::lobeOf(const Lighting::Source& light, const Material& material) c
 double Misfit::stepsAlong(const Facet& facet) const {
   const Extent extent{facet};
   double steps = kLeastAlong;
-  // A feature of this half angle in degrees; along the longest edge the angle changes by `change` at most, in
-  // radians.
+  // Makes the steps small enough for a feature with the half angle `half`, in degrees. The angle changes by
+  // at most `change` radians along the longest edge.
   const auto resolve = [&](double change, double half) {
     if (half > 0.0) steps = std::max(steps, 2.0 * kFarthest * change * kDegrees / half);
   };
@@ -131,7 +125,7 @@ double Misfit::stepsAlong(const Facet& facet) const {
     const double change = 2.0 * extent.turn + (light.constantL ? 0.0 : extent.longest / nearest) +
                           (lighting_.form == Form::Tutorial ? 0.0 : extent.longest / eye);
     const glm::dvec3 L = light.constantL ? light.L : unit(to);
-    if (specularAngle(lighting_, N, L, V) <= lobe + change * kDegrees) resolve(change, lobe);
+    if (specularAngle(lighting_.form, N, L, V) <= lobe + change * kDegrees) resolve(change, lobe);
   }
   return steps;
 }

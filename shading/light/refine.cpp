@@ -16,7 +16,7 @@ namespace xnewell {
 
 namespace {
 
-/// Of each point the first at its place.
+/// For each point, the first one with the same coordinates.
 std::vector<int> placesOf(const std::vector<glm::dvec3>& points) {
   const auto place = [&](int p) { return std::tuple{points[p].x, points[p].y, points[p].z}; };
   std::vector<int> order(points.size()), first(points.size());
@@ -27,14 +27,15 @@ std::vector<int> placesOf(const std::vector<glm::dvec3>& points) {
   return first;
 }
 
-/// What two ends have in common, in either order.
+/// The key of an edge: the same for both orders of its ends.
 std::uint64_t keyOf(int a, int b) {
   return std::uint64_t(std::max(a, b)) << 32 | static_cast<std::uint32_t>(std::min(a, b));
 }
 
 struct Triangle {
-  std::array<int, 3> point{}, corner{};  ///< of places the first point; index into Mesh::corners
-  int part = 0;                          ///< index into the parts that are divided
+  std::array<int, 3> point{},
+      corner{};  ///< `point` is the first one with its coordinates; `corner` is an index into Mesh::corners
+  int part = 0;  ///< index into the parts before the division
   int halvings = 0;
   bool tested = false;
 };
@@ -69,7 +70,7 @@ class Refiner {
   [[nodiscard]] static std::uint64_t keyOf(const Triangle& t, int edge) {
     return xnewell::keyOf(t.point[edge], t.point[(edge + 1) % 3]);
   }
-  /// By length, of equal ones by their ends: for all who have it.
+  /// Orders edges by length, and edges of equal length by their ends: the same order for every triangle.
   [[nodiscard]] std::pair<double, std::uint64_t> rank(const Triangle& t, int edge) const {
     const glm::dvec3 along = at(t.point[(edge + 1) % 3]) - at(t.point[edge]);
     return {glm::dot(along, along), keyOf(t, edge)};
@@ -100,11 +101,12 @@ class Refiner {
   RefineSettings settings_;
   Misfit misfit_;
   std::vector<bool> divided_;        ///< by part
-  std::vector<Triangle> triangles_;  ///< in order of their parts
-  std::vector<glm::dvec3> N_;        ///< of vertices, as interpolated: their lengths matter
-  /// Edges to be cut in this round, by their ends: the point in the middle, -1 until a triangle is cut there.
+  std::vector<Triangle> triangles_;  ///< in the order of their parts
+  std::vector<glm::dvec3> N_;  ///< of vertices, as interpolated: not unit vectors, for their lengths matter
+  /// The edges to cut in this round, by their keys: the point in the middle, or -1 until a triangle is cut
+  /// there.
   std::unordered_map<std::uint64_t, int> marked_;
-  std::unordered_map<std::uint64_t, int> verticesBetween_;  ///< by two vertices; of this round
+  std::unordered_map<std::uint64_t, int> verticesBetween_;  ///< by the key of two vertices; of this round
   Refined result_;
 };
 
@@ -122,7 +124,7 @@ void Refiner::cutFans() {
         t.point[c] = places[old_.corners[corner]];
         t.corner[c] = old_.from[corner];
       }
-      // What has no area covers nothing; it is cut where its neighbours are.
+      // A triangle without area covers nothing. It is cut only where its neighbours are.
       const glm::dvec3 a = at(t.point[1]) - at(t.point[0]), b = at(t.point[2]) - at(t.point[0]);
       t.tested = glm::cross(a, b) == glm::dvec3{0.0};
       triangles_.push_back(t);
@@ -142,18 +144,18 @@ Facet Refiner::facet(const Triangle& t) const {
   return f;
 }
 
-/// Whether doubles hold a place between the ends.
+/// Whether the middle differs from both ends in double precision.
 bool Refiner::isHalvable(const Triangle& t, int edge) const {
   const glm::dvec3 &a = at(t.point[edge]), &b = at(t.point[(edge + 1) % 3]), middle = (a + b) / 2.0;
   return middle != a && middle != b;
 }
 
-/// Whether it was not marked before.
+/// Marks an edge. Returns whether it was halvable and not marked before.
 bool Refiner::mark(const Triangle& t, int edge) {
   return isHalvable(t, edge) && marked_.try_emplace(keyOf(t, edge), -1).second;
 }
 
-/// Marks the longest edges of the triangles that miss; whether there are any.
+/// Marks the longest edge of each triangle that misses. Returns whether there are any.
 bool Refiner::markMissed() {
   marked_.clear();
   verticesBetween_.clear();
@@ -177,7 +179,7 @@ bool Refiner::markMissed() {
   return !marked_.empty();
 }
 
-/// Where any edge of a triangle is marked, its longest is.
+/// Marks the longest edge of each triangle that has a marked edge, until there are no more.
 void Refiner::markLongest() {
   for (bool more = true; more;) {
     more = false;
@@ -186,7 +188,7 @@ void Refiner::markLongest() {
   }
 }
 
-/// Cuts all triangles at their marked edges, unless that would be too many.
+/// Cuts all triangles at their marked edges, unless that makes too many. Returns whether it did.
 bool Refiner::halve() {
   std::size_t count = triangles_.size();
   std::vector<bool> newlyDivided(old_.count(), false);
@@ -202,7 +204,7 @@ bool Refiner::halve() {
   std::vector<Triangle> next;
   next.reserve(count);
   for (Triangle& t : triangles_) {
-    // The rest of a fan has its own centroids from now on.
+    // From now on each triangle of this fan is shaded at its own centroid.
     if (flat() && newlyDivided[t.part]) t.tested = false;
     cut(t, next);
   }
@@ -212,7 +214,8 @@ bool Refiner::halve() {
   return true;
 }
 
-/// From the longest marked edge on; each half then has one of the others.
+/// Cuts a triangle at its longest marked edge, then the halves at theirs. Each half has one of the other
+/// edges.
 void Refiner::cut(const Triangle& t, std::vector<Triangle>& into) {
   int edge = -1;
   for (int other = 0; other < 3; ++other)
@@ -266,7 +269,7 @@ int Refiner::middleCorner(const Triangle& t, int edge) {
   return corner;
 }
 
-/// Parts from triangles, and where to shade them.
+/// Makes the parts from the triangles, and the points at which they are shaded.
 void Refiner::collect() {
   ConvexParts& parts = result_.parts;
   ShadingPoints& points = result_.points;

@@ -11,26 +11,27 @@
 
 namespace xnewell {
 
-/// Adaptive subdivision: polygons over which flat or Gouraud shading misses the illumination by more than a
-/// tolerance (misfit.h) are divided until they do not, the others are left as they are. The rim of a spot's
-/// cone and highlights inside large polygons appear where they are.
+/// Adaptive subdivision. Where flat or Gouraud shading misses the illumination by more than a tolerance
+/// (misfit.h), the polygon is divided until it does not. All other polygons stay as they are. So the rim of a
+/// spot's cone, and a highlight inside a large polygon, appear in the right place.
 ///
-/// A polygon is divided as the fan that shading interpolates over (face_triangles.h), and a triangle is
-/// halved across its longest edge. Whoever else has that edge, with other normals or of another surface, is
-/// cut there too, across its own longest edge first: so no crack opens, and no angle ever becomes less
-/// than half the least that its triangle had. @see Rivara 1984; Rosenberg & Stenger 1975
+/// A polygon is divided into the fan of triangles that shading interpolates over (face_triangles.h). A
+/// triangle is halved across its longest edge. Every other triangle with that edge is cut there too, even if
+/// it has other normals or belongs to another surface; it is first cut across its own longest edge. So no
+/// crack opens, and no angle becomes less than half the smallest angle of the first triangle.
+/// @see Rivara 1984; Rosenberg & Stenger 1975
 ///
-/// Edges are the same if their ends are at the same places, whatever the file's indices. All in world
-/// coordinates: of the camera only what the specular term asks for matters, the eye.
+/// Two edges are the same if their ends have the same coordinates, whatever their indices in the file. All of
+/// this is in world coordinates. Of the camera only the eye matters, because of the specular term.
 ///
-/// Steps of the illumination end at a limit, for no interpolation follows them: a cone without a soft rim, a
-/// highlight where N.L = 0 cuts it off.
+/// Where the illumination jumps, no interpolation can follow it, and the division ends at a limit: at the
+/// border of a cone without a soft rim, and where a highlight ends at N.L = 0.
 
-/// What ended it.
+/// Why the division ended.
 enum class RefineLimit {
-  None,      ///< all is within the tolerance
-  Halvings,  ///< some parts are not, and are as small as they get
-  Parts,     ///< the next round would have made too many
+  None,      ///< every part is within the tolerance
+  Halvings,  ///< some parts are not, but are as small as they may become
+  Parts,     ///< the next round would have made too many parts
 };
 struct RefineLimitRow {
   RefineLimit id;
@@ -43,24 +44,24 @@ inline constexpr std::array kRefineLimits{
 };
 
 struct RefineSettings {
-  double tolerance = 0.02;  ///< in intensity, (0, 1]
-  int halvings = 20;        ///< of a triangle for its own sake: then its edges are a thousandth
-  int parts = 1'000'000;    ///< never more, polygons left whole counted by the triangles of their fans
+  double tolerance = 0.02;  ///< an intensity, in (0, 1]
+  int halvings = 20;        ///< of one triangle: after 20 its edges are a thousandth as long
+  int parts = 1'000'000;  ///< the most there may be; a polygon left whole counts as the triangles of its fan
 };
 
-/// A scene's polygons, divided. Nothing is renumbered: what is new comes after what is old.
+/// A scene's polygons, divided. No number changes: new points, corners and vertices come after the old ones.
 struct Refined {
-  Mesh mesh;  ///< with new points; new corners, after those of its faces; and their texture coordinates
-  ConvexParts parts;     ///< coplanar as those they came from; those left whole have the outlines they had
-  Vertices vertices;     ///< Gouraud: new ones last, their normals as Phong interpolates them; else empty
-  ShadingPoints points;  ///< one a vertex; flat: one a part, its centroid and its face's normal
+  Mesh mesh;          ///< also the new points, and the new corners with their texture coordinates
+  ConvexParts parts;  ///< in the planes of their polygons; a polygon left whole keeps its outline
+  Vertices vertices;  ///< Gouraud: a new vertex has the normal that Phong shading interpolates; flat: empty
+  ShadingPoints points;  ///< one for each vertex; flat: one for each part, with its face's normal
   RefineLimit limit = RefineLimit::None;
 };
 
 /// For Gouraud shading.
 [[nodiscard]] Refined refineSmooth(const Mesh& mesh, const ConvexParts& parts, const Vertices& vertices,
                                    const Lighting& lighting, const RefineSettings& settings);
-/// For flat shading. `faces` as facePoints() has them: a part that is left whole keeps the place of its
+/// For flat shading. `faces` are those of facePoints(): a part that is left whole keeps the place of its
 /// face.
 [[nodiscard]] Refined refineFlat(const Mesh& mesh, const ConvexParts& parts, const ShadingPoints& faces,
                                  const Lighting& lighting, const RefineSettings& settings);

@@ -4,17 +4,17 @@
 
 namespace xnewell {
 
-/// The bracket of the illumination equation at one place, or at several side by side (lanes.h): for faces,
-/// vertices and pixels alike.
+/// The terms of the illumination equation (equation.h) at several places at once (lanes.h): for faces,
+/// vertices and pixels.
 
-/// What arrives from a light: the direction towards it, unit, and s f.
+/// What arrives from a light. L is the unit vector towards it; f is fatt spot.
 template <class Real>
 struct Incident {
   Vec<Real> L;
   Real f;
 };
 
-/// At a light's own place L is 0, and so is what it lights: nothing becomes infinite.
+/// At a light's own place L is 0, so N.L is 0 and nothing becomes infinite.
 template <class Real>
 [[nodiscard, gnu::always_inline]] inline Incident<Real> incident(const Lighting::Source& light,
                                                                  const Vec<Real>& at) {
@@ -44,7 +44,7 @@ template <class Real>
   return in;
 }
 
-/// f max(0, N.L), kd and Ip aside.
+/// f max(0, N.L). The caller multiplies it by kd Ip.
 template <class Real>
 [[nodiscard, gnu::always_inline]] inline FrontBack<Real> diffuseTerm(const Incident<Real>& in,
                                                                      const Vec<Real>& N, bool twoSided) {
@@ -53,21 +53,23 @@ template <class Real>
   return {front, twoSided ? in.f * larger(zero, zero - NdotL) : front};
 }
 
-/// R.V of the textbook's R = 2 N (N.L) - L.
+/// R.V, for the textbook's R = 2 N (N.L) - L.
 template <class Real>
 [[nodiscard, gnu::always_inline]] inline Real reflectedCosine(const Real& NdotL, const Real& NdotV,
                                                               const Real& LdotV) {
   return splat<Real>(2.0) * NdotL * NdotV - LdotV;
 }
 
-/// What is raised to the power n. Clamped before: an even n would turn a negative cosine into a highlight.
+/// The cosine that is raised to the power n. It is clamped first: an even n would turn a negative cosine into
+/// a highlight.
 template <class Real>
 [[nodiscard, gnu::always_inline]] inline Real clampedCosine(const Real& cosine, const Material& material) {
   const Real some = cosine > splat<Real>(material.leastCosine) ? cosine : splat<Real>(0.0);
   return smaller(splat<Real>(1.0), some);
 }
 
-/// f max(0, R.V)^n, or the form's other cosine; ks and Ip aside. R is the same for N and -N.
+/// f max(0, R.V)^n, or with another form's cosine. The caller multiplies it by ks Ip. R is the same for N and
+/// -N.
 template <class Real>
 [[nodiscard, gnu::always_inline]] inline FrontBack<Real> specularTerm(const Incident<Real>& in,
                                                                       const Vec<Real>& N, const Vec<Real>& V,
@@ -93,7 +95,7 @@ template <class Real>
   return {front, lighting.twoSided ? (NdotL < zero ? term : zero) : front};
 }
 
-/// V at a place.
+/// V at each place.
 template <class Real>
 [[nodiscard, gnu::always_inline]] inline Vec<Real> towardsEye(const Lighting& lighting, const Vec<Real>& at) {
   return lighting.constantV ? splatVec<Real>(lighting.farV) : unitOf(splatVec<Real>(lighting.eye) - at);

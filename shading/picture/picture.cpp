@@ -87,7 +87,7 @@ void Picture::make(const PictureSettings& next) {
 
   // Intensities to cells of the colour table.
   timed(times_.fill, [&] {
-    colors_.make(scene_, next, plan, shading_, snapped_, camera_.view);
+    colors_.make(surfaces(next), plan);
     if (rowOf(next.shading).interpolates)
       cells_.clear();
     else if (channelsOf(plan) != Channels::Rgb)
@@ -119,30 +119,29 @@ std::vector<double> Picture::faceIntensities(const PictureSettings& settings, in
 
 std::vector<std::uint8_t> Picture::cellsOf(const PictureSettings& settings, int channel) const {
   const std::vector<double> I = faceIntensities(settings, channel);
+  const std::vector<Ramp> ramps = colors_.ramps();
   std::vector<std::uint8_t> cells(I.size());
   for (std::size_t f = 0; f < I.size(); ++f)
-    cells[f] = static_cast<std::uint8_t>(
-        channelsOf(colors_.plan()) == Channels::Rgb
-            ? kChannelRamp.value(I[f])
-            : colors_.tableOf(scene_.mesh.material[snapped_.faces[f].number]).cell(I[f]));
+    cells[f] = ramps[scene_.mesh.material[snapped_.faces[f].number] + 1].cell(I[f]);
   return cells;
 }
 
-Surfaces Picture::surfaces(const SortedScene& run, int channel,
-                           const std::vector<std::uint8_t>& cells) const {
-  return {.width = made_.width,
-          .height = made_.height,
-          .snapped = snapped_,
-          .sorted = run,
-          .visible = visible_,
-          .scene = scene_,
+Surfaces Picture::surfaces(const PictureSettings& settings) const {
+  return {.scene = scene_,
           .mesh = shading_.mesh(scene_),
+          .snapped = snapped_,
           .view = camera_.view,
-          .settings = made_,
-          .shading = shading_,
-          .channel = channel,
-          .ramps = colors_.ramps(),
-          .cells = cells};
+          .settings = settings,
+          .shading = shading_};
+}
+
+void Picture::paintChannel(IndexImage& image, int channel, const std::vector<std::uint8_t>& cells) {
+  SurfacePainter painter{surfaces(made_), channel, colors_.ramps(), cells};
+  if (visible_.empty())
+    painter.paintAll(image, sorted_);
+  else
+    painter.paintVisible(image, visible_);
+  clampedPixels_ += painter.clamped();
 }
 
 void Picture::paint(IndexImage& image, std::uint8_t ground) {
@@ -151,18 +150,15 @@ void Picture::paint(IndexImage& image, std::uint8_t ground) {
   image.height = made_.height;
   image.pixels.assign(std::size_t(made_.width) * made_.height, ground);
   clampedPixels_ = 0;
-  if (channelsOf(colors_.plan()) == Channels::Rgb) {
+  if (channelsOf(colors_.plan()) == Channels::Rgb)
     paintColors(image);
-  } else {
-    SurfacePainter painter{surfaces(sorted_, 0, cells_)};
-    painter.paintAll(image);
-    clampedPixels_ = painter.clamped();
-  }
+  else
+    paintChannel(image, 0, cells_);
   times_.fill += watch.ms();
 }
 
-SurfacePainter Picture::painter(const SortedScene& run) const {
-  return SurfacePainter{surfaces(run, 0, cells_)};
+SurfacePainter Picture::painter() const {
+  return SurfacePainter{surfaces(made_), 0, colors_.ramps(), cells_};
 }
 
 void Picture::paintColors(IndexImage& image) {
@@ -172,9 +168,7 @@ void Picture::paintColors(IndexImage& image) {
     channel = IndexImage{made_.width, made_.height, 0};
     const std::vector<std::uint8_t> cells =
         rowOf(made_.shading).interpolates ? std::vector<std::uint8_t>{} : cellsOf(made_, c);
-    SurfacePainter painter{surfaces(sorted_, c, cells)};
-    painter.paintAll(channel);
-    clampedPixels_ += painter.clamped();
+    paintChannel(channel, c, cells);
     for (std::size_t k = 0; k < channel.pixels.size(); ++k) colors.rgb[3 * k + c] = kBytes[channel.pixels[k]];
   }
   chosen_ = quantize(colors, channel.pixels,
@@ -251,11 +245,11 @@ std::vector<int> Picture::timesPainted() const {
 std::vector<double> Picture::intensities(const SeenRows& rows, int channel) const {
   const std::vector<double> ofFaces =
       rowOf(made_.shading).interpolates ? std::vector<double>{} : faceIntensities(made_, channel);
-  return intensitiesAt(rows, surfaces(sorted_, channel, cells_), ofFaces);
+  return intensitiesAt(rows, surfaces(made_), channel, ofFaces);
 }
 
 std::vector<glm::dvec3> Picture::normals(const SeenRows& rows) const {
-  return normalsAt(rows, surfaces(sorted_, 0, cells_));
+  return normalsAt(rows, surfaces(made_));
 }
 
 std::vector<std::uint32_t> Picture::faceImage() const {

@@ -41,9 +41,9 @@ class Picture {
   void paint(IndexImage& image, std::uint8_t ground);
   /// The colours that go with it. Of a plan that chooses them from the picture, after paint().
   [[nodiscard]] Palette palette(const CellPlan& plan, const Palette& unneeded = {}) const;
-  /// For painting one fragment after the other of a run over snapped(); both outlive it. Not for a plan of
+  /// Paints one fragment after the other of a run over snapped(). The picture outlives it. Not for a plan of
   /// colours.
-  [[nodiscard]] SurfacePainter painter(const SortedScene& run) const;
+  [[nodiscard]] SurfacePainter painter() const;
   /// For who sorts snapped() himself: its planes are made only for the orders that ask for them.
   void addPlanes();
   /// Face number + 1 at every sample, 0 where nothing is; row by row from the top.
@@ -100,9 +100,8 @@ class Picture {
   [[nodiscard]] std::vector<double> faceIntensities(const PictureSettings& settings, int channel) const;
   /// Of snapped().faces in one channel, where each has one.
   [[nodiscard]] std::vector<std::uint8_t> cellsOf(const PictureSettings& settings, int channel) const;
-  /// What a channel is painted from. All that is passed outlives it.
-  [[nodiscard]] Surfaces surfaces(const SortedScene& run, int channel,
-                                  const std::vector<std::uint8_t>& cells) const;
+  [[nodiscard]] Surfaces surfaces(const PictureSettings& settings) const;
+  void paintChannel(IndexImage& image, int channel, const std::vector<std::uint8_t>& cells);
   void paintColors(IndexImage& image);
   /// Of snapped().faces in a plan of colours: the nearest of those chosen.
   [[nodiscard]] std::vector<std::uint8_t> nearestCells() const;

@@ -49,54 +49,36 @@ class FaceRanges {
     double low, high;
   };
 
-  FaceRanges(const Scene& scene, const PictureSettings& settings, const SceneShading& shading,
-             const SnappedScene& snapped, const ViewSpec& view)
-      : method_{settings.shading},
-        shading_{shading},
-        snapped_{snapped},
-        painter_{{.width = settings.width,
-                  .height = settings.height,
-                  .snapped = snapped,
-                  .sorted = unsorted_,
-                  .visible = nothing_,
-                  .scene = scene,
-                  .mesh = shading.mesh(scene),
-                  .view = view,
-                  .settings = settings,
-                  .shading = shading,
-                  .channel = 0,
-                  .ramps = std::vector<Ramp>(scene.mesh.materials.size() + 1, kChannelRamp),
-                  .cells = noCells_}} {}
+  explicit FaceRanges(const Surfaces& surfaces)
+      : s_{surfaces},
+        painter_{
+            surfaces, 0, std::vector<Ramp>(surfaces.shading.lighting().materials.size(), kChannelRamp), {}} {}
 
   /// Of snapped.faces; low > high where it has no sample.
   [[nodiscard]] Range operator()(int f) {
-    if (!rowOf(method_).lit) return {0.0, 1.0};
-    const SnappedFace& face = snapped_.faces[f];
-    if (method_ == Shading::Environment || painter_.evaluates(face)) {
+    const Shading method = s_.settings.shading;
+    if (!rowOf(method).lit) return {0.0, 1.0};
+    const SnappedFace& face = s_.snapped.faces[f];
+    if (method == Shading::Environment || painter_.evaluates(face)) {
       // An intensity I has cell round(first + (shades - 1) I).
-      const auto [least, greatest] = painter_.cellEnds(f);
+      const auto [least, greatest] = painter_.cellEnds(f, s_.settings.width, s_.settings.height);
       const double perCell = 1.0 / (kChannelRamp.shades - 1);
       return {(least - kChannelRamp.first - 0.5) * perCell, (greatest - kChannelRamp.first + 0.5) * perCell};
     }
-    const std::vector<FrontBack<double>>& I = shading_.intensities(0).I;
+    const std::vector<FrontBack<double>>& I = s_.shading.intensities(0).I;
     const auto seen = [&](int point) { return I[point].seen(face.back); };
-    if (method_ == Shading::Flat) return {seen(shading_.pointOf(face)), seen(shading_.pointOf(face))};
+    if (method == Shading::Flat) return {seen(s_.shading.pointOf(face)), seen(s_.shading.pointOf(face))};
     Range range{1.0, 0.0};
     for (int k = face.first; k < face.first + face.count; ++k) {
-      const double v = atSource(snapped_, snapped_.source[k],
-                                [&](int corner) { return seen(shading_.vertices().ofCorner[corner]); });
+      const double v = atSource(s_.snapped, s_.snapped.source[k],
+                                [&](int corner) { return seen(s_.shading.vertices().ofCorner[corner]); });
       range = {std::min(range.low, v), std::max(range.high, v)};
     }
     return range;
   }
 
  private:
-  Shading method_;
-  const SceneShading& shading_;
-  const SnappedScene& snapped_;
-  const SortedScene unsorted_;  ///< these are what the painter need not know
-  const std::vector<int> nothing_;
-  const std::vector<std::uint8_t> noCells_;
+  Surfaces s_;
   SurfacePainter painter_;
 };
 
@@ -130,8 +112,10 @@ ColorPlan planOf(const Scene& scene, const PictureSettings& settings) {
   return hues * kLeastShades <= settings.table.shades ? ColorPlan::Hues : ColorPlan::Chosen;
 }
 
-void SceneColors::make(const Scene& scene, const PictureSettings& settings, ColorPlan plan,
-                       const SceneShading& shading, const SnappedScene& snapped, const ViewSpec& view) {
+void SceneColors::make(const Surfaces& surfaces, ColorPlan plan) {
+  const Scene& scene = surfaces.scene;
+  const SnappedScene& snapped = surfaces.snapped;
+  const PictureSettings& settings = surfaces.settings;
   plan_ = plan;
   const std::size_t materials = scene.mesh.materials.size() + 1;
   tables_.clear();
@@ -143,7 +127,7 @@ void SceneColors::make(const Scene& scene, const PictureSettings& settings, Colo
     tableOf_ = hues.ofMaterial;
     std::vector<HueNeed> needs;
     for (const glm::dvec3& hue : hues.hues) needs.push_back({hue, 1.0, 0.0, 0});
-    FaceRanges rangeOf{scene, settings, shading, snapped, view};
+    FaceRanges rangeOf{surfaces};
     for (int f = 0; f < static_cast<int>(snapped.faces.size()); ++f) {
       const SnappedFace& face = snapped.faces[f];
       HueNeed& need = needs[tableOf_[scene.mesh.material[face.number] + 1]];
@@ -157,12 +141,9 @@ void SceneColors::make(const Scene& scene, const PictureSettings& settings, Colo
     for (const TableSettings& table : planHues(needs, settings.table)) tables_.emplace_back(table);
   }
 
-  const bool interpolated = rowOf(settings.shading).interpolates || !scene.textures.empty();
   lookUps_.assign(tables_.size(), {});
-  if (settings.table.kind == TableKind::Corrected && interpolated && channelsOf(plan) != Channels::Rgb)
-    for (std::size_t t = 0; t < tables_.size(); ++t)
-      for (int k = 0; k < 65536; ++k)
-        lookUps_[t].push_back(static_cast<std::uint8_t>(tables_[t].cell((k + 0.5) / 65536.0)));
+  if (settings.table.kind == TableKind::Corrected && channelsOf(plan) != Channels::Rgb)
+    std::ranges::transform(tables_, lookUps_.begin(), cellsBy16Bits);
 }
 
 double SceneColors::intensityOf(int cell) const {

@@ -3,14 +3,10 @@
 #include <cstdint>
 #include <vector>
 
-#include "geometry/view/project.h"
-#include "geometry/view/view.h"
 #include "shading/color/color_plan.h"
 #include "shading/color/color_table.h"
 #include "shading/fill/ramp.h"
-#include "shading/picture/scene_shading.h"
-#include "shading/scene/picture_settings.h"
-#include "shading/scene/scene.h"
+#include "shading/picture/surface_evaluator.h"
 
 namespace xnewell {
 
@@ -32,8 +28,7 @@ class SceneColors {
   /// Where a plan has several hues, their shades go where the need is: by the samples that a hue covers and
   /// the intensities that its surfaces have, at faces or vertices or, where they are found pixel by pixel, at
   /// all pixels of all faces, hidden or not: no order of painting changes the plan.
-  void make(const Scene& scene, const PictureSettings& settings, ColorPlan plan, const SceneShading& shading,
-            const SnappedScene& snapped, const ViewSpec& view);
+  void make(const Surfaces& surfaces, ColorPlan plan);
 
   [[nodiscard]] ColorPlan plan() const { return plan_; }
   [[nodiscard]] const std::vector<ColorTable>& tables() const { return tables_; }

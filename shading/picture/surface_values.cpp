@@ -52,7 +52,7 @@ auto interpolated(const PixelPlanes& planes, const std::array<glm::dvec3, 3>& v)
 template <class OfVertex>
 std::array<glm::dvec3, 3> normalsOf(const Surfaces& s, const SnappedFace& face, const FaceTriangle& t,
                                     const OfVertex& ofVertex) {
-  const double side = face.back && s.shading.lighting().twoSided ? -1.0 : 1.0;
+  const double side = s.side(face);
   std::array<glm::dvec3, 3> N;
   for (int k = 0; k < 3; ++k)
     N[k] = side * atSource(s.snapped, s.snapped.source[t.vertex[k]],
@@ -69,10 +69,10 @@ double lookedUp(const Environment& environment, const glm::dvec3& N) {
 
 }  // namespace
 
-std::vector<double> intensitiesAt(const SeenRows& seen, const Surfaces& s,
+std::vector<double> intensitiesAt(const SeenRows& seen, const Surfaces& s, int channel,
                                   const std::vector<double>& ofFaces) {
   std::vector<double> I(seen.faces.size(), std::numeric_limits<double>::quiet_NaN());
-  SurfacePainter painter{s};
+  const SurfaceEvaluator evaluator{s, channel};
   forEachSeenFace(seen, s.snapped.faces.size(), [&](int f) {
     const SnappedFace& face = s.snapped.faces[f];
     const glm::ivec3* const outline = &s.snapped.vertices[face.first];
@@ -81,13 +81,12 @@ std::vector<double> intensitiesAt(const SeenRows& seen, const Surfaces& s,
     };
     const auto atVertex = [&](int source) {
       return atSource(s.snapped, source, [&](int corner) {
-        return s.shading.intensities(s.channel).I[s.shading.vertices().ofCorner[corner]].seen(face.back);
+        return s.shading.intensities(channel).I[s.shading.vertices().ofCorner[corner]].seen(face.back);
       });
     };
 
-    if (painter.evaluates(face)) {
-      forEachTriangle(s.snapped, face, [&](const FaceTriangle& t) {
-        const EvaluatedTriangle e = painter.evaluated(face, t);
+    if (evaluator.evaluates(face)) {
+      evaluator.forEachEvaluated(face, [&](const FaceTriangle& t, const auto& e) {
         fill(t.p.data(), 3, [&](int i, int j) { return e.intensity(i, j); });
       });
     } else if (s.settings.shading == Shading::Gouraud && s.settings.polygons == Polygons::Rows &&
@@ -108,7 +107,7 @@ std::vector<double> intensitiesAt(const SeenRows& seen, const Surfaces& s,
       });
     } else if (s.settings.shading == Shading::Environment) {
       const Environment& environment =
-          s.shading.environments(s.channel)[s.scene.mesh.material[face.number] + 1];
+          s.shading.environments(channel)[s.scene.mesh.material[face.number] + 1];
       forEachTriangle(s.snapped, face, [&](const FaceTriangle& t) {
         const auto N = interpolated(PixelPlanes{t.p}, normalsOf(s, face, t, s.shading.mapped()));
         fill(t.p.data(), 3, [&](int i, int j) { return lookedUp(environment, N(i, j)); });
@@ -122,22 +121,22 @@ std::vector<double> intensitiesAt(const SeenRows& seen, const Surfaces& s,
 
 std::vector<glm::dvec3> normalsAt(const SeenRows& seen, const Surfaces& s) {
   std::vector<glm::dvec3> normals(seen.faces.size(), glm::dvec3{0.0});
-  const SurfacePainter painter{s};
+  const SurfaceEvaluator evaluator{s, 0};
   forEachSeenFace(seen, s.snapped.faces.size(), [&](int f) {
     const SnappedFace& face = s.snapped.faces[f];
     if (rowOf(s.settings.shading).interpolates) {
       forEachTriangle(s.snapped, face, [&](const FaceTriangle& t) {
         std::array<glm::dvec3, 3> ofVertices = normalsOf(s, face, t, s.shading.points().N);
         if (s.settings.shading == Shading::Phong) {
-          const std::array<double, 3> q = painter.overDepths(t);
+          const std::array<double, 3> q = evaluator.overDepths(t);
           for (int k = 0; k < 3; ++k) ofVertices[k] *= q[k];
         }
         const auto N = interpolated(PixelPlanes{t.p}, ofVertices);
         store(normals, seen, f, t.p.data(), 3, [&](int i, int j) { return unit(N(i, j)); });
       });
     } else {
-      const double side = face.back && s.settings.light.twoSided ? -1.0 : 1.0;
-      const glm::dvec3 N = side * unit(newellVector(s.scene.mesh.points, s.scene.mesh.face(face.number)));
+      const glm::dvec3 N =
+          s.side(face) * unit(newellVector(s.scene.mesh.points, s.scene.mesh.face(face.number)));
       store(normals, seen, f, &s.snapped.vertices[face.first], face.count, [&](int, int) { return N; });
     }
   });

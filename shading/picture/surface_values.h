@@ -3,7 +3,7 @@
 #include <glm/vec3.hpp>
 #include <vector>
 
-#include "shading/picture/surface_painter.h"
+#include "shading/picture/surface_evaluator.h"
 
 namespace xnewell {
 
@@ -21,7 +21,7 @@ struct SeenRows {
 /// The intensity of one channel, clamped to [0, 1]; NaN where nothing shows. `ofFaces` has that of each face
 /// where the method gives a face one. Interpolated values are those of a method's definition: nothing of the
 /// fixed point, single precision and tables with which pictures are filled.
-[[nodiscard]] std::vector<double> intensitiesAt(const SeenRows& seen, const Surfaces& surfaces,
+[[nodiscard]] std::vector<double> intensitiesAt(const SeenRows& seen, const Surfaces& surfaces, int channel,
                                                 const std::vector<double>& ofFaces);
 
 /// Unit vectors in the world, on the side of the face that the light is computed for: interpolated where the

@@ -89,21 +89,16 @@ struct Evaluation {
   explicit Evaluation(bool constantV)
       : lighting{resolve(cube(), {}, {.constantV = constantV}, Channels::Luminance, {2, -5, 3}, {0, 0, 0})} {}
 };
-EvaluatedTriangle evaluated(Evaluation& with, const PixelPlanes& planes) {
-  EvaluatedTriangle e;
-  e.i0 = planes.i0(), e.j0 = planes.j0();
-  e.lighting = &with.lighting;
-  e.material = &with.lighting.materials[0];
-  e.clamped = &with.clamped;
-  return e;
-}
 /// Unit normals that turn by up to a right angle from vertex to vertex, at places beside each other.
 template <bool kConstantV>
-EvaluatedTriangle phong(const Values& at) {
+PhongTriangle phong(const Values& at) {
   static Evaluation with{kConstantV};
   const PixelPlanes planes{{at.p[0], at.p[1], at.p[2]}};
-  EvaluatedTriangle e = evaluated(with, planes);
-  e.phong = true;
+  PhongTriangle e;
+  e.i0 = planes.i0(), e.j0 = planes.j0();
+  e.clamped = &with.clamped;
+  e.lighting = &with.lighting;
+  e.material = &with.lighting.materials[0];
   const double u = (*at.u)[0] / 256, v = (*at.v)[0] / 256;
   e.N = {planes({u, 1, 0}), planes({1 - u, 0, v}), planes({0.5, 0.5, 1})};
   e.variesV = with.lighting.variesV();
@@ -112,10 +107,12 @@ EvaluatedTriangle phong(const Values& at) {
 }
 /// Constant terms times the texel.
 template <bool kRepeats>
-EvaluatedTriangle perspectiveTexture(const Values& at) {
+TermsTriangle perspectiveTexture(const Values& at) {
   static Evaluation with{true};
   const PixelPlanes planes{{at.p[0], at.p[1], at.p[2]}};
-  EvaluatedTriangle e = evaluated(with, planes);
+  TermsTriangle e;
+  e.i0 = planes.i0(), e.j0 = planes.j0();
+  e.clamped = &with.clamped;
   e.diffuse.c = (*at.w)[0] / 512, e.rest.c = 0.2;
   e.texture = &with.texture;
   e.texels = with.texture.gray.data();

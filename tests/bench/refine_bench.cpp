@@ -30,11 +30,11 @@ Difference fromPhong(const Picture& picture) {
   for (const SnappedFace& face : snapped.faces)
     forEachTriangle(snapped, face, [&](const FaceTriangle& t) {
       const PixelPlanes planes{t.p};
-      EvaluatedTriangle phong;
+      PhongTriangle phong;
       phong.i0 = planes.i0(), phong.j0 = planes.j0();
       phong.lighting = &shading.lighting();
       phong.material = &shading.lighting().materials.front();
-      phong.phong = phong.placed = true;
+      phong.placed = true;
       phong.variesV = shading.lighting().variesV();
       std::array<double, 3> shown;
       std::array<glm::dvec3, 3> at;

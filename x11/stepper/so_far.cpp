@@ -23,9 +23,9 @@ const IndexImage& SoFar::at(int painted) {
   }
   if (painted_ == painted) return image_;
   // A picture that is made again moves its data, so a painter is valid for this call only.
-  SurfacePainter painter = picture_.painter(sorted_);
+  SurfacePainter painter = picture_.painter();
   while (painted_ < painted) {
-    painter.paint(image_, sorted_.fragments[painted_++]);
+    painter.paint(image_, sorted_, sorted_.fragments[painted_++]);
     if (space_ > 0 && painted_ == static_cast<int>(copies_.size()) * space_) copies_.push_back(image_);
   }
   return image_;

@@ -49,12 +49,12 @@ PictureSettings referenceFor(const Scene& scene, PictureSettings settings) {
 void compareIntensities(Compared& result, const Picture& reference, const SeenRows& seen,
                         const SceneColors& colors) {
   const std::vector<double> I = reference.intensities(seen);
+  const std::vector<Ramp> ramps = colors.ramps();
   Comparison comparison{result.difference, I.size()};
   for (std::size_t k = 0; k < I.size(); ++k) {
     if (seen.faces[k] == kNothing) continue;
     const SnappedFace& face = reference.snapped().faces[seen.faces[k]];
-    const ColorTable& table = colors.tableOf(reference.scene().mesh.material[face.number]);
-    result.reference.pixels[k] = static_cast<std::uint8_t>(table.cell(I[k]));
+    result.reference.pixels[k] = ramps[reference.scene().mesh.material[face.number] + 1].cell(I[k]);
     comparison.add(k, std::abs(colors.intensityOf(result.picture.pixels[k]) - I[k]));
   }
 }

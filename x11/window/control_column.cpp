@@ -2,10 +2,9 @@
 
 #include <algorithm>
 #include <cmath>
-#include <glm/geometric.hpp>
 
-#include "geometry/exact/power.h"
 #include "shading/color/quantize.h"
+#include "shading/light/equation.h"
 #include "x11/drawing/painter.h"
 #include "x11/drawing/pen.h"
 #include "x11/drawing/wording.h"
@@ -179,7 +178,7 @@ void ColumnPen::light(const ControlPlace& place) {
   boldRight(end, y + 36, shown.setup.picture.light.lightPosition ? "near" : "far");
 }
 
-/// A sphere with the current material in the current table. A ring marks the light, so one can read L.
+/// A sphere with the current material, form and table. A ring marks the light, so one can read L.
 void ColumnPen::ball() {
   paint.fillRect(at.ball, (*this)(Cell::Well));
   const int radius = at.radius, cx = at.ball.x + at.ball.width / 2, cy = at.ball.y + at.ball.height / 2;
@@ -192,16 +191,16 @@ void ColumnPen::ball() {
   paint.vline(cx, cy - radius - 5, 2 * radius + 11, (*this)(Cell::WellLine));
   const Illumination& light = shown.setup.picture.light;
   const glm::dvec3& L = shown.lightInView;
+  const glm::dvec3 V{0, 0, 1};
+  const Light source{.direction = L};
+  const Reflection surface{light.ka, light.kd, light.ks, light.n};
   for (int y = -radius; y <= radius; ++y)
     for (int x = -radius; x <= radius; ++x) {
       const double rest = static_cast<double>(radius) * radius - x * x - y * y;
       if (rest < 0) continue;
       const glm::dvec3 N = glm::dvec3{x, -y, std::sqrt(rest)} / static_cast<double>(radius);
-      const double NdotL = glm::dot(N, L), RdotV = 2 * NdotL * N.z - L.z;
-      const double lit =
-          NdotL <= 0 ? 0.0 : light.kd * NdotL + light.ks * power(std::clamp(RdotV, 0.0, 1.0), light.n);
-      const auto k =
-          static_cast<std::size_t>(255.0 * std::min(1.0, light.ka * light.Ia + light.Ip * lit) + 0.5);
+      const double I = illuminate(light.Ia, light.Ip, source, surface, N, V, N, light.form).I;
+      const auto k = static_cast<std::size_t>(255.0 * std::min(1.0, I) + 0.5);
       const bool high = bayerRank(x & 7, y & 7) < shown.ball.share[k];
       paint.point(cx + x, cy + y, (high ? shown.ball.high : shown.ball.low)[k]);
     }

@@ -21,13 +21,15 @@ class RandomTriangles {
     texture_ = {5, 3, {}, {}};
     for (int k = 0; k < 15; ++k) texture_.gray.push_back(static_cast<std::uint8_t>(17 * k));
     const Illumination user{.Ia = 0.1, .Ip = 0.6, .n = seed % 3 == 0 ? 1'000'000 : int(seed % 1000)};
-    SceneLight scene;
     if (seed % 2)
-      scene.lights = {
+      lights_ = {
           {.kind = LightKind::Spot, .direction = {0, 0.1, -1}, .position = {0.2, 0, 2}, .outer = 40},
           {.kind = LightKind::Point, .position = {-1, 1, 0.5}, .attenuation = Attenuation::InverseSquare},
           {.direction = {0, -1, 1}}};
-    lighting_ = resolve(cube(), scene, user, Channels::Luminance, {0, 0, 5}, {0, 0, 0});
+    else
+      lights_ = {{.Ip = glm::dvec3{user.Ip}, .direction = user.light}};
+    lighting_ =
+        resolve(cube(), {.Ia = {}, .lights = lights_}, user, Channels::Luminance, {0, 0, 5}, {0, 0, 0});
   }
 
   [[nodiscard]] double uniform(double low, double high) {
@@ -44,41 +46,61 @@ class RandomTriangles {
     } while (doubleArea(p.data(), 3) == 0);
     return p;
   }
-  EvaluatedTriangle triangle(const std::array<glm::ivec3, 3>& p, bool phong, bool textured) {
+  PhongTriangle phong(const std::array<glm::ivec3, 3>& p, bool textured) {
     const PixelPlanes planes{p};
-    EvaluatedTriangle e;
-    e.i0 = planes.i0(), e.j0 = planes.j0();
+    PhongTriangle e;
     e.lighting = &lighting_;
     e.material = &lighting_.materials[0];
-    e.phong = phong;
     e.placed = lighting_.placed();
     e.variesV = lighting_.variesV();
-    const auto three = [&](double low, double high) {
-      return planes({uniform(low, high), uniform(low, high), uniform(low, high)});
-    };
     // Normals within 60 degrees of the z axis: in between they stay longer than 1/2.
-    e.N = {three(-0.6, 0.6), three(-0.6, 0.6), planes({1, 1, 1})};
-    e.at = {three(-1, 1), three(-1, 1), three(-1, 0)};
-    e.V = {three(-1, 1), three(-1, 1), three(4, 6)};
-    e.diffuse = three(0, 1), e.rest = three(0, 0.5);
+    e.N = {three(planes, -0.6, 0.6), three(planes, -0.6, 0.6), planes({1, 1, 1})};
+    e.at = {three(planes, -1, 1), three(planes, -1, 1), three(planes, -1, 0)};
+    e.V = {three(planes, -1, 1), three(planes, -1, 1), three(planes, 4, 6)};
+    addPixels(e, planes, textured);
+    return e;
+  }
+  TermsTriangle terms(const std::array<glm::ivec3, 3>& p, bool textured) {
+    const PixelPlanes planes{p};
+    TermsTriangle e;
+    e.diffuse = three(planes, 0, 1), e.rest = three(planes, 0, 0.5);
+    addPixels(e, planes, textured);
+    return e;
+  }
+  /// Calls use(triangle) with one of both.
+  template <class Use>
+  void triangle(const std::array<glm::ivec3, 3>& p, bool isPhong, bool textured, const Use& use) {
+    if (isPhong)
+      use(phong(p, textured));
+    else
+      use(terms(p, textured));
+  }
+  [[nodiscard]] const Lighting& lighting() const { return lighting_; }
+  [[nodiscard]] int n() const { return lighting_.materials[0].n; }
+
+  [[nodiscard]] const std::vector<Light>& lights() const { return lights_; }
+
+  std::int64_t clamped = 0;
+
+ private:
+  PixelPlane three(const PixelPlanes& planes, double low, double high) {
+    return planes({uniform(low, high), uniform(low, high), uniform(low, high)});
+  }
+  void addPixels(EvaluatedTriangle& e, const PixelPlanes& planes, bool textured) {
+    e.i0 = planes.i0(), e.j0 = planes.j0();
     if (textured) {
       e.texture = &texture_;
       e.texels = texture_.gray.data();
       e.repeats = uniform(0, 1) < 0.5;
       const double most = e.repeats ? 3 : 0.5;  // over w, which is at most 2
-      e.u = three(0, most), e.v = three(0, most), e.q = three(0.5, 1);
+      e.u = three(planes, 0, most), e.v = three(planes, 0, most), e.q = three(planes, 0.5, 1);
     }
     e.ramp = kChannelRamp;
     e.clamped = &clamped;
-    return e;
   }
-  [[nodiscard]] const Lighting& lighting() const { return lighting_; }
-  [[nodiscard]] int n() const { return lighting_.materials[0].n; }
 
-  std::int64_t clamped = 0;
-
- private:
   std::mt19937 rng_;
+  std::vector<Light> lights_;
   Lighting lighting_;
   Texture texture_;
 };
@@ -97,26 +119,77 @@ TEST(Evaluated, AgreesWithDoublePrecision) {
     const double bound = std::ldexp(random.n() > 1024 ? 8.0 : random.n() + 8.0, -19);
     for (const double size : {3.0, 40.0, 700.0, 8191.0}) {
       const auto p = random.outline(size);
-      const EvaluatedTriangle e = random.triangle(p, seed % 4 != 0, false);
-      int rows = 0;
-      forEachSpan(p.data(), 3, 8192, 8192, [&](int j, int from, int to) {
-        if (rows++ % (size > 100 ? 100 : 1) != 0) return;
-        std::vector<std::uint8_t> cells(to - from);
-        e.span(cells.data(), from, j, to - from);
-        for (int i = from; i < to; i += 1 + (to - from) / 400) {
-          const double I = e.intensity(i, j), v = cells[i - from];
-          // The intensities that have this cell.
-          const double low = v == 1 ? -1e9 : (v - 1.5) / 254, high = v == 255 ? 1e9 : (v - 0.5) / 254;
-          const double off = std::max({0.0, low - I, I - high});
-          ASSERT_LE(off, bound) << i << ", " << j << ": " << I;
-          farthest = std::max(farthest, off);
-          ++compared;
-        }
+      random.triangle(p, seed % 4 != 0, false, [&](const auto& e) {
+        int rows = 0;
+        forEachSpan(p.data(), 3, 8192, 8192, [&](int j, int from, int to) {
+          if (rows++ % (size > 100 ? 100 : 1) != 0) return;
+          std::vector<std::uint8_t> cells(to - from);
+          e.span(cells.data(), from, j, to - from);
+          for (int i = from; i < to; i += 1 + (to - from) / 400) {
+            const double I = e.intensity(i, j), v = cells[i - from];
+            // The intensities that have this cell.
+            const double low = v == 1 ? -1e9 : (v - 1.5) / 254, high = v == 255 ? 1e9 : (v - 0.5) / 254;
+            const double off = std::max({0.0, low - I, I - high});
+            ASSERT_LE(off, bound) << i << ", " << j << ": " << I;
+            farthest = std::max(farthest, off);
+            ++compared;
+          }
+        });
       });
     }
   }
   EXPECT_GT(compared, 1'000'000);
   EXPECT_GT(farthest, 0.0);  // the two are not the same computation
+}
+
+// In double precision a pixel's intensity is the equation's, of the normal, the place and the direction to
+// the eye that are interpolated there. Planes whose parts are below 16 are off by less than 2^-47, so N
+// (longer than 1/2), V and L (longer than 1/2) are off by less than 2^-44 and the cosines by less than 2^-41,
+// which the power multiplies by n; a highlight below 2^-40 counts as none. Not near N.L = 0, where the
+// highlight begins at once.
+TEST(Evaluated, PhongIsTheEquation) {
+  int compared = 0, lit = 0;
+  for (unsigned seed = 0; seed < 400; ++seed) {
+    SCOPED_TRACE(seed);
+    RandomTriangles random{seed};
+    const auto p = random.outline(300);
+    const PhongTriangle e = random.phong(p, false);
+    const Lighting& lighting = random.lighting();
+    const Illumination user{.n = random.n()};
+    for (int trial = 0; trial < 40; ++trial) {
+      const int i = e.i0 + static_cast<int>(random.uniform(0, 300));
+      const int j = e.j0 + static_cast<int>(random.uniform(0, 300));
+      double largest = 0;
+      const auto at = [&](const std::array<PixelPlane, 3>& planes) {
+        glm::dvec3 v;
+        for (int axis = 0; axis < 3; ++axis) {
+          const double along = planes[axis].gx * (i - e.i0), down = planes[axis].gy * (j - e.j0);
+          v[axis] = planes[axis].c + along + down;
+          largest = std::max({largest, std::abs(planes[axis].c), std::abs(along), std::abs(down)});
+        }
+        return v;
+      };
+      const glm::dvec3 ofN = at(e.N), P = at(e.at), ofV = at(e.V);
+      const glm::dvec3 N = glm::normalize(ofN), V = glm::normalize(ofV);
+      if (largest > 16 || std::min(glm::length(ofN), glm::length(ofV)) < 0.5) continue;
+      double I = lighting.materials[0].ambient[0], total = 0;
+      bool apart = true;
+      for (const Light& light : random.lights()) {
+        const glm::dvec3 towards =
+            light.kind == LightKind::Directional ? light.direction : light.position - P;
+        const double Ip = luminance(light.Ip);
+        const IlluminationTerms terms =
+            illuminate(0, Ip, light, {0, user.kd, user.ks, user.n}, N, V, P, Form::Textbook);
+        I += terms.diffuse + terms.specular, total += Ip;
+        apart &= glm::length(towards) > 0.5 && std::abs(glm::dot(N, glm::normalize(towards))) > 1e-9;
+      }
+      if (!apart) continue;
+      ASSERT_NEAR(e.intensity(i, j), I, std::ldexp(1.0 + user.n, -40) * 4 * total) << i << ", " << j;
+      ++compared, lit += I > lighting.materials[0].ambient[0];
+    }
+  }
+  EXPECT_GT(compared, 4000);
+  EXPECT_GT(lit, 2000);
 }
 
 // Lights far away are evaluated from planes of N.L and L.V; as all other lights, from vectors, they give the
@@ -128,7 +201,7 @@ TEST(Evaluated, FarLightsAreAsAnyLights) {
     SCOPED_TRACE(seed);
     RandomTriangles random{seed};
     const auto p = random.outline(700);
-    EvaluatedTriangle e = random.triangle(p, true, seed % 3 == 0);
+    PhongTriangle e = random.phong(p, seed % 3 == 0);
     Lighting lighting = *e.lighting;
     Material material = *e.material;
     while (lighting.sources.size() < 1 + seed / 2 % 3) {
@@ -149,8 +222,7 @@ TEST(Evaluated, FarLightsAreAsAnyLights) {
       if (texels) texels.locate(&along, 1);
       PhongRow<Real> any{e, down};
       any.evaluate(&along, 1, texels);
-      withRow<Real, true>(e, down, [&](auto far) {
-        static_assert(!std::is_same_v<decltype(far), TermRow<Real>>);
+      withRow<Real>(e, down, [&](auto far) {
         ASSERT_NE((std::is_same_v<decltype(far), PhongRow<Real>>), true);
         far.evaluate(&along, 1, texels);
         for (int k = 0; k < 4; ++k) ASSERT_NEAR(far.sum(0)[k], any.sum(0)[k], 1e-14 * (material.n + 50)) << j;
@@ -173,7 +245,7 @@ TEST(Evaluated, OppositeNormalsStayWithinBounds) {
   for (int trial = 0; trial < 2000; ++trial) {
     SCOPED_TRACE(trial);
     const auto p = random.outline(trial % 2 ? 9 : 300);
-    EvaluatedTriangle e = random.triangle(p, true, false);
+    PhongTriangle e = random.phong(p, false);
     Material matt = *e.material;
     matt.ks = {};
     e.material = &matt;
@@ -201,27 +273,26 @@ TEST(Evaluated, SpansMayBeginAnywhere) {
     SCOPED_TRACE(seed);
     RandomTriangles random{seed};
     const auto p = random.outline(seed % 2 ? 60 : 900);
-    const bool phong = seed % 5 != 0;
-    const EvaluatedTriangle e = random.triangle(p, phong, seed % 3 == 1);
-    forEachSpan(p.data(), 3, 8192, 8192, [&](int j, int from, int to) {
-      if (j % 7 != 0) return;
-      const int count = to - from, cut = static_cast<int>(random.uniform(0, count));
-      std::vector<std::uint8_t> whole(count), parts(count), plain(count);
-      random.clamped = 0;
-      e.span(whole.data(), from, j, count);
-      const std::int64_t clamped = random.clamped;
-      if (cut > 0) e.span(parts.data(), from, j, cut);
-      e.span(parts.data() + cut, from + cut, j, count - cut);
-      ASSERT_EQ(whole, parts) << j;
-      ASSERT_EQ(random.clamped, 2 * clamped);
-      if (phong && random.n() > 1024)
-        fillPixels<Lanes<double, 4>, true>(e, plain.data(), from, j, count);
-      else if (phong)
-        fillPixels<Lanes<float, 8>, true>(e, plain.data(), from, j, count);
-      else
-        fillPixels<Lanes<float, 8>, false>(e, plain.data(), from, j, count);
-      ASSERT_EQ(whole, plain) << j;
-      pixels += count;
+    random.triangle(p, seed % 5 != 0, seed % 3 == 1, [&](const auto& e) {
+      constexpr bool kPhong = std::is_same_v<decltype(e), const PhongTriangle&>;
+      forEachSpan(p.data(), 3, 8192, 8192, [&](int j, int from, int to) {
+        if (j % 7 != 0) return;
+        const int count = to - from, cut = static_cast<int>(random.uniform(0, count));
+        std::vector<std::uint8_t> whole(count), parts(count), plain(count);
+        random.clamped = 0;
+        e.span(whole.data(), from, j, count);
+        const std::int64_t clamped = random.clamped;
+        if (cut > 0) e.span(parts.data(), from, j, cut);
+        e.span(parts.data() + cut, from + cut, j, count - cut);
+        ASSERT_EQ(whole, parts) << j;
+        ASSERT_EQ(random.clamped, 2 * clamped);
+        if (kPhong && random.n() > 1024)
+          fillPixels<Lanes<double, 4>>(e, plain.data(), from, j, count);
+        else
+          fillPixels<Lanes<float, 8>>(e, plain.data(), from, j, count);
+        ASSERT_EQ(whole, plain) << j;
+        pixels += count;
+      });
     });
   }
   EXPECT_GT(pixels, 300'000);
@@ -235,7 +306,7 @@ TEST(Evaluated, PerspectiveFollowsTheSurface) {
   for (int trial = 0; trial < 200; ++trial) {
     SCOPED_TRACE(trial);
     const auto p = random.outline(200);
-    EvaluatedTriangle e = random.triangle(p, false, true);
+    TermsTriangle e = random.terms(p, true);
     const PixelPlanes planes{p};
     const std::array<double, 3> w{random.uniform(1, 4), random.uniform(1, 4), random.uniform(1, 4)};
     std::array<double, 3> u, v;
@@ -245,7 +316,7 @@ TEST(Evaluated, PerspectiveFollowsTheSurface) {
     };
     e.u = over(u), e.v = over(v), e.q = planes({1 / w[0], 1 / w[1], 1 / w[2]});
     e.diffuse = {1, 0, 0}, e.rest = {0, 0, 0};
-    EvaluatedTriangle once = e, affine = e;
+    TermsTriangle once = e, affine = e;
     once.repeats = false;
     affine.u = planes(u), affine.v = planes(v), affine.q = {1, 0, 0};
     forEachSpan(p.data(), 3, 8192, 8192, [&](int j, int from, int to) {
@@ -277,7 +348,7 @@ TEST(Evaluated, PerspectiveFollowsTheSurface) {
 TEST(Evaluated, TexturesEndOrRepeat) {
   RandomTriangles random{2};
   const auto p = random.outline(50);
-  EvaluatedTriangle e = random.triangle(p, false, true);  // 5 x 3 texels, the k-th is 17 k
+  TermsTriangle e = random.terms(p, true);  // 5 x 3 texels, the k-th is 17 k
   e.diffuse = {1, 0, 0}, e.rest = {0, 0, 0}, e.q = {1, 0, 0};
   const auto texel = [&](double u, double v, bool repeats) {
     e.u = {u, 0, 0}, e.v = {v, 0, 0}, e.repeats = repeats;
@@ -303,7 +374,7 @@ TEST(Evaluated, DegenerateTrianglesStayFinite) {
   EXPECT_EQ(plane.gx, 0.0);
   RandomTriangles random{1};
   const auto p = random.outline(50);
-  EvaluatedTriangle e = random.triangle(p, true, false);
+  PhongTriangle e = random.phong(p, false);
   e.N = {};
   std::array<std::uint8_t, 20> cells;
   e.span(cells.data(), e.i0, e.j0, 20);
@@ -318,20 +389,21 @@ TEST(Evaluated, LanesPastTheEndReadNothingElse) {
   const std::vector<std::uint8_t> table(65536, 77);
   for (const double past : {0.0, 1e-300, 1e-30, 1e-9, -1e-9, -0.25}) {
     SCOPED_TRACE(past);
-    for (const bool phong : {true, false}) {
-      EvaluatedTriangle e = random.triangle(p, phong, true);
+    const auto fill = [&](auto e) {
       e.q = {1, past - 1, 0};  // 1/w falls to `past` at the second pixel, and is negative beyond
       e.u = {0.3, 2e6, 0}, e.v = {-0.3, -3e7, 0};
-      for (const double scale : {1.0, 1e30, -1e30}) {
-        e.rest.gx = scale;
-        std::uint8_t cell = 0;
-        e.span(&cell, e.i0, e.j0, 1);
-        EXPECT_EQ(cell, kChannelRamp.cell(e.intensity(e.i0, e.j0)));
-        EvaluatedTriangle looked = e;
-        looked.ramp.table = table.data();
-        looked.span(&cell, e.i0, e.j0, 1);
-        EXPECT_EQ(cell, 77);
-      }
+      std::uint8_t cell = 0;
+      e.span(&cell, e.i0, e.j0, 1);
+      EXPECT_EQ(cell, kChannelRamp.cell(e.intensity(e.i0, e.j0)));
+      e.ramp.table = table.data();
+      e.span(&cell, e.i0, e.j0, 1);
+      EXPECT_EQ(cell, 77);
+    };
+    fill(random.phong(p, true));
+    for (const double scale : {1.0, 1e30, -1e30}) {
+      TermsTriangle e = random.terms(p, true);
+      e.rest.gx = scale;
+      fill(e);
     }
   }
 }

@@ -17,10 +17,10 @@ TEST(SoFar, DoesNotDependOnTheWayThere) {
   const int all = static_cast<int>(sorted.fragments.size());
   ASSERT_GT(all, 300);
   std::vector<IndexImage> expected{{120, 90, 8}};
-  SurfacePainter painter = picture.painter(sorted);
+  SurfacePainter painter = picture.painter();
   for (const Fragment& fragment : sorted.fragments) {
     expected.push_back(expected.back());
-    painter.paint(expected.back(), fragment);
+    painter.paint(expected.back(), sorted, fragment);
   }
   IndexImage whole;
   picture.paint(whole, 8);

@@ -1,0 +1,123 @@
+#include "shading/picture/surface_evaluator.h"
+
+#include <algorithm>
+#include <cmath>
+#include <glm/geometric.hpp>
+#include <glm/matrix.hpp>
+
+#include "shading/picture/at_source.h"
+
+namespace xnewell {
+
+namespace {
+
+/// The plane through `over` times the values that ofCorner(corner) gives at the vertices of a triangle.
+template <class OfCorner>
+PixelPlane planeOf(const SnappedScene& snapped, const FaceTriangle& t, const PixelPlanes& planes,
+                   const std::array<double, 3>& over, const OfCorner& ofCorner) {
+  std::array<double, 3> v;
+  for (int k = 0; k < 3; ++k) v[k] = over[k] * atSource(snapped, snapped.source[t.vertex[k]], ofCorner);
+  return planes(v);
+}
+
+}  // namespace
+
+SurfaceEvaluator::SurfaceEvaluator(const Surfaces& surfaces, int channel)
+    : s_{surfaces}, channel_{channel}, towardsViewer_{glm::transpose(vrcRotation(surfaces.view))[2]} {}
+
+bool SurfaceEvaluator::evaluates(const SnappedFace& face) const {
+  const Shading method = s_.settings.shading;
+  return rowOf(method).lit && method != Shading::Environment && (method == Shading::Phong || textured(face));
+}
+
+bool SurfaceEvaluator::textured(const SnappedFace& face) const {
+  if (s_.scene.textures.empty()) return false;
+  const Mesh& mesh = s_.mesh;
+  const int material = mesh.material[face.number];
+  if (material < 0 || mesh.materials[material].texture < 0 || mesh.uvOfCorner.empty()) return false;
+  const int *const first = mesh.uvOfCorner.data() + mesh.firstCorner[face.number],
+                   *const end = mesh.uvOfCorner.data() + mesh.firstCorner[face.number + 1];
+  return std::find(first, end, -1) == end;
+}
+
+std::array<double, 3> SurfaceEvaluator::overDepths(const FaceTriangle& t) const {
+  if (s_.view.projection == Projection::Parallel || s_.settings.mapping == TextureMapping::Affine)
+    return {1.0, 1.0, 1.0};
+  std::array<double, 3> depth;
+  for (int k = 0; k < 3; ++k)
+    depth[k] = atSource(s_.snapped, s_.snapped.source[t.vertex[k]], [&](int corner) {
+      return s_.view.prp.z - glm::dot(towardsViewer_, s_.mesh.points[s_.mesh.corners[corner]] - s_.view.vrp);
+    });
+  const double least = std::min({depth[0], depth[1], depth[2]});  // so that units do not matter
+  return {least / depth[0], least / depth[1], least / depth[2]};
+}
+
+PhongTriangle SurfaceEvaluator::phong(const SnappedFace& face, const FaceTriangle& t) const {
+  const PixelPlanes planes{t.p};
+  const std::array<double, 3> q = overDepths(t);
+  const auto plane = [&](const auto& ofCorner) { return planeOf(s_.snapped, t, planes, q, ofCorner); };
+  PhongTriangle e;
+  e.i0 = planes.i0(), e.j0 = planes.j0(), e.q = planes(q);
+  e.lighting = &s_.shading.lighting();
+  e.material = &e.lighting->materials[s_.mesh.material[face.number] + 1];
+  e.channel = channel_;
+  e.placed = e.lighting->placed();
+  e.variesV = e.lighting->variesV();
+  const double side = s_.side(face);
+  for (int axis = 0; axis < 3; ++axis) {
+    e.N[axis] = plane([&](int corner) {
+      return side * s_.shading.points().N[s_.shading.vertices().ofCorner[corner]][axis];
+    });
+    const auto at = [&](int corner) { return s_.mesh.points[s_.mesh.corners[corner]][axis]; };
+    if (e.placed) e.at[axis] = plane(at);
+    if (e.variesV) e.V[axis] = plane([&](int corner) { return e.lighting->eye[axis] - at(corner); });
+  }
+  if (textured(face)) addTexture(e, face, t, planes, q);
+  return e;
+}
+
+TermsTriangle SurfaceEvaluator::terms(const SnappedFace& face, const FaceTriangle& t) const {
+  const PixelPlanes planes{t.p};
+  const std::array<double, 3> q = overDepths(t);
+  TermsTriangle e;
+  e.i0 = planes.i0(), e.j0 = planes.j0(), e.q = planes(q);
+  const Intensities& intensities = s_.shading.intensities(channel_);
+  const Material& material = s_.shading.lighting().materials[s_.mesh.material[face.number] + 1];
+  if (s_.settings.shading == Shading::Gouraud) {
+    const auto plane = [&](const std::vector<FrontBack<double>>& terms) {
+      return planeOf(s_.snapped, t, planes, {1.0, 1.0, 1.0}, [&](int corner) {
+        return terms[s_.shading.vertices().ofCorner[corner]].seen(face.back);
+      });
+    };
+    e.diffuse = plane(intensities.diffuse);
+    e.rest = plane(intensities.specular);
+  } else {
+    const int point = s_.shading.pointOf(face);
+    e.diffuse.c = intensities.diffuse[point].seen(face.back);
+    e.rest.c = intensities.specular[point].seen(face.back);
+  }
+  e.rest.c += material.ambient[channel_];
+  addTexture(e, face, t, planes, q);
+  return e;
+}
+
+void SurfaceEvaluator::addTexture(EvaluatedTriangle& e, const SnappedFace& face, const FaceTriangle& t,
+                                  const PixelPlanes& planes, const std::array<double, 3>& q) const {
+  const Mesh& mesh = s_.mesh;
+  e.texture = &s_.scene.textures[mesh.materials[mesh.material[face.number]].texture];
+  const bool rgb = s_.shading.lighting().channels == 3;
+  e.texels = (rgb ? e.texture->channel[channel_] : e.texture->gray).data();
+  // Textures repeat: the nearest copy keeps numbers small.
+  e.repeats = false;
+  for (int axis = 0; axis < 2; ++axis) {
+    const auto coordinate = [&](int corner) { return mesh.uv[mesh.uvOfCorner[corner]][axis]; };
+    const auto at = [&](int k) { return atSource(s_.snapped, s_.snapped.source[t.vertex[k]], coordinate); };
+    const auto [least, most] = std::minmax({at(0), at(1), at(2)});
+    const double copy = std::floor(least);
+    e.repeats = e.repeats || most - copy > 1.0;
+    (axis == 0 ? e.u : e.v) =
+        planeOf(s_.snapped, t, planes, q, [&](int corner) { return coordinate(corner) - copy; });
+  }
+}
+
+}  // namespace xnewell
