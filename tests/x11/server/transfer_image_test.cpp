@@ -60,6 +60,7 @@ TEST(TransferImage, DoesNotOverwriteWhatTheServerHasYetToRead) {
   const unsigned long put = NextRequest(d);
   canvas.present(randomImage(64, 64, 1), {0, 0, 64, 64});
   EXPECT_LT(LastKnownRequestProcessed(d), put);
+  // No proof hangs on the pause: it gives a canvas that does not wait time to overwrite the first picture.
   std::thread wake{[&] {
     std::this_thread::sleep_for(std::chrono::milliseconds(50));
     kill(s.server.pid(), SIGCONT);

@@ -12,6 +12,7 @@
 #include <array>
 #include <cstring>
 #include <memory>
+#include <span>
 #include <stdexcept>
 #include <thread>
 
@@ -207,13 +208,17 @@ bool WatchedWindow::comesToDiffer(const RgbImage& from, const Rect& rect) const 
 bool WatchedWindow::settles() const {
   XWindowAttributes attributes{};
   XGetWindowAttributes(display(), id_, &attributes);
-  // The overlay is 560 wide and in the middle; its left margin is empty paper, and behind it is the picture.
-  const Rect margin{(attributes.width - 560) / 2 + 4, attributes.height / 2, 8, 8};
+  // The overlay is 560 wide and in the middle. Its leftmost column is ink, and empty paper lies to the right.
+  const Rect edge{(attributes.width - 560) / 2, attributes.height / 2, 8, 8};
   const auto open = [&] {
-    RgbImage paper{margin.width, margin.height};
-    for (std::size_t i = 0; i < paper.rgb.size(); ++i)
-      paper.rgb[i] = std::array<std::uint8_t, 3>{0xF5, 0xF2, 0xEB}[i % 3];
-    return shown(margin) == paper;
+    const RgbImage now = shown(edge);
+    const auto isPaper = [&](int i, int j) {
+      return std::ranges::equal(std::span{now.pixel(i, j), 3}, std::array<std::uint8_t, 3>{0xF5, 0xF2, 0xEB});
+    };
+    for (int j = 0; j < edge.height; ++j)
+      for (int i = 0; i < edge.width; ++i)
+        if (isPaper(i, j) != (i > 0)) return false;
+    return true;
   };
   type("?");
   if (!comesTrue(open)) return false;
