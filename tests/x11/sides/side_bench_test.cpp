@@ -20,7 +20,8 @@ struct Shown {
                     return ControlKeys::Subject{stage.picture.scene(), glm::dvec3{0}, 1.5};
                   },
                   [] { return kMaxShades; }};
-  explicit Shown(const char* scene = "teapot", const xnewell::Setup& setup = {}, int width = 1024, int height = 768)
+  explicit Shown(const char* scene = "teapot", const xnewell::Setup& setup = {}, int width = 1024,
+                 int height = 768)
       : stage{scene, 3, width, height, setup} {
     stage.draw(bench);
   }
@@ -64,7 +65,7 @@ TEST(SideBench, BeginsWithAnotherOrder) {
     const bool exact = row.id == Order::Newell || row.id == Order::Oracle;
     EXPECT_EQ(s.setupB().picture.order, exact ? Order::ZSort : Order::Newell);
     EXPECT_EQ(differencesOf(s.stage.now.picture, s.setupB().picture), std::vector<std::string>{"order"});
-    EXPECT_EQ(s.bench.status(), "same scene, same view, same light   only the order differs");
+    EXPECT_EQ(s.bench.status(), sidesStatus(s.stage.now.picture, s.setupB().picture));
   }
 }
 
@@ -250,7 +251,7 @@ TEST(SideBench, AlikeIsSaid) {
   s.press("O");  // Newell, as B
   EXPECT_EQ(s.stage.now, s.setupB());
   EXPECT_EQ(s.A(), s.B());
-  EXPECT_EQ(s.bench.status(), "same scene, same view, same light   nothing differs");
+  EXPECT_EQ(s.bench.status(), sidesStatus(s.stage.now.picture, s.setupB().picture));
   EXPECT_EQ(inkIn(s.stage.part({s.at().captionA.x + 24, s.at().captionA.y, s.at().captionA.width - 24,
                                 s.at().captionA.height})),
             0);
@@ -266,15 +267,17 @@ TEST(SideBench, AlikeIsSaid) {
   EXPECT_EQ(s.stage.notices.size(), notices + 1);
 }
 
-// In a caption what differs is bold, in ink, and what does not is neither.
+// In a caption what differs is bold and in ink. What does not differ is plain and in a softer colour.
 TEST(SideBench, OnlyWhatDiffersIsBold) {
   const Shown s{"teapot", ordered(Order::ZSort)};
   const Rect& at = s.at().captionA;
   const CellPlan plan;
   IndexImage expected{at.width - 24, 18, plan[Cell::Paper]};
   Painter paint{expected};
-  const int end = paint.text(0, 12, "z-sort by farthest z", plan[Cell::Ink], Voice::Bold);
-  paint.text(end, 12, "  flat, linear", plan[Cell::Soft]);
+  const std::vector<Phrase> phrases = phrasesOf(s.stage.now.picture, s.setupB().picture);
+  ASSERT_EQ(phrases.size(), 3u);  // only the first, the order, differs
+  const int end = paint.text(0, 12, phrases[0].text, plan[Cell::Ink], Voice::Bold);
+  paint.text(end, 12, "  " + phrases[1].text + ", " + phrases[2].text, plan[Cell::Soft]);
   EXPECT_EQ(s.stage.part({at.x + 24, at.y, at.width - 24, 18}), expected);
 }
 

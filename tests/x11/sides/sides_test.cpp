@@ -252,7 +252,7 @@ TEST(Sides, FindingsAreOfTheNumbers) {
   const std::string bold = found(a, b).bold;
   EXPECT_TRUE(bold.starts_with("A is wrong at " + std::to_string(wrong) + " samples, ")) << bold;
   EXPECT_TRUE(bold.ends_with(" of them where spout and upper body meet.")) << bold;
-  EXPECT_EQ(found(b, a).bold.substr(0, 12), "B is wrong a");
+  EXPECT_TRUE(found(b, a).bold.starts_with("B is wrong at "));
   EXPECT_NE(found(a, b).why.find("; B cuts "), std::string::npos);
   a = b;
   a.shading = Shading::Gouraud;
