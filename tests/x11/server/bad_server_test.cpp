@@ -13,8 +13,7 @@
 #include <set>
 #include <sstream>
 
-#include "tests/x11/support/watched_viewer.h"
-#include "tests/x11/support/x_proxy.h"
+#include "tests/x11/support/proxied_program.h"
 
 #include <X11/Xproto.h>
 #include <X11/keysym.h>
@@ -27,91 +26,6 @@ namespace xnewell {
 namespace {
 
 using testing::HasSubstr;
-
-const std::string kTeapot = "teapot --divisions 2", kSmall = " --size 120x90";
-constexpr std::chrono::seconds kEnough{90};
-
-XServer serverFor(int depth) { return XServer::xvfb(depth, 320, 240); }
-
-/// A way to use the program, from its start to its end.
-struct Use {
-  std::string name;
-  std::vector<std::string> arguments;
-  std::string file = "";  ///< what it writes
-  /// What the user does meanwhile, unless there is nothing more to hope for.
-  std::function<void(const XServer&, const std::function<bool()>& hoping)> act = [](auto&&...) {};
-};
-
-Use visuals() { return {"visuals", {"visuals"}}; }
-
-/// The server fills, which asks more of it, and puts the picture first.
-Use snapshot(const TemporaryFolder& folder, const std::string& more = "--divisions 2 --fill x11" + kSmall) {
-  std::vector<std::string> arguments = words("snapshot teapot " + more);
-  arguments.insert(arguments.end(), {"-o", folder.file("picture.png")});
-  return {"snapshot", arguments, folder.file("picture.png")};
-}
-
-/// A new table, size and hue, and the close button, as soon as there is a window.
-Use view() {
-  return {"view", words("view " + kTeapot + kSmall), "", [](const XServer& server, const auto& hoping) {
-            try {
-              const WatchedWindow window{server, 0, hoping};
-              const ErrorTrap trap{window.display()};  // it may be gone
-              window.moveTo(60, 45);
-              window.type("T");
-              window.resize(140, 100);
-              window.type("H");
-              window.askToClose();
-            } catch (const std::runtime_error&) {
-              EXPECT_FALSE(hoping());
-            }
-          }};
-}
-
-/// Segments of System V shared memory that a process made and that are still there.
-std::ptrdiff_t segmentsOf(pid_t maker) {
-  std::ifstream table{"/proc/sysvipc/shm"};
-  std::string line;
-  std::getline(table, line);
-  std::ptrdiff_t count = 0;
-  for (long key, id, size, made; std::getline(table, line);) {
-    std::string permissions;
-    if (std::istringstream{line} >> key >> id >> permissions >> size >> made) count += made == maker;
-  }
-  return count;
-}
-
-/// What it came to on the proxy's server.
-struct Course {
-  Finished end{};
-  bool carriedOut = false;
-  std::vector<XRequest> requests{}, answered{};
-  std::chrono::milliseconds toEnd{};  ///< since it was interrupted
-};
-
-/// A program that is stalled is interrupted.
-Course runThrough(const Use& use, const XServer& server, XProxy& proxy,
-                  const std::optional<XFaultPlan>& plan = {}) {
-  std::filesystem::remove(use.file);
-  proxy.begin(plan);
-  RunningProgram program{use.arguments, proxy.name()};
-  const pid_t pid = program.pid();
-  const bool stalls = plan && plan->fault == XFault::Stalled;
-  const auto hoping = [&] { return program.running() && !(stalls && proxy.carriedOut()); };
-  use.act(server, hoping);
-  if (stalls && comesTrue([&] { return !hoping(); })) program.signal(SIGINT);
-  const auto asked = std::chrono::steady_clock::now();
-  Course course{.end = program.wait(kEnough)};
-  course.toEnd =
-      std::chrono::duration_cast<std::chrono::milliseconds>(std::chrono::steady_clock::now() - asked);
-  course.carriedOut = proxy.carriedOut();
-  course.requests = proxy.requests();
-  course.answered = proxy.answered();
-  // Its memory and its window go when the server has let go too.
-  EXPECT_TRUE(comesTrue([&] { return segmentsOf(pid) == 0; }));
-  EXPECT_TRUE(comesToShowNone(openDisplay(server.name()).get()));
-  return course;
-}
 
 /// Different requests, in the order of their first occurrence.
 std::vector<XRequest> kinds(const std::vector<XRequest>& requests) {
@@ -361,63 +275,6 @@ TEST_P(BadServer, RefusalsAreToldInTheWindow) {
                     "xnewell: the X server refused requests (1 in all): what was shown may be wrong\n"
                   : "");
     EXPECT_TRUE(window.goes());
-  }
-}
-
-// A connection that ends while a picture is being sent, which is more than the system takes at once, is told
-// like any other.
-TEST(DyingServer, EndsWhileAPictureIsSent) {
-  const XServer server = XServer::xvfb(24, 320, 240, {"-extension", "MIT-SHM"});
-  XProxy proxy{server};
-  const TemporaryFolder folder;
-  const Use use = snapshot(folder, "--divisions 2 --size 1600x1200");
-  for (const int occurrence : {1, 100}) {
-    const Course course = runThrough(
-        use, server, proxy,
-        XFaultPlan{.fault = XFault::CutRequest, .request = {X_PutImage}, .occurrence = occurrence});
-    EXPECT_EQ(course.carriedOut, occurrence == 1);
-    EXPECT_EQ(course.end.status, course.carriedOut ? 1 : 0);
-    EXPECT_EQ(course.end.err.empty(), !course.carriedOut);
-    EXPECT_EQ(folder.entries(), course.carriedOut ? 0 : 1);
-  }
-}
-
-// So is one that ends just as we write, which is a signal to programs that do not say they know.
-TEST(DyingServer, EndsWhileWeWrite) {
-  const XServer server = serverFor(8);
-  XProxy proxy{server};
-  const TemporaryFolder folder;
-  // Some megabyte of requests, several times what can lie between the two: when the first polygon arrives,
-  // the program has not written the last.
-  const Use use = snapshot(folder, "--fill x11 --divisions 30" + kSmall);
-  const Course course = runThrough(use, server, proxy, XFaultPlan{XFault::Deaf, {X_FillPoly}});
-  EXPECT_TRUE(course.carriedOut);
-  EXPECT_EQ(course.end.status, 1);
-  EXPECT_EQ(course.end.err, "xnewell: the X server of display '" + proxy.name() + "' has gone\n");
-  EXPECT_EQ(folder.entries(), 0);
-}
-
-// The server ends in the middle of a frame, between two, and while the user drags: one line, status 1.
-TEST(DyingServer, EndsTheWindowAtAnyTime) {
-  enum class When { Presenting, Between, Dragging };
-  for (const When when : {When::Presenting, When::Between, When::Dragging}) {
-    SCOPED_TRACE(static_cast<int>(when));
-    XServer server = serverFor(8);
-    XProxy proxy{server};
-    if (when == When::Presenting) proxy.begin(XFaultPlan{XFault::Stalled, {X_CopyArea}});
-    RunningProgram program{words("view " + kTeapot + kSmall), proxy.name()};
-    if (when == When::Presenting) {
-      ASSERT_TRUE(comesTrue([&] { return proxy.carriedOut(); }));
-    } else {
-      const WatchedWindow window{server};
-      window.moveTo(60, 45);
-      window.button(1, when == When::Dragging);
-      for (int i = 0; when == When::Dragging && i < 300; ++i) window.moveTo(20 + i % 80, 45);
-    }
-    server.stop();
-    const Finished end = program.wait(kEnough);
-    EXPECT_EQ(end.status, 1);
-    EXPECT_EQ(end.err, "xnewell: the X server of display '" + proxy.name() + "' has gone\n");
   }
 }
 

@@ -9,15 +9,8 @@
 
 namespace xnewell {
 
-// The depth-sort stepper: keys, pointer, play and prediction. What it draws: sort_page_test.cpp.
-
-namespace {
-
-using Kind = Event::Kind;
-
-std::vector<int> stepsOfKind(Stepper& s, Landmark kind) { return s.run().landmarks().steps(kind); }
-
-}  // namespace
+// The depth-sort stepper: its keys, its pointer and its runs. Playing and predicting:
+// sort_bench_play_test.cpp. What it draws: sort_page_test.cpp.
 
 // Arrows step by one, with Shift by ten, never beyond the ends; Home and End go there.
 TEST(SortBench, ArrowsStep) {
@@ -53,7 +46,7 @@ TEST(SortBench, JumpsToStepsOfTheKind) {
   int visited = 0;
   for (const LandmarkRow& row : kLandmarks) {
     ASSERT_EQ(s.bench.view().kind, row.id);
-    const std::vector<int> all = stepsOfKind(s, row.id);
+    const std::vector<int> all = s.stepsOf(row.id);
     for (const int step : all) {
       s.press("j");
       ASSERT_EQ(s.step(), step) << row.name;
@@ -116,66 +109,6 @@ TEST(SortBench, GoesAlongTheStepsOfAPolygon) {
   EXPECT_NE(s.notices.back().find("No later step"), std::string::npos);
 }
 
-// What plays goes on by its speed and stops at the end, at ticked kinds and at the polygon, nowhere else.
-TEST(SortBench, PlaysUntilAStop) {
-  Stepper s{"nested-cycles"};
-  s.press(NamedKey::Space);
-  ASSERT_TRUE(s.bench.moving());
-  for (int k = 0; k < 25; ++k) s.bench.tick();  // a second
-  EXPECT_EQ(s.step(), static_cast<int>(kUsualSpeed));
-  s.press(NamedKey::Space);
-  EXPECT_FALSE(s.bench.moving());
-  const auto playOn = [&] {
-    s.press(NamedKey::Space);
-    for (int k = 0; k < 100000 && s.bench.moving(); ++k) s.bench.tick();
-    ASSERT_FALSE(s.bench.moving());
-  };
-  for (int k = 0; k < 5; ++k) {
-    s.press(NamedKey::Home);
-    s.press("b");
-    s.press({NamedKey::Letter, static_cast<char>('1' + k)});
-    for (const int step : stepsOfKind(s, static_cast<Landmark>(k))) {
-      playOn();
-      ASSERT_EQ(s.step(), step) << kToggleNames[k];
-    }
-    s.click(s.places().toggles[k]);  // off again
-  }
-  s.press(NamedKey::Home);
-  playOn();
-  EXPECT_EQ(s.step(), s.run().steps());
-  s.press("b6");  // a polygon is asked for
-  ASSERT_EQ(s.type("2"), "");
-  s.press(NamedKey::Home);
-  int stops = 0;
-  for (int step = 1; step <= s.run().steps(); ++step) {
-    if (!s.run().landmarks().has(s.run().scene(), 2, step)) continue;
-    playOn();
-    ASSERT_EQ(s.step(), step);
-    ++stops;
-  }
-  EXPECT_GT(stops, 5);
-  // From the end it plays again from the start.
-  s.press(NamedKey::End);
-  s.press(NamedKey::Space);
-  EXPECT_EQ(s.step(), 0);
-  s.press(NamedKey::Escape);
-  EXPECT_FALSE(s.bench.moving());
-}
-
-// Faster and slower keep to the slider's ends, and as many notches back lead back.
-TEST(SortBench, SpeedHasEnds) {
-  Stepper s{"cycle"};
-  s.press("+++---");
-  EXPECT_NEAR(s.bench.view().speed, kUsualSpeed, 1e-9);
-  for (int k = 0; k < 100; ++k) s.press("+");
-  EXPECT_EQ(s.bench.view().speed, kFastest);
-  s.press(NamedKey::Space);
-  s.bench.tick();  // 80 steps at once end at the last one
-  EXPECT_EQ(s.step(), s.run().steps());
-  for (int k = 0; k < 100; ++k) s.press("-");
-  EXPECT_EQ(s.bench.view().speed, kSlowest);
-}
-
 // Each button does what its key does.
 TEST(SortBench, ButtonsAreKeys) {
   const std::array<Key, kTransport> keys{
@@ -212,7 +145,7 @@ TEST(SortBench, EveryRectangleDoesItsThing) {
       s.press(NamedKey::Home);
       s.click(at.kinds[static_cast<int>(row.id)]);
       EXPECT_EQ(s.bench.view().kind, row.id);
-      EXPECT_EQ(s.step(), stepsOfKind(s, row.id).front());
+      EXPECT_EQ(s.step(), s.stepsOf(row.id).front());
     }
     ASSERT_TRUE(s.bench.grab(at.speed.x, at.speed.y + 7));
     EXPECT_NEAR(s.bench.view().speed, kSlowest, 1e-9);
@@ -296,47 +229,6 @@ TEST(SortBench, ClickingAPolygonGoesToItsNextStep) {
     ++hits;
   }
   EXPECT_GT(hits, 5);
-}
-
-// Prediction asks at every pair whose extents overlap in x and y, takes an answer by key or click, and keeps
-// the score; the arrow tells without counting; then all is shown as without it.
-TEST(SortBench, PredictsAndKeepsTheScore) {
-  Stepper s{"cycle"}, plain{"cycle"};
-  s.press("y");
-  int asked = 0, right = 0, told = 0;
-  for (int step = 1; step <= s.run().steps(); ++step) {
-    s.press(NamedKey::Right);
-    plain.press(NamedKey::Right);
-    ASSERT_EQ(s.step(), step);
-    const bool question = s.event().kind == Kind::Compare && s.event().test != xnewell::Test::XExtents &&
-                          s.event().test != xnewell::Test::YExtents;
-    ASSERT_EQ(s.bench.view().asking, question) << step;
-    if (!question) continue;
-    EXPECT_NE(s.draw(), plain.draw());
-    if (told == 0) {
-      s.press(NamedKey::Right);
-      ++told;
-    } else {
-      const int says = asked % 3;
-      ++asked;
-      right += says == static_cast<int>(s.event().verdict);
-      if (says == 1)
-        s.click(s.places().answers[1]);
-      else
-        s.press({NamedKey::Letter, kAnswerKeys[says]});
-      EXPECT_EQ(static_cast<int>(*s.bench.view().answer), says);
-    }
-    ASSERT_EQ(s.step(), step) << "the answer is shown before the next step";
-    EXPECT_FALSE(s.bench.view().asking);
-    EXPECT_EQ(s.bench.view().asked, asked);
-    EXPECT_EQ(s.bench.view().right, right);
-  }
-  EXPECT_GT(asked, 3);
-  EXPECT_EQ(told, 1);
-  s.press("y");
-  s.press(NamedKey::Home);
-  s.press("a");  // no question stands
-  EXPECT_FALSE(s.taken);
 }
 
 // Which setup is shown: Newell's run whatever the picture's order, painted in one hue where the scene's own

@@ -65,6 +65,7 @@ class Stepper : private Host {
   }
   [[nodiscard]] const Picture& picture() const { return picture_; }
   [[nodiscard]] SortRun& run() { return *bench.run(); }
+  [[nodiscard]] std::vector<int> stepsOf(Landmark kind) { return run().landmarks().steps(kind); }
   [[nodiscard]] const Event& event() { return run().sorted().events[step() - 1]; }
   [[nodiscard]] SortLayout places() const { return layoutOfSort(layout_.body); }
   [[nodiscard]] const IndexImage& image() const { return image_; }
