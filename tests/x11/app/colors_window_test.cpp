@@ -44,7 +44,7 @@ class ColorsWindowAt : public testing::TestWithParam<int> {
 
   void enter() {
     ASSERT_TRUE(window.comesToShow(picture, kSeen));
-    window.moveTo(500, 15);  // where it inspects nothing
+    window.moveTo(500, 15);  // where no cell is inspected
     window.type("3");
     ASSERT_TRUE(window.comesToShow(colors, kSeen));
     ASSERT_TRUE(window.settles());
@@ -52,7 +52,7 @@ class ColorsWindowAt : public testing::TestWithParam<int> {
 };
 INSTANTIATE_TEST_SUITE_P(Depths, ColorsWindowAt, testing::Values(8, 24), testing::PrintToStringParamName());
 
-// Key 3 shows the view as a snapshot of it does, and 1 the picture again.
+// Key 3 shows the view just as a snapshot shows it. Key 1 brings the picture back.
 TEST_P(ColorsWindowAt, TabsAreKeys) {
   EXPECT_NE(picture, colors);
   enter();

@@ -10,7 +10,7 @@ namespace xnewell {
 
 // Command lines that are refused, and the complaint about each. What options set: options_test.cpp.
 
-// Each wrong number is refused in one line that names the option, shows the text and says what is wanted.
+// A wrong number is refused in one line that names the option, shows the text and says what is wanted.
 TEST(Options, RefuseWrongNumbers) {
   const std::string size = " is not a size WxH from 1x1 to 8192x8192";
   for (const std::string wrong : {"0x5", "5x0", "-1x5", "8193x1", "1x8193", "8192", "x", "3x", "x3", "3x4x5",
@@ -57,7 +57,7 @@ TEST(Options, RefuseWrongNumbers) {
     EXPECT_EQ(complaint({"--hue", wrong}), "--hue: r,g,b must lie from 0 to 1 and the largest must be 1");
 }
 
-// What is about a server's colormap is not for those that ask none.
+// Options about a server's colormap are refused by commands that use no server.
 TEST(Options, ColormapsAreForServers) {
   for (const std::vector<std::string>& server :
        std::vector<std::vector<std::string>>{{"--colormap", "shared"}, {"--nearest"}})
@@ -65,7 +65,7 @@ TEST(Options, ColormapsAreForServers) {
               "--colormap shared and --nearest go with view and snapshot: they need a server");
 }
 
-// Every option that wants a value says so when there is none, and none may be given twice.
+// Every option that needs a value says so if there is none, and no option may be given twice.
 TEST(Options, NeedOneValueEach) {
   for (const std::string option :
        {"--size",    "--divisions",   "--shade",       "--order",       "--fill",         "--cull",
@@ -87,7 +87,8 @@ TEST(Options, NeedOneValueEach) {
   EXPECT_EQ(complaint({"--stats", "--stats"}), "");
 }
 
-// What is unknown is shown, a part of it if it is long, and never a byte that a terminal would obey.
+// The complaint shows the unknown word, or part of it if it is long. It never contains a byte that would
+// control a terminal.
 TEST(Options, RefuseTheUnknown) {
   EXPECT_EQ(complaint({"--nonsense"}), "unknown option '--nonsense'");
   EXPECT_EQ(complaint({"--nonsense=3"}), "unknown option '--nonsense=3'");
@@ -113,7 +114,7 @@ TEST(Options, RefuseTheUnknown) {
     EXPECT_LT(complaint(words).size(), 200u) << words[0].substr(0, 20);
 }
 
-// The words of the contract that do nothing yet say so; none of them is taken for a misspelling.
+// Words of the contract that are not built yet say so, and are not taken for misspellings.
 TEST(Options, SayWhatIsNotBuiltYet) {
   for (const std::string command : {"figure", "trade"})
     for (const std::vector<std::string>& rest :
@@ -129,7 +130,7 @@ TEST(Options, SayWhatIsNotBuiltYet) {
   }
 }
 
-// Of two options that cannot both be heeded neither is ignored.
+// Two options that exclude each other are refused: neither is ignored.
 TEST(Options, RefuseWhatExcludesEachOther) {
   EXPECT_EQ(complaint({"--light", "1,0,0", "--light-at", "1,2,9"}),
             "--light and --light-at exclude each other");
@@ -141,7 +142,7 @@ TEST(Options, RefuseWhatExcludesEachOther) {
             "--fov and --view-window exclude each other");
 }
 
-// An option that its command cannot heed is refused, not ignored.
+// An option that does not apply to its command is refused, not ignored.
 TEST(Options, RefuseWhatTheCommandIgnores) {
   EXPECT_EQ(complaintAll({"draw"}), "draw needs a scene, such as teapot");
   EXPECT_EQ(complaintAll({"draw", "-o", "a.png"}), "draw needs a scene, such as teapot");
@@ -166,7 +167,7 @@ TEST(Options, RefuseWhatTheCommandIgnores) {
             "--fov is for perspective: leave out --parallel and --oblique");
 }
 
-// A view of numbers is a picture of its own, of at least the size of its words.
+// A view of numbers refuses options of other pictures, and a size too small for its words.
 TEST(Options, RefuseWhatAViewCannotHeed) {
   EXPECT_EQ(complaint({"--scanline", "3"}), "--scanline goes with --view machbands");
   EXPECT_EQ(complaint({"--view", "normals", "--scanline", "3"}), "--scanline goes with --view machbands");
@@ -201,14 +202,14 @@ TEST(Options, RefuseWhatAViewCannotHeed) {
             "--scanline goes with a view that is drawn without its window");
 }
 
-// No output may take the place of the scene or of the other output.
+// No output may overwrite the scene or the other output.
 TEST(Options, OutputsAreFilesOfTheirOwn) {
   const std::string lost = "-o and --ids must not name the scene's own file: it would be lost";
   EXPECT_EQ(complaintAll({"draw", "a.obj", "-o", "a.obj"}), lost);
   EXPECT_EQ(complaintAll({"draw", "a.obj", "-o", "x/../a.obj"}), lost);
   EXPECT_EQ(complaintAll({"draw", "a.obj", "-o", "b", "--ids", "./a.obj"}), lost);
   EXPECT_EQ(complaintAll({"draw", "a.obj", "-o", "b", "--ids", "./b"}), "-o and --ids name the same file");
-  EXPECT_EQ(complaintAll({"draw", "teapot", "-o", "teapot"}), "");  // a built-in scene is no file here
+  EXPECT_EQ(complaintAll({"draw", "teapot", "-o", "teapot"}), "");  // a built-in scene is not a file
   EXPECT_EQ(complaintAll({"draw", "a.obj", "-o", "/dev/null", "--ids", "/dev/null"}), "");
 }
 

@@ -12,14 +12,14 @@ namespace xnewell {
 
 // What options set. Command lines that are refused: options_complaints_test.cpp.
 
-// Nothing at all is a window on the teapot, and every command's name gives that command.
+// Without arguments the program opens a window on the teapot. Every command's name selects that command.
 TEST(Options, CommandIsTheFirstWordOrView) {
   EXPECT_EQ(parsed({}).command, Command::View);
   EXPECT_EQ(parsed({}).scene, "teapot");
   EXPECT_EQ(parsed({"cycle"}).command, Command::View);
   EXPECT_EQ(parsed({"cycle"}).scene, "cycle");
   EXPECT_EQ(parsed({"view", "cycle"}).scene, "cycle");
-  EXPECT_EQ(parsed({"--", "view"}).scene, "view");  // the word behind -- is no command
+  EXPECT_EQ(parsed({"--", "view"}).scene, "view");  // the word after -- is no command
   for (const CommandRow& row : kCommands) {
     std::vector<std::string> words{std::string{row.name}};
     if (row.id == Command::Draw || row.id == Command::Snapshot)
@@ -46,7 +46,7 @@ TEST(Options, ChoicesAreTheirTables) {
   EXPECT_EQ(drawn({"--bits", "16"}).picture.table.bits, 16);
 }
 
-// Without options the settings are those of a default-made value: what --help prints is what is used.
+// Without options, the settings are those of a default-constructed value: the defaults that --help prints.
 TEST(Options, DefaultsAreThoseOfTheSettings) {
   EXPECT_EQ(drawn({}).picture, PictureSettings{});
   EXPECT_EQ(drawn({}).divisions, kDefaultDivisions);
@@ -92,7 +92,7 @@ TEST(Options, SetOneSettingEach) {
   only({"--back", "-2"}, [](auto& s) { s.camera.back = -2; });
 }
 
-// Over settings that a scene asks for, each option sets its own and leaves the others.
+// Over the settings of a scene, each option sets its own and leaves the others.
 TEST(Options, SetOverWhatASceneAsksFor) {
   PictureSettings scene;
   scene.shading = Shading::Phong;
@@ -108,10 +108,10 @@ TEST(Options, SetOverWhatASceneAsksFor) {
   EXPECT_EQ(over({"--kd", "0.5"}), scene);
   PictureSettings flat = scene;
   flat.shading = Shading::Flat;
-  EXPECT_EQ(over({"--shade", "flat"}), flat);  // also where that is the program's default
+  EXPECT_EQ(over({"--shade", "flat"}), flat);  // also if that is the program's default
 }
 
-// Which words of light and surfaces were said.
+// The options remember which settings of light and surfaces were given.
 TEST(Options, TellWhatWasSaid) {
   const auto count = [](const Said& s) { return s.Ia + s.Ip + s.light + s.ka + s.kd + s.ks + s.n; };
   EXPECT_EQ(count(drawn({}).said), 0);
@@ -144,8 +144,8 @@ TEST(Options, SetWhatIsNotInThePicture) {
   EXPECT_TRUE(parsed({"view", "--nearest"}).nearest);
 }
 
-// Of Ia and Ip the one that was set pushes the other, so that their sum stays within 1; both together
-// must keep to it themselves.
+// If only one of Ia and Ip is set, the other gives way, so that their sum stays within 1. If both are set,
+// their sum must not exceed 1.
 TEST(Options, IntensitiesPushEachOther) {
   EXPECT_EQ(drawn({"--ia", "1"}).picture.light.Ip, 0.0);
   EXPECT_EQ(drawn({"--ip", "1"}).picture.light.Ia, 0.0);
@@ -154,7 +154,7 @@ TEST(Options, IntensitiesPushEachOther) {
   EXPECT_EQ(complaint({"--ia", "0.5", "--ip", "0.6"}), "--ia and --ip: their sum must not exceed 1");
 }
 
-// Effects on the palette are read as they are written, and refused with what they have no say in.
+// Effects on the palette are read as they are written, and refused by commands to which they do not apply.
 TEST(Options, EffectsChangeWhatIsStored) {
   const auto only = [](const std::vector<std::string>& words, const PaletteEffects& expected) {
     EXPECT_EQ(drawn(words).effects, expected) << words[0];

@@ -20,14 +20,14 @@
 
 namespace xnewell {
 
-// What the user sees of servers that refuse, die or hang: the right picture, or a message and status 1; never
-// a wrong picture, half a file or a program that does not end.
+// What the user sees of servers that refuse, die or hang: the right picture, or a message and status 1. There
+// is never a wrong picture, half a file or a program that does not end.
 
 namespace {
 
 using testing::HasSubstr;
 
-/// Different requests, in the order of their first occurrence.
+/// The different requests, in the order of their first occurrence.
 std::vector<XRequest> kinds(const std::vector<XRequest>& requests) {
   std::vector<XRequest> different;
   for (const XRequest& r : requests)
@@ -40,7 +40,7 @@ std::string contents(const std::string& file) {
   return {std::istreambuf_iterator<char>{in}, {}};
 }
 
-/// Every line is one of ours.
+/// True if every line is a message of the program.
 bool linesAreOurs(const std::string& text) {
   std::istringstream in{text};
   for (std::string line; std::getline(in, line);)
@@ -48,7 +48,7 @@ bool linesAreOurs(const std::string& text) {
   return text.empty() || text.back() == '\n';
 }
 
-/// A good server, and a proxy that makes a bad one of it.
+/// A good server, and a proxy that makes it a bad one.
 class BadServer : public testing::TestWithParam<int> {
  protected:
   /// Runs `use` once for each plan, and prints how each ended.
@@ -66,15 +66,15 @@ class BadServer : public testing::TestWithParam<int> {
       const Course course = runThrough(use, server, proxy, plan);
       outcomes[plan.request] += (plan.occurrence == 1 ? "  first: " : "  last: ") +
                                 (course.carriedOut ? std::to_string(course.end.status) : "not reached");
-      // The window's later requests depend on which events come together.
+      // The window's later requests depend on which events arrive together.
       EXPECT_TRUE(course.carriedOut || plan.occurrence > 1);
       EXPECT_TRUE(linesAreOurs(course.end.err)) << course.end.err;
       const bool written = std::filesystem::exists(use.file);
-      // Without a colormap of its own the picture has the colours of the default one.
+      // Without its own colormap, the picture has the colours of the default one.
       EXPECT_TRUE(!written || contents(use.file) == file || plan.request.major == X_CreateColormap);
       EXPECT_TRUE(use.file.empty() || folder.entries() == written);
       if (course.end.status == 0) {
-        // A refused cell is nothing bad: so many fewer are free.
+        // A refused cell does no harm: it only means that fewer are free.
         EXPECT_TRUE(course.end.out == good.end.out || plan.request.major == X_AllocColorCells);
         EXPECT_EQ(written, !use.file.empty());
       }
@@ -94,7 +94,7 @@ class BadServer : public testing::TestWithParam<int> {
 };
 INSTANTIATE_TEST_SUITE_P(Depths, BadServer, testing::Values(8, 24), testing::PrintToStringParamName());
 
-/// A fault at the first and the last of each kind of request.
+/// Plans for a fault at the first and at the last request of each kind.
 std::vector<XFaultPlan> at(XFault fault, const std::vector<XRequest>& which, const Course& good) {
   std::vector<XFaultPlan> plans;
   for (const XRequest& r : kinds(which))
@@ -103,10 +103,10 @@ std::vector<XFaultPlan> at(XFault fault, const std::vector<XRequest>& which, con
   return plans;
 }
 
-/// How a message may name what was refused.
+/// How a message may name the refused request.
 testing::Matcher<const std::string&> names(const XProxy& proxy, const XRequest& request) {
   if (request == kConnectionSetup) return HasSubstr("cannot open display '" + proxy.name() + "': no more");
-  // The atom is missed when it is used, and the pixels when they have not come; Xlib says no more.
+  // A missing atom is noticed when it is used, and missing pixels when they do not come. Xlib says no more.
   if (request.major == X_InternAtom)
     return testing::AnyOf(HasSubstr("X_ChangeProperty: BadAtom"), HasSubstr("X_InternAtom: "));
   if (request.major == X_GetImage) return HasSubstr("the X server did not give the picture back");
@@ -117,10 +117,10 @@ testing::Matcher<const std::string&> names(const XProxy& proxy, const XRequest& 
 
 }  // namespace
 
-// A refused request ends in the right output, or in a message that names it and status 1.
+// A refused request ends in the right output, or in status 1 and a message that names the request.
 TEST_P(BadServer, RefusedRequestsAreNamed) {
-  // There is no error for UngrabServer. Where the other is refused, libXext 1.3.4, which asks it by itself,
-  // frees the same memory twice when the connection is closed.
+  // There is no error for UngrabServer. libXext 1.3.4 makes the other request by itself. If it is refused,
+  // libXext frees the same memory twice when the connection is closed.
   const auto plans = [&](const Course& good) {
     std::vector<XFaultPlan> refusals = at(XFault::Refused, good.requests, good);
     std::erase_if(refusals, [&](const XFaultPlan& plan) {
@@ -149,8 +149,7 @@ TEST_P(BadServer, RefusedRequestsAreNamed) {
                                             "X_GetImage", "X_FillPoly", "X_MapWindow"}));
 }
 
-// A connection that ends, before a request is whole or within a reply, ends the program with status 1 and one
-// line.
+// A connection that ends within a request or within a reply ends the program with status 1 and one line.
 TEST_P(BadServer, CutConnectionsAreTold) {
   for (const Use& use : {visuals(), snapshot(folder), view()}) {
     SCOPED_TRACE(use.name);
@@ -175,7 +174,7 @@ TEST_P(BadServer, CutConnectionsAreTold) {
   }
 }
 
-// A server that hangs while we wait for it does not keep the program from ending with SIGINT.
+// SIGINT ends the program even while it waits for a server that hangs.
 TEST_P(BadServer, StalledConnectionsCanBeInterrupted) {
   for (const Use& use : {visuals(), snapshot(folder), view()}) {
     SCOPED_TRACE(use.name);
@@ -194,7 +193,8 @@ TEST_P(BadServer, StalledConnectionsCanBeInterrupted) {
   }
 }
 
-// A window that has hung in the middle of a frame, with the server grabbed, lets go when it is interrupted.
+// A window that hangs in the middle of a frame, with the server grabbed, lets the server go when it is
+// interrupted.
 TEST_P(BadServer, AStalledFrameLetsGoOfTheServer) {
   for (const int signal : {SIGINT, SIGTERM, SIGHUP}) {
     proxy.begin(XFaultPlan{XFault::Stalled, {X_CopyArea}});
@@ -210,7 +210,7 @@ TEST_P(BadServer, AStalledFrameLetsGoOfTheServer) {
   }
 }
 
-// Where the server does not attach to our memory the picture is sent, and is the same.
+// If the server does not attach the shared memory, the picture is sent instead, and is the same.
 TEST_P(BadServer, SharedMemoryThatIsRefusedIsDoneWithout) {
   const Use use = snapshot(folder, "--divisions 2" + kSmall);
   const Course shared = runThrough(use, server, proxy);
@@ -227,12 +227,12 @@ TEST_P(BadServer, SharedMemoryThatIsRefusedIsDoneWithout) {
   EXPECT_EQ(readPng(use.file), expected);
 }
 
-// What is refused later is told in the window and, the last frame's too, at its end. A size that is refused
-// is no error: the next may be had.
+// A later refusal is told in the window, and again when the program ends, even if it was in the last frame. A
+// refused size is no error: the next size may be granted.
 TEST_P(BadServer, RefusalsAreToldInTheWindow) {
   struct Refusal {
     XRequest request;
-    Rect status;  ///< where it is told
+    Rect status;  ///< where the window tells it
     bool last, error;
   };
   const Rect before = layoutOf(1024, 768).status, after = layoutOf(1100, 800).status;
@@ -257,7 +257,7 @@ TEST_P(BadServer, RefusalsAreToldInTheWindow) {
     };
     ASSERT_TRUE(window.comesToShow(first, aboveStatus(1024, 768)));
     between.begin(XFaultPlan{XFault::Refused, refusal.request});
-    if (refusal.last) program.signal(SIGSTOP);  // the frame and the end come together
+    if (refusal.last) program.signal(SIGSTOP);  // so that the frame and the close request arrive together
     window.resize(1100, 800);
     if (!refusal.last) {
       EXPECT_TRUE(comesTrue(alarmed));

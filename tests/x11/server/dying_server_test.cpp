@@ -9,8 +9,8 @@ namespace xnewell {
 // Servers that end, and connections that are cut while a picture is sent: a message and status 1. Every
 // request that a server may refuse: bad_server_test.cpp.
 
-// A connection that ends while a picture is being sent, which is more than the system takes at once, is told
-// like any other.
+// A connection that ends while a picture is being sent is told like any other. The picture is larger than the
+// system takes at once.
 TEST(DyingServer, EndsWhileAPictureIsSent) {
   const XServer server = XServer::xvfb(24, 320, 240, {"-extension", "MIT-SHM"});
   XProxy proxy{server};
@@ -27,13 +27,14 @@ TEST(DyingServer, EndsWhileAPictureIsSent) {
   }
 }
 
-// So is one that ends just as we write, which is a signal to programs that do not say they know.
+// A connection that ends just as the program writes is told like any other, although the write raises
+// SIGPIPE.
 TEST(DyingServer, EndsWhileWeWrite) {
   const XServer server = serverFor(8);
   XProxy proxy{server};
   const TemporaryFolder folder;
-  // Some megabyte of requests, several times what can lie between the two: when the first polygon arrives,
-  // the program has not written the last.
+  // About a megabyte of requests, several times what fits between the two: when the first polygon arrives,
+  // the program has not yet written the last one.
   const Use use = snapshot(folder, "--fill x11 --divisions 30" + kSmall);
   const Course course = runThrough(use, server, proxy, XFaultPlan{XFault::Deaf, {X_FillPoly}});
   EXPECT_TRUE(course.carriedOut);
@@ -42,7 +43,8 @@ TEST(DyingServer, EndsWhileWeWrite) {
   EXPECT_EQ(folder.entries(), 0);
 }
 
-// The server ends in the middle of a frame, between two, and while the user drags: one line, status 1.
+// A server that ends in the middle of a frame, between two frames, or while the user drags, ends the program
+// with one line and status 1.
 TEST(DyingServer, EndsTheWindowAtAnyTime) {
   enum class When { Presenting, Between, Dragging };
   for (const When when : {When::Presenting, When::Between, When::Dragging}) {

@@ -11,7 +11,7 @@
 
 namespace xnewell {
 
-// How often the program waits for the server: what a slow connection costs.
+// How often the program waits for the server, which is what a slow connection costs.
 
 namespace {
 
@@ -20,7 +20,7 @@ constexpr Rect kSeen{0, 0, 1024, 724};  ///< the window of 1024 x 768 but for it
 
 }  // namespace
 
-// Of a latency a round trip sees all, and the picture nothing.
+// A round trip takes at least the latency, and the latency does not change the picture.
 TEST(XProxy, IsLateByItsLatency) {
   constexpr std::chrono::milliseconds kLatency{10};
   const XServer server = XServer::xvfb(8);
@@ -39,7 +39,7 @@ TEST(XProxy, IsLateByItsLatency) {
 class RoundTripsAt : public testing::TestWithParam<int> {};
 INSTANTIATE_TEST_SUITE_P(Depths, RoundTripsAt, testing::Values(8, 24), testing::PrintToStringParamName());
 
-// New colours are stored without waiting, where there is a colormap to store them in; a repaint waits at most
+// New colours are stored without waiting if there is a colormap to store them in. A repaint waits at most
 // three times.
 TEST_P(RoundTripsAt, AreFew) {
   for (const std::string fill : {"", " --fill x11"}) {
@@ -69,8 +69,8 @@ TEST_P(RoundTripsAt, AreFew) {
   }
 }
 
-// So it is in every view, and over a connection that is 50 ms late: what a key shows waits at most three
-// times. What Xlib asks for the first watch cursor, which appears when work takes long, is no part of that.
+// In every view, and over a connection that is 50 ms late, a key waits at most three times. What Xlib asks
+// for the first watch cursor, which appears when work takes long, is not counted.
 TEST_P(RoundTripsAt, AreFewInEveryView) {
   const XServer server = XServer::xvfb(GetParam(), 1280, 1024);
   XProxy proxy{server, std::chrono::milliseconds{50}};

@@ -32,7 +32,7 @@ int ourSegments() {
 
 }  // namespace
 
-// No shared segment outlives its use: it is already marked for removal while in use, and gone afterwards.
+// No shared segment outlives its use: it is marked for removal while in use, and is gone afterwards.
 TEST(TransferImage, LeavesNoSharedSegment) {
   Session s{XServer::xvfb(8)};
   const int before = ourSegments();
@@ -49,7 +49,7 @@ TEST(TransferImage, LeavesNoSharedSegment) {
   EXPECT_EQ(ourSegments(), before);
 }
 
-// Shared memory that the server has yet to read is not written again: a second picture waits for the first.
+// Shared memory that the server has yet to read is not overwritten: a second picture waits for the first.
 TEST(TransferImage, DoesNotOverwriteWhatTheServerHasYetToRead) {
   Session s{XServer::xvfb(8)};
   Display* d = s.display.get();
@@ -70,8 +70,8 @@ TEST(TransferImage, DoesNotOverwriteWhatTheServerHasYetToRead) {
   wake.join();
 }
 
-// Every image format a server may ask for holds the same pixels, whatever its byte order and width; dithered
-// ones those of the tile at their place.
+// Every image format that a server may ask for holds the same pixels, in any byte order and width. Dithered
+// images hold the tile's pixel at each place.
 TEST(WritePixels, EveryFormatHoldsThePixels) {
   const IndexImage image = randomImage(37, 11, 8);
   const Rect rect{2, 3, 31, 7};

@@ -7,14 +7,15 @@
 
 namespace xnewell {
 
-// The stepper by itself: how it plays and where it stops; and what it asks, with the score.
+// The stepper: how it plays and where it stops, and how it asks for predictions and keeps the score.
 
-// What plays goes on by its speed and stops at the end, at ticked kinds and at the polygon, nowhere else.
+// The stepper plays at its speed. It stops at the end, at ticked kinds of step and at the chosen polygon, and
+// nowhere else.
 TEST(SortBench, PlaysUntilAStop) {
   Stepper s{"nested-cycles"};
   s.press(NamedKey::Space);
   ASSERT_TRUE(s.bench.moving());
-  for (int k = 0; k < 25; ++k) s.bench.tick();  // a second
+  for (int k = 0; k < 25; ++k) s.bench.tick();  // one second
   EXPECT_EQ(s.step(), static_cast<int>(kUsualSpeed));
   s.press(NamedKey::Space);
   EXPECT_FALSE(s.bench.moving());
@@ -31,12 +32,12 @@ TEST(SortBench, PlaysUntilAStop) {
       playOn();
       ASSERT_EQ(s.step(), step) << kToggleNames[k];
     }
-    s.click(s.places().toggles[k]);  // off again
+    s.click(s.places().toggles[k]);  // turned off again
   }
   s.press(NamedKey::Home);
   playOn();
   EXPECT_EQ(s.step(), s.run().steps());
-  s.press("b6");  // a polygon is asked for
+  s.press("b6");  // asks for a polygon
   ASSERT_EQ(s.type("2"), "");
   s.press(NamedKey::Home);
   int stops = 0;
@@ -47,7 +48,7 @@ TEST(SortBench, PlaysUntilAStop) {
     ++stops;
   }
   EXPECT_GT(stops, 5);
-  // From the end it plays again from the start.
+  // At the end, playing begins again at the start.
   s.press(NamedKey::End);
   s.press(NamedKey::Space);
   EXPECT_EQ(s.step(), 0);
@@ -55,7 +56,7 @@ TEST(SortBench, PlaysUntilAStop) {
   EXPECT_FALSE(s.bench.moving());
 }
 
-// Faster and slower keep to the slider's ends, and as many notches back lead back.
+// The keys for faster and slower stop at the slider's ends. The same number of notches back leads back.
 TEST(SortBench, SpeedHasEnds) {
   Stepper s{"cycle"};
   s.press("+++---");
@@ -69,8 +70,9 @@ TEST(SortBench, SpeedHasEnds) {
   EXPECT_EQ(s.bench.view().speed, kSlowest);
 }
 
-// Prediction asks at every pair whose extents overlap in x and y, takes an answer by key or click, and keeps
-// the score; the arrow tells without counting; then all is shown as without it.
+// Prediction asks at every pair whose extents overlap in x and y. It takes an answer by key or click, and
+// keeps the score. The arrow shows the outcome without counting. Afterwards everything looks as it does
+// without prediction.
 TEST(SortBench, PredictsAndKeepsTheScore) {
   Stepper s{"cycle"}, plain{"cycle"};
   s.press("y");
@@ -107,7 +109,7 @@ TEST(SortBench, PredictsAndKeepsTheScore) {
   EXPECT_EQ(told, 1);
   s.press("y");
   s.press(NamedKey::Home);
-  s.press("a");  // no question stands
+  s.press("a");  // there is no question
   EXPECT_FALSE(s.taken);
 }
 

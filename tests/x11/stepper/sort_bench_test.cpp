@@ -12,7 +12,7 @@ namespace xnewell {
 // The depth-sort stepper: its keys, its pointer and its runs. Playing and predicting:
 // sort_bench_play_test.cpp. What it draws: sort_page_test.cpp.
 
-// Arrows step by one, with Shift by ten, never beyond the ends; Home and End go there.
+// Arrows step by one, or by ten with Shift, but never beyond the ends. Home and End go to the ends.
 TEST(SortBench, ArrowsStep) {
   Stepper s{"cycle"};
   const int steps = s.run().steps();
@@ -39,8 +39,8 @@ TEST(SortBench, ArrowsStep) {
   EXPECT_FALSE(s.taken);
 }
 
-// `j` visits every step of the chosen kind once and no other, `J` the same ones back; `K` takes every kind in
-// turn; where there is no more a sentence says so and the step stays.
+// `j` visits every step of the chosen kind once and no other, and `J` visits the same steps backward. `K`
+// chooses every kind in turn. If there are no more steps, a sentence says so and the step stays.
 TEST(SortBench, JumpsToStepsOfTheKind) {
   Stepper s{"nested-cycles"};
   int visited = 0;
@@ -68,7 +68,7 @@ TEST(SortBench, JumpsToStepsOfTheKind) {
   EXPECT_GT(visited, 50);
 }
 
-// A step's number is typed; what is none of the run is refused with the range.
+// A step's number can be typed. A number outside the run is refused, and the message gives the range.
 TEST(SortBench, GoesToATypedStep) {
   Stepper s{"cycle"};
   s.press("g");
@@ -83,7 +83,7 @@ TEST(SortBench, GoesToATypedStep) {
   EXPECT_EQ(s.step(), 19);
 }
 
-// `/` and a face's number goes along the steps that have a part of it as P or Q: all of them and only these.
+// `/` and a face's number visit all the steps that have a part of the face as P or Q, and only these.
 TEST(SortBench, GoesAlongTheStepsOfAPolygon) {
   Stepper s{"cycle"};
   const auto has = [&](int step) { return s.run().landmarks().has(s.run().scene(), 1, step); };
@@ -105,7 +105,7 @@ TEST(SortBench, GoesAlongTheStepsOfAPolygon) {
   EXPECT_GT(visited, 3);
   EXPECT_LT(visited, s.run().steps());
   EXPECT_NE(s.type("77"), "");
-  EXPECT_EQ(s.type("1"), "");  // no later one: told, not refused
+  EXPECT_EQ(s.type("1"), "");  // there is no later one: this is told, not refused
   EXPECT_NE(s.notices.back().find("No later step"), std::string::npos);
 }
 
@@ -126,7 +126,7 @@ TEST(SortBench, ButtonsAreKeys) {
   }
 }
 
-// Boxes, kinds and the slider answer to clicks; what they do shows at once in what is drawn.
+// Boxes, kinds and the slider respond to clicks, and the drawing shows the effect at once.
 TEST(SortBench, EveryRectangleDoesItsThing) {
   for (const auto& [width, height] : {std::pair{1024, 768}, {800, 600}, {1600, 1200}}) {
     Stepper s{"nested-cycles", 3, width, height};
@@ -158,8 +158,8 @@ TEST(SortBench, EveryRectangleDoesItsThing) {
   }
 }
 
-// A click on the timeline goes to the step whose mark is there; dragging goes along it, and beyond its ends
-// to the ends of the run.
+// A click on the timeline goes to the step whose mark is there. Dragging goes along it; beyond its ends it
+// goes to the ends of the run.
 TEST(SortBench, TheTimelineIsTheRun) {
   Stepper s{"cycle"};
   const Rect line = s.places().timeline;
@@ -179,8 +179,8 @@ TEST(SortBench, TheTimelineIsTheRun) {
   EXPECT_EQ(s.step(), steps);
 }
 
-// A click on a polygon, in the picture or in the list, goes to the next step that has it; one on the loupe,
-// which stands over the picture, does nothing.
+// A click on a polygon, in the picture or in the list, goes to the next step with that polygon. A click on
+// the loupe, which lies over the picture, has no effect.
 TEST(SortBench, ClickingAPolygonGoesToItsNextStep) {
   Stepper s{"teapot"};
   s.goTo(200);
@@ -231,8 +231,8 @@ TEST(SortBench, ClickingAPolygonGoesToItsNextStep) {
   EXPECT_GT(hits, 5);
 }
 
-// Which setup is shown: Newell's run whatever the picture's order, painted in one hue where the scene's own
-// plan is of colours, for these are chosen from the finished picture.
+// The stepper always shows Newell's run, whatever the picture's order is. A scene with a plan of full colours
+// is painted in one hue, because such colours are chosen from the finished picture.
 TEST(SortBench, AlwaysShowsNewellsRun) {
   Stepper newell{"cycle"};
   for (const OrderRow& row : kOrders) {
@@ -248,11 +248,11 @@ TEST(SortBench, AlwaysShowsNewellsRun) {
   EXPECT_GT(colors.run().steps(), 0);
 }
 
-// A new camera makes another run, of which the step is shown that is most like the one before; a new light
-// only paints anew, at the same step.
+// A new camera makes another run, and its step most like the one before is shown. A new light only paints
+// again, at the same step.
 TEST(SortBench, RecordsAgainWhereTheSortChanged) {
   Stepper s{"cycle"};
-  s.goTo(18);  // all but one are painted
+  s.goTo(18);  // all polygons but one are painted
   const IndexImage before = s.draw();
   s.wanted.picture.light.Ip = 0.1;
   EXPECT_NE(s.draw(), before);
@@ -271,7 +271,8 @@ TEST(SortBench, RecordsAgainWhereTheSortChanged) {
   EXPECT_EQ(s.step(), 3) << "coming back to the same run";
 }
 
-// Of another run that step is like one of this which has its kind, P and Q; else P and Q; else P.
+// The step of another run most like a given one has the same kind, P and Q; or else the same P and Q; or else
+// the same P.
 TEST(SortBench, StepsOfAnotherRunAreAlike) {
   Stepper s{"nested-cycles"};
   const SortRun& run = s.run();
@@ -293,7 +294,7 @@ TEST(SortBench, StepsOfAnotherRunAreAlike) {
   EXPECT_GT(exact, 20);
 }
 
-// The loupe is put away and brought back.
+// The loupe can be put away and brought back.
 TEST(SortBench, TheLoupeCanBePutAway) {
   Stepper s{"cycle"};
   s.goTo(10);

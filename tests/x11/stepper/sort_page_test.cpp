@@ -23,7 +23,7 @@ namespace {
 
 constexpr Rect kWide{16, 48, 992, 612}, kCompact{16, 43, 768, 428};
 
-/// The page of a scene's run in a body, on a ground of its own.
+/// The page of a scene's run in a body, on a ground that nothing else uses.
 struct Page {
   static constexpr std::uint8_t kGround = 77;
 
@@ -71,7 +71,7 @@ std::string regular(int corners, double radius, double z, double lean) {
   return text + "]";
 }
 
-/// The scenes at the edges of what the page has to tell.
+/// Scenes at the limits of what the page has to show.
 std::vector<Scene> extremes() {
   std::vector<Scene> all;
   all.push_back(polygons(regular(3, 1, 0, 0)));
@@ -88,7 +88,7 @@ std::vector<Scene> extremes() {
 
 }  // namespace
 
-// A step looks the same from before, from behind and from anywhere.
+// A step looks the same whether it is reached forward, backward or from anywhere else.
 TEST(SortPage, DoesNotDependOnTheWayThere) {
   for (const char* scene : {"cycle", "penetrate", "nested-cycles", "teapot"}) {
     Page page{readScene(scene, 3)};
@@ -138,8 +138,8 @@ TEST(SortPage, ShowsThePictureSoFar) {
   EXPECT_EQ(intersection(page.drawn.loupe, at), page.drawn.loupe);
 }
 
-// The polygon at a pixel is the one that is seen there: at the end that of the finished picture, before
-// anything is painted the first that will be, and in between what the picture so far shows last.
+// The polygon at a pixel is the one seen there. At the end it is that of the finished picture. Before
+// anything is painted it is the first one that will be painted there.
 TEST(SortPage, FindsThePolygonAtAPixel) {
   Page page{readScene("teapot", 3)};
   const std::vector<std::uint32_t> faces = page.picture.faceImage();
@@ -166,8 +166,8 @@ TEST(SortPage, FindsThePolygonAtAPixel) {
   EXPECT_GT(later, 20);
 }
 
-// The numbers in the table are the Explainer's: as many corners on either side as it counts, and areas and
-// extents that say what the tests say.
+// The numbers in the table are those of the Explainer. They count the same corners on each side, and their
+// areas and extents agree with the tests.
 TEST(SortPage, NumbersAreTheExplainers) {
   std::set<xnewell::Test> seen;
   for (const char* scene : {"teapot", "cycle", "penetrate", "decals", "room", "slivers"}) {
@@ -227,7 +227,7 @@ TEST(SortPage, NumbersAreTheExplainers) {
           case xnewell::Test::Overlap:
             break;
         }
-        // The last of the tests made is the one that settled it; all before it failed.
+        // The last test made settled the pair. All tests before it failed.
         EXPECT_EQ(answerOf(e, test).words == "no", test != e.test);
       }
     }
@@ -235,7 +235,7 @@ TEST(SortPage, NumbersAreTheExplainers) {
   EXPECT_EQ(seen.size(), std::size_t{kTests});
 }
 
-// A distance that is not 0 is not shown as 0, and what is 0 has no sign.
+// A distance other than 0 is never shown as 0, and 0 has no sign.
 TEST(SortPage, SmallDistancesKeepTheirSign) {
   EXPECT_EQ(distanceText({{}, 3.14, 1}), "+3.1");
   EXPECT_EQ(distanceText({{}, -28.57, -1}), "-28.6");
@@ -245,20 +245,20 @@ TEST(SortPage, SmallDistancesKeepTheirSign) {
   EXPECT_EQ(distanceText({{}, 1e-12, 0}), "0.0");
 }
 
-// What is asked does not show: with another test and another verdict in the event itself, the page that
-// asks is the same, bit for bit; the one that tells is not.
+// A page that asks does not show the outcome. If the test changes the test and the verdict in the event, the
+// page that asks stays the same, bit for bit, and the page that tells changes.
 TEST(SortPage, AQuestionHidesItsOutcome) {
   int questions = 0;
   for (const char* scene : {"cycle", "penetrate", "nested-cycles", "teapot"}) {
     Page page{readScene(scene, 3)};
     for (int step = 1; step <= page.run->steps(); ++step) {
-      // The run is not const; what is changed is put back.
+      // The run itself is not const, and the event is put back.
       Event& e = const_cast<Event&>(page.event(step));
       if (!isQuestion(e) || (questions > 60 && step % 50)) continue;
       ++questions;
       page.view.asking = true;
       const IndexImage asked = page.show(step);
-      // Nor does the timeline show what is to come.
+      // The timeline does not show what is to come either.
       const Rect& line = page.at.timeline;
       const int head = columnOf(line, step, page.run->steps()) + 6;
       for (int j = line.y; j < line.y + line.height; ++j)
@@ -283,8 +283,8 @@ TEST(SortPage, AQuestionHidesItsOutcome) {
   EXPECT_GT(questions, 60);
 }
 
-// Whatever the scene and however small the window, nothing is drawn outside the body, and above the buttons
-// the gutter between the columns stays free, so no word is cut off by another column.
+// Nothing is drawn outside the body, for any scene and in small windows. Above the buttons the gutter between
+// the columns stays free, so that no column cuts off a word of another.
 TEST(SortPage, KeepsWithinItsColumns) {
   int steps = 0;
   for (const Rect& body : {kWide, kCompact})
@@ -312,7 +312,7 @@ TEST(SortPage, KeepsWithinItsColumns) {
   EXPECT_GT(steps, kSanitized ? 25 : 200);
 }
 
-// A scene of which nothing shows has a page too, that says so.
+// A scene of which nothing shows has a page too, and the page says so.
 TEST(SortPage, NothingToSort) {
   const auto page = [](const char* corners) { return Page{polygons(corners), kWide, Cull::Back}; };
   Page one = page("[[0, 0, 0], [1, 0, 0], [0, 1, 0]]"), other = page("[[0, 0, 0], [0, 1, 0], [1, 0, 0]]");
@@ -326,7 +326,7 @@ TEST(SortPage, NothingToSort) {
   EXPECT_EQ(empty.run->fragmentAt(10, 10), -1);
 }
 
-// The list has P and Q at every step, and what is marked; the rows are those that were drawn.
+// The list contains P and Q at every step. The rows are those that were drawn.
 TEST(SortPage, TheListHoldsThePair) {
   for (const char* scene : {"teapot", "nested-cycles"})
     for (const Rect& body : {kWide, kCompact}) {
@@ -349,7 +349,7 @@ TEST(SortPage, TheListHoldsThePair) {
     }
 }
 
-// The finding of every kind of step is a sentence, and its bold line another.
+// The finding of every kind of step is a sentence, and its bold line is a sentence too.
 TEST(SortPage, EveryStepHasAFinding) {
   std::set<Event::Kind> kinds;
   for (const char* scene : {"teapot", "cycle", "nested-cycles", "room", "crossing-sheets", "slivers"}) {

@@ -28,13 +28,13 @@ struct Use {
   std::string name;
   std::vector<std::string> arguments;
   std::string file = "";  ///< what it writes
-  /// What the user does meanwhile, unless there is nothing more to hope for.
+  /// What the user does meanwhile, as long as `hoping` is true.
   std::function<void(const XServer&, const std::function<bool()>& hoping)> act = [](auto&&...) {};
 };
 
 inline Use visuals() { return {"visuals", {"visuals"}}; }
 
-/// The server fills, which asks more of it, and puts the picture first.
+/// The server fills, which makes more kinds of request and sends the picture first.
 inline Use snapshot(const TemporaryFolder& folder,
                     const std::string& more = "--divisions 2 --fill x11" + kSmall) {
   std::vector<std::string> arguments = words("snapshot teapot " + more);
@@ -42,12 +42,12 @@ inline Use snapshot(const TemporaryFolder& folder,
   return {"snapshot", arguments, folder.file("picture.png")};
 }
 
-/// A new table, size and hue, and the close button, as soon as there is a window.
+/// As soon as there is a window: a new table, a new size, a new hue, and the close button.
 inline Use view() {
   return {"view", words("view " + kTeapot + kSmall), "", [](const XServer& server, const auto& hoping) {
             try {
               const WatchedWindow window{server, 0, hoping};
-              const ErrorTrap trap{window.display()};  // it may be gone
+              const ErrorTrap trap{window.display()};  // the window may be gone
               window.moveTo(60, 45);
               window.type("T");
               window.resize(140, 100);
@@ -59,7 +59,7 @@ inline Use view() {
           }};
 }
 
-/// Segments of System V shared memory that a process made and that are still there.
+/// The number of segments of System V shared memory that a process made and that still exist.
 inline std::ptrdiff_t segmentsOf(pid_t maker) {
   std::ifstream table{"/proc/sysvipc/shm"};
   std::string line;
@@ -72,15 +72,15 @@ inline std::ptrdiff_t segmentsOf(pid_t maker) {
   return count;
 }
 
-/// What it came to on the proxy's server.
+/// How a use of the program went on the proxy's server.
 struct Course {
   Finished end{};
   bool carriedOut = false;
   std::vector<XRequest> requests{}, answered{};
-  std::chrono::milliseconds toEnd{};  ///< since it was interrupted
+  std::chrono::milliseconds toEnd{};  ///< from the interrupt to the end
 };
 
-/// A program that is stalled is interrupted.
+/// Runs the program to its end. If it is stalled, it is interrupted.
 inline Course runThrough(const Use& use, const XServer& server, XProxy& proxy,
                          const std::optional<XFaultPlan>& plan = {}) {
   std::filesystem::remove(use.file);
@@ -98,7 +98,7 @@ inline Course runThrough(const Use& use, const XServer& server, XProxy& proxy,
   course.carriedOut = proxy.carriedOut();
   course.requests = proxy.requests();
   course.answered = proxy.answered();
-  // Its memory and its window go when the server has let go too.
+  // The shared memory and the window go only when the server has let them go too.
   EXPECT_TRUE(comesTrue([&] { return segmentsOf(pid) == 0; }));
   EXPECT_TRUE(comesToShowNone(openDisplay(server.name()).get()));
   return course;

@@ -22,7 +22,7 @@ namespace xnewell {
 
 bool comesTrue(const std::function<bool()>& holds) {
   using namespace std::chrono_literals;
-  // The longer it lasts the more seldom it is asked: asking costs time that those asked may need.
+  // The longer it takes, the more seldom we ask: asking costs time that the others may need.
   std::chrono::milliseconds waited{}, pause{3};
   for (const auto start = std::chrono::steady_clock::now(); !holds();) {
     if (waited > 90s) return false;
@@ -35,8 +35,8 @@ bool comesTrue(const std::function<bool()>& holds) {
 
 namespace {
 
-/// A viewable window within `within` with our class that is not `other`; 0 if there is none. A window manager
-/// puts it into a frame of its own.
+/// A viewable window inside `within` that has our class and is not `other`; 0 if there is none. A window
+/// manager puts windows into its own frames.
 Window findWindow(Display* display, Window within, Window other) {
   const ErrorTrap trap{display};  // a window may go while we look
   Window root = 0, parent = 0, *children = nullptr;
@@ -262,7 +262,7 @@ RequestRecord::RequestRecord(const XServer& server, Window resource)
 
 RequestRecord::~RequestRecord() {
   XRecordDisableContext(control_.get(), context_);
-  static_cast<void>(opcodes());  // to the end of the data, which ends Xlib's waiting for it
+  static_cast<void>(opcodes());  // reads to the end of the data, so that Xlib no longer waits for it
   XRecordFreeContext(control_.get(), context_);
   XSync(control_.get(), 0);
 }

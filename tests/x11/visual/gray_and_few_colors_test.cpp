@@ -21,8 +21,8 @@ using Color = std::array<int, 3>;  ///< 8-bit values
 
 }  // namespace
 
-// On gray visuals a ramp of one hue shows the intensities, as a white one would; the hue does not darken
-// them. What is not of the ramp, here the ground, has the gray of its brightness.
+// On gray visuals a ramp of one hue shows the intensities, as a white ramp would: the hue does not darken
+// them. Colours outside the ramp, here the ground, have the gray of their brightness.
 TEST(GrayVisuals, ShowTheIntensity) {
   const XServer server = XServer::xvfb(8);
   for (const std::string line :
@@ -46,8 +46,7 @@ TEST(GrayVisuals, ShowTheIntensity) {
   }
 }
 
-// The option decides: with --nearest each colour of the picture becomes one colour of the screen, without it
-// several.
+// With --nearest each colour of the picture becomes one colour of the screen. Without it, it becomes several.
 TEST(FewColors, NearestIsAFunctionOfTheColour) {
   const XServer server = XServer::xvfb(8);
   const std::string line = "teapot --divisions 3 --size 160x120";
@@ -69,8 +68,8 @@ TEST(FewColors, NearestIsAFunctionOfTheColour) {
   }
 }
 
-// On every class the window follows its keys: it comes to show what a fresh start with the new hue, and with
-// the server filling, would.
+// On every visual class the window follows its keys. It shows what a fresh start with the new hue shows, and
+// then what a fresh start with the server filling shows.
 TEST(FewColors, TheWindowFollows) {
   for (int defaultClass = 0; defaultClass < 6; ++defaultClass) {
     const XServer server = XServer::xvfb(8, 1280, 1024, {"-cc", std::to_string(defaultClass)});
