@@ -22,7 +22,7 @@ int levelOf(int k, int n) { return (2 * 255 * k + n - 1) / (2 * (n - 1)); }
 
 }  // namespace
 
-// The ranks are each of 0..63 once; the first rows as printed.
+// The ranks are 0..63, each once, and the first rows are as printed.
 TEST(Quantize, BayerRanks) {
   std::set<int> ranks;
   for (int place = 0; place < 64; ++place) ranks.insert(bayerRank(place % 8, place / 8));
@@ -37,7 +37,7 @@ TEST(Quantize, BayerRanks) {
     }
 }
 
-// The 240 colours of the cube are different, its ends the ends of every channel.
+// The 240 colours of the cube are different, and its ends are the ends of every channel.
 TEST(Quantize, TheCubeHas240Colours) {
   const std::vector<glm::u8vec3> cube = cubeColors();
   ASSERT_EQ(cube.size(), 240u);
@@ -47,8 +47,8 @@ TEST(Quantize, TheCubeHas240Colours) {
     for (std::size_t l = 0; l < k; ++l) ASSERT_NE(cube[k], cube[l]);
 }
 
-// Every value of every channel goes to the nearest level: at most half a step away, and no colour of the 240
-// is nearer than the one taken.
+// Every value of every channel goes to the nearest level, at most half a step away, and none of the 240
+// colours is nearer than the chosen one.
 TEST(Quantize, TheCubeTakesTheNearestLevel) {
   std::mt19937 rng{13};
   std::vector<glm::u8vec3> colors;
@@ -72,8 +72,8 @@ TEST(Quantize, TheCubeTakesTheNearestLevel) {
   }
 }
 
-// A constant colour dithered with the cube: over any 8 x 8 block the average of each channel is within a
-// sixty-fourth of the step it lies in, a hundred-and-twenty-eighth indeed; counted exactly, for all values.
+// If a constant colour is dithered with the cube, the average of each channel over any 8 x 8 block is within
+// 1/128 of the step in which it lies. The test counts exactly, for all values.
 TEST(Quantize, ADitheredCubeKeepsTheAverage) {
   int between = 0;
   for (int v = 0; v < 256; ++v) {
@@ -96,7 +96,7 @@ TEST(Quantize, ADitheredCubeKeepsTheAverage) {
   EXPECT_GT(between, 1000);
 }
 
-// Colours of the cube stay themselves, dithered or not.
+// Colours of the cube stay as they are, with and without dithering.
 TEST(Quantize, TheCubesOwnColoursStay) {
   const RgbImage picture = pictureOf(cubeColors(), 16);
   for (const bool dither : {false, true})
