@@ -13,6 +13,7 @@
 #include "geometry/exact/unit.h"
 #include "geometry/files/bpt.h"
 #include "geometry/model/solids.h"
+#include "tests/support/corner_normals.h"
 #include "tests/support/normal_error.h"
 #include "tests/support/seeds.h"
 
@@ -20,76 +21,7 @@ namespace xnewell {
 
 namespace {
 
-constexpr std::array kComputed{NormalRule::Sum, NormalRule::Distinct, NormalRule::Area, NormalRule::Angle};
-
-Mesh meshOf(std::vector<glm::dvec3> points, const std::vector<std::vector<int>>& faces) {
-  Mesh mesh;
-  mesh.groupNames = {"mesh"};
-  mesh.points = std::move(points);
-  for (const std::vector<int>& face : faces) mesh.addFace(face, 0);
-  return mesh;
-}
-
-double distance(const glm::dvec3& a, const glm::dvec3& b) { return glm::length(a - b); }
-
-/// The normal of every corner.
-std::vector<glm::dvec3> normals(const Mesh& mesh, NormalRule rule, double crease = 180.0,
-                                std::span<const glm::dvec3> exact = {}) {
-  const Vertices v = smoothVertices(mesh, rule, crease, exact);
-  std::vector<glm::dvec3> N;
-  for (std::size_t c = 0; c < mesh.corners.size(); ++c) {
-    const Vertex& vertex = v.vertices[v.ofCorner[c]];
-    EXPECT_EQ(vertex.point, mesh.corners[c]);
-    N.push_back(vertex.N);
-    for (int axis = 0; axis < 3; ++axis) EXPECT_FALSE(vertex.N[axis] == 0.0 && std::signbit(vertex.N[axis]));
-  }
-  return N;
-}
-
-/// The normal of every point, if all corners of a point have the same.
-std::vector<glm::dvec3> pointNormals(const Mesh& mesh, NormalRule rule) {
-  std::vector<glm::dvec3> N(mesh.points.size(), glm::dvec3{0.0});
-  for (const Vertex& v : smoothVertices(mesh, rule).vertices) {
-    EXPECT_EQ(N[v.point], glm::dvec3{0.0}) << "one vertex a point";
-    N[v.point] = v.N;
-  }
-  return N;
-}
-
-/// Every face of a mesh of convex faces, cut into triangles from a random corner.
-Mesh cut(const Mesh& mesh, std::mt19937& rng) {
-  Mesh triangles;
-  triangles.groupNames = mesh.groupNames;
-  triangles.points = mesh.points;
-  triangles.rounding = mesh.rounding;
-  for (int f = 0; f < mesh.faceCount(); ++f) {
-    const auto face = mesh.face(f);
-    const std::size_t n = face.size(), first = rng() % n;
-    for (std::size_t i = 2; i < n; ++i)
-      triangles.addFace(std::array{face[first], face[(first + i - 1) % n], face[(first + i) % n]}, 0);
-  }
-  return triangles;
-}
-
-glm::dvec3 randomDirection(std::mt19937& rng) {
-  std::uniform_real_distribution<double> coordinate{-1.0, 1.0};
-  for (;;) {
-    const double x = coordinate(rng), y = coordinate(rng), z = coordinate(rng);
-    const double square = x * x + y * y + z * z;
-    if (0.01 < square && square < 1.0) return unit({x, y, z});
-  }
-}
-
-glm::dmat3 randomRotation(std::mt19937& rng) {
-  const glm::dvec3 x = randomDirection(rng), y = unit(glm::cross(x, randomDirection(rng)));
-  return {x, y, glm::cross(x, y)};
-}
-
-void turn(Mesh& mesh, const glm::dmat3& rotation) {
-  for (glm::dvec3& p : mesh.points) p = rotation * p;
-}
-
-/// Rounds the coordinates to `decimals` decimals, as a file holds them.
+/// As a file holds it: coordinates of `decimals` decimals.
 void writeAndRead(Mesh& mesh, int decimals) {
   const double ten = std::pow(10.0, decimals);
   for (glm::dvec3& p : mesh.points)
@@ -97,33 +29,10 @@ void writeAndRead(Mesh& mesh, int decimals) {
   mesh.rounding.assign(mesh.groupNames.size(), 0.5 / ten);
 }
 
-/// A cylinder of radius 1 and height 2 along z: `sides` rectangles and two caps. Corner i of the bottom is
-/// point i.
-Mesh cylinder(int sides) {
-  Mesh mesh;
-  mesh.groupNames = {"cylinder"};
-  std::vector<int> top, bottom;
-  for (int level = 0; level < 2; ++level)
-    for (int i = 0; i < sides; ++i) {
-      const auto [y, x] = sinCosDegrees(360.0 * i / sides);
-      mesh.points.push_back({x, y, 2.0 * level - 1.0});
-    }
-  for (int i = 0; i < sides; ++i) {
-    const int next = (i + 1) % sides;
-    mesh.addFace(std::array{i, next, sides + next, sides + i}, 0);
-    top.push_back(sides + i);
-    bottom.push_back(sides - 1 - i);
-  }
-  mesh.addFace(top, 0);
-  mesh.addFace(bottom, 0);
-  return mesh;
-}
-
 }  // namespace
 
-// A worked example. At the origin meet a wall x = 0 and an L-shaped floor. The wall has two triangles, each
-// with 45 degrees there and a double area of 9. The floor has a double area of 6, and its inner corner of 270
-// degrees is there.
+// A worked example: at the origin meet a wall x = 0 of two triangles, each with 45 degrees there and twice
+// the area 9, and an L-shaped floor, twice the area 6, with its inner corner of 270 degrees there.
 TEST(VertexNormals, WorkedExample) {
   const Mesh mesh = meshOf(
       {{0, 0, 0}, {0, 3, 0}, {0, 3, 3}, {0, 0, 3}, {0, -1, 0}, {1, -1, 0}, {1, 1, 0}, {-1, 1, 0}, {-1, 0, 0}},
@@ -137,7 +46,7 @@ TEST(VertexNormals, WorkedExample) {
   expect(NormalRule::Angle, {90, 0, 270});
 }
 
-// The angle of a bent face is seen along its normal. Here the face is a square whose corners are alternately
+// The angle of a bent face is the one seen along its normal: here of a square, whose corners are alternately
 // down and up.
 TEST(VertexNormals, AngleOfABentFace) {
   const Mesh mesh =
@@ -145,9 +54,9 @@ TEST(VertexNormals, AngleOfABentFace) {
   EXPECT_LT(distance(pointNormals(mesh, NormalRule::Angle)[0], unit({1, 0, 1})), 0x1p-51);
 }
 
-// The cube of 12 triangles has its diagonals as normals by the rules Distinct and Angle, however its squares
-// are cut. Sum and Area favour the sides that bring two triangles to a corner, unless all three sides bring
-// as many.
+// The cube of 12 triangles has its diagonals as normals if equal normals count once, or by the angles,
+// however its squares are cut; the naive sum and the areas favour the sides that two triangles bring to a
+// corner, unless all three sides bring as many.
 TEST(VertexNormals, CubeOfTwelveTriangles) {
   std::mt19937 rng{12};
   int uneven = 0;
@@ -171,9 +80,9 @@ TEST(VertexNormals, CubeOfTwelveTriangles) {
   EXPECT_GT(uneven, 40);
 }
 
-// Cutting flat faces into triangles changes no normal of Distinct and Angle, but some of Sum and Area. This
-// holds on a turned torus and on one with the rounding of a file. The bounds: a normal, and likewise an
-// angle, turns by the rounding u of the corners over the height of the triangle (at least 0.1).
+// Cutting flat faces into triangles changes no normal of the rules Distinct and Angle, and some of Sum and
+// Area; so on a torus turned about, and on one with the rounding of a file. The bounds: a normal is turned by
+// the rounding u of the corners over the height of the triangle (0.1 at least), and the angles likewise.
 TEST(VertexNormals, CuttingFlatFacesChangesSumAndAreaOnly) {
   const Seeds seeds{60};
   for (unsigned seed = seeds.from; seed < seeds.end; ++seed) {
@@ -198,9 +107,9 @@ TEST(VertexNormals, CuttingFlatFacesChangesSumAndAreaOnly) {
 }
 
 // Normals that differ are not taken for equal, however fine the facets: on a sphere of 32k faces Distinct is
-// Sum. This also holds with six decimals, except for the needles around the poles. A facet at distance r from
-// the axis is 0.025 r wide and turns by 0.025 r from its neighbour. Rounding turns it by about 0.5e-6 /
-// (0.025 r), and the stated bound is several times that. The two meet at r = 0.1.
+// Sum. So with six decimals, but for the needles about the poles: a facet r from the axis is 0.025 r wide,
+// turns by 0.025 r from its neighbour and by about 0.5e-6 / (0.025 r) by the rounding, and the stated bound
+// is some times that: the two meet at r = 0.1.
 TEST(VertexNormals, FineFacetsStayDistinct) {
   Mesh mesh = sphere(256, 128);
   for (const bool fromFile : {false, true}) {
@@ -214,8 +123,8 @@ TEST(VertexNormals, FineFacetsStayDistinct) {
   }
 }
 
-// However coarse the file says that it is, normals further apart than 2^-9 are not equal: here those of that
-// sphere away from the poles.
+// However coarse a file says that it is, normals further apart than 2^-9 are not equal: here those away from
+// the poles of that sphere.
 TEST(VertexNormals, CoarseFilesKeepTheirFacets) {
   Mesh mesh = sphere(256, 128);
   mesh.rounding = {0.1};
@@ -227,9 +136,8 @@ TEST(VertexNormals, CoarseFilesKeepTheirFacets) {
     }
 }
 
-// Equal normals count as one, that of their areas together. In the middle of a flat face cut into a fan it is
-// the whole face's normal. It is much closer to the truth than any triangle's, which the rounding of the file
-// turns.
+// Equal normals count as that of their areas together: in the middle of a flat face cut into a fan it is the
+// whole face's, closer by far than any triangle's, which the rounding of the file turns.
 TEST(VertexNormals, EqualNormalsMakeTheFaceWhole) {
   const Seeds seeds{50};
   for (unsigned seed = seeds.from; seed < seeds.end; ++seed) {
@@ -255,7 +163,7 @@ TEST(VertexNormals, EqualNormalsMakeTheFaceWhole) {
   }
 }
 
-// The order of the faces makes no difference, up to the rounding of a sum of a few unit vectors.
+// The order of the faces does not matter but for the rounding of a sum of a few unit vectors.
 TEST(VertexNormals, FacesInAnyOrder) {
   const Seeds seeds{100};
   for (unsigned seed = seeds.from; seed < seeds.end; ++seed) {
@@ -278,7 +186,7 @@ TEST(VertexNormals, FacesInAnyOrder) {
   }
 }
 
-// If a mesh and its rounding are scaled by a power of two, no bit of its normals changes.
+// Scaled by a power of two, and its rounding with it, a mesh has the same normals to the bit.
 TEST(VertexNormals, SizeDoesNotMatter) {
   std::mt19937 rng{2};
   Mesh mesh = cut(torus(16, 8), rng);
@@ -297,113 +205,7 @@ TEST(VertexNormals, SizeDoesNotMatter) {
   }
 }
 
-// The faces of a cube turn by 90 degrees. With a crease below 90 every face keeps its own normal, and there
-// are three vertices at each point. 90 itself counts as within, and leaves one vertex. The same holds for a
-// turned cube.
-TEST(VertexNormals, CreaseOfACube) {
-  std::mt19937 rng{90};
-  for (int i = 0; i < 50; ++i) {
-    Mesh mesh = cut(cube(), rng);
-    if (i > 0) turn(mesh, randomRotation(rng));
-    for (const NormalRule rule : kComputed) {
-      for (const double crease : {0.0, 60.0, 89.999}) {
-        const std::vector<glm::dvec3> N = normals(mesh, rule, crease);
-        for (int c = 0; c < 36; ++c) {
-          const auto face = mesh.face(c / 3);
-          const glm::dvec3 flat = unit(glm::cross(mesh.points[face[1]] - mesh.points[face[0]],
-                                                  mesh.points[face[2]] - mesh.points[face[0]]));
-          EXPECT_LT(distance(N[c], flat), 1e-15);
-        }
-        if (i == 0) {
-          EXPECT_EQ(smoothVertices(mesh, rule, crease).vertices.size(), 24u);
-        }
-      }
-      for (const double crease : {90.0, 180.0})
-        EXPECT_EQ(smoothVertices(mesh, rule, crease).vertices.size(), 8u) << crease;
-    }
-  }
-}
-
-// A cylinder of 12 sides turns by 30 degrees from side to side and by 90 to its caps. With a crease of 30 to
-// 89 its sides are round, with radial normals, and its caps are flat.
-TEST(VertexNormals, CreaseOfACylinder) {
-  const Mesh mesh = cylinder(12);
-  for (const NormalRule rule : kComputed) {
-    for (const double crease : {30.0, 60.0, 89.0}) {
-      const std::vector<glm::dvec3> N = normals(mesh, rule, crease);
-      for (int c = 0; c < 48; ++c) {
-        const glm::dvec3 p = mesh.points[mesh.corners[c]];
-        EXPECT_LT(distance(N[c], {p.x, p.y, 0.0}), 1e-14) << crease;
-      }
-      for (int c = 48; c < 72; ++c) EXPECT_EQ(N[c], glm::dvec3(0, 0, c < 60 ? 1 : -1));
-      EXPECT_EQ(smoothVertices(mesh, rule, crease).vertices.size(), 48u);
-    }
-    EXPECT_EQ(smoothVertices(mesh, rule, 29.999).vertices.size(), 24u + 48u);
-    EXPECT_EQ(smoothVertices(mesh, rule, 180.0).vertices.size(), 24u);
-  }
-}
-
-// A point with two materials becomes two vertices, with one normal.
-TEST(VertexNormals, MaterialsAreVerticesOfTheirOwn) {
-  Mesh mesh = cube();
-  mesh.materials = {{"a", glm::dvec3{1.0}}, {"b", glm::dvec3{1.0}}};
-  mesh.material = {0, 1, 0, 1, 0, 1};
-  const Vertices v = smoothVertices(mesh, NormalRule::Sum);
-  EXPECT_EQ(v.vertices.size(), 8u + 6u) << "two opposite corners have one material only";
-  const std::vector<glm::dvec3> N = normals(mesh, NormalRule::Sum);
-  for (int c = 0; c < 24; ++c) {
-    EXPECT_EQ(v.vertices[v.ofCorner[c]].material, mesh.material[c / 4]);
-    EXPECT_LT(distance(N[c], mesh.points[mesh.corners[c]] / std::sqrt(3.0)), 1e-15);
-  }
-}
-
-// Faces without area contribute nothing and take the normals of their points. If there are no other faces,
-// the normal is 0. A face that meets a point twice counts once there, but both of its angles count. A
-// repeated corner has no angle.
-TEST(VertexNormals, DegenerateFaces) {
-  const std::vector<glm::dvec3> points{{0, 0, 0}, {1, 0, 0}, {0, 1, 0},  {0, 0, 1},
-                                       {2, 0, 0}, {5, 5, 5}, {0, -1, 0}, {-1, 0, 0}};
-  const Mesh lean = meshOf(points, {{0, 1, 2}, {0, 2, 3}});
-  const Mesh fat = meshOf(points, {{0, 1, 2}, {0, 1, 4}, {0, 2, 3}, {0, 0, 2}, {5, 5, 5}});
-  for (const NormalRule rule : kComputed)
-    for (const double crease : {0.0, 180.0}) {
-      const std::vector<glm::dvec3> a = normals(lean, rule, crease), b = normals(fat, rule, crease);
-      EXPECT_TRUE(std::equal(a.begin(), a.begin() + 3, b.begin()));
-      EXPECT_TRUE(std::equal(a.begin() + 3, a.end(), b.begin() + 6));
-      EXPECT_LT(distance(b[3], unit({1, 0, 1})), 1e-15) << "of both faces at the point, whatever the crease";
-      EXPECT_EQ(b[5], glm::dvec3{0.0});
-      EXPECT_EQ(b[12], glm::dvec3{0.0});
-    }
-
-  // A floor with a hole. A slit joins the hole to the floor's corner at the origin, so there are two angles
-  // of 45 degrees there.
-  const Mesh slit =
-      meshOf({{0, 0, 0}, {4, 0, 0}, {4, 4, 0}, {0, 4, 0}, {1, 1, 0}, {1, 2, 0}, {2, 1, 0}, {0, 0, 4}},
-             {{0, 1, 2, 3, 0, 4, 5, 6, 4}, {0, 3, 7}});
-  for (const NormalRule rule : {NormalRule::Sum, NormalRule::Distinct, NormalRule::Angle})
-    EXPECT_LT(distance(pointNormals(slit, rule)[0], unit({1, 0, 1})), 1e-15);
-  EXPECT_LT(distance(pointNormals(slit, NormalRule::Area)[0], unit({16, 0, 31})), 1e-15);
-  const Mesh repeated = meshOf(points, {{0, 0, 1, 2, 2, 0}, {0, 2, 3}});
-  for (const NormalRule rule : kComputed)
-    EXPECT_LT(distance(pointNormals(repeated, rule)[0], pointNormals(lean, rule)[0]), 1e-15);
-}
-
-// Two faces back to back have no sum. Each corner keeps its face's normal, whether they cancel exactly or
-// not.
-TEST(VertexNormals, OppositeFacesKeepTheirOwn) {
-  std::mt19937 rng{180};
-  for (int i = 0; i < 200; ++i) {
-    Mesh mesh = meshOf({{0, 0, 0}, {1, 0, 0}, {0.3, 0.7, 0}}, {{0, 1, 2}, {1, 0, 2}});
-    const glm::dmat3 rotation = randomRotation(rng);
-    turn(mesh, rotation);
-    for (const NormalRule rule : kComputed) {
-      const std::vector<glm::dvec3> N = normals(mesh, rule);
-      for (int c = 0; c < 6; ++c) EXPECT_LT(distance(N[c], c < 3 ? rotation[2] : -rotation[2]), 1e-15);
-    }
-  }
-}
-
-// Exact normals are used as they are, whatever the crease. Where there is none, Distinct applies.
+// Exact normals are taken as they are, whatever the crease; where there is none, Distinct.
 TEST(VertexNormals, ExactNormalsWhereThereAre) {
   std::mt19937 rng{3};
   const Mesh mesh = cut(cube(), rng);
@@ -419,9 +221,9 @@ TEST(VertexNormals, ExactNormalsWhereThereAre) {
   }
 }
 
-// A second method: the rules word by word in long double, each corner by itself. The meshes are triangles
-// among few points, some of them listed twice. It skips corners where an angle is near the crease, and points
-// where the sum nearly vanishes.
+// A second method: the rules word by word in long double, every corner by itself, on triangles among few
+// points, some of them twice. Corners where an angle is near the crease are left out, and points where the
+// sum nearly vanishes.
 TEST(VertexNormals, AgreeWithTheRulesWordByWord) {
   using Wide = glm::vec<3, long double>;
   const Seeds seeds{300};
@@ -479,11 +281,11 @@ TEST(VertexNormals, AgreeWithTheRulesWordByWord) {
   }
 }
 
-// How close the rules come to the true normals (`tests/bench/run.sh NormalError` prints the figures). On a
-// sphere's bands of quadrilaterals Sum is best, because the faces at a vertex lie almost symmetrically. Then
-// comes Angle, then Area, which favours the wider band; each step is at least a factor of two. After cutting
-// into triangles, Sum has ten times its error and Distinct the same. On the teapot, whose patches differ in
-// size, Area is better than Sum. With twice the divisions every error is less than half.
+// How near the rules come to the true normals (`tests/bench/run.sh NormalError` prints the figures). On a
+// sphere's bands of quadrilaterals the sum is best, for the faces at a vertex lie symmetrically but for a
+// small term, then come the angles, then the areas, which favour the wider band; each by a factor of two at
+// least. Cut into triangles, the sum loses ten times that and Distinct nothing. On the teapot, whose patches
+// differ in size, the areas are better than the sum. With twice the divisions every error is less than half.
 TEST(VertexNormals, ErrorsAgainstTheTrueNormals) {
   const auto ofSphere = [](int around, NormalRule rule) {
     const Mesh mesh = sphere(around, around / 2);

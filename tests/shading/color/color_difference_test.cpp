@@ -16,7 +16,7 @@ struct Pair {
   double difference;
 };
 
-// Table 1 of Sharma, Wu, Dalal 2005: each row tells a mistake that programs make.
+// Table 1 of Sharma, Wu, Dalal 2005: each row uncovers a mistake that programs make.
 constexpr Pair kPublished[] = {
     {{50.0000, 2.6772, -79.7751}, {50.0000, 0.0000, -82.7485}, 2.0425},
     {{50.0000, 3.1571, -77.2803}, {50.0000, 0.0000, -82.7485}, 2.8615},
@@ -63,7 +63,7 @@ RgbImage filled(int width, int height, std::uint8_t r, std::uint8_t g, std::uint
 
 }  // namespace
 
-// The 34 published pairs to their last decimal, and in either order.
+// The 34 published pairs come out right to their last decimal, in either order.
 TEST(ColorDifference, AsPublished) {
   static_assert(std::size(kPublished) == 34);
   for (const Pair& pair : kPublished) {
@@ -72,7 +72,8 @@ TEST(ColorDifference, AsPublished) {
   }
 }
 
-// The corners of the sRGB cube in CIELAB, to the two decimals that tables print; white and grays are neutral.
+// The corners of the sRGB cube have the CIELAB values that tables print, to two decimals. White and grays are
+// neutral.
 TEST(ColorDifference, LabOfTheCubesCorners) {
   const auto expectLab = [](Rgb16 color, double L, double a, double b) {
     const Lab lab = labFromSrgb(color);
@@ -93,7 +94,7 @@ TEST(ColorDifference, LabOfTheCubesCorners) {
   expectLab({0, 0, 0}, 0, 0, 0);
 }
 
-// 8 bits are the 16-bit colour that repeats them.
+// An 8-bit colour equals the 16-bit colour that repeats its bits.
 TEST(ColorDifference, EightBitsAreTheSixteenThatRepeatThem) {
   const std::uint8_t rgb[3] = {200, 3, 77};
   const Lab narrow = labFromSrgb(rgb), wide = labFromSrgb(Rgb16{200 * 257, 3 * 257, 77 * 257});
@@ -102,7 +103,7 @@ TEST(ColorDifference, EightBitsAreTheSixteenThatRepeatThem) {
   EXPECT_EQ(narrow.b, wide.b);
 }
 
-// Zero for equal colours and for those alone, black to white 100, and the same in either order.
+// The difference is zero for equal colours only, 100 from black to white, and the same in either order.
 TEST(ColorDifference, IsZeroForEqualsAndSymmetric) {
   std::mt19937 rng{2005};
   const auto random = [&] {
@@ -118,8 +119,8 @@ TEST(ColorDifference, IsZeroForEqualsAndSymmetric) {
   EXPECT_NEAR(ciede2000(labFromSrgb(Rgb16{}), labFromSrgb(Rgb16{65535, 65535, 65535})), 100, 1e-9);
 }
 
-// Opposite hues are not beyond half a turn, however their angles round: the difference is the limit of turns
-// a little smaller, while a little larger ones take the mean hue on the other side.
+// Opposite hues count as half a turn apart, however their angles are rounded. Their difference is the limit
+// of that for turns a little smaller. For turns a little larger the mean hue is on the other side.
 TEST(ColorDifference, OppositeHuesTakeTheMeanBetweenThem) {
   int jumps = 0;
   for (int k = 1; k < 1000; ++k) {
@@ -133,7 +134,8 @@ TEST(ColorDifference, OppositeHuesTakeTheMeanBetweenThem) {
   EXPECT_GT(jumps, 900);
 }
 
-// Mean and largest over the pixels that count, those only: one of eight differs, and is left out or not.
+// The mean and the largest difference are over the pixels that count, and no others. One of eight pixels
+// differs, and is counted or left out.
 TEST(ColorDifference, OfPictures) {
   const RgbImage p = filled(4, 2, 10, 200, 30);
   RgbImage q = p;
@@ -158,11 +160,11 @@ TEST(ColorDifference, OfPictures) {
   EXPECT_EQ(imageDifference(p, q, counts).largest, 0);
 }
 
-// A picture of random pairs: the running comparison is the sum of its pixels' own.
+// The comparison of two pictures is the sum over their pixels. The test uses random pairs.
 TEST(ColorDifference, OfPicturesIsTheSumOfItsPixels) {
   std::mt19937 rng{34};
   RgbImage p{31, 17}, q{31, 17};
-  // Few values, so that neighbours are often alike in one picture and not in the other.
+  // There are few values, so that neighbours are often equal in one picture and not in the other.
   for (std::uint8_t& v : p.rgb) v = static_cast<std::uint8_t>(rng() % 2 * 200);
   for (std::uint8_t& v : q.rgb) v = static_cast<std::uint8_t>(rng() % 2 * 200);
   double sum = 0, largest = 0;

@@ -16,7 +16,7 @@ TEST(ColorTable, CorrectedRatioAsInTheBook) {
   EXPECT_EQ(t.level(239), 1.0);
 }
 
-// Stored at 8 bits only 144 of the 240 corrected levels are distinct, at 16 bits all are.
+// Only 144 of the 240 corrected levels are distinct when stored at 8 bits; all are at 16 bits.
 TEST(ColorTable, EightBitsKeep144CorrectedLevels) {
   for (const int bits : {8, 16}) {
     const ColorTable t{{.kind = TableKind::Corrected, .bits = bits}};
@@ -36,14 +36,15 @@ TEST(ColorTable, TheBriefsCells) {
   }
 }
 
-// color(I) = round(first + 239 I), and half way between two the brighter; what lies outside clamps.
+// color(I) = round(first + 239 I). Half way between two shades it is the brighter one. Intensities outside
+// 0..1 are clamped.
 TEST(ColorTable, LinearPicksTheNearest) {
   const ColorTable brief{{.kind = TableKind::Brief}}, linear{{.kind = TableKind::Linear}};
   for (int k = 0; k <= 100'000; ++k) {
     const double I = k / 100'000.0;
     const double exact = 239 * I;
     if (std::abs(exact - std::floor(exact) - 0.5) < 1e-9)
-      continue;  // the rounded product may lie on either side
+      continue;  // the rounded product may be on either side
     ASSERT_EQ(brief.cell(I), std::lround(10 + 239 * I)) << I;
     ASSERT_EQ(linear.cell(I), std::lround(11 + 239 * I)) << I;
   }
@@ -79,8 +80,8 @@ TEST(ColorTable, CorrectedPicksTheNearest) {
   EXPECT_NEAR(differ / double{kSteps}, 0.002, 0.0005);
 }
 
-// From 2 to 240 shades and I0 from 1e-6 to 0.5: levels ascend to 1, each is its own pick, and intensities
-// below I0, at 1 and above give the end shades.
+// Levels ascend to 1, and each level picks its own shade. Intensities below I0, at 1 and above give the end
+// shades. This holds for 2 to 240 shades and I0 from 1e-6 to 0.5.
 TEST(ColorTable, EveryShadeCountAndLowestIntensity) {
   for (const double I0 : {1e-6, 1e-3, 0.02, 0.1, 0.5})
     for (int N = 2; N <= 240; ++N)
@@ -98,9 +99,9 @@ TEST(ColorTable, EveryShadeCountAndLowestIntensity) {
       }
 }
 
-// A ramp of part of the intensities, anywhere in the map: its ends are the part's, levels ascend between
-// them, each intensity of the part is within half a step of what picks its shade, and what lies outside
-// clamps.
+// A ramp may cover part of the intensities, anywhere in the map. Its ends are those of the part, and levels
+// ascend between them. Each intensity of the part is within half a step of its shade's, and intensities
+// outside are clamped.
 TEST(ColorTable, PartOfTheIntensities) {
   for (const TableKind kind : {TableKind::Brief, TableKind::Linear, TableKind::Corrected})
     for (const auto& [low, high] : {std::pair{0.25, 0.75}, std::pair{0.0, 0.5}, std::pair{0.9, 1.0}})

@@ -8,7 +8,7 @@ namespace xnewell {
 
 namespace {
 
-/// `colors` different ones, in no order.
+/// A picture with this number of different colours, in random order.
 RgbImage pictureOf(int colors, int width, int height) {
   std::mt19937 rng{static_cast<unsigned>(colors)};
   RgbImage picture{width, height};
@@ -23,7 +23,8 @@ RgbImage pictureOf(int colors, int width, int height) {
 
 }  // namespace
 
-// Up to 256 colours come back pixel by pixel, in ascending cells; one more and there are no cells for them.
+// A picture of up to 256 colours comes back pixel for pixel, in ascending cells. With one colour more there
+// are no cells for it.
 TEST(FewColors, AreAllKept) {
   for (const int colors : {1, 2, 100, 256}) {
     SCOPED_TRACE(colors);

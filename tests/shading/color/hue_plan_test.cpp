@@ -35,7 +35,7 @@ std::vector<HueNeed> randomNeeds(std::mt19937& rng, int count) {
 
 }  // namespace
 
-// One hue of all intensities has the table as it always was.
+// A single hue with all intensities has the whole table.
 TEST(HuePlan, OneHueHasTheWholeTable) {
   for (const TableRow& row : kTables) {
     const TableSettings settings{.kind = row.id};
@@ -50,8 +50,8 @@ TEST(HuePlan, OneHueHasTheWholeTable) {
   }
 }
 
-// Ramps lie one after the other within the table's cells, each of two shades or more, and keep what else the
-// table says; from one hue to 120.
+// Ramps lie one after the other within the table's cells, each of two shades or more, for one hue to 120.
+// They keep the other settings of the table.
 TEST(HuePlan, RampsShareTheCells) {
   for (const TableRow& row : kTables)
     for (const int count : {1, 2, 7, 60, 119, 120}) {
@@ -73,7 +73,7 @@ TEST(HuePlan, RampsShareTheCells) {
     }
 }
 
-// No other division has a smaller sum of steps: all are tried where there are few.
+// No other division has a smaller sum of steps. The test tries all divisions where there are few.
 TEST(HuePlan, NoDivisionIsBetter) {
   int divided = 0;
   for (unsigned seed = 0; seed < 600; ++seed) {
@@ -103,7 +103,7 @@ TEST(HuePlan, NoDivisionIsBetter) {
   EXPECT_GT(divided, 10'000);
 }
 
-// No shade is given that lowers nothing: one fewer of any hue makes the sum larger.
+// Every shade is of use: one shade fewer of any hue makes the sum larger.
 TEST(HuePlan, EveryShadeIsNeeded) {
   int spare = 0, more = 0;
   for (unsigned seed = 0; seed < 200; ++seed) {
@@ -127,7 +127,8 @@ TEST(HuePlan, EveryShadeIsNeeded) {
   EXPECT_GT(more, 300);
 }
 
-// The step that counts is that of the ramp's table: of its levels' intensities, or of their ratio.
+// The step that counts is that of the ramp's table: the difference of its levels' intensities, or their
+// ratio.
 TEST(HuePlan, TheStepIsTheTables) {
   for (const TableRow& row : kTables)
     for (const auto& [low, high] : {std::pair{0.0, 1.0}, std::pair{0.3, 0.8}, std::pair{0.01, 0.5}})
@@ -141,8 +142,8 @@ TEST(HuePlan, TheStepIsTheTables) {
       }
 }
 
-// Equal needs share equally, what does not divide going to the first; four times the samples make half the
-// step.
+// Hues with equal needs get equal shares, and the first ones get what is left over. Four times the samples
+// halve the step.
 TEST(HuePlan, NeedDecides) {
   const TableSettings settings{};
   EXPECT_EQ(shadesOf(planHues(std::vector<HueNeed>(7, {.samples = 1000}), settings)),
@@ -159,7 +160,7 @@ TEST(HuePlan, NeedDecides) {
   EXPECT_EQ(planHues({&tenth, 1}, settings)[0].shades, 27);
 }
 
-// The order in which the hues come moves their cells and nothing else, but for ties.
+// The order of the hues only moves their cells, except for ties.
 TEST(HuePlan, OrderMovesCellsOnly) {
   for (unsigned seed = 0; seed < 100; ++seed) {
     SCOPED_TRACE(seed);

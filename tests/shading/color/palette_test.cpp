@@ -16,7 +16,7 @@ std::set<int> cellsOf(const CellPlan& plan) {
 
 }  // namespace
 
-// The usual places, and well text at 250 while `brief` uses 10..249.
+// The tool's cells are at their usual places, and the well's text is at 250 while `brief` uses 10..249.
 TEST(CellPlan, UsualPlaces) {
   const CellPlan linear{TableKind::Linear};
   EXPECT_EQ(linear[Cell::Black], 0);
@@ -27,7 +27,7 @@ TEST(CellPlan, UsualPlaces) {
   EXPECT_EQ(CellPlan{TableKind::Brief}[Cell::WellText], 250);
 }
 
-// If black is 1 and white 0, all else stays.
+// If black is 1 and white is 0, all other cells stay.
 TEST(CellPlan, SwappedBlackAndWhite) {
   const CellPlan usual{TableKind::Corrected}, swapped{TableKind::Corrected, 1, 0};
   EXPECT_EQ(swapped[Cell::Black], 1);
@@ -35,8 +35,8 @@ TEST(CellPlan, SwappedBlackAndWhite) {
   for (int c = 2; c < kCells; ++c) EXPECT_EQ(swapped[static_cast<Cell>(c)], usual[static_cast<Cell>(c)]);
 }
 
-// Wherever the server's black and white are, sixteen different cells are found outside the ramp, and
-// black and white keep the server's pixels unless those lie within it.
+// Sixteen different cells are found outside the ramp, wherever the server's black and white are. Black and
+// white keep the server's pixels unless these lie within the ramp.
 TEST(CellPlan, MovesAsideForTheServersPixels) {
   for (const TableRow& table : kTables)
     for (int black = 0; black < 256; ++black)
@@ -55,7 +55,7 @@ TEST(CellPlan, MovesAsideForTheServersPixels) {
       }
 }
 
-// Cells that fewer shades leave free hold what they are told to: the default map's colours.
+// Cells that fewer shades leave free hold the colours that they are given, those of the default map.
 TEST(Palette, UnneededCellsKeepTheirColours) {
   Palette defaults;
   for (int i = 0; i < 256; ++i) defaults[i] = {static_cast<std::uint16_t>(257 * i), 1, 2};

@@ -16,7 +16,7 @@ namespace xnewell {
 
 namespace {
 
-/// Noise, where every filter and every code length of zlib is met.
+/// Noise, which uses every filter and every code length of zlib.
 IndexImage noise(int width, int height, unsigned seed) {
   std::mt19937 rng{seed};
   IndexImage image{width, height, 0};
@@ -31,7 +31,7 @@ std::string contents(const std::string& file) {
 
 }  // namespace
 
-// Every pixel comes back as its cell's 16-bit colour >> 8, at the smallest and at odd sizes too.
+// Every pixel comes back as its cell's 16-bit colour >> 8, also at the smallest size and at odd sizes.
 TEST(Png, PaletteRoundTrip) {
   const TemporaryFolder folder;
   const Palette palette = scattered(1975);
@@ -52,8 +52,8 @@ TEST(Png, PaletteRoundTrip) {
   EXPECT_EQ(folder.entries(), 1);
 }
 
-// The file's header says 8 bits a pixel with a palette, and all 256 colours are there, used or not: the
-// palette of the file is the colormap.
+// The palette of the file is the colormap. The header says 8 bits a pixel with a palette, and all 256 colours
+// are there, used or not.
 TEST(Png, KeepsTheWholeColormap) {
   const TemporaryFolder folder;
   const Palette palette = scattered(1);
@@ -78,7 +78,7 @@ TEST(Png, RgbRoundTrip) {
   EXPECT_EQ(readPng(folder.file("a.png")), image);
 }
 
-// The same pixels give the same bytes: no time, no counter.
+// The same pixels give the same bytes: the file holds no time and no counter.
 TEST(Png, SamePixelsSameBytes) {
   const TemporaryFolder folder;
   const IndexImage image = noise(50, 40, 4);
@@ -88,7 +88,8 @@ TEST(Png, SamePixelsSameBytes) {
   EXPECT_EQ(contents(folder.file("a.png")).find("tIME"), std::string::npos);
 }
 
-// A file that cannot be opened is the system's failure, one that is no PNG or ends early the file's.
+// A file that cannot be opened is an error of the system. A file that is no PNG or ends early is an error of
+// the file.
 TEST(Png, ReadingSaysWhoIsWrong) {
   const TemporaryFolder folder;
   const std::string file = folder.file("a.png");
@@ -112,7 +113,7 @@ TEST(Png, ReadingSaysWhoIsWrong) {
   }
 }
 
-// A write that fails says so in the system's words.
+// A failed write is reported in the system's words.
 TEST(Png, FailsAsTheFileDoes) {
   try {
     writePng("/dev/full", IndexImage{8, 8, 1}, scattered(6));

@@ -11,32 +11,13 @@
 
 #include "shading/color/color_difference.h"
 #include "shading/color/nearest_color.h"
-#include "tests/support/colored_picture.h"
+#include "tests/support/quantized.h"
 
 namespace xnewell {
 
+// Colours chosen for a picture. The fixed cube: color_cube_test.cpp.
+
 namespace {
-
-constexpr std::array<int, 3> kLevels{6, 8, 5};
-
-/// Level k of n, as the header has it.
-int levelOf(int k, int n) { return (2 * 255 * k + n - 1) / (2 * (n - 1)); }
-
-int squaredDistance(glm::u8vec3 p, glm::u8vec3 q) {
-  int sum = 0;
-  for (int axis = 0; axis < 3; ++axis) sum += (p[axis] - q[axis]) * (p[axis] - q[axis]);
-  return sum;
-}
-
-RgbImage pictureOf(const std::vector<glm::u8vec3>& colors, int width) {
-  RgbImage image{width, static_cast<int>(colors.size()) / width};
-  for (std::size_t k = 0; k < image.rgb.size(); ++k) image.rgb[k] = colors[k / 3][int(k % 3)];
-  return image;
-}
-
-glm::u8vec3 randomColor(std::mt19937& rng) {
-  return {std::uint8_t(rng()), std::uint8_t(rng()), std::uint8_t(rng())};
-}
 
 std::vector<glm::u8vec3> differentColors(std::mt19937& rng, std::size_t count) {
   std::vector<glm::u8vec3> colors;
@@ -46,7 +27,7 @@ std::vector<glm::u8vec3> differentColors(std::mt19937& rng, std::size_t count) {
   return colors;
 }
 
-/// From one colour at the left to another at the right, a third mixed in downward.
+/// A gradient from one colour at the left to another at the right, with a third mixed in downward.
 RgbImage gradient(glm::dvec3 left, glm::dvec3 right, glm::dvec3 down, int width, int height) {
   RgbImage image{width, height};
   for (int j = 0; j < height; ++j)
@@ -69,103 +50,10 @@ const std::vector<RgbImage>& gradients() {
   return all;
 }
 
-struct Result {
-  std::vector<Rgb16> colors;
-  IndexImage cells;
-  RgbImage image;
-};
-Result resultOf(const RgbImage& picture, const QuantizeSettings& settings, Shows shows = {}) {
-  Result result{{}, IndexImage{picture.width, picture.height, 0}, {}};
-  result.colors = quantize(picture, shows, settings, result.cells);
-  result.image = shown(result.cells, result.colors, settings.first);
-  return result;
-}
-
 }  // namespace
 
-// The ranks are each of 0..63 once; the first rows as printed.
-TEST(Quantize, BayerRanks) {
-  std::set<int> ranks;
-  for (int place = 0; place < 64; ++place) ranks.insert(bayerRank(place % 8, place / 8));
-  EXPECT_EQ(ranks.size(), 64u);
-  EXPECT_EQ(*ranks.begin(), 0);
-  EXPECT_EQ(*ranks.rbegin(), 63);
-  const int rows[2][8] = {{0, 32, 8, 40, 2, 34, 10, 42}, {48, 16, 56, 24, 50, 18, 58, 26}};
-  for (int j = 0; j < 2; ++j)
-    for (int i = 0; i < 8; ++i) {
-      EXPECT_EQ(bayerRank(i, j), rows[j][i]);
-      EXPECT_EQ(bayerRank(i + 8, j + 16), rows[j][i]);
-    }
-}
-
-// The 240 colours of the cube are different, its ends the ends of every channel.
-TEST(Quantize, TheCubeHas240Colours) {
-  const std::vector<glm::u8vec3> cube = cubeColors();
-  ASSERT_EQ(cube.size(), 240u);
-  EXPECT_EQ(cube.front(), glm::u8vec3(0, 0, 0));
-  EXPECT_EQ(cube.back(), glm::u8vec3(255, 255, 255));
-  for (std::size_t k = 0; k < cube.size(); ++k)
-    for (std::size_t l = 0; l < k; ++l) ASSERT_NE(cube[k], cube[l]);
-}
-
-// Every value of every channel goes to the nearest level: at most half a step away, and no colour of the 240
-// is nearer than the one taken.
-TEST(Quantize, TheCubeTakesTheNearestLevel) {
-  std::mt19937 rng{13};
-  std::vector<glm::u8vec3> colors;
-  for (int v = 0; v < 256; ++v) {
-    const auto value = [](int w) { return static_cast<std::uint8_t>(w); };
-    colors.push_back({value(v), value(255 - v), value(v * 7)});
-    colors.push_back({value(v * 5), value(v), value(255 - v)});
-  }
-  for (int k = 0; k < 1024; ++k) colors.push_back(randomColor(rng));
-  const Result result = resultOf(pictureOf(colors, 64), {.quantizer = Quantizer::Cube});
-  const std::vector<glm::u8vec3> cube = cubeColors();
-  for (std::size_t k = 0; k < colors.size(); ++k) {
-    const glm::u8vec3 taken = cube[result.cells.pixels[k] - 11];
-    for (int axis = 0; axis < 3; ++axis) {
-      const int largestStep = (255 + kLevels[axis] - 2) / (kLevels[axis] - 1);
-      ASSERT_LE(2 * std::abs(taken[axis] - colors[k][axis]), largestStep);
-    }
-    int least = 1 << 20;
-    for (const glm::u8vec3 c : cube) least = std::min(least, squaredDistance(c, colors[k]));
-    ASSERT_EQ(squaredDistance(taken, colors[k]), least);
-  }
-}
-
-// A constant colour dithered with the cube: over any 8 x 8 block the average of each channel is within a
-// sixty-fourth of the step it lies in, a hundred-and-twenty-eighth indeed; counted exactly, for all values.
-TEST(Quantize, ADitheredCubeKeepsTheAverage) {
-  int between = 0;
-  for (int v = 0; v < 256; ++v) {
-    const std::array<int, 3> value{v, 255 - v, v * 3 % 256};
-    RgbImage picture{21, 19};
-    for (std::size_t k = 0; k < picture.rgb.size(); ++k) picture.rgb[k] = std::uint8_t(value[k % 3]);
-    const Result result = resultOf(picture, {.quantizer = Quantizer::Cube, .dither = true});
-    for (const auto& [left, top] : {std::pair{0, 0}, std::pair{5, 3}, std::pair{13, 11}})
-      for (int axis = 0; axis < 3; ++axis) {
-        int sum = 0;
-        for (int place = 0; place < 64; ++place)
-          sum += result.image.pixel(left + place % 8, top + place / 8)[axis];
-        int k = 0;
-        while (k + 2 < kLevels[axis] && levelOf(k + 1, kLevels[axis]) <= value[axis]) ++k;
-        const int step = levelOf(k + 1, kLevels[axis]) - levelOf(k, kLevels[axis]);
-        ASSERT_LE(2 * std::abs(sum - 64 * value[axis]), step) << v << ' ' << axis;
-        between += sum % 64 != 0;
-      }
-  }
-  EXPECT_GT(between, 1000);
-}
-
-// Colours of the cube stay themselves, dithered or not.
-TEST(Quantize, TheCubesOwnColoursStay) {
-  const RgbImage picture = pictureOf(cubeColors(), 16);
-  for (const bool dither : {false, true})
-    EXPECT_EQ(resultOf(picture, {.quantizer = Quantizer::Cube, .dither = dither}).image, picture);
-}
-
-// What shows nothing keeps its cell and its colour counts for nothing; what shows gets one of the scene's
-// cells.
+// A pixel that shows nothing keeps its cell, and its colour does not count. A pixel that shows something gets
+// one of the scene's cells.
 TEST(Quantize, LeavesOtherPixelsAlone) {
   std::mt19937 rng{240};
   int left = 0;
@@ -195,7 +83,7 @@ TEST(Quantize, LeavesOtherPixelsAlone) {
   EXPECT_GT(left, 12 * 1000);
 }
 
-// Nothing to show chooses no colour; one colour is itself; neither fails.
+// A picture that shows nothing chooses no colour, and a picture of one colour chooses that one.
 TEST(Quantize, NothingAndOneColour) {
   const ColoredPicture picture = coloredBalls(30, 20);
   const std::vector<std::uint8_t> nothing(600, 0);
@@ -211,8 +99,8 @@ TEST(Quantize, NothingAndOneColour) {
     }
 }
 
-// A picture of no more colours than cells is shown exactly, however often each occurs, dithered or not; with
-// one colour more it is not.
+// A picture with no more colours than cells is shown exactly, however often each colour occurs, dithered or
+// not. With one colour more it is not.
 TEST(Quantize, FewColoursAreExact) {
   std::mt19937 rng{1982};
   for (const std::size_t count : {1, 2, 3, 17, 100, 239, 240, 241}) {
@@ -228,7 +116,7 @@ TEST(Quantize, FewColoursAreExact) {
   }
 }
 
-// Neighbouring values too: 240 of the 256 reds, which a histogram of 32 levels would merge.
+// Neighbouring values are shown exactly too: 240 of the 256 reds, which a histogram of 32 levels would merge.
 TEST(Quantize, AlmostEqualColoursAreExact) {
   std::vector<glm::u8vec3> reds;
   for (int v = 0; v < 240; ++v) reds.push_back({std::uint8_t(v), 0, 0});
@@ -236,7 +124,8 @@ TEST(Quantize, AlmostEqualColoursAreExact) {
   EXPECT_EQ(resultOf(picture, {}).image, picture);
 }
 
-// Only how often a colour occurs counts: shuffled, mirrored and doubled pictures choose the same palette.
+// The palette depends only on how often each colour occurs: shuffled, mirrored and doubled pictures choose
+// the same one.
 TEST(Quantize, TheChoiceForgetsPlaces) {
   std::mt19937 rng{1991};
   for (const int colors : {2, 16, 240}) {
@@ -255,8 +144,8 @@ TEST(Quantize, TheChoiceForgetsPlaces) {
   }
 }
 
-// Pixels take their cells along: quantizing a picture turned by half is turning the quantized picture, and
-// dithering repeats every 8 pixels, whatever surrounds.
+// Each pixel's cell depends only on the pixel: a picture turned by half a turn gives the turned result.
+// Dithering repeats every 8 pixels, whatever surrounds them.
 TEST(Quantize, PixelsTakeTheirCellsAlong) {
   const ColoredPicture balls = coloredBalls(64, 48);
   RgbImage turned{64, 48};
@@ -279,7 +168,7 @@ TEST(Quantize, PixelsTakeTheirCellsAlong) {
   }
 }
 
-// The palette is ascending in luminance and without repetition.
+// The palette ascends in luminance and has no colour twice.
 TEST(Quantize, ThePaletteAscends) {
   const ColoredPicture balls = coloredBalls(200, 150);
   const std::vector<glm::u8vec3> colors = choosePalette(balls.rgb, balls.shows, 240);
@@ -291,7 +180,8 @@ TEST(Quantize, ThePaletteAscends) {
   }
 }
 
-// Two colours for a handful: the cut taken leaves the least squared error of all cuts across an axis.
+// When two colours stand for a handful, the chosen cut has the least squared error of all cuts across an
+// axis.
 TEST(Quantize, TwoColoursAreCutBest) {
   for (unsigned seed = 0; seed < 500; ++seed) {
     SCOPED_TRACE(seed);
@@ -325,13 +215,14 @@ TEST(Quantize, TwoColoursAreCutBest) {
   }
 }
 
-// Whatever the palette, the search takes the nearest of all, of several the last.
+// The search finds the nearest colour of any palette, and of several nearest ones the last.
 TEST(Quantize, NearestIsExact) {
   int ties = 0;
   for (unsigned seed = 0; seed < 60; ++seed) {
     SCOPED_TRACE(seed);
     std::mt19937 rng{seed};
-    // Every third palette has few values a channel, so that many colours are equally near two of it.
+    // Every third palette has few values in each channel, so that many colours are equally near to two of its
+    // colours.
     std::vector<glm::u8vec3> palette = differentColors(rng, 1 + rng() % 240);
     if (seed % 3 == 0)
       for (glm::u8vec3& c : palette) c &= std::uint8_t(0xE0);
@@ -351,8 +242,8 @@ TEST(Quantize, NearestIsExact) {
   EXPECT_GT(ties, 1000);
 }
 
-// On gradients the chosen palette lies nearer to the picture than the cube, by mean CIEDE2000, and more
-// colours lie nearer than fewer.
+// On gradients the chosen palette is nearer to the picture than the cube is, by mean CIEDE2000. More colours
+// are nearer than fewer.
 TEST(Quantize, ChosenBeatsTheCubeOnGradients) {
   for (const RgbImage& picture : gradients()) {
     const auto mean = [&](const QuantizeSettings& settings) {
@@ -365,8 +256,9 @@ TEST(Quantize, ChosenBeatsTheCubeOnGradients) {
   }
 }
 
-// A constant colour dithered with any palette: a block holds its nearest colour and at most one more, and its
-// mean is no further from the colour than the nearest is. The nearest has at least half the block.
+// If a constant colour is dithered with any palette, a block holds the nearest colour and at most one more.
+// The nearest has at least half the block. The block's mean is no farther from the colour than the nearest
+// is.
 TEST(Quantize, ADitheredPaletteComesNearerInTheMean) {
   int nearer = 0, plain = 0;
   for (unsigned seed = 0; seed < 2000; ++seed) {
@@ -397,8 +289,8 @@ TEST(Quantize, ADitheredPaletteComesNearerInTheMean) {
   EXPECT_GE(plain, 200);
 }
 
-// Dithering pays where it is meant to, where colours change slowly: the means of 8 x 8 blocks come nearer to
-// the picture's, with the cube and with palettes of few and of many colours.
+// Dithering brings the means of 8 x 8 blocks nearer to the picture's where colours change slowly. This holds
+// for the cube and for palettes of few and of many colours.
 TEST(Quantize, DitheringKeepsTheMeansOfBlocks) {
   std::vector<RgbImage> pictures = gradients();
   pictures.push_back(coloredBalls(640, 480).rgb);
@@ -414,9 +306,9 @@ TEST(Quantize, DitheringKeepsTheMeansOfBlocks) {
     }
 }
 
-// The most colours there can be: all 2^24, each once. Every cell is used. Halving what gains most makes 128
-// boxes of 64 x 64 x 32, then parts those: no colour is further from its cell than from such a box's mean to
-// its corner.
+// Every cell is used for a picture of all 2^24 colours, each once. Halving the box that gains most makes 128
+// boxes of 64 x 64 x 32 and then divides those. So no colour is farther from its cell than the corner of such
+// a box is from its mean.
 TEST(Quantize, AllColours) {
   RgbImage picture{4096, 4096};
   for (std::size_t k = 0; k < picture.rgb.size() / 3; ++k) {

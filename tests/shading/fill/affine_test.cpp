@@ -19,7 +19,7 @@ namespace {
 using Triangle = std::array<glm::ivec3, 3>;
 using Values = std::array<double, 3>;
 
-/// Exact planes: values are multiples of 2^-40, so all below is in integers of less than 2^112.
+/// Exact planes. Values are multiples of 2^-40, so all numbers below are integers of less than 2^112.
 struct ExactPlane {
   glm::ivec3 origin;
   Int128 atOrigin, D, alongX, alongY;  ///< alongX / D a grid step
@@ -36,7 +36,7 @@ struct ExactPlane {
     const Int128 y = std::int64_t{j} * kGrid + kGrid / 2 - origin.y;
     return approximately((value - atOrigin) * D - alongX * x - alongY * y) / approximately(D);
   }
-  /// The larger of the two gradients, a pixel.
+  /// The larger of the two gradients, for each pixel.
   [[nodiscard]] double gradient() const {
     return std::max(std::abs(approximately(alongX)), std::abs(approximately(alongY))) /
            std::abs(approximately(D)) * kGrid;
@@ -105,7 +105,7 @@ class RandomCase {
   Kind kind_;
 };
 
-/// Samples of a triangle in the largest picture: the ends and the middle of rows here and there.
+/// Samples of a triangle in the largest picture: the ends and the middle of some rows.
 template <class Visit>
 void forSomeSamples(RandomCase& random, const Triangle& p, Visit&& visit) {
   const auto [top, bottom] = std::minmax({p[0].y, p[1].y, p[2].y});
@@ -123,8 +123,8 @@ void forSomeSamples(RandomCase& random, const Triangle& p, Visit&& visit) {
 
 }  // namespace
 
-// At every sample that a triangle owns, and modulo nothing: the plane of the value strays from the exact one
-// by no more than affine.h says.
+// At every sample of a triangle, the plane of the value differs from the exact one by no more than affine.h
+// says.
 TEST(Affine, StaysWithinItsBoundOfTheExactPlane) {
   int samples = 0, steep = 0;
   double worst = 0;  // share of the bound
@@ -161,8 +161,8 @@ TEST(Affine, StaysWithinItsBoundOfTheExactPlane) {
   EXPECT_GT(worst, 0.8);  // the bound says something
 }
 
-// What a filler does, one addition a pixel and one a row, gives the value by its definition: over the widest
-// row and the tallest column, with gradients of all sizes.
+// One addition for each pixel and one for each row, as a filler does, give the value by its definition. The
+// test uses the widest row and the tallest column, with gradients of all sizes.
 TEST(Affine, StepsAreExact) {
   std::mt19937 rng{1971};
   for (int k = 0; k < 200; ++k) {
@@ -175,7 +175,7 @@ TEST(Affine, StepsAreExact) {
   }
 }
 
-// A face's value is that of its vertices where those are pixel centres, and half way between them the mean.
+// At vertices that are pixel centres, a face has the vertices' values, and half way between them the mean.
 TEST(Affine, PassesThroughTheVertices) {
   const auto centre = [](int i, int j) {
     return glm::ivec3{i * kGrid + kGrid / 2, j * kGrid + kGrid / 2, 0};
@@ -188,7 +188,7 @@ TEST(Affine, PassesThroughTheVertices) {
   EXPECT_EQ(value.at(42, 42), 80u << 24);
 }
 
-// Without an area there is no plane: the mean.
+// A face without area has no plane; it has the mean of its values.
 TEST(Affine, IsFlatWithoutAnArea) {
   const Triangle line{glm::ivec3{0, 0, 0}, {kGrid, kGrid, 0}, {3 * kGrid, 3 * kGrid, 0}};
   EXPECT_EQ(affineOver(line.data(), {1, 2, 6}), (AffineValue{3u << 24, 0, 0}));

@@ -18,7 +18,7 @@ namespace {
 
 using Triangle = std::array<glm::ivec3, 3>;
 
-/// The sample rule by its definition; samples and vertices less than 2^14 pixels apart.
+/// The sample rule by its definition. Samples and vertices are less than 2^14 pixels apart.
 bool owns(const Triangle& p, int i, int j) {
   for (int k = 0; k < 3; ++k) {
     const glm::ivec3 &a = p[k], &b = p[(k + 1) % 3];
@@ -66,7 +66,7 @@ class Triangles {
   std::mt19937 rng_;
 };
 
-/// Tables of no pattern: a wrong index is a wrong cell.
+/// Tables without a pattern, so that a wrong index gives a wrong cell.
 std::vector<std::uint8_t> randomTable(unsigned seed) {
   std::mt19937 rng{seed};
   std::vector<std::uint8_t> table(65'536);
@@ -162,9 +162,9 @@ TEST(Fill, EnvironmentMapIsLookedUpByColumnAndRow) {
   });
 }
 
-// A map's marked samples are counted in triangles that meet the box of the marks, and only there: as many as
-// a plain loop finds, whatever box, also where values at the vertices lie on its edge and those between them,
-// rounded, a step beyond.
+// A map's marked samples are counted only in triangles that meet the box of the marks, and yet as many are
+// found as by a plain loop. This holds for any box, also if values at the vertices lie on its edge and values
+// between them, rounded, lie one step beyond.
 TEST(Fill, CountsInTheBoxOfTheMarksWhatAllSamplesHave) {
   constexpr std::uint8_t kMark = 0, kFull = 200;
   std::vector<std::uint8_t> unmarked = randomTable(4);
@@ -229,7 +229,7 @@ TEST(Fill, CountsInTheBoxOfTheMarksWhatAllSamplesHave) {
   EXPECT_GT(onTheEdge, 0);
 }
 
-// Where the third value is below 128 the sample faces away.
+// A sample faces away where the third value is below 128.
 TEST(Fill, WhatFacesAwayIsDark) {
   const std::vector<std::uint8_t> map = randomTable(3);
   expectShader([&](Triangles& random, const Triangle& p) {
@@ -243,7 +243,8 @@ TEST(Fill, WhatFacesAwayIsDark) {
   });
 }
 
-// The turn is exact, also where the value is 128 at a sample, whether it rises or falls, slow or fast.
+// The change of side is exact, also if the value is 128 at a sample, and whether it rises or falls, slowly or
+// fast.
 TEST(Fill, FacesFromExactly128On) {
   constexpr int kColumns = 40;
   constexpr std::uint32_t kTurn = 1u << 31;

@@ -53,7 +53,8 @@ std::vector<glm::ivec3> counterClockwise(std::vector<glm::ivec3> p) {
 
 }  // namespace
 
-// A square whose corners are pixel centres: left and top edges are in, right and bottom ones out.
+// If the corners of a square are pixel centres, its left and top edges are in, and its right and bottom edges
+// are out.
 TEST(Scanline, TopLeftRule) {
   const int c = kGrid / 2;
   const std::vector<glm::ivec3> square = counterClockwise({{kGrid + c, kGrid + c, 0},
@@ -65,8 +66,8 @@ TEST(Scanline, TopLeftRule) {
   EXPECT_EQ(spans, (std::vector<std::array<int, 3>>{{1, 1, 3}, {2, 1, 3}}));
 }
 
-// Every sample of random triangles is decided as the edge functions in 128 bits decide it: vertices
-// anywhere, on pixel centres and corners, needles, within and far outside the picture.
+// Every sample of random triangles is decided as the edge functions in 128 bits decide it. Vertices lie
+// anywhere, on pixel centres and on corners, within and far outside the picture; some triangles are needles.
 TEST(Scanline, OwnsExactlyTheSamplesOfTheRule) {
   checked = 0;
   for (unsigned seed = 0; seed < 4000; ++seed) {
@@ -87,8 +88,9 @@ TEST(Scanline, OwnsExactlyTheSamplesOfTheRule) {
   EXPECT_GT(checked, 100'000);  // the samples were really there
 }
 
-// The same for triangles small enough to be filled block by block: inside, across every border and corner
-// of the picture and beyond, on and off the lattice of ties, and in pictures smaller than a block.
+// Small triangles, which are filled block by block, have the same samples by either rule: inside the picture,
+// across every border and corner and beyond, on and off the lattice of ties, and in pictures smaller than a
+// block.
 TEST(Scanline, SmallTrianglesOwnTheSamplesOfTheRule) {
   checked = 0;
   for (unsigned seed = 0; seed < 20'000; ++seed) {
@@ -108,7 +110,7 @@ TEST(Scanline, SmallTrianglesOwnTheSamplesOfTheRule) {
   EXPECT_GT(checked, 10'000);
 }
 
-// Spans of every length that stores overlap in, and not a cell beside them.
+// A span of any length fills its own cells and none next to them, also where stores overlap.
 TEST(Scanline, SpansAreFilledToTheirEnds) {
   for (int count = 1; count <= 80; ++count) {
     std::array<std::uint8_t, 100> cells{};
@@ -117,8 +119,8 @@ TEST(Scanline, SpansAreFilledToTheirEnds) {
   }
 }
 
-// The exact edge walk does not drift: an edge across the tallest picture and the whole guard band, with
-// the coarsest and the finest slopes, against the division done afresh in every row.
+// The exact edge walk does not drift: it agrees with a new division in every row. The edges cross the tallest
+// picture and the whole guard band, with the coarsest and the finest slopes.
 TEST(Scanline, EdgesAreExactOver8192Rows) {
   long long rows = 0, ties = 0;
   for (unsigned seed = 0; seed < 300; ++seed) {
@@ -148,8 +150,8 @@ TEST(Scanline, EdgesAreExactOver8192Rows) {
   EXPECT_GT(ties, 100);
 }
 
-// A mesh of faces that share edges owns every sample it covers exactly once: random points in a square,
-// connected as a fan of triangles around each cell of a jittered lattice.
+// A mesh of faces that share edges covers every sample exactly once. The test connects random points in a
+// square as a fan of triangles around each cell of a jittered lattice.
 TEST(Scanline, SharedEdgesLeaveNoGapAndNoOverlap) {
   for (unsigned seed = 0; seed < 200; ++seed) {
     SCOPED_TRACE(seed);

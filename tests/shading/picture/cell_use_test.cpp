@@ -30,8 +30,9 @@ Made made(const char* scene, ColorPlan plan = ColorPlan::Needed, Shading shading
 
 }  // namespace
 
-// Counted cell by cell over all pixels, samples and polygons come out the same, also where the depth sort has
-// split faces and where a plan has several hues or colours; the samples add up to the picture.
+// The counts of samples and polygons are those of a count over all pixels, cell by cell, and the samples add
+// up to the picture. This holds also if the depth sort has split faces and if a plan has several hues or
+// colours.
 TEST(CellUse, EqualsBruteForce) {
   int cells = 0, shared = 0;
   for (const auto& [scene, plan] : {std::pair{"teapot", ColorPlan::Needed},
@@ -62,7 +63,8 @@ TEST(CellUse, EqualsBruteForce) {
   EXPECT_GT(shared, 200);
 }
 
-// What shows a face is in the scene's cells, and what shows none is the ground; ramps divide these cells.
+// Samples that show a face have the scene's cells, and the others have the ground. Ramps divide the scene's
+// cells.
 TEST(CellUse, SceneCellsAreThoseOfItsSurfaces) {
   for (const ColorPlan plan : {ColorPlan::OneHue, ColorPlan::Hues, ColorPlan::Cube, ColorPlan::Chosen}) {
     const Made m = made("hues", plan);
@@ -82,7 +84,8 @@ TEST(CellUse, SceneCellsAreThoseOfItsSurfaces) {
   }
 }
 
-// At most half lie below the middle one and at most half above it, and polygons show it.
+// At most half of the samples lie below the middle cell and at most half above it, and polygons show that
+// cell.
 TEST(CellUse, MedianHasHalfOnEitherSide) {
   std::mt19937 rng{4};
   for (int trial = 0; trial < 200; ++trial) {

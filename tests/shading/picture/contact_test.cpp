@@ -16,7 +16,7 @@ namespace {
 
 constexpr int kWidth = 160, kHeight = 120;
 
-/// As a file of so many decimals has the mesh, in the scale of the file; 0: exactly.
+/// The mesh as a file with so many decimals holds it, in the file's scale; 0: exactly.
 Mesh written(Mesh mesh, int decimals, double scale) {
   const double unit = std::pow(10.0, decimals);
   for (glm::dvec3& p : mesh.points)
@@ -27,7 +27,7 @@ Mesh written(Mesh mesh, int decimals, double scale) {
   return mesh;
 }
 
-/// Turned out of the axes and brought to size 1.
+/// Turns the mesh out of the axes and scales it to size 1.
 Mesh turned(Mesh mesh, unsigned seed) {
   std::mt19937 rng{seed};
   const Frame frame = randomFrame(rng);
@@ -50,7 +50,7 @@ void addBox(Mesh& mesh, glm::dvec3 low, glm::dvec3 high) {
   }
 }
 
-/// Closed boxes on a floor, side by side, and a smaller one upon each, in a corner of it or in its middle.
+/// Closed boxes on a floor, side by side, with a smaller one on each, in a corner or in the middle.
 Mesh stackedBoxes() {
   Mesh mesh;
   mesh.groupNames = {""};
@@ -79,9 +79,9 @@ struct Solid {
 
 }  // namespace
 
-// What touches and does not cross is never split: a furnished room, boxes on and beside each other, a cube, a
-// sphere. Turned out of the axes, rounded to 6 or 9 decimals or not at all, from 1e-6 to 1e6 in size,
-// in every projection, seen from without and within.
+// Faces that touch and do not cross are never split: a furnished room, boxes on and next to each other, a
+// cube, a sphere. The scenes are turned out of the axes, rounded to 6 or 9 decimals or not at all, from 1e-6
+// to 1e6 in size, in every projection, seen from outside and inside.
 TEST(Contact, SplitsNothing) {
   const std::array solids{Solid{"room", readScene("room").mesh}, Solid{"stacked boxes", stackedBoxes()},
                           Solid{"cube", cube()}, Solid{"sphere", sphere(24, 12)}};
@@ -112,8 +112,8 @@ TEST(Contact, SplitsNothing) {
   }
 }
 
-// What touches at its ends, as far as rounding tells, need not touch between them: the doubt about depths
-// that come nearer grows faster than they do.
+// Faces that touch at their ends, as far as rounding tells, need not touch in between: towards the viewer the
+// doubt about depths grows faster than the depths do.
 TEST(Contact, IsAskedBetweenItsCornersToo) {
   constexpr int kSize = 64, kSide = kSize * kGrid, kNear = 100'000'000;
   for (const int gap : {100'000, 10'000}) {  // at the near end; the later face is the farther one

@@ -54,8 +54,8 @@ std::pair<double, double> within(const Outline& p, glm::dvec3 at, glm::dvec3 alo
   return {from, to};
 }
 
-/// How much of the line where their planes meet lies in both polygons. In space: nothing here is seen from
-/// anywhere.
+/// The length of the part of the line where the planes meet that lies in both polygons, measured in space,
+/// without any view.
 double commonLength(const Outline& p, const Outline& q) {
   const glm::dvec3 N = normalOf(p), M = normalOf(q), along = glm::cross(N, M);
   const double square = glm::dot(along, along);
@@ -78,8 +78,8 @@ CameraSettings wholeScene(const CameraSettings& camera, unsigned seed) {
 
 }  // namespace
 
-// Crossing tori are split as often as pairs of their faces truly cross, within 2 %: a piece may cross again,
-// and what crosses without a sample is not split. The pairs are counted in space, one by one.
+// Crossing tori are split as often as pairs of their faces truly cross, within 2 %. A piece may cross again,
+// and faces that cross at no sample are not split. The pairs are counted in space, one by one.
 TEST(Crossing, ToriSplitOnceAPair) {
   const Seeds seeds{12};
   for (const int across : {24, 36, 48, 64}) {

@@ -46,8 +46,8 @@ Palette rising(std::mt19937& rng, const CellRange& ramp) {
 
 }  // namespace
 
-// Turns add up, a full turn is none, and a turn moves colours within the ramp alone: shade j gets what shade
-// j - k had.
+// Turns of the ramp add up, a full turn changes nothing, and a turn by k moves colours only within the ramp:
+// shade j gets what shade j - k had.
 TEST(PaletteEffects, RotationsAreTurnsOfTheRamp) {
   for (const CellRange& ramp : {CellRange{11, 240}, {10, 240}, {11, 7}, {100, 1}})
     for (const int k : {0, 1, 5, -1, -13, 239, 240, 1000}) {
@@ -66,8 +66,9 @@ TEST(PaletteEffects, RotationsAreTurnsOfTheRamp) {
     }
 }
 
-// By 120 degrees channels change places exactly, by 360 nothing changes; whatever the angle the largest and
-// the least channel stay, gray stays, and turning back leads back to within rounding.
+// A turn of the hue by 120 degrees makes the channels change places exactly, and a turn by 360 changes
+// nothing. At every angle the largest and the least channel stay, gray stays, and turning back leads back to
+// within rounding.
 TEST(PaletteEffects, HueTurnsRoundTheHexagon) {
   int moved = 0;
   for (const Rgb16& c : scattered(2)) {
@@ -87,8 +88,8 @@ TEST(PaletteEffects, HueTurnsRoundTheHexagon) {
   EXPECT_EQ(hueTurned({65535, 0, 0}, 60), (Rgb16{65535, 65535, 0}));  // amber lies between red and green
 }
 
-// It is the power, to the last of 16 bits but for rounding; 1 leaves all values alone, black and full stay,
-// and order is kept.
+// Gamma is the power, to the last of 16 bits except for rounding. 1 changes no value, black and full
+// intensity stay, and order is kept.
 TEST(PaletteEffects, GammaIsThePower) {
   for (int v = 0; v < 65536; ++v) {
     const auto u = static_cast<std::uint16_t>(v);
@@ -107,8 +108,8 @@ TEST(PaletteEffects, GammaIsThePower) {
   }
 }
 
-// However a rising curve is dragged, it goes through the point, still rises, keeps its brightest shade and
-// touches no other cell; dragged to where it is, nothing changes.
+// A rising curve that is dragged goes through the point, still rises, keeps its brightest shade and touches
+// no other cell. If it is dragged to where it is, nothing changes.
 TEST(PaletteEffects, BentCurvesStillRise) {
   std::mt19937 rng{5};
   int bent = 0;
@@ -141,8 +142,8 @@ TEST(PaletteEffects, BentCurvesStillRise) {
   EXPECT_GT(bent, 250);
 }
 
-// Whatever is done to the scene's colours, the sixteen of the tool stay, in every plan that allows it; and no
-// effect is none.
+// Effects on the scene's colours leave the tool's sixteen colours alone, in every plan that allows it. No
+// effect changes nothing.
 TEST(PaletteEffects, LeaveTheToolAlone) {
   const std::array effects{PaletteEffects{.stored = TableKind::Brief},
                            PaletteEffects{.hueTurn = 77},
@@ -164,7 +165,7 @@ TEST(PaletteEffects, LeaveTheToolAlone) {
   }
 }
 
-// Lighting a shade stores one cell: the pixels that change are those that show it.
+// Lighting a shade stores one cell, and the pixels that change are those that show it.
 TEST(PaletteEffects, LightOneCell) {
   const Picture picture = made("teapot", ColorPlan::OneHue);
   const Palette start = picture.palette(CellPlan{TableKind::Corrected});
@@ -174,8 +175,9 @@ TEST(PaletteEffects, LightOneCell) {
   }
 }
 
-// Indices held, another table stored: each cell that both tables fill holds the other one's colour, each that
-// only the first fills keeps its own, as XStoreColors leaves it. The same table stored is no change.
+// If another table is stored while indices are held, each cell that both tables fill gets the other one's
+// colour. Each cell that only the first fills keeps its own, as XStoreColors leaves it. Storing the same
+// table changes nothing.
 TEST(PaletteEffects, StoringAnotherTableFillsItsCells) {
   for (const TableRow& indices : kTables)
     for (const TableRow& stored : kTables) {
@@ -202,8 +204,8 @@ TEST(PaletteEffects, StoringAnotherTableFillsItsCells) {
     }
 }
 
-// What needs a ramp is refused where there is none, and so is a cell that is not the scene's; what does not
-// is done.
+// An effect that needs a ramp is refused if there is none, and so is a cell that is not the scene's. Other
+// effects work.
 TEST(PaletteEffects, RefuseWhatMakesNoSense) {
   const CellPlan cells{TableKind::Corrected};
   const auto complaint = [&](const Picture& picture, const PaletteEffects& effects) -> std::string {
@@ -228,7 +230,7 @@ TEST(PaletteEffects, RefuseWhatMakesNoSense) {
             "cell 251 is in no ramp: choose one of 11 to 250");
 }
 
-// A table of 8 bits keeps 8 bits of what the effects make, too: each value is 257 times a byte.
+// A table of 8 bits keeps 8 bits after effects too: each value is 257 times a byte.
 TEST(PaletteEffects, EightBitsStayEight) {
   for (const int bits : {8, 16}) {
     const Picture picture = made("teapot", ColorPlan::OneHue, TableKind::Corrected, bits);
@@ -242,7 +244,8 @@ TEST(PaletteEffects, EightBitsStayEight) {
   }
 }
 
-// On gray screens one hue is its intensity, and of several the brightness is left; the tool's cells stay.
+// On gray screens one hue shows as its intensity, and several hues as their brightness. The tool's cells
+// stay.
 TEST(PaletteEffects, GraysForGrayScreens) {
   for (const auto& [scene, colors] : {std::pair{"teapot", ColorPlan::OneHue}, {"hues", ColorPlan::Hues}}) {
     const Picture picture = made(scene, colors, TableKind::Linear);

@@ -12,17 +12,14 @@
 #include "geometry/model/solids.h"
 #include "shading/fill/scanline.h"
 #include "tests/support/painted_picture.h"
+#include "tests/support/small_picture.h"
 
 namespace xnewell {
 
-namespace {
+// How often samples are painted, what is kept from picture to picture, and where the order is wrong. The
+// cells: picture_cells_test.cpp.
 
-PictureSettings small() {
-  PictureSettings s;
-  s.width = 240;
-  s.height = 180;
-  return s;
-}
+namespace {
 
 /// How many faces cover each sample, each edge asked by itself: the sign of its function at the pixel's
 /// centre, if 0 of its x coefficient, if 0 of its y coefficient.
@@ -51,7 +48,7 @@ std::vector<int> timesCovered(const SnappedScene& scene, int width, int height) 
   return times;
 }
 
-bool sameBits(const std::vector<FrontBack<double>>& a, const std::vector<FrontBack<double>>& b) {
+bool sameBits(const std::vector<Sides<double>>& a, const std::vector<Sides<double>>& b) {
   return a.size() == b.size() && std::memcmp(a.data(), b.data(), a.size() * sizeof a[0]) == 0;
 }
 
@@ -123,13 +120,13 @@ TEST_P(StoredShading, KnowsNoCamera) {
   s.camera.eye = glm::dvec3{0.3, -2, 0.8};
   s.camera.lookAt = glm::dvec3{0, 0, 0.2};
   picture.make(s);
-  const Intensities stored = picture.shading().intensities(0);
+  const Shades stored = picture.shading().shades(0);
   ASSERT_GT(stored.I.size(), 200u);
   const auto expectSame = [&](const PictureSettings& changed, bool specularToo) {
     Picture fresh{readScene("teapot", 4)};
     fresh.make(changed);
     picture.make(changed);
-    const Intensities &kept = picture.shading().intensities(0), &made = fresh.shading().intensities(0);
+    const Shades &kept = picture.shading().shades(0), &made = fresh.shading().shades(0);
     EXPECT_TRUE(sameBits(kept.diffuse, made.diffuse) && sameBits(kept.specular, made.specular));
     EXPECT_TRUE(sameBits(kept.I, made.I));
     EXPECT_TRUE(sameBits(stored.diffuse, made.diffuse));
@@ -222,7 +219,7 @@ TEST(Picture, ANewTableOnlyPaintsAgain) {
   EXPECT_EQ(picture.times().sort, 0);
 }
 
-// The face image names the face that is seen: number + 1, 0 where nothing is; parts of a divided face
+// The face image names the face that is seen: number + 1, 0 where nothing is; pieces of a divided face
 // carry its number.
 TEST(Picture, FaceImageNamesFaces) {
   Mesh m;
@@ -232,7 +229,7 @@ TEST(Picture, FaceImageNamesFaces) {
   m.addFace(floor, 0);
   m.addFace(concave, 0);
   Picture picture{makeScene("two", m, UpAxis::Y)};
-  EXPECT_GT(picture.scene().parts.count(), 2);
+  EXPECT_GT(picture.scene().pieces.count(), 2);
   PictureSettings s = small();
   s.camera.parallel = true;
   s.camera.eye = glm::dvec3{0, 0, 3};
@@ -248,52 +245,6 @@ TEST(Picture, FaceImageNamesFaces) {
   EXPECT_EQ(at(0.1, 0.3), 2u);
   EXPECT_EQ(at(0.8, 0.8), 1u);
   EXPECT_EQ(at(1.1, 0), 0u);
-}
-
-// Clamped evaluations are counted: none with room to spare, some when kd and ks add up to more than 1.
-TEST(Picture, CountsClampedEvaluations) {
-  Picture picture{readScene("teapot")};
-  PictureSettings s = small();
-  s.light.ks = 0;
-  picture.make(s);
-  EXPECT_EQ(picture.saturated(), 0);
-  s.light = {.Ia = 0, .Ip = 1, .kd = 1, .ks = 1, .n = 3};
-  picture.make(s);
-  EXPECT_GT(picture.saturated(), 100);
-}
-
-// Environment mapping counts its clamped samples where a triangle may meet the places of the map that were
-// clamped: as many as there are. The samples are those of the upper of two shades for intensities just below
-// 1 and 1; each is painted once, for the ball is convex and the oracle paints what is visible.
-TEST(Picture, EnvironmentCountsEveryClampedSample) {
-  std::vector<std::pair<Picture, Order>> pictures;
-  pictures.emplace_back(Picture{makeScene("ball", sphere(80, 40), UpAxis::Z)}, Order::ZSort);  // small faces
-  pictures.emplace_back(Picture{makeScene("ball", sphere(6, 4), UpAxis::Z)}, Order::ZSort);
-  pictures.emplace_back(Picture{readScene("teapot", 4)}, Order::Oracle);
-  Scene beside = makeScene("ball", sphere(30, 20), UpAxis::Z);
-  beside.light.lights = {{.Ip = glm::dvec3{0.85}},  // turned to the axis; the others lie beside and behind
-                         {.Ip = glm::dvec3{0.8}, .direction = {-1, -0.3, 0.5}},
-                         {.Ip = glm::dvec3{0.8}, .direction = {0.2, 1, -0.6}}};
-  pictures.emplace_back(Picture{std::move(beside)}, Order::ZSort);
-  int some = 0, none = 0;
-  for (auto& [picture, order] : pictures)
-    for (const EnvironmentRow& form : kEnvironmentForms)
-      for (const glm::dvec3 towards : {glm::dvec3{1, -1, 1}, {-1, -0.3, 0.2}, {0.3, 1, -1}, {0, -1, 0}})
-        for (const int n : {1, 5, 100}) {
-          PictureSettings s = small();
-          s.shading = Shading::Environment;
-          s.environment = form.id;
-          s.order = order;
-          s.cull = Cull::Back;
-          s.light = {.Ia = 0.1, .Ip = 1, .kd = 0.3, .ks = 0.9, .n = n, .light = towards};
-          s.table = {.shades = 2, .low = 1 - 0x1p-30};
-          const IndexImage image = painted(picture, s);
-          const auto full = std::ranges::count(image.pixels, picture.table().cell(1.0));
-          ASSERT_EQ(picture.saturated(), full) << form.name << ", n " << n;
-          ++(full > 0 ? some : none);
-        }
-  EXPECT_GT(some, 30);
-  EXPECT_GT(none, 5);
 }
 
 // The painter is right where no order can be wrong: a convex solid without its back faces, in every
@@ -320,8 +271,8 @@ TEST(Picture, OracleKnowsWhereTheOrderIsWrong) {
 // right. Without the rounding's allowance it is not.
 TEST(Picture, CoplanarFacesAreNotCalledWrong) {
   Scene scene = readScene("decals");
-  EXPECT_EQ(std::ranges::max(scene.parts.plane), 0);
-  std::iota(scene.parts.plane.begin(), scene.parts.plane.end(), 0);
+  EXPECT_EQ(std::ranges::max(scene.pieces.plane), 0);
+  std::iota(scene.pieces.plane.begin(), scene.pieces.plane.end(), 0);
   Picture decals{std::move(scene)};
   PictureSettings s = small();
   s.order = Order::Unsorted;
@@ -339,125 +290,6 @@ TEST(Picture, CoplanarFacesAreNotCalledWrong) {
     s.camera = moved(s.camera, decals.camera(), 29, view % 2 ? 11 : -9, 1.02);
   }
   EXPECT_GT(doubtful, 1000);
-}
-
-// At full intensity nothing is shaded, and a light changed meanwhile is not forgotten.
-TEST(Picture, FullIntensityShadesNothing) {
-  Picture picture{readScene("teapot", 3)};
-  PictureSettings s = small();
-  painted(picture, s);
-  s.shading = Shading::Full;
-  s.light.kd = 0.2;
-  painted(picture, s);
-  s.shading = Shading::Flat;
-  Picture fresh{readScene("teapot", 3)};
-  EXPECT_EQ(painted(picture, s), painted(fresh, s));
-  Picture full{readScene("teapot", 3)};
-  s.shading = Shading::Full;
-  painted(full, s);
-  EXPECT_TRUE(full.shading().intensities(0).I.empty());
-}
-
-// No lights, materials, normals or methods make a cell that is not on the ramp: no NaN, no infinity, nothing
-// beyond the ends.
-TEST(Picture, EveryCellIsOnTheRamp) {
-  std::mt19937 rng{1975};
-  const auto uniform = [&](double low, double high) {
-    return low + (high - low) * (static_cast<double>(rng()) * 0x1p-32);
-  };
-  const auto wild = [&] { return uniform(-1, 1) * std::pow(10.0, uniform(-12, 12)); };
-  std::int64_t shown = 0;
-  for (int trial = 0; trial < 300; ++trial) {
-    SCOPED_TRACE(trial);
-    Mesh mesh = trial % 2 ? sphere(8, 5) : torus(7, 5);
-    mesh.points[3] = mesh.points[4];  // a face without area
-    mesh.materials = {{}, {}};
-    for (MeshMaterial& m : mesh.materials) {
-      m.ka = uniform(0, 1), m.kd = uniform(0, 1), m.ks = uniform(0, 1);
-      m.n = static_cast<int>(std::pow(10.0, uniform(0, 6)) - 1);
-    }
-    for (int& m : mesh.material) m = static_cast<int>(rng() % 3) - 1;
-    Scene scene = makeScene("random", std::move(mesh), UpAxis::Z);
-    for (int k = 0; k < trial % 4; ++k) {
-      Light light{.kind = kLights[rng() % 3].id, .Ip = glm::dvec3{uniform(0, 1)}};
-      light.direction = {wild(), wild(), wild()};
-      light.position = {wild(), wild(), wild()};
-      light.attenuation = kAttenuations[rng() % 5].id;
-      light.range = std::abs(wild()) + 1e-12;
-      light.c = {std::abs(wild()), std::abs(wild()), std::abs(wild())};
-      light.outer = uniform(0, 180), light.inner = uniform(0, light.outer);
-      light.falloff = static_cast<int>(rng() % 100);
-      if (k == 0) light.position = scene.mesh.points[5];  // exactly at the surface
-      scene.light.lights.push_back(light);
-    }
-    Picture picture{std::move(scene)};
-    PictureSettings s = small();
-    s.shading = kShadings[rng() % kShadings.size()].id;
-    s.normals = kNormalRules[rng() % 5].id;
-    s.light.form = kForms[rng() % 3].id;
-    s.light.constantL = rng() % 2, s.light.constantV = rng() % 2, s.light.twoSided = rng() % 2;
-    s.light.n = trial % 5 == 0 ? 0 : 1'000'000;
-    s.environment = kEnvironmentForms[rng() % 2].id;
-    s.polygons = kPolygons[rng() % 2].id;
-    s.order = kOrders[rng() % 5].id;
-    s.table = {.kind = kTables[rng() % 3].id, .shades = rng() % 2 ? 2 : 240, .I0 = rng() % 2 ? 1e-6 : 0.5};
-    if (trial % 7 == 0) s.camera.eye = picture.scene().mesh.points[9];  // in the surface
-    const IndexImage image = painted(picture, s);
-    const int first = picture.table().first(), end = first + picture.table().shades();
-    for (const std::uint8_t cell : image.pixels) {
-      ASSERT_TRUE(cell == 8 || (cell >= first && cell < end)) << int{cell};
-      shown += cell != 8;
-    }
-  }
-  EXPECT_GT(shown, 1'000'000);
-}
-
-// Depth: the nearest face has the brightest shade, the farthest the darkest, and what lies half way between
-// the middle one: the picture uses the whole range.
-TEST(Picture, DepthUsesTheWholeRange) {
-  Mesh m;
-  for (const double z : {0.0, 1.0, 4.0}) {
-    const int first = static_cast<int>(m.points.size());
-    for (const double x : {-0.5, 0.5}) m.points.insert(m.points.end(), {{x + z, -0.5, z}, {x + z, 0.5, z}});
-    const int corners[] = {first, first + 2, first + 3, first + 1};
-    m.addFace(corners, 0);
-  }
-  Picture picture{makeScene("steps", m, UpAxis::Y)};
-  PictureSettings s = small();
-  s.shading = Shading::Depth;
-  s.camera.eye = glm::dvec3{0.25, 0, 8};
-  s.camera.lookAt = glm::dvec3{0.25, 0, 0};
-  s.table.shades = 5;
-  painted(picture, s);
-  const int first = picture.table().first();
-  EXPECT_EQ(picture.cells(), (std::vector<std::uint8_t>{std::uint8_t(first), std::uint8_t(first + 1),
-                                                        std::uint8_t(first + 4)}));
-}
-
-// Hues share the table's shades where nothing is lit, too; more hues than there are pairs of shades are
-// refused.
-TEST(Picture, HuesWithoutLightAndTooManyOfThem) {
-  Picture hues{readScene("hues")};
-  PictureSettings s = small();
-  s.colors = ColorPlan::Hues;
-  for (const Shading shading : {Shading::Full, Shading::Depth, Shading::Flat}) {
-    s.shading = shading;
-    const IndexImage image = painted(hues, s);
-    EXPECT_EQ(hues.colors().plan(), ColorPlan::Hues);
-    EXPECT_GT(hues.colors().tables().size(), 5u);
-    EXPECT_GE(std::set(image.pixels.begin(), image.pixels.end()).size(), hues.colors().tables().size());
-  }
-  Scene many = makeScene("many", sphere(24, 12), UpAxis::Z);
-  for (int k = 0; k < 121; ++k) {
-    many.mesh.materials.push_back({.name = "", .diffuse = {1.0, k / 121.0, 0.0}});
-    many.mesh.material[k] = k;
-  }
-  std::ranges::replace(many.mesh.material, -1, 0);
-  Picture picture{std::move(many)};
-  EXPECT_THROW(picture.make(s), ViewError);
-  s.colors = ColorPlan::Needed;
-  EXPECT_NO_THROW(picture.make(s));
-  EXPECT_EQ(picture.colors().plan(), ColorPlan::Chosen);
 }
 
 }  // namespace xnewell

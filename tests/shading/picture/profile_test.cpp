@@ -50,9 +50,10 @@ Profile sloped(const std::vector<double>& I) {
 
 }  // namespace
 
-// On a ball the three methods are what they are called: flat shading is one value a face; Gouraud's is a
-// straight line within a face, and from one face to the next goes by as much as one of the two or between,
-// so it is continuous; Phong's bends within a face. All the ball is one surface.
+// On a ball the profiles of the three methods are as they should be. Flat shading has one value for each
+// face. Gouraud shading is a straight line within a face, and its step from one face to the next lies between
+// the slopes of the two, so it is continuous. Phong shading bends within a face. The whole ball is one
+// surface.
 TEST(Profile, MethodsAreWhatTheyInterpolate) {
   const BallLine ball{500};
   const Profile &flat = ball.of(Shading::Flat), &gouraud = ball.of(Shading::Gouraud),
@@ -84,7 +85,7 @@ TEST(Profile, MethodsAreWhatTheyInterpolate) {
   EXPECT_GT(bend, 1e-5);
 }
 
-// Twice the pixels halve the steps of what is continuous, and leave flat shading's jumps.
+// Twice as many pixels halve the steps of continuous profiles, but not the jumps of flat shading.
 TEST(Profile, ContinuousStepsShrinkWithThePixels) {
   const BallLine coarse{400}, fine{1600};
   const auto ratio = [&](Shading method) {
@@ -96,8 +97,8 @@ TEST(Profile, ContinuousStepsShrinkWithThePixels) {
   EXPECT_GT(coarse.of(Shading::Gouraud).largestJump, 0.001);
 }
 
-// Numbers that are known: straight lines have bands where they meet, jumps one each, and what bends evenly
-// none, however much; nothing is counted across a gap.
+// Known counts: straight lines have a band where they meet, each jump has one, and an even bend has none,
+// however strong. Nothing is counted across a gap.
 TEST(Profile, CountsBandsThatStandOut) {
   std::vector<double> steps, bend;
   for (int i = 0; i < 60; ++i) {
@@ -122,8 +123,8 @@ TEST(Profile, CountsBandsThatStandOut) {
   EXPECT_FALSE(std::isnan(sloped(roof).slope[18]));
 }
 
-// One torus before the other is an edge and no band; a cube's faces are one surface where their normals are
-// averaged, and not where a crease parts them.
+// Where one torus is in front of the other there is an edge and no band. A cube's faces are one surface if
+// their normals are averaged, but not if a crease parts them.
 TEST(Profile, CountsWithinOneSurface) {
   PictureSettings s = wide(300);
   Picture tori{readScene("tori")};
@@ -143,8 +144,8 @@ TEST(Profile, CountsWithinOneSurface) {
   EXPECT_EQ(creased.profiles[0].largestJump, 0.0);
 }
 
-// Where one sees into a tube the near wall's outside ends at the far walls' inside: an edge, although all
-// three walls meet in their corners.
+// Where one looks into a tube, the near wall's outside ends at the far walls' inside. This is an edge,
+// although all three walls meet in their corners.
 TEST(Profile, TheTwoSidesAreTwoSurfaces) {
   Mesh tube;
   tube.points = {{-1, -1, 0}, {1, -1, 0}, {0, 1, 0}, {-1, -1, 1}, {1, -1, 1}, {0, 1, 1}};
@@ -169,7 +170,7 @@ TEST(Profile, TheTwoSidesAreTwoSurfaces) {
   EXPECT_GT(samples, 500);
 }
 
-// The strip is the picture's row, and the picture is left in the method that was asked for.
+// The strip is the picture's row, and the picture keeps the method that was asked for.
 TEST(Profile, ShowsTheRowOfEachMethod) {
   Picture picture{readScene("teapot", 4)};
   PictureSettings s = wide(200);

@@ -14,8 +14,9 @@ namespace xnewell {
 
 // What refined polygons show in a picture.
 
-// No crack and no overlap on the screen: every sample is covered exactly as often as by the undivided scene,
-// and in closed solids in pairs. Random triangles, too, which have borders.
+// Refined polygons have no crack and no overlap on the screen: every sample is covered exactly as often as in
+// the undivided scene, and in pairs by closed solids. This holds for random triangles too, which have
+// borders.
 TEST(RefinePicture, CoversEachSampleAsBefore) {
   long long samples = 0, more = 0;
   for (unsigned seed = 0; seed < 40; ++seed) {
@@ -46,9 +47,9 @@ TEST(RefinePicture, CoversEachSampleAsBefore) {
   EXPECT_GT(more, 5'000);
 }
 
-// What is painted comes near to per-pixel shading: nowhere on the floor is a cell further off than the
-// tolerance and its own rounding, but where a rim passes between samples; undivided many are. With a texture,
-// too.
+// The refined picture comes near to shading at every pixel. Nowhere on the floor is a cell farther off than
+// the tolerance and its own rounding, except where a rim passes between samples. Undivided, many are. This
+// holds with a texture too.
 TEST(RefinePicture, PaintsWhatPixelsShow) {
   constexpr double kTolerance = 0.05;
   for (const Shading method : kMethods)
@@ -80,8 +81,8 @@ TEST(RefinePicture, PaintsWhatPixelsShow) {
     }
 }
 
-// Which face is seen where is not changed, and the depth sort stays exact: it paints what the oracle sees,
-// in every pixel.
+// Refining does not change which face is seen where. The depth sort stays exact: it paints what the oracle
+// sees in every pixel.
 TEST(RefinePicture, KeepsFacesAndOrder) {
   int divided = 0, samples = 0;
   for (const char* const name : {"penetrate", "cycle", "decals", "room"})
@@ -116,8 +117,9 @@ TEST(RefinePicture, KeepsFacesAndOrder) {
   EXPECT_GT(samples, 100'000);
 }
 
-// Keeping results is invisible: whatever changes, the picture is the one made afresh. What divides nothing
-// costs nothing: without a tolerance there are no refined polygons, and after a new table none are made anew.
+// Kept results do not show: after any change the picture equals one made from the start. Refining costs
+// nothing where it divides nothing: without a tolerance there are no refined polygons, and after a new table
+// none are made again.
 TEST(RefinePicture, IsMadeAgainWhenItMust) {
   std::mt19937 rng{1984};
   PictureSettings s = withHighlight(fromAbove(underSpot(floorOf(3)), Shading::Gouraud));

@@ -22,7 +22,7 @@ PictureSettings small(Shading shading) {
   return s;
 }
 
-/// Where a sample lies in one of the triangles of a face, as shares of its corners.
+/// The place of a sample in one of the triangles of a face, as shares of its corners.
 struct Place {
   std::array<int, 3> corner;
   std::array<double, 3> share;
@@ -56,9 +56,10 @@ double equation(const Illumination& user, glm::dvec3 N, glm::dvec3 L, glm::dvec3
 
 }  // namespace
 
-// At every sample the value is the equation's: of the face's normal in flat shading, the mean of the
-// vertices' by their shares in Gouraud's, of the normals' mean made a unit vector in Phong's, by shares on
-// the surface or, as the first programs had it, on the screen.
+// At every sample the value is that of the illumination equation. Flat shading uses the face's normal.
+// Gouraud shading takes the mean of the vertices' values, weighted by their shares. Phong shading makes the
+// weighted mean of the normals a unit vector. Shares are those on the surface or, as in the first programs,
+// on the screen.
 TEST(SurfaceValues, AreTheEquationAtEverySample) {
   struct Case {
     Shading shading;
@@ -112,8 +113,8 @@ TEST(SurfaceValues, AreTheEquationAtEverySample) {
   }
 }
 
-// A picture shows the shade nearest to the value: what fixed point and single precision add is a small part
-// of a shade. An environment's places may be taken one off where a normal lies between two.
+// A picture shows the shade nearest to the value: fixed point and single precision add a small part of a
+// shade. A place in an environment may be off by one where a normal lies between two.
 TEST(SurfaceValues, ArePaintedToHalfAShade) {
   for (const ShadingRow& row : kShadings)
     for (const Polygons polygons : {Polygons::Triangles, Polygons::Rows}) {
@@ -139,8 +140,8 @@ TEST(SurfaceValues, ArePaintedToHalfAShade) {
     }
 }
 
-// Any rows give what the whole picture gives there, and pieces what their faces give: the depth sort's
-// picture equals the oracle's.
+// Any rows have the values of the whole picture there, and pieces have the values of their faces: the depth
+// sort's picture equals the oracle's.
 TEST(SurfaceValues, DependOnTheSampleAlone) {
   Picture split{readScene("penetrate")}, whole{readScene("penetrate")};
   for (const ShadingRow& row : kShadings) {

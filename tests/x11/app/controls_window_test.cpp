@@ -9,15 +9,15 @@
 
 namespace xnewell {
 
-// Every control of the picture's view, resizes, lessons and saved set-ups on real servers: keys and mouse
-// come in as a user's do, and what is shown is what a workbench without a server shows after the same.
+// Every control of the picture's view, resizes, lessons and saved set-ups on real servers. Keys and mouse
+// come in as a user's do. The window must show what a workbench without a server shows after the same input.
 
 namespace {
 
-/// The column's places as the window has them now.
+/// The places in the control column, as the window has them now.
 ControlColumn columnOf(const TwinWindow& twin) { return layoutOfControls(twin.same.layout()); }
 
-/// The corrected table, so that no slider is off.
+/// Uses the corrected table, so that no slider is off.
 const std::string kCorrected = "teapot --divisions 3 --table corrected";
 xnewell::Setup corrected() {
   xnewell::Setup setup;
@@ -34,8 +34,8 @@ class ControlsWindowAt : public testing::TestWithParam<int> {
 };
 INSTANTIATE_TEST_SUITE_P(Depths, ControlsWindowAt, testing::Values(8, 24), testing::PrintToStringParamName());
 
-// Sliders, both thumbs of the bar and the ball of the light follow a drag; each option of each choice, each
-// box and each button takes a click.
+// Sliders, both thumbs of the bar and the ball of the light follow a drag. Each option of each choice, each
+// box and each button responds to a click.
 TEST_P(ControlsWindowAt, AllAnswerToTheMouse) {
   int dragged = 0, clicked = 0;
   for (const ControlPlace& place : columnOf(twin).places) {
@@ -60,7 +60,7 @@ TEST_P(ControlsWindowAt, AllAnswerToTheMouse) {
         break;
       }
       case ControlPlace::Kind::Choice:
-        if (place.key == 'F') continue;  // the server's pixels are its own: snapshot_test.cpp
+        if (place.key == 'F') continue;  // the server fills other pixels: snapshot_test.cpp
         for (const Rect& option : place.options) {
           twin.click(option);
           ASSERT_TRUE(twin.agrees());
@@ -72,7 +72,7 @@ TEST_P(ControlsWindowAt, AllAnswerToTheMouse) {
         twin.click(place.row);
         break;
       case ControlPlace::Kind::Button:
-        if (place.key == 'w' || place.key == 'e') continue;  // they ask
+        if (place.key == 'w' || place.key == 'e') continue;  // these ask for a file name
         twin.click(place.row);
         break;
     }
@@ -88,10 +88,10 @@ TEST_P(ControlsWindowAt, AllAnswerToTheMouse) {
   EXPECT_GE(clicked, 30);
 }
 
-// Every view is drawn anew at each size, and answers to a drag there.
+// Every view is drawn again at each size, and responds to a drag there.
 TEST_P(ControlsWindowAt, EveryViewAtEverySize) {
   for (const WindowViewRow& row : kWindowViews) {
-    if (row.id == WindowView::SideBySide) continue;  // it shows times: sides_window_test.cpp
+    if (row.id == WindowView::SideBySide) continue;  // this view shows times: sides_window_test.cpp
     SCOPED_TRACE(row.name);
     twin.type({&row.key, 1});
     ASSERT_TRUE(twin.agrees());
@@ -109,7 +109,8 @@ TEST_P(ControlsWindowAt, EveryViewAtEverySize) {
   }
 }
 
-// Every key in every view, a few at a time; those that type are Esc's to leave.
+// Every key in every view does what it does without a server. The keys are pressed a few at a time. Esc
+// leaves a line that is typed.
 TEST_P(ControlsWindowAt, EveryKeyInEveryView) {
   constexpr std::string_view kLetters = "ipadsncl0tzLVSNOPKTW[]HBJ+-rjgbxfAhmkyuUGDC";
   constexpr std::array kNamed{std::pair{XK_Right, NamedKey::Right},  std::pair{XK_Up, NamedKey::Up},
@@ -117,18 +118,18 @@ TEST_P(ControlsWindowAt, EveryKeyInEveryView) {
                               std::pair{XK_Tab, NamedKey::Tab},      std::pair{XK_Prior, NamedKey::PageUp},
                               std::pair{XK_Next, NamedKey::PageDown}};
   for (const WindowViewRow& row : kWindowViews) {
-    if (row.id == WindowView::SideBySide) continue;  // it shows times: sides_window_test.cpp
+    if (row.id == WindowView::SideBySide) continue;  // this view shows times: sides_window_test.cpp
     SCOPED_TRACE(row.name);
     twin.type({&row.key, 1});
     ASSERT_TRUE(twin.agrees());
     int k = 0;
     for (const char letter : kLetters) {
-      if (row.id == WindowView::Colors && letter == 'm') continue;  // colours that move by themselves
-      if (row.id == WindowView::Colors && letter == 'h') continue;  // while it is held
+      if (row.id == WindowView::Colors && letter == 'm') continue;  // starts colours that move by themselves
+      if (row.id == WindowView::Colors && letter == 'h') continue;  // acts only while it is held
       twin.type({&letter, 1});
       twin.press(XK_Escape, NamedKey::Escape);
       if (row.id == WindowView::Lesson) twin.type("7");
-      // What follows a change of the set-up acts on what is drawn by then.
+      // A key that follows a change of the set-up acts on what has been drawn by then.
       if (++k % 4 == 0 || std::string_view{"uUr"}.find(letter) != std::string_view::npos) {
         ASSERT_TRUE(twin.agrees()) << letter;
       }
@@ -141,7 +142,7 @@ TEST_P(ControlsWindowAt, EveryKeyInEveryView) {
   }
 }
 
-// To the end step by step and back: each step shows the same on both ways.
+// A lesson is gone through step by step to its end and back. Each step shows the same both times.
 TEST_P(ControlsWindowAt, StepsThereAndBack) {
   twin.type("e");
   twin.type("cycle");
@@ -165,7 +166,8 @@ TEST_P(ControlsWindowAt, StepsThereAndBack) {
   }
 }
 
-// Every lesson is opened from the list and gone through to its end, the first answer of each question given.
+// Every lesson can be opened from the list and gone through to its end. The test gives the first answer to
+// each question.
 TEST_P(ControlsWindowAt, LessonsRunThrough) {
   twin.type("7");
   ASSERT_TRUE(twin.agrees());
@@ -199,7 +201,7 @@ TEST_P(ControlsWindowAt, LessonsRunThrough) {
   EXPECT_EQ(twin.same.view(), WindowView::Picture);
 }
 
-// What was changed is saved by keys, and another program shows it again from the file alone.
+// A changed set-up can be saved with keys. Another run of the program shows it again from the file alone.
 TEST_P(ControlsWindowAt, SavedSetupsReload) {
   const TemporaryFolder folder;
   const std::string file = folder.file("kept.json");

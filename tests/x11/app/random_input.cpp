@@ -18,9 +18,9 @@
 
 namespace xnewell {
 
-// random_input [SECONDS [SEED [DEPTH]]]: keys, clicks, drags, wheel and sizes at random, in every view of the
-// window, for so long. It fails if the program ends, says anything, or grows: in memory, or on the server.
-// Best with sanitizers: build/asan/tests/random_input 600 1 8
+// random_input [SECONDS [SEED [DEPTH]]] sends random keys, clicks, drags, wheel turns and sizes to every view
+// of the window for SECONDS. It fails if the program ends, says anything, or grows in memory or on the
+// server. It finds most with sanitizers: build/asan/tests/random_input 600 1 8
 
 namespace {
 
@@ -48,7 +48,7 @@ class Hands {
  public:
   Hands(const WatchedWindow& window, unsigned seed) : window_{window}, rng_{seed} {}
 
-  /// Something; what it was is kept.
+  /// Does something at random, and keeps a record of it.
   void act() {
     static const std::string kLetters =
         "ipadsncl0tzLVSNOFPKTW[]HBJ+-=uUr?1234567123457yjJKgbxfAhmk/ABCDwe.5209999999 ";
@@ -116,7 +116,7 @@ int giveRandomInput(int argc, char** argv) {
   const int seconds = argc > 1 ? std::atoi(argv[1]) : 600;
   const unsigned seed = argc > 2 ? static_cast<unsigned>(std::atoi(argv[2])) : 1;
   const int depth = argc > 3 ? std::atoi(argv[3]) : 8;
-  const TemporaryFolder folder;  // for what is saved
+  const TemporaryFolder folder;  // for files that are saved
   if (::chdir(folder.path().c_str()) != 0) return 1;
 
   const XServer server = XServer::xvfb(depth, kWidth, kHeight);
@@ -137,7 +137,7 @@ int giveRandomInput(int argc, char** argv) {
   const auto elapsed = [&] {
     return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
   };
-  Size early, late;  // the largest of the second and of the last quarter
+  Size early, late;  // the largest sizes in the second and in the last quarter
   long acts = 0;
   for (double told = 0; elapsed() < seconds;) {
     hands.act();
@@ -145,7 +145,7 @@ int giveRandomInput(int argc, char** argv) {
     if (acts % 10 != 0) continue;
     if (!program.running()) return failed("the program has ended");
     XSync(window.display(), 0);
-    usleep(10'000 + hands.below(40'000));  // sometimes the program keeps up
+    usleep(10'000 + hands.below(40'000));  // sometimes the program can keep up
     const Size now = sizeOf(program.pid(), window.display(), window.id());
     const double share = elapsed() / seconds;
     Size& quarter = share < 0.5 ? early : late;
@@ -160,9 +160,9 @@ int giveRandomInput(int argc, char** argv) {
     }
   }
   window.resize(1024, 768);
-  window.moveTo(700, 15);  // keys go where the pointer is, and that may be beside the window now
+  window.moveTo(700, 15);  // keys go where the pointer is, which may be outside the window now
   for (int k = 0; k < 4; ++k) window.press(XK_Escape);
-  window.type("1");  // settles() needs the picture behind the keys
+  window.type("1");  // settles() needs the picture behind the overlay of keys
   if (!window.settles()) return failed("the window does not answer");
   window.type("qq");
   const Finished end = program.wait();

@@ -19,8 +19,8 @@ const std::string kTeapot = "teapot --divisions 4";
 
 XServer serverFor(int depth) { return XServer::xvfb(depth, 1280, 1024); }
 
-/// The requests that matter to a frame, in their order; `S` stands for StoreColors, `[` and `]` for
-/// GrabServer and UngrabServer, `c` for CopyArea and `d` for all other drawing.
+/// The requests that matter to a frame, in order. `S` stands for StoreColors, `[` and `]` for GrabServer and
+/// UngrabServer, `c` for CopyArea, and `d` for all other drawing.
 std::string frames(RequestRecord& record) {
   std::string seen;
   for (const int opcode : record.opcodes()) {
@@ -43,8 +43,8 @@ class ViewerAt : public testing::TestWithParam<int> {
 };
 INSTANTIATE_TEST_SUITE_P(Depths, ViewerAt, testing::Values(8, 24), testing::PrintToStringParamName());
 
-// A new hue shows the window as a fresh start with that hue would, and round the five hues it is the first
-// again. On a real colormap colours are stored and nothing is drawn; the counter does count, for a key that
+// A new hue shows the window as a fresh start with that hue would. After five hues the first comes again. On
+// a real colormap colours are stored and nothing is drawn. The counter of drawing does count: a key that
 // changes the panel draws.
 TEST_P(ViewerAt, NewHueStoresColorsAndDrawsNothingWhereCellsAreReal) {
   const RgbImage red = freshWindow(server, kTeapot), amber = freshWindow(server, kTeapot + " --hue 1,0.7,0");
@@ -57,7 +57,7 @@ TEST_P(ViewerAt, NewHueStoresColorsAndDrawsNothingWhereCellsAreReal) {
   EXPECT_TRUE(viewer.window.comesToShow(amber, kSeen));
   viewer.window.type("HHHH");
   EXPECT_TRUE(viewer.window.comesToShow(red, kSeen));
-  // Key presses that arrive together may share a frame.
+  // Key presses that arrive together may share one frame.
   const std::ptrdiff_t stores = record.count(X_StoreColors);
   if (GetParam() == 8) {
     EXPECT_GE(stores, 2);
@@ -72,8 +72,8 @@ TEST_P(ViewerAt, NewHueStoresColorsAndDrawsNothingWhereCellsAreReal) {
   }
 }
 
-// A change of table, shades or I0 gives intensities other cells: colours and indices arrive together, between
-// GrabServer and UngrabServer, and the window is then the one of a fresh start with these values.
+// A change of table, shades or I0 gives intensities other cells. Colours and indices arrive together, between
+// GrabServer and UngrabServer. Then the window looks like a fresh start with these values.
 TEST_P(ViewerAt, CellsAndIndicesChangeInOneFrame) {
   struct Change {
     std::string before;
@@ -93,7 +93,7 @@ TEST_P(ViewerAt, CellsAndIndicesChangeInOneFrame) {
       Change{"--table corrected --shades 64", type("c"), key(XK_Home), "--table corrected --shades 2"},
       Change{"--table corrected", type("0"), key(XK_End), "--table corrected --i0 0.5"},
   };
-  // The mark of the slider's default, on the tracks of the colour table, is not the one of a fresh start.
+  // The marks of the defaults on the sliders of the colour table differ from those of a fresh start.
   const Layout at = layoutOf(1024, 768);
   const Rect tracks{at.controls.x + 78, at.controls.y + at.controls.height - 160, 180, 160};
   const auto withoutTracks = [&](RgbImage image) {
@@ -113,15 +113,15 @@ TEST_P(ViewerAt, CellsAndIndicesChangeInOneFrame) {
     change.act(viewer.window);
     EXPECT_TRUE(comesTrue([&] { return record.count(X_UngrabServer) == 1; }));
     EXPECT_EQ(frames(record), GetParam() == 8 ? "d[Sc]" : "d[c]");
-    viewer.window.type("s");  // where a fresh start has the keyboard
+    viewer.window.type("s");  // a fresh start has the keyboard there
     EXPECT_TRUE(comesTrue([&] { return withoutTracks(viewer.window.shown(kSeen)) == after; }));
   }
 }
 
-// Every key that the help lists changes what is seen; undo takes it back exactly, redo brings it again, and
+// Every key that the help lists changes what is seen. Undo takes it back exactly, redo brings it again, and
 // reset returns to the start.
 TEST_P(ViewerAt, EveryKeyDoesSomethingAndIsUndone) {
-  // With few shades of the corrected table even the rule that picks a shade can be seen.
+  // With few shades of the corrected table, even a change of the rule that picks a shade can be seen.
   const std::string line = kTeapot + " --table corrected --shades 24";
   const RgbImage start = freshWindow(server, line);
   const WatchedViewer viewer{server, line};
@@ -168,7 +168,7 @@ TEST_P(ViewerAt, EveryKeyDoesSomethingAndIsUndone) {
   EXPECT_TRUE(window.comesToShow(start, kSeen));
 }
 
-// The overlay of all keys opens with `?` and closes with `?` or Esc, and what was behind is there again.
+// The overlay of all keys opens with `?` and closes with `?` or Esc. Then the window looks as it did before.
 TEST_P(ViewerAt, HelpOpensAndCloses) {
   const RgbImage start = freshWindow(server, kTeapot);
   const WatchedViewer viewer{server, kTeapot};
@@ -181,8 +181,8 @@ TEST_P(ViewerAt, HelpOpensAndCloses) {
   EXPECT_TRUE(viewer.window.comesToShow(start, kSeen));
 }
 
-// Dragging over the picture turns the scene, until the button is released and only if it went down there; the
-// wheel zooms. Undo takes each back.
+// Dragging over the picture turns the scene until the button is released, but only if the button went down
+// over the picture. The wheel zooms. Undo takes each of these back.
 TEST_P(ViewerAt, MouseTurnsAndZooms) {
   const RgbImage start = freshWindow(server, kTeapot);
   const WatchedViewer viewer{server, kTeapot};
@@ -202,7 +202,7 @@ TEST_P(ViewerAt, MouseTurnsAndZooms) {
   window.type("u");
   EXPECT_TRUE(window.comesToShow(start, kSeen));
 
-  window.moveTo(900, 358);  // over the controls, on none
+  window.moveTo(900, 358);  // in the column of controls, but on none of them
   window.button(1, true);
   window.moveTo(300, 300);
   window.button(1, false);
@@ -218,7 +218,7 @@ TEST_P(ViewerAt, MouseTurnsAndZooms) {
   }
 }
 
-// The same keys show the same windows at both depths, step by step.
+// The same keys show the same window at both depths, after every key.
 TEST(Viewer, ShowsTheSameAtBothDepths) {
   const XServer eight = serverFor(8), deep = serverFor(24);
   const WatchedViewer one{eight, kTeapot}, two{deep, kTeapot};
@@ -231,7 +231,7 @@ TEST(Viewer, ShowsTheSameAtBothDepths) {
       viewer->window.type({&key, 1});
       ASSERT_TRUE(viewer->window.settles());
     }
-    // Settled is not yet shown in every part: the last part may still be on its way.
+    // When the window has settled, the last part of a frame may still be on its way.
     RgbImage seen;
     EXPECT_TRUE(comesTrue([&] { return (seen = one.window.shown(kSeen)) == two.window.shown(kSeen); }));
     EXPECT_TRUE(seen != before || key == 'J' || key == 'B');

@@ -21,14 +21,14 @@
 
 namespace xnewell {
 
-// The window under a real window manager, with another client that has a colormap of its own, and what is
-// left of it on the server afterwards.
+// The window under a real window manager, next to a client that has its own colormap; and what the window
+// leaves behind on the server.
 
 namespace {
 
 const std::string kTeapot = "teapot --divisions 4 --size 400x300";
 
-/// twm, placing windows without asking.
+/// twm, which places windows without asking.
 class WindowManager {
  public:
   explicit WindowManager(const XServer& server) : twm_{"twm", {"-f", configured(folder_)}, server.name()} {
@@ -41,7 +41,7 @@ class WindowManager {
   static std::string configured(const TemporaryFolder& folder) {
     std::ofstream out{folder.file("twmrc")};
     out << "RandomPlacement\n";
-    // The fonts that it takes by default are in a package of their own, and without them it ends.
+    // Its default fonts come in a separate package, and without them twm ends.
     for (const char* font : {"TitleFont", "ResizeFont", "MenuFont", "IconFont", "IconManagerFont"})
       out << font << " \"fixed\"\n";
     out.close();
@@ -51,7 +51,7 @@ class WindowManager {
   RunningProgram twm_;
 };
 
-/// Another client's window with a colormap of its own, at the lower right of a screen of 1280 x 1024.
+/// Another client's window with its own colormap, at the lower right of a screen of 1280 x 1024.
 struct Stranger {
   explicit Stranger(const XServer& server)
       : display{openDisplay(server.name())},
@@ -88,7 +88,7 @@ std::set<Colormap> installed(Display* d) {
   return {maps.get(), maps.get() + count};
 }
 
-/// Puts the pointer into the middle of a window.
+/// Moves the pointer to the middle of a window.
 void enter(const WatchedWindow& hand, Window window) {
   Display* d = hand.display();
   XWindowAttributes attributes{};
@@ -112,7 +112,7 @@ std::vector<Window> colormapWindows(Display* d, Window window) {
 struct Traces {
   int clients = 0;
   std::set<std::string> rootProperties;
-  int freeCells = 0;  ///< of the default colormap
+  int freeCells = 0;  ///< in the default colormap
   std::set<Colormap> installed;
   bool operator==(const Traces&) const = default;
 };
@@ -134,7 +134,7 @@ Traces tracesOn(Display* d) {
   return traces;
 }
 
-/// Resources of the client that made `resource`; 0 where there is no such client.
+/// The number of resources of the client that made `resource`; 0 if there is no such client.
 int resourcesOf(Display* d, XID resource) {
   const ErrorTrap trap{d};
   int count = 0;
@@ -148,8 +148,9 @@ int resourcesOf(Display* d, XID resource) {
 
 }  // namespace
 
-// Under a window manager the map of the window where the pointer is is installed: ours, the other client's,
-// and the default one beside both. The manager does that, told by the window; we do not.
+// Under a window manager, the installed colormap is that of the window under the pointer: ours, the other
+// client's, or the default map where there is no window. The manager installs it, told by the window; the
+// program does not.
 TEST(WindowManager, InstallsOurColormapWhereThePointerIs) {
   const XServer server = XServer::xvfb(8, 1280, 1024);
   const WindowManager manager{server};
@@ -164,7 +165,7 @@ TEST(WindowManager, InstallsOurColormapWhereThePointerIs) {
     return comesTrue([&] { return installed(d) == std::set{map}; });
   };
 
-  // ICCCM 4.1.8: the window has its map as an attribute, and is in its own list.
+  // ICCCM 4.1.8: the map is the window's attribute, and the window is in its own WM_COLORMAP_WINDOWS list.
   EXPECT_NE(ours, usual);
   EXPECT_EQ(colormapWindows(d, window.id()), std::vector{window.id()});
 
@@ -186,8 +187,8 @@ TEST(WindowManager, InstallsOurColormapWhereThePointerIs) {
   EXPECT_TRUE(comesToInstall(theirs));
 }
 
-// However the window ends, with a window manager or without, nothing of it stays on the server; nor of a
-// snapshot.
+// Nothing of the window stays on the server, however it ends, with or without a window manager. Nothing of a
+// snapshot stays either.
 TEST(WindowManager, FindsNothingOfUsAfterwards) {
   const XServer server = XServer::xvfb(8, 1280, 1024);
   std::optional<WindowManager> manager;

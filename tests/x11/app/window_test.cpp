@@ -11,7 +11,7 @@
 
 namespace xnewell {
 
-// The window's life among other windows: how it ends, is covered, resized, and keeps its colours.
+// The window among other windows: how it ends, is covered, is resized, and keeps its colours.
 
 namespace {
 
@@ -27,7 +27,7 @@ std::string sized(int width, int height) {
   return kTeapot + " --size " + std::to_string(width) + "x" + std::to_string(height);
 }
 
-/// Somebody else's map, installed as a program without manners does.
+/// Another program's colormap, which that program installs without asking.
 OwnedColormap stealColormap(const WatchedWindow& window) {
   Display* d = window.display();
   OwnedColormap other{d, XCreateColormap(d, DefaultRootWindow(d), DefaultVisual(d, 0), AllocNone)};
@@ -44,7 +44,8 @@ class WindowAt : public testing::TestWithParam<int> {
 };
 INSTANTIATE_TEST_SUITE_P(Depths, WindowAt, testing::Values(8, 24), testing::PrintToStringParamName());
 
-// `q` and the close button end with status 0, signals with 130; nothing is said and no window is left.
+// `q` and the close button end the program with status 0, signals with 130. It says nothing and leaves no
+// window.
 TEST_P(WindowAt, EndsAsAsked) {
   struct End {
     int status;
@@ -73,8 +74,8 @@ TEST_P(WindowAt, EndsAsAsked) {
   }
 }
 
-// What another window covered is there again when that goes, by a copy on the server: nothing is drawn
-// anew. For both ways to fill.
+// What another window covered comes back by a copy on the server when that window goes. Nothing is drawn
+// again. This holds for both ways to fill.
 TEST_P(WindowAt, UncoveringCopiesThePictureBack) {
   for (const std::string fill : {"--fill scanline", "--fill x11"}) {
     SCOPED_TRACE(fill);
@@ -94,15 +95,15 @@ TEST_P(WindowAt, UncoveringCopiesThePictureBack) {
                          CopyFromParent, CWOverrideRedirect | CWBackPixel, &attributes)};
     XMapWindow(d, cover.get());
     XSync(d, 0);
-    cover = {};  // without background of our own, its white stays until we copy
+    cover = {};  // our window has no background, so its white stays until we copy
     EXPECT_TRUE(window.comesToShow(expected, all));
     EXPECT_GE(record.count(X_CopyArea), 1);
     EXPECT_EQ(record.drawing(), record.count(X_CopyArea));
   }
 }
 
-// At every size from one pixel to more than the screen the window shows what a fresh start of that size
-// shows, as far as the screen goes.
+// At every size, from one pixel to more than the screen, the part of the window on the screen shows what a
+// fresh start at that size shows.
 TEST_P(WindowAt, ShowsTheRightPictureAtEverySize) {
   constexpr std::array<std::array<int, 2>, 9> kSizes{{{1, 1},
                                                       {2, 300},
@@ -126,7 +127,8 @@ TEST_P(WindowAt, ShowsTheRightPictureAtEverySize) {
   EXPECT_TRUE(viewer.program.running());
 }
 
-// Many sizes in a row while keys arrive: nothing is said, and the end is what a fresh start shows.
+// After many sizes in a row while keys arrive, the window shows what a fresh start shows, and the program has
+// said nothing.
 TEST_P(WindowAt, SurvivesResizingWhileKeysArrive) {
   const RgbImage expected = fresh(server, 900, 700);
   WatchedViewer viewer{server, kTeapot};
@@ -147,7 +149,7 @@ TEST_P(WindowAt, SurvivesResizingWhileKeysArrive) {
   EXPECT_EQ(end.err, "");
 }
 
-// Two windows on one server have colours and keys of their own, and one outlives the other.
+// Two windows on one server have their own colours and keys, and one outlives the other.
 TEST_P(WindowAt, TwoDoNotDisturbEachOther) {
   const Rect all = aboveStatus(600, 450);
   const RgbImage red = fresh(server, 600, 450),
@@ -159,7 +161,7 @@ TEST_P(WindowAt, TwoDoNotDisturbEachOther) {
   two.window.moveTo(700, 600);
   two.window.type("H");
   EXPECT_TRUE(two.window.comesToShow(amber, all));
-  EXPECT_TRUE(one.window.comesToShow(red, all));  // when it has copied back what the other had covered
+  EXPECT_TRUE(one.window.comesToShow(red, all));  // once it has copied back what the other window covered
   two.window.type("q");
   EXPECT_EQ(two.program.wait().status, 0);
   EXPECT_EQ(one.window.shown(all), red);
@@ -168,8 +170,8 @@ TEST_P(WindowAt, TwoDoNotDisturbEachOther) {
   EXPECT_EQ(one.program.wait().status, 0);
 }
 
-// Without a window manager a colormap stolen while the pointer is in our window is taken back; with the
-// pointer elsewhere it is left to whoever took it, until the pointer comes back.
+// Without a window manager, the program takes back a colormap that was stolen while the pointer is in its
+// window. While the pointer is elsewhere, the thief keeps it until the pointer comes back.
 TEST(WindowColormap, IsTakenBackWhereThePointerIs) {
   const XServer server = serverFor(8);
   const WatchedViewer viewer{server, sized(800, 600)};
@@ -195,7 +197,7 @@ TEST(WindowColormap, IsTakenBackWhereThePointerIs) {
   EXPECT_TRUE(comesTrue([&] { return window.colormapInstalled(); }));
 }
 
-// With a window manager we install nothing: that is its business.
+// Under a window manager the program installs no colormap: that is the manager's task.
 TEST(WindowColormap, IsLeftToTheWindowManager) {
   const XServer server = serverFor(8);
   const OwnedDisplay manager = openDisplay(server.name());
@@ -215,8 +217,7 @@ TEST(WindowColormap, IsLeftToTheWindowManager) {
   EXPECT_EQ(record.count(X_InstallColormap), 0);
 }
 
-// A default colormap without one free cell is no obstacle: the window brings its own, and shows the right
-// colours.
+// The window shows the right colours even if the default colormap has no free cell: it has its own map.
 TEST(WindowColormap, NeedsNoFreeCellInTheDefaultMap) {
   const XServer server = serverFor(8);
   const RgbImage drawn = pictureOf("draw " + sized(320, 240)), expected = fresh(server, 1024, 768);
@@ -228,7 +229,7 @@ TEST(WindowColormap, NeedsNoFreeCellInTheDefaultMap) {
   ASSERT_GT(taken, 0);
   EXPECT_EQ(pictureOf("snapshot " + sized(320, 240), server.name()), drawn);
   const WatchedViewer viewer{server, kTeapot};
-  // But for the strip, which also shows cells that hold the default map's colours: others now.
+  // The strip is left out: it also shows cells with the default map's colours, which are others now.
   const Layout at = layoutOf(1024, 768);
   const Rect seen{0, 0, 1024, at.strip.y};
   EXPECT_TRUE(viewer.window.comesToShow(cropped(expected, seen), seen));

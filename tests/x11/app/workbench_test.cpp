@@ -14,7 +14,7 @@ namespace {
 
 using Stale = Workbench::Stale;
 
-/// The part of the window that holds no milliseconds: all but the status line.
+/// All of the window but the status line, which shows milliseconds.
 IndexImage withoutStatus(const Workbench& b) {
   IndexImage image = b.image();
   for (int j = b.layout().status.y; b.layout().roomy && j < image.height; ++j)
@@ -24,7 +24,7 @@ IndexImage withoutStatus(const Workbench& b) {
 
 }  // namespace
 
-// A new hue and 8 or 16 bits are colours in the same cells: not one index of the window changes.
+// A new hue, and the change between 8 and 16 bits, only change colours: no index of the window changes.
 TEST(Workbench, HueAndBitsAreColoursAlone) {
   ReadyWorkbench b;
   const IndexImage before = b.image();
@@ -39,7 +39,7 @@ TEST(Workbench, HueAndBitsAreColoursAlone) {
   EXPECT_NE(b.palette(), palette);
 }
 
-// Table, shades and I0 change cells and indices; the window then is that of a fresh start with them.
+// Table, shades and I0 change cells and indices. Then the window looks like a fresh start with them.
 TEST(Workbench, TableChangesEqualAFreshStart) {
   ReadyWorkbench b;
   b.type("T");  // corrected
@@ -64,8 +64,8 @@ TEST(Workbench, TableChangesEqualAFreshStart) {
         << j;
 }
 
-// Undo leads back step by step to the start, redo forth again; reset is a step like any other. A run of
-// one control's changes is one step.
+// Undo leads back to the start step by step, and redo leads forward again. Reset is a step like any other.
+// Successive changes of one control are one step.
 TEST(Workbench, UndoRedoReset) {
   ReadyWorkbench b;
   const xnewell::Setup start = b.setup();
@@ -84,7 +84,8 @@ TEST(Workbench, UndoRedoReset) {
   EXPECT_EQ(b.setup(), end);
 }
 
-// Dragging adds up: ten drags of 3 pixels are one of 30, whether or not a frame was drawn between them.
+// Drags add up: ten drags of 3 pixels turn the scene like one of 30, whether or not a frame is drawn between
+// them.
 TEST(Workbench, DragsAddUp) {
   ReadyWorkbench one, many;
   one.drag(30, 0);
@@ -98,7 +99,8 @@ TEST(Workbench, DragsAddUp) {
   for (int k = 0; k < 3; ++k) EXPECT_NEAR(a[k], b[k], 1e-12);
 }
 
-// Sizes from 1 x 1 up draw something everywhere; with no room for the controls the picture takes it all.
+// At sizes from 1 x 1 up, every pixel is drawn. Where there is no room for the controls, the picture fills
+// the window.
 TEST(Workbench, EverySizeDraws) {
   for (const auto& [w, h] : {std::pair{1, 1},
                              {7, 900},
@@ -121,7 +123,8 @@ TEST(Workbench, EverySizeDraws) {
   }
 }
 
-// A frame after any keys is the frame of a fresh start with the same setup: nothing lingers.
+// The frame after any keys is the frame of a fresh start with the same setup: nothing is left over from
+// before.
 TEST(Workbench, NothingLingers) {
   std::mt19937 rng{7};
   constexpr std::string_view kLetters = "ipadsnc0lLVSOFPKTHBJ[]uUr+-=?tz133hmgj";
@@ -144,14 +147,15 @@ TEST(Workbench, NothingLingers) {
     fresh.type("s");
     fresh.update();
     EXPECT_EQ(b.palette(), fresh.palette());
-    // The sliders' default marks differ: compare left of the controls.
+    // The marks of the sliders' defaults differ, so only the part left of the controls is compared.
     const IndexImage x = withoutStatus(b), y = withoutStatus(fresh);
     for (int j = 0; j < x.height; ++j)
       ASSERT_TRUE(std::equal(x.row(j), x.row(j) + b.layout().controls.x - 8, y.row(j))) << j;
   }
 }
 
-// The camera keys lead to no view that cannot be drawn: a thousand steps in each direction.
+// The camera keys never lead to a view that cannot be drawn. The test takes a thousand steps in each
+// direction.
 TEST(Workbench, TheCameraSurvivesAnyKeys) {
   ReadyWorkbench b{{}, 300, 200};
   for (const char mode : {'t', 'z'}) {
@@ -165,8 +169,8 @@ TEST(Workbench, TheCameraSurvivesAnyKeys) {
   }
 }
 
-// The oracle has no polygons for the server to fill: the choice falls back to the scanline filler, and says
-// so.
+// The oracle has no polygons for the server to fill. So the choice falls back to the scanline filler, and the
+// window says so.
 TEST(Workbench, OracleFillsNoPolygons) {
   ReadyWorkbench b;
   b.type("FF");
@@ -181,8 +185,8 @@ TEST(Workbench, OracleFillsNoPolygons) {
   EXPECT_EQ(b.stale(), Stale::Everything);  // the status line tells why
 }
 
-// A key that does nothing says why: nothing was done yet that could be undone, and a slider that is off keeps
-// its value from the arrows, the ends and the typed line.
+// A key that has no effect says why: there is nothing to undo yet, or a slider is off. A slider that is off
+// keeps its value under the arrows, Home and End, and the typed line.
 TEST(Workbench, KeysThatDoNothingSayWhy) {
   ReadyWorkbench b;
   const xnewell::Setup before = b.setup();
@@ -205,7 +209,7 @@ TEST(Workbench, KeysThatDoNothingSayWhy) {
   }
 }
 
-// The first letter that is typed replaces what stands in the line, but not where some of it was taken away.
+// The first letter typed replaces the text in the line, unless part of that text was deleted first.
 TEST(Workbench, TypingReplacesOrGoesOn) {
   for (const bool shortened : {false, true}) {
     ReadyWorkbench b;
@@ -217,7 +221,8 @@ TEST(Workbench, TypingReplacesOrGoesOn) {
   }
 }
 
-// However shading comes to interpolate, in whichever view, the server does not fill any more.
+// As soon as the shading interpolates, the server no longer fills, in any view and whichever way the shading
+// was chosen.
 TEST(Workbench, NoViewLeavesTheServerWhatItCannotFill) {
   for (const std::string_view keys : {"S", "5AS", "5Agg", "5Sx", "5ASux", "5BSx1"}) {
     SCOPED_TRACE(keys);
@@ -240,12 +245,13 @@ TEST(Workbench, NoViewLeavesTheServerWhatItCannotFill) {
   }
 }
 
-// Controls that do nothing say so, and nowhere else: those of a light that is the scene's own are not moved.
+// Controls that have no effect say so, and no others do. The controls of a light that belongs to the scene do
+// not move.
 TEST(Workbench, TellsOfControlsThatDoNothing) {
   struct Case {
     std::string scene;
     Shading shading;
-    std::string keys, idle;  ///< of the keys those that do nothing
+    std::string keys, idle;  ///< those of the keys that have no effect
   };
   for (const Case& c :
        {Case{"teapot", Shading::Gouraud, "[]HNST", ""}, Case{"teapot", Shading::Flat, "[]HNT", "N"},
@@ -271,7 +277,7 @@ TEST(Workbench, TellsOfControlsThatDoNothing) {
     }
 }
 
-// What was changed since it was saved is not lost to another scene without a word.
+// Opening another scene warns if changes have not been saved.
 TEST(Workbench, OpeningAnotherSceneWarns) {
   const TemporaryFolder folder;
   ReadyWorkbench b;
@@ -292,7 +298,7 @@ TEST(Workbench, OpeningAnotherSceneWarns) {
   EXPECT_NE(b.setup(), changed);
 }
 
-// While the picture is dragged wrong faces are not counted; afterwards they are.
+// Wrong faces are not counted while the picture is dragged, and are counted afterwards.
 TEST(Workbench, CountsWrongFacesWhenSettled) {
   ReadyWorkbench b;
   const IndexImage counted = b.image();

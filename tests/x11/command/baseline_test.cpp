@@ -7,8 +7,8 @@
 
 namespace xnewell {
 
-// The code for newer processors and that for any give the same picture, bit by bit. Not in a build that has
-// the latter alone.
+// The code for newer processors and the code for any processor give the same picture, bit for bit. A build
+// that has only the latter does not have this test.
 #ifdef XNEWELL_BASELINE_PROGRAM
 
 namespace {

@@ -14,8 +14,8 @@
 
 namespace xnewell {
 
-/// What the program draws: the face image against an independent decision, the meaning of each option,
-/// and scenes and cameras at the extremes.
+/// What the program draws: the face image against an independent decision, the meaning of each option, and
+/// extreme scenes and cameras.
 
 namespace {
 
@@ -28,8 +28,8 @@ struct Sheet {
   bool clockwise;  ///< seen from +z
 };
 
-/// Stars of 3 to 12 corners, concave as a rule, some far larger than the picture, each at a z of its own,
-/// in no order.
+/// Stars of 3 to 12 corners, most of them concave, some far larger than the picture, each at its own z, in
+/// random order.
 std::vector<Sheet> sheets(unsigned seed, int count) {
   std::mt19937 rng{seed};
   std::uniform_real_distribution<double> unit{0.0, 1.0};
@@ -64,7 +64,7 @@ std::string objOf(const std::vector<Sheet>& all) {
 
 enum class Where { In, Out, TooNear };
 
-/// By crossings of a ray; too near is within `margin` of an edge.
+/// Counts the crossings of a ray. A point within `margin` of an edge is too near.
 Where where(const std::vector<glm::dvec2>& outline, glm::dvec2 p, double margin) {
   bool in = false;
   for (std::size_t i = 0; i < outline.size(); ++i) {
@@ -77,8 +77,8 @@ Where where(const std::vector<glm::dvec2>& outline, glm::dvec2 p, double margin)
   return in ? Where::In : Where::Out;
 }
 
-/// The ids of a picture of sheets seen from (0, 0, eye) along -z; `slope` is half the picture's height at
-/// unit distance, or of a parallel picture everywhere.
+/// The ids of a picture of sheets seen from (0, 0, eye) along -z. `slope` is half the picture's height: at
+/// unit distance in perspective, at every distance in a parallel picture.
 void expectSheets(const RgbImage& ids, const std::vector<Sheet>& all, double eye, double slope,
                   bool perspective, bool culled) {
   int decided = 0, hidden = 0;
@@ -90,7 +90,7 @@ void expectSheets(const RgbImage& ids, const std::vector<Sheet>& all, double eye
         if (culled && all[k].clockwise) continue;
         const double half = perspective ? slope * (eye - all[k].z) : slope, pixel = 2 * half / ids.height;
         const glm::dvec2 p{(i + 0.5 - ids.width / 2.0) * pixel, (ids.height / 2.0 - j - 0.5) * pixel};
-        const Where w = where(all[k].outline, p, 1e-3 * pixel);  // vertices move by 2^-17 pixel
+        const Where w = where(all[k].outline, p, 1e-3 * pixel);  // vertices move by up to 2^-17 pixel
         near = w == Where::TooNear;
         if (w != Where::In) continue;
         hidden += front >= 0;
@@ -130,8 +130,8 @@ int covered(const RgbImage& ids) { return ids.width * ids.height - idCounts(ids)
 
 }  // namespace
 
-// The face image names the frontmost face at each sample away from edges, in parallel and in perspective,
-// through triangulation, clipping and culling.
+// The face image names the frontmost face at each sample away from edges. This holds in parallel and in
+// perspective pictures, with triangulation, clipping and culling.
 TEST_F(DrawnPicture, IdsNameTheFaceInFront) {
   const Seeds seeds{4};
   for (unsigned seed = seeds.from; seed < seeds.end; ++seed) {
@@ -148,7 +148,7 @@ TEST_F(DrawnPicture, IdsNameTheFaceInFront) {
   }
 }
 
-// Face numbers beyond 16 bits use all three channels: 300 x 300 squares, one a pixel.
+// Face numbers beyond 16 bits use all three channels. The scene has 300 x 300 squares, one for each pixel.
 TEST_F(DrawnPicture, IdsHave24Bits) {
   std::string text;
   for (int y = 0; y <= 300; ++y)
@@ -166,7 +166,7 @@ TEST_F(DrawnPicture, IdsHave24Bits) {
     for (int i = 0; i < 300; ++i) ASSERT_EQ(idAt(drawn.ids, i, j), 300 * j + i + 1) << i << ", " << j;
 }
 
-// Scaling a file by a power of two changes no pixel: the default camera sees the same scene.
+// Scaling a scene by a power of two changes no pixel: the default camera moves with it.
 TEST_F(DrawnPicture, DoesNotKnowTheUnitOfTheFile) {
   const std::vector<Mesh> scenes{torus(12, 7), triangleSoup(40, 0.8, 3),
                                  parseObj(objOf(sheets(9, 15)), "", "")};
@@ -182,7 +182,8 @@ TEST_F(DrawnPicture, DoesNotKnowTheUnitOfTheFile) {
   }
 }
 
-// Options of light and table recolour the same faces: the picture changes, the face image does not.
+// Options of light and table change the picture but not the face image: they only colour the same faces
+// differently.
 TEST_F(DrawnPicture, LightAndTableRecolour) {
   const Drawn plain = draw("teapot"), corrected = draw("teapot", {"--table", "corrected"});
   const auto recolours = [&](const Drawn& before, const Words& options) {
@@ -207,11 +208,11 @@ TEST_F(DrawnPicture, LightAndTableRecolour) {
   recolours(draw("teapot", {"--light-at", "5,-5,5"}), {"--light-at", "5,-5,5", "--constant-l"});
   for (const Words& more : std::vector<Words>{{"--i0", "0.2"}, {"--bits", "8"}})
     recolours(corrected, Words{"--table", "corrected"} + more);
-  // The two rules disagree on about 0.2 % of all intensities: it takes a large picture to see it.
+  // The two rules disagree on about 0.2 % of all intensities, so only a large picture shows it.
   const Words large{"--table", "corrected", "--size", "800x600", "--pick"};
   EXPECT_NE(draw("teapot", large + Words{"log"}).png, draw("teapot", large + Words{"search"}).png);
 
-  // Ground, and one colour where nothing tells the faces apart; of N shades at most N.
+  // There is the ground, and one colour where nothing tells the faces apart; N shades give at most N colours.
   EXPECT_EQ(colorsOf(recolours(plain, {"--shade", "none"}).picture).size(), 2u);
   EXPECT_TRUE(colorsOf(draw("teapot", {"--shade", "none"}).picture).contains(240 << 16));
   EXPECT_EQ(colorsOf(recolours(plain, {"--ia", "1"}).picture).size(), 2u);
@@ -220,7 +221,7 @@ TEST_F(DrawnPicture, LightAndTableRecolour) {
   EXPECT_GT(draw("teapot", {"--ip", "1", "--kd", "1", "--ks", "1", "--n", "0"}).stats["saturated"], 0);
   EXPECT_EQ(draw("teapot", {"--ks", "0"}).stats["saturated"], 0);
 
-  // A green ramp holds in green what a red one holds in red.
+  // A green ramp has in green what a red one has in red.
   const RgbImage green = recolours(plain, {"--hue", "0,1,0"}).picture;
   for (std::size_t p = 0; p < green.rgb.size(); p += 3)
     if (idAt(plain.ids, static_cast<int>(p / 3 % 160), static_cast<int>(p / 480)) != 0) {
@@ -228,7 +229,7 @@ TEST_F(DrawnPicture, LightAndTableRecolour) {
     }
 }
 
-// Options of the camera and the sort move faces as they say.
+// Options of the camera and of the sort change the faces as they say.
 TEST_F(DrawnPicture, CameraOptionsMean) {
   const Drawn plain = draw("teapot");
   for (const Words& options : std::vector<Words>{{"--eye", "-1,-9,3"},
@@ -252,7 +253,8 @@ TEST_F(DrawnPicture, CameraOptionsMean) {
   EXPECT_GT(draw("teapot", {"--cull", "back"}).stats["culled"], 500);
   EXPECT_EQ(draw("teapot", {"--size", "31x17"}).ids.width, 31);
 
-  // Half as tall a view is four times the area; a wider field of view from one place is smaller.
+  // A view half as tall shows four times the area; a wider field of view from the same place shows things
+  // smaller.
   const int one = covered(draw("teapot", {"--parallel", "20"}).ids),
             four = covered(draw("teapot", {"--parallel", "10"}).ids);
   EXPECT_NEAR(four, 4 * one, 0.1 * four);
@@ -260,7 +262,7 @@ TEST_F(DrawnPicture, CameraOptionsMean) {
   EXPECT_GT(covered(draw("teapot", eye + Words{"--fov", "30"}).ids),
             2 * covered(draw("teapot", eye + Words{"--fov", "60"}).ids));
 
-  // In front of two squares is the nearer one, from either side; unsorted, the later one in the file.
+  // Of two squares the nearer one shows, from either side; unsorted, the later one in the file shows.
   const std::string squares =
       write("squares.obj",
             "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nv 0 0 1\nv 1 0 1\nv 1 1 1\nv 0 1 1\nf 1 2 3 4\nf 5 6 7 8\n");
@@ -274,7 +276,7 @@ TEST_F(DrawnPicture, CameraOptionsMean) {
   EXPECT_EQ(seen(back + Words{"--front", "0.5", "--back", "-0.5"}), 1);
 }
 
-// Awkward scenes are drawn: any magnitude, far from the origin, single points, faces without area.
+// Awkward scenes are drawn: scenes of any size, far from the origin, single points, faces without area.
 TEST_F(DrawnPicture, AwkwardScenes) {
   const auto triangle = [&](const std::string& zero, const std::string& one) {
     return write("t.obj", "v " + zero + " " + zero + " 0\nv " + one + " " + zero + " 0\nv " + zero + " " +
@@ -284,7 +286,7 @@ TEST_F(DrawnPicture, AwkwardScenes) {
   EXPECT_GT(area, 1000);
   for (const std::string one : {"1e-300", "1e300", "5e-324", "1.7e308", "1e-12"})
     EXPECT_EQ(covered(draw(triangle("0", one)).ids), area) << one;
-  // The place costs digits: at 1e12 a unit is 8192 roundings, at 1e15 only eight.
+  // A place far away costs digits: at 1e12 a unit is 8192 rounding steps, at 1e15 only eight.
   EXPECT_NEAR(covered(draw(triangle("1000000000000", "1000000000001")).ids), area, 0.01 * area);
   EXPECT_GT(covered(draw(triangle("1000000000000000", "1000000000000001")).ids), area / 2);
 
@@ -305,7 +307,7 @@ TEST_F(DrawnPicture, AwkwardScenes) {
   EXPECT_TRUE(idCounts(flat.ids).contains(2));
 }
 
-// Awkward cameras: a picture or one line, never NaN, never a crash.
+// An awkward camera gives a picture or a message of one line, but never NaN or a crash.
 TEST_F(DrawnPicture, AwkwardCameras) {
   for (const Words& camera : std::vector<Words>{{"--eye", "0,0,1"},
                                                 {"--eye", "0.1,0.1,1.5"},
@@ -333,14 +335,14 @@ TEST_F(DrawnPicture, AwkwardCameras) {
     EXPECT_EQ(end.status, 0) << camera[0] << ' ' << camera[1] << ": " << end.err;
     std::filesystem::remove(file("a.png"));
   }
-  // Framing keeps the scene's size whatever the field of view.
+  // Framing keeps the scene the same size for every field of view.
   for (const char* fov : {"0.001", "1", "30"})
     EXPECT_GT(covered(draw("teapot", {"--fov", fov}).ids), 4000) << fov;
   EXPECT_EQ(covered(draw("teapot", {"--eye", "1e12,1e12,1e12"}).ids), 0);
 }
 
-// A face of a million corners is one face, and so is a comb of ten thousand. (Its needles all overlap
-// each other's boxes: n^2 comparisons of boxes.)
+// A face of a million corners is one face, and so is a comb of ten thousand needles. (The boxes of all
+// needles overlap, which costs n^2 comparisons of boxes.)
 TEST_F(DrawnPicture, FacesOfManyCorners) {
   constexpr int kCorners = kSanitized ? 100'000 : 1'000'000;
   std::string disc, corners, comb;
@@ -352,7 +354,7 @@ TEST_F(DrawnPicture, FacesOfManyCorners) {
   const Words view{"--eye", "0,0,9", "--look-at", "0,0,0", "--parallel", "4"};
   const RgbImage ids = draw(write("disc.obj", disc + "f" + corners + "\n"), view).ids;
   EXPECT_NEAR(covered(ids), 3.14159265358979 * 30 * 30,
-              2 * 3.14159265358979 * 30);  // half a pixel at the rim each way
+              2 * 3.14159265358979 * 30);  // half a pixel to each side of the rim
   EXPECT_EQ(idCounts(ids).size(), 2u);
 
   constexpr int kTeeth = kSanitized ? 1'000 : 5'000;

@@ -1,5 +1,6 @@
 #include <gtest/gtest.h>
 #include <sys/resource.h>
+#include <sys/stat.h>
 #include <sys/wait.h>
 
 #include <csignal>
@@ -13,9 +14,9 @@
 
 namespace xnewell {
 
-/// The program's words, files and exit status when something is wrong, and when nothing is.
+/// The program's messages, files and exit status, when something is wrong and when nothing is.
 
-// Bad files: one line with the file, the line in it and what is wrong; an old picture stays as it was.
+// A bad file gives one line with the file, the line in it and what is wrong. An old picture stays as it was.
 TEST_F(CommandTest, BadScenesAreRefusedInOneLine) {
   std::filesystem::create_directory(file("folder"));
   std::filesystem::create_directory(file("folder.obj"));
@@ -53,7 +54,7 @@ TEST_F(CommandTest, BadScenesAreRefusedInOneLine) {
       "scenes` the scenes");
 }
 
-// A message is one line of bounded length whatever the names in it.
+// A message is one line of bounded length, whatever names are in it.
 TEST_F(CommandTest, MessagesAreOneShortLine) {
   const std::string longest(100'000, 'a');
   for (const Words& words :
@@ -69,7 +70,8 @@ TEST_F(CommandTest, MessagesAreOneShortLine) {
   }
 }
 
-// Wrong usage: one line, status 2, no file touched. (options_test.cpp has the lines in full.)
+// Wrong usage gives one line and status 2, and touches no file. (options_complaints_test.cpp has the lines in
+// full.)
 TEST_F(CommandTest, WrongUsageIsStatus2) {
   const Words whole{"draw", "teapot", "-o", file("old.png")};
   refused(whole + Words{"--nonsense"}, 2, "unknown option '--nonsense'");
@@ -95,7 +97,8 @@ TEST_F(CommandTest, WrongUsageIsStatus2) {
             "the command '" + command + "' is not built yet; `xnewell --help` lists what is");
 }
 
-// Without a server what needs one fails in one line, status 1; `draw` and `scenes` do not need one.
+// Without a server, a command that needs one fails with one line and status 1. `draw` and `scenes` do not
+// need one.
 TEST_F(CommandTest, NoServerIsStatus1) {
   const std::string unset = "DISPLAY is not set: start an X server, or name one, for example DISPLAY=:0";
   refused({}, 1, unset);
@@ -108,7 +111,8 @@ TEST_F(CommandTest, NoServerIsStatus1) {
   EXPECT_EQ(runProgram({"scenes"}).status, 0);
 }
 
-// The output goes nowhere, to a place that refuses it, or is swallowed: status 1, 1 and 0.
+// The status is 1 if the output has nowhere to go, 1 if its place refuses it, and 0 if the output is
+// swallowed.
 TEST_F(CommandTest, OutputsThatCannotBeWritten) {
   std::filesystem::create_directory(file("folder"));
   const auto to = [](const std::string& o) { return Words{"draw", "cycle", "-o", o}; };
@@ -122,7 +126,7 @@ TEST_F(CommandTest, OutputsThatCannotBeWritten) {
   EXPECT_EQ(piped.out, contents(file("a.png")));
 }
 
-// Of a picture and a face image that cannot both be written neither is, whichever it is.
+// If either the picture or the face image cannot be written, neither is.
 TEST_F(CommandTest, PictureAndFacesAreWrittenTogether) {
   const auto to = [](const std::string& o, const std::string& ids) {
     return Words{"draw", "cycle", "-o", o, "--ids", ids, "--stats"};
@@ -136,14 +140,14 @@ TEST_F(CommandTest, PictureAndFacesAreWrittenTogether) {
   }
 }
 
-// Beyond the shell's limit for files nothing is left, and the reason is told: no signal kills the program.
+// A file beyond the shell's size limit is not left behind. The program gives the reason: no signal kills it.
 TEST_F(CommandTest, AFileTooLargeIsAnError) {
   rlimit before{};
   ASSERT_EQ(getrlimit(RLIMIT_FSIZE, &before), 0);
   const rlimit small{100, before.rlim_max};
   const auto ours = std::signal(SIGXFSZ, SIG_IGN);
   ASSERT_EQ(setrlimit(RLIMIT_FSIZE, &small), 0);
-  // The child's messages go to a file in memory, which the limit concerns as well: 100 bytes are enough.
+  // The child's messages go to a file in memory. The limit applies to it too, but 100 bytes are enough.
   const std::filesystem::path here = std::filesystem::current_path();
   std::filesystem::current_path(file("."));
   std::signal(SIGXFSZ, SIG_DFL);
@@ -156,8 +160,8 @@ TEST_F(CommandTest, AFileTooLargeIsAnError) {
   EXPECT_EQ(everything(), (std::map<std::string, std::string>{{"old.png", "before"}}));
 }
 
-// Ctrl-C at any moment of a long picture: status 130 (0 if it came too late), the picture whole or absent,
-// and never anything else in the folder.
+// Ctrl-C at any moment of a long picture ends the program with status 130 (0 if it came too late). The
+// picture is whole or absent, and nothing else is left in the folder.
 TEST_F(CommandTest, AnInterruptLeavesNothingHalfWritten) {
   int interrupted = 0;
   for (int delay = 0; delay <= 240; delay += 20) {
@@ -181,7 +185,7 @@ TEST_F(CommandTest, AnInterruptLeavesNothingHalfWritten) {
   EXPECT_GT(interrupted, 0);
 }
 
-// What goes to a closed, full or broken standard output is missed: it fails, and no file gets the text.
+// Output to a closed, full or broken standard output is an error, and the text goes to no other file.
 TEST_F(CommandTest, StandardOutputThatCannotBeWritten) {
   const std::string program = XNEWELL_PROGRAM;
   const auto shell = [](const std::string& line) {
@@ -194,13 +198,18 @@ TEST_F(CommandTest, StandardOutputThatCannotBeWritten) {
   const std::string drawing = program + " draw cycle --size 80x60 -o '" + file("a.png") + "'";
   EXPECT_EQ(shell(drawing + " --stats >/dev/full"), 1);
   EXPECT_EQ(shell(drawing + " --stats >&-"), 1);
-  EXPECT_EQ(shell(drawing + " >&- 2>&- <&-"), 0);  // nothing to say, nothing missed
+  EXPECT_EQ(shell(drawing + " >&- 2>&- <&-"), 0);  // it says nothing, so nothing is lost
   EXPECT_EQ(readPng(file("a.png")).width, 80);
-  EXPECT_EQ(shell("{ sleep 0.2; " + drawing + " --stats; echo $? >'" + file("status") + "'; } | true"), 0);
+  // The reader closes its end of the pipe, and then lets the program begin.
+  ASSERT_EQ(mkfifo(file("begin").c_str(), 0600), 0);
+  EXPECT_EQ(shell("{ read go <'" + file("begin") + "'; " + drawing + " --stats; echo $? >'" + file("status") +
+                  "'; } | { exec <&-; echo go >'" + file("begin") + "'; }"),
+            0);
   EXPECT_EQ(contents(file("status")), "141\n");  // SIGPIPE, as everywhere
 }
 
-// --help is on standard output wherever it stands, with the defaults, and promises nothing that is not built.
+// --help prints to standard output, wherever it stands among the words. It gives the defaults, and promises
+// nothing that is not built.
 TEST_F(CommandTest, HelpTellsWhatThereIs) {
   const Finished help = runProgram({"--help"});
   EXPECT_EQ(help.status, 0);
@@ -221,7 +230,7 @@ TEST_F(CommandTest, HelpTellsWhatThereIs) {
   EXPECT_EQ(everything().size(), 1u);
 }
 
-// `scenes` has a line for every built-in scene, and each can be drawn; and one for every lesson.
+// `scenes` has a line for every built-in scene and for every lesson. Each scene can be drawn.
 TEST_F(CommandTest, ScenesListsTheBuiltInOnes) {
   const std::string list = runProgram({"scenes"}).out;
   const std::vector<LessonEntry> lessons = builtInLessons();
@@ -234,7 +243,7 @@ TEST_F(CommandTest, ScenesListsTheBuiltInOnes) {
   }
 }
 
-// A built-in name wins over a file of that name, a path does not; odd names work.
+// A built-in name wins over a file of that name; a path always means the file. Odd file names work.
 TEST_F(CommandTest, NamesOfScenes) {
   const std::filesystem::path before = std::filesystem::current_path();
   write("teapot", kTriangle);
@@ -254,14 +263,14 @@ TEST_F(CommandTest, NamesOfScenes) {
     EXPECT_EQ(facesOf({name}), 1) << name;
   EXPECT_EQ(facesOf({"--", "-dash.obj"}), 1);
   EXPECT_TRUE(std::filesystem::exists("-o.png"));
-  // A name that is no UTF-8 is still a name; only the statistics cannot hold its bytes.
+  // A name need not be UTF-8. Only the statistics cannot hold such bytes.
   const Finished bytes = runProgram({"draw", "\xFF.obj", "-o", "bytes.png", "--stats"});
   EXPECT_EQ(bytes.status, 0) << bytes.err;
   EXPECT_EQ(Json::parse(bytes.out)["scene"], "\xEF\xBF\xBD.obj");
   std::filesystem::current_path(before);
 }
 
-// --stats: one object with everything promised, and times that add up.
+// --stats prints one object with everything that is promised, and its times add up.
 TEST_F(CommandTest, StatsHoldWhatIsPromised) {
   const Json stats = draw("teapot").stats;
   for (const char* key : {"polygons", "culled", "fragments", "splits", "cycles", "saturated"})
@@ -277,7 +286,7 @@ TEST_F(CommandTest, StatsHoldWhatIsPromised) {
                                    stats["outside"].get<int>());
 }
 
-// The same command twice writes the same bytes.
+// The same command writes the same bytes twice.
 TEST_F(CommandTest, IsDeterministic) {
   for (const std::string scene : {"teapot", "cycle"}) {
     const Drawn a = draw(scene), b = draw(scene);

@@ -13,7 +13,7 @@ class LessonCommand : public CommandTest {};
 
 }  // namespace
 
-// A numbered picture of the whole window for each step, without any X server.
+// `xnewell lesson` writes a numbered picture of the whole window for each step, without any X server.
 TEST_F(LessonCommand, FramesOfEveryLesson) {
   for (const LessonEntry& entry : builtInLessons()) {
     SCOPED_TRACE(entry.name);
@@ -42,7 +42,7 @@ TEST_F(LessonCommand, FramesAreAsLargeAsTheWindowIsAtFirst) {
   EXPECT_EQ(readPng(file("f/0006-step.png")).height, 768);
 }
 
-// A lesson of one's own: scenes are looked for beside it.
+// A lesson file of the user's own works. Its scenes are looked for in its folder.
 TEST_F(LessonCommand, AFileIsALesson) {
   write("bare.obj", kTriangle);
   write(

@@ -4,14 +4,14 @@
 
 namespace xnewell {
 
-/// What a scene file says and what the command line says: the command line wins, then the scene, then the
+/// Settings in a scene file and on the command line. The command line wins, then the scene, then the
 /// program's defaults.
 
 namespace {
 
 class SceneCommandTest : public CommandTest {
  protected:
-  /// A sphere with this said beside it.
+  /// A scene file with a sphere and these settings.
   [[nodiscard]] std::string sphere(const std::string& name, const std::string& said,
                                    const std::string& ofObject = "") const {
     return write(name, R"({"up": "z", )" + said +
@@ -21,7 +21,7 @@ class SceneCommandTest : public CommandTest {
 
 }  // namespace
 
-// What a scene asks for is what its options would do, and each option changes the same in both.
+// A setting in a scene has the same effect as its option, and each option has the same effect over both.
 TEST_F(SceneCommandTest, OptionsWinOverTheSceneOverDefaults) {
   const std::string plain = sphere("plain.json", "");
   const std::string asks =
@@ -56,10 +56,10 @@ TEST_F(SceneCommandTest, OptionsWinOverTheSceneOverDefaults) {
     EXPECT_EQ(over, draw(plain, rest).png) << other[k][0];
     changed += over != as;
   }
-  EXPECT_GE(changed, 15);  // not each is seen: of a sphere alone the order does not matter
+  EXPECT_GE(changed, 15);  // not every one can be seen: for a sphere alone the order does not matter
 }
 
-// The scene's own light and surfaces give way, each to the options of the same.
+// An option of light replaces the scene's own light, and an option of surfaces replaces the scene's surfaces.
 TEST_F(SceneCommandTest, OwnLightAndSurfacesGiveWay) {
   const std::string plain = sphere("plain.json", "");
   const std::string lit =
@@ -72,7 +72,7 @@ TEST_F(SceneCommandTest, OwnLightAndSurfacesGiveWay) {
   EXPECT_EQ(draw(lit, {"--ia", "0.3"}).png,
             draw(plain, {"--ia", "0.3", "--ip", "0.6", "--light", "1,0,0"}).png);
 
-  // A light that leaves less than the default of the user's.
+  // This light leaves less for the other than the user's default.
   const std::string bright = sphere("bright.json", R"("ambient": 0.5, )");
   EXPECT_EQ(draw(bright).png, draw(plain, {"--ia", "0.5", "--ip", "0.5"}).png);
   EXPECT_EQ(draw(bright, {"--light", "0,0,1"}).png,
@@ -91,7 +91,7 @@ TEST_F(SceneCommandTest, OwnLightAndSurfacesGiveWay) {
   }
 }
 
-// What cannot be together is refused, whoever said its half.
+// Settings that exclude each other are refused, whether the scene or the command line gives them.
 TEST_F(SceneCommandTest, RefusesWhatExceedsOrCannotBeShown) {
   const std::string lit = sphere("lit.json", R"("lights": [{"Ip": 0.6}], )");
   const std::string ambient = sphere("ambient.json", R"("ambient": 0.6, )");
@@ -113,20 +113,21 @@ TEST_F(SceneCommandTest, RefusesWhatExceedsOrCannotBeShown) {
   EXPECT_EQ(runProgram(Words{"draw", decimals, "--ia", "0.05"} + to).status, 0);
 }
 
-// The depth sort is told of a scene that asks for another order.
+// A command about the depth sort says so if the scene asks for another order.
 TEST_F(SceneCommandTest, TraceFollowsTheDepthSort) {
   const Finished end = runProgram({"trace", sphere("s.json", R"("shading": {"order": "zmean"}, )")});
   EXPECT_EQ(end.status, 0) << end.err;
   EXPECT_GT(std::ranges::count(end.out, '\n'), 54);
 }
 
-// The divisions that the user asks for are those of patches that do not say theirs.
+// The user's number of divisions applies to patches that do not give their own.
 TEST_F(SceneCommandTest, DivisionsOfPatches) {
   EXPECT_EQ(draw("saturated", {"--divisions", "2"}).stats["faces"], 128);
   EXPECT_EQ(draw("coarse-teapot", {"--divisions", "2"}).stats["faces"], 288);
 }
 
-// A tolerance that is not reached is told: the rim of a hard spot is a step, of a soft one it is not.
+// The program says so if a tolerance is not reached. This happens at the rim of a hard spot, which is a step,
+// but not at a soft one.
 TEST_F(SceneCommandTest, TellsWhereAdaptIsNotReached) {
   const auto told = [&](const std::string& outer) {
     const std::string floor = write("floor.json", R"({"up": "z", "shading": {"method": "gouraud"}, "lights": [

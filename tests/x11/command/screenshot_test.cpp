@@ -12,12 +12,12 @@
 
 namespace xnewell {
 
-// What an independent client, xwd, sees of the window: no code of ours reads the pixels, and the colours come
-// from the file.
+// What an independent client, xwd, sees of the window. No code of the program reads the pixels, and the
+// colours come from xwd's file.
 
 namespace {
 
-/// A number of the file. All but the pixels have their most significant byte first.
+/// A number in the file. All numbers but the pixels have their most significant byte first.
 std::uint32_t numberAt(const std::string& file, std::size_t at, int bytes, bool lowFirst = false) {
   std::uint32_t n = 0;
   for (int i = 0; i < bytes; ++i)
@@ -32,7 +32,8 @@ RgbImage readXwd(const std::string& file) {
   if (field(offsetof(XWDFileHeader, file_version)) != XWD_FILE_VERSION)
     throw std::runtime_error("no screenshot");
   const auto kind = field(offsetof(XWDFileHeader, visual_class));
-  const bool channels = kind == 4 || kind == 5;  // TrueColor, DirectColor: an entry for each of a channel
+  const bool channels =
+      kind == 4 || kind == 5;  // TrueColor, DirectColor: one entry for each value of a channel
   std::array<std::uint32_t, 3> masks{field(offsetof(XWDFileHeader, red_mask)),
                                      field(offsetof(XWDFileHeader, green_mask)),
                                      field(offsetof(XWDFileHeader, blue_mask))};
@@ -40,7 +41,7 @@ RgbImage readXwd(const std::string& file) {
 
   const std::size_t entries = field(offsetof(XWDFileHeader, header_size));
   const std::uint32_t count = field(offsetof(XWDFileHeader, ncolors));
-  std::array<std::map<std::uint32_t, std::uint8_t>, 3> shown;  // by the bits of a channel
+  std::array<std::map<std::uint32_t, std::uint8_t>, 3> shown;  // by the bits of the channel
   for (std::uint32_t i = 0; i < count; ++i) {
     const std::size_t entry = entries + i * std::size_t{sz_XWDColor};
     const std::uint32_t pixel = numberAt(file, entry, 4);
@@ -76,8 +77,8 @@ RgbImage screenshot(const XServer& server, const std::string& options) {
 class Screenshot : public testing::TestWithParam<int> {};
 INSTANTIATE_TEST_SUITE_P(Depths, Screenshot, testing::Values(8, 24), testing::PrintToStringParamName());
 
-// A screenshot of the window, and of the screen with each window in its colours, is what our snapshots say:
-// the window with its controls, and the picture in it.
+// A screenshot of the window equals the snapshot of the whole window, and the picture in it equals the plain
+// snapshot. So does a screenshot of the screen with each window in its own colours.
 TEST_P(Screenshot, OfAnotherClientAgreesWithOurs) {
   const XServer server = XServer::xvfb(GetParam(), 1100, 800);
   for (const auto& [w, h] : {std::pair{1024, 768}, {800, 600}, {320, 240}}) {
@@ -98,7 +99,7 @@ TEST_P(Screenshot, OfAnotherClientAgreesWithOurs) {
     EXPECT_EQ(cropped(screen, seen), expected);
 
     const Rect at = layoutOf(w, h).picture;
-    if (!layoutOf(w, h).roomy) continue;  // a word lies over the picture
+    if (!layoutOf(w, h).roomy) continue;  // words lie over the picture
     const std::string pictureSize = " --size " + std::to_string(at.width) + "x" + std::to_string(at.height);
     EXPECT_EQ(cropped(taken, at), pictureOf("snapshot " + line + pictureSize, server.name()));
   }

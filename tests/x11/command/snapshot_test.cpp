@@ -34,9 +34,8 @@ constexpr std::array kPictures{
 
 }  // namespace
 
-// A picture does not depend on how it came about: drawn without a server, or through the real colormap of an
-// 8-bit server, or emulated at depth 24, it is the same to the last bit. What the server fills is the same on
-// both servers.
+// A picture is the same to the last bit whether it is drawn without a server, through the real colormap of an
+// 8-bit server, or emulated at depth 24. What the server fills is the same on both servers.
 TEST(Snapshot, EqualsDrawOnEveryKindOfServer) {
   const XServer eight = XServer::xvfb(8), deep = XServer::xvfb(24);
   for (const std::string line : kPictures) {
@@ -48,7 +47,7 @@ TEST(Snapshot, EqualsDrawOnEveryKindOfServer) {
     EXPECT_EQ(pictureOf("snapshot --fill x11 " + line, deep.name()), filled);
     EXPECT_EQ(filled.width, drawn.width);
     if (drawn.width < 100) continue;
-    // Not by painting nothing: corners are snapped to pixels there, so only outlines may differ.
+    // The server does paint. It snaps corners to pixels, so only outlines may differ.
     int differ = 0, painted = 0;
     for (std::size_t i = 0; i < drawn.rgb.size(); i += 3) {
       differ += !std::equal(&drawn.rgb[i], &drawn.rgb[i] + 3, &filled.rgb[i]);
@@ -59,8 +58,8 @@ TEST(Snapshot, EqualsDrawOnEveryKindOfServer) {
   }
 }
 
-// So is a view of the numbers behind a picture, with cells for the tool's own colours where each server has
-// them.
+// A view of the numbers behind a picture is the same too, with the tool's own colours in cells where each
+// server has them.
 TEST(Snapshot, ViewsEqualDrawnOnesOnEveryKindOfServer) {
   const XServer eight = XServer::xvfb(8), deep = XServer::xvfb(24);
   const XServer host = XServer::xvfb(24, 1400, 1000);
@@ -77,8 +76,8 @@ TEST(Snapshot, ViewsEqualDrawnOnesOnEveryKindOfServer) {
   }
 }
 
-// Black and white stand where the server has them, and the picture is the same: in a nested server, whose
-// black is 1 and white 0.
+// The picture is the same in a nested server, whose black is cell 1 and white cell 0: the program puts black
+// and white where the server has them.
 TEST(Snapshot, EqualsDrawWhereBlackIsOneAndWhiteZero) {
   const XServer host = XServer::xvfb(24, 1400, 1000);
   const XServer nested = XServer::xephyr(host, 8, 320, 240);
@@ -93,7 +92,7 @@ TEST(Snapshot, EqualsDrawWhereBlackIsOneAndWhiteZero) {
   }
 }
 
-// Where the depth sort splits polygons, the server shows no background between the pieces: it paints the same
+// When the depth sort splits polygons, no background shows between the pieces: the server paints the same
 // pixels as for whole polygons in any other order.
 TEST(Snapshot, PiecesLeaveNoGap) {
   const XServer server = XServer::xvfb(8);
@@ -116,13 +115,13 @@ TEST(Snapshot, PiecesLeaveNoGap) {
   }
 }
 
-// The X server as an oracle of the sample rule. With corners exactly on pixel centres our filling and
-// XFillPolygon, on triangles (its convex filler) and quads (its general one), own the same samples: left and
-// top edges in, right and bottom edges out.
+// The X server confirms the sample rule: left and top edges are in, right and bottom edges are out. With
+// corners exactly on pixel centres, our filler and XFillPolygon fill the same samples, for triangles (its
+// convex filler) and for quads (its general one).
 TEST(Snapshot, OwnsTheSamplesThatTheServerOwns) {
   const XServer server = XServer::xvfb(8);
   const TemporaryFolder folder;
-  constexpr int kSize = 128;  // one world unit a pixel: x = i + 1/2 is the centre of pixel i
+  constexpr int kSize = 128;  // one world unit is one pixel: x = i + 1/2 is the centre of pixel i
   for (unsigned seed = 0; seed < 6; ++seed) {
     SCOPED_TRACE(seed);
     std::mt19937 rng{seed};
@@ -132,7 +131,7 @@ TEST(Snapshot, OwnsTheSamplesThatTheServerOwns) {
       std::ofstream obj{name};
       int vertices = 0;
       for (int face = 0; face < 250; ++face) {
-        // A parallelogram or half of one, on a plane of its own slope, so that colours differ.
+        // A parallelogram or half of one, on a plane with its own slope, so that colours differ.
         const int reach = seed % 2 ? 12 : 60, slope = -below(9);
         const std::array<int, 2> a{below(kSize), below(kSize)};
         const std::array<int, 2> u{below(2 * reach + 1) - reach, below(2 * reach + 1) - reach};
@@ -151,19 +150,19 @@ TEST(Snapshot, OwnsTheSamplesThatTheServerOwns) {
     const std::string line = name + " --eye 64,64,5000 --look-at 64,64,0 --up 0,1,0 --parallel 128" +
                              " --light 1,0,1 --size 128x128 --order ";
     RgbImage ours;
-    for (const std::string order : {"none", "newell"}) {  // whole polygons, and pieces by clip list
+    for (const std::string order : {"none", "newell"}) {  // whole polygons, and pieces with clip lists
       ours = pictureOf("snapshot --fill scanline " + line + order, server.name());
       EXPECT_EQ(pictureOf("snapshot --fill x11 " + line + order, server.name()), ours);
     }
     std::set<std::array<int, 3>> colors;
     for (int i = 0; i < kSize * kSize; ++i)
       colors.insert({ours.rgb[3 * i], ours.rgb[3 * i + 1], ours.rgb[3 * i + 2]});
-    EXPECT_GE(colors.size(), 6u);  // faces are told apart
+    EXPECT_GE(colors.size(), 6u);  // the faces have different colours
   }
 }
 
-// The whole window is the same at depth 8 and 24, but for its status line, which tells the visual and the
-// time; also where there is no room for the controls.
+// The whole window is the same at depth 8 and 24, also where there is no room for the controls. Only the
+// status line differs: it tells the visual and the time.
 TEST(Snapshot, WholeWindowIsTheSameAtBothDepths) {
   const XServer eight = XServer::xvfb(8), deep = XServer::xvfb(24);
   for (const auto& [w, h] :

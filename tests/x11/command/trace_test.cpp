@@ -29,7 +29,7 @@ std::vector<Json> linesOf(const Words& words) {
   return lines;
 }
 
-/// What the numbers of a test line say by themselves.
+/// What the numbers of a test's line say by themselves.
 std::string decided(const Json& line) {
   const Json& n = line["numbers"];
   const std::string test = line["test"];
@@ -49,7 +49,7 @@ std::string decided(const Json& line) {
   return n["P_nearer"] == 0 ? "P first" : n["Q_nearer"] == 0 ? "Q first" : "crossing";
 }
 
-/// How many files of the folder there are, by the word behind their number.
+/// The number of files in the folder for each word that follows a file's number.
 std::map<std::string, int> framesIn(const std::string& folder) {
   std::map<std::string, int> words;
   for (const auto& entry : std::filesystem::directory_iterator{folder}) {
@@ -62,8 +62,8 @@ std::map<std::string, int> framesIn(const std::string& folder) {
 
 }  // namespace
 
-// Every line is JSON. Steps count without a gap; the tests of a step failed but for the last, which settled
-// the pair; the numbers of each decide as it did; and the summary counts what was told.
+// Every line is JSON. Steps are counted without a gap. All tests of a step failed but the last, which settled
+// the pair. The numbers of each test give the same decision. The summary counts what was told.
 TEST_F(TraceCommand, LinesTellTheRun) {
   std::map<std::string, int> settled;
   for (const Words& words :
@@ -81,7 +81,7 @@ TEST_F(TraceCommand, LinesTellTheRun) {
 
     std::map<std::string, int> events;
     int step = 0, pairs = 0;
-    bool open = false;  // a test failed, and the next line goes on with the same pair
+    bool open = false;  // a test failed, so the next line goes on with the same pair
     for (const Json& line : std::span{lines}.subspan(1, lines.size() - 2)) {
       const std::string event = line["event"];
       ASSERT_EQ(line["step"], open ? step : step + 1) << line;
@@ -128,7 +128,7 @@ TEST_F(TraceCommand, LinesTellTheRun) {
   for (const TestRow& row : kTestRows) EXPECT_GT(settled[std::string{row.name}], 0) << row.name;
 }
 
-// By the lines alone: every polygon is either cut, once, into pieces, or painted, once.
+// According to the lines, every polygon is either cut once into pieces or painted once.
 TEST_F(TraceCommand, EveryPolygonIsPaintedOrCut) {
   for (const Words& words :
        {Words{"nested-cycles"}, Words{"crossing-sheets"}, Words{"nested-cycles", "--quick"}}) {
@@ -149,7 +149,8 @@ TEST_F(TraceCommand, EveryPolygonIsPaintedOrCut) {
   }
 }
 
-// --frames writes a picture for each step of its kind and one of the end, which shows what `draw` draws.
+// --frames writes a picture for each step of the chosen kind and one for the end. The last one shows what
+// `draw` draws.
 TEST_F(TraceCommand, FramesOfEachKind) {
   const std::map<std::string, int> all = [] {
     std::map<std::string, int> events;
@@ -190,7 +191,7 @@ TEST_F(TraceCommand, FramesOfEachKind) {
   }
 }
 
-// With --whole-window they are the stepper's page at each of its own run's steps.
+// With --whole-window the frames are the stepper's page at each step of its run.
 TEST_F(TraceCommand, FramesOfTheStepper) {
   const std::string folder = file("stepper");
   const Finished end =
@@ -226,7 +227,7 @@ TEST_F(TraceCommand, FramesOfTheStepper) {
           "room: the run has no cut, so there is no frame to write; --every paint has 325");
 }
 
-// What makes no frames says why, and leaves no folder and no file.
+// A command that makes no frames says why, and leaves no folder and no file.
 TEST_F(TraceCommand, Refusals) {
   const std::string folder = file("frames");
   refused({"trace", "room", "--frames", folder}, 2,
@@ -249,7 +250,7 @@ TEST_F(TraceCommand, Refusals) {
   refused({"trace", "nosuch"}, 2,
           "nosuch: there is no built-in scene of that name; `xnewell scenes` lists them");
 
-  // Frames of an earlier run would be mistaken for this one's; other files do not matter.
+  // Frames of an earlier run could be mistaken for this one's; other files do not matter.
   ASSERT_EQ(runProgram({"trace", "cycle", "--frames", file(".")}).status, 0);
   EXPECT_TRUE(std::filesystem::exists(file("0001-cut.png")));
   const auto before = everything();
@@ -263,7 +264,8 @@ TEST_F(TraceCommand, AnInterruptLeavesWholeFrames) {
   interruptsLeaveWholeFrames({"trace", "nested-cycles", "--every", "step", "--size", "1500x1500"}, 1500);
 }
 
-// Lines that nobody can take are an error; lines that nobody wants any more are none worth a word.
+// It is an error if the lines cannot be written. If the reader wants no more of them, the program ends
+// without a message.
 TEST_F(TraceCommand, StandardOutputThatTakesNoMore) {
   const std::string trace = "'" XNEWELL_PROGRAM "' trace room";
   const auto shell = [&](const std::string& line) {
@@ -274,7 +276,7 @@ TEST_F(TraceCommand, StandardOutputThatTakesNoMore) {
   EXPECT_EQ(shell("trap '' PIPE; { " + trace + "; echo $? >'" + file("status") + "'; } | head -n 1 >'" +
                   file("line") + "'"),
             0);
-  EXPECT_EQ(contents(file("status")), "141\n");  // SIGPIPE, even where it was ignored
+  EXPECT_EQ(contents(file("status")), "141\n");  // SIGPIPE, even if it was ignored
   EXPECT_EQ(contents(file("said")), "");
   EXPECT_EQ(Json::parse(contents(file("line")))["event"], "run");
 }

@@ -19,7 +19,7 @@ Glyph randomGlyph(unsigned seed) {
   return g;
 }
 
-/// The rule in its authors' words, on colours: E is the pixel, B above it, D left, F right, H below.
+/// The rule as its authors state it, on colours: E is the pixel, B is above it, D left, F right and H below.
 bool asPublished(const Glyph& g, int i, int j) {
   const auto at = [&](int x, int y) { return x >= 0 && x < 6 && y >= 0 && y < 13 && on(g, x, y); };
   const int x = i / 2, y = j / 2;
@@ -51,7 +51,7 @@ TEST(Font, IsComplete) {
   }
 }
 
-// On glyphs of noise, where every neighbourhood occurs, doubling is the published rule.
+// Doubling follows the published rule. The test uses glyphs of noise, in which every neighbourhood occurs.
 TEST(Font, Scale2xAsPublished) {
   for (unsigned seed = 0; seed < 200; ++seed) {
     SCOPED_TRACE(seed);
@@ -62,7 +62,7 @@ TEST(Font, Scale2xAsPublished) {
   }
 }
 
-// Doubling commutes with turning the glyph by half a turn, and leaves a full rectangle's edges straight.
+// Doubling and turning a glyph by half a turn can change places. The edges of a full rectangle stay straight.
 TEST(Font, Scale2xHasNoHandedness) {
   for (unsigned seed = 0; seed < 50; ++seed) {
     const Glyph g = randomGlyph(seed);
@@ -79,7 +79,7 @@ TEST(Font, Scale2xHasNoHandedness) {
   for (int j = 0; j < 26; ++j) EXPECT_EQ(doubled[j] != 0, j >= 4 && j < 8) << j;
 }
 
-// Latin-1 comes through from UTF-8; what the font lacks is one question mark, broken UTF-8 too.
+// UTF-8 becomes Latin-1. A character that the font lacks becomes one question mark, and so does broken UTF-8.
 TEST(Font, Latin1FromUtf8) {
   EXPECT_EQ(latin1("teapot \u00B7 33\u00B0 \u00E9\u00FF"), "teapot \xB7 33\xB0 \xE9\xFF");
   EXPECT_EQ(latin1("a\u2192b\U0001FAD6c"), "a?b?c");

@@ -38,14 +38,6 @@ Pixels lineFrom(int x0, int y0, int x1, int y1, const LineStyle& style = {}) {
   return drawn([&](Painter& p, int x, int y) { p.line(x + x0, y + y0, x + x1, y + y1, 1, style); });
 }
 
-/// 7 x 5 pixels with cells 1 to 35.
-IndexImage smallPicture() {
-  IndexImage picture{7, 5, 0};
-  for (std::size_t k = 0; k < picture.pixels.size(); ++k)
-    picture.pixels[k] = static_cast<std::uint8_t>(k + 1);
-  return picture;
-}
-
 /// Everything the painter can draw, somewhere around (x, y).
 void everything(Painter& p, int x, int y) {
   p.fillRect({x - 3, y - 2, 4, 5}, 1);
@@ -68,8 +60,8 @@ void everything(Painter& p, int x, int y) {
 
 }  // namespace
 
-// Clipping leaves out pixels and changes none: drawn anywhere over the border of a small image, or of a
-// smaller clip, the picture is the part of the whole picture that is inside.
+// Clipping leaves out pixels and changes none. Drawn across the border of a small image, or of a smaller
+// clip, the picture is the part of the whole picture that is inside.
 TEST(Painter, ClipsExactly) {
   constexpr int kWidth = 31, kHeight = 23, kMargin = 120;
   const Rect clip{5, 4, 17, 13};
@@ -93,32 +85,8 @@ TEST(Painter, ClipsExactly) {
     }
 }
 
-// A part of a picture moves as a whole, wherever the part reaches: pixel (u, v) of the picture, if the part
-// has it, is painted at (x + u - part.x, y + v - part.y), and nothing else is.
-TEST(Painter, PlacesAPartOfAPicture) {
-  const IndexImage picture = smallPicture();
-  std::mt19937 random{35};
-  std::uniform_int_distribution<int> at{-9, 12}, side{0, 14};
-  int seen = 0;
-  for (int k = 0; k < 2000; ++k) {
-    const Rect part{at(random), at(random), side(random), side(random)};
-    const int x = at(random), y = at(random);
-    IndexImage image{11, 9, 0}, expected = image;
-    Painter{image}.place(picture, part, x, y);
-    for (int v = 0; v < picture.height; ++v)
-      for (int u = 0; u < picture.width; ++u) {
-        const int i = x + u - part.x, j = y + v - part.y;
-        if (!part.has(u, v) || i < 0 || j < 0 || i >= image.width || j >= image.height) continue;
-        expected.row(j)[i] = picture.row(v)[u];
-        ++seen;
-      }
-    ASSERT_EQ(image, expected) << k;
-  }
-  EXPECT_GT(seen, 1000);
-}
-
-// A line has one pixel for each step of its longer axis, each within half a pixel of the line, both ends
-// among them, and the same from either end.
+// A line has one pixel for each step along its longer axis, each within half a pixel of the line. Both ends
+// are among them, and the pixels are the same from either end.
 TEST(Painter, LineIsTheNearestPixels) {
   std::mt19937 rng{1965};
   std::uniform_int_distribution<int> any{-90, 90};
@@ -128,7 +96,7 @@ TEST(Painter, LineIsTheNearestPixels) {
     const Pixels line = lineFrom(x0, y0, x1, y1);
     ASSERT_EQ(static_cast<int>(line.size()), n + 1);
     EXPECT_TRUE(line.contains({x0, y0}) && line.contains({x1, y1}));
-    // Distance along the shorter axis times n is the cross product.
+    // The distance along the shorter axis, times n, is the cross product.
     for (const auto& [x, y] : line) ASSERT_LE(2 * std::abs((x - x0) * dy - (y - y0) * dx), n);
     ASSERT_EQ(line, lineFrom(x1, y1, x0, y0));
   }
@@ -137,8 +105,8 @@ TEST(Painter, LineIsTheNearestPixels) {
   EXPECT_TRUE(lineFrom(0, -2, -1, 0).contains({0, -1}));
 }
 
-// Ends far outside cost nothing and shift nothing: the clipped part of a line 2^24 long is that of the
-// same line begun near the image.
+// Ends far outside the image cost nothing and shift nothing: the clipped part of a line 2^24 long is that of
+// the same line begun near the image.
 TEST(Painter, LongLinesKeepTheirPlace) {
   const int far = 1 << 24;
   IndexImage a{100, 80, 0}, b = a;
@@ -148,7 +116,7 @@ TEST(Painter, LongLinesKeepTheirPlace) {
   EXPECT_EQ(painted(a).size(), 100u);
 }
 
-// Dashes repeat from the first point; with the gaps filled in they are the whole line.
+// Dashes repeat from the first point. With the gaps filled they are the whole line.
 TEST(Painter, DashesFromTheFirstPoint) {
   const LineStyle dashed{.thickness = 1, .on = 4, .off = 3};
   for (const auto& [x, y] : lineFrom(0, 0, 69, 20, dashed)) EXPECT_LT(x % 7, 4);
@@ -156,7 +124,7 @@ TEST(Painter, DashesFromTheFirstPoint) {
   for (const auto& [x, y] : lineFrom(69, 20, 0, 0, dashed)) EXPECT_LT((69 - x) % 7, 4);
 }
 
-// A thick line is as many pixels across its longer axis.
+// A line of thickness t has t pixels across its longer axis.
 TEST(Painter, ThicknessAcrossTheLongerAxis) {
   for (const int t : {1, 2, 3, 5}) {
     std::map<int, int> columns;
@@ -166,7 +134,7 @@ TEST(Painter, ThicknessAcrossTheLongerAxis) {
   }
 }
 
-// In any 8 x 8 of the image, wherever it begins, exactly the part that the table promises is painted.
+// In every 8 x 8 block of the image, wherever it begins, exactly the promised number of pixels is painted.
 TEST(Painter, StippleDensityIsExact) {
   for (const StippleRow& row : kStipples)
     for (int y = 0; y < 8; ++y)
@@ -177,7 +145,7 @@ TEST(Painter, StippleDensityIsExact) {
       }
 }
 
-// Two tints side by side are the tint of both.
+// Two tinted areas side by side look like one tinted area.
 TEST(Painter, StipplesJoinWithoutASeam) {
   for (const StippleRow& row : kStipples) {
     IndexImage parts{50, 30, 0}, whole = parts;
@@ -188,7 +156,8 @@ TEST(Painter, StipplesJoinWithoutASeam) {
   }
 }
 
-// The lowest row of a letter without descender is the one above the baseline, and text returns the pen.
+// The lowest row of a letter without a descender is the row above the baseline. text() returns the pen's
+// place.
 TEST(Painter, TextStandsOnItsBaseline) {
   for (const VoiceRow& voice : kVoices) {
     int pen = 0;
@@ -223,7 +192,7 @@ TEST(Painter, VoicesAreMadeOfThePlainOne) {
   EXPECT_EQ(drawn([](Painter& p, int x, int y) { p.text(x, y, "ip", 1, Voice::Caps); }), capitals);
 }
 
-// Right-aligned text of any length ends in the same place, in every voice.
+// Right-aligned text of any length ends at the same place, in every voice.
 TEST(Painter, RightAligned) {
   for (const VoiceRow& voice : kVoices)
     for (const std::string_view s : {"0", "0.40", "4,032"}) {
@@ -235,7 +204,7 @@ TEST(Painter, RightAligned) {
     }
 }
 
-// The four triangles are each other's mirror images, 1 + 3 + 5 + ... pixels.
+// The four triangles are mirror images of each other, of 1 + 3 + 5 + ... pixels.
 TEST(Painter, TrianglesAreMirrored) {
   const auto shape = [](Direction to) {
     return drawn([&](Painter& p, int x, int y) { p.triangle(x, y, 4, to, 1); });
@@ -254,7 +223,8 @@ TEST(Painter, TrianglesAreMirrored) {
   EXPECT_TRUE(right.contains({3, 3}));  // the tip
 }
 
-// A disc is the pixels whose centres are nearer than radius + 1/2; the rings inside it, each once, fill it.
+// A disc has the pixels whose centres are nearer than radius + 1/2. The rings inside it fill it, each pixel
+// once.
 TEST(Painter, DiscIsItsRings) {
   for (int r = 0; r < 12; ++r) {
     Pixels rings;
@@ -272,7 +242,7 @@ TEST(Painter, DiscIsItsRings) {
   }
 }
 
-// A key cap is 15 x 15 without its corners, wider only for longer names, 4 px around the letters.
+// A key cap is 15 x 15 without its corners. It is wider only for longer names, with 4 px around the letters.
 TEST(Painter, KeyCapsFitTheirNames) {
   const KeyCapCells cells{3, 4, 5, 6};
   const auto width = [&](std::string_view name) {
@@ -287,7 +257,7 @@ TEST(Painter, KeyCapsFitTheirNames) {
   EXPECT_TRUE(cap.contains({0, 1}) && cap.contains({14, 13}));
 }
 
-// Opposite arrows are mirror images within their caps, edges and shadow apart.
+// Opposite arrows are mirror images within their caps, apart from edges and shadow.
 TEST(Painter, ArrowCapsAreMirrored) {
   const auto arrow = [](Direction to) {
     return drawn([&](Painter& p, int x, int y) { p.keyCap(x, y, to, {0, 0, 0, 1}); });

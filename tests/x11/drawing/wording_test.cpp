@@ -5,7 +5,7 @@
 
 namespace xnewell {
 
-// No line is longer than asked, letters are counted and not bytes, and no word is lost.
+// Broken text loses no word, and no line is longer than asked. Letters are counted, not bytes.
 TEST(Wording, BreaksAtSpaces) {
   EXPECT_THAT(broken("one two three", 7), testing::ElementsAre("one two", "three"));
   EXPECT_THAT(broken("abcdefgh ij", 4), testing::ElementsAre("abcd", "efgh", "ij"));

@@ -13,8 +13,7 @@
 
 namespace xnewell {
 
-// Lessons in the window: what keys and pointer do, what is hidden until an answer is given, and that all
-// words have room.
+// Lessons in the window: keys and pointer, what is hidden until an answer is given, and the room for words.
 
 namespace {
 
@@ -41,7 +40,7 @@ IndexImage part(const IndexImage& image, const Rect& r) {
   return copy;
 }
 
-/// All but the column of words.
+/// All of the window but the column of words.
 IndexImage sight(const LessonWindow& window) {
   const Rect& body = window.layout.body;
   return part(window.image, {body.x, body.y, body.width - kLessonColumn - kMargin, body.height});
@@ -52,7 +51,7 @@ void click(LessonWindow& window, const Rect& at) {
   window.bench.drop();
 }
 
-/// Every state of every step: as it is met, with a hint, and with each answer given.
+/// Visits every state of every step: as it appears first, with a hint, and with each answer given.
 template <class Visit>
 void forEachState(LessonWindow& window, Visit&& visit) {
   for (int step = 0; step < static_cast<int>(window.bench.lesson()->steps.size()); ++step) {
@@ -76,7 +75,7 @@ void forEachState(LessonWindow& window, Visit&& visit) {
 
 }  // namespace
 
-// Forth and back through all lessons: each step looks as it did.
+// Each step of each lesson looks the same on the way forth and on the way back.
 TEST(LessonBench, GoesForthAndBack) {
   int steps = 0;
   forEachLesson([&](const std::string& name) {
@@ -105,8 +104,8 @@ TEST(LessonBench, GoesForthAndBack) {
   EXPECT_GE(steps, 30);
 }
 
-// Until an answer is given the picture does not change, nor do the words of any answer show; choosing
-// another one asks again, as it was asked at first.
+// Until an answer is given, the picture does not change and no words of an answer show. Choosing another
+// answer asks again, just as at first.
 TEST(LessonBench, HidesTheOutcomeUntilAnAnswerIsGiven) {
   int answers = 0, changed = 0;
   forEachLesson([&](const std::string& name) {
@@ -138,7 +137,7 @@ TEST(LessonBench, HidesTheOutcomeUntilAnAnswerIsGiven) {
   EXPECT_GE(changed, answers * 9 / 10);
 }
 
-// A step that was answered is found as it was left.
+// A step that was answered looks as it was left when it is visited again.
 TEST(LessonBench, AnswersAreRememberedByStep) {
   LessonWindow window;
   begin(window, "cycles");
@@ -169,10 +168,10 @@ TEST(LessonBench, ReturnAsksForAnAnswerAndThenGoesOn) {
   EXPECT_EQ(window.bench.step(), 3);
 }
 
-// Of all letters only the step's controls, its answers and the lesson's own keys do anything; and each
-// control of a step does something.
+// Only the letters of the step's controls, of its answers and of the lesson itself have an effect. Each
+// control of a step has one.
 TEST(LessonBench, OnlyTheStepsControlsAct) {
-  constexpr std::string_view kWindows = "uUr?q134567";  // what all views have
+  constexpr std::string_view kWindows = "uUr?q134567";  // keys of all views
   int idle = 0, acted = 0;
   forEachLesson([&](const std::string& name) {
     LessonWindow window;
@@ -189,7 +188,7 @@ TEST(LessonBench, OnlyTheStepsControlsAct) {
         window.bench.goTo(step);
         if (!offered) {
           const xnewell::Setup before = window.setup();
-          EXPECT_TRUE(window.press(letter));  // it does not reach the window either
+          EXPECT_TRUE(window.press(letter));  // the key does not reach the window either
           EXPECT_EQ(window.setup(), before);
           EXPECT_EQ(window.bench.step(), step);
           ++idle;
@@ -212,7 +211,7 @@ TEST(LessonBench, OnlyTheStepsControlsAct) {
   EXPECT_GE(acted, 40);
 }
 
-// The window's own scene and setup come back.
+// Leaving a lesson brings back the window's own scene and setup.
 TEST(LessonBench, LeavingClosesWhatItOpened) {
   LessonWindow window;
   begin(window, "specular");
@@ -222,7 +221,7 @@ TEST(LessonBench, LeavingClosesWhatItOpened) {
   EXPECT_EQ(window.closed, 1);
   EXPECT_EQ(window.view, WindowView::Picture);
   EXPECT_EQ(window.setup(), window.own);
-  window.bench.enter();  // the step that was left
+  window.bench.enter();  // at the step that was left
   EXPECT_EQ(window.bench.lesson()->name, "specular");
   EXPECT_EQ(window.picture->scene().name.find("lesson 3 of "), 0U);
 }
@@ -252,7 +251,7 @@ TEST(LessonBench, TheListOpensLessons) {
   EXPECT_EQ(window.bench.lesson()->name, entries.back().name);
   window.bench.goTo(static_cast<int>(window.bench.lesson()->steps.size()) - 1);
   window.press(NamedKey::PageDown);
-  EXPECT_TRUE(window.bench.showsList());  // after the last step of all
+  EXPECT_TRUE(window.bench.showsList());  // after the last step of the last lesson
   window.bench.start(readLesson(entries[0].file));
   window.bench.goTo(static_cast<int>(window.bench.lesson()->steps.size()) - 1);
   window.press(NamedKey::PageDown);
@@ -304,12 +303,12 @@ TEST(LessonBench, ThePointerDoesTheSame) {
   turned.bench.dragTo(240, 210);
   EXPECT_NE(turned.setup().picture.camera, before);
   turned.bench.drop();
-  turned.bench.goTo(1);  // where turning is not offered
+  turned.bench.goTo(1);  // this step does not offer turning
   turned.draw();
   EXPECT_FALSE(turned.bench.grab(200, 200));
 }
 
-// No text leaves its place, in any state of any step, in the smallest window and in larger ones.
+// No text leaves its place, in any state of any step, in the smallest window or in larger ones.
 TEST(LessonBench, AllTextsHaveRoom) {
   int states = 0, sizes = 0;
   for (const glm::ivec2 size : kSizes) {
@@ -337,7 +336,7 @@ TEST(LessonBench, AllTextsHaveRoom) {
   EXPECT_GT(states, 100 * sizes);
 }
 
-// The list too: every line ends within the window.
+// Every line of the list ends within the window.
 TEST(LessonBench, TheListHasRoom) {
   for (const glm::ivec2 size : kSizes) {
     LessonWindow window{size};
@@ -350,7 +349,7 @@ TEST(LessonBench, TheListHasRoom) {
   }
 }
 
-// In the workbench: 7 shows the list, a lesson brings its scene, Esc gives the window's back as it was.
+// In the workbench, key 7 shows the list, a lesson brings its scene, and Esc brings back the window's own.
 TEST(LessonBench, InTheWindow) {
   Workbench window{readScene("teapot", 3), {}, {}};
   window.resize(1024, 768);
@@ -376,7 +375,7 @@ TEST(LessonBench, InTheWindow) {
     settle();
   }
   EXPECT_EQ(seen.size(), 4U);
-  window.press({NamedKey::Letter, 'e'});  // shades, in this step
+  window.press({NamedKey::Letter, 'e'});  // the shades, in this step
   window.press({NamedKey::Left});
   EXPECT_EQ(window.setup().picture.table.shades, 240);  // step 5 offers no control
   const std::string ofLesson = window.picture().scene().name;
@@ -392,7 +391,7 @@ TEST(LessonBench, InTheWindow) {
   EXPECT_EQ(window.view(), WindowView::Picture);
   EXPECT_EQ(window.setup(), own);
   EXPECT_EQ(window.picture().scene().name, "teapot");
-  // All but the times in the status line.
+  // All of the window but the times in the status line.
   for (int j = 0; j < window.layout().status.y; ++j)
     ASSERT_TRUE(std::equal(before.row(j), before.row(j) + before.width, window.image().row(j))) << j;
 }

@@ -39,7 +39,7 @@ struct Shown {
   [[nodiscard]] ShownExhibit facts() { return {picture, image, lower ? &lowerImage : nullptr}; }
 };
 
-/// All exhibits of all lessons, with where they stand.
+/// All exhibits of all lessons, each with its place.
 template <class Visit>
 void forEachExhibit(Visit&& visit) {
   for (const LessonEntry& entry : builtInLessons()) {
@@ -55,7 +55,7 @@ void forEachExhibit(Visit&& visit) {
 
 }  // namespace
 
-// Each claim of each step and of each answer holds, in a window of any size.
+// Each claim of each step and of each answer holds, in windows of several sizes.
 TEST(LessonClaims, Hold) {
   int claims = 0;
   forEachExhibit([&](const std::string& place, const Exhibit& exhibit) {
@@ -74,7 +74,7 @@ TEST(LessonClaims, Hold) {
   EXPECT_GT(claims, 200);
 }
 
-// The steps of the depth sort that lessons speak of are there, and are what the lesson says.
+// The steps of the depth sort that lessons mention exist and are what the lesson says.
 TEST(LessonClaims, EventsAreThere) {
   int events = 0;
   forEachExhibit([&](const std::string& place, const Exhibit& exhibit) {
@@ -94,7 +94,7 @@ TEST(LessonClaims, EventsAreThere) {
   EXPECT_GT(events, 30);
 }
 
-// A claim that is not so is seen to fail: each one that names a number, off by its last decimal.
+// A false claim fails. The test changes the last decimal of each claim that names a number.
 TEST(LessonClaims, FailWhereTheyAreChanged) {
   int changed = 0;
   forEachExhibit([&](const std::string& place, const Exhibit& exhibit) {
@@ -114,7 +114,7 @@ TEST(LessonClaims, FailWhereTheyAreChanged) {
   EXPECT_GT(changed, 70);
 }
 
-// Asking for facts leaves the picture as it was: what is shown and what is told are of one picture.
+// Asking for facts leaves the picture as it was, so facts and picture belong together.
 TEST(LessonFacts, LeaveThePicture) {
   const Lesson lesson = readLesson(std::string{XNEWELL_DATA_DIR} + "/lessons/mach-bands.json");
   Shown shown{lesson.steps[2].exhibit, kSizes[0]};

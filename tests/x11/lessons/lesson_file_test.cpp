@@ -11,8 +11,8 @@
 
 namespace xnewell {
 
-// Lesson files: all that are there can be read, every key does what it says, and what is wrong is named with
-// its place.
+// Lesson files: all of ours can be read, every key does what it says, and each mistake is named with its
+// place.
 
 namespace {
 
@@ -20,7 +20,7 @@ Lesson parsed(const std::string& text) {
   return parseLesson(text, "l.json", std::filesystem::path{XNEWELL_DATA_DIR} / "lessons");
 }
 
-/// A lesson of one step, `more` among its keys.
+/// A lesson of one step, with `more` among its keys.
 std::string withStep(const std::string& more, const std::string& scene = "sticks") {
   return R"({"title": "t", "steps": [{"heading": "h", "caption": ["c"], "scene": ")" + scene + "\"" +
          (more.empty() ? "" : ", ") + more + "}]}";
@@ -34,7 +34,7 @@ Exhibit exhibitOf(const std::string& more, const std::string& scene = "sticks") 
   return parsed(withStep(more, scene)).steps[0].exhibit;
 }
 
-/// Two answers, the second of which holds; `first` is what the first has beside its text.
+/// Two answers, of which the second is right. `first` is what the first one has besides its text.
 std::string question(const std::string& first) {
   return R"("question": {"asks": "q", "answers": [{"text": "a")" + first +
          R"(}, {"text": "b", "holds": true, "says": "so"}]})";
@@ -61,8 +61,8 @@ TEST(LessonFile, AllThatAreBuiltInCanBeRead) {
   EXPECT_GE(questions, 15);
 }
 
-// House style of the words: no exclamation marks, no American spelling, nothing that is counted by the
-// program written out beside a claim of it.
+// The words follow the house style: no exclamation marks, no American spelling, and no number in the text
+// that a claim could compute.
 TEST(LessonFile, WordsAreInTheHouseStyle) {
   const std::regex american{"\\b(color|gray-|center|behavior|brighten up)\\b", std::regex::icase};
   int words = 0;
@@ -130,7 +130,8 @@ TEST(LessonFile, EveryKeyOfAnExhibitWorks) {
   EXPECT_EQ(claims[1].most, 2);
 }
 
-// A step without a scene is the one before it with changes; an answer shows its step's with changes.
+// A step without a scene takes the one before it and changes it. An answer takes its step's scene and changes
+// it.
 TEST(LessonFile, StepsInherit) {
   const Lesson lesson = parsed(
       R"({"title": "t", "steps": [
@@ -144,7 +145,7 @@ TEST(LessonFile, StepsInherit) {
   EXPECT_EQ(second.settings.shading, Shading::Phong);
   EXPECT_EQ(second.names.size(), 1U);
   EXPECT_TRUE(second.claims.empty());
-  EXPECT_EQ(second.scene, lesson.steps[0].exhibit.scene);  // read once
+  EXPECT_EQ(second.scene, lesson.steps[0].exhibit.scene);  // it is read once
   const std::vector<LessonAnswer>& answers = lesson.steps[1].question->answers;
   EXPECT_TRUE(answers[0].shown.wrongMarked);
   EXPECT_FALSE(answers[1].shown.wrongMarked);
@@ -247,7 +248,7 @@ TEST(LessonFile, ComplaintsOfQuestions) {
             "l.json: steps[0].question: answers is needed");
 }
 
-// Whatever bytes are changed: a lesson or a complaint, never anything else.
+// A file with any bytes changed gives a lesson or a complaint, and never anything else.
 TEST(LessonFile, AnyTextIsReadOrRefused) {
   std::ifstream file{std::string{XNEWELL_DATA_DIR} + "/lessons/cycles.json"};
   std::stringstream text;

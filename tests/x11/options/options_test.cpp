@@ -6,53 +6,20 @@
 #include <string>
 #include <vector>
 
+#include "tests/x11/support/parsed_options.h"
+
 namespace xnewell {
 
-namespace {
+// What options set. Command lines that are refused: options_complaints_test.cpp.
 
-Options parsed(const std::vector<std::string>& arguments) {
-  std::vector<const char*> argv{"xnewell"};
-  for (const std::string& a : arguments) argv.push_back(a.c_str());
-  const auto options = parseOptions(static_cast<int>(argv.size()), argv.data());
-  if (!options) throw std::logic_error{"only --help returns nothing"};
-  return *options;
-}
-
-/// `draw teapot -o no.png` and these.
-Options drawn(std::vector<std::string> arguments) {
-  arguments.insert(arguments.begin(), {"draw", "teapot", "-o", "no.png"});
-  return parsed(arguments);
-}
-
-/// The complaint about `draw teapot -o no.png` and these; "" if there is none.
-std::string complaint(const std::vector<std::string>& arguments) {
-  try {
-    static_cast<void>(drawn(arguments));
-  } catch (const UsageError& e) {
-    return e.what();
-  }
-  return "";
-}
-
-std::string complaintAll(const std::vector<std::string>& arguments) {
-  try {
-    static_cast<void>(parsed(arguments));
-  } catch (const UsageError& e) {
-    return e.what();
-  }
-  return "";
-}
-
-}  // namespace
-
-// Nothing at all is a window on the teapot, and every command's name gives that command.
+// Without arguments the program opens a window on the teapot. Every command's name selects that command.
 TEST(Options, CommandIsTheFirstWordOrView) {
   EXPECT_EQ(parsed({}).command, Command::View);
   EXPECT_EQ(parsed({}).scene, "teapot");
   EXPECT_EQ(parsed({"cycle"}).command, Command::View);
   EXPECT_EQ(parsed({"cycle"}).scene, "cycle");
   EXPECT_EQ(parsed({"view", "cycle"}).scene, "cycle");
-  EXPECT_EQ(parsed({"--", "view"}).scene, "view");  // the word behind -- is no command
+  EXPECT_EQ(parsed({"--", "view"}).scene, "view");  // the word after -- is no command
   for (const CommandRow& row : kCommands) {
     std::vector<std::string> words{std::string{row.name}};
     if (row.id == Command::Draw || row.id == Command::Snapshot)
@@ -79,7 +46,7 @@ TEST(Options, ChoicesAreTheirTables) {
   EXPECT_EQ(drawn({"--bits", "16"}).picture.table.bits, 16);
 }
 
-// Without options the settings are those of a default-made value: what --help prints is what is used.
+// Without options, the settings are those of a default-constructed value: the defaults that --help prints.
 TEST(Options, DefaultsAreThoseOfTheSettings) {
   EXPECT_EQ(drawn({}).picture, PictureSettings{});
   EXPECT_EQ(drawn({}).divisions, kDefaultDivisions);
@@ -125,7 +92,7 @@ TEST(Options, SetOneSettingEach) {
   only({"--back", "-2"}, [](auto& s) { s.camera.back = -2; });
 }
 
-// Over settings that a scene asks for, each option sets its own and leaves the others.
+// Over the settings of a scene, each option sets its own and leaves the others.
 TEST(Options, SetOverWhatASceneAsksFor) {
   PictureSettings scene;
   scene.shading = Shading::Phong;
@@ -141,10 +108,10 @@ TEST(Options, SetOverWhatASceneAsksFor) {
   EXPECT_EQ(over({"--kd", "0.5"}), scene);
   PictureSettings flat = scene;
   flat.shading = Shading::Flat;
-  EXPECT_EQ(over({"--shade", "flat"}), flat);  // also where that is the program's default
+  EXPECT_EQ(over({"--shade", "flat"}), flat);  // also if that is the program's default
 }
 
-// Which words of light and surfaces were said.
+// The options remember which settings of light and surfaces were given.
 TEST(Options, TellWhatWasSaid) {
   const auto count = [](const Said& s) { return s.Ia + s.Ip + s.light + s.ka + s.kd + s.ks + s.n; };
   EXPECT_EQ(count(drawn({}).said), 0);
@@ -177,8 +144,8 @@ TEST(Options, SetWhatIsNotInThePicture) {
   EXPECT_TRUE(parsed({"view", "--nearest"}).nearest);
 }
 
-// Of Ia and Ip the one that was set pushes the other, so that their sum stays within 1; both together
-// must keep to it themselves.
+// If only one of Ia and Ip is set, the other gives way, so that their sum stays within 1. If both are set,
+// their sum must not exceed 1.
 TEST(Options, IntensitiesPushEachOther) {
   EXPECT_EQ(drawn({"--ia", "1"}).picture.light.Ip, 0.0);
   EXPECT_EQ(drawn({"--ip", "1"}).picture.light.Ia, 0.0);
@@ -187,198 +154,7 @@ TEST(Options, IntensitiesPushEachOther) {
   EXPECT_EQ(complaint({"--ia", "0.5", "--ip", "0.6"}), "--ia and --ip: their sum must not exceed 1");
 }
 
-// Each wrong number is refused in one line that names the option, shows the text and says what is wanted.
-TEST(Options, RefuseWrongNumbers) {
-  const std::string size = " is not a size WxH from 1x1 to 8192x8192";
-  for (const std::string wrong : {"0x5", "5x0", "-1x5", "8193x1", "1x8193", "8192", "x", "3x", "x3", "3x4x5",
-                                  "3 x4", "+3x4", "3.0x4", "99999999999x3", "3X4", "nanxnan", "0x10x10"})
-    EXPECT_EQ(complaint({"--size", wrong}), "--size: '" + wrong + "'" + size);
-
-  for (const std::string option :
-       {"--eye", "--look-at", "--up", "--light", "--light-at", "--vrp", "--vpn", "--vup", "--prp"})
-    for (const std::string wrong :
-         {"1,2", "1,2,3,4", "1,2,3,", ",1,2", "1,,3", "1 2 3", " 1,2,3", "1,2,3 ", "1e400,0,0", "nan,0,0",
-          "inf,0,0", "-inf,0,0", "0x1,0,0", "a,b,c", "++1,2,3"})
-      EXPECT_EQ(complaint({option, wrong}), option + ": '" + wrong + "' is not three finite numbers x,y,z");
-  EXPECT_EQ(complaint({"--hue", "red"}), "--hue: 'red' is not three finite numbers r,g,b");
-  EXPECT_EQ(complaint({"--coefficients", "1"}), "--coefficients: '1' is not three finite numbers c1,c2,c3");
-
-  for (const std::string option : {"--ia", "--ip", "--ka", "--kd", "--ks"})
-    for (const std::string wrong : {"-0.001", "1.001", "nan", "inf", "half", "0.5,0.5", "1e999"})
-      EXPECT_EQ(complaint({option, wrong}), option + ": '" + wrong + "' is not a number from 0 to 1");
-
-  const auto refused = [](const std::string& option, const std::string& wrong) {
-    const std::string said = complaint({option, wrong});
-    EXPECT_TRUE(said.starts_with(option + ": '" + wrong + "' is not "))
-        << option << ' ' << wrong << ": " << said;
-  };
-  for (const std::string wrong : {"0", "180", "-30", "nan", "inf", "1e400", "30deg"}) refused("--fov", wrong);
-  for (const std::string wrong : {"0", "-1", "nan", "inf", "3,4"}) refused("--parallel", wrong);
-  for (const std::string wrong : {"1,2,3", "1,2,3,nan", "1,2,3,4,5"}) refused("--view-window", wrong);
-  for (const std::string wrong : {"nan", "inf", "1,2", "near"})
-    refused("--front", wrong), refused("--back", wrong);
-  for (const std::string wrong : {"0", "257", "2.5", "-1", "nan", "99999999999"})
-    refused("--divisions", wrong);
-  for (const std::string wrong : {"1", "241", "2.5", "nan"}) refused("--shades", wrong);
-  for (const std::string wrong : {"-1", "1000001", "1.5", "1e300"}) refused("--n", wrong);
-  for (const std::string wrong : {"0", "1", "-1", "nan"}) refused("--i0", wrong);
-  for (const std::string wrong : {"9", "0", "016", "eight"}) refused("--bits", wrong);
-  for (const std::string wrong : {"cubist", "Cabinet"}) refused("--oblique", wrong);
-  for (const std::string wrong : {"-1", "8192", "2.5", "nan", "1,2"}) refused("--scanline", wrong);
-  for (const std::string wrong : {"front", "Back"}) refused("--cull", wrong);
-  for (const std::string wrong : {"three", "1"}) refused("--sided", wrong);
-  for (const std::string wrong : {"0", "-0.1", "1.01", "nan", "1,1"}) refused("--adapt", wrong);
-  EXPECT_EQ(complaint({"--oblique", "cabinet:"}), "--oblique: '' is not an angle in degrees");
-  EXPECT_EQ(complaint({"--light", "0,0,-0"}), "--light: 0,0,0 is no direction");
-  for (const std::string wrong : {"1,1,2", "-1,1,0", "0.5,0.5,0.5", "0,0,0"})
-    EXPECT_EQ(complaint({"--hue", wrong}), "--hue: r,g,b must lie from 0 to 1 and the largest must be 1");
-}
-
-// What is about a server's colormap is not for those that ask none.
-TEST(Options, ColormapsAreForServers) {
-  for (const std::vector<std::string>& server :
-       std::vector<std::vector<std::string>>{{"--colormap", "shared"}, {"--nearest"}})
-    EXPECT_EQ(complaint(server),
-              "--colormap shared and --nearest go with view and snapshot: they need a server");
-}
-
-// Every option that wants a value says so when there is none, and none may be given twice.
-TEST(Options, NeedOneValueEach) {
-  for (const std::string option :
-       {"--size",    "--divisions",   "--shade",       "--order",       "--fill",         "--cull",
-        "--sided",   "--ia",          "--ip",          "--ka",          "--kd",           "--ks",
-        "--n",       "--light",       "--light-at",    "--table",       "--shades",       "--i0",
-        "--pick",    "--hue",         "--bits",        "--eye",         "--look-at",      "--up",
-        "--fov",     "--parallel",    "--oblique",     "--vrp",         "--vpn",          "--vup",
-        "--prp",     "--view-window", "--front",       "--back",        "--visual",       "--colormap",
-        "--view",    "--ids",         "--attenuation", "--range",       "--coefficients", "--form",
-        "--normals", "--crease",      "--polygons",    "--environment", "--texture",      "--mapping",
-        "--colors",  "--scanline",    "--adapt"}) {
-    EXPECT_EQ(complaint({option}), option + " needs a value");
-    EXPECT_EQ(complaint({option + "="}), option + " needs a value");
-    EXPECT_NE(complaint({option, ""}), "") << option;
-    EXPECT_EQ(complaint({option, "1", option, "1"}), option + " is given more than once");
-  }
-  EXPECT_EQ(complaint({"--output", "b.png"}), "--output is given more than once");
-  EXPECT_NE(complaint({"--stats=no"}), "");
-  EXPECT_EQ(complaint({"--stats", "--stats"}), "");
-}
-
-// What is unknown is shown, a part of it if it is long, and never a byte that a terminal would obey.
-TEST(Options, RefuseTheUnknown) {
-  EXPECT_EQ(complaint({"--nonsense"}), "unknown option '--nonsense'");
-  EXPECT_EQ(complaint({"--nonsense=3"}), "unknown option '--nonsense=3'");
-  EXPECT_EQ(complaint({"-z", "3"}), "unknown option '-z'");
-  EXPECT_EQ(complaint({"--stat"}),
-            "unknown option '--stat'");  // no abbreviations: they would become promises
-  EXPECT_EQ(complaint({"extra.obj"}), "one argument too many: 'extra.obj'");
-  EXPECT_EQ(complaint({""}), "one argument too many: ''");
-  EXPECT_EQ(complaint({"--", "extra.obj"}), "one argument too many: 'extra.obj'");
-  EXPECT_EQ(complaintAll({"lesson", "cycles", "extra"}), "one argument too many: 'extra'");
-  EXPECT_EQ(complaint({"--shade", "\x1b[2J"}),
-            "--shade: '?[2J' is not one of none, depth, flat, gouraud, phong, envmap");
-  const std::string longest(100'000, 'a');
-  for (const std::vector<std::string>& words : {std::vector<std::string>{"--" + longest},
-                                                {"--size", longest},
-                                                {"--eye", longest},
-                                                {longest},
-                                                {"--view", longest},
-                                                {"--order", longest},
-                                                {"--fov", longest},
-                                                {"--cull", longest},
-                                                {"--bits", longest}})
-    EXPECT_LT(complaint(words).size(), 200u) << words[0].substr(0, 20);
-}
-
-// The words of the contract that do nothing yet say so; none of them is taken for a misspelling.
-TEST(Options, SayWhatIsNotBuiltYet) {
-  for (const std::string command : {"figure", "trade"})
-    for (const std::vector<std::string>& rest :
-         {std::vector<std::string>{}, {"teapot", "-o", "no.svg"}, {"--help"}}) {
-      std::vector<std::string> words{command};
-      words.insert(words.end(), rest.begin(), rest.end());
-      EXPECT_EQ(complaintAll(words),
-                "the command '" + command + "' is not built yet; `xnewell --help` lists what is");
-    }
-  for (const std::string option : {"--json"}) {
-    EXPECT_EQ(complaint({option}), option + " is not built yet");
-    EXPECT_EQ(complaint({option + "=x"}), option + " is not built yet");
-  }
-}
-
-// Of two options that cannot both be heeded neither is ignored.
-TEST(Options, RefuseWhatExcludesEachOther) {
-  EXPECT_EQ(complaint({"--light", "1,0,0", "--light-at", "1,2,9"}),
-            "--light and --light-at exclude each other");
-  EXPECT_EQ(complaint({"--eye", "1,2,3", "--prp", "0,0,9"}),
-            "--eye and the textbook's --vpn, --prp exclude each other");
-  EXPECT_EQ(complaint({"--look-at", "1,2,3", "--vrp", "0,0,9"}), "--look-at and --vrp exclude each other");
-  EXPECT_EQ(complaint({"--up", "0,0,1", "--vup", "0,0,1"}), "--up and --vup exclude each other");
-  EXPECT_EQ(complaint({"--fov", "20", "--view-window", "-1,1,-1,1"}),
-            "--fov and --view-window exclude each other");
-}
-
-// An option that its command cannot heed is refused, not ignored.
-TEST(Options, RefuseWhatTheCommandIgnores) {
-  EXPECT_EQ(complaintAll({"draw"}), "draw needs a scene, such as teapot");
-  EXPECT_EQ(complaintAll({"draw", "-o", "a.png"}), "draw needs a scene, such as teapot");
-  EXPECT_EQ(complaintAll({"draw", "teapot"}), "draw needs -o FILE.png");
-  EXPECT_EQ(complaintAll({"snapshot", "teapot", "-o", ""}), "snapshot needs -o FILE.png");
-  EXPECT_EQ(complaintAll({"draw", "", "-o", "a.png"}), "the scene's name is empty");
-  EXPECT_EQ(complaintAll({""}), "the scene's name is empty");
-  EXPECT_EQ(complaintAll({"scenes", "teapot"}), "scenes takes no scene");
-  EXPECT_EQ(complaintAll({"visuals", "teapot"}), "visuals takes no scene");
-  EXPECT_EQ(complaintAll({"view", "-o", "a.png"}), "-o goes with draw and snapshot");
-  EXPECT_EQ(complaintAll({"view", "--stats"}), "--stats and --ids go with draw and snapshot");
-  EXPECT_EQ(complaintAll({"--ids", "i.png"}), "--stats and --ids go with draw and snapshot");
-  EXPECT_EQ(complaint({"--whole-window"}), "--whole-window goes with snapshot and with trace --frames");
-  EXPECT_EQ(complaint({"--fill", "x11"}), "--fill x11 needs a server: use snapshot");
-  EXPECT_EQ(complaint({"--visual", "TrueColor24"}), "--visual goes with view, snapshot and visuals");
-  for (const std::string method : {"none", "depth", "phong", "envmap"})
-    EXPECT_EQ(complaint({"--adapt", "0.02", "--shade", method}),
-              "--adapt goes with --shade flat and gouraud");
-  EXPECT_EQ(complaint({"--fov", "30", "--parallel", "3"}),
-            "--fov is for perspective: leave out --parallel and --oblique");
-  EXPECT_EQ(complaint({"--fov", "30", "--oblique", "cabinet"}),
-            "--fov is for perspective: leave out --parallel and --oblique");
-}
-
-// A view of numbers is a picture of its own, of at least the size of its words.
-TEST(Options, RefuseWhatAViewCannotHeed) {
-  EXPECT_EQ(complaint({"--scanline", "3"}), "--scanline goes with --view machbands");
-  EXPECT_EQ(complaint({"--view", "normals", "--scanline", "3"}), "--scanline goes with --view machbands");
-  for (const ViewRow& row : kViews) {
-    if (row.id == View::Picture) continue;
-    const std::string name{row.name}, view = "--view " + name;
-    const std::string width = std::to_string(row.leastWidth), height = std::to_string(row.leastHeight);
-    EXPECT_EQ(complaint({"--view", name, "--size", width + "x" + height}), "");
-    for (const std::string& small :
-         {std::to_string(row.leastWidth - 1) + "x8192", "8192x" + std::to_string(row.leastHeight - 1)})
-      EXPECT_EQ(complaint({"--view", name, "--size", small}),
-                view + " needs a --size of at least " + width + "x" + height);
-    EXPECT_EQ(complaint({"--view", name}), "") << "the size without --size is too small";
-    EXPECT_EQ(complaintAll({"--view", name}), "");
-    EXPECT_EQ(complaintAll({"--view", name, "--size", "799x600"}),
-              view + " needs a --size of at least 800x600");
-    EXPECT_EQ(complaintAll({"trace", "teapot", "--view", name}), view + " goes with view, draw and snapshot");
-    const std::string more = view + " is more than a picture: --stats and --ids go with --view picture";
-    EXPECT_EQ(complaint({"--view", name, "--ids", "i.png"}), more);
-    EXPECT_EQ(complaint({"--view", name, "--stats"}), more);
-    EXPECT_EQ(complaintAll({"snapshot", "teapot", "-o", "a", "--whole-window", "--view", name}), "");
-    EXPECT_EQ(complaintAll({"snapshot", "teapot", "-o", "a", "--fill", "x11", "--view", name}),
-              view + " is filled by the scanline: leave out --fill x11");
-  }
-  for (const std::string name : {"depthsort", "sidebyside", "lesson"}) {
-    EXPECT_EQ(complaintAll({"--view", name}), "");
-    EXPECT_EQ(complaintAll({"snapshot", "teapot", "-o", "a", "--whole-window", "--view", name}), "");
-    EXPECT_EQ(complaint({"--view", name}),
-              "--view " + name + " is a view of the window: with view, or with snapshot --whole-window");
-  }
-  EXPECT_EQ(complaintAll({"--scanline", "3", "--view", "machbands"}),
-            "--scanline goes with a view that is drawn without its window");
-}
-
-// Effects on the palette are read as they are written, and refused with what they have no say in.
+// Effects on the palette are read as they are written, and refused by commands to which they do not apply.
 TEST(Options, EffectsChangeWhatIsStored) {
   const auto only = [](const std::vector<std::string>& words, const PaletteEffects& expected) {
     EXPECT_EQ(drawn(words).effects, expected) << words[0];
@@ -403,17 +179,6 @@ TEST(Options, EffectsChangeWhatIsStored) {
   EXPECT_EQ(complaint({"--view", "machbands", "--lit", "20"}).rfind("--lit goes with --view picture", 0), 0u);
   EXPECT_EQ(complaintAll({"view", "--lit", "20"}), "--lit goes with draw and snapshot");
   EXPECT_EQ(complaint({"--cell", "20"}), "--cell goes with --view colours");
-}
-
-// No output may take the place of the scene or of the other output.
-TEST(Options, OutputsAreFilesOfTheirOwn) {
-  const std::string lost = "-o and --ids must not name the scene's own file: it would be lost";
-  EXPECT_EQ(complaintAll({"draw", "a.obj", "-o", "a.obj"}), lost);
-  EXPECT_EQ(complaintAll({"draw", "a.obj", "-o", "x/../a.obj"}), lost);
-  EXPECT_EQ(complaintAll({"draw", "a.obj", "-o", "b", "--ids", "./a.obj"}), lost);
-  EXPECT_EQ(complaintAll({"draw", "a.obj", "-o", "b", "--ids", "./b"}), "-o and --ids name the same file");
-  EXPECT_EQ(complaintAll({"draw", "teapot", "-o", "teapot"}), "");  // a built-in scene is no file here
-  EXPECT_EQ(complaintAll({"draw", "a.obj", "-o", "/dev/null", "--ids", "/dev/null"}), "");
 }
 
 }  // namespace xnewell

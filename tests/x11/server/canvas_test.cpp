@@ -42,7 +42,7 @@ bool windowShows(const IndexImage& image, Display* d, const Canvas& canvas, cons
 
 }  // namespace
 
-/// Visual, and shared memory or not.
+/// A visual, and whether shared memory is used.
 class CanvasOn : public testing::TestWithParam<std::tuple<std::string, bool>> {
  protected:
   static XServer serverFor(const std::string& visual) {
@@ -55,8 +55,8 @@ INSTANTIATE_TEST_SUITE_P(
                      testing::Values(false, true)),
     [](const auto& made) { return std::get<0>(made.param) + (std::get<1>(made.param) ? "Shared" : "Sent"); });
 
-// What was presented is read back as its palette says, for every index, on every kind of visual, with shared
-// memory or without, at odd sizes.
+// A presented image reads back as its palette says: for every index, on every kind of visual, with and
+// without shared memory, at odd sizes.
 TEST_P(CanvasOn, RoundTripIsTheIdentity) {
   const auto& [visual, shared] = GetParam();
   Session s{serverFor(visual), visual};
@@ -73,7 +73,7 @@ TEST_P(CanvasOn, RoundTripIsTheIdentity) {
       for (int i = 0; i < 256; ++i) image.pixels[i] = static_cast<std::uint8_t>(i);
     canvas.present(image, all);
     EXPECT_EQ(canvas.readBack(all), colored(image, palette, all));
-    // Again, without a round trip between.
+    // And again, without a round trip in between.
     for (int k = 0; k < 5; ++k) canvas.present(image = randomImage(w, h, ++seed), all);
     EXPECT_EQ(canvas.readBack(all), colored(image, palette, all));
     const Rect inner{w / 3, h / 4, w - w / 3, h - h / 4};
@@ -81,7 +81,7 @@ TEST_P(CanvasOn, RoundTripIsTheIdentity) {
   }
 }
 
-// A dirty rectangle changes what is inside it and nothing else, and is cut to image and canvas.
+// A dirty rectangle changes only what is inside it. It is cut to the image and the canvas.
 TEST_P(CanvasOn, PresentsOnlyTheDirtyRectangle) {
   const auto& [visual, shared] = GetParam();
   Session s{serverFor(visual), visual};
@@ -107,7 +107,7 @@ TEST_P(CanvasOn, PresentsOnlyTheDirtyRectangle) {
   }
 }
 
-// The window shows the picture: after present, and again after an expose when something had wiped it.
+// The window shows the picture after present(), and shows it again when it is exposed after being wiped.
 TEST_P(CanvasOn, TheWindowShowsThePicture) {
   const auto& [visual, shared] = GetParam();
   Session s{serverFor(visual), visual};
@@ -130,8 +130,8 @@ TEST_P(CanvasOn, TheWindowShowsThePicture) {
   EXPECT_FALSE(XCheckTypedEvent(d, NoExpose, &event)) << "every copy is answered by an event";
 }
 
-// A new size keeps what fits and fills the rest with index 0; the largest picture works, the server's refusal
-// of a larger one is an error with the request's name and leaves the picture as it was.
+// A new size keeps what fits and fills the rest with index 0. The largest picture works. If the server
+// refuses a larger one, the error names the request, and the picture stays as it was.
 TEST_P(CanvasOn, Resizes) {
   const auto& [visual, shared] = GetParam();
   Session s{serverFor(visual), visual};
@@ -154,8 +154,8 @@ TEST_P(CanvasOn, Resizes) {
   EXPECT_EQ(canvas.readBack({0, 0, 30, 60}), colored(expected, palette, {0, 0, 30, 60}));
 }
 
-// On a real colormap a change of colours shows in the same pixels without presenting; emulated, only after
-// it.
+// On a real colormap, a change of colours shows in the same pixels at once. On an emulated one, it shows only
+// after present().
 TEST_P(CanvasOn, ColoursChangeAsTheMapIs) {
   const auto& [visual, shared] = GetParam();
   Session s{serverFor(visual), visual};
@@ -174,7 +174,7 @@ TEST_P(CanvasOn, ColoursChangeAsTheMapIs) {
   EXPECT_EQ(canvas.readBack(all), colored(image, palette, all));
 }
 
-// The server draws into the picture with the pixel of an index, in the colour of that index.
+// What the server draws with the pixel of an index has the colour of that index.
 TEST_P(CanvasOn, TheServerDrawsIntoThePicture) {
   const auto& [visual, shared] = GetParam();
   Session s{serverFor(visual), visual};
@@ -191,7 +191,8 @@ TEST_P(CanvasOn, TheServerDrawsIntoThePicture) {
   EXPECT_EQ(canvas.readBack({0, 0, 20, 20}), colored(expected, palette, {0, 0, 20, 20}));
 }
 
-// A picture far larger than the screen, and than one request, arrives whole at its corners and in the middle.
+// A picture far larger than the screen and than one request arrives whole: its corners and its middle are
+// right.
 TEST(Canvas, TakesTheLargestSize) {
   const int side = 8192;
   IndexImage image{side, side, 0};
@@ -213,7 +214,7 @@ TEST(Canvas, TakesTheLargestSize) {
   }
 }
 
-// A server without MIT-SHM is served through the connection, with the same picture.
+// A server without MIT-SHM gets the same picture through the connection.
 TEST(Canvas, FallsBackWithoutSharedMemory) {
   Session s{XServer::xvfb(24, 640, 480, {"-extension", "MIT-SHM"})};
   s.colormap.store(distinctPalette());
@@ -224,7 +225,7 @@ TEST(Canvas, FallsBackWithoutSharedMemory) {
   EXPECT_EQ(canvas.readBack({0, 0, 33, 21}), colored(image, distinctPalette(), {0, 0, 33, 21}));
 }
 
-// The close button's message and no other is a request to close; the window says that it knows it.
+// Only the close button's message is a request to close. The window announces that it understands it.
 TEST(Canvas, KnowsTheCloseButton) {
   Session s{XServer::xvfb(8)};
   Display* d = s.display.get();

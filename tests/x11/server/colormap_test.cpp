@@ -16,7 +16,8 @@ namespace {
 
 VisualChoice choiceOn(Display* display) { return chooseVisual(readVisuals(display)); }
 
-/// BRIEF's formulas once more, in long double and with the C library: what shade j of N holds before the hue.
+/// The formulas again, in long double and with the C library: what shade j of N holds before the hue is
+/// applied.
 long double levelByFormula(TableKind kind, int j, int N, long double I0) {
   switch (kind) {
     case TableKind::Brief:
@@ -29,7 +30,7 @@ long double levelByFormula(TableKind kind, int j, int N, long double I0) {
   return -1;
 }
 
-/// The 8-bit value of v as stored with `bits`; nothing where rounding error could decide it.
+/// The 8-bit value of v as stored with `bits`; nothing if rounding error could decide it.
 std::optional<int> shownByFormula(long double v, int bits) {
   const long double scaled = (bits == 8 ? 255 : 65535) * v, low = floorl(scaled);
   if (fabsl(scaled - low - 0.5L) < 1e-9L) return std::nullopt;
@@ -50,8 +51,8 @@ bool sameColor(const XColor& a, const XColor& b) {
 
 }  // namespace
 
-// The cells of the server's colormap are the tables' definition, for all tables, hues, shade counts, lowest
-// intensities and both widths; the tool's cells and the unneeded ones are in it as the palette says.
+// The cells of the server's colormap hold what the tables define, for all tables, hues, numbers of shades,
+// lowest intensities and both widths. The tool's cells and the unneeded ones hold what the palette says.
 TEST(ServerColormap, HoldsTheTablesOfTheBook) {
   const XServer x = XServer::xvfb(8);
   const OwnedDisplay display = openDisplay(x.name());
@@ -89,7 +90,7 @@ TEST(ServerColormap, HoldsTheTablesOfTheBook) {
   EXPECT_EQ(exempt, 0);  // the settings above have no tie
 }
 
-// What the brief says in numbers: cell 10 + i of `brief` is (i, 0, 0), the ends of `corrected` are 5 and 255.
+// Known values: cell 10 + i of `brief` is (i, 0, 0), and the ends of `corrected` are 5 and 255.
 TEST(ServerColormap, HoldsTheNumbersOfTheBrief) {
   const XServer x = XServer::xvfb(8);
   const OwnedDisplay display = openDisplay(x.name());
@@ -101,8 +102,8 @@ TEST(ServerColormap, HoldsTheNumbersOfTheBrief) {
   EXPECT_EQ(map.shown()[250].r >> 8, 255);
 }
 
-// Cells that the ramp and the tool leave free look as in the default map, and so do black and white, also
-// after other shades have been there.
+// Black and white, and the cells that the ramp and the tool leave free, look as in the default map. This
+// holds also after other shades have used them.
 TEST(ServerColormap, UnneededCellsKeepTheDefaultColours) {
   const XServer x = XServer::xvfb(8);
   const OwnedDisplay display = openDisplay(x.name());
@@ -124,7 +125,7 @@ TEST(ServerColormap, UnneededCellsKeepTheDefaultColours) {
     EXPECT_TRUE(sameColor(cellsOf(d, DefaultColormap(d, 0))[i], before[i])) << i;
 }
 
-// A change of colours is one request, and no change is none.
+// A change of colours is one request. No change is no request.
 TEST(ServerColormap, StoresOnceAndOnlyWhatChanged) {
   const XServer x = XServer::xvfb(8);
   const OwnedDisplay display = openDisplay(x.name());
@@ -133,14 +134,14 @@ TEST(ServerColormap, StoresOnceAndOnlyWhatChanged) {
   const CellPlan plan = map.plan(TableKind::Linear);
   const auto sent = [&](const Palette& palette) {
     const unsigned long before = NextRequest(d);
-    EXPECT_FALSE(map.store(palette));  // a real map never asks for a new picture
+    EXPECT_FALSE(map.store(palette));  // a real map never needs a new picture
     return NextRequest(d) - before;
   };
   const Palette red = makePalette(plan, ColorTable{{}});
   Palette green = makePalette(plan, ColorTable{{.hue = {0, 1, 0}}});
   EXPECT_EQ(sent(red), 1u);
   EXPECT_EQ(sent(red), 0u);
-  // Another program's hand in the map shows which cells a store touches.
+  // Another program changes the map, which shows which cells a store touches.
   XColor mark{.pixel = 40,
               .red = 0x1111,
               .green = 0x2222,
@@ -154,7 +155,7 @@ TEST(ServerColormap, StoresOnceAndOnlyWhatChanged) {
   for (int i = 0; i < 256; ++i) EXPECT_EQ(shown[i].g >> 8, i == 40 ? 0x22 : green[i].g >> 8) << i;
 }
 
-// A default colormap without a free cell does not matter: ours is private.
+// A default colormap without a free cell does no harm: our map is private.
 TEST(ServerColormap, NeedsNoFreeCell) {
   const XServer x = XServer::xvfb(8);
   const OwnedDisplay greedy = openDisplay(x.name()), display = openDisplay(x.name());
@@ -170,7 +171,7 @@ TEST(ServerColormap, NeedsNoFreeCell) {
   for (int i = 0; i < 256; ++i) EXPECT_EQ(map.shown()[i].b >> 8, palette[i].b >> 8);
 }
 
-// Xephyr has black 1 and white 0, the other way round: plan, map and default map agree there too.
+// Plan, map and default map agree also in Xephyr, where black is 1 and white is 0.
 TEST(ServerColormap, FollowsBlackAndWhiteOfTheServer) {
   const XServer host = XServer::xvfb(24);
   const XServer x = XServer::xephyr(host, 8);
@@ -191,8 +192,8 @@ TEST(ServerColormap, FollowsBlackAndWhiteOfTheServer) {
   }
 }
 
-// Where the default visual is another class of depth 8, its colours are still copied pixel by pixel; where it
-// is deeper, its pixels mean nothing in our map and the plan is the usual one.
+// If the default visual is another class of depth 8, its colours are still copied cell by cell. If it is
+// deeper, its pixels mean nothing in our map, and the plan is the usual one.
 TEST(ServerColormap, PlansForTheDefaultVisual) {
   for (int defaultClass = 0; defaultClass < 6; ++defaultClass) {
     SCOPED_TRACE(defaultClass);
@@ -215,8 +216,8 @@ TEST(ServerColormap, PlansForTheDefaultVisual) {
   EXPECT_EQ(map.plan(TableKind::Brief), CellPlan{TableKind::Brief});
 }
 
-// Emulated, index i has the pixel whose channels are the palette's high bits; a change asks for a new
-// picture, no change does not, and the server is not asked at all. Alpha, where there is any, is opaque.
+// In an emulated map, index i has the pixel whose channels are the palette's high bits. A change needs a new
+// picture, no change needs none, and neither makes a request. Alpha, where there is any, is opaque.
 TEST(ServerColormap, EmulatesTheTable) {
   const XServer x = XServer::xvfb(24);
   const OwnedDisplay display = openDisplay(x.name());
@@ -243,7 +244,7 @@ TEST(ServerColormap, EmulatesTheTable) {
   }
 }
 
-// We install the map ourselves where no window manager runs, and leave it to the manager where one does.
+// The program installs the map itself if no window manager runs, and leaves that to the manager if one does.
 TEST(ServerColormap, InstallsOnlyWhereNobodyElseDoes) {
   const XServer x = XServer::xvfb(8);
   const OwnedDisplay display = openDisplay(x.name()), manager = openDisplay(x.name());

@@ -37,7 +37,7 @@ bool exists(pid_t pid) { return kill(pid, 0) == 0 || errno != ESRCH; }
 
 }  // namespace
 
-// Servers started side by side choose different displays, and each goes with its object.
+// Servers started side by side choose different displays, and each ends with its object.
 TEST(XServerFixture, DoNotCollideAndLeaveNothingBehind) {
   pid_t first = 0, second = 0;
   {
@@ -53,7 +53,7 @@ TEST(XServerFixture, DoNotCollideAndLeaveNothingBehind) {
   EXPECT_FALSE(exists(second));
 }
 
-// A program that dies without destructors takes its server with it.
+// A test program that dies without running destructors takes its server with it.
 TEST(XServerFixture, DiesWithACrashingTest) {
   std::array<int, 2> channel{};
   ASSERT_EQ(pipe(channel.data()), 0);
@@ -78,7 +78,7 @@ TEST(XServerFixture, DiesWithACrashingTest) {
   EXPECT_TRUE(gone());
 }
 
-// A missing or unwilling server program is a failure that says what is missing.
+// If a server program is missing or does not start, the failure says what is missing.
 TEST(XServerFixture, SaysWhatIsMissing) {
   const auto start = [](const char* program, std::vector<std::string> arguments) {
     try {
@@ -92,7 +92,7 @@ TEST(XServerFixture, SaysWhatIsMissing) {
   EXPECT_THAT(start("Xvfb", {"-nonsense"}), AllOf(HasSubstr("Xvfb did not start"), HasSubstr("-nonsense")));
 }
 
-// Where there is no server, one line says so.
+// If there is no server, one line says so.
 TEST(OpenDisplay, SaysWhatItCouldNotOpen) {
   EXPECT_EQ(thrownBy([] { (void)openDisplay(":54321"); }), "cannot open display ':54321'");
   const char* set = std::getenv("DISPLAY");
@@ -104,8 +104,8 @@ TEST(OpenDisplay, SaysWhatItCouldNotOpen) {
   set != nullptr ? setenv("DISPLAY", before.c_str(), 1) : unsetenv("DISPLAY");
 }
 
-// The first error under a trap is thrown by check() with the name of the request that caused it; nothing
-// reaches the stray count, and a trap set later is not blamed for an earlier request.
+// check() throws the first error under a trap with the name of the request that caused it. The error is not
+// counted as a stray one, and a trap set later does not get errors of earlier requests.
 TEST(ErrorTrap, NamesTheRequest) {
   const XServer server = XServer::xvfb(8);
   const OwnedDisplay display = openDisplay(server.name());
@@ -138,7 +138,7 @@ TEST(ErrorTrap, NamesTheRequest) {
   EXPECT_EQ(strayErrors(), before);
 }
 
-// Outside every trap an error is told and counted, and the program goes on.
+// An error outside every trap is told and counted, and the program goes on.
 TEST(ErrorTrap, StrayErrorsAreToldAndCounted) {
   const XServer server = XServer::xvfb(8);
   const OwnedDisplay display = openDisplay(server.name());
@@ -151,7 +151,7 @@ TEST(ErrorTrap, StrayErrorsAreToldAndCounted) {
   EXPECT_EQ(strayErrors(), before + 1);
 }
 
-// Of many errors, as a window may see one in every frame, the first are told and all are counted.
+// Of many errors only the first are told, but all are counted. A window may get one in every frame.
 TEST(ErrorTrap, TellsOnlyTheFirstStrayErrors) {
   const XServer server = XServer::xvfb(8);
   const OwnedDisplay display = openDisplay(server.name());
@@ -165,7 +165,7 @@ TEST(ErrorTrap, TellsOnlyTheFirstStrayErrors) {
   EXPECT_EQ(strayErrors(), before + 100);
 }
 
-// A server that vanishes ends the program at once with status 1 and a message, trap or no trap.
+// A server that vanishes ends the program at once with status 1 and a message, with or without a trap.
 TEST(OpenDisplayDeathTest, AVanishedServerEndsTheProgram) {
   EXPECT_EXIT(
       {
@@ -180,7 +180,7 @@ TEST(OpenDisplayDeathTest, AVanishedServerEndsTheProgram) {
       testing::ExitedWithCode(1), "xnewell: lost the connection to the X server of display ':[0-9]+'\n$");
 }
 
-// A resource has one owner: moving leaves nothing behind, and each id is freed exactly once.
+// A resource has one owner. Moving leaves nothing behind, and each id is freed exactly once.
 TEST(XResource, IsFreedOnce) {
   static_assert(!std::is_copy_constructible_v<OwnedPixmap> && std::is_nothrow_move_assignable_v<OwnedPixmap>);
   const XServer server = XServer::xvfb(8);

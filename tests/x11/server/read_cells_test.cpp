@@ -12,11 +12,11 @@
 
 namespace xnewell {
 
-// PNG files are the picture's cells: the same numbers and colours whether drawn or read back from a server.
+// PNG files hold the picture's cells: the same numbers and colours, whether drawn or read back from a server.
 
 namespace {
 
-/// A palette PNG as it is stored: cell numbers row by row, and what the cells hold.
+/// A palette PNG as it is stored: the cell numbers row by row, and what the cells hold.
 struct StoredPng {
   int width = 0, height = 0;
   std::vector<std::uint8_t> cells, palette;  ///< palette: 768 bytes; empty where the file has none
@@ -59,9 +59,9 @@ const std::array kEffects{
 
 }  // namespace
 
-// A picture of 240 shades needs all 256 cells, so the file that a snapshot writes is that of draw byte by
-// byte, real colormap or emulated one, though at 8 bits a value many shades look the same; so are views and
-// effects.
+// A snapshot writes the same file as `draw`, byte for byte, with a real colormap or an emulated one. A
+// picture of 240 shades needs all 256 cells, although many shades look the same at 8 bits. Views and effects
+// are the same too.
 TEST(ReadCells, SnapshotsAreTheFilesThatAreDrawn) {
   const XServer eight = XServer::xvfb(8), deep = XServer::xvfb(24);
   const TemporaryFolder folder;
@@ -78,8 +78,8 @@ TEST(ReadCells, SnapshotsAreTheFilesThatAreDrawn) {
   }
 }
 
-// What the server has filled is read as cells too. On a real colormap shades that look the same are told
-// apart: inside the outlines each sample has the cell that our own filling gives it. Decoded, the file is the
+// What the server filled is read back as cells too. On a real colormap, shades that look the same are told
+// apart: inside the outlines each sample has the cell that our own filler gives it. Decoded, the file is the
 // picture that the other server shows.
 TEST(ReadCells, TellEqualColorsApart) {
   const XServer eight = XServer::xvfb(8), deep = XServer::xvfb(24);
@@ -100,12 +100,12 @@ TEST(ReadCells, TellEqualColorsApart) {
   }
   EXPECT_GT(painted, 30'000);
   EXPECT_GT(same, painted * 9 / 10);
-  EXPECT_LT(same, painted);        // outlines: the cells are those of the server
-  EXPECT_GT(twins, painted / 20);  // where the first cell of that colour would be wrong
+  EXPECT_LT(same, painted);        // outlines have the cells of the server
+  EXPECT_GT(twins, painted / 20);  // here the first cell of that colour would be wrong
   EXPECT_EQ(readPng(made(folder, "y.png", "snapshot --fill x11 " + line, deep.name())), readPng(filled));
 }
 
-// An effect changes the palette of the file and no cell number, with the tool's sixteen colours left alone.
+// An effect changes the palette of the file but no cell number, and leaves the tool's sixteen colours alone.
 TEST(ReadCells, EffectsChangeNoCell) {
   const TemporaryFolder folder;
   const std::string line = "draw teapot --divisions 3 --size 160x120 --shade gouraud --table ";
@@ -115,7 +115,7 @@ TEST(ReadCells, EffectsChangeNoCell) {
       SCOPED_TRACE(table + ' ' + effect);
       const StoredPng changed = storedPng(made(folder, "changed.png", line + table + ' ' + effect));
       EXPECT_EQ(changed.cells, plain.cells);
-      if (table != "linear" || effect != "--store brief") {  // which hold the same in the same cells
+      if (table != "linear" || effect != "--store brief") {  // these hold the same in the same cells
         EXPECT_NE(changed.palette, plain.palette);
       }
       for (int role = 0; role < kCells; ++role) {
@@ -127,7 +127,7 @@ TEST(ReadCells, EffectsChangeNoCell) {
   }
 }
 
-// What makes no sense is refused in a line, and nothing is written.
+// A command that makes no sense is refused in one line, and nothing is written.
 TEST(ReadCells, EffectsAreRefusedWhereTheyMakeNoSense) {
   const TemporaryFolder folder;
   const std::string file = folder.file("no.png");

@@ -12,16 +12,16 @@
 
 namespace xnewell {
 
-// Servers that are reached over the network, or that let in only who brings a cookie.
+// Servers that are reached over the network, and servers that ask for a cookie.
 
 namespace {
 
 const std::string kTeapot = "teapot --divisions 4 --size 640x480";
 
-/// The same server, by way of the loopback network.
+/// The same server, through the loopback network.
 std::string overTcp(const XServer& server) { return "127.0.0.1" + server.name(); }
 
-/// A file with one cookie, good for every display. @see Xau(3), Xsecurity(7)
+/// A file with one cookie that is good for every display. @see Xau(3), Xsecurity(7)
 void writeCookie(const std::string& file, char byte) {
   std::ofstream out{file, std::ios::binary};
   const auto counted = [&](const std::string& text) {
@@ -33,7 +33,7 @@ void writeCookie(const std::string& file, char byte) {
     counted(part);
 }
 
-/// XAUTHORITY as given while it lives.
+/// Sets XAUTHORITY as long as it lives.
 class Authority {
  public:
   explicit Authority(const std::string& file) { ::setenv("XAUTHORITY", file.c_str(), 1); }
@@ -44,7 +44,7 @@ class Authority {
 
 }  // namespace
 
-// A server gives the same picture over the network as through its local socket, without memory in common.
+// A server gives the same picture over the network, without shared memory, as through its local socket.
 TEST(RemoteServer, GivesTheSamePicture) {
   for (const int depth : {8, 24}) {
     SCOPED_TRACE(depth);
@@ -64,7 +64,8 @@ TEST(RemoteServer, GivesTheSamePicture) {
   }
 }
 
-// Without the server's cookie, or with another, one line says why it does not let us in; with it, it does.
+// Without the server's cookie, or with a wrong one, one line says why the server refuses. With the cookie it
+// lets us in.
 TEST(RemoteServer, SaysThatACookieIsNeeded) {
   const TemporaryFolder folder;
   writeCookie(folder.file("right"), 'r');

@@ -22,18 +22,19 @@ namespace xnewell {
 
 using testing::HasSubstr;
 
-// The program itself where it has few cells of the default map or none, or no map of its own.
+// The program itself when it has few cells of the default map or none, or no map of its own.
 
 namespace {
 
-/// While there is one, the server refuses new colormaps.
+/// While an object of this class exists, the server refuses new colormaps.
 struct NoMoreColormaps {
   static inline int alive = 0;
   NoMoreColormaps() { ++alive; }
   ~NoMoreColormaps() { --alive; }
 };
 
-/// The mean difference of a channel between two pictures' blocks of 8 x 8 pixels, each block's mean for it.
+/// The mean difference of a channel between two pictures, each taken as the means of its blocks of 8 x 8
+/// pixels.
 double missOfBlocks(const RgbImage& seen, const RgbImage& wanted) {
   double sum = 0;
   int blocks = 0;
@@ -52,7 +53,7 @@ std::size_t lines(const std::string& text) { return std::ranges::count(text, '\n
 
 }  // namespace
 
-/// Stands before Xlib's: BadAlloc comes from the server, for a pixmap that is too large.
+/// Replaces Xlib's function. BadAlloc comes from the server, for a pixmap that is too large.
 extern "C" Colormap XCreateColormap(Display* display, Window window, Visual* visual, int allocated) {
   if (NoMoreColormaps::alive > 0) return XCreatePixmap(display, window, 40'000, 1, 1);
   using Create = Colormap (*)(Display*, Window, Visual*, int);
@@ -60,9 +61,9 @@ extern "C" Colormap XCreateColormap(Display* display, Window window, Visual* vis
   return xlibs(display, window, visual, allocated);
 }
 
-// The program itself, beside a stranger who has taken nearly everything: always a picture, always told in one
-// line, nothing of BadAlloc, and nothing left behind. Where it has cells the picture is the one of so many
-// shades.
+// Next to a program that has taken nearly all cells, the program always gives a picture. It tells so in one
+// line, does not mention BadAlloc, and leaves nothing behind. If it has cells, the picture is the one with
+// that many shades.
 TEST(SharedCellsProgram, AlwaysAPictureAlwaysTold) {
   const TemporaryFolder folder;
   const std::string file = folder.file("picture.png");
@@ -90,14 +91,14 @@ TEST(SharedCellsProgram, AlwaysAPictureAlwaysTold) {
     }
 }
 
-// Seen from where 8 x 8 pixels are one spot, some free cells never show less of a picture than none do: where
-// several hues would have too few shades each, or a channel has few levels, the map's colours are mixed as
-// with none.
+// Seen from so far that 8 x 8 pixels are one spot, a picture is never worse with some free cells than with
+// none. If several hues would have too few shades each, or a channel has few levels, the map's colours are
+// mixed as they are without free cells.
 TEST(SharedCellsProgram, FewCellsShowNoLessThanNone) {
   struct Case {
     int defaultClass;
     std::string scene;
-    std::vector<std::size_t> left;  ///< so many that only black and white serve, then more
+    std::vector<std::size_t> left;  ///< first so few that only black and white serve, then more
   };
   for (const Case& at :
        {Case{3, "hues", {0, 2, 20, 50, 100, 183}}, Case{5, "teapot --divisions 3", {0, 1, 2}}}) {
@@ -122,8 +123,8 @@ TEST(SharedCellsProgram, FewCellsShowNoLessThanNone) {
   }
 }
 
-// A scene that is opened in the window is shown as a start with it would: few cells are a ramp for one hue,
-// and for several the map's colours are mixed; and for one hue again a ramp.
+// A scene that is opened in the window looks as if the program had started with it. Few cells make a ramp for
+// one hue; for several hues the map's colours are mixed; and for one hue there is a ramp again.
 TEST(SharedCellsProgram, AreDividedAnewForAnotherScene) {
   const XServer server = XServer::xvfb(8, 1280, 1024);
   const Stranger stranger{server, 50};
@@ -154,7 +155,7 @@ TEST(SharedCellsProgram, AreDividedAnewForAnotherScene) {
   EXPECT_EQ(stranger.countFree(), 0u);
 }
 
-// In the window the status line tells the shades, and a new hue is stored and nothing drawn.
+// The window's status line tells the number of shades. A new hue is stored and nothing is drawn.
 TEST(SharedCellsProgram, StoringShowsInTheWindow) {
   struct Case {
     int depth;
@@ -174,8 +175,8 @@ TEST(SharedCellsProgram, StoringShowsInTheWindow) {
   }
 }
 
-// Where the server has no room for another colormap, the default one serves, and that is told; insisting on a
-// visual that it is not for is refused.
+// If the server has no room for another colormap, the default one is used, and the program says so. A visual
+// that needs another map is refused.
 TEST(SharedCellsProgram, ServeWhereNoMapCanBeMade) {
   const TemporaryFolder folder;
   const std::string file = folder.file("picture.png");

@@ -18,7 +18,8 @@ namespace xnewell {
 
 using testing::HasSubstr;
 
-// Cells of the default map beside other programs: few of them, none, and others who change what they please.
+// Sharing the cells of the default map with other programs: with few free cells, with none, and with programs
+// that change cells.
 
 namespace {
 
@@ -48,9 +49,10 @@ std::vector<std::array<int, 3>> firstRow(const RgbImage& image) {
 
 }  // namespace
 
-// A program that shares gets all the cells that are left, and shows its shades exactly and live. With none,
-// or with so few that the map's colours show more, it mixes those: of RENDER's there are many, without it
-// only black and white, and no mixture has a hue. It tells what it does, and gives everything back.
+// A program that shares gets all free cells, shows its shades exactly, and can change them live. With no free
+// cells, or with so few that the map's colours show more, it mixes the map's colours. RENDER's map has many;
+// without RENDER there are only black and white, and no mixture has a hue. The program tells what it does,
+// and gives all cells back.
 TEST(SharedCells, TakesWhatIsFreeAndGivesItBack) {
   for (const bool render : {true, false})
     for (const std::size_t left : {0, 1, 2, 3, 7, 50, 183}) {
@@ -68,7 +70,7 @@ TEST(SharedCells, TakesWhatIsFreeAndGivesItBack) {
         ASSERT_EQ(map.live(), left >= (render ? 50u : 2u));
         const int shades = map.mostShades();
         if (map.live()) {
-          // All are taken: a quarter at most for the tool, which needs 14 besides black and white.
+          // All are taken: at most a quarter for the tool, which needs 14 besides black and white.
           EXPECT_EQ(stranger.countFree(), 0u);
           EXPECT_GE(shades, static_cast<int>(left - std::min<std::size_t>(left / 4, 14)));
           EXPECT_LE(shades, static_cast<int>(left));
@@ -96,7 +98,7 @@ TEST(SharedCells, TakesWhatIsFreeAndGivesItBack) {
           }
           EXPECT_GE(std::set(row.begin(), row.end()).size(), 2u);
         }
-        // Black and white are there always, and text stands out from the paper.
+        // Black and white are always there, and text stands out from the paper.
         const Palette shown = map.shown();
         const CellPlan plan;
         EXPECT_EQ(shown[plan[Cell::Black]], (Rgb16{0, 0, 0}));
@@ -112,7 +114,7 @@ TEST(SharedCells, TakesWhatIsFreeAndGivesItBack) {
     }
 }
 
-// Nobody needs more cells than it has shades: the others stay free.
+// A program takes no more cells than it has shades. The others stay free.
 TEST(SharedCells, TakesNoMoreThanItNeeds) {
   Session s{XServer::xvfb(8)};
   const Stranger stranger{s.server, 183};
@@ -123,7 +125,7 @@ TEST(SharedCells, TakesNoMoreThanItNeeds) {
   EXPECT_GE(stranger.countFree(), 183u - 64 - 14);
 }
 
-// What others do to the map does not show: they change their cells, free them, and others take those.
+// The picture does not change when other programs change their cells, free them, and others take those.
 TEST(SharedCells, OthersCannotChangeWhatWeShow) {
   for (const std::size_t left : {0, 20}) {
     SCOPED_TRACE(left);
@@ -132,7 +134,7 @@ TEST(SharedCells, OthersCannotChangeWhatWeShow) {
     Stranger stranger{s.server, left};
     ASSERT_GT(stranger.cells().size(), 100u);
     ServerColormap map = sharedOn(d);
-    // All 240 shades, also those without a cell, in colours that would suit the stranger's.
+    // All 240 shades, also those without a cell, in colours that would match the stranger's.
     Palette palette = distinctPalette();
     map.store(palette);
     Canvas canvas{d, map, {.width = 256, .height = 64}};
@@ -146,8 +148,8 @@ TEST(SharedCells, OthersCannotChangeWhatWeShow) {
   }
 }
 
-// A map of our own that has too few cells for the table is used the same way: as if of depth 4, which no
-// server at hand has.
+// A map of our own with too few cells for the table is used in the same way. The test pretends a map of depth
+// 4, which no server at hand has.
 TEST(SharedCells, SmallMapsOfOurOwn) {
   Session s{XServer::xvfb(8)};
   Display* d = s.display.get();
@@ -177,7 +179,8 @@ TEST(SharedCells, SmallMapsOfOurOwn) {
   for (int j = 0; j < shades; ++j) EXPECT_EQ(cells[j].red >> 8, palette[11 + j].r >> 8);
 }
 
-// A second program on the same server has what the first left, and all of it once that has gone.
+// A second program on the same server gets the cells that the first one left, and all cells once the first
+// has ended.
 TEST(SharedCells, TwoShare) {
   Session s{XServer::xvfb(8)};
   const OwnedDisplay other = openDisplay(s.server.name());
@@ -194,8 +197,8 @@ TEST(SharedCells, TwoShare) {
   EXPECT_GE(sharedOn(s.display.get()).mostShades(), 169);
 }
 
-// Where the default map cannot be written there are no cells to share: its colours are used, and that is
-// told.
+// If the default map cannot be written, there are no cells to share. Its colours are used, and the program
+// says so.
 TEST(SharedCells, FixedMapsAreEmulated) {
   for (const int defaultClass : {0, 2, 4}) {
     SCOPED_TRACE(defaultClass);
@@ -207,7 +210,7 @@ TEST(SharedCells, FixedMapsAreEmulated) {
   }
 }
 
-// On a DirectColor screen cells are shared too: of each channel.
+// On a DirectColor screen, the cells of each channel are shared too.
 TEST(SharedCells, OnDirectColor) {
   Session s{XServer::xvfb(24, 640, 480, {"-cc", "5"})};
   Display* d = s.display.get();
@@ -226,7 +229,7 @@ TEST(SharedCells, OnDirectColor) {
       const Rgb16 c = palette[11 + j];
       ASSERT_EQ(row[j], (std::array<int, 3>{c.r >> 8, c.g >> 8, c.b >> 8})) << j;
     }
-    // The tool's colours have cells too: a pixel value there is no colour.
+    // The tool's colours need cells too: a pixel value there is not a colour by itself.
     const Palette shown = map.shown();
     const CellPlan plan;
     for (int role = 0; role < kCells; ++role) {
@@ -239,8 +242,8 @@ TEST(SharedCells, OnDirectColor) {
   EXPECT_GT(before, 240u);
 }
 
-// Where a channel has few levels, all of them that can be had are shared: in a fresh map as many colours as a
-// map of our own would have, and no flashing; beside a stranger fewer, of which black and white are two.
+// If a channel has few levels, all that are free are shared. A fresh map gives as many colours as our own map
+// would, without flashing. Next to a stranger there are fewer, and two of them are black and white.
 TEST(SharedCells, LevelsOfDirectColor) {
   std::size_t before = 257;
   for (const bool beside : {false, true}) {
@@ -267,7 +270,7 @@ TEST(SharedCells, LevelsOfDirectColor) {
       EXPECT_LT(colors, before);
       EXPECT_GE(colors, 8u);
       before = colors;
-      // Nobody can change what they show.
+      // Nobody can change what these cells show.
       const std::vector<unsigned long> pixels{used.begin(), used.end()};
       const PixelColors shows{d, map.id(), map.visual()};
       if (stranger) stranger->paint(3);
@@ -277,7 +280,7 @@ TEST(SharedCells, LevelsOfDirectColor) {
     }
     XSync(d, 0);
     if (!beside) {
-      EXPECT_EQ(Stranger(s.server, 0).cells().size(), 2u);  // all given back
+      EXPECT_EQ(Stranger(s.server, 0).cells().size(), 2u);  // all cells are given back
     }
   }
 }

@@ -32,7 +32,7 @@ int ourSegments() {
 
 }  // namespace
 
-// No shared segment outlives its use: it is already marked for removal while in use, and gone afterwards.
+// No shared segment outlives its use: it is marked for removal while in use, and is gone afterwards.
 TEST(TransferImage, LeavesNoSharedSegment) {
   Session s{XServer::xvfb(8)};
   const int before = ourSegments();
@@ -49,7 +49,7 @@ TEST(TransferImage, LeavesNoSharedSegment) {
   EXPECT_EQ(ourSegments(), before);
 }
 
-// Shared memory that the server has yet to read is not written again: a second picture waits for the first.
+// Shared memory that the server has yet to read is not overwritten: a second picture waits for the first.
 TEST(TransferImage, DoesNotOverwriteWhatTheServerHasYetToRead) {
   Session s{XServer::xvfb(8)};
   Display* d = s.display.get();
@@ -60,6 +60,7 @@ TEST(TransferImage, DoesNotOverwriteWhatTheServerHasYetToRead) {
   const unsigned long put = NextRequest(d);
   canvas.present(randomImage(64, 64, 1), {0, 0, 64, 64});
   EXPECT_LT(LastKnownRequestProcessed(d), put);
+  // No proof hangs on the pause: it gives a canvas that does not wait time to overwrite the first picture.
   std::thread wake{[&] {
     std::this_thread::sleep_for(std::chrono::milliseconds(50));
     kill(s.server.pid(), SIGCONT);
@@ -69,8 +70,8 @@ TEST(TransferImage, DoesNotOverwriteWhatTheServerHasYetToRead) {
   wake.join();
 }
 
-// Every image format a server may ask for holds the same pixels, whatever its byte order and width; dithered
-// ones those of the tile at their place.
+// Every image format that a server may ask for holds the same pixels, in any byte order and width. Dithered
+// images hold the tile's pixel at each place.
 TEST(WritePixels, EveryFormatHoldsThePixels) {
   const IndexImage image = randomImage(37, 11, 8);
   const Rect rect{2, 3, 31, 7};

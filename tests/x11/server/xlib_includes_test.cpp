@@ -12,7 +12,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// The folders, seen from the project's, whose files include a header of X11 themselves.
+/// The folders, relative to the project's, whose files include a header of X11 themselves.
 std::vector<std::string> foldersThatInclude(const std::string& what) {
   const fs::path project = fs::path{XNEWELL_DATA_DIR}.parent_path();
   std::vector<std::string> folders;
@@ -34,7 +34,8 @@ std::vector<std::string> foldersThatInclude(const std::string& what) {
 
 }  // namespace
 
-// Only the server's room and the event loop know Xlib. Its macros (None, Bool, Status) reach no other file.
+// Only the server's room and the event loop include Xlib. Its macros (None, Bool, Status) reach no other
+// file.
 TEST(XlibIncludes, AreInTheServersRoomAndTheEventLoop) {
   const std::vector<std::string> folders = foldersThatInclude("#include <X11/");
   EXPECT_THAT(folders, testing::Contains("x11/server"));

@@ -8,7 +8,7 @@
 
 namespace xnewell {
 
-// Two setups beside each other, without a server.
+// Two setups side by side, without a server.
 
 namespace {
 
@@ -20,7 +20,8 @@ struct Shown {
                     return ControlKeys::Subject{stage.picture.scene(), glm::dvec3{0}, 1.5};
                   },
                   [] { return kMaxShades; }};
-  explicit Shown(const char* scene = "teapot", const xnewell::Setup& setup = {}, int width = 1024, int height = 768)
+  explicit Shown(const char* scene = "teapot", const xnewell::Setup& setup = {}, int width = 1024,
+                 int height = 768)
       : stage{scene, 3, width, height, setup} {
     stage.draw(bench);
   }
@@ -36,7 +37,7 @@ struct Shown {
   [[nodiscard]] IndexImage A() const { return stage.part(at().A); }
   [[nodiscard]] IndexImage B() const { return stage.part(at().B); }
   [[nodiscard]] IndexImage difference() const { return stage.part(at().difference); }
-  /// But for the times, which are measured.
+  /// The body without the numbers, which include measured times.
   [[nodiscard]] IndexImage pictures() const {
     const Rect& body = stage.layout.body;
     return stage.part({body.x, body.y, body.width, at().sections.y - body.y});
@@ -57,19 +58,19 @@ int inkIn(const IndexImage& image) {
 
 }  // namespace
 
-// What is beside A at first makes a lesson: the order that is exact, or one that is not; and all else is A's.
+// At first B differs from A in the order alone. If A's order is exact, B's is not; otherwise B's is exact.
 TEST(SideBench, BeginsWithAnotherOrder) {
   for (const OrderRow& row : kOrders) {
     const Shown s{"teapot", ordered(row.id)};
     const bool exact = row.id == Order::Newell || row.id == Order::Oracle;
     EXPECT_EQ(s.setupB().picture.order, exact ? Order::ZSort : Order::Newell);
     EXPECT_EQ(differencesOf(s.stage.now.picture, s.setupB().picture), std::vector<std::string>{"order"});
-    EXPECT_EQ(s.bench.status(), "same scene, same view, same light   only the order differs");
+    EXPECT_EQ(s.bench.status(), sidesStatus(s.stage.now.picture, s.setupB().picture));
   }
 }
 
-// A letter of a control changes the one in focus and leaves the other alone; the window's setup through its
-// host, so that it can be undone.
+// A control's letter changes the setup in focus and leaves the other alone. It changes the window's own setup
+// through the host, so that the change can be undone.
 TEST(SideBench, KeysChangeTheOneInFocus) {
   for (const char key : std::string{"SNOKTLVH"}) {
     SCOPED_TRACE(key);
@@ -104,12 +105,12 @@ TEST(SideBench, KeysChangeTheOneInFocus) {
     EXPECT_EQ(s.setupB(), B);
     s.press(NamedKey::Escape);
     s.press(NamedKey::Left);
-    EXPECT_FALSE(s.stage.taken);  // the arrows are nobody's here
+    EXPECT_FALSE(s.stage.taken);  // the arrows belong to no control here
   }
 }
 
-// Turning and zooming are the window's, for both: the bench leaves these keys, and the arrows after them, to
-// it, and B is drawn with A's camera.
+// Turning and zooming belong to the window and apply to both: the bench leaves these keys, and the arrows
+// after them, to the window. B is drawn with A's camera.
 TEST(SideBench, TheCameraIsShared) {
   Shown s;
   s.press("s");
@@ -128,10 +129,11 @@ TEST(SideBench, TheCameraIsShared) {
   EXPECT_EQ(s.setupB().picture.camera, s.stage.now.picture.camera);
 }
 
-// What is changed elsewhere B follows in all that it had in common with A, and keeps what was its own.
+// When A is changed in another view, B follows in the settings that it had in common with A, and keeps its
+// own.
 TEST(SideBench, FollowsWhatIsChangedElsewhere) {
   Shown s;
-  s.press("T");  // B's own table
+  s.press("T");  // B gets a table of its own
   const xnewell::Setup B = s.setupB();
   s.bench.leave();
   s.stage.now.picture.light.ks = 0.9;
@@ -145,7 +147,8 @@ TEST(SideBench, FollowsWhatIsChangedElsewhere) {
   EXPECT_EQ(s.setupB().picture.order, B.picture.order);
 }
 
-// Swapped twice nothing has happened; swapped once, the pictures have changed places and A - B its sign.
+// One swap makes the pictures change places; the difference, which is an amount, looks the same. Two swaps
+// change nothing.
 TEST(SideBench, SwapTwiceIsIdentity) {
   Shown s{"teapot", ordered(Order::ZSort)};
   s.press("S");
@@ -164,7 +167,8 @@ TEST(SideBench, SwapTwiceIsIdentity) {
   EXPECT_EQ(s.pictures(), pictures);
 }
 
-// Space puts B in A's place, pixel by pixel, and takes it away again; so do Esc and leaving.
+// Space shows B in A's place, pixel for pixel, and shows A again the next time. Esc and leaving the view show
+// A again too.
 TEST(SideBench, BlinksInPlace) {
   Shown s{"teapot", ordered(Order::ZSort)};
   const IndexImage left = s.A(), right = s.B(), pictures = s.pictures();
@@ -184,7 +188,8 @@ TEST(SideBench, BlinksInPlace) {
   EXPECT_EQ(s.pictures(), pictures);
 }
 
-// f goes through the kinds and comes back; n through the places and comes back, frame by frame.
+// f goes through the kinds of difference and comes back to the first. n goes through the places, frame by
+// frame, and comes back to the first.
 TEST(SideBench, KindsAndPlacesGoRound) {
   Shown s{"teapot", ordered(Order::ZSort)};
   const IndexImage face = s.difference(), pictures = s.pictures();
@@ -203,7 +208,7 @@ TEST(SideBench, KindsAndPlacesGoRound) {
   EXPECT_EQ(s.difference(), face);
 }
 
-// The other one is undone by u step by step; what the window has to undo is left to it.
+// u undoes the changes of B step by step. The bench leaves to the window what the window has to undo.
 TEST(SideBench, UndoesWhatIsItsOwn) {
   Shown s;
   const xnewell::Setup A = s.stage.now, B = s.setupB();
@@ -228,7 +233,7 @@ TEST(SideBench, UndoesWhatIsItsOwn) {
   EXPECT_EQ(s.setupB(), B);
 }
 
-// Pairs that make a lesson come one after the other, and differ in that alone.
+// The pairs that teach something come one after the other, and each pair differs in one setting.
 TEST(SideBench, PairsDifferInOneThing) {
   Shown s{"teapot", ordered(Order::Newell, Shading::Phong)};
   for (const PairRow& row : kPairs) {
@@ -242,7 +247,8 @@ TEST(SideBench, PairsDifferInOneThing) {
   }
 }
 
-// Set up alike, the pictures are the same, the difference is empty, and nothing is bold but what is found.
+// If A and B are set up alike, the pictures are the same, the difference is empty, and only the finding is
+// bold.
 TEST(SideBench, AlikeIsSaid) {
   Shown s{"teapot", ordered(Order::ZSort)};
   const int bold = inkIn(s.stage.part(s.at().captionA));
@@ -250,7 +256,7 @@ TEST(SideBench, AlikeIsSaid) {
   s.press("O");  // Newell, as B
   EXPECT_EQ(s.stage.now, s.setupB());
   EXPECT_EQ(s.A(), s.B());
-  EXPECT_EQ(s.bench.status(), "same scene, same view, same light   nothing differs");
+  EXPECT_EQ(s.bench.status(), sidesStatus(s.stage.now.picture, s.setupB().picture));
   EXPECT_EQ(inkIn(s.stage.part({s.at().captionA.x + 24, s.at().captionA.y, s.at().captionA.width - 24,
                                 s.at().captionA.height})),
             0);
@@ -266,20 +272,22 @@ TEST(SideBench, AlikeIsSaid) {
   EXPECT_EQ(s.stage.notices.size(), notices + 1);
 }
 
-// In a caption what differs is bold, in ink, and what does not is neither.
+// In a caption what differs is bold and in ink. What does not differ is plain and in a softer colour.
 TEST(SideBench, OnlyWhatDiffersIsBold) {
   const Shown s{"teapot", ordered(Order::ZSort)};
   const Rect& at = s.at().captionA;
   const CellPlan plan;
   IndexImage expected{at.width - 24, 18, plan[Cell::Paper]};
   Painter paint{expected};
-  const int end = paint.text(0, 12, "z-sort by farthest z", plan[Cell::Ink], Voice::Bold);
-  paint.text(end, 12, "  flat, linear", plan[Cell::Soft]);
+  const std::vector<Phrase> phrases = phrasesOf(s.stage.now.picture, s.setupB().picture);
+  ASSERT_EQ(phrases.size(), 3u);  // only the first, the order, differs
+  const int end = paint.text(0, 12, phrases[0].text, plan[Cell::Ink], Voice::Bold);
+  paint.text(end, 12, "  " + phrases[1].text + ", " + phrases[2].text, plan[Cell::Soft]);
   EXPECT_EQ(s.stage.part({at.x + 24, at.y, at.width - 24, 18}), expected);
 }
 
-// While something is dragged the pictures follow at once; the numbers, faint meanwhile, when it is over: then
-// all is as if it had been drawn so at once.
+// While something is dragged, the pictures follow at once and the numbers are faint. When the drag is over,
+// the numbers follow, and all looks as if it had been drawn at once.
 TEST(SideBench, NumbersFollowWhenADragIsOver) {
   Shown s{"teapot", ordered(Order::ZSort)};
   const IndexImage before = s.B();
@@ -301,7 +309,7 @@ TEST(SideBench, NumbersFollowWhenADragIsOver) {
   EXPECT_EQ(s.difference(), fresh.difference());
 }
 
-// Two tables in one palette: on the screen each picture has its own colours.
+// Two pictures with different tables share one palette, and each has its own colours on the screen.
 TEST(SideBench, TwoTablesAreShownAtOnce) {
   Shown s{"teapot", ordered(Order::Newell)};
   s.press("ggg");  // the first pair is shown already
@@ -323,8 +331,8 @@ TEST(SideBench, TwoTablesAreShownAtOnce) {
   EXPECT_GT(samples, 20'000);
 }
 
-// Nothing to see, lights of its own, colours without intensities, a plan that cannot be: it is drawn and
-// said.
+// Extreme cases are drawn and told: nothing to see, a scene with its own lights, colours without intensities,
+// a plan of colours that is impossible.
 TEST(SideBench, ExtremesAreDrawn) {
   xnewell::Setup away;
   away.picture.camera.eye = glm::dvec3{500, 0, 0}, away.picture.camera.lookAt = glm::dvec3{900, 0, 0};
@@ -340,7 +348,7 @@ TEST(SideBench, ExtremesAreDrawn) {
   colors.picture.colors = ColorPlan::Chosen;
   Shown tori{"tori", colors};
   tori.press("f");
-  EXPECT_EQ(tori.stage.notices.size(), 1u);  // no intensities: colours at once
+  EXPECT_EQ(tori.stage.notices.size(), 1u);  // there are no intensities, so colours are compared at once
   tori.press("S");
   EXPECT_NE(tori.A(), tori.B());
   tori.press("f");
@@ -357,7 +365,8 @@ TEST(SideBench, ExtremesAreDrawn) {
   EXPECT_GT(few.setupB().picture.table.shades, 13);
 }
 
-// From 800 x 600 up all is drawn inside the body, and nothing is left of what stood there.
+// At sizes from 800 x 600 up, everything is drawn inside the body, and nothing of the old image is left
+// there.
 TEST(SideBench, EverySizeIsWhole) {
   for (const auto& [width, height] :
        {std::pair{800, 600}, {801, 767}, {1024, 768}, {1600, 1200}, {3000, 700}}) {
@@ -374,8 +383,8 @@ TEST(SideBench, EverySizeIsWhole) {
         outside += !in && cell != 123;
         left += in && cell == 123;
       }
-    EXPECT_LE(outside, 2 * 19);            // the bar of what is in focus
-    EXPECT_LT(left, width * height / 50);  // a shade of the pictures, too
+    EXPECT_LE(outside, 2 * 19);            // the bar that marks the focus
+    EXPECT_LT(left, width * height / 50);  // cell 123 is also a shade of the pictures
     EXPECT_GT(inkIn(s.stage.part(s.at().numbers)), 1500);
     EXPECT_GT(inkIn(s.stage.part(s.at().captionA)), 80);
   }

@@ -41,7 +41,7 @@ Rgb16 onScreen(Rgb16 c) {
 
 }  // namespace
 
-// Two pictures made alike differ nowhere in nothing, whatever their cells hold and whatever is measured.
+// Two pictures made alike differ nowhere, whatever their cells hold and whatever is measured.
 TEST(Sides, AlikeDifferNowhere) {
   for (const auto& [name, plan] : {std::pair{"teapot", ColorPlan::Needed},
                                    {"hues", ColorPlan::Needed},
@@ -61,15 +61,15 @@ TEST(Sides, AlikeDifferNowhere) {
       EXPECT_EQ(u.rootMeanSquare, 0.0);
       EXPECT_TRUE(placesOf(u, 30, 40).empty());
       EXPECT_EQ(findingOf(A.picture, B.picture, numbersOf(A.picture), numbersOf(B.picture), u, {}).bold,
-                "A and B have the same settings.");
+                "A and B are set up alike.");
     }
     EXPECT_TRUE(differencesOf(s, s).empty());
     EXPECT_FALSE(onePalette(A.painted(), B.painted(), CellPlan{}, A.palette).shared);
   }
 }
 
-// Another face is another face of the model at that sample; what the oracle's picture shows otherwise is what
-// is counted as wrong, where nothing lies too close to tell.
+// A sample has another face if another face of the model shows there. Samples that differ from the oracle's
+// picture are counted as wrong, except where faces lie too close to tell.
 TEST(Sides, CountsOtherFaces) {
   const Scene scene = readScene("penetrate");
   Made A{scene, viewOf(scene, Shading::Flat, Order::ZSort)},
@@ -87,7 +87,7 @@ TEST(Sides, CountsOtherFaces) {
   EXPECT_EQ(ofB.wrong, 0);
   EXPECT_EQ(ofB.cuts, 0);
   EXPECT_EQ(ofA.painted, 2);
-  // Of a face of several parts it may be the wrong one.
+  // At a sample that differs in no face, the wrong piece of the right face may show.
   for (const int divisions : {2, 3, 5, 8}) {
     const Scene pot = readScene("teapot", divisions);
     Made z{pot, viewOf(pot, Shading::Flat, Order::ZSort)},
@@ -100,7 +100,8 @@ TEST(Sides, CountsOtherFaces) {
   EXPECT_EQ(numbersOf(C.picture).painted, 3);
 }
 
-// Differences of intensity are those of the surfaces to within a shade of each, and their numbers add up.
+// Differences of intensity are those of the surfaces to within one shade, and the numbers are computed from
+// them.
 TEST(Sides, IntensitiesAreThoseOfTheSurfaces) {
   const Scene scene = readScene("teapot", 3);
   Made A{scene, viewOf(scene, Shading::Flat)}, B{scene, viewOf(scene, Shading::Gouraud)};
@@ -124,8 +125,8 @@ TEST(Sides, IntensitiesAreThoseOfTheSurfaces) {
   EXPECT_GT(u.rootMeanSquare, 0.01);
 }
 
-// The errors against Phong's method are those that difference.h measures; Gouraud's are smaller than flat
-// shading's, and Phong's own are below half a shade.
+// The errors against Phong's method are those that difference.h measures. Gouraud shading has smaller errors
+// than flat shading, and Phong's own are below half a shade.
 TEST(Sides, ErrorsAreAgainstPhong) {
   const Scene scene = readScene("teapot", 3);
   double before = 1;
@@ -144,8 +145,8 @@ TEST(Sides, ErrorsAreAgainstPhong) {
   EXPECT_LT(before, 0.51 / 239);
 }
 
-// The first place has more differing samples than any other frame of its size; the others have what is left,
-// each no more than the one before; and all of few samples is in some place.
+// The first place has more differing samples than any other frame of its size. Each of the others has no more
+// of the rest than the one before. If only a few samples differ, each lies in some place.
 TEST(Sides, PlacesAreTheDensest) {
   Unlikeness u{.width = 100, .at = std::vector<float>(100 * 60, 0.0f)};
   const auto spot = [&](int x, int y, int width, int height) {
@@ -158,8 +159,8 @@ TEST(Sides, PlacesAreTheDensest) {
   EXPECT_EQ(places[0].samples, 30);
   EXPECT_EQ(places[1].samples, 16);
   EXPECT_EQ(places[2].samples, 6);
-  EXPECT_EQ(places[0].frame, (Rect{7, 5, 12, 15}));   // in its middle
-  EXPECT_EQ(places[2].frame, (Rect{88, 0, 12, 15}));  // inside the picture
+  EXPECT_EQ(places[0].frame, (Rect{7, 5, 12, 15}));   // the spot is in its middle
+  EXPECT_EQ(places[2].frame, (Rect{88, 0, 12, 15}));  // the frame stays inside the picture
   for (int k = 0; k < 12; ++k) spot(8 * k, 55, 2, 2);
   places = placesOf(u, 4, 4);
   EXPECT_EQ(places.size(), std::size_t{kMostPlaces});
@@ -167,8 +168,8 @@ TEST(Sides, PlacesAreTheDensest) {
   EXPECT_FALSE(placesOf(u, 500, 500).empty());
 }
 
-// Where two tables hold other colours both pictures are shown in one palette: every sample in the very colour
-// that its own table stores, as 8 bits show it, if there are at most 240 of them.
+// If two tables hold different colours, both pictures are shown in one palette. If there are at most 240
+// colours, every sample has exactly the colour that its own table stores, as 8 bits show it.
 TEST(Sides, OnePaletteShowsBoth) {
   const Scene scene = readScene("teapot", 3);
   PictureSettings a = viewOf(scene), b = a;
@@ -197,7 +198,7 @@ TEST(Sides, OnePaletteShowsBoth) {
     EXPECT_GT(samples, 10'000);
     EXPECT_GT(others, samples / 2);
   }
-  // Of many colours they are the nearest, and it is said.
+  // With more colours the samples have the nearest ones, and the result says so.
   const Scene hues = readScene("hues");
   Made A{hues, viewOf(hues, Shading::Flat)}, B{hues, viewOf(hues, Shading::Phong)};
   const OnePalette one = onePalette(A.painted(), B.painted(), CellPlan{}, A.palette);
@@ -206,7 +207,8 @@ TEST(Sides, OnePaletteShowsBoth) {
   EXPECT_FALSE(one.exact);
 }
 
-// Words are bold only for what differs, which comes first; and the same of A beside B as of B beside A.
+// Only phrases that differ are marked, and they come first. A next to B and B next to A differ in the same
+// settings.
 TEST(Sides, PhrasesTellWhatDiffers) {
   const Scene scene = readScene("teapot", 3);
   PictureSettings a = viewOf(scene), b = a;
@@ -229,13 +231,14 @@ TEST(Sides, PhrasesTellWhatDiffers) {
   b = a;
   b.table.shades = 20;
   EXPECT_EQ(sidesStatus(a, b), "same scene, same view, same light   only the shades differ");
-  // Size and camera are the same by the view, and are not words.
+  // Size and camera are the same in this view, so there are no words for them.
   b = a;
   b.width = 99, b.camera.fov = 20;
   EXPECT_TRUE(differencesOf(a, b).empty());
 }
 
-// What is found is true of the numbers: who is wrong and by how much, or who is nearer to Phong's method.
+// The finding agrees with the numbers: which picture is wrong and by how much, or which is nearer to Phong's
+// method.
 TEST(Sides, FindingsAreOfTheNumbers) {
   const Scene scene = readScene("teapot", 4);
   const auto found = [&](const PictureSettings& a, const PictureSettings& b) {
@@ -252,21 +255,21 @@ TEST(Sides, FindingsAreOfTheNumbers) {
   const std::string bold = found(a, b).bold;
   EXPECT_TRUE(bold.starts_with("A is wrong at " + std::to_string(wrong) + " samples, ")) << bold;
   EXPECT_TRUE(bold.ends_with(" of them where spout and upper body meet.")) << bold;
-  EXPECT_EQ(found(b, a).bold.substr(0, 12), "B is wrong a");
+  EXPECT_TRUE(found(b, a).bold.starts_with("B is wrong at "));
   EXPECT_NE(found(a, b).why.find("; B cuts "), std::string::npos);
   a = b;
   a.shading = Shading::Gouraud;
-  EXPECT_EQ(found(a, b).bold, "A is closer to Phong's method overall.");
+  EXPECT_EQ(found(a, b).bold, "A is nearer to Phong's method on the whole.");
   EXPECT_NE(found(a, b).why.find("Both show the same face at every sample."), std::string::npos);
   a = b;
   a.dither = true;
-  EXPECT_EQ(found(a, b).bold, "A and B show the same picture.");
+  EXPECT_EQ(found(a, b).bold, "A and B show the same.");
   a.camera.eye = glm::dvec3{500, 0, 0}, a.camera.lookAt = glm::dvec3{900, 0, 0};
   b.camera = a.camera;
   EXPECT_EQ(found(a, b).bold, "Nothing shows.");
 }
 
-// The page's parts lie inside the body, apart from each other, the three pictures in one scale.
+// The page's parts lie inside the body and do not overlap. The three pictures have one scale.
 TEST(SidesLayout, HasRoomForAll) {
   for (const Rect body : {Rect{16, 43, 768, 449},
                           {16, 48, 992, 612},

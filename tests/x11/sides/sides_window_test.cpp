@@ -5,11 +5,11 @@
 
 namespace xnewell {
 
-// Two setups beside each other in the window, on real servers, by keys and mouse.
+// Two setups side by side in the window, on real servers, with keys and mouse.
 
 namespace {
 
-constexpr Rect kSeen{0, 0, 1024, 724};  ///< but for the status line
+constexpr Rect kSeen{0, 0, 1024, 724};  ///< all but the status line
 const std::string kTeapot = "teapot --divisions 3 --order zsort";
 
 xnewell::Setup sorted() {
@@ -40,7 +40,7 @@ class SidesWindowAt : public testing::TestWithParam<int> {
     expected.type(letters);
     expected.finish();
   }
-  /// All but the numbers, for times are measured.
+  /// All but the numbers, which include measured times.
   void shows() {
     for (const Rect& rect : {at.captionA, at.captionB, at.A, at.B, at.difference})
       EXPECT_TRUE(window.comesToShow(onScreen(expected, rect), rect)) << rect.x << ", " << rect.y;
@@ -48,8 +48,8 @@ class SidesWindowAt : public testing::TestWithParam<int> {
 };
 INSTANTIATE_TEST_SUITE_P(Depths, SidesWindowAt, testing::Values(8, 24), testing::PrintToStringParamName());
 
-// Every key of the view does on a server what it does without one, pixel by pixel, two tables in one palette
-// included; and key 1 brings the picture back as it was.
+// Every key of the view does on a server what it does without one, pixel for pixel, also with two tables in
+// one palette. Key 1 brings the picture back as it was.
 TEST_P(SidesWindowAt, KeysShowWhatTheyShowWithoutAServer) {
   enter();
   for (const std::string_view keys : {"f", "n", "S", "A", "O", "u", "x", "x", "gggg", "T", "f"}) {
@@ -65,13 +65,13 @@ TEST_P(SidesWindowAt, KeysShowWhatTheyShowWithoutAServer) {
 
 TEST_P(SidesWindowAt, LeavingBringsThePictureBack) {
   enter();
-  type("ST");  // of B: other colours in the cells
+  type("ST");  // keys for B: other colours in the cells
   shows();
   type("1");
   EXPECT_TRUE(window.comesToShow(picture, kSeen));
 }
 
-// A drag turns both at once, and when it is over the numbers are there as if there had been none.
+// A drag turns both pictures at once. When it is over, the numbers are there as if there had been no drag.
 TEST_P(SidesWindowAt, ADragTurnsBoth) {
   enter();
   const RgbImage before = window.shown(at.B);

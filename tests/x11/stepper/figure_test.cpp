@@ -16,7 +16,7 @@ int count(const IndexImage& image, std::uint8_t cell) {
 
 }  // namespace
 
-// A segment is drawn as its part near the image is, however far its ends are.
+// A segment looks like its part near the image, however far away its ends are.
 TEST(Figure, FarEndsDoNotMatter) {
   for (const double far : {1e2, 1e6, 1e9, 1e12}) {
     IndexImage near{kSize, kSize, 0}, image{kSize, kSize, 0};
@@ -32,8 +32,8 @@ TEST(Figure, FarEndsDoNotMatter) {
   }
 }
 
-// What is tinted lies within the figure: of two halves of a square no pixel is in both, and together they are
-// the square's.
+// Only pixels within the figure are tinted. Two halves of a square share no pixel, and together they are the
+// square.
 TEST(Figure, HalvesShareNoTint) {
   const Figure lower{{3, 4}, {3, 27}, {29, 27}}, upper{{3, 4}, {29, 27}, {29, 4}};
   IndexImage a{kSize, kSize, 0}, b{kSize, kSize, 0};
@@ -51,8 +51,8 @@ TEST(Figure, HalvesShareNoTint) {
   EXPECT_GT(both, 100);
 }
 
-// The zero line of values that a plane has at the corners lies on that plane's zero; of one sign there is
-// none.
+// If the values at the corners are those of a plane, the zero line lies where the plane is zero. If all
+// values have one sign, there is no line.
 TEST(Figure, TheZeroLineIsWhereThePlaneIsZero) {
   const Figure square{{0, 0}, {0, 10}, {10, 10}, {10, 0}};
   int lines = 0;

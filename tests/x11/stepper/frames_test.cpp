@@ -8,7 +8,7 @@ namespace xnewell {
 
 namespace {
 
-/// A scene at its own camera, and its recorded run.
+/// A scene at its own camera, with its recorded run.
 struct Recorded {
   Picture picture;
   SortedScene sorted;
@@ -27,7 +27,7 @@ struct Recorded {
 
 }  // namespace
 
-// A frame looks the same whether its step is reached from before, from behind or at once.
+// A frame looks the same whether its step is reached forward, backward or directly.
 TEST(Frames, DoNotDependOnTheWayThere) {
   const Recorded run{readScene("nested-cycles"), 200, 150};
   const std::vector<int> steps = stepsOf(run.sorted, Every::Step);
@@ -42,7 +42,7 @@ TEST(Frames, DoNotDependOnTheWayThere) {
   for (int step = 1; step < std::ssize(forward); ++step) EXPECT_TRUE(differs(step)) << step;
 }
 
-// The finished frame shows what the picture in the same order shows, with nothing over it.
+// The last frame shows the picture in the same order, with nothing over it.
 TEST(Frames, TheLastOneIsThePicture) {
   for (const char* scene : {"cycle", "penetrate", "room", "decals"})
     for (const bool textbook : {true, false}) {
@@ -58,8 +58,8 @@ TEST(Frames, TheLastOneIsThePicture) {
     }
 }
 
-// Whatever the names and however narrow the frame, no word reaches into the margin of the strip, so none
-// is cut off; and what is outlined stays in the picture.
+// No word reaches into the margin of the strip, for any names and for narrow frames, so no word is cut off.
+// Outlines stay in the picture.
 TEST(Frames, NothingIsCutOff) {
   Scene scene = readScene("cycle");
   scene.mesh.groupNames = {std::string(100, 'W'), "a name of many words that goes on and on",

@@ -6,8 +6,8 @@
 
 namespace xnewell {
 
-// However the picture so far is reached, and however many copies of it are kept, it is the one that painting
-// from the start makes; the last one is the picture.
+// The picture so far is the one that painting from the start makes, in whatever order steps are visited and
+// however many copies are kept. The last one is the finished picture.
 TEST(SoFar, DoesNotDependOnTheWayThere) {
   Picture picture{readScene("teapot", 3)};
   PictureSettings settings;

@@ -9,17 +9,10 @@
 
 namespace xnewell {
 
-// The depth-sort stepper: keys, pointer, play and prediction. What it draws: sort_page_test.cpp.
+// The depth-sort stepper: its keys, its pointer and its runs. Playing and predicting:
+// sort_bench_play_test.cpp. What it draws: sort_page_test.cpp.
 
-namespace {
-
-using Kind = Event::Kind;
-
-std::vector<int> stepsOfKind(Stepper& s, Landmark kind) { return s.run().landmarks().steps(kind); }
-
-}  // namespace
-
-// Arrows step by one, with Shift by ten, never beyond the ends; Home and End go there.
+// Arrows step by one, or by ten with Shift, but never beyond the ends. Home and End go to the ends.
 TEST(SortBench, ArrowsStep) {
   Stepper s{"cycle"};
   const int steps = s.run().steps();
@@ -46,14 +39,14 @@ TEST(SortBench, ArrowsStep) {
   EXPECT_FALSE(s.taken);
 }
 
-// `j` visits every step of the chosen kind once and no other, `J` the same ones back; `K` takes every kind in
-// turn; where there is no more a sentence says so and the step stays.
+// `j` visits every step of the chosen kind once and no other, and `J` visits the same steps backward. `K`
+// chooses every kind in turn. If there are no more steps, a sentence says so and the step stays.
 TEST(SortBench, JumpsToStepsOfTheKind) {
   Stepper s{"nested-cycles"};
   int visited = 0;
   for (const LandmarkRow& row : kLandmarks) {
     ASSERT_EQ(s.bench.view().kind, row.id);
-    const std::vector<int> all = stepsOfKind(s, row.id);
+    const std::vector<int> all = s.stepsOf(row.id);
     for (const int step : all) {
       s.press("j");
       ASSERT_EQ(s.step(), step) << row.name;
@@ -75,7 +68,7 @@ TEST(SortBench, JumpsToStepsOfTheKind) {
   EXPECT_GT(visited, 50);
 }
 
-// A step's number is typed; what is none of the run is refused with the range.
+// A step's number can be typed. A number outside the run is refused, and the message gives the range.
 TEST(SortBench, GoesToATypedStep) {
   Stepper s{"cycle"};
   s.press("g");
@@ -90,7 +83,7 @@ TEST(SortBench, GoesToATypedStep) {
   EXPECT_EQ(s.step(), 19);
 }
 
-// `/` and a face's number goes along the steps that have a part of it as P or Q: all of them and only these.
+// `/` and a face's number visit all the steps that have a part of the face as P or Q, and only these.
 TEST(SortBench, GoesAlongTheStepsOfAPolygon) {
   Stepper s{"cycle"};
   const auto has = [&](int step) { return s.run().landmarks().has(s.run().scene(), 1, step); };
@@ -112,68 +105,8 @@ TEST(SortBench, GoesAlongTheStepsOfAPolygon) {
   EXPECT_GT(visited, 3);
   EXPECT_LT(visited, s.run().steps());
   EXPECT_NE(s.type("77"), "");
-  EXPECT_EQ(s.type("1"), "");  // no later one: told, not refused
+  EXPECT_EQ(s.type("1"), "");  // there is no later one: this is told, not refused
   EXPECT_NE(s.notices.back().find("No later step"), std::string::npos);
-}
-
-// What plays goes on by its speed and stops at the end, at ticked kinds and at the polygon, nowhere else.
-TEST(SortBench, PlaysUntilAStop) {
-  Stepper s{"nested-cycles"};
-  s.press(NamedKey::Space);
-  ASSERT_TRUE(s.bench.moving());
-  for (int k = 0; k < 25; ++k) s.bench.tick();  // a second
-  EXPECT_EQ(s.step(), static_cast<int>(kUsualSpeed));
-  s.press(NamedKey::Space);
-  EXPECT_FALSE(s.bench.moving());
-  const auto playOn = [&] {
-    s.press(NamedKey::Space);
-    for (int k = 0; k < 100000 && s.bench.moving(); ++k) s.bench.tick();
-    ASSERT_FALSE(s.bench.moving());
-  };
-  for (int k = 0; k < 5; ++k) {
-    s.press(NamedKey::Home);
-    s.press("b");
-    s.press({NamedKey::Letter, static_cast<char>('1' + k)});
-    for (const int step : stepsOfKind(s, static_cast<Landmark>(k))) {
-      playOn();
-      ASSERT_EQ(s.step(), step) << kToggleNames[k];
-    }
-    s.click(s.places().toggles[k]);  // off again
-  }
-  s.press(NamedKey::Home);
-  playOn();
-  EXPECT_EQ(s.step(), s.run().steps());
-  s.press("b6");  // a polygon is asked for
-  ASSERT_EQ(s.type("2"), "");
-  s.press(NamedKey::Home);
-  int stops = 0;
-  for (int step = 1; step <= s.run().steps(); ++step) {
-    if (!s.run().landmarks().has(s.run().scene(), 2, step)) continue;
-    playOn();
-    ASSERT_EQ(s.step(), step);
-    ++stops;
-  }
-  EXPECT_GT(stops, 5);
-  // From the end it plays again from the start.
-  s.press(NamedKey::End);
-  s.press(NamedKey::Space);
-  EXPECT_EQ(s.step(), 0);
-  s.press(NamedKey::Escape);
-  EXPECT_FALSE(s.bench.moving());
-}
-
-// Faster and slower keep to the slider's ends, and as many notches back lead back.
-TEST(SortBench, SpeedHasEnds) {
-  Stepper s{"cycle"};
-  s.press("+++---");
-  EXPECT_NEAR(s.bench.view().speed, kUsualSpeed, 1e-9);
-  for (int k = 0; k < 100; ++k) s.press("+");
-  EXPECT_EQ(s.bench.view().speed, kFastest);
-  s.press(NamedKey::Space);
-  s.bench.tick();  // 80 steps at once end at the last one
-  EXPECT_EQ(s.step(), s.run().steps());
-  for (int k = 0; k < 100; ++k) s.press("-");
-  EXPECT_EQ(s.bench.view().speed, kSlowest);
 }
 
 // Each button does what its key does.
@@ -193,7 +126,7 @@ TEST(SortBench, ButtonsAreKeys) {
   }
 }
 
-// Boxes, kinds and the slider answer to clicks; what they do shows at once in what is drawn.
+// Boxes, kinds and the slider respond to clicks, and the drawing shows the effect at once.
 TEST(SortBench, EveryRectangleDoesItsThing) {
   for (const auto& [width, height] : {std::pair{1024, 768}, {800, 600}, {1600, 1200}}) {
     Stepper s{"nested-cycles", 3, width, height};
@@ -212,7 +145,7 @@ TEST(SortBench, EveryRectangleDoesItsThing) {
       s.press(NamedKey::Home);
       s.click(at.kinds[static_cast<int>(row.id)]);
       EXPECT_EQ(s.bench.view().kind, row.id);
-      EXPECT_EQ(s.step(), stepsOfKind(s, row.id).front());
+      EXPECT_EQ(s.step(), s.stepsOf(row.id).front());
     }
     ASSERT_TRUE(s.bench.grab(at.speed.x, at.speed.y + 7));
     EXPECT_NEAR(s.bench.view().speed, kSlowest, 1e-9);
@@ -225,8 +158,8 @@ TEST(SortBench, EveryRectangleDoesItsThing) {
   }
 }
 
-// A click on the timeline goes to the step whose mark is there; dragging goes along it, and beyond its ends
-// to the ends of the run.
+// A click on the timeline goes to the step whose mark is there. Dragging goes along it; beyond its ends it
+// goes to the ends of the run.
 TEST(SortBench, TheTimelineIsTheRun) {
   Stepper s{"cycle"};
   const Rect line = s.places().timeline;
@@ -246,8 +179,8 @@ TEST(SortBench, TheTimelineIsTheRun) {
   EXPECT_EQ(s.step(), steps);
 }
 
-// A click on a polygon, in the picture or in the list, goes to the next step that has it; one on the loupe,
-// which stands over the picture, does nothing.
+// A click on a polygon, in the picture or in the list, goes to the next step with that polygon. A click on
+// the loupe, which lies over the picture, has no effect.
 TEST(SortBench, ClickingAPolygonGoesToItsNextStep) {
   Stepper s{"teapot"};
   s.goTo(200);
@@ -298,49 +231,8 @@ TEST(SortBench, ClickingAPolygonGoesToItsNextStep) {
   EXPECT_GT(hits, 5);
 }
 
-// Prediction asks at every pair whose extents overlap in x and y, takes an answer by key or click, and keeps
-// the score; the arrow tells without counting; then all is shown as without it.
-TEST(SortBench, PredictsAndKeepsTheScore) {
-  Stepper s{"cycle"}, plain{"cycle"};
-  s.press("y");
-  int asked = 0, right = 0, told = 0;
-  for (int step = 1; step <= s.run().steps(); ++step) {
-    s.press(NamedKey::Right);
-    plain.press(NamedKey::Right);
-    ASSERT_EQ(s.step(), step);
-    const bool question = s.event().kind == Kind::Compare && s.event().test != xnewell::Test::XExtents &&
-                          s.event().test != xnewell::Test::YExtents;
-    ASSERT_EQ(s.bench.view().asking, question) << step;
-    if (!question) continue;
-    EXPECT_NE(s.draw(), plain.draw());
-    if (told == 0) {
-      s.press(NamedKey::Right);
-      ++told;
-    } else {
-      const int says = asked % 3;
-      ++asked;
-      right += says == static_cast<int>(s.event().verdict);
-      if (says == 1)
-        s.click(s.places().answers[1]);
-      else
-        s.press({NamedKey::Letter, kAnswerKeys[says]});
-      EXPECT_EQ(static_cast<int>(*s.bench.view().answer), says);
-    }
-    ASSERT_EQ(s.step(), step) << "the answer is shown before the next step";
-    EXPECT_FALSE(s.bench.view().asking);
-    EXPECT_EQ(s.bench.view().asked, asked);
-    EXPECT_EQ(s.bench.view().right, right);
-  }
-  EXPECT_GT(asked, 3);
-  EXPECT_EQ(told, 1);
-  s.press("y");
-  s.press(NamedKey::Home);
-  s.press("a");  // no question stands
-  EXPECT_FALSE(s.taken);
-}
-
-// Which setup is shown: Newell's run whatever the picture's order, painted in one hue where the scene's own
-// plan is of colours, for these are chosen from the finished picture.
+// The stepper always shows Newell's run, whatever the picture's order is. A scene with a plan of full colours
+// is painted in one hue, because such colours are chosen from the finished picture.
 TEST(SortBench, AlwaysShowsNewellsRun) {
   Stepper newell{"cycle"};
   for (const OrderRow& row : kOrders) {
@@ -356,11 +248,11 @@ TEST(SortBench, AlwaysShowsNewellsRun) {
   EXPECT_GT(colors.run().steps(), 0);
 }
 
-// A new camera makes another run, of which the step is shown that is most like the one before; a new light
-// only paints anew, at the same step.
+// A new camera makes another run, and its step most like the one before is shown. A new light only paints
+// again, at the same step.
 TEST(SortBench, RecordsAgainWhereTheSortChanged) {
   Stepper s{"cycle"};
-  s.goTo(18);  // all but one are painted
+  s.goTo(18);  // all polygons but one are painted
   const IndexImage before = s.draw();
   s.wanted.picture.light.Ip = 0.1;
   EXPECT_NE(s.draw(), before);
@@ -379,7 +271,8 @@ TEST(SortBench, RecordsAgainWhereTheSortChanged) {
   EXPECT_EQ(s.step(), 3) << "coming back to the same run";
 }
 
-// Of another run that step is like one of this which has its kind, P and Q; else P and Q; else P.
+// The step of another run most like a given one has the same kind, P and Q; or else the same P and Q; or else
+// the same P.
 TEST(SortBench, StepsOfAnotherRunAreAlike) {
   Stepper s{"nested-cycles"};
   const SortRun& run = s.run();
@@ -401,7 +294,7 @@ TEST(SortBench, StepsOfAnotherRunAreAlike) {
   EXPECT_GT(exact, 20);
 }
 
-// The loupe is put away and brought back.
+// The loupe can be put away and brought back.
 TEST(SortBench, TheLoupeCanBePutAway) {
   Stepper s{"cycle"};
   s.goTo(10);

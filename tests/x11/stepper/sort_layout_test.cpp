@@ -26,7 +26,7 @@ std::vector<Rect> partsOf(const SortLayout& at) {
 
 }  // namespace
 
-// All parts lie in the body and none over another, in every window that has room for it.
+// All parts lie in the body and do not overlap, in every window with room for them.
 TEST(SortLayout, PartsKeepApart) {
   for (const Rect& body : bodies()) {
     SCOPED_TRACE(std::to_string(body.width) + " x " + std::to_string(body.height));
@@ -46,7 +46,7 @@ TEST(SortLayout, PartsKeepApart) {
   }
 }
 
-// What is in the middle of a part belongs to it, by its number.
+// The middle of each part is found as that part, with its number.
 TEST(SortLayout, AMiddleBelongsToItsPart) {
   for (const Rect& body : bodies()) {
     const SortLayout at = layoutOfSort(body);
@@ -72,8 +72,8 @@ TEST(SortLayout, AMiddleBelongsToItsPart) {
   }
 }
 
-// Steps go along the timeline from end to end; where each has a column of its own, the column leads back to
-// it; else to a step of that column.
+// Steps go along the timeline from end to end. If each step has its own column, the column leads back to the
+// step. Otherwise it leads to one of the steps in that column.
 TEST(SortLayout, ColumnsAndStepsAgree) {
   const Rect line{84, 591, 924, 60};
   for (const int steps : {0, 1, 2, 19, 300, 923, 924, 20339, 4000000}) {

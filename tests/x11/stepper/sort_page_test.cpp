@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <memory>
 #include <numbers>
@@ -10,6 +11,8 @@
 
 #include "tests/support/scene_text.h"
 #include "tests/support/seeds.h"
+#include "x11/drawing/font.h"
+#include "x11/stepper/figure.h"
 #include "x11/stepper/sort_wording.h"
 
 namespace xnewell {
@@ -20,7 +23,7 @@ namespace {
 
 constexpr Rect kWide{16, 48, 992, 612}, kCompact{16, 43, 768, 428};
 
-/// The page of a scene's run in a body, on a ground of its own.
+/// The page of a scene's run in a body, on a ground that nothing else uses.
 struct Page {
   static constexpr std::uint8_t kGround = 77;
 
@@ -68,7 +71,7 @@ std::string regular(int corners, double radius, double z, double lean) {
   return text + "]";
 }
 
-/// The scenes at the edges of what the page has to tell.
+/// Scenes at the limits of what the page has to show.
 std::vector<Scene> extremes() {
   std::vector<Scene> all;
   all.push_back(polygons(regular(3, 1, 0, 0)));
@@ -85,7 +88,7 @@ std::vector<Scene> extremes() {
 
 }  // namespace
 
-// A step looks the same from before, from behind and from anywhere.
+// A step looks the same whether it is reached forward, backward or from anywhere else.
 TEST(SortPage, DoesNotDependOnTheWayThere) {
   for (const char* scene : {"cycle", "penetrate", "nested-cycles", "teapot"}) {
     Page page{readScene(scene, 3)};
@@ -103,27 +106,40 @@ TEST(SortPage, DoesNotDependOnTheWayThere) {
   }
 }
 
-// The picture within the page, where nothing stands over it, is the run's so far; at the end all of it is
-// the finished picture.
+// At the end the picture so far is the finished picture. Without the loupe, the page shows just that picture
+// with the polygon painted last in outline, except in the line of words above. The loupe lies in the picture.
 TEST(SortPage, ShowsThePictureSoFar) {
   Page page{readScene("teapot", 3)};
   const int steps = page.run->steps();
+  page.view.loupe = false;
   page.show(steps);
-  IndexImage whole;
-  page.picture.paint(whole, page(Cell::Well));
-  std::int64_t same = 0;
-  for (int j = 0; j < whole.height; ++j)
-    for (int i = 0; i < whole.width; ++i)
-      same += page.image.row(page.at.picture.y + j)[page.at.picture.x + i] == whole.row(j)[i];
-  const Rect loupe = page.drawn.loupe;
-  ASSERT_FALSE(loupe.empty());
-  ASSERT_EQ(intersection(loupe, page.at.picture), loupe);
-  const std::int64_t all = std::int64_t{whole.width} * whole.height;
-  EXPECT_GT(same, all - loupe.width * loupe.height - 17 * 250 - 3000);
+  EXPECT_TRUE(page.drawn.loupe.empty());
+  ASSERT_EQ(page.event(steps).kind, Event::Kind::Paint);
+  IndexImage expected;
+  page.picture.paint(expected, page(Cell::Well));
+  EXPECT_EQ(page.run->soFar(), expected);
+  Painter paint{expected};
+  const Figure last = figureOf(page.run->fragments().region(page.event(steps).P));
+  outline(paint, last, page(Cell::Black), {4});
+  outline(paint, last, page(Cell::P), {2});
+  const int above = 18 - kGlyphAscent - 1,
+            below = above + kGlyphHeight + 2;  // the words' rows, with their halo
+  const Rect& at = page.at.picture;
+  for (int j = 0; j < expected.height; ++j) {
+    if (j >= above && j < below) continue;
+    ASSERT_TRUE(
+        std::equal(expected.row(j), expected.row(j) + expected.width, page.image.row(at.y + j) + at.x))
+        << "row " << j;
+  }
+
+  page.view.loupe = true;
+  page.show(steps);
+  ASSERT_FALSE(page.drawn.loupe.empty());
+  EXPECT_EQ(intersection(page.drawn.loupe, at), page.drawn.loupe);
 }
 
-// The polygon at a pixel is the one that is seen there: at the end that of the finished picture, before
-// anything is painted the first that will be, and in between what the picture so far shows last.
+// The polygon at a pixel is the one seen there. At the end it is that of the finished picture. Before
+// anything is painted it is the first one that will be painted there.
 TEST(SortPage, FindsThePolygonAtAPixel) {
   Page page{readScene("teapot", 3)};
   const std::vector<std::uint32_t> faces = page.picture.faceImage();
@@ -150,8 +166,8 @@ TEST(SortPage, FindsThePolygonAtAPixel) {
   EXPECT_GT(later, 20);
 }
 
-// The numbers in the table are the Explainer's: as many corners on either side as it counts, and areas and
-// extents that say what the tests say.
+// The numbers in the table are those of the Explainer. They count the same corners on each side, and their
+// areas and extents agree with the tests.
 TEST(SortPage, NumbersAreTheExplainers) {
   std::set<xnewell::Test> seen;
   for (const char* scene : {"teapot", "cycle", "penetrate", "decals", "room", "slivers"}) {
@@ -211,7 +227,7 @@ TEST(SortPage, NumbersAreTheExplainers) {
           case xnewell::Test::Overlap:
             break;
         }
-        // The last of the tests made is the one that settled it; all before it failed.
+        // The last test made settled the pair. All tests before it failed.
         EXPECT_EQ(answerOf(e, test).words == "no", test != e.test);
       }
     }
@@ -219,7 +235,7 @@ TEST(SortPage, NumbersAreTheExplainers) {
   EXPECT_EQ(seen.size(), std::size_t{kTests});
 }
 
-// A distance that is not 0 is not shown as 0, and what is 0 has no sign.
+// A distance other than 0 is never shown as 0, and 0 has no sign.
 TEST(SortPage, SmallDistancesKeepTheirSign) {
   EXPECT_EQ(distanceText({{}, 3.14, 1}), "+3.1");
   EXPECT_EQ(distanceText({{}, -28.57, -1}), "-28.6");
@@ -229,20 +245,20 @@ TEST(SortPage, SmallDistancesKeepTheirSign) {
   EXPECT_EQ(distanceText({{}, 1e-12, 0}), "0.0");
 }
 
-// What is asked does not show: with another test and another verdict in the event itself, the page that
-// asks is the same, bit for bit; the one that tells is not.
+// A page that asks does not show the outcome. If the test changes the test and the verdict in the event, the
+// page that asks stays the same, bit for bit, and the page that tells changes.
 TEST(SortPage, AQuestionHidesItsOutcome) {
   int questions = 0;
   for (const char* scene : {"cycle", "penetrate", "nested-cycles", "teapot"}) {
     Page page{readScene(scene, 3)};
     for (int step = 1; step <= page.run->steps(); ++step) {
-      // The run is not const; what is changed is put back.
+      // The run itself is not const, and the event is put back.
       Event& e = const_cast<Event&>(page.event(step));
       if (!isQuestion(e) || (questions > 60 && step % 50)) continue;
       ++questions;
       page.view.asking = true;
       const IndexImage asked = page.show(step);
-      // Nor does the timeline show what is to come.
+      // The timeline does not show what is to come either.
       const Rect& line = page.at.timeline;
       const int head = columnOf(line, step, page.run->steps()) + 6;
       for (int j = line.y; j < line.y + line.height; ++j)
@@ -267,8 +283,8 @@ TEST(SortPage, AQuestionHidesItsOutcome) {
   EXPECT_GT(questions, 60);
 }
 
-// Whatever the scene and however small the window, nothing is drawn outside the body, and above the buttons
-// the gutter between the columns stays free, so no word is cut off by another column.
+// Nothing is drawn outside the body, for any scene and in small windows. Above the buttons the gutter between
+// the columns stays free, so that no column cuts off a word of another.
 TEST(SortPage, KeepsWithinItsColumns) {
   int steps = 0;
   for (const Rect& body : {kWide, kCompact})
@@ -296,7 +312,7 @@ TEST(SortPage, KeepsWithinItsColumns) {
   EXPECT_GT(steps, kSanitized ? 25 : 200);
 }
 
-// A scene of which nothing shows has a page too, that says so.
+// A scene of which nothing shows has a page too, and the page says so.
 TEST(SortPage, NothingToSort) {
   const auto page = [](const char* corners) { return Page{polygons(corners), kWide, Cull::Back}; };
   Page one = page("[[0, 0, 0], [1, 0, 0], [0, 1, 0]]"), other = page("[[0, 0, 0], [0, 1, 0], [1, 0, 0]]");
@@ -310,7 +326,7 @@ TEST(SortPage, NothingToSort) {
   EXPECT_EQ(empty.run->fragmentAt(10, 10), -1);
 }
 
-// The list has P and Q at every step, and what is marked; the rows are those that were drawn.
+// The list contains P and Q at every step. The rows are those that were drawn.
 TEST(SortPage, TheListHoldsThePair) {
   for (const char* scene : {"teapot", "nested-cycles"})
     for (const Rect& body : {kWide, kCompact}) {
@@ -333,7 +349,7 @@ TEST(SortPage, TheListHoldsThePair) {
     }
 }
 
-// The finding of every kind of step is a sentence, and its bold line another.
+// The finding of every kind of step is a sentence, and its bold line is a sentence too.
 TEST(SortPage, EveryStepHasAFinding) {
   std::set<Event::Kind> kinds;
   for (const char* scene : {"teapot", "cycle", "nested-cycles", "room", "crossing-sheets", "slivers"}) {

@@ -5,8 +5,8 @@
 
 namespace xnewell {
 
-// The depth-sort stepper in the window, on real servers: keys and mouse come in as a user's do, and what is
-// shown is what a workbench without a server shows after the same.
+// The depth-sort stepper in the window, on real servers. Keys and mouse come in as a user's do. The window
+// must show what a workbench without a server shows after the same input.
 
 class SortWindowAt : public testing::TestWithParam<int> {
  protected:
@@ -20,7 +20,7 @@ class SortWindowAt : public testing::TestWithParam<int> {
 };
 INSTANTIATE_TEST_SUITE_P(Depths, SortWindowAt, testing::Values(8, 24), testing::PrintToStringParamName());
 
-// Every key of the view, one after the other.
+// Every key of the view does what it does without a server.
 TEST_P(SortWindowAt, KeysStep) {
   twin.press(XK_Right, NamedKey::Right);
   EXPECT_TRUE(twin.agrees());
@@ -59,7 +59,7 @@ TEST_P(SortWindowAt, KeysStep) {
   EXPECT_TRUE(twin.agrees());
 }
 
-// Boxes, buttons, kinds, rows, the picture, the slider and the timeline answer to the mouse.
+// Boxes, buttons, kinds, rows, the picture, the slider and the timeline respond to the mouse.
 TEST_P(SortWindowAt, TheMouseDoesWhatItPointsAt) {
   const RgbImage start = twin.expected();
   for (const Rect& box : at.toggles)
@@ -82,7 +82,7 @@ TEST_P(SortWindowAt, TheMouseDoesWhatItPointsAt) {
   EXPECT_TRUE(twin.agrees());
 }
 
-// What plays comes to its stop by itself.
+// Playing reaches its stop by itself.
 TEST_P(SortWindowAt, PlaysToAStop) {
   twin.type("++++++++++++++");
   twin.type("b4");

@@ -34,7 +34,7 @@ int different(const IndexImage& a, const IndexImage& b, const Rect& part) {
 
 }  // namespace
 
-// `2` shows the view, `1` the picture as it was before; back in the view the step is the same.
+// `2` shows the view, and `1` the picture as it was before. Back in the view, the step is the same.
 TEST(SortWorkbench, ComesAndGoes) {
   ReadyWorkbench b{{}, 1024, 768, "cycle"};
   const IndexImage picture = b.image();
@@ -55,8 +55,8 @@ TEST(SortWorkbench, ComesAndGoes) {
   EXPECT_EQ(b.image(), seventh);
 }
 
-// From the end back to the start each step shows what it showed on the way there, whatever the size; one
-// update is enough for a step.
+// On the way back from the end to the start, each step shows what it showed on the way there, at any size.
+// One update is enough for a step.
 TEST(SortWorkbench, BackShowsTheSame) {
   for (const auto& [width, height] : {std::pair{800, 600}, {1024, 768}, {1600, 1200}}) {
     InDepthSort b{"nested-cycles", width, height};
@@ -76,8 +76,8 @@ TEST(SortWorkbench, BackShowsTheSame) {
   }
 }
 
-// A change of the colour table or of the shading is undone in the view too, and steps go on from what is
-// then: nothing of the run before it is painted with.
+// A change of the colour table or of the shading can be undone in the view too. Later steps are painted with
+// the new settings and use nothing of the run before.
 TEST(SortWorkbench, UndoPaintsAnew) {
   xnewell::Setup gouraud;
   gouraud.picture.shading = Shading::Gouraud;
@@ -91,7 +91,7 @@ TEST(SortWorkbench, UndoPaintsAnew) {
   b.press({NamedKey::End});
   b.finish();
   const IndexImage changed = b.image();
-  b.type("uUuUuuu");  // hue alone, and back: no picture is painted in between
+  b.type("uUuUuuu");  // the hue alone, and back: no picture is painted in between
   b.finish();
   b.press({NamedKey::Left});
   b.press({NamedKey::Right});
@@ -107,7 +107,7 @@ TEST(SortWorkbench, UndoPaintsAnew) {
   EXPECT_EQ(b.palette(), fresh.palette());
 }
 
-// Step and polygon are typed under the body; what is wrong is said there and can be mended.
+// Step and polygon are typed below the body. Mistakes are told there and can be corrected.
 TEST(SortWorkbench, QuestionsAreTyped) {
   InDepthSort b;
   const IndexImage start = b.shown();
@@ -127,7 +127,7 @@ TEST(SortWorkbench, QuestionsAreTyped) {
   EXPECT_NE(b.shown(), ninth);
 }
 
-// Playing moves by itself until the end, a drag along the timeline follows the pointer, and tabs answer to
+// Playing goes on by itself until the end, a drag along the timeline follows the pointer, and tabs respond to
 // clicks.
 TEST(SortWorkbench, PlaysAndIsDragged) {
   InDepthSort b;
@@ -151,8 +151,8 @@ TEST(SortWorkbench, PlaysAndIsDragged) {
   EXPECT_EQ(b.view(), WindowView::Picture);
 }
 
-// A scene whose plan is of full colour is shown in one hue, a scene too long to step through says so, in
-// words that fit; both come and go like any other.
+// A scene with a plan of full colours is shown in one hue. For a scene too long to step through, the view
+// says so in words that fit. Both can be opened and left like any other scene.
 TEST(SortWorkbench, SaysWhatItCannotShow) {
   InDepthSort colors{"colored-lights"};
   const IndexImage start = colors.shown();

@@ -7,7 +7,7 @@
 
 namespace xnewell {
 
-/// A window's worth of surroundings for one bench: what the workbench does for it, and no more.
+/// The surroundings of one bench in a window: what the workbench does for a bench, and no more.
 class BenchStage : public Host {
  public:
   BenchStage(const char* scene, int divisions, int width, int height, const xnewell::Setup& first = {})
@@ -71,7 +71,7 @@ class BenchStage : public Host {
   Picture picture;
   std::vector<std::string> notices;
   std::vector<xnewell::Setup> undo;
-  bool taken = false;  ///< the last key
+  bool taken = false;  ///< whether the bench took the last key
 };
 
 }  // namespace xnewell

@@ -8,7 +8,7 @@
 
 namespace xnewell {
 
-/// What execvpe() takes, made before fork(): between the two nothing may be allocated.
+/// The arguments of execvpe(), made before fork(): nothing may be allocated between the two.
 
 /// This program's environment with DISPLAY as given, or without it where `display` is empty.
 inline std::vector<std::string> environmentWith(const std::string& display) {
@@ -19,7 +19,7 @@ inline std::vector<std::string> environmentWith(const std::string& display) {
   return environment;
 }
 
-/// The strings' beginnings and a null at the end; good as long as `strings` is not touched.
+/// Pointers to the strings, and a null at the end; valid as long as `strings` does not change.
 inline std::vector<char*> pointers(std::vector<std::string>& strings) {
   std::vector<char*> result;
   result.reserve(strings.size() + 1);

@@ -21,7 +21,7 @@
 
 namespace xnewell {
 
-/// What the tests of the program as a user meets it share.
+/// Shared by the tests of the program as a user meets it.
 
 using Words = std::vector<std::string>;
 using Json = nlohmann::json;
@@ -38,7 +38,7 @@ inline std::string contents(const std::string& file) {
 
 inline const std::string kTriangle = "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n";
 
-/// The names in a folder, in their order; none where there is no folder.
+/// The names in a folder, sorted; none if there is no folder.
 inline Words filesIn(const std::string& folder) {
   Words names;
   std::error_code none;
@@ -48,7 +48,7 @@ inline Words filesIn(const std::string& folder) {
   return names;
 }
 
-/// A folder with a picture of before in it, and what became of it.
+/// A folder that holds an old picture, and the state of its files.
 class CommandTest : public testing::Test {
  protected:
   CommandTest() { write("old.png", "before"); }
@@ -59,7 +59,7 @@ class CommandTest : public testing::Test {
   }
   [[nodiscard]] std::string file(const std::string& name) const { return folder_.file(name); }
 
-  /// Every file of the folder with its bytes.
+  /// Every file in the folder with its bytes.
   [[nodiscard]] std::map<std::string, std::string> everything() const {
     std::map<std::string, std::string> all;
     for (const auto& entry : std::filesystem::directory_iterator{folder_.file(".")})
@@ -67,7 +67,8 @@ class CommandTest : public testing::Test {
     return all;
   }
 
-  /// The arguments are refused in exactly this line (`xnewell: ` before it) and nothing is written.
+  /// Checks that the arguments are refused in exactly this line, after `xnewell: `, and that nothing is
+  /// written.
   void refused(const Words& words, int status, const std::string& line) const {
     const auto before = everything();
     const Finished end = runProgram(words);
@@ -76,9 +77,9 @@ class CommandTest : public testing::Test {
     EXPECT_EQ(end.out, "");
     EXPECT_EQ(everything(), before) << line;
   }
-  /// Ctrl-C at the start of a program that writes frames this wide, and right after each of its first five:
-  /// it ends at once (status 130), or had just ended; every frame that is there is whole, and nothing else
-  /// is.
+  /// Checks Ctrl-C at the start of a program that writes frames this wide, and right after each of its first
+  /// five frames. It ends at once (status 130), or had just ended. Every frame in the folder is whole, and
+  /// nothing else is there.
   void interruptsLeaveWholeFrames(Words words, int width) const {
     int interrupted = 0;
     for (int frames = 0; frames <= 5; ++frames) {
@@ -98,7 +99,7 @@ class CommandTest : public testing::Test {
     }
     EXPECT_GT(interrupted, 2);
   }
-  /// The same for drawing a file, over an old picture and to a new one.
+  /// The same for drawing a file, both over an old picture and to a new one.
   void refusedToDraw(const std::string& scene, int status, const std::string& what) const {
     refused({"draw", scene, "-o", file("old.png"), "--ids", file("ids.png"), "--stats"}, status,
             scene + what);
@@ -110,7 +111,8 @@ class CommandTest : public testing::Test {
     std::string png;
     RgbImage picture, ids;
   };
-  /// Draws, at 160x120 unless told otherwise; everything that contract promises of a success is checked.
+  /// Draws a picture, at 160x120 unless the options say otherwise, and checks everything that is promised of
+  /// a success.
   [[nodiscard]] Drawn draw(const std::string& scene, Words options = {}) const {
     if (std::ranges::find(options, "--size") == options.end()) options = options + Words{"--size", "160x120"};
     const Finished end = runProgram(
@@ -141,7 +143,7 @@ inline std::map<int, int> idCounts(const RgbImage& ids) {
   return counts;
 }
 
-/// Every digit of a double.
+/// A double with all its digits.
 inline std::string number(double v) {
   std::array<char, 40> text;
   std::snprintf(text.data(), text.size(), "%.17g", v);

@@ -8,7 +8,7 @@
 
 namespace xnewell {
 
-/// A window of one view, the lessons, without its bands: what the workbench does for a bench, and no more.
+/// A window with one view, the lessons, and without bands: what the workbench does for a bench, and no more.
 class LessonWindow : public Host {
  public:
   explicit LessonWindow(glm::ivec2 size = {1024, 768}) : layout{layoutOf(size.x, size.y)} {}
@@ -35,7 +35,7 @@ class LessonWindow : public Host {
   [[nodiscard]] const Setup& defaults() const override { return first_; }
   void pressLetter(char) override {}
 
-  /// Whether the bench took the key.
+  /// Returns whether the bench took the key.
   bool press(const Key& key) {
     notice.clear();
     return bench.press(key, Setup{setup_});
@@ -60,7 +60,7 @@ class LessonWindow : public Host {
   }
 
   Layout layout;
-  xnewell::Setup own;  ///< of the window before any lesson
+  xnewell::Setup own;  ///< the window's setup before any lesson
   LessonBench bench{*this};
   std::optional<Picture> picture{readScene("teapot", 3)};
   WindowView view = WindowView::Lesson;

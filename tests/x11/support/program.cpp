@@ -41,13 +41,13 @@ RunningProgram::RunningProgram(const std::string& program, const std::vector<std
   pid_ = fork();
   if (pid_ < 0) throw std::system_error{errno, std::generic_category(), "fork"};
   if (pid_ > 0) return;
-  // Only what is safe between fork and exec.
+  // Only calls that are safe between fork and exec.
   prctl(PR_SET_PDEATHSIG, SIGKILL);
-  if (getppid() != parent) _exit(126);  // it died before we could ask
+  if (getppid() != parent) _exit(126);  // the parent died before we could ask
   dup2(open("/dev/null", O_RDONLY | O_CLOEXEC), STDIN_FILENO);
   dup2(out_, STDOUT_FILENO);
   dup2(err_, STDERR_FILENO);
-  ::signal(SIGPIPE, SIG_DFL);  // which a test that has opened a display ignores
+  ::signal(SIGPIPE, SIG_DFL);  // a test that has opened a display ignores it
   execvpe(argv[0], argv.data(), envp.data());
   _exit(127);
 }

@@ -13,13 +13,13 @@
 
 namespace xnewell {
 
-/// A command line as the words a shell would make of it, quotes apart.
+/// A command line as the words that a shell would make of it. Quotes are not understood.
 inline std::vector<std::string> words(const std::string& line) {
   std::istringstream in{line};
   return {std::istream_iterator<std::string>{in}, {}};
 }
 
-/// What `xnewell LINE -o FILE` writes; an image without pixels, and a failure, if it does not.
+/// What `xnewell LINE -o FILE` writes. If it writes nothing, the test fails and the image has no pixels.
 inline RgbImage pictureOf(const std::string& line, const std::string& display = "") {
   const TemporaryFolder folder;
   std::vector<std::string> arguments = words(line);

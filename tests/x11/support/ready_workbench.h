@@ -9,7 +9,7 @@
 
 namespace xnewell {
 
-/// A workbench at a size, up to date, and hands for it.
+/// A workbench at a size, up to date, with functions for keys and mouse.
 struct ReadyWorkbench : Workbench {
   explicit ReadyWorkbench(const xnewell::Setup& setup = {}, int width = 1024, int height = 768,
                           const std::string& scene = "teapot")
@@ -21,14 +21,15 @@ struct ReadyWorkbench : Workbench {
   void type(std::string_view letters) {
     for (const char c : letters) press({NamedKey::Letter, c});
   }
-  /// The picture, by so many pixels.
+  /// Drags the picture by so many pixels.
   void drag(int dx, int dy) {
     const Rect& at = layout().picture;
     const int x = at.x + at.width / 2, y = at.y + at.height / 2;
     ASSERT_TRUE(grab(x, y));
     dragTo(x + dx, y + dy);
   }
-  /// Whatever is late; in the view of the colours that is colours first, then words about them.
+  /// Brings everything up to date. In the view of the colours, colours come first, and the words about them
+  /// second.
   void finish() {
     for (int k = 0; k < 3 && stale() != Stale::Nothing; ++k) update();
     ASSERT_EQ(stale(), Stale::Nothing);

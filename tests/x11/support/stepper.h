@@ -8,8 +8,8 @@
 
 namespace xnewell {
 
-/// The depth-sort stepper as a window would have it, without one: a scene, its picture made anew when the
-/// bench asks for another, and what the bench asks of its host.
+/// The depth-sort stepper without a window: a scene, its picture, which is made again when the bench asks for
+/// another, and what the bench asks of its host.
 class Stepper : private Host {
  public:
   explicit Stepper(Scene scene, int width = 1024, int height = 768)
@@ -27,7 +27,7 @@ class Stepper : private Host {
   std::vector<Question> questions;
   int draws = 0;
 
-  /// As the workbench does it: drawn again where the bench wants another picture by then.
+  /// Draws as the workbench does: again if the bench wants another picture by then.
   const IndexImage& draw() {
     xnewell::Setup painted;
     do {
@@ -50,12 +50,12 @@ class Stepper : private Host {
   }
   void press(NamedKey name, bool shift = false) { press({name, 0, shift}); }
   bool taken = false;
-  /// The button pressed and let go in the middle of a rectangle.
+  /// Presses and releases the button in the middle of a rectangle.
   void click(const Rect& r) { click(r.x + r.width / 2, r.y + r.height / 2); }
   void click(int x, int y) {
     if (bench.grab(x, y)) bench.drop();
   }
-  /// Types into the newest question; what it has against the text.
+  /// Types into the newest question. Returns its objection to the text.
   std::string type(const std::string& text) { return questions.back().take(text); }
 
   [[nodiscard]] int step() const { return bench.view().step; }
@@ -65,6 +65,7 @@ class Stepper : private Host {
   }
   [[nodiscard]] const Picture& picture() const { return picture_; }
   [[nodiscard]] SortRun& run() { return *bench.run(); }
+  [[nodiscard]] std::vector<int> stepsOf(Landmark kind) { return run().landmarks().steps(kind); }
   [[nodiscard]] const Event& event() { return run().sorted().events[step() - 1]; }
   [[nodiscard]] SortLayout places() const { return layoutOfSort(layout_.body); }
   [[nodiscard]] const IndexImage& image() const { return image_; }

@@ -10,7 +10,7 @@
 
 namespace xnewell {
 
-/// Another program with cells of its own in the default map, in colours of no use to anybody else.
+/// Another program with its own cells in the default map, in colours that are of no use to others.
 class Stranger {
  public:
   /// Takes all free cells but `left`.
@@ -23,14 +23,14 @@ class Stranger {
   [[nodiscard]] Display* get() const { return display_.get(); }
   [[nodiscard]] Colormap map() const { return DefaultColormap(get(), 0); }
 
-  /// How many cells are free now: by taking them one by one.
+  /// The number of free cells now, found by taking them one by one.
   [[nodiscard]] std::size_t countFree() const {
     std::vector<unsigned long> cells = freeCells();
     XFreeColors(get(), map(), cells.data(), static_cast<int>(cells.size()), 0);
     XSync(get(), 0);
     return cells.size();
   }
-  /// Other colours in its cells.
+  /// Puts other colours into its cells.
   void paint(unsigned seed) {
     std::mt19937 rng{seed};
     const auto value = [&] { return static_cast<unsigned short>(rng()); };
@@ -45,7 +45,7 @@ class Stranger {
     }
     XSync(get(), 0);
   }
-  /// Gives its cells back, and somebody else takes and paints them.
+  /// Gives its cells back, and another program takes and colours them.
   void leave() {
     XFreeColors(get(), map(), cells_.data(), static_cast<int>(cells_.size()), 0);
     cells_ = freeCells();

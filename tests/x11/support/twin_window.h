@@ -10,7 +10,7 @@
 
 namespace xnewell {
 
-/// What the window of a workbench without a server shows on a screen.
+/// What the window of a workbench would show on a screen, made without a server.
 [[nodiscard]] inline RgbImage onScreen(const Workbench& bench, const Rect& rect) {
   RgbImage image{rect.width, rect.height};
   for (int j = 0; j < rect.height; ++j)
@@ -24,8 +24,8 @@ namespace xnewell {
   return image;
 }
 
-/// The program's window on a server and a workbench without one, which get the same keys and mouse: events
-/// in, pixels out, and both show the same. On a screen of 1280 x 1024, the window in its upper left corner.
+/// The program's window on a server, and a workbench without a server. Both get the same keys and mouse, and
+/// must show the same pixels. The screen has 1280 x 1024 pixels, and the window is in its upper left corner.
 class TwinWindow {
  public:
   explicit TwinWindow(int depth, const std::string& line = "teapot --divisions 3",
@@ -34,7 +34,7 @@ class TwinWindow {
         viewer{server, line},
         window{viewer.window},
         same{setup, 1024, 768, scene} {
-    moveTo(700, 15);  // over nothing
+    moveTo(700, 15);  // over nothing that responds
   }
 
   void type(std::string_view letters) {
@@ -49,7 +49,7 @@ class TwinWindow {
     window.moveTo(x, y);
     same.hover(x, y);
   }
-  /// The button pressed, moved along and let go; then the pointer is over nothing.
+  /// The button pressed, moved along and let go; then the pointer is over nothing that responds.
   void drag(int fromX, int fromY, int toX, int toY) {
     finish();
     moveTo(fromX, fromY);
@@ -74,11 +74,11 @@ class TwinWindow {
     window.resize(width, height);
     same.resize(width, height);
   }
-  /// The workbench's places are those that it drew.
+  /// The workbench uses the places that it drew last.
   void finish() { same.finish(); }
 
   [[nodiscard]] const Rect& body() const { return same.layout().body; }
-  /// Of the body: the bands around it tell times and of the server.
+  /// Compares the body. The bands around it tell times and facts of the server.
   [[nodiscard]] RgbImage expected() {
     finish();
     return onScreen(same, body());

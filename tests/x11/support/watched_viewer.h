@@ -9,21 +9,21 @@
 
 namespace xnewell {
 
-/// `xnewell view LINE` on a server, with its window. Members in the order of their lives.
+/// `xnewell view LINE` on a server, with its window. The order of the members is the order of their lives.
 struct WatchedViewer {
   RunningProgram program;
   WatchedWindow window;
 
   WatchedViewer(const XServer& server, const std::string& line, Window other = 0)
       : program{words("view " + line), server.name()}, window{server, other} {}
-  /// The next one shall find its own window.
+  /// Waits until the window is gone, so that the next viewer finds its own.
   ~WatchedViewer() {
     program.signal(SIGKILL);
     EXPECT_TRUE(window.goes());
   }
 };
 
-/// All of a window but the status line, which tells times, on a screen that holds it whole.
+/// All of a window but the status line, which tells times. The screen must hold the whole window.
 inline Rect aboveStatus(int width, int height) {
   const Layout at = layoutOf(width, height);
   return {0, 0, width, at.roomy ? at.status.y : height};

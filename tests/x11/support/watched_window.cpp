@@ -12,6 +12,7 @@
 #include <array>
 #include <cstring>
 #include <memory>
+#include <span>
 #include <stdexcept>
 #include <thread>
 
@@ -21,7 +22,7 @@ namespace xnewell {
 
 bool comesTrue(const std::function<bool()>& holds) {
   using namespace std::chrono_literals;
-  // The longer it lasts the more seldom it is asked: asking costs time that those asked may need.
+  // The longer it takes, the more seldom we ask: asking costs time that the others may need.
   std::chrono::milliseconds waited{}, pause{3};
   for (const auto start = std::chrono::steady_clock::now(); !holds();) {
     if (waited > 90s) return false;
@@ -34,8 +35,8 @@ bool comesTrue(const std::function<bool()>& holds) {
 
 namespace {
 
-/// A viewable window within `within` with our class that is not `other`; 0 if there is none. A window manager
-/// puts it into a frame of its own.
+/// A viewable window inside `within` that has our class and is not `other`; 0 if there is none. A window
+/// manager puts windows into its own frames.
 Window findWindow(Display* display, Window within, Window other) {
   const ErrorTrap trap{display};  // a window may go while we look
   Window root = 0, parent = 0, *children = nullptr;
@@ -207,13 +208,17 @@ bool WatchedWindow::comesToDiffer(const RgbImage& from, const Rect& rect) const 
 bool WatchedWindow::settles() const {
   XWindowAttributes attributes{};
   XGetWindowAttributes(display(), id_, &attributes);
-  // The overlay is 560 wide and in the middle; its left margin is empty paper, and behind it is the picture.
-  const Rect margin{(attributes.width - 560) / 2 + 4, attributes.height / 2, 8, 8};
+  // The overlay is 560 wide and in the middle. Its leftmost column is ink, and empty paper lies to the right.
+  const Rect edge{(attributes.width - 560) / 2, attributes.height / 2, 8, 8};
   const auto open = [&] {
-    RgbImage paper{margin.width, margin.height};
-    for (std::size_t i = 0; i < paper.rgb.size(); ++i)
-      paper.rgb[i] = std::array<std::uint8_t, 3>{0xF5, 0xF2, 0xEB}[i % 3];
-    return shown(margin) == paper;
+    const RgbImage now = shown(edge);
+    const auto isPaper = [&](int i, int j) {
+      return std::ranges::equal(std::span{now.pixel(i, j), 3}, std::array<std::uint8_t, 3>{0xF5, 0xF2, 0xEB});
+    };
+    for (int j = 0; j < edge.height; ++j)
+      for (int i = 0; i < edge.width; ++i)
+        if (isPaper(i, j) != (i > 0)) return false;
+    return true;
   };
   type("?");
   if (!comesTrue(open)) return false;
@@ -257,7 +262,7 @@ RequestRecord::RequestRecord(const XServer& server, Window resource)
 
 RequestRecord::~RequestRecord() {
   XRecordDisableContext(control_.get(), context_);
-  static_cast<void>(opcodes());  // to the end of the data, which ends Xlib's waiting for it
+  static_cast<void>(opcodes());  // reads to the end of the data, so that Xlib no longer waits for it
   XRecordFreeContext(control_.get(), context_);
   XSync(control_.get(), 0);
 }

@@ -18,21 +18,20 @@
 
 namespace xnewell {
 
-/// The program's window as its user has it: keys and mouse in through XTEST, pixels out through the
+/// The program's window as its user has it. Keys and mouse go in through XTEST. Pixels come out through the
 /// colormap that the window really has.
 
-/// Waits until `holds`, asking again and again, at most 90 s: machines may be busy. Returns whether it came
-/// to hold.
+/// Waits until `holds` is true. It asks again and again for at most 90 s, because machines may be busy.
+/// Returns whether it became true.
 [[nodiscard]] bool comesTrue(const std::function<bool()>& holds);
 
 class WatchedWindow {
  public:
-  /// Waits until the server shows a window of ours that is not `other`, while `hoping`, and its picture is
-  /// drawn.
-  /// @throws std::runtime_error if none comes
+  /// Waits, as long as `hoping` is true, until the server shows a window of ours that is not `other` and its
+  /// picture is drawn. @throws std::runtime_error if none comes
   explicit WatchedWindow(
       const XServer& server, Window other = 0, const std::function<bool()>& hoping = [] { return true; });
-  /// One that need not have its picture yet.
+  /// A window that need not have its picture yet.
   [[nodiscard]] static WatchedWindow early(const XServer& server);
 
   [[nodiscard]] Display* display() const { return display_.get(); }
@@ -41,20 +40,20 @@ class WatchedWindow {
   [[nodiscard]] bool colormapInstalled() const;
 
   [[nodiscard]] std::string title() const;
-  /// What the title says too.
+  /// The title says so too.
   [[nodiscard]] bool isDrawing() const { return title().starts_with("(drawing) "); }
 
-  /// Keys by their Latin-1 letters, with Shift where the keyboard needs it.
+  /// Types keys by their Latin-1 letters, with Shift where the keyboard needs it.
   void type(std::string_view letters) const;
   void press(KeySym symbol, bool shift = false) const;
-  /// One key held, or let go.
+  /// Presses one key, or lets it go.
   void hold(KeySym symbol, bool down) const;
-  /// Mouse, in pixels of the screen.
+  /// The mouse, in pixels of the screen.
   void moveTo(int x, int y) const;
   void button(unsigned number, bool down) const;
 
   void resize(int width, int height) const;
-  /// As the window manager's close button does.
+  /// Asks as the window manager's close button does.
   void askToClose() const;
   /// Waits until the window is gone.
   [[nodiscard]] bool goes() const;
@@ -62,8 +61,9 @@ class WatchedWindow {
   [[nodiscard]] RgbImage shown(const Rect& rect) const;
   [[nodiscard]] bool comesToShow(const RgbImage& expected, const Rect& rect) const;
   [[nodiscard]] bool comesToDiffer(const RgbImage& from, const Rect& rect) const;
-  /// Waits until the program has worked off all that was sent to it: the overlay of keys opens and closes
-  /// again. The window is at least 600 wide, so that the picture is behind it. Returns false if it does not.
+  /// Waits until the program has handled everything that was sent to it: opens and closes the overlay of
+  /// keys, and waits for both. The window must be at least 600 wide. Returns false if the overlay does not
+  /// come or go.
   [[nodiscard]] bool settles() const;
 
  private:
@@ -73,11 +73,11 @@ class WatchedWindow {
   Window id_ = 0;
 };
 
-/// Waits until the server shows no window of ours: that of a program that has ended stays until the server
-/// notices, and could be taken for the next one's.
+/// Waits until the server shows no window of ours. The window of a program that has ended stays until the
+/// server notices, and could be taken for the next one's.
 [[nodiscard]] bool comesToShowNone(Display* display);
 
-/// The part of an image.
+/// A part of an image.
 [[nodiscard]] RgbImage cropped(const RgbImage& image, const Rect& rect);
 
 /// The requests of one client, as the server takes them up (RECORD extension).
@@ -94,8 +94,8 @@ class RequestRecord {
   void forget();
   [[nodiscard]] std::ptrdiff_t count(int opcode);
   [[nodiscard]] std::ptrdiff_t drawing();
-  /// Can a request with this opcode change what a drawable holds? The core's ClearArea to ImageText16 can;
-  /// so, for us, can all of extensions but the keyboard's, which Xlib asks at the first key.
+  /// True if a request with this opcode may change what a drawable holds. The core's ClearArea to ImageText16
+  /// may. We count all requests of extensions too, except the keyboard's, which Xlib makes at the first key.
   [[nodiscard]] bool isDrawing(int opcode) const;
 
  private:

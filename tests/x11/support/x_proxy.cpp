@@ -47,7 +47,7 @@ sockaddr_un addressOf(const std::string& path) {
 
 int newSocket() { return ::socket(AF_UNIX, SOCK_STREAM | SOCK_CLOEXEC, 0); }
 
-/// Bytes that the message at the beginning of `heard` has, if that much is known of it.
+/// The number of bytes of the message that begins at `from` in `heard`, if enough of it is there to tell.
 std::optional<std::size_t> requestSize(const std::string& heard, std::size_t from, bool greeted) {
   const char* bytes = heard.data() + from;
   const std::size_t there = heard.size() - from;
@@ -73,7 +73,7 @@ std::optional<std::size_t> answerSize(const std::string& heard, std::size_t from
   return kAnswerSize + 4 * std::size_t{numberAt<CARD32>(bytes + 4)};
 }
 
-/// A request that does nothing but to be answered, in its turn.
+/// A request with no effect but an answer, in its turn.
 std::string askNothing() {
   std::string request(4, '\0');
   request[0] = X_GetInputFocus;
@@ -91,8 +91,8 @@ std::string errorFor(const XRequest& request, std::uint16_t sequence, int code) 
   return error;
 }
 
-/// From here on writing at the other end is an error. What lies between is taken off, for a writer who waits
-/// for room is not told.
+/// From here on writing at the other end is an error. What lies in between is read, because a writer that
+/// waits for room would not be told.
 void turnDeaf(int socket) {
   shutdown(socket, SHUT_RD);
   std::array<char, 65536> bytes;
@@ -190,7 +190,7 @@ void XProxy::run() {
       Link& link = links_[i];
       const bool fromProgram = waits[2 + 2 * i].revents != 0, fromServer = waits[3 + 2 * i].revents != 0;
       if (link.stalled) {
-        link.over = fromProgram || fromServer;  // it hung up
+        link.over = fromProgram || fromServer;  // one of the two hung up
         continue;
       }
       if (fromProgram) hear(link.program, link);
@@ -244,7 +244,7 @@ void XProxy::pay(End& end, bool all) {
     for (std::size_t sent = 0; sent < parcel.bytes.size();) {
       const ssize_t n =
           send(end.socket, parcel.bytes.data() + sent, parcel.bytes.size() - sent, MSG_NOSIGNAL);
-      if (n <= 0) return;  // gone: its silence will tell
+      if (n <= 0) return;  // the end is gone, which hear() will notice
       sent += static_cast<std::size_t>(n);
     }
   });

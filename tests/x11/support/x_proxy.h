@@ -15,19 +15,19 @@
 
 namespace xnewell {
 
-/// A bad server, made of a good one: stands between programs and an X server, passes on what they say to each
-/// other, counts it, and treats one chosen request as servers do that are out of memory, dying or hung up.
-/// @see X Window System Protocol, X11 Release 7.7, chapters 1, 8 and appendix B; Big Requests Extension
+/// A bad server made of a good one. It stands between programs and an X server, passes on and counts what
+/// they say, and treats one chosen request as a server does that is out of memory, dying or hung. @see X
+/// Window System Protocol, X11 Release 7.7, chapters 1, 8 and appendix B; Big Requests Extension
 
-/// A request by its numbers: the major opcode and, for an extension's, the minor one (0 for the core's).
-/// Major 0, which no request has, stands for the connection's setup.
+/// A request by its numbers: the major opcode and, for an extension, the minor one (0 for the core). Major 0,
+/// which no request has, stands for the connection's setup.
 struct XRequest {
   int major = 0, minor = 0;
   auto operator<=>(const XRequest&) const = default;
 };
 inline constexpr XRequest kConnectionSetup{};
 
-/// What becomes of a request.
+/// What happens to a request.
 enum class XFault {
   Refused,     ///< the server does not get it, and the program gets an error instead
   CutRequest,  ///< the connection ends when its first bytes have arrived
@@ -46,7 +46,7 @@ struct XFaultPlan {
 
 class XProxy {
  public:
-  /// A program's `latency`: what a request and its reply are late together, half of it each.
+  /// `latency` is the delay of a request and its reply together; each has half of it.
   explicit XProxy(const XServer& server, std::chrono::microseconds latency = {});
   ~XProxy();
   XProxy(const XProxy&) = delete;
@@ -56,18 +56,19 @@ class XProxy {
 
   /// Forgets what was counted. `plan` is carried out at most once.
   void begin(const std::optional<XFaultPlan>& plan = {});
-  /// All requests of all programs since then, oldest first.
+  /// All requests of all programs since begin(), oldest first.
   [[nodiscard]] std::vector<XRequest> requests() const;
-  /// Those that were replied to. Xlib waits for each reply, so the program made no more round trips.
+  /// The requests that got a reply. Xlib waits for each reply, so the program made no more round trips.
   [[nodiscard]] std::vector<XRequest> answered() const;
-  /// Was the plan carried out?
+  /// Whether the plan was carried out.
   [[nodiscard]] bool carriedOut() const;
-  /// "X_CreatePixmap", "MIT-SHM.1", as xnewell calls them; programs must have asked for the extension.
+  /// The name as xnewell gives it: "X_CreatePixmap", "MIT-SHM.1". A program must have asked for the
+  /// extension.
   [[nodiscard]] std::string nameOf(const XRequest& request) const;
 
  private:
   using Time = std::chrono::steady_clock::time_point;
-  /// What is on its way to one of the two, and due there.
+  /// Bytes on their way to one of the two ends, and the time when they are due.
   struct Parcel {
     Time due;
     std::string bytes;
@@ -75,8 +76,8 @@ class XProxy {
   /// One of the two ends of a connection.
   struct End {
     int socket = -1;
-    std::string heard;           ///< not yet understood
-    std::vector<Parcel> owed{};  ///< to it, the oldest first
+    std::string heard;           ///< bytes not yet understood
+    std::vector<Parcel> owed{};  ///< on their way to this end, the oldest first
     bool greeted = false;        ///< its part of the setup is over
   };
   /// A program's connection.
@@ -104,9 +105,9 @@ class XProxy {
   std::string name_, path_, serverPath_;
   std::chrono::microseconds latency_;
   int listener_ = -1, stop_ = -1;
-  std::vector<Link> links_;  ///< the thread's alone
+  std::vector<Link> links_;  ///< only the thread uses them
 
-  mutable std::mutex mutex_;  ///< of all that follows
+  mutable std::mutex mutex_;  ///< guards all that follows
   std::optional<XFaultPlan> plan_;
   int occurrences_ = 0;  ///< of the plan's request
   bool carriedOut_ = false;

@@ -22,9 +22,9 @@ namespace xnewell {
 namespace {
 
 constexpr int kStartSeconds = 60;   ///< a loaded machine compiles the keymap slowly
-constexpr char kMissing[] = "!\n";  ///< what the child writes when there is no such program
+constexpr char kMissing[] = "!\n";  ///< the child writes it if there is no such program
 
-/// Reads up to the first newline; what came until then if the writer closes or the time is over.
+/// Reads up to the first newline. Returns what came until then if the writer closes or the time is over.
 std::string readLine(int from) {
   std::string line;
   const auto end = std::chrono::steady_clock::now() + std::chrono::seconds(kStartSeconds);
@@ -64,7 +64,7 @@ XServer::XServer(const std::string& program, std::vector<std::string> arguments,
   std::array<int, 2> pipe{};
   if (pipe2(pipe.data(), O_CLOEXEC) != 0) throw std::runtime_error("no pipe for the X server");
   const int log = memfd_create("x server", MFD_CLOEXEC);
-  // First, so that what a test asks for has the last word.
+  // These come first, so that what a test asks for overrides them.
   const std::vector<std::string> always{program,    "-nolisten",  "tcp",
                                         "-noreset", "-displayfd", std::to_string(pipe[1])};
   arguments.insert(arguments.begin(), always.begin(), always.end());
@@ -73,9 +73,9 @@ XServer::XServer(const std::string& program, std::vector<std::string> arguments,
 
   const pid_t parent = getpid();
   pid_ = fork();
-  if (pid_ == 0) {  // only what is safe between fork and exec
+  if (pid_ == 0) {  // only calls that are safe between fork and exec
     prctl(PR_SET_PDEATHSIG, SIGTERM);
-    if (getppid() != parent) _exit(1);  // it died before we could ask
+    if (getppid() != parent) _exit(1);  // the parent died before we could ask
     dup2(log, STDOUT_FILENO);
     dup2(log, STDERR_FILENO);
     fcntl(pipe[1], F_SETFD, 0);

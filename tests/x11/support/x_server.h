@@ -7,15 +7,15 @@
 
 namespace xnewell {
 
-/// An X server of the test's own: Xvfb, or Xephyr inside another server. The server itself picks a free
-/// display number (-displayfd), so test programs that run at the same time cannot meet. It ends with the
-/// object, and also when the test program crashes.
+/// The test's own X server: Xvfb, or Xephyr inside another server. The server itself picks a free display
+/// number (-displayfd), so that test programs that run at the same time do not meet. It ends with the object,
+/// and also when the test program crashes.
 class XServer {
  public:
-  /// @throws std::runtime_error saying what is missing; a test that cannot have its server fails.
+  /// @throws std::runtime_error that says what is missing. A test without its server fails.
   static XServer xvfb(int depth, int width = 640, int height = 480, std::vector<std::string> more = {});
   static XServer xephyr(const XServer& host, int depth, int width = 320, int height = 240);
-  /// Any program that takes -displayfd. `host` is its own $DISPLAY, empty for none.
+  /// Any program that takes -displayfd. `host` is that program's own $DISPLAY; empty for none.
   XServer(const std::string& program, std::vector<std::string> arguments, const std::string& host = {});
   ~XServer() { stop(); }
   XServer(XServer&& o) noexcept;
@@ -23,7 +23,7 @@ class XServer {
 
   [[nodiscard]] const std::string& name() const { return name_; }  ///< as in ":7"
   [[nodiscard]] pid_t pid() const { return pid_; }
-  /// Ends the server and waits until it is gone: asks, and after 5 s kills.
+  /// Ends the server and waits until it is gone: asks it to end, and kills it after 5 s.
   void stop();
 
  private:

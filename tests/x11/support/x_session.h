@@ -16,7 +16,7 @@
 
 namespace xnewell {
 
-/// What the tests of pictures on a server share.
+/// Shared by the tests of pictures on a server.
 
 inline IndexImage randomImage(int width, int height, unsigned seed) {
   std::mt19937 rng{seed};
@@ -34,7 +34,7 @@ inline Palette distinctPalette() {
   return palette;
 }
 
-/// A server, a client on it and its colormap, in the order of their lives. No error may be left over at the
+/// A server, a client on it and its colormap, in the order of their lives. No X error may be left over at the
 /// end.
 struct Session {
   XServer server;

@@ -10,7 +10,7 @@ namespace xnewell {
 
 namespace {
 
-/// The numbers of `0.1868 <= I < 0.1899`, where they are there, and how many decimals they have.
+/// The numbers in a text like `0.1868 <= I < 0.1899`, if it has them, and how many decimals they have.
 struct Interval {
   double from = -1, to = -1;
   int decimals = 0;
@@ -56,8 +56,8 @@ Made made(const char* scene, ColorPlan colors, const TableSettings& table) {
 
 }  // namespace
 
-// Of the numbers with as many decimals as are printed, those from the first end on and below the second pick
-// the cell and no others: its two ends tell the truth, for every shade of every table.
+// The printed ends of a cell's interval are right, for every shade of every table. Numbers with the printed
+// decimals pick the cell if and only if they are at least the first end and below the second.
 TEST(CellFacts, TheIntervalPicksExactlyThatShade) {
   int checked = 0;
   for (const TableRow& row : kTables)
@@ -87,7 +87,7 @@ TEST(CellFacts, TheIntervalPicksExactlyThatShade) {
   EXPECT_GT(checked, 5'000);
 }
 
-// The textbook's cell: what the drawing of the window says of cell 148 of the corrected table.
+// A worked example: the facts of cell 148 of the corrected table.
 TEST(CellFacts, OfTheCorrectedTable) {
   const Made m = made("teapot", ColorPlan::OneHue, {.kind = TableKind::Corrected});
   const std::vector<CellFact> facts = factsOf(148, m.picture, m.palette, m.plan, m.use);
@@ -98,7 +98,7 @@ TEST(CellFacts, OfTheCorrectedTable) {
   EXPECT_EQ(valueOf(facts, "step to next"), "1.65 % brighter");
 }
 
-// Who uses a cell is what was counted.
+// The facts name as many users of a cell as were counted.
 TEST(CellFacts, TellTheUse) {
   const Made m = made("teapot", ColorPlan::OneHue, {.kind = TableKind::Linear});
   int used = 0;
@@ -115,7 +115,8 @@ TEST(CellFacts, TellTheUse) {
   EXPECT_GT(used, 50);
 }
 
-// Every cell has facts in every plan: the tool's say what they are for, free cells that nobody needs them.
+// Every cell has facts in every plan. The tool's cells say what they are for, and free cells say that nothing
+// needs them.
 TEST(CellFacts, EveryCellHasSome) {
   for (const auto& [scene, plan] : {std::pair{"teapot", ColorPlan::OneHue},
                                     {"hues", ColorPlan::Hues},

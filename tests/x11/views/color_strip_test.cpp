@@ -4,7 +4,7 @@
 
 namespace xnewell {
 
-// The strip's rule for the cells is true for any hue, and it says when the colours were changed.
+// The strip's rule for the cells is true for every hue, and the strip says when the colours were changed.
 TEST(ColorStrip, SaysWhatTheCellsHold) {
   for (const glm::dvec3 hue : {glm::dvec3{1, 0, 0}, glm::dvec3{1, 0.7, 0.2}}) {
     Picture picture{readScene("teapot", 3)};

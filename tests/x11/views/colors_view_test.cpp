@@ -60,8 +60,8 @@ Shown shownIn(const IndexImage& view, const ColorsLayout& at) {
 
 }  // namespace
 
-// The parts lie within the page and beside each other, from the least size to the largest, in a picture of
-// the view and in a window.
+// The parts lie within the page and do not overlap, from the least size to the largest, in a picture of the
+// view and in a window.
 TEST(ColorsLayout, PartsDoNotMeet) {
   for (const auto& [w, h] :
        {std::pair{736, 428}, {768, 453}, {992, 612}, {1568, 1044}, {736, 1500}, {4000, 428}, {8160, 8000}}) {
@@ -91,8 +91,8 @@ TEST(ColorsLayout, PartsDoNotMeet) {
   }
 }
 
-// Nothing runs over the right margin or from the page into the strip, whatever the plan and however many
-// effects the table tells.
+// Nothing runs over the right margin or from the page into the strip, for every plan and however many effects
+// are told.
 TEST(ColorsView, NothingIsCutOff) {
   for (const auto& [scene, plan] : kPlans) {
     Picture picture{readScene(scene, 3)};
@@ -115,8 +115,8 @@ TEST(ColorsView, NothingIsCutOff) {
   }
 }
 
-// In the grid a cell that the picture uses is large and any other small, in the strip it has a bar: both are
-// the use of the picture that is shown beside them, and the strip says how many cells that are.
+// A cell that the picture uses is large in the grid and has a bar in the strip; any other cell is small and
+// has none. Both show the use of the picture next to them, and the strip says how many cells are used.
 TEST(ColorsView, MarksAreTheUseOfThePicture) {
   for (const auto& [scene, plan] : kPlans) {
     SCOPED_TRACE(scene);
@@ -131,7 +131,7 @@ TEST(ColorsView, MarksAreTheUseOfThePicture) {
     const int strip = 768 - kStripAndFoot, large = (at.pitch - 2) * (at.pitch - 2);
     int used = 0, unused = 0;
     for (int cell = cells.first; cell <= cells.last(); ++cell) {
-      if (std::abs(cell - 200) < 2) continue;  // the mark of the inspected one is over them
+      if (std::abs(cell - 200) < 2) continue;  // the inspected cell's mark covers these
       const Rect square{at.grid.x + cell % 16 * at.pitch, at.grid.y + cell / 16 * at.pitch, at.pitch,
                         at.pitch};
       const int pixels = countIn(view, square, cell), side = at.pitch * 2 / 5;
@@ -163,8 +163,8 @@ TEST(ColorStrip, BarsGrowWithTheUse) {
   EXPECT_GE(before, 15);
 }
 
-// What is stored is shown, the inspected cell too, unless it is to be lit: then its palette entry is another,
-// so exactly its samples in the small picture change, which is the picture of that size.
+// The view shows what is stored, in the inspected cell too. If that cell is lit, its palette entry changes,
+// and exactly its samples in the small picture change. The small picture is the picture at that size.
 TEST(ColorsView, LightsWhatIsAskedFor) {
   Picture picture{readScene("teapot", 6)};
   ViewSettings s = settingsOf(1024, 768, TableKind::Corrected);
@@ -183,7 +183,7 @@ TEST(ColorsView, LightsWhatIsAskedFor) {
   EXPECT_GT(std::ranges::count(alone.pixels, cell), 20);
 }
 
-// --cell chooses what is inspected, of the tool's cells too, and --lit where --cell does not.
+// --cell chooses the inspected cell, which may be one of the tool's. Without --cell, --lit chooses it.
 TEST(ColorsView, InspectsWhatIsAskedFor) {
   Picture picture{readScene("teapot", 3)};
   ViewSettings s = settingsOf(768, 560);
@@ -203,8 +203,8 @@ TEST(ColorsView, InspectsWhatIsAskedFor) {
   EXPECT_NE(drawView(picture, s).image, twenty);
 }
 
-// Words beside the inspected cell's point hide nothing of any curve; where one is all over the plot, as that
-// of a cube's largest channels, nothing of the other.
+// Words next to the inspected cell's point hide no part of any curve. If one curve covers the whole plot, as
+// that of a cube's largest channels does, the words hide no part of the other.
 TEST(ColorsView, WordsStandBesideTheCurves) {
   for (const auto& [scene, plan] : kPlans)
     for (const TableKind kind : {TableKind::Linear, TableKind::Corrected}) {
@@ -234,8 +234,8 @@ TEST(ColorsView, WordsStandBesideTheCurves) {
     }
 }
 
-// Effects change colours and what is said of them, not the cells of the picture, of the grid's marks or of
-// the strip.
+// Effects change colours and the words about them, but not the cells of the picture, of the grid's marks or
+// of the strip.
 TEST(ColorsView, EffectsLeaveIndicesAlone) {
   Picture picture{readScene("teapot", 4)};
   ViewSettings s = settingsOf(800, 600);

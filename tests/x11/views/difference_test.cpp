@@ -22,8 +22,8 @@ PictureSettings small(Shading shading) {
 
 }  // namespace
 
-// Phong's picture differs from its reference by the rounding to shades alone: half a shade, and what the
-// single precision of its kernel adds, a hundredth of one.
+// Phong's picture differs from its reference only by the rounding to shades: by half a shade, plus a
+// hundredth of a shade from the single precision of its kernel.
 TEST(Difference, OfPhongFromItselfIsHalfAShade) {
   Picture teapot{readScene("teapot", 4)};
   for (const int shades : {240, 60, 7})
@@ -45,7 +45,8 @@ TEST(Difference, OfPhongFromItselfIsHalfAShade) {
   EXPECT_LE(comparedWithPhong(teapot, s, 8).difference.largest, 0.51 * (r - 1));
 }
 
-// The numbers are those of the samples, and a sample's is the distance of its shade from the reference.
+// The numbers are computed from the samples. A sample's number is the distance of its shade from the
+// reference.
 TEST(Difference, IsThatOfEverySample) {
   Picture ball{makeScene("ball", sphere(16, 8), UpAxis::Z)};
   const PictureSettings s = small(Shading::Flat);
@@ -73,8 +74,8 @@ TEST(Difference, IsThatOfEverySample) {
   EXPECT_GT(largest, 0.05);
 }
 
-// Wrong faces are differences too: the reference is the oracle's, whatever the picture's order. Split faces
-// are not.
+// Wrong faces are differences too, because the reference is the oracle's picture, whatever the picture's
+// order is. Split faces are not differences.
 TEST(Difference, CountsOtherFaces) {
   Picture picture{readScene("penetrate")};
   PictureSettings s = small(Shading::Phong);
@@ -99,7 +100,8 @@ TEST(Difference, CountsOtherFaces) {
   EXPECT_GT(unsorted.largest, exact.largest);
 }
 
-// Several hues share the cells otherwise in every picture: a picture's cells stand for what they do in it.
+// With several hues, each picture divides the cells in its own way. A picture's cells are read as that
+// picture uses them.
 TEST(Difference, OfHuesGoesByThePicturesOwnCells) {
   Picture hues{readScene("hues")};
   PictureSettings s = small(Shading::Gouraud);
@@ -122,8 +124,8 @@ TEST(Difference, OfHuesGoesByThePicturesOwnCells) {
   EXPECT_LT(compared.difference.mean, 0.02);
 }
 
-// Colours are compared as they look. With more than enough cells for one gray ramp, what is left of Phong's
-// own difference is below what the eye sees; flat shading's is not.
+// Colours are compared as they look. With more than enough cells for one gray ramp, the eye cannot see
+// Phong's own difference, but can see that of flat shading.
 TEST(Difference, OfColoursIsHowTheyLook) {
   Picture ball{makeScene("ball", sphere(16, 8), UpAxis::Z)};
   PictureSettings s = small(Shading::Phong);
@@ -132,7 +134,7 @@ TEST(Difference, OfColoursIsHowTheyLook) {
   EXPECT_EQ(compared.difference.measure, Measure::Color);
   EXPECT_GT(compared.difference.samples, 5000);
   EXPECT_EQ(compared.difference.above, 0);
-  int differ = 0;  // a channel is filled in 255 steps, so some samples are rounded to the next colour
+  int differ = 0;  // a channel has 255 steps, so some samples are rounded to the next colour
   for (std::size_t k = 0; k < compared.picture.pixels.size(); ++k)
     differ += std::abs(compared.reference.pixels[k] - compared.picture.pixels[k]);
   EXPECT_LT(differ, compared.difference.samples / 4);
@@ -144,7 +146,7 @@ TEST(Difference, OfColoursIsHowTheyLook) {
   EXPECT_GT(compared.difference.largest, 3.0);
 }
 
-// Parts of a divided polygon show its face, not another.
+// Pieces of a divided polygon show the polygon's own face.
 TEST(Difference, DividedPolygonsShowTheirFaces) {
   Picture spot{readScene("spotlight")};
   PictureSettings s = small(Shading::Gouraud);

@@ -41,8 +41,8 @@ PictureSettings fromAbove(const Scene& scene, Order order) {
 
 }  // namespace
 
-// Three squares of 20 x 20 pixels, each a quarter over the one before: 400 samples each, 100 shared by the
-// first two and 100 by the last two, none by all.
+// A worked example: three squares of 20 x 20 pixels, each covering a quarter of the one before. Each has 400
+// samples. The first two share 100 samples, the last two share 100, and no sample is in all three.
 TEST(Overdraw, OfOverlappingSquaresIsCounted) {
   Picture picture{squares({{-1, -1, 0}, {0, 0, 1}, {1, 1, 2}})};
   picture.make(fromAbove(picture.scene(), Order::ZSort));
@@ -52,7 +52,7 @@ TEST(Overdraw, OfOverlappingSquaresIsCounted) {
   EXPECT_EQ(o.once, 800);
   EXPECT_EQ(o.most, 2);
   EXPECT_DOUBLE_EQ(o.mean(), 1.2);
-  // The first pair's overlap is x, y in [-1, 0]: pixels 40 to 49 across, 50 to 59 down.
+  // The first two overlap in x, y in [-1, 0]: pixels 40 to 49 across, 50 to 59 down.
   for (int j = 0; j < 100; ++j)
     for (int i = 0; i < 100; ++i) {
       const bool first = i >= 30 && i < 50 && j >= 50 && j < 70,
@@ -63,8 +63,8 @@ TEST(Overdraw, OfOverlappingSquaresIsCounted) {
   EXPECT_EQ(o.mostAt, 100u * 40 + 50);
 }
 
-// The sum over the samples is the length of all spans, whatever is sorted how; and what shows is what the
-// oracle sees, which paints each sample once.
+// The sum over the samples is the length of all spans, in every order. The samples that show something are
+// those of the oracle, which paints each sample once.
 TEST(Overdraw, AddsUpToTheSpans) {
   int cut = 0, more = 0;
   for (const char* const name : {"teapot", "penetrate", "cycle", "hues"}) {
@@ -98,7 +98,8 @@ TEST(Overdraw, AddsUpToTheSpans) {
   EXPECT_GE(more, 4);
 }
 
-// The map has the cell of the step that a sample's count falls in, and ground where nothing was painted.
+// Each sample of the map has the cell of the step that its count falls in, or the ground if nothing was
+// painted there.
 TEST(Overdraw, MapStepsByTheCount) {
   Overdraw o{.width = 12, .times = {0, 1, 2, 3, 4, 5, 8, 9, 100, 0, 1, 7}};
   const CellPlan plan;
@@ -110,7 +111,7 @@ TEST(Overdraw, MapStepsByTheCount) {
   for (std::size_t k = 0; k < kExpected.size(); ++k) EXPECT_EQ(map.pixels[k], plan[kExpected[k]]) << k;
 }
 
-// What is found is said of what was counted; of nothing, nothing.
+// The finding gives the counted numbers. If nothing was counted, it says that.
 TEST(Overdraw, FindingIsOfTheNumbers) {
   Picture picture{squares({{-1, -1, 0}, {0, 0, 1}, {1, 1, 2}})};
   picture.make(fromAbove(picture.scene(), Order::ZSort));

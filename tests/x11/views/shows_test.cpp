@@ -27,9 +27,9 @@ struct Painted {
 
 }  // namespace
 
-// Whatever is shown, of one hue, several and of colours, in any order: it has the picture's size and place,
-// the picture is left as it was, and all but the normals are drawn in the tool's own cells and change no
-// colour.
+// Everything that can be shown has the picture's size and place and leaves the picture as it was, with one
+// hue, with several and with colours, in any order. All but the normals are drawn in the tool's own cells and
+// change no colour.
 TEST(Shows, KeepThePictureAndItsColours) {
   for (const auto& [scene, plan] : {std::pair{"teapot", ColorPlan::OneHue},
                                     {"hues", ColorPlan::Hues},
@@ -62,8 +62,8 @@ TEST(Shows, KeepThePictureAndItsColours) {
     }
 }
 
-// The ground is where the picture's is: nothing is shown where nothing is, but for the legend, and lines at
-// the border.
+// The ground is where the picture's ground is: nothing is shown where nothing is, except for the legend, and
+// for lines at the border.
 TEST(Shows, TheGroundStays) {
   Painted p{"teapot"};
   const std::uint8_t well = CellPlan{}[Cell::Well];

@@ -26,8 +26,8 @@ Picture made(const char* scene, ColorPlan plan, const TableSettings& table) {
 
 }  // namespace
 
-// The figures of the brief: 240 levels of `corrected` are distinct at 16 bits and 144 at 8, in the quotient
-// 1.01650299...; a linear table of 240 has as many at either.
+// Known values: of the 240 levels of `corrected`, with the quotient 1.01650299..., 240 are distinct at 16
+// bits and 144 at 8 bits. A linear table of 240 has 240 distinct levels at either.
 TEST(TableCurves, CountDistinctLevels) {
   const TableSettings corrected{.kind = TableKind::Corrected};
   EXPECT_EQ(distinctLevels(corrected, 16), 240);
@@ -38,8 +38,8 @@ TEST(TableCurves, CountDistinctLevels) {
               1e-9);
 }
 
-// With one hue there is a curve for each table, over the cells that it would fill, and it never falls; the
-// chosen one is what the palette holds.
+// With one hue there is a curve for each table, over the cells that the table would fill. No curve falls. The
+// chosen table's curve is what the palette holds.
 TEST(TableCurves, OneForEachTable) {
   for (const TableRow& row : kTables)
     for (const int shades : {2, 64, 240}) {
@@ -61,7 +61,7 @@ TEST(TableCurves, OneForEachTable) {
     }
 }
 
-// Colours that are no table's are called so, and their table is there for comparison.
+// Colours that no table gives are named so, and the table is shown for comparison.
 TEST(TableCurves, NameWhatIsStored) {
   const Picture picture = made("teapot", ColorPlan::OneHue, {.kind = TableKind::Corrected});
   const CellPlan plan{TableKind::Corrected};
@@ -73,8 +73,8 @@ TEST(TableCurves, NameWhatIsStored) {
   EXPECT_EQ(std::ranges::count(curves, "corrected", &Curve::name), 1);
 }
 
-// The argument of the lower plot: every step of `corrected` is r, but for what 16 bits leave of it, and lies
-// above what the eye sees; those of `linear` fall from 100 % to less than that.
+// The lower plot shows this: every step of `corrected` is r, up to the rounding to 16 bits, and above what
+// the eye can see. The steps of `linear` fall from 100 % to less than that.
 TEST(TableCurves, StepsOfTheCorrectedTableAreEqual) {
   const TableSettings corrected{.kind = TableKind::Corrected};
   const Picture picture = made("teapot", ColorPlan::OneHue, corrected);
@@ -85,13 +85,13 @@ TEST(TableCurves, StepsOfTheCorrectedTableAreEqual) {
     EXPECT_TRUE(std::isnan(curve.y.back()));
     if (curve.name == "corrected") {
       for (int j = 0; j + 1 < 240; ++j) {
-        // Either value is off by half a unit of 65535 at most.
+        // Each value is off by at most half a unit of 65535.
         const double rounding = 100 * 1.02 / (65535 * ColorTable{corrected}.level(j));
         ASSERT_NEAR(curve.y[j], r, rounding) << j;
         ASSERT_GT(curve.y[j], kSeenStep);
       }
     } else {
-      const std::size_t first = curve.name == "brief";  // which begins with black
+      const std::size_t first = curve.name == "brief";  // this one begins with black
       EXPECT_EQ(std::isnan(curve.y[0]), first == 1);
       EXPECT_NEAR(curve.y[first], 100, 1e-9);
       EXPECT_NEAR(curve.y[238], 100.0 / 239, 0.01);
@@ -99,8 +99,9 @@ TEST(TableCurves, StepsOfTheCorrectedTableAreEqual) {
   }
 }
 
-// Several hues have a curve each and are compared with nothing; single colours have a luminance, and each is
-// as far from its nearest as that one at most is from its own.
+// With several hues, each has a curve, and nothing is shown for comparison. With single colours, the curve is
+// their luminance, and the lower plot shows each colour's distance to its nearest neighbour, which is at
+// least that neighbour's own.
 TEST(TableCurves, OtherPlansShowWhatIsTrueOfThem) {
   const Picture hues = made("hues", ColorPlan::Hues, {});
   EXPECT_EQ(storedCurves(hues, hues.palette(CellPlan{})).size(), 7u);
@@ -117,7 +118,7 @@ TEST(TableCurves, OtherPlansShowWhatIsTrueOfThem) {
   for (const double y : steps[0].y) EXPECT_GT(y, 0);
 }
 
-// Ticks go from below the least to above the most and are 1 or 3 times a power of ten.
+// Ticks go from below the least value to above the largest, and are 1 or 3 times a power of ten.
 TEST(Plot, LogarithmicTicksHoldTheRange) {
   for (const auto& [least, most] : {std::pair{0.3, 100.0}, {0.29, 101.0}, {0.03, 2.0}, {1.0, 1e4}}) {
     const std::vector<double> ticks = logarithmicTicks(least, most);
@@ -131,7 +132,7 @@ TEST(Plot, LogarithmicTicksHoldTheRange) {
   }
 }
 
-// Every cell has a column of its own where there is room, and the column leads back to it.
+// If there is room, every cell has its own column, and the column leads back to the cell.
 TEST(Plot, ColumnsLeadBackToCells) {
   const Rect area{480, 40, 460, 170};
   for (const int count : {1, 2, 64, 240}) {

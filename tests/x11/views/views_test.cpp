@@ -33,7 +33,7 @@ ColoredImage drawn(Picture& picture, View view, int width, int height, Shading s
   return drawView(picture, s);
 }
 
-/// Whether all pixels of the area are paper.
+/// True if all pixels of the area are paper.
 bool isPaper(const IndexImage& image, const Rect& area) {
   for (int j = area.y; j < area.y + area.height; ++j)
     for (int i = area.x; i < area.x + area.width; ++i)
@@ -43,8 +43,8 @@ bool isPaper(const IndexImage& image, const Rect& area) {
 
 }  // namespace
 
-// From the least size to 1600 x 1200, whatever is shown: the view is as large as asked, and words, plots and
-// pictures keep out of the margins and of the gutter between the columns, so nothing is cut off.
+// Every view, from the least size to 1600 x 1200, is as large as asked. Words, plots and pictures keep out of
+// the margins and of the gutter between the columns, so nothing is cut off.
 TEST(Views, NothingIsCutOff) {
   Picture teapot{readScene("teapot", 3)}, cycle{readScene("cycle")}, tori{readScene("tori")};
   for (const View view : kDrawn) {
@@ -77,7 +77,7 @@ TEST(Views, NothingIsCutOff) {
   }
 }
 
-// A view is of what is seen, not of how the sort got there: split faces show what whole ones show.
+// A view shows what is seen, not how the sort got there: split faces show what whole ones show.
 TEST(Views, DoNotDependOnSplits) {
   for (const char* const scene : {"penetrate", "cycle"})
     for (const View view : {View::MachBands, View::Normals}) {
@@ -93,7 +93,7 @@ TEST(Views, DoNotDependOnSplits) {
     }
 }
 
-// The same view again is the same, after any other: nothing of one stays in the picture for the next.
+// A view drawn again is the same, after any other view: no view leaves anything in the picture for the next.
 TEST(Views, DoNotDependOnTheOneBefore) {
   Picture picture{readScene("teapot", 3)};
   std::vector<IndexImage> first;
@@ -107,7 +107,8 @@ TEST(Views, DoNotDependOnTheOneBefore) {
       EXPECT_EQ(drawn(picture, kDrawn[k], 800, 600).image, first[k]);
 }
 
-// A scanline must be in the picture that the view shows; the line that refuses it says where that ends.
+// A scanline must lie in the picture that the view shows. If it does not, the message says where the picture
+// ends.
 TEST(Views, RefuseAScanlineBelowThePicture) {
   Picture picture{readScene("teapot", 3)};
   ViewSettings s = settingsOf(View::MachBands, picture.scene(), 800, 600);
@@ -124,8 +125,8 @@ TEST(Views, RefuseAScanlineBelowThePicture) {
   }
 }
 
-// The profiles stand exactly under their pixels: the marked scanline's cells are the chosen method's strip,
-// column by column.
+// The profiles stand exactly below their pixels: the cells of the marked scanline are the strip of the chosen
+// method, column by column.
 TEST(Views, StripsRepeatTheMarkedScanline) {
   Picture picture{readScene("teapot", 3)};
   ViewSettings s = settingsOf(View::MachBands, picture.scene(), 800, 600);
@@ -136,11 +137,11 @@ TEST(Views, StripsRepeatTheMarkedScanline) {
   picture.paint(image, CellPlan{}[Cell::Well]);
   int rows = 0;
   for (int j = 0; j < view.height; ++j) rows += std::equal(image.row(100), image.row(101), view.row(j) + 100);
-  EXPECT_GE(rows, 12);  // the strip; in the picture the line is drawn over it
+  EXPECT_GE(rows, 12);  // the strip; in the picture the mark covers the scanline
 }
 
-// A fine ball from afar shows every normal of its half once: at each sample the colour is that of the
-// sphere's own normal, red to the right, green up and blue towards the viewer.
+// A fine ball from afar shows every normal of its front half once. At each sample the colour is that of the
+// sphere's own normal: red to the right, green up, and blue towards the viewer.
 TEST(NormalColors, AreThoseOfTheSphere) {
   Picture ball{makeScene("ball", sphere(96, 48), UpAxis::Z)};
   PictureSettings s;

@@ -22,7 +22,7 @@ PictureSettings viewOf(const Scene& scene, Order order) {
   return s;
 }
 
-/// For each sample the pieces of faces that cover it, as (face, piece).
+/// For each sample, the pieces of faces that cover it, as (face, piece).
 std::vector<std::set<std::pair<int, int>>> piecesAt(const Picture& picture) {
   const PictureSettings& s = picture.settings();
   std::vector<std::set<std::pair<int, int>>> at(std::size_t(s.width) * s.height);
@@ -44,8 +44,8 @@ bool isDash(std::uint8_t cell) {
 
 }  // namespace
 
-// A cube has six polygons, three of them seen from behind, and twelve edges. From a corner nine edges show
-// and three are hidden.
+// A cube seen from a corner shows nine of its twelve edges, and three are hidden. Three of its six polygons
+// are seen from behind.
 TEST(Wireframe, OfACubeIsCounted) {
   Picture picture{makeScene("cube", cube(), UpAxis::Z)};
   PictureSettings s = viewOf(picture.scene(), Order::Newell);
@@ -63,8 +63,8 @@ TEST(Wireframe, OfACubeIsCounted) {
   EXPECT_EQ(hidden + showing + std::ranges::count(wires.image.pixels, CellPlan{}[Cell::Well]), 300 * 220);
 }
 
-// Dashed edges are only where a cut runs: beside each dashed pixel two pieces of one face meet; and where
-// pieces meet there are dashes, but for the gaps.
+// Edges are dashed only along cuts: next to each dashed pixel two pieces of one face meet. Where pieces meet
+// there are dashes, except for the gaps.
 TEST(Wireframe, DashesWhereACutRuns) {
   for (const char* const name : {"penetrate", "cycle"}) {
     SCOPED_TRACE(name);
@@ -93,7 +93,7 @@ TEST(Wireframe, DashesWhereACutRuns) {
         }
         if (!meet) continue;
         ++borders;
-        bool dash = false;  // or an edge that was drawn over it
+        bool dash = false;  // or an edge drawn over it
         around(x, y, kDashPeriod, [&](int k) { dash |= isDash(wires.image.pixels[k]); });
         near += dash;
       }
@@ -102,7 +102,7 @@ TEST(Wireframe, DashesWhereACutRuns) {
   }
 }
 
-// An order that cuts nothing has no dashes and the same edges.
+// An order that cuts nothing has the same edges and no dashes.
 TEST(Wireframe, WithoutCutsNothingIsDashed) {
   Picture picture{readScene("penetrate")};
   picture.make(viewOf(picture.scene(), Order::Newell));
@@ -119,8 +119,8 @@ TEST(Wireframe, WithoutCutsNothingIsDashed) {
   }
 }
 
-// Lines that show lie beside samples of their polygons: a pixel with nothing but another face around it is
-// never bright.
+// Visible lines lie next to samples of their polygons: a pixel with only another face around it is never
+// bright.
 TEST(Wireframe, BrightLinesLieOnWhatShows) {
   Picture picture{readScene("teapot", 3)};
   picture.make(viewOf(picture.scene(), Order::Newell));
@@ -138,7 +138,7 @@ TEST(Wireframe, BrightLinesLieOnWhatShows) {
       inside += faces.size() > 1;
     }
   EXPECT_GT(bright, 1000);
-  EXPECT_GT(inside, bright * 9 / 10);  // an edge is where the face seen changes
+  EXPECT_GT(inside, bright * 9 / 10);  // an edge lies where the visible face changes
 }
 
 }  // namespace xnewell

@@ -28,13 +28,14 @@ int square(const glm::ivec3& v) { return v.r * v.r + v.g * v.g + v.b * v.b; }
 
 }  // namespace
 
-// Of a list the nearest is what comparing with all of them finds, the later of two; outside 0..255 too.
+// The nearest colour of a list is the one that comparing with all finds, also outside 0..255. In a tie it is
+// the later one.
 TEST(OfferedColors, NearestOfAList) {
   std::mt19937 rng{8};
   int ties = 0;
   for (int round = 0; round < 200; ++round) {
     std::vector<OfferedColor> list = randomColors(rng, 1 + round);
-    list.push_back({5, list[rng() % list.size()].color});  // of two alike the later
+    list.push_back({5, list[rng() % list.size()].color});  // of two equal colours the later one wins
     const OfferedColors offered{list};
     for (int k = 0; k < 50; ++k) {
       const auto value = [&] { return static_cast<int>(rng() % 1000) - 400; };
@@ -52,8 +53,8 @@ TEST(OfferedColors, NearestOfAList) {
   EXPECT_GT(ties, 100);
 }
 
-// Of channels the nearest has in each the level that is nearest among all that its bits can say, whatever the
-// layout; the bits of no channel are the opaque ones.
+// With channels, the nearest colour has in each channel the nearest level that its bits can hold, in any
+// layout. Bits of no channel are those of an opaque pixel.
 TEST(OfferedColors, NearestOfAllLevels) {
   for (const ChannelMasks& masks : kLayouts) {
     SCOPED_TRACE(masks.red);
@@ -74,8 +75,8 @@ TEST(OfferedColors, NearestOfAllLevels) {
   }
 }
 
-// Around a colour are the nearest and, in each channel, two levels on either side of that, as far as there
-// are any; each is a colour on offer.
+// Around a colour are the nearest one and, in each channel, two levels on either side of it, as far as there
+// are any. Each of them is a colour on offer.
 TEST(OfferedColors, AroundAreTheNextLevels) {
   for (const ChannelMasks& masks : kLayouts) {
     SCOPED_TRACE(masks.red);
@@ -102,8 +103,8 @@ TEST(OfferedColors, AroundAreTheNextLevels) {
   }
 }
 
-// The mean of a tile is the wanted value within 1/128 of the widest step between levels, in each channel: the
-// 64 values sum up to 64 times the wanted one within half a step. A colour on offer is itself everywhere.
+// In each channel, the mean of a tile is the wanted value within 1/128 of the widest step between levels: the
+// 64 values sum to 64 times the wanted one within half a step. A colour on offer fills its whole tile.
 TEST(OfferedColors, MixturesOfLevelsHaveTheWantedMean) {
   std::mt19937 rng{1973};
   int mixed = 0;
@@ -128,8 +129,8 @@ TEST(OfferedColors, MixturesOfLevelsHaveTheWantedMean) {
   EXPECT_GT(mixed, 1000);
 }
 
-// The same of any grays. Where they are evenly spaced, the bright places of a darker one are among those of a
-// brighter one: ordered dithering.
+// Tiles of grays have the wanted mean too. If the grays are evenly spaced, the bright places of a darker tile
+// are among those of a brighter one, as in ordered dithering.
 TEST(OfferedColors, MixturesOfGraysAreOrdered) {
   std::mt19937 rng{64};
   int rising = 0;
@@ -163,14 +164,14 @@ TEST(OfferedColors, MixturesOfGraysAreOrdered) {
     }
   }
   EXPECT_GT(rising, 60 * 64);
-  // A quarter: one place in each 2 x 2, the one of rank 0 among them.
+  // A quarter: one place in each 2 x 2, and the place of rank 0 is among them.
   const Tile quarter = OfferedColors{{{0, glm::ivec3{0}}, {1, glm::ivec3{255}}}}.mixture({64, 64, 64});
   for (int y = 0; y < 8; ++y)
     for (int x = 0; x < 8; ++x) EXPECT_EQ(quarter[placeInTile(x, y)], x % 2 == 0 && y % 2 == 0);
 }
 
-// Where no mixture gives the colour, the mean is nearer to it than the nearest one colour, and near to the
-// best that a mixture of two can give.
+// If no mixture gives the colour, the mean is nearer to it than the nearest single colour, and near to the
+// best mixture of two.
 TEST(OfferedColors, MixturesApproachWhatCannotBeMixed) {
   std::mt19937 rng{2003};
   int better = 0;
@@ -181,7 +182,7 @@ TEST(OfferedColors, MixturesApproachWhatCannotBeMixed) {
     const OfferedColors offered{list};
     glm::ivec3 sum{0};
     for (const unsigned long pixel : offered.mixture(wanted)) sum += list[pixel - 1000].color;
-    int best = 1 << 30;  // of all 65 mixtures
+    int best = 1 << 30;  // over all 65 mixtures
     for (int share = 0; share <= 64; ++share)
       best = std::min(best, square((64 - share) * list[0].color + share * list[1].color - 64 * wanted));
     const int step = square(list[0].color - list[1].color);
@@ -191,7 +192,8 @@ TEST(OfferedColors, MixturesApproachWhatCannotBeMixed) {
   EXPECT_GT(better, 150);
 }
 
-// A table is one pixel value an index until a tile is set, and then at each place what the tile has there.
+// A table has one pixel value for each index until a tile is set. Then it has at each place what the tile has
+// there.
 TEST(PixelTable, KeepsTiles) {
   std::array<unsigned long, 256> pixels;
   for (unsigned long i = 0; i < 256; ++i) pixels[i] = 3 * i;
@@ -215,7 +217,7 @@ TEST(PixelTable, KeepsTiles) {
   EXPECT_TRUE(table.solid(7));
 }
 
-// The gray of a gray is itself, the weights are those of X servers, and nothing exceeds 16 bits.
+// The gray of a gray is that gray, the weights are those of X servers, and no value exceeds 16 bits.
 TEST(GrayOf, HasTheWeightsOfXServers) {
   for (int v = 0; v < 65536; ++v) {
     const auto v16 = static_cast<std::uint16_t>(v);
@@ -226,8 +228,9 @@ TEST(GrayOf, HasTheWeightsOfXServers) {
   EXPECT_EQ(grayOf({0, 0, 65535}).b, 7208);   // 7208.85
 }
 
-// What is offered misses nothing of itself. Half way between black and white the nearest misses by half the
-// diagonal of the cube of colours, the mixture by an eighth of that: its mean is right, its grain is not.
+// A colour on offer has no error. Half way between black and white, the nearest colour is off by half the
+// diagonal of the cube of colours. The mixture counts as an eighth of that: its mean is right, but it is
+// grainy.
 TEST(OfferedColors, MissCountsMeanAndGrain) {
   const OfferedColors offered{{{0, glm::ivec3{0}}, {1, glm::ivec3{254}}}};
   const double half = 127 * std::sqrt(3.0);
@@ -235,7 +238,7 @@ TEST(OfferedColors, MissCountsMeanAndGrain) {
   EXPECT_EQ(offered.miss(glm::ivec3{254}, true), 0.0);
   EXPECT_NEAR(offered.miss(glm::ivec3{127}, false), half, 1e-9);
   EXPECT_NEAR(offered.miss(glm::ivec3{127}, true), half / 8, 1e-9);
-  // No mixture of grays has a hue: red is missed by more than its gray's grain.
+  // No mixture of grays has a hue: red is off by more than the grain of its gray.
   EXPECT_GT(offered.miss({254, 0, 0}, true), 254 * std::sqrt(2.0 / 3.0));
 }
 

@@ -35,8 +35,8 @@ double difference(const glm::ivec3& p, const glm::ivec3& q) {
 
 }  // namespace
 
-// All look nearly as they should, also where channels have few levels, and grays are gray: nearest by 8-bit
-// values the well would be navy there, and words on it green.
+// All colours look nearly as they should, also if channels have few levels, and grays are gray. Chosen by the
+// nearest 8-bit values, the well would be navy there, and words on it green.
 TEST(ToolColors, LookAsTheyShould) {
   constexpr double kNearly = 14;
   const std::array<glm::ivec3, kCells> wanted = wantedColors();
@@ -56,7 +56,7 @@ TEST(ToolColors, LookAsTheyShould) {
     EXPECT_EQ(colorOf(chooseToolColors(allOf(masks), wanted), Well), glm::ivec3(0));
 }
 
-// Who is drawn on another is not shown by the same colour, and steps of a legend grow brighter.
+// Colours drawn on each other are shown differently, and the steps of a legend grow brighter.
 TEST(ToolColors, WhatMeetsDiffers) {
   for (const ChannelMasks& masks : {k332, kBgr233, k555, k565, k888}) {
     SCOPED_TRACE(masks.red);
@@ -74,7 +74,7 @@ TEST(ToolColors, WhatMeetsDiffers) {
   }
 }
 
-// Where each has its colour, it gets it; what is settled already stays, whatever is near.
+// Every colour that is on offer is taken. A choice that is already made stays, whatever else is near.
 TEST(ToolColors, ExactWhereTheyCanBe) {
   const std::array<glm::ivec3, kCells> wanted = wantedColors();
   std::vector<OfferedColor> list{{100, {7, 7, 7}}};
@@ -89,7 +89,7 @@ TEST(ToolColors, ExactWhereTheyCanBe) {
     EXPECT_EQ(settled[role].pixel, role == static_cast<int>(Well) ? 77 : role);
 }
 
-// Where blue is there in full or not at all there are no grays: words that would be orange are black.
+// If blue has only the levels none and full, there are no grays. Words that would be orange are black.
 TEST(ToolColors, WordsAreBlackWhereNothingIsNear) {
   std::array<std::vector<OfferedLevel>, 3> levels;
   for (int c = 0; c < 3; ++c)
@@ -100,7 +100,7 @@ TEST(ToolColors, WordsAreBlackWhereNothingIsNear) {
   for (const Cell word : {Alarm, Good, P}) EXPECT_NE(colorOf(chosen, word), glm::ivec3(0));
 }
 
-// Where only black and white are left words can be read still.
+// If only black and white are left, words can still be read.
 TEST(ToolColors, BlackAndWhiteAreEnoughToRead) {
   const OfferedColors offered{{{0, {0, 0, 0}}, {1, {255, 255, 255}}}};
   const ToolColors chosen = chooseToolColors(offered, wantedColors());

@@ -25,8 +25,8 @@
 
 namespace xnewell {
 
-// Servers x visuals x tables x fills: what a picture looks like on each, against what the server's own
-// answers say it should.
+// Servers x visuals x tables x fills: what a picture looks like on each, compared with what the server's own
+// answers say it should look like.
 
 namespace {
 
@@ -37,9 +37,9 @@ constexpr Rect kChart{0, 0, 128, 128};    ///< an 8 x 8 block of each index
 struct ServerRow {
   std::string_view name, program;
   std::vector<std::string> arguments;
-  bool nested = false;    ///< needs a server to show itself in
-  bool required = true;   ///< else it may refuse to start: not every build knows the depth
-  std::string_view only;  ///< of its visuals, the class to try; "" for all
+  bool nested = false;    ///< runs inside another server
+  bool required = true;   ///< otherwise it may refuse to start: not every build knows the depth
+  std::string_view only;  ///< the class of visual to try; "" for all
 };
 
 const std::array kServers{
@@ -84,7 +84,7 @@ using Color = std::array<int, 3>;  ///< 8-bit values
 Color shownOf(const XColor& c) { return {c.red >> 8, c.green >> 8, c.blue >> 8}; }
 Color shownOf(const Rgb16& c) { return {c.r >> 8, c.g >> 8, c.b >> 8}; }
 
-/// What the server says that pixel values of a visual show through a map. See VisualInfo::withoutAlpha.
+/// What pixel values of a visual show through a map, as the server says. See VisualInfo::withoutAlpha.
 std::map<unsigned long, Color> asked(Display* d, Colormap map, const VisualInfo& v,
                                      const std::set<unsigned long>& pixels) {
   std::vector<XColor> cells;
@@ -122,7 +122,7 @@ std::array<Tile, 256> tilesOf(const std::vector<unsigned long>& chart) {
   return tiles;
 }
 
-/// Levels or colours that a visual can show, for each channel where they are independent.
+/// The levels that a visual can show in each channel if channels are independent, or else its colours.
 struct Offered {
   std::array<std::vector<int>, 3> levels;  ///< ascending
   std::vector<Color> colors;               ///< where there are no channels
@@ -196,7 +196,7 @@ struct Reference {
   IndexImage scanline, filled;
 };
 
-/// What XFillPolygon owns, as indices: on a visual whose pixel values they are.
+/// What XFillPolygon fills, as indices. The visual's pixel values are the indices.
 IndexImage filledBy(Display* d, Picture& picture, const Palette& palette) {
   ServerColormap colormap{d, chooseVisual(readVisuals(d), parseVisualWish("PseudoColor8"))};
   colormap.store(palette);
@@ -249,7 +249,7 @@ class VisualMatrix : public testing::TestWithParam<ServerRow> {
     const ServerRow& row = GetParam();
     if (row.nested) host.emplace(XServer::xvfb(24, 640, 480));
     std::vector<std::string> arguments = row.arguments;
-    if (row.program == "Xvnc")  // without a port it wants a socket, from TigerVNC 1.15 on
+    if (row.program == "Xvnc")  // from 1.15 on, TigerVNC needs a socket if it has no port
       arguments.insert(arguments.end(), {"-rfbunixpath", folder.file("vnc")});
     try {
       server.emplace(std::string{row.program}, arguments, host ? host->name() : "");
@@ -260,7 +260,7 @@ class VisualMatrix : public testing::TestWithParam<ServerRow> {
     display = openDisplay(server->name());
   }
 
-  /// Is what the tiles show as it should be for a visual of this kind?
+  /// Checks that the tiles show what they should on a visual of this kind.
   void expectTiles(const std::array<Tile, 256>& tiles, const Reference& reference,
                    const ServerColormap& colormap, bool dither) {
     const VisualInfo& v = colormap.visual();
@@ -269,7 +269,7 @@ class VisualMatrix : public testing::TestWithParam<ServerRow> {
     const std::map<unsigned long, Color> shows = asked(display.get(), colormap.id(), v, pixels);
     const Offered offered = offeredBy(display.get(), colormap.id(), v);
     for (int c = 0; c < 3 && v.hasChannels() && v.depth < 24;
-         ++c)  // evenly spaced, as far as 6 bits of a stored colour go
+         ++c)  // levels are evenly spaced, as far as 6 bits of a stored colour allow
       EXPECT_LE(widestStep(offered, c), 255 / (std::ssize(offered.levels[c]) - 1) + 5);
     const CellPlan plan{reference.table};
     std::set<int> tool;
@@ -285,10 +285,10 @@ class VisualMatrix : public testing::TestWithParam<ServerRow> {
       }
       const std::set<unsigned long> used(tiles[i].begin(), tiles[i].end());
       mixed += used.size() > 1;
-      if (exact || v.gray()) {  // 256 grays: all there are
+      if (exact || v.gray()) {  // there are 256 grays, which is all
         ASSERT_EQ(used.size(), 1u);
         ASSERT_EQ(shows.at(*used.begin()), wanted);
-      } else if (tool.contains(i)) {  // tool_colors_test.cpp has which
+      } else if (tool.contains(i)) {  // tool_colors_test.cpp checks which colour
         ASSERT_EQ(used.size(), 1u);
       } else if (!dither) {
         ASSERT_EQ(used.size(), 1u);
@@ -307,10 +307,10 @@ class VisualMatrix : public testing::TestWithParam<ServerRow> {
 INSTANTIATE_TEST_SUITE_P(Servers, VisualMatrix, testing::ValuesIn(kServers),
                          [](const auto& made) { return std::string{made.param.name}; });
 
-// On every visual of every server, with every table, each index is shown as its class allows: exactly its
-// colour on PseudoColor and where channels have 8 bits, its gray on gray visuals; elsewhere the nearest
-// colour there is, or, dithered, colours whose mean is right within 1/128 of the widest step. A picture is
-// made of these tiles, pixel for pixel, whether we fill the polygons or the server does.
+// Each index is shown as its visual's class allows, on every visual of every server and with every table. On
+// PseudoColor, and where channels have 8 bits, it has exactly its colour. On gray visuals it has its gray.
+// Elsewhere it has the nearest colour or, dithered, colours whose mean is right within 1/128 of the widest
+// step. A picture consists of these tiles, pixel for pixel, whether we fill the polygons or the server does.
 TEST_P(VisualMatrix, ShowsEveryIndexAsItsClassAllows) {
   Display* d = display.get();
   const ServerVisuals visuals = readVisuals(d);
@@ -343,7 +343,8 @@ TEST_P(VisualMatrix, ShowsEveryIndexAsItsClassAllows) {
         };
         canvas.upload(reference.scanline, kPicture);
         EXPECT_TRUE(shows(reference.scanline, kPicture));
-        canvas.upload(reference.scanline, {13, 7, 50, 40});  // the tiles do not move with a part
+        canvas.upload(reference.scanline,
+                      {13, 7, 50, 40});  // tiles keep their places when only a part is uploaded
         EXPECT_TRUE(shows(reference.scanline, kPicture));
         const RgbImage read = canvas.readBack(kPicture);
         const std::vector<unsigned long> pixels = pixelsOf(canvas, kPicture);
@@ -361,72 +362,6 @@ TEST_P(VisualMatrix, ShowsEveryIndexAsItsClassAllows) {
   EXPECT_EQ(strayErrors(), strays);
   ASSERT_FALSE(covered.empty());
   std::cout << "covered: " << GetParam().name << " (" << covered << ")\n";
-}
-
-// On gray visuals a ramp of one hue shows the intensities, as a white one would; the hue does not darken
-// them. What is not of the ramp, here the ground, has the gray of its brightness.
-TEST(GrayVisuals, ShowTheIntensity) {
-  const XServer server = XServer::xvfb(8);
-  for (const std::string line :
-       {"teapot --divisions 3 --size 160x120", "cycle --table corrected --hue 0.2,1,0.4 --size 160x120"}) {
-    SCOPED_TRACE(line);
-    const RgbImage drawn = pictureOf("draw " + line);
-    for (const std::string visual : {"GrayScale8", "StaticGray8"}) {
-      const RgbImage shown = pictureOf("snapshot " + line + " --visual " + visual, server.name());
-      int ground = 0;
-      for (std::size_t k = 0; k < drawn.rgb.size(); k += 3) {
-        const auto* c = &drawn.rgb[k];
-        const bool well = c[0] == 0x2A && c[1] == 0x2E && c[2] == 0x35;
-        ground += well;
-        const int expected =
-            well ? (30 * 0x2A2A + 59 * 0x2E2E + 11 * 0x3535) / 100 >> 8 : *std::max_element(c, c + 3);
-        for (int channel = 0; channel < 3; ++channel) ASSERT_EQ(shown.rgb[k + channel], expected) << k / 3;
-      }
-      EXPECT_GT(ground, 1000);
-      EXPECT_LT(ground, 160 * 120 - 1000);
-    }
-  }
-}
-
-// The option decides: with --nearest each colour of the picture becomes one colour of the screen, without it
-// several.
-TEST(FewColors, NearestIsAFunctionOfTheColour) {
-  const XServer server = XServer::xvfb(8);
-  const std::string line = "teapot --divisions 3 --size 160x120";
-  const RgbImage drawn = pictureOf("draw " + line);
-  for (const std::string more : {"", " --nearest"}) {
-    const RgbImage shown = pictureOf("snapshot --visual TrueColor8 " + line + more, server.name());
-    std::map<Color, std::set<Color>> became;
-    for (std::size_t k = 0; k < drawn.rgb.size(); k += 3)
-      became[{drawn.rgb[k], drawn.rgb[k + 1], drawn.rgb[k + 2]}].insert(
-          {shown.rgb[k], shown.rgb[k + 1], shown.rgb[k + 2]});
-    EXPECT_GT(became.size(), 50u);
-    const auto several =
-        std::ranges::count_if(became, [](const auto& entry) { return entry.second.size() > 1; });
-    if (more.empty()) {
-      EXPECT_GT(several, 30);
-    } else {
-      EXPECT_EQ(several, 0);
-    }
-  }
-}
-
-// On every class the window follows its keys: it comes to show what a fresh start with the new hue, and with
-// the server filling, would.
-TEST(FewColors, TheWindowFollows) {
-  for (int defaultClass = 0; defaultClass < 6; ++defaultClass) {
-    const XServer server = XServer::xvfb(8, 1280, 1024, {"-cc", std::to_string(defaultClass)});
-    const std::string visual{kVisualClasses[defaultClass].name};
-    SCOPED_TRACE(visual);
-    const std::string line = "teapot --divisions 3 --visual " + visual;
-    const WatchedViewer viewer{server, line};
-    const Rect seen = aboveStatus(1024, 768);
-    EXPECT_TRUE(viewer.window.comesToShow(freshWindow(server, line), seen));
-    viewer.window.type("H");
-    EXPECT_TRUE(viewer.window.comesToShow(freshWindow(server, line + " --hue 1,0.7,0"), seen));
-    viewer.window.type("F");
-    EXPECT_TRUE(viewer.window.comesToShow(freshWindow(server, line + " --hue 1,0.7,0 --fill x11"), seen));
-  }
 }
 
 }  // namespace xnewell

@@ -53,8 +53,9 @@ ServerVisuals askedOf(const XServer& x) { return readVisuals(openDisplay(x.name(
 
 }  // namespace
 
-// What shows every colour comes before what does not; then a real colormap, then what makes nobody's colours
-// flash; the default visual before its equals. Each pair of neighbours in the order, in both of the server's.
+// Visuals that show every colour come first. Among them a real colormap comes first, then those that make no
+// other program's colours flash. The default visual comes before its equals. The test checks each pair of
+// neighbours in this order, with the server listing them either way round.
 TEST(ChooseVisual, TakesTheFirstRowThatTheServerHas) {
   const auto other = [](VisualClass kind, unsigned long id, int depth, int cells) {
     return VisualInfo{kind, depth, id, {}, 8, cells};
@@ -87,7 +88,7 @@ TEST(ChooseVisual, TakesTheFirstRowThatTheServerHas) {
   EXPECT_EQ(chooseVisual(server({trueColor(1, 24), pseudo(2), pseudo(3)}, 1)).visual.id, 2u);
 }
 
-// A real colormap is the subject: where one is passed over, it is said why, unless nobody asked for it.
+// The program is about real colormaps. If it passes one over, it says why, unless nobody asked for one.
 TEST(ChooseVisual, SaysWhyARealColormapIsPassedOver) {
   const ServerVisuals both = server({trueColor(1, 24), direct(2)}, 2);
   ASSERT_EQ(chooseVisual(both).visual.id, 1u);
@@ -101,7 +102,7 @@ TEST(ChooseVisual, SaysWhyARealColormapIsPassedOver) {
     EXPECT_THAT(why, testing::Not(HasSubstr("flash")));
 }
 
-// Visuals that differ in the order of their channels alone have rows that do, too.
+// Visuals that differ only in the order of their channels have different rows.
 TEST(DescribeVisuals, ChannelsInTheirOrder) {
   VisualInfo swapped = trueColor(2, 24);
   std::swap(swapped.masks.red, swapped.masks.blue);
@@ -110,7 +111,7 @@ TEST(DescribeVisuals, ChannelsInTheirOrder) {
   EXPECT_THAT(text, HasSubstr("TrueColor       24    bgr        1"));
 }
 
-// Of 256 fixed grays every gray is one: none is mixed. Of fewer they are.
+// With 256 fixed grays, every gray is one of them and none is mixed. With fewer, grays are mixed.
 TEST(DescribeVisuals, FixedGraysAreMixedOnlyWhereSomeAreMissing) {
   const auto grays = [](int depth) {
     return VisualInfo{VisualClass::StaticGrayClass, depth, 1, {}, 8, 1 << depth};
@@ -120,8 +121,8 @@ TEST(DescribeVisuals, FixedGraysAreMixedOnlyWhereSomeAreMissing) {
   EXPECT_THAT(describeVisuals(server({grays(4)}, 1)), HasSubstr("mix its fixed grays"));
 }
 
-// Cells of the default map are for windows of the default visual: whoever wants to share takes that, whatever
-// else there is, and may not insist on another.
+// Cells of the default map are for windows of the default visual. Sharing takes that visual, whatever else
+// there is, and another visual cannot be demanded with it.
 TEST(ChooseVisual, SharingTakesTheDefaultVisual) {
   const ServerVisuals s = server({pseudo(1), trueColor(2, 24), direct(3)}, 2);
   EXPECT_EQ(chooseVisual(s, {}, MapOwner::Shared).visual.id, 2u);
@@ -133,7 +134,7 @@ TEST(ChooseVisual, SharingTakesTheDefaultVisual) {
               HasSubstr("free cells"));
 }
 
-// What was insisted on is taken or refused in words that list what there is; nothing else is taken instead.
+// A visual that is demanded is taken, or refused with a list of what there is. No other is taken instead.
 TEST(ChooseVisual, InsistenceIsObeyedOrRefused) {
   const ServerVisuals both = server({pseudo(1), trueColor(2, 24), trueColor(3, 32), direct(4)}, 1);
   EXPECT_EQ(chooseVisual(both, parseVisualWish("TrueColor24")).visual.id, 2u);
@@ -149,7 +150,8 @@ TEST(ChooseVisual, InsistenceIsObeyedOrRefused) {
   EXPECT_EQ(chooseVisual(both, parseVisualWish("DirectColor24")).visual.id, 4u);
 }
 
-// A wish is a class in any case and perhaps a depth; all else is refused and the classes are listed.
+// A wish is a class, in upper or lower case, and perhaps a depth. Anything else is refused, and the classes
+// are listed.
 TEST(ParseVisualWish, TakesClassAndDepth) {
   for (const VisualClassRow& row : kVisualClasses) {
     EXPECT_EQ(parseVisualWish(row.name).kind, row.id);
@@ -171,8 +173,8 @@ TEST(ParseVisualWish, TakesClassAndDepth) {
   }
 }
 
-// For every layout a channel keeps its high bits, the pixel holds nothing else, and reading gives back what a
-// server shows: exact for 8 bits, 0 and full intensity exact for all.
+// In every layout a channel keeps its high bits, and the pixel holds nothing else. Reading gives back what a
+// server shows: exactly for 8 bits, and exactly for zero and full intensity in all layouts.
 TEST(PixelOf, KeepsTheHighBitsOfEachChannel) {
   EXPECT_EQ(pixelOf({0x12FF, 0x34FF, 0x56FF}, k888), 0x123456u);
   EXPECT_EQ(pixelOf({0x12FF, 0x34FF, 0x56FF}, {0xFF, 0xFF00, 0xFF0000}), 0x563412u);
@@ -188,7 +190,7 @@ TEST(PixelOf, KeepsTheHighBitsOfEachChannel) {
   }
 }
 
-// The facts of stock servers: depth 8 has all six classes, depth 24 no PseudoColor.
+// Stock servers have all six classes at depth 8 and no PseudoColor at depth 24.
 TEST(ReadVisuals, StockServers) {
   const ServerVisuals eight = askedOf(XServer::xvfb(8));
   std::vector<VisualClass> classes;
@@ -209,8 +211,8 @@ TEST(ReadVisuals, StockServers) {
               HasSubstr("has no PseudoColor 8; it has TrueColor"));
 }
 
-// Without RENDER all cells but black and white are free; each cell that another program takes is one less;
-// and counting gives all of them back.
+// Without RENDER, all cells but black and white are free. Each cell that another program takes is one less.
+// Counting gives all cells back.
 TEST(ReadVisuals, CountsTheFreeCells) {
   const XServer x = XServer::xvfb(8, 640, 480, {"-extension", "RENDER"});
   const OwnedDisplay display = openDisplay(x.name()), other = openDisplay(x.name());
@@ -224,7 +226,8 @@ TEST(ReadVisuals, CountsTheFreeCells) {
   EXPECT_EQ(readVisuals(display.get(), true).freeCells, 0);
 }
 
-// The table has a row for each kind of visual with its number, and ends with the choice and its reason.
+// The table has a row for each kind of visual, with its number, and ends with the choice and the reason for
+// it.
 TEST(DescribeVisuals, IsATableThatEndsWithTheChoice) {
   ServerVisuals s = server({pseudo(0x21), trueColor(0x22, 24), trueColor(0x23, 24), direct(0x24)}, 0x21);
   s.black = 1;

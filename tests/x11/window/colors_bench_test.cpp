@@ -8,7 +8,7 @@
 
 namespace xnewell {
 
-// The colour table in the window: what keys and pointer do to the colours, and that it is undone.
+// The colour table in the window: what keys and pointer do to the colours, and how it is undone.
 
 namespace {
 
@@ -46,7 +46,7 @@ void dragCurve(Workbench& b, int dy) {
   b.dragTo(plot.x + plot.width / 2, plot.y + plot.height / 2 + dy);
 }
 
-/// Each changes the colours of the view, and no setting of the picture.
+/// Keys that change the colours of the view, and no setting of the picture.
 const std::array<std::function<void(ReadyWorkbench&)>, 5> kEffects{
     [](ReadyWorkbench& b) { b.type("h"); }, [](ReadyWorkbench& b) { b.type("m"), b.tick(); },
     [](ReadyWorkbench& b) { b.type("g"); }, [](ReadyWorkbench& b) { dragCurve(b, -30); },
@@ -54,8 +54,8 @@ const std::array<std::function<void(ReadyWorkbench&)>, 5> kEffects{
 
 }  // namespace
 
-// Whatever was stored, leaving the view brings the picture's colours back bit for bit, and the window as it
-// was; Esc does the same for the view, and so does r.
+// Leaving the view brings the picture's colours back bit for bit, whatever was stored, and the window as it
+// was. Esc and r do the same within the view.
 TEST(ColorsBench, LeavingRestoresThePalette) {
   for (const xnewell::Setup& setup : {xnewell::Setup{}, corrected()}) {
     ReadyWorkbench b{setup};
@@ -86,12 +86,12 @@ TEST(ColorsBench, LeavingRestoresThePalette) {
   }
 }
 
-// What passes by itself, a shade lit and the ramp moving, is colours alone: not one index of the window
-// changes. What stays changes colours first; then words follow, but the picture's indices do not change.
+// A lit shade and the moving ramp change only colours: no index of the window changes. Lasting effects change
+// colours first; then the words follow, but the picture's indices do not change.
 TEST(ColorsBench, EffectsAreColorsAlone) {
   InColors b{corrected()};
   b.type("m");
-  EXPECT_EQ(b.stale(), Stale::Everything);  // the line that says so
+  EXPECT_EQ(b.stale(), Stale::Everything);  // the line of words that says so
   b.finish();
   const Rect picture = layoutIn(b).picture;
   const IndexImage image = b.image(), shown = part(image, picture);
@@ -122,7 +122,7 @@ TEST(ColorsBench, EffectsAreColorsAlone) {
   }
 }
 
-// As many steps as the ramp has shades lead back to where it was, and no fewer.
+// The ramp is back where it was after as many steps as it has shades, and not earlier.
 TEST(ColorsBench, AFullTurnIsNone) {
   xnewell::Setup setup;
   setup.picture.table.shades = 50;
@@ -140,7 +140,7 @@ TEST(ColorsBench, AFullTurnIsNone) {
   EXPECT_FALSE(b.moving());
 }
 
-// Several hues move each within its own ramp: the cells of a ramp keep their colours as a set.
+// With several hues, each ramp moves by itself: the cells of a ramp keep the same set of colours.
 TEST(ColorsBench, EachRampMovesWithinItself) {
   InColors b{{}, "hues"};
   const Palette start = b.palette();
@@ -157,8 +157,8 @@ TEST(ColorsBench, EachRampMovesWithinItself) {
   }
 }
 
-// Indices held, another table is colours alone: the picture keeps its cells, and they hold the other table's
-// colours. Let go, it is the window of a fresh start with that table.
+// While indices are held, another table changes only colours: the picture keeps its cells, and they hold the
+// other table's colours. When they are let go, the window is that of a fresh start with that table.
 TEST(ColorsBench, HeldIndicesStayWhenTheTableChanges) {
   InColors b;
   const Rect picture = layoutIn(b).picture;
@@ -180,14 +180,14 @@ TEST(ColorsBench, HeldIndicesStayWhenTheTableChanges) {
   InColors fresh{corrected()};
   EXPECT_EQ(b.palette(), fresh.palette());
   EXPECT_EQ(part(b.image(), picture), part(fresh.image(), picture));
-  b.type("iT1");  // held again, changed again, and left: the table stays, as a setting does
+  b.type("iT1");  // held, changed and left again: the table stays, as a setting does
   b.finish();
   EXPECT_EQ(b.setup().picture.table.kind, TableKind::Brief);
   EXPECT_EQ(b.palette()[10], ColorTable{b.setup().picture.table}.color(0));
 }
 
-// The pointer inspects the cell that it is over, in the grid, in the strip and in the column of a plot; the
-// arrows go on from there and stop at the ends. The strip and the words show it: the image changes.
+// The pointer inspects the cell under it, in the grid, in the strip and in the columns of a plot. The arrows
+// go on from there and stop at the ends. The strip and the words show the cell: the image changes.
 TEST(ColorsBench, PointerAndArrowsInspectCells) {
   InColors b;
   const ColorsLayout at = layoutIn(b);
@@ -225,8 +225,8 @@ TEST(ColorsBench, PointerAndArrowsInspectCells) {
   EXPECT_TRUE(inspected(11));
 }
 
-// Of the scene's cells the inspected one is lit for as long as the key is held, wherever it goes meanwhile;
-// the tool's are not lit, and the status line says so.
+// The inspected cell is lit as long as the key is held, also when another cell is inspected meanwhile. The
+// tool's cells are not lit, and the status line says so.
 TEST(ColorsBench, LightsWhatIsInspected) {
   InColors b;
   const Palette start = b.palette();
@@ -238,7 +238,7 @@ TEST(ColorsBench, LightsWhatIsInspected) {
     return cells;
   };
   b.press({NamedKey::Home});
-  b.type("hh");  // held, a key repeats
+  b.type("hh");  // a key that is held repeats
   EXPECT_EQ(lit(), std::vector<int>{11});
   EXPECT_EQ(b.palette()[11], kLit);
   b.press({NamedKey::Right});
@@ -253,8 +253,7 @@ TEST(ColorsBench, LightsWhatIsInspected) {
   EXPECT_NE(b.image(), before);
 }
 
-// The curve goes where it is dragged, at the cell where it was taken, and still rises; nowhere else is there
-// anything to drag.
+// The curve follows the drag at the cell where it was grabbed, and still rises. Nothing else can be dragged.
 TEST(ColorsBench, TheCurveIsDragged) {
   InColors b;
   const ColorsLayout at = layoutIn(b);
@@ -278,8 +277,8 @@ TEST(ColorsBench, TheCurveIsDragged) {
   EXPECT_EQ(b.palette(), bent);
 }
 
-// Where cells hold single colours there is no ramp to move or bend: it is told, and nothing changes; a shade
-// is lit and gamma applied as anywhere.
+// If cells hold single colours, there is no ramp to move or bend. The window says so, and nothing changes. A
+// shade can be lit and gamma applied as elsewhere.
 TEST(ColorsBench, SaysWhatNeedsARamp) {
   xnewell::Setup setup;
   setup.picture.colors = ColorPlan::Cube;
@@ -303,7 +302,7 @@ TEST(ColorsBench, SaysWhatNeedsARamp) {
   }
 }
 
-// Keys of controls that are not on the screen do nothing here: the setup stays.
+// Keys of controls that are not on the screen have no effect here: the setup stays.
 TEST(ColorsBench, LettersBelongToTheScreen) {
   InColors b;
   const xnewell::Setup setup = b.setup();
@@ -319,8 +318,8 @@ TEST(ColorsBench, LettersBelongToTheScreen) {
   EXPECT_EQ(b.setup(), setup);
 }
 
-// Below the size that has room for it the picture is shown, and keys are the picture's; from there on the
-// view is whole at every size, and no server fills polygons over it.
+// A window too small for the view shows the picture, and keys act on the picture. At every larger size the
+// view is whole, and no server fills polygons over it.
 TEST(ColorsBench, EverySizeShowsSomething) {
   xnewell::Setup setup;
   setup.fill = Fill::XFillPolygon;

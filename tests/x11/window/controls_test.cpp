@@ -12,7 +12,7 @@ namespace {
 const SliderRow& slider(char key) { return *std::ranges::find(kSliders, key, &SliderRow::key); }
 }  // namespace
 
-// Ia and Ip push each other: their sum never exceeds 1, and pushing back leaves no dust.
+// Ia and Ip push each other: their sum never exceeds 1. Pushing back leaves no rounding error.
 TEST(Controls, IntensitiesPushEachOther) {
   xnewell::Setup s;
   for (int k = 0; k <= 100; ++k) {
@@ -24,10 +24,10 @@ TEST(Controls, IntensitiesPushEachOther) {
   setIp(s, 0.3);
   EXPECT_EQ(s.picture.light.Ia, 0.7);
   setIp(s, 0.1);
-  EXPECT_EQ(s.picture.light.Ia, 0.7);  // with room to spare nobody is pushed
+  EXPECT_EQ(s.picture.light.Ia, 0.7);  // with room to spare neither is pushed
 }
 
-// A slider's steps lead from end to end and back, every step moves, and it stays in its range.
+// A slider's steps lead from end to end and back. Every step moves it, and it stays in its range.
 TEST(Controls, StepsReachBothEnds) {
   for (const SliderRow& row : kSliders) {
     SCOPED_TRACE(row.key);
@@ -48,7 +48,7 @@ TEST(Controls, StepsReachBothEnds) {
   }
 }
 
-// The place on a track and the value there belong together, on straight and logarithmic tracks.
+// The place on a track and the value there belong together, on linear and logarithmic tracks.
 TEST(Controls, TracksInvert) {
   for (const SliderRow& row : kSliders)
     for (int k = 0; k <= 50; ++k) {
@@ -59,8 +59,8 @@ TEST(Controls, TracksInvert) {
     }
 }
 
-// Azimuth and elevation by hand: the default light comes from the upper left; turning by degrees adds up,
-// stops at the zenith and wraps at 180.
+// Azimuth and elevation, worked by hand: the default light comes from the upper left. Turns by degrees add
+// up, stop at the zenith and wrap at 180.
 TEST(Controls, LightAngles) {
   for (const UpAxis up : {UpAxis::Y, UpAxis::Z}) {
     Illumination light;
@@ -77,7 +77,7 @@ TEST(Controls, LightAngles) {
   }
 }
 
-// No two controls share a key, and none takes one that acts.
+// No two controls share a key, and no control has the key of an action.
 TEST(Controls, KeysAreUnique) {
   std::set<char> keys;
   std::size_t count = 0;
@@ -88,7 +88,7 @@ TEST(Controls, KeysAreUnique) {
   EXPECT_EQ(keys.size(), count);
 }
 
-// The hues go round.
+// After the last hue comes the first.
 TEST(Controls, HuesGoRound) {
   xnewell::Setup s;
   const glm::dvec3 first = s.picture.table.hue;

@@ -22,7 +22,7 @@ struct InMachBands : ReadyWorkbench {
     at.y += layout().body.y - Sheet::kMargin;
     return at;
   }
-  /// Of the window: where a scanline is marked in white from edge to edge; -1 for nowhere.
+  /// The row of the window where a scanline is marked in white from edge to edge; -1 for nowhere.
   [[nodiscard]] int markedRow() const {
     const Rect at = shownPicture();
     for (int j = at.y; j < at.y + at.height; ++j)
@@ -40,8 +40,8 @@ struct InMachBands : ReadyWorkbench {
 
 }  // namespace
 
-// The scanline goes up and down by rows, by ten with Shift, to both ends and no further, and stays where the
-// picture is shown.
+// The scanline goes up and down by one row, or by ten with Shift, to both ends and no further. It keeps its
+// place while the picture is shown.
 TEST(MachBench, TheScanlineMoves) {
   InMachBands b;
   const int start = b.markedRow();
@@ -62,7 +62,7 @@ TEST(MachBench, TheScanlineMoves) {
   EXPECT_GE(b.markedRow(), 0);
 }
 
-// In a window of another size it crosses the scene where it did.
+// In a window of another size the scanline crosses the scene at the same place.
 TEST(MachBench, TheScanlineKeepsItsPlace) {
   InMachBands b{"teapot", 800, 600};
   b.type("=104");  // of 209 rows
@@ -84,7 +84,7 @@ TEST(MachBench, TheScanlineKeepsItsPlace) {
   EXPECT_EQ(b.markedRow(), row);
 }
 
-// Dragged in the picture it is under the pointer, wherever that goes; on its slider it reaches both ends.
+// Dragged in the picture, the scanline stays under the pointer. On its slider it reaches both ends.
 TEST(MachBench, TheScanlineIsDragged) {
   for (const auto& [w, h] : {std::pair{800, 600}, {1024, 768}, {1600, 1200}}) {
     SCOPED_TRACE(w);
@@ -105,7 +105,7 @@ TEST(MachBench, TheScanlineIsDragged) {
   }
 }
 
-// A row that is typed is marked; one that the picture has not is told, and nothing changes.
+// A row that is typed is marked. If the picture has no such row, the window says so and nothing changes.
 TEST(MachBench, ARowIsTyped) {
   InMachBands b;
   b.type("=5");
@@ -122,8 +122,8 @@ TEST(MachBench, ARowIsTyped) {
   }
 }
 
-// Divisions are a change of the setup: the scene is divided again, undo divides it as before, and the picture
-// is that of a scene that was read so.
+// The number of divisions is part of the setup. A change divides the scene again, and undo divides it as
+// before. The picture is that of a scene read with these divisions.
 TEST(MachBench, DivisionsAreUndone) {
   InMachBands b;
   const Palette palette = b.palette();
@@ -167,8 +167,8 @@ TEST(MachBench, DivisionsAreUndone) {
   EXPECT_EQ(none.setup(), setup);
 }
 
-// The method is chosen with its key or by a click; turning and zooming work as in the picture, and leave the
-// scanline. A scene of colours is shown in one hue, and the others' views in theirs.
+// The method is chosen with its key or by a click. Turning and zooming work as in the picture and leave the
+// scanline alone. A scene of colours is shown in one hue here, and in its own colours in the other views.
 TEST(MachBench, SharesTheSetup) {
   InMachBands b;
   b.type("S");

@@ -10,8 +10,8 @@ using MootOptions = CommandTest;
 
 }  // namespace
 
-// Of an option that does nothing the user is told, in one line, beside the picture; where it counts nothing
-// is said, and the picture is then another.
+// If an option has no effect, one line next to the picture says so. If it has an effect, nothing is said and
+// the picture changes.
 TEST_F(MootOptions, AreNamed) {
   struct Case {
     Words option, moot, counts;
@@ -67,7 +67,8 @@ TEST_F(MootOptions, AreNamed) {
   }
 }
 
-// What of its scene a picture leaves out is told too, in one line each, and of an empty picture why it is.
+// If a picture leaves out something of its scene, one line says so for each. If a picture is empty, a line
+// says why.
 TEST_F(MootOptions, WhatIsLeftOutOfTheSceneIsNamed) {
   const auto told = [&](const std::string& scene, const Words& options) {
     const Finished end = runProgram(Words{"draw", scene, "--size", "80x60", "-o", file("new.png")} + options);
@@ -96,8 +97,8 @@ TEST_F(MootOptions, WhatIsLeftOutOfTheSceneIsNamed) {
           "6 polygons 0 have no area on the screen, 0 are culled, 6 lie outside the view");
 }
 
-// --attenuation counts for the scene's own lights at places, as it does for the user's at the same place;
-// where neither has one it is refused.
+// --attenuation applies to the scene's own lights at places, as it does to the user's light at the same
+// place. If neither has a light at a place, it is refused.
 TEST_F(MootOptions, AttenuationFadesTheScenesLights) {
   const auto drawn = [&](const std::string& scene, const Words& options) { return draw(scene, options).png; };
   const Words inverse{"--attenuation", "inverse"}, lamp{"--light-at", "-2.3,0,2", "--ip", "0.94"};
@@ -111,17 +112,17 @@ TEST_F(MootOptions, AttenuationFadesTheScenesLights) {
   EXPECT_NE(drawn("lamp", {"--attenuation", "none"}), drawn("lamp", {}));
   EXPECT_NE(drawn("spotlight", inverse), drawn("spotlight", {}));
   refused(Words{"draw", "teapot", "-o", file("new.png")} + inverse, 2,
-          "--attenuation needs a light at a place: give --light-at x,y,z or a scene with such a light");
+          "--attenuation needs a light at a place: --light-at x,y,z, or a scene that has one");
   refused(Words{"view", "lamp"} + inverse,
-          2,  // a set-up of the window names the scene, but not what became of its lights
-          "--attenuation changes the scene's own lights only with draw, snapshot and trace; for a window, "
-          "give --light-at x,y,z as well");
+          2,  // set-ups name the scene, and not what became of its lights
+          "--attenuation of the scene's own lights goes with draw, snapshot and trace; for a window say "
+          "--light-at x,y,z too");
   refused(Words{"draw", "lamp", "-o", file("new.png"), "--light", "0,0,1"} + inverse, 2,
-          "--attenuation needs a light at a place: give --light-at x,y,z or a scene with such a light");
+          "--attenuation needs a light at a place: --light-at x,y,z, or a scene that has one");
 }
 
-// What a scene file says of light and division gives way to what the command line says, and is not taken for
-// the user's words.
+// What a scene file says of light and division gives way to the command line, and is not taken for the user's
+// words.
 TEST_F(MootOptions, TheFilesChoicesGiveWay) {
   const std::string scene = write("s.json", R"({"objects": [{"solid": "cube"}], "shading": {"method": "flat",
     "adapt": 0.1, "light_at": [3, 3, 3], "attenuation": "linear", "range": 20}})");

@@ -42,8 +42,8 @@ bool complains(const Workbench& b) {
 
 }  // namespace
 
-// No two controls share a pixel, all are inside the column, and each is found by its own key in the middle of
-// its row; at every size of window.
+// No two controls share a pixel, all lie inside the column, and the middle of each row is found as the
+// control with its key. This holds at every size of window.
 TEST(ControlColumn, EveryControlHasItsPlace) {
   for (const auto& [w, h] : {std::pair{800, 600}, {1023, 768}, {1024, 768}, {1600, 1200}}) {
     SCOPED_TRACE(w);
@@ -70,13 +70,14 @@ TEST(ControlColumn, EveryControlHasItsPlace) {
   }
 }
 
-// A slider goes where its thumb is dragged, to both ends and beyond; one that says the same undo step.
+// A slider goes where its thumb is dragged, and stops at its ends if the pointer goes beyond. A drag is one
+// undo step.
 TEST(PictureBench, SlidersAreDragged) {
   for (const SliderRow& row : kSliders) {
     if (row.key == 'i' || row.key == 'p') continue;
     SCOPED_TRACE(row.label);
     xnewell::Setup setup;
-    setup.picture.table.kind = TableKind::Corrected;  // else I0 is off
+    setup.picture.table.kind = TableKind::Corrected;  // otherwise I0 is off
     ReadyWorkbench b{setup};
     const Rect track = columnOf(b).find(row.key)->track;
     ASSERT_TRUE(b.grab(track.x + track.width / 4, track.y));
@@ -93,10 +94,10 @@ TEST(PictureBench, SlidersAreDragged) {
   }
 }
 
-// The name of a slider takes the keyboard and changes nothing.
+// A click on the name of a slider gives it the keyboard and changes nothing.
 TEST(PictureBench, NamesTakeTheKeyboard) {
   xnewell::Setup setup;
-  setup.picture.table.kind = TableKind::Corrected;  // else I0 is off
+  setup.picture.table.kind = TableKind::Corrected;  // otherwise I0 is off
   ReadyWorkbench b{setup};
   const xnewell::Setup before = b.setup();
   for (const SliderRow& row : kSliders) {
@@ -109,7 +110,7 @@ TEST(PictureBench, NamesTakeTheKeyboard) {
   }
 }
 
-// Ia and Ip push each other on one bar: their sum never exceeds 1, wherever either thumb is dragged, and each
+// Ia and Ip push each other on one bar. Their sum never exceeds 1, wherever either thumb is dragged, and each
 // thumb follows the pointer.
 TEST(PictureBench, IntensitiesPushEachOther) {
   ReadyWorkbench b;
@@ -132,7 +133,7 @@ TEST(PictureBench, IntensitiesPushEachOther) {
       }
 }
 
-// A click on an option takes it, on its row's name the next one.
+// A click on an option chooses it. A click on the name of its row chooses the next one.
 TEST(PictureBench, OptionsAreClicked) {
   ReadyWorkbench b;
   const ControlColumn at = columnOf(b);
@@ -168,8 +169,8 @@ TEST(PictureBench, ButtonsAreKeys) {
   }
 }
 
-// The light is where it is dropped on the ball: straight at the viewer in the middle, from the side at the
-// rim, from behind beyond; the ring then is drawn there.
+// The light comes from where it is dropped on the ball: from the viewer in the middle, from the side at the
+// rim, and from behind outside the rim. The ring is drawn at that place.
 TEST(PictureBench, TheLightIsDragged) {
   for (const char* scene : {"teapot", "cycle"}) {
     ReadyWorkbench b{{}, 1024, 768, scene};
@@ -193,10 +194,10 @@ TEST(PictureBench, TheLightIsDragged) {
   }
 }
 
-// What the pointer is on looks otherwise, and as before when it leaves.
+// The control under the pointer looks different, and as before when the pointer leaves.
 TEST(PictureBench, HoverShowsAndPasses) {
   ReadyWorkbench b;
-  const auto aboveStatus = [&] {  // which tells times
+  const auto aboveStatus = [&] {  // the status line tells times
     const std::uint8_t* const pixels = b.image().pixels.data();
     return std::vector<std::uint8_t>(pixels, pixels + std::ptrdiff_t{1024} * b.layout().status.y);
   };
@@ -207,7 +208,8 @@ TEST(PictureBench, HoverShowsAndPasses) {
     if (place.kind == Kind::Light || place.kind == Kind::Intensity || place.key == '0') continue;
     SCOPED_TRACE(place.key);
     const glm::ivec2 m = place.kind == Kind::Choice ? middle(place.options.back()) : middle(place.row);
-    if (place.kind == Kind::Choice && place.key != 'O' && place.key != 'T') continue;  // the last is chosen
+    if (place.kind == Kind::Choice && place.key != 'O' && place.key != 'T')
+      continue;  // the last option is chosen already
     b.hover(m.x, m.y);
     b.update();
     EXPECT_NE(aboveStatus(), before);
@@ -219,7 +221,8 @@ TEST(PictureBench, HoverShowsAndPasses) {
   EXPECT_GT(shown, 10);
 }
 
-// A value that is typed is the slider's; what is no number of its range is told and can be mended or left.
+// A typed value becomes the slider's. If it is no number in the slider's range, the line says so, and the
+// value can be corrected or left.
 TEST(PictureBench, ValuesAreTyped) {
   ReadyWorkbench b;
   b.type("s");
@@ -241,14 +244,14 @@ TEST(PictureBench, ValuesAreTyped) {
   b.type("n");
   typeValue(b, "137");
   EXPECT_EQ(b.setup().picture.light.n, 137);
-  b.type("=q");  // no letter of a number, and no key of the window meanwhile
+  b.type("=q");  // q is no part of a number, and no key of the window meanwhile
   EXPECT_FALSE(b.quitAsked());
-  b.askToQuit();  // the window's close button types nothing
+  b.askToQuit();  // the close button acts even while something is typed
   EXPECT_TRUE(b.quitAsked());
 }
 
-// A set-up that was changed, saved and opened again gives the same window; a file that is there is replaced
-// only when that is said twice, and what cannot be read or written is told in a line.
+// A set-up that was changed, saved and opened again gives the same window. An existing file is replaced only
+// if that is confirmed. If a file cannot be read or written, one line says so.
 TEST(PictureBench, SavesAndOpens) {
   const TemporaryFolder folder;
   const std::string file = folder.file("mine.json");
@@ -273,7 +276,7 @@ TEST(PictureBench, SavesAndOpens) {
   const std::vector<std::uint8_t> picture = pictureOf();
   b.type("SSrNKs");
   b.type("q");
-  EXPECT_FALSE(b.quitAsked());  // what was changed is not saved
+  EXPECT_FALSE(b.quitAsked());  // the change has not been saved
   b.type("e");
   EXPECT_EQ(b.view(), WindowView::Picture);
   b.press({NamedKey::Return});  // the file that it knows
@@ -307,7 +310,7 @@ TEST(PictureBench, SavesAndOpens) {
     b.press({NamedKey::Escape});
   }
 
-  // Up and down offer the scenes that are built in.
+  // Up and down offer the built-in scenes.
   b.type("e");
   b.press({NamedKey::Down});
   b.press({NamedKey::Down});
@@ -322,7 +325,7 @@ TEST(PictureBench, SavesAndOpens) {
   EXPECT_EQ(b.picture().scene().name, builtInScenes().back().name);
 }
 
-// What is shown in the picture's place is what the strip tells of: its cells, and what they hold.
+// The strip tells about what is shown in the picture's place: its cells, and what they hold.
 TEST(PictureBench, TheStripIsOfWhatIsShown) {
   for (const Show show : {Show::Shaded, Show::Wireframe, Show::Normals, Show::Overdraw}) {
     SCOPED_TRACE(static_cast<int>(show));

@@ -1,0 +1,216 @@
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <string>
+#include <vector>
+
+#include "tests/x11/support/parsed_options.h"
+
+namespace xnewell {
+
+// Command lines that are refused, and the complaint about each. What options set: options_test.cpp.
+
+// A wrong number is refused in one line that names the option, shows the text and says what is wanted.
+TEST(Options, RefuseWrongNumbers) {
+  const std::string size = " is not a size WxH from 1x1 to 8192x8192";
+  for (const std::string wrong : {"0x5", "5x0", "-1x5", "8193x1", "1x8193", "8192", "x", "3x", "x3", "3x4x5",
+                                  "3 x4", "+3x4", "3.0x4", "99999999999x3", "3X4", "nanxnan", "0x10x10"})
+    EXPECT_EQ(complaint({"--size", wrong}), "--size: '" + wrong + "'" + size);
+
+  for (const std::string option :
+       {"--eye", "--look-at", "--up", "--light", "--light-at", "--vrp", "--vpn", "--vup", "--prp"})
+    for (const std::string wrong :
+         {"1,2", "1,2,3,4", "1,2,3,", ",1,2", "1,,3", "1 2 3", " 1,2,3", "1,2,3 ", "1e400,0,0", "nan,0,0",
+          "inf,0,0", "-inf,0,0", "0x1,0,0", "a,b,c", "++1,2,3"})
+      EXPECT_EQ(complaint({option, wrong}), option + ": '" + wrong + "' is not three finite numbers x,y,z");
+  EXPECT_EQ(complaint({"--hue", "red"}), "--hue: 'red' is not three finite numbers r,g,b");
+  EXPECT_EQ(complaint({"--coefficients", "1"}), "--coefficients: '1' is not three finite numbers c1,c2,c3");
+
+  for (const std::string option : {"--ia", "--ip", "--ka", "--kd", "--ks"})
+    for (const std::string wrong : {"-0.001", "1.001", "nan", "inf", "half", "0.5,0.5", "1e999"})
+      EXPECT_EQ(complaint({option, wrong}), option + ": '" + wrong + "' is not a number from 0 to 1");
+
+  const auto refused = [](const std::string& option, const std::string& wrong) {
+    const std::string said = complaint({option, wrong});
+    EXPECT_TRUE(said.starts_with(option + ": '" + wrong + "' is not "))
+        << option << ' ' << wrong << ": " << said;
+  };
+  for (const std::string wrong : {"0", "180", "-30", "nan", "inf", "1e400", "30deg"}) refused("--fov", wrong);
+  for (const std::string wrong : {"0", "-1", "nan", "inf", "3,4"}) refused("--parallel", wrong);
+  for (const std::string wrong : {"1,2,3", "1,2,3,nan", "1,2,3,4,5"}) refused("--view-window", wrong);
+  for (const std::string wrong : {"nan", "inf", "1,2", "near"})
+    refused("--front", wrong), refused("--back", wrong);
+  for (const std::string wrong : {"0", "257", "2.5", "-1", "nan", "99999999999"})
+    refused("--divisions", wrong);
+  for (const std::string wrong : {"1", "241", "2.5", "nan"}) refused("--shades", wrong);
+  for (const std::string wrong : {"-1", "1000001", "1.5", "1e300"}) refused("--n", wrong);
+  for (const std::string wrong : {"0", "1", "-1", "nan"}) refused("--i0", wrong);
+  for (const std::string wrong : {"9", "0", "016", "eight"}) refused("--bits", wrong);
+  for (const std::string wrong : {"cubist", "Cabinet"}) refused("--oblique", wrong);
+  for (const std::string wrong : {"-1", "8192", "2.5", "nan", "1,2"}) refused("--scanline", wrong);
+  for (const std::string wrong : {"front", "Back"}) refused("--cull", wrong);
+  for (const std::string wrong : {"three", "1"}) refused("--sided", wrong);
+  for (const std::string wrong : {"0", "-0.1", "1.01", "nan", "1,1"}) refused("--adapt", wrong);
+  EXPECT_EQ(complaint({"--oblique", "cabinet:"}), "--oblique: '' is not an angle in degrees");
+  EXPECT_EQ(complaint({"--light", "0,0,-0"}), "--light: 0,0,0 is no direction");
+  for (const std::string wrong : {"1,1,2", "-1,1,0", "0.5,0.5,0.5", "0,0,0"})
+    EXPECT_EQ(complaint({"--hue", wrong}), "--hue: r,g,b must lie from 0 to 1 and the largest must be 1");
+}
+
+// Options about a server's colormap are refused by commands that use no server.
+TEST(Options, ColormapsAreForServers) {
+  for (const std::vector<std::string>& server :
+       std::vector<std::vector<std::string>>{{"--colormap", "shared"}, {"--nearest"}})
+    EXPECT_EQ(complaint(server),
+              "--colormap shared and --nearest go with view and snapshot: they need a server");
+}
+
+// Every option that needs a value says so if there is none, and no option may be given twice.
+TEST(Options, NeedOneValueEach) {
+  for (const std::string option :
+       {"--size",    "--divisions",   "--shade",       "--order",       "--fill",         "--cull",
+        "--sided",   "--ia",          "--ip",          "--ka",          "--kd",           "--ks",
+        "--n",       "--light",       "--light-at",    "--table",       "--shades",       "--i0",
+        "--pick",    "--hue",         "--bits",        "--eye",         "--look-at",      "--up",
+        "--fov",     "--parallel",    "--oblique",     "--vrp",         "--vpn",          "--vup",
+        "--prp",     "--view-window", "--front",       "--back",        "--visual",       "--colormap",
+        "--view",    "--ids",         "--attenuation", "--range",       "--coefficients", "--form",
+        "--normals", "--crease",      "--polygons",    "--environment", "--texture",      "--mapping",
+        "--colors",  "--scanline",    "--adapt"}) {
+    EXPECT_EQ(complaint({option}), option + " needs a value");
+    EXPECT_EQ(complaint({option + "="}), option + " needs a value");
+    EXPECT_NE(complaint({option, ""}), "") << option;
+    EXPECT_EQ(complaint({option, "1", option, "1"}), option + " is given more than once");
+  }
+  EXPECT_EQ(complaint({"--output", "b.png"}), "--output is given more than once");
+  EXPECT_NE(complaint({"--stats=no"}), "");
+  EXPECT_EQ(complaint({"--stats", "--stats"}), "");
+}
+
+// The complaint shows the unknown word, or part of it if it is long. It never contains a byte that would
+// control a terminal.
+TEST(Options, RefuseTheUnknown) {
+  EXPECT_EQ(complaint({"--nonsense"}), "unknown option '--nonsense'");
+  EXPECT_EQ(complaint({"--nonsense=3"}), "unknown option '--nonsense=3'");
+  EXPECT_EQ(complaint({"-z", "3"}), "unknown option '-z'");
+  EXPECT_EQ(complaint({"--stat"}),
+            "unknown option '--stat'");  // no abbreviations: they would become promises
+  EXPECT_EQ(complaint({"extra.obj"}), "one argument too many: 'extra.obj'");
+  EXPECT_EQ(complaint({""}), "one argument too many: ''");
+  EXPECT_EQ(complaint({"--", "extra.obj"}), "one argument too many: 'extra.obj'");
+  EXPECT_EQ(complaintAll({"lesson", "cycles", "extra"}), "one argument too many: 'extra'");
+  EXPECT_EQ(complaint({"--shade", "\x1b[2J"}),
+            "--shade: '?[2J' is not one of none, depth, flat, gouraud, phong, envmap");
+  const std::string longest(100'000, 'a');
+  for (const std::vector<std::string>& words : {std::vector<std::string>{"--" + longest},
+                                                {"--size", longest},
+                                                {"--eye", longest},
+                                                {longest},
+                                                {"--view", longest},
+                                                {"--order", longest},
+                                                {"--fov", longest},
+                                                {"--cull", longest},
+                                                {"--bits", longest}})
+    EXPECT_LT(complaint(words).size(), 200u) << words[0].substr(0, 20);
+}
+
+// Words of the contract that are not built yet say so, and are not taken for misspellings.
+TEST(Options, SayWhatIsNotBuiltYet) {
+  for (const std::string command : {"figure", "trade"})
+    for (const std::vector<std::string>& rest :
+         {std::vector<std::string>{}, {"teapot", "-o", "no.svg"}, {"--help"}}) {
+      std::vector<std::string> words{command};
+      words.insert(words.end(), rest.begin(), rest.end());
+      EXPECT_EQ(complaintAll(words),
+                "the command '" + command + "' is not built yet; `xnewell --help` lists what is");
+    }
+  for (const std::string option : {"--json"}) {
+    EXPECT_EQ(complaint({option}), option + " is not built yet");
+    EXPECT_EQ(complaint({option + "=x"}), option + " is not built yet");
+  }
+}
+
+// Two options that exclude each other are refused: neither is ignored.
+TEST(Options, RefuseWhatExcludesEachOther) {
+  EXPECT_EQ(complaint({"--light", "1,0,0", "--light-at", "1,2,9"}),
+            "--light and --light-at exclude each other");
+  EXPECT_EQ(complaint({"--eye", "1,2,3", "--prp", "0,0,9"}),
+            "--eye and the textbook's --vpn, --prp exclude each other");
+  EXPECT_EQ(complaint({"--look-at", "1,2,3", "--vrp", "0,0,9"}), "--look-at and --vrp exclude each other");
+  EXPECT_EQ(complaint({"--up", "0,0,1", "--vup", "0,0,1"}), "--up and --vup exclude each other");
+  EXPECT_EQ(complaint({"--fov", "20", "--view-window", "-1,1,-1,1"}),
+            "--fov and --view-window exclude each other");
+}
+
+// An option that does not apply to its command is refused, not ignored.
+TEST(Options, RefuseWhatTheCommandIgnores) {
+  EXPECT_EQ(complaintAll({"draw"}), "draw needs a scene, such as teapot");
+  EXPECT_EQ(complaintAll({"draw", "-o", "a.png"}), "draw needs a scene, such as teapot");
+  EXPECT_EQ(complaintAll({"draw", "teapot"}), "draw needs -o FILE.png");
+  EXPECT_EQ(complaintAll({"snapshot", "teapot", "-o", ""}), "snapshot needs -o FILE.png");
+  EXPECT_EQ(complaintAll({"draw", "", "-o", "a.png"}), "the scene's name is empty");
+  EXPECT_EQ(complaintAll({""}), "the scene's name is empty");
+  EXPECT_EQ(complaintAll({"scenes", "teapot"}), "scenes takes no scene");
+  EXPECT_EQ(complaintAll({"visuals", "teapot"}), "visuals takes no scene");
+  EXPECT_EQ(complaintAll({"view", "-o", "a.png"}), "-o goes with draw and snapshot");
+  EXPECT_EQ(complaintAll({"view", "--stats"}), "--stats and --ids go with draw and snapshot");
+  EXPECT_EQ(complaintAll({"--ids", "i.png"}), "--stats and --ids go with draw and snapshot");
+  EXPECT_EQ(complaint({"--whole-window"}), "--whole-window goes with snapshot and with trace --frames");
+  EXPECT_EQ(complaint({"--fill", "x11"}), "--fill x11 needs a server: use snapshot");
+  EXPECT_EQ(complaint({"--visual", "TrueColor24"}), "--visual goes with view, snapshot and visuals");
+  for (const std::string method : {"none", "depth", "phong", "envmap"})
+    EXPECT_EQ(complaint({"--adapt", "0.02", "--shade", method}),
+              "--adapt goes with --shade flat and gouraud");
+  EXPECT_EQ(complaint({"--fov", "30", "--parallel", "3"}),
+            "--fov is for perspective: leave out --parallel and --oblique");
+  EXPECT_EQ(complaint({"--fov", "30", "--oblique", "cabinet"}),
+            "--fov is for perspective: leave out --parallel and --oblique");
+}
+
+// A view of numbers refuses options of other pictures, and a size too small for its words.
+TEST(Options, RefuseWhatAViewCannotHeed) {
+  EXPECT_EQ(complaint({"--scanline", "3"}), "--scanline goes with --view machbands");
+  EXPECT_EQ(complaint({"--view", "normals", "--scanline", "3"}), "--scanline goes with --view machbands");
+  for (const ViewRow& row : kViews) {
+    if (row.id == View::Picture) continue;
+    const std::string name{row.name}, view = "--view " + name;
+    const std::string width = std::to_string(row.leastWidth), height = std::to_string(row.leastHeight);
+    EXPECT_EQ(complaint({"--view", name, "--size", width + "x" + height}), "");
+    for (const std::string& small :
+         {std::to_string(row.leastWidth - 1) + "x8192", "8192x" + std::to_string(row.leastHeight - 1)})
+      EXPECT_EQ(complaint({"--view", name, "--size", small}),
+                view + " needs a --size of at least " + width + "x" + height);
+    EXPECT_EQ(complaint({"--view", name}), "") << "the size without --size is too small";
+    EXPECT_EQ(complaintAll({"--view", name}), "");
+    EXPECT_EQ(complaintAll({"--view", name, "--size", "799x600"}),
+              view + " needs a --size of at least 800x600");
+    EXPECT_EQ(complaintAll({"trace", "teapot", "--view", name}), view + " goes with view, draw and snapshot");
+    const std::string more = view + " is more than a picture: --stats and --ids go with --view picture";
+    EXPECT_EQ(complaint({"--view", name, "--ids", "i.png"}), more);
+    EXPECT_EQ(complaint({"--view", name, "--stats"}), more);
+    EXPECT_EQ(complaintAll({"snapshot", "teapot", "-o", "a", "--whole-window", "--view", name}), "");
+    EXPECT_EQ(complaintAll({"snapshot", "teapot", "-o", "a", "--fill", "x11", "--view", name}),
+              view + " is filled by the scanline: leave out --fill x11");
+  }
+  for (const std::string name : {"depthsort", "sidebyside", "lesson"}) {
+    EXPECT_EQ(complaintAll({"--view", name}), "");
+    EXPECT_EQ(complaintAll({"snapshot", "teapot", "-o", "a", "--whole-window", "--view", name}), "");
+    EXPECT_EQ(complaint({"--view", name}),
+              "--view " + name + " is a view of the window: with view, or with snapshot --whole-window");
+  }
+  EXPECT_EQ(complaintAll({"--scanline", "3", "--view", "machbands"}),
+            "--scanline goes with a view that is drawn without its window");
+}
+
+// No output may overwrite the scene or the other output.
+TEST(Options, OutputsAreFilesOfTheirOwn) {
+  const std::string lost = "-o and --ids must not name the scene's own file: it would be lost";
+  EXPECT_EQ(complaintAll({"draw", "a.obj", "-o", "a.obj"}), lost);
+  EXPECT_EQ(complaintAll({"draw", "a.obj", "-o", "x/../a.obj"}), lost);
+  EXPECT_EQ(complaintAll({"draw", "a.obj", "-o", "b", "--ids", "./a.obj"}), lost);
+  EXPECT_EQ(complaintAll({"draw", "a.obj", "-o", "b", "--ids", "./b"}), "-o and --ids name the same file");
+  EXPECT_EQ(complaintAll({"draw", "teapot", "-o", "teapot"}), "");  // a built-in scene is not a file
+  EXPECT_EQ(complaintAll({"draw", "a.obj", "-o", "/dev/null", "--ids", "/dev/null"}), "");
+}
+
+}  // namespace xnewell
