@@ -48,7 +48,7 @@ std::vector<int> timesCovered(const SnappedScene& scene, int width, int height) 
   return times;
 }
 
-bool sameBits(const std::vector<Sides<double>>& a, const std::vector<Sides<double>>& b) {
+bool sameBits(const std::vector<FrontBack<double>>& a, const std::vector<FrontBack<double>>& b) {
   return a.size() == b.size() && std::memcmp(a.data(), b.data(), a.size() * sizeof a[0]) == 0;
 }
 
@@ -120,13 +120,13 @@ TEST_P(StoredShading, KnowsNoCamera) {
   s.camera.eye = glm::dvec3{0.3, -2, 0.8};
   s.camera.lookAt = glm::dvec3{0, 0, 0.2};
   picture.make(s);
-  const Shades stored = picture.shading().shades(0);
+  const Intensities stored = picture.shading().intensities(0);
   ASSERT_GT(stored.I.size(), 200u);
   const auto expectSame = [&](const PictureSettings& changed, bool specularToo) {
     Picture fresh{readScene("teapot", 4)};
     fresh.make(changed);
     picture.make(changed);
-    const Shades &kept = picture.shading().shades(0), &made = fresh.shading().shades(0);
+    const Intensities &kept = picture.shading().intensities(0), &made = fresh.shading().intensities(0);
     EXPECT_TRUE(sameBits(kept.diffuse, made.diffuse) && sameBits(kept.specular, made.specular));
     EXPECT_TRUE(sameBits(kept.I, made.I));
     EXPECT_TRUE(sameBits(stored.diffuse, made.diffuse));
@@ -229,7 +229,7 @@ TEST(Picture, FaceImageNamesFaces) {
   m.addFace(floor, 0);
   m.addFace(concave, 0);
   Picture picture{makeScene("two", m, UpAxis::Y)};
-  EXPECT_GT(picture.scene().pieces.count(), 2);
+  EXPECT_GT(picture.scene().parts.count(), 2);
   PictureSettings s = small();
   s.camera.parallel = true;
   s.camera.eye = glm::dvec3{0, 0, 3};
@@ -271,8 +271,8 @@ TEST(Picture, OracleKnowsWhereTheOrderIsWrong) {
 // right. Without the rounding's allowance it is not.
 TEST(Picture, CoplanarFacesAreNotCalledWrong) {
   Scene scene = readScene("decals");
-  EXPECT_EQ(std::ranges::max(scene.pieces.plane), 0);
-  std::iota(scene.pieces.plane.begin(), scene.pieces.plane.end(), 0);
+  EXPECT_EQ(std::ranges::max(scene.parts.plane), 0);
+  std::iota(scene.parts.plane.begin(), scene.parts.plane.end(), 0);
   Picture decals{std::move(scene)};
   PictureSettings s = small();
   s.order = Order::Unsorted;

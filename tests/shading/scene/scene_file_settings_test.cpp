@@ -174,7 +174,7 @@ TEST(SceneFile, BuiltInScenes) {
     SCOPED_TRACE(s.name);
     EXPECT_TRUE(isBuiltIn(s.name));
     EXPECT_GT(s.shows.size(), 10u);
-    EXPECT_GT(readScene(s.name).pieces.count(), 1);
+    EXPECT_GT(readScene(s.name).parts.count(), 1);
   }
   EXPECT_FALSE(isBuiltIn("../scenes/room"));
   EXPECT_FALSE(isBuiltIn("room.json"));

@@ -109,7 +109,7 @@ TEST(SceneFile, TurnedPolygonsStayFlat) {
     const std::string degrees = std::to_string(k);
     const Scene s = parsed(R"({"objects": [{"solid": "cube", "scale": [3, 0.7, 1], "rotate": [)" + degrees +
                            ", " + std::to_string(7 * k) + R"(, 11.3], "move": [40, 3, 0]}]})");
-    EXPECT_EQ(s.pieces.count(), 6) << k;
+    EXPECT_EQ(s.parts.count(), 6) << k;
   }
 }
 
