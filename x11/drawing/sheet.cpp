@@ -2,7 +2,6 @@
 
 #include <algorithm>
 
-#include "x11/drawing/copy_part.h"
 #include "x11/drawing/wording.h"
 
 namespace xnewell {
@@ -27,7 +26,8 @@ Sheet::Sheet(int width, int height, const CellPlan& plan)
     : image_{width, height, plan[Cell::Paper]}, plan_{plan} {}
 
 void Sheet::place(const IndexImage& picture, const Rect& part, int x, int y) {
-  copyPart(picture, part, image_, x, y);
+  const Rect r = intersection(part, {0, 0, picture.width, picture.height});
+  for (int j = 0; j < r.height; ++j) std::copy_n(picture.row(r.y + j) + r.x, r.width, image_.row(y + j) + x);
 }
 
 int Sheet::title(int x, int y, std::string_view text) {

@@ -7,7 +7,6 @@
 #include "depthsort/explain.h"
 #include "depthsort/replay.h"
 #include "shading/picture/profile.h"
-#include "x11/drawing/copy_part.h"
 #include "x11/drawing/painter.h"
 #include "x11/drawing/wording.h"
 #include "x11/lessons/lesson_facts.h"
@@ -44,7 +43,7 @@ struct SightDrawing {
 };
 
 void copyTo(IndexImage& image, const Rect& at, const IndexImage& picture) {
-  copyPart(picture, {0, 0, at.width, at.height}, image, at.x, at.y);
+  for (int j = 0; j < at.height; ++j) std::copy_n(picture.row(j), at.width, image.row(at.y + j) + at.x);
 }
 
 void markWrong(IndexImage& image, SightDrawing& draws) {

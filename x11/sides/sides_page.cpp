@@ -4,7 +4,6 @@
 #include <array>
 #include <cmath>
 
-#include "x11/drawing/copy_part.h"
 #include "x11/drawing/sheet.h"
 #include "x11/drawing/wording.h"
 #include "x11/views/step_legend.h"
@@ -52,7 +51,8 @@ class SidesDrawing {
 };
 
 void SidesDrawing::place(const IndexImage& picture, const Rect& part, int x, int y) {
-  copyPart(picture, part, image_, x, y);
+  const Rect r = intersection(part, {0, 0, picture.width, picture.height});
+  for (int j = 0; j < r.height; ++j) std::copy_n(picture.row(r.y + j) + r.x, r.width, image_.row(y + j) + x);
 }
 
 void SidesDrawing::drawFrame(Painter paint, int x, int y) {

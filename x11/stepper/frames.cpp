@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "x11/drawing/copy_part.h"
 #include "x11/drawing/wording.h"
 #include "x11/stepper/figure.h"
 #include "x11/stepper/fragment_tint.h"
@@ -104,7 +103,7 @@ void Frames::compose(const IndexImage& soFar, const std::vector<Line>& lines) {
   const VoiceRow& voice = kVoices[static_cast<int>(voice_)];
   const int rowHeight = 15 * voice.scale, strip = rows_ * rowHeight + 2 * kMargin;
   frame_ = IndexImage{width_, soFar.height + strip, cell(Cell::Panel)};
-  copyPart(soFar, {0, 0, soFar.width, soFar.height}, frame_, 0, 0);
+  for (int j = 0; j < soFar.height; ++j) std::copy_n(soFar.row(j), soFar.width, frame_.row(j));
 
   Painter painter{frame_};
   painter.fillRect({0, soFar.height, width_, strip}, cell(Cell::Paper));

@@ -1,6 +1,6 @@
+#include <algorithm>
 #include <utility>
 
-#include "x11/drawing/copy_part.h"
 #include "x11/drawing/wording.h"
 #include "x11/stepper/sort_bench.h"
 #include "x11/stepper/sort_page.h"
@@ -70,7 +70,8 @@ void SortBench::drawTooLong(IndexImage& image, const Desk& desk) {
   IndexImage whole;
   desk.picture.paint(whole, desk.plan[Cell::Well]);
   use_ = cellUse(whole);
-  copyPart(whole, {0, 0, picture.width, picture.height}, image, picture.x, picture.y);
+  for (int j = 0; j < picture.height; ++j)
+    std::copy_n(whole.row(j), picture.width, image.row(picture.y + j) + picture.x);
   int y = picture.y + picture.height + 30;
   paint.text(body.x, y, "This run is too long to step through.", desk.plan[Cell::Ink], Voice::Bold);
   for (const std::string& line :

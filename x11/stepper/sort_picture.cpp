@@ -1,6 +1,6 @@
+#include <algorithm>
 #include <cmath>
 
-#include "x11/drawing/copy_part.h"
 #include "x11/drawing/wording.h"
 #include "x11/stepper/fragment_tint.h"
 #include "x11/stepper/frames.h"
@@ -60,7 +60,7 @@ void markPair(SortPen& pen, Painter& paint, const auto& placed) {
 Rect drawSortPicture(SortPen& pen) {
   const Rect& at = pen.at.picture;
   const IndexImage& soFar = pen.run.soFar();
-  copyPart(soFar, {0, 0, at.width, at.height}, pen.image, at.x, at.y);
+  for (int j = 0; j < at.height; ++j) std::copy_n(soFar.row(j), at.width, pen.image.row(at.y + j) + at.x);
   Painter paint = pen.paint.within(at);
   const auto placed = [&](int id) {
     Figure figure = figureOf(pen.run.fragments().region(id));

@@ -4,7 +4,6 @@
 #include <cmath>
 #include <limits>
 
-#include "x11/drawing/copy_part.h"
 #include "x11/drawing/pen.h"
 #include "x11/drawing/sheet.h"
 #include "x11/drawing/wording.h"
@@ -363,7 +362,8 @@ std::string levelsText(const Picture& picture, const std::vector<Curve>& curves)
 }
 
 void drawColorsPage(IndexImage& image, const ColorsLayout& at, const ColorsPage& page) {
-  copyPart(page.image, {0, 0, at.picture.width, at.picture.height}, image, at.picture.x, at.picture.y);
+  for (int j = 0; j < at.picture.height; ++j)
+    std::copy_n(page.image.row(j), at.picture.width, image.row(at.picture.y + j) + at.picture.x);
   ColorsDrawing draws{image, at, page};
   draws.drawGrid();
   draws.drawFacts();

@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "x11/drawing/copy_part.h"
 #include "x11/drawing/pen.h"
 #include "x11/drawing/sheet.h"
 #include "x11/drawing/wording.h"
@@ -183,7 +182,7 @@ void MachBench::draw(IndexImage& image, const Desk& desk) {
       {.row = *row_, .firstRow = firstRow_, .grayed = grayed, .controls = kRows * kRow + 4}, settings);
   const Rect part =
       intersection({0, top, at.width, at.strip.y - top}, {0, top, page.image.width, page.image.height});
-  copyPart(page.image, {0, 0, part.width, part.height}, image, 0, part.y);
+  for (int j = 0; j < part.height; ++j) std::copy_n(page.image.row(j), part.width, image.row(part.y + j));
   firstRow_ = page.firstRow;
   controls_ = page.controls;
   controls_.y += top;

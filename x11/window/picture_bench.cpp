@@ -3,7 +3,6 @@
 #include <algorithm>
 
 #include "geometry/view/view.h"
-#include "x11/drawing/copy_part.h"
 #include "x11/drawing/pen.h"
 #include "x11/drawing/wording.h"
 #include "x11/window/caption.h"
@@ -168,8 +167,8 @@ void PictureBench::draw(IndexImage& image, const Desk& desk) {
   colors_ = {shown_.palette, {}};
   if (show == Show::Normals && desk.picture.colors().plan() != ColorPlan::Cube)
     colors_.words = wordsOfNormals(use_, desk.picture.colors().table().first());
-  copyPart(shown_.image, {0, 0, shown_.image.width, shown_.image.height}, image, at_.picture.x,
-           at_.picture.y);
+  for (int j = 0; j < shown_.image.height; ++j)
+    std::copy_n(shown_.image.row(j), shown_.image.width, image.row(at_.picture.y + j) + at_.picture.x);
   counts_ = countsOf(desk.picture);
   focus_ = keys_.focus(), drawnDragged_ = dragged_, drawnHover_ = hover_;
   const char pointed = hover_ ? hover_->key : focus_;
