@@ -16,20 +16,21 @@ struct Ramp {
   double low = 0, high = 1;
   const std::uint8_t* table = nullptr;
 
-  /// The intensity in cells; in 256ths where there is a table. What AffineOver takes.
+  /// The intensity in cells, or in 256ths if there is a table. AffineOver interpolates it.
   [[nodiscard]] double value(double I) const;
   /// The cell of an intensity, as every filler chooses it.
   [[nodiscard]] std::uint8_t cell(double I) const;
 };
 
-/// The one rule from an intensity to a cell, for one number or several side by side: it gives a value in
-/// [kLeastValue, kLargestValue]. The value's whole part is the cell. Where the ramp has a table, the upper 16
-/// bits of the value in 8.24 fixed point, the whole part of 256 times the value, are the index into it.
+/// The one rule from an intensity to a cell, for one number or for several at once. It gives a value in
+/// [kLeastValue, kLargestValue]. The cell is the whole part of the value. If the ramp has a table, the index
+/// into it is the whole part of 256 times the value: the upper 16 bits in 8.24 fixed point.
 ///
-/// The fillers differ in the precision of the value alone. Flat shading and environment maps have doubles,
-/// Gouraud's planes steps of 2^-24, Phong's illumination and textures single precision, in which the value is
-/// within 2^-15 of the exact one (2^-24 for each of I, the product and the sum, which are below 256; more
-/// where [low, high] is narrow). The index into a table is exact in all of them, for 65536 I is.
+/// The fillers differ only in the precision of the value. Flat shading and environment maps use doubles,
+/// Gouraud shading steps of 2^-24. Phong shading and textures use single precision, where the value is within
+/// 2^-15 of the exact one: I, the product and the sum are rounded by 2^-24 each, and the value is below 256.
+/// (The error is larger if [low, high] is narrow.) The index into a table is exact in all of them, because
+/// 65536 I is exact.
 template <class Real>
 class ValueOnRamp {
  public:
@@ -43,7 +44,7 @@ class ValueOnRamp {
       first_ = splat<Real>(ramp.first + 0.5 - rise * ramp.low), perIntensity_ = splat<Real>(rise);
     }
   }
-  /// Of what is not a number the value is that of `low`.
+  /// If I is not a number, the value is that of `low`.
   [[nodiscard, gnu::always_inline]] Real operator()(const Real& I) const {
     return first_ + perIntensity_ * smaller(larger(I, low_), high_);
   }
@@ -58,7 +59,7 @@ inline std::uint8_t Ramp::cell(double I) const {
   return table != nullptr ? table[static_cast<int>(v * 256.0)] : static_cast<std::uint8_t>(v);
 }
 
-/// A channel of a full-colour picture: 1 to 255, for 0 is where nothing shows.
+/// A channel of a full-colour picture has 1 to 255. 0 is where nothing shows.
 inline constexpr Ramp kChannelRamp{.first = 1, .shades = 255};
 
 /// Ramp::table for a colour table: the k-th cell is that of the intensity (k + 1/2) / 65536. An X server

@@ -21,7 +21,7 @@ struct Surfaces {
   const PictureSettings& settings;
   const SceneShading& shading;
 
-  /// By what the normals of a face are multiplied to be those of the side that is seen: 1 or -1.
+  /// 1 or -1: the normals of a face times this are those of the side that is seen.
   [[nodiscard]] double side(const SnappedFace& face) const {
     return face.back && settings.light.twoSided ? -1.0 : 1.0;
   }
@@ -34,8 +34,8 @@ class SurfaceEvaluator {
 
   /// Whether a face's samples are evaluated one by one.
   [[nodiscard]] bool evaluates(const SnappedFace& face) const;
-  /// For a face that is: calls use(t, evaluated) for each of its triangles, where `evaluated` is a
-  /// PhongTriangle or a TermsTriangle with neither a ramp nor a count of clamped samples.
+  /// Calls use(t, evaluated) for each triangle of such a face. `evaluated` is a PhongTriangle or a
+  /// TermsTriangle; the caller gives it a ramp and a count of clamped samples.
   template <class Use>
   void forEachEvaluated(const SnappedFace& face, Use&& use) const {
     forEachTriangle(s_.snapped, face, [&](const FaceTriangle& t) {
