@@ -61,8 +61,7 @@ TEST(LessonFile, AllThatAreBuiltInCanBeRead) {
   EXPECT_GE(questions, 15);
 }
 
-// The words follow the house style: no exclamation marks, no American spelling, and no number in the text
-// that a claim could compute.
+// The words follow the house style: no exclamation marks and no American spelling.
 TEST(LessonFile, WordsAreInTheHouseStyle) {
   const std::regex american{"\\b(color|gray-|center|behavior|brighten up)\\b", std::regex::icase};
   int words = 0;
