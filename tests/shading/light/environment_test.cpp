@@ -24,8 +24,8 @@ struct Lit {
   }
 };
 
-/// The normal that a place of a map stands for, on the near or the far side; where its x and y leave the
-/// circle there is none.
+/// The normal that a place of a map stands for, on the near or the far side. There is none if x and y lie
+/// outside the circle.
 std::optional<glm::dvec3> normalAt(int column, int row, double side) {
   const double x = (column + 0.5 - kMapCentre) / kMapScale, y = (row + 0.5 - kMapCentre) / kMapScale;
   const double square = 1 - x * x - y * y;
@@ -38,7 +38,7 @@ double tutorialPhong(const glm::dvec3& N, const glm::dvec3& L, double kd, double
   return std::min(1.0, cosine > 0 ? kd * cosine + ks * power(cosine, n) : 0.0);
 }
 
-/// Root of the mean square error of the published look-up over all normals that face the eye, places of the
+/// Root mean square error of the published look-up over all normals that face the eye, with the places of the
 /// map taken as evenly spread, for a light that many degrees off the view axis.
 double publishedError(double degrees) {
   const SinCos angle = sinCosDegrees(degrees);
@@ -58,8 +58,8 @@ double publishedError(double degrees) {
 
 }  // namespace
 
-// Turned so that L is (0, 0, 1), x and y and the side of the normal say all: at every place of the map the
-// value is the equation's, whatever the direction of the light and however sharp the highlight.
+// At every place of the map the value is that of the equation, for every direction of the light and any
+// sharpness of the highlight. In a frame where L is (0, 0, 1), the normal's x, y and side are enough.
 TEST(Environment, RotatedIsExactAtEveryPlace) {
   for (const glm::dvec3 along : {glm::dvec3{0, 0, 1}, {1, 0, 0}, {0, 0, -1}, {-0.4, 0.7, 0.2}, {1, 1, -1}})
     for (const int n : {0, 1, 20, 100'000}) {
@@ -90,8 +90,8 @@ TEST(Environment, RotatedTurnsTheLightToTheAxis) {
   }
 }
 
-// As published: exact for a light on the view axis, and off it the more wrong the farther it is. Set-up: a
-// white surface, diffuse light alone, all normals that face the eye.
+// The published look-up is exact for a light on the view axis. The farther off the axis the light is, the
+// larger the error. The test has a white surface, diffuse light alone and all normals that face the eye.
 TEST(Environment, PublishedIsExactOnTheViewAxisAlone) {
   EXPECT_LT(publishedError(0), 1e-7);
   for (const double degrees : {15.0, 30.0, 45.0, 60.0}) {

@@ -21,7 +21,7 @@ Mesh square() {
   return m;
 }
 
-/// What flat shading makes of the first face, in one channel.
+/// The result of flat shading for the first face, in one channel.
 struct LitFace {
   glm::dvec3 N, at;
   double ambient;
@@ -50,8 +50,9 @@ const Illumination kBook{.Ia = 0.2, .Ip = 0.7, .ka = 0.9, .kd = 0.8, .ks = 0.4, 
 
 }  // namespace
 
-// N = (0,0,1), L = (0, 0.6, 0.8): N.L = 0.8, R = (0, -0.6, 0.8). The eye in direction R sees R.V = 1:
-// I = 0.9 0.2 + 0.7 (0.8 0.8 + 0.4) = 0.908; straight above R.V = 0.8 and the term is 0.7 0.4 0.8^3.
+// A worked example: N = (0,0,1), L = (0, 0.6, 0.8): N.L = 0.8, R = (0, -0.6, 0.8). The eye in direction R
+// sees R.V = 1: I = 0.9 0.2 + 0.7 (0.8 0.8 + 0.4) = 0.908. Straight above, R.V = 0.8 and the term is 0.7 0.4
+// 0.8^3.
 TEST(Illumination, EquationByHand) {
   const LitFace f = lit(kBook, glm::dvec3{0.5, 0.5, 0} + 10.0 * glm::dvec3{0, -0.6, 0.8});
   EXPECT_EQ(f.N, glm::dvec3(0, 0, 1));
@@ -60,11 +61,11 @@ TEST(Illumination, EquationByHand) {
   EXPECT_NEAR(f.diffuse.front, 0.7 * 0.8 * 0.8, 1e-15);
   EXPECT_NEAR(f.specular.front, 0.7 * 0.4, 1e-14);
   EXPECT_NEAR(f.I.front, 0.908, 1e-14);
-  EXPECT_EQ(f.I.back, f.ambient);  // the back is in the dark
+  EXPECT_EQ(f.I.back, f.ambient);  // no light reaches the back
   EXPECT_NEAR(lit(kBook, {0.5, 0.5, 9}).specular.front, 0.7 * 0.4 * 0.512, 1e-14);
 }
 
-// Ia = 1 knows no direction, Ip = 1 leaves the back black.
+// With Ia = 1 alone, direction has no effect. With Ip = 1 alone, the back is black.
 TEST(Illumination, TheTwoTellingExtremes) {
   const Illumination ambient{.Ia = 1, .Ip = 0, .ka = 0.9};
   EXPECT_EQ(lit(ambient, {0, 0, 5}).I.front, 0.9);
@@ -74,8 +75,9 @@ TEST(Illumination, TheTwoTellingExtremes) {
   EXPECT_EQ(lit(point, {0, 0, 5}).I.back, 0.0);
 }
 
-// A light behind lights the back; one-sided, neither side gets more than the ambient term. R.V is clamped
-// before the power: an even n does not turn a negative one into a highlight. A grazing light lights nothing.
+// A light behind a face lights its back. If surfaces are one-sided, both sides get only the ambient term. R.V
+// is clamped before the power, so that an even n does not make a highlight of a negative value. A grazing
+// light lights nothing.
 TEST(Illumination, LightBehindAndEvenPowers) {
   Illumination light = kBook;
   light.light = {0, 3, -4};
@@ -93,7 +95,7 @@ TEST(Illumination, LightBehindAndEvenPowers) {
   EXPECT_EQ(grazing.I.front, grazing.ambient);
 }
 
-// The exponent's ends: x^0 = 1, and a million leaves only the mirror direction.
+// The ends of the exponent's range: x^0 = 1, and n = 1,000,000 leaves only the mirror direction.
 TEST(Illumination, ExponentsAtTheirEnds) {
   Illumination light = kBook;
   light.n = 0;
@@ -104,7 +106,7 @@ TEST(Illumination, ExponentsAtTheirEnds) {
   EXPECT_EQ(lit(light, {0.5, 0.5, 9}).specular.front, 0.7 * 0.4);
 }
 
-// Above 1 the intensity is clamped and says so.
+// An intensity above 1 is clamped, and the result says so.
 TEST(Illumination, ClampsAndCounts) {
   Illumination light = kBook;
   light.light = {0, 0, 1};
@@ -115,11 +117,12 @@ TEST(Illumination, ClampsAndCounts) {
   EXPECT_FALSE(lit(kBook, {0.5, 0.5, 9}).clamped);
 }
 
-// A point light at (0.5, 0.5, 2) shines straight down on the centroid; held constant it shines from
-// where it stands as seen from the scene's centre. A constant V looks from the eye to the look-at point.
+// A point light at (0.5, 0.5, 2) shines straight down on the centroid. With constant L it shines from its
+// direction as seen from the scene's centre. A constant V points along the line between the eye and the
+// look-at point.
 TEST(Illumination, ConstantLAndV) {
   Mesh m = square();
-  m.points.push_back({0.5, 0.5, 4});  // the scene's centre is (0.5, 0.5, 2), its faces stay
+  m.points.push_back({0.5, 0.5, 4});  // the scene's centre is (0.5, 0.5, 2); its faces stay
   m.points.push_back({1.5, 0.5, 4});  // and now (0.75, 0.5, 2)
   Illumination light{.Ip = 1, .kd = 1, .ks = 0, .lightPosition = glm::dvec3{0.5, 0.5, 6}};
   EXPECT_EQ(lit(light, {0, 0, 5}, m).diffuse.front, 1.0);
@@ -132,7 +135,7 @@ TEST(Illumination, ConstantLAndV) {
   EXPECT_NEAR(lit(v, {4.5, 0.5, 3}, square(), {4.5, 0.5, 0}).specular.front, 1.0, 1e-15);
 }
 
-// MTL colours reach the ramp as luminance: green counts 0.59.
+// MTL colours become luminances on the ramp: green counts 0.59.
 TEST(Illumination, MaterialsAsLuminance) {
   Mesh m = square();
   m.materials.push_back({"grass", {0, 1, 0}});
@@ -141,7 +144,7 @@ TEST(Illumination, MaterialsAsLuminance) {
   EXPECT_NEAR(lit(light, {0, 0, 5}, m).I.front, 0.59, 1e-15);
 }
 
-// No light, no material, no eye makes anything but a number in [0, 1] of it.
+// The intensity is a number in [0, 1] for every light, material and eye.
 TEST(Illumination, StaysInRange) {
   std::mt19937 rng{13};
   std::uniform_real_distribution<double> zeroToOne{0, 1}, exponent{-300, 300};
@@ -166,7 +169,7 @@ TEST(Illumination, StaysInRange) {
 
 namespace {
 
-/// Diffuse light of a source at `height` above the square's centroid, Ip = kd = 1: f and s are all there is.
+/// Diffuse light of a source at `height` above the square's centroid. With Ip = kd = 1 only f and s are left.
 double diffuseBelow(double height, Light light, double unit = 1) {
   light.Ip = glm::dvec3{1};
   light.position = {0.5, 0.5, height};
@@ -177,7 +180,8 @@ double diffuseBelow(double height, Light light, double unit = 1) {
 
 }  // namespace
 
-// The attenuations by hand at d = 1/2, 2 and 10, and d -> 0: never above 1, never infinite.
+// The attenuations agree with values worked by hand at d = 1/2, 2 and 10. As d -> 0 they are never above 1
+// and never infinite.
 TEST(Illumination, Attenuation) {
   const auto at = [](double d, Attenuation attenuation) {
     return diffuseBelow(
@@ -197,12 +201,13 @@ TEST(Illumination, Attenuation) {
     EXPECT_NEAR(at(1e-30, row.id), 1.0, 1e-15) << row.name;
     EXPECT_EQ(at(1e-200, row.id), 0.0) << row.name;  // as far as doubles can tell
   }
-  // What 1 is, the file says: 1/d in a scene whose unit is 1/8.
+  // The file's unit sets what 1 is: 1/d in a scene whose unit is 1/8.
   EXPECT_EQ(diffuseBelow(0.5, {.kind = LightKind::Point, .attenuation = Attenuation::Inverse}, 0.125), 0.25);
 }
 
-// A spot straight above that shines past the centroid by 0, 15, 17.5, 20 and 25 degrees, cones at 15 and 20:
-// the share is (cos a - cos 20) / (cos 15 - cos 20) to the falloff in between.
+// Between its cones, a spot's share is (cos a - cos 20) / (cos 15 - cos 20) to the power of the falloff. The
+// spot is straight above and shines past the centroid by a = 0, 15, 17.5, 20 and 25 degrees; its cones are at
+// 15 and 20.
 TEST(Illumination, Spot) {
   const auto at = [](double degrees, int falloff, double outer = 20) {
     const double a = degrees * std::acos(-1.0) / 180;
@@ -224,8 +229,8 @@ TEST(Illumination, Spot) {
   EXPECT_EQ(at(15.001, 1, 15), 0.0);
 }
 
-// Three forms of the specular term for L and V in one plane with N, at 30 degrees to the left and 50 to the
-// right: R.V = cos 20, N.H = cos 10, N.L = cos 30.
+// The three forms of the specular term have the values worked by hand. L and V lie in one plane with N, 30
+// degrees to the left and 50 to the right: R.V = cos 20, N.H = cos 10, N.L = cos 30.
 TEST(Illumination, Forms) {
   const auto cosine = [](double degrees) { return std::cos(degrees * std::acos(-1.0) / 180); };
   const auto specular = [&](Form form, int n) {
@@ -241,7 +246,8 @@ TEST(Illumination, Forms) {
   }
 }
 
-// Each channel by itself, several lights added: a red and a green light on a surface of half the blue.
+// Each channel is computed by itself, and several lights add up. The test has a red and a green light on a
+// surface of half the blue.
 TEST(Illumination, Channels) {
   Mesh m = square();
   m.materials.push_back({.name = "teal", .diffuse = {0.5, 1, 0.5}, .ka = 1, .kd = 1, .ks = 0});
@@ -259,7 +265,7 @@ TEST(Illumination, Channels) {
   }
 }
 
-// A light of no intensity, or one that falls to nothing before it reaches the scene, is left out.
+// A light without intensity, or one that falls to nothing before it reaches the scene, is left out.
 TEST(Illumination, LightsThatCannotReachCostNothing) {
   const Light far{
       .kind = LightKind::Point, .position = {0, 0, 9}, .attenuation = Attenuation::Linear, .range = 8.9};
@@ -275,8 +281,8 @@ TEST(Illumination, LightsThatCannotReachCostNothing) {
   EXPECT_EQ(sources(near), 0u);
 }
 
-// Points are evaluated several at a time, with the instructions that the processor has; one at a time,
-// compiled for any, the bits are the same.
+// Points evaluated several at a time, with the processor's own instructions, have the same bits as points
+// evaluated one at a time by code for any processor.
 TEST(Illumination, SideBySideAsAlone) {
   std::mt19937 rng{2};
   const auto uniform = [&] { return 2.0 * (static_cast<double>(rng()) * 0x1p-32) - 1.0; };
@@ -285,7 +291,7 @@ TEST(Illumination, SideBySideAsAlone) {
     for (int k = 0; k < 1001; ++k) {
       points.at.emplace_back(uniform(), uniform(), uniform());
       points.N.push_back(glm::normalize(glm::dvec3{uniform(), uniform(), uniform()}));
-      points.material.push_back(k / 10 % 3 - 1);  // runs that no number of lanes divides
+      points.material.push_back(k / 10 % 3 - 1);  // runs of a length that no number of lanes divides
     }
     Mesh m = square();
     m.materials = {{.name = "dull", .ks = 0.3, .n = 7}, {.name = "shiny", .ks = 0.9, .n = 200}};

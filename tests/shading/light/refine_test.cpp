@@ -80,8 +80,8 @@ Mesh oneTriangle() {
 
 }  // namespace
 
-// Closed solids stay closed: each edge of a part has one neighbour, which has it the other way round, also
-// where the faces share places only and neither points nor normals.
+// Closed solids stay closed: each edge of a piece has one neighbour, which has the edge the other way round.
+// This holds also if faces share only places, and neither points nor normals.
 TEST(Refine, ClosedSolidsStayClosed) {
   int divided = 0;
   for (unsigned seed = 0; seed < 40; ++seed)
@@ -100,8 +100,9 @@ TEST(Refine, ClosedSolidsStayClosed) {
   EXPECT_GT(divided, 60);
 }
 
-// What is asked for is reached: between the samples of the criterion, too, hardly a place misses by more than
-// the tolerance, and none by twice as much. Not where a highlight ends in a step, as it does at N.L = 0.
+// The tolerance is reached. Between the samples of the criterion too, hardly a place is off by more than the
+// tolerance, and none by twice as much. An exception is where a highlight ends in a step, as it does at N.L =
+// 0.
 TEST(Refine, KeepsToTheTolerance) {
   const Seeds seeds{24};
   int reached = 0;
@@ -157,8 +158,8 @@ TEST(Refine, KeepsToTheTolerance) {
   EXPECT_LT(above, places / 2000);
 }
 
-// At its corners a flat part keeps to the tolerance without exception, against its own centroid: also what
-// is left of a polygon of which only a corner was cut off, which was within the tolerance of the polygon's.
+// At its corners a flat piece is within the tolerance of its own centroid, without exception. This includes
+// the rest of a polygon that lost only a corner, which was within the tolerance of the polygon's centroid.
 TEST(Refine, FlatPartsKeepToTheToleranceAtCorners) {
   int divided = 0;
   for (unsigned seed = 0; seed < 200; ++seed) {
@@ -188,8 +189,8 @@ TEST(Refine, FlatPartsKeepToTheToleranceAtCorners) {
   EXPECT_GT(divided, 100);
 }
 
-// Polygons that are within the tolerance stay as they are, corner by corner, and those of the floor that
-// the light does not come near do: the others keep face and plane. A directional light needs nothing.
+// Polygons within the tolerance stay as they are, corner by corner, as do those of the floor far from the
+// light. Pieces of the others keep face and plane. A directional light divides nothing.
 TEST(Refine, LeavesTheRestAsItIs) {
   for (const Shading method : kMethods) {
     const Divided d{underSpot(floorOf(8)), {.ks = 0}, method, {.tolerance = 0.1}};
@@ -215,8 +216,8 @@ TEST(Refine, LeavesTheRestAsItIs) {
   }
 }
 
-// A spot wholly inside one large triangle is found, however small and wherever it is, and so is a sharp
-// highlight: at no corner, and at no middle of an edge, is there anything to see of it.
+// A spot wholly inside one large triangle is found, however small it is and wherever it lies, and so is a
+// sharp highlight. Neither shows at any corner or at the middle of any edge.
 TEST(Refine, FindsLightInsideOneTriangle) {
   const Seeds seeds{200};
   for (unsigned seed = seeds.from; seed < seeds.end; ++seed) {
@@ -272,7 +273,7 @@ TEST(Refine, DividesMoreForLessTolerance) {
     }
 }
 
-// Parts are no needles: no angle is less than half the least that the face had.
+// Pieces are not needles: no angle is less than half the smallest angle of the face.
 TEST(Refine, KeepsAnglesWide) {
   int parts = 0;
   for (unsigned seed = 0; seed < 20; ++seed) {
@@ -289,8 +290,8 @@ TEST(Refine, KeepsAnglesWide) {
   EXPECT_GT(parts, 20'000);
 }
 
-// A cone without a soft rim is a step that no interpolation follows: the limits end it, and say so. A part
-// is no smaller than the halvings allow, beside those that neighbours cut.
+// A cone without a soft rim is a step that no interpolation can follow: the limits stop the division, and the
+// result says so. No piece is smaller than the halvings allow, except those that neighbours cut.
 TEST(Refine, EndsAtItsLimits) {
   for (const Shading method : kMethods) {
     const auto divided = [&](RefineSettings settings) {
@@ -305,7 +306,7 @@ TEST(Refine, EndsAtItsLimits) {
       const auto& at = deep.mesh.points;
       least = std::min(least, glm::length(glm::cross(at[p[1]] - at[p[0]], at[p[2]] - at[p[0]])));
     }
-    EXPECT_EQ(least, std::ldexp(1.0, -9));  // of twice the area of half the square: 1
+    EXPECT_EQ(least, std::ldexp(1.0, -9));  // relative to twice the area of half the square, which is 1
     const Refined few = divided({.tolerance = 0.05, .parts = 300});
     EXPECT_EQ(few.limit, RefineLimit::Parts);
     EXPECT_LE(few.parts.count(), 300);
@@ -314,8 +315,8 @@ TEST(Refine, EndsAtItsLimits) {
   }
 }
 
-// New corners lie on the face: their texture coordinates are those of the place, and their normals, wherever
-// they are, the one that Phong shading makes unit there.
+// New corners lie on the face. Their texture coordinates are those of their place, and their normals are
+// those that Phong shading makes unit vectors there.
 TEST(Refine, InterpolatesAtNewCorners) {
   const Divided floor{underSpot(floorOf(4)), {.ks = 0}, Shading::Gouraud, {.tolerance = 0.02}};
   const Mesh& mesh = floor.refined.mesh;

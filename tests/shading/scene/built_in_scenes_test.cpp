@@ -20,9 +20,9 @@ namespace {
 
 const std::filesystem::path kScenes = std::filesystem::path{XNEWELL_DATA_DIR} / "scenes";
 constexpr int kWidth = 400, kHeight = 300;
-constexpr int kGround = 255;  ///< no cell of a ramp
+constexpr int kGround = 255;  ///< belongs to no ramp
 
-/// A picture as the scene asks for it, but for what `change` does.
+/// A picture as the scene asks for it, except for what `change` changes.
 struct Drawn {
   Picture picture;
   IndexImage image;
@@ -70,8 +70,8 @@ constexpr double kFull = kMaxShades - 1;  ///< of full intensity over none, in a
 
 }  // namespace
 
-// Gouraud shading loses the highlight in the middle of one large square, all of it, and keeps it where the
-// same square is cut in 16 x 16.
+// Gouraud shading loses the whole highlight in the middle of one large square, and keeps it if the square is
+// cut into 16 x 16.
 TEST(BuiltInScenes, HighlightIsLost) {
   const Drawn gouraud{"highlight"}, phong{"highlight", by(Shading::Phong)};
   const double highlight = phong.picture.scene().light.lights[0].Ip.r * kFull;  // ks is 1
@@ -80,8 +80,8 @@ TEST(BuiltInScenes, HighlightIsLost) {
   EXPECT_EQ(gouraud.picture.saturated(), 0);
 }
 
-// The sum over all faces leans at corners of the cube in 12 triangles, so that it is lit otherwise than that
-// of 6 squares; of distinct normals, both have those of a cube.
+// The sum over all faces leans at some corners of the cube of 12 triangles, so that it is lit differently
+// from the cube of 6 squares. With distinct normals both have the normals of a cube.
 TEST(BuiltInScenes, CubesDifferByRule) {
   const auto corners = [](NormalRule rule) {
     const Drawn drawn{"cubes", [&](PictureSettings& s) { s.normals = rule; }};
@@ -105,7 +105,7 @@ TEST(BuiltInScenes, CubesDifferByRule) {
   EXPECT_EQ(Drawn{"cubes"}.picture.settings().normals, NormalRule::Sum);
 }
 
-// Gouraud shading gets the edge of the cone wrong, by less the finer the floor is.
+// Gouraud shading gets the edge of the cone wrong. The finer the floor, the smaller the error.
 TEST(BuiltInScenes, SpotlightIsRagged) {
   const auto wrong = [](const std::string& divisions) {
     std::string text = readTextFile(kScenes / "spotlight.json");
@@ -121,8 +121,8 @@ TEST(BuiltInScenes, SpotlightIsRagged) {
   EXPECT_LT(wrong("64"), wrong("8") / 4);
 }
 
-// Along a row, facets are steps under flat shading. Gouraud's intensities are continuous and their slope
-// steps at the facets' edges; Phong's do neither.
+// Along a row, facets are steps in flat shading. In Gouraud shading intensities are continuous, but their
+// slope has steps at the facets' edges. In Phong shading neither has steps.
 TEST(BuiltInScenes, MachBandsAreSteps) {
   struct Row {
     int steps = 0, kinks = 0;
@@ -134,7 +134,7 @@ TEST(BuiltInScenes, MachBandsAreSteps) {
     Row row;
     for (int i = 40; i < kWidth - 40; ++i)
       row.steps += std::abs(drawn.at(i, kHeight / 2) - drawn.at(i - 1, kHeight / 2)) > 6;
-    // Slopes over 8 samples on both sides, in cells; a rounding is at most 1 cell each.
+    // Slopes over 8 samples on both sides, in cells. Each is rounded by at most 1 cell.
     for (int i = 40; i < kWidth - 40; ++i) {
       const auto I = [&](int k) { return drawn.at(k, kHeight / 2); };
       const bool lit = std::min(I(i - 8), I(i + 8)) > dark + 1;
@@ -150,8 +150,8 @@ TEST(BuiltInScenes, MachBandsAreSteps) {
   EXPECT_EQ(Drawn{"mach-bands"}.picture.settings().shading, Shading::Flat);
 }
 
-// Intensities above 1 are cut off, by every method that is lit, and leave an area of full intensity; without
-// the highlight nothing is.
+// Every lit method cuts off intensities above 1, which leaves an area of full intensity. Without the
+// highlight nothing is cut off.
 TEST(BuiltInScenes, SaturatedIsClamped) {
   for (const Shading method : {Shading::Flat, Shading::Gouraud, Shading::Phong, Shading::Environment}) {
     const Drawn drawn{"saturated", by(method)};
@@ -162,8 +162,8 @@ TEST(BuiltInScenes, SaturatedIsClamped) {
   }
 }
 
-// Where each sample is painted once, those that are evaluated or looked up are counted by pixels: as many as
-// have intensity 1, but for the few where the fixed point of a fill steps to a neighbour.
+// If each sample is painted once, clamped samples that are evaluated or looked up are counted in pixels: as
+// many as have intensity 1, except for the few where the fixed point of a fill steps to a neighbour.
 TEST(BuiltInScenes, SaturatedCountsPixels) {
   for (const Shading method : {Shading::Phong, Shading::Environment}) {
     Drawn drawn{"saturated", [&](PictureSettings& s) { s.shading = method, s.order = Order::Oracle; }};
@@ -175,7 +175,7 @@ TEST(BuiltInScenes, SaturatedCountsPixels) {
   }
 }
 
-// One scene of coloured lights and one of a coloured texture require three channels; all others cost one.
+// One scene with coloured lights and one with a coloured texture need three channels. All others need one.
 TEST(BuiltInScenes, ChannelsThatAreRequired) {
   int three = 0;
   for (const BuiltInScene& scene : builtInScenes()) {
@@ -190,8 +190,8 @@ TEST(BuiltInScenes, ChannelsThatAreRequired) {
   EXPECT_EQ(three, 2);
 }
 
-// The floor of coloured lights shows each alone, each two mixed and all three; what a light does to a channel
-// does not reach the others.
+// The floor of coloured lights shows each light alone, each two mixed, and all three. A light of one channel
+// does not affect the others.
 TEST(BuiltInScenes, ColoredLightsMix) {
   const Drawn drawn{"colored-lights"};
   const Palette palette = drawn.picture.palette(CellPlan{TableKind::Linear});
@@ -204,8 +204,8 @@ TEST(BuiltInScenes, ColoredLightsMix) {
   for (const int samples : mixed) EXPECT_GT(samples, 500);
 }
 
-// Perspective and affine texture coordinates differ all over the cube seen at an angle, and nowhere on a face
-// seen straight on.
+// Perspective and affine texture coordinates differ everywhere on a cube seen at an angle, and nowhere on a
+// face seen straight on.
 TEST(BuiltInScenes, AffineTexturesBend) {
   const auto mapped = [](TextureMapping mapping, bool straight) {
     return Drawn{"textured-cube", [=](PictureSettings& s) {
@@ -224,7 +224,7 @@ TEST(BuiltInScenes, AffineTexturesBend) {
   EXPECT_EQ(apart(true), 0.0);
 }
 
-// Every rule for normals shades the coarse teapot in a way of its own.
+// Every rule for normals shades the coarse teapot differently.
 TEST(BuiltInScenes, CoarseTeapotDiffersByRule) {
   std::vector<Drawn> drawn;
   for (const NormalRow& rule : kNormalRules)
@@ -235,8 +235,9 @@ TEST(BuiltInScenes, CoarseTeapotDiffersByRule) {
           << kNormalRules[a].name << " and " << kNormalRules[b].name;
 }
 
-// In the middle of a square with one bright corner: triangles have the same value however it is turned, rows
-// the mean of all corners or of two, whether the square is turned or the view.
+// The middle of a square with one bright corner depends on how a fill interpolates. Triangles give the same
+// value however the square is turned. Rows give the mean of all corners or of two, whether the square or the
+// view is turned.
 TEST(BuiltInScenes, RowsTurnWithTheView) {
   const auto middles = [](Polygons polygons, bool turned) {
     const Drawn drawn{"bright-corner", [&](PictureSettings& s) {
@@ -246,7 +247,7 @@ TEST(BuiltInScenes, RowsTurnWithTheView) {
                       }};
     std::array<int, 2> cells{};
     for (int face = 0; face < 2; ++face) {
-      // The middle of a square is the mean of its samples.
+      // The value in the middle of a square is the mean of the samples there.
       long i = 0, j = 0, n = 0;
       for (std::size_t k = 0; k < drawn.faces.size(); ++k)
         if (static_cast<int>(drawn.faces[k]) == face + 1) i += k % kWidth, j += k / kWidth, ++n;
@@ -257,7 +258,7 @@ TEST(BuiltInScenes, RowsTurnWithTheView) {
   };
   const auto triangles = middles(Polygons::Triangles, false), rows = middles(Polygons::Rows, false);
   const auto triangles45 = middles(Polygons::Triangles, true), rows45 = middles(Polygons::Rows, true);
-  const int near = 4;  // a sample or two beside the middle
+  const int near = 4;  // within a few samples of the middle
   EXPECT_NEAR(triangles[0], triangles[1], near);
   EXPECT_NEAR(triangles[0], triangles45[0], near);
   EXPECT_NEAR(triangles[1], triangles45[1], near);
@@ -266,7 +267,7 @@ TEST(BuiltInScenes, RowsTurnWithTheView) {
   EXPECT_GT(std::abs(rows[1] - rows45[1]), 30);
 }
 
-// Each ball of the hues shows shades of its own hue only, in cells of its own.
+// Each ball of the hues shows only shades of its own hue, in its own cells.
 TEST(BuiltInScenes, HuesHaveRampsOfTheirOwn) {
   const Drawn drawn{"hues"};
   EXPECT_EQ(planOf(drawn.picture.scene(), drawn.picture.settings()), ColorPlan::Hues);
@@ -292,8 +293,9 @@ TEST(BuiltInScenes, HuesHaveRampsOfTheirOwn) {
     EXPECT_GT(std::ranges::count(cells, true), material < 0 ? 0 : 10) << material;
 }
 
-// No shade is given to intensities that no surface has: the floor, which has one, gets two shades, or three
-// where it is found pixel by pixel, and every ramp begins and ends within 1/255 of some, or 3/255.
+// Intensities that no surface has get no shades. The floor, which has one intensity, gets two shades, or
+// three if it is found pixel by pixel. Every ramp begins and ends within 1/255 of an intensity that occurs,
+// or within 3/255 pixel by pixel.
 TEST(BuiltInScenes, HuesSpanTheIntensitiesThatAreThere) {
   for (const Shading method : {Shading::Flat, Shading::Gouraud, Shading::Phong, Shading::Environment}) {
     SCOPED_TRACE(rowOf(method).name);
@@ -333,8 +335,8 @@ TEST(BuiltInScenes, HuesSpanTheIntensitiesThatAreThere) {
   }
 }
 
-// The farther a square of the floor is from the lamp, the darker; beyond its range there is ambient light
-// alone.
+// The farther a square of the floor is from the lamp, the darker it is. Beyond the lamp's range there is only
+// ambient light.
 TEST(BuiltInScenes, LampFallsWithDistance) {
   const Drawn drawn{"lamp", by(Shading::Flat)};
   const Scene& scene = drawn.picture.scene();

@@ -50,7 +50,7 @@ IndexImage imageOf(const Scene& scene, PictureSettings s, int k) {
   return image;
 }
 
-/// 17 digits tell every double from all others.
+/// 17 digits distinguish every double from all others.
 void writeObj(const std::string& file, const Mesh& mesh) {
   std::ofstream out{file};
   out.precision(17);
@@ -81,10 +81,10 @@ Mesh permutedFaces(const Mesh& mesh, const std::vector<int>& order) {
   return permuted;
 }
 
-/// Triangles about the origin, most of them through others.
+/// Triangles about the origin, most of which pass through others.
 Mesh soup(std::mt19937& rng) { return triangleSoup(30, 1.0, rng()); }
 
-/// Samples that show a face; where it is not the oracle's, it may touch that one, or the test fails.
+/// Counts samples that show a face. The test fails if a face differs from the oracle's and may not touch it.
 long agreeing(const Picture& picture) {
   const SnappedScene& snapped = picture.snapped();
   const std::vector<int> seen = visibleFaces(snapped, kWidth, kHeight);
@@ -182,8 +182,8 @@ constexpr std::array kExtremes{
 
 }  // namespace
 
-// The picture does not change by a pixel when the scene is scaled by a power of two, its rounding, camera and
-// light with it.
+// No pixel of the picture changes when the scene is scaled by a power of two together with its rounding,
+// camera and light.
 TEST(ModelScale, PowersOfTwoChangeNoPixel) {
   int pictures = 0;
   IndexImage last;
@@ -211,7 +211,7 @@ TEST(ModelScale, PowersOfTwoChangeNoPixel) {
   EXPECT_GT(pictures, 500);
 }
 
-// The same through files that write the scaled coordinates out.
+// No pixel changes either when files hold the scaled coordinates.
 TEST(ModelScale, FilesOfAnyMagnitudeShowTheSame) {
   const TemporaryFolder folder;
   const std::string file = folder.file("scaled.obj");
@@ -237,7 +237,7 @@ TEST(ModelScale, FilesOfAnyMagnitudeShowTheSame) {
   EXPECT_GT(shown, 100'000);
 }
 
-// Away from doubtful samples and ties the order of the faces, and so of the vertices, does not matter.
+// The order of the faces, and so of the vertices, does not matter, except at doubtful samples and ties.
 TEST(ModelScale, PermutedFacesShowTheSame) {
   long certain = 0, tied = 0, splits = 0;
   for (const BuiltInScene& builtIn : builtInScenes()) {
@@ -277,7 +277,8 @@ TEST(ModelScale, PermutedFacesShowTheSame) {
   EXPECT_GT(splits, 2'000);
 }
 
-// The ends of the range of doubles, and what else a file may hold: all end, and agree with the oracle.
+// Scenes at the ends of the range of doubles, and other extremes that a file may hold, can be drawn and agree
+// with the oracle.
 TEST(ModelScale, ExtremeCoordinatesAgreeWithTheOracle) {
   for (const Extreme& extreme : kExtremes) {
     SCOPED_TRACE(extreme.name);
@@ -297,7 +298,8 @@ TEST(ModelScale, ExtremeCoordinatesAgreeWithTheOracle) {
   }
 }
 
-// The same of triangles a million pixels wide, through the plane of an eye that stands among small ones.
+// Triangles a million pixels wide, through the plane of an eye that stands among small ones, agree with the
+// oracle too.
 TEST(ModelScale, FacesThroughTheEyesPlaneAgreeWithTheOracle) {
   long samples = 0, splits = 0, wide = 0;
   for (unsigned seed = 0; seed < 100; ++seed) {
@@ -326,7 +328,7 @@ TEST(ModelScale, FacesThroughTheEyesPlaneAgreeWithTheOracle) {
         left = std::min(left, picture.snapped().vertices[v].x);
         right = std::max(right, picture.snapped().vertices[v].x);
       }
-      wide += right - left >= kMaxPicture * kGrid;  // more is cut off by the guard band
+      wide += right - left >= kMaxPicture * kGrid;  // the guard band cuts off the rest
     }
   }
   EXPECT_GT(samples, 100'000);

@@ -11,16 +11,16 @@ namespace {
 
 constexpr int kWidth = 96, kHeight = 72;
 
-/// What was seen of one kind of view.
+/// What one kind of view showed.
 struct Tally {
   long certain = 0, doubtful = 0, culled = 0, clipped = 0, splits = 0, contacts = 0;
 };
 
 }  // namespace
 
-// The picture of every scene in data/ is the oracle's in every sample that is not doubtful, and where one is
-// doubtful the painted face may touch the one on top: from any side and from within, in every projection,
-// with back faces and without, as the program sorts and as the textbook does.
+// The picture of every scene in data/ is the oracle's at every sample that is not doubtful. At doubtful
+// samples the painted face may touch the one on top. This holds from any side and from within, in every
+// projection, with and without back faces, for the program's sort and for the textbook's.
 TEST(Model, PaintsWhatTheOracleSees) {
   const Seeds seeds{96};
   std::array<Tally, kSeen.size()> tallies;
@@ -67,8 +67,8 @@ TEST(Model, PaintsWhatTheOracleSees) {
   EXPECT_GT(tallies[static_cast<int>(Seen::Inside)].clipped, 3'000);
 }
 
-// Plates that pass through each other and the eye's surroundings, where rounding tells most: near the eye it
-// moves a plate by whole pixels, but none of that reaches what is seen far away.
+// Rounding near the eye does not change what is seen far away. The plates pass through each other and the
+// eye's surroundings, where rounding matters most: near the eye it moves a plate by whole pixels.
 TEST(Model, WhatIsNearTheEyeLeavesNoDoubtAboutTheRest) {
   long samples = 0, near = 0, splits = 0;
   for (const char* name : {"penetrate", "crossing-sheets"}) {
@@ -96,8 +96,8 @@ TEST(Model, WhatIsNearTheEyeLeavesNoDoubtAboutTheRest) {
   EXPECT_GT(splits, 500);
 }
 
-// A split changes no shading: in every shading each pixel has the colour of its face, in the painter's
-// picture and in the oracle's, and that is the cell of the face's stored intensity, whatever piece shows it.
+// A split changes no shading. In every method each pixel has the colour of its face, in the painter's picture
+// and in the oracle's, whatever piece shows it: the cell of the face's stored intensity.
 TEST(Model, PiecesHaveTheColorOfTheirFace) {
   const Seeds seeds{24};
   long ofPieces = 0, same = 0;

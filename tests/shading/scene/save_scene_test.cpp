@@ -16,7 +16,7 @@ namespace xnewell {
 
 namespace {
 
-/// Settings with every choice drawn and every number odd.
+/// Settings with every choice drawn at random and with numbers of many digits.
 PictureSettings randomSettings(std::mt19937& rng) {
   const auto of = [&](const auto& rows) { return rows[rng() % rows.size()].id; };
   const auto number = [&](double low, double high) {
@@ -62,7 +62,7 @@ PictureSettings randomSettings(std::mt19937& rng) {
   return s;
 }
 
-/// As whoever opens the file has it.
+/// The set-up that a reader of the file gets.
 PictureSettings opened(const Scene& scene) {
   PictureSettings s = scene.settings;
   s.camera = inSceneUnits(scene.camera, scene);
@@ -72,8 +72,8 @@ PictureSettings opened(const Scene& scene) {
 
 }  // namespace
 
-// Whatever the settings, a saved scene sets up the same scene the same way, bit for bit, also where the
-// scene's units are not the file's.
+// A saved scene sets up the same scene in the same way, bit for bit, for any settings, also if the scene's
+// units are not the file's.
 TEST(SaveScene, ReadsBackAsItWas) {
   std::mt19937 rng{5};
   const TemporaryFolder folder;
@@ -97,9 +97,9 @@ TEST(SaveScene, ReadsBackAsItWas) {
   }
 }
 
-// A set-up paints what was saved, cell for cell and colour for colour: by every method, rule, form, mapping,
-// order and plan of colours, on scenes with lights of their own, textures, several hues and patches. What
-// divides no polygon, an adapt of 0, comes back as that.
+// An opened set-up paints what was saved, cell for cell and colour for colour. This holds for every method,
+// rule, form, mapping, order and plan of colours, and for scenes with their own lights, textures, several
+// hues and patches. An adapt of 0, which divides no polygon, comes back as 0.
 TEST(SaveScene, PaintsTheSamePicture) {
   std::mt19937 rng{7};
   const TemporaryFolder folder;
@@ -128,7 +128,7 @@ TEST(SaveScene, PaintsTheSamePicture) {
   for (const char* name : {"teapot", "colored-lights", "hues", "textured-cube", "spotlight", "lamp"}) {
     SCOPED_TRACE(name);
     Picture picture{readScene(name, 3)};
-    // Each row of each table, the rest by chance, from where the scene itself is seen.
+    // Each row of each table, with the other settings at random, from the scene's own camera.
     const auto each = [&](const auto& rows, auto PictureSettings::*choice) {
       for (const auto& row : rows) {
         PictureSettings settings = randomSettings(rng);
@@ -152,7 +152,7 @@ TEST(SaveScene, PaintsTheSamePicture) {
   EXPECT_GT(shown, pictures * 3 / 4);
 }
 
-// What the scene was made to forget, and the texture it was given, are saved too.
+// A saved scene says which parts of the scene were left out.
 TEST(SaveScene, KeepsWhatWasDoneToTheScene) {
   const TemporaryFolder folder;
   Scene scene = readScene("colored-lights", 2);
@@ -165,8 +165,8 @@ TEST(SaveScene, KeepsWhatWasDoneToTheScene) {
   EXPECT_EQ(savedScene(again, {}, folder.path()), savedScene(scene, {}, folder.path()));
 }
 
-// A set-up that is opened, changed and saved names the scene, not the set-up; one that names a set-up, itself
-// included, is refused.
+// A set-up that is opened, changed and saved names the scene, not the set-up. A set-up that names a set-up,
+// even itself, is refused.
 TEST(SaveScene, NamesTheSceneItself) {
   const TemporaryFolder folder;
   const std::string first = folder.write("first.json", savedScene(readScene("cycle"), {}, folder.path()));
@@ -185,7 +185,8 @@ TEST(SaveScene, NamesTheSceneItself) {
   }
 }
 
-// Keys of a scene of its own, and what is no choice, are refused beside "scene".
+// Next to "scene", a file may hold only choices: keys of a scene's own contents and unknown choices are
+// refused.
 TEST(SaveScene, Refusals) {
   const auto refused = [](const std::string& text, const std::string& word) {
     try {

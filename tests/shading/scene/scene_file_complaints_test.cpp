@@ -47,7 +47,7 @@ TEST(SceneFile, ComplaintsNameThePlace) {
   EXPECT_NE(complaint(withObject(R"({"file": "nosuch.obj"})")).find("No such file"), std::string::npos);
 }
 
-// The same of light, surfaces, transforms and choices.
+// Complaints about light, surfaces, transforms and choices name the place and what is allowed there too.
 TEST(SceneFile, ComplaintsOfEachPart) {
   const auto object = [](const std::string& more) {
     return complaint(withObject(R"({"polygons": [[[0,0,0],[1,0,0],[0,1,0]]], )" + more + "}"));
@@ -163,8 +163,8 @@ TEST(SceneFile, ComplaintsOfEachPart) {
   EXPECT_EQ(shading(R"("table": {"bits": 12})"), "s.json: shading.table.bits: 8 or 16 is needed");
 }
 
-// A number too large and a key said twice are told with their line, as what is no JSON at all: also where the
-// line ends with them.
+// A number too large and a key given twice are told with their line, like text that is no JSON. This holds
+// also if they end the line.
 TEST(SceneFile, ComplaintsOfTextNameTheLine) {
   const std::string before = "{\n\"objects\": [\n{\"polygons\": [[[0,0,0],\n[1,0,", after = "0]\n]]}]}";
   EXPECT_EQ(complaint(before + "1e400\n],[0,1," + after), "s.json:4: a number is too large");
@@ -175,8 +175,8 @@ TEST(SceneFile, ComplaintsOfTextNameTheLine) {
             "s.json:3: the key 'up' appears twice in an object");
 }
 
-// A camera that sees nothing in a picture of any size is the file's mistake, and told as its reader's are.
-// One that a wide picture sees with, or that shows nothing of the scene, is none.
+// A camera that sees nothing in a picture of any size is a mistake in the file, and is told like one. A
+// camera that sees something in a wide picture only, or shows nothing of the scene, is not a mistake.
 TEST(SceneFile, ComplaintsOfTheCamera) {
   const auto camera = [](const std::string& what) {
     return complaint(withTriangle(R"("camera": {)" + what + "}"));
@@ -200,13 +200,13 @@ TEST(SceneFile, ComplaintsOfTheCamera) {
   EXPECT_EQ(camera(R"("eye": [0, 0, 5], "front": 6)"),
             "s.json: camera: the front plane must lie in front of the eye (n below the projection reference "
             "point's)");
-  EXPECT_EQ(camera(R"("front": 6)"), "no complaint");  // how far the eye is, the picture's shape decides
+  EXPECT_EQ(camera(R"("front": 6)"), "no complaint");  // the picture's shape decides how far away the eye is
   EXPECT_EQ(camera(R"("prp": [0, 0, -1])"),
             "s.json: camera: the projection reference point must lie in front of the view plane (n > 0)");
   EXPECT_EQ(camera(R"("eye": [0, 0, -5], "look_at": [0, 0, -9])"), "no complaint");
 }
 
-// What has no say is refused where it stands, and so is what is said twice.
+// A key with no effect at its place is refused, and so is one that is given twice.
 TEST(SceneFile, ComplaintsOfWhatDoesNotCount) {
   const auto shading = [](const std::string& what, const std::string& beside = "") {
     return complaint(withTriangle(beside + R"("shading": {)" + what + "}"));
@@ -253,7 +253,7 @@ TEST(SceneFile, ComplaintsOfWhatDoesNotCount) {
   EXPECT_EQ(solid(R"("solid": "torus", "around": 5, "across": 5)"), "no complaint");
 }
 
-// Cutting a scene file short at any byte is refused, never more.
+// A scene file cut short at any byte is refused, and does no other harm.
 TEST(SceneFile, TruncatedAnywhere) {
   const std::string whole =
       R"({"up": "z", "camera": {"eye": [3, 2, 1]}, "ambient": 0.1, "lights": [{"Ip": 0.5}],

@@ -11,9 +11,10 @@
 
 namespace xnewell {
 
-// What a scene file says of lights, choices and cameras. Its objects: scene_file_test.cpp.
+// Lights, choices and cameras in a scene file. Its objects: scene_file_test.cpp.
 
-// Lights of each kind, lengths in the scene's units: a triangle of size 1 is kept at half its size.
+// Lights of each kind are read, with lengths in the scene's units: a triangle of size 1 is kept at half its
+// size.
 TEST(SceneFile, Lights) {
   const Scene s = parsed(withTriangle(R"("up": "z", "ambient": [0.1, 0.2, 0.3], "lights": [
     {"Ip": 0.25, "towards": [0, 0, 5]},
@@ -39,13 +40,13 @@ TEST(SceneFile, Lights) {
   EXPECT_EQ(l[2].inner, 5);
   EXPECT_EQ(l[2].outer, 30);
   EXPECT_EQ(l[2].falloff, 3);
-  EXPECT_EQ(l[2].c, glm::dvec3(1, 4, 16));  // so that c2 d and c3 d^2 are as they were
+  EXPECT_EQ(l[2].c, glm::dvec3(1, 4, 16));  // so that c2 d and c3 d^2 stay the same
   EXPECT_EQ(l[3].direction, glm::dvec3(0.5, 0, -2));
   EXPECT_EQ(l[3].attenuation, Attenuation::InverseSquare);
 }
 
-// What a light does not say: it comes from the upper left, a spot looks at the scene's centre, intensities
-// are shared.
+// Lights have defaults: a light comes from the upper left, a spot looks at the scene's centre, and
+// intensities are shared.
 TEST(SceneFile, LightsThatSayLittle) {
   const Scene one = parsed(withTriangle(R"("up": "z", "lights": [{}])"));
   EXPECT_EQ(one.light.lights.at(0), (Light{.Ip = glm::dvec3{0.7}, .direction = defaultLight(UpAxis::Z)}));
@@ -65,12 +66,12 @@ TEST(SceneFile, LightsThatSayLittle) {
   EXPECT_EQ(spot.light.lights.at(1).outer, 40);
   EXPECT_EQ(spot.light.lights.at(1).range, 4);  // 1/2 at the centre
 
-  // What the scene's own light leaves is the most that is the user's.
+  // The user's light can have at most what the scene's own light leaves.
   EXPECT_NEAR(parsed(withTriangle(R"("ambient": [0.2, 0.6, 0])")).settings.light.Ip, 0.4, 1e-15);
   EXPECT_NEAR(parsed(withTriangle(R"("lights": [{"Ip": 0.95}])")).settings.light.Ia, 0.05, 1e-15);
 }
 
-// Ia + the sum of Ip may be 1, as decimals add up, and no more, each channel by itself.
+// Ia plus the sum of Ip may be 1 in each channel, added as decimals, but not more.
 TEST(SceneFile, IntensitiesSumToOne) {
   EXPECT_GT(0.05 + 0.55 + 0.3 + 0.1, 1.0);  // in doubles
   EXPECT_EQ(complaint(withTriangle(R"("ambient": 0.05, "lights": [{"Ip": 0.55}, {"Ip": 0.3}, {"Ip": 0.1}])")),
@@ -86,7 +87,7 @@ TEST(SceneFile, IntensitiesSumToOne) {
             "s.json: shading.Ia: Ia + the sum of Ip is 1.1 in red; it must not exceed 1");
 }
 
-// Everything that a scene can ask for, each by the name that the command line has for it.
+// A scene can ask for every choice by the name that the command line uses.
 TEST(SceneFile, Choices) {
   const auto asked = [](const std::string& shading) {
     return parsed(withTriangle(R"("up": "z", "shading": )" + shading)).settings;
@@ -126,7 +127,7 @@ TEST(SceneFile, Choices) {
   EXPECT_EQ(asked(R"({"Ip": 1})").light.Ia, 0);
 }
 
-// A camera of each kind.
+// Cameras of each kind are read.
 TEST(SceneFile, Cameras) {
   const auto camera = [](const std::string& text) {
     return parsed(R"({"camera": )" + text + R"(, "objects": [)" + kTriangle + "]}").camera;
@@ -146,7 +147,7 @@ TEST(SceneFile, Cameras) {
   EXPECT_EQ(book.back, -9);
 }
 
-// What the user says replaces the scene's camera where it says something.
+// The user's settings replace those of the scene's camera, each by itself.
 TEST(SceneFile, SaidCamerasComeFirst) {
   CameraSettings scene, said;
   scene.eye = glm::dvec3{1, 2, 3};
@@ -166,7 +167,7 @@ TEST(SceneFile, SaidCamerasComeFirst) {
   EXPECT_FALSE(completed(book, scene).eye);
 }
 
-// Every built-in scene says what it shows, has faces and can be read.
+// Every built-in scene can be read, has faces and says what it shows.
 TEST(SceneFile, BuiltInScenes) {
   const std::vector<BuiltInScene> scenes = builtInScenes();
   EXPECT_GE(scenes.size(), 15u);

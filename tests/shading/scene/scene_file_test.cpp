@@ -25,7 +25,7 @@ glm::dvec3 inFile(const Scene& scene, glm::dvec3 p) {
 
 }  // namespace
 
-// Faces are numbered object by object, corners at one place are one vertex, names become groups.
+// Faces are numbered object by object, corners at one place are one vertex, and names become groups.
 TEST(SceneFile, ObjectByObject) {
   const Scene s = parsed(R"({"up": "z", "objects": [
     {"name": "floor", "polygons": [[[0,0,0],[4,0,0],[4,4,0],[0,4,0]], [[0,0,0],[0,4,0],[0,4,3]]]},
@@ -41,7 +41,8 @@ TEST(SceneFile, ObjectByObject) {
   EXPECT_EQ(s.mesh.materials[s.mesh.material[130]].diffuse, glm::dvec3(0.5, 0.25, 1));
 }
 
-// Scale, then move; the scene is normalised by a power of two, so file coordinates come back exactly.
+// An object is scaled first and moved second. The scene is normalised by a power of two, so file coordinates
+// come back exactly.
 TEST(SceneFile, ScaleThenMove) {
   const Scene s = parsed(withObject(R"({"solid": "cube", "scale": 2, "move": [10, 0, 0]})"));
   double low = 1e9, high = -1e9;
@@ -53,7 +54,7 @@ TEST(SceneFile, ScaleThenMove) {
   EXPECT_EQ(high, 12);
 }
 
-// The rounding of inline polygons is half a unit of the last decimal in their text, and of nothing else.
+// The rounding of inline polygons is half a unit of the last decimal in their text. No other text matters.
 TEST(SceneFile, RoundingFromTheTextOfPolygons) {
   const auto rounding = [](const std::string& text) {
     const Scene s = parsed(text);
@@ -64,13 +65,13 @@ TEST(SceneFile, RoundingFromTheTextOfPolygons) {
                 R"({"polygons": [[[0.250, 0, 0], [1, 0, 0], [0, 1, 0]]], "color": [0.12345, 0, 0]})")),
             0.5 / 10 / 10 / 10);
   EXPECT_EQ(rounding(withObject(R"({"solid": "cube", "move": [0.12345, 0, 0]})")), 0);
-  // The choice of that name is none.
+  // A choice of the same name does not count.
   EXPECT_EQ(rounding(R"({"shading": {"polygons": "rows", "light": [0.12345, 0, 1]}, "objects": [
     {"polygons": [[[0.25, 0, 0], [1.5, 0, 0], [0, 1, 0]]]}]})"),
             0.5 / 10 / 10);
 }
 
-// Every object keeps the rounding of its own coordinates, scaled with it; a solid's are exact.
+// Every object keeps the rounding of its own coordinates, scaled with it. A solid's coordinates are exact.
 TEST(SceneFile, RoundingByObject) {
   const std::string polygons = R"("polygons": [[[0.25, 0, 0], [1.5, 0, 0], [0, 1, 0]]])";
   const Scene s = parsed(R"({"objects": [{"solid": "cube"}, {)" + polygons + R"(, "scale": 4}, {)" +
@@ -83,8 +84,7 @@ TEST(SceneFile, RoundingByObject) {
   EXPECT_EQ(rounding(8), 0);
 }
 
-// First scaled, then turned about x, y and z one after the other, then moved: exactly, where the turn is by
-// quarters.
+// An object is scaled, then turned about x, y and z in this order, then moved. Quarter turns are exact.
 TEST(SceneFile, TransformsInTheirOrder) {
   const auto first = [](const std::string& object) {
     const Scene s =
@@ -103,7 +103,7 @@ TEST(SceneFile, TransformsInTheirOrder) {
   EXPECT_EQ(first(R"("rotate": {"axis": [0, 0, 7], "degrees": 90})"), first(R"("rotate": [0, 0, 90])"));
 }
 
-// Polygons that are flat in the file stay flat however they are turned: none is cut into triangles.
+// Polygons that are flat in the file stay flat under any turn: none is cut into triangles.
 TEST(SceneFile, TurnedPolygonsStayFlat) {
   for (int k = 1; k < 60; ++k) {
     const std::string degrees = std::to_string(k);
@@ -113,8 +113,8 @@ TEST(SceneFile, TurnedPolygonsStayFlat) {
   }
 }
 
-// Patches are transformed before they are divided: their exact normals are those of what is seen, and their
-// points those of the transformed surface.
+// Patches are transformed before they are divided. So their points and their exact normals are those of the
+// transformed surface.
 TEST(SceneFile, PatchesAreTransformedThemselves) {
   const Scene s = parsed(R"({"up": "z", "objects": [{"solid": "cube"},
     {"file": "teapot.bpt", "scale": [3, 1, 0.5], "rotate": [20, 30, 40], "move": [1, 2, 3], "divisions": 24}]})");
@@ -133,10 +133,10 @@ TEST(SceneFile, PatchesAreTransformedThemselves) {
     apart += glm::dot(glm::normalize(N), exact[s.mesh.firstCorner[f]]) < 0.9;
   }
   EXPECT_GT(compared, 18'000);
-  EXPECT_LT(apart, compared / 100);  // but for the small faces at the poles and at the spout's tip
+  EXPECT_LT(apart, compared / 100);  // except for the small faces at the poles and at the spout's tip
 }
 
-// The command line's divisions are for patches that do not say theirs.
+// The command line's divisions apply to patches that do not give their own.
 TEST(SceneFile, DivisionsOfPatches) {
   const auto faces = [](const std::string& said, int divisions) {
     const Scene s =
@@ -150,7 +150,8 @@ TEST(SceneFile, DivisionsOfPatches) {
       0);
 }
 
-// Texture coordinates follow their object, whatever comes before and after it; corners without any have none.
+// Texture coordinates belong to their object, whatever comes before and after it. Corners without any have
+// none.
 TEST(SceneFile, TextureCoordinatesOfEachObject) {
   const Scene s = parsed(R"({"objects": [
     {"polygons": [[[0,0,0],[1,0,0],[0,1,0]]]},
@@ -171,8 +172,8 @@ TEST(SceneFile, TextureCoordinatesOfEachObject) {
   EXPECT_EQ(uv(8, 0), glm::dvec2{-99});
 }
 
-// An object wears the material that it names, once however many objects name it; what a material does not say
-// is the user's to choose.
+// An object has the material that it names. A material is kept once, however many objects name it. The user
+// chooses what a material does not give.
 TEST(SceneFile, Materials) {
   const Scene s = parsed(R"({"materials": {
       "unused": {"color": [0, 0, 1]},
@@ -196,7 +197,8 @@ TEST(SceneFile, Materials) {
   EXPECT_FALSE(chalk.ka || chalk.kd || chalk.n);
 }
 
-// Textures lie beside the scene file, each read once; an object without texture coordinates cannot wear one.
+// Textures lie in the folder of the scene file, and each is read once. An object without texture coordinates
+// cannot have one.
 TEST(SceneFile, TexturesOfMaterials) {
   const TemporaryFolder folder;
   RgbImage image{2, 1};
@@ -226,7 +228,7 @@ TEST(SceneFile, TexturesOfMaterials) {
   }
 }
 
-// A turn brings together the roundings of three axes, and adds some of doubles.
+// A turn combines the roundings of three axes, and adds the rounding of doubles.
 TEST(SceneFile, RoundingOfTurnedObjects) {
   const auto rounding = [](const std::string& object) {
     const Scene s = parsed(withObject(object));

@@ -25,7 +25,8 @@ using DrawnPicture = CommandTest;
 struct Sheet {
   std::vector<glm::dvec2> outline;
   double z;
-  bool clockwise;  ///< seen from +z
+  bool clockwise;                   ///< seen from +z
+  glm::dvec2 low{1e9}, high{-1e9};  ///< the box around the outline
 };
 
 /// Stars of 3 to 12 corners, most of them concave, some far larger than the picture, each at its own z, in
@@ -42,7 +43,8 @@ std::vector<Sheet> sheets(unsigned seed, int count) {
     const glm::dvec2 around = k % 16 == 0 ? glm::dvec2{centre.x + radius * 0.5, centre.y} : centre;
     for (int c = 0; c < corners; ++c) {
       const double a = 2 * 3.14159265358979 * c / corners, r = radius * (0.25 + 0.75 * unit(rng));
-      sheet.outline.push_back(around + r * glm::dvec2{std::cos(a), std::sin(a)});
+      const glm::dvec2 p = sheet.outline.emplace_back(around + r * glm::dvec2{std::cos(a), std::sin(a)});
+      sheet.low = glm::min(sheet.low, p), sheet.high = glm::max(sheet.high, p);
     }
     if (sheet.clockwise) std::ranges::reverse(sheet.outline);
     all.push_back(sheet);
@@ -90,7 +92,11 @@ void expectSheets(const RgbImage& ids, const std::vector<Sheet>& all, double eye
         if (culled && all[k].clockwise) continue;
         const double half = perspective ? slope * (eye - all[k].z) : slope, pixel = 2 * half / ids.height;
         const glm::dvec2 p{(i + 0.5 - ids.width / 2.0) * pixel, (ids.height / 2.0 - j - 0.5) * pixel};
-        const Where w = where(all[k].outline, p, 1e-3 * pixel);  // vertices move by up to 2^-17 pixel
+        const double margin = 1e-3 * pixel;  // vertices move by up to 2^-17 pixel
+        if (p.x < all[k].low.x - margin || p.x > all[k].high.x + margin || p.y < all[k].low.y - margin ||
+            p.y > all[k].high.y + margin)
+          continue;
+        const Where w = where(all[k].outline, p, margin);
         near = w == Where::TooNear;
         if (w != Where::In) continue;
         hidden += front >= 0;

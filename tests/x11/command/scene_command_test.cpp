@@ -72,7 +72,7 @@ TEST_F(SceneCommandTest, OwnLightAndSurfacesGiveWay) {
   EXPECT_EQ(draw(lit, {"--ia", "0.3"}).png,
             draw(plain, {"--ia", "0.3", "--ip", "0.6", "--light", "1,0,0"}).png);
 
-  // This light leaves less for the other than the user's default.
+  // This ambient light leaves less for Ip than the user's default.
   const std::string bright = sphere("bright.json", R"("ambient": 0.5, )");
   EXPECT_EQ(draw(bright).png, draw(plain, {"--ia", "0.5", "--ip", "0.5"}).png);
   EXPECT_EQ(draw(bright, {"--light", "0,0,1"}).png,

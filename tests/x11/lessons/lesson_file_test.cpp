@@ -61,8 +61,7 @@ TEST(LessonFile, AllThatAreBuiltInCanBeRead) {
   EXPECT_GE(questions, 15);
 }
 
-// The words follow the house style: no exclamation marks, no American spelling, and no number in the text
-// that a claim could compute.
+// The words follow the house style: no exclamation marks and no American spelling.
 TEST(LessonFile, WordsAreInTheHouseStyle) {
   const std::regex american{"\\b(color|gray-|center|behavior|brighten up)\\b", std::regex::icase};
   int words = 0;
@@ -216,8 +215,9 @@ TEST(LessonFile, ComplaintsNameThePlace) {
             "l.json: steps[0].event: one of kind and test is needed");
   EXPECT_EQ(complaintOf(withStep(R"("event": {"kind": "cut", "number": 0})")),
             "l.json: steps[0].event.number: a whole number from 1 to 1000000 is needed");
-  EXPECT_TRUE(complaintOf(withStep(R"("claims": {"cats": 1})"))
-                  .starts_with("l.json: steps[0].claims.cats: there is no such fact; the facts are polygons, "));
+  EXPECT_TRUE(
+      complaintOf(withStep(R"("claims": {"cats": 1})"))
+          .starts_with("l.json: steps[0].claims.cats: there is no such fact; the facts are polygons, "));
   EXPECT_EQ(complaintOf(withStep(R"("claims": {"cuts": {}})")),
             "l.json: steps[0].claims.cuts: one of at least and at most is needed");
   EXPECT_TRUE(complaintOf(withStep(R"("controls": ["fill"])"))

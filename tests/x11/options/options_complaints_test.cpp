@@ -167,7 +167,7 @@ TEST(Options, RefuseWhatTheCommandIgnores) {
             "--fov is for perspective: leave out --parallel and --oblique");
 }
 
-// A view of numbers refuses options of other pictures, and a size too small for its words.
+// A view refuses options that do not apply to it, and a size too small for its words.
 TEST(Options, RefuseWhatAViewCannotHeed) {
   EXPECT_EQ(complaint({"--scanline", "3"}), "--scanline goes with --view machbands");
   EXPECT_EQ(complaint({"--view", "normals", "--scanline", "3"}), "--scanline goes with --view machbands");

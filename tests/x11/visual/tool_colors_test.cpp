@@ -74,7 +74,7 @@ TEST(ToolColors, WhatMeetsDiffers) {
   }
 }
 
-// Every colour that is on offer is taken. A choice that is already made stays, whatever else is near.
+// A wanted colour that is on offer is taken. A choice that is already made stays, whatever else is near.
 TEST(ToolColors, ExactWhereTheyCanBe) {
   const std::array<glm::ivec3, kCells> wanted = wantedColors();
   std::vector<OfferedColor> list{{100, {7, 7, 7}}};
