@@ -172,6 +172,7 @@ std::vector<bool> Misfit::operator()(std::span<const Facet> facets) const {
   std::vector<bool> result(facets.size(), false);
   std::vector<int> along(facets.size());
   ShadingPoints samples;
+  Terms diffuse, specular;
   Shades shades;
   for (std::size_t first = 0, end = 0; first < facets.size(); first = end) {
     samples = {};
@@ -184,9 +185,9 @@ std::vector<bool> Misfit::operator()(std::span<const Facet> facets) const {
         result[end] = true;
     }
     for (int channel = 0; channel < lighting_.channels; ++channel) {
-      shadeDiffuse(shades, samples, lighting_, channel);
-      shadeSpecular(shades, samples, lighting_, channel);
-      addTerms(shades, samples, lighting_, channel);
+      shadeDiffuse(diffuse, samples, lighting_, channel);
+      shadeSpecular(specular, samples, lighting_, channel);
+      addTerms(shades, diffuse, specular, samples, lighting_, channel);
       const Sides<double>* I = shades.I.data();
       for (std::size_t k = first; k < end; ++k) {
         if (along[k] == 0) continue;

@@ -31,8 +31,8 @@ std::size_t runOf(const std::vector<int>& material, std::size_t first) {
   return v;
 }
 
-[[gnu::always_inline]] inline void add(std::vector<Sides<double>>& sums, std::size_t first, std::size_t count,
-                                       double share, const Sides<Four>& term) {
+[[gnu::always_inline]] inline void add(Terms& sums, std::size_t first, std::size_t count, double share,
+                                       const Sides<Four>& term) {
   for (int k = 0; k < static_cast<int>(count); ++k) {
     sums[first + k].front += share * term.front[k];
     sums[first + k].back += share * term.back[k];
@@ -67,22 +67,21 @@ ShadingPoints vertexPoints(const Mesh& mesh, const Vertices& vertices) {
 }
 
 XNEWELL_DISPATCHED
-void shadeDiffuse(Shades& shades, const ShadingPoints& points, const Lighting& lighting, int channel) {
-  shades.diffuse.assign(points.at.size(), {0.0, 0.0});
-  shades.specular.assign(points.at.size(), {0.0, 0.0});
+void shadeDiffuse(Terms& diffuse, const ShadingPoints& points, const Lighting& lighting, int channel) {
+  diffuse.assign(points.at.size(), {0.0, 0.0});
   for (const Lighting::Source& light : lighting.sources)
     for (std::size_t first = 0, count = 0; first < points.at.size(); first += count) {
       count = runOf(points.material, first);
       const Incident<Four> in = incident(light, gathered(points.at, first, count));
       const double kd = lighting.materials[points.material[first] + 1].kd[channel];
-      add(shades.diffuse, first, count, light.Ip[channel] * kd,
+      add(diffuse, first, count, light.Ip[channel] * kd,
           diffuseTerm(in, gathered(points.N, first, count), lighting.twoSided));
     }
 }
 
 XNEWELL_DISPATCHED
-void shadeSpecular(Shades& shades, const ShadingPoints& points, const Lighting& lighting, int channel) {
-  shades.specular.assign(points.at.size(), {0.0, 0.0});
+void shadeSpecular(Terms& specular, const ShadingPoints& points, const Lighting& lighting, int channel) {
+  specular.assign(points.at.size(), {0.0, 0.0});
   if (!lighting.specular) return;
   for (const Lighting::Source& light : lighting.sources)
     for (std::size_t first = 0, count = 0; first < points.at.size(); first += count) {
@@ -90,18 +89,19 @@ void shadeSpecular(Shades& shades, const ShadingPoints& points, const Lighting& 
       const Material& material = lighting.materials[points.material[first] + 1];
       if (material.ks[channel] == 0.0) continue;
       const Vec<Four> at = gathered(points.at, first, count);
-      add(shades.specular, first, count, light.Ip[channel] * material.ks[channel],
+      add(specular, first, count, light.Ip[channel] * material.ks[channel],
           specularTerm(incident(light, at), gathered(points.N, first, count), towardsEye(lighting, at),
                        material, lighting));
     }
 }
 
-void addTerms(Shades& shades, const ShadingPoints& points, const Lighting& lighting, int channel) {
+void addTerms(Shades& shades, const Terms& diffuse, const Terms& specular, const ShadingPoints& points,
+              const Lighting& lighting, int channel) {
   shades.I.resize(points.at.size());
   shades.clamped = 0;
   for (std::size_t k = 0; k < points.at.size(); ++k) {
     const double ambient = lighting.materials[points.material[k] + 1].ambient[channel];
-    const Sides<double>&d = shades.diffuse[k], &s = shades.specular[k];
+    const Sides<double>&d = diffuse[k], &s = specular[k];
     const Sides<double> sum{ambient + d.front + s.front, ambient + d.back + s.back};
     shades.clamped += sum.front > 1.0 || sum.back > 1.0;
     shades.I[k] = {std::min(1.0, sum.front), std::min(1.0, sum.back)};

@@ -23,19 +23,22 @@ struct ShadingPoints {
 /// One a vertex.
 [[nodiscard]] ShadingPoints vertexPoints(const Mesh& mesh, const Vertices& vertices);
 
-/// One channel at each point. Both sides are kept: the light reaches one of them, and which one the eye sees
-/// is the projected outline's to say (SnappedFace::back).
+/// One channel's term at each point: times Ip and kd or ks, summed over the lights. Both sides are kept: the
+/// light reaches one of them, and which one the eye sees is the projected outline's to say
+/// (SnappedFace::back).
+using Terms = std::vector<Sides<double>>;
+
+/// One channel at each point.
 struct Shades {
-  std::vector<Sides<double>> diffuse, specular;  ///< times Ip and kd or ks, summed over the lights
-  std::vector<Sides<double>> I;                  ///< with the ambient term, clamped to [0, 1]
-  int clamped = 0;                               ///< points where one side was above 1
+  std::vector<Sides<double>> I;  ///< the sum of the terms, clamped to [0, 1]
+  int clamped = 0;               ///< points where one side was above 1
 };
 
-/// Everything but the specular term, which is 0.
-void shadeDiffuse(Shades& shades, const ShadingPoints& points, const Lighting& lighting, int channel);
-/// The specular term, again whenever the eye moves.
-void shadeSpecular(Shades& shades, const ShadingPoints& points, const Lighting& lighting, int channel);
-/// I from the terms.
-void addTerms(Shades& shades, const ShadingPoints& points, const Lighting& lighting, int channel);
+void shadeDiffuse(Terms& diffuse, const ShadingPoints& points, const Lighting& lighting, int channel);
+/// Again whenever the eye moves.
+void shadeSpecular(Terms& specular, const ShadingPoints& points, const Lighting& lighting, int channel);
+/// I from these terms and the ambient one.
+void addTerms(Shades& shades, const Terms& diffuse, const Terms& specular, const ShadingPoints& points,
+              const Lighting& lighting, int channel);
 
 }  // namespace xnewell

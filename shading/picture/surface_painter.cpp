@@ -199,14 +199,13 @@ EvaluatedTriangle SurfacePainter::evaluated(const SnappedFace& face, const FaceT
         return component(terms[s_.shading.vertices().ofCorner[corner]], face.back);
       });
     };
-    e.diffuse = term(s_.shading.shades(s_.channel).diffuse);
-    e.rest = term(s_.shading.shades(s_.channel).specular);
+    e.diffuse = term(s_.shading.diffuse(s_.channel));
+    e.rest = term(s_.shading.specular(s_.channel));
     e.rest.c += ambient;
   } else {
-    const Shades& shades = s_.shading.shades(s_.channel);
     const int point = s_.shading.pointOf(face);
-    e.diffuse.c = component(shades.diffuse[point], face.back);
-    e.rest.c = ambient + component(shades.specular[point], face.back);
+    e.diffuse.c = component(s_.shading.diffuse(s_.channel)[point], face.back);
+    e.rest.c = ambient + component(s_.shading.specular(s_.channel)[point], face.back);
   }
   if (textured(face)) {
     e.texture = &s_.scene.textures[mesh_.materials[material - 1].texture];

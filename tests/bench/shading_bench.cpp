@@ -39,9 +39,9 @@ BENCHMARK(BM_FacePoints)->Arg(14)->Arg(56)->Arg(224)->Unit(benchmark::kMicroseco
 // Diffuse terms of every face: expect linear.
 void BM_ShadeDiffuse(benchmark::State& state) {
   const ShadedTorus scene{static_cast<int>(state.range(0))};
-  Shades shades;
+  Terms diffuse;
   for (auto _ : state) {
-    shadeDiffuse(shades, scene.points, scene.lighting, 0);
+    shadeDiffuse(diffuse, scene.points, scene.lighting, 0);
     benchmark::ClobberMemory();
   }
   state.SetItemsProcessed(state.iterations() * scene.mesh.faceCount());
@@ -51,10 +51,9 @@ BENCHMARK(BM_ShadeDiffuse)->Arg(14)->Arg(56)->Arg(224)->Unit(benchmark::kMicrose
 // The specular term again, as whenever the eye moves: expect linear.
 void BM_ShadeSpecular(benchmark::State& state) {
   const ShadedTorus scene{static_cast<int>(state.range(0))};
-  Shades shades;
-  shadeDiffuse(shades, scene.points, scene.lighting, 0);
+  Terms specular;
   for (auto _ : state) {
-    shadeSpecular(shades, scene.points, scene.lighting, 0);
+    shadeSpecular(specular, scene.points, scene.lighting, 0);
     benchmark::ClobberMemory();
   }
   state.SetItemsProcessed(state.iterations() * scene.mesh.faceCount());

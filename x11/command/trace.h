@@ -10,7 +10,8 @@ namespace xnewell {
 
 /// `trace`: a run of the depth sort, told.
 
-/// The run of a picture that was made, with its events: the textbook's, or with --quick the accelerated one.
+/// The run of a picture with planes (Picture::withPlanes()), with its events: the textbook's, or with --quick
+/// the accelerated one.
 /// @throws std::runtime_error where it has too many steps to be recorded
 [[nodiscard]] SortedScene recordedRun(const Options& options, const Picture& picture);
 

@@ -91,9 +91,9 @@ class LessonBench : public Bench {
   std::vector<Taken> taken_;  ///< of each step
   LessonState state_;
   std::optional<LessonControl> focus_;
-  std::optional<Picture> lower_;      ///< of Stage::SideBySide
-  Setup first_;                       ///< of the step
-  std::vector<std::string> caption_;  ///< of captionOf_, filled in
+  std::optional<PictureCache> lower_;  ///< of Stage::SideBySide
+  Setup first_;                        ///< of the step
+  std::vector<std::string> caption_;   ///< of captionOf_, filled in
   int captionOf_ = -1;
   bool changed_ = false;  ///< the setup is not the step's own
   bool late_ = true, opened_ = false, handing_ = false;

@@ -24,8 +24,7 @@ std::string allFacts() {
   return all;
 }
 
-SortedScene textbookRun(Picture& picture) {
-  picture.addPlanes();
+SortedScene textbookRun(const Picture& picture) {
   return depthSort(picture.snapped(), {.width = picture.settings().width,
                                        .height = picture.settings().height,
                                        .textbook = true,
@@ -34,7 +33,7 @@ SortedScene textbookRun(Picture& picture) {
 
 void ShownExhibit::sort() {
   if (run_) return;
-  const SortedScene run = textbookRun(picture_);
+  const SortedScene run = textbookRun(picture_.withPlanes());
   run_ = run.statistics;
   steps_ = run.events.size();
   painted_ = run.fragments.size();
@@ -58,17 +57,14 @@ double ShownExhibit::value(Fact fact) {
   const Illumination& light = picture_.settings().light;
   const FactNeeds needs = kFacts[static_cast<std::size_t>(fact)].needs;
   if (needs == FactNeeds::Run) sort();
-  if (needs == FactNeeds::Oracle && !exactness_) exactness_ = picture_.exactness();
+  if (needs == FactNeeds::Oracle && !exactness_) exactness_ = exactnessOf(picture_);
   if (needs == FactNeeds::Beside) compare();
   if (needs == FactNeeds::Profile && !profiled_) {
-    const PictureSettings made = picture_.settings();
-    const Scanline line = scanlineOf(picture_, made, defaultScanline(picture_), 0);
+    const Scanline line = scanlineOf(picture_, defaultScanline(picture_), 0);
     for (int k = 0; k < 3; ++k) {
       bands_[k] = line.profiles[k].bands;
       jumps_[k] = line.profiles[k].largestJump * (kMaxShades - 1);
     }
-    IndexImage again{made.width, made.height, 0};
-    picture_.paint(again, 0);
     profiled_ = true;
   }
   if ((fact == Fact::Darkest || fact == Fact::Brightest) && !range_) {

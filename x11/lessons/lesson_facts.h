@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "shading/color/index_image.h"
+#include "shading/picture/exactness.h"
 #include "shading/picture/picture.h"
 #include "x11/lessons/exhibit.h"
 
@@ -112,16 +113,16 @@ inline constexpr std::array kFacts{
 /// Their names, for complaints.
 [[nodiscard]] std::string allFacts();
 
-/// The depth sort's textbook run over a made picture, whatever order that was painted in; adds its planes.
-/// Also for pictures of several channels: what is sorted has no colour.
-[[nodiscard]] SortedScene textbookRun(Picture& picture);
+/// The depth sort's textbook run over a picture with planes (Picture::withPlanes()), in whatever order that
+/// is painted. Also for pictures of several channels: what is sorted has no colour.
+[[nodiscard]] SortedScene textbookRun(const Picture& picture);
 
 /// An exhibit as it is shown: what numbers are taken from. All of it outlives this.
 class ShownExhibit {
  public:
   /// `image` is the picture painted, `beside` the second one of Stage::SideBySide or null. Facts are found
-  /// when they are asked for, each part of the work once; the picture is left as it was.
-  ShownExhibit(Picture& picture, const IndexImage& image, const IndexImage* beside)
+  /// when they are asked for, each part of the work once.
+  ShownExhibit(const Picture& picture, const IndexImage& image, const IndexImage* beside)
       : picture_{picture}, image_{image}, beside_{beside} {}
 
   /// NaN where the picture has none: a linear table has no ratio. No claim about it holds.
@@ -137,12 +138,12 @@ class ShownExhibit {
   void sort();
   void compare();
 
-  Picture& picture_;
+  const Picture& picture_;
   const IndexImage& image_;
   const IndexImage* beside_;
   std::optional<SortStatistics> run_;
   std::size_t steps_ = 0, painted_ = 0;
-  std::optional<Picture::Exactness> exactness_;
+  std::optional<Exactness> exactness_;
   std::array<double, 3> bands_{}, jumps_{};  ///< by kProfiled
   bool profiled_ = false;
   std::optional<std::array<double, 2>> range_;

@@ -6,6 +6,7 @@
 
 #include "depthsort/explain.h"
 #include "depthsort/replay.h"
+#include "shading/picture/exactness.h"
 #include "shading/picture/profile.h"
 #include "x11/drawing/painter.h"
 #include "x11/drawing/wording.h"
@@ -48,13 +49,13 @@ void copyTo(IndexImage& image, const Rect& at, const IndexImage& picture) {
 
 void markWrong(IndexImage& image, SightDrawing& draws) {
   const Rect& at = draws.at.picture;
-  const std::vector<Picture::Verdict> verdicts = draws.sight.picture.verdicts();
+  const std::vector<SampleVerdict> verdicts = verdictsOn(draws.sight.picture);
   std::int64_t wrong = 0, samples = 0;
   for (int j = 0; j < at.height; ++j)
     for (int i = 0; i < at.width; ++i) {
-      const Picture::Verdict v = verdicts[std::size_t(j) * at.width + i];
-      samples += v != Picture::Verdict::Nothing;
-      if (v != Picture::Verdict::Wrong) continue;
+      const SampleVerdict v = verdicts[std::size_t(j) * at.width + i];
+      samples += v != SampleVerdict::Nothing;
+      if (v != SampleVerdict::Wrong) continue;
       ++wrong;
       image.row(at.y + j)[at.x + i] = draws(Cell::Q);
     }
@@ -285,10 +286,7 @@ void drawProfiles(IndexImage& image, SightDrawing& draws) {
   const Sight& sight = draws.sight;
   const Rect &below = draws.at.below, &at = draws.at.picture;
   const int row = defaultScanline(sight.picture);
-  const PictureSettings made = sight.picture.settings();
-  const Scanline line = scanlineOf(sight.picture, made, row, draws(Cell::Well));
-  IndexImage again{made.width, made.height, 0};
-  sight.picture.paint(again, draws(Cell::Well));  // the picture as it was found
+  const Scanline line = scanlineOf(sight.picture, row, draws(Cell::Well));
 
   draws.paint.line(at.x, at.y + row, at.x + at.width - 1, at.y + row, draws(Cell::White), {1, 4, 4});
   draws.section("row " + std::to_string(row) + " of the picture");

@@ -24,7 +24,7 @@ struct SightLayout {
 
 struct Sight {
   const Exhibit& exhibit;
-  Picture& picture;         ///< of layout's size; left as it was found
+  const Picture& picture;   ///< of layout's size; of Stage::DepthSort with planes
   const IndexImage& image;  ///< it, painted
   const IndexImage* lower;  ///< of Stage::SideBySide
   const SortedScene* run;   ///< of Stage::DepthSort, textbookRun()

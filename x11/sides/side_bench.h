@@ -69,15 +69,15 @@ class SideBench : public Bench {
   void nextPair(const Setup& A);
   /// Whether that was all: what A was before is the window's to undo.
   bool undo(const Setup& A);
-  /// The picture of B, made and painted; a setup that cannot be drawn is undone and told.
-  void makeB(const Desk& desk);
+  /// The picture of B, painted; a setup that cannot be drawn is undone and told.
+  [[nodiscard]] Picture makeB(const Desk& desk);
   /// What was measured, of a picture of these settings.
   struct Measured {
     std::optional<PictureSettings> of;
     SideNumbers numbers;
     BestTime time;
   };
-  static void measure(Measured& side, const Measured& other, Picture& picture);
+  static void measure(Measured& side, const Measured& other, const Picture& picture);
 
   Host* host_;
   std::function<ControlKeys::Subject()> subject_;
@@ -93,8 +93,7 @@ class SideBench : public Bench {
   bool joins_ = true;           ///< A may have been changed elsewhere
   std::vector<Before> before_;  ///< the changes made here, the oldest first
 
-  std::optional<Picture> pictureB_;
-  IndexImage imageB_;
+  std::optional<PictureCache> picturesB_;
   // Of what was drawn last.
   struct Told {
     std::optional<Setup> b;

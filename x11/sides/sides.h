@@ -33,10 +33,9 @@ inline constexpr std::array kUnlikes{
   return kUnlikes[static_cast<std::size_t>(kind)];
 }
 
-/// A picture, painted; all outlive it.
-struct PaintedPicture {
+/// A picture, painted, and its colours; both outlive it.
+struct ColoredPicture {
   const Picture& picture;
-  const IndexImage& image;
   const Palette& palette;  ///< its own, as CellPlan has it without a server
 };
 
@@ -51,7 +50,7 @@ struct Unlikeness {
   double largest = 0, rootMeanSquare = 0;
 };
 /// Precondition: both of one scene and size, and hasIntensities() where kind says so.
-[[nodiscard]] Unlikeness unlikeness(Unlike kind, const PaintedPicture& A, const PaintedPicture& B);
+[[nodiscard]] Unlikeness unlikeness(Unlike kind, const ColoredPicture& A, const ColoredPicture& B);
 /// Cells of colours stand for no intensity.
 [[nodiscard]] bool hasIntensities(const Picture& A, const Picture& B);
 /// Steps that double from the unit on; faces are the same or not.
@@ -69,14 +68,14 @@ inline constexpr int kMostPlaces = 9;
 /// picture's own light and material, unquantised, and the faces that the oracle sees (difference.h): one
 /// reference for both as long as these are the same.
 struct SideNumbers {
-  int samples = 0, wrong = 0;  ///< Picture::exactness()
+  int samples = 0, wrong = 0;  ///< exactnessOf()
   Measure measure = Measure::Intensity;
   double largest = 0, rootMeanSquare = 0;
   std::int64_t painted = 0;  ///< polygons and pieces
   std::int64_t cuts = 0;
 };
-/// `picture` is made, and left so.
-[[nodiscard]] SideNumbers numbersOf(Picture& picture);
+/// `picture` is painted.
+[[nodiscard]] SideNumbers numbersOf(const Picture& picture);
 
 /// Milliseconds from the scene's points to the painted picture, nothing kept from before: the best of up to
 /// three runs, fewer where they take long.
@@ -97,7 +96,7 @@ struct OnePalette {
   int colors = 0;       ///< that are shared
 };
 /// `own` has A's own colours and the plan's; there are cells for `most` colours.
-[[nodiscard]] OnePalette onePalette(const PaintedPicture& A, const PaintedPicture& B, const CellPlan& plan,
+[[nodiscard]] OnePalette onePalette(const ColoredPicture& A, const ColoredPicture& B, const CellPlan& plan,
                                     const Palette& own, int most = kMaxShades);
 
 /// A setting in words. What differs comes first.

@@ -57,7 +57,6 @@ class SortBench : public Bench {
   void record(const Desk& desk);
   /// The step of a run of another view that is most like the one shown before; says which it is.
   [[nodiscard]] int likeBefore();
-  [[nodiscard]] bool isAbout(const Picture& picture) const;
   void drawTooLong(IndexImage& image, const Desk& desk);
   void stepBy(int steps);
   void jump(bool forward);
@@ -83,12 +82,10 @@ class SortBench : public Bench {
   // Of what was drawn last.
   std::unique_ptr<SortRun> run_;
   bool tooLong_ = false;
-  bool fullColor_ = false;            ///< the scene's own plan is of colours: it is shown in one hue
-  const void* scene_ = nullptr;       ///< that run_ is about, and
-  std::vector<glm::ivec3> recorded_;  ///< its vertices
-  Order order_ = Order::Newell;       ///< of the picture in its own view
-  PictureSettings settings_;          ///< that it is painted by
-  std::optional<StepAbout> about_;    ///< the step; none at the start
+  bool fullColor_ = false;          ///< the scene's own plan is of colours: it is shown in one hue
+  std::optional<Picture> picture_;  ///< that run_ is about
+  Order order_ = Order::Newell;     ///< of the picture in its own view
+  std::optional<StepAbout> about_;  ///< the step; none at the start
   SortLayout at_;
   SortDrawn places_;
   std::optional<SortView> drawn_;

@@ -363,7 +363,7 @@ std::string levelsText(const Picture& picture, const std::vector<Curve>& curves)
 
 void drawColorsPage(IndexImage& image, const ColorsLayout& at, const ColorsPage& page) {
   for (int j = 0; j < at.picture.height; ++j)
-    std::copy_n(page.image.row(j), at.picture.width, image.row(at.picture.y + j) + at.picture.x);
+    std::copy_n(page.picture.image().row(j), at.picture.width, image.row(at.picture.y + j) + at.picture.x);
   ColorsDrawing draws{image, at, page};
   draws.drawGrid();
   draws.drawFacts();

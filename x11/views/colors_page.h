@@ -46,8 +46,7 @@ struct TableLineHit {
 
 /// All that the page shows. The palette's colours are shown by the cells themselves.
 struct ColorsPage {
-  const Picture& picture;
-  const IndexImage& image;          ///< as large as the layout's picture
+  const Picture& picture;           ///< painted, as large as the layout's
   const Palette& palette;           ///< that the words and curves are about
   const std::vector<Curve>& steps;  ///< stepCurves() of it
   const CellPlan& plan;

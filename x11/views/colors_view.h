@@ -8,6 +8,7 @@ namespace xnewell {
 /// picture uses each, and the number of levels that differ. Where a cell is lit, it is so in the grid, in the
 /// strip and in the picture alike, for it is the cell that is stored; it is then the inspected one, if no
 /// other is asked for.
-[[nodiscard]] ColoredImage drawColors(Picture& picture, const ViewSettings& settings);
+[[nodiscard]] ColoredImage drawColors(const Picture& picture, const ViewSettings& settings);
+[[nodiscard]] PictureSettings pictureForColors(const ViewSettings& settings);
 
 }  // namespace xnewell

@@ -35,22 +35,23 @@ struct Difference {
   std::size_t largestAt = 0;  ///< index of the first sample that differs most
 };
 
-/// What is compared, and the reference in the picture's own cells.
+/// The reference in the picture's own cells, and how far the picture is from it.
 struct Compared {
-  IndexImage picture, reference;
+  IndexImage reference;
   Difference difference;
 };
 
 /// A cell of a ramp counts as the intensity in the middle of those that it stands for; a colour as the
-/// screen shows it, against the reference's three channels. `picture` becomes that of `settings`.
-[[nodiscard]] Compared comparedWithPhong(Picture& picture, const PictureSettings& settings,
-                                         std::uint8_t ground);
+/// screen shows it, against the reference's three channels. `picture` is painted; the reference is on its
+/// ground.
+[[nodiscard]] Compared comparedWithPhong(const Picture& picture);
 
 /// The difference as an image of the picture's size: six steps that double from the unit on.
 [[nodiscard]] IndexImage differenceImage(const Difference& difference, const CellPlan& plan);
 [[nodiscard]] Finding findingOf(const Difference& difference);
 
 /// Both pictures, the difference in six steps that double from the unit on, and its numbers in words.
-[[nodiscard]] ColoredImage drawDifference(Picture& picture, const ViewSettings& settings);
+[[nodiscard]] ColoredImage drawDifference(const Picture& picture, const ViewSettings& settings);
+[[nodiscard]] PictureSettings pictureForDifference(const ViewSettings& settings);
 
 }  // namespace xnewell

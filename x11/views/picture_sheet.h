@@ -11,11 +11,13 @@ namespace xnewell {
 /// its legend and table to the left, what was found to the right.
 class PictureSheet {
  public:
-  /// Makes and paints the scene's picture at the size that a strip of so many pixels, its section's line and
-  /// name included, leaves.
-  PictureSheet(Picture& picture, const ViewSettings& settings, int strip);
+  /// The strip has so many pixels, its section's line and name included.
+  PictureSheet(const ViewSettings& settings, int strip);
 
-  /// The view's picture, of the size the scene's was made at.
+  /// What such a sheet asks its picture for: the size that the strip leaves.
+  [[nodiscard]] static PictureSettings picture(const ViewSettings& settings, int strip);
+
+  /// The view's own image, of the picture's size.
   void place(const IndexImage& image) { sheet.place(image, {0, 0, at.width, at.height}, at.x, at.y); }
   /// Begins the strip; the y below its name.
   int section(std::string_view name) { return sheet.section(left, top_, width_, name); }

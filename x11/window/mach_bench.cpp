@@ -162,11 +162,11 @@ void MachBench::draw(IndexImage& image, const Desk& desk) {
   const Layout& at = desk.layout;
   const int top = sheetTop(at);
   // In a window of another size it stays where it is on the scene.
-  if (row_ && height_ != desk.image.height) {
-    row_ = (2 * *row_ + 1) * desk.image.height / (2 * height_);
+  if (row_ && height_ != desk.picture.settings().height) {
+    row_ = (2 * *row_ + 1) * desk.picture.settings().height / (2 * height_);
     firstRow_.reset();
   }
-  height_ = desk.image.height;
+  height_ = desk.picture.settings().height;
   divisions_ = desk.picture.scene().divisions;
   if (!row_) row_ = defaultScanline(desk.picture);
   ViewSettings settings{.view = View::MachBands, .picture = desk.setup.picture, .cells = desk.plan};
@@ -178,8 +178,8 @@ void MachBench::draw(IndexImage& image, const Desk& desk) {
   // What is shown of the picture follows only a scanline that leaves it.
   if (firstRow_ && (*row_ < *firstRow_ || *row_ >= *firstRow_ + picture_.height)) firstRow_.reset();
   const MachBandsPage page = drawMachBandsPage(
-      desk.picture, desk.image,
-      {.row = *row_, .firstRow = firstRow_, .grayed = grayed, .controls = kRows * kRow + 4}, settings);
+      desk.picture, {.row = *row_, .firstRow = firstRow_, .grayed = grayed, .controls = kRows * kRow + 4},
+      settings);
   const Rect part =
       intersection({0, top, at.width, at.strip.y - top}, {0, top, page.image.width, page.image.height});
   for (int j = 0; j < part.height; ++j) std::copy_n(page.image.row(j), part.width, image.row(part.y + j));

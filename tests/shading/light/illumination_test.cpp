@@ -33,12 +33,13 @@ FaceShade shaded(const Illumination& user, glm::dvec3 eye, const Mesh& mesh = sq
                  glm::dvec3 lookAt = {0.5, 0.5, 0}, const SceneLight& scene = {}) {
   const Lighting lighting = resolve(mesh, scene, user, Channels::Luminance, eye, lookAt);
   const ShadingPoints points = facePoints(mesh);
+  Terms diffuse, specular;
   Shades shades;
-  shadeDiffuse(shades, points, lighting, 0);
-  shadeSpecular(shades, points, lighting, 0);
-  addTerms(shades, points, lighting, 0);
+  shadeDiffuse(diffuse, points, lighting, 0);
+  shadeSpecular(specular, points, lighting, 0);
+  addTerms(shades, diffuse, specular, points, lighting, 0);
   return {points.N[0],       points.at[0],       lighting.materials[mesh.material[0] + 1].ambient[0],
-          shades.diffuse[0], shades.specular[0], shades.I[0],
+          diffuse[0],        specular[0],        shades.I[0],
           shades.clamped > 0};
 }
 
@@ -247,9 +248,10 @@ TEST(Illumination, Channels) {
   const ShadingPoints points = facePoints(m);
   const std::array expected{0.1 * 0.5 + 0.8 * 0.5, 0.1 + 0.3 * 0.8, 0.2 * 0.5};
   for (int c = 0; c < 3; ++c) {
+    Terms diffuse;
     Shades shades;
-    shadeDiffuse(shades, points, lighting, c);
-    addTerms(shades, points, lighting, c);
+    shadeDiffuse(diffuse, points, lighting, c);
+    addTerms(shades, diffuse, Terms(diffuse.size(), {0.0, 0.0}), points, lighting, c);
     EXPECT_NEAR(shades.I[0].front, expected[c], 1e-15) << c;
   }
 }
@@ -291,9 +293,9 @@ TEST(Illumination, SideBySideAsAlone) {
             {.kind = LightKind::Point, .position = {2, 1, 0}, .attenuation = Attenuation::InverseSquare}}};
     const Lighting lighting =
         resolve(m, scene, {.form = form.id}, Channels::Luminance, {1, -3, 2}, {0, 0, 0});
-    Shades shades;
-    shadeDiffuse(shades, points, lighting, 0);
-    shadeSpecular(shades, points, lighting, 0);
+    Terms diffuseTerms, specularTerms;
+    shadeDiffuse(diffuseTerms, points, lighting, 0);
+    shadeSpecular(specularTerms, points, lighting, 0);
     const auto vec = [](const glm::dvec3& v) { return Vec<double>{v.x, v.y, v.z}; };
     int lit = 0;
     for (std::size_t k = 0; k < points.at.size(); ++k) {
@@ -308,10 +310,10 @@ TEST(Illumination, SideBySideAsAlone) {
         diffuse = {diffuse.front + kd * d.front, diffuse.back + kd * d.back};
         specular = {specular.front + ks * s.front, specular.back + ks * s.back};
       }
-      ASSERT_EQ(diffuse.front, shades.diffuse[k].front) << k;
-      ASSERT_EQ(diffuse.back, shades.diffuse[k].back) << k;
-      ASSERT_EQ(specular.front, shades.specular[k].front) << k;
-      ASSERT_EQ(specular.back, shades.specular[k].back) << k;
+      ASSERT_EQ(diffuse.front, diffuseTerms[k].front) << k;
+      ASSERT_EQ(diffuse.back, diffuseTerms[k].back) << k;
+      ASSERT_EQ(specular.front, specularTerms[k].front) << k;
+      ASSERT_EQ(specular.back, specularTerms[k].back) << k;
       lit += specular.front > 0 || specular.back > 0;
     }
     EXPECT_GT(lit, 100);

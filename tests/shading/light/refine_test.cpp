@@ -37,10 +37,11 @@ struct Divided {
 };
 
 Shades shadesAt(const ShadingPoints& points, const Lighting& lighting) {
+  Terms diffuse, specular;
   Shades shades;
-  shadeDiffuse(shades, points, lighting, 0);
-  shadeSpecular(shades, points, lighting, 0);
-  addTerms(shades, points, lighting, 0);
+  shadeDiffuse(diffuse, points, lighting, 0);
+  shadeSpecular(specular, points, lighting, 0);
+  addTerms(shades, diffuse, specular, points, lighting, 0);
   return shades;
 }
 

@@ -11,6 +11,8 @@
 #include "geometry/exact/int128.h"
 #include "geometry/model/solids.h"
 #include "shading/fill/scanline.h"
+#include "shading/picture/exactness.h"
+#include "shading/picture/picture_cache.h"
 #include "tests/support/painted_picture.h"
 
 namespace xnewell {
@@ -61,25 +63,25 @@ bool sameBits(const std::vector<Sides<double>>& a, const std::vector<Sides<doubl
 // the eye, and random triangles that cross the picture's borders.
 TEST(Picture, PaintsEachSampleAsOftenAsFacesCoverIt) {
   long long samples = 0;
-  const auto check = [&](Picture& picture, const PictureSettings& s) {
-    picture.make(s);
-    const std::vector<int> covered = timesCovered(picture.snapped(), s.width, s.height);
-    ASSERT_EQ(timesPainted(picture.snapped(), s.width, s.height), covered);
+  const auto check = [&](PictureCache& pictures, const PictureSettings& s) {
+    pictures.make(s);
+    const std::vector<int> covered = timesCovered(pictures.last().snapped(), s.width, s.height);
+    ASSERT_EQ(timesPainted(pictures.last().snapped(), s.width, s.height), covered);
     samples += std::ranges::count_if(covered, [](int n) { return n > 0; });
   };
-  Picture teapot{readScene("teapot", 4)};
+  PictureCache teapot{readScene("teapot", 4)};
   for (int view = 0; view < 8; ++view) {
     SCOPED_TRACE(view);
     PictureSettings s = small();
     s.camera.parallel = view % 2 == 0;
     if (view == 3) s.camera.oblique = Oblique{};
     teapot.make(s);
-    s.camera = moved(s.camera, teapot.camera(), 50.0 * view, 20.0 * view - 70, view == 7 ? 6.0 : 1.0);
+    s.camera = moved(s.camera, teapot.last().camera(), 50.0 * view, 20.0 * view - 70, view == 7 ? 6.0 : 1.0);
     check(teapot, s);
   }
   for (unsigned seed = 0; seed < 20; ++seed) {
     SCOPED_TRACE(seed);
-    Picture soup{makeScene("soup", triangleSoup(300, 0.5, seed), UpAxis::Y)};
+    PictureCache soup{makeScene("soup", triangleSoup(300, 0.5, seed), UpAxis::Y)};
     PictureSettings s = small();
     s.camera.eye = glm::dvec3{0.1, 0.2, 0.3 + 0.1 * seed};
     s.camera.lookAt = glm::dvec3{0, 0, -1};
@@ -94,13 +96,13 @@ TEST(Picture, ClosedSurfacesPaintInPairs) {
   int twice = 0, four = 0;
   for (unsigned seed = 0; seed < 40; ++seed) {
     SCOPED_TRACE(seed);
-    Picture picture{makeScene("solid", seed % 2 ? sphere(23, 11) : torus(29, 13), UpAxis::Z)};
+    PictureCache pictures{makeScene("solid", seed % 2 ? sphere(23, 11) : torus(29, 13), UpAxis::Z)};
     PictureSettings s = small();
     s.camera.parallel = seed % 3 == 0;
-    picture.make(s);
-    s.camera = moved(s.camera, picture.camera(), 17.0 * seed, 7.0 * seed - 100, 1.3);
-    picture.make(s);
-    for (const int n : timesPainted(picture.snapped(), s.width, s.height)) {
+    pictures.make(s);
+    s.camera = moved(s.camera, pictures.last().camera(), 17.0 * seed, 7.0 * seed - 100, 1.3);
+    pictures.make(s);
+    for (const int n : timesPainted(pictures.last().snapped(), s.width, s.height)) {
       ASSERT_EQ(n % 2, 0);
       if (seed % 2) {
         ASSERT_LE(n, 2);
@@ -117,24 +119,27 @@ TEST(Picture, ClosedSurfacesPaintInPairs) {
 // zoom; when the eye moves, only the specular term does.
 class StoredShading : public ::testing::TestWithParam<Shading> {};
 TEST_P(StoredShading, KnowsNoCamera) {
-  Picture picture{readScene("teapot", 4)};
+  PictureCache pictures{readScene("teapot", 4)};
   PictureSettings s = small();
   s.shading = GetParam();
   s.camera.eye = glm::dvec3{0.3, -2, 0.8};
   s.camera.lookAt = glm::dvec3{0, 0, 0.2};
-  picture.make(s);
-  const Shades stored = picture.shading().shades(0);
-  ASSERT_GT(stored.I.size(), 200u);
+  pictures.make(s);
+  const SceneShading stored = pictures.last().shading();
+  ASSERT_GT(stored.shades(0).I.size(), 200u);
   const auto expectSame = [&](const PictureSettings& changed, bool specularToo) {
-    Picture fresh{readScene("teapot", 4)};
+    PictureCache fresh{readScene("teapot", 4)};
     fresh.make(changed);
-    picture.make(changed);
-    const Shades &kept = picture.shading().shades(0), &made = fresh.shading().shades(0);
-    EXPECT_TRUE(sameBits(kept.diffuse, made.diffuse) && sameBits(kept.specular, made.specular));
-    EXPECT_TRUE(sameBits(kept.I, made.I));
-    EXPECT_TRUE(sameBits(stored.diffuse, made.diffuse));
-    EXPECT_EQ(sameBits(stored.specular, made.specular), specularToo);
-    EXPECT_EQ(sameBits(stored.I, made.I), specularToo);
+    pictures.make(changed);
+    const SceneShading &kept = pictures.last().shading(), &made = fresh.last().shading();
+    EXPECT_TRUE(sameBits(kept.diffuse(0), made.diffuse(0)) && sameBits(kept.specular(0), made.specular(0)));
+    EXPECT_TRUE(sameBits(kept.shades(0).I, made.shades(0).I));
+    EXPECT_TRUE(sameBits(stored.diffuse(0), made.diffuse(0)));
+    EXPECT_EQ(sameBits(stored.specular(0), made.specular(0)), specularToo);
+    EXPECT_EQ(sameBits(stored.shades(0).I, made.shades(0).I), specularToo);
+    // What stays is not even copied.
+    EXPECT_EQ(&stored.diffuse(0), &kept.diffuse(0));
+    EXPECT_EQ(&stored.specular(0) == &kept.specular(0), specularToo);
   };
   const auto with = [&](auto&& change) {
     PictureSettings c = s;
@@ -155,13 +160,13 @@ INSTANTIATE_TEST_SUITE_P(Methods, StoredShading, ::testing::Values(Shading::Flat
 // Keeping results is invisible: after any change of settings the picture is the one made afresh.
 TEST(Picture, KeptStagesPaintWhatFreshOnesPaint) {
   std::mt19937 rng{1975};
-  Picture kept{readScene("teapot", 3)};
+  PictureCache kept{readScene("teapot", 3)};
   PictureSettings s = small();
   int distinct = 0;
   IndexImage last;
   for (int trial = 0; trial < 120; ++trial) {
     SCOPED_TRACE(trial);
-    switch (rng() % 12) {
+    switch (rng() % 13) {
       case 0:
         s.table.kind = kTables[rng() % 3].id;
         break;
@@ -181,7 +186,7 @@ TEST(Picture, KeptStagesPaintWhatFreshOnesPaint) {
         s.width = 100 + static_cast<int>(rng() % 100);
         break;
       case 6:
-        s.camera = moved(s.camera, kept.camera(), 20, 3, 1.05);
+        s.camera = moved(s.camera, kept.last().camera(), 20, 3, 1.05);
         break;
       case 7:
         s.light.constantV = !s.light.constantV;
@@ -195,11 +200,15 @@ TEST(Picture, KeptStagesPaintWhatFreshOnesPaint) {
       case 10:
         s.environment = kEnvironmentForms[rng() % 2].id;
         break;
+      case 11:
+        s.table.hue = rng() % 2 ? glm::dvec3{1, 0.5, 0} : glm::dvec3{0, 1, 1};
+        s.table.bits = rng() % 2 ? 8 : 16;
+        break;
       default:
         s.shading = kShadings[rng() % 6].id;
     }
     const IndexImage image = painted(kept, s);
-    Picture fresh{readScene("teapot", 3)};
+    PictureCache fresh{readScene("teapot", 3)};
     ASSERT_EQ(image, painted(fresh, s));
     distinct += !(image == last);
     last = image;
@@ -209,17 +218,80 @@ TEST(Picture, KeptStagesPaintWhatFreshOnesPaint) {
 
 // A new table paints again from the stored intensities: nothing is shaded, projected or sorted.
 TEST(Picture, ANewTableOnlyPaintsAgain) {
-  Picture picture{readScene("teapot")};
+  PictureCache pictures{readScene("teapot")};
   PictureSettings s = small();
-  picture.make(s);
-  EXPECT_GT(picture.times().transform, 0);
-  EXPECT_GT(picture.times().sort, 0);
+  pictures.make(s);
+  EXPECT_GT(pictures.last().times().transform, 0);
+  EXPECT_GT(pictures.last().times().sort, 0);
   s.table.kind = TableKind::Corrected;
   s.table.I0 = 0.1;
   s.table.shades = 12;
-  picture.make(s);
-  EXPECT_EQ(picture.times().transform, 0);
-  EXPECT_EQ(picture.times().sort, 0);
+  pictures.make(s);
+  EXPECT_EQ(pictures.last().times().transform, 0);
+  EXPECT_EQ(pictures.last().times().sort, 0);
+}
+
+// Other colours in the cells hand the image on, in every plan; another ground paints it again.
+TEST(Picture, NewColorsKeepTheImage) {
+  for (const ColorPlan plan : {ColorPlan::OneHue, ColorPlan::Hues, ColorPlan::Chosen}) {
+    PictureCache pictures{readScene("hues")};
+    PictureSettings s = small();
+    s.colors = plan;
+    const Picture first = pictures.make(s, 8);
+    s.table.hue = {0, 1, 0};
+    s.table.bits = 8;
+    const Picture second = pictures.make(s, 8);
+    EXPECT_EQ(&second.image(), &first.image());
+    EXPECT_EQ(second.image(), makePicture(readScene("hues"), s, 8).image());
+    EXPECT_EQ(second.palette(CellPlan{}), makePicture(readScene("hues"), s, 8).palette(CellPlan{}));
+    const Picture third = pictures.make(s, 9);
+    EXPECT_NE(third.image(), first.image());
+    EXPECT_EQ(third.times().sort, 0);
+  }
+}
+
+// A picture stays what it is, whatever is made after it: by its own cache, by one that began with it, by one
+// that failed. A cache that failed goes on from its last picture.
+TEST(Picture, NeverChanges) {
+  PictureCache pictures{readScene("teapot", 3)};
+  PictureSettings s = small();
+  s.shading = Shading::Gouraud;
+  s.order = Order::ZSort;
+  const Picture picture = pictures.make(s, 8);
+  const IndexImage image = picture.image();
+  const std::vector<std::uint32_t> faces = picture.faceImage();
+  const std::vector<double> I = picture.intensities(picture.seen(90, 91));
+  const auto expectSame = [&] {
+    EXPECT_EQ(picture.settings(), s);
+    EXPECT_EQ(picture.image(), image);
+    EXPECT_EQ(picture.paint(8).image, image);
+    EXPECT_EQ(picture.faceImage(), faces);
+    const std::vector<double> now = picture.intensities(picture.seen(90, 91));
+    EXPECT_EQ(std::memcmp(now.data(), I.data(), I.size() * sizeof I[0]), 0);
+    EXPECT_TRUE(picture.snapped().planes.empty());
+  };
+  EXPECT_FALSE(picture.withPlanes().snapped().planes.empty());
+  expectSame();
+  PictureCache second{picture};
+  PictureSettings other = s;
+  other.shading = Shading::Phong;
+  other.order = Order::Newell;
+  const Picture exact = second.make(other, 8);
+  EXPECT_EQ(exact.times().transform, 0);  // lent
+  EXPECT_EQ(&exact.scene(), &picture.scene());
+  EXPECT_NE(exact.image(), image);
+  expectSame();
+  other.camera = moved(s.camera, picture.camera(), 30, 10, 1.1);
+  other.width = 100;
+  (void)pictures.make(other, 8);
+  expectSame();
+  const IndexImage last = pictures.last().image();
+  PictureSettings wrong = other;
+  wrong.camera.eye = wrong.camera.lookAt = glm::dvec3{1, 1, 1};
+  EXPECT_THROW((void)pictures.make(wrong, 8), ViewError);
+  EXPECT_EQ(pictures.last().image(), last);
+  EXPECT_EQ(pictures.make(other, 8).image(), last);
+  expectSame();
 }
 
 // The face image names the face that is seen: number + 1, 0 where nothing is; pieces of a divided face
@@ -231,15 +303,15 @@ TEST(Picture, FaceImageNamesFaces) {
   const int floor[] = {0, 1, 2, 3}, concave[] = {4, 5, 6, 7, 8};
   m.addFace(floor, 0);
   m.addFace(concave, 0);
-  Picture picture{makeScene("two", m, UpAxis::Y)};
-  EXPECT_GT(picture.scene().pieces.count(), 2);
+  PictureCache pictures{makeScene("two", m, UpAxis::Y)};
+  EXPECT_GT(pictures.scene().pieces.count(), 2);
   PictureSettings s = small();
   s.camera.parallel = true;
   s.camera.eye = glm::dvec3{0, 0, 3};
   s.camera.lookAt = glm::dvec3{0};
   s.camera.height = 1.2;  // scene units: coordinates were halved
-  picture.make(s);
-  const std::vector<std::uint32_t> ids = picture.faceImage();
+  pictures.make(s);
+  const std::vector<std::uint32_t> ids = pictures.last().faceImage();
   const auto at = [&](double x, double y) {  // of the file's coordinates
     return ids[std::size_t(90 - y / 2 / 1.2 * 180) * 240 + std::size_t(120 + x / 2 / 1.2 * 180)];
   };
@@ -252,31 +324,32 @@ TEST(Picture, FaceImageNamesFaces) {
 
 // Clamped evaluations are counted: none with room to spare, some when kd and ks add up to more than 1.
 TEST(Picture, CountsClampedEvaluations) {
-  Picture picture{readScene("teapot")};
+  PictureCache pictures{readScene("teapot")};
   PictureSettings s = small();
   s.light.ks = 0;
-  picture.make(s);
-  EXPECT_EQ(picture.saturated(), 0);
+  pictures.make(s);
+  EXPECT_EQ(pictures.last().saturated(), 0);
   s.light = {.Ia = 0, .Ip = 1, .kd = 1, .ks = 1, .n = 3};
-  picture.make(s);
-  EXPECT_GT(picture.saturated(), 100);
+  pictures.make(s);
+  EXPECT_GT(pictures.last().saturated(), 100);
 }
 
 // Environment mapping counts its clamped samples where a triangle may meet the places of the map that were
 // clamped: as many as there are. The samples are those of the upper of two shades for intensities just below
 // 1 and 1; each is painted once, for the ball is convex and the oracle paints what is visible.
 TEST(Picture, EnvironmentCountsEveryClampedSample) {
-  std::vector<std::pair<Picture, Order>> pictures;
-  pictures.emplace_back(Picture{makeScene("ball", sphere(80, 40), UpAxis::Z)}, Order::ZSort);  // small faces
-  pictures.emplace_back(Picture{makeScene("ball", sphere(6, 4), UpAxis::Z)}, Order::ZSort);
-  pictures.emplace_back(Picture{readScene("teapot", 4)}, Order::Oracle);
+  std::vector<std::pair<PictureCache, Order>> balls;
+  balls.emplace_back(PictureCache{makeScene("ball", sphere(80, 40), UpAxis::Z)},
+                     Order::ZSort);  // small faces
+  balls.emplace_back(PictureCache{makeScene("ball", sphere(6, 4), UpAxis::Z)}, Order::ZSort);
+  balls.emplace_back(PictureCache{readScene("teapot", 4)}, Order::Oracle);
   Scene beside = makeScene("ball", sphere(30, 20), UpAxis::Z);
   beside.light.lights = {{.Ip = glm::dvec3{0.85}},  // turned to the axis; the others lie beside and behind
                          {.Ip = glm::dvec3{0.8}, .direction = {-1, -0.3, 0.5}},
                          {.Ip = glm::dvec3{0.8}, .direction = {0.2, 1, -0.6}}};
-  pictures.emplace_back(Picture{std::move(beside)}, Order::ZSort);
+  balls.emplace_back(PictureCache{std::move(beside)}, Order::ZSort);
   int some = 0, none = 0;
-  for (auto& [picture, order] : pictures)
+  for (auto& [pictures, order] : balls)
     for (const EnvironmentRow& form : kEnvironmentForms)
       for (const glm::dvec3 towards : {glm::dvec3{1, -1, 1}, {-1, -0.3, 0.2}, {0.3, 1, -1}, {0, -1, 0}})
         for (const int n : {1, 5, 100}) {
@@ -287,9 +360,9 @@ TEST(Picture, EnvironmentCountsEveryClampedSample) {
           s.cull = Cull::Back;
           s.light = {.Ia = 0.1, .Ip = 1, .kd = 0.3, .ks = 0.9, .n = n, .light = towards};
           s.table = {.shades = 2, .low = 1 - 0x1p-30};
-          const IndexImage image = painted(picture, s);
-          const auto full = std::ranges::count(image.pixels, picture.table().cell(1.0));
-          ASSERT_EQ(picture.saturated(), full) << form.name << ", n " << n;
+          const IndexImage image = painted(pictures, s);
+          const auto full = std::ranges::count(image.pixels, pictures.last().table().cell(1.0));
+          ASSERT_EQ(pictures.last().saturated(), full) << form.name << ", n " << n;
           ++(full > 0 ? some : none);
         }
   EXPECT_GT(some, 30);
@@ -299,19 +372,19 @@ TEST(Picture, EnvironmentCountsEveryClampedSample) {
 // The painter is right where no order can be wrong: a convex solid without its back faces, in every
 // order. The oracle is right everywhere, and knows where sorting the teapot by z is not.
 TEST(Picture, OracleKnowsWhereTheOrderIsWrong) {
-  Picture ball{makeScene("ball", sphere(20, 10), UpAxis::Z)};
-  Picture teapot{readScene("teapot", 4)};
+  PictureCache ball{makeScene("ball", sphere(20, 10), UpAxis::Z)};
+  PictureCache teapot{readScene("teapot", 4)};
   for (const OrderRow& row : kOrders) {
     SCOPED_TRACE(row.name);
     PictureSettings s = small();
     s.order = row.id;
     teapot.make(s);
-    const Picture::Exactness e = teapot.exactness();
+    const Exactness e = exactnessOf(teapot.last());
     EXPECT_GT(e.samples, 10'000);
     EXPECT_EQ(e.wrong == 0, row.id == Order::Oracle || row.id == Order::Newell);
     s.cull = Cull::Back;
     ball.make(s);
-    EXPECT_EQ(ball.exactness().wrong, 0);
+    EXPECT_EQ(exactnessOf(ball.last()).wrong, 0);
   }
 }
 
@@ -322,40 +395,40 @@ TEST(Picture, CoplanarFacesAreNotCalledWrong) {
   Scene scene = readScene("decals");
   EXPECT_EQ(std::ranges::max(scene.pieces.plane), 0);
   std::iota(scene.pieces.plane.begin(), scene.pieces.plane.end(), 0);
-  Picture decals{std::move(scene)};
+  PictureCache decals{std::move(scene)};
   PictureSettings s = small();
   s.order = Order::Unsorted;
   int doubtful = 0;
   for (int view = 0; view < 12; ++view) {
     SCOPED_TRACE(view);
     decals.make(s);
-    EXPECT_EQ(decals.exactness().wrong, 0);
-    const std::vector<std::uint32_t> listed = decals.faceImage();
+    EXPECT_EQ(exactnessOf(decals.last()).wrong, 0);
+    const std::vector<std::uint32_t> listed = decals.last().faceImage();
     s.order = Order::Oracle;
     decals.make(s);
-    const std::vector<std::uint32_t> seen = decals.faceImage();
+    const std::vector<std::uint32_t> seen = decals.last().faceImage();
     for (std::size_t k = 0; k < seen.size(); ++k) doubtful += seen[k] != listed[k];
     s.order = Order::Unsorted;
-    s.camera = moved(s.camera, decals.camera(), 29, view % 2 ? 11 : -9, 1.02);
+    s.camera = moved(s.camera, decals.last().camera(), 29, view % 2 ? 11 : -9, 1.02);
   }
   EXPECT_GT(doubtful, 1000);
 }
 
 // At full intensity nothing is shaded, and a light changed meanwhile is not forgotten.
 TEST(Picture, FullIntensityShadesNothing) {
-  Picture picture{readScene("teapot", 3)};
+  PictureCache pictures{readScene("teapot", 3)};
   PictureSettings s = small();
-  painted(picture, s);
+  painted(pictures, s);
   s.shading = Shading::Full;
   s.light.kd = 0.2;
-  painted(picture, s);
+  painted(pictures, s);
   s.shading = Shading::Flat;
-  Picture fresh{readScene("teapot", 3)};
-  EXPECT_EQ(painted(picture, s), painted(fresh, s));
-  Picture full{readScene("teapot", 3)};
+  PictureCache fresh{readScene("teapot", 3)};
+  EXPECT_EQ(painted(pictures, s), painted(fresh, s));
+  PictureCache full{readScene("teapot", 3)};
   s.shading = Shading::Full;
   painted(full, s);
-  EXPECT_TRUE(full.shading().shades(0).I.empty());
+  EXPECT_TRUE(full.last().shading().shades(0).I.empty());
 }
 
 // No lights, materials, normals or methods make a cell that is not on the ramp: no NaN, no infinity, nothing
@@ -390,7 +463,7 @@ TEST(Picture, EveryCellIsOnTheRamp) {
       if (k == 0) light.position = scene.mesh.points[5];  // exactly at the surface
       scene.light.lights.push_back(light);
     }
-    Picture picture{std::move(scene)};
+    PictureCache pictures{std::move(scene)};
     PictureSettings s = small();
     s.shading = kShadings[rng() % kShadings.size()].id;
     s.normals = kNormalRules[rng() % 5].id;
@@ -401,9 +474,9 @@ TEST(Picture, EveryCellIsOnTheRamp) {
     s.polygons = kPolygons[rng() % 2].id;
     s.order = kOrders[rng() % 5].id;
     s.table = {.kind = kTables[rng() % 3].id, .shades = rng() % 2 ? 2 : 240, .I0 = rng() % 2 ? 1e-6 : 0.5};
-    if (trial % 7 == 0) s.camera.eye = picture.scene().mesh.points[9];  // in the surface
-    const IndexImage image = painted(picture, s);
-    const int first = picture.table().first(), end = first + picture.table().shades();
+    if (trial % 7 == 0) s.camera.eye = pictures.scene().mesh.points[9];  // in the surface
+    const IndexImage image = painted(pictures, s);
+    const int first = pictures.last().table().first(), end = first + pictures.last().table().shades();
     for (const std::uint8_t cell : image.pixels) {
       ASSERT_TRUE(cell == 8 || (cell >= first && cell < end)) << int{cell};
       shown += cell != 8;
@@ -422,30 +495,31 @@ TEST(Picture, DepthUsesTheWholeRange) {
     const int corners[] = {first, first + 2, first + 3, first + 1};
     m.addFace(corners, 0);
   }
-  Picture picture{makeScene("steps", m, UpAxis::Y)};
+  PictureCache pictures{makeScene("steps", m, UpAxis::Y)};
   PictureSettings s = small();
   s.shading = Shading::Depth;
   s.camera.eye = glm::dvec3{0.25, 0, 8};
   s.camera.lookAt = glm::dvec3{0.25, 0, 0};
   s.table.shades = 5;
-  painted(picture, s);
-  const int first = picture.table().first();
-  EXPECT_EQ(picture.cells(), (std::vector<std::uint8_t>{std::uint8_t(first), std::uint8_t(first + 1),
-                                                        std::uint8_t(first + 4)}));
+  painted(pictures, s);
+  const int first = pictures.last().table().first();
+  EXPECT_EQ(pictures.last().cells(), (std::vector<std::uint8_t>{std::uint8_t(first), std::uint8_t(first + 1),
+                                                                std::uint8_t(first + 4)}));
 }
 
 // Hues share the table's shades where nothing is lit, too; more hues than there are pairs of shades are
 // refused.
 TEST(Picture, HuesWithoutLightAndTooManyOfThem) {
-  Picture hues{readScene("hues")};
+  PictureCache hues{readScene("hues")};
   PictureSettings s = small();
   s.colors = ColorPlan::Hues;
   for (const Shading shading : {Shading::Full, Shading::Depth, Shading::Flat}) {
     s.shading = shading;
     const IndexImage image = painted(hues, s);
-    EXPECT_EQ(hues.colors().plan(), ColorPlan::Hues);
-    EXPECT_GT(hues.colors().tables().size(), 5u);
-    EXPECT_GE(std::set(image.pixels.begin(), image.pixels.end()).size(), hues.colors().tables().size());
+    EXPECT_EQ(hues.last().colors().plan(), ColorPlan::Hues);
+    EXPECT_GT(hues.last().colors().tables().size(), 5u);
+    EXPECT_GE(std::set(image.pixels.begin(), image.pixels.end()).size(),
+              hues.last().colors().tables().size());
   }
   Scene many = makeScene("many", sphere(24, 12), UpAxis::Z);
   for (int k = 0; k < 121; ++k) {
@@ -453,11 +527,11 @@ TEST(Picture, HuesWithoutLightAndTooManyOfThem) {
     many.mesh.material[k] = k;
   }
   std::ranges::replace(many.mesh.material, -1, 0);
-  Picture picture{std::move(many)};
-  EXPECT_THROW(picture.make(s), ViewError);
+  PictureCache pictures{std::move(many)};
+  EXPECT_THROW(pictures.make(s), ViewError);
   s.colors = ColorPlan::Needed;
-  EXPECT_NO_THROW(picture.make(s));
-  EXPECT_EQ(picture.colors().plan(), ColorPlan::Chosen);
+  EXPECT_NO_THROW(pictures.make(s));
+  EXPECT_EQ(pictures.last().colors().plan(), ColorPlan::Chosen);
 }
 
 }  // namespace xnewell

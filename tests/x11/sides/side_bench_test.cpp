@@ -17,10 +17,11 @@ struct Shown {
   BenchStage stage;
   SideBench bench{stage,
                   [this] {
-                    return ControlKeys::Subject{stage.picture.scene(), glm::dvec3{0}, 1.5};
+                    return ControlKeys::Subject{stage.pictures.scene(), glm::dvec3{0}, 1.5};
                   },
                   [] { return kMaxShades; }};
-  explicit Shown(const char* scene = "teapot", const xnewell::Setup& setup = {}, int width = 1024, int height = 768)
+  explicit Shown(const char* scene = "teapot", const xnewell::Setup& setup = {}, int width = 1024,
+                 int height = 768)
       : stage{scene, 3, width, height, setup} {
     stage.draw(bench);
   }
