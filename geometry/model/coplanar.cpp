@@ -64,7 +64,7 @@ struct Sheet {
 
 class Coplanarity {
  public:
-  Coplanarity(const Mesh& mesh, const Pieces& pieces) : pieces_{pieces}, box_{mesh.points} {
+  Coplanarity(const Mesh& mesh, const ConvexParts& pieces) : pieces_{pieces}, box_{mesh.points} {
     double coarsest = 0.0;
     for (const double u : mesh.rounding) coarsest = std::max(coarsest, rounding(u));
     mostTolerance_ = tolerance(coarsest);
@@ -211,7 +211,7 @@ class Coplanarity {
     return false;
   }
 
-  const Pieces& pieces_;
+  const ConvexParts& pieces_;
   UnitBox box_;
   std::vector<Sheet> sheets_;
   double mostTolerance_ = 0.0;
@@ -219,7 +219,7 @@ class Coplanarity {
 
 }  // namespace
 
-std::vector<int> coplanarClasses(const Mesh& mesh, const Pieces& pieces) {
+std::vector<int> coplanarClasses(const Mesh& mesh, const ConvexParts& pieces) {
   if (pieces.count() == 0) return {};
   return Coplanarity{mesh, pieces}.classes();
 }

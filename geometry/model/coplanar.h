@@ -27,6 +27,6 @@ namespace xnewell {
 ///
 /// Work: about n log n for n pieces that seldom overlap in one plane; else the number of pairs whose boxes
 /// overlap, without those of two pieces of one planar face.
-[[nodiscard]] std::vector<int> coplanarClasses(const Mesh& mesh, const Pieces& pieces);
+[[nodiscard]] std::vector<int> coplanarClasses(const Mesh& mesh, const ConvexParts& pieces);
 
 }  // namespace xnewell

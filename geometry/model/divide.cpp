@@ -99,7 +99,7 @@ std::array<std::array<int, 3>, 2> cutQuad(std::span<const LatticePoint> p) {
   return {{{0, 1, 2}, {0, 2, 3}}};
 }
 
-void addPiece(Pieces& pieces, const Mesh& mesh, std::span<const int> corners, int face,
+void addPiece(ConvexParts& pieces, const Mesh& mesh, std::span<const int> corners, int face,
               bool planeOfTheLast = false) {
   const int planes = pieces.plane.empty() ? 0 : pieces.plane.back() + 1;
   pieces.plane.push_back(planeOfTheLast ? planes - 1 : planes);
@@ -111,8 +111,8 @@ void addPiece(Pieces& pieces, const Mesh& mesh, std::span<const int> corners, in
 
 }  // namespace
 
-Pieces divideFaces(const Mesh& mesh) {
-  Pieces pieces;
+ConvexParts divideFaces(const Mesh& mesh) {
+  ConvexParts pieces;
   pieces.corners.reserve(mesh.corners.size());
   pieces.from.reserve(mesh.corners.size());
   pieces.firstCorner.reserve(mesh.firstCorner.size());

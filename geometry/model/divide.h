@@ -8,8 +8,8 @@
 namespace xnewell {
 
 /// The faces of a mesh as convex planar polygons. A face keeps its number: piece k belongs to face[k].
-/// Pieces are in face order and every face has at least one.
-struct Pieces {
+/// ConvexParts are in face order and every face has at least one.
+struct ConvexParts {
   std::vector<int> corners;            ///< vertex indices of all pieces, one piece after the other
   std::vector<int> from;               ///< as many: the corner of the mesh, an index into Mesh::corners
   std::vector<int> firstCorner = {0};  ///< #pieces + 1, as in Mesh
@@ -40,6 +40,6 @@ struct Pieces {
 /// coordinates to double: 2^-53 m an axis, sqrt 3 times that a corner, four corners' worth.
 /// Convex, and every choice of a cut: exact on a grid of 2^49 to 2^50 steps across the box, seen along
 /// the axis nearest to the face's normal. Any finite coordinates, up to the largest double.
-[[nodiscard]] Pieces divideFaces(const Mesh& mesh);
+[[nodiscard]] ConvexParts divideFaces(const Mesh& mesh);
 
 }  // namespace xnewell

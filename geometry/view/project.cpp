@@ -39,7 +39,7 @@ struct Owner {
 /// from the start: to grow for each of them costs nearly as much as to snap them.
 class Snapper {
  public:
-  Snapper(SnappedScene& scene, const Pieces& pieces, Cull cull, double zScale)
+  Snapper(SnappedScene& scene, const ConvexParts& pieces, Cull cull, double zScale)
       : scene_{scene}, cull_{cull}, zScale_{zScale} {
     scene_.faces.reserve(pieces.face.size());
     makeRoom(pieces.corners.size());
@@ -177,7 +177,7 @@ std::int64_t doubleArea(const glm::ivec3* p, int count) {
   return static_cast<std::int64_t>(sum);
 }
 
-SnappedScene snap(const Mesh& mesh, const Pieces& pieces, const ViewSpec& view, int width, int height,
+SnappedScene snap(const Mesh& mesh, const ConvexParts& pieces, const ViewSpec& view, int width, int height,
                   Cull cull) {
   const glm::dmat4 screenFromVrc = screenFromCanonical(view, width, height) * canonicalFromVrc(view);
   const glm::dmat3 rotation = vrcRotation(view);
@@ -196,7 +196,7 @@ SnappedScene snap(const Mesh& mesh, const Pieces& pieces, const ViewSpec& view, 
     zMax = std::max(zMax, screen[i].z);
   }
 
-  // Pieces that cross a plane are clipped first: their new vertices count in the choice of the z scale.
+  // ConvexParts that cross a plane are clipped first: their new vertices count in the choice of the z scale.
   struct Clipped {
     int piece, first, count;
   };
@@ -304,7 +304,7 @@ void addPlanes(SnappedScene& scene, const Mesh& mesh, const ViewSpec& view, int 
   }
 }
 
-SnappedScene project(const Mesh& mesh, const Pieces& pieces, const ViewSpec& view, int width, int height,
+SnappedScene project(const Mesh& mesh, const ConvexParts& pieces, const ViewSpec& view, int width, int height,
                      Cull cull) {
   SnappedScene scene = snap(mesh, pieces, view, width, height, cull);
   addPlanes(scene, mesh, view, width, height);

@@ -25,10 +25,10 @@ struct Doubt {
 struct SnappedFace {
   int first = 0, count = 0;  ///< its outline: count >= 3 vertices of SnappedScene::vertices from `first` on
   int number = 0;            ///< face number in the model; every piece keeps it
-  int piece = 0;             ///< index into Pieces; what clipping and halving make of one keep it
+  int piece = 0;             ///< index into ConvexParts; what clipping and halving make of one keep it
   bool back = false;         ///< seen from the side from which the model lists it clockwise
   /// Index into SnappedScene::planes, one for all faces of a plane of the model; before addPlanes() it is
-  /// Pieces::plane.
+  /// ConvexParts::plane.
   int plane = 0;
   /// Of its plane within the face, for the rounding of the snap and of the model. Where two faces are nearer
   /// to each other than the sum of theirs, they may touch in the model.
@@ -61,16 +61,16 @@ enum class Cull { Keep, Back };
 /// and new ones where a shared edge is clipped, snap to identical integers in every face that uses them.
 /// The scene's coordinates should be near 1 in magnitude (readScene normalises).
 /// width, height: the picture in pixels, 1..kMaxPicture. @throws ViewError
-[[nodiscard]] SnappedScene snap(const Mesh& mesh, const Pieces& pieces, const ViewSpec& view, int width,
+[[nodiscard]] SnappedScene snap(const Mesh& mesh, const ConvexParts& pieces, const ViewSpec& view, int width,
                                 int height, Cull cull);
 
-/// What only an order that compares planes needs: pieces of one plane (Pieces::plane) get one plane record,
+/// What only an order that compares planes needs: pieces of one plane (ConvexParts::plane) get one plane record,
 /// through three of their vertices far apart: they are coplanar exactly, and of those at one sample the later
 /// is seen. Once for each snap(), with the same view.
 void addPlanes(SnappedScene& scene, const Mesh& mesh, const ViewSpec& view, int width, int height);
 
 /// Both.
-[[nodiscard]] SnappedScene project(const Mesh& mesh, const Pieces& pieces, const ViewSpec& view, int width,
+[[nodiscard]] SnappedScene project(const Mesh& mesh, const ConvexParts& pieces, const ViewSpec& view, int width,
                                    int height, Cull cull);
 
 /// Twice the area of an outline on the grid, positive where it runs counter-clockwise as seen. Exact:

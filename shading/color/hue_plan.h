@@ -25,7 +25,7 @@ struct HueNeed {
 /// The sum over all samples of the step between neighbouring shades is least: of the intensity in `brief` and
 /// `linear`, (high - low) / (N - 1), in `corrected` of the ratio, (high / low)^(1 / (N - 1)) - 1; a step
 /// below 1/255, which no 8-bit value shows, counts as 1/255. As steps are convex in N, giving one shade after
-/// the other to the hue that gains most by it is best (Fox 1966); among equals it goes to the first. Shades
+/// the other to the hue that gains most by it is best (Fox 1966); among equals it goes to the first. Intensities
 /// that nobody gains by are not given: their cells stay free.
 [[nodiscard]] std::vector<TableSettings> planHues(std::span<const HueNeed> needs, const TableSettings& table);
 

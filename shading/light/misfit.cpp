@@ -150,15 +150,15 @@ void Misfit::addSamples(const Facet& f, int along, ShadingPoints& samples) const
     }
 }
 
-bool Misfit::misses(int along, const Sides<double>* I) const {
-  const auto apart = [&](const Sides<double>& is, double front, double back) {
+bool Misfit::misses(int along, const FrontBack<double>* I) const {
+  const auto apart = [&](const FrontBack<double>& is, double front, double back) {
     return std::max(std::abs(is.front - front), std::abs(is.back - back)) > tolerance_;
   };
   const int samples = (along + 1) * (along + 2) / 2;
   if (flat_)
     return std::any_of(I + 1, I + 1 + samples,
-                       [&](const Sides<double>& is) { return apart(is, I->front, I->back); });
-  const Sides<double>&A = I[samples - 1], &B = I[along], &C = I[0];
+                       [&](const FrontBack<double>& is) { return apart(is, I->front, I->back); });
+  const FrontBack<double>&A = I[samples - 1], &B = I[along], &C = I[0];
   for (int i = 0; i <= along; ++i)
     for (int j = 0; i + j <= along; ++j, ++I) {
       const double a = double(i) / along, b = double(j) / along, c = double(along - i - j) / along;
@@ -173,7 +173,7 @@ std::vector<bool> Misfit::operator()(std::span<const Facet> facets) const {
   std::vector<int> along(facets.size());
   ShadingPoints samples;
   Terms diffuse, specular;
-  Shades shades;
+  Intensities shades;
   for (std::size_t first = 0, end = 0; first < facets.size(); first = end) {
     samples = {};
     for (; end < facets.size() && samples.at.size() < kTogether; ++end) {
@@ -185,10 +185,10 @@ std::vector<bool> Misfit::operator()(std::span<const Facet> facets) const {
         result[end] = true;
     }
     for (int channel = 0; channel < lighting_.channels; ++channel) {
-      shadeDiffuse(diffuse, samples, lighting_, channel);
-      shadeSpecular(specular, samples, lighting_, channel);
+      diffuseIntensities(diffuse, samples, lighting_, channel);
+      specularIntensities(specular, samples, lighting_, channel);
       addTerms(shades, diffuse, specular, samples, lighting_, channel);
-      const Sides<double>* I = shades.I.data();
+      const FrontBack<double>* I = shades.I.data();
       for (std::size_t k = first; k < end; ++k) {
         if (along[k] == 0) continue;
         result[k] = result[k] || misses(along[k], I);

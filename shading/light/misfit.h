@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "shading/light/illumination.h"
-#include "shading/light/shade.h"
+#include "shading/light/intensities.h"
 
 namespace xnewell {
 
@@ -44,7 +44,7 @@ class Misfit {
   [[nodiscard]] double lobeOf(const Lighting::Source& light, const Material& material) const;
   [[nodiscard]] double stepsAlong(const Facet& facet) const;
   void addSamples(const Facet& facet, int along, ShadingPoints& samples) const;
-  [[nodiscard]] bool misses(int along, const Sides<double>* I) const;
+  [[nodiscard]] bool misses(int along, const FrontBack<double>* I) const;
 
   const Lighting& lighting_;
   bool flat_;

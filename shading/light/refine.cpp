@@ -41,7 +41,7 @@ struct Triangle {
 
 class Refiner {
  public:
-  Refiner(const Mesh& mesh, const Pieces& pieces, const Vertices* vertices, const ShadingPoints* faces,
+  Refiner(const Mesh& mesh, const ConvexParts& pieces, const Vertices* vertices, const ShadingPoints* faces,
           const Lighting& lighting, const RefineSettings& settings)
       : old_{pieces},
         faces_{faces},
@@ -95,7 +95,7 @@ class Refiner {
   int middleCorner(const Triangle& t, int edge);
   void collect();
 
-  const Pieces& old_;
+  const ConvexParts& old_;
   const ShadingPoints* faces_;
   RefineSettings settings_;
   Misfit misfit_;
@@ -196,7 +196,7 @@ bool Refiner::halve() {
     if (cuts > 0 && !divided_[t.piece]) newlyDivided[t.piece] = true;
   }
   if (count > static_cast<std::size_t>(settings_.pieces)) {
-    result_.limit = RefineLimit::Pieces;
+    result_.limit = RefineLimit::ConvexParts;
     return false;
   }
   std::vector<Triangle> next;
@@ -266,9 +266,9 @@ int Refiner::middleCorner(const Triangle& t, int edge) {
   return corner;
 }
 
-/// Pieces from triangles, and where to shade them.
+/// ConvexParts from triangles, and where to shade them.
 void Refiner::collect() {
-  Pieces& pieces = result_.pieces;
+  ConvexParts& pieces = result_.pieces;
   ShadingPoints& points = result_.points;
   auto next = triangles_.begin();
   for (int k = 0; k < old_.count(); ++k) {
@@ -302,12 +302,12 @@ void Refiner::collect() {
 
 }  // namespace
 
-Refined refineSmooth(const Mesh& mesh, const Pieces& pieces, const Vertices& vertices,
+Refined refineSmooth(const Mesh& mesh, const ConvexParts& pieces, const Vertices& vertices,
                      const Lighting& lighting, const RefineSettings& settings) {
   return Refiner{mesh, pieces, &vertices, nullptr, lighting, settings}.result();
 }
 
-Refined refineFlat(const Mesh& mesh, const Pieces& pieces, const ShadingPoints& faces,
+Refined refineFlat(const Mesh& mesh, const ConvexParts& pieces, const ShadingPoints& faces,
                    const Lighting& lighting, const RefineSettings& settings) {
   return Refiner{mesh, pieces, nullptr, &faces, lighting, settings}.result();
 }

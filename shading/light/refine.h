@@ -7,7 +7,7 @@
 #include "geometry/model/mesh.h"
 #include "geometry/model/vertex_normals.h"
 #include "shading/light/illumination.h"
-#include "shading/light/shade.h"
+#include "shading/light/intensities.h"
 
 namespace xnewell {
 
@@ -30,7 +30,7 @@ namespace xnewell {
 enum class RefineLimit {
   None,      ///< all is within the tolerance
   Halvings,  ///< some pieces are not, and are as small as they get
-  Pieces,    ///< the next round would have made too many
+  ConvexParts,    ///< the next round would have made too many
 };
 struct RefineLimitRow {
   RefineLimit id;
@@ -39,7 +39,7 @@ struct RefineLimitRow {
 inline constexpr std::array kRefineLimits{
     RefineLimitRow{RefineLimit::None, "none"},
     RefineLimitRow{RefineLimit::Halvings, "halvings"},
-    RefineLimitRow{RefineLimit::Pieces, "pieces"},
+    RefineLimitRow{RefineLimit::ConvexParts, "pieces"},
 };
 
 struct RefineSettings {
@@ -51,18 +51,18 @@ struct RefineSettings {
 /// A scene's polygons, divided. Nothing is renumbered: what is new comes after what is old.
 struct Refined {
   Mesh mesh;      ///< with new points; new corners, after those of its faces; and their texture coordinates
-  Pieces pieces;  ///< coplanar as those they came from; those left whole have the outlines they had
+  ConvexParts pieces;  ///< coplanar as those they came from; those left whole have the outlines they had
   Vertices vertices;     ///< Gouraud: new ones last, their normals as Phong interpolates them; else empty
   ShadingPoints points;  ///< one a vertex; flat: one a piece, its centroid and its face's normal
   RefineLimit limit = RefineLimit::None;
 };
 
 /// For Gouraud shading.
-[[nodiscard]] Refined refineSmooth(const Mesh& mesh, const Pieces& pieces, const Vertices& vertices,
+[[nodiscard]] Refined refineSmooth(const Mesh& mesh, const ConvexParts& pieces, const Vertices& vertices,
                                    const Lighting& lighting, const RefineSettings& settings);
 /// For flat shading. `faces` as facePoints() has them: a piece that is left whole keeps the place of its
 /// face.
-[[nodiscard]] Refined refineFlat(const Mesh& mesh, const Pieces& pieces, const ShadingPoints& faces,
+[[nodiscard]] Refined refineFlat(const Mesh& mesh, const ConvexParts& pieces, const ShadingPoints& faces,
                                  const Lighting& lighting, const RefineSettings& settings);
 
 }  // namespace xnewell

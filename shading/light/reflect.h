@@ -46,7 +46,7 @@ template <class Real>
 
 /// f max(0, N.L), kd and Ip aside.
 template <class Real>
-[[nodiscard, gnu::always_inline]] inline Sides<Real> diffuseTerm(const Incident<Real>& in, const Vec<Real>& N,
+[[nodiscard, gnu::always_inline]] inline FrontBack<Real> diffuseTerm(const Incident<Real>& in, const Vec<Real>& N,
                                                                  bool twoSided) {
   const Real zero = splat<Real>(0.0), NdotL = dot(N, in.L);
   const Real front = in.f * larger(zero, NdotL);
@@ -69,7 +69,7 @@ template <class Real>
 
 /// f max(0, R.V)^n, or the form's other cosine; ks and Ip aside. R is the same for N and -N.
 template <class Real>
-[[nodiscard, gnu::always_inline]] inline Sides<Real> specularTerm(const Incident<Real>& in,
+[[nodiscard, gnu::always_inline]] inline FrontBack<Real> specularTerm(const Incident<Real>& in,
                                                                   const Vec<Real>& N, const Vec<Real>& V,
                                                                   const Material& material,
                                                                   const Lighting& lighting) {

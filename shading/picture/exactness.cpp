@@ -7,7 +7,7 @@
 
 namespace xnewell {
 
-std::vector<SampleVerdict> verdictsOn(const Picture& picture) {
+std::vector<SampleCheck> checkedSamples(const Picture& picture) {
   const int width = picture.settings().width, height = picture.settings().height;
   const Picture complete = picture.withPlanes();
   const SnappedScene& snapped = complete.snapped();
@@ -19,22 +19,22 @@ std::vector<SampleVerdict> verdictsOn(const Picture& picture) {
   };
   const std::vector<int> painted = picture.seen(0, height).faces;
   const std::vector<int> visible = visibleFaces(snapped, width, height);
-  std::vector<SampleVerdict> verdicts(visible.size(), SampleVerdict::Nothing);
+  std::vector<SampleCheck> verdicts(visible.size(), SampleCheck::Nothing);
   for (int j = 0; j < height; ++j)
     for (int i = 0; i < width; ++i) {
       const std::size_t k = std::size_t(j) * width + i;
       if (visible[k] == kNothing) continue;
       const bool wrong = painted[k] != visible[k] && apart(painted[k], visible[k], i, j);
-      verdicts[k] = wrong ? SampleVerdict::Wrong : SampleVerdict::Right;
+      verdicts[k] = wrong ? SampleCheck::Wrong : SampleCheck::Right;
     }
   return verdicts;
 }
 
 Exactness exactnessOf(const Picture& picture) {
   Exactness exactness;
-  for (const SampleVerdict verdict : verdictsOn(picture)) {
-    exactness.samples += verdict != SampleVerdict::Nothing;
-    exactness.wrong += verdict == SampleVerdict::Wrong;
+  for (const SampleCheck verdict : checkedSamples(picture)) {
+    exactness.samples += verdict != SampleCheck::Nothing;
+    exactness.wrong += verdict == SampleCheck::Wrong;
   }
   return exactness;
 }

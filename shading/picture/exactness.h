@@ -13,9 +13,9 @@ namespace xnewell {
 /// Of one sample. Wrong: the picture shows another face than the oracle sees. If the two lie so close there
 /// that rounding alone may part them (SnappedFace::doubt), they may be coplanar in the model, and neither is
 /// called wrong.
-enum class SampleVerdict : std::uint8_t { Nothing, Right, Wrong };
+enum class SampleCheck : std::uint8_t { Nothing, Right, Wrong };
 /// Of each sample, row by row.
-[[nodiscard]] std::vector<SampleVerdict> verdictsOn(const Picture& picture);
+[[nodiscard]] std::vector<SampleCheck> checkedSamples(const Picture& picture);
 
 /// Samples that show a face, and those of them that show a wrong one.
 struct Exactness {

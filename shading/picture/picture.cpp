@@ -42,7 +42,7 @@ std::vector<double> Picture::faceIntensities(int channel) const {
     I = depthIntensities(scene_->mesh, *snapped_, camera_.view);
   } else if (settings_.shading == Shading::Flat) {
     std::ranges::transform(snapped_->faces, I.begin(), [&](const SnappedFace& f) {
-      const Sides<double>& sides = shading_.shades(channel).I[shading_.pointOf(f)];
+      const FrontBack<double>& sides = shading_.intensities(channel).I[shading_.pointOf(f)];
       return f.back ? sides.back : sides.front;
     });
   }
@@ -200,7 +200,7 @@ std::vector<std::uint32_t> Picture::faceImage() const {
 
 std::int64_t Picture::saturated() const {
   std::int64_t clamped = painted_ ? painted_->clamped : 0;
-  for (int c = 0; c < shading_.lighting().channels; ++c) clamped += shading_.shades(c).clamped;
+  for (int c = 0; c < shading_.lighting().channels; ++c) clamped += shading_.intensities(c).clamped;
   return clamped;
 }
 

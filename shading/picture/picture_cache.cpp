@@ -71,7 +71,7 @@ Picture PictureCache::make(const PictureSettings& wanted, std::optional<std::uin
     SnappedScene snapped;
     timed(ms.transform, [&] {
       snapped =
-          snap(next.shading_.mesh(scene), next.shading_.pieces(scene), view, width, height, wanted.cull);
+          snap(next.shading_.mesh(scene), next.shading_.parts(scene), view, width, height, wanted.cull);
     });
     if (comparesPlanes(wanted.order))
       timed(ms.sort, [&] { addPlanes(snapped, scene.mesh, view, width, height); });

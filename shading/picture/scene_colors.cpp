@@ -78,7 +78,7 @@ class FaceRanges {
       const double perCell = 1.0 / (kChannelRamp.shades - 1);
       return {(least - kChannelRamp.first - 0.5) * perCell, (greatest - kChannelRamp.first + 0.5) * perCell};
     }
-    const std::vector<Sides<double>>& I = shading_.shades(0).I;
+    const std::vector<FrontBack<double>>& I = shading_.intensities(0).I;
     const auto seen = [&](int point) { return face.back ? I[point].back : I[point].front; };
     if (method_ == Shading::Flat) return {seen(shading_.pointOf(face)), seen(shading_.pointOf(face))};
     Range range{1.0, 0.0};

@@ -62,23 +62,23 @@ SceneShading SceneShading::next(const Scene& scene, const PictureSettings& setti
 Refined SceneShading::refine(const Scene& scene, const PictureSettings& settings) const {
   const RefineSettings asked{.tolerance = settings.adapt};
   return settings.shading == Shading::Flat
-             ? refineFlat(scene.mesh, scene.pieces, *points_, lighting(), asked)
-             : refineSmooth(scene.mesh, scene.pieces, *vertices_, lighting(), asked);
+             ? refineFlat(scene.mesh, scene.parts, *points_, lighting(), asked)
+             : refineSmooth(scene.mesh, scene.parts, *vertices_, lighting(), asked);
 }
 
 void SceneShading::light(int channel, bool newLight, bool newHighlight) {
   Lit& lit = lit_[channel];
   if (newLight) {
     Terms diffuse;
-    shadeDiffuse(diffuse, points(), lighting(), channel);
+    diffuseIntensities(diffuse, points(), lighting(), channel);
     lit.diffuse = std::move(diffuse);
   }
   if (newHighlight) {
     Terms specular;
-    shadeSpecular(specular, points(), lighting(), channel);
+    specularIntensities(specular, points(), lighting(), channel);
     lit.specular = std::move(specular);
   }
-  Shades shades;
+  Intensities shades;
   addTerms(shades, *lit.diffuse, *lit.specular, points(), lighting(), channel);
   lit.shades = std::move(shades);
 }

@@ -9,7 +9,7 @@
 #include "shading/light/environment.h"
 #include "shading/light/illumination.h"
 #include "shading/light/refine.h"
-#include "shading/light/shade.h"
+#include "shading/light/intensities.h"
 #include "shading/picture/shared.h"
 #include "shading/scene/picture_settings.h"
 #include "shading/scene/scene.h"
@@ -31,8 +31,8 @@ class SceneShading {
   [[nodiscard]] const Mesh& mesh(const Scene& scene) const {
     return refined() ? refined()->mesh : scene.mesh;
   }
-  [[nodiscard]] const Pieces& pieces(const Scene& scene) const {
-    return refined() ? refined()->pieces : scene.pieces;
+  [[nodiscard]] const ConvexParts& parts(const Scene& scene) const {
+    return refined() ? refined()->parts : scene.parts;
   }
   /// True if mesh() and pieces() are the other's too.
   [[nodiscard]] bool hasMeshOf(const SceneShading& other) const {
@@ -46,7 +46,7 @@ class SceneShading {
   [[nodiscard]] int pointOf(const SnappedFace& face) const { return refined() ? face.piece : face.number; }
   [[nodiscard]] const Lighting& lighting() const { return *lighting_; }
   /// At points(), of one channel; empty where nothing is lit once for all.
-  [[nodiscard]] const Shades& shades(int channel) const { return *lit_[channel].shades; }
+  [[nodiscard]] const Intensities& shades(int channel) const { return *lit_[channel].shades; }
   /// The terms of shades().
   [[nodiscard]] const Terms& diffuse(int channel) const { return *lit_[channel].diffuse; }
   [[nodiscard]] const Terms& specular(int channel) const { return *lit_[channel].specular; }
@@ -84,7 +84,7 @@ class SceneShading {
   /// One channel. When the eye moves the diffuse terms stay.
   struct Lit {
     Shared<Terms> diffuse, specular;
-    Shared<Shades> shades;
+    Shared<Intensities> shades;
   };
   struct Maps {
     std::array<std::vector<Environment>, 3> environments;

@@ -15,7 +15,7 @@ namespace xnewell {
 
 namespace {
 
-double component(const Sides<double>& sides, bool back) { return back ? sides.back : sides.front; }
+double component(const FrontBack<double>& sides, bool back) { return back ? sides.back : sides.front; }
 
 }  // namespace
 
@@ -66,7 +66,7 @@ bool SurfacePainter::textured(const SnappedFace& face) const {
 void SurfacePainter::interpolateIntensity() {
   // Once for a vertex of the model, then for those of outlines.
   const ShadingPoints& points = s_.shading.points();
-  const std::vector<Sides<double>>& I = s_.shading.shades(s_.channel).I;
+  const std::vector<FrontBack<double>>& I = s_.shading.intensities(s_.channel).I;
   std::vector<std::uint32_t> ofFront(I.size()), ofBack(I.size());
   for (std::size_t v = 0; v < I.size(); ++v) {
     const Ramp& ramp = s_.ramps[points.material[v] + 1];
@@ -194,7 +194,7 @@ EvaluatedTriangle SurfacePainter::evaluated(const SnappedFace& face, const FaceT
       if (e.variesV) e.V[axis] = plane(q, [&](int corner) { return e.lighting->eye[axis] - at(corner); });
     }
   } else if (s_.settings.shading == Shading::Gouraud) {
-    const auto term = [&](const std::vector<Sides<double>>& terms) {
+    const auto term = [&](const std::vector<FrontBack<double>>& terms) {
       return plane(one, [&](int corner) {
         return component(terms[s_.shading.vertices().ofCorner[corner]], face.back);
       });

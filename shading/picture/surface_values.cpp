@@ -81,7 +81,7 @@ std::vector<double> intensitiesAt(const SeenRows& seen, const Surfaces& s,
     };
     const auto atVertex = [&](int source) {
       return atSource(s.snapped, source, [&](int corner) {
-        const Sides<double>& sides = s.shading.shades(s.channel).I[s.shading.vertices().ofCorner[corner]];
+        const FrontBack<double>& sides = s.shading.intensities(s.channel).I[s.shading.vertices().ofCorner[corner]];
         return face.back ? sides.back : sides.front;
       });
     };

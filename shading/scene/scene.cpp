@@ -70,8 +70,8 @@ Scene makeScene(std::string name, Mesh mesh, UpAxis up, int divisions) {
   scene.light.unit = std::ldexp(1.0, -scene.exponent);
   for (glm::dvec3& p : scene.mesh.points) p = scaled(p, -scene.exponent);
   for (double& u : scene.mesh.rounding) u = std::ldexp(u, -scene.exponent);
-  scene.pieces = divideFaces(scene.mesh);
-  scene.pieces.plane = coplanarClasses(scene.mesh, scene.pieces);
+  scene.parts = divideFaces(scene.mesh);
+  scene.parts.plane = coplanarClasses(scene.mesh, scene.parts);
   return scene;
 }
 

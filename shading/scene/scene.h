@@ -35,7 +35,7 @@ struct SceneOrigin {
 struct Scene {
   std::string name;
   Mesh mesh;
-  Pieces pieces;  ///< the mesh's faces as convex planar polygons
+  ConvexParts pieces;  ///< the mesh's faces as convex planar polygons
   UpAxis up = UpAxis::Y;
   int exponent = 0;          ///< file coordinate = mesh coordinate * 2^exponent
   CameraSettings camera;     ///< of the scene file, in its units; empty where it has none

@@ -74,7 +74,7 @@ BENCHMARK(BM_ReadObj)->Arg(45)->Arg(179)->Unit(benchmark::kMillisecond);  // 4k 
 // The whole viewing transformation and the snap: expect linear; half as many points as triangles.
 void BM_Project(benchmark::State& state) {
   const Mesh mesh = triangleTorus(static_cast<int>(state.range(0)));
-  const Pieces pieces = divideFaces(mesh);
+  const ConvexParts pieces = divideFaces(mesh);
   const Camera camera = placeCamera({}, mesh.points, UpAxis::Z, double{kWidth} / kHeight);
   for (auto _ : state)
     benchmark::DoNotOptimize(project(mesh, pieces, camera.view, kWidth, kHeight, Cull::Keep));
@@ -192,7 +192,7 @@ Mesh tiledFloor(int side) {
 }
 
 void findCoplanar(benchmark::State& state, const Mesh& mesh) {
-  const Pieces pieces = divideFaces(mesh);
+  const ConvexParts pieces = divideFaces(mesh);
   std::vector<int> planes;
   for (auto _ : state) benchmark::DoNotOptimize(planes = coplanarClasses(mesh, pieces));
   state.SetItemsProcessed(state.iterations() * pieces.count());

@@ -24,7 +24,7 @@ Difference fromPhong(const Picture& picture) {
   const SceneShading& shading = pictures.last().shading();
   const Mesh& mesh = shading.mesh(pictures.scene());
   const SnappedScene& snapped = pictures.last().snapped();
-  const std::vector<Sides<double>>& I = shading.shades(0).I;
+  const std::vector<FrontBack<double>>& I = shading.intensities(0).I;
   Difference d;
   std::int64_t samples = 0;
   for (const SnappedFace& face : snapped.faces)

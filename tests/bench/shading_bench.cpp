@@ -9,7 +9,7 @@
 #include "shading/color/png.h"
 #include "shading/color/quantize.h"
 #include "shading/light/environment.h"
-#include "shading/light/shade.h"
+#include "shading/light/intensities.h"
 #include "tests/bench/triangulated.h"
 #include "tests/support/colored_picture.h"
 
@@ -41,7 +41,7 @@ void BM_ShadeDiffuse(benchmark::State& state) {
   const ShadedTorus scene{static_cast<int>(state.range(0))};
   Terms diffuse;
   for (auto _ : state) {
-    shadeDiffuse(diffuse, scene.points, scene.lighting, 0);
+    diffuseIntensities(diffuse, scene.points, scene.lighting, 0);
     benchmark::ClobberMemory();
   }
   state.SetItemsProcessed(state.iterations() * scene.mesh.faceCount());
@@ -53,7 +53,7 @@ void BM_ShadeSpecular(benchmark::State& state) {
   const ShadedTorus scene{static_cast<int>(state.range(0))};
   Terms specular;
   for (auto _ : state) {
-    shadeSpecular(specular, scene.points, scene.lighting, 0);
+    specularIntensities(specular, scene.points, scene.lighting, 0);
     benchmark::ClobberMemory();
   }
   state.SetItemsProcessed(state.iterations() * scene.mesh.faceCount());

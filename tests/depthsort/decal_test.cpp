@@ -106,7 +106,7 @@ TEST(Decals, TheLaterIsSeen) {
   for (unsigned seed = 0; seed < 400; ++seed) {
     SCOPED_TRACE(seed);
     const Mesh mesh = normalised(wallWithDecals(seed), std::pow(10.0, static_cast<int>(seed % 13) - 6));
-    Pieces pieces = divideFaces(mesh);
+    ConvexParts pieces = divideFaces(mesh);
     const std::vector<int> ownPlanes = pieces.plane;
     pieces.plane = coplanarClasses(mesh, pieces);
     const ViewSpec view = randomView(mesh, seed);
@@ -144,7 +144,7 @@ TEST(Decals, KeepTheirPixelsWhenSplit) {
     Mesh mesh = wallWithDecals(seed);
     addCrossingPlates(mesh, seed);
     mesh = normalised(mesh, scale);
-    Pieces pieces = divideFaces(mesh);
+    ConvexParts pieces = divideFaces(mesh);
     pieces.plane = coplanarClasses(mesh, pieces);
     const ViewSpec view = randomView(mesh, seed);
     const SnappedScene scene = project(mesh, pieces, view, kSize, kSize, Cull::Keep);

@@ -51,7 +51,7 @@ class SplitTree {
 
 // Every sample of a face that is painted belongs to one of its fragments, to the one on its side of all
 // splits, and is painted by it once; the rows of a piece hold all its samples.
-TEST(Pieces, OwnTheSamplesOfTheirFaceOnce) {
+TEST(ConvexParts, OwnTheSamplesOfTheirFaceOnce) {
   const Seeds seeds{960};
   int splits = 0, ofPieces = 0;
   for (unsigned seed = seeds.from; seed < seeds.end; ++seed) {
@@ -98,7 +98,7 @@ TEST(Pieces, OwnTheSamplesOfTheirFaceOnce) {
 
 // A split is proper: both pieces have an area, together that of what was split, and they have no area in
 // common; so no plane splits a piece of a piece it split. Each piece is within its parent, of the same face.
-TEST(Pieces, ComeFromProperCuts) {
+TEST(ConvexParts, ComeFromProperCuts) {
   const Seeds seeds{480};
   int checked = 0;
   for (unsigned seed = seeds.from; seed < seeds.end; ++seed) {

@@ -97,7 +97,7 @@ TEST(ListSort, WrongIfItStopsAtTheFirstBeyond) {
   EXPECT_EQ(paintedList(hasty)[5 * kSize + 19], 3);
 }
 
-// Pieces that keep the mark of their parent are split where moving them would do, and again: more than sixty
+// ConvexParts that keep the mark of their parent are split where moving them would do, and again: more than sixty
 // splits of five triangles, where a few are enough.
 TEST(ListSort, EndlessIfPiecesInheritMarks) {
   const Seeds seeds{60};

@@ -55,7 +55,7 @@ void addBox(Mesh& mesh, glm::dvec3 low, glm::dvec3 size) {
 }
 
 /// The classes as coplanar.h defines them, from all pairs of pieces; for scenes where none leaves its class.
-std::vector<int> classesOfAllPairs(const Mesh& mesh, const Pieces& pieces) {
+std::vector<int> classesOfAllPairs(const Mesh& mesh, const ConvexParts& pieces) {
   glm::dvec3 low = mesh.points[0], high = low;
   double magnitude = 0.0;
   for (const glm::dvec3& p : mesh.points)
@@ -280,7 +280,7 @@ TEST(Coplanar, PiecesOfOneFace) {
   addRounded(mesh, rectangle({2, 0.25, 0}, {0, 0.5, 0}, {0.5, 0, 0}), 0);
   addRounded(mesh, rectangle({1, 1, 0}, {2, 0, 0}, {0, 2, 0}), 0);  // in the notch: only touches
   addRounded(mesh, {{5, 0, 0}, {6, 0, 0}, {6, 1, 0.5}, {5, 1, 0}}, 0);
-  const Pieces pieces = divideFaces(mesh);
+  const ConvexParts pieces = divideFaces(mesh);
   const std::vector<int> classes = coplanarClasses(mesh, pieces);
   EXPECT_GE(pieces.count(), 4 + 1 + 1 + 1 + 2);
   std::vector<int> ofFace(5, -1), seen;
@@ -309,7 +309,7 @@ TEST(Coplanar, CombsAsAllPairsGiveThem) {
   for (unsigned seed = seeds.from; seed < seeds.end; ++seed) {
     SCOPED_TRACE(seed);
     const Mesh mesh = combWithDecals(seed);
-    const Pieces pieces = divideFaces(mesh);
+    const ConvexParts pieces = divideFaces(mesh);
     const std::vector<int> classes = coplanarClasses(mesh, pieces);
     ASSERT_EQ(classes, classesOfAllPairs(mesh, pieces));
     const auto combPieces = std::count(pieces.face.begin(), pieces.face.end(), 0);
@@ -356,7 +356,7 @@ TEST(Coplanar, WithoutArea) {
   addRounded(mesh, rectangle({0, 0, 0}, {1, 0, 0}, {0, 1, 0}), 0);
   addRounded(mesh, {{0.25, 0.25, 0}, {0.5, 0.5, 0}, {0.75, 0.75, 0}}, 0);
   EXPECT_EQ(countOf(classesOf(mesh)), 3);
-  EXPECT_TRUE(coplanarClasses(Mesh{}, Pieces{}).empty());
+  EXPECT_TRUE(coplanarClasses(Mesh{}, ConvexParts{}).empty());
 }
 
 }  // namespace xnewell

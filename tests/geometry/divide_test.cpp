@@ -28,7 +28,7 @@ Mesh oneFace(const Pts& points, double rounding = 0.0) {
 }
 
 std::vector<std::vector<int>> piecesOf(const Mesh& mesh) {
-  const Pieces pieces = divideFaces(mesh);
+  const ConvexParts pieces = divideFaces(mesh);
   EXPECT_EQ(pieces.firstCorner.size(), pieces.face.size() + 1);
   std::vector<std::vector<int>> list;
   for (int k = 0; k < pieces.count(); ++k) list.emplace_back(pieces.piece(k).begin(), pieces.piece(k).end());
@@ -97,7 +97,7 @@ TEST(Divide, ArrowheadIsCutThroughItsNotch) {
   EXPECT_EQ(piecesOf(line), (List{{1, 2, 3}, {1, 3, 0}}));
 }
 
-// Pieces turn as their face does: on a lattice their areas sum to the face's exactly, in each of the
+// ConvexParts turn as their face does: on a lattice their areas sum to the face's exactly, in each of the
 // three planes, from both sides.
 TEST(Divide, PiecesOfConcaveFacesSumToTheFace) {
   for (unsigned seed = 0; seed < 300; ++seed) {
@@ -118,7 +118,7 @@ TEST(Divide, PiecesOfConcaveFacesSumToTheFace) {
       if (seed % 2) q = {q.y, q.x, q.z};
     }
     const Mesh mesh = oneFace(p);
-    const Pieces pieces = divideFaces(mesh);
+    const ConvexParts pieces = divideFaces(mesh);
     const glm::dvec3 whole = newellVector(mesh.points, mesh.face(0));
     glm::dvec3 sum{0.0};
     for (int k = 0; k < pieces.count(); ++k) {
@@ -197,13 +197,13 @@ TEST(Divide, DegenerateFacesEnd) {
   }
 }
 
-// Pieces come in face order with the face's number, and every face has one.
+// ConvexParts come in face order with the face's number, and every face has one.
 TEST(Divide, KeepsFaceNumbers) {
   BezierPatch patch;
   for (int i = 0; i < 16; ++i) patch.p[i] = {i / 4, i % 4, i % 5 == 0 ? 1.0 : 0.0};
   for (int j = 0; j < 4; ++j) patch.p[j] = {0, 0, 0};
   const Mesh mesh = tessellate(std::array{patch}, 6);
-  const Pieces pieces = divideFaces(mesh);
+  const ConvexParts pieces = divideFaces(mesh);
   EXPECT_TRUE(std::is_sorted(pieces.face.begin(), pieces.face.end()));
   for (int f = 0; f < mesh.faceCount(); ++f)
     EXPECT_TRUE(std::binary_search(pieces.face.begin(), pieces.face.end(), f));

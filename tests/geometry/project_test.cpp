@@ -180,7 +180,7 @@ TEST(Project, DepthKeepsItsBits) {
   EXPECT_TRUE(largest <= 1 << 30 && largest > 1 << 29) << largest;
 }
 
-// Pieces of one plane share one record, and it comes from their farthest vertices: neither a small decal of
+// ConvexParts of one plane share one record, and it comes from their farthest vertices: neither a small decal of
 // the model's that lies a little off decides it, nor the order in which they are listed. Others keep their
 // own.
 TEST(Project, OnePlaneHasOneRecord) {
@@ -192,7 +192,7 @@ TEST(Project, OnePlaneHasOneRecord) {
         decalFirst ? std::vector<std::vector<int>>{{6, 5, 4}, {0, 1, 2, 3}, {7, 8, 9}}
                    : std::vector<std::vector<int>>{{0, 1, 2, 3}, {6, 5, 4}, {7, 8, 9}};
     for (const auto& f : faces) m.addFace(f, 0);
-    Pieces pieces = divideFaces(m);
+    ConvexParts pieces = divideFaces(m);
     pieces.plane = {0, 0, 1};
     return project(m, pieces, fromAbove(projection), 512, 512, Cull::Keep);
   };

@@ -78,7 +78,7 @@ void draw(const Options& options, Scene scene, double msRead) {
   const Picture picture = makePicture(std::move(scene), settings, plan[Cell::Well]);
   if (const auto& refined = picture.shading().refined(); refined && refined->limit != RefineLimit::None)
     std::cerr << "xnewell: --adapt " << options.picture.adapt << " is not reached everywhere: "
-              << (refined->limit == RefineLimit::Pieces
+              << (refined->limit == RefineLimit::ConvexParts
                       ? "that would take more than a million polygons\n"
                       : "that would take pieces smaller than a thousandth of a polygon\n");
 

@@ -47,7 +47,7 @@ nlohmann::ordered_json requiredBy(const Picture& picture) {
       {"planes", !picture.snapped().planes.empty()},
       {"ramps", channelsOf(picture.colors().plan()) == Channels::Rgb ? 0 : picture.colors().tables().size()},
       {"cuts_of_concave_faces",
-       static_cast<int>(picture.scene().pieces.face.size()) - picture.scene().mesh.faceCount()}};
+       static_cast<int>(picture.scene().parts.face.size()) - picture.scene().mesh.faceCount()}};
 }
 
 /// Of --adapt: what ended the division of polygons, null where none was asked for.

@@ -31,7 +31,7 @@ enum class Fact {
   Test5,
   Samples,
   Wrong,
-  Shades,
+  Intensities,
   ShadesUsed,
   Levels8,
   Levels16,

@@ -49,13 +49,13 @@ void copyTo(IndexImage& image, const Rect& at, const IndexImage& picture) {
 
 void markWrong(IndexImage& image, SightDrawing& draws) {
   const Rect& at = draws.at.picture;
-  const std::vector<SampleVerdict> verdicts = verdictsOn(draws.sight.picture);
+  const std::vector<SampleCheck> checked = checkedSamples(draws.sight.picture);
   std::int64_t wrong = 0, samples = 0;
   for (int j = 0; j < at.height; ++j)
     for (int i = 0; i < at.width; ++i) {
-      const SampleVerdict v = verdicts[std::size_t(j) * at.width + i];
-      samples += v != SampleVerdict::Nothing;
-      if (v != SampleVerdict::Wrong) continue;
+      const SampleCheck v = verdicts[std::size_t(j) * at.width + i];
+      samples += v != SampleCheck::Nothing;
+      if (v != SampleCheck::Wrong) continue;
       ++wrong;
       image.row(at.y + j)[at.x + i] = draws(Cell::Q);
     }

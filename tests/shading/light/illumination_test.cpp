@@ -1,4 +1,4 @@
-#include "shading/light/shade.h"
+#include "shading/light/intensities.h"
 
 #include <gtest/gtest.h>
 
@@ -25,7 +25,7 @@ Mesh square() {
 struct FaceShade {
   glm::dvec3 N, at;
   double ambient;
-  Sides<double> diffuse, specular, I;
+  FrontBack<double> diffuse, specular, I;
   bool clamped;
 };
 
@@ -34,9 +34,9 @@ FaceShade shaded(const Illumination& user, glm::dvec3 eye, const Mesh& mesh = sq
   const Lighting lighting = resolve(mesh, scene, user, Channels::Luminance, eye, lookAt);
   const ShadingPoints points = facePoints(mesh);
   Terms diffuse, specular;
-  Shades shades;
-  shadeDiffuse(diffuse, points, lighting, 0);
-  shadeSpecular(specular, points, lighting, 0);
+  Intensities shades;
+  diffuseIntensities(diffuse, points, lighting, 0);
+  specularIntensities(specular, points, lighting, 0);
   addTerms(shades, diffuse, specular, points, lighting, 0);
   return {points.N[0],       points.at[0],       lighting.materials[mesh.material[0] + 1].ambient[0],
           diffuse[0],        specular[0],        shades.I[0],
@@ -156,7 +156,7 @@ TEST(Illumination, StaysInRange) {
     const glm::dvec3 eye = trial % 5 ? glm::dvec3{wild(), wild(), wild()} : glm::dvec3{0.5, 0.5, 0};
     const FaceShade f = shaded(light, eye);
     for (const double I : {f.I.front, f.I.back}) ASSERT_TRUE(I >= 0 && I <= 1) << I;
-    for (const Sides<double>& term : {f.diffuse, f.specular}) ASSERT_TRUE(term.front >= 0 && term.back >= 0);
+    for (const FrontBack<double>& term : {f.diffuse, f.specular}) ASSERT_TRUE(term.front >= 0 && term.back >= 0);
   }
 }
 
@@ -249,8 +249,8 @@ TEST(Illumination, Channels) {
   const std::array expected{0.1 * 0.5 + 0.8 * 0.5, 0.1 + 0.3 * 0.8, 0.2 * 0.5};
   for (int c = 0; c < 3; ++c) {
     Terms diffuse;
-    Shades shades;
-    shadeDiffuse(diffuse, points, lighting, c);
+    Intensities shades;
+    diffuseIntensities(diffuse, points, lighting, c);
     addTerms(shades, diffuse, Terms(diffuse.size(), {0.0, 0.0}), points, lighting, c);
     EXPECT_NEAR(shades.I[0].front, expected[c], 1e-15) << c;
   }
@@ -294,18 +294,18 @@ TEST(Illumination, SideBySideAsAlone) {
     const Lighting lighting =
         resolve(m, scene, {.form = form.id}, Channels::Luminance, {1, -3, 2}, {0, 0, 0});
     Terms diffuseTerms, specularTerms;
-    shadeDiffuse(diffuseTerms, points, lighting, 0);
-    shadeSpecular(specularTerms, points, lighting, 0);
+    diffuseIntensities(diffuseTerms, points, lighting, 0);
+    specularIntensities(specularTerms, points, lighting, 0);
     const auto vec = [](const glm::dvec3& v) { return Vec<double>{v.x, v.y, v.z}; };
     int lit = 0;
     for (std::size_t k = 0; k < points.at.size(); ++k) {
       const Material& material = lighting.materials[points.material[k] + 1];
       const Vec<double> at = vec(points.at[k]), N = vec(points.N[k]);
-      Sides<double> diffuse{0, 0}, specular{0, 0};
+      FrontBack<double> diffuse{0, 0}, specular{0, 0};
       for (const Lighting::Source& light : lighting.sources) {
         const Incident<double> in = incident(light, at);
-        const Sides<double> d = diffuseTerm(in, N, true);
-        const Sides<double> s = specularTerm(in, N, towardsEye(lighting, at), material, lighting);
+        const FrontBack<double> d = diffuseTerm(in, N, true);
+        const FrontBack<double> s = specularTerm(in, N, towardsEye(lighting, at), material, lighting);
         const double kd = light.Ip[0] * material.kd[0], ks = light.Ip[0] * material.ks[0];
         diffuse = {diffuse.front + kd * d.front, diffuse.back + kd * d.back};
         specular = {specular.front + ks * s.front, specular.back + ks * s.back};

@@ -32,15 +32,15 @@ struct Divided {
         lighting{resolve(scene.mesh, scene.light, light, Channels::Luminance, eye, {0, 0, 0})},
         vertices{smoothVertices(scene.mesh, NormalRule::Distinct)},
         refined{method == Shading::Flat
-                    ? refineFlat(scene.mesh, scene.pieces, facePoints(scene.mesh), lighting, settings)
-                    : refineSmooth(scene.mesh, scene.pieces, vertices, lighting, settings)} {}
+                    ? refineFlat(scene.mesh, scene.parts, facePoints(scene.mesh), lighting, settings)
+                    : refineSmooth(scene.mesh, scene.parts, vertices, lighting, settings)} {}
 };
 
-Shades shadesAt(const ShadingPoints& points, const Lighting& lighting) {
+Intensities shadesAt(const ShadingPoints& points, const Lighting& lighting) {
   Terms diffuse, specular;
-  Shades shades;
-  shadeDiffuse(diffuse, points, lighting, 0);
-  shadeSpecular(specular, points, lighting, 0);
+  Intensities shades;
+  diffuseIntensities(diffuse, points, lighting, 0);
+  specularIntensities(specular, points, lighting, 0);
   addTerms(shades, diffuse, specular, points, lighting, 0);
   return shades;
 }
@@ -49,7 +49,7 @@ using Place = std::tuple<double, double, double>;
 Place placeOf(const glm::dvec3& p) { return {p.x, p.y, p.z}; }
 
 /// How often each edge between two places runs from the first to the second.
-std::map<std::pair<Place, Place>, int> edgesOf(const Mesh& mesh, const Pieces& pieces) {
+std::map<std::pair<Place, Place>, int> edgesOf(const Mesh& mesh, const ConvexParts& pieces) {
   std::map<std::pair<Place, Place>, int> edges;
   for (int k = 0; k < pieces.count(); ++k) {
     const auto corners = pieces.piece(k);
@@ -91,12 +91,12 @@ TEST(Refine, ClosedSolidsStayClosed) {
       Illumination light;
       Scene scene = litAtRandom(solid(seed), light, seed);
       const Divided d{std::move(scene), light, method, {.tolerance = 0.05}};
-      const auto edges = edgesOf(d.refined.mesh, d.refined.pieces);
+      const auto edges = edgesOf(d.refined.mesh, d.refined.parts);
       for (const auto& [edge, times] : edges) {
         ASSERT_EQ(times, 1);
         ASSERT_TRUE(edges.contains({edge.second, edge.first}));
       }
-      divided += d.refined.pieces.count() > d.scene.pieces.count();
+      divided += d.refined.parts.count() > d.scene.parts.count();
     }
   EXPECT_GT(divided, 60);
 }
@@ -116,23 +116,23 @@ TEST(Refine, KeepsToTheTolerance) {
       const Divided d{std::move(scene), light, method, {.tolerance = tolerance}};
       if (d.refined.limit != RefineLimit::None) continue;
       ++reached;
-      const Shades shades = shadesAt(d.refined.points, d.lighting);
+      const Intensities shades = shadesAt(d.refined.points, d.lighting);
       std::mt19937 rng{seed};
       std::uniform_real_distribution<double> zeroToOne{0, 1};
       ShadingPoints at;
-      std::vector<Sides<double>> shown;
-      for (int k = 0; k < d.refined.pieces.count(); ++k) {
-        if (d.refined.pieces.piece(k).size() != 3) continue;
-        const int first = d.refined.pieces.firstCorner[k];
+      std::vector<FrontBack<double>> shown;
+      for (int k = 0; k < d.refined.parts.count(); ++k) {
+        if (d.refined.parts.piece(k).size() != 3) continue;
+        const int first = d.refined.parts.firstCorner[k];
         for (int trial = 0; trial < 20; ++trial) {
           const double r = std::sqrt(zeroToOne(rng)), q = zeroToOne(rng);
           const std::array weights{1 - r, r * (1 - q), r * q};
           glm::dvec3 p{0}, N{0};
-          Sides<double> I{0, 0};
+          FrontBack<double> I{0, 0};
           for (int c = 0; c < 3; ++c) {
-            p += weights[c] * d.refined.mesh.points[d.refined.pieces.corners[first + c]];
+            p += weights[c] * d.refined.mesh.points[d.refined.parts.corners[first + c]];
             if (method == Shading::Flat) continue;
-            const int v = d.refined.vertices.ofCorner[d.refined.pieces.from[first + c]];
+            const int v = d.refined.vertices.ofCorner[d.refined.parts.from[first + c]];
             N += weights[c] * d.refined.vertices.vertices[v].N;
             I.front += weights[c] * shades.I[v].front;
             I.back += weights[c] * shades.I[v].back;
@@ -143,7 +143,7 @@ TEST(Refine, KeepsToTheTolerance) {
           shown.push_back(method == Shading::Flat ? shades.I[k] : I);
         }
       }
-      const Shades exact = shadesAt(at, d.lighting);
+      const Intensities exact = shadesAt(at, d.lighting);
       for (std::size_t k = 0; k < shown.size(); ++k) {
         const double error =
             std::max(std::abs(shown[k].front - exact.I[k].front), std::abs(shown[k].back - exact.I[k].back));
@@ -173,18 +173,18 @@ TEST(Refine, FlatPiecesKeepToTheToleranceAtCorners) {
     const double tolerance = 0.1 * std::pow(4.0, oneEach(rng));
     const Divided d{makeScene("drum", drum(), UpAxis::Z), light, Shading::Flat, {.tolerance = tolerance}};
     ASSERT_EQ(d.refined.limit, RefineLimit::None);
-    const Shades centres = shadesAt(d.refined.points, d.lighting);
-    for (int k = 0; k < d.refined.pieces.count(); ++k) {
+    const Intensities centres = shadesAt(d.refined.points, d.lighting);
+    for (int k = 0; k < d.refined.parts.count(); ++k) {
       ShadingPoints corners;
-      for (const int p : d.refined.pieces.piece(k)) {
+      for (const int p : d.refined.parts.piece(k)) {
         corners.at.push_back(d.refined.mesh.points[p]);
         corners.N.push_back(d.refined.points.N[k]);
         corners.material.push_back(-1);
       }
-      for (const Sides<double>& I : shadesAt(corners, d.lighting).I)
+      for (const FrontBack<double>& I : shadesAt(corners, d.lighting).I)
         ASSERT_LE(std::abs(I.front - centres.I[k].front), tolerance);
     }
-    divided += d.refined.pieces.count() > d.scene.pieces.count();
+    divided += d.refined.parts.count() > d.scene.parts.count();
   }
   EXPECT_GT(divided, 100);
 }
@@ -194,7 +194,7 @@ TEST(Refine, FlatPiecesKeepToTheToleranceAtCorners) {
 TEST(Refine, LeavesTheRestAsItIs) {
   for (const Shading method : kMethods) {
     const Divided d{underSpot(floorOf(8)), {.ks = 0}, method, {.tolerance = 0.1}};
-    const Pieces &pieces = d.refined.pieces, &before = d.scene.pieces;
+    const ConvexParts &pieces = d.refined.parts, &before = d.scene.parts;
     std::vector<int> ofFace(64, 0);
     int whole = 0;
     for (int k = 0; k < pieces.count(); ++k) {
@@ -211,7 +211,7 @@ TEST(Refine, LeavesTheRestAsItIs) {
     EXPECT_EQ(std::ranges::count(ofFace, 1), whole);
 
     const Divided even{makeScene("floor", floorOf(8), UpAxis::Z), {.ks = 0}, method, {.tolerance = 1e-6}};
-    EXPECT_EQ(even.refined.pieces.corners, even.scene.pieces.corners);
+    EXPECT_EQ(even.refined.parts.corners, even.scene.parts.corners);
     EXPECT_EQ(even.refined.mesh.points, even.scene.mesh.points);
   }
 }
@@ -230,10 +230,10 @@ TEST(Refine, FindsLightInsideOneTriangle) {
     const auto& p = scene.mesh.points;
     const glm::dvec3 place = (1 - r) * p[0] + r * (1 - q) * p[1] + r * q * p[2];
     const auto expectFound = [&](const Divided& d) {
-      ASSERT_GT(d.refined.pieces.count(), 10);
-      const Shades shades = shadesAt(d.refined.points, d.lighting);
+      ASSERT_GT(d.refined.parts.count(), 10);
+      const Intensities shades = shadesAt(d.refined.points, d.lighting);
       const auto [least, most] =
-          std::ranges::minmax(shades.I, {}, [](const Sides<double>& I) { return I.front; });
+          std::ranges::minmax(shades.I, {}, [](const FrontBack<double>& I) { return I.front; });
       EXPECT_GT(most.front, least.front + 0.1);
     };
     const glm::dvec3 eye = place + glm::dvec3{0, 0, 0.7};
@@ -264,16 +264,16 @@ TEST(Refine, DividesMoreForLessTolerance) {
         Scene scene = litAtRandom(solid(seed), light, seed);
         const Divided d{std::move(scene), light, method, {.tolerance = tolerance}};
         if (tolerance == 1.0) {
-          EXPECT_EQ(d.refined.pieces.count(), d.scene.pieces.count());
+          EXPECT_EQ(d.refined.parts.count(), d.scene.parts.count());
         }
-        EXPECT_GE(d.refined.pieces.count(), last);
-        last = d.refined.pieces.count();
+        EXPECT_GE(d.refined.parts.count(), last);
+        last = d.refined.parts.count();
       }
       EXPECT_GT(last, 100);
     }
 }
 
-// Pieces are no needles: no angle is less than half the least that the face had.
+// ConvexParts are no needles: no angle is less than half the least that the face had.
 TEST(Refine, KeepsAnglesWide) {
   int pieces = 0;
   for (unsigned seed = 0; seed < 20; ++seed) {
@@ -281,11 +281,11 @@ TEST(Refine, KeepsAnglesWide) {
     Illumination light;
     Scene scene = litAtRandom(triangleSoup(20, 0.7, seed), light, seed);
     const Divided d{std::move(scene), light, kMethods[seed % 2], {.tolerance = 0.01}};
-    for (int k = 0; k < d.refined.pieces.count(); ++k) {
-      const double before = leastAngle(d.scene.mesh, d.scene.mesh.face(d.refined.pieces.face[k]));
-      ASSERT_GE(leastAngle(d.refined.mesh, d.refined.pieces.piece(k)), 0.5 * before * (1 - 1e-9));
+    for (int k = 0; k < d.refined.parts.count(); ++k) {
+      const double before = leastAngle(d.scene.mesh, d.scene.mesh.face(d.refined.parts.face[k]));
+      ASSERT_GE(leastAngle(d.refined.mesh, d.refined.parts.piece(k)), 0.5 * before * (1 - 1e-9));
     }
-    pieces += d.refined.pieces.count();
+    pieces += d.refined.parts.count();
   }
   EXPECT_GT(pieces, 20'000);
 }
@@ -308,7 +308,7 @@ TEST(Refine, EndsAtItsLimits) {
     }
     EXPECT_EQ(least, std::ldexp(1.0, -9));  // of twice the area of half the square: 1
     const Refined few = divided({.tolerance = 0.05, .pieces = 300});
-    EXPECT_EQ(few.limit, RefineLimit::Pieces);
+    EXPECT_EQ(few.limit, RefineLimit::ConvexParts);
     EXPECT_LE(few.pieces.count(), 300);
     EXPECT_GT(few.pieces.count(), 100);
     EXPECT_EQ(divided({.tolerance = 1}).limit, RefineLimit::None);
@@ -333,7 +333,7 @@ TEST(Refine, InterpolatesAtNewCorners) {
   const std::array N{unit({0.8, 0, 1}), unit({-0.5, 0.6, 1}), unit({0, -0.9, 0.4})};
   for (int v = 0; v < 3; ++v) vertices.vertices[v].N = N[v];
   const Lighting lighting = resolve(scene.mesh, scene.light, {}, Channels::Luminance, {0, 0, 1}, {0, 0, 0});
-  const Refined bent = refineSmooth(scene.mesh, scene.pieces, vertices, lighting, {.tolerance = 0.01});
+  const Refined bent = refineSmooth(scene.mesh, scene.parts, vertices, lighting, {.tolerance = 0.01});
   ASSERT_GT(bent.vertices.vertices.size(), 100u);
   const auto& p = scene.mesh.points;
   const auto area = [](glm::dvec3 a, glm::dvec3 b, glm::dvec3 c) { return glm::cross(b - a, c - a).z; };

@@ -87,7 +87,7 @@ TEST(Crossing, ToriSplitOnceAPair) {
     SCOPED_TRACE(across);
     PictureCache pictures{makeScene("tori", crossingTori(2 * across, across), UpAxis::Z)};
     const Mesh& mesh = pictures.scene().mesh;
-    const Pieces& pieces = pictures.scene().pieces;
+    const ConvexParts& pieces = pictures.scene().parts;
     long crossing = 0, undecided = 0;
     std::vector<Outline> outlines;
     std::vector<std::pair<glm::dvec3, glm::dvec3>> boxes;

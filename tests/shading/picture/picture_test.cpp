@@ -53,7 +53,7 @@ std::vector<int> timesCovered(const SnappedScene& scene, int width, int height) 
   return times;
 }
 
-bool sameBits(const std::vector<Sides<double>>& a, const std::vector<Sides<double>>& b) {
+bool sameBits(const std::vector<FrontBack<double>>& a, const std::vector<FrontBack<double>>& b) {
   return a.size() == b.size() && std::memcmp(a.data(), b.data(), a.size() * sizeof a[0]) == 0;
 }
 
@@ -126,17 +126,17 @@ TEST_P(StoredShading, KnowsNoCamera) {
   s.camera.lookAt = glm::dvec3{0, 0, 0.2};
   pictures.make(s);
   const SceneShading stored = pictures.last().shading();
-  ASSERT_GT(stored.shades(0).I.size(), 200u);
+  ASSERT_GT(stored.intensities(0).I.size(), 200u);
   const auto expectSame = [&](const PictureSettings& changed, bool specularToo) {
     PictureCache fresh{readScene("teapot", 4)};
     fresh.make(changed);
     pictures.make(changed);
     const SceneShading &kept = pictures.last().shading(), &made = fresh.last().shading();
     EXPECT_TRUE(sameBits(kept.diffuse(0), made.diffuse(0)) && sameBits(kept.specular(0), made.specular(0)));
-    EXPECT_TRUE(sameBits(kept.shades(0).I, made.shades(0).I));
+    EXPECT_TRUE(sameBits(kept.intensities(0).I, made.intensities(0).I));
     EXPECT_TRUE(sameBits(stored.diffuse(0), made.diffuse(0)));
     EXPECT_EQ(sameBits(stored.specular(0), made.specular(0)), specularToo);
-    EXPECT_EQ(sameBits(stored.shades(0).I, made.shades(0).I), specularToo);
+    EXPECT_EQ(sameBits(stored.intensities(0).I, made.intensities(0).I), specularToo);
     // What stays is not even copied.
     EXPECT_EQ(&stored.diffuse(0), &kept.diffuse(0));
     EXPECT_EQ(&stored.specular(0) == &kept.specular(0), specularToo);
@@ -304,7 +304,7 @@ TEST(Picture, FaceImageNamesFaces) {
   m.addFace(floor, 0);
   m.addFace(concave, 0);
   PictureCache pictures{makeScene("two", m, UpAxis::Y)};
-  EXPECT_GT(pictures.scene().pieces.count(), 2);
+  EXPECT_GT(pictures.scene().parts.count(), 2);
   PictureSettings s = small();
   s.camera.parallel = true;
   s.camera.eye = glm::dvec3{0, 0, 3};
@@ -393,8 +393,8 @@ TEST(Picture, OracleKnowsWhereTheOrderIsWrong) {
 // right. Without the rounding's allowance it is not.
 TEST(Picture, CoplanarFacesAreNotCalledWrong) {
   Scene scene = readScene("decals");
-  EXPECT_EQ(std::ranges::max(scene.pieces.plane), 0);
-  std::iota(scene.pieces.plane.begin(), scene.pieces.plane.end(), 0);
+  EXPECT_EQ(std::ranges::max(scene.parts.plane), 0);
+  std::iota(scene.parts.plane.begin(), scene.parts.plane.end(), 0);
   PictureCache decals{std::move(scene)};
   PictureSettings s = small();
   s.order = Order::Unsorted;
@@ -428,7 +428,7 @@ TEST(Picture, FullIntensityShadesNothing) {
   PictureCache full{readScene("teapot", 3)};
   s.shading = Shading::Full;
   painted(full, s);
-  EXPECT_TRUE(full.last().shading().shades(0).I.empty());
+  EXPECT_TRUE(full.last().shading().intensities(0).I.empty());
 }
 
 // No lights, materials, normals or methods make a cell that is not on the ramp: no NaN, no infinity, nothing

@@ -156,7 +156,7 @@ TEST(RefinePicture, IsMadeAgainWhenItMust) {
     const bool asked = s.adapt > 0 && (s.shading == Shading::Flat || s.shading == Shading::Gouraud);
     ASSERT_EQ(kept.last().shading().refined().has_value(), asked);
     if (asked) {
-      ASSERT_EQ(kept.last().snapped().polygons, kept.last().shading().refined()->pieces.count());
+      ASSERT_EQ(kept.last().snapped().polygons, kept.last().shading().refined()->parts.count());
       divided += kept.last().snapped().polygons > 9;
     }
   }

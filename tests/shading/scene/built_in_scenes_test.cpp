@@ -95,7 +95,7 @@ TEST(BuiltInScenes, CubesDifferByRule) {
       leaning += std::abs(std::abs(N.x) - 1 / std::sqrt(3.0)) > 0.1 ||
                  std::abs(std::abs(N.y) - 1 / std::sqrt(3.0)) > 0.1;
       EXPECT_NEAR(std::abs(vertices[k].N.x), 1 / std::sqrt(3.0), 1e-12);
-      const auto& I = drawn.picture.shading().shades(0).I;
+      const auto& I = drawn.picture.shading().intensities(0).I;
       litOtherwise += std::abs(I[k].front - I[8 + k].front) > 0.05;
     }
     return std::pair{leaning, litOtherwise};
@@ -319,13 +319,13 @@ TEST(BuiltInScenes, HuesSpanTheIntensitiesThatAreThere) {
     }
     EXPECT_GT(inside, 10'000);
     EXPECT_LE(colors.tableOf(-1).shades(), atPixels ? 3 : 2);
-    const auto& stored = drawn.picture.shading().shades(0).I;
+    const auto& stored = drawn.picture.shading().intensities(0).I;
     for (const ColorTable& table : colors.tables()) {
       const auto has = [&](double end) {
         if (atPixels)
           return std::ranges::any_of(
               I, [&](double at) { return std::abs(std::min(at, 1.0) - end) <= 3 / 255.0; });
-        return std::ranges::any_of(stored, [&](const Sides<double>& sides) {
+        return std::ranges::any_of(stored, [&](const FrontBack<double>& sides) {
           return std::abs(sides.front - end) <= 1 / 255.0 || std::abs(sides.back - end) <= 1 / 255.0;
         });
       };
@@ -341,7 +341,7 @@ TEST(BuiltInScenes, LampFallsWithDistance) {
   const Drawn drawn{"lamp", by(Shading::Flat)};
   const Scene& scene = drawn.picture.scene();
   const Light& lamp = scene.light.lights.at(0);
-  const auto& shades = drawn.picture.shading().shades(0);
+  const auto& shades = drawn.picture.shading().intensities(0);
   const auto& points = drawn.picture.shading().points();
   std::vector<std::pair<double, double>> floor;  // distance, intensity
   for (int f = 0; f < 36; ++f)

@@ -125,7 +125,7 @@ TEST(Model, PiecesHaveTheColorOfTheirFace) {
           if (shading.id == Shading::Full) {
             ASSERT_EQ(image.pixels[k], table.cell(1.0));
           } else if (shading.id == Shading::Flat) {
-            const Sides<double>& I = oracle.last().shading().shades(0).I[f.number];
+            const FrontBack<double>& I = oracle.last().shading().intensities(0).I[f.number];
             ASSERT_EQ(image.pixels[k], table.cell(f.back ? I.back : I.front));
           }
           ASSERT_EQ(shown[k], f.number + 1u);

@@ -107,7 +107,7 @@ TEST(SceneFile, TurnedPolygonsStayFlat) {
     const std::string degrees = std::to_string(k);
     const Scene s = parsed(R"({"objects": [{"solid": "cube", "scale": [3, 0.7, 1], "rotate": [)" + degrees +
                            ", " + std::to_string(7 * k) + R"(, 11.3], "move": [40, 3, 0]}]})");
-    EXPECT_EQ(s.pieces.count(), 6) << k;
+    EXPECT_EQ(s.parts.count(), 6) << k;
   }
 }
 
@@ -400,7 +400,7 @@ TEST(SceneFile, BuiltInScenes) {
     SCOPED_TRACE(s.name);
     EXPECT_TRUE(isBuiltIn(s.name));
     EXPECT_GT(s.shows.size(), 10u);
-    EXPECT_GT(readScene(s.name).pieces.count(), 1);
+    EXPECT_GT(readScene(s.name).parts.count(), 1);
   }
   EXPECT_FALSE(isBuiltIn("../scenes/room"));
   EXPECT_FALSE(isBuiltIn("room.json"));

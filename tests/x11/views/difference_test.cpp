@@ -145,7 +145,7 @@ TEST(Difference, OfColoursIsHowTheyLook) {
   EXPECT_GT(compared.difference.largest, 3.0);
 }
 
-// Pieces of a divided polygon show its face, not another.
+// ConvexParts of a divided polygon show its face, not another.
 TEST(Difference, DividedPolygonsShowTheirFaces) {
   PictureCache spot{readScene("spotlight")};
   PictureSettings s = small(Shading::Gouraud);

@@ -26,19 +26,19 @@ struct ShadingPoints {
 /// One channel's term at each point: times Ip and kd or ks, summed over the lights. Both sides are kept: the
 /// light reaches one of them, and which one the eye sees is the projected outline's to say
 /// (SnappedFace::back).
-using Terms = std::vector<Sides<double>>;
+using Terms = std::vector<FrontBack<double>>;
 
 /// One channel at each point.
-struct Shades {
-  std::vector<Sides<double>> I;  ///< the sum of the terms, clamped to [0, 1]
+struct Intensities {
+  std::vector<FrontBack<double>> I;  ///< the sum of the terms, clamped to [0, 1]
   int clamped = 0;               ///< points where one side was above 1
 };
 
-void shadeDiffuse(Terms& diffuse, const ShadingPoints& points, const Lighting& lighting, int channel);
+void diffuseIntensities(Terms& diffuse, const ShadingPoints& points, const Lighting& lighting, int channel);
 /// Again whenever the eye moves.
-void shadeSpecular(Terms& specular, const ShadingPoints& points, const Lighting& lighting, int channel);
+void specularIntensities(Terms& specular, const ShadingPoints& points, const Lighting& lighting, int channel);
 /// I from these terms and the ambient one.
-void addTerms(Shades& shades, const Terms& diffuse, const Terms& specular, const ShadingPoints& points,
+void addTerms(Intensities& intensities, const Terms& diffuse, const Terms& specular, const ShadingPoints& points,
               const Lighting& lighting, int channel);
 
 }  // namespace xnewell

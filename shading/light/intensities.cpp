@@ -1,4 +1,4 @@
-#include "shading/light/shade.h"
+#include "shading/light/intensities.h"
 
 #include <algorithm>
 
@@ -32,7 +32,7 @@ std::size_t runOf(const std::vector<int>& material, std::size_t first) {
 }
 
 [[gnu::always_inline]] inline void add(Terms& sums, std::size_t first, std::size_t count, double share,
-                                       const Sides<Four>& term) {
+                                       const FrontBack<Four>& term) {
   for (int k = 0; k < static_cast<int>(count); ++k) {
     sums[first + k].front += share * term.front[k];
     sums[first + k].back += share * term.back[k];
@@ -67,7 +67,7 @@ ShadingPoints vertexPoints(const Mesh& mesh, const Vertices& vertices) {
 }
 
 XNEWELL_DISPATCHED
-void shadeDiffuse(Terms& diffuse, const ShadingPoints& points, const Lighting& lighting, int channel) {
+void diffuseIntensities(Terms& diffuse, const ShadingPoints& points, const Lighting& lighting, int channel) {
   diffuse.assign(points.at.size(), {0.0, 0.0});
   for (const Lighting::Source& light : lighting.sources)
     for (std::size_t first = 0, count = 0; first < points.at.size(); first += count) {
@@ -80,7 +80,7 @@ void shadeDiffuse(Terms& diffuse, const ShadingPoints& points, const Lighting& l
 }
 
 XNEWELL_DISPATCHED
-void shadeSpecular(Terms& specular, const ShadingPoints& points, const Lighting& lighting, int channel) {
+void specularIntensities(Terms& specular, const ShadingPoints& points, const Lighting& lighting, int channel) {
   specular.assign(points.at.size(), {0.0, 0.0});
   if (!lighting.specular) return;
   for (const Lighting::Source& light : lighting.sources)
@@ -95,16 +95,16 @@ void shadeSpecular(Terms& specular, const ShadingPoints& points, const Lighting&
     }
 }
 
-void addTerms(Shades& shades, const Terms& diffuse, const Terms& specular, const ShadingPoints& points,
+void addTerms(Intensities& intensities, const Terms& diffuse, const Terms& specular, const ShadingPoints& points,
               const Lighting& lighting, int channel) {
-  shades.I.resize(points.at.size());
-  shades.clamped = 0;
+  intensities.I.resize(points.at.size());
+  intensities.clamped = 0;
   for (std::size_t k = 0; k < points.at.size(); ++k) {
     const double ambient = lighting.materials[points.material[k] + 1].ambient[channel];
-    const Sides<double>&d = diffuse[k], &s = specular[k];
-    const Sides<double> sum{ambient + d.front + s.front, ambient + d.back + s.back};
-    shades.clamped += sum.front > 1.0 || sum.back > 1.0;
-    shades.I[k] = {std::min(1.0, sum.front), std::min(1.0, sum.back)};
+    const FrontBack<double>&d = diffuse[k], &s = specular[k];
+    const FrontBack<double> sum{ambient + d.front + s.front, ambient + d.back + s.back};
+    intensities.clamped += sum.front > 1.0 || sum.back > 1.0;
+    intensities.I[k] = {std::min(1.0, sum.front), std::min(1.0, sum.back)};
   }
 }
 
