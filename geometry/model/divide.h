@@ -8,7 +8,7 @@
 namespace xnewell {
 
 /// The faces of a mesh as convex planar polygons. Part k belongs to face[k], and faces keep their numbers.
-/// Parts are in face order, and every face has at least one.
+/// ConvexParts are in face order and every face has at least one.
 struct ConvexParts {
   std::vector<int> corners;  ///< vertex indices of all parts, one part after the other
   std::vector<int> from;     ///< for each of these: its corner in the mesh, an index into Mesh::corners

@@ -196,7 +196,7 @@ SnappedScene snap(const Mesh& mesh, const ConvexParts& parts, const ViewSpec& vi
     zMax = std::max(zMax, screen[i].z);
   }
 
-  // First clip the parts that cross a plane: their new vertices count in the choice of the z scale.
+  // ConvexParts that cross a plane are clipped first: their new vertices count in the choice of the z scale.
   struct Clipped {
     int part, first, count;
   };

@@ -25,11 +25,11 @@ struct Doubt {
 struct SnappedFace {
   /// the outline: count >= 3 vertices of SnappedScene::vertices, starting at `first`
   int first = 0, count = 0;
-  int number = 0;  ///< face number in the model; every part and piece keeps it
-  int part = 0;    ///< index into ConvexParts; the outlines that clipping and halving make of a part keep it
+  int number = 0;     ///< face number in the model; every part and piece keeps it
+  int part = 0;       ///< index into ConvexParts; what clipping and halving make of one keep it
   bool back = false;  ///< the viewer sees the side from which the model lists the corners clockwise
   /// Index into SnappedScene::planes. All faces in one plane of the model share one. Before addPlanes() it is
-  /// the number from ConvexParts::plane.
+  /// ConvexParts::plane.
   int plane = 0;
   /// The error bound of its plane within the face, from the rounding of the snap and of the model. Two faces
   /// that are nearer to each other than the sum of their doubts may touch in the model.
@@ -65,9 +65,10 @@ enum class Cull { Keep, Back };
 [[nodiscard]] SnappedScene snap(const Mesh& mesh, const ConvexParts& parts, const ViewSpec& view, int width,
                                 int height, Cull cull);
 
-/// Adds the planes, which only orders that compare planes need. Parts of one plane (ConvexParts::plane) get
-/// one plane record, through three of their vertices that lie far apart. So they are exactly coplanar, and at
-/// a common sample the later one is seen. Call it once after each snap(), with the same view.
+/// What only an order that compares planes needs: pieces of one plane (ConvexParts::plane) get one plane
+/// record, one plane record, through three of their vertices that lie far apart. So they are exactly
+/// coplanar, and at a common sample the later one is seen. Call it once after each snap(), with the same
+/// view.
 void addPlanes(SnappedScene& scene, const Mesh& mesh, const ViewSpec& view, int width, int height);
 
 /// Calls snap(), then addPlanes().

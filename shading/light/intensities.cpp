@@ -31,8 +31,8 @@ std::size_t runOf(const std::vector<int>& material, std::size_t first) {
   return v;
 }
 
-[[gnu::always_inline]] inline void add(std::vector<FrontBack<double>>& sums, std::size_t first,
-                                       std::size_t count, double share, const FrontBack<Four>& term) {
+[[gnu::always_inline]] inline void add(Terms& sums, std::size_t first, std::size_t count, double share,
+                                       const FrontBack<Four>& term) {
   for (int k = 0; k < static_cast<int>(count); ++k) {
     sums[first + k].front += share * term.front[k];
     sums[first + k].back += share * term.back[k];
@@ -67,24 +67,22 @@ ShadingPoints vertexPoints(const Mesh& mesh, const Vertices& vertices) {
 }
 
 XNEWELL_DISPATCHED
-void diffuseIntensities(Intensities& intensities, const ShadingPoints& points, const Lighting& lighting,
-                        int channel) {
-  intensities.diffuse.assign(points.at.size(), {0.0, 0.0});
-  intensities.specular.assign(points.at.size(), {0.0, 0.0});
+void diffuseIntensities(Terms& diffuse, const ShadingPoints& points, const Lighting& lighting, int channel) {
+  diffuse.assign(points.at.size(), {0.0, 0.0});
   for (const Lighting::Source& light : lighting.sources)
     for (std::size_t first = 0, count = 0; first < points.at.size(); first += count) {
       count = runOf(points.material, first);
       const Incident<Four> in = incident(light, gathered(points.at, first, count));
       const double kd = lighting.materials[points.material[first] + 1].kd[channel];
-      add(intensities.diffuse, first, count, light.Ip[channel] * kd,
+      add(diffuse, first, count, light.Ip[channel] * kd,
           diffuseTerm(in, gathered(points.N, first, count), lighting.twoSided));
     }
 }
 
 XNEWELL_DISPATCHED
-void specularIntensities(Intensities& intensities, const ShadingPoints& points, const Lighting& lighting,
+void specularIntensities(Terms& specular, const ShadingPoints& points, const Lighting& lighting,
                          int channel) {
-  intensities.specular.assign(points.at.size(), {0.0, 0.0});
+  specular.assign(points.at.size(), {0.0, 0.0});
   if (!lighting.specular) return;
   for (const Lighting::Source& light : lighting.sources)
     for (std::size_t first = 0, count = 0; first < points.at.size(); first += count) {
@@ -92,18 +90,19 @@ void specularIntensities(Intensities& intensities, const ShadingPoints& points, 
       const Material& material = lighting.materials[points.material[first] + 1];
       if (material.ks[channel] == 0.0) continue;
       const Vec<Four> at = gathered(points.at, first, count);
-      add(intensities.specular, first, count, light.Ip[channel] * material.ks[channel],
+      add(specular, first, count, light.Ip[channel] * material.ks[channel],
           specularTerm(incident(light, at), gathered(points.N, first, count), towardsEye(lighting, at),
                        material, lighting));
     }
 }
 
-void addTerms(Intensities& intensities, const ShadingPoints& points, const Lighting& lighting, int channel) {
+void addTerms(Intensities& intensities, const Terms& diffuse, const Terms& specular,
+              const ShadingPoints& points, const Lighting& lighting, int channel) {
   intensities.I.resize(points.at.size());
   intensities.clamped = 0;
   for (std::size_t k = 0; k < points.at.size(); ++k) {
     const double ambient = lighting.materials[points.material[k] + 1].ambient[channel];
-    const FrontBack<double>&d = intensities.diffuse[k], &s = intensities.specular[k];
+    const FrontBack<double>&d = diffuse[k], &s = specular[k];
     const FrontBack<double> sum{ambient + d.front + s.front, ambient + d.back + s.back};
     intensities.clamped += sum.front > 1.0 || sum.back > 1.0;
     intensities.I[k] = {std::min(1.0, sum.front), std::min(1.0, sum.back)};

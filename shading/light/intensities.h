@@ -23,21 +23,23 @@ struct ShadingPoints {
 /// One point for each vertex.
 [[nodiscard]] ShadingPoints vertexPoints(const Mesh& mesh, const Vertices& vertices);
 
-/// The intensities of one channel at each point, for the front and the back of the face. A light reaches one
-/// of the two; the projected outline says which one the eye sees (SnappedFace::back).
+/// One term of the equation in one channel at each point, times Ip and kd or ks and summed over the lights.
+/// Both sides of the face are kept: a light reaches one of them, and the projected outline says which one the
+/// eye sees (SnappedFace::back).
+using Terms = std::vector<FrontBack<double>>;
+
+/// The intensities of one channel at each point.
 struct Intensities {
-  std::vector<FrontBack<double>> diffuse, specular;  ///< the terms of the equation, summed over the lights
-  std::vector<FrontBack<double>> I;                  ///< the sum with the ambient term, clamped to [0, 1]
-  int clamped = 0;                                   ///< points where the sum was above 1 on either side
+  std::vector<FrontBack<double>> I;  ///< the sum of all terms, clamped to [0, 1]
+  int clamped = 0;                   ///< points where the sum was above 1 on either side
 };
 
-/// Makes the diffuse terms. It sets the specular terms to 0.
-void diffuseIntensities(Intensities& intensities, const ShadingPoints& points, const Lighting& lighting,
-                        int channel);
+/// Makes the diffuse terms.
+void diffuseIntensities(Terms& diffuse, const ShadingPoints& points, const Lighting& lighting, int channel);
 /// Makes the specular terms, again whenever the eye moves.
-void specularIntensities(Intensities& intensities, const ShadingPoints& points, const Lighting& lighting,
-                         int channel);
-/// Makes I from the terms.
-void addTerms(Intensities& intensities, const ShadingPoints& points, const Lighting& lighting, int channel);
+void specularIntensities(Terms& specular, const ShadingPoints& points, const Lighting& lighting, int channel);
+/// Makes I from these terms and the ambient one.
+void addTerms(Intensities& intensities, const Terms& diffuse, const Terms& specular,
+              const ShadingPoints& points, const Lighting& lighting, int channel);
 
 }  // namespace xnewell

@@ -166,6 +166,7 @@ std::vector<bool> Misfit::operator()(std::span<const Facet> facets) const {
   std::vector<bool> result(facets.size(), false);
   std::vector<int> along(facets.size());
   ShadingPoints samples;
+  Terms diffuse, specular;
   Intensities intensities;
   for (std::size_t first = 0, end = 0; first < facets.size(); first = end) {
     samples = {};
@@ -178,9 +179,9 @@ std::vector<bool> Misfit::operator()(std::span<const Facet> facets) const {
         result[end] = true;
     }
     for (int channel = 0; channel < lighting_.channels; ++channel) {
-      diffuseIntensities(intensities, samples, lighting_, channel);
-      specularIntensities(intensities, samples, lighting_, channel);
-      addTerms(intensities, samples, lighting_, channel);
+      diffuseIntensities(diffuse, samples, lighting_, channel);
+      specularIntensities(specular, samples, lighting_, channel);
+      addTerms(intensities, diffuse, specular, samples, lighting_, channel);
       const FrontBack<double>* I = intensities.I.data();
       for (std::size_t k = first; k < end; ++k) {
         if (along[k] == 0) continue;

@@ -19,7 +19,7 @@ struct CellRange {
   bool operator==(const CellRange&) const = default;
 };
 
-/// The cells that hold the colours of a made and painted picture.
+/// The cells that hold the colours of a painted picture.
 [[nodiscard]] CellRange sceneCells(const Picture& picture);
 /// The ramps among them, none where a plan holds colours.
 [[nodiscard]] std::vector<CellRange> rampsOf(const Picture& picture);

@@ -7,6 +7,7 @@
 #include <limits>
 
 #include "depthsort/oracle.h"
+#include "shading/picture/picture_cache.h"
 
 namespace xnewell {
 
@@ -97,19 +98,20 @@ void addSlopes(Profile& profile, const std::vector<bool>& joined) {
   }
 }
 
-Scanline scanlineOf(Picture& picture, const PictureSettings& settings, int row, std::uint8_t ground) {
+Scanline scanlineOf(const Picture& picture, int row, std::uint8_t ground) {
   Scanline line;
   line.row = row;
-  PictureSettings method = settings;
+  PictureCache cache{picture};
+  PictureSettings method = picture.settings();
   method.shading = Shading::Phong;  // it knows the normals at vertices
-  picture.make(method);
-  const SeenRows seen = picture.seen(row, row + 1);
-  const Surface surface{picture};
+  const Picture phong = cache.make(method);
+  const SeenRows seen = phong.seen(row, row + 1);
+  const Surface surface{phong};
   std::vector<bool> joined(std::size_t(seen.width) - 1, false);
   for (int i = 0; i < seen.width; ++i) {
     line.samples += seen.faces[i] != kNothing;
     if (i == 0 || seen.faces[i - 1] == kNothing || seen.faces[i] == kNothing) continue;
-    const auto number = [&](int at) { return picture.snapped().faces[seen.faces[at]].number; };
+    const auto number = [&](int at) { return phong.snapped().faces[seen.faces[at]].number; };
     joined[i - 1] = surface.joined(number(i - 1), number(i));
     line.edges += !joined[i - 1];
   }
@@ -117,14 +119,11 @@ Scanline scanlineOf(Picture& picture, const PictureSettings& settings, int row, 
   for (std::size_t k = 0; k < kProfiled.size(); ++k) {
     Profile& profile = line.profiles[k];
     profile.method = method.shading = kProfiled[k];
-    picture.make(method);
-    profile.I = picture.intensities(seen);
+    const Picture shown = cache.make(method, ground);
+    profile.I = shown.intensities(seen);
     addSlopes(profile, joined);
-    IndexImage image;
-    picture.paint(image, ground);
-    profile.cells.assign(image.row(row), image.row(row) + image.width);
+    profile.cells.assign(shown.image().row(row), shown.image().row(row) + shown.image().width);
   }
-  picture.make(settings);
   return line;
 }
 

@@ -35,15 +35,13 @@ struct Scanline {
   std::array<Profile, kProfiled.size()> profiles;
 };
 
-/// The middle row, or where that shows nothing the one that shows most. `picture` has been made.
+/// The middle row, or where that shows nothing the one that shows most.
 [[nodiscard]] int defaultScanline(const Picture& picture);
 
-/// Makes `picture` in each method and last in `settings`, whose plan is of ramps. Two pixels are of one
-/// surface if they show one face, or two that go on into each other: they have a point in common, where the
-/// normals that are interpolated agree within a degree, and show the same side. A face less than a pixel wide
-/// may lie between.
-[[nodiscard]] Scanline scanlineOf(Picture& picture, const PictureSettings& settings, int row,
-                                  std::uint8_t ground);
+/// Row `row` of the picture in each method. Its plan must be of ramps. Two pixels are of one surface if they
+/// show one face, or two that go on into each other: they have a point in common, where the normals that are
+/// interpolated agree within a degree, and show the same side. A face less than a pixel wide may lie between.
+[[nodiscard]] Scanline scanlineOf(const Picture& picture, int row, std::uint8_t ground);
 
 /// Of values along a row: the rest of a profile. `joined[i]` says whether pixels i and i + 1 are of one
 /// surface.

@@ -1,87 +1,100 @@
 #include "shading/picture/scene_shading.h"
 
+#include <utility>
+
 #include "geometry/exact/box.h"
 
 namespace xnewell {
 
-bool SceneShading::make(const Scene& scene, const PictureSettings& settings, Channels channels,
-                        const Camera& camera) {
-  const bool wasRefined = refined_.has_value();
+SceneShading SceneShading::next(const Scene& scene, const PictureSettings& settings, Channels channels,
+                                const Camera& camera) const {
   const ShadingRow& method = rowOf(settings.shading);
-  if (!method.lit) {
-    *this = {};  // what was lit before would be stale afterwards
-    return wasRefined;
-  }
+  if (!method.lit) return {};  // what is lit now would be stale later
   const bool flat = !method.interpolates;
   const bool keepsIntensities = settings.shading == Shading::Flat || settings.shading == Shading::Gouraud;
   const double adapt = keepsIntensities ? settings.adapt : 0.0;
-  const Points wanted{method.interpolates, settings.normals, flat ? 0.0 : settings.crease, adapt};
-  if (pointsMade_ != wanted) {
-    *this = {};
+  const Points points{method.interpolates, settings.normals, flat ? 0.0 : settings.crease, adapt};
+  const Light light{settings.light, channels, settings.shading};
+  const Eye eye{camera.eye, camera.lookAt};
+
+  SceneShading next = pointsMade_ == points ? *this : SceneShading{};
+  if (next.pointsMade_ != points) {
     if (method.interpolates) {
-      vertices_ = smoothVertices(
+      Vertices vertices = smoothVertices(
           scene.mesh, settings.normals, settings.crease,
           settings.normals == NormalRule::Exact ? exactNormals(scene) : std::vector<glm::dvec3>{});
-      points_ = vertexPoints(scene.mesh, vertices_);
+      next.points_ = vertexPoints(scene.mesh, vertices);
+      next.vertices_ = std::move(vertices);
     } else {
-      points_ = facePoints(scene.mesh);
+      next.points_ = facePoints(scene.mesh);
     }
-    pointsMade_ = wanted;
+    next.pointsMade_ = points;
   }
 
-  bool newLight = lightMade_ != Light{settings.light, channels, settings.shading};
-  const Eye eye{camera.eye, camera.lookAt};
-  if (newLight || eyeMade_ != eye)
-    lighting_ = resolve(scene.mesh, scene.light, settings.light, channels, camera.eye, camera.lookAt);
-  const bool newHighlight = newLight || (eyeMade_ != eye && lighting_.asksForEye());
+  bool newLight = next.lightMade_ != light;
+  const bool newEye = next.eyeMade_ != eye;
+  if (newLight || newEye)
+    next.lighting_ = resolve(scene.mesh, scene.light, settings.light, channels, camera.eye, camera.lookAt);
+  const bool newHighlight = newLight || (newEye && next.lighting().asksForEye());
   if (adapt > 0.0 && newHighlight) {
-    refine(scene, settings);
+    next.refined_ = std::optional{next.refine(scene, settings)};
     newLight = true;  // for points()
   }
-  if (keepsIntensities) {
-    for (int c = 0; c < lighting_.channels; ++c) {
-      if (newLight) diffuseIntensities(intensities_[c], points(), lighting_, c);
-      if (newHighlight) specularIntensities(intensities_[c], points(), lighting_, c);
-      if (newLight || eyeMade_ != eye) addTerms(intensities_[c], points(), lighting_, c);
-    }
-  } else {
-    intensities_ = {};
-  }
+  if (!keepsIntensities)
+    next.lit_ = {};
+  else if (newLight || newEye)
+    for (int c = 0; c < next.lighting().channels; ++c) next.light(c, newLight, newHighlight);
+
   if (settings.shading == Shading::Environment) {
     const Frame frame{settings.environment,
                       settings.environment == EnvironmentForm::Published ? camera.view : ViewSpec{}};
-    if (newLight || frameMade_ != frame) makeEnvironments(scene, settings, camera);
-    frameMade_ = frame;
+    if (newLight || next.frameMade_ != frame) next.maps_ = next.makeMaps(scene, settings, camera);
+    next.frameMade_ = frame;
   } else {
-    frameMade_.reset();
-    environments_ = {};
-    mapped_.clear();
+    next.frameMade_.reset();
+    next.maps_ = {};
   }
-  lightMade_ = Light{settings.light, channels, settings.shading};
-  eyeMade_ = eye;
-  return refined_ ? newHighlight : wasRefined;
+  next.lightMade_ = light;
+  next.eyeMade_ = eye;
+  return next;
 }
 
-void SceneShading::refine(const Scene& scene, const PictureSettings& settings) {
+Refined SceneShading::refine(const Scene& scene, const PictureSettings& settings) const {
   const RefineSettings asked{.tolerance = settings.adapt};
-  refined_ = settings.shading == Shading::Flat
-                 ? refineFlat(scene.mesh, scene.parts, points_, lighting_, asked)
-                 : refineSmooth(scene.mesh, scene.parts, vertices_, lighting_, asked);
+  return settings.shading == Shading::Flat
+             ? refineFlat(scene.mesh, scene.parts, *points_, lighting(), asked)
+             : refineSmooth(scene.mesh, scene.parts, *vertices_, lighting(), asked);
 }
 
-void SceneShading::makeEnvironments(const Scene& scene, const PictureSettings& settings,
-                                    const Camera& camera) {
-  const glm::dvec3 centre = boxOf(scene.mesh.points).centre();
-  for (int c = 0; c < 3; ++c) {
-    environments_[c].clear();
-    if (c < lighting_.channels)
-      for (const Material& material : lighting_.materials)
-        environments_[c].push_back(
-            makeEnvironment(settings.environment, lighting_, material, c, vrcRotation(camera.view), centre));
+void SceneShading::light(int channel, bool newLight, bool newHighlight) {
+  Lit& lit = lit_[channel];
+  if (newLight) {
+    Terms diffuse;
+    diffuseIntensities(diffuse, points(), lighting(), channel);
+    lit.diffuse = std::move(diffuse);
   }
-  const glm::dmat3 frame = environments_[0].front().frame;  // of the light, so the same for all
-  mapped_.resize(points_.N.size());
-  for (std::size_t k = 0; k < mapped_.size(); ++k) mapped_[k] = frame * points_.N[k];
+  if (newHighlight) {
+    Terms specular;
+    specularIntensities(specular, points(), lighting(), channel);
+    lit.specular = std::move(specular);
+  }
+  Intensities intensities;
+  addTerms(intensities, *lit.diffuse, *lit.specular, points(), lighting(), channel);
+  lit.intensities = std::move(intensities);
+}
+
+SceneShading::Maps SceneShading::makeMaps(const Scene& scene, const PictureSettings& settings,
+                                          const Camera& camera) const {
+  Maps maps;
+  const glm::dvec3 centre = boxOf(scene.mesh.points).centre();
+  for (int c = 0; c < lighting().channels; ++c)
+    for (const Material& material : lighting().materials)
+      maps.environments[c].push_back(
+          makeEnvironment(settings.environment, lighting(), material, c, vrcRotation(camera.view), centre));
+  const glm::dmat3 frame = maps.environments[0].front().frame;  // of the light, so the same for all
+  maps.N.resize(points().N.size());
+  for (std::size_t k = 0; k < maps.N.size(); ++k) maps.N[k] = frame * points().N[k];
+  return maps;
 }
 
 }  // namespace xnewell

@@ -81,20 +81,20 @@ TermsTriangle SurfaceEvaluator::terms(const SnappedFace& face, const FaceTriangl
   const std::array<double, 3> q = overDepths(t);
   TermsTriangle e;
   e.i0 = planes.i0(), e.j0 = planes.j0(), e.q = planes(q);
-  const Intensities& intensities = s_.shading.intensities(channel_);
+  const Terms &diffuse = s_.shading.diffuse(channel_), &specular = s_.shading.specular(channel_);
   const Material& material = s_.shading.lighting().materials[s_.mesh.material[face.number] + 1];
   if (s_.settings.shading == Shading::Gouraud) {
-    const auto plane = [&](const std::vector<FrontBack<double>>& terms) {
+    const auto plane = [&](const Terms& terms) {
       return planeOf(s_.snapped, t, planes, {1.0, 1.0, 1.0}, [&](int corner) {
         return terms[s_.shading.vertices().ofCorner[corner]].seen(face.back);
       });
     };
-    e.diffuse = plane(intensities.diffuse);
-    e.rest = plane(intensities.specular);
+    e.diffuse = plane(diffuse);
+    e.rest = plane(specular);
   } else {
     const int point = s_.shading.pointOf(face);
-    e.diffuse.c = intensities.diffuse[point].seen(face.back);
-    e.rest.c = intensities.specular[point].seen(face.back);
+    e.diffuse.c = diffuse[point].seen(face.back);
+    e.rest.c = specular[point].seen(face.back);
   }
   e.rest.c += material.ambient[channel_];
   addTexture(e, face, t, planes, q);

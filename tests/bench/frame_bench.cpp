@@ -5,7 +5,7 @@
 
 #include "geometry/model/solids.h"
 #include "shading/color/png.h"
-#include "shading/picture/picture.h"
+#include "shading/picture/picture_cache.h"
 #include "tests/bench/least.h"
 #include "tests/bench/triangulated.h"
 
@@ -20,12 +20,13 @@ void reportShares(benchmark::State& state, const StageTimes& sum, const Picture&
   state.counters["%transform"] = sum.transform * percent;
   state.counters["%sort"] = sum.sort * percent;
   state.counters["%fill"] = sum.fill * percent;
-  state.counters["triangles"] = static_cast<double>(picture.snapped().faces.size());
-  state.SetItemsProcessed(state.iterations() * static_cast<std::int64_t>(picture.snapped().faces.size()));
+  state.counters["triangles"] = static_cast<double>(pictures.last().snapped().faces.size());
+  state.SetItemsProcessed(state.iterations() *
+                          static_cast<std::int64_t>(pictures.last().snapped().faces.size()));
 }
 
-Picture torusPicture(int side) {
-  return Picture{makeScene("torus", triangulated(torus(side, side)), UpAxis::Z)};
+PictureCache torusPictures(int side) {
+  return PictureCache{makeScene("torus", triangulated(torus(side, side)), UpAxis::Z)};
 }
 
 void add(StageTimes& sum, const StageTimes& t) {
@@ -37,32 +38,27 @@ void add(StageTimes& sum, const StageTimes& t) {
 
 // The first frame of a scene at 800x600, with everything: expect linear time, plus that of the image itself.
 void BM_WholeFrame(benchmark::State& state) {
-  const Picture fresh = torusPicture(static_cast<int>(state.range(0)));
-  IndexImage image;
+  const PictureCache fresh = torusPictures(static_cast<int>(state.range(0)));
   StageTimes sum;
-  Picture picture = fresh;
+  PictureCache pictures = fresh;
   for (auto _ : state) {
     state.PauseTiming();
-    picture = fresh;
+    pictures = fresh;
     state.ResumeTiming();
-    picture.make({});
-    picture.paint(image, 0);
-    add(sum, picture.times());
+    add(sum, pictures.make({}, 0).times());
   }
-  reportShares(state, sum, picture);
+  reportShares(state, sum, pictures.last());
 }
 BENCHMARK(BM_WholeFrame)->Arg(22)->Arg(71)->Arg(224)->Unit(benchmark::kMillisecond);
 
 /// Makes frames while the eye moves by a degree, with everything that such a frame needs. Returns the sum of
 /// their stages.
-StageTimes moveEye(benchmark::State& state, Picture& picture, PictureSettings settings) {
-  picture.make(settings);
-  IndexImage image;
+StageTimes moveEye(benchmark::State& state, PictureCache& pictures, PictureSettings settings) {
+  Picture picture = pictures.make(settings);
   StageTimes sum;
   for (auto _ : state) {
     settings.camera = moved(settings.camera, picture.camera(), 1.0, 0.0, 1.0);
-    picture.make(settings);
-    picture.paint(image, 0);
+    picture = pictures.make(settings, 0);
     add(sum, picture.times());
   }
   return sum;
@@ -70,9 +66,9 @@ StageTimes moveEye(benchmark::State& state, Picture& picture, PictureSettings se
 
 // The next frame while the eye moves: the specular term, the transformation, the order and the painting.
 void BM_MovingFrame(benchmark::State& state) {
-  Picture picture = torusPicture(static_cast<int>(state.range(0)));
-  const StageTimes sum = moveEye(state, picture, {});
-  reportShares(state, sum, picture);
+  PictureCache pictures = torusPictures(static_cast<int>(state.range(0)));
+  const StageTimes sum = moveEye(state, pictures, {});
+  reportShares(state, sum, pictures.last());
 }
 BENCHMARK(BM_MovingFrame)->Arg(22)->Arg(71)->Arg(224)->Unit(benchmark::kMillisecond);
 
@@ -84,12 +80,12 @@ void ofAFrame(benchmark::internal::Benchmark* frame) {
 // method costs beyond flat shading is what it requires. The exact order costs its sort and its planes.
 template <Shading kShading, Order kOrder>
 void BM_Frame64k(benchmark::State& state) {
-  Picture picture = torusPicture(180);
+  PictureCache pictures = torusPictures(180);
   PictureSettings settings;
   settings.shading = kShading;
   settings.order = kOrder;
-  const StageTimes sum = moveEye(state, picture, settings);
-  reportShares(state, sum, picture);
+  const StageTimes sum = moveEye(state, pictures, settings);
+  reportShares(state, sum, pictures.last());
 }
 BENCHMARK(BM_Frame64k<Shading::Flat, Order::ZSort>)->Apply(ofAFrame);
 BENCHMARK(BM_Frame64k<Shading::Gouraud, Order::ZSort>)->Apply(ofAFrame);
@@ -138,8 +134,8 @@ void BM_Required(benchmark::State& state, const Requirement& requirement) {
   PictureSettings settings;
   settings.order = Order::ZSort;
   requirement.add(scene, settings);
-  Picture picture{std::move(scene)};
-  const StageTimes sum = moveEye(state, picture, settings);
+  PictureCache pictures{std::move(scene)};
+  const StageTimes sum = moveEye(state, pictures, settings);
   const auto frames = static_cast<double>(state.iterations());
   state.counters["shade_ms"] = sum.shade / frames;
   state.counters["fill_ms"] = sum.fill / frames;
@@ -156,16 +152,16 @@ const int kRegistered = [] {
 // highlights, where none is and nothing is counted. The time includes making the maps and filling. `clamped`:
 // number of samples clamped.
 void BM_EnvironmentClamped(benchmark::State& state, const char* name, double highlights) {
-  Picture picture{readScene(name)};
-  PictureSettings settings = picture.scene().settings;
-  settings.camera = inSceneUnits(picture.scene().camera, picture.scene());
+  Scene scene = readScene(name);
+  PictureSettings settings = scene.settings;
+  settings.camera = inSceneUnits(scene.camera, scene);
   settings.shading = Shading::Environment;
   settings.order = Order::ZSort;
   settings.light.ks *= highlights;
-  picture.make(settings);
-  IndexImage image;
-  for (auto _ : state) picture.paint(image, 0);
-  state.counters["clamped"] = static_cast<double>(picture.saturated());
+  const Picture picture = makePicture(std::move(scene), settings);
+  std::int64_t clamped = 0;
+  for (auto _ : state) clamped = picture.paint(0).clamped;
+  state.counters["clamped"] = static_cast<double>(clamped);
 }
 BENCHMARK_CAPTURE(BM_EnvironmentClamped, teapot, "teapot", 1.0)->Unit(benchmark::kMillisecond);
 BENCHMARK_CAPTURE(BM_EnvironmentClamped, teapotDull, "teapot", 0.0)->Unit(benchmark::kMillisecond);
@@ -185,11 +181,8 @@ void BM_DrawObj(benchmark::State& state) {
       out << "f " << mesh.face(f)[0] + 1 << ' ' << mesh.face(f)[1] + 1 << ' ' << mesh.face(f)[2] + 1 << '\n';
   }
   for (auto _ : state) {
-    Picture picture{readScene(file.string())};
-    picture.make({});
-    IndexImage image;
-    picture.paint(image, 0);
-    benchmark::DoNotOptimize(encodePng(image, makePalette(CellPlan{}, picture.table())));
+    const Picture picture = makePicture(readScene(file.string()), {}, 0);
+    benchmark::DoNotOptimize(encodePng(picture.image(), makePalette(CellPlan{}, picture.table())));
   }
   std::filesystem::remove(file);
 }

@@ -2,7 +2,8 @@
 
 #include <string>
 
-#include "shading/picture/picture.h"
+#include "shading/picture/exactness.h"
+#include "shading/picture/picture_cache.h"
 
 namespace xnewell {
 
@@ -13,18 +14,18 @@ void orders(benchmark::State& state, const std::string& name, Order order) {
   Scene scene = readScene(name);
   PictureSettings settings;
   settings.camera = inSceneUnits(scene.camera, scene);
-  Picture picture{std::move(scene)};
+  PictureCache pictures{std::move(scene)};
   for (auto _ : state) {
     // so that the order is computed again
     settings.order = order == Order::Unsorted ? Order::ZSort : Order::Unsorted;
-    picture.make(settings);
+    pictures.make(settings);
     settings.order = order;
-    picture.make(settings);
-    state.SetIterationTime(picture.times().sort / 1000.0);
+    pictures.make(settings);
+    state.SetIterationTime(pictures.last().times().sort / 1000.0);
   }
-  const Picture::Exactness exactness = picture.exactness();
-  state.counters["polygons"] = static_cast<double>(picture.snapped().faces.size());
-  state.counters["splits"] = static_cast<double>(picture.sorted().statistics.splits);
+  const Exactness exactness = exactnessOf(pictures.last());
+  state.counters["polygons"] = static_cast<double>(pictures.last().snapped().faces.size());
+  state.counters["splits"] = static_cast<double>(pictures.last().sorted().statistics.splits);
   state.counters["wrong"] = exactness.wrong;
   state.counters["samples"] = exactness.samples;
 }

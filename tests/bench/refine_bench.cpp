@@ -6,7 +6,7 @@
 
 #include "shading/fill/evaluated.h"
 #include "shading/fill/scanline.h"
-#include "shading/picture/picture.h"
+#include "shading/picture/picture_cache.h"
 #include "tests/support/lit_floor.h"
 
 namespace xnewell {
@@ -20,10 +20,10 @@ struct Difference {
 
 /// Compares flat or Gouraud with Phong, sample by sample, before intensities are turned into cells.
 Difference fromPhong(const Picture& picture) {
-  const PictureSettings& s = picture.settings();
-  const SceneShading& shading = picture.shading();
-  const Mesh& mesh = shading.mesh(picture.scene());
-  const SnappedScene& snapped = picture.snapped();
+  const PictureSettings& s = pictures.last().settings();
+  const SceneShading& shading = pictures.last().shading();
+  const Mesh& mesh = shading.mesh(pictures.scene());
+  const SnappedScene& snapped = pictures.last().snapped();
   const std::vector<FrontBack<double>>& I = shading.intensities(0).I;
   Difference d;
   std::int64_t samples = 0;
@@ -65,12 +65,9 @@ Difference fromPhong(const Picture& picture) {
   return d;
 }
 
-/// Makes a frame, everything except the reading.
-double frame(Picture& picture, const PictureSettings& settings) {
-  IndexImage image;
-  picture.make(settings);
-  picture.paint(image, 0);
-  return picture.times().total();
+/// Milliseconds of a frame, everything but the reading.
+double frame(PictureCache& pictures, const PictureSettings& settings) {
+  return pictures.make(settings, 0).times().total();
 }
 
 Scene spotFloor(int n) { return underSpot(floorOf(n)); }
@@ -91,31 +88,31 @@ void BM_Refine(benchmark::State& state, Scene (*make)(int), int n, Shading shadi
   PictureSettings settings = settingsOf(scene, shading);
   settings.adapt = static_cast<double>(state.range(0)) / 1000.0;
   double ms = 0.0;
-  Picture picture{scene};
+  PictureCache pictures{scene};
   for (auto _ : state) {
-    picture = Picture{scene};
-    ms += frame(picture, settings);
+    pictures = PictureCache{scene};
+    ms += frame(pictures, settings);
   }
-  const int parts = picture.snapped().polygons;
-  const Difference d = fromPhong(picture);
+  const int parts = pictures.last().snapped().polygons;
+  const Difference d = fromPhong(pictures.last());
   state.counters["parts"] = parts;
   state.counters["mean"] = d.mean;
   state.counters["largest"] = d.largest;
   state.counters["frame_ms"] = ms / static_cast<double>(state.iterations());
 
   *settings.camera.height *= 1.01;
-  state.counters["again_ms"] = frame(picture, settings);
+  state.counters["again_ms"] = frame(pictures, settings);
 
   settings = settingsOf(scene, shading);
   const int triangles = shading == Shading::Flat ? 1 : 2;  // or polygons with which a square is shaded
-  Picture even{make(std::max(n, static_cast<int>(std::lround(std::sqrt(double(parts) / triangles)))))};
+  PictureCache even{make(std::max(n, static_cast<int>(std::lround(std::sqrt(double(parts) / triangles)))))};
   state.counters["even_ms"] = frame(even, settings);
-  const Difference e = fromPhong(even);
-  state.counters["even_parts"] = triangles * even.snapped().polygons;
+  const Difference e = fromPhong(even.last());
+  state.counters["even_parts"] = triangles * even.last().snapped().polygons;
   state.counters["even_mean"] = e.mean;
   state.counters["even_largest"] = e.largest;
 
-  Picture phong{scene};
+  PictureCache phong{scene};
   state.counters["phong_ms"] = frame(phong, settingsOf(scene, Shading::Phong));
 }
 #define REFINED(name, make, n, shading)                \

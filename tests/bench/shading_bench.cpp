@@ -39,9 +39,9 @@ BENCHMARK(BM_FacePoints)->Arg(14)->Arg(56)->Arg(224)->Unit(benchmark::kMicroseco
 // The diffuse terms of every face: expect linear time.
 void BM_ShadeDiffuse(benchmark::State& state) {
   const ShadedTorus scene{static_cast<int>(state.range(0))};
-  Intensities intensities;
+  Terms diffuse;
   for (auto _ : state) {
-    diffuseIntensities(intensities, scene.points, scene.lighting, 0);
+    diffuseIntensities(diffuse, scene.points, scene.lighting, 0);
     benchmark::ClobberMemory();
   }
   state.SetItemsProcessed(state.iterations() * scene.mesh.faceCount());
@@ -51,10 +51,9 @@ BENCHMARK(BM_ShadeDiffuse)->Arg(14)->Arg(56)->Arg(224)->Unit(benchmark::kMicrose
 // The specular term again, as after each move of the eye: expect linear time.
 void BM_ShadeSpecular(benchmark::State& state) {
   const ShadedTorus scene{static_cast<int>(state.range(0))};
-  Intensities intensities;
-  diffuseIntensities(intensities, scene.points, scene.lighting, 0);
+  Terms specular;
   for (auto _ : state) {
-    specularIntensities(intensities, scene.points, scene.lighting, 0);
+    specularIntensities(specular, scene.points, scene.lighting, 0);
     benchmark::ClobberMemory();
   }
   state.SetItemsProcessed(state.iterations() * scene.mesh.faceCount());

@@ -1,8 +1,11 @@
 #include <benchmark/benchmark.h>
 
 #include <memory>
+#include <optional>
 #include <random>
 
+#include "shading/picture/picture_cache.h"
+#include "shading/picture/stopwatch.h"
 #include "x11/stepper/sort_page.h"
 
 namespace xnewell {
@@ -16,19 +19,19 @@ namespace {
 struct Page {
   static constexpr Rect kBody{16, 48, 992, 612};
 
-  Picture picture;
+  std::optional<Picture> picture;
   CellPlan plan;
   std::unique_ptr<SortRun> run;
   SortLayout at = layoutOfSort(kBody);
   IndexImage image{1024, 768, 0};
   SortView view;
 
-  explicit Page(int divisions) : picture{readScene("teapot", divisions)} {
+  explicit Page(int divisions) {
     PictureSettings settings;
     settings.width = at.picture.width;
     settings.height = at.picture.height;
-    picture.make(settings);
-    run = std::make_unique<SortRun>(picture, plan[Cell::Well]);
+    picture = makePicture(readScene("teapot", divisions), settings);
+    run = std::make_unique<SortRun>(*picture, plan[Cell::Well]);
   }
   /// In milliseconds.
   double show(int step) {
@@ -69,7 +72,7 @@ BENCHMARK(BM_JumpAnywhere)->Arg(5)->Arg(8)->Unit(benchmark::kMillisecond);
 // Sorting, keeping copies of the picture, and depths: expect time linear in the number of steps.
 void BM_Record(benchmark::State& state) {
   Page page{static_cast<int>(state.range(0))};
-  for (auto _ : state) page.run = std::make_unique<SortRun>(page.picture, page.plan[Cell::Well]);
+  for (auto _ : state) page.run = std::make_unique<SortRun>(*page.picture, page.plan[Cell::Well]);
   state.counters["steps"] = page.run->steps();
 }
 BENCHMARK(BM_Record)->Arg(3)->Arg(5)->Arg(8)->Unit(benchmark::kMillisecond);

@@ -52,7 +52,7 @@ class SplitTree {
 
 // Every painted sample of a face belongs to one of its fragments, the one on its side of all splits, and is
 // painted by it once. The rows of a piece contain all its samples.
-TEST(Pieces, OwnTheSamplesOfTheirFaceOnce) {
+TEST(ConvexParts, OwnTheSamplesOfTheirFaceOnce) {
   const Seeds seeds{960};
   int splits = 0, ofPieces = 0;
   for (unsigned seed = seeds.from; seed < seeds.end; ++seed) {
@@ -100,7 +100,7 @@ TEST(Pieces, OwnTheSamplesOfTheirFaceOnce) {
 // A split is proper. Both pieces have an area, together that of the polygon that was split, and they have no
 // common area. So no plane splits a piece of a polygon that it split. Each piece lies within its parent and
 // is of the same face.
-TEST(Pieces, ComeFromProperCuts) {
+TEST(ConvexParts, ComeFromProperCuts) {
   const Seeds seeds{480};
   int checked = 0;
   for (unsigned seed = seeds.from; seed < seeds.end; ++seed) {

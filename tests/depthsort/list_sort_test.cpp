@@ -98,8 +98,8 @@ TEST(ListSort, WrongIfItStopsAtTheFirstBeyond) {
   EXPECT_EQ(paintedList(hasty)[5 * kSize + 19], 3);
 }
 
-// Pieces that keep their parent's mark are split where a move would do, again and again: more than sixty
-// splits of five triangles, where a few are enough.
+// ConvexParts that keep the mark of their parent are split where moving them would do, and again: more than
+// sixty splits of five triangles, where a few are enough.
 TEST(ListSort, EndlessIfPiecesInheritMarks) {
   const Seeds seeds{60};
   int endless = 0, better = 0;

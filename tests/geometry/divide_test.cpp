@@ -98,7 +98,7 @@ TEST(Divide, ArrowheadIsCutThroughItsNotch) {
   EXPECT_EQ(partsOf(line), (List{{1, 2, 3}, {1, 3, 0}}));
 }
 
-// Parts turn as their face does. On a lattice their areas sum exactly to the face's, in each of the three
+// ConvexParts turn as their face does: on a lattice their areas sum to the face's exactly, in each of the
 // planes and from both sides.
 TEST(Divide, PartsOfConcaveFacesSumToTheFace) {
   for (unsigned seed = 0; seed < 300; ++seed) {
@@ -198,7 +198,7 @@ TEST(Divide, DegenerateFacesEnd) {
   }
 }
 
-// Parts come in face order with the face's number. Every face has at least one.
+// ConvexParts come in face order with the face's number, and every face has one.
 TEST(Divide, KeepsFaceNumbers) {
   BezierPatch patch;
   for (int i = 0; i < 16; ++i) patch.p[i] = {i / 4, i % 4, i % 5 == 0 ? 1.0 : 0.0};

@@ -181,7 +181,8 @@ TEST(Project, DepthKeepsItsBits) {
   EXPECT_TRUE(largest <= 1 << 30 && largest > 1 << 29) << largest;
 }
 
-// Parts of one plane share one record, made from the vertices that are farthest apart. A small decal that
+// ConvexParts of one plane share one record, and it comes from their farthest vertices: neither a small decal
+// of the model's that lies a little off decides it, nor the order in which they are listed. Others keep their
 // lies a little off does not decide it, nor does the order of the faces. Other parts keep their own records.
 TEST(Project, OnePlaneHasOneRecord) {
   const auto projectedIn = [](bool decalFirst, Projection projection) {

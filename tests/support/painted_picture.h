@@ -3,7 +3,7 @@
 #include <vector>
 
 #include "shading/fill/fragment_spans.h"
-#include "shading/picture/picture.h"
+#include "shading/picture/picture_cache.h"
 
 namespace xnewell {
 
@@ -17,11 +17,8 @@ inline std::vector<int> timesPainted(const SnappedScene& scene, int width, int h
   return times;
 }
 
-inline IndexImage painted(Picture& picture, const PictureSettings& settings) {
-  picture.make(settings);
-  IndexImage image;
-  picture.paint(image, 8);
-  return image;
+inline IndexImage painted(PictureCache& pictures, const PictureSettings& settings) {
+  return pictures.make(settings, 8).image();
 }
 
 }  // namespace xnewell

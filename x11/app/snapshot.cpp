@@ -4,6 +4,7 @@
 
 #include "shading/color/few_colors.h"
 #include "shading/color/png.h"
+#include "shading/picture/stopwatch.h"
 #include "x11/app/server.h"
 #include "x11/app/workbench.h"
 #include "x11/server/fill_polygons.h"
@@ -66,29 +67,27 @@ void takeSnapshot(const Options& options, Scene scene, const Taken& taken) {
            bench.overPicture()});
     return;
   }
-  Picture picture{std::move(scene)};
+  PictureCache pictures{std::move(scene)};
   PictureSettings settings = server.fitted(options.picture);
   settings.width = size.x;
   settings.height = size.y;
   settings.inPixels = options.fill == Fill::XFillPolygon;
   const CellPlan plan = server.colormap.plan(settings.table.kind);
   if (options.view != View::Picture) {
-    const ColoredImage view = drawView(picture, {.view = options.view,
-                                                 .scanline = options.scanline,
-                                                 .cell = options.cell,
-                                                 .effects = options.effects,
-                                                 .picture = settings,
-                                                 .cells = plan,
-                                                 .unneeded = server.colormap.unneeded(),
-                                                 .gray = server.gray()});
-    return shoot({picture, view.image, view.palette, plan, {0, 0, size.x, size.y}});
+    const ColoredImage view = drawView(pictures, {.view = options.view,
+                                                  .scanline = options.scanline,
+                                                  .cell = options.cell,
+                                                  .effects = options.effects,
+                                                  .picture = settings,
+                                                  .cells = plan,
+                                                  .unneeded = server.colormap.unneeded(),
+                                                  .gray = server.gray()});
+    return shoot({pictures.last(), view.image, view.palette, plan, {0, 0, size.x, size.y}});
   }
-  picture.make(settings);
-  IndexImage image;
-  picture.paint(image, plan[Cell::Well]);
+  const Picture picture = pictures.make(settings, plan[Cell::Well]);
   const Palette palette =
       withEffects(picture.palette(plan, server.colormap.unneeded()), picture, plan, options.effects);
-  shoot({picture, image, palette, plan, {0, 0, size.x, size.y}});
+  shoot({picture, picture.image(), palette, plan, {0, 0, size.x, size.y}});
 }
 
 std::string visualsTable(const Options& options) {

@@ -12,6 +12,7 @@
 #include <iostream>
 #include <utility>
 
+#include "shading/picture/stopwatch.h"
 #include "x11/app/long_work.h"
 #include "x11/app/server.h"
 #include "x11/app/workbench.h"
@@ -82,7 +83,7 @@ class Viewer {
                 server_.colormap,
                 {.title = titleOf(scene), .width = size_.x, .height = size_.y}},
         bench_{std::move(scene), server_.setupOf(options), server_.forBench()},
-        title_{titleOf(bench_.picture().scene())},
+        title_{titleOf(bench_.scene())},
         plan_{bench_.plan()} {
     bench_.resize(size_.x, size_.y);
     XkbSetDetectableAutoRepeat(display(), 1, nullptr);  // a key held down sends one release event only
@@ -131,7 +132,7 @@ class Viewer {
   /// on this thread: a new thread starts with a cold cache, which costs milliseconds.
   [[nodiscard]] bool mayTakeLong() const {
     const Setup& now = bench_.setup();
-    return !mapped_ || tookLong_ || titleOf(bench_.picture().scene()) != title_ || bench_.view() != view_ ||
+    return !mapped_ || tookLong_ || titleOf(bench_.scene()) != title_ || bench_.view() != view_ ||
            now.picture.order != order_ || now.divisions != divisions_;
   }
 
@@ -154,7 +155,7 @@ class Viewer {
     divisions_ = bench_.setup().divisions;
     if (busyFor_ >= 0) XUndefineCursor(display(), canvas_.window());
     busyFor_ = -1;
-    entitle(titleOf(bench_.picture().scene()));
+    entitle(titleOf(bench_.scene()));
   }
 
   void entitle(const std::string& title) {

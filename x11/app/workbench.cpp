@@ -18,33 +18,13 @@
 
 namespace xnewell {
 
-namespace {
-
-/// The setup with the colours of its cells left out: what the indices depend on.
-Setup withoutColors(Setup s) {
-  s.picture.table.hue = {};
-  s.picture.table.bits = 0;
-  return s;
-}
-
-/// What takes least and still shows where everything is.
-PictureSettings coarse(PictureSettings settings) {
-  settings.shading = settings.shading == Shading::Full ? Shading::Full : Shading::Flat;
-  settings.order = Order::ZSort;
-  settings.adapt = 0;
-  settings.dither = false;
-  return settings;
-}
-
-}  // namespace
-
 Workbench::Work::Work(Scene scene, const Setup& s)
-    : picture{std::move(scene)},
-      centre{boxOf(picture.scene().mesh.points).centre()},
+    : pictures{std::move(scene)},
+      centre{boxOf(pictures.scene().mesh.points).centre()},
       setup{s},
       defaults{s},
       saved{s},
-      divisions{picture.scene().origin.divisions} {}
+      divisions{pictures.scene().origin.divisions} {}
 
 void Workbench::fit(const Scene& scene, const Setup& setup) {
   mostShades_ = server_.mostShades(planOf(scene, setup.picture) != ColorPlan::OneHue);
@@ -60,7 +40,7 @@ Workbench::Work Workbench::workOn(Scene scene, Setup setup) {
 
 Workbench::Workbench(Scene scene, const Setup& setup, Server server)
     : work_{std::move(scene), setup}, server_{std::move(server)} {
-  fit(work_.picture.scene(), setup);
+  fit(this->scene(), setup);
   const auto at = [this](WindowView view) -> auto& { return benches_[static_cast<std::size_t>(view)]; };
   at(WindowView::Picture) = std::make_unique<PictureBench>(*this, keys_, [this] { return subject(); });
   auto stepper = std::make_unique<SortBench>(*this);
@@ -78,7 +58,6 @@ Workbench::Workbench(Scene scene, const Setup& setup, Server server)
 void Workbench::resize(int width, int height) {
   if (width == layout_.width && height == layout_.height) return;
   layout_ = layoutOf(width, height);
-  repaint_ = true;
 }
 
 void Workbench::teach(Lesson lesson) {
@@ -89,8 +68,7 @@ void Workbench::teach(Lesson lesson) {
 void Workbench::begin(Work work) {
   bench().drop();
   work_ = std::move(work);
-  repaint_ = true;
-  any_ = false;
+  shown_.reset();
 }
 
 void Workbench::open(Scene scene, const Setup& setup) {
@@ -101,7 +79,7 @@ void Workbench::open(Scene scene, const Setup& setup) {
 
 void Workbench::close() {
   if (!before_) return;
-  fit(before_->picture.scene(), before_->setup);
+  fit(before_->pictures.scene(), before_->setup);
   begin(std::move(*before_));
   before_.reset();
 }
@@ -109,21 +87,14 @@ void Workbench::close() {
 void Workbench::ask(Question question) {
   question_ = std::move(question);
   complaint_.clear();
-  repaint_ = true;
 }
 
-void Workbench::notify(std::string notice) {
-  notice_ = std::move(notice);
-  repaint_ = true;
-}
+void Workbench::notify(std::string notice) { notice_ = std::move(notice); }
 
-void Workbench::tell(std::string news) {
-  told_ = std::move(news);
-  repaint_ = true;
-}
+void Workbench::tell(std::string news) { told_ = std::move(news); }
 
 void Workbench::change(char control, const std::function<void(Setup&)>& edit) {
-  const SceneLight& own = work_.picture.scene().light;
+  const SceneLight& own = scene().light;
   if (!own.lights.empty() && (control == 'l' || control == 'p' || control == ']'))
     return notify("The scene brings its own lights: Ip and where the light is are theirs.");
   if (own.Ia && (control == 'i' || control == '['))
@@ -137,12 +108,11 @@ void Workbench::change(char control, const std::function<void(Setup&)>& edit) {
   work_.lastChanged = control;
   work_.redo.clear();
   work_.setup = next;
-  if (const std::string_view why = whyMoot(control, work_.picture, next); !why.empty())
-    notify(std::string{why});
+  if (!work_.pictures.hasLast()) return;
+  if (const std::string_view why = whyMoot(control, picture(), next); !why.empty()) notify(std::string{why});
 }
 
 void Workbench::press(const Key& key) {
-  repaint_ = repaint_ || !notice_.empty() || !told_.empty();
   notice_.clear();
   told_.clear();
   if (key.letter != 'q') warned_ = false;
@@ -168,7 +138,9 @@ void Workbench::pressLetter(char letter) {
   const auto restore = [this](std::vector<Setup>& from, std::vector<Setup>& to, const char* what) {
     if (from.empty())
       return notify(std::string{"There is nothing to "} + what +
-                    (stored_ == PaletteEffects{} ? " here." : " here; Esc puts the stored colours back."));
+                    (!shown_ || shown_->colors.effects == PaletteEffects{}
+                         ? " here."
+                         : " here; Esc puts the stored colours back."));
     to.push_back(std::exchange(work_.setup, from.back()));
     from.pop_back();
     work_.lastChanged = 0;
@@ -182,7 +154,6 @@ void Workbench::pressLetter(char letter) {
       return;
     case '?':
       help_ = !help_;
-      repaint_ = true;
       return;
     case 'w':
       return askToSave();
@@ -213,7 +184,7 @@ Setup setupOf(const Scene& scene) {
 }  // namespace
 
 void Workbench::askToSave() {
-  const Scene& scene = work_.picture.scene();
+  const Scene& scene = this->scene();
   const std::string stem = std::filesystem::path{scene.name}.stem().string();
   ask({.asks = "save the set-up as",
        .text = work_.file.empty() ? stem + "-set-up.json" : work_.file,
@@ -227,8 +198,7 @@ void Workbench::askToSave() {
          PictureSettings settings = work_.setup.picture;
          settings.inPixels = work_.setup.fill == Fill::XFillPolygon;
          try {
-           writeFile(file,
-                     savedScene(work_.picture.scene(), settings, std::filesystem::path{file}.parent_path()));
+           writeFile(file, savedScene(this->scene(), settings, std::filesystem::path{file}.parent_path()));
          } catch (const std::system_error& e) {
            return oneLine(e.what());
          }
@@ -266,7 +236,6 @@ void Workbench::askToOpen() {
 
 /// A key for the line that is typed.
 void Workbench::answer(const Key& key) {
-  repaint_ = true;
   complaint_.clear();
   std::string& text = question_->text;
   switch (key.name) {
@@ -313,16 +282,14 @@ void Workbench::switchTo(WindowView view) {
   bench().leave();
   view_ = view;
   bench().enter();
-  repaint_ = true;
 }
 
 ControlKeys::Subject Workbench::subject() const {
   const Rect at = bench().picture(layout_);
-  return {work_.picture.scene(), work_.centre, static_cast<double>(at.width) / std::max(1, at.height)};
+  return {scene(), work_.centre, static_cast<double>(at.width) / std::max(1, at.height)};
 }
 
 bool Workbench::grab(int x, int y) {
-  repaint_ = repaint_ || !notice_.empty() || help_ || question_;
   notice_.clear();
   help_ = false;
   question_.reset();
@@ -336,7 +303,7 @@ void Workbench::hover(int x, int y) {
 
 void Workbench::settle() {
   bench().drop();
-  repaint_ = repaint_ || dragged_;
+  dragging_ = false;
 }
 
 void Workbench::wheel(int x, int y, double factor) {
@@ -347,136 +314,6 @@ void Workbench::wheel(int x, int y, double factor) {
 void Workbench::zoom(double factor) {
   if (bench().sharedKeys().find('z') != std::string_view::npos)
     xnewell::zoom(*this, Setup{work_.setup}, subject(), factor);
-}
-
-Workbench::Stale Workbench::stale() const {
-  if (!any_ || repaint_ || withoutColors(painted()) != drawnIndices_) return Stale::Everything;
-  if (work_.setup != drawn_ || bench().stored(work_.setup) != stored_)
-    return bench().colors() ? Stale::Everything : Stale::Colors;
-  return bench().late(work_.setup) ? Stale::Everything : Stale::Nothing;
-}
-
-PictureSettings Workbench::sized() const {
-  const Rect at = bench().picture(layout_);
-  PictureSettings settings = painted().picture;
-  settings.width = at.width;
-  settings.height = at.height;
-  settings.inPixels = serverFills();
-  return settings;
-}
-
-/// Without effects.
-Palette Workbench::plainPalette() const {
-  const Palette palette = work_.picture.palette(plan(), server_.unneeded);
-  return server_.gray ? forGrayScreen(palette, work_.picture) : palette;
-}
-
-void Workbench::makePalette() {
-  stored_ = bench().stored(work_.setup);
-  palette_ = withEffects(plainPalette(), work_.picture, plan(), stored_);
-}
-
-std::vector<Legend> Workbench::legend() const {
-  std::vector<Legend> all = bench().legend();
-  if (visitsFromLesson()) all.insert(all.begin(), {{"Esc"}, "the lesson"});
-  all.push_back({{"?"}, "all keys"});
-  return all;
-}
-
-std::vector<HelpLine> Workbench::helpLines() const {
-  std::vector<HelpLine> lines = bench().help();
-  lines.insert(lines.end(), {{"1 2 3 ...", "the views; or click their names"},
-                             {"u U r", "undo, redo, reset"},
-                             {"w e", "save the set-up as a scene file; open one"},
-                             {"? or Esc", "close this; q quits"}});
-  return lines;
-}
-
-/// The scene's patches as the setup wants them: as many divisions as it was read with, if it does not say.
-void Workbench::divide() {
-  const Scene& scene = work_.picture.scene();
-  const int wanted = work_.setup.divisions > 0 ? work_.setup.divisions : work_.divisions;
-  if (scene.divisions == 0 || scene.origin.of.empty() || scene.origin.divisions == wanted) return;
-  Scene other = redivided(scene, wanted);
-  work_.picture = Picture{std::move(other)};
-  painted_.reset();
-}
-
-void Workbench::drawFrame(bool dragging) {
-  const PictureSettings wanted = sized();
-  Bench& view = bench();
-  const bool whole = view.wantsImage();
-  const bool quick = dragging && slow_ && whole && !serverFills() && coarse(wanted) != wanted;
-  divide();
-  Picture& picture = work_.picture;
-  const PictureSettings made = quick ? coarse(wanted) : wanted;
-  picture.make(made);
-  const CellPlan cells = plan();
-  const bool fresh = !any_ || !whole || painted_ != made;
-  if (whole && fresh) picture.paint(pictureImage_, cells[Cell::Well]);
-  painted_ = whole ? std::optional{made} : std::nullopt;
-  slow_ = dragging && (quick || picture.times().total() > kFluid);
-  dragged_ = dragging;
-
-  makePalette();
-  image_.width = layout_.width, image_.height = layout_.height;
-  image_.pixels.assign(static_cast<std::size_t>(layout_.width) * layout_.height, cells[Cell::Paper]);
-  const Palette plain = plainPalette();
-  const CellUse use = whole ? cellUse(pictureImage_, view.countsPolygons() ? picture.faceImage()
-                                                                           : std::vector<std::uint32_t>{})
-                            : CellUse{};
-  view.draw(image_, {.picture = picture,
-                     .image = pictureImage_,
-                     .plan = cells,
-                     .palette = plain,
-                     .use = use,
-                     .setup = work_.setup,
-                     .layout = layout_,
-                     .fresh = fresh,
-                     .dragging = dragging,
-                     .coarse = quick,
-                     .gray = server_.gray});
-  const OwnColors* const own = view.colors();
-  if (own) palette_ = own->palette;
-  panel_ = {.title = titleOf(picture.scene()),
-            .visual = server_.visual(),
-            .view = this->view(),
-            .words = own && own->words ? *own->words : wordsOf(picture, stored_),
-            .use = view.use() ? *view.use() : use,
-            .inspected = view.inspected(),
-            .status = view.status(),
-            .aside = view.aside(),
-            .notice = notice_,
-            .told = told_,
-            .legend = legend(),
-            .help = help_ ? helpLines() : std::vector<HelpLine>{}};
-  if (question_)
-    panel_.typed = Typed{question_->asks, question_->text, complaint_, !question_->offers.empty()};
-  drawPanel(image_, layout_, panel_, cells);
-  drawnIndices_ = withoutColors(painted());
-  drawnView_ = this->view();
-  drawnLayout_ = layout_;
-}
-
-void Workbench::update(bool dragging) {
-  if (stale() == Stale::Colors) {
-    work_.picture.make(sized());
-    makePalette();
-  } else if (stale() == Stale::Everything) {
-    try {
-      drawFrame(dragging);
-    } catch (const std::runtime_error& e) {  // also of a file that was there before
-      if (!any_) throw;
-      work_.setup = drawn_;
-      bench().leave();
-      bench().enter();
-      notify(e.what());
-      drawFrame(dragging);
-    }
-  }
-  drawn_ = work_.setup;
-  any_ = true;
-  repaint_ = false;
 }
 
 }  // namespace xnewell

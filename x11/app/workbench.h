@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "shading/picture/picture.h"
+#include "shading/picture/picture_cache.h"
 #include "x11/lessons/lesson_bench.h"
 #include "x11/window/bench.h"
 #include "x11/window/control_keys.h"
@@ -80,7 +80,9 @@ class Workbench : public Host {
   [[nodiscard]] const IndexImage& image() const { return image_; }
   [[nodiscard]] const Palette& palette() const { return palette_; }
   [[nodiscard]] const Layout& layout() const { return layout_; }
-  [[nodiscard]] const Picture& picture() const { return work_.picture; }
+  [[nodiscard]] const Scene& scene() const { return work_.pictures.scene(); }
+  /// The one that update() made last.
+  [[nodiscard]] const Picture& picture() const { return work_.pictures.last(); }
   [[nodiscard]] WindowView view() const { return layout_.roomy ? view_ : WindowView::Picture; }
   /// Whether an X server is to fill the polygons at layout().picture.
   [[nodiscard]] bool serverFills() const {
@@ -111,7 +113,7 @@ class Workbench : public Host {
   /// A scene and all that was done to it.
   struct Work {
     Work(Scene scene, const Setup& setup);
-    Picture picture;
+    PictureCache pictures;
     glm::dvec3 centre;  ///< of the scene
     Setup setup, defaults;
     std::string file;  ///< a scene file that this is saved in, or was read from; "" for none
@@ -119,6 +121,29 @@ class Workbench : public Host {
     int divisions;     ///< that it was read with
     std::vector<Setup> undo, redo;
     char lastChanged = 0;  ///< control of the newest undo step: a run of its changes is one step
+  };
+  /// Everything here that decides which cells the window shows. A bench knows more of its own: Bench::late().
+  struct Indices {
+    WindowView view;
+    int width, height;
+    Setup painted;  ///< without the colours of the cells
+    std::string notice, told;
+    std::array<std::string, 3> typing;  ///< what is asked, typed, and complained of
+    bool help;
+    bool leftOut;  ///< something takes too long while it is dragged
+    bool operator==(const Indices&) const = default;
+  };
+  /// What decides which colours the cells have.
+  struct Colors {
+    Setup setup;
+    PaletteEffects effects;
+    bool operator==(const Colors&) const = default;
+  };
+  /// What was shown last.
+  struct Shown {
+    Indices indices;
+    Colors colors;
+    std::optional<Picture> image;  ///< the picture, if the view wanted its image
   };
 
   [[nodiscard]] Work workOn(Scene scene, Setup setup);
@@ -130,9 +155,12 @@ class Workbench : public Host {
   void askToOpen();
   void divide();
   void drawFrame(bool dragging);
-  /// Of the picture as it was made.
-  void makePalette();
+  /// Stores the colours of the picture as it was made.
+  void makePalette(const PaletteEffects& effects);
   [[nodiscard]] Palette plainPalette() const;
+  /// What is to be shown now.
+  [[nodiscard]] Indices indices() const;
+  [[nodiscard]] Colors colors() const { return {work_.setup, bench().stored(work_.setup)}; }
   [[nodiscard]] Bench& bench() const { return *benches_[static_cast<std::size_t>(view())]; }
   /// The setup by which indices are picked.
   [[nodiscard]] Setup painted() const { return bench().painted(work_.setup); }
@@ -141,8 +169,8 @@ class Workbench : public Host {
   [[nodiscard]] ControlKeys::Subject subject() const;
   /// Whether the view was drawn as large as it is: before that it has no places for the pointer.
   [[nodiscard]] bool isDrawn() const {
-    return any_ && drawnView_ == view() && drawnLayout_.width == layout_.width &&
-           drawnLayout_.height == layout_.height;
+    return shown_ && shown_->indices.view == view() && shown_->indices.width == layout_.width &&
+           shown_->indices.height == layout_.height;
   }
   /// Whether another view shows the scene of the lesson's step.
   [[nodiscard]] bool visitsFromLesson() const { return before_ && view() != WindowView::Lesson; }
@@ -164,18 +192,12 @@ class Workbench : public Host {
   std::optional<Question> question_;
   std::string complaint_;  ///< of what was typed
   bool help_ = false, quit_ = false;
-  bool warned_ = false;  ///< that changes are not saved
-  // Of what was drawn last.
-  IndexImage image_, pictureImage_;
-  std::optional<PictureSettings> painted_;  ///< what pictureImage_ shows
+  bool warned_ = false;    ///< that changes are not saved
+  bool dragging_ = false;  ///< the window was drawn during a drag that is not settled
+  bool slow_ = false;      ///< the drag is too slow with the whole picture
+  std::optional<Shown> shown_;
+  IndexImage image_;
   Palette palette_{};
-  WindowView drawnView_ = WindowView::Picture;
-  Layout drawnLayout_;
-  Setup drawn_, drawnIndices_;  ///< what palette_ shows, and what image_ was painted by
-  PaletteEffects stored_;       ///< in palette_
-  bool any_ = false, repaint_ = true;
-  bool dragged_ = false;  ///< something was left out
-  bool slow_ = false;     ///< the drag is too slow with the whole picture
 };
 
 }  // namespace xnewell

@@ -17,7 +17,8 @@
 #include "geometry/exact/box.h"
 #include "geometry/files/parse_error.h"
 #include "shading/color/png.h"
-#include "shading/picture/picture.h"
+#include "shading/picture/picture_cache.h"
+#include "shading/picture/stopwatch.h"
 #include "shading/scene/scene.h"
 #include "x11/app/one_line.h"
 #include "x11/app/snapshot.h"
@@ -69,60 +70,58 @@ PictureSettings settingsOf(const Options& options) {
   return settings;
 }
 
-/// The walk through one picture: read, shade, project, order, paint, write.
-StageTimes draw(const Options& options, Picture& picture, double msRead) {
-  const Doing drawing{"drawing"};
-  picture.make(settingsOf(options));
+/// From a scene to a picture in a file.
+void draw(const Options& options, Scene scene, double msRead) {
+  std::optional<Doing> drawing{"drawing"};
+  const PictureSettings settings = settingsOf(options);
+  const CellPlan plan{settings.table.kind};
+  const Picture picture = makePicture(std::move(scene), settings, plan[Cell::Well]);
   if (const auto& refined = picture.shading().refined(); refined && refined->limit != RefineLimit::None)
     std::cerr << "xnewell: --adapt " << options.picture.adapt << " is not reached everywhere: "
               << (refined->limit == RefineLimit::Parts
                       ? "that would take more than a million polygons\n"
                       : "that would take parts smaller than a thousandth of a polygon\n");
 
-  const CellPlan plan{picture.settings().table.kind};
-  IndexImage image;
-  picture.paint(image, plan[Cell::Well]);
   StageTimes times = picture.times();
   times.read = msRead;
   const Stopwatch watch;
   const Palette palette = withEffects(picture.palette(plan), picture, plan, options.effects);
-  writePictures(options, picture, encodePng(image, palette));
+  writePictures(options, picture, encodePng(picture.image(), palette));
   times.present = watch.ms();
-  return times;
+  drawing.reset();
+  report(options, picture, times);
 }
 
 /// Draws the numbers behind the picture (--view) and writes them.
-void drawNumbers(const Options& options, Picture& picture) {
+void drawNumbers(const Options& options, Scene scene) {
   const Doing drawing{"drawing"};
-  const ColoredImage view = drawView(picture, {.view = options.view,
-                                               .scanline = options.scanline,
-                                               .cell = options.cell,
-                                               .effects = options.effects,
-                                               .picture = settingsOf(options),
-                                               .cells = CellPlan{options.picture.table.kind}});
-  writePictures(options, picture, encodePng(view.image, view.palette));
+  PictureCache pictures{std::move(scene)};
+  const ColoredImage view = drawView(pictures, {.view = options.view,
+                                                .scanline = options.scanline,
+                                                .cell = options.cell,
+                                                .effects = options.effects,
+                                                .picture = settingsOf(options),
+                                                .cells = CellPlan{options.picture.table.kind}});
+  writePictures(options, pictures.last(), encodePng(view.image, view.palette));
 }
 
 /// The walk through a run of the depth sort: read, shade, project, sort, trace.
-void trace(const Options& options, Picture& picture) {
+void trace(const Options& options, Scene scene) {
   if (options.wholeWindow) {
     std::optional<Doing> drawing;
-    return writeStepperFrames(options, Scene{picture.scene()}, [&](int number, int all) {
+    return writeStepperFrames(options, std::move(scene), [&](int number, int all) {
       if (number % 25 != 1) return;
       drawing.reset();  // each message replaces the one before
       drawing.emplace("drawing frame " + std::to_string(number) + " of " + std::to_string(all));
     });
   }
-  SortedScene sorted;
-  {
-    const Doing sorting{"sorting"};
-    PictureSettings settings = settingsOf(options);
-    settings.order = Order::Unsorted;  // the trace makes its own sort
-    if (channelsOf(planOf(picture.scene(), settings)) == Channels::Rgb) settings.colors = ColorPlan::OneHue;
-    picture.make(settings);
-    picture.addPlanes();
-    sorted = recordedRun(options, picture);
-  }
+  std::optional<Doing> sorting{"sorting"};
+  PictureSettings settings = settingsOf(options);
+  settings.order = Order::Unsorted;  // the trace makes its own sort
+  if (channelsOf(planOf(scene, settings)) == Channels::Rgb) settings.colors = ColorPlan::OneHue;
+  const Picture picture = makePicture(std::move(scene), settings).withPlanes();
+  const SortedScene sorted = recordedRun(options, picture);
+  sorting.reset();
   if (!options.frames.empty()) {
     const Doing writing{"writing frames"};
     return writeFrames(options, picture, sorted);
@@ -244,12 +243,9 @@ int run(int argc, char** argv) {
   const double msRead = watch.ms();
   if (options.command == Command::View) return openWindow(options, std::move(scene));
   if (options.command == Command::Snapshot) return snapshot(options, std::move(scene), msRead), kDone;
-  Picture picture{std::move(scene)};
-  if (options.command == Command::Trace) return trace(options, picture), kDone;
-  if (options.view != View::Picture) return drawNumbers(options, picture), kDone;
-  const StageTimes times = draw(options, picture, msRead);
-  report(options, picture, times);
-  return kDone;
+  if (options.command == Command::Trace) return trace(options, std::move(scene)), kDone;
+  if (options.view != View::Picture) return drawNumbers(options, std::move(scene)), kDone;
+  return draw(options, std::move(scene), msRead), kDone;
 }
 
 int failed(Status status, const std::string& what) {

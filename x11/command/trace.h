@@ -10,7 +10,8 @@ namespace xnewell {
 
 /// `trace`: describes a run of the depth sort.
 
-/// Runs the depth sort on a picture that was made, and records its events: the textbook's run, or with
+/// The run of a picture with planes (Picture::withPlanes()), with its events: the textbook's, or with --quick
+/// the accelerated one.
 /// --quick the accelerated one.
 /// @throws std::runtime_error if the run has too many steps to record
 [[nodiscard]] SortedScene recordedRun(const Options& options, const Picture& picture);

@@ -33,7 +33,7 @@ enum class LessonControl {
   Kd,
   Ks,
   N,
-  Shades,
+  Intensities,
   I0,
   Light,
   Turn,

@@ -91,9 +91,9 @@ class LessonBench : public Bench {
   std::vector<Taken> taken_;  ///< one for each step
   LessonState state_;
   std::optional<LessonControl> focus_;
-  std::optional<Picture> lower_;      ///< for Stage::SideBySide
-  Setup first_;                       ///< the settings with which the step began
-  std::vector<std::string> caption_;  ///< the caption of step captionOf_, with numbers filled in
+  std::optional<PictureCache> lower_;  ///< of Stage::SideBySide
+  Setup first_;                        ///< of the step
+  std::vector<std::string> caption_;   ///< of captionOf_, filled in
   int captionOf_ = -1;
   bool changed_ = false;  ///< the settings are not those of the step
   bool late_ = true, opened_ = false, handing_ = false;

@@ -50,17 +50,19 @@ void LessonBench::drawStep(IndexImage& image, const Desk& desk) {
   sight_ = at.picture;
   aspect_ = static_cast<double>(at.picture.width) / at.picture.height;
 
-  IndexImage lower;
+  std::optional<Picture> lower;
   if (lower_) {
     PictureSettings settings = state_.exhibit.beside;
     settings.width = at.lower.width, settings.height = at.lower.height;
     settings.table = desk.setup.picture.table;  // the window has one table
-    lower_->make(settings);
-    lower_->paint(lower, desk.plan[Cell::Well]);
+    lower = lower_->make(settings, desk.plan[Cell::Well]);
   }
+  const IndexImage* const lowerImage = lower ? &lower->image() : nullptr;
+  const bool sorts = state_.exhibit.stage == Stage::DepthSort;
+  const Picture picture = sorts ? desk.picture.withPlanes() : desk.picture;
   std::optional<SortedScene> run;
-  if (state_.exhibit.stage == Stage::DepthSort) {
-    run = textbookRun(desk.picture);
+  if (sorts) {
+    run = textbookRun(picture);
     state_.events = static_cast<int>(run->events.size());
     if (state_.event == 0) state_.event = stepOf(*run, state_.exhibit.event).value_or(state_.events);
     state_.event = std::clamp(state_.event, 1, state_.events);
@@ -69,20 +71,20 @@ void LessonBench::drawStep(IndexImage& image, const Desk& desk) {
   effects.rotate = 0;  // the words do not describe the moving ramp
   drawSight(image, at,
             {.exhibit = state_.exhibit,
-             .picture = desk.picture,
-             .image = desk.image,
-             .lower = lower_ ? &lower : nullptr,
+             .picture = picture,
+             .image = picture.image(),
+             .lower = lowerImage,
              .run = run ? &*run : nullptr,
              .step = state_.event,
              .plan = desk.plan,
              .palette = withEffects(desk.palette, desk.picture, desk.plan, effects)});
-  page_ = pageOf(desk, lower_ ? &lower : nullptr);
+  page_ = pageOf(desk, lowerImage);
   at_ = layoutOfLesson(columnOf(desk.layout), page_, compact);
   drawLessonPage(image, at_, page_, desk.plan);
 }
 
 LessonPage LessonBench::pageOf(const Desk& desk, const IndexImage* lower) {
-  ShownExhibit facts{desk.picture, desk.image, lower};
+  ShownExhibit facts{desk.picture, desk.picture.image(), lower};
   const LessonStep& step = now();
   LessonPage page;
   page.heading = step.heading;

@@ -141,8 +141,7 @@ std::string factNames() {
   return all;
 }
 
-SortedScene textbookRun(Picture& picture) {
-  picture.addPlanes();
+SortedScene textbookRun(const Picture& picture) {
   return depthSort(picture.snapped(), {.width = picture.settings().width,
                                        .height = picture.settings().height,
                                        .textbook = true,
@@ -150,32 +149,29 @@ SortedScene textbookRun(Picture& picture) {
 }
 
 void ShownExhibit::find(FactNeeds needs) {
-  Picture& picture = found_.picture;
+  const Picture& picture = found_.picture;
   switch (needs) {
     case FactNeeds::Picture:
       return;
     case FactNeeds::Run: {
       if (found_.run) return;
-      const SortedScene run = textbookRun(picture);
+      const SortedScene run = textbookRun(picture.withPlanes());
       found_.run = run.statistics;
       found_.steps = run.events.size();
       found_.painted = run.fragments.size();
       return;
     }
     case FactNeeds::Oracle:
-      if (!found_.exactness) found_.exactness = picture.exactness();
+      if (!found_.exactness) found_.exactness = exactnessOf(picture);
       return;
     case FactNeeds::Profile: {
       if (found_.profiled) return;
-      const PictureSettings made = picture.settings();
-      const Scanline line = scanlineOf(picture, made, defaultScanline(picture), 0);
+      const Scanline line = scanlineOf(picture, defaultScanline(picture), 0);
       found_.profiled.emplace();
       for (int k = 0; k < 3; ++k) {
         found_.profiled->bands[k] = line.profiles[k].bands;
         found_.profiled->jumps[k] = line.profiles[k].largestJump * (kMaxShades - 1);
       }
-      IndexImage again{made.width, made.height, 0};
-      picture.paint(again, 0);
       return;
     }
     case FactNeeds::Range:

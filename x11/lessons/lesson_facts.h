@@ -9,6 +9,7 @@
 
 #include "depthsort/explain.h"
 #include "shading/color/index_image.h"
+#include "shading/picture/exactness.h"
 #include "shading/picture/picture.h"
 #include "x11/lessons/exhibit.h"
 
@@ -22,14 +23,14 @@ enum class FactNeeds { Picture, Run, Oracle, Profile, Range, Beside };
 
 /// What the facts of an exhibit are read from: the picture, and what the parts of the work have found.
 struct FactSources {
-  Picture& picture;
+  const Picture& picture;
   const IndexImage& image;   ///< the picture, painted
   const IndexImage* beside;  ///< the second picture of Stage::SideBySide, or null
   /// FactNeeds::Run: the textbook run.
   std::optional<SortStatistics> run = {};
   std::size_t steps = 0, painted = 0;
   /// FactNeeds::Oracle.
-  std::optional<Picture::Exactness> exactness = {};
+  std::optional<Exactness> exactness = {};
   /// FactNeeds::Profile: Mach bands, and the largest change from pixel to pixel in shades; by kProfiled.
   struct Profiled {
     std::array<double, 3> bands{}, jumps{};
@@ -57,16 +58,16 @@ struct FactRow {
 /// Their names, for error messages.
 [[nodiscard]] std::string factNames();
 
-/// The depth sort's textbook run over a picture that is made, in whatever order that was painted; adds its
-/// planes. Works for pictures of several channels too: sorting does not depend on colour.
-[[nodiscard]] SortedScene textbookRun(Picture& picture);
+/// The depth sort's textbook run over a picture with planes (Picture::withPlanes()), in whatever order that
+/// was painted. Works for pictures of several channels too: sorting does not depend on colour.
+[[nodiscard]] SortedScene textbookRun(const Picture& picture);
 
 /// An exhibit as it is shown, and its facts. All that is passed must outlive this.
 class ShownExhibit {
  public:
   /// `image` is the picture painted, `beside` the second picture of Stage::SideBySide or null. A fact is
-  /// computed when it is first asked for, each part of the work once; the picture is left as it was.
-  ShownExhibit(Picture& picture, const IndexImage& image, const IndexImage* beside)
+  /// computed when it is first asked for, each part of the work once.
+  ShownExhibit(const Picture& picture, const IndexImage& image, const IndexImage* beside)
       : found_{picture, image, beside} {}
 
   /// NaN where the picture has none: a linear table has no ratio. No claim about it holds.

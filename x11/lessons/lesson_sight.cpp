@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "shading/picture/exactness.h"
 #include "x11/drawing/wording.h"
 #include "x11/lessons/sight_pen.h"
 
@@ -26,13 +27,13 @@ namespace {
 
 void markWrong(SightPen& pen) {
   const Rect& at = pen.at.picture;
-  const std::vector<Picture::SampleCheck> checked = pen.sight.picture.checkedSamples();
+  const std::vector<SampleCheck> checked = checkedSamples(pen.sight.picture);
   std::int64_t wrong = 0, samples = 0;
   for (int j = 0; j < at.height; ++j)
     for (int i = 0; i < at.width; ++i) {
-      const Picture::SampleCheck sample = checked[std::size_t(j) * at.width + i];
-      samples += sample != Picture::SampleCheck::Nothing;
-      if (sample != Picture::SampleCheck::Wrong) continue;
+      const SampleCheck sample = checked[std::size_t(j) * at.width + i];
+      samples += sample != SampleCheck::Nothing;
+      if (sample != SampleCheck::Wrong) continue;
       ++wrong;
       pen.paint.point(at.x + i, at.y + j, pen(Cell::Q));
     }

@@ -24,7 +24,7 @@ struct SightLayout {
 
 struct Sight {
   const Exhibit& exhibit;
-  Picture& picture;         ///< of the layout's size; it stays as it is
+  const Picture& picture;   ///< of layout's size; of Stage::DepthSort with planes
   const IndexImage& image;  ///< the picture, painted
   const IndexImage* lower;  ///< the second picture of Stage::SideBySide
   const SortedScene* run;   ///< textbookRun(), for Stage::DepthSort

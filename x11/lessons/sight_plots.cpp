@@ -95,10 +95,7 @@ void drawProfiles(SightPen& pen) {
   const Sight& sight = pen.sight;
   const Rect &below = pen.at.below, &at = pen.at.picture;
   const int row = defaultScanline(sight.picture);
-  const PictureSettings made = sight.picture.settings();
-  const Scanline line = scanlineOf(sight.picture, made, row, pen(Cell::Well));
-  IndexImage again{made.width, made.height, 0};
-  sight.picture.paint(again, pen(Cell::Well));  // makes the picture as it was before
+  const Scanline line = scanlineOf(sight.picture, row, pen(Cell::Well));
 
   pen.paint.line(at.x, at.y + row, at.x + at.width - 1, at.y + row, pen(Cell::White), {1, 4, 4});
   pen.section("row " + std::to_string(row) + " of the picture");

@@ -11,7 +11,7 @@ namespace {
 
 /// The points identify the scene, since a scene is always opened as a whole.
 bool isSame(const Scene& a, const Scene& b) {
-  return a.name == b.name && a.mesh.points == b.mesh.points && a.mesh.corners == b.mesh.corners;
+  return &a == &b || (a.name == b.name && a.mesh.points == b.mesh.points && a.mesh.corners == b.mesh.corners);
 }
 
 bool isExact(Order order) { return order == Order::Newell || order == Order::Oracle; }
@@ -256,10 +256,10 @@ void SideBench::leave() {
 
 bool SideBench::late(const Setup&) const { return told() != drawn_; }
 
-void SideBench::makeB(const Desk& desk) {
-  if (!pictureB_ || !isSame(pictureB_->scene(), desk.picture.scene())) {
-    if (pictureB_) b_ = lessonBeside(desk.setup), before_.clear();
-    pictureB_.emplace(desk.picture.scene());
+Picture SideBench::makeB(const Desk& desk) {
+  if (!picturesB_ || !isSame(picturesB_->scene(), desk.picture.scene())) {
+    if (picturesB_) b_ = lessonBeside(desk.setup), before_.clear();
+    picturesB_.emplace(desk.picture);
     measuredA_ = measuredB_ = {};
     placed_.reset();
   }
@@ -278,18 +278,21 @@ void SideBench::makeB(const Desk& desk) {
     }
     return s;
   };
-  try {
-    pictureB_->make(sized(*b_));
-  } catch (const ViewError& e) {
-    host_->notify("B cannot be drawn with these settings: " + std::string{e.what()});
-    b_ = drawn_ && drawn_->b ? drawn_->b : desk.setup;
-    pictureB_->make(sized(*b_));
-  }
-  pictureB_->paint(imageB_, desk.plan[Cell::Well]);
-  slow_ = desk.dragging && (coarse_ || pictureB_->times().total() > kFluid);
+  const auto make = [&] { return picturesB_->make(sized(*b_), desk.plan[Cell::Well]); };
+  const Picture B = [&] {
+    try {
+      return make();
+    } catch (const ViewError& e) {
+      host_->notify("B cannot be drawn with these settings: " + std::string{e.what()});
+      b_ = drawn_ && drawn_->b ? drawn_->b : desk.setup;
+      return make();
+    }
+  }();
+  slow_ = desk.dragging && (coarse_ || B.times().total() > kFluid);
+  return B;
 }
 
-void SideBench::measure(Measured& side, const Measured& other, Picture& picture) {
+void SideBench::measure(Measured& side, const Measured& other, const Picture& picture) {
   if (side.of == picture.settings()) return;
   if (other.of == picture.settings()) {  // A and B were swapped
     side = other;
@@ -301,21 +304,21 @@ void SideBench::measure(Measured& side, const Measured& other, Picture& picture)
 void SideBench::draw(IndexImage& image, const Desk& desk) {
   follow(desk.setup);
   at_ = layoutOfSides(desk.layout.body);
-  makeB(desk);
+  const Picture pictureB = makeB(desk);
   if (!desk.dragging) {
     const Measured before = measuredA_;
     measure(measuredA_, measuredB_, desk.picture);
-    measure(measuredB_, before, *pictureB_);
+    measure(measuredB_, before, pictureB);
   }
 
-  const PictureSettings &ofA = desk.picture.settings(), &ofB = pictureB_->settings();
+  const PictureSettings &ofA = desk.picture.settings(), &ofB = pictureB.settings();
   const auto own = [&](const Picture& picture, TableKind kind) {
     const Palette palette = picture.palette(CellPlan{kind});
     return desk.gray ? forGrayScreen(palette, picture) : palette;
   };
-  const Palette ownA = own(desk.picture, ofA.table.kind), ownB = own(*pictureB_, ofB.table.kind);
-  const PaintedPicture A{desk.picture, desk.image, ownA}, B{*pictureB_, imageB_, ownB};
-  noIntensities_ = !hasIntensities(*pictureB_, desk.picture);
+  const Palette ownA = own(desk.picture, ofA.table.kind), ownB = own(pictureB, ofB.table.kind);
+  const ColoredPicture A{desk.picture, ownA}, B{pictureB, ownB};
+  noIntensities_ = !hasIntensities(pictureB, desk.picture);
   if (kind_ == Unlike::Intensity && noIntensities_) kind_ = Unlike::Color;
   const Unlikeness unlike = unlikeness(kind_, A, B);
   const std::pair<Unlike, std::pair<PictureSettings, PictureSettings>> placed{kind_, {ofA, ofB}};
@@ -349,8 +352,8 @@ void SideBench::draw(IndexImage& image, const Desk& desk) {
                  .unlike = unlike,
                  .ofA = {phrasesOf(askedA, askedB), measuredA_.numbers, measuredA_.time},
                  .ofB = {phrasesOf(askedB, askedA), measuredB_.numbers, measuredB_.time},
-                 .finding = known ? findingOf(desk.picture, *pictureB_, measuredA_.numbers,
-                                              measuredB_.numbers, unlike, place)
+                 .finding = known ? findingOf(desk.picture, pictureB, measuredA_.numbers, measuredB_.numbers,
+                                              unlike, place)
                                   : Finding{},
                  .known = known,
                  .place = place,

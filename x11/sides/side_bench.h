@@ -70,15 +70,15 @@ class SideBench : public Bench {
   void nextPair(const Setup& A);
   /// Undoes the last change made here. Returns false if the window must undo a change of A.
   bool undo(const Setup& A);
-  /// Makes and paints the picture of B. A setup that cannot be drawn is undone, and the user is told.
-  void makeB(const Desk& desk);
+  /// The picture of B, painted; a setup that cannot be drawn is undone and told.
+  [[nodiscard]] Picture makeB(const Desk& desk);
   /// The measurements of a picture with these settings.
   struct Measured {
     std::optional<PictureSettings> of;
     SideNumbers numbers;
     BestTime time;
   };
-  static void measure(Measured& side, const Measured& other, Picture& picture);
+  static void measure(Measured& side, const Measured& other, const Picture& picture);
 
   Host* host_;
   std::function<ControlKeys::Subject()> subject_;
@@ -94,8 +94,7 @@ class SideBench : public Bench {
   bool joins_ = true;           ///< the view was entered: A may have been changed elsewhere
   std::vector<Before> before_;  ///< changes made here, the oldest first
 
-  std::optional<Picture> pictureB_;
-  IndexImage imageB_;
+  std::optional<PictureCache> picturesB_;
   // The state of the last drawing.
   struct Told {
     std::optional<Setup> b;

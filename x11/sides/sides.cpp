@@ -7,6 +7,8 @@
 #include "depthsort/oracle.h"
 #include "shading/color/color_difference.h"
 #include "shading/color/quantize.h"
+#include "shading/picture/exactness.h"
+#include "shading/picture/picture_cache.h"
 #include "x11/drawing/wording.h"
 #include "x11/views/step_legend.h"
 
@@ -46,17 +48,18 @@ std::vector<std::uint8_t> shown(const Picture& picture) {
 /// `of(picture, cell)` is the value of a cell, `nothing` the value of background, and `apart` the distance of
 /// two values.
 template <class Of, class Value, class Apart>
-std::vector<float> valuesApart(const PaintedPicture& A, const PaintedPicture& B, Of&& of,
+std::vector<float> valuesApart(const ColoredPicture& A, const ColoredPicture& B, Of&& of,
                                const Value& nothing, Apart&& apart) {
   const std::vector<std::uint8_t> showsA = shown(A.picture), showsB = shown(B.picture);
   std::vector<float> at(showsA.size(), kNone),
       known(257 * 257, kNone);  // distances that were computed already, for each pair of cells
   for (std::size_t k = 0; k < at.size(); ++k)
     if (showsA[k] || showsB[k]) {
-      float& d = known[257 * (showsA[k] ? A.image.pixels[k] : 256) + (showsB[k] ? B.image.pixels[k] : 256)];
+      float& d = known[257 * (showsA[k] ? A.picture.image().pixels[k] : 256) +
+                       (showsB[k] ? B.picture.image().pixels[k] : 256)];
       if (std::isnan(d))
-        d = static_cast<float>(apart(showsA[k] ? of(A, A.image.pixels[k]) : nothing,
-                                     showsB[k] ? of(B, B.image.pixels[k]) : nothing));
+        d = static_cast<float>(apart(showsA[k] ? of(A, A.picture.image().pixels[k]) : nothing,
+                                     showsB[k] ? of(B, B.picture.image().pixels[k]) : nothing));
       at[k] = d;
     }
   return at;
@@ -90,7 +93,7 @@ bool hasIntensities(const Picture& A, const Picture& B) {
   return channelsOf(A.colors().plan()) != Channels::Rgb && channelsOf(B.colors().plan()) != Channels::Rgb;
 }
 
-Unlikeness unlikeness(Unlike kind, const PaintedPicture& A, const PaintedPicture& B) {
+Unlikeness unlikeness(Unlike kind, const ColoredPicture& A, const ColoredPicture& B) {
   Unlikeness unlike{.kind = kind, .width = A.picture.settings().width};
   switch (kind) {
     case Unlike::Face:
@@ -98,7 +101,7 @@ Unlikeness unlikeness(Unlike kind, const PaintedPicture& A, const PaintedPicture
       break;
     case Unlike::Intensity:
       unlike.at = valuesApart(
-          A, B, [](const PaintedPicture& p, int cell) { return p.picture.colors().intensityOf(cell); }, 0.0,
+          A, B, [](const ColoredPicture& p, int cell) { return p.picture.colors().intensityOf(cell); }, 0.0,
           [](double a, double b) { return std::abs(a - b); });
       break;
     case Unlike::Color: {
@@ -107,7 +110,7 @@ Unlikeness unlikeness(Unlike kind, const PaintedPicture& A, const PaintedPicture
         labs[0][cell] = labFromSrgb(A.palette[cell]), labs[1][cell] = labFromSrgb(B.palette[cell]);
       const Lab well = labFromSrgb(withInterface({}, CellPlan{})[CellPlan{}[Cell::Well]]);
       unlike.at = valuesApart(
-          A, B, [&](const PaintedPicture& p, int cell) { return labs[&p == &B][cell]; }, well,
+          A, B, [&](const ColoredPicture& p, int cell) { return labs[&p == &B][cell]; }, well,
           [](const Lab& a, const Lab& b) { return ciede2000(a, b); });
       break;
     }
@@ -167,14 +170,13 @@ std::vector<DifferingPlace> placesOf(const Unlikeness& unlike, int frameWidth, i
   return places;
 }
 
-SideNumbers numbersOf(Picture& picture) {
-  const Picture::Exactness exactness = picture.exactness();
+SideNumbers numbersOf(const Picture& picture) {
+  const Exactness exactness = exactnessOf(picture);
   SideNumbers numbers{.samples = exactness.samples,
                       .wrong = exactness.wrong,
                       .painted = static_cast<std::int64_t>(picture.sorted().fragments.size()),
                       .cuts = picture.sorted().statistics.splits};
-  const PictureSettings settings = picture.settings();
-  const Difference difference = comparedWithPhong(picture, settings, CellPlan{}[Cell::Well]).difference;
+  const Difference difference = comparedWithPhong(picture).difference;
   numbers.measure = difference.measure;
   numbers.largest = difference.largest;
   double squares = 0;
@@ -188,31 +190,27 @@ SideNumbers numbersOf(Picture& picture) {
 BestTime timeOf(const Scene& scene, const PictureSettings& settings) {
   BestTime best;
   for (double spent = 0; best.runs < 3 && (best.runs == 0 || spent < kPatience); ++best.runs) {
-    Picture fresh{scene};
-    IndexImage image;
-    fresh.make(settings);
-    fresh.paint(image, 0);
-    const double ms = fresh.times().total();
+    const double ms = makePicture(scene, settings, 0).times().total();
     spent += ms;
     best.ms = best.runs == 0 ? ms : std::min(best.ms, ms);
   }
   return best;
 }
 
-OnePalette onePalette(const PaintedPicture& A, const PaintedPicture& B, const CellPlan& plan,
+OnePalette onePalette(const ColoredPicture& A, const ColoredPicture& B, const CellPlan& plan,
                       const Palette& own, int most) {
-  OnePalette one{A.image, B.image, own};
+  OnePalette one{A.picture.image(), B.picture.image(), own};
   if (A.palette == B.palette) return one;
 
-  const int width = A.image.width, height = A.image.height;
-  const std::size_t samples = A.image.pixels.size();
+  const int width = A.picture.image().width, height = A.picture.image().height;
+  const std::size_t samples = A.picture.image().pixels.size();
   std::vector<std::uint8_t> shows = shown(A.picture);
   const std::vector<std::uint8_t> showsB = shown(B.picture);
   shows.insert(shows.end(), showsB.begin(), showsB.end());
   RgbImage colors{width, 2 * height};
   for (std::size_t k = 0; k < 2 * samples; ++k) {
-    const PaintedPicture& p = k < samples ? A : B;
-    const Rgb16& c = p.palette[p.image.pixels[k % samples]];
+    const ColoredPicture& p = k < samples ? A : B;
+    const Rgb16& c = p.palette[p.picture.image().pixels[k % samples]];
     colors.rgb[3 * k] = static_cast<std::uint8_t>(c.r >> 8);
     colors.rgb[3 * k + 1] = static_cast<std::uint8_t>(c.g >> 8);
     colors.rgb[3 * k + 2] = static_cast<std::uint8_t>(c.b >> 8);

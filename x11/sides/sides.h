@@ -32,10 +32,9 @@ inline constexpr std::array kUnlikes{
   return kUnlikes[static_cast<std::size_t>(kind)];
 }
 
-/// A painted picture. All parts must outlive it.
-struct PaintedPicture {
+/// A picture, painted, and its colours; both outlive it.
+struct ColoredPicture {
   const Picture& picture;
-  const IndexImage& image;
   const Palette& palette;  ///< its own palette, with the CellPlan that is used without a server
 };
 
@@ -50,7 +49,7 @@ struct Unlikeness {
   double largest = 0, rootMeanSquare = 0;
 };
 /// Precondition: both have the same scene and size, and hasIntensities() if `kind` is Unlike::Intensity.
-[[nodiscard]] Unlikeness unlikeness(Unlike kind, const PaintedPicture& A, const PaintedPicture& B);
+[[nodiscard]] Unlikeness unlikeness(Unlike kind, const ColoredPicture& A, const ColoredPicture& B);
 /// False if a picture's cells hold colours, which have no intensity.
 [[nodiscard]] bool hasIntensities(const Picture& A, const Picture& B);
 /// An image in steps of difference: each twice as large as the one before, the first is the unit. Faces have
@@ -70,14 +69,14 @@ inline constexpr int kMostPlaces = 9;
 /// pixel, not rounded to shades, with the picture's own light and material and the faces that the oracle sees
 /// (difference.h). Both have the same reference if these are the same.
 struct SideNumbers {
-  int samples = 0, wrong = 0;  ///< Picture::exactness()
+  int samples = 0, wrong = 0;  ///< exactnessOf()
   Measure measure = Measure::Intensity;
   double largest = 0, rootMeanSquare = 0;
   std::int64_t painted = 0;  ///< polygons and pieces
   std::int64_t cuts = 0;
 };
-/// `picture` is made and stays as it is.
-[[nodiscard]] SideNumbers numbersOf(Picture& picture);
+/// `picture` is painted.
+[[nodiscard]] SideNumbers numbersOf(const Picture& picture);
 
 /// Milliseconds from the scene's points to the painted picture, with nothing kept from earlier runs: the best
 /// of three runs, or of fewer if they take long.
@@ -98,7 +97,7 @@ struct OnePalette {
   int colors = 0;       ///< the number of shared colours
 };
 /// `own` has the colours of A and of the plan. There are cells for `most` colours.
-[[nodiscard]] OnePalette onePalette(const PaintedPicture& A, const PaintedPicture& B, const CellPlan& plan,
+[[nodiscard]] OnePalette onePalette(const ColoredPicture& A, const ColoredPicture& B, const CellPlan& plan,
                                     const Palette& own, int most = kMaxShades);
 
 /// A setting in words. Settings that differ come first.

@@ -19,7 +19,7 @@ namespace xnewell {
 
 inline constexpr int kMostWaiting = 3000;  ///< more thin outlines would cover the picture
 
-/// The frames of a run. Picture and run must outlive it.
+/// The frames of a run over picture.snapped(). The run outlives it.
 class Frames {
  public:
   /// `steps` are the steps that will be asked for: the strip below the picture is as high as they need.
@@ -56,7 +56,7 @@ class Frames {
   [[nodiscard]] Rect pictureArea() const;
   [[nodiscard]] std::uint8_t cell(Cell c) const { return plan_[c]; }
 
-  const Picture& picture_;
+  const Picture picture_;
   const SortedScene& sorted_;
   Explainer explainer_;
   Replay replay_;

@@ -8,6 +8,7 @@ namespace xnewell {
 SoFar::SoFar(const Picture& picture, const SortedScene& sorted, std::uint8_t ground, std::size_t bytes)
     : picture_{picture},
       sorted_{sorted},
+      painter_{picture_.painter(sorted)},
       image_{picture.settings().width, picture.settings().height, ground},
       copies_{image_} {
   const int most = static_cast<int>(std::min<std::size_t>(kMostCopies, bytes / image_.pixels.size()));
@@ -22,10 +23,8 @@ const IndexImage& SoFar::at(int painted) {
     painted_ = copy * space_;
   }
   if (painted_ == painted) return image_;
-  // A picture that is made again moves its data, so a painter is valid for this call only.
-  SurfacePainter painter = picture_.painter();
   while (painted_ < painted) {
-    painter.paint(image_, sorted_, sorted_.fragments[painted_++]);
+    painter_.paint(image_, sorted_, sorted_.fragments[painted_++]);
     if (space_ > 0 && painted_ == static_cast<int>(copies_.size()) * space_) copies_.push_back(image_);
   }
   return image_;

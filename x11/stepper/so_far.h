@@ -10,10 +10,12 @@ namespace xnewell {
 /// The picture of a run after any number of its fragments, whether the steps go forward or back.
 class SoFar {
  public:
-  /// Picture and run must outlive it; the picture may be made again if its polygons stay the same. When at()
-  /// passes, it keeps copies of the picture at even spaces along the run, in at most `bytes` bytes. So going
-  /// back paints at most one space again.
+  /// A run over picture.snapped(), which outlives it. Within so many bytes it keeps copies of the image,
+  /// evenly spaced along the run as at() passes there, so that going back paints at most a space again.
   SoFar(const Picture& picture, const SortedScene& sorted, std::uint8_t ground, std::size_t bytes);
+  SoFar(const SoFar&) = delete;  // its painter refers to its picture
+  SoFar& operator=(const SoFar&) = delete;
+  ~SoFar() = default;
 
   /// Valid until the next call. 0 <= painted <= SortedScene::fragments.size().
   [[nodiscard]] const IndexImage& at(int painted);
@@ -21,8 +23,9 @@ class SoFar {
  private:
   static constexpr int kMostCopies = 256;
 
-  const Picture& picture_;
+  const Picture picture_;
   const SortedScene& sorted_;
+  SurfacePainter painter_;
   IndexImage image_;
   int painted_ = 0;                 ///< fragments in image_
   int space_ = 0;                   ///< fragments from copy to copy; 0: no copies are kept

@@ -59,7 +59,6 @@ class SortBench : public Bench {
   /// After the view has changed, the step of the new run that is most like the one shown before. Tells the
   /// user which one it is.
   [[nodiscard]] int likeBefore();
-  [[nodiscard]] bool isAbout(const Picture& picture) const;
   void drawTooLong(IndexImage& image, const Desk& desk);
   void stepBy(int steps);
   void jump(bool forward);
@@ -85,12 +84,10 @@ class SortBench : public Bench {
   // The state of the last drawing.
   std::unique_ptr<SortRun> run_;
   bool tooLong_ = false;
-  bool fullColor_ = false;            ///< the scene has a plan of colours, but is shown in one hue
-  const void* scene_ = nullptr;       ///< the scene of run_, and
-  std::vector<glm::ivec3> recorded_;  ///< its vertices
-  Order order_ = Order::Newell;       ///< the order of the picture in view 1
-  PictureSettings settings_;          ///< the settings of the picture that was sorted
-  std::optional<StepAbout> about_;    ///< what the step is about; none at the start
+  bool fullColor_ = false;          ///< the scene's own plan is of colours: it is shown in one hue
+  std::optional<Picture> picture_;  ///< that run_ is about
+  Order order_ = Order::Newell;     ///< of the picture in its own view
+  std::optional<StepAbout> about_;  ///< the step; none at the start
   SortLayout at_;
   SortDrawn places_;
   std::optional<SortView> drawn_;

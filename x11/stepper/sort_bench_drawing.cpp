@@ -25,22 +25,16 @@ Setup SortBench::painted(const Setup& setup) const {
   return newell;
 }
 
-bool SortBench::isAbout(const Picture& picture) const {
-  return scene_ == picture.scene().mesh.points.data() && recorded_ == picture.snapped().vertices;
-}
-
 void SortBench::record(const Desk& desk) {
-  const bool same = isAbout(desk.picture);
-  if ((run_ || tooLong_) && same && settings_ == desk.picture.settings()) return;
-  const bool sameScene = scene_ == desk.picture.scene().mesh.points.data();
+  const bool sameScene = picture_ && &picture_->scene() == &desk.picture.scene();
+  const bool same = sameScene && picture_->snapped().vertices == desk.picture.snapped().vertices;
+  if ((run_ || tooLong_) && same && picture_->settings() == desk.picture.settings()) return;
   const int step = view_.step;
   const bool atEnd = run_ && step > 0 && step == run_->steps();
   run_.reset();
   tooLong_ = false;
   if (!sameScene) view_.polygon.reset(), about_.reset();
-  scene_ = desk.picture.scene().mesh.points.data();
-  recorded_ = desk.picture.snapped().vertices;
-  settings_ = desk.picture.settings();
+  picture_ = desk.picture;
   try {
     run_ = std::make_unique<SortRun>(desk.picture, desk.plan[Cell::Well]);
   } catch (const TooManyEvents&) {
@@ -68,8 +62,7 @@ int SortBench::likeBefore() {
 void SortBench::drawTooLong(IndexImage& image, const Desk& desk) {
   const Rect &body = desk.layout.body, picture = this->picture(desk.layout);
   Painter paint = Painter{image}.within(body);
-  IndexImage whole;
-  desk.picture.paint(whole, desk.plan[Cell::Well]);
+  const IndexImage whole = desk.picture.paint(desk.plan[Cell::Well]).image;
   use_ = cellUse(whole);
   paint.place(whole, picture.x, picture.y);
   int y = picture.y + picture.height + 30;

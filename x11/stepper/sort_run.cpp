@@ -6,8 +6,7 @@ namespace xnewell {
 
 namespace {
 
-SortedScene recorded(Picture& picture) {
-  picture.addPlanes();
+SortedScene recorded(const Picture& picture) {
   return depthSort(picture.snapped(), {.width = picture.settings().width,
                                        .height = picture.settings().height,
                                        .textbook = true,
@@ -17,13 +16,13 @@ SortedScene recorded(Picture& picture) {
 
 }  // namespace
 
-SortRun::SortRun(Picture& picture, std::uint8_t ground)
-    : picture_{picture},
-      sorted_{recorded(picture)},
-      explainer_{picture.scene().mesh, picture.snapped(), sorted_, true},
+SortRun::SortRun(const Picture& picture, std::uint8_t ground)
+    : picture_{picture.withPlanes()},
+      sorted_{recorded(picture_)},
+      explainer_{picture_.scene().mesh, picture_.snapped(), sorted_, true},
       landmarks_{sorted_},
-      replay_{picture.snapped(), sorted_},
-      soFar_{picture, sorted_, ground, kCopies} {
+      replay_{picture_.snapped(), sorted_},
+      soFar_{picture_, sorted_, ground, kCopies} {
   explainer_.call(Called::PAndQ);
   const int fragments = static_cast<int>(scene().faces.size() + sorted_.pieces.size());
   zExtents_.reserve(fragments);

@@ -23,8 +23,8 @@ class SortRun {
   static constexpr std::size_t kMostEvents = std::size_t{1} << 22;
   static constexpr std::size_t kCopies = std::size_t{64} << 20;  ///< bytes for the copies of SoFar
 
-  /// Sorts the picture, which is made and must outlive this. @throws TooManyEvents
-  SortRun(Picture& picture, std::uint8_t ground);
+  /// Sorts what the picture shows. @throws TooManyEvents
+  SortRun(const Picture& picture, std::uint8_t ground);
   SortRun(const SortRun&) = delete;
   SortRun& operator=(const SortRun&) = delete;
   ~SortRun() = default;
@@ -54,7 +54,7 @@ class SortRun {
   [[nodiscard]] int fragmentAt(int column, int row) const;
 
  private:
-  Picture& picture_;
+  const Picture picture_;
   SortedScene sorted_;
   Explainer explainer_;
   Landmarks landmarks_;

@@ -361,7 +361,7 @@ std::string levelsText(const Picture& picture, const std::vector<Curve>& curves)
 }
 
 void drawColorsPage(IndexImage& image, const ColorsLayout& at, const ColorsPage& page) {
-  Painter{image}.within(at.picture).place(page.image, at.picture.x, at.picture.y);
+  Painter{image}.within(at.picture).place(page.picture.image(), at.picture.x, at.picture.y);
   ColorsDrawing draws{image, at, page};
   draws.drawGrid();
   draws.drawFacts();

@@ -48,8 +48,7 @@ struct TableLineHit {
 
 /// All that the page shows. The cells of the page itself show the palette's colours.
 struct ColorsPage {
-  const Picture& picture;
-  const IndexImage& image;          ///< as large as the layout's picture
+  const Picture& picture;           ///< painted, as large as the layout's
   const Palette& palette;           ///< the colours that words and curves describe
   const std::vector<Curve>& steps;  ///< stepCurves() of it
   const CellPlan& plan;

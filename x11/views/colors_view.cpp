@@ -11,20 +11,29 @@ namespace {
 
 constexpr int kStrip = 60, kFoot = 28;
 
+Rect stripOf(const ViewSettings& settings) {
+  return {0, settings.picture.height - kFoot - kStrip, settings.picture.width, kStrip};
+}
+
+ColorsLayout layoutOf(const ViewSettings& settings) {
+  return layoutOfColors({Sheet::kMargin, Sheet::kMargin, settings.picture.width - 2 * Sheet::kMargin,
+                         stripOf(settings).y - 12 - Sheet::kMargin});
+}
+
 }  // namespace
 
-ColoredImage drawColors(Picture& picture, const ViewSettings& settings) {
-  const int W = settings.picture.width, H = settings.picture.height;
-  const Rect strip{0, H - kFoot - kStrip, W, kStrip};
-  const ColorsLayout at =
-      layoutOfColors({Sheet::kMargin, Sheet::kMargin, W - 2 * Sheet::kMargin, strip.y - 12 - Sheet::kMargin});
-
+PictureSettings pictureForColors(const ViewSettings& settings) {
+  const Rect at = layoutOf(settings).picture;
   PictureSettings shown = settings.picture;
-  shown.width = at.picture.width, shown.height = at.picture.height;
-  picture.make(shown);
-  IndexImage image;
-  picture.paint(image, settings.cells[Cell::Well]);
-  const CellUse use = cellUse(image, picture.faceImage());
+  shown.width = at.width, shown.height = at.height;
+  return shown;
+}
+
+ColoredImage drawColors(const Picture& picture, const ViewSettings& settings) {
+  const int W = settings.picture.width, H = settings.picture.height;
+  const Rect strip = stripOf(settings);
+  const ColorsLayout at = layoutOf(settings);
+  const CellUse use = cellUse(picture.image(), picture.faceImage());
   const CellRange scene = sceneCells(picture);
   const int cell = settings.cell.value_or(settings.effects.lit.value_or(medianCell(use, scene)));
 
@@ -40,7 +49,6 @@ ColoredImage drawColors(Picture& picture, const ViewSettings& settings) {
   IndexImage page{W, H, plan[Cell::Paper]};
   drawColorsPage(page, at,
                  {.picture = picture,
-                  .image = image,
                   .palette = stored,
                   .steps = steps,
                   .plan = plan,

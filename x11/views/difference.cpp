@@ -44,10 +44,11 @@ PictureSettings referenceFor(const Scene& scene, PictureSettings settings) {
   return settings;
 }
 
-/// `colors` are the picture's. Several hues share the cells by how much a picture shows of each, so the
-/// reference may share them differently.
-void compareIntensities(Compared& result, const Picture& reference, const SeenRows& seen,
-                        const SceneColors& colors) {
+/// The cells are the picture's: several hues share them by what a picture shows of each, so the reference's
+/// own may be others.
+void compareIntensities(Compared& result, const Picture& picture, const Picture& reference,
+                        const SeenRows& seen) {
+  const SceneColors& colors = picture.colors();
   const std::vector<double> I = reference.intensities(seen);
   const std::vector<Ramp> ramps = colors.ramps();
   Comparison comparison{result.difference, I.size()};
@@ -55,18 +56,18 @@ void compareIntensities(Compared& result, const Picture& reference, const SeenRo
     if (seen.faces[k] == kNothing) continue;
     const SnappedFace& face = reference.snapped().faces[seen.faces[k]];
     result.reference.pixels[k] = ramps[reference.scene().mesh.material[face.number] + 1].cell(I[k]);
-    comparison.add(k, std::abs(colors.intensityOf(result.picture.pixels[k]) - I[k]));
+    comparison.add(k, std::abs(colors.intensityOf(picture.image().pixels[k]) - I[k]));
   }
 }
 
-/// `palette` is the picture's.
-void compareColors(Compared& result, const Picture& reference, const SeenRows& seen, const Palette& palette) {
+void compareColors(Compared& result, const Picture& picture, const Picture& reference, const SeenRows& seen) {
+  const Palette palette = picture.palette(CellPlan{picture.settings().table.kind});
   const std::array<std::vector<double>, 3> I{reference.intensities(seen, 0), reference.intensities(seen, 1),
                                              reference.intensities(seen, 2)};
   std::array<Lab, 256> ofCell;
   std::ranges::transform(palette, ofCell.begin(), [](const Rgb16& c) { return labFromSrgb(c); });
   Comparison comparison{result.difference, seen.faces.size()};
-  RgbImage bytes{result.picture.width, result.picture.height};
+  RgbImage bytes{picture.image().width, picture.image().height};
   std::vector<std::uint8_t> shows(seen.faces.size(), 0);
   for (std::size_t k = 0; k < seen.faces.size(); ++k) {
     if (seen.faces[k] == kNothing) continue;
@@ -75,7 +76,7 @@ void compareColors(Compared& result, const Picture& reference, const SeenRows& s
     bytes.rgb[3 * k] = static_cast<std::uint8_t>(color.r >> 8);
     bytes.rgb[3 * k + 1] = static_cast<std::uint8_t>(color.g >> 8);
     bytes.rgb[3 * k + 2] = static_cast<std::uint8_t>(color.b >> 8);
-    comparison.add(k, ciede2000(ofCell[result.picture.pixels[k]], labFromSrgb(color)));
+    comparison.add(k, ciede2000(ofCell[picture.image().pixels[k]], labFromSrgb(color)));
   }
   std::vector<glm::u8vec3> colors;
   const int first = reference.table().first();
@@ -94,30 +95,21 @@ std::vector<int> faceNumbersOf(const Picture& picture, const SeenRows& seen) {
 
 }  // namespace
 
-Compared comparedWithPhong(Picture& picture, const PictureSettings& settings, std::uint8_t ground) {
-  Compared result;
-  picture.make(settings);
-  picture.paint(result.picture, ground);
-  const Palette palette = picture.palette(CellPlan{settings.table.kind});
-  const SceneColors colors = picture.colors();
-  const std::vector<int> shown = faceNumbersOf(picture, picture.seen(0, settings.height));
-
-  picture.make(referenceFor(picture.scene(), settings));
-  const SeenRows seen = picture.seen(0, settings.height);
-  result.reference = IndexImage{settings.width, settings.height, ground};
+Compared comparedWithPhong(const Picture& picture) {
+  const PictureSettings& settings = picture.settings();
+  const Picture reference = PictureCache{picture}.make(referenceFor(picture.scene(), settings));
+  const SeenRows seen = reference.seen(0, settings.height);
+  Compared result{{settings.width, settings.height, picture.ground()}, {}};
   result.difference.width = settings.width;
-  if (channelsOf(picture.colors().plan()) == Channels::Rgb) {
+  if (channelsOf(reference.colors().plan()) == Channels::Rgb) {
     result.difference.measure = Measure::Color;
-    compareColors(result, picture, seen, palette);
+    compareColors(result, picture, reference, seen);
   } else {
-    compareIntensities(result, picture, seen, colors);
+    compareIntensities(result, picture, reference, seen);
   }
-  const std::vector<int> numbers = faceNumbersOf(picture, seen);
+  const std::vector<int> shown = faceNumbersOf(picture, picture.seen(0, settings.height));
+  const std::vector<int> numbers = faceNumbersOf(reference, seen);
   for (std::size_t k = 0; k < numbers.size(); ++k) result.difference.otherFace += shown[k] != numbers[k];
-
-  picture.make(settings);
-  IndexImage again;  // its colours were chosen when it was painted last
-  picture.paint(again, ground);
   return result;
 }
 

@@ -36,16 +36,16 @@ struct Difference {
   std::size_t largestAt = 0;  ///< index of the first sample that differs most
 };
 
-/// The two pictures that are compared, both in the picture's cells, and their difference.
+/// The reference in the picture's own cells, and how far the picture is from it.
 struct Compared {
-  IndexImage picture, reference;
+  IndexImage reference;
   Difference difference;
 };
 
 /// A cell of a ramp counts as the middle of the intensities that it stands for. A colour counts as the screen
-/// shows it, against the three channels of the reference. `picture` becomes that of `settings`.
-[[nodiscard]] Compared comparedWithPhong(Picture& picture, const PictureSettings& settings,
-                                         std::uint8_t ground);
+/// screen shows it, against the reference's three channels. `picture` is painted; the reference is on its
+/// ground.
+[[nodiscard]] Compared comparedWithPhong(const Picture& picture);
 
 /// The difference as an image of the picture's size, in six steps: each is twice as large as the one before,
 /// the first is the unit.
@@ -53,6 +53,7 @@ struct Compared {
 [[nodiscard]] Finding findingOf(const Difference& difference);
 
 /// Both pictures, the difference image, and its numbers in words.
-[[nodiscard]] ColoredImage drawDifference(Picture& picture, const ViewSettings& settings);
+[[nodiscard]] ColoredImage drawDifference(const Picture& picture, const ViewSettings& settings);
+[[nodiscard]] PictureSettings pictureForDifference(const ViewSettings& settings);
 
 }  // namespace xnewell

@@ -115,11 +115,17 @@ Finding findingOf(const Difference& d) {
   return finding;
 }
 
-ColoredImage drawDifference(Picture& picture, const ViewSettings& settings) {
+PictureSettings pictureForDifference(const ViewSettings& settings) {
   const DifferencePlaces at{settings.picture.width, settings.picture.height};
   PictureSettings shown = settings.picture;
   shown.width = at.picture.width, shown.height = at.picture.height;
-  const Compared compared = comparedWithPhong(picture, shown, settings.cells[Cell::Well]);
+  return shown;
+}
+
+ColoredImage drawDifference(const Picture& picture, const ViewSettings& settings) {
+  const DifferencePlaces at{settings.picture.width, settings.picture.height};
+  const PictureSettings& shown = picture.settings();
+  const Compared compared = comparedWithPhong(picture);
 
   Sheet sheet{settings.picture.width, settings.picture.height, settings.cells};
   const Rect whole{0, 0, shown.width, shown.height};
@@ -130,7 +136,7 @@ ColoredImage drawDifference(Picture& picture, const ViewSettings& settings) {
   caption(sheet, at.reference, at.captions, "Phong at every pixel",
           compared.difference.measure == Measure::Color ? "the reference, in the picture's cells"
                                                         : "the reference");
-  sheet.painter().place(compared.picture, whole, at.picture.x, at.picture.y);
+  sheet.painter().place(picture.image(), whole, at.picture.x, at.picture.y);
   sheet.painter().place(compared.reference, whole, at.reference.x, at.reference.y);
   sheet.section(at.difference.x, at.sections, at.difference.width, "difference");
   drawSteps(sheet, compared.difference, at.difference, settings.cells);

@@ -267,23 +267,29 @@ Rect MachBands::drawFindings(bool explains, bool grayed, int controls) {
   return place;
 }
 
+/// Whether the picture's colours become one hue.
+bool becomesGray(const Scene& scene, const ViewSettings& settings) {
+  return channelsOf(planOf(scene, settings.picture)) == Channels::Rgb;
+}
+
 }  // namespace
 
-ColoredImage drawMachBands(Picture& picture, const ViewSettings& settings) {
+PictureSettings pictureForMachBands(const Scene& scene, const ViewSettings& settings) {
   const BandsPlaces at{settings.picture.width, settings.picture.height};
   PictureSettings shown = settings.picture;
   shown.width = at.picture.width, shown.height = at.pictureHeight;
-  const bool grayed = channelsOf(planOf(picture.scene(), shown)) == Channels::Rgb;
-  if (grayed) shown.colors = ColorPlan::OneHue;
+  if (becomesGray(scene, settings)) shown.colors = ColorPlan::OneHue;
   if (settings.scanline && *settings.scanline >= shown.height)
     throw std::invalid_argument{"--scanline: " + std::to_string(*settings.scanline) +
                                 " is below the picture: in this view its rows are 0 to " +
                                 std::to_string(shown.height - 1)};
-  picture.make(shown);
-  IndexImage image;
-  picture.paint(image, settings.cells[Cell::Well]);
+  return shown;
+}
+
+ColoredImage drawMachBands(const Picture& picture, const ViewSettings& settings) {
   const int row = settings.scanline.value_or(defaultScanline(picture));
-  MachBandsPage page = drawMachBandsPage(picture, image, {.row = row, .grayed = grayed}, settings);
+  const bool grayed = becomesGray(picture.scene(), settings);
+  MachBandsPage page = drawMachBandsPage(picture, {.row = row, .grayed = grayed}, settings);
   return {std::move(page.image), picture.palette(settings.cells, settings.unneeded)};
 }
 
@@ -292,12 +298,12 @@ MachBandsLayout layoutOfMachBands(int width, int height) {
   return {at.picture, at.pictureHeight};
 }
 
-MachBandsPage drawMachBandsPage(Picture& picture, const IndexImage& image, const MachBandsShown& shown,
+MachBandsPage drawMachBandsPage(const Picture& picture, const MachBandsShown& shown,
                                 const ViewSettings& settings) {
   const BandsPlaces at{settings.picture.width, settings.picture.height};
-  const Scanline line = scanlineOf(picture, picture.settings(), shown.row, settings.cells[Cell::Well]);
+  const Scanline line = scanlineOf(picture, shown.row, settings.cells[Cell::Well]);
   MachBands view{settings, at, line, shown.firstRow};
-  view.drawPicture(image);
+  view.drawPicture(picture.image());
   view.drawBlocks();
   const Rect place = view.drawFindings(settings.picture.height >= 600, shown.grayed, shown.controls);
   return {view.image(), view.firstRow(), place};

@@ -14,7 +14,9 @@ namespace xnewell {
 ///
 /// The picture is as wide as the profiles and has the view's proportions; it is cut off above and below if
 /// there is no room. A plan of colours becomes one hue, since a profile has one channel.
-[[nodiscard]] ColoredImage drawMachBands(Picture& picture, const ViewSettings& settings);
+[[nodiscard]] ColoredImage drawMachBands(const Picture& picture, const ViewSettings& settings);
+/// @throws std::invalid_argument where the scanline is not in the picture
+[[nodiscard]] PictureSettings pictureForMachBands(const Scene& scene, const ViewSettings& settings);
 
 /// For a window: where the picture goes in a view of this size.
 struct MachBandsLayout {
@@ -35,8 +37,8 @@ struct MachBandsShown {
   bool grayed = false;  ///< the colours had to become one hue
   int controls = 0;     ///< pixels left for controls; 0: words tell their values instead
 };
-/// `picture` was made in the layout's size with a plan of ramps, and painted as `image`.
-[[nodiscard]] MachBandsPage drawMachBandsPage(Picture& picture, const IndexImage& image,
-                                              const MachBandsShown& shown, const ViewSettings& settings);
+/// `picture` is painted, of the layout's size and by a plan of ramps.
+[[nodiscard]] MachBandsPage drawMachBandsPage(const Picture& picture, const MachBandsShown& shown,
+                                              const ViewSettings& settings);
 
 }  // namespace xnewell

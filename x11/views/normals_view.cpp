@@ -76,6 +76,25 @@ std::string wordsFor(const PictureSettings& settings) {
          "from its dot, foreshortened as seen.";
 }
 
+struct NormalsPlaces {
+  std::string words;
+  int textLeft, textWidth;
+  Rect picture;
+};
+
+NormalsPlaces placesOf(const ViewSettings& settings) {
+  const int W = settings.picture.width, H = settings.picture.height;
+  NormalsPlaces at{.words = wordsFor(settings.picture),
+                   .textLeft = Sheet::kMargin + kBall + Sheet::kGutter,
+                   .textWidth = 0,
+                   .picture = {}};
+  at.textWidth = W - at.textLeft - Sheet::kMargin;
+  const int strip = std::max(kBall, Sheet::kRow + Sheet::paragraphHeight(at.textWidth, at.words));
+  at.picture = {Sheet::kMargin, Sheet::kMargin, W - 2 * Sheet::kMargin,
+                H - strip - 2 * Sheet::kMargin - Sheet::kGutter};
+  return at;
+}
+
 }  // namespace
 
 RgbImage normalColors(const Picture& picture) {
@@ -100,18 +119,18 @@ ColoredImage normalsImage(const Picture& picture, const CellPlan& plan, const Pa
   return normals;
 }
 
-ColoredImage drawNormals(Picture& picture, const ViewSettings& settings) {
-  const int W = settings.picture.width, H = settings.picture.height;
-  const std::string heading = "Normals, " + std::string{rowOf(settings.picture.shading).label} + " shading";
-  const std::string words = wordsFor(settings.picture);
-  const int textLeft = Sheet::kMargin + kBall + Sheet::kGutter, textWidth = W - textLeft - Sheet::kMargin;
-  const int strip = std::max(kBall, Sheet::kRow + Sheet::paragraphHeight(textWidth, words));
-
-  const Rect at{Sheet::kMargin, Sheet::kMargin, W - 2 * Sheet::kMargin,
-                H - strip - 2 * Sheet::kMargin - Sheet::kGutter};
+PictureSettings pictureForNormals(const ViewSettings& settings) {
+  const Rect at = placesOf(settings).picture;
   PictureSettings smaller = settings.picture;
   smaller.width = at.width, smaller.height = at.height;
-  picture.make(smaller);
+  return smaller;
+}
+
+ColoredImage drawNormals(const Picture& picture, const ViewSettings& settings) {
+  const std::string heading = "Normals, " + std::string{rowOf(settings.picture.shading).label} + " shading";
+  const NormalsPlaces places = placesOf(settings);
+  const Rect& at = places.picture;
+  const PictureSettings& smaller = picture.settings();
   const std::vector<glm::dvec3> N = seenNormals(picture);
 
   // The ball's colours are chosen with the picture's: one image above the other.
@@ -136,14 +155,14 @@ ColoredImage drawNormals(Picture& picture, const ViewSettings& settings) {
     std::replace(cells.row(j), cells.row(j) + at.width, settings.cells[Cell::Well],
                  settings.cells[Cell::Paper]);
 
-  Sheet sheet{W, H, settings.cells};
+  Sheet sheet{settings.picture.width, settings.picture.height, settings.cells};
   sheet.painter().place(cells, {0, 0, at.width, at.height}, at.x, at.y);
   drawNeedles(sheet.painter().within(at), N, at, sheet.cell(Cell::Black));
   sheet.painter().frame(at, sheet.cell(Cell::Ink));
   const int top = at.y + at.height + Sheet::kGutter;
   sheet.painter().place(cells, {0, at.height, kBall, kBall}, Sheet::kMargin, top);
-  sheet.painter().text(textLeft, top + Sheet::kAscent, heading, sheet.cell(Cell::Ink), Voice::Bold);
-  sheet.paragraph(textLeft, top + Sheet::kRow, textWidth, words, Cell::Soft);
+  sheet.painter().text(places.textLeft, top + Sheet::kAscent, heading, sheet.cell(Cell::Ink), Voice::Bold);
+  sheet.paragraph(places.textLeft, top + Sheet::kRow, places.textWidth, places.words, Cell::Soft);
 
   Palette palette = settings.unneeded;
   std::ranges::copy(chosen, palette.begin() + first);

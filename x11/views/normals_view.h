@@ -17,6 +17,7 @@ namespace xnewell {
 [[nodiscard]] ColoredImage normalsImage(const Picture& picture, const CellPlan& plan, const Palette& palette);
 
 /// The picture of normals, a ball that explains its colours, and what they mean in words.
-[[nodiscard]] ColoredImage drawNormals(Picture& picture, const ViewSettings& settings);
+[[nodiscard]] ColoredImage drawNormals(const Picture& picture, const ViewSettings& settings);
+[[nodiscard]] PictureSettings pictureForNormals(const ViewSettings& settings);
 
 }  // namespace xnewell

@@ -11,6 +11,7 @@ namespace xnewell {
 namespace {
 
 constexpr int kCountSwatch = 48, kLegendRows = 5;
+constexpr int kOverdrawStrip = Sheet::kSection + 36 + kLegendRows * Sheet::kRow;
 
 void drawCountLegend(Sheet& sheet, int x, int y) {
   Painter painter = sheet.painter();
@@ -69,8 +70,12 @@ IndexImage overdrawImage(const Overdraw& overdraw, const CellPlan& plan) {
   return image;
 }
 
-ColoredImage drawOverdraw(Picture& picture, const ViewSettings& settings) {
-  PictureSheet page{picture, settings, Sheet::kSection + 36 + kLegendRows * Sheet::kRow};
+PictureSettings pictureForOverdraw(const ViewSettings& settings) {
+  return PictureSheet::picture(settings, kOverdrawStrip);
+}
+
+ColoredImage drawOverdraw(const Picture& picture, const ViewSettings& settings) {
+  PictureSheet page{settings, kOverdrawStrip};
   const Overdraw o = overdrawOf(picture);
   page.place(overdrawImage(o, settings.cells));
   if (o.most > 1) {

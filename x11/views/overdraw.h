@@ -48,6 +48,7 @@ inline constexpr std::array kOverdrawSteps{
 [[nodiscard]] IndexImage overdrawImage(const Overdraw& overdraw, const CellPlan& plan);
 
 /// The map, its numbers, and what the order costs.
-[[nodiscard]] ColoredImage drawOverdraw(Picture& picture, const ViewSettings& settings);
+[[nodiscard]] ColoredImage drawOverdraw(const Picture& picture, const ViewSettings& settings);
+[[nodiscard]] PictureSettings pictureForOverdraw(const ViewSettings& settings);
 
 }  // namespace xnewell

@@ -11,11 +11,13 @@ namespace xnewell {
 /// columns: legend and table at the left, the finding at the right.
 class PictureSheet {
  public:
-  /// Makes and paints the scene's picture in the space above the strip. `strip` is its height in pixels, with
-  /// the line and the name of its section.
-  PictureSheet(Picture& picture, const ViewSettings& settings, int strip);
+  /// The strip has so many pixels, its section's line and name included.
+  PictureSheet(const ViewSettings& settings, int strip);
 
-  /// Places the picture of the view, which has the size of the scene's picture.
+  /// What such a sheet asks its picture for: the size that the strip leaves.
+  [[nodiscard]] static PictureSettings picture(const ViewSettings& settings, int strip);
+
+  /// The view's own image, of the picture's size.
   void place(const IndexImage& image) {
     sheet.painter().place(image, {0, 0, at.width, at.height}, at.x, at.y);
   }

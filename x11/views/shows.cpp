@@ -14,37 +14,36 @@ constexpr int kLegend = 8;  // pixels from the upper left corner
 
 }  // namespace
 
-ShownPicture shownAs(Show show, Picture& picture, const ColoredImage& painted, const CellPlan& plan) {
+ShownPicture shownAs(Show show, const Picture& picture, const Palette& palette, const CellPlan& plan) {
   switch (show) {
     case Show::Shaded:
       break;
     case Show::Wireframe: {
       const Wireframe wires = wireframeOf(picture, plan);
-      return {wires.image, painted.palette, findingOf(wires, picture).bold};
+      return {wires.image, palette, findingOf(wires, picture).bold};
     }
     case Show::Normals: {
-      const ColoredImage normals = normalsImage(picture, plan, painted.palette);
+      const ColoredImage normals = normalsImage(picture, plan, palette);
       return {normals.image, normals.palette, ""};
     }
     case Show::Overdraw: {
       const Overdraw overdraw = overdrawOf(picture);
-      ShownPicture shown{overdrawImage(overdraw, plan), painted.palette, findingOf(overdraw, picture).bold};
+      ShownPicture shown{overdrawImage(overdraw, plan), palette, findingOf(overdraw, picture).bold};
       std::vector<LegendStep> steps;
       for (const OverdrawStep& step : kOverdrawSteps) steps.push_back({step.cell, step.label});
       drawStepLegend(Painter{shown.image}, plan, kLegend, kLegend, steps, "");
       return shown;
     }
     case Show::Difference: {
-      const Compared compared =
-          comparedWithPhong(picture, PictureSettings{picture.settings()}, plan[Cell::Well]);
-      ShownPicture shown{differenceImage(compared.difference, plan), painted.palette,
+      const Compared compared = comparedWithPhong(picture);
+      ShownPicture shown{differenceImage(compared.difference, plan), palette,
                          findingOf(compared.difference).bold};
       drawStepLegend(Painter{shown.image}, plan, kLegend, kLegend, kDoublingSteps,
                      kMeasures[static_cast<int>(compared.difference.measure)].times);
       return shown;
     }
   }
-  return {painted.image, painted.palette, ""};
+  return {picture.image(), palette, ""};
 }
 
 }  // namespace xnewell

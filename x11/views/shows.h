@@ -34,9 +34,9 @@ struct ShownPicture {
   std::string finding;
 };
 
-/// `picture` is made and stays as it is; `painted` is its image and its palette. Show::Difference makes
-/// another picture in between, so it takes as long as two.
-[[nodiscard]] ShownPicture shownAs(Show show, Picture& picture, const ColoredImage& painted,
+/// `picture` is painted; `palette` has its colours. Show::Difference makes a second picture and takes as
+/// long.
+[[nodiscard]] ShownPicture shownAs(Show show, const Picture& picture, const Palette& palette,
                                    const CellPlan& plan);
 
 }  // namespace xnewell

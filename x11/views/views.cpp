@@ -11,9 +11,37 @@
 
 namespace xnewell {
 
-ColoredImage drawView(Picture& picture, const ViewSettings& settings) {
+namespace {
+
+/// What the view asks its picture for.
+PictureSettings pictureFor(const Scene& scene, const ViewSettings& settings) {
+  switch (settings.view) {
+    case View::Colors:
+      return pictureForColors(settings);
+    case View::MachBands:
+      return pictureForMachBands(scene, settings);
+    case View::Normals:
+      return pictureForNormals(settings);
+    case View::Difference:
+      return pictureForDifference(settings);
+    case View::Overdraw:
+      return pictureForOverdraw(settings);
+    case View::Wireframe:
+      return pictureForWireframe(settings);
+    case View::Picture:
+      break;
+  }
+  return settings.picture;
+}
+
+}  // namespace
+
+ColoredImage drawView(PictureCache& pictures, const ViewSettings& settings) {
   assert(settings.picture.width >= rowOf(settings.view).leastWidth &&
          settings.picture.height >= rowOf(settings.view).leastHeight);
+  std::optional<std::uint8_t> ground = settings.cells[Cell::Well];
+  if (settings.view == View::Normals) ground.reset();  // it shows no cell of the picture's
+  const Picture picture = pictures.make(pictureFor(pictures.scene(), settings), ground);
   switch (settings.view) {
     case View::Colors:
       return drawColors(picture, settings);

@@ -8,7 +8,7 @@
 #include "shading/color/index_image.h"
 #include "shading/color/palette.h"
 #include "shading/picture/palette_effects.h"
-#include "shading/picture/picture.h"
+#include "shading/picture/picture_cache.h"
 
 namespace xnewell {
 
@@ -48,9 +48,9 @@ struct ViewSettings {
   bool gray = false;   ///< for Colors: the screen shows only grays
 };
 
-/// Draws any view except View::Picture. `picture` becomes the one that the view shows, which is smaller than
-/// the view.
-/// @throws ViewError as Picture::make(); std::invalid_argument if the scanline is not in the picture
-[[nodiscard]] ColoredImage drawView(Picture& picture, const ViewSettings& settings);
+/// Makes the picture that the view shows, which is smaller than the view, and draws the view. Any but
+/// View::Picture.
+/// @throws ViewError as PictureCache::make(), std::invalid_argument where the scanline is not in the picture
+[[nodiscard]] ColoredImage drawView(PictureCache& pictures, const ViewSettings& settings);
 
 }  // namespace xnewell

@@ -14,7 +14,9 @@ namespace xnewell {
 
 namespace {
 
-/// An edge between two points of the screen grid; `from` is the smaller in the order of x, y, z.
+constexpr int kWireframeStrip = Sheet::kSection + 22 + 5 * Sheet::kRow;
+
+/// Between two places of the screen grid; at `from` the one that is less.
 struct Edge {
   glm::ivec3 from, to;
   int face;  ///< index into SnappedScene::faces
@@ -164,8 +166,12 @@ Wireframe wireframeOf(const Picture& picture, const CellPlan& plan) {
   return wires;
 }
 
-ColoredImage drawWireframe(Picture& picture, const ViewSettings& settings) {
-  PictureSheet page{picture, settings, Sheet::kSection + 22 + 5 * Sheet::kRow};
+PictureSettings pictureForWireframe(const ViewSettings& settings) {
+  return PictureSheet::picture(settings, kWireframeStrip);
+}
+
+ColoredImage drawWireframe(const Picture& picture, const ViewSettings& settings) {
+  PictureSheet page{settings, kWireframeStrip};
   const Wireframe wires = wireframeOf(picture, settings.cells);
   page.place(wires.image);
   int y = page.section("edges");

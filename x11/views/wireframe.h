@@ -25,6 +25,7 @@ struct Wireframe {
 inline constexpr int kDash = 3, kDashPeriod = 5;
 
 /// Draws the wireframe and its numbers.
-[[nodiscard]] ColoredImage drawWireframe(Picture& picture, const ViewSettings& settings);
+[[nodiscard]] ColoredImage drawWireframe(const Picture& picture, const ViewSettings& settings);
+[[nodiscard]] PictureSettings pictureForWireframe(const ViewSettings& settings);
 
 }  // namespace xnewell

@@ -57,14 +57,13 @@ inline constexpr double kFluid = 40;
 
 /// What a view draws.
 struct Desk {
-  Picture& picture;         ///< made; a view that makes it anew leaves it as it was found
-  const IndexImage& image;  ///< it, painted: Bench::wantsImage()
+  const Picture& picture;  ///< painted, if Bench::wantsImage()
   const CellPlan& plan;
   const Palette& palette;  ///< without effects
-  const CellUse& use;      ///< of `image`
+  const CellUse& use;      ///< of the image
   const Setup& setup;      ///< that the picture was made by
   const Layout& layout;
-  bool fresh = true;      ///< `image` was painted anew
+  bool fresh = true;      ///< the picture is not the one that was shown last
   bool dragging = false;  ///< more is to follow at once: what takes long may wait
   bool coarse = false;    ///< the picture is not made as the setup says, but sooner
   bool gray = false;      ///< the screen shows grays only
@@ -112,8 +111,7 @@ class Bench {
 
   /// Where the scene's picture goes: its size counts, what is drawn there is the view's.
   [[nodiscard]] virtual Rect picture(const Layout& at) const = 0;
-  /// Whether Desk::image is to be painted; else the picture is made, never more coarsely, and `image` is not
-  /// it.
+  /// Whether Desk::picture is to be painted. If not, it is never made more coarsely.
   [[nodiscard]] virtual bool wantsImage() const { return true; }
   /// The setup by which indices are picked.
   [[nodiscard]] virtual Setup painted(const Setup& setup) const { return setup; }

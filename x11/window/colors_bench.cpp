@@ -227,7 +227,6 @@ void ColorsBench::draw(IndexImage& image, const Desk& desk) {
   const std::vector<Curve> steps = stepsSeen(desk.picture, desk.palette, desk.plan, drawn_->effects);
   drawColorsPage(image, at_,
                  {.picture = desk.picture,
-                  .image = desk.image,
                   .palette = palette,
                   .steps = steps,
                   .plan = desk.plan,

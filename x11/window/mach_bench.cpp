@@ -163,11 +163,11 @@ void MachBench::draw(IndexImage& image, const Desk& desk) {
   const Layout& at = desk.layout;
   const int top = sheetTop(at);
   // In a window of another size the scanline stays at the same place of the scene.
-  if (row_ && height_ != desk.image.height) {
-    row_ = (2 * *row_ + 1) * desk.image.height / (2 * height_);
+  if (row_ && height_ != desk.picture.settings().height) {
+    row_ = (2 * *row_ + 1) * desk.picture.settings().height / (2 * height_);
     firstRow_.reset();
   }
-  height_ = desk.image.height;
+  height_ = desk.picture.settings().height;
   divisions_ = desk.picture.scene().divisions;
   if (!row_) row_ = defaultScanline(desk.picture);
   ViewSettings settings{.view = View::MachBands, .picture = desk.setup.picture, .cells = desk.plan};
@@ -179,8 +179,8 @@ void MachBench::draw(IndexImage& image, const Desk& desk) {
   // The part of the picture that is shown moves only if the scanline leaves it.
   if (firstRow_ && (*row_ < *firstRow_ || *row_ >= *firstRow_ + picture_.height)) firstRow_.reset();
   const MachBandsPage page = drawMachBandsPage(
-      desk.picture, desk.image,
-      {.row = *row_, .firstRow = firstRow_, .grayed = grayed, .controls = kRows * kRow + 4}, settings);
+      desk.picture, {.row = *row_, .firstRow = firstRow_, .grayed = grayed, .controls = kRows * kRow + 4},
+      settings);
   Painter{image}.within({0, top, at.width, at.strip.y - top}).place(page.image, 0, top);
   firstRow_ = page.firstRow;
   controls_ = page.controls;

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "geometry/view/view.h"
+#include "shading/picture/exactness.h"
 #include "x11/drawing/pen.h"
 #include "x11/drawing/wording.h"
 #include "x11/window/caption.h"
@@ -53,11 +54,11 @@ std::string countsOf(const Picture& picture) {
 }
 
 /// How wrong the picture is, as a sentence; "" if it is right, or if that is not known.
-std::string inexactness(Picture& picture, bool compact) {
+std::string inexactness(const Picture& picture, bool compact) {
   constexpr std::size_t kMost = 100'000;  // polygons; with more the count would take too long
   const Order order = picture.settings().order;
   if (order == Order::Newell || order == Order::Oracle || picture.snapped().faces.size() > kMost) return {};
-  const Picture::Exactness e = picture.exactness();
+  const Exactness e = exactnessOf(picture);
   if (e.wrong == 0) return {};
   return "Not exact: " + (compact ? "" : orderInWords(order) + ", ") + "the wrong face at " +
          grouped(e.wrong) + " of " + grouped(e.samples) + " samples.";
@@ -161,7 +162,7 @@ void PictureBench::draw(IndexImage& image, const Desk& desk) {
   at_ = desk.layout;
   const Show show = at_.roomy ? desk.setup.show : Show::Shaded;
   if (desk.fresh || show != shownAs_) {
-    shown_ = xnewell::shownAs(show, desk.picture, {desk.image, desk.palette}, desk.plan);
+    shown_ = xnewell::shownAs(show, desk.picture, desk.palette, desk.plan);
     shownAs_ = show;
   }
   use_ = cellUse(shown_.image);

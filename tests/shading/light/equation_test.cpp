@@ -117,10 +117,11 @@ TEST(Equation, LoopsOverManyPlacesGiveTheSame) {
     const glm::dvec3 eye = 4.0 * random.vector(), lookAt = random.vector();
     const Lighting lighting = resolve(mesh, scene, user, Channels::Rgb, eye, lookAt);
     for (int c = 0; c < 3; ++c) {
+      Terms diffuseTerms, specularTerms;
       Intensities intensities;
-      diffuseIntensities(intensities, points, lighting, c);
-      specularIntensities(intensities, points, lighting, c);
-      addTerms(intensities, points, lighting, c);
+      diffuseIntensities(diffuseTerms, points, lighting, c);
+      specularIntensities(specularTerms, points, lighting, c);
+      addTerms(intensities, diffuseTerms, specularTerms, points, lighting, c);
       for (std::size_t k = 0; k < points.at.size(); ++k)
         for (const bool back : {false, true}) {
           const MeshMaterial& m = mesh.materials[points.material[k]];
@@ -142,8 +143,8 @@ TEST(Equation, LoopsOverManyPlacesGiveTheSame) {
           if (!smooth) continue;
           // What the loops leave out: highlights below 2^-40 of a light.
           const double faint = 0x1p-40 * static_cast<double>(scene.lights.size());
-          ASSERT_NEAR(intensities.diffuse[k].seen(back), diffuse, bound) << k;
-          ASSERT_NEAR(intensities.specular[k].seen(back), specular, bound + faint) << k;
+          ASSERT_NEAR(diffuseTerms[k].seen(back), diffuse, bound) << k;
+          ASSERT_NEAR(specularTerms[k].seen(back), specular, bound + faint) << k;
           ASSERT_NEAR(intensities.I[k].seen(back), std::min(1.0, ambient + diffuse + specular),
                       2 * bound + faint)
               << k;

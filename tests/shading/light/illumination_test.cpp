@@ -33,15 +33,16 @@ LitFace lit(const Illumination& user, glm::dvec3 eye, const Mesh& mesh = square(
             glm::dvec3 lookAt = {0.5, 0.5, 0}, const SceneLight& scene = {}) {
   const Lighting lighting = resolve(mesh, scene, user, Channels::Luminance, eye, lookAt);
   const ShadingPoints points = facePoints(mesh);
+  Terms diffuse, specular;
   Intensities intensities;
-  diffuseIntensities(intensities, points, lighting, 0);
-  specularIntensities(intensities, points, lighting, 0);
-  addTerms(intensities, points, lighting, 0);
+  diffuseIntensities(diffuse, points, lighting, 0);
+  specularIntensities(specular, points, lighting, 0);
+  addTerms(intensities, diffuse, specular, points, lighting, 0);
   return {points.N[0],
           points.at[0],
           lighting.materials[mesh.material[0] + 1].ambient[0],
-          intensities.diffuse[0],
-          intensities.specular[0],
+          diffuse[0],
+          specular[0],
           intensities.I[0],
           intensities.clamped > 0};
 }
@@ -258,9 +259,10 @@ TEST(Illumination, Channels) {
   const ShadingPoints points = facePoints(m);
   const std::array expected{0.1 * 0.5 + 0.8 * 0.5, 0.1 + 0.3 * 0.8, 0.2 * 0.5};
   for (int c = 0; c < 3; ++c) {
+    Terms diffuse;
     Intensities intensities;
-    diffuseIntensities(intensities, points, lighting, c);
-    addTerms(intensities, points, lighting, c);
+    diffuseIntensities(diffuse, points, lighting, c);
+    addTerms(intensities, diffuse, Terms(diffuse.size(), {0.0, 0.0}), points, lighting, c);
     EXPECT_NEAR(intensities.I[0].front, expected[c], 1e-15) << c;
   }
 }
@@ -302,9 +304,9 @@ TEST(Illumination, SideBySideAsAlone) {
             {.kind = LightKind::Point, .position = {2, 1, 0}, .attenuation = Attenuation::InverseSquare}}};
     const Lighting lighting =
         resolve(m, scene, {.form = form.id}, Channels::Luminance, {1, -3, 2}, {0, 0, 0});
-    Intensities intensities;
-    diffuseIntensities(intensities, points, lighting, 0);
-    specularIntensities(intensities, points, lighting, 0);
+    Terms diffuseTerms, specularTerms;
+    diffuseIntensities(diffuseTerms, points, lighting, 0);
+    specularIntensities(specularTerms, points, lighting, 0);
     const auto vec = [](const glm::dvec3& v) { return Vec<double>{v.x, v.y, v.z}; };
     int lit = 0;
     for (std::size_t k = 0; k < points.at.size(); ++k) {
@@ -319,10 +321,10 @@ TEST(Illumination, SideBySideAsAlone) {
         diffuse = {diffuse.front + kd * d.front, diffuse.back + kd * d.back};
         specular = {specular.front + ks * s.front, specular.back + ks * s.back};
       }
-      ASSERT_EQ(diffuse.front, intensities.diffuse[k].front) << k;
-      ASSERT_EQ(diffuse.back, intensities.diffuse[k].back) << k;
-      ASSERT_EQ(specular.front, intensities.specular[k].front) << k;
-      ASSERT_EQ(specular.back, intensities.specular[k].back) << k;
+      ASSERT_EQ(diffuse.front, diffuseTerms[k].front) << k;
+      ASSERT_EQ(diffuse.back, diffuseTerms[k].back) << k;
+      ASSERT_EQ(specular.front, specularTerms[k].front) << k;
+      ASSERT_EQ(specular.back, specularTerms[k].back) << k;
       lit += specular.front > 0 || specular.back > 0;
     }
     EXPECT_GT(lit, 100);

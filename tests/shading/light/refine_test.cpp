@@ -37,10 +37,11 @@ struct Divided {
 };
 
 Intensities intensitiesAt(const ShadingPoints& points, const Lighting& lighting) {
+  Terms diffuse, specular;
   Intensities intensities;
-  diffuseIntensities(intensities, points, lighting, 0);
-  specularIntensities(intensities, points, lighting, 0);
-  addTerms(intensities, points, lighting, 0);
+  diffuseIntensities(diffuse, points, lighting, 0);
+  specularIntensities(specular, points, lighting, 0);
+  addTerms(intensities, diffuse, specular, points, lighting, 0);
   return intensities;
 }
 
@@ -173,7 +174,7 @@ TEST(Refine, FlatPartsKeepToTheToleranceAtCorners) {
     const double tolerance = 0.1 * std::pow(4.0, oneEach(rng));
     const Divided d{makeScene("drum", drum(), UpAxis::Z), light, Shading::Flat, {.tolerance = tolerance}};
     ASSERT_EQ(d.refined.limit, RefineLimit::None);
-    const Intensities centres = shadesAt(d.refined.points, d.lighting);
+    const Intensities centres = intensitiesAt(d.refined.points, d.lighting);
     for (int k = 0; k < d.refined.parts.count(); ++k) {
       ShadingPoints corners;
       for (const int p : d.refined.parts.part(k)) {
@@ -231,7 +232,7 @@ TEST(Refine, FindsLightInsideOneTriangle) {
     const glm::dvec3 place = (1 - r) * p[0] + r * (1 - q) * p[1] + r * q * p[2];
     const auto expectFound = [&](const Divided& d) {
       ASSERT_GT(d.refined.parts.count(), 10);
-      const Intensities shades = shadesAt(d.refined.points, d.lighting);
+      const Intensities intensities = intensitiesAt(d.refined.points, d.lighting);
       const auto [least, most] =
           std::ranges::minmax(intensities.I, {}, [](const FrontBack<double>& I) { return I.front; });
       EXPECT_GT(most.front, least.front + 0.1);

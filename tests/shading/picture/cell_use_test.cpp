@@ -1,4 +1,5 @@
 #include "shading/picture/cell_use.h"
+#include "shading/picture/picture_cache.h"
 
 #include <gtest/gtest.h>
 
@@ -17,15 +18,14 @@ struct Made {
 };
 
 Made made(const char* scene, ColorPlan plan = ColorPlan::Needed, Shading shading = Shading::Gouraud) {
-  Made m{Picture{readScene(scene, 4)}, {}};
+  Scene read = readScene(scene, 4);
   PictureSettings s;
   s.width = 200, s.height = 150;
   s.shading = shading;
   s.colors = plan;
-  s.camera = inSceneUnits(completed({}, m.picture.scene().camera), m.picture.scene());
-  m.picture.make(s);
-  m.picture.paint(m.image, CellPlan{}[Cell::Well]);
-  return m;
+  s.camera = inSceneUnits(completed({}, read.camera), read);
+  const Picture picture = makePicture(std::move(read), s, CellPlan{}[Cell::Well]);
+  return {picture, picture.image()};
 }
 
 }  // namespace

@@ -5,6 +5,8 @@
 #include <numeric>
 
 #include "geometry/model/solids.h"
+#include "shading/picture/exactness.h"
+#include "shading/picture/picture_cache.h"
 #include "tests/support/doubt.h"
 #include "tests/support/model_view.h"
 #include "tests/support/painted.h"
@@ -95,15 +97,15 @@ TEST(Contact, SplitsNothing) {
       SCOPED_TRACE(seed);
       const double scale = std::pow(10.0, static_cast<int>(seed % 13) - 6);
       const Mesh mesh = seed % 5 ? turned(solid.mesh, seed) : solid.mesh;
-      Picture picture{
+      PictureCache pictures{
           makeScene("solid", written(mesh, kDecimals[seed % kDecimals.size()], scale), UpAxis::Z)};
-      const PictureSettings s = randomView(picture.scene(), seed, kWidth, kHeight);
-      picture.make(s);
-      const SortStatistics& quick = picture.sorted().statistics;
+      const PictureSettings s = randomView(pictures.scene(), seed, kWidth, kHeight);
+      pictures.make(s);
+      const SortStatistics& quick = pictures.last().sorted().statistics;
       EXPECT_EQ(quick.splits, 0);
-      EXPECT_EQ(depthSort(picture.snapped(), {kWidth, kHeight, true}).statistics.splits, 0);
+      EXPECT_EQ(depthSort(pictures.last().snapped(), {kWidth, kHeight, true}).statistics.splits, 0);
       contacts += quick.contacts;
-      const Picture::Exactness e = picture.exactness();
+      const Exactness e = exactnessOf(pictures.last());
       EXPECT_EQ(e.wrong, 0);
       samples += e.samples;
     }

@@ -4,6 +4,7 @@
 #include <glm/geometric.hpp>
 
 #include "geometry/model/solids.h"
+#include "shading/picture/picture_cache.h"
 #include "tests/support/model_view.h"
 #include "tests/support/seeds.h"
 
@@ -84,9 +85,9 @@ TEST(Crossing, ToriSplitOnceAPair) {
   const Seeds seeds{12};
   for (const int across : {24, 36, 48, 64}) {
     SCOPED_TRACE(across);
-    Picture picture{makeScene("tori", crossingTori(2 * across, across), UpAxis::Z)};
-    const Mesh& mesh = picture.scene().mesh;
-    const ConvexParts& parts = picture.scene().parts;
+    PictureCache pictures{makeScene("tori", crossingTori(2 * across, across), UpAxis::Z)};
+    const Mesh& mesh = pictures.scene().mesh;
+    const ConvexParts& parts = pictures.scene().parts;
     long crossing = 0, undecided = 0;
     std::vector<Outline> outlines;
     std::vector<std::pair<glm::dvec3, glm::dvec3>> boxes;
@@ -109,13 +110,13 @@ TEST(Crossing, ToriSplitOnceAPair) {
     ASSERT_EQ(undecided, 0);  // beyond what doubles can tell
     for (unsigned seed = seeds.from; seed < seeds.end; ++seed) {
       SCOPED_TRACE(seed);
-      PictureSettings s = randomView(picture.scene(), seed, 1000, 800);
+      PictureSettings s = randomView(pictures.scene(), seed, 1000, 800);
       s.cull = Cull::Keep;
       s.camera = wholeScene(s.camera, seed);
-      picture.make(s);
-      ASSERT_EQ(picture.snapped().faces.size(), parts.face.size());
-      EXPECT_NEAR(static_cast<double>(picture.sorted().statistics.splits), static_cast<double>(crossing),
-                  0.02 * static_cast<double>(crossing));
+      pictures.make(s);
+      ASSERT_EQ(pictures.last().snapped().faces.size(), parts.face.size());
+      EXPECT_NEAR(static_cast<double>(pictures.last().sorted().statistics.splits),
+                  static_cast<double>(crossing), 0.02 * static_cast<double>(crossing));
     }
   }
 }

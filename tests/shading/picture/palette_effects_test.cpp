@@ -6,6 +6,7 @@
 #include <cmath>
 #include <random>
 
+#include "shading/picture/picture_cache.h"
 #include "tests/support/scattered_palette.h"
 
 namespace xnewell {
@@ -13,16 +14,12 @@ namespace xnewell {
 namespace {
 
 Picture made(const char* scene, ColorPlan plan, TableKind kind = TableKind::Corrected, int bits = 16) {
-  Picture picture{readScene(scene, 3)};
   PictureSettings s;
   s.width = 80, s.height = 60;
   s.colors = plan;
   s.table.kind = kind;
   s.table.bits = bits;
-  picture.make(s);
-  IndexImage image;
-  picture.paint(image, CellPlan{kind}[Cell::Well]);
-  return picture;
+  return makePicture(readScene(scene, 3), s, CellPlan{kind}[Cell::Well]);
 }
 
 int largest(const Rgb16& c) { return std::max({c.r, c.g, c.b}); }

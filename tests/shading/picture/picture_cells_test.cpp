@@ -1,47 +1,48 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cstring>
 #include <numeric>
 #include <random>
 #include <set>
 
 #include "geometry/model/solids.h"
-#include "shading/picture/picture.h"
+#include "shading/picture/picture_cache.h"
 #include "tests/support/painted_picture.h"
 #include "tests/support/small_picture.h"
 
 namespace xnewell {
 
-// Which cells a picture's samples take, and how many samples are clamped. Coverage, kept stages and the
-// order: picture_test.cpp.
+// Which cells the samples of a picture take, and how many samples are clamped.
 
 // Clamped evaluations are counted: none with room to spare, some when kd and ks add up to more than 1.
 TEST(Picture, CountsClampedEvaluations) {
-  Picture picture{readScene("teapot")};
+  PictureCache pictures{readScene("teapot")};
   PictureSettings s = small();
   s.light.ks = 0;
-  picture.make(s);
-  EXPECT_EQ(picture.saturated(), 0);
+  pictures.make(s);
+  EXPECT_EQ(pictures.last().saturated(), 0);
   s.light = {.Ia = 0, .Ip = 1, .kd = 1, .ks = 1, .n = 3};
-  picture.make(s);
-  EXPECT_GT(picture.saturated(), 100);
+  pictures.make(s);
+  EXPECT_GT(pictures.last().saturated(), 100);
 }
 
 // Environment mapping counts its clamped samples where a triangle may meet the places of the map that were
 // clamped: as many as there are. The samples are those of the upper of two shades for intensities just below
 // 1 and 1; each is painted once, for the ball is convex and the oracle paints what is visible.
 TEST(Picture, EnvironmentCountsEveryClampedSample) {
-  std::vector<std::pair<Picture, Order>> pictures;
-  pictures.emplace_back(Picture{makeScene("ball", sphere(80, 40), UpAxis::Z)}, Order::ZSort);  // small faces
-  pictures.emplace_back(Picture{makeScene("ball", sphere(6, 4), UpAxis::Z)}, Order::ZSort);
-  pictures.emplace_back(Picture{readScene("teapot", 4)}, Order::Oracle);
+  std::vector<std::pair<PictureCache, Order>> balls;
+  balls.emplace_back(PictureCache{makeScene("ball", sphere(80, 40), UpAxis::Z)},
+                     Order::ZSort);  // small faces
+  balls.emplace_back(PictureCache{makeScene("ball", sphere(6, 4), UpAxis::Z)}, Order::ZSort);
+  balls.emplace_back(PictureCache{readScene("teapot", 4)}, Order::Oracle);
   Scene beside = makeScene("ball", sphere(30, 20), UpAxis::Z);
   beside.light.lights = {{.Ip = glm::dvec3{0.85}},  // turned to the axis; the others lie beside and behind
                          {.Ip = glm::dvec3{0.8}, .direction = {-1, -0.3, 0.5}},
                          {.Ip = glm::dvec3{0.8}, .direction = {0.2, 1, -0.6}}};
-  pictures.emplace_back(Picture{std::move(beside)}, Order::ZSort);
+  balls.emplace_back(PictureCache{std::move(beside)}, Order::ZSort);
   int some = 0, none = 0;
-  for (auto& [picture, order] : pictures)
+  for (auto& [pictures, order] : balls)
     for (const EnvironmentRow& form : kEnvironmentForms)
       for (const glm::dvec3 towards : {glm::dvec3{1, -1, 1}, {-1, -0.3, 0.2}, {0.3, 1, -1}, {0, -1, 0}})
         for (const int n : {1, 5, 100}) {
@@ -52,9 +53,9 @@ TEST(Picture, EnvironmentCountsEveryClampedSample) {
           s.cull = Cull::Back;
           s.light = {.Ia = 0.1, .Ip = 1, .kd = 0.3, .ks = 0.9, .n = n, .light = towards};
           s.table = {.shades = 2, .low = 1 - 0x1p-30};
-          const IndexImage image = painted(picture, s);
-          const auto full = std::ranges::count(image.pixels, picture.table().cell(1.0));
-          ASSERT_EQ(picture.saturated(), full) << form.name << ", n " << n;
+          const IndexImage image = painted(pictures, s);
+          const auto full = std::ranges::count(image.pixels, pictures.last().table().cell(1.0));
+          ASSERT_EQ(pictures.last().saturated(), full) << form.name << ", n " << n;
           ++(full > 0 ? some : none);
         }
   EXPECT_GT(some, 30);
@@ -63,19 +64,19 @@ TEST(Picture, EnvironmentCountsEveryClampedSample) {
 
 // At full intensity nothing is shaded, and a light changed meanwhile is not forgotten.
 TEST(Picture, FullIntensityShadesNothing) {
-  Picture picture{readScene("teapot", 3)};
+  PictureCache pictures{readScene("teapot", 3)};
   PictureSettings s = small();
-  painted(picture, s);
+  painted(pictures, s);
   s.shading = Shading::Full;
   s.light.kd = 0.2;
-  painted(picture, s);
+  painted(pictures, s);
   s.shading = Shading::Flat;
-  Picture fresh{readScene("teapot", 3)};
-  EXPECT_EQ(painted(picture, s), painted(fresh, s));
-  Picture full{readScene("teapot", 3)};
+  PictureCache fresh{readScene("teapot", 3)};
+  EXPECT_EQ(painted(pictures, s), painted(fresh, s));
+  PictureCache full{readScene("teapot", 3)};
   s.shading = Shading::Full;
   painted(full, s);
-  EXPECT_TRUE(full.shading().shades(0).I.empty());
+  EXPECT_TRUE(full.last().shading().intensities(0).I.empty());
 }
 
 // No lights, materials, normals or methods make a cell that is not on the ramp: no NaN, no infinity, nothing
@@ -110,7 +111,7 @@ TEST(Picture, EveryCellIsOnTheRamp) {
       if (k == 0) light.position = scene.mesh.points[5];  // exactly at the surface
       scene.light.lights.push_back(light);
     }
-    Picture picture{std::move(scene)};
+    PictureCache pictures{std::move(scene)};
     PictureSettings s = small();
     s.shading = kShadings[rng() % kShadings.size()].id;
     s.normals = kNormalRules[rng() % 5].id;
@@ -121,9 +122,9 @@ TEST(Picture, EveryCellIsOnTheRamp) {
     s.polygons = kPolygons[rng() % 2].id;
     s.order = kOrders[rng() % 5].id;
     s.table = {.kind = kTables[rng() % 3].id, .shades = rng() % 2 ? 2 : 240, .I0 = rng() % 2 ? 1e-6 : 0.5};
-    if (trial % 7 == 0) s.camera.eye = picture.scene().mesh.points[9];  // in the surface
-    const IndexImage image = painted(picture, s);
-    const int first = picture.table().first(), end = first + picture.table().shades();
+    if (trial % 7 == 0) s.camera.eye = pictures.scene().mesh.points[9];  // in the surface
+    const IndexImage image = painted(pictures, s);
+    const int first = pictures.last().table().first(), end = first + pictures.last().table().shades();
     for (const std::uint8_t cell : image.pixels) {
       ASSERT_TRUE(cell == 8 || (cell >= first && cell < end)) << int{cell};
       shown += cell != 8;
@@ -142,30 +143,31 @@ TEST(Picture, DepthUsesTheWholeRange) {
     const int corners[] = {first, first + 2, first + 3, first + 1};
     m.addFace(corners, 0);
   }
-  Picture picture{makeScene("steps", m, UpAxis::Y)};
+  PictureCache pictures{makeScene("steps", m, UpAxis::Y)};
   PictureSettings s = small();
   s.shading = Shading::Depth;
   s.camera.eye = glm::dvec3{0.25, 0, 8};
   s.camera.lookAt = glm::dvec3{0.25, 0, 0};
   s.table.shades = 5;
-  painted(picture, s);
-  const int first = picture.table().first();
-  EXPECT_EQ(picture.cells(), (std::vector<std::uint8_t>{std::uint8_t(first), std::uint8_t(first + 1),
-                                                        std::uint8_t(first + 4)}));
+  painted(pictures, s);
+  const int first = pictures.last().table().first();
+  EXPECT_EQ(pictures.last().cells(), (std::vector<std::uint8_t>{std::uint8_t(first), std::uint8_t(first + 1),
+                                                                std::uint8_t(first + 4)}));
 }
 
 // Hues share the table's shades where nothing is lit, too; more hues than there are pairs of shades are
 // refused.
 TEST(Picture, HuesWithoutLightAndTooManyOfThem) {
-  Picture hues{readScene("hues")};
+  PictureCache hues{readScene("hues")};
   PictureSettings s = small();
   s.colors = ColorPlan::Hues;
   for (const Shading shading : {Shading::Full, Shading::Depth, Shading::Flat}) {
     s.shading = shading;
     const IndexImage image = painted(hues, s);
-    EXPECT_EQ(hues.colors().plan(), ColorPlan::Hues);
-    EXPECT_GT(hues.colors().tables().size(), 5u);
-    EXPECT_GE(std::set(image.pixels.begin(), image.pixels.end()).size(), hues.colors().tables().size());
+    EXPECT_EQ(hues.last().colors().plan(), ColorPlan::Hues);
+    EXPECT_GT(hues.last().colors().tables().size(), 5u);
+    EXPECT_GE(std::set(image.pixels.begin(), image.pixels.end()).size(),
+              hues.last().colors().tables().size());
   }
   Scene many = makeScene("many", sphere(24, 12), UpAxis::Z);
   for (int k = 0; k < 121; ++k) {
@@ -173,11 +175,11 @@ TEST(Picture, HuesWithoutLightAndTooManyOfThem) {
     many.mesh.material[k] = k;
   }
   std::ranges::replace(many.mesh.material, -1, 0);
-  Picture picture{std::move(many)};
-  EXPECT_THROW(picture.make(s), ViewError);
+  PictureCache pictures{std::move(many)};
+  EXPECT_THROW(pictures.make(s), ViewError);
   s.colors = ColorPlan::Needed;
-  EXPECT_NO_THROW(picture.make(s));
-  EXPECT_EQ(picture.colors().plan(), ColorPlan::Chosen);
+  EXPECT_NO_THROW(pictures.make(s));
+  EXPECT_EQ(pictures.last().colors().plan(), ColorPlan::Chosen);
 }
 
 }  // namespace xnewell

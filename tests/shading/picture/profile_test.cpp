@@ -7,6 +7,7 @@
 #include <cmath>
 
 #include "geometry/model/solids.h"
+#include "shading/picture/picture_cache.h"
 #include "tests/bench/triangulated.h"
 
 namespace xnewell {
@@ -25,13 +26,13 @@ PictureSettings wide(int width) {
 
 /// The scanline of a ball of triangles, and which of its faces each pixel shows.
 struct BallLine {
-  Picture picture{makeScene("ball", triangulated(sphere(14, 9)), UpAxis::Z)};
   Scanline line;
   std::vector<int> faces;
 
   explicit BallLine(int width) {
     const PictureSettings s = wide(width);
-    line = scanlineOf(picture, s, s.height / 2, 8);
+    const Picture picture = makePicture(makeScene("ball", triangulated(sphere(14, 9)), UpAxis::Z), s);
+    line = scanlineOf(picture, s.height / 2, 8);
     faces = picture.seen(line.row, line.row + 1).faces;
   }
   [[nodiscard]] const Profile& of(Shading method) const {
@@ -127,19 +128,19 @@ TEST(Profile, CountsBandsThatStandOut) {
 // their normals are averaged, but not if a crease parts them.
 TEST(Profile, CountsWithinOneSurface) {
   PictureSettings s = wide(300);
-  Picture tori{readScene("tori")};
+  PictureCache tori{readScene("tori")};
   s.camera = inSceneUnits(completed({}, tori.scene().camera), tori.scene());
-  const Scanline both = scanlineOf(tori, s, 75, 8);
+  const Scanline both = scanlineOf(tori.make(s), 75, 8);
   EXPECT_GE(both.edges, 1);
   for (const Profile& p : both.profiles)
     for (const double slope : p.slope) EXPECT_TRUE(std::isnan(slope) || std::abs(slope) < 0.4);
 
-  Picture box{makeScene("box", cube(), UpAxis::Z)};
+  PictureCache box{makeScene("box", cube(), UpAxis::Z)};
   s.camera = {};
   s.camera.eye = glm::dvec3{3, -2, 1};
-  EXPECT_EQ(scanlineOf(box, s, 75, 8).edges, 0);
+  EXPECT_EQ(scanlineOf(box.make(s), 75, 8).edges, 0);
   s.crease = 30;
-  const Scanline creased = scanlineOf(box, s, 75, 8);
+  const Scanline creased = scanlineOf(box.make(s), 75, 8);
   EXPECT_EQ(creased.edges, 1);
   EXPECT_EQ(creased.profiles[0].largestJump, 0.0);
 }
@@ -151,13 +152,12 @@ TEST(Profile, TheTwoSidesAreTwoSurfaces) {
   tube.points = {{-1, -1, 0}, {1, -1, 0}, {0, 1, 0}, {-1, -1, 1}, {1, -1, 1}, {0, 1, 1}};
   for (const auto& wall : {std::array{0, 1, 4, 3}, std::array{1, 2, 5, 4}, std::array{2, 0, 3, 5}})
     tube.addFace(wall, 0);
-  Picture picture{makeScene("tube", tube, UpAxis::Z)};
   PictureSettings s = wide(300);
   s.camera.eye = glm::dvec3{2, -3, 4};
+  const Picture picture = makePicture(makeScene("tube", tube, UpAxis::Z), s);
   int edges = 0, samples = 0;
   for (int row = 0; row < s.height; ++row) {
-    const Scanline line = scanlineOf(picture, s, row, 8);
-    picture.make(s);
+    const Scanline line = scanlineOf(picture, row, 8);
     const std::vector<int> seen = picture.seen(row, row + 1).faces;
     int sides = 0;  // neighbours of which one shows its front and one its back
     for (std::size_t i = 1; i < seen.size(); ++i)
@@ -170,18 +170,15 @@ TEST(Profile, TheTwoSidesAreTwoSurfaces) {
   EXPECT_GT(samples, 500);
 }
 
-// The strip is the picture's row, and the picture keeps the method that was asked for.
+// The strip is the row of the method's picture, whatever method the given picture is in.
 TEST(Profile, ShowsTheRowOfEachMethod) {
-  Picture picture{readScene("teapot", 4)};
+  PictureCache pictures{readScene("teapot", 4)};
   PictureSettings s = wide(200);
   s.shading = Shading::Gouraud;
-  const Scanline line = scanlineOf(picture, s, 60, 8);
-  EXPECT_EQ(picture.settings(), s);
+  const Scanline line = scanlineOf(pictures.make(s), 60, 8);
   for (const Profile& p : line.profiles) {
     s.shading = p.method;
-    picture.make(s);
-    IndexImage image;
-    picture.paint(image, 8);
+    const IndexImage image = pictures.make(s, 8).image();
     EXPECT_TRUE(std::equal(p.cells.begin(), p.cells.end(), image.row(60), image.row(61)));
   }
   EXPECT_NE(line.profiles[0].cells, line.profiles[1].cells);
@@ -193,13 +190,12 @@ TEST(Profile, DefaultScanlineShowsSomething) {
   m.points = {{-1, 0.5, 0}, {1, 0.5, 0}, {0, 0.9, 0}};
   const int triangle[] = {0, 1, 2};
   m.addFace(triangle, 0);
-  Picture above{makeScene("above", m, UpAxis::Y)};
   PictureSettings s = wide(100);
   s.camera.parallel = true;
   s.camera.eye = glm::dvec3{0, 0, 3};
   s.camera.lookAt = glm::dvec3{0};
   s.camera.height = 1.0;  // of the mesh's units: the triangle spans rows 0 to ...
-  above.make(s);
+  const Picture above = makePicture(makeScene("above", m, UpAxis::Y), s);
   const SeenRows middle = above.seen(25, 26);
   const SeenRows chosen = above.seen(defaultScanline(above), defaultScanline(above) + 1);
   const auto shown = [](const SeenRows& r) {
@@ -207,9 +203,7 @@ TEST(Profile, DefaultScanlineShowsSomething) {
   };
   EXPECT_EQ(shown(middle), 0);
   EXPECT_GT(shown(chosen), 10);
-  Picture teapot{readScene("teapot", 3)};
-  teapot.make(wide(100));
-  EXPECT_EQ(defaultScanline(teapot), 25);
+  EXPECT_EQ(defaultScanline(makePicture(readScene("teapot", 3), wide(100))), 25);
 }
 
 }  // namespace xnewell

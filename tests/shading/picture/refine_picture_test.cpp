@@ -6,6 +6,8 @@
 #include <vector>
 
 #include "shading/light/refine.h"
+#include "shading/picture/exactness.h"
+#include "shading/picture/picture_cache.h"
 #include "tests/support/lit_floor.h"
 #include "tests/support/lit_solids.h"
 #include "tests/support/painted_picture.h"
@@ -25,23 +27,23 @@ TEST(RefinePicture, CoversEachSampleAsBefore) {
     s.width = 240, s.height = 180;
     s.shading = kMethods[seed / 5 % 2];
     const bool soup = seed % 7 == 6;
-    Picture picture{litAtRandom(soup ? triangleSoup(20, 0.5, seed) : solid(seed), s.light, seed)};
+    PictureCache pictures{litAtRandom(soup ? triangleSoup(20, 0.5, seed) : solid(seed), s.light, seed)};
     s.camera.parallel = seed % 3 == 0;
-    picture.make(s);
-    s.camera = moved(s.camera, picture.camera(), 17.0 * seed, 7.0 * seed - 100, 1.3);
-    picture.make(s);
-    const std::vector<int> before = timesPainted(picture.snapped(), s.width, s.height);
-    const int polygons = picture.snapped().polygons;
+    pictures.make(s);
+    s.camera = moved(s.camera, pictures.last().camera(), 17.0 * seed, 7.0 * seed - 100, 1.3);
+    pictures.make(s);
+    const std::vector<int> before = timesPainted(pictures.last().snapped(), s.width, s.height);
+    const int polygons = pictures.last().snapped().polygons;
     s.adapt = 0.05;
-    picture.make(s);
-    ASSERT_EQ(timesPainted(picture.snapped(), s.width, s.height), before);
+    pictures.make(s);
+    ASSERT_EQ(timesPainted(pictures.last().snapped(), s.width, s.height), before);
     for (const int n : before) {
       if (!soup) {
         ASSERT_EQ(n % 2, 0);
       }
       samples += n > 0;
     }
-    more += picture.snapped().polygons - polygons;
+    more += pictures.last().snapped().polygons - polygons;
   }
   EXPECT_GT(samples, 300'000);
   EXPECT_GT(more, 5'000);
@@ -65,12 +67,12 @@ TEST(RefinePicture, PaintsWhatPixelsShow) {
       }
       PictureSettings s = fromAbove(scene, Shading::Phong);
       s.table.kind = TableKind::Linear;
-      Picture picture{scene};
-      const IndexImage exact = painted(picture, s);
+      PictureCache pictures{scene};
+      const IndexImage exact = painted(pictures, s);
       const auto farOff = [&](double adapt) {
         s.shading = method;
         s.adapt = adapt;
-        const IndexImage image = painted(picture, s);
+        const IndexImage image = painted(pictures, s);
         int count = 0;
         for (std::size_t k = 0; k < image.pixels.size(); ++k)
           count += std::abs(image.pixels[k] - exact.pixels[k]) > 240 * kTolerance + 1;
@@ -95,23 +97,23 @@ TEST(RefinePicture, KeepsFacesAndOrder) {
       PictureSettings s;
       s.width = 320, s.height = 240;
       s.shading = method;
-      Picture plain{scene};
+      PictureCache plain{scene};
       plain.make(s);
-      const glm::dvec3 eye = plain.camera().eye;
+      const glm::dvec3 eye = plain.last().camera().eye;
       scene.light.lights = {
           {.kind = LightKind::Spot, .direction = centre - eye, .position = eye, .inner = 3, .outer = 6}};
-      Picture picture{scene};
-      picture.make(s);
-      const std::vector<std::uint32_t> ids = picture.faceImage();
-      const int polygons = picture.snapped().polygons;
+      PictureCache pictures{scene};
+      pictures.make(s);
+      const std::vector<std::uint32_t> ids = pictures.last().faceImage();
+      const int polygons = pictures.last().snapped().polygons;
       s.adapt = 0.05;
-      const IndexImage image = painted(picture, s);
-      EXPECT_EQ(picture.faceImage(), ids);
-      EXPECT_EQ(picture.exactness().wrong, 0);
-      samples += picture.exactness().samples;
-      divided += picture.snapped().polygons > polygons;
+      const IndexImage image = painted(pictures, s);
+      EXPECT_EQ(pictures.last().faceImage(), ids);
+      EXPECT_EQ(exactnessOf(pictures.last()).wrong, 0);
+      samples += exactnessOf(pictures.last()).samples;
+      divided += pictures.last().snapped().polygons > polygons;
       s.order = Order::Oracle;
-      EXPECT_EQ(painted(picture, s), image);
+      EXPECT_EQ(painted(pictures, s), image);
     }
   EXPECT_EQ(divided, 8);
   EXPECT_GT(samples, 100'000);
@@ -124,7 +126,7 @@ TEST(RefinePicture, IsMadeAgainWhenItMust) {
   std::mt19937 rng{1984};
   PictureSettings s = withHighlight(fromAbove(underSpot(floorOf(3)), Shading::Gouraud));
   s.width = s.height = 100;
-  Picture kept{underSpot(floorOf(3))};
+  PictureCache kept{underSpot(floorOf(3))};
   int divided = 0;
   for (int trial = 0; trial < 150; ++trial) {
     SCOPED_TRACE(trial);
@@ -139,7 +141,7 @@ TEST(RefinePicture, IsMadeAgainWhenItMust) {
         s.light.kd = static_cast<double>(rng() % 100) / 100;
         break;
       case 3:
-        s.camera = moved(s.camera, kept.camera(), 20, 3, 1.02);
+        s.camera = moved(s.camera, kept.last().camera(), 20, 3, 1.02);
         break;
       case 4:
         s.light.ks = rng() % 2 ? 0.5 : 0.0;
@@ -151,13 +153,13 @@ TEST(RefinePicture, IsMadeAgainWhenItMust) {
         s.order = kOrders[rng() % 4].id;
     }
     const IndexImage image = painted(kept, s);
-    Picture fresh{underSpot(floorOf(3))};
+    PictureCache fresh{underSpot(floorOf(3))};
     ASSERT_EQ(image, painted(fresh, s));
     const bool asked = s.adapt > 0 && (s.shading == Shading::Flat || s.shading == Shading::Gouraud);
-    ASSERT_EQ(kept.shading().refined().has_value(), asked);
+    ASSERT_EQ(kept.last().shading().refined().has_value(), asked);
     if (asked) {
-      ASSERT_EQ(kept.snapped().polygons, kept.shading().refined()->parts.count());
-      divided += kept.snapped().polygons > 9;
+      ASSERT_EQ(kept.last().snapped().polygons, kept.last().shading().refined()->parts.count());
+      divided += kept.last().snapped().polygons > 9;
     }
   }
   EXPECT_GT(divided, 20);
@@ -166,7 +168,7 @@ TEST(RefinePicture, IsMadeAgainWhenItMust) {
   kept.make(s);
   s.table.kind = TableKind::Brief;
   kept.make(s);
-  EXPECT_EQ(kept.times().transform, 0);
+  EXPECT_EQ(kept.last().times().transform, 0);
 }
 
 }  // namespace xnewell

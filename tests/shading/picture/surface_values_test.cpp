@@ -8,7 +8,7 @@
 
 #include "depthsort/oracle.h"
 #include "geometry/model/solids.h"
-#include "shading/picture/picture.h"
+#include "shading/picture/picture_cache.h"
 
 namespace xnewell {
 
@@ -69,19 +69,20 @@ TEST(SurfaceValues, AreTheEquationAtEverySample) {
        {Case{Shading::Flat, {}}, Case{Shading::Gouraud, {}},
         Case{Shading::Phong, TextureMapping::Perspective}, Case{Shading::Phong, TextureMapping::Affine}}) {
     SCOPED_TRACE(rowOf(shading).name);
-    Picture ball{makeScene("ball", sphere(18, 9), UpAxis::Z)};
+    PictureCache ball{makeScene("ball", sphere(18, 9), UpAxis::Z)};
     PictureSettings s = small(shading);
     s.light.constantV = true;
     s.mapping = mapping;
     s.camera.fov = 70;
     ball.make(s);
-    const glm::dvec3 L = normalize(s.light.light), V = normalize(ball.camera().eye - ball.camera().lookAt);
-    const SeenRows seen = ball.seen(0, s.height);
-    const std::vector<double> I = ball.intensities(seen);
-    const std::vector<glm::dvec3> N = ball.normals(seen);
-    Picture corners{makeScene("ball", sphere(18, 9), UpAxis::Z)};
+    const glm::dvec3 L = normalize(s.light.light),
+                     V = normalize(ball.last().camera().eye - ball.last().camera().lookAt);
+    const SeenRows seen = ball.last().seen(0, s.height);
+    const std::vector<double> I = ball.last().intensities(seen);
+    const std::vector<glm::dvec3> N = ball.last().normals(seen);
+    PictureCache corners{makeScene("ball", sphere(18, 9), UpAxis::Z)};
     corners.make(small(Shading::Phong));
-    const Vertices& vertices = corners.shading().vertices();
+    const Vertices& vertices = corners.last().shading().vertices();
     double lowest = 1, highest = 0;
     int samples = 0;
     for (int j = 0; j < s.height; ++j)
@@ -89,8 +90,8 @@ TEST(SurfaceValues, AreTheEquationAtEverySample) {
         const std::size_t k = std::size_t(j) * s.width + i;
         ASSERT_EQ(std::isnan(I[k]), seen.faces[k] == kNothing);
         if (seen.faces[k] == kNothing) continue;
-        const SnappedFace& face = ball.snapped().faces[seen.faces[k]];
-        const Place place = placeIn(ball.snapped(), face, i, j);
+        const SnappedFace& face = ball.last().snapped().faces[seen.faces[k]];
+        const Place place = placeIn(ball.last().snapped(), face, i, j);
         double mean = 0;
         glm::dvec3 normal{0};
         for (int c = 0; c < 3; ++c) {
@@ -98,9 +99,9 @@ TEST(SurfaceValues, AreTheEquationAtEverySample) {
           mean += place.share[c] * equation(s.light, corner, L, V);
           const glm::dvec3& at = ball.scene().mesh.points[ball.scene().mesh.corners[place.corner[c]]];
           const bool onSurface = shading == Shading::Phong && mapping == TextureMapping::Perspective;
-          normal += place.share[c] / (onSurface ? dot(ball.camera().eye - at, V) : 1.0) * corner;
+          normal += place.share[c] / (onSurface ? dot(ball.last().camera().eye - at, V) : 1.0) * corner;
         }
-        if (shading == Shading::Flat) normal = ball.shading().points().N[face.number];
+        if (shading == Shading::Flat) normal = ball.last().shading().points().N[face.number];
         normal = normalize(normal);
         const double expected = shading == Shading::Gouraud ? mean : equation(s.light, normal, L, V);
         ASSERT_NEAR(I[k], expected, 1e-9) << i << ", " << j;
@@ -119,15 +120,13 @@ TEST(SurfaceValues, ArePaintedToHalfAShade) {
   for (const ShadingRow& row : kShadings)
     for (const Polygons polygons : {Polygons::Triangles, Polygons::Rows}) {
       SCOPED_TRACE(row.name);
-      Picture teapot{readScene("teapot", 3)};
+      PictureCache teapot{readScene("teapot", 3)};
       PictureSettings s = small(row.id);
       s.polygons = polygons;
-      teapot.make(s);
-      IndexImage image;
-      teapot.paint(image, 8);
-      const SeenRows seen = teapot.seen(0, s.height);
-      const std::vector<double> I = teapot.intensities(seen);
-      const ColorTable& table = teapot.table();
+      const IndexImage image = teapot.make(s, 8).image();
+      const SeenRows seen = teapot.last().seen(0, s.height);
+      const std::vector<double> I = teapot.last().intensities(seen);
+      const ColorTable& table = teapot.last().table();
       int samples = 0, off = 0;
       for (std::size_t k = 0; k < I.size(); ++k) {
         if (seen.faces[k] == kNothing) continue;
@@ -143,7 +142,7 @@ TEST(SurfaceValues, ArePaintedToHalfAShade) {
 // Any rows have the values of the whole picture there, and pieces have the values of their faces: the depth
 // sort's picture equals the oracle's.
 TEST(SurfaceValues, DependOnTheSampleAlone) {
-  Picture split{readScene("penetrate")}, whole{readScene("penetrate")};
+  PictureCache split{readScene("penetrate")}, whole{readScene("penetrate")};
   for (const ShadingRow& row : kShadings) {
     SCOPED_TRACE(row.name);
     PictureSettings s = small(row.id);
@@ -151,16 +150,17 @@ TEST(SurfaceValues, DependOnTheSampleAlone) {
     split.make(s);
     s.order = Order::Oracle;
     whole.make(s);
-    ASSERT_GT(split.sorted().statistics.splits, 0);
+    ASSERT_GT(split.last().sorted().statistics.splits, 0);
     const auto same = [](const std::vector<double>& a, const std::vector<double>& b) {
       return std::ranges::equal(a, b, [](double x, double y) { return x == y || (x != x && y != y); });
     };
-    const std::vector<double> all = whole.intensities(whole.seen(0, s.height));
+    const std::vector<double> all = whole.last().intensities(whole.last().seen(0, s.height));
     EXPECT_GT(std::ranges::count_if(all, [](double v) { return v > 0; }), 1000);
-    EXPECT_TRUE(same(split.intensities(split.seen(0, s.height)), all));
-    EXPECT_EQ(split.normals(split.seen(0, s.height)), whole.normals(whole.seen(0, s.height)));
+    EXPECT_TRUE(same(split.last().intensities(split.last().seen(0, s.height)), all));
+    EXPECT_EQ(split.last().normals(split.last().seen(0, s.height)),
+              whole.last().normals(whole.last().seen(0, s.height)));
     for (const int j : {0, 59, 119})
-      EXPECT_TRUE(same(split.intensities(split.seen(j, j + 1)),
+      EXPECT_TRUE(same(split.last().intensities(split.last().seen(j, j + 1)),
                        {all.begin() + j * s.width, all.begin() + (j + 1) * s.width}));
   }
 }

@@ -9,7 +9,7 @@
 
 #include "geometry/files/text_file.h"
 #include "geometry/model/vertex_normals.h"
-#include "shading/picture/picture.h"
+#include "shading/picture/picture_cache.h"
 #include "shading/scene/scene_file.h"
 
 namespace xnewell {
@@ -22,23 +22,25 @@ const std::filesystem::path kScenes = std::filesystem::path{XNEWELL_DATA_DIR} / 
 constexpr int kWidth = 400, kHeight = 300;
 constexpr int kGround = 255;  ///< belongs to no ramp
 
-/// A picture as the scene asks for it, except for what `change` changes.
+PictureSettings settingsOf(const Scene& scene, const std::function<void(PictureSettings&)>& change) {
+  PictureSettings settings = scene.settings;
+  settings.camera = inSceneUnits(scene.camera, scene);
+  settings.width = kWidth;
+  settings.height = kHeight;
+  if (change) change(settings);
+  return settings;
+}
+
+/// A picture as the scene asks for it, but for what `change` does.
 struct Drawn {
   Picture picture;
   IndexImage image;
   std::vector<std::uint32_t> faces;  ///< face number + 1 at each sample
 
-  explicit Drawn(Scene scene, const std::function<void(PictureSettings&)>& change = {})
-      : picture{std::move(scene)} {
-    PictureSettings settings = picture.scene().settings;
-    settings.camera = inSceneUnits(picture.scene().camera, picture.scene());
-    settings.width = kWidth;
-    settings.height = kHeight;
-    if (change) change(settings);
-    picture.make(settings);
-    picture.paint(image, kGround);
-    faces = picture.faceImage();
-  }
+  explicit Drawn(const Scene& scene, const std::function<void(PictureSettings&)>& change = {})
+      : picture{makePicture(scene, settingsOf(scene, change), kGround)},
+        image{picture.image()},
+        faces{picture.faceImage()} {}
   explicit Drawn(const std::string& name, const std::function<void(PictureSettings&)>& change = {})
       : Drawn{readScene(name), change} {}
 

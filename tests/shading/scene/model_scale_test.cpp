@@ -7,6 +7,7 @@
 #include <numeric>
 
 #include "geometry/model/solids.h"
+#include "shading/picture/picture_cache.h"
 #include "tests/support/doubt.h"
 #include "tests/support/model_view.h"
 #include "tests/support/painted.h"
@@ -43,10 +44,8 @@ CameraSettings scaled(CameraSettings c, int k) {
 IndexImage imageOf(const Scene& scene, PictureSettings s, int k) {
   s.camera = inSceneUnits(scaled(s.camera, k), scene);
   s.light.lightPosition = inSceneUnits(scaled(glm::dvec3{-3, 2, 5}, k), scene);
-  Picture picture{scene};
-  picture.make(s);
-  IndexImage image;
-  picture.paint(image, 0);
+  PictureCache pictures{scene};
+  const IndexImage image = pictures.make(s, 0).image();
   return image;
 }
 
@@ -243,18 +242,19 @@ TEST(ModelScale, PermutedFacesShowTheSame) {
   for (const BuiltInScene& builtIn : builtInScenes()) {
     SCOPED_TRACE(builtIn.name);
     const Scene scene = readScene(builtIn.name, 4);
-    Picture picture{scene};
+    PictureCache pictures{scene};
     for (unsigned seed = 0; seed < 16; ++seed) {
       SCOPED_TRACE(seed);
       std::vector<int> order(scene.mesh.faceCount());
       std::iota(order.begin(), order.end(), 0);
       std::shuffle(order.begin(), order.end(), std::mt19937{seed});
-      Picture permuted{makeScene("permuted", permutedFaces(scene.mesh, order), scene.up)};
+      PictureCache permuted{makeScene("permuted", permutedFaces(scene.mesh, order), scene.up)};
       const PictureSettings s = randomView(scene, seed, kWidth, kHeight);
-      picture.make(s);
+      pictures.make(s);
       permuted.make(s);
-      const std::vector<std::uint32_t> shown = picture.faceImage(), other = permuted.faceImage();
-      const SnappedScene& snapped = picture.snapped();
+      const std::vector<std::uint32_t> shown = pictures.last().faceImage(),
+                                       other = permuted.last().faceImage();
+      const SnappedScene& snapped = pictures.last().snapped();
       const std::vector<int> seen = visibleFaces(snapped, kWidth, kHeight);
       std::vector<char> either = doubtful(snapped, seen, kWidth, kHeight);
       forEachSample(snapped, kWidth, kHeight, [&](int k, int f) {
@@ -269,7 +269,7 @@ TEST(ModelScale, PermutedFacesShowTheSame) {
           ASSERT_EQ(shown[k], other[k] == 0 ? 0 : 1u + order[other[k] - 1]);
           certain += shown[k] != 0;
         }
-      splits += permuted.sorted().statistics.splits;
+      splits += permuted.last().sorted().statistics.splits;
     }
   }
   EXPECT_GT(certain, 300'000);
@@ -286,12 +286,12 @@ TEST(ModelScale, ExtremeCoordinatesAgreeWithTheOracle) {
     for (unsigned seed = 0; seed < 24; ++seed) {
       SCOPED_TRACE(seed);
       std::mt19937 rng{seed};
-      Picture picture{makeScene("extreme", extreme.make(rng), UpAxis::Z)};
-      PictureSettings s = randomView(picture.scene(), seed, kWidth, kHeight);
+      PictureCache pictures{makeScene("extreme", extreme.make(rng), UpAxis::Z)};
+      PictureSettings s = randomView(pictures.scene(), seed, kWidth, kHeight);
       if (seed % 5 == 4) s.camera = {};
-      picture.make(s);
-      samples += agreeing(picture);
-      splits += picture.sorted().statistics.splits;
+      pictures.make(s);
+      samples += agreeing(pictures.last());
+      splits += pictures.last().sorted().statistics.splits;
     }
     EXPECT_GT(samples, 3'000);
     EXPECT_GT(splits, 0);
@@ -309,7 +309,7 @@ TEST(ModelScale, FacesThroughTheEyesPlaneAgreeWithTheOracle) {
     Mesh mesh = soup(rng);
     for (int f = 0; f < mesh.faceCount(); f += 5)
       for (const int corner : mesh.face(f)) mesh.points[corner] *= glm::dvec3{1e5, 1e5, 1.0};
-    Picture picture{makeScene("wide", mesh, UpAxis::Z)};
+    PictureCache pictures{makeScene("wide", mesh, UpAxis::Z)};
     PictureSettings s;
     s.width = kWidth;
     s.height = kHeight;
@@ -317,16 +317,16 @@ TEST(ModelScale, FacesThroughTheEyesPlaneAgreeWithTheOracle) {
     s.camera.lookAt = glm::dvec3{0.0};
     s.camera.up = glm::dvec3{0.3, 0.2, 0.9};
     s.camera.fov = 60;
-    s.camera = inSceneUnits(s.camera, picture.scene());
+    s.camera = inSceneUnits(s.camera, pictures.scene());
     s.camera.front = 0.9 * glm::length(*s.camera.eye);
-    picture.make(s);
-    samples += agreeing(picture);
-    splits += picture.sorted().statistics.splits;
-    for (const SnappedFace& face : picture.snapped().faces) {
+    pictures.make(s);
+    samples += agreeing(pictures.last());
+    splits += pictures.last().sorted().statistics.splits;
+    for (const SnappedFace& face : pictures.last().snapped().faces) {
       int left = std::numeric_limits<int>::max(), right = -left;
       for (int v = face.first; v < face.first + face.count; ++v) {
-        left = std::min(left, picture.snapped().vertices[v].x);
-        right = std::max(right, picture.snapped().vertices[v].x);
+        left = std::min(left, pictures.last().snapped().vertices[v].x);
+        right = std::max(right, pictures.last().snapped().vertices[v].x);
       }
       wide += right - left >= kMaxPicture * kGrid;  // the guard band cuts off the rest
     }

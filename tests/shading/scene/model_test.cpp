@@ -1,5 +1,6 @@
 #include <gtest/gtest.h>
 
+#include "shading/picture/picture_cache.h"
 #include "tests/support/doubt.h"
 #include "tests/support/model_view.h"
 #include "tests/support/painted.h"
@@ -26,19 +27,20 @@ TEST(Model, PaintsWhatTheOracleSees) {
   std::array<Tally, kSeen.size()> tallies;
   for (const BuiltInScene& scene : builtInScenes()) {
     SCOPED_TRACE(scene.name);
-    Picture picture{readScene(scene.name, 6)};
+    PictureCache pictures{readScene(scene.name, 6)};
     for (unsigned seed = seeds.from; seed < seeds.end; ++seed) {
       SCOPED_TRACE(seed);
       Tally& tally = tallies[seed % kSeen.size()];
-      picture.make(randomView(picture.scene(), seed, kWidth, kHeight));
-      const SnappedScene& snapped = picture.snapped();
+      pictures.make(randomView(pictures.scene(), seed, kWidth, kHeight));
+      const SnappedScene& snapped = pictures.last().snapped();
       tally.culled += snapped.culled;
       tally.clipped += snapped.outside;
       const std::vector<int> seen = visibleFaces(snapped, kWidth, kHeight);
       const std::vector<char> doubt = doubtful(snapped, seen, kWidth, kHeight);
       for (const bool textbook : {false, true}) {
         SCOPED_TRACE(textbook ? "textbook" : "quick");
-        const SortedScene sorted = textbook ? depthSort(snapped, {kWidth, kHeight, true}) : picture.sorted();
+        const SortedScene sorted =
+            textbook ? depthSort(snapped, {kWidth, kHeight, true}) : pictures.last().sorted();
         const std::vector<int> shown = painted(snapped, sorted, kWidth, kHeight);
         for (int k = 0; k < kWidth * kHeight; ++k) {
           if (shown[k] != seen[k]) {
@@ -73,17 +75,17 @@ TEST(Model, WhatIsNearTheEyeLeavesNoDoubtAboutTheRest) {
   long samples = 0, near = 0, splits = 0;
   for (const char* name : {"penetrate", "crossing-sheets"}) {
     SCOPED_TRACE(name);
-    Picture picture{readScene(name)};
+    PictureCache pictures{readScene(name)};
     for (unsigned seed = static_cast<unsigned>(Seen::Inside); seed < 400; seed += kSeen.size()) {
       SCOPED_TRACE(seed);
-      PictureSettings s = randomView(picture.scene(), seed, kWidth, kHeight);
+      PictureSettings s = randomView(pictures.scene(), seed, kWidth, kHeight);
       s.cull = Cull::Keep;
-      picture.make(s);
-      const SnappedScene& snapped = picture.snapped();
+      pictures.make(s);
+      const SnappedScene& snapped = pictures.last().snapped();
       const std::vector<int> seen = visibleFaces(snapped, kWidth, kHeight);
-      EXPECT_EQ(painted(snapped, picture.sorted(), kWidth, kHeight), seen);
+      EXPECT_EQ(painted(snapped, pictures.last().sorted(), kWidth, kHeight), seen);
       samples += std::ranges::count_if(seen, [](int face) { return face != kNothing; });
-      splits += picture.sorted().statistics.splits;
+      splits += pictures.last().sorted().statistics.splits;
       near += std::ranges::count_if(snapped.faces, [&](const SnappedFace& face) {
         const auto first = snapped.vertices.begin() + face.first;
         return std::any_of(first, first + face.count,
@@ -104,29 +106,26 @@ TEST(Model, PiecesHaveTheColorOfTheirFace) {
   std::vector<int> colors(256, 0);
   for (const char* name : {"teapot", "tori", "cycle", "pinwheels", "slivers"}) {
     SCOPED_TRACE(name);
-    Picture newell{readScene(name, 6)}, oracle{newell.scene()};
+    PictureCache newell{readScene(name, 6)}, oracle{newell.scene()};
     for (const ShadingRow& shading : kShadings)
       for (unsigned seed = seeds.from; seed < seeds.end; ++seed) {
         SCOPED_TRACE(seed);
         PictureSettings s = randomView(newell.scene(), seed, kWidth, kHeight);
         s.shading = shading.id;
-        newell.make(s);
+        const IndexImage image = newell.make(s, 0).image();
         s.order = Order::Oracle;
-        oracle.make(s);
-        IndexImage image, exact;
-        newell.paint(image, 0);
-        oracle.paint(exact, 0);
-        const SnappedScene& snapped = newell.snapped();
+        const IndexImage exact = oracle.make(s, 0).image();
+        const SnappedScene& snapped = newell.last().snapped();
         const ColorTable table{s.table};
-        const std::vector<std::uint32_t> shown = newell.faceImage(), seen = oracle.faceImage();
-        std::vector<int> face = painted(snapped, newell.sorted(), kWidth, kHeight);
+        const std::vector<std::uint32_t> shown = newell.last().faceImage(), seen = oracle.last().faceImage();
+        std::vector<int> face = painted(snapped, newell.last().sorted(), kWidth, kHeight);
         for (int k = 0; k < kWidth * kHeight; ++k) {
           if (face[k] == kNothing) continue;
           const SnappedFace& f = snapped.faces[face[k]];
           if (shading.id == Shading::Full) {
             ASSERT_EQ(image.pixels[k], table.cell(1.0));
           } else if (shading.id == Shading::Flat) {
-            const FrontBack<double>& I = oracle.shading().intensities(0).I[f.number];
+            const FrontBack<double>& I = oracle.last().shading().intensities(0).I[f.number];
             ASSERT_EQ(image.pixels[k], table.cell(I.seen(f.back)));
           }
           ASSERT_EQ(shown[k], f.number + 1u);
@@ -135,11 +134,12 @@ TEST(Model, PiecesHaveTheColorOfTheirFace) {
           ++same;
           ++colors[image.pixels[k]];
         }
-        for (const Fragment& fragment : newell.sorted().fragments)
+        for (const Fragment& fragment : newell.last().sorted().fragments)
           if (fragment.piece >= 0)
-            forEachSpan(snapped, newell.sorted(), fragment, kWidth, kHeight, [&](int row, int from, int to) {
-              for (int i = from; i < to; ++i) ofPieces += face[row * kWidth + i] == fragment.face;
-            });
+            forEachSpan(snapped, newell.last().sorted(), fragment, kWidth, kHeight,
+                        [&](int row, int from, int to) {
+                          for (int i = from; i < to; ++i) ofPieces += face[row * kWidth + i] == fragment.face;
+                        });
       }
   }
   if (!seeds.all()) return;

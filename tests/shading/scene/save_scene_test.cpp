@@ -6,7 +6,7 @@
 #include <random>
 
 #include "geometry/files/parse_error.h"
-#include "shading/picture/picture.h"
+#include "shading/picture/picture_cache.h"
 #include "shading/scene/scene_file.h"
 #include "tests/support/scene_text.h"
 #include "tests/support/seeds.h"
@@ -103,39 +103,36 @@ TEST(SaveScene, ReadsBackAsItWas) {
 TEST(SaveScene, PaintsTheSamePicture) {
   std::mt19937 rng{7};
   const TemporaryFolder folder;
-  const auto painted = [](Picture& picture, PictureSettings settings) {
+  const auto painted = [](PictureCache& pictures, PictureSettings settings) {
     settings.width = 64, settings.height = 48;
-    picture.make(settings);
-    IndexImage image;
-    picture.paint(image, 0);
-    return image;
+    return pictures.make(settings, 0).image();
   };
   int undivided = 0, shown = 0;
-  const auto expectSame = [&](Picture& picture, const PictureSettings& settings) {
-    const std::string text = savedScene(picture.scene(), settings, folder.path());
+  const auto expectSame = [&](PictureCache& pictures, const PictureSettings& settings) {
+    const std::string text = savedScene(pictures.scene(), settings, folder.path());
     SCOPED_TRACE(text);
-    Picture again{parseSceneFile(text, "saved.json", folder.path(), 8)};
+    PictureCache again{parseSceneFile(text, "saved.json", folder.path(), 8)};
     const PictureSettings back = opened(again.scene());
     ASSERT_EQ(back, settings);
-    const IndexImage image = painted(picture, settings);
+    const IndexImage image = painted(pictures, settings);
     ASSERT_EQ(painted(again, back).pixels, image.pixels);
-    ASSERT_EQ(again.palette(CellPlan{}, {}), picture.palette(CellPlan{}, {}));
-    ASSERT_EQ(again.saturated(), picture.saturated());
+    ASSERT_EQ(again.last().palette(CellPlan{}, {}), pictures.last().palette(CellPlan{}, {}));
+    ASSERT_EQ(again.last().saturated(), pictures.last().saturated());
     undivided += settings.adapt == 0.0;
     shown += std::ranges::count(image.pixels, 0) < std::ssize(image.pixels);
   };
   int drawn = 0, pictures = 0;
   for (const char* name : {"teapot", "colored-lights", "hues", "textured-cube", "spotlight", "lamp"}) {
     SCOPED_TRACE(name);
-    Picture picture{readScene(name, 3)};
+    PictureCache original{readScene(name, 3)};
     // Each row of each table, with the other settings at random, from the scene's own camera.
     const auto each = [&](const auto& rows, auto PictureSettings::*choice) {
       for (const auto& row : rows) {
         PictureSettings settings = randomSettings(rng);
-        settings.camera = inSceneUnits(picture.scene().camera, picture.scene());
+        settings.camera = inSceneUnits(original.scene().camera, original.scene());
         settings.*choice = row.id;
         if (drawn++ % (kSanitized ? 4 : 1) != 0) continue;
-        expectSame(picture, settings);
+        expectSame(original, settings);
         ++pictures;
       }
     };

@@ -223,7 +223,7 @@ TEST(LessonBench, LeavingClosesWhatItOpened) {
   EXPECT_EQ(window.setup(), window.own);
   window.bench.enter();  // at the step that was left
   EXPECT_EQ(window.bench.lesson()->name, "specular");
-  EXPECT_EQ(window.picture->scene().name.find("lesson 3 of "), 0U);
+  EXPECT_EQ(window.pictures->scene().name.find("lesson 3 of "), 0U);
 }
 
 TEST(LessonBench, TheListOpensLessons) {

@@ -17,7 +17,7 @@ struct Shown {
   BenchStage stage;
   SideBench bench{stage,
                   [this] {
-                    return ControlKeys::Subject{stage.picture.scene(), glm::dvec3{0}, 1.5};
+                    return ControlKeys::Subject{stage.pictures.scene(), glm::dvec3{0}, 1.5};
                   },
                   [] { return kMaxShades; }};
   explicit Shown(const char* scene = "teapot", const xnewell::Setup& setup = {}, int width = 1024,

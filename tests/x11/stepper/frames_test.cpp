@@ -1,3 +1,4 @@
+#include "shading/picture/picture_cache.h"
 #include "x11/stepper/frames.h"
 
 #include <gtest/gtest.h>
@@ -8,17 +9,21 @@ namespace xnewell {
 
 namespace {
 
-/// A scene at its own camera, with its recorded run.
+PictureSettings viewOf(const Scene& scene, int width, int height) {
+  PictureSettings settings;
+  settings.width = width;
+  settings.height = height;
+  settings.camera = inSceneUnits(completed({}, scene.camera), scene);
+  return settings;
+}
+
+/// A scene at its own camera, and its recorded run.
 struct Recorded {
   Picture picture;
   SortedScene sorted;
 
-  Recorded(Scene scene, int width, int height, bool textbook = true) : picture{std::move(scene)} {
-    PictureSettings settings;
-    settings.width = width;
-    settings.height = height;
-    settings.camera = inSceneUnits(completed({}, picture.scene().camera), picture.scene());
-    picture.make(settings);
+  Recorded(const Scene& scene, int width, int height, bool textbook = true)
+      : picture{makePicture(scene, viewOf(scene, width, height))} {
     SortSettings sort{width, height, textbook};
     sort.record = true;
     sorted = depthSort(picture.snapped(), sort);
@@ -49,8 +54,7 @@ TEST(Frames, TheLastOneIsThePicture) {
       Recorded run{readScene(scene), 120, 90, textbook};
       Frames frames{run.picture, run.sorted, textbook, {}};
       const IndexImage finished = frames.finished();
-      IndexImage image;
-      run.picture.paint(image, CellPlan{}[Cell::Well]);
+      const IndexImage image = run.picture.paint(CellPlan{}[Cell::Well]).image;
       ASSERT_GE(finished.width, 320);
       ASSERT_GT(finished.height, 90);
       for (int j = 0; j < 90; ++j)

@@ -1,3 +1,4 @@
+#include "shading/picture/picture_cache.h"
 #include "x11/stepper/so_far.h"
 
 #include <gtest/gtest.h>
@@ -9,10 +10,9 @@ namespace xnewell {
 // The picture so far is the one that painting from the start makes, in whatever order steps are visited and
 // however many copies are kept. The last one is the finished picture.
 TEST(SoFar, DoesNotDependOnTheWayThere) {
-  Picture picture{readScene("teapot", 3)};
   PictureSettings settings;
   settings.width = 120, settings.height = 90;
-  picture.make(settings);
+  const Picture picture = makePicture(readScene("teapot", 3), settings);
   const SortedScene& sorted = picture.sorted();
   const int all = static_cast<int>(sorted.fragments.size());
   ASSERT_GT(all, 300);
@@ -22,9 +22,7 @@ TEST(SoFar, DoesNotDependOnTheWayThere) {
     expected.push_back(expected.back());
     painter.paint(expected.back(), sorted, fragment);
   }
-  IndexImage whole;
-  picture.paint(whole, 8);
-  ASSERT_EQ(expected.back(), whole);
+  ASSERT_EQ(expected.back(), picture.paint(8).image);
 
   constexpr std::size_t kOne = 120 * 90;
   for (const std::size_t bytes : {std::size_t{0}, kOne - 1, kOne, 7 * kOne, 1000 * kOne}) {

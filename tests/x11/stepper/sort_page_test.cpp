@@ -9,6 +9,7 @@
 #include <random>
 #include <set>
 
+#include "shading/picture/picture_cache.h"
 #include "tests/support/scene_text.h"
 #include "tests/support/seeds.h"
 #include "x11/drawing/font.h"
@@ -27,7 +28,7 @@ constexpr Rect kWide{16, 48, 992, 612}, kCompact{16, 43, 768, 428};
 struct Page {
   static constexpr std::uint8_t kGround = 77;
 
-  Picture picture;
+  std::optional<Picture> picture;
   CellPlan plan;
   SortLayout at;
   std::unique_ptr<SortRun> run;
@@ -36,16 +37,14 @@ struct Page {
   SortDrawn drawn;
 
   explicit Page(Scene scene, const Rect& body = kWide, Cull cull = Cull::Keep)
-      : picture{std::move(scene)},
-        at{layoutOfSort(body)},
-        image{body.x + body.width + 16, body.y + body.height + 16, kGround} {
+      : at{layoutOfSort(body)}, image{body.x + body.width + 16, body.y + body.height + 16, kGround} {
     PictureSettings settings;
     settings.width = at.picture.width;
     settings.height = at.picture.height;
     settings.cull = cull;
-    settings.camera = inSceneUnits(completed({}, picture.scene().camera), picture.scene());
-    picture.make(settings);
-    run = std::make_unique<SortRun>(picture, plan[Cell::Well]);
+    settings.camera = inSceneUnits(completed({}, scene.camera), scene);
+    picture = makePicture(std::move(scene), settings);
+    run = std::make_unique<SortRun>(*picture, plan[Cell::Well]);
   }
   const IndexImage& show(int step) {
     view.step = step;
@@ -115,8 +114,7 @@ TEST(SortPage, ShowsThePictureSoFar) {
   page.show(steps);
   EXPECT_TRUE(page.drawn.loupe.empty());
   ASSERT_EQ(page.event(steps).kind, Event::Kind::Paint);
-  IndexImage expected;
-  page.picture.paint(expected, page(Cell::Well));
+  IndexImage expected = page.picture->paint(page(Cell::Well)).image;
   EXPECT_EQ(page.run->soFar(), expected);
   Painter paint{expected};
   const Figure last = figureOf(page.run->fragments().region(page.event(steps).P));
@@ -142,7 +140,7 @@ TEST(SortPage, ShowsThePictureSoFar) {
 // anything is painted it is the first one that will be painted there.
 TEST(SortPage, FindsThePolygonAtAPixel) {
   Page page{readScene("teapot", 3)};
-  const std::vector<std::uint32_t> faces = page.picture.faceImage();
+  const std::vector<std::uint32_t> faces = page.picture->faceImage();
   const int width = page.at.picture.width, all = static_cast<int>(page.run->sorted().fragments.size());
   int hits = 0, later = 0;
   for (int k = 0; k < static_cast<int>(faces.size()); k += 997) {

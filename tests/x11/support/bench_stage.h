@@ -3,6 +3,7 @@
 #include <string>
 #include <vector>
 
+#include "shading/picture/picture_cache.h"
 #include "x11/window/bench.h"
 
 namespace xnewell {
@@ -14,13 +15,16 @@ class BenchStage : public Host {
       : now{first},
         layout{layoutOf(width, height)},
         image{width, height, 0},
-        picture{readScene(scene, divisions)} {
-    now.picture.camera = inSceneUnits(completed(now.picture.camera, picture.scene().camera), picture.scene());
+        pictures{readScene(scene, divisions)} {
+    now.picture.camera =
+        inSceneUnits(completed(now.picture.camera, pictures.scene().camera), pictures.scene());
   }
 
   [[nodiscard]] const xnewell::Setup& setup() const override { return now; }
   [[nodiscard]] const xnewell::Setup& defaults() const override { return now; }
-  void open(Scene scene, const xnewell::Setup& s) override { picture = Picture{std::move(scene)}, now = s; }
+  void open(Scene scene, const xnewell::Setup& s) override {
+    pictures = PictureCache{std::move(scene)}, now = s;
+  }
   void close() override {}
   void pressLetter(char) override {}
   void switchTo(WindowView) override {}
@@ -41,13 +45,11 @@ class BenchStage : public Host {
     const Rect at = bench.picture(layout);
     PictureSettings s = bench.painted(now).picture;
     s.width = at.width, s.height = at.height;
-    picture.make(s);
     plan = CellPlan{s.table.kind};
-    picture.paint(painted, plan[Cell::Well]);
+    const Picture picture = pictures.make(s, plan[Cell::Well]);
     palette = picture.palette(plan);
-    const CellUse use = cellUse(painted);
+    const CellUse use = cellUse(picture.image());
     bench.draw(image, {.picture = picture,
-                       .image = painted,
                        .plan = plan,
                        .palette = palette,
                        .use = use,
@@ -65,10 +67,10 @@ class BenchStage : public Host {
 
   xnewell::Setup now;
   Layout layout;
-  IndexImage image, painted;
+  IndexImage image;
   CellPlan plan{};
   Palette palette{};
-  Picture picture;
+  PictureCache pictures;
   std::vector<std::string> notices;
   std::vector<xnewell::Setup> undo;
   bool taken = false;  ///< whether the bench took the last key

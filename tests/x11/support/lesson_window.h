@@ -4,6 +4,7 @@
 #include <string>
 #include <utility>
 
+#include "shading/picture/picture_cache.h"
 #include "x11/lessons/lesson_bench.h"
 
 namespace xnewell {
@@ -14,12 +15,12 @@ class LessonWindow : public Host {
   explicit LessonWindow(glm::ivec2 size = {1024, 768}) : layout{layoutOf(size.x, size.y)} {}
 
   void open(Scene scene, const Setup& s) override {
-    picture.emplace(std::move(scene));
+    pictures.emplace(std::move(scene));
     setup_ = first_ = s;
     ++opened;
   }
   void close() override {
-    picture.emplace(readScene("teapot", 3));
+    pictures.emplace(readScene("teapot", 3));
     setup_ = first_ = own;
     ++closed;
   }
@@ -47,22 +48,21 @@ class LessonWindow : public Host {
     const Rect at = bench.picture(layout);
     PictureSettings settings = setup_.picture;
     settings.width = at.width, settings.height = at.height;
-    picture->make(settings);
     const CellPlan plan{settings.table.kind};
-    IndexImage painted;
-    picture->paint(painted, plan[Cell::Well]);
+    const CellPlan plan{settings.table.kind};
+    const Picture made = pictures->make(settings, plan[Cell::Well]);
     image = IndexImage{layout.width, layout.height, plan[Cell::Paper]};
-    const Palette plain = picture->palette(plan);
-    const CellUse use = cellUse(painted);
-    bench.draw(image, {*picture, painted, plan, plain, use, setup_, layout, false, false});
-    palette = withEffects(plain, *picture, plan, bench.stored(setup_));
+    const Palette plain = made.palette(plan);
+    const CellUse use = cellUse(made.image());
+    bench.draw(image, {made, plan, plain, use, setup_, layout, false, false});
+    palette = withEffects(plain, made, plan, bench.stored(setup_));
     return image;
   }
 
   Layout layout;
   xnewell::Setup own;  ///< the window's setup before any lesson
   LessonBench bench{*this};
-  std::optional<Picture> picture{readScene("teapot", 3)};
+  std::optional<PictureCache> pictures{readScene("teapot", 3)};
   WindowView view = WindowView::Lesson;
   IndexImage image;
   Palette palette{};

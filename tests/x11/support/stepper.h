@@ -3,6 +3,7 @@
 #include <string>
 #include <vector>
 
+#include "shading/picture/picture_cache.h"
 #include "x11/stepper/sort_bench.h"
 #include "x11/stepper/sort_page.h"
 
@@ -13,8 +14,8 @@ namespace xnewell {
 class Stepper : private Host {
  public:
   explicit Stepper(Scene scene, int width = 1024, int height = 768)
-      : bench{*this}, picture_{std::move(scene)}, image_{width, height, 0} {
-    wanted.picture.camera = inSceneUnits(completed({}, picture_.scene().camera), picture_.scene());
+      : bench{*this}, pictures_{std::move(scene)}, image_{width, height, 0} {
+    wanted.picture.camera = inSceneUnits(completed({}, pictures_.scene().camera), pictures_.scene());
     layout_ = layoutOf(width, height);
     draw();
   }
@@ -35,11 +36,11 @@ class Stepper : private Host {
       const Rect at = bench.picture(layout_);
       xnewell::Setup sized = painted;
       sized.picture.width = at.width, sized.picture.height = at.height;
-      picture_.make(sized.picture);
+      const Picture picture = pictures_.make(sized.picture);
       const CellPlan plan{painted.picture.table.kind};
       const CellUse use;
-      const Palette palette = picture_.palette(plan);
-      bench.draw(image_, {picture_, pictureImage_, plan, palette, use, painted, layout_, false, false});
+      const Palette palette = picture.palette(plan);
+      bench.draw(image_, {picture, plan, palette, use, painted, layout_, false, false});
       ++draws;
     } while (bench.painted(wanted) != painted);
     return image_;
@@ -63,7 +64,7 @@ class Stepper : private Host {
     press("g");
     static_cast<void>(type(std::to_string(step)));
   }
-  [[nodiscard]] const Picture& picture() const { return picture_; }
+  [[nodiscard]] const Picture& picture() const { return pictures_.last(); }
   [[nodiscard]] SortRun& run() { return *bench.run(); }
   [[nodiscard]] std::vector<int> stepsOf(Landmark kind) { return run().landmarks().steps(kind); }
   [[nodiscard]] const Event& event() { return run().sorted().events[step() - 1]; }
@@ -82,9 +83,9 @@ class Stepper : private Host {
   void tell(std::string news) override { notices.push_back(std::move(news)); }
   void change(char, const std::function<void(xnewell::Setup&)>&) override {}
 
-  Picture picture_;
+  PictureCache pictures_;
   Layout layout_;
-  IndexImage image_, pictureImage_;
+  IndexImage image_;
 };
 
 }  // namespace xnewell

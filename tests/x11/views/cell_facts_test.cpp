@@ -1,3 +1,4 @@
+#include "shading/picture/picture_cache.h"
 #include "x11/views/cell_facts.h"
 
 #include <gtest/gtest.h>
@@ -40,18 +41,14 @@ struct Made {
   CellPlan plan;
 };
 Made made(const char* scene, ColorPlan colors, const TableSettings& table) {
-  Made m{Picture{readScene(scene, 8)}, {}, {}, CellPlan{table.kind}};
   PictureSettings s;
   s.width = 320, s.height = 240;
   s.shading = Shading::Gouraud;
   s.colors = colors;
   s.table = table;
-  m.picture.make(s);
-  IndexImage image;
-  m.picture.paint(image, m.plan[Cell::Well]);
-  m.use = cellUse(image, m.picture.faceImage());
-  m.palette = m.picture.palette(m.plan);
-  return m;
+  const CellPlan plan{table.kind};
+  const Picture picture = makePicture(readScene(scene, 8), s, plan[Cell::Well]);
+  return {picture, cellUse(picture.image(), picture.faceImage()), picture.palette(plan), plan};
 }
 
 }  // namespace

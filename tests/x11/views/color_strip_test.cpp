@@ -1,3 +1,4 @@
+#include "shading/picture/picture_cache.h"
 #include "x11/views/color_strip.h"
 
 #include <gtest/gtest.h>
@@ -7,24 +8,24 @@ namespace xnewell {
 // The strip's rule for the cells is true for every hue, and the strip says when the colours were changed.
 TEST(ColorStrip, SaysWhatTheCellsHold) {
   for (const glm::dvec3 hue : {glm::dvec3{1, 0, 0}, glm::dvec3{1, 0.7, 0.2}}) {
-    Picture picture{readScene("teapot", 3)};
+    PictureCache pictures{readScene("teapot", 3)};
     PictureSettings s;
     s.width = 80, s.height = 60;
     s.table.hue = hue;
-    picture.make(s);
-    EXPECT_EQ(wordsOf(picture).rule, "linear: cell i holds (i - 10)/255 of the hue");
-    const Palette palette = picture.palette(CellPlan{});
+    pictures.make(s);
+    EXPECT_EQ(wordsOf(pictures.last()).rule, "linear: cell i holds (i - 10)/255 of the hue");
+    const Palette palette = pictures.last().palette(CellPlan{});
     for (int i = 11; i <= 250; ++i) {
       const glm::dvec3 said = (i - 10) / 255.0 * 65535.0 * hue;
       EXPECT_NEAR(palette[i].r, said.r, 1.0);
       EXPECT_NEAR(palette[i].g, said.g, 1.0);
       EXPECT_NEAR(palette[i].b, said.b, 1.0);
     }
-    EXPECT_EQ(wordsOf(picture, {.rotate = 60}).rule, "linear, changed");
-    EXPECT_EQ(wordsOf(picture, {.gamma = 1.8}).rule, "linear, changed");
-    EXPECT_EQ(wordsOf(picture, {.stored = TableKind::Corrected}).rule,
+    EXPECT_EQ(wordsOf(pictures.last(), {.rotate = 60}).rule, "linear, changed");
+    EXPECT_EQ(wordsOf(pictures.last(), {.gamma = 1.8}).rule, "linear, changed");
+    EXPECT_EQ(wordsOf(pictures.last(), {.stored = TableKind::Corrected}).rule,
               "indices of linear, colours of corrected");
-    EXPECT_EQ(wordsOf(picture, {.lit = 40}).rule, wordsOf(picture).rule);
+    EXPECT_EQ(wordsOf(pictures.last(), {.lit = 40}).rule, wordsOf(pictures.last()).rule);
   }
 }
 

@@ -7,6 +7,7 @@
 #include <stdexcept>
 
 #include "shading/picture/cell_use.h"
+#include "shading/picture/picture_cache.h"
 #include "tests/support/seeds.h"
 #include "x11/views/color_strip.h"
 #include "x11/views/colors_page.h"
@@ -95,7 +96,7 @@ TEST(ColorsLayout, PartsDoNotMeet) {
 // are told.
 TEST(ColorsView, NothingIsCutOff) {
   for (const auto& [scene, plan] : kPlans) {
-    Picture picture{readScene(scene, 3)};
+    PictureCache pictures{readScene(scene, 3)};
     for (const auto& [w, h] : {std::pair{768, 560}, {800, 600}, {1024, 768}, {1600, 1200}, {768, 1200}}) {
       SCOPED_TRACE(testing::Message() << scene << ' ' << w << " x " << h);
       ViewSettings s = settingsOf(w, h, TableKind::Corrected);
@@ -105,7 +106,7 @@ TEST(ColorsView, NothingIsCutOff) {
         s.effects.stored = TableKind::Linear, s.effects.rotate = 100;
         s.effects.bend = CurvePoint{100, 120};
       }
-      const IndexImage image = drawView(picture, s).image;
+      const IndexImage image = drawView(pictures, s).image;
       ASSERT_EQ(std::pair(image.width, image.height), std::pair(w, h));
       const int strip = h - kStripAndFoot;
       for (const Rect& margin :
@@ -120,14 +121,14 @@ TEST(ColorsView, NothingIsCutOff) {
 TEST(ColorsView, MarksAreTheUseOfThePicture) {
   for (const auto& [scene, plan] : kPlans) {
     SCOPED_TRACE(scene);
-    Picture picture{readScene(scene, 4)};
+    PictureCache pictures{readScene(scene, 4)};
     ViewSettings s = settingsOf(1024, 768);
     s.picture.colors = plan;
     s.cell = 200;
-    const IndexImage view = drawView(picture, s).image;
+    const IndexImage view = drawView(pictures, s).image;
     const ColorsLayout at = layoutOfView(1024, 768);
     const CellUse use = shownIn(view, at).use;
-    const CellRange cells = sceneCells(picture);
+    const CellRange cells = sceneCells(pictures.last());
     const int strip = 768 - kStripAndFoot, large = (at.pitch - 2) * (at.pitch - 2);
     int used = 0, unused = 0;
     for (int cell = cells.first; cell <= cells.last(); ++cell) {
@@ -166,41 +167,40 @@ TEST(ColorStrip, BarsGrowWithTheUse) {
 // The view shows what is stored, in the inspected cell too. If that cell is lit, its palette entry changes,
 // and exactly its samples in the small picture change. The small picture is the picture at that size.
 TEST(ColorsView, LightsWhatIsAskedFor) {
-  Picture picture{readScene("teapot", 6)};
+  PictureCache pictures{readScene("teapot", 6)};
   ViewSettings s = settingsOf(1024, 768, TableKind::Corrected);
-  const ColoredImage plainly = drawView(picture, s);
-  EXPECT_EQ(plainly.palette, picture.palette(s.cells));
+  const ColoredImage plainly = drawView(pictures, s);
+  EXPECT_EQ(plainly.palette, pictures.last().palette(s.cells));
   const ColorsLayout at = layoutOfView(1024, 768);
-  const int cell =
-      medianCell(cellUse(shownIn(plainly.image, at).image, picture.faceImage()), sceneCells(picture));
+  const int cell = medianCell(cellUse(shownIn(plainly.image, at).image, pictures.last().faceImage()),
+                              sceneCells(pictures.last()));
   s.effects.lit = cell;
-  const ColoredImage view = drawView(picture, s);
+  const ColoredImage view = drawView(pictures, s);
   for (int c = 0; c < 256; ++c) EXPECT_EQ(view.palette[c], c == cell ? kLit : plainly.palette[c]);
   EXPECT_EQ(shownIn(view.image, at).image, shownIn(plainly.image, at).image);
-  IndexImage alone;
-  picture.paint(alone, s.cells[Cell::Well]);
+  const IndexImage alone = pictures.last().paint(s.cells[Cell::Well]).image;
   EXPECT_EQ(shownIn(view.image, at).image, alone);
   EXPECT_GT(std::ranges::count(alone.pixels, cell), 20);
 }
 
 // --cell chooses the inspected cell, which may be one of the tool's. Without --cell, --lit chooses it.
 TEST(ColorsView, InspectsWhatIsAskedFor) {
-  Picture picture{readScene("teapot", 3)};
+  PictureCache pictures{readScene("teapot", 3)};
   ViewSettings s = settingsOf(768, 560);
-  const IndexImage usual = drawView(picture, s).image;
+  const IndexImage usual = drawView(pictures, s).image;
   for (const int cell : {0, 8, 20, 255}) {
     s.cell = cell;
-    const ColoredImage shown = drawView(picture, s);
-    EXPECT_EQ(shown.palette, picture.palette(s.cells));
+    const ColoredImage shown = drawView(pictures, s);
+    EXPECT_EQ(shown.palette, pictures.last().palette(s.cells));
     EXPECT_NE(shown.image, usual);
   }
   s.cell = 20;
   s.effects.lit = 20;
-  const IndexImage twenty = drawView(picture, s).image;
+  const IndexImage twenty = drawView(pictures, s).image;
   s.cell.reset();
-  EXPECT_EQ(drawView(picture, s).image, twenty);
+  EXPECT_EQ(drawView(pictures, s).image, twenty);
   s.cell = 21;
-  EXPECT_NE(drawView(picture, s).image, twenty);
+  EXPECT_NE(drawView(pictures, s).image, twenty);
 }
 
 // Words next to the inspected cell's point hide no part of any curve. If one curve covers the whole plot, as
@@ -208,18 +208,18 @@ TEST(ColorsView, InspectsWhatIsAskedFor) {
 TEST(ColorsView, WordsStandBesideTheCurves) {
   for (const auto& [scene, plan] : kPlans)
     for (const TableKind kind : {TableKind::Linear, TableKind::Corrected}) {
-      Picture picture{readScene(scene, 3)};
+      PictureCache pictures{readScene(scene, 3)};
       ViewSettings s = settingsOf(1024, 768, kind);
       s.picture.colors = plan;
       const CellPlan& cells = s.cells;
       const Rect plot = layoutOfView(1024, 768).stored;
       s.cell = cells[Cell::Paper];
-      const IndexImage bare = drawView(picture, s).image;
+      const IndexImage bare = drawView(pictures, s).image;
       int curve = 0;
       for (int cell = 11; cell <= 250; cell += kSanitized ? 49 : 7) {
         SCOPED_TRACE(testing::Message() << scene << ' ' << static_cast<int>(plan) << ' ' << cell);
         s.cell = cell;
-        const IndexImage image = drawView(picture, s).image;
+        const IndexImage image = drawView(pictures, s).image;
         int hidden = 0;
         for (int j = plot.y; j < plot.y + plot.height; ++j)
           for (int i = plot.x; i < plot.x + plot.width; ++i) {
@@ -237,17 +237,17 @@ TEST(ColorsView, WordsStandBesideTheCurves) {
 // Effects change colours and the words about them, but not the cells of the picture, of the grid's marks or
 // of the strip.
 TEST(ColorsView, EffectsLeaveIndicesAlone) {
-  Picture picture{readScene("teapot", 4)};
+  PictureCache pictures{readScene("teapot", 4)};
   ViewSettings s = settingsOf(800, 600);
   s.cell = 100;
-  const ColoredImage plain = drawView(picture, s);
+  const ColoredImage plain = drawView(pictures, s);
   const ColorsLayout at = layoutOfView(800, 600);
   for (const PaletteEffects& effects :
        {PaletteEffects{.stored = TableKind::Corrected}, PaletteEffects{.hueTurn = 90},
         PaletteEffects{.gamma = 0.5}, PaletteEffects{.bend = CurvePoint{90, 10}},
         PaletteEffects{.rotate = -3}}) {
     s.effects = effects;
-    const ColoredImage changed = drawView(picture, s);
+    const ColoredImage changed = drawView(pictures, s);
     EXPECT_NE(changed.palette, plain.palette);
     EXPECT_EQ(shownIn(changed.image, at).image, shownIn(plain.image, at).image);
     for (int j = 0; j < 600; ++j) {

@@ -7,6 +7,7 @@
 
 #include "depthsort/oracle.h"
 #include "geometry/model/solids.h"
+#include "shading/picture/picture_cache.h"
 
 namespace xnewell {
 
@@ -25,13 +26,13 @@ PictureSettings small(Shading shading) {
 // Phong's picture differs from its reference only by the rounding to shades: by half a shade, plus a
 // hundredth of a shade from the single precision of its kernel.
 TEST(Difference, OfPhongFromItselfIsHalfAShade) {
-  Picture teapot{readScene("teapot", 4)};
+  PictureCache teapot{readScene("teapot", 4)};
   for (const int shades : {240, 60, 7})
     for (const TableKind kind : {TableKind::Linear, TableKind::Brief}) {
       PictureSettings s = small(Shading::Phong);
       s.table.shades = shades;
       s.table.kind = kind;
-      const Difference d = comparedWithPhong(teapot, s, 8).difference;
+      const Difference d = comparedWithPhong(teapot.make(s, 8)).difference;
       EXPECT_GT(d.samples, 5000);
       EXPECT_EQ(d.otherFace, 0);
       EXPECT_LE(d.largest, 0.51 / (shades - 1));
@@ -42,21 +43,20 @@ TEST(Difference, OfPhongFromItselfIsHalfAShade) {
   PictureSettings s = small(Shading::Phong);
   s.table.kind = TableKind::Corrected;
   const double r = ratioOfShades(s.table.I0, s.table.shades - 1);
-  EXPECT_LE(comparedWithPhong(teapot, s, 8).difference.largest, 0.51 * (r - 1));
+  EXPECT_LE(comparedWithPhong(teapot.make(s, 8)).difference.largest, 0.51 * (r - 1));
 }
 
 // The numbers are computed from the samples. A sample's number is the distance of its shade from the
 // reference.
 TEST(Difference, IsThatOfEverySample) {
-  Picture ball{makeScene("ball", sphere(16, 8), UpAxis::Z)};
+  PictureCache ball{makeScene("ball", sphere(16, 8), UpAxis::Z)};
   const PictureSettings s = small(Shading::Flat);
-  const Compared compared = comparedWithPhong(ball, s, 8);
-  EXPECT_EQ(ball.settings(), s);
+  const Compared compared = comparedWithPhong(ball.make(s, 8));
   const Difference& d = compared.difference;
   EXPECT_EQ(d.measure, Measure::Intensity);
-  const std::vector<double> flat = ball.intensities(ball.seen(0, s.height));
+  const std::vector<double> flat = ball.last().intensities(ball.last().seen(0, s.height));
   ball.make(small(Shading::Phong));
-  const std::vector<double> phong = ball.intensities(ball.seen(0, s.height));
+  const std::vector<double> phong = ball.last().intensities(ball.last().seen(0, s.height));
   double sum = 0, largest = 0;
   int samples = 0, above = 0;
   for (std::size_t k = 0; k < phong.size(); ++k) {
@@ -77,22 +77,22 @@ TEST(Difference, IsThatOfEverySample) {
 // Wrong faces are differences too, because the reference is the oracle's picture, whatever the picture's
 // order is. Split faces are not differences.
 TEST(Difference, CountsOtherFaces) {
-  Picture picture{readScene("penetrate")};
+  PictureCache pictures{readScene("penetrate")};
   PictureSettings s = small(Shading::Phong);
-  s.camera = inSceneUnits(completed({}, picture.scene().camera), picture.scene());
-  const Difference exact = comparedWithPhong(picture, s, 8).difference;
-  EXPECT_GT(picture.sorted().statistics.splits, 0);
+  s.camera = inSceneUnits(completed({}, pictures.scene().camera), pictures.scene());
+  const Difference exact = comparedWithPhong(pictures.make(s, 8)).difference;
+  EXPECT_GT(pictures.last().sorted().statistics.splits, 0);
   EXPECT_EQ(exact.otherFace, 0);
   s.order = Order::Oracle;
-  const Difference oracle = comparedWithPhong(picture, s, 8).difference;
+  const Difference oracle = comparedWithPhong(pictures.make(s, 8)).difference;
   EXPECT_TRUE(
       std::ranges::equal(exact.at, oracle.at, [](float a, float b) { return a == b || (a != a && b != b); }));
   s.order = Order::Unsorted;
-  const Difference unsorted = comparedWithPhong(picture, s, 8).difference;
-  const std::vector<int> shown = picture.seen(0, s.height).faces;
+  const Difference unsorted = comparedWithPhong(pictures.make(s, 8)).difference;
+  const std::vector<int> shown = pictures.last().seen(0, s.height).faces;
   s.order = Order::Oracle;
-  picture.make(s);
-  const std::vector<int> seen = picture.seen(0, s.height).faces;
+  pictures.make(s);
+  const std::vector<int> seen = pictures.last().seen(0, s.height).faces;
   int others = 0;
   for (std::size_t k = 0; k < seen.size(); ++k) others += shown[k] != seen[k];
   EXPECT_EQ(unsorted.otherFace, others);
@@ -103,21 +103,22 @@ TEST(Difference, CountsOtherFaces) {
 // With several hues, each picture divides the cells in its own way. A picture's cells are read as that
 // picture uses them.
 TEST(Difference, OfHuesGoesByThePicturesOwnCells) {
-  Picture hues{readScene("hues")};
+  PictureCache hues{readScene("hues")};
   PictureSettings s = small(Shading::Gouraud);
   s.camera = inSceneUnits(completed({}, hues.scene().camera), hues.scene());
   s.colors = ColorPlan::Hues;
-  const Compared compared = comparedWithPhong(hues, s, 8);
-  ASSERT_GT(hues.colors().tables().size(), 5u);
+  const Compared compared = comparedWithPhong(hues.make(s, 8));
+  const IndexImage& image = hues.last().image();
+  ASSERT_GT(hues.last().colors().tables().size(), 5u);
   int fewest = 240;
-  for (const ColorTable& table : hues.colors().tables()) fewest = std::min(fewest, table.shades());
-  const std::vector<double> gouraud = hues.intensities(hues.seen(0, s.height));
+  for (const ColorTable& table : hues.last().colors().tables()) fewest = std::min(fewest, table.shades());
+  const std::vector<double> gouraud = hues.last().intensities(hues.last().seen(0, s.height));
   int samples = 0;
   for (std::size_t k = 0; k < gouraud.size(); ++k) {
     if (std::isnan(gouraud[k])) continue;
     ++samples;
-    ASSERT_NEAR(hues.colors().intensityOf(compared.picture.pixels[k]), gouraud[k], 1.0 / fewest);
-    ASSERT_NEAR(hues.colors().intensityOf(compared.reference.pixels[k]), gouraud[k],
+    ASSERT_NEAR(hues.last().colors().intensityOf(image.pixels[k]), gouraud[k], 1.0 / fewest);
+    ASSERT_NEAR(hues.last().colors().intensityOf(compared.reference.pixels[k]), gouraud[k],
                 compared.difference.at[k] + 1.0 / fewest);
   }
   EXPECT_GT(samples, 5000);
@@ -127,33 +128,33 @@ TEST(Difference, OfHuesGoesByThePicturesOwnCells) {
 // Colours are compared as they look. With more than enough cells for one gray ramp, the eye cannot see
 // Phong's own difference, but can see that of flat shading.
 TEST(Difference, OfColoursIsHowTheyLook) {
-  Picture ball{makeScene("ball", sphere(16, 8), UpAxis::Z)};
+  PictureCache ball{makeScene("ball", sphere(16, 8), UpAxis::Z)};
   PictureSettings s = small(Shading::Phong);
   s.colors = ColorPlan::Chosen;
-  Compared compared = comparedWithPhong(ball, s, 8);
+  Compared compared = comparedWithPhong(ball.make(s, 8));
   EXPECT_EQ(compared.difference.measure, Measure::Color);
   EXPECT_GT(compared.difference.samples, 5000);
   EXPECT_EQ(compared.difference.above, 0);
   int differ = 0;  // a channel has 255 steps, so some samples are rounded to the next colour
-  for (std::size_t k = 0; k < compared.picture.pixels.size(); ++k)
-    differ += std::abs(compared.reference.pixels[k] - compared.picture.pixels[k]);
+  for (std::size_t k = 0; k < compared.reference.pixels.size(); ++k)
+    differ += std::abs(compared.reference.pixels[k] - ball.last().image().pixels[k]);
   EXPECT_LT(differ, compared.difference.samples / 4);
   s.colors = ColorPlan::Cube;
-  EXPECT_GT(comparedWithPhong(ball, s, 8).difference.mean, 2.0);
+  EXPECT_GT(comparedWithPhong(ball.make(s, 8)).difference.mean, 2.0);
   s.shading = Shading::Flat, s.colors = ColorPlan::Chosen;
-  compared = comparedWithPhong(ball, s, 8);
+  compared = comparedWithPhong(ball.make(s, 8));
   EXPECT_GT(compared.difference.above, compared.difference.samples / 4);
   EXPECT_GT(compared.difference.largest, 3.0);
 }
 
-// Pieces of a divided polygon show the polygon's own face.
+// ConvexParts of a divided polygon show its face, not another.
 TEST(Difference, DividedPolygonsShowTheirFaces) {
-  Picture spot{readScene("spotlight")};
+  PictureCache spot{readScene("spotlight")};
   PictureSettings s = small(Shading::Gouraud);
   s.adapt = 0.05;
-  const Difference divided = comparedWithPhong(spot, s, 8).difference;
+  const Difference divided = comparedWithPhong(spot.make(s, 8)).difference;
   s.adapt = 0;
-  const Difference whole = comparedWithPhong(spot, s, 8).difference;
+  const Difference whole = comparedWithPhong(spot.make(s, 8)).difference;
   EXPECT_GT(divided.samples, 1000);
   EXPECT_EQ(divided.otherFace, 0);
   EXPECT_LT(divided.mean, whole.mean / 2);

@@ -6,6 +6,7 @@
 
 #include "geometry/model/solids.h"
 #include "shading/fill/fragment_spans.h"
+#include "shading/picture/picture_cache.h"
 #include "tests/support/model_view.h"
 
 namespace xnewell {
@@ -44,9 +45,9 @@ PictureSettings fromAbove(const Scene& scene, Order order) {
 // A worked example: three squares of 20 x 20 pixels, each covering a quarter of the one before. Each has 400
 // samples. The first two share 100 samples, the last two share 100, and no sample is in all three.
 TEST(Overdraw, OfOverlappingSquaresIsCounted) {
-  Picture picture{squares({{-1, -1, 0}, {0, 0, 1}, {1, 1, 2}})};
-  picture.make(fromAbove(picture.scene(), Order::ZSort));
-  const Overdraw o = overdrawOf(picture);
+  PictureCache pictures{squares({{-1, -1, 0}, {0, 0, 1}, {1, 1, 2}})};
+  pictures.make(fromAbove(pictures.scene(), Order::ZSort));
+  const Overdraw o = overdrawOf(pictures.last());
   EXPECT_EQ(o.painted, 1200);
   EXPECT_EQ(o.samples, 1000);
   EXPECT_EQ(o.once, 800);
@@ -68,29 +69,29 @@ TEST(Overdraw, OfOverlappingSquaresIsCounted) {
 TEST(Overdraw, AddsUpToTheSpans) {
   int cut = 0, more = 0;
   for (const char* const name : {"teapot", "penetrate", "cycle", "hues"}) {
-    Picture picture{readScene(name, 3)};
+    PictureCache pictures{readScene(name, 3)};
     PictureSettings s;
     s.width = 230, s.height = 170;
-    s.camera = inSceneUnits(completed({}, picture.scene().camera), picture.scene());
+    s.camera = inSceneUnits(completed({}, pictures.scene().camera), pictures.scene());
     s.order = Order::Oracle;
-    picture.make(s);
-    const Overdraw oracle = overdrawOf(picture);
+    pictures.make(s);
+    const Overdraw oracle = overdrawOf(pictures.last());
     EXPECT_EQ(oracle.most, 1);
     EXPECT_EQ(oracle.once, oracle.samples);
     EXPECT_EQ(oracle.painted, oracle.samples);
     for (const Order order : {Order::Unsorted, Order::ZMean, Order::ZSort, Order::Newell}) {
       s.order = order;
-      picture.make(s);
-      const Overdraw o = overdrawOf(picture);
+      pictures.make(s);
+      const Overdraw o = overdrawOf(pictures.last());
       std::int64_t spans = 0;
-      for (const Fragment& fragment : picture.sorted().fragments)
-        forEachSpan(picture.snapped(), picture.sorted(), fragment, s.width, s.height,
+      for (const Fragment& fragment : pictures.last().sorted().fragments)
+        forEachSpan(pictures.last().snapped(), pictures.last().sorted(), fragment, s.width, s.height,
                     [&](int, int from, int to) { spans += to - from; });
       EXPECT_EQ(o.painted, spans);
       EXPECT_EQ(o.samples, oracle.samples);
       EXPECT_EQ(o.times.size(), std::size_t{230} * 170);
       EXPECT_EQ(o.times[o.mostAt], o.most);
-      cut += picture.sorted().statistics.splits > 0;
+      cut += pictures.last().sorted().statistics.splits > 0;
       more += o.most > 2;
     }
   }
@@ -113,19 +114,19 @@ TEST(Overdraw, MapStepsByTheCount) {
 
 // The finding gives the counted numbers. If nothing was counted, it says that.
 TEST(Overdraw, FindingIsOfTheNumbers) {
-  Picture picture{squares({{-1, -1, 0}, {0, 0, 1}, {1, 1, 2}})};
-  picture.make(fromAbove(picture.scene(), Order::ZSort));
-  Finding finding = findingOf(overdrawOf(picture), picture);
+  PictureCache pictures{squares({{-1, -1, 0}, {0, 0, 1}, {1, 1, 2}})};
+  pictures.make(fromAbove(pictures.scene(), Order::ZSort));
+  Finding finding = findingOf(overdrawOf(pictures.last()), pictures.last());
   EXPECT_EQ(finding.bold, "A sample is painted 1.20 times on average, 2 at most.");
   EXPECT_EQ(finding.why.substr(0, 43), "16.7 % of all painted samples are painted o");
-  picture.make(fromAbove(picture.scene(), Order::Oracle));
-  finding = findingOf(overdrawOf(picture), picture);
+  pictures.make(fromAbove(pictures.scene(), Order::Oracle));
+  finding = findingOf(overdrawOf(pictures.last()), pictures.last());
   EXPECT_EQ(finding.bold, "Every sample is painted once.");
-  PictureSettings away = fromAbove(picture.scene(), Order::Newell);
+  PictureSettings away = fromAbove(pictures.scene(), Order::Newell);
   away.camera.eye = glm::dvec3{90, 0, 20};
   away.camera.lookAt = glm::dvec3{90, 0, 0};
-  picture.make(away);
-  EXPECT_EQ(findingOf(overdrawOf(picture), picture).bold, "Nothing shows.");
+  pictures.make(away);
+  EXPECT_EQ(findingOf(overdrawOf(pictures.last()), pictures.last()).bold, "Nothing shows.");
 }
 
 }  // namespace xnewell

@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "shading/picture/palette_effects.h"
+#include "shading/picture/picture_cache.h"
 #include "x11/views/plot.h"
 
 namespace xnewell {
@@ -13,15 +14,11 @@ namespace xnewell {
 namespace {
 
 Picture made(const char* scene, ColorPlan plan, const TableSettings& table) {
-  Picture picture{readScene(scene, 3)};
   PictureSettings s;
   s.width = 80, s.height = 60;
   s.colors = plan;
   s.table = table;
-  picture.make(s);
-  IndexImage image;
-  picture.paint(image, CellPlan{table.kind}[Cell::Well]);
-  return picture;
+  return makePicture(readScene(scene, 3), s, CellPlan{table.kind}[Cell::Well]);
 }
 
 }  // namespace

@@ -7,6 +7,7 @@
 #include <stdexcept>
 
 #include "geometry/model/solids.h"
+#include "shading/picture/picture_cache.h"
 #include "tests/support/seeds.h"
 #include "x11/drawing/rect.h"
 #include "x11/views/normals_view.h"
@@ -27,10 +28,11 @@ ViewSettings settingsOf(View view, const Scene& scene, int width, int height) {
   return s;
 }
 
-ColoredImage drawn(Picture& picture, View view, int width, int height, Shading shading = Shading::Gouraud) {
-  ViewSettings s = settingsOf(view, picture.scene(), width, height);
+ColoredImage drawn(PictureCache& pictures, View view, int width, int height,
+                   Shading shading = Shading::Gouraud) {
+  ViewSettings s = settingsOf(view, pictures.scene(), width, height);
   s.picture.shading = shading;
-  return drawView(picture, s);
+  return drawView(pictures, s);
 }
 
 /// True if all pixels of the area are paper.
@@ -46,20 +48,20 @@ bool isPaper(const IndexImage& image, const Rect& area) {
 // Every view, from the least size to 1600 x 1200, is as large as asked. Words, plots and pictures keep out of
 // the margins and of the gutter between the columns, so nothing is cut off.
 TEST(Views, NothingIsCutOff) {
-  Picture teapot{readScene("teapot", 3)}, cycle{readScene("cycle")}, tori{readScene("tori")};
+  PictureCache teapot{readScene("teapot", 3)}, cycle{readScene("cycle")}, tori{readScene("tori")};
   for (const View view : kDrawn) {
     const ViewRow& row = rowOf(view);
-    for (Picture* const picture : {&teapot, &cycle, &tori})
+    for (Picture* const pictures.last() : {&teapot, &cycle, &tori})
       for (const auto& [width, height] : {std::pair{row.leastWidth, row.leastHeight},
                                           std::pair{row.leastWidth, 1200}, std::pair{1600, row.leastHeight},
                                           std::pair{801, 601}, std::pair{1024, 768}, std::pair{1600, 1200}}) {
         if (kSanitized && width * height > 1'000'000) continue;
-        SCOPED_TRACE(std::string{row.name} + ' ' + picture->scene().name + ' ' + std::to_string(width) + 'x' +
-                     std::to_string(height));
-        ViewSettings s = settingsOf(view, picture->scene(), width, height);
+        SCOPED_TRACE(std::string{row.name} + ' ' + pictures->scene().name + ' ' + std::to_string(width) +
+                     'x' + std::to_string(height));
+        ViewSettings s = settingsOf(view, pictures->scene(), width, height);
         s.picture.shading = Shading::Phong;
-        s.picture.colors = picture == &tori ? ColorPlan::Chosen : ColorPlan::Needed;
-        const IndexImage image = drawView(*picture, s).image;
+        s.picture.colors = pictures == &tori ? ColorPlan::Chosen : ColorPlan::Needed;
+        const IndexImage image = drawView(*pictures, s).image;
         ASSERT_EQ(image.width, width);
         ASSERT_EQ(image.height, height);
         const int margin = 8;
@@ -81,11 +83,11 @@ TEST(Views, NothingIsCutOff) {
 TEST(Views, DoNotDependOnSplits) {
   for (const char* const scene : {"penetrate", "cycle"})
     for (const View view : {View::MachBands, View::Normals}) {
-      Picture split{readScene(scene)}, whole{readScene(scene)};
+      PictureCache split{readScene(scene)}, whole{readScene(scene)};
       ViewSettings s = settingsOf(view, split.scene(), 800, 600);
       s.picture.shading = Shading::Gouraud;
       const ColoredImage sorted = drawView(split, s);
-      EXPECT_GT(split.sorted().statistics.splits, 0);
+      EXPECT_GT(split.last().sorted().statistics.splits, 0);
       s.picture.order = Order::Oracle;
       const ColoredImage decided = drawView(whole, s);
       EXPECT_EQ(sorted.image, decided.image);
@@ -95,29 +97,29 @@ TEST(Views, DoNotDependOnSplits) {
 
 // A view drawn again is the same, after any other view: no view leaves anything in the picture for the next.
 TEST(Views, DoNotDependOnTheOneBefore) {
-  Picture picture{readScene("teapot", 3)};
+  PictureCache pictures{readScene("teapot", 3)};
   std::vector<IndexImage> first;
   for (const View view : kDrawn) {
-    Picture fresh{readScene("teapot", 3)};
+    PictureCache fresh{readScene("teapot", 3)};
     first.push_back(drawn(fresh, view, 800, 600).image);
   }
   EXPECT_NE(first[0], first[2]);
   for (int round = 0; round < 2; ++round)
     for (std::size_t k = 0; k < kDrawn.size(); ++k)
-      EXPECT_EQ(drawn(picture, kDrawn[k], 800, 600).image, first[k]);
+      EXPECT_EQ(drawn(pictures, kDrawn[k], 800, 600).image, first[k]);
 }
 
 // A scanline must lie in the picture that the view shows. If it does not, the message says where the picture
 // ends.
 TEST(Views, RefuseAScanlineBelowThePicture) {
-  Picture picture{readScene("teapot", 3)};
-  ViewSettings s = settingsOf(View::MachBands, picture.scene(), 800, 600);
+  PictureCache pictures{readScene("teapot", 3)};
+  ViewSettings s = settingsOf(View::MachBands, pictures.scene(), 800, 600);
   s.scanline = 260;
-  EXPECT_NO_THROW(static_cast<void>(drawView(picture, s)));
-  EXPECT_EQ(picture.settings().height, 261);
+  EXPECT_NO_THROW(static_cast<void>(drawView(pictures, s)));
+  EXPECT_EQ(pictures.last().settings().height, 261);
   s.scanline = 261;
   try {
-    static_cast<void>(drawView(picture, s));
+    static_cast<void>(drawView(pictures, s));
     FAIL();
   } catch (const std::invalid_argument& e) {
     EXPECT_EQ(std::string{e.what()},
@@ -128,28 +130,27 @@ TEST(Views, RefuseAScanlineBelowThePicture) {
 // The profiles stand exactly below their pixels: the cells of the marked scanline are the strip of the chosen
 // method, column by column.
 TEST(Views, StripsRepeatTheMarkedScanline) {
-  Picture picture{readScene("teapot", 3)};
-  ViewSettings s = settingsOf(View::MachBands, picture.scene(), 800, 600);
+  PictureCache pictures{readScene("teapot", 3)};
+  ViewSettings s = settingsOf(View::MachBands, pictures.scene(), 800, 600);
   s.picture.shading = Shading::Gouraud;
   s.scanline = 100;
-  const IndexImage view = drawView(picture, s).image;
-  IndexImage image;
-  picture.paint(image, CellPlan{}[Cell::Well]);
+  const IndexImage view = drawView(pictures, s).image;
+  const IndexImage image = pictures.last().paint(CellPlan{}[Cell::Well]).image;
   int rows = 0;
   for (int j = 0; j < view.height; ++j) rows += std::equal(image.row(100), image.row(101), view.row(j) + 100);
-  EXPECT_GE(rows, 12);  // the strip; in the picture the mark covers the scanline
+  EXPECT_GE(rows, 12);  // the strip; in the pictures.last() the line is drawn over it
 }
 
 // A fine ball from afar shows every normal of its front half once. At each sample the colour is that of the
 // sphere's own normal: red to the right, green up, and blue towards the viewer.
 TEST(NormalColors, AreThoseOfTheSphere) {
-  Picture ball{makeScene("ball", sphere(96, 48), UpAxis::Z)};
+  PictureCache ball{makeScene("ball", sphere(96, 48), UpAxis::Z)};
   PictureSettings s;
   s.width = s.height = 200;
   s.shading = Shading::Phong;
   s.camera.parallel = true;
   ball.make(s);
-  const RgbImage colors = normalColors(ball);
+  const RgbImage colors = normalColors(ball.last());
   int first = 200, last = 0;
   for (int j = 0; j < 200; ++j)
     if (colors.pixel(100, j)[2] > 0) first = std::min(first, j), last = std::max(last, j);

@@ -9,6 +9,7 @@
 #include "depthsort/oracle.h"
 #include "geometry/model/solids.h"
 #include "shading/fill/fragment_spans.h"
+#include "shading/picture/picture_cache.h"
 
 namespace xnewell {
 
@@ -47,11 +48,11 @@ bool isDash(std::uint8_t cell) {
 // A cube seen from a corner shows nine of its twelve edges, and three are hidden. Three of its six polygons
 // are seen from behind.
 TEST(Wireframe, OfACubeIsCounted) {
-  Picture picture{makeScene("cube", cube(), UpAxis::Z)};
-  PictureSettings s = viewOf(picture.scene(), Order::Newell);
+  PictureCache pictures{makeScene("cube", cube(), UpAxis::Z)};
+  PictureSettings s = viewOf(pictures.scene(), Order::Newell);
   s.camera.eye = glm::dvec3{6, -5, 4};
-  picture.make(s);
-  const Wireframe wires = wireframeOf(picture, CellPlan{});
+  pictures.make(s);
+  const Wireframe wires = wireframeOf(pictures.last(), CellPlan{});
   EXPECT_EQ(wires.polygons, 6);
   EXPECT_EQ(wires.back, 3);
   EXPECT_EQ(wires.edges, 12);
@@ -68,12 +69,12 @@ TEST(Wireframe, OfACubeIsCounted) {
 TEST(Wireframe, DashesWhereACutRuns) {
   for (const char* const name : {"penetrate", "cycle"}) {
     SCOPED_TRACE(name);
-    Picture picture{readScene(name)};
-    picture.make(viewOf(picture.scene(), Order::Newell));
-    const Wireframe wires = wireframeOf(picture, CellPlan{});
-    EXPECT_EQ(wires.cuts, picture.sorted().statistics.splits);
+    PictureCache pictures{readScene(name)};
+    pictures.make(viewOf(pictures.scene(), Order::Newell));
+    const Wireframe wires = wireframeOf(pictures.last(), CellPlan{});
+    EXPECT_EQ(wires.cuts, pictures.last().sorted().statistics.splits);
     ASSERT_GT(wires.cuts, 0);
-    const auto pieces = piecesAt(picture);
+    const auto pieces = piecesAt(pictures.last());
     const int W = wires.image.width, H = wires.image.height;
     int dashes = 0, borders = 0, near = 0;
     const auto around = [&](int x, int y, int reach, auto&& use) {
@@ -104,28 +105,28 @@ TEST(Wireframe, DashesWhereACutRuns) {
 
 // An order that cuts nothing has the same edges and no dashes.
 TEST(Wireframe, WithoutCutsNothingIsDashed) {
-  Picture picture{readScene("penetrate")};
-  picture.make(viewOf(picture.scene(), Order::Newell));
-  const Wireframe cut = wireframeOf(picture, CellPlan{});
+  PictureCache pictures{readScene("penetrate")};
+  pictures.make(viewOf(pictures.scene(), Order::Newell));
+  const Wireframe cut = wireframeOf(pictures.last(), CellPlan{});
   EXPECT_GT(std::ranges::count_if(cut.image.pixels, isDash), 20);
   for (const Order order : {Order::Unsorted, Order::ZMean, Order::ZSort, Order::Oracle}) {
-    picture.make(viewOf(picture.scene(), order));
-    const Wireframe wires = wireframeOf(picture, CellPlan{});
+    pictures.make(viewOf(pictures.scene(), order));
+    const Wireframe wires = wireframeOf(pictures.last(), CellPlan{});
     EXPECT_EQ(wires.cuts, 0);
     EXPECT_EQ(std::ranges::count_if(wires.image.pixels, isDash), 0);
     EXPECT_EQ(wires.edges, cut.edges);
     EXPECT_EQ(wires.polygons, cut.polygons);
-    EXPECT_EQ(findingOf(wires, picture).bold, "Nothing is cut.");
+    EXPECT_EQ(findingOf(wires, pictures.last()).bold, "Nothing is cut.");
   }
 }
 
 // Visible lines lie next to samples of their polygons: a pixel with only another face around it is never
 // bright.
 TEST(Wireframe, BrightLinesLieOnWhatShows) {
-  Picture picture{readScene("teapot", 3)};
-  picture.make(viewOf(picture.scene(), Order::Newell));
-  const Wireframe wires = wireframeOf(picture, CellPlan{});
-  const SeenRows seen = picture.seen(0, wires.image.height);
+  PictureCache pictures{readScene("teapot", 3)};
+  pictures.make(viewOf(pictures.scene(), Order::Newell));
+  const Wireframe wires = wireframeOf(pictures.last(), CellPlan{});
+  const SeenRows seen = pictures.last().seen(0, wires.image.height);
   int bright = 0, inside = 0;
   for (int y = 1; y + 1 < wires.image.height; ++y)
     for (int x = 1; x + 1 < wires.image.width; ++x) {

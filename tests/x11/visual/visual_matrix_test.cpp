@@ -12,7 +12,7 @@
 #include <string>
 #include <vector>
 
-#include "shading/picture/picture.h"
+#include "shading/picture/picture_cache.h"
 #include "tests/support/temporary_folder.h"
 #include "tests/x11/support/watched_viewer.h"
 #include "tests/x11/support/x_server.h"
@@ -191,13 +191,13 @@ std::vector<VisualInfo> kindsOf(const ServerVisuals& server, std::string_view on
 /// One picture and its colours, with the indices that each fill gives it.
 struct Reference {
   TableKind table;
-  Picture* picture;
+  Picture picture;
   Palette palette;
   IndexImage scanline, filled;
 };
 
 /// What XFillPolygon fills, as indices. The visual's pixel values are the indices.
-IndexImage filledBy(Display* d, Picture& picture, const Palette& palette) {
+IndexImage filledBy(Display* d, const Picture& picture, const Palette& palette) {
   ServerColormap colormap{d, chooseVisual(readVisuals(d), parseVisualWish("PseudoColor8"))};
   colormap.store(palette);
   Canvas canvas{d, colormap, {.width = kPicture.width, .height = kPicture.height}};
@@ -210,7 +210,6 @@ IndexImage filledBy(Display* d, Picture& picture, const Palette& palette) {
 
 /// Three tables and hues of a teapot whose polygons penetrate each other.
 const std::vector<Reference>& references() {
-  static std::vector<std::unique_ptr<Picture>> pictures;
   static std::vector<Reference> made;
   if (!made.empty()) return made;
   const XServer server = XServer::xvfb(8, 320, 240);
@@ -224,11 +223,8 @@ const std::vector<Reference>& references() {
     settings.table.hue = row.id == TableKind::Brief    ? glm::dvec3{1, 0, 0}
                          : row.id == TableKind::Linear ? glm::dvec3{0.4, 1, 0.7}
                                                        : glm::dvec3{1, 1, 1};
-    pictures.push_back(std::make_unique<Picture>(readScene("teapot", 3)));
-    Picture& picture = *pictures.back();
-    picture.make(settings);
-    Reference reference{row.id, &picture, picture.palette(CellPlan{row.id}), {}, {}};
-    picture.paint(reference.scanline, CellPlan{row.id}[Cell::Well]);
+    const Picture picture = makePicture(readScene("teapot", 3), settings, CellPlan{row.id}[Cell::Well]);
+    Reference reference{row.id, picture, picture.palette(CellPlan{row.id}), picture.image(), {}};
     reference.filled = filledBy(display.get(), picture, reference.palette);
     made.push_back(std::move(reference));
   }
@@ -352,7 +348,7 @@ TEST_P(VisualMatrix, ShowsEveryIndexAsItsClassAllows) {
             asked(d, colormap.id(), v, {pixels.begin(), pixels.end()});
         for (std::size_t k = 0; k < pixels.size(); ++k)
           for (int c = 0; c < 3; ++c) ASSERT_EQ(read.rgb[3 * k + c], colors.at(pixels[k])[c]);
-        fillPolygons(d, canvas, *reference.picture, kInside, CellPlan{reference.table}[Cell::Well]);
+        fillPolygons(d, canvas, reference.picture, kInside, CellPlan{reference.table}[Cell::Well]);
         EXPECT_TRUE(shows(reference.filled, kInside));
         EXPECT_FALSE(shows(reference.scanline, kInside));
       }

@@ -333,7 +333,7 @@ TEST(PictureBench, TheStripIsOfWhatIsShown) {
     setup.show = show;
     BenchStage stage{"teapot", 3, 1024, 768, setup};
     ControlKeys keys;
-    PictureBench bench{stage, keys, [&] { return ControlKeys::Subject{stage.picture.scene(), {}, 1.0}; }};
+    PictureBench bench{stage, keys, [&] { return ControlKeys::Subject{stage.pictures.scene(), {}, 1.0}; }};
     stage.draw(bench);
     const CellUse shaded = cellUse(stage.painted);
     ASSERT_EQ(bench.use() == nullptr, show == Show::Shaded);
@@ -345,7 +345,7 @@ TEST(PictureBench, TheStripIsOfWhatIsShown) {
     const SceneCellWords& words = bench.colors()->words.value();
     EXPECT_EQ(words.what, "colours");
     EXPECT_EQ(usedCells(*bench.use(), words.cells), words.cells.count);
-    EXPECT_EQ(words.cells.first, stage.picture.colors().table().first());
+    EXPECT_EQ(words.cells.first, stage.pictures.last().colors().table().first());
   }
 }
 

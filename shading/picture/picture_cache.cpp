@@ -1,0 +1,114 @@
+#include "shading/picture/picture_cache.h"
+
+#include <algorithm>
+#include <iterator>
+#include <memory>
+#include <utility>
+
+#include "depthsort/oracle.h"
+#include "shading/picture/stopwatch.h"
+
+namespace xnewell {
+
+namespace {
+
+/// Runs a stage, or a part of one, and adds the time it took.
+template <class Stage>
+void timed(double& ms, Stage&& stage) {
+  const Stopwatch watch;
+  stage();
+  ms += watch.ms();
+}
+
+bool comparesPlanes(Order order) { return order == Order::Newell || order == Order::Oracle; }
+
+/// Whole faces, back to front.
+SortedScene inOrder(const SnappedScene& snapped, Order order) {
+  SortedScene sorted;
+  std::ranges::transform(paintingOrder(snapped, order), std::back_inserter(sorted.fragments),
+                         [](int face) { return Fragment{face}; });
+  return sorted;
+}
+
+}  // namespace
+
+PictureSettings withoutColors(PictureSettings settings) {
+  settings.table.hue = {};
+  settings.table.bits = 0;
+  return settings;
+}
+
+Picture PictureCache::make(const PictureSettings& wanted, std::optional<std::uint8_t> ground) {
+  // The next picture begins as a copy of the last: a stage that does not run again hands its result on.
+  Picture next = last_ ? *last_ : Picture{scene_};
+  const auto changed = [&](auto... member) {
+    return !last_ || ((wanted.*member != last_->settings_.*member) || ...);
+  };
+  using Asked = PictureSettings;
+  const Scene& scene = *scene_;
+  const int width = wanted.width, height = wanted.height;
+  next.settings_ = wanted;
+  StageTimes& ms = next.times_ = {};
+
+  // The camera: from what the user said, and from the scene for the rest, which takes passes over its points.
+  if (changed(&Asked::camera, &Asked::width, &Asked::height))
+    timed(ms.transform, [&] {
+      const double aspect = static_cast<double>(width) / height;
+      next.camera_ = placeCamera(wanted.camera, scene.mesh.points, scene.up, aspect);
+    });
+  const ViewSpec& view = next.camera_.view;
+
+  // Lighting and shades, in world coordinates: once when a face is made, the specular term again when the eye
+  // moves.
+  const ColorPlan plan = planOf(scene, wanted);
+  timed(ms.shade, [&] { next.shading_ = next.shading_.next(scene, wanted, channelsOf(plan), next.camera_); });
+
+  // View, shear, warp, clip, viewport, and one snap to the grid. From here on all is exact. Orders that
+  // compare planes need those too.
+  const bool newView = changed(&Asked::width, &Asked::height, &Asked::cull) || view != last_->camera_.view ||
+                       !next.shading_.hasMeshOf(last_->shading_);
+  if (newView) {
+    SnappedScene snapped;
+    timed(ms.transform, [&] {
+      snapped = snap(next.shading_.mesh(scene), next.shading_.parts(scene), view, width, height, wanted.cull);
+    });
+    if (comparesPlanes(wanted.order))
+      timed(ms.sort, [&] { addPlanes(snapped, scene.mesh, view, width, height); });
+    next.snapped_ = std::move(snapped);
+  } else if (comparesPlanes(wanted.order) && next.snapped_->planes.empty()) {
+    timed(ms.sort, [&] { next = next.withPlanes(); });
+  }
+
+  // Back to front; or, for the oracle, what is visible at each sample.
+  if (newView || changed(&Asked::order, &Asked::inPixels))
+    timed(ms.sort, [&] {
+      next.visible_ =
+          wanted.order == Order::Oracle ? visibleFaces(*next.snapped_, width, height) : std::vector<int>{};
+      next.sorted_ =
+          wanted.order == Order::Oracle ? SortedScene{}
+          : wanted.order == Order::Newell
+              ? depthSort(*next.snapped_, {.width = width, .height = height, .inPixels = wanted.inPixels})
+              : inOrder(*next.snapped_, wanted.order);
+    });
+
+  // The colour table, and from intensities to its cells. A plan of colours chooses them by the image.
+  timed(ms.fill, [&] {
+    SceneColors colors;
+    colors.make(next.surfaces(), plan);
+    next.colors_ = std::move(colors);
+    next.cells_ = rowOf(wanted.shading).interpolates || channelsOf(plan) == Channels::Rgb
+                      ? std::vector<std::uint8_t>{}
+                      : next.cellsOf(0);
+  });
+
+  // The image.
+  const bool newIndices = !last_ || withoutColors(wanted) != withoutColors(last_->settings_);
+  if (newIndices) next.painted_.reset();
+  if (ground && !(next.painted_ && next.painted_->ground == *ground))
+    timed(ms.fill, [&] { next.painted_ = std::make_shared<const Painted>(next.paint(*ground)); });
+
+  last_ = next;
+  return next;
+}
+
+}  // namespace xnewell

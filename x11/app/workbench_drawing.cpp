@@ -1,0 +1,162 @@
+#include <algorithm>
+#include <stdexcept>
+#include <utility>
+
+#include "x11/app/workbench.h"
+#include "x11/window/moot.h"
+
+namespace xnewell {
+
+// When the window is stale, and how it is drawn. What keys and pointer do: workbench.cpp.
+
+namespace {
+
+/// What takes least and still shows where everything is.
+PictureSettings coarse(PictureSettings settings) {
+  settings.shading = settings.shading == Shading::Full ? Shading::Full : Shading::Flat;
+  settings.order = Order::ZSort;
+  settings.adapt = 0;
+  settings.dither = false;
+  return settings;
+}
+
+}  // namespace
+
+Workbench::Indices Workbench::indices() const {
+  Setup painted = this->painted();
+  painted.picture = withoutColors(painted.picture);
+  std::array<std::string, 3> typing;
+  if (question_) typing = {question_->asks, question_->text, complaint_};
+  return {view(), layout_.width, layout_.height, painted, notice_, told_, typing, help_, dragging_};
+}
+
+Workbench::Stale Workbench::stale() const {
+  if (!shown_ || indices() != shown_->indices) return Stale::Everything;
+  if (colors() != shown_->colors) return bench().colors() ? Stale::Everything : Stale::Colors;
+  return bench().late(work_.setup) ? Stale::Everything : Stale::Nothing;
+}
+
+PictureSettings Workbench::sized() const {
+  const Rect at = bench().picture(layout_);
+  PictureSettings settings = painted().picture;
+  settings.width = at.width;
+  settings.height = at.height;
+  settings.inPixels = serverFills();
+  return settings;
+}
+
+/// Without effects.
+Palette Workbench::plainPalette() const {
+  const Palette palette = picture().palette(plan(), server_.unneeded);
+  return server_.gray ? forGrayScreen(palette, picture()) : palette;
+}
+
+void Workbench::makePalette(const PaletteEffects& effects) {
+  palette_ = withEffects(plainPalette(), picture(), plan(), effects);
+}
+
+std::vector<Legend> Workbench::legend() const {
+  std::vector<Legend> all = bench().legend();
+  if (visitsFromLesson()) all.insert(all.begin(), {{"Esc"}, "the lesson"});
+  all.push_back({{"?"}, "all keys"});
+  return all;
+}
+
+std::vector<HelpLine> Workbench::helpLines() const {
+  std::vector<HelpLine> lines = bench().help();
+  lines.insert(lines.end(), {{"1 2 3 ...", "the views; or click their names"},
+                             {"u U r", "undo, redo, reset"},
+                             {"w e", "save the set-up as a scene file; open one"},
+                             {"? or Esc", "close this; q quits"}});
+  return lines;
+}
+
+/// The scene's patches as the setup wants them: as many divisions as it was read with, if it does not say.
+void Workbench::divide() {
+  const Scene& scene = this->scene();
+  const int wanted = work_.setup.divisions > 0 ? work_.setup.divisions : work_.divisions;
+  if (scene.divisions == 0 || scene.origin.of.empty() || scene.origin.divisions == wanted) return;
+  work_.pictures = PictureCache{redivided(scene, wanted)};
+}
+
+void Workbench::drawFrame(bool dragging) {
+  const PictureSettings wanted = sized();
+  Bench& view = bench();
+  const bool whole = view.wantsImage();
+  const bool quick = dragging && slow_ && whole && !serverFills() && coarse(wanted) != wanted;
+  divide();
+  const CellPlan cells = plan();
+  const Picture picture = work_.pictures.make(quick ? coarse(wanted) : wanted,
+                                              whole ? std::optional{cells[Cell::Well]} : std::nullopt);
+  const auto isShown = [&](const Picture& shown) {
+    return shown.settings() == picture.settings() && &shown.scene() == &picture.scene();
+  };
+  const bool fresh = !whole || !shown_ || !shown_->image || !isShown(*shown_->image);
+  slow_ = dragging && (quick || picture.times().total() > kFluid);
+  dragging_ = dragging;
+
+  const PaletteEffects effects = view.stored(work_.setup);
+  makePalette(effects);
+  image_.width = layout_.width, image_.height = layout_.height;
+  image_.pixels.assign(static_cast<std::size_t>(layout_.width) * layout_.height, cells[Cell::Paper]);
+  const Palette plain = plainPalette();
+  const CellUse use = whole ? cellUse(picture.image(), view.countsPolygons() ? picture.faceImage()
+                                                                             : std::vector<std::uint32_t>{})
+                            : CellUse{};
+  view.draw(image_, {.picture = picture,
+                     .plan = cells,
+                     .palette = plain,
+                     .use = use,
+                     .setup = work_.setup,
+                     .layout = layout_,
+                     .fresh = fresh,
+                     .dragging = dragging,
+                     .coarse = quick,
+                     .gray = server_.gray});
+  const OwnColors* const own = view.colors();
+  if (own) palette_ = own->palette;
+  panel_ = {.title = titleOf(picture.scene()),
+            .visual = server_.visual(),
+            .view = this->view(),
+            .words = own && own->words ? *own->words : wordsOf(picture, effects),
+            .use = view.use() ? *view.use() : use,
+            .inspected = view.inspected(),
+            .status = view.status(),
+            .aside = view.aside(),
+            .notice = notice_,
+            .told = told_,
+            .legend = legend(),
+            .help = help_ ? helpLines() : std::vector<HelpLine>{}};
+  if (question_)
+    panel_.typed = Typed{question_->asks, question_->text, complaint_, !question_->offers.empty()};
+  drawPanel(image_, layout_, panel_, cells);
+  shown_ = {indices(), {work_.setup, effects}, whole ? std::optional{picture} : std::nullopt};
+}
+
+void Workbench::update(bool dragging) {
+  switch (stale()) {
+    case Stale::Nothing:
+      return;
+    case Stale::Colors: {
+      PictureSettings recolored = picture().settings();  // also of one that was made coarsely
+      recolored.table = sized().table;
+      work_.pictures.make(recolored);
+      shown_->colors = colors();
+      return makePalette(shown_->colors.effects);
+    }
+    case Stale::Everything:
+      break;
+  }
+  try {
+    drawFrame(dragging);
+  } catch (const std::runtime_error& e) {  // also of a file that was there before
+    if (!shown_) throw;
+    work_.setup = shown_->colors.setup;
+    bench().leave();
+    bench().enter();
+    notify(e.what());
+    drawFrame(dragging);
+  }
+}
+
+}  // namespace xnewell
