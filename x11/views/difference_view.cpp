@@ -63,7 +63,7 @@ int drawScale(Sheet& sheet, const MeasureRow& measure, int x, int y) {
   painter.frame({x, y, width, 12}, sheet.cell(Cell::Ink));
   painter.text(x + width + 8, y + Sheet::kAscent - 1, measure.times, sheet.cell(Cell::Soft));
   painter.text(x, y + 32 + Sheet::kAscent,
-               "The darkest is below " + std::string{measure.unitInWords} + "; each step doubles.",
+               "Darkest: below " + std::string{measure.unitInWords} + "; each step doubles.",
                sheet.cell(Cell::Soft));
   return y + 32 + Sheet::kLine;
 }
