@@ -43,7 +43,7 @@ class SceneShading {
   /// Centroids of faces, of pieces if refined, or vertices.
   [[nodiscard]] const ShadingPoints& points() const { return refined() ? refined()->points : *points_; }
   /// Where flat shading evaluates a face, an index into points().
-  [[nodiscard]] int pointOf(const SnappedFace& face) const { return refined() ? face.piece : face.number; }
+  [[nodiscard]] int pointOf(const SnappedFace& face) const { return refined() ? face.part : face.number; }
   [[nodiscard]] const Lighting& lighting() const { return *lighting_; }
   /// At points(), of one channel; empty where nothing is lit once for all.
   [[nodiscard]] const Intensities& intensities(int channel) const { return *lit_[channel].intensities; }
