@@ -20,10 +20,10 @@ struct Difference {
 
 /// Compares flat or Gouraud with Phong, sample by sample, before intensities are turned into cells.
 Difference fromPhong(const Picture& picture) {
-  const PictureSettings& s = pictures.last().settings();
-  const SceneShading& shading = pictures.last().shading();
-  const Mesh& mesh = shading.mesh(pictures.scene());
-  const SnappedScene& snapped = pictures.last().snapped();
+  const PictureSettings& s = picture.settings();
+  const SceneShading& shading = picture.shading();
+  const Mesh& mesh = shading.mesh(picture.scene());
+  const SnappedScene& snapped = picture.snapped();
   const std::vector<FrontBack<double>>& I = shading.intensities(0).I;
   Difference d;
   std::int64_t samples = 0;

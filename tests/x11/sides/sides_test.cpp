@@ -188,8 +188,10 @@ TEST(Sides, OnePaletteShowsBoth) {
           continue;
         }
         ++samples;
-        ASSERT_EQ(onScreen(one.palette[image->pixels[k]]), onScreen(made->palette[made->image.pixels[k]]));
-        others += onScreen(A.palette[A.image.pixels[k]]) != onScreen(B.palette[B.image.pixels[k]]);
+        ASSERT_EQ(onScreen(one.palette[image->pixels[k]]),
+                  onScreen(made->palette[made->picture.image().pixels[k]]));
+        others += onScreen(A.palette[A.picture.image().pixels[k]]) !=
+                  onScreen(B.palette[B.picture.image().pixels[k]]);
       }
     }
     EXPECT_GT(samples, 10'000);

@@ -49,7 +49,6 @@ class LessonWindow : public Host {
     PictureSettings settings = setup_.picture;
     settings.width = at.width, settings.height = at.height;
     const CellPlan plan{settings.table.kind};
-    const CellPlan plan{settings.table.kind};
     const Picture made = pictures->make(settings, plan[Cell::Well]);
     image = IndexImage{layout.width, layout.height, plan[Cell::Paper]};
     const Palette plain = made.palette(plan);

@@ -335,7 +335,7 @@ TEST(PictureBench, TheStripIsOfWhatIsShown) {
     ControlKeys keys;
     PictureBench bench{stage, keys, [&] { return ControlKeys::Subject{stage.pictures.scene(), {}, 1.0}; }};
     stage.draw(bench);
-    const CellUse shaded = cellUse(stage.painted);
+    const CellUse shaded = cellUse(stage.pictures.last().image());
     ASSERT_EQ(bench.use() == nullptr, show == Show::Shaded);
     if (bench.use() != nullptr) {
       EXPECT_NE(bench.use()->samples, shaded.samples);
