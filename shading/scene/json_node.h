@@ -29,6 +29,7 @@ class Node {
   /// An object with no key but these, of one list and another.
   void expectKeys(std::initializer_list<std::string_view> keys,
                   std::initializer_list<std::string_view> more = {}) const;
+  void expectKeys(const std::vector<std::string_view>& keys) const;
   [[nodiscard]] bool has(std::string_view key) const;
   [[nodiscard]] Node at(std::string_view key) const;
   /// The keys of an object, in the file's order.
@@ -36,6 +37,7 @@ class Node {
 
   [[nodiscard]] bool isList() const;
   [[nodiscard]] bool isObject() const;
+  [[nodiscard]] bool isNumber() const;
   [[nodiscard]] int size() const;
   [[nodiscard]] Node item(int i) const;
 

@@ -77,6 +77,8 @@ inline constexpr int kDefaultDivisions = 8;
 [[nodiscard]] CameraSettings inSceneUnits(CameraSettings camera, const Scene& scene);
 /// The user's light, its place and attenuation.
 void toSceneUnits(Illumination& light, const Scene& scene);
+/// And back, exactly.
+void toFileUnits(Illumination& light, const Scene& scene);
 
 /// What a scene may say of itself and can be made to forget, so that the user's choice counts.
 inline constexpr std::array<std::string_view, 6> kStrippable{"ambient", "lights", "ka", "kd", "ks", "n"};

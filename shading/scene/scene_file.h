@@ -31,7 +31,7 @@ namespace xnewell {
 ///   "lights"    a list of light sources (light.h); each has
 ///                 "kind"      "directional" (also if left out), "point" or "spot"
 ///                 "Ip" or "color"  a number or [r, g, b]; those of no Ip share equally what the others and
-///                             Ia leave, at most 0.7 in all
+///                             Ia leave, at most the Ip of the settings in all
 ///                 "towards"   [x, y, z], directional: the way to the light; else the upper left
 ///                 "at"        [x, y, z], point and spot: where it is; needed
 ///                 "attenuation" a name of kAttenuations, with "range" (else twice the way to the scene's
@@ -39,15 +39,10 @@ namespace xnewell {
 ///                 "shines" a direction, or "look_at" a place; else the scene's centre. Spot
 ///                 "inner", "outer" half angles of a spot, degrees (else 15, 20); "falloff" (else 1)
 ///               Ia + the sum of Ip must not exceed 1 in any channel
-///   "shading"   what the user's choices are to begin with; the command line may say otherwise:
-///                 "method", "normals", "polygons", "form", "environment", "mapping", "order", "colors", by
-///                 the names of their tables; "crease" degrees; "dither" true or false;
-///                 "table" {"kind", "shades", "i0", "pick", "hue", "bits"};
-///                 "adapt"; "cull" "back" or "none"; "fill" "scanline" or "x11", in a window;
-///                 "ka", "kd", "ks", "n" of surfaces that do not say; "sided" "one" or "two"; "constant_l",
-///                 "constant_v" true or false; "Ia", "Ip" and "light" (the way to it) or "light_at" with
-///                 "attenuation", "range", "c"; "Ia" where there is no "ambient", a light where there are
-///                 no "lights"
+///   "shading"   what the user's choices are to begin with; the command line may say otherwise. Its keys are
+///               those of settingRows(), "table.i0" as "table": {"i0"}; their rows say what each is. "fill"
+///               is for a window; "ka", "kd", "ks" and "n" are for surfaces that do not say; "Ia" is for a
+///               scene without "ambient", a light for one without "lights"
 ///   "scene"     in place of "objects", "up", "materials", "ambient" and "lights": a built-in name, or a
 ///               scene's file beside this one unless absolute, that has them; with "divisions" of patches,
 ///               "without", a list of what it shall not say itself (kStrippable), and "texture", a PNG for

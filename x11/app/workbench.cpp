@@ -137,8 +137,7 @@ void Workbench::change(char control, const std::function<void(Setup&)>& edit) {
   work_.lastChanged = control;
   work_.redo.clear();
   work_.setup = next;
-  if (const std::string_view why = whyMoot(control, work_.picture, next); !why.empty())
-    notify(std::string{why});
+  if (const std::string why = whyMoot(control, work_.picture, next); !why.empty()) notify(why);
 }
 
 void Workbench::press(const Key& key) {
@@ -195,7 +194,7 @@ void Workbench::pressLetter(char letter) {
     case 'r':
       return change('r', [this](Setup& s) { s = work_.defaults; });
     default:
-      keys_.press({NamedKey::Letter, letter}, kAllControls, Setup{work_.setup}, subject(), *this);
+      keys_.press({NamedKey::Letter, letter}, allControls(), Setup{work_.setup}, subject(), *this);
   }
 }
 

@@ -6,6 +6,9 @@
 #include <string>
 #include <vector>
 
+#include "shading/scene/scene.h"
+#include "shading/scene/settings.h"
+
 namespace xnewell {
 
 namespace {
@@ -69,7 +72,8 @@ TEST(Options, ChoicesAreTheirTables) {
   for (const OrderRow& r : kOrders) EXPECT_EQ(drawn({"--order", std::string{r.name}}).picture.order, r.id);
   for (const auto& r : kTables) EXPECT_EQ(drawn({"--table", std::string{r.name}}).picture.table.kind, r.id);
   for (const auto& r : kPicks) EXPECT_EQ(drawn({"--pick", std::string{r.name}}).picture.table.pick, r.id);
-  for (const FillRow& r : kFills) EXPECT_EQ(parsed({"view", "--fill", std::string{r.name}}).fill, r.id);
+  EXPECT_EQ(parsed({"view", "--fill", "x11"}).fill, Fill::XFillPolygon);
+  EXPECT_EQ(parsed({"view", "--fill", "scanline"}).fill, Fill::Scanline);
   for (const ViewRow& r : kViews) EXPECT_EQ(drawn({"--view", std::string{r.name}}).view, r.id);
   EXPECT_EQ(drawn({"--cull", "back"}).picture.cull, Cull::Back);
   EXPECT_EQ(drawn({"--cull", "none"}).picture.cull, Cull::Keep);
@@ -144,20 +148,32 @@ TEST(Options, SetOverWhatASceneAsksFor) {
   EXPECT_EQ(over({"--shade", "flat"}), flat);  // also where that is the program's default
 }
 
-// Which words of light and surfaces were said.
-TEST(Options, TellWhatWasSaid) {
-  const auto count = [](const Said& s) { return s.Ia + s.Ip + s.light + s.ka + s.kd + s.ks + s.n; };
-  EXPECT_EQ(count(drawn({}).said), 0);
-  EXPECT_TRUE(drawn({"--ia", "0.2"}).said.Ia);
-  EXPECT_TRUE(drawn({"--ip", "0.7"}).said.Ip);
-  EXPECT_TRUE(drawn({"--ip", "0.7"}).said.light);
-  EXPECT_TRUE(drawn({"--light", "1,0,0"}).said.light);
-  EXPECT_TRUE(drawn({"--light-at", "1,0,0"}).said.light);
-  EXPECT_TRUE(drawn({"--ka", "0.9"}).said.ka);
-  EXPECT_TRUE(drawn({"--kd", "0.9"}).said.kd);
-  EXPECT_TRUE(drawn({"--ks", "0.4"}).said.ks);
-  EXPECT_TRUE(drawn({"--n", "20"}).said.n);
-  EXPECT_EQ(count(drawn({"--n", "20"}).said), 1);
+// Settings of light and surfaces replace the scene's own; each says which.
+TEST(Options, ReplaceTheScenes) {
+  std::vector<std::string_view> replaced;
+  for (const Setting& setting : settingRows()) {
+    if (setting.replaces.empty()) continue;
+    EXPECT_NE(std::ranges::find(kStrippable, setting.replaces), kStrippable.end()) << setting.replaces;
+    replaced.push_back(setting.option);
+    const std::string value = setting.letters.empty() ? "0" : "1,0,0";
+    const Options o = drawn({std::string{setting.option}, value});
+    EXPECT_TRUE(o.gave(setting.option));
+    for (const Setting& other : settingRows())
+      EXPECT_EQ(o.gave(other.option), other.option == setting.option) << other.option;
+  }
+  const std::vector<std::string_view> all{"--ia", "--ip", "--light", "--light-at",
+                                          "--ka", "--kd", "--ks",    "--n"};
+  EXPECT_EQ(replaced, all);
+}
+
+// What one option refuses by itself, another setting may allow.
+TEST(Options, RefuseSettingsWithoutEffect) {
+  EXPECT_EQ(complaint({"--light-at", "1,2,3", "--range", "3"}), "--range applies only to attenuation linear");
+  EXPECT_EQ(complaint({"--light-at", "1,2,3", "--range", "3", "--attenuation", "linear"}), "");
+  EXPECT_EQ(complaint({"--light-at", "1,2,3", "--coefficients", "1,0,1", "--attenuation", "linear"}),
+            "--coefficients applies only to attenuation textbook");
+  EXPECT_EQ(complaint({"--light-at", "1,2,3", "--coefficients", "1,0,1", "--attenuation", "textbook"}), "");
+  EXPECT_EQ(complaint({"--adapt", "0"}), "");
 }
 
 TEST(Options, SetWhatIsNotInThePicture) {
@@ -195,13 +211,22 @@ TEST(Options, RefuseWrongNumbers) {
     EXPECT_EQ(complaint({"--size", wrong}), "--size: '" + wrong + "'" + size);
 
   for (const std::string option :
-       {"--eye", "--look-at", "--up", "--light", "--light-at", "--vrp", "--vpn", "--vup", "--prp"})
+       {"--eye", "--look-at", "--up", "--light-at", "--vrp", "--vpn", "--vup", "--prp"})
     for (const std::string wrong :
          {"1,2", "1,2,3,4", "1,2,3,", ",1,2", "1,,3", "1 2 3", " 1,2,3", "1,2,3 ", "1e400,0,0", "nan,0,0",
           "inf,0,0", "-inf,0,0", "0x1,0,0", "a,b,c", "++1,2,3"})
       EXPECT_EQ(complaint({option, wrong}), option + ": '" + wrong + "' is not three finite numbers x,y,z");
-  EXPECT_EQ(complaint({"--hue", "red"}), "--hue: 'red' is not three finite numbers r,g,b");
-  EXPECT_EQ(complaint({"--coefficients", "1"}), "--coefficients: '1' is not three finite numbers c1,c2,c3");
+  for (const std::string wrong : {"red", "1,1,2", "-1,1,0", "0.5,0.5,0.5", "0,0,0", "nan,1,1"})
+    EXPECT_EQ(complaint({"--hue", wrong}),
+              "--hue: '" + wrong + "' is not three finite numbers r,g,b from 0 to 1, the largest 1");
+  for (const std::string wrong : {"1", "1,-1,0"})
+    EXPECT_EQ(complaint({"--coefficients", wrong}),
+              "--coefficients: '" + wrong + "' is not three finite numbers c1,c2,c3 of at least 0");
+  for (const std::string wrong : {"1,2", "0,0,-0", "inf,0,0", "1,2,3,"})
+    EXPECT_EQ(complaint({"--light", wrong}),
+              "--light: '" + wrong + "' is not three finite numbers x,y,z, not all 0");
+  for (const std::string wrong : {"0", "-1", "inf"})
+    EXPECT_EQ(complaint({"--range", wrong}), "--range: '" + wrong + "' is not a number above 0");
 
   for (const std::string option : {"--ia", "--ip", "--ka", "--kd", "--ks"})
     for (const std::string wrong : {"-0.001", "1.001", "nan", "inf", "half", "0.5,0.5", "1e999"})
@@ -227,11 +252,8 @@ TEST(Options, RefuseWrongNumbers) {
   for (const std::string wrong : {"-1", "8192", "2.5", "nan", "1,2"}) refused("--scanline", wrong);
   for (const std::string wrong : {"front", "Back"}) refused("--cull", wrong);
   for (const std::string wrong : {"three", "1"}) refused("--sided", wrong);
-  for (const std::string wrong : {"0", "-0.1", "1.01", "nan", "1,1"}) refused("--adapt", wrong);
+  for (const std::string wrong : {"-0.1", "1.01", "nan", "1,1"}) refused("--adapt", wrong);
   EXPECT_EQ(complaint({"--oblique", "cabinet:"}), "--oblique: '' is not an angle in degrees");
-  EXPECT_EQ(complaint({"--light", "0,0,-0"}), "--light: 0,0,0 is no direction");
-  for (const std::string wrong : {"1,1,2", "-1,1,0", "0.5,0.5,0.5", "0,0,0"})
-    EXPECT_EQ(complaint({"--hue", wrong}), "--hue: r,g,b must lie from 0 to 1 and the largest must be 1");
 }
 
 // What is about a server's colormap is not for those that ask none.
@@ -336,7 +358,7 @@ TEST(Options, RefuseWhatTheCommandIgnores) {
   EXPECT_EQ(complaint({"--visual", "TrueColor24"}), "--visual goes with view, snapshot and visuals");
   for (const std::string method : {"none", "depth", "phong", "envmap"})
     EXPECT_EQ(complaint({"--adapt", "0.02", "--shade", method}),
-              "--adapt goes with --shade flat and gouraud");
+              "--adapt applies only to flat and gouraud shading");
   EXPECT_EQ(complaint({"--fov", "30", "--parallel", "3"}),
             "--fov is for perspective: leave out --parallel and --oblique");
   EXPECT_EQ(complaint({"--fov", "30", "--oblique", "cabinet"}),
