@@ -11,15 +11,20 @@ void Node::fail(const std::string& what) const {
   throw ParseError{file_, 0, path_.empty() ? what : path_ + ": " + what};
 }
 
-void Node::expectKeys(std::initializer_list<std::string_view> keys,
-                      std::initializer_list<std::string_view> more) const {
+void Node::expectKeys(const std::vector<std::string_view>& keys) const {
   for (const std::string& key : this->keys())
-    if (std::ranges::find(keys, key) == keys.end() && std::ranges::find(more, key) == more.end()) {
+    if (std::ranges::find(keys, key) == keys.end()) {
       std::string all;
-      for (const auto& list : {keys, more})
-        for (const std::string_view k : list) all += (all.empty() ? "" : ", ") + std::string{k};
+      for (const std::string_view k : keys) all += (all.empty() ? "" : ", ") + std::string{k};
       fail("unknown key " + inQuotes(key) + "; the keys are " + all);
     }
+}
+
+void Node::expectKeys(std::initializer_list<std::string_view> keys,
+                      std::initializer_list<std::string_view> more) const {
+  std::vector<std::string_view> all{keys};
+  all.insert(all.end(), more);
+  expectKeys(all);
 }
 
 bool Node::has(std::string_view key) const { return value_.is_object() && value_.contains(key); }
@@ -38,6 +43,8 @@ std::vector<std::string> Node::keys() const {
 bool Node::isList() const { return value_.is_array(); }
 
 bool Node::isObject() const { return value_.is_object(); }
+
+bool Node::isNumber() const { return value_.is_number(); }
 
 int Node::size() const {
   if (!value_.is_array()) fail("a list [ ] is needed");

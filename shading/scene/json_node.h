@@ -30,6 +30,7 @@ class Node {
   /// Checks that the value is an object whose keys are all in one of the two lists.
   void expectKeys(std::initializer_list<std::string_view> keys,
                   std::initializer_list<std::string_view> more = {}) const;
+  void expectKeys(const std::vector<std::string_view>& keys) const;
   [[nodiscard]] bool has(std::string_view key) const;
   [[nodiscard]] Node at(std::string_view key) const;
   /// The keys of an object, in the order of the file.
@@ -37,6 +38,7 @@ class Node {
 
   [[nodiscard]] bool isList() const;
   [[nodiscard]] bool isObject() const;
+  [[nodiscard]] bool isNumber() const;
   [[nodiscard]] int size() const;
   [[nodiscard]] Node item(int i) const;
 

@@ -3,6 +3,8 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 
+#include "shading/scene/settings.h"
+
 namespace xnewell {
 
 namespace {
@@ -10,13 +12,6 @@ namespace {
 using Json = nlohmann::ordered_json;
 
 Json list(const glm::dvec3& v) { return {v.x, v.y, v.z}; }
-
-template <class Rows, class Id>
-std::string nameOf(const Rows& rows, Id id) {
-  for (const auto& row : rows)
-    if (row.id == id) return std::string{row.name};
-  return {};
-}
 
 /// From the scene's units to the file's, exactly: a power of two.
 struct FileUnits {
@@ -55,41 +50,34 @@ Json camera(const CameraSettings& c, const FileUnits& units) {
   return json;
 }
 
-void addLight(Json& json, const Illumination& l, const FileUnits& units) {
-  json["Ia"] = l.Ia, json["Ip"] = l.Ip;
-  json["ka"] = l.ka, json["kd"] = l.kd, json["ks"] = l.ks, json["n"] = l.n;
-  json["light"] = list(l.light);
-  if (l.lightPosition) json["light_at"] = units(*l.lightPosition);
-  json["attenuation"] = nameOf(kAttenuations, l.attenuation);
-  if (l.range) json["range"] = units(*l.range);
-  if (l.c)  // for a unit of length and its square
-    json["c"] = {l.c->x, std::ldexp(l.c->y, -units.exponent), std::ldexp(l.c->z, -2 * units.exponent)};
-  json["form"] = nameOf(kForms, l.form);
-  json["constant_l"] = l.constantL, json["constant_v"] = l.constantV;
-  json["sided"] = l.twoSided ? "two" : "one";
+Json json(const Setting& setting, const Value& value) {
+  if (const auto* v = std::get_if<glm::dvec3>(&value)) return list(*v);
+  const double v = std::get<double>(value);
+  switch (setting.field.kind) {
+    case ValueKind::Whole:
+      return static_cast<int>(v);
+    case ValueKind::Flag:
+      return v != 0.0;
+    case ValueKind::Choice: {
+      const std::string name = textOf(setting, value);
+      return name.find_first_not_of("0123456789") == std::string::npos ? Json(std::stoi(name)) : Json(name);
+    }
+    default:
+      return v;
+  }
 }
 
-Json table(const TableSettings& t) {
-  return {{"kind", nameOf(kTables, t.kind)}, {"shades", t.shades}, {"i0", t.I0},
-          {"pick", nameOf(kPicks, t.pick)},  {"hue", list(t.hue)}, {"bits", t.bits}};
-}
-
-Json shading(const PictureSettings& s, const FileUnits& units) {
-  Json json{{"method", nameOf(kShadings, s.shading)},
-            {"normals", nameOf(kNormalRules, s.normals)},
-            {"crease", s.crease},
-            {"polygons", nameOf(kPolygons, s.polygons)},
-            {"adapt", s.adapt},
-            {"environment", nameOf(kEnvironmentForms, s.environment)},
-            {"mapping", nameOf(kTextureMappings, s.mapping)},
-            {"order", nameOf(kOrders, s.order)},
-            {"cull", s.cull == Cull::Back ? "back" : "none"},
-            {"fill", s.inPixels ? "x11" : "scanline"},
-            {"colors", nameOf(kColorPlans, s.colors)},
-            {"dither", s.dither},
-            {"table", table(s.table)}};
-  addLight(json, s.light, units);
-  return json;
+/// `settings` are in the file's units.
+Json shading(const PictureSettings& settings) {
+  Json all = Json::object();
+  for (const Setting& setting : settingRows()) {
+    const Value value = setting.field.get(settings);
+    if (std::holds_alternative<std::monostate>(value)) continue;
+    const std::size_t dot = setting.key.find('.');
+    Json& object = dot == std::string_view::npos ? all : all[std::string{setting.key.substr(0, dot)}];
+    object[std::string{setting.key.substr(dot + 1)}] = json(setting, value);
+  }
+  return all;
 }
 
 /// As seen from the folder where it is inside of it, else from the root.
@@ -114,7 +102,9 @@ std::string savedScene(const Scene& scene, const PictureSettings& settings,
   if (!origin.without.empty()) json["without"] = origin.without;
   if (!origin.texture.empty()) json["texture"] = seenFrom(folder, origin.texture);
   json["camera"] = camera(settings.camera, units);
-  json["shading"] = shading(settings, units);
+  PictureSettings inFileUnits = settings;
+  toFileUnits(inFileUnits.light, scene);
+  json["shading"] = shading(inFileUnits);
   return json.dump(2) + "\n";
 }
 

@@ -137,7 +137,8 @@ Scene readScene(const std::string& nameOrFile, int divisions) {
 }
 
 glm::dvec3 defaultLight(UpAxis up) {
-  return up == UpAxis::Z ? glm::dvec3{-0.54, -0.64, 0.55} : glm::dvec3{-0.54, 0.55, 0.64};
+  const glm::dvec3 L = Illumination{}.light;  // in a world whose up axis is z
+  return up == UpAxis::Z ? L : glm::dvec3{L.x, L.z, -L.y};
 }
 
 double inSceneUnits(double length, const Scene& scene) {
@@ -189,6 +190,16 @@ void toSceneUnits(Illumination& light, const Scene& scene) {
   if (light.c)
     light.c = {light.c->x, std::ldexp(light.c->y, scene.exponent),
                std::ldexp(light.c->z, 2 * scene.exponent)};
+}
+
+void toFileUnits(Illumination& light, const Scene& scene) {
+  if (light.lightPosition)
+    for (int k = 0; k < 3; ++k)
+      (*light.lightPosition)[k] = std::ldexp((*light.lightPosition)[k], scene.exponent);
+  if (light.range) light.range = std::ldexp(*light.range, scene.exponent);
+  if (light.c)
+    light.c = {light.c->x, std::ldexp(light.c->y, -scene.exponent),
+               std::ldexp(light.c->z, -2 * scene.exponent)};
 }
 
 void strip(Scene& scene, std::string_view what) {

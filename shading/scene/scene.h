@@ -80,6 +80,8 @@ inline constexpr int kDefaultDivisions = 8;
 [[nodiscard]] CameraSettings inSceneUnits(CameraSettings camera, const Scene& scene);
 /// Converts the place and the attenuation of the user's light from file units to scene units.
 void toSceneUnits(Illumination& light, const Scene& scene);
+/// And back, exactly.
+void toFileUnits(Illumination& light, const Scene& scene);
 
 /// What a scene file may set and strip() can remove, so that the user's choice counts.
 inline constexpr std::array<std::string_view, 6> kStrippable{"ambient", "lights", "ka", "kd", "ks", "n"};

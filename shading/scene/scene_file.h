@@ -32,7 +32,7 @@ namespace xnewell {
 ///   "lights"    a list of light sources (light.h); each has
 ///                 "kind"      "directional" (the default), "point" or "spot"
 ///                 "Ip" or "color"  a number or [r, g, b]; lights without it share equally what the others
-///                             and Ia leave, at most 0.7 in all
+///                             Ia leave, at most the Ip of the settings in all
 ///                 "towards"   [x, y, z], for directional: the direction to the light (default: upper left)
 ///                 "at"        [x, y, z], for point and spot, required: where the light is
 ///                 "attenuation" a name of kAttenuations, with "range" (default: twice the distance to the
@@ -40,15 +40,10 @@ namespace xnewell {
 ///                 "shines"    a direction, or "look_at" a point, for spot; default: at the scene's centre
 ///                 "inner", "outer" half angles of a spot in degrees (default: 15, 20); "falloff" (default 1)
 ///               Ia + the sum of Ip must not exceed 1 in any channel
-///   "shading"   the settings that a picture begins with; the command line may change them:
-///                 "method", "normals", "polygons", "form", "environment", "mapping", "order", "colors", by
-///                 the names of their tables; "crease" degrees; "dither" true or false;
-///                 "table" {"kind", "shades", "i0", "pick", "hue", "bits"};
-///                 "adapt"; "cull" "back" or "none"; "fill" "scanline" or "x11", in a window;
-///                 "ka", "kd", "ks", "n" of surfaces that do not set them; "sided" "one" or "two";
-///                 "constant_l", "constant_v" true or false; "Ia", "Ip" and "light" (the direction to it) or
-///                 "light_at" with "attenuation", "range", "c". "Ia" is not allowed beside "ambient", nor
-///                 "light" or "light_at" beside "lights"
+///   "shading"   what the user's choices are to begin with; the command line may say otherwise. Its keys are
+///               those of settingRows(), "table.i0" as "table": {"i0"}; their rows say what each is. "fill"
+///               is for a window; "ka", "kd", "ks" and "n" are for surfaces that do not say; "Ia" is for a
+///               scene without "ambient", a light for one without "lights"
 ///   "scene"     instead of "objects", "up", "materials", "ambient" and "lights": a built-in name, or a
 ///               scene's file (a relative path starts at this file's folder), that has them; with
 ///               "divisions" of patches, "without", a list of what that scene must not set (kStrippable),

@@ -109,7 +109,7 @@ void Workbench::change(char control, const std::function<void(Setup&)>& edit) {
   work_.redo.clear();
   work_.setup = next;
   if (!work_.pictures.hasLast()) return;
-  if (const std::string_view why = whyMoot(control, picture(), next); !why.empty()) notify(std::string{why});
+  if (const std::string why = whyMoot(control, picture(), next); !why.empty()) notify(why);
 }
 
 void Workbench::press(const Key& key) {
@@ -166,7 +166,7 @@ void Workbench::pressLetter(char letter) {
     case 'r':
       return change('r', [this](Setup& s) { s = work_.defaults; });
     default:
-      keys_.press({NamedKey::Letter, letter}, kAllControls, Setup{work_.setup}, subject(), *this);
+      keys_.press({NamedKey::Letter, letter}, allControls(), Setup{work_.setup}, subject(), *this);
   }
 }
 

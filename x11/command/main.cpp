@@ -20,6 +20,7 @@
 #include "shading/picture/picture_cache.h"
 #include "shading/picture/stopwatch.h"
 #include "shading/scene/scene.h"
+#include "shading/scene/settings.h"
 #include "x11/app/one_line.h"
 #include "x11/app/snapshot.h"
 #include "x11/app/viewer.h"
@@ -166,14 +167,13 @@ int teach(const Options& options) {
 void giveWay(Scene& scene, const Options& options) {
   if (options.fill == Fill::XFillPolygon && !scene.textures.empty())
     throw UsageError{"--fill x11 paints each polygon in one colour, so it cannot show the scene's textures"};
-  const Said& said = options.said;
-  const std::array<bool, kStrippable.size()> given{said.Ia, said.light, said.ka, said.kd, said.ks, said.n};
-  for (std::size_t k = 0; k < given.size(); ++k)
-    if (given[k]) strip(scene, kStrippable[k]);
+  for (const Setting& setting : settingRows())
+    if (!setting.replaces.empty() && options.gave(setting.option)) strip(scene, setting.replaces);
 
   // A user's Ia must fit the scene's lights, and a user's Ip the scene's Ia.
   const Illumination& user = options.picture.light;
-  const bool besideLights = said.Ia && !scene.light.lights.empty(), besideIa = said.Ip && scene.light.Ia;
+  const bool besideLights = options.gave("--ia") && !scene.light.lights.empty(),
+             besideIa = options.gave("--ip") && scene.light.Ia;
   glm::dvec3 sum = scene.light.Ia.value_or(glm::dvec3{user.Ia});
   for (const Light& light : scene.light.lights) sum += light.Ip;
   if (scene.light.lights.empty()) sum += user.Ip;

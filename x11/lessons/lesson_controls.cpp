@@ -12,15 +12,9 @@ namespace {
 
 const SliderRow* slider(LessonControl control) { return sliderOf(rowOf(control).window); }
 
-const ChoiceRow* choice(LessonControl control) {
-  const auto row = std::ranges::find(choices(), rowOf(control).window, &ChoiceRow::key);
-  return row == choices().end() ? nullptr : &*row;
-}
+const ChoiceRow* choice(LessonControl control) { return choiceOf(rowOf(control).window); }
 
-bool Illumination::*toggle(LessonControl control) {
-  const auto* const row = std::ranges::find(kToggles, rowOf(control).window, &ToggleRow::key);
-  return row == kToggles.end() ? nullptr : row->value;
-}
+const ToggleRow* toggle(LessonControl control) { return toggleOf(rowOf(control).window); }
 
 bool* toggle(LessonState& state, LessonControl control) {
   if (control == LessonControl::Names) return &state.exhibit.named;
@@ -97,19 +91,13 @@ PageControl pageControl(LessonControl control, const Setup& now, const Setup& fi
   } else if (const ChoiceRow* c = choice(control)) {
     row.options.assign(c->options.begin(), c->options.end());
     row.chosen = c->get(now);
-  } else if (bool Illumination::*value = toggle(control)) {
-    ticked(now.picture.light.*value);
+  } else if (const ToggleRow* t = toggle(control)) {
+    ticked(t->get(now));
   } else if (LessonState copy = state; const bool* on = toggle(copy, control)) {
     ticked(*on);
   } else if (control == LessonControl::Hue) {
     for (const HueRow& hue : kHues) row.options.emplace_back(hue.name);
     row.chosen = indexOfHue(now);
-  } else if (control == LessonControl::Bits) {
-    row.options = {"8", "16"};
-    row.chosen = now.picture.table.bits == 16;
-  } else if (control == LessonControl::Pick) {
-    row.options = {"in ratio", "in difference"};
-    row.chosen = now.picture.table.pick == Pick::Search;
   } else if (control == LessonControl::Gamma) {
     for (const double g : kGammas) row.options.push_back(fixed(g, 1));
     row.chosen = indexOf(state.exhibit.effects.gamma);
@@ -126,17 +114,13 @@ PageControl pageControl(LessonControl control, const Setup& now, const Setup& fi
 
 void actOn(Setup& setup, LessonControl control, std::optional<int> option) {
   const auto next = [&](int now, int count) { return option.value_or((now + 1) % count); };
-  TableSettings& table = setup.picture.table;
   if (const ChoiceRow* c = choice(control))
     c->set(setup, next(c->get(setup), static_cast<int>(c->options.size())));
-  else if (bool Illumination::*value = toggle(control))
-    setup.picture.light.*value = !(setup.picture.light.*value);
+  else if (const ToggleRow* t = toggle(control))
+    t->flip(setup);
   else if (control == LessonControl::Hue)
-    table.hue = kHues[static_cast<std::size_t>(next(indexOfHue(setup), static_cast<int>(kHues.size())))].hue;
-  else if (control == LessonControl::Bits)
-    table.bits = next(table.bits == 16, 2) == 1 ? 16 : 8;
-  else if (control == LessonControl::Pick)
-    table.pick = next(table.pick == Pick::Search, 2) == 1 ? Pick::Search : Pick::Log;
+    setup.picture.table.hue =
+        kHues[static_cast<std::size_t>(next(indexOfHue(setup), static_cast<int>(kHues.size())))].hue;
 }
 
 void actOn(LessonState& state, LessonControl control, std::optional<int> option) {

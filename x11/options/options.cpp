@@ -11,6 +11,7 @@
 
 #include "geometry/files/text_file.h"
 #include "x11/options/options_check.h"
+#include "x11/options/read_value.h"
 
 namespace xnewell {
 
@@ -20,97 +21,79 @@ namespace {
 constexpr std::array<std::string_view, 2> kLaterCommands{"figure", "trade"};
 constexpr std::array<std::string_view, 1> kLaterOptions{"--json"};
 
-[[noreturn]] void refuse(const std::string& option, const std::string& text, const std::string& expected) {
-  throw UsageError{option + ": " + inQuotes(text) + " is not " + expected};
-}
-
-/// All of `text` as comma-separated finite numbers, exactly `count` of them.
-std::vector<double> numbers(const std::string& option, const std::string& text, std::size_t count,
-                            const std::string& expected) {
-  std::vector<double> values;
-  const char* p = text.data();
-  const char* const end = p + text.size();
-  for (;;) {
-    double v = 0;
-    if (p != end && *p == '+') ++p;
-    const auto [next, error] = std::from_chars(p, end, v);
-    if (error != std::errc{} || !std::isfinite(v)) refuse(option, text, expected);
-    values.push_back(v);
-    if (next == end) break;
-    if (*next != ',') refuse(option, text, expected);
-    p = next + 1;
-  }
-  if (values.size() != count) refuse(option, text, expected);
-  return values;
-}
-
-/// Options of one family share how they read their text and what they print as default.
+/// Adds options to CLI11's. Their texts are read here, so that complaints are in our words.
 class Reader {
  public:
   explicit Reader(CLI::App& app) : app_{app} {}
 
-  /// A number in [low, high], or in (low, high) where `open`.
+  /// A setting of the picture: its row says everything.
+  void setting(const Setting& row, PictureSettings& settings) {
+    std::string help{row.is};
+    if (row.field.kind != ValueKind::Flag) help += "; " + expected(row);
+    if (!row.unit.empty()) help += ", in " + std::string{row.unit};
+    if (!row.more.empty()) help += ". " + std::string{row.more};
+    const std::string name{row.option};
+    if (row.field.kind == ValueKind::Flag) {
+      app_.add_flag_callback(
+              name, [&row, &settings] { row.field.set(settings, 1.0); }, help)
+          ->disable_flag_override();
+      return;
+    }
+    const std::string initially =
+        row.initially.empty() ? textOf(row, row.field.get(settings)) : std::string{row.initially};
+    text(name, help, initially,
+         [&row, &settings](const std::string& given) { row.field.set(settings, valueOf(row, given)); });
+  }
+  /// A number in [low, high].
   template <class Number>
-  void number(const std::string& name, Number& target, double low, double high, const std::string& help,
-              bool open = false) {
-    add(name, trimmed(static_cast<double>(target)), help, [=, &target](const std::string& text) {
+  void number(const std::string& name, Number& target, double low, double high, const std::string& help) {
+    text(name, help, textOf(static_cast<double>(target)), [=, &target](const std::string& given) {
       const bool whole = std::is_integral_v<Number>;
-      const std::string expected = std::string{whole ? "a whole number" : "a number"} +
-                                   (open ? " between " : " from ") + trimmed(low) +
-                                   (open ? " and " : " to ") + trimmed(high);
-      const double v = numbers(name, text, 1, expected)[0];
-      const bool inside = open ? v > low && v < high : v >= low && v <= high;
-      if (!inside || (whole && v != std::floor(v))) refuse(name, text, expected);
+      const std::string needed =
+          std::string{whole ? "a whole number" : "a number"} + " from " + textOf(low) + " to " + textOf(high);
+      const double v = numbers(name, given, 1, needed)[0];
+      if (v < low || v > high || (whole && v != std::floor(v))) refuse(name, given, needed);
       target = static_cast<Number>(v);
     });
   }
-  void point(const std::string& name, const std::string& help, const std::string& initially, auto&& set,
-             const std::string& letters = "x,y,z") {
-    add(name, initially, help, [=](const std::string& text) {
-      const auto v = numbers(name, text, 3, "three finite numbers " + letters);
+  void point(const std::string& name, const std::string& help, const std::string& initially, auto&& set) {
+    text(name, help, initially, [=](const std::string& given) {
+      const auto v = numbers(name, given, 3, "three finite numbers x,y,z");
       set(glm::dvec3{v[0], v[1], v[2]});
     });
   }
   /// One row of a table of choices, by name.
   template <class Rows, class Id>
   void choice(const std::string& name, const Rows& rows, Id& target, const std::string& help) {
-    std::string all;
-    std::string initially;
+    std::string all, initially;
     for (const auto& row : rows) {
       all += (all.empty() ? "" : ", ") + std::string{row.name};
       if (row.id == target) initially = row.name;
     }
-    add(name, initially, help + ": " + all, [=, &rows, &target](const std::string& text) {
-      const auto row = std::ranges::find(rows, text, [](const auto& r) { return r.name; });
-      if (row != rows.end()) {
-        target = row->id;
-        return;
-      }
-      refuse(name, text, "one of " + all);
+    text(name, help + ": " + all, initially, [=, &rows, &target](const std::string& given) {
+      const auto row = std::ranges::find(rows, given, [](const auto& r) { return r.name; });
+      if (row == rows.end()) refuse(name, given, "one of " + all);
+      target = row->id;
+    });
+  }
+  /// The name of `what`, which must not be empty.
+  void named(const std::string& name, std::string& target, const std::string& what, const std::string& help) {
+    text(name, help, "", [=, &target](const std::string& given) {
+      if (given.empty()) throw UsageError{name + ": the " + what + "'s name is empty"};
+      target = given;
     });
   }
   void text(const std::string& name, const std::string& help, const std::string& initially,
             const std::function<void(const std::string&)>& take) {
-    add(name, initially, help, take);
+    app_.add_option_function<std::string>(name, take,
+                                          help + (initially.empty() ? "" : " [" + initially + "]"))
+        ->type_name("");
   }
   void flag(const std::string& name, bool& target, const std::string& help) {
     app_.add_flag(name, target, help)->disable_flag_override();
   }
 
  private:
-  static std::string trimmed(double v) {
-    std::array<char, 32> text;
-    const bool plain = std::abs(v) >= 1e-4 && std::abs(v) < 1e9;
-    const auto [end, error] = std::to_chars(text.begin(), text.end(), v,
-                                            plain ? std::chars_format::fixed : std::chars_format::general);
-    return {text.begin(), end};
-  }
-  void add(const std::string& name, const std::string& initially, const std::string& help,
-           const std::function<void(const std::string&)>& take) {
-    app_.add_option_function<std::string>(name, take,
-                                          help + (initially.empty() ? "" : " [" + initially + "]"))
-        ->type_name("");
-  }
   CLI::App& app_;
 };
 
@@ -168,7 +151,7 @@ void addCamera(Reader& r, CameraSettings& camera) {
   r.point("--prp", "projection reference point, in viewing coordinates", "the eye",
           [&](glm::dvec3 p) { camera.prp = p; });
   r.text("--view-window",
-         "window umin,umax,vmin,vmax on the view plane; the height of --parallel then does not matter", "",
+         "window umin,umax,vmin,vmax on the view plane; it overrides the height of --parallel", "",
          [&](const std::string& text) {
            const auto v = numbers("--view-window", text, 4, "four finite numbers umin,umax,vmin,vmax");
            camera.window = {v[0], v[1], v[2], v[3]};
@@ -182,88 +165,6 @@ void addCamera(Reader& r, CameraSettings& camera) {
   plane("--back", "back clipping plane, its n", "behind the scene", camera.back);
 }
 
-void addLight(Reader& r, Illumination& light, bool& lightGiven) {
-  r.number("--ia", light.Ia, 0, 1, "ambient intensity Ia, in place of the scene's; Ia + Ip <= 1");
-  r.number("--ip", light.Ip, 0, 1, "intensity Ip of one light, in place of all lights of the scene");
-  r.number("--ka", light.ka, 0, 1, "ambient reflection ka");
-  r.number("--kd", light.kd, 0, 1, "diffuse reflection kd");
-  r.number("--ks", light.ks, 0, 1, "specular reflection ks");
-  r.number("--n", light.n, 0, 1'000'000, "specular exponent n");
-  r.point("--light", "direction towards the light, in place of all lights of the scene",
-          "from the upper left", [&](glm::dvec3 p) {
-            if (p == glm::dvec3{0}) throw UsageError{"--light: 0,0,0 is no direction"};
-            light.light = p;
-            lightGiven = true;
-          });
-  r.point("--light-at", "a point light at this place instead", "",
-          [&](glm::dvec3 p) { light.lightPosition = p; });
-  r.flag("--constant-l", light.constantL,
-         "take L at the scene's centre for every face: the light is far away");
-  r.flag("--constant-v", light.constantV,
-         "take V at the look-at point for every face: the viewer is far away");
-  r.choice("--attenuation", kAttenuations, light.attenuation,
-           "what distance d leaves of the point light, or of the scene's own");
-  r.text("--range", "where attenuation linear reaches 0, in world units",
-         "twice the way to the scene's centre", [&](const std::string& text) {
-           light.range = numbers("--range", text, 1, "a distance above 0")[0];
-           if (!(*light.range > 0)) refuse("--range", text, "a distance above 0");
-         });
-  r.point(
-      "--coefficients", "c1,c2,c3 of attenuation textbook, min(1, 1/(c1 + c2 d + c3 d^2))",
-      "half the light at the scene's centre",
-      [&](glm::dvec3 c) {
-        if (std::min({c.x, c.y, c.z}) < 0)
-          throw UsageError{"--coefficients: c1, c2 and c3 must not be negative"};
-        light.c = c;
-      },
-      "c1,c2,c3");
-  r.choice("--form", kForms, light.form, "of which cosine the specular term is the n-th power");
-}
-
-void addSurfaces(Reader& r, Options& o) {
-  r.choice("--normals", kNormalRules, o.picture.normals, "rule for the normals at vertices");
-  r.number("--crease", o.picture.crease, 0, 180,
-           "degrees; faces that meet at a larger angle share no normal");
-  r.choice("--polygons", kPolygons, o.picture.polygons,
-           "over what polygons of more than three corners interpolate");
-  r.text("--adapt",
-         "divide polygons where flat or Gouraud shading misses the illumination by more than this, into a "
-         "million at most",
-         "divide none", [&](const std::string& text) {
-           const std::string expected = "an intensity above 0 and at most 1";
-           o.picture.adapt = numbers("--adapt", text, 1, expected)[0];
-           if (!(o.picture.adapt > 0 && o.picture.adapt <= 1)) refuse("--adapt", text, expected);
-         });
-  r.choice("--environment", kEnvironmentForms, o.picture.environment, "how --shade envmap looks up its map");
-  r.text("--texture", "a PNG for the diffuse colour of all surfaces", "", [&](const std::string& s) {
-    if (s.empty()) throw UsageError{"--texture: the file's name is empty"};
-    o.texture = s;
-  });
-  r.choice("--mapping", kTextureMappings, o.picture.mapping,
-           "how texture coordinates, and Phong's normals and places, are interpolated");
-  r.choice("--colors", kColorPlans, o.picture.colors, "which colours the cells of the scene hold");
-  r.flag("--dither", o.picture.dither, "ordered dithering, where the cells hold colours and not ramps");
-}
-
-void addTable(Reader& r, TableSettings& table) {
-  r.choice("--table", kTables, table.kind, "colour table");
-  r.number("--shades", table.shades, 2, kMaxShades, "shades in the table");
-  r.number("--i0", table.I0, 0, 1, "lowest intensity of the corrected table", true);
-  r.choice("--pick", kPicks, table.pick, "how the corrected table picks a shade");
-  r.point(
-      "--hue", "hue r,g,b of the ramp, each 0 to 1, the largest 1", "1,0,0",
-      [&](glm::dvec3 h) {
-        if (std::min({h.r, h.g, h.b}) < 0 || std::max({h.r, h.g, h.b}) != 1)
-          throw UsageError{"--hue: r,g,b must lie from 0 to 1 and the largest must be 1"};
-        table.hue = h;
-      },
-      "r,g,b");
-  r.text("--bits", "what a cell keeps of its value: 8 or 16 bits", "16", [&](const std::string& text) {
-    if (text != "8" && text != "16") refuse("--bits", text, "8 or 16");
-    table.bits = text == "8" ? 8 : 16;
-  });
-}
-
 /// What is stored in the cells once they are picked.
 void addEffects(Reader& r, Options& o) {
   const auto cell = [](const std::string& option, const std::string& text) {
@@ -272,10 +173,10 @@ void addEffects(Reader& r, Options& o) {
     if (v < 0 || v > 255 || v != std::floor(v)) refuse(option, text, expected);
     return static_cast<int>(v);
   };
-  r.text("--cell", "the cell that --view colours inspects", "the middle one of those that polygons show",
+  r.text("--cell", "the cell that --view colours inspects", "the middle one of the cells that polygons use",
          [&o, cell](const std::string& s) { o.cell = cell("--cell", s); });
   r.text("--store",
-         "hold the indices that --table picks and store the colours of this table: brief, linear, corrected",
+         "keep the indices that --table picks, but store the colours of this table: brief, linear, corrected",
          "", [&o](const std::string& s) {
            const auto row = std::ranges::find(kTables, s, &TableRow::name);
            if (row == kTables.end()) refuse("--store", s, "one of brief, linear, corrected");
@@ -283,27 +184,21 @@ void addEffects(Reader& r, Options& o) {
          });
   r.number("--turn", o.effects.hueTurn, -360, 360, "turn the hue of all stored colours by degrees");
   r.number("--gamma", o.effects.gamma, kLeastGamma, kMostGamma,
-           "store v^(1/gamma) for v: what a screen needs that shows v^gamma");
-  r.text("--bend", "CELL,VALUE: drag the curve of stored values there to a value of 255", "",
+           "store v^(1/gamma) for v, for a screen that shows v^gamma");
+  r.text("--bend", "CELL,VALUE: bend the curve of stored values so that this cell holds VALUE of 255", "",
          [&o, cell](const std::string& s) {
            const std::string expected = "CELL,VALUE with a value from 0 to 255";
            const auto v = numbers("--bend", s, 2, expected);
            if (v[1] < 0 || v[1] > 255) refuse("--bend", s, expected);
            o.effects.bend = CurvePoint{cell("--bend", s.substr(0, s.find(','))), v[1]};
          });
-  r.number("--rotate", o.effects.rotate, -255, 255, "move the stored colours up the ramp by so many cells");
-  r.text("--lit", "store yellow in this cell: which polygons have this shade?", "",
+  r.number("--rotate", o.effects.rotate, -255, 255, "move the stored colours up the ramp by this many cells");
+  r.text("--lit", "store yellow in this cell, to show which polygons have this shade", "",
          [&o, cell](const std::string& s) { o.effects.lit = cell("--lit", s); });
 }
 
-/// Two thumbs on one bar: the one that was set pushes the other, so that Ia + Ip <= 1.
-void coupleIntensities(Illumination& light, bool iaGiven, bool ipGiven) {
-  if (light.Ia + light.Ip <= 1.0) return;
-  if (iaGiven && ipGiven) throw UsageError{"--ia and --ip: their sum must not exceed 1"};
-  (iaGiven ? light.Ip : light.Ia) = 1.0 - (iaGiven ? light.Ia : light.Ip);
-}
-
-/// Splits off the command; `arguments` keeps the rest.
+/// Takes the command off the arguments. CLI11's subcommands would read `draw -- -s.obj` as an option: what
+/// follows `--` in a subcommand falls through to options again.
 Command takeCommand(std::vector<std::string>& arguments) {
   if (arguments.empty()) return Command::View;
   const std::string first = arguments.front();
@@ -336,7 +231,7 @@ Command takeCommand(std::vector<std::string>& arguments) {
   throw UsageError{e.what()};
 }
 
-/// CLI11 knows one command line; ours has several forms.
+/// CLI11 knows one command line; ours has a form for each command.
 class Help : public CLI::Formatter {
   std::string make_usage(const CLI::App*, std::string) const override {
     std::string usage = "\nUsage:\n";
@@ -375,6 +270,27 @@ bool takeView(Options& o, const std::string& name) {
   return view != kViews.end() || window != kWindowViews.end();
 }
 
+/// What the options mean together, once all are read.
+void settle(Options& o) {
+  Illumination& light = o.picture.light;
+  if (o.gave("--light") && !o.gave("--light-at")) {  // it replaces the scene's light, and how that fades
+    light.lightPosition.reset();
+    if (!o.gave("--attenuation")) light.attenuation = Attenuation::None;
+  }
+  if (!keepWithinOne(light, o.gave("--ia"), o.gave("--ip")))
+    throw UsageError{"--ia and --ip: their sum must not exceed 1"};
+  // A scene asks for the filler of a window. Elsewhere there is no server, and what the user says comes
+  // first.
+  const bool server = std::exchange(o.picture.inPixels, false);
+  const bool window = o.command == Command::View || o.command == Command::Snapshot;
+  const bool fillable = o.picture.order != Order::Oracle && !rowOf(o.picture.shading).interpolates;
+  if (server && (o.gave("--fill") || (window && fillable))) o.fill = Fill::XFillPolygon;
+  if (!o.halfVector) return;
+  if (o.gave("--form") && light.form != Form::HalfVector)
+    throw UsageError{"--half-vector and --form exclude each other"};
+  light.form = Form::HalfVector;
+}
+
 }  // namespace
 
 std::optional<Options> parseOptions(int argc, const char* const* argv, const PictureSettings& initially) {
@@ -403,62 +319,40 @@ std::optional<Options> parseOptions(int argc, const char* const* argv, const Pic
   r.text("--size", "picture or window size WxH, at most 8192x8192", "800x600, a window 1024x768",
          [&](const std::string& s) { o.size = parseSize(s); });
   r.number("--divisions", o.divisions, 1, kMaxDivisions,
-           "each Bezier patch becomes N x N polygons, unless a scene file says so itself");
-  r.choice("--shade", kShadings, o.picture.shading, "shading method");
-  r.choice("--order", kOrders, o.picture.order, "hidden-surface method");
-  r.choice("--fill", kFills, o.fill, "who fills the polygons");
-  r.text("--cull", "back faces: back leaves them out, none keeps them", "none", [&](const std::string& s) {
-    if (s != "back" && s != "none") refuse("--cull", s, "back or none");
-    o.picture.cull = s == "back" ? Cull::Back : Cull::Keep;
-  });
-  r.text("--sided", "light one side of a face or two", "two", [&](const std::string& s) {
-    if (s != "one" && s != "two") refuse("--sided", s, "one or two");
-    o.picture.light.twoSided = s == "two";
-  });
-  addLight(r, o.picture.light, o.lightGiven);
+           "each Bezier patch becomes N x N polygons, unless the scene file gives the number");
+  for (const Setting& row : settingRows()) r.setting(row, o.picture);
   r.flag("--half-vector", o.halfVector, "the same as --form half-vector");
-  addSurfaces(r, o);
-  addTable(r, o.picture.table);
+  r.named("--texture", o.texture, "file", "a PNG for the diffuse colour of all surfaces");
   addCamera(r, o.picture.camera);
-  r.text("--visual", "insist on a visual, such as PseudoColor8 or TrueColor24", "",
-         [&](const std::string& s) {
-           if (s.empty()) throw UsageError{"--visual: the name is empty"};
-           o.visual = s;
-         });
+  r.named("--visual", o.visual, "visual", "insist on a visual, such as PseudoColor8 or TrueColor24");
   r.choice("--colormap", kMapOwners, o.colormap,
-           "a map of our own, or cells of the default one, as many shades as it has free");
-  r.flag("--nearest", o.nearest, "colours that the server has not got: the nearest it has, not mixed");
+           "a colormap of its own, or as many cells of the default colormap as are free");
+  r.flag("--nearest", o.nearest,
+         "show a colour that the server lacks as the nearest one it has, without mixing");
   r.text("--view", "what to show: " + viewNames(), o.viewName, [&](const std::string& s) {
     if (!takeView(o, s)) refuse("--view", s, viewNames());
   });
   r.text("--scanline", "the row of the picture that --view machbands follows, from 0 at its top",
-         "the middle one; where nothing shows there, the one that shows most", [&](const std::string& s) {
+         "the middle row, or the row that shows most if nothing shows there", [&](const std::string& s) {
            const std::string expected = "a whole number from 0 to " + std::to_string(kMaxPicture - 1);
            const double v = numbers("--scanline", s, 1, expected)[0];
            if (v < 0 || v >= kMaxPicture || v != std::floor(v)) refuse("--scanline", s, expected);
            o.scanline = static_cast<int>(v);
          });
   addEffects(r, o);
-  r.text("--ids", "also write the face image: 8-bit RGB, face number + 1, 0 where nothing is", "",
-         [&](const std::string& s) {
-           if (s.empty()) throw UsageError{"--ids: the file's name is empty"};
-           o.ids = s;
-         });
+  r.named("--ids", o.ids, "file",
+          "also write the face image: 8-bit RGB, face number + 1, 0 where nothing is");
   r.flag("--stats", o.stats,
-         "print counts and times as one JSON object; its `saturated` counts intensities above 1: of faces "
-         "(flat), vertices (gouraud) or pixels as often as painted (phong, envmap, textures)");
+         "print counts and times as one JSON object; `saturated` counts intensities above 1 at faces "
+         "(flat), at vertices (gouraud), or at pixels each time they are painted (phong, envmap, textures)");
   r.flag("--whole-window", o.wholeWindow,
          "snapshot: the window with all its controls; trace --frames: with the stepper at each step");
   r.flag("--quick", o.quick,
-         "trace: the accelerated run; without it the textbook's, whose steps grow with the square of the "
+         "trace: follow the accelerated run; the steps of the textbook's run grow with the square of the "
          "polygons");
-  r.text("--frames",
-         "trace: write numbered pictures into this folder, which may hold none yet, instead of lines", "",
-         [&](const std::string& s) {
-           if (s.empty()) throw UsageError{"--frames: the folder's name is empty"};
-           o.frames = s;
-         });
-  r.choice("--every", kEvery, o.every, "trace: the steps of which --frames makes pictures");
+  r.named("--frames", o.frames, "folder",
+          "trace: write numbered pictures into this folder instead of lines; it may hold none yet");
+  r.choice("--every", kEvery, o.every, "trace: the steps that --frames draws");
 
   try {
     std::ranges::reverse(arguments);  // as CLI11 takes them
@@ -470,29 +364,7 @@ std::optional<Options> parseOptions(int argc, const char* const* argv, const Pic
     refuse(app, o, e);
   }
   for (const CLI::Option* option : app.parse_order()) o.given.push_back(option->get_name());
-  const auto said = [&](std::string_view option) { return o.gave(option); };
-  o.said = {.Ia = said("--ia"),
-            .Ip = said("--ip"),
-            .light = said("--ip") || said("--light") || said("--light-at"),
-            .ka = said("--ka"),
-            .kd = said("--kd"),
-            .ks = said("--ks"),
-            .n = said("--n")};
-  if (o.lightGiven && !said("--light-at")) {  // in place of the scene's, and of how that fades
-    o.picture.light.lightPosition.reset();
-    if (!said("--attenuation")) o.picture.light.attenuation = Attenuation::None;
-  }
-  coupleIntensities(o.picture.light, o.said.Ia, o.said.Ip);
-  // A scene's wish for the window: elsewhere there is no server, and what the user says comes first.
-  const bool window = o.command == Command::View || o.command == Command::Snapshot;
-  const bool fillable = o.picture.order != Order::Oracle && !rowOf(o.picture.shading).interpolates;
-  if (std::exchange(o.picture.inPixels, false) && window && fillable && !said("--fill"))
-    o.fill = Fill::XFillPolygon;
-  if (o.halfVector) {
-    if (said("--form") && o.picture.light.form != Form::HalfVector)
-      throw UsageError{"--half-vector and --form exclude each other"};
-    o.picture.light.form = Form::HalfVector;
-  }
+  settle(o);
   checkTogether(o);
   return o;
 }

@@ -41,24 +41,9 @@ inline constexpr std::array kCommands{
 
 /// Who fills the polygons.
 enum class Fill { XFillPolygon, Scanline };
-struct FillRow {
-  Fill id;
-  std::string_view name, label;
-};
-inline constexpr std::array kFills{
-    FillRow{Fill::XFillPolygon, "x11", "XFillPolygon"},
-    FillRow{Fill::Scanline, "scanline", "scanline"},
-};
 
 inline constexpr glm::ivec2 kPictureSize{800, 600}, kWindowSize{1024, 768};
 inline constexpr glm::ivec2 kLeastWindow{800, 600};  ///< with all controls
-
-/// Of light and surfaces, what the command line says: what a scene says of the same gives way to it.
-struct Said {
-  bool Ia = false, Ip = false;
-  bool light = false;  ///< --ip, --light or --light-at
-  bool ka = false, kd = false, ks = false, n = false;
-};
 
 struct Options {
   Command command = Command::View;
@@ -67,8 +52,6 @@ struct Options {
   int divisions = kDefaultDivisions;
   std::optional<glm::ivec2> size;  ///< --size, else kPictureSize or kWindowSize
   PictureSettings picture;         ///< its camera and light in the file's units
-  bool lightGiven = false;         ///< --light
-  Said said;
   std::vector<std::string> given;  ///< the names of all that the command line says
   bool halfVector = false;         ///< --half-vector; the picture's light has it by then
   std::string texture;             ///< "" for none

@@ -3,6 +3,8 @@
 #include <filesystem>
 #include <string>
 
+#include "shading/scene/settings.h"
+
 namespace xnewell {
 
 namespace {
@@ -58,13 +60,14 @@ void checkView(const Options& o) {
     throw UsageError{view + " is filled by the scanline: leave out --fill x11"};
 }
 
-void checkLight(const Options& o) {
-  const Illumination& light = o.picture.light;
-  if (o.gave("--range") && light.attenuation != Attenuation::Linear)
-    throw UsageError{"--range goes with --attenuation linear"};
-  if (o.gave("--coefficients") && light.attenuation != Attenuation::Textbook)
-    throw UsageError{"--coefficients goes with --attenuation textbook"};
-  exclude(o.lightGiven, o.gave("--light-at"), "--light and --light-at");
+/// Settings that are refused where they have no effect.
+void checkSettings(const Options& o) {
+  const PictureFacts facts = factsOf(o.picture);
+  for (const Setting& setting : settingRows())
+    if (setting.need.unmet != Need::Unmet::Noted && o.gave(setting.option) && !hasEffect(setting, facts))
+      throw UsageError{std::string{setting.option} + " applies only to " +
+                       std::string{setting.need.appliesTo}};
+  exclude(o.gave("--light"), o.gave("--light-at"), "--light and --light-at");
 }
 
 /// What each command needs and takes.
@@ -142,8 +145,6 @@ void checkMethods(const Options& o) {
   if (serverFills && o.picture.order == Order::Oracle)
     throw UsageError{
         "--order oracle decides each sample by itself: there is no polygon for --fill x11 to fill"};
-  if (o.gave("--adapt") && o.picture.shading != Shading::Flat && o.picture.shading != Shading::Gouraud)
-    throw UsageError{"--adapt goes with --shade flat and gouraud"};
 }
 
 void checkCamera(const CameraSettings& c) {
@@ -158,7 +159,7 @@ void checkCamera(const CameraSettings& c) {
 }  // namespace
 
 void checkTogether(const Options& o) {
-  checkLight(o);
+  checkSettings(o);
   checkCommand(o);
   checkMethods(o);
   checkCamera(o.picture.camera);

@@ -23,12 +23,6 @@ Setup lessonBeside(const Setup& A) {
   return B;
 }
 
-/// The member of B follows A's if both had the same value.
-template <class Member>
-void follow(Member& b, const Member& before, const Member& now) {
-  if (b == before) b = now;
-}
-
 }  // namespace
 
 const std::array<PairRow, 4> kPairs{{
@@ -56,23 +50,10 @@ Setup SideBench::beside(const Setup& A) const {
   B.fill = A.fill;
   (void)keepFillable(B);
   if (!joins_) return B;
-  const auto all = [&](auto... member) { (xnewell::follow(b.*member, before.*member, now.*member), ...); };
-  using P = PictureSettings;
-  all(&P::shading, &P::normals, &P::crease, &P::polygons, &P::adapt, &P::environment, &P::mapping, &P::order,
-      &P::cull, &P::colors, &P::dither);
-  const auto light = [&](auto... member) {
-    (xnewell::follow(b.light.*member, before.light.*member, now.light.*member), ...);
-  };
-  using L = Illumination;
-  light(&L::Ia, &L::Ip, &L::ka, &L::kd, &L::ks, &L::n, &L::light, &L::lightPosition, &L::attenuation,
-        &L::range, &L::c, &L::form, &L::constantL, &L::constantV, &L::twoSided);
-  const auto table = [&](auto... member) {
-    (xnewell::follow(b.table.*member, before.table.*member, now.table.*member), ...);
-  };
-  using T = TableSettings;
-  table(&T::kind, &T::shades, &T::I0, &T::pick, &T::hue, &T::bits, &T::first, &T::low, &T::high);
-  // Each of Ia and Ip follows by itself; their sum stays at most 1.
-  if (b.light.Ia + b.light.Ip > 1.0) setIp(B, 1.0 - b.light.Ia);
+  for (const Setting& setting : settingRows())  // B's follows A's where both had the same
+    if (setting.field.get(b) == setting.field.get(before)) setting.field.set(b, setting.field.get(now));
+  // Each thumb of the bar follows alone; together they stay within it.
+  (void)keepWithinOne(b.light, true, false);
   return B;
 }
 
@@ -141,10 +122,10 @@ bool SideBench::undo(const Setup& A) {
 
 bool SideBench::pressArrow(int steps, const Setup& A) {
   if (!slider_) return false;
-  const auto* const row = std::ranges::find(kSliders, slider_, &SliderRow::key);
+  const SliderRow* const row = sliderOf(slider_);
   const Setup& of = focus_ == 'A' ? A : *b_;
   if (!row->enabled(of)) {
-    host_->notify(std::string{row->label} + " has no effect in " + focus_ + " with its settings.");
+    host_->notify(noEffect(row->label, *row->setting, std::string{"in "} + focus_) + ".");
     return true;
   }
   change(slider_, A, [&](Setup& s) { step(s, *row, steps); });
@@ -156,24 +137,17 @@ bool SideBench::pressControl(char letter, const Setup& A) {
     host_->notify("Here the program's own scanline code fills both pictures.");
     return true;
   }
-  for (const ChoiceRow& row : choices())
-    if (row.key == letter) {
-      const auto next = [&](Setup& s) {
-        row.set(s, (row.get(s) + 1) % static_cast<int>(row.options.size()));
-      };
-      if (letter == 'P')  // both have one camera
-        choose(*host_, row, (row.get(A) + 1) % static_cast<int>(row.options.size()));
-      else
-        change(letter, A, next);
-      return true;
-    }
-  for (const ToggleRow& row : kToggles)
-    if (row.key == letter) {
-      change(letter, A, [&](Setup& s) { s.picture.light.*row.value = !(s.picture.light.*row.value); });
-      return true;
-    }
+  if (const ChoiceRow* const row = choiceOf(letter); row && row->section != Section::Hidden) {
+    if (letter == 'P')  // both have one camera
+      choose(*host_, *row, row->next(A));
+    else
+      change(letter, A, [&](Setup& s) { row->set(s, row->next(s)); });
+    return true;
+  }
+  if (const ToggleRow* const row = toggleOf(letter))
+    return change(letter, A, [&](Setup& s) { row->flip(s); }), true;
   if (letter == 'H') return change('H', A, nextHue), true;
-  if (std::ranges::find(kSliders, letter, &SliderRow::key) == kSliders.end()) return false;
+  if (!sliderOf(letter)) return false;
   slider_ = letter;
   return true;
 }
@@ -371,7 +345,7 @@ void SideBench::draw(IndexImage& image, const Desk& desk) {
   for (std::size_t k = 0; k < use_.samples.size(); ++k) use_.samples[k] += second.samples[k];
   status_ = sidesStatus(askedA, askedB);
   if (slider_) {
-    const auto* const row = std::ranges::find(kSliders, slider_, &SliderRow::key);
+    const SliderRow* const row = sliderOf(slider_);
     const Setup& of = focus_ == 'A' ? desk.setup : *b_;
     aside_ =
         "arrows: " + std::string{row->label} + " of " + focus_ + ", " + fixed(row->get(of), row->decimals);

@@ -268,10 +268,8 @@ std::string sidesStatus(const PictureSettings& A, const PictureSettings& B) {
     }
     text += (k == 0 ? "" : k + 1 == what.size() ? " and " : ", ") + what[k];
   }
-  return text + (what.size() == 1 && what[0] != "shades" && what[0] != "normals" && what[0] != "backs" &&
-                         what[0] != "bits"
-                     ? " differs"
-                     : " differ");
+  const bool plural = what.size() > 1 || what[0].ends_with('s');  // "shades"
+  return text + (plural ? " differ" : " differs");
 }
 
 void drawSidesPage(IndexImage& image, const SidesLayout& at, const SidesPage& page, const CellPlan& plan) {

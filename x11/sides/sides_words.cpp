@@ -1,7 +1,7 @@
 #include <algorithm>
-#include <functional>
 #include <map>
 
+#include "shading/scene/settings.h"
 #include "x11/drawing/wording.h"
 #include "x11/sides/sides.h"
 #include "x11/window/caption.h"
@@ -12,22 +12,6 @@ namespace xnewell {
 
 namespace {
 
-std::string shortNameOf(Order order) {
-  switch (order) {
-    case Order::Unsorted:
-      return "unsorted";
-    case Order::ZMean:
-      return "z-sort by mean z";
-    case Order::ZSort:
-      return "z-sort by farthest z";
-    case Order::Newell:
-      return "Newell";
-    case Order::Oracle:
-      return "oracle";
-  }
-  return "";
-}
-
 /// A number with as many decimals as it needs, up to six.
 std::string inWords(double v) {
   int decimals = 0;
@@ -36,118 +20,26 @@ std::string inWords(double v) {
 }
 std::string inWords(const glm::dvec3& v) { return inWords(v.x) + ", " + inWords(v.y) + ", " + inWords(v.z); }
 
-/// A setting in which two pictures may differ.
-struct Item {
-  using S = PictureSettings;
-  std::string_view what;
-  bool always;  ///< shown even if both have the same value
-  std::function<bool(const S&, const S&)> same;
-  std::function<std::string(const S&)> words;
-};
-template <class Get, class Words>
-Item item(std::string_view what, bool always, Get get, Words words) {
-  return {what, always, [=](const auto& a, const auto& b) { return get(a) == get(b); }, words};
+std::string inWords(const Setting& setting, const Value& value) {
+  if (const auto* v = std::get_if<glm::dvec3>(&value)) return inWords(*v);
+  const auto* v = std::get_if<double>(&value);
+  if (!v) return std::string{setting.initially};
+  if (!setting.words.empty()) return std::string{setting.words[static_cast<std::size_t>(*v)]};
+  return setting.field.kind == ValueKind::Choice ? textOf(setting, value) : inWords(*v);
 }
 
-const std::vector<Item>& items() {
-  using S = PictureSettings;
-  const auto number = [](std::string_view what, std::string name, auto get) {
-    return item(what, false, get, [=](const S& s) { return name + ' ' + inWords(get(s)); });
-  };
-  static const std::vector<Item> all{
-      item(
-          "order", true, [](const S& s) { return s.order; }, [](const S& s) { return shortNameOf(s.order); }),
-      item(
-          "shading", true, [](const S& s) { return s.shading; },
-          [](const S& s) { return shadingInWords(s.shading); }),
-      item(
-          "normals", true, [](const S& s) { return s.normals; },
-          [](const S& s) { return std::string{kNormalRules[int(s.normals)].name} + " normals"; }),
-      item(
-          "table", true, [](const S& s) { return s.table.kind; },
-          [](const S& s) { return std::string{kTables[int(s.table.kind)].name}; }),
-      item(
-          "shades", false, [](const S& s) { return s.table.shades; },
-          [](const S& s) { return std::to_string(s.table.shades) + " shades"; }),
-      number("table", "I0", [](const S& s) { return s.table.I0; }),
-      item(
-          "table", false, [](const S& s) { return s.table.pick; },
-          [](const S& s) { return "nearest by " + std::string{kPicks[int(s.table.pick)].name}; }),
-      item(
-          "table", false,
-          [](const S& s) {
-            return std::pair{s.table.low, s.table.high};
-          },
-          [](const S& s) { return inWords(s.table.low) + " to " + inWords(s.table.high); }),
-      item(
-          "hue", false, [](const S& s) { return s.table.hue; },
-          [](const S& s) { return "hue " + inWords(s.table.hue); }),
-      item(
-          "bits", false, [](const S& s) { return s.table.bits; },
-          [](const S& s) { return std::to_string(s.table.bits) + " bits"; }),
-      item(
-          "colours", false, [](const S& s) { return s.colors; },
-          [](const S& s) { return "colours " + std::string{kColorPlans[int(s.colors)].name}; }),
-      item(
-          "dither", false, [](const S& s) { return s.dither; },
-          [](const S& s) { return std::string{s.dither ? "dithered" : "not dithered"}; }),
-      item(
-          "backs", false, [](const S& s) { return s.cull; },
-          [](const S& s) { return std::string{s.cull == Cull::Back ? "backs culled" : "backs kept"}; }),
-      number("light", "Ia", [](const S& s) { return s.light.Ia; }),
-      number("light", "Ip", [](const S& s) { return s.light.Ip; }),
-      number("surface", "ka", [](const S& s) { return s.light.ka; }),
-      number("surface", "kd", [](const S& s) { return s.light.kd; }),
-      number("surface", "ks", [](const S& s) { return s.light.ks; }),
-      item(
-          "surface", false, [](const S& s) { return s.light.n; },
-          [](const S& s) { return "n " + std::to_string(s.light.n); }),
-      item(
-          "L", false, [](const S& s) { return s.light.constantL; },
-          [](const S& s) { return std::string{s.light.constantL ? "L constant" : "L from each place"}; }),
-      item(
-          "V", false, [](const S& s) { return s.light.constantV; },
-          [](const S& s) { return std::string{s.light.constantV ? "V constant" : "V from each place"}; }),
-      item(
-          "light", false,
-          [](const S& s) {
-            return std::pair{s.light.light, s.light.lightPosition};
-          },
-          [](const S& s) {
-            return s.light.lightPosition ? "light at " + inWords(*s.light.lightPosition)
-                                         : "light from " + inWords(s.light.light);
-          }),
-      item(
-          "light", false,
-          [](const S& s) {
-            return std::tuple{s.light.attenuation, s.light.range, s.light.c};
-          },
-          [](const S& s) {
-            return "attenuation " + std::string{kAttenuations[int(s.light.attenuation)].name};
-          }),
-      item(
-          "form", false, [](const S& s) { return s.light.form; },
-          [](const S& s) { return std::string{kForms[int(s.light.form)].name}; }),
-      item(
-          "light", false, [](const S& s) { return s.light.twoSided; },
-          [](const S& s) { return std::string{s.light.twoSided ? "both sides lit" : "fronts lit"}; }),
-      item(
-          "crease", false, [](const S& s) { return s.crease; },
-          [](const S& s) { return "crease " + inWords(s.crease) + "\u00B0"; }),
-      item(
-          "polygons", false, [](const S& s) { return s.polygons; },
-          [](const S& s) { return "by " + std::string{kPolygons[int(s.polygons)].name}; }),
-      item(
-          "division", false, [](const S& s) { return s.adapt; },
-          [](const S& s) { return s.adapt > 0 ? "divided to " + inWords(s.adapt) : "not divided"; }),
-      item(
-          "environment", false, [](const S& s) { return s.environment; },
-          [](const S& s) { return std::string{kEnvironmentForms[int(s.environment)].name}; }),
-      item(
-          "mapping", false, [](const S& s) { return s.mapping; },
-          [](const S& s) { return std::string{kTextureMappings[int(s.mapping)].name} + " mapping"; }),
-  };
-  return all;
+/// "ks 0.4", "240 shades", "Gouraud".
+std::string phraseOf(const Setting& setting, const PictureSettings& settings) {
+  const std::string value = inWords(setting, setting.field.get(settings));
+  if (!setting.words.empty()) return value;
+  if (const std::size_t at = setting.phrase.find("{}"); at != std::string_view::npos)
+    return std::string{setting.phrase}.replace(at, 2, value);
+  return std::string{setting.label} + ' ' + value +
+         (setting.unit.empty() ? "" : ' ' + std::string{setting.unit});
+}
+
+bool differs(const Setting& setting, const PictureSettings& A, const PictureSettings& B) {
+  return setting.field.get(A) != setting.field.get(B);
 }
 
 /// "where body and spout meet", if most of the differing samples in the frame show faces of these two groups;
@@ -193,22 +85,20 @@ std::string whyOf(Order order, std::string_view other, const SideNumbers& number
 
 std::vector<Phrase> phrasesOf(const PictureSettings& mine, const PictureSettings& other) {
   std::vector<Phrase> phrases;
-  const auto say = [&](bool differing) {
-    for (const Item& i : items()) {
-      const bool differs = !i.same(mine, other);
-      if (differs != differing || !(i.always || differs)) continue;
-      if (!differs && i.what == "normals" && !rowOf(mine.shading).interpolates) continue;
-      phrases.push_back({i.words(mine), differs});
-    }
-  };
-  say(true), say(false);
+  for (const Setting& setting : settingRows())
+    if (differs(setting, mine, other)) phrases.push_back({phraseOf(setting, mine), true});
+  for (const Setting& setting : settingRows())
+    if (setting.alwaysSaid && !differs(setting, mine, other) && hasEffect(setting, factsOf(mine)))
+      phrases.push_back({phraseOf(setting, mine), false});
   return phrases;
 }
 
 std::vector<std::string> differencesOf(const PictureSettings& A, const PictureSettings& B) {
   std::vector<std::string> what;
-  for (const Item& i : items())
-    if (!i.same(A, B) && std::ranges::find(what, i.what) == what.end()) what.emplace_back(i.what);
+  for (const Setting& setting : settingRows()) {
+    const std::string_view in = setting.differsIn.empty() ? setting.label : setting.differsIn;
+    if (differs(setting, A, B) && std::ranges::find(what, in) == what.end()) what.emplace_back(in);
+  }
   return what;
 }
 
@@ -245,8 +135,8 @@ Finding findingOf(const Picture& A, const Picture& B, const SideNumbers& ofA, co
   const std::string they = unlike.differ > 0 ? "They differ at " + share + " of the samples."
                            : unlike.kind == Unlike::Face
                                ? "Both show the same face at every sample."
-                               : "The two pictures differ nowhere by more than " +
-                                     std::string{kMeasures[static_cast<int>(measure)].unitInWords} + ".";
+                               : std::string{"They differ nowhere by more than "} +
+                                     (unlike.kind == Unlike::Intensity ? "1/240." : "1 (CIEDE2000).");
   const auto table = [](const Picture& picture) { return picture.settings().table.kind; };
   if (what.size() == 1 &&
       std::minmax({table(A), table(B)}) == std::pair{TableKind::Linear, TableKind::Corrected})

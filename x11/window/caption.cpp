@@ -7,7 +7,7 @@ namespace xnewell {
 namespace {
 
 std::string_view chosen(char key, const Setup& setup) {
-  const ChoiceRow& row = *std::ranges::find(choices(), key, &ChoiceRow::key);
+  const ChoiceRow& row = *choiceOf(key);
   return row.options[row.get(setup)];
 }
 

@@ -79,8 +79,7 @@ bool ColorsBench::press(const Key& key, const Setup& setup) {
       undo();
       return false;
     case '0':
-      if (const SliderRow& I0 = kSliders[kI0]; !I0.enabled(setup))
-        return host_.notify(std::string{I0.whenOff}), true;
+      if (const SliderRow& I0 = *sliderOf('0'); !I0.enabled(setup)) return host_.notify(I0.whenOff()), true;
       [[fallthrough]];
     case 'c':
       focus_ = std::ranges::find(lines_, key.letter, &TableLine::key) == lines_.end() ? '\0' : key.letter;
@@ -282,15 +281,15 @@ std::vector<TableLine> ColorsBench::lines(const Picture& picture, const Setup& s
   // The number of shades and I0 are sliders here.
   const auto shades = std::ranges::find(lines, 'c', &TableLine::key);
   if (shades != lines.end()) {
-    const auto slider = [&](SliderIndex index) {
-      const SliderRow& row = kSliders[index];
+    const auto slider = [&](char key) {
+      const SliderRow& row = *sliderOf(key);
       return TableLine{.key = row.key,
                        .label = std::string{row.label},
                        .value = fixed(row.get(setup), row.decimals),
                        .share = trackPosition(row, row.get(setup))};
     };
-    *shades = slider(kShadesSlider);
-    if (setup.picture.table.kind == TableKind::Corrected) lines.insert(shades + 1, slider(kI0));
+    *shades = slider('c');
+    if (setup.picture.table.kind == TableKind::Corrected) lines.insert(shades + 1, slider('0'));
   }
   const auto* const gamma = std::ranges::find(kGammas, effects_.gamma);
   TableLine gammas{.key = 'g', .label = "gamma", .chosen = static_cast<int>(gamma - kGammas.begin())};

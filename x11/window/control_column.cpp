@@ -51,7 +51,7 @@ class Walk {
     const int width = column_.ball.x - kMargin - x_;
     add(Kind::Light, 'l', {x_, y_ - 14, width, compact ? 18 : 58});
     y_ += compact ? 19 : 61;
-    for (const ToggleRow& toggle : kToggles) {
+    for (const ToggleRow& toggle : toggles()) {
       add(Kind::Toggle, toggle.key, row(width));
       y_ += compact ? 20 : 22;
     }
@@ -66,14 +66,14 @@ class Walk {
     y_ += column_.compact ? 5 : 8;
     column_.headings.push_back({y_, name});
     y_ += column_.compact ? 18 : advance;
-    const auto sliders = [&] {
-      for (const SliderRow& slider : kSliders)
+    const auto addSliders = [&] {
+      for (const SliderRow& slider : sliders())
         if (slider.section == section) {
           add(Kind::Slider, slider.key, row(), {x_ + kColumnTrackAt, y_ - 5, kColumnTrack + 1, 2});
           y_ += pitch_;
         }
     };
-    if (section != Section::ColourTable) sliders();
+    if (section != Section::ColourTable) addSliders();
     for (const ChoiceRow& choice : choices())
       if (choice.section == section) {
         add(Kind::Choice, choice.key, row(), {},
@@ -81,7 +81,7 @@ class Walk {
                          std::min(19, pitch_)));
         y_ += pitch_;
       }
-    if (section == Section::ColourTable) sliders();
+    if (section == Section::ColourTable) addSliders();
   }
 
   void buttons() {
@@ -119,7 +119,7 @@ struct ColumnPen : Pen {
 };
 
 void ColumnPen::slider(const ControlPlace& place) {
-  const SliderRow& row = *std::ranges::find(kSliders, place.key, &SliderRow::key);
+  const SliderRow& row = *sliderOf(place.key);
   const bool enabled = row.enabled(shown.setup);
   if (shown.focus == row.key) drawFocus(*this, place.row, place.row.width == kControls ? 6 : 2);
   key(place.x, place.y - 11, std::string_view{&row.key, 1});
@@ -138,7 +138,7 @@ void ColumnPen::slider(const ControlPlace& place) {
 }
 
 void ColumnPen::choice(const ControlPlace& place) {
-  const ChoiceRow& row = *std::ranges::find(choices(), place.key, &ChoiceRow::key);
+  const ChoiceRow& row = *choiceOf(place.key);
   key(place.x, place.y - 11, std::string_view{&row.key, 1});
   ink(place.x + kName, place.y, row.label);
   drawOptions(*this, row.options, place.options, row.get(shown.setup),
@@ -146,12 +146,12 @@ void ColumnPen::choice(const ControlPlace& place) {
 }
 
 void ColumnPen::toggle(const ControlPlace& place) {
-  const auto* const row = std::ranges::find(kToggles, place.key, &ToggleRow::key);
+  const ToggleRow* const row = toggleOf(place.key);
   key(place.x, place.y - 11, std::string_view{&row->key, 1});
   const Rect box{place.x + kName, place.y - 10, 11, 11};
   paint.fillRect(box, (*this)(hovered(row->key) ? Cell::Panel : Cell::White));
   paint.frame(box, (*this)(Cell::Ink));
-  if (shown.setup.picture.light.*row->value) paint.tick(box.x + 2, box.y + 2, (*this)(Cell::Ink));
+  if (row->get(shown.setup)) paint.tick(box.x + 2, box.y + 2, (*this)(Cell::Ink));
   ink(place.x + 41, place.y, row->label);
 }
 

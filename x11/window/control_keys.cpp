@@ -10,8 +10,15 @@ namespace xnewell {
 
 namespace {
 
-/// Those that Tab walks through.
-constexpr std::string_view kFocusOrder = "lipadsnc0tz";
+/// Those that Tab walks through: light, sliders, turn, zoom.
+const std::string& focusOrder() {
+  static const std::string keys = [] {
+    std::string all = "l";
+    for (const SliderRow& row : sliders()) all += row.key;
+    return all + "tz";
+  }();
+  return keys;
+}
 
 bool has(std::string_view letters, char letter) { return letters.find(letter) != std::string_view::npos; }
 
@@ -25,6 +32,17 @@ std::optional<double> numberIn(const std::string& text) {
 }
 
 }  // namespace
+
+std::string_view allControls() {
+  static const std::string keys = [] {
+    std::string all = focusOrder();
+    for (const ToggleRow& row : toggles()) all += row.key;
+    for (const ChoiceRow& row : choices()) all += row.key;
+    for (const ChoiceRow& row : others()) all += row.key;
+    return all + "H[]+-=";
+  }();
+  return keys;
+}
 
 Camera cameraOf(const Setup& setup, const ControlKeys::Subject& subject) {
   const Scene& scene = subject.scene;
@@ -73,32 +91,17 @@ bool ControlKeys::press(const Key& key, std::string_view which, const Setup& set
 }
 
 bool ControlKeys::pressLetter(char letter, const Setup& setup, const Subject& subject, Host& host) {
-  if (has(kFocusOrder, letter)) return setFocus(letter), true;
-  for (const ChoiceRow& row : choices())
-    if (row.key == letter)
-      return choose(host, row, (row.get(setup) + 1) % static_cast<int>(row.options.size())), true;
-  for (const ToggleRow& row : kToggles)
-    if (row.key == letter)
-      return host.change(letter,
-                         [&](Setup& s) { s.picture.light.*row.value = !(s.picture.light.*row.value); }),
-             true;
+  if (has(focusOrder(), letter)) return setFocus(letter), true;
+  if (const ChoiceRow* const row = choiceOf(letter)) return choose(host, *row, row->next(setup)), true;
+  if (const ToggleRow* const row = toggleOf(letter))
+    return host.change(letter, [&](Setup& s) { row->flip(s); }), true;
   switch (letter) {
     case '[':
-      return host.change('[', [](Setup& s) { setIa(s, 1.0); }), true;
+      return host.change('[', [](Setup& s) { sliderOf('i')->set(s, 1.0); }), true;
     case ']':
-      return host.change(']', [](Setup& s) { setIp(s, 1.0); }), true;
+      return host.change(']', [](Setup& s) { sliderOf('p')->set(s, 1.0); }), true;
     case 'H':
       return host.change('H', nextHue), true;
-    case 'B':
-      return host.change('B', [](Setup& s) { s.picture.table.bits = s.picture.table.bits == 16 ? 8 : 16; }),
-             true;
-    case 'J':
-      return host.change('J',
-                         [](Setup& s) {
-                           Pick& pick = s.picture.table.pick;
-                           pick = pick == Pick::Log ? Pick::Search : Pick::Log;
-                         }),
-             true;
     case '+':
       return zoom(host, setup, subject, 1.1), true;
     case '-':
@@ -117,29 +120,30 @@ void ControlKeys::move(int along, int up, const Setup& setup, const Subject& sub
     return host.change(
         'l', [&](Setup& s) { turnLight(s.picture.light, subject.scene.up, along, up, subject.centre); });
   const SliderRow& row = *sliderOf(focus_);
-  if (!row.enabled(setup)) return host.notify(std::string{row.whenOff});
+  if (!row.enabled(setup)) return host.notify(row.whenOff());
   host.change(focus_, [&](Setup& s) { step(s, row, along + up); });
 }
 
 void ControlKeys::toEnd(bool high, const Setup& setup, Host& host) {
   const SliderRow* const row = sliderOf(focus_);
-  if (row && !row->enabled(setup)) return host.notify(std::string{row->whenOff});
+  if (row && !row->enabled(setup)) return host.notify(row->whenOff());
   if (row) host.change(row->key, [&](Setup& s) { row->set(s, high ? row->high : row->low); });
 }
 
 void ControlKeys::nextFocus(int direction, std::string_view which) {
-  const std::size_t n = kFocusOrder.size();
-  std::size_t at = kFocusOrder.find(focus_);
+  const std::string& order = focusOrder();
+  const std::size_t n = order.size();
+  std::size_t at = order.find(focus_);
   for (std::size_t tried = 0; tried < n; ++tried) {
     at = (at + n + direction) % n;
-    if (has(which, kFocusOrder[at])) return setFocus(kFocusOrder[at]);
+    if (has(which, order[at])) return setFocus(order[at]);
   }
 }
 
 void ControlKeys::askForValue(const Setup& setup, Host& host) {
   const SliderRow* row = sliderOf(focus_);
   if (!row) return host.notify("A value is typed for a slider: press its letter first.");
-  if (!row->enabled(setup)) return host.notify(std::string{row->whenOff});
+  if (!row->enabled(setup)) return host.notify(row->whenOff());
   const std::string low = fixed(row->low, row->decimals), high = fixed(row->high, row->decimals);
   host.ask({.asks = std::string{row->label} + ", " + low + " to " + high,
             .text = fixed(row->get(setup), row->decimals),

@@ -34,7 +34,7 @@ class ControlKeys {
 };
 
 /// Every letter that is a control's.
-inline constexpr std::string_view kAllControls = "lipadsnc0tzLVSNOFPKTW[]HBJ+-=";
+[[nodiscard]] std::string_view allControls();
 
 /// As the setup has it.
 [[nodiscard]] Camera cameraOf(const Setup& setup, const ControlKeys::Subject& subject);

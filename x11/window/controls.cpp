@@ -12,100 +12,139 @@ namespace xnewell {
 
 namespace {
 
-bool always(const Setup&) { return true; }
-bool needsSpecular(const Setup& s) { return s.picture.light.ks > 0; }
-bool corrected(const Setup& s) { return s.picture.table.kind == TableKind::Corrected; }
-
-template <class Rows>
-std::vector<std::string_view> labels(const Rows& rows) {
-  std::vector<std::string_view> all;
-  all.reserve(rows.size());
-  for (const auto& row : rows) all.push_back(row.label);
-  return all;
-}
-
-template <class Rows>
-std::vector<std::string_view> names(const Rows& rows) {
-  std::vector<std::string_view> all;
-  all.reserve(rows.size());
-  for (const auto& row : rows) all.push_back(row.name);
-  return all;
-}
-
 bool isParallel(const CameraSettings& camera) { return camera.parallel || camera.oblique; }
+
+ChoiceRow choiceRow(const Setting& setting) {
+  ChoiceRow row{.key = setting.control,
+                .label = setting.label,
+                .tells = setting.is,
+                .section = setting.section,
+                .options = {},
+                .get = [&](const Setup& s) { return int(std::get<double>(setting.field.get(s.picture))); },
+                .set = [&](Setup& s, int i) { setting.field.set(s.picture, double(i)); }};
+  for (const Choice& choice : setting.field.choices) row.options.push_back(choice.label);
+  return row;
+}
+
+ChoiceRow showRow() {
+  ChoiceRow row{.key = 'W',
+                .label = "show",
+                .tells = "what is drawn of the scene",
+                .section = Section::Method,
+                .options = {},
+                .get = [](const Setup& s) { return int(s.show); },
+                .set = [](Setup& s, int i) { s.show = kShows[i].id; }};
+  for (const ShowRow& show : kShows) row.options.push_back(show.label);
+  return row;
+}
+
+ChoiceRow projectionRow() {
+  return {.key = 'P',
+          .label = "project",
+          .tells = "the projection: in perspective, what is far away is smaller",
+          .section = Section::Method,
+          .options = {"parallel", "perspective"},
+          .get = [](const Setup& s) { return isParallel(s.picture.camera) ? 0 : 1; },
+          .set =
+              [](Setup& s, int i) {
+                CameraSettings& camera = s.picture.camera;
+                camera.parallel = i == 0;
+                camera.oblique.reset();
+                camera.height.reset();
+              }};
+}
+
+template <class Row>
+const Row* withKey(const std::vector<Row>& rows, char key) {
+  const auto row = std::ranges::find(rows, key, &Row::key);
+  return row == rows.end() ? nullptr : &*row;
+}
 
 }  // namespace
 
-const std::array<SliderRow, 8> kSliders{{
-    {'i', "Ia", "light that comes from everywhere alike", Section::Light, 0, 1, 0.01, false, 2,
-     [](const Setup& s) { return s.picture.light.Ia; }, setIa, always},
-    {'p', "Ip", "light of the source; Ia + Ip keep within 1", Section::Light, 0, 1, 0.01, false, 2,
-     [](const Setup& s) { return s.picture.light.Ip; }, setIp, always},
-    {'a', "ka", "how much of Ia the surface gives back", Section::Surface, 0, 1, 0.01, false, 2,
-     [](const Setup& s) { return s.picture.light.ka; }, [](Setup& s, double v) { s.picture.light.ka = v; },
-     always},
-    {'d', "kd", "how much of Ip it scatters, times N.L", Section::Surface, 0, 1, 0.01, false, 2,
-     [](const Setup& s) { return s.picture.light.kd; }, [](Setup& s, double v) { s.picture.light.kd = v; },
-     always},
-    {'s', "ks", "how much of Ip it mirrors: the highlight", Section::Surface, 0, 1, 0.01, false, 2,
-     [](const Setup& s) { return s.picture.light.ks; }, [](Setup& s, double v) { s.picture.light.ks = v; },
-     always},
-    {'n', "n", "how sharp the highlight is: R.V to the n", Section::Surface, 1, 1000, 0.01, true, 0,
-     [](const Setup& s) { return double(s.picture.light.n); },
-     [](Setup& s, double v) { s.picture.light.n = static_cast<int>(v); }, needsSpecular,
-     "n is the highlight's, and ks is 0: there is none."},
-    {'c', "shades", "cells of the ramp from dark to bright", Section::ColourTable, 2, kMaxShades, 1, false, 0,
-     [](const Setup& s) { return double(s.picture.table.shades); },
-     [](Setup& s, double v) { s.picture.table.shades = static_cast<int>(v); }, always},
-    {'0', "I0", "the darkest shade, also of what is darker; each next r times as bright",
-     Section::ColourTable, 0.001, 0.5, 0.01, true, 3, [](const Setup& s) { return s.picture.table.I0; },
-     [](Setup& s, double v) { s.picture.table.I0 = v; }, corrected,
-     "I0 is for the corrected table: T goes through the tables."},
-}};
+double SliderRow::get(const Setup& setup) const {
+  return std::get<double>(setting->field.get(setup.picture));
+}
+
+void SliderRow::set(Setup& setup, double value) const {
+  setting->field.set(setup.picture, value);
+  (void)keepWithinOne(setup.picture.light, setting->key == "Ia", setting->key == "Ip");
+}
+
+bool SliderRow::enabled(const Setup& setup) const { return hasEffect(*setting, factsOf(setup.picture)); }
+
+bool ToggleRow::get(const Setup& setup) const {
+  return std::get<double>(setting->field.get(setup.picture)) != 0.0;
+}
+
+void ToggleRow::flip(Setup& setup) const { setting->field.set(setup.picture, get(setup) ? 0.0 : 1.0); }
+
+const std::vector<SliderRow>& sliders() {
+  static const std::vector<SliderRow> rows = [] {
+    std::vector<SliderRow> all;
+    for (const Setting& setting : settingRows())
+      if (const auto& at = setting.slider)
+        all.push_back({&setting, setting.control, setting.label, setting.section, at->low, at->high, at->step,
+                       at->logarithmic, at->decimals});
+    return all;
+  }();
+  return rows;
+}
 
 const std::vector<ChoiceRow>& choices() {
-  static const std::vector<ChoiceRow> rows{
-      {'W', "show", "what is drawn of the scene", Section::Method, labels(kShows),
-       [](const Setup& s) { return int(s.show); }, [](Setup& s, int i) { s.show = kShows[i].id; }},
-      {'S', "shading", "where I is computed: a face, its corners, each pixel", Section::Method,
-       labels(kShadings), [](const Setup& s) { return int(s.picture.shading); },
-       [](Setup& s, int i) { s.picture.shading = kShadings[i].id; }},
-      {'N', "normals", "how a vertex gets N from the faces around it", Section::Method, names(kNormalRules),
-       [](const Setup& s) { return int(s.picture.normals); },
-       [](Setup& s, int i) { s.picture.normals = kNormalRules[i].id; }},
-      {'O', "order", "which is painted first; what comes later covers it", Section::Method, labels(kOrders),
-       [](const Setup& s) { return int(s.picture.order); },
-       [](Setup& s, int i) { s.picture.order = kOrders[i].id; }},
-      {'F', "fill", "who finds the pixels of a polygon", Section::Method, labels(kFills),
-       [](const Setup& s) { return int(s.fill); }, [](Setup& s, int i) { s.fill = kFills[i].id; }},
-      {'P',
-       "project",
-       "whether what is far is smaller",
-       Section::Method,
-       {"parallel", "perspective"},
-       [](const Setup& s) { return isParallel(s.picture.camera) ? 0 : 1; },
-       [](Setup& s, int i) {
-         CameraSettings& camera = s.picture.camera;
-         camera.parallel = i == 0;
-         camera.oblique.reset();
-         camera.height.reset();
-       }},
-      {'K',
-       "backs",
-       "faces turned away: painted, or left out",
-       Section::Method,
-       {"keep", "cull"},
-       [](const Setup& s) { return int(s.picture.cull); },
-       [](Setup& s, int i) { s.picture.cull = i == 0 ? Cull::Keep : Cull::Back; }},
-      {'T',
-       "table",
-       "which intensity the i-th shade stands for",
-       Section::ColourTable,
-       {kTables[0].name, kTables[1].name, kTables[2].name},
-       [](const Setup& s) { return int(s.picture.table.kind); },
-       [](Setup& s, int i) { s.picture.table.kind = kTables[i].id; }},
-  };
+  static const std::vector<ChoiceRow> rows = [] {
+    std::vector<ChoiceRow> all{showRow()};
+    for (const Setting& setting : settingRows()) {
+      if (setting.field.kind != ValueKind::Choice || setting.section == Section::Hidden) continue;
+      all.push_back(choiceRow(setting));
+      if (setting.key != "fill") continue;
+      // The window asks for its filler; the picture is told when it is drawn for the server.
+      all.back().get = [](const Setup& s) { return int(s.fill); };
+      all.back().set = [](Setup& s, int i) { s.fill = static_cast<Fill>(i); };
+      all.push_back(projectionRow());
+    }
+    return all;
+  }();
   return rows;
+}
+
+const std::vector<ChoiceRow>& others() {
+  static const std::vector<ChoiceRow> rows = [] {
+    std::vector<ChoiceRow> all;
+    for (const Setting& setting : settingRows())
+      if (setting.control != 0 && setting.field.kind == ValueKind::Choice &&
+          setting.section == Section::Hidden)
+        all.push_back(choiceRow(setting));
+    return all;
+  }();
+  return rows;
+}
+
+const std::vector<ToggleRow>& toggles() {
+  static const std::vector<ToggleRow> rows = [] {
+    std::vector<ToggleRow> all;
+    for (const Setting& setting : settingRows())
+      if (setting.control != 0 && setting.field.kind == ValueKind::Flag)
+        all.push_back({&setting, setting.control, setting.label});
+    return all;
+  }();
+  return rows;
+}
+
+const SliderRow* sliderOf(char key) { return withKey(sliders(), key); }
+
+const ChoiceRow* choiceOf(char key) {
+  const ChoiceRow* const row = withKey(choices(), key);
+  return row ? row : withKey(others(), key);
+}
+
+const ToggleRow* toggleOf(char key) { return withKey(toggles(), key); }
+
+std::string_view whatIs(char key) {
+  if (key == 'l') return "where the light is: drag it on the ball";
+  if (const ChoiceRow* const choice = choiceOf(key)) return choice->tells;
+  const Setting* const setting = settingOf(key);
+  return setting ? setting->is : std::string_view{};
 }
 
 std::string_view keepFillable(Setup& setup) {
@@ -115,22 +154,6 @@ std::string_view keepFillable(Setup& setup) {
   setup.fill = Fill::Scanline;
   return oracle ? "The oracle decides each sample by itself: there is no polygon for the server to fill."
                 : "XFillPolygon gives a polygon one cell: the server cannot interpolate.";
-}
-
-const SliderRow* sliderOf(char key) {
-  const auto* const row = std::ranges::find(kSliders, key, &SliderRow::key);
-  return row == kSliders.end() ? nullptr : row;
-}
-
-std::string_view whatIs(char key) {
-  if (key == 'l') return "where the light is: drag it on the ball";
-  for (const SliderRow& row : kSliders)
-    if (row.key == key) return row.tells;
-  for (const ChoiceRow& row : choices())
-    if (row.key == key) return row.tells;
-  for (const ToggleRow& row : kToggles)
-    if (row.key == key) return row.tells;
-  return {};
 }
 
 void nextHue(Setup& setup) {
@@ -160,23 +183,6 @@ void step(Setup& setup, const SliderRow& row, int steps) {
   if (std::abs(after - before) < unit / 2)
     after = std::clamp(before + (steps > 0 ? unit : -unit), row.low, row.high);
   row.set(setup, after);
-}
-
-namespace {
-/// 1 - v, without the dust that binary fractions leave: the sum may not exceed 1 either.
-double complement(double v) { return std::floor((1.0 - v) * 1e9 + 0.5) / 1e9; }
-}  // namespace
-
-void setIa(Setup& setup, double Ia) {
-  Illumination& light = setup.picture.light;
-  light.Ia = Ia;
-  if (light.Ia + light.Ip > 1.0) light.Ip = complement(Ia);
-}
-
-void setIp(Setup& setup, double Ip) {
-  Illumination& light = setup.picture.light;
-  light.Ip = Ip;
-  if (light.Ia + light.Ip > 1.0) light.Ia = complement(Ip);
 }
 
 namespace {

@@ -1,12 +1,14 @@
 #pragma once
 
 #include <array>
+#include <functional>
 #include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
 
 #include "shading/picture/picture.h"
+#include "shading/scene/settings.h"
 #include "x11/options/options.h"
 #include "x11/views/shows.h"
 
@@ -28,26 +30,24 @@ struct Setup {
 /// takes its place. Why, as a sentence; "" where nothing changed.
 [[nodiscard]] std::string_view keepFillable(Setup& setup);
 
-enum class Section { Light, Surface, Method, ColourTable };
-
 /// A small letter goes to the slider; then the arrows change it.
 struct SliderRow {
+  const Setting* setting;
   char key;
-  std::string_view label, tells;  ///< what it is, for the status line
+  std::string_view label;
   Section section;
   double low, high,
       step;  ///< arrows move by `step`, with Shift by ten; logarithmic: by that share of the track
   bool logarithmic;
   int decimals;
-  double (*get)(const Setup&);
-  void (*set)(Setup&, double);
-  bool (*enabled)(const Setup&);
-  std::string_view whenOff = {};  ///< a sentence
+  [[nodiscard]] double get(const Setup& setup) const;
+  /// Ia and Ip are two thumbs on one bar: the one that moves pushes the other, so that Ia + Ip <= 1.
+  void set(Setup& setup, double value) const;
+  /// Whether it has an effect, as far as the setup alone decides that; where not, a sentence says why.
+  [[nodiscard]] bool enabled(const Setup& setup) const;
+  [[nodiscard]] std::string whenOff() const { return noEffect(label, *setting) + "."; }
 };
-enum SliderIndex { kIa, kIp, kKa, kKd, kKs, kN, kShadesSlider, kI0 };
-extern const std::array<SliderRow, 8> kSliders;
-/// The slider of a key; null for others.
-[[nodiscard]] const SliderRow* sliderOf(char key);
+[[nodiscard]] const std::vector<SliderRow>& sliders();
 
 /// A capital takes the next option.
 struct ChoiceRow {
@@ -55,22 +55,30 @@ struct ChoiceRow {
   std::string_view label, tells;
   Section section;
   std::vector<std::string_view> options;
-  int (*get)(const Setup&);
-  void (*set)(Setup&, int);
+  std::function<int(const Setup&)> get;
+  std::function<void(Setup&, int)> set;
+  /// The option after that of the setup; after the last, the first.
+  [[nodiscard]] int next(const Setup& setup) const {
+    return (get(setup) + 1) % static_cast<int>(options.size());
+  }
 };
+/// Those of the column; pick and bits, which have no place there, are others().
 [[nodiscard]] const std::vector<ChoiceRow>& choices();
+[[nodiscard]] const std::vector<ChoiceRow>& others();
 
 struct ToggleRow {
+  const Setting* setting;
   char key;
-  std::string_view label, tells;
-  bool Illumination::*value;
+  std::string_view label;
+  [[nodiscard]] bool get(const Setup& setup) const;
+  void flip(Setup& setup) const;
 };
-inline constexpr std::array kToggles{
-    ToggleRow{'L', "L constant", "the light is so far away that L is the same everywhere",
-              &Illumination::constantL},
-    ToggleRow{'V', "V constant", "the eye is so far away that V is the same everywhere",
-              &Illumination::constantV},
-};
+[[nodiscard]] const std::vector<ToggleRow>& toggles();
+
+/// The control of a key; null where it is none of these.
+[[nodiscard]] const SliderRow* sliderOf(char key);
+[[nodiscard]] const ChoiceRow* choiceOf(char key);  ///< of choices() and others()
+[[nodiscard]] const ToggleRow* toggleOf(char key);
 
 /// What the control of a key is; "" for others.
 [[nodiscard]] std::string_view whatIs(char key);
@@ -94,10 +102,6 @@ inline constexpr std::array kGammas{1.0, 1.4, 1.8, 2.2};
 [[nodiscard]] double trackValue(const SliderRow& row, double position);
 /// The slider's value after `steps` of its steps, kept within its range.
 void step(Setup& setup, const SliderRow& row, int steps);
-
-/// Ia and Ip are two thumbs on one bar: the one that moves pushes the other, so that Ia + Ip <= 1.
-void setIa(Setup& setup, double Ia);
-void setIp(Setup& setup, double Ip);
 
 /// The light as a direction from the scene's centre: azimuth in degrees about the up axis, 0 where the
 /// default view stands and positive to its right; elevation above the horizon.

@@ -20,7 +20,7 @@ constexpr int kRow = 22, kRows = 3;
 int sheetHeight(const Layout& at) { return at.body.height + 2 * Sheet::kMargin; }
 int sheetTop(const Layout& at) { return at.body.y - Sheet::kMargin; }
 
-const ChoiceRow& shadings() { return *std::ranges::find(choices(), 'S', &ChoiceRow::key); }
+const ChoiceRow& shadings() { return *choiceOf('S'); }
 
 }  // namespace
 

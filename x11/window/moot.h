@@ -1,7 +1,7 @@
 #pragma once
 
 #include <iosfwd>
-#include <string_view>
+#include <string>
 
 #include "shading/picture/picture.h"
 #include "x11/options/options.h"
@@ -9,13 +9,13 @@
 
 namespace xnewell {
 
-/// A line for each option that was given and does nothing to this picture, for other choices leave it no say:
-/// scripts may give all options always, but who tries one out should not wonder. So too for what of its scene
-/// the picture leaves out, and where it shows nothing at all.
+/// A line for each option that was given and has no effect on this picture. Scripts may always give all options,
+/// but whoever tries one out should not wonder. There is also a line for each part of the scene that the picture
+/// leaves out, and for a picture that shows nothing.
 void noteMoot(std::ostream& out, const Options& options, const Picture& picture);
 
-/// The same of the window's control of a key, for the `setup` that it has just changed: a sentence, "" where
-/// the control counts. `picture` is the one before, of whose scene and plan of colours it is.
-[[nodiscard]] std::string_view whyMoot(char control, const Picture& picture, const Setup& setup);
+/// The same for the control of a key, which has just changed `setup`: a sentence, "" where the control has an
+/// effect. `picture` is the one before; its scene and its plan of colours are those of the next.
+[[nodiscard]] std::string whyMoot(char control, const Picture& picture, const Setup& setup);
 
 }  // namespace xnewell

@@ -92,9 +92,8 @@ void PictureBench::grabControl(const ControlHit& hit) {
   const ControlPlace* const place = column_.find(hit.key);
   switch (place->kind) {
     case ControlPlace::Kind::Choice: {
-      const ChoiceRow& row = *std::ranges::find(choices(), hit.key, &ChoiceRow::key);
-      const int options = static_cast<int>(row.options.size());
-      choose(host_, row, hit.option >= 0 ? hit.option : (row.get(host_.setup()) + 1) % options);
+      const ChoiceRow& row = *choiceOf(hit.key);
+      choose(host_, row, hit.option >= 0 ? hit.option : row.next(host_.setup()));
       return;
     }
     case ControlPlace::Kind::Toggle:
@@ -105,9 +104,8 @@ void PictureBench::grabControl(const ControlHit& hit) {
     case ControlPlace::Kind::Light:
     case ControlPlace::Kind::Intensity:
       keys_.setFocus(hit.key);
-      if (const auto* const row = std::ranges::find(kSliders, hit.key, &SliderRow::key);
-          row != kSliders.end() && !row->enabled(host_.setup()))
-        return host_.notify(std::string{row->whenOff});
+      if (const SliderRow* const row = sliderOf(hit.key); row && !row->enabled(host_.setup()))
+        return host_.notify(row->whenOff());
       // A click on a name or a value gives the control the keyboard and does not change its value.
       const bool onTrack = place->kind == ControlPlace::Kind::Light
                                ? column_.ball.has(x_, y_)
@@ -139,14 +137,14 @@ void PictureBench::dragControl(int x, int y) {
       return host_.change('l', [&](Setup& s) { aimLight(s.picture.light, towards, subject_().centre); });
     }
     case 'i':
-      return host_.change('i', [&](Setup& s) { setIa(s, hundredth(share)); });
+      return host_.change('i', [&](Setup& s) { sliderOf('i')->set(s, hundredth(share)); });
     case 'p':  // the thumb of Ip stands at Ia + Ip
       return host_.change('p', [&](Setup& s) {
         s.picture.light.Ia = std::min(s.picture.light.Ia, hundredth(share));
-        setIp(s, hundredth(share - s.picture.light.Ia));
+        sliderOf('p')->set(s, hundredth(share - s.picture.light.Ia));
       });
     default: {
-      const auto* const row = std::ranges::find(kSliders, dragged_, &SliderRow::key);
+      const SliderRow* const row = sliderOf(dragged_);
       return host_.change(dragged_, [&](Setup& s) { row->set(s, trackValue(*row, share)); });
     }
   }
@@ -174,11 +172,10 @@ void PictureBench::draw(IndexImage& image, const Desk& desk) {
   focus_ = keys_.focus(), drawnDragged_ = dragged_, drawnHover_ = hover_;
   const char pointed = hover_ ? hover_->key : focus_;
   const std::string_view tells = whatIs(pointed);
-  const auto* const slider = std::ranges::find(kSliders, pointed, &SliderRow::key);
+  const SliderRow* const slider = sliderOf(pointed);
   aside_ = fixed(desk.picture.times().total(), 1) + " ms";
   if (!tells.empty())
-    aside_ +=
-        "   " + (slider != kSliders.end() ? std::string{slider->label} + ": " : "") + std::string{tells};
+    aside_ += "   " + (slider ? std::string{slider->label} + ": " : "") + std::string{tells};
   if (!at_.roomy) return;
 
   const ControlKeys::Subject subject = subject_();
@@ -243,13 +240,10 @@ void PictureBench::drawCaption(IndexImage& image, const Desk& desk) {
 
 std::vector<Legend> PictureBench::legend() const {
   const char focus = keys_.focus();
-  const auto* const row = std::ranges::find(kSliders, focus, &SliderRow::key);
-  const std::string_view name = row != kSliders.end() ? row->label
-                                : focus == 'l'        ? "light"
-                                : focus == 't'        ? "turn"
-                                                      : "zoom";
+  const SliderRow* const row = sliderOf(focus);
+  const std::string_view name = row ? row->label : focus == 'l' ? "light" : focus == 't' ? "turn" : "zoom";
   std::vector<Legend> legend{{{"<", ">"}, name}};
-  if (row != kSliders.end()) legend.push_back({{"="}, "type"});
+  if (row) legend.push_back({{"="}, "type"});
   legend.insert(legend.end(), {{{"drag"}, "turn"},
                                {{"+", "-"}, "zoom"},
                                {{"["}, "Ia = 1"},

@@ -16,7 +16,7 @@ class PictureBench : public Bench {
       : host_{host}, keys_{keys}, subject_{std::move(subject)} {}
 
   [[nodiscard]] bool press(const Key&, const Setup&) override { return false; }
-  [[nodiscard]] std::string_view sharedKeys() const override { return kAllControls; }
+  [[nodiscard]] std::string_view sharedKeys() const override { return allControls(); }
   void hover(int x, int y) override;
   [[nodiscard]] bool grab(int x, int y) override;
   void dragTo(int x, int y) override;

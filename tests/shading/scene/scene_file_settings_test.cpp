@@ -123,7 +123,7 @@ TEST(SceneFile, Choices) {
   expected.table.hue = {0.5, 1, 0};
   expected.table.bits = 8;
   EXPECT_EQ(s, expected);
-  EXPECT_EQ(asked(R"({"Ia": 0.9})").light.Ip, 1.0 - 0.9);  // Ia and Ip push each other
+  EXPECT_EQ(asked(R"({"Ia": 0.9})").light.Ip, 0.1);  // Ia and Ip push each other
   EXPECT_EQ(asked(R"({"Ip": 1})").light.Ia, 0);
 }
 

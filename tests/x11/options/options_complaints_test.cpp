@@ -18,13 +18,22 @@ TEST(Options, RefuseWrongNumbers) {
     EXPECT_EQ(complaint({"--size", wrong}), "--size: '" + wrong + "'" + size);
 
   for (const std::string option :
-       {"--eye", "--look-at", "--up", "--light", "--light-at", "--vrp", "--vpn", "--vup", "--prp"})
+       {"--eye", "--look-at", "--up", "--light-at", "--vrp", "--vpn", "--vup", "--prp"})
     for (const std::string wrong :
          {"1,2", "1,2,3,4", "1,2,3,", ",1,2", "1,,3", "1 2 3", " 1,2,3", "1,2,3 ", "1e400,0,0", "nan,0,0",
           "inf,0,0", "-inf,0,0", "0x1,0,0", "a,b,c", "++1,2,3"})
       EXPECT_EQ(complaint({option, wrong}), option + ": '" + wrong + "' is not three finite numbers x,y,z");
-  EXPECT_EQ(complaint({"--hue", "red"}), "--hue: 'red' is not three finite numbers r,g,b");
-  EXPECT_EQ(complaint({"--coefficients", "1"}), "--coefficients: '1' is not three finite numbers c1,c2,c3");
+  for (const std::string wrong : {"red", "1,1,2", "-1,1,0", "0.5,0.5,0.5", "0,0,0", "nan,1,1"})
+    EXPECT_EQ(complaint({"--hue", wrong}),
+              "--hue: '" + wrong + "' is not three finite numbers r,g,b from 0 to 1, the largest 1");
+  for (const std::string wrong : {"1", "1,-1,0"})
+    EXPECT_EQ(complaint({"--coefficients", wrong}),
+              "--coefficients: '" + wrong + "' is not three finite numbers c1,c2,c3 of at least 0");
+  for (const std::string wrong : {"1,2", "0,0,-0", "inf,0,0", "1,2,3,"})
+    EXPECT_EQ(complaint({"--light", wrong}),
+              "--light: '" + wrong + "' is not three finite numbers x,y,z, not all 0");
+  for (const std::string wrong : {"0", "-1", "inf"})
+    EXPECT_EQ(complaint({"--range", wrong}), "--range: '" + wrong + "' is not a number above 0");
 
   for (const std::string option : {"--ia", "--ip", "--ka", "--kd", "--ks"})
     for (const std::string wrong : {"-0.001", "1.001", "nan", "inf", "half", "0.5,0.5", "1e999"})
@@ -50,11 +59,18 @@ TEST(Options, RefuseWrongNumbers) {
   for (const std::string wrong : {"-1", "8192", "2.5", "nan", "1,2"}) refused("--scanline", wrong);
   for (const std::string wrong : {"front", "Back"}) refused("--cull", wrong);
   for (const std::string wrong : {"three", "1"}) refused("--sided", wrong);
-  for (const std::string wrong : {"0", "-0.1", "1.01", "nan", "1,1"}) refused("--adapt", wrong);
+  for (const std::string wrong : {"-0.1", "1.01", "nan", "1,1"}) refused("--adapt", wrong);
   EXPECT_EQ(complaint({"--oblique", "cabinet:"}), "--oblique: '' is not an angle in degrees");
-  EXPECT_EQ(complaint({"--light", "0,0,-0"}), "--light: 0,0,0 is no direction");
-  for (const std::string wrong : {"1,1,2", "-1,1,0", "0.5,0.5,0.5", "0,0,0"})
-    EXPECT_EQ(complaint({"--hue", wrong}), "--hue: r,g,b must lie from 0 to 1 and the largest must be 1");
+}
+
+// What one option refuses by itself, another setting may allow.
+TEST(Options, RefuseSettingsWithoutEffect) {
+  EXPECT_EQ(complaint({"--light-at", "1,2,3", "--range", "3"}), "--range applies only to attenuation linear");
+  EXPECT_EQ(complaint({"--light-at", "1,2,3", "--range", "3", "--attenuation", "linear"}), "");
+  EXPECT_EQ(complaint({"--light-at", "1,2,3", "--coefficients", "1,0,1", "--attenuation", "linear"}),
+            "--coefficients applies only to attenuation textbook");
+  EXPECT_EQ(complaint({"--light-at", "1,2,3", "--coefficients", "1,0,1", "--attenuation", "textbook"}), "");
+  EXPECT_EQ(complaint({"--adapt", "0"}), "");
 }
 
 // Options about a server's colormap are refused by commands that use no server.
@@ -160,7 +176,7 @@ TEST(Options, RefuseWhatTheCommandIgnores) {
   EXPECT_EQ(complaint({"--visual", "TrueColor24"}), "--visual goes with view, snapshot and visuals");
   for (const std::string method : {"none", "depth", "phong", "envmap"})
     EXPECT_EQ(complaint({"--adapt", "0.02", "--shade", method}),
-              "--adapt goes with --shade flat and gouraud");
+              "--adapt applies only to flat and gouraud shading");
   EXPECT_EQ(complaint({"--fov", "30", "--parallel", "3"}),
             "--fov is for perspective: leave out --parallel and --oblique");
   EXPECT_EQ(complaint({"--fov", "30", "--oblique", "cabinet"}),

@@ -6,6 +6,8 @@
 #include <string>
 #include <vector>
 
+#include "shading/scene/scene.h"
+#include "shading/scene/settings.h"
 #include "tests/x11/support/parsed_options.h"
 
 namespace xnewell {
@@ -36,7 +38,8 @@ TEST(Options, ChoicesAreTheirTables) {
   for (const OrderRow& r : kOrders) EXPECT_EQ(drawn({"--order", std::string{r.name}}).picture.order, r.id);
   for (const auto& r : kTables) EXPECT_EQ(drawn({"--table", std::string{r.name}}).picture.table.kind, r.id);
   for (const auto& r : kPicks) EXPECT_EQ(drawn({"--pick", std::string{r.name}}).picture.table.pick, r.id);
-  for (const FillRow& r : kFills) EXPECT_EQ(parsed({"view", "--fill", std::string{r.name}}).fill, r.id);
+  EXPECT_EQ(parsed({"view", "--fill", "x11"}).fill, Fill::XFillPolygon);
+  EXPECT_EQ(parsed({"view", "--fill", "scanline"}).fill, Fill::Scanline);
   for (const ViewRow& r : kViews) EXPECT_EQ(drawn({"--view", std::string{r.name}}).view, r.id);
   EXPECT_EQ(drawn({"--cull", "back"}).picture.cull, Cull::Back);
   EXPECT_EQ(drawn({"--cull", "none"}).picture.cull, Cull::Keep);
@@ -111,20 +114,22 @@ TEST(Options, SetOverWhatASceneAsksFor) {
   EXPECT_EQ(over({"--shade", "flat"}), flat);  // also if that is the program's default
 }
 
-// The options remember which settings of light and surfaces were given.
-TEST(Options, TellWhatWasSaid) {
-  const auto count = [](const Said& s) { return s.Ia + s.Ip + s.light + s.ka + s.kd + s.ks + s.n; };
-  EXPECT_EQ(count(drawn({}).said), 0);
-  EXPECT_TRUE(drawn({"--ia", "0.2"}).said.Ia);
-  EXPECT_TRUE(drawn({"--ip", "0.7"}).said.Ip);
-  EXPECT_TRUE(drawn({"--ip", "0.7"}).said.light);
-  EXPECT_TRUE(drawn({"--light", "1,0,0"}).said.light);
-  EXPECT_TRUE(drawn({"--light-at", "1,0,0"}).said.light);
-  EXPECT_TRUE(drawn({"--ka", "0.9"}).said.ka);
-  EXPECT_TRUE(drawn({"--kd", "0.9"}).said.kd);
-  EXPECT_TRUE(drawn({"--ks", "0.4"}).said.ks);
-  EXPECT_TRUE(drawn({"--n", "20"}).said.n);
-  EXPECT_EQ(count(drawn({"--n", "20"}).said), 1);
+// Settings of light and surfaces replace the scene's own; each says which.
+TEST(Options, ReplaceTheScenes) {
+  std::vector<std::string_view> replaced;
+  for (const Setting& setting : settingRows()) {
+    if (setting.replaces.empty()) continue;
+    EXPECT_NE(std::ranges::find(kStrippable, setting.replaces), kStrippable.end()) << setting.replaces;
+    replaced.push_back(setting.option);
+    const std::string value = setting.letters.empty() ? "0" : "1,0,0";
+    const Options o = drawn({std::string{setting.option}, value});
+    EXPECT_TRUE(o.gave(setting.option));
+    for (const Setting& other : settingRows())
+      EXPECT_EQ(o.gave(other.option), other.option == setting.option) << other.option;
+  }
+  const std::vector<std::string_view> all{"--ia", "--ip", "--light", "--light-at",
+                                          "--ka", "--kd", "--ks",    "--n"};
+  EXPECT_EQ(replaced, all);
 }
 
 TEST(Options, SetWhatIsNotInThePicture) {

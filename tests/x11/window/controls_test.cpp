@@ -9,27 +9,67 @@
 namespace xnewell {
 
 namespace {
-const SliderRow& slider(char key) { return *std::ranges::find(kSliders, key, &SliderRow::key); }
+const SliderRow& slider(char key) { return *sliderOf(key); }
 }  // namespace
 
-// Ia and Ip push each other: their sum never exceeds 1. Pushing back leaves no rounding error.
+// Ia and Ip push each other: their sum never exceeds 1, and pushing back leaves no dust.
 TEST(Controls, IntensitiesPushEachOther) {
   xnewell::Setup s;
   for (int k = 0; k <= 100; ++k) {
-    setIa(s, k / 100.0);
+    slider('i').set(s, k / 100.0);
     ASSERT_LE(s.picture.light.Ia + s.picture.light.Ip, 1.0);
     ASSERT_EQ(s.picture.light.Ia, k / 100.0);
   }
   EXPECT_EQ(s.picture.light.Ip, 0.0);
-  setIp(s, 0.3);
+  slider('p').set(s, 0.3);
   EXPECT_EQ(s.picture.light.Ia, 0.7);
-  setIp(s, 0.1);
-  EXPECT_EQ(s.picture.light.Ia, 0.7);  // with room to spare neither is pushed
+  slider('p').set(s, 0.1);
+  EXPECT_EQ(s.picture.light.Ia, 0.7);  // with room to spare nobody is pushed
+}
+
+// A control of a setting has the setting's own words, and acts on it alone.
+TEST(Controls, AreRowsOfSettings) {
+  std::size_t controls = 0;
+  for (const Setting& setting : settingRows()) {
+    if (setting.control == 0) continue;
+    SCOPED_TRACE(setting.option);
+    ++controls;
+    EXPECT_EQ(whatIs(setting.control), setting.is);
+    xnewell::Setup s;
+    const Value before = setting.field.get(s.picture);
+    if (const SliderRow* const row = sliderOf(setting.control))
+      step(s, *row, row->get(s) == row->high ? -1 : 1);
+    else if (const ToggleRow* const toggle = toggleOf(setting.control))
+      toggle->flip(s);
+    else if (const ChoiceRow* const choice = choiceOf(setting.control); choice && setting.key != "fill")
+      choice->set(s, choice->next(s));
+    else
+      continue;
+    EXPECT_NE(setting.field.get(s.picture), before);
+    setting.field.set(s.picture, before);
+    EXPECT_EQ(s, xnewell::Setup{});
+  }
+  EXPECT_EQ(controls, sliders().size() + toggles().size() + choices().size() - 2 + others().size() + 1);
+}
+
+// A slider without effect is off and says why in the one pattern of such sentences.
+TEST(Controls, AreOffWithoutEffect) {
+  xnewell::Setup s;
+  EXPECT_FALSE(slider('0').enabled(s));
+  EXPECT_EQ(slider('0').whenOff(), "I0 has no effect here; it applies to ramps of the corrected table.");
+  s.picture.table.kind = TableKind::Corrected;
+  EXPECT_TRUE(slider('0').enabled(s));
+  EXPECT_TRUE(slider('n').enabled(s));
+  s.picture.light.ks = 0;
+  EXPECT_FALSE(slider('n').enabled(s));
+  EXPECT_TRUE(slider('a').enabled(s));
+  s.picture.shading = Shading::Depth;
+  for (const char key : std::string{"ipadsn"}) EXPECT_FALSE(slider(key).enabled(s)) << key;
 }
 
 // A slider's steps lead from end to end and back. Every step moves it, and it stays in its range.
 TEST(Controls, StepsReachBothEnds) {
-  for (const SliderRow& row : kSliders) {
+  for (const SliderRow& row : sliders()) {
     SCOPED_TRACE(row.key);
     xnewell::Setup s;
     s.picture.light.Ia = s.picture.light.Ip = 0;
@@ -50,7 +90,7 @@ TEST(Controls, StepsReachBothEnds) {
 
 // The place on a track and the value there belong together, on linear and logarithmic tracks.
 TEST(Controls, TracksInvert) {
-  for (const SliderRow& row : kSliders)
+  for (const SliderRow& row : sliders())
     for (int k = 0; k <= 50; ++k) {
       const double v = trackValue(row, k / 50.0);
       EXPECT_GE(v, row.low);
@@ -81,10 +121,11 @@ TEST(Controls, LightAngles) {
 TEST(Controls, KeysAreUnique) {
   std::set<char> keys;
   std::size_t count = 0;
-  for (const SliderRow& row : kSliders) keys.insert(row.key), ++count;
+  for (const SliderRow& row : sliders()) keys.insert(row.key), ++count;
   for (const ChoiceRow& row : choices()) keys.insert(row.key), ++count;
-  for (const ToggleRow& row : kToggles) keys.insert(row.key), ++count;
-  for (const char acts : std::string_view{"ltzqurUHBJ?[]+-="}) keys.insert(acts), ++count;
+  for (const ChoiceRow& row : others()) keys.insert(row.key), ++count;
+  for (const ToggleRow& row : toggles()) keys.insert(row.key), ++count;
+  for (const char acts : std::string_view{"ltzqurUH?[]+-="}) keys.insert(acts), ++count;
   EXPECT_EQ(keys.size(), count);
 }
 

@@ -10,8 +10,8 @@ using MootOptions = CommandTest;
 
 }  // namespace
 
-// If an option has no effect, one line next to the picture says so. If it has an effect, nothing is said and
-// the picture changes.
+// An option without effect is noted in one line, and the picture is the same. Where the option has an effect
+// there is no note, and the picture is another.
 TEST_F(MootOptions, AreNamed) {
   struct Case {
     Words option, moot, counts;
@@ -57,7 +57,7 @@ TEST_F(MootOptions, AreNamed) {
   for (const Case& c : cases) {
     SCOPED_TRACE(c.option[0]);
     const auto [told, picture] = drawn(c.option + c.moot);
-    EXPECT_EQ(told.rfind("xnewell: note: " + c.option[0] + " does nothing here; it counts with ", 0), 0u)
+    EXPECT_EQ(told.rfind("xnewell: note: " + c.option[0] + " has no effect here; it applies to ", 0), 0u)
         << told;
     EXPECT_EQ(std::ranges::count(told, '\n'), 1);
     EXPECT_EQ(picture, drawn(c.moot).second);
@@ -76,11 +76,11 @@ TEST_F(MootOptions, WhatIsLeftOutOfTheSceneIsNamed) {
     return end.err;
   };
   const Words mapped{"--shade", "envmap"}, phong{"--shade", "phong"};
-  const std::string far = "xnewell: note: --shade envmap has its lights infinitely far away: the scene's ";
+  const std::string far = "xnewell: note: envmap shading puts all lights infinitely far away: the scene's ";
   EXPECT_EQ(told("spotlight", mapped), far + "spots have no cone\n");
   EXPECT_EQ(told("lamp", mapped), far + "point lights are not near\n");
   EXPECT_EQ(told("textured-cube", mapped),
-            "xnewell: note: --shade envmap shows no textures: the scene's are left out\n");
+            "xnewell: note: envmap shading shows no textures: the scene's are left out\n");
   for (const std::string scene : {"spotlight", "lamp", "textured-cube"}) EXPECT_EQ(told(scene, phong), "");
   EXPECT_EQ(told("spotlight", mapped + Words{"--light", "0,0,1"}), "");
 

@@ -64,7 +64,7 @@ TEST(ControlColumn, EveryControlHasItsPlace) {
       for (std::size_t q = 0; q < p; ++q)
         EXPECT_TRUE(intersection(place.row, at.places[q].row).empty()) << place.key << at.places[q].key;
     }
-    std::string missing{kAllControls};
+    std::string missing{allControls()};
     for (const ControlPlace& place : at.places) std::erase(missing, place.key);
     EXPECT_EQ(missing.find_first_of("lipadsncLVSNOFPKT0"), std::string::npos) << missing;
   }
@@ -73,7 +73,7 @@ TEST(ControlColumn, EveryControlHasItsPlace) {
 // A slider goes where its thumb is dragged, and stops at its ends if the pointer goes beyond. A drag is one
 // undo step.
 TEST(PictureBench, SlidersAreDragged) {
-  for (const SliderRow& row : kSliders) {
+  for (const SliderRow& row : sliders()) {
     if (row.key == 'i' || row.key == 'p') continue;
     SCOPED_TRACE(row.label);
     xnewell::Setup setup;
@@ -100,7 +100,7 @@ TEST(PictureBench, NamesTakeTheKeyboard) {
   setup.picture.table.kind = TableKind::Corrected;  // otherwise I0 is off
   ReadyWorkbench b{setup};
   const xnewell::Setup before = b.setup();
-  for (const SliderRow& row : kSliders) {
+  for (const SliderRow& row : sliders()) {
     const Rect place = columnOf(b).find(row.key)->row;
     EXPECT_FALSE(b.grab(place.x + 30, place.y + 5)) << row.label;
     EXPECT_EQ(b.setup(), before);

@@ -1,0 +1,68 @@
+#pragma once
+
+#include <algorithm>
+#include <type_traits>
+#include <utility>
+
+#include "shading/scene/settings.h"
+
+namespace xnewell {
+
+/// Makes the field of a setting from `member`, which leads from settings to the member that stores it.
+
+template <class T>
+inline constexpr bool kOptional = false;
+template <class T>
+inline constexpr bool kOptional<std::optional<T>> = true;
+
+/// A number, a flag, three numbers, or one of these that may stay open. `member` leads from settings to it.
+template <class Member>
+Field holds(Member member) {
+  using T = std::remove_cvref_t<decltype(member(std::declval<PictureSettings&>()))>;
+  Field field;
+  if constexpr (std::is_same_v<T, bool>) field.kind = ValueKind::Flag;
+  if constexpr (std::is_same_v<T, int>) field.kind = ValueKind::Whole;
+  if constexpr (std::is_same_v<T, glm::dvec3> || std::is_same_v<T, std::optional<glm::dvec3>>)
+    field.kind = ValueKind::Triple;
+  field.get = [=](const PictureSettings& s) -> Value {
+    if constexpr (kOptional<T>)
+      return member(s) ? Value{*member(s)} : Value{};
+    else if constexpr (std::is_same_v<T, glm::dvec3>)
+      return member(s);
+    else
+      return static_cast<double>(member(s));
+  };
+  field.set = [=](PictureSettings& s, const Value& value) {
+    if constexpr (kOptional<T>) {
+      member(s).reset();
+      if (const auto* v = std::get_if<typename T::value_type>(&value)) member(s) = *v;
+    } else if constexpr (std::is_same_v<T, glm::dvec3>) {
+      member(s) = std::get<glm::dvec3>(value);
+    } else {
+      member(s) = static_cast<T>(std::get<double>(value));
+    }
+  };
+  return field;
+}
+
+/// One of the rows of a table.
+template <class Rows, class Member>
+Field chooses(const Rows& rows, Member member) {
+  Field field{.kind = ValueKind::Choice};
+  for (const auto& row : rows) {
+    if constexpr (requires { row.label; })
+      field.choices.push_back({row.name, row.label});
+    else
+      field.choices.push_back({row.name, row.name});
+  }
+  field.get = [member, &rows](const PictureSettings& s) -> Value {
+    const auto row = std::ranges::find(rows, member(s), [](const auto& r) { return r.id; });
+    return static_cast<double>(row - rows.begin());
+  };
+  field.set = [member, &rows](PictureSettings& s, const Value& value) {
+    member(s) = rows[static_cast<std::size_t>(std::get<double>(value))].id;
+  };
+  return field;
+}
+
+}  // namespace xnewell

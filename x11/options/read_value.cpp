@@ -1,0 +1,52 @@
+#include "x11/options/read_value.h"
+
+#include <charconv>
+#include <cmath>
+
+#include "geometry/files/text_file.h"
+#include "x11/options/options.h"
+
+namespace xnewell {
+
+void refuse(const std::string& option, const std::string& text, const std::string& expected) {
+  throw UsageError{option + ": " + inQuotes(text) + " is not " + expected};
+}
+
+std::vector<double> numbers(const std::string& option, const std::string& text, std::size_t count,
+                            const std::string& expected) {
+  std::vector<double> values;
+  const char* p = text.data();
+  const char* const end = p + text.size();
+  for (;;) {
+    double v = 0;
+    if (p != end && *p == '+') ++p;
+    const auto [next, error] = std::from_chars(p, end, v);
+    if (error != std::errc{} || !std::isfinite(v)) refuse(option, text, expected);
+    values.push_back(v);
+    if (next == end) break;
+    if (*next != ',') refuse(option, text, expected);
+    p = next + 1;
+  }
+  if (values.size() != count) refuse(option, text, expected);
+  return values;
+}
+
+Value valueOf(const Setting& setting, const std::string& text) {
+  const std::string option{setting.option}, needed = expected(setting);
+  Value value;
+  if (setting.field.kind == ValueKind::Choice) {
+    const std::optional<int> choice = choiceNamed(setting, text);
+    if (!choice) refuse(option, text, needed);
+    return static_cast<double>(*choice);
+  }
+  if (setting.field.kind == ValueKind::Triple) {
+    const std::vector<double> v = numbers(option, text, 3, needed);
+    value = glm::dvec3{v[0], v[1], v[2]};
+  } else {
+    value = numbers(option, text, 1, needed)[0];
+  }
+  if (!allows(setting, value)) refuse(option, text, needed);
+  return value;
+}
+
+}  // namespace xnewell
