@@ -2,6 +2,7 @@
 #include <stdexcept>
 #include <utility>
 
+#include "shading/scene/save_scene.h"
 #include "x11/app/workbench.h"
 #include "x11/window/moot.h"
 

@@ -33,7 +33,7 @@ enum class LessonControl {
   Kd,
   Ks,
   N,
-  Intensities,
+  Shades,
   I0,
   Light,
   Turn,

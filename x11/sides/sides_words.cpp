@@ -135,8 +135,8 @@ Finding findingOf(const Picture& A, const Picture& B, const SideNumbers& ofA, co
   const std::string they = unlike.differ > 0 ? "They differ at " + share + " of the samples."
                            : unlike.kind == Unlike::Face
                                ? "Both show the same face at every sample."
-                               : std::string{"They differ nowhere by more than "} +
-                                     (unlike.kind == Unlike::Intensity ? "1/240." : "1 (CIEDE2000).");
+                               : "The two pictures differ nowhere by more than " +
+                                     std::string{kMeasures[static_cast<int>(measure)].unitInWords} + ".";
   const auto table = [](const Picture& picture) { return picture.settings().table.kind; };
   if (what.size() == 1 &&
       std::minmax({table(A), table(B)}) == std::pair{TableKind::Linear, TableKind::Corrected})

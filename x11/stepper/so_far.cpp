@@ -8,7 +8,7 @@ namespace xnewell {
 SoFar::SoFar(const Picture& picture, const SortedScene& sorted, std::uint8_t ground, std::size_t bytes)
     : picture_{picture},
       sorted_{sorted},
-      painter_{picture_.painter(sorted)},
+      painter_{picture_.painter()},
       image_{picture.settings().width, picture.settings().height, ground},
       copies_{image_} {
   const int most = static_cast<int>(std::min<std::size_t>(kMostCopies, bytes / image_.pixels.size()));

@@ -4,7 +4,7 @@
 #include <cmath>
 
 #include "geometry/model/solids.h"
-#include "shading/picture/picture.h"
+#include "shading/picture/picture_cache.h"
 
 namespace xnewell {
 
@@ -77,7 +77,7 @@ TEST(CellRule, IsOneForEveryFiller) {
     for (const TableRow& row : kTables)
       for (const int shades : {2, 61, 240}) {
         SCOPED_TRACE(std::string{filler.name} + ' ' + std::string{row.name} + ' ' + std::to_string(shades));
-        Picture picture{evenCube(filler.textured)};
+        PictureCache pictures{evenCube(filler.textured)};
         PictureSettings s;
         s.width = 32, s.height = 24;
         s.shading = filler.shading, s.polygons = filler.polygons;
@@ -87,10 +87,8 @@ TEST(CellRule, IsOneForEveryFiller) {
         int samples = 0;
         for (const double I : closeToEnds(table)) {
           s.light.Ia = I, s.light.Ip = 0;
-          picture.make(s);
-          IndexImage image;
-          picture.paint(image, 0);
-          for (const std::uint8_t cell : image.pixels) {
+          const Picture picture = pictures.make(s, 0);
+          for (const std::uint8_t cell : picture.image().pixels) {
             if (cell == 0) continue;
             ASSERT_EQ(cell, cellByTheRule(table, I)) << I;
             ++samples;
