@@ -72,7 +72,7 @@ TEST(Picture, KeptStagesPaintWhatFreshOnesPaint) {
   PictureCache kept{readScene("teapot", 3)};
   PictureSettings s = small();
   int distinct = 0;
-  IndexImage last;
+  IndexImage last = painted(kept, s);
   for (int trial = 0; trial < 120; ++trial) {
     SCOPED_TRACE(trial);
     switch (rng() % 13) {

@@ -161,12 +161,12 @@ TEST(LessonFile, EveryControlIsKnown) {
 }
 
 TEST(LessonFile, ComplaintsNameThePlace) {
-  EXPECT_EQ(complaintOf("{\n,}"), "l.json:2: not JSON here");
+  EXPECT_EQ(complaintOf("{\n,}"), "l.json:2: not valid JSON here");
   EXPECT_EQ(complaintOf("{}"), "l.json: title is needed");
   EXPECT_EQ(complaintOf(R"({"titel": "t"})"),
-            "l.json: unknown key 'titel'; there are title, number, shows, steps");
+            "l.json: unknown key 'titel'; the keys are title, number, shows, steps");
   EXPECT_EQ(complaintOf(R"({"title": "t", "title": "u"})"),
-            "l.json:1: the key 'title' stands twice in an object");
+            "l.json:1: the key 'title' appears twice in an object");
   EXPECT_EQ(complaintOf(R"({"title": 3, "steps": []})"), "l.json: title: a string is needed");
   EXPECT_EQ(complaintOf(R"({"title": "t", "steps": []})"), "l.json: steps: 1 to 12 steps are needed");
   EXPECT_EQ(complaintOf(R"({"title": "t", "steps": [{}]})"), "l.json: steps[0]: heading is needed");
@@ -180,7 +180,7 @@ TEST(LessonFile, ComplaintsNameThePlace) {
   EXPECT_EQ(complaintOf(withStep("", "nosuch")),
             "l.json: steps[0].scene: 'nosuch' is no built-in scene, and no file beside the lesson");
   EXPECT_TRUE(complaintOf(withStep(R"("colour": 1)"))
-                  .starts_with("l.json: steps[0]: unknown key 'colour'; there are "));
+                  .starts_with("l.json: steps[0]: unknown key 'colour'; the keys are "));
   EXPECT_EQ(complaintOf(withStep(R"("divisions": 0)")),
             "l.json: steps[0].divisions: a whole number from 1 to 64 is needed");
   EXPECT_EQ(complaintOf(withStep(R"("window": "trade")")),

@@ -39,7 +39,8 @@ TEST(DyingServer, EndsWhileWeWrite) {
   const Course course = runThrough(use, server, proxy, XFaultPlan{XFault::Deaf, {X_FillPoly}});
   EXPECT_TRUE(course.carriedOut);
   EXPECT_EQ(course.end.status, 1);
-  EXPECT_EQ(course.end.err, "xnewell: the X server of display '" + proxy.name() + "' has gone\n");
+  EXPECT_EQ(course.end.err,
+            "xnewell: lost the connection to the X server of display '" + proxy.name() + "'\n");
   EXPECT_EQ(folder.entries(), 0);
 }
 
@@ -64,7 +65,7 @@ TEST(DyingServer, EndsTheWindowAtAnyTime) {
     server.stop();
     const Finished end = program.wait(kEnough);
     EXPECT_EQ(end.status, 1);
-    EXPECT_EQ(end.err, "xnewell: the X server of display '" + proxy.name() + "' has gone\n");
+    EXPECT_EQ(end.err, "xnewell: lost the connection to the X server of display '" + proxy.name() + "'\n");
   }
 }
 

@@ -59,7 +59,7 @@ TEST(Sides, AlikeDifferNowhere) {
       EXPECT_EQ(u.rootMeanSquare, 0.0);
       EXPECT_TRUE(placesOf(u, 30, 40).empty());
       EXPECT_EQ(findingOf(A.picture, B.picture, numbersOf(A.picture), numbersOf(B.picture), u, {}).bold,
-                "A and B are set up alike.");
+                "A and B have the same settings.");
     }
     EXPECT_TRUE(differencesOf(s, s).empty());
     EXPECT_FALSE(onePalette(A.painted(), B.painted(), CellPlan{}, A.palette).shared);
@@ -258,11 +258,11 @@ TEST(Sides, FindingsAreOfTheNumbers) {
   EXPECT_NE(found(a, b).why.find("; B cuts "), std::string::npos);
   a = b;
   a.shading = Shading::Gouraud;
-  EXPECT_EQ(found(a, b).bold, "A is nearer to Phong's method on the whole.");
+  EXPECT_EQ(found(a, b).bold, "A is closer to Phong's method overall.");
   EXPECT_NE(found(a, b).why.find("Both show the same face at every sample."), std::string::npos);
   a = b;
   a.dither = true;
-  EXPECT_EQ(found(a, b).bold, "A and B show the same.");
+  EXPECT_EQ(found(a, b).bold, "A and B show the same picture.");
   a.camera.eye = glm::dvec3{500, 0, 0}, a.camera.lookAt = glm::dvec3{900, 0, 0};
   b.camera = a.camera;
   EXPECT_EQ(found(a, b).bold, "Nothing shows.");

@@ -129,7 +129,7 @@ TEST(ChooseVisual, SharingTakesTheDefaultVisual) {
   EXPECT_THAT(chooseVisual(s, {}, MapOwner::Shared).why, HasSubstr("not writable"));
   EXPECT_EQ(chooseVisual(s, parseVisualWish("TrueColor"), MapOwner::Shared).visual.id, 2u);
   EXPECT_THAT(refusal(s, parseVisualWish("PseudoColor8"), MapOwner::Shared),
-              HasSubstr("the default map, which is for TrueColor 24, not for PseudoColor 8"));
+              HasSubstr("the default map, which belongs to TrueColor 24, not to PseudoColor 8"));
   EXPECT_THAT(chooseVisual(server({pseudo(1), trueColor(2, 24)}, 1), {}, MapOwner::Shared).why,
               HasSubstr("free cells"));
 }
@@ -234,7 +234,7 @@ TEST(DescribeVisuals, IsATableThatEndsWithTheChoice) {
   s.freeCells = 183;
   const std::string text = describeVisuals(s);
   EXPECT_THAT(text,
-              HasSubstr("TrueColor       24    rgb        2    256     -     8  fixed     look colours up"));
+              HasSubstr("TrueColor       24    rgb        2    256     -     8  fixed     look the colours up"));
   EXPECT_THAT(text,
               HasSubstr("DirectColor     24    rgb        1    256     -     8  writable  store colours"));
   EXPECT_THAT(text,

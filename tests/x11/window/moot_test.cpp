@@ -112,13 +112,13 @@ TEST_F(MootOptions, AttenuationFadesTheScenesLights) {
   EXPECT_NE(drawn("lamp", {"--attenuation", "none"}), drawn("lamp", {}));
   EXPECT_NE(drawn("spotlight", inverse), drawn("spotlight", {}));
   refused(Words{"draw", "teapot", "-o", file("new.png")} + inverse, 2,
-          "--attenuation needs a light at a place: --light-at x,y,z, or a scene that has one");
+          "--attenuation needs a light at a place: give --light-at x,y,z or a scene with such a light");
   refused(Words{"view", "lamp"} + inverse,
-          2,  // set-ups name the scene, and not what became of its lights
-          "--attenuation of the scene's own lights goes with draw, snapshot and trace; for a window say "
-          "--light-at x,y,z too");
+          2,  // a set-up of the window names the scene, but not what became of its lights
+          "--attenuation changes the scene's own lights only with draw, snapshot and trace; for a window, "
+          "give --light-at x,y,z as well");
   refused(Words{"draw", "lamp", "-o", file("new.png"), "--light", "0,0,1"} + inverse, 2,
-          "--attenuation needs a light at a place: --light-at x,y,z, or a scene that has one");
+          "--attenuation needs a light at a place: give --light-at x,y,z or a scene with such a light");
 }
 
 // What a scene file says of light and division gives way to the command line, and is not taken for the user's
