@@ -65,8 +65,8 @@ enum class Cull { Keep, Back };
 [[nodiscard]] SnappedScene snap(const Mesh& mesh, const ConvexParts& parts, const ViewSpec& view, int width,
                                 int height, Cull cull);
 
-/// What only an order that compares planes needs: pieces of one plane (ConvexParts::plane) get one plane
-/// record, one plane record, through three of their vertices that lie far apart. So they are exactly
+/// What only an order that compares planes needs: parts of one plane (ConvexParts::plane) get one plane
+/// record, through three of their vertices that lie far apart. So they are exactly
 /// coplanar, and at a common sample the later one is seen. Call it once after each snap(), with the same
 /// view.
 void addPlanes(SnappedScene& scene, const Mesh& mesh, const ViewSpec& view, int width, int height);
