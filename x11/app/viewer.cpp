@@ -95,8 +95,7 @@ class Viewer {
     endWithSignals();
     {
       ErrorTrap trap{display()};  // if the window cannot be shown, the user cannot close it either
-      refresh();                  // the first picture is drawn before the window appears, unless that takes
-                                  // long
+      refresh();                  // draws the first picture before the window appears, unless that takes long
       map();
       trap.check();
     }

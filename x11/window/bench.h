@@ -56,7 +56,7 @@ class Host {
 /// Milliseconds. During a drag, a picture that takes longer is drawn with coarser settings.
 inline constexpr double kFluid = 40;
 
-/// What a view gets to draw.
+/// What a view is given to draw.
 struct Desk {
   const Picture& picture;  ///< painted if Bench::wantsImage()
   const CellPlan& plan;

@@ -60,8 +60,8 @@ class ColorsBench : public Bench {
   /// Held indices are for one number of shades and one I0. If these change, the indices follow the settings
   /// again.
   [[nodiscard]] bool holds(const Setup& setup) const;
-  /// What words and curves on the page describe. They describe the table at rest, so the lit cell and the
-  /// ramp's shift are left out.
+  /// What words and curves on the page describe: the table at rest, without the lit cell and without the
+  /// ramp's shift.
   struct Told {
     std::optional<int> cell;
     PaletteEffects effects;

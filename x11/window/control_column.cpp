@@ -178,7 +178,8 @@ void ColumnPen::light(const ControlPlace& place) {
   boldRight(end, y + 36, shown.setup.picture.light.lightPosition ? "near" : "far");
 }
 
-/// A sphere with the current material, form and table. A ring marks the light, so one can read L.
+/// Draws a sphere with the current material, form and table. A ring marks the light, so that the user can see
+/// L.
 void ColumnPen::ball() {
   paint.fillRect(at.ball, (*this)(Cell::Well));
   const int radius = at.radius, cx = at.ball.x + at.ball.width / 2, cy = at.ball.y + at.ball.height / 2;

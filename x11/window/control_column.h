@@ -85,8 +85,8 @@ struct ControlsShown {
 void drawControls(IndexImage& image, const ControlColumn& at, const ControlsShown& shown,
                   const CellPlan& plan);
 
-/// The direction on the ball under the pointer, a unit vector: to the right, up, towards the viewer. Past the
-/// edge of the sphere it continues behind it.
+/// The direction on the ball under the pointer, a unit vector: to the right, up, towards the viewer. Outside
+/// the sphere's outline it points to the far side.
 [[nodiscard]] glm::dvec3 directionOnBall(const ControlColumn& at, int x, int y);
 
 }  // namespace xnewell
