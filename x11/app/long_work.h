@@ -7,7 +7,7 @@ namespace xnewell {
 
 /// Does work that may take long on its own thread, while the calling thread talks to the server.
 
-/// The program says nothing before this time: a message that comes and goes in a blink tells nobody anything.
+/// The program says nothing before this time, because nobody can read a message that vanishes at once.
 inline constexpr std::chrono::milliseconds kPatience{1000};
 
 /// Does `work` on a thread of its own and returns when it is done. After kPatience it calls `meanwhile` about

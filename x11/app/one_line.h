@@ -5,7 +5,7 @@
 
 namespace xnewell {
 
-/// Makes one line of bounded length from a text, whatever names and words it quotes. Control characters
+/// Turns a text into one line of bounded length, whatever names and words it quotes. Control characters
 /// become '?'. A text of more than 800 bytes keeps its first 600 and its last 200.
 [[nodiscard]] inline std::string oneLine(std::string text) {
   constexpr std::size_t kBegin = 600, kEnd = 200;

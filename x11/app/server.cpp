@@ -11,8 +11,8 @@ namespace xnewell {
 
 namespace {
 
-/// The colormap that the options ask for. If the server has no room for another map, it is cells of the
-/// default map. What the user asked for and does not get is printed on standard error.
+/// Makes the colormap that the options ask for. If the server has no room for another map, it takes cells of
+/// the default map. It prints on standard error what the user asked for and does not get.
 ServerColormap openColormap(Display* display, const Options& options, const Scene& scene) {
   const ServerVisuals server = readVisuals(display);
   const std::optional<VisualWish> wish = wishOf(options);

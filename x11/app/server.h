@@ -28,7 +28,7 @@ struct Server {
               return colormap.mostShades();
             }};
   }
-  /// The settings, with the ramp shortened to the shades that there are cells for.
+  /// The settings, with the ramp shortened if there are not enough cells for its shades.
   [[nodiscard]] PictureSettings fitted(PictureSettings settings) const {
     settings.table.shades = std::min(settings.table.shades, colormap.mostShades());
     return settings;
@@ -50,10 +50,10 @@ struct Server {
 /// The visual that --visual asks for; no value without --visual.
 [[nodiscard]] std::optional<VisualWish> wishOf(const Options& options);
 
-/// Brings the window up to date if anything has changed; `update` brings the bench up to date first. If only
-/// colours changed, they are stored and nothing is drawn. Otherwise the new indices go into the picture
-/// behind the window first. Then the cells and the window change together, and no other client sees one
-/// without the other.
+/// Brings the window up to date if anything has changed. First it calls `update`, which must bring the bench
+/// up to date. If only colours changed, it stores them and draws nothing. Otherwise the new indices go into
+/// the pixmap behind the window first. Then the cells and the window change together, and no other client
+/// sees one without the other.
 void bringUpToDate(Server& server, Canvas& canvas, Workbench& bench, const std::function<void()>& update);
 
 }  // namespace xnewell

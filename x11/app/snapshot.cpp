@@ -21,7 +21,7 @@ struct Shot {
   const Picture& picture;
   const IndexImage& image;
   const Palette& palette;
-  CellPlan plan;             ///< the cells of the image
+  CellPlan plan;             ///< the plan of the image's cells
   Rect area;                 ///< the picture's place in the image
   std::vector<Rect> over{};  ///< the parts of the image that lie over the picture
 };

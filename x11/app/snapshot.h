@@ -11,8 +11,9 @@ namespace xnewell {
 /// Receives a snapshot: its picture, the bytes of a PNG file, and the time that each stage took.
 using Taken = std::function<void(const Picture&, const std::string& png, const StageTimes&)>;
 
-/// Draws the picture in a real window and reads it back from the server; with options.wholeWindow, the whole
-/// window with its controls. @throws X11Error, ViewError, and whatever `taken` throws
+/// Draws the picture in a real window and reads it back from the server. With options.wholeWindow, it does so
+/// with the whole window and its controls.
+/// @throws X11Error, ViewError, and whatever `taken` throws
 void takeSnapshot(const Options& options, Scene scene, const Taken& taken);
 
 /// The text that `xnewell visuals` prints. @throws X11Error

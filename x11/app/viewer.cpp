@@ -86,7 +86,7 @@ class Viewer {
         title_{titleOf(bench_.scene())},
         plan_{bench_.plan()} {
     bench_.resize(size_.x, size_.y);
-    XkbSetDetectableAutoRepeat(display(), 1, nullptr);  // a key held down sends one release event only
+    XkbSetDetectableAutoRepeat(display(), 1, nullptr);  // a held key sends only one release event
   }
 
   [[nodiscard]] Workbench& bench() { return bench_; }
@@ -94,9 +94,8 @@ class Viewer {
   int run(const std::function<void()>& shown) {
     endWithSignals();
     {
-      ErrorTrap trap{display()};  // if the window cannot be shown, the user could not close it either
-      refresh();                  // the first picture is drawn before the window appears, unless that takes
-                                  // long
+      ErrorTrap trap{display()};  // if the window cannot be shown, the user cannot close it either
+      refresh();                  // draws the first picture before the window appears, unless that takes long
       map();
       trap.check();
     }
@@ -127,9 +126,9 @@ class Viewer {
 
   static std::string titleOf(const Scene& scene) { return "xnewell: " + scene.name; }
 
-  /// True if the work may take long: for the first picture, for another scene or view, for a change in how
-  /// much must be sorted, and for everything once something took long in this window. All other work is done
-  /// on this thread: a new thread starts with a cold cache, which costs milliseconds.
+  /// True if the work may take long. This is so for the first picture, for another scene or view, for a
+  /// change in how much must be sorted, and for everything once something took long in this window. All other
+  /// work is done on this thread: a new thread starts with a cold cache, which costs milliseconds.
   [[nodiscard]] bool mayTakeLong() const {
     const Setup& now = bench_.setup();
     return !mapped_ || tookLong_ || titleOf(bench_.scene()) != title_ || bench_.view() != view_ ||
@@ -163,8 +162,8 @@ class Viewer {
   }
 
   /// Draws a box over what is shown, or over an empty window, while the bench works and must not be touched.
-  /// Events wait. Exceptions are those that uncover parts of the window, and those that close it when nothing
-  /// would be lost.
+  /// Most events wait. Two kinds do not: those that uncover parts of the window, and, if nothing would be
+  /// lost, those that close it.
   void sayBusy(int seconds, bool mayEnd) {
     XEvent event;
     while (XCheckTypedEvent(display(), Expose, &event)) handle(event);
@@ -198,8 +197,8 @@ class Viewer {
 
   [[nodiscard]] bool errorsToTell() const { return strayErrors() > 0 && !toldOfErrors_; }
 
-  /// The longest time to wait for events, in milliseconds; -1 if nothing but an event can happen. Colours
-  /// that move change every 40 ms at most.
+  /// The longest time to wait for events, in milliseconds; -1 if nothing but an event can happen. A moving
+  /// view moves at most once in 40 ms.
   [[nodiscard]] int longestWait() {
     constexpr double kTick = 40;
     if (XPending(display()) > 0 || errorsToTell() || bench_.stale() != Workbench::Stale::Nothing) return 0;
@@ -247,7 +246,7 @@ class Viewer {
       case KeyRelease:
         if (const std::optional<Key> key = keyOf(event.xkey)) bench_.release(key->letter);
         break;
-      case FocusOut:  // we do not hear of a key released in another window
+      case FocusOut:  // a key released in another window sends us no event
         bench_.release('h');
         break;
       case ButtonPress:
@@ -302,7 +301,7 @@ class Viewer {
 
   std::string title_;
   bool tookLong_ = false;                  ///< true once any update took longer than kLong
-  WindowView view_ = WindowView::Picture;  ///< this and the next two are those of the frame shown
+  WindowView view_ = WindowView::Picture;  ///< this and the next two describe the frame shown
   Order order_ = {};
   int divisions_ = 0;
   CellPlan plan_;     ///< of the frame shown
@@ -310,8 +309,8 @@ class Viewer {
   Cursor watch_ = 0;  ///< a resource of the server, freed when the connection ends
   bool mapped_ = false;
   bool dragging_ = false, pointerInside_ = false;
-  bool toldOfErrors_ = false;  ///< told once only, because the notice is one more frame, which the server may
-                               ///< refuse too
+  bool toldOfErrors_ = false;  ///< the user is told only once, because the notice is one more frame, which
+                               ///< the server may refuse too
   Stopwatch sinceTick_;
 };
 

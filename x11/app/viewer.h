@@ -10,8 +10,9 @@
 namespace xnewell {
 
 /// Runs the window: events in, frames out. Returns the exit status: 0 when the user quits. A signal ends the
-/// program with status 130. `lesson` is shown from its first step; Command::Lesson without a lesson shows the
-/// list of lessons. `shown` is called when the first picture, which may take long, is in the window.
+/// program with status 130. If there is a `lesson`, its first step is shown. Command::Lesson without a lesson
+/// shows the list of lessons. runViewer() calls `shown` when the first picture, which may take long, is in
+/// the window.
 /// @throws X11Error, also at the end if the server refused to show something; ViewError
 [[nodiscard]] int runViewer(const Options& options, Scene scene, std::optional<Lesson> lesson,
                             const std::function<void()>& shown);

@@ -117,7 +117,7 @@ void Workbench::press(const Key& key) {
   told_.clear();
   if (key.letter != 'q') warned_ = false;
   if (question_) return answer(key);
-  if (help_ && key.letter != '?') {  // whatever is done is to be seen
+  if (help_ && key.letter != '?') {  // the list of keys closes, so that the user sees what the key does
     pressLetter('?');
     if (key.name == NamedKey::Escape) return;
   }
@@ -130,7 +130,7 @@ void Workbench::press(const Key& key) {
   keys_.press(key, bench().sharedKeys(), before, subject(), *this);
 }
 
-/// What all views have, and for a button what a key does.
+/// Does what a letter does in all views. Buttons call this to do the same as their keys.
 void Workbench::pressLetter(char letter) {
   for (const WindowViewRow& row : kWindowViews)
     if (row.key == letter) return switchTo(row.id);
@@ -172,7 +172,7 @@ void Workbench::pressLetter(char letter) {
 
 namespace {
 
-/// How a scene that is opened is set up: as it says itself, and else as by default.
+/// The setup of a scene that is opened: what its file asks for, and defaults for the rest.
 Setup setupOf(const Scene& scene) {
   Setup setup{scene.settings, scene.settings.inPixels ? Fill::XFillPolygon : Fill::Scanline};
   setup.picture.inPixels = false;
@@ -234,7 +234,7 @@ void Workbench::askToOpen() {
        }});
 }
 
-/// A key for the line that is typed.
+/// Handles a key for the line that the user types.
 void Workbench::answer(const Key& key) {
   complaint_.clear();
   std::string& text = question_->text;
@@ -243,7 +243,7 @@ void Workbench::answer(const Key& key) {
       return question_.reset();
     case NamedKey::Backspace:
       if (!text.empty()) text.pop_back();
-      question_->fresh = false;  // the rest is kept
+      question_->fresh = false;  // the next letter is added to the text that is left
       return;
     case NamedKey::Return: {
       const Question asked = *std::exchange(question_, std::nullopt);

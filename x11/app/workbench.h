@@ -17,86 +17,90 @@ namespace xnewell {
 class SortBench;
 
 /// The window without a server: what keys and the mouse do to the setup, and the index image and palette that
-/// show it. The event loop (viewer.h) and the pictures of the whole window use the same one. Each view is a
-/// Bench; what they share is here: the scene's picture, the setup with its undo, and the bands.
+/// show it. The event loop (viewer.h) and snapshots of the whole window use this class. Each view is a Bench.
+/// The workbench holds what they share: the scene's picture, the setup with its undo, and the bands.
 class Workbench : public Host {
  public:
-  /// Cell plan of a table on the server at hand, and the colours of cells that nobody needs.
+  /// What the workbench needs from the server, such as the cell plan for a table and the colours of cells
+  /// that nobody needs.
   struct Server {
     std::function<CellPlan(TableKind)> plan = [](TableKind t) { return CellPlan{t}; };
     Palette unneeded{};
-    std::function<std::string()> visual = [] { return std::string{}; };  ///< for the status line
-    bool gray = false;                                                   ///< shows grays only
-    /// For how many shades it has cells, of one hue or divided among several: asked for each scene anew.
+    std::function<std::string()> visual = [] { return std::string{}; };  ///< words for the status line
+    bool gray = false;  ///< true if the screen shows only grays
+    /// The most shades that the server has cells for, of one hue or divided among several. Each new scene
+    /// asks again.
     std::function<int(bool severalHues)> mostShades = [](bool) { return kMaxShades; };
   };
   Workbench(Scene scene, const Setup& setup, Server server);
-  Workbench(Workbench&&) = delete;  // the benches know it
+  Workbench(Workbench&&) = delete;  // the benches point to it
   ~Workbench() override = default;
 
   void resize(int width, int height);
   void press(const Key& key);
-  /// A letter let go, where that means something.
+  /// A letter key was released. Only some views need to know.
   void release(char letter) { bench().release(letter); }
   /// Shows a lesson from its first step.
   void teach(Lesson lesson);
-  /// For those who draw step by step.
+  /// For code that draws the frames of a lesson or of the stepper.
   [[nodiscard]] LessonBench& lessons() { return *lessons_; }
   [[nodiscard]] SortBench& stepper() { return *stepper_; }
-  /// The button pressed: whether what follows until it is let go, and settle(), is a drag.
+  /// The button was pressed. Returns true if a drag begins; it ends when the button is released and settle()
+  /// is called.
   [[nodiscard]] bool grab(int x, int y);
   void dragTo(int x, int y) { bench().dragTo(x, y); }
-  /// After dragging: what was left out meanwhile is asked for.
+  /// Ends a drag. What the drag left out becomes stale.
   void settle();
-  /// The mouse moved with no button pressed.
+  /// The pointer moved with no button pressed.
   void hover(int x, int y);
-  /// > 1 comes nearer; the wheel does so over the picture.
+  /// Zooms; a factor above 1 comes nearer. The wheel zooms only over the picture.
   void zoom(double factor);
   void wheel(int x, int y, double factor);
 
-  /// As `q`, whatever is being typed.
+  /// Does what `q` does, even while the user types on a line.
   void askToQuit() {
     question_.reset();
     press({NamedKey::Letter, 'q'});
   }
-  /// Whether nothing is lost by leaving.
+  /// True if quitting loses nothing.
   [[nodiscard]] bool isSaved() const { return work_.file.empty() || work_.setup == work_.saved; }
-  /// Whether letters are typed into a line.
+  /// True while the user types on a line.
   [[nodiscard]] bool isAsking() const { return question_.has_value(); }
   [[nodiscard]] bool quitAsked() const { return quit_; }
 
-  /// Whether something moves by itself: then tick() is to be called every so often.
+  /// True if something moves by itself. Then tick() must be called at regular intervals.
   [[nodiscard]] bool moving() const { return bench().moving(); }
   void tick() { bench().tick(); }
 
-  /// What the last changes ask for, least first: nothing; other colours in the same cells; new indices. In
-  /// the view of the colours words about them are indices, and follow the colours in a second update().
+  /// What is out of date, from least to most: nothing; only the colours of the cells; the indices. The view
+  /// of the colour table draws words about colours as indices. They follow the colours in a second update().
   enum class Stale { Nothing, Colors, Everything };
   [[nodiscard]] Stale stale() const;
-  /// Brings image and palette up to date. A setup that cannot be drawn is undone and told. While something
-  /// is dragged what takes long is left out, and a picture that takes long is made more coarsely.
+  /// Brings image and palette up to date. If a setup cannot be drawn, update() restores the one shown before
+  /// and notifies the user; if none was shown before, it throws. During a drag, slow parts are left out, and
+  /// a slow picture is drawn with coarser settings.
   void update(bool dragging = false);
 
   [[nodiscard]] const IndexImage& image() const { return image_; }
   [[nodiscard]] const Palette& palette() const { return palette_; }
   [[nodiscard]] const Layout& layout() const { return layout_; }
   [[nodiscard]] const Scene& scene() const { return work_.pictures.scene(); }
-  /// The one that update() made last.
+  /// The picture that the last update() made.
   [[nodiscard]] const Picture& picture() const { return work_.pictures.last(); }
   [[nodiscard]] WindowView view() const { return layout_.roomy ? view_ : WindowView::Picture; }
-  /// Whether an X server is to fill the polygons at layout().picture.
+  /// True if an X server must fill the polygons at layout().picture.
   [[nodiscard]] bool serverFills() const {
     return work_.setup.fill == Fill::XFillPolygon && view() == WindowView::Picture &&
            work_.setup.show == Show::Shaded;
   }
-  /// Parts of image() that lie over the picture.
+  /// The parts of image() that lie over the picture.
   [[nodiscard]] std::vector<Rect> overPicture() const { return drawnOverPicture(layout_, panel_); }
-  /// Where the tool's colours are in palette(): by the table that picks the indices.
+  /// The cells of the interface's colours in palette(). They depend on the table that picks the indices.
   [[nodiscard]] CellPlan plan() const { return server_.plan(painted().picture.table.kind); }
-  /// The picture's ground in image().
+  /// The cell of the picture's background in image().
   [[nodiscard]] std::uint8_t ground() const { return plan()[Cell::Well]; }
 
-  // Of Host.
+  // The functions of Host.
   [[nodiscard]] const Setup& setup() const override { return work_.setup; }
   [[nodiscard]] const Setup& defaults() const override { return work_.defaults; }
   void open(Scene scene, const Setup& setup) override;
@@ -109,28 +113,29 @@ class Workbench : public Host {
   void pressLetter(char letter) override;
 
  private:
-  static constexpr std::size_t kMostUndone = 1000;  // steps, of less than a kilobyte
-  /// A scene and all that was done to it.
+  static constexpr std::size_t kMostUndone = 1000;  // steps; each takes less than a kilobyte
+  /// A scene, and all that the user did to it.
   struct Work {
     Work(Scene scene, const Setup& setup);
     PictureCache pictures;
     glm::dvec3 centre;  ///< of the scene
     Setup setup, defaults;
-    std::string file;  ///< a scene file that this is saved in, or was read from; "" for none
-    Setup saved;       ///< there
-    int divisions;     ///< that it was read with
+    std::string file;  ///< the scene file that this was saved in or opened from; "" for none
+    Setup saved;       ///< the setup in that file
+    int divisions;     ///< the divisions that the scene was read with
     std::vector<Setup> undo, redo;
-    char lastChanged = 0;  ///< control of the newest undo step: a run of its changes is one step
+    char lastChanged = 0;  ///< the control of the newest undo step; its further changes join that step
   };
-  /// Everything here that decides which cells the window shows. A bench knows more of its own: Bench::late().
+  /// What decides which cells the window shows, as far as the workbench knows. A bench may know more:
+  /// Bench::late().
   struct Indices {
     WindowView view;
     int width, height;
     Setup painted;  ///< without the colours of the cells
     std::string notice, told;
-    std::array<std::string, 3> typing;  ///< what is asked, typed, and complained of
+    std::array<std::string, 3> typing;  ///< the question, the text typed, and the complaint about it
     bool help;
-    bool leftOut;  ///< something takes too long while it is dragged
+    bool leftOut;  ///< true if the frame was drawn during a drag, which leaves out slow parts
     bool operator==(const Indices&) const = default;
   };
   /// What decides which colours the cells have.
@@ -147,7 +152,7 @@ class Workbench : public Host {
   };
 
   [[nodiscard]] Work workOn(Scene scene, Setup setup);
-  /// Asks for cells for a scene's hues.
+  /// Asks the server for cells for the hues of a scene.
   void fit(const Scene& scene, const Setup& setup);
   void begin(Work work);
   void answer(const Key& key);
@@ -155,46 +160,48 @@ class Workbench : public Host {
   void askToOpen();
   void divide();
   void drawFrame(bool dragging);
-  /// Stores the colours of the picture as it was made.
+  /// Makes the palette from the colours of the last picture and these effects.
   void makePalette(const PaletteEffects& effects);
   [[nodiscard]] Palette plainPalette() const;
-  /// What is to be shown now.
+  /// What must be shown now.
   [[nodiscard]] Indices indices() const;
   [[nodiscard]] Colors colors() const { return {work_.setup, bench().stored(work_.setup)}; }
   [[nodiscard]] Bench& bench() const { return *benches_[static_cast<std::size_t>(view())]; }
-  /// The setup by which indices are picked.
+  /// The setup that the picture is painted with. It picks the indices.
   [[nodiscard]] Setup painted() const { return bench().painted(work_.setup); }
-  /// That picture at the size the view has for it, which is nothing to undo.
+  /// The settings of that picture, in the size that the view has for it. The size is not part of the setup,
+  /// so undo does not change it.
   [[nodiscard]] PictureSettings sized() const;
   [[nodiscard]] ControlKeys::Subject subject() const;
-  /// Whether the view was drawn as large as it is: before that it has no places for the pointer.
+  /// True if the view was drawn at its present size. Before that, it does not know where its parts are, so
+  /// the pointer can do nothing.
   [[nodiscard]] bool isDrawn() const {
     return shown_ && shown_->indices.view == view() && shown_->indices.width == layout_.width &&
            shown_->indices.height == layout_.height;
   }
-  /// Whether another view shows the scene of the lesson's step.
+  /// True if the window shows the scene of a lesson's step in another view.
   [[nodiscard]] bool visitsFromLesson() const { return before_ && view() != WindowView::Lesson; }
   [[nodiscard]] std::vector<Legend> legend() const;
   [[nodiscard]] std::vector<HelpLine> helpLines() const;
 
   Work work_;
-  std::unique_ptr<Work> before_;  ///< open()
+  std::unique_ptr<Work> before_;  ///< the work from before open(); null without one
   Server server_;
   int mostShades_ = kMaxShades;
   ControlKeys keys_;
   std::array<std::unique_ptr<Bench>, kEveryWindowView> benches_;
-  LessonBench* lessons_;  ///< one of them
-  SortBench* stepper_;    ///< another
+  LessonBench* lessons_;  ///< one of the benches
+  SortBench* stepper_;    ///< another one
   WindowView view_ = WindowView::Picture;
   Layout layout_;
   PanelState panel_;
-  std::string notice_, told_;  ///< sentences for the status line until the next key: a warning, plain news
+  std::string notice_, told_;  ///< for the status line: a warning (until a key or click), news (until a key)
   std::optional<Question> question_;
-  std::string complaint_;  ///< of what was typed
+  std::string complaint_;  ///< about what was typed
   bool help_ = false, quit_ = false;
-  bool warned_ = false;    ///< that changes are not saved
-  bool dragging_ = false;  ///< the window was drawn during a drag that is not settled
-  bool slow_ = false;      ///< the drag is too slow with the whole picture
+  bool warned_ = false;    ///< true if the user was told that changes are not saved
+  bool dragging_ = false;  ///< true if the last frame was drawn during a drag that is not settled
+  bool slow_ = false;      ///< true if the whole picture is too slow for this drag
   std::optional<Shown> shown_;
   IndexImage image_;
   Palette palette_{};

@@ -8,11 +8,11 @@
 
 namespace xnewell {
 
-// When the window is stale, and how it is drawn. What keys and pointer do: workbench.cpp.
+// Decides when the window is stale, and draws it. workbench.cpp handles keys and the pointer.
 
 namespace {
 
-/// What takes least and still shows where everything is.
+/// Settings for a quick picture that still shows where everything is.
 PictureSettings coarse(PictureSettings settings) {
   settings.shading = settings.shading == Shading::Full ? Shading::Full : Shading::Flat;
   settings.order = Order::ZSort;
@@ -46,7 +46,7 @@ PictureSettings Workbench::sized() const {
   return settings;
 }
 
-/// Without effects.
+/// The palette without effects.
 Palette Workbench::plainPalette() const {
   const Palette palette = picture().palette(plan(), server_.unneeded);
   return server_.gray ? forGrayScreen(palette, picture()) : palette;
@@ -72,7 +72,8 @@ std::vector<HelpLine> Workbench::helpLines() const {
   return lines;
 }
 
-/// The scene's patches as the setup wants them: as many divisions as it was read with, if it does not say.
+/// Divides the scene's patches as often as the setup says. If it does not say, they get the divisions that
+/// they were read with.
 void Workbench::divide() {
   const Scene& scene = this->scene();
   const int wanted = work_.setup.divisions > 0 ? work_.setup.divisions : work_.divisions;
@@ -139,7 +140,7 @@ void Workbench::update(bool dragging) {
     case Stale::Nothing:
       return;
     case Stale::Colors: {
-      PictureSettings recolored = picture().settings();  // also of one that was made coarsely
+      PictureSettings recolored = picture().settings();  // of the last picture, which may be a coarse one
       recolored.table = sized().table;
       work_.pictures.make(recolored);
       shown_->colors = colors();
@@ -150,7 +151,7 @@ void Workbench::update(bool dragging) {
   }
   try {
     drawFrame(dragging);
-  } catch (const std::runtime_error& e) {  // also of a file that was there before
+  } catch (const std::runtime_error& e) {  // also if redivided() can no longer read the scene's file
     if (!shown_) throw;
     work_.setup = shown_->colors.setup;
     bench().leave();

@@ -17,16 +17,16 @@ namespace xnewell {
 
 namespace {
 
-/// Words of the command line that are fixed but do not do anything yet: they say so.
+/// Commands and options that have a name but do nothing yet. The program says so.
 constexpr std::array<std::string_view, 2> kLaterCommands{"figure", "trade"};
 constexpr std::array<std::string_view, 1> kLaterOptions{"--json"};
 
-/// Adds options to CLI11's. Their texts are read here, so that complaints are in our words.
+/// Adds options to CLI11. The code here reads their values, so that the error messages are in our words.
 class Reader {
  public:
   explicit Reader(CLI::App& app) : app_{app} {}
 
-  /// A setting of the picture: its row says everything.
+  /// Adds a setting of the picture. Everything comes from its row.
   void setting(const Setting& row, PictureSettings& settings) {
     std::string help{row.is};
     if (row.field.kind != ValueKind::Flag) help += "; " + expected(row);
@@ -44,7 +44,7 @@ class Reader {
     text(name, help, initially,
          [&row, &settings](const std::string& given) { row.field.set(settings, valueOf(row, given)); });
   }
-  /// A number in [low, high].
+  /// Adds a number in [low, high].
   template <class Number>
   void number(const std::string& name, Number& target, double low, double high, const std::string& help) {
     text(name, help, textOf(static_cast<double>(target)), [=, &target](const std::string& given) {
@@ -62,7 +62,7 @@ class Reader {
       set(glm::dvec3{v[0], v[1], v[2]});
     });
   }
-  /// One row of a table of choices, by name.
+  /// Adds a choice of one row of a table, by its name.
   template <class Rows, class Id>
   void choice(const std::string& name, const Rows& rows, Id& target, const std::string& help) {
     std::string all, initially;
@@ -76,7 +76,7 @@ class Reader {
       target = row->id;
     });
   }
-  /// The name of `what`, which must not be empty.
+  /// Adds the name of a `what`, such as a file. The name must not be empty.
   void named(const std::string& name, std::string& target, const std::string& what, const std::string& help) {
     text(name, help, "", [=, &target](const std::string& given) {
       if (given.empty()) throw UsageError{name + ": the " + what + "'s name is empty"};
@@ -165,7 +165,7 @@ void addCamera(Reader& r, CameraSettings& camera) {
   plane("--back", "back clipping plane, its n", "behind the scene", camera.back);
 }
 
-/// What is stored in the cells once they are picked.
+/// Adds the effects on the stored colours, after the indices are picked.
 void addEffects(Reader& r, Options& o) {
   const auto cell = [](const std::string& option, const std::string& text) {
     const std::string expected = "a cell, a whole number from 0 to 255";
@@ -197,8 +197,8 @@ void addEffects(Reader& r, Options& o) {
          [&o, cell](const std::string& s) { o.effects.lit = cell("--lit", s); });
 }
 
-/// Takes the command off the arguments. CLI11's subcommands would read `draw -- -s.obj` as an option: what
-/// follows `--` in a subcommand falls through to options again.
+/// Takes the command off the arguments. CLI11's subcommands would read `draw -- -s.obj` as an option: in a
+/// subcommand they parse what follows `--` as options again.
 Command takeCommand(std::vector<std::string>& arguments) {
   if (arguments.empty()) return Command::View;
   const std::string first = arguments.front();
@@ -210,7 +210,7 @@ Command takeCommand(std::vector<std::string>& arguments) {
   return row->id;
 }
 
-/// What CLI11 found wrong, in words of ours.
+/// Says in our words what CLI11 found wrong.
 [[noreturn]] void refuse(const CLI::App& app, const Options& o, const CLI::ParseError& e) {
   if (e.get_exit_code() == static_cast<int>(CLI::ExitCodes::ExtrasError)) {
     std::vector<std::string> extra = app.remaining();
@@ -231,7 +231,7 @@ Command takeCommand(std::vector<std::string>& arguments) {
   throw UsageError{e.what()};
 }
 
-/// CLI11 knows one command line; ours has a form for each command.
+/// CLI11 prints one usage line; this prints one for each command.
 class Help : public CLI::Formatter {
   std::string make_usage(const CLI::App*, std::string) const override {
     std::string usage = "\nUsage:\n";
@@ -247,7 +247,7 @@ class Help : public CLI::Formatter {
   }
 };
 
-/// Every view that draw, snapshot or the window has, once.
+/// The names of all views of draw, snapshot and the window, each once.
 std::string viewNames() {
   std::string all;
   for (const ViewRow& row : kViews) all += (all.empty() ? "" : ", ") + std::string{row.name};
@@ -258,7 +258,7 @@ std::string viewNames() {
   return all;
 }
 
-/// False: there is no view of that name. Which command has it is checked when all is read.
+/// Returns false if no view has that name. checkTogether() checks later whether the command has this view.
 bool takeView(Options& o, const std::string& name) {
   o.viewName = name;
   const auto* const view = std::ranges::find(kViews, name, &ViewRow::name);
@@ -270,17 +270,18 @@ bool takeView(Options& o, const std::string& name) {
   return view != kViews.end() || window != kWindowViews.end();
 }
 
-/// What the options mean together, once all are read.
+/// Works out what the options mean together, after all of them are read.
 void settle(Options& o) {
   Illumination& light = o.picture.light;
-  if (o.gave("--light") && !o.gave("--light-at")) {  // it replaces the scene's light, and how that fades
+  if (o.gave("--light") && !o.gave("--light-at")) {  // it replaces the scene's light, and its attenuation too
     light.lightPosition.reset();
     if (!o.gave("--attenuation")) light.attenuation = Attenuation::None;
   }
   if (!keepWithinOne(light, o.gave("--ia"), o.gave("--ip")))
     throw UsageError{"--ia and --ip: their sum must not exceed 1"};
-  // A scene asks for the filler of a window. Elsewhere there is no server, and what the user says comes
-  // first.
+  // Here inPixels is true if --fill or the scene asks for the server's filler. --fill x11 always counts. A
+  // scene's wish counts only for view and snapshot, which have a server, and only if the server can fill the
+  // polygons.
   const bool server = std::exchange(o.picture.inPixels, false);
   const bool window = o.command == Command::View || o.command == Command::Snapshot;
   const bool fillable = o.picture.order != Order::Oracle && !rowOf(o.picture.shading).interpolates;
@@ -355,7 +356,7 @@ std::optional<Options> parseOptions(int argc, const char* const* argv, const Pic
   r.choice("--every", kEvery, o.every, "trace: the steps that --frames draws");
 
   try {
-    std::ranges::reverse(arguments);  // as CLI11 takes them
+    std::ranges::reverse(arguments);  // CLI11 takes them in reverse order
     app.parse(arguments);
   } catch (const CLI::CallForHelp&) {
     std::cout << app.help();

@@ -39,52 +39,53 @@ inline constexpr std::array kCommands{
     CommandRow{Command::Scenes, "scenes", "scenes", "the built-in scenes and lessons, one line each"},
 };
 
-/// Who fills the polygons.
+/// What fills the polygons: the server, or our scanline filler.
 enum class Fill { XFillPolygon, Scanline };
 
 inline constexpr glm::ivec2 kPictureSize{800, 600}, kWindowSize{1024, 768};
-inline constexpr glm::ivec2 kLeastWindow{800, 600};  ///< with all controls
+inline constexpr glm::ivec2 kLeastWindow{800, 600};  ///< has room for all controls
 
 struct Options {
   Command command = Command::View;
-  bool commandMeant = false;     ///< the scene stands where a command may: it may be one, mistyped
-  std::string scene = "teapot";  ///< or the lesson
+  bool commandMeant = false;     ///< no command was given, and the first argument may be a mistyped one
+  std::string scene = "teapot";  ///< or the lesson's name
   int divisions = kDefaultDivisions;
-  std::optional<glm::ivec2> size;  ///< --size, else kPictureSize or kWindowSize
-  PictureSettings picture;         ///< its camera and light in the file's units
-  std::vector<std::string> given;  ///< the names of all that the command line says
-  bool halfVector = false;         ///< --half-vector; the picture's light has it by then
-  std::string texture;             ///< "" for none
+  std::optional<glm::ivec2> size;  ///< none without --size: then kPictureSize or kWindowSize
+  PictureSettings picture;  ///< parseOptions() leaves its camera and light in the units of the scene's file
+  std::vector<std::string> given;  ///< the names of all options on the command line
+  bool halfVector = false;         ///< --half-vector; settle() has put it into the light
+  std::string texture;             ///< the file's name; "" for none
   Fill fill = Fill::Scanline;
-  std::string visual;  ///< "" for the program's choice
+  std::string visual;  ///< the visual's name; "" if the program chooses
   MapOwner colormap = MapOwner::Private;
-  bool nearest = false;  ///< colours that the server lacks become the nearest it has, not a mixture
+  bool nearest = false;  ///< true: a colour that the server lacks becomes the nearest it has, not a mixture
   std::string output, ids;
   bool stats = false, wholeWindow = false;
   std::string viewName = "picture";
-  View view = View::Picture;                    ///< draw, snapshot: what of the picture
-  WindowView windowView = WindowView::Picture;  ///< of a window,
-  Show show = Show::Shaded;                     ///< and what its picture shows
-  std::optional<int> scanline;                  ///< of View::MachBands
-  std::optional<int> cell;                      ///< of View::Colors
-  PaletteEffects effects;                       ///< of the picture and of View::Colors
-  bool quick = false;                           ///< trace: the accelerated run, not the textbook's
-  std::string frames;        ///< trace, lesson: a folder for pictures; "" for JSON lines, or a window
-  Every every = Every::Cut;  ///< trace: of which steps
+  View view = View::Picture;                    ///< draw, snapshot: which view of the picture
+  WindowView windowView = WindowView::Picture;  ///< the view of the window
+  Show show = Show::Shaded;                     ///< what the window's picture shows
+  std::optional<int> scanline;                  ///< for View::MachBands
+  std::optional<int> cell;                      ///< for View::Colors
+  PaletteEffects effects;                       ///< for the picture and View::Colors
+  bool quick = false;        ///< trace: true for the accelerated run, false for the textbook's
+  std::string frames;        ///< trace, lesson: a folder for pictures; "" for JSON lines, or for a window
+  Every every = Every::Cut;  ///< trace: the steps that become pictures
 
-  /// Whether the command line says it: an option's name, or "scene".
+  /// True if the command line gives it. The argument is the name of an option, or "scene".
   [[nodiscard]] bool gave(std::string_view option) const {
     return std::ranges::find(given, option) != given.end();
   }
 };
 
-/// Wrong usage: one line for standard error, exit status 2.
+/// Wrong usage. The program prints one line on standard error and exits with status 2.
 struct UsageError : std::runtime_error {
   using std::runtime_error::runtime_error;
 };
 
-/// `initially` is what a picture has without any option: the program's defaults, or what a scene asks for.
-/// @throws UsageError. Returns nothing when it printed --help and there is no more to do.
+/// `initially` holds the settings of a picture without any option: the program's defaults, or what a scene
+/// asks for. Returns nothing if it printed --help and there is no more to do.
+/// @throws UsageError
 [[nodiscard]] std::optional<Options> parseOptions(int argc, const char* const* argv,
                                                   const PictureSettings& initially = {});
 

@@ -13,7 +13,7 @@ void exclude(bool a, bool b, const std::string& both) {
   if (a && b) throw UsageError{both + " exclude each other"};
 }
 
-/// Whether two names lead to one file, which is regular or is to be made.
+/// True if both names lead to the same regular file, or to the same place for a file that does not exist yet.
 bool sameFile(const std::string& a, const std::string& b) {
   namespace fs = std::filesystem;
   std::error_code missing;
@@ -60,7 +60,7 @@ void checkView(const Options& o) {
     throw UsageError{view + " is filled by the scanline: leave out --fill x11"};
 }
 
-/// Settings that are refused where they have no effect.
+/// Refuses settings that have no effect, unless their row asks only for a note.
 void checkSettings(const Options& o) {
   const PictureFacts facts = factsOf(o.picture);
   for (const Setting& setting : settingRows())
@@ -70,7 +70,7 @@ void checkSettings(const Options& o) {
   exclude(o.gave("--light"), o.gave("--light-at"), "--light and --light-at");
 }
 
-/// What each command needs and takes.
+/// Checks what each command needs and takes.
 void checkCommand(const Options& o) {
   const bool sceneGiven = o.gave("scene");
   const bool makesPng = o.command == Command::Draw || o.command == Command::Snapshot;
@@ -131,7 +131,7 @@ void checkCommand(const Options& o) {
     throw UsageError{"--colormap shared and --nearest go with view and snapshot: they need a server"};
 }
 
-/// What shading, order and filler ask of each other.
+/// Checks that shading, order, filler and texture go together.
 void checkMethods(const Options& o) {
   const bool serverFills = o.fill == Fill::XFillPolygon;
   if (serverFills && (o.command == Command::Trace || o.command == Command::Draw))

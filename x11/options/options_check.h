@@ -4,7 +4,7 @@
 
 namespace xnewell {
 
-/// What no option can tell alone: which need, and which exclude each other.
+/// Checks what no option can check alone: which options need others, and which exclude each other.
 /// @throws UsageError
 void checkTogether(const Options& options);
 

@@ -5,13 +5,13 @@
 
 namespace xnewell {
 
-/// What the window may show, a tab and a key each.
+/// The views of the window. Each has a tab and a key.
 enum class WindowView { Picture, DepthSort, Colors, MachBands, SideBySide, Lesson };
 inline constexpr int kEveryWindowView = 6;
 struct WindowViewRow {
   WindowView id;
   char key;
-  std::string_view name, option;  ///< on the tab, and of --view
+  std::string_view name, option;  ///< the words on the tab, and the value of --view
 };
 inline constexpr std::array kWindowViews{
     WindowViewRow{WindowView::Picture, '1', "Picture", "picture"},

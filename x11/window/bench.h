@@ -15,73 +15,74 @@
 
 namespace xnewell {
 
-/// One of the window's views, without a server: what keys and pointer do to it, and how its body is drawn.
-/// The workbench (workbench.h) has one of each, makes the scene's picture at the size that the view asks
-/// for, and draws the bands around it.
+/// One view of the window, without a server: what keys and the pointer do to it, and how its body is drawn.
+/// The workbench (workbench.h) has one bench for each view. It makes the scene's picture at the size that the
+/// view asks for, and it draws the bands around the body.
 
-/// A line that is typed under the body; Return takes it, Esc leaves it.
+/// A question whose answer the user types on a line under the body. Return accepts the answer, Esc cancels.
 struct Question {
   std::string asks;                      ///< "go to step"
-  std::string text = {};                 ///< what stands there at first
-  bool fresh = true;                     ///< the first letter replaces the text
-  std::vector<std::string> offers = {};  ///< what up and down put there
-  /// What is wrong with the text, as a sentence, or "" if it was taken. What is wrong can be mended.
+  std::string text = {};                 ///< the text at first
+  bool fresh = true;                     ///< true if the first letter typed replaces the text
+  std::vector<std::string> offers = {};  ///< the texts that Up and Down put on the line
+  /// Takes the text. Returns "", or a sentence that says what is wrong; then the user can correct the text.
   std::function<std::string(const std::string&)> take;
 };
 
-/// What a view may ask of the window around it.
+/// What a view may ask of the window that holds it.
 class Host {
  public:
   virtual ~Host() = default;
   [[nodiscard]] virtual const Setup& setup() const = 0;
-  /// What it was at first.
+  /// The setup that `reset` restores.
   [[nodiscard]] virtual const Setup& defaults() const = 0;
-  /// Another scene and how it is set up, for as long as until close(): then what was there before the first
-  /// of them comes back. Undo begins anew.
+  /// open() shows another scene with a setup of its own, and undo starts afresh. close() brings back what was
+  /// there before the first open().
   virtual void open(Scene scene, const Setup& setup) = 0;
   virtual void close() = 0;
   virtual void switchTo(WindowView view) = 0;
   virtual void ask(Question question) = 0;
-  /// A sentence for the status line until the next key.
+  /// Shows a warning, one sentence, in the status line until the next key or click.
   virtual void notify(std::string notice) = 0;
-  /// The same for plain news.
+  /// Shows plain news there until the next key.
   virtual void tell(std::string news) = 0;
-  /// A change of the setup that can be undone; several in a row with one `control` are one.
+  /// Changes the setup in a way that can be undone. Changes in a row with the same `control` are undone as
+  /// one.
   virtual void change(char control, const std::function<void(Setup&)>& edit) = 0;
-  /// A letter that all views have: undo and the like.
+  /// Presses a letter that works in all views, such as undo.
   virtual void pressLetter(char letter) = 0;
 };
 
-/// Milliseconds. While something is dragged, a picture that takes longer is made more coarsely.
+/// Milliseconds. During a drag, a picture that takes longer is drawn with coarser settings.
 inline constexpr double kFluid = 40;
 
-/// What a view draws.
+/// What a view is given to draw.
 struct Desk {
-  const Picture& picture;  ///< painted, if Bench::wantsImage()
+  const Picture& picture;  ///< painted if Bench::wantsImage()
   const CellPlan& plan;
   const Palette& palette;  ///< without effects
-  const CellUse& use;      ///< of the image
-  const Setup& setup;      ///< that the picture was made by
+  const CellUse& use;      ///< the cells that the picture's image uses; empty if the view wants no image
+  const Setup& setup;      ///< the setup; Bench::painted() of it made the picture
   const Layout& layout;
-  bool fresh = true;      ///< the picture is not the one that was shown last
-  bool dragging = false;  ///< more is to follow at once: what takes long may wait
-  bool coarse = false;    ///< the picture is not made as the setup says, but sooner
-  bool gray = false;      ///< the screen shows grays only
+  bool fresh = true;      ///< true if this picture is not the one that was shown last
+  bool dragging = false;  ///< true during a drag: slow work may wait, because the next frame follows at once
+  bool coarse = false;  ///< true if the picture was made with coarser settings than the setup's, to save time
+  bool gray = false;    ///< true if the screen shows only grays
 };
 
-/// The colours of the cells as a view chose them, and in words where they are not the picture's.
+/// The colours that a view chose for the cells, and words for them if the picture's words do not fit.
 struct OwnColors {
   Palette palette;
   std::optional<SceneCellWords> words;
 };
 
-/// A word in the last line: the keys, "<" ">" "^" "v" for arrows, and what they do.
+/// An entry of the last line: keys, and what they do. "<" ">" "^" "v" stand for the arrow keys.
 struct Legend {
   std::vector<std::string_view> keys;
   std::string_view does;
 };
 
-/// A line under all keys: what they are, what they do.
+/// A line in the list of all keys: some keys, and what they do.
 struct HelpLine {
   std::string_view keys, does;
 };
@@ -90,52 +91,55 @@ class Bench {
  public:
   virtual ~Bench() = default;
 
-  /// Keys of its own; false: not one of them, and the workbench does what it does in any view, if it is one
-  /// of sharedKeys() or one that all views have (views, undo, help, quit).
+  /// Handles a key. Returns false if it is not a key of this view. Then the workbench handles the keys in
+  /// sharedKeys() and those that all views have: views, undo, help, quit.
   [[nodiscard]] virtual bool press(const Key& key, const Setup& setup) = 0;
-  /// Letters of the controls that this view has too.
+  /// The letters of the controls that this view shares.
   [[nodiscard]] virtual std::string_view sharedKeys() const = 0;
   virtual void release(char) {}
-  /// The pointer, in pixels of the window: moved with no button pressed; pressed: whether what follows until
-  /// it is let go is a drag; then moved, and let go.
+  /// The pointer, in pixels of the window. hover(): it moved with no button pressed. grab(): the button was
+  /// pressed; returns true if this begins a drag. dragTo(): it moved during the drag. drop(): the drag ended.
   virtual void hover(int, int) {}
   [[nodiscard]] virtual bool grab(int, int) { return false; }
   virtual void dragTo(int, int) {}
   virtual void drop() {}
-  /// The view is shown from now on, or no longer: what is undone on leaving is undone.
+  /// enter() is called when the view appears, leave() when it disappears. leave() undoes whatever must not
+  /// outlast the view.
   virtual void enter() {}
   virtual void leave() {}
-  /// Whether it moves by itself: then tick() is to be called every so often.
+  /// True if something moves by itself. Then tick() must be called at regular intervals.
   [[nodiscard]] virtual bool moving() const { return false; }
   virtual void tick() {}
 
-  /// Where the scene's picture goes: its size counts, what is drawn there is the view's.
+  /// The place of the scene's picture. The workbench makes the picture in this size; the view decides what to
+  /// draw there.
   [[nodiscard]] virtual Rect picture(const Layout& at) const = 0;
-  /// Whether Desk::picture is to be painted. If not, it is never made more coarsely.
+  /// True if Desk::picture must be painted. If false, the picture is never made with coarser settings.
   [[nodiscard]] virtual bool wantsImage() const { return true; }
-  /// The setup by which indices are picked.
+  /// The setup that the picture is painted with. It picks the indices.
   [[nodiscard]] virtual Setup painted(const Setup& setup) const { return setup; }
-  /// What is stored instead of the painted picture's colours.
+  /// Effects on the colours that are stored for the painted picture.
   [[nodiscard]] virtual PaletteEffects stored(const Setup&) const { return {}; }
-  /// Whether the body would be drawn otherwise than it was, the setup's own changes apart.
+  /// True if the body must be drawn again for a reason other than a change of the setup.
   [[nodiscard]] virtual bool late(const Setup& setup) const = 0;
-  /// The body, layout.body of `image` and its margins, which are paper; and the picture.
+  /// Draws the body and the picture. The body is layout.body and the margins around it; `image` is filled
+  /// with paper there.
   virtual void draw(IndexImage& image, const Desk& desk) = 0;
 
-  // Of what was drawn last.
+  // The functions below describe the last drawing.
 
-  /// The first line of the status, and what stands behind it, softer.
+  /// The first status line, and the softer text after it.
   [[nodiscard]] virtual std::string status() const = 0;
   [[nodiscard]] virtual std::string aside() const { return {}; }
   [[nodiscard]] virtual std::vector<Legend> legend() const = 0;
-  /// Its own keys, under `?`.
+  /// This view's own keys, for the list that `?` shows.
   [[nodiscard]] virtual std::vector<HelpLine> help() const { return {}; }
-  /// Cells that the strip counts; null: those of the scene's picture.
+  /// The cells that the strip counts; null for those of the scene's picture.
   [[nodiscard]] virtual const CellUse* use() const { return nullptr; }
-  /// Whether Desk::use shall hold polygons too.
+  /// True if Desk::use must count polygons too.
   [[nodiscard]] virtual bool countsPolygons() const { return false; }
-  /// Of a view that chooses the colours of the cells when it draws, so that none change without it; null:
-  /// they are the scene's picture's.
+  /// Colours that the view chose for the cells when it drew; they change only with a new drawing. Null if the
+  /// cells have the colours of the scene's picture.
   [[nodiscard]] virtual const OwnColors* colors() const { return nullptr; }
   /// The cell that the strip marks.
   [[nodiscard]] virtual std::optional<int> inspected() const { return std::nullopt; }

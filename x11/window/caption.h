@@ -8,7 +8,7 @@ namespace xnewell {
 
 /// The settings of a picture in words.
 
-/// How a picture is made, in one line: "flat; sorted by farthest z; own scanline; perspective".
+/// One line that says how a picture is made: "flat; sorted by farthest z; own scanline; perspective".
 [[nodiscard]] std::string captionOf(const Setup& setup);
 /// "sorted by farthest z"
 [[nodiscard]] std::string orderInWords(Order order);

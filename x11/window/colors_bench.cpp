@@ -8,7 +8,7 @@ namespace xnewell {
 
 namespace {
 
-/// The key that changes the setting in a line of the table.
+/// A line of the table, and the key that changes its setting.
 struct LineKey {
   std::string_view label;
   char key;
@@ -75,7 +75,7 @@ bool ColorsBench::press(const Key& key, const Setup& setup) {
       return true;
     case 'j':
       return host_.pressLetter('J'), true;
-    case 'r':  // the host resets the settings, this view its own
+    case 'r':  // the host resets the settings; this view resets its own state
       undo();
       return false;
     case '0':
@@ -89,7 +89,8 @@ bool ColorsBench::press(const Key& key, const Setup& setup) {
   }
 }
 
-/// The arrows change a slider until Esc, Tab or the pointer gives them back to the cells.
+/// Handles a key while a slider has the focus: the arrows change it. Esc, Tab or the pointer gives the arrows
+/// back to the cells.
 bool ColorsBench::pressOnSlider(const Key& key, int times) {
   const SliderRow& row = *sliderOf(focus_);
   const auto change = [&](const std::function<void(Setup&)>& edit) { host_.change(focus_, edit); };
@@ -149,8 +150,8 @@ bool ColorsBench::grab(int x, int y) {
   return grabbed_ = true;
 }
 
-/// A click on a choice takes its next option, a click on an option takes that one. Its key is pressed as
-/// often as that needs.
+/// Handles a click on a line of the table. On a choice's name it takes the next option; on an option it takes
+/// that one. It presses the choice's key as often as needed.
 bool ColorsBench::grabLine(const TableLineHit& hit) {
   const TableLine line = lines_[hit.line];
   if (line.share) {
@@ -158,7 +159,7 @@ bool ColorsBench::grabLine(const TableLineHit& hit) {
     if (hit.share) setSlider(*hit.share);
     return hit.share.has_value();
   }
-  if (line.key == 'H') host_.pressLetter('H');  // a value that its key changes
+  if (line.key == 'H') host_.pressLetter('H');  // a value without options: its key changes it
   if (line.options.empty()) return false;
   const int options = static_cast<int>(line.options.size());
   const int times = hit.option < 0 ? 1 : (hit.option - line.chosen + options) % options;
@@ -247,7 +248,7 @@ std::vector<Legend> ColorsBench::legend() const {
       {{"<", ">", "^", "v"}, focus_ == 0 ? std::string_view{"cell"} : sliderOf(focus_)->label},
       {{"h"}, "light it up"},
       {{"Esc"}, "put back"}};
-  if (ramps_)  // else there is no table to change
+  if (ramps_)  // without a ramp there is no table to change
     legend.insert(legend.end(), {{{"T"}, "table"},
                                  {{"c"}, "shades"},
                                  {{"0"}, "I0"},

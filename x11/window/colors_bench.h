@@ -21,7 +21,8 @@ class ColorsBench : public Bench {
   void release(char letter) override;
   /// The pointer moves over a cell, or over a column of the plots.
   void hover(int x, int y) override;
-  /// The user drags the stored values.
+  /// Handles a press of the button, which starts a drag on a slider of the table or on the curve of stored
+  /// values.
   [[nodiscard]] bool grab(int x, int y) override;
   void dragTo(int x, int y) override;
   void drop() override {
@@ -34,7 +35,8 @@ class ColorsBench : public Bench {
   void tick() override;
 
   [[nodiscard]] Rect picture(const Layout& at) const override { return layoutOfColors(at.body).picture; }
-  /// With the table that picks the indices, which differs from the stored one while the indices are held.
+  /// The setup whose table picks the indices. While the indices are held, the stored table may be another
+  /// one.
   [[nodiscard]] Setup painted(const Setup& setup) const override;
   [[nodiscard]] PaletteEffects stored(const Setup& setup) const override;
   /// True if the cells or colours have changed since the page was drawn.
@@ -47,7 +49,7 @@ class ColorsBench : public Bench {
   [[nodiscard]] std::optional<int> inspected() const override { return cell(); }
 
  private:
-  /// Restores all stored colours.
+  /// Restores all stored colours, releases the indices and gives the arrows back to the cells.
   void undo();
   void inspect(int cell);
   [[nodiscard]] int cell() const { return cell_.value_or(0); }
@@ -58,8 +60,8 @@ class ColorsBench : public Bench {
   /// Held indices are for one number of shades and one I0. If these change, the indices follow the settings
   /// again.
   [[nodiscard]] bool holds(const Setup& setup) const;
-  /// The effects that words and curves describe: without the light and the moving ramp, which pass by
-  /// themselves.
+  /// What words and curves on the page describe: the table at rest, without the lit cell and without the
+  /// ramp's shift.
   struct Told {
     std::optional<int> cell;
     PaletteEffects effects;
@@ -76,7 +78,7 @@ class ColorsBench : public Bench {
   PaletteEffects effects_;  ///< except `stored`, which follows from the settings and held_
   bool moving_ = false, grabbed_ = false;
   double brightest_ = 255.0;  ///< the value in the last cell of the ramp, of 255
-  int grabbedY_ = 0;          ///< where the pointer was
+  int grabbedY_ = 0;          ///< the pointer's last y while the curve is dragged
   char focus_ = 0;    ///< the key of the slider that the arrows change; 0: the arrows move over the cells
   char dragged_ = 0;  ///< the slider that is dragged
   std::optional<TableSettings> held_;  ///< the table that picks the indices

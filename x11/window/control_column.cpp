@@ -15,10 +15,10 @@ namespace {
 
 using Kind = ControlPlace::Kind;
 
-constexpr int kName = 24;  // pixels from the left edge of a row
+constexpr int kName = 24;  // pixels from the left edge of a row to the name
 constexpr int kButton = 20;
 
-/// Walks down the column.
+/// Places the controls, from the top of the column to the bottom.
 class Walk {
  public:
   explicit Walk(const Layout& at) : x_{at.controls.x}, y_{at.controls.y + 11}, pitch_{at.compact ? 17 : 21} {
@@ -178,7 +178,8 @@ void ColumnPen::light(const ControlPlace& place) {
   boldRight(end, y + 36, shown.setup.picture.light.lightPosition ? "near" : "far");
 }
 
-/// A sphere with the current material, form and table. A ring marks the light, so one can read L.
+/// Draws a sphere with the current material, form and table. A ring marks the light, so that the user can see
+/// L.
 void ColumnPen::ball() {
   paint.fillRect(at.ball, (*this)(Cell::Well));
   const int radius = at.radius, cx = at.ball.x + at.ball.width / 2, cy = at.ball.y + at.ball.height / 2;
@@ -226,8 +227,8 @@ void ColumnPen::thumb(int x, const Rect& bar, char key) {
   paint.vline(box.x + 4, box.y + 4, 7, (*this)(dragged ? Cell::White : Cell::Ink));
 }
 
-/// One bar of length 1: ambient light dark, point light dotted, the rest unused. It is drawn at the place of
-/// Ia.
+/// Draws one bar of length 1: ambient light dark, point light dotted, the rest unused. The bar belongs to the
+/// control of Ia.
 void ColumnPen::intensities(const ControlPlace& place) {
   const Illumination& light = shown.setup.picture.light;
   const int x = place.x, y = place.y;
@@ -283,7 +284,7 @@ std::optional<ControlHit> controlAt(const ControlColumn& at, const Setup& setup,
         if (place.row.has(x, y)) return ControlHit{place.key};
         continue;
       }
-      // If both thumbs are in one place, the left side belongs to Ia and the right side to Ip.
+      // If both thumbs are at one place, the left side belongs to Ia and the right side to Ip.
       const Illumination& light = setup.picture.light;
       const int ia = onBar(bar, light.Ia), sum = onBar(bar, light.Ia + light.Ip);
       return ControlHit{2 * x < ia + sum || (2 * x == ia + sum && ia == bar.x + bar.width - 1) ? 'i' : 'p'};

@@ -32,7 +32,7 @@ struct ControlPlace {
   enum class Kind { Slider, Choice, Toggle, Light, Intensity, Button };
   Kind kind;
   char key;
-  int x, y;                        ///< of the key's left edge, and the baseline
+  int x, y;                        ///< the left edge of the key's cap, and the baseline of the text
   Rect row;                        ///< its own area; for an intensity also the half of the bar with its thumb
   Rect track;                      ///< for a slider and the intensities: from the lowest value to the highest
   std::vector<Rect> options = {};  ///< of a choice
@@ -53,13 +53,14 @@ struct ControlColumn {
 /// The column of a window, if layoutOf() says that it is roomy.
 [[nodiscard]] ControlColumn layoutOfControls(const Layout& at);
 
-/// What the pointer is on.
+/// The control that the pointer is on.
 struct ControlHit {
   char key = 0;
   int option = -1;  ///< of a choice
   bool operator==(const ControlHit&) const = default;
 };
-/// The ball of the light counts as `l`. Of the two intensities, the one whose thumb is nearer.
+/// The control at a point. The ball of the light counts as `l`. On the bar of the intensities it is the one
+/// whose thumb is nearer.
 [[nodiscard]] std::optional<ControlHit> controlAt(const ControlColumn& at, const Setup& setup, int x, int y);
 
 /// The cells that show the intensities k / 255 on the ball. If there are few cells, two of them are mixed.
@@ -80,12 +81,12 @@ struct ControlsShown {
   std::optional<ControlHit> hover = {};
   char dragged = 0;
 };
-/// Draws the column on a paper background.
+/// Draws the column on a background of paper.
 void drawControls(IndexImage& image, const ControlColumn& at, const ControlsShown& shown,
                   const CellPlan& plan);
 
-/// The direction on the ball under the pointer, a unit vector: to the right, up, towards the viewer. Past the
-/// edge of the sphere it continues behind it.
+/// The direction on the ball under the pointer, a unit vector: to the right, up, towards the viewer. Outside
+/// the sphere's outline it points to the far side.
 [[nodiscard]] glm::dvec3 directionOnBall(const ControlColumn& at, int x, int y);
 
 }  // namespace xnewell

@@ -10,7 +10,7 @@ namespace xnewell {
 
 namespace {
 
-/// Those that Tab walks through: light, sliders, turn, zoom.
+/// The controls that Tab visits: light, sliders, turn, zoom.
 const std::string& focusOrder() {
   static const std::string keys = [] {
     std::string all = "l";
@@ -22,7 +22,7 @@ const std::string& focusOrder() {
 
 bool has(std::string_view letters, char letter) { return letters.find(letter) != std::string_view::npos; }
 
-/// Written out, with nothing before or behind it.
+/// The number that `text` spells; nothing if it has any other character, even a space.
 std::optional<double> numberIn(const std::string& text) {
   double value = 0;
   const char* const end = text.data() + text.size();

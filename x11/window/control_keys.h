@@ -6,21 +6,22 @@
 
 namespace xnewell {
 
-/// What keys do to a setup: letters go to a control or take its next option, arrows change the one that has
-/// the keyboard. Which control that is, is kept.
+/// What keys do to a setup. A letter gives a slider the focus, or takes a choice's next option. Arrows change
+/// the control that has the focus. This object remembers the focus.
 class ControlKeys {
  public:
-  /// The scene that is set up: camera and light turn about it.
+  /// The scene. Camera and light turn about it.
   struct Subject {
     const Scene& scene;
-    glm::dvec3 centre;  ///< of the scene: where a point light is seen from
-    double aspect;      ///< of the picture
+    glm::dvec3 centre;  ///< of the scene; the direction of a point light is measured from here
+    double aspect;      ///< of the picture, width to height
   };
 
   [[nodiscard]] char focus() const { return focus_; }
   void setFocus(char control) { focus_ = control; }
 
-  /// False where no control of `which` answers to the key. Changes and what is to be told go to the host.
+  /// Handles a key for the controls in `which`. Returns false if none of them uses the key. The host gets the
+  /// changes and the notices.
   bool press(const Key& key, std::string_view which, const Setup& setup, const Subject& subject, Host& host);
 
  private:
@@ -33,16 +34,17 @@ class ControlKeys {
   char focus_ = 's';
 };
 
-/// Every letter that is a control's.
+/// The letters of all controls.
 [[nodiscard]] std::string_view allControls();
 
-/// As the setup has it.
+/// The camera of the setup.
 [[nodiscard]] Camera cameraOf(const Setup& setup, const ControlKeys::Subject& subject);
-/// Turns the camera about the scene by degrees, or comes nearer by a factor.
+/// turn() turns the camera about the scene, by degrees. zoom() moves it nearer by a factor.
 void turn(Host& host, const Setup& setup, const ControlKeys::Subject& subject, double azimuth,
           double elevation);
 void zoom(Host& host, const Setup& setup, const ControlKeys::Subject& subject, double factor);
-/// The option of a choice; where the server cannot fill such a picture we fill it, and that is told.
+/// Takes an option of a choice. If the server cannot fill such a picture, the scanline filler takes over, and
+/// a notice says so.
 void choose(Host& host, const ChoiceRow& row, int option);
 
 }  // namespace xnewell

@@ -98,7 +98,8 @@ const std::vector<ChoiceRow>& choices() {
       if (setting.field.kind != ValueKind::Choice || setting.section == Section::Hidden) continue;
       all.push_back(choiceRow(setting));
       if (setting.key != "fill") continue;
-      // The window asks for its filler; the picture is told when it is drawn for the server.
+      // In the setup the window keeps its own filler. The picture's setting is set only when a picture is
+      // made for the server.
       all.back().get = [](const Setup& s) { return int(s.fill); };
       all.back().set = [](Setup& s, int i) { s.fill = static_cast<Fill>(i); };
       all.push_back(projectionRow());
@@ -179,14 +180,16 @@ void step(Setup& setup, const SliderRow& row, int steps) {
   const double share = row.logarithmic ? row.step : row.step / (row.high - row.low);
   const double before = row.get(setup), unit = std::pow(10.0, -row.decimals);
   double after = trackValue(row, trackPosition(row, before) + steps * share);
-  // On a logarithmic track a step may be less than the last decimal: move that at least.
+  // On a logarithmic track a step may be smaller than the last decimal. Then the value moves by one unit of
+  // that decimal.
   if (std::abs(after - before) < unit / 2)
     after = std::clamp(before + (steps > 0 ? unit : -unit), row.low, row.high);
   row.set(setup, after);
 }
 
 namespace {
-/// Right, towards the viewer and up in the world, as the default view looks at a scene with this axis up.
+/// Axes of the world as the default view of a scene with this up axis sees them: right, towards the viewer,
+/// up.
 struct Horizon {
   glm::dvec3 right, towards, up;
 };

@@ -14,42 +14,44 @@
 
 namespace xnewell {
 
-/// What can be changed while the program runs, one row a control: the panel draws these rows, the keys
-/// walk them.
+/// The controls: what the user can change while the program runs. Each control is a row. The panel draws
+/// these rows, and the keys change them.
 
-/// Everything a control changes. Undo keeps copies of it.
+/// Everything that controls change. Undo keeps copies of it.
 struct Setup {
   PictureSettings picture;
   Fill fill = Fill::Scanline;
-  int divisions = 0;         ///< of patches; 0: as the scene was read
-  Show show = Show::Shaded;  ///< in the view of the picture
+  int divisions = 0;         ///< of the patches; 0: as the scene was read
+  Show show = Show::Shaded;  ///< what the view of the picture shows
   bool operator==(const Setup&) const = default;
 };
 
-/// A server fills polygons, each with one cell: where the setup has none, or has more, the scanline filler
-/// takes its place. Why, as a sentence; "" where nothing changed.
+/// The server can fill only polygons that have one cell each. If the setup has no polygons, or polygons with
+/// several cells, this function switches to the scanline filler. It returns a sentence that says why, or ""
+/// if nothing changed.
 [[nodiscard]] std::string_view keepFillable(Setup& setup);
 
-/// A small letter goes to the slider; then the arrows change it.
+/// A slider. Its small letter gives it the focus; then the arrows change it.
 struct SliderRow {
   const Setting* setting;
   char key;
   std::string_view label;
   Section section;
   double low, high,
-      step;  ///< arrows move by `step`, with Shift by ten; logarithmic: by that share of the track
+      step;  ///< an arrow moves one step, with Shift ten; if logarithmic, a step is a share of the track
   bool logarithmic;
   int decimals;
   [[nodiscard]] double get(const Setup& setup) const;
-  /// Ia and Ip are two thumbs on one bar: the one that moves pushes the other, so that Ia + Ip <= 1.
+  /// Sets the value. Ia and Ip are two thumbs on one bar. The thumb that moves pushes the other, so that
+  /// Ia + Ip <= 1.
   void set(Setup& setup, double value) const;
-  /// Whether it has an effect, as far as the setup alone decides that; where not, a sentence says why.
+  /// True if the slider has an effect, as far as the setup alone can tell. If not, whenOff() says why.
   [[nodiscard]] bool enabled(const Setup& setup) const;
   [[nodiscard]] std::string whenOff() const { return noEffect(label, *setting) + "."; }
 };
 [[nodiscard]] const std::vector<SliderRow>& sliders();
 
-/// A capital takes the next option.
+/// A choice. Its capital letter takes the next option.
 struct ChoiceRow {
   char key;
   std::string_view label, tells;
@@ -57,12 +59,12 @@ struct ChoiceRow {
   std::vector<std::string_view> options;
   std::function<int(const Setup&)> get;
   std::function<void(Setup&, int)> set;
-  /// The option after that of the setup; after the last, the first.
+  /// The option after the setup's; the first one after the last.
   [[nodiscard]] int next(const Setup& setup) const {
     return (get(setup) + 1) % static_cast<int>(options.size());
   }
 };
-/// Those of the column; pick and bits, which have no place there, are others().
+/// choices() are in the column. others() have no place there: pick and bits.
 [[nodiscard]] const std::vector<ChoiceRow>& choices();
 [[nodiscard]] const std::vector<ChoiceRow>& others();
 
@@ -75,15 +77,15 @@ struct ToggleRow {
 };
 [[nodiscard]] const std::vector<ToggleRow>& toggles();
 
-/// The control of a key; null where it is none of these.
+/// The control of a key; null if the key has no such control.
 [[nodiscard]] const SliderRow* sliderOf(char key);
-[[nodiscard]] const ChoiceRow* choiceOf(char key);  ///< of choices() and others()
+[[nodiscard]] const ChoiceRow* choiceOf(char key);  ///< in choices() or others()
 [[nodiscard]] const ToggleRow* toggleOf(char key);
 
-/// What the control of a key is; "" for others.
+/// What the control of a key is; "" if the key has none.
 [[nodiscard]] std::string_view whatIs(char key);
 
-/// Hues the key `H` walks through.
+/// The hues that the key `H` visits.
 struct HueRow {
   std::string_view name;
   glm::dvec3 hue;
@@ -94,29 +96,29 @@ inline constexpr std::array kHues{
 };
 void nextHue(Setup& setup);
 
-/// Gammas the key `g` walks through.
+/// The gammas that the key `g` visits.
 inline constexpr std::array kGammas{1.0, 1.4, 1.8, 2.2};
 
-/// Where a value stands on its track, in [0, 1], and back.
+/// The position of a value on its track, in [0, 1], and the value at a position.
 [[nodiscard]] double trackPosition(const SliderRow& row, double value);
 [[nodiscard]] double trackValue(const SliderRow& row, double position);
-/// The slider's value after `steps` of its steps, kept within its range.
+/// Moves the slider's value by `steps` of its steps, within its range.
 void step(Setup& setup, const SliderRow& row, int steps);
 
-/// The light as a direction from the scene's centre: azimuth in degrees about the up axis, 0 where the
-/// default view stands and positive to its right; elevation above the horizon.
+/// The light's direction from the scene's centre, in degrees. Azimuth is the angle about the up axis: 0 where
+/// the default view stands, positive to its right. Elevation is the angle above the horizon.
 struct LightAngles {
   double azimuth = 0, elevation = 0;
 };
-/// Unit, towards the light as seen from `centre`, which matters for a point light.
+/// The unit vector from `centre` towards the light. The centre matters only for a point light.
 [[nodiscard]] glm::dvec3 towardsLight(const Illumination& light, glm::dvec3 centre);
 [[nodiscard]] LightAngles lightAngles(const Illumination& light, UpAxis up,
                                       glm::dvec3 centre = glm::dvec3{0});
-/// Turns the light about the up axis and towards it, elevation kept within +-90 degrees; a point light keeps
-/// its distance from the centre.
+/// Turns the light: azimuth about the up axis, elevation towards it. Elevation stays within +-90 degrees. A
+/// point light keeps its distance from the centre.
 void turnLight(Illumination& light, UpAxis up, double azimuth, double elevation,
                glm::dvec3 centre = glm::dvec3{0});
-/// Puts the light where `towards` points from the centre, unit; a point light keeps its distance.
+/// Puts the light where `towards`, a unit vector, points from the centre. A point light keeps its distance.
 void aimLight(Illumination& light, glm::dvec3 towards, glm::dvec3 centre);
 
 }  // namespace xnewell

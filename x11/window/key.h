@@ -2,7 +2,7 @@
 
 namespace xnewell {
 
-/// A key as the workbench knows it: a Latin-1 letter or one of these.
+/// A key as the workbench sees it: a Latin-1 letter, or a key with a name.
 enum class NamedKey {
   Letter,
   Left,

@@ -12,11 +12,11 @@ namespace xnewell {
 
 namespace {
 
-constexpr int kMostDivisions = 32;  // more would be slow and would not be seen
+constexpr int kMostDivisions = 32;  // more divisions would be slow, and nobody could see the difference
 constexpr int kRow = 22, kRows = 3;
 
-/// The margin of the sheet lies in the margin of the window: the sheet begins that much above the body, and
-/// ends that much below.
+/// The sheet's margin lies in the window's margin: the sheet begins one margin above the body and ends one
+/// margin below it.
 int sheetHeight(const Layout& at) { return at.body.height + 2 * Sheet::kMargin; }
 int sheetTop(const Layout& at) { return at.body.y - Sheet::kMargin; }
 
@@ -29,7 +29,7 @@ Rect MachBench::picture(const Layout& at) const {
   return {view.picture.x, view.picture.y + sheetTop(at), view.picture.width, view.pictureHeight};
 }
 
-/// A profile has one channel.
+/// A profile shows one channel, so a picture in colour is painted with one hue.
 Setup MachBench::painted(const Setup& setup) const {
   Setup painted = setup;
   if (channelsOf(planOf(subject_().scene, setup.picture)) == Channels::Rgb)
@@ -162,7 +162,7 @@ bool MachBench::late(const Setup&) const { return drawn_ != shown(); }
 void MachBench::draw(IndexImage& image, const Desk& desk) {
   const Layout& at = desk.layout;
   const int top = sheetTop(at);
-  // In a window of another size the scanline stays at the same place of the scene.
+  // If the window's size changes, the scanline stays at the same place in the scene.
   if (row_ && height_ != desk.picture.settings().height) {
     row_ = (2 * *row_ + 1) * desk.picture.settings().height / (2 * height_);
     firstRow_.reset();

@@ -13,7 +13,7 @@ namespace xnewell {
 class MachBench : public Bench {
  public:
   using Subject = std::function<ControlKeys::Subject()>;
-  /// All that is passed must outlive it.
+  /// All arguments must outlive it.
   MachBench(Host& host, ControlKeys& keys, Subject subject)
       : host_{host}, keys_{keys}, subject_{std::move(subject)} {}
 
@@ -44,25 +44,25 @@ class MachBench : public Bench {
   };
   void askForDivisions();
   [[nodiscard]] Shown shown() const { return {row_.value_or(0), focus(), hovered_, dragged_, option_}; }
-  /// Presses a control of this view, or one of ControlKeys that this view shares.
+  /// The control that the arrows change: one of this view, or one of ControlKeys.
   [[nodiscard]] char focus() const { return focus_ ? focus_ : keys_.focus(); }
   void moveScanline(int rows);
   void divide(int divisions);
-  /// The control in whose row a place is; for a choice also the option.
+  /// The control whose row holds the point; for a choice also its option.
   [[nodiscard]] char rowAt(int x, int y, int& option) const;
   void drawControls(IndexImage& image, const Desk& desk);
 
   Host& host_;
   ControlKeys& keys_;
   Subject subject_;
-  std::optional<int> row_;  ///< the row of the picture; none: the row that shows most
-  char focus_ = 'y';        ///< y, k, or 0: the focus of ControlKeys
-  char dragged_ = 0;        ///< y, k, or p for the picture; 0: nothing is dragged
+  std::optional<int> row_;  ///< the scanline's row in the picture; none: the row that shows most
+  char focus_ = 'y';  ///< y, k, or 0: the focus of ControlKeys
+  char dragged_ = 0;  ///< y, k, or p for the picture; 0: nothing is dragged
   char hovered_ = 0;
   int option_ = -1;
   // The state of the last drawing.
   Rect picture_{}, controls_{};
-  std::optional<int> firstRow_;  ///< that is shown
+  std::optional<int> firstRow_;  ///< the first row of the picture that is shown
   int height_ = 1, divisions_ = 0;
   std::vector<Rect> options_;
   std::optional<Shown> drawn_;

@@ -36,7 +36,8 @@ constexpr std::array kLosses{
          "envmap shading shows no textures: the scene's are left out"},
 };
 
-/// Whether a face is more than a point or a line: its area is not 0 beside its longest side, squared.
+/// True if a face has an area, so that it is more than a point or a line. Twice the area must exceed 2^-40 of
+/// d * d, where d is the longest distance from the first corner to another one; less may be rounding.
 bool hasArea(const Mesh& mesh, int face) {
   constexpr double kRounded = 0x1p-40;
   const std::span<const int> corners = mesh.face(face);
@@ -51,7 +52,7 @@ bool hasArea(const Mesh& mesh, int face) {
   return glm::length(twice) > kRounded * longest;
 }
 
-/// Why nothing shows, where nothing does.
+/// Writes a note if the picture shows nothing, and says why.
 void noteEmpty(std::ostream& out, const Picture& picture) {
   const Mesh& mesh = picture.scene().mesh;
   int face = 0;

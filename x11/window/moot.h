@@ -9,13 +9,13 @@
 
 namespace xnewell {
 
-/// A line for each option that was given and has no effect on this picture. Scripts may always give all options,
-/// but whoever tries one out should not wonder. There is also a line for each part of the scene that the picture
-/// leaves out, and for a picture that shows nothing.
+/// Writes a note for each option that was given but has no effect on this picture. Scripts may always give
+/// all options; a user who tries one out should learn why nothing changes. There is also a note for each part
+/// of the scene that the picture leaves out, and for a picture that shows nothing.
 void noteMoot(std::ostream& out, const Options& options, const Picture& picture);
 
-/// The same for the control of a key, which has just changed `setup`: a sentence, "" where the control has an
-/// effect. `picture` is the one before; its scene and its plan of colours are those of the next.
+/// The same for a control that has just changed `setup`: a sentence, or "" if the control has an effect.
+/// `picture` is the one before the change; the next one has the same scene and the same plan of colours.
 [[nodiscard]] std::string whyMoot(char control, const Picture& picture, const Setup& setup);
 
 }  // namespace xnewell

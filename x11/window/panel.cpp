@@ -87,7 +87,7 @@ void drawLegend(Pen& pen, const Layout& at, int y, const std::vector<Legend>& le
   }
 }
 
-/// As much of the end of the text as fits.
+/// The end of the text, as much as fits.
 std::string endOf(const std::string& text, int width) {
   const auto letters = static_cast<std::size_t>(std::max(0, width) / kGlyphWidth);
   if (text.size() <= letters) return text;
@@ -97,7 +97,7 @@ std::string endOf(const std::string& text, int width) {
 void drawTyped(Pen& pen, const Layout& at, const Typed& typed) {
   const int y = at.status.y + 15;
   int x = pen.ink(kMargin, y, typed.asks + ": ");
-  // A long text shows its end, where it grows; so does the complaint, whose end says what is wrong.
+  // A long text shows its end, where it grows. A complaint also shows its end, which says what is wrong.
   const int all = at.width - kMargin - x - 40;
   const std::string complaint = endOf(typed.complaint, std::max(all / 2, all - textWidth(typed.text)));
   x = pen.bold(x, y, endOf(typed.text, std::max(60, all - textWidth(complaint))));

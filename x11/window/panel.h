@@ -13,13 +13,13 @@
 
 namespace xnewell {
 
-/// What is around a view: tabs above, the colour strip and the status lines below. Nothing here asks the
-/// server, so a picture of the window is the same on all servers.
+/// What surrounds a view: the tabs above it, the colour strip and the status lines below it. No code here
+/// asks the server, so a picture of the window is the same on all servers.
 
-/// What the user types, and what is wrong with it.
+/// A line that the user types, and what is wrong with it.
 struct Typed {
   std::string asks, text, complaint;
-  bool offers = false;  ///< up and down offer a text
+  bool offers = false;  ///< Up and Down put another text on the line
 };
 
 struct PanelState {
@@ -29,9 +29,9 @@ struct PanelState {
   SceneCellWords words;
   CellUse use;
   std::optional<int> inspected = {};  ///< the cell that the strip marks
-  std::string status, aside;          ///< the first line
+  std::string status, aside;          ///< the first line and the softer text after it
   std::string notice, told;           ///< a warning, or plain news, in place of the first line; "" for none
-  std::optional<Typed> typed = {};    ///< in place of both lines of text
+  std::optional<Typed> typed = {};    ///< shown in place of both lines
   std::vector<Legend> legend;         ///< the last line
   std::vector<HelpLine> help;         ///< the list of all keys, over the window; empty: not shown
 };
@@ -39,18 +39,18 @@ struct PanelState {
 /// The tab under the pointer.
 [[nodiscard]] std::optional<WindowView> tabAt(const Layout& layout, int x, int y);
 
-/// Draws the bands of a window that has room for them, and what lies over the window: the list of keys, or
-/// the note that the window is too small. `image` has the layout's size. The image does not depend on the
-/// table's hue or bits, so a new hue needs no redraw.
+/// Draws the bands of a window that has room for them, and what lies over the view: the list of keys, or the
+/// note that the window is too small. `image` has the layout's size. The image does not depend on the table's
+/// hue or bits, so a new hue needs no redraw.
 void drawPanel(IndexImage& image, const Layout& layout, const PanelState& state, const CellPlan& plan);
 
-/// Draws a note over the middle of a window of any size while the program is busy drawing. mayEnd: q ends the
-/// program meanwhile.
+/// A note over the middle of a window of any size while the program is busy drawing. busyBox() is its place,
+/// and drawBusyBox() draws it. mayEnd: q ends the program meanwhile.
 [[nodiscard]] Rect busyBox(int width, int height);
 void drawBusyBox(IndexImage& image, const CellPlan& plan, int seconds, bool mayEnd);
 
-/// The areas that drawPanel() draws over the picture. Code that paints the picture again must put these parts
-/// of the image back on top.
+/// The areas that drawPanel() draws over the picture. After painting the picture again, draw these parts of
+/// the image over it again.
 [[nodiscard]] std::vector<Rect> drawnOverPicture(const Layout& layout, const PanelState& state);
 
 }  // namespace xnewell

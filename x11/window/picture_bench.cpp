@@ -12,8 +12,8 @@ namespace xnewell {
 
 namespace {
 
-/// The cells of the ramp, if there is one. Otherwise the scene's cells may hold anything, so the tool's grays
-/// are used.
+/// The cells that shade the ball: the ramp if there is one. Otherwise the scene's cells may hold any colours,
+/// so the ball uses the grays of the interface.
 BallCells ballCells(const Picture& picture, const CellPlan& plan, bool ramp) {
   struct Gray {
     Cell cell;
@@ -53,9 +53,9 @@ std::string countsOf(const Picture& picture) {
          counted(backs + snapped.culled, "back face") + "   " + grouped(picture.saturated()) + " clamped";
 }
 
-/// How wrong the picture is, as a sentence; "" if it is right, or if that is not known.
+/// A sentence about how wrong the picture is; "" if it is right, or if that is not known.
 std::string inexactness(const Picture& picture, bool compact) {
-  constexpr std::size_t kMost = 100'000;  // polygons; with more the count would take too long
+  constexpr std::size_t kMost = 100'000;  // polygons; with more, counting would take too long
   const Order order = picture.settings().order;
   if (order == Order::Newell || order == Order::Oracle || picture.snapped().faces.size() > kMost) return {};
   const Exactness e = exactnessOf(picture);
@@ -64,7 +64,7 @@ std::string inexactness(const Picture& picture, bool compact) {
          grouped(e.wrong) + " of " + grouped(e.samples) + " samples.";
 }
 
-/// Words for colours that were chosen from the picture of normals, in the cells from `first` on.
+/// Words for the colours chosen for the picture of normals. They are in the cells from `first` on.
 SceneCellWords wordsOfNormals(const CellUse& use, int first) {
   int last = first + kMaxShades - 1;
   while (last > first && use.samples[last] == 0) --last;
@@ -106,7 +106,7 @@ void PictureBench::grabControl(const ControlHit& hit) {
       keys_.setFocus(hit.key);
       if (const SliderRow* const row = sliderOf(hit.key); row && !row->enabled(host_.setup()))
         return host_.notify(row->whenOff());
-      // A click on a name or a value gives the control the keyboard and does not change its value.
+      // A click on a name or a value gives the control the focus and does not change its value.
       const bool onTrack = place->kind == ControlPlace::Kind::Light
                                ? column_.ball.has(x_, y_)
                                : x_ >= place->track.x - 5 && x_ < place->track.x + place->track.width + 5 &&
@@ -222,7 +222,7 @@ void PictureBench::drawCaption(IndexImage& image, const Desk& desk) {
   counted_ = !desk.dragging;
   const std::string inexact =
       desk.coarse ? "Coarse while dragging: " + captionOf({desk.picture.settings()}) : inexact_;
-  const std::string& finding = shown_.finding;  // of a view other than the shaded one
+  const std::string& finding = shown_.finding;  // of any view but the shaded one
   if (!at_.compact || (inexact.empty() && finding.empty())) pen.soft(x, y, line);
   if (!at_.compact) y += 17;
   if (!finding.empty()) {

@@ -6,12 +6,12 @@
 
 namespace xnewell {
 
-/// The view of the picture and of all its controls, with keys and pointer.
+/// The view of the picture with all its controls, keys and pointer.
 class PictureBench : public Bench {
  public:
-  /// The scene that the controls are for.
+  /// The scene that the controls change.
   using Subject = std::function<ControlKeys::Subject()>;
-  /// `keys` are shared with the other views that show controls. All that is passed must outlive it.
+  /// `keys` are shared with the other views that show controls. All arguments must outlive it.
   PictureBench(Host& host, ControlKeys& keys, Subject subject)
       : host_{host}, keys_{keys}, subject_{std::move(subject)} {}
 
@@ -26,7 +26,7 @@ class PictureBench : public Bench {
   [[nodiscard]] Rect picture(const Layout& at) const override { return at.picture; }
   [[nodiscard]] bool late(const Setup& setup) const override;
   void draw(IndexImage& image, const Desk& desk) override;
-  /// Normals have colours of their own.
+  /// The picture of normals has colours of its own.
   [[nodiscard]] const OwnColors* colors() const override {
     return shownAs_ == Show::Normals ? &colors_ : nullptr;
   }
@@ -46,7 +46,7 @@ class PictureBench : public Bench {
   Subject subject_;
   std::optional<ControlHit> hover_;
   char dragged_ = 0;   ///< the key of the control that is dragged, or `t` for the scene
-  int x_ = 0, y_ = 0;  ///< the pointer, while something is dragged
+  int x_ = 0, y_ = 0;  ///< the pointer's last place during a drag
   // The state of the last drawing.
   Layout at_;
   ControlColumn column_;

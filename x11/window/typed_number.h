@@ -6,7 +6,7 @@
 
 namespace xnewell {
 
-/// A whole number that was typed, and nothing else; or nothing.
+/// The whole number that `text` spells; nothing if it has any other character.
 inline std::optional<int> wholeNumber(const std::string& text) {
   int value = 0;
   const char* const end = text.data() + text.size();
