@@ -96,9 +96,9 @@ void Workbench::tell(std::string news) { told_ = std::move(news); }
 void Workbench::change(char control, const std::function<void(Setup&)>& edit) {
   const SceneLight& own = scene().light;
   if (!own.lights.empty() && (control == 'l' || control == 'p' || control == ']'))
-    return notify("The scene brings its own lights: Ip and where the light is are theirs.");
+    return notify("The scene has its own lights, so Ip and the light's direction cannot be changed.");
   if (own.Ia && (control == 'i' || control == '['))
-    return notify("The scene brings its own ambient light: Ia is the scene's.");
+    return notify("The scene has its own ambient light, so Ia cannot be changed.");
   Setup next = work_.setup;
   edit(next);
   if (const std::string_view why = keepFillable(next); !why.empty()) notify(std::string{why});
@@ -140,7 +140,7 @@ void Workbench::pressLetter(char letter) {
       return notify(std::string{"There is nothing to "} + what +
                     (!shown_ || shown_->colors.effects == PaletteEffects{}
                          ? " here."
-                         : " here; Esc puts the stored colours back."));
+                         : " here; Esc restores the stored colours."));
     to.push_back(std::exchange(work_.setup, from.back()));
     from.pop_back();
     work_.lastChanged = 0;
@@ -150,7 +150,7 @@ void Workbench::pressLetter(char letter) {
       if (isSaved() || std::exchange(warned_, true))
         quit_ = true;
       else
-        notify("What was changed since " + work_.file + " is not saved: w saves it, q again leaves it.");
+        notify("Changes since " + work_.file + " are not saved: press w to save, or q again to quit.");
       return;
     case '?':
       help_ = !help_;
@@ -193,7 +193,7 @@ void Workbench::askToSave() {
          if (std::filesystem::is_directory(file)) return "That is a folder.";
          if (file != work_.file && file != replaced && std::filesystem::exists(file)) {
            replaced = file;
-           return "It is there already: Return again replaces it.";
+           return "The file exists. Press Return again to replace it.";
          }
          PictureSettings settings = work_.setup.picture;
          settings.inPixels = work_.setup.fill == Fill::XFillPolygon;
@@ -217,14 +217,14 @@ void Workbench::askToOpen() {
        .text = work_.file,
        .offers = std::move(names),
        .take = [this, warned = std::string{}](const std::string& name) mutable -> std::string {
-         if (name.empty()) return "Type a name, or Esc leaves it.";
+         if (name.empty()) return "Type a name, or press Esc to cancel.";
          try {
            Scene scene = readScene(name);
            const Setup setup = setupOf(scene);
            Work work = workOn(std::move(scene), setup);
            if (name.ends_with(".json")) work.file = name;
            if (!isSaved() && std::exchange(warned, name) != name)
-             return "What was changed is not saved: Return again opens this and forgets it.";
+             return "Your changes are not saved. Press Return again to open this and lose them.";
            before_.reset();
            begin(std::move(work));
          } catch (const std::exception& e) {

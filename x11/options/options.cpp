@@ -119,34 +119,36 @@ Oblique parseOblique(const std::string& text) {
   if (kind == "cabinet")
     oblique.length = 0.5;
   else if (kind != "cavalier")
-    refuse("--oblique", text, "cavalier or cabinet, with :ANGLE if you like");
+    refuse("--oblique", text, "cavalier or cabinet, optionally followed by :ANGLE");
   if (colon != std::string::npos)
     oblique.angle = numbers("--oblique", text.substr(colon + 1), 1, "an angle in degrees")[0];
   return oblique;
 }
 
 void addCamera(Reader& r, CameraSettings& camera) {
-  r.point("--eye", "where the eye is, x,y,z in the world", "the scene framed whole",
+  r.point("--eye", "where the eye is, x,y,z in the world", "where the whole scene fits",
           [&](glm::dvec3 p) { camera.eye = p; });
-  r.point("--look-at", "what it looks at", "the scene's centre", [&](glm::dvec3 p) { camera.lookAt = p; });
-  r.point("--up", "what is up", "z for .bpt, y for .obj", [&](glm::dvec3 p) { camera.up = p; });
+  r.point("--look-at", "the point that the eye looks at", "the scene's centre",
+          [&](glm::dvec3 p) { camera.lookAt = p; });
+  r.point("--up", "the up direction", "z for .bpt, y for .obj", [&](glm::dvec3 p) { camera.up = p; });
   r.text("--fov", "perspective with this vertical field of view, degrees", "30",
          [&](const std::string& text) {
            camera.fov = numbers("--fov", text, 1, "an angle between 0 and 180 degrees")[0];
            if (!(*camera.fov > 0 && *camera.fov < 180))
              refuse("--fov", text, "an angle between 0 and 180 degrees");
          });
-  r.text("--parallel", "parallel projection, the picture this many world units tall", "",
+  r.text("--parallel", "parallel projection; the picture's height in world units", "",
          [&](const std::string& text) {
            camera.height = numbers("--parallel", text, 1, "a height above 0")[0];
            if (!(*camera.height > 0)) refuse("--parallel", text, "a height above 0");
            camera.parallel = true;
          });
-  r.text("--oblique", "oblique projection: cavalier or cabinet, then :ANGLE if you like", "angle 45",
+  r.text("--oblique", "oblique projection: cavalier or cabinet, optionally followed by :ANGLE", "angle 45",
          [&](const std::string& text) { camera.oblique = parseOblique(text); });
   r.point("--vrp", "the textbook's view reference point", "the look-at point",
           [&](glm::dvec3 p) { camera.vrp = p; });
-  r.point("--vpn", "view plane normal", "from there to the eye", [&](glm::dvec3 p) { camera.vpn = p; });
+  r.point("--vpn", "view plane normal", "from the reference point to the eye",
+          [&](glm::dvec3 p) { camera.vpn = p; });
   r.point("--vup", "view up vector", "up", [&](glm::dvec3 p) { camera.vup = p; });
   r.point("--prp", "projection reference point, in viewing coordinates", "the eye",
           [&](glm::dvec3 p) { camera.prp = p; });
@@ -161,8 +163,8 @@ void addCamera(Reader& r, CameraSettings& camera) {
     r.text(name, help, initially,
            [name, &n](const std::string& text) { n = numbers(name, text, 1, "a finite number")[0]; });
   };
-  plane("--front", "front clipping plane, its n", "just before the eye", camera.front);
-  plane("--back", "back clipping plane, its n", "behind the scene", camera.back);
+  plane("--front", "n of the front clipping plane", "just before the eye", camera.front);
+  plane("--back", "n of the back clipping plane", "behind the scene", camera.back);
 }
 
 /// Adds the effects on the stored colours, after the indices are picked.
@@ -203,7 +205,7 @@ Command takeCommand(std::vector<std::string>& arguments) {
   if (arguments.empty()) return Command::View;
   const std::string first = arguments.front();
   if (std::ranges::find(kLaterCommands, first) != kLaterCommands.end())
-    throw UsageError{"the command '" + first + "' is not built yet; `xnewell --help` lists what is"};
+    throw UsageError{"the command '" + first + "' is not built yet; `xnewell --help` lists the commands"};
   const auto* const row = std::ranges::find(kCommands, first, &CommandRow::name);
   if (row == kCommands.end()) return Command::View;
   arguments.erase(arguments.begin());
@@ -219,8 +221,8 @@ Command takeCommand(std::vector<std::string>& arguments) {
     const bool meansScene = o.command != Command::Lesson;
     if (!option && meansScene && !isBuiltIn(o.scene) && !std::filesystem::exists(o.scene))
       throw UsageError{inQuotes(o.scene) +
-                       ": no command, no built-in scene and no file; `xnewell --help` lists the commands"};
-    throw UsageError{(option ? "unknown option " : "one argument too many: ") + inQuotes(extra.front())};
+                       ": not a command, a built-in scene or a file; `xnewell --help` lists the commands"};
+    throw UsageError{(option ? "unknown option " : "unexpected argument: ") + inQuotes(extra.front())};
   }
   for (const CLI::Option* option : app.get_options()) {
     const std::string name = option->get_name();
@@ -241,9 +243,8 @@ class Help : public CLI::Formatter {
           std::string(row.usage.size() < 40 ? 40 - row.usage.size() : 1, ' ') + std::string{row.does} + "\n";
     }
     return usage +
-           "\nSCENE is a file (.obj, .bpt, .json) or a built-in name (`xnewell scenes`). Defaults stand in [ "
-           "];\n"
-           "a scene file may ask for others.\n";
+           "\nSCENE is a file (.obj, .bpt, .json) or a built-in name (`xnewell scenes`).\n"
+           "Defaults are in [ ]; a scene file may set others.\n";
   }
 };
 
@@ -308,7 +309,8 @@ std::optional<Options> parseOptions(int argc, const char* const* argv, const Pic
   CLI::App app{"xnewell: shading and hidden surfaces through real X11 colormaps"};
   app.formatter(std::make_shared<Help>());
   app.footer(
-      "In the window, `?` shows all keys. Exit status: 0 done, 1 something outside failed, 2 wrong usage or "
+      "In the window, `?` shows all keys. Exit status: 0 done, 1 a file or the server failed, 2 wrong usage "
+      "or "
       "bad\n"
       "contents, 130 interrupted.");
 
@@ -316,7 +318,7 @@ std::optional<Options> parseOptions(int argc, const char* const* argv, const Pic
   app.add_option_function<std::string>(
          "scene", [&](const std::string& s) { o.scene = s; }, "SCENE [teapot]")
       ->type_name("");
-  r.text("-o,--output", "where the PNG goes", "", [&](const std::string& s) { o.output = s; });
+  r.text("-o,--output", "the PNG file to write", "", [&](const std::string& s) { o.output = s; });
   r.text("--size", "picture or window size WxH, at most 8192x8192", "800x600, a window 1024x768",
          [&](const std::string& s) { o.size = parseSize(s); });
   r.number("--divisions", o.divisions, 1, kMaxDivisions,
@@ -325,7 +327,7 @@ std::optional<Options> parseOptions(int argc, const char* const* argv, const Pic
   r.flag("--half-vector", o.halfVector, "the same as --form half-vector");
   r.named("--texture", o.texture, "file", "a PNG for the diffuse colour of all surfaces");
   addCamera(r, o.picture.camera);
-  r.named("--visual", o.visual, "visual", "insist on a visual, such as PseudoColor8 or TrueColor24");
+  r.named("--visual", o.visual, "visual", "use this visual or fail, for example PseudoColor8 or TrueColor24");
   r.choice("--colormap", kMapOwners, o.colormap,
            "a colormap of its own, or as many cells of the default colormap as are free");
   r.flag("--nearest", o.nearest,
@@ -342,7 +344,7 @@ std::optional<Options> parseOptions(int argc, const char* const* argv, const Pic
          });
   addEffects(r, o);
   r.named("--ids", o.ids, "file",
-          "also write the face image: 8-bit RGB, face number + 1, 0 where nothing is");
+          "also write the face image: 8-bit RGB, face number + 1, 0 where there is no face");
   r.flag("--stats", o.stats,
          "print counts and times as one JSON object; `saturated` counts intensities above 1 at faces "
          "(flat), at vertices (gouraud), or at pixels each time they are painted (phong, envmap, textures)");
@@ -351,8 +353,9 @@ std::optional<Options> parseOptions(int argc, const char* const* argv, const Pic
   r.flag("--quick", o.quick,
          "trace: follow the accelerated run; the steps of the textbook's run grow with the square of the "
          "polygons");
-  r.named("--frames", o.frames, "folder",
-          "trace: write numbered pictures into this folder instead of lines; it may hold none yet");
+  r.named(
+      "--frames", o.frames, "folder",
+      "trace: write numbered pictures into this folder instead of lines; it must not hold any frames yet");
   r.choice("--every", kEvery, o.every, "trace: the steps that --frames draws");
 
   try {

@@ -22,16 +22,16 @@ bool sameFile(const std::string& a, const std::string& b) {
 }
 
 void checkEffects(const Options& o) {
-  if (o.cell && o.view != View::Colors) throw UsageError{"--cell goes with --view colours"};
+  if (o.cell && o.view != View::Colors) throw UsageError{"--cell works only with --view colours"};
   if (o.cell && o.wholeWindow) throw UsageError{"--cell and --whole-window exclude each other"};
   if (o.effects == PaletteEffects{}) return;
   constexpr std::array<std::string_view, 6> kEffects{"--store", "--turn",   "--gamma",
                                                      "--bend",  "--rotate", "--lit"};
   const std::string effect{*std::ranges::find_if(kEffects, [&](auto name) { return o.gave(name); })};
   if (o.command != Command::Draw && o.command != Command::Snapshot)
-    throw UsageError{effect + " goes with draw and snapshot"};
+    throw UsageError{effect + " works only with draw and snapshot"};
   if (o.view != View::Picture && o.view != View::Colors)
-    throw UsageError{effect + " goes with --view picture and colours"};
+    throw UsageError{effect + " works only with --view picture and colours"};
   exclude(true, o.wholeWindow, effect + " and --whole-window");
 }
 
@@ -42,22 +42,24 @@ void needsSize(const std::string& view, glm::ivec2 size, glm::ivec2 least) {
 }
 
 void checkView(const Options& o) {
-  if (o.scanline && o.view != View::MachBands) throw UsageError{"--scanline goes with --view machbands"};
+  if (o.scanline && o.view != View::MachBands)
+    throw UsageError{"--scanline works only with --view machbands"};
   if (o.viewName == "picture") return;
   const std::string view = "--view " + o.viewName;
   const bool window = o.command == Command::View || o.wholeWindow;
-  if (o.scanline && window) throw UsageError{"--scanline goes with a view that is drawn without its window"};
+  if (o.scanline && window)
+    throw UsageError{"--scanline works only with a view that is drawn without its window"};
   if (window) return needsSize(view, o.size.value_or(kWindowSize), kLeastWindow);
   if (o.command != Command::Draw && o.command != Command::Snapshot)
-    throw UsageError{view + " goes with view, draw and snapshot"};
+    throw UsageError{view + " works only with view, draw and snapshot"};
   if (o.view == View::Picture)
-    throw UsageError{view + " is a view of the window: with view, or with snapshot --whole-window"};
+    throw UsageError{view + " is a view of the window: use view, or snapshot --whole-window"};
   const ViewRow& row = rowOf(o.view);
   needsSize(view, o.size.value_or(kPictureSize), {row.leastWidth, row.leastHeight});
   if (o.stats || !o.ids.empty())
-    throw UsageError{view + " is more than a picture: --stats and --ids go with --view picture"};
+    throw UsageError{view + " is not just the picture: --stats and --ids work only with --view picture"};
   if (o.fill == Fill::XFillPolygon)
-    throw UsageError{view + " is filled by the scanline: leave out --fill x11"};
+    throw UsageError{view + " uses the scanline filler: leave out --fill x11"};
 }
 
 /// Refuses settings that have no effect, unless their row asks only for a note.
@@ -87,7 +89,7 @@ void checkCommand(const Options& o) {
   const std::filesystem::path path{o.scene};
   if (o.commandMeant && !isBuiltIn(o.scene) && path.extension().empty() && !std::filesystem::exists(path))
     throw UsageError{o.scene +
-                     ": no command and no built-in scene of that name; `xnewell --help` lists the commands, "
+                     ": not a command or a built-in scene; `xnewell --help` lists the commands, "
                      "`xnewell scenes` the scenes"};
   const bool lesson = o.command == Command::Lesson;
   if (lesson) {
@@ -95,7 +97,7 @@ void checkCommand(const Options& o) {
                                                      "--visual", "--colormap", "--nearest"};
     for (const std::string& option : o.given)
       if (std::ranges::find(kTaken, option) == kTaken.end())
-        throw UsageError{option + " does not go with lesson: a lesson says itself how its steps are drawn"};
+        throw UsageError{option + " does not work with lesson: the lesson decides how its steps are drawn"};
     if (!o.frames.empty() && !sceneGiven) throw UsageError{"--frames needs a lesson's name"};
     const glm::ivec2 size = o.size.value_or(kWindowSize);
     if (size.x < kLeastWindow.x || size.y < kLeastWindow.y)
@@ -103,9 +105,9 @@ void checkCommand(const Options& o) {
   }
   if (sceneGiven && !makesPng && !traces && !lesson && o.command != Command::View)
     throw UsageError{name + " takes no scene"};
-  if (!makesPng && !o.output.empty()) throw UsageError{"-o goes with draw and snapshot"};
+  if (!makesPng && !o.output.empty()) throw UsageError{"-o works only with draw and snapshot"};
   if (!makesPng && (o.stats || !o.ids.empty()))
-    throw UsageError{"--stats and --ids go with draw and snapshot"};
+    throw UsageError{"--stats and --ids work only with draw and snapshot"};
   const bool file = !isBuiltIn(o.scene);
   for (const std::string* made : {&o.output, &o.ids})
     if (file && !made->empty() && sameFile(*made, o.scene))
@@ -113,22 +115,23 @@ void checkCommand(const Options& o) {
   if (!o.ids.empty() && sameFile(o.ids, o.output)) throw UsageError{"-o and --ids name the same file"};
   const bool stepper = traces && !o.frames.empty();
   if (o.wholeWindow && o.command != Command::Snapshot && !stepper)
-    throw UsageError{"--whole-window goes with snapshot and with trace --frames"};
+    throw UsageError{"--whole-window works only with snapshot and with trace --frames"};
   exclude(o.quick, o.wholeWindow, "--quick and --whole-window");
   const glm::ivec2 window = o.size.value_or(kWindowSize);
   if (stepper && o.wholeWindow && (window.x < kLeastWindow.x || window.y < kLeastWindow.y))
     throw UsageError{"the stepper needs a --size of at least 800x600"};
-  if (!traces && o.quick) throw UsageError{"--quick goes with trace"};
-  if (!traces && !lesson && !o.frames.empty()) throw UsageError{"--frames goes with trace and lesson"};
+  if (!traces && o.quick) throw UsageError{"--quick works only with trace"};
+  if (!traces && !lesson && !o.frames.empty()) throw UsageError{"--frames works only with trace and lesson"};
   if (traces && o.picture.order != Order::Newell)
-    throw UsageError{"trace follows the depth sort: no --order but newell"};
-  if (o.gave("--every") && o.frames.empty()) throw UsageError{"--every goes with --frames"};
+    throw UsageError{"trace follows the depth sort: it allows only --order newell"};
+  if (o.gave("--every") && o.frames.empty()) throw UsageError{"--every works only with --frames"};
   exclude(o.wholeWindow, !o.ids.empty(), "--whole-window and --ids");
   const bool serverless =
       o.command == Command::Draw || traces || o.command == Command::Scenes || (lesson && !o.frames.empty());
-  if (serverless && !o.visual.empty()) throw UsageError{"--visual goes with view, snapshot and visuals"};
+  if (serverless && !o.visual.empty())
+    throw UsageError{"--visual works only with view, snapshot and visuals"};
   if (serverless && (o.colormap != MapOwner::Private || o.nearest))
-    throw UsageError{"--colormap shared and --nearest go with view and snapshot: they need a server"};
+    throw UsageError{"--colormap shared and --nearest work only with view and snapshot: they need a server"};
 }
 
 /// Checks that shading, order, filler and texture go together.
@@ -139,7 +142,7 @@ void checkMethods(const Options& o) {
   if (serverFills && rowOf(o.picture.shading).interpolates)
     throw UsageError{"--fill x11 gives a polygon one cell: use --shade none, depth or flat"};
   if (!o.texture.empty() && (!rowOf(o.picture.shading).lit || o.picture.shading == Shading::Environment))
-    throw UsageError{"--texture goes with --shade flat, gouraud and phong"};
+    throw UsageError{"--texture works only with --shade flat, gouraud and phong"};
   if (serverFills && !o.texture.empty())
     throw UsageError{"--fill x11 gives a polygon one cell: it shows no --texture"};
   if (serverFills && o.picture.order == Order::Oracle)

@@ -54,7 +54,7 @@ ColoredImage drawColors(const Picture& picture, const ViewSettings& settings) {
                   .plan = plan,
                   .use = use,
                   .cell = cell,
-                  .aside = settings.effects.lit == cell ? "lit up everywhere" : "",
+                  .aside = settings.effects.lit == cell ? "light it up everywhere" : "",
                   .lines = tableLines(picture, effects),
                   .gamma = effects.gamma,
                   .hint = ""});

@@ -128,7 +128,7 @@ void ColorsBench::undo() {
 void ColorsBench::leave() {
   effects_.lit.reset();
   if (effects_ != PaletteEffects{} || moving_ || held_)
-    host_.tell("Gamma, curve, ramp and indices are as they were: only view 3 changes them.");
+    host_.tell("Gamma, curve, ramp and indices are restored: only view 3 changes them.");
   undo();
 }
 
@@ -232,7 +232,7 @@ void ColorsBench::draw(IndexImage& image, const Desk& desk) {
                   .plan = desk.plan,
                   .use = desk.use,
                   .cell = cell(),
-                  .aside = "lit up everywhere",
+                  .aside = "light it up everywhere",
                   .asideKey = 'h',
                   .lines = lines_ = lines(desk.picture, desk.setup),
                   .focus = focus_,
@@ -247,7 +247,7 @@ std::vector<Legend> ColorsBench::legend() const {
   std::vector<Legend> legend{
       {{"<", ">", "^", "v"}, focus_ == 0 ? std::string_view{"cell"} : sliderOf(focus_)->label},
       {{"h"}, "light it up"},
-      {{"Esc"}, "put back"}};
+      {{"Esc"}, "restore"}};
   if (ramps_)  // without a ramp there is no table to change
     legend.insert(legend.end(), {{{"T"}, "table"},
                                  {{"c"}, "shades"},
@@ -261,15 +261,15 @@ std::vector<Legend> ColorsBench::legend() const {
 }
 
 std::vector<HelpLine> ColorsBench::help() const {
-  return {{"arrows", "move over the cells, by ten with Shift; Home, End: the scene's ends"},
-          {"h", "light the cell up for as long as the key is held"},
+  return {{"arrows", "choose a cell; Shift: ten cells; Home, End: the scene's first, last cell"},
+          {"h", "light up the cell while the key is held"},
           {"T j H B", "table; nearest in ratio or difference; hue; 8 or 16 bits a cell"},
           {"c 0", "go to the shades, or to I0; then arrows; Esc goes back to the cells"},
-          {"g", "gamma of the screen"},
+          {"g", "the screen's gamma"},
           {"i", "hold the indices, to see what storing colours does"},
           {"m", "move the ramp through the cells"},
-          {"drag", "the curve: bend what is stored"},
-          {"Esc", "put light, gamma, curve, indices and ramp back"}};
+          {"drag", "bend the curve of stored values"},
+          {"Esc", "restore light, gamma, curve, indices and ramp"}};
 }
 
 std::vector<TableLine> ColorsBench::lines(const Picture& picture, const Setup& setup) const {

@@ -142,7 +142,7 @@ void ControlKeys::nextFocus(int direction, std::string_view which) {
 
 void ControlKeys::askForValue(const Setup& setup, Host& host) {
   const SliderRow* row = sliderOf(focus_);
-  if (!row) return host.notify("A value is typed for a slider: press its letter first.");
+  if (!row) return host.notify("Only a slider takes a typed value: press its letter first.");
   if (!row->enabled(setup)) return host.notify(row->whenOff());
   const std::string low = fixed(row->low, row->decimals), high = fixed(row->high, row->decimals);
   host.ask({.asks = std::string{row->label} + ", " + low + " to " + high,

@@ -29,7 +29,7 @@ ChoiceRow choiceRow(const Setting& setting) {
 ChoiceRow showRow() {
   ChoiceRow row{.key = 'W',
                 .label = "show",
-                .tells = "what is drawn of the scene",
+                .tells = "what the picture shows",
                 .section = Section::Method,
                 .options = {},
                 .get = [](const Setup& s) { return int(s.show); },
@@ -41,7 +41,7 @@ ChoiceRow showRow() {
 ChoiceRow projectionRow() {
   return {.key = 'P',
           .label = "project",
-          .tells = "the projection: in perspective, what is far away is smaller",
+          .tells = "the projection: in perspective, distant things look smaller",
           .section = Section::Method,
           .options = {"parallel", "perspective"},
           .get = [](const Setup& s) { return isParallel(s.picture.camera) ? 0 : 1; },

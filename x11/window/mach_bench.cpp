@@ -228,12 +228,12 @@ std::vector<Legend> MachBench::legend() const {
 }
 
 std::vector<HelpLine> MachBench::help() const {
-  return {{"up, down", "move the scanline, with Shift by ten; Home and End to the ends"},
+  return {{"up, down", "move the scanline; Shift: ten rows; Home, End: first, last row"},
           {"drag", "the scanline, in the picture or on its slider"},
-          {"y =", "go to the scanline; type its row"},
+          {"y =", "select the scanline; type its row"},
           {"k", "the divisions of the patches: left and right, or = types them"},
-          {"S", "next shading: the method that the picture is shown in"},
-          {"t z", "go to turning, or to zooming; then arrows"}};
+          {"S", "next shading of the picture"},
+          {"t z", "turn or zoom with the arrows"}};
 }
 
 }  // namespace xnewell

@@ -27,13 +27,13 @@ constexpr std::array kLosses{
     Loss{[](const PictureSettings& s, const Scene& scene) {
            return mapped(s) && anyOfKind(scene, LightKind::Spot);
          },
-         "envmap shading puts all lights infinitely far away: the scene's spots have no cone"},
+         "envmap shading puts all lights infinitely far away: spotlights lose their cones"},
     Loss{[](const PictureSettings& s, const Scene& scene) {
            return mapped(s) && anyOfKind(scene, LightKind::Point);
          },
-         "envmap shading puts all lights infinitely far away: the scene's point lights are not near"},
+         "envmap shading puts all lights infinitely far away: point lights act as if far away"},
     Loss{[](const PictureSettings& s, const Scene& scene) { return mapped(s) && hasTextures(scene); },
-         "envmap shading shows no textures: the scene's are left out"},
+         "envmap shading shows no textures: the scene's textures are left out"},
 };
 
 /// True if a face has an area, so that it is more than a point or a line. Twice the area must exceed 2^-40 of
@@ -58,12 +58,12 @@ void noteEmpty(std::ostream& out, const Picture& picture) {
   int face = 0;
   while (face < mesh.faceCount() && !hasArea(mesh, face)) ++face;
   if (face == mesh.faceCount()) {
-    out << "xnewell: note: nothing of the scene can be seen: no face has an area\n";
+    out << "xnewell: note: the picture is empty: no face has an area\n";
     return;
   }
   const SnappedScene& snapped = picture.snapped();
   if (!snapped.faces.empty()) return;
-  out << "xnewell: note: nothing of the scene can be seen: of " << counted(snapped.polygons, "polygon") << " "
+  out << "xnewell: note: the picture is empty: of " << counted(snapped.polygons, "polygon") << " "
       << snapped.degenerate << " have no area on the screen, " << snapped.culled << " are culled, "
       << snapped.outside << " lie outside the view\n";
 }

@@ -170,7 +170,7 @@ void drawBusyBox(IndexImage& image, const CellPlan& plan, int seconds, bool mayE
   pen.paint.frame(box, pen(Cell::Ink));
   pen.bold(box.x + 16, box.y + 25, "drawing: " + std::to_string(seconds) + " s so far");
   pen.soft(box.x + 16, box.y + 43,
-           mayEnd ? "q, or closing the window, ends it at once" : "keys pressed now take effect later");
+           mayEnd ? "press q or close the window to quit now" : "keys pressed now take effect later");
 }
 
 std::vector<Rect> drawnOverPicture(const Layout& at, const PanelState& state) {

@@ -259,12 +259,12 @@ std::vector<Legend> PictureBench::legend() const {
 std::vector<HelpLine> PictureBench::help() const {
   return {{"drag, wheel, + -", "turn the scene; zoom in or out"},
           {"i p a d s n c 0 l", "go to a slider, or to the light"},
-          {"t z", "go to turning, or to zooming"},
-          {"arrows", "change what the keyboard is on; with Shift by ten"},
+          {"t z", "select turning or zooming"},
+          {"arrows", "change the selected control; Shift: ten steps"},
           {"Tab, Shift-Tab", "next slider, previous slider"},
-          {"Home End, =", "to the ends of the slider; type its value"},
-          {"[ ]", "all light ambient, all light from the point"},
-          {"L V", "hold L, hold V constant"},
+          {"Home End, =", "lowest and highest value; type a value"},
+          {"[ ]", "only ambient light; only point light"},
+          {"L V", "keep L constant; keep V constant"},
           {"S N O F P K T", "next shading, normals, order, fill, projection, backs, table"},
           {"W", "show wires, normals, overdraw, or the difference from Phong's"},
           {"H B J", "next hue; 8 or 16 bits a cell; nearest in ratio or difference"}};

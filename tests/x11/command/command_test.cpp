@@ -48,10 +48,9 @@ TEST_F(CommandTest, BadScenesAreRefusedInOneLine) {
                 ": not a scene file: scenes are .obj, .bpt and .json files");
   refused({"draw", "nosuch", "-o", file("new.png")}, 2,
           "nosuch: there is no built-in scene of that name; `xnewell scenes` lists them");
-  refused(
-      {"nosuch"}, 2,
-      "nosuch: no command and no built-in scene of that name; `xnewell --help` lists the commands, `xnewell "
-      "scenes` the scenes");
+  refused({"nosuch"}, 2,
+          "nosuch: not a command or a built-in scene; `xnewell --help` lists the commands, `xnewell "
+          "scenes` the scenes");
 }
 
 // A message is one line of bounded length, whatever names are in it.
@@ -94,7 +93,7 @@ TEST_F(CommandTest, WrongUsageIsStatus2) {
           "the front plane must lie nearer than the back plane (larger n)");
   for (const std::string command : {"figure", "trade"})
     refused({command, "teapot", "-o", file("old.png")}, 2,
-            "the command '" + command + "' is not built yet; `xnewell --help` lists what is");
+            "the command '" + command + "' is not built yet; `xnewell --help` lists the commands");
 }
 
 // Without a server, a command that needs one fails with one line and status 1. `draw` and `scenes` do not

@@ -60,13 +60,13 @@ TEST_F(LessonCommand, Refusals) {
   refused({"lesson", "nosuch"}, 2, "there is no lesson 'nosuch'; `xnewell scenes` lists the lessons");
   refused({"lesson", "--frames", folder}, 2, "--frames needs a lesson's name");
   refused({"lesson", "cycles", "--frames", folder, "--shade", "flat"}, 2,
-          "--shade does not go with lesson: a lesson says itself how its steps are drawn");
+          "--shade does not work with lesson: the lesson decides how its steps are drawn");
   refused({"lesson", "cycles", "--frames", folder, "--size", "799x600"}, 2,
           "a lesson needs a --size of at least 800x600");
   refused({"lesson", "cycles", "--frames", folder, "--visual", "GrayScale8"}, 2,
-          "--visual goes with view, snapshot and visuals");
+          "--visual works only with view, snapshot and visuals");
   refused({"lesson", "cycles", "-o", file("new.png")}, 2,
-          "--output does not go with lesson: a lesson says itself how its steps are drawn");
+          "--output does not work with lesson: the lesson decides how its steps are drawn");
   refused({"lesson", "cycles", "--frames", file("old.png")}, 1, file("old.png") + ": Not a directory");
   const std::string bad = write("bad.json", R"({"title": "t", "steps": [{"heading": "h"}]})");
   refused({"lesson", bad, "--frames", folder}, 2, bad + ": steps[0]: caption is needed");

@@ -222,7 +222,7 @@ TEST_F(TraceCommand, FramesOfTheStepper) {
   refused({"trace", "cycle", "--frames", none, "--whole-window", "--size", "799x600"}, 2,
           "the stepper needs a --size of at least 800x600");
   refused({"trace", "cycle", "--whole-window"}, 2,
-          "--whole-window goes with snapshot and with trace --frames");
+          "--whole-window works only with snapshot and with trace --frames");
   refused({"trace", "room", "--frames", none, "--whole-window"}, 2,
           "room: the run has no cut, so there is no frame to write; --every paint has 325");
 }
@@ -236,16 +236,17 @@ TEST_F(TraceCommand, Refusals) {
           "--every step: " +
               std::to_string(linesOf({"teapot", "--quick", "--divisions", "10"})[0]["steps"].get<int>()) +
               " frames are too many; the most is 9,998");
-  refused({"trace", "cycle", "--every", "cut"}, 2, "--every goes with --frames");
+  refused({"trace", "cycle", "--every", "cut"}, 2, "--every works only with --frames");
   refused({"trace", "cycle", "--frames", folder, "--every", "day"}, 2,
           "--every: 'day' is not one of step, paint, move, cycle, cut");
   refused({"trace", "cycle", "--frames", ""}, 2, "--frames: the folder's name is empty");
   refused({"trace"}, 2, "trace needs a scene, such as teapot");
-  refused({"trace", "cycle", "--order", "zsort"}, 2, "trace follows the depth sort: no --order but newell");
-  refused({"trace", "cycle", "-o", file("new.png")}, 2, "-o goes with draw and snapshot");
-  refused({"draw", "cycle", "-o", file("new.png"), "--quick"}, 2, "--quick goes with trace");
+  refused({"trace", "cycle", "--order", "zsort"}, 2,
+          "trace follows the depth sort: it allows only --order newell");
+  refused({"trace", "cycle", "-o", file("new.png")}, 2, "-o works only with draw and snapshot");
+  refused({"draw", "cycle", "-o", file("new.png"), "--quick"}, 2, "--quick works only with trace");
   refused({"draw", "cycle", "-o", file("new.png"), "--frames", folder}, 2,
-          "--frames goes with trace and lesson");
+          "--frames works only with trace and lesson");
   refused({"trace", "cycle", "--frames", file("old.png")}, 1, file("old.png") + ": Not a directory");
   refused({"trace", "nosuch"}, 2,
           "nosuch: there is no built-in scene of that name; `xnewell scenes` lists them");

@@ -78,7 +78,7 @@ TEST(Options, ColormapsAreForServers) {
   for (const std::vector<std::string>& server :
        std::vector<std::vector<std::string>>{{"--colormap", "shared"}, {"--nearest"}})
     EXPECT_EQ(complaint(server),
-              "--colormap shared and --nearest go with view and snapshot: they need a server");
+              "--colormap shared and --nearest work only with view and snapshot: they need a server");
 }
 
 // Every option that needs a value says so if there is none, and no option may be given twice.
@@ -111,10 +111,10 @@ TEST(Options, RefuseTheUnknown) {
   EXPECT_EQ(complaint({"-z", "3"}), "unknown option '-z'");
   EXPECT_EQ(complaint({"--stat"}),
             "unknown option '--stat'");  // no abbreviations: they would become promises
-  EXPECT_EQ(complaint({"extra.obj"}), "one argument too many: 'extra.obj'");
-  EXPECT_EQ(complaint({""}), "one argument too many: ''");
-  EXPECT_EQ(complaint({"--", "extra.obj"}), "one argument too many: 'extra.obj'");
-  EXPECT_EQ(complaintAll({"lesson", "cycles", "extra"}), "one argument too many: 'extra'");
+  EXPECT_EQ(complaint({"extra.obj"}), "unexpected argument: 'extra.obj'");
+  EXPECT_EQ(complaint({""}), "unexpected argument: ''");
+  EXPECT_EQ(complaint({"--", "extra.obj"}), "unexpected argument: 'extra.obj'");
+  EXPECT_EQ(complaintAll({"lesson", "cycles", "extra"}), "unexpected argument: 'extra'");
   EXPECT_EQ(complaint({"--shade", "\x1b[2J"}),
             "--shade: '?[2J' is not one of none, depth, flat, gouraud, phong, envmap");
   const std::string longest(100'000, 'a');
@@ -138,7 +138,7 @@ TEST(Options, SayWhatIsNotBuiltYet) {
       std::vector<std::string> words{command};
       words.insert(words.end(), rest.begin(), rest.end());
       EXPECT_EQ(complaintAll(words),
-                "the command '" + command + "' is not built yet; `xnewell --help` lists what is");
+                "the command '" + command + "' is not built yet; `xnewell --help` lists the commands");
     }
   for (const std::string option : {"--json"}) {
     EXPECT_EQ(complaint({option}), option + " is not built yet");
@@ -168,12 +168,12 @@ TEST(Options, RefuseWhatTheCommandIgnores) {
   EXPECT_EQ(complaintAll({""}), "the scene's name is empty");
   EXPECT_EQ(complaintAll({"scenes", "teapot"}), "scenes takes no scene");
   EXPECT_EQ(complaintAll({"visuals", "teapot"}), "visuals takes no scene");
-  EXPECT_EQ(complaintAll({"view", "-o", "a.png"}), "-o goes with draw and snapshot");
-  EXPECT_EQ(complaintAll({"view", "--stats"}), "--stats and --ids go with draw and snapshot");
-  EXPECT_EQ(complaintAll({"--ids", "i.png"}), "--stats and --ids go with draw and snapshot");
-  EXPECT_EQ(complaint({"--whole-window"}), "--whole-window goes with snapshot and with trace --frames");
+  EXPECT_EQ(complaintAll({"view", "-o", "a.png"}), "-o works only with draw and snapshot");
+  EXPECT_EQ(complaintAll({"view", "--stats"}), "--stats and --ids work only with draw and snapshot");
+  EXPECT_EQ(complaintAll({"--ids", "i.png"}), "--stats and --ids work only with draw and snapshot");
+  EXPECT_EQ(complaint({"--whole-window"}), "--whole-window works only with snapshot and with trace --frames");
   EXPECT_EQ(complaint({"--fill", "x11"}), "--fill x11 needs a server: use snapshot");
-  EXPECT_EQ(complaint({"--visual", "TrueColor24"}), "--visual goes with view, snapshot and visuals");
+  EXPECT_EQ(complaint({"--visual", "TrueColor24"}), "--visual works only with view, snapshot and visuals");
   for (const std::string method : {"none", "depth", "phong", "envmap"})
     EXPECT_EQ(complaint({"--adapt", "0.02", "--shade", method}),
               "--adapt applies only to flat and gouraud shading");
@@ -185,8 +185,9 @@ TEST(Options, RefuseWhatTheCommandIgnores) {
 
 // A view refuses options that do not apply to it, and a size too small for its words.
 TEST(Options, RefuseWhatAViewCannotHeed) {
-  EXPECT_EQ(complaint({"--scanline", "3"}), "--scanline goes with --view machbands");
-  EXPECT_EQ(complaint({"--view", "normals", "--scanline", "3"}), "--scanline goes with --view machbands");
+  EXPECT_EQ(complaint({"--scanline", "3"}), "--scanline works only with --view machbands");
+  EXPECT_EQ(complaint({"--view", "normals", "--scanline", "3"}),
+            "--scanline works only with --view machbands");
   for (const ViewRow& row : kViews) {
     if (row.id == View::Picture) continue;
     const std::string name{row.name}, view = "--view " + name;
@@ -200,22 +201,24 @@ TEST(Options, RefuseWhatAViewCannotHeed) {
     EXPECT_EQ(complaintAll({"--view", name}), "");
     EXPECT_EQ(complaintAll({"--view", name, "--size", "799x600"}),
               view + " needs a --size of at least 800x600");
-    EXPECT_EQ(complaintAll({"trace", "teapot", "--view", name}), view + " goes with view, draw and snapshot");
-    const std::string more = view + " is more than a picture: --stats and --ids go with --view picture";
+    EXPECT_EQ(complaintAll({"trace", "teapot", "--view", name}),
+              view + " works only with view, draw and snapshot");
+    const std::string more =
+        view + " is not just the picture: --stats and --ids work only with --view picture";
     EXPECT_EQ(complaint({"--view", name, "--ids", "i.png"}), more);
     EXPECT_EQ(complaint({"--view", name, "--stats"}), more);
     EXPECT_EQ(complaintAll({"snapshot", "teapot", "-o", "a", "--whole-window", "--view", name}), "");
     EXPECT_EQ(complaintAll({"snapshot", "teapot", "-o", "a", "--fill", "x11", "--view", name}),
-              view + " is filled by the scanline: leave out --fill x11");
+              view + " uses the scanline filler: leave out --fill x11");
   }
   for (const std::string name : {"depthsort", "sidebyside", "lesson"}) {
     EXPECT_EQ(complaintAll({"--view", name}), "");
     EXPECT_EQ(complaintAll({"snapshot", "teapot", "-o", "a", "--whole-window", "--view", name}), "");
     EXPECT_EQ(complaint({"--view", name}),
-              "--view " + name + " is a view of the window: with view, or with snapshot --whole-window");
+              "--view " + name + " is a view of the window: use view, or snapshot --whole-window");
   }
   EXPECT_EQ(complaintAll({"--scanline", "3", "--view", "machbands"}),
-            "--scanline goes with a view that is drawn without its window");
+            "--scanline works only with a view that is drawn without its window");
 }
 
 // No output may overwrite the scene or the other output.

@@ -181,9 +181,10 @@ TEST(Options, EffectsChangeWhatIsStored) {
                                                                                    {"--lit", "256"},
                                                                                    {"--lit", "-1"}})
     EXPECT_EQ(complaint(bad).rfind(bad[0] + ": '", 0), 0u) << complaint(bad);
-  EXPECT_EQ(complaint({"--view", "machbands", "--lit", "20"}).rfind("--lit goes with --view picture", 0), 0u);
-  EXPECT_EQ(complaintAll({"view", "--lit", "20"}), "--lit goes with draw and snapshot");
-  EXPECT_EQ(complaint({"--cell", "20"}), "--cell goes with --view colours");
+  EXPECT_EQ(
+      complaint({"--view", "machbands", "--lit", "20"}).rfind("--lit works only with --view picture", 0), 0u);
+  EXPECT_EQ(complaintAll({"view", "--lit", "20"}), "--lit works only with draw and snapshot");
+  EXPECT_EQ(complaint({"--cell", "20"}), "--cell works only with --view colours");
 }
 
 }  // namespace xnewell

@@ -141,8 +141,8 @@ TEST(ReadCells, EffectsAreRefusedWhereTheyMakeNoSense) {
   EXPECT_EQ(refused("draw teapot --lit 8"),
             "xnewell: cell 8 is not one of the scene's: choose one of 11 to 250\n");
   EXPECT_EQ(refused("draw teapot --view normals --gamma 2"),
-            "xnewell: --gamma goes with --view picture and colours\n");
-  EXPECT_EQ(refused("draw teapot --cell 3"), "xnewell: --cell goes with --view colours\n");
+            "xnewell: --gamma works only with --view picture and colours\n");
+  EXPECT_EQ(refused("draw teapot --cell 3"), "xnewell: --cell works only with --view colours\n");
   EXPECT_EQ(folder.entries(), 0);
 }
 

@@ -77,22 +77,22 @@ TEST_F(MootOptions, WhatIsLeftOutOfTheSceneIsNamed) {
   };
   const Words mapped{"--shade", "envmap"}, phong{"--shade", "phong"};
   const std::string far = "xnewell: note: envmap shading puts all lights infinitely far away: the scene's ";
-  EXPECT_EQ(told("spotlight", mapped), far + "spots have no cone\n");
-  EXPECT_EQ(told("lamp", mapped), far + "point lights are not near\n");
+  EXPECT_EQ(told("spotlight", mapped), far + "spotlights lose their cones\n");
+  EXPECT_EQ(told("lamp", mapped), far + "point lights act as if far away\n");
   EXPECT_EQ(told("textured-cube", mapped),
-            "xnewell: note: envmap shading shows no textures: the scene's are left out\n");
+            "xnewell: note: envmap shading shows no textures: the scene's textures are left out\n");
   for (const std::string scene : {"spotlight", "lamp", "textured-cube"}) EXPECT_EQ(told(scene, phong), "");
   EXPECT_EQ(told("spotlight", mapped + Words{"--light", "0,0,1"}), "");
 
   const auto nothing = [&](const std::string& object, const Words& options, const std::string& why) {
     const std::string scene = write("empty.json", R"({"objects": [)" + object + "]}");
-    EXPECT_EQ(told(scene, options), "xnewell: note: nothing of the scene can be seen: of " + why + '\n');
+    EXPECT_EQ(told(scene, options), "xnewell: note: the picture is empty: of " + why + '\n');
   };
   EXPECT_EQ(told(write("point.json", R"({"objects": [{"solid": "cube", "move": [1e300, 0, 0]}]})"), {}),
-            "xnewell: note: nothing of the scene can be seen: no face has an area\n");
+            "xnewell: note: the picture is empty: no face has an area\n");
   EXPECT_EQ(
       told(write("line.json", R"({"objects": [{"polygons": [[[0, 0, 0], [1, 0, 0], [2, 0, 0]]]}]})"), {}),
-      "xnewell: note: nothing of the scene can be seen: no face has an area\n");
+      "xnewell: note: the picture is empty: no face has an area\n");
   nothing(R"({"solid": "cube"})", {"--eye", "0,0,9", "--look-at", "0,0,20"},
           "6 polygons 0 have no area on the screen, 0 are culled, 6 lie outside the view");
 }
