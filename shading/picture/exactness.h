@@ -11,8 +11,9 @@ namespace xnewell {
 /// long as a picture with Order::Oracle.
 
 /// The verdict on one sample. It is Wrong if the picture shows another face than the oracle sees. There is
-/// one exception: rounding alone may separate two faces in different planes that lie closer together than
-/// their doubts (SnappedFace::doubt). They may be coplanar in the model, so neither counts as wrong.
+/// one exception: rounding alone may separate two faces in different planes whose depths differ by no more
+/// than the sum of their doubts (SnappedFace::doubt). They may be coplanar in the model, so neither counts as
+/// wrong.
 enum class SampleCheck : std::uint8_t { Nothing, Right, Wrong };
 /// The verdict on each sample, row by row.
 [[nodiscard]] std::vector<SampleCheck> checkedSamples(const Picture& picture);

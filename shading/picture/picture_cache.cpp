@@ -58,8 +58,8 @@ Picture PictureCache::make(const PictureSettings& wanted, std::optional<std::uin
     });
   const ViewSpec& view = next.camera_.view;
 
-  // Lighting and shades, in world coordinates. The diffuse term is computed once. The specular term is
-  // computed again when the eye moves.
+  // Lighting and shades, in world coordinates. The diffuse term does not depend on the eye. The specular term
+  // is computed again when the eye moves.
   const ColorPlan plan = planOf(scene, wanted);
   timed(ms.shade, [&] { next.shading_ = next.shading_.next(scene, wanted, channelsOf(plan), next.camera_); });
 
