@@ -91,7 +91,7 @@ SceneShading::Maps SceneShading::makeMaps(const Scene& scene, const PictureSetti
     for (const Material& material : lighting().materials)
       maps.environments[c].push_back(
           makeEnvironment(settings.environment, lighting(), material, c, vrcRotation(camera.view), centre));
-  // it depends only on the light and the view, so it is the same for all
+  // all channels are looked up in the frame of the first one
   const glm::dmat3 frame = maps.environments[0].front().frame;
   maps.N.resize(points().N.size());
   for (std::size_t k = 0; k < maps.N.size(); ++k) maps.N[k] = frame * points().N[k];
