@@ -104,7 +104,7 @@ Scanline scanlineOf(const Picture& picture, int row, std::uint8_t ground) {
   line.row = row;
   PictureCache cache{picture};
   PictureSettings method = picture.settings();
-  method.shading = Shading::Phong;  // Phong shading has the normals at vertices
+  method.shading = Shading::Phong;  // it uses the normals at the vertices
   const Picture phong = cache.make(method);
   const SeenRows seen = phong.seen(row, row + 1);
   const Surface surface{phong};

@@ -43,9 +43,9 @@ Hues huesOf(const Scene& scene) {
   return result;
 }
 
-/// Finds the intensities of a face. Flat shading has one at the face, and Gouraud shading has those at its
-/// vertices. If intensities are not interpolated, the range is that of its samples. Without light it is 0 to
-/// 1.
+/// Finds the range of a face's intensities. Flat shading has one intensity at the face, and Gouraud shading
+/// has those at its vertices. If intensities are found pixel by pixel, the range is that of all samples of
+/// the face. Without light it is 0 to 1.
 class FaceRanges {
  public:
   struct Range {

@@ -57,8 +57,8 @@ namespace xnewell {
 /// which faces count as lying in one plane. So in a file with six decimals, write 2.500000 or 2.5, not
 /// 2.4999999999999996. Faces are numbered object by object. Unknown keys, wrong types and values out of range
 /// are errors.
-/// @throws ParseError such as `room.json: objects[2].polygons[0]: a polygon needs at least 3 corners`, with
-/// the line number if the text is not JSON; std::system_error
+/// @throws ParseError such as `room.json: objects[2].polygons[0]: a polygon needs at least 3 corners`; if the
+/// text is not JSON, the message gives the line number instead of the key. @throws std::system_error
 [[nodiscard]] Scene readSceneFile(const std::filesystem::path& file, int divisions = kDefaultDivisions);
 
 /// The "shows" sentence of a file, or "" if it has none. It throws what readSceneFile() throws.
