@@ -4,7 +4,8 @@
 
 namespace xnewell {
 
-/// What `get` gives for a corner of the mesh, and between two of them for a vertex that clipping made.
+/// Returns a value at a vertex. For a corner of the mesh, it is get(corner). For a vertex that clipping made,
+/// it is interpolated between the values at the two vertices of the cut edge.
 template <class Get>
 [[nodiscard]] auto atSource(const SnappedScene& scene, int source, const Get& get) -> decltype(get(0)) {
   if (source >= 0) return get(source);

@@ -25,7 +25,7 @@ CellUse cellUse(const IndexImage& image, const std::vector<std::uint32_t>& faces
   CellUse use;
   for (const std::uint8_t cell : image.pixels) ++use.samples[cell];
 
-  std::vector<std::pair<std::uint8_t, std::uint32_t>> shown;  // one for each run of samples that are alike
+  std::vector<std::pair<std::uint8_t, std::uint32_t>> shown;  // one entry for each run of equal samples
   for (std::size_t k = 0; k < faces.size(); ++k) {
     const std::pair both{image.pixels[k], faces[k]};
     if (faces[k] != 0 && (shown.empty() || shown.back() != both)) shown.push_back(both);

@@ -9,9 +9,9 @@
 
 namespace xnewell {
 
-/// Which cells a picture shows, how often and on how many polygons.
+/// Counts which cells a picture shows, at how many samples and on how many polygons.
 
-/// Cells first .. first + count - 1.
+/// The cells first .. first + count - 1.
 struct CellRange {
   int first = 0, count = 0;
   [[nodiscard]] int last() const { return first + count - 1; }
@@ -21,22 +21,24 @@ struct CellRange {
 
 /// The cells that hold the colours of a painted picture.
 [[nodiscard]] CellRange sceneCells(const Picture& picture);
-/// The ramps among them, none where a plan holds colours.
+/// The ramps among these cells; empty if the plan holds colours.
 [[nodiscard]] std::vector<CellRange> rampsOf(const Picture& picture);
 
 struct CellUse {
-  std::array<int, 256> samples{};   ///< the ground's too, so that they add up to the picture's
-  std::array<int, 256> polygons{};  ///< faces of the model that show the cell at one sample at least
+  /// includes the background: the sum is the number of samples in the picture
+  std::array<int, 256> samples{};
+  std::array<int, 256> polygons{};  ///< faces of the model that show the cell at one sample or more
 };
 
-/// `faces` as Picture::faceImage() has them, 0 where nothing is; or empty, and no polygons are counted.
+/// `faces` is Picture::faceImage(): 0 where nothing shows. If `faces` is empty, no polygons are counted.
 [[nodiscard]] CellUse cellUse(const IndexImage& image, const std::vector<std::uint32_t>& faces = {});
 
-/// How many of the cells are used.
+/// The number of cells in the range that at least one sample shows.
 [[nodiscard]] int usedCells(const CellUse& use, const CellRange& cells);
 
-/// The middle one of the cells that these polygons show, in the order of the cells and each as often as
-/// polygons show it: a shade that many have, and no large ground of few. The first cell where none shows any.
+/// The median of the cells that polygons show. A cell counts once for each polygon that shows it. So the
+/// median is a shade of many polygons, and a few large ones do not decide it. It is the first cell if no
+/// polygon shows a cell of the range.
 [[nodiscard]] int medianCell(const CellUse& use, const CellRange& cells);
 
 }  // namespace xnewell

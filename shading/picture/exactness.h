@@ -7,17 +7,18 @@
 
 namespace xnewell {
 
-/// Does a picture show the right faces? The visibility oracle judges, which takes as long as a picture of
-/// that order.
+/// Checks whether a picture shows the right faces. The visibility oracle is the judge. The check takes as
+/// long as a picture with Order::Oracle.
 
-/// Of one sample. Wrong: the picture shows another face than the oracle sees. If the two lie so close there
-/// that rounding alone may part them (SnappedFace::doubt), they may be coplanar in the model, and neither is
-/// called wrong.
+/// The verdict on one sample. It is Wrong if the picture shows another face than the oracle sees. There is
+/// one exception: rounding alone may separate two faces in different planes whose depths differ by no more
+/// than the sum of their doubts (SnappedFace::doubt). They may be coplanar in the model, so neither counts as
+/// wrong.
 enum class SampleCheck : std::uint8_t { Nothing, Right, Wrong };
-/// Of each sample, row by row.
+/// The verdict on each sample, row by row.
 [[nodiscard]] std::vector<SampleCheck> checkedSamples(const Picture& picture);
 
-/// Samples that show a face, and those of them that show a wrong one.
+/// `samples` counts the samples that show a face, `wrong` those that show a wrong face.
 struct Exactness {
   int samples = 0, wrong = 0;
 };

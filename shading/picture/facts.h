@@ -5,12 +5,13 @@
 
 namespace xnewell {
 
-/// What decides whether settings have an effect on a picture that is made; for as long as the picture stays.
+/// The facts that decide whether a setting has an effect on this picture. They refer to the picture's
+/// settings, so the picture must outlive them.
 [[nodiscard]] PictureFacts factsOf(const Picture& picture);
-/// The same after a change to `settings`, whose picture is not made yet.
+/// The same facts after a change to `settings`, before the new picture is made.
 [[nodiscard]] PictureFacts factsOf(const Picture& picture, const PictureSettings& settings);
 
-/// Whether a surface of the scene wears a texture.
+/// True if a surface of the scene has a texture.
 [[nodiscard]] bool hasTextures(const Scene& scene);
 
 }  // namespace xnewell

@@ -21,8 +21,8 @@ Rgb16 inEightBits(const Rgb16& c) {
 }
 int largest(const Rgb16& c) { return std::max({c.r, c.g, c.b}); }
 
-/// v^e for v in [0, 1], e >= 0: by squaring for the whole part, by square roots for the binary digits behind
-/// the point. Products and roots alone, so the same on every machine.
+/// v^e for v in [0, 1], e >= 0. The whole part of e is done by squaring, the binary digits after the point by
+/// square roots. It uses only products and square roots, so the result is the same on every machine.
 double realPower(double v, double e) {
   const double whole = std::floor(e);
   double result = power(v, static_cast<int>(whole)), root = v, rest = e - whole;
@@ -50,7 +50,7 @@ void requireRamps(const std::vector<CellRange>& ramps, const char* what) {
 Rgb16 hueTurned(Rgb16 color, double degrees) {
   const int high = largest(color), low = std::min({color.r, color.g, color.b});
   if (high == low) return color;
-  // The hexagon of hues: the largest channel tells the pair of sides, the middle one the place on them.
+  // The hexagon of hues: the largest channel gives a pair of sides, the middle channel the position on them.
   const double spread = high - low;
   double side = high == color.r   ? (color.g - color.b) / spread
                 : high == color.g ? 2.0 + (color.b - color.r) / spread
@@ -120,7 +120,7 @@ Palette withEffects(Palette palette, const Picture& picture, const CellPlan& pla
   const CellRange scene = sceneCells(picture);
   const std::vector<CellRange> ramps = rampsOf(picture);
 
-  // As XStoreColors would: what the other table does not fill keeps the colours that it has.
+  // This acts like XStoreColors: cells that the other table does not fill keep their colours.
   if (effects.stored) {
     requireRamps(ramps, "storing another table");
     for (const ColorTable& table : picture.colors().tables()) {

@@ -14,7 +14,7 @@ namespace xnewell {
 
 namespace {
 
-/// The byte of a full-colour channel that shows a value of kChannelRamp: 1 to 255 spread over 0 to 255.
+/// Maps a value of kChannelRamp to the byte of a full-colour channel: 1..255 are spread over 0..255.
 const std::array<std::uint8_t, 256> kBytes = [] {
   std::array<std::uint8_t, 256> bytes{};
   for (int v = 1; v < 256; ++v) bytes[v] = static_cast<std::uint8_t>((255 * (v - 1) + 127) / 254);

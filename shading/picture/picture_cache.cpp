@@ -12,7 +12,7 @@ namespace xnewell {
 
 namespace {
 
-/// Runs a stage, or a part of one, and adds the time it took.
+/// Runs a stage, or a part of it, and adds its time in milliseconds.
 template <class Stage>
 void timed(double& ms, Stage&& stage) {
   const Stopwatch watch;
@@ -22,7 +22,7 @@ void timed(double& ms, Stage&& stage) {
 
 bool comparesPlanes(Order order) { return order == Order::Newell || order == Order::Oracle; }
 
-/// Whole faces, back to front.
+/// Whole faces, back to front, for an order that splits none.
 SortedScene inOrder(const SnappedScene& snapped, Order order) {
   SortedScene sorted;
   std::ranges::transform(paintingOrder(snapped, order), std::back_inserter(sorted.fragments),
@@ -39,7 +39,7 @@ PictureSettings withoutColors(PictureSettings settings) {
 }
 
 Picture PictureCache::make(const PictureSettings& wanted, std::optional<std::uint8_t> ground) {
-  // The next picture begins as a copy of the last: a stage that does not run again hands its result on.
+  // The next picture begins as a copy of the last one. A stage that does not run again keeps its old result.
   Picture next = last_ ? *last_ : Picture{scene_};
   const auto changed = [&](auto... member) {
     return !last_ || ((wanted.*member != last_->settings_.*member) || ...);
@@ -50,7 +50,7 @@ Picture PictureCache::make(const PictureSettings& wanted, std::optional<std::uin
   next.settings_ = wanted;
   StageTimes& ms = next.times_ = {};
 
-  // The camera: from what the user said, and from the scene for the rest, which takes passes over its points.
+  // The camera. The user's choices come first. The scene gives the rest, which takes passes over its points.
   if (changed(&Asked::camera, &Asked::width, &Asked::height))
     timed(ms.transform, [&] {
       const double aspect = static_cast<double>(width) / height;
@@ -58,13 +58,13 @@ Picture PictureCache::make(const PictureSettings& wanted, std::optional<std::uin
     });
   const ViewSpec& view = next.camera_.view;
 
-  // Lighting and shades, in world coordinates: once when a face is made, the specular term again when the eye
-  // moves.
+  // Lighting and shades, in world coordinates. The diffuse term does not depend on the eye. The specular term
+  // is computed again when the eye moves.
   const ColorPlan plan = planOf(scene, wanted);
   timed(ms.shade, [&] { next.shading_ = next.shading_.next(scene, wanted, channelsOf(plan), next.camera_); });
 
-  // View, shear, warp, clip, viewport, and one snap to the grid. From here on all is exact. Orders that
-  // compare planes need those too.
+  // View, shear, warp, clip, viewport, and one snap to the grid. From here on, everything is exact. Orders
+  // that compare planes also get the planes here.
   const bool newView = changed(&Asked::width, &Asked::height, &Asked::cull) || view != last_->camera_.view ||
                        !next.shading_.hasMeshOf(last_->shading_);
   if (newView) {
@@ -79,7 +79,7 @@ Picture PictureCache::make(const PictureSettings& wanted, std::optional<std::uin
     timed(ms.sort, [&] { next = next.withPlanes(); });
   }
 
-  // Back to front; or, for the oracle, what is visible at each sample.
+  // The faces back to front; or, for the oracle, the visible face at each sample.
   if (newView || changed(&Asked::order, &Asked::inPixels))
     timed(ms.sort, [&] {
       next.visible_ =
@@ -91,7 +91,8 @@ Picture PictureCache::make(const PictureSettings& wanted, std::optional<std::uin
               : inOrder(*next.snapped_, wanted.order);
     });
 
-  // The colour table, and from intensities to its cells. A plan of colours chooses them by the image.
+  // The colour tables, and the cell of each intensity. A plan of colours chooses its colours later, from the
+  // image.
   timed(ms.fill, [&] {
     SceneColors colors;
     colors.make(next.surfaces(), plan);

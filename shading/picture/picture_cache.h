@@ -7,20 +7,22 @@
 
 namespace xnewell {
 
-/// Makes pictures of one scene, one after the other. It keeps the last one: what that can lend to the next
-/// is not computed again. A new colour table paints again from the stored intensities and sorts nothing.
+/// Makes pictures of one scene, one after the other. It keeps the last picture. The next one takes over every
+/// result that is still valid. With a new colour table, it paints again from the stored intensities and does
+/// not sort again.
 class PictureCache {
  public:
   explicit PictureCache(Scene scene) : scene_{std::move(scene)} {}
-  /// Begins with a picture that somebody else made: for another method or order of the same view.
+  /// Begins with an existing picture, for example to try another method or order in the same view.
   explicit PictureCache(const Picture& last) : scene_{last.scene_}, last_{last} {}
 
-  /// The walk through one picture. With a ground cell the image is painted on it; without, the picture has
-  /// no new image, which saves most of the time. @throws ViewError, and then the last picture stays.
+  /// Runs all stages of a picture. If `ground` is given, the image is painted, with that cell as its
+  /// background. Otherwise no new image is painted, which saves most of the time. @throws ViewError; the last
+  /// picture then stays as it was.
   Picture make(const PictureSettings& settings, std::optional<std::uint8_t> ground = {});
 
   [[nodiscard]] const Scene& scene() const { return *scene_; }
-  /// Whether a picture was made.
+  /// True if the cache holds a picture.
   [[nodiscard]] bool hasLast() const { return last_.has_value(); }
   /// Precondition: hasLast().
   [[nodiscard]] const Picture& last() const { return *last_; }
@@ -30,13 +32,14 @@ class PictureCache {
   std::optional<Picture> last_;
 };
 
-/// A single picture of a scene.
+/// Makes a single picture of a scene.
 [[nodiscard]] inline Picture makePicture(Scene scene, const PictureSettings& settings,
                                          std::optional<std::uint8_t> ground = {}) {
   return PictureCache{std::move(scene)}.make(settings, ground);
 }
 
-/// The settings without the colours that the cells hold: what the indices of an image depend on.
+/// The settings without those that change only the colours in the cells (hue and bits). The indices of an
+/// image depend on the rest.
 [[nodiscard]] PictureSettings withoutColors(PictureSettings settings);
 
 }  // namespace xnewell

@@ -16,7 +16,7 @@ namespace {
 constexpr double kOneSurface = 0.9998476951563913;  // cos 1 degree
 constexpr double kUnknown = std::numeric_limits<double>::quiet_NaN();
 
-/// Which faces go on into each other.
+/// Tells which faces belong to one smooth surface.
 class Surface {
  public:
   explicit Surface(const Picture& picture)
@@ -42,7 +42,7 @@ class Surface {
   [[nodiscard]] const glm::dvec3& normal(int corner) const {
     return vertices_.vertices[vertices_.ofCorner[corner]].N;
   }
-  /// Ascending.
+  /// The faces that join `face` at a point, and the face itself; ascending. A face may occur more than once.
   [[nodiscard]] std::vector<int> neighbours(int face) const {
     std::vector<int> result;
     for (int c = mesh_.firstCorner[face]; c < mesh_.firstCorner[face + 1]; ++c)
@@ -56,7 +56,7 @@ class Surface {
   const Mesh& mesh_;
   const Vertices& vertices_;
   std::vector<int> side_;                           ///< of each face: 1 front, -1 back, 0 not in the picture
-  std::vector<std::vector<FaceCorner>> cornersAt_;  ///< of each point
+  std::vector<std::vector<FaceCorner>> cornersAt_;  ///< the corners at each point
 };
 
 }  // namespace
@@ -83,13 +83,14 @@ void addSlopes(Profile& profile, const std::vector<bool>& joined) {
     profile.slope[i] = profile.I[i + 1] - profile.I[i];
     profile.largestJump = std::max(profile.largestJump, std::abs(profile.slope[i]));
   }
-  std::vector<double> kinks(pixels, kUnknown);  // at pixel i, from the slope before it to that behind it
+  // At pixel i: the change from the slope before the pixel to the slope after it.
+  std::vector<double> kinks(pixels, kUnknown);
   for (std::size_t i = 1; i + 1 < pixels; ++i) {
     kinks[i] = std::abs(profile.slope[i] - profile.slope[i - 1]);
-    if (kinks[i] > profile.largestKink) profile.largestKink = kinks[i];  // not where it is unknown
+    if (kinks[i] > profile.largestKink) profile.largestKink = kinks[i];  // false for NaN
   }
   const auto isBelow = [&](std::size_t i, double most) { return i >= pixels || !(kinks[i] > most); };
-  std::size_t last = 0;  // pixel with a band
+  std::size_t last = 0;  // the last pixel with a band
   for (std::size_t i = 1; i + 1 < pixels; ++i) {
     if (!(kinks[i] >= kBand && isBelow(i - kBeside, kinks[i] / 2) && isBelow(i + kBeside, kinks[i] / 2)))
       continue;
@@ -103,7 +104,7 @@ Scanline scanlineOf(const Picture& picture, int row, std::uint8_t ground) {
   line.row = row;
   PictureCache cache{picture};
   PictureSettings method = picture.settings();
-  method.shading = Shading::Phong;  // it knows the normals at vertices
+  method.shading = Shading::Phong;  // it uses the normals at the vertices
   const Picture phong = cache.make(method);
   const SeenRows seen = phong.seen(row, row + 1);
   const Surface surface{phong};

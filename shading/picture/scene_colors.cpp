@@ -14,13 +14,14 @@ namespace {
 
 bool gray(const glm::dvec3& color) { return color.r == color.g && color.g == color.b; }
 
-/// The largest component made 1; white for black, which has no hue.
+/// Scales the colour so that its largest component is 1. Black has no hue and becomes white.
 glm::dvec3 hueOf(const glm::dvec3& color) {
   const double largest = std::max({color.r, color.g, color.b});
   return largest > 0.0 ? color / largest : glm::dvec3{1.0};
 }
 
-/// The hues of the materials, each once, and which is whose, of no material first: white, as it reflects all.
+/// `hues` are the hues of the materials, each once. `ofMaterial` is the index of each material's hue. Its
+/// first entry is for faces without a material; their hue is white, because they reflect all light.
 struct Hues {
   std::vector<glm::dvec3> hues;
   std::vector<int> ofMaterial;
@@ -42,7 +43,9 @@ Hues huesOf(const Scene& scene) {
   return result;
 }
 
-/// The intensities of a face: at it or its vertices, or where they are not interpolated at its samples.
+/// Finds the range of a face's intensities. Flat shading has one intensity at the face, and Gouraud shading
+/// has those at its vertices. If intensities are found pixel by pixel, the range is that of all samples of
+/// the face. Without light it is 0 to 1.
 class FaceRanges {
  public:
   struct Range {
@@ -54,13 +57,13 @@ class FaceRanges {
         painter_{
             surfaces, 0, std::vector<Ramp>(surfaces.shading.lighting().materials.size(), kChannelRamp), {}} {}
 
-  /// Of snapped.faces; low > high where it has no sample.
+  /// `f` is an index into snapped.faces. low > high if the face has no sample.
   [[nodiscard]] Range operator()(int f) {
     const Shading method = s_.settings.shading;
     if (!rowOf(method).lit) return {0.0, 1.0};
     const SnappedFace& face = s_.snapped.faces[f];
     if (method == Shading::Environment || painter_.evaluates(face)) {
-      // An intensity I has cell round(first + (shades - 1) I).
+      // The cell of an intensity I is round(first + (shades - 1) I).
       const auto [least, greatest] = painter_.cellEnds(f, s_.settings.width, s_.settings.height);
       const double perCell = 1.0 / (kChannelRamp.shades - 1);
       return {(least - kChannelRamp.first - 0.5) * perCell, (greatest - kChannelRamp.first + 0.5) * perCell};
@@ -82,7 +85,8 @@ class FaceRanges {
   SurfacePainter painter_;
 };
 
-/// The range in whole 255ths around it, so that it does not change with every turn, and at least one of them.
+/// Widens the range to whole 255ths, so that it does not change with every turn. The range is at least 1/255
+/// wide.
 void toBytes(HueNeed& need) {
   need.low = std::floor(255.0 * std::clamp(need.low, 0.0, 1.0)) / 255.0;
   need.high = std::ceil(255.0 * std::clamp(need.high, 0.0, 1.0)) / 255.0;

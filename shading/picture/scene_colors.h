@@ -10,11 +10,10 @@
 
 namespace xnewell {
 
-/// Whether the scene's colours can be told apart by fewer than all: the first plan of one hue, several hues
-/// and chosen colours that shows it. Hues serve as long as lights and textures are gray and each hue gets
-/// kLeastShades.
+/// Finds the simplest plan that can show the scene's colours: first one hue, then several hues, then chosen
+/// colours. Several hues need gray lights, gray textures, and kLeastShades shades for each hue.
 inline constexpr int kLeastShades = 24;
-/// @throws ViewError if several hues are asked for and there are more than the table has pairs of shades
+/// @throws ViewError if the user asks for several hues and the table has fewer than two shades for each
 [[nodiscard]] ColorPlan planOf(const Scene& scene, const PictureSettings& settings);
 [[nodiscard]] constexpr Channels channelsOf(ColorPlan plan) {
   return plan == ColorPlan::OneHue ? Channels::Luminance
@@ -22,30 +21,33 @@ inline constexpr int kLeastShades = 24;
                                    : Channels::Rgb;
 }
 
-/// The ramps of a picture: which cells an intensity on a surface gets.
+/// The ramps of a picture: they map an intensity on a surface to a cell.
 class SceneColors {
  public:
-  /// Where a plan has several hues, their shades go where the need is: by the samples that a hue covers and
-  /// the intensities that its surfaces have, at faces or vertices or, where they are found pixel by pixel, at
-  /// all pixels of all faces, hidden or not: no order of painting changes the plan.
+  /// Makes the tables. If a plan has several hues, each hue gets shades by its need. The need depends on the
+  /// number of samples that a hue covers and on the intensities of its surfaces. These are the intensities at
+  /// faces or at vertices. If they are found pixel by pixel, all pixels of all faces count, hidden or not, so
+  /// the plan does not depend on the order of painting.
   void make(const Surfaces& surfaces, ColorPlan plan);
 
   [[nodiscard]] ColorPlan plan() const { return plan_; }
   [[nodiscard]] const std::vector<ColorTable>& tables() const { return tables_; }
-  /// The one hue's, or the first.
+  /// The table of the one hue, or the first of several tables.
   [[nodiscard]] const ColorTable& table() const { return tables_.front(); }
-  /// Of a material, -1 for none.
+  /// The table of a material; -1 is for faces without a material.
   [[nodiscard]] const ColorTable& tableOf(int material) const { return tables_[tableOf_[material + 1]]; }
-  /// What one of the ramps' cells stands for.
+  /// The intensity that a cell of one of the ramps stands for.
   [[nodiscard]] double intensityOf(int cell) const;
-  /// By material, of none first. In a plan of colours those of a channel.
+  /// The ramp of each material; the first is for faces without a material. In a plan of colours, each is that
+  /// of a channel (kChannelRamp).
   [[nodiscard]] std::vector<Ramp> ramps() const;
 
  private:
   ColorPlan plan_ = ColorPlan::OneHue;
   std::vector<ColorTable> tables_;
-  std::vector<int> tableOf_;                        ///< by material, of none first
-  std::vector<std::vector<std::uint8_t>> lookUps_;  ///< Ramp::table of each of tables_ that is not linear
+  std::vector<int> tableOf_;  ///< by material; the first is for faces without one
+  /// Ramp::table for each of tables_; empty if it is linear
+  std::vector<std::vector<std::uint8_t>> lookUps_;
 };
 
 }  // namespace xnewell

@@ -9,7 +9,7 @@ namespace xnewell {
 SceneShading SceneShading::next(const Scene& scene, const PictureSettings& settings, Channels channels,
                                 const Camera& camera) const {
   const ShadingRow& method = rowOf(settings.shading);
-  if (!method.lit) return {};  // what is lit now would be stale later
+  if (!method.lit) return {};  // nothing is lit, so nothing is kept
   const bool flat = !method.interpolates;
   const bool keepsIntensities = settings.shading == Shading::Flat || settings.shading == Shading::Gouraud;
   const double adapt = keepsIntensities ? settings.adapt : 0.0;
@@ -38,7 +38,7 @@ SceneShading SceneShading::next(const Scene& scene, const PictureSettings& setti
   const bool newHighlight = newLight || (newEye && next.lighting().asksForEye());
   if (adapt > 0.0 && newHighlight) {
     next.refined_ = std::optional{next.refine(scene, settings)};
-    newLight = true;  // for points()
+    newLight = true;  // points() has changed
   }
   if (!keepsIntensities)
     next.lit_ = {};
@@ -91,7 +91,8 @@ SceneShading::Maps SceneShading::makeMaps(const Scene& scene, const PictureSetti
     for (const Material& material : lighting().materials)
       maps.environments[c].push_back(
           makeEnvironment(settings.environment, lighting(), material, c, vrcRotation(camera.view), centre));
-  const glm::dmat3 frame = maps.environments[0].front().frame;  // of the light, so the same for all
+  // all channels are looked up in the frame of the first one
+  const glm::dmat3 frame = maps.environments[0].front().frame;
   maps.N.resize(points().N.size());
   for (std::size_t k = 0; k < maps.N.size(); ++k) maps.N[k] = frame * points().N[k];
   return maps;

@@ -16,49 +16,51 @@
 
 namespace xnewell {
 
-/// What shading knows of a scene: normals at vertices, the light resolved, and what is evaluated once and
-/// kept. It holds only what the method requires: flat shading asks for no vertex normals, Phong's for no
-/// intensities. An immutable value of shared parts: the next one shares with it what did not change.
+/// The data that shading computes once for a scene and keeps: normals at vertices, the resolved light, and
+/// evaluated intensities. It holds only what the method requires: no vertex normals for flat shading, no
+/// intensities for Phong shading. It is an immutable value made of shared parts. The next value shares with
+/// it all parts that did not change.
 class SceneShading {
  public:
-  /// What these settings ask for. A part is made anew only if something it depends on changed since this.
+  /// The data for these settings. A part is computed again only if something that it depends on has changed.
   [[nodiscard]] SceneShading next(const Scene& scene, const PictureSettings& settings, Channels channels,
                                   const Camera& camera) const;
 
-  /// The scene's polygons, divided; nothing unless PictureSettings::adapt asks for it.
+  /// The scene's polygons, divided; empty unless PictureSettings::adapt is above 0 and the method uses it.
   [[nodiscard]] const std::optional<Refined>& refined() const { return *refined_; }
-  /// What is projected and painted of a scene: its own, or refined().
+  /// The mesh that is projected and painted: the scene's own, or that of refined().
   [[nodiscard]] const Mesh& mesh(const Scene& scene) const {
     return refined() ? refined()->mesh : scene.mesh;
   }
   [[nodiscard]] const ConvexParts& parts(const Scene& scene) const {
     return refined() ? refined()->parts : scene.parts;
   }
-  /// True if mesh() and parts() are the other's too.
+  /// True if both have the same mesh() and parts().
   [[nodiscard]] bool hasMeshOf(const SceneShading& other) const {
     return refined_.isOneWith(other.refined_) || (!refined() && !other.refined());
   }
   /// Empty unless the method interpolates.
   [[nodiscard]] const Vertices& vertices() const { return refined() ? refined()->vertices : *vertices_; }
-  /// Centroids of faces, of pieces if refined, or vertices.
+  /// The vertices, or the centroids of faces; in refined() of their pieces.
   [[nodiscard]] const ShadingPoints& points() const { return refined() ? refined()->points : *points_; }
-  /// Where flat shading evaluates a face, an index into points().
+  /// The index into points() at which flat shading evaluates a face.
   [[nodiscard]] int pointOf(const SnappedFace& face) const { return refined() ? face.part : face.number; }
   [[nodiscard]] const Lighting& lighting() const { return *lighting_; }
-  /// At points(), of one channel; empty where nothing is lit once for all.
+  /// The intensities of one channel at points(). They are empty unless the method is flat or Gouraud shading.
   [[nodiscard]] const Intensities& intensities(int channel) const { return *lit_[channel].intensities; }
   /// The terms of intensities().
   [[nodiscard]] const Terms& diffuse(int channel) const { return *lit_[channel].diffuse; }
   [[nodiscard]] const Terms& specular(int channel) const { return *lit_[channel].specular; }
-  /// By channel and material, of none first; empty unless the method looks one up.
+  /// The environments of a channel by material; the first is for faces without a material. Empty unless the
+  /// method is environment mapping.
   [[nodiscard]] const std::vector<Environment>& environments(int channel) const {
     return maps_->environments[channel];
   }
-  /// Normals of vertices where the environment is looked up.
+  /// The normals at points(), in the axes in which the environment is looked up.
   [[nodiscard]] const std::vector<glm::dvec3>& mapped() const { return maps_->N; }
 
  private:
-  // What parts were made with, or nothing.
+  // What the parts were made from; empty if they were not made.
   struct Points {
     bool ofVertices;
     NormalRule normals;
@@ -81,7 +83,7 @@ class SceneShading {
     bool operator==(const Frame&) const = default;
   };
 
-  /// One channel. When the eye moves the diffuse terms stay.
+  /// One channel. When the eye moves, the diffuse terms stay valid unless the polygons are divided again.
   struct Lit {
     Shared<Terms> diffuse, specular;
     Shared<Intensities> intensities;

@@ -5,7 +5,7 @@
 
 namespace xnewell {
 
-/// An immutable value. All copies share it, so a copy costs a pointer, however large the value is.
+/// An immutable value that all copies share. A copy costs one pointer, however large the value is.
 template <class T>
 class Shared {
  public:
@@ -14,7 +14,7 @@ class Shared {
 
   [[nodiscard]] const T& operator*() const { return *value_; }
   [[nodiscard]] const T* operator->() const { return value_.get(); }
-  /// True if both are one object, not only equal.
+  /// True if both are the same object, not merely equal.
   [[nodiscard]] bool isOneWith(const Shared& other) const { return value_ == other.value_; }
 
  private:

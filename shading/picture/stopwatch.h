@@ -4,7 +4,7 @@
 
 namespace xnewell {
 
-/// Measures milliseconds since it was made.
+/// Measures the milliseconds since it was created.
 class Stopwatch {
  public:
   [[nodiscard]] double ms() const {

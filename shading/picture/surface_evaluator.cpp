@@ -11,7 +11,7 @@ namespace xnewell {
 
 namespace {
 
-/// The plane through `over` times the values that ofCorner(corner) gives at the vertices of a triangle.
+/// The plane of a quantity over a triangle. Its value at vertex k is over[k] times ofCorner(corner) there.
 template <class OfCorner>
 PixelPlane planeOf(const SnappedScene& snapped, const FaceTriangle& t, const PixelPlanes& planes,
                    const std::array<double, 3>& over, const OfCorner& ofCorner) {
@@ -48,7 +48,8 @@ std::array<double, 3> SurfaceEvaluator::overDepths(const FaceTriangle& t) const 
     depth[k] = atSource(s_.snapped, s_.snapped.source[t.vertex[k]], [&](int corner) {
       return s_.view.prp.z - glm::dot(towardsViewer_, s_.mesh.points[s_.mesh.corners[corner]] - s_.view.vrp);
     });
-  const double least = std::min({depth[0], depth[1], depth[2]});  // so that units do not matter
+  // so that the unit of length does not matter
+  const double least = std::min({depth[0], depth[1], depth[2]});
   return {least / depth[0], least / depth[1], least / depth[2]};
 }
 
@@ -107,7 +108,7 @@ void SurfaceEvaluator::addTexture(EvaluatedTriangle& e, const SnappedFace& face,
   e.texture = &s_.scene.textures[mesh.materials[mesh.material[face.number]].texture];
   const bool rgb = s_.shading.lighting().channels == 3;
   e.texels = (rgb ? e.texture->channel[channel_] : e.texture->gray).data();
-  // Textures repeat: the nearest copy keeps numbers small.
+  // Textures repeat, so a whole number is subtracted from the coordinates. This keeps them small.
   e.repeats = false;
   for (int axis = 0; axis < 2; ++axis) {
     const auto coordinate = [&](int corner) { return mesh.uv[mesh.uvOfCorner[corner]][axis]; };

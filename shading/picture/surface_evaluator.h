@@ -12,30 +12,32 @@
 
 namespace xnewell {
 
-/// The surfaces of a picture and the light on them. All of it is the picture's, and outlives its users.
+/// The surfaces of a picture and the light on them. All parts belong to the picture. They must outlive the
+/// users of this structure.
 struct Surfaces {
   const Scene& scene;
-  const Mesh& mesh;  ///< the scene's, or what it was refined to
+  const Mesh& mesh;  ///< the scene's mesh, or the refined one
   const SnappedScene& snapped;
   const ViewSpec& view;
   const PictureSettings& settings;
   const SceneShading& shading;
 
-  /// 1 or -1: the normals of a face times this are those of the side that is seen.
+  /// 1 or -1. A face's normals times this factor point to the side that the light is computed for. This is
+  /// the side that the viewer sees; it is the front if only fronts are lit.
   [[nodiscard]] double side(const SnappedFace& face) const {
     return face.back && settings.light.twoSided ? -1.0 : 1.0;
   }
 };
 
-/// What is evaluated sample by sample: Phong's illumination, and textures. One channel.
+/// Evaluates one channel sample by sample: Phong shading, and textures.
 class SurfaceEvaluator {
  public:
   SurfaceEvaluator(const Surfaces& surfaces, int channel);
 
-  /// Whether a face's samples are evaluated one by one.
+  /// True if the samples of a face are evaluated one by one.
   [[nodiscard]] bool evaluates(const SnappedFace& face) const;
   /// Calls use(t, evaluated) for each triangle of such a face. `evaluated` is a PhongTriangle or a
-  /// TermsTriangle; the caller gives it a ramp and a count of clamped samples.
+  /// TermsTriangle. The caller gives it a ramp and a counter of clamped samples.
   template <class Use>
   void forEachEvaluated(const SnappedFace& face, Use&& use) const {
     forEachTriangle(s_.snapped, face, [&](const FaceTriangle& t) {
@@ -45,7 +47,8 @@ class SurfaceEvaluator {
         use(t, terms(face, t));
     });
   }
-  /// 1 / w at the vertices, w their depth along the viewing direction over the least of the three.
+  /// 1 / w at the three vertices. w is the depth along the viewing direction, divided by the least depth of
+  /// the three. All are 1 in a parallel projection and in affine mapping.
   [[nodiscard]] std::array<double, 3> overDepths(const FaceTriangle& triangle) const;
 
  private:
@@ -57,7 +60,8 @@ class SurfaceEvaluator {
 
   Surfaces s_;
   int channel_;
-  glm::dvec3 towardsViewer_;  ///< the direction against which depth grows, unit, world
+  /// Unit vector in the world; depth grows in the opposite direction.
+  glm::dvec3 towardsViewer_;
 };
 
 }  // namespace xnewell

@@ -27,7 +27,8 @@ SurfacePainter::SurfacePainter(const Surfaces& surfaces, int channel, std::vecto
   for (std::size_t m = 0; m < environments.size(); ++m) {
     const Ramp& ramp = ramps_[m];
     const auto mark =
-        static_cast<std::uint8_t>(ramp.first > 0 ? ramp.first - 1 : ramp.shades);  // not its own
+        // The mark is a cell outside the ramp.
+        static_cast<std::uint8_t>(ramp.first > 0 ? ramp.first - 1 : ramp.shades);
     const auto cellsOf = [&](const std::vector<float>& intensities) {
       std::vector<std::uint8_t> result(intensities.size());
       std::ranges::transform(intensities, result.begin(),
@@ -39,7 +40,7 @@ SurfacePainter::SurfacePainter(const Surfaces& surfaces, int channel, std::vecto
 }
 
 void SurfacePainter::interpolateIntensity() {
-  // Once for a vertex of the model, then for those of outlines.
+  // First once for each vertex of the model, then for the vertices of the outlines.
   const ShadingPoints& points = s_.shading.points();
   const std::vector<FrontBack<double>>& I = s_.shading.intensities(channel_).I;
   std::vector<std::uint32_t> ofFront(I.size()), ofBack(I.size());
@@ -190,13 +191,13 @@ void SurfacePainter::paintVisible(IndexImage& image, const std::vector<int>& vis
 }
 
 void SurfacePainter::paintAll(IndexImage& image, const SortedScene& sorted) {
-  // In depth order each face lies elsewhere in memory: fetch it while those before it are filled.
+  // In depth order, consecutive faces are scattered in memory. Fetch a face while those before it are filled.
   const std::vector<Fragment>& fragments = sorted.fragments;
   const std::size_t count = fragments.size();
   const auto ahead = [&](std::size_t k) -> const SnappedFace& {
     return snapped_.faces[fragments[std::min(k, count - 1)].face];
   };
-  // Most need two lines of each array.
+  // Most faces need two cache lines of each array.
   const auto fetch = [](const auto* from, int items) {
     __builtin_prefetch(from);
     __builtin_prefetch(reinterpret_cast<const char*>(from + items) - 1);

@@ -12,32 +12,34 @@
 
 namespace xnewell {
 
-/// Paints the faces of a picture, or pieces of them, one channel at a time. Whatever is interpolated belongs
-/// to the face: a piece of it gets the same cells at the same samples.
+/// Paints the faces of a picture, or pieces of them, one channel at a time. Interpolation uses the whole
+/// face, so a piece gets the same cells as the face at the same samples.
 class SurfacePainter {
  public:
-  /// `ramps` by material, of none first. `cells` of snapped.faces, where each has one; they outlive this.
+  /// `ramps` are by material; the first is for faces without a material. `cells` has the cell of each of
+  /// snapped.faces, if the method gives each face a single cell. `surfaces` and `cells` must outlive the
+  /// painter.
   SurfacePainter(const Surfaces& surfaces, int channel, std::vector<Ramp> ramps,
                  std::span<const std::uint8_t> cells);
 
-  /// Back to front.
+  /// Paints all fragments, back to front.
   void paintAll(IndexImage& image, const SortedScene& sorted);
-  /// The face seen at each sample, row by row.
+  /// Paints at each sample the face that is visible there. `visible` is row by row.
   void paintVisible(IndexImage& image, const std::vector<int>& visible);
   void paint(IndexImage& image, const SortedScene& sorted, const Fragment& fragment);
-  /// Whether a face's samples are evaluated one by one.
+  /// True if the samples of a face are evaluated one by one.
   [[nodiscard]] bool evaluates(const SnappedFace& face) const { return evaluator_.evaluates(face); }
-  /// The least and the greatest cell at the samples of a face in a picture of that size, whatever hides them;
-  /// greatest < least where it has none.
+  /// The least and the greatest cell at the samples of a face in a picture of that size, even where other
+  /// faces hide it. greatest < least if the face has no sample.
   struct CellEnds {
     int least = 256, greatest = -1;
   };
   [[nodiscard]] CellEnds cellEnds(int face, int width, int height);
-  /// Evaluations at pixels that were above 1.
+  /// The number of evaluations at pixels that exceeded 1.
   [[nodiscard]] std::int64_t clamped() const { return clamped_; }
 
  private:
-  /// Calls fill(outline, count, shader) for the parts of a face that have a shader of their own.
+  /// Calls fill(outline, count, shader) for each part of a face that has its own shader.
   template <class Fill>
   void forEachShader(int face, Fill&& fill);
   void interpolateIntensity();
@@ -47,8 +49,8 @@ class SurfacePainter {
   template <class Fill>
   void environment(const SnappedFace& face, Fill&& fill);
 
-  /// The cells of an environment's two maps: `mark` in place of `full` where the intensity was clamped. The
-  /// boxes hold all places with a mark.
+  /// The cells of an environment's two maps. Where the intensity was clamped, a map has `mark` instead of
+  /// `full`. Each box encloses all places of its map that have a mark.
   struct Maps {
     std::vector<std::uint8_t> front, away;
     std::uint8_t mark, full;
@@ -62,14 +64,14 @@ class SurfacePainter {
   int channel_;
   std::vector<Ramp> ramps_;
   std::span<const std::uint8_t> cells_;
-  /// What a fill interpolates, in the steps of AffineOver, at snapped_.vertices: side by side, for in depth
-  /// order each face lies elsewhere in memory.
-  std::vector<std::uint32_t> steps_;  ///< of the intensity
+  /// The quantities that a fill interpolates, in the steps of AffineOver, one for each of snapped_.vertices.
+  /// Those of a face lie side by side, because faces in depth order are scattered in memory.
+  std::vector<std::uint32_t> steps_;  ///< the intensity
   struct MapSteps {
     std::uint32_t column, row, facing;
   };
   std::vector<MapSteps> mapSteps_;
-  std::vector<Maps> maps_;  ///< by material, of none first
+  std::vector<Maps> maps_;  ///< by material; the first is for faces without one
   std::int64_t clamped_ = 0;
 };
 

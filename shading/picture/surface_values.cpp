@@ -15,7 +15,7 @@ namespace xnewell {
 
 namespace {
 
-/// Calls of(face) for each that is seen, once.
+/// Calls of(face) once for each face that is seen.
 template <class Of>
 void forEachSeenFace(const SeenRows& seen, std::size_t faces, Of&& of) {
   std::vector<bool> shows(faces, false);
@@ -25,7 +25,7 @@ void forEachSeenFace(const SeenRows& seen, std::size_t faces, Of&& of) {
     if (shows[f]) of(static_cast<int>(f));
 }
 
-/// Of an outline within a face, result = at(i, j) at the samples that show the face.
+/// Sets result = at(i, j) at the samples of an outline that show the face.
 template <class Value, class At>
 void store(std::vector<Value>& result, const SeenRows& seen, int face, const glm::ivec3* outline, int count,
            const At& at) {
@@ -36,7 +36,7 @@ void store(std::vector<Value>& result, const SeenRows& seen, int face, const glm
   });
 }
 
-/// The vectors interpolated over a triangle from those at its vertices.
+/// Interpolates the vectors `v` at the vertices over a triangle.
 auto interpolated(const PixelPlanes& planes, const std::array<glm::dvec3, 3>& v) {
   std::array<PixelPlane, 3> plane;
   for (int axis = 0; axis < 3; ++axis) plane[axis] = planes({v[0][axis], v[1][axis], v[2][axis]});
@@ -48,7 +48,8 @@ auto interpolated(const PixelPlanes& planes, const std::array<glm::dvec3, 3>& v)
   };
 }
 
-/// Of vertices of the shading, on the side that is seen.
+/// The normals at the vertices of a triangle, taken from `ofVertex`. They point to the side that the light is
+/// computed for.
 template <class OfVertex>
 std::array<glm::dvec3, 3> normalsOf(const Surfaces& s, const SnappedFace& face, const FaceTriangle& t,
                                     const OfVertex& ofVertex) {
@@ -60,7 +61,7 @@ std::array<glm::dvec3, 3> normalsOf(const Surfaces& s, const SnappedFace& face, 
   return N;
 }
 
-/// The intensities of an environment's places, clamped, without the cells that a picture keeps of them.
+/// The intensity in an environment's map, clamped to 1 but not rounded to a cell.
 double lookedUp(const Environment& environment, const glm::dvec3& N) {
   const auto place = [](double v) { return static_cast<std::size_t>(kMapCentre + kMapScale * v); };
   const bool away = environment.twoMaps && N.z < 0.0;

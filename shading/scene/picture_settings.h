@@ -13,7 +13,7 @@
 
 namespace xnewell {
 
-/// Everything that a picture of a scene can be asked for.
+/// All settings of a picture of a scene.
 
 struct PictureSettings {
   int width = 800, height = 600;  ///< pixels, 1..kMaxPicture
@@ -21,16 +21,17 @@ struct PictureSettings {
   Illumination light;
   Shading shading = Shading::Flat;
   NormalRule normals = NormalRule::Exact;
-  double crease = 180;  ///< degrees, as smoothVertices() has it
+  double crease = 180;  ///< degrees; see smoothVertices()
   Polygons polygons = Polygons::Triangles;
-  double adapt = 0;  ///< RefineSettings::tolerance of flat and Gouraud shading; 0: no polygon is divided
+  /// RefineSettings::tolerance for flat and Gouraud shading; 0: no polygon is divided.
+  double adapt = 0;
   EnvironmentForm environment = EnvironmentForm::Rotated;
   TextureMapping mapping = TextureMapping::Perspective;
   Order order = Order::Newell;
   Cull cull = Cull::Keep;
-  bool inPixels = false;  ///< an X server will fill the polygons (SortSettings::inPixels)
+  bool inPixels = false;  ///< true if an X server will fill the polygons (SortSettings::inPixels)
   ColorPlan colors = ColorPlan::Needed;
-  bool dither = false;  ///< where the plan is of colours, not of hues
+  bool dither = false;  ///< has an effect if the cells hold colours, not ramps
   TableSettings table;
   bool operator==(const PictureSettings&) const = default;
 };

@@ -10,7 +10,7 @@ namespace xnewell {
 
 namespace {
 
-/// The part of a key before its dot, and the rest: "table.i0"; the rest is empty where there is no dot.
+/// The two parts of a key such as "table.i0", before and after the dot. `rest` is empty if there is no dot.
 struct KeyPath {
   std::string_view first, rest;
 };
@@ -20,7 +20,7 @@ KeyPath pathOf(std::string_view key) {
   return {key.substr(0, dot), key.substr(dot + 1)};
 }
 
-/// What stands there of a setting.
+/// The value that `node` gives for a setting; nothing if it gives none.
 std::optional<Node> findIn(const Node& node, const Setting& setting) {
   const KeyPath path = pathOf(setting.key);
   if (!node.has(path.first)) return std::nullopt;
@@ -29,7 +29,7 @@ std::optional<Node> findIn(const Node& node, const Setting& setting) {
   return found.has(path.rest) ? std::optional{found.at(path.rest)} : std::nullopt;
 }
 
-/// That there are no keys but those of settings.
+/// Refuses all keys that are not keys of settings. @throws ParseError
 void expectSettings(const Node& node) {
   std::vector<std::string_view> firsts;
   for (const Setting& setting : settingRows()) {

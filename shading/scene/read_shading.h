@@ -5,16 +5,17 @@
 
 namespace xnewell {
 
-/// The "shading" of a scene file (scene_file.h): changes what it says. @throws ParseError
+/// Reads the "shading" of a scene file (scene_file.h) and changes the settings that it gives. @throws
+/// ParseError
 void readShading(PictureSettings& settings, const Node& node);
 
-/// Refuses settings that `node` gives without effect (Need::Unmet::Refused), such as a range without
-/// attenuation linear, and an attenuation without a light to fade. `settings` are what `node` left.
-/// @throws ParseError
+/// Refuses settings that `node` gives but that have no effect (Need::Unmet::Refused), for example a range
+/// without attenuation linear. It also refuses an attenuation if the light has no place. `settings` are those
+/// that readShading() left. @throws ParseError
 void expectCounts(const PictureSettings& settings, const Node& node);
 
-/// The same for settings that set-ups and lessons may keep for another method (RefusedOrKept).
-/// @throws ParseError
+/// Does the same for settings that set-ups and lessons may keep for another method
+/// (Need::Unmet::RefusedOrKept). @throws ParseError
 void expectDivides(const PictureSettings& settings, const Node& node);
 
 }  // namespace xnewell

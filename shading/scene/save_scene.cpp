@@ -13,7 +13,7 @@ using Json = nlohmann::ordered_json;
 
 Json list(const glm::dvec3& v) { return {v.x, v.y, v.z}; }
 
-/// From the scene's units to the file's, exactly: a power of two.
+/// Converts the scene's units to the file's units. The factor is a power of two, so this is exact.
 struct FileUnits {
   int exponent;
   [[nodiscard]] double operator()(double length) const { return std::ldexp(length, exponent); }
@@ -80,7 +80,7 @@ Json shading(const PictureSettings& settings) {
   return all;
 }
 
-/// As seen from the folder where it is inside of it, else from the root.
+/// The path relative to `folder` if the file is inside that folder; otherwise the absolute path.
 std::string seenFrom(const std::filesystem::path& folder, const std::string& file) {
   namespace fs = std::filesystem;
   const fs::path whole = fs::weakly_canonical(file),

@@ -7,14 +7,15 @@
 
 namespace xnewell {
 
-/// A scene file (scene_file.h) that sets the scene up as it is now: camera, light, methods and table. Read
-/// again it gives the same settings bit for bit. The scene itself is named, not copied: by its built-in name,
-/// or by its file as seen from `folder`, where the text is to stand.
-/// `settings` are in the scene's units; of inPixels it is said that a server fills.
+/// Returns the text of a scene file (scene_file.h) that saves the present set-up of a scene: camera, light,
+/// methods and table. If the file is read again, it gives the same settings bit for bit. The scene itself is
+/// named, not copied. The text has its built-in name, or the path of its file. The path is relative to
+/// `folder`, where the text will be stored, if the file is inside that folder. `settings` are in the scene's
+/// units. The text says that an X server fills if inPixels is true.
 [[nodiscard]] std::string savedScene(const Scene& scene, const PictureSettings& settings,
                                      const std::filesystem::path& folder);
 
-/// The same scene with its patches divided otherwise. @throws as readScene()
+/// The same scene with another number of divisions for its patches. It throws what readScene() throws.
 [[nodiscard]] Scene redivided(const Scene& scene, int divisions);
 
 }  // namespace xnewell

@@ -17,7 +17,7 @@ namespace xnewell {
 
 namespace {
 
-/// The scene of a set-up: a file that names another scene instead of its own objects.
+/// Reads the scene of a set-up. Such a file names another scene instead of listing its own objects.
 Scene otherScene(const Node& root, const std::filesystem::path& folder, int divisions) {
   root.expectKeys({"shows", "scene", "divisions", "without", "texture", "camera", "shading"});
   const Node other = root.at("scene");
@@ -55,7 +55,7 @@ Scene otherScene(const Node& root, const std::filesystem::path& folder, int divi
   return scene;
 }
 
-/// The scene made from the file's own objects.
+/// Makes the scene from the file's own objects.
 Scene ownScene(const Node& root, std::string_view text, const std::string& name,
                const std::filesystem::path& folder, int divisions) {
   root.expectKeys({"shows", "up", "camera", "ambient", "lights", "shading", "materials", "objects"});

@@ -8,14 +8,16 @@
 
 namespace xnewell {
 
-/// Makes the field of a setting from `member`, which leads from settings to the member that stores it.
+/// These functions make the Field of a setting. `member` is a function from the settings to the member that
+/// stores the value.
 
 template <class T>
 inline constexpr bool kOptional = false;
 template <class T>
 inline constexpr bool kOptional<std::optional<T>> = true;
 
-/// A number, a flag, three numbers, or one of these that may stay open. `member` leads from settings to it.
+/// A field for a number, a flag or three numbers, or for an optional number or an optional three numbers,
+/// which may stay open.
 template <class Member>
 Field holds(Member member) {
   using T = std::remove_cvref_t<decltype(member(std::declval<PictureSettings&>()))>;
@@ -45,7 +47,7 @@ Field holds(Member member) {
   return field;
 }
 
-/// One of the rows of a table.
+/// A field for a choice of one of the rows of a table.
 template <class Rows, class Member>
 Field chooses(const Rows& rows, Member member) {
   Field field{.kind = ValueKind::Choice};

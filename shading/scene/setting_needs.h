@@ -4,7 +4,7 @@
 
 namespace xnewell::needs {
 
-/// What settings need to have an effect.
+/// The conditions under which settings have an effect.
 
 using Facts = const PictureFacts&;
 

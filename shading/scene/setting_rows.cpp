@@ -29,7 +29,7 @@ constexpr std::array kPickLabels{NamedRow<Pick>{Pick::Log, kPicks[0].name, "in r
                                  NamedRow<Pick>{Pick::Search, kPicks[1].name, "in difference"}};
 constexpr std::array kBits{NamedRow<int>{8, "8", "8"}, NamedRow<int>{16, "16", "16"}};
 
-// What three numbers must be.
+// Conditions for three numbers.
 
 bool direction(const glm::dvec3& v) { return v != glm::dvec3{0.0}; }
 bool brightest(const glm::dvec3& v) { return std::max({v.x, v.y, v.z}) == 1.0; }

@@ -119,7 +119,8 @@ bool keepWithinOne(Illumination& light, bool IaSet, bool IpSet) {
   if (light.Ia + light.Ip <= 1.0) return true;
   if (IaSet && IpSet) return false;
   const double kept = IaSet ? light.Ia : light.Ip;
-  // To nine decimals, which leaves out what 1 - 0.9 is off as a binary fraction; but not above 1 in all.
+  // Rounds to nine decimals. This removes the error that 1 - 0.9 has as a binary fraction. The sum must still
+  // not exceed 1.
   double rest = std::floor((1.0 - kept) * 1e9 + 0.5) / 1e9;
   if (kept + rest > 1.0) rest = 1.0 - kept;
   (IaSet ? light.Ip : light.Ia) = rest;

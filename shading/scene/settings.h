@@ -12,28 +12,28 @@
 
 namespace xnewell {
 
-/// The settings of a picture, one row each. Scene files, options and --help, the window's controls, the notes
-/// on settings without effect, and the words on how two setups differ all walk these rows. Size and camera
-/// have none. A default is what a default-constructed PictureSettings holds.
+/// The settings of a picture, one row each. These all use the rows: scene files, the options and --help, the
+/// window's controls, the notes on settings without effect, and the words that compare two set-ups. Size and
+/// camera have no row. The default of a setting is its value in a default-constructed PictureSettings.
 
-/// A setting's value: a number, three numbers, or nothing where the setting may stay open. A flag is 0 or 1,
-/// a choice the index of its row.
+/// The value of a setting: a number, three numbers, or nothing if the setting may stay open. A flag is 0 or
+/// 1. A choice is the index of its row.
 using Value = std::variant<std::monostate, double, glm::dvec3>;
 
 enum class ValueKind { Number, Whole, Flag, Choice, Triple };
 
-/// The numbers that a setting takes, or each of three.
+/// The range of a number, or of each of three numbers.
 struct ValueRange {
-  double low, high;   ///< infinite for none
-  bool open = false;  ///< without its ends
+  double low, high;   ///< infinite if there is no limit
+  bool open = false;  ///< true if the ends are excluded
 };
 
-/// One of a choice.
+/// One of the possible values of a choice.
 struct Choice {
-  std::string_view name, label;  ///< in files and options; on a control
+  std::string_view name, label;  ///< the name in files and options, and the label on a control
 };
 
-/// Where a setting is stored, and what it can hold.
+/// Where a setting is stored, and which values it can have.
 struct Field {
   ValueKind kind = ValueKind::Number;
   std::function<Value(const PictureSettings&)> get = {};
@@ -41,29 +41,32 @@ struct Field {
   std::vector<Choice> choices = {};
 };
 
-/// What decides whether a setting has an effect.
+/// The facts that decide whether a setting has an effect.
 struct PictureFacts {
   const PictureSettings& settings;
-  ColorPlan plan;   ///< never Needed: what the scene needed
-  bool highlights;  ///< a surface has ks above 0
+  ColorPlan plan;   ///< never Needed: if that was chosen, the plan that the scene needs
+  bool highlights;  ///< true if a surface has ks above 0
   bool patches, textures;
 };
-/// Of a picture of these settings whose scene says nothing itself: one hue, no patches, no textures.
+/// The facts of a picture with these settings and a scene that adds none: no patches, no textures, and one
+/// hue if the plan is Needed.
 [[nodiscard]] PictureFacts factsOf(const PictureSettings& settings);
 
-/// What a setting needs to have an effect.
+/// The condition under which a setting has an effect.
 struct Need {
-  bool (*met)(const PictureFacts&) = nullptr;  ///< null: always
-  std::string_view appliesTo = {};             ///< `it applies to ...`
-  /// If it is chosen all the same: a note; an error; or an error but in set-ups and lessons, which may keep
-  /// it for another method. An error is decided by the settings alone.
+  bool (*met)(const PictureFacts&) = nullptr;  ///< null: it always has an effect
+  std::string_view appliesTo = {};             ///< completes the sentence `it applies to ...`
+  /// What happens if a setting is given but has no effect. Noted: a note. Refused: an error. RefusedOrKept:
+  /// an error, except in set-ups and lessons, which may keep the setting for another method. Only the
+  /// settings decide whether it is an error, not the scene.
   enum class Unmet { Noted, Refused, RefusedOrKept } unmet = Unmet::Noted;
 };
 
-/// Sections of the window's column of controls.
+/// Sections of the window's column of controls. Hidden: the column does not show the control.
 enum class Section { Hidden, Light, Surface, Method, ColourTable };
 
-/// The track of a control. An arrow moves by `step`, or on a logarithmic track by that share of it.
+/// The track of a control. An arrow moves the value by `step`; on a logarithmic track, it moves by that share
+/// of the track's length.
 struct Slider {
   double low, high, step;
   bool logarithmic = false;
@@ -71,43 +74,46 @@ struct Slider {
 };
 
 struct Setting {
-  std::string_view key = {};          ///< below "shading" in a scene file: "table.i0"
+  std::string_view key = {};          ///< the key in "shading" of a scene file: "table.i0"
   std::string_view option = {};       ///< "--i0"
   std::string_view label = {};        ///< "I0"
-  char control = 0;                   ///< the window's key
-  Section section = Section::Hidden;  ///< where its control stands
-  std::string_view is = {};           ///< what it is
-  std::string_view more = {};         ///< for --help alone
+  char control = 0;                   ///< the key in the window
+  Section section = Section::Hidden;  ///< the section that has its control
+  std::string_view is = {};           ///< a description
+  std::string_view more = {};         ///< more sentences, for --help only
   Field field = {};
   ValueRange range = {0, 1};
-  std::string_view letters = {};  ///< names of three numbers: "x,y,z"
-  /// For three numbers: a condition beside the range, and its words.
+  std::string_view letters = {};  ///< the names of its three numbers: "x,y,z"
+  /// For three numbers: a further condition, and its description.
   bool (*allowed)(const glm::dvec3&) = nullptr;
   std::string_view allowedAre = {};
   std::string_view unit = {};
   std::optional<Slider> slider = {};
   Need need = {};
-  std::string_view initially = {};           ///< the default in words, where its value does not tell
-  std::string_view replaces = {};            ///< what it replaces of the scene (kStrippable)
-  std::string_view differsIn = {};           ///< two setups differ in "the light"; "" for the label
-  std::string_view phrase = {};              ///< "{} shades"; "" for the label and the value
-  std::vector<std::string_view> words = {};  ///< for each choice, or for false and true; else their names
-  bool alwaysSaid = false;                   ///< even where two setups agree
+  std::string_view initially = {};  ///< the default in words, if the value does not say it
+  std::string_view replaces = {};   ///< what the setting replaces in the scene (one of kStrippable)
+  /// What two set-ups differ in, for example "light". If it is empty, the label is used.
+  std::string_view differsIn = {};
+  /// For example "{} shades". If it is empty, the label and the value are used.
+  std::string_view phrase = {};
+  /// The words for each choice, or for false and true. If there are none, the names are used.
+  std::vector<std::string_view> words = {};
+  bool alwaysSaid = false;  ///< named even if two set-ups agree in it
 };
 
 [[nodiscard]] const std::vector<Setting>& settingRows();
-/// The row of an option ("--ka") or of a control's key; null where there is none.
+/// The row of an option ("--ka") or of a control's key; null if there is none.
 [[nodiscard]] const Setting* settingOf(std::string_view option);
 [[nodiscard]] const Setting* settingOf(char control);
 
-/// Whether the value has the right kind and lies in the range.
+/// True if the value has the right kind and lies in the range.
 [[nodiscard]] bool allows(const Setting& setting, const Value& value);
 /// "a number from 0 to 1"; "one of log, search"; "three finite numbers x,y,z, not all 0".
 [[nodiscard]] std::string expected(const Setting& setting);
-/// The index of the choice; nothing where there is none of that name.
+/// The index of the choice with this name; nothing if there is none.
 [[nodiscard]] std::optional<int> choiceNamed(const Setting& setting, std::string_view name);
-/// As files and options have it, with as many digits as it takes: "0.02", "phong", "1,0,0". "" for an open
-/// one.
+/// The text of a value in files and options, with as many digits as it takes to read the same value again:
+/// "0.02", "phong", "1,0,0". It is "" for a setting that is open.
 [[nodiscard]] std::string textOf(const Setting& setting, const Value& value);
 [[nodiscard]] std::string textOf(double number);
 
@@ -116,7 +122,8 @@ struct Setting {
 [[nodiscard]] std::string noEffect(std::string_view name, const Setting& setting,
                                    std::string_view where = "here");
 
-/// Ia + Ip <= 1: the one that was not set gives way. False where both were set, and exceed 1.
+/// Ensures Ia + Ip <= 1. If the sum is larger, it reduces the one that was not set, or Ia if neither was. It
+/// changes nothing and returns false if both were set and the sum exceeds 1.
 [[nodiscard]] bool keepWithinOne(Illumination& light, bool IaSet, bool IpSet);
 
 }  // namespace xnewell
