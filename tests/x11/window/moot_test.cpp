@@ -76,7 +76,7 @@ TEST_F(MootOptions, WhatIsLeftOutOfTheSceneIsNamed) {
     return end.err;
   };
   const Words mapped{"--shade", "envmap"}, phong{"--shade", "phong"};
-  const std::string far = "xnewell: note: envmap shading puts all lights infinitely far away: the scene's ";
+  const std::string far = "xnewell: note: envmap shading puts all lights infinitely far away: ";
   EXPECT_EQ(told("spotlight", mapped), far + "spotlights lose their cones\n");
   EXPECT_EQ(told("lamp", mapped), far + "point lights act as if far away\n");
   EXPECT_EQ(told("textured-cube", mapped),
