@@ -177,11 +177,12 @@ void addEffects(Reader& r, Options& o) {
   };
   r.text("--cell", "the cell that --view colours inspects", "the middle one of the cells that polygons use",
          [&o, cell](const std::string& s) { o.cell = cell("--cell", s); });
-  r.text("--store",
-         "keep the indices that --table picks, but store the colours of this table: brief, linear, corrected",
-         "", [&o](const std::string& s) {
+  std::string tables;
+  for (const TableRow& row : kTables) tables += (tables.empty() ? "" : ", ") + std::string{row.name};
+  r.text("--store", "keep the indices that --table picks, but store the colours of this table: " + tables, "",
+         [&o, tables](const std::string& s) {
            const auto row = std::ranges::find(kTables, s, &TableRow::name);
-           if (row == kTables.end()) refuse("--store", s, "one of brief, linear, corrected");
+           if (row == kTables.end()) refuse("--store", s, "one of " + tables);
            o.effects.stored = row->id;
          });
   r.number("--turn", o.effects.hueTurn, -360, 360, "turn the hue of all stored colours by degrees");

@@ -56,8 +56,8 @@ class MachBench : public Bench {
   ControlKeys& keys_;
   Subject subject_;
   std::optional<int> row_;  ///< the scanline's row in the picture; none: the row that shows most
-  char focus_ = 'y';  ///< y, k, or 0: the focus of ControlKeys
-  char dragged_ = 0;  ///< y, k, or p for the picture; 0: nothing is dragged
+  char focus_ = 'y';        ///< y, k, or 0: the focus of ControlKeys
+  char dragged_ = 0;        ///< y, k, or p for the picture; 0: nothing is dragged
   char hovered_ = 0;
   int option_ = -1;
   // The state of the last drawing.

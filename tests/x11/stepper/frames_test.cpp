@@ -1,5 +1,5 @@
-#include "shading/picture/picture_cache.h"
 #include "x11/stepper/frames.h"
+#include "shading/picture/picture_cache.h"
 
 #include <gtest/gtest.h>
 

@@ -1,5 +1,5 @@
-#include "shading/picture/picture_cache.h"
 #include "x11/views/color_strip.h"
+#include "shading/picture/picture_cache.h"
 
 #include <gtest/gtest.h>
 

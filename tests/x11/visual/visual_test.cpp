@@ -233,8 +233,9 @@ TEST(DescribeVisuals, IsATableThatEndsWithTheChoice) {
   s.black = 1;
   s.freeCells = 183;
   const std::string text = describeVisuals(s);
-  EXPECT_THAT(text,
-              HasSubstr("TrueColor       24    rgb        2    256     -     8  fixed     look the colours up"));
+  EXPECT_THAT(
+      text,
+      HasSubstr("TrueColor       24    rgb        2    256     -     8  fixed     look the colours up"));
   EXPECT_THAT(text,
               HasSubstr("DirectColor     24    rgb        1    256     -     8  writable  store colours"));
   EXPECT_THAT(text,
