@@ -215,7 +215,7 @@ class ObjReader {
     for (std::string_view name = each.next(); !name.empty(); name = each.next())
       all = readLibrary(std::string{name}) && all;
     if (!all && mesh_.notes.empty())
-      note(words_.line(), "no such material library: " + inQuotes(names) + "; what only it has is white");
+      note(words_.line(), "material library " + inQuotes(names) + " not found; materials defined only there are white");
   }
 
   void note(int line, const std::string& what) {

@@ -26,6 +26,10 @@ inline constexpr std::array kTables{
     TableRow{TableKind::Corrected, "corrected", 11, "cell 11 + j holds I0 r^j of the hue"},
 };
 
+/// True if the intensities that the shades stand for are evenly spaced. Then a shade is found by a product
+/// and a sum, else by a search.
+[[nodiscard]] constexpr bool isEven(TableKind kind) { return kind != TableKind::Corrected; }
+
 /// How `corrected` picks the shade for an intensity. The two rules disagree on about 0.2 % of the
 /// intensities, if these are spread evenly over [0, 1].
 enum class Pick { Log, Search };
@@ -45,7 +49,7 @@ struct TableSettings {
   int shades = kMaxShades;  ///< N, 2..240
   double I0 = 0.02;         ///< lowest intensity of `corrected`, 1e-6..0.5
   Pick pick = Pick::Log;
-  glm::dvec3 hue{1, 0, 0};                  ///< each in [0, 1], the largest 1
+  glm::dvec3 hue{1, 0, 0};                  ///< each in [0, 1]; the largest is 1
   int bits = 16;                            ///< 16 stores round(65535 v), 8 stores 257 round(255 v)
   std::optional<int> first = std::nullopt;  ///< cell of shade 0; without a value, the table's usual first
                                             ///< cell
@@ -86,8 +90,7 @@ class ColorTable {
   /// The intensity that shade j stands for: the middle, by the table's own measure, of the intensities that
   /// pick it. For the first and the last shade it is the end of the range.
   [[nodiscard]] double intensity(int j) const {
-    return settings_.kind == TableKind::Corrected ? levels_[j]
-                                                  : low() + (high() - low()) * j / (shades() - 1);
+    return isEven(settings_.kind) ? low() + (high() - low()) * j / (shades() - 1) : levels_[j];
   }
   [[nodiscard]] Rgb16 color(int j) const;
   /// The intensities that pick shade j: from <= I < to. The first shade also gets every intensity below

@@ -7,7 +7,7 @@ namespace xnewell {
 
 double stepOf(const HueNeed& need, const TableSettings& table, int N) {
   constexpr double kFinest = 1.0 / 255.0;
-  if (table.kind != TableKind::Corrected) return std::max(kFinest, (need.high - need.low) / (N - 1));
+  if (isEven(table.kind)) return std::max(kFinest, (need.high - need.low) / (N - 1));
   const double lowest = std::max(table.I0, need.low), highest = std::max(lowest, need.high);
   return std::max(kFinest, ratioOfShades(lowest / highest, N - 1) - 1.0);
 }

@@ -13,7 +13,7 @@ namespace xnewell {
 
 /// What a picture needs of one hue.
 struct HueNeed {
-  glm::dvec3 hue{1, 0, 0};   ///< each in [0, 1], the largest 1
+  glm::dvec3 hue{1, 0, 0};   ///< each in [0, 1], the largest is 1
   double low = 0, high = 1;  ///< the least and the greatest intensity shown, in [0, 1]
   std::int64_t samples = 0;  ///< how many samples show the hue
 };

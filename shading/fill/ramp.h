@@ -53,11 +53,22 @@ class ValueOnRamp {
   Real low_, high_, first_, perIntensity_;
 };
 
+/// Ramp::cell for many intensities: what depends only on the ramp is computed once.
+class CellOnRamp {
+ public:
+  explicit CellOnRamp(const Ramp& ramp) : value_{ramp}, table_{ramp.table} {}
+  [[nodiscard]] std::uint8_t operator()(double I) const {
+    const double v = value_(I);
+    return table_ != nullptr ? table_[static_cast<int>(v * 256.0)] : static_cast<std::uint8_t>(v);
+  }
+
+ private:
+  ValueOnRamp<double> value_;
+  const std::uint8_t* table_;
+};
+
 inline double Ramp::value(double I) const { return ValueOnRamp<double>{*this}(I); }
-inline std::uint8_t Ramp::cell(double I) const {
-  const double v = value(I);
-  return table != nullptr ? table[static_cast<int>(v * 256.0)] : static_cast<std::uint8_t>(v);
-}
+inline std::uint8_t Ramp::cell(double I) const { return CellOnRamp{*this}(I); }
 
 /// A channel of a full-colour picture has 1 to 255. 0 is where nothing shows.
 inline constexpr Ramp kChannelRamp{.first = 1, .shades = 255};

@@ -37,7 +37,7 @@ inline constexpr std::array kAttenuations{
 
 struct Light {
   LightKind kind = LightKind::Directional;
-  glm::dvec3 Ip{0.7};             ///< RGB, each in [0, 1]
+  glm::dvec3 Ip{0};               ///< RGB, each in [0, 1]
   glm::dvec3 direction{0, 0, 1};  ///< directional: towards the light; spot: its axis, away from it. Not 0
   glm::dvec3 position{0};         ///< of a point light or a spot, world coordinates
   Attenuation attenuation = Attenuation::None;

@@ -51,9 +51,10 @@ std::vector<double> Picture::faceIntensities(int channel) const {
 std::vector<std::uint8_t> Picture::cellsOf(int channel) const {
   const std::vector<double> I = faceIntensities(channel);
   const std::vector<Ramp> ramps = colors_->ramps();
+  const std::vector<CellOnRamp> cellOf{ramps.begin(), ramps.end()};
   std::vector<std::uint8_t> cells(I.size());
   for (std::size_t f = 0; f < I.size(); ++f)
-    cells[f] = ramps[scene_->mesh.material[snapped_->faces[f].number] + 1].cell(I[f]);
+    cells[f] = cellOf[scene_->mesh.material[snapped_->faces[f].number] + 1](I[f]);
   return cells;
 }
 

@@ -101,8 +101,8 @@ ColorPlan planOf(const Scene& scene, const PictureSettings& settings) {
   if (settings.colors == ColorPlan::Hues) {
     const int hues = static_cast<int>(huesOf(scene).hues.size());
     if (2 * hues > settings.table.shades)
-      throw ViewError{std::to_string(hues) + " hues need two shades each, and the table has " +
-                      std::to_string(settings.table.shades) + ": choose other colours"};
+      throw ViewError{std::to_string(hues) + " hues need two shades each, but the table has only " +
+                      std::to_string(settings.table.shades) + ": choose another --colors"};
   }
   if (settings.colors != ColorPlan::Needed) return settings.colors;
   if (!rowOf(settings.shading).lit) return ColorPlan::OneHue;
@@ -146,7 +146,7 @@ void SceneColors::make(const Surfaces& surfaces, ColorPlan plan) {
   }
 
   lookUps_.assign(tables_.size(), {});
-  if (settings.table.kind == TableKind::Corrected && channelsOf(plan) != Channels::Rgb)
+  if (!isEven(settings.table.kind) && channelsOf(plan) != Channels::Rgb)
     std::ranges::transform(tables_, lookUps_.begin(), cellsBy16Bits);
 }
 

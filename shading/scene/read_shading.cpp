@@ -69,7 +69,7 @@ Value valueOf(const Setting& setting, const Node& node) {
 
 void expectEffect(const Setting& setting, const PictureSettings& settings, const Node& node) {
   if (!hasEffect(setting, factsOf(settings)))
-    node.fail("it applies only to " + std::string{setting.need.appliesTo});
+    node.fail("this setting applies only to " + std::string{setting.need.appliesTo});
 }
 
 }  // namespace
@@ -94,7 +94,9 @@ void expectCounts(const PictureSettings& settings, const Node& node) {
   const Illumination& light = settings.light;
   if (node.has("attenuation") && light.attenuation != Attenuation::None && !light.lightPosition)
     node.at("attenuation")
-        .fail("only a light at a place fades: light_at is needed; each of the scene's lights has its own");
+        .fail(
+            "attenuation needs a point light: give light_at. Each of the scene's lights has its own "
+            "attenuation");
 }
 
 void expectDivides(const PictureSettings& settings, const Node& node) {

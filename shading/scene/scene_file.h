@@ -37,7 +37,7 @@ namespace xnewell {
 ///                 "towards"   [x, y, z], for directional: the direction to the light (default: upper left)
 ///                 "at"        [x, y, z], for point and spot, required: where the light is
 ///                 "attenuation" a name of kAttenuations, with "range" (default: twice the distance to the
-///                             scene's centre) or "c" [c1, c2, c3] (default: half the light at the centre)
+///                             scene's centre) or "c" [c1, c2, c3] (default: they halve the light there)
 ///                 "shines"    a direction, or "look_at" a point, for spot; default: at the scene's centre
 ///                 "inner", "outer" half angles of a spot in degrees (default: 15, 20); "falloff" (default 1)
 ///               Ia + the sum of Ip must not exceed 1 in any channel

@@ -11,7 +11,7 @@
 #include "shading/light/environment.h"
 #include "shading/light/intensities.h"
 #include "tests/bench/triangulated.h"
-#include "tests/support/colored_picture.h"
+#include "tests/support/full_color_picture.h"
 
 namespace xnewell {
 
@@ -126,7 +126,7 @@ BENCHMARK(BM_WritePng)->Arg(1)->Arg(240)->Unit(benchmark::kMillisecond);
 // with a chosen palette it also depends on the different colours. The differences are CIEDE2000 over the
 // pixels that show something: pixel by pixel, and as means of 8x8 blocks, which is what dithering is for.
 void BM_Quantize(benchmark::State& state, Quantizer quantizer, bool dither) {
-  const ColoredPicture picture = coloredBalls(800, 600);
+  const FullColorPicture picture = coloredBalls(800, 600);
   const QuantizeSettings settings{.quantizer = quantizer, .dither = dither};
   IndexImage cells{800, 600, 0};
   std::vector<Rgb16> colors;

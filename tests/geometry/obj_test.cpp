@@ -230,7 +230,7 @@ TEST(Obj, TakesColorsFromItsLibraries) {
   const Mesh mesh = readObj(file);
   EXPECT_THAT(
       mesh.notes,
-      ElementsAre(file.string() + ":7: no such material library: 'none.mtl'; what only it has is white",
+      ElementsAre(file.string() + ":7: material library 'none.mtl' not found; materials defined only there are white",
                   file.string() + ": no library has the material 'what': it is white"));
   EXPECT_THAT(mesh.material, ElementsAre(-1, 0, 1, 2, 3, 0));
   ASSERT_EQ(mesh.materials.size(), 4u);

@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "shading/color/quantize.h"
-#include "tests/support/colored_picture.h"
+#include "tests/support/full_color_picture.h"
 
 namespace xnewell {
 

@@ -204,8 +204,8 @@ void Workbench::askToSave() {
          }
          work_.file = file;
          work_.saved = work_.setup;
-         told_ = "saved: xnewell " + file + " shows " +
-                 (view() == WindowView::Picture ? "it" : "the picture of view 1") + " again";
+         told_ = "Saved. \"xnewell " + file + "\" shows " +
+                 (view() == WindowView::Picture ? "it" : "the picture of view 1") + " again.";
          return {};
        }});
 }

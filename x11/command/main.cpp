@@ -1,4 +1,5 @@
 #include <fcntl.h>
+#include <malloc.h>
 #include <unistd.h>
 
 #include <algorithm>
@@ -260,10 +261,21 @@ void occupyStandardStreams() {
     if (::fcntl(stream, F_GETFD) < 0) ::open("/dev/null", stream == STDIN_FILENO ? O_WRONLY : O_RDONLY);
 }
 
+/// Keeps freed memory for the next picture. glibc would give large blocks back to the system. Each of their
+/// pages then costs a fault when the next picture touches it: a moving view of 64,800 triangles has four times
+/// as many faults.
+void keepFreedMemory() {
+#ifdef __GLIBC__
+  ::mallopt(M_MMAP_THRESHOLD, 32 << 20);  // the largest that glibc allows
+  ::mallopt(M_TRIM_THRESHOLD, 256 << 20);
+#endif
+}
+
 }  // namespace
 
 /// Returns the exit status.
 int program(int argc, char** argv) try {
+  keepFreedMemory();
   occupyStandardStreams();
   // An interrupted picture leaves no files behind.
   std::signal(SIGINT, [](int) { _exit(kInterrupted); });

@@ -28,9 +28,11 @@ void drawTrack(Pen& pen, int x, int baseline, int width, const TrackLook& look) 
 
 std::vector<Rect> optionFrames(std::span<const std::string_view> options, int x, int baseline, int width,
                                int height) {
+  constexpr int kLeastGap = 4;
   int words = 0;
   for (const std::string_view option : options) words += textWidth(option);
-  const int gap = std::min(14, (width - words) / std::max(1, static_cast<int>(options.size()) - 1));
+  const int gap =
+      std::clamp((width - words) / std::max(1, static_cast<int>(options.size()) - 1), kLeastGap, 14);
   std::vector<Rect> frames;
   for (const std::string_view option : options) {
     frames.push_back({x - 6, baseline - (height + 9) / 2, textWidth(option) + 13, height});

@@ -21,7 +21,7 @@ constexpr int kButton = 20;
 /// Places the controls, from the top of the column to the bottom.
 class Walk {
  public:
-  explicit Walk(const Layout& at) : x_{at.controls.x}, y_{at.controls.y + 11}, pitch_{at.compact ? 17 : 21} {
+  Walk(const Layout& at, int pitch) : x_{at.controls.x}, y_{at.controls.y + 11}, pitch_{pitch} {
     column_.compact = at.compact;
     column_.area = at.controls;
   }
@@ -273,7 +273,14 @@ const ControlPlace* ControlColumn::find(char key) const {
   return place == places.end() ? nullptr : &*place;
 }
 
-ControlColumn layoutOfControls(const Layout& at) { return Walk{at}.column(); }
+ControlColumn layoutOfControls(const Layout& at) {
+  constexpr int kLeastPitch = 14;  // the text is 13 pixels high
+  for (int pitch = at.compact ? 17 : 21;; --pitch) {
+    ControlColumn column = Walk{at, pitch}.column();
+    const Rect& last = column.places.back().row;
+    if (pitch == kLeastPitch || last.y + last.height <= at.controls.y + at.controls.height) return column;
+  }
+}
 
 std::optional<ControlHit> controlAt(const ControlColumn& at, const Setup& setup, int x, int y) {
   if (at.ball.has(x, y)) return ControlHit{'l'};

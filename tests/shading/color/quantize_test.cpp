@@ -61,7 +61,7 @@ TEST(Quantize, LeavesOtherPixelsAlone) {
     for (const bool dither : {false, true})
       for (const int first : {10, 11, 16}) {
         const QuantizeSettings settings{.quantizer = row.id, .dither = dither, .first = first};
-        ColoredPicture picture = coloredBalls(90, 70);
+        FullColorPicture picture = coloredBalls(90, 70);
         IndexImage cells{90, 70, 0};
         for (std::uint8_t& cell : cells.pixels) cell = std::uint8_t(rng() % 10);
         const IndexImage before = cells;
@@ -85,7 +85,7 @@ TEST(Quantize, LeavesOtherPixelsAlone) {
 
 // A picture that shows nothing chooses no colour, and a picture of one colour chooses that one.
 TEST(Quantize, NothingAndOneColour) {
-  const ColoredPicture picture = coloredBalls(30, 20);
+  const FullColorPicture picture = coloredBalls(30, 20);
   const std::vector<std::uint8_t> nothing(600, 0);
   IndexImage cells{30, 20, 7};
   EXPECT_TRUE(quantize(picture.rgb, nothing, {}, cells).empty());
@@ -130,7 +130,7 @@ TEST(Quantize, TheChoiceForgetsPlaces) {
   std::mt19937 rng{1991};
   for (const int colors : {2, 16, 240}) {
     std::vector<glm::u8vec3> pixels;
-    const ColoredPicture balls = coloredBalls(120, 90);
+    const FullColorPicture balls = coloredBalls(120, 90);
     for (std::size_t k = 0; k < balls.shows.size(); ++k)
       pixels.push_back({balls.rgb.rgb[3 * k], balls.rgb.rgb[3 * k + 1], balls.rgb.rgb[3 * k + 2]});
     const std::vector<glm::u8vec3> chosen = choosePalette(pictureOf(pixels, 120), {}, colors);
@@ -147,7 +147,7 @@ TEST(Quantize, TheChoiceForgetsPlaces) {
 // Each pixel's cell depends only on the pixel: a picture turned by half a turn gives the turned result.
 // Dithering repeats every 8 pixels, whatever surrounds them.
 TEST(Quantize, PixelsTakeTheirCellsAlong) {
-  const ColoredPicture balls = coloredBalls(64, 48);
+  const FullColorPicture balls = coloredBalls(64, 48);
   RgbImage turned{64, 48};
   for (int j = 0; j < 48; ++j)
     for (int i = 0; i < 64; ++i) std::copy_n(balls.rgb.pixel(i, j), 3, turned.pixel(63 - i, 47 - j));
@@ -170,7 +170,7 @@ TEST(Quantize, PixelsTakeTheirCellsAlong) {
 
 // The palette ascends in luminance and has no colour twice.
 TEST(Quantize, ThePaletteAscends) {
-  const ColoredPicture balls = coloredBalls(200, 150);
+  const FullColorPicture balls = coloredBalls(200, 150);
   const std::vector<glm::u8vec3> colors = choosePalette(balls.rgb, balls.shows, 240);
   ASSERT_EQ(colors.size(), 240u);
   const auto luminance = [](glm::u8vec3 c) { return 30 * c.r + 59 * c.g + 11 * c.b; };

@@ -161,7 +161,7 @@ TEST(SceneFile, ComplaintsOfEachPart) {
             "s.json: shading.table.shades: a whole number from 2 to 240 is needed");
   EXPECT_EQ(shading(R"("table": {"i0": 1})"), "s.json: shading.table.i0: a number between 0 and 1 is needed");
   EXPECT_EQ(shading(R"("table": {"hue": [0.5, 0, 0]})"),
-            "s.json: shading.table.hue: three finite numbers r,g,b from 0 to 1, the largest 1 are needed");
+            "s.json: shading.table.hue: three finite numbers r,g,b from 0 to 1, where the largest is 1 are needed");
   EXPECT_EQ(shading(R"("table": {"bits": 12})"), "s.json: shading.table.bits: '12' is not one of 8, 16");
 }
 
@@ -215,21 +215,21 @@ TEST(SceneFile, ComplaintsOfWhatDoesNotCount) {
   };
   const std::string at = R"("light_at": [0, 0, 9])";
   const std::string noLight =
-      "s.json: shading.attenuation: only a light at a place fades: light_at is needed; "
-      "each of the scene's lights has its own";
+      "s.json: shading.attenuation: attenuation needs a point light: give light_at. "
+      "Each of the scene's lights has its own attenuation";
   EXPECT_EQ(shading(R"("attenuation": "linear")"), noLight);
   EXPECT_EQ(
       shading(R"("attenuation": "linear")", R"("lights": [{"kind": "point", "at": [0, 0, 9], "Ip": 0.5}], )"),
       noLight);
   EXPECT_EQ(shading(R"("attenuation": "none")"), "no complaint");
   EXPECT_EQ(shading(at + R"(, "attenuation": "linear", "range": 20)"), "no complaint");
-  EXPECT_EQ(shading(R"("range": 1)"), "s.json: shading.range: it applies only to attenuation linear");
+  EXPECT_EQ(shading(R"("range": 1)"), "s.json: shading.range: this setting applies only to attenuation linear");
   EXPECT_EQ(shading(at + R"(, "attenuation": "inverse", "range": 1)"),
-            "s.json: shading.range: it applies only to attenuation linear");
+            "s.json: shading.range: this setting applies only to attenuation linear");
   EXPECT_EQ(shading(at + R"(, "attenuation": "linear", "c": [1, 0, 0])"),
-            "s.json: shading.c: it applies only to attenuation textbook");
+            "s.json: shading.c: this setting applies only to attenuation textbook");
   EXPECT_EQ(shading(R"("method": "phong", "adapt": 0.1)"),
-            "s.json: shading.adapt: it applies only to flat and gouraud shading");
+            "s.json: shading.adapt: this setting applies only to flat and gouraud shading");
   EXPECT_EQ(shading(R"("method": "gouraud", "adapt": 0)"), "no complaint");
   EXPECT_EQ(shading(R"("method": "gouraud", "adapt": 0.1)"), "no complaint");
 

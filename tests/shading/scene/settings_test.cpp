@@ -130,7 +130,7 @@ TEST(SettingRows, SayWhatTheyExpect) {
   EXPECT_EQ(expected(row("--shades")), "a whole number from 2 to 240");
   EXPECT_EQ(expected(row("--pick")), "one of log, search");
   EXPECT_EQ(expected(row("--light-at")), "three finite numbers x,y,z");
-  EXPECT_EQ(expected(row("--hue")), "three finite numbers r,g,b from 0 to 1, the largest 1");
+  EXPECT_EQ(expected(row("--hue")), "three finite numbers r,g,b from 0 to 1, where the largest is 1");
 }
 
 // A value's text is read back as the same number: default coefficients are printed from the settings.

@@ -25,7 +25,7 @@ TEST(Options, RefuseWrongNumbers) {
       EXPECT_EQ(complaint({option, wrong}), option + ": '" + wrong + "' is not three finite numbers x,y,z");
   for (const std::string wrong : {"red", "1,1,2", "-1,1,0", "0.5,0.5,0.5", "0,0,0", "nan,1,1"})
     EXPECT_EQ(complaint({"--hue", wrong}),
-              "--hue: '" + wrong + "' is not three finite numbers r,g,b from 0 to 1, the largest 1");
+              "--hue: '" + wrong + "' is not three finite numbers r,g,b from 0 to 1, where the largest is 1");
   for (const std::string wrong : {"1", "1,-1,0"})
     EXPECT_EQ(complaint({"--coefficients", wrong}),
               "--coefficients: '" + wrong + "' is not three finite numbers c1,c2,c3 of at least 0");

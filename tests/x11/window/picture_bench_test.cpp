@@ -70,6 +70,24 @@ TEST(ControlColumn, EveryControlHasItsPlace) {
   }
 }
 
+// If the column is too low for its controls, the rows are closer together, and still none shares a pixel.
+TEST(ControlColumn, FitsALowerColumn) {
+  for (const auto& [w, h] : {std::pair{800, 600}, {1024, 768}}) {
+    SCOPED_TRACE(w);
+    Layout layout = layoutOf(w, h);
+    const ControlColumn usual = layoutOfControls(layout);
+    const auto bottom = [](const ControlPlace& place) { return place.row.y + place.row.height; };
+    layout.controls.height =
+        bottom(usual.places.back()) - layout.controls.y - 2 * usual.find('a')->row.height;
+    const ControlColumn at = layoutOfControls(layout);
+    EXPECT_LT(at.find('a')->row.height, usual.find('a')->row.height);
+    EXPECT_LE(bottom(at.places.back()), layout.controls.y + layout.controls.height);
+    for (std::size_t p = 0; p < at.places.size(); ++p)
+      for (std::size_t q = 0; q < p; ++q)
+        EXPECT_TRUE(intersection(at.places[p].row, at.places[q].row).empty());
+  }
+}
+
 // A slider goes where its thumb is dragged, and stops at its ends if the pointer goes beyond. A drag is one
 // undo step.
 TEST(PictureBench, SlidersAreDragged) {

@@ -15,13 +15,13 @@ namespace xnewell {
 
 /// Full-colour pictures for tests that put them into colour cells, and what the cells then show.
 
-struct ColoredPicture {
+struct FullColorPicture {
   RgbImage rgb;
   std::vector<std::uint8_t> shows;
 };
 
 /// Seven balls of different hues under a white and a blue light, with highlights, on an empty background.
-inline ColoredPicture coloredBalls(int width, int height) {
+inline FullColorPicture coloredBalls(int width, int height) {
   const std::array<glm::dvec3, 7> hues{{{1, 0.15, 0.1},
                                         {0.9, 0.8, 0.1},
                                         {0.2, 0.7, 0.2},
@@ -31,7 +31,7 @@ inline ColoredPicture coloredBalls(int width, int height) {
                                         {0.8, 0.8, 0.8}}};
   const glm::dvec3 white = glm::normalize(glm::dvec3{-1, -1, 1.5}),
                    blue = glm::normalize(glm::dvec3{1, 1, 0.3});
-  ColoredPicture picture{RgbImage{width, height}, std::vector<std::uint8_t>(std::size_t(width) * height)};
+  FullColorPicture picture{RgbImage{width, height}, std::vector<std::uint8_t>(std::size_t(width) * height)};
   const double radius = 0.49 * std::min(width / 4.0, height / 2.0);
   for (int j = 0; j < height; ++j)
     for (int i = 0; i < width; ++i) {
