@@ -33,6 +33,7 @@ inline Mesh floorOf(int n) {
 inline Scene underSpot(Mesh mesh, double inner = 14, double outer = 20) {
   Scene scene = makeScene("spot", std::move(mesh), UpAxis::Z);
   scene.light.lights = {{.kind = LightKind::Spot,
+                         .Ip = glm::dvec3{0.7},
                          .direction = {0.2, 0.3, -1.0},
                          .position = inSceneUnits(glm::dvec3{-0.1, -0.2, 1.3}, scene),
                          .inner = inner,

@@ -18,10 +18,16 @@ class RandomTriangles {
     for (int k = 0; k < 15; ++k) texture_.gray.push_back(static_cast<std::uint8_t>(17 * k));
     const Illumination user{.Ia = 0.1, .Ip = 0.6, .n = seed % 3 == 0 ? 1'000'000 : int(seed % 1000)};
     if (seed % 2)
-      lights_ = {
-          {.kind = LightKind::Spot, .direction = {0, 0.1, -1}, .position = {0.2, 0, 2}, .outer = 40},
-          {.kind = LightKind::Point, .position = {-1, 1, 0.5}, .attenuation = Attenuation::InverseSquare},
-          {.direction = {0, -1, 1}}};
+      lights_ = {{.kind = LightKind::Spot,
+                  .Ip = glm::dvec3{0.7},
+                  .direction = {0, 0.1, -1},
+                  .position = {0.2, 0, 2},
+                  .outer = 40},
+                 {.kind = LightKind::Point,
+                  .Ip = glm::dvec3{0.7},
+                  .position = {-1, 1, 0.5},
+                  .attenuation = Attenuation::InverseSquare},
+                 {.direction = {0, -1, 1}}};
     else
       lights_ = {{.Ip = glm::dvec3{user.Ip}, .direction = user.light}};
     lighting_ =

@@ -73,7 +73,10 @@ double boundOf(const Light& light, const Reflection& surface, Form form, const g
 // N.L = 0.8 and R.V = 0.8 by hand: I = 0.9 0.2 + 0.5 [0.8 0.8 + 0.4 0.8^3], at a distance of 2 that halves
 // Ip.
 TEST(Equation, TermsByHand) {
-  const Light light{.kind = LightKind::Point, .position = {0, 1.2, 1.6}, .attenuation = Attenuation::Inverse};
+  const Light light{.kind = LightKind::Point,
+                    .Ip = glm::dvec3{0.7},
+                    .position = {0, 1.2, 1.6},
+                    .attenuation = Attenuation::Inverse};
   const IlluminationTerms terms =
       illuminate(0.2, 1, light, {0.9, 0.8, 0.4, 3}, {0, 0, 1}, {0, 0, 1}, {0, 0, 0}, Form::Textbook);
   EXPECT_NEAR(terms.ambient, 0.18, 1e-15);
@@ -87,8 +90,9 @@ TEST(Equation, TermsByHand) {
 // A light behind the surface leaves the ambient term alone, and so does one at the surface's own place.
 TEST(Equation, NothingFromBehind) {
   for (const glm::dvec3 position : {glm::dvec3{0, 0, -1}, {0, 0, 0}, {1, 0, 0}}) {
-    const IlluminationTerms terms = illuminate(0.2, 1, {.kind = LightKind::Point, .position = position},
-                                               {1, 1, 1, 0}, {0, 0, 1}, {0, 0, 1}, {0, 0, 0}, Form::Textbook);
+    const IlluminationTerms terms =
+        illuminate(0.2, 1, {.kind = LightKind::Point, .Ip = glm::dvec3{0.7}, .position = position},
+                   {1, 1, 1, 0}, {0, 0, 1}, {0, 0, 1}, {0, 0, 0}, Form::Textbook);
     EXPECT_EQ(terms.I, 0.2);
   }
 }

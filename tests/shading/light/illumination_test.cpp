@@ -185,8 +185,11 @@ double diffuseBelow(double height, Light light, double unit = 1) {
 // and never infinite.
 TEST(Illumination, Attenuation) {
   const auto at = [](double d, Attenuation attenuation) {
-    return diffuseBelow(
-        d, {.kind = LightKind::Point, .attenuation = attenuation, .range = 4, .c = {0.5, 0.25, 0.125}});
+    return diffuseBelow(d, {.kind = LightKind::Point,
+                            .Ip = glm::dvec3{0.7},
+                            .attenuation = attenuation,
+                            .range = 4,
+                            .c = {0.5, 0.25, 0.125}});
   };
   EXPECT_EQ(at(10, Attenuation::None), 1.0);
   EXPECT_EQ(at(0.5, Attenuation::Inverse), 1.0);
@@ -203,7 +206,10 @@ TEST(Illumination, Attenuation) {
     EXPECT_EQ(at(1e-200, row.id), 0.0) << row.name;  // as far as doubles can tell
   }
   // The file's unit sets what 1 is: 1/d in a scene whose unit is 1/8.
-  EXPECT_EQ(diffuseBelow(0.5, {.kind = LightKind::Point, .attenuation = Attenuation::Inverse}, 0.125), 0.25);
+  EXPECT_EQ(
+      diffuseBelow(
+          0.5, {.kind = LightKind::Point, .Ip = glm::dvec3{0.7}, .attenuation = Attenuation::Inverse}, 0.125),
+      0.25);
 }
 
 // Between its cones, a spot's share is (cos a - cos 20) / (cos 15 - cos 20) to the power of the falloff. The
@@ -213,6 +219,7 @@ TEST(Illumination, Spot) {
   const auto at = [](double degrees, int falloff, double outer = 20) {
     const double a = degrees * std::acos(-1.0) / 180;
     return diffuseBelow(3, {.kind = LightKind::Spot,
+                            .Ip = glm::dvec3{0.7},
                             .direction = {std::sin(a), 0, -std::cos(a)},
                             .inner = 15,
                             .outer = outer,
@@ -269,8 +276,11 @@ TEST(Illumination, Channels) {
 
 // A light without intensity, or one that falls to nothing before it reaches the scene, is left out.
 TEST(Illumination, LightsThatCannotReachCostNothing) {
-  const Light far{
-      .kind = LightKind::Point, .position = {0, 0, 9}, .attenuation = Attenuation::Linear, .range = 8.9};
+  const Light far{.kind = LightKind::Point,
+                  .Ip = glm::dvec3{0.7},
+                  .position = {0, 0, 9},
+                  .attenuation = Attenuation::Linear,
+                  .range = 8.9};
   Light near = far;
   near.range = 9.1;
   const auto sources = [](const Light& light) {
@@ -300,8 +310,11 @@ TEST(Illumination, SideBySideAsAlone) {
     const SceneLight scene{
         .Ia = {},
         .lights = {
-            {.kind = LightKind::Spot, .direction = {0, 0, -1}, .position = {0, 0, 3}},
-            {.kind = LightKind::Point, .position = {2, 1, 0}, .attenuation = Attenuation::InverseSquare}}};
+            {.kind = LightKind::Spot, .Ip = glm::dvec3{0.7}, .direction = {0, 0, -1}, .position = {0, 0, 3}},
+            {.kind = LightKind::Point,
+             .Ip = glm::dvec3{0.7},
+             .position = {2, 1, 0},
+             .attenuation = Attenuation::InverseSquare}}};
     const Lighting lighting =
         resolve(m, scene, {.form = form.id}, Channels::Luminance, {1, -3, 2}, {0, 0, 0});
     Terms diffuseTerms, specularTerms;

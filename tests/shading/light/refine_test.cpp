@@ -240,6 +240,7 @@ TEST(Refine, FindsLightInsideOneTriangle) {
     const glm::dvec3 eye = place + glm::dvec3{0, 0, 0.7};
     const Scene dark = scene;
     scene.light.lights = {{.kind = LightKind::Spot,
+                           .Ip = glm::dvec3{0.7},
                            .direction = {0, 0, -1},
                            .position = eye,
                            .inner = 0.8 * degrees,

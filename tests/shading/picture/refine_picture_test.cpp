@@ -100,8 +100,12 @@ TEST(RefinePicture, KeepsFacesAndOrder) {
       PictureCache plain{scene};
       plain.make(s);
       const glm::dvec3 eye = plain.last().camera().eye;
-      scene.light.lights = {
-          {.kind = LightKind::Spot, .direction = centre - eye, .position = eye, .inner = 3, .outer = 6}};
+      scene.light.lights = {{.kind = LightKind::Spot,
+                             .Ip = glm::dvec3{0.7},
+                             .direction = centre - eye,
+                             .position = eye,
+                             .inner = 3,
+                             .outer = 6}};
       PictureCache pictures{scene};
       pictures.make(s);
       const std::vector<std::uint32_t> ids = pictures.last().faceImage();
