@@ -19,7 +19,6 @@ namespace {
 
 /// Commands and options that have a name but do nothing yet. The program says so.
 constexpr std::array<std::string_view, 2> kLaterCommands{"figure", "trade"};
-constexpr std::array<std::string_view, 1> kLaterOptions{"--json"};
 
 /// Adds options to CLI11. The code here reads their values, so that the error messages are in our words.
 class Reader {
@@ -303,9 +302,6 @@ std::optional<Options> parseOptions(int argc, const char* const* argv, const Pic
   const std::size_t words = arguments.size();
   o.command = takeCommand(arguments);
   o.commandMeant = !arguments.empty() && arguments.size() == words && !arguments.front().starts_with('-');
-  for (const std::string& a : arguments)
-    if (std::ranges::find(kLaterOptions, a.substr(0, a.find('='))) != kLaterOptions.end())
-      throw UsageError{a.substr(0, a.find('=')) + " is not built yet"};
 
   CLI::App app{"xnewell: shading and hidden surfaces through real X11 colormaps"};
   app.formatter(std::make_shared<Help>());
@@ -320,7 +316,8 @@ std::optional<Options> parseOptions(int argc, const char* const* argv, const Pic
          "scene", [&](const std::string& s) { o.scene = s; }, "SCENE [teapot]")
       ->type_name("");
   r.text("-o,--output", "the PNG file to write", "", [&](const std::string& s) { o.output = s; });
-  r.text("--size", "picture or window size WxH, at most 8192x8192", "800x600, a window 1024x768",
+  r.text("--size", "picture or window size WxH, at most 8192x8192",
+         "800x600, a window 1024x768, extremes 160x120",
          [&](const std::string& s) { o.size = parseSize(s); });
   r.number("--divisions", o.divisions, 1, kMaxDivisions,
            "each Bezier patch becomes N x N polygons, unless the scene file gives the number");
@@ -349,6 +346,7 @@ std::optional<Options> parseOptions(int argc, const char* const* argv, const Pic
   r.flag("--stats", o.stats,
          "print counts and times as one JSON object; `saturated` counts intensities above 1 at faces "
          "(flat), at vertices (gouraud), or at pixels each time they are painted (phong, envmap, textures)");
+  r.flag("--json", o.json, "extremes: print every step as one JSON object instead of the table");
   r.flag("--whole-window", o.wholeWindow,
          "snapshot: the window with all its controls; trace --frames: with the stepper at each step");
   r.flag("--quick", o.quick,

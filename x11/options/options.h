@@ -19,7 +19,7 @@ namespace xnewell {
 
 /// The command line as a value.
 
-enum class Command { View, Draw, Snapshot, Trace, Lesson, Visuals, Scenes };
+enum class Command { View, Draw, Snapshot, Trace, Extremes, Lesson, Visuals, Scenes };
 struct CommandRow {
   Command id;
   std::string_view name, usage, does;
@@ -32,6 +32,8 @@ inline constexpr std::array kCommands{
                "the picture through a real X window, read back from the server"},
     CommandRow{Command::Trace, "trace", "trace SCENE [options]",
                "the depth sort's events, one JSON object a line, or as pictures"},
+    CommandRow{Command::Extremes, "extremes", "extremes SCENE [-o CHART.png] [--json]",
+               "what becomes wrong first when the scene is scaled, moved, flattened ..."},
     CommandRow{Command::Lesson, "lesson", "lesson [NAME] [--frames DIR]",
                "a guided lesson in the window, or as pictures; without NAME, the list"},
     CommandRow{Command::Visuals, "visuals", "visuals [options]",
@@ -42,7 +44,7 @@ inline constexpr std::array kCommands{
 /// What fills the polygons: the server, or our scanline filler.
 enum class Fill { XFillPolygon, Scanline };
 
-inline constexpr glm::ivec2 kPictureSize{800, 600}, kWindowSize{1024, 768};
+inline constexpr glm::ivec2 kPictureSize{800, 600}, kWindowSize{1024, 768}, kExtremesSize{160, 120};
 inline constexpr glm::ivec2 kLeastWindow{800, 600};  ///< has room for all controls
 
 struct Options {
@@ -60,7 +62,7 @@ struct Options {
   MapOwner colormap = MapOwner::Private;
   bool nearest = false;  ///< true: a colour that the server lacks becomes the nearest it has, not a mixture
   std::string output, ids;
-  bool stats = false, wholeWindow = false;
+  bool stats = false, json = false, wholeWindow = false;
   std::string viewName = "picture";
   View view = View::Picture;                    ///< draw, snapshot: which view of the picture
   WindowView windowView = WindowView::Picture;  ///< the view of the window

@@ -140,10 +140,6 @@ TEST(Options, SayWhatIsNotBuiltYet) {
       EXPECT_EQ(complaintAll(words),
                 "the command '" + command + "' is not built yet; `xnewell --help` lists the commands");
     }
-  for (const std::string option : {"--json"}) {
-    EXPECT_EQ(complaint({option}), option + " is not built yet");
-    EXPECT_EQ(complaint({option + "=x"}), option + " is not built yet");
-  }
 }
 
 // Two options that exclude each other are refused: neither is ignored.
@@ -168,7 +164,7 @@ TEST(Options, RefuseWhatTheCommandIgnores) {
   EXPECT_EQ(complaintAll({""}), "the scene's name is empty");
   EXPECT_EQ(complaintAll({"scenes", "teapot"}), "scenes takes no scene");
   EXPECT_EQ(complaintAll({"visuals", "teapot"}), "visuals takes no scene");
-  EXPECT_EQ(complaintAll({"view", "-o", "a.png"}), "-o works only with draw and snapshot");
+  EXPECT_EQ(complaintAll({"view", "-o", "a.png"}), "-o works only with draw, snapshot and extremes");
   EXPECT_EQ(complaintAll({"view", "--stats"}), "--stats and --ids work only with draw and snapshot");
   EXPECT_EQ(complaintAll({"--ids", "i.png"}), "--stats and --ids work only with draw and snapshot");
   EXPECT_EQ(complaint({"--whole-window"}), "--whole-window works only with snapshot and with trace --frames");

@@ -1,0 +1,297 @@
+#include "shading/picture/extreme_ways.h"
+
+#include <cmath>
+#include <glm/geometric.hpp>
+#include <optional>
+
+#include "geometry/exact/box.h"
+#include "geometry/model/coplanar.h"
+#include "shading/picture/extremes.h"
+
+namespace xnewell {
+
+namespace {
+
+std::vector<double> powers(double base, int from, int to, int step) {
+  std::vector<double> values;
+  for (int k = from; step > 0 ? k <= to : k >= to; k += step) values.push_back(std::pow(base, k));
+  return values;
+}
+
+/// The scene after an affine map of its points, in the file's units. Lengths grow by `scale`.
+Case mapped(const Start& start, double scale, const std::function<glm::dvec3(glm::dvec3)>& map) {
+  const Scene& from = start.scene;
+  const auto inFile = [&](const glm::dvec3& p) {
+    return glm::dvec3{std::ldexp(p.x, from.exponent), std::ldexp(p.y, from.exponent),
+                      std::ldexp(p.z, from.exponent)};
+  };
+  Mesh mesh = from.mesh;
+  for (glm::dvec3& p : mesh.points) {
+    p = map(inFile(p));
+    for (int axis = 0; axis < 3; ++axis)
+      if (!std::isfinite(p[axis])) throw ViewError{"the coordinates are out of the range of doubles"};
+  }
+  for (double& u : mesh.rounding) u = std::ldexp(u, from.exponent) * scale;
+  Case moved{makeScene(from.name, std::move(mesh), from.up, from.divisions), start.settings};
+  Scene& to = moved.scene;
+  to.patches = from.patches;
+  for (PatchRun& run : to.patches)
+    for (BezierPatch& patch : run.patches)
+      for (glm::dvec3& p : patch.p) p = map(p);
+  to.textures = from.textures;
+  to.light = from.light;
+  to.light.unit = std::ldexp(std::ldexp(from.light.unit, from.exponent) * scale, -to.exponent);
+  const auto point = [&](const glm::dvec3& p) { return inSceneUnits(map(inFile(p)), to); };
+  const double length = std::ldexp(scale, from.exponent - to.exponent);
+  const auto fade = [&](glm::dvec3& c) { c = {c.x, c.y / length, c.z / length / length}; };
+  for (Light& light : to.light.lights) {
+    light.position = point(light.position), light.range *= length;
+    fade(light.c);
+  }
+  Illumination& user = moved.settings.light;
+  if (user.lightPosition) user.lightPosition = point(*user.lightPosition);
+  if (user.range) *user.range *= length;
+  if (user.c) fade(*user.c);
+  CameraSettings& camera = moved.settings.camera;
+  for (std::optional<glm::dvec3>* p : {&camera.eye, &camera.lookAt, &camera.vrp})
+    if (*p) *p = point(**p);
+  if (camera.prp) *camera.prp *= length;
+  for (std::optional<double>* v : {&camera.height, &camera.front, &camera.back})
+    if (*v) **v *= length;
+  if (camera.window) *camera.window *= length;
+  return moved;
+}
+
+Case sameWith(const Start& start, const std::function<void(Case&)>& change) {
+  Case changed{start.scene, start.settings};
+  change(changed);
+  return changed;
+}
+
+Case withSettings(const Start& start, const std::function<void(PictureSettings&)>& change) {
+  return sameWith(start, [&](Case& c) { change(c.settings); });
+}
+
+CameraSettings perspective(std::optional<glm::dvec3> eye, std::optional<glm::dvec3> lookAt,
+                           std::optional<glm::dvec3> up, std::optional<double> fov) {
+  CameraSettings camera;
+  camera.eye = eye, camera.lookAt = lookAt, camera.up = up, camera.fov = fov;
+  return camera;
+}
+
+Case multiplied(const Start& start, double v) {
+  return mapped(start, v, [v](glm::dvec3 p) { return v * p; });
+}
+
+/// A second copy of all faces, moved towards the eye.
+Case withLayer(const Start& start, double distance) {
+  return sameWith(start, [&](Case& c) {
+    const Mesh& single = start.scene.mesh;
+    const glm::dvec3 nearer = distance * glm::normalize(start.camera.eye - start.camera.lookAt);
+    Mesh both = single;
+    const int points = static_cast<int>(single.points.size()), uvs = static_cast<int>(single.uv.size());
+    for (const glm::dvec3& p : single.points) both.points.push_back(p + nearer);
+    for (const glm::dvec2& uv : single.uv) both.uv.push_back(uv);
+    for (int f = 0; f < single.faceCount(); ++f) {
+      std::vector<int> corners{single.face(f).begin(), single.face(f).end()}, uv;
+      for (int& p : corners) p += points;
+      if (!single.uvOfCorner.empty())
+        for (int k = single.firstCorner[f]; k < single.firstCorner[f + 1]; ++k)
+          uv.push_back(single.uvOfCorner[k] < 0 ? -1 : single.uvOfCorner[k] + uvs);
+      both.addFace(corners, single.group[f], single.material[f], uv);
+    }
+    c.scene.mesh = std::move(both);
+    c.scene.patches.clear();
+    c.scene.parts = divideFaces(c.scene.mesh);
+    c.scene.parts.plane = coplanarClasses(c.scene.mesh, c.scene.parts);
+  });
+}
+
+PictureSettings& phong(PictureSettings& settings) {
+  settings.shading = Shading::Phong;
+  return settings;
+}
+
+}  // namespace
+
+const std::vector<Way>& extremeWays() {
+  static const std::vector<Way> all{
+      {.name = "scaled up by",
+       .unit = "(powers of two)",
+       .drives = "All coordinates are multiplied by a power of two.",
+       .values = powers(2, 0, 900, 100),
+       .changesNothing = true,
+       .at = multiplied,
+       .why = [](const Start&, double) { return "Multiplying by a power of two is exact."; }},
+      {.name = "scaled down by",
+       .unit = "(powers of two)",
+       .drives = "All coordinates are multiplied by a power of two.",
+       .values = powers(2, 0, -900, -100),
+       .changesNothing = true,
+       .at = multiplied,
+       .why = [](const Start&, double) { return "Multiplying by a power of two is exact."; }},
+      {.name = "scaled up by",
+       .unit = "(powers of ten)",
+       .drives = "All coordinates are multiplied by a power of ten, which rounds them.",
+       .values = powers(10, 0, 270, 30),
+       .changesNothing = true,
+       .at = multiplied,
+       .why = [](const Start&, double) { return "The products are rounded by 2^-53."; }},
+      {.name = "scaled down by",
+       .unit = "(powers of ten)",
+       .drives = "All coordinates are multiplied by a power of ten, which rounds them.",
+       .values = powers(10, 0, -270, -30),
+       .changesNothing = true,
+       .at = multiplied,
+       .why = [](const Start&, double) { return "The products are rounded by 2^-53."; }},
+      {.name = "moved by",
+       .unit = "times its size",
+       .drives = "All coordinates are moved by (d, -d, d), and so is the camera.",
+       .values =
+           [] {
+             std::vector<double> values = powers(10, 0, 15, 1);
+             values.insert(values.begin(), 0.0);
+             return values;
+           }(),
+       .changesNothing = true,
+       .at =
+           [](const Start& s, double v) {
+             const double d = v * std::ldexp(s.size, s.scene.exponent);
+             return mapped(s, 1, [d](glm::dvec3 p) { return p + glm::dvec3{d, -d, d}; });
+           },
+       .why =
+           [](const Start& s, double v) {
+             const double step = std::nextafter(v * s.size, 2 * v * s.size + 1) - v * s.size;
+             return "Doubles this far from the origin are " + shortly(step / s.pixel) + " pixels apart.";
+           }},
+      {.name = "field of view down to",
+       .unit = "degrees",
+       .drives = "The field of view narrows; the eye moves back so that the scene stays in view.",
+       .values = {30, 10, 3, 1, 0.3, 0.1, 0.03, 0.01},
+       .at =
+           [](const Start& s, double v) {
+             return withSettings(s,
+                                 [v](PictureSettings& p) { p.camera = perspective({}, {}, p.camera.up, v); });
+           },
+       .why =
+           [](const Start&, double v) {
+             return "The scene's depth is only " + shortly(std::tan(v * M_PI / 360) * 2) +
+                    " of its distance; the depth of a sample keeps 30 bits.";
+           }},
+      {.name = "field of view up to",
+       .unit = "degrees",
+       .drives = "The field of view widens around the same eye.",
+       .values = {30, 60, 90, 120, 150, 170, 179, 179.9},
+       .at =
+           [](const Start& s, double v) {
+             return withSettings(s, [&](PictureSettings& p) {
+               p.camera = perspective(s.camera.eye, s.camera.lookAt, s.camera.up, v);
+             });
+           },
+       .why =
+           [](const Start&, double v) {
+             return "The scene becomes " + shortly(std::tan(v * M_PI / 360) / std::tan(M_PI / 12)) +
+                    " times smaller.";
+           }},
+      {.name = "eye falls to",
+       .unit = "of its distance",
+       .drives = "The eye falls onto the surface in the middle of the picture.",
+       .values = powers(10, 0, -12, -1),
+       .at =
+           [](const Start& s, double v) {
+             return withSettings(s, [&](PictureSettings& p) {
+               p.camera =
+                   perspective(s.target + v * (s.camera.eye - s.target), s.target, s.camera.up, p.camera.fov);
+             });
+           },
+       .why =
+           [](const Start& s, double v) {
+             const double distance = v * glm::length(s.camera.eye - s.target);
+             return "The eye is " + shortly(distance / s.size) +
+                    " of the scene's size away. The front plane must be nearer.";
+           }},
+      {.name = "flattened to",
+       .unit = "of its height",
+       .drives = "The scene is flattened along its up axis, so that upright faces become slivers.",
+       .values = powers(10, 0, -12, -1),
+       .at =
+           [](const Start& s, double v) {
+             const int axis = s.scene.up == UpAxis::Y ? 1 : 2;
+             const double middle = std::ldexp(boxOf(s.scene.mesh.points).centre()[axis], s.scene.exponent);
+             return mapped(s, 1, [=](glm::dvec3 p) {
+               p[axis] = middle + v * (p[axis] - middle);
+               return p;
+             });
+           },
+       .why = [](const Start& s,
+                 double v) { return "The scene is " + shortly(v * s.size / s.pixel) + " pixels high."; }},
+      {.name = "a copy in front at",
+       .unit = "of its size",
+       .drives = "A second copy of all faces lies in front of the first. It should hide it.",
+       .values = powers(10, -1, -12, -1),
+       .at = [](const Start& s, double v) { return withLayer(s, v * s.size); },
+       .why =
+           [](const Start& s, double v) {
+             return "The copies are " + shortly(v * s.size / s.pixel) +
+                    " pixels apart; the grid has 1/65536.";
+           }},
+      {.name = "exponent n up to",
+       .unit = "",
+       .drives = "The specular exponent grows, with Phong shading.",
+       .values = {1, 10, 100, 1'000, 10'000, 100'000, 1'000'000},
+       .at =
+           [](const Start& s, double v) {
+             return sameWith(s, [&](Case& c) {
+               phong(c.settings).light.n = static_cast<int>(v);
+               strip(c.scene, "n");
+             });
+           },
+       .why =
+           [](const Start&, double v) {
+             return "The n-th power multiplies an error of the cosine by n: " + shortly(v * 0x1p-24) +
+                    " in single precision.";
+           }},
+      {.name = "I0 down to",
+       .unit = "",
+       .drives = "The corrected table begins at a lower intensity, with Phong shading.",
+       .values = powers(10, -1, -6, -1),
+       .at =
+           [](const Start& s, double v) {
+             return withSettings(s, [v](PictureSettings& p) {
+               phong(p).table.kind = TableKind::Corrected;
+               p.table.I0 = v;
+             });
+           },
+       .why =
+           [](const Start&, double v) {
+             return "A cell has 16 bits a channel: its darkest value above 0 is " + shortly(1.0 / 65535) +
+                    ", and I0 is " + shortly(v) + ".";
+           }},
+      {.name = "light falls to",
+       .unit = "of the size",
+       .drives = "A point light falls onto the surface in the middle, with Phong shading.",
+       .values =
+           [] {
+             std::vector<double> values = powers(10, 0, -15, -1);
+             values.push_back(0);
+             return values;
+           }(),
+       .at =
+           [](const Start& s, double v) {
+             return sameWith(s, [&](Case& c) {
+               Illumination& light = phong(c.settings).light;
+               strip(c.scene, "lights");
+               light.lightPosition = s.target + v * s.size * s.facing;
+               light.attenuation = Attenuation::InverseSquare;
+             });
+           },
+       .why =
+           [](const Start& s, double v) {
+             return "The light is " + shortly(v * s.size / s.pixel) +
+                    " pixels above the surface; only that many pixels around it are lit.";
+           }},
+  };
+  return all;
+}
+
+}  // namespace xnewell

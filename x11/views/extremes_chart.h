@@ -1,0 +1,14 @@
+#pragma once
+
+#include <vector>
+
+#include "shading/color/colored_image.h"
+#include "shading/picture/extremes.h"
+
+namespace xnewell {
+
+/// What becomes wrong first, as a chart: a line for each way to an extreme, with a bar for each picture on
+/// it. A bar is as high as the share of samples that are wrong, on a logarithmic scale.
+[[nodiscard]] ColoredImage drawExtremes(const std::vector<Extreme>& extremes, const std::string& title);
+
+}  // namespace xnewell
