@@ -9,8 +9,8 @@ namespace xnewell {
 
 namespace {
 
-constexpr int kWidth = 960, kNames = 190, kBars = 336, kBarHeight = 36, kWords = 380;
-constexpr int kGap = 14;  // between two ways
+constexpr int kChartWidth = 960, kChartNames = 190, kChartBars = 336, kBarHeight = 36, kChartWords = 380;
+constexpr int kWayGap = 14;  // between two ways
 
 /// The share of samples that are wrong in any respect; 1 if there is no picture.
 double shareOf(const ExtremeStep& step) {
@@ -33,29 +33,30 @@ std::string whyOf(const Extreme& extreme) {
 }
 
 int wordsHeight(const Extreme& extreme) {
-  return Sheet::paragraphHeight(kWords, findingOf(extreme)) + Sheet::paragraphHeight(kWords, whyOf(extreme));
+  return Sheet::paragraphHeight(kChartWords, findingOf(extreme)) +
+         Sheet::paragraphHeight(kChartWords, whyOf(extreme));
 }
 
 }  // namespace
 
 ColoredImage drawExtremes(const std::vector<Extreme>& extremes, const std::string& title) {
   int height = 2 * Sheet::kMargin + Sheet::kTitle + Sheet::kLine;
-  for (const Extreme& extreme : extremes) height += kGap + std::max(kBarHeight + 20, wordsHeight(extreme));
+  for (const Extreme& extreme : extremes) height += kWayGap + std::max(kBarHeight + 20, wordsHeight(extreme));
   const CellPlan plan{TableKind::Linear};
-  Sheet sheet{kWidth, height, plan};
+  Sheet sheet{kChartWidth, height, plan};
   Painter paint = sheet.painter();
   int y = sheet.title(Sheet::kMargin, Sheet::kMargin, title);
   y = sheet.paragraph(
-      Sheet::kMargin, y, kWidth - 2 * Sheet::kMargin,
+      Sheet::kMargin, y, kChartWidth - 2 * Sheet::kMargin,
       "A bar is one picture. Its height is the share of wrong samples, from 1 in 100,000 to all of them.",
       Cell::Soft);
   for (const Extreme& extreme : extremes) {
-    y += kGap;
+    y += kWayGap;
     paint.text(Sheet::kMargin, y + Sheet::kAscent, extreme.name, sheet.cell(Cell::Ink));
     paint.text(Sheet::kMargin, y + Sheet::kAscent + Sheet::kLine, extreme.unit, sheet.cell(Cell::Soft));
-    const int left = Sheet::kMargin + kNames, base = y + kBarHeight,
+    const int left = Sheet::kMargin + kChartNames, base = y + kBarHeight,
               count = static_cast<int>(extreme.steps.size());
-    const int pitch = kBars / std::max(1, count);
+    const int pitch = kChartBars / std::max(1, count);
     paint.fillRect({left, base, pitch * count, 1}, sheet.cell(Cell::Ink));
     const auto firstWrong =
         std::ranges::find_if(extreme.steps, &ExtremeStep::isWrong) - extreme.steps.begin();
@@ -74,10 +75,11 @@ ColoredImage drawExtremes(const std::vector<Extreme>& extremes, const std::strin
           k == firstWrong && (k * pitch < 60 || (count - 1 - k) * pitch < 60) && k != 0 && k != count - 1;
       if (named && !crowded) paint.text(centre, base + 4 + Sheet::kAscent, name, sheet.cell(Cell::Soft));
     }
-    const int words = left + kBars + Sheet::kMargin;
+    const int words = left + kChartBars + Sheet::kMargin;
     const bool right = firstWrong == count;
-    const int below = sheet.paragraph(words, y, kWords, findingOf(extreme), right ? Cell::Ink : Cell::Alarm);
-    sheet.paragraph(words, below, kWords, whyOf(extreme), Cell::Soft);
+    const int below =
+        sheet.paragraph(words, y, kChartWords, findingOf(extreme), right ? Cell::Ink : Cell::Alarm);
+    sheet.paragraph(words, below, kChartWords, whyOf(extreme), Cell::Soft);
     y += std::max(kBarHeight + 20, wordsHeight(extreme));
   }
   return {sheet.image(), makePalette(plan, ColorTable{{}})};
