@@ -21,7 +21,10 @@ struct Plane {
 /// The plane through the mean of the corners. Its N is the normalised Newell vector.
 [[nodiscard]] Plane newellPlane(std::span<const glm::dvec3> points, std::span<const int> corners);
 
-/// The mean of the corners. Flat shading evaluates the illumination there.
+/// The centroid of the area. Flat shading evaluates the illumination there. More corners on the sides do not
+/// move it, and a concave polygon may have it outside. Corners are taken relative to the first one, as above.
+/// It is the mean of the corners for a triangle and for a polygon without area. A polygon that crosses itself
+/// has parts that count as negative; the result stays in the box of the corners.
 [[nodiscard]] glm::dvec3 centroid(std::span<const glm::dvec3> points, std::span<const int> corners);
 
 }  // namespace xnewell

@@ -20,7 +20,8 @@ namespace xnewell {
 /// matter. Terms are interpolated as they are, as Gouraud did. The origin of the planes is a corner of the
 /// triangle's own box, so a pixel has one value wherever its span starts. Eight pixels are evaluated at once
 /// in single precision: the error is a few roundings of 2^-24, times n in the specular term. Beyond n = 1,024
-/// it is double precision.
+/// it is double precision. Places are relative to one of the triangle, and light and eye are subtracted in
+/// double precision, so it does not matter how far the scene is from the origin.
 
 /// A plane over the picture: c + gx (i - i0) + gy (j - j0).
 struct PixelPlane {
@@ -63,7 +64,8 @@ struct PhongTriangle : EvaluatedTriangle {
   int channel = 0;
   std::array<PixelPlane, 3> N;   ///< of the side that is seen, over w
   bool placed = false;           ///< whether a light differs from place to place
-  std::array<PixelPlane, 3> at;  ///< over w
+  glm::dvec3 origin{0};          ///< a place on the triangle
+  std::array<PixelPlane, 3> at;  ///< places relative to `origin`, over w
   bool variesV = false;          ///< whether V differs from place to place
   std::array<PixelPlane, 3> V;   ///< towards the eye, over w; a unit vector made of it does not depend on w
 

@@ -36,7 +36,7 @@ class PhongRow {
                  ks = splat<Real>(Ip * material.ks[t_.channel]);
       const Incident<Real> everywhere = incident(light, Vec<Real>{});
       for (int b = 0; b < blocks; ++b) {
-        const Incident<Real> in = t_.placed ? incident(light, at[b]) : everywhere;
+        const Incident<Real> in = t_.placed ? incident(light, at[b], t_.origin) : everywhere;
         sum_[b] += kd * diffuseTerm(in, N[b], false).front * share[b];
         if (material.ks[t_.channel] != 0.0)
           sum_[b] += ks * specularTerm(in, N[b], V[b], material, lighting).front;

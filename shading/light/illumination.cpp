@@ -5,7 +5,6 @@
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
 
-#include "geometry/exact/box.h"
 #include "geometry/exact/power.h"
 #include "geometry/exact/trig.h"
 #include "geometry/exact/unit.h"
@@ -101,6 +100,10 @@ bool reaches(const Lighting::Source& source, const Box& box) {
 
 }  // namespace
 
+double distanceFromCentre(const glm::dvec3& position, const Box& scene) {
+  return std::max(lengthOf(position - scene.centre()), std::ldexp(scene.side(), -20));
+}
+
 double luminance(glm::dvec3 color) {
   if (color.r == color.g && color.r == color.b) return color.r;  // exactly
   return 0.30 * color.r + 0.59 * color.g + 0.11 * color.b;
@@ -126,7 +129,7 @@ Lighting resolve(const Mesh& mesh, const SceneLight& scene, const Illumination& 
 
   std::vector<Light> lights = scene.lights;
   if (lights.empty())
-    lights.push_back(usersLight(user, lengthOf(user.lightPosition.value_or(glm::dvec3{0}) - centre)));
+    lights.push_back(usersLight(user, distanceFromCentre(user.lightPosition.value_or(glm::dvec3{0}), box)));
   for (const Light& light : lights) {
     Lighting::Source source = sourceOf(light, centre, scene.unit, user.constantL);
     // With one channel, a light counts with its luminance.

@@ -7,6 +7,7 @@
 #include <span>
 #include <vector>
 
+#include "geometry/exact/box.h"
 #include "geometry/model/mesh.h"
 #include "shading/light/equation.h"
 #include "shading/light/lanes.h"
@@ -91,6 +92,10 @@ struct Lighting {
   [[nodiscard]] bool placed() const { return std::ranges::any_of(sources, &Source::placed); }
   [[nodiscard]] bool needsPlaces() const { return variesV() || placed(); }
 };
+
+/// The distance of a light from the scene's centre. By it go the defaults of `range` and of c1, c2 and c3. A
+/// light in the middle of the scene counts as 2^-20 of the scene's longest side away.
+[[nodiscard]] double distanceFromCentre(const glm::dvec3& position, const Box& scene);
 
 [[nodiscard]] Lighting resolve(const Mesh& mesh, const SceneLight& scene, const Illumination& user,
                                Channels channels, glm::dvec3 eye, glm::dvec3 lookAt);

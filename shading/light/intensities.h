@@ -18,7 +18,7 @@ struct ShadingPoints {
   std::vector<glm::dvec3> at, N;  ///< N is a unit vector, or 0 for a face without area
   std::vector<int> material;      ///< as in Mesh::material
 };
-/// One point for each face: its centroid, and its normal by Newell's method.
+/// One point for each face: the centroid of its area, and its normal by Newell's method.
 [[nodiscard]] ShadingPoints facePoints(const Mesh& mesh);
 /// One point for each vertex.
 [[nodiscard]] ShadingPoints vertexPoints(const Mesh& mesh, const Vertices& vertices);

@@ -19,40 +19,38 @@ struct Facet {
   int material = -1;
 };
 
-/// Compares with the illumination at samples, in each channel, for the front and the back. The samples are a
-/// grid with at least six steps along each edge. For Gouraud shading, it compares the interpolated I with the
-/// I of the interpolated normal, made a unit vector as in Phong shading. For flat shading, it compares the I
-/// of the centre with the I of each sample.
+/// Compares with the illumination, in each channel, for the front and the back. For Gouraud shading, it
+/// compares the interpolated I with the I of the interpolated normal, made a unit vector as in Phong shading.
+/// For flat shading, it compares the I of the centre with the I of each place.
 ///
-/// Three things are narrow and must not fall between the samples: the cone of a spot, a highlight (the parts
-/// of both that are brighter than the tolerance), and the pool of light under a near lamp. Where the angles
-/// say that one of them may reach the triangle, the grid is finer: no place is farther from a sample than
-/// half the distance from the middle of the narrow thing to its border. If that takes more than kMostAlong
-/// steps, the triangle counts as one that misses. One thing can still be overlooked: a cone that cuts off a
-/// corner of less than a step, so that its border passes between samples.
+/// The comparison is made at samples, a grid with as many steps along each edge. What lies between the
+/// samples is bounded: by how much the directions to the lights and to the eye, and the normal, turn over the
+/// triangle, by the second derivatives of the equation's terms, and by the corners that their clamps make. So
+/// nothing can hide between the samples, however narrow it is: no cone of a spot, no highlight, no pool of
+/// light under a lamp. Where samples and bound together exceed the tolerance, the grid becomes finer. If the
+/// finest does not decide, the triangle counts as one that misses.
 class Misfit {
  public:
-  static constexpr int kLeastAlong = 6, kMostAlong = 32;  ///< steps along an edge
+  static constexpr std::array<int, 3> kAlong{6, 12, 24};  ///< steps along an edge
 
   /// The tolerance is an intensity, 0 < tolerance <= 1.
   Misfit(const Lighting& lighting, bool flat, double tolerance);
-  /// For each facet, whether it misses by more than the tolerance.
+  /// For each facet, whether it misses by more than the tolerance. If not, it is within it at every place.
   [[nodiscard]] std::vector<bool> operator()(std::span<const Facet> facets) const;
 
  private:
-  /// Half the angle, in degrees, of the part that is brighter than the tolerance: of a spot's cone, and of a
-  /// highlight, between R and V. 0 if nothing is brighter.
-  [[nodiscard]] double coneOf(const Lighting::Source& light) const;
-  [[nodiscard]] double lobeOf(const Lighting::Source& light, const Material& material) const;
-  [[nodiscard]] double stepsAlong(const Facet& facet) const;
   void addSamples(const Facet& facet, int along, ShadingPoints& samples) const;
-  [[nodiscard]] bool misses(int along, const FrontBack<double>* I) const;
+  /// The largest difference at the samples of one facet.
+  [[nodiscard]] double mostApart(int along, const FrontBack<double>* I) const;
+  /// The same for the facets numbered `which`, in all channels.
+  [[nodiscard]] std::vector<double> atSamples(std::span<const Facet> facets, std::span<const int> which,
+                                              int along) const;
+  /// A bound for the difference at all places of a facet, from that at its samples.
+  [[nodiscard]] double everywhere(const Facet& facet, int along, double atSamples) const;
 
   const Lighting& lighting_;
   bool flat_;
   double tolerance_;
-  std::vector<double> cones_;               ///< by source, in degrees
-  std::vector<std::vector<double>> lobes_;  ///< by source and material; the first is that of no material
 };
 
 }  // namespace xnewell

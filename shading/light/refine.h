@@ -29,7 +29,7 @@ namespace xnewell {
 
 /// Why the division ended.
 enum class RefineLimit {
-  None,      ///< every part is within the tolerance
+  None,      ///< every part is within the tolerance, at every place
   Halvings,  ///< some parts are not, but are as small as they may become
   Parts,     ///< the next round would have made too many parts
 };

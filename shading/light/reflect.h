@@ -14,13 +14,15 @@ struct Incident {
   Real f;
 };
 
-/// At a light's own place L is 0, so N.L is 0 and nothing becomes infinite.
+/// What arrives at a place, relative to `origin`. At a light's own place L is 0, so N.L is 0 and nothing
+/// becomes infinite.
 template <class Real>
 [[nodiscard, gnu::always_inline]] inline Incident<Real> incident(const Lighting::Source& light,
-                                                                 const Vec<Real>& at) {
+                                                                 const Vec<Real>& at,
+                                                                 const glm::dvec3& origin = glm::dvec3{0}) {
   if (!light.placed) return {splatVec<Real>(light.L), splat<Real>(light.f)};
   const Real zero = splat<Real>(0.0), one = splat<Real>(1.0);
-  const Vec<Real> to = splatVec<Real>(light.position) - at, L = unitOf(to);
+  const Vec<Real> to = splatVec<Real>(light.position - origin) - at, L = unitOf(to);
   Incident<Real> in{L, splat<Real>(light.f)};
   if (light.constantL) {
     in.L = splatVec<Real>(light.L);

@@ -87,14 +87,15 @@ SceneShading::Maps SceneShading::makeMaps(const Scene& scene, const PictureSetti
                                           const Camera& camera) const {
   Maps maps;
   const glm::dvec3 centre = boxOf(scene.mesh.points).centre();
-  for (int c = 0; c < lighting().channels; ++c)
+  for (int c = 0; c < lighting().channels; ++c) {
     for (const Material& material : lighting().materials)
       maps.environments[c].push_back(
           makeEnvironment(settings.environment, lighting(), material, c, vrcRotation(camera.view), centre));
-  // all channels are looked up in the frame of the first one
-  const glm::dmat3 frame = maps.environments[0].front().frame;
-  maps.N.resize(points().N.size());
-  for (std::size_t k = 0; k < maps.N.size(); ++k) maps.N[k] = frame * points().N[k];
+    // Each channel has a frame of its own; it does not depend on the material.
+    const glm::dmat3 frame = maps.environments[c].front().frame;
+    maps.N[c].reserve(points().N.size());
+    for (const glm::dvec3& N : points().N) maps.N[c].push_back(frame * N);
+  }
   return maps;
 }
 

@@ -56,8 +56,8 @@ class SceneShading {
   [[nodiscard]] const std::vector<Environment>& environments(int channel) const {
     return maps_->environments[channel];
   }
-  /// The normals at points(), in the axes in which the environment is looked up.
-  [[nodiscard]] const std::vector<glm::dvec3>& mapped() const { return maps_->N; }
+  /// The normals at points(), in the axes in which the environments of a channel are looked up.
+  [[nodiscard]] const std::vector<glm::dvec3>& mapped(int channel) const { return maps_->N[channel]; }
 
  private:
   // What the parts were made from; empty if they were not made.
@@ -90,7 +90,7 @@ class SceneShading {
   };
   struct Maps {
     std::array<std::vector<Environment>, 3> environments;
-    std::vector<glm::dvec3> N;
+    std::array<std::vector<glm::dvec3>, 3> N;
   };
 
   [[nodiscard]] Refined refine(const Scene& scene, const PictureSettings& settings) const;

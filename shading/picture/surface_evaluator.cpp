@@ -65,13 +65,16 @@ PhongTriangle SurfaceEvaluator::phong(const SnappedFace& face, const FaceTriangl
   e.placed = e.lighting->placed();
   e.variesV = e.lighting->variesV();
   const double side = s_.side(face);
+  const auto place = [&](int corner) { return s_.mesh.points[s_.mesh.corners[corner]]; };
+  // The nearest vertex: places over w grow with the distance from it, and at most to their size there.
+  const auto nearest = std::ranges::max_element(q) - q.begin();
+  if (e.placed) e.origin = atSource(s_.snapped, s_.snapped.source[t.vertex[nearest]], place);
   for (int axis = 0; axis < 3; ++axis) {
     e.N[axis] = plane([&](int corner) {
       return side * s_.shading.points().N[s_.shading.vertices().ofCorner[corner]][axis];
     });
-    const auto at = [&](int corner) { return s_.mesh.points[s_.mesh.corners[corner]][axis]; };
-    if (e.placed) e.at[axis] = plane(at);
-    if (e.variesV) e.V[axis] = plane([&](int corner) { return e.lighting->eye[axis] - at(corner); });
+    if (e.placed) e.at[axis] = plane([&](int corner) { return place(corner)[axis] - e.origin[axis]; });
+    if (e.variesV) e.V[axis] = plane([&](int corner) { return e.lighting->eye[axis] - place(corner)[axis]; });
   }
   if (textured(face)) addTexture(e, face, t, planes, q);
   return e;

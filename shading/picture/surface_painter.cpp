@@ -72,7 +72,7 @@ void SurfacePainter::interpolateNormals() {
     const double side = s_.side(face);
     for (int k = face.first; k < face.first + face.count; ++k) {
       const glm::dvec3 N = side * kMapScale * atSource(snapped_, snapped_.source[k], [&](int corner) {
-                             return s_.shading.mapped()[vertexOf[corner]];
+                             return s_.shading.mapped(channel_)[vertexOf[corner]];
                            });
       mapSteps_[k] = {valueSteps(kMapCentre + N.x), valueSteps(kMapCentre + N.y),
                       valueSteps(kMapCentre + N.z)};

@@ -110,7 +110,7 @@ std::vector<double> intensitiesAt(const SeenRows& seen, const Surfaces& s, int c
       const Environment& environment =
           s.shading.environments(channel)[s.scene.mesh.material[face.number] + 1];
       forEachTriangle(s.snapped, face, [&](const FaceTriangle& t) {
-        const auto N = interpolated(PixelPlanes{t.p}, normalsOf(s, face, t, s.shading.mapped()));
+        const auto N = interpolated(PixelPlanes{t.p}, normalsOf(s, face, t, s.shading.mapped(channel)));
         fill(t.p.data(), 3, [&](int i, int j) { return lookedUp(environment, N(i, j)); });
       });
     } else {

@@ -1,6 +1,7 @@
 #include "shading/scene/read_camera.h"
 
 #include <optional>
+#include <string>
 
 #include "geometry/view/project.h"
 
@@ -9,6 +10,12 @@ namespace xnewell {
 CameraSettings readCamera(const Node& node) {
   node.expectKeys({"eye", "look_at", "up", "fov", "parallel", "oblique", "vrp", "vpn", "vup", "prp", "window",
                    "front", "back"});
+  const auto exclude = [&](const char* a, const char* b) {
+    if (node.has(a) && node.has(b))
+      node.at(b).fail("the camera has both " + std::string{a} + " and " + b + "; give one of them");
+  };
+  exclude("eye", "vpn"), exclude("eye", "prp"), exclude("look_at", "vrp"), exclude("up", "vup");
+  exclude("fov", "window");
   CameraSettings camera;
   const auto point = [&](const char* key, std::optional<glm::dvec3>& p) {
     if (node.has(key)) p = node.at(key).point();

@@ -5,7 +5,6 @@
 #include <cmath>
 #include <cstdio>
 #include <glm/common.hpp>
-#include <glm/geometric.hpp>
 #include <string>
 #include <vector>
 
@@ -63,7 +62,7 @@ void readCone(Light& light, const Scene& scene, const Node& node, const glm::dve
 }
 
 /// Reads one light, except an Ip that the file does not give.
-Light readOne(const Scene& scene, const Node& node, const glm::dvec3& centre) {
+Light readOne(const Scene& scene, const Node& node, const Box& box) {
   Light light;
   if (node.has("kind")) light.kind = node.at("kind").choice(kLights);
   switch (light.kind) {
@@ -87,8 +86,8 @@ Light readOne(const Scene& scene, const Node& node, const glm::dvec3& centre) {
 
   if (!node.has("at")) node.fail("at is missing: the position of the light");
   light.position = place(scene, node.at("at"));
-  readAttenuation(light, scene, node, std::max(glm::length(light.position - centre), 0x1p-20));
-  if (light.kind == LightKind::Spot) readCone(light, scene, node, centre);
+  readAttenuation(light, scene, node, distanceFromCentre(light.position, box));
+  if (light.kind == LightKind::Spot) readCone(light, scene, node, box.centre());
   return light;
 }
 
@@ -125,11 +124,11 @@ void readLight(Scene& scene, const Node& root) {
     const Node lights = root.at("lights");
     if (lights.size() == 0)
       lights.fail("at least one light is needed; for a scene without lights, set Ip to 0 in shading");
-    const glm::dvec3 centre = boxOf(scene.mesh.points).centre();
+    const Box box = boxOf(scene.mesh.points);
     std::vector<int> unsaid;
     for (int k = 0; k < lights.size(); ++k) {
       const Node node = lights.item(k);
-      scene.light.lights.push_back(readOne(scene, node, centre));
+      scene.light.lights.push_back(readOne(scene, node, box));
       if (node.has("Ip") || node.has("color"))
         sum += scene.light.lights.back().Ip;
       else

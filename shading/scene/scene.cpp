@@ -152,23 +152,21 @@ glm::dvec3 inSceneUnits(glm::dvec3 p, const Scene& scene) {
 }
 
 CameraSettings completed(CameraSettings said, const CameraSettings& scene) {
-  const bool textbook =
-      said.vrp || said.vpn || said.vup || said.prp || said.window || said.front || said.back;
-  const bool projection = said.parallel || said.oblique || said.fov;
-  const auto fill = [](auto& mine, const auto& theirs) {
-    if (!mine) mine = theirs;
+  const CameraSettings user = said;
+  const auto fill = [](auto& mine, const auto& theirs, bool replaced = false) {
+    if (!mine && !replaced) mine = theirs;
   };
-  if (!textbook) {
-    fill(said.eye, scene.eye), fill(said.lookAt, scene.lookAt), fill(said.up, scene.up);
-  }
-  if (!said.eye && !said.lookAt) {
-    fill(said.vrp, scene.vrp), fill(said.vpn, scene.vpn), fill(said.vup, scene.vup),
-        fill(said.prp, scene.prp);
-    fill(said.window, scene.window), fill(said.front, scene.front), fill(said.back, scene.back);
-  }
-  if (!projection) {
+  fill(said.eye, scene.eye, user.vpn || user.prp);
+  fill(said.vpn, scene.vpn, user.eye.has_value()), fill(said.prp, scene.prp, user.eye.has_value());
+  fill(said.lookAt, scene.lookAt, user.vrp.has_value());
+  fill(said.vrp, scene.vrp, user.lookAt.has_value());
+  fill(said.up, scene.up, user.vup.has_value()), fill(said.vup, scene.vup, user.up.has_value());
+  fill(said.front, scene.front), fill(said.back, scene.back);
+  if (!user.parallel && !user.oblique && !user.fov) {
     said.parallel = scene.parallel;
-    fill(said.height, scene.height), fill(said.oblique, scene.oblique), fill(said.fov, scene.fov);
+    fill(said.height, scene.height), fill(said.oblique, scene.oblique);
+    fill(said.fov, scene.fov, user.window.has_value());
+    fill(said.window, scene.window);
   }
   return said;
 }

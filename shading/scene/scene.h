@@ -94,8 +94,11 @@ void wear(Scene& scene, Texture texture);
 /// The scene's name as people see it: without its folders, and with the divisions of its patches.
 [[nodiscard]] std::string titleOf(const Scene& scene);
 
-/// The user's camera, completed with the scene's own. If the user gives any part of a projection or of a
-/// textbook specification, the scene's is not used for it at all.
+/// The user's camera, completed with the scene's own. Each part that the user gives takes the place of the
+/// same part of the scene, and all others stay. Some parts have two names: `eye` is the same part as `vpn`
+/// with `prp`, `lookAt` as `vrp`, `up` as `vup`. How much is seen is one part: the user's `fov`, `parallel`
+/// or `oblique` takes the place of all that the scene says of these and of `window`. The user's `window`
+/// takes the place of the scene's `window` and `fov`.
 [[nodiscard]] CameraSettings completed(CameraSettings said, const CameraSettings& scene);
 
 }  // namespace xnewell

@@ -14,7 +14,11 @@ namespace xnewell {
 ///   "up"        "y" (the default) or "z"
 ///   "camera"    any of "eye", "look_at", "up" [x, y, z], "fov" degrees, "parallel" height or true,
 ///               "oblique" {"kind": "cavalier" or "cabinet", "angle": degrees}, and, as in the textbook,
-///               "vrp", "vpn", "vup", "prp" [x, y, z], "window" [umin, umax, vmin, vmax], "front", "back"
+///               "vrp", "vpn", "vup", "prp" [x, y, z], "window" [umin, umax, vmin, vmax], "front", "back".
+///               "window", "front" and "back" are measured from "vrp" or "look_at". They go with an "eye" as
+///               with a "prp". Two names of one part exclude each other: "eye" and "vpn" or "prp", "look_at"
+///               and "vrp", "up" and "vup", "fov" and "window". An option of the command line replaces the
+///               same part here, whatever its name, and no other (completed() in scene.h)
 ///   "objects"   a list; each object has one of
 ///                 "file"      an .obj or .bpt file; a relative path starts at the scene file's folder
 ///                 "polygons"  a list of polygons, each a list of corners [x, y, z]; with "uv", a list of

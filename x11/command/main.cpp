@@ -7,7 +7,6 @@
 #include <csignal>
 #include <cstdio>
 #include <exception>
-#include <glm/geometric.hpp>
 #include <iomanip>
 #include <iostream>
 #include <new>
@@ -215,12 +214,12 @@ void giveWay(Scene& scene, const Options& options) {
 void fade(Scene& scene, const Options& options) {
   const Illumination& user = options.picture.light;
   if (!options.gave("--attenuation") || user.lightPosition) return;
-  const glm::dvec3 centre = boxOf(scene.mesh.points).centre();
+  const Box box = boxOf(scene.mesh.points);
   bool any = false;
   for (Light& light : scene.light.lights) {
     if (light.kind == LightKind::Directional) continue;
     any = true;
-    const double distance = std::max(glm::length(light.position - centre), 0x1p-20);
+    const double distance = distanceFromCentre(light.position, box);
     light.attenuation = user.attenuation;
     light.range = user.range.value_or(2.0 * distance);
     light.c = user.c.value_or(glm::dvec3{1.0, 0.0, 1.0 / (distance * distance)});

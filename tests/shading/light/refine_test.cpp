@@ -101,64 +101,6 @@ TEST(Refine, ClosedSolidsStayClosed) {
   EXPECT_GT(divided, 60);
 }
 
-// The tolerance is reached. Between the samples of the criterion too, hardly a place is off by more than the
-// tolerance, and none by twice as much. An exception is where a highlight ends in a step, as it does at N.L =
-// 0.
-TEST(Refine, KeepsToTheTolerance) {
-  const Seeds seeds{24};
-  int reached = 0;
-  long long places = 0, above = 0;
-  for (unsigned seed = seeds.from; seed < seeds.end; ++seed)
-    for (const Shading method : kMethods) {
-      SCOPED_TRACE(seed);
-      const double tolerance = seed % 2 ? 0.05 : 0.02;
-      Illumination light;
-      Scene scene = litAtRandom(solid(seed), light, seed);
-      const Divided d{std::move(scene), light, method, {.tolerance = tolerance}};
-      if (d.refined.limit != RefineLimit::None) continue;
-      ++reached;
-      const Intensities intensities = intensitiesAt(d.refined.points, d.lighting);
-      std::mt19937 rng{seed};
-      std::uniform_real_distribution<double> zeroToOne{0, 1};
-      ShadingPoints at;
-      std::vector<FrontBack<double>> shown;
-      for (int k = 0; k < d.refined.parts.count(); ++k) {
-        if (d.refined.parts.part(k).size() != 3) continue;
-        const int first = d.refined.parts.firstCorner[k];
-        for (int trial = 0; trial < 20; ++trial) {
-          const double r = std::sqrt(zeroToOne(rng)), q = zeroToOne(rng);
-          const std::array weights{1 - r, r * (1 - q), r * q};
-          glm::dvec3 p{0}, N{0};
-          FrontBack<double> I{0, 0};
-          for (int c = 0; c < 3; ++c) {
-            p += weights[c] * d.refined.mesh.points[d.refined.parts.corners[first + c]];
-            if (method == Shading::Flat) continue;
-            const int v = d.refined.vertices.ofCorner[d.refined.parts.from[first + c]];
-            N += weights[c] * d.refined.vertices.vertices[v].N;
-            I.front += weights[c] * intensities.I[v].front;
-            I.back += weights[c] * intensities.I[v].back;
-          }
-          at.at.push_back(p);
-          at.N.push_back(method == Shading::Flat ? d.refined.points.N[k] : unit(N));
-          at.material.push_back(-1);
-          shown.push_back(method == Shading::Flat ? intensities.I[k] : I);
-        }
-      }
-      const Intensities exact = intensitiesAt(at, d.lighting);
-      for (std::size_t k = 0; k < shown.size(); ++k) {
-        const double error =
-            std::max(std::abs(shown[k].front - exact.I[k].front), std::abs(shown[k].back - exact.I[k].back));
-        ASSERT_LE(error, 2 * tolerance);
-        ++places;
-        above += error > tolerance;
-      }
-    }
-  if (!seeds.all()) return;
-  EXPECT_GT(reached, 40);
-  EXPECT_GT(places, 1'000'000);
-  EXPECT_LT(above, places / 2000);
-}
-
 // At its corners a flat piece is within the tolerance of its own centroid, without exception. This includes
 // the rest of a polygon that lost only a corner, which was within the tolerance of the polygon's centroid.
 TEST(Refine, FlatPartsKeepToTheToleranceAtCorners) {

@@ -26,12 +26,15 @@ PictureSettings randomSettings(std::mt19937& rng) {
   PictureSettings s;
   CameraSettings& c = s.camera;
   const auto point = [&] { return glm::dvec3{number(-3, 3), number(-3, 3), number(2, 5)}; };
-  if (some()) c.eye = point(), c.lookAt = point(), c.up = point();
-  if (some()) c.vrp = point(), c.vpn = point(), c.vup = point(), c.prp = point(), c.front = number(0, 1);
+  if (some())
+    c.eye = point(), c.lookAt = point(), c.up = point();
+  else if (some())
+    c.vrp = point(), c.vpn = point(), c.vup = point(), c.prp = point();
+  if (some()) c.front = number(0, 1), c.back = number(-2, -1);
   if (some()) c.window = glm::dvec4{-1, number(0, 1), -1, number(0, 1)};
   switch (rng() % 4) {
     case 0:
-      c.fov = number(1, 179);
+      if (!c.window) c.fov = number(1, 179);
       break;
     case 1:
       c.parallel = true, c.height = number(0.1, 9);

@@ -206,6 +206,14 @@ TEST(SceneFile, ComplaintsOfTheCamera) {
   EXPECT_EQ(camera(R"("prp": [0, 0, -1])"),
             "s.json: camera: the projection reference point must lie in front of the view plane (n > 0)");
   EXPECT_EQ(camera(R"("eye": [0, 0, -5], "look_at": [0, 0, -9])"), "no complaint");
+  const auto both = [](const std::string& a, const std::string& b) {
+    return "s.json: camera." + b + ": the camera has both " + a + " and " + b + "; give one of them";
+  };
+  EXPECT_EQ(camera(R"("eye": [0, 0, 5], "vpn": [0, 1, 0])"), both("eye", "vpn"));
+  EXPECT_EQ(camera(R"("eye": [0, 0, 5], "prp": [0, 0, 5])"), both("eye", "prp"));
+  EXPECT_EQ(camera(R"("look_at": [0, 0, 5], "vrp": [0, 1, 0])"), both("look_at", "vrp"));
+  EXPECT_EQ(camera(R"("up": [0, 0, 1], "vup": [0, 1, 0])"), both("up", "vup"));
+  EXPECT_EQ(camera(R"("fov": 30, "window": [-1, 1, -1, 1])"), both("fov", "window"));
 }
 
 // A key with no effect at its place is refused, and so is one that is given twice.

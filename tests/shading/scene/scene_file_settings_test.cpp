@@ -162,9 +162,79 @@ TEST(SceneFile, SaidCamerasComeFirst) {
   said.eye = glm::dvec3{7, 7, 7};
   EXPECT_EQ(completed(said, scene).eye, said.eye);
   EXPECT_EQ(completed(said, scene).lookAt, scene.lookAt);
-  CameraSettings book;
-  book.vrp = glm::dvec3{0};
-  EXPECT_FALSE(completed(book, scene).eye);
+}
+
+// What the file says beside its eye counts: the planes and the window are those of the file. Nothing is lost
+// if the user gives one of them, too.
+TEST(SceneFile, PlanesAndWindowBesideAnEyeCount) {
+  const Scene scene = parsed(R"({"camera": {"eye": [1, 2, 5], "look_at": [0, 0, 0], "window": [-2, 2, -1, 1],
+                                            "front": 0.5, "back": -3}, "objects": [)" +
+                             kTriangle + "]}");
+  EXPECT_EQ(completed({}, scene.camera), scene.camera);
+  CameraSettings said = completed({}, scene.camera);
+  const auto placed = [&](const CameraSettings& camera) {
+    return placeCamera(camera, scene.mesh.points, scene.up, 2.0);
+  };
+  const ViewSpec view = placed(said).view;
+  EXPECT_EQ(view.windowMin, glm::dvec2(-2, -1));
+  EXPECT_EQ(view.windowMax, glm::dvec2(2, 1));
+  EXPECT_EQ(view.front, 0.5);
+  EXPECT_EQ(view.back, -3);
+  for (const auto part : {&CameraSettings::front, &CameraSettings::back}) {
+    CameraSettings user;
+    user.*part = part == &CameraSettings::front ? 0.75 : -7.0;
+    CameraSettings expected = scene.camera;
+    expected.*part = user.*part;
+    EXPECT_EQ(completed(user, scene.camera), expected);
+    EXPECT_EQ(placed(completed(user, scene.camera)).eye, glm::dvec3(1, 2, 5));
+  }
+  CameraSettings user, expected = scene.camera;
+  user.window = expected.window = glm::dvec4{-1, 1, -1, 1};
+  EXPECT_EQ(completed(user, scene.camera), expected);
+}
+
+// A part has two names in the two notations. Given by one name, it takes the place of the other.
+TEST(SceneFile, OnePartOfACameraHasTwoNames) {
+  const glm::dvec3 p{1, 2, 3}, q{3, 2, 9};
+  CameraSettings eye, book;
+  eye.eye = eye.lookAt = eye.up = p;
+  eye.fov = 40;
+  book.vrp = book.vpn = book.vup = book.prp = p;
+  book.window = glm::dvec4{-1, 1, -1, 1};
+  book.front = 1.0;
+  const auto with = [&](const CameraSettings& scene, auto CameraSettings::*member, const auto& value) {
+    CameraSettings user;
+    user.*member = value;
+    return completed(user, scene);
+  };
+  for (const auto member : {&CameraSettings::vpn, &CameraSettings::prp}) {
+    CameraSettings expected = eye;
+    expected.eye.reset();
+    expected.*member = q;
+    EXPECT_EQ(with(eye, member, q), expected);
+  }
+  CameraSettings expected = eye;
+  expected.lookAt.reset(), expected.vrp = q;
+  EXPECT_EQ(with(eye, &CameraSettings::vrp, q), expected);
+  expected = eye;
+  expected.up.reset(), expected.vup = q;
+  EXPECT_EQ(with(eye, &CameraSettings::vup, q), expected);
+  expected = eye;
+  expected.fov.reset(), expected.window = book.window;
+  EXPECT_EQ(with(eye, &CameraSettings::window, *book.window), expected);
+
+  expected = book;
+  expected.vpn.reset(), expected.prp.reset(), expected.eye = q;
+  EXPECT_EQ(with(book, &CameraSettings::eye, q), expected);
+  expected = book;
+  expected.vrp.reset(), expected.lookAt = q;
+  EXPECT_EQ(with(book, &CameraSettings::lookAt, q), expected);
+  expected = book;
+  expected.vup.reset(), expected.up = q;
+  EXPECT_EQ(with(book, &CameraSettings::up, q), expected);
+  expected = book;
+  expected.window.reset(), expected.fov = 20;
+  EXPECT_EQ(with(book, &CameraSettings::fov, 20.0), expected);
 }
 
 // Every built-in scene can be read, has faces and says what it shows.
