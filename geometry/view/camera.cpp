@@ -1,6 +1,7 @@
 #include "geometry/view/camera.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <glm/geometric.hpp>
 #include <limits>
@@ -16,6 +17,7 @@ namespace {
 
 constexpr double kMargin = 0.06;  // of the picture's half side; left free around a framed scene
 constexpr double kNearFraction = 1.0 / 1024;
+constexpr double kLeastNear = 0x1p-15;  // of the back plane's distance; camera.h says why
 
 glm::dvec3 defaultDirection(UpAxis axis) {
   return axis == UpAxis::Z ? glm::dvec3{0.22, -1.0, 0.52} : glm::dvec3{0.22, 0.52, 1.0};
@@ -70,11 +72,63 @@ Frame frame(std::span<const glm::dvec3> vrc, glm::dvec2 tan, bool aimed, bool pa
   return f;
 }
 
+/// Cuts a convex polygon with a plane through the origin. Keeps the side to which `inwards` points.
+void keepSide(std::vector<glm::dvec3>& polygon, const glm::dvec3& inwards) {
+  std::vector<glm::dvec3> kept;
+  for (std::size_t k = 0; k < polygon.size(); ++k) {
+    const glm::dvec3 &a = polygon[k], &b = polygon[(k + 1) % polygon.size()];
+    const double heightA = glm::dot(inwards, a), heightB = glm::dot(inwards, b);
+    if (heightA >= 0.0) kept.push_back(a);
+    if ((heightA < 0.0) != (heightB < 0.0)) kept.push_back(a + (b - a) * (heightA / (heightA - heightB)));
+  }
+  polygon.swap(kept);
+}
+
+/// Whether a polygon is seen edge on from the origin, so that it covers nothing.
+bool isEdgeOn(const std::vector<glm::dvec3>& polygon) {
+  constexpr double kRounded = 0x1p-44;
+  glm::dvec3 N{0.0};
+  double farthest = 0.0;
+  for (std::size_t k = 1; k + 1 < polygon.size(); ++k)
+    N += glm::cross(polygon[k] - polygon[0], polygon[k + 1] - polygon[0]);
+  for (const glm::dvec3& p : polygon) farthest = std::max(farthest, glm::length(p));
+  return std::abs(glm::dot(unit(N), polygon[0])) <= kRounded * farthest;
+}
+
+/// The distances from the eye, along the line of sight, at which the parts inside the pyramid of the view
+/// begin; only those below `bound`.
+std::vector<double> depthsBelow(double bound, const ViewSpec& view, std::span<const glm::dvec3> points,
+                                const ConvexParts& parts) {
+  const glm::dmat3 rotation = vrcRotation(view);
+  const glm::dvec3 prp = view.prp;
+  const std::array<glm::dvec3, 4> sides{{{prp.z, 0.0, view.windowMin.x - prp.x},
+                                         {-prp.z, 0.0, prp.x - view.windowMax.x},
+                                         {0.0, prp.z, view.windowMin.y - prp.y},
+                                         {0.0, -prp.z, prp.y - view.windowMax.y}}};
+  const auto depth = [](const glm::dvec3& p) { return -p.z; };
+  std::vector<glm::dvec3> fromEye;
+  for (const glm::dvec3& p : points) fromEye.push_back(rotation * (p - view.vrp) - prp);
+  std::vector<double> depths;
+  std::vector<glm::dvec3> polygon;
+  for (int k = 0; k < parts.count(); ++k) {
+    polygon.clear();
+    for (const int corner : parts.part(k)) polygon.push_back(fromEye[corner]);
+    const auto [least, most] = std::ranges::minmax(polygon, {}, depth);
+    if (depth(least) >= bound || depth(most) <= 0.0 || isEdgeOn(polygon)) continue;
+    for (const glm::dvec3& side : sides) keepSide(polygon, side);
+    if (polygon.empty()) continue;
+    const double begins = std::max(0.0, depth(std::ranges::min(polygon, {}, depth)));
+    if (begins < bound) depths.push_back(begins);
+  }
+  return depths;
+}
+
 }  // namespace
 
 glm::dvec3 upVector(UpAxis axis) { return axis == UpAxis::Z ? glm::dvec3{0, 0, 1} : glm::dvec3{0, 1, 0}; }
 
-Camera placeCamera(const CameraSettings& s, std::span<const glm::dvec3> points, UpAxis axis, double aspect) {
+Camera placeCamera(const CameraSettings& s, std::span<const glm::dvec3> points, UpAxis axis, double aspect,
+                   const ConvexParts& parts) {
   const double fov = s.fov.value_or(kDefaultFov);
   if (!(fov > 0.0 && fov < 180.0)) throw ViewError{"the field of view must lie between 0 and 180 degrees"};
   Box box;
@@ -141,9 +195,18 @@ Camera placeCamera(const CameraSettings& s, std::span<const glm::dvec3> points, 
   // The clipping planes: as given, otherwise around the scene, with the front plane in front of the eye.
   const double gap = side * kNearFraction;
   const double sceneFront = vrcBox.high.z + gap, sceneBack = vrcBox.low.z - gap;
-  view.front = s.front    ? *s.front
-               : parallel ? sceneFront
-                          : view.prp.z - std::max(gap, (view.prp.z - sceneFront) / 2.0);
+  if (s.front || parallel) {
+    view.front = s.front.value_or(sceneFront);
+  } else {
+    double near = std::max(gap, (view.prp.z - sceneFront) / 2.0);
+    if (view.prp.z - vrcBox.high.z < near) {  // something may be nearer; it matters if it is in view
+      const std::vector<double> depths = depthsBelow(near, view, points, parts);
+      const double least = std::min(near, (view.prp.z - s.back.value_or(sceneBack)) * kLeastNear);
+      for (const double depth : depths) near = std::min(near, std::max(least, depth / 2.0));
+      camera.cutByFront = static_cast<int>(std::ranges::count_if(depths, [&](double d) { return d < near; }));
+    }
+    view.front = view.prp.z - near;
+  }
   view.back = s.back ? *s.back : std::min(sceneBack, view.front - gap);
 
   const glm::dvec3 eyeInVrc = s.prp ? *s.prp : glm::dvec3{0, 0, D};

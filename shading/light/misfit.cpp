@@ -284,19 +284,23 @@ std::vector<double> Misfit::atSamples(std::span<const Facet> facets, std::span<c
 
 std::vector<bool> Misfit::operator()(std::span<const Facet> facets) const {
   std::vector<bool> result(facets.size(), true);
-  std::vector<int> open(facets.size());
-  std::iota(open.begin(), open.end(), 0);
-  for (const int along : kAlong) {
-    const std::vector<double> most = atSamples(facets, open, along);
-    std::vector<int> undecided;
-    for (std::size_t k = 0; k < open.size(); ++k) {
-      if (most[k] > tolerance_) continue;
-      if (everywhere(facets[open[k]], along, most[k]) <= tolerance_)
-        result[open[k]] = false;
+  std::array<std::vector<int>, kAlong.size()> open;
+  // Each grid holds the samples of the coarser ones. So a grid that cannot decide for a facet, even if its
+  // new samples are no farther apart, is left out.
+  const auto ask = [&](int k, std::size_t level, double atSamples) {
+    while (level < kAlong.size() && everywhere(facets[k], kAlong[level], atSamples) > tolerance_) ++level;
+    if (level < kAlong.size()) open[level].push_back(k);
+  };
+  for (int k = 0; k < static_cast<int>(facets.size()); ++k) ask(k, 0, 0.0);
+  for (std::size_t level = 0; level < kAlong.size(); ++level) {
+    const std::vector<double> most = atSamples(facets, open[level], kAlong[level]);
+    for (std::size_t at = 0; at < most.size(); ++at) {
+      const int k = open[level][at];
+      if (everywhere(facets[k], kAlong[level], most[at]) <= tolerance_)
+        result[k] = false;
       else
-        undecided.push_back(open[k]);
+        ask(k, level + 1, most[at]);
     }
-    open = std::move(undecided);
   }
   return result;
 }

@@ -54,7 +54,7 @@ Picture PictureCache::make(const PictureSettings& wanted, std::optional<std::uin
   if (changed(&Asked::camera, &Asked::width, &Asked::height))
     timed(ms.transform, [&] {
       const double aspect = static_cast<double>(width) / height;
-      next.camera_ = placeCamera(wanted.camera, scene.mesh.points, scene.up, aspect);
+      next.camera_ = placeCamera(wanted.camera, scene.mesh.points, scene.up, aspect, scene.parts);
     });
   const ViewSpec& view = next.camera_.view;
 

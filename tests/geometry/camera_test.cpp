@@ -140,4 +140,119 @@ TEST(Camera, LooksStraightDown) {
   EXPECT_THROW((void)vrcFromWorld(placeCamera(s, cloud(5, 1, {0, 0, 0}), UpAxis::Z, 1).view), ViewError);
 }
 
+namespace {
+
+/// Triangles, and the parts that they are.
+struct Triangles {
+  std::vector<glm::dvec3> points;
+  ConvexParts parts;
+
+  void add(const glm::dvec3& a, const glm::dvec3& b, const glm::dvec3& c) {
+    for (const glm::dvec3& p : {a, b, c}) {
+      parts.corners.push_back(static_cast<int>(points.size()));
+      points.push_back(p);
+    }
+    parts.firstCorner.push_back(static_cast<int>(parts.corners.size()));
+    parts.face.push_back(parts.count());
+  }
+};
+
+/// The least depth at which a ray from the eye meets a triangle, over rays through n by n places of the
+/// window.
+double nearestHit(const Camera& camera, const Triangles& scene, int n) {
+  using Vec = glm::vec<3, long double>;
+  const ViewSpec& view = camera.view;
+  const Vec n0 = glm::normalize(Vec{view.vpn}), u = glm::normalize(glm::cross(Vec{view.vup}, n0)),
+            v = glm::cross(n0, u);
+  const Vec eye = Vec{view.vrp} + u * static_cast<long double>(view.prp.x) +
+                  v * static_cast<long double>(view.prp.y) + n0 * static_cast<long double>(view.prp.z);
+  long double nearest = INFINITY;
+  for (int i = 0; i < n; ++i)
+    for (int j = 0; j < n; ++j) {
+      const glm::dvec2 at =
+          view.windowMin + (view.windowMax - view.windowMin) * glm::dvec2{(i + 0.5) / n, (j + 0.5) / n};
+      const Vec ray =
+          Vec{view.vrp} + u * static_cast<long double>(at.x) + v * static_cast<long double>(at.y) - eye;
+      for (int k = 0; k < scene.parts.count(); ++k) {  // Moeller & Trumbore 1997
+        const auto corner = [&](int c) { return Vec{scene.points[scene.parts.part(k)[c]]}; };
+        const Vec e1 = corner(1) - corner(0), e2 = corner(2) - corner(0), P = glm::cross(ray, e2);
+        const long double det = glm::dot(e1, P);
+        if (det == 0) continue;
+        const Vec T = eye - corner(0), Q = glm::cross(T, e1);
+        const long double a = glm::dot(T, P) / det, b = glm::dot(ray, Q) / det, t = glm::dot(e2, Q) / det;
+        if (a >= 0 && b >= 0 && a + b <= 1 && t > 0) nearest = std::min(nearest, -t * glm::dot(ray, n0));
+      }
+    }
+  return static_cast<double>(nearest);
+}
+
+double frontDistance(const Camera& camera) { return camera.view.prp.z - camera.view.front; }
+
+}  // namespace
+
+// On a floor of 16 km the front plane goes by what is in view, not by the floor's size. Only what one does
+// not look at may be nearer.
+TEST(Camera, FrontPlaneGoesByWhatIsInView) {
+  Triangles scene;
+  scene.add({-8000, -8000, 0}, {8000, -8000, 0}, {8000, 8000, 0});
+  scene.add({-8000, -8000, 0}, {8000, 8000, 0}, {-8000, 8000, 0});
+  CameraSettings s;
+  s.eye = glm::dvec3{0, -6, 3}, s.lookAt = glm::dvec3{0, 0, 1}, s.fov = 40;
+  const auto place = [&] { return placeCamera(s, scene.points, UpAxis::Z, 4.0 / 3, scene.parts); };
+  const Camera camera = place();
+  const double nearest = nearestHit(camera, scene, 200);
+  EXPECT_GT(nearest, 2);
+  EXPECT_NEAR(frontDistance(camera), nearest / 2, nearest / 100);
+  EXPECT_EQ(camera.cutByFront, 0);
+  s.lookAt = glm::dvec3{0, 0, 30};  // to the sky: nothing is near
+  EXPECT_EQ(frontDistance(place()), 16000.0 / 1024);
+  EXPECT_EQ(place().cutByFront, 0);
+  s.eye = glm::dvec3{0, -6, 1e-3}, s.lookAt = glm::dvec3{0, 0, 0};  // nearer than the depth can be told
+  EXPECT_NEAR(frontDistance(place()), 8006 * 0x1p-15, 1e-3);
+  EXPECT_EQ(place().cutByFront, 1);
+  s.front = 0.0;  // somebody asked for it
+  EXPECT_EQ(place().cutByFront, 0);
+}
+
+// Random triangles around the eye. The front plane cuts away nothing that a ray meets, or it is said; and it
+// is where it was without the rule if nothing in view is nearer.
+TEST(Camera, FrontPlaneCutsNothingInSilence) {
+  int nearer = 0, usual = 0, cut = 0;
+  for (unsigned seed = 0; seed < 600; ++seed) {
+    SCOPED_TRACE(seed);
+    std::mt19937 rng{seed};
+    const auto number = [&](double low, double high) {
+      return std::uniform_real_distribution<double>{low, high}(rng);
+    };
+    const auto around = [&](const glm::dvec3& p, double by) {
+      return p + glm::dvec3{number(-by, by), number(-by, by), number(-by, by)};
+    };
+    CameraSettings s;
+    s.eye = around({}, 0.5), s.lookAt = around({}, 1), s.fov = number(5, 140);
+    if (seed % 4 == 1)
+      s.window = glm::dvec4{-0.5, number(-0.4, 1), number(-0.3, 0), number(0.1, 1)}, s.fov.reset();
+    Triangles scene;
+    for (int k = 0; k < 12; ++k) {
+      const double size = std::pow(10.0, number(-6, 0));
+      const glm::dvec3 middle = around(*s.eye, k < 6 ? 2 * size : 1);
+      scene.add(around(middle, size), around(middle, size), around(middle, size));
+    }
+    const Camera camera = placeCamera(s, scene.points, UpAxis::Y, 1.5, scene.parts);
+    const Camera blind = placeCamera(s, scene.points, UpAxis::Y, 1.5);
+    const double nearest = nearestHit(camera, scene, 60), front = frontDistance(camera);
+    if (camera.cutByFront == 0) {
+      ASSERT_GE(nearest, front);
+    }
+    ASSERT_LE(front, frontDistance(blind));
+    if (nearest < frontDistance(blind) / 2) {
+      ASSERT_TRUE(front < frontDistance(blind) || camera.cutByFront > 0);
+    }
+    nearer += front < frontDistance(blind), usual += front == frontDistance(blind);
+    cut += camera.cutByFront > 0;
+  }
+  EXPECT_GT(nearer, 50);
+  EXPECT_GT(usual, 50);
+  EXPECT_GT(cut, 20);
+}
+
 }  // namespace xnewell

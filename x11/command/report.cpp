@@ -71,6 +71,7 @@ nlohmann::ordered_json statsOf(const Options& options, const Picture& picture, c
           {"degenerate", scene.degenerate},
           {"culled", scene.culled},
           {"outside", scene.outside},
+          {"cut_by_front", picture.camera().cutByFront},
           {"fragments", static_cast<std::int64_t>(scene.faces.size()) + sort.splits},
           {"painted", static_cast<std::int64_t>(sorted.fragments.size())},
           {"splits", sort.splits},

@@ -68,6 +68,13 @@ void noteEmpty(std::ostream& out, const Picture& picture) {
       << snapped.outside << " lie outside the view\n";
 }
 
+/// Writes a note if the front plane that nobody asked for cuts away something in view.
+void noteCut(std::ostream& out, const Picture& picture) {
+  if (const int cut = picture.camera().cutByFront; cut > 0)
+    out << "xnewell: note: the front plane cuts away " << counted(cut, "polygon")
+        << " in view, wholly or in part; --front moves it\n";
+}
+
 }  // namespace
 
 void noteMoot(std::ostream& out, const Options& options, const Picture& picture) {
@@ -78,6 +85,7 @@ void noteMoot(std::ostream& out, const Options& options, const Picture& picture)
   }
   for (const Loss& loss : kLosses)
     if (loss.lost(picture.settings(), picture.scene())) out << "xnewell: note: " << loss.what << '\n';
+  noteCut(out, picture);
   noteEmpty(out, picture);
 }
 

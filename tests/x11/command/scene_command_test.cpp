@@ -144,4 +144,25 @@ TEST_F(SceneCommandTest, TellsWhereAdaptIsNotReached) {
   EXPECT_EQ(told("25"), "");
 }
 
+// A cube on a floor of 16 km is seen. What is nearer than the default front plane can be is told, and the
+// user's plane keeps the file's eye.
+TEST_F(SceneCommandTest, TellsWhatTheFrontPlaneCutsAway) {
+  const auto ground = [&](const std::string& height) {
+    return write("ground.json", R"({"up": "z", "camera": {"eye": [0, -6, )" + height +
+                                    R"(], "look_at": [0, 0, 0], "fov": 40}, "objects": [
+        {"solid": "cube", "move": [0, 0, 1]},
+        {"polygons": [[[-8000, -8000, 0], [8000, -8000, 0], [8000, 8000, 0], [-8000, 8000, 0]]]}]})");
+  };
+  const auto seen = draw(ground("3"));
+  EXPECT_EQ(seen.stats["cut_by_front"], 0);
+  EXPECT_EQ(seen.stats["painted"], 7);
+  EXPECT_EQ(draw(ground("0.001")).stats["cut_by_front"], 1);
+  const Finished end = runProgram(Words{"draw", ground("0.001"), "-o", file("out.png")});
+  EXPECT_EQ(
+      end.err,
+      "xnewell: note: the front plane cuts away 1 polygon in view, wholly or in part; --front moves it\n");
+  EXPECT_EQ(draw(ground("0.001"), {"--front", "5.9"}).stats["cut_by_front"], 0);
+  EXPECT_EQ(draw(ground("3"), {"--back", "-20000"}).stats["painted"], 7);
+}
+
 }  // namespace xnewell
