@@ -19,6 +19,8 @@ int floorToInt(double z) {
 
 std::vector<std::uint8_t> facesOfPlanes(const SnappedScene& scene) {
   std::vector<std::uint8_t> faces(scene.planes.size());
+  std::ranges::transform(scene.planes, faces.begin(),
+                         [](const ScreenPlane& plane) { return std::uint8_t{plane.ofModel}; });
   for (const SnappedFace& face : scene.faces) faces[face.plane] += faces[face.plane] < 2;
   return faces;
 }

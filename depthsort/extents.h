@@ -15,7 +15,8 @@ struct Extents {
   int zFar = 0, zNear = 0;  ///< z steps, larger is nearer
 };
 
-/// For each plane, how many faces lie in it: 0, 1, or 2 for two or more.
+/// For each plane, how many faces lie in it: 0, 1, or 2 for two or more. A plane that comes from the model
+/// counts as one of two or more: it does not go through vertices.
 [[nodiscard]] std::vector<std::uint8_t> facesOfPlanes(const SnappedScene& scene);
 /// True if the plane passes exactly through the face's vertices, because it was made of these three alone.
 [[nodiscard]] inline bool vertexDepthsAreExact(const SnappedFace& face,

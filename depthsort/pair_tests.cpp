@@ -94,32 +94,14 @@ Relation PairTests::nearerInOverlap(const Shape& P, const Shape& Q) {
   return {Test::Overlap, qFirst ? Verdict::QFirst : Verdict::PFirst, true};
 }
 
-/// Along an edge the depths are linear and the doubt is a parabola, so the excess of their difference over
-/// the doubt has one maximum. Along a line of equal depth within the part the doubt hardly bends, so the
-/// edges stand for the whole part.
+/// The depths are linear over the screen, and the doubt is linear in the depth. So the excess of the
+/// difference over the doubt is greatest in a corner.
 bool PairTests::isDeep(const Region& part, const SnappedFace& p, const SnappedFace& q) const {
-  struct Depths {
-    double p, q;
-  };
-  const auto depthsAt = [&](const Corner& corner) -> Depths {
-    const auto x = std::llrint(corner.x), y = std::llrint(corner.y);
-    return {depthAt(scene_.planes[p.plane], x, y), depthAt(scene_.planes[q.plane], x, y)};
-  };
-  const auto doubtAt = [&](const Depths& z) { return p.doubt.at(z.p) + q.doubt.at(z.q); };
-  Depths a = depthsAt(part.back().corner);
-  for (const Side& side : part) {
-    const Depths b = depthsAt(side.corner);
-    const double apart = a.p - a.q, growth = b.p - b.q - apart, doubt = doubtAt(a);
-    const double bend = p.doubt.byZZ * (b.p - a.p) * (b.p - a.p) + q.doubt.byZZ * (b.q - a.q) * (b.q - a.q);
-    const double rise = doubtAt(b) - doubt - bend;  // the doubt at a + s (b - a) is doubt + rise s + bend s^2
-    for (const double sign : {1.0, -1.0}) {
-      const double ahead = sign * growth - rise;
-      const double s = ahead <= 0.0 ? 0.0 : ahead >= 2.0 * bend ? 1.0 : ahead / (2.0 * bend);
-      if (sign * apart - doubt + s * (ahead - s * bend) > 0.0) return true;
-    }
-    a = b;
-  }
-  return false;
+  return std::ranges::any_of(part, [&](const Side& side) {
+    const auto x = std::llrint(side.corner.x), y = std::llrint(side.corner.y);
+    const double zP = depthAt(scene_.planes[p.plane], x, y), zQ = depthAt(scene_.planes[q.plane], x, y);
+    return std::abs(zP - zQ) > p.doubt.at(zP) + q.doubt.at(zQ);
+  });
 }
 
 bool PairTests::counts(const Region& part, const SnappedFace& p, const SnappedFace& q) const {

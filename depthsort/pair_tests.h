@@ -61,7 +61,7 @@ class PairTests {
   /// True if `part`, a part of the overlap or all of it, is more than a contact. It must be deeper than the
   /// doubt of both (tested only if they lie in two planes), and it must be wide or own a sample.
   [[nodiscard]] bool counts(const Region& part, const SnappedFace& p, const SnappedFace& q) const;
-  /// True if somewhere in the part zP and zQ are further apart than the sum of both doubts.
+  /// True if somewhere in the part zP and zQ are further apart than the sum of both doubts at that place.
   [[nodiscard]] bool isDeep(const Region& part, const SnappedFace& p, const SnappedFace& q) const;
 
   /// Regions::cut() of both planes. It remembers the last one, because a pair asks for it again and again.

@@ -3,42 +3,20 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <cstdint>
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
-#include <glm/vec2.hpp>
+#include <glm/mat3x3.hpp>
+#include <glm/matrix.hpp>
 #include <numeric>
+#include <utility>
 
-#include "geometry/exact/box.h"
 #include "geometry/exact/overlap.h"
-#include "geometry/exact/plane.h"
-#include "geometry/exact/scale.h"
+#include "geometry/model/fit_plane.h"
+#include "geometry/model/sheets.h"
 
 namespace xnewell {
 
 namespace {
-
-/// A mesh's points, moved and scaled by a power of two into [0, 1]^3. The longest side of their box is in
-/// [1/2, 1).
-struct UnitBox {
-  std::vector<glm::dvec3> points;
-  double side = 0.0;       ///< length of the box's longest side
-  double magnitude = 0.0;  ///< largest absolute coordinate before the move, at this scale
-  int exponent = 0;        ///< length in the mesh = length here * 2^exponent
-
-  explicit UnitBox(const std::vector<glm::dvec3>& meshPoints) {
-    // Scale first, so that differences do not overflow.
-    Box box = boxOf(meshPoints);
-    int first = 0, second = 0;
-    std::frexp(box.magnitude(), &first);
-    box = {scaled(box.low, -first), scaled(box.high, -first)};
-    side = std::frexp(box.side(), &second);
-    magnitude = std::ldexp(box.magnitude(), -second);
-    exponent = first + second;
-    points.reserve(meshPoints.size());
-    for (const glm::dvec3& p : meshPoints) points.push_back(scaled(scaled(p, -first) - box.low, -second));
-  }
-};
 
 /// Disjoint sets of numbers. @see Tarjan 1975
 class DisjointSets {
@@ -54,177 +32,242 @@ class DisjointSets {
   std::vector<int> parent_;
 };
 
-/// The parts of one planar face, or one part of a bent face.
-struct Sheet {
-  int firstPart = 0, partCount = 0;
-  Plane plane;
-  double area = 0.0;  ///< twice the area
-  double rounding = 0.0;
-};
-
 class Coplanarity {
  public:
-  Coplanarity(const Mesh& mesh, const ConvexParts& parts) : parts_{parts}, box_{mesh.points} {
-    double coarsest = 0.0;
-    for (const double u : mesh.rounding) coarsest = std::max(coarsest, rounding(u));
-    mostTolerance_ = tolerance(coarsest);
-    for (int k = 0; k < parts.count(); ++k) {
-      if (k > 0 && parts.plane[k] == parts.plane[k - 1]) {
-        ++sheets_.back().partCount;
-        continue;
-      }
-      sheets_.push_back({k, 1, {}, 0.0, rounding(mesh.roundingOf(parts.face[k]))});
-    }
-    for (Sheet& sheet : sheets_) {
-      const int k = sheet.firstPart;
-      const auto outline = sheet.partCount == 1 ? parts.part(k) : mesh.face(parts.face[k]);
-      const glm::dvec3 v = newellVector(box_.points, outline);
-      sheet.area = glm::length(v);
-      if (sheet.area > 0.0) sheet.plane.N = v / sheet.area;
-      sheet.plane.d = glm::dot(sheet.plane.N, centroid(box_.points, outline));
-    }
+  Coplanarity(const Mesh& mesh, const ConvexParts& parts) : model_{mesh, parts} {
+    classOf_.assign(model_.sheets.size(), -1);
+    failures_.assign(model_.sheets.size(), 0);
   }
 
-  [[nodiscard]] std::vector<int> classes() {
-    DisjointSets sets{static_cast<int>(sheets_.size())};
-    std::vector<ItemBox> boxes = places();
-    forOverlapping(std::span{boxes}, [&](int i, int j) {
-      const int P = parts_.plane[i], Q = parts_.plane[j];
-      if (sets.of(P) != sets.of(Q) && inOnePlane(i, j)) sets.unite(P, Q);
-    });
-
-    std::vector<int> largestOf(sheets_.size(), -1);
-    const int count = static_cast<int>(sheets_.size());
-    for (int s = 0; s < count; ++s) {
-      int& most = largestOf[sets.of(s)];
-      if (most < 0 || sheets_[s].area > sheets_[most].area) most = s;
-    }
-    // A class gets its number at its first sheet. A sheet that leaves its class gets a new number.
-    std::vector<int> number(sheets_.size(), -1), planes(parts_.count());
-    int next = 0;
-    for (int s = 0; s < count; ++s) {
-      const int seed = largestOf[sets.of(s)];
-      const bool stays = s == seed || within(corners(sheets_[s]), sheets_[seed],
-                                             3.0 * toleranceOf(sheets_[s], sheets_[seed]));
-      int alone = -1;
-      int& mine = stays ? number[seed] : alone;
-      if (mine < 0) mine = next++;
-      std::fill_n(planes.begin() + sheets_[s].firstPart, sheets_[s].partCount, mine);
-    }
-    return planes;
+  [[nodiscard]] CoplanarClasses classes() {
+    std::vector<int> open(model_.sheets.size());
+    std::iota(open.begin(), open.end(), 0);
+    for (int round = 0; round < kPeels && !open.empty(); ++round) open = afterRound(open);
+    if (!open.empty()) mergePairs(open);
+    return numbered();
   }
 
  private:
-  [[nodiscard]] double rounding(double u) const { return std::ldexp(u, -box_.exponent); }
-  [[nodiscard]] double tolerance(double u) const {
-    return std::min(7.0 * u, 3e-5 * box_.side) + 0x1p-46 * box_.side + 0x1p-50 * box_.magnitude;
+  static constexpr int kPeels = 3;
+  /// A sheet that so many others overlap, nearly in its plane but not explained with it, is compared with the
+  /// planes of further ones as they are, without a fit.
+  static constexpr int kMostFailures = 64;
+
+  /// The corners of some sheets, in a buffer.
+  [[nodiscard]] std::span<const RoundedPoint> pointsOf(std::span<const int> sheets) {
+    points_.clear();
+    for (const int s : sheets)
+      for (const int c : model_.corners(model_.sheets[s]))
+        points_.push_back({model_.box.points[c], model_.sheets[s].u});
+    return points_;
   }
-  [[nodiscard]] double toleranceOf(const Sheet& P, const Sheet& Q) const {
-    return tolerance(std::max(P.rounding, Q.rounding));
+  [[nodiscard]] const Sheet& largestOf(std::span<const int> sheets) const {
+    return model_.sheets[*std::ranges::max_element(sheets, {}, [&](int s) { return model_.sheets[s].area; })];
   }
-  [[nodiscard]] std::span<const int> corners(const Sheet& sheet) const {
-    const auto at = [&](int k) { return parts_.corners.data() + parts_.firstCorner[k]; };
-    return {at(sheet.firstPart), at(sheet.firstPart + sheet.partCount)};
+  [[nodiscard]] PlaneFit fit(std::span<const int> sheets, FitGoal goal) {
+    return fitPlane(pointsOf(sheets), largestOf(sheets).plane, model_.rounding, goal);
   }
-  [[nodiscard]] bool within(std::span<const int> corners, const Sheet& sheet, double tol) const {
-    return std::all_of(corners.begin(), corners.end(), [&](int c) {
-      return std::abs(glm::dot(sheet.plane.N, box_.points[c]) - sheet.plane.d) <= tol;
+
+  void makeClass(std::span<const int> sheets, const Plane& plane) {
+    for (const int s : sheets) classOf_[s] = static_cast<int>(planes_.size());
+    planes_.push_back(plane);
+  }
+  void makeAlone(int s) {
+    const std::array one{s};
+    const Sheet& sheet = model_.sheets[s];
+    if (sheet.area == 0.0 || model_.corners(sheet).size() == 3) return makeClass(one, sheet.plane);
+    const bool explains = fitOf(sheet.plane, pointsOf(one), model_.rounding).explains();
+    makeClass(one, explains ? sheet.plane : fit(one, FitGoal::Best).plane);
+  }
+
+  /// Calls visit(set) for each set of sheets that a chain of pairs joins.
+  template <class Visit>
+  void forSets(const std::vector<int>& open, const Visit& visit) {
+    DisjointSets sets{static_cast<int>(model_.sheets.size())};
+    std::vector<ItemBox> boxes = model_.places(open);
+    forOverlapping(std::span{boxes}, [&](int i, int j) {
+      const int P = model_.parts.plane[i], Q = model_.parts.plane[j];
+      if (sets.of(P) != sets.of(Q) && inOnePlane(i, j)) sets.unite(P, Q);
     });
-  }
-
-  /// Boxes in six dimensions. They overlap if two parts can share a plane. Three dimensions are the part's
-  /// own box. The other three are the places where the perpendicular from a fixed point near the middle can
-  /// meet the part's plane. If every corner of a polygon of area A is within tol of a plane, the sine of the
-  /// angle between them is at most tol * perimeter / A, because the polygon's vector area changes by no more.
-  /// The foot of the perpendicular then moves by at most that sine times the distance, plus tol. The bound
-  /// doubles for a part that may lie tol off its face's plane.
-  [[nodiscard]] std::vector<ItemBox> places() const {
-    const glm::dvec3 from{0.43, 0.56, 0.47};
-    std::vector<ItemBox> boxes;
-    boxes.reserve(parts_.count());
-    for (const Sheet& sheet : sheets_) {
-      const glm::dvec3 foot = sheet.plane.N * (sheet.plane.d - glm::dot(sheet.plane.N, from));
-      for (int k = sheet.firstPart; k < sheet.firstPart + sheet.partCount; ++k) {
-        const double area =
-            sheet.partCount == 1 ? sheet.area : glm::length(newellVector(box_.points, parts_.part(k)));
-        if (area == 0.0 || sheet.area == 0.0) continue;
-        Box around;
-        glm::dvec3 last = box_.points[parts_.part(k).back()];
-        double perimeter = 0.0;
-        for (const int c : parts_.part(k)) {
-          const glm::dvec3& p = box_.points[c];
-          around.add(p);
-          perimeter += glm::length(p - last);
-          last = p;
-        }
-        const double distance =
-            glm::length(glm::max(glm::abs(around.low - from), glm::abs(around.high - from)));
-        const double sine = 2.0 * mostTolerance_ * perimeter / area;
-        const double play = (sheet.partCount == 1 ? 1.0 : 2.0) * (sine * distance + mostTolerance_);
-        // Two feet are never more than 4 apart. Rounding a number up to 8 to float changes it by at most
-        // 2^-22.
-        const double nearFoot = std::min(play, 4.0) + 0x1p-22, nearby = mostTolerance_ + 0x1p-22;
-        ItemBox& box = boxes.emplace_back(ItemBox{k, parts_.plane[k], {}, {}});
-        for (int axis = 0; axis < 3; ++axis) {
-          box.low[axis] = static_cast<float>(foot[axis] - nearFoot);
-          box.high[axis] = static_cast<float>(foot[axis] + nearFoot);
-          box.low[axis + 3] = static_cast<float>(around.low[axis] - nearby);
-          box.high[axis + 3] = static_cast<float>(around.high[axis] + nearby);
-        }
+    std::vector<std::pair<int, int>> bySet;
+    bySet.reserve(open.size());
+    std::vector<char> several(model_.sheets.size(), false);
+    for (const int s : open)
+      if (const int root = sets.of(s); root != s) several[root] = true;
+    std::vector<int> one(1);
+    for (const int s : open) {
+      const int root = sets.of(s);
+      if (several[root]) {
+        bySet.emplace_back(root, s);
+      } else {
+        one[0] = s;
+        visit(one);
       }
     }
-    return boxes;
+    std::ranges::sort(bySet);
+    std::vector<int> set;
+    for (std::size_t k = 0; k < bySet.size(); ++k) {
+      set.push_back(bySet[k].second);
+      if (k + 1 < bySet.size() && bySet[k + 1].first == bySet[k].first) continue;
+      visit(set);
+      set.clear();
+    }
   }
 
-  [[nodiscard]] bool inOnePlane(int i, int j) const {
-    const Sheet &P = sheets_[parts_.plane[i]], &Q = sheets_[parts_.plane[j]];
-    const double tol = toleranceOf(P, Q);
-    const bool first = P.area > Q.area || (P.area == Q.area && i < j);
-    const Sheet& larger = first ? P : Q;
-    if (!within(parts_.part(first ? j : i), larger, tol)) return false;
-    const glm::dvec3 N = glm::abs(larger.plane.N);
-    const int dropped = N.z >= N.x && N.z >= N.y ? 2 : N.y >= N.x ? 1 : 0;
-    return !parted(i, j, dropped, tol) && !parted(j, i, dropped, tol);
+  /// Makes classes of the sets that one plane explains. Of each other set it makes a class of the sheets at
+  /// its principal plane. Returns the sheets that are left.
+  std::vector<int> afterRound(const std::vector<int>& open) {
+    std::vector<int> left;
+    forSets(open, [&](std::vector<int>& set) {
+      if (set.size() == 1) return makeAlone(set[0]);
+      const PlaneFit whole = fit(set, FitGoal::Best);
+      if (whole.explains()) return makeClass(set, whole.plane);
+      const std::size_t peeled = peel(set);
+      left.insert(left.end(), set.begin() + static_cast<std::ptrdiff_t>(peeled), set.end());
+    });
+    return left;
   }
 
-  /// True if an edge of part i separates it from part j, seen along the axis `dropped`. Part j may reach
-  /// across the edge by tol.
-  [[nodiscard]] bool parted(int i, int j, int dropped, double tol) const {
-    const auto P = parts_.part(i), Q = parts_.part(j);
-    const auto seen = [&](int c) {
-      return glm::dvec2{box_.points[c][(dropped + 1) % 3], box_.points[c][(dropped + 2) % 3]};
+  /// Makes a class of as many sheets as one plane explains, in the order of their distance from the plane
+  /// that has the least sum of distances from the corners, weighted by area: most of the area lies in that
+  /// plane, if half of it lies in one. It moves these sheets to the front and returns their number, which may
+  /// be 0.
+  std::size_t peel(std::vector<int>& set) {
+    const Plane plane = principalPlane(set);
+    std::vector<std::pair<double, int>> byDistance;
+    for (const int s : set)
+      byDistance.emplace_back(fitOf(plane, pointsOf(std::array{s}), model_.rounding).h, s);
+    std::ranges::sort(byDistance);
+    std::ranges::transform(byDistance, set.begin(), [](const auto& entry) { return entry.second; });
+    const auto prefix = [&](std::size_t n) {
+      return fitPlane(pointsOf(std::span{set}.first(n)), plane, model_.rounding, FitGoal::Explain).explains();
     };
-    const auto cross = [](const glm::dvec2& a, const glm::dvec2& b) { return a.x * b.y - a.y * b.x; };
-    double area = 0.0;
-    const glm::dvec2 origin = seen(P[0]);
-    for (std::size_t c = 2; c < P.size(); ++c) area += cross(seen(P[c - 1]) - origin, seen(P[c]) - origin);
-    std::size_t inside = 0;  // a corner of Q inside the last edge is probably inside the next too
-    glm::dvec2 a = seen(P.back());
-    for (const int c : P) {
-      const glm::dvec2 b = seen(c), edge = area < 0.0 ? a - b : b - a;
-      const double reach = tol * glm::length(edge);
-      std::size_t tried = 0;
-      while (tried < Q.size() && cross(edge, seen(Q[inside]) - a) <= reach) {
-        inside = inside + 1 == Q.size() ? 0 : inside + 1;
-        ++tried;
-      }
-      if (tried == Q.size() && edge != glm::dvec2{0.0}) return true;
-      a = b;
+    std::size_t explained = 1, notExplained = set.size();
+    while (notExplained - explained > 1) {
+      const std::size_t middle = (explained + notExplained) / 2;
+      (prefix(middle) ? explained : notExplained) = middle;
     }
-    return false;
+    if (explained == 1) return 0;
+    const std::span<const int> sheets = std::span{set}.first(explained);
+    makeClass(sheets, fitPlane(pointsOf(sheets), plane, model_.rounding, FitGoal::Best).plane);
+    return explained;
   }
 
-  const ConvexParts& parts_;
-  UnitBox box_;
-  std::vector<Sheet> sheets_;
-  double mostTolerance_ = 0.0;
+  /// The plane with the least sum of distances, by weighted least squares with weights 1 / distance.
+  [[nodiscard]] Plane principalPlane(std::span<const int> set) {
+    Plane plane = largestOf(set).plane;
+    for (int step = 0; step < 12; ++step) {
+      const glm::dvec3 n = glm::abs(plane.N);
+      const int z = n.z >= n.x && n.z >= n.y ? 2 : n.y >= n.x ? 1 : 0, x = (z + 1) % 3, y = (z + 2) % 3;
+      const glm::dvec3 origin = model_.sheets[set[0]].centroid;
+      glm::dmat3 M{0.0};
+      glm::dvec3 right{0.0};
+      for (const int s : set) {
+        const Sheet& sheet = model_.sheets[s];
+        const auto outline = model_.corners(sheet);
+        for (const int c : outline) {
+          const glm::dvec3 q = model_.box.points[c] - origin, column{q[x], q[y], 1.0};
+          const double off = std::abs(glm::dot(plane.N, model_.box.points[c]) - plane.d);
+          const double weight = sheet.area / static_cast<double>(outline.size()) /
+                                std::max(off, 0.1 * model_.rounding.most(sheet.u));
+          M += weight * glm::outerProduct(column, column);
+          right += weight * q[z] * column;
+        }
+      }
+      if (!(std::abs(glm::determinant(M)) > 0.0)) break;
+      const glm::dvec3 solution = glm::inverse(M) * right;  // z = solution . (x, y, 1)
+      glm::dvec3 N;
+      N[x] = -solution.x, N[y] = -solution.y, N[z] = 1.0;
+      const double length = glm::length(N);
+      if (!std::isfinite(length)) break;
+      plane = {N / length, (glm::dot(N, origin) + solution.z) / length};
+    }
+    return plane;
+  }
+
+  /// Unites pairs of the sheets that are left, and then the sets that they form, only if one plane explains
+  /// both together.
+  void mergePairs(const std::vector<int>& open) {
+    DisjointSets sets{static_cast<int>(model_.sheets.size())};
+    std::vector<std::vector<int>> members(model_.sheets.size());
+    for (const int s : open) members[s] = {s};
+    std::vector<ItemBox> boxes = model_.places(open);
+    std::vector<int> both;
+    forOverlapping(std::span{boxes}, [&](int i, int j) {
+      const int P = sets.of(model_.parts.plane[i]), Q = sets.of(model_.parts.plane[j]);
+      if (P == Q || !inOnePlane(i, j)) return;
+      both = members[P];
+      both.insert(both.end(), members[Q].begin(), members[Q].end());
+      if (both.size() > 2) {
+        if (failures_[P] >= kMostFailures || failures_[Q] >= kMostFailures) return;
+        if (!fit(both, FitGoal::Explain).explains()) {
+          ++failures_[P], ++failures_[Q];
+          return;
+        }
+      }
+      sets.unite(P, Q);
+      members[sets.of(P)] = both;
+    });
+    for (const int s : open) {
+      if (sets.of(s) != s) continue;
+      if (members[s].size() == 1)
+        makeAlone(s);
+      else
+        makeClass(members[s], fit(members[s], FitGoal::Best).plane);
+    }
+  }
+
+  /// Numbers the classes in the order of their first sheets.
+  [[nodiscard]] CoplanarClasses numbered() const {
+    CoplanarClasses result;
+    result.plane.resize(model_.parts.count());
+    std::vector<int> number(planes_.size(), -1);
+    for (std::size_t s = 0; s < model_.sheets.size(); ++s) {
+      int& mine = number[classOf_[s]];
+      if (mine < 0) {
+        mine = static_cast<int>(result.planes.size());
+        const Plane& plane = planes_[classOf_[s]];
+        const glm::dvec3 foot =
+            model_.sheets[s].centroid - plane.N * (glm::dot(plane.N, model_.sheets[s].centroid) - plane.d);
+        result.planes.push_back({plane.N, model_.box.inWorld(foot)});
+      }
+      std::fill_n(result.plane.begin() + model_.sheets[s].firstPart, model_.sheets[s].partCount, mine);
+    }
+    return result;
+  }
+
+  /// True if parts i and j overlap in area and one plane explains their sheets.
+  [[nodiscard]] bool inOnePlane(int i, int j) {
+    const int p = model_.parts.plane[i], q = model_.parts.plane[j];
+    const Sheet &P = model_.sheets[p], &Q = model_.sheets[q];
+    if (model_.tooFar(i, j)) return false;
+    const Sheet& larger = P.area > Q.area || (P.area == Q.area && i < j) ? P : Q;
+    if (model_.parted(i, j, larger.plane.N)) return false;
+    const std::span<const RoundedPoint> both = pointsOf(std::array{p, q});
+    if (failures_[p] >= kMostFailures || failures_[q] >= kMostFailures)
+      return fitOf(larger.plane, both, model_.rounding).explains();
+    const bool explained = fitPlane(both, larger.plane, model_.rounding, FitGoal::Explain).explains();
+    if (!explained) ++failures_[p], ++failures_[q];
+    return explained;
+  }
+  Sheets model_;
+  std::vector<RoundedPoint> points_;  ///< buffer of pointsOf()
+  std::vector<int> classOf_;          ///< of each sheet, an index into planes_
+  std::vector<int> failures_;         ///< of each sheet: fits with others that explained nothing
+  std::vector<Plane> planes_;         ///< of the classes
 };
 
 }  // namespace
 
-std::vector<int> coplanarClasses(const Mesh& mesh, const ConvexParts& parts) {
+CoplanarClasses coplanarClasses(const Mesh& mesh, const ConvexParts& parts) {
   if (parts.count() == 0) return {};
   return Coplanarity{mesh, parts}.classes();
+}
+
+void uniteCoplanar(const Mesh& mesh, ConvexParts& parts) {
+  CoplanarClasses classes = coplanarClasses(mesh, parts);
+  parts.plane = std::move(classes.plane);
+  parts.planes = std::move(classes.planes);
 }
 
 }  // namespace xnewell

@@ -11,6 +11,7 @@
 #include "geometry/exact/plane.h"
 #include "geometry/exact/scale.h"
 #include "geometry/model/ear_clip.h"
+#include "geometry/model/fit_plane.h"
 
 namespace xnewell {
 
@@ -56,10 +57,12 @@ Outline outlineOf(const Mesh& mesh, std::span<const int> corners, double roundin
   std::iota(all.begin(), all.end(), 0);
   const Plane plane = newellPlane(p, all);
   const double e = std::ldexp(extent, kDivisionGridBits), u = std::ldexp(rounding, steps - exponent);
-  const double tolerance = std::min(7.0 * u, 3e-5 * e) + 0x1p-46 * e + 0x1p-50 * std::ldexp(magnitude, steps);
-  outline.planar = std::all_of(p.begin(), p.end(), [&](const glm::dvec3& q) {
-    return std::abs(glm::dot(plane.N, q) - plane.d) <= tolerance;
-  });
+  const Rounding bound{e, std::ldexp(magnitude, steps)};
+  std::vector<RoundedPoint> points;
+  for (const glm::dvec3& q : p) points.push_back({q, bound.counted(u)});
+  const PlaneFit newell = fitOf(plane, points, bound);
+  outline.planar =
+      newell.explains() || (newell.h <= 7.0 && fitPlane(points, plane, bound, FitGoal::Explain).explains());
 
   const glm::dvec3 N = glm::abs(plane.N);
   const int dropped = N.z >= N.x && N.z >= N.y ? 2 : N.y >= N.x ? 1 : 0;

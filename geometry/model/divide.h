@@ -7,6 +7,11 @@
 
 namespace xnewell {
 
+/// A plane of the model, through the point `at`. N is a unit vector, or 0 for faces without area.
+struct ModelPlane {
+  glm::dvec3 N{0.0}, at{0.0};
+};
+
 /// The faces of a mesh as convex planar polygons. Part k belongs to face[k], and faces keep their numbers.
 /// ConvexParts are in face order and every face has at least one.
 struct ConvexParts {
@@ -18,6 +23,8 @@ struct ConvexParts {
   /// of the model. divideFaces() finds this for the parts of one planar face, coplanarClasses() for all
   /// parts.
   std::vector<int> plane;
+  /// The planes with these numbers, found by uniteCoplanar(); empty before.
+  std::vector<ModelPlane> planes;
 
   [[nodiscard]] int count() const { return static_cast<int>(face.size()); }
   [[nodiscard]] std::span<const int> part(int k) const {
@@ -35,12 +42,10 @@ struct ConvexParts {
 /// A face whose corners are all in line, or that has no vector area, covers nothing. It stays as it is, as
 /// one part. A face that crosses itself becomes triangles that may overlap.
 ///
-/// Planar: every corner is within min(7 u, 3e-5 e) + 2^-46 e + 2^-50 m of the Newell plane. u is the face's
-/// rounding, e the longest side of the face's box, m the largest coordinate. The first term is the rounding
-/// of the file, with a limit for coarse files. The second is our own arithmetic. The third is the rounding of
-/// coordinates to double: 2^-53 m on each axis, sqrt 3 times that for a corner, for four corners.
-/// Convexity, and every choice of a cut, is exact on a grid of 2^49 to 2^50 steps across the box, seen along
-/// the axis nearest to the face's normal. All finite coordinates are allowed, up to the largest double.
+/// Planar: one plane explains all corners (rounding.h), with the side and the magnitude of the face itself.
+/// If a corner is further than 7 r from the Newell plane, the face counts as bent without a search for that
+/// plane. Convexity, and every choice of a cut, is exact on a grid of 2^49 to 2^50 steps across the box, seen
+/// along the axis nearest to the face's normal. All finite coordinates are allowed, up to the largest double.
 [[nodiscard]] ConvexParts divideFaces(const Mesh& mesh);
 
 }  // namespace xnewell

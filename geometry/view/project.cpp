@@ -3,10 +3,15 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <glm/common.hpp>
+#include <optional>
 #include <utility>
 
+#include "geometry/exact/box.h"
+#include "geometry/exact/plane.h"
 #include "geometry/view/clip.h"
 #include "geometry/view/depth_doubt.h"
+#include "geometry/view/plane_record.h"
 
 namespace xnewell {
 
@@ -169,6 +174,38 @@ class Snapper {
   std::size_t vertices_ = 0;  ///< number of vertices written
 };
 
+/// True if the face is a triangle of the model as it is.
+bool isWholeTriangle(const SnappedScene& scene, const SnappedFace& face, const ConvexParts& parts) {
+  if (face.count != 3 || parts.part(face.part).size() != 3) return false;
+  const int* const source = &scene.source[face.first];
+  return source[0] >= 0 && source[1] >= 0 && source[2] >= 0;
+}
+
+/// The plane of a part that is not one of ConvexParts::planes. One plane explains its corners.
+ModelPlane newellPlaneOf(const Mesh& mesh, const ConvexParts& parts, int part) {
+  return {newellPlane(mesh.points, parts.part(part)).N, centroid(mesh.points, parts.part(part))};
+}
+
+/// A place in the picture, in the middle of the face or near it.
+glm::ivec2 placeInPicture(const SnappedScene& scene, const SnappedFace& face, int width, int height) {
+  glm::ivec2 low{width * kGrid, height * kGrid}, high{0};
+  for (int v = face.first; v < face.first + face.count; ++v) {
+    const glm::ivec2 p{scene.vertices[v]};
+    low = glm::min(low, p), high = glm::max(high, p);
+  }
+  return glm::clamp(low / 2 + high / 2, glm::ivec2{0}, glm::ivec2{width, height} * kGrid);
+}
+
+/// The plane through three vertices of face f and those that `next` lists after it.
+ScreenPlane planeThroughAll(const SnappedScene& scene, int f, const std::vector<int>& next) {
+  std::vector<glm::ivec3> together;
+  for (int g = f; g >= 0; g = next[g]) {
+    const auto outline = scene.vertices.begin() + scene.faces[g].first;
+    together.insert(together.end(), outline, outline + scene.faces[g].count);
+  }
+  return planeThrough(together.data(), static_cast<int>(together.size()));
+}
+
 }  // namespace
 
 std::int64_t doubleArea(const glm::ivec3* p, int count) {
@@ -269,8 +306,11 @@ SnappedScene snap(const Mesh& mesh, const ConvexParts& parts, const ViewSpec& vi
 }
 
 // The records are in the order of their first faces.
-void addPlanes(SnappedScene& scene, const Mesh& mesh, const ViewSpec& view, int width, int height) {
-  const DepthDoubt doubt{view, width, height, scene.zShift};
+void addPlanes(SnappedScene& scene, const Mesh& mesh, const ConvexParts& parts, const ViewSpec& view,
+               int width, int height) {
+  const Box box = boxOf(mesh.points);
+  const DepthDoubt doubt{view, width, height, scene.zShift, Rounding{box.side(), box.magnitude()}};
+  const PlaneRecords records{view, width, height, scene.zShift};
   const int count = static_cast<int>(scene.faces.size());
   int modelPlanes = 0;
   for (const SnappedFace& face : scene.faces) modelPlanes = std::max(modelPlanes, face.plane + 1);
@@ -278,28 +318,24 @@ void addPlanes(SnappedScene& scene, const Mesh& mesh, const ViewSpec& view, int 
   for (int f = count - 1; f >= 0; --f) next[f] = std::exchange(first[scene.faces[f].plane], f);
 
   scene.planes.reserve(count);
-  std::vector<glm::ivec3> together;
   for (int f = 0; f < count; ++f) {
     const SnappedFace& face = scene.faces[f];
     if (first[face.plane] != f) continue;  // an earlier face of its plane made the record
-    const glm::ivec3* vertices = &scene.vertices[face.first];
-    int vertexCount = face.count;
-    if (next[f] >= 0) {
-      together.clear();
-      for (int g = f; g >= 0; g = next[g]) {
-        const auto outline = scene.vertices.begin() + scene.faces[g].first;
-        together.insert(together.end(), outline, outline + scene.faces[g].count);
-      }
-      vertices = together.data();
-      vertexCount = static_cast<int>(together.size());
-    }
     const int record = static_cast<int>(scene.planes.size());
-    scene.planes.push_back(planeThrough(vertices, vertexCount));
+    if (next[f] < 0 && isWholeTriangle(scene, face, parts)) {
+      scene.planes.push_back(planeThrough(&scene.vertices[face.first], 3));
+      scene.faces[f].plane = record;
+      scene.faces[f].doubt = doubt.of(scene.planes.back(), mesh.roundingOf(face.number));
+      continue;
+    }
+    const ModelPlane plane =
+        parts.planes.empty() ? newellPlaneOf(mesh, parts, face.part) : parts.planes[face.plane];
+    const std::optional<ScreenPlane> ofModel = records.of(plane, placeInPicture(scene, face, width, height));
+    scene.planes.push_back(ofModel ? *ofModel : planeThroughAll(scene, f, next));
     for (int g = f; g >= 0; g = next[g]) {
       SnappedFace& member = scene.faces[g];
       member.plane = record;
-      member.doubt = doubt.of(&scene.vertices[member.first], member.count, scene.planes.back(),
-                              mesh.roundingOf(member.number));
+      member.doubt = doubt.of(scene.planes.back(), mesh.roundingOf(member.number));
     }
   }
 }
@@ -307,7 +343,7 @@ void addPlanes(SnappedScene& scene, const Mesh& mesh, const ViewSpec& view, int 
 SnappedScene project(const Mesh& mesh, const ConvexParts& parts, const ViewSpec& view, int width, int height,
                      Cull cull) {
   SnappedScene scene = snap(mesh, parts, view, width, height, cull);
-  addPlanes(scene, mesh, view, width, height);
+  addPlanes(scene, mesh, parts, view, width, height);
   return scene;
 }
 

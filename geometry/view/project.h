@@ -13,11 +13,11 @@
 
 namespace xnewell {
 
-/// A bound for the error of a plane's z, in z steps, as a quadratic in z: rounding in the model moves points
-/// near the eye further. No coefficient is negative. If all are 0, the plane counts as exact.
+/// A bound for the error of a plane's z, in z steps, linear in z: rounding in the model moves points near the
+/// eye further (depth_doubt.h). Neither coefficient is negative. If both are 0, the plane counts as exact.
 struct Doubt {
-  float atBack = 0, byZ = 0, byZZ = 0;
-  [[nodiscard]] double at(double z) const { return atBack + z * (byZ + z * byZZ); }
+  float atBack = 0, byZ = 0;
+  [[nodiscard]] double at(double z) const { return atBack + z * byZ; }
 };
 
 /// A convex face on the screen grid, ready to be ordered and painted.
@@ -66,10 +66,13 @@ enum class Cull { Keep, Back };
                                 int height, Cull cull);
 
 /// What only an order that compares planes needs: parts of one plane (ConvexParts::plane) get one plane
-/// record, through three of their vertices that lie far apart. So they are exactly
-/// coplanar, and at a common sample the later one is seen. Call it once after each snap(), with the same
-/// view.
-void addPlanes(SnappedScene& scene, const Mesh& mesh, const ViewSpec& view, int width, int height);
+/// record. So they are exactly coplanar, and at a common sample the later one is seen. The record is that of
+/// the plane of the model (plane_record.h). Only a triangle that was not clipped and shares its plane with no
+/// other face has the plane of its snapped vertices: it meets its neighbours exactly in their common
+/// vertices, so they have fewer contacts. Faces of ConvexParts that uniteCoplanar() has not seen have their
+/// Newell planes. Call it once after each snap(), with the same arguments.
+void addPlanes(SnappedScene& scene, const Mesh& mesh, const ConvexParts& parts, const ViewSpec& view,
+               int width, int height);
 
 /// Calls snap(), then addPlanes().
 [[nodiscard]] SnappedScene project(const Mesh& mesh, const ConvexParts& parts, const ViewSpec& view,

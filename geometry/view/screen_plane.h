@@ -10,18 +10,22 @@ namespace xnewell {
 
 /// The exact plane of faces over the screen: z = (A x + B y + D) / C in the units of SnappedScene.
 /// Holds:  C > 0, because a snapped face has an area.
-/// Bounds: |x|, |y| <= 2^29 and 0 <= z <= 2^30 make |A|, |B|, C <= 2^61 and |D| <= 2^93.
+/// Bounds: |x|, |y| <= 2^29 and 0 <= z <= 2^30 make |A|, |B|, C <= 2^61 and |D| <= 2^93. A plane of the model
+/// has
+///         |A|, |B|, C <= 2^60 and, at some place in the picture, |z| <= 2^31: so it keeps to them.
 struct ScreenPlane {
   std::int64_t A = 0, B = 0, C = 1;
   Int128 D = 0;
+  /// True if it comes from a plane of the model (plane_record.h), not from vertices on the grid.
+  bool ofModel = false;
   bool operator==(const ScreenPlane&) const = default;
 };
 
 /// The plane through three of the points that lie far apart: the least point (in x, then y, then z), the
 /// point farthest from it on the screen, and the point that spans the largest triangle with both. Of equal
-/// choices it takes the least, so the order of the points does not matter. A face with more than three
-/// corners, or several faces in one plane, are planar only up to the rounding of the snap; from here on, this
-/// plane is theirs. count >= 3, and not all points are in line on the screen.
+/// choices it takes the least, so the order of the points does not matter. It is the record of a single
+/// triangle, and of planes that are seen too nearly edge-on for a record from the model. count >= 3, and not
+/// all points are in line on the screen.
 [[nodiscard]] ScreenPlane planeThrough(const glm::ivec3* points, int count);
 
 /// The sign of zP - zQ at (x, y), |x|, |y| <= 2^30 grid steps: +1 if P is nearer, 0 if the planes meet there.

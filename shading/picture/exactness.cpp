@@ -24,8 +24,9 @@ std::vector<SampleCheck> checkedSamples(const Picture& picture) {
     for (int i = 0; i < width; ++i) {
       const std::size_t k = std::size_t(j) * width + i;
       if (visible[k] == kNothing) continue;
-      const bool wrong = painted[k] != visible[k] && apart(painted[k], visible[k], i, j);
-      verdicts[k] = wrong ? SampleCheck::Wrong : SampleCheck::Right;
+      verdicts[k] = painted[k] == visible[k]              ? SampleCheck::Right
+                    : apart(painted[k], visible[k], i, j) ? SampleCheck::Wrong
+                                                          : SampleCheck::Doubtful;
     }
   return verdicts;
 }
@@ -35,6 +36,7 @@ Exactness exactnessOf(const Picture& picture) {
   for (const SampleCheck verdict : checkedSamples(picture)) {
     exactness.samples += verdict != SampleCheck::Nothing;
     exactness.wrong += verdict == SampleCheck::Wrong;
+    exactness.doubtful += verdict == SampleCheck::Doubtful;
   }
   return exactness;
 }

@@ -13,14 +13,15 @@ namespace xnewell {
 /// The verdict on one sample. It is Wrong if the picture shows another face than the oracle sees. There is
 /// one exception: rounding alone may separate two faces in different planes whose depths differ by no more
 /// than the sum of their doubts (SnappedFace::doubt). They may be coplanar in the model, so neither counts as
-/// wrong.
-enum class SampleCheck : std::uint8_t { Nothing, Right, Wrong };
+/// wrong: the sample is Doubtful.
+enum class SampleCheck : std::uint8_t { Nothing, Right, Doubtful, Wrong };
 /// The verdict on each sample, row by row.
 [[nodiscard]] std::vector<SampleCheck> checkedSamples(const Picture& picture);
 
-/// `samples` counts the samples that show a face, `wrong` those that show a wrong face.
+/// `samples` counts the samples that show a face, `wrong` those that show a wrong face, `doubtful` those that
+/// show a farther face which rounding alone may part from the nearest.
 struct Exactness {
-  int samples = 0, wrong = 0;
+  int samples = 0, wrong = 0, doubtful = 0;
 };
 [[nodiscard]] Exactness exactnessOf(const Picture& picture);
 

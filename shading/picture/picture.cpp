@@ -31,7 +31,7 @@ Picture Picture::withPlanes() const {
   Picture picture = *this;
   if (!snapped_->planes.empty()) return picture;
   SnappedScene snapped = *snapped_;
-  addPlanes(snapped, scene_->mesh, camera_.view, settings_.width, settings_.height);
+  addPlanes(snapped, scene_->mesh, scene_->parts, camera_.view, settings_.width, settings_.height);
   picture.snapped_ = std::move(snapped);
   return picture;
 }

@@ -73,7 +73,7 @@ Scene makeScene(std::string name, Mesh mesh, UpAxis up, int divisions) {
   for (glm::dvec3& p : scene.mesh.points) p = scaled(p, -scene.exponent);
   for (double& u : scene.mesh.rounding) u = std::ldexp(u, -scene.exponent);
   scene.parts = divideFaces(scene.mesh);
-  scene.parts.plane = coplanarClasses(scene.mesh, scene.parts);
+  uniteCoplanar(scene.mesh, scene.parts);
   return scene;
 }
 

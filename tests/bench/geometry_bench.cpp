@@ -194,10 +194,10 @@ Mesh tiledFloor(int side) {
 
 void findCoplanar(benchmark::State& state, const Mesh& mesh) {
   const ConvexParts parts = divideFaces(mesh);
-  std::vector<int> planes;
-  for (auto _ : state) benchmark::DoNotOptimize(planes = coplanarClasses(mesh, parts));
+  CoplanarClasses classes;
+  for (auto _ : state) benchmark::DoNotOptimize(classes = coplanarClasses(mesh, parts));
   state.SetItemsProcessed(state.iterations() * parts.count());
-  state.counters["planes"] = 1 + *std::max_element(planes.begin(), planes.end());
+  state.counters["planes"] = static_cast<double>(classes.planes.size());
 }
 // No two faces are coplanar, and neighbours touch: expect n log n. The mesh is exact, or as if read with that
 // many decimals.

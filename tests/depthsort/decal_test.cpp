@@ -108,7 +108,7 @@ TEST(Decals, TheLaterIsSeen) {
     const Mesh mesh = normalised(wallWithDecals(seed), std::pow(10.0, static_cast<int>(seed % 13) - 6));
     ConvexParts parts = divideFaces(mesh);
     const std::vector<int> ownPlanes = parts.plane;
-    parts.plane = coplanarClasses(mesh, parts);
+    uniteCoplanar(mesh, parts);
     const ViewSpec view = randomView(mesh, seed);
     const SnappedScene scene = project(mesh, parts, view, kSize, kSize, Cull::Keep);
     const std::vector<int> seen = visibleFaces(scene, kSize, kSize), last = lastFaces(scene);
@@ -145,7 +145,7 @@ TEST(Decals, KeepTheirPixelsWhenSplit) {
     addCrossingPlates(mesh, seed);
     mesh = normalised(mesh, scale);
     ConvexParts parts = divideFaces(mesh);
-    parts.plane = coplanarClasses(mesh, parts);
+    uniteCoplanar(mesh, parts);
     const ViewSpec view = randomView(mesh, seed);
     const SnappedScene scene = project(mesh, parts, view, kSize, kSize, Cull::Keep);
     const std::vector<int> last = lastOfWall(scene), seen = visibleFaces(scene, kSize, kSize);

@@ -30,7 +30,7 @@ Pts rectangle(glm::dvec3 corner, glm::dvec3 a, glm::dvec3 b) {
   return {corner, corner + a, corner + a + b, corner + b};
 }
 
-std::vector<int> classesOf(const Mesh& mesh) { return coplanarClasses(mesh, divideFaces(mesh)); }
+std::vector<int> classesOf(const Mesh& mesh) { return coplanarClasses(mesh, divideFaces(mesh)).plane; }
 
 int countOf(const std::vector<int>& classes) {
   return classes.empty() ? 0 : 1 + *std::max_element(classes.begin(), classes.end());
@@ -54,51 +54,38 @@ void addBox(Mesh& mesh, glm::dvec3 low, glm::dvec3 size) {
   }
 }
 
-/// The classes as coplanar.h defines them, from all pairs of parts. It is for scenes where no part leaves its
-/// class.
-std::vector<int> classesOfAllPairs(const Mesh& mesh, const ConvexParts& parts) {
-  glm::dvec3 low = mesh.points[0], high = low;
-  double magnitude = 0.0;
-  for (const glm::dvec3& p : mesh.points)
-    for (int axis = 0; axis < 3; ++axis) {
-      low[axis] = std::min(low[axis], p[axis]), high[axis] = std::max(high[axis], p[axis]);
-      magnitude = std::max(magnitude, std::abs(p[axis]));
-    }
-  const double e = std::max({high.x - low.x, high.y - low.y, high.z - low.z});
+/// The classes as coplanar.h defines them, from all pairs of parts. It is for scenes where one plane explains
+/// those parts and only those that were made in one plane, `madeIn` by face (-1 for none).
+std::vector<int> classesOfAllPairs(const Mesh& mesh, const ConvexParts& parts,
+                                   const std::vector<int>& madeIn) {
   const double u = mesh.rounding.empty() ? 0.0 : mesh.rounding[0];
-  const double tol = std::min(7.0 * u, 3e-5 * e) + 0x1p-46 * e + 0x1p-50 * magnitude;
-
   std::vector<int> classes = parts.plane;
-  const auto whole = [&](int i) {
-    const bool alone = std::count(parts.plane.begin(), parts.plane.end(), parts.plane[i]) == 1;
-    return alone ? parts.part(i) : mesh.face(parts.face[i]);
-  };
-  std::vector<double> area;
-  for (int i = 0; i < parts.count(); ++i) area.push_back(glm::length(newellVector(mesh.points, whole(i))));
   const auto parted = [&](int i, int j, const glm::dvec3& axis) {
     const auto P = parts.part(i);
     const double turns = glm::dot(newellVector(mesh.points, P), axis) > 0.0 ? 1.0 : -1.0;
     for (std::size_t k = 0; k < P.size(); ++k) {
-      const glm::dvec3 a = mesh.points[P[k]], edge = mesh.points[P[(k + 1) % P.size()]] - a;
-      const glm::dvec3 inwards = turns * glm::cross(axis, edge);
+      const glm::dvec3 a = mesh.points[P[k]], b = mesh.points[P[(k + 1) % P.size()]];
+      const glm::dvec3 along = b - a - axis * glm::dot(axis, b - a);
+      const double length = glm::length(along);
+      const glm::dvec3 inwards = turns * glm::cross(axis, along) / length;
       if (std::ranges::all_of(parts.part(j), [&](int c) {
-            return glm::dot(inwards, mesh.points[c] - a) <= tol * glm::length(inwards);
+            const double beyond = std::abs(glm::dot(along, 2.0 * mesh.points[c] - a - b)) / (length * length);
+            return glm::dot(inwards, mesh.points[c] - a) <=
+                   (std::sqrt(2.0) * u + 1e-14) * (1.0 + std::clamp(beyond, 1.0, 3.0));
           }))
         return true;
     }
     return false;
   };
   for (int i = 0; i < parts.count(); ++i)
-    for (int j = 0; j < parts.count(); ++j) {
-      if (classes[i] == classes[j] || area[i] < area[j]) continue;
-      const Plane plane = newellPlane(mesh.points, whole(i));
-      const glm::dvec3 N = glm::abs(plane.N);
+    for (int j = 0; j < i; ++j) {
+      const int plane = madeIn[parts.face[i]];
+      if (classes[i] == classes[j] || plane < 0 || plane != madeIn[parts.face[j]]) continue;
+      const glm::dvec3 N = glm::abs(newellPlane(mesh.points, mesh.face(parts.face[j])).N);
       const glm::dvec3 axis = N.z >= N.x && N.z >= N.y ? glm::dvec3{0, 0, 1}
                               : N.y >= N.x             ? glm::dvec3{0, 1, 0}
                                                        : glm::dvec3{1, 0, 0};
-      const bool coplanar = std::ranges::all_of(
-          parts.part(j), [&](int c) { return std::abs(glm::dot(plane.N, mesh.points[c]) - plane.d) <= tol; });
-      if (coplanar && !parted(i, j, axis) && !parted(j, i, axis))
+      if (!parted(i, j, axis) && !parted(j, i, axis))
         std::replace(classes.begin(), classes.end(), int{classes[j]}, int{classes[i]});
     }
   std::vector<int> seen;  // numbered in order of the first part of each
@@ -209,50 +196,50 @@ TEST(Coplanar, DecalsUniteWithTheirWall) {
   }
 }
 
-// Sheets ten tolerances apart are never united, however many lie over one another. Sheets half a tolerance
-// apart are united.
+// Sheets that are more than 2 |N|_1 units of the last decimal apart are never united, however many lie over
+// one another. Sheets a quarter of a unit apart are united.
 TEST(Coplanar, ParallelSheetsStayApart) {
   for (unsigned seed = 0; seed < 300; ++seed) {
     SCOPED_TRACE(seed);
     std::mt19937 rng{seed};
     const Frame frame = randomFrame(rng);
-    const double tol = 7 * 0.5e-6;
+    const double unit = 1e-6;
     const auto sheets = [&](double distance) {
       Mesh mesh = exactMesh();
       for (int k = 0; k < 5; ++k)
         addRounded(mesh, rectangle(frame.at(0, 0) + distance * k * frame.N, frame.a, frame.b), 6);
       return countOf(classesOf(mesh));
     };
-    EXPECT_EQ(sheets(10 * tol), 5);
-    EXPECT_LT(sheets(0.5 * tol), 5);
+    EXPECT_EQ(sheets(2.001 * unit * (std::abs(frame.N.x) + std::abs(frame.N.y) + std::abs(frame.N.z))), 5);
+    EXPECT_LT(sheets(0.25 * unit), 5);
   }
 }
 
-// A staircase of sheets, each within the tolerance of the next. The members of a class lie within three
-// tolerances of the largest, and the others leave the class.
+// A staircase of sheets, each of which one plane explains with the next. A class spans no more than one plane
+// explains, wherever the largest sheet lies. Few sheets are alone.
 TEST(Coplanar, ChainsDoNotDrift) {
-  constexpr double kTol = 7 * 0.5e-6;
+  constexpr double kU = 0.5e-6, kStep = 0.4 * kU;
   for (const int largest : {0, 10, 39}) {
     SCOPED_TRACE(largest);
     Mesh mesh = exactMesh();
-    mesh.rounding = {0.5e-6};
+    mesh.rounding = {kU};
     for (int k = 0; k < 40; ++k) {
       const double size = k == largest ? 1.0 : 0.9;
-      addRounded(mesh, rectangle({0, 0, 0.9 * kTol * k}, {size, 0, 0}, {0, size, 0}), 0);
+      addRounded(mesh, rectangle({0, 0, kStep * k}, {size, 0, 0}, {0, size, 0}), 0);
     }
     const std::vector<int> classes = classesOf(mesh);
-    int stayed = 0;
+    std::vector<int> low(countOf(classes), 99), high(countOf(classes), -1);
     for (int k = 0; k < 40; ++k) {
-      EXPECT_EQ(classes[k] == classes[largest], std::abs(k - largest) * 0.9 <= 3.0) << k;
-      stayed += classes[k] == classes[largest];
+      low[classes[k]] = std::min(low[classes[k]], k);
+      high[classes[k]] = std::max(high[classes[k]], k);
     }
-    EXPECT_GE(stayed, 4);
-    EXPECT_EQ(countOf(classes), 41 - stayed);
+    for (int c = 0; c < countOf(classes); ++c) EXPECT_LE(kStep * (high[c] - low[c]), 2.0001 * kU);
+    EXPECT_LE(countOf(classes), 20);
   }
 }
 
-// The tolerance is never more than 3e-5 of the scene, however coarse the file. A coarse object lends its
-// tolerance only to the objects that it meets.
+// What rounding explains is never more than 3e-5 / sqrt 3 of the scene for each face, however coarse the
+// file. A coarse object lends nothing to others.
 TEST(Coplanar, RoundingByObjectAndCapped) {
   const auto united = [](double height, double u, double v) {
     Mesh mesh = exactMesh();
@@ -263,13 +250,17 @@ TEST(Coplanar, RoundingByObjectAndCapped) {
     mesh.group[1] = 1;
     return countOf(classesOf(mesh)) == 1;
   };
-  EXPECT_TRUE(united(2.9e-5, 0.5e-1, 0));
-  EXPECT_FALSE(united(3.1e-5, 0.5e-1, 0));
-  EXPECT_TRUE(united(6.9e-6, 1e-6, 0));
-  EXPECT_TRUE(united(6.9e-6, 0, 1e-6));
-  EXPECT_FALSE(united(7.1e-6, 1e-6, 1e-6));
-  EXPECT_TRUE(united(0x1p-47, 0, 0));
-  EXPECT_FALSE(united(0x1p-45, 0, 0));
+  EXPECT_TRUE(united(1.73e-5, 0.5e-1, 0));
+  EXPECT_FALSE(united(1.74e-5, 0.5e-1, 0));
+  EXPECT_TRUE(united(3.46e-5, 0.5e-1, 0.5e-2));
+  EXPECT_FALSE(united(3.47e-5, 0.5e-1, 0.5e-2));
+  EXPECT_TRUE(united(0.99e-6, 1e-6, 0));
+  EXPECT_TRUE(united(0.99e-6, 0, 1e-6));
+  EXPECT_FALSE(united(1.01e-6, 1e-6, 0));
+  EXPECT_TRUE(united(1.99e-6, 1e-6, 1e-6));
+  EXPECT_FALSE(united(2.01e-6, 1e-6, 1e-6));
+  EXPECT_TRUE(united(0x1p-45, 0, 0));
+  EXPECT_FALSE(united(0x1p-44, 0, 0));
 }
 
 // The parts of a concave planar face lie in one plane, with the decals on any of its arms. The parts of a
@@ -282,7 +273,7 @@ TEST(Coplanar, PartsOfOneFace) {
   addRounded(mesh, rectangle({1, 1, 0}, {2, 0, 0}, {0, 2, 0}), 0);  // in the notch: only touches
   addRounded(mesh, {{5, 0, 0}, {6, 0, 0}, {6, 1, 0.5}, {5, 1, 0}}, 0);
   const ConvexParts parts = divideFaces(mesh);
-  const std::vector<int> classes = coplanarClasses(mesh, parts);
+  const std::vector<int> classes = coplanarClasses(mesh, parts).plane;
   EXPECT_GE(parts.count(), 4 + 1 + 1 + 1 + 2);
   std::vector<int> ofFace(5, -1), seen;
   for (int k = 0; k < parts.count(); ++k) {
@@ -311,8 +302,11 @@ TEST(Coplanar, CombsAsAllPairsGiveThem) {
     SCOPED_TRACE(seed);
     const Mesh mesh = combWithDecals(seed);
     const ConvexParts parts = divideFaces(mesh);
-    const std::vector<int> classes = coplanarClasses(mesh, parts);
-    ASSERT_EQ(classes, classesOfAllPairs(mesh, parts));
+    const std::vector<int> classes = coplanarClasses(mesh, parts).plane;
+    std::vector<int> madeIn(mesh.faceCount(), -1);
+    madeIn[0] = 0;
+    for (int k = 0; k < 120; ++k) madeIn[k + 1] = k % 4 == 0 ? 1 : 0;
+    ASSERT_EQ(classes, classesOfAllPairs(mesh, parts, madeIn));
     const auto combParts = std::count(parts.face.begin(), parts.face.end(), 0);
     ASSERT_GT(combParts, 100);
     EXPECT_EQ(std::count(classes.begin(), classes.begin() + combParts, 0), combParts);
@@ -357,7 +351,7 @@ TEST(Coplanar, WithoutArea) {
   addRounded(mesh, rectangle({0, 0, 0}, {1, 0, 0}, {0, 1, 0}), 0);
   addRounded(mesh, {{0.25, 0.25, 0}, {0.5, 0.5, 0}, {0.75, 0.75, 0}}, 0);
   EXPECT_EQ(countOf(classesOf(mesh)), 3);
-  EXPECT_TRUE(coplanarClasses(Mesh{}, ConvexParts{}).empty());
+  EXPECT_TRUE(coplanarClasses(Mesh{}, ConvexParts{}).plane.empty());
 }
 
 }  // namespace xnewell

@@ -131,18 +131,18 @@ TEST(Divide, PartsOfConcaveFacesSumToTheFace) {
   }
 }
 
-// The rounding of a file does not bend a face. A face counts as planar up to 7 times half the last decimal,
-// but at most up to 3e-5 of the face. Exact data must be planar to 2^-46.
+// The rounding of a file does not bend a face. A face counts as planar if each corner is within half the last
+// decimal of one plane, but at most 3e-5 / sqrt 3 of the face. Exact data must be planar to 2^-46.
 TEST(Divide, RoundedFacesArePlanar) {
   // Raising corner 2 by 4 h moves the corners h off the Newell plane.
   const auto cuts = [](double h, double rounding) {
     return partsOf(Pts{{0, 0, 0}, {1, 0, 0}, {1, 1, 4 * h}, {0, 1, 0}}, rounding).size() > 1;
   };
-  EXPECT_FALSE(cuts(6.9e-6, 1e-6));
-  EXPECT_TRUE(cuts(7.1e-6, 1e-6));
-  EXPECT_FALSE(cuts(2.9e-5, 1e-3));
-  EXPECT_TRUE(cuts(3.1e-5, 1e-3));
-  EXPECT_FALSE(cuts(0x1p-47, 0.0));
+  EXPECT_FALSE(cuts(0.99e-6, 1e-6));
+  EXPECT_TRUE(cuts(1.01e-6, 1e-6));
+  EXPECT_FALSE(cuts(1.73e-5, 1e-3));
+  EXPECT_TRUE(cuts(1.74e-5, 1e-3));
+  EXPECT_FALSE(cuts(0x1p-46, 0.0));
   EXPECT_TRUE(cuts(0x1p-45, 0.0));
 }
 

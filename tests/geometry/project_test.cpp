@@ -3,11 +3,15 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <glm/geometric.hpp>
+#include <glm/matrix.hpp>
 #include <map>
 #include <numbers>
 #include <random>
 #include <set>
 #include <utility>
+
+#include "geometry/model/coplanar.h"
 
 namespace xnewell {
 
@@ -181,31 +185,46 @@ TEST(Project, DepthKeepsItsBits) {
   EXPECT_TRUE(largest <= 1 << 30 && largest > 1 << 29) << largest;
 }
 
-// ConvexParts of one plane share one record, and it comes from their farthest vertices: neither a small decal
-// of the model's that lies a little off decides it, nor the order in which they are listed. Others keep their
-// lies a little off does not decide it, nor does the order of the faces. Other parts keep their own records.
+// Parts of one plane share one record, which is that of the plane of the model: a small decal of the model's
+// that lies a little off does not tilt it, nor does a clip point. At each vertex the record has the depth of
+// the plane in long double, to a fraction of a step and of what the snap moves. Other parts keep their own
+// records.
 TEST(Project, OnePlaneHasOneRecord) {
-  const auto projectedIn = [](bool decalFirst, Projection projection) {
-    Mesh m;
-    m.points = {{-0.9, -0.8, -1}, {0.9, -0.8, 0.8}, {0.9, 0.8, 0.8}, {-0.9, 0.8, -1}, {0, 0, -0.1001},
-                {0.01, 0, -0.09}, {0, 0.01, -0.1},  {0, 0, 0.5},     {0.5, 0, 0.5},   {0, 0.5, 0.75}};
-    const std::vector<std::vector<int>> faces =
-        decalFirst ? std::vector<std::vector<int>>{{6, 5, 4}, {0, 1, 2, 3}, {7, 8, 9}}
-                   : std::vector<std::vector<int>>{{0, 1, 2, 3}, {6, 5, 4}, {7, 8, 9}};
-    for (const auto& f : faces) m.addFace(f, 0);
-    ConvexParts parts = divideFaces(m);
-    parts.plane = {0, 0, 1};
-    return project(m, parts, fromAbove(projection), 512, 512, Cull::Keep);
-  };
-  for (const Projection projection : {Projection::Parallel, Projection::Perspective}) {
-    const SnappedScene one = projectedIn(false, projection), two = projectedIn(true, projection);
-    ASSERT_EQ(one.faces.size(), 3u);
-    ASSERT_EQ(one.planes.size(), 2u);
-    EXPECT_EQ(one.faces[0].plane, one.faces[1].plane);
-    EXPECT_NE(one.faces[0].plane, one.faces[2].plane);
-    EXPECT_EQ(one.planes[0], planeThrough(&one.vertices[one.faces[0].first], 4));
-    EXPECT_EQ(one.planes, two.planes);
-  }
+  for (const Projection projection : {Projection::Parallel, Projection::Perspective})
+    for (const bool decalFirst : {false, true})
+      for (const double far : {0.9, 9.0}) {  // the second is clipped by the guard band and by the front plane
+        Mesh m;
+        m.points = {{-0.9, -0.8, -1},  {far, -0.8, -0.1 + far}, {far, 0.8, -0.1 + far}, {-0.9, 0.8, -1},
+                    {0, 0, -0.100001}, {0.01, 0, -0.09},        {0, 0.01, -0.1},        {0, 0, 0.5},
+                    {0.5, 0, 0.5},     {0, 0.5, 0.75}};
+        m.rounding = {0.5e-6};
+        m.groupNames = {""};
+        const std::vector<std::vector<int>> faces =
+            decalFirst ? std::vector<std::vector<int>>{{6, 5, 4}, {0, 1, 2, 3}, {7, 8, 9}}
+                       : std::vector<std::vector<int>>{{0, 1, 2, 3}, {6, 5, 4}, {7, 8, 9}};
+        for (const auto& f : faces) m.addFace(f, 0);
+        ConvexParts parts = divideFaces(m);
+        uniteCoplanar(m, parts);
+        ASSERT_EQ(parts.plane, (std::vector<int>{0, 0, 1}));
+        const ViewSpec view = fromAbove(projection);
+        const SnappedScene s = project(m, parts, view, 512, 512, Cull::Keep);
+        ASSERT_EQ(s.faces.size(), 3u);
+        ASSERT_EQ(s.planes.size(), 2u);
+        EXPECT_EQ(s.faces[0].plane, s.faces[1].plane);
+        EXPECT_NE(s.faces[0].plane, s.faces[2].plane);
+        const auto [N, at] = parts.planes[0];
+        for (const glm::ivec3& v : {s.vertices[s.faces[0].first], s.vertices[s.faces[1].first + 1]}) {
+          const long double u = v.x / (256.0L * kGrid) - 1, w = 1 - v.y / (256.0L * kGrid);
+          const long double c = static_cast<long double>(N.x) * at.x + static_cast<long double>(N.y) * at.y +
+                                static_cast<long double>(N.z) * at.z;
+          long double z = (c - N.x * u - N.y * w) / N.z + 4;  // parallel: z - back
+          if (projection == Projection::Perspective)          // N.(0, 0, 4) + d N.(u / 4, w / 4, -1) = c
+            z = 16 * ((N.x * u / 4 + N.y * w / 4 - N.z) / (c - 4 * N.z) - 1 / 8.0L);
+          const auto inSteps = static_cast<double>(z * 256 * kGrid / std::exp2(s.zShift));
+          EXPECT_NEAR(depthAt(s.planes[0], v.x, v.y), inSteps, 1e-3);
+          EXPECT_NEAR(v.z, inSteps, s.faces[0].doubt.at(v.z));
+        }
+      }
 }
 
 // The doubt of a face's depth grows with the rounding of its own coordinates, not with that of others.
@@ -217,10 +236,51 @@ TEST(Project, DoubtIsByObject) {
   const int corners[] = {0, 1, 2};
   m.addFace(corners, 0);
   m.addFace(corners, 1);
+  const double perUnit = 256 * kGrid;
   const SnappedScene s = projected(m, fromAbove(Projection::Parallel));
   ASSERT_EQ(s.faces.size(), 2u);
-  EXPECT_EQ(s.faces[0].doubt.at(0), 4 * 0.5);
-  EXPECT_NEAR(s.faces[1].doubt.at(0), 4 * (0.5 + std::sqrt(3.0) * 1e-7 * 256 * kGrid), 1e-4);
+  EXPECT_NEAR(s.faces[0].doubt.at(0), 0.5, 1e-6);
+  EXPECT_NEAR(s.faces[1].doubt.at(0), 0.5 + 1e-7 * perUnit, 1e-4);
+}
+
+// The doubt is what a plane moves by if it is moved by r, at any depth, and what the snap adds: the plane of
+// the triangle is moved in the model and projected again.
+TEST(Project, DoubtIsWhatRoundingMoves) {
+  std::mt19937 rng{7};
+  std::uniform_real_distribution<double> in{-1.0, 1.0};
+  int mostly = 0;  // how often rounding moves more than the snap
+  for (int k = 0; k < 500; ++k) {
+    ViewSpec view = fromAbove(k % 2 ? Projection::Perspective : Projection::Parallel);
+    view.prp = {in(rng), in(rng), 4};
+    view.vpn = {in(rng) / 3, in(rng) / 3, 1};
+    const glm::dvec3 N = glm::normalize(glm::dvec3{in(rng), in(rng), 1.3});
+    const double u = 1e-5 * std::exp2(4 * in(rng)-4), r = u * (std::abs(N.x) + std::abs(N.y) + std::abs(N.z));
+    const auto planeAt = [&](double c) {
+      const auto at = [&](double x, double y) { return glm::dvec3{x, y, (c - N.x * x - N.y * y) / N.z}; };
+      Mesh m = triangle(at(-0.5, -0.5), at(0.5, -0.4), at(0.1, 0.5));
+      m.group = {0};
+      m.rounding = {u};
+      return projected(m, view);
+    };
+    const double c = 0.8 * in(rng);
+    const glm::dvec3 eye = glm::transpose(vrcRotation(view)) * view.prp;
+    if (std::abs(glm::dot(N, eye) - c) < 1000 * r)
+      continue;  // r then moves the plane by more than in proportion
+    const SnappedScene s = planeAt(c), moved = planeAt(c + r);
+    ASSERT_EQ(s.faces.size(), 1u);
+    const ScreenPlane& plane = s.planes[0];
+    const double slope =
+        static_cast<double>(std::abs(plane.A) + std::abs(plane.B)) / static_cast<double>(plane.C);
+    for (int v = 0; v < 3; ++v) {
+      const glm::ivec3& p = s.vertices[v];
+      const double z = depthAt(plane, p.x, p.y), off = std::abs(depthAt(moved.planes[0], p.x, p.y) - z);
+      const double snap = 0.5 + 0.5 * slope, most = s.faces[0].doubt.at(z) - snap;
+      ASSERT_LT(off, 1.002 * most + 2 * snap) << k;
+      ASSERT_GT(off, 0.998 * most - 2 * snap) << k;
+      mostly += most > 10 * snap;
+    }
+  }
+  EXPECT_GT(mostly, 500);
 }
 
 }  // namespace xnewell

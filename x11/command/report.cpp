@@ -8,6 +8,7 @@
 #include "geometry/files/output_file.h"
 #include "shading/color/png.h"
 #include "shading/color/rgb_image.h"
+#include "shading/picture/exactness.h"
 #include "x11/window/moot.h"
 
 namespace xnewell {
@@ -77,6 +78,7 @@ nlohmann::ordered_json statsOf(const Options& options, const Picture& picture, c
           {"splits", sort.splits},
           {"cycles", sort.cycles},
           {"contacts", sort.contacts},
+          {"doubtful", exactnessOf(picture).doubtful},
           {"tests", tests},
           {"saturated", picture.saturated()},
           {"shading", rowOf(picture.settings().shading).name},

@@ -114,31 +114,4 @@ TEST(Contact, SplitsNothing) {
   }
 }
 
-// Faces that touch at their ends, as far as rounding tells, need not touch in between: towards the viewer the
-// doubt about depths grows faster than the depths do.
-TEST(Contact, IsAskedBetweenItsCornersToo) {
-  constexpr int kSize = 64, kSide = kSize * kGrid, kNear = 100'000'000;
-  for (const int gap : {100'000, 10'000}) {  // at the near end; the later face is the farther one
-    SCOPED_TRACE(gap);
-    SnappedScene scene;
-    for (const int face : {0, 1}) {
-      const int far = 1000 + face, near = kNear - face * gap;
-      scene.faces.push_back({4 * face, 4, face, face, false, face, {1.0f, 0.0f, 1e-11f}});
-      for (const glm::ivec3 v :
-           {glm::ivec3{0, 0, far}, {0, kSide, far}, {kSide, kSide, near}, {kSide, 0, near}})
-        scene.vertices.push_back(v);
-      scene.planes.push_back(planeThrough(&scene.vertices[4 * face], 4));
-    }
-    ASSERT_LT(gap, scene.faces[0].doubt.at(kNear) + scene.faces[1].doubt.at(kNear - gap));
-    const std::vector<int> seen = visibleFaces(scene, kSize, kSize);
-    const SortedScene sorted = depthSort(scene, {kSize, kSize});
-    const std::vector<int> shown = painted(scene, sorted, kSize, kSize);
-    for (int k = 0; k < kSize * kSize; ++k) {
-      ASSERT_EQ(seen[k], 0);
-      ASSERT_TRUE(shown[k] == 0 || mayTouch(scene, shown[k], seen[k], k, kSize)) << k % kSize;
-    }
-    EXPECT_GT(sorted.statistics.contacts, 0);
-  }
-}
-
 }  // namespace xnewell

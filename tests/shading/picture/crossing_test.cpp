@@ -79,7 +79,7 @@ CameraSettings wholeScene(const CameraSettings& camera, unsigned seed) {
 
 }  // namespace
 
-// Crossing tori are split as often as pairs of their faces truly cross, within 2 %. A piece may cross again,
+// Crossing tori are split as often as pairs of their faces truly cross, within 3 %. A piece may cross again,
 // and faces that cross at no sample are not split. The pairs are counted in space, one by one.
 TEST(Crossing, ToriSplitOnceAPair) {
   const Seeds seeds{12};
@@ -116,7 +116,7 @@ TEST(Crossing, ToriSplitOnceAPair) {
       pictures.make(s);
       ASSERT_EQ(pictures.last().snapped().faces.size(), parts.face.size());
       EXPECT_NEAR(static_cast<double>(pictures.last().sorted().statistics.splits),
-                  static_cast<double>(crossing), 0.02 * static_cast<double>(crossing));
+                  static_cast<double>(crossing), 0.03 * static_cast<double>(crossing));
     }
   }
 }

@@ -1,0 +1,303 @@
+#include "tests/support/near_judge.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+#include <numbers>
+
+namespace xnewell {
+
+namespace {
+
+using Real = long double;
+
+struct Vec {
+  Real x = 0, y = 0, z = 0;
+};
+Vec operator+(const Vec& a, const Vec& b) { return {a.x + b.x, a.y + b.y, a.z + b.z}; }
+Vec operator-(const Vec& a, const Vec& b) { return {a.x - b.x, a.y - b.y, a.z - b.z}; }
+Vec operator*(Real s, const Vec& a) { return {s * a.x, s * a.y, s * a.z}; }
+Real dot(const Vec& a, const Vec& b) { return a.x * b.x + a.y * b.y + a.z * b.z; }
+Vec cross(const Vec& a, const Vec& b) {
+  return {a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x};
+}
+Real length(const Vec& a) { return std::sqrt(dot(a, a)); }
+Vec unit(const Vec& a) { return (1 / length(a)) * a; }
+Vec real(const glm::dvec3& p) { return {p.x, p.y, p.z}; }
+
+constexpr Real kStep = 1.0L / 65536;
+
+struct Ray {
+  Vec from, along;
+};
+
+/// The rays of a camera. A point of the ray at (x, y), in pixels, is from + along * d (perspective; d is the
+/// distance from the eye along the axis) or from + along * n (parallel; n grows towards the viewer).
+class Rays {
+ public:
+  Rays(const JudgedCamera& camera, int width, int height)
+      : width_{width}, height_{height}, perspective_{camera.height == 0}, eye_{real(camera.eye)} {
+    n_ = unit(eye_ - real(camera.lookAt));
+    u_ = unit(cross(real(camera.up), n_));
+    v_ = cross(n_, u_);
+    at_ = real(camera.lookAt);
+    constexpr Real kDegree = std::numbers::pi_v<Real> / 180;
+    half_ = perspective_ ? std::tan(camera.fov / 2 * kDegree) : Real{camera.height} / 2;
+    const Real angle = camera.angle * kDegree;
+    lean_ = Real{camera.length} * (std::cos(angle) * u_ + std::sin(angle) * v_) + n_;
+    const Real D = dot(eye_ - at_, n_);
+    zPerDepth_ = height / 2.0L / half_ * (perspective_ ? D : 1);  // pixels of z for each unit of depth()
+  }
+  [[nodiscard]] bool perspective() const { return perspective_; }
+  [[nodiscard]] Ray at(Real x, Real y) const {
+    const Real X = half_ * (2 * x - width_) / height_, Y = half_ * (height_ - 2 * y) / height_;
+    const Vec onPlane = X * u_ + Y * v_;
+    return perspective_ ? Ray{eye_, onPlane - n_} : Ray{at_ + onPlane, lean_};
+  }
+  /// What grows towards the viewer, linearly over the screen on a plane: 1 / d or n.
+  [[nodiscard]] Real zPerDepth() const { return zPerDepth_; }
+  /// Distance from the eye along the axis.
+  [[nodiscard]] Real distance(const Vec& p) const { return dot(eye_ - p, n_); }
+  /// Place on the screen, in pixels.
+  [[nodiscard]] std::array<Real, 2> seen(const Vec& p) const {
+    Vec q = p - (perspective_ ? eye_ : at_);
+    Real scale = height_ / (2 * half_);
+    if (perspective_)
+      scale /= distance(p);
+    else
+      q = q - dot(q, n_) * lean_;
+    return {width_ / 2.0L + scale * dot(q, u_), height_ / 2.0L - scale * dot(q, v_)};
+  }
+
+ private:
+  int width_, height_;
+  bool perspective_;
+  Vec eye_, at_, n_, u_, v_, lean_;
+  Real half_ = 0, zPerDepth_ = 0;
+};
+
+/// Clips a polygon to where inside(p) >= 0, a linear function.
+template <class Inside>
+std::vector<Vec> clipped(const std::vector<Vec>& polygon, const Inside& inside) {
+  std::vector<Vec> kept;
+  for (std::size_t k = 0; k < polygon.size(); ++k) {
+    const Vec &a = polygon[k], &b = polygon[(k + 1) % polygon.size()];
+    const Real ha = inside(a), hb = inside(b);
+    if (ha >= 0) kept.push_back(a);
+    if ((ha >= 0) != (hb >= 0)) kept.push_back(a + (ha / (ha - hb)) * (b - a));
+  }
+  return kept;
+}
+
+class Judge {
+ public:
+  Judge(const Mesh& mesh, const std::vector<int>& madeIn, double u, const JudgedCamera& camera, int width,
+        int height, const std::vector<std::uint32_t>& shown)
+      : mesh_{mesh},
+        madeIn_{madeIn},
+        rays_{camera, width, height},
+        width_{width},
+        height_{height},
+        shown_{shown} {
+    constexpr double kMost = std::numeric_limits<double>::max();
+    glm::dvec3 low{kMost}, high{-kMost};
+    for (const glm::dvec3& p : mesh.points)
+      for (int axis = 0; axis < 3; ++axis)
+        low[axis] = std::min(low[axis], p[axis]), high[axis] = std::max(high[axis], p[axis]);
+    Real magnitude = 0;
+    for (int axis = 0; axis < 3; ++axis) {
+      side_ = std::max(side_, Real{high[axis]} - low[axis]);
+      magnitude = std::max({magnitude, std::abs(Real{high[axis]}), std::abs(Real{low[axis]})});
+    }
+    u_ = std::min(Real{u}, 3e-5L / std::sqrt(3.0L) * side_);
+    e_ = 0x1p-46L * side_ + 0x1p-50L * magnitude;
+    for (int f = 0; f < mesh.faceCount(); ++f) faces_.push_back(faceOf(f));
+    zHalfStep_ = 0.5L * kStep * std::exp2(Real(zShift())) / rays_.zPerDepth();
+  }
+
+  Judgement judgement() {
+    Judgement j;
+    const std::size_t count = std::size_t(width_) * height_;
+    depth_.assign(count, 0), explained_.assign(count, 0);
+    for (std::size_t k = 0; k < count; ++k)
+      if (shown_[k] != 0) {
+        ++j.samples;
+        const Face& face = faces_[shown_[k] - 1];
+        const Real x = static_cast<int>(k) % width_ + 0.5L, y = static_cast<int>(k) / width_ + 0.5L;
+        depth_[k] = depthAt(face, x, y);
+        explained_[k] = explainedAt(face, x, y, depth_[k]);
+        j.outline += !covers(face, x, y, -1, 0);
+      }
+    std::vector<char> tooFar(count), lost(count), hole(count), doubtful(count);
+    for (int f = 0; f < mesh_.faceCount(); ++f) {
+      const Face& face = faces_[f];
+      for (int row = face.y0; row < face.y1; ++row)
+        for (int column = face.x0; column < face.x1; ++column) {
+          const std::size_t k = std::size_t(row) * width_ + column;
+          const int S = static_cast<int>(shown_[k]) - 1;
+          const Real x = column + 0.5L, y = row + 0.5L;
+          if (S == f || !covers(face, x, y, 0, 0)) continue;
+          if (S < 0) {
+            hole[k] |= covers(face, x, y, 1, 0);
+            continue;
+          }
+          const Real depth = depthAt(face, x, y), ahead = depth - depth_[k];
+          const Real explained = explainedAt(face, x, y, depth) + explained_[k];
+          doubtful[k] |= std::abs(ahead) <= explained;
+          const bool sure = (ahead > 0 || f > S) && covers(face, x, y, 1, 0);
+          if (sure && ahead > 0) j.worst = std::max(j.worst, static_cast<double>(ahead / explained));
+          tooFar[k] |= sure && ahead > 1.5L * explained;
+          const bool together = madeIn_[f] >= 0 && madeIn_[f] == madeIn_[S];
+          lost[k] |= together && f > S && sure && covers(face, x, y, 1, 3 * std::sqrt(3.0L) * u_);
+        }
+    }
+    for (std::size_t k = 0; k < count; ++k) {
+      j.farther += tooFar[k];
+      j.lost += lost[k];
+      j.outline += hole[k];
+      j.doubtful += doubtful[k];
+    }
+    return j;
+  }
+
+ private:
+  struct Face {
+    std::vector<Vec> corners;
+    Vec N;                               ///< unit; the corners run counter-clockwise about it
+    Real d = 0, r = 0;                   ///< N.p = d; the rounding of d
+    int x0 = 0, y0 = 0, x1 = 0, y1 = 0;  ///< the pixels that it may cover
+  };
+
+  Face faceOf(int f) const {
+    Face face;
+    for (const int c : mesh_.face(f)) face.corners.push_back(real(mesh_.points[c]));
+    Vec sum, mean;
+    for (std::size_t k = 0; k < face.corners.size(); ++k) {
+      const Vec &a = face.corners[k], &b = face.corners[(k + 1) % face.corners.size()];
+      sum = sum + cross(a - face.corners[0], b - face.corners[0]);
+      mean = mean + a;
+    }
+    face.N = unit(sum);
+    face.d = dot(face.N, (1.0L / static_cast<Real>(face.corners.size())) * mean);
+    face.r = u_ * (std::abs(face.N.x) + std::abs(face.N.y) + std::abs(face.N.z)) + e_;
+
+    // The default front plane cuts away what is nearer to the eye than this (placeCamera() says so).
+    Real x0 = width_, y0 = height_, x1 = 0, y1 = 0;
+    for (const Vec& p : inFront(face.corners)) {
+      const auto [x, y] = rays_.seen(p);
+      x0 = std::min(x0, x), x1 = std::max(x1, x), y0 = std::min(y0, y), y1 = std::max(y1, y);
+    }
+    const auto pixel = [](Real at, int most) {
+      return static_cast<int>(std::clamp(std::floor(at), Real{0}, Real(most)));
+    };
+    face.x0 = pixel(x0 - 1, width_), face.x1 = pixel(x1 + 2, width_);
+    face.y0 = pixel(y0 - 1, height_), face.y1 = pixel(y1 + 2, height_);
+    return face;
+  }
+  [[nodiscard]] Real front() const { return side_ / 1024; }
+  [[nodiscard]] std::vector<Vec> inFront(const std::vector<Vec>& corners) const {
+    if (!rays_.perspective()) return corners;
+    return clipped(corners, [&](const Vec& p) { return rays_.distance(p) - 0.99L * front(); });
+  }
+
+  /// The power of two of a z step: the least for which 2^30 steps reach the nearest point. Points beyond 8192
+  /// pixels from the origin of the screen are cut away before.
+  [[nodiscard]] int zShift() const {
+    Real nearest = 0, farthest = std::numeric_limits<Real>::infinity();
+    for (const Face& face : faces_) {
+      std::vector<Vec> polygon = face.corners;
+      if (rays_.perspective()) {
+        polygon = clipped(polygon, [&](const Vec& p) { return rays_.distance(p) - front(); });
+        for (const auto& [axis, sign] : {std::pair{0, 1}, {0, -1}, {1, 1}, {1, -1}})
+          polygon = clipped(polygon, [&, axis = axis, sign = sign](const Vec& p) {
+            // times the distance, so that it is linear
+            return rays_.distance(p) * (8192 + sign * rays_.seen(p)[axis]);
+          });
+      }
+      for (const Vec& p : polygon) {
+        const Real depth = rays_.perspective() ? 1 / rays_.distance(p) : -rays_.distance(p);
+        nearest = std::max(nearest, depth);
+        farthest = std::min(farthest, depth);
+      }
+    }
+    int shift = 0;
+    while (rays_.perspective() && (nearest - farthest) * rays_.zPerDepth() / kStep > std::exp2(30.0L + shift))
+      ++shift;
+    return shift;
+  }
+
+  /// 1 / d or n where the ray meets the face's plane.
+  [[nodiscard]] Real depthAt(const Face& face, Real x, Real y) const {
+    const Ray ray = rays_.at(x, y);
+    const Real slope = dot(face.N, ray.along), height = face.d - dot(face.N, ray.from);
+    return rays_.perspective() ? slope / height : height / slope;
+  }
+  /// How much of a difference from `depth` rounding explains: of the plane, and of the grid in x, y and z.
+  [[nodiscard]] Real explainedAt(const Face& face, Real x, Real y, Real depth) const {
+    const Ray ray = rays_.at(x, y);
+    const Real slope = dot(face.N, ray.along), height = face.d - dot(face.N, ray.from);
+    const Real plane =
+        rays_.perspective() ? std::abs(depth) * face.r / std::abs(height) : face.r / std::abs(slope);
+    const Real grid =
+        std::abs(depthAt(face, x + kStep / 2, y) - depth) + std::abs(depthAt(face, x, y + kStep / 2) - depth);
+    return plane + grid + zHalfStep_;
+  }
+  /// True if the face covers the sample: even if the sample moves by `steps` of the grid any way, and by
+  /// `reach` within the plane. Negative steps: if it does after some such move.
+  [[nodiscard]] bool covers(const Face& face, Real x, Real y, int steps, Real reach) const {
+    if (steps == 0) return inside(face, x, y, face.corners.size(), reach);
+    const Real s = std::abs(steps) * kStep;
+    const std::array<std::array<Real, 2>, 4> places{
+        {{x - s, y - s}, {x + s, y - s}, {x - s, y + s}, {x + s, y + s}}};
+    if (steps > 0) {
+      for (const auto& [px, py] : places)
+        if (!inside(face, px, py, face.corners.size(), reach)) return false;
+      return true;
+    }
+    for (std::size_t k = 0; k < face.corners.size(); ++k) {  // each edge by itself
+      bool some = inside(face, x, y, k, 0);
+      for (const auto& [px, py] : places) some = some || inside(face, px, py, k, 0);
+      if (!some) return false;
+    }
+    return true;
+  }
+  /// True if the ray at (x, y) meets the plane on the inner side of the edge, or of all edges, by `reach`.
+  [[nodiscard]] bool inside(const Face& face, Real x, Real y, std::size_t edge, Real reach) const {
+    const Ray ray = rays_.at(x, y);
+    const Real slope = dot(face.N, ray.along), t = (face.d - dot(face.N, ray.from)) / slope;
+    if (!std::isfinite(t) || (rays_.perspective() && t < front() * 0.999L)) return false;
+    if (rays_.perspective() && reach >= 0 && edge == face.corners.size() && t < front() * 1.001L)
+      return false;
+    const Vec p = ray.from + t * ray.along;
+    const auto within = [&](std::size_t k) {
+      // A corner may be off the plane, so the ray is asked on which side of the edge itself it passes.
+      const Vec &a = face.corners[k], &b = face.corners[(k + 1) % face.corners.size()];
+      const Real turn = dot(ray.along, cross(a - ray.from, b - ray.from));
+      if ((slope < 0 ? -turn : turn) < 0) return false;
+      return reach == 0 || dot(cross(b - a, p - a), face.N) >= reach * length(b - a);
+    };
+    if (edge < face.corners.size()) return within(edge);
+    for (std::size_t k = 0; k < face.corners.size(); ++k)
+      if (!within(k)) return false;
+    return true;
+  }
+
+  const Mesh& mesh_;
+  const std::vector<int>& madeIn_;
+  Rays rays_;
+  int width_, height_;
+  const std::vector<std::uint32_t>& shown_;
+  Real u_ = 0, e_ = 0, side_ = 0, zHalfStep_ = 0;
+  std::vector<Face> faces_;
+  std::vector<Real> depth_, explained_;
+};
+
+}  // namespace
+
+Judgement judged(const Mesh& mesh, const std::vector<int>& madeIn, double u, const JudgedCamera& camera,
+                 int width, int height, const std::vector<std::uint32_t>& shown) {
+  return Judge{mesh, madeIn, u, camera, width, height, shown}.judgement();
+}
+
+}  // namespace xnewell
