@@ -235,8 +235,7 @@ Numbers randomDepths(Random& random, double least, double most) {
 }
 PixelPlane planeAt(const PixelPlanes& planes, const double* v) { return planes({v[0], v[1], v[2]}); }
 
-/// How far a plane's value may be off at the pixel: `u` times the sum of its terms, where each gradient
-/// counts with the terms that it is the difference of. Empty for a sliver.
+/// The bound of a plane's value, as in pixel_row.h. Empty for a sliver.
 std::optional<Big> offOf(const Numbers& in, const double* v, double u) {
   const Big x1 = (big(in[2]) - big(in[0])) / kGrid, y1 = (big(in[3]) - big(in[1])) / kGrid;
   const Big x2 = (big(in[4]) - big(in[0])) / kGrid, y2 = (big(in[5]) - big(in[1])) / kGrid;
@@ -246,11 +245,8 @@ std::optional<Big> offOf(const Numbers& in, const double* v, double u) {
   const auto [w, h] = extentOf(in);
   const Big d1 = abs(big(v[1]) - big(v[0])), d2 = abs(big(v[2]) - big(v[0]));
   const Big gx = (d1 * abs(y2) + d2 * abs(y1)) / area, gy = (d2 * abs(x1) + d1 * abs(x2)) / area;
-  // Double precision finds the gradients: 6 roundings, and those of the area, 3 of its terms. From the first
-  // pixel of the box to this one and to a corner it is at most w + 1 and h + 1.
-  const Big made = abs(big(v[0])) + (gx * (w + 1) + gy * (h + 1)) * (1 + areaTerms / area);
-  const Big used = abs(big(v[0])) + 2 * (gx * (w + 1) + gy * (h + 1));
-  return 16 * kU * made + 4 * u * used;
+  const Big terms = abs(big(v[0])) + gx * (w + 1) + gy * (h + 1);
+  return 8 * u * terms + 32 * kU * terms * areaTerms / area;
 }
 
 /// The values that PixelPlanes and RowOf give for Real: over w, and 1 / w.
@@ -274,7 +270,7 @@ std::optional<Big> quotientOff(const Numbers& in, const Big& value, const Big& q
 Kernel divisionKernel(bool single) {
   const double u = single ? kSingle : kU;
   Kernel kernel{.name = single ? "perspective division, single precision" : "perspective division",
-                .claim = "4 roundings of the terms of both planes, 3 of it",
+                .claim = "that of both planes (pixel_row.h), 3 u of it",
                 .header = "shading/fill/pixel_row.h",
                 .input = triangleInput(),
                 .run = single ? dividedValue<Lanes<float, 8>> : dividedValue<Lanes<double, 4>>,

@@ -248,7 +248,7 @@ Numbers randomSpot(Random& random) {
 
 Kernel spotKernel() {
   return {.name = "share of a spot",
-          .claim = "that of a cosine within 2^-49",
+          .claim = "that of a cosine within 2^-48",
           .header = "shading/light/equation.h",
           .input = {doubles(0, 180), doubles(0, 180), integers(0, 1'000'000), doubles(-1, 1), doubles(-1, 1),
                     doubles(-1, 1), doubles(-1, 1), doubles(-1, 1), doubles(-1, 1)},
@@ -258,7 +258,7 @@ Kernel spotKernel() {
               [](const Numbers& in, const Numbers& out) {
                 const Big cosine = -dot(unitOf(bigVec(&in[3])), bigVec(&in[6]));
                 if (!(out[0] >= 0 && out[0] <= 1)) return kWrong;
-                return toDouble(cosineMissed(spotOf(in), cosine, out[0]) / 0x1p-49);
+                return toDouble(cosineMissed(spotOf(in), cosine, out[0]) / 0x1p-48);
               },
           .hard = {randomSpot},
           .effort = 0.3};
@@ -289,7 +289,7 @@ Numbers incidentOf(const Numbers& in) {
 }
 
 /// u is the unit of rounding: the bounds are 8 u of each part of L, 16 u of fatt (linear: 8 u), and a cosine
-/// 16 u off.
+/// 32 u off.
 double judgeIncident(const Numbers& in, const Numbers& out, double u) {
   const Light light = lightOf(in);
   const BigVec to = bigVec(&in[kPosition]) - bigVec(&in[kPlace]), L = unitOf(to);
@@ -313,7 +313,7 @@ double judgeIncident(const Numbers& in, const Numbers& out, double u) {
     return cosineMissed(light, cosine, share);
   };
   const Big least = smallerOf(missed(fatt), smallerOf(missed(fatt + bound), missed(fatt - bound)));
-  return std::max(worst, toDouble(least / (16 * u)));
+  return std::max(worst, toDouble(least / (32 * u)));
 }
 
 Kernel incidentKernel(bool single) {
@@ -321,8 +321,8 @@ Kernel incidentKernel(bool single) {
   const double u = single ? 0x1p-24 : kU;
   Kernel kernel{
       .name = single ? "light that arrives, single precision" : "light that arrives",
-      .claim = single ? "L 2^-21, fatt 2^-20 of it; a cosine 2^-20 off"
-                      : "L 2^-50, fatt 2^-49 of it; a cosine 2^-49 off",
+      .claim = single ? "L 2^-21, fatt 2^-20 of it; a cosine 2^-19 off"
+                      : "L 2^-50, fatt 2^-49 of it; a cosine 2^-48 off",
       .header = "shading/light/reflect.h",
       .input = {integers(0, 4), doubles(0, 2), doubles(1e-3, 1e3), doubles(1e-3, 1e6), doubles(0, 1e3),
                 doubles(0, 1e3), doubles(0, 1e3), doubles(0, 180), doubles(0, 180),

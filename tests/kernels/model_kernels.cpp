@@ -132,7 +132,7 @@ Kernel bezierNormalKernel() {
 Kernel vertexNormalKernel() {
   static constexpr std::array kRules{NormalRule::Sum, NormalRule::Area, NormalRule::Angle};
   Kernel kernel{.name = "vertex normal of a fan",
-                .claim = "2^-50 (1 + 2^-2 sum of w e / sum of w) sum of w / |sum of w N|",
+                .claim = "2^-47 (W + sum of w e) / |sum of w N|",
                 .header = "geometry/model/vertex_normals.h",
                 .input = std::vector<Coordinate>(16, doubles(-0x1p100, 0x1p100)),
                 .run =
@@ -167,7 +167,7 @@ Kernel vertexNormalKernel() {
                       }
                       const Big length = lengthOf(sum);
                       if (length <= 0x1p-30 * total) return 0.0;
-                      const Big bound = 0x1p-50 * (total + 4 * doubt) / length;
+                      const Big bound = 0x1p-47 * (total + doubt) / length;
                       return toDouble(lengthOf(bigVec(out.data()) - sum * (1 / length)) / bound);
                     },
                 .hard = {[](Random& random) {
