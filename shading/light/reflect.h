@@ -18,6 +18,7 @@ struct Incident {
 /// Real, 2^-53 or 2^-24. A coordinate of L is off by at most 8 u of itself, fatt by 16 u of itself (`linear`:
 /// by 8 u), and a spot's share is that of a cosine within 32 u, if the light's place and `at` are numbers of
 /// Real and further apart than 2^-50. A falloff is at most 1,024 in single precision.
+/// f below 2^-100 counts as dark.
 template <class Real>
 [[nodiscard, gnu::always_inline]] inline Incident<Real> incident(const Lighting::Source& light,
                                                                  const Vec<Real>& at) {

@@ -9,9 +9,12 @@ std::vector<Kernel> allKernels() {
   addModelKernels(kernels);
   addViewKernels(kernels);
   addPlaneKernels(kernels);
+  addRegionKernels(kernels);
   addColorKernels(kernels);
   addLightKernels(kernels);
+  addSpecularKernels(kernels);
   addFillKernels(kernels);
+  addTextureKernels(kernels);
   return kernels;
 }
 

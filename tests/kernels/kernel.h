@@ -4,7 +4,6 @@
 #include <string>
 #include <vector>
 
-#include "geometry/view/screen_plane.h"
 #include "tests/kernels/encoding.h"
 #include "tests/kernels/random.h"
 
@@ -48,12 +47,12 @@ void addExactKernels(std::vector<Kernel>& kernels);
 void addModelKernels(std::vector<Kernel>& kernels);
 void addViewKernels(std::vector<Kernel>& kernels);
 void addPlaneKernels(std::vector<Kernel>& kernels);
+void addRegionKernels(std::vector<Kernel>& kernels);
 void addColorKernels(std::vector<Kernel>& kernels);
 void addLightKernels(std::vector<Kernel>& kernels);
+void addSpecularKernels(std::vector<Kernel>& kernels);
 void addFillKernels(std::vector<Kernel>& kernels);
-
-/// The plane through the triangle of nine integers of an input, from `first` on.
-[[nodiscard]] ScreenPlane screenPlaneOf(const Numbers& input, std::size_t first);
+void addTextureKernels(std::vector<Kernel>& kernels);
 
 /// The share of an exact kernel that is wrong.
 inline constexpr double kWrong = 1e9;

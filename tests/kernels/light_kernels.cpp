@@ -1,150 +1,15 @@
 #include <glm/geometric.hpp>
 
-#include "shading/light/environment.h"
 #include "shading/light/reflect.h"
 #include "tests/kernels/big.h"
 #include "tests/kernels/kernel.h"
+#include "tests/kernels/unit_vectors.h"
 
 namespace xnewell {
 
 namespace {
 
 constexpr double kU = 0x1p-53;
-
-/// Adds a unit vector along three numbers of an input, in doubles. False if they are too short or too long
-/// for the square of their length.
-bool addUnit(Numbers& to, const double* v) {
-  const double square = v[0] * v[0] + v[1] * v[1] + v[2] * v[2];
-  if (!(square > 1e-200 && square < 1e200)) return false;
-  for (int k = 0; k < 3; ++k) to.push_back(v[k] / std::sqrt(square));
-  return true;
-}
-void addUnit(Numbers& to, Random& random) {
-  Numbers v;
-  do {
-    v = {random.uniform(-1, 1), random.uniform(-1, 1), random.uniform(-1, 1)};
-  } while (v[0] * v[0] + v[1] * v[1] + v[2] * v[2] < 0.01);
-  addUnit(to, v.data());
-}
-/// A unit vector near another, or near its opposite.
-void addNear(Numbers& to, const double* other, Random& random) {
-  const double sign = random.sign(), off = random.power(-60, 0);
-  double v[3];
-  for (int k = 0; k < 3; ++k) v[k] = sign * other[k] + off * random.uniform(-1, 1);
-  if (!addUnit(to, v)) addUnit(to, random);
-}
-
-std::vector<Coordinate> threeVectors() { return std::vector<Coordinate>(9, doubles(-1, 1)); }
-Numbers unitVectors(const Numbers& in) {
-  Numbers v;
-  for (int k = 0; k < 9; k += 3)
-    if (!addUnit(v, &in[k])) return {};
-  return v;
-}
-/// The same as doubles that are floats.
-Numbers singleVectors(const Numbers& in) {
-  Numbers v = unitVectors(in);
-  for (double& part : v) part = static_cast<float>(part);
-  return v;
-}
-const std::vector<std::function<Numbers(Random&)>> kVectors{[](Random& random) {
-  Numbers v;
-  addUnit(v, random);
-  random.oneIn(2) ? addUnit(v, random) : addNear(v, &v[0], random);
-  random.oneIn(2) ? addUnit(v, random) : addNear(v, &v[3], random);
-  return v;
-}};
-
-template <class Real>
-Vec<Real> vecOf(const double* v) {
-  return {static_cast<Real>(v[0]), static_cast<Real>(v[1]), static_cast<Real>(v[2])};
-}
-glm::dvec3 glmOf(const double* v) { return {v[0], v[1], v[2]}; }
-
-/// R.V of the exact R = 2 N (N.L) - L.
-Big exactRV(const Numbers& in) {
-  const BigVec N = bigVec(&in[0]), L = bigVec(&in[3]), V = bigVec(&in[6]);
-  return 2 * dot(N, L) * dot(N, V) - dot(L, V);
-}
-/// N.H; empty where L + V is so short that its square may underflow.
-std::optional<Big> exactNH(const Numbers& in, double least) {
-  const BigVec N = bigVec(&in[0]), H = bigVec(&in[3]) + bigVec(&in[6]);
-  const Big length = lengthOf(H);
-  if (length < least) return std::nullopt;
-  return Big{dot(N, H) / length};
-}
-
-void addCosines(std::vector<Kernel>& kernels) {
-  const auto rv = [](double bound) {
-    return [bound](const Numbers& in, const Numbers& out) {
-      double worst = 0;
-      for (const double cosine : out) worst = std::max(worst, shareOf(cosine, exactRV(in), bound));
-      return worst;
-    };
-  };
-  const auto nh = [](double bound, double least) {
-    return [bound, least](const Numbers& in, const Numbers& out) {
-      const std::optional<Big> exact = exactNH(in, least);
-      double worst = 0;
-      for (const double cosine : out) worst = std::max(worst, exact ? shareOf(cosine, *exact, bound) : 0.0);
-      return worst;
-    };
-  };
-  kernels.push_back(
-      {.name = "R.V",
-       .claim = "2^-48",
-       .header = "shading/light/reflect.h, equation.h",
-       .input = threeVectors(),
-       .prepare = unitVectors,
-       .run =
-           [](const Numbers& in) {
-             const auto N = vecOf<double>(&in[0]), L = vecOf<double>(&in[3]), V = vecOf<double>(&in[6]);
-             return Numbers{reflectedCosine(dot(N, L), dot(N, V), dot(L, V)),
-                            specularCosine(Form::Textbook, glmOf(&in[0]), glmOf(&in[3]), glmOf(&in[6]))};
-           },
-       .judge = rv(0x1p-48),
-       .hard = kVectors});
-  kernels.push_back({.name = "R.V, single precision",
-                     .claim = "2^-19",
-                     .header = "shading/light/reflect.h",
-                     .input = threeVectors(),
-                     .prepare = singleVectors,
-                     .run =
-                         [](const Numbers& in) {
-                           const auto N = vecOf<float>(&in[0]), L = vecOf<float>(&in[3]),
-                                      V = vecOf<float>(&in[6]);
-                           return Numbers{reflectedCosine(dot(N, L), dot(N, V), dot(L, V))};
-                         },
-                     .judge = rv(0x1p-19),
-                     .hard = kVectors});
-  kernels.push_back(
-      {.name = "N.H",
-       .claim = "2^-49 where |L + V| > 2^-500",
-       .header = "shading/light/reflect.h, equation.h",
-       .input = threeVectors(),
-       .prepare = unitVectors,
-       .run =
-           [](const Numbers& in) {
-             const auto N = vecOf<double>(&in[0]), L = vecOf<double>(&in[3]), V = vecOf<double>(&in[6]);
-             return Numbers{dot(N, unitOf(L + V)),
-                            specularCosine(Form::HalfVector, glmOf(&in[0]), glmOf(&in[3]), glmOf(&in[6]))};
-           },
-       .judge = nh(0x1p-49, 0x1p-500),
-       .hard = kVectors});
-  kernels.push_back({.name = "N.H, single precision",
-                     .claim = "2^-20 where |L + V| > 2^-50",
-                     .header = "shading/light/reflect.h",
-                     .input = threeVectors(),
-                     .prepare = singleVectors,
-                     .run =
-                         [](const Numbers& in) {
-                           const auto N = vecOf<float>(&in[0]), L = vecOf<float>(&in[3]),
-                                      V = vecOf<float>(&in[6]);
-                           return Numbers{dot(N, unitOf(L + V))};
-                         },
-                     .judge = nh(0x1p-20, 0x1p-50),
-                     .hard = kVectors});
-}
 
 /// In an input: kind of attenuation, d, unit, range, c1, c2, c3.
 Light attenuated(const Numbers& in) {
@@ -196,6 +61,12 @@ Kernel attenuationKernel() {
                 return shareOf(out[0], exact, linear ? Big{0x1p-51} : 0x1p-50 * exact + 0x1p-1022);
               },
           .hard = {randomAttenuation}};
+}
+
+Big exactShare(const Light& light, const Big& cosine) {
+  const Big inner = cos(big(light.inner) * degree()), outer = cos(big(light.outer) * degree());
+  if (cosine >= inner) return 1;
+  return cosine <= outer ? Big{0} : powerOf(Big{(cosine - outer) / (inner - outer)}, light.falloff);
 }
 
 /// How far a cosine must be from the exact one for this share of a spot. A share below 2^-100 counts as 0:
@@ -306,14 +177,15 @@ double judgeIncident(const Numbers& in, const Numbers& out, double u) {
   const Big bound = linear ? Big{8 * u} : 16 * u * fatt;
   if (light.kind != LightKind::Spot) return std::max(worst, shareOf(out[3], fatt, bound));
   const Big cosine = -dot(unitOf(bigVec(&in[kAxis])), L);
-  // fatt may be at either end of its bound.
-  const auto missed = [&](const Big& f) {
-    if (f <= 0) return Big{out[3] == 0 ? 0 : 4};
-    const double share = std::min(1.0, toDouble(big(out[3]) / f));
-    return cosineMissed(light, cosine, share);
-  };
-  const Big least = smallerOf(missed(fatt), smallerOf(missed(fatt + bound), missed(fatt - bound)));
-  return std::max(worst, toDouble(least / (32 * u)));
+  if (out[3] < 0x1p-100) return worst;  // it counts as dark
+  // fatt may be anywhere within its bound, so the share lies in an interval.
+  const Big least = big(out[3]) / (fatt + bound), low = fatt - bound;
+  const Big most = low > big(out[3]) ? Big{big(out[3]) / low} : Big{1};
+  const Big exact = exactShare(light, cosine);
+  if (least <= exact && exact <= most) return worst;
+  const Big missed =
+      smallerOf(cosineMissed(light, cosine, toDouble(least)), cosineMissed(light, cosine, toDouble(most)));
+  return std::max(worst, toDouble(missed / (32 * u)));
 }
 
 Kernel incidentKernel(bool single) {
@@ -362,62 +234,6 @@ Kernel incidentKernel(bool single) {
   return kernel;
 }
 
-/// The rotated environment map of one light at one place of the map.
-Kernel environmentKernel() {
-  constexpr std::size_t kL = 5;
-  return {
-      .name = "environment map, rotated",
-      .claim = "2^-24 + n 2^-43, where |x, y| <= 1",
-      .header = "shading/light/environment.h",
-      .input = {integers(0, 255), integers(0, 255), integers(0, 1), integers(0, 1'000'000), doubles(0, 1),
-                doubles(-1, 1), doubles(-1, 1), doubles(-1, 1)},
-      .prepare =
-          [](const Numbers& in) {
-            Numbers v(in.begin(), in.begin() + kL);
-            const double x = in[0] - 127.5, y = in[1] - 127.5;
-            return x * x + y * y <= 127 * 127 && addUnit(v, &in[kL]) ? v : Numbers{};
-          },
-      .run =
-          [](const Numbers& in) {
-            Mesh mesh;
-            mesh.points = {{0, 0, 0}};
-            const Illumination user{.Ia = 0,
-                                    .Ip = 1,
-                                    .kd = in[4],
-                                    .ks = 1 - in[4],
-                                    .n = static_cast<int>(in[3]),
-                                    .light = glmOf(&in[kL])};
-            const Lighting lighting = resolve(mesh, {}, user, Channels::Luminance, {0, 0, 5}, {0, 0, 0});
-            const Environment map = makeEnvironment(EnvironmentForm::Rotated, lighting, lighting.materials[0],
-                                                    0, glm::dmat3{1.0}, {0, 0, 0});
-            return Numbers{(in[2] > 0 ? map.front : map.away)[static_cast<std::size_t>(256 * in[1] + in[0])]};
-          },
-      .judge =
-          [](const Numbers& in, const Numbers& out) {
-            const Big x = (big(in[0]) - 127.5) / 127, y = (big(in[1]) - 127.5) / 127;
-            const int n = static_cast<int>(in[3]);
-            const Big kd = big(in[4]), ks = big(1 - in[4]);
-            Big exact = 0;
-            if (in[2] > 0) {
-              const Big z = sqrt(1 - x * x - y * y);
-              if (z > 0) exact = kd * z + ks * powerOf(z, n);
-            }
-            return shareOf(out[0], exact, Big{0x1p-24 + n * 0x1p-43});
-          },
-      .hard = {[](Random& random) {
-        Numbers in{std::floor(random.uniform(0, 256)), std::floor(random.uniform(0, 256)), 1,
-                   std::floor(random.power(0, 19.9)), random.uniform(0, 1)};
-        const double a = random.uniform(0, 6.3);
-        if (random.oneIn(2)) {  // at the rim
-          in[0] = std::round(127.5 + 126.5 * std::cos(a));
-          in[1] = std::round(127.5 + 126.5 * std::sin(a));
-        }
-        addUnit(in, random);
-        return in;
-      }},
-      .effort = 0.01};
-}
-
 }  // namespace
 
 void addLightKernels(std::vector<Kernel>& kernels) {
@@ -425,8 +241,6 @@ void addLightKernels(std::vector<Kernel>& kernels) {
   kernels.push_back(spotKernel());
   kernels.push_back(incidentKernel(false));
   kernels.push_back(incidentKernel(true));
-  addCosines(kernels);
-  kernels.push_back(environmentKernel());
 }
 
 }  // namespace xnewell

@@ -275,6 +275,12 @@ Kernel clipKernel() {
       .claim = "2^-49 (A + B) off the plane, 2^-51 (|a| + |b|) off the edge",
       .header = "geometry/view/clip.h",
       .input = {integers(0, 5), doubles(0, 0x1p40)},
+      .prepare =
+          [](const Numbers& in) {
+            for (std::size_t n = 2; n < in.size(); ++n)
+              if (in[n] != 0 && std::abs(in[n]) < 0x1p-900) return Numbers{};
+            return in;
+          },
       .run =
           [](const Numbers& in) {
             const glm::dvec4 a{in[2], in[3], in[4], in[5]}, b{in[6], in[7], in[8], in[9]};
