@@ -11,7 +11,8 @@ struct SinCos {
 /// and 1 are exact, and at 45 degrees both are equal. The sine is odd and the cosine even, to the last bit.
 [[nodiscard]] SinCos sinCosDegrees(double degrees);
 
-/// sin / cos, with a relative error of at most 2^-48 up to 80 degrees; exactly 1 at 45, infinite at 90.
+/// sin / cos; exactly 1 at 45, infinite at 90. The relative error is at most 2^-48 for 0 and for 2^-1000 to
+/// 80 degrees. (A smaller angle loses bits when it becomes radians.)
 [[nodiscard]] double tanDegrees(double degrees);
 
 /// The angle in degrees, in (-180, 180], whose sine and cosine have this ratio and these signs; rounding may

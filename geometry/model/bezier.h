@@ -19,7 +19,9 @@ struct BezierPatch {
   std::array<glm::dvec3, 16> p;  ///< p[4 * row + column]; rows follow u, columns follow v
 };
 
-/// S(u, v) for u and v in [0, 1]. A point on an edge is exactly the point of that edge's own cubic curve.
+/// S(u, v) for u and v in [0, 1]. A point on an edge is exactly the point of that edge's own cubic curve. A
+/// coordinate is off by at most 2^-49 of the largest among the control points (two cubics of 8 roundings
+/// each) or 2^-1070, for coordinates up to 2^1000.
 [[nodiscard]] glm::dvec3 point(const BezierPatch& patch, double u, double v);
 
 /// The unit vector along dS/du x dS/dv. That product can vanish, for example at a pole or where two edges
@@ -29,6 +31,9 @@ struct BezierPatch {
 /// A vector vanishes if it is no longer than 2^-40 of the product of the control net's longest edges along u
 /// and along v: so short a vector may be all rounding. The result is 0 if every term vanishes. Then the patch
 /// is a curve or a point and has no normal.
+/// Where du x dv does not vanish, the normal is off by at most 2^-47 E / |du x dv / 9|. E is that product of
+/// edges. (du / 3 and dv / 3 have errors of 26 roundings of their longest edges, and the product has 60 of
+/// E.)
 [[nodiscard]] glm::dvec3 normal(const BezierPatch& patch, double u, double v);
 
 /// The name and the length of a run of patches, for example "spout" and 4.

@@ -36,7 +36,9 @@ struct ViewSpec {
 };
 
 /// The rotation of directions from world to VRC. To transform a point, subtract VRP first, then rotate. Far
-/// from the origin that difference is exact, but vrcFromWorld() would cancel digits.
+/// from the origin that difference is exact, but vrcFromWorld() would cancel digits. Each entry is off by at
+/// most 2^-48 over the sine of the angle between VPN and VUP. (The cross product of two unit vectors has 16
+/// roundings.)
 [[nodiscard]] glm::dmat3 vrcRotation(const ViewSpec& spec);
 
 /// The transform from world to VRC: a translation, then a rotation.
@@ -46,6 +48,18 @@ struct ViewSpec {
 /// front plane at 0. It warps a perspective view to this volume (homogeneous; w > 0 in front of the eye), so
 /// planes stay planes.
 [[nodiscard]] glm::dmat4 canonicalFromVrc(const ViewSpec& spec);
+
+/// The error bounds of a point p that both matrices put on the screen, from about 30 roundings of the terms.
+/// The picture has W pixels. The window is w wide, with its ends at left and right and its centre at c. D =
+/// prp.z; d = D - p.z is the distance from the eye; q = D / d; r = |p|; dF = D - front; x is the result, in
+/// pixels.
+///   perspective, x:  2^-48 W/w q (r + |prp.x| + (|c - prp.x| + |left| + |right|) (r + D) / D)
+///                    + 2^-48 (|x| + W) (r + D) / d
+///   perspective, z:  2^-48 W/w D^2 / dF (r + D) / d
+///   parallel, x:     2^-48 W/w (r + (|c - prp.x| + |prp.x|) r / D + |left| + |right|) + 2^-48 W
+///   parallel, z:     2^-48 W/w (r + |front| + |back|)
+/// y is as x. The snap adds half a step of the grid. For a point of the world, which vrcRotation() turns
+/// first, the bounds are twice these, with r over the sine of the angle between VPN and VUP.
 
 /// The transform to pixels: x right, y down, origin at the top left corner of the picture. z is in pixels
 /// too. On the view plane, a step towards the viewer counts as much as a step to the right. z is 0 at the

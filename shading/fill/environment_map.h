@@ -13,7 +13,8 @@
 namespace xnewell {
 
 /// A map of 256 x 256 cells. The whole parts of two interpolated values say where to look. The map holds
-/// intensities by direction, or any texture whose coordinates are affine on the screen.
+/// intensities by direction, or any texture whose coordinates are affine on the screen. A value that is
+/// rounded to steps of 2^-24 may be looked up beside its place if it is that near to it.
 struct EnvironmentMap {
   AffineValue column, row;
   const std::uint8_t* map;  ///< 65,536 cells, row by row

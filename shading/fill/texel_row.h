@@ -27,7 +27,8 @@ template <class Real>
   return __builtin_convertvector(at, Real);
 }
 
-/// The texels along a row, if the triangle has a texture.
+/// The texels along a row, if the triangle has a texture. A place is off by at most the error of the divided
+/// coordinates (pixel_row.h) and three roundings of 1, times the width or the height.
 template <class Real>
 class TexelRow {
  public:

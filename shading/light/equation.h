@@ -55,12 +55,16 @@ struct IlluminationTerms {
 [[nodiscard]] IlluminationTerms termsOf(double Ia, double Ip, double fatt, double spot,
                                         const Reflection& surface, double NdotL, double cosine);
 
-/// fatt: what the distance d leaves of a light.
+/// fatt: what the distance d leaves of a light. The relative error is at most 2^-50 (5 roundings), or
+/// 2^-1022. `linear` is within 2^-51.
 [[nodiscard]] double attenuation(const Light& light, double d, double unit = 1);
 /// spot: 1 inside the inner cone, 0 outside the outer cone, in between ((cos a - cos outer) / (cos inner -
-/// cos outer))^falloff, where a is the angle from the axis to -L.
+/// cos outer))^falloff, where a is the angle from the axis to -L. It is the share of an angle whose cosine is
+/// off by at most 2^-48: cos a has 7 roundings, the cones' cosines have 4 each, and the quotient and the
+/// power have 8.
 [[nodiscard]] double spotShare(const Light& light, const glm::dvec3& L);
-/// R.V, N.H or N.L. It is not clamped.
+/// R.V, N.H or N.L of unit vectors. It is not clamped. R.V is off by at most 2^-48 (18 roundings), N.H by
+/// 2^-49 (9 roundings).
 [[nodiscard]] double specularCosine(Form form, const glm::dvec3& N, const glm::dvec3& L, const glm::dvec3& V);
 
 }  // namespace xnewell

@@ -61,7 +61,9 @@ template <class Real>
   return a < b ? a : b;
 }
 
-/// x^n by squaring. It gives the same bits as geometry/exact/power.h, without the products by 1.
+/// x^n by squaring. In doubles it gives the same bits as geometry/exact/power.h, without the products by 1.
+/// In single precision the relative error is at most n 2^-24, n <= 1,024; a result below 2^-126 is off by up
+/// to 2^-140 more.
 template <class Real>
 [[nodiscard, gnu::always_inline]] inline Real powerOf(Real x, int n) {
   if (n <= 0) return splat<Real>(1.0);

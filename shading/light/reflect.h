@@ -15,7 +15,10 @@ struct Incident {
 };
 
 /// What arrives at a place, relative to `origin`. At a light's own place L is 0, so N.L is 0 and nothing
-/// becomes infinite.
+/// becomes infinite. Let u be the unit of rounding of Real, 2^-53 or 2^-24. A coordinate of L is off by at most
+/// 8 u of itself, fatt by 16 u of itself (`linear`: by 8 u), and a spot's share is that of a cosine within 32 u,
+/// if `at` and the light's place less `origin` are numbers of Real and further apart than 2^-50. A falloff is at
+/// most 1,024 in single precision. f below 2^-100 counts as dark.
 template <class Real>
 [[nodiscard, gnu::always_inline]] inline Incident<Real> incident(const Lighting::Source& light,
                                                                  const Vec<Real>& at,
@@ -55,7 +58,8 @@ template <class Real>
   return {front, twoSided ? in.f * larger(zero, zero - NdotL) : front};
 }
 
-/// R.V, for the textbook's R = 2 N (N.L) - L.
+/// R.V, for the textbook's R = 2 N (N.L) - L. Of unit vectors it is off by at most 32 u, and N.H (unitOf(L +
+/// V)) by 16 u where |L + V| > 2^-50 (in doubles: 2^-500). A shorter sum may count as 0.
 template <class Real>
 [[nodiscard, gnu::always_inline]] inline Real reflectedCosine(const Real& NdotL, const Real& NdotV,
                                                               const Real& LdotV) {
