@@ -1,6 +1,7 @@
 #pragma once
 
 #include <array>
+#include <glm/vec2.hpp>
 #include <glm/vec3.hpp>
 #include <span>
 #include <string_view>
@@ -30,6 +31,10 @@ struct BezierPatch {
 /// and along v: so short a vector may be all rounding. The result is 0 if every term vanishes. Then the patch
 /// is a curve or a point and has no normal.
 [[nodiscard]] glm::dvec3 normal(const BezierPatch& patch, double u, double v);
+
+/// The distance of `p` from the surface. It is that to the nearest point that the Gauss-Newton method finds
+/// from uv on, uv in [0, 1]. It is never more than the distance to the point at uv.
+[[nodiscard]] double distanceFrom(const BezierPatch& patch, const glm::dvec3& p, glm::dvec2 uv);
 
 /// The name and the length of a run of patches, for example "spout" and 4.
 struct PatchPart {

@@ -106,6 +106,18 @@ double luminance(glm::dvec3 color) {
   return 0.30 * color.r + 0.59 * color.g + 0.11 * color.b;
 }
 
+std::vector<Light> lightsOf(const SceneLight& scene, const Illumination& user, const glm::dvec3& centre) {
+  if (!scene.lights.empty()) return scene.lights;
+  return {usersLight(user, lengthOf(user.lightPosition.value_or(glm::dvec3{0}) - centre))};
+}
+
+Reflection reflectionOf(const MeshMaterial& m, const Illumination& user, int channel) {
+  return {.ka = m.ka.value_or(user.ka) * m.diffuse[channel],
+          .kd = m.kd.value_or(user.kd) * m.diffuse[channel],
+          .ks = m.ks.value_or(user.ks) * m.specular[channel],
+          .n = m.n.value_or(user.n)};
+}
+
 Lighting resolve(const Mesh& mesh, const SceneLight& scene, const Illumination& user, Channels channels,
                  glm::dvec3 eye, glm::dvec3 lookAt) {
   const auto share = [&](glm::dvec3 color) {
@@ -124,10 +136,7 @@ Lighting resolve(const Mesh& mesh, const SceneLight& scene, const Illumination& 
   lighting.farV = unit(eye - lookAt);
   lighting.constantV = user.constantV || lengthOf(eye - centre) > kFar;
 
-  std::vector<Light> lights = scene.lights;
-  if (lights.empty())
-    lights.push_back(usersLight(user, lengthOf(user.lightPosition.value_or(glm::dvec3{0}) - centre)));
-  for (const Light& light : lights) {
+  for (const Light& light : lightsOf(scene, user, centre)) {
     Lighting::Source source = sourceOf(light, centre, scene.unit, user.constantL);
     // With one channel, a light counts with its luminance.
     source.Ip = channels == Channels::Rgb ? share(light.Ip) : std::array{luminance(light.Ip), 0.0, 0.0};

@@ -92,6 +92,13 @@ struct Lighting {
   [[nodiscard]] bool needsPlaces() const { return variesV() || placed(); }
 };
 
+/// The lights of the scene, or if it has none the user's. Lengths are in the scene's units. `centre` is that
+/// of the scene's box.
+[[nodiscard]] std::vector<Light> lightsOf(const SceneLight& scene, const Illumination& user,
+                                          const glm::dvec3& centre);
+/// What a surface reflects in one channel, 0 to 2 for RGB. `m` says what it does not leave to the user.
+[[nodiscard]] Reflection reflectionOf(const MeshMaterial& m, const Illumination& user, int channel);
+
 [[nodiscard]] Lighting resolve(const Mesh& mesh, const SceneLight& scene, const Illumination& user,
                                Channels channels, glm::dvec3 eye, glm::dvec3 lookAt);
 
