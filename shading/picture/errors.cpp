@@ -214,8 +214,7 @@ std::vector<std::size_t> worstSamples(std::span<const float> errors, int width) 
   return worst;
 }
 
-Errors errorsOf(const Picture& picture, const Palette& palette) {
-  const Reference reference{picture};
+Errors errorsOf(const Picture& picture, const Reference& reference, const Palette& palette) {
   const Comparison comparison{picture, reference, palette};
   Errors errors;
   errors.beforeTable = spreadOf(comparison.intensityErrors(Rounding::Before));

@@ -107,7 +107,11 @@ struct Errors {
   std::vector<WorstPlace> worst;         ///< by the intensity after the table; at most kMostWorstPlaces
 };
 
-/// `picture` is painted, and `palette` has its colours and that of its background.
-[[nodiscard]] Errors errorsOf(const Picture& picture, const Palette& palette);
+/// `picture` is painted, and `palette` has its colours and that of its background. Pictures that differ only
+/// in short cuts can share a reference.
+[[nodiscard]] Errors errorsOf(const Picture& picture, const Reference& reference, const Palette& palette);
+[[nodiscard]] inline Errors errorsOf(const Picture& picture, const Palette& palette) {
+  return errorsOf(picture, Reference{picture}, palette);
+}
 
 }  // namespace xnewell

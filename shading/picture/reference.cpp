@@ -14,16 +14,6 @@ namespace xnewell {
 
 namespace {
 
-bool isGray(const glm::dvec3& color) { return color.r == color.g && color.g == color.b; }
-
-bool isGray(const Scene& scene) {
-  const auto light = [](const Light& l) { return isGray(l.Ip); };
-  const auto surface = [](const MeshMaterial& m) { return isGray(m.diffuse) && isGray(m.specular); };
-  return isGray(scene.light.Ia.value_or(glm::dvec3{0.0})) && std::ranges::all_of(scene.light.lights, light) &&
-         std::ranges::all_of(scene.mesh.materials, surface) &&
-         std::ranges::none_of(scene.textures, &Texture::colored);
-}
-
 /// Its cells are never used, so no time is spent on choosing them.
 PictureSettings unpainted(PictureSettings settings) {
   settings.colors = ColorPlan::OneHue;

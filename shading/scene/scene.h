@@ -60,6 +60,9 @@ struct Scene {
   std::vector<Texture> textures;
 };
 
+/// True if the lights, surfaces and textures of the scene have no colour, only shades of gray.
+[[nodiscard]] bool isGray(const Scene& scene);
+
 /// The normals of the patches at the corners of the mesh; 0 at corners of other faces. Empty if there are no
 /// patches.
 [[nodiscard]] std::vector<glm::dvec3> exactNormals(const Scene& scene);

@@ -9,6 +9,7 @@
 #include "shading/color/png.h"
 #include "shading/color/rgb_image.h"
 #include "shading/picture/errors.h"
+#include "shading/picture/required.h"
 #include "x11/window/moot.h"
 
 namespace xnewell {
@@ -23,32 +24,15 @@ RgbImage idsOf(const Picture& picture) {
   return image;
 }
 
-/// What this picture needed of the illumination model. The rest is not computed.
-nlohmann::ordered_json requiredBy(const Picture& picture) {
-  const PictureSettings& s = picture.settings();
-  const ShadingRow& method = rowOf(s.shading);
-  const Lighting& lighting = picture.shading().lighting();
-  const bool specular = method.lit && lighting.specular;
-  const auto any = [&](auto Lighting::Source::*what) {
-    return method.lit && std::ranges::any_of(lighting.sources, what);
-  };
-  const auto fades = [](const Lighting::Source& l) { return l.linear || l.c != glm::dvec3{1, 0, 0}; };
-  const auto wears = [](const MeshMaterial& m) { return m.texture >= 0; };
-  return {
-      {"illumination", method.lit},
-      {"channels", method.lit ? lighting.channels : 1},
-      {"lights", method.lit ? lighting.sources.size() : 0},
-      {"specular", specular},
-      {"eye", specular && lighting.asksForEye() && !lighting.constantV},
-      {"places", method.lit && lighting.needsPlaces()},
-      {"spots", any(&Lighting::Source::spot)},
-      {"attenuation", method.lit && std::ranges::any_of(lighting.sources, fades)},
-      {"vertex_normals", picture.shading().vertices().vertices.size()},
-      {"textures", method.lit && std::ranges::any_of(picture.scene().mesh.materials, wears)},
-      {"planes", !picture.snapped().planes.empty()},
-      {"ramps", channelsOf(picture.colors().plan()) == Channels::Rgb ? 0 : picture.colors().tables().size()},
-      {"cuts_of_concave_faces",
-       static_cast<int>(picture.scene().parts.face.size()) - picture.scene().mesh.faceCount()}};
+/// The items that were required, or why they were or were not.
+nlohmann::ordered_json requiredIn(const std::vector<Required>& required, bool why) {
+  nlohmann::ordered_json json;
+  for (const Required& r : required)
+    if (why)
+      json[std::string{r.name}] = r.why;
+    else
+      std::visit([&](auto what) { json[std::string{r.name}] = what; }, r.what);
+  return json;
 }
 
 /// Why --adapt stopped dividing polygons; null if it was not asked for.
@@ -103,6 +87,7 @@ nlohmann::ordered_json statsOf(const Options& options, const Picture& picture, c
   const SnappedScene& scene = picture.snapped();
   const SortedScene& sorted = picture.sorted();
   const SortStatistics& sort = sorted.statistics;
+  const std::vector<Required> required = requiredBy(picture);
   nlohmann::ordered_json tests;
   for (const TestRow& row : kTestRows) tests[std::string{row.name}] = sort.settled[static_cast<int>(row.id)];
   tests["1"] = sort.boxesApart[0];
@@ -124,7 +109,8 @@ nlohmann::ordered_json statsOf(const Options& options, const Picture& picture, c
           {"shading", rowOf(picture.settings().shading).name},
           {"colors", kColorPlans[static_cast<int>(picture.colors().plan())].name},
           {"adapt_limit", adaptLimitOf(picture)},
-          {"required", requiredBy(picture)},
+          {"required", requiredIn(required, /*why=*/false)},
+          {"required_because", requiredIn(required, /*why=*/true)},
           {"ms",
            {{"read", t.read},
             {"shade", t.shade},
