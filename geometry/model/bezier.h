@@ -1,6 +1,7 @@
 #pragma once
 
 #include <array>
+#include <glm/vec2.hpp>
 #include <glm/vec3.hpp>
 #include <span>
 #include <string_view>
@@ -35,6 +36,10 @@ struct BezierPatch {
 /// edges. (du / 3 and dv / 3 have errors of 26 roundings of their longest edges, and the product has 60 of
 /// E.)
 [[nodiscard]] glm::dvec3 normal(const BezierPatch& patch, double u, double v);
+
+/// The distance of `p` from the surface. It is that to the nearest point that the Gauss-Newton method finds
+/// from uv on, uv in [0, 1]. It is never more than the distance to the point at uv.
+[[nodiscard]] double distanceFrom(const BezierPatch& patch, const glm::dvec3& p, glm::dvec2 uv);
 
 /// The name and the length of a run of patches, for example "spout" and 4.
 struct PatchPart {

@@ -3,6 +3,7 @@
 #include <array>
 
 #include "geometry/exact/trig.h"
+#include "geometry/exact/unit.h"
 
 namespace xnewell {
 
@@ -105,6 +106,12 @@ Mesh torus(int around, int across) {
       mesh.addFace(std::array{at(i, j), at(i + 1, j), at(i + 1, j + 1), at(i, j + 1)}, 0, -1,
                    std::array{uv(i, j), uv(i + 1, j), uv(i + 1, j + 1), uv(i, j + 1)});
   return mesh;
+}
+
+glm::dvec3 outward(RoundSolid solid, const glm::dvec3& p) {
+  if (solid == RoundSolid::Sphere) return p;
+  const glm::dvec3 towards = unit({p.x, p.y, 0.0});
+  return towards == glm::dvec3{0.0} ? towards : p - towards;
 }
 
 Mesh triangleSoup(int count, double size, std::uint64_t seed) {

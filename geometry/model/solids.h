@@ -22,6 +22,13 @@ namespace xnewell {
 /// u runs eastward from the x axis, v around the tube, upwards from its outermost circle.
 [[nodiscard]] Mesh torus(int around, int across);
 
+/// The round surfaces that sphere() and torus() approximate.
+enum class RoundSolid { Sphere, Torus };
+/// A vector along the outward normal of the surface, at its point that is nearest to p. It is not a unit
+/// vector. It is 0 where many points are nearest: at the centre of the sphere, and on the axis and on the
+/// central circle of the torus.
+[[nodiscard]] glm::dvec3 outward(RoundSolid solid, const glm::dvec3& p);
+
 /// `count` triangles, scattered. Their centres are in the cube |x|, |y|, |z| <= 1, and each coordinate of a
 /// corner is within `size` of its centre's. A seed gives the same triangles on every machine.
 [[nodiscard]] Mesh triangleSoup(int count, double size, std::uint64_t seed);

@@ -107,12 +107,12 @@ template <class Real>
   }
 }
 
-template <class Real, class Triangle>
-[[gnu::always_inline]] inline void fillPixels(const Triangle& t, std::uint8_t* cells, int i, int j,
-                                              int count) {
+/// Calls use(row, pixels, done) for parts of a span, one after the other: the row is at `pixels` pixels,
+/// after `done` others.
+template <class Real, class Triangle, class Use>
+[[gnu::always_inline]] inline void alongSpan(const Triangle& t, int i, int j, int count, const Use& use) {
   constexpr int kSideBySide = kLanes<Real>;
   constexpr int kMost = kMostBlocks * kSideBySide;
-  IntegersOf<Real> above{};
   const double down = j - t.j0;
   TexelRow<Real> texels{t, down};
   withRow<Real>(t, down, [&] [[gnu::always_inline]] (auto row) {
@@ -123,10 +123,30 @@ template <class Real, class Triangle>
       for (int b = 0; b < blocks; ++b, at += splat<Real>(kSideBySide)) along[b] = at;
       if (texels) texels.locate(along, blocks);
       row.evaluate(along, blocks, texels);
-      storeCells<Real>(t.ramp, row, pixels, cells + done, above);
+      use(row, pixels, done);
     }
   });
-  for (int l = 0; l < kSideBySide; ++l) *t.clamped += above[l];
+}
+
+template <class Real, class Triangle>
+[[gnu::always_inline]] inline void fillPixels(const Triangle& t, std::uint8_t* cells, int i, int j,
+                                              int count) {
+  IntegersOf<Real> above{};
+  alongSpan<Real>(t, i, j, count, [&] [[gnu::always_inline]] (const auto& row, int pixels, int done) {
+    storeCells<Real>(t.ramp, row, pixels, cells + done, above);
+  });
+  for (int l = 0; l < kLanes<Real>; ++l) *t.clamped += above[l];
+}
+
+/// Stores the sums instead of their cells.
+template <class Real, class Triangle>
+[[gnu::always_inline]] inline void storeSums(const Triangle& t, double* sums, int i, int j, int count) {
+  alongSpan<Real>(t, i, j, count, [&] [[gnu::always_inline]] (const auto& row, int pixels, int done) {
+    for (int k = 0; k < pixels; k += kLanes<Real>) {
+      const Real sum = row.sum(k / kLanes<Real>);
+      for (int l = 0; l < std::min(kLanes<Real>, pixels - k); ++l) sums[done + k + l] = sum[l];
+    }
+  });
 }
 
 }  // namespace xnewell

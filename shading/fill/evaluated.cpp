@@ -30,6 +30,21 @@ void fillPhongInDouble(const PhongTriangle& t, std::uint8_t* cells, int i, int j
   fillPixels<Lanes<double, 4>>(t, cells, i, j, count);
 }
 
+XNEWELL_DISPATCHED
+void sumTerms(const TermsTriangle& t, double* sums, int i, int j, int count) {
+  storeSums<Lanes<float, 8>>(t, sums, i, j, count);
+}
+
+XNEWELL_DISPATCHED
+void sumPhong(const PhongTriangle& t, double* sums, int i, int j, int count) {
+  storeSums<Lanes<float, 8>>(t, sums, i, j, count);
+}
+
+XNEWELL_DISPATCHED
+void sumPhongInDouble(const PhongTriangle& t, double* sums, int i, int j, int count) {
+  storeSums<Lanes<double, 4>>(t, sums, i, j, count);
+}
+
 /// The sum at one sample.
 template <class Triangle>
 double sumAt(const Triangle& t, int i, int j) {
@@ -75,10 +90,17 @@ void PhongTriangle::span(std::uint8_t* cells, int i, int j, int count) const {
     fillPhong(*this, cells, i, j, count);
 }
 double PhongTriangle::intensity(int i, int j) const { return sumAt(*this, i, j); }
+void PhongTriangle::intensities(double* I, int i, int j, int count) const {
+  if (material->n > kMostForSingle)
+    sumPhongInDouble(*this, I, i, j, count);
+  else
+    sumPhong(*this, I, i, j, count);
+}
 
 void TermsTriangle::span(std::uint8_t* cells, int i, int j, int count) const {
   fillTerms(*this, cells, i, j, count);
 }
 double TermsTriangle::intensity(int i, int j) const { return sumAt(*this, i, j); }
+void TermsTriangle::intensities(double* I, int i, int j, int count) const { sumTerms(*this, I, i, j, count); }
 
 }  // namespace xnewell

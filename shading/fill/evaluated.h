@@ -1,7 +1,9 @@
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <cstdint>
+#include <glm/common.hpp>
 #include <glm/vec2.hpp>
 #include <glm/vec3.hpp>
 
@@ -73,6 +75,8 @@ struct PhongTriangle : EvaluatedTriangle {
   void span(std::uint8_t* cells, int i, int j, int count) const;
   /// The intensity at one sample in double precision, not clamped.
   [[nodiscard]] double intensity(int i, int j) const;
+  /// The same at pixels (i, j) to (i + count - 1, j), as precisely as span().
+  void intensities(double* I, int i, int j, int count) const;
 };
 
 /// Terms that were evaluated once: at the face, or at the vertices and interpolated. The diffuse term is
@@ -83,6 +87,36 @@ struct TermsTriangle : EvaluatedTriangle {
   /// As PhongTriangle's.
   void span(std::uint8_t* cells, int i, int j, int count) const;
   [[nodiscard]] double intensity(int i, int j) const;
+  void intensities(double* I, int i, int j, int count) const;
 };
+
+/// The luminance of three channels. Each channel is clamped to [0, 1] first.
+template <class Triangle>
+struct LuminanceTriangle {
+  std::array<Triangle, 3> channel;
+  Ramp ramp = {};
+  std::int64_t* clamped = nullptr;
+
+  void span(std::uint8_t* cells, int i, int j, int count) const {
+    constexpr int kMost = 64;
+    std::array<std::array<double, kMost>, 3> I;
+    for (int done = 0; done < count; done += kMost) {
+      const int pixels = std::min(kMost, count - done);
+      for (int c = 0; c < 3; ++c) channel[c].intensities(I[c].data(), i + done, j, pixels);
+      for (int k = 0; k < pixels; ++k) {
+        for (int c = 0; c < 3; ++c) *clamped += I[c][k] > 1.0;
+        cells[done + k] = ramp.cell(of({I[0][k], I[1][k], I[2][k]}));
+      }
+    }
+  }
+  [[nodiscard]] double intensity(int i, int j) const {
+    return of({channel[0].intensity(i, j), channel[1].intensity(i, j), channel[2].intensity(i, j)});
+  }
+
+ private:
+  [[nodiscard]] static double of(const glm::dvec3& I) { return luminance(glm::clamp(I, 0.0, 1.0)); }
+};
+template <class Triangle>
+LuminanceTriangle(std::array<Triangle, 3>) -> LuminanceTriangle<Triangle>;
 
 }  // namespace xnewell

@@ -16,6 +16,7 @@ constexpr int kSide = 256;
 struct FarLight {
   glm::dvec3 L;  ///< in the axes of the look-up
   double Ip, fatt;
+  double brightness;  ///< by which the axes of the look-up go
 };
 
 /// A rotation that turns L into (0, 0, 1). Its rows are two vectors perpendicular to L, and L.
@@ -45,15 +46,17 @@ Environment makeEnvironment(EnvironmentForm form, const Lighting& lighting, cons
   std::vector<FarLight> lights;  // L in world coordinates
   for (const Lighting::Source& source : lighting.sources) {
     const Incident<double> in = incident<double>(source, {centre.x, centre.y, centre.z});
-    lights.push_back({{in.L.x, in.L.y, in.L.z}, source.Ip[channel], in.f});
+    // The three maps of a luminance are added, so they need the same axes.
+    const double Ip =
+        lighting.luminance ? luminance({source.Ip[0], source.Ip[1], source.Ip[2]}) : source.Ip[channel];
+    lights.push_back({{in.L.x, in.L.y, in.L.z}, source.Ip[channel], in.f, in.f * Ip});
   }
   Environment map;
   const bool rotated = form == EnvironmentForm::Rotated;
   if (!rotated || lights.empty()) {
     map.frame = viewFrame;
   } else {
-    const auto brightness = [](const FarLight& light) { return light.fatt * light.Ip; };
-    const FarLight& brightest = *std::ranges::max_element(lights, {}, brightness);
+    const FarLight& brightest = *std::ranges::max_element(lights, {}, &FarLight::brightness);
     map.frame = brightest.L == glm::dvec3{0.0} ? glm::dmat3{1.0} : rotationTo(brightest.L);
   }
   map.twoMaps = rotated;

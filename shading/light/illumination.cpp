@@ -89,10 +89,23 @@ Lighting::Source sourceOf(const Light& light, const glm::dvec3& centre, double u
   return source;
 }
 
+/// Whether the cone of a spot can hold any place of the box, to within 2^-20 degrees. A ball around the box
+/// is taken for it.
+bool coneMeets(const Lighting::Source& spot, double outer, const Box& box) {
+  const glm::dvec3 to = box.centre() - spot.position;
+  const double distance = lengthOf(to), radius = lengthOf(box.high - box.low) / 2.0;
+  if (distance <= radius) return true;
+  const glm::dvec3 across = glm::cross(spot.axis, to);
+  const double away = degreesOf(lengthOf(across), glm::dot(spot.axis, to));
+  const double halfAngle = degreesOf(radius, std::sqrt((distance - radius) * (distance + radius)));
+  return away - halfAngle < outer + 0x1p-20;
+}
+
 /// Whether the light can reach any place of the box.
-bool reaches(const Lighting::Source& source, const Box& box) {
+bool reaches(const Lighting::Source& source, const Light& light, const Box& box) {
   if (*std::ranges::max_element(source.Ip) <= 0.0) return false;
   if (!source.placed) return source.f > 0.0;
+  if (source.spot && !coneMeets(source, light.outer, box)) return false;
   if (!source.linear || source.constantL) return true;
   const glm::dvec3 nearest = glm::clamp(source.position, box.low, box.high);
   return lengthOf(nearest - source.position) * source.c.x < 1.0;
@@ -109,10 +122,23 @@ double luminance(glm::dvec3 color) {
   return 0.30 * color.r + 0.59 * color.g + 0.11 * color.b;
 }
 
+std::vector<Light> lightsOf(const SceneLight& scene, const Illumination& user, const Box& box) {
+  if (!scene.lights.empty()) return scene.lights;
+  return {usersLight(user, distanceFromCentre(user.lightPosition.value_or(glm::dvec3{0}), box))};
+}
+
+Reflection reflectionOf(const MeshMaterial& m, const Illumination& user, int channel) {
+  return {.ka = m.ka.value_or(user.ka) * m.diffuse[channel],
+          .kd = m.kd.value_or(user.kd) * m.diffuse[channel],
+          .ks = m.ks.value_or(user.ks) * m.specular[channel],
+          .n = m.n.value_or(user.n)};
+}
+
 Lighting resolve(const Mesh& mesh, const SceneLight& scene, const Illumination& user, Channels channels,
-                 glm::dvec3 eye, glm::dvec3 lookAt) {
+                 glm::dvec3 eye, glm::dvec3 lookAt, bool colored) {
+  const bool rgb = channels == Channels::Rgb || (channels == Channels::Luminance && colored);
   const auto share = [&](glm::dvec3 color) {
-    if (channels == Channels::Rgb) return std::array{color.r, color.g, color.b};
+    if (rgb) return std::array{color.r, color.g, color.b};
     const bool brightness = channels == Channels::Brightness;
     return std::array{brightness ? std::max({color.r, color.g, color.b}) : luminance(color), 0.0, 0.0};
   };
@@ -120,25 +146,23 @@ Lighting resolve(const Mesh& mesh, const SceneLight& scene, const Illumination& 
   const glm::dvec3 centre = box.centre();
 
   Lighting lighting;
-  lighting.channels = channels == Channels::Rgb ? 3 : 1;
+  lighting.channels = rgb ? 3 : 1;
+  lighting.luminance = rgb && channels == Channels::Luminance;
   lighting.form = user.form;
   lighting.twoSided = user.twoSided;
   lighting.eye = eye;
   lighting.farV = unit(eye - lookAt);
   lighting.constantV = user.constantV || lengthOf(eye - centre) > kFar;
 
-  std::vector<Light> lights = scene.lights;
-  if (lights.empty())
-    lights.push_back(usersLight(user, distanceFromCentre(user.lightPosition.value_or(glm::dvec3{0}), box)));
-  for (const Light& light : lights) {
+  for (const Light& light : lightsOf(scene, user, box)) {
     Lighting::Source source = sourceOf(light, centre, scene.unit, user.constantL);
-    // With one channel, a light counts with its luminance.
-    source.Ip = channels == Channels::Rgb ? share(light.Ip) : std::array{luminance(light.Ip), 0.0, 0.0};
-    if (reaches(source, box)) lighting.sources.push_back(source);
+    // Ramps of several hues are for white lights; others count with their luminance.
+    source.Ip = rgb ? share(light.Ip) : std::array{luminance(light.Ip), 0.0, 0.0};
+    if (reaches(source, light, box)) lighting.sources.push_back(source);
   }
 
   const glm::dvec3 Ia = scene.Ia.value_or(glm::dvec3{user.Ia});
-  const std::array ambientLight = channels == Channels::Rgb ? share(Ia) : std::array{luminance(Ia), 0.0, 0.0};
+  const std::array ambientLight = rgb ? share(Ia) : std::array{luminance(Ia), 0.0, 0.0};
   const auto resolved = [&](const MeshMaterial& m) {
     const std::array Od = share(m.diffuse), Os = share(m.specular);
     Material material;
@@ -153,9 +177,21 @@ Lighting resolve(const Mesh& mesh, const SceneLight& scene, const Illumination& 
   };
   lighting.materials.push_back(resolved({}));
   for (const MeshMaterial& m : mesh.materials) lighting.materials.push_back(resolved(m));
-  lighting.specular = !lighting.sources.empty() && std::ranges::any_of(lighting.materials, [](const auto& m) {
-    return *std::ranges::max_element(m.ks) > 0.0;
+
+  // Only what a face of the scene reflects counts.
+  std::vector<bool> used(lighting.materials.size(), false);
+  for (const int m : mesh.material) used[m + 1] = true;
+  const auto isReflected = [&](const Lighting::Source& source, std::array<double, 3> Material::*k) {
+    for (std::size_t m = 0; m < used.size(); ++m)
+      for (int c = 0; c < lighting.channels; ++c)
+        if (used[m] && source.Ip[c] * (lighting.materials[m].*k)[c] > 0.0) return true;
+    return false;
+  };
+  std::erase_if(lighting.sources, [&](const Lighting::Source& source) {
+    return !isReflected(source, &Material::kd) && !isReflected(source, &Material::ks);
   });
+  lighting.specular = std::ranges::any_of(
+      lighting.sources, [&](const Lighting::Source& source) { return isReflected(source, &Material::ks); });
   return lighting;
 }
 

@@ -50,7 +50,7 @@ struct SceneLight {
 
 /// Which channels a picture computes.
 enum class Channels {
-  Luminance,   ///< one channel: the gray of each colour
+  Luminance,   ///< one channel: the gray of each intensity
   Brightness,  ///< one channel: the largest component of a surface's colour; the table has its hue
   Rgb,
 };
@@ -78,11 +78,14 @@ struct Lighting {
     int falloff = 1;
   };
   int channels = 1;
-  std::vector<Source> sources;      ///< those that can reach the scene
+  /// Whether the picture has one channel, the luminance of these three. It is taken at the end: a red light
+  /// on a green surface has none.
+  bool luminance = false;
+  std::vector<Source> sources;      ///< those that can reach the scene and that a face reflects
   std::vector<Material> materials;  ///< the first is that of no material, then as in Mesh::materials
   Form form = Form::Textbook;
   bool twoSided = true;
-  bool specular = false;  ///< whether any material has a specular term
+  bool specular = false;  ///< whether a face reflects any source in a highlight
   bool constantV = false;
   glm::dvec3 farV{0}, eye{0};
   [[nodiscard]] bool asksForEye() const { return specular && form != Form::Tutorial; }
@@ -97,8 +100,16 @@ struct Lighting {
 /// light in the middle of the scene counts as 2^-20 of the scene's longest side away.
 [[nodiscard]] double distanceFromCentre(const glm::dvec3& position, const Box& scene);
 
+/// The lights of the scene, or if it has none the user's. Lengths are in the scene's units. `box` is the
+/// scene's.
+[[nodiscard]] std::vector<Light> lightsOf(const SceneLight& scene, const Illumination& user, const Box& box);
+/// What a surface reflects in one channel, 0 to 2 for RGB. `m` says what it does not leave to the user.
+[[nodiscard]] Reflection reflectionOf(const MeshMaterial& m, const Illumination& user, int channel);
+
+/// For Channels::Luminance, `colored` says whether the scene has colours. If it has none, one channel is
+/// enough.
 [[nodiscard]] Lighting resolve(const Mesh& mesh, const SceneLight& scene, const Illumination& user,
-                               Channels channels, glm::dvec3 eye, glm::dvec3 lookAt);
+                               Channels channels, glm::dvec3 eye, glm::dvec3 lookAt, bool colored = false);
 
 /// The gray of a colour on X servers, for pictures of one channel: 0.30 R + 0.59 G + 0.11 B.
 [[nodiscard]] double luminance(glm::dvec3 color);

@@ -191,7 +191,9 @@ std::vector<std::uint32_t> Picture::faceImage() const {
 
 std::int64_t Picture::saturated() const {
   std::int64_t clamped = painted_ ? painted_->clamped : 0;
-  for (int c = 0; c < shading_.lighting().channels; ++c) clamped += shading_.intensities(c).clamped;
+  const Lighting& lighting = shading_.lighting();
+  for (int c = 0; c < (lighting.luminance ? 1 : lighting.channels); ++c)
+    clamped += shading_.intensities(c).clamped;
   return clamped;
 }
 

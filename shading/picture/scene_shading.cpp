@@ -1,5 +1,6 @@
 #include "shading/picture/scene_shading.h"
 
+#include <algorithm>
 #include <utility>
 
 #include "geometry/exact/box.h"
@@ -34,16 +35,19 @@ SceneShading SceneShading::next(const Scene& scene, const PictureSettings& setti
   bool newLight = next.lightMade_ != light;
   const bool newEye = next.eyeMade_ != eye;
   if (newLight || newEye)
-    next.lighting_ = resolve(scene.mesh, scene.light, settings.light, channels, camera.eye, camera.lookAt);
+    next.lighting_ = resolve(scene.mesh, scene.light, settings.light, channels, camera.eye, camera.lookAt,
+                             channels == Channels::Luminance && !isGray(scene));
   const bool newHighlight = newLight || (newEye && next.lighting().asksForEye());
   if (adapt > 0.0 && newHighlight) {
     next.refined_ = std::optional{next.refine(scene, settings)};
     newLight = true;  // points() has changed
   }
   if (!keepsIntensities)
-    next.lit_ = {};
-  else if (newLight || newEye)
+    next.lit_ = {}, next.luminance_ = {};
+  else if (newLight || newEye) {
     for (int c = 0; c < next.lighting().channels; ++c) next.light(c, newLight, newHighlight);
+    if (next.lighting().luminance) next.luminance_ = next.luminanceOfAll();
+  }
 
   if (settings.shading == Shading::Environment) {
     const Frame frame{settings.environment,
@@ -83,6 +87,15 @@ void SceneShading::light(int channel, bool newLight, bool newHighlight) {
   lit.intensities = std::move(intensities);
 }
 
+Intensities SceneShading::luminanceOfAll() const {
+  const Intensities &r = *lit_[0].intensities, &g = *lit_[1].intensities, &b = *lit_[2].intensities;
+  Intensities all{std::vector<FrontBack<double>>(r.I.size()), r.clamped + g.clamped + b.clamped};
+  for (std::size_t k = 0; k < all.I.size(); ++k)
+    all.I[k] = {xnewell::luminance({r.I[k].front, g.I[k].front, b.I[k].front}),
+                xnewell::luminance({r.I[k].back, g.I[k].back, b.I[k].back})};
+  return all;
+}
+
 SceneShading::Maps SceneShading::makeMaps(const Scene& scene, const PictureSettings& settings,
                                           const Camera& camera) const {
   Maps maps;
@@ -95,6 +108,16 @@ SceneShading::Maps SceneShading::makeMaps(const Scene& scene, const PictureSetti
     const glm::dmat3 frame = maps.environments[c].front().frame;
     maps.N[c].reserve(points().N.size());
     for (const glm::dvec3& N : points().N) maps.N[c].push_back(frame * N);
+  }
+  if (lighting().luminance) {
+    const auto mix = [](std::vector<float>& r, const std::vector<float>& g, const std::vector<float>& b) {
+      const auto cut = [](float v) { return std::min(1.0, double{v}); };
+      for (std::size_t k = 0; k < r.size(); ++k)
+        r[k] = static_cast<float>(xnewell::luminance({cut(r[k]), cut(g[k]), cut(b[k])}));
+    };
+    auto& [r, g, b] = maps.environments;
+    for (std::size_t m = 0; m < r.size(); ++m)
+      mix(r[m].front, g[m].front, b[m].front), mix(r[m].away, g[m].away, b[m].away);
   }
   return maps;
 }

@@ -47,12 +47,15 @@ class SceneShading {
   [[nodiscard]] int pointOf(const SnappedFace& face) const { return refined() ? face.part : face.number; }
   [[nodiscard]] const Lighting& lighting() const { return *lighting_; }
   /// The intensities of one channel at points(). They are empty unless the method is flat or Gouraud shading.
-  [[nodiscard]] const Intensities& intensities(int channel) const { return *lit_[channel].intensities; }
+  /// If lighting().luminance, those of channel 0 are the luminance of all three.
+  [[nodiscard]] const Intensities& intensities(int channel) const {
+    return lighting().luminance ? *luminance_ : *lit_[channel].intensities;
+  }
   /// The terms of intensities().
   [[nodiscard]] const Terms& diffuse(int channel) const { return *lit_[channel].diffuse; }
   [[nodiscard]] const Terms& specular(int channel) const { return *lit_[channel].specular; }
-  /// The environments of a channel by material; the first is for faces without a material. Empty unless the
-  /// method is environment mapping.
+  /// The environments of a channel by material, or those of the luminance for channel 0; the first is for
+  /// faces without a material. Empty unless the method is environment mapping.
   [[nodiscard]] const std::vector<Environment>& environments(int channel) const {
     return maps_->environments[channel];
   }
@@ -95,6 +98,7 @@ class SceneShading {
 
   [[nodiscard]] Refined refine(const Scene& scene, const PictureSettings& settings) const;
   void light(int channel, bool newLight, bool newHighlight);
+  [[nodiscard]] Intensities luminanceOfAll() const;
   [[nodiscard]] Maps makeMaps(const Scene& scene, const PictureSettings& settings,
                               const Camera& camera) const;
 
@@ -107,6 +111,7 @@ class SceneShading {
   Shared<std::optional<Refined>> refined_;
   Shared<Lighting> lighting_;
   std::array<Lit, 3> lit_;
+  Shared<Intensities> luminance_;  ///< empty unless lighting().luminance
   Shared<Maps> maps_;
 };
 

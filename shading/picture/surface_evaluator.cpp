@@ -53,7 +53,7 @@ std::array<double, 3> SurfaceEvaluator::overDepths(const FaceTriangle& t) const 
   return {least / depth[0], least / depth[1], least / depth[2]};
 }
 
-PhongTriangle SurfaceEvaluator::phong(const SnappedFace& face, const FaceTriangle& t) const {
+PhongTriangle SurfaceEvaluator::phong(const SnappedFace& face, const FaceTriangle& t, int channel) const {
   const PixelPlanes planes{t.p};
   const std::array<double, 3> q = overDepths(t);
   const auto plane = [&](const auto& ofCorner) { return planeOf(s_.snapped, t, planes, q, ofCorner); };
@@ -61,7 +61,7 @@ PhongTriangle SurfaceEvaluator::phong(const SnappedFace& face, const FaceTriangl
   e.i0 = planes.i0(), e.j0 = planes.j0(), e.q = planes(q);
   e.lighting = &s_.shading.lighting();
   e.material = &e.lighting->materials[s_.mesh.material[face.number] + 1];
-  e.channel = channel_;
+  e.channel = channel;
   e.placed = e.lighting->placed();
   e.variesV = e.lighting->variesV();
   const double side = s_.side(face);
@@ -76,16 +76,16 @@ PhongTriangle SurfaceEvaluator::phong(const SnappedFace& face, const FaceTriangl
     if (e.placed) e.at[axis] = plane([&](int corner) { return place(corner)[axis] - e.origin[axis]; });
     if (e.variesV) e.V[axis] = plane([&](int corner) { return e.lighting->eye[axis] - place(corner)[axis]; });
   }
-  if (textured(face)) addTexture(e, face, t, planes, q);
+  if (textured(face)) addTexture(e, face, t, planes, q, channel);
   return e;
 }
 
-TermsTriangle SurfaceEvaluator::terms(const SnappedFace& face, const FaceTriangle& t) const {
+TermsTriangle SurfaceEvaluator::terms(const SnappedFace& face, const FaceTriangle& t, int channel) const {
   const PixelPlanes planes{t.p};
   const std::array<double, 3> q = overDepths(t);
   TermsTriangle e;
   e.i0 = planes.i0(), e.j0 = planes.j0(), e.q = planes(q);
-  const Terms &diffuse = s_.shading.diffuse(channel_), &specular = s_.shading.specular(channel_);
+  const Terms &diffuse = s_.shading.diffuse(channel), &specular = s_.shading.specular(channel);
   const Material& material = s_.shading.lighting().materials[s_.mesh.material[face.number] + 1];
   if (s_.settings.shading == Shading::Gouraud) {
     const auto plane = [&](const Terms& terms) {
@@ -100,17 +100,18 @@ TermsTriangle SurfaceEvaluator::terms(const SnappedFace& face, const FaceTriangl
     e.diffuse.c = diffuse[point].seen(face.back);
     e.rest.c = specular[point].seen(face.back);
   }
-  e.rest.c += material.ambient[channel_];
-  addTexture(e, face, t, planes, q);
+  e.rest.c += material.ambient[channel];
+  addTexture(e, face, t, planes, q, channel);
   return e;
 }
 
 void SurfaceEvaluator::addTexture(EvaluatedTriangle& e, const SnappedFace& face, const FaceTriangle& t,
-                                  const PixelPlanes& planes, const std::array<double, 3>& q) const {
+                                  const PixelPlanes& planes, const std::array<double, 3>& q,
+                                  int channel) const {
   const Mesh& mesh = s_.mesh;
   e.texture = &s_.scene.textures[mesh.materials[mesh.material[face.number]].texture];
   const bool rgb = s_.shading.lighting().channels == 3;
-  e.texels = (rgb ? e.texture->channel[channel_] : e.texture->gray).data();
+  e.texels = (rgb ? e.texture->channel[channel] : e.texture->gray).data();
   // Textures repeat, so a whole number is subtracted from the coordinates. This keeps them small.
   e.repeats = false;
   for (int axis = 0; axis < 2; ++axis) {

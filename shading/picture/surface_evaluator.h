@@ -37,14 +37,21 @@ class SurfaceEvaluator {
   /// True if the samples of a face are evaluated one by one.
   [[nodiscard]] bool evaluates(const SnappedFace& face) const;
   /// Calls use(t, evaluated) for each triangle of such a face. `evaluated` is a PhongTriangle or a
-  /// TermsTriangle. The caller gives it a ramp and a counter of clamped samples.
+  /// TermsTriangle, or the luminance of three of them. The caller gives it a ramp and a counter of clamped
+  /// samples.
   template <class Use>
   void forEachEvaluated(const SnappedFace& face, Use&& use) const {
     forEachTriangle(s_.snapped, face, [&](const FaceTriangle& t) {
+      const auto each = [&](const auto& of) {
+        if (s_.shading.lighting().luminance)
+          use(t, LuminanceTriangle{std::array{of(0), of(1), of(2)}});
+        else
+          use(t, of(channel_));
+      };
       if (s_.settings.shading == Shading::Phong)
-        use(t, phong(face, t));
+        each([&](int channel) { return phong(face, t, channel); });
       else
-        use(t, terms(face, t));
+        each([&](int channel) { return terms(face, t, channel); });
     });
   }
   /// 1 / w at the three vertices. w is the depth along the viewing direction, divided by the least depth of
@@ -53,10 +60,10 @@ class SurfaceEvaluator {
 
  private:
   [[nodiscard]] bool textured(const SnappedFace& face) const;
-  [[nodiscard]] PhongTriangle phong(const SnappedFace& face, const FaceTriangle& t) const;
-  [[nodiscard]] TermsTriangle terms(const SnappedFace& face, const FaceTriangle& t) const;
+  [[nodiscard]] PhongTriangle phong(const SnappedFace& face, const FaceTriangle& t, int channel) const;
+  [[nodiscard]] TermsTriangle terms(const SnappedFace& face, const FaceTriangle& t, int channel) const;
   void addTexture(EvaluatedTriangle& e, const SnappedFace& face, const FaceTriangle& t,
-                  const PixelPlanes& planes, const std::array<double, 3>& q) const;
+                  const PixelPlanes& planes, const std::array<double, 3>& q, int channel) const;
 
   Surfaces s_;
   int channel_;

@@ -112,6 +112,13 @@ class Transform {
       node_.fail("the object is scaled out of range");
     return p;
   }
+  /// The linear part, and what is added.
+  [[nodiscard]] glm::dmat3 axes() const {
+    glm::dmat3 axes{1.0};
+    for (int k = 0; k < 3; ++k) axes[k] = scale_[k] * (turn_ ? (*turn_)[k] : axes[k]);
+    return axes;
+  }
+  [[nodiscard]] const glm::dvec3& move() const { return move_; }
   /// Scales the rounding of the coordinates by the largest factor. A rotation combines the roundings of three
   /// axes, which gives at most sqrt 3 times one of them. It also adds its own: eight roundings of coordinates
   /// up to the largest.
@@ -172,6 +179,14 @@ Mesh readSolid(const Node& node) {
   node.at("solid").fail("cube, sphere or torus is needed");
 }
 
+/// The surface that the faces of a "solid" approximate; none if they are the surface.
+std::optional<RoundSolid> roundSolidOf(const Node& node) {
+  const std::string solid = node.has("solid") ? node.at("solid").text() : "";
+  if (solid == "sphere") return RoundSolid::Sphere;
+  if (solid == "torus") return RoundSolid::Torus;
+  return std::nullopt;
+}
+
 /// Refuses "around", "down" and "across" for anything but the round solids that they divide.
 void expectDividable(const Node& node) {
   const std::string solid = node.has("solid") ? node.at("solid").text() : "";
@@ -223,6 +238,9 @@ class Collector {
     }
     const std::optional<int> material = materialOf(node, !mesh.uvOfCorner.empty());
     run.firstCorner = static_cast<int>(all_.mesh.corners.size());
+    if (const std::optional<RoundSolid> solid = roundSolidOf(node))
+      all_.rounds.push_back(
+          {all_.mesh.faceCount(), mesh.faceCount(), *solid, transform.axes(), transform.move()});
     append(mesh, material);
     if (!run.patches.empty()) all_.patches.push_back(std::move(run));
   }

@@ -16,6 +16,7 @@ namespace xnewell {
 struct Objects {
   Mesh mesh;
   std::vector<PatchRun> patches;
+  std::vector<RoundRun> rounds;
   std::vector<Texture> textures;  ///< the textures that some object uses
 };
 

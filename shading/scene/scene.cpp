@@ -38,6 +38,8 @@ std::string lowerCase(std::string text) {
   return text;
 }
 
+bool isGray(const glm::dvec3& color) { return color.r == color.g && color.g == color.b; }
+
 /// Drops the vertices that no face uses. Otherwise the camera would frame them, and every picture would
 /// transform them.
 void keepUsedPoints(Mesh& mesh) {
@@ -75,6 +77,14 @@ Scene makeScene(std::string name, Mesh mesh, UpAxis up, int divisions) {
   scene.parts = divideFaces(scene.mesh);
   uniteCoplanar(scene.mesh, scene.parts);
   return scene;
+}
+
+bool isGray(const Scene& scene) {
+  const auto light = [](const Light& l) { return isGray(l.Ip); };
+  const auto surface = [](const MeshMaterial& m) { return isGray(m.diffuse) && isGray(m.specular); };
+  return isGray(scene.light.Ia.value_or(glm::dvec3{0.0})) && std::ranges::all_of(scene.light.lights, light) &&
+         std::ranges::all_of(scene.mesh.materials, surface) &&
+         std::ranges::none_of(scene.textures, &Texture::colored);
 }
 
 std::vector<glm::dvec3> exactNormals(const Scene& scene) {

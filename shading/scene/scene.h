@@ -1,6 +1,7 @@
 #pragma once
 
 #include <array>
+#include <glm/mat3x3.hpp>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -8,6 +9,7 @@
 #include "geometry/model/bezier.h"
 #include "geometry/model/divide.h"
 #include "geometry/model/mesh.h"
+#include "geometry/model/solids.h"
 #include "geometry/view/camera.h"
 #include "shading/fill/texture.h"
 #include "shading/light/illumination.h"
@@ -19,8 +21,17 @@ namespace xnewell {
 struct PatchRun {
   int firstCorner = 0;  ///< index of their first corner in the mesh; the others follow in the order of
                         ///< tessellate()
-  std::vector<BezierPatch> patches;
+  std::vector<BezierPatch> patches;  ///< in file coordinates
   int divisions = 0;
+};
+
+/// The faces of the mesh that approximate a round solid.
+struct RoundRun {
+  int firstFace = 0, faces = 0;
+  RoundSolid solid = RoundSolid::Sphere;
+  /// A point p of the solid is at axes p + centre, in file coordinates.
+  glm::dmat3 axes{1.0};
+  glm::dvec3 centre{0.0};
 };
 
 /// Where a scene came from and what was done to it since, so that a scene file can name it.
@@ -42,11 +53,15 @@ struct Scene {
   CameraSettings camera;     ///< from the scene file, in its units; empty if the file has none
   PictureSettings settings;  ///< the settings that the scene asks for; size and camera are not among them
   int divisions = 0;         ///< divisions of each Bezier patch; 0 if there are no patches, or if they differ
-  std::vector<PatchRun> patches;
-  SceneLight light;  ///< from the scene file, with lengths in the mesh's units
+  std::vector<PatchRun> patches;  ///< in the order of their faces
+  std::vector<RoundRun> rounds;   ///< in the order of their faces
+  SceneLight light;               ///< from the scene file, with lengths in the mesh's units
   SceneOrigin origin;
   std::vector<Texture> textures;
 };
+
+/// True if the lights, surfaces and textures of the scene have no colour, only shades of gray.
+[[nodiscard]] bool isGray(const Scene& scene);
 
 /// The normals of the patches at the corners of the mesh; 0 at corners of other faces. Empty if there are no
 /// patches.

@@ -72,6 +72,7 @@ Scene ownScene(const Node& root, std::string_view text, const std::string& name,
       std::ranges::all_of(objects.patches, [&](const auto& run) { return run.divisions == divided; });
   Scene scene = makeScene(name, std::move(objects.mesh), up, alike ? divided : 0);
   scene.patches = std::move(objects.patches);
+  scene.rounds = std::move(objects.rounds);
   scene.textures = std::move(objects.textures);
   return scene;
 }

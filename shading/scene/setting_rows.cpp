@@ -2,6 +2,7 @@
 #include <array>
 #include <limits>
 
+#include "shading/scene/setting_choices.h"
 #include "shading/scene/setting_field.h"
 #include "shading/scene/setting_needs.h"
 #include "shading/scene/settings.h"
@@ -14,20 +15,6 @@ using namespace needs;
 using Unmet = Need::Unmet;
 
 constexpr double kUnbounded = std::numeric_limits<double>::infinity();
-
-template <class Id>
-struct NamedRow {
-  Id id;
-  std::string_view name, label;
-};
-constexpr std::array kCulls{NamedRow<Cull>{Cull::Keep, "none", "keep"},
-                            NamedRow<Cull>{Cull::Back, "back", "cull"}};
-constexpr std::array kFillers{NamedRow<bool>{true, "x11", "XFillPolygon"},
-                              NamedRow<bool>{false, "scanline", "scanline"}};
-constexpr std::array kSides{NamedRow<bool>{false, "one", "one"}, NamedRow<bool>{true, "two", "two"}};
-constexpr std::array kPickLabels{NamedRow<Pick>{Pick::Log, kPicks[0].name, "in ratio"},
-                                 NamedRow<Pick>{Pick::Search, kPicks[1].name, "in difference"}};
-constexpr std::array kBits{NamedRow<int>{8, "8", "8"}, NamedRow<int>{16, "16", "16"}};
 
 // Conditions for three numbers.
 
@@ -47,6 +34,7 @@ const std::vector<Setting>& settingRows() {
        .control = 'S',
        .section = Section::Method,
        .is = "where the illumination is evaluated, per face, per vertex or per pixel",
+       .role = Role::shortCut("phong"),
        .field = chooses(
            kShadings, [](auto& s) -> auto& { return s.shading; }),
        .words = {"full intensity", "depth", "flat", "Gouraud", "Phong", "environment map"},
@@ -57,6 +45,7 @@ const std::vector<Setting>& settingRows() {
        .control = 'N',
        .section = Section::Method,
        .is = "how a vertex gets its normal from the faces around it",
+       .role = Role::shortCut("exact"),
        .field = chooses(
            kNormalRules, [](auto& s) -> auto& { return s.normals; }),
        .need = {interpolates, "gouraud, phong and envmap shading, which use normals at vertices"},
@@ -66,6 +55,9 @@ const std::vector<Setting>& settingRows() {
        .option = "--crease",
        .label = "crease",
        .is = "largest angle between faces that share a vertex normal",
+       // A short cut like `normals`: it tells where to guess that polygons stand for a smooth surface. Where
+       // that surface is known, its own normals are used, and elsewhere the polygons are all that is known.
+       .role = Role::shortCut(0),
        .field = holds([](auto& s) -> auto& { return s.crease; }),
        .range = {0, 180},
        .unit = "degrees",
@@ -74,6 +66,7 @@ const std::vector<Setting>& settingRows() {
        .option = "--polygons",
        .label = "polygons",
        .is = "how Gouraud shading interpolates over polygons of more than three corners",
+       .role = Role::shortCut("triangles"),
        .field = chooses(
            kPolygons, [](auto& s) -> auto& { return s.polygons; }),
        .need = {gouraud, "gouraud shading"},
@@ -83,6 +76,7 @@ const std::vector<Setting>& settingRows() {
        .label = "tolerance",
        .is = "divide polygons where flat or Gouraud shading is off by more than this intensity, 0 for none",
        .more = "At most a million pieces are made.",
+       .role = Role::shortCut(0),
        .field = holds([](auto& s) -> auto& { return s.adapt; }),
        .need = {dividing, "flat and gouraud shading", Unmet::RefusedOrKept},
        .differsIn = "division"},
@@ -90,6 +84,7 @@ const std::vector<Setting>& settingRows() {
        .option = "--environment",
        .label = "environment",
        .is = "how envmap shading looks up its map",
+       .role = Role::shortCut("rotated"),
        .field = chooses(
            kEnvironmentForms, [](auto& s) -> auto& { return s.environment; }),
        .need = {mapped, "envmap shading"}},
@@ -97,6 +92,7 @@ const std::vector<Setting>& settingRows() {
        .option = "--mapping",
        .label = "mapping",
        .is = "how texture coordinates, and Phong's normals and places, are interpolated",
+       .role = Role::shortCut("perspective"),
        .field = chooses(
            kTextureMappings, [](auto& s) -> auto& { return s.mapping; }),
        .need = {overDepth, "phong shading and textures"},
@@ -107,6 +103,7 @@ const std::vector<Setting>& settingRows() {
        .control = 'O',
        .section = Section::Method,
        .is = "hidden-surface method: which faces are painted first, so that later ones cover them",
+       .role = Role::shortCut("oracle"),
        .field = chooses(
            kOrders, [](auto& s) -> auto& { return s.order; }),
        .words = {"unsorted", "z-sort by mean z", "z-sort by farthest z", "Newell", "oracle"},
@@ -117,6 +114,7 @@ const std::vector<Setting>& settingRows() {
        .control = 'F',
        .section = Section::Method,
        .is = "which program fills polygons: the X server or xnewell",
+       .role = Role::shortCut("scanline"),
        .field = chooses(
            kFillers, [](auto& s) -> auto& { return s.inPixels; })},
       {.key = "cull",
@@ -125,6 +123,7 @@ const std::vector<Setting>& settingRows() {
        .control = 'K',
        .section = Section::Method,
        .is = "which faces are culled: back faces or none",
+       .role = Role::shortCut("none"),
        .field = chooses(
            kCulls, [](auto& s) -> auto& { return s.cull; }),
        .words = {"backs kept", "backs culled"}},
@@ -132,12 +131,14 @@ const std::vector<Setting>& settingRows() {
        .option = "--colors",
        .label = "colours",
        .is = "which colours the cells of the scene hold",
+       .role = Role::shortCut("needed"),
        .field = chooses(
            kColorPlans, [](auto& s) -> auto& { return s.colors; })},
       {.key = "dither",
        .option = "--dither",
        .label = "dither",
        .is = "ordered dithering, where the cells hold colours and not ramps",
+       .role = Role::shortCut(0),
        .field = holds([](auto& s) -> auto& { return s.dither; }),
        .need = {inColors, "cells that hold colours: --colors cube and chosen"},
        .words = {"not dithered", "dithered"}},
@@ -148,6 +149,7 @@ const std::vector<Setting>& settingRows() {
        .section = Section::Light,
        .is = "intensity of the ambient light, Ia + Ip <= 1",
        .more = "It replaces the scene's.",
+       .role = Role::model(),
        .field = holds([](auto& s) -> auto& { return s.light.Ia; }),
        .slider = kShare,
        .need = kLit,
@@ -160,6 +162,7 @@ const std::vector<Setting>& settingRows() {
        .section = Section::Light,
        .is = "intensity of the light source, Ia + Ip <= 1",
        .more = "It replaces all lights of the scene.",
+       .role = Role::model(),
        .field = holds([](auto& s) -> auto& { return s.light.Ip; }),
        .slider = kShare,
        .need = kLit,
@@ -170,6 +173,7 @@ const std::vector<Setting>& settingRows() {
        .label = "light from",
        .is = "direction towards the light",
        .more = "It replaces all lights of the scene.",
+       .role = Role::model(),
        .field = holds([](auto& s) -> auto& { return s.light.light; }),
        .range = kAny,
        .letters = "x,y,z",
@@ -184,6 +188,7 @@ const std::vector<Setting>& settingRows() {
        .label = "light at",
        .is = "position of a point light; it replaces the direction",
        .more = "It replaces all lights of the scene.",
+       .role = Role::model(),
        .field = holds([](auto& s) -> auto& { return s.light.lightPosition; }),
        .range = kAny,
        .letters = "x,y,z",
@@ -195,6 +200,7 @@ const std::vector<Setting>& settingRows() {
        .option = "--attenuation",
        .label = "attenuation",
        .is = "how a point light fades with distance d",
+       .role = Role::model(),
        .field = chooses(
            kAttenuations, [](auto& s) -> auto& { return s.light.attenuation; }),
        .need = kLit,
@@ -204,6 +210,7 @@ const std::vector<Setting>& settingRows() {
        .option = "--range",
        .label = "range",
        .is = "distance at which attenuation linear reaches 0",
+       .role = Role::model(),
        .field = holds([](auto& s) -> auto& { return s.light.range; }),
        .range = {0, kUnbounded, true},
        .unit = "world units",
@@ -214,6 +221,7 @@ const std::vector<Setting>& settingRows() {
        .option = "--coefficients",
        .label = "c1, c2, c3",
        .is = "coefficients of attenuation textbook, min(1, 1/(c1 + c2 d + c3 d^2))",
+       .role = Role::model(),
        .field = holds([](auto& s) -> auto& { return s.light.c; }),
        .range = kNotNegative,
        .letters = "c1,c2,c3",
@@ -224,6 +232,7 @@ const std::vector<Setting>& settingRows() {
        .option = "--form",
        .label = "form",
        .is = "which cosine the specular term raises to the n-th power",
+       .role = Role::model(),
        .field = chooses(
            kForms, [](auto& s) -> auto& { return s.light.form; }),
        .need = kFormed,
@@ -234,6 +243,7 @@ const std::vector<Setting>& settingRows() {
        .control = 'L',
        .section = Section::Light,
        .is = "take L at the scene's centre everywhere: the light is far away",
+       .role = Role::shortCut(0),
        .field = holds([](auto& s) -> auto& { return s.light.constantL; }),
        .need = kInPlace,
        .differsIn = "L",
@@ -244,6 +254,7 @@ const std::vector<Setting>& settingRows() {
        .control = 'V',
        .section = Section::Light,
        .is = "take V at the look-at point everywhere: the viewer is far away",
+       .role = Role::shortCut(0),
        .field = holds([](auto& s) -> auto& { return s.light.constantV; }),
        .need = kEye,
        .differsIn = "V",
@@ -252,6 +263,7 @@ const std::vector<Setting>& settingRows() {
        .option = "--sided",
        .label = "sides",
        .is = "how many sides of a face are lit",
+       .role = Role::model(),
        .field = chooses(
            kSides, [](auto& s) -> auto& { return s.light.twoSided; }),
        .need = kLit,
@@ -263,6 +275,7 @@ const std::vector<Setting>& settingRows() {
        .control = 'a',
        .section = Section::Surface,
        .is = "ambient reflection: the share of Ia that the surface reflects",
+       .role = Role::model(),
        .field = holds([](auto& s) -> auto& { return s.light.ka; }),
        .slider = kShare,
        .need = kLit,
@@ -274,6 +287,7 @@ const std::vector<Setting>& settingRows() {
        .control = 'd',
        .section = Section::Surface,
        .is = "diffuse reflection: the share of Ip that the surface scatters, times N.L",
+       .role = Role::model(),
        .field = holds([](auto& s) -> auto& { return s.light.kd; }),
        .slider = kShare,
        .need = kLit,
@@ -285,6 +299,7 @@ const std::vector<Setting>& settingRows() {
        .control = 's',
        .section = Section::Surface,
        .is = "specular reflection: the share of Ip in the highlight",
+       .role = Role::model(),
        .field = holds([](auto& s) -> auto& { return s.light.ks; }),
        .slider = kShare,
        .need = kLit,
@@ -296,6 +311,7 @@ const std::vector<Setting>& settingRows() {
        .control = 'n',
        .section = Section::Surface,
        .is = "specular exponent: how sharp the highlight is, (R.V)^n",
+       .role = Role::model(),
        .field = holds([](auto& s) -> auto& { return s.light.n; }),
        .range = {0, 1'000'000},
        .slider = Slider{1, 1000, 0.01, true, 0},
@@ -308,6 +324,7 @@ const std::vector<Setting>& settingRows() {
        .control = 'T',
        .section = Section::ColourTable,
        .is = "which intensity the i-th shade of the colour table stands for",
+       .role = Role::shortCut("linear"),
        .field = chooses(
            kTables, [](auto& s) -> auto& { return s.table.kind; }),
        .need = {inRamps, "cells that hold ramps; here they hold colours"},
@@ -319,6 +336,7 @@ const std::vector<Setting>& settingRows() {
        .control = 'c',
        .section = Section::ColourTable,
        .is = "cells of the ramp from dark to bright",
+       .role = Role::shortCut(kMaxShades),
        .field = holds([](auto& s) -> auto& { return s.table.shades; }),
        .range = {2, kMaxShades},
        .slider = Slider{2, kMaxShades, 1},
@@ -330,6 +348,7 @@ const std::vector<Setting>& settingRows() {
        .control = '0',
        .section = Section::ColourTable,
        .is = "lowest intensity of the corrected table, where each shade is r times the one before",
+       .role = Role::shortCut(0.02),
        .field = holds([](auto& s) -> auto& { return s.table.I0; }),
        .range = {0, 1, true},
        .slider = Slider{0.001, 0.5, 0.01, true, 3},
@@ -340,6 +359,7 @@ const std::vector<Setting>& settingRows() {
        .label = "pick",
        .control = 'J',
        .is = "how the corrected table picks the nearest shade",
+       .role = Role::shortCut("search"),
        .field = chooses(
            kPickLabels, [](auto& s) -> auto& { return s.table.pick; }),
        .need = kCorrected,
@@ -350,6 +370,7 @@ const std::vector<Setting>& settingRows() {
        .label = "hue",
        .control = 'H',
        .is = "hue of the ramp",
+       .role = Role::model(),
        .field = holds([](auto& s) -> auto& { return s.table.hue; }),
        .letters = "r,g,b",
        .allowed = brightest,
@@ -360,6 +381,7 @@ const std::vector<Setting>& settingRows() {
        .label = "bits",
        .control = 'B',
        .is = "bits per red, green and blue value in a cell",
+       .role = Role::shortCut("16"),
        .field = chooses(
            kBits, [](auto& s) -> auto& { return s.table.bits; }),
        .phrase = "{} bits"},

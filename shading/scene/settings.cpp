@@ -106,6 +106,16 @@ std::string textOf(const Setting& setting, const Value& value) {
   return textOf(*v);
 }
 
+PictureSettings withoutShortCuts(PictureSettings settings) {
+  for (const Setting& setting : settingRows()) {
+    if (!setting.role.isShortCut()) continue;
+    const auto* choice = std::get_if<std::string_view>(&setting.role.exact());
+    setting.field.set(settings, choice ? static_cast<double>(choiceNamed(setting, *choice).value())
+                                       : std::get<double>(setting.role.exact()));
+  }
+  return settings;
+}
+
 bool hasEffect(const Setting& setting, const PictureFacts& facts) {
   return !setting.need.met || setting.need.met(facts);
 }

@@ -73,6 +73,32 @@ struct Slider {
   int decimals = 0;
 };
 
+/// What a setting decides.
+///
+/// A model setting says what the picture shows: which light falls on which surface, and what the equation is.
+/// It is right by definition. A short cut says how the picture is computed and shown: what is left out, done
+/// once for many places, interpolated, rounded or guessed. It saves time, memory or colours, and it has an
+/// error. One of its values is `exact`: that value leaves out the least.
+///
+/// reference.h compares pictures with what their model settings describe. A setting that decides both, such
+/// as the number of polygons of a solid, is a short cut. There is no default: each row must say what it is.
+class Role {
+ public:
+  [[nodiscard]] static constexpr Role model() { return Role{std::nullopt}; }
+  /// `exact` is the name of a choice, or a number. A flag is 0 or 1.
+  [[nodiscard]] static constexpr Role shortCut(std::string_view exact) { return Role{Exact{exact}}; }
+  [[nodiscard]] static constexpr Role shortCut(double exact) { return Role{Exact{exact}}; }
+
+  [[nodiscard]] constexpr bool isShortCut() const { return exact_.has_value(); }
+  /// Precondition: isShortCut().
+  [[nodiscard]] constexpr const std::variant<double, std::string_view>& exact() const { return *exact_; }
+
+ private:
+  using Exact = std::variant<double, std::string_view>;
+  explicit constexpr Role(std::optional<Exact> exact) : exact_{exact} {}
+  std::optional<Exact> exact_;
+};
+
 struct Setting {
   std::string_view key = {};          ///< the key in "shading" of a scene file: "table.i0"
   std::string_view option = {};       ///< "--i0"
@@ -81,6 +107,7 @@ struct Setting {
   Section section = Section::Hidden;  ///< the section that has its control
   std::string_view is = {};           ///< a description
   std::string_view more = {};         ///< more sentences, for --help only
+  Role role;
   Field field = {};
   ValueRange range = {0, 1};
   std::string_view letters = {};  ///< the names of its three numbers: "x,y,z"
@@ -116,6 +143,9 @@ struct Setting {
 /// "0.02", "phong", "1,0,0". It is "" for a setting that is open.
 [[nodiscard]] std::string textOf(const Setting& setting, const Value& value);
 [[nodiscard]] std::string textOf(double number);
+
+/// The settings with every short cut at its exact value. Model settings, size and camera stay.
+[[nodiscard]] PictureSettings withoutShortCuts(PictureSettings settings);
 
 [[nodiscard]] bool hasEffect(const Setting& setting, const PictureFacts& facts);
 /// "n has no effect here; it applies to highlights ...".

@@ -8,7 +8,9 @@
 #include "geometry/files/output_file.h"
 #include "shading/color/png.h"
 #include "shading/color/rgb_image.h"
+#include "shading/picture/errors.h"
 #include "shading/picture/exactness.h"
+#include "shading/picture/required.h"
 #include "x11/window/moot.h"
 
 namespace xnewell {
@@ -23,32 +25,15 @@ RgbImage idsOf(const Picture& picture) {
   return image;
 }
 
-/// What this picture needed of the illumination model. The rest is not computed.
-nlohmann::ordered_json requiredBy(const Picture& picture) {
-  const PictureSettings& s = picture.settings();
-  const ShadingRow& method = rowOf(s.shading);
-  const Lighting& lighting = picture.shading().lighting();
-  const bool specular = method.lit && lighting.specular;
-  const auto any = [&](auto Lighting::Source::*what) {
-    return method.lit && std::ranges::any_of(lighting.sources, what);
-  };
-  const auto fades = [](const Lighting::Source& l) { return l.linear || l.c != glm::dvec3{1, 0, 0}; };
-  const auto wears = [](const MeshMaterial& m) { return m.texture >= 0; };
-  return {
-      {"illumination", method.lit},
-      {"channels", method.lit ? lighting.channels : 1},
-      {"lights", method.lit ? lighting.sources.size() : 0},
-      {"specular", specular},
-      {"eye", specular && lighting.asksForEye() && !lighting.constantV},
-      {"places", method.lit && lighting.needsPlaces()},
-      {"spots", any(&Lighting::Source::spot)},
-      {"attenuation", method.lit && std::ranges::any_of(lighting.sources, fades)},
-      {"vertex_normals", picture.shading().vertices().vertices.size()},
-      {"textures", method.lit && std::ranges::any_of(picture.scene().mesh.materials, wears)},
-      {"planes", !picture.snapped().planes.empty()},
-      {"ramps", channelsOf(picture.colors().plan()) == Channels::Rgb ? 0 : picture.colors().tables().size()},
-      {"cuts_of_concave_faces",
-       static_cast<int>(picture.scene().parts.face.size()) - picture.scene().mesh.faceCount()}};
+/// The items that were required, or why they were or were not.
+nlohmann::ordered_json requiredIn(const std::vector<Required>& required, bool why) {
+  nlohmann::ordered_json json;
+  for (const Required& r : required)
+    if (why)
+      json[std::string{r.name}] = r.why;
+    else
+      std::visit([&](auto what) { json[std::string{r.name}] = what; }, r.what);
+  return json;
 }
 
 /// Why --adapt stopped dividing polygons; null if it was not asked for.
@@ -57,10 +42,53 @@ nlohmann::ordered_json adaptLimitOf(const Picture& picture) {
   return refined ? nlohmann::ordered_json(kRefineLimits[static_cast<int>(refined->limit)].name) : nullptr;
 }
 
+nlohmann::ordered_json jsonOf(const Spread& spread) {
+  return {{"mean", spread.mean},
+          {"rms", spread.rootMeanSquare},
+          {"p99", spread.p99},
+          {"largest", spread.largest}};
+}
+
+nlohmann::ordered_json jsonOf(const WorstPlace& place) {
+  const auto rgb = [](const glm::dvec3& I) { return nlohmann::ordered_json{I.r, I.g, I.b}; };
+  const auto face = [](int number) {
+    return number < 0 ? nlohmann::ordered_json{} : nlohmann::ordered_json(number);
+  };
+  return {{"x", place.x},
+          {"y", place.y},
+          {"error", place.error},
+          {"shows", rgb(place.shown)},
+          {"should", rgb(place.due)},
+          {"shows_face", face(place.shownFace)},
+          {"should_face", face(place.face)}};
+}
+
+/// errors.h says what the numbers are.
+nlohmann::ordered_json errorsIn(const Picture& picture) {
+  const Errors errors = errorsOf(picture, picture.palette(CellPlan{picture.settings().table.kind}));
+  nlohmann::ordered_json patches, worst = nlohmann::ordered_json::array();
+  if (errors.patches)
+    patches = {{"samples", errors.patches->samples},
+               {"mean", errors.patches->mean},
+               {"largest", errors.patches->largest},
+               {"mean_pixels", errors.patches->meanPixels},
+               {"largest_pixels", errors.patches->largestPixels}};
+  for (const WorstPlace& place : errors.worst) worst.push_back(jsonOf(place));
+  return {{"samples", errors.samples},
+          {"wrong_faces", errors.wrongFaces},
+          {"intensity",
+           {{"before_table", jsonOf(errors.beforeTable)}, {"after_table", jsonOf(errors.afterTable)}}},
+          {"ciede2000", jsonOf(errors.color)},
+          {"distance_to_patches", patches},
+          {"blocks_8x8", errors.blocks ? jsonOf(*errors.blocks) : nlohmann::ordered_json{}},
+          {"worst", worst}};
+}
+
 nlohmann::ordered_json statsOf(const Options& options, const Picture& picture, const StageTimes& t) {
   const SnappedScene& scene = picture.snapped();
   const SortedScene& sorted = picture.sorted();
   const SortStatistics& sort = sorted.statistics;
+  const std::vector<Required> required = requiredBy(picture);
   nlohmann::ordered_json tests;
   for (const TestRow& row : kTestRows) tests[std::string{row.name}] = sort.settled[static_cast<int>(row.id)];
   tests["1"] = sort.boxesApart[0];
@@ -84,7 +112,8 @@ nlohmann::ordered_json statsOf(const Options& options, const Picture& picture, c
           {"shading", rowOf(picture.settings().shading).name},
           {"colors", kColorPlans[static_cast<int>(picture.colors().plan())].name},
           {"adapt_limit", adaptLimitOf(picture)},
-          {"required", requiredBy(picture)},
+          {"required", requiredIn(required, /*why=*/false)},
+          {"required_because", requiredIn(required, /*why=*/true)},
           {"ms",
            {{"read", t.read},
             {"shade", t.shade},
@@ -111,9 +140,9 @@ void report(const Options& options, const Picture& picture, const StageTimes& ti
   noteMoot(std::cerr, options, picture);
   if (!options.stats) return;
   // A file name need not be UTF-8, but JSON can hold nothing else.
-  std::cout << statsOf(options, picture, times)
-                   .dump(-1, ' ', false, nlohmann::ordered_json::error_handler_t::replace)
-            << '\n';
+  nlohmann::ordered_json stats = statsOf(options, picture, times);
+  if (options.errors) stats["errors"] = errorsIn(picture);
+  std::cout << stats.dump(-1, ' ', false, nlohmann::ordered_json::error_handler_t::replace) << '\n';
 }
 
 }  // namespace xnewell

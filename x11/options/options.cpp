@@ -273,6 +273,7 @@ bool takeView(Options& o, const std::string& name) {
 
 /// Works out what the options mean together, after all of them are read.
 void settle(Options& o) {
+  o.stats = o.stats || o.errors;
   Illumination& light = o.picture.light;
   if (o.gave("--light") && !o.gave("--light-at")) {  // it replaces the scene's light, and its attenuation too
     light.lightPosition.reset();
@@ -346,6 +347,9 @@ std::optional<Options> parseOptions(int argc, const char* const* argv, const Pic
   r.flag("--stats", o.stats,
          "print counts and times as one JSON object; `saturated` counts intensities above 1 at faces "
          "(flat), at vertices (gouraud), or at pixels each time they are painted (phong, envmap, textures)");
+  r.flag("--errors", o.errors,
+         "print --stats with the errors of the picture: how far it is from a reference without short cuts, "
+         "and where");
   r.flag("--json", o.json, "extremes: print every step as one JSON object instead of the table");
   r.flag("--whole-window", o.wholeWindow,
          "snapshot: the window with all its controls; trace --frames: with the stepper at each step");

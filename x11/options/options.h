@@ -62,7 +62,10 @@ struct Options {
   MapOwner colormap = MapOwner::Private;
   bool nearest = false;  ///< true: a colour that the server lacks becomes the nearest it has, not a mixture
   std::string output, ids;
-  bool stats = false, json = false, wholeWindow = false;
+  bool stats = false;   ///< also if only --errors was given
+  bool errors = false;  ///< with the errors
+  bool json = false;    ///< extremes: all steps instead of the table
+  bool wholeWindow = false;
   std::string viewName = "picture";
   View view = View::Picture;                    ///< draw, snapshot: which view of the picture
   WindowView windowView = WindowView::Picture;  ///< the view of the window

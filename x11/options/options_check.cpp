@@ -57,7 +57,8 @@ void checkView(const Options& o) {
   const ViewRow& row = rowOf(o.view);
   needsSize(view, o.size.value_or(kPictureSize), {row.leastWidth, row.leastHeight});
   if (o.stats || !o.ids.empty())
-    throw UsageError{view + " is not just the picture: --stats and --ids work only with --view picture"};
+    throw UsageError{view +
+                     " is not just the picture: --stats, --errors and --ids work only with --view picture"};
   if (o.fill == Fill::XFillPolygon)
     throw UsageError{view + " uses the scanline filler: leave out --fill x11"};
 }
@@ -110,7 +111,7 @@ void checkCommand(const Options& o) {
     throw UsageError{"-o works only with draw, snapshot and extremes"};
   if (!extremes && o.json) throw UsageError{"--json works only with extremes"};
   if (!makesPng && (o.stats || !o.ids.empty()))
-    throw UsageError{"--stats and --ids work only with draw and snapshot"};
+    throw UsageError{"--stats, --errors and --ids work only with draw and snapshot"};
   const bool file = !isBuiltIn(o.scene);
   for (const std::string* made : {&o.output, &o.ids})
     if (file && !made->empty() && sameFile(*made, o.scene))

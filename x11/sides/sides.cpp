@@ -7,7 +7,6 @@
 #include "depthsort/oracle.h"
 #include "shading/color/color_difference.h"
 #include "shading/color/quantize.h"
-#include "shading/picture/exactness.h"
 #include "shading/picture/picture_cache.h"
 #include "x11/drawing/wording.h"
 #include "x11/views/step_legend.h"
@@ -171,12 +170,11 @@ std::vector<DifferingPlace> placesOf(const Unlikeness& unlike, int frameWidth, i
 }
 
 SideNumbers numbersOf(const Picture& picture) {
-  const Exactness exactness = exactnessOf(picture);
-  SideNumbers numbers{.samples = exactness.samples,
-                      .wrong = exactness.wrong,
+  const Difference difference = comparedWithReference(picture).difference;
+  SideNumbers numbers{.samples = difference.samples,
+                      .wrong = difference.otherFace,
                       .painted = static_cast<std::int64_t>(picture.sorted().fragments.size()),
                       .cuts = picture.sorted().statistics.splits};
-  const Difference difference = comparedWithPhong(picture).difference;
   numbers.measure = difference.measure;
   numbers.largest = difference.largest;
   double squares = 0;

@@ -65,11 +65,10 @@ struct DifferingPlace {
 inline constexpr int kMostPlaces = 9;
 [[nodiscard]] std::vector<DifferingPlace> placesOf(const Unlikeness& unlike, int frameWidth, int frameHeight);
 
-/// What is measured of each picture. Its intensities or colours are compared with Phong's method at every
-/// pixel, not rounded to shades, with the picture's own light and material and the faces that the oracle sees
-/// (difference.h). Both have the same reference if these are the same.
+/// What is measured of each picture. It is compared with a reference without short cuts, which has the
+/// picture's own light and material (difference.h). Both have the same reference if these are the same.
 struct SideNumbers {
-  int samples = 0, wrong = 0;  ///< exactnessOf()
+  std::int64_t samples = 0, wrong = 0;  ///< those that show a face, and a wrong one
   Measure measure = Measure::Intensity;
   double largest = 0, rootMeanSquare = 0;
   std::int64_t painted = 0;  ///< polygons and pieces

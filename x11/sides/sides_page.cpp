@@ -176,7 +176,7 @@ void SidesDrawing::drawNumbers() {
   const bool alike = a.measure == b.measure;
   const int decimals = a.measure == Measure::Intensity && alike ? 4 : 2;
   count("wrong face, samples", a.wrong, b.wrong, true);
-  amount("largest error against Phong's", a.largest, b.largest, decimals, alike);
+  amount("largest error", a.largest, b.largest, decimals, alike);
   const bool colors = alike && a.measure == Measure::Color;
   amount(colors ? "root mean square, CIEDE2000" : "root mean square error", a.rootMeanSquare,
          b.rootMeanSquare, decimals, alike);

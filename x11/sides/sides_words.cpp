@@ -123,12 +123,18 @@ Finding findingOf(const Picture& A, const Picture& B, const SideNumbers& ofA, co
     if (better.wrong == 0)
       return {name + " is wrong at " + counted(worse.wrong, "sample") + where + ".",
               whyOf((aIsWorse ? A : B).settings().order, other, better)};
+    // Where an order is exact, only faces that are left out can make a sample wrong.
+    const auto exact = [](const Picture& p) {
+      return p.settings().order == Order::Newell || p.settings().order == Order::Oracle;
+    };
+    const std::string reason = exact(A) || exact(B)
+                                   ? "Backs that can be seen are not painted."
+                                   : "Neither order is exact: Newell's and the oracle's are.";
     if (better.wrong == worse.wrong)
-      return {"Both are wrong at " + counted(worse.wrong, "sample") + ".",
-              "Neither order is exact: Newell's and the oracle's are."};
+      return {"Both are wrong at " + counted(worse.wrong, "sample") + ".", reason};
     return {name + " is wrong at " + counted(worse.wrong, "sample") + ", " + other + " at " +
                 grouped(better.wrong) + ".",
-            "Neither order is exact: Newell's and the oracle's are."};
+            reason};
   }
   const std::string share = shareOf(unlike.differ, unlike.samples);
   const Measure measure = unlike.kind == Unlike::Intensity ? Measure::Intensity : Measure::Color;
@@ -148,7 +154,7 @@ Finding findingOf(const Picture& A, const Picture& B, const SideNumbers& ofA, co
   const std::string least = fixed(std::min(ofA.rootMeanSquare, ofB.rootMeanSquare), decimals),
                     most = fixed(std::max(ofA.rootMeanSquare, ofB.rootMeanSquare), decimals);
   if (ofA.measure == ofB.measure && least != most)
-    return {std::string{aIsNearer ? "A" : "B"} + " is closer to Phong's method overall.",
+    return {std::string{aIsNearer ? "A" : "B"} + " is closer to the truth overall.",
             "Its root mean square error is " + least + ", against " + most + ". " + they};
   if (unlike.differ > 0)
     return {"A and B differ at " + share + " of the samples.",

@@ -9,9 +9,8 @@
 
 namespace xnewell {
 
-/// How wrong is a picture, and where? It is compared with Phong's method at every pixel, in double precision
-/// and not rounded to shades: the same scene, camera and light, and at each sample the face that the oracle
-/// sees.
+/// How wrong is a picture, and where? It is compared with a reference that has the same scene, camera and
+/// light, and no short cut (reference.h). The errors are those of errors.h, after the table.
 
 /// How a difference is measured, one row for each measure.
 enum class Measure { Intensity, Color };
@@ -31,7 +30,7 @@ struct Difference {
   std::vector<float> at;       ///< of each sample, row by row; NaN at background
   std::int64_t samples = 0;    ///< samples that show a face
   std::int64_t above = 0;      ///< samples that differ by more than the unit
-  std::int64_t otherFace = 0;  ///< samples that show another face than the reference
+  std::int64_t otherFace = 0;  ///< samples that show another face than the reference (Comparison::wrongFaces)
   double mean = 0, largest = 0;
   std::size_t largestAt = 0;  ///< index of the first sample that differs most
 };
@@ -42,10 +41,8 @@ struct Compared {
   Difference difference;
 };
 
-/// A cell of a ramp counts as the middle of the intensities that it stands for. A colour counts as the screen
-/// screen shows it, against the reference's three channels. `picture` is painted; the reference is on its
-/// ground.
-[[nodiscard]] Compared comparedWithPhong(const Picture& picture);
+/// `picture` is painted; the reference is on its ground.
+[[nodiscard]] Compared comparedWithReference(const Picture& picture);
 
 /// The difference as an image of the picture's size, in six steps: each is twice as large as the one before,
 /// the first is the unit.

@@ -85,7 +85,7 @@ void drawNumbers(Sheet& sheet, const Difference& d, int x, int y, int width) {
   row("mean difference" + of, fixed(d.mean, decimals));
   row("largest difference", fixed(d.largest, decimals));
   row("above " + std::string{measure.unitInWords}, share(d));
-  row("another face", grouped(d.otherFace));
+  row("wrong face", grouped(d.otherFace));
   y = drawScale(sheet, measure, x, y + 6);
   const Finding finding = findingOf(d);
   sheet.finding(x, y + 6, width, finding.bold, finding.why);
@@ -111,7 +111,7 @@ Finding findingOf(const Difference& d) {
                    : "The picture is more than " + unit + " off at " + share(d) + " of the samples.",
       "The mean error is " + fixed(d.mean, decimals) + ", the largest " + fixed(d.largest, decimals) +
           (d.above == 0 ? "." : " (in the ring).")};
-  if (d.otherFace > 0) finding.why += " Another face shows at " + counted(d.otherFace, "sample") + ".";
+  if (d.otherFace > 0) finding.why += " A wrong face shows at " + counted(d.otherFace, "sample") + ".";
   return finding;
 }
 
@@ -125,7 +125,7 @@ PictureSettings pictureForDifference(const ViewSettings& settings) {
 ColoredImage drawDifference(const Picture& picture, const ViewSettings& settings) {
   const DifferencePlaces at{settings.picture.width, settings.picture.height};
   const PictureSettings& shown = picture.settings();
-  const Compared compared = comparedWithPhong(picture);
+  const Compared compared = comparedWithReference(picture);
 
   Sheet sheet{settings.picture.width, settings.picture.height, settings.cells};
   const Rect whole{0, 0, shown.width, shown.height};
@@ -133,9 +133,9 @@ ColoredImage drawDifference(const Picture& picture, const ViewSettings& settings
           std::string{rowOf(shown.shading).label} + ", " +
               std::string{kOrders[static_cast<int>(shown.order)].label},
           "as it is painted");
-  caption(sheet, at.reference, at.captions, "Phong at every pixel",
-          compared.difference.measure == Measure::Color ? "the reference, in the picture's cells"
-                                                        : "the reference");
+  caption(sheet, at.reference, at.captions, "the reference",
+          compared.difference.measure == Measure::Color ? "without short cuts, in the picture's cells"
+                                                        : "true normals, L and V at every pixel");
   sheet.painter().place(picture.image(), whole, at.picture.x, at.picture.y);
   sheet.painter().place(compared.reference, whole, at.reference.x, at.reference.y);
   sheet.section(at.difference.x, at.sections, at.difference.width, "difference");

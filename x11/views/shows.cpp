@@ -35,7 +35,7 @@ ShownPicture shownAs(Show show, const Picture& picture, const Palette& palette, 
       return shown;
     }
     case Show::Difference: {
-      const Compared compared = comparedWithPhong(picture);
+      const Compared compared = comparedWithReference(picture);
       ShownPicture shown{differenceImage(compared.difference, plan), palette,
                          findingOf(compared.difference).bold};
       drawStepLegend(Painter{shown.image}, plan, kLegend, kLegend, kDoublingSteps,

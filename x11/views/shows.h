@@ -25,7 +25,7 @@ inline constexpr std::array kShows{
     ShowRow{Show::Overdraw, "overdraw", "overdraw",
             "how often each sample was painted: the brighter, the more often"},
     ShowRow{Show::Difference, "difference", "differ",
-            "from Phong's method at every pixel: the brighter, the more"},
+            "from a reference without short cuts: the brighter, the more"},
 };
 
 struct ShownPicture {
@@ -34,8 +34,8 @@ struct ShownPicture {
   std::string finding;
 };
 
-/// `picture` is painted; `palette` has its colours. Show::Difference makes a second picture and takes as
-/// long.
+/// `picture` is painted; `palette` has its colours. Show::Difference evaluates the light at
+/// each sample, which takes long.
 [[nodiscard]] ShownPicture shownAs(Show show, const Picture& picture, const Palette& palette,
                                    const CellPlan& plan);
 

@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <limits>
 #include <set>
 
@@ -100,6 +101,34 @@ TEST(SettingRows, ReachEveryMember) {
   EXPECT_TRUE(kind != before.kind && shades != before.shades && I0 != before.I0 && pick != before.pick);
   EXPECT_TRUE(hue != before.hue && bits != before.bits);
   EXPECT_TRUE(first == before.first && low == before.low && high == before.high);
+}
+
+// Without short cuts, every short cut has its exact value, which it allows, and every model setting stays.
+TEST(SettingRows, ShortCutsHaveAnExactValue) {
+  PictureSettings all;
+  for (const Setting& setting : settingRows())
+    for (const Value& value : someOf(setting))
+      if (value != setting.field.get(PictureSettings{})) setting.field.set(all, value);
+  all.width = 123;
+  const PictureSettings exact = withoutShortCuts(all), sameFromDefaults = withoutShortCuts({});
+  EXPECT_EQ(exact.width, 123);
+  EXPECT_EQ(withoutShortCuts(exact), exact);
+  for (const Setting& setting : settingRows()) {
+    SCOPED_TRACE(setting.key);
+    const Value value = setting.field.get(exact);
+    if (!setting.role.isShortCut()) {
+      EXPECT_EQ(value, setting.field.get(all));
+      continue;
+    }
+    EXPECT_TRUE(allows(setting, value));
+    EXPECT_EQ(value, setting.field.get(sameFromDefaults));
+    if (const auto* choice = std::get_if<std::string_view>(&setting.role.exact())) {
+      EXPECT_EQ(textOf(setting, value), *choice);
+    }
+  }
+  // How many there are of each kind: a new setting is counted on purpose.
+  EXPECT_EQ(std::ranges::count_if(settingRows(), [](const Setting& s) { return s.role.isShortCut(); }), 19);
+  EXPECT_EQ(settingRows().size(), 33u);
 }
 
 // The defaults are values that the settings allow, and so are those at the ends of a range, unless it is

@@ -285,6 +285,35 @@ TEST_F(CommandTest, StatsHoldWhatIsPromised) {
                                    stats["outside"].get<int>());
 }
 
+// --errors adds the errors to the statistics. With L and V constant they are found, and the worst places say
+// what is wrong there.
+TEST_F(CommandTest, ErrorsAreInTheStatistics) {
+  EXPECT_FALSE(draw("lamp").stats.contains("errors"));
+  const Json exact = draw("lamp", {"--errors"}).stats.at("errors");
+  const Json constant = draw("lamp", {"--errors", "--constant-l", "--constant-v"}).stats.at("errors");
+  EXPECT_EQ(exact["samples"], constant["samples"]);
+  EXPECT_EQ(constant["wrong_faces"], 0);
+  for (const char* key : {"mean", "rms", "p99", "largest"}) {
+    EXPECT_LT(exact["intensity"]["before_table"].at(key).get<double>(), 1e-6);
+    EXPECT_LT(exact["intensity"]["after_table"].at(key).get<double>(), 0.51 / 239);
+    EXPECT_GT(constant["intensity"]["before_table"].at(key).get<double>(), 0.1);
+    EXPECT_GT(constant["ciede2000"].at(key).get<double>(), 5);
+  }
+  ASSERT_EQ(constant["worst"].size(), 10u);
+  for (const Json& place : constant["worst"]) {
+    EXPECT_NEAR(place.at("error").get<double>(),
+                std::abs(place["shows"][0].get<double>() - place["should"][0].get<double>()), 1e-6);
+    EXPECT_EQ(place["shows_face"], place["should_face"]);
+  }
+  EXPECT_EQ(constant["worst"][0]["error"], constant["intensity"]["after_table"]["largest"]);
+  EXPECT_LT(constant["distance_to_patches"]["largest"].get<double>(), 1e-12);  // the floor is flat
+  EXPECT_TRUE(constant["blocks_8x8"].is_null());
+  EXPECT_GT(draw("teapot", {"--errors"}).stats["errors"]["distance_to_patches"]["largest"].get<double>(),
+            0.01);
+  EXPECT_FALSE(
+      draw("hues", {"--errors", "--dither", "--colors", "cube"}).stats["errors"]["blocks_8x8"].is_null());
+}
+
 // The same command writes the same bytes twice.
 TEST_F(CommandTest, IsDeterministic) {
   for (const std::string scene : {"teapot", "cycle"}) {

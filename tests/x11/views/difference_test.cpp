@@ -8,6 +8,7 @@
 #include "depthsort/oracle.h"
 #include "geometry/model/solids.h"
 #include "shading/picture/picture_cache.h"
+#include "shading/picture/reference.h"
 
 namespace xnewell {
 
@@ -21,18 +22,27 @@ PictureSettings small(Shading shading) {
   return s;
 }
 
+/// A ball of flat faces, which the scene knows to be a sphere.
+Scene ball(int around, int down) {
+  Scene scene = makeScene("ball", sphere(around, down), UpAxis::Z);
+  scene.rounds.push_back({0, scene.mesh.faceCount(), RoundSolid::Sphere});
+  return scene;
+}
+
 }  // namespace
 
-// Phong's picture differs from its reference only by the rounding to shades: by half a shade, plus a
-// hundredth of a shade from the single precision of its kernel.
-TEST(Difference, OfPhongFromItselfIsHalfAShade) {
-  PictureCache teapot{readScene("teapot", 4)};
+// On flat surfaces, Phong's method has the true normals. Its picture differs from the reference only by the
+// rounding to shades: by half a shade, plus a hundredth of a shade from the single precision of its kernel.
+TEST(Difference, OfPhongOnFlatSurfacesIsHalfAShade) {
+  PictureCache squares{readScene("highlight", 4)};
+  const CameraSettings camera = inSceneUnits(completed({}, squares.scene().camera), squares.scene());
   for (const int shades : {240, 60, 7})
     for (const TableKind kind : {TableKind::Linear, TableKind::Brief}) {
       PictureSettings s = small(Shading::Phong);
       s.table.shades = shades;
       s.table.kind = kind;
-      const Difference d = comparedWithPhong(teapot.make(s, 8)).difference;
+      s.camera = camera;
+      const Difference d = comparedWithReference(squares.make(s, 8)).difference;
       EXPECT_GT(d.samples, 5000);
       EXPECT_EQ(d.otherFace, 0);
       EXPECT_LE(d.largest, 0.51 / (shades - 1));
@@ -42,27 +52,27 @@ TEST(Difference, OfPhongFromItselfIsHalfAShade) {
   // Half a step of ratio r between the levels of the corrected table.
   PictureSettings s = small(Shading::Phong);
   s.table.kind = TableKind::Corrected;
+  s.camera = camera;
   const double r = ratioOfShades(s.table.I0, s.table.shades - 1);
-  EXPECT_LE(comparedWithPhong(teapot.make(s, 8)).difference.largest, 0.51 * (r - 1));
+  EXPECT_LE(comparedWithReference(squares.make(s, 8)).difference.largest, 0.51 * (r - 1));
 }
 
 // The numbers are computed from the samples. A sample's number is the distance of its shade from the
 // reference.
 TEST(Difference, IsThatOfEverySample) {
-  PictureCache ball{makeScene("ball", sphere(16, 8), UpAxis::Z)};
+  PictureCache balls{ball(16, 8)};
   const PictureSettings s = small(Shading::Flat);
-  const Compared compared = comparedWithPhong(ball.make(s, 8));
+  const Compared compared = comparedWithReference(balls.make(s, 8));
   const Difference& d = compared.difference;
   EXPECT_EQ(d.measure, Measure::Intensity);
-  const std::vector<double> flat = ball.last().intensities(ball.last().seen(0, s.height));
-  ball.make(small(Shading::Phong));
-  const std::vector<double> phong = ball.last().intensities(ball.last().seen(0, s.height));
+  const std::vector<double> flat = balls.last().intensities(balls.last().seen(0, s.height));
+  const Reference reference{balls.last()};
   double sum = 0, largest = 0;
   int samples = 0, above = 0;
-  for (std::size_t k = 0; k < phong.size(); ++k) {
-    ASSERT_EQ(std::isnan(d.at[k]), std::isnan(phong[k]));
-    if (std::isnan(phong[k])) continue;
-    ASSERT_NEAR(d.at[k], std::abs(flat[k] - phong[k]), 0.51 / 239);
+  for (std::size_t k = 0; k < flat.size(); ++k) {
+    ASSERT_EQ(std::isnan(d.at[k]), std::isnan(flat[k]));
+    if (std::isnan(flat[k])) continue;
+    ASSERT_NEAR(d.at[k], std::abs(flat[k] - reference.I(k).r), 0.51 / 239);
     ++samples, sum += d.at[k], above += d.at[k] > 1.0 / 240, largest = std::max<double>(largest, d.at[k]);
   }
   EXPECT_EQ(d.samples, samples);
@@ -80,22 +90,23 @@ TEST(Difference, CountsOtherFaces) {
   PictureCache pictures{readScene("penetrate")};
   PictureSettings s = small(Shading::Phong);
   s.camera = inSceneUnits(completed({}, pictures.scene().camera), pictures.scene());
-  const Difference exact = comparedWithPhong(pictures.make(s, 8)).difference;
+  const Difference exact = comparedWithReference(pictures.make(s, 8)).difference;
   EXPECT_GT(pictures.last().sorted().statistics.splits, 0);
   EXPECT_EQ(exact.otherFace, 0);
   s.order = Order::Oracle;
-  const Difference oracle = comparedWithPhong(pictures.make(s, 8)).difference;
+  const Difference oracle = comparedWithReference(pictures.make(s, 8)).difference;
   EXPECT_TRUE(
       std::ranges::equal(exact.at, oracle.at, [](float a, float b) { return a == b || (a != a && b != b); }));
   s.order = Order::Unsorted;
-  const Difference unsorted = comparedWithPhong(pictures.make(s, 8)).difference;
+  const Difference unsorted = comparedWithReference(pictures.make(s, 8)).difference;
   const std::vector<int> shown = pictures.last().seen(0, s.height).faces;
   s.order = Order::Oracle;
   pictures.make(s);
   const std::vector<int> seen = pictures.last().seen(0, s.height).faces;
   int others = 0;
   for (std::size_t k = 0; k < seen.size(); ++k) others += shown[k] != seen[k];
-  EXPECT_EQ(unsorted.otherFace, others);
+  EXPECT_LE(unsorted.otherFace, others);  // some faces are too close to tell
+  EXPECT_GT(unsorted.otherFace, others * 99 / 100);
   EXPECT_GT(unsorted.otherFace, 100);
   EXPECT_GT(unsorted.largest, exact.largest);
 }
@@ -107,7 +118,7 @@ TEST(Difference, OfHuesGoesByThePicturesOwnCells) {
   PictureSettings s = small(Shading::Gouraud);
   s.camera = inSceneUnits(completed({}, hues.scene().camera), hues.scene());
   s.colors = ColorPlan::Hues;
-  const Compared compared = comparedWithPhong(hues.make(s, 8));
+  const Compared compared = comparedWithReference(hues.make(s, 8));
   const IndexImage& image = hues.last().image();
   ASSERT_GT(hues.last().colors().tables().size(), 5u);
   int fewest = 240;
@@ -125,24 +136,49 @@ TEST(Difference, OfHuesGoesByThePicturesOwnCells) {
   EXPECT_LT(compared.difference.mean, 0.02);
 }
 
+// What the picture leaves out on purpose is found, too. With L and V constant, a lamp lights a floor evenly.
+// The reference keeps the places, however the picture was made; a model setting such as the form of the
+// equation belongs to both.
+TEST(Difference, FindsWhatIsConstant) {
+  PictureCache pictures{readScene("lamp")};
+  PictureSettings s = pictures.scene().settings;
+  s.width = 200, s.height = 150;
+  s.light.ks = 0.4;
+  s.camera = inSceneUnits(completed({}, pictures.scene().camera), pictures.scene());
+  for (const FormRow& form : kForms) {
+    SCOPED_TRACE(form.name);
+    s.light.form = form.id;
+    s.light.constantL = s.light.constantV = false;
+    const Compared exact = comparedWithReference(pictures.make(s, 8));
+    // The lamp lies in the plane of the pillars' tops. There N.L is 0, and rounding decides about a
+    // highlight.
+    EXPECT_LT(exact.difference.above, exact.difference.samples / 500);
+    s.light.constantL = s.light.constantV = true;
+    const Compared constant = comparedWithReference(pictures.make(s, 8));
+    EXPECT_EQ(constant.reference.pixels, exact.reference.pixels);
+    EXPECT_GT(constant.difference.mean, 0.1);
+    EXPECT_GT(constant.difference.largest, 0.4);
+  }
+}
+
 // Colours are compared as they look. With more than enough cells for one gray ramp, the eye cannot see
 // Phong's own difference, but can see that of flat shading.
 TEST(Difference, OfColoursIsHowTheyLook) {
-  PictureCache ball{makeScene("ball", sphere(16, 8), UpAxis::Z)};
+  PictureCache balls{ball(64, 32)};
   PictureSettings s = small(Shading::Phong);
   s.colors = ColorPlan::Chosen;
-  Compared compared = comparedWithPhong(ball.make(s, 8));
+  Compared compared = comparedWithReference(balls.make(s, 8));
   EXPECT_EQ(compared.difference.measure, Measure::Color);
   EXPECT_GT(compared.difference.samples, 5000);
   EXPECT_EQ(compared.difference.above, 0);
   int differ = 0;  // a channel has 255 steps, so some samples are rounded to the next colour
   for (std::size_t k = 0; k < compared.reference.pixels.size(); ++k)
-    differ += std::abs(compared.reference.pixels[k] - ball.last().image().pixels[k]);
+    differ += std::abs(compared.reference.pixels[k] - balls.last().image().pixels[k]);
   EXPECT_LT(differ, compared.difference.samples / 4);
   s.colors = ColorPlan::Cube;
-  EXPECT_GT(comparedWithPhong(ball.make(s, 8)).difference.mean, 2.0);
+  EXPECT_GT(comparedWithReference(balls.make(s, 8)).difference.mean, 2.0);
   s.shading = Shading::Flat, s.colors = ColorPlan::Chosen;
-  compared = comparedWithPhong(ball.make(s, 8));
+  compared = comparedWithReference(balls.make(s, 8));
   EXPECT_GT(compared.difference.above, compared.difference.samples / 4);
   EXPECT_GT(compared.difference.largest, 3.0);
 }
@@ -152,9 +188,9 @@ TEST(Difference, DividedPolygonsShowTheirFaces) {
   PictureCache spot{readScene("spotlight")};
   PictureSettings s = small(Shading::Gouraud);
   s.adapt = 0.05;
-  const Difference divided = comparedWithPhong(spot.make(s, 8)).difference;
+  const Difference divided = comparedWithReference(spot.make(s, 8)).difference;
   s.adapt = 0;
-  const Difference whole = comparedWithPhong(spot.make(s, 8)).difference;
+  const Difference whole = comparedWithReference(spot.make(s, 8)).difference;
   EXPECT_GT(divided.samples, 1000);
   EXPECT_EQ(divided.otherFace, 0);
   EXPECT_LT(divided.mean, whole.mean / 2);

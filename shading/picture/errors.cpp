@@ -1,0 +1,242 @@
+#include "shading/picture/errors.h"
+
+#include <algorithm>
+#include <cassert>
+#include <cmath>
+#include <glm/common.hpp>
+#include <limits>
+#include <map>
+
+#include "depthsort/oracle.h"
+#include "geometry/view/screen_plane.h"
+#include "shading/color/color_difference.h"
+
+namespace xnewell {
+
+namespace {
+
+constexpr float kNone = std::numeric_limits<float>::quiet_NaN();
+constexpr int kBlock = 8;  // pixels
+
+double largestOf(const glm::dvec3& v) { return std::max({v.x, v.y, v.z}); }
+
+glm::dvec3 shares(const Rgb16& c) { return glm::dvec3{c.r, c.g, c.b} / 65535.0; }
+
+/// The depth of a face of the snapped scene at the centre of a pixel, if the face covers it or touches it
+/// there.
+std::optional<double> depthOn(const SnappedScene& scene, const SnappedFace& face, int i, int j) {
+  const std::int64_t x = std::int64_t{i} * kGrid + kGrid / 2, y = std::int64_t{j} * kGrid + kGrid / 2;
+  for (int k = 0; k < face.count; ++k) {
+    const glm::ivec3 &a = scene.vertices[face.first + k],
+                     &b = scene.vertices[face.first + (k + 1) % face.count];
+    if (std::int64_t{b.y - a.y} * (x - a.x) - std::int64_t{b.x - a.x} * (y - a.y) < 0) return std::nullopt;
+  }
+  return depthAt(scene.planes[face.plane], x, y);
+}
+
+PatchDistance distanceFromPatches(const Reference& reference) {
+  PatchDistance result;
+  const TrueSurface& surface = reference.surface();
+  for (std::size_t k = 0; k < reference.faces().size(); ++k) {
+    if (reference.faces()[k] == kNothing) continue;
+    const SurfacePlace place = reference.place(k);
+    if (place.patch == nullptr) continue;
+    const double distance = surface.distanceToPatch(place);
+    const double inFile = std::ldexp(distance, reference.picture().scene().exponent);
+    const double pixels = distance * surface.pixelsPerUnit(place);
+    const auto count = static_cast<double>(++result.samples);
+    result.mean += (inFile - result.mean) / count;
+    result.meanPixels += (pixels - result.meanPixels) / count;
+    result.largest = std::max(result.largest, inFile);
+    result.largestPixels = std::max(result.largestPixels, pixels);
+  }
+  return result;
+}
+
+}  // namespace
+
+Spread spreadOf(std::span<const float> errors) {
+  Spread spread;
+  std::vector<float> counted;
+  std::ranges::copy_if(errors, std::back_inserter(counted), [](float e) { return !std::isnan(e); });
+  spread.count = static_cast<std::int64_t>(counted.size());
+  if (counted.empty()) return spread;
+  double sum = 0.0, squares = 0.0;
+  for (const float e : counted) sum += e, squares += double{e} * e;
+  const auto count = static_cast<double>(counted.size());
+  spread.mean = sum / count;
+  spread.rootMeanSquare = std::sqrt(squares / count);
+  // The least rank r with r >= 99 n / 100, in whole numbers.
+  const auto rank = static_cast<std::ptrdiff_t>((99 * counted.size() + 99) / 100);
+  std::ranges::nth_element(counted, counted.begin() + (rank - 1));
+  spread.p99 = counted[static_cast<std::size_t>(rank - 1)];
+  spread.largest = *std::ranges::max_element(counted);
+  return spread;
+}
+
+Comparison::Comparison(const Picture& picture, const Reference& reference, const Palette& palette)
+    : picture_{picture},
+      reference_{reference},
+      palette_{palette},
+      faces_{picture.seen(0, picture.settings().height)},
+      ofCell_{} {
+  assert(picture.isPainted());
+  const SceneColors& colors = picture.colors();
+  for (int cell = 0; cell < 256; ++cell) ofCell_[cell] = shares(palette[cell]);
+  if (channelsOf(colors.plan()) == Channels::Rgb) return;
+  for (const ColorTable& table : colors.tables())
+    for (int j = 0; j < table.shades(); ++j)
+      ofCell_[table.first() + j] =
+          table.intensity(j) * (colors.plan() == ColorPlan::OneHue ? glm::dvec3{1.0} : table.settings().hue);
+}
+
+int Comparison::shownFace(std::size_t sample) const {
+  const int face = faces_.faces[sample];
+  return face == kNothing ? kNothing : picture_.snapped().faces[face].number;
+}
+
+int Comparison::dueFace(std::size_t sample) const {
+  const int face = reference_.faces()[sample];
+  return face == kNothing ? kNothing : reference_.picture().snapped().faces[face].number;
+}
+
+glm::dvec3 Comparison::shown(std::size_t sample) const {
+  return faces_.faces[sample] == kNothing ? glm::dvec3{0.0} : ofCell_[picture_.image().pixels[sample]];
+}
+
+glm::dvec3 Comparison::due(std::size_t sample) const {
+  const glm::dvec3 I = reference_.I(sample);
+  return picture_.colors().plan() == ColorPlan::OneHue ? glm::dvec3{luminance(I)} : I;
+}
+
+Rgb16 Comparison::dueColor(std::size_t sample) const {
+  glm::dvec3 I = reference_.I(sample);
+  if (reference_.gray() && picture_.colors().plan() == ColorPlan::OneHue) I *= picture_.settings().table.hue;
+  const auto stored = [](double v) { return static_cast<std::uint16_t>(std::floor(65535.0 * v + 0.5)); };
+  return {stored(I.r), stored(I.g), stored(I.b)};
+}
+
+std::vector<float> Comparison::intensityErrors(Rounding rounding) const {
+  std::vector<float> errors(samples(), kNone);
+  std::array<std::vector<double>, 3> before;
+  const SceneColors& colors = picture_.colors();
+  const int channels = channelsOf(colors.plan()) == Channels::Rgb ? 3 : 1;
+  if (rounding == Rounding::Before)
+    for (int c = 0; c < channels; ++c) before[c] = picture_.intensities(faces_, c);
+  const std::vector<int>& material = picture_.scene().mesh.material;
+  const auto beforeTable = [&](std::size_t k) {
+    if (faces_.faces[k] == kNothing) return glm::dvec3{0.0};
+    if (channels == 3) return glm::dvec3{before[0][k], before[1][k], before[2][k]};
+    const glm::dvec3 hue = colors.plan() == ColorPlan::OneHue
+                               ? glm::dvec3{1.0}
+                               : colors.tableOf(material[shownFace(k)]).settings().hue;
+    return before[0][k] * hue;
+  };
+  for (std::size_t k = 0; k < errors.size(); ++k)
+    if (shows(k))
+      errors[k] = static_cast<float>(
+          largestOf(glm::abs((rounding == Rounding::Before ? beforeTable(k) : shown(k)) - due(k))));
+  return errors;
+}
+
+std::vector<float> Comparison::colorErrors() const {
+  std::vector<float> errors(samples(), kNone);
+  std::array<Lab, 256> ofCell;
+  std::ranges::transform(palette_, ofCell.begin(), [](const Rgb16& c) { return labFromSrgb(c); });
+  for (std::size_t k = 0; k < errors.size(); ++k) {
+    if (!shows(k)) continue;
+    const Lab due = dueFace(k) == kNothing ? ofCell[picture_.ground()] : labFromSrgb(dueColor(k));
+    errors[k] = static_cast<float>(ciede2000(ofCell[picture_.image().pixels[k]], due));
+  }
+  return errors;
+}
+
+bool Comparison::mayTouch(std::size_t sample) const {
+  const SnappedScene& scene = reference_.picture().snapped();
+  const int width = picture_.settings().width;
+  const int i = static_cast<int>(sample) % width, j = static_cast<int>(sample) / width;
+  const SnappedFace& due = scene.faces[reference_.faces()[sample]];
+  const std::optional<double> zDue = depthOn(scene, due, i, j);
+  // Faces are in order of number.
+  for (const SnappedFace& shown :
+       std::ranges::equal_range(scene.faces, shownFace(sample), {}, &SnappedFace::number)) {
+    const std::optional<double> z = depthOn(scene, shown, i, j);
+    if (z && zDue && shown.plane != due.plane &&
+        std::abs(*z - *zDue) <= shown.doubt.at(*z) + due.doubt.at(*zDue))
+      return true;
+  }
+  return false;
+}
+
+std::vector<std::uint8_t> Comparison::wrongFaces() const {
+  std::vector<std::uint8_t> wrong(samples(), 0);
+  for (std::size_t k = 0; k < wrong.size(); ++k) {
+    if (shownFace(k) == dueFace(k)) continue;
+    wrong[k] = shownFace(k) == kNothing || dueFace(k) == kNothing || !mayTouch(k);
+  }
+  return wrong;
+}
+
+std::vector<float> Comparison::blockErrors() const {
+  std::vector<float> errors;
+  const int width = picture_.settings().width, height = picture_.settings().height;
+  for (int top = 0; top + kBlock <= height; top += kBlock)
+    for (int left = 0; left + kBlock <= width; left += kBlock) {
+      glm::dvec3 sum{0.0};
+      bool whole = true;
+      for (int j = top; j < top + kBlock; ++j)
+        for (int i = left; i < left + kBlock; ++i) {
+          const std::size_t k = std::size_t(j) * width + i;
+          whole = whole && shownFace(k) >= 0 && dueFace(k) >= 0;
+          sum += shown(k) - due(k);
+        }
+      if (whole) errors.push_back(static_cast<float>(largestOf(glm::abs(sum)) / (kBlock * kBlock)));
+    }
+  return errors;
+}
+
+std::vector<std::size_t> worstSamples(std::span<const float> errors, int width) {
+  std::vector<std::size_t> worst;
+  const auto apart = [&](std::size_t a, std::size_t b) {
+    const auto w = static_cast<std::size_t>(width);
+    const auto gap = [](std::size_t p, std::size_t q) { return p > q ? p - q : q - p; };
+    return std::max(gap(a % w, b % w), gap(a / w, b / w)) >= kBetweenWorstPlaces;
+  };
+  while (static_cast<int>(worst.size()) < kMostWorstPlaces) {
+    std::size_t next = errors.size();
+    float most = 0.0F;
+    for (std::size_t k = 0; k < errors.size(); ++k)
+      if (errors[k] > most && std::ranges::all_of(worst, [&](std::size_t w) { return apart(k, w); }))
+        next = k, most = errors[k];
+    if (next == errors.size()) break;
+    worst.push_back(next);
+  }
+  return worst;
+}
+
+Errors errorsOf(const Picture& picture, const Reference& reference, const Palette& palette) {
+  const Comparison comparison{picture, reference, palette};
+  Errors errors;
+  errors.beforeTable = spreadOf(comparison.intensityErrors(Rounding::Before));
+  const std::vector<float> after = comparison.intensityErrors(Rounding::After);
+  errors.afterTable = spreadOf(after);
+  errors.color = spreadOf(comparison.colorErrors());
+  errors.samples = errors.afterTable.count;
+  for (const std::uint8_t wrong : comparison.wrongFaces()) errors.wrongFaces += wrong;
+  if (const PatchDistance patches = distanceFromPatches(reference); patches.samples > 0)
+    errors.patches = patches;
+  if (picture.settings().dither && channelsOf(picture.colors().plan()) == Channels::Rgb)
+    errors.blocks = spreadOf(comparison.blockErrors());
+  const int width = picture.settings().width;
+  for (const std::size_t k : worstSamples(after, width))
+    errors.worst.push_back({.x = static_cast<int>(k) % width,
+                            .y = static_cast<int>(k) / width,
+                            .face = comparison.dueFace(k),
+                            .shownFace = comparison.shownFace(k),
+                            .due = comparison.due(k),
+                            .shown = comparison.shown(k),
+                            .error = after[k]});
+  return errors;
+}
+
+}  // namespace xnewell

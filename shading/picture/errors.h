@@ -1,0 +1,117 @@
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <span>
+#include <vector>
+
+#include "shading/color/palette.h"
+#include "shading/picture/reference.h"
+
+namespace xnewell {
+
+/// How wrong is a picture, by which measure, and where? All errors are against a Reference.
+
+/// The mean, the root mean square, the 99th percentile and the largest of some errors. All are 0 if there are
+/// none. The percentile is one of the errors: the least one that 99 % of them do not exceed.
+struct Spread {
+  double mean = 0, rootMeanSquare = 0, p99 = 0, largest = 0;
+  std::int64_t count = 0;
+};
+/// Errors that are NaN do not count.
+[[nodiscard]] Spread spreadOf(std::span<const float> errors);
+
+/// The intensities of a picture, before the table rounds them to a shade, or after.
+enum class Rounding { Before, After };
+
+/// A picture, painted, beside its reference. All errors are by sample, row by row, and NaN where neither
+/// shows a face. Where only one shows a face, the other has intensity 0, and the colour of the background.
+class Comparison {
+ public:
+  /// `picture` is painted and outlives this. `palette` has its colours and that of its background.
+  Comparison(const Picture& picture, const Reference& reference, const Palette& palette);
+
+  /// The error of the intensity.
+  /// - A picture of one hue has one intensity. It is compared with the luminance of the reference.
+  /// - In several hues, each channel is compared: the intensity times the hue. The largest of the three
+  /// errors
+  ///   counts.
+  /// - In a plan of colours each channel is compared, too. After the table, the intensity is the stored
+  /// colour. After the table, a cell of a ramp counts as the middle of the intensities that it stands for.
+  [[nodiscard]] std::vector<float> intensityErrors(Rounding rounding) const;
+  /// CIEDE2000 between the colour that a sample shows and that of the reference. The reference has the colour
+  /// of its three channels, or if it is gray, its intensity times the one hue. A hue belongs to the model.
+  [[nodiscard]] std::vector<float> colorErrors() const;
+  /// 1 where the picture shows another face than the reference, otherwise 0. There is one exception, as in
+  /// exactness.h: two faces in different planes may be so near that rounding alone tells them apart.
+  [[nodiscard]] std::vector<std::uint8_t> wrongFaces() const;
+  /// The errors of the means of blocks of 8 x 8 pixels, each of which shows a face, in the picture and in the
+  /// reference; after the table, and the largest of the channels. One number for each block.
+  [[nodiscard]] std::vector<float> blockErrors() const;
+
+  /// What a sample shows, and what it should show: one number for a picture of one hue (all three are the
+  /// same), otherwise RGB.
+  [[nodiscard]] glm::dvec3 shown(std::size_t sample) const;
+  [[nodiscard]] glm::dvec3 due(std::size_t sample) const;
+  /// The colour that the reference has at a sample, as it would be stored.
+  [[nodiscard]] Rgb16 dueColor(std::size_t sample) const;
+  /// The numbers of the faces at a sample; kNothing where no face shows.
+  [[nodiscard]] int shownFace(std::size_t sample) const;
+  [[nodiscard]] int dueFace(std::size_t sample) const;
+
+  [[nodiscard]] std::size_t samples() const { return faces_.faces.size(); }
+  [[nodiscard]] bool shows(std::size_t sample) const {
+    return shownFace(sample) >= 0 || dueFace(sample) >= 0;
+  }
+
+ private:
+  [[nodiscard]] bool mayTouch(std::size_t sample) const;
+
+  const Picture& picture_;
+  const Reference& reference_;
+  const Palette& palette_;
+  SeenRows faces_;
+  std::array<glm::dvec3, 256> ofCell_;  ///< the intensities that a cell stands for
+};
+
+/// One of the samples with the largest errors.
+struct WorstPlace {
+  int x = 0, y = 0;               ///< pixel
+  int face = -1, shownFace = -1;  ///< numbers of the reference's face and of the picture's; kNothing for none
+  glm::dvec3 due{0}, shown{0};    ///< Comparison::due() and shown()
+  double error = 0;
+};
+inline constexpr int kMostWorstPlaces = 10;
+/// Pixels in x or in y between two of the worst places.
+inline constexpr int kBetweenWorstPlaces = 8;
+/// The samples with the largest errors, the largest first; of equal ones the first. Each is at least
+/// kBetweenWorstPlaces away from those before. Errors of 0 are left out.
+[[nodiscard]] std::vector<std::size_t> worstSamples(std::span<const float> errors, int width);
+
+/// The distance of the polygons from the Bezier patches that they approximate, over the samples of the
+/// reference that show one.
+struct PatchDistance {
+  std::int64_t samples = 0;
+  double mean = 0, largest = 0;              ///< in units of the scene's file
+  double meanPixels = 0, largestPixels = 0;  ///< in pixels, for a distance seen from its front
+};
+
+struct Errors {
+  std::int64_t samples = 0;  ///< samples at which the picture or the reference shows a face
+  std::int64_t wrongFaces = 0;
+  Spread beforeTable, afterTable;        ///< of the intensity
+  Spread color;                          ///< CIEDE2000
+  std::optional<PatchDistance> patches;  ///< if a sample shows a face of a patch
+  std::optional<Spread> blocks;          ///< of a dithered picture
+  std::vector<WorstPlace> worst;         ///< by the intensity after the table; at most kMostWorstPlaces
+};
+
+/// `picture` is painted, and `palette` has its colours and that of its background. Pictures that differ only
+/// in short cuts can share a reference.
+[[nodiscard]] Errors errorsOf(const Picture& picture, const Reference& reference, const Palette& palette);
+[[nodiscard]] inline Errors errorsOf(const Picture& picture, const Palette& palette) {
+  return errorsOf(picture, Reference{picture}, palette);
+}
+
+}  // namespace xnewell

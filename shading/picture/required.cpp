@@ -1,0 +1,87 @@
+#include "shading/picture/required.h"
+
+#include <algorithm>
+
+#include "shading/picture/facts.h"
+
+namespace xnewell {
+
+namespace {
+
+std::string lightsWhy(std::size_t needed, std::size_t all) {
+  if (all == needed) return "all reach the scene, and a surface reflects them";
+  return std::to_string(all - needed) + " of " + std::to_string(all) + (all - needed == 1 ? " does" : " do") +
+         " not count: they have no intensity, do not reach the scene, or no surface reflects them";
+}
+
+std::string channelsWhy(const Lighting& lighting, ColorPlan plan) {
+  if (lighting.luminance) return "the scene has colours; their luminance is taken last";
+  if (lighting.channels == 3) return "the picture shows colours";
+  return plan == ColorPlan::Hues ? "each hue has a ramp of its own" : "the scene has no colours";
+}
+
+std::string eyeWhy(const Lighting& lighting, const Illumination& user) {
+  if (!lighting.specular) return "nothing has a highlight";
+  if (!lighting.asksForEye()) return "the highlight of this form is N.L";
+  if (user.constantV) return "V is held constant";
+  return lighting.constantV ? "the eye is so far away that V is the same everywhere"
+                            : "V of a highlight ends at the eye";
+}
+
+std::string placesWhy(const Lighting& lighting) {
+  if (lighting.placed())
+    return lighting.variesV() ? "a light and the eye are at places" : "a light is at a place";
+  return lighting.variesV() ? "V of a highlight differs from place to place"
+                            : "L and V are the same everywhere";
+}
+
+std::string normalsWhy(const ShadingRow& method) {
+  return method.interpolates ? std::string{method.label} + " shading interpolates what it has at vertices"
+                             : std::string{method.label} + " shading interpolates nothing";
+}
+
+}  // namespace
+
+std::vector<Required> requiredBy(const Picture& picture) {
+  const PictureSettings& s = picture.settings();
+  const Scene& scene = picture.scene();
+  const ShadingRow& method = rowOf(s.shading);
+  const auto count = [](std::size_t n) { return static_cast<std::int64_t>(n); };
+  std::vector<Required> required;
+  const auto add = [&](std::string_view name, std::variant<bool, std::int64_t> what, std::string why) {
+    required.push_back({name, what, std::move(why)});
+  };
+  const std::string unlit = std::string{method.label} + " shading uses no light";
+  const auto lit = [&](std::string why) { return method.lit ? std::move(why) : unlit; };
+
+  const Lighting& lighting = picture.shading().lighting();
+  const auto any = [&](auto&& has) { return method.lit && std::ranges::any_of(lighting.sources, has); };
+  const bool fades = any([](const Lighting::Source& l) { return l.linear || l.c != glm::dvec3{1, 0, 0}; });
+  const bool spots = any([](const Lighting::Source& l) { return l.spot; });
+  const ColorPlan plan = picture.colors().plan();
+  add("illumination", method.lit, method.lit ? std::string{method.label} + " shading uses light" : unlit);
+  add("channels", count(method.lit ? lighting.channels : 1), lit(channelsWhy(lighting, plan)));
+  const std::size_t all = scene.light.lights.empty() ? 1 : scene.light.lights.size();
+  add("lights", count(method.lit ? lighting.sources.size() : 0),
+      lit(lightsWhy(lighting.sources.size(), all)));
+  add("specular", method.lit && lighting.specular,
+      lit(lighting.specular ? "a lit surface has ks above 0" : "no lit surface has ks above 0"));
+  add("eye", method.lit && lighting.variesV(), lit(eyeWhy(lighting, s.light)));
+  add("places", method.lit && lighting.needsPlaces(), lit(placesWhy(lighting)));
+  add("spots", spots, lit(spots ? "the cone of a spot can reach the scene" : "no cone of a spot reaches it"));
+  add("attenuation", fades, lit(fades ? "a light fades with distance" : "no light fades with distance"));
+  add("vertex_normals", count(picture.shading().vertices().vertices.size()), lit(normalsWhy(method)));
+  const bool textures = method.lit && hasTextures(scene);
+  add("textures", textures, lit(textures ? "a surface has a texture" : "no surface has a texture"));
+  const bool planes = !picture.snapped().planes.empty();
+  add("planes", planes, planes ? "the order compares planes" : "the order compares only z");
+  const bool rgb = channelsOf(plan) == Channels::Rgb;
+  add("ramps", count(rgb ? 0 : picture.colors().tables().size()),
+      rgb ? "the cells hold colours" : "one for each hue");
+  const std::int64_t cuts = std::int64_t{scene.parts.count()} - scene.mesh.faceCount();
+  add("cuts_of_concave_faces", cuts,
+      cuts > 0 ? "faces are concave or bent" : "all faces are planar and convex");
+  return required;
+}
+
+}  // namespace xnewell

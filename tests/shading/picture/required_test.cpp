@@ -1,0 +1,122 @@
+#include "shading/picture/required.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <glm/geometric.hpp>
+#include <map>
+
+#include "shading/picture/picture_cache.h"
+#include "shading/scene/scene_file.h"
+
+namespace xnewell {
+
+namespace {
+
+/// A ball and a card of two materials, one of them unused, and a light.
+std::string scene(const std::string& light, const std::string& used = "") {
+  return R"({"up": "z", "ambient": 0.1, "lights": [)" + light + R"(],
+    "materials": {"unused": {"ks": 0.5}, "used": {)" +
+         used + R"(}},
+    "objects": [{"solid": "sphere", "material": "used"}]})";
+}
+
+constexpr std::string_view kSun = R"({"Ip": 0.8, "towards": [0, -1, 1]})";
+
+std::map<std::string_view, Required> requiredOf(const std::string& text, PictureSettings s = {}) {
+  s.width = 40, s.height = 30;
+  if (s.shading == Shading::Flat) s.shading = Shading::Gouraud;
+  std::map<std::string_view, Required> byName;
+  for (Required& r : requiredBy(makePicture(parseSceneFile(text, "scene", XNEWELL_DATA_DIR), s))) {
+    EXPECT_FALSE(r.why.empty()) << r.name;
+    byName.emplace(r.name, std::move(r));
+  }
+  return byName;
+}
+
+bool needs(const std::map<std::string_view, Required>& required, std::string_view name) {
+  return std::get<bool>(required.at(name).what);
+}
+std::int64_t count(const std::map<std::string_view, Required>& required, std::string_view name) {
+  return std::get<std::int64_t>(required.at(name).what);
+}
+
+}  // namespace
+
+// A highlight is needed if a surface that shows one is lit. A material that no face has does not count, and
+// neither does the user's ks if all surfaces have their own.
+TEST(Required, HighlightsOfSurfacesInUse) {
+  PictureSettings user;
+  user.light.ks = 0.4;
+  const std::string sun{kSun};
+  auto required = requiredOf(scene(sun, R"("ks": 0.3)"), user);
+  EXPECT_TRUE(needs(required, "specular") && needs(required, "eye") && needs(required, "places"));
+  EXPECT_EQ(required.at("specular").why, "a lit surface has ks above 0");
+  required = requiredOf(scene(sun, R"("ks": 0)"), user);
+  EXPECT_FALSE(needs(required, "specular") || needs(required, "eye") || needs(required, "places"));
+  EXPECT_EQ(required.at("eye").why, "nothing has a highlight");
+  EXPECT_EQ(count(required, "lights"), 1);
+  // A highlight without a colour that the light has is none.
+  required = requiredOf(scene(R"({"color": [0.5, 0, 0]})", R"("ks": 0.5, "specular": [0, 1, 1])"), user);
+  EXPECT_FALSE(needs(required, "specular"));
+}
+
+// A light that no surface reflects is not needed.
+TEST(Required, LightsThatAreReflected) {
+  const std::string sun{kSun};
+  auto required = requiredOf(scene(sun, R"("kd": 0, "ks": 0)"));
+  EXPECT_EQ(count(required, "lights"), 0);
+  EXPECT_FALSE(needs(required, "places"));
+  required = requiredOf(scene(sun, R"("kd": 0, "ks": 0.1)"));
+  EXPECT_EQ(count(required, "lights"), 1);
+  required = requiredOf(
+      scene(R"({"color": [0.5, 0, 0]}, {"color": [0, 0, 0.4]})", R"("color": [0, 0, 1], "ks": 0)"));
+  EXPECT_EQ(count(required, "lights"), 1);  // red on blue
+  EXPECT_NE(required.at("lights").why.find("1 of 2 does not count"), std::string::npos)
+      << required.at("lights").why;
+}
+
+// A spot that shines away is not needed, and it makes no difference to the picture. One whose cone only
+// touches the scene is needed.
+TEST(Required, SpotsThatReachTheScene) {
+  const auto spot = [](const std::string& shines, int outer) {
+    return R"({"kind": "spot", "Ip": 0.8, "at": [0, 0, 4], "shines": )" + shines +
+           R"(, "inner": 5, "outer": )" + std::to_string(outer) + "}";
+  };
+  EXPECT_EQ(count(requiredOf(scene(spot("[0, 0, -1]", 10))), "lights"), 1);
+  EXPECT_EQ(count(requiredOf(scene(spot("[0, 0, 1]", 10))), "lights"), 0);
+  EXPECT_FALSE(needs(requiredOf(scene(spot("[0, 0, 1]", 10))), "spots"));
+  EXPECT_EQ(count(requiredOf(scene(spot("[0, 0, 1]", 180))), "lights"), 1);
+  EXPECT_EQ(count(requiredOf(scene(spot("[1, 0, 0]", 60))), "lights"), 0);
+  EXPECT_EQ(count(requiredOf(scene(spot("[1, 0, 0]", 80))), "lights"),
+            1);  // the ball's edge is 14.5 degrees off
+  // A spot that is left out lights no vertex: turned by a degree at a time, its light is either counted or
+  // dark.
+  int out = 0, in = 0;
+  for (int degrees = 0; degrees < 180; degrees += 5) {
+    const double a = degrees * 3.14159265358979 / 180;
+    const std::string text =
+        scene(spot("[" + std::to_string(std::sin(a)) + ", 0, " + std::to_string(-std::cos(a)) + "]", 20));
+    const bool counted = count(requiredOf(text), "lights") == 1;
+    ++(counted ? in : out);
+    const Scene ball = parseSceneFile(text, "scene", XNEWELL_DATA_DIR);
+    const Light& light = ball.light.lights.front();
+    for (const glm::dvec3& p : ball.mesh.points) {
+      const double along = glm::dot(glm::normalize(light.direction), glm::normalize(p - light.position));
+      ASSERT_TRUE(counted || along <= std::cos(20 * 3.14159265358979 / 180)) << degrees;
+    }
+  }
+  EXPECT_GT(out, 20);
+  EXPECT_GT(in, 5);
+}
+
+// Each item says why, also for methods without light.
+TEST(Required, SaysWhy) {
+  PictureSettings s;
+  s.shading = Shading::Depth;
+  const auto required = requiredOf(scene(std::string{kSun}), s);
+  EXPECT_FALSE(needs(required, "illumination"));
+  EXPECT_EQ(required.at("specular").why, "depth shading uses no light");
+}
+
+}  // namespace xnewell
