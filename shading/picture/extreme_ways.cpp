@@ -103,7 +103,7 @@ Case withLayer(const Start& start, double distance) {
     c.scene.mesh = std::move(both);
     c.scene.patches.clear();
     c.scene.parts = divideFaces(c.scene.mesh);
-    c.scene.parts.plane = coplanarClasses(c.scene.mesh, c.scene.parts);
+    uniteCoplanar(c.scene.mesh, c.scene.parts);
   });
 }
 
