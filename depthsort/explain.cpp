@@ -181,6 +181,15 @@ std::optional<SeparatingEdge> Explainer::separatingEdge(int P, int Q) const {
   return std::nullopt;
 }
 
+/// z at a corner, which need not lie on the grid: the rest is small, so doubles hold it.
+double Explainer::depthAtCorner(int plane, const Corner& at) const {
+  const ScreenPlane& p = scene_->planes[plane];
+  const auto x = std::llrint(at.x), y = std::llrint(at.y);
+  const double rest = static_cast<double>(p.A) * (at.x - static_cast<double>(x)) +
+                      static_cast<double>(p.B) * (at.y - static_cast<double>(y));
+  return depthAt(p, x, y) + rest / static_cast<double>(p.C);
+}
+
 std::vector<CornerDistance> Explainer::distances(int of, int fromPlaneOf) const {
   const int plane = fragments_.face(of).plane, other = fragments_.face(fromPlaneOf).plane;
   const bool same = regions_.samePlane(plane, other);
@@ -189,9 +198,8 @@ std::vector<CornerDistance> Explainer::distances(int of, int fromPlaneOf) const 
   std::vector<CornerDistance> distances;
   for (std::size_t k = 0; k < region.size(); ++k) {
     const Side &side = region[k], &next = region[k + 1 == region.size() ? 0 : k + 1];
-    const auto x = std::llrint(side.corner.x), y = std::llrint(side.corner.y);
     distances.push_back({{onScreen(side.corner.x), onScreen(side.corner.y)},
-                         pixels(depthAt(scene_->planes[plane], x, y) - depthAt(scene_->planes[other], x, y)),
+                         pixels(depthAtCorner(plane, side.corner) - depthAtCorner(other, side.corner)),
                          same ? 0 : regions_.sign(nearer, side.line, next.line, side.corner)});
   }
   return distances;

@@ -108,6 +108,7 @@ class Explainer {
   [[nodiscard]] std::string settled(const Event& compare) const;
   [[nodiscard]] std::string failed(const Event& compare, Test test) const;
   [[nodiscard]] double pixels(double zSteps) const;
+  [[nodiscard]] double depthAtCorner(int plane, const Corner& at) const;
   [[nodiscard]] Region common(int P, int Q) const;
 
   const SnappedScene* scene_;

@@ -142,6 +142,7 @@ constexpr std::size_t kSpot = 7, kAxis = 10, kPosition = 13, kPlace = 16;
 Light lightOf(const Numbers& in) {
   Light light = attenuated(in);
   light.kind = in[1] < 1 ? LightKind::Point : LightKind::Spot;
+  light.Ip = glm::dvec3{1};
   light.inner = in[kSpot], light.outer = in[kSpot + 1], light.falloff = static_cast<int>(in[kSpot + 2]);
   light.direction = glmOf(&in[kAxis]);
   light.position = glmOf(&in[kPosition]);
@@ -152,6 +153,7 @@ template <class Real>
 Numbers incidentOf(const Numbers& in) {
   Mesh mesh;
   mesh.points = {glmOf(&in[kPlace])};
+  mesh.material = {-1};  // lights that no face reflects are left out
   const Lighting lighting = resolve(mesh, {.Ia = {}, .lights = {lightOf(in)}, .unit = in[2]}, {},
                                     Channels::Luminance, {0, 0, 5}, {0, 0, 0});
   if (lighting.sources.empty()) return {0, 0, 0, 0};

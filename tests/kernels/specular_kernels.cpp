@@ -137,6 +137,7 @@ Kernel environmentKernel() {
           [](const Numbers& in) {
             Mesh mesh;
             mesh.points = {{0, 0, 0}};
+            mesh.material = {-1};  // lights that no face reflects are left out
             const Illumination user{.Ia = 0,
                                     .Ip = 1,
                                     .kd = in[4],
@@ -229,6 +230,7 @@ Kernel phongKernel() {
             using Real = Lanes<float, 8>;
             Mesh mesh;
             mesh.points = {{0, 0, 0}};
+            mesh.material = {-1};  // lights that no face reflects are left out
             const Illumination user{.Ia = 0.25,
                                     .Ip = 0.75,
                                     .ka = 0.5,
