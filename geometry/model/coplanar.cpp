@@ -71,6 +71,7 @@ class Coplanarity {
   void makeClass(std::span<const int> sheets, const Plane& plane) {
     for (const int s : sheets) classOf_[s] = static_cast<int>(planes_.size());
     planes_.push_back(plane);
+    several_.push_back(sheets.size() > 1);
   }
   void makeAlone(int s) {
     const std::array one{s};
@@ -217,10 +218,23 @@ class Coplanarity {
     }
   }
 
+  /// ConvexParts::off of the parts of a sheet in a class with this plane.
+  [[nodiscard]] float offOf(const Sheet& sheet, const Plane& plane) const {
+    const double way = glm::dot(sheet.plane.N, plane.N) < 0.0 ? -1.0 : 1.0;
+    double most = 0.0;
+    for (const int c : model_.corners(sheet)) {
+      const glm::dvec3& p = model_.box.points[c];
+      most = std::max(most, std::abs(glm::dot(plane.N, p) - plane.d -
+                                     way * (glm::dot(sheet.plane.N, p) - sheet.plane.d)));
+    }
+    return static_cast<float>(most / model_.rounding.of(plane.N, sheet.u));
+  }
+
   /// Numbers the classes in the order of their first sheets.
   [[nodiscard]] CoplanarClasses numbered() const {
     CoplanarClasses result;
     result.plane.resize(model_.parts.count());
+    result.off.resize(model_.parts.count());
     std::vector<int> number(planes_.size(), -1);
     for (std::size_t s = 0; s < model_.sheets.size(); ++s) {
       int& mine = number[classOf_[s]];
@@ -232,6 +246,8 @@ class Coplanarity {
         result.planes.push_back({plane.N, model_.box.inWorld(foot)});
       }
       std::fill_n(result.plane.begin() + model_.sheets[s].firstPart, model_.sheets[s].partCount, mine);
+      const float off = several_[classOf_[s]] ? offOf(model_.sheets[s], planes_[classOf_[s]]) : 0.0f;
+      std::fill_n(result.off.begin() + model_.sheets[s].firstPart, model_.sheets[s].partCount, off);
     }
     return result;
   }
@@ -254,6 +270,7 @@ class Coplanarity {
   std::vector<RoundedPoint> points_;  ///< buffer of pointsOf()
   std::vector<int> classOf_;          ///< of each sheet, an index into planes_
   std::vector<int> failures_;         ///< of each sheet: fits with others that explained nothing
+  std::vector<char> several_;         ///< of the classes: true if it has several sheets
   std::vector<Plane> planes_;         ///< of the classes
 };
 
@@ -268,6 +285,7 @@ void uniteCoplanar(const Mesh& mesh, ConvexParts& parts) {
   CoplanarClasses classes = coplanarClasses(mesh, parts);
   parts.plane = std::move(classes.plane);
   parts.planes = std::move(classes.planes);
+  parts.off = std::move(classes.off);
 }
 
 }  // namespace xnewell

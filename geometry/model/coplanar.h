@@ -8,10 +8,11 @@
 namespace xnewell {
 
 /// The planes of a model: for each part the number of its plane, 0 to n - 1 in order of the first part of
-/// each plane; and the planes.
+/// each plane; the planes; and for each part how far it is off (ConvexParts::off).
 struct CoplanarClasses {
   std::vector<int> plane;
   std::vector<ModelPlane> planes;
+  std::vector<float> off;
 };
 
 /// Finds the planes of a model. A decal on a wall, or a box's bottom on the floor, was coplanar when it was
@@ -41,7 +42,7 @@ struct CoplanarClasses {
 /// face is compared with others by the plane of the larger alone.
 [[nodiscard]] CoplanarClasses coplanarClasses(const Mesh& mesh, const ConvexParts& parts);
 
-/// Sets ConvexParts::plane and planes to the classes.
+/// Sets ConvexParts::plane, planes and off to the classes.
 void uniteCoplanar(const Mesh& mesh, ConvexParts& parts);
 
 }  // namespace xnewell

@@ -25,6 +25,10 @@ struct ConvexParts {
   std::vector<int> plane;
   /// The planes with these numbers, found by uniteCoplanar(); empty before.
   std::vector<ModelPlane> planes;
+  /// #parts, or empty before: how far the plane of the part's own corners is from that plane within the part,
+  /// in units of what rounding explains (rounding.h). It is 0 for parts that share their plane with no other
+  /// face.
+  std::vector<float> off;
 
   [[nodiscard]] int count() const { return static_cast<int>(face.size()); }
   [[nodiscard]] std::span<const int> part(int k) const {

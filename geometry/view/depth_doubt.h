@@ -17,17 +17,18 @@ namespace xnewell {
 /// plane is k away from the eye, then at distance d it changes 1 / d by r / (|k| d). So z = D^2 / zStep (1 /
 /// d - 1 / dB) changes by (z + q0) r / |k| with q0 = D^2 / (zStep dB): this is linear in z, and z is linear
 /// over the screen. In a parallel view it is r / (zStep |m.z'|) everywhere, with m.z' as in plane_record.h.
-/// The normal over k, or over m.z', follows from the record alone. The record of a class may itself be up to
-/// r off the corners of a face (fit_plane.h). That is not added: then two such faces, both off by most and in
-/// opposite directions, might be split needlessly; with it added, the farther one would show where rounding
-/// explains only half of the difference. In tests of thousands of views neither was seen without it, and the
-/// second with it.
+/// The normal over k, or over m.z', follows from the record alone.
+/// The record of a class may itself be some r off the plane of a face's own corners (ConvexParts::off). What
+/// is left of 1.5 r then counts, at least 0.8 r and at most r. With less, faces of a room that touch would be
+/// split. So a face may be shown before a nearer one where record and doubt together are up to 1.8 times what
+/// rounding explains. More than 1.5 times was not seen in tests.
 class DepthDoubt {
  public:
   DepthDoubt(const ViewSpec& view, int width, int height, int zShift, const Rounding& rounding);
 
-  /// The doubt of a face in `record` whose coordinates were rounded by u in the model.
-  [[nodiscard]] Doubt of(const ScreenPlane& record, double u) const;
+  /// The doubt of a face in `record` whose coordinates were rounded by u in the model, and that is `off` as
+  /// ConvexParts has it.
+  [[nodiscard]] Doubt of(const ScreenPlane& record, double off, double u) const;
 
  private:
   GridScale scale_;

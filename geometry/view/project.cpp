@@ -325,7 +325,7 @@ void addPlanes(SnappedScene& scene, const Mesh& mesh, const ConvexParts& parts, 
     if (next[f] < 0 && isWholeTriangle(scene, face, parts)) {
       scene.planes.push_back(planeThrough(&scene.vertices[face.first], 3));
       scene.faces[f].plane = record;
-      scene.faces[f].doubt = doubt.of(scene.planes.back(), mesh.roundingOf(face.number));
+      scene.faces[f].doubt = doubt.of(scene.planes.back(), 0.0, mesh.roundingOf(face.number));
       continue;
     }
     const ModelPlane plane =
@@ -335,7 +335,8 @@ void addPlanes(SnappedScene& scene, const Mesh& mesh, const ConvexParts& parts, 
     for (int g = f; g >= 0; g = next[g]) {
       SnappedFace& member = scene.faces[g];
       member.plane = record;
-      member.doubt = doubt.of(scene.planes.back(), mesh.roundingOf(member.number));
+      const double off = parts.off.empty() ? 0.0 : parts.off[member.part];
+      member.doubt = doubt.of(scene.planes.back(), off, mesh.roundingOf(member.number));
     }
   }
 }

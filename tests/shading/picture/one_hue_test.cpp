@@ -43,6 +43,9 @@ PictureSettings settingsOf(const Scene& scene, Shading shading) {
   s.width = 120, s.height = 90;
   s.shading = shading;
   s.light.kd = 1;
+  // Rotated maps have axes for each channel in colours, and the same axes for a luminance. On a coarse mesh
+  // the error of a look-up depends on the axes.
+  s.environment = EnvironmentForm::Published;
   s.camera = inSceneUnits(completed({}, scene.camera), scene);
   return s;
 }
@@ -70,10 +73,8 @@ TEST(OneHue, IsTheLuminanceOfTheColors) {
     for (std::size_t k = 0; k < I.size(); ++k) {
       if (seen.faces[k] == kNothing) continue;
       ++samples;
-      // The maps of the three channels have axes of their own in the picture in colours, and the same axes here.
-      // So they round a normal to other places of the map, which are 1/127 wide.
       ASSERT_NEAR(I[k], 0.30 * r[k] + 0.59 * g[k] + 0.11 * b[k],
-                  method.id == Shading::Environment ? 0.03 : 1e-12);
+                  method.id == Shading::Environment ? 1e-6 : 1e-12);
       clamped += std::max({r[k], g[k], b[k]}) >= 1.0;
       const int apart = one.image().pixels[k] - ramp.cell(I[k]);
       ASSERT_LE(std::abs(apart), 1);
