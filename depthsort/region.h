@@ -18,7 +18,7 @@ struct Line {
   Kind kind = Kind::Edge;
   /// Edge: from vertex p to vertex q. Cut: positive where planes[p] is nearer than planes[q].
   int p = 0, q = 0;
-  /// The coefficients as doubles, each with a relative error of at most 2^-52. The larger of |a| and |b| is
+  /// The coefficients as doubles, each with a relative error of at most 6 2^-53. The larger of |a| and |b| is
   /// scaled to 1.
   double a = 0, b = 0, c = 0;
 };
