@@ -16,7 +16,7 @@ struct Triangle {
   }
 };
 
-struct Box {
+struct EarBox {
   LatticePoint low, high;
 
   /// True if the box lies strictly to the right of a -> b, that is, if its leftmost corner does, seen along
@@ -64,7 +64,7 @@ class CornerTree {
  private:
   static constexpr int kLeaf = 6;
   struct Node {
-    Box box;
+    EarBox box;
     int alive = 0;
   };
 
@@ -72,7 +72,7 @@ class CornerTree {
 
   void build(std::size_t node, int low, int high, bool byX) {
     if (node >= nodes_.size()) nodes_.resize(2 * node + 1);
-    Box box{points_[corners_[low]], points_[corners_[low]]};
+    EarBox box{points_[corners_[low]], points_[corners_[low]]};
     for (int i = low; i < high; ++i) {
       const LatticePoint& p = points_[corners_[i]];
       box.low = {std::min(box.low.x, p.x), std::min(box.low.y, p.y)};
