@@ -135,7 +135,7 @@ JudgedByRays judgedByRays(const Picture& picture) {
   const Rays rays{picture.scene(), picture.camera(), picture.settings()};
   const std::vector<std::uint32_t> shown = picture.faceImage();
   constexpr long double s = 2.0L / kGrid;
-  constexpr std::array<std::array<long double, 2>, 5> kBeside{{{0, 0}, {s, s}, {-s, s}, {s, -s}, {-s, -s}}};
+  constexpr std::array<std::array<long double, 2>, 5> kAround{{{0, 0}, {s, s}, {-s, s}, {s, -s}, {-s, -s}}};
   JudgedByRays judged;
   for (int j = 0; j < height; ++j)
     for (int i = 0; i < width; ++i) {
@@ -144,7 +144,7 @@ JudgedByRays judgedByRays(const Picture& picture) {
       judged.samples += face >= 0 || first;
       if (face == (first ? first->face : -1)) continue;
       double behind = 1;
-      for (const auto& [dx, dy] : kBeside) {
+      for (const auto& [dx, dy] : kAround) {
         const std::optional<Rays::Hit> near = rays.nearest(i + 0.5L + dx, j + 0.5L + dy);
         if (face < 0 || !near) {
           if (face < 0 && !near) behind = 0;
