@@ -272,6 +272,7 @@ int Refiner::middleCorner(const Triangle& t, int edge) {
 /// Makes the parts from the triangles, and the points at which they are shaded.
 void Refiner::collect() {
   ConvexParts& parts = result_.parts;
+  parts.planes = old_.planes;
   ShadingPoints& points = result_.points;
   auto next = triangles_.begin();
   for (int k = 0; k < old_.count(); ++k) {
@@ -281,6 +282,7 @@ void Refiner::collect() {
       parts.firstCorner.push_back(static_cast<int>(parts.corners.size()));
       parts.face.push_back(face);
       parts.plane.push_back(old_.plane[k]);
+      if (!old_.off.empty()) parts.off.push_back(old_.off[k]);
       if (!flat()) return;
       points.at.push_back(centre);
       points.N.push_back(faces_->N[face]);

@@ -31,7 +31,8 @@ Picture Picture::withPlanes() const {
   Picture picture = *this;
   if (!snapped_->planes.empty()) return picture;
   SnappedScene snapped = *snapped_;
-  addPlanes(snapped, scene_->mesh, scene_->parts, camera_.view, settings_.width, settings_.height);
+  addPlanes(snapped, shading_.mesh(*scene_), shading_.parts(*scene_), camera_.view, settings_.width,
+            settings_.height);
   picture.snapped_ = std::move(snapped);
   return picture;
 }

@@ -73,7 +73,9 @@ Picture PictureCache::make(const PictureSettings& wanted, std::optional<std::uin
       snapped = snap(next.shading_.mesh(scene), next.shading_.parts(scene), view, width, height, wanted.cull);
     });
     if (comparesPlanes(wanted.order))
-      timed(ms.sort, [&] { addPlanes(snapped, scene.mesh, scene.parts, view, width, height); });
+      timed(ms.sort, [&] {
+        addPlanes(snapped, next.shading_.mesh(scene), next.shading_.parts(scene), view, width, height);
+      });
     next.snapped_ = std::move(snapped);
   } else if (comparesPlanes(wanted.order) && next.snapped_->planes.empty()) {
     timed(ms.sort, [&] { next = next.withPlanes(); });
