@@ -38,7 +38,7 @@ struct CoplanarClasses {
 /// area.
 ///
 /// Work: about n log n for n parts if few overlap in one plane; otherwise the number of pairs of different
-/// faces whose boxes overlap. A fit for a pair takes about a microsecond; after 64 that explained nothing, a
+/// faces whose boxes overlap. After 64 fits that explained nothing, a
 /// face is compared with others by the plane of the larger alone.
 [[nodiscard]] CoplanarClasses coplanarClasses(const Mesh& mesh, const ConvexParts& parts);
 
