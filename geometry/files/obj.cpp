@@ -215,7 +215,8 @@ class ObjReader {
     for (std::string_view name = each.next(); !name.empty(); name = each.next())
       all = readLibrary(std::string{name}) && all;
     if (!all && mesh_.notes.empty())
-      note(words_.line(), "material library " + inQuotes(names) + " not found; materials defined only there are white");
+      note(words_.line(),
+           "material library " + inQuotes(names) + " not found; materials defined only there are white");
   }
 
   void note(int line, const std::string& what) {

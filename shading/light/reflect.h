@@ -15,10 +15,10 @@ struct Incident {
 };
 
 /// What arrives at a place, relative to `origin`. At a light's own place L is 0, so N.L is 0 and nothing
-/// becomes infinite. Let u be the unit of rounding of Real, 2^-53 or 2^-24. A coordinate of L is off by at most
-/// 8 u of itself, fatt by 16 u of itself (`linear`: by 8 u), and a spot's share is that of a cosine within 32 u,
-/// if `at` and the light's place less `origin` are numbers of Real and further apart than 2^-50. A falloff is at
-/// most 1,024 in single precision. f below 2^-100 counts as dark.
+/// becomes infinite. Let u be the unit of rounding of Real, 2^-53 or 2^-24. A coordinate of L is off by at
+/// most 8 u of itself, fatt by 16 u of itself (`linear`: by 8 u), and a spot's share is that of a cosine
+/// within 32 u, if `at` and the light's place less `origin` are numbers of Real and further apart than 2^-50.
+/// A falloff is at most 1,024 in single precision. f below 2^-100 counts as dark.
 template <class Real>
 [[nodiscard, gnu::always_inline]] inline Incident<Real> incident(const Lighting::Source& light,
                                                                  const Vec<Real>& at,

@@ -230,8 +230,9 @@ TEST(Obj, TakesColorsFromItsLibraries) {
   const Mesh mesh = readObj(file);
   EXPECT_THAT(
       mesh.notes,
-      ElementsAre(file.string() + ":7: material library 'none.mtl' not found; materials defined only there are white",
-                  file.string() + ": no library has the material 'what': it is white"));
+      ElementsAre(
+          file.string() + ":7: material library 'none.mtl' not found; materials defined only there are white",
+          file.string() + ": no library has the material 'what': it is white"));
   EXPECT_THAT(mesh.material, ElementsAre(-1, 0, 1, 2, 3, 0));
   ASSERT_EQ(mesh.materials.size(), 4u);
   EXPECT_EQ(mesh.materials[0].name, "blue");

@@ -50,8 +50,8 @@ struct ControlColumn {
 
   [[nodiscard]] const ControlPlace* find(char key) const;
 };
-/// The column of a window, if layoutOf() says that it is roomy. If there are too many controls for its height,
-/// the rows are closer together.
+/// The column of a window, if layoutOf() says that it is roomy. If there are too many controls for its
+/// height, the rows are closer together.
 [[nodiscard]] ControlColumn layoutOfControls(const Layout& at);
 
 /// The control that the pointer is on.

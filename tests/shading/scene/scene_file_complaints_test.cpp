@@ -160,8 +160,9 @@ TEST(SceneFile, ComplaintsOfEachPart) {
   EXPECT_EQ(shading(R"("table": {"shades": 1})"),
             "s.json: shading.table.shades: a whole number from 2 to 240 is needed");
   EXPECT_EQ(shading(R"("table": {"i0": 1})"), "s.json: shading.table.i0: a number between 0 and 1 is needed");
-  EXPECT_EQ(shading(R"("table": {"hue": [0.5, 0, 0]})"),
-            "s.json: shading.table.hue: three finite numbers r,g,b from 0 to 1, where the largest is 1 are needed");
+  EXPECT_EQ(
+      shading(R"("table": {"hue": [0.5, 0, 0]})"),
+      "s.json: shading.table.hue: three finite numbers r,g,b from 0 to 1, where the largest is 1 are needed");
   EXPECT_EQ(shading(R"("table": {"bits": 12})"), "s.json: shading.table.bits: '12' is not one of 8, 16");
 }
 
@@ -231,7 +232,8 @@ TEST(SceneFile, ComplaintsOfWhatDoesNotCount) {
       noLight);
   EXPECT_EQ(shading(R"("attenuation": "none")"), "no complaint");
   EXPECT_EQ(shading(at + R"(, "attenuation": "linear", "range": 20)"), "no complaint");
-  EXPECT_EQ(shading(R"("range": 1)"), "s.json: shading.range: this setting applies only to attenuation linear");
+  EXPECT_EQ(shading(R"("range": 1)"),
+            "s.json: shading.range: this setting applies only to attenuation linear");
   EXPECT_EQ(shading(at + R"(, "attenuation": "inverse", "range": 1)"),
             "s.json: shading.range: this setting applies only to attenuation linear");
   EXPECT_EQ(shading(at + R"(, "attenuation": "linear", "c": [1, 0, 0])"),

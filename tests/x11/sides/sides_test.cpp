@@ -236,8 +236,8 @@ TEST(Sides, PhrasesTellWhatDiffers) {
   EXPECT_TRUE(differencesOf(a, b).empty());
 }
 
-// The finding agrees with the numbers: which picture is wrong and by how much, or which is nearer to the truth
-// method.
+// The finding agrees with the numbers: which picture is wrong and by how much, or which is nearer to the
+// truth method.
 TEST(Sides, FindingsAreOfTheNumbers) {
   const Scene scene = readScene("teapot", 4);
   const auto found = [&](const PictureSettings& a, const PictureSettings& b) {
