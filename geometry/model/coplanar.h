@@ -38,8 +38,8 @@ struct CoplanarClasses {
 /// area.
 ///
 /// Work: about n log n for n parts if few overlap in one plane; otherwise the number of pairs of different
-/// faces whose boxes overlap. After 64 fits that explained nothing, a
-/// face is compared with others by the plane of the larger alone.
+/// faces whose boxes overlap. After 64 fits that explained nothing, a face is compared with others by the
+/// plane of the larger alone.
 [[nodiscard]] CoplanarClasses coplanarClasses(const Mesh& mesh, const ConvexParts& parts);
 
 /// Sets ConvexParts::plane, planes and off to the classes.

@@ -9,12 +9,11 @@
 namespace xnewell {
 
 /// How far the planes of a model may be off, because its coordinates are rounded.
-/// The corners of a plane with the unit normal N, each coordinate rounded by at most u, lie within r = u
-/// (|Nx|
-/// + |Ny| + |Nz|) + e of it. e = 2^-46 side + 2^-50 magnitude is for our own arithmetic and for the rounding
-/// of coordinates to doubles. One plane explains a set of points if none of them is further than its r from
-/// it. So the plane in which they were made explains them. u counts as 3e-5 / sqrt 3 of the side at most:
-/// what explains the coarsest files would unite planes that are visibly apart.
+/// The corners of a plane with the unit normal N, each coordinate rounded by at most u, lie within
+/// r = u (|Nx| + |Ny| + |Nz|) + e of it. e = 2^-46 side + 2^-50 magnitude is for our own arithmetic and for
+/// the rounding of coordinates to doubles. One plane explains a set of points if none of them is further than
+/// its r from it. So the plane in which they were made explains them. u counts as 3e-5 / sqrt 3 of the side
+/// at most: what explains the coarsest files would unite planes that are visibly apart.
 class Rounding {
  public:
   /// `side` is the longest side of the box of the points that count, `magnitude` their largest coordinate.

@@ -121,19 +121,4 @@ TEST(KernelSearch, FindsTheWorst) {
   EXPECT_EQ(searchWorst(hill, kRoundingModes[0], 5'000, 1).share, 1.0);
 }
 
-// The compiler does not fuse a product and a sum, not even for processors that could: a b + c is then 0.
-TEST(KernelArithmetic, IsNotContracted) {
-#if defined(__x86_64__) && defined(__GNUC__)
-  if (!__builtin_cpu_supports("fma")) GTEST_SKIP() << "the processor has no fused product";
-  struct Fusible {
-    [[gnu::target("fma"), gnu::noinline]] static double sum(double a, double b, double c) {
-      return a * b + c;
-    }
-  };
-  const double a = 1 + 0x1p-30, rounded = a * a;
-  EXPECT_EQ(Fusible::sum(a, a, -rounded), 0.0);
-  EXPECT_NE(std::fma(a, a, -rounded), 0.0);
-#endif
-}
-
 }  // namespace xnewell

@@ -3,7 +3,7 @@
 #include <iosfwd>
 #include <vector>
 
-#include "shading/picture/extremes.h"
+#include "shading/extremes/extremes.h"
 #include "x11/options/options.h"
 
 namespace xnewell {

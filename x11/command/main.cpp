@@ -18,7 +18,7 @@
 #include "geometry/files/output_file.h"
 #include "geometry/files/parse_error.h"
 #include "shading/color/png.h"
-#include "shading/picture/extremes.h"
+#include "shading/extremes/extremes.h"
 #include "shading/picture/picture_cache.h"
 #include "shading/picture/stopwatch.h"
 #include "shading/scene/scene.h"

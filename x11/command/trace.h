@@ -12,7 +12,6 @@ namespace xnewell {
 
 /// The run of a picture with planes (Picture::withPlanes()), with its events: the textbook's, or with --quick
 /// the accelerated one.
-/// --quick the accelerated one.
 /// @throws std::runtime_error if the run has too many steps to record
 [[nodiscard]] SortedScene recordedRun(const Options& options, const Picture& picture);
 

@@ -3,7 +3,7 @@
 #include <vector>
 
 #include "shading/color/colored_image.h"
-#include "shading/picture/extremes.h"
+#include "shading/extremes/extremes.h"
 
 namespace xnewell {
 

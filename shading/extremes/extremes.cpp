@@ -1,4 +1,4 @@
-#include "shading/picture/extremes.h"
+#include "shading/extremes/extremes.h"
 
 #include <algorithm>
 #include <array>
@@ -10,7 +10,7 @@
 #include "depthsort/oracle.h"
 #include "geometry/exact/box.h"
 #include "geometry/exact/plane.h"
-#include "shading/picture/extreme_ways.h"
+#include "shading/extremes/extreme_ways.h"
 #include "shading/picture/picture_cache.h"
 
 namespace xnewell {

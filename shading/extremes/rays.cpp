@@ -1,4 +1,4 @@
-#include "shading/picture/rays.h"
+#include "shading/extremes/rays.h"
 
 #include <algorithm>
 #include <array>

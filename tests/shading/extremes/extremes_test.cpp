@@ -1,4 +1,4 @@
-#include "shading/picture/extremes.h"
+#include "shading/extremes/extremes.h"
 
 #include <gtest/gtest.h>
 

@@ -5,7 +5,7 @@
 #include <string_view>
 #include <vector>
 
-#include "shading/picture/rays.h"
+#include "shading/extremes/rays.h"
 
 namespace xnewell {
 

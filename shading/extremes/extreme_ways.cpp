@@ -1,4 +1,4 @@
-#include "shading/picture/extreme_ways.h"
+#include "shading/extremes/extreme_ways.h"
 
 #include <cmath>
 #include <glm/geometric.hpp>
@@ -6,7 +6,7 @@
 
 #include "geometry/exact/box.h"
 #include "geometry/model/coplanar.h"
-#include "shading/picture/extremes.h"
+#include "shading/extremes/extremes.h"
 
 namespace xnewell {
 
