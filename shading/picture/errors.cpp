@@ -34,15 +34,17 @@ std::optional<double> depthOn(const SnappedScene& scene, const SnappedFace& face
   return depthAt(scene.planes[face.plane], x, y);
 }
 
-PatchDistance distanceFromPatches(const Reference& reference) {
+}  // namespace
+
+std::optional<PatchDistance> distanceFromPatches(const TrueView& view) {
   PatchDistance result;
-  const TrueSurface& surface = reference.surface();
-  for (std::size_t k = 0; k < reference.faces().size(); ++k) {
-    if (reference.faces()[k] == kNothing) continue;
-    const SurfacePlace place = reference.place(k);
+  const TrueSurface& surface = view.surface();
+  for (std::size_t k = 0; k < view.faces().size(); ++k) {
+    if (view.faces()[k] == kNothing) continue;
+    const SurfacePlace place = view.place(k);
     if (place.patch == nullptr) continue;
     const double distance = surface.distanceToPatch(place);
-    const double inFile = std::ldexp(distance, reference.picture().scene().exponent);
+    const double inFile = std::ldexp(distance, view.picture().scene().exponent);
     const double pixels = distance * surface.pixelsPerUnit(place);
     const auto count = static_cast<double>(++result.samples);
     result.mean += (inFile - result.mean) / count;
@@ -50,10 +52,8 @@ PatchDistance distanceFromPatches(const Reference& reference) {
     result.largest = std::max(result.largest, inFile);
     result.largestPixels = std::max(result.largestPixels, pixels);
   }
-  return result;
+  return result.samples > 0 ? std::optional{result} : std::nullopt;
 }
-
-}  // namespace
 
 Spread spreadOf(std::span<const float> errors) {
   Spread spread;
@@ -74,9 +74,11 @@ Spread spreadOf(std::span<const float> errors) {
   return spread;
 }
 
-Comparison::Comparison(const Picture& picture, const Reference& reference, const Palette& palette)
+Comparison::Comparison(const Picture& picture, const Reference& reference, const Palette& palette,
+                       const TrueView& ofItsPolygons)
     : picture_{picture},
       reference_{reference},
+      polygons_{ofItsPolygons},
       palette_{palette},
       faces_{picture.seen(0, picture.settings().height)},
       ofCell_{} {
@@ -96,8 +98,8 @@ int Comparison::shownFace(std::size_t sample) const {
 }
 
 int Comparison::dueFace(std::size_t sample) const {
-  const int face = reference_.faces()[sample];
-  return face == kNothing ? kNothing : reference_.picture().snapped().faces[face].number;
+  const int face = polygons_.faces()[sample];
+  return face == kNothing ? kNothing : polygons_.picture().snapped().faces[face].number;
 }
 
 glm::dvec3 Comparison::shown(std::size_t sample) const {
@@ -145,17 +147,17 @@ std::vector<float> Comparison::colorErrors() const {
   std::ranges::transform(palette_, ofCell.begin(), [](const Rgb16& c) { return labFromSrgb(c); });
   for (std::size_t k = 0; k < errors.size(); ++k) {
     if (!shows(k)) continue;
-    const Lab due = dueFace(k) == kNothing ? ofCell[picture_.ground()] : labFromSrgb(dueColor(k));
+    const Lab due = reference_.faces()[k] == kNothing ? ofCell[picture_.ground()] : labFromSrgb(dueColor(k));
     errors[k] = static_cast<float>(ciede2000(ofCell[picture_.image().pixels[k]], due));
   }
   return errors;
 }
 
 bool Comparison::mayTouch(std::size_t sample) const {
-  const SnappedScene& scene = reference_.picture().snapped();
+  const SnappedScene& scene = polygons_.picture().snapped();
   const int width = picture_.settings().width;
   const int i = static_cast<int>(sample) % width, j = static_cast<int>(sample) / width;
-  const SnappedFace& due = scene.faces[reference_.faces()[sample]];
+  const SnappedFace& due = scene.faces[polygons_.faces()[sample]];
   const std::optional<double> zDue = depthOn(scene, due, i, j);
   // Faces are in order of number.
   for (const SnappedFace& shown :
@@ -187,7 +189,7 @@ std::vector<float> Comparison::blockErrors() const {
       for (int j = top; j < top + kBlock; ++j)
         for (int i = left; i < left + kBlock; ++i) {
           const std::size_t k = std::size_t(j) * width + i;
-          whole = whole && shownFace(k) >= 0 && dueFace(k) >= 0;
+          whole = whole && shownFace(k) >= 0 && reference_.faces()[k] >= 0;
           sum += shown(k) - due(k);
         }
       if (whole) errors.push_back(static_cast<float>(largestOf(glm::abs(sum)) / (kBlock * kBlock)));
@@ -214,8 +216,8 @@ std::vector<std::size_t> worstSamples(std::span<const float> errors, int width) 
   return worst;
 }
 
-Errors errorsOf(const Picture& picture, const Reference& reference, const Palette& palette) {
-  const Comparison comparison{picture, reference, palette};
+Errors errorsOf(const Comparison& comparison) {
+  const Picture& picture = comparison.picture();
   Errors errors;
   errors.beforeTable = spreadOf(comparison.intensityErrors(Rounding::Before));
   const std::vector<float> after = comparison.intensityErrors(Rounding::After);
@@ -223,8 +225,6 @@ Errors errorsOf(const Picture& picture, const Reference& reference, const Palett
   errors.color = spreadOf(comparison.colorErrors());
   errors.samples = errors.afterTable.count;
   for (const std::uint8_t wrong : comparison.wrongFaces()) errors.wrongFaces += wrong;
-  if (const PatchDistance patches = distanceFromPatches(reference); patches.samples > 0)
-    errors.patches = patches;
   if (picture.settings().dither && channelsOf(picture.colors().plan()) == Channels::Rgb)
     errors.blocks = spreadOf(comparison.blockErrors());
   const int width = picture.settings().width;
@@ -236,6 +236,13 @@ Errors errorsOf(const Picture& picture, const Reference& reference, const Palett
                             .due = comparison.due(k),
                             .shown = comparison.shown(k),
                             .error = after[k]});
+  return errors;
+}
+
+Errors errorsOf(const Picture& picture, const Palette& palette) {
+  const Reference reference{picture};
+  Errors errors = errorsOf(Comparison{picture, reference, palette});
+  errors.patches = distanceFromPatches(reference);
   return errors;
 }
 

@@ -6,6 +6,7 @@
 #include <span>
 #include <vector>
 
+#include "depthsort/oracle.h"
 #include "shading/color/palette.h"
 #include "shading/picture/reference.h"
 
@@ -29,8 +30,13 @@ enum class Rounding { Before, After };
 /// shows a face. Where only one shows a face, the other has intensity 0, and the colour of the background.
 class Comparison {
  public:
-  /// `picture` is painted and outlives this. `palette` has its colours and that of its background.
-  Comparison(const Picture& picture, const Reference& reference, const Palette& palette);
+  /// `picture` is painted. `palette` has its colours and that of its background. `ofItsPolygons` is the true
+  /// view of the picture's own polygons. It tells which face should show, and `reference` tells the light.
+  /// They are one unless the picture has other divisions than the reference. All outlive this.
+  Comparison(const Picture& picture, const Reference& reference, const Palette& palette,
+             const TrueView& ofItsPolygons);
+  Comparison(const Picture& picture, const Reference& reference, const Palette& palette)
+      : Comparison{picture, reference, palette, reference} {}
 
   /// The error of the intensity.
   /// - A picture of one hue has one intensity. It is compared with the luminance of the reference.
@@ -60,9 +66,11 @@ class Comparison {
   [[nodiscard]] int shownFace(std::size_t sample) const;
   [[nodiscard]] int dueFace(std::size_t sample) const;
 
+  [[nodiscard]] const Picture& picture() const { return picture_; }
   [[nodiscard]] std::size_t samples() const { return faces_.faces.size(); }
+  /// True if the picture or the reference shows a face.
   [[nodiscard]] bool shows(std::size_t sample) const {
-    return shownFace(sample) >= 0 || dueFace(sample) >= 0;
+    return faces_.faces[sample] != kNothing || reference_.faces()[sample] != kNothing;
   }
 
  private:
@@ -70,6 +78,7 @@ class Comparison {
 
   const Picture& picture_;
   const Reference& reference_;
+  const TrueView& polygons_;
   const Palette& palette_;
   SeenRows faces_;
   std::array<glm::dvec3, 256> ofCell_;  ///< the intensities that a cell stands for
@@ -89,13 +98,16 @@ inline constexpr int kBetweenWorstPlaces = 8;
 /// kBetweenWorstPlaces away from those before. Errors of 0 are left out.
 [[nodiscard]] std::vector<std::size_t> worstSamples(std::span<const float> errors, int width);
 
-/// The distance of the polygons from the Bezier patches that they approximate, over the samples of the
-/// reference that show one.
+/// The distance of the polygons from the Bezier patches that they approximate, over the samples of a true
+/// view that show one.
 struct PatchDistance {
   std::int64_t samples = 0;
   double mean = 0, largest = 0;              ///< in units of the scene's file
   double meanPixels = 0, largestPixels = 0;  ///< in pixels, for a distance seen from its front
 };
+
+/// Nothing if no sample shows a patch.
+[[nodiscard]] std::optional<PatchDistance> distanceFromPatches(const TrueView& view);
 
 struct Errors {
   std::int64_t samples = 0;  ///< samples at which the picture or the reference shows a face
@@ -107,11 +119,10 @@ struct Errors {
   std::vector<WorstPlace> worst;         ///< by the intensity after the table; at most kMostWorstPlaces
 };
 
-/// `picture` is painted, and `palette` has its colours and that of its background. Pictures that differ only
+/// All errors but the distance from patches, which depends on the polygons alone. Pictures that differ only
 /// in short cuts can share a reference.
-[[nodiscard]] Errors errorsOf(const Picture& picture, const Reference& reference, const Palette& palette);
-[[nodiscard]] inline Errors errorsOf(const Picture& picture, const Palette& palette) {
-  return errorsOf(picture, Reference{picture}, palette);
-}
+[[nodiscard]] Errors errorsOf(const Comparison& comparison);
+/// All errors of a picture, against the reference of its own polygons.
+[[nodiscard]] Errors errorsOf(const Picture& picture, const Palette& palette);
 
 }  // namespace xnewell

@@ -12,7 +12,7 @@ namespace xnewell {
 /// not sort again.
 class PictureCache {
  public:
-  explicit PictureCache(Scene scene) : scene_{std::move(scene)} {}
+  explicit PictureCache(Shared<Scene> scene) : scene_{std::move(scene)} {}
   /// Begins with an existing picture, for example to try another method or order in the same view.
   explicit PictureCache(const Picture& last) : scene_{last.scene_}, last_{last} {}
 

@@ -7,29 +7,12 @@
 #include "depthsort/oracle.h"
 #include "geometry/exact/box.h"
 #include "geometry/exact/unit.h"
-#include "shading/picture/picture_cache.h"
-#include "shading/scene/settings.h"
 
 namespace xnewell {
 
-namespace {
-
-/// Its cells are never used, so no time is spent on choosing them.
-PictureSettings unpainted(PictureSettings settings) {
-  settings.colors = ColorPlan::OneHue;
-  return settings;
-}
-
-}  // namespace
-
-Reference::Reference(const Picture& of)
-    : picture_{PictureCache{of}.make(unpainted(withoutShortCuts(of.settings())))},
-      faces_{picture_.seen(0, picture_.settings().height).faces},
-      surface_{picture_.scene(), picture_.camera().view, picture_.settings().width,
-               picture_.settings().height},
-      gray_{isGray(picture_.scene())} {
-  const Scene& scene = picture_.scene();
-  const Illumination& user = picture_.settings().light;
+Reference::Reference(const Picture& of) : TrueView{of}, gray_{isGray(picture().scene())} {
+  const Scene& scene = picture().scene();
+  const Illumination& user = picture().settings().light;
   Ia_ = scene.light.Ia.value_or(glm::dvec3{user.Ia});
   lights_ = lightsOf(scene.light, user, boxOf(scene.mesh.points));
   const auto add = [&](const MeshMaterial& m) {
@@ -39,26 +22,20 @@ Reference::Reference(const Picture& of)
   for (const MeshMaterial& m : scene.mesh.materials) add(m);
 
   const int channels = gray_ ? 1 : 3;
-  for (int c = 0; c < channels; ++c) I_[c].assign(faces_.size(), 0.0);
-  for (std::size_t k = 0; k < faces_.size(); ++k) {
-    if (faces_[k] == kNothing) continue;
-    const glm::dvec3 I = illumination(place(k), picture_.snapped().faces[faces_[k]]);
+  for (int c = 0; c < channels; ++c) I_[c].assign(faces().size(), 0.0);
+  for (std::size_t k = 0; k < faces().size(); ++k) {
+    if (faces()[k] == kNothing) continue;
+    const glm::dvec3 I = illumination(place(k), picture().snapped().faces[faces()[k]]);
     for (int c = 0; c < channels; ++c) I_[c][k] = std::clamp(I[c], 0.0, 1.0);
   }
 }
 
-SurfacePlace Reference::place(std::size_t sample) const {
-  const auto width = static_cast<std::size_t>(picture_.settings().width);
-  return surface_.at(picture_.snapped().faces[faces_[sample]].part, static_cast<int>(sample % width),
-                     static_cast<int>(sample / width));
-}
-
 glm::dvec3 Reference::illumination(const SurfacePlace& place, const SnappedFace& face) const {
-  const Illumination& user = picture_.settings().light;
-  const Scene& scene = picture_.scene();
+  const Illumination& user = picture().settings().light;
+  const Scene& scene = picture().scene();
   const Rgb& material = materials_[scene.mesh.material[face.number] + 1];
   const glm::dvec3 N = face.back && user.twoSided ? -place.N : place.N;
-  const glm::dvec3 V = unit(picture_.camera().eye - place.origin - place.at);
+  const glm::dvec3 V = unit(picture().camera().eye - place.origin - place.at);
   const glm::dvec3 texel = this->texel(place, face.number);
   const int channels = gray_ ? 1 : 3;
   glm::dvec3 I{0.0};
@@ -79,14 +56,14 @@ glm::dvec3 Reference::illumination(const SurfacePlace& place, const SnappedFace&
 }
 
 glm::dvec3 Reference::texel(const SurfacePlace& place, int face) const {
-  const Mesh& mesh = picture_.scene().mesh;
+  const Mesh& mesh = picture().scene().mesh;
   const int material = mesh.material[face];
   if (material < 0 || mesh.materials[material].texture < 0 || mesh.uvOfCorner.empty()) return glm::dvec3{1.0};
   for (int corner = mesh.firstCorner[face]; corner < mesh.firstCorner[face + 1]; ++corner)
     if (mesh.uvOfCorner[corner] < 0) return glm::dvec3{1.0};
   glm::dvec2 uv{0.0};
   for (int k = 0; k < 3; ++k) uv += place.share[k] * mesh.uv[mesh.uvOfCorner[place.corner[k]]];
-  const Texture& texture = picture_.scene().textures[mesh.materials[material].texture];
+  const Texture& texture = picture().scene().textures[mesh.materials[material].texture];
   const auto index = [](double share, int size) {  // share in [0, 1]
     return std::min(static_cast<int>(share * size), size - 1);
   };

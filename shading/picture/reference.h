@@ -6,42 +6,34 @@
 #include <vector>
 
 #include "shading/light/equation.h"
-#include "shading/picture/picture.h"
-#include "shading/picture/true_surface.h"
+#include "shading/picture/true_view.h"
 
 namespace xnewell {
 
 /// What a picture should show, without any short cut. Pictures are measured against it (errors.h).
 ///
-/// It has the scene, the camera and the size of a picture, and those of its settings that belong to the model
-/// (Role in settings.h): light, surfaces, the form of the equation. At each sample it has
-/// - the face that is nearest there. visibleFaces() finds it on the grid of the screen; it keeps back faces;
-/// - the illumination equation (equation.h) in double precision, once for each light and channel, with the
-/// true
-///   place and normal (true_surface.h), the true L and V there, and the texel there;
+/// It has the true view of a picture: the nearest face and the true surface at each sample. To these it adds
+/// the illumination equation (equation.h) in double precision, once for each light and channel, with
+/// - the true place and normal (true_surface.h), the true L and V there, and the texel there;
+/// - those settings of the picture that belong to the model (Role in settings.h): light, surfaces, the form
+/// of
+///   the equation;
 /// - for a colour the illumination of each of its channels, each clamped to [0, 1].
 /// It uses nothing that the painters use: no vertex normals, no interpolation over the screen, no table, no
 /// shades. N is turned towards the side of the polygon that is seen, unless only fronts are lit.
 ///
 /// It belongs to the polygons of the scene. With more divisions a patch has other polygons and another
 /// reference; how far polygons are from the patch is an error of its own.
-class Reference {
+class Reference : public TrueView {
  public:
   explicit Reference(const Picture& of);
 
-  /// The picture of the same view without short cuts, which is not painted. faces() are among its faces.
-  [[nodiscard]] const Picture& picture() const { return picture_; }
-  /// Indices into picture().snapped().faces, row by row; kNothing where no face shows.
-  [[nodiscard]] const std::vector<int>& faces() const { return faces_; }
   /// True if lights, surfaces and textures have no colour. Then all three channels are the same.
   [[nodiscard]] bool gray() const { return gray_; }
   /// The intensity at a sample, RGB; 0 where no face shows.
   [[nodiscard]] glm::dvec3 I(std::size_t sample) const {
     return gray_ ? glm::dvec3{I_[0][sample]} : glm::dvec3{I_[0][sample], I_[1][sample], I_[2][sample]};
   }
-  /// The place that a sample shows. Precondition: a face shows there.
-  [[nodiscard]] SurfacePlace place(std::size_t sample) const;
-  [[nodiscard]] const TrueSurface& surface() const { return surface_; }
 
  private:
   using Rgb = std::array<Reflection, 3>;
@@ -50,9 +42,6 @@ class Reference {
   /// The share of the diffuse light that the texture of a face leaves at a place, by channel.
   [[nodiscard]] glm::dvec3 texel(const SurfacePlace& place, int face) const;
 
-  Picture picture_;
-  std::vector<int> faces_;
-  TrueSurface surface_;
   bool gray_;
   glm::dvec3 Ia_;
   std::vector<Light> lights_;

@@ -25,6 +25,26 @@ std::string inWords(const ValueRange& range) {
   return range.open ? " between " + low + " and " + high : " from " + low + " to " + high;
 }
 
+/// A number with as many decimals as it needs, up to six.
+std::string inWords(double v) {
+  std::array<char, 400> text;
+  for (int decimals = 0;; ++decimals) {
+    const auto [end, error] = std::to_chars(text.begin(), text.end(), v, std::chars_format::fixed, decimals);
+    double back = 0;
+    std::from_chars(text.begin(), end, back);
+    if (back == v || decimals == 6) return {text.begin(), end};
+  }
+}
+
+std::string inWords(const Setting& setting, const Value& value) {
+  if (const auto* v = std::get_if<glm::dvec3>(&value))
+    return inWords(v->x) + ", " + inWords(v->y) + ", " + inWords(v->z);
+  const auto* v = std::get_if<double>(&value);
+  if (!v) return std::string{setting.initially};
+  if (!setting.words.empty()) return std::string{setting.words[static_cast<std::size_t>(*v)]};
+  return setting.field.kind == ValueKind::Choice ? textOf(setting, value) : inWords(*v);
+}
+
 }  // namespace
 
 const Setting* settingOf(std::string_view option) {
@@ -104,6 +124,15 @@ std::string textOf(const Setting& setting, const Value& value) {
     return std::string{setting.field.choices[static_cast<std::size_t>(*v)].name};
   if (setting.field.kind == ValueKind::Flag) return *v != 0.0 ? "true" : "false";
   return textOf(*v);
+}
+
+std::string phraseOf(const Setting& setting, const PictureSettings& settings) {
+  const std::string value = inWords(setting, setting.field.get(settings));
+  if (!setting.words.empty()) return value;
+  if (const std::size_t at = setting.phrase.find("{}"); at != std::string_view::npos)
+    return std::string{setting.phrase}.replace(at, 2, value);
+  return std::string{setting.label} + ' ' + value +
+         (setting.unit.empty() ? "" : ' ' + std::string{setting.unit});
 }
 
 PictureSettings withoutShortCuts(PictureSettings settings) {

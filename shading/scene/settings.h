@@ -116,6 +116,7 @@ struct Setting {
   std::string_view allowedAre = {};
   std::string_view unit = {};
   std::optional<Slider> slider = {};
+  std::vector<double> trials = {};  ///< for a number that is a short cut: values worth a comparison
   Need need = {};
   std::string_view initially = {};  ///< the default in words, if the value does not say it
   std::string_view replaces = {};   ///< what the setting replaces in the scene (one of kStrippable)
@@ -143,6 +144,9 @@ struct Setting {
 /// "0.02", "phong", "1,0,0". It is "" for a setting that is open.
 [[nodiscard]] std::string textOf(const Setting& setting, const Value& value);
 [[nodiscard]] std::string textOf(double number);
+
+/// The value of a setting for people: "ks 0.4", "240 shades", "Gouraud". Numbers have up to six decimals.
+[[nodiscard]] std::string phraseOf(const Setting& setting, const PictureSettings& settings);
 
 /// The settings with every short cut at its exact value. Model settings, size and camera stay.
 [[nodiscard]] PictureSettings withoutShortCuts(PictureSettings settings);

@@ -29,10 +29,12 @@
 #include "x11/command/extremes_report.h"
 #include "x11/command/report.h"
 #include "x11/command/trace.h"
+#include "x11/command/trade_report.h"
 #include "x11/command/write_frames.h"
 #include "x11/command/write_lesson.h"
 #include "x11/options/options.h"
 #include "x11/views/extremes_chart.h"
+#include "x11/views/trade_chart.h"
 #include "x11/views/views.h"
 #include "x11/visual/x11_error.h"
 
@@ -158,6 +160,38 @@ void tellExtremes(const Options& options, const Scene& scene) {
     printExtremes(extremes, std::cout);
 }
 
+volatile std::sig_atomic_t interrupted = 0;
+
+/// Measures what each short cut saves and costs. An interrupt ends the measuring, and what is known is told; a
+/// second interrupt ends the program. Returns the exit status.
+int tellTrade(const Options& options, const Scene& scene) {
+  std::signal(SIGINT, [](int) {
+    if (interrupted != 0) _exit(kInterrupted);
+    interrupted = 1;
+  });
+  std::optional<Doing> measuring;
+  const Stopwatch watch;
+  double shown = 0;
+  const Trade trade = tradeOf(scene, settingsOf(options), options.trade, [&](const std::string& doing) {
+    if (!measuring || watch.ms() > shown + 100) {
+      shown = watch.ms();
+      measuring.reset();  // each message replaces the one before
+      measuring.emplace(doing);
+    }
+    return interrupted == 0;
+  });
+  measuring.reset();
+  if (!options.output.empty()) {
+    const ColoredImage chart = drawTrade(trade, "Cost against error: " + titleOf(scene));
+    writeFile(options.output, encodePng(chart.image, chart.palette));
+  }
+  if (options.json)
+    printTradeAsJson(options, trade, std::cout);
+  else
+    printTrade(options, trade, std::cout);
+  return trade.stopped ? kInterrupted : kDone;
+}
+
 void listScenes() {
   for (const BuiltInScene& scene : builtInScenes())
     std::cout << std::left << std::setw(18) << scene.name << ' ' << scene.shows << '\n';
@@ -268,6 +302,7 @@ int run(int argc, char** argv) {
   const double msRead = watch.ms();
   if (options.command == Command::View) return openWindow(options, std::move(scene));
   if (options.command == Command::Snapshot) return snapshot(options, std::move(scene), msRead), kDone;
+  if (options.command == Command::Trade) return tellTrade(options, scene);
   if (options.command == Command::Extremes) return tellExtremes(options, scene), kDone;
   if (options.command == Command::Trace) return trace(options, std::move(scene)), kDone;
   if (options.view != View::Picture) return drawNumbers(options, std::move(scene)), kDone;

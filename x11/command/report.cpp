@@ -8,9 +8,10 @@
 #include "geometry/files/output_file.h"
 #include "shading/color/png.h"
 #include "shading/color/rgb_image.h"
-#include "shading/picture/errors.h"
 #include "shading/picture/exactness.h"
 #include "shading/picture/required.h"
+#include "shading/trade/measure.h"
+#include "x11/command/errors_json.h"
 #include "x11/window/moot.h"
 
 namespace xnewell {
@@ -40,48 +41,6 @@ nlohmann::ordered_json requiredIn(const std::vector<Required>& required, bool wh
 nlohmann::ordered_json adaptLimitOf(const Picture& picture) {
   const std::optional<Refined>& refined = picture.shading().refined();
   return refined ? nlohmann::ordered_json(kRefineLimits[static_cast<int>(refined->limit)].name) : nullptr;
-}
-
-nlohmann::ordered_json jsonOf(const Spread& spread) {
-  return {{"mean", spread.mean},
-          {"rms", spread.rootMeanSquare},
-          {"p99", spread.p99},
-          {"largest", spread.largest}};
-}
-
-nlohmann::ordered_json jsonOf(const WorstPlace& place) {
-  const auto rgb = [](const glm::dvec3& I) { return nlohmann::ordered_json{I.r, I.g, I.b}; };
-  const auto face = [](int number) {
-    return number < 0 ? nlohmann::ordered_json{} : nlohmann::ordered_json(number);
-  };
-  return {{"x", place.x},
-          {"y", place.y},
-          {"error", place.error},
-          {"shows", rgb(place.shown)},
-          {"should", rgb(place.due)},
-          {"shows_face", face(place.shownFace)},
-          {"should_face", face(place.face)}};
-}
-
-/// errors.h says what the numbers are.
-nlohmann::ordered_json errorsIn(const Picture& picture) {
-  const Errors errors = errorsOf(picture, picture.palette(CellPlan{picture.settings().table.kind}));
-  nlohmann::ordered_json patches, worst = nlohmann::ordered_json::array();
-  if (errors.patches)
-    patches = {{"samples", errors.patches->samples},
-               {"mean", errors.patches->mean},
-               {"largest", errors.patches->largest},
-               {"mean_pixels", errors.patches->meanPixels},
-               {"largest_pixels", errors.patches->largestPixels}};
-  for (const WorstPlace& place : errors.worst) worst.push_back(jsonOf(place));
-  return {{"samples", errors.samples},
-          {"wrong_faces", errors.wrongFaces},
-          {"intensity",
-           {{"before_table", jsonOf(errors.beforeTable)}, {"after_table", jsonOf(errors.afterTable)}}},
-          {"ciede2000", jsonOf(errors.color)},
-          {"distance_to_patches", patches},
-          {"blocks_8x8", errors.blocks ? jsonOf(*errors.blocks) : nlohmann::ordered_json{}},
-          {"worst", worst}};
 }
 
 nlohmann::ordered_json statsOf(const Options& options, const Picture& picture, const StageTimes& t) {
@@ -141,7 +100,11 @@ void report(const Options& options, const Picture& picture, const StageTimes& ti
   if (!options.stats) return;
   // A file name need not be UTF-8, but JSON can hold nothing else.
   nlohmann::ordered_json stats = statsOf(options, picture, times);
-  if (options.errors) stats["errors"] = errorsIn(picture);
+  if (options.errors) {
+    const Palette palette = picture.palette(CellPlan{picture.settings().table.kind});
+    stats["errors"] = errorsAsJson(errorsAgainstFinest(picture, palette));
+    stats["errors"]["reference_divisions"] = finestDivisions(picture.scene());
+  }
   std::cout << stats.dump(-1, ' ', false, nlohmann::ordered_json::error_handler_t::replace) << '\n';
 }
 

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <filesystem>
 #include <iostream>
+#include <sstream>
 #include <utility>
 #include <vector>
 
@@ -17,8 +18,8 @@ namespace xnewell {
 
 namespace {
 
-/// Commands and options that have a name but do nothing yet. The program says so.
-constexpr std::array<std::string_view, 2> kLaterCommands{"figure", "trade"};
+/// Commands that have a name but do nothing yet. The program says so.
+constexpr std::array<std::string_view, 1> kLaterCommands{"figure"};
 
 /// Adds options to CLI11. The code here reads their values, so that the error messages are in our words.
 class Reader {
@@ -95,6 +96,14 @@ class Reader {
  private:
   CLI::App& app_;
 };
+
+/// The words between commas.
+std::vector<std::string> commaWords(const std::string& text) {
+  std::vector<std::string> all;
+  std::istringstream in{text};
+  for (std::string word; std::getline(in, word, ',');) all.push_back(word);
+  return all;
+}
 
 glm::ivec2 parseSize(const std::string& text) {
   const std::string expected = "a size WxH from 1x1 to 8192x8192";
@@ -350,7 +359,12 @@ std::optional<Options> parseOptions(int argc, const char* const* argv, const Pic
   r.flag("--errors", o.errors,
          "print --stats with the errors of the picture: how far it is from a reference without short cuts, "
          "and where");
-  r.flag("--json", o.json, "extremes: print every step as one JSON object instead of the table");
+  r.flag("--json", o.json, "trade, extremes: print all numbers as one JSON object instead of the table");
+  r.text("--axes", "trade: only these short cuts, named as their options: shade,order,divisions",
+         "all that have an effect", [&](const std::string& s) { o.trade.axes = commaWords(s); });
+  r.text("--without", "trade: values to leave out, for example order=none,shade=depth", "",
+         [&](const std::string& s) { o.trade.without = commaWords(s); });
+  r.number("--budget", o.trade.seconds, 1, 3600, "trade: about how many seconds it may take");
   r.flag("--whole-window", o.wholeWindow,
          "snapshot: the window with all its controls; trace --frames: with the stepper at each step");
   r.flag("--quick", o.quick,
@@ -370,7 +384,10 @@ std::optional<Options> parseOptions(int argc, const char* const* argv, const Pic
   } catch (const CLI::ParseError& e) {
     refuse(app, o, e);
   }
-  for (const CLI::Option* option : app.parse_order()) o.given.push_back(option->get_name());
+  for (const CLI::Option* option : app.parse_order()) {
+    o.given.push_back(option->get_name());
+    o.values.push_back(option->get_items_expected_max() == 0 ? "" : option->results().back());
+  }
   settle(o);
   checkTogether(o);
   return o;

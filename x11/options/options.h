@@ -10,6 +10,7 @@
 
 #include "depthsort/replay.h"
 #include "shading/picture/picture.h"
+#include "shading/trade/trade_request.h"
 #include "x11/options/window_view.h"
 #include "x11/views/shows.h"
 #include "x11/views/views.h"
@@ -19,7 +20,7 @@ namespace xnewell {
 
 /// The command line as a value.
 
-enum class Command { View, Draw, Snapshot, Trace, Extremes, Lesson, Visuals, Scenes };
+enum class Command { View, Draw, Snapshot, Trace, Trade, Extremes, Lesson, Visuals, Scenes };
 struct CommandRow {
   Command id;
   std::string_view name, usage, does;
@@ -32,6 +33,8 @@ inline constexpr std::array kCommands{
                "the picture through a real X window, read back from the server"},
     CommandRow{Command::Trace, "trace", "trace SCENE [options]",
                "the depth sort's events, one JSON object a line, or as pictures"},
+    CommandRow{Command::Trade, "trade", "trade SCENE [-o CHART.png] [--json]",
+               "what each short cut saves on the scene, and the error that it costs"},
     CommandRow{Command::Extremes, "extremes", "extremes SCENE [-o CHART.png] [--json]",
                "what becomes wrong first when the scene is scaled, moved, flattened ..."},
     CommandRow{Command::Lesson, "lesson", "lesson [NAME] [--frames DIR]",
@@ -55,6 +58,7 @@ struct Options {
   std::optional<glm::ivec2> size;  ///< none without --size: then kPictureSize or kWindowSize
   PictureSettings picture;  ///< parseOptions() leaves its camera and light in the units of the scene's file
   std::vector<std::string> given;  ///< the names of all options on the command line
+  std::vector<std::string> values;  ///< what each of these says; "" for a flag
   bool halfVector = false;         ///< --half-vector; settle() has put it into the light
   std::string texture;             ///< the file's name; "" for none
   Fill fill = Fill::Scanline;
@@ -64,7 +68,8 @@ struct Options {
   std::string output, ids;
   bool stats = false;   ///< also if only --errors was given
   bool errors = false;  ///< with the errors
-  bool json = false;    ///< extremes: all steps instead of the table
+  bool json = false;    ///< extremes, trade: all numbers instead of the table
+  TradeRequest trade;
   bool wholeWindow = false;
   std::string viewName = "picture";
   View view = View::Picture;                    ///< draw, snapshot: which view of the picture

@@ -78,14 +78,15 @@ void checkCommand(const Options& o) {
   const bool sceneGiven = o.gave("scene");
   const bool makesPng = o.command == Command::Draw || o.command == Command::Snapshot;
   const std::string name{kCommands[static_cast<int>(o.command)].name};
-  const bool traces = o.command == Command::Trace, extremes = o.command == Command::Extremes;
-  if ((makesPng || traces || extremes) && !sceneGiven)
+  const bool traces = o.command == Command::Trace, trades = o.command == Command::Trade;
+  const bool charts = trades || o.command == Command::Extremes;
+  if ((makesPng || traces || charts) && !sceneGiven)
     throw UsageError{name + " needs a scene, such as teapot"};
   if (makesPng && o.output.empty()) throw UsageError{name + " needs -o FILE.png"};
   constexpr std::array<std::string_view, 8> kOtherPictures{".jpg", ".jpeg", ".gif", ".bmp",
                                                            ".ppm", ".tif",  ".svg", ".pdf"};
   for (const std::string_view other : kOtherPictures)
-    if ((makesPng || extremes) && o.output.ends_with(other))
+    if ((makesPng || charts) && o.output.ends_with(other))
       throw UsageError{"-o " + o.output + ": pictures are PNG files; call it .png"};
   if (sceneGiven && o.scene.empty()) throw UsageError{"the scene's name is empty"};
   const std::filesystem::path path{o.scene};
@@ -105,11 +106,13 @@ void checkCommand(const Options& o) {
     if (size.x < kLeastWindow.x || size.y < kLeastWindow.y)
       throw UsageError{"a lesson needs a --size of at least 800x600"};
   }
-  if (sceneGiven && !makesPng && !traces && !extremes && !lesson && o.command != Command::View)
+  if (sceneGiven && !makesPng && !traces && !charts && !lesson && o.command != Command::View)
     throw UsageError{name + " takes no scene"};
-  if (!makesPng && !extremes && !o.output.empty())
-    throw UsageError{"-o works only with draw, snapshot and extremes"};
-  if (!extremes && o.json) throw UsageError{"--json works only with extremes"};
+  if (!makesPng && !charts && !o.output.empty())
+    throw UsageError{"-o works only with draw, snapshot, trade and extremes"};
+  if (!charts && o.json) throw UsageError{"--json works only with trade and extremes"};
+  for (const std::string_view option : {"--axes", "--without", "--budget"})
+    if (!trades && o.gave(option)) throw UsageError{std::string{option} + " works only with trade"};
   if (!makesPng && (o.stats || !o.ids.empty()))
     throw UsageError{"--stats, --errors and --ids work only with draw and snapshot"};
   const bool file = !isBuiltIn(o.scene);
@@ -130,7 +133,7 @@ void checkCommand(const Options& o) {
     throw UsageError{"trace follows the depth sort: it allows only --order newell"};
   if (o.gave("--every") && o.frames.empty()) throw UsageError{"--every works only with --frames"};
   exclude(o.wholeWindow, !o.ids.empty(), "--whole-window and --ids");
-  const bool serverless = o.command == Command::Draw || traces || extremes || o.command == Command::Scenes ||
+  const bool serverless = o.command == Command::Draw || traces || charts || o.command == Command::Scenes ||
                           (lesson && !o.frames.empty());
   if (serverless && !o.visual.empty())
     throw UsageError{"--visual works only with view, snapshot and visuals"};
@@ -141,8 +144,8 @@ void checkCommand(const Options& o) {
 /// Checks that shading, order, filler and texture go together.
 void checkMethods(const Options& o) {
   const bool serverFills = o.fill == Fill::XFillPolygon;
-  if (serverFills &&
-      (o.command == Command::Trace || o.command == Command::Draw || o.command == Command::Extremes))
+  if (serverFills && (o.command == Command::Trace || o.command == Command::Draw ||
+                      o.command == Command::Trade || o.command == Command::Extremes))
     throw UsageError{"--fill x11 needs a server: use snapshot"};
   if (serverFills && rowOf(o.picture.shading).interpolates)
     throw UsageError{"--fill x11 gives a polygon one cell: use --shade none, depth or flat"};

@@ -12,32 +12,6 @@ namespace xnewell {
 
 namespace {
 
-/// A number with as many decimals as it needs, up to six.
-std::string inWords(double v) {
-  int decimals = 0;
-  while (decimals < 6 && std::stod(fixed(v, decimals)) != v) ++decimals;
-  return fixed(v, decimals);
-}
-std::string inWords(const glm::dvec3& v) { return inWords(v.x) + ", " + inWords(v.y) + ", " + inWords(v.z); }
-
-std::string inWords(const Setting& setting, const Value& value) {
-  if (const auto* v = std::get_if<glm::dvec3>(&value)) return inWords(*v);
-  const auto* v = std::get_if<double>(&value);
-  if (!v) return std::string{setting.initially};
-  if (!setting.words.empty()) return std::string{setting.words[static_cast<std::size_t>(*v)]};
-  return setting.field.kind == ValueKind::Choice ? textOf(setting, value) : inWords(*v);
-}
-
-/// "ks 0.4", "240 shades", "Gouraud".
-std::string phraseOf(const Setting& setting, const PictureSettings& settings) {
-  const std::string value = inWords(setting, setting.field.get(settings));
-  if (!setting.words.empty()) return value;
-  if (const std::size_t at = setting.phrase.find("{}"); at != std::string_view::npos)
-    return std::string{setting.phrase}.replace(at, 2, value);
-  return std::string{setting.label} + ' ' + value +
-         (setting.unit.empty() ? "" : ' ' + std::string{setting.unit});
-}
-
 bool differs(const Setting& setting, const PictureSettings& A, const PictureSettings& B) {
   return setting.field.get(A) != setting.field.get(B);
 }

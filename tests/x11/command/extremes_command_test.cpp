@@ -27,7 +27,7 @@ TEST_F(CommandTest, ExtremesAreTold) {
 
 TEST_F(CommandTest, ExtremesRefuseWhatTheyDoNotTake) {
   refused({"extremes"}, 2, "extremes needs a scene, such as teapot");
-  refused({"draw", "cycle", "-o", file("new.png"), "--json"}, 2, "--json works only with extremes");
+  refused({"draw", "cycle", "-o", file("new.png"), "--json"}, 2, "--json works only with trade and extremes");
   refused({"extremes", "cycle", "-o", file("new.svg")}, 2,
           "-o " + file("new.svg") + ": pictures are PNG files; call it .png");
   refused({"extremes", "cycle", "--stats"}, 2,

@@ -132,14 +132,13 @@ TEST(Options, RefuseTheUnknown) {
 
 // Words of the contract that are not built yet say so, and are not taken for misspellings.
 TEST(Options, SayWhatIsNotBuiltYet) {
-  for (const std::string command : {"figure", "trade"})
-    for (const std::vector<std::string>& rest :
-         {std::vector<std::string>{}, {"teapot", "-o", "no.svg"}, {"--help"}}) {
-      std::vector<std::string> words{command};
-      words.insert(words.end(), rest.begin(), rest.end());
-      EXPECT_EQ(complaintAll(words),
-                "the command '" + command + "' is not built yet; `xnewell --help` lists the commands");
-    }
+  for (const std::vector<std::string>& rest :
+       {std::vector<std::string>{}, {"teapot", "-o", "no.svg"}, {"--help"}}) {
+    std::vector<std::string> words{"figure"};
+    words.insert(words.end(), rest.begin(), rest.end());
+    EXPECT_EQ(complaintAll(words),
+              "the command 'figure' is not built yet; `xnewell --help` lists the commands");
+  }
 }
 
 // Two options that exclude each other are refused: neither is ignored.
@@ -164,7 +163,7 @@ TEST(Options, RefuseWhatTheCommandIgnores) {
   EXPECT_EQ(complaintAll({""}), "the scene's name is empty");
   EXPECT_EQ(complaintAll({"scenes", "teapot"}), "scenes takes no scene");
   EXPECT_EQ(complaintAll({"visuals", "teapot"}), "visuals takes no scene");
-  EXPECT_EQ(complaintAll({"view", "-o", "a.png"}), "-o works only with draw, snapshot and extremes");
+  EXPECT_EQ(complaintAll({"view", "-o", "a.png"}), "-o works only with draw, snapshot, trade and extremes");
   EXPECT_EQ(complaintAll({"view", "--stats"}),
             "--stats, --errors and --ids work only with draw and snapshot");
   EXPECT_EQ(complaintAll({"--ids", "i.png"}), "--stats, --errors and --ids work only with draw and snapshot");

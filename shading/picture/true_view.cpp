@@ -1,0 +1,31 @@
+#include "shading/picture/true_view.h"
+
+#include "depthsort/oracle.h"
+#include "shading/picture/picture_cache.h"
+#include "shading/scene/settings.h"
+
+namespace xnewell {
+
+namespace {
+
+/// Its cells are never used, so no time is spent on choosing them.
+PictureSettings unpainted(PictureSettings settings) {
+  settings.colors = ColorPlan::OneHue;
+  return settings;
+}
+
+}  // namespace
+
+TrueView::TrueView(const Picture& of)
+    : picture_{PictureCache{of}.make(unpainted(withoutShortCuts(of.settings())))},
+      faces_{picture_.seen(0, picture_.settings().height).faces},
+      surface_{picture_.scene(), picture_.camera().view, picture_.settings().width,
+               picture_.settings().height} {}
+
+SurfacePlace TrueView::place(std::size_t sample) const {
+  const auto width = static_cast<std::size_t>(picture_.settings().width);
+  return surface_.at(picture_.snapped().faces[faces_[sample]].part, static_cast<int>(sample % width),
+                     static_cast<int>(sample / width));
+}
+
+}  // namespace xnewell

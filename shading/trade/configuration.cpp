@@ -1,0 +1,129 @@
+#include "shading/trade/configuration.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "geometry/exact/box.h"
+#include "shading/picture/facts.h"
+#include "shading/scene/save_scene.h"
+
+namespace xnewell {
+
+namespace {
+
+constexpr std::array kDivisions{1, 2, 3, 4, 6, 8, 12, 16, 24, 32};
+
+/// L is the same everywhere if all lights are at infinity. Then it is no short cut to take it as constant.
+bool lightsHavePlaces(const Picture& picture) {
+  const Scene& scene = picture.scene();
+  return std::ranges::any_of(lightsOf(scene.light, picture.settings().light, boxOf(scene.mesh.points)),
+                             [](const Light& light) { return light.kind != LightKind::Directional; });
+}
+
+bool isAnAxis(const Setting& setting, const Picture& picture) {
+  if (!setting.role.isShortCut() || !hasEffect(setting, factsOf(picture))) return false;
+  if (setting.key == "fill") return false;
+  return setting.key != "constant_l" || lightsHavePlaces(picture);
+}
+
+std::vector<double> valuesOf(const Setting& setting) {
+  if (setting.field.kind == ValueKind::Flag) return {0, 1};
+  if (setting.field.kind != ValueKind::Choice) return setting.trials;
+  std::vector<double> values;
+  for (std::size_t k = 0; k < setting.field.choices.size(); ++k) values.push_back(static_cast<double>(k));
+  return values;
+}
+
+std::string valueOf(const Change& change) {
+  return change.setting ? textOf(*change.setting, change.value) : textOf(change.value);
+}
+
+}  // namespace
+
+std::string Axis::text(double value) const { return valueOf({setting, value}); }
+
+std::string Configuration::name() const {
+  if (changes.empty()) return "as it is";
+  std::string all;
+  for (const Change& change : changes) {
+    const std::string one = change.setting
+                                ? phraseOf(*change.setting, settings)
+                                : textOf(change.value) + (change.value == 1 ? " division" : " divisions");
+    all += (all.empty() ? "" : ", ") + one;
+  }
+  return all;
+}
+
+std::string Configuration::options() const {
+  std::string all;
+  for (const Change& change : changes) {
+    const bool flag = change.setting && change.setting->field.kind == ValueKind::Flag;
+    if (flag && change.value == 0) continue;
+    all += all.empty() ? "" : " ";
+    all += change.setting ? change.setting->option : "--divisions";
+    if (!flag) all += ' ' + valueOf(change);
+  }
+  return all;
+}
+
+std::vector<Axis> axesOf(const Picture& picture) {
+  std::vector<Axis> axes;
+  const Scene& scene = picture.scene();
+  if (scene.divisions > 0 && !scene.origin.of.empty()) {
+    axes.push_back({nullptr, static_cast<double>(scene.divisions), {}});
+    for (const int n : kDivisions)
+      if (n != scene.divisions) axes.back().others.push_back(n);
+  }
+  for (const Setting& setting : settingRows()) {
+    if (!isAnAxis(setting, picture)) continue;
+    Axis axis{&setting, std::get<double>(setting.field.get(picture.settings())), valuesOf(setting)};
+    std::erase(axis.others, axis.now);
+    if (!axis.others.empty()) axes.push_back(std::move(axis));
+  }
+  return axes;
+}
+
+Configuration changed(Configuration configuration, const Axis& axis, double value) {
+  if (axis.setting)
+    axis.setting->field.set(configuration.settings, value);
+  else
+    configuration.divisions = static_cast<int>(value);
+  configuration.changes.push_back({axis.setting, value});
+  return configuration;
+}
+
+int finestDivisions(const Scene& scene) {
+  constexpr std::size_t kFinest = 64, kMostFaces = 300'000;
+  if (scene.divisions == 0 || scene.origin.of.empty()) return scene.divisions;
+  std::size_t patches = 0;
+  for (const PatchRun& run : scene.patches) patches += run.patches.size();
+  std::size_t finest = kFinest;
+  while (finest > 1 && patches * finest * finest > kMostFaces) --finest;
+  return std::max(scene.divisions, static_cast<int>(finest));
+}
+
+Scene dividedAnew(const Scene& scene, int divisions) {
+  if (divisions == scene.divisions) return scene;
+  Scene other = redivided(scene, divisions);
+  const double factor = std::ldexp(1.0, other.exponent - scene.exponent);  // exact
+  for (glm::dvec3& p : other.mesh.points) p *= factor;
+  for (double& u : other.mesh.rounding) u *= factor;
+  for (ModelPlane& plane : other.parts.planes) plane.at *= factor;
+  other.exponent = scene.exponent;
+  other.light = scene.light;
+  return other;
+}
+
+CameraSettings heldCamera(const Picture& picture) {
+  CameraSettings held = picture.settings().camera;
+  if (held.window || held.vpn || held.prp) return held;  // it says all itself
+  const Camera& camera = picture.camera();
+  held.vrp = held.vup = std::nullopt;
+  held.eye = camera.eye, held.lookAt = camera.lookAt, held.up = camera.up;
+  held.parallel = camera.view.projection == Projection::Parallel;
+  if (held.parallel) held.height = camera.view.windowMax.y - camera.view.windowMin.y;
+  return held;
+}
+
+}  // namespace xnewell

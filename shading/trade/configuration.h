@@ -1,0 +1,61 @@
+#pragma once
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "shading/picture/picture.h"
+#include "shading/scene/settings.h"
+
+namespace xnewell {
+
+/// The short cuts of a picture, and what else could be chosen for each.
+
+/// One short cut: a setting whose role is one, or the divisions of the patches.
+struct Axis {
+  const Setting* setting = nullptr;  ///< null for the divisions
+  double now = 0;                    ///< the value that the user chose
+  std::vector<double> others;        ///< what else to try
+
+  /// Its option without the dashes: "order", "divisions".
+  [[nodiscard]] std::string_view name() const {
+    return setting ? setting->option.substr(2) : std::string_view{"divisions"};
+  }
+  /// A value as the option has it: "zsort", "8".
+  [[nodiscard]] std::string text(double value) const;
+};
+
+/// A set-up in which some short cuts have other values than the user chose.
+struct Change {
+  const Setting* setting = nullptr;  ///< null for the divisions
+  double value = 0;
+};
+struct Configuration {
+  PictureSettings settings;
+  int divisions = 0;  ///< of the patches; 0 if the scene has none
+  std::vector<Change> changes = {};
+
+  /// "flat, Newell, 4 divisions"; "as it is" without changes.
+  [[nodiscard]] std::string name() const;
+  /// What to add to the command line: "--shade flat --divisions 4"; "" without changes. A flag that is off
+  /// has no option: then leave out the option.
+  [[nodiscard]] std::string options() const;
+};
+
+/// The axes that have an effect on this picture, in the order of the rows, the divisions first. An X server
+/// would have to time its own filler, so `fill` is not among them.
+[[nodiscard]] std::vector<Axis> axesOf(const Picture& picture);
+
+/// The configuration with another value of one short cut.
+[[nodiscard]] Configuration changed(Configuration configuration, const Axis& axis, double value);
+
+/// The divisions that make the patches of a scene as fine as a reference needs: 64, or as many as give no
+/// more than 300,000 faces, and not less than the scene has. 0 if there are no patches to divide.
+[[nodiscard]] int finestDivisions(const Scene& scene);
+/// The scene with other divisions, in the units and with the lights of the first.
+[[nodiscard]] Scene dividedAnew(const Scene& scene, int divisions);
+
+/// The camera of a picture, said in full. So it stays when the polygons change.
+[[nodiscard]] CameraSettings heldCamera(const Picture& picture);
+
+}  // namespace xnewell

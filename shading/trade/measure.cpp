@@ -1,0 +1,154 @@
+#include "shading/trade/measure.h"
+
+#include <malloc.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <glm/vec2.hpp>
+
+#include "geometry/view/view.h"
+
+namespace xnewell {
+
+namespace {
+
+/// How far the other views are turned: azimuth and elevation, in degrees.
+constexpr std::array kTurns{glm::dvec2{-25, 6}, glm::dvec2{25, -6}, glm::dvec2{70, 15}};
+std::uint8_t groundOf(const PictureSettings& settings) { return CellPlan{settings.table.kind}[Cell::Well]; }
+Palette paletteOf(const Picture& picture) { return picture.palette(CellPlan{picture.settings().table.kind}); }
+
+/// Bytes that this program has on the heap; 0 if the system does not tell.
+std::int64_t heapBytes() {
+#if defined(__GLIBC__) && (__GLIBC__ > 2 || __GLIBC_MINOR__ >= 33)
+  const struct mallinfo2 heap = ::mallinfo2();
+  return static_cast<std::int64_t>(heap.uordblks + heap.hblkhd);
+#else
+  return 0;
+#endif
+}
+
+/// The picture, painted, with a camera that stays when the polygons change.
+Picture held(const Picture& picture, std::uint8_t ground) {
+  PictureSettings settings = picture.settings();
+  settings.camera = heldCamera(picture);
+  return PictureCache{picture}.make(settings, ground);
+}
+
+Errors briefErrors(const Comparison& comparison) {
+  Errors errors;
+  errors.afterTable = spreadOf(comparison.intensityErrors(Rounding::After));
+  errors.samples = errors.afterTable.count;
+  for (const std::uint8_t wrong : comparison.wrongFaces()) errors.wrongFaces += wrong;
+  return errors;
+}
+
+}  // namespace
+
+StageTimes Stages::medians() const {
+  const auto median = [&](double StageTimes::*stage) {
+    std::vector<double> times;
+    for (const StageTimes& t : all_) times.push_back(t.*stage);
+    return medianOf(std::move(times));
+  };
+  return {.shade = median(&StageTimes::shade),
+          .transform = median(&StageTimes::transform),
+          .sort = median(&StageTimes::sort),
+          .fill = median(&StageTimes::fill)};
+}
+
+Measure::Measure(const Scene& scene, const PictureSettings& settings)
+    : scenes_{{scene.divisions, scene}},
+      asked_{held(PictureCache{scenes_.begin()->second}.make(settings), groundOf(settings))},
+      referenceDivisions_{finestDivisions(scene)},
+      here_{sightOf(asked_.settings().camera, settings)} {
+  referenceOff_ = distanceFromPatches(*here_.reference);
+  for (const glm::dvec2& turn : kTurns) try {
+      others_.push_back(sightOf(moved(settings.camera, asked_.camera(), turn.x, turn.y, 1.0), settings));
+    } catch (const ViewError&) {
+      continue;  // nothing can be seen from there
+    }
+}
+
+const Shared<Scene>& Measure::scene(int divisions) {
+  const auto known = scenes_.find(divisions);
+  if (known != scenes_.end()) return known->second;
+  return scenes_.emplace(divisions, dividedAnew(asked_.scene(), divisions)).first->second;
+}
+
+Measure::Sight Measure::sightOf(const CameraSettings& camera, const PictureSettings& settings) {
+  PictureSettings seen = withoutShortCuts(settings);
+  seen.camera = camera;
+  return {camera, std::make_unique<Reference>(PictureCache{scene(referenceDivisions_)}.make(seen))};
+}
+
+const Measure::Polygons& Measure::polygons(int divisions, const Picture& picture) {
+  const auto known = polygons_.find(divisions);
+  if (known != polygons_.end()) return known->second;
+  Polygons& made = polygons_.emplace(divisions, Polygons{TrueView{picture}, {}}).first->second;
+  made.off = distanceFromPatches(made.view);
+  return made;
+}
+
+Picture Measure::painted(const Configuration& configuration, const CameraSettings& camera) {
+  PictureSettings settings = configuration.settings;
+  settings.camera = camera;
+  return PictureCache{scene(configuration.divisions)}.make(settings, groundOf(settings));
+}
+
+std::string Measure::refusal(const Configuration& configuration) {
+  try {
+    static_cast<void>(painted(configuration, here_.camera));
+  } catch (const std::runtime_error& e) {
+    return e.what();
+  }
+  return "";
+}
+
+double Measure::run(const Configuration& configuration, Stages& stages) {
+  PictureSettings settings = configuration.settings;
+  settings.camera = here_.camera;
+  PictureCache pictures{scene(configuration.divisions)};
+  const double start = processorMs();
+  const Picture picture = pictures.make(settings, groundOf(settings));
+  const double ms = processorMs() - start;
+  stages.add(picture.times());
+  return std::max(ms, 1e-6);
+}
+
+Measured Measure::measured(const Configuration& configuration, bool whole) {
+  Measured measured;
+  measured.configuration = configuration;
+  const std::int64_t before = heapBytes();
+  const Picture picture = painted(configuration, here_.camera);
+  measured.cost.bytes = std::max<std::int64_t>(0, heapBytes() - before);
+  measured.cost.polygons = static_cast<std::int64_t>(picture.sorted().fragments.size());
+  const Palette palette = paletteOf(picture);
+  const Polygons& faces = polygons(configuration.divisions, picture);
+  const Comparison comparison{picture, *here_.reference, palette, faces.view};
+  measured.here = whole ? errorsOf(comparison) : briefErrors(comparison);
+  measured.here.patches = faces.off;
+  measured.samePixels = picture.image().pixels == asked_.image().pixels && palette == paletteOf(asked_);
+  for (const Sight& other : others_) {
+    const Picture turned = painted(configuration, other.camera);
+    // Which face shows does not matter here, so the reference may stand for the polygons.
+    const Palette colors = paletteOf(turned);
+    const Comparison beside{turned, *other.reference, colors};
+    const Spread errors = spreadOf(beside.intensityErrors(Rounding::After));
+    measured.elsewhere = std::max(measured.elsewhere, errors.rootMeanSquare);
+  }
+  return measured;
+}
+
+Errors errorsAgainstFinest(const Picture& picture, const Palette& palette) {
+  PictureSettings settings = withoutShortCuts(picture.settings());
+  settings.camera = heldCamera(picture);
+  const Reference finest{
+      makePicture(dividedAnew(picture.scene(), finestDivisions(picture.scene())), settings)};
+  const TrueView polygons{PictureCache{picture}.make(settings)};
+  Errors errors = errorsOf(Comparison{picture, finest, palette, polygons});
+  errors.patches = distanceFromPatches(polygons);
+  return errors;
+}
+
+}  // namespace xnewell

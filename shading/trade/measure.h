@@ -1,0 +1,77 @@
+#pragma once
+
+#include <map>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "shading/picture/picture_cache.h"
+#include "shading/picture/reference.h"
+#include "shading/trade/trade.h"
+
+namespace xnewell {
+
+/// The stage times of several runs of one way.
+class Stages {
+ public:
+  void add(const StageTimes& times) { all_.push_back(times); }
+  [[nodiscard]] StageTimes medians() const;
+
+ private:
+  std::vector<StageTimes> all_;
+};
+
+/// Measures configurations of one scene: their errors on the user's view and on other views, and what they
+/// cost. It keeps the scene with each number of divisions, and the references.
+class Measure {
+ public:
+  /// @throws ViewError if the set-up has no picture
+  Measure(const Scene& scene, const PictureSettings& settings);
+
+  [[nodiscard]] const Picture& asked() const { return asked_; }
+  [[nodiscard]] Configuration askedConfiguration() const {
+    return {asked_.settings(), asked_.scene().divisions, {}};
+  }
+  [[nodiscard]] int referenceDivisions() const { return referenceDivisions_; }
+  [[nodiscard]] std::optional<PatchDistance> referenceOff() const { return referenceOff_; }
+  [[nodiscard]] int otherViews() const { return static_cast<int>(others_.size()); }
+
+  /// Why there is no such picture; "" if there is one.
+  [[nodiscard]] std::string refusal(const Configuration& configuration);
+  /// All errors, and all costs but the times. Precondition: no refusal().
+  [[nodiscard]] Measured whole(const Configuration& configuration) { return measured(configuration, true); }
+  /// The same without what only a closer look needs: colours, worst places, distances.
+  [[nodiscard]] Measured brief(const Configuration& configuration) { return measured(configuration, false); }
+  /// Makes the picture as if it were the first. Returns the processor's time in milliseconds.
+  double run(const Configuration& configuration, Stages& stages);
+
+ private:
+  /// A view: its camera, and what it should show.
+  struct Sight {
+    CameraSettings camera;
+    std::unique_ptr<Reference> reference;
+  };
+  [[nodiscard]] Measured measured(const Configuration& configuration, bool whole);
+  [[nodiscard]] Picture painted(const Configuration& configuration, const CameraSettings& camera);
+  [[nodiscard]] const Shared<Scene>& scene(int divisions);
+  /// The polygons of a number of divisions, from the user's camera.
+  struct Polygons {
+    TrueView view;
+    std::optional<PatchDistance> off;
+  };
+  [[nodiscard]] const Polygons& polygons(int divisions, const Picture& picture);
+  [[nodiscard]] Sight sightOf(const CameraSettings& camera, const PictureSettings& settings);
+
+  std::map<int, Shared<Scene>> scenes_;  ///< by divisions
+  Picture asked_;
+  int referenceDivisions_ = 0;
+  Sight here_;
+  std::vector<Sight> others_;
+  std::map<int, Polygons> polygons_;  ///< by divisions
+  std::optional<PatchDistance> referenceOff_;
+};
+
+/// The errors of a painted picture, as a trade measures them: against a reference with finestDivisions().
+[[nodiscard]] Errors errorsAgainstFinest(const Picture& picture, const Palette& palette);
+
+}  // namespace xnewell

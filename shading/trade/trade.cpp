@@ -1,0 +1,145 @@
+#include "shading/trade/trade.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "shading/picture/stopwatch.h"
+#include "shading/trade/combine.h"
+#include "shading/trade/measure.h"
+#include "shading/trade/trade_sentences.h"
+
+namespace xnewell {
+
+namespace {
+
+/// The shares of the time that the parts may take: errors of rows, their times, errors of combinations, and
+/// their times.
+constexpr double kRowErrors = 0.3, kRowTimes = 0.6, kCombinationErrors = 0.8;
+
+/// The trade while it is made.
+class Trader {
+ public:
+  Trader(const Scene& scene, const PictureSettings& settings, const TradeRequest& request,
+         const TradeProgress& progress)
+      : request_{request}, progress_{progress}, measure_{scene, settings} {}
+
+  Trade make() {
+    trade_.axes = requestedAxes(axesOf(measure_.asked()), request_);
+    trade_.exponent = measure_.asked().scene().exponent;
+    trade_.referenceDivisions = measure_.referenceDivisions();
+    trade_.referenceOff = measure_.referenceOff();
+    trade_.views = measure_.otherViews();
+    trade_.asked = measure_.whole(measure_.askedConfiguration());
+    rows();
+    if (!trade_.stopped) combinations();
+    return std::move(trade_);
+  }
+
+ private:
+  bool goOn(const std::string& doing) {
+    if (progress_ && !progress_(doing)) trade_.stopped = true;
+    return !trade_.stopped;
+  }
+  [[nodiscard]] bool isLate(double share) const { return watch_.ms() > 1e3 * share * request_.seconds; }
+  [[nodiscard]] double secondsTo(double share) const {
+    return std::max(0.0, share * request_.seconds - watch_.ms() / 1e3);
+  }
+
+  void rows() {
+    int left = 0;
+    for (std::size_t k = 0; k < trade_.axes.size(); ++k)
+      for (const double value : trade_.axes[k].others) {
+        const Axis& axis = trade_.axes[k];
+        if (!goOn("looking at --" + std::string{axis.name()} + ' ' + axis.text(value))) return;
+        if (isLate(kRowErrors)) {
+          ++left;
+          continue;
+        }
+        const Configuration one = changed(measure_.askedConfiguration(), axis, value);
+        if (const std::string why = measure_.refusal(one); !why.empty())
+          trade_.notes.push_back(one.name() + " was left out: " + why);
+        else
+          trade_.rows.push_back({static_cast<int>(k), value, measure_.whole(one), ""});
+      }
+    if (left > 0)
+      trade_.notes.push_back("the last " + std::to_string(left) +
+                             " values were left out: the time did not suffice (--budget)");
+    std::vector<Measured*> timed{&trade_.asked};
+    for (TradeRow& row : trade_.rows) timed.push_back(&row.measured);
+    trade_.ofRows = time(timed, kRowTimes, "timing short cuts");
+    for (TradeRow& row : trade_.rows)
+      row.sentence = sentenceOf(row, trade_.axes[row.axis], trade_.asked, measure_.asked());
+  }
+
+  void combinations() {
+    // One combination costs a picture for each view, and some more to be timed.
+    const double each = trade_.asked.cost.time.ms * (1 + trade_.views + 2 * TimingLimits{}.leastRounds);
+    const int most = static_cast<int>(
+        std::clamp(1e3 * secondsTo(1) / std::max(each, 1e-3), 8.0, double{kMostCombinations}));
+    std::vector<std::string> left;
+    for (const Configuration& one : combinationsOf(trade_, measure_, most, left)) {
+      if (!goOn("looking at " + one.name())) return;
+      if (isLate(kCombinationErrors)) break;
+      if (measure_.refusal(one).empty()) trade_.combinations.push_back(measure_.brief(one));
+    }
+    trade_.notes.insert(trade_.notes.end(), left.begin(), left.end());
+    Measured base = trade_.asked;  // so that all times are compared with the same set-up
+    std::vector<Measured*> timed{&base};
+    for (Measured& one : trade_.combinations) timed.push_back(&one);
+    trade_.ofCombinations = time(timed, 1, "timing combinations");
+    if (trade_.ofCombinations.rounds == 0) {
+      trade_.combinations.clear();
+      return;
+    }
+    trade_.front = frontOf(trade_.combinations);
+    for (const int k : trade_.front) {
+      if (!goOn("looking closer at " + trade_.combinations[k].configuration.name())) return;
+      const Cost cost = trade_.combinations[k].cost;
+      trade_.combinations[k] = measure_.whole(trade_.combinations[k].configuration);
+      trade_.combinations[k].cost.time = cost.time, trade_.combinations[k].cost.stages = cost.stages;
+    }
+  }
+
+  Timings time(const std::vector<Measured*>& ways, double share, const std::string& doing) {
+    std::vector<Stages> stages(ways.size());
+    std::vector<Timed> timed;
+    for (std::size_t k = 0; k < ways.size(); ++k)
+      timed.emplace_back(
+          [this, way = ways[k], &stage = stages[k]] { return measure_.run(way->configuration, stage); });
+    const TimingLimits limits{
+        .seconds = secondsTo(share), .mostRounds = request_.mostRounds, .seed = request_.seed};
+    Timings timings = timeAll(
+        timed, limits, [&](int rounds) { return goOn(doing + ": round " + std::to_string(rounds + 1)); });
+    for (std::size_t k = 0; k < ways.size(); ++k) {
+      ways[k]->cost.time = timings.of[k];
+      ways[k]->cost.stages = stages[k].medians();
+    }
+    return timings;
+  }
+
+  TradeRequest request_;
+  TradeProgress progress_;
+  Stopwatch watch_;
+  Measure measure_;
+  Trade trade_;
+};
+
+}  // namespace
+
+std::string savingOf(const Timing& time) {
+  if (time.tie) return "takes as long";
+  if (time.ratio < 1)
+    return "saves " + std::to_string(std::lround(100 * (1 - time.ratio))) + " % of the time";
+  const double tenths = std::round(10 * time.ratio) / 10;
+  if (tenths < 1.1) return "takes " + std::to_string(std::lround(100 * (time.ratio - 1))) + " % longer";
+  if (tenths == 2) return "takes twice as long";
+  return "takes " + textOf(tenths >= 10 ? std::round(tenths) : tenths) + " times as long";
+}
+
+Trade tradeOf(const Scene& scene, const PictureSettings& settings, const TradeRequest& request,
+              const TradeProgress& progress) {
+  return Trader{scene, settings, request, progress}.make();
+}
+
+}  // namespace xnewell

@@ -1,0 +1,79 @@
+#pragma once
+
+#include <cstdint>
+#include <functional>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "shading/picture/errors.h"
+#include "shading/trade/configuration.h"
+#include "shading/trade/timing.h"
+#include "shading/trade/trade_request.h"
+
+namespace xnewell {
+
+/// Speed against accuracy: what each short cut saves on a scene, and what it costs in errors.
+///
+/// First each short cut alone takes its other values, about the set-up that the user asked for. Then the
+/// useful values of several short cuts are combined. The front is the combinations for which no other is
+/// cheaper and more accurate.
+///
+/// All errors are against one Reference, whose patches are divided finely. The combinations are chosen by
+/// their errors on views from other sides. What is told are their errors on the user's own view, which had no
+/// part in the choice.
+
+/// What one picture costs.
+struct Cost {
+  Timing time;                ///< its base is the set-up that was asked for
+  StageTimes stages;          ///< medians
+  std::int64_t bytes = 0;     ///< of memory that the picture holds; 0 if the system does not tell
+  std::int64_t polygons = 0;  ///< painted: whole ones, and pieces of those that the depth sort cut
+};
+
+struct Measured {
+  Configuration configuration;
+  Errors here;  ///< on the user's view; in a combination off the front only samples, wrongFaces, afterTable
+  double elsewhere = 0;  ///< the largest RMS error of the intensity after the table, on the other views
+  Cost cost;
+  bool samePixels = false;  ///< it shows exactly what the set-up that was asked for shows
+};
+
+/// One short cut at one value, and everything else as the user asked.
+struct TradeRow {
+  int axis = 0;  ///< index into Trade::axes
+  double value = 0;
+  Measured measured;
+  std::string sentence;
+};
+
+struct Trade {
+  std::vector<Axis> axes;
+  Measured asked;
+  std::vector<TradeRow> rows;  ///< in the order of the axes
+  std::vector<Measured> combinations;
+  std::vector<int> front;                     ///< indices into combinations, the cheapest first
+  int exponent = 0;            ///< of the scene: a length in the file is that in the settings times 2^exponent
+  int referenceDivisions = 0;                 ///< of the reference's patches; 0 if there are none
+  std::optional<PatchDistance> referenceOff;  ///< how far the reference's polygons are from the patches
+  int views = 0;                              ///< other views that chose
+  Timings ofRows, ofCombinations;
+  std::vector<std::string> notes;  ///< what was left out, and why
+  bool stopped = false;            ///< the caller stopped it, and what is here is what was known
+};
+
+/// Is told what is being done, often. Returns false to stop the trade; it then returns what is known.
+using TradeProgress = std::function<bool(const std::string& doing)>;
+
+/// `settings` are in the units of the scene. The pictures are painted without a server.
+/// @throws ViewError if the set-up itself has no picture
+/// @throws std::invalid_argument if `request` names an axis that the scene does not have, or a value that the
+/// axis does not have
+[[nodiscard]] Trade tradeOf(const Scene& scene, const PictureSettings& settings, const TradeRequest& request,
+                            const TradeProgress& progress = {});
+
+/// "saves 23 % of the time", "takes 1.4 times as long", "takes as long".
+[[nodiscard]] std::string savingOf(const Timing& time);
+
+}  // namespace xnewell

@@ -1,0 +1,17 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+namespace xnewell {
+
+/// What a trade (trade.h) is asked to look at.
+struct TradeRequest {
+  std::vector<std::string> axes = {};     ///< names of axes; empty for all
+  std::vector<std::string> without = {};  ///< "order=none": values to leave out
+  double seconds = 30;                    ///< about how long it may take; above 0
+  int mostRounds = 200;                   ///< of timing
+  unsigned seed = 1;
+};
+
+}  // namespace xnewell

@@ -1,0 +1,66 @@
+#include <gtest/gtest.h>
+
+#include <nlohmann/json.hpp>
+#include <sstream>
+
+#include "tests/x11/support/command_fixture.h"
+
+namespace xnewell {
+
+namespace {
+
+const Words kTrade{"trade", "teapot", "--size", "120x90", "--budget", "20"};
+
+/// The words of a printed command, after the program's name. No word of these tests needs quotes.
+Words wordsOf(const std::string& command, const std::string& picture) {
+  Words words;
+  std::istringstream in{command};
+  for (std::string word; in >> word;) words.push_back(word == "picture.png" ? picture : word);
+  words.erase(words.begin());
+  return words;
+}
+
+}  // namespace
+
+// Each row has its command, and the command has the errors of the row, to the bit.
+TEST_F(CommandTest, EachRowOfATradeCanBeRepeated) {
+  const auto told =
+      runProgram(kTrade + Words{"--json", "--axes", "order,shade,divisions,adapt", "--adapt", "0.1"});
+  ASSERT_EQ(told.status, 0) << told.err;
+  const auto trade = nlohmann::json::parse(told.out);
+  auto rows = trade.at("rows");
+  ASSERT_GT(rows.size(), 15u);
+  for (const auto& one : trade.at("combinations"))
+    if (one.at("front").get<bool>()) rows.push_back(one);
+  for (const auto& row : rows) {
+    const std::string command = row.at("command");
+    SCOPED_TRACE(command);
+    const auto drawn = runProgram(wordsOf(command, file("picture.png")));
+    ASSERT_EQ(drawn.status, 0) << drawn.err;
+    auto errors = nlohmann::json::parse(drawn.out).at("errors");
+    EXPECT_EQ(errors.at("reference_divisions"), trade.at("reference").at("divisions"));
+    errors.erase("reference_divisions");
+    EXPECT_EQ(errors, row.at("errors"));
+  }
+}
+
+// The table has each value with its sentence, then the front. The chart is a picture.
+TEST_F(CommandTest, ATradeIsTold) {
+  const auto told = runProgram(kTrade + Words{"--axes", "shade,order", "-o", file("chart.png")});
+  EXPECT_EQ(told.status, 0) << told.err;
+  for (const char* words : {"as it is", "Gouraud", "unsorted", "samples show a wrong face", "On the front:",
+                            "xnewell draw teapot --size 120x90 --shade gouraud -o picture.png --errors"})
+    EXPECT_NE(told.out.find(words), std::string::npos) << words << '\n' << told.out;
+  EXPECT_GT(std::filesystem::file_size(file("chart.png")), 1'000u);
+}
+
+TEST_F(CommandTest, ATradeRefusesWhatItDoesNotTake) {
+  refused({"trade"}, 2, "trade needs a scene, such as teapot");
+  refused({"trade", "cycle", "--budget", "0"}, 2, "--budget: '0' is not a number from 1 to 3600");
+  refused({"draw", "cycle", "-o", file("new.png"), "--axes", "order"}, 2, "--axes works only with trade");
+  refused({"trade", "cycle", "--stats"}, 2, "--stats, --errors and --ids work only with draw and snapshot");
+  refused({"trade", "cycle", "-o", file("new.svg")}, 2,
+          "-o " + file("new.svg") + ": pictures are PNG files; call it .png");
+}
+
+}  // namespace xnewell

@@ -1,0 +1,214 @@
+#include "x11/command/trade_report.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <iomanip>
+#include <nlohmann/json.hpp>
+#include <ostream>
+
+#include "x11/command/errors_json.h"
+#include "x11/drawing/wording.h"
+
+namespace xnewell {
+
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+constexpr int kName = 34, kSentence = 100;
+
+/// A word of a shell's command line.
+std::string quoted(const std::string& word) {
+  const auto plain = [](unsigned char c) {
+    return std::isalnum(c) != 0 ||
+           std::string_view{"-_./,:=+"}.find(static_cast<char>(c)) != std::string_view::npos;
+  };
+  if (!word.empty() && std::ranges::all_of(word, plain)) return word;
+  std::string text = "'";
+  for (const char c : word) text += c == '\'' ? std::string{"'\\''"} : std::string{c};
+  return text + '\'';
+}
+
+/// The options of the camera, with a space before each, if it must be said. Words that begin with a minus go
+/// with their option.
+std::string cameraOf(const Configuration& configuration, int exponent) {
+  const CameraSettings& camera = configuration.settings.camera;
+  const bool divided = std::ranges::any_of(configuration.changes, [](const Change& c) { return !c.setting; });
+  if (!divided || !camera.eye) return "";
+  const auto point = [](const glm::dvec3& p, int power) {
+    return textOf(std::ldexp(p.x, power)) + ',' + textOf(std::ldexp(p.y, power)) + ',' +
+           textOf(std::ldexp(p.z, power));
+  };
+  return " --eye=" + point(*camera.eye, exponent) + " --look-at=" + point(*camera.lookAt, exponent) +
+         " --up=" + point(*camera.up, 0) +
+         (camera.parallel ? " --parallel " + textOf(std::ldexp(*camera.height, exponent)) : "");
+}
+
+/// One word for why the rounds ended.
+std::string_view wordOf(Ended ended) {
+  constexpr std::array<std::string_view, 3> kWords{"sure", "out_of_time", "stopped"};
+  return kWords[static_cast<int>(ended)];
+}
+
+std::string endingOf(const Timings& timings) {
+  switch (timings.ended) {
+    case Ended::Sure:
+      return "until all intervals of 95 % were narrow";
+    case Ended::OutOfTime:
+      return "until the time was over";
+    case Ended::Stopped:
+      return "until it was stopped";
+  }
+  return "";
+}
+
+std::string percent(double ratio) { return fixed(100 * ratio, 0) + " %"; }
+
+void printNumbers(std::ostream& out, const std::string& name, const Measured& one) {
+  const Errors& e = one.here;
+  const Timing& time = one.cost.time;
+  out << std::left << std::setw(kName) << name << std::right;
+  if (time.ms > 0)
+    out << std::setw(9) << fixed(time.ms, 2) << std::setw(8) << percent(time.ratio)
+        << (time.tie ? " =" : "  ");
+  else
+    out << std::setw(9) << "-" << std::setw(8) << "-"
+        << "  ";
+  out << std::setw(9) << fixed(e.afterTable.rootMeanSquare, 4) << std::setw(9) << fixed(e.afterTable.p99, 4)
+      << std::setw(9) << fixed(e.afterTable.largest, 4) << std::setw(8) << e.wrongFaces << std::setw(8)
+      << fixed(e.color.mean, 2) << std::setw(8) << fixed(e.color.largest, 1) << std::setw(8)
+      << fixed(static_cast<double>(one.cost.bytes) / 1e6, 1) << '\n';
+}
+
+void printHead(std::ostream& out, const std::string& what) {
+  out << std::left << std::setw(kName) << what << std::right << std::setw(9) << "ms" << std::setw(8) << "time"
+      << "  " << std::setw(9) << "RMS" << std::setw(9) << "99 %" << std::setw(9) << "most" << std::setw(8)
+      << "faces" << std::setw(8) << "dE" << std::setw(8) << "most" << std::setw(8) << "MB" << '\n';
+}
+
+Json jsonOf(const Timing& time) {
+  if (time.ms == 0) return nullptr;
+  return {{"median", time.ms},
+          {"ratio", time.ratio},
+          {"interval", {time.interval.low, time.interval.high}},
+          {"tie", time.tie}};
+}
+
+/// The errors. A combination off the front has only some of them.
+Json errorsIn(const Measured& one) {
+  if (one.here.color.count > 0) return errorsAsJson(one.here);
+  return {{"samples", one.here.samples},
+          {"wrong_faces", one.here.wrongFaces},
+          {"intensity", {{"after_table", errorsAsJson(one.here)["intensity"]["after_table"]}}}};
+}
+
+Json jsonOf(const Options& options, int exponent, const Measured& one) {
+  const StageTimes& t = one.cost.stages;
+  return {
+      {"name", one.configuration.name()},
+      {"command", commandOf(options, exponent, one.configuration)},
+      {"ms", jsonOf(one.cost.time)},
+      {"ms_by_stage", {{"shade", t.shade}, {"transform", t.transform}, {"sort", t.sort}, {"fill", t.fill}}},
+      {"bytes", one.cost.bytes},
+      {"painted", one.cost.polygons},
+      {"same_pixels", one.samePixels},
+      {"rms_elsewhere", one.elsewhere},
+      {"errors", errorsIn(one)}};
+}
+
+Json jsonOf(const Timings& timings) {
+  return {{"rounds", timings.rounds}, {"twin", jsonOf(timings.twin)}, {"ended", wordOf(timings.ended)}};
+}
+
+}  // namespace
+
+std::string commandOf(const Options& options, int exponent, const Configuration& configuration) {
+  std::string command = "xnewell draw " + quoted(options.scene);
+  constexpr std::array<std::string_view, 8> kOthers{"scene",  "-o",        "--output", "--json",
+                                                    "--axes", "--without", "--budget", "--errors"};
+  constexpr std::array<std::string_view, 6> kCamera{"--eye", "--look-at", "--up",
+                                                    "--vrp", "--vup",     "--parallel"};
+  const std::string camera = cameraOf(configuration, exponent);
+  for (std::size_t k = 0; k < options.given.size(); ++k) {
+    const std::string& name = options.given[k];
+    if (std::ranges::find(kOthers, name) != kOthers.end()) continue;
+    const Setting* const setting = settingOf(std::string_view{name});
+    if (std::ranges::any_of(configuration.changes, [&](const Change& change) {
+          return change.setting ? change.setting == setting : name == "--divisions";
+        }))
+      continue;
+    if (!camera.empty() && std::ranges::find(kCamera, name) != kCamera.end()) continue;
+    // What has no effect beside the changes may be refused.
+    if (setting && !hasEffect(*setting, factsOf(configuration.settings))) continue;
+    command += ' ' + name;
+    if (!options.values[k].empty()) command += ' ' + quoted(options.values[k]);
+  }
+  const std::string changes = configuration.options();
+  command += camera;
+  return command + (changes.empty() ? "" : ' ' + changes) + " -o picture.png --errors";
+}
+
+void printTrade(const Options& options, const Trade& trade, std::ostream& out) {
+  out << "Errors are those of the intensity, 0 to 1, against a reference without short cuts";
+  if (trade.referenceDivisions > 0) out << ", with " << trade.referenceDivisions << " divisions";
+  if (trade.referenceOff)
+    out << " (" << fixed(trade.referenceOff->largestPixels, 3) << " pixels off the patches at most)";
+  out << ".\n";
+  out << "Times are medians of " << trade.ofRows.rounds << " rounds, in turn, " << endingOf(trade.ofRows)
+      << "; = is a tie.\n";
+  if (trade.ofRows.rounds > 0)
+    out << "The set-up, timed twice under two names, is " << percent(trade.ofRows.twin.interval.low) << " to "
+        << percent(trade.ofRows.twin.interval.high) << " of itself.\n";
+  out << '\n';
+  printHead(out, "one short cut");
+  printNumbers(out, "as it is", trade.asked);
+  for (const TradeRow& row : trade.rows) {
+    printNumbers(out, row.measured.configuration.name(), row.measured);
+    for (const std::string& line : broken(row.sentence, kSentence)) out << "    " << line << '\n';
+    out << "    " << commandOf(options, trade.exponent, row.measured.configuration) << '\n';
+  }
+  if (!trade.front.empty()) {
+    out << '\n'
+        << trade.combinations.size() << " combinations, chosen by their errors on " << trade.views
+        << " other views. On the front:\n\n";
+    printHead(out, "combination");
+    for (const int k : trade.front) {
+      const Configuration& one = trade.combinations[k].configuration;
+      printNumbers(out, one.name(), trade.combinations[k]);
+      out << "    " << commandOf(options, trade.exponent, one) << '\n';
+    }
+  }
+  if (!trade.notes.empty()) out << '\n';
+  for (const std::string& note : trade.notes) out << note << '\n';
+}
+
+void printTradeAsJson(const Options& options, const Trade& trade, std::ostream& out) {
+  Json rows = Json::array(), combinations = Json::array();
+  for (const TradeRow& row : trade.rows) {
+    rows.push_back({{"axis", trade.axes[row.axis].name()},
+                    {"value", trade.axes[row.axis].text(row.value)},
+                    {"sentence", row.sentence}});
+    rows.back().update(jsonOf(options, trade.exponent, row.measured));
+  }
+  for (std::size_t k = 0; k < trade.combinations.size(); ++k) {
+    const bool front = std::ranges::find(trade.front, static_cast<int>(k)) != trade.front.end();
+    combinations.push_back({{"front", front}});
+    combinations.back().update(jsonOf(options, trade.exponent, trade.combinations[k]));
+  }
+  Json reference{{"divisions", trade.referenceDivisions}};
+  if (trade.referenceOff) reference["largest_pixels_off_patches"] = trade.referenceOff->largestPixels;
+  const Json json{{"scene", options.scene},
+                  {"reference", reference},
+                  {"as_it_is", jsonOf(options, trade.exponent, trade.asked)},
+                  {"timing_of_rows", jsonOf(trade.ofRows)},
+                  {"rows", rows},
+                  {"other_views", trade.views},
+                  {"timing_of_combinations", jsonOf(trade.ofCombinations)},
+                  {"combinations", combinations},
+                  {"notes", trade.notes},
+                  {"stopped", trade.stopped}};
+  out << json.dump(2, ' ', false, Json::error_handler_t::replace) << '\n';
+}
+
+}  // namespace xnewell

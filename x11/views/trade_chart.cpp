@@ -1,0 +1,238 @@
+#include "x11/views/trade_chart.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "x11/drawing/sheet.h"
+#include "x11/drawing/wording.h"
+
+namespace xnewell {
+
+namespace {
+
+constexpr int kChartWidth = 1024, kPlotLeft = 64, kPlotWidth = 590, kPlotHeight = 460, kBelow = 40;
+constexpr int kMark = 3;  // half the width of a mark
+
+/// A number as short as it can be: 0.02, 0.5, 10.
+std::string shortNumber(double v) {
+  int decimals = 0;
+  while (decimals < 6 && std::abs(std::stod(fixed(v, decimals)) - v) > 1e-3 * v) ++decimals;
+  return fixed(v, decimals);
+}
+
+/// 1, 2, 5, 10, 20 ... within [low, high].
+std::vector<double> ticksBetween(double low, double high) {
+  std::vector<double> ticks;
+  for (double power = std::pow(10.0, std::floor(std::log10(low))); power <= high; power *= 10)
+    for (const double digit : {1.0, 2.0, 5.0})
+      if (digit * power >= low * (1 - 1e-9) && digit * power <= high * (1 + 1e-9))
+        ticks.push_back(digit * power);
+  return ticks;
+}
+
+/// The mark of a method: flat a square, Gouraud a disc, Phong a triangle, the others a cross.
+void drawMark(Painter& paint, int x, int y, Shading method, bool filled, std::uint8_t cell) {
+  switch (method) {
+    case Shading::Flat:
+      if (filled)
+        paint.fillRect({x - kMark, y - kMark, 2 * kMark + 1, 2 * kMark + 1}, cell);
+      else
+        paint.frame({x - kMark, y - kMark, 2 * kMark + 1, 2 * kMark + 1}, cell);
+      return;
+    case Shading::Gouraud:
+      if (filled)
+        paint.disc(x, y, kMark + 1, cell);
+      else
+        paint.ring(x, y, kMark + 1, cell);
+      return;
+    case Shading::Phong:
+      for (int row = 0; row <= 2 * kMark; ++row) {
+        const int half = row / 2 + 1;
+        if (filled || row == 2 * kMark)
+          paint.hline(x - half, y - kMark + row, 2 * half + 1, cell);
+        else
+          paint.point(x - half, y - kMark + row, cell), paint.point(x + half, y - kMark + row, cell);
+      }
+      return;
+    default:
+      paint.line(x - kMark, y - kMark, x + kMark, y + kMark, cell, {filled ? 2 : 1});
+      paint.line(x - kMark, y + kMark, x + kMark, y - kMark, cell, {filled ? 2 : 1});
+  }
+}
+
+bool overlap(const Rect& a, const Rect& b) {
+  return a.x < b.x + b.width && b.x < a.x + a.width && a.y < b.y + b.height && b.y < a.y + a.height;
+}
+
+double errorOf(const Measured& one) { return one.here.afterTable.rootMeanSquare; }
+
+/// Places labels beside their points, where they cover neither a mark nor another label. A point for whose
+/// label there is no room has none.
+class Labels {
+ public:
+  Labels(Painter paint, const CellPlan& plan, const Rect& area) : paint_{paint}, plan_{plan}, area_{area} {}
+
+  void avoid(const Rect& mark) { taken_.push_back(mark); }
+  void place(int x, int y, const std::string& text, bool boxed) {
+    const int width = textWidth(text, boxed ? Voice::Bold : Voice::Plain) + (boxed ? 10 : 2),
+              height = boxed ? 18 : 13;
+    const std::array<Rect, 6> places{Rect{x + 7, y - height - 2, width, height},
+                                     Rect{x + 9, y - height / 2, width, height},
+                                     Rect{x + 7, y + 5, width, height},
+                                     Rect{x - width - 9, y + 3, width, height},
+                                     Rect{x - width - 9, y - height / 2, width, height},
+                                     Rect{x - width - 7, y - height - 2, width, height}};
+    for (const Rect& at : places) {
+      const bool inside = at.x >= area_.x && at.y >= area_.y && at.x + at.width <= area_.x + area_.width &&
+                          at.y + at.height <= area_.y + area_.height;
+      if (!inside || std::ranges::any_of(taken_, [&](const Rect& r) { return overlap(at, r); })) continue;
+      taken_.push_back(at);
+      if (boxed) {
+        paint_.fillRect(at, plan_[Cell::White]);
+        paint_.frame(at, plan_[Cell::Ink]);
+      }
+      paint_.text(at.x + (boxed ? 5 : 1), at.y + (boxed ? 13 : 11), text, plan_[Cell::Ink],
+                  boxed ? Voice::Bold : Voice::Plain);
+      return;
+    }
+  }
+
+ private:
+  Painter paint_;
+  const CellPlan& plan_;
+  Rect area_;
+  std::vector<Rect> taken_;
+};
+
+}  // namespace
+
+TradeScale::TradeScale(const Rect& area, const Trade& trade)
+    : area_{area}, ms0_{1e300}, ms1_{0}, error0_{1e300}, error1_{0} {
+  for (const Measured& one : trade.combinations) {
+    ms0_ = std::min(ms0_, one.cost.time.ms), ms1_ = std::max(ms1_, one.cost.time.ms);
+    const double error = std::max(errorOf(one), 1e-6);
+    error0_ = std::min(error0_, error), error1_ = std::max(error1_, error);
+  }
+  // Some space around the marks.
+  ms0_ /= 1.25, ms1_ *= 1.25, error0_ /= 1.3, error1_ *= 1.3;
+}
+
+int TradeScale::x(double ms) const {
+  return area_.x +
+         static_cast<int>(std::lround((area_.width - 1) * std::log(ms / ms0_) / std::log(ms1_ / ms0_)));
+}
+
+int TradeScale::y(double error) const {
+  const double share = std::log(std::max(error, error0_) / error0_) / std::log(error1_ / error0_);
+  return area_.y + area_.height - 1 - static_cast<int>(std::lround((area_.height - 1) * share));
+}
+
+double TradeScale::errorAt(int y) const {
+  const double share = static_cast<double>(area_.y + area_.height - 1 - y) / (area_.height - 1);
+  return error0_ * std::pow(error1_ / error0_, std::clamp(share, 0.0, 1.0));
+}
+
+std::vector<double> TradeScale::ticksOfTime() const { return ticksBetween(ms0_, ms1_); }
+std::vector<double> TradeScale::ticksOfError() const { return ticksBetween(error0_, error1_); }
+
+std::string labelOf(const Configuration& configuration) {
+  const PictureSettings& s = configuration.settings;
+  std::string text{rowOf(s.shading).label};
+  if (configuration.divisions > 0) {
+    const std::string n = std::to_string(configuration.divisions);
+    text += ' ' + n + 'x' + n;
+  }
+  text += ", " + std::string{std::ranges::find(kOrders, s.order, &OrderRow::id)->label};
+  for (const Change& change : configuration.changes)
+    if (change.setting && change.setting->key != "method" && change.setting->key != "order")
+      text += ", " + phraseOf(*change.setting, s);
+  return text;
+}
+
+void drawTradePlot(Painter paint, const CellPlan& plan, const TradeScale& scale, const Trade& trade,
+                   int chosen, std::optional<double> limit) {
+  const Rect& area = scale.area();
+  const int base = area.y + area.height, right = area.x + area.width;
+  for (const double ms : scale.ticksOfTime()) {
+    paint.vline(scale.x(ms), area.y, area.height, plan[Cell::Rule]);
+    const std::string name = shortNumber(ms);
+    paint.text(scale.x(ms) - textWidth(name) / 2, base + 16, name, plan[Cell::Soft]);
+  }
+  for (const double error : scale.ticksOfError()) {
+    paint.hline(area.x, scale.y(error), area.width, plan[Cell::Rule]);
+    paint.textRight(area.x - 6, scale.y(error) + 4, shortNumber(error), plan[Cell::Soft]);
+  }
+  paint.vline(area.x, area.y, area.height, plan[Cell::Ink]);
+  paint.hline(area.x, base, area.width, plan[Cell::Ink]);
+  paint.text(area.x + 6, area.y + 11, "error, root mean square of intensity (log)", plan[Cell::Soft]);
+  paint.textRight(right, base + 34, "time for one picture, ms (log)", plan[Cell::Soft]);
+
+  const auto isOnFront = [&](int k) { return std::ranges::find(trade.front, k) != trade.front.end(); };
+  const auto xOf = [&](int k) { return scale.x(trade.combinations[k].cost.time.ms); };
+  const auto yOf = [&](int k) { return scale.y(errorOf(trade.combinations[k])); };
+  Painter inside = paint.within({area.x, area.y, area.width + 4, area.height + 4});
+  Labels labels{inside, plan, area};
+  const auto count = static_cast<int>(trade.combinations.size());
+  for (int k = 0; k < count; ++k) {
+    labels.avoid({xOf(k) - kMark - 1, yOf(k) - kMark - 1, 2 * kMark + 3, 2 * kMark + 3});
+    if (!isOnFront(k))
+      drawMark(inside, xOf(k), yOf(k), trade.combinations[k].configuration.settings.shading, false,
+               plan[Cell::Faint]);
+  }
+  for (std::size_t k = 0; k + 1 < trade.front.size(); ++k) {
+    const int from = trade.front[k], to = trade.front[k + 1];
+    inside.line(xOf(from), yOf(from), xOf(to), yOf(from), plan[Cell::Ink]);
+    inside.line(xOf(to), yOf(from), xOf(to), yOf(to), plan[Cell::Ink]);
+  }
+  if (limit) {
+    const int y = scale.y(*limit);
+    inside.line(area.x, y, right - 1, y, plan[Cell::Good], {1, 4, 3});
+    paint.fillRect({right - 4, y - 6, 8, 13}, plan[Cell::Good]);
+    inside.text(area.x + 6, y + 14, "everything below the limit is good enough", plan[Cell::Good]);
+    labels.avoid({area.x + 6, y + 2, 250, 14});
+  }
+  for (const int k : trade.front)
+    drawMark(inside, xOf(k), yOf(k), trade.combinations[k].configuration.settings.shading, true,
+             plan[Cell::Ink]);
+  if (chosen >= 0) {
+    for (const int radius : {8, 9}) inside.ring(xOf(chosen), yOf(chosen), radius, plan[Cell::Ink]);
+    labels.place(xOf(chosen) + 6, yOf(chosen) - 4, labelOf(trade.combinations[chosen].configuration), true);
+  }
+  for (const int k : trade.front)
+    if (k != chosen) labels.place(xOf(k), yOf(k), labelOf(trade.combinations[k].configuration), false);
+}
+
+ColoredImage drawTrade(const Trade& trade, const std::string& title) {
+  const int column = kPlotLeft + kPlotWidth + 2 * Sheet::kGutter,
+            words = kChartWidth - column - Sheet::kMargin;
+  const int top = Sheet::kMargin + Sheet::kTitle + Sheet::kLine;
+  int rows = 0;
+  for (const int k : trade.front)
+    rows += Sheet::kRow + Sheet::paragraphHeight(words, labelOf(trade.combinations[k].configuration)) + 4;
+  const int height =
+      std::max(top + kPlotHeight + kBelow, top + Sheet::kSection + Sheet::kRow + rows) + Sheet::kMargin;
+  const CellPlan plan{TableKind::Linear};
+  Sheet sheet{kChartWidth, height, plan};
+  sheet.title(Sheet::kMargin, Sheet::kMargin, title);
+  Painter paint = sheet.painter();
+  paint.text(Sheet::kMargin, top - Sheet::kLine + Sheet::kAscent,
+             counted(static_cast<std::int64_t>(trade.combinations.size()), "configuration") + ", " +
+                 std::to_string(trade.front.size()) + " on the front",
+             sheet.cell(Cell::Soft));
+  if (!trade.combinations.empty())
+    drawTradePlot(paint, plan, TradeScale{{kPlotLeft, top + 8, kPlotWidth, kPlotHeight - 8}, trade}, trade);
+  int y = sheet.section(column, top, words, "the front");
+  y = sheet.tableRow(column, y, "", {"ms", "error", "wrong faces"}, {70, 150, words}, Cell::Soft,
+                     Voice::Plain);
+  for (const int k : trade.front) {
+    const Measured& one = trade.combinations[k];
+    y = sheet.paragraph(column, y, words, labelOf(one.configuration), Cell::Ink);
+    y = 4 + sheet.tableRow(column, y, "",
+                           {fixed(one.cost.time.ms, 2), fixed(errorOf(one), 4), grouped(one.here.wrongFaces)},
+                           {70, 150, words}, Cell::Ink, Voice::Plain);
+  }
+  return {sheet.image(), makePalette(plan, ColorTable{{}})};
+}
+
+}  // namespace xnewell
