@@ -62,7 +62,6 @@ Measure::Measure(const Scene& scene, const PictureSettings& settings)
       asked_{held(PictureCache{scenes_.begin()->second}.make(settings), groundOf(settings))},
       referenceDivisions_{finestDivisions(scene)},
       here_{sightOf(asked_.settings().camera, settings)} {
-  referenceOff_ = distanceFromPatches(*here_.reference);
   for (const glm::dvec2& turn : kTurns) try {
       others_.push_back(sightOf(moved(settings.camera, asked_.camera(), turn.x, turn.y, 1.0), settings));
     } catch (const ViewError&) {
@@ -82,12 +81,10 @@ Measure::Sight Measure::sightOf(const CameraSettings& camera, const PictureSetti
   return {camera, std::make_unique<Reference>(PictureCache{scene(referenceDivisions_)}.make(seen))};
 }
 
-const Measure::Polygons& Measure::polygons(int divisions, const Picture& picture) {
+Measure::Polygons& Measure::polygons(int divisions, const Picture& picture) {
   const auto known = polygons_.find(divisions);
   if (known != polygons_.end()) return known->second;
-  Polygons& made = polygons_.emplace(divisions, Polygons{TrueView{picture}, {}}).first->second;
-  made.off = distanceFromPatches(made.view);
-  return made;
+  return polygons_.emplace(divisions, Polygons{TrueView{picture}, {}}).first->second;
 }
 
 Picture Measure::painted(const Configuration& configuration, const CameraSettings& camera) {
@@ -124,10 +121,13 @@ Measured Measure::measured(const Configuration& configuration, bool whole) {
   measured.cost.bytes = std::max<std::int64_t>(0, heapBytes() - before);
   measured.cost.polygons = static_cast<std::int64_t>(picture.sorted().fragments.size());
   const Palette palette = paletteOf(picture);
-  const Polygons& faces = polygons(configuration.divisions, picture);
+  Polygons& faces = polygons(configuration.divisions, picture);
   const Comparison comparison{picture, *here_.reference, palette, faces.view};
   measured.here = whole ? errorsOf(comparison) : briefErrors(comparison);
-  measured.here.patches = faces.off;
+  if (whole) {
+    if (!faces.off) faces.off = distanceFromPatches(faces.view);
+    measured.here.patches = *faces.off;
+  }
   measured.samePixels = picture.image().pixels == asked_.image().pixels && palette == paletteOf(asked_);
   for (const Sight& other : others_) {
     const Picture turned = painted(configuration, other.camera);

@@ -33,7 +33,10 @@ class Measure {
     return {asked_.settings(), asked_.scene().divisions, {}};
   }
   [[nodiscard]] int referenceDivisions() const { return referenceDivisions_; }
-  [[nodiscard]] std::optional<PatchDistance> referenceOff() const { return referenceOff_; }
+  /// How far the reference's polygons are from the patches.
+  [[nodiscard]] std::optional<PatchDistance> referenceOff() const {
+    return distanceFromPatches(*here_.reference);
+  }
   [[nodiscard]] int otherViews() const { return static_cast<int>(others_.size()); }
 
   /// Why there is no such picture; "" if there is one.
@@ -57,9 +60,9 @@ class Measure {
   /// The polygons of a number of divisions, from the user's camera.
   struct Polygons {
     TrueView view;
-    std::optional<PatchDistance> off;
+    std::optional<std::optional<PatchDistance>> off;  ///< nothing as long as nobody asked for it
   };
-  [[nodiscard]] const Polygons& polygons(int divisions, const Picture& picture);
+  [[nodiscard]] Polygons& polygons(int divisions, const Picture& picture);
   [[nodiscard]] Sight sightOf(const CameraSettings& camera, const PictureSettings& settings);
 
   std::map<int, Shared<Scene>> scenes_;  ///< by divisions
@@ -68,7 +71,6 @@ class Measure {
   Sight here_;
   std::vector<Sight> others_;
   std::map<int, Polygons> polygons_;  ///< by divisions
-  std::optional<PatchDistance> referenceOff_;
 };
 
 /// The errors of a painted picture, as a trade measures them: against a reference with finestDivisions().

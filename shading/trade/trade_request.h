@@ -9,8 +9,10 @@ namespace xnewell {
 struct TradeRequest {
   std::vector<std::string> axes = {};     ///< names of axes; empty for all
   std::vector<std::string> without = {};  ///< "order=none": values to leave out
-  double seconds = 30;                    ///< about how long it may take; above 0
-  int mostRounds = 200;                   ///< of timing
+  /// Leaves out what a choice does not need: colours, worst places, the distance from patches.
+  bool brief = false;
+  double seconds = 30;   ///< of the processor's time, about; above 0
+  int mostRounds = 200;  ///< of timing
   unsigned seed = 1;
 };
 

@@ -26,15 +26,15 @@
 #include "x11/app/one_line.h"
 #include "x11/app/snapshot.h"
 #include "x11/app/viewer.h"
+#include "x11/command/doing.h"
 #include "x11/command/extremes_report.h"
 #include "x11/command/report.h"
+#include "x11/command/tell_trade.h"
 #include "x11/command/trace.h"
-#include "x11/command/trade_report.h"
 #include "x11/command/write_frames.h"
 #include "x11/command/write_lesson.h"
 #include "x11/options/options.h"
 #include "x11/views/extremes_chart.h"
-#include "x11/views/trade_chart.h"
 #include "x11/views/views.h"
 #include "x11/visual/x11_error.h"
 
@@ -42,39 +42,12 @@ namespace xnewell {
 
 namespace {
 
-/// The exit statuses that the program promises: success, an error outside our control, wrong input, SIGINT.
-enum Status { kDone = 0, kOutside = 1, kWrong = 2, kInterrupted = 130 };
-
-/// On a terminal, shows what is being done for as long as it lasts. Silent anywhere else.
-class Doing {
- public:
-  explicit Doing(const std::string& what) : told_{::isatty(STDERR_FILENO) == 1} {
-    if (told_) std::cerr << "xnewell: " << what << " ..." << std::flush;
-  }
-  Doing(const Doing&) = delete;
-  Doing& operator=(const Doing&) = delete;
-  ~Doing() {
-    if (told_) std::cerr << "\r\033[K" << std::flush;  // go back to the start of the line and clear it
-  }
-
- private:
-  bool told_;
-};
-
 Scene read(const Options& options) {
   std::optional<Doing> reading{"reading " + options.scene};
   Scene scene = readScene(options.scene, options.divisions);
   reading.reset();
   for (const std::string& note : scene.mesh.notes) std::cerr << "xnewell: " << oneLine(note) << '\n';
   return scene;
-}
-
-PictureSettings settingsOf(const Options& options) {
-  PictureSettings settings = options.picture;
-  const glm::ivec2 size = options.size.value_or(kPictureSize);
-  settings.width = size.x;
-  settings.height = size.y;
-  return settings;
 }
 
 /// From a scene to a picture in a file.
@@ -158,38 +131,6 @@ void tellExtremes(const Options& options, const Scene& scene) {
     printExtremesAsJson(options, extremes, std::cout);
   else
     printExtremes(extremes, std::cout);
-}
-
-volatile std::sig_atomic_t interrupted = 0;
-
-/// Measures what each short cut saves and costs. An interrupt ends the measuring, and what is known is told; a
-/// second interrupt ends the program. Returns the exit status.
-int tellTrade(const Options& options, const Scene& scene) {
-  std::signal(SIGINT, [](int) {
-    if (interrupted != 0) _exit(kInterrupted);
-    interrupted = 1;
-  });
-  std::optional<Doing> measuring;
-  const Stopwatch watch;
-  double shown = 0;
-  const Trade trade = tradeOf(scene, settingsOf(options), options.trade, [&](const std::string& doing) {
-    if (!measuring || watch.ms() > shown + 100) {
-      shown = watch.ms();
-      measuring.reset();  // each message replaces the one before
-      measuring.emplace(doing);
-    }
-    return interrupted == 0;
-  });
-  measuring.reset();
-  if (!options.output.empty()) {
-    const ColoredImage chart = drawTrade(trade, "Cost against error: " + titleOf(scene));
-    writeFile(options.output, encodePng(chart.image, chart.palette));
-  }
-  if (options.json)
-    printTradeAsJson(options, trade, std::cout);
-  else
-    printTrade(options, trade, std::cout);
-  return trade.stopped ? kInterrupted : kDone;
 }
 
 void listScenes() {
@@ -300,6 +241,7 @@ int run(int argc, char** argv) {
     scene.origin.texture = options.texture;
   }
   const double msRead = watch.ms();
+  if (options.accuracy) keepWithin(*options.accuracy, options, scene);
   if (options.command == Command::View) return openWindow(options, std::move(scene));
   if (options.command == Command::Snapshot) return snapshot(options, std::move(scene), msRead), kDone;
   if (options.command == Command::Trade) return tellTrade(options, scene);

@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "geometry/files/text_file.h"
+#include "x11/options/option_reader.h"
 #include "x11/options/options_check.h"
 #include "x11/options/read_value.h"
 
@@ -20,82 +21,6 @@ namespace {
 
 /// Commands that have a name but do nothing yet. The program says so.
 constexpr std::array<std::string_view, 1> kLaterCommands{"figure"};
-
-/// Adds options to CLI11. The code here reads their values, so that the error messages are in our words.
-class Reader {
- public:
-  explicit Reader(CLI::App& app) : app_{app} {}
-
-  /// Adds a setting of the picture. Everything comes from its row.
-  void setting(const Setting& row, PictureSettings& settings) {
-    std::string help{row.is};
-    if (row.field.kind != ValueKind::Flag) help += "; " + expected(row);
-    if (!row.unit.empty()) help += ", in " + std::string{row.unit};
-    if (!row.more.empty()) help += ". " + std::string{row.more};
-    const std::string name{row.option};
-    if (row.field.kind == ValueKind::Flag) {
-      app_.add_flag_callback(
-              name, [&row, &settings] { row.field.set(settings, 1.0); }, help)
-          ->disable_flag_override();
-      return;
-    }
-    const std::string initially =
-        row.initially.empty() ? textOf(row, row.field.get(settings)) : std::string{row.initially};
-    text(name, help, initially,
-         [&row, &settings](const std::string& given) { row.field.set(settings, valueOf(row, given)); });
-  }
-  /// Adds a number in [low, high].
-  template <class Number>
-  void number(const std::string& name, Number& target, double low, double high, const std::string& help) {
-    text(name, help, textOf(static_cast<double>(target)), [=, &target](const std::string& given) {
-      const bool whole = std::is_integral_v<Number>;
-      const std::string needed =
-          std::string{whole ? "a whole number" : "a number"} + " from " + textOf(low) + " to " + textOf(high);
-      const double v = numbers(name, given, 1, needed)[0];
-      if (v < low || v > high || (whole && v != std::floor(v))) refuse(name, given, needed);
-      target = static_cast<Number>(v);
-    });
-  }
-  void point(const std::string& name, const std::string& help, const std::string& initially, auto&& set) {
-    text(name, help, initially, [=](const std::string& given) {
-      const auto v = numbers(name, given, 3, "three finite numbers x,y,z");
-      set(glm::dvec3{v[0], v[1], v[2]});
-    });
-  }
-  /// Adds a choice of one row of a table, by its name.
-  template <class Rows, class Id>
-  void choice(const std::string& name, const Rows& rows, Id& target, const std::string& help) {
-    std::string all, initially;
-    for (const auto& row : rows) {
-      all += (all.empty() ? "" : ", ") + std::string{row.name};
-      if (row.id == target) initially = row.name;
-    }
-    text(name, help + ": " + all, initially, [=, &rows, &target](const std::string& given) {
-      const auto row = std::ranges::find(rows, given, [](const auto& r) { return r.name; });
-      if (row == rows.end()) refuse(name, given, "one of " + all);
-      target = row->id;
-    });
-  }
-  /// Adds the name of a `what`, such as a file. The name must not be empty.
-  void named(const std::string& name, std::string& target, const std::string& what, const std::string& help) {
-    text(name, help, "", [=, &target](const std::string& given) {
-      if (given.empty()) throw UsageError{name + ": the " + what + "'s name is empty"};
-      target = given;
-    });
-  }
-  void text(const std::string& name, const std::string& help, const std::string& initially,
-            const std::function<void(const std::string&)>& take) {
-    app_.add_option_function<std::string>(name, take,
-                                          help + (initially.empty() ? "" : " [" + initially + "]"))
-        ->type_name("");
-  }
-  void flag(const std::string& name, bool& target, const std::string& help) {
-    app_.add_flag(name, target, help)->disable_flag_override();
-  }
-
- private:
-  CLI::App& app_;
-};
 
 /// The words between commas.
 std::vector<std::string> commaWords(const std::string& text) {
@@ -118,94 +43,6 @@ glm::ivec2 parseSize(const std::string& text) {
   part(std::string_view{text}.substr(0, x), size.x);
   part(std::string_view{text}.substr(x + 1), size.y);
   return size;
-}
-
-Oblique parseOblique(const std::string& text) {
-  const std::size_t colon = text.find(':');
-  const std::string kind = text.substr(0, colon);
-  Oblique oblique;
-  if (kind == "cabinet")
-    oblique.length = 0.5;
-  else if (kind != "cavalier")
-    refuse("--oblique", text, "cavalier or cabinet, optionally followed by :ANGLE");
-  if (colon != std::string::npos)
-    oblique.angle = numbers("--oblique", text.substr(colon + 1), 1, "an angle in degrees")[0];
-  return oblique;
-}
-
-void addCamera(Reader& r, CameraSettings& camera) {
-  r.point("--eye", "where the eye is, x,y,z in the world", "where the whole scene fits",
-          [&](glm::dvec3 p) { camera.eye = p; });
-  r.point("--look-at", "the point that the eye looks at", "the scene's centre",
-          [&](glm::dvec3 p) { camera.lookAt = p; });
-  r.point("--up", "the up direction", "z for .bpt, y for .obj", [&](glm::dvec3 p) { camera.up = p; });
-  r.text("--fov", "perspective with this vertical field of view, degrees", "30",
-         [&](const std::string& text) {
-           camera.fov = numbers("--fov", text, 1, "an angle between 0 and 180 degrees")[0];
-           if (!(*camera.fov > 0 && *camera.fov < 180))
-             refuse("--fov", text, "an angle between 0 and 180 degrees");
-         });
-  r.text("--parallel", "parallel projection; the picture's height in world units", "",
-         [&](const std::string& text) {
-           camera.height = numbers("--parallel", text, 1, "a height above 0")[0];
-           if (!(*camera.height > 0)) refuse("--parallel", text, "a height above 0");
-           camera.parallel = true;
-         });
-  r.text("--oblique", "oblique projection: cavalier or cabinet, optionally followed by :ANGLE", "angle 45",
-         [&](const std::string& text) { camera.oblique = parseOblique(text); });
-  r.point("--vrp", "the textbook's view reference point", "the look-at point",
-          [&](glm::dvec3 p) { camera.vrp = p; });
-  r.point("--vpn", "view plane normal", "from the reference point to the eye",
-          [&](glm::dvec3 p) { camera.vpn = p; });
-  r.point("--vup", "view up vector", "up", [&](glm::dvec3 p) { camera.vup = p; });
-  r.point("--prp", "projection reference point, in viewing coordinates", "the eye",
-          [&](glm::dvec3 p) { camera.prp = p; });
-  r.text("--view-window",
-         "window umin,umax,vmin,vmax on the view plane; it overrides the height of --parallel", "",
-         [&](const std::string& text) {
-           const auto v = numbers("--view-window", text, 4, "four finite numbers umin,umax,vmin,vmax");
-           camera.window = {v[0], v[1], v[2], v[3]};
-         });
-  const auto plane = [&](const char* name, const char* help, const char* initially,
-                         std::optional<double>& n) {
-    r.text(name, help, initially,
-           [name, &n](const std::string& text) { n = numbers(name, text, 1, "a finite number")[0]; });
-  };
-  plane("--front", "n of the front clipping plane", "just before the eye", camera.front);
-  plane("--back", "n of the back clipping plane", "behind the scene", camera.back);
-}
-
-/// Adds the effects on the stored colours, after the indices are picked.
-void addEffects(Reader& r, Options& o) {
-  const auto cell = [](const std::string& option, const std::string& text) {
-    const std::string expected = "a cell, a whole number from 0 to 255";
-    const double v = numbers(option, text, 1, expected)[0];
-    if (v < 0 || v > 255 || v != std::floor(v)) refuse(option, text, expected);
-    return static_cast<int>(v);
-  };
-  r.text("--cell", "the cell that --view colours inspects", "the middle one of the cells that polygons use",
-         [&o, cell](const std::string& s) { o.cell = cell("--cell", s); });
-  std::string tables;
-  for (const TableRow& row : kTables) tables += (tables.empty() ? "" : ", ") + std::string{row.name};
-  r.text("--store", "keep the indices that --table picks, but store the colours of this table: " + tables, "",
-         [&o, tables](const std::string& s) {
-           const auto row = std::ranges::find(kTables, s, &TableRow::name);
-           if (row == kTables.end()) refuse("--store", s, "one of " + tables);
-           o.effects.stored = row->id;
-         });
-  r.number("--turn", o.effects.hueTurn, -360, 360, "turn the hue of all stored colours by degrees");
-  r.number("--gamma", o.effects.gamma, kLeastGamma, kMostGamma,
-           "store v^(1/gamma) for v, for a screen that shows v^gamma");
-  r.text("--bend", "CELL,VALUE: bend the curve of stored values so that this cell holds VALUE of 255", "",
-         [&o, cell](const std::string& s) {
-           const std::string expected = "CELL,VALUE with a value from 0 to 255";
-           const auto v = numbers("--bend", s, 2, expected);
-           if (v[1] < 0 || v[1] > 255) refuse("--bend", s, expected);
-           o.effects.bend = CurvePoint{cell("--bend", s.substr(0, s.find(','))), v[1]};
-         });
-  r.number("--rotate", o.effects.rotate, -255, 255, "move the stored colours up the ramp by this many cells");
-  r.text("--lit", "store yellow in this cell, to show which polygons have this shade", "",
-         [&o, cell](const std::string& s) { o.effects.lit = cell("--lit", s); });
 }
 
 /// Takes the command off the arguments. CLI11's subcommands would read `draw -- -s.obj` as an option: in a
@@ -359,12 +196,21 @@ std::optional<Options> parseOptions(int argc, const char* const* argv, const Pic
   r.flag("--errors", o.errors,
          "print --stats with the errors of the picture: how far it is from a reference without short cuts, "
          "and where");
+  r.text(
+      "--accuracy",
+      "draw, snapshot: choose the cheapest methods, order and divisions whose picture is off by no more than "
+      "this intensity (root mean square); options that you give stay",
+      "", [&](const std::string& s) {
+        o.accuracy = numbers("--accuracy", s, 1, "a number between 0 and 1")[0];
+        if (!(*o.accuracy > 0 && *o.accuracy < 1)) refuse("--accuracy", s, "a number between 0 and 1");
+      });
   r.flag("--json", o.json, "trade, extremes: print all numbers as one JSON object instead of the table");
   r.text("--axes", "trade: only these short cuts, named as their options: shade,order,divisions",
          "all that have an effect", [&](const std::string& s) { o.trade.axes = commaWords(s); });
   r.text("--without", "trade: values to leave out, for example order=none,shade=depth", "",
          [&](const std::string& s) { o.trade.without = commaWords(s); });
-  r.number("--budget", o.trade.seconds, 1, 3600, "trade: about how many seconds it may take");
+  r.number("--budget", o.trade.seconds, 1, 3600,
+           "trade, --accuracy: about how many seconds of the processor's time to measure");
   r.flag("--whole-window", o.wholeWindow,
          "snapshot: the window with all its controls; trace --frames: with the stepper at each step");
   r.flag("--quick", o.quick,

@@ -57,10 +57,10 @@ struct Options {
   int divisions = kDefaultDivisions;
   std::optional<glm::ivec2> size;  ///< none without --size: then kPictureSize or kWindowSize
   PictureSettings picture;  ///< parseOptions() leaves its camera and light in the units of the scene's file
-  std::vector<std::string> given;  ///< the names of all options on the command line
+  std::vector<std::string> given;   ///< the names of all options on the command line
   std::vector<std::string> values;  ///< what each of these says; "" for a flag
-  bool halfVector = false;         ///< --half-vector; settle() has put it into the light
-  std::string texture;             ///< the file's name; "" for none
+  bool halfVector = false;          ///< --half-vector; settle() has put it into the light
+  std::string texture;              ///< the file's name; "" for none
   Fill fill = Fill::Scanline;
   std::string visual;  ///< the visual's name; "" if the program chooses
   MapOwner colormap = MapOwner::Private;
@@ -70,6 +70,8 @@ struct Options {
   bool errors = false;  ///< with the errors
   bool json = false;    ///< extremes, trade: all numbers instead of the table
   TradeRequest trade;
+  /// The largest RMS error of the intensity; the program chooses the cheapest short cuts that stay within it.
+  std::optional<double> accuracy;
   bool wholeWindow = false;
   std::string viewName = "picture";
   View view = View::Picture;                    ///< draw, snapshot: which view of the picture

@@ -111,8 +111,13 @@ void checkCommand(const Options& o) {
   if (!makesPng && !charts && !o.output.empty())
     throw UsageError{"-o works only with draw, snapshot, trade and extremes"};
   if (!charts && o.json) throw UsageError{"--json works only with trade and extremes"};
-  for (const std::string_view option : {"--axes", "--without", "--budget"})
+  for (const std::string_view option : {"--axes", "--without"})
     if (!trades && o.gave(option)) throw UsageError{std::string{option} + " works only with trade"};
+  if (!trades && !o.accuracy && o.gave("--budget"))
+    throw UsageError{"--budget works only with trade and --accuracy"};
+  if (o.accuracy && !makesPng) throw UsageError{"--accuracy works only with draw and snapshot"};
+  exclude(o.accuracy.has_value(), o.fill == Fill::XFillPolygon, "--accuracy and --fill x11");
+  exclude(o.accuracy.has_value(), o.wholeWindow, "--accuracy and --whole-window");
   if (!makesPng && (o.stats || !o.ids.empty()))
     throw UsageError{"--stats, --errors and --ids work only with draw and snapshot"};
   const bool file = !isBuiltIn(o.scene);

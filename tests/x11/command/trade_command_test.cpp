@@ -63,4 +63,30 @@ TEST_F(CommandTest, ATradeRefusesWhatItDoesNotTake) {
           "-o " + file("new.svg") + ": pictures are PNG files; call it .png");
 }
 
+// --accuracy draws what it chose, says why, and leaves what the user gave.
+TEST_F(CommandTest, AccuracyChoosesAndSaysWhy) {
+  const Words draw{"draw",       "teapot", "--size",   "120x90", "--budget",        "2",
+                   "--accuracy", "0.2",    "--errors", "-o",     file("chosen.png")};
+  const auto chosen = runProgram(draw);
+  ASSERT_EQ(chosen.status, 0) << chosen.err;
+  EXPECT_TRUE(chosen.err.starts_with("xnewell: chosen: ")) << chosen.err;
+  EXPECT_NE(chosen.err.find(" and 0.2 is allowed. It takes "), std::string::npos) << chosen.err;
+  const auto stats = nlohmann::json::parse(chosen.out);
+  EXPECT_LE(stats.at("errors").at("intensity").at("after_table").at("rms").get<double>(), 0.2);
+
+  const auto kept = runProgram(draw + Words{"--order", "newell", "--shade", "phong", "--divisions", "2"});
+  ASSERT_EQ(kept.status, 0) << kept.err;
+  const auto phong = nlohmann::json::parse(kept.out);
+  EXPECT_EQ(phong.at("shading"), "phong");
+  EXPECT_EQ(phong.at("faces"), 32 * 4);
+}
+
+TEST_F(CommandTest, AccuracyRefusesWhatItDoesNotTake) {
+  refused({"draw", "cycle", "-o", file("new.png"), "--accuracy", "0"}, 2,
+          "--accuracy: '0' is not a number between 0 and 1");
+  refused({"trade", "cycle", "--accuracy", "0.1"}, 2, "--accuracy works only with draw and snapshot");
+  refused({"draw", "cycle", "-o", file("new.png"), "--budget", "5"}, 2,
+          "--budget works only with trade and --accuracy");
+}
+
 }  // namespace xnewell

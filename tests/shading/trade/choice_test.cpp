@@ -1,0 +1,102 @@
+#include "shading/trade/choice.h"
+
+#include <gtest/gtest.h>
+
+#include <cstdlib>
+
+#include "shading/picture/picture_cache.h"
+#include "shading/trade/measure.h"
+#include "tests/support/small_picture.h"
+
+namespace xnewell {
+
+namespace {
+
+/// A measured combination: its time, its error elsewhere and here.
+Measured with(double ratio, double elsewhere, double here, double spread = 0) {
+  Measured one;
+  one.cost.time = {.ms = 10 * ratio, .ratio = ratio, .interval = {ratio - spread, ratio + spread}};
+  one.elsewhere = elsewhere;
+  one.here.afterTable.rootMeanSquare = here;
+  return one;
+}
+
+Trade tradeWith(std::vector<Measured> combinations) {
+  Trade trade;
+  trade.combinations = std::move(combinations);
+  return trade;
+}
+
+/// The RMS error of a configuration on samples that had no part in the choice.
+double freshError(const Scene& scene, const Configuration& chosen, double azimuth, double elevation) {
+  PictureSettings settings = chosen.settings;
+  const Picture asked = makePicture(scene, settings);
+  settings.camera = moved(settings.camera, asked.camera(), azimuth, elevation, 1.0);
+  const Picture picture =
+      makePicture(dividedAnew(scene, chosen.divisions), settings, CellPlan{settings.table.kind}[Cell::Well]);
+  return errorsAgainstFinest(picture, picture.palette(CellPlan{settings.table.kind}))
+      .afterTable.rootMeanSquare;
+}
+
+}  // namespace
+
+TEST(Choice, IsTheCheapestWithinTheLimit) {
+  const Trade trade =
+      tradeWith({with(3, 0.01, 0.01), with(1, 0.2, 0.2), with(2, 0.04, 0.03), with(1.5, 0.03, 0.06)});
+  EXPECT_EQ(chooseWithin(trade, 0.3).combination, 1);
+  EXPECT_EQ(chooseWithin(trade, 0.05).combination, 2);  // 3 is off by more here
+  EXPECT_EQ(chooseWithin(trade, 0.02).combination, 0);
+  EXPECT_TRUE(chooseWithin(trade, 0.02).accurate);
+  EXPECT_EQ(chooseWithin(trade, 0.01).combination, 0);  // nothing to spare
+  EXPECT_FALSE(chooseWithin(trade, 0.01).accurate);
+  EXPECT_EQ(chooseWithin(trade, 0.005).combination, 0);
+  EXPECT_FALSE(chooseWithin(trade, 0.005).accurate);
+  EXPECT_EQ(chooseWithin({}, 0.1).combination, -1);
+}
+
+// Of two that are equally fast, as far as their times tell, the more accurate is chosen.
+TEST(Choice, TakesTheMoreAccurateOfATie) {
+  const Trade trade =
+      tradeWith({with(1, 0.2, 0.2, 0.1), with(1.05, 0.1, 0.1, 0.1), with(2, 0.01, 0.01, 0.1)});
+  EXPECT_EQ(chooseWithin(trade, 0.3).combination, 1);
+}
+
+// The sentences have the numbers of the trade.
+TEST(Choice, SaysWhy) {
+  const Scene scene = readScene("teapot", 4);
+  const Trade trade =
+      tradeOf(scene, small(), {.axes = {"shade", "divisions"}, .seconds = 600, .mostRounds = 7});
+  const Chosen chosen = chooseWithin(trade, 0.1);
+  ASSERT_TRUE(chosen.accurate);
+  ASSERT_GE(chosen.why.size(), 3u);
+  EXPECT_NE(chosen.why[0].find(" and 0.1 is allowed. It takes "), std::string::npos) << chosen.why[0];
+  EXPECT_TRUE(chosen.why[1].starts_with("Without ")) << chosen.why[1];
+  EXPECT_EQ(chosen.why.back(), "No sample shows a wrong face.");
+  EXPECT_EQ(chooseWithin(trade, 1e-9).why.back(), "No combination that was tried is more accurate.");
+}
+
+// What is chosen keeps its promise on other samples of the view: the camera is turned by less than a degree,
+// so that every sample falls on another place. XNEWELL_ACCURACY_VIEWS sets how often.
+TEST(Choice, IsHonouredOnFreshSamples) {
+  const char* const asked = std::getenv("XNEWELL_ACCURACY_VIEWS");
+  const int views = asked ? std::atoi(asked) : 6;
+  double worst = 0;
+  for (const char* name : {"teapot", "lamp", "room", "highlight"}) {
+    const Scene scene = readScene(name);
+    const Trade trade =
+        tradeOf(scene, small(), {.axes = {"shade", "order"}, .seconds = 600, .mostRounds = 7});
+    for (const double limit : {0.2, 0.05}) {
+      const Chosen chosen = chooseWithin(trade, limit);
+      if (!chosen.accurate) continue;
+      for (int k = 0; k < views; ++k) {
+        const double error = freshError(scene, trade.combinations[chosen.combination].configuration,
+                                        -0.5 + 1.0 * k / views, 0.7 - 1.1 * k / views);
+        worst = std::max(worst, error / limit);
+      }
+    }
+  }
+  RecordProperty("largest error, in limits", std::to_string(worst));
+  EXPECT_LE(worst, 1.0);
+}
+
+}  // namespace xnewell

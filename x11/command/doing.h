@@ -1,0 +1,29 @@
+#pragma once
+
+#include <unistd.h>
+
+#include <iostream>
+#include <string>
+
+namespace xnewell {
+
+/// The exit statuses that the program promises: success, an error outside our control, wrong input, SIGINT.
+enum Status { kDone = 0, kOutside = 1, kWrong = 2, kInterrupted = 130 };
+
+/// On a terminal, shows what is being done for as long as it lasts. Silent anywhere else.
+class Doing {
+ public:
+  explicit Doing(const std::string& what) : told_{::isatty(STDERR_FILENO) == 1} {
+    if (told_) std::cerr << "xnewell: " << what << " ..." << std::flush;
+  }
+  Doing(const Doing&) = delete;
+  Doing& operator=(const Doing&) = delete;
+  ~Doing() {
+    if (told_) std::cerr << "\r\033[K" << std::flush;  // go back to the start of the line and clear it
+  }
+
+ private:
+  bool told_;
+};
+
+}  // namespace xnewell

@@ -1,0 +1,94 @@
+#include "x11/command/tell_trade.h"
+
+#include <algorithm>
+#include <csignal>
+#include <iostream>
+#include <optional>
+
+#include "geometry/files/output_file.h"
+#include "shading/color/png.h"
+#include "shading/picture/picture_cache.h"
+#include "shading/picture/stopwatch.h"
+#include "shading/trade/choice.h"
+#include "x11/command/doing.h"
+#include "x11/command/trade_report.h"
+#include "x11/views/trade_chart.h"
+
+namespace xnewell {
+
+namespace {
+
+volatile std::sig_atomic_t interrupted = 0;
+
+/// The trade, with its progress on the terminal.
+Trade measured(const Options& options, const TradeRequest& request, const Scene& scene) {
+  std::optional<Doing> measuring;
+  const Stopwatch watch;
+  double shown = 0;
+  return tradeOf(scene, settingsOf(options), request, [&](const std::string& doing) {
+    if (!measuring || watch.ms() > shown + 100) {
+      shown = watch.ms();
+      measuring.reset();  // each message replaces the one before
+      measuring.emplace(doing);
+    }
+    return interrupted == 0;
+  });
+}
+
+/// The axes that --accuracy may choose on: those that decide most, but for those that the user gave.
+std::vector<std::string> freeAxes(const Options& options, const Scene& scene) {
+  constexpr std::array<std::string_view, 5> kMayChoose{"shade", "divisions", "order", "constant-l",
+                                                       "constant-v"};
+  std::vector<std::string> axes;
+  for (const Axis& axis : axesOf(makePicture(scene, settingsOf(options))))
+    if (std::ranges::find(kMayChoose, axis.name()) != kMayChoose.end() &&
+        !options.gave("--" + std::string{axis.name()}))
+      axes.emplace_back(axis.name());
+  return axes;
+}
+
+}  // namespace
+
+PictureSettings settingsOf(const Options& options) {
+  PictureSettings settings = options.picture;
+  const glm::ivec2 size = options.size.value_or(kPictureSize);
+  settings.width = size.x;
+  settings.height = size.y;
+  return settings;
+}
+
+int tellTrade(const Options& options, const Scene& scene) {
+  std::signal(SIGINT, [](int) {
+    if (interrupted != 0) _exit(kInterrupted);
+    interrupted = 1;
+  });
+  const Trade trade = measured(options, options.trade, scene);
+  if (!options.output.empty()) {
+    const ColoredImage chart = drawTrade(trade, "Cost against error: " + titleOf(scene));
+    writeFile(options.output, encodePng(chart.image, chart.palette));
+  }
+  if (options.json)
+    printTradeAsJson(options, trade, std::cout);
+  else
+    printTrade(options, trade, std::cout);
+  return trade.stopped ? kInterrupted : kDone;
+}
+
+void keepWithin(double limit, Options& options, Scene& scene) {
+  TradeRequest request = options.trade;
+  if (!options.gave("--budget")) request.seconds = 8;
+  request.brief = true;
+  request.axes = freeAxes(options, scene);
+  if (request.axes.empty()) return;
+  const Trade trade = measured(options, request, scene);
+  const Chosen choice = chooseWithin(trade, limit);
+  if (choice.combination < 0) return;
+  const Configuration& chosen = trade.combinations[choice.combination].configuration;
+  std::cerr << "xnewell: chosen: " << chosen.name()
+            << (chosen.changes.empty() ? "" : " (" + chosen.options() + ")") << '\n';
+  for (const std::string& why : choice.why) std::cerr << "xnewell: " << why << '\n';
+  options.picture = chosen.settings;
+  scene = dividedAnew(scene, chosen.divisions);
+}
+
+}  // namespace xnewell

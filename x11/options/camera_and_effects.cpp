@@ -1,0 +1,96 @@
+#include "x11/options/option_reader.h"
+
+namespace xnewell {
+
+namespace {
+
+Oblique parseOblique(const std::string& text) {
+  const std::size_t colon = text.find(':');
+  const std::string kind = text.substr(0, colon);
+  Oblique oblique;
+  if (kind == "cabinet")
+    oblique.length = 0.5;
+  else if (kind != "cavalier")
+    refuse("--oblique", text, "cavalier or cabinet, optionally followed by :ANGLE");
+  if (colon != std::string::npos)
+    oblique.angle = numbers("--oblique", text.substr(colon + 1), 1, "an angle in degrees")[0];
+  return oblique;
+}
+
+}  // namespace
+
+void addCamera(Reader& r, CameraSettings& camera) {
+  r.point("--eye", "where the eye is, x,y,z in the world", "where the whole scene fits",
+          [&](glm::dvec3 p) { camera.eye = p; });
+  r.point("--look-at", "the point that the eye looks at", "the scene's centre",
+          [&](glm::dvec3 p) { camera.lookAt = p; });
+  r.point("--up", "the up direction", "z for .bpt, y for .obj", [&](glm::dvec3 p) { camera.up = p; });
+  r.text("--fov", "perspective with this vertical field of view, degrees", "30",
+         [&](const std::string& text) {
+           camera.fov = numbers("--fov", text, 1, "an angle between 0 and 180 degrees")[0];
+           if (!(*camera.fov > 0 && *camera.fov < 180))
+             refuse("--fov", text, "an angle between 0 and 180 degrees");
+         });
+  r.text("--parallel", "parallel projection; the picture's height in world units", "",
+         [&](const std::string& text) {
+           camera.height = numbers("--parallel", text, 1, "a height above 0")[0];
+           if (!(*camera.height > 0)) refuse("--parallel", text, "a height above 0");
+           camera.parallel = true;
+         });
+  r.text("--oblique", "oblique projection: cavalier or cabinet, optionally followed by :ANGLE", "angle 45",
+         [&](const std::string& text) { camera.oblique = parseOblique(text); });
+  r.point("--vrp", "the textbook's view reference point", "the look-at point",
+          [&](glm::dvec3 p) { camera.vrp = p; });
+  r.point("--vpn", "view plane normal", "from the reference point to the eye",
+          [&](glm::dvec3 p) { camera.vpn = p; });
+  r.point("--vup", "view up vector", "up", [&](glm::dvec3 p) { camera.vup = p; });
+  r.point("--prp", "projection reference point, in viewing coordinates", "the eye",
+          [&](glm::dvec3 p) { camera.prp = p; });
+  r.text("--view-window",
+         "window umin,umax,vmin,vmax on the view plane; it overrides the height of --parallel", "",
+         [&](const std::string& text) {
+           const auto v = numbers("--view-window", text, 4, "four finite numbers umin,umax,vmin,vmax");
+           camera.window = {v[0], v[1], v[2], v[3]};
+         });
+  const auto plane = [&](const char* name, const char* help, const char* initially,
+                         std::optional<double>& n) {
+    r.text(name, help, initially,
+           [name, &n](const std::string& text) { n = numbers(name, text, 1, "a finite number")[0]; });
+  };
+  plane("--front", "n of the front clipping plane", "just before the eye", camera.front);
+  plane("--back", "n of the back clipping plane", "behind the scene", camera.back);
+}
+
+void addEffects(Reader& r, Options& o) {
+  const auto cell = [](const std::string& option, const std::string& text) {
+    const std::string expected = "a cell, a whole number from 0 to 255";
+    const double v = numbers(option, text, 1, expected)[0];
+    if (v < 0 || v > 255 || v != std::floor(v)) refuse(option, text, expected);
+    return static_cast<int>(v);
+  };
+  r.text("--cell", "the cell that --view colours inspects", "the middle one of the cells that polygons use",
+         [&o, cell](const std::string& s) { o.cell = cell("--cell", s); });
+  std::string tables;
+  for (const TableRow& row : kTables) tables += (tables.empty() ? "" : ", ") + std::string{row.name};
+  r.text("--store", "keep the indices that --table picks, but store the colours of this table: " + tables, "",
+         [&o, tables](const std::string& s) {
+           const auto row = std::ranges::find(kTables, s, &TableRow::name);
+           if (row == kTables.end()) refuse("--store", s, "one of " + tables);
+           o.effects.stored = row->id;
+         });
+  r.number("--turn", o.effects.hueTurn, -360, 360, "turn the hue of all stored colours by degrees");
+  r.number("--gamma", o.effects.gamma, kLeastGamma, kMostGamma,
+           "store v^(1/gamma) for v, for a screen that shows v^gamma");
+  r.text("--bend", "CELL,VALUE: bend the curve of stored values so that this cell holds VALUE of 255", "",
+         [&o, cell](const std::string& s) {
+           const std::string expected = "CELL,VALUE with a value from 0 to 255";
+           const auto v = numbers("--bend", s, 2, expected);
+           if (v[1] < 0 || v[1] > 255) refuse("--bend", s, expected);
+           o.effects.bend = CurvePoint{cell("--bend", s.substr(0, s.find(','))), v[1]};
+         });
+  r.number("--rotate", o.effects.rotate, -255, 255, "move the stored colours up the ramp by this many cells");
+  r.text("--lit", "store yellow in this cell, to show which polygons have this shade", "",
+         [&o, cell](const std::string& s) { o.effects.lit = cell("--lit", s); });
+}
+
+}  // namespace xnewell

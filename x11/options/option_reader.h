@@ -1,0 +1,96 @@
+#pragma once
+
+#include <CLI/CLI.hpp>
+#include <algorithm>
+#include <cmath>
+#include <functional>
+#include <string>
+
+#include "shading/scene/settings.h"
+#include "x11/options/options.h"
+#include "x11/options/read_value.h"
+
+namespace xnewell {
+
+/// Adds options to CLI11. The code here reads their values, so that the error messages are in our words.
+class Reader {
+ public:
+  explicit Reader(CLI::App& app) : app_{app} {}
+
+  /// Adds a setting of the picture. Everything comes from its row.
+  void setting(const Setting& row, PictureSettings& settings) {
+    std::string help{row.is};
+    if (row.field.kind != ValueKind::Flag) help += "; " + expected(row);
+    if (!row.unit.empty()) help += ", in " + std::string{row.unit};
+    if (!row.more.empty()) help += ". " + std::string{row.more};
+    const std::string name{row.option};
+    if (row.field.kind == ValueKind::Flag) {
+      app_.add_flag_callback(
+              name, [&row, &settings] { row.field.set(settings, 1.0); }, help)
+          ->disable_flag_override();
+      return;
+    }
+    const std::string initially =
+        row.initially.empty() ? textOf(row, row.field.get(settings)) : std::string{row.initially};
+    text(name, help, initially,
+         [&row, &settings](const std::string& given) { row.field.set(settings, valueOf(row, given)); });
+  }
+  /// Adds a number in [low, high].
+  template <class Number>
+  void number(const std::string& name, Number& target, double low, double high, const std::string& help) {
+    text(name, help, textOf(static_cast<double>(target)), [=, &target](const std::string& given) {
+      const bool whole = std::is_integral_v<Number>;
+      const std::string needed =
+          std::string{whole ? "a whole number" : "a number"} + " from " + textOf(low) + " to " + textOf(high);
+      const double v = numbers(name, given, 1, needed)[0];
+      if (v < low || v > high || (whole && v != std::floor(v))) refuse(name, given, needed);
+      target = static_cast<Number>(v);
+    });
+  }
+  void point(const std::string& name, const std::string& help, const std::string& initially, auto&& set) {
+    text(name, help, initially, [=](const std::string& given) {
+      const auto v = numbers(name, given, 3, "three finite numbers x,y,z");
+      set(glm::dvec3{v[0], v[1], v[2]});
+    });
+  }
+  /// Adds a choice of one row of a table, by its name.
+  template <class Rows, class Id>
+  void choice(const std::string& name, const Rows& rows, Id& target, const std::string& help) {
+    std::string all, initially;
+    for (const auto& row : rows) {
+      all += (all.empty() ? "" : ", ") + std::string{row.name};
+      if (row.id == target) initially = row.name;
+    }
+    text(name, help + ": " + all, initially, [=, &rows, &target](const std::string& given) {
+      const auto row = std::ranges::find(rows, given, [](const auto& r) { return r.name; });
+      if (row == rows.end()) refuse(name, given, "one of " + all);
+      target = row->id;
+    });
+  }
+  /// Adds the name of a `what`, such as a file. The name must not be empty.
+  void named(const std::string& name, std::string& target, const std::string& what, const std::string& help) {
+    text(name, help, "", [=, &target](const std::string& given) {
+      if (given.empty()) throw UsageError{name + ": the " + what + "'s name is empty"};
+      target = given;
+    });
+  }
+  void text(const std::string& name, const std::string& help, const std::string& initially,
+            const std::function<void(const std::string&)>& take) {
+    app_.add_option_function<std::string>(name, take,
+                                          help + (initially.empty() ? "" : " [" + initially + "]"))
+        ->type_name("");
+  }
+  void flag(const std::string& name, bool& target, const std::string& help) {
+    app_.add_flag(name, target, help)->disable_flag_override();
+  }
+
+ private:
+  CLI::App& app_;
+};
+
+/// Adds the options of the camera.
+void addCamera(Reader& r, CameraSettings& camera);
+/// Adds the effects on the stored colours, after the indices are picked.
+void addEffects(Reader& r, Options& o);
+
+}  // namespace xnewell
