@@ -109,7 +109,7 @@ TEST(Wireframe, WithoutCutsNothingIsDashed) {
   pictures.make(viewOf(pictures.scene(), Order::Newell));
   const Wireframe cut = wireframeOf(pictures.last(), CellPlan{});
   EXPECT_GT(std::ranges::count_if(cut.image.pixels, isDash), 20);
-  for (const Order order : {Order::Unsorted, Order::ZMean, Order::ZSort, Order::Oracle}) {
+  for (const Order order : {Order::Unsorted, Order::ZMean, Order::ZSort, Order::ZBuffer16, Order::Oracle}) {
     pictures.make(viewOf(pictures.scene(), order));
     const Wireframe wires = wireframeOf(pictures.last(), CellPlan{});
     EXPECT_EQ(wires.cuts, 0);
