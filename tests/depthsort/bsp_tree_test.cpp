@@ -213,6 +213,22 @@ TEST(BspTree, ManyPolygons) {
   }
 }
 
+// A plane that crosses a face only between samples does not split it, as at the common edge of two faces after
+// their corners were rounded. Here each plane of a valley, or of a ridge, crosses the other face, at one end of
+// the edge.
+TEST(BspTree, SplitsOffNothingThatOwnsNoSample) {
+  constexpr int kHalf = 8 * kGrid, kEnd = 16 * kGrid;
+  for (const int side : {200, 0})
+    for (const int off : {1, 30}) {  // the part is at most a twelfth of a pixel wide, or two pixels
+      SnappedScene scene;
+      ASSERT_TRUE(addFace(scene, {{0, kHalf, side}, {kHalf, kEnd, 100 + off}, {kHalf, 0, 100 - off}}));
+      ASSERT_TRUE(addFace(scene, {{kEnd, kHalf, side}, {kHalf, 0, 100 + off}, {kHalf, kEnd, 100 - off}}));
+      const BspTree tree = bspTree(scene, {.width = 16, .height = 16});
+      EXPECT_EQ(tree.sorted.statistics.splits, off == 1 ? 0 : 1);
+      EXPECT_EQ(painted(scene, backToFront(tree), 16, 16), visibleFaces(scene, 16, 16));
+    }
+}
+
 // In pixels, faces without a sample stay in the tree, as in the depth sort.
 TEST(BspTree, KeepsWhatShowsInPixels) {
   SnappedScene scene;

@@ -76,10 +76,13 @@ class Walk {
     if (section != Section::ColourTable) addSliders();
     for (const ChoiceRow& choice : choices())
       if (choice.section == section) {
-        add(Kind::Choice, choice.key, row(), {},
-            optionFrames(choice.options, x_ + kColumnTrackAt, y_, kControls - kColumnTrackAt,
-                         std::min(19, pitch_)));
-        y_ += pitch_;
+        std::vector<Rect> frames = optionFrames(choice.options, x_ + kColumnTrackAt, y_,
+                                                kControls - kColumnTrackAt, std::min(19, pitch_));
+        const int more = frames.back().y - frames.front().y;  // if they need a second line
+        Rect area = row();
+        area.height += more;
+        add(Kind::Choice, choice.key, area, {}, std::move(frames));
+        y_ += pitch_ + more;
       }
     if (section == Section::ColourTable) addSliders();
   }
