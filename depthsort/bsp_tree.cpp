@@ -46,8 +46,7 @@ class PlaneSide {
     const double z = z_ + A_ * dx + B_ * dy;
     const double reach = std::abs(A_) * ((static_cast<double>(e.box.x1) - e.box.x0) / 2.0) +
                          std::abs(B_) * ((static_cast<double>(e.box.y1) - e.box.y0) / 2.0);
-    const double rounding =
-        0x1p-48 * (std::abs(z_) + std::abs(A_ * dx) + std::abs(B_ * dy) + reach);
+    const double rounding = 0x1p-48 * (std::abs(z_) + std::abs(A_ * dx) + std::abs(B_ * dy) + reach);
     // extents that reach the ends of int may be cut off there
     constexpr int kFarthest = std::numeric_limits<int>::min(), kNearest = std::numeric_limits<int>::max();
     if (e.zNear < kNearest && e.zNear < z - reach - rounding) return Where::Behind;
@@ -105,7 +104,8 @@ class Builder {
     for (int f = 0; f < static_cast<int>(scene_.faces.size()); ++f) {
       const SnappedFace& face = scene_.faces[f];
       const Extents extents = extentsOf(scene_, face, vertexDepthsAreExact(face, facesOfPlane));
-      if (!mayShow(scene_, face, extents.box, settings_.width, settings_.height, settings_.inPixels)) continue;
+      if (!mayShow(scene_, face, extents.box, settings_.width, settings_.height, settings_.inPixels))
+        continue;
       all.push_back(static_cast<int>(polygons_.size()));
       polygons_.push_back({extents, f});
     }
@@ -149,7 +149,7 @@ class Builder {
   int mostPieces_;
   PairTests tests_;
   std::vector<Entry> polygons_;  ///< every polygon ever made, also those that were split
-  std::vector<Region> regions_;    ///< by piece
+  std::vector<Region> regions_;  ///< by piece
   BspTree tree_;
 };
 

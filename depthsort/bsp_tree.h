@@ -17,7 +17,7 @@ namespace xnewell {
 /// view. After the perspective warp, all planes are those of the depth sort, exactly, and the eye is
 /// infinitely far away in front of each of them. So every side and every cut is exact. A tree in the world
 /// would need planes through points that are rounded, and splits by planes that are seen edge-on and have no
-/// cut line on the screen. backToFront() alone is what a tree of the world costs in each view.
+/// cut line on the screen. In each view it would cost a backToFront(), and a sign at each node.
 ///
 /// The root of a subtree is one of at most 5 polygons, taken at equal distances from the list. The one that
 /// crosses the fewest of at most 64 others, taken in the same way, is the root. Of equals it is the one with
@@ -34,8 +34,8 @@ namespace xnewell {
 /// work grows as n^2. The number of pieces can grow as n^3.
 /// @see Fuchs, Kedem and Naylor 1980; Foley & van Dam 2e §15.5.2
 struct BspNode {
-  int first = 0, count = 0;      ///< the fragments in its plane: a range of BspTree::sorted.fragments
-  int behind = -1, front = -1;   ///< indices of the subtrees' roots, or -1
+  int first = 0, count = 0;     ///< the fragments in its plane: a range of BspTree::sorted.fragments
+  int behind = -1, front = -1;  ///< indices of the subtrees' roots, or -1
 };
 struct BspTree {
   std::vector<BspNode> nodes;  ///< the root first; empty if nothing shows
@@ -46,7 +46,7 @@ struct BspTree {
 struct TooManyPieces : std::runtime_error {
   using std::runtime_error::runtime_error;
 };
-inline constexpr int kMostPieces = 1'000'000;  ///< of up to 600 bytes each while the tree is built
+inline constexpr int kMostPieces = 1'000'000;  ///< of some hundred bytes each
 
 /// Builds the tree of a scene that has planes (addPlanes()). Of the settings, it uses width, height and
 /// inPixels. The same scene gives the same tree. @throws TooManyPieces

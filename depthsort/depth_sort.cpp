@@ -375,7 +375,8 @@ void DepthSort::addPiece(int P, Region region) {
 
 std::int64_t bytesOf(const SortedScene& sorted) {
   return static_cast<std::int64_t>(sorted.fragments.size() * sizeof(Fragment) +
-                                   sorted.pieces.size() * sizeof(Piece) + sorted.cuts.size() * sizeof(CutLine));
+                                   sorted.pieces.size() * sizeof(Piece) +
+                                   sorted.cuts.size() * sizeof(CutLine));
 }
 
 SortedScene depthSort(const SnappedScene& scene, const SortSettings& settings) {

@@ -17,7 +17,8 @@ class LevelPlane {
     const glm::ivec3* const v = &scene.vertices[face.first];
     const ScreenPlane plane = planeThrough(v, face.count);
     const double perUnit = perStep / static_cast<double>(plane.C);
-    x_ = (static_cast<double>(v->x) - kGrid / 2) / kGrid, y_ = (static_cast<double>(v->y) - kGrid / 2) / kGrid;
+    x_ = (static_cast<double>(v->x) - kGrid / 2) / kGrid,
+    y_ = (static_cast<double>(v->y) - kGrid / 2) / kGrid;
     atVertex_ = depthAt(plane, v->x, v->y) * perStep + 0.5;
     right_ = static_cast<double>(plane.A) * perUnit * kGrid;
     down_ = static_cast<double>(plane.B) * perUnit * kGrid;

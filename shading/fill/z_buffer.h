@@ -7,9 +7,9 @@
 
 namespace xnewell {
 
-/// A z-buffer. It takes the faces in order of the scene. At each sample of a face it computes the depth there,
-/// and if no earlier face is nearer, it keeps this face and its depth. There is no sorting and no splitting;
-/// the price is an array of depths, and a test for each sample of each face.
+/// A z-buffer. It takes the faces in order of the scene. At each sample of a face it computes the depth
+/// there, and if no earlier face is nearer, it keeps this face and its depth. There is no sorting and no
+/// splitting; the price is an array of depths, and a test for each sample of each face.
 ///
 /// The depth is z of the perspective warp, linear over the screen: 0 at the back plane and zF, frontDepth(),
 /// at the front plane. Seen from the eye it is not linear: at distance d it is proportional to 1/d - 1/dB. It
@@ -34,8 +34,9 @@ struct ZBuffer {
   std::int64_t bytes = 0;
 };
 
-/// `view`, `width` and `height` are those that the scene was snapped with. It needs no planes. bits: 16, 24 or
-/// 32.
-[[nodiscard]] ZBuffer zBuffer(const SnappedScene& scene, const ViewSpec& view, int bits, int width, int height);
+/// `view`, `width` and `height` are those that the scene was snapped with. It needs no planes. bits: 16, 24
+/// or 32.
+[[nodiscard]] ZBuffer zBuffer(const SnappedScene& scene, const ViewSpec& view, int bits, int width,
+                              int height);
 
 }  // namespace xnewell

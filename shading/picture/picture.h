@@ -46,8 +46,8 @@ class Picture {
   [[nodiscard]] const Camera& camera() const { return camera_; }
   [[nodiscard]] const SceneShading& shading() const { return shading_; }
   [[nodiscard]] const SnappedScene& snapped() const { return *snapped_; }
-  /// What to paint, back to front: whole faces, or pieces of the faces that were split. There are none for the
-  /// oracle and a z-buffer (OrderRow::bySample), which find the visible face at each sample instead.
+  /// What to paint, back to front: whole faces, or pieces of the faces that were split. There are none for
+  /// the oracle and a z-buffer (OrderRow::bySample), which find the visible face at each sample instead.
   [[nodiscard]] const SortedScene& sorted() const { return *sorted_; }
   [[nodiscard]] const SceneColors& colors() const { return *colors_; }
   /// The ramp of the one hue, or the first of several ramps.

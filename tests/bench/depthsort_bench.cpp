@@ -155,9 +155,9 @@ SCENE(crossingTori, 100000);
 SCENE(largeTriangles, 1000);
 SCENE(sheets, 1000);
 
-/// The same scenes as BSP trees. The time is that of building a tree; `walk_ms` is that of walking it, which is
-/// what a tree of the world would cost in each view. `newell_ms` is the depth sort of the same scene, in turns
-/// with the tree. All are the least of the run, in processor time.
+/// The same scenes as BSP trees. The time is that of building a tree; `walk_ms` is that of walking it, which
+/// is what a tree of the world would cost in each view. `newell_ms` is the depth sort of the same scene, in
+/// turns with the tree. All are the least of the run, in processor time.
 void BM_BspTree(benchmark::State& state, Mesh (*make)(int)) {
   const SnappedScene scene = seen(make(static_cast<int>(state.range(0))));
   const auto processorTime = [] { return 1e3 * static_cast<double>(std::clock()) / CLOCKS_PER_SEC; };
@@ -190,10 +190,10 @@ void BM_BspTree(benchmark::State& state, Mesh (*make)(int)) {
   state.counters["bytes"] = static_cast<double>(bytes) / polygons;
   state.counters["polygons"] = polygons;
 }
-#define TREE(name, most)                     \
-  BENCHMARK_CAPTURE(BM_BspTree, name, name)  \
-      ->RangeMultiplier(10)                  \
-      ->Range(1000, most)                    \
+#define TREE(name, most)                    \
+  BENCHMARK_CAPTURE(BM_BspTree, name, name) \
+      ->RangeMultiplier(10)                 \
+      ->Range(1000, most)                   \
       ->Unit(benchmark::kMillisecond)
 TREE(triangleTorus, 100000);
 TREE(soup, 10000);

@@ -162,8 +162,7 @@ TEST(BspTree, IsWalkedBackToFront) {
   std::array<int, 3> depths{10, 20, 30};
   do {
     SnappedScene scene;
-    for (const int z : depths)
-      ASSERT_TRUE(addFace(scene, {{0, 0, z}, {0, 9 * kGrid, z}, {9 * kGrid, 0, z}}));
+    for (const int z : depths) ASSERT_TRUE(addFace(scene, {{0, 0, z}, {0, 9 * kGrid, z}, {9 * kGrid, 0, z}}));
     std::vector<int> walked;
     for (const Fragment& f : backToFront(bspTree(scene, {.width = 8, .height = 8})).fragments)
       walked.push_back(depths[f.face]);
@@ -213,9 +212,9 @@ TEST(BspTree, ManyPolygons) {
   }
 }
 
-// A plane that crosses a face only between samples does not split it, as at the common edge of two faces after
-// their corners were rounded. Here each plane of a valley, or of a ridge, crosses the other face, at one end of
-// the edge.
+// A plane that crosses a face only between samples does not split it, as at the common edge of two faces
+// after their corners were rounded. Here each plane of a valley, or of a ridge, crosses the other face, at
+// one end of the edge.
 TEST(BspTree, SplitsOffNothingThatOwnsNoSample) {
   constexpr int kHalf = 8 * kGrid, kEnd = 16 * kGrid;
   for (const int side : {200, 0})

@@ -243,7 +243,8 @@ std::optional<double> trackAt(const Rect& row, int x) {
 std::optional<int> optionAt(const Rect& row, const PageControl& control, int x, int y) {
   const std::vector<Rect> frames = framesOf(control, row);
   if (frames.empty()) return std::nullopt;
-  y = std::clamp(y, frames.front().y, frames.back().y + frames.back().height - 1);  // a row is a little higher
+  y = std::clamp(y, frames.front().y,
+                 frames.back().y + frames.back().height - 1);  // a row is a little higher
   for (std::size_t k = 0; k < frames.size(); ++k)
     if (frames[k].has(x, y)) return static_cast<int>(k);
   return std::nullopt;

@@ -125,12 +125,10 @@ Finding findingOf(const Picture& A, const Picture& B, const SideNumbers& ofA, co
       return {name + " is wrong at " + counted(worse.wrong, "sample") + where + ".",
               whyOf((aIsWorse ? A : B).settings().order, other, better)};
     // Where an order is exact, only faces that are left out can make a sample wrong.
-    const auto exact = [](const Picture& p) {
-      return rowOf(p.settings().order).exact;
-    };
-    const std::string reason = exact(A) || exact(B)
-                                   ? "Backs that can be seen are not painted."
-                                   : "Neither order is exact: those of Newell, the BSP tree and the oracle are.";
+    const auto exact = [](const Picture& p) { return rowOf(p.settings().order).exact; };
+    const std::string reason =
+        exact(A) || exact(B) ? "Backs that can be seen are not painted."
+                             : "Neither order is exact: those of Newell, the BSP tree and the oracle are.";
     if (better.wrong == worse.wrong)
       return {"Both are wrong at " + counted(worse.wrong, "sample") + ".", reason};
     return {name + " is wrong at " + counted(worse.wrong, "sample") + ", " + other + " at " +

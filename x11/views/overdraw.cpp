@@ -35,10 +35,9 @@ Finding findingOf(const Overdraw& o, const Picture& picture) {
             "The oracle finds the face that each sample shows and paints no other, so nothing is painted "
             "over. The orders by a sort paint whole faces."};
   if (rowOf(order).bits > 0)
-    return {"Every sample is painted once.",
-            "The z-buffer found the face that each sample shows by " +
-                grouped(picture.sorted().statistics.depthTests) +
-                " tests of a depth, one for each sample of each face."};
+    return {"Every sample is painted once.", "The z-buffer found the face that each sample shows by " +
+                                                 grouped(picture.sorted().statistics.depthTests) +
+                                                 " tests of a depth, one for each sample of each face."};
   const double over = 100.0 * static_cast<double>(o.painted - o.samples) / static_cast<double>(o.painted);
   Finding finding{"A sample is painted " + fixed(o.mean(), 2) + " times on average, " +
                       std::to_string(o.most) + " at most.",

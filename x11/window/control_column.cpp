@@ -277,7 +277,7 @@ const ControlPlace* ControlColumn::find(char key) const {
 }
 
 ControlColumn layoutOfControls(const Layout& at) {
-  constexpr int kLeastPitch = 14;  // the text is 13 pixels high
+  constexpr int kLeastPitch = 13;  // the height of the text
   for (int pitch = at.compact ? 17 : 21;; --pitch) {
     ControlColumn column = Walk{at, pitch}.column();
     const Rect& last = column.places.back().row;

@@ -82,9 +82,7 @@ Integer floorOf(const Rational& r) {
   return n >= 0 ? Integer{n / d} : Integer{-((-n + d - 1) / d)};
 }
 
-Rational quantum(int bits) {
-  return Rational{Integer{1} << 30, (Integer{1} << bits) - 1};
-}
+Rational quantum(int bits) { return Rational{Integer{1} << 30, (Integer{1} << bits) - 1}; }
 
 /// The judge's level of a depth in steps.
 Integer levelOf(const Rational& z, int bits) {
@@ -140,13 +138,15 @@ TEST(ZBuffer, KeepsTheLastFaceOfTheLargestLevel) {
           const Rational behind = nearest - faces[shown].z(i, j);
           Rational most = quantum(bits) + faces[shown].rounding();
           for (const RationalTriangle& f : faces)
-            if (f.covers(i, j)) most = std::max<Rational>(most, quantum(bits) + f.rounding() + faces[shown].rounding());
+            if (f.covers(i, j))
+              most = std::max<Rational>(most, quantum(bits) + f.rounding() + faces[shown].rounding());
           ASSERT_LE(behind, most) << "sample " << i << ", " << j;
           fought[which] += behind > 0;
           // Where all others are farther by more than that, the oracle and the buffer agree.
           bool alone = true;
           for (int f = 0; f < static_cast<int>(faces.size()); ++f)
-            alone &= f == visible[j * kSize + i] || !faces[f].covers(i, j) || nearest - faces[f].z(i, j) > most;
+            alone &=
+                f == visible[j * kSize + i] || !faces[f].covers(i, j) || nearest - faces[f].z(i, j) > most;
           if (alone) {
             ASSERT_EQ(shown, visible[j * kSize + i]);
           }
@@ -210,7 +210,8 @@ TEST(ZBuffer, TiesAndEnds) {
       EXPECT_EQ(std::ranges::count(buffer.faces, 3), kSize * (kSize - 1) / 2);
       EXPECT_EQ(buffer.bytes, kSize * kSize * (bits == 16 ? 2 : 4));
     }
-    EXPECT_EQ(zBuffer({}, viewOf(kSize), bits, kSize, kSize).faces, std::vector<int>(kSize * kSize, kNothing));
+    EXPECT_EQ(zBuffer({}, viewOf(kSize), bits, kSize, kSize).faces,
+              std::vector<int>(kSize * kSize, kNothing));
   }
 }
 

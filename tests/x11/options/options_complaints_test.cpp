@@ -173,8 +173,8 @@ TEST(Options, RefuseWhatTheCommandIgnores) {
   for (const OrderRow& row : kOrders) {
     const std::string name{row.name};
     const bool bySample = name == "oracle" || name.starts_with("zbuffer");
-    EXPECT_EQ(complaintAll({"snapshot", "teapot", "-o", "a.png", "--fill", "x11", "--shade", "flat", "--order",
-                            name}),
+    EXPECT_EQ(complaintAll(
+                  {"snapshot", "teapot", "-o", "a.png", "--fill", "x11", "--shade", "flat", "--order", name}),
               bySample ? "--order " + name +
                              " decides each sample by itself: there is no polygon for --fill x11 to fill"
                        : "");

@@ -125,9 +125,10 @@ TEST(Overdraw, FindingIsOfTheNumbers) {
   pictures.make(fromAbove(pictures.scene(), Order::ZBuffer24));
   finding = findingOf(overdrawOf(pictures.last()), pictures.last());
   EXPECT_EQ(finding.bold, "Every sample is painted once.");
-  EXPECT_EQ(finding.why,
-            "The z-buffer found the face that each sample shows by 1,200 tests of a depth, one for each sample "
-            "of each face.");
+  EXPECT_EQ(
+      finding.why,
+      "The z-buffer found the face that each sample shows by 1,200 tests of a depth, one for each sample "
+      "of each face.");
   PictureSettings away = fromAbove(pictures.scene(), Order::Newell);
   away.camera.eye = glm::dvec3{90, 0, 20};
   away.camera.lookAt = glm::dvec3{90, 0, 0};

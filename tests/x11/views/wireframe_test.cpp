@@ -118,6 +118,12 @@ TEST(Wireframe, WithoutCutsNothingIsDashed) {
     EXPECT_EQ(wires.polygons, cut.polygons);
     EXPECT_EQ(findingOf(wires, pictures.last()).bold, "Nothing is cut.");
   }
+  // A BSP tree of two plates that pass through each other makes one cut, too.
+  pictures.make(viewOf(pictures.scene(), Order::Bsp));
+  const Wireframe tree = wireframeOf(pictures.last(), CellPlan{});
+  EXPECT_EQ(tree.cuts, 1);
+  EXPECT_GT(std::ranges::count_if(tree.image.pixels, isDash), 20);
+  EXPECT_EQ(findingOf(tree, pictures.last()).bold, "The BSP tree cut once.");
 }
 
 // Visible lines lie next to samples of their polygons: a pixel with only another face around it is never
