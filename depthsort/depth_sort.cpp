@@ -11,6 +11,7 @@
 #include "depthsort/extents.h"
 #include "depthsort/order.h"
 #include "depthsort/pair_tests.h"
+#include "depthsort/pieces.h"
 #include "depthsort/region.h"
 #include "depthsort/samples.h"
 
@@ -58,6 +59,7 @@ class DepthSort {
         mark(P);
         while (!stack_.empty()) step();
       }
+    sorted_.statistics.bytes = bytesOf(sorted_);
     return std::move(sorted_);
   }
 
@@ -68,12 +70,6 @@ class DepthSort {
 
   void enterFaces();
   [[nodiscard]] Polygon enter(int face) const;
-  [[nodiscard]] bool shows(const SnappedFace& face, const ScreenBox& box) const {
-    const int width = settings_.width, height = settings_.height;
-    return mayOwnSample(scene_, face, box, width, height) ||
-           (settings_.inPixels && box.overlaps({0, 0, width * kGrid, height * kGrid}) &&
-            hasAreaInPixels(scene_, face));
-  }
 
   /// The polygon or piece after Q in the order of the list. It skips the pieces of Q.
   [[nodiscard]] int after(int Q) const {
@@ -186,7 +182,7 @@ void DepthSort::enterFaces() {
     unsorted.push_back(enter(f));
     if (settings_.textbook) continue;
     ScreenBox& box = unsorted.back().extents.box;
-    if (!shows(scene_.faces[f], box))
+    if (!mayShow(scene_, scene_.faces[f], box, settings_.width, settings_.height, settings_.inPixels))
       unsorted.pop_back();
     else  // nothing outside the picture is compared
       box = {std::max(box.x0, picture.x0), std::max(box.y0, picture.y0), std::min(box.x1, picture.x1),
@@ -368,24 +364,20 @@ void DepthSort::addPiece(int P, Region region) {
   progress.parent = P;
   progress.pieces = kNone;
   progress.piece = static_cast<int>(pieces_.size());
-  Piece record{piece.face, static_cast<int>(sorted_.cuts.size()), 0, 0, 0, idOf(P)};
-
-  for (const Side& side : region)
-    if (side.line.kind == Line::Kind::Cut) {
-      sorted_.cuts.push_back({side.line.p, side.line.q});
-      ++record.cuts;
-    }
   piece.extents = extentsOf(scene_, scene_.faces[piece.face], region, piece.extents);
-  const ScreenBox& box = piece.extents.box;
-  record.firstRow = std::max(0, box.y0 >> kGridBits);
-  record.rows = std::max(0, std::min(settings_.height, (box.y1 >> kGridBits) + 1) - record.firstRow);
+  enterPiece(sorted_, {piece.face, idOf(P)}, region, piece.extents.box, settings_.height);
   list_.push_back(piece);
   progress_.push_back(progress);
   pieces_.push_back(std::move(region));
-  sorted_.pieces.push_back(record);
 }
 
 }  // namespace
+
+std::int64_t bytesOf(const SortedScene& sorted) {
+  return static_cast<std::int64_t>(sorted.fragments.size() * sizeof(Fragment) +
+                                   sorted.pieces.size() * sizeof(Piece) +
+                                   sorted.cuts.size() * sizeof(CutLine));
+}
 
 SortedScene depthSort(const SnappedScene& scene, const SortSettings& settings) {
   return DepthSort{scene, settings}.run();

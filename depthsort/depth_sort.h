@@ -128,7 +128,12 @@ struct SortStatistics {
   /// or in y.
   std::array<std::int64_t, 2> boxesApart{};
   std::int64_t moves = 0, cycles = 0, impossible = 0, splits = 0, voids = 0, contacts = 0;
-  int deepest = 0;  ///< most polygons marked at once
+  int deepest = 0;  ///< most polygons marked at once; in a BSP tree, most nodes on the way from the root
+  std::int64_t nodes = 0;       ///< of a BSP tree (bsp_tree.h)
+  std::int64_t depthTests = 0;  ///< of a z-buffer: depths that were compared (z_buffer.h)
+  /// What the method keeps while it paints: the list of bytesOf(), with the nodes of a BSP tree; or a
+  /// z-buffer. 0 for the oracle.
+  std::int64_t bytes = 0;
   [[nodiscard]] std::int64_t pairs() const {
     std::int64_t sum = 0;
     for (const std::int64_t count : settled) sum += count;
@@ -161,6 +166,9 @@ struct SortedScene {
   std::vector<Event> events;
   SortStatistics statistics;
 };
+
+/// The size of the fragments, pieces and cuts.
+[[nodiscard]] std::int64_t bytesOf(const SortedScene& sorted);
 
 /// The error if a run has more events than it may record.
 struct TooManyEvents : std::length_error {

@@ -11,19 +11,41 @@
 namespace xnewell {
 
 /// The order in which faces are painted, that is, the hidden-surface method.
-enum class Order { Unsorted, ZMean, ZSort, Newell, Oracle };
+enum class Order { Unsorted, ZMean, ZSort, Newell, Bsp, ZBuffer16, ZBuffer24, ZBuffer32, Oracle };
 struct OrderRow {
   Order id;
   std::string_view name, label, rule;
+  std::string_view inWords;  ///< for a caption
+  /// True if every sample shows the right face of the snapped scene, except at contacts (depth_sort.h). These
+  /// methods compare the planes of addPlanes(); the others need no planes.
+  bool exact = false;
+  /// True if it finds the face of each sample by itself. Then there is no painting order, and no polygon for
+  /// an X server to fill.
+  bool bySample = false;
+  int bits = 0;  ///< of a depth in a z-buffer; 0 for the other methods
 };
 inline constexpr std::array kOrders{
-    OrderRow{Order::Unsorted, "none", "none", "as the scene lists them"},
-    OrderRow{Order::ZMean, "zmean", "z mean", "by the mean z of the vertices, farthest first"},
-    OrderRow{Order::ZSort, "zsort", "z far", "by the farthest z, farthest first"},
+    OrderRow{Order::Unsorted, "none", "none", "as the scene lists them", "not sorted"},
+    OrderRow{Order::ZMean, "zmean", "z mean", "by the mean z of the vertices, farthest first",
+             "sorted by mean z"},
+    OrderRow{Order::ZSort, "zsort", "z far", "by the farthest z, farthest first", "sorted by farthest z"},
     OrderRow{Order::Newell, "newell", "Newell",
-             "by the depth sort; it splits polygons that have no order (depth_sort.h)"},
-    OrderRow{Order::Oracle, "oracle", "oracle", "none: each sample finds its nearest face (oracle.h)"},
+             "by the depth sort; it splits polygons that have no order (depth_sort.h)",
+             "sorted by depth (Newell)", /*exact=*/true},
+    OrderRow{Order::Bsp, "bsp", "BSP",
+             "by a BSP tree; it splits polygons by the planes of others (bsp_tree.h)",
+             "walked through a BSP tree", /*exact=*/true},
+    OrderRow{Order::ZBuffer16, "zbuffer16", "z-buf 16",
+             "none: each sample keeps the face of largest depth, in 16 bits (z_buffer.h)",
+             "z-buffer of 16 bits", false, /*bySample=*/true, 16},
+    OrderRow{Order::ZBuffer24, "zbuffer24", "z-buf 24", "the same in 24 bits", "z-buffer of 24 bits", false,
+             /*bySample=*/true, 24},
+    OrderRow{Order::ZBuffer32, "zbuffer32", "z-buf 32", "the same in 32 bits", "z-buffer of 32 bits", false,
+             /*bySample=*/true, 32},
+    OrderRow{Order::Oracle, "oracle", "oracle", "none: each sample finds its nearest face (oracle.h)",
+             "nearest face at each sample", /*exact=*/true, /*bySample=*/true},
 };
+[[nodiscard]] constexpr const OrderRow& rowOf(Order order) { return kOrders[static_cast<int>(order)]; }
 
 /// Indices into scene.faces in painting order, for the orders that sort by one key. At equal z the later face
 /// in the scene is painted later, so it wins. Means are rounded to a z step before they are compared. The

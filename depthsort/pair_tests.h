@@ -48,13 +48,13 @@ class PairTests {
     Region behind, front;
   };
   [[nodiscard]] Parts split(const Shape& P, const Shape& Q);
+  /// The signs of zP - zQ in all of P. None means that both lie in one plane.
+  [[nodiscard]] Signs signsOver(const Shape& P, const Shape& Q);
 
  private:
   [[nodiscard]] bool projectionsApart(const Shape& P, const Shape& Q);
   [[nodiscard]] bool apartAlongEdges(const SnappedFace& P, const SnappedFace& Q) const;
   [[nodiscard]] bool apartAlongSides(const Region& P, const Region& Q) const;
-  /// The signs of zP - zQ in all of P.
-  [[nodiscard]] Signs signsOver(const Shape& P, const Shape& Q);
   /// Test 6.
   [[nodiscard]] Relation nearerInOverlap(const Shape& P, const Shape& Q);
 

@@ -83,6 +83,12 @@ bool hasAreaInPixels(const SnappedScene& scene, const SnappedFace& face) {
   return false;
 }
 
+bool mayShow(const SnappedScene& scene, const SnappedFace& face, const ScreenBox& box, int width, int height,
+             bool inPixels) {
+  return mayOwnSample(scene, face, box, width, height) ||
+         (inPixels && box.overlaps({0, 0, width * kGrid, height * kGrid}) && hasAreaInPixels(scene, face));
+}
+
 bool isWide(const Region& region) {
   const auto squared = [](double dx, double dy) { return dx * dx + dy * dy; };
   const Corner& o = region[0].corner;

@@ -20,6 +20,11 @@ namespace xnewell {
 [[nodiscard]] bool mayOwnSample(const SnappedScene& scene, const SnappedFace& face, const ScreenBox& box,
                                 int width, int height);
 
+/// False only if the face shows nowhere in the picture. `inPixels` is true if faces are painted with their
+/// vertices rounded to pixels; then a face without a sample may show.
+[[nodiscard]] bool mayShow(const SnappedScene& scene, const SnappedFace& face, const ScreenBox& box,
+                           int width, int height, bool inPixels);
+
 /// True if the face has an area after its vertices are rounded to pixels, as they are for XFillPolygon
 /// (fill_polygons.h). Such a face may show there without owning a sample.
 [[nodiscard]] bool hasAreaInPixels(const SnappedScene& scene, const SnappedFace& face);

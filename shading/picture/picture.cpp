@@ -138,7 +138,7 @@ Palette Picture::palette(const CellPlan& plan, const Palette& unneeded) const {
 
 template <class Span>
 void Picture::paintFaces(int firstRow, int endRow, Span&& span) const {
-  if (settings_.order != Order::Oracle) {
+  if (visible_->empty()) {
     for (const Fragment& fragment : sorted_->fragments)
       forEachSpan(*snapped_, *sorted_, fragment, settings_.width, endRow, [&](int row, int from, int to) {
         if (row >= firstRow) span(row, from, to, fragment.face);

@@ -46,8 +46,8 @@ class Picture {
   [[nodiscard]] const Camera& camera() const { return camera_; }
   [[nodiscard]] const SceneShading& shading() const { return shading_; }
   [[nodiscard]] const SnappedScene& snapped() const { return *snapped_; }
-  /// What to paint, back to front: whole faces, or pieces of the faces that the depth sort split. It is empty
-  /// for Order::Oracle, which finds the visible face at each sample instead.
+  /// What to paint, back to front: whole faces, or pieces of the faces that were split. There are none for
+  /// the oracle and a z-buffer (OrderRow::bySample), which find the visible face at each sample instead.
   [[nodiscard]] const SortedScene& sorted() const { return *sorted_; }
   [[nodiscard]] const SceneColors& colors() const { return *colors_; }
   /// The ramp of the one hue, or the first of several ramps.
@@ -78,7 +78,7 @@ class Picture {
   /// Paints single fragments of snapped(), also those of other sorts. The picture must outlive the painter.
   /// Precondition: the plan is not one of colours.
   [[nodiscard]] SurfacePainter painter() const;
-  /// The same picture with the planes that a sort of snapped() needs. If the order compares planes, they are
+  /// The same picture with the planes that a sort of snapped() needs. If the order is exact, they are
   /// already there, and the result is a plain copy.
   [[nodiscard]] Picture withPlanes() const;
 
@@ -86,8 +86,8 @@ class Picture {
   [[nodiscard]] std::vector<std::uint32_t> faceImage() const;
   /// The face that each sample of rows [firstRow, endRow) shows.
   [[nodiscard]] SeenRows seen(int firstRow, int endRow) const;
-  /// How many times each sample was painted, row by row: once for each fragment that covers it. With
-  /// Order::Oracle it is once where a face shows.
+  /// How many times each sample was painted, row by row: once for each fragment that covers it. Where an
+  /// order decides by sample, it is once where a face shows.
   [[nodiscard]] std::vector<int> timesPainted() const;
   /// The intensities of one channel before the colour table rounds them; see intensitiesAt().
   [[nodiscard]] std::vector<double> intensities(const SeenRows& rows, int channel = 0) const;
@@ -122,7 +122,7 @@ class Picture {
   SceneShading shading_;
   Shared<SnappedScene> snapped_;
   Shared<SortedScene> sorted_;
-  /// For Order::Oracle, the index of the visible face at each sample; otherwise empty.
+  /// For an order that decides by sample, the index of the visible face at each sample; otherwise empty.
   Shared<std::vector<int>> visible_;
   Shared<SceneColors> colors_;
   Shared<std::vector<std::uint8_t>> cells_;  ///< empty for a plan of colours, or if the method interpolates

@@ -5,7 +5,10 @@
 #include <memory>
 #include <utility>
 
+#include "depthsort/bsp_tree.h"
 #include "depthsort/oracle.h"
+#include "depthsort/order.h"
+#include "shading/fill/z_buffer.h"
 #include "shading/picture/stopwatch.h"
 
 namespace xnewell {
@@ -20,14 +23,40 @@ void timed(double& ms, Stage&& stage) {
   ms += watch.ms();
 }
 
-bool comparesPlanes(Order order) { return order == Order::Newell || order == Order::Oracle; }
-
 /// Whole faces, back to front, for an order that splits none.
 SortedScene inOrder(const SnappedScene& snapped, Order order) {
   SortedScene sorted;
   std::ranges::transform(paintingOrder(snapped, order), std::back_inserter(sorted.fragments),
                          [](int face) { return Fragment{face}; });
+  sorted.statistics.bytes = bytesOf(sorted);
   return sorted;
+}
+
+/// What decides what is seen: the fragments back to front, or the visible face at each sample.
+struct Visibility {
+  SortedScene sorted;
+  std::vector<int> faces;
+};
+
+Visibility visibilityOf(const SnappedScene& snapped, const ViewSpec& view, const PictureSettings& wanted) {
+  const int width = wanted.width, height = wanted.height;
+  const SortSettings settings{.width = width, .height = height, .inPixels = wanted.inPixels};
+  Visibility result;
+  if (wanted.order == Order::Newell) {
+    result.sorted = depthSort(snapped, settings);
+  } else if (wanted.order == Order::Bsp) {
+    result.sorted = backToFront(bspTree(snapped, settings));
+  } else if (wanted.order == Order::Oracle) {
+    result.faces = visibleFaces(snapped, width, height);
+  } else if (const int bits = rowOf(wanted.order).bits; bits > 0) {
+    ZBuffer buffer = zBuffer(snapped, view, bits, width, height);
+    result.faces = std::move(buffer.faces);
+    result.sorted.statistics.depthTests = buffer.tests;
+    result.sorted.statistics.bytes = buffer.bytes;
+  } else {
+    result.sorted = inOrder(snapped, wanted.order);
+  }
+  return result;
 }
 
 }  // namespace
@@ -72,25 +101,21 @@ Picture PictureCache::make(const PictureSettings& wanted, std::optional<std::uin
     timed(ms.transform, [&] {
       snapped = snap(next.shading_.mesh(scene), next.shading_.parts(scene), view, width, height, wanted.cull);
     });
-    if (comparesPlanes(wanted.order))
+    if (rowOf(wanted.order).exact)
       timed(ms.sort, [&] {
         addPlanes(snapped, next.shading_.mesh(scene), next.shading_.parts(scene), view, width, height);
       });
     next.snapped_ = std::move(snapped);
-  } else if (comparesPlanes(wanted.order) && next.snapped_->planes.empty()) {
+  } else if (rowOf(wanted.order).exact && next.snapped_->planes.empty()) {
     timed(ms.sort, [&] { next = next.withPlanes(); });
   }
 
-  // The faces back to front; or, for the oracle, the visible face at each sample.
+  // The faces back to front; or the visible face at each sample.
   if (newView || changed(&Asked::order, &Asked::inPixels))
     timed(ms.sort, [&] {
-      next.visible_ =
-          wanted.order == Order::Oracle ? visibleFaces(*next.snapped_, width, height) : std::vector<int>{};
-      next.sorted_ =
-          wanted.order == Order::Oracle ? SortedScene{}
-          : wanted.order == Order::Newell
-              ? depthSort(*next.snapped_, {.width = width, .height = height, .inPixels = wanted.inPixels})
-              : inOrder(*next.snapped_, wanted.order);
+      Visibility visibility = visibilityOf(*next.snapped_, view, wanted);
+      next.visible_ = std::move(visibility.faces);
+      next.sorted_ = std::move(visibility.sorted);
     });
 
   // The colour tables, and the cell of each intensity. A plan of colours chooses its colours later, from the

@@ -17,8 +17,8 @@ class PictureCache {
   explicit PictureCache(const Picture& last) : scene_{last.scene_}, last_{last} {}
 
   /// Runs all stages of a picture. If `ground` is given, the image is painted, with that cell as its
-  /// background. Otherwise no new image is painted, which saves most of the time. @throws ViewError; the last
-  /// picture then stays as it was.
+  /// background. Otherwise no new image is painted, which saves most of the time. @throws ViewError, and
+  /// TooManyPieces for a BSP tree; the last picture then stays as it was.
   Picture make(const PictureSettings& settings, std::optional<std::uint8_t> ground = {});
 
   [[nodiscard]] const Scene& scene() const { return *scene_; }

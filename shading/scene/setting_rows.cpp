@@ -108,7 +108,8 @@ const std::vector<Setting>& settingRows() {
        .role = Role::shortCut("oracle"),
        .field = chooses(
            kOrders, [](auto& s) -> auto& { return s.order; }),
-       .words = {"unsorted", "z-sort by mean z", "z-sort by farthest z", "Newell", "oracle"},
+       .words = {"unsorted", "z-sort by mean z", "z-sort by farthest z", "Newell", "BSP tree",
+                 "16-bit z-buffer", "24-bit z-buffer", "32-bit z-buffer", "oracle"},
        .alwaysSaid = true},
       {.key = "fill",
        .option = "--fill",

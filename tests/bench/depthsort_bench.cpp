@@ -9,7 +9,9 @@
 #include <limits>
 #include <new>
 #include <numeric>
+#include <utility>
 
+#include "depthsort/bsp_tree.h"
 #include "depthsort/depth_sort.h"
 #include "geometry/files/bpt.h"
 #include "geometry/model/solids.h"
@@ -152,6 +154,52 @@ SCENE(teapot, 1000000);
 SCENE(crossingTori, 100000);
 SCENE(largeTriangles, 1000);
 SCENE(sheets, 1000);
+
+/// The same scenes as BSP trees. The time is that of building a tree; `walk_ms` is that of walking it, which
+/// is what a tree of the world would cost in each view. `newell_ms` is the depth sort of the same scene, in
+/// turns with the tree. All are the least of the run, in processor time.
+void BM_BspTree(benchmark::State& state, Mesh (*make)(int)) {
+  const SnappedScene scene = seen(make(static_cast<int>(state.range(0))));
+  const auto processorTime = [] { return 1e3 * static_cast<double>(std::clock()) / CLOCKS_PER_SEC; };
+  double built = std::numeric_limits<double>::infinity(), walked = built, sorted = built;
+  SortStatistics statistics;
+  std::size_t bytes = 0;
+  for (auto _ : state) {
+    const std::size_t before = most = inUse;
+    double start = processorTime();
+    BspTree tree = bspTree(scene, kQuick);
+    built = std::min(built, processorTime() - start);
+    bytes = most - before;
+    start = processorTime();
+    const SortedScene order = backToFront(std::move(tree));
+    walked = std::min(walked, processorTime() - start);
+    statistics = order.statistics;
+    state.PauseTiming();
+    start = processorTime();
+    benchmark::DoNotOptimize(depthSort(scene, kQuick));
+    sorted = std::min(sorted, processorTime() - start);
+    state.ResumeTiming();
+  }
+  const auto polygons = static_cast<double>(scene.faces.size());
+  state.counters["build_ms"] = built;
+  state.counters["walk_ms"] = walked;
+  state.counters["newell_ms"] = sorted;
+  state.counters["splits"] = static_cast<double>(statistics.splits);
+  state.counters["nodes"] = static_cast<double>(statistics.nodes);
+  state.counters["depth"] = statistics.deepest;
+  state.counters["bytes"] = static_cast<double>(bytes) / polygons;
+  state.counters["polygons"] = polygons;
+}
+#define TREE(name, most)                    \
+  BENCHMARK_CAPTURE(BM_BspTree, name, name) \
+      ->RangeMultiplier(10)                 \
+      ->Range(1000, most)                   \
+      ->Unit(benchmark::kMillisecond)
+TREE(triangleTorus, 100000);
+TREE(soup, 10000);
+TREE(shingles, 10000);
+TREE(teapot, 10000);
+TREE(crossingTori, 10000);
 
 /// The quick run with events against the same without, in turns, so that a machine that slows down slows
 /// both. Expect at most 1.1 times the time, and some pairs a polygon of 12 bytes each.

@@ -89,6 +89,9 @@ void BM_Frame64k(benchmark::State& state) {
 BENCHMARK(BM_Frame64k<Shading::Flat, Order::ZSort>)->Apply(ofAFrame);
 BENCHMARK(BM_Frame64k<Shading::Gouraud, Order::ZSort>)->Apply(ofAFrame);
 BENCHMARK(BM_Frame64k<Shading::Gouraud, Order::Newell>)->Apply(ofAFrame);
+BENCHMARK(BM_Frame64k<Shading::Gouraud, Order::ZBuffer16>)->Apply(ofAFrame);
+BENCHMARK(BM_Frame64k<Shading::Gouraud, Order::ZBuffer24>)->Apply(ofAFrame);
+BENCHMARK(BM_Frame64k<Shading::Gouraud, Order::ZBuffer32>)->Apply(ofAFrame);
 BENCHMARK(BM_Frame64k<Shading::Phong, Order::ZSort>)->Apply(ofAFrame);
 BENCHMARK(BM_Frame64k<Shading::Environment, Order::ZSort>)->Apply(ofAFrame);
 

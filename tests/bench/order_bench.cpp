@@ -25,6 +25,7 @@ void orders(benchmark::State& state, const std::string& name, Order order) {
   }
   const Exactness exactness = exactnessOf(pictures.last());
   state.counters["polygons"] = static_cast<double>(pictures.last().snapped().faces.size());
+  state.counters["bytes"] = static_cast<double>(pictures.last().sorted().statistics.bytes);
   state.counters["splits"] = static_cast<double>(pictures.last().sorted().statistics.splits);
   state.counters["wrong"] = exactness.wrong;
   state.counters["samples"] = exactness.samples;

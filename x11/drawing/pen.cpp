@@ -28,15 +28,30 @@ void drawTrack(Pen& pen, int x, int baseline, int width, const TrackLook& look) 
 
 std::vector<Rect> optionFrames(std::span<const std::string_view> options, int x, int baseline, int width,
                                int height) {
-  constexpr int kLeastGap = 4;
-  int words = 0;
-  for (const std::string_view option : options) words += textWidth(option);
-  const int gap =
-      std::clamp((width - words) / std::max(1, static_cast<int>(options.size()) - 1), kLeastGap, 14);
+  constexpr int kLeastGap = 4, kGapInLines = 12;
+  const auto widthOf = [](std::span<const std::string_view> words) {
+    int sum = 0;
+    for (const std::string_view word : words) sum += textWidth(word);
+    return sum;
+  };
+  const auto gaps = [](std::span<const std::string_view> words) {
+    return std::max(1, static_cast<int>(words.size()) - 1);
+  };
+  const int wordGap = widthOf(options) + gaps(options) * kLeastGap <= width ? kLeastGap : kGapInLines;
   std::vector<Rect> frames;
-  for (const std::string_view option : options) {
-    frames.push_back({x - 6, baseline - (height + 9) / 2, textWidth(option) + 13, height});
-    x += textWidth(option) + gap;
+  for (auto rest = options; !rest.empty();) {
+    std::size_t fit = 1;
+    while (fit < rest.size() && widthOf(rest.first(fit + 1)) + gaps(rest.first(fit + 1)) * wordGap <= width)
+      ++fit;
+    const std::span<const std::string_view> line = rest.first(fit);
+    const int gap = std::clamp((width - widthOf(line)) / gaps(line), kLeastGap, 14);
+    int left = x - 6;
+    for (const std::string_view option : line) {
+      frames.push_back({left, baseline - (height + 9) / 2, textWidth(option) + 13, height});
+      left += textWidth(option) + gap;
+    }
+    baseline += height;
+    rest = rest.subspan(fit);
   }
   return frames;
 }

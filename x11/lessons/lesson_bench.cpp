@@ -269,7 +269,7 @@ bool LessonBench::grab(int x, int y) {
       change(control, [&](Setup& s) { moveTo(s, control, *share); });
       return true;
     }
-    const std::optional<int> option = optionAt(at_.controls[k], row, x);
+    const std::optional<int> option = optionAt(at_.controls[k], row, x, y);
     if (!option && !row.toggle) return false;
     late_ = true;
     if (isLessonsOwn(control))

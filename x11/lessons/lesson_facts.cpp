@@ -54,6 +54,20 @@ constexpr std::array kFacts{
     FactRow{"polygons", "polygons that can be seen at all", 0, FactNeeds::Picture,
             [](Found f) -> double { return f.picture.snapped().polygons - f.picture.snapped().degenerate; }},
 
+    FactRow{"picture cuts", "splits in the order that the picture uses", 0, FactNeeds::Picture,
+            [](Found f) { return static_cast<double>(f.picture.sorted().statistics.splits); }},
+    FactRow{"tree nodes", "nodes of its BSP tree", 0, FactNeeds::Picture,
+            [](Found f) { return static_cast<double>(f.picture.sorted().statistics.nodes); }},
+    FactRow{"tree depth", "most nodes on a way from its root", 0, FactNeeds::Picture,
+            [](Found f) -> double {
+              const SortStatistics& s = f.picture.sorted().statistics;
+              return s.nodes > 0 ? s.deepest : 0;
+            }},
+    FactRow{"depth tests", "depths that its z-buffer compared", 0, FactNeeds::Picture,
+            [](Found f) { return static_cast<double>(f.picture.sorted().statistics.depthTests); }},
+    FactRow{"order bytes", "memory that its order keeps while it paints", 0, FactNeeds::Picture,
+            [](Found f) { return static_cast<double>(f.picture.sorted().statistics.bytes); }},
+
     FactRow{"painted", "polygons and pieces that the textbook run paints", 0, FactNeeds::Run,
             [](Found f) { return static_cast<double>(f.painted); }},
     FactRow{"cuts", "splits in the textbook run of the depth sort", 0, FactNeeds::Run,

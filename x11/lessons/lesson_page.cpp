@@ -192,8 +192,10 @@ LessonLayout layoutOfLesson(const Rect& column, const LessonPage& page, bool com
     at.controlsTop = y + 16;
     y = at.controlsTop + (compact ? 5 : 8);
     for (std::size_t k = 0; k < page.controls.size(); ++k) {
-      at.controls.push_back({column.x, y, column.width, pitch.control});
-      y += pitch.control;
+      const std::vector<Rect> frames = framesOf(page.controls[k], column);
+      const int more = frames.empty() ? 0 : frames.back().y - frames.front().y;  // if they need a second line
+      at.controls.push_back({column.x, y, column.width, pitch.control + more});
+      y += pitch.control + more;
     }
     y += 2;
   }
@@ -211,9 +213,11 @@ std::vector<std::string> tooWide(const LessonPage& page) {
     if (24 + textWidth(control.label) > kColumnTrackAt - 4) found.push_back(control.label);
     const std::vector<Rect> frames = framesOf(control, {});
     const auto wordsEnd = [&](const Rect& frame) { return frame.x + frame.width - 7; };
-    if (!frames.empty() && wordsEnd(frames.back()) > kLessonColumn) found.push_back(control.options.back());
-    for (std::size_t k = 1; k < frames.size(); ++k)
-      if (frames[k].x + 6 - wordsEnd(frames[k - 1]) < 6) found.push_back(control.options[k]);
+    for (std::size_t k = 0; k < frames.size(); ++k) {
+      if (wordsEnd(frames[k]) > kLessonColumn) found.push_back(control.options[k]);
+      if (k > 0 && frames[k].y == frames[k - 1].y && frames[k].x + 6 - wordsEnd(frames[k - 1]) < 6)
+        found.push_back(control.options[k]);
+    }
     const int room = control.track ? kLessonColumn - kColumnTrackAt - kColumnTrack - 8
                                    : kLessonColumn - kColumnTrackAt - 18;
     if (textWidth(control.value) > room) found.push_back(control.value);
@@ -236,10 +240,13 @@ std::optional<double> trackAt(const Rect& row, int x) {
   return std::clamp(static_cast<double>(along) / kColumnTrack, 0.0, 1.0);
 }
 
-std::optional<int> optionAt(const Rect& row, const PageControl& control, int x) {
+std::optional<int> optionAt(const Rect& row, const PageControl& control, int x, int y) {
   const std::vector<Rect> frames = framesOf(control, row);
+  if (frames.empty()) return std::nullopt;
+  y = std::clamp(y, frames.front().y,
+                 frames.back().y + frames.back().height - 1);  // a row is a little higher
   for (std::size_t k = 0; k < frames.size(); ++k)
-    if (frames[k].has(x, frames[k].y)) return static_cast<int>(k);
+    if (frames[k].has(x, y)) return static_cast<int>(k);
   return std::nullopt;
 }
 

@@ -72,8 +72,8 @@ void drawLessonPage(IndexImage& image, const LessonLayout& at, const LessonPage&
 
 /// The share of the track of a slider at column x, in [0, 1]; nothing beside the track.
 [[nodiscard]] std::optional<double> trackAt(const Rect& row, int x);
-/// The option at column x in the row of a choice.
-[[nodiscard]] std::optional<int> optionAt(const Rect& row, const PageControl& control, int x);
+/// The option at (x, y), a place in the row of a choice.
+[[nodiscard]] std::optional<int> optionAt(const Rect& row, const PageControl& control, int x, int y);
 
 /// The list of all lessons.
 struct LessonList {

@@ -132,7 +132,7 @@ void settle(Options& o) {
   // polygons.
   const bool server = std::exchange(o.picture.inPixels, false);
   const bool window = o.command == Command::View || o.command == Command::Snapshot;
-  const bool fillable = o.picture.order != Order::Oracle && !rowOf(o.picture.shading).interpolates;
+  const bool fillable = !rowOf(o.picture.order).bySample && !rowOf(o.picture.shading).interpolates;
   if (server && (o.gave("--fill") || (window && fillable))) o.fill = Fill::XFillPolygon;
   if (!o.halfVector) return;
   if (o.gave("--form") && light.form != Form::HalfVector)

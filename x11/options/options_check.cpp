@@ -158,9 +158,9 @@ void checkMethods(const Options& o) {
     throw UsageError{"--texture works only with --shade flat, gouraud and phong"};
   if (serverFills && !o.texture.empty())
     throw UsageError{"--fill x11 gives a polygon one cell: it shows no --texture"};
-  if (serverFills && o.picture.order == Order::Oracle)
-    throw UsageError{
-        "--order oracle decides each sample by itself: there is no polygon for --fill x11 to fill"};
+  if (const OrderRow& order = rowOf(o.picture.order); serverFills && order.bySample)
+    throw UsageError{"--order " + std::string{order.name} +
+                     " decides each sample by itself: there is no polygon for --fill x11 to fill"};
 }
 
 void checkCamera(const CameraSettings& c) {

@@ -1,8 +1,8 @@
 #include "x11/sides/side_bench.h"
 
 #include <algorithm>
+#include <stdexcept>
 
-#include "geometry/view/view.h"
 #include "x11/drawing/wording.h"
 
 namespace xnewell {
@@ -14,12 +14,10 @@ bool isSame(const Scene& a, const Scene& b) {
   return &a == &b || (a.name == b.name && a.mesh.points == b.mesh.points && a.mesh.corners == b.mesh.corners);
 }
 
-bool isExact(Order order) { return order == Order::Newell || order == Order::Oracle; }
-
 /// The order that is worth comparing with that of A: an exact one with an inexact one, and the reverse.
 Setup lessonBeside(const Setup& A) {
   Setup B = A;
-  B.picture.order = isExact(A.picture.order) ? Order::ZSort : Order::Newell;
+  B.picture.order = rowOf(A.picture.order).exact ? Order::ZSort : Order::Newell;
   return B;
 }
 
@@ -256,7 +254,7 @@ Picture SideBench::makeB(const Desk& desk) {
   const Picture B = [&] {
     try {
       return make();
-    } catch (const ViewError& e) {
+    } catch (const std::runtime_error& e) {  // a view that shows nothing, or too large a BSP tree
       host_->notify("B cannot be drawn with these settings: " + std::string{e.what()});
       b_ = drawn_ && drawn_->b ? drawn_->b : desk.setup;
       return make();

@@ -46,7 +46,8 @@ std::string shareOf(std::int64_t part, std::int64_t all) {
 
 std::string whyOf(Order order, std::string_view other, const SideNumbers& numbers) {
   std::string why =
-      order == Order::Unsorted
+      rowOf(order).bits > 0 ? "Where two depths round to one level of the buffer, the later face shows"
+      : order == Order::Unsorted
           ? "The scene's own order ignores depth"
           : "One z for each face cannot order faces that overlap in z or pass through each other";
   if (numbers.cuts > 0)
@@ -98,12 +99,10 @@ Finding findingOf(const Picture& A, const Picture& B, const SideNumbers& ofA, co
       return {name + " is wrong at " + counted(worse.wrong, "sample") + where + ".",
               whyOf((aIsWorse ? A : B).settings().order, other, better)};
     // Where an order is exact, only faces that are left out can make a sample wrong.
-    const auto exact = [](const Picture& p) {
-      return p.settings().order == Order::Newell || p.settings().order == Order::Oracle;
-    };
-    const std::string reason = exact(A) || exact(B)
-                                   ? "Backs that can be seen are not painted."
-                                   : "Neither order is exact: Newell's and the oracle's are.";
+    const auto exact = [](const Picture& p) { return rowOf(p.settings().order).exact; };
+    const std::string reason =
+        exact(A) || exact(B) ? "Backs that can be seen are not painted."
+                             : "Neither order is exact: those of Newell, the BSP tree and the oracle are.";
     if (better.wrong == worse.wrong)
       return {"Both are wrong at " + counted(worse.wrong, "sample") + ".", reason};
     return {name + " is wrong at " + counted(worse.wrong, "sample") + ", " + other + " at " +

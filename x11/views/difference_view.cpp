@@ -130,8 +130,7 @@ ColoredImage drawDifference(const Picture& picture, const ViewSettings& settings
   Sheet sheet{settings.picture.width, settings.picture.height, settings.cells};
   const Rect whole{0, 0, shown.width, shown.height};
   caption(sheet, at.picture, at.captions,
-          std::string{rowOf(shown.shading).label} + ", " +
-              std::string{kOrders[static_cast<int>(shown.order)].label},
+          std::string{rowOf(shown.shading).label} + ", " + std::string{rowOf(shown.order).label},
           "as it is painted");
   caption(sheet, at.reference, at.captions, "the reference",
           compared.difference.measure == Measure::Color ? "without short cuts, in the picture's cells"

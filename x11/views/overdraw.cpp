@@ -33,7 +33,11 @@ Finding findingOf(const Overdraw& o, const Picture& picture) {
   if (order == Order::Oracle)
     return {"Every sample is painted once.",
             "The oracle finds the face that each sample shows and paints no other, so nothing is painted "
-            "over. The other orders paint whole faces."};
+            "over. The orders by a sort paint whole faces."};
+  if (rowOf(order).bits > 0)
+    return {"Every sample is painted once.", "The z-buffer found the face that each sample shows by " +
+                                                 grouped(picture.sorted().statistics.depthTests) +
+                                                 " tests of a depth, one for each sample of each face."};
   const double over = 100.0 * static_cast<double>(o.painted - o.samples) / static_cast<double>(o.painted);
   Finding finding{"A sample is painted " + fixed(o.mean(), 2) + " times on average, " +
                       std::to_string(o.most) + " at most.",
@@ -90,7 +94,7 @@ ColoredImage drawOverdraw(const Picture& picture, const ViewSettings& settings) 
   page.finding(y, findingOf(o, picture));
   y += 36;
   const auto row = [&](std::string_view label, const std::string& value) { y = page.row(y, label, value); };
-  row("order", std::string{kOrders[static_cast<int>(picture.settings().order)].label});
+  row("order", std::string{rowOf(picture.settings().order).label});
   row("samples that show a face", grouped(o.samples));
   row("samples painted in total", grouped(o.painted));
   row("times each, mean and largest", fixed(o.mean(), 2) + "   " + std::to_string(o.most));

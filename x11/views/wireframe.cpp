@@ -119,9 +119,8 @@ int drawEdgeLegend(Sheet& sheet, int x, int y) {
     std::string_view name;
   };
   Painter painter = sheet.painter();
-  for (const EdgeRow& row :
-       {EdgeRow{Cell::WellText, false, "shows"}, EdgeRow{Cell::WellLine, false, "hidden"},
-        EdgeRow{Cell::White, true, "cut by the depth sort"}}) {
+  for (const EdgeRow& row : {EdgeRow{Cell::WellText, false, "shows"},
+                             EdgeRow{Cell::WellLine, false, "hidden"}, EdgeRow{Cell::White, true, "cut"}}) {
     painter.fillRect({x, y, 36, 13}, sheet.cell(Cell::Well));
     painter.line(x + 3, y + 6, x + 32, y + 6, sheet.cell(row.cell),
                  {.on = kDash, .off = row.dashed ? kDashPeriod - kDash : 0});
@@ -137,11 +136,23 @@ Finding findingOf(const Wireframe& wires, const Picture& picture) {
   switch (picture.settings().order) {
     case Order::Oracle:
       return {"Nothing is cut.", "The oracle decides at each sample and does not order polygons."};
+    case Order::ZBuffer16:
+    case Order::ZBuffer24:
+    case Order::ZBuffer32:
+      return {"Nothing is cut.", "A z-buffer compares depths at each sample and does not order polygons."};
     case Order::Newell:
+    case Order::Bsp:
       break;
     default:
       return {"Nothing is cut.",
               "A sort by one z for each polygon never cuts, even if whole polygons have no right order."};
+  }
+  if (picture.settings().order == Order::Bsp) {
+    if (wires.cuts == 0) return {"Nothing had to be cut.", "No plane of the tree passes through a polygon."};
+    return {
+        "The BSP tree cut " + (wires.cuts == 1 ? "once" : counted(wires.cuts, "time")) + ".",
+        "The plane of a node divides all polygons of its subtree, also those that do not overlap the node "
+        "on the screen. Dashed lines show the cuts."};
   }
   if (wires.cuts == 0) return {"Nothing had to be cut.", "Here whole polygons have an exact order."};
   return {"The depth sort cut " + (wires.cuts == 1 ? "once" : counted(wires.cuts, "time")) + ".",

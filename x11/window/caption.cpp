@@ -13,21 +13,7 @@ std::string_view chosen(char key, const Setup& setup) {
 
 }  // namespace
 
-std::string orderInWords(Order order) {
-  switch (order) {
-    case Order::Unsorted:
-      return "not sorted";
-    case Order::ZMean:
-      return "sorted by mean z";
-    case Order::ZSort:
-      return "sorted by farthest z";
-    case Order::Newell:
-      return "sorted by depth (Newell)";
-    case Order::Oracle:
-      return "nearest face at each sample";
-  }
-  return {};
-}
+std::string orderInWords(Order order) { return std::string{rowOf(order).inWords}; }
 
 std::string shadingInWords(Shading shading) {
   if (shading == Shading::Full) return "full intensity";

@@ -76,10 +76,13 @@ class Walk {
     if (section != Section::ColourTable) addSliders();
     for (const ChoiceRow& choice : choices())
       if (choice.section == section) {
-        add(Kind::Choice, choice.key, row(), {},
-            optionFrames(choice.options, x_ + kColumnTrackAt, y_, kControls - kColumnTrackAt,
-                         std::min(19, pitch_)));
-        y_ += pitch_;
+        std::vector<Rect> frames = optionFrames(choice.options, x_ + kColumnTrackAt, y_,
+                                                kControls - kColumnTrackAt, std::min(19, pitch_));
+        const int more = frames.back().y - frames.front().y;  // if they need a second line
+        Rect area = row();
+        area.height += more;
+        add(Kind::Choice, choice.key, area, {}, std::move(frames));
+        y_ += pitch_ + more;
       }
     if (section == Section::ColourTable) addSliders();
   }
@@ -274,7 +277,7 @@ const ControlPlace* ControlColumn::find(char key) const {
 }
 
 ControlColumn layoutOfControls(const Layout& at) {
-  constexpr int kLeastPitch = 14;  // the text is 13 pixels high
+  constexpr int kLeastPitch = 13;  // the height of the text
   for (int pitch = at.compact ? 17 : 21;; --pitch) {
     ControlColumn column = Walk{at, pitch}.column();
     const Rect& last = column.places.back().row;

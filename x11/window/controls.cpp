@@ -150,11 +150,14 @@ std::string_view whatIs(char key) {
 
 std::string_view keepFillable(Setup& setup) {
   if (setup.fill != Fill::XFillPolygon) return {};
-  const bool oracle = setup.picture.order == Order::Oracle;
-  if (!oracle && !rowOf(setup.picture.shading).interpolates) return {};
+  const Order order = setup.picture.order;
+  const bool bySample = rowOf(order).bySample;
+  if (!bySample && !rowOf(setup.picture.shading).interpolates) return {};
   setup.fill = Fill::Scanline;
-  return oracle ? "The oracle decides each sample by itself: there is no polygon for the server to fill."
-                : "XFillPolygon gives a polygon one cell: the server cannot interpolate.";
+  return order == Order::Oracle
+             ? "The oracle decides each sample by itself: there is no polygon for the server to fill."
+         : bySample ? "A z-buffer decides each sample by itself: there is no polygon for the server to fill."
+                    : "XFillPolygon gives a polygon one cell: the server cannot interpolate.";
 }
 
 void nextHue(Setup& setup) {

@@ -57,7 +57,7 @@ std::string countsOf(const Picture& picture) {
 std::string inexactness(const Picture& picture, bool compact) {
   constexpr std::size_t kMost = 100'000;  // polygons; with more, counting would take too long
   const Order order = picture.settings().order;
-  if (order == Order::Newell || order == Order::Oracle || picture.snapped().faces.size() > kMost) return {};
+  if (rowOf(order).exact || picture.snapped().faces.size() > kMost) return {};
   const Exactness e = exactnessOf(picture);
   if (e.wrong == 0) return {};
   return "Not exact: " + (compact ? "" : orderInWords(order) + ", ") + "the wrong face at " +

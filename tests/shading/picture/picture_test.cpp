@@ -148,7 +148,8 @@ TEST(Picture, OracleKnowsWhereTheOrderIsWrong) {
     teapot.make(s);
     const Exactness e = exactnessOf(teapot.last());
     EXPECT_GT(e.samples, 10'000);
-    EXPECT_EQ(e.wrong == 0, row.id == Order::Oracle || row.id == Order::Newell);
+    // The surfaces of this teapot are further apart than a quantum of 16 bits, at samples of this size.
+    EXPECT_EQ(e.wrong == 0, row.exact || row.bits > 0);
     s.cull = Cull::Back;
     ball.make(s);
     EXPECT_EQ(exactnessOf(ball.last()).wrong, 0);

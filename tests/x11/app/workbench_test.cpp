@@ -169,17 +169,22 @@ TEST(Workbench, TheCameraSurvivesAnyKeys) {
   }
 }
 
-// The oracle has no polygons for the server to fill. So the choice falls back to the scanline filler, and the
-// window says so.
-TEST(Workbench, OracleFillsNoPolygons) {
+// A z-buffer and the oracle have no polygons for the server to fill. So the choice falls back to the scanline
+// filler, and the window says so. A BSP tree has polygons.
+TEST(Workbench, OrdersBySampleFillNoPolygons) {
   ReadyWorkbench b;
   b.type("FF");
   EXPECT_EQ(b.setup().fill, Fill::Scanline);
   b.type("F");
   EXPECT_EQ(b.setup().fill, Fill::XFillPolygon);
   b.type("O");
-  EXPECT_EQ(b.setup().picture.order, Order::Oracle);
-  EXPECT_EQ(b.setup().fill, Fill::Scanline);
+  EXPECT_EQ(b.setup().picture.order, Order::Bsp);
+  EXPECT_EQ(b.setup().fill, Fill::XFillPolygon);
+  for (const Order order : {Order::ZBuffer16, Order::ZBuffer24, Order::ZBuffer32, Order::Oracle}) {
+    b.type("O");
+    EXPECT_EQ(b.setup().picture.order, order);
+    EXPECT_EQ(b.setup().fill, Fill::Scanline);
+  }
   b.type("F");
   EXPECT_EQ(b.setup().fill, Fill::Scanline);
   EXPECT_EQ(b.stale(), Stale::Everything);  // the status line tells why

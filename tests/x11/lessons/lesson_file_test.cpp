@@ -188,8 +188,9 @@ TEST(LessonFile, ComplaintsNameThePlace) {
             "by side");
   EXPECT_EQ(complaintOf(withStep(R"("window": "side by side")")),
             "l.json: steps[0]: side by side needs beside");
-  EXPECT_EQ(complaintOf(withStep(R"("shading": {"order": "bsp"})")),
-            "l.json: steps[0].shading.order: 'bsp' is not one of none, zmean, zsort, newell, oracle");
+  EXPECT_EQ(complaintOf(withStep(R"("shading": {"order": "zbuffer8"})")),
+            "l.json: steps[0].shading.order: 'zbuffer8' is not one of none, zmean, zsort, newell, bsp, "
+            "zbuffer16, zbuffer24, zbuffer32, oracle");
   EXPECT_EQ(complaintOf(withStep(R"("camera": {"fov": 200})")),
             "l.json: steps[0].camera.fov: an angle between 0 and 180 degrees is needed");
   EXPECT_EQ(complaintOf(withStep(R"("names": {"A": 3})")),

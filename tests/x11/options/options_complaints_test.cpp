@@ -169,6 +169,15 @@ TEST(Options, RefuseWhatTheCommandIgnores) {
   EXPECT_EQ(complaintAll({"--ids", "i.png"}), "--stats, --errors and --ids work only with draw and snapshot");
   EXPECT_EQ(complaint({"--whole-window"}), "--whole-window works only with snapshot and with trace --frames");
   EXPECT_EQ(complaint({"--fill", "x11"}), "--fill x11 needs a server: use snapshot");
+  for (const OrderRow& row : kOrders) {
+    const std::string name{row.name};
+    const bool bySample = name == "oracle" || name.starts_with("zbuffer");
+    EXPECT_EQ(complaintAll(
+                  {"snapshot", "teapot", "-o", "a.png", "--fill", "x11", "--shade", "flat", "--order", name}),
+              bySample ? "--order " + name +
+                             " decides each sample by itself: there is no polygon for --fill x11 to fill"
+                       : "");
+  }
   EXPECT_EQ(complaint({"--visual", "TrueColor24"}), "--visual works only with view, snapshot and visuals");
   for (const std::string method : {"none", "depth", "phong", "envmap"})
     EXPECT_EQ(complaint({"--adapt", "0.02", "--shade", method}),

@@ -79,7 +79,7 @@ TEST(Overdraw, AddsUpToTheSpans) {
     EXPECT_EQ(oracle.most, 1);
     EXPECT_EQ(oracle.once, oracle.samples);
     EXPECT_EQ(oracle.painted, oracle.samples);
-    for (const Order order : {Order::Unsorted, Order::ZMean, Order::ZSort, Order::Newell}) {
+    for (const Order order : {Order::Unsorted, Order::ZMean, Order::ZSort, Order::Newell, Order::Bsp}) {
       s.order = order;
       pictures.make(s);
       const Overdraw o = overdrawOf(pictures.last());
@@ -122,6 +122,13 @@ TEST(Overdraw, FindingIsOfTheNumbers) {
   pictures.make(fromAbove(pictures.scene(), Order::Oracle));
   finding = findingOf(overdrawOf(pictures.last()), pictures.last());
   EXPECT_EQ(finding.bold, "Every sample is painted once.");
+  pictures.make(fromAbove(pictures.scene(), Order::ZBuffer24));
+  finding = findingOf(overdrawOf(pictures.last()), pictures.last());
+  EXPECT_EQ(finding.bold, "Every sample is painted once.");
+  EXPECT_EQ(
+      finding.why,
+      "The z-buffer found the face that each sample shows by 1,200 tests of a depth, one for each sample "
+      "of each face.");
   PictureSettings away = fromAbove(pictures.scene(), Order::Newell);
   away.camera.eye = glm::dvec3{90, 0, 20};
   away.camera.lookAt = glm::dvec3{90, 0, 0};

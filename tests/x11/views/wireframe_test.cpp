@@ -109,7 +109,7 @@ TEST(Wireframe, WithoutCutsNothingIsDashed) {
   pictures.make(viewOf(pictures.scene(), Order::Newell));
   const Wireframe cut = wireframeOf(pictures.last(), CellPlan{});
   EXPECT_GT(std::ranges::count_if(cut.image.pixels, isDash), 20);
-  for (const Order order : {Order::Unsorted, Order::ZMean, Order::ZSort, Order::Oracle}) {
+  for (const Order order : {Order::Unsorted, Order::ZMean, Order::ZSort, Order::ZBuffer16, Order::Oracle}) {
     pictures.make(viewOf(pictures.scene(), order));
     const Wireframe wires = wireframeOf(pictures.last(), CellPlan{});
     EXPECT_EQ(wires.cuts, 0);
@@ -118,6 +118,12 @@ TEST(Wireframe, WithoutCutsNothingIsDashed) {
     EXPECT_EQ(wires.polygons, cut.polygons);
     EXPECT_EQ(findingOf(wires, pictures.last()).bold, "Nothing is cut.");
   }
+  // A BSP tree of two plates that pass through each other makes one cut, too.
+  pictures.make(viewOf(pictures.scene(), Order::Bsp));
+  const Wireframe tree = wireframeOf(pictures.last(), CellPlan{});
+  EXPECT_EQ(tree.cuts, 1);
+  EXPECT_GT(std::ranges::count_if(tree.image.pixels, isDash), 20);
+  EXPECT_EQ(findingOf(tree, pictures.last()).bold, "The BSP tree cut once.");
 }
 
 // Visible lines lie next to samples of their polygons: a pixel with only another face around it is never
