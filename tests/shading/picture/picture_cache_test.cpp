@@ -86,7 +86,7 @@ TEST(Picture, KeptStagesPaintWhatFreshOnesPaint) {
         s.light.ks = static_cast<double>(rng() % 100) / 100;
         break;
       case 3:
-        s.order = kOrders[rng() % 4].id;
+        s.order = kOrders[rng() % kOrders.size()].id;
         break;
       case 4:
         s.cull = rng() % 2 ? Cull::Back : Cull::Keep;
