@@ -27,7 +27,8 @@ class DepthDoubt {
  public:
   DepthDoubt(const ViewSpec& view, int width, int height, int zShift, const Rounding& rounding);
 
-  /// The doubt of a face in `record` whose coordinates were rounded by u in the model.
+  /// The doubt of a face in `record` whose coordinates were rounded by u in the model. It is off by at most
+  /// 2^-23 of itself, because it is stored as floats, where it is below 2^127.
   [[nodiscard]] Doubt of(const ScreenPlane& record, double u) const;
 
  private:
