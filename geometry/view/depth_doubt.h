@@ -21,8 +21,8 @@ namespace xnewell {
 ///
 /// The record of a class of faces is another plane, up to r from each corner. Where faces touch in the model,
 /// the planes of their own corners are within r of the true ones there, but the records may be 2 r off. So
-/// mayTouch() (touch.h) compares faces by the planes of their own corners: what touches is not taken for
-/// apart, and what is taken for a contact is no deeper than rounding explains.
+/// mayTouch() (touch.h) compares faces by the planes of their own corners, and no contact is deeper than 1.5
+/// times what rounding explains.
 class DepthDoubt {
  public:
   DepthDoubt(const ViewSpec& view, int width, int height, int zShift, const Rounding& rounding);

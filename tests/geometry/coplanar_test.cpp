@@ -277,6 +277,18 @@ TEST(Coplanar, RoundingOfDoublesFarAway) {
   EXPECT_FALSE(united(0x1p-29 + 0x1p-31));
 }
 
+// A long narrow decal is in the plane of its wall, although rounding tilts it by as much as it can.
+TEST(Coplanar, NarrowDecalsUniteWithTheirWall) {
+  constexpr double kU = 1e-5;
+  for (const double low : {0.05, 0.5, 0.9}) {
+    Mesh mesh = exactMesh();
+    mesh.rounding = {kU};
+    addRounded(mesh, rectangle({0, 0, 0}, {0.99, 0, 0}, {0, 0.99, 0}), 0);
+    addRounded(mesh, rectangle({0, low, -kU}, {0.9, 0, 0}, {0, 0.01, 2 * kU}), 0);
+    EXPECT_EQ(countOf(classesOf(mesh)), 1) << low;
+  }
+}
+
 // A decal that reaches onto the wall by more than rounding can move an edge and the decal, 2 sqrt 2 u
 // together, is in its plane; one that reaches less far may only touch it.
 TEST(Coplanar, OverlapBeginsBeyondRounding) {

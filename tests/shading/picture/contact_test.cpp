@@ -153,20 +153,23 @@ TEST(Contact, IsNoDeeperThanRounding) {
   EXPECT_EQ(splitsOf({floor, {-0.8, 0.8, -0.5, 0.5, -2.1 * kU, 8 * kU}}, kU), 1);
 }
 
-// For a contact, the plane of a face's own corners counts, also where it shares the plane of a class. Floor
-// and mat are one class, with a plane half way between them. The card crosses only the mat.
-TEST(Contact, IsByThePlaneOfItsOwnCorners) {
+// For a contact, the planes of the faces' own corners count, also where a face shares the plane of a class.
+// Floor and mat are one class, with a plane half way between them. The card crosses only the mat. Where the
+// records are nearer to each other than the planes of the corners, 1.5 times the rounding counts.
+TEST(Contact, IsByThePlanesOfTheirOwnCorners) {
   constexpr double kU = 1e-5;
   for (const double side : {1.0, -1.0}) {  // the mat is above the floor, or below it
     const double height = side * 1.9 * kU;
     const Card floor{-1, 1, -1, 1, 0, 0}, mat{0.8, 3, -0.5, 0.5, height, height};
-    const auto card = [&](double left, double right) {
-      return Card{1.2, 2.8, -0.3, 0.3, height + left * kU, height + right * kU};
+    // The card passes the mat at its left by 8 r one way, and at its right by this the other way.
+    const auto splits = [&](double byR, double way) {
+      const Card card{1.2, 2.8, -0.3, 0.3, height - 8 * way * kU, height + byR * way * kU};
+      return splitsOf({floor, mat, card}, kU);
     };
-    EXPECT_EQ(splitsOf({floor, mat, card(-8, 1.9)}, kU), 0);
-    EXPECT_EQ(splitsOf({floor, mat, card(-8, 2.1)}, kU), 1);
-    EXPECT_EQ(splitsOf({floor, mat, card(-1.9, 8)}, kU), 0);
-    EXPECT_EQ(splitsOf({floor, mat, card(-2.1, 8)}, kU), 1);
+    EXPECT_EQ(splits(1.9, side), 0);
+    EXPECT_EQ(splits(2.1, side), 1);
+    EXPECT_EQ(splits(2.9, -side), 0);
+    EXPECT_EQ(splits(3.1, -side), 1);
   }
 }
 
