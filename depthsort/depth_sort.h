@@ -43,9 +43,9 @@ namespace xnewell {
 ///
 /// Why it is right. Every order that is asserted is exactly true. P is painted when its order against
 /// everything unpainted is settled in its favour. Contacts are orders that are true but not asserted
-/// (pair_tests.h). Faces that touch in the model may cross because of its rounding: nowhere deeper than
-/// SnappedFace::doubt allows at that place, or in a sliver without a sample. They are not split for that, and
-/// there the farther one may show. The two faces at a sample were compared with each other, in a cycle too,
+/// (pair_tests.h). Faces that touch in the model may cross because of its rounding: only where mayTouch()
+/// (touch.h) says so, or in a sliver without a sample. They are not split for that, and there the
+/// farther one may show. The two faces at a sample were compared with each other, in a cycle too,
 /// so doubts do not add up.
 ///
 /// @see Newell, Newell and Sancha 1972; Foley & van Dam 2e §15.5.1

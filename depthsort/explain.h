@@ -47,8 +47,8 @@ struct CommonArea {
   double area = 0;  ///< square pixels
   CornerCounts P;   ///< the corners of the area, on P, relative to Q's plane
   Range aheadOfQ;   ///< zP - zQ
-  /// the largest sum of both doubts (SnappedFace::doubt) in the area; a part with a larger |zP - zQ| is no
-  /// contact
+  /// the largest sum of both doubts (SnappedFace::doubt) in the area; a part in which one is nearer by more,
+  /// as the planes of their own corners have it (touch.h), is no contact
   double doubt = 0;
 };
 

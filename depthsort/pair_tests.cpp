@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "depthsort/samples.h"
+#include "geometry/view/touch.h"
 
 namespace xnewell {
 
@@ -88,7 +89,7 @@ Relation PairTests::nearerInOverlap(const Shape& P, const Shape& Q) {
   regions_.clip(part_, line);
   const bool pOverQ = counts(part_, P.face, Q.face);
   regions_.clip(both_, Regions::flipped(line));
-  const bool qOverP = counts(both_, P.face, Q.face);
+  const bool qOverP = counts(both_, Q.face, P.face);
   if (pOverQ && qOverP) return {Test::Overlap, Verdict::Crossing};
   const bool qFirst = pOverQ || (!qOverP && P.index > Q.index);
   return {Test::Overlap, qFirst ? Verdict::QFirst : Verdict::PFirst, true};
@@ -96,17 +97,15 @@ Relation PairTests::nearerInOverlap(const Shape& P, const Shape& Q) {
 
 /// The depths are linear over the screen, and the doubt is linear in the depth. So the excess of the
 /// difference over the doubt is greatest in a corner.
-bool PairTests::isDeep(const Region& part, const SnappedFace& p, const SnappedFace& q) const {
+bool PairTests::isDeep(const Region& part, const SnappedFace& front, const SnappedFace& behind) const {
   return std::ranges::any_of(part, [&](const Side& side) {
-    const auto x = std::llrint(side.corner.x), y = std::llrint(side.corner.y);
-    const double zP = depthAt(scene_.planes[p.plane], x, y), zQ = depthAt(scene_.planes[q.plane], x, y);
-    return std::abs(zP - zQ) > p.doubt.at(zP) + q.doubt.at(zQ);
+    return !mayTouch(scene_, front, behind, std::llrint(side.corner.x), std::llrint(side.corner.y));
   });
 }
 
-bool PairTests::counts(const Region& part, const SnappedFace& p, const SnappedFace& q) const {
-  const bool doubted = p.doubt.atBack + q.doubt.atBack > 0.0f;
-  if (doubted && !regions_.samePlane(p.plane, q.plane) && !isDeep(part, p, q)) return false;
+bool PairTests::counts(const Region& part, const SnappedFace& front, const SnappedFace& behind) const {
+  const bool doubted = front.doubt.atBack + behind.doubt.atBack > 0.0f;
+  if (doubted && !regions_.samePlane(front.plane, behind.plane) && !isDeep(part, front, behind)) return false;
   return isWide(part) || ownsSample(scene_, part, width_, height_);
 }
 

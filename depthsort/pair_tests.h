@@ -40,7 +40,7 @@ class PairTests {
   /// Decides whether P may be painted before Q. It makes the tests in the textbook's order or in the quick
   /// one. For the quick one the caller must have compared the boxes.
   [[nodiscard]] Relation compare(const Shape& P, const Shape& Q);
-  /// True if the overlap is more than a contact.
+  /// True if the overlap, where P is in front of Q, is more than a contact.
   [[nodiscard]] bool overlapCounts(const Shape& P, const Shape& Q);
   /// True if Q's plane properly crosses P. Then split() returns the parts of P behind it and in front of it.
   [[nodiscard]] bool crosses(const Shape& P, const Shape& Q) { return signsOver(P, Q).both(); }
@@ -58,11 +58,12 @@ class PairTests {
   /// Test 6.
   [[nodiscard]] Relation nearerInOverlap(const Shape& P, const Shape& Q);
 
-  /// True if `part`, a part of the overlap or all of it, is more than a contact. It must be deeper than the
-  /// doubt of both (tested only if they lie in two planes), and it must be wide or own a sample.
-  [[nodiscard]] bool counts(const Region& part, const SnappedFace& p, const SnappedFace& q) const;
-  /// True if somewhere in the part zP and zQ are further apart than the sum of both doubts at that place.
-  [[nodiscard]] bool isDeep(const Region& part, const SnappedFace& p, const SnappedFace& q) const;
+  /// True if `part`, a part of the overlap or all of it, where one face is in front of the other, is more
+  /// than a contact. It must be deep (tested only if they lie in two planes), and it must be wide or own a
+  /// sample.
+  [[nodiscard]] bool counts(const Region& part, const SnappedFace& front, const SnappedFace& behind) const;
+  /// True unless the faces may touch (touch.h) everywhere in the part.
+  [[nodiscard]] bool isDeep(const Region& part, const SnappedFace& front, const SnappedFace& behind) const;
 
   /// Regions::cut() of both planes. It remembers the last one, because a pair asks for it again and again.
   [[nodiscard]] const Line& nearer(const SnappedFace& p, const SnappedFace& q);

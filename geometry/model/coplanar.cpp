@@ -218,38 +218,33 @@ class Coplanarity {
     }
   }
 
-  /// ConvexParts::off of the parts of a sheet in a class with this plane.
-  [[nodiscard]] float offOf(const Sheet& sheet, const Plane& plane) const {
-    const double way = glm::dot(sheet.plane.N, plane.N) < 0.0 ? -1.0 : 1.0;
-    double most = 0.0;
-    for (const int c : model_.corners(sheet)) {
-      const glm::dvec3& p = model_.box.points[c];
-      most = std::max(most, std::abs(glm::dot(plane.N, p) - plane.d -
-                                     way * (glm::dot(sheet.plane.N, p) - sheet.plane.d)));
-    }
-    return static_cast<float>(most / model_.rounding.of(plane.N, sheet.u));
-  }
-
   /// Numbers the classes in the order of their first sheets.
   [[nodiscard]] CoplanarClasses numbered() const {
     CoplanarClasses result;
     result.plane.resize(model_.parts.count());
-    result.off.resize(model_.parts.count());
     std::vector<int> number(planes_.size(), -1);
     for (std::size_t s = 0; s < model_.sheets.size(); ++s) {
       int& mine = number[classOf_[s]];
       if (mine < 0) {
         mine = static_cast<int>(result.planes.size());
-        const Plane& plane = planes_[classOf_[s]];
-        const glm::dvec3 foot =
-            model_.sheets[s].centroid - plane.N * (glm::dot(plane.N, model_.sheets[s].centroid) - plane.d);
-        result.planes.push_back({plane.N, model_.box.inWorld(foot)});
+        result.planes.push_back(inModel(planes_[classOf_[s]], model_.sheets[s]));
       }
       std::fill_n(result.plane.begin() + model_.sheets[s].firstPart, model_.sheets[s].partCount, mine);
-      const float off = several_[classOf_[s]] ? offOf(model_.sheets[s], planes_[classOf_[s]]) : 0.0f;
-      std::fill_n(result.off.begin() + model_.sheets[s].firstPart, model_.sheets[s].partCount, off);
+    }
+    result.own = result.plane;
+    for (std::size_t s = 0; s < model_.sheets.size(); ++s) {
+      const Sheet& sheet = model_.sheets[s];
+      if (!several_[classOf_[s]] || sheet.area == 0.0) continue;
+      std::fill_n(result.own.begin() + sheet.firstPart, sheet.partCount,
+                  static_cast<int>(result.planes.size()));
+      result.planes.push_back(inModel(sheet.plane, sheet));
     }
     return result;
+  }
+  /// The plane, through the point of it that is nearest to the sheet's centroid.
+  [[nodiscard]] ModelPlane inModel(const Plane& plane, const Sheet& sheet) const {
+    const glm::dvec3 foot = sheet.centroid - plane.N * (glm::dot(plane.N, sheet.centroid) - plane.d);
+    return {plane.N, model_.box.inWorld(foot)};
   }
 
   /// True if parts i and j overlap in area and one plane explains their sheets.
@@ -285,7 +280,7 @@ void uniteCoplanar(const Mesh& mesh, ConvexParts& parts) {
   CoplanarClasses classes = coplanarClasses(mesh, parts);
   parts.plane = std::move(classes.plane);
   parts.planes = std::move(classes.planes);
-  parts.off = std::move(classes.off);
+  parts.own = std::move(classes.own);
 }
 
 }  // namespace xnewell

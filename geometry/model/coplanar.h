@@ -8,11 +8,11 @@
 namespace xnewell {
 
 /// The planes of a model: for each part the number of its plane, 0 to n - 1 in order of the first part of
-/// each plane; the planes; and for each part how far it is off (ConvexParts::off).
+/// each plane; the planes; and for each part the plane of its own corners (ConvexParts::own).
 struct CoplanarClasses {
   std::vector<int> plane;
   std::vector<ModelPlane> planes;
-  std::vector<float> off;
+  std::vector<int> own;
 };
 
 /// Finds the planes of a model. A decal on a wall, or a box's bottom on the floor, was coplanar when it was
@@ -42,7 +42,7 @@ struct CoplanarClasses {
 /// plane of the larger alone.
 [[nodiscard]] CoplanarClasses coplanarClasses(const Mesh& mesh, const ConvexParts& parts);
 
-/// Sets ConvexParts::plane, planes and off to the classes.
+/// Sets ConvexParts::plane, planes and own to the classes.
 void uniteCoplanar(const Mesh& mesh, ConvexParts& parts);
 
 }  // namespace xnewell

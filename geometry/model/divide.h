@@ -23,12 +23,12 @@ struct ConvexParts {
   /// of the model. divideFaces() finds this for the parts of one planar face, coplanarClasses() for all
   /// parts.
   std::vector<int> plane;
-  /// The planes with these numbers, found by uniteCoplanar(); empty before.
+  /// The planes with these numbers, found by uniteCoplanar(), and behind them more planes for `own`; empty
+  /// before.
   std::vector<ModelPlane> planes;
-  /// #parts, or empty before: how far the plane of the part's own corners is from that plane within the part,
-  /// in units of what rounding explains (rounding.h). It is 0 for parts that share their plane with no other
-  /// face.
-  std::vector<float> off;
+  /// #parts, or empty before: the plane of the corners of the part, or of its planar face, alone. An index
+  /// into `planes`. It is another than `plane` where the part shares that one with other faces.
+  std::vector<int> own;
 
   [[nodiscard]] int count() const { return static_cast<int>(face.size()); }
   [[nodiscard]] std::span<const int> part(int k) const {

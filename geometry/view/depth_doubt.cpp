@@ -1,19 +1,10 @@
 #include "geometry/view/depth_doubt.h"
 
-#include <algorithm>
 #include <cmath>
 #include <glm/common.hpp>
 #include <glm/matrix.hpp>
 
 namespace xnewell {
-
-namespace {
-
-/// How far a face may be shown behind a nearer one, in units of what the rounding of both explains, and the
-/// least share of it that counts for contacts.
-constexpr double kMostError = 1.5, kLeastShare = 0.8;
-
-}  // namespace
 
 DepthDoubt::DepthDoubt(const ViewSpec& view, int width, int height, int zShift, const Rounding& rounding)
     : scale_{view, width, height, zShift},
@@ -24,14 +15,13 @@ DepthDoubt::DepthDoubt(const ViewSpec& view, int width, int height, int zShift, 
       q0_{1.0 / (perZ_ * (scale_.D - scale_.back))},
       dBack_{scale_.D - scale_.back} {}
 
-Doubt DepthDoubt::of(const ScreenPlane& record, double off, double u) const {
+Doubt DepthDoubt::of(const ScreenPlane& record, double u) const {
   const double perC = 1.0 / static_cast<double>(record.C);
   const double alpha = static_cast<double>(record.A) * perC, beta = static_cast<double>(record.B) * perC;
   const double snap = 0.5 + 0.5 * (std::abs(alpha) + std::abs(beta));
-  const double share = std::clamp(kMostError - off, kLeastShare, 1.0);
   const auto moved = [&](const glm::dvec3& m) {
     const glm::dvec3 n = glm::abs(worldFromVrc_ * m);
-    return share * rounding_.counted(u) * (n.x + n.y + n.z);
+    return rounding_.counted(u) * (n.x + n.y + n.z);
   };
   if (!scale_.perspective) {
     glm::dvec3 m{-alpha * scale_.zStep / scale_.step.x, beta * scale_.zStep / scale_.step.y, 1.0};

@@ -8,7 +8,7 @@
 
 namespace xnewell {
 
-/// Computes SnappedFace::doubt: how far the depth of a face may be off at a sample, in z steps.
+/// Computes SnappedFace::doubt: how far the plane of a face's own corners may be off at a sample, in z steps.
 ///
 /// The snap moves a point by half a step in each coordinate, so a plane with the slopes alpha and beta by 1/2
 /// +
@@ -18,17 +18,18 @@ namespace xnewell {
 /// d - 1 / dB) changes by (z + q0) r / |k| with q0 = D^2 / (zStep dB): this is linear in z, and z is linear
 /// over the screen. In a parallel view it is r / (zStep |m.z'|) everywhere, with m.z' as in plane_record.h.
 /// The normal over k, or over m.z', follows from the record alone.
-/// The record of a class may itself be some r off the plane of a face's own corners (ConvexParts::off). What
-/// is left of 1.5 r then counts, at least 0.8 r and at most r. With less, faces of a room that touch would be
-/// split. So a face may be shown before a nearer one where record and doubt together are up to 1.8 times what
-/// rounding explains. More than 1.5 times was not seen in tests.
+///
+/// The record of a class of faces is another plane, up to r from each corner. Where faces touch in the model,
+/// the planes of their own corners are within r of the true ones there, but the records may be 2 r off. So
+/// mayTouch() (touch.h) compares faces by the planes of their own corners, and no contact is deeper than 1.5
+/// times what rounding explains.
 class DepthDoubt {
  public:
   DepthDoubt(const ViewSpec& view, int width, int height, int zShift, const Rounding& rounding);
 
-  /// The doubt of a face in `record` whose coordinates were rounded by u in the model, and that is `off` as
-  /// ConvexParts has it.
-  [[nodiscard]] Doubt of(const ScreenPlane& record, double off, double u) const;
+  /// The doubt of a face in `record` whose coordinates were rounded by u in the model. It is off by at most
+  /// 2^-23 of itself, because it is stored as floats, where it is below 2^127.
+  [[nodiscard]] Doubt of(const ScreenPlane& record, double u) const;
 
  private:
   GridScale scale_;

@@ -18,7 +18,11 @@ GridScale::GridScale(const ViewSpec& view, int width, int height, int zShift)
 PlaneRecords::PlaneRecords(const ViewSpec& view, int width, int height, int zShift)
     : scale_{view, width, height, zShift}, rotation_{vrcRotation(view)}, vrp_{view.vrp}, prp_{view.prp} {}
 
-std::optional<ScreenPlane> PlaneRecords::of(const ModelPlane& plane, const glm::ivec2& near) const {
+bool PlaneRecords::Depth::fits() const {  // false if one is not a number
+  return std::max(std::abs(alpha), std::abs(beta)) < 0x1p60 && std::abs(z) < 0x1p31;
+}
+
+PlaneRecords::Depth PlaneRecords::depthOf(const ModelPlane& plane, const glm::ivec2& near) const {
   const glm::dvec3 m = rotation_ * plane.N;
   const double k = glm::dot(m, rotation_ * (plane.at - vrp_) - prp_);
   const glm::dvec2 at = scale_.onViewPlane(near.x, near.y);
@@ -35,12 +39,15 @@ std::optional<ScreenPlane> PlaneRecords::of(const ModelPlane& plane, const glm::
     const glm::dvec2 there = at + scale_.lean * scale_.D;
     z = (scale_.D + (k - m.x * there.x - m.y * there.y) / along - scale_.back) / scale_.zStep;
   }
-  const double alpha = slopeU * scale_.step.x, beta = -slopeV * scale_.step.y;
-  const double steepest = std::max(std::abs(alpha), std::abs(beta));
-  if (!(steepest < 0x1p60 && std::abs(z) < 0x1p31)) return {};  // also if one is not a number
+  return {slopeU * scale_.step.x, -slopeV * scale_.step.y, z};
+}
 
+std::optional<ScreenPlane> PlaneRecords::of(const ModelPlane& plane, const glm::ivec2& near) const {
+  const Depth depth = depthOf(plane, near);
+  if (!depth.fits()) return {};
+  const auto [alpha, beta, z] = depth;
   int exponent = 0;
-  std::frexp(steepest, &exponent);
+  std::frexp(std::max(std::abs(alpha), std::abs(beta)), &exponent);
   const int K = std::min(60, 60 - exponent);
   ScreenPlane record;
   record.A = std::llrint(std::ldexp(alpha, K));
@@ -51,6 +58,13 @@ std::optional<ScreenPlane> PlaneRecords::of(const ModelPlane& plane, const glm::
              Int128{record.B} * near.y;
   record.ofModel = true;
   return record;
+}
+
+Ahead PlaneRecords::ahead(const ModelPlane& plane, const ModelPlane& other, const glm::ivec2& near) const {
+  const Depth mine = depthOf(plane, near), its = depthOf(other, near);
+  if (!mine.fits() || !its.fits()) return {};
+  const double x = mine.alpha - its.alpha, y = mine.beta - its.beta;
+  return {x, y, mine.z - its.z - x * near.x - y * near.y};
 }
 
 }  // namespace xnewell

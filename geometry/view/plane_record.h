@@ -5,6 +5,7 @@
 #include <optional>
 
 #include "geometry/model/divide.h"
+#include "geometry/view/project.h"
 #include "geometry/view/screen_plane.h"
 #include "geometry/view/view.h"
 
@@ -45,7 +46,17 @@ class PlaneRecords {
   /// nearly edge-on that a slope reaches 2^60, or |z| at `near` 2^31.
   [[nodiscard]] std::optional<ScreenPlane> of(const ModelPlane& plane, const glm::ivec2& near) const;
 
+  /// How much nearer a plane is than another, which has a record. 0 if the first has none.
+  [[nodiscard]] Ahead ahead(const ModelPlane& plane, const ModelPlane& other, const glm::ivec2& near) const;
+
  private:
+  /// The depth of a plane in z steps: its slopes, and what it is at `near`.
+  struct Depth {
+    double alpha, beta, z;
+    [[nodiscard]] bool fits() const;
+  };
+  [[nodiscard]] Depth depthOf(const ModelPlane& plane, const glm::ivec2& near) const;
+
   GridScale scale_;
   glm::dmat3 rotation_;
   glm::dvec3 vrp_, prp_;

@@ -325,7 +325,7 @@ void addPlanes(SnappedScene& scene, const Mesh& mesh, const ConvexParts& parts, 
     if (next[f] < 0 && isWholeTriangle(scene, face, parts)) {
       scene.planes.push_back(planeThrough(&scene.vertices[face.first], 3));
       scene.faces[f].plane = record;
-      scene.faces[f].doubt = doubt.of(scene.planes.back(), 0.0, mesh.roundingOf(face.number));
+      scene.faces[f].doubt = doubt.of(scene.planes.back(), mesh.roundingOf(face.number));
       continue;
     }
     const ModelPlane plane =
@@ -334,9 +334,13 @@ void addPlanes(SnappedScene& scene, const Mesh& mesh, const ConvexParts& parts, 
     scene.planes.push_back(ofModel ? *ofModel : planeThroughAll(scene, f, next));
     for (int g = f; g >= 0; g = next[g]) {
       SnappedFace& member = scene.faces[g];
+      member.doubt = doubt.of(scene.planes.back(), mesh.roundingOf(member.number));
+      if (ofModel && !parts.own.empty() && parts.own[member.part] != member.plane) {
+        scene.ahead.resize(parts.count());
+        scene.ahead[member.part] = records.ahead(parts.planes[parts.own[member.part]], plane,
+                                                 placeInPicture(scene, member, width, height));
+      }
       member.plane = record;
-      const double off = parts.off.empty() ? 0.0 : parts.off[member.part];
-      member.doubt = doubt.of(scene.planes.back(), off, mesh.roundingOf(member.number));
     }
   }
 }

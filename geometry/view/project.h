@@ -20,6 +20,14 @@ struct Doubt {
   [[nodiscard]] double at(double z) const { return atBack + z * byZ; }
 };
 
+/// A difference of depths, in z steps, linear over the screen.
+struct Ahead {
+  double x = 0, y = 0, c = 0;
+  [[nodiscard]] double at(std::int64_t px, std::int64_t py) const {
+    return x * static_cast<double>(px) + y * static_cast<double>(py) + c;
+  }
+};
+
 /// A convex face on the screen grid, ready to be ordered and painted.
 /// Holds:  the outline has an area and runs counter-clockwise as seen on the screen (x right, y down).
 struct SnappedFace {
@@ -31,8 +39,8 @@ struct SnappedFace {
   /// Index into SnappedScene::planes. All faces in one plane of the model share one. Before addPlanes() it is
   /// ConvexParts::plane.
   int plane = 0;
-  /// The error bound of its plane within the face, from the rounding of the snap and of the model. Two faces
-  /// that are nearer to each other than the sum of their doubts may touch in the model.
+  /// The error bound of the plane of its own corners within the face, from the rounding of the snap and of
+  /// the model. mayTouch() in touch.h compares two faces by it.
   Doubt doubt = {};
 };
 
@@ -49,6 +57,9 @@ struct SnappedScene {
   std::vector<SnappedFace> faces;  ///< in order of number
   /// These planes define the depth. The z of a vertex may be off by a step or more. Empty before addPlanes().
   std::vector<ScreenPlane> planes;
+  /// By SnappedFace::part: how much nearer the plane of the part's own corners (ConvexParts::own) is than its
+  /// record. Empty if all parts have planes of their own, and before addPlanes().
+  std::vector<Ahead> ahead;
   int zShift = 0;
   int polygons = 0;    ///< number of convex parts given
   int culled = 0;      ///< number of back faces removed by choice

@@ -282,7 +282,7 @@ void Refiner::collect() {
       parts.firstCorner.push_back(static_cast<int>(parts.corners.size()));
       parts.face.push_back(face);
       parts.plane.push_back(old_.plane[k]);
-      if (!old_.off.empty()) parts.off.push_back(old_.off[k]);
+      if (!old_.own.empty()) parts.own.push_back(old_.own[k]);
       if (!flat()) return;
       points.at.push_back(centre);
       points.N.push_back(faces_->N[face]);

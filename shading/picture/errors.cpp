@@ -8,7 +8,7 @@
 #include <map>
 
 #include "depthsort/oracle.h"
-#include "geometry/view/screen_plane.h"
+#include "geometry/view/touch.h"
 #include "shading/color/color_difference.h"
 
 namespace xnewell {
@@ -22,16 +22,14 @@ double largestOf(const glm::dvec3& v) { return std::max({v.x, v.y, v.z}); }
 
 glm::dvec3 shares(const Rgb16& c) { return glm::dvec3{c.r, c.g, c.b} / 65535.0; }
 
-/// The depth of a face of the snapped scene at the centre of a pixel, if the face covers it or touches it
-/// there.
-std::optional<double> depthOn(const SnappedScene& scene, const SnappedFace& face, int i, int j) {
-  const std::int64_t x = std::int64_t{i} * kGrid + kGrid / 2, y = std::int64_t{j} * kGrid + kGrid / 2;
+/// True if a face of the snapped scene covers a place on the grid, or has it on its border.
+bool has(const SnappedScene& scene, const SnappedFace& face, std::int64_t x, std::int64_t y) {
   for (int k = 0; k < face.count; ++k) {
     const glm::ivec3 &a = scene.vertices[face.first + k],
                      &b = scene.vertices[face.first + (k + 1) % face.count];
-    if (std::int64_t{b.y - a.y} * (x - a.x) - std::int64_t{b.x - a.x} * (y - a.y) < 0) return std::nullopt;
+    if (std::int64_t{b.y - a.y} * (x - a.x) - std::int64_t{b.x - a.x} * (y - a.y) < 0) return false;
   }
-  return depthAt(scene.planes[face.plane], x, y);
+  return true;
 }
 
 }  // namespace
@@ -155,18 +153,15 @@ std::vector<float> Comparison::colorErrors() const {
 
 bool Comparison::mayTouch(std::size_t sample) const {
   const SnappedScene& scene = polygons_.picture().snapped();
-  const int width = picture_.settings().width;
-  const int i = static_cast<int>(sample) % width, j = static_cast<int>(sample) / width;
+  const auto width = static_cast<std::size_t>(picture_.settings().width);
+  const std::int64_t x = static_cast<std::int64_t>(sample % width) * kGrid + kGrid / 2,
+                     y = static_cast<std::int64_t>(sample / width) * kGrid + kGrid / 2;
   const SnappedFace& due = scene.faces[polygons_.faces()[sample]];
-  const std::optional<double> zDue = depthOn(scene, due, i, j);
   // Faces are in order of number.
   for (const SnappedFace& shown :
-       std::ranges::equal_range(scene.faces, shownFace(sample), {}, &SnappedFace::number)) {
-    const std::optional<double> z = depthOn(scene, shown, i, j);
-    if (z && zDue && shown.plane != due.plane &&
-        std::abs(*z - *zDue) <= shown.doubt.at(*z) + due.doubt.at(*zDue))
+       std::ranges::equal_range(scene.faces, shownFace(sample), {}, &SnappedFace::number))
+    if (has(scene, shown, x, y) && shown.plane != due.plane && xnewell::mayTouch(scene, due, shown, x, y))
       return true;
-  }
   return false;
 }
 

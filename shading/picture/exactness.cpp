@@ -1,9 +1,7 @@
 #include "shading/picture/exactness.h"
 
-#include <cmath>
-
 #include "depthsort/oracle.h"
-#include "geometry/view/screen_plane.h"
+#include "geometry/view/touch.h"
 
 namespace xnewell {
 
@@ -11,11 +9,10 @@ std::vector<SampleCheck> checkedSamples(const Picture& picture) {
   const int width = picture.settings().width, height = picture.settings().height;
   const Picture complete = picture.withPlanes();
   const SnappedScene& snapped = complete.snapped();
-  const auto apart = [&](int p, int q, int i, int j) {
-    const SnappedFace &P = snapped.faces[p], &Q = snapped.faces[q];
+  const auto apart = [&](int painted, int visible, int i, int j) {
     const std::int64_t x = std::int64_t{i} * kGrid + kGrid / 2, y = std::int64_t{j} * kGrid + kGrid / 2;
-    const double zP = depthAt(snapped.planes[P.plane], x, y), zQ = depthAt(snapped.planes[Q.plane], x, y);
-    return P.plane == Q.plane || std::abs(zP - zQ) > P.doubt.at(zP) + Q.doubt.at(zQ);
+    const SnappedFace &front = snapped.faces[visible], &behind = snapped.faces[painted];
+    return front.plane == behind.plane || !mayTouch(snapped, front, behind, x, y);
   };
   const std::vector<int> painted = picture.seen(0, height).faces;
   const std::vector<int> visible = visibleFaces(snapped, width, height);
@@ -31,14 +28,16 @@ std::vector<SampleCheck> checkedSamples(const Picture& picture) {
   return verdicts;
 }
 
-Exactness exactnessOf(const Picture& picture) {
+Exactness exactnessOf(std::span<const SampleCheck> verdicts) {
   Exactness exactness;
-  for (const SampleCheck verdict : checkedSamples(picture)) {
+  for (const SampleCheck verdict : verdicts) {
     exactness.samples += verdict != SampleCheck::Nothing;
     exactness.wrong += verdict == SampleCheck::Wrong;
     exactness.doubtful += verdict == SampleCheck::Doubtful;
   }
   return exactness;
 }
+
+Exactness exactnessOf(const Picture& picture) { return exactnessOf(checkedSamples(picture)); }
 
 }  // namespace xnewell

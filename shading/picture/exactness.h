@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <span>
 #include <vector>
 
 #include "shading/picture/picture.h"
@@ -11,9 +12,8 @@ namespace xnewell {
 /// long as a picture with Order::Oracle.
 
 /// The verdict on one sample. It is Wrong if the picture shows another face than the oracle sees. There is
-/// one exception: rounding alone may separate two faces in different planes whose depths differ by no more
-/// than the sum of their doubts (SnappedFace::doubt). They may be coplanar in the model, so neither counts as
-/// wrong: the sample is Doubtful.
+/// one exception: rounding alone may separate two faces in different planes (mayTouch() in touch.h).
+/// They may touch in the model, so neither counts as wrong: the sample is Doubtful.
 enum class SampleCheck : std::uint8_t { Nothing, Right, Doubtful, Wrong };
 /// The verdict on each sample, row by row.
 [[nodiscard]] std::vector<SampleCheck> checkedSamples(const Picture& picture);
@@ -23,6 +23,7 @@ enum class SampleCheck : std::uint8_t { Nothing, Right, Doubtful, Wrong };
 struct Exactness {
   int samples = 0, wrong = 0, doubtful = 0;
 };
+[[nodiscard]] Exactness exactnessOf(std::span<const SampleCheck> verdicts);
 [[nodiscard]] Exactness exactnessOf(const Picture& picture);
 
 }  // namespace xnewell

@@ -197,7 +197,7 @@ void findCoplanar(benchmark::State& state, const Mesh& mesh) {
   CoplanarClasses classes;
   for (auto _ : state) benchmark::DoNotOptimize(classes = coplanarClasses(mesh, parts));
   state.SetItemsProcessed(state.iterations() * parts.count());
-  state.counters["planes"] = static_cast<double>(classes.planes.size());
+  state.counters["planes"] = 1.0 + *std::ranges::max_element(classes.plane);
 }
 // No two faces are coplanar, and neighbours touch: expect n log n. The mesh is exact, or as if read with that
 // many decimals.

@@ -6,6 +6,7 @@
 #include <array>
 #include <cmath>
 #include <glm/geometric.hpp>
+#include <numbers>
 #include <random>
 
 #include "geometry/exact/plane.h"
@@ -261,6 +262,47 @@ TEST(Coplanar, RoundingByObjectAndCapped) {
   EXPECT_FALSE(united(2.01e-6, 1e-6, 1e-6));
   EXPECT_TRUE(united(0x1p-45, 0, 0));
   EXPECT_FALSE(united(0x1p-44, 0, 0));
+}
+
+// Far from the origin, the rounding of coordinates to doubles counts: 2^-50 of the largest for each face.
+TEST(Coplanar, RoundingOfDoublesFarAway) {
+  const auto united = [](double height) {
+    constexpr double kFar = 0x1p20;
+    Mesh mesh = exactMesh();
+    addRounded(mesh, rectangle({0, 0, kFar}, {1, 0, 0}, {0, 1, 0}), 0);
+    addRounded(mesh, rectangle({0.25, 0.25, kFar + height}, {0.5, 0, 0}, {0, 0.5, 0}), 0);
+    return countOf(classesOf(mesh)) == 1;
+  };
+  EXPECT_TRUE(united(0x1p-29));
+  EXPECT_FALSE(united(0x1p-29 + 0x1p-31));
+}
+
+// A long narrow decal is in the plane of its wall, although rounding tilts it by as much as it can.
+TEST(Coplanar, NarrowDecalsUniteWithTheirWall) {
+  constexpr double kU = 1e-5;
+  for (const double low : {0.05, 0.5, 0.9}) {
+    Mesh mesh = exactMesh();
+    mesh.rounding = {kU};
+    addRounded(mesh, rectangle({0, 0, 0}, {0.99, 0, 0}, {0, 0.99, 0}), 0);
+    addRounded(mesh, rectangle({0, low, -kU}, {0.9, 0, 0}, {0, 0.01, 2 * kU}), 0);
+    EXPECT_EQ(countOf(classesOf(mesh)), 1) << low;
+  }
+}
+
+// A decal that reaches onto the wall by more than rounding can move an edge and the decal, 2 sqrt 2 u
+// together, is in its plane; one that reaches less far may only touch it.
+TEST(Coplanar, OverlapBeginsBeyondRounding) {
+  constexpr double kU = 0.5e-6, kReach = std::numbers::sqrt2 * kU;
+  const auto united = [](double overlap) {
+    Mesh mesh = exactMesh();
+    mesh.rounding = {kU};
+    addRounded(mesh, rectangle({0, 0, 0}, {1, 0, 0}, {0, 1, 0}), 0);
+    addRounded(mesh, rectangle({1 - overlap, 0, 0}, {1, 0, 0}, {0, 1, 0}), 0);
+    return countOf(classesOf(mesh)) == 1;
+  };
+  EXPECT_FALSE(united(0));
+  EXPECT_FALSE(united(1.99 * kReach));
+  EXPECT_TRUE(united(2.01 * kReach + 1e-13));
 }
 
 // The parts of a concave planar face lie in one plane, with the decals on any of its arms. The parts of a

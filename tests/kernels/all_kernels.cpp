@@ -9,6 +9,7 @@ std::vector<Kernel> allKernels() {
   addModelKernels(kernels);
   addViewKernels(kernels);
   addPlaneKernels(kernels);
+  addDoubtKernels(kernels);
   addRegionKernels(kernels);
   addColorKernels(kernels);
   addLightKernels(kernels);

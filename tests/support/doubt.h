@@ -17,12 +17,17 @@ inline double depthOf(const SnappedScene& scene, const SnappedFace& face, int k,
                  std::int64_t{k / width} * kGrid + kGrid / 2);
 }
 
-/// True if the two faces may touch at sample k, as far as the model tells: they lie in two planes that are
-/// nearer to each other than the rounding of both.
+/// True if face p may touch the nearer face q at sample k, as far as the model tells: they lie in two planes,
+/// and the plane of q's own corners is not nearer than that of p's by more than the rounding of both.
 inline bool mayTouch(const SnappedScene& scene, int p, int q, int k, int width) {
   const SnappedFace &P = scene.faces[p], &Q = scene.faces[q];
   const double zP = depthOf(scene, P, k, width), zQ = depthOf(scene, Q, k, width);
-  return P.plane != Q.plane && std::abs(zP - zQ) <= P.doubt.at(zP) + Q.doubt.at(zQ);
+  const auto ahead = [&](const SnappedFace& face) {
+    const std::int64_t x = std::int64_t{k % width} * kGrid + kGrid / 2,
+                       y = std::int64_t{k / width} * kGrid + kGrid / 2;
+    return scene.ahead.empty() ? 0.0 : scene.ahead[face.part].at(x, y);
+  };
+  return P.plane != Q.plane && zQ + ahead(Q) - zP - ahead(P) <= P.doubt.at(zP) + Q.doubt.at(zQ);
 }
 
 /// Calls visit(k, face) for each sample of each face.

@@ -112,6 +112,7 @@ class Judge {
     }
     u_ = std::min(Real{u}, 3e-5L / std::sqrt(3.0L) * side_);
     e_ = 0x1p-46L * side_ + 0x1p-50L * magnitude;
+    front_ = frontPlane();
     for (int f = 0; f < mesh.faceCount(); ++f) faces_.push_back(faceOf(f));
     zHalfStep_ = 0.5L * kStep * std::exp2(Real(zShift())) / rays_.zPerDepth();
   }
@@ -182,7 +183,6 @@ class Judge {
     face.d = dot(face.N, (1.0L / static_cast<Real>(face.corners.size())) * mean);
     face.r = u_ * (std::abs(face.N.x) + std::abs(face.N.y) + std::abs(face.N.z)) + e_;
 
-    // The default front plane cuts away what is nearer to the eye than this (placeCamera() says so).
     Real x0 = width_, y0 = height_, x1 = 0, y1 = 0;
     for (const Vec& p : inFront(face.corners)) {
       const auto [x, y] = rays_.seen(p);
@@ -195,10 +195,43 @@ class Judge {
     face.y0 = pixel(y0 - 1, height_), face.y1 = pixel(y1 + 2, height_);
     return face;
   }
-  [[nodiscard]] Real front() const { return side_ / 1024; }
+  /// The distance of the front plane that camera.h promises: half way to the scene or side / 1024; where
+  /// something in view is nearer, half way to that, but no nearer than 2^-15 of the way to the back plane. In
+  /// a picture that is right, it cuts away nothing else in view.
+  [[nodiscard]] Real frontPlane() const {
+    if (!rays_.perspective()) return 0;
+    constexpr Real kInfinity = std::numeric_limits<Real>::infinity();
+    Real first = kInfinity, last = -kInfinity, inView = kInfinity;
+    for (const glm::dvec3& p : mesh_.points)
+      first = std::min(first, rays_.distance(real(p))), last = std::max(last, rays_.distance(real(p)));
+    const Real gap = side_ / 1024, usual = std::max(gap, (first - gap) / 2);
+    for (int f = 0; f < mesh_.faceCount(); ++f) {
+      std::vector<Vec> polygon;
+      for (const int c : mesh_.face(f)) polygon.push_back(real(mesh_.points[c]));
+      polygon = clipped(polygon, [&](const Vec& p) { return rays_.distance(p) - side_ * 0x1p-40L; });
+      polygon = within(polygon, 0, Real(width_), 0, Real(height_));
+      for (const Vec& p : polygon) inView = std::min(inView, rays_.distance(p));
+    }
+    return std::min(usual, std::max(inView / 2, std::min(usual, (last + gap) * 0x1p-15L)));
+  }
+  /// Clips a polygon in front of the eye to a rectangle of the screen, in pixels.
+  [[nodiscard]] std::vector<Vec> within(std::vector<Vec> polygon, Real left, Real right, Real top,
+                                        Real bottom) const {
+    const std::array<std::array<Real, 2>, 2> low{{{0, left}, {1, top}}}, high{{{0, right}, {1, bottom}}};
+    // times the distance, so that it is linear
+    for (const auto& [axis, limit] : low)
+      polygon = clipped(polygon, [&, axis = static_cast<int>(axis), limit = limit](const Vec& p) {
+        return rays_.distance(p) * (rays_.seen(p)[axis] - limit);
+      });
+    for (const auto& [axis, limit] : high)
+      polygon = clipped(polygon, [&, axis = static_cast<int>(axis), limit = limit](const Vec& p) {
+        return rays_.distance(p) * (limit - rays_.seen(p)[axis]);
+      });
+    return polygon;
+  }
   [[nodiscard]] std::vector<Vec> inFront(const std::vector<Vec>& corners) const {
     if (!rays_.perspective()) return corners;
-    return clipped(corners, [&](const Vec& p) { return rays_.distance(p) - 0.99L * front(); });
+    return clipped(corners, [&](const Vec& p) { return rays_.distance(p) - 0.99L * front_; });
   }
 
   /// The power of two of a z step: the least for which 2^30 steps reach the nearest point. Points beyond 8192
@@ -208,12 +241,8 @@ class Judge {
     for (const Face& face : faces_) {
       std::vector<Vec> polygon = face.corners;
       if (rays_.perspective()) {
-        polygon = clipped(polygon, [&](const Vec& p) { return rays_.distance(p) - front(); });
-        for (const auto& [axis, sign] : {std::pair{0, 1}, {0, -1}, {1, 1}, {1, -1}})
-          polygon = clipped(polygon, [&, axis = axis, sign = sign](const Vec& p) {
-            // times the distance, so that it is linear
-            return rays_.distance(p) * (8192 + sign * rays_.seen(p)[axis]);
-          });
+        polygon = clipped(polygon, [&](const Vec& p) { return rays_.distance(p) - front_; });
+        polygon = within(polygon, -8192, 8192, -8192, 8192);
       }
       for (const Vec& p : polygon) {
         const Real depth = rays_.perspective() ? 1 / rays_.distance(p) : -rays_.distance(p);
@@ -266,9 +295,8 @@ class Judge {
   [[nodiscard]] bool inside(const Face& face, Real x, Real y, std::size_t edge, Real reach) const {
     const Ray ray = rays_.at(x, y);
     const Real slope = dot(face.N, ray.along), t = (face.d - dot(face.N, ray.from)) / slope;
-    if (!std::isfinite(t) || (rays_.perspective() && t < front() * 0.999L)) return false;
-    if (rays_.perspective() && reach >= 0 && edge == face.corners.size() && t < front() * 1.001L)
-      return false;
+    if (!std::isfinite(t) || (rays_.perspective() && t < front_ * 0.999L)) return false;
+    if (rays_.perspective() && reach >= 0 && edge == face.corners.size() && t < front_ * 1.001L) return false;
     const Vec p = ray.from + t * ray.along;
     const auto within = [&](std::size_t k) {
       // A corner may be off the plane, so the ray is asked on which side of the edge itself it passes.
@@ -288,7 +316,7 @@ class Judge {
   Rays rays_;
   int width_, height_;
   const std::vector<std::uint32_t>& shown_;
-  Real u_ = 0, e_ = 0, side_ = 0, zHalfStep_ = 0;
+  Real u_ = 0, e_ = 0, side_ = 0, front_ = 0, zHalfStep_ = 0;
   std::vector<Face> faces_;
   std::vector<Real> depth_, explained_;
 };

@@ -1,6 +1,7 @@
 #include "x11/views/shows.h"
 
 #include "x11/views/difference.h"
+#include "x11/views/exactness_view.h"
 #include "x11/views/normals_view.h"
 #include "x11/views/overdraw.h"
 #include "x11/views/step_legend.h"
@@ -40,6 +41,13 @@ ShownPicture shownAs(Show show, const Picture& picture, const Palette& palette, 
                          findingOf(compared.difference).bold};
       drawStepLegend(Painter{shown.image}, plan, kLegend, kLegend, kDoublingSteps,
                      kMeasures[static_cast<int>(compared.difference.measure)].times);
+      return shown;
+    }
+    case Show::Exactness: {
+      const std::vector<SampleCheck> verdicts = checkedSamples(picture);
+      ShownPicture shown{verdictImage(verdicts, picture.settings().width, plan), palette,
+                         findingOf(exactnessOf(verdicts), picture.settings().order).bold};
+      drawStepLegend(Painter{shown.image}, plan, kLegend, kLegend, kVerdictSteps, "");
       return shown;
     }
   }

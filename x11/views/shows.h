@@ -11,7 +11,7 @@ namespace xnewell {
 /// What the window may show in the place of the picture: the shaded surfaces, or one of the other views
 /// without the sheet around it.
 
-enum class Show { Shaded, Wireframe, Normals, Overdraw, Difference };
+enum class Show { Shaded, Wireframe, Normals, Overdraw, Difference, Exactness };
 struct ShowRow {
   Show id;
   std::string_view name, label, shows;
@@ -26,6 +26,7 @@ inline constexpr std::array kShows{
             "how often each sample was painted: the brighter, the more often"},
     ShowRow{Show::Difference, "difference", "differ",
             "from a reference without short cuts: the brighter, the more"},
+    ShowRow{Show::Exactness, "exactness", "exact", "where the face that shows is right, wrong, or doubtful"},
 };
 
 struct ShownPicture {

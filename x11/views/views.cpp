@@ -4,6 +4,7 @@
 
 #include "x11/views/colors_view.h"
 #include "x11/views/difference.h"
+#include "x11/views/exactness_view.h"
 #include "x11/views/mach_bands.h"
 #include "x11/views/normals_view.h"
 #include "x11/views/overdraw.h"
@@ -24,6 +25,8 @@ PictureSettings pictureFor(const Scene& scene, const ViewSettings& settings) {
       return pictureForNormals(settings);
     case View::Difference:
       return pictureForDifference(settings);
+    case View::Exactness:
+      return pictureForExactness(settings);
     case View::Overdraw:
       return pictureForOverdraw(settings);
     case View::Wireframe:
@@ -51,6 +54,8 @@ ColoredImage drawView(PictureCache& pictures, const ViewSettings& settings) {
       return drawNormals(picture, settings);
     case View::Difference:
       return drawDifference(picture, settings);
+    case View::Exactness:
+      return drawExactness(picture, settings);
     case View::Overdraw:
       return drawOverdraw(picture, settings);
     case View::Wireframe:

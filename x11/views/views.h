@@ -14,7 +14,7 @@ namespace xnewell {
 
 /// What may be drawn of a scene: the picture, or the numbers behind it.
 
-enum class View { Picture, Colors, MachBands, Normals, Difference, Overdraw, Wireframe };
+enum class View { Picture, Colors, MachBands, Normals, Difference, Exactness, Overdraw, Wireframe };
 struct ViewRow {
   View id;
   std::string_view name, shows;
@@ -30,6 +30,8 @@ inline constexpr std::array kViews{
             400, 320},
     ViewRow{View::Difference, "difference", "the picture against a reference without any short cut", 640,
             560},
+    ViewRow{View::Exactness, "exactness",
+            "where the face that shows is right, wrong, or doubtful because two nearly touch", 640, 480},
     ViewRow{View::Overdraw, "overdraw", "how often each sample was painted, and what that costs", 640, 480},
     ViewRow{View::Wireframe, "wireframe", "the edges of all polygons, dashed where the depth sort cut one",
             640, 480},

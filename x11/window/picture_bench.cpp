@@ -266,7 +266,7 @@ std::vector<HelpLine> PictureBench::help() const {
           {"[ ]", "only ambient light; only point light"},
           {"L V", "keep L constant; keep V constant"},
           {"S N O F P K T", "next shading, normals, order, fill, projection, backs, table"},
-          {"W", "show wires, normals, overdraw, or the difference from the truth"},
+          {"W", "show wires, normals, overdraw, difference, or which faces are right"},
           {"H B J", "next hue; 8 or 16 bits a cell; nearest in ratio or difference"}};
 }
 

@@ -71,6 +71,34 @@ Mesh stackedBoxes() {
   return mesh;
 }
 
+/// Rectangles whose z goes from `left` to `right`, in a file whose coordinates are rounded by u, seen from
+/// above. Returns how many splits the depth sort makes.
+struct Card {
+  double x0, x1, y0, y1, left, right;
+};
+std::int64_t splitsOf(std::initializer_list<Card> cards, double u) {
+  Mesh mesh;
+  mesh.groupNames = {""};
+  mesh.rounding = {u};
+  for (const Card& c : cards) {
+    const int first = static_cast<int>(mesh.points.size());
+    for (const glm::dvec3 p :
+         {glm::dvec3{c.x0, c.y0, c.left}, {c.x1, c.y0, c.right}, {c.x1, c.y1, c.right}, {c.x0, c.y1, c.left}})
+      mesh.points.push_back(p);
+    mesh.addFace(std::array{first, first + 1, first + 2, first + 3}, 0);
+  }
+  PictureCache pictures{makeScene("cards", mesh, UpAxis::Y)};
+  PictureSettings s;
+  s.width = s.height = kWidth;
+  s.cull = Cull::Keep;
+  s.camera.eye = glm::dvec3{1, 0, 20}, s.camera.lookAt = glm::dvec3{1, 0, 0};
+  s.camera.parallel = true, s.camera.height = 5.0;
+  s.camera = inSceneUnits(s.camera, pictures.scene());
+  pictures.make(s);
+  EXPECT_EQ(exactnessOf(pictures.last()).wrong, 0);
+  return pictures.last().sorted().statistics.splits;
+}
+
 /// Views within the room whose splits were due to planes through points near the eye.
 constexpr std::array kPastFailures{747u, 891u, 1167u, 2463u, 3747u};
 
@@ -111,6 +139,37 @@ TEST(Contact, SplitsNothing) {
     }
     EXPECT_GE(contacts, 100);
     EXPECT_GT(samples, 1'000'000);
+  }
+}
+
+// A crossing is a contact only if rounding explains the depth of one of its sides: r for each face, which is
+// u for faces seen from above. A step of the grid is 0.04 r here.
+TEST(Contact, IsNoDeeperThanRounding) {
+  constexpr double kU = 1e-5;
+  const Card floor{-1, 1, -1, 1, 0, 0};
+  EXPECT_EQ(splitsOf({floor, {-0.8, 0.8, -0.5, 0.5, -8 * kU, 1.9 * kU}}, kU), 0);
+  EXPECT_EQ(splitsOf({floor, {-0.8, 0.8, -0.5, 0.5, -8 * kU, 2.1 * kU}}, kU), 1);
+  EXPECT_EQ(splitsOf({floor, {-0.8, 0.8, -0.5, 0.5, -1.9 * kU, 8 * kU}}, kU), 0);
+  EXPECT_EQ(splitsOf({floor, {-0.8, 0.8, -0.5, 0.5, -2.1 * kU, 8 * kU}}, kU), 1);
+}
+
+// For a contact, the planes of the faces' own corners count, also where a face shares the plane of a class.
+// Floor and mat are one class, with a plane half way between them. The card crosses only the mat. Where the
+// records are nearer to each other than the planes of the corners, 1.5 times the rounding counts.
+TEST(Contact, IsByThePlanesOfTheirOwnCorners) {
+  constexpr double kU = 1e-5;
+  for (const double side : {1.0, -1.0}) {  // the mat is above the floor, or below it
+    const double height = side * 1.9 * kU;
+    const Card floor{-1, 1, -1, 1, 0, 0}, mat{0.8, 3, -0.5, 0.5, height, height};
+    // The card passes the mat at its left by 8 r one way, and at its right by this the other way.
+    const auto splits = [&](double byR, double way) {
+      const Card card{1.2, 2.8, -0.3, 0.3, height - 8 * way * kU, height + byR * way * kU};
+      return splitsOf({floor, mat, card}, kU);
+    };
+    EXPECT_EQ(splits(1.9, side), 0);
+    EXPECT_EQ(splits(2.1, side), 1);
+    EXPECT_EQ(splits(2.9, -side), 0);
+    EXPECT_EQ(splits(3.1, -side), 1);
   }
 }
 

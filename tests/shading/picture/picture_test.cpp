@@ -163,7 +163,7 @@ TEST(Picture, CoplanarFacesAreNotCalledWrong) {
   Scene scene = readScene("decals");
   EXPECT_EQ(std::ranges::max(scene.parts.plane), 0);
   std::iota(scene.parts.plane.begin(), scene.parts.plane.end(), 0);
-  scene.parts.planes.clear();
+  scene.parts.planes.clear(), scene.parts.own.clear();
   PictureCache decals{std::move(scene)};
   PictureSettings s = small();
   s.order = Order::Unsorted;

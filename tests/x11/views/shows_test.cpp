@@ -22,9 +22,8 @@ Picture made(const char* name, ColorPlan plan = ColorPlan::Needed, Order order =
 
 }  // namespace
 
-// Everything that can be shown has the picture's size and place and leaves the picture as it was, with one
-// and all but the normals are drawn in the tool's own cells and change no
-// change no colour.
+// Everything that can be shown has the picture's size and place and leaves the picture as it was. All but the
+// normals are drawn in the tool's own cells and change no colour.
 TEST(Shows, KeepThePictureAndItsColours) {
   for (const auto& [scene, plan] : {std::pair{"teapot", ColorPlan::OneHue},
                                     {"hues", ColorPlan::Hues},
@@ -47,7 +46,8 @@ TEST(Shows, KeepThePictureAndItsColours) {
           EXPECT_TRUE(std::ranges::none_of(shown.image.pixels, [](int c) { return c > 10 && c < 251; }));
         }
         EXPECT_GT(std::ranges::count(shown.image.pixels, CellPlan{}[Cell::Well]), 1000);
-        const bool hasLegend = row.id == Show::Overdraw || row.id == Show::Difference;
+        const bool hasLegend =
+            row.id == Show::Overdraw || row.id == Show::Difference || row.id == Show::Exactness;
         EXPECT_EQ(shown.image.row(12)[12] == CellPlan{}[Cell::WellLine], hasLegend);
       }
     }
@@ -58,7 +58,7 @@ TEST(Shows, KeepThePictureAndItsColours) {
 TEST(Shows, TheGroundStays) {
   const Picture picture = made("teapot");
   const std::uint8_t well = CellPlan{}[Cell::Well];
-  for (const Show show : {Show::Overdraw, Show::Difference, Show::Normals}) {
+  for (const Show show : {Show::Overdraw, Show::Difference, Show::Exactness, Show::Normals}) {
     const ShownPicture shown = shownAs(show, picture, picture.palette(CellPlan{}), CellPlan{});
     int differ = 0;
     for (std::size_t k = std::size_t{24} * 240; k < shown.image.pixels.size(); ++k)  // below the legend

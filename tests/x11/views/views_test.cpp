@@ -16,8 +16,8 @@ namespace xnewell {
 
 namespace {
 
-constexpr std::array kDrawn{View::MachBands, View::Normals, View::Difference, View::Overdraw,
-                            View::Wireframe};
+constexpr std::array kDrawn{View::MachBands, View::Normals,  View::Difference,
+                            View::Exactness, View::Overdraw, View::Wireframe};
 
 ViewSettings settingsOf(View view, const Scene& scene, int width, int height) {
   ViewSettings s;

@@ -1,0 +1,22 @@
+#include "geometry/view/touch.h"
+
+namespace xnewell {
+
+namespace {
+
+/// How far a face may be shown behind a nearer one, in units of what the rounding of both explains.
+constexpr double kMostError = 1.5;
+
+}  // namespace
+
+bool mayTouch(const SnappedScene& scene, const SnappedFace& front, const SnappedFace& behind, std::int64_t x,
+              std::int64_t y) {
+  const double zFront = depthAt(scene.planes[front.plane], x, y),
+               zBehind = depthAt(scene.planes[behind.plane], x, y);
+  const double doubt = front.doubt.at(zFront) + behind.doubt.at(zBehind), lead = zFront - zBehind;
+  if (scene.ahead.empty()) return lead <= doubt;
+  const double own = lead + scene.ahead[front.part].at(x, y) - scene.ahead[behind.part].at(x, y);
+  return own <= doubt || (lead <= doubt && own <= kMostError * doubt);
+}
+
+}  // namespace xnewell

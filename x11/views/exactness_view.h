@@ -1,0 +1,32 @@
+#pragma once
+
+#include <array>
+#include <string_view>
+#include <vector>
+
+#include "shading/picture/exactness.h"
+#include "x11/drawing/sheet.h"
+#include "x11/views/step_legend.h"
+#include "x11/views/views.h"
+
+namespace xnewell {
+
+/// Where a picture shows the right face, where a wrong one, and where rounding leaves it open.
+
+/// What the map shows for SampleCheck::Right and those after it.
+inline constexpr std::array kVerdictSteps{
+    LegendStep{Cell::WellLine, "right"},
+    LegendStep{Cell::Q, "doubtful"},
+    LegendStep{Cell::Alarm, "wrong"},
+};
+
+/// The verdicts as an image of the picture's size. Samples that show no face stay background.
+[[nodiscard]] IndexImage verdictImage(const std::vector<SampleCheck>& verdicts, int width,
+                                      const CellPlan& plan);
+[[nodiscard]] Finding findingOf(const Exactness& exactness, Order order);
+
+/// The map, its numbers, and what they mean.
+[[nodiscard]] ColoredImage drawExactness(const Picture& picture, const ViewSettings& settings);
+[[nodiscard]] PictureSettings pictureForExactness(const ViewSettings& settings);
+
+}  // namespace xnewell
