@@ -21,9 +21,9 @@ struct Chosen {
 /// different error.
 inline constexpr double kSpare = 0.03;
 
-/// The choice among the combinations of a trade. `limit` is for the RMS error of the intensity after the table,
-/// on all views of the trade. Of two that are equally fast, as far as their times tell, the more accurate is
-/// chosen.
+/// The choice among the combinations of a trade. `limit` is for the RMS error of the intensity after the
+/// table, on all views of the trade. Of two that are equally fast, as far as their times tell, the more
+/// accurate is chosen.
 [[nodiscard]] Chosen chooseWithin(const Trade& trade, double limit);
 
 }  // namespace xnewell

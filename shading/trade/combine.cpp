@@ -12,7 +12,7 @@ namespace xnewell {
 namespace {
 
 /// A costlier value must reduce the error at least to this share.
-constexpr double kBetter = 0.99;
+constexpr double kBetter = 0.95;
 
 /// A value of an axis, what it costs and how wrong it is.
 struct Trial {

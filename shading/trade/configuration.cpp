@@ -21,6 +21,13 @@ bool lightsHavePlaces(const Picture& picture) {
                              [](const Light& light) { return light.kind != LightKind::Directional; });
 }
 
+/// True if the patches of the scene may have other divisions. Its file may give their number.
+bool canBeDivided(const Scene& scene) {
+  if (scene.divisions == 0 || scene.origin.of.empty()) return false;
+  const int other = scene.divisions == 1 ? 2 : 1;
+  return redivided(scene, other).divisions == other;
+}
+
 bool isAnAxis(const Setting& setting, const Picture& picture) {
   if (!setting.role.isShortCut() || !hasEffect(setting, factsOf(picture))) return false;
   if (setting.key == "fill") return false;
@@ -70,7 +77,7 @@ std::string Configuration::options() const {
 std::vector<Axis> axesOf(const Picture& picture) {
   std::vector<Axis> axes;
   const Scene& scene = picture.scene();
-  if (scene.divisions > 0 && !scene.origin.of.empty()) {
+  if (canBeDivided(scene)) {
     axes.push_back({nullptr, static_cast<double>(scene.divisions), {}});
     for (const int n : kDivisions)
       if (n != scene.divisions) axes.back().others.push_back(n);
@@ -95,7 +102,7 @@ Configuration changed(Configuration configuration, const Axis& axis, double valu
 
 int finestDivisions(const Scene& scene) {
   constexpr std::size_t kFinest = 64, kMostFaces = 300'000;
-  if (scene.divisions == 0 || scene.origin.of.empty()) return scene.divisions;
+  if (!canBeDivided(scene)) return scene.divisions;
   std::size_t patches = 0;
   for (const PatchRun& run : scene.patches) patches += run.patches.size();
   std::size_t finest = kFinest;

@@ -43,7 +43,8 @@ struct Configuration {
 };
 
 /// The axes that have an effect on this picture, in the order of the rows, the divisions first. An X server
-/// would have to time its own filler, so `fill` is not among them.
+/// would have to time its own filler, so `fill` is not among them. Where the scene's file gives the
+/// divisions, they are no axis.
 [[nodiscard]] std::vector<Axis> axesOf(const Picture& picture);
 
 /// The configuration with another value of one short cut.

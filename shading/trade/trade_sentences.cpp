@@ -10,10 +10,15 @@ namespace xnewell {
 
 namespace {
 
-/// Two digits: 0.0012, 2.5, 12.
+/// Two digits: 0.0012, 2.5, 12, 790.
 std::string twoDigits(double v) {
   char text[32];
-  std::snprintf(text, sizeof text, "%.2g", v);
+  if (v >= 100) {
+    const double unit = std::pow(10.0, std::floor(std::log10(v)) - 1);
+    std::snprintf(text, sizeof text, "%.0f", unit * std::round(v / unit));
+  } else {
+    std::snprintf(text, sizeof text, "%.2g", v);
+  }
   return text;
 }
 
@@ -72,8 +77,9 @@ std::string sentenceOf(const TradeRow& row, const Axis& axis, const Measured& as
                      (one.cost.time.ms > 0 ? savingOf(one.cost.time) : "was not timed");
   if (one.samePixels) return text + " and shows the same picture.";
   const double rms = one.here.afterTable.rootMeanSquare, before = asked.here.afterTable.rootMeanSquare;
-  text += " and is off by " + twoDigits(rms) + " instead of " + twoDigits(before) + ", at most by " +
-          twoDigits(one.here.afterTable.largest);
+  const bool alike = twoDigits(rms) == twoDigits(before);
+  text += " and is off by " + twoDigits(rms) + (alike ? " as before" : " instead of " + twoDigits(before)) +
+          ", at most by " + twoDigits(one.here.afterTable.largest);
   if (one.here.wrongFaces != asked.here.wrongFaces)
     text += "; " + facesOf(one.here.wrongFaces, asked.here.wrongFaces);
   const std::string reason = reasonOf(row, axis, picture);

@@ -11,7 +11,7 @@ namespace xnewell {
 
 namespace {
 
-constexpr int kChartWidth = 1024, kPlotLeft = 64, kPlotWidth = 590, kPlotHeight = 460, kBelow = 40;
+constexpr int kTradeChart = 1024, kTradeLeft = 64, kTradeWidth = 590, kTradeHeight = 460, kBelow = 56;
 constexpr int kMark = 3;  // half the width of a mark
 
 /// A number as short as it can be: 0.02, 0.5, 10.
@@ -204,16 +204,16 @@ void drawTradePlot(Painter paint, const CellPlan& plan, const TradeScale& scale,
 }
 
 ColoredImage drawTrade(const Trade& trade, const std::string& title) {
-  const int column = kPlotLeft + kPlotWidth + 2 * Sheet::kGutter,
-            words = kChartWidth - column - Sheet::kMargin;
+  const int column = kTradeLeft + kTradeWidth + 2 * Sheet::kGutter,
+            words = kTradeChart - column - Sheet::kMargin;
   const int top = Sheet::kMargin + Sheet::kTitle + Sheet::kLine;
   int rows = 0;
   for (const int k : trade.front)
     rows += Sheet::kRow + Sheet::paragraphHeight(words, labelOf(trade.combinations[k].configuration)) + 4;
   const int height =
-      std::max(top + kPlotHeight + kBelow, top + Sheet::kSection + Sheet::kRow + rows) + Sheet::kMargin;
+      std::max(top + kTradeHeight + kBelow, top + Sheet::kSection + Sheet::kRow + rows) + Sheet::kMargin;
   const CellPlan plan{TableKind::Linear};
-  Sheet sheet{kChartWidth, height, plan};
+  Sheet sheet{kTradeChart, height, plan};
   sheet.title(Sheet::kMargin, Sheet::kMargin, title);
   Painter paint = sheet.painter();
   paint.text(Sheet::kMargin, top - Sheet::kLine + Sheet::kAscent,
@@ -221,7 +221,17 @@ ColoredImage drawTrade(const Trade& trade, const std::string& title) {
                  std::to_string(trade.front.size()) + " on the front",
              sheet.cell(Cell::Soft));
   if (!trade.combinations.empty())
-    drawTradePlot(paint, plan, TradeScale{{kPlotLeft, top + 8, kPlotWidth, kPlotHeight - 8}, trade}, trade);
+    drawTradePlot(paint, plan, TradeScale{{kTradeLeft, top + 8, kTradeWidth, kTradeHeight - 8}, trade},
+                  trade);
+  const int legend = top + kTradeHeight + 48;
+  int x = kTradeLeft;
+  for (const ShadingRow& method : kShadings) {
+    if (method.id != Shading::Flat && method.id != Shading::Gouraud && method.id != Shading::Phong) continue;
+    drawMark(paint, x + kMark, legend, method.id, false, sheet.cell(Cell::Ink));
+    x = paint.text(x + 14, legend + 4, method.label, sheet.cell(Cell::Soft)) + 16;
+  }
+  drawMark(paint, x + kMark, legend, Shading::Full, false, sheet.cell(Cell::Ink));
+  paint.text(x + 14, legend + 4, "another method     filled: on the front", sheet.cell(Cell::Soft));
   int y = sheet.section(column, top, words, "the front");
   y = sheet.tableRow(column, y, "", {"ms", "error", "wrong faces"}, {70, 150, words}, Cell::Soft,
                      Voice::Plain);

@@ -61,6 +61,7 @@ TEST(Trade, AxesAreTheShortCutsWithAnEffect) {
   for (const std::string_view name : {"fill", "normals", "polygons", "constant-l", "ka", "hue", "form"})
     EXPECT_FALSE(has(flat, name)) << name;
   EXPECT_FALSE(has(axes("cycle"), "divisions"));
+  EXPECT_FALSE(has(axes("lamp"), "divisions"));  // its file gives them
   settings.shading = Shading::Gouraud;
   settings.light.lightPosition = glm::dvec3{1, 1, 1};
   const auto lamp = axes("teapot");
