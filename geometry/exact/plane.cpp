@@ -36,8 +36,9 @@ glm::dvec3 meanOf(std::span<const glm::dvec3> points, std::span<const int> corne
 }  // namespace
 
 glm::dvec3 centroid(std::span<const glm::dvec3> points, std::span<const int> corners) {
+  if (corners.size() == 3) return meanOf(points, corners);
   const glm::dvec3 N = unit(newellVector(points, corners));
-  if (corners.size() == 3 || N == glm::dvec3{0.0}) return meanOf(points, corners);
+  if (N == glm::dvec3{0.0}) return meanOf(points, corners);
   // The polygon is the sum of the triangles from the first corner to each side. Those that lie outside count
   // as negative. Each has its centroid at a third of a + b.
   const glm::dvec3 origin = points[corners.front()];
