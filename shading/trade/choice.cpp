@@ -45,7 +45,9 @@ std::string otherwise(const Trade& trade, const Axis& axis, const Measured& chos
   }
   if (!nearest) return "";
   const std::string value = phraseOf(axis, mine);
-  if (!fastest) return "Without " + value + " the error is " + error(errorOnAllViews(*nearest)) + " at best.";
+  if (!fastest)
+    return "All that were tried without " + value + " are off by " + error(errorOnAllViews(*nearest)) +
+           " or more.";
   return "Without " + value + ", with " + fastest->configuration.name() + ", it takes " +
          ms(fastest->cost.time.ms) + ".";
 }
@@ -78,11 +80,12 @@ Chosen chooseWithin(const Trade& trade, double limit) {
   }
   if (choice.combination < 0) return choice;
   const Measured& chosen = all[choice.combination];
-  choice.why.push_back("The error is " + error(errorOnAllViews(chosen)) +
+  choice.why.push_back("The largest error on this view and others is " + error(errorOnAllViews(chosen)) +
                        (choice.accurate ? ", and " : ", but ") + error(limit) + " is allowed. It takes " +
                        ms(chosen.cost.time.ms) + ".");
   if (!choice.accurate) {
-    choice.why.push_back("No combination that was tried is more accurate.");
+    choice.why.push_back("Of " + std::to_string(all.size()) +
+                         " combinations that were tried, none is more accurate.");
     return choice;
   }
   for (const Axis& axis : trade.axes)

@@ -81,8 +81,12 @@ void keepWithin(double limit, Options& options, Scene& scene) {
   request.axes = freeAxes(options, scene);
   if (request.axes.empty()) return;
   const Trade trade = measured(options, request, scene);
+  for (const std::string& note : trade.notes) std::cerr << "xnewell: " << note << '\n';
   const Chosen choice = chooseWithin(trade, limit);
-  if (choice.combination < 0) return;
+  if (choice.combination < 0) {
+    std::cerr << "xnewell: nothing was chosen: the time did not suffice (--budget)\n";
+    return;
+  }
   const Configuration& chosen = trade.combinations[choice.combination].configuration;
   std::cerr << "xnewell: chosen: " << chosen.name()
             << (chosen.changes.empty() ? "" : " (" + chosen.options() + ")") << '\n';
