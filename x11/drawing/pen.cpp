@@ -14,7 +14,7 @@ void drawTrack(Pen& pen, int x, int baseline, int width, const TrackLook& look) 
     pen.paint.vline(x + quarter * width / 4, middle + 7, 2, pen(Cell::Faint));
   if (look.enabled && look.initially)
     pen.paint.triangle(at(*look.initially) - 2, middle - 8, 3, Direction::Down, pen(Cell::Faint));
-  const Rect box{thumb - 4, middle - 7, 9, 15};
+  const Rect box{thumb - 4, middle - look.height / 2, 9, look.height};
   const Cell face = !look.enabled  ? Cell::Panel
                     : look.dragged ? Cell::Ink
                     : look.hovered ? Cell::White
@@ -22,13 +22,14 @@ void drawTrack(Pen& pen, int x, int baseline, int width, const TrackLook& look) 
   pen.paint.fillRect(box, pen(face));
   pen.paint.frame(box, pen(look.enabled ? Cell::Ink : Cell::Faint));
   if (!look.enabled) return;
-  if (!look.dragged) pen.paint.vline(box.x + 7, box.y + 1, 13, pen(Cell::Rule));
+  if (!look.dragged) pen.paint.vline(box.x + 7, box.y + 1, box.height - 2, pen(Cell::Rule));
   pen.paint.vline(thumb, middle - 3, 7, pen(look.dragged ? Cell::White : Cell::Ink));
 }
 
 std::vector<Rect> optionFrames(std::span<const std::string_view> options, int x, int baseline, int width,
                                int height) {
-  constexpr int kLeastGap = 4, kGapInLines = 12;
+  constexpr int kLeastGap = 8;  // the frame of one option reaches 7 pixels beyond its text
+  constexpr int kGapInLines = 12;
   const auto widthOf = [](std::span<const std::string_view> words) {
     int sum = 0;
     for (const std::string_view word : words) sum += textWidth(word);

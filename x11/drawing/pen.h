@@ -38,13 +38,15 @@ struct TrackLook {
   double share;
   std::optional<double> initially = {};  ///< marked on the track
   bool enabled = true, hovered = false, dragged = false;
+  int height = 15;  ///< of the thumb, in pixels: odd
 };
 /// Where the track of a slider begins in a row of controls, and how wide it is, in pixels.
 inline constexpr int kColumnTrackAt = 84, kColumnTrack = 168;
 /// Draws a track of `width` pixels from x on, beside text on `baseline`.
 void drawTrack(Pen& pen, int x, int baseline, int width, const TrackLook& look);
 /// The frames of all options of a choice, in a line from x on within `width`. If there is too little room for
-/// the words, more lines follow, each one `height` below the one before. `height` is at least 17.
+/// the words, more lines follow, each one `height` below the one before. `height` is at least
+/// that of the text, 13.
 [[nodiscard]] std::vector<Rect> optionFrames(std::span<const std::string_view> options, int x, int baseline,
                                              int width, int height = 19);
 /// The chosen option is framed and bold; the one under the pointer is marked.

@@ -124,7 +124,6 @@ struct ColumnPen : Pen {
 void ColumnPen::slider(const ControlPlace& place) {
   const SliderRow& row = *sliderOf(place.key);
   const bool enabled = row.enabled(shown.setup);
-  if (shown.focus == row.key) drawFocus(*this, place.row, place.row.width == kControls ? 6 : 2);
   key(place.x, place.y - 11, std::string_view{&row.key, 1});
   paint.text(place.x + kName, place.y, row.label, (*this)(enabled ? Cell::Ink : Cell::Faint));
   drawTrack(*this, place.track.x, place.y, kColumnTrack,
@@ -132,7 +131,8 @@ void ColumnPen::slider(const ControlPlace& place) {
              .initially = trackPosition(row, row.get(shown.defaults)),
              .enabled = enabled,
              .hovered = hovered(row.key),
-             .dragged = shown.dragged == row.key});
+             .dragged = shown.dragged == row.key,
+             .height = std::min(15, (place.row.height - 2) | 1)});  // thumbs of two rows stay apart
   const std::string value = fixed(row.get(shown.setup), row.decimals);
   if (enabled)
     boldRight(place.x + kControls, place.y, value);
@@ -278,10 +278,12 @@ const ControlPlace* ControlColumn::find(char key) const {
 
 ControlColumn layoutOfControls(const Layout& at) {
   constexpr int kLeastPitch = 13;  // the height of the text
+  constexpr int kBelow = 4;        // pixels between the last button and the strip of colours
   for (int pitch = at.compact ? 17 : 21;; --pitch) {
     ControlColumn column = Walk{at, pitch}.column();
     const Rect& last = column.places.back().row;
-    if (pitch == kLeastPitch || last.y + last.height <= at.controls.y + at.controls.height) return column;
+    const int bottom = at.controls.y + at.controls.height - kBelow;
+    if (pitch == kLeastPitch || last.y + last.height <= bottom) return column;
   }
 }
 
@@ -314,6 +316,9 @@ void drawControls(IndexImage& image, const ControlColumn& at, const ControlsShow
     pen.paint.text(at.area.x, heading.y, heading.name, plan[Cell::Soft], Voice::Caps);
   }
   pen.ball();
+  // The mark of the focus comes first: where rows are close, it must not cover the thumb of the row above.
+  if (const ControlPlace* const place = at.find(shown.focus); place && place->kind == Kind::Slider)
+    drawFocus(pen, place->row, 6);
   for (const ControlPlace& place : at.places) {
     switch (place.kind) {
       case Kind::Slider:
