@@ -25,7 +25,7 @@ Trade measured(const Options& options, const TradeRequest& request, const Scene&
   std::optional<Doing> measuring;
   const Stopwatch watch;
   double shown = 0;
-  return tradeOf(scene, settingsOf(options), request, [&](const std::string& doing) {
+  return tradeOf(scene, settingsOf(options), request, [&](const std::string& doing, const Trade&) {
     if (!measuring || watch.ms() > shown + 100) {
       shown = watch.ms();
       measuring.reset();  // each message replaces the one before
