@@ -52,12 +52,12 @@ struct TimingLimits {
 /// Runs one way and returns its time in milliseconds, above 0.
 using Timed = std::function<double()>;
 
-/// Is called before each run with what is known so far, which is renewed from time to time. Returns false to end
-/// the rounds.
+/// Is called before each run with what is known so far, which is renewed from time to time. Returns false to
+/// end the rounds.
 using TimingProgress = std::function<bool(int rounds, const Timings& known)>;
 
-/// If `goOn` returns false, no more runs, and a round that is not whole does not count. Without a whole round,
-/// all times are 0. Precondition: there is a way.
+/// If `goOn` returns false, no more runs, and a round that is not whole does not count. Without a whole
+/// round, all times are 0. Precondition: there is a way.
 [[nodiscard]] Timings timeAll(std::span<const Timed> ways, const TimingLimits& limits = {},
                               const TimingProgress& goOn = {});
 

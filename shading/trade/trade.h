@@ -63,8 +63,8 @@ struct Trade {
   bool stopped = false;            ///< the caller stopped it, and what is here is what was known
 };
 
-/// Is told what is being done, often, with what is known so far. Returns false to stop the trade; it then returns
-/// what is known.
+/// Is told what is being done, often, with what is known so far. Returns false to stop the trade; it then
+/// returns what is known.
 using TradeProgress = std::function<bool(const std::string& doing, const Trade& known)>;
 
 /// `settings` are in the units of the scene. The pictures are painted without a server.

@@ -35,15 +35,10 @@ Trade measured(const Options& options, const TradeRequest& request, const Scene&
   });
 }
 
-/// The axes that --accuracy may choose on: those that decide most, but for those that the user gave.
+/// The axes that --accuracy may choose on, but for those that the user gave.
 std::vector<std::string> freeAxes(const Options& options, const Scene& scene) {
-  constexpr std::array<std::string_view, 5> kMayChoose{"shade", "divisions", "order", "constant-l",
-                                                       "constant-v"};
-  std::vector<std::string> axes;
-  for (const Axis& axis : axesOf(makePicture(scene, settingsOf(options))))
-    if (std::ranges::find(kMayChoose, axis.name()) != kMayChoose.end() &&
-        !options.gave("--" + std::string{axis.name()}))
-      axes.emplace_back(axis.name());
+  std::vector<std::string> axes = choosableAxes(makePicture(scene, settingsOf(options)));
+  std::erase_if(axes, [&](const std::string& axis) { return options.gave("--" + axis); });
   return axes;
 }
 

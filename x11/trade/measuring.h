@@ -23,7 +23,7 @@ class Measuring {
 
   struct News {
     Trade trade;
-    std::string doing;    ///< "timing short cuts: round 3"
+    std::string doing;  ///< "timing short cuts: round 3"
     bool done = false;
     std::string failure;  ///< why it ended without a trade; "" if it did not
   };
