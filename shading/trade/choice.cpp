@@ -82,7 +82,8 @@ Chosen chooseWithin(const Trade& trade, double limit) {
                        (choice.accurate ? ", and " : ", but ") + error(limit) + " is allowed. It takes " +
                        ms(chosen.cost.time.ms) + ".");
   if (!choice.accurate) {
-    choice.why.push_back("No combination that was tried is more accurate.");
+    choice.why.push_back("Of " + std::to_string(all.size()) +
+                         " combinations that were tried, none is more accurate.");
     return choice;
   }
   for (const Axis& axis : trade.axes)

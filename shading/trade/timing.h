@@ -37,7 +37,7 @@ struct Timings {
   std::vector<Timing> of;  ///< in the order of the ways; the first is the base
   Timing twin;
   int rounds = 0;
-  Ended ended = Ended::Sure;
+  Ended ended = Ended::Stopped;
 };
 
 struct TimingLimits {

@@ -21,8 +21,8 @@ namespace xnewell {
 /// cheaper and more accurate.
 ///
 /// All errors are against one Reference, whose patches are divided finely. The combinations are chosen by
-/// their errors on views from other sides. What is told are their errors on the user's own view, which had no
-/// part in the choice.
+/// their errors on views that are turned by one or two degrees. What is told are their errors on the user's
+/// own view, which had no part in the choice.
 
 /// What one picture costs.
 struct Cost {

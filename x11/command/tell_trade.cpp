@@ -58,14 +58,15 @@ int tellTrade(const Options& options, const Scene& scene) {
     interrupted = 1;
   });
   const Trade trade = measured(options, options.trade, scene);
-  if (!options.output.empty()) {
-    const ColoredImage chart = drawTrade(trade, "Cost against error: " + titleOf(scene));
-    writeFile(options.output, encodePng(chart.image, chart.palette));
-  }
   if (options.json)
     printTradeAsJson(options, trade, std::cout);
   else
     printTrade(options, trade, std::cout);
+  std::cout.flush();  // a chart that cannot be written must not cost the table
+  if (!options.output.empty() && !trade.combinations.empty()) {
+    const ColoredImage chart = drawTrade(trade, "Cost against error: " + titleOf(scene));
+    writeFile(options.output, encodePng(chart.image, chart.palette));
+  }
   return trade.stopped ? kInterrupted : kDone;
 }
 
@@ -76,8 +77,12 @@ void keepWithin(double limit, Options& options, Scene& scene) {
   request.axes = freeAxes(options, scene);
   if (request.axes.empty()) return;
   const Trade trade = measured(options, request, scene);
+  for (const std::string& note : trade.notes) std::cerr << "xnewell: " << note << '\n';
   const Chosen choice = chooseWithin(trade, limit);
-  if (choice.combination < 0) return;
+  if (choice.combination < 0) {
+    std::cerr << "xnewell: nothing was chosen: the time did not suffice (--budget)\n";
+    return;
+  }
   const Configuration& chosen = trade.combinations[choice.combination].configuration;
   std::cerr << "xnewell: chosen: " << chosen.name()
             << (chosen.changes.empty() ? "" : " (" + chosen.options() + ")") << '\n';

@@ -70,9 +70,13 @@ TEST(Choice, SaysWhy) {
   ASSERT_TRUE(chosen.accurate);
   ASSERT_GE(chosen.why.size(), 3u);
   EXPECT_NE(chosen.why[0].find(" and 0.1 is allowed. It takes "), std::string::npos) << chosen.why[0];
-  EXPECT_TRUE(chosen.why[1].starts_with("Without ")) << chosen.why[1];
+  EXPECT_TRUE(chosen.why[1].starts_with("Without ") ||
+              chosen.why[1].starts_with("All that were tried without "))
+      << chosen.why[1];
   EXPECT_EQ(chosen.why.back(), "No sample shows a wrong face.");
-  EXPECT_EQ(chooseWithin(trade, 1e-9).why.back(), "No combination that was tried is more accurate.");
+  EXPECT_TRUE(chooseWithin(trade, 1e-9)
+                  .why.back()
+                  .ends_with(" combinations that were tried, none is more accurate."));
 }
 
 // What is chosen keeps its promise on other samples of the view: the camera is turned by less than a degree,
