@@ -1,6 +1,7 @@
 #include "shading/trade/combine.h"
 
 #include <algorithm>
+#include <limits>
 #include <numeric>
 #include <stdexcept>
 
@@ -34,8 +35,12 @@ std::vector<Trial> usefulOf(const Trade& trade, std::size_t axis) {
     return a.ratio != b.ratio ? a.ratio < b.ratio : a.error < b.error;
   });
   std::vector<Trial> useful;
-  for (const Trial& trial : all)
-    if (useful.empty() || trial.error < kBetter * useful.back().error) useful.push_back(trial);
+  double least = std::numeric_limits<double>::infinity();  // error so far
+  for (const Trial& trial : all) {
+    const bool better = trial.error < kBetter * least;
+    if (better || trial.value == trade.axes[axis].now) useful.push_back(trial);
+    if (better) least = trial.error;
+  }
   return useful;
 }
 
@@ -88,7 +93,10 @@ std::vector<Axis> requestedAxes(std::vector<Axis> all, const TradeRequest& reque
   }
   if (request.axes.empty()) return all;
   std::vector<Axis> some;
-  for (const std::string& name : request.axes) some.push_back(*axisNamed(name));
+  for (const std::string& name : request.axes) {
+    const Axis& axis = *axisNamed(name);
+    if (std::ranges::find(some, axis.name(), &Axis::name) == some.end()) some.push_back(axis);
+  }
   return some;
 }
 

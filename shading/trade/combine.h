@@ -15,9 +15,9 @@ inline constexpr int kMostCombinations = 96;
 /// @throws std::invalid_argument if it names an axis or a value that is not there
 [[nodiscard]] std::vector<Axis> requestedAxes(std::vector<Axis> all, const TradeRequest& request);
 
-/// The combinations of the useful values of all axes, at most `most` of them. A value of an axis is useful if
-/// no other value of that axis, the user's own included, is both as cheap and as accurate. The method, the
-/// divisions and the order come first, then the axes by what their values save at most. An axis for which
+/// The combinations of the useful values of all axes, at most `most` of them. The user's own value of an axis
+/// is useful, and so is a value if no other one of that axis is both as cheap and as accurate. The method,
+/// the divisions and the order come first, then the axes by what their values save at most. An axis for which
 /// there is no more room is left out, and `left` says so. A change that would have no effect beside the
 /// others is left out in silence.
 [[nodiscard]] std::vector<Configuration> combinationsOf(const Trade& trade, const Measure& measure, int most,

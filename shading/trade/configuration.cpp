@@ -91,6 +91,15 @@ std::vector<Axis> axesOf(const Picture& picture) {
   return axes;
 }
 
+std::vector<std::string> choosableAxes(const Picture& picture) {
+  constexpr std::array<std::string_view, 5> kChoosable{"shade", "divisions", "order", "constant-l",
+                                                       "constant-v"};
+  std::vector<std::string> names;
+  for (const Axis& axis : axesOf(picture))
+    if (std::ranges::find(kChoosable, axis.name()) != kChoosable.end()) names.emplace_back(axis.name());
+  return names;
+}
+
 Configuration changed(Configuration configuration, const Axis& axis, double value) {
   if (axis.setting)
     axis.setting->field.set(configuration.settings, value);

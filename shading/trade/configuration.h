@@ -47,6 +47,10 @@ struct Configuration {
 /// divisions, they are no axis.
 [[nodiscard]] std::vector<Axis> axesOf(const Picture& picture);
 
+/// The names of those axes on which the program may choose by itself: the method, the divisions, the order,
+/// and L and V as constants. They decide most, and the cells stay as they are.
+[[nodiscard]] std::vector<std::string> choosableAxes(const Picture& picture);
+
 /// The configuration with another value of one short cut.
 [[nodiscard]] Configuration changed(Configuration configuration, const Axis& axis, double value);
 

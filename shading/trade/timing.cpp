@@ -77,8 +77,7 @@ double processorMs() {
   return 1e3 * static_cast<double>(t.tv_sec) + 1e-6 * static_cast<double>(t.tv_nsec);
 }
 
-Timings timeAll(std::span<const Timed> ways, const TimingLimits& limits,
-                const std::function<bool(int)>& goOn) {
+Timings timeAll(std::span<const Timed> ways, const TimingLimits& limits, const TimingProgress& goOn) {
   assert(!ways.empty());
   const Stopwatch watch;
   std::mt19937 random{limits.seed};
@@ -86,6 +85,7 @@ Timings timeAll(std::span<const Timed> ways, const TimingLimits& limits,
   std::iota(order.begin(), order.end(), 0);
   Rounds rounds;
   Timings timings;
+  timings.of.assign(ways.size(), {});
   const auto ended = [&](Ended why) {
     summarize(timings, rounds, ways.size(), limits.seed);
     timings.ended = why;
@@ -95,11 +95,12 @@ Timings timeAll(std::span<const Timed> ways, const TimingLimits& limits,
     std::ranges::shuffle(order, random);
     std::vector<double> round(order.size());
     for (const std::size_t way : order) {
-      if (goOn && !goOn(static_cast<int>(rounds.size()))) return ended(Ended::Stopped);
+      if (goOn && !goOn(static_cast<int>(rounds.size()), timings)) return ended(Ended::Stopped);
       round[way] = ways[way % ways.size()]();
     }
     rounds.push_back(std::move(round));
     const int count = static_cast<int>(rounds.size());
+    if (count == 1 && goOn) summarize(timings, rounds, ways.size(), limits.seed);
     if (count < limits.leastRounds) continue;
     if (watch.ms() > 1e3 * limits.seconds || count == limits.mostRounds) return ended(Ended::OutOfTime);
     // The intervals take time themselves, so we do not look at them every round.

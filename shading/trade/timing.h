@@ -37,7 +37,7 @@ struct Timings {
   std::vector<Timing> of;  ///< in the order of the ways; the first is the base
   Timing twin;
   int rounds = 0;
-  Ended ended = Ended::Sure;
+  Ended ended = Ended::Stopped;
 };
 
 struct TimingLimits {
@@ -52,11 +52,14 @@ struct TimingLimits {
 /// Runs one way and returns its time in milliseconds, above 0.
 using Timed = std::function<double()>;
 
-/// `goOn` is called before each run with the number of finished rounds. If it returns false, no more runs,
-/// and a round that is not whole does not count. Without a whole round, all times are 0. Precondition: there
-/// is a way.
+/// Is called before each run with what is known so far, which is renewed from time to time. Returns false to
+/// end the rounds.
+using TimingProgress = std::function<bool(int rounds, const Timings& known)>;
+
+/// If `goOn` returns false, no more runs, and a round that is not whole does not count. Without a whole
+/// round, all times are 0. Precondition: there is a way.
 [[nodiscard]] Timings timeAll(std::span<const Timed> ways, const TimingLimits& limits = {},
-                              const std::function<bool(int rounds)>& goOn = {});
+                              const TimingProgress& goOn = {});
 
 /// The median of the values, the mean of the middle two of an even number; 0 of none.
 [[nodiscard]] double medianOf(std::vector<double> values);

@@ -37,7 +37,7 @@ class Trader {
 
  private:
   bool goOn(const std::string& doing) {
-    if (progress_ && !progress_(doing)) trade_.stopped = true;
+    if (progress_ && !progress_(doing, trade_)) trade_.stopped = true;
     return !trade_.stopped;
   }
   /// The time of the processor counts, so that on a busy machine as much is measured as on an idle one.
@@ -97,7 +97,6 @@ class Trader {
       trade_.combinations.clear();
       return;
     }
-    trade_.front = frontOf(trade_.combinations);
     if (request_.brief) return;
     for (const int k : trade_.front) {
       if (!goOn("looking closer at " + trade_.combinations[k].configuration.name())) return;
@@ -115,12 +114,17 @@ class Trader {
           [this, way = ways[k], &stage = stages[k]] { return measure_.run(way->configuration, stage); });
     const TimingLimits limits{
         .seconds = secondsTo(share), .mostRounds = request_.mostRounds, .seed = request_.seed};
-    Timings timings = timeAll(
-        timed, limits, [&](int rounds) { return goOn(doing + ": round " + std::to_string(rounds + 1)); });
-    for (std::size_t k = 0; k < ways.size(); ++k) {
-      ways[k]->cost.time = timings.of[k];
-      ways[k]->cost.stages = stages[k].medians();
-    }
+    int kept = 0;
+    const auto keep = [&](const Timings& timings) {
+      for (std::size_t k = 0; k < ways.size(); ++k) ways[k]->cost.time = timings.of[k];
+      trade_.front = frontOf(trade_.combinations);
+    };
+    Timings timings = timeAll(timed, limits, [&](int rounds, const Timings& known) {
+      if (known.rounds != kept) keep(known), kept = known.rounds;
+      return goOn(doing + ": round " + std::to_string(rounds + 1));
+    });
+    keep(timings);
+    for (std::size_t k = 0; k < ways.size(); ++k) ways[k]->cost.stages = stages[k].medians();
     return timings;
   }
 

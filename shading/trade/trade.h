@@ -21,8 +21,8 @@ namespace xnewell {
 /// cheaper and more accurate.
 ///
 /// All errors are against one Reference, whose patches are divided finely. The combinations are chosen by
-/// their errors on views from other sides. What is told are their errors on the user's own view, which had no
-/// part in the choice.
+/// their errors on views that are turned by one or two degrees. What is told are their errors on the user's
+/// own view, which had no part in the choice.
 
 /// What one picture costs.
 struct Cost {
@@ -63,8 +63,9 @@ struct Trade {
   bool stopped = false;            ///< the caller stopped it, and what is here is what was known
 };
 
-/// Is told what is being done, often. Returns false to stop the trade; it then returns what is known.
-using TradeProgress = std::function<bool(const std::string& doing)>;
+/// Is told what is being done, often, with what is known so far. Returns false to stop the trade; it then
+/// returns what is known.
+using TradeProgress = std::function<bool(const std::string& doing, const Trade& known)>;
 
 /// `settings` are in the units of the scene. The pictures are painted without a server.
 /// @throws ViewError if the set-up itself has no picture

@@ -11,6 +11,7 @@
 #include "x11/app/one_line.h"
 #include "x11/sides/side_bench.h"
 #include "x11/stepper/sort_bench.h"
+#include "x11/trade/trade_bench.h"
 #include "x11/window/colors_bench.h"
 #include "x11/window/mach_bench.h"
 #include "x11/window/moot.h"
@@ -50,6 +51,7 @@ Workbench::Workbench(Scene scene, const Setup& setup, Server server)
   at(WindowView::MachBands) = std::make_unique<MachBench>(*this, keys_, [this] { return subject(); });
   at(WindowView::SideBySide) = std::make_unique<SideBench>(
       *this, [this] { return subject(); }, [this] { return mostShades_; });
+  at(WindowView::Trade) = std::make_unique<TradeBench>(*this);
   auto lessons = std::make_unique<LessonBench>(*this);
   lessons_ = lessons.get();
   at(WindowView::Lesson) = std::move(lessons);

@@ -25,7 +25,7 @@ Trade measured(const Options& options, const TradeRequest& request, const Scene&
   std::optional<Doing> measuring;
   const Stopwatch watch;
   double shown = 0;
-  return tradeOf(scene, settingsOf(options), request, [&](const std::string& doing) {
+  return tradeOf(scene, settingsOf(options), request, [&](const std::string& doing, const Trade&) {
     if (!measuring || watch.ms() > shown + 100) {
       shown = watch.ms();
       measuring.reset();  // each message replaces the one before
@@ -35,15 +35,10 @@ Trade measured(const Options& options, const TradeRequest& request, const Scene&
   });
 }
 
-/// The axes that --accuracy may choose on: those that decide most, but for those that the user gave.
+/// The axes that --accuracy may choose on, but for those that the user gave.
 std::vector<std::string> freeAxes(const Options& options, const Scene& scene) {
-  constexpr std::array<std::string_view, 5> kMayChoose{"shade", "divisions", "order", "constant-l",
-                                                       "constant-v"};
-  std::vector<std::string> axes;
-  for (const Axis& axis : axesOf(makePicture(scene, settingsOf(options))))
-    if (std::ranges::find(kMayChoose, axis.name()) != kMayChoose.end() &&
-        !options.gave("--" + std::string{axis.name()}))
-      axes.emplace_back(axis.name());
+  std::vector<std::string> axes = choosableAxes(makePicture(scene, settingsOf(options)));
+  std::erase_if(axes, [&](const std::string& axis) { return options.gave("--" + axis); });
   return axes;
 }
 
@@ -63,14 +58,15 @@ int tellTrade(const Options& options, const Scene& scene) {
     interrupted = 1;
   });
   const Trade trade = measured(options, options.trade, scene);
-  if (!options.output.empty()) {
-    const ColoredImage chart = drawTrade(trade, "Cost against error: " + titleOf(scene));
-    writeFile(options.output, encodePng(chart.image, chart.palette));
-  }
   if (options.json)
     printTradeAsJson(options, trade, std::cout);
   else
     printTrade(options, trade, std::cout);
+  std::cout.flush();  // a chart that cannot be written must not cost the table
+  if (!options.output.empty() && !trade.combinations.empty()) {
+    const ColoredImage chart = drawTrade(trade, "Cost against error: " + titleOf(scene));
+    writeFile(options.output, encodePng(chart.image, chart.palette));
+  }
   return trade.stopped ? kInterrupted : kDone;
 }
 

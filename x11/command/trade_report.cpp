@@ -83,8 +83,8 @@ void printNumbers(std::ostream& out, const std::string& name, const Measured& on
 
 void printHead(std::ostream& out, const std::string& what) {
   out << std::left << std::setw(kName) << what << std::right << std::setw(9) << "ms" << std::setw(8) << "time"
-      << "  " << std::setw(9) << "RMS" << std::setw(9) << "99 %" << std::setw(9) << "most" << std::setw(8)
-      << "faces" << std::setw(8) << "dE" << std::setw(8) << "most" << std::setw(8) << "MB" << '\n';
+      << "  " << std::setw(9) << "RMS" << std::setw(9) << "99 %" << std::setw(9) << "largest" << std::setw(8)
+      << "faces" << std::setw(8) << "dE" << std::setw(8) << "dE max" << std::setw(8) << "MB" << '\n';
 }
 
 Json jsonOf(const Timing& time) {
@@ -155,6 +155,10 @@ void printTrade(const Options& options, const Trade& trade, std::ostream& out) {
   if (trade.referenceOff)
     out << " (" << fixed(trade.referenceOff->largestPixels, 3) << " pixels off the patches at most)";
   out << ".\n";
+  out << "Faces are samples that show a wrong face, dE is CIEDE2000, its mean and its largest; MB is what "
+         "the picture "
+         "holds.\n";
+  if (trade.stopped) out << "The measuring was stopped. What was known is here.\n";
   out << "Times are medians of " << trade.ofRows.rounds << " rounds, in turn, " << endingOf(trade.ofRows)
       << "; = is a tie.\n";
   if (trade.ofRows.rounds > 0)
@@ -170,8 +174,9 @@ void printTrade(const Options& options, const Trade& trade, std::ostream& out) {
   }
   if (!trade.front.empty()) {
     out << '\n'
-        << trade.combinations.size() << " combinations, chosen by their errors on " << trade.views
-        << " other views. On the front:\n\n";
+        << counted(static_cast<std::int64_t>(trade.combinations.size()), "combination")
+        << ", chosen by their errors on " << trade.views
+        << " views that are turned by one or two degrees. On the front:\n\n";
     printHead(out, "combination");
     for (const int k : trade.front) {
       const Configuration& one = trade.combinations[k].configuration;

@@ -6,8 +6,8 @@
 namespace xnewell {
 
 /// The views of the window. Each has a tab and a key.
-enum class WindowView { Picture, DepthSort, Colors, MachBands, SideBySide, Lesson };
-inline constexpr int kEveryWindowView = 6;
+enum class WindowView { Picture, DepthSort, Colors, MachBands, SideBySide, Trade, Lesson };
+inline constexpr int kEveryWindowView = 7;
 struct WindowViewRow {
   WindowView id;
   char key;
@@ -19,6 +19,7 @@ inline constexpr std::array kWindowViews{
     WindowViewRow{WindowView::Colors, '3', "Colours", "colours"},
     WindowViewRow{WindowView::MachBands, '4', "Mach bands", "machbands"},
     WindowViewRow{WindowView::SideBySide, '5', "Side by side", "sidebyside"},
+    WindowViewRow{WindowView::Trade, '6', "Trade", "trade"},
     WindowViewRow{WindowView::Lesson, '7', "Lesson", "lesson"},
 };
 

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <numeric>
+#include <utility>
 
 #include "x11/drawing/sheet.h"
 #include "x11/drawing/wording.h"
@@ -65,8 +67,6 @@ bool overlap(const Rect& a, const Rect& b) {
   return a.x < b.x + b.width && b.x < a.x + a.width && a.y < b.y + b.height && b.y < a.y + a.height;
 }
 
-double errorOf(const Measured& one) { return one.here.afterTable.rootMeanSquare; }
-
 /// Places labels beside their points, where they cover neither a mark nor another label. A point for whose
 /// label there is no room has none.
 class Labels {
@@ -107,20 +107,44 @@ class Labels {
 
 }  // namespace
 
-TradeScale::TradeScale(const Rect& area, const Trade& trade)
-    : area_{area}, ms0_{1e300}, ms1_{0}, error0_{1e300}, error1_{0} {
+double TradeAxes::costOf(const Measured& one) const {
+  return cost == TradeCost::Time ? one.cost.time.ms : static_cast<double>(one.cost.bytes) / 1e6;
+}
+
+double TradeAxes::errorOf(const Measured& one) const {
+  const double value = error == TradeError::Rms       ? one.here.afterTable.rootMeanSquare
+                       : error == TradeError::Largest ? one.here.afterTable.largest
+                                                      : static_cast<double>(one.here.wrongFaces);
+  return std::max(value, kTradeErrors[static_cast<std::size_t>(error)].least);
+}
+
+std::vector<int> frontBy(const TradeAxes& axes, const Trade& trade) {
+  if (axes == TradeAxes{}) return trade.front;
+  std::vector<int> order(trade.combinations.size()), front;
+  std::iota(order.begin(), order.end(), 0);
+  std::ranges::stable_sort(order, {}, [&](int k) {
+    return std::pair{axes.costOf(trade.combinations[k]), axes.errorOf(trade.combinations[k])};
+  });
+  for (const int k : order)
+    if (front.empty() || axes.errorOf(trade.combinations[k]) < axes.errorOf(trade.combinations[front.back()]))
+      front.push_back(k);
+  return front;
+}
+
+TradeScale::TradeScale(const Rect& area, const Trade& trade, const TradeAxes& axes)
+    : area_{area}, axes_{axes}, cost0_{1e300}, cost1_{0}, error0_{1e300}, error1_{0} {
   for (const Measured& one : trade.combinations) {
-    ms0_ = std::min(ms0_, one.cost.time.ms), ms1_ = std::max(ms1_, one.cost.time.ms);
-    const double error = std::max(errorOf(one), 1e-6);
+    const double cost = std::max(axes.costOf(one), 1e-6), error = axes.errorOf(one);
+    cost0_ = std::min(cost0_, cost), cost1_ = std::max(cost1_, cost);
     error0_ = std::min(error0_, error), error1_ = std::max(error1_, error);
   }
   // Some space around the marks.
-  ms0_ /= 1.25, ms1_ *= 1.25, error0_ /= 1.3, error1_ *= 1.3;
+  cost0_ /= 1.25, cost1_ *= 1.25, error0_ /= 1.3, error1_ *= 1.3;
 }
 
-int TradeScale::x(double ms) const {
-  return area_.x +
-         static_cast<int>(std::lround((area_.width - 1) * std::log(ms / ms0_) / std::log(ms1_ / ms0_)));
+int TradeScale::x(double cost) const {
+  const double share = std::log(std::max(cost, cost0_) / cost0_) / std::log(cost1_ / cost0_);
+  return area_.x + static_cast<int>(std::lround((area_.width - 1) * share));
 }
 
 int TradeScale::y(double error) const {
@@ -133,7 +157,7 @@ double TradeScale::errorAt(int y) const {
   return error0_ * std::pow(error1_ / error0_, std::clamp(share, 0.0, 1.0));
 }
 
-std::vector<double> TradeScale::ticksOfTime() const { return ticksBetween(ms0_, ms1_); }
+std::vector<double> TradeScale::ticksOfCost() const { return ticksBetween(cost0_, cost1_); }
 std::vector<double> TradeScale::ticksOfError() const { return ticksBetween(error0_, error1_); }
 
 std::string labelOf(const Configuration& configuration) {
@@ -154,7 +178,7 @@ void drawTradePlot(Painter paint, const CellPlan& plan, const TradeScale& scale,
                    int chosen, std::optional<double> limit) {
   const Rect& area = scale.area();
   const int base = area.y + area.height, right = area.x + area.width;
-  for (const double ms : scale.ticksOfTime()) {
+  for (const double ms : scale.ticksOfCost()) {
     paint.vline(scale.x(ms), area.y, area.height, plan[Cell::Rule]);
     const std::string name = shortNumber(ms);
     paint.text(scale.x(ms) - textWidth(name) / 2, base + 16, name, plan[Cell::Soft]);
@@ -165,12 +189,15 @@ void drawTradePlot(Painter paint, const CellPlan& plan, const TradeScale& scale,
   }
   paint.vline(area.x, area.y, area.height, plan[Cell::Ink]);
   paint.hline(area.x, base, area.width, plan[Cell::Ink]);
-  paint.text(area.x + 6, area.y + 11, "error, root mean square of intensity (log)", plan[Cell::Soft]);
-  paint.textRight(right, base + 34, "time for one picture, ms (log)", plan[Cell::Soft]);
+  const TradeAxes& axes = scale.axes();
+  paint.text(area.x + 6, area.y + 11, kTradeErrors[static_cast<std::size_t>(axes.error)].says,
+             plan[Cell::Soft]);
+  paint.textRight(right, base + 34, kTradeCosts[static_cast<std::size_t>(axes.cost)].says, plan[Cell::Soft]);
+  const std::vector<int> front = frontBy(axes, trade);
 
-  const auto isOnFront = [&](int k) { return std::ranges::find(trade.front, k) != trade.front.end(); };
-  const auto xOf = [&](int k) { return scale.x(trade.combinations[k].cost.time.ms); };
-  const auto yOf = [&](int k) { return scale.y(errorOf(trade.combinations[k])); };
+  const auto isOnFront = [&](int k) { return std::ranges::find(front, k) != front.end(); };
+  const auto xOf = [&](int k) { return scale.x(axes.costOf(trade.combinations[k])); };
+  const auto yOf = [&](int k) { return scale.y(axes.errorOf(trade.combinations[k])); };
   Painter inside = paint.within({area.x, area.y, area.width + 4, area.height + 4});
   Labels labels{inside, plan, area};
   const auto count = static_cast<int>(trade.combinations.size());
@@ -180,8 +207,8 @@ void drawTradePlot(Painter paint, const CellPlan& plan, const TradeScale& scale,
       drawMark(inside, xOf(k), yOf(k), trade.combinations[k].configuration.settings.shading, false,
                plan[Cell::Faint]);
   }
-  for (std::size_t k = 0; k + 1 < trade.front.size(); ++k) {
-    const int from = trade.front[k], to = trade.front[k + 1];
+  for (std::size_t k = 0; k + 1 < front.size(); ++k) {
+    const int from = front[k], to = front[k + 1];
     inside.line(xOf(from), yOf(from), xOf(to), yOf(from), plan[Cell::Ink]);
     inside.line(xOf(to), yOf(from), xOf(to), yOf(to), plan[Cell::Ink]);
   }
@@ -191,16 +218,27 @@ void drawTradePlot(Painter paint, const CellPlan& plan, const TradeScale& scale,
     paint.fillRect({right - 4, y - 6, 8, 13}, plan[Cell::Good]);
     inside.text(area.x + 6, y + 14, "everything below the limit is good enough", plan[Cell::Good]);
     labels.avoid({area.x + 6, y + 2, 250, 14});
+    labels.avoid({area.x, y - 1, area.width, 3});
   }
-  for (const int k : trade.front)
+  for (const int k : front)
     drawMark(inside, xOf(k), yOf(k), trade.combinations[k].configuration.settings.shading, true,
              plan[Cell::Ink]);
   if (chosen >= 0) {
     for (const int radius : {8, 9}) inside.ring(xOf(chosen), yOf(chosen), radius, plan[Cell::Ink]);
     labels.place(xOf(chosen) + 6, yOf(chosen) - 4, labelOf(trade.combinations[chosen].configuration), true);
   }
-  for (const int k : trade.front)
+  for (const int k : front)
     if (k != chosen) labels.place(xOf(k), yOf(k), labelOf(trade.combinations[k].configuration), false);
+}
+
+int drawTradeLegend(Painter paint, const CellPlan& plan, int x, int y) {
+  for (const ShadingRow& method : kShadings) {
+    if (method.id != Shading::Flat && method.id != Shading::Gouraud && method.id != Shading::Phong) continue;
+    drawMark(paint, x + kMark, y, method.id, false, plan[Cell::Ink]);
+    x = paint.text(x + 14, y + 4, method.label, plan[Cell::Soft]) + 16;
+  }
+  drawMark(paint, x + kMark, y, Shading::Full, false, plan[Cell::Ink]);
+  return paint.text(x + 14, y + 4, "others     filled: on the front", plan[Cell::Soft]);
 }
 
 ColoredImage drawTrade(const Trade& trade, const std::string& title) {
@@ -223,15 +261,7 @@ ColoredImage drawTrade(const Trade& trade, const std::string& title) {
   if (!trade.combinations.empty())
     drawTradePlot(paint, plan, TradeScale{{kTradeLeft, top + 8, kTradeWidth, kTradeHeight - 8}, trade},
                   trade);
-  const int legend = top + kTradeHeight + 48;
-  int x = kTradeLeft;
-  for (const ShadingRow& method : kShadings) {
-    if (method.id != Shading::Flat && method.id != Shading::Gouraud && method.id != Shading::Phong) continue;
-    drawMark(paint, x + kMark, legend, method.id, false, sheet.cell(Cell::Ink));
-    x = paint.text(x + 14, legend + 4, method.label, sheet.cell(Cell::Soft)) + 16;
-  }
-  drawMark(paint, x + kMark, legend, Shading::Full, false, sheet.cell(Cell::Ink));
-  paint.text(x + 14, legend + 4, "another method     filled: on the front", sheet.cell(Cell::Soft));
+  drawTradeLegend(paint, plan, kTradeLeft, top + kTradeHeight + 48);
   int y = sheet.section(column, top, words, "the front");
   y = sheet.tableRow(column, y, "", {"ms", "error", "wrong faces"}, {70, 150, words}, Cell::Soft,
                      Voice::Plain);
@@ -239,7 +269,8 @@ ColoredImage drawTrade(const Trade& trade, const std::string& title) {
     const Measured& one = trade.combinations[k];
     y = sheet.paragraph(column, y, words, labelOf(one.configuration), Cell::Ink);
     y = 4 + sheet.tableRow(column, y, "",
-                           {fixed(one.cost.time.ms, 2), fixed(errorOf(one), 4), grouped(one.here.wrongFaces)},
+                           {fixed(one.cost.time.ms, 2), fixed(TradeAxes{}.errorOf(one), 4),
+                            grouped(one.here.wrongFaces)},
                            {70, 150, words}, Cell::Ink, Voice::Plain);
   }
   return {sheet.image(), makePalette(plan, ColorTable{{}})};

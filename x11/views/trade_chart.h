@@ -1,7 +1,10 @@
 #pragma once
 
+#include <array>
 #include <optional>
 #include <string>
+#include <string_view>
+#include <vector>
 
 #include "shading/color/rgb_image.h"
 #include "shading/trade/trade.h"
@@ -14,23 +17,59 @@ namespace xnewell {
 /// Cost against error, as a chart: a mark for each combination, and the front as a staircase. Both axes are
 /// logarithmic.
 
-/// Where times and errors are in the chart.
+/// What the chart has from left to right, and from top to bottom.
+enum class TradeCost { Time, Memory };
+enum class TradeError { Rms, Largest, WrongFaces };
+struct TradeCostRow {
+  TradeCost id;
+  std::string_view label, says;
+};
+inline constexpr std::array kTradeCosts{
+    TradeCostRow{TradeCost::Time, "time", "time for one picture, ms (log)"},
+    TradeCostRow{TradeCost::Memory, "memory", "memory that the picture holds, MB (log)"},
+};
+struct TradeErrorRow {
+  TradeError id;
+  std::string_view label, says;
+  double least;  ///< what is less is drawn there: the scale is logarithmic
+};
+inline constexpr std::array kTradeErrors{
+    TradeErrorRow{TradeError::Rms, "RMS", "error, root mean square of intensity (log)", 1e-6},
+    TradeErrorRow{TradeError::Largest, "largest", "largest error of intensity (log)", 1e-6},
+    TradeErrorRow{TradeError::WrongFaces, "wrong faces", "samples that show a wrong face (log)", 0.5},
+};
+struct TradeAxes {
+  TradeCost cost = TradeCost::Time;
+  TradeError error = TradeError::Rms;
+  bool operator==(const TradeAxes&) const = default;
+
+  /// Milliseconds, or millions of bytes.
+  [[nodiscard]] double costOf(const Measured& one) const;
+  [[nodiscard]] double errorOf(const Measured& one) const;
+};
+/// The combinations for which no other costs less and has a smaller error, the cheapest first. By time and
+/// RMS it is Trade::front.
+[[nodiscard]] std::vector<int> frontBy(const TradeAxes& axes, const Trade& trade);
+
+/// Where costs and errors are in the chart.
 class TradeScale {
  public:
   /// `area` is that of the marks. `trade` has a combination with a time.
-  TradeScale(const Rect& area, const Trade& trade);
+  TradeScale(const Rect& area, const Trade& trade, const TradeAxes& axes = {});
 
-  [[nodiscard]] int x(double ms) const;
+  [[nodiscard]] int x(double cost) const;
   [[nodiscard]] int y(double error) const;
   /// The error at a row of pixels.
   [[nodiscard]] double errorAt(int y) const;
   [[nodiscard]] const Rect& area() const { return area_; }
-  [[nodiscard]] std::vector<double> ticksOfTime() const;
+  [[nodiscard]] const TradeAxes& axes() const { return axes_; }
+  [[nodiscard]] std::vector<double> ticksOfCost() const;
   [[nodiscard]] std::vector<double> ticksOfError() const;
 
  private:
   Rect area_;
-  double ms0_, ms1_, error0_, error1_;
+  TradeAxes axes_;
+  double cost0_, cost1_, error0_, error1_;
 };
 
 /// "Gouraud 12x12, z far": how a mark is called.
@@ -40,6 +79,9 @@ class TradeScale {
 /// labelled in a box; -1 for none. `limit` is drawn as a dashed line.
 void drawTradePlot(Painter paint, const CellPlan& plan, const TradeScale& scale, const Trade& trade,
                    int chosen = -1, std::optional<double> limit = {});
+
+/// The marks of the methods, and what each stands for. Returns where it ends.
+int drawTradeLegend(Painter paint, const CellPlan& plan, int x, int y);
 
 /// The chart as a picture of its own, with the front in numbers.
 [[nodiscard]] ColoredImage drawTrade(const Trade& trade, const std::string& title);

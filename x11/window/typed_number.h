@@ -14,4 +14,12 @@ inline std::optional<int> wholeNumber(const std::string& text) {
   return error == std::errc{} && at == end && !text.empty() ? std::optional{value} : std::nullopt;
 }
 
+/// The number that `text` spells; nothing if it has any other character.
+inline std::optional<double> typedNumber(const std::string& text) {
+  double value = 0;
+  const char* const end = text.data() + text.size();
+  const auto [at, error] = std::from_chars(text.data(), end, value);
+  return error == std::errc{} && at == end && !text.empty() ? std::optional{value} : std::nullopt;
+}
+
 }  // namespace xnewell

@@ -95,11 +95,11 @@ TEST(Timing, EndsAsItSays) {
 
   // A round that was not finished does not count.
   int calls = 0;
-  const Timings stopped = timeAll(constant, {}, [&](int) { return ++calls <= 7; });
+  const Timings stopped = timeAll(constant, {}, [&](int, const Timings&) { return ++calls <= 7; });
   EXPECT_EQ(stopped.ended, Ended::Stopped);
   EXPECT_EQ(stopped.rounds, 2);
   EXPECT_EQ(stopped.of[1].ms, 3.0);
-  const Timings none = timeAll(constant, {}, [](int) { return false; });
+  const Timings none = timeAll(constant, {}, [](int, const Timings&) { return false; });
   EXPECT_EQ(none.rounds, 0);
   EXPECT_EQ(none.of[1].ms, 0.0);
 }

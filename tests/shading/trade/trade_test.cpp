@@ -148,12 +148,12 @@ TEST(Trade, RefusesWhatIsNotThere) {
 // The caller may stop it at any time. Then what is known comes back.
 TEST(Trade, StopsWhenItIsTold) {
   int most = 0;
-  static_cast<void>(
-      quickTrade("cycle", small(), {.axes = {"order"}}, [&](const std::string&) { return ++most > 0; }));
+  static_cast<void>(quickTrade("cycle", small(), {.axes = {"order"}},
+                               [&](const std::string&, const Trade&) { return ++most > 0; }));
   for (const int calls : {0, 2, 5, most / 2}) {
     int left = calls;
-    const Trade trade =
-        quickTrade("cycle", small(), {.axes = {"order"}}, [&](const std::string&) { return left-- > 0; });
+    const Trade trade = quickTrade("cycle", small(), {.axes = {"order"}},
+                                   [&](const std::string&, const Trade&) { return left-- > 0; });
     EXPECT_TRUE(trade.stopped) << calls;
     EXPECT_LE(trade.rows.size(), kOrders.size() - 1);
     EXPECT_LE(static_cast<int>(trade.rows.size()), calls);

@@ -1,0 +1,272 @@
+#include "x11/trade/trade_bench.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "shading/picture/facts.h"
+#include "x11/drawing/pen.h"
+#include "x11/drawing/wording.h"
+#include "x11/window/typed_number.h"
+
+namespace xnewell {
+
+namespace {
+
+constexpr double kSeconds = 20;
+constexpr int kSteps = 40;  // of the limit's track
+
+/// The set-up with what a combination changes.
+Setup with(Setup setup, const Configuration& chosen) {
+  for (const Change& change : chosen.changes)
+    if (change.setting)
+      change.setting->field.set(setup.picture, change.value);
+    else
+      setup.divisions = static_cast<int>(change.value);
+  return setup;
+}
+
+/// What the measurements depend on: all but the colours in the cells, the filler, and what view 1 shows.
+Setup measuredPart(Setup setup) {
+  setup.picture = withoutColors(setup.picture);
+  setup.fill = Fill::Scanline;
+  setup.show = Show::Shaded;
+  return setup;
+}
+
+}  // namespace
+
+void TradeBench::measure(const Picture& picture, const Setup& setup) {
+  measuring_.reset();
+  known_ = {};
+  chosen_ = -1, within_ = {};
+  painted_.reset();
+  again_ = false;
+  measuredOf_ = measuredPart(setup);
+  measuredScene_ = picture.scene().name;
+  TradeRequest request{.axes = choosableAxes(picture), .brief = true, .seconds = kSeconds};
+  measuring_ = std::make_unique<Measuring>(picture, std::move(request));
+}
+
+void TradeBench::tick() {
+  if (!measuring_) return;
+  std::optional<Measuring::News> news = measuring_->news();
+  if (!news) return;
+  known_ = std::move(*news);
+  if (known_.done) measuring_.reset();
+  choose();
+}
+
+void TradeBench::leave() {
+  hovered_ = 0;
+  if (!measuring_) return;
+  measuring_.reset();
+  known_ = {};
+  measuredOf_.reset();  // measured anew when the view appears again
+}
+
+void TradeBench::choose() {
+  within_ = {};
+  chosen_ = -1;
+  if (known_.trade.ofCombinations.rounds > 0 || !known_.trade.front.empty()) {
+    within_ = chooseWithin(known_.trade, limit_);
+    chosen_ = within_.combination;
+  }
+  changed_ = true;
+}
+
+void TradeBench::setLimit(double limit) {
+  limit_ = std::clamp(limit, limitOfShare(0), limitOfShare(1));
+  choose();
+}
+
+void TradeBench::walk(int steps) {
+  const std::vector<int> front = frontBy(axes_, known_.trade);
+  if (front.empty()) return;
+  const auto at = std::ranges::find(front, chosen_);
+  const auto last = static_cast<std::ptrdiff_t>(front.size()) - 1;
+  const std::ptrdiff_t next =
+      at == front.end() ? 0 : std::clamp<std::ptrdiff_t>(at - front.begin() + steps, 0, last);
+  chosen_ = front[static_cast<std::size_t>(next)];
+  changed_ = true;
+}
+
+void TradeBench::useChosen() {
+  if (chosen_ < 0) return;
+  const Configuration chosen = known_.trade.combinations[chosen_].configuration;
+  if (with(host_.setup(), chosen) == host_.setup()) return host_.tell("That is the set-up.");
+  host_.change('6', [&](Setup& s) { s = with(s, chosen); });
+  host_.tell("The window now uses " + chosen.name() + ".");
+}
+
+bool TradeBench::press(const Key& key, const Setup&) {
+  const int times = key.shift ? 5 : 1;
+  switch (key.name) {
+    case NamedKey::Left:
+      return walk(-times), true;
+    case NamedKey::Right:
+      return walk(times), true;
+    case NamedKey::Up:
+      return setLimit(limitOfShare(shareOfLimit(limit_) + double(times) / kSteps)), true;
+    case NamedKey::Down:
+      return setLimit(limitOfShare(shareOfLimit(limit_) - double(times) / kSteps)), true;
+    case NamedKey::Return:
+      return useChosen(), true;
+    case NamedKey::Letter:
+      break;
+    default:
+      return false;
+  }
+  switch (key.letter) {
+    case 'm':
+      again_ = changed_ = true;
+      return true;
+    case 'X':
+      axes_.cost = static_cast<TradeCost>((static_cast<std::size_t>(axes_.cost) + 1) % kTradeCosts.size());
+      return changed_ = true;
+    case 'Y':
+      axes_.error =
+          static_cast<TradeError>((static_cast<std::size_t>(axes_.error) + 1) % kTradeErrors.size());
+      return changed_ = true;
+    case 'E':
+    case '=':
+      host_.ask({.asks = "largest error allowed, 0.001 to 0.5",
+                 .text = fixed(limit_, 3),
+                 .take = [this](const std::string& text) -> std::string {
+                   const std::optional<double> value = typedNumber(text);
+                   if (!value || *value < limitOfShare(0) || *value > limitOfShare(1) + 1e-9)
+                     return "The limit is a number from 0.001 to 0.5.";
+                   setLimit(*value);
+                   return {};
+                 }});
+      return true;
+    default:
+      return false;
+  }
+}
+
+void TradeBench::hover(int x, int y) {
+  const char before = hovered_;
+  const int option = option_;
+  hovered_ = at_.limit.has(x, y) ? 'E' : at_.costs.has(x, y) ? 'X' : at_.errors.has(x, y) ? 'Y' : 0;
+  option_ = -1;
+  const std::vector<Rect> options = hovered_ == 'X'   ? costOptions(at_)
+                                    : hovered_ == 'Y' ? errorOptions(at_)
+                                                      : std::vector<Rect>{};
+  for (std::size_t k = 0; k < options.size(); ++k)
+    if (options[k].has(x, y)) option_ = static_cast<int>(k);
+  changed_ = changed_ || before != hovered_ || option != option_;
+}
+
+bool TradeBench::grab(int x, int y) {
+  hover(x, y);
+  if (hovered_ == 'X' && option_ >= 0) axes_.cost = static_cast<TradeCost>(option_);
+  if (hovered_ == 'Y' && option_ >= 0) axes_.error = static_cast<TradeError>(option_);
+  changed_ = true;
+  if (hovered_ == 'E') {
+    dragged_ = 'E';
+    dragTo(x, y);
+    return true;
+  }
+  if (hovered_ != 0 || !at_.chart.has(x, y) || known_.trade.front.empty()) return false;
+  // A mark, or else the limit's line.
+  const TradeScale scale{at_.chart, known_.trade, axes_};
+  double nearest = 12 * 12;
+  int mark = -1;
+  for (std::size_t k = 0; k < known_.trade.combinations.size(); ++k) {
+    const Measured& one = known_.trade.combinations[k];
+    const double dx = scale.x(axes_.costOf(one)) - x, dy = scale.y(axes_.errorOf(one)) - y;
+    if (dx * dx + dy * dy < nearest) nearest = dx * dx + dy * dy, mark = static_cast<int>(k);
+  }
+  if (mark >= 0) {
+    chosen_ = mark;
+    return false;
+  }
+  if (axes_.error != TradeError::Rms || std::abs(scale.y(limit_) - y) > 6) return false;
+  dragged_ = 'L';
+  return true;
+}
+
+void TradeBench::dragTo(int x, int y) {
+  if (dragged_ == 'E')
+    setLimit(limitOfShare(double(x - at_.limit.x - kColumnTrackAt) / kColumnTrack));
+  else if (dragged_ == 'L')
+    setLimit(TradeScale{at_.chart, known_.trade, axes_}.errorAt(y));
+}
+
+bool TradeBench::isStale(const Setup& setup) const {
+  return measuredOf_ && *measuredOf_ != measuredPart(setup);
+}
+
+bool TradeBench::late(const Setup&) const { return changed_; }
+
+void TradeBench::paintChosen(const Desk& desk) {
+  if (chosen_ < 0) {
+    painted_.reset();
+    return;
+  }
+  const Configuration& chosen = known_.trade.combinations[chosen_].configuration;
+  if (!pictures_ || divisions_ != chosen.divisions) {
+    pictures_.emplace(dividedAnew(desk.picture.scene(), chosen.divisions));
+    divisions_ = chosen.divisions;
+  }
+  PictureSettings settings = with(desk.setup, chosen).picture;
+  settings.camera = heldCamera(desk.picture);
+  settings.width = at_.picture.width, settings.height = at_.picture.height;
+  settings.inPixels = false;
+  painted_ = pictures_->make(settings, desk.plan[Cell::Well]);
+}
+
+void TradeBench::draw(IndexImage& image, const Desk& desk) {
+  at_ = layoutOfTrade(desk.layout.body);
+  if (measuredScene_ != desk.picture.scene().name) measuredOf_.reset();
+  if (again_ || !measuredOf_) {
+    pictures_.reset();
+    measure(desk.picture, desk.setup);
+  }
+  paintChosen(desk);
+  Painter{image}.fillRect(desk.layout.body, desk.plan[Cell::Paper]);
+  drawTradePage(image, at_,
+                {.trade = known_.trade,
+                 .doing = known_.doing,
+                 .failure = known_.failure,
+                 .stale = isStale(desk.setup),
+                 .axes = axes_,
+                 .limit = limit_,
+                 .chosen = chosen_,
+                 .within = within_,
+                 .picture = painted_ ? &painted_->image() : nullptr,
+                 .hovered = hovered_,
+                 .dragged = dragged_,
+                 .option = option_},
+                desk.plan);
+  colors_ = {desk.palette, std::nullopt};
+  use_ = {};
+  if (painted_) {
+    use_ = cellUse(painted_->image());
+    const Palette own = painted_->palette(desk.plan, desk.palette);
+    colors_.palette = desk.gray ? forGrayScreen(own, *painted_) : own;
+  }
+  status_ = measuring_
+                ? "measuring: " + known_.doing
+                : grouped(static_cast<std::int64_t>(known_.trade.combinations.size())) + " measured, " +
+                      grouped(static_cast<std::int64_t>(frontBy(axes_, known_.trade).size())) +
+                      " on the front";
+  aside_ = measuring_ ? "" : grouped(known_.trade.ofCombinations.rounds) + " rounds, in turn";
+  changed_ = false;
+}
+
+std::vector<Legend> TradeBench::legend() const {
+  return {{{"<", ">"}, "along the front"}, {{"^", "v"}, "limit"}, {{"Return"}, "use this one"},
+          {{"m"}, "measure again"},        {{"X", "Y"}, "axes"},  {{"="}, "type the limit"}};
+}
+
+std::vector<HelpLine> TradeBench::help() const {
+  return {{"left, right", "along the front; or click a mark"},
+          {"up, down", "the limit; or drag its line, or its slider; = types it"},
+          {"Return", "use the chosen combination in all views"},
+          {"X Y", "what the axes show"},
+          {"m", "measure again"}};
+}
+
+}  // namespace xnewell

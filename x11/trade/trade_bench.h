@@ -1,0 +1,82 @@
+#pragma once
+
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "shading/picture/picture_cache.h"
+#include "x11/trade/measuring.h"
+#include "x11/trade/trade_page.h"
+#include "x11/window/bench.h"
+
+namespace xnewell {
+
+/// The view of the trade in the window. It begins to measure when it first appears, and draws what is known.
+class TradeBench : public Bench {
+ public:
+  explicit TradeBench(Host& host) : host_{host} {}
+
+  [[nodiscard]] bool press(const Key& key, const Setup& setup) override;
+  [[nodiscard]] std::string_view sharedKeys() const override { return ""; }
+  void hover(int x, int y) override;
+  [[nodiscard]] bool grab(int x, int y) override;
+  void dragTo(int x, int y) override;
+  void drop() override { dragged_ = 0; }
+  /// Other views must not share the processor with the measuring, so it ends with this view.
+  void leave() override;
+  [[nodiscard]] bool moving() const override { return measuring_ != nullptr; }
+  void tick() override;
+
+  /// The pictures that are measured have the size of the first view's.
+  [[nodiscard]] Rect picture(const Layout& at) const override { return at.picture; }
+  [[nodiscard]] bool wantsImage() const override { return false; }
+  [[nodiscard]] bool late(const Setup& setup) const override;
+  void draw(IndexImage& image, const Desk& desk) override;
+  [[nodiscard]] std::string status() const override { return status_; }
+  [[nodiscard]] std::string aside() const override { return aside_; }
+  [[nodiscard]] std::vector<Legend> legend() const override;
+  [[nodiscard]] std::vector<HelpLine> help() const override;
+  [[nodiscard]] const CellUse* use() const override { return &use_; }
+  [[nodiscard]] const OwnColors* colors() const override { return &colors_; }
+
+  [[nodiscard]] const Trade& trade() const { return known_.trade; }
+  [[nodiscard]] int chosen() const { return chosen_; }
+  [[nodiscard]] double limit() const { return limit_; }
+
+ private:
+  void measure(const Picture& picture, const Setup& setup);
+  /// Chooses within the limit again.
+  void choose();
+  void setLimit(double limit);
+  /// Goes along the front, to the right if `steps` > 0.
+  void walk(int steps);
+  void useChosen();
+  void paintChosen(const Desk& desk);
+  [[nodiscard]] bool isStale(const Setup& setup) const;
+
+  Host& host_;
+  std::unique_ptr<Measuring> measuring_;
+  Measuring::News known_;
+  std::optional<Setup> measuredOf_;
+  std::string measuredScene_;
+  TradeAxes axes_;
+  double limit_ = 0.03;
+  int chosen_ = -1;
+  Chosen within_;
+  char hovered_ = 0, dragged_ = 0;
+  int option_ = -1;
+  bool changed_ = true;  ///< something must be drawn
+  bool again_ = false;   ///< the user asked to measure again
+
+  std::optional<PictureCache> pictures_;  ///< of the chosen combination
+  int divisions_ = 0;                     ///< of their scene
+  std::optional<Picture> painted_;
+  // The state of the last drawing.
+  TradeLayout at_;
+  CellUse use_;
+  OwnColors colors_{};
+  std::string status_, aside_;
+};
+
+}  // namespace xnewell

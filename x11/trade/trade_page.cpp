@@ -1,0 +1,180 @@
+#include "x11/trade/trade_page.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "x11/drawing/pen.h"
+#include "x11/drawing/sheet.h"
+#include "x11/drawing/wording.h"
+#include "x11/window/layout.h"
+
+namespace xnewell {
+
+namespace {
+
+constexpr int kRow = 22, kLine = 17;
+constexpr double kLeastLimit = 0.001, kMostLimit = 0.5;
+
+constexpr std::array<std::string_view, kTradeCosts.size()> kCosts{kTradeCosts[0].label, kTradeCosts[1].label};
+constexpr std::array<std::string_view, kTradeErrors.size()> kErrors{
+    kTradeErrors[0].label, kTradeErrors[1].label, kTradeErrors[2].label};
+
+/// Draws a page.
+class TradeDrawing {
+ public:
+  TradeDrawing(IndexImage& image, const TradeLayout& at, const TradePage& page, const CellPlan& plan)
+      : pen_{Painter{image}, plan}, at_{at}, page_{page} {}
+
+  void drawChart() {
+    const int x = at_.chart.x - 48, y = at_.chart.y - 36;
+    pen_.paint.text(x, y + 8, "Cost against error", pen_(Cell::Ink), Voice::Title);
+    pen_.softRight(at_.chart.x + at_.chart.width, y + 8, heading());
+    if (!hasTimes()) {
+      drawWaiting();
+      return;
+    }
+    drawTradePlot(pen_.paint, pen_.plan, TradeScale{at_.chart, page_.trade, page_.axes}, page_.trade,
+                  page_.chosen,
+                  page_.axes.error == TradeError::Rms ? std::optional{page_.limit} : std::nullopt);
+  }
+
+  void drawColumn() {
+    const int x = at_.column.x, width = at_.column.width;
+    int y = at_.column.y + 11;
+    pen_.caps(x, y, "chosen");
+    pen_.softRight(x + width, y,
+                   page_.chosen == page_.within.combination
+                       ? (page_.within.accurate ? "cheapest within the limit" : "the most accurate")
+                       : "on the front");
+    pen_.paint.fillRect(at_.picture, pen_(Cell::Well));
+    if (page_.picture) pen_.paint.place(*page_.picture, at_.picture.x, at_.picture.y);
+    y = at_.picture.y + at_.picture.height + 20;
+    if (page_.chosen >= 0) y = drawNumbers(x, y, width);
+    drawControls();
+    if (page_.chosen >= 0) drawWhy(x, y, width);
+  }
+
+ private:
+  [[nodiscard]] bool hasTimes() const {
+    return std::ranges::any_of(page_.trade.combinations,
+                               [](const Measured& m) { return m.cost.time.ms > 0; });
+  }
+
+  [[nodiscard]] std::string heading() const {
+    return page_.stale
+               ? "measured for an earlier set-up: m measures again"
+               : counted(static_cast<std::int64_t>(page_.trade.combinations.size()), "configuration") +
+                     ", this scene, this view";
+  }
+
+  void drawWaiting() {
+    const int x = at_.chart.x, y = at_.chart.y + at_.chart.height / 2;
+    pen_.bold(x, y, page_.failure.empty() ? "Measuring" : "This set-up cannot be measured.");
+    for (int line = 0; const std::string& words :
+                       broken(page_.failure.empty() ? page_.doing : page_.failure, at_.chart.width / 6))
+      pen_.soft(x, y + kLine * ++line, words);
+  }
+
+  int drawNumbers(int x, int y, int width) {
+    const Measured& one = page_.trade.combinations[page_.chosen];
+    const std::vector<std::string> name = broken(labelOf(one.configuration), width / 6);
+    for (const std::string& line : name) pen_.bold(x, y, line), y += kLine;
+    const auto row = [&](std::string_view label, const std::string& value, const std::string& soft) {
+      pen_.soft(x, y, label);
+      pen_.boldRight(x + 190, y, value);
+      pen_.soft(x + 200, y, soft);
+      y += kLine;
+    };
+    const auto ms = [](double v) { return fixed(v, v < 10 ? 2 : 1) + " ms"; };
+    row("error", fixed(errorOnAllViews(one), 4), "limit " + fixed(page_.limit, 3));
+    row("time", ms(one.cost.time.ms), fixed(one.cost.time.ratio, 2) + " x the set-up");
+    if (!at_.compact) {
+      row("memory", fixed(static_cast<double>(one.cost.bytes) / 1e6, 1) + " MB", "");
+      row("wrong faces", grouped(one.here.wrongFaces), "of " + grouped(one.here.samples));
+    }
+    return y;
+  }
+
+  void drawWhy(int x, int y, int width) {
+    if (page_.chosen != page_.within.combination) return;
+    pen_.rule(x, y - 8, width);
+    y += 10;
+    pen_.caps(x, y, "why this one");
+    y += kLine + 2;
+    for (std::size_t k = 1; k < page_.within.why.size(); ++k)
+      for (const std::string& line : broken(page_.within.why[k], width / 6)) {
+        if (y > at_.limit.y - 26) return;
+        pen_.ink(x, y, line);
+        y += kLine - 1;
+      }
+  }
+
+  void drawControls() {
+    const int x = at_.limit.x, width = at_.limit.width;
+    pen_.rule(x, at_.limit.y - 22, width);
+    pen_.caps(x, at_.limit.y - 6, "limit and axes");
+    int y = at_.limit.y + 15;
+    drawFocus(pen_, {x, y - 14, width, kRow}, 6);
+    pen_.key(x, y - 11, "E");
+    pen_.ink(x + 24, y, "accuracy");
+    drawTrack(pen_, x + kColumnTrackAt, y, kColumnTrack,
+              {.share = shareOfLimit(page_.limit),
+               .hovered = page_.hovered == 'E',
+               .dragged = page_.dragged == 'E'});
+    pen_.boldRight(x + width, y, fixed(page_.limit, page_.limit < 0.01 ? 4 : 3));
+    y = at_.costs.y + 15;
+    pen_.key(x, y - 11, "X");
+    pen_.ink(x + 24, y, "cost");
+    drawOptions(pen_, kCosts, costOptions(at_), static_cast<int>(page_.axes.cost),
+                page_.hovered == 'X' ? page_.option : -1);
+    y = at_.errors.y + 15;
+    pen_.key(x, y - 11, "Y");
+    pen_.ink(x + 24, y, "error");
+    drawOptions(pen_, kErrors, errorOptions(at_), static_cast<int>(page_.axes.error),
+                page_.hovered == 'Y' ? page_.option : -1);
+    drawTradeLegend(pen_.paint, pen_.plan, x, at_.errors.y + kRow + 12);
+  }
+
+  Pen pen_;
+  const TradeLayout& at_;
+  const TradePage& page_;
+};
+
+}  // namespace
+
+TradeLayout layoutOfTrade(const Rect& body) {
+  TradeLayout at;
+  at.compact = body.height < kCompactBelow;
+  at.column = {body.x + body.width - kControls, body.y, kControls, body.height};
+  const int wide = at.column.x - kMargin - body.x;
+  at.chart = {body.x + 56, body.y + 44, wide - 64, body.height - 44 - 44};
+  at.picture = {at.column.x, body.y + 18, kControls, at.compact ? 120 : 196};
+  const int controls = body.y + body.height - 3 * kRow - 26;
+  at.limit = {at.column.x, controls, kControls, kRow};
+  at.costs = {at.column.x, controls + kRow, kControls, kRow};
+  at.errors = {at.column.x, controls + 2 * kRow, kControls, kRow};
+  return at;
+}
+
+double shareOfLimit(double limit) {
+  return std::clamp(std::log(limit / kLeastLimit) / std::log(kMostLimit / kLeastLimit), 0.0, 1.0);
+}
+double limitOfShare(double share) {
+  return kLeastLimit * std::pow(kMostLimit / kLeastLimit, std::clamp(share, 0.0, 1.0));
+}
+
+std::vector<Rect> costOptions(const TradeLayout& at) {
+  return optionFrames(kCosts, at.costs.x + kColumnTrackAt - 6, at.costs.y + 15, kControls - kColumnTrackAt);
+}
+std::vector<Rect> errorOptions(const TradeLayout& at) {
+  return optionFrames(kErrors, at.errors.x + kColumnTrackAt - 6, at.errors.y + 15,
+                      kControls - kColumnTrackAt);
+}
+
+void drawTradePage(IndexImage& image, const TradeLayout& at, const TradePage& page, const CellPlan& plan) {
+  TradeDrawing drawing{image, at, page, plan};
+  drawing.drawChart();
+  drawing.drawColumn();
+}
+
+}  // namespace xnewell

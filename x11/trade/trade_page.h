@@ -1,0 +1,52 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "shading/color/index_image.h"
+#include "shading/trade/choice.h"
+#include "x11/drawing/rect.h"
+#include "x11/views/trade_chart.h"
+
+namespace xnewell {
+
+/// What does accuracy cost on this scene, and which is enough? At the left the chart, at the right what is
+/// chosen, why, and the limit.
+
+/// The places of the page's parts, in pixels.
+struct TradeLayout {
+  bool compact = false;
+  Rect chart;                 ///< the area of the marks
+  Rect column;                ///< everything at the right
+  Rect picture;               ///< of the chosen combination
+  Rect limit, costs, errors;  ///< the rows of the controls
+};
+/// `body` is at least 768 x 428.
+[[nodiscard]] TradeLayout layoutOfTrade(const Rect& body);
+
+/// The limit on its track: a share in [0, 1], logarithmic from 0.001 to 0.5.
+[[nodiscard]] double shareOfLimit(double limit);
+[[nodiscard]] double limitOfShare(double share);
+
+/// All that the page shows.
+struct TradePage {
+  const Trade& trade;
+  std::string doing;    ///< what is being measured; "" if all is done
+  std::string failure;  ///< why there is no trade
+  bool stale = false;   ///< the set-up is no longer the one that was measured
+  TradeAxes axes;
+  double limit = 0.03;
+  int chosen = -1;                      ///< index into trade.combinations
+  Chosen within;                        ///< what chooseWithin() says
+  const IndexImage* picture = nullptr;  ///< of the chosen combination; null for none
+  char hovered = 0, dragged = 0;
+  int option = -1;
+};
+/// The frames of the options in a row of choices.
+[[nodiscard]] std::vector<Rect> costOptions(const TradeLayout& at);
+[[nodiscard]] std::vector<Rect> errorOptions(const TradeLayout& at);
+
+/// Draws on a background of paper.
+void drawTradePage(IndexImage& image, const TradeLayout& at, const TradePage& page, const CellPlan& plan);
+
+}  // namespace xnewell
