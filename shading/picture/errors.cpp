@@ -211,6 +211,20 @@ std::vector<std::size_t> worstSamples(std::span<const float> errors, int width) 
   return worst;
 }
 
+std::vector<WorstPlace> worstPlaces(const Comparison& comparison, std::span<const float> errors) {
+  const int width = comparison.picture().settings().width;
+  std::vector<WorstPlace> places;
+  for (const std::size_t k : worstSamples(errors, width))
+    places.push_back({.x = static_cast<int>(k) % width,
+                      .y = static_cast<int>(k) / width,
+                      .face = comparison.dueFace(k),
+                      .shownFace = comparison.shownFace(k),
+                      .due = comparison.due(k),
+                      .shown = comparison.shown(k),
+                      .error = errors[k]});
+  return places;
+}
+
 Errors errorsOf(const Comparison& comparison) {
   const Picture& picture = comparison.picture();
   Errors errors;
@@ -222,15 +236,7 @@ Errors errorsOf(const Comparison& comparison) {
   for (const std::uint8_t wrong : comparison.wrongFaces()) errors.wrongFaces += wrong;
   if (picture.settings().dither && channelsOf(picture.colors().plan()) == Channels::Rgb)
     errors.blocks = spreadOf(comparison.blockErrors());
-  const int width = picture.settings().width;
-  for (const std::size_t k : worstSamples(after, width))
-    errors.worst.push_back({.x = static_cast<int>(k) % width,
-                            .y = static_cast<int>(k) / width,
-                            .face = comparison.dueFace(k),
-                            .shownFace = comparison.shownFace(k),
-                            .due = comparison.due(k),
-                            .shown = comparison.shown(k),
-                            .error = after[k]});
+  errors.worst = worstPlaces(comparison, after);
   return errors;
 }
 

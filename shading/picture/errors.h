@@ -97,6 +97,9 @@ inline constexpr int kBetweenWorstPlaces = 8;
 /// The samples with the largest errors, the largest first; of equal ones the first. Each is at least
 /// kBetweenWorstPlaces away from those before. Errors of 0 are left out.
 [[nodiscard]] std::vector<std::size_t> worstSamples(std::span<const float> errors, int width);
+/// The same samples of a comparison, and what they show. `errors` are by sample.
+[[nodiscard]] std::vector<WorstPlace> worstPlaces(const Comparison& comparison,
+                                                  std::span<const float> errors);
 
 /// The distance of the polygons from the Bezier patches that they approximate, over the samples of a true
 /// view that show one.

@@ -44,12 +44,16 @@ std::string otherwise(const Trade& trade, const Axis& axis, const Measured& chos
     if (!nearest || errorOnAllViews(one) < errorOnAllViews(*nearest)) nearest = &one;
   }
   if (!nearest) return "";
-  const std::string value = phraseOf(axis, mine);
-  if (!fastest)
-    return "All that were tried without " + value + " are off by " + error(errorOnAllViews(*nearest)) +
-           " or more.";
-  return "Without " + value + ", with " + fastest->configuration.name() + ", it takes " +
-         ms(fastest->cost.time.ms) + ".";
+  const Measured& best = fastest ? *fastest : *nearest;
+  const std::string says = fastest ? ms(best.cost.time.ms) : error(errorOnAllViews(best));
+  if (axis.others.size() == 1)
+    return "With " + phraseOf(axis, valueOn(axis, best.configuration)) +
+           (fastest ? " it takes " : " it is off by ") + says + " or more.";
+  const std::string noun{axis.setting ? axis.setting->label : "divisions"};
+  const std::string value = phraseOf(axis, valueOn(axis, best.configuration));
+  return fastest
+             ? "Other values of " + noun + " take " + says + " or more; the fastest is " + value + "."
+             : "No other value of " + noun + " suffices; the best, " + value + ", is off by " + says + ".";
 }
 
 }  // namespace
@@ -80,14 +84,12 @@ Chosen chooseWithin(const Trade& trade, double limit) {
   }
   if (choice.combination < 0) return choice;
   const Measured& chosen = all[choice.combination];
-  choice.why.push_back("The largest error on this view and others is " + error(errorOnAllViews(chosen)) +
+  choice.why.push_back("Of " + std::to_string(all.size()) + " combinations that were tried, it is the " +
+                       (choice.accurate ? "fastest within the limit." : "most accurate."));
+  choice.why.push_back("Its largest error on this view and others is " + error(errorOnAllViews(chosen)) +
                        (choice.accurate ? ", and " : ", but ") + error(limit) + " is allowed. It takes " +
                        ms(chosen.cost.time.ms) + ".");
-  if (!choice.accurate) {
-    choice.why.push_back("Of " + std::to_string(all.size()) +
-                         " combinations that were tried, none is more accurate.");
-    return choice;
-  }
+  if (!choice.accurate) return choice;
   for (const Axis& axis : trade.axes)
     if (std::string why = otherwise(trade, axis, chosen, limit); !why.empty())
       choice.why.push_back(std::move(why));

@@ -29,6 +29,7 @@ struct Axis {
 struct Change {
   const Setting* setting = nullptr;  ///< null for the divisions
   double value = 0;
+  bool operator==(const Change&) const = default;
 };
 struct Configuration {
   PictureSettings settings;

@@ -38,7 +38,9 @@ Picture held(const Picture& picture, std::uint8_t ground) {
 
 Errors briefErrors(const Comparison& comparison) {
   Errors errors;
-  errors.afterTable = spreadOf(comparison.intensityErrors(Rounding::After));
+  const std::vector<float> after = comparison.intensityErrors(Rounding::After);
+  errors.afterTable = spreadOf(after);
+  errors.worst = worstPlaces(comparison, after);
   errors.samples = errors.afterTable.count;
   for (const std::uint8_t wrong : comparison.wrongFaces()) errors.wrongFaces += wrong;
   return errors;

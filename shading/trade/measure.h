@@ -43,7 +43,7 @@ class Measure {
   [[nodiscard]] std::string refusal(const Configuration& configuration);
   /// All errors, and all costs but the times. Precondition: no refusal().
   [[nodiscard]] Measured whole(const Configuration& configuration) { return measured(configuration, true); }
-  /// The same without what only a closer look needs: colours, worst places, distances.
+  /// The same without what only a closer look needs: colours, distances.
   [[nodiscard]] Measured brief(const Configuration& configuration) { return measured(configuration, false); }
   /// Makes the picture as if it were the first. Returns the processor's time in milliseconds.
   double run(const Configuration& configuration, Stages& stages);

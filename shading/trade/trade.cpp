@@ -89,6 +89,11 @@ class Trader {
       if (measure_.refusal(one).empty()) trade_.combinations.push_back(measure_.brief(one));
     }
     trade_.notes.insert(trade_.notes.end(), left.begin(), left.end());
+    // The single short cuts stand beside them, as far as there is room.
+    for (const TradeRow& row : trade_.rows) {
+      if (static_cast<int>(trade_.combinations.size()) >= most) break;
+      if (!isKnown(row.measured.configuration)) trade_.combinations.push_back(row.measured);
+    }
     Measured base = trade_.asked;  // so that all times are compared with the same set-up
     std::vector<Measured*> timed{&base};
     for (Measured& one : trade_.combinations) timed.push_back(&one);
@@ -104,6 +109,12 @@ class Trader {
       trade_.combinations[k] = measure_.whole(trade_.combinations[k].configuration);
       trade_.combinations[k].cost.time = cost.time, trade_.combinations[k].cost.stages = cost.stages;
     }
+  }
+
+  [[nodiscard]] bool isKnown(const Configuration& single) const {
+    return std::ranges::any_of(trade_.combinations, [&](const Measured& one) {
+      return one.configuration.changes == single.changes;
+    });
   }
 
   Timings time(const std::vector<Measured*>& ways, double share, const std::string& doing) {

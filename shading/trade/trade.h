@@ -17,8 +17,8 @@ namespace xnewell {
 /// Speed against accuracy: what each short cut saves on a scene, and what it costs in errors.
 ///
 /// First each short cut alone takes its other values, about the set-up that the user asked for. Then the
-/// useful values of several short cuts are combined. The front is the combinations for which no other is
-/// cheaper and more accurate.
+/// useful values of several short cuts are combined; the single ones are among them. The front is the
+/// combinations for which no other is cheaper and more accurate.
 ///
 /// All errors are against one Reference, whose patches are divided finely. The combinations are chosen by
 /// their errors on views that are turned by one or two degrees. What is told are their errors on the user's
@@ -34,7 +34,8 @@ struct Cost {
 
 struct Measured {
   Configuration configuration;
-  Errors here;  ///< on the user's view; in a combination off the front only samples, wrongFaces, afterTable
+  /// On the user's view. A combination off the front has only samples, wrongFaces, afterTable and worst.
+  Errors here;
   double elsewhere = 0;  ///< the largest RMS error of the intensity after the table, on the other views
   Cost cost;
   bool samePixels = false;  ///< it shows exactly what the set-up that was asked for shows

@@ -9,7 +9,7 @@ namespace xnewell {
 struct TradeRequest {
   std::vector<std::string> axes = {};     ///< names of axes; empty for all
   std::vector<std::string> without = {};  ///< "order=none": values to leave out
-  /// Leaves out what a choice does not need: colours, worst places, the distance from patches.
+  /// Leaves out what a choice does not need: colours, and the distance from patches.
   bool brief = false;
   double seconds = 30;   ///< of the processor's time, about; above 0
   int mostRounds = 200;  ///< of timing

@@ -1,5 +1,7 @@
 #include "x11/app/snapshot.h"
 
+#include <chrono>
+#include <thread>
 #include <utility>
 
 #include "shading/color/few_colors.h"
@@ -62,6 +64,9 @@ void takeSnapshot(const Options& options, Scene scene, const Taken& taken) {
     Workbench bench{std::move(scene), server.setupOf(options), server.forBench()};
     bench.resize(size.x, size.y);
     bench.switchTo(options.windowView);
+    bench.update();
+    if (bench.view() == WindowView::Trade)
+      for (; bench.moving(); bench.tick()) std::this_thread::sleep_for(std::chrono::milliseconds{20});
     for (int k = 0; k == 0 || (k < 3 && bench.stale() != Workbench::Stale::Nothing); ++k) bench.update();
     shoot({bench.picture(), bench.image(), bench.palette(), bench.plan(), bench.layout().picture,
            bench.overPicture()});

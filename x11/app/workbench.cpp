@@ -49,8 +49,10 @@ Workbench::Workbench(Scene scene, const Setup& setup, Server server)
   at(WindowView::DepthSort) = std::move(stepper);
   at(WindowView::Colors) = std::make_unique<ColorsBench>(*this);
   at(WindowView::MachBands) = std::make_unique<MachBench>(*this, keys_, [this] { return subject(); });
-  at(WindowView::SideBySide) = std::make_unique<SideBench>(
+  auto sides = std::make_unique<SideBench>(
       *this, [this] { return subject(); }, [this] { return mostShades_; });
+  sides_ = sides.get();
+  at(WindowView::SideBySide) = std::move(sides);
   at(WindowView::Trade) = std::make_unique<TradeBench>(*this);
   auto lessons = std::make_unique<LessonBench>(*this);
   lessons_ = lessons.get();
@@ -136,7 +138,6 @@ void Workbench::press(const Key& key) {
 void Workbench::pressLetter(char letter) {
   for (const WindowViewRow& row : kWindowViews)
     if (row.key == letter) return switchTo(row.id);
-  if (letter == '6') return notify("View 6, what accuracy costs, is not built yet.");
   const auto restore = [this](std::vector<Setup>& from, std::vector<Setup>& to, const char* what) {
     if (from.empty())
       return notify(std::string{"There is nothing to "} + what +
@@ -284,6 +285,11 @@ void Workbench::switchTo(WindowView view) {
   bench().leave();
   view_ = view;
   bench().enter();
+}
+
+void Workbench::compare(const Setup& B) {
+  switchTo(WindowView::SideBySide);
+  sides_->put(B);  // after the view was entered, because then B follows what was changed elsewhere
 }
 
 ControlKeys::Subject Workbench::subject() const {

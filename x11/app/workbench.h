@@ -14,6 +14,7 @@
 
 namespace xnewell {
 
+class SideBench;
 class SortBench;
 
 /// The window without a server: what keys and the mouse do to the setup, and the index image and palette that
@@ -106,6 +107,7 @@ class Workbench : public Host {
   void open(Scene scene, const Setup& setup) override;
   void close() override;
   void switchTo(WindowView view) override;
+  void compare(const Setup& B) override;
   void ask(Question question) override;
   void notify(std::string notice) override;
   void tell(std::string news) override;
@@ -192,6 +194,7 @@ class Workbench : public Host {
   std::array<std::unique_ptr<Bench>, kEveryWindowView> benches_;
   LessonBench* lessons_;  ///< one of the benches
   SortBench* stepper_;    ///< another one
+  SideBench* sides_;      ///< and another
   WindowView view_ = WindowView::Picture;
   Layout layout_;
   PanelState panel_;

@@ -3,12 +3,12 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <iomanip>
 #include <nlohmann/json.hpp>
 #include <ostream>
 
 #include "x11/command/errors_json.h"
 #include "x11/drawing/wording.h"
+#include "x11/views/trade_table.h"
 
 namespace xnewell {
 
@@ -16,7 +16,7 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-constexpr int kName = 34, kSentence = 100;
+constexpr int kSentence = 100;
 
 /// A word of a shell's command line.
 std::string quoted(const std::string& word) {
@@ -61,30 +61,6 @@ std::string endingOf(const Timings& timings) {
       return "until it was stopped";
   }
   return "";
-}
-
-std::string percent(double ratio) { return fixed(100 * ratio, 0) + " %"; }
-
-void printNumbers(std::ostream& out, const std::string& name, const Measured& one) {
-  const Errors& e = one.here;
-  const Timing& time = one.cost.time;
-  out << std::left << std::setw(kName) << name << std::right;
-  if (time.ms > 0)
-    out << std::setw(9) << fixed(time.ms, 2) << std::setw(8) << percent(time.ratio)
-        << (time.tie ? " =" : "  ");
-  else
-    out << std::setw(9) << "-" << std::setw(8) << "-"
-        << "  ";
-  out << std::setw(9) << fixed(e.afterTable.rootMeanSquare, 4) << std::setw(9) << fixed(e.afterTable.p99, 4)
-      << std::setw(9) << fixed(e.afterTable.largest, 4) << std::setw(8) << e.wrongFaces << std::setw(8)
-      << fixed(e.color.mean, 2) << std::setw(8) << fixed(e.color.largest, 1) << std::setw(8)
-      << fixed(static_cast<double>(one.cost.bytes) / 1e6, 1) << '\n';
-}
-
-void printHead(std::ostream& out, const std::string& what) {
-  out << std::left << std::setw(kName) << what << std::right << std::setw(9) << "ms" << std::setw(8) << "time"
-      << "  " << std::setw(9) << "RMS" << std::setw(9) << "99 %" << std::setw(9) << "largest" << std::setw(8)
-      << "faces" << std::setw(8) << "dE" << std::setw(8) << "dE max" << std::setw(8) << "MB" << '\n';
 }
 
 Json jsonOf(const Timing& time) {
@@ -155,20 +131,20 @@ void printTrade(const Options& options, const Trade& trade, std::ostream& out) {
   if (trade.referenceOff)
     out << " (" << fixed(trade.referenceOff->largestPixels, 3) << " pixels off the patches at most)";
   out << ".\n";
-  out << "Faces are samples that show a wrong face, dE is CIEDE2000, its mean and its largest; MB is what "
-         "the picture "
-         "holds.\n";
+  out << "Faces are samples that show a wrong face. dE is CIEDE2000, its mean and its largest. MB is what "
+         "the "
+         "picture holds.\n";
   if (trade.stopped) out << "The measuring was stopped. What was known is here.\n";
   out << "Times are medians of " << trade.ofRows.rounds << " rounds, in turn, " << endingOf(trade.ofRows)
       << "; = is a tie.\n";
   if (trade.ofRows.rounds > 0)
-    out << "The set-up, timed twice under two names, is " << percent(trade.ofRows.twin.interval.low) << " to "
-        << percent(trade.ofRows.twin.interval.high) << " of itself.\n";
+    out << "The set-up, timed twice under two names, is " << percentOf(trade.ofRows.twin.interval.low)
+        << " to " << percentOf(trade.ofRows.twin.interval.high) << " of itself.\n";
   out << '\n';
-  printHead(out, "one short cut");
-  printNumbers(out, "as it is", trade.asked);
+  printTradeHead(out, "one short cut");
+  printTradeNumbers(out, "as it is", trade.asked);
   for (const TradeRow& row : trade.rows) {
-    printNumbers(out, row.measured.configuration.name(), row.measured);
+    printTradeNumbers(out, row.measured.configuration.name(), row.measured);
     for (const std::string& line : broken(row.sentence, kSentence)) out << "    " << line << '\n';
     out << "    " << commandOf(options, trade.exponent, row.measured.configuration) << '\n';
   }
@@ -177,10 +153,10 @@ void printTrade(const Options& options, const Trade& trade, std::ostream& out) {
         << counted(static_cast<std::int64_t>(trade.combinations.size()), "combination")
         << ", chosen by their errors on " << trade.views
         << " views that are turned by one or two degrees. On the front:\n\n";
-    printHead(out, "combination");
+    printTradeHead(out, "combination");
     for (const int k : trade.front) {
       const Configuration& one = trade.combinations[k].configuration;
-      printNumbers(out, one.name(), trade.combinations[k]);
+      printTradeNumbers(out, one.name(), trade.combinations[k]);
       out << "    " << commandOf(options, trade.exponent, one) << '\n';
     }
   }

@@ -55,6 +55,14 @@ Setup SideBench::beside(const Setup& A) const {
   return B;
 }
 
+void SideBench::put(const Setup& B) {
+  a_ = host_->setup(), b_ = B;
+  (void)keepFillable(*b_);
+  kind_ = Unlike::Intensity, place_ = 0, joins_ = false;
+  picturesB_.reset();  // whatever scene they were of, B stays
+  before_.clear();
+}
+
 void SideBench::follow(const Setup& A) {
   b_ = beside(A);
   a_ = A;

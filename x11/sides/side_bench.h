@@ -45,6 +45,8 @@ class SideBench : public Bench {
   [[nodiscard]] const CellUse* use() const override { return &use_; }
   [[nodiscard]] const OwnColors* colors() const override { return &colors_; }
 
+  /// Puts B beside the window's setup, and compares intensities.
+  void put(const Setup& B);
   /// B as it would be drawn beside this A.
   [[nodiscard]] Setup beside(const Setup& A) const;
   [[nodiscard]] char focus() const { return focus_; }

@@ -3,17 +3,21 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <filesystem>
 
+#include "geometry/files/output_file.h"
+#include "shading/color/png.h"
 #include "shading/picture/facts.h"
+#include "shading/trade/combine.h"
 #include "x11/drawing/pen.h"
 #include "x11/drawing/wording.h"
+#include "x11/views/trade_table.h"
 #include "x11/window/typed_number.h"
 
 namespace xnewell {
 
 namespace {
 
-constexpr double kSeconds = 20;
 constexpr int kSteps = 40;  // of the limit's track
 
 /// The set-up with what a combination changes.
@@ -34,6 +38,21 @@ Setup measuredPart(Setup setup) {
   return setup;
 }
 
+bool areTimed(const std::vector<Measured>& some) {
+  return std::ranges::any_of(some, [](const Measured& one) { return one.cost.time.ms > 0; });
+}
+
+/// A trade that is not far enough for combinations, with the single short cuts in their place.
+Trade singlesOf(Trade trade) {
+  trade.combinations.clear();
+  if (trade.asked.cost.time.ms > 0) {
+    trade.combinations.push_back(trade.asked);
+    for (const TradeRow& row : trade.rows) trade.combinations.push_back(row.measured);
+  }
+  trade.front = frontOf(trade.combinations);
+  return trade;
+}
+
 }  // namespace
 
 void TradeBench::measure(const Picture& picture, const Setup& setup) {
@@ -42,9 +61,11 @@ void TradeBench::measure(const Picture& picture, const Setup& setup) {
   chosen_ = -1, within_ = {};
   painted_.reset();
   again_ = false;
+  measuredSize_ = {0, 0, picture.settings().width, picture.settings().height};
   measuredOf_ = measuredPart(setup);
   measuredScene_ = picture.scene().name;
-  TradeRequest request{.axes = choosableAxes(picture), .brief = true, .seconds = kSeconds};
+  TradeRequest request = request_;
+  request.axes = choosableAxes(picture);
   measuring_ = std::make_unique<Measuring>(picture, std::move(request));
 }
 
@@ -53,6 +74,8 @@ void TradeBench::tick() {
   std::optional<Measuring::News> news = measuring_->news();
   if (!news) return;
   known_ = std::move(*news);
+  single_ = !areTimed(known_.trade.combinations);
+  if (single_) known_.trade = singlesOf(std::move(known_.trade));
   if (known_.done) measuring_.reset();
   choose();
 }
@@ -68,7 +91,7 @@ void TradeBench::leave() {
 void TradeBench::choose() {
   within_ = {};
   chosen_ = -1;
-  if (known_.trade.ofCombinations.rounds > 0 || !known_.trade.front.empty()) {
+  if (!known_.trade.front.empty()) {
     within_ = chooseWithin(known_.trade, limit_);
     chosen_ = within_.combination;
   }
@@ -99,6 +122,46 @@ void TradeBench::useChosen() {
   host_.tell("The window now uses " + chosen.name() + ".");
 }
 
+void TradeBench::compareChosen() {
+  if (chosen_ < 0) return;
+  const Configuration& chosen = known_.trade.combinations[chosen_].configuration;
+  const std::string name = chosen.changes.empty() ? "the set-up" : chosen.name();
+  useChosen();
+  Setup reference = host_.setup();
+  reference.picture = withoutShortCuts(reference.picture);
+  host_.compare(reference);
+  host_.tell("A is " + name + ", and B has no short cuts.");
+}
+
+void TradeBench::askToSave() {
+  if (known_.trade.combinations.empty()) return host_.notify("There is nothing to save yet.");
+  const std::string stem = std::filesystem::path{measuredScene_}.stem().string();
+  host_.ask({.asks = "save the chart (.png) or the table (.txt) as",
+             .text = stem + "-trade.png",
+             .take = [this, replaced = std::string{}](const std::string& file) mutable -> std::string {
+               const bool chart = file.ends_with(".png");
+               if (!chart && !file.ends_with(".txt")) return "The file's name ends in .png or .txt.";
+               if (std::filesystem::is_directory(file)) return "That is a folder.";
+               if (file != replaced && std::filesystem::exists(file)) {
+                 replaced = file;
+                 return "The file exists. Press Return again to replace it.";
+               }
+               try {
+                 if (chart) {
+                   const ColoredImage image =
+                       drawTrade(known_.trade, "Cost against error: " + measuredScene_);
+                   writeFile(file, encodePng(image.image, image.palette));
+                 } else {
+                   writeFile(file, tableOfCombinations(known_.trade));
+                 }
+               } catch (const std::system_error& e) {
+                 return e.what();
+               }
+               host_.tell("Saved " + file + ".");
+               return {};
+             }});
+}
+
 bool TradeBench::press(const Key& key, const Setup&) {
   const int times = key.shift ? 5 : 1;
   switch (key.name) {
@@ -121,6 +184,13 @@ bool TradeBench::press(const Key& key, const Setup&) {
     case 'm':
       again_ = changed_ = true;
       return true;
+    case 'n':
+      place_ = places_.empty() ? 0 : (place_ + 1) % static_cast<int>(places_.size());
+      return changed_ = true;
+    case 'w':
+      return askToSave(), true;
+    case '5':
+      return compareChosen(), chosen_ >= 0;
     case 'X':
       axes_.cost = static_cast<TradeCost>((static_cast<std::size_t>(axes_.cost) + 1) % kTradeCosts.size());
       return changed_ = true;
@@ -168,6 +238,8 @@ bool TradeBench::grab(int x, int y) {
     dragTo(x, y);
     return true;
   }
+  for (std::size_t k = places_.size(); k-- > 0;)
+    if (places_[k].has(x, y)) place_ = static_cast<int>(k);
   if (hovered_ != 0 || !at_.chart.has(x, y) || known_.trade.front.empty()) return false;
   // A mark, or else the limit's line.
   const TradeScale scale{at_.chart, known_.trade, axes_};
@@ -194,8 +266,10 @@ void TradeBench::dragTo(int x, int y) {
     setLimit(TradeScale{at_.chart, known_.trade, axes_}.errorAt(y));
 }
 
-bool TradeBench::isStale(const Setup& setup) const {
-  return measuredOf_ && *measuredOf_ != measuredPart(setup);
+bool TradeBench::isStale(const Desk& desk) const {
+  const PictureSettings& now = desk.picture.settings();
+  return (measuredOf_ && *measuredOf_ != measuredPart(desk.setup)) ||
+         std::pair{now.width, now.height} != std::pair{measuredSize_.width, measuredSize_.height};
 }
 
 bool TradeBench::late(const Setup&) const { return changed_; }
@@ -218,24 +292,31 @@ void TradeBench::paintChosen(const Desk& desk) {
 }
 
 void TradeBench::draw(IndexImage& image, const Desk& desk) {
-  at_ = layoutOfTrade(desk.layout.body);
+  at_ = layoutOfTrade(desk.layout.body, desk.layout.picture);
   if (measuredScene_ != desk.picture.scene().name) measuredOf_.reset();
   if (again_ || !measuredOf_) {
     pictures_.reset();
     measure(desk.picture, desk.setup);
   }
   paintChosen(desk);
+  const bool stale = isStale(desk);
+  places_ = stale || chosen_ < 0 ? std::vector<Rect>{}
+                                 : framesOfWorst(at_, measuredSize_, known_.trade.combinations[chosen_]);
+  if (place_ >= static_cast<int>(places_.size())) place_ = 0;
   Painter{image}.fillRect(desk.layout.body, desk.plan[Cell::Paper]);
   drawTradePage(image, at_,
                 {.trade = known_.trade,
                  .doing = known_.doing,
                  .failure = known_.failure,
-                 .stale = isStale(desk.setup),
+                 .single = single_,
+                 .stale = stale,
                  .axes = axes_,
                  .limit = limit_,
                  .chosen = chosen_,
                  .within = within_,
                  .picture = painted_ ? &painted_->image() : nullptr,
+                 .places = places_,
+                 .place = place_,
                  .hovered = hovered_,
                  .dragged = dragged_,
                  .option = option_},
@@ -257,15 +338,24 @@ void TradeBench::draw(IndexImage& image, const Desk& desk) {
 }
 
 std::vector<Legend> TradeBench::legend() const {
-  return {{{"<", ">"}, "along the front"}, {{"^", "v"}, "limit"}, {{"Return"}, "use this one"},
-          {{"m"}, "measure again"},        {{"X", "Y"}, "axes"},  {{"="}, "type the limit"}};
+  return {{{"<", ">"}, "along the front"},
+          {{"^", "v"}, "limit"},
+          {{"Return"}, "use this one"},
+          {{"5"}, "beside the reference"},
+          {{"n"}, "next worst place"},
+          {{"m"}, "measure again"},
+          {{"X", "Y"}, "axes"},
+          {{"w"}, "save"}};
 }
 
 std::vector<HelpLine> TradeBench::help() const {
   return {{"left, right", "along the front; or click a mark"},
           {"up, down", "the limit; or drag its line, or its slider; = types it"},
           {"Return", "use the chosen combination in all views"},
+          {"5", "use it, and compare it with the set-up without short cuts"},
+          {"n", "the next of the worst places; or click one"},
           {"X Y", "what the axes show"},
+          {"w", "save the chart or the table"},
           {"m", "measure again"}};
 }
 

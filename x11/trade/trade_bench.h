@@ -15,7 +15,9 @@ namespace xnewell {
 /// The view of the trade in the window. It begins to measure when it first appears, and draws what is known.
 class TradeBench : public Bench {
  public:
-  explicit TradeBench(Host& host) : host_{host} {}
+  /// `request` says how long it measures.
+  explicit TradeBench(Host& host, const TradeRequest& request = {.brief = true, .seconds = 20})
+      : host_{host}, request_{request} {}
 
   [[nodiscard]] bool press(const Key& key, const Setup& setup) override;
   [[nodiscard]] std::string_view sharedKeys() const override { return ""; }
@@ -52,18 +54,26 @@ class TradeBench : public Bench {
   /// Goes along the front, to the right if `steps` > 0.
   void walk(int steps);
   void useChosen();
+  /// Shows it in view 5, beside the set-up without short cuts.
+  void compareChosen();
+  void askToSave();
   void paintChosen(const Desk& desk);
-  [[nodiscard]] bool isStale(const Setup& setup) const;
+  [[nodiscard]] bool isStale(const Desk& desk) const;
 
   Host& host_;
+  TradeRequest request_;
   std::unique_ptr<Measuring> measuring_;
   Measuring::News known_;
+  bool single_ = false;  ///< only single short cuts are known as yet
   std::optional<Setup> measuredOf_;
   std::string measuredScene_;
+  Rect measuredSize_;
   TradeAxes axes_;
   double limit_ = 0.03;
   int chosen_ = -1;
   Chosen within_;
+  int place_ = 0;             ///< index into the worst places of the chosen combination
+  std::vector<Rect> places_;  ///< their frames in the picture
   char hovered_ = 0, dragged_ = 0;
   int option_ = -1;
   bool changed_ = true;  ///< something must be drawn

@@ -43,12 +43,14 @@ class TradeDrawing {
     int y = at_.column.y + 11;
     pen_.caps(x, y, "chosen");
     pen_.softRight(x + width, y,
-                   page_.chosen == page_.within.combination
+                   page_.chosen < 0 ? ""
+                   : page_.chosen == page_.within.combination
                        ? (page_.within.accurate ? "cheapest within the limit" : "the most accurate")
                        : "on the front");
-    pen_.paint.fillRect(at_.picture, pen_(Cell::Well));
+    pen_.paint.fillRect(at_.well, pen_(Cell::Well));
     if (page_.picture) pen_.paint.place(*page_.picture, at_.picture.x, at_.picture.y);
-    y = at_.picture.y + at_.picture.height + 20;
+    drawPlaces();
+    y = at_.well.y + at_.well.height + 20;
     if (page_.chosen >= 0) y = drawNumbers(x, y, width);
     drawControls();
     if (page_.chosen >= 0) drawWhy(x, y, width);
@@ -62,9 +64,11 @@ class TradeDrawing {
 
   [[nodiscard]] std::string heading() const {
     return page_.stale
-               ? "measured for an earlier set-up: m measures again"
+               ? (at_.compact ? "out of date: press m" : "measured for an earlier set-up: m measures again")
                : counted(static_cast<std::int64_t>(page_.trade.combinations.size()), "configuration") +
-                     ", this scene, this view";
+                     (page_.single  ? ", one change each"
+                      : at_.compact ? ""
+                                    : ", this scene, this view");
   }
 
   void drawWaiting() {
@@ -73,6 +77,18 @@ class TradeDrawing {
     for (int line = 0; const std::string& words :
                        broken(page_.failure.empty() ? page_.doing : page_.failure, at_.chart.width / 6))
       pen_.soft(x, y + kLine * ++line, words);
+  }
+
+  void drawPlaces() {
+    Painter inside = pen_.paint.within(at_.well);
+    for (std::size_t k = page_.places.size(); k-- > 0;) {
+      const Rect& frame = page_.places[k];
+      const bool told = static_cast<int>(k) == page_.place;
+      inside.frame({frame.x - 1, frame.y - 1, frame.width + 2, frame.height + 2}, pen_(Cell::Well));
+      inside.frame(frame, pen_(told ? Cell::White : Cell::WellText));
+      if (told)
+        inside.frame({frame.x + 1, frame.y + 1, frame.width - 2, frame.height - 2}, pen_(Cell::White));
+    }
   }
 
   int drawNumbers(int x, int y, int width) {
@@ -92,6 +108,12 @@ class TradeDrawing {
       row("memory", fixed(static_cast<double>(one.cost.bytes) / 1e6, 1) + " MB", "");
       row("wrong faces", grouped(one.here.wrongFaces), "of " + grouped(one.here.samples));
     }
+    if (page_.place < static_cast<int>(one.here.worst.size())) {
+      const WorstPlace& place = one.here.worst[page_.place];
+      row("place " + std::to_string(page_.place + 1) + " of " + std::to_string(one.here.worst.size()) +
+              ", off by",
+          fixed(place.error, 3), place.shownFace != place.face ? "a wrong face" : "");
+    }
     return y;
   }
 
@@ -101,7 +123,7 @@ class TradeDrawing {
     y += 10;
     pen_.caps(x, y, "why this one");
     y += kLine + 2;
-    for (std::size_t k = 1; k < page_.within.why.size(); ++k)
+    for (std::size_t k = 2; k < page_.within.why.size(); ++k)
       for (const std::string& line : broken(page_.within.why[k], width / 6)) {
         if (y > at_.limit.y - 26) return;
         pen_.ink(x, y, line);
@@ -142,13 +164,18 @@ class TradeDrawing {
 
 }  // namespace
 
-TradeLayout layoutOfTrade(const Rect& body) {
+TradeLayout layoutOfTrade(const Rect& body, const Rect& measured) {
   TradeLayout at;
   at.compact = body.height < kCompactBelow;
   at.column = {body.x + body.width - kControls, body.y, kControls, body.height};
   const int wide = at.column.x - kMargin - body.x;
   at.chart = {body.x + 56, body.y + 44, wide - 64, body.height - 44 - 44};
-  at.picture = {at.column.x, body.y + 18, kControls, at.compact ? 120 : 196};
+  at.well = {at.column.x, body.y + 18, kControls, at.compact ? 120 : 196};
+  const double scale =
+      std::min(double(at.well.width) / measured.width, double(at.well.height) / measured.height);
+  const int w = std::max(1, static_cast<int>(scale * measured.width)),
+            h = std::max(1, static_cast<int>(scale * measured.height));
+  at.picture = {at.well.x + (at.well.width - w) / 2, at.well.y + (at.well.height - h) / 2, w, h};
   const int controls = body.y + body.height - 3 * kRow - 26;
   at.limit = {at.column.x, controls, kControls, kRow};
   at.costs = {at.column.x, controls + kRow, kControls, kRow};
@@ -161,6 +188,16 @@ double shareOfLimit(double limit) {
 }
 double limitOfShare(double share) {
   return kLeastLimit * std::pow(kMostLimit / kLeastLimit, std::clamp(share, 0.0, 1.0));
+}
+
+std::vector<Rect> framesOfWorst(const TradeLayout& at, const Rect& measured, const Measured& one) {
+  constexpr int kFrame = 9;
+  std::vector<Rect> frames;
+  for (const WorstPlace& place : one.here.worst)
+    frames.push_back({at.picture.x + place.x * at.picture.width / measured.width - kFrame / 2,
+                      at.picture.y + place.y * at.picture.height / measured.height - kFrame / 2, kFrame,
+                      kFrame});
+  return frames;
 }
 
 std::vector<Rect> costOptions(const TradeLayout& at) {

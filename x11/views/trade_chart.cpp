@@ -77,12 +77,14 @@ class Labels {
   void place(int x, int y, const std::string& text, bool boxed) {
     const int width = textWidth(text, boxed ? Voice::Bold : Voice::Plain) + (boxed ? 10 : 2),
               height = boxed ? 18 : 13;
-    const std::array<Rect, 6> places{Rect{x + 7, y - height - 2, width, height},
+    const std::array<Rect, 8> places{Rect{x + 7, y - height - 2, width, height},
                                      Rect{x + 9, y - height / 2, width, height},
                                      Rect{x + 7, y + 5, width, height},
                                      Rect{x - width - 9, y + 3, width, height},
                                      Rect{x - width - 9, y - height / 2, width, height},
-                                     Rect{x - width - 7, y - height - 2, width, height}};
+                                     Rect{x - width - 7, y - height - 2, width, height},
+                                     Rect{x - 4, y - height - 9, width, height},
+                                     Rect{x - width + 4, y + 9, width, height}};
     for (const Rect& at : places) {
       const bool inside = at.x >= area_.x && at.y >= area_.y && at.x + at.width <= area_.x + area_.width &&
                           at.y + at.height <= area_.y + area_.height;
@@ -190,8 +192,8 @@ void drawTradePlot(Painter paint, const CellPlan& plan, const TradeScale& scale,
   paint.vline(area.x, area.y, area.height, plan[Cell::Ink]);
   paint.hline(area.x, base, area.width, plan[Cell::Ink]);
   const TradeAxes& axes = scale.axes();
-  paint.text(area.x + 6, area.y + 11, kTradeErrors[static_cast<std::size_t>(axes.error)].says,
-             plan[Cell::Soft]);
+  const std::string_view errorSays = kTradeErrors[static_cast<std::size_t>(axes.error)].says;
+  paint.text(area.x + 6, area.y - 6, errorSays, plan[Cell::Soft]);
   paint.textRight(right, base + 34, kTradeCosts[static_cast<std::size_t>(axes.cost)].says, plan[Cell::Soft]);
   const std::vector<int> front = frontBy(axes, trade);
 
@@ -211,6 +213,8 @@ void drawTradePlot(Painter paint, const CellPlan& plan, const TradeScale& scale,
     const int from = front[k], to = front[k + 1];
     inside.line(xOf(from), yOf(from), xOf(to), yOf(from), plan[Cell::Ink]);
     inside.line(xOf(to), yOf(from), xOf(to), yOf(to), plan[Cell::Ink]);
+    labels.avoid({xOf(from), yOf(from), xOf(to) - xOf(from), 1});
+    labels.avoid({xOf(to), yOf(from), 1, yOf(to) - yOf(from)});
   }
   if (limit) {
     const int y = scale.y(*limit);
@@ -235,10 +239,11 @@ int drawTradeLegend(Painter paint, const CellPlan& plan, int x, int y) {
   for (const ShadingRow& method : kShadings) {
     if (method.id != Shading::Flat && method.id != Shading::Gouraud && method.id != Shading::Phong) continue;
     drawMark(paint, x + kMark, y, method.id, false, plan[Cell::Ink]);
-    x = paint.text(x + 14, y + 4, method.label, plan[Cell::Soft]) + 16;
+    x = paint.text(x + 14, y + 4, method.label, plan[Cell::Soft]) + 12;
   }
   drawMark(paint, x + kMark, y, Shading::Full, false, plan[Cell::Ink]);
-  return paint.text(x + 14, y + 4, "others     filled: on the front", plan[Cell::Soft]);
+  x = paint.text(x + 14, y + 4, "others", plan[Cell::Soft]) + 12;
+  return paint.text(x, y + 4, "filled: front", plan[Cell::Soft]);
 }
 
 ColoredImage drawTrade(const Trade& trade, const std::string& title) {
@@ -259,7 +264,7 @@ ColoredImage drawTrade(const Trade& trade, const std::string& title) {
                  std::to_string(trade.front.size()) + " on the front",
              sheet.cell(Cell::Soft));
   if (!trade.combinations.empty())
-    drawTradePlot(paint, plan, TradeScale{{kTradeLeft, top + 8, kTradeWidth, kTradeHeight - 8}, trade},
+    drawTradePlot(paint, plan, TradeScale{{kTradeLeft, top + 20, kTradeWidth, kTradeHeight - 20}, trade},
                   trade);
   drawTradeLegend(paint, plan, kTradeLeft, top + kTradeHeight + 48);
   int y = sheet.section(column, top, words, "the front");

@@ -41,6 +41,8 @@ class Host {
   virtual void open(Scene scene, const Setup& setup) = 0;
   virtual void close() = 0;
   virtual void switchTo(WindowView view) = 0;
+  /// Shows the setup in view 5, beside B.
+  virtual void compare(const Setup& B) = 0;
   virtual void ask(Question question) = 0;
   /// Shows a warning, one sentence, in the status line until the next key or click.
   virtual void notify(std::string notice) = 0;

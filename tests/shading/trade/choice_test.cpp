@@ -68,15 +68,16 @@ TEST(Choice, SaysWhy) {
       tradeOf(scene, small(), {.axes = {"shade", "divisions"}, .seconds = 600, .mostRounds = 7});
   const Chosen chosen = chooseWithin(trade, 0.1);
   ASSERT_TRUE(chosen.accurate);
-  ASSERT_GE(chosen.why.size(), 3u);
-  EXPECT_NE(chosen.why[0].find(" and 0.1 is allowed. It takes "), std::string::npos) << chosen.why[0];
-  EXPECT_TRUE(chosen.why[1].starts_with("Without ") ||
-              chosen.why[1].starts_with("All that were tried without "))
-      << chosen.why[1];
+  ASSERT_GE(chosen.why.size(), 4u);
+  EXPECT_EQ(chosen.why[0], "Of " + std::to_string(trade.combinations.size()) +
+                               " combinations that were tried, it is the fastest within the limit.");
+  EXPECT_NE(chosen.why[1].find(" and 0.1 is allowed. It takes "), std::string::npos) << chosen.why[1];
+  for (std::size_t k = 2; k + 1 < chosen.why.size(); ++k)
+    EXPECT_TRUE(chosen.why[k].starts_with("Other values of ") ||
+                chosen.why[k].starts_with("No other value of "))
+        << chosen.why[k];
   EXPECT_EQ(chosen.why.back(), "No sample shows a wrong face.");
-  EXPECT_TRUE(chooseWithin(trade, 1e-9)
-                  .why.back()
-                  .ends_with(" combinations that were tried, none is more accurate."));
+  EXPECT_TRUE(chooseWithin(trade, 1e-9).why.front().ends_with(" it is the most accurate."));
 }
 
 // What is chosen keeps its promise on other samples of the view: the camera is turned by less than a degree,

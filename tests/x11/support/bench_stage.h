@@ -1,5 +1,6 @@
 #pragma once
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -28,7 +29,8 @@ class BenchStage : public Host {
   void close() override {}
   void pressLetter(char) override {}
   void switchTo(WindowView) override {}
-  void ask(Question) override {}
+  void compare(const xnewell::Setup& B) override { compared = B; }
+  void ask(Question asked) override { question = std::move(asked); }
   void notify(std::string notice) override { notices.push_back(std::move(notice)); }
   void tell(std::string news) override { notices.push_back(std::move(news)); }
   void change(char, const std::function<void(xnewell::Setup&)>& edit) override {
@@ -73,6 +75,8 @@ class BenchStage : public Host {
   PictureCache pictures;
   std::vector<std::string> notices;
   std::vector<xnewell::Setup> undo;
+  std::optional<xnewell::Setup> compared;
+  std::optional<Question> question;
   bool taken = false;  ///< whether the bench took the last key
 };
 

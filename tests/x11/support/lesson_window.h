@@ -28,6 +28,7 @@ class LessonWindow : public Host {
     bench.leave();
     view = v;
   }
+  void compare(const Setup&) override {}
   void ask(Question) override {}
   void notify(std::string n) override { notice = std::move(n); }
   void tell(std::string n) override { notice = std::move(n); }

@@ -78,6 +78,7 @@ class Stepper : private Host {
   void pressLetter(char) override {}
   void open(Scene, const xnewell::Setup&) override {}
   void switchTo(WindowView) override {}
+  void compare(const xnewell::Setup&) override {}
   void ask(Question question) override { questions.push_back(std::move(question)); }
   void notify(std::string notice) override { notices.push_back(std::move(notice)); }
   void tell(std::string news) override { notices.push_back(std::move(news)); }
