@@ -1,0 +1,202 @@
+// trade_check accuracy [SCENES [EXHAUSTIVE]]: is --accuracy honoured on other samples of random scenes, and
+// how much more does the choice cost than the cheapest configuration of all that honours it?
+// trade_check ranks [SCENE...]: do two runs of a trade rank the configurations alike, also beside a busy
+// process?
+
+#include <unistd.h>
+
+#include <algorithm>
+#include <atomic>
+#include <cmath>
+#include <csignal>
+#include <cstdio>
+#include <cstdlib>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "shading/picture/picture_cache.h"
+#include "shading/trade/choice.h"
+#include "shading/trade/measure.h"
+#include "tests/support/random_lit_scenes.h"
+
+namespace xnewell {
+
+namespace {
+
+/// The same configuration on other samples: the camera is turned by less than a degree.
+PictureSettings turned(const LitScene& lit, double azimuth, double elevation) {
+  PictureSettings settings = lit.settings;
+  settings.camera =
+      moved(settings.camera, makePicture(lit.scene, settings).camera(), azimuth, elevation, 1.0);
+  return settings;
+}
+
+/// All configurations of the axes on which --accuracy chooses.
+std::vector<Configuration> allOf(const Measure& measure) {
+  std::vector<Configuration> all{measure.askedConfiguration()};
+  const std::vector<std::string> names = choosableAxes(measure.asked());
+  for (const Axis& axis : axesOf(measure.asked())) {
+    if (std::ranges::find(names, axis.name()) == names.end()) continue;
+    std::vector<Configuration> next = all;
+    for (const Configuration& one : all)
+      for (const double value : axis.others) next.push_back(changed(one, axis, value));
+    all = std::move(next);
+  }
+  return all;
+}
+
+struct Honour {
+  int asked = 0, kept = 0, none = 0;
+  double worst = 0;  ///< error / limit
+};
+
+/// The time of the choice / that of the cheapest of all that stay within the limit on the other samples.
+double overCheapest(const Configuration& chosen, double limit, Measure& fresh) {
+  std::vector<Configuration> within{chosen};
+  for (const Configuration& one : allOf(fresh)) {
+    if (!fresh.refusal(one).empty() || one.changes == chosen.changes) continue;
+    if (fresh.brief(one).here.afterTable.rootMeanSquare <= limit) within.push_back(one);
+  }
+  std::vector<Stages> stages(within.size());
+  std::vector<Timed> timed;
+  for (std::size_t k = 0; k < within.size(); ++k)
+    timed.emplace_back([&, k] { return fresh.run(within[k], stages[k]); });
+  const Timings timings = timeAll(timed, {.seconds = 20, .leastRounds = 9, .mostRounds = 25});
+  const auto least = std::ranges::min_element(timings.of, {}, &Timing::ratio);
+  std::printf("  %zu of all stay within; the cheapest takes %.3f of the choice: %s\n", within.size(),
+              least->ratio, within[least - timings.of.begin()].name().c_str());
+  return 1 / least->ratio;
+}
+
+int checkAccuracy(int scenes, int exhaustive) {
+  Honour honour;
+  std::vector<double> over;
+  constexpr double kLimits[]{0.2, 0.1, 0.05, 0.03};
+  for (int seed = 0; seed < scenes; ++seed) {
+    const LitScene lit = randomLitScene(static_cast<unsigned>(seed));
+    const double limit = kLimits[seed % 4];
+    const PictureSettings settings = lit.settings;
+    TradeRequest request{.brief = true, .seconds = 8};
+    request.axes = choosableAxes(makePicture(lit.scene, settings));
+    const Trade trade = tradeOf(lit.scene, settings, request);
+    const Chosen choice = chooseWithin(trade, limit);
+    if (!choice.accurate) {
+      ++honour.none;
+      continue;
+    }
+    const Configuration& chosen = trade.combinations[choice.combination].configuration;
+    double worst = 0;
+    for (const auto& [azimuth, elevation] : {std::pair{0.37, -0.23}, {-0.61, 0.42}, {0.05, 0.71}}) {
+      Measure fresh{lit.scene, turned(lit, azimuth, elevation)};
+      worst = std::max(worst, fresh.brief(chosen).here.afterTable.rootMeanSquare / limit);
+      if (azimuth == 0.37 && static_cast<int>(over.size()) < exhaustive)
+        over.push_back(overCheapest(chosen, limit, fresh));
+    }
+    ++honour.asked;
+    honour.kept += worst <= 1;
+    honour.worst = std::max(honour.worst, worst);
+    std::printf("seed %d, limit %.2f: %s, error %.3f of the limit%s\n", seed, limit, chosen.name().c_str(),
+                worst, worst > 1 ? "  BROKEN" : "");
+    std::fflush(stdout);
+  }
+  std::printf("%d promises, %d kept, worst error %.3f of the limit; %d scenes without a choice\n",
+              honour.asked, honour.kept, honour.worst, honour.none);
+  if (!over.empty()) {
+    std::ranges::sort(over);
+    std::printf("cost over the cheapest of all: median %.3f, largest %.3f, of %zu\n", over[over.size() / 2],
+                over.back(), over.size());
+  }
+  return honour.kept == honour.asked ? 0 : 1;
+}
+
+/// Kendall's tau-b of two rows of times: 1 if they rank all pairs alike. A pair whose intervals meet is a
+/// tie.
+double tauB(std::span<const Measured> a, std::span<const Measured> b) {
+  const auto order = [](const Timing& x, const Timing& y) {
+    return x.interval.meets(y.interval) ? 0 : x.ratio < y.ratio ? -1 : 1;
+  };
+  double alike = 0, pairsA = 0, pairsB = 0;
+  for (std::size_t i = 0; i < a.size(); ++i)
+    for (std::size_t j = 0; j < i; ++j) {
+      const int p = order(a[i].cost.time, a[j].cost.time), q = order(b[i].cost.time, b[j].cost.time);
+      alike += p * q, pairsA += p != 0, pairsB += q != 0;
+    }
+  return alike / std::sqrt(pairsA * pairsB);
+}
+
+/// Pairs that one run ranks one way and the other the other way.
+int contradictions(std::span<const Measured> a, std::span<const Measured> b) {
+  int count = 0;
+  for (std::size_t i = 0; i < a.size(); ++i)
+    for (std::size_t j = 0; j < i; ++j) {
+      const Timing &ai = a[i].cost.time, &aj = a[j].cost.time, &bi = b[i].cost.time, &bj = b[j].cost.time;
+      if (ai.interval.meets(aj.interval) || bi.interval.meets(bj.interval)) continue;
+      count += (ai.ratio < aj.ratio) != (bi.ratio < bj.ratio);
+    }
+  return count;
+}
+
+std::vector<Measured> rowsOf(const Trade& trade) {
+  std::vector<Measured> rows{trade.asked};
+  for (const TradeRow& row : trade.rows) rows.push_back(row.measured);
+  return rows;
+}
+
+bool sameErrors(std::span<const Measured> a, std::span<const Measured> b) {
+  return std::ranges::equal(a, b, [](const Measured& x, const Measured& y) {
+    const Spread &p = x.here.afterTable, &q = y.here.afterTable;
+    return x.configuration.changes == y.configuration.changes && x.here.wrongFaces == y.here.wrongFaces &&
+           p.rootMeanSquare == q.rootMeanSquare && p.largest == q.largest && p.p99 == q.p99 &&
+           x.here.color.mean == y.here.color.mean && x.elsewhere == y.elsewhere;
+  });
+}
+
+int checkRanks(std::vector<std::string> scenes) {
+  if (scenes.empty()) scenes = {"teapot", "room", "lamp"};
+  bool all = true;
+  for (const std::string& name : scenes) {
+    const Scene scene = readScene(name);
+    PictureSettings settings = scene.settings;
+    settings.camera = inSceneUnits(scene.camera, scene);
+    toSceneUnits(settings.light, scene);
+    settings.width = 800, settings.height = 600;
+    const auto run = [&](unsigned seed) {
+      return rowsOf(tradeOf(scene, settings, {.seconds = 30, .seed = seed}));
+    };
+    const std::vector<Measured> first = run(1), second = run(2);
+    std::vector<pid_t> busy;
+    for (int k = 0; k < 4; ++k)
+      if (const pid_t child = ::fork(); child == 0)
+        for (std::atomic<unsigned> spin = 0;;) ++spin;
+      else
+        busy.push_back(child);
+    const std::vector<Measured> beside = run(3);
+    for (const pid_t child : busy) ::kill(child, SIGTERM);
+    const bool same = sameErrors(first, second) && sameErrors(first, beside);
+    all = all && same;
+    std::printf(
+        "%s: %zu configurations; errors %s; tau-b %.4f, %d pairs contradict; beside 4 busy processes "
+        "%.4f, %d\n",
+        name.c_str(), first.size(), same ? "equal to the bit" : "DIFFER", tauB(first, second),
+        contradictions(first, second), tauB(first, beside), contradictions(first, beside));
+    std::fflush(stdout);
+  }
+  return all ? 0 : 1;
+}
+
+}  // namespace
+
+}  // namespace xnewell
+
+int main(int argc, char** argv) {
+  const std::vector<std::string> words{argv + 1, argv + argc};
+  const auto number = [&](std::size_t k, int otherwise) {
+    return words.size() > k ? std::atoi(words[k].c_str()) : otherwise;
+  };
+  if (!words.empty() && words[0] == "accuracy") return xnewell::checkAccuracy(number(1, 200), number(2, 20));
+  if (!words.empty() && words[0] == "ranks") return xnewell::checkRanks({words.begin() + 1, words.end()});
+  std::fprintf(stderr, "usage: trade_check accuracy [SCENES [EXHAUSTIVE]] | ranks [SCENE...]\n");
+  return 2;
+}
