@@ -86,6 +86,12 @@ class Viewer {
         title_{titleOf(bench_.scene())},
         plan_{bench_.plan()} {
     bench_.resize(size_.x, size_.y);
+    if (options.accuracy) {
+      std::vector<std::string> mine;
+      for (const std::string& option : options.given)
+        mine.push_back(option.substr(option.find_first_not_of('-')));
+      bench_.keepWithin(options.accuracy, std::move(mine));
+    }
     XkbSetDetectableAutoRepeat(display(), 1, nullptr);  // a held key sends only one release event
   }
 

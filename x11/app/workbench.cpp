@@ -292,6 +292,34 @@ void Workbench::compare(const Setup& B) {
   sides_->put(B);  // after the view was entered, because then B follows what was changed elsewhere
 }
 
+void Workbench::keepWithin(std::optional<double> limit, std::vector<std::string> mine) {
+  keeper_.reset();
+  if (limit) keeper_.emplace(*limit, std::move(mine));
+}
+
+std::optional<double> Workbench::keptWithin() const {
+  return keeper_ ? std::optional{keeper_->limit()} : std::nullopt;
+}
+
+AccuracyKeeper::Seen Workbench::seen() const {
+  return {scene(), work_.setup, work_.divisions, layout_.picture.width, layout_.picture.height};
+}
+
+bool Workbench::mustMeasure() const {
+  // View 6 measures by itself, and a lesson must stay as it is told.
+  return keeper_ && !before_ && view() != WindowView::Trade && view() != WindowView::Lesson &&
+         work_.pictures.hasLast() && !keeper_->rests(seen());
+}
+
+void Workbench::tick() {
+  if (bench().moving()) bench().tick();
+  if (!mustMeasure() || dragging_ || question_) return;
+  std::optional<AccuracyKeeper::News> news = keeper_->tick(seen());
+  if (!news) return;
+  work_.setup = std::move(news->setup);
+  tell(std::move(news->says));
+}
+
 ControlKeys::Subject Workbench::subject() const {
   const Rect at = bench().picture(layout_);
   return {scene(), work_.centre, static_cast<double>(at.width) / std::max(1, at.height)};

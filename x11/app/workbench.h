@@ -8,6 +8,7 @@
 
 #include "shading/picture/picture_cache.h"
 #include "x11/lessons/lesson_bench.h"
+#include "x11/trade/accuracy_keeper.h"
 #include "x11/window/bench.h"
 #include "x11/window/control_keys.h"
 #include "x11/window/panel.h"
@@ -70,8 +71,8 @@ class Workbench : public Host {
   [[nodiscard]] bool quitAsked() const { return quit_; }
 
   /// True if something moves by itself. Then tick() must be called at regular intervals.
-  [[nodiscard]] bool moving() const { return bench().moving(); }
-  void tick() { bench().tick(); }
+  [[nodiscard]] bool moving() const { return bench().moving() || mustMeasure(); }
+  void tick();
 
   /// What is out of date, from least to most: nothing; only the colours of the cells; the indices. The view
   /// of the colour table draws words about colours as indices. They follow the colours in a second update().
@@ -108,6 +109,10 @@ class Workbench : public Host {
   void close() override;
   void switchTo(WindowView view) override;
   void compare(const Setup& B) override;
+  void keepWithin(std::optional<double> limit) override { keepWithin(limit, {}); }
+  /// `mine` are the axes that the user has chosen.
+  void keepWithin(std::optional<double> limit, std::vector<std::string> mine);
+  [[nodiscard]] std::optional<double> keptWithin() const override;
   void ask(Question question) override;
   void notify(std::string notice) override;
   void tell(std::string news) override;
@@ -161,6 +166,9 @@ class Workbench : public Host {
   void askToSave();
   void askToOpen();
   void divide();
+  [[nodiscard]] AccuracyKeeper::Seen seen() const;
+  /// True if the limit of keepWithin() must be looked at again.
+  [[nodiscard]] bool mustMeasure() const;
   void drawFrame(bool dragging);
   /// Makes the palette from the colours of the last picture and these effects.
   void makePalette(const PaletteEffects& effects);
@@ -199,6 +207,7 @@ class Workbench : public Host {
   Layout layout_;
   PanelState panel_;
   std::string notice_, told_;  ///< for the status line: a warning (until a key or click), news (until a key)
+  std::optional<AccuracyKeeper> keeper_;
   std::optional<Question> question_;
   std::string complaint_;  ///< about what was typed
   bool help_ = false, quit_ = false;

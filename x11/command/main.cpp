@@ -241,8 +241,8 @@ int run(int argc, char** argv) {
     scene.origin.texture = options.texture;
   }
   const double msRead = watch.ms();
-  if (options.accuracy) keepWithin(*options.accuracy, options, scene);
   if (options.command == Command::View) return openWindow(options, std::move(scene));
+  if (options.accuracy) keepWithin(*options.accuracy, options, scene);
   if (options.command == Command::Snapshot) return snapshot(options, std::move(scene), msRead), kDone;
   if (options.command == Command::Trade) return tellTrade(options, scene);
   if (options.command == Command::Extremes) return tellExtremes(options, scene), kDone;

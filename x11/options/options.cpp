@@ -198,8 +198,9 @@ std::optional<Options> parseOptions(int argc, const char* const* argv, const Pic
          "and where");
   r.text(
       "--accuracy",
-      "draw, snapshot: choose the cheapest methods, order and divisions whose picture is off by no more than "
-      "this intensity (root mean square); options that you give stay",
+      "window, draw, snapshot: choose the cheapest methods, order and divisions whose picture is off by no "
+      "more than this intensity (root mean square); options that you give stay. The window chooses again "
+      "after each change",
       "", [&](const std::string& s) {
         o.accuracy = numbers("--accuracy", s, 1, "a number between 0 and 1")[0];
         if (!(*o.accuracy > 0 && *o.accuracy < 1)) refuse("--accuracy", s, "a number between 0 and 1");

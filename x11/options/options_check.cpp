@@ -115,7 +115,8 @@ void checkCommand(const Options& o) {
     if (!trades && o.gave(option)) throw UsageError{std::string{option} + " works only with trade"};
   if (!trades && !o.accuracy && o.gave("--budget"))
     throw UsageError{"--budget works only with trade and --accuracy"};
-  if (o.accuracy && !makesPng) throw UsageError{"--accuracy works only with draw and snapshot"};
+  if (o.accuracy && !makesPng && o.command != Command::View)
+    throw UsageError{"--accuracy works only in the window and with draw and snapshot"};
   exclude(o.accuracy.has_value(), o.fill == Fill::XFillPolygon, "--accuracy and --fill x11");
   exclude(o.accuracy.has_value(), o.wholeWindow, "--accuracy and --whole-window");
   if (!makesPng && (o.stats || !o.ids.empty()))

@@ -1,8 +1,11 @@
 #include "x11/trade/measuring.h"
 
+#include <algorithm>
 #include <exception>
+#include <stdexcept>
 #include <utility>
 
+#include "shading/picture/picture_cache.h"
 #include "shading/picture/stopwatch.h"
 
 namespace xnewell {
@@ -13,24 +16,33 @@ constexpr double kBetweenNews = 150;  // ms
 
 }  // namespace
 
-Measuring::Measuring(const Picture& picture, TradeRequest request)
-    : thread_{[this, picture, request = std::move(request)] {
-        const Stopwatch watch;
-        double told = -kBetweenNews;
+Measuring::Measuring(Scene scene, const PictureSettings& settings, TradeRequest request,
+                     std::vector<std::string> without)
+    : thread_{[this, scene = std::move(scene), settings, request = std::move(request),
+               without = std::move(without)]() mutable {
         try {
-          Trade trade = tradeOf(picture.scene(), picture.settings(), request,
-                                [&](const std::string& doing, const Trade& known) {
-                                  if (watch.ms() >= told + kBetweenNews) {
-                                    told = watch.ms();
-                                    publish({known, doing, false, ""});
-                                  }
-                                  return !stop_;
-                                });
-          publish({std::move(trade), "", true, ""});
+          request.axes = choosableAxes(makePicture(scene, settings));
+          std::erase_if(request.axes, [&](const std::string& axis) {
+            return std::ranges::find(without, axis) != without.end();
+          });
+          if (request.axes.empty()) throw std::runtime_error{"every short cut is chosen already"};
+          publish({measured(scene, settings, request), "", true, ""});
         } catch (const std::exception& e) {
           publish({{}, "", true, e.what()});
         }
       }} {}
+
+Trade Measuring::measured(const Scene& scene, const PictureSettings& settings, const TradeRequest& request) {
+  const Stopwatch watch;
+  double told = -kBetweenNews;
+  return tradeOf(scene, settings, request, [&](const std::string& doing, const Trade& known) {
+    if (watch.ms() >= told + kBetweenNews) {
+      told = watch.ms();
+      publish({known, doing, false, ""});
+    }
+    return !stop_;
+  });
+}
 
 Measuring::~Measuring() {
   stop_ = true;

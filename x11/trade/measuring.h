@@ -6,6 +6,7 @@
 #include <optional>
 #include <string>
 #include <thread>
+#include <vector>
 
 #include "shading/trade/trade.h"
 
@@ -14,8 +15,9 @@ namespace xnewell {
 /// A trade that is measured on a thread of its own, while the window goes on.
 class Measuring {
  public:
-  /// Starts at once. `picture` has the scene and the settings.
-  Measuring(const Picture& picture, TradeRequest request);
+  /// Starts at once, on the axes of choosableAxes() but those in `without`.
+  Measuring(Scene scene, const PictureSettings& settings, TradeRequest request,
+            std::vector<std::string> without = {});
   Measuring(const Measuring&) = delete;
   Measuring& operator=(const Measuring&) = delete;
   /// Stops it and waits for the end of what it is doing, at most one picture.
@@ -31,6 +33,8 @@ class Measuring {
   [[nodiscard]] std::optional<News> news();
 
  private:
+  [[nodiscard]] Trade measured(const Scene& scene, const PictureSettings& settings,
+                               const TradeRequest& request);
   void publish(News news);
 
   std::atomic<bool> stop_ = false;

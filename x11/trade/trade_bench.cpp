@@ -7,10 +7,10 @@
 
 #include "geometry/files/output_file.h"
 #include "shading/color/png.h"
-#include "shading/picture/facts.h"
 #include "shading/trade/combine.h"
 #include "x11/drawing/pen.h"
 #include "x11/drawing/wording.h"
+#include "x11/trade/chosen_setup.h"
 #include "x11/views/trade_table.h"
 #include "x11/window/typed_number.h"
 
@@ -19,24 +19,6 @@ namespace xnewell {
 namespace {
 
 constexpr int kSteps = 40;  // of the limit's track
-
-/// The set-up with what a combination changes.
-Setup with(Setup setup, const Configuration& chosen) {
-  for (const Change& change : chosen.changes)
-    if (change.setting)
-      change.setting->field.set(setup.picture, change.value);
-    else
-      setup.divisions = static_cast<int>(change.value);
-  return setup;
-}
-
-/// What the measurements depend on: all but the colours in the cells, the filler, and what view 1 shows.
-Setup measuredPart(Setup setup) {
-  setup.picture = withoutColors(setup.picture);
-  setup.fill = Fill::Scanline;
-  setup.show = Show::Shaded;
-  return setup;
-}
 
 bool areTimed(const std::vector<Measured>& some) {
   return std::ranges::any_of(some, [](const Measured& one) { return one.cost.time.ms > 0; });
@@ -64,9 +46,7 @@ void TradeBench::measure(const Picture& picture, const Setup& setup) {
   measuredSize_ = {0, 0, picture.settings().width, picture.settings().height};
   measuredOf_ = measuredPart(setup);
   measuredScene_ = picture.scene().name;
-  TradeRequest request = request_;
-  request.axes = choosableAxes(picture);
-  measuring_ = std::make_unique<Measuring>(picture, std::move(request));
+  measuring_ = std::make_unique<Measuring>(picture.scene(), picture.settings(), request_);
 }
 
 void TradeBench::tick() {
@@ -100,6 +80,7 @@ void TradeBench::choose() {
 
 void TradeBench::setLimit(double limit) {
   limit_ = std::clamp(limit, limitOfShare(0), limitOfShare(1));
+  if (host_.keptWithin()) host_.keepWithin(limit_);
   choose();
 }
 
@@ -117,8 +98,8 @@ void TradeBench::walk(int steps) {
 void TradeBench::useChosen() {
   if (chosen_ < 0) return;
   const Configuration chosen = known_.trade.combinations[chosen_].configuration;
-  if (with(host_.setup(), chosen) == host_.setup()) return host_.tell("That is the set-up.");
-  host_.change('6', [&](Setup& s) { s = with(s, chosen); });
+  if (withChanges(host_.setup(), chosen) == host_.setup()) return host_.tell("That is the set-up.");
+  host_.change('6', [&](Setup& s) { s = withChanges(s, chosen); });
   host_.tell("The window now uses " + chosen.name() + ".");
 }
 
@@ -184,6 +165,12 @@ bool TradeBench::press(const Key& key, const Setup&) {
     case 'm':
       again_ = changed_ = true;
       return true;
+    case 'k':
+      host_.keepWithin(host_.keptWithin() ? std::nullopt : std::optional{limit_});
+      host_.tell(host_.keptWithin() ? "The other views now keep within " + fixed(limit_, 3) +
+                                          ", and measure after each change."
+                                    : "The set-up stays as it is now.");
+      return changed_ = true;
     case 'n':
       place_ = places_.empty() ? 0 : (place_ + 1) % static_cast<int>(places_.size());
       return changed_ = true;
@@ -284,7 +271,7 @@ void TradeBench::paintChosen(const Desk& desk) {
     pictures_.emplace(dividedAnew(desk.picture.scene(), chosen.divisions));
     divisions_ = chosen.divisions;
   }
-  PictureSettings settings = with(desk.setup, chosen).picture;
+  PictureSettings settings = withChanges(desk.setup, chosen).picture;
   settings.camera = heldCamera(desk.picture);
   settings.width = at_.picture.width, settings.height = at_.picture.height;
   settings.inPixels = false;
@@ -309,6 +296,7 @@ void TradeBench::draw(IndexImage& image, const Desk& desk) {
                  .doing = known_.doing,
                  .failure = known_.failure,
                  .single = single_,
+                 .kept = host_.keptWithin().has_value(),
                  .stale = stale,
                  .axes = axes_,
                  .limit = limit_,
@@ -356,6 +344,7 @@ std::vector<HelpLine> TradeBench::help() const {
           {"n", "the next of the worst places; or click one"},
           {"X Y", "what the axes show"},
           {"w", "save the chart or the table"},
+          {"k", "keep the limit: other views measure after each change, and choose again"},
           {"m", "measure again"}};
 }
 

@@ -135,6 +135,7 @@ class TradeDrawing {
     const int x = at_.limit.x, width = at_.limit.width;
     pen_.rule(x, at_.limit.y - 22, width);
     pen_.caps(x, at_.limit.y - 6, "limit and axes");
+    if (page_.kept) pen_.softRight(x + width, at_.limit.y - 6, "kept in all views");
     int y = at_.limit.y + 15;
     drawFocus(pen_, {x, y - 14, width, kRow}, 6);
     pen_.key(x, y - 11, "E");

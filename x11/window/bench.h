@@ -43,6 +43,10 @@ class Host {
   virtual void switchTo(WindowView view) = 0;
   /// Shows the setup in view 5, beside B.
   virtual void compare(const Setup& B) = 0;
+  /// From now on the window chooses its short cuts by itself, the cheapest that stay within this RMS error of
+  /// the intensity; or it no longer does.
+  virtual void keepWithin(std::optional<double> limit) = 0;
+  [[nodiscard]] virtual std::optional<double> keptWithin() const = 0;
   virtual void ask(Question question) = 0;
   /// Shows a warning, one sentence, in the status line until the next key or click.
   virtual void notify(std::string notice) = 0;

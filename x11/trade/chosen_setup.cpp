@@ -1,0 +1,28 @@
+#include "x11/trade/chosen_setup.h"
+
+#include "shading/picture/facts.h"
+
+namespace xnewell {
+
+Setup withChanges(Setup setup, const Configuration& chosen) {
+  for (const Change& change : chosen.changes)
+    if (change.setting)
+      change.setting->field.set(setup.picture, change.value);
+    else
+      setup.divisions = static_cast<int>(change.value);
+  return setup;
+}
+
+Setup measuredPart(Setup setup) {
+  setup.picture = withoutColors(setup.picture);
+  setup.fill = Fill::Scanline;
+  setup.show = Show::Shaded;
+  return setup;
+}
+
+double valueOf(const Change& shortCut, const Setup& setup) {
+  if (!shortCut.setting) return setup.divisions;
+  return std::get<double>(shortCut.setting->field.get(setup.picture));
+}
+
+}  // namespace xnewell
