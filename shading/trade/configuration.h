@@ -30,8 +30,6 @@ struct Change {
   const Setting* setting = nullptr;  ///< null for the divisions
   double value = 0;
   bool operator==(const Change&) const = default;
-  /// The name of its axis.
-  [[nodiscard]] std::string_view name() const { return setting ? setting->option.substr(2) : "divisions"; }
 };
 struct Configuration {
   PictureSettings settings;

@@ -52,13 +52,13 @@ class Trader {
   }
 
   void rows() {
-    int left = 0;
+    std::vector<std::string> left;
     for (std::size_t k = 0; k < trade_.axes.size(); ++k)
       for (const double value : trade_.axes[k].others) {
         const Axis& axis = trade_.axes[k];
         if (!goOn("looking at --" + std::string{axis.name()} + ' ' + axis.text(value))) return;
         if (isLate(kRowErrors)) {
-          ++left;
+          left.push_back("--" + std::string{axis.name()} + ' ' + axis.text(value));
           continue;
         }
         const Configuration one = changed(measure_.askedConfiguration(), axis, value);
@@ -67,9 +67,11 @@ class Trader {
         else
           trade_.rows.push_back({static_cast<int>(k), value, closely(one), ""});
       }
-    if (left > 0)
-      trade_.notes.push_back("the last " + std::to_string(left) +
-                             " values were left out: the time did not suffice (--budget)");
+    if (!left.empty()) {
+      std::string note = "the time did not suffice (--budget) for " + left.front();
+      for (std::size_t k = 1; k < left.size(); ++k) note += ", " + left[k];
+      trade_.notes.push_back(std::move(note));
+    }
     std::vector<Measured*> timed{&trade_.asked};
     for (TradeRow& row : trade_.rows) timed.push_back(&row.measured);
     trade_.ofRows = time(timed, kRowTimes, "timing short cuts");

@@ -19,19 +19,22 @@ AccuracyKeeper::Key AccuracyKeeper::keyOf(const Seen& now) {
   return {now.scene.name, measuredPart(now.setup), now.width, now.height};
 }
 
-Setup AccuracyKeeper::askedFor(const Setup& now) {
-  Setup asked = now;
+Setup AccuracyKeeper::askedFor(const Seen& now) {
+  if (!settled_ || settled_->scene != now.scene.name) return now.setup;
+  // What differs from what was chosen here is the user's own choice from now on.
+  for (const Setting& setting : settingRows())
+    if (setting.field.get(now.setup.picture) != setting.field.get(used_.picture))
+      mine_.emplace_back(setting.option.substr(2));
+  if (now.setup.divisions != used_.divisions) mine_.emplace_back("divisions");
   Configuration back;
   for (const Change& change : chosen_.changes)
-    if (valueOf(change, now) == valueOf(change, used_))
+    if (valueOf(change, now.setup) == valueOf(change, used_))
       back.changes.push_back({change.setting, valueOf(change, asked_)});
-    else
-      mine_.emplace_back(change.name());
-  return withChanges(asked, back);
+  return withChanges(now.setup, back);
 }
 
 void AccuracyKeeper::measure(const Seen& now) {
-  asked_ = askedFor(now.setup);
+  asked_ = askedFor(now);
   chosen_ = {};
   PictureSettings settings = asked_.picture;
   settings.width = now.width, settings.height = now.height;

@@ -54,7 +54,7 @@ class AccuracyKeeper {
   };
   [[nodiscard]] static Key keyOf(const Seen& now);
   /// What the user asked for: the setup, without what was chosen here.
-  [[nodiscard]] Setup askedFor(const Setup& now);
+  [[nodiscard]] Setup askedFor(const Seen& now);
   void measure(const Seen& now);
   [[nodiscard]] News choose(const Seen& now, const Trade& trade, const std::string& failure);
 
