@@ -93,6 +93,11 @@ Chosen chooseWithin(const Trade& trade, double limit) {
   for (const Axis& axis : trade.axes)
     if (std::string why = otherwise(trade, axis, chosen, limit); !why.empty())
       choice.why.push_back(std::move(why));
+  if (chosen.pairs && chosen.pairs->proves()) {
+    choice.why.push_back("The order is exact here: all " + std::to_string(chosen.pairs->pairs) +
+                         " pairs of polygons that may overlap were tested.");
+    return choice;
+  }
   const std::int64_t wrong = chosen.here.wrongFaces;
   choice.why.push_back((wrong == 0 ? "No" : std::to_string(wrong)) +
                        (wrong == 0 || wrong == 1 ? " sample shows" : " samples show") + " a wrong face.");

@@ -36,6 +36,22 @@ Picture held(const Picture& picture, std::uint8_t ground) {
   return PictureCache{picture}.make(settings, ground);
 }
 
+/// A picture of so many faces has too many pairs.
+constexpr std::size_t kMostFaces = 20'000;
+
+/// The proof that the order is right, if it may be; nothing for an order that needs none.
+std::optional<PairCheck> pairsOf(const Picture& picture, std::int64_t wrongFaces) {
+  const PictureSettings& settings = picture.settings();
+  const OrderRow& order = rowOf(settings.order);
+  const std::vector<Fragment>& fragments = picture.sorted().fragments;
+  const std::size_t faces = picture.snapped().faces.size();
+  if (order.exact || order.bySample || wrongFaces > 0 || fragments.size() != faces || faces > kMostFaces)
+    return std::nullopt;
+  std::vector<int> painted;
+  for (const Fragment& fragment : fragments) painted.push_back(fragment.face);
+  return checkPairs(picture.withPlanes().snapped(), painted, settings.width, settings.height);
+}
+
 Errors briefErrors(const Comparison& comparison) {
   Errors errors;
   const std::vector<float> after = comparison.intensityErrors(Rounding::After);
@@ -131,6 +147,7 @@ Measured Measure::measured(const Configuration& configuration, bool whole) {
     if (!faces.off) faces.off = distanceFromPatches(faces.view);
     measured.here.patches = *faces.off;
   }
+  measured.pairs = pairsOf(picture, measured.here.wrongFaces);
   measured.samePixels = picture.image().pixels == asked_.image().pixels && palette == paletteOf(asked_);
   for (const Sight& other : others_) {
     const Picture turned = painted(configuration, other.camera);

@@ -30,6 +30,7 @@ class Trader {
     if (!request_.brief) trade_.referenceOff = measure_.referenceOff();
     trade_.views = measure_.otherViews();
     trade_.asked = closely(measure_.askedConfiguration());
+    if (trade_.asked.here.samples == 0) throw ViewError{"nothing shows, so there is nothing to measure"};
     rows();
     if (!trade_.stopped) combinations();
     return std::move(trade_);

@@ -7,6 +7,7 @@
 #include <string_view>
 #include <vector>
 
+#include "depthsort/pair_check.h"
 #include "shading/picture/errors.h"
 #include "shading/trade/configuration.h"
 #include "shading/trade/timing.h"
@@ -38,6 +39,8 @@ struct Measured {
   Errors here;
   double elsewhere = 0;  ///< the largest RMS error of the intensity after the table, on the other views
   Cost cost;
+  /// For an order that is not exact and shows no wrong face here: are all pairs in order?
+  std::optional<PairCheck> pairs = {};
   bool samePixels = false;  ///< it shows exactly what the set-up that was asked for shows
 };
 
@@ -69,7 +72,7 @@ struct Trade {
 using TradeProgress = std::function<bool(const std::string& doing, const Trade& known)>;
 
 /// `settings` are in the units of the scene. The pictures are painted without a server.
-/// @throws ViewError if the set-up itself has no picture
+/// @throws ViewError if the set-up itself has no picture, or nothing shows
 /// @throws std::invalid_argument if `request` names an axis that the scene does not have, or a value that the
 /// axis does not have
 [[nodiscard]] Trade tradeOf(const Scene& scene, const PictureSettings& settings, const TradeRequest& request,

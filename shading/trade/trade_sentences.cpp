@@ -53,7 +53,8 @@ std::string reasonOf(const TradeRow& row, const Axis& axis, const Picture& pictu
                           : "";
   if (axis.setting->key == "constant_l") return whereTheLampIs(picture);
   if (axis.setting->key == "constant_v") return whereTheEyeIs(picture);
-  if (axis.setting->key == "method" && row.measured.cost.polygons > 0)
+  if (axis.setting->key == "method" && row.value == static_cast<double>(Shading::Flat) &&
+      row.measured.cost.polygons > 0)
     return "A polygon covers about " +
            twoDigits(static_cast<double>(errors.samples) / static_cast<double>(row.measured.cost.polygons)) +
            " samples.";

@@ -207,7 +207,10 @@ std::optional<Options> parseOptions(int argc, const char* const* argv, const Pic
       });
   r.flag("--json", o.json, "trade, extremes: print all numbers as one JSON object instead of the table");
   r.text("--axes", "trade: only these short cuts, named as their options: shade,order,divisions",
-         "all that have an effect", [&](const std::string& s) { o.trade.axes = commaWords(s); });
+         "all that have an effect", [&](const std::string& s) {
+           o.trade.axes = commaWords(s);
+           if (o.trade.axes.empty()) refuse("--axes", s, "names of options, with commas between them");
+         });
   r.text("--without", "trade: values to leave out, for example order=none,shade=depth", "",
          [&](const std::string& s) { o.trade.without = commaWords(s); });
   r.number("--budget", o.trade.seconds, 1, 3600,

@@ -80,6 +80,25 @@ TEST(Choice, SaysWhy) {
   EXPECT_TRUE(chooseWithin(trade, 1e-9).why.front().ends_with(" it is the most accurate."));
 }
 
+// An order that is not exact may be proved right for a view: then that is said instead.
+TEST(Choice, SaysThatAnOrderIsProved) {
+  PictureSettings settings = small();
+  const Scene scene = readScene("three-cards");
+  const Trade trade = tradeOf(scene, settings, {.axes = {"order"}, .seconds = 600, .mostRounds = 7});
+  int proved = 0;
+  for (const Measured& one : trade.combinations) {
+    const OrderRow& order = rowOf(one.configuration.settings.order);
+    EXPECT_EQ(one.pairs.has_value(), !order.exact && !order.bySample && one.here.wrongFaces == 0);
+    if (!one.pairs || !one.pairs->proves()) continue;
+    ++proved;
+    Trade alone = trade;
+    alone.combinations = {one};
+    const std::string why = chooseWithin(alone, 0.5).why.back();
+    EXPECT_TRUE(why.starts_with("The order is exact here: all ")) << why;
+  }
+  EXPECT_GT(proved, 0);
+}
+
 // What is chosen keeps its promise on other samples of the view: the camera is turned by less than a degree,
 // so that every sample falls on another place. XNEWELL_ACCURACY_VIEWS sets how often.
 TEST(Choice, IsHonouredOnFreshSamples) {
