@@ -93,6 +93,9 @@ Chosen chooseWithin(const Trade& trade, double limit) {
   for (const Axis& axis : trade.axes)
     if (std::string why = otherwise(trade, axis, chosen, limit); !why.empty())
       choice.why.push_back(std::move(why));
+  if (chosen.configuration.settings.light.constantL && trade.constantL && *trade.constantL <= limit)
+    choice.why.push_back("L constant changes no intensity by more than " + error(*trade.constantL) +
+                         ": all lamps are far from the whole scene.");
   if (chosen.pairs && chosen.pairs->proves()) {
     choice.why.push_back("The order is exact here: all " + std::to_string(chosen.pairs->pairs) +
                          " pairs of polygons that may overlap were tested.");

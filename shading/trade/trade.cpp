@@ -5,6 +5,7 @@
 #include <limits>
 
 #include "shading/trade/combine.h"
+#include "shading/trade/constant_l_bound.h"
 #include "shading/trade/measure.h"
 #include "shading/trade/trade_sentences.h"
 
@@ -29,6 +30,7 @@ class Trader {
     trade_.referenceDivisions = measure_.referenceDivisions();
     if (!request_.brief) trade_.referenceOff = measure_.referenceOff();
     trade_.views = measure_.otherViews();
+    trade_.constantL = boundOfConstantL(measure_.asked().scene(), measure_.asked().settings().light);
     trade_.asked = closely(measure_.askedConfiguration());
     if (trade_.asked.here.samples == 0) throw ViewError{"nothing shows, so there is nothing to measure"};
     rows();

@@ -61,6 +61,7 @@ struct Trade {
   int exponent = 0;        ///< of the scene: a length in the file is that in the settings times 2^exponent
   int referenceDivisions = 0;                 ///< of the reference's patches; 0 if there are none
   std::optional<PatchDistance> referenceOff;  ///< how far the reference's polygons are from the patches
+  std::optional<double> constantL;            ///< boundOfConstantL()
   int views = 0;                              ///< other views that chose
   Timings ofRows, ofCombinations;
   std::vector<std::string> notes;  ///< what was left out, and why

@@ -5,6 +5,7 @@
 #include <glm/geometric.hpp>
 
 #include "geometry/exact/box.h"
+#include "shading/trade/constant_l_bound.h"
 
 namespace xnewell {
 
@@ -34,7 +35,10 @@ std::string whereTheLampIs(const Picture& picture) {
       const double away = distanceFromCentre(light.position, box);
       nearest = nearest == 0 ? away : std::min(nearest, away);
     }
-  return "The nearest lamp is " + times(nearest / box.side(), "the scene's side away.");
+  const std::optional<double> bound = boundOfConstantL(scene, picture.settings().light);
+  return "The nearest lamp is " + times(nearest / box.side(), "the scene's side away") +
+         (bound && *bound < 0.1 ? ", so no intensity can change by more than " + twoDigits(*bound) + '.'
+                                : ".");
 }
 
 std::string whereTheEyeIs(const Picture& picture) {
