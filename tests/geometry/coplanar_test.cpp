@@ -239,6 +239,36 @@ TEST(Coplanar, ChainsDoNotDrift) {
   }
 }
 
+// A floor below many tiles that are just too far away to be in its plane. Decals on it stay in its plane if a
+// plane between the two explains both, as long as no more than 63 tiles are tried in vain; and if the floor's
+// own plane explains them, however many there are.
+TEST(Coplanar, ManyTilesCloseAboveTheFloor) {
+  constexpr double kU = 0.5e-6;
+  const auto lost = [](int tiles, double height) {
+    Mesh mesh = exactMesh();
+    mesh.rounding = {kU};
+    addRounded(mesh, rectangle({0, 0, 0}, {1, 0, 0}, {0, 1, 0}), 0);
+    constexpr double kPitch = 1.0 / 20;
+    std::vector<int> decals;
+    for (int k = 0; k < 400; ++k) {
+      const bool decal = k % 25 == 12;
+      if (!decal && (tiles == 0 || k % 25 > 12)) continue;  // the tiles and the decals lie among one another
+      if (!decal) --tiles;
+      if (decal) decals.push_back(mesh.faceCount());
+      addRounded(mesh,
+                 rectangle({(k % 20 + 0.1) * kPitch, (k / 20 + 0.1) * kPitch, decal ? height : 2.5 * kU},
+                           {0.8 * kPitch, 0, 0}, {0, 0.8 * kPitch, 0}),
+                 0);
+    }
+    EXPECT_EQ(tiles, 0);
+    const std::vector<int> classes = classesOf(mesh);
+    return std::ranges::count_if(decals, [&](int k) { return classes[k] != classes[0]; });
+  };
+  EXPECT_EQ(lost(0, 1.5 * kU), 0);
+  EXPECT_EQ(lost(63, 1.5 * kU), 0);
+  EXPECT_EQ(lost(190, 0.99 * kU), 0);
+}
+
 // What rounding explains is never more than 3e-5 / sqrt 3 of the scene for each face, however coarse the
 // file. A coarse object lends nothing to others.
 TEST(Coplanar, RoundingByObjectAndCapped) {
