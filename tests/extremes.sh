@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
 # tests/extremes.sh [FOLDER [SIZE]]: drives every built-in scene to its extremes (`xnewell extremes`) and writes
 # the report into FOLDER (build/extremes): a table and a chart for each scene, and summary.md with one row for
-# each way. Pictures have the SIZE (160x120). It takes about a minute a scene.
+# each way. Pictures have the SIZE (160x120). It takes about ten minutes.
 set -euo pipefail
 source "$(dirname "$(readlink -f "${BASH_SOURCE[0]}")")/../x11/setup.sh"
 

@@ -171,8 +171,8 @@ class Coplanarity {
         for (const int c : outline) {
           const glm::dvec3 q = model_.box.points[c] - origin, column{q[x], q[y], 1.0};
           const double off = std::abs(glm::dot(plane.N, model_.box.points[c]) - plane.d);
-          const double weight = sheet.area / static_cast<double>(outline.size()) /
-                                std::max(off, model_.rounding.most(sheet.u));
+          const double weight =
+              sheet.area / static_cast<double>(outline.size()) / std::max(off, model_.rounding.most(sheet.u));
           M += weight * glm::outerProduct(column, column);
           right += weight * q[z] * column;
         }

@@ -83,7 +83,8 @@ Picture PictureCache::make(const PictureSettings& wanted, std::optional<std::uin
   if (changed(&Asked::camera, &Asked::width, &Asked::height, &Asked::cull))
     timed(ms.transform, [&] {
       const double aspect = static_cast<double>(width) / height;
-      next.camera_ = placeCamera(wanted.camera, scene.mesh.points, scene.up, aspect, scene.parts, wanted.cull);
+      next.camera_ =
+          placeCamera(wanted.camera, scene.mesh.points, scene.up, aspect, scene.parts, wanted.cull);
     });
   const ViewSpec& view = next.camera_.view;
 
