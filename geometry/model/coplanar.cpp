@@ -42,13 +42,13 @@ class Coplanarity {
   [[nodiscard]] CoplanarClasses classes() {
     std::vector<int> open(model_.sheets.size());
     std::iota(open.begin(), open.end(), 0);
-    for (int round = 0; round < kPeels && !open.empty(); ++round) open = afterRound(open);
-    if (!open.empty()) mergePairs(open);
+    std::vector<int> torn;
+    while (!open.empty()) open = afterRound(open, torn);
+    if (!torn.empty()) mergePairs(torn);
     return numbered();
   }
 
  private:
-  static constexpr int kPeels = 3;
   /// A sheet that so many others overlap, nearly in its plane but not explained with it, is compared with the
   /// planes of further ones as they are, without a fit.
   static constexpr int kMostFailures = 64;
@@ -116,15 +116,16 @@ class Coplanarity {
   }
 
   /// Makes classes of the sets that one plane explains. Of each other set it makes a class of the sheets at
-  /// its principal plane. Returns the sheets that are left.
-  std::vector<int> afterRound(const std::vector<int>& open) {
+  /// its principal plane, and returns the rest of it; if there is no such class, the set goes to `torn`.
+  std::vector<int> afterRound(const std::vector<int>& open, std::vector<int>& torn) {
     std::vector<int> left;
     forSets(open, [&](std::vector<int>& set) {
       if (set.size() == 1) return makeAlone(set[0]);
       const PlaneFit whole = fit(set, FitGoal::Best);
       if (whole.explains()) return makeClass(set, whole.plane);
       const std::size_t peeled = peel(set);
-      left.insert(left.end(), set.begin() + static_cast<std::ptrdiff_t>(peeled), set.end());
+      std::vector<int>& to = peeled == 0 ? torn : left;
+      to.insert(to.end(), set.begin() + static_cast<std::ptrdiff_t>(peeled), set.end());
     });
     return left;
   }
@@ -154,7 +155,8 @@ class Coplanarity {
     return explained;
   }
 
-  /// The plane with the least sum of distances, by weighted least squares with weights 1 / distance.
+  /// The plane with the least sum of distances, by weighted least squares with weights 1 / distance. What is
+  /// nearer than r counts as r away: there, only rounding tells the distances apart.
   [[nodiscard]] Plane principalPlane(std::span<const int> set) {
     Plane plane = largestOf(set).plane;
     for (int step = 0; step < 12; ++step) {
@@ -169,8 +171,8 @@ class Coplanarity {
         for (const int c : outline) {
           const glm::dvec3 q = model_.box.points[c] - origin, column{q[x], q[y], 1.0};
           const double off = std::abs(glm::dot(plane.N, model_.box.points[c]) - plane.d);
-          const double weight = sheet.area / static_cast<double>(outline.size()) /
-                                std::max(off, 0.1 * model_.rounding.most(sheet.u));
+          const double weight =
+              sheet.area / static_cast<double>(outline.size()) / std::max(off, model_.rounding.most(sheet.u));
           M += weight * glm::outerProduct(column, column);
           right += weight * q[z] * column;
         }

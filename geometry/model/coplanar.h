@@ -28,8 +28,8 @@ struct CoplanarClasses {
 /// plane. A set that no plane explains is torn: layers that lie nearly as close as the file can tell, or a
 /// bent surface made of overlapping faces. From a torn set a class is peeled off: the faces nearest to the
 /// plane that has the least sum of distances, as many of them as one plane explains. What is left forms sets
-/// again. What is left after three peels is joined pair by pair as long as one plane explains each class. It
-/// does not matter which way a face looks. A face without area has a plane of its own.
+/// again. A set from which nothing can be peeled is joined pair by pair, as long as one plane explains each
+/// class. It does not matter which way a face looks. A face without area has a plane of its own.
 ///
 /// The roundings are those of the faces' objects, and the side is that of the scene. (A decal's own box is
 /// too small for the rounding of its plane.) Parallel layers whose distance is more than 2 (|Nx| + |Ny| +

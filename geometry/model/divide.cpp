@@ -36,6 +36,18 @@ void collapse(const Mesh& mesh, int face, std::vector<int>& corners) {
   while (corners.size() > 1 && at(corners.back()) == at(corners.front())) corners.pop_back();
 }
 
+/// The perimeter / the area; infinite without area.
+double steepnessOf(std::span<const glm::dvec3> p) {
+  glm::dvec3 area{0.0};  // doubled
+  double perimeter = 0.0;
+  for (std::size_t k = 0; k < p.size(); ++k) {
+    const glm::dvec3 a = p[k] - p[0], b = p[k + 1 == p.size() ? 0 : k + 1] - p[0];
+    area += glm::cross(a, b);
+    perimeter += glm::length(b - a);
+  }
+  return 2.0 * perimeter / glm::length(area);
+}
+
 Outline outlineOf(const Mesh& mesh, std::span<const int> corners, double rounding) {
   const auto at = [&](int corner) { return mesh.points[mesh.corners[corner]]; };
   // Scale by a power of two first, so that differences do not overflow. Then move the box to the origin and
@@ -60,9 +72,15 @@ Outline outlineOf(const Mesh& mesh, std::span<const int> corners, double roundin
   const Rounding bound{e, std::ldexp(magnitude, steps)};
   std::vector<RoundedPoint> points;
   for (const glm::dvec3& q : p) points.push_back({q, bound.counted(u)});
-  const PlaneFit newell = fitOf(plane, points, bound);
-  outline.planar =
-      newell.explains() || (newell.h <= 7.0 && fitPlane(points, plane, bound, FitGoal::Explain).explains());
+  // Most bent faces are known without a fit: a corner is further off than any rounding can explain.
+  const double rho = bound.most(bound.counted(u)), steepness = steepnessOf(p);
+  const glm::dvec3 mean =
+      std::accumulate(p.begin(), p.end(), glm::dvec3{0.0}) / static_cast<double>(p.size());
+  const bool bent = std::ranges::any_of(p, [&](const glm::dvec3& q) {
+    return std::abs(glm::dot(plane.N, q) - plane.d) >
+           Rounding::mostOff(rho, steepness, glm::length(q - mean));
+  });
+  outline.planar = !bent && fitPlane(points, plane, bound, FitGoal::Explain).explains();
 
   const glm::dvec3 N = glm::abs(plane.N);
   const int dropped = N.z >= N.x && N.z >= N.y ? 2 : N.y >= N.x ? 1 : 0;

@@ -109,12 +109,10 @@ std::vector<ItemBox> Sheets::places(const std::vector<int>& open) const {
 bool Sheets::oneTooFar(int i, int j) const {
   const Sheet& P = of(i);
   const double u = std::max(P.u, of(j).u);
-  const double rho = rounding.most(u), sine = rho * P.steepness;
-  if (sine > 0.5) return false;
+  const double rho = rounding.most(u);
   return std::ranges::any_of(parts.part(j), [&](int c) {
     const glm::dvec3 apart = box.points[c] - P.centroid;
-    // a chord is at most 1.04 times as long as the sine, up to 1/2
-    return std::abs(glm::dot(P.plane.N, apart)) > 2.0 * rho + 1.04 * sine * glm::length(apart);
+    return std::abs(glm::dot(P.plane.N, apart)) > Rounding::mostOff(rho, P.steepness, glm::length(apart));
   });
 }
 

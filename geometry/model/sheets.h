@@ -54,9 +54,8 @@ struct Sheets {
   /// tol off its face's plane.
   [[nodiscard]] std::vector<ItemBox> places(const std::vector<int>& open) const;
 
-  /// True if the sheets of parts i and j are certainly explained by no plane. If a plane explains both, the
-  /// own plane of either is at most rho * steepness off in direction, rho the largest r, as in places(). So a
-  /// corner of the other is at most that times the distance from the centroid off, plus rho at each of both.
+  /// True if the sheets of parts i and j are certainly explained by no plane: a corner of one is further from
+  /// the other's plane than Rounding::mostOff().
   [[nodiscard]] bool tooFar(int i, int j) const { return oneTooFar(i, j) || oneTooFar(j, i); }
 
   /// True if an edge of one part separates it from the other, seen along the axis nearest to N. Seen so,

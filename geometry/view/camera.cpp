@@ -17,7 +17,8 @@ namespace {
 
 constexpr double kMargin = 0.06;  // of the picture's half side; left free around a framed scene
 constexpr double kNearFraction = 1.0 / 1024;
-constexpr double kLeastNear = 0x1p-15;  // of the back plane's distance; camera.h says why
+constexpr double kLeastNear = 0x1p-15;  // of the farthest distance in view; camera.h says why
+constexpr double kPlacedTo = 0x1p-44;   // of n at the eye: the n of the plane is rounded to 2^-53 of that
 
 glm::dvec3 defaultDirection(UpAxis axis) {
   return axis == UpAxis::Z ? glm::dvec3{0.22, -1.0, 0.52} : glm::dvec3{0.22, 0.52, 1.0};
@@ -84,43 +85,73 @@ void keepSide(std::vector<glm::dvec3>& polygon, const glm::dvec3& inwards) {
   polygon.swap(kept);
 }
 
-/// Whether a polygon is seen edge on from the origin, so that it covers nothing.
-bool isEdgeOn(const std::vector<glm::dvec3>& polygon) {
+/// How a polygon lies as seen from the origin.
+enum class Seen { EdgeOn, Front, Back };
+
+/// The side of a polygon that is seen from the origin. Edge on, it covers nothing.
+Seen sideSeen(const std::vector<glm::dvec3>& polygon) {
   constexpr double kRounded = 0x1p-44;
   glm::dvec3 N{0.0};
   double farthest = 0.0;
   for (std::size_t k = 1; k + 1 < polygon.size(); ++k)
     N += glm::cross(polygon[k] - polygon[0], polygon[k + 1] - polygon[0]);
   for (const glm::dvec3& p : polygon) farthest = std::max(farthest, glm::length(p));
-  return std::abs(glm::dot(unit(N), polygon[0])) <= kRounded * farthest;
+  const double height = glm::dot(unit(N), polygon[0]);
+  return std::abs(height) <= kRounded * farthest ? Seen::EdgeOn : height < 0.0 ? Seen::Front : Seen::Back;
 }
 
-/// The distances from the eye, along the line of sight, at which the parts inside the pyramid of the view
-/// begin; only those below `bound`.
-std::vector<double> depthsBelow(double bound, const ViewSpec& view, std::span<const glm::dvec3> points,
-                                const ConvexParts& parts) {
+/// Whether a ray from the origin meets a convex polygon that is not seen edge on. A tie counts as met.
+bool meets(const glm::dvec3& ray, const std::vector<glm::dvec3>& polygon, Seen seen) {
+  const double inwards = seen == Seen::Front ? -1.0 : 1.0;
+  glm::dvec3 N{0.0};
+  for (std::size_t k = 0; k < polygon.size(); ++k) {
+    const glm::dvec3 wedge = glm::cross(polygon[k], polygon[(k + 1) % polygon.size()]);
+    if (inwards * glm::dot(ray, wedge) < 0.0) return false;
+    N += wedge;
+  }
+  return inwards * glm::dot(ray, N) > 0.0;
+}
+
+/// What is near in a view.
+struct NearParts {
+  std::vector<double> depths;  ///< where the parts inside the pyramid of the view begin, from the eye
+  /// What is farther cannot be seen: one part fills the picture.
+  double hidden = std::numeric_limits<double>::infinity();
+};
+
+/// The parts in view that begin nearer than `bound`. Depths are distances from the eye along the line of
+/// sight.
+NearParts nearParts(double bound, const ViewSpec& view, std::span<const glm::dvec3> points,
+                    const ConvexParts& parts, Cull cull) {
   const glm::dmat3 rotation = vrcRotation(view);
   const glm::dvec3 prp = view.prp;
-  const std::array<glm::dvec3, 4> sides{{{prp.z, 0.0, view.windowMin.x - prp.x},
-                                         {-prp.z, 0.0, prp.x - view.windowMax.x},
-                                         {0.0, prp.z, view.windowMin.y - prp.y},
-                                         {0.0, -prp.z, prp.y - view.windowMax.y}}};
+  const glm::dvec2 low = view.windowMin - glm::dvec2{prp}, high = view.windowMax - glm::dvec2{prp};
+  const std::array<glm::dvec3, 4> sides{
+      {{prp.z, 0.0, low.x}, {-prp.z, 0.0, -high.x}, {0.0, prp.z, low.y}, {0.0, -prp.z, -high.y}}};
+  const std::array<glm::dvec3, 4> corners{
+      {{low.x, low.y, -prp.z}, {low.x, high.y, -prp.z}, {high.x, low.y, -prp.z}, {high.x, high.y, -prp.z}}};
   const auto depth = [](const glm::dvec3& p) { return -p.z; };
   std::vector<glm::dvec3> fromEye;
   for (const glm::dvec3& p : points) fromEye.push_back(rotation * (p - view.vrp) - prp);
-  std::vector<double> depths;
+  NearParts near;
   std::vector<glm::dvec3> polygon;
   for (int k = 0; k < parts.count(); ++k) {
     polygon.clear();
     for (const int corner : parts.part(k)) polygon.push_back(fromEye[corner]);
     const auto [least, most] = std::ranges::minmax(polygon, {}, depth);
-    if (depth(least) >= bound || depth(most) <= 0.0 || isEdgeOn(polygon)) continue;
+    if (depth(least) >= bound || depth(most) <= 0.0) continue;
+    const Seen seen = sideSeen(polygon);
+    if (seen == Seen::EdgeOn || (seen == Seen::Back && cull == Cull::Back)) continue;
+    const bool fills =
+        std::ranges::all_of(corners, [&](const glm::dvec3& ray) { return meets(ray, polygon, seen); });
     for (const glm::dvec3& side : sides) keepSide(polygon, side);
     if (polygon.empty()) continue;
-    const double begins = std::max(0.0, depth(std::ranges::min(polygon, {}, depth)));
-    if (begins < bound) depths.push_back(begins);
+    const auto [first, last] = std::ranges::minmax(polygon, {}, depth);
+    const double begins = std::max(0.0, depth(first));
+    if (begins < bound) near.depths.push_back(begins);
+    if (fills) near.hidden = std::min(near.hidden, depth(last));
   }
-  return depths;
+  return near;
 }
 
 }  // namespace
@@ -128,7 +159,7 @@ std::vector<double> depthsBelow(double bound, const ViewSpec& view, std::span<co
 glm::dvec3 upVector(UpAxis axis) { return axis == UpAxis::Z ? glm::dvec3{0, 0, 1} : glm::dvec3{0, 1, 0}; }
 
 Camera placeCamera(const CameraSettings& s, std::span<const glm::dvec3> points, UpAxis axis, double aspect,
-                   const ConvexParts& parts) {
+                   const ConvexParts& parts, Cull cull) {
   const double fov = s.fov.value_or(kDefaultFov);
   if (!(fov > 0.0 && fov < 180.0)) throw ViewError{"the field of view must lie between 0 and 180 degrees"};
   Box box;
@@ -200,10 +231,12 @@ Camera placeCamera(const CameraSettings& s, std::span<const glm::dvec3> points, 
   } else {
     double near = std::max(gap, (view.prp.z - sceneFront) / 2.0);
     if (view.prp.z - vrcBox.high.z < near) {  // something may be nearer; it matters if it is in view
-      const std::vector<double> depths = depthsBelow(near, view, points, parts);
-      const double least = std::min(near, (view.prp.z - s.back.value_or(sceneBack)) * kLeastNear);
-      for (const double depth : depths) near = std::min(near, std::max(least, depth / 2.0));
-      camera.cutByFront = static_cast<int>(std::ranges::count_if(depths, [&](double d) { return d < near; }));
+      const NearParts inView = nearParts(near, view, points, parts, cull);
+      const double farthest = std::min(view.prp.z - s.back.value_or(sceneBack), inView.hidden);
+      const double least = std::min(near, std::max(farthest * kLeastNear, view.prp.z * kPlacedTo));
+      for (const double depth : inView.depths) near = std::min(near, std::max(least, depth / 2.0));
+      camera.cutByFront =
+          static_cast<int>(std::ranges::count_if(inView.depths, [&](double d) { return d < near; }));
     }
     view.front = view.prp.z - near;
   }

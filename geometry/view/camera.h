@@ -58,15 +58,18 @@ enum class UpAxis { Y, Z };
 /// The front plane of a perspective view defaults to half way between the eye and the scene, but is at least
 /// 1/1024 of the scene's largest side in front of the eye. Where something in view is nearer than that, the
 /// plane is half way to it. `parts` tells what is in view: only what lies in the pyramid from the eye through
-/// the window counts. (Without `parts` nothing does.) The plane is never nearer than 2^-15 of the distance dB
-/// of the back plane, and what is nearer is cut away: Camera::cutByFront. The z of a place at the distance d
-/// is proportional to 1/d, and the screen has 2^29 steps of z or more from the front plane to the back plane.
-/// So a step at dB is at most dB 2^15 2^-29 deep. In a picture of 600 rows with the default field of view
-/// this is a fourteenth of what a pixel is wide there. The back plane and the planes of a parallel view
-/// enclose the scene.
+/// the window counts, and with Cull::Back no part that shows its back. (Without `parts` nothing does.) The
+/// plane is never nearer than 2^-15 of the distance dB of the farthest that may be seen, and what is nearer
+/// is cut away: Camera::cutByFront. dB is the distance of the back plane; but if a near part fills the
+/// picture, it is that of its farthest point in view, for it hides all that is farther. The z of a place at
+/// the distance d is proportional to 1/d, and the screen has 2^29 steps of z or more from the front plane to
+/// the back plane. So a step at dB is at most dB 2^15 2^-29 deep. In a picture of 600 rows with the default
+/// field of view this is a fourteenth of what a pixel is wide there. The back plane and the planes of a
+/// parallel view enclose the scene.
 /// @throws ViewError as ViewSpec says
 [[nodiscard]] Camera placeCamera(const CameraSettings& settings, std::span<const glm::dvec3> points,
-                                 UpAxis axis, double aspect, const ConvexParts& parts = {});
+                                 UpAxis axis, double aspect, const ConvexParts& parts = {},
+                                 Cull cull = Cull::Keep);
 
 /// The settings after a move of the eye. The eye turns about the look-at point, by `azimuth` degrees about
 /// the up vector and by `elevation` degrees towards it (it stops 1 degree short of straight up and down). The

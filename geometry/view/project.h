@@ -67,8 +67,6 @@ struct SnappedScene {
   int degenerate = 0;  ///< number without area on the grid; they cover no sample
 };
 
-enum class Cull { Keep, Back };
-
 /// The whole viewing transformation: view, shear, warp, clip, viewport, snap. A vertex that faces share, or a
 /// new one where a shared edge is clipped, snaps to the same integers in every face.
 /// The scene's coordinates should be near 1 in magnitude (readScene normalises them). width and height are

@@ -19,6 +19,8 @@ struct ViewError : std::runtime_error {
 };
 
 enum class Projection { Parallel, Perspective };
+/// Which sides of the faces are drawn: both, or no backs.
+enum class Cull { Keep, Back };
 
 /// The view. VRC are the viewing reference coordinates u (right), v (up) and n (towards the viewer), with the
 /// origin at VRP. The view plane is n = 0. A parallel projection's direction runs from PRP to the window's

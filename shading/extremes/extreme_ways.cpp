@@ -1,10 +1,13 @@
 #include "shading/extremes/extreme_ways.h"
 
+#include <algorithm>
 #include <cmath>
+#include <glm/common.hpp>
 #include <glm/geometric.hpp>
 #include <optional>
 
 #include "geometry/exact/box.h"
+#include "geometry/model/bezier.h"
 #include "geometry/model/coplanar.h"
 #include "shading/extremes/extremes.h"
 
@@ -16,6 +19,20 @@ std::vector<double> powers(double base, int from, int to, int step) {
   std::vector<double> values;
   for (int k = from; step > 0 ? k <= to : k >= to; k += step) values.push_back(std::pow(base, k));
   return values;
+}
+
+/// The patches after an affine map. There are none if rounding lets so many of their points coincide that
+/// they no longer make the faces of the mesh.
+std::vector<PatchRun> patchesAfter(const Scene& from, const std::function<glm::dvec3(glm::dvec3)>& map) {
+  std::vector<PatchRun> patches = from.patches;
+  for (std::size_t k = 0; k < patches.size(); ++k) {
+    PatchRun& run = patches[k];
+    for (BezierPatch& patch : run.patches)
+      for (glm::dvec3& p : patch.p) p = map(p);
+    const auto corners = [](const PatchRun& r) { return cornerNormals(r.patches, r.divisions).size(); };
+    if (corners(run) != corners(from.patches[k])) return {};
+  }
+  return patches;
 }
 
 /// The scene after an affine map of its points, in the file's units. Lengths grow by `scale`.
@@ -34,10 +51,7 @@ Case mapped(const Start& start, double scale, const std::function<glm::dvec3(glm
   for (double& u : mesh.rounding) u = std::ldexp(u, from.exponent) * scale;
   Case moved{makeScene(from.name, std::move(mesh), from.up, from.divisions), start.settings};
   Scene& to = moved.scene;
-  to.patches = from.patches;
-  for (PatchRun& run : to.patches)
-    for (BezierPatch& patch : run.patches)
-      for (glm::dvec3& p : patch.p) p = map(p);
+  to.patches = patchesAfter(from, map);
   to.textures = from.textures;
   to.light = from.light;
   to.light.unit = std::ldexp(std::ldexp(from.light.unit, from.exponent) * scale, -to.exponent);
@@ -207,8 +221,13 @@ const std::vector<Way>& extremeWays() {
        .why =
            [](const Start& s, double v) {
              const double distance = v * glm::length(s.camera.eye - s.target);
+             const glm::dvec3 eye = glm::abs(s.target + v * (s.camera.eye - s.target));
+             const double most = std::max({eye.x, eye.y, eye.z});
              return "The eye is " + shortly(distance / s.size) +
-                    " of the scene's size away. The front plane must be nearer.";
+                    " of the scene's size away, and doubles at the eye are " +
+                    shortly((std::nextafter(most, 2 * most + 1) - most) / distance) +
+                    " of that apart. Unless one face fills the picture, what is nearer than 2^-15 of the "
+                    "way to the back plane is cut away.";
            }},
       {.name = "flattened to",
        .unit = "of its height",

@@ -17,10 +17,15 @@ namespace xnewell {
 
 namespace {
 
-Start startOf(const Scene& scene, PictureSettings settings) {
+PictureSettings inOneHue(PictureSettings settings) {
   settings.colors = ColorPlan::OneHue;
   settings.inPixels = false;
-  const Picture picture = makePicture(scene, settings);
+  return settings;
+}
+
+Start startOf(const Picture& picture) {
+  const Scene& scene = picture.scene();
+  const PictureSettings& settings = picture.settings();
   Start start{.scene = scene,
               .settings = settings,
               .camera = picture.camera(),
@@ -73,6 +78,12 @@ int mergedShades(const ColorTable& table) {
   return merged;
 }
 
+void judge(ExtremeStep& step, const Picture& picture) {
+  step.seen = judgedByRays(picture);
+  step.shadesOff = shadesOff(picture);
+  step.merged = mergedShades(picture.table());
+}
+
 }  // namespace
 
 std::string shortly(double v) {
@@ -81,50 +92,32 @@ std::string shortly(double v) {
   return text.data();
 }
 
-std::vector<Extreme> extremesOf(const Scene& scene, const PictureSettings& settings,
-                                const std::function<void(std::string_view)>& progress) {
-  const Start start = startOf(scene, settings);
-  std::vector<Extreme> extremes;
+Extremes extremesOf(const Scene& scene, const PictureSettings& settings,
+                    const std::function<bool(const std::string&)>& goOn) {
+  const Picture asItIs = makePicture(scene, inOneHue(settings), 0);
+  const Start start = startOf(asItIs);
+  Extremes extremes{.setUp = {}, .allWays = static_cast<int>(extremeWays().size())};
+  judge(extremes.setUp, asItIs);
   for (const Way& way : extremeWays()) {
-    if (progress) progress(way.name);
-    Extreme& extreme = extremes.emplace_back(Extreme{way.name, way.unit, way.drives});
+    Extreme extreme{way.name, way.unit, way.drives};
     std::optional<Picture> first;
     for (const double value : way.values) {
+      if (goOn && !goOn(std::string{way.name} + " " + shortly(value))) return extremes;
       ExtremeStep& step =
           extreme.steps.emplace_back(ExtremeStep{.value = value, .why = way.why(start, value)});
       try {
         Case drive = way.at(start, value);
         const Picture picture = makePicture(std::move(drive.scene), drive.settings, 0);
-        step.seen = judgedByRays(picture);
-        step.shadesOff = shadesOff(picture);
-        step.merged = mergedShades(picture.table());
+        judge(step, picture);
         if (!first) first = picture;
         if (way.changesNothing) step.changed = changedFrom(*first, picture);
       } catch (const ViewError& e) {
         step.refused = e.what();
       }
     }
+    extremes.ways.push_back(std::move(extreme));
   }
   return extremes;
-}
-
-std::string findingOf(const Extreme& extreme) {
-  const bool said = extreme.unit.empty() || extreme.unit.starts_with('(');
-  const std::string unit = said ? "" : " " + std::string{extreme.unit};
-  const auto wrong = std::ranges::find_if(extreme.steps, &ExtremeStep::isWrong);
-  if (wrong == extreme.steps.end()) return "right up to " + shortly(extreme.steps.back().value) + unit;
-  std::string text = "from " + shortly(wrong->value) + unit + " on: ";
-  if (!wrong->refused.empty()) return text + wrong->refused;
-  std::string what;
-  const auto add = [&](const std::string& words) { what += (what.empty() ? "" : ", ") + words; };
-  if (wrong->seen.wrong > 0)
-    add(std::to_string(wrong->seen.wrong) + " of " + std::to_string(wrong->seen.samples) +
-        " samples show a face that is not the nearest");
-  if (wrong->shadesOff > 1) add("cells are off by up to " + std::to_string(wrong->shadesOff) + " shades");
-  if (wrong->changed > 0)
-    add(std::to_string(wrong->changed) + " of " + std::to_string(wrong->seen.samples) + " samples change");
-  if (wrong->merged > 0) add(std::to_string(wrong->merged) + " shades look like the next one");
-  return text + what;
 }
 
 }  // namespace xnewell

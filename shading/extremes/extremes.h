@@ -1,6 +1,7 @@
 #pragma once
 
 #include <functional>
+#include <iterator>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -22,15 +23,15 @@ struct ExtremeStep {
   /// For a way that should change no sample: how many samples differ from the first picture by another face
   /// or by more than one shade.
   int changed = 0;
-  int merged = 0;   ///< shades of the table that an X server cannot tell from the next one
-  std::string why;  ///< what explains an error at this value, with numbers
+  int merged = 0;        ///< shades of the table that an X server cannot tell from the next one
+  std::string why = {};  ///< what explains an error at this value, with numbers
 
-  [[nodiscard]] bool isWrong() const {
-    return !refused.empty() || seen.wrong > 0 || shadesOff > 1 || changed > 0 || merged > 0;
-  }
+  [[nodiscard]] bool isWrong() const;
+  /// True if no face shows, and rightly so.
+  [[nodiscard]] bool isEmpty() const { return refused.empty() && seen.samples == 0; }
 };
 
-/// One way to an extreme. The first step is the scene as it is.
+/// One way to an extreme.
 struct Extreme {
   std::string_view name;    ///< "moved by"
   std::string_view unit;    ///< "times its size"
@@ -38,16 +39,21 @@ struct Extreme {
   std::vector<ExtremeStep> steps = {};
 };
 
-/// A number with three digits: 0.01, 1e+15.
+struct Extremes {
+  ExtremeStep setUp;  ///< the scene as it is, with its own camera and method
+  std::vector<Extreme> ways = {};
+  int allWays = 0;  ///< how many there are; `ways` has fewer if the user stopped it
+  [[nodiscard]] bool isStopped() const { return std::ssize(ways) < allWays; }
+};
+
+/// A number with at most four digits: 0.01, 1e+15.
 [[nodiscard]] std::string shortly(double v);
 
-/// Drives the scene all ways. Calls `progress` before each with its name. Pictures have the size, camera and
-/// method of the settings, but their cells hold one hue. The ways that test the light use Phong shading.
+/// Drives the scene all ways. Calls `goOn` before each picture with what it shows ("moved by 1e+09"), and
+/// stops if that returns false; only whole ways are returned. Pictures have the size, camera and method of
+/// the settings, but their cells hold one hue. The ways that test the light use Phong shading.
 /// @throws ViewError if the scene itself has no picture
-[[nodiscard]] std::vector<Extreme> extremesOf(const Scene& scene, const PictureSettings& settings,
-                                              const std::function<void(std::string_view)>& progress = {});
-
-/// What was found: "right up to 1e+09" or "wrong from 1e+10 on: 12 of 4,000 samples show another face".
-[[nodiscard]] std::string findingOf(const Extreme& extreme);
+[[nodiscard]] Extremes extremesOf(const Scene& scene, const PictureSettings& settings,
+                                  const std::function<bool(const std::string& doing)>& goOn = {});
 
 }  // namespace xnewell

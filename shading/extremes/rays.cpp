@@ -157,6 +157,7 @@ JudgedByRays judgedByRays(const Picture& picture) {
         behind = std::min(behind, one ? 0.0 : static_cast<double>(apart / std::abs(near->t)));
       }
       judged.wrong += behind > 0;
+      judged.missing += behind > 0 && face < 0;
       judged.behind = std::max(judged.behind, behind);
     }
   return judged;

@@ -63,7 +63,8 @@ class Rays {
 /// than that may show either face.
 struct JudgedByRays {
   int samples = 0;    ///< that show a face or should show one
-  int wrong = 0;      ///< that show another face than the rays
+  int wrong = 0;      ///< that show another face than the rays, or none
+  int missing = 0;    ///< those of them that show none
   double behind = 0;  ///< the most by which a shown face lies behind the nearest, as a share of its distance
 };
 [[nodiscard]] JudgedByRays judgedByRays(const Picture& picture);

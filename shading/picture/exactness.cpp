@@ -9,10 +9,12 @@ std::vector<SampleCheck> checkedSamples(const Picture& picture) {
   const int width = picture.settings().width, height = picture.settings().height;
   const Picture complete = picture.withPlanes();
   const SnappedScene& snapped = complete.snapped();
-  const auto apart = [&](int painted, int visible, int i, int j) {
+  const auto verdictOf = [&](int painted, int visible, int i, int j) {
+    if (painted == visible) return SampleCheck::Right;
     const std::int64_t x = std::int64_t{i} * kGrid + kGrid / 2, y = std::int64_t{j} * kGrid + kGrid / 2;
     const SnappedFace &front = snapped.faces[visible], &behind = snapped.faces[painted];
-    return front.plane == behind.plane || !mayTouch(snapped, front, behind, x, y);
+    if (front.plane == behind.plane) return SampleCheck::Earlier;
+    return mayTouch(snapped, front, behind, x, y) ? SampleCheck::Doubtful : SampleCheck::Wrong;
   };
   const std::vector<int> painted = picture.seen(0, height).faces;
   const std::vector<int> visible = visibleFaces(snapped, width, height);
@@ -20,10 +22,7 @@ std::vector<SampleCheck> checkedSamples(const Picture& picture) {
   for (int j = 0; j < height; ++j)
     for (int i = 0; i < width; ++i) {
       const std::size_t k = std::size_t(j) * width + i;
-      if (visible[k] == kNothing) continue;
-      verdicts[k] = painted[k] == visible[k]              ? SampleCheck::Right
-                    : apart(painted[k], visible[k], i, j) ? SampleCheck::Wrong
-                                                          : SampleCheck::Doubtful;
+      if (visible[k] != kNothing) verdicts[k] = verdictOf(painted[k], visible[k], i, j);
     }
   return verdicts;
 }
@@ -32,7 +31,8 @@ Exactness exactnessOf(std::span<const SampleCheck> verdicts) {
   Exactness exactness;
   for (const SampleCheck verdict : verdicts) {
     exactness.samples += verdict != SampleCheck::Nothing;
-    exactness.wrong += verdict == SampleCheck::Wrong;
+    exactness.wrong += isWrong(verdict);
+    exactness.earlier += verdict == SampleCheck::Earlier;
     exactness.doubtful += verdict == SampleCheck::Doubtful;
   }
   return exactness;

@@ -80,10 +80,11 @@ Picture PictureCache::make(const PictureSettings& wanted, std::optional<std::uin
   StageTimes& ms = next.times_ = {};
 
   // The camera. The user's choices come first. The scene gives the rest, which takes passes over its points.
-  if (changed(&Asked::camera, &Asked::width, &Asked::height))
+  if (changed(&Asked::camera, &Asked::width, &Asked::height, &Asked::cull))
     timed(ms.transform, [&] {
       const double aspect = static_cast<double>(width) / height;
-      next.camera_ = placeCamera(wanted.camera, scene.mesh.points, scene.up, aspect, scene.parts);
+      next.camera_ =
+          placeCamera(wanted.camera, scene.mesh.points, scene.up, aspect, scene.parts, wanted.cull);
     });
   const ViewSpec& view = next.camera_.view;
 

@@ -214,6 +214,34 @@ TEST(Camera, FrontPlaneGoesByWhatIsInView) {
   EXPECT_EQ(place().cutByFront, 0);
 }
 
+// A part that fills the picture hides all that is farther, so the front plane may be as near to it as it
+// must. A part whose back is not drawn hides nothing, and two parts that fill the picture together do not
+// count.
+TEST(Camera, FrontPlaneIsNearerWhereOnePartFillsThePicture) {
+  Triangles scene;
+  scene.add({-8000, -8000, 0}, {8000, -8000, 0}, {8000, 8000, 0});
+  scene.add({-8000, -8000, 0}, {8000, 8000, 0}, {-8000, 8000, 0});
+  CameraSettings s;
+  s.up = glm::dvec3{0, 1, 0};
+  const auto place = [&](double x, double height, Cull cull) {
+    s.eye = glm::dvec3{x, 0, height}, s.lookAt = glm::dvec3{x, 0, 0};
+    return placeCamera(s, scene.points, UpAxis::Z, 4.0 / 3, scene.parts, cull);
+  };
+  for (const Cull cull : {Cull::Keep, Cull::Back})
+    for (double height = 1.0; height > 16000 * 0x1p-43; height /= 10) {  // not edge on, beyond rounding
+      SCOPED_TRACE(height);
+      EXPECT_NEAR(frontDistance(place(16, height, cull)), height / 2, height / 1e6);
+      EXPECT_EQ(place(16, height, cull).cutByFront, 0);
+      // From below, only the back sides show.
+      EXPECT_EQ(place(16, -height, Cull::Back).cutByFront, 0);
+      EXPECT_EQ(frontDistance(place(16, -height, Cull::Back)), 16000.0 / 1024);
+      EXPECT_NEAR(frontDistance(place(16, -height, Cull::Keep)), height / 2, height / 1e6);
+      // Above the diagonal neither triangle fills the picture.
+      const double least = (height + 16000.0 / 1024) * 0x1p-15;
+      EXPECT_EQ(place(0, height, cull).cutByFront, height < least ? 2 : 0);
+    }
+}
+
 // Random triangles around the eye. The front plane cuts away nothing that a ray meets, or it is said; and it
 // is where it was without the rule if nothing in view is nearer.
 TEST(Camera, FrontPlaneCutsNothingInSilence) {

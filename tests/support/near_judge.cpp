@@ -196,8 +196,9 @@ class Judge {
     return face;
   }
   /// The distance of the front plane that camera.h promises: half way to the scene or side / 1024; where
-  /// something in view is nearer, half way to that, but no nearer than 2^-15 of the way to the back plane. In
-  /// a picture that is right, it cuts away nothing else in view.
+  /// something in view is nearer, half way to that, but no nearer than 2^-15 of the way to the back plane, or
+  /// to the farthest point in view of a face that fills the picture and begins nearer than side / 1024 or
+  /// half way to the scene. In a picture that is right, it cuts away nothing else in view.
   [[nodiscard]] Real frontPlane() const {
     if (!rays_.perspective()) return 0;
     constexpr Real kInfinity = std::numeric_limits<Real>::infinity();
@@ -205,14 +206,23 @@ class Judge {
     for (const glm::dvec3& p : mesh_.points)
       first = std::min(first, rays_.distance(real(p))), last = std::max(last, rays_.distance(real(p)));
     const Real gap = side_ / 1024, usual = std::max(gap, (first - gap) / 2);
+    Real seenTo = last + gap;
     for (int f = 0; f < mesh_.faceCount(); ++f) {
       std::vector<Vec> polygon;
       for (const int c : mesh_.face(f)) polygon.push_back(real(mesh_.points[c]));
       polygon = clipped(polygon, [&](const Vec& p) { return rays_.distance(p) - side_ * 0x1p-40L; });
       polygon = within(polygon, 0, Real(width_), 0, Real(height_));
-      for (const Vec& p : polygon) inView = std::min(inView, rays_.distance(p));
+      Real begins = kInfinity, ends = 0, area = 0;
+      for (std::size_t k = 0; k < polygon.size(); ++k) {
+        const Vec& p = polygon[k];
+        begins = std::min(begins, rays_.distance(p)), ends = std::max(ends, rays_.distance(p));
+        const auto a = rays_.seen(p), b = rays_.seen(polygon[(k + 1) % polygon.size()]);
+        area += (a[0] * b[1] - a[1] * b[0]) / 2;
+      }
+      inView = std::min(inView, begins);
+      if (begins < usual && std::abs(area) > (1 - 1e-9L) * width_ * height_) seenTo = std::min(seenTo, ends);
     }
-    return std::min(usual, std::max(inView / 2, std::min(usual, (last + gap) * 0x1p-15L)));
+    return std::min(usual, std::max(inView / 2, std::min(usual, seenTo * 0x1p-15L)));
   }
   /// Clips a polygon in front of the eye to a rectangle of the screen, in pixels.
   [[nodiscard]] std::vector<Vec> within(std::vector<Vec> polygon, Real left, Real right, Real top,

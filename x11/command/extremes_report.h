@@ -1,7 +1,6 @@
 #pragma once
 
 #include <iosfwd>
-#include <vector>
 
 #include "shading/extremes/extremes.h"
 #include "x11/options/options.h"
@@ -10,9 +9,10 @@ namespace xnewell {
 
 /// `extremes`: what becomes wrong first when a scene is driven to its extremes.
 
-/// Prints a table for people: the ways, how far each one went, what was found, and what explains it.
-void printExtremes(const std::vector<Extreme>& extremes, std::ostream& out);
+/// Prints a table for people: the ways, how far each one went, what was found, and what explains it. Above it
+/// stands whether the set-up itself is wrong, and whether the user stopped it.
+void printExtremes(const Extremes& extremes, std::ostream& out);
 /// Prints all steps as one JSON object.
-void printExtremesAsJson(const Options& options, const std::vector<Extreme>& extremes, std::ostream& out);
+void printExtremesAsJson(const Options& options, const Extremes& extremes, std::ostream& out);
 
 }  // namespace xnewell

@@ -15,10 +15,8 @@
 #include <system_error>
 
 #include "geometry/exact/box.h"
-#include "geometry/files/output_file.h"
 #include "geometry/files/parse_error.h"
 #include "shading/color/png.h"
-#include "shading/extremes/extremes.h"
 #include "shading/picture/picture_cache.h"
 #include "shading/picture/stopwatch.h"
 #include "shading/scene/scene.h"
@@ -27,14 +25,13 @@
 #include "x11/app/snapshot.h"
 #include "x11/app/viewer.h"
 #include "x11/command/doing.h"
-#include "x11/command/extremes_report.h"
 #include "x11/command/report.h"
+#include "x11/command/tell_extremes.h"
 #include "x11/command/tell_trade.h"
 #include "x11/command/trace.h"
 #include "x11/command/write_frames.h"
 #include "x11/command/write_lesson.h"
 #include "x11/options/options.h"
-#include "x11/views/extremes_chart.h"
 #include "x11/views/views.h"
 #include "x11/visual/x11_error.h"
 
@@ -110,27 +107,6 @@ void trace(const Options& options, Scene scene) {
   // If standard output is a terminal, its lines show the progress.
   if (::isatty(STDOUT_FILENO) == 0) telling.emplace("writing the trace");
   printTrace(options, picture, sorted, std::cout);
-}
-
-/// Drives a scene to its extremes and tells what became wrong first.
-void tellExtremes(const Options& options, const Scene& scene) {
-  std::optional<Doing> driving;
-  PictureSettings settings = options.picture;
-  const glm::ivec2 size = options.size.value_or(kExtremesSize);
-  settings.width = size.x, settings.height = size.y;
-  const std::vector<Extreme> extremes = extremesOf(scene, settings, [&](std::string_view way) {
-    driving.reset();  // each message replaces the one before
-    driving.emplace("trying: " + std::string{way});
-  });
-  driving.reset();
-  if (!options.output.empty()) {
-    const ColoredImage chart = drawExtremes(extremes, "Extremes of " + titleOf(scene));
-    writeFile(options.output, encodePng(chart.image, chart.palette));
-  }
-  if (options.json)
-    printExtremesAsJson(options, extremes, std::cout);
-  else
-    printExtremes(extremes, std::cout);
 }
 
 void listScenes() {
@@ -245,7 +221,7 @@ int run(int argc, char** argv) {
   if (options.accuracy) keepWithin(*options.accuracy, options, scene);
   if (options.command == Command::Snapshot) return snapshot(options, std::move(scene), msRead), kDone;
   if (options.command == Command::Trade) return tellTrade(options, scene);
-  if (options.command == Command::Extremes) return tellExtremes(options, scene), kDone;
+  if (options.command == Command::Extremes) return tellExtremes(options, scene);
   if (options.command == Command::Trace) return trace(options, std::move(scene)), kDone;
   if (options.view != View::Picture) return drawNumbers(options, std::move(scene)), kDone;
   return draw(options, std::move(scene), msRead), kDone;

@@ -33,7 +33,7 @@ void markWrong(SightPen& pen) {
     for (int i = 0; i < at.width; ++i) {
       const SampleCheck sample = checked[std::size_t(j) * at.width + i];
       samples += sample != SampleCheck::Nothing;
-      if (sample != SampleCheck::Wrong) continue;
+      if (!isWrong(sample)) continue;
       ++wrong;
       pen.paint.point(at.x + i, at.y + j, pen(Cell::Q));
     }

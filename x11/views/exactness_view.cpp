@@ -1,6 +1,8 @@
 #include "x11/views/exactness_view.h"
 
 #include <algorithm>
+#include <cmath>
+#include <glm/vec2.hpp>
 #include <string>
 
 #include "x11/drawing/wording.h"
@@ -12,10 +14,26 @@ namespace {
 
 constexpr int kVerdictStrip = Sheet::kSection + 22 + 5 * Sheet::kRow;
 
-/// The sample that most needs a look: the first wrong one, or else the first doubtful one.
-std::vector<SampleCheck>::const_iterator worstOf(const std::vector<SampleCheck>& verdicts) {
-  const auto wrong = std::ranges::find(verdicts, SampleCheck::Wrong);
-  return wrong != verdicts.end() ? wrong : std::ranges::find(verdicts, SampleCheck::Doubtful);
+/// The verdict that a map marks: wrong if a sample is wrong, otherwise doubtful.
+bool (*markedIn(const std::vector<SampleCheck>& verdicts))(SampleCheck) {
+  if (std::ranges::any_of(verdicts, isWrong)) return isWrong;
+  return [](SampleCheck verdict) { return verdict == SampleCheck::Doubtful; };
+}
+
+Cell cellOf(SampleCheck verdict) {
+  return kVerdictSteps[isWrong(verdict) ? 2 : static_cast<std::size_t>(verdict) - 1].cell;
+}
+
+/// Makes `to` large enough for `part` too.
+void add(Rect& to, const Rect& part) {
+  if (to.empty()) {
+    to = part;
+    return;
+  }
+  const int right = std::max(to.x + to.width, part.x + part.width),
+            bottom = std::max(to.y + to.height, part.y + part.height);
+  to.x = std::min(to.x, part.x), to.y = std::min(to.y, part.y);
+  to.width = right - to.x, to.height = bottom - to.y;
 }
 
 }  // namespace
@@ -23,9 +41,55 @@ std::vector<SampleCheck>::const_iterator worstOf(const std::vector<SampleCheck>&
 IndexImage verdictImage(const std::vector<SampleCheck>& verdicts, int width, const CellPlan& plan) {
   IndexImage image{width, static_cast<int>(verdicts.size()) / width, plan[Cell::Well]};
   for (std::size_t k = 0; k < verdicts.size(); ++k)
-    if (verdicts[k] != SampleCheck::Nothing)
-      image.pixels[k] = plan[kVerdictSteps[static_cast<std::size_t>(verdicts[k]) - 1].cell];
+    if (verdicts[k] != SampleCheck::Nothing) image.pixels[k] = plan[cellOf(verdicts[k])];
   return image;
+}
+
+std::vector<Rect> spotsOf(const std::vector<SampleCheck>& verdicts, int width) {
+  const auto isMarked = markedIn(verdicts);
+  const int height = static_cast<int>(verdicts.size()) / width;
+  const int across = (width + kSpotBlock - 1) / kSpotBlock, down = (height + kSpotBlock - 1) / kSpotBlock;
+  std::vector<Rect> blocks(std::size_t(across) * down);  // each around its marked samples
+  for (int j = 0; j < height; ++j)
+    for (int i = 0; i < width; ++i)
+      if (isMarked(verdicts[std::size_t(j) * width + i]))
+        add(blocks[std::size_t(j / kSpotBlock) * across + i / kSpotBlock], {i, j, 1, 1});
+  std::vector<Rect> spots;
+  std::vector<glm::ivec2> next;
+  const auto take = [&](int i, int j) {
+    if (i < 0 || j < 0 || i >= across || j >= down) return;
+    Rect& block = blocks[std::size_t(j) * across + i];
+    if (block.empty()) return;
+    add(spots.back(), block);
+    block = {};
+    next.emplace_back(i, j);
+  };
+  for (int first = 0; first < across * down; ++first) {
+    if (blocks[first].empty()) continue;
+    spots.emplace_back();
+    take(first % across, first / across);
+    while (!next.empty()) {
+      const glm::ivec2 at = next.back();
+      next.pop_back();
+      for (int j = at.y - 1; j <= at.y + 1; ++j)
+        for (int i = at.x - 1; i <= at.x + 1; ++i) take(i, j);
+    }
+  }
+  return spots;
+}
+
+void ringSpots(Painter painter, int x, int y, const std::vector<SampleCheck>& verdicts, int width,
+               const CellPlan& plan) {
+  constexpr int kGap = 6;  // between a spot and its ring
+  const int most = static_cast<int>(verdicts.size()) / width / 4;
+  for (const Rect& spot : spotsOf(verdicts, width)) {
+    if (std::max(spot.width, spot.height) > most) continue;
+    const int i = x + spot.x + spot.width / 2, j = y + spot.y + spot.height / 2,
+              radius = kGap + static_cast<int>(std::ceil(std::hypot(spot.width, spot.height) / 2));
+    painter.ring(i, j, radius, plan[Cell::White]);
+    painter.ring(i, j, radius + 1, plan[Cell::White]);
+    painter.ring(i, j, radius + 2, plan[Cell::Black]);
+  }
 }
 
 Finding findingOf(const Exactness& e, Order order) {
@@ -35,10 +99,18 @@ Finding findingOf(const Exactness& e, Order order) {
                       : "At " + counted(e.doubtful, "sample") +
                             " two faces lie so near to each other that the rounding of the file, or of the "
                             "screen grid, may have changed which one is nearer.";
-  if (e.wrong > 0)
-    return {"A wrong face shows at " + grouped(e.wrong) + " of " + counted(e.samples, "sample") + ".",
-            "The oracle, which compares all faces at each sample, sees a nearer one there." +
-                (doubtful.empty() ? "" : " " + doubtful)};
+  if (e.wrong > 0) {
+    std::string why;
+    const auto add = [&](const std::string& sentence) { why += (why.empty() ? "" : " ") + sentence; };
+    if (e.wrong > e.earlier)
+      add("The oracle, which compares all faces at each sample, sees a nearer one" +
+          (e.earlier == 0 ? " there." : " at " + grouped(e.wrong - e.earlier) + " of them."));
+    if (e.earlier > 0)
+      add((e.earlier == e.wrong ? "There" : "At " + grouped(e.earlier)) +
+          " it lies in the plane of the face that should show: of faces in one plane, the later one wins.");
+    if (!doubtful.empty()) add(doubtful);
+    return {"A wrong face shows at " + grouped(e.wrong) + " of " + counted(e.samples, "sample") + ".", why};
+  }
   if (e.doubtful > 0)
     return {"No face is wrong, but " + counted(e.doubtful, "sample") + " may be.", doubtful};
   return {"Every sample shows the right face.",
@@ -56,12 +128,7 @@ ColoredImage drawExactness(const Picture& picture, const ViewSettings& settings)
   const Exactness e = exactnessOf(verdicts);
   const int width = picture.settings().width;
   page.place(verdictImage(verdicts, width, settings.cells));
-  if (const auto worst = worstOf(verdicts); worst != verdicts.end()) {
-    Painter painter = page.sheet.painter().within(page.at);
-    const int k = static_cast<int>(worst - verdicts.begin());
-    painter.ring(page.at.x + k % width, page.at.y + k / width, 8, page.sheet.cell(Cell::White));
-    painter.ring(page.at.x + k % width, page.at.y + k / width, 9, page.sheet.cell(Cell::Black));
-  }
+  ringSpots(page.sheet.painter().within(page.at), page.at.x, page.at.y, verdicts, width, settings.cells);
   int y = page.section("faces");
   drawStepLegend(page.sheet.painter(), settings.cells, page.left + 2, y + 2, kVerdictSteps, "");
   page.finding(y, findingOf(e, picture.settings().order));

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "shading/picture/exactness.h"
+#include "x11/drawing/rect.h"
 #include "x11/drawing/sheet.h"
 #include "x11/views/step_legend.h"
 #include "x11/views/views.h"
@@ -23,6 +24,16 @@ inline constexpr std::array kVerdictSteps{
 /// The verdicts as an image of the picture's size. Samples that show no face stay background.
 [[nodiscard]] IndexImage verdictImage(const std::vector<SampleCheck>& verdicts, int width,
                                       const CellPlan& plan);
+
+/// The places that need a look: wrong samples, or doubtful ones if none is wrong. The picture is divided into
+/// blocks; samples in one block, or in two that touch, are in one spot. Returns the box of each spot.
+inline constexpr int kSpotBlock = 16;  ///< pixels
+[[nodiscard]] std::vector<Rect> spotsOf(const std::vector<SampleCheck>& verdicts, int width);
+/// Draws a ring around each spot, in a picture whose upper left corner is at (x, y). A single sample is hard
+/// to find without one. There is no ring around a spot that is larger than a quarter of the picture's height.
+void ringSpots(Painter painter, int x, int y, const std::vector<SampleCheck>& verdicts, int width,
+               const CellPlan& plan);
+
 [[nodiscard]] Finding findingOf(const Exactness& exactness, Order order);
 
 /// The map, its numbers, and what they mean.

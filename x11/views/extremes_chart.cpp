@@ -2,7 +2,10 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
+#include <vector>
 
+#include "shading/extremes/finding.h"
 #include "x11/drawing/sheet.h"
 
 namespace xnewell {
@@ -27,60 +30,72 @@ int heightOf(double share) {
                                                        std::clamp(1 + std::log10(share) / 5, 0.0, 1.0)));
 }
 
-std::string whyOf(const Extreme& extreme) {
-  const auto wrong = std::ranges::find_if(extreme.steps, &ExtremeStep::isWrong);
-  return wrong == extreme.steps.end() ? std::string{extreme.drives} : wrong->why;
+/// What is said about a way: what was found, and why, or what was done if nothing was.
+struct Words {
+  std::string finding, why;
+  bool wrong;
+  [[nodiscard]] int height() const {
+    return Sheet::paragraphHeight(kChartWords, finding) + Sheet::paragraphHeight(kChartWords, why);
+  }
+};
+
+Words wordsOf(const Extreme& way, const ExtremeStep& setUp) {
+  const ExtremeStep* const wrong = firstWrong(way, setUp);
+  return {findingOf(way, setUp), wrong ? wrong->why : std::string{way.drives}, wrong != nullptr};
 }
 
-int wordsHeight(const Extreme& extreme) {
-  return Sheet::paragraphHeight(kChartWords, findingOf(extreme)) +
-         Sheet::paragraphHeight(kChartWords, whyOf(extreme));
+/// The name of a way and its bars, from y down.
+void drawBars(Sheet& sheet, int y, const Extreme& way) {
+  Painter paint = sheet.painter();
+  paint.text(Sheet::kMargin, y + Sheet::kAscent, way.name, sheet.cell(Cell::Ink));
+  paint.text(Sheet::kMargin, y + Sheet::kAscent + Sheet::kLine, way.unit, sheet.cell(Cell::Soft));
+  const int left = Sheet::kMargin + kChartNames, base = y + kBarHeight,
+            count = static_cast<int>(way.steps.size());
+  const int pitch = kChartBars / std::max(1, count);
+  paint.fillRect({left, base, pitch * count, 1}, sheet.cell(Cell::Ink));
+  const auto firstWrong = std::ranges::find_if(way.steps, &ExtremeStep::isWrong) - way.steps.begin();
+  for (int k = 0; k < count; ++k) {
+    const ExtremeStep& step = way.steps[k];
+    const int x = left + k * pitch, tall = std::max(3, heightOf(shareOf(step)));
+    const Cell cell = step.isWrong() ? Cell::Alarm : step.isEmpty() ? Cell::Soft : Cell::Good;
+    paint.fillRect({x + 1, base - tall, pitch - 2, tall}, sheet.cell(cell));
+    // The first, the last and the first wrong value are named, if their names do not touch.
+    const std::string name = shortly(step.value);
+    const int centre = x + pitch / 2 - textWidth(name) / 2;
+    const bool named = k == 0 || k == count - 1 || k == firstWrong;
+    const bool crowded =
+        k == firstWrong && (k * pitch < 60 || (count - 1 - k) * pitch < 60) && k != 0 && k != count - 1;
+    if (named && !crowded) paint.text(centre, base + 4 + Sheet::kAscent, name, sheet.cell(Cell::Soft));
+  }
 }
 
 }  // namespace
 
-ColoredImage drawExtremes(const std::vector<Extreme>& extremes, const std::string& title) {
-  int height = 2 * Sheet::kMargin + Sheet::kTitle + Sheet::kLine;
-  for (const Extreme& extreme : extremes) height += kWayGap + std::max(kBarHeight + 20, wordsHeight(extreme));
+ColoredImage drawExtremes(const Extremes& extremes, const std::string& title) {
+  const int width = kChartWidth - 2 * Sheet::kMargin;
+  std::vector<std::pair<std::string, Cell>> above{
+      {"A bar is one picture. Its height is the share of wrong samples, from 1 in 100,000 to all of them.",
+       Cell::Soft}};
+  for (const std::string& said : {stoppedText(extremes), findingOf(extremes.setUp)})
+    if (!said.empty()) above.emplace_back(said, Cell::Alarm);
+  std::vector<Words> words;
+  for (const Extreme& way : extremes.ways) words.push_back(wordsOf(way, extremes.setUp));
+
+  int height = 2 * Sheet::kMargin + Sheet::kTitle;
+  for (const auto& [text, cell] : above) height += Sheet::paragraphHeight(width, text);
+  for (const Words& said : words) height += kWayGap + std::max(kBarHeight + 20, said.height());
   const CellPlan plan{TableKind::Linear};
   Sheet sheet{kChartWidth, height, plan};
-  Painter paint = sheet.painter();
   int y = sheet.title(Sheet::kMargin, Sheet::kMargin, title);
-  y = sheet.paragraph(
-      Sheet::kMargin, y, kChartWidth - 2 * Sheet::kMargin,
-      "A bar is one picture. Its height is the share of wrong samples, from 1 in 100,000 to all of them.",
-      Cell::Soft);
-  for (const Extreme& extreme : extremes) {
+  for (const auto& [text, cell] : above) y = sheet.paragraph(Sheet::kMargin, y, width, text, cell);
+  for (std::size_t k = 0; k < words.size(); ++k) {
     y += kWayGap;
-    paint.text(Sheet::kMargin, y + Sheet::kAscent, extreme.name, sheet.cell(Cell::Ink));
-    paint.text(Sheet::kMargin, y + Sheet::kAscent + Sheet::kLine, extreme.unit, sheet.cell(Cell::Soft));
-    const int left = Sheet::kMargin + kChartNames, base = y + kBarHeight,
-              count = static_cast<int>(extreme.steps.size());
-    const int pitch = kChartBars / std::max(1, count);
-    paint.fillRect({left, base, pitch * count, 1}, sheet.cell(Cell::Ink));
-    const auto firstWrong =
-        std::ranges::find_if(extreme.steps, &ExtremeStep::isWrong) - extreme.steps.begin();
-    for (int k = 0; k < count; ++k) {
-      const ExtremeStep& step = extreme.steps[k];
-      const int x = left + k * pitch, tall = heightOf(shareOf(step));
-      if (tall > 0)
-        paint.fillRect({x + 1, base - tall, pitch - 2, tall}, sheet.cell(Cell::Alarm));
-      else
-        paint.fillRect({x + 1, base - 3, pitch - 2, 3}, sheet.cell(Cell::Good));
-      // The first, the last and the first wrong value are named, if their names do not touch.
-      const std::string name = shortly(step.value);
-      const int centre = x + pitch / 2 - textWidth(name) / 2;
-      const bool named = k == 0 || k == count - 1 || k == firstWrong;
-      const bool crowded =
-          k == firstWrong && (k * pitch < 60 || (count - 1 - k) * pitch < 60) && k != 0 && k != count - 1;
-      if (named && !crowded) paint.text(centre, base + 4 + Sheet::kAscent, name, sheet.cell(Cell::Soft));
-    }
-    const int words = left + kChartBars + Sheet::kMargin;
-    const bool right = firstWrong == count;
+    drawBars(sheet, y, extremes.ways[k]);
+    const int left = Sheet::kMargin + kChartNames + kChartBars + Sheet::kMargin;
     const int below =
-        sheet.paragraph(words, y, kChartWords, findingOf(extreme), right ? Cell::Ink : Cell::Alarm);
-    sheet.paragraph(words, below, kChartWords, whyOf(extreme), Cell::Soft);
-    y += std::max(kBarHeight + 20, wordsHeight(extreme));
+        sheet.paragraph(left, y, kChartWords, words[k].finding, words[k].wrong ? Cell::Alarm : Cell::Ink);
+    sheet.paragraph(left, below, kChartWords, words[k].why, Cell::Soft);
+    y += std::max(kBarHeight + 20, words[k].height());
   }
   return {sheet.image(), makePalette(plan, ColorTable{{}})};
 }

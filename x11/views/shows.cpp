@@ -47,6 +47,7 @@ ShownPicture shownAs(Show show, const Picture& picture, const Palette& palette, 
       const std::vector<SampleCheck> verdicts = checkedSamples(picture);
       ShownPicture shown{verdictImage(verdicts, picture.settings().width, plan), palette,
                          findingOf(exactnessOf(verdicts), picture.settings().order).bold};
+      ringSpots(Painter{shown.image}, 0, 0, verdicts, picture.settings().width, plan);
       drawStepLegend(Painter{shown.image}, plan, kLegend, kLegend, kVerdictSteps, "");
       return shown;
     }

@@ -3,7 +3,11 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <iterator>
 
+#include "geometry/model/bezier.h"
+#include "shading/extremes/extreme_ways.h"
+#include "shading/extremes/finding.h"
 #include "shading/picture/picture_cache.h"
 
 namespace xnewell {
@@ -35,8 +39,30 @@ PictureSettings fromAbove(const Scene& scene) {
   return settings;
 }
 
-const Extreme& named(const std::vector<Extreme>& extremes, std::string_view name) {
-  return *std::ranges::find(extremes, name, &Extreme::name);
+const Extreme& named(const Extremes& extremes, std::string_view name) {
+  return *std::ranges::find(extremes.ways, name, &Extreme::name);
+}
+
+/// Steps with the values 1, 10, 100 ..., one for each letter: r right, w 7 wrong faces, W 9 wrong faces, m 7
+/// missing faces, e no face at all, c 3 samples changed, x no picture.
+Extreme wayOf(std::string_view letters, std::string_view unit = "degrees") {
+  Extreme way{.name = "turned by", .unit = unit, .drives = "The scene is turned."};
+  for (std::size_t k = 0; k < letters.size(); ++k) {
+    ExtremeStep& step =
+        way.steps.emplace_back(ExtremeStep{.value = std::pow(10, k), .seen = {.samples = 99}});
+    if (letters[k] == 'w') step.seen.wrong = 7;
+    if (letters[k] == 'W') step.seen.wrong = 9;
+    if (letters[k] == 'm') step.seen.wrong = step.seen.missing = 7;
+    if (letters[k] == 'e') step.seen.samples = 0;
+    if (letters[k] == 'c') step.changed = 3;
+    if (letters[k] == 'x') step.refused = "too far";
+    step.why = "at " + std::to_string(k);
+  }
+  return way;
+}
+
+std::string found(std::string_view letters, std::string_view setUp = "r") {
+  return findingOf(wayOf(letters), wayOf(setUp).steps.front());
 }
 
 }  // namespace
@@ -107,29 +133,160 @@ TEST(Extremes, FindWhatBecomesWrong) {
   PictureSettings settings = scene.settings;
   settings.width = 60, settings.height = 45;
   std::vector<std::string> announced;
-  const std::vector<Extreme> extremes =
-      extremesOf(scene, settings, [&](std::string_view way) { announced.emplace_back(way); });
-  ASSERT_EQ(announced.size(), extremes.size());
-  for (const Extreme& extreme : extremes) {
+  const Extremes extremes = extremesOf(scene, settings, [&](const std::string& doing) {
+    announced.push_back(doing);
+    return true;
+  });
+  EXPECT_FALSE(extremes.isStopped());
+  EXPECT_EQ(findingOf(extremes.setUp), "");
+  EXPECT_GT(extremes.setUp.seen.samples, 100);
+  std::size_t pictures = 0;
+  for (const Extreme& extreme : extremes.ways) {
     SCOPED_TRACE(extreme.name);
     ASSERT_GE(extreme.steps.size(), 6u);
-    EXPECT_FALSE(extreme.steps.front().isWrong()) << findingOf(extreme);
+    EXPECT_FALSE(extreme.steps.front().isWrong()) << findingOf(extreme, extremes.setUp);
     for (const ExtremeStep& step : extreme.steps) EXPECT_FALSE(step.why.empty());
+    pictures += extreme.steps.size();
   }
-  const Extreme& powers = extremes[0];
+  EXPECT_EQ(announced.size(), pictures);
+  const Extreme& powers = extremes.ways[0];
   EXPECT_EQ(powers.unit, "(powers of two)");
-  EXPECT_TRUE(std::ranges::none_of(powers.steps, &ExtremeStep::isWrong)) << findingOf(powers);
-  EXPECT_TRUE(findingOf(powers).starts_with("right up to "));
+  EXPECT_TRUE(std::ranges::none_of(powers.steps, &ExtremeStep::isWrong)) << findingOf(powers, extremes.setUp);
+  EXPECT_TRUE(findingOf(powers, extremes.setUp).starts_with("right up to "));
 
   const Extreme& moved = named(extremes, "moved by");
   for (const ExtremeStep& step : moved.steps) EXPECT_FALSE(step.value <= 1e6 && step.isWrong()) << step.value;
   EXPECT_TRUE(moved.steps.back().isWrong());
   EXPECT_GT(moved.steps.back().changed, 0);
-  EXPECT_TRUE(findingOf(moved).starts_with("from 1e+1")) << findingOf(moved);
+  EXPECT_TRUE(findingOf(moved, extremes.setUp).starts_with("wrong from 1e+1"))
+      << findingOf(moved, extremes.setUp);
+
+  const Extreme& falling = named(extremes, "eye falls to");
+  EXPECT_EQ(falling.steps.back().value, 1e-12);
+  EXPECT_EQ(findingOf(falling, extremes.setUp), "right up to 1e-12 of its distance");
 
   const ExtremeStep& darkest = named(extremes, "I0 down to").steps.back();
   EXPECT_EQ(darkest.value, 1e-6);
   EXPECT_GT(darkest.merged, 10);
+}
+
+// However far a scene is moved, however small or flat it becomes: its patches make the corners of its mesh,
+// or it has none. Rounding may let the corners of a patch coincide.
+TEST(Extremes, PatchesGoWithTheirMesh) {
+  const Scene scene = readScene("colored-lights");
+  ASSERT_GE(scene.patches.size(), 2u);
+  const Camera camera = makePicture(scene, scene.settings).camera();
+  const Start start{.scene = scene,
+                    .settings = scene.settings,
+                    .camera = camera,
+                    .size = 1,
+                    .pixel = 0.01,
+                    .target = camera.lookAt,
+                    .facing = {0, 0, 1}};
+  int with = 0, without = 0;
+  for (const Way& way : extremeWays())
+    for (const double value : way.values) {
+      SCOPED_TRACE(testing::Message() << way.name << ' ' << value);
+      Case drive;
+      try {
+        drive = way.at(start, value);
+      } catch (const ViewError&) {
+        continue;
+      }
+      for (std::size_t k = 0; k < drive.scene.patches.size(); ++k) {
+        const PatchRun &run = drive.scene.patches[k], &before = scene.patches[k];
+        EXPECT_EQ(cornerNormals(run.patches, run.divisions).size(),
+                  cornerNormals(before.patches, before.divisions).size());
+      }
+      (drive.scene.patches.empty() ? without : with) += 1;
+    }
+  EXPECT_GT(with, 50);
+  EXPECT_GT(without, 12);  // a copy in front has none, at twelve values
+}
+
+// A finding says which values have a fault, and no others: "on" only where it stays. Where it is largest is
+// told if it grows.
+TEST(Extremes, AFindingHoldsWhatItSays) {
+  EXPECT_EQ(found("rrr"), "right up to 100 degrees");
+  EXPECT_EQ(found("rww"), "wrong from 10 degrees on: a face that is not the nearest at 7 of 99 samples");
+  EXPECT_EQ(found("rwr"), "wrong at 10 degrees: a face that is not the nearest at 7 of 99 samples");
+  EXPECT_EQ(found("rwWr"),
+            "wrong from 10 to 100 degrees: a face that is not the nearest at 7 of 99 samples (9 at 100)");
+  EXPECT_EQ(found("rmrc"),
+            "wrong at 10 degrees: no face at 7 of 99 samples that should show one; at 1000 degrees: "
+            "another face or shade than at first at 3 samples");
+  EXPECT_EQ(found("rxx"), "wrong from 10 degrees on: too far");
+  EXPECT_EQ(findingOf(wayOf("rw", "(powers of ten)"), {}),
+            "wrong at 10: a face that is not the nearest at 7 of 99 samples");
+}
+
+// A picture without a face is not right or wrong.
+TEST(Extremes, AFindingTellsThatNoFaceShows) {
+  EXPECT_EQ(found("eee"), "shows no face from 1 degrees on");
+  EXPECT_EQ(found("ree"), "right up to 1 degrees; shows no face from 10 degrees on");
+  EXPECT_EQ(found("rrer"), "right up to 10 degrees; shows no face at 100 degrees; elsewhere right");
+  EXPECT_EQ(found("rwe"),
+            "wrong at 10 degrees: a face that is not the nearest at 7 of 99 samples; no face shows at 100 "
+            "degrees");
+  EXPECT_EQ(findingOf(wayOf("e").steps.front()), "The set-up itself shows no face.");
+}
+
+// What is wrong in the set-up is told once. A way tells how long it stays and what else becomes wrong, and
+// only that is explained.
+TEST(Extremes, AFindingLeavesOutTheSetUpsFaults) {
+  const ExtremeStep right = wayOf("r").steps.front(), wrong = wayOf("w").steps.front();
+  EXPECT_EQ(findingOf(right), "");
+  EXPECT_EQ(findingOf(wrong),
+            "The set-up itself is wrong: a face that is not the nearest at 7 of 99 samples.");
+  EXPECT_EQ(found("wWw", "w"), "wrong as the set-up itself, at all values");
+  EXPECT_EQ(found("wwr", "w"), "wrong as the set-up itself, up to 10 degrees");
+  EXPECT_EQ(found("wrc", "w"),
+            "wrong as the set-up itself, up to 1 degrees; at 100 degrees: another face or shade than at "
+            "first at 3 samples");
+  // Another fault at the start of the way than that of the set-up is the way's own.
+  EXPECT_EQ(found("mm", "w"), "wrong from 1 degrees on: no face at 7 of 99 samples that should show one");
+  EXPECT_EQ(firstWrong(wayOf("www"), wrong), nullptr);
+  EXPECT_EQ(firstWrong(wayOf("rrr"), right), nullptr);
+  const Extreme later = wayOf("wwc"), own = wayOf("www");
+  EXPECT_EQ(firstWrong(later, wrong)->why, "at 2");
+  EXPECT_EQ(firstWrong(own, right)->why, "at 0");
+}
+
+// The file of `two-cards` asks for the order that it refutes: painting by farthest z.
+TEST(Extremes, TwoCardsAreWrongAsTheyAre) {
+  const Scene scene = readScene("two-cards");
+  PictureSettings settings = scene.settings;
+  settings.width = 60, settings.height = 45;
+  const Extremes extremes = extremesOf(scene, settings);
+  EXPECT_GT(extremes.setUp.seen.wrong, 40);
+  EXPECT_TRUE(findingOf(extremes.setUp).starts_with("The set-up itself is wrong: a face that is not the"));
+  const Extreme& powers = extremes.ways.front();
+  EXPECT_EQ(findingOf(powers, extremes.setUp), "wrong as the set-up itself, at all values");
+  EXPECT_EQ(firstWrong(powers, extremes.setUp), nullptr);
+}
+
+// Stopped at any picture, the ways that were finished are as they would have been.
+TEST(Extremes, AStopKeepsTheFinishedWays) {
+  const Scene scene = cards({1, 0});
+  PictureSettings settings = fromAbove(scene);
+  settings.width = 16, settings.height = 12;
+  const Extremes whole = extremesOf(scene, settings);
+  ASSERT_FALSE(whole.isStopped());
+  EXPECT_EQ(stoppedText(whole), "");
+  std::size_t pictures = 0;
+  for (std::size_t finished = 0; finished < whole.ways.size(); ++finished) {
+    const std::size_t steps = whole.ways[finished].steps.size();
+    for (const std::size_t inWay : {std::size_t{0}, steps - 1}) {
+      std::size_t left = pictures + inWay;
+      const Extremes stopped = extremesOf(scene, settings, [&](const std::string&) { return left-- > 0; });
+      ASSERT_TRUE(stopped.isStopped());
+      ASSERT_EQ(stopped.ways.size(), finished);
+      for (std::size_t k = 0; k < finished; ++k)
+        EXPECT_EQ(findingOf(stopped.ways[k], stopped.setUp), findingOf(whole.ways[k], whole.setUp));
+      EXPECT_EQ(stoppedText(stopped), "Stopped: " + std::to_string(finished) + " of 13 ways were finished.");
+    }
+    pictures += steps;
+  }
 }
 
 }  // namespace xnewell

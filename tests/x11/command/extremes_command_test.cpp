@@ -25,6 +25,53 @@ TEST_F(CommandTest, ExtremesAreTold) {
     for (const auto& step : way.at("steps")) EXPECT_GE(step.at("samples").get<int>(), 0);
 }
 
+// A set-up that is wrong from the start is told once, above the table, and no way claims to explain it.
+TEST_F(CommandTest, ExtremesTellASetUpThatIsWrong) {
+  const auto end = runProgram({"extremes", "two-cards", "--size", "40x30"});
+  EXPECT_EQ(end.status, 0) << end.err;
+  EXPECT_TRUE(end.out.starts_with("The set-up itself is wrong: a face that is not the nearest at "))
+      << end.out;
+  EXPECT_NE(end.out.find("1 to 8.453e+270     wrong as the set-up itself, at all values\nscaled down"),
+            std::string::npos)
+      << end.out;
+}
+
+// After an interrupt the finished ways are told, and that it was stopped. A second interrupt ends the
+// program.
+TEST_F(CommandTest, ExtremesCanBeInterrupted) {
+  const Words words{"extremes", "cycle", "--size", "1200x900", "-o", file("chart.png")};
+  bool some = false;
+  for (int seconds = 1; !some && seconds <= 32; seconds *= 2) {
+    std::filesystem::remove(file("chart.png"));
+    RunningProgram child{words};
+    std::this_thread::sleep_for(std::chrono::seconds{seconds});
+    child.signal(SIGINT);
+    const Finished end = child.wait();
+    ASSERT_EQ(end.status, 130) << end.out;
+    EXPECT_TRUE(end.out.starts_with("Stopped: ")) << end.out;
+    EXPECT_EQ(end.out.find("light falls to"), std::string::npos);
+    EXPECT_GT(readPng(file("chart.png")).height, 50);
+    some = end.out.find("scaled up by (powers of two)") != std::string::npos;
+  }
+  EXPECT_TRUE(some);
+
+  std::filesystem::remove(file("chart.png"));
+  RunningProgram child{words};
+  std::this_thread::sleep_for(std::chrono::milliseconds{500});
+  child.signal(SIGINT);
+  child.signal(SIGINT);
+  EXPECT_EQ(child.wait().status, 130);
+}
+
+// A chart that cannot be written is an error before anything is measured: the size would take hours.
+TEST_F(CommandTest, ExtremesCheckTheirOutputFirst) {
+  const Words words{"extremes", "teapot", "--size", "8192x8192", "-o"};
+  refused(words + Words{file("none/chart.png")}, 1, file("none/chart.png") + ": No such file or directory");
+  std::filesystem::create_directory(file("folder.png"));
+  refused(words + Words{file("folder.png")}, 1, file("folder.png") + ": Is a directory");
+  refused(words + Words{file("old.png/chart.png")}, 1, file("old.png/chart.png") + ": Not a directory");
+}
+
 TEST_F(CommandTest, ExtremesRefuseWhatTheyDoNotTake) {
   refused({"extremes"}, 2, "extremes needs a scene, such as teapot");
   refused({"draw", "cycle", "-o", file("new.png"), "--json"}, 2, "--json works only with trade and extremes");

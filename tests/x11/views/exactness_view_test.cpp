@@ -74,6 +74,73 @@ TEST(ExactnessView, EachVerdictHasItsCell) {
   EXPECT_EQ(map.pixels[3], plan[Cell::Q]);
 }
 
+// Two faces in one plane: the later one should show. An order that shows the earlier one is wrong, though
+// none is nearer, and the finding says so.
+TEST(ExactnessView, OfOnePlaneTheLaterShouldShow) {
+  const Scene scene = readScene("decals");
+  PictureSettings s = scene.settings;
+  s.width = 768, s.height = 412;
+  s.order = Order::ZBuffer32;
+  const Exactness e = exactnessOf(makePicture(scene, s));
+  EXPECT_GT(e.earlier, 100);
+  EXPECT_LE(e.earlier, e.wrong);
+  EXPECT_NE(findingOf(e, s.order).why.find("in the plane of the face that should show"), std::string::npos);
+  s.order = Order::Newell;
+  EXPECT_EQ(exactnessOf(makePicture(scene, s)).wrong, 0);
+  const auto why = [](int wrong, int earlier) {
+    return findingOf({.samples = 4000, .wrong = wrong, .earlier = earlier}, Order::ZSort).why;
+  };
+  EXPECT_EQ(why(1200, 0), "The oracle, which compares all faces at each sample, sees a nearer one there.");
+  EXPECT_EQ(
+      why(1200, 1200),
+      "There it lies in the plane of the face that should show: of faces in one plane, the later one wins.");
+  EXPECT_EQ(
+      why(1200, 200),
+      "The oracle, which compares all faces at each sample, sees a nearer one at 1,000 of them. At 200 it "
+      "lies in the plane of the face that should show: of faces in one plane, the later one wins.");
+}
+
+// Wrong samples in blocks that touch are one spot. Each small spot has a ring that keeps off it; doubtful
+// samples have one only if none is wrong. A large spot needs none.
+TEST(ExactnessView, RingsFindSingleSamples) {
+  constexpr int kWidth = 400, kHeight = 300;
+  const CellPlan plan;
+  std::vector<SampleCheck> verdicts(std::size_t{kWidth} * kHeight, SampleCheck::Right);
+  const auto at = [&](int i, int j) -> SampleCheck& { return verdicts[std::size_t(j) * kWidth + i]; };
+  EXPECT_TRUE(spotsOf(verdicts, kWidth).empty());
+  at(200, 100) = SampleCheck::Doubtful;
+  EXPECT_EQ(spotsOf(verdicts, kWidth), (std::vector<Rect>{{200, 100, 1, 1}}));
+  at(40, 50) = at(47, 52) = SampleCheck::Wrong;
+  at(390, 290) = SampleCheck::Earlier;
+  EXPECT_EQ(spotsOf(verdicts, kWidth), (std::vector<Rect>{{40, 50, 8, 3}, {390, 290, 1, 1}}));
+
+  const auto ringed = [&] {
+    IndexImage image = verdictImage(verdicts, kWidth, plan);
+    ringSpots(Painter{image}, 0, 0, verdicts, kWidth, plan);
+    return image;
+  };
+  IndexImage image = ringed();
+  EXPECT_EQ(image.row(50)[40], plan[Cell::Alarm]);
+  EXPECT_EQ(image.row(52)[47], plan[Cell::Alarm]);
+  EXPECT_EQ(image.row(290)[390], plan[Cell::Alarm]);
+  EXPECT_EQ(image.row(100)[200], plan[Cell::Q]);
+  const auto whiteIn = [&](const Rect& part) {
+    int white = 0;
+    for (int j = part.y; j < part.y + part.height; ++j)
+      for (int i = part.x; i < part.x + part.width; ++i) white += image.row(j)[i] == plan[Cell::White];
+    return white;
+  };
+  EXPECT_GT(whiteIn({25, 35, 40, 35}), 60);
+  EXPECT_GT(whiteIn({370, 270, 30, 30}), 40);
+  EXPECT_EQ(whiteIn({180, 80, 40, 40}), 0);
+
+  for (int j = 100; j < 200; ++j)
+    for (int i = 100; i < 200; ++i) at(i, j) = SampleCheck::Wrong;
+  at(40, 50) = at(47, 52) = at(390, 290) = SampleCheck::Right;
+  image = ringed();
+  EXPECT_EQ(whiteIn({0, 0, kWidth, kHeight}), 0);
+}
+
 // The finding tells what was counted: wrong samples first, then doubtful ones.
 TEST(ExactnessView, FindingIsOfTheNumbers) {
   EXPECT_EQ(findingOf({}, Order::Newell).bold, "Nothing shows.");

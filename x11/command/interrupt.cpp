@@ -1,0 +1,26 @@
+#include "x11/command/interrupt.h"
+
+#include <unistd.h>
+
+#include <csignal>
+
+#include "x11/command/doing.h"
+
+namespace xnewell {
+
+namespace {
+
+volatile std::sig_atomic_t seen = 0;
+
+}  // namespace
+
+void awaitInterrupt() {
+  std::signal(SIGINT, [](int) {
+    if (seen != 0) _exit(kInterrupted);
+    seen = 1;
+  });
+}
+
+bool wasInterrupted() { return seen != 0; }
+
+}  // namespace xnewell
