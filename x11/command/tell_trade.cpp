@@ -1,7 +1,6 @@
 #include "x11/command/tell_trade.h"
 
 #include <algorithm>
-#include <csignal>
 #include <iostream>
 #include <optional>
 
@@ -11,14 +10,13 @@
 #include "shading/picture/stopwatch.h"
 #include "shading/trade/choice.h"
 #include "x11/command/doing.h"
+#include "x11/command/interrupt.h"
 #include "x11/command/trade_report.h"
 #include "x11/views/trade_chart.h"
 
 namespace xnewell {
 
 namespace {
-
-volatile std::sig_atomic_t interrupted = 0;
 
 /// The trade, with its progress on the terminal.
 Trade measured(const Options& options, const TradeRequest& request, const Scene& scene) {
@@ -31,7 +29,7 @@ Trade measured(const Options& options, const TradeRequest& request, const Scene&
       measuring.reset();  // each message replaces the one before
       measuring.emplace(doing);
     }
-    return interrupted == 0;
+    return !wasInterrupted();
   });
 }
 
@@ -53,10 +51,7 @@ PictureSettings settingsOf(const Options& options) {
 }
 
 int tellTrade(const Options& options, const Scene& scene) {
-  std::signal(SIGINT, [](int) {
-    if (interrupted != 0) _exit(kInterrupted);
-    interrupted = 1;
-  });
+  awaitInterrupt();
   const Trade trade = measured(options, options.trade, scene);
   if (options.json)
     printTradeAsJson(options, trade, std::cout);
