@@ -88,6 +88,9 @@ struct Lighting {
   bool specular = false;  ///< whether a face reflects any source in a highlight
   bool constantV = false;
   glm::dvec3 farV{0}, eye{0};
+  /// Whether all light is ambient. Then an intensity is that of a material, wherever it is and however the
+  /// surface is turned: nothing asks for a normal.
+  [[nodiscard]] bool onlyAmbient() const { return sources.empty(); }
   [[nodiscard]] bool asksForEye() const { return specular && form != Form::Tutorial; }
   /// Whether V differs from place to place.
   [[nodiscard]] bool variesV() const { return asksForEye() && !constantV; }

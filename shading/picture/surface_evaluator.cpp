@@ -80,6 +80,14 @@ PhongTriangle SurfaceEvaluator::phong(const SnappedFace& face, const FaceTriangl
   return e;
 }
 
+TermsTriangle SurfaceEvaluator::ambient(const SnappedFace& face, const FaceTriangle& t, int channel) const {
+  const PixelPlanes planes{t.p};
+  TermsTriangle e;
+  e.i0 = planes.i0(), e.j0 = planes.j0();
+  e.rest.c = s_.shading.lighting().materials[s_.mesh.material[face.number] + 1].ambient[channel];
+  return e;
+}
+
 TermsTriangle SurfaceEvaluator::terms(const SnappedFace& face, const FaceTriangle& t, int channel) const {
   const PixelPlanes planes{t.p};
   const std::array<double, 3> q = overDepths(t);
