@@ -40,13 +40,15 @@ SceneShading SceneShading::next(const Scene& scene, const PictureSettings& setti
   const ShadingRow& method = rowOf(settings.shading);
   if (!method.lit) return {};  // nothing is lit, so nothing is kept
   const bool keepsIntensities = settings.shading == Shading::Flat || settings.shading == Shading::Gouraud;
-  const Light light{settings.light, channels, settings.shading};
+  Light light{settings.light, channels, settings.shading};
+  // A map does not show textures: its surfaces keep their own colours.
+  if (settings.shading == Shading::Environment) light.light.texel = TexelUse::Multiplies;
   const Eye eye{camera.eye, camera.lookAt};
 
   // The lights come first: where all light is ambient, nothing asks for a normal, and nothing is divided.
   Shared<Lighting> lighting = lighting_;
   if (lightMade_ != light || eyeMade_ != eye)
-    lighting = resolve(scene.mesh, scene.light, settings.light, channels, camera.eye, camera.lookAt,
+    lighting = resolve(scene.mesh, scene.light, light.light, channels, camera.eye, camera.lookAt,
                        channels == Channels::Luminance && !isGray(scene));
   Points points{.ofVertices = method.interpolates,
                 .withNormals = !lighting->onlyAmbient() || settings.shading == Shading::Environment};

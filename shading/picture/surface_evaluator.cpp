@@ -32,12 +32,8 @@ bool SurfaceEvaluator::evaluates(const SnappedFace& face) const {
 
 bool SurfaceEvaluator::textured(const SnappedFace& face) const {
   if (s_.scene.textures.empty()) return false;
-  const Mesh& mesh = s_.mesh;
-  const int material = mesh.material[face.number];
-  if (material < 0 || mesh.materials[material].texture < 0 || mesh.uvOfCorner.empty()) return false;
-  const int *const first = mesh.uvOfCorner.data() + mesh.firstCorner[face.number],
-                   *const end = mesh.uvOfCorner.data() + mesh.firstCorner[face.number + 1];
-  return std::find(first, end, -1) == end;
+  const int material = s_.mesh.material[face.number];
+  return material >= 0 && s_.mesh.materials[material].texture >= 0;
 }
 
 std::array<double, 3> SurfaceEvaluator::overDepths(const FaceTriangle& t) const {

@@ -83,11 +83,13 @@ TEST(SettingRows, ReachEveryMember) {
     for (const Value& value : someOf(setting))
       if (value != setting.field.get(PictureSettings{})) setting.field.set(all, value);
   EXPECT_NE(all.light, expected.light);
-  const auto& [Ia, Ip, ka, kd, ks, n, light, place, attenuation, range, c, form, farL, farV, two] = all.light;
+  const auto& [Ia, Ip, ka, kd, ks, n, light, place, attenuation, range, c, form, farL, farV, two, texel] =
+      all.light;
   const Illumination was;
   EXPECT_TRUE(Ia != was.Ia && Ip != was.Ip && ka != was.ka && kd != was.kd && ks != was.ks && n != was.n);
   EXPECT_TRUE(light != was.light && place && attenuation != was.attenuation && range && c);
   EXPECT_TRUE(form != was.form && farL != was.constantL && farV != was.constantV && two != was.twoSided);
+  EXPECT_NE(texel, was.texel);
   const auto& [width, height, camera, lights, shading, normals, crease, polygons, adapt, environment, mapping,
                order, cull, inPixels, colors, dither, table] = all;
   EXPECT_TRUE(shading != expected.shading && normals != expected.normals && crease != expected.crease);
