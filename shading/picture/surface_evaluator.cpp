@@ -60,13 +60,17 @@ PhongTriangle SurfaceEvaluator::phong(const SnappedFace& face, const FaceTriangl
   e.channel = channel;
   e.placed = e.lighting->placed();
   e.variesV = e.lighting->variesV();
+  e.unitN = !s_.settings.unnormalized;
   const double side = s_.side(face);
+  const auto normalPlane = [&](const auto& ofCorner) {
+    return planeOf(s_.snapped, t, planes, e.unitN ? q : std::array{1.0, 1.0, 1.0}, ofCorner);
+  };
   const auto place = [&](int corner) { return s_.mesh.points[s_.mesh.corners[corner]]; };
   // The nearest vertex: places over w grow with the distance from it, and at most to their size there.
   const auto nearest = std::ranges::max_element(q) - q.begin();
   if (e.placed) e.origin = atSource(s_.snapped, s_.snapped.source[t.vertex[nearest]], place);
   for (int axis = 0; axis < 3; ++axis) {
-    e.N[axis] = plane([&](int corner) {
+    e.N[axis] = normalPlane([&](int corner) {
       return side * s_.shading.points().N[s_.shading.vertices().ofCorner[corner]][axis];
     });
     if (e.placed) e.at[axis] = plane([&](int corner) { return place(corner)[axis] - e.origin[axis]; });

@@ -13,6 +13,7 @@ inline bool creased(Facts f) {
   return interpolates(f) && (f.settings.normals != NormalRule::Exact || !f.patches);
 }
 inline bool gouraud(Facts f) { return f.settings.shading == Shading::Gouraud; }
+inline bool phong(Facts f) { return f.settings.shading == Shading::Phong; }
 inline bool mapped(Facts f) { return f.settings.shading == Shading::Environment; }
 inline bool dividing(Facts f) { return gouraud(f) || f.settings.shading == Shading::Flat; }
 inline bool lit(Facts f) { return rowOf(f.settings.shading).lit; }
