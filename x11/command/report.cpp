@@ -103,11 +103,17 @@ void writePictures(const Options& options, const Picture& picture, const std::st
   writeFiles(files);
 }
 
-void report(const Options& options, const Picture& picture, const StageTimes& times) {
+void report(const Options& options, const Picture& picture, const StageTimes& times, const Sent* sent) {
   noteMoot(std::cerr, options, picture);
   if (!options.stats) return;
   // A file name need not be UTF-8, but JSON can hold nothing else.
   nlohmann::ordered_json stats = statsOf(options, picture, times);
+  if (sent != nullptr)
+    stats["sent"] = {{"requests", sent->requests},
+                     {"bytes", sent->bytes},
+                     {"image_bytes", sent->imageBytes},
+                     {"bits_per_pixel", sent->bitsPerPixel},
+                     {"shared_memory", sent->sharedMemory}};
   if (options.costs)
     for (const auto& [name, ms] : costsOf(picture)) stats["required_cost_ms"][name] = ms;
   if (options.errors) {
