@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <charconv>
+#include <iterator>
 #include <map>
 #include <set>
 #include <utility>
@@ -74,10 +75,13 @@ class ObjReader {
     // Without a library all materials are white, and a missing library has its own note.
     bool told = libraries_.empty();
     for (const std::string& name : material_.names()) {
-      const auto known = colors_.find(name);
-      if (known == colors_.end() && !std::exchange(told, true))
+      const auto known = known_.find(name);
+      if (known == known_.end() && !std::exchange(told, true))
         note(0, "no library has the material " + inQuotes(name) + ": it is white");
-      mesh_.materials.push_back({name, known == colors_.end() ? glm::dvec3{1.0} : known->second});
+      mesh_.materials.push_back({.name = name});
+      if (known == known_.end()) continue;
+      mesh_.materials.back().diffuse = known->second.material.Kd;
+      if (!known->second.material.map.empty()) mesh_.materials.back().texture = textureOf(known->second);
     }
     mesh_.rounding.assign(mesh_.groupNames.size(), rounding_.rounding());
     return std::move(mesh_);
@@ -214,9 +218,26 @@ class ObjReader {
     bool all = true;
     for (std::string_view name = each.next(); !name.empty(); name = each.next())
       all = readLibrary(std::string{name}) && all;
-    if (!all && mesh_.notes.empty())
+    if (!all && !std::exchange(missing_, true))
       note(words_.line(),
            "material library " + inQuotes(names) + " not found; materials defined only there are white");
+  }
+
+  struct Known {
+    MtlMaterial material;
+    std::filesystem::path library;
+  };
+
+  /// The index of the material's texture. Some writers separate folders by backslashes.
+  int textureOf(const Known& known) {
+    std::string map = known.material.map;
+    std::ranges::replace(map, '\\', '/');
+    const std::string file = (known.library.parent_path() / map).string();
+    std::vector<TextureFile>& all = mesh_.textureFiles;
+    const auto same = std::ranges::find(all, file, &TextureFile::file);
+    const auto index = static_cast<int>(same - all.begin());
+    if (same == all.end()) all.push_back({file, known.library.string(), known.material.line});
+    return index;
   }
 
   void note(int line, const std::string& what) {
@@ -228,7 +249,10 @@ class ObjReader {
     const std::filesystem::path file = folder_ / name;
     std::error_code missing;
     if (!std::filesystem::is_regular_file(file, missing)) return false;
-    if (libraries_.insert(name).second) colors_.merge(parseMtl(readTextFile(file), file.string()));
+    if (!libraries_.insert(name).second) return true;
+    MtlLibrary library = parseMtl(readTextFile(file), file.string());
+    for (auto& [material, says] : library.materials) known_.try_emplace(material, std::move(says), file);
+    std::ranges::move(library.notes, std::back_inserter(mesh_.notes));
     return true;
   }
 
@@ -240,7 +264,8 @@ class ObjReader {
   Mesh mesh_;
   NamesInUse group_{kDefaultGroup};
   NamesInUse material_{""};  ///< the empty name stands for no material
-  MaterialColors colors_;
+  std::map<std::string, Known> known_;
+  bool missing_ = false;             ///< whether a note tells of a missing library
   std::set<std::string> libraries_;  ///< already read: some writers name the library before every object
   Indexed points_{"vertices", {}}, texture_{"texture coordinates", {}};
   std::vector<int> face_, faceUv_;  ///< of the current face; members to reuse their memory

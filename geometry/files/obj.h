@@ -13,8 +13,8 @@ namespace xnewell {
 /// It reads `v` (x y z; it ignores a weight or a colour after them), `vt` (u, v; a missing v is 0, a depth is
 /// ignored), and `f` with corners `v`, `v/vt`, `v//vn` or `v/vt/vn`. Indices count from 1 or, if negative,
 /// back from the last one so far. It reads `g` and `o`, which both begin a group, `usemtl`, and `mtllib` for
-/// diffuse colours. It ignores everything else. It ignores `vn` too: vertex normals are computed. A face may
-/// refer to vertices that come later in the file.
+/// diffuse colours and their textures (mtl.h). It ignores everything else. It ignores `vn` too: vertex
+/// normals are computed. A face may refer to vertices that come later in the file.
 ///
 /// Mesh::points      every `v` in file order, correctly rounded (number.h), used or not.
 /// Mesh::uv          every `vt` in file order, if a face uses any.
@@ -23,6 +23,8 @@ namespace xnewell {
 ///                   by blanks. A group that begins twice is one group. Faces before any group belong to
 ///                   `default`.
 /// Mesh::materials   the materials that a face uses, in file order; white if no library has the name.
+/// Mesh::textureFiles  the files of their textures, not read and perhaps missing. They lie in the folder of
+///                   the library.
 /// Mesh::rounding    for every group 0.5 * 10^-d. RoundingOfNumbers in number.h computes it from all x, y
 ///                   and z of the file. A writer that prints significant digits (%g) shows the decimals of
 ///                   its smallest coordinates. 0 for d >= 309.
@@ -30,7 +32,8 @@ namespace xnewell {
 /// Throws ParseError, `teapot.obj:41: face index 0; OBJ counts from 1`, also if the file has no face.
 /// Messages call the text `name`. Libraries are searched for in `folder`. A missing library is not an error,
 /// but Mesh::notes reports the first one, and the first material that no library has. A library that cannot
-/// be read is an error (std::system_error), and so is a malformed colour in it.
+/// be read is an error (std::system_error), and so is a malformed colour in it. Mesh::notes also has those of
+/// the libraries.
 [[nodiscard]] Mesh parseObj(std::string_view text, const std::string& name,
                             const std::filesystem::path& folder);
 

@@ -16,8 +16,16 @@ struct MeshMaterial {
   glm::dvec3 specular{1.0};  ///< of the highlight
   std::optional<double> ka = {}, kd = {}, ks = {};  ///< in [0, 1]
   std::optional<int> n = {};                        ///< 0..1,000,000
-  /// index into the scene's textures, -1 for none; with a texture the diffuse colour is the texel
+  /// Index into the scene's textures, -1 for none: what the diffuse term shows (TexelUse). Before the scene
+  /// has read them, an index into Mesh::textureFiles.
   int texture = -1;
+};
+
+/// A picture that a material of a file names, and where it does.
+struct TextureFile {
+  std::string file, namedIn;
+  int line = 0;
+  bool operator==(const TextureFile&) const = default;
 };
 
 /// Polygons that share vertices, as the modeller made them.
@@ -34,6 +42,7 @@ struct Mesh {
   std::vector<std::string> groupNames;  ///< the file's names of its parts: "body", "spout", ...
   std::vector<int> material;            ///< #faces, index into materials, -1 for none
   std::vector<MeshMaterial> materials;
+  std::vector<TextureFile> textureFiles;  ///< each file once; empty when the scene has read them
   /// Texture coordinates. (0, 0) and (1, 1) are opposite corners of the texture; u runs along its rows, v up
   /// its columns.
   std::vector<glm::dvec2> uv;

@@ -19,11 +19,12 @@ namespace xnewell {
 ///
 /// A plane over the screen interpolates values over w, the depth. Places and texture coordinates must be
 /// divided by 1 / w to be right on the surface. Normals need no division, because their length does not
-/// matter. Terms are interpolated as they are, as Gouraud did. The origin of the planes is a corner of the
-/// triangle's own box, so a pixel has one value wherever its span starts. Eight pixels are evaluated at once
-/// in single precision: the error is a few roundings of 2^-24, times n in the specular term. Beyond n = 1,024
-/// it is double precision. Places are relative to one of the triangle, and light and eye are subtracted in
-/// double precision, so it does not matter how far the scene is from the origin.
+/// matter. If they are not made unit vectors (a short cut that saves the square root), they are interpolated
+/// as they are. Terms are interpolated as they are, as Gouraud did. The origin of the planes is a corner of
+/// the triangle's own box, so a pixel has one value wherever its span starts. Eight pixels are evaluated at
+/// once in single precision: the error is a few roundings of 2^-24, times n in the specular term. Beyond n =
+/// 1,024 it is double precision. Places are relative to one of the triangle, and light and eye are subtracted
+/// in double precision, so it does not matter how far the scene is from the origin.
 
 /// A plane over the picture: c + gx (i - i0) + gy (j - j0).
 struct PixelPlane {
@@ -64,7 +65,8 @@ struct PhongTriangle : EvaluatedTriangle {
   const Lighting* lighting = nullptr;
   const Material* material = nullptr;
   int channel = 0;
-  std::array<PixelPlane, 3> N;   ///< of the side that is seen, over w
+  std::array<PixelPlane, 3> N;   ///< of the side that is seen; over w if `unitN`
+  bool unitN = true;             ///< whether N is made a unit vector at each pixel
   bool placed = false;           ///< whether a light differs from place to place
   glm::dvec3 origin{0};          ///< a place on the triangle
   std::array<PixelPlane, 3> at;  ///< places relative to `origin`, over w

@@ -24,7 +24,7 @@ class PhongRow {
     Vec<Real> N[kMostBlocks], V[kMostBlocks], at[kMostBlocks];
     Real share[kMostBlocks];
     for (int b = 0; b < blocks; ++b) {
-      N[b] = unitOf(N_.at(along[b]));
+      N[b] = t_.unitN ? unitOf(N_.at(along[b])) : N_.at(along[b]);
       V[b] = t_.variesV ? unitOf(V_.at(along[b])) : farV;
       if (t_.placed) at[b] = at_.at(along[b]) * (one / q_.at(along[b]));
       share[b] = texels ? texels.share(b) : one;
@@ -86,7 +86,7 @@ class FarLightsRow {
     const RowOf<Real> towardsFarV = rowOfDot(t_.N, lighting.farV);
     for (int b = 0; b < blocks; ++b) {
       const Vec<Real> N = N_.at(along[b]);
-      perN[b] = perLength(dot(N, N));
+      perN[b] = t_.unitN ? perLength(dot(N, N)) : one;
       if constexpr (kEye == Eye::Near) {
         const Vec<Real> V = V_.at(along[b]);
         perV[b] = perLength(dot(V, V));

@@ -8,7 +8,8 @@
 
 namespace xnewell {
 
-/// A picture on a surface: its texels multiply the diffuse term. It repeats without end in both directions.
+/// A picture on a surface: its texels show in the diffuse term (TexelUse). It repeats without end in both
+/// directions.
 struct Texture {
   int width = 0, height = 0;  ///< 1..8192 each
   std::array<std::vector<std::uint8_t>, 3>

@@ -111,6 +111,11 @@ bool reaches(const Lighting::Source& source, const Light& light, const Box& box)
   return lengthOf(nearest - source.position) * source.c.x < 1.0;
 }
 
+/// The colour of the diffuse term, or what the texel multiplies.
+glm::dvec3 diffuseColor(const MeshMaterial& m, TexelUse texel) {
+  return m.texture >= 0 && texel == TexelUse::Replaces ? glm::dvec3{1.0} : m.diffuse;
+}
+
 }  // namespace
 
 double distanceFromCentre(const glm::dvec3& position, const Box& scene) {
@@ -129,7 +134,7 @@ std::vector<Light> lightsOf(const SceneLight& scene, const Illumination& user, c
 
 Reflection reflectionOf(const MeshMaterial& m, const Illumination& user, int channel) {
   return {.ka = m.ka.value_or(user.ka) * m.diffuse[channel],
-          .kd = m.kd.value_or(user.kd) * m.diffuse[channel],
+          .kd = m.kd.value_or(user.kd) * diffuseColor(m, user.texel)[channel],
           .ks = m.ks.value_or(user.ks) * m.specular[channel],
           .n = m.n.value_or(user.n)};
 }
@@ -164,10 +169,10 @@ Lighting resolve(const Mesh& mesh, const SceneLight& scene, const Illumination& 
   const glm::dvec3 Ia = scene.Ia.value_or(glm::dvec3{user.Ia});
   const std::array ambientLight = rgb ? share(Ia) : std::array{luminance(Ia), 0.0, 0.0};
   const auto resolved = [&](const MeshMaterial& m) {
-    const std::array Od = share(m.diffuse), Os = share(m.specular);
+    const std::array Oa = share(m.diffuse), Od = share(diffuseColor(m, user.texel)), Os = share(m.specular);
     Material material;
     for (int c = 0; c < 3; ++c) {
-      material.ambient[c] = m.ka.value_or(user.ka) * Od[c] * ambientLight[c];
+      material.ambient[c] = m.ka.value_or(user.ka) * Oa[c] * ambientLight[c];
       material.kd[c] = m.kd.value_or(user.kd) * Od[c];
       material.ks[c] = m.ks.value_or(user.ks) * Os[c];
     }

@@ -5,6 +5,7 @@
 #include <glm/vec3.hpp>
 #include <optional>
 #include <span>
+#include <string_view>
 #include <vector>
 
 #include "geometry/exact/box.h"
@@ -19,6 +20,18 @@ namespace xnewell {
 ///
 /// The ambient and diffuse terms never depend on the camera. The specular term depends on the eye's place,
 /// through V, and on nothing else of the camera.
+
+/// What a texel does to the diffuse colour of its surface. Both leave the ambient and the specular term as
+/// they are.
+enum class TexelUse { Replaces, Multiplies };
+struct TexelUseRow {
+  TexelUse id;
+  std::string_view name, diffuse;
+};
+inline constexpr std::array kTexelUses{
+    TexelUseRow{TexelUse::Replaces, "replaces", "the texel is the surface's colour"},
+    TexelUseRow{TexelUse::Multiplies, "multiplies", "the texel times the surface's colour, as map_Kd in MTL"},
+};
 
 /// What the user says about the light. It applies where the scene says nothing.
 /// Holds: all are in [0, 1], Ia + Ip <= 1, 0 <= n <= 1,000,000 (x^0 = 1).
@@ -38,6 +51,7 @@ struct Illumination {
   bool constantL = false;  ///< use L and fatt of the scene's centre everywhere: the light is far away
   bool constantV = false;  ///< use V of the look-at point everywhere: the viewer is far away
   bool twoSided = true;    ///< if not, the back of a face has the intensity of its front
+  TexelUse texel = TexelUse::Replaces;
   bool operator==(const Illumination&) const = default;
 };
 
@@ -58,7 +72,7 @@ enum class Channels {
 /// What one surface reflects, by channel.
 struct Material {
   std::array<double, 3> ambient{};   ///< ka Ia times the colour
-  std::array<double, 3> kd{}, ks{};  ///< times the colour
+  std::array<double, 3> kd{}, ks{};  ///< times the colour; of a texture, times what the texel multiplies
   int n = 1;
   double leastCosine = 0;  ///< for a smaller cosine cos^n is below 2^-40 and counts as 0
 };
@@ -88,6 +102,9 @@ struct Lighting {
   bool specular = false;  ///< whether a face reflects any source in a highlight
   bool constantV = false;
   glm::dvec3 farV{0}, eye{0};
+  /// Whether all light is ambient. Then an intensity is that of a material, wherever it is and however the
+  /// surface is turned: nothing asks for a normal.
+  [[nodiscard]] bool onlyAmbient() const { return sources.empty(); }
   [[nodiscard]] bool asksForEye() const { return specular && form != Form::Tutorial; }
   /// Whether V differs from place to place.
   [[nodiscard]] bool variesV() const { return asksForEye() && !constantV; }
@@ -103,7 +120,8 @@ struct Lighting {
 /// The lights of the scene, or if it has none the user's. Lengths are in the scene's units. `box` is the
 /// scene's.
 [[nodiscard]] std::vector<Light> lightsOf(const SceneLight& scene, const Illumination& user, const Box& box);
-/// What a surface reflects in one channel, 0 to 2 for RGB. `m` says what it does not leave to the user.
+/// What a surface reflects in one channel, 0 to 2 for RGB. `m` says what it does not leave to the user. With
+/// a texture, kd is what the texel multiplies.
 [[nodiscard]] Reflection reflectionOf(const MeshMaterial& m, const Illumination& user, int channel);
 
 /// For Channels::Luminance, `colored` says whether the scene has colours. If it has none, one channel is

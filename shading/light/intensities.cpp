@@ -68,9 +68,9 @@ ShadingPoints vertexPoints(const Mesh& mesh, const Vertices& vertices) {
 
 XNEWELL_DISPATCHED
 void diffuseIntensities(Terms& diffuse, const ShadingPoints& points, const Lighting& lighting, int channel) {
-  diffuse.assign(points.at.size(), {0.0, 0.0});
+  diffuse.assign(points.count(), {0.0, 0.0});
   for (const Lighting::Source& light : lighting.sources)
-    for (std::size_t first = 0, count = 0; first < points.at.size(); first += count) {
+    for (std::size_t first = 0, count = 0; first < points.count(); first += count) {
       count = runOf(points.material, first);
       const Incident<Four> in = incident(light, gathered(points.at, first, count));
       const double kd = lighting.materials[points.material[first] + 1].kd[channel];
@@ -82,10 +82,10 @@ void diffuseIntensities(Terms& diffuse, const ShadingPoints& points, const Light
 XNEWELL_DISPATCHED
 void specularIntensities(Terms& specular, const ShadingPoints& points, const Lighting& lighting,
                          int channel) {
-  specular.assign(points.at.size(), {0.0, 0.0});
+  specular.assign(points.count(), {0.0, 0.0});
   if (!lighting.specular) return;
   for (const Lighting::Source& light : lighting.sources)
-    for (std::size_t first = 0, count = 0; first < points.at.size(); first += count) {
+    for (std::size_t first = 0, count = 0; first < points.count(); first += count) {
       count = runOf(points.material, first);
       const Material& material = lighting.materials[points.material[first] + 1];
       if (material.ks[channel] == 0.0) continue;
@@ -98,9 +98,9 @@ void specularIntensities(Terms& specular, const ShadingPoints& points, const Lig
 
 void addTerms(Intensities& intensities, const Terms& diffuse, const Terms& specular,
               const ShadingPoints& points, const Lighting& lighting, int channel) {
-  intensities.I.resize(points.at.size());
+  intensities.I.resize(points.count());
   intensities.clamped = 0;
-  for (std::size_t k = 0; k < points.at.size(); ++k) {
+  for (std::size_t k = 0; k < points.count(); ++k) {
     const double ambient = lighting.materials[points.material[k] + 1].ambient[channel];
     const FrontBack<double>&d = diffuse[k], &s = specular[k];
     const FrontBack<double> sum{ambient + d.front + s.front, ambient + d.back + s.back};

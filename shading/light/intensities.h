@@ -15,8 +15,10 @@ namespace xnewell {
 /// splits a face, it copies the face's number and thus its intensities.
 
 struct ShadingPoints {
-  std::vector<glm::dvec3> at, N;  ///< N is a unit vector, or 0 for a face without area
-  std::vector<int> material;      ///< as in Mesh::material
+  /// N is a unit vector, or 0 for a face without area. Both are empty where all light is ambient.
+  std::vector<glm::dvec3> at, N;
+  std::vector<int> material;  ///< as in Mesh::material
+  [[nodiscard]] std::size_t count() const { return material.size(); }
 };
 /// One point for each face: the centroid of its area, and its normal by Newell's method.
 [[nodiscard]] ShadingPoints facePoints(const Mesh& mesh);

@@ -45,4 +45,19 @@ inline constexpr std::array kPolygons{
     PolygonsRow{Polygons::Rows, "rows", "along the edges, then along each row: turns with the view"},
 };
 
+/// What Gouraud shading interpolates. The default finds the cell of the intensity at each pixel. The short
+/// cut finds the cells at the vertices and interpolates their numbers, so no pixel looks up a table. In an
+/// even table it is off by less than a cell: each vertex is rounded by half a cell, and each pixel again.
+/// Where the cells are not even (corrected), it is another picture: between two vertices the numbers are
+/// even, and so the intensities are not.
+enum class Interpolated { Intensity, Cell };
+struct InterpolatedRow {
+  Interpolated id;
+  std::string_view name, label;
+};
+inline constexpr std::array kInterpolated{
+    InterpolatedRow{Interpolated::Intensity, "intensity", "intensity"},
+    InterpolatedRow{Interpolated::Cell, "cell", "cell number"},
+};
+
 }  // namespace xnewell

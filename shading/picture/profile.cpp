@@ -20,7 +20,12 @@ constexpr double kUnknown = std::numeric_limits<double>::quiet_NaN();
 class Surface {
  public:
   explicit Surface(const Picture& picture)
-      : mesh_{picture.scene().mesh}, vertices_{picture.shading().vertices()}, side_(mesh_.faceCount(), 0) {
+      : mesh_{picture.scene().mesh},
+        made_{picture.shading().vertices().vertices.empty()
+                  ? smoothVertices(picture.scene(), picture.settings())
+                  : Vertices{}},
+        vertices_{made_.vertices.empty() ? picture.shading().vertices() : made_},
+        side_(mesh_.faceCount(), 0) {
     for (const SnappedFace& face : picture.snapped().faces) side_[face.number] = face.back ? -1 : 1;
     cornersAt_.resize(mesh_.points.size());
     for (int f = 0; f < mesh_.faceCount(); ++f)
@@ -54,6 +59,7 @@ class Surface {
   }
 
   const Mesh& mesh_;
+  Vertices made_;  ///< empty unless the picture needed no normals
   const Vertices& vertices_;
   std::vector<int> side_;                           ///< of each face: 1 front, -1 back, 0 not in the picture
   std::vector<std::vector<FaceCorner>> cornersAt_;  ///< the corners at each point

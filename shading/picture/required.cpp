@@ -35,9 +35,18 @@ std::string placesWhy(const Lighting& lighting) {
                             : "L and V are the same everywhere";
 }
 
-std::string normalsWhy(const ShadingRow& method) {
-  return method.interpolates ? std::string{method.label} + " shading interpolates what it has at vertices"
-                             : std::string{method.label} + " shading interpolates nothing";
+std::string normalsWhy(const SceneShading& shading, const ShadingRow& method, bool ofVertices) {
+  if (shading.points().N.empty()) return "all light is ambient: an intensity does not ask for a normal";
+  if (ofVertices)
+    return std::string{method.label} + (method.interpolates ? " shading interpolates what it has at vertices"
+                                                            : " shading interpolates nothing");
+  return std::string{method.label} +
+         (method.interpolates ? " shading has normals at vertices" : " shading evaluates the light at faces");
+}
+
+std::string texturesWhy(const Scene& scene, const Lighting& lighting) {
+  if (!hasTextures(scene)) return "no surface has a texture";
+  return lighting.onlyAmbient() ? "all light is ambient, which shows no texture" : "a surface has a texture";
 }
 
 }  // namespace
@@ -70,9 +79,12 @@ std::vector<Required> requiredBy(const Picture& picture) {
   add("places", method.lit && lighting.needsPlaces(), lit(placesWhy(lighting)));
   add("spots", spots, lit(spots ? "the cone of a spot can reach the scene" : "no cone of a spot reaches it"));
   add("attenuation", fades, lit(fades ? "a light fades with distance" : "no light fades with distance"));
-  add("vertex_normals", count(picture.shading().vertices().vertices.size()), lit(normalsWhy(method)));
-  const bool textures = method.lit && hasTextures(scene);
-  add("textures", textures, lit(textures ? "a surface has a texture" : "no surface has a texture"));
+  const SceneShading& shading = picture.shading();
+  add("face_normals", count(method.interpolates ? 0 : shading.points().N.size()),
+      lit(normalsWhy(shading, method, false)));
+  add("vertex_normals", count(shading.vertices().vertices.size()), lit(normalsWhy(shading, method, true)));
+  add("textures", method.lit && !lighting.onlyAmbient() && hasTextures(scene),
+      lit(texturesWhy(scene, lighting)));
   const bool planes = !picture.snapped().planes.empty();
   add("planes", planes, planes ? "the order compares planes" : "the order compares only z");
   const bool rgb = channelsOf(plan) == Channels::Rgb;

@@ -109,6 +109,12 @@ ColorPlan planOf(const Scene& scene, const PictureSettings& settings) {
   const bool coloredLight =
       std::ranges::any_of(scene.light.lights, [](const Light& l) { return !gray(l.Ip); }) ||
       !gray(scene.light.Ia.value_or(glm::dvec3{0.0}));
+  // The ambient term has the surface's colour, and the texels have none.
+  const auto mixes = [&](const MeshMaterial& m) {
+    return settings.shading != Shading::Environment && m.texture >= 0 &&
+           settings.light.texel == TexelUse::Replaces && !gray(m.diffuse);
+  };
+  if (std::ranges::any_of(scene.mesh.materials, mixes)) return ColorPlan::Chosen;
   if (coloredLight || std::ranges::any_of(scene.textures, &Texture::colored)) return ColorPlan::Chosen;
   if (std::ranges::all_of(scene.mesh.materials, [](const MeshMaterial& m) { return gray(m.diffuse); }))
     return ColorPlan::OneHue;

@@ -1,42 +1,69 @@
 #include "shading/picture/scene_shading.h"
 
 #include <algorithm>
+#include <numeric>
 #include <utility>
 
 #include "geometry/exact/box.h"
 
 namespace xnewell {
 
+namespace {
+
+/// One point for each material, the first for none: where all light is ambient, it stands for all places.
+ShadingPoints materialPoints(const Mesh& mesh) {
+  ShadingPoints points;
+  points.material.resize(mesh.materials.size() + 1);
+  std::iota(points.material.begin(), points.material.end(), -1);
+  return points;
+}
+
+/// Each corner has the point of its face's material.
+Vertices materialVertices(const Mesh& mesh) {
+  Vertices vertices;
+  vertices.ofCorner.reserve(mesh.corners.size());
+  for (int f = 0; f < mesh.faceCount(); ++f)
+    vertices.ofCorner.insert(vertices.ofCorner.end(), mesh.face(f).size(), mesh.material[f] + 1);
+  return vertices;
+}
+
+}  // namespace
+
+Vertices smoothVertices(const Scene& scene, const PictureSettings& settings) {
+  return smoothVertices(
+      scene.mesh, settings.normals, settings.crease,
+      settings.normals == NormalRule::Exact ? exactNormals(scene) : std::vector<glm::dvec3>{});
+}
+
 SceneShading SceneShading::next(const Scene& scene, const PictureSettings& settings, Channels channels,
                                 const Camera& camera) const {
   const ShadingRow& method = rowOf(settings.shading);
   if (!method.lit) return {};  // nothing is lit, so nothing is kept
-  const bool flat = !method.interpolates;
   const bool keepsIntensities = settings.shading == Shading::Flat || settings.shading == Shading::Gouraud;
-  const double adapt = keepsIntensities ? settings.adapt : 0.0;
-  const Points points{method.interpolates, settings.normals, flat ? 0.0 : settings.crease, adapt};
-  const Light light{settings.light, channels, settings.shading};
+  Light light{settings.light, channels, settings.shading};
+  // A map does not show textures: its surfaces keep their own colours.
+  if (settings.shading == Shading::Environment) light.light.texel = TexelUse::Multiplies;
   const Eye eye{camera.eye, camera.lookAt};
 
-  SceneShading next = pointsMade_ == points ? *this : SceneShading{};
-  if (next.pointsMade_ != points) {
-    if (method.interpolates) {
-      Vertices vertices = smoothVertices(
-          scene.mesh, settings.normals, settings.crease,
-          settings.normals == NormalRule::Exact ? exactNormals(scene) : std::vector<glm::dvec3>{});
-      next.points_ = vertexPoints(scene.mesh, vertices);
-      next.vertices_ = std::move(vertices);
-    } else {
-      next.points_ = facePoints(scene.mesh);
-    }
-    next.pointsMade_ = points;
+  // The lights come first: where all light is ambient, nothing asks for a normal, and nothing is divided.
+  Shared<Lighting> lighting = lighting_;
+  if (lightMade_ != light || eyeMade_ != eye)
+    lighting = resolve(scene.mesh, scene.light, light.light, channels, camera.eye, camera.lookAt,
+                       channels == Channels::Luminance && !isGray(scene));
+  Points points{.ofVertices = method.interpolates,
+                .withNormals = !lighting->onlyAmbient() || settings.shading == Shading::Environment};
+  if (points.withNormals) {
+    points.normals = settings.normals;
+    points.crease = method.interpolates ? settings.crease : 0.0;
+    points.adapt = keepsIntensities ? settings.adapt : 0.0;
   }
+  const double adapt = points.adapt;
 
+  SceneShading next = pointsMade_ == points ? *this : SceneShading{};
+  if (next.pointsMade_ != points) next.makePoints(scene, settings, points);
+  next.lighting_ = lighting;
   bool newLight = next.lightMade_ != light;
   const bool newEye = next.eyeMade_ != eye;
-  if (newLight || newEye)
-    next.lighting_ = resolve(scene.mesh, scene.light, settings.light, channels, camera.eye, camera.lookAt,
-                             channels == Channels::Luminance && !isGray(scene));
   const bool newHighlight = newLight || (newEye && next.lighting().asksForEye());
   if (adapt > 0.0 && newHighlight) {
     next.refined_ = std::optional{next.refine(scene, settings)};
@@ -61,6 +88,20 @@ SceneShading SceneShading::next(const Scene& scene, const PictureSettings& setti
   next.lightMade_ = light;
   next.eyeMade_ = eye;
   return next;
+}
+
+void SceneShading::makePoints(const Scene& scene, const PictureSettings& settings, const Points& points) {
+  if (!points.withNormals) {
+    points_ = points.ofVertices ? materialPoints(scene.mesh) : ShadingPoints{{}, {}, scene.mesh.material};
+    vertices_ = points.ofVertices ? materialVertices(scene.mesh) : Vertices{};
+  } else if (points.ofVertices) {
+    Vertices vertices = smoothVertices(scene, settings);
+    points_ = vertexPoints(scene.mesh, vertices);
+    vertices_ = std::move(vertices);
+  } else {
+    points_ = facePoints(scene.mesh);
+  }
+  pointsMade_ = points;
 }
 
 Refined SceneShading::refine(const Scene& scene, const PictureSettings& settings) const {

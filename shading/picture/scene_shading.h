@@ -16,10 +16,13 @@
 
 namespace xnewell {
 
+/// The vertices of the scene's own mesh, with the normals that the settings ask for.
+[[nodiscard]] Vertices smoothVertices(const Scene& scene, const PictureSettings& settings);
+
 /// The data that shading computes once for a scene and keeps: normals at vertices, the resolved light, and
-/// evaluated intensities. It holds only what the method requires: no vertex normals for flat shading, no
-/// intensities for Phong shading. It is an immutable value made of shared parts. The next value shares with
-/// it all parts that did not change.
+/// evaluated intensities. It holds only what is required: no vertex normals for flat shading, no intensities
+/// for Phong shading, and no normals at all where all light is ambient (environment maps keep theirs). It is
+/// an immutable value made of shared parts. The next value shares with it all parts that did not change.
 class SceneShading {
  public:
   /// The data for these settings. A part is computed again only if something that it depends on has changed.
@@ -39,9 +42,11 @@ class SceneShading {
   [[nodiscard]] bool hasMeshOf(const SceneShading& other) const {
     return refined_.isOneWith(other.refined_) || (!refined() && !other.refined());
   }
-  /// Empty unless the method interpolates.
+  /// Empty unless the method interpolates. Without normals, `ofCorner` is the index into points() and there
+  /// are no vertices.
   [[nodiscard]] const Vertices& vertices() const { return refined() ? refined()->vertices : *vertices_; }
-  /// The vertices, or the centroids of faces; in refined() of their pieces.
+  /// The vertices, or the centroids of faces; in refined() of their pieces. Without normals, one for each
+  /// material (the first for none) stands for all vertices.
   [[nodiscard]] const ShadingPoints& points() const { return refined() ? refined()->points : *points_; }
   /// The index into points() at which flat shading evaluates a face.
   [[nodiscard]] int pointOf(const SnappedFace& face) const { return refined() ? face.part : face.number; }
@@ -65,9 +70,9 @@ class SceneShading {
  private:
   // What the parts were made from; empty if they were not made.
   struct Points {
-    bool ofVertices;
-    NormalRule normals;
-    double crease, adapt;
+    bool ofVertices, withNormals;
+    NormalRule normals = {};
+    double crease = 0, adapt = 0;
     bool operator==(const Points&) const = default;
   };
   struct Light {
@@ -96,6 +101,7 @@ class SceneShading {
     std::array<std::vector<glm::dvec3>, 3> N;
   };
 
+  void makePoints(const Scene& scene, const PictureSettings& settings, const Points& points);
   [[nodiscard]] Refined refine(const Scene& scene, const PictureSettings& settings) const;
   void light(int channel, bool newLight, bool newHighlight);
   [[nodiscard]] Intensities luminanceOfAll() const;

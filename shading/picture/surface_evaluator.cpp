@@ -32,12 +32,8 @@ bool SurfaceEvaluator::evaluates(const SnappedFace& face) const {
 
 bool SurfaceEvaluator::textured(const SnappedFace& face) const {
   if (s_.scene.textures.empty()) return false;
-  const Mesh& mesh = s_.mesh;
-  const int material = mesh.material[face.number];
-  if (material < 0 || mesh.materials[material].texture < 0 || mesh.uvOfCorner.empty()) return false;
-  const int *const first = mesh.uvOfCorner.data() + mesh.firstCorner[face.number],
-                   *const end = mesh.uvOfCorner.data() + mesh.firstCorner[face.number + 1];
-  return std::find(first, end, -1) == end;
+  const int material = s_.mesh.material[face.number];
+  return material >= 0 && s_.mesh.materials[material].texture >= 0;
 }
 
 std::array<double, 3> SurfaceEvaluator::overDepths(const FaceTriangle& t) const {
@@ -64,19 +60,31 @@ PhongTriangle SurfaceEvaluator::phong(const SnappedFace& face, const FaceTriangl
   e.channel = channel;
   e.placed = e.lighting->placed();
   e.variesV = e.lighting->variesV();
+  e.unitN = !s_.settings.unnormalized;
   const double side = s_.side(face);
+  const auto normalPlane = [&](const auto& ofCorner) {
+    return planeOf(s_.snapped, t, planes, e.unitN ? q : std::array{1.0, 1.0, 1.0}, ofCorner);
+  };
   const auto place = [&](int corner) { return s_.mesh.points[s_.mesh.corners[corner]]; };
   // The nearest vertex: places over w grow with the distance from it, and at most to their size there.
   const auto nearest = std::ranges::max_element(q) - q.begin();
   if (e.placed) e.origin = atSource(s_.snapped, s_.snapped.source[t.vertex[nearest]], place);
   for (int axis = 0; axis < 3; ++axis) {
-    e.N[axis] = plane([&](int corner) {
+    e.N[axis] = normalPlane([&](int corner) {
       return side * s_.shading.points().N[s_.shading.vertices().ofCorner[corner]][axis];
     });
     if (e.placed) e.at[axis] = plane([&](int corner) { return place(corner)[axis] - e.origin[axis]; });
     if (e.variesV) e.V[axis] = plane([&](int corner) { return e.lighting->eye[axis] - place(corner)[axis]; });
   }
   if (textured(face)) addTexture(e, face, t, planes, q, channel);
+  return e;
+}
+
+TermsTriangle SurfaceEvaluator::ambient(const SnappedFace& face, const FaceTriangle& t, int channel) const {
+  const PixelPlanes planes{t.p};
+  TermsTriangle e;
+  e.i0 = planes.i0(), e.j0 = planes.j0();
+  e.rest.c = s_.shading.lighting().materials[s_.mesh.material[face.number] + 1].ambient[channel];
   return e;
 }
 

@@ -48,7 +48,9 @@ class SurfaceEvaluator {
         else
           use(t, of(channel_));
       };
-      if (s_.settings.shading == Shading::Phong)
+      if (s_.shading.lighting().onlyAmbient())
+        each([&](int channel) { return ambient(face, t, channel); });
+      else if (s_.settings.shading == Shading::Phong)
         each([&](int channel) { return phong(face, t, channel); });
       else
         each([&](int channel) { return terms(face, t, channel); });
@@ -61,6 +63,8 @@ class SurfaceEvaluator {
  private:
   [[nodiscard]] bool textured(const SnappedFace& face) const;
   [[nodiscard]] PhongTriangle phong(const SnappedFace& face, const FaceTriangle& t, int channel) const;
+  /// The ambient term alone: no normal, and no texture, which ambient light does not show.
+  [[nodiscard]] TermsTriangle ambient(const SnappedFace& face, const FaceTriangle& t, int channel) const;
   [[nodiscard]] TermsTriangle terms(const SnappedFace& face, const FaceTriangle& t, int channel) const;
   void addTexture(EvaluatedTriangle& e, const SnappedFace& face, const FaceTriangle& t,
                   const PixelPlanes& planes, const std::array<double, 3>& q, int channel) const;

@@ -41,18 +41,24 @@ SurfacePainter::SurfacePainter(const Surfaces& surfaces, int channel, std::vecto
 
 void SurfacePainter::interpolateIntensity() {
   // First once for each vertex of the model, then for the vertices of the outlines.
+  const bool cells = s_.settings.interpolated == Interpolated::Cell;
+  const auto valueOf = [&](const Ramp& ramp, double of) {
+    return cells ? ramp.cell(of) + 0.5 : ramp.value(of);  // of a cell, its middle
+  };
   const ShadingPoints& points = s_.shading.points();
   const std::vector<FrontBack<double>>& I = s_.shading.intensities(channel_).I;
   std::vector<std::uint32_t> ofFront(I.size()), ofBack(I.size());
   for (std::size_t v = 0; v < I.size(); ++v) {
     const Ramp& ramp = ramps_[points.material[v] + 1];
-    ofFront[v] = valueSteps(ramp.value(I[v].front)), ofBack[v] = valueSteps(ramp.value(I[v].back));
+    ofFront[v] = valueSteps(valueOf(ramp, I[v].front)), ofBack[v] = valueSteps(valueOf(ramp, I[v].back));
   }
   const std::vector<int>& vertexOf = s_.shading.vertices().ofCorner;
   const auto between = [&](const SnappedFace& face, int source) {
-    const double value =
-        atSource(snapped_, source, [&](int corner) { return I[vertexOf[corner]].seen(face.back); });
-    return valueSteps(ramps_[mesh_.material[face.number] + 1].value(value));
+    const Ramp& ramp = ramps_[mesh_.material[face.number] + 1];
+    const auto intensity = [&](int corner) { return I[vertexOf[corner]].seen(face.back); };
+    const auto cell = [&](int corner) { return valueOf(ramp, intensity(corner)); };
+    return valueSteps(cells ? atSource(snapped_, source, cell)
+                            : ramp.value(atSource(snapped_, source, intensity)));
   };
   steps_.resize(snapped_.vertices.size());
   std::uint32_t* const steps = steps_.data();
@@ -85,7 +91,7 @@ void SurfacePainter::gouraud(const SnappedFace& face, const Ramp& ramp, Fill&& f
   const glm::ivec3* const outline = &snapped_.vertices[face.first];
   const auto shaded = [&] [[gnu::always_inline]] (const glm::ivec3* p, int count, const AffineValue& plane,
                                                   auto&& wrap) {
-    if (ramp.table != nullptr)
+    if (ramp.table != nullptr && s_.settings.interpolated == Interpolated::Intensity)
       fill(p, count, wrap(GouraudTable{plane, ramp.table}));
     else
       fill(p, count, wrap(GouraudLinear{plane}));

@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 #include <limits>
+#include <optional>
 
 #include "depthsort/oracle.h"
 #include "geometry/exact/plane.h"
@@ -48,16 +49,14 @@ auto interpolated(const PixelPlanes& planes, const std::array<glm::dvec3, 3>& v)
   };
 }
 
-/// The normals at the vertices of a triangle, taken from `ofVertex`. They point to the side that the light is
-/// computed for.
-template <class OfVertex>
+/// The normals at the vertices of a triangle; ofCorner(corner) is that of a corner. They point to the side
+/// that the light is computed for.
+template <class OfCorner>
 std::array<glm::dvec3, 3> normalsOf(const Surfaces& s, const SnappedFace& face, const FaceTriangle& t,
-                                    const OfVertex& ofVertex) {
+                                    const OfCorner& ofCorner) {
   const double side = s.side(face);
   std::array<glm::dvec3, 3> N;
-  for (int k = 0; k < 3; ++k)
-    N[k] = side * atSource(s.snapped, s.snapped.source[t.vertex[k]],
-                           [&](int corner) { return ofVertex[s.shading.vertices().ofCorner[corner]]; });
+  for (int k = 0; k < 3; ++k) N[k] = side * atSource(s.snapped, s.snapped.source[t.vertex[k]], ofCorner);
   return N;
 }
 
@@ -110,7 +109,10 @@ std::vector<double> intensitiesAt(const SeenRows& seen, const Surfaces& s, int c
       const Environment& environment =
           s.shading.environments(channel)[s.scene.mesh.material[face.number] + 1];
       forEachTriangle(s.snapped, face, [&](const FaceTriangle& t) {
-        const auto N = interpolated(PixelPlanes{t.p}, normalsOf(s, face, t, s.shading.mapped(channel)));
+        const auto mapped = [&](int corner) {
+          return s.shading.mapped(channel)[s.shading.vertices().ofCorner[corner]];
+        };
+        const auto N = interpolated(PixelPlanes{t.p}, normalsOf(s, face, t, mapped));
         fill(t.p.data(), 3, [&](int i, int j) { return lookedUp(environment, N(i, j)); });
       });
     } else {
@@ -123,12 +125,18 @@ std::vector<double> intensitiesAt(const SeenRows& seen, const Surfaces& s, int c
 std::vector<glm::dvec3> normalsAt(const SeenRows& seen, const Surfaces& s) {
   std::vector<glm::dvec3> normals(seen.faces.size(), glm::dvec3{0.0});
   const SurfaceEvaluator evaluator{s, 0};
+  const bool interpolates = rowOf(s.settings.shading).interpolates;
+  std::optional<Vertices> made;  // only for this, if the picture needed none
+  const Vertices& vertices = interpolates && s.shading.vertices().vertices.empty()
+                                 ? made.emplace(smoothVertices(s.scene, s.settings))
+                                 : s.shading.vertices();
+  const auto ofCorner = [&](int corner) { return vertices.vertices[vertices.ofCorner[corner]].N; };
   forEachSeenFace(seen, s.snapped.faces.size(), [&](int f) {
     const SnappedFace& face = s.snapped.faces[f];
-    if (rowOf(s.settings.shading).interpolates) {
+    if (interpolates) {
       forEachTriangle(s.snapped, face, [&](const FaceTriangle& t) {
-        std::array<glm::dvec3, 3> ofVertices = normalsOf(s, face, t, s.shading.points().N);
-        if (s.settings.shading == Shading::Phong) {
+        std::array<glm::dvec3, 3> ofVertices = normalsOf(s, face, t, ofCorner);
+        if (s.settings.shading == Shading::Phong && !s.settings.unnormalized) {
           const std::array<double, 3> q = evaluator.overDepths(t);
           for (int k = 0; k < 3; ++k) ofVertices[k] *= q[k];
         }

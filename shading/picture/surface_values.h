@@ -21,7 +21,8 @@ struct SeenRows {
 /// The intensity of one channel, clamped to [0, 1]; NaN where nothing shows. `ofFaces` has the intensity of
 /// each face if the method gives each face a single one. Values are interpolated as the method defines it,
 /// without the fixed point, the single precision and the tables that the fillers use. Only an environment is
-/// looked up in its map, whose entries have single precision.
+/// looked up in its map, whose entries have single precision. Where cell numbers are interpolated
+/// (Interpolated), it is the intensity of which they are the cells at the vertices.
 [[nodiscard]] std::vector<double> intensitiesAt(const SeenRows& seen, const Surfaces& surfaces, int channel,
                                                 const std::vector<double>& ofFaces);
 

@@ -23,6 +23,8 @@ struct PictureSettings {
   NormalRule normals = NormalRule::Exact;
   double crease = 180;  ///< degrees; see smoothVertices()
   Polygons polygons = Polygons::Triangles;
+  Interpolated interpolated = Interpolated::Intensity;  ///< by Gouraud shading
+  bool unnormalized = false;  ///< Phong's interpolated normals are not made unit vectors again
   /// RefineSettings::tolerance for flat and Gouraud shading; 0: no polygon is divided.
   double adapt = 0;
   EnvironmentForm environment = EnvironmentForm::Rotated;

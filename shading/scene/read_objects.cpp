@@ -15,6 +15,7 @@
 #include "geometry/model/bezier.h"
 #include "geometry/model/solids.h"
 #include "shading/scene/json_text.h"
+#include "shading/scene/mesh_textures.h"
 
 namespace xnewell {
 
@@ -225,6 +226,8 @@ class Collector {
     const Transform transform{node};
     PatchRun run;
     Mesh mesh = meshOf(node, transform, run);
+    const bool keepsOwn = !node.has("material") && !node.has("color") && !node.has("color255");
+    if (keepsOwn) textures_.readAll(mesh);
     if (node.has("polygons")) mesh.rounding = {rounding};
     mesh.rounding.resize(std::max<std::size_t>(mesh.groupNames.size(), 1), 0.0);
     if (node.has("name")) {
@@ -245,7 +248,10 @@ class Collector {
     if (!run.patches.empty()) all_.patches.push_back(std::move(run));
   }
 
-  [[nodiscard]] Objects take() { return std::move(all_); }
+  [[nodiscard]] Objects take() {
+    all_.textures = textures_.take();
+    return std::move(all_);
+  }
 
  private:
   struct Named {
@@ -295,18 +301,12 @@ class Collector {
       said.fail(inQuotes(said.text()) + " has a texture, but the object has no texture coordinates");
     if (!named.number) {
       named.number = next;
-      if (named.texture) named.material.texture = textureOf(*named.texture);
+      if (named.texture)
+        named.material.texture =
+            fromFile(*named.texture, [&] { return textures_.read(folder_ / named.texture->text()); });
       all_.mesh.materials.push_back(named.material);
     }
     return named.number;
-  }
-
-  /// The index of a texture. Each file is read once.
-  int textureOf(const Node& file) {
-    const auto [known, isNew] = textures_.try_emplace(file.text(), static_cast<int>(all_.textures.size()));
-    if (isNew)
-      all_.textures.push_back(fromFile(file, [&] { return readTexture((folder_ / file.text()).string()); }));
-    return known->second;
   }
 
   /// Appends an object's mesh to the whole. Each object keeps the rounding of its own coordinates.
@@ -340,7 +340,7 @@ class Collector {
   const std::filesystem::path& folder_;
   int divisions_;
   std::map<std::string, Named> materials_;
-  std::map<std::string, int> textures_;
+  TextureReader textures_;
   Objects all_;
 };
 

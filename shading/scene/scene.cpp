@@ -15,6 +15,7 @@
 #include "geometry/model/bezier.h"
 #include "geometry/model/coplanar.h"
 #include "geometry/model/teapot.h"
+#include "shading/scene/mesh_textures.h"
 #include "shading/scene/scene_file.h"
 
 namespace xnewell {
@@ -61,6 +62,7 @@ void keepUsedPoints(Mesh& mesh) {
 Scene makeScene(std::string name, Mesh mesh, UpAxis up, int divisions) {
   if (mesh.faceCount() == 0) throw std::invalid_argument{name + ": the scene has no faces"};
   keepUsedPoints(mesh);
+  partTextures(mesh);
   double largest = 0.0;
   for (const glm::dvec3& p : mesh.points)
     largest = std::max({largest, std::abs(p.x), std::abs(p.y), std::abs(p.z)});
@@ -124,7 +126,15 @@ Scene readAny(const std::string& nameOrFile, int divisions) {
     scene.patches.push_back({0, patches, divisions});
     return scene;
   }
-  if (extension == ".obj") return makeScene(nameOrFile, readObj(file), UpAxis::Y);
+  if (extension == ".obj") {
+    Mesh mesh = readObj(file);
+    TextureReader textures;
+    textures.readAll(mesh);
+    Scene scene = makeScene(nameOrFile, std::move(mesh), UpAxis::Y);
+    scene.textures = textures.take();
+    if (!scene.textures.empty()) scene.settings.light.texel = TexelUse::Multiplies;  // as MTL defines map_Kd
+    return scene;
+  }
   if (extension == ".json") {
     Scene scene = readSceneFile(file, divisions);
     scene.name = nameOrFile;
@@ -232,6 +242,7 @@ void wear(Scene& scene, Texture texture) {
   if (std::ranges::find(mesh.material, -1) != mesh.material.end()) mesh.materials.emplace_back();
   std::ranges::replace(mesh.material, -1, bare);
   for (MeshMaterial& m : mesh.materials) m.texture = number;
+  partTextures(mesh);
 }
 
 std::string titleOf(const Scene& scene) {

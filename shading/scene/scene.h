@@ -103,7 +103,8 @@ inline constexpr std::array<std::string_view, 6> kStrippable{"ambient", "lights"
 /// Removes `what`, one of kStrippable, from the scene.
 void strip(Scene& scene, std::string_view what);
 
-/// Gives the texture to all surfaces. @throws ViewError if no face has texture coordinates
+/// Gives the texture to all surfaces that have texture coordinates. @throws ViewError if no face has texture
+/// coordinates
 void wear(Scene& scene, Texture texture);
 
 /// The scene's name as people see it: without its folders, and with the divisions of its patches.

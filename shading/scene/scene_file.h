@@ -31,8 +31,8 @@ namespace xnewell {
 ///               then z, or {"axis": [x, y, z], "degrees": d}. It turns counter-clockwise if seen from the
 ///               tip of the axis
 ///   "materials" {"name": {"color", "specular" (the highlight's colour), "ka", "kd", "ks", "n", "texture":
-///               "F.png" in the scene file's folder}, ...}. An .obj file keeps its own materials unless its
-///               object names a material
+///               "F.png" in the scene file's folder}, ...}. An .obj file keeps its own materials and their
+///               textures unless its object names a material
 ///   "ambient"   Ia: a number, or [r, g, b] with one value per channel
 ///   "lights"    a list of light sources (light.h); each has
 ///                 "kind"      "directional" (the default), "point" or "spot"

@@ -13,13 +13,13 @@ inline bool creased(Facts f) {
   return interpolates(f) && (f.settings.normals != NormalRule::Exact || !f.patches);
 }
 inline bool gouraud(Facts f) { return f.settings.shading == Shading::Gouraud; }
+inline bool phong(Facts f) { return f.settings.shading == Shading::Phong; }
 inline bool mapped(Facts f) { return f.settings.shading == Shading::Environment; }
 inline bool dividing(Facts f) { return gouraud(f) || f.settings.shading == Shading::Flat; }
 inline bool lit(Facts f) { return rowOf(f.settings.shading).lit; }
 inline bool litInPlace(Facts f) { return lit(f) && !mapped(f); }
-inline bool overDepth(Facts f) {
-  return f.settings.shading == Shading::Phong || (litInPlace(f) && f.textures);
-}
+inline bool textured(Facts f) { return litInPlace(f) && f.textures; }
+inline bool overDepth(Facts f) { return f.settings.shading == Shading::Phong || textured(f); }
 inline bool specular(Facts f) { return lit(f) && f.highlights; }
 inline bool formed(Facts f) { return specular(f) && !mapped(f); }
 inline bool asksForEye(Facts f) { return formed(f) && f.settings.light.form != Form::Tutorial; }
@@ -32,6 +32,7 @@ inline bool shaded(Facts f) { return f.plan != ColorPlan::Cube; }
 inline bool corrected(Facts f) { return inRamps(f) && f.settings.table.kind == TableKind::Corrected; }
 
 inline constexpr Need kLit{lit, "flat, gouraud, phong and envmap shading, which use light"};
+inline constexpr Need kTextured{textured, "textures, in flat, gouraud and phong shading"};
 inline constexpr Need kSpecular{specular, "highlights: ks above 0 and a shading method that uses light"};
 inline constexpr Need kFormed{
     formed,

@@ -50,15 +50,21 @@ void takeSnapshot(const Options& options, Scene scene, const Taken& taken) {
 
   const auto shoot = [&](const Shot& shot) {
     StageTimes times = shot.picture.times();
+    const SentMeter meter{server.display.get()};
     const Stopwatch watch;
     present(server, canvas, shot, options.fill);
+    Sent sent = meter.sent();
     trap.check();
     times.present = watch.ms();
+    XWindowAttributes window{};
+    XGetWindowAttributes(server.display.get(), canvas.window(), &window);
+    measureImage(sent, server.display.get(), window.depth, canvas.width(), canvas.height());
+    sent.sharedMemory = canvas.sharedMemory();
     if (strayErrors() > 0) throw X11Error{"the X server refused requests, so there is no picture"};
     std::optional<ColoredImage> cells = readCells(canvas, server.colormap, shot.image);
     const RgbImage seen = cells ? RgbImage{} : canvas.readBack({0, 0, size.x, size.y});
     if (!cells) cells = inFewColors(seen);
-    taken(shot.picture, cells ? encodePng(cells->image, cells->palette) : encodePng(seen), times);
+    taken(shot.picture, cells ? encodePng(cells->image, cells->palette) : encodePng(seen), times, sent);
   };
   if (options.wholeWindow) {
     Workbench bench{std::move(scene), server.setupOf(options), server.forBench()};

@@ -5,11 +5,13 @@
 
 #include "shading/picture/picture.h"
 #include "x11/options/options.h"
+#include "x11/server/sent.h"
 
 namespace xnewell {
 
-/// Receives a snapshot: its picture, the bytes of a PNG file, and the time that each stage took.
-using Taken = std::function<void(const Picture&, const std::string& png, const StageTimes&)>;
+/// Receives a snapshot: its picture, the bytes of a PNG file, the time that each stage took, and what was
+/// sent to the server to present it.
+using Taken = std::function<void(const Picture&, const std::string& png, const StageTimes&, const Sent&)>;
 
 /// Draws the picture in a real window and reads it back from the server. With options.wholeWindow, it does so
 /// with the whole window and its controls.

@@ -188,10 +188,10 @@ void fade(Scene& scene, const Options& options) {
 /// Draws the picture in a window of a server, reads it back and writes it.
 void snapshot(const Options& options, Scene scene, double msRead) {
   takeSnapshot(options, std::move(scene),
-               [&](const Picture& picture, const std::string& png, StageTimes times) {
+               [&](const Picture& picture, const std::string& png, StageTimes times, const Sent& sent) {
                  times.read = msRead;
                  writePictures(options, picture, png);
-                 report(options, picture, times);
+                 report(options, picture, times, &sent);
                });
 }
 

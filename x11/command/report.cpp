@@ -11,6 +11,7 @@
 #include "shading/picture/exactness.h"
 #include "shading/picture/required.h"
 #include "shading/trade/measure.h"
+#include "x11/command/costs.h"
 #include "x11/command/errors_json.h"
 #include "x11/window/moot.h"
 
@@ -39,8 +40,11 @@ nlohmann::ordered_json requiredIn(const std::vector<Required>& required, bool wh
 
 /// Why --adapt stopped dividing polygons; null if it was not asked for.
 nlohmann::ordered_json adaptLimitOf(const Picture& picture) {
+  const PictureSettings& s = picture.settings();
+  if (s.adapt == 0.0 || (s.shading != Shading::Flat && s.shading != Shading::Gouraud)) return nullptr;
   const std::optional<Refined>& refined = picture.shading().refined();
-  return refined ? nlohmann::ordered_json(kRefineLimits[static_cast<int>(refined->limit)].name) : nullptr;
+  const RefineLimit limit = refined ? refined->limit : RefineLimit::None;  // no division: only ambient light
+  return kRefineLimits[static_cast<int>(limit)].name;
 }
 
 nlohmann::ordered_json statsOf(const Options& options, const Picture& picture, const StageTimes& t) {
@@ -99,11 +103,19 @@ void writePictures(const Options& options, const Picture& picture, const std::st
   writeFiles(files);
 }
 
-void report(const Options& options, const Picture& picture, const StageTimes& times) {
+void report(const Options& options, const Picture& picture, const StageTimes& times, const Sent* sent) {
   noteMoot(std::cerr, options, picture);
   if (!options.stats) return;
   // A file name need not be UTF-8, but JSON can hold nothing else.
   nlohmann::ordered_json stats = statsOf(options, picture, times);
+  if (sent != nullptr)
+    stats["sent"] = {{"requests", sent->requests},
+                     {"bytes", sent->bytes},
+                     {"image_bytes", sent->imageBytes},
+                     {"bits_per_pixel", sent->bitsPerPixel},
+                     {"shared_memory", sent->sharedMemory}};
+  if (options.costs)
+    for (const auto& [name, ms] : costsOf(picture)) stats["required_cost_ms"][name] = ms;
   if (options.errors) {
     const Palette palette = picture.palette(CellPlan{picture.settings().table.kind});
     stats["errors"] = errorsAsJson(errorsAgainstFinest(picture, palette));

@@ -2,6 +2,7 @@
 
 #include "shading/picture/picture.h"
 #include "x11/options/options.h"
+#include "x11/server/sent.h"
 
 namespace xnewell {
 
@@ -10,7 +11,8 @@ namespace xnewell {
 void writePictures(const Options& options, const Picture& picture, const std::string& png);
 
 /// Reports on a picture that was written: a note on standard error for each option that had no effect, and
-/// with --stats one JSON object on standard output.
-void report(const Options& options, const Picture& picture, const StageTimes& times);
+/// with --stats one JSON object on standard output. `sent` is what a server got; null without one.
+void report(const Options& options, const Picture& picture, const StageTimes& times,
+            const Sent* sent = nullptr);
 
 }  // namespace xnewell

@@ -119,7 +119,7 @@ bool takeView(Options& o, const std::string& name) {
 
 /// Works out what the options mean together, after all of them are read.
 void settle(Options& o) {
-  o.stats = o.stats || o.errors;
+  o.stats = o.stats || o.errors || o.costs;
   Illumination& light = o.picture.light;
   if (o.gave("--light") && !o.gave("--light-at")) {  // it replaces the scene's light, and its attenuation too
     light.lightPosition.reset();
@@ -196,6 +196,9 @@ std::optional<Options> parseOptions(int argc, const char* const* argv, const Pic
   r.flag("--errors", o.errors,
          "print --stats with the errors of the picture: how far it is from a reference without short cuts, "
          "and where");
+  r.flag("--costs", o.costs,
+         "print --stats with the milliseconds that each required item costs; this makes the picture again, "
+         "with and without each, for some seconds");
   r.text(
       "--accuracy",
       "window, draw, snapshot: choose the cheapest methods, order and divisions whose picture is off by no "

@@ -66,8 +66,9 @@ struct Options {
   MapOwner colormap = MapOwner::Private;
   bool nearest = false;  ///< true: a colour that the server lacks becomes the nearest it has, not a mixture
   std::string output, ids;
-  bool stats = false;   ///< also if only --errors was given
+  bool stats = false;   ///< also if only --errors or --costs was given
   bool errors = false;  ///< with the errors
+  bool costs = false;   ///< with what each required item costs
   bool json = false;    ///< extremes, trade: all numbers instead of the table
   TradeRequest trade;
   /// The largest RMS error of the intensity; the program chooses the cheapest short cuts that stay within it.

@@ -57,8 +57,9 @@ void checkView(const Options& o) {
   const ViewRow& row = rowOf(o.view);
   needsSize(view, o.size.value_or(kPictureSize), {row.leastWidth, row.leastHeight});
   if (o.stats || !o.ids.empty())
-    throw UsageError{view +
-                     " is not just the picture: --stats, --errors and --ids work only with --view picture"};
+    throw UsageError{
+        view +
+        " is not just the picture: --stats, --errors, --costs and --ids work only with --view picture"};
   if (o.fill == Fill::XFillPolygon)
     throw UsageError{view + " uses the scanline filler: leave out --fill x11"};
 }
@@ -120,7 +121,7 @@ void checkCommand(const Options& o) {
   exclude(o.accuracy.has_value(), o.fill == Fill::XFillPolygon, "--accuracy and --fill x11");
   exclude(o.accuracy.has_value(), o.wholeWindow, "--accuracy and --whole-window");
   if (!makesPng && (o.stats || !o.ids.empty()))
-    throw UsageError{"--stats, --errors and --ids work only with draw and snapshot"};
+    throw UsageError{"--stats, --errors, --costs and --ids work only with draw and snapshot"};
   const bool file = !isBuiltIn(o.scene);
   for (const std::string* made : {&o.output, &o.ids})
     if (file && !made->empty() && sameFile(*made, o.scene))

@@ -2,11 +2,13 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <glm/geometric.hpp>
 #include <map>
 
 #include "shading/picture/picture_cache.h"
+#include "shading/picture/without.h"
 #include "shading/scene/scene_file.h"
 
 namespace xnewell {
@@ -108,6 +110,73 @@ TEST(Required, SpotsThatReachTheScene) {
   }
   EXPECT_GT(out, 20);
   EXPECT_GT(in, 5);
+}
+
+// If nothing reflects a light, no normal is computed, at faces or at vertices.
+TEST(Required, NormalsOnlyForLights) {
+  const std::string sun{kSun};
+  for (const Shading method : {Shading::Gouraud, Shading::Phong, Shading::Environment}) {
+    PictureSettings s;
+    s.shading = method;
+    EXPECT_GT(count(requiredOf(scene(sun, R"("kd": 0.1, "ks": 0)"), s), "vertex_normals"), 0);
+    const auto required = requiredOf(scene(sun, R"("kd": 0, "ks": 0)"), s);
+    // A map is looked up by a normal, whatever it holds.
+    EXPECT_EQ(count(required, "vertex_normals") > 0, method == Shading::Environment);
+    EXPECT_EQ(count(required, "face_normals"), 0);
+  }
+  PictureSettings s;
+  s.width = 40, s.height = 30;
+  const auto faceNormals = [&](const char* kd) {
+    const std::string text = scene(sun, std::string{R"("ks": 0, "kd": )"} + kd);
+    const std::vector<Required> all =
+        requiredBy(makePicture(parseSceneFile(text, "scene", XNEWELL_DATA_DIR), s));
+    return std::get<std::int64_t>(std::ranges::find(all, "face_normals", &Required::name)->what);
+  };
+  EXPECT_EQ(faceNormals("0.1"), 24 * 12);
+  EXPECT_EQ(faceNormals("0"), 0);
+}
+
+// What an item costs is measured by a picture that does not require it, or by the step alone. Each item has
+// one of these, and no picture without an item requires it.
+TEST(Required, EachItemCanBeTakenAway) {
+  const std::string text = R"({"up": "z", "ambient": [0.1, 0.05, 0], "lights": [
+      {"kind": "spot", "color": [0.5, 0.2, 0], "at": [0, 0, 4], "shines": [0, 0, -1], "inner": 5, "outer": 40,
+       "attenuation": "inverse"}, {"color": [0, 0.2, 0.2], "towards": [0, -1, 1]}],
+    "materials": {"shiny": {"ks": 0.5, "color": [1, 0.5, 0.5]}, "checks": {"texture": "textures/checks.png"}},
+    "objects": [{"solid": "sphere", "material": "shiny"},
+      {"polygons": [[[-1, -1, 2], [1, -1, 2], [1, 1, 2], [-1, 1, 2]]], "uv": [[[0, 0], [1, 0], [1, 1], [0, 1]]],
+       "material": "checks"}]})";
+  const Scene all = parseSceneFile(text, "scene", XNEWELL_DATA_DIR);
+  const auto itemOf = [](const Scene& scene, const PictureSettings& s, std::string_view name) {
+    const std::vector<Required> items = requiredBy(makePicture(scene, s));
+    EXPECT_EQ(items.size(), costRows().size());
+    const auto item = std::ranges::find(items, name, &Required::name);
+    return std::visit([](auto what) { return static_cast<std::int64_t>(what); }, item->what);
+  };
+  for (const CostRow& row : costRows()) {
+    SCOPED_TRACE(row.name);
+    ASSERT_NE(row.without == nullptr, row.alone == nullptr);
+    Scene scene = all;
+    PictureSettings s;
+    s.width = 40, s.height = 30;
+    s.shading = row.name == "face_normals" ? Shading::Flat : Shading::Phong;
+    const bool ramps = row.name == "ramps";  // only white light has ramps of several hues
+    if (ramps) {
+      s.colors = ColorPlan::Hues;
+      for (Light& light : scene.light.lights) light.Ip = glm::dvec3{0.4};
+      scene.light.Ia = glm::dvec3{0.1};
+    }
+    const std::int64_t least = row.name == "channels" || ramps ? 1 : 0;
+    EXPECT_TRUE(row.name == "cuts_of_concave_faces" || itemOf(scene, s, row.name) > least);
+    if (row.alone != nullptr) {
+      static int ticks;
+      ticks = 0;
+      EXPECT_EQ(row.alone(makePicture(scene, s), [] { return 5.0 * ticks++; }), 5.0);  // one step
+      continue;
+    }
+    row.without(scene, s);
+    EXPECT_EQ(itemOf(scene, s, row.name), least);
+  }
 }
 
 // Each item says why, also for methods without light.

@@ -54,8 +54,10 @@ PictureSettings randomSettings(std::mt19937& rng) {
   if (some() && l.attenuation == Attenuation::Linear) l.range = number(0.1, 10);
   if (some() && l.attenuation == Attenuation::Textbook)
     l.c = glm::dvec3{number(0, 1), number(0, 1), number(0, 1)};
-  l.form = of(kForms), l.constantL = some(), l.constantV = some(), l.twoSided = some();
+  l.form = of(kForms), l.constantL = some(), l.constantV = some(), l.twoSided = some(),
+  l.texel = of(kTexelUses);
   s.shading = of(kShadings), s.normals = of(kNormalRules), s.crease = number(0, 180);
+  s.interpolated = of(kInterpolated), s.unnormalized = some();
   s.polygons = of(kPolygons), s.adapt = some() ? 0.0 : number(0, 1), s.environment = of(kEnvironmentForms);
   s.mapping = of(kTextureMappings), s.order = of(kOrders), s.cull = some() ? Cull::Back : Cull::Keep;
   s.inPixels = some(), s.colors = of(kColorPlans), s.dither = some();

@@ -83,15 +83,18 @@ TEST(SettingRows, ReachEveryMember) {
     for (const Value& value : someOf(setting))
       if (value != setting.field.get(PictureSettings{})) setting.field.set(all, value);
   EXPECT_NE(all.light, expected.light);
-  const auto& [Ia, Ip, ka, kd, ks, n, light, place, attenuation, range, c, form, farL, farV, two] = all.light;
+  const auto& [Ia, Ip, ka, kd, ks, n, light, place, attenuation, range, c, form, farL, farV, two, texel] =
+      all.light;
   const Illumination was;
   EXPECT_TRUE(Ia != was.Ia && Ip != was.Ip && ka != was.ka && kd != was.kd && ks != was.ks && n != was.n);
   EXPECT_TRUE(light != was.light && place && attenuation != was.attenuation && range && c);
   EXPECT_TRUE(form != was.form && farL != was.constantL && farV != was.constantV && two != was.twoSided);
-  const auto& [width, height, camera, lights, shading, normals, crease, polygons, adapt, environment, mapping,
-               order, cull, inPixels, colors, dither, table] = all;
+  EXPECT_NE(texel, was.texel);
+  const auto& [width, height, camera, lights, shading, normals, crease, polygons, interpolated, raw, adapt,
+               environment, mapping, order, cull, inPixels, colors, dither, table] = all;
   EXPECT_TRUE(shading != expected.shading && normals != expected.normals && crease != expected.crease);
   EXPECT_TRUE(polygons != expected.polygons && adapt != expected.adapt && mapping != expected.mapping);
+  EXPECT_TRUE(interpolated != expected.interpolated && raw != expected.unnormalized);
   EXPECT_TRUE(environment != expected.environment && order != expected.order && cull != expected.cull);
   EXPECT_TRUE(inPixels != expected.inPixels && colors != expected.colors && dither != expected.dither);
   EXPECT_TRUE(width == expected.width && height == expected.height && camera == expected.camera);
@@ -127,8 +130,8 @@ TEST(SettingRows, ShortCutsHaveAnExactValue) {
     }
   }
   // How many there are of each kind: a new setting is counted on purpose.
-  EXPECT_EQ(std::ranges::count_if(settingRows(), [](const Setting& s) { return s.role.isShortCut(); }), 19);
-  EXPECT_EQ(settingRows().size(), 33u);
+  EXPECT_EQ(std::ranges::count_if(settingRows(), [](const Setting& s) { return s.role.isShortCut(); }), 21);
+  EXPECT_EQ(settingRows().size(), 36u);
 }
 
 // The defaults are values that the settings allow, and so are those at the ends of a range, unless it is

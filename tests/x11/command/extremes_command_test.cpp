@@ -78,7 +78,7 @@ TEST_F(CommandTest, ExtremesRefuseWhatTheyDoNotTake) {
   refused({"extremes", "cycle", "-o", file("new.svg")}, 2,
           "-o " + file("new.svg") + ": pictures are PNG files; call it .png");
   refused({"extremes", "cycle", "--stats"}, 2,
-          "--stats, --errors and --ids work only with draw and snapshot");
+          "--stats, --errors, --costs and --ids work only with draw and snapshot");
 }
 
 }  // namespace xnewell

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <fstream>
+#include <nlohmann/json.hpp>
 #include <random>
 #include <set>
 
@@ -178,6 +179,45 @@ TEST(Snapshot, WholeWindowIsTheSameAtBothDepths) {
                    two = pictureOf("snapshot " + line, deep.name());
     ASSERT_EQ(std::pair(one.width, one.height), std::pair(w, h));
     EXPECT_EQ(cropped(one, part), cropped(two, part));
+  }
+}
+
+// --stats of a snapshot has what the server got. The pixels are among the bytes if they go through the
+// connection, and not if they go through shared memory. A server that fills polygons gets more requests.
+TEST(Snapshot, SaysWhatItSent) {
+  struct Case {
+    int depth;
+    std::vector<std::string> server;
+    std::int64_t bytesPerPixel;
+    bool shared;
+  };
+  for (const Case& c : {Case{24, {}, 4, true}, Case{24, {"-extension", "MIT-SHM"}, 4, false},
+                        Case{8, {}, 1, true}, Case{8, {"-extension", "MIT-SHM"}, 1, false}}) {
+    const XServer server = XServer::xvfb(c.depth, 640, 480, c.server);
+    const auto sent = [&](const std::string& more) {
+      const TemporaryFolder folder;
+      std::vector<std::string> line = words("snapshot teapot --divisions 3 --size 162x120 --stats" + more);
+      line.insert(line.end(), {"-o", folder.file("picture.png")});
+      const Finished done = runProgram(line, server.name());
+      EXPECT_EQ(done.status, 0) << done.err;
+      return nlohmann::json::parse(done.out).at("sent");
+    };
+    const nlohmann::json painted = sent(""), filled = sent(" --fill x11");
+    SCOPED_TRACE(painted.dump() + filled.dump());
+    const std::int64_t row = (162 * c.bytesPerPixel + 3) / 4 * 4;  // padded to 32 bits
+    for (const nlohmann::json& s : {painted, filled}) {
+      ASSERT_EQ(s.at("image_bytes"), 120 * row);
+      ASSERT_EQ(s.at("bits_per_pixel"), 8 * c.bytesPerPixel);
+      ASSERT_EQ(s.at("shared_memory"), c.shared);
+      const auto bytes = s.at("bytes").get<std::int64_t>(), requests = s.at("requests").get<std::int64_t>();
+      ASSERT_GE(bytes, 4 * requests);  // no request is shorter
+      ASSERT_GT(requests, 0);
+    }
+    const auto bytes = painted.at("bytes").get<std::int64_t>();
+    const std::int64_t pixels = c.shared ? 0 : 120 * row;
+    EXPECT_GE(bytes, pixels);
+    EXPECT_LT(bytes, pixels + 8'192);  // 256 colours of 12 bytes, and a few requests
+    EXPECT_GT(filled.at("requests").get<int>(), painted.at("requests").get<int>() + 100);
   }
 }
 

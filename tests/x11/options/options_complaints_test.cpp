@@ -165,8 +165,8 @@ TEST(Options, RefuseWhatTheCommandIgnores) {
   EXPECT_EQ(complaintAll({"visuals", "teapot"}), "visuals takes no scene");
   EXPECT_EQ(complaintAll({"view", "-o", "a.png"}), "-o works only with draw, snapshot, trade and extremes");
   EXPECT_EQ(complaintAll({"view", "--stats"}),
-            "--stats, --errors and --ids work only with draw and snapshot");
-  EXPECT_EQ(complaintAll({"--ids", "i.png"}), "--stats, --errors and --ids work only with draw and snapshot");
+            "--stats, --errors, --costs and --ids work only with draw and snapshot");
+  EXPECT_EQ(complaintAll({"--ids", "i.png"}), "--stats, --errors, --costs and --ids work only with draw and snapshot");
   EXPECT_EQ(complaint({"--whole-window"}), "--whole-window works only with snapshot and with trace --frames");
   EXPECT_EQ(complaint({"--fill", "x11"}), "--fill x11 needs a server: use snapshot");
   for (const OrderRow& row : kOrders) {
@@ -209,7 +209,7 @@ TEST(Options, RefuseWhatAViewCannotHeed) {
     EXPECT_EQ(complaintAll({"trace", "teapot", "--view", name}),
               view + " works only with view, draw and snapshot");
     const std::string more =
-        view + " is not just the picture: --stats, --errors and --ids work only with --view picture";
+        view + " is not just the picture: --stats, --errors, --costs and --ids work only with --view picture";
     EXPECT_EQ(complaint({"--view", name, "--ids", "i.png"}), more);
     EXPECT_EQ(complaint({"--view", name, "--stats"}), more);
     EXPECT_EQ(complaintAll({"snapshot", "teapot", "-o", "a", "--whole-window", "--view", name}), "");

@@ -191,7 +191,7 @@ TEST(SharedCellsProgram, ServeWhereNoMapCanBeMade) {
     testing::internal::CaptureStderr();
     try {
       takeSnapshot(options, readScene(options.scene, 3),
-                   [&](const Picture& picture, const std::string& png, const StageTimes&) {
+                   [&](const Picture& picture, const std::string& png, const StageTimes&, const Sent&) {
                      writePictures(options, picture, png);
                    });
     } catch (const X11Error& e) {
