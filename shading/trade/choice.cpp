@@ -75,7 +75,8 @@ Chosen chooseWithin(const Trade& trade, double limit) {
     // What is as fast, as far as its time tells, and more accurate is better.
     const int fastest = choice.combination;
     for (int k = 0; k < static_cast<int>(all.size()); ++k)
-      if (isWithin(all[k], limit) && all[k].cost.time.interval.meets(all[fastest].cost.time.interval) &&
+      if (isWithin(all[k], limit) && all[k].cost.time.ratio <= kTied * all[fastest].cost.time.ratio &&
+          all[k].cost.time.interval.meets(all[fastest].cost.time.interval) &&
           moreAccurate(k, choice.combination))
         choice.combination = k;
   } else {

@@ -21,6 +21,10 @@ struct Chosen {
 /// different error.
 inline constexpr double kSpare = 0.03;
 
+/// Of times that are a tie, the slower is at most this many times the faster: wide intervals must not make a
+/// choice slow.
+inline constexpr double kTied = 1.1;
+
 /// The choice among the combinations of a trade. `limit` is for the RMS error of the intensity after the
 /// table, on all views of the trade. Of two that are equally fast, as far as their times tell, the more
 /// accurate is chosen.

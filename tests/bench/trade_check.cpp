@@ -52,12 +52,13 @@ struct Honour {
   double worst = 0;  ///< error / limit
 };
 
-/// The time of the choice / that of the cheapest of all that stay within the limit on the other samples.
+/// The time of the choice / that of the cheapest of all that stay within the limit on other samples: on a
+/// view that is turned, and on three that are turned from that one.
 double overCheapest(const Configuration& chosen, double limit, Measure& fresh) {
   std::vector<Configuration> within{chosen};
   for (const Configuration& one : allOf(fresh)) {
     if (!fresh.refusal(one).empty() || one.changes == chosen.changes) continue;
-    if (fresh.brief(one).here.afterTable.rootMeanSquare <= limit) within.push_back(one);
+    if (errorOnAllViews(fresh.brief(one)) <= limit) within.push_back(one);
   }
   std::vector<Stages> stages(within.size());
   std::vector<Timed> timed;

@@ -59,6 +59,8 @@ TEST(Choice, TakesTheMoreAccurateOfATie) {
   const Trade trade =
       tradeWith({with(1, 0.2, 0.2, 0.1), with(1.05, 0.1, 0.1, 0.1), with(2, 0.01, 0.01, 0.1)});
   EXPECT_EQ(chooseWithin(trade, 0.3).combination, 1);
+  // However wide the intervals are, it must not be much slower.
+  EXPECT_EQ(chooseWithin(tradeWith({with(1, 0.2, 0.2, 0.5), with(1.3, 0.1, 0.1, 0.5)}), 0.3).combination, 0);
 }
 
 // The sentences have the numbers of the trade.
