@@ -16,7 +16,9 @@ using Json = nlohmann::json;
 class Chance {
  public:
   explicit Chance(unsigned seed) : random_{seed} {}
-  double within(double low, double high) { return low + (high - low) * (static_cast<double>(random_()) / 4294967296.0); }
+  double within(double low, double high) {
+    return low + (high - low) * (static_cast<double>(random_()) / 4294967296.0);
+  }
   int whole(int low, int high) { return low + static_cast<int>(random_() % (high - low + 1)); }
   bool once(int in) { return whole(1, in) == 1; }
   Json point(double size) { return {within(-size, size), within(-size, size), within(-size, size)}; }

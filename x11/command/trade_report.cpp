@@ -131,9 +131,8 @@ void printTrade(const Options& options, const Trade& trade, std::ostream& out) {
   if (trade.referenceOff)
     out << " (" << fixed(trade.referenceOff->largestPixels, 3) << " pixels off the patches at most)";
   out << ".\n";
-  out << "Faces are samples that show a wrong face. dE is CIEDE2000, its mean and its largest. MB is what "
-         "the "
-         "picture holds.\n";
+  out << "Faces are samples that show a wrong face. dE is CIEDE2000, its mean and its largest. "
+         "MB is what the picture holds.\n";
   if (trade.stopped) out << "The measuring was stopped. What was known is here.\n";
   out << "Times are medians of " << trade.ofRows.rounds << " rounds, in turn, " << endingOf(trade.ofRows)
       << "; = is a tie.\n";

@@ -40,7 +40,7 @@ Trade singlesOf(Trade trade) {
 void TradeBench::measure(const Picture& picture, const Setup& setup) {
   measuring_.reset();
   known_ = {};
-  chosen_ = -1, within_ = {};
+  chosen_ = -1, picked_.reset(), within_ = {};
   painted_.reset();
   again_ = false;
   measuredSize_ = {0, 0, picture.settings().width, picture.settings().height};
@@ -73,14 +73,24 @@ void TradeBench::choose() {
   chosen_ = -1;
   if (!known_.trade.front.empty()) {
     within_ = chooseWithin(known_.trade, limit_);
-    chosen_ = within_.combination;
+    const std::vector<Measured>& all = known_.trade.combinations;
+    const auto same =
+        std::ranges::find_if(all, [&](const Measured& one) { return one.configuration.changes == picked_; });
+    chosen_ = same == all.end() ? within_.combination : static_cast<int>(same - all.begin());
   }
+  changed_ = true;
+}
+
+void TradeBench::pick(int combination) {
+  chosen_ = combination;
+  picked_ = known_.trade.combinations[combination].configuration.changes;
   changed_ = true;
 }
 
 void TradeBench::setLimit(double limit) {
   limit_ = std::clamp(limit, limitOfShare(0), limitOfShare(1));
   if (host_.keptWithin()) host_.keepWithin(limit_);
+  picked_.reset();
   choose();
 }
 
@@ -91,8 +101,7 @@ void TradeBench::walk(int steps) {
   const auto last = static_cast<std::ptrdiff_t>(front.size()) - 1;
   const std::ptrdiff_t next =
       at == front.end() ? 0 : std::clamp<std::ptrdiff_t>(at - front.begin() + steps, 0, last);
-  chosen_ = front[static_cast<std::size_t>(next)];
-  changed_ = true;
+  pick(front[static_cast<std::size_t>(next)]);
 }
 
 void TradeBench::useChosen() {
@@ -238,7 +247,7 @@ bool TradeBench::grab(int x, int y) {
     if (dx * dx + dy * dy < nearest) nearest = dx * dx + dy * dy, mark = static_cast<int>(k);
   }
   if (mark >= 0) {
-    chosen_ = mark;
+    pick(mark);
     return false;
   }
   if (axes_.error != TradeError::Rms || std::abs(scale.y(limit_) - y) > 6) return false;

@@ -48,8 +48,10 @@ class TradeBench : public Bench {
 
  private:
   void measure(const Picture& picture, const Setup& setup);
-  /// Chooses within the limit again.
+  /// Chooses within the limit again, unless the user has picked a combination and it is still there.
   void choose();
+  /// The user picks a combination himself.
+  void pick(int combination);
   void setLimit(double limit);
   /// Goes along the front, to the right if `steps` > 0.
   void walk(int steps);
@@ -71,6 +73,7 @@ class TradeBench : public Bench {
   TradeAxes axes_;
   double limit_ = 0.03;
   int chosen_ = -1;
+  std::optional<std::vector<Change>> picked_;  ///< the changes of the combination that the user picked
   Chosen within_;
   int place_ = 0;             ///< index into the worst places of the chosen combination
   std::vector<Rect> places_;  ///< their frames in the picture

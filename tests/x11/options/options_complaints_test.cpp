@@ -166,7 +166,8 @@ TEST(Options, RefuseWhatTheCommandIgnores) {
   EXPECT_EQ(complaintAll({"view", "-o", "a.png"}), "-o works only with draw, snapshot, trade and extremes");
   EXPECT_EQ(complaintAll({"view", "--stats"}),
             "--stats, --errors, --costs and --ids work only with draw and snapshot");
-  EXPECT_EQ(complaintAll({"--ids", "i.png"}), "--stats, --errors, --costs and --ids work only with draw and snapshot");
+  EXPECT_EQ(complaintAll({"--ids", "i.png"}),
+            "--stats, --errors, --costs and --ids work only with draw and snapshot");
   EXPECT_EQ(complaint({"--whole-window"}), "--whole-window works only with snapshot and with trace --frames");
   EXPECT_EQ(complaint({"--fill", "x11"}), "--fill x11 needs a server: use snapshot");
   for (const OrderRow& row : kOrders) {

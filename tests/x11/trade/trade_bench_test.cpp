@@ -88,6 +88,33 @@ TEST(TradeBench, WalksAlongTheFront) {
   EXPECT_EQ(m.bench.chosen(), front.back());
 }
 
+// What the user picks stays chosen while the measuring goes on. Another limit chooses again.
+TEST(TradeBench, KeepsWhatIsPicked) {
+  BenchStage stage{"teapot", 4, 800, 600};
+  TradeBench bench{stage, {.brief = true, .seconds = 600, .mostRounds = 7}};
+  stage.draw(bench);
+  const auto wait = [&] {
+    std::this_thread::sleep_for(std::chrono::milliseconds{5});
+    bench.tick();
+  };
+  while (bench.moving() && bench.trade().front.size() < 2) wait();
+  ASSERT_TRUE(bench.moving());
+  const auto changes = [&] { return bench.trade().combinations[bench.chosen()].configuration.changes; };
+  const auto chosenByLimit = changes();
+  const std::size_t known = bench.trade().combinations.size();
+  for (int k = 0; k < 100; ++k) stage.press(bench, NamedKey::Right);
+  if (changes() == chosenByLimit)
+    for (int k = 0; k < 100; ++k) stage.press(bench, NamedKey::Left);
+  const auto picked = changes();
+  ASSERT_NE(picked, chosenByLimit);
+  while (bench.moving()) wait();
+  EXPECT_GT(bench.trade().combinations.size(), known);
+  EXPECT_EQ(changes(), picked);
+  for (int k = 0; k < 100; ++k) stage.press(bench, NamedKey::Down);
+  const auto least = std::ranges::min_element(bench.trade().combinations, {}, errorOnAllViews);
+  EXPECT_EQ(errorOnAllViews(bench.trade().combinations[bench.chosen()]), errorOnAllViews(*least));
+}
+
 // A click on a mark chooses it.
 TEST(TradeBench, AMarkCanBeClicked) {
   Measured6 m;
