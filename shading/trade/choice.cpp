@@ -33,7 +33,7 @@ bool isFaster(const Measured& a, const Measured& b) { return a.cost.time.ratio <
 
 bool isWithin(const Measured& one, double limit) { return errorOnAllViews(one) <= (1 - kSpare) * limit; }
 
-/// What the best combination with another value of an axis has to say; "" if there is no other value. The
+/// What the best combination with another value of an axis has to say; "" if no other value was tried. The
 /// best is the fastest that is accurate enough, or else the most accurate.
 std::string otherwise(const Trade& trade, const Axis& axis, const Measured& chosen, double limit) {
   const double mine = valueOn(axis, chosen.configuration);
@@ -46,14 +46,17 @@ std::string otherwise(const Trade& trade, const Axis& axis, const Measured& chos
   if (!nearest) return "";
   const Measured& best = fastest ? *fastest : *nearest;
   const std::string says = fastest ? ms(best.cost.time.ms) : error(errorOnAllViews(best));
-  if (axis.others.size() == 1)
-    return "With " + phraseOf(axis, valueOn(axis, best.configuration)) +
-           (fastest ? " it takes " : " it is off by ") + says + " or more.";
-  const std::string noun{axis.setting ? axis.setting->label : "divisions"};
   const std::string value = phraseOf(axis, valueOn(axis, best.configuration));
-  return fastest
-             ? "Other values of " + noun + " take " + says + " or more; the fastest is " + value + "."
-             : "No other value of " + noun + " suffices; the best, " + value + ", is off by " + says + ".";
+  if (axis.others.size() == 1)
+    return "With " + value +
+           (fastest ? ", the fastest within the limit that was tried takes "
+                    : ", the best that was tried is off by ") +
+           says + ".";
+  const std::string noun{axis.setting ? axis.setting->label : "divisions"};
+  return fastest ? "Of the other values of " + noun + " that were tried, the fastest within the limit is " +
+                       value + ", with " + says + "."
+                 : "No other value of " + noun + " that was tried suffices; the best, " + value +
+                       ", is off by " + says + ".";
 }
 
 }  // namespace
@@ -86,9 +89,11 @@ Chosen chooseWithin(const Trade& trade, double limit) {
   if (choice.combination < 0) return choice;
   const Measured& chosen = all[choice.combination];
   choice.why.push_back("Of " + std::to_string(all.size()) + " combinations that were tried, it is the " +
-                       (choice.accurate ? "fastest within the limit." : "most accurate."));
-  choice.why.push_back("Its largest error on this view and others is " + error(errorOnAllViews(chosen)) +
-                       (choice.accurate ? ", and " : ", but ") + error(limit) + " is allowed. It takes " +
+                       (choice.accurate ? "fastest within the limit, with " + textOf(100 * kSpare) +
+                                              " % to spare."
+                                        : "most accurate."));
+  choice.why.push_back("Its RMS error is at most " + error(errorOnAllViews(chosen)) +
+                       " in this view and in turned ones" + (choice.accurate ? ", and " : ", but ") + error(limit) + " is allowed. It takes " +
                        ms(chosen.cost.time.ms) + ".");
   if (!choice.accurate) return choice;
   for (const Axis& axis : trade.axes)

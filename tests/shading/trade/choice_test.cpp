@@ -72,14 +72,39 @@ TEST(Choice, SaysWhy) {
   ASSERT_TRUE(chosen.accurate);
   ASSERT_GE(chosen.why.size(), 4u);
   EXPECT_EQ(chosen.why[0], "Of " + std::to_string(trade.combinations.size()) +
-                               " combinations that were tried, it is the fastest within the limit.");
-  EXPECT_NE(chosen.why[1].find(" and 0.1 is allowed. It takes "), std::string::npos) << chosen.why[1];
+                               " combinations that were tried, it is the fastest within the limit, with 3 % to spare.");
+  EXPECT_TRUE(chosen.why[1].starts_with("Its RMS error is at most ")) << chosen.why[1];
+  EXPECT_NE(chosen.why[1].find(" in this view and in turned ones, and 0.1 is allowed. It takes "),
+            std::string::npos)
+      << chosen.why[1];
   for (std::size_t k = 2; k + 1 < chosen.why.size(); ++k)
-    EXPECT_TRUE(chosen.why[k].starts_with("Other values of ") ||
-                chosen.why[k].starts_with("No other value of "))
+    EXPECT_TRUE((chosen.why[k].starts_with("Of the other values of ") &&
+                 chosen.why[k].find(" that were tried, the fastest within the limit is ") < 100) ||
+                (chosen.why[k].starts_with("No other value of ") &&
+                 chosen.why[k].find(" that was tried suffices; ") < 100))
         << chosen.why[k];
   EXPECT_EQ(chosen.why.back(), "No sample shows a wrong face.");
   EXPECT_TRUE(chooseWithin(trade, 1e-9).why.front().ends_with(" it is the most accurate."));
+}
+
+// Of two values that an axis has, and of more, only what was tried is told.
+TEST(Choice, SaysNothingOfValuesThatWereNotTried) {
+  const Axis order{settingOf(std::string_view{"--order"}), 0, {1, 2, 3}};
+  Measured chosen = with(1, 0.01, 0.01), other = with(2, 0.02, 0.02);
+  other.configuration = changed(other.configuration, order, 1);
+  Trade trade = tradeWith({chosen});
+  trade.axes = {order};
+  EXPECT_EQ(chooseWithin(trade, 0.1).why.size(), 3u);  // the order is told by its samples alone
+  trade.combinations.push_back(other);
+  std::vector<std::string> why = chooseWithin(trade, 0.1).why;
+  ASSERT_EQ(why.size(), 4u);
+  EXPECT_TRUE(why[2].starts_with("Of the other values of order that were tried, ")) << why[2];
+  trade.axes[0].others = {1};
+  why = chooseWithin(trade, 0.1).why;
+  EXPECT_TRUE(why[2].ends_with(", the fastest within the limit that was tried takes 20 ms.")) << why[2];
+  trade.combinations[1].elsewhere = 0.5;
+  why = chooseWithin(trade, 0.1).why;
+  EXPECT_TRUE(why[2].ends_with(", the best that was tried is off by 0.5.")) << why[2];
 }
 
 // An order that is not exact may be proved right for a view: then that is said instead.
