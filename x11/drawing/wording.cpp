@@ -1,5 +1,6 @@
 #include "x11/drawing/wording.h"
 
+#include <algorithm>
 #include <array>
 #include <charconv>
 #include <cmath>
@@ -31,6 +32,11 @@ std::string fixed(double value, int decimals) {
   std::string result{text.data(), static_cast<std::size_t>(end - text.data())};
   if (result.starts_with('-') && result.find_first_not_of("-0.") == std::string::npos) result.erase(0, 1);
   return result;
+}
+
+std::string msText(double ms) {
+  const int decimals = ms > 0 && ms < 1 ? std::min(6, 2 - static_cast<int>(std::floor(std::log10(ms)))) : 2;
+  return fixed(ms, decimals);
 }
 
 std::string grouped(std::int64_t value) {

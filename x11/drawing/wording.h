@@ -14,6 +14,8 @@ namespace xnewell {
 
 /// A number with a fixed number of decimals, so that columns align: 0.0042. -0.0 becomes 0.0.
 [[nodiscard]] std::string fixed(double value, int decimals);
+/// Milliseconds: with two decimals, and below 1 with three significant digits: 12.34, 0.0123.
+[[nodiscard]] std::string msText(double ms);
 /// 12,345.
 [[nodiscard]] std::string grouped(std::int64_t value);
 /// `1 cut`, `1,234 cuts`, `no cuts`.

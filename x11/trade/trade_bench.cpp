@@ -120,7 +120,9 @@ void TradeBench::compareChosen() {
   Setup reference = host_.setup();
   reference.picture = withoutShortCuts(reference.picture);
   host_.compare(reference);
-  host_.tell("A is " + name + ", and B has no short cuts.");
+  // View 5 divides both sides alike.
+  host_.tell("A is " + name + ", and B has no short cuts" +
+             (known_.trade.referenceDivisions > 0 ? ", but the same divisions." : "."));
 }
 
 void TradeBench::askToSave() {
@@ -176,7 +178,7 @@ bool TradeBench::press(const Key& key, const Setup&) {
       return true;
     case 'k':
       host_.keepWithin(host_.keptWithin() ? std::nullopt : std::optional{limit_});
-      host_.tell(host_.keptWithin() ? "The other views now keep within " + fixed(limit_, 3) +
+      host_.tell(host_.keptWithin() ? "The other views now keep within " + textOfLimit(limit_) +
                                           ", and measure after each change."
                                     : "The set-up stays as it is now.");
       return changed_ = true;
@@ -197,7 +199,7 @@ bool TradeBench::press(const Key& key, const Setup&) {
     case 'E':
     case '=':
       host_.ask({.asks = "largest error allowed, 0.001 to 0.5",
-                 .text = fixed(limit_, 3),
+                 .text = textOfLimit(limit_),
                  .take = [this](const std::string& text) -> std::string {
                    const std::optional<double> value = typedNumber(text);
                    if (!value || *value < limitOfShare(0) || *value > limitOfShare(1) + 1e-9)
@@ -236,9 +238,15 @@ bool TradeBench::grab(int x, int y) {
   }
   for (std::size_t k = places_.size(); k-- > 0;)
     if (places_[k].has(x, y)) place_ = static_cast<int>(k);
-  if (hovered_ != 0 || !at_.chart.has(x, y) || known_.trade.front.empty()) return false;
-  // A mark, or else the limit's line.
+  if (hovered_ != 0 || known_.trade.front.empty()) return false;
+  // The limit's handle, a mark, or else the limit's line.
   const TradeScale scale{at_.chart, known_.trade, axes_};
+  const bool hasLimit = axes_.error == TradeError::Rms;
+  if (hasLimit && limitHandle(scale, limit_).has(x, y)) {
+    dragged_ = 'L';
+    return true;
+  }
+  if (!at_.chart.has(x, y)) return false;
   double nearest = 12 * 12;
   int mark = -1;
   for (std::size_t k = 0; k < known_.trade.combinations.size(); ++k) {
@@ -250,7 +258,7 @@ bool TradeBench::grab(int x, int y) {
     pick(mark);
     return false;
   }
-  if (axes_.error != TradeError::Rms || std::abs(scale.y(limit_) - y) > 6) return false;
+  if (!hasLimit || std::abs(scale.y(limit_) - y) > 6) return false;
   dragged_ = 'L';
   return true;
 }
@@ -289,6 +297,10 @@ void TradeBench::paintChosen(const Desk& desk) {
 
 void TradeBench::draw(IndexImage& image, const Desk& desk) {
   at_ = layoutOfTrade(desk.layout.body, desk.layout.picture);
+  if (const std::optional<double> kept = host_.keptWithin(); kept && *kept != limit_) {
+    limit_ = *kept;
+    choose();
+  }
   if (measuredScene_ != desk.picture.scene().name) measuredOf_.reset();
   if (again_ || !measuredOf_) {
     pictures_.reset();
@@ -335,14 +347,9 @@ void TradeBench::draw(IndexImage& image, const Desk& desk) {
 }
 
 std::vector<Legend> TradeBench::legend() const {
-  return {{{"<", ">"}, "along the front"},
-          {{"^", "v"}, "limit"},
-          {{"Return"}, "use this one"},
-          {{"5"}, "beside the reference"},
-          {{"n"}, "next worst place"},
-          {{"m"}, "measure again"},
-          {{"X", "Y"}, "axes"},
-          {{"w"}, "save"}};
+  return {{{"<", ">"}, "along the front"}, {{"^", "v"}, "limit"},     {{"Return"}, "use this one"},
+          {{"5"}, "beside no short cuts"}, {{"k"}, "keep the limit"}, {{"n"}, "next worst place"},
+          {{"m"}, "measure again"},        {{"X", "Y"}, "axes"},      {{"w"}, "save"}};
 }
 
 std::vector<HelpLine> TradeBench::help() const {
@@ -353,7 +360,7 @@ std::vector<HelpLine> TradeBench::help() const {
           {"n", "the next of the worst places; or click one"},
           {"X Y", "what the axes show"},
           {"w", "save the chart or the table"},
-          {"k", "keep the limit: other views measure after each change, and choose again"},
+          {"k", "keep the limit: other views choose again after each change"},
           {"m", "measure again"}};
 }
 

@@ -46,7 +46,8 @@ class TradeDrawing {
                    page_.chosen < 0 ? ""
                    : page_.chosen == page_.within.combination
                        ? (page_.within.accurate ? "cheapest within the limit" : "the most accurate")
-                       : "on the front");
+                   : isOnFront() ? "on the front"
+                                 : "not on the front");
     pen_.paint.fillRect(at_.well, pen_(Cell::Well));
     if (page_.picture) pen_.paint.place(*page_.picture, at_.picture.x, at_.picture.y);
     drawPlaces();
@@ -60,6 +61,11 @@ class TradeDrawing {
   [[nodiscard]] bool hasTimes() const {
     return std::ranges::any_of(page_.trade.combinations,
                                [](const Measured& m) { return m.cost.time.ms > 0; });
+  }
+
+  [[nodiscard]] bool isOnFront() const {
+    const std::vector<int> front = frontBy(page_.axes, page_.trade);
+    return std::ranges::find(front, page_.chosen) != front.end();
   }
 
   [[nodiscard]] std::string heading() const {
@@ -101,9 +107,8 @@ class TradeDrawing {
       pen_.soft(x + 200, y, soft);
       y += kLine;
     };
-    const auto ms = [](double v) { return fixed(v, v < 10 ? 2 : 1) + " ms"; };
-    row("error", fixed(errorOnAllViews(one), 4), "limit " + fixed(page_.limit, 3));
-    row("time", ms(one.cost.time.ms), fixed(one.cost.time.ratio, 2) + " x the set-up");
+    row("error", fixed(errorOnAllViews(one), 4), "limit " + textOfLimit(page_.limit));
+    row("time", msText(one.cost.time.ms) + " ms", fixed(one.cost.time.ratio, 2) + " x the set-up");
     if (!at_.compact) {
       row("memory", fixed(static_cast<double>(one.cost.bytes) / 1e6, 1) + " MB", "");
       row("wrong faces", grouped(one.here.wrongFaces), "of " + grouped(one.here.samples));
@@ -123,12 +128,12 @@ class TradeDrawing {
     y += 10;
     pen_.caps(x, y, "why this one");
     y += kLine + 2;
-    for (std::size_t k = 2; k < page_.within.why.size(); ++k)
-      for (const std::string& line : broken(page_.within.why[k], width / 6)) {
-        if (y > at_.limit.y - 26) return;
-        pen_.ink(x, y, line);
-        y += kLine - 1;
-      }
+    // The rows above say what the first two sentences say.
+    const std::vector<std::string>& why = page_.within.why;
+    const int room = (at_.limit.y - 26 - y) / (kLine - 1) + 1;
+    for (const std::string& line : wholeSentences(
+             {why.begin() + std::min<std::ptrdiff_t>(2, std::ssize(why)), why.end()}, width / 6, room))
+      pen_.ink(x, y, line), y += kLine - 1;
   }
 
   void drawControls() {
@@ -144,7 +149,7 @@ class TradeDrawing {
               {.share = shareOfLimit(page_.limit),
                .hovered = page_.hovered == 'E',
                .dragged = page_.dragged == 'E'});
-    pen_.boldRight(x + width, y, fixed(page_.limit, page_.limit < 0.01 ? 4 : 3));
+    pen_.boldRight(x + width, y, textOfLimit(page_.limit));
     y = at_.costs.y + 15;
     pen_.key(x, y - 11, "X");
     pen_.ink(x + 24, y, "cost");
@@ -189,6 +194,19 @@ double shareOfLimit(double limit) {
 }
 double limitOfShare(double share) {
   return kLeastLimit * std::pow(kMostLimit / kLeastLimit, std::clamp(share, 0.0, 1.0));
+}
+
+std::string textOfLimit(double limit) {
+  return limit < kLeastLimit ? textOf(limit) : fixed(limit, limit < 0.01 ? 4 : 3);
+}
+
+std::vector<std::string> wholeSentences(const std::vector<std::string>& sentences, int most, int room) {
+  std::vector<std::string> all;
+  for (const std::string& sentence : sentences) {
+    const std::vector<std::string> lines = broken(sentence, most);
+    if (std::ssize(all) + std::ssize(lines) <= room) all.insert(all.end(), lines.begin(), lines.end());
+  }
+  return all;
 }
 
 std::vector<Rect> framesOfWorst(const TradeLayout& at, const Rect& measured, const Measured& one) {

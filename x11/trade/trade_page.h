@@ -29,6 +29,14 @@ struct TradeLayout {
 [[nodiscard]] double shareOfLimit(double limit);
 [[nodiscard]] double limitOfShare(double share);
 
+/// The limit in digits: 0.030, 0.0015.
+[[nodiscard]] std::string textOfLimit(double limit);
+
+/// The sentences in lines of at most `most` characters. What does not fit whole into so many lines (`room`)
+/// is left out.
+[[nodiscard]] std::vector<std::string> wholeSentences(const std::vector<std::string>& sentences, int most,
+                                                      int room);
+
 /// All that the page shows.
 struct TradePage {
   const Trade& trade;

@@ -6,8 +6,10 @@
 #include <numeric>
 #include <utility>
 
+#include "shading/trade/choice.h"
 #include "x11/drawing/sheet.h"
 #include "x11/drawing/wording.h"
+#include "x11/views/labels.h"
 
 namespace xnewell {
 
@@ -62,50 +64,6 @@ void drawMark(Painter& paint, int x, int y, Shading method, bool filled, std::ui
       paint.line(x - kMark, y + kMark, x + kMark, y - kMark, cell, {filled ? 2 : 1});
   }
 }
-
-bool overlap(const Rect& a, const Rect& b) {
-  return a.x < b.x + b.width && b.x < a.x + a.width && a.y < b.y + b.height && b.y < a.y + a.height;
-}
-
-/// Places labels beside their points, where they cover neither a mark nor another label. A point for whose
-/// label there is no room has none.
-class Labels {
- public:
-  Labels(Painter paint, const CellPlan& plan, const Rect& area) : paint_{paint}, plan_{plan}, area_{area} {}
-
-  void avoid(const Rect& mark) { taken_.push_back(mark); }
-  void place(int x, int y, const std::string& text, bool boxed) {
-    const int width = textWidth(text, boxed ? Voice::Bold : Voice::Plain) + (boxed ? 10 : 2),
-              height = boxed ? 18 : 13;
-    const std::array<Rect, 8> places{Rect{x + 7, y - height - 2, width, height},
-                                     Rect{x + 9, y - height / 2, width, height},
-                                     Rect{x + 7, y + 5, width, height},
-                                     Rect{x - width - 9, y + 3, width, height},
-                                     Rect{x - width - 9, y - height / 2, width, height},
-                                     Rect{x - width - 7, y - height - 2, width, height},
-                                     Rect{x - 4, y - height - 9, width, height},
-                                     Rect{x - width + 4, y + 9, width, height}};
-    for (const Rect& at : places) {
-      const bool inside = at.x >= area_.x && at.y >= area_.y && at.x + at.width <= area_.x + area_.width &&
-                          at.y + at.height <= area_.y + area_.height;
-      if (!inside || std::ranges::any_of(taken_, [&](const Rect& r) { return overlap(at, r); })) continue;
-      taken_.push_back(at);
-      if (boxed) {
-        paint_.fillRect(at, plan_[Cell::White]);
-        paint_.frame(at, plan_[Cell::Ink]);
-      }
-      paint_.text(at.x + (boxed ? 5 : 1), at.y + (boxed ? 13 : 11), text, plan_[Cell::Ink],
-                  boxed ? Voice::Bold : Voice::Plain);
-      return;
-    }
-  }
-
- private:
-  Painter paint_;
-  const CellPlan& plan_;
-  Rect area_;
-  std::vector<Rect> taken_;
-};
 
 }  // namespace
 
@@ -176,6 +134,10 @@ std::string labelOf(const Configuration& configuration) {
   return text;
 }
 
+Rect limitHandle(const TradeScale& scale, double limit) {
+  return {scale.area().x + scale.area().width - 4, scale.y(limit) - 6, 8, 13};
+}
+
 void drawTradePlot(Painter paint, const CellPlan& plan, const TradeScale& scale, const Trade& trade,
                    int chosen, std::optional<double> limit) {
   const Rect& area = scale.area();
@@ -219,9 +181,12 @@ void drawTradePlot(Painter paint, const CellPlan& plan, const TradeScale& scale,
   if (limit) {
     const int y = scale.y(*limit);
     inside.line(area.x, y, right - 1, y, plan[Cell::Good], {1, 4, 3});
-    paint.fillRect({right - 4, y - 6, 8, 13}, plan[Cell::Good]);
-    inside.text(area.x + 6, y + 14, "everything below the limit is good enough", plan[Cell::Good]);
-    labels.avoid({area.x + 6, y + 2, 250, 14});
+    paint.fillRect(limitHandle(scale, *limit), plan[Cell::Good]);
+    // The choice knows more than the chart.
+    const std::string words =
+        "within the limit here; turned views and " + textOf(100 * kSpare) + " % spare count too";
+    inside.text(area.x + 6, y + 14, words, plan[Cell::Good]);
+    labels.avoid({area.x + 6, y + 2, textWidth(words) + Labels::kGap, 14});
     labels.avoid({area.x, y - 1, area.width, 3});
   }
   for (const int k : front)
@@ -273,10 +238,10 @@ ColoredImage drawTrade(const Trade& trade, const std::string& title) {
   for (const int k : trade.front) {
     const Measured& one = trade.combinations[k];
     y = sheet.paragraph(column, y, words, labelOf(one.configuration), Cell::Ink);
-    y = 4 + sheet.tableRow(column, y, "",
-                           {fixed(one.cost.time.ms, 2), fixed(TradeAxes{}.errorOf(one), 4),
-                            grouped(one.here.wrongFaces)},
-                           {70, 150, words}, Cell::Ink, Voice::Plain);
+    y = 4 + sheet.tableRow(
+                column, y, "",
+                {msText(one.cost.time.ms), fixed(TradeAxes{}.errorOf(one), 4), grouped(one.here.wrongFaces)},
+                {70, 150, words}, Cell::Ink, Voice::Plain);
   }
   return {sheet.image(), makePalette(plan, ColorTable{{}})};
 }

@@ -75,6 +75,9 @@ class TradeScale {
 /// "Gouraud 12x12, z far": how a mark is called.
 [[nodiscard]] std::string labelOf(const Configuration& configuration);
 
+/// The handle of the limit's line, half of it beyond the right edge of the marks' area.
+[[nodiscard]] Rect limitHandle(const TradeScale& scale, double limit);
+
 /// Draws axes, marks, the staircase and its labels. `chosen`, an index into trade.combinations, is ringed and
 /// labelled in a box; -1 for none. `limit` is drawn as a dashed line.
 void drawTradePlot(Painter paint, const CellPlan& plan, const TradeScale& scale, const Trade& trade,

@@ -28,7 +28,7 @@ void printTradeNumbers(std::ostream& out, const std::string& name, const Measure
   const Timing& time = one.cost.time;
   const bool timed = time.ms > 0, coloured = e.color.count > 0;
   out << std::left << std::setw(kName) << name << std::right << std::setw(9)
-      << (timed ? fixed(time.ms, 2) : "-") << std::setw(8) << (timed ? percentOf(time.ratio) : "-")
+      << (timed ? msText(time.ms) : "-") << std::setw(8) << (timed ? percentOf(time.ratio) : "-")
       << (timed && time.tie ? " =" : "  ") << std::setw(9) << fixed(e.afterTable.rootMeanSquare, 4)
       << std::setw(9) << fixed(e.afterTable.p99, 4) << std::setw(9) << fixed(e.afterTable.largest, 4)
       << std::setw(9) << grouped(e.wrongFaces) << std::setw(8) << (coloured ? fixed(e.color.mean, 2) : "-")

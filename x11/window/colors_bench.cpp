@@ -261,7 +261,7 @@ std::vector<Legend> ColorsBench::legend() const {
 }
 
 std::vector<HelpLine> ColorsBench::help() const {
-  return {{"arrows", "choose a cell; Shift: ten cells; Home, End: the scene's first, last cell"},
+  return {{"arrows", "choose a cell; Shift: ten; Home, End: the scene's first, last"},
           {"h", "light up the cell while the key is held"},
           {"T j H B", "table; nearest in ratio or difference; hue; 8 or 16 bits a cell"},
           {"c 0", "go to the shades, or to I0; then arrows; Esc goes back to the cells"},

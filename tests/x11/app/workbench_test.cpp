@@ -64,6 +64,28 @@ TEST(Workbench, TableChangesEqualAFreshStart) {
         << j;
 }
 
+// In every view, the list of keys fits into its frame.
+TEST(Workbench, TheListOfKeysFits) {
+  constexpr int kWidth = 560, kShadow = 4;
+  for (const auto& [width, height] : {std::pair{800, 600}, {1024, 768}})
+    for (const char view : {'1', '2', '3', '4', '5', '6', '7', '8'}) {
+      SCOPED_TRACE(view);
+      ReadyWorkbench b{{}, width, height};
+      b.type(std::string{view});
+      b.finish();
+      const IndexImage before = b.image();
+      b.type("?");
+      b.finish();
+      ASSERT_NE(before.pixels, b.image().pixels);
+      const int left = (width - kWidth) / 2, right = left + kWidth - 1;
+      for (int y = 0; y < height; ++y)
+        for (int x = 0; x < width; ++x)
+          if (before.row(y)[x] != b.image().row(y)[x]) {
+            ASSERT_TRUE(x >= left && x <= right + kShadow) << x;
+          }
+    }
+}
+
 // Undo leads back to the start step by step, and redo leads forward again. Reset is a step like any other.
 // Successive changes of one control are one step.
 TEST(Workbench, UndoRedoReset) {

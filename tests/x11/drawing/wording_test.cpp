@@ -17,6 +17,14 @@ TEST(Wording, WritesNumbers) {
   EXPECT_EQ(fixed(0.00416, 4), "0.0042");
   EXPECT_EQ(fixed(-0.00001, 4), "0.0000");
   EXPECT_EQ(fixed(-0.5, 1), "-0.5");
+  EXPECT_EQ(msText(12.345), "12.35");
+  EXPECT_EQ(msText(1), "1.00");
+  EXPECT_EQ(msText(0.5), "0.500");
+  EXPECT_EQ(msText(0.1), "0.100");
+  EXPECT_EQ(msText(0.012345), "0.0123");
+  EXPECT_EQ(msText(0.00101), "0.00101");
+  EXPECT_EQ(msText(1e-6), "0.000001");
+  EXPECT_EQ(msText(0), "0.00");
   EXPECT_EQ(grouped(0), "0");
   EXPECT_EQ(grouped(999), "999");
   EXPECT_EQ(grouped(1000), "1,000");

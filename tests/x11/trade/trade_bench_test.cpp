@@ -40,6 +40,13 @@ struct Measured6 {
   }
 };
 
+std::vector<std::uint8_t> partOf(const IndexImage& image, const Rect& r) {
+  std::vector<std::uint8_t> part;
+  for (int j = r.y; j < r.y + r.height; ++j)
+    part.insert(part.end(), image.row(j) + r.x, image.row(j) + r.x + r.width);
+  return part;
+}
+
 bool overlap(const Rect& a, const Rect& b) {
   return a.x < b.x + b.width && b.x < a.x + a.width && a.y < b.y + b.height && b.y < a.y + a.height;
 }
@@ -129,6 +136,86 @@ TEST(TradeBench, AMarkCanBeClicked) {
   }
 }
 
+// The view starts with the limit that the window keeps, and follows it.
+TEST(TradeBench, FollowsTheLimitThatIsKept) {
+  BenchStage stage{"lamp", 3, 800, 600};
+  stage.kept = 0.1;
+  TradeBench bench{stage, {.brief = true, .seconds = 600, .mostRounds = 7}};
+  stage.draw(bench);
+  EXPECT_EQ(bench.limit(), 0.1);
+  stage.press(bench, NamedKey::Down);
+  EXPECT_LT(bench.limit(), 0.1);
+  EXPECT_EQ(stage.kept, bench.limit());
+  stage.kept = 0.0001;  // smaller than the slider's least
+  stage.draw(bench);
+  EXPECT_EQ(bench.limit(), 0.0001);
+  EXPECT_EQ(textOfLimit(bench.limit()), "0.0001");
+  stage.kept.reset();
+  stage.draw(bench);
+  EXPECT_EQ(bench.limit(), 0.0001);
+}
+
+// The handle of the limit's line can be dragged on both sides of the chart's edge.
+TEST(TradeBench, TheLimitsHandleCanBeDragged) {
+  Measured6 m;
+  const Rect chart = m.at().chart;
+  m.press("=");
+  ASSERT_EQ(m.stage.question->take("0.1"), "");
+  m.stage.draw(m.bench);
+  const Rect handle = limitHandle(TradeScale{chart, m.bench.trade(), {}}, m.bench.limit());
+  EXPECT_EQ(m.count(handle, Cell::Good), handle.width * handle.height);
+  for (int x = handle.x; x < handle.x + handle.width; ++x) {
+    EXPECT_TRUE(m.bench.grab(x, handle.y + 1)) << x;
+    m.bench.drop();
+  }
+  EXPECT_FALSE(m.bench.grab(handle.x + handle.width, handle.y + 1));
+}
+
+// A combination off the front is not said to be on it.
+TEST(TradePage, SaysWhetherAMarkIsOnTheFront) {
+  const auto with = [](double ms, double error) {
+    Measured one;
+    one.cost.time = {.ms = ms, .ratio = ms};
+    one.elsewhere = one.here.afterTable.rootMeanSquare = error;
+    return one;
+  };
+  Trade trade;
+  trade.combinations = {with(1, 0.2), with(2, 0.1), with(3, 0.15)};
+  trade.front = {0, 1};
+  const Layout layout = layoutOf(800, 600);
+  const TradeLayout at = layoutOfTrade(layout.body, layout.picture);
+  const Rect words{at.column.x + at.column.width - 130, at.column.y, 130, 14};
+  // The words alone, in the same place.
+  const auto said = [&](const std::string& text) {
+    IndexImage image{800, 600, 0};
+    const CellPlan plan{TableKind::Linear};
+    Pen{Painter{image}, plan}.softRight(at.column.x + at.column.width, at.column.y + 11, text);
+    return partOf(image, words);
+  };
+  const auto shown = [&](int chosen) {
+    IndexImage image{800, 600, 0};
+    drawTradePage(image, at,
+                  {.trade = trade, .doing = {}, .failure = {}, .axes = {}, .chosen = chosen, .within = {}},
+                  CellPlan{TableKind::Linear});
+    return partOf(image, words);
+  };
+  EXPECT_EQ(shown(0), said("on the front"));
+  EXPECT_EQ(shown(1), said("on the front"));
+  EXPECT_EQ(shown(2), said("not on the front"));
+}
+
+// Only whole sentences are shown.
+TEST(TradePage, EndsAtAWholeSentence) {
+  const std::vector<std::string> why{"One short.", "Two words and some more words.", "Three."};
+  EXPECT_EQ(wholeSentences(why, 12, 9),
+            (std::vector<std::string>{"One short.", "Two words", "and some", "more words.", "Three."}));
+  EXPECT_EQ(wholeSentences(why, 12, 4),
+            (std::vector<std::string>{"One short.", "Two words", "and some", "more words."}));
+  EXPECT_EQ(wholeSentences(why, 12, 3), (std::vector<std::string>{"One short.", "Three."}));
+  EXPECT_TRUE(wholeSentences(why, 12, 0).empty());
+  EXPECT_TRUE(wholeSentences(why, 12, -3).empty());
+}
+
 // The slider and the line of the limit can be dragged; both move together.
 TEST(TradeBench, TheLimitCanBeDragged) {
   Measured6 m;
@@ -169,6 +256,8 @@ TEST(TradeBench, UsesAndComparesWhatIsChosen) {
   ASSERT_TRUE(m.stage.compared);
   EXPECT_EQ(m.stage.compared->picture, withoutShortCuts(m.stage.now.picture));
   EXPECT_EQ(m.stage.compared->divisions, m.stage.now.divisions);
+  EXPECT_TRUE(m.stage.notices.back().ends_with(", and B has no short cuts, but the same divisions."))
+      << m.stage.notices.back();
 }
 
 // The worst places lie within the picture. n goes from one to the next.
