@@ -89,12 +89,12 @@ Chosen chooseWithin(const Trade& trade, double limit) {
   if (choice.combination < 0) return choice;
   const Measured& chosen = all[choice.combination];
   choice.why.push_back("Of " + std::to_string(all.size()) + " combinations that were tried, it is the " +
-                       (choice.accurate ? "fastest within the limit, with " + textOf(100 * kSpare) +
-                                              " % to spare."
-                                        : "most accurate."));
+                       (choice.accurate
+                            ? "fastest within the limit, with " + textOf(100 * kSpare) + " % to spare."
+                            : "most accurate."));
   choice.why.push_back("Its RMS error is at most " + error(errorOnAllViews(chosen)) +
-                       " in this view and in turned ones" + (choice.accurate ? ", and " : ", but ") + error(limit) + " is allowed. It takes " +
-                       ms(chosen.cost.time.ms) + ".");
+                       " in this view and in turned ones" + (choice.accurate ? ", and " : ", but ") +
+                       error(limit) + " is allowed. It takes " + ms(chosen.cost.time.ms) + ".");
   if (!choice.accurate) return choice;
   for (const Axis& axis : trade.axes)
     if (std::string why = otherwise(trade, axis, chosen, limit); !why.empty())

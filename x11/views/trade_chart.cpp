@@ -7,9 +7,9 @@
 #include <utility>
 
 #include "shading/trade/choice.h"
+#include "x11/drawing/labels.h"
 #include "x11/drawing/sheet.h"
 #include "x11/drawing/wording.h"
-#include "x11/views/labels.h"
 
 namespace xnewell {
 

@@ -71,8 +71,9 @@ TEST(Choice, SaysWhy) {
   const Chosen chosen = chooseWithin(trade, 0.1);
   ASSERT_TRUE(chosen.accurate);
   ASSERT_GE(chosen.why.size(), 4u);
-  EXPECT_EQ(chosen.why[0], "Of " + std::to_string(trade.combinations.size()) +
-                               " combinations that were tried, it is the fastest within the limit, with 3 % to spare.");
+  EXPECT_EQ(chosen.why[0],
+            "Of " + std::to_string(trade.combinations.size()) +
+                " combinations that were tried, it is the fastest within the limit, with 3 % to spare.");
   EXPECT_TRUE(chosen.why[1].starts_with("Its RMS error is at most ")) << chosen.why[1];
   EXPECT_NE(chosen.why[1].find(" in this view and in turned ones, and 0.1 is allowed. It takes "),
             std::string::npos)

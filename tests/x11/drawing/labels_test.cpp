@@ -1,4 +1,4 @@
-#include "x11/views/labels.h"
+#include "x11/drawing/labels.h"
 
 #include <gtest/gtest.h>
 
