@@ -94,6 +94,7 @@ std::string shortly(double v) {
 
 Extremes extremesOf(const Scene& scene, const PictureSettings& settings,
                     const std::function<bool(const std::string&)>& goOn) {
+  if (boxOf(scene.mesh.points).side() == 0) throw ViewError{"the scene has no extent"};
   const Picture asItIs = makePicture(scene, inOneHue(settings), 0);
   const Start start = startOf(asItIs);
   Extremes extremes{.setUp = {}, .allWays = static_cast<int>(extremeWays().size())};

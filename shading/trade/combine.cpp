@@ -161,4 +161,18 @@ std::vector<int> frontOf(const std::vector<Measured>& measured) {
   return front;
 }
 
+bool areTimed(const std::vector<Measured>& some) {
+  return std::ranges::any_of(some, [](const Measured& one) { return one.cost.time.ms > 0; });
+}
+
+Trade withSingles(Trade trade) {
+  trade.combinations.clear();
+  if (trade.asked.cost.time.ms > 0) {
+    trade.combinations.push_back(trade.asked);
+    for (const TradeRow& row : trade.rows) trade.combinations.push_back(row.measured);
+  }
+  trade.front = frontOf(trade.combinations);
+  return trade;
+}
+
 }  // namespace xnewell

@@ -27,4 +27,11 @@ inline constexpr int kMostCombinations = 96;
 /// cheapest first. Of two that are equally fast, as far as their times tell, the more accurate counts.
 [[nodiscard]] std::vector<int> frontOf(const std::vector<Measured>& measured);
 
+/// True if any of them has a time.
+[[nodiscard]] bool areTimed(const std::vector<Measured>& some);
+
+/// A trade that is not far enough for combinations, with the single short cuts in their place; without any
+/// if these have no times either.
+[[nodiscard]] Trade withSingles(Trade trade);
+
 }  // namespace xnewell

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <limits>
 
+#include "geometry/exact/box.h"
 #include "shading/trade/combine.h"
 #include "shading/trade/constant_l_bound.h"
 #include "shading/trade/measure.h"
@@ -165,6 +166,7 @@ std::string savingOf(const Timing& time) {
 
 Trade tradeOf(const Scene& scene, const PictureSettings& settings, const TradeRequest& request,
               const TradeProgress& progress) {
+  if (boxOf(scene.mesh.points).side() == 0) throw ViewError{"the scene has no extent"};
   return Trader{scene, settings, request, progress}.make();
 }
 

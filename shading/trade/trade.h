@@ -73,7 +73,7 @@ struct Trade {
 using TradeProgress = std::function<bool(const std::string& doing, const Trade& known)>;
 
 /// `settings` are in the units of the scene. The pictures are painted without a server.
-/// @throws ViewError if the set-up itself has no picture, or nothing shows
+/// @throws ViewError if the set-up itself has no picture, nothing shows, or the scene has no extent
 /// @throws std::invalid_argument if `request` names an axis that the scene does not have, or a value that the
 /// axis does not have
 [[nodiscard]] Trade tradeOf(const Scene& scene, const PictureSettings& settings, const TradeRequest& request,

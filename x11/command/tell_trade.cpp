@@ -6,9 +6,13 @@
 
 #include "geometry/files/output_file.h"
 #include "shading/color/png.h"
+#include "shading/extremes/extremes.h"
 #include "shading/picture/picture_cache.h"
 #include "shading/picture/stopwatch.h"
 #include "shading/trade/choice.h"
+#include "shading/trade/combine.h"
+#include "shading/trade/measure.h"
+#include "x11/command/check_writable.h"
 #include "x11/command/doing.h"
 #include "x11/command/interrupt.h"
 #include "x11/command/trade_report.h"
@@ -33,6 +37,18 @@ Trade measured(const Options& options, const TradeRequest& request, const Scene&
   });
 }
 
+/// Says how far off the picture is when no short cut is left to choose.
+void tellError(double limit, const Options& options, const Scene& scene) {
+  const PictureSettings settings = settingsOf(options);
+  const CellPlan plan{settings.table.kind};
+  const Picture picture = makePicture(scene, settings, plan[Cell::Well]);
+  const Errors errors = errorsAgainstFinest(picture, picture.palette(plan));
+  if (errors.samples == 0) return;
+  const double off = errors.afterTable.rootMeanSquare;
+  std::cerr << "xnewell: nothing is left to choose. The RMS error is " << shortly(off) << " in this view, "
+            << (off <= limit ? "and " : "but ") << shortly(limit) << " is allowed.\n";
+}
+
 /// The axes that --accuracy may choose on, but for those that the user gave.
 std::vector<std::string> freeAxes(const Options& options, const Scene& scene) {
   std::vector<std::string> axes = choosableAxes(makePicture(scene, settingsOf(options)));
@@ -51,6 +67,7 @@ PictureSettings settingsOf(const Options& options) {
 }
 
 int tellTrade(const Options& options, const Scene& scene) {
+  if (!options.output.empty()) checkWritable(options.output);
   awaitInterrupt();
   const Trade trade = measured(options, options.trade, scene);
   if (options.json)
@@ -58,9 +75,14 @@ int tellTrade(const Options& options, const Scene& scene) {
   else
     printTrade(options, trade, std::cout);
   std::cout.flush();  // a chart that cannot be written must not cost the table
-  if (!options.output.empty() && !trade.combinations.empty()) {
-    const ColoredImage chart = drawTrade(trade, "Cost against error: " + titleOf(scene));
-    writeFile(options.output, encodePng(chart.image, chart.palette));
+  if (!options.output.empty()) {
+    const Trade told = areTimed(trade.combinations) ? trade : withSingles(trade);
+    if (told.combinations.empty()) {
+      std::cerr << "xnewell: no chart was written: nothing was timed\n";
+    } else {
+      const ColoredImage chart = drawTrade(told, "Cost against error: " + titleOf(scene));
+      writeFile(options.output, encodePng(chart.image, chart.palette));
+    }
   }
   return trade.stopped ? kInterrupted : kDone;
 }
@@ -70,7 +92,7 @@ void keepWithin(double limit, Options& options, Scene& scene) {
   if (!options.gave("--budget")) request.seconds = 8;
   request.brief = true;
   request.axes = freeAxes(options, scene);
-  if (request.axes.empty()) return;
+  if (request.axes.empty()) return tellError(limit, options, scene);
   const Trade trade = measured(options, request, scene);
   for (const std::string& note : trade.notes) std::cerr << "xnewell: " << note << '\n';
   const Chosen choice = chooseWithin(trade, limit);

@@ -160,7 +160,7 @@ std::optional<Options> parseOptions(int argc, const char* const* argv, const Pic
 
   Reader r{app};
   app.add_option_function<std::string>(
-         "scene", [&](const std::string& s) { o.scene = s; }, "SCENE [teapot]")
+         "scene", [&](const std::string& s) { o.scene = s; }, "SCENE [teapot, in a window only]")
       ->type_name("");
   r.text("-o,--output", "the PNG file to write", "", [&](const std::string& s) { o.output = s; });
   r.text("--size", "picture or window size WxH, at most 8192x8192",

@@ -20,21 +20,6 @@ namespace {
 
 constexpr int kSteps = 40;  // of the limit's track
 
-bool areTimed(const std::vector<Measured>& some) {
-  return std::ranges::any_of(some, [](const Measured& one) { return one.cost.time.ms > 0; });
-}
-
-/// A trade that is not far enough for combinations, with the single short cuts in their place.
-Trade singlesOf(Trade trade) {
-  trade.combinations.clear();
-  if (trade.asked.cost.time.ms > 0) {
-    trade.combinations.push_back(trade.asked);
-    for (const TradeRow& row : trade.rows) trade.combinations.push_back(row.measured);
-  }
-  trade.front = frontOf(trade.combinations);
-  return trade;
-}
-
 }  // namespace
 
 void TradeBench::measure(const Picture& picture, const Setup& setup) {
@@ -55,7 +40,7 @@ void TradeBench::tick() {
   if (!news) return;
   known_ = std::move(*news);
   single_ = !areTimed(known_.trade.combinations);
-  if (single_) known_.trade = singlesOf(std::move(known_.trade));
+  if (single_) known_.trade = withSingles(std::move(known_.trade));
   if (known_.done) measuring_.reset();
   choose();
 }

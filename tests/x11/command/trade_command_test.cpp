@@ -64,6 +64,57 @@ TEST_F(CommandTest, ATradeRefusesWhatItDoesNotTake) {
           "-o " + file("new.svg") + ": pictures are PNG files; call it .png");
 }
 
+// A chart that cannot be written is an error before anything is measured.
+TEST_F(CommandTest, ATradeChecksItsOutputFirst) {
+  const Words words{"trade", "teapot", "--size", "8192x8192", "--budget", "3600", "-o"};
+  refused(words + Words{file("none/chart.png")}, 1, file("none/chart.png") + ": No such file or directory");
+  std::filesystem::create_directory(file("folder.png"));
+  refused(words + Words{file("folder.png")}, 1, file("folder.png") + ": Is a directory");
+}
+
+// After an interrupt there is a chart of what is known, or it is said that there is none.
+TEST_F(CommandTest, AnInterruptedTradeWritesItsChart) {
+  const Words words{"trade",       "teapot",   "--size", "400x300", "--axes",
+                    "shade,order", "--budget", "600",    "-o",      file("chart.png")};
+  bool some = false;
+  for (int seconds = 1; !some && seconds <= 32; seconds *= 2) {
+    std::filesystem::remove(file("chart.png"));
+    RunningProgram child{words};
+    std::this_thread::sleep_for(std::chrono::seconds{seconds});
+    child.signal(SIGINT);
+    const Finished end = child.wait();
+    ASSERT_EQ(end.status, 130) << end.err;
+    some = std::filesystem::exists(file("chart.png"));
+    EXPECT_EQ(end.err.find("no chart was written: nothing was timed") == std::string::npos, some) << end.err;
+  }
+  ASSERT_TRUE(some);
+  EXPECT_GT(readPng(file("chart.png")).height, 50);
+}
+
+// Without extent there is nothing to measure.
+TEST_F(CommandTest, ASceneWithoutExtentIsRefused) {
+  const std::string point = write("point.obj", "v 0 0 0\nv 0 0 0\nv 0 0 0\nf 1 2 3\n");
+  for (const char* command : {"extremes", "trade"}) {
+    const auto end = runProgram({command, point, "--size", "20x15"});
+    EXPECT_EQ(end.status, 2) << command;
+    EXPECT_TRUE(end.err.ends_with("xnewell: the scene has no extent\n")) << end.err;
+    EXPECT_EQ(end.out, "");
+  }
+}
+
+// If the user chose everything himself, --accuracy still says whether the picture is within the limit.
+TEST_F(CommandTest, AccuracyTellsTheErrorIfNothingIsLeftToChoose) {
+  const Words words{"draw",    "two-cards", "--size", "60x40",         "--order", "none",
+                    "--shade", "flat",      "-o",     file("new.png"), "--errors"};
+  const auto missed = runProgram(words + Words{"--accuracy", "0.05"});
+  ASSERT_EQ(missed.status, 0) << missed.err;
+  EXPECT_TRUE(missed.err.starts_with("xnewell: nothing is left to choose. The RMS error is 0."))
+      << missed.err;
+  EXPECT_TRUE(missed.err.ends_with(" in this view, but 0.05 is allowed.\n")) << missed.err;
+  const auto kept = runProgram(words + Words{"--accuracy", "0.9"});
+  EXPECT_TRUE(kept.err.ends_with(" in this view, and 0.9 is allowed.\n")) << kept.err;
+}
+
 // --accuracy draws what it chose, says why, and leaves what the user gave.
 TEST_F(CommandTest, AccuracyChoosesAndSaysWhy) {
   const Words options{"--size",   "120x90", "--budget",        "20", "--accuracy", "0.2",
