@@ -13,8 +13,8 @@ struct PieceOf {
 };
 
 /// Appends a piece, with the cuts that bound its region, to what was sorted. `box` is its bounding box, and
-/// `height` that of the picture in pixels.
+/// `area` is where it may paint.
 void enterPiece(SortedScene& sorted, const PieceOf& of, const Region& region, const ScreenBox& box,
-                int height);
+                const PixelArea& area);
 
 }  // namespace xnewell
