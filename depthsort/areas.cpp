@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <iterator>
+#include <limits>
 #include <utility>
 
 #include "depthsort/pieces.h"
@@ -17,8 +19,13 @@ constexpr int kParts = 3;  // an area is divided into kParts by kParts
 // that it has painted: polygons that cross their neighbours alone need no areas.
 constexpr int kFewSplits = 8, kPerSplit = 16, kPerPainted = 8;
 
-ScreenBox boxOf(const PixelArea& area) {
-  return {area.left * kGrid, area.top * kGrid, area.right * kGrid, area.bottom * kGrid};
+/// What decides about the pixels of an area. A polygon whose vertices are rounded to pixels may paint a pixel
+/// that it does not reach, or miss one that it covers, by half a pixel. So for `inPixels` a pixel is added on
+/// all sides.
+ScreenBox boxOf(const PixelArea& area, bool inPixels) {
+  const int margin = inPixels ? kGrid : 0;
+  return {area.left * kGrid - margin, area.top * kGrid - margin, area.right * kGrid + margin,
+          area.bottom * kGrid + margin};
 }
 
 /// The depths of a plane at the four corners of an area and at its centre. An error of a depth is far below
@@ -64,7 +71,7 @@ class AreaSort {
   [[nodiscard]] PolygonList within(const PixelArea& area, const PolygonList& list);
   /// The nearest of the covering polygons, at the corners and at the centre.
   [[nodiscard]] static std::vector<Cover> nearest(const std::vector<Cover>& covers);
-  /// Clips a region, whose bounding box is `of`, to the box of an area.
+  /// Clips a region to the box of an area. `of` is the region's bounding box within the picture.
   void clipTo(const ScreenBox& box, const ScreenBox& of, Region& region) const;
   /// Cuts off what the covering polygons hide of the region of face P. Returns true if all of it is hidden.
   [[nodiscard]] bool isHidden(Region& region, int P, const ScreenBox& box, const std::vector<Cover>& near);
@@ -94,13 +101,15 @@ class AreaSort {
 void AreaSort::sort(PolygonList list, const PixelArea& area) {
   if (list.polygons.empty()) return;
   const int width = area.right - area.left, height = area.bottom - area.top;
-  if (width == 1 && height == 1) return paintNearest(list, area);
+  const bool isPixel = width == 1 && height == 1;
+  if (isPixel && !settings_.inPixels) return paintNearest(list, area);
 
   const std::size_t fragments = sorted_.fragments.size(), pieces = sorted_.pieces.size(),
                     cuts = sorted_.cuts.size();
   const std::int64_t splits = sorted_.statistics.splits;
-  const auto few = static_cast<std::int64_t>(kFewSplits + list.polygons.size() / kPerSplit);
-  if (runNewell(list, scene_, settings_, {area, few, kPerPainted}, tests_, sorted_)) {
+  const std::int64_t few =
+      isPixel ? std::numeric_limits<std::int64_t>::max() : kFewSplits + std::ssize(list.polygons) / kPerSplit;
+  if (runNewell(list, scene_, settings_, {area, few, isPixel ? 0 : kPerPainted}, tests_, sorted_)) {
     sorted_.statistics.areas += divided_;
     return;
   }
@@ -116,7 +125,7 @@ void AreaSort::sort(PolygonList list, const PixelArea& area) {
 }
 
 PolygonList AreaSort::within(const PixelArea& area, const PolygonList& list) {
-  const ScreenBox box = boxOf(area);
+  const ScreenBox box = boxOf(area, settings_.inPixels);
   PolygonList part;
   std::vector<Cover> covers;
   for (std::size_t k = 0; k < list.polygons.size(); ++k) {
@@ -141,7 +150,9 @@ PolygonList AreaSort::within(const PixelArea& area, const PolygonList& list) {
       region.clear();
     } else {
       P.extents = extentsOf(scene_, scene_.faces[P.face], region, P.extents);
-      if (!mayOwnSample(scene_, region, P.extents.box, settings_.width, settings_.height)) continue;
+      if (!settings_.inPixels &&
+          !mayOwnSample(scene_, region, P.extents.box, settings_.width, settings_.height))
+        continue;
     }
     part.polygons[kept] = P;
     part.regions[kept++] = std::move(region);
@@ -151,10 +162,10 @@ PolygonList AreaSort::within(const PixelArea& area, const PolygonList& list) {
 }
 
 void AreaSort::clipTo(const ScreenBox& box, const ScreenBox& of, Region& region) const {
-  if (of.x0 < box.x0) regions_.clip(region, Regions::upright(box.x0, 1));
-  if (of.x1 > box.x1 && !region.empty()) regions_.clip(region, Regions::upright(box.x1, -1));
-  if (of.y0 < box.y0 && !region.empty()) regions_.clip(region, Regions::level(box.y0, 1));
-  if (of.y1 > box.y1 && !region.empty()) regions_.clip(region, Regions::level(box.y1, -1));
+  if (of.x0 <= box.x0) regions_.clip(region, Regions::upright(box.x0, 1));
+  if (of.x1 >= box.x1 && !region.empty()) regions_.clip(region, Regions::upright(box.x1, -1));
+  if (of.y0 <= box.y0 && !region.empty()) regions_.clip(region, Regions::level(box.y0, 1));
+  if (of.y1 >= box.y1 && !region.empty()) regions_.clip(region, Regions::level(box.y1, -1));
 }
 
 bool AreaSort::isHidden(Region& region, int P, const ScreenBox& box, const std::vector<Cover>& near) {

@@ -11,7 +11,8 @@ namespace xnewell {
 ///
 /// - A polygon that covers the whole area hides what is behind it. This is cut off, or left out, before
 ///   anything is split by it.
-/// - In an area of one pixel, the nearest polygon at its sample is the list.
+/// - In an area of one pixel, the nearest polygon at its sample is painted, and no other. (For polygons that
+///   are painted with rounded vertices there is no such sample. There the run goes on to its end.)
 ///
 /// Why it is right. Each sample is in one area, and a polygon is left out there only where a nearer one, or a
 /// later one in the same plane, covers it. So the polygon that shows at a sample is never left out, even if

@@ -16,14 +16,16 @@ namespace {
 PolygonList facesOf(const SnappedScene& scene, const SortSettings& settings, const PairTests& tests) {
   PolygonList list;
   list.polygons.reserve(scene.faces.size());
-  const ScreenBox picture{0, 0, settings.width * kGrid, settings.height * kGrid};
+  const int margin = settings.inPixels ? kGrid : 0;  // rounding may move a vertex into the picture
+  const ScreenBox picture{-margin, -margin, settings.width * kGrid + margin,
+                          settings.height * kGrid + margin};
   for (int f = 0; f < static_cast<int>(scene.faces.size()); ++f) {
     const SnappedFace& face = scene.faces[f];
     Polygon P{.extents = extentsOf(scene, face, tests.vertexDepthsAreExact(face)), .face = f};
     if (!settings.textbook) {
       ScreenBox& box = P.extents.box;
       if (!mayShow(scene, face, box, settings.width, settings.height, settings.inPixels)) continue;
-      // Nothing outside the picture is compared.
+      // What is farther outside is not compared.
       box = {std::max(box.x0, picture.x0), std::max(box.y0, picture.y0), std::min(box.x1, picture.x1),
              std::min(box.y1, picture.y1)};
     }
@@ -45,7 +47,7 @@ SortedScene depthSort(const SnappedScene& scene, const SortSettings& settings) {
   PairTests tests{scene, settings};
   PolygonList list = facesOf(scene, settings, tests);
   const PixelArea picture{0, 0, settings.width, settings.height};
-  if (settings.areas && !settings.textbook && !settings.record && !settings.inPixels) {
+  if (settings.areas && !settings.textbook && !settings.record) {
     sortByAreas(std::move(list), scene, settings, picture, tests, sorted);
   } else {
     const RunLimits limits{picture, std::numeric_limits<std::int64_t>::max(), 0};

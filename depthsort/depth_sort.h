@@ -162,8 +162,7 @@ struct SortSettings {
   /// without a sample may show.
   bool inPixels = false;
   bool grid = true;  ///< for the quick run; if false, the Q's come from one list
-  /// True if the quick run may divide the picture (areas.h). A run that records, or sorts for `inPixels`,
-  /// does not.
+  /// True if the quick run may divide the picture (areas.h). A run that records does not.
   bool areas = true;
   bool record = false;                            ///< fills SortedScene::list and events
   std::size_t mostEvents = std::size_t{1} << 27;  ///< of 12 bytes each

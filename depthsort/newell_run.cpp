@@ -354,7 +354,8 @@ void NewellRun::addPiece(int P, Region region) {
 }
 
 int NewellRun::enterRegion(Region region, const Polygon& polygon, int parent) {
-  enterPiece(sorted_, {polygon.face, parent}, region, polygon.extents.box, limits_.area);
+  enterPiece(sorted_, {polygon.face, parent}, region,
+             rowsOf(polygon.extents.box, limits_.area, settings_.inPixels));
   pieces_.push_back(std::move(region));
   return static_cast<int>(pieces_.size()) - 1;
 }

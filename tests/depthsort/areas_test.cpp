@@ -83,12 +83,11 @@ TEST(Areas, AreMadeOnlyWherePolygonsCross) {
   }
 }
 
-// A recorded run and the textbook's have one area, and so has one that paints by rounded vertices.
+// A recorded run and the textbook's have one area.
 TEST(Areas, AreOfTheQuietQuickRun) {
   const SnappedScene scene = randomScene(SceneKind::BigTriangles, 5, 40, 64);
   EXPECT_GT(depthSort(scene, {64, 64}).statistics.areas, 0);
   for (const SortSettings& settings : {SortSettings{.width = 64, .height = 64, .textbook = true},
-                                       SortSettings{.width = 64, .height = 64, .inPixels = true},
                                        SortSettings{.width = 64, .height = 64, .record = true},
                                        SortSettings{.width = 64, .height = 64, .areas = false}})
     EXPECT_EQ(depthSort(scene, settings).statistics.areas, 0);
