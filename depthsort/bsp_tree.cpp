@@ -230,7 +230,8 @@ void Builder::enterPart(int P, Region region) {
   const int parent = part.piece == kNoIndex ? part.face : static_cast<int>(scene_.faces.size()) + part.piece;
   part.extents = extentsOf(scene_, scene_.faces[part.face], region, part.extents);
   part.piece = static_cast<int>(regions_.size());
-  enterPiece(tree_.sorted, {part.face, parent}, region, part.extents.box, settings_.height);
+  enterPiece(tree_.sorted, {part.face, parent}, region,
+             rowsOf(part.extents.box, {0, 0, settings_.width, settings_.height}, settings_.inPixels));
   polygons_.push_back(part);
   regions_.push_back(std::move(region));
 }

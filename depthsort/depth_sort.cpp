@@ -1,374 +1,37 @@
 #include "depthsort/depth_sort.h"
 
 #include <algorithm>
-#include <numeric>
-#include <optional>
+#include <limits>
 #include <stdexcept>
-#include <string>
 #include <utility>
 
-#include "depthsort/box_grid.h"
-#include "depthsort/extents.h"
-#include "depthsort/order.h"
-#include "depthsort/pair_tests.h"
-#include "depthsort/pieces.h"
-#include "depthsort/region.h"
+#include "depthsort/areas.h"
 #include "depthsort/samples.h"
 
 namespace xnewell {
 
 namespace {
 
-constexpr int kNone = -1;
-
-/// A polygon of the list, whole or a piece. It holds what is read for every Q; two fit into a cache line.
-struct Polygon {
-  enum class State : std::uint8_t { Waiting, Marked, Split, Painted };
-  Extents extents;
-  int face = 0;  ///< index into the scene's faces
-  State state = State::Waiting;
-};
-static_assert(sizeof(Polygon) == 32);
-
-/// What is read only for P: its place in the tree of pieces and in the walk over the Q's. All Q's before that
-/// place are settled for good, for P and for all pieces of P.
-struct Progress {
-  /// list: the polygon that the walk has reached; Q: that polygon or a piece of it
-  int list = 0, end = 0, Q = 0;
-  BoxGrid::Place place;
-  bool walking = false;
-  int depth = 0;      ///< in the stack, while marked
-  int piece = kNone;  ///< index into pieces_; kNone for a whole face
-  int parent = kNone;
-  int pieces = kNone;  ///< for a split polygon, the first of its two pieces: behind, then in front
-};
-
-/// One run of the sort. The list holds whole faces first, pieces after them. The faces are in the grid's
-/// order: cell by cell, and by farthest z within a cell.
-class DepthSort {
- public:
-  DepthSort(const SnappedScene& scene, const SortSettings& settings)
-      : scene_{scene}, settings_{settings}, tests_{scene, settings} {
-    enterFaces();
-  }
-
-  SortedScene run() {
-    for (int root = 0; root < faces_; ++root)
-      for (int P; (P = nextOpen(root)) != kNone;) {
-        note(Event::Kind::Take, P);
-        mark(P);
-        while (!stack_.empty()) step();
-      }
-    sorted_.statistics.bytes = bytesOf(sorted_);
-    return std::move(sorted_);
-  }
-
- private:
-  using State = Polygon::State;
-
-  // The list.
-
-  void enterFaces();
-  [[nodiscard]] Polygon enter(int face) const;
-
-  /// The polygon or piece after Q in the order of the list. It skips the pieces of Q.
-  [[nodiscard]] int after(int Q) const {
-    for (;;) {
-      const int parent = progress_[Q].parent;
-      if (parent == kNone) return kNone;
-      if (progress_[parent].pieces == Q) return Q + 1;
-      Q = parent;
-    }
-  }
-  /// True for a face and itself, and for parts of one model face in one plane. They show the same picture in
-  /// any order.
-  [[nodiscard]] bool oneSurface(int f, int g) const {
-    const SnappedFace &F = scene_.faces[f], &G = scene_.faces[g];
-    return F.number == G.number && F.plane == G.plane;
-  }
-  /// The first polygon that is neither painted nor split, among a face and its pieces.
-  [[nodiscard]] int nextOpen(int root) const {
-    for (int P = root; P != kNone;) {
-      if (list_[P].state == State::Waiting) return P;
-      P = list_[P].state == State::Split ? progress_[P].pieces : after(P);
-    }
-    return kNone;
-  }
-
-  /// Moves P's walk to the next Q against which P is not settled. Returns that Q or kNone.
-  [[nodiscard]] int candidate(int P);
-  [[nodiscard]] int openWithin(int Q, int P) const;
-  /// Settles P against the Q at which its walk stands.
-  void settle(int P) {
-    Progress& p = progress_[P];
-    p.Q = after(p.Q);
-    if (p.Q == kNone) p.Q = ++p.list;
-  }
-
-  // The algorithm.
-
-  void step();
-  void mark(int P) {
-    list_[P].state = State::Marked;
-    progress_[P].depth = static_cast<int>(stack_.size());
-    stack_.push_back(P);
-    sorted_.statistics.deepest = std::max(sorted_.statistics.deepest, static_cast<int>(stack_.size()));
-  }
-  void paint(int P);
-  void breakCycle(int P, int R);
-  void splitCrossing(int P, int R);
-  /// Unmarks all polygons from this depth of the stack on. Their walks keep what is settled.
-  void unwind(int depth) {
-    while (static_cast<int>(stack_.size()) > depth) {
-      list_[stack_.back()].state = State::Waiting;
-      stack_.pop_back();
-    }
-  }
-  /// Splits P by Q's plane, if the plane properly crosses P. Returns true if it did.
-  bool split(int P, int Q);
-  void addPiece(int P, Region region);
-
-  [[nodiscard]] Shape shapeOf(int P) const {
-    const int face = list_[P].face, piece = progress_[P].piece;
-    return {scene_.faces[face], face, list_[P].extents.box, piece == kNone ? nullptr : &pieces_[piece]};
-  }
-  /// Frees a region that is painted or split: it is never compared again.
-  void forget(int P) {
-    if (progress_[P].piece != kNone) Region{}.swap(pieces_[progress_[P].piece]);
-  }
-
-  [[nodiscard]] int idOf(int P) const {
-    return P < faces_ ? list_[P].face : static_cast<int>(scene_.faces.size()) + P - faces_;
-  }
-  void note(const Event& event) {
-    if (sorted_.events.size() >= settings_.mostEvents)
-      throw TooManyEvents{"the run has more than " + std::to_string(settings_.mostEvents) + " steps"};
-    sorted_.events.push_back(event);
-  }
-  void note(Event::Kind kind, int P, int Q = kNone) {
-    if (settings_.record)
-      note({kind, Test::SamePlane, Verdict::PFirst, false, idOf(P), Q == kNone ? kNone : idOf(Q)});
-  }
-
-  const SnappedScene& scene_;
-  SortSettings settings_;
-  PairTests tests_;
-  int faces_ = 0;  ///< number of whole faces in the list
-  std::vector<Polygon> list_;
-  std::vector<Progress> progress_;  ///< one for each polygon of the list
-  std::vector<Region> pieces_;
-  std::optional<BoxGrid> grid_;
-  /// #cells + 1 and #cells: first polygon, first polygon not painted
-  std::vector<int> cellBegin_, cellOpen_;
-  std::vector<int> stack_;
-  SortedScene sorted_;
-};
-
-// The list.
-
-Polygon DepthSort::enter(int face) const {
-  const SnappedFace& f = scene_.faces[face];
-  Polygon P;
-  P.extents = extentsOf(scene_, f, tests_.vertexDepthsAreExact(f));
-  P.face = face;
-  return P;
-}
-
-void DepthSort::enterFaces() {
-  std::vector<Polygon> unsorted;
-  unsorted.reserve(scene_.faces.size());
-  const ScreenBox picture{0, 0, settings_.width * kGrid, settings_.height * kGrid};
-  for (int f = 0; f < static_cast<int>(scene_.faces.size()); ++f) {
-    unsorted.push_back(enter(f));
-    if (settings_.textbook) continue;
-    ScreenBox& box = unsorted.back().extents.box;
-    if (!mayShow(scene_, scene_.faces[f], box, settings_.width, settings_.height, settings_.inPixels))
-      unsorted.pop_back();
-    else  // nothing outside the picture is compared
+/// The faces of the scene. For the quick run, only those that may show.
+PolygonList facesOf(const SnappedScene& scene, const SortSettings& settings, const PairTests& tests) {
+  PolygonList list;
+  list.polygons.reserve(scene.faces.size());
+  const int margin = settings.inPixels ? kGrid : 0;  // rounding may move a vertex into the picture
+  const ScreenBox picture{-margin, -margin, settings.width * kGrid + margin,
+                          settings.height * kGrid + margin};
+  for (int f = 0; f < static_cast<int>(scene.faces.size()); ++f) {
+    const SnappedFace& face = scene.faces[f];
+    Polygon P{.extents = extentsOf(scene, face, tests.vertexDepthsAreExact(face)), .face = f};
+    if (!settings.textbook) {
+      ScreenBox& box = P.extents.box;
+      if (!mayShow(scene, face, box, settings.width, settings.height, settings.inPixels)) continue;
+      // What is farther outside is not compared.
       box = {std::max(box.x0, picture.x0), std::max(box.y0, picture.y0), std::min(box.x1, picture.x1),
              std::min(box.y1, picture.y1)};
-  }
-
-  std::vector<ScreenBox> boxes;
-  boxes.reserve(unsorted.size());
-  for (const Polygon& P : unsorted) boxes.push_back(P.extents.box);
-  grid_.emplace(boxes, settings_.grid && !settings_.textbook);
-  faces_ = static_cast<int>(unsorted.size());
-  cellBegin_.assign(grid_->cells() + 1, 0);
-  std::vector<int> cell(faces_);
-  for (int i = 0; i < faces_; ++i) ++cellBegin_[(cell[i] = grid_->cellOf(boxes[i])) + 1];
-  std::partial_sum(cellBegin_.begin(), cellBegin_.end(), cellBegin_.begin());
-  cellOpen_.assign(cellBegin_.begin(), cellBegin_.end() - 1);
-
-  // Sort by farthest z, at equal z in scene order; then cell by cell.
-  std::vector<std::uint32_t> keys(faces_);
-  std::ranges::transform(unsorted, keys.begin(), [](const Polygon& P) {
-    return static_cast<std::uint32_t>(P.extents.zFar) ^ 0x80000000u;
-  });
-  list_.resize(faces_);
-  progress_.resize(faces_);
-  std::vector<int> next = cellOpen_;
-  for (const int i : sortedByKey(keys)) list_[next[cell[i]]++] = unsorted[i];
-  if (settings_.record) {
-    for (const Polygon& P : list_) sorted_.list.push_back(P.face);
-    // Reserve room for most runs; memory that is never written costs nothing. Moving the events at every
-    // doubling took a fifth of the time of a run.
-    sorted_.events.reserve(std::min(std::size_t{16} * faces_, settings_.mostEvents));
-  }
-}
-
-int DepthSort::candidate(int P) {
-  Progress& p = progress_[P];
-  const Polygon& polygon = list_[P];
-  auto& [apartInX, apartInY] = sorted_.statistics.boxesApart;
-  for (;;) {
-    for (; p.list < p.end; p.Q = ++p.list) {
-      const Polygon& q = list_[p.list];
-      if (q.extents.zFar > polygon.extents.zNear) break;  // so are all after it in this cell
-      if (q.state == State::Painted) continue;
-      if (!settings_.textbook && !polygon.extents.box.overlaps(q.extents.box)) {
-        ++(polygon.extents.box.overlapsInX(q.extents.box) ? apartInY : apartInX);
-        continue;
-      }
-      if (const int Q = openWithin(p.Q, P); Q != kNone) return p.Q = Q;
     }
-    if (p.walking) ++p.place.column;
-    p.walking = true;
-    if (!grid_->settle(polygon.extents.box, p.place)) return kNone;
-    const int cell = grid_->cell(p.place);
-    p.end = cellBegin_[cell + 1];
-    int& open = cellOpen_[cell];
-    while (open < p.end && list_[open].state == State::Painted) ++open;
-    p.list = p.Q = open;
+    list.polygons.push_back(P);
   }
-}
-
-/// The first polygon against which P must be tested, among Q and what follows it in its face: Q, its pieces
-/// and the pieces after Q. Or kNone.
-int DepthSort::openWithin(int Q, int P) const {
-  const Polygon& p = list_[P];
-  while (Q != kNone) {
-    const Polygon& q = list_[Q];
-    const bool reaches =
-        q.extents.zFar <= p.extents.zNear && (settings_.textbook || p.extents.box.overlaps(q.extents.box));
-    if (q.state != State::Painted && reaches && !oneSurface(p.face, q.face)) {
-      if (q.state != State::Split) return Q;
-      Q = progress_[Q].pieces;
-    } else {
-      Q = after(Q);
-    }
-  }
-  return kNone;
-}
-
-// The algorithm.
-
-void DepthSort::step() {
-  const int P = stack_.back(), Q = candidate(P);
-  if (Q == kNone) return paint(P);
-
-  const Relation relation = tests_.compare(shapeOf(P), shapeOf(Q));
-  ++sorted_.statistics.settled[static_cast<int>(relation.test)];
-  sorted_.statistics.contacts += relation.contact;
-  if (settings_.record)
-    note({Event::Kind::Compare, relation.test, relation.verdict, relation.contact, idOf(P), idOf(Q)});
-  switch (relation.verdict) {
-    case Verdict::PFirst:
-      return settle(P);
-    case Verdict::QFirst:
-      if (list_[Q].state == State::Marked) return breakCycle(P, Q);
-      ++sorted_.statistics.moves;
-      note(Event::Kind::Move, P, Q);
-      return mark(Q);
-    case Verdict::Crossing:
-      return splitCrossing(P, Q);
-  }
-}
-
-void DepthSort::paint(int P) {
-  note(Event::Kind::Paint, P);
-  stack_.pop_back();
-  sorted_.fragments.push_back({list_[P].face, progress_[P].piece});
-  list_[P].state = State::Painted;
-  forget(P);
-  // A split polygon is painted when both its pieces are.
-  for (int parent = progress_[P].parent; parent != kNone; parent = progress_[parent].parent) {
-    const int first = progress_[parent].pieces;
-    if (list_[first].state != State::Painted || list_[first + 1].state != State::Painted) break;
-    list_[parent].state = State::Painted;
-  }
-}
-
-/// Breaks a cycle. R is marked. In the stack from R on, each polygon is nearer than the next one somewhere,
-/// and the last one, P, is nearer than R somewhere. If one of these pairs is only a contact, that pair does
-/// not count. If none is, a polygon is split.
-void DepthSort::breakCycle(int P, int R) {
-  ++sorted_.statistics.cycles;
-  note(Event::Kind::Cycle, P, R);
-  const int first = progress_[R].depth, last = static_cast<int>(stack_.size()) - 1;
-  const auto next = [&](int depth) { return stack_[depth == last ? first : depth + 1]; };
-  for (int depth = last; depth >= first; --depth) {
-    const int A = stack_[depth], B = next(depth);
-    if (tests_.overlapCounts(shapeOf(A), shapeOf(B))) continue;
-    ++sorted_.statistics.voids;
-    note(Event::Kind::Void, A, B);
-    unwind(depth + 1);
-    return settle(A);
-  }
-
-  // Try the textbook's choice, then neighbours in the cycle, then any polygon: P's plane properly crosses one
-  // of them.
-  if (split(P, R) || split(R, P)) return;
-  for (int depth = last - 1; depth >= first; --depth)
-    if (split(stack_[depth], next(depth)) || split(next(depth), stack_[depth])) return;
-  for (int depth = last - 1; depth >= first; --depth)
-    if (split(stack_[depth], P)) return;
-  throw std::logic_error{"a cycle without a proper split"};
-}
-
-/// P and Q cross where they overlap. Each one's plane properly crosses the other polygon.
-void DepthSort::splitCrossing(int P, int Q) {
-  const auto area = [&](int i) {
-    const ScreenBox& b = list_[i].extents.box;
-    return std::int64_t{b.x1 - b.x0} * (b.y1 - b.y0);
-  };
-  const bool splitQ = list_[Q].state != State::Marked &&
-                      (settings_.crossing == SortSettings::Split::Second ||
-                       (settings_.crossing == SortSettings::Split::Smaller && area(Q) < area(P)));
-  if (!(splitQ ? split(Q, P) : split(P, Q))) throw std::logic_error{"a crossing without a proper split"};
-}
-
-bool DepthSort::split(int P, int Q) {
-  if (!tests_.crosses(shapeOf(P), shapeOf(Q))) {
-    ++sorted_.statistics.impossible;
-    note(Event::Kind::Impossible, P, Q);
-    return false;
-  }
-  ++sorted_.statistics.splits;
-  note(Event::Kind::Split, P, Q);
-  if (list_[P].state == State::Marked) unwind(progress_[P].depth);
-
-  PairTests::Parts parts = tests_.split(shapeOf(P), shapeOf(Q));
-  forget(P);
-  list_[P].state = State::Split;
-  progress_[P].pieces = static_cast<int>(list_.size());
-  addPiece(P, std::move(parts.behind));
-  addPiece(P, std::move(parts.front));
-  return true;
-}
-
-void DepthSort::addPiece(int P, Region region) {
-  Polygon piece = list_[P];
-  piece.state = State::Waiting;
-  Progress progress = progress_[P];
-  progress.parent = P;
-  progress.pieces = kNone;
-  progress.piece = static_cast<int>(pieces_.size());
-  piece.extents = extentsOf(scene_, scene_.faces[piece.face], region, piece.extents);
-  enterPiece(sorted_, {piece.face, idOf(P)}, region, piece.extents.box, settings_.height);
-  list_.push_back(piece);
-  progress_.push_back(progress);
-  pieces_.push_back(std::move(region));
+  return list;
 }
 
 }  // namespace
@@ -380,7 +43,19 @@ std::int64_t bytesOf(const SortedScene& sorted) {
 }
 
 SortedScene depthSort(const SnappedScene& scene, const SortSettings& settings) {
-  return DepthSort{scene, settings}.run();
+  SortedScene sorted;
+  PairTests tests{scene, settings};
+  PolygonList list = facesOf(scene, settings, tests);
+  const PixelArea picture{0, 0, settings.width, settings.height};
+  if (settings.areas && !settings.textbook && !settings.record) {
+    sortByAreas(std::move(list), scene, settings, picture, tests, sorted);
+  } else {
+    const RunLimits limits{picture, std::numeric_limits<std::int64_t>::max(), 0};
+    if (!runNewell(std::move(list), scene, settings, limits, tests, sorted))
+      throw std::logic_error{"a run without a limit gave up"};
+  }
+  sorted.statistics.bytes = bytesOf(sorted);
+  return sorted;
 }
 
 }  // namespace xnewell

@@ -48,6 +48,9 @@ namespace xnewell {
 /// farther one may show. The two faces at a sample were compared with each other, in a cycle too,
 /// so doubts do not add up.
 ///
+/// Where many polygons cross each other, nearly all pieces are hidden by others. There the quick run divides
+/// the picture, and drops what is hidden before it is split (areas.h).
+///
 /// @see Newell, Newell and Sancha 1972; Foley & van Dam 2e §15.5.1
 
 /// The tests that settle a pair, P against Q. The numbers 1 to 5 are the textbook's.
@@ -86,12 +89,17 @@ struct CutLine {
   int over, under;
 };
 
-/// A part of a face, made by splits. It is the part of the face's outline where all its cut lines hold. It
-/// has all attributes of the face: a split changes no shading.
+/// A rectangle of pixels: columns [left, right) of rows [top, bottom).
+struct PixelArea {
+  int left, top, right, bottom;
+  bool operator==(const PixelArea&) const = default;
+};
+/// A part of a face, made by splits. It is the part of the face's outline where all its cut lines hold, in an
+/// area. It has all attributes of the face: a split changes no shading.
 struct Piece {
   int face;            ///< index into SnappedScene::faces
   int firstCut, cuts;  ///< range of SortedScene::cuts
-  int firstRow, rows;  ///< rows of the picture; the piece reaches into no others
+  PixelArea area;      ///< the piece owns no sample outside of it
   int parent;          ///< fragment id
 };
 /// What is painted at once: a face or a piece. An id is the index of a face (0..#faces-1), or #faces + the
@@ -129,6 +137,8 @@ struct SortStatistics {
   std::array<std::int64_t, 2> boxesApart{};
   std::int64_t moves = 0, cycles = 0, impossible = 0, splits = 0, voids = 0, contacts = 0;
   int deepest = 0;  ///< most polygons marked at once; in a BSP tree, most nodes on the way from the root
+  std::int64_t areas = 0;       ///< into which the picture was divided; 0 if it was not (areas.h)
+  std::int64_t hidden = 0;      ///< polygons that were left out of an area, or cut, because they are hidden
   std::int64_t nodes = 0;       ///< of a BSP tree (bsp_tree.h)
   std::int64_t depthTests = 0;  ///< of a z-buffer: depths that were compared (z_buffer.h)
   /// What the method keeps while it paints: the list of bytesOf(), with the nodes of a BSP tree; or a
@@ -151,7 +161,9 @@ struct SortSettings {
   /// True if the polygons are painted with their vertices rounded to pixels (fill_polygons.h). Then faces
   /// without a sample may show.
   bool inPixels = false;
-  bool grid = true;                               ///< for the quick run; if false, the Q's come from one list
+  bool grid = true;  ///< for the quick run; if false, the Q's come from one list
+  /// True if the quick run may divide the picture (areas.h). A run that records does not.
+  bool areas = true;
   bool record = false;                            ///< fills SortedScene::list and events
   std::size_t mostEvents = std::size_t{1} << 27;  ///< of 12 bytes each
   /// which of P and Q is split if they cross

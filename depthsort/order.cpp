@@ -9,6 +9,12 @@ namespace xnewell {
 std::vector<int> sortedByKey(std::span<const std::uint32_t> keys) {
   constexpr int kBits = 11, kDigits = 1 << kBits;
   const auto digit = [](std::uint32_t key, int pass) { return (key >> (pass * kBits)) & (kDigits - 1); };
+  if (keys.size() < kDigits / 4) {  // counting would cost more
+    std::vector<int> order(keys.size());
+    std::iota(order.begin(), order.end(), 0);
+    std::ranges::stable_sort(order, {}, [&](int i) { return keys[i]; });
+    return order;
+  }
   std::array<std::array<int, kDigits>, 3> count{};
   for (const std::uint32_t key : keys)
     for (int pass = 0; pass < 3; ++pass) ++count[pass][digit(key, pass)];

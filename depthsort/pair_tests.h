@@ -44,6 +44,8 @@ class PairTests {
   [[nodiscard]] bool overlapCounts(const Shape& P, const Shape& Q);
   /// True if Q's plane properly crosses P. Then split() returns the parts of P behind it and in front of it.
   [[nodiscard]] bool crosses(const Shape& P, const Shape& Q) { return signsOver(P, Q).both(); }
+  /// True unless the faces may touch (touch.h) everywhere in a part of both.
+  [[nodiscard]] bool isDeep(const Region& part, const SnappedFace& front, const SnappedFace& behind) const;
   struct Parts {
     Region behind, front;
   };
@@ -62,9 +64,6 @@ class PairTests {
   /// than a contact. It must be deep (tested only if they lie in two planes), and it must be wide or own a
   /// sample.
   [[nodiscard]] bool counts(const Region& part, const SnappedFace& front, const SnappedFace& behind) const;
-  /// True unless the faces may touch (touch.h) everywhere in the part.
-  [[nodiscard]] bool isDeep(const Region& part, const SnappedFace& front, const SnappedFace& behind) const;
-
   /// Regions::cut() of both planes. It remembers the last one, because a pair asks for it again and again.
   [[nodiscard]] const Line& nearer(const SnappedFace& p, const SnappedFace& q);
   /// The region of P. For a whole face it is made in `buffer`.

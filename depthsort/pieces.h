@@ -12,9 +12,11 @@ struct PieceOf {
   int parent;  ///< fragment id of what was split
 };
 
-/// Appends a piece, with the cuts that bound its region, to what was sorted. `box` is its bounding box, and
-/// `height` that of the picture in pixels.
-void enterPiece(SortedScene& sorted, const PieceOf& of, const Region& region, const ScreenBox& box,
-                int height);
+/// The rows of `area` that a polygon with this bounding box reaches. With its vertices rounded to pixels
+/// (`inPixels`) it may reach others: then all of them.
+[[nodiscard]] PixelArea rowsOf(const ScreenBox& box, const PixelArea& area, bool inPixels);
+
+/// Appends a piece, with the cuts that bound its region, to what was sorted. `area` is where it may paint.
+void enterPiece(SortedScene& sorted, const PieceOf& of, const Region& region, const PixelArea& area);
 
 }  // namespace xnewell

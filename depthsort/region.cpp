@@ -41,6 +41,10 @@ ExactLine exactly(const SnappedScene& scene, const Line& line) {
     const std::int64_t a = q.y - p.y, b = p.x - q.x;
     return {Wide{a}, Wide{b}, Wide{-a * p.x - b * p.y}};
   }
+  if (line.isOfArea()) {
+    const bool upright = line.kind == Line::Kind::Upright;
+    return {Wide{upright ? line.q : 0}, Wide{upright ? 0 : line.q}, Wide{-std::int64_t{line.q} * line.p}};
+  }
   const ScreenPlane &P = scene.planes[line.p], &Q = scene.planes[line.q];
   return {Wide{difference(P.A, P.C, Q.A, Q.C)}, Wide{difference(P.B, P.C, Q.B, Q.C)},
           Wide{P.D} * Q.C - Wide{Q.D} * P.C};
@@ -53,6 +57,7 @@ Line scaled(Line line) {
 }
 
 bool sameLine(const Line& l, const Line& m) {
+  if (l.isOfArea()) return l.kind == m.kind && l.p == m.p;
   return l.kind == m.kind && ((l.p == m.p && l.q == m.q) || (l.p == m.q && l.q == m.p));
 }
 
@@ -63,6 +68,14 @@ Line Regions::edge(int from, int to) const {
   const std::int64_t a = q.y - p.y, b = p.x - q.x;
   return scaled({Line::Kind::Edge, from, to, static_cast<double>(a), static_cast<double>(b),
                  static_cast<double>(-a * p.x - b * p.y)});
+}
+
+Line Regions::upright(int at, int side) {
+  return {Line::Kind::Upright, at, side, double(side), 0.0, -double(side) * at};
+}
+
+Line Regions::level(int at, int side) {
+  return {Line::Kind::Level, at, side, 0.0, double(side), -double(side) * at};
 }
 
 Line Regions::cut(int over, int under) const {
@@ -150,6 +163,10 @@ int Regions::exactSign(const Line& line, const Line& first, const Line& second, 
     const auto x = static_cast<std::int64_t>(at.x), y = static_cast<std::int64_t>(at.y);
     if (line.kind == Line::Kind::Cut)
       return compareDepths(scene_.planes[line.p], scene_.planes[line.q], x, y);
+    if (line.isOfArea()) {
+      const std::int64_t beyond = (line.kind == Line::Kind::Upright ? x : y) - line.p;
+      return line.q * ((beyond > 0) - (beyond < 0));
+    }
     const glm::ivec3 &p = scene_.vertices[line.p], &q = scene_.vertices[line.q];
     const std::int64_t value = std::int64_t{q.y - p.y} * (x - p.x) + std::int64_t{p.x - q.x} * (y - p.y);
     return value < 0 ? -1 : value > 0;

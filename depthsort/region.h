@@ -14,13 +14,17 @@ namespace xnewell {
 /// An oriented line a x + b y + c = 0 on the screen grid. Its positive side is the inner side of an outline's
 /// edge, or the side where one plane is nearer than another.
 struct Line {
-  enum class Kind : std::int8_t { Edge, Cut };
+  enum class Kind : std::int8_t { Edge, Cut, Upright, Level };
   Kind kind = Kind::Edge;
-  /// Edge: from vertex p to vertex q. Cut: positive where planes[p] is nearer than planes[q].
+  /// Edge: from vertex p to vertex q. Cut: positive where planes[p] is nearer than planes[q]. Upright: x = p,
+  /// level: y = p; positive where that coordinate is larger, if q = 1, or smaller, if q = -1.
   int p = 0, q = 0;
   /// The coefficients as doubles, each with a relative error of at most 6 2^-53. The larger of |a| and |b| is
   /// scaled to 1.
   double a = 0, b = 0, c = 0;
+
+  /// True for a side of an area.
+  [[nodiscard]] bool isOfArea() const { return kind == Kind::Upright || kind == Kind::Level; }
 };
 
 /// An estimate of the point where a side's line meets the next side's.
@@ -60,6 +64,9 @@ class Regions {
   explicit Regions(const SnappedScene& scene) : scene_{scene} {}
 
   [[nodiscard]] Line edge(int from, int to) const;
+  /// The lines x = at and y = at. `side` is 1 if larger coordinates are on the positive side, or else -1.
+  [[nodiscard]] static Line upright(int at, int side);
+  [[nodiscard]] static Line level(int at, int side);
   /// The line whose positive side is where planes[over] is nearer than planes[under]. The planes must differ.
   /// If they are parallel there is no line: a = b = 0, and c has the sign everywhere. |a|, |b| <= 2^123 and
   /// |c| <= 2^155 before the scaling.
@@ -86,7 +93,7 @@ class Regions {
 
   /// Clips the region to the positive side of the line. If no area is left, the region is empty.
   void clip(Region& region, const Line& line) const;
-  /// The same line, with its sides exchanged.
+  /// The same edge or cut, with its sides exchanged.
   [[nodiscard]] static Line flipped(Line line);
 
  private:

@@ -20,6 +20,10 @@ int edgeAtSample(const glm::ivec3& p, const glm::ivec3& q, int i, int j) {
 }  // namespace
 
 int signAtSample(const SnappedScene& scene, const Line& line, int i, int j) {
+  if (line.isOfArea()) {  // it runs between pixels
+    const int pixel = line.kind == Line::Kind::Upright ? i : j;
+    return pixel * kGrid >= line.p ? line.q : -line.q;
+  }
   return line.kind == Line::Kind::Edge ? edgeAtSample(scene.vertices[line.p], scene.vertices[line.q], i, j)
                                        : nearer(scene.planes[line.p], scene.planes[line.q], i, j);
 }
@@ -69,6 +73,19 @@ bool mayOwnSample(const SnappedScene& scene, const SnappedFace& face, const Scre
       while (k < face.count && edgeAtSample(v[k], v[k + 1 == face.count ? 0 : k + 1], i, j) > 0) ++k;
       if (k == face.count) return true;
     }
+  return false;
+}
+
+bool mayOwnSample(const SnappedScene& scene, const Region& region, const ScreenBox& box, int width,
+                  int height) {
+  const int left = std::max(0, sampleFrom(box.x0)), right = std::min(width, sampleFrom(box.x1));
+  const int top = std::max(0, sampleFrom(box.y0)), bottom = std::min(height, sampleFrom(box.y1));
+  if (left >= right || top >= bottom) return false;
+  if (std::int64_t{right - left} * (bottom - top) > 4) return true;
+  for (int j = top; j < bottom; ++j)
+    for (int i = left; i < right; ++i)
+      if (std::ranges::all_of(region, [&](const Side& s) { return signAtSample(scene, s.line, i, j) > 0; }))
+        return true;
   return false;
 }
 

@@ -19,6 +19,9 @@ namespace xnewell {
 /// for a larger box it is true.
 [[nodiscard]] bool mayOwnSample(const SnappedScene& scene, const SnappedFace& face, const ScreenBox& box,
                                 int width, int height);
+/// The same for a region.
+[[nodiscard]] bool mayOwnSample(const SnappedScene& scene, const Region& region, const ScreenBox& box,
+                                int width, int height);
 
 /// False only if the face shows nowhere in the picture. `inPixels` is true if faces are painted with their
 /// vertices rounded to pixels; then a face without a sample may show.

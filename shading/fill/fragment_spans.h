@@ -68,11 +68,13 @@ void forEachSpan(const SnappedScene& scene, const SortedScene& sorted, const Fra
   if (fragment.piece < 0) return forEachSpan(outline, count, width, height, span);
 
   const Piece& piece = sorted.pieces[fragment.piece];
-  const int endRow = std::min(height, piece.firstRow + piece.rows);
-  forEachSpan(outline, count, piece.firstRow, width, endRow, [&](int row, int from, int to) {
-    const Columns columns = withinCuts(scene, sorted, piece, row, {from, to});
-    if (columns.from < columns.to) span(row, columns.from, columns.to);
-  });
+  const PixelArea& area = piece.area;
+  forEachSpan(outline, count, area.top, std::min(width, area.right), std::min(height, area.bottom),
+              [&](int row, int from, int to) {
+                if (from = std::max(from, area.left); from >= to) return;
+                const Columns columns = withinCuts(scene, sorted, piece, row, {from, to});
+                if (columns.from < columns.to) span(row, columns.from, columns.to);
+              });
 }
 
 /// The same for the whole face.

@@ -158,7 +158,7 @@ TEST(Events, TellTheRun) {
   for (unsigned seed = seeds.from; seed < seeds.end; ++seed) {
     SCOPED_TRACE(testing::Message() << "XNEWELL_SEED=" << seed);
     const SnappedScene scene = randomScene(seed, 3 + static_cast<int>(seed / kSceneKinds.size()) % 16, 32);
-    SortSettings settings{32, 32, seed % 2 == 0};
+    SortSettings settings{.width = 32, .height = 32, .textbook = seed % 2 == 0, .areas = false};
     const SortedScene silent = depthSort(scene, settings);
     settings.record = true;
     const SortedScene sorted = depthSort(scene, settings);

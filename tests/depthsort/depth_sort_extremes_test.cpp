@@ -88,10 +88,15 @@ TEST(DepthSortExtremes, CopiesThatCross) {
   SnappedScene scene = randomScene(SceneKind::BigTriangles, 5, 4, 16);
   for (int i = 0; i < 200; ++i) addCopy(scene, i % 4);
   for (const bool textbook : {false, true}) {
-    const SortedScene sorted = depthSort(scene, {16, 16, textbook});
+    const SortedScene sorted =
+        depthSort(scene, {.width = 16, .height = 16, .textbook = textbook, .areas = false});
     EXPECT_GT(sorted.statistics.splits, 100);
     expectOracle(scene, sorted, 16, 16);
   }
+  // In areas, copies are dropped before anything is split by them.
+  const SortedScene sorted = depthSort(scene, {16, 16});
+  EXPECT_GT(sorted.statistics.hidden, 100);
+  expectOracle(scene, sorted, 16, 16);
 }
 
 TEST(DepthSortExtremes, NothingToPaint) {

@@ -32,7 +32,9 @@ void expectOrder(const SnappedScene& scene, const SortedScene& sorted, Counts& c
   };
   std::vector<Painted> all;
   for (const Fragment& fragment : sorted.fragments) {
-    Painted p{withinPicture(exactFragment(scene, sorted, fragment), kSize, kSize), 1e99, 1e99, -1e99, -1e99};
+    Painted p{exactFragment(scene, sorted, fragment), 1e99, 1e99, -1e99, -1e99};
+    p.region = fragment.piece < 0 ? within(p.region, {0, 0, kSize, kSize})
+                                  : within(p.region, sorted.pieces[fragment.piece].area);
     for (const ExactPoint& corner : p.region) {
       const double x = corner.x.convert_to<double>(), y = corner.y.convert_to<double>();
       p.x0 = std::min(p.x0, x - 1), p.x1 = std::max(p.x1, x + 1);

@@ -85,8 +85,8 @@ TEST(ConvexParts, OwnTheSamplesOfTheirFaceOnce) {
                       if (owner < faces) continue;
                       ++ofPieces;
                       const Piece& piece = sorted.pieces[owner - faces];
-                      ASSERT_GE(row, piece.firstRow);
-                      ASSERT_LT(row, piece.firstRow + piece.rows);
+                      ASSERT_GE(row, piece.area.top);
+                      ASSERT_LT(row, piece.area.bottom);
                     }
                   });
     splits += static_cast<int>(sorted.statistics.splits);

@@ -16,21 +16,26 @@ namespace {
 void add(SortStatistics& sum, const SortStatistics& s) {
   for (int t = 0; t < kTests; ++t) sum.settled[t] += s.settled[t];
   sum.moves += s.moves, sum.cycles += s.cycles, sum.impossible += s.impossible, sum.splits += s.splits;
-  sum.voids += s.voids, sum.contacts += s.contacts;
+  sum.voids += s.voids, sum.contacts += s.contacts, sum.areas += s.areas, sum.hidden += s.hidden;
   sum.deepest = std::max(sum.deepest, s.deepest);
 }
 
 struct Way {
   const char* name;
-  bool textbook, grid;
+  bool textbook, grid, areas;
   SortSettings::Split crossing;
 };
 using enum SortSettings::Split;
 constexpr std::array kWays{
-    Way{"quick", false, true, Smaller},           Way{"quick, first", false, true, First},
-    Way{"quick, second", false, true, Second},    Way{"no grid", false, false, Smaller},
-    Way{"textbook", true, false, Smaller},        Way{"textbook, first", true, false, First},
-    Way{"textbook, second", true, false, Second},
+    Way{"quick", false, true, true, Smaller},
+    Way{"quick, first", false, true, true, First},
+    Way{"quick, second", false, true, true, Second},
+    Way{"one area", false, true, false, Smaller},
+    Way{"one area, second", false, true, false, Second},
+    Way{"one list", false, false, false, Smaller},
+    Way{"textbook", true, false, false, Smaller},
+    Way{"textbook, first", true, false, false, First},
+    Way{"textbook, second", true, false, false, Second},
 };
 
 }  // namespace
@@ -60,6 +65,7 @@ TEST(DepthSort, PaintsWhatTheOracleSees) {
                                                      .height = height,
                                                      .textbook = way.textbook,
                                                      .grid = way.grid,
+                                                     .areas = way.areas,
                                                      .crossing = way.crossing});
         const std::vector<int> shown = painted(scene, sorted, width, height);
         for (int k = 0; k < width * height; ++k) {
@@ -91,6 +97,9 @@ TEST(DepthSort, PaintsWhatTheOracleSees) {
     EXPECT_GT(s.contacts, 400);
     EXPECT_GE(s.deepest, 12);
   }
+  EXPECT_GT(quick.areas, 10'000);
+  EXPECT_GT(quick.hidden, 10'000);
+  EXPECT_EQ(textbook.areas, 0);
   for (std::size_t k = 0; k < covered.size(); ++k) EXPECT_GT(covered[k], 1'000) << kSceneKinds[k].name;
 }
 

@@ -76,10 +76,10 @@ ExactRegion common(ExactRegion region, const ExactRegion& other) {
   return region;
 }
 
-ExactRegion withinPicture(ExactRegion region, int width, int height) {
-  const Rational right{std::int64_t{width} * kGrid}, bottom{std::int64_t{height} * kGrid};
-  for (const ExactLine& side :
-       {ExactLine{1, 0, 0}, ExactLine{0, 1, 0}, ExactLine{-1, 0, right}, ExactLine{0, -1, bottom}})
+ExactRegion within(ExactRegion region, const PixelArea& area) {
+  const auto at = [](int pixel) { return Rational{std::int64_t{pixel} * kGrid}; };
+  for (const ExactLine& side : {ExactLine{1, 0, -at(area.left)}, ExactLine{0, 1, -at(area.top)},
+                                ExactLine{-1, 0, at(area.right)}, ExactLine{0, -1, at(area.bottom)}})
     region = clipped(region, side);
   return region;
 }

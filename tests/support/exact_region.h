@@ -37,8 +37,8 @@ using ExactRegion = std::vector<ExactPoint>;
 /// The part of the region where the line is positive.
 [[nodiscard]] ExactRegion clipped(const ExactRegion& region, const ExactLine& line);
 [[nodiscard]] ExactRegion common(ExactRegion region, const ExactRegion& other);
-/// The part of the region inside the picture.
-[[nodiscard]] ExactRegion withinPicture(ExactRegion region, int width, int height);
+/// The part of the region inside an area.
+[[nodiscard]] ExactRegion within(ExactRegion region, const PixelArea& area);
 
 [[nodiscard]] Rational exactDoubleArea(const ExactRegion& region);
 /// The greatest value of a line in the region.

@@ -67,6 +67,8 @@ nlohmann::ordered_json statsOf(const Options& options, const Picture& picture, c
           {"fragments", static_cast<std::int64_t>(scene.faces.size()) + sort.splits},
           {"painted", static_cast<std::int64_t>(sorted.fragments.size())},
           {"splits", sort.splits},
+          {"areas", sort.areas},
+          {"hidden", sort.hidden},
           {"cycles", sort.cycles},
           {"contacts", sort.contacts},
           {"tree_nodes", sort.nodes},

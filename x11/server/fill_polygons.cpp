@@ -22,13 +22,14 @@ void appendPixel(std::vector<XPoint>& points, const glm::ivec3& v, const Rect& a
 void clipToPiece(std::vector<XRectangle>& rows, const SnappedScene& scene, const SortedScene& sorted,
                  const Fragment& fragment, const Rect& area) {
   const SnappedFace& face = scene.faces[fragment.face];
+  const Piece& piece = sorted.pieces[fragment.piece];
   const auto [top, bottom] =
       std::minmax_element(&scene.vertices[face.first], &scene.vertices[face.first] + face.count,
                           [](auto& a, auto& b) { return a.y < b.y; });
   rows.clear();
-  const int end = std::min(area.height, (bottom->y >> kGridBits) + 1);
-  for (int j = std::max(0, top->y >> kGridBits); j < end; ++j) {
-    const Columns columns = withinCuts(scene, sorted, sorted.pieces[fragment.piece], j, {0, area.width});
+  const int end = std::min(piece.area.bottom, (bottom->y >> kGridBits) + 1);
+  for (int j = std::max(piece.area.top, top->y >> kGridBits); j < end; ++j) {
+    const Columns columns = withinCuts(scene, sorted, piece, j, {piece.area.left, piece.area.right});
     if (columns.from < columns.to)
       rows.push_back({static_cast<short>(area.x + columns.from), static_cast<short>(area.y + j),
                       static_cast<unsigned short>(columns.to - columns.from), 1});

@@ -44,6 +44,12 @@ glm::ivec3 onGrid(const Corner& corner) {
   return {static_cast<int>(std::lround(corner.x)), static_cast<int>(std::lround(corner.y)), 0};
 }
 
+void clipTo(const PixelArea& area, const Regions& regions, Region& region) {
+  for (const Line& side : {Regions::upright(area.left * kGrid, 1), Regions::upright(area.right * kGrid, -1),
+                           Regions::level(area.top * kGrid, 1), Regions::level(area.bottom * kGrid, -1)})
+    if (!region.empty()) regions.clip(region, side);
+}
+
 /// The sides of painted pieces that cuts have made, once for each piece.
 std::vector<Edge> cutSides(const SnappedScene& scene, const SortedScene& sorted) {
   const Regions regions{scene};
@@ -55,6 +61,7 @@ std::vector<Edge> cutSides(const SnappedScene& scene, const SortedScene& sorted)
     regions.outline(scene.faces[piece.face], region);
     for (int k = piece.firstCut; k < piece.firstCut + piece.cuts && !region.empty(); ++k)
       regions.clip(region, regions.cut(sorted.cuts[k].over, sorted.cuts[k].under));
+    if (sorted.statistics.areas > 0) clipTo(piece.area, regions, region);
     for (std::size_t k = 0; k < region.size(); ++k)
       if (region[k].line.kind == Line::Kind::Cut)
         edges.push_back(edgeOf(onGrid(region[(k + region.size() - 1) % region.size()].corner),

@@ -1,0 +1,96 @@
+#include "depthsort/areas.h"
+
+#include <gtest/gtest.h>
+
+#include <array>
+
+#include "depthsort/oracle.h"
+#include "tests/support/painted.h"
+#include "tests/support/random_scenes.h"
+#include "tests/support/seeds.h"
+
+namespace xnewell {
+
+// The areas into which the picture is divided where polygons cross too often.
+
+// Scenes of many crossing polygons, in pictures of many areas, show what the oracle sees.
+TEST(Areas, PaintWhatTheOracleSees) {
+  constexpr int kSize = 96;
+  const Seeds seeds{400};
+  std::int64_t areas = 0, hidden = 0, covered = 0;
+  for (unsigned seed = seeds.from; seed < seeds.end; ++seed) {
+    SCOPED_TRACE(testing::Message() << "XNEWELL_SEED=" << seed);
+    const SnappedScene scene = randomScene(seed, 20 + static_cast<int>(seed) % 40, kSize);
+    const SortedScene sorted = depthSort(scene, {kSize, kSize});
+    const std::vector<int> seen = visibleFaces(scene, kSize, kSize),
+                           shown = painted(scene, sorted, kSize, kSize);
+    for (int k = 0; k < kSize * kSize; ++k) {
+      covered += seen[k] != kNothing;
+      ASSERT_EQ(shown[k], seen[k]) << "sample " << k % kSize << ", " << k / kSize;
+    }
+    areas += sorted.statistics.areas, hidden += sorted.statistics.hidden;
+  }
+  if (!seeds.all()) return;
+  EXPECT_GT(areas, 5'000);
+  EXPECT_GT(hidden, 20'000);
+  EXPECT_GT(covered, 1'000'000);
+}
+
+// No sample is painted by two fragments of one face, and none lies outside the area of its piece.
+TEST(Areas, ShareOutTheSamplesOfAFace) {
+  constexpr int kSize = 48;
+  std::int64_t pieces = 0;
+  for (unsigned seed = 0; seed < 160; ++seed) {
+    SCOPED_TRACE(testing::Message() << "seed " << seed);
+    const SnappedScene scene = randomScene(seed, 24, kSize);
+    const SortedScene sorted = depthSort(scene, {kSize, kSize});
+    std::vector<std::vector<bool>> taken(scene.faces.size(), std::vector<bool>(kSize * kSize));
+    for (const Fragment& fragment : sorted.fragments)
+      forEachSpan(scene, sorted, fragment, kSize, kSize, [&](int row, int from, int to) {
+        if (fragment.piece >= 0) {
+          const PixelArea& area = sorted.pieces[fragment.piece].area;
+          ++pieces;
+          EXPECT_TRUE(area.top <= row && row < area.bottom && area.left <= from && to <= area.right);
+        }
+        for (int i = from; i < to; ++i) {
+          EXPECT_FALSE(taken[fragment.face][row * kSize + i]);
+          taken[fragment.face][row * kSize + i] = true;
+        }
+      });
+  }
+  EXPECT_GT(pieces, 10'000);
+}
+
+// What is hidden makes no splits: with more triangles through the picture, there are hardly more of them.
+TEST(Areas, SplitLittleMoreThanShows) {
+  constexpr int kSize = 200;
+  std::array<std::int64_t, 2> splits{};
+  for (const int k : {0, 1}) {
+    const SnappedScene scene = randomScene(SceneKind::BigTriangles, 7, k == 0 ? 60 : 240, kSize);
+    const SortedScene sorted = depthSort(scene, {kSize, kSize});
+    EXPECT_GT(sorted.statistics.areas, 0);
+    splits[k] = sorted.statistics.splits;
+  }
+  EXPECT_LT(splits[1], 4 * splits[0]);  // in one area, they grow with the third power
+}
+
+// Scenes without crossings are one area.
+TEST(Areas, AreMadeOnlyWherePolygonsCross) {
+  for (const SceneKind kind : {SceneKind::EqualZ, SceneKind::Coplanar, SceneKind::Tiny}) {
+    const SortedScene sorted = depthSort(randomScene(kind, 3, 200, 64), {64, 64});
+    EXPECT_EQ(sorted.statistics.areas, 0);
+    EXPECT_EQ(sorted.statistics.hidden, 0);
+  }
+}
+
+// A recorded run and the textbook's have one area.
+TEST(Areas, AreOfTheQuietQuickRun) {
+  const SnappedScene scene = randomScene(SceneKind::BigTriangles, 5, 40, 64);
+  EXPECT_GT(depthSort(scene, {64, 64}).statistics.areas, 0);
+  for (const SortSettings& settings : {SortSettings{.width = 64, .height = 64, .textbook = true},
+                                       SortSettings{.width = 64, .height = 64, .record = true},
+                                       SortSettings{.width = 64, .height = 64, .areas = false}})
+    EXPECT_EQ(depthSort(scene, settings).statistics.areas, 0);
+}
+
+}  // namespace xnewell
