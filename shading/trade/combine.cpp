@@ -22,13 +22,15 @@ struct Trial {
 };
 
 /// The values of an axis that are worth a combination, the cheapest first. Times within a tie of the base
-/// count as its time.
+/// count as its time; but where the shading takes all the time every order ties, though they are far apart
+/// beside a cheap method, so that orders count by the time that was measured.
 std::vector<Trial> usefulOf(const Trade& trade, std::size_t axis) {
+  const bool order = trade.axes[axis].setting && trade.axes[axis].setting->key == "order";
   std::vector<Trial> all{{trade.axes[axis].now, 1.0, trade.asked.elsewhere}};
   for (const TradeRow& row : trade.rows)
     if (row.axis == static_cast<int>(axis)) {
       const Timing& time = row.measured.cost.time;
-      all.push_back({row.value, time.tie ? 1.0 : time.ratio, row.measured.elsewhere});
+      all.push_back({row.value, time.tie && !order ? 1.0 : time.ratio, row.measured.elsewhere});
     }
   // The user's own value is the first of several that are equally good.
   std::ranges::stable_sort(all, [](const Trial& a, const Trial& b) {

@@ -95,7 +95,7 @@ TEST(Model, WhatIsNearTheEyeLeavesNoDoubtAboutTheRest) {
   }
   EXPECT_GT(samples, 500'000);
   EXPECT_GT(near, 100);
-  EXPECT_GT(splits, 500);
+  EXPECT_GT(splits, 400);
 }
 
 // A split changes no shading. In every method each pixel has the colour of its face, in the painter's picture

@@ -134,7 +134,8 @@ TEST(Snapshot, OwnsTheSamplesThatTheServerOwns) {
       std::ofstream obj{name};
       int vertices = 0;
       for (int face = 0; face < 250; ++face) {
-        // A parallelogram or half of one, on a plane with its own slope, so that colours differ.
+        // A parallelogram or half of one, on a plane with its own slope, so that colours differ. Planes meet
+        // between two columns of pixels: at a centre, either of the two may show.
         const int reach = seed % 2 ? 12 : 60, slope = -below(9);
         const std::array<int, 2> a{below(kSize), below(kSize)};
         const std::array<int, 2> u{below(2 * reach + 1) - reach, below(2 * reach + 1) - reach};
@@ -143,7 +144,7 @@ TEST(Snapshot, OwnsTheSamplesThatTheServerOwns) {
         for (const auto& [p, q] : {std::array{0, 0}, {1, 0}, {1, 1}, {0, 1}}) {
           if (corners == 3 && p == 1 && q == 1) continue;
           const int i = a[0] + p * u[0] + q * v[0], j = a[1] + p * u[1] + q * v[1];
-          obj << "v " << i + 0.5 << ' ' << kSize - (j + 0.5) << ' ' << slope * i << '\n';
+          obj << "v " << i + 0.5 << ' ' << kSize - (j + 0.5) << ' ' << slope * (i - 63.75) << '\n';
         }
         obj << 'f';
         for (int k = 0; k < corners; ++k) obj << ' ' << ++vertices;
