@@ -9,6 +9,7 @@
 #include "shading/picture/exactness.h"
 #include "shading/picture/picture_cache.h"
 #include "shading/trade/combine.h"
+#include "shading/trade/measure.h"
 #include "tests/support/small_picture.h"
 
 namespace xnewell {
@@ -186,6 +187,29 @@ TEST(Front, HasWhatIsCheaperOrMoreAccurate) {
             (std::vector{1, 2, 0}));
   // The first two are equally fast as far as their times tell.
   EXPECT_EQ(frontOf({with(1, 0.3, 0.1), with(1.05, 0.2, 0.1), with(2, 0.1, 0.1)}), (std::vector{1, 2}));
+}
+
+// Beside Phong's method all orders take the same time. One of them is cheapest beside a cheap method, so it
+// is tried there too.
+TEST(Combinations, HaveOrdersThatTieBesideASlowMethod) {
+  PictureSettings settings = small();
+  settings.shading = Shading::Phong;
+  Trade trade = quickTrade("teapot", settings, {.axes = {"shade", "order"}});
+  const auto order = std::ranges::find(trade.axes, "order", &Axis::name);
+  ASSERT_NE(order, trade.axes.end());
+  for (TradeRow& row : trade.rows)
+    if (row.axis == order - trade.axes.begin()) {
+      const bool cheapest = order->text(row.value) == "bsp";
+      row.measured.elsewhere = trade.asked.elsewhere;
+      row.measured.cost.time = {.ms = 10, .ratio = cheapest ? 0.99 : 1.01, .tie = true};
+    }
+  Measure measure{readScene("teapot"), settings};
+  std::vector<std::string> left;
+  std::set<std::string> orders;
+  for (const Configuration& one : combinationsOf(trade, measure, kMostCombinations, left))
+    for (const Change& change : one.changes)
+      if (change.setting == order->setting) orders.insert(order->text(change.value));
+  EXPECT_EQ(orders, std::set<std::string>{"bsp"});
 }
 
 TEST(Trade, SaysWhatIsSaved) {
