@@ -110,30 +110,35 @@ TEST(Samples, WideIsThickerThanTheBound) {
   EXPECT_TRUE(isWide(rectangle(33, 1 << 20)));
 }
 
-// Where a cut crosses a row, the result is the first column after which all samples are on its other side.
-TEST(FragmentSpans, ColumnOfCutIsTheFirstBeyondIt) {
+// A walk along a cut leaves the columns of a row that are on its side, in rational arithmetic too.
+TEST(FragmentSpans, CutWalkLeavesWhatIsOnItsSide) {
   const Seeds seeds{800};
-  int inside = 0, atEnds = 0;
+  int some = 0, allOrNone = 0, level = 0;
   for (unsigned seed = seeds.from; seed < seeds.end; ++seed) {
     SCOPED_TRACE(seed);
     const SnappedScene scene = randomScene(seed, 4, 40);
-    for (std::size_t p = 0; p < scene.planes.size(); ++p)
-      for (std::size_t q = 0; q < p; ++q)
+    for (int p = 0; p < static_cast<int>(scene.planes.size()); ++p)
+      for (int q = 0; q < static_cast<int>(scene.planes.size()); ++q) {
+        const ExactLine difference = exactDifference(scene.planes[p], scene.planes[q]);
+        if (difference.a == 0 && difference.b == 0) continue;
+        const CutWalk walk{scene, {p, q}};
         for (int row = 0; row < 40; row += 7) {
-          const ScreenPlane &over = scene.planes[p], &under = scene.planes[q];
-          const Int128 grows = Int128{over.A} * under.C - Int128{under.A} * over.C;
-          if (grows == 0) continue;
-          const int from = row / 3, to = 40 - row / 2;
-          const ExactLine difference = exactDifference(over, under);
-          int first = from;
-          while (first < to && (exactSignAtSample(difference, first, row) > 0) != (grows > 0)) ++first;
-          ASSERT_EQ(columnOfCut(over, under, row, from, to, grows > 0), first);
-          ++(first > from && first < to ? inside : atEnds);
+          const Columns all{row / 3, 40 - row / 2};
+          Columns kept = all;
+          walk.clip(row, kept);
+          for (int i = all.from; i < all.to; ++i)
+            ASSERT_EQ(kept.from <= i && i<kept.to, exactSignAtSample(difference, i, row)> 0)
+                << "row " << row << ", column " << i;
+          const int count = std::max(0, kept.to - kept.from);
+          ++(count > 0 && count < all.to - all.from ? some : allOrNone);
+          level += difference.a == 0;
         }
+      }
   }
   if (!seeds.all()) return;
-  EXPECT_GT(inside, 1'000);
-  EXPECT_GT(atEnds, 1'000);
+  EXPECT_GT(some, 2'000);
+  EXPECT_GT(allOrNone, 2'000);
+  EXPECT_GT(level, 100);
 }
 
 }  // namespace xnewell

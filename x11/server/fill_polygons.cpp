@@ -26,10 +26,11 @@ void clipToPiece(std::vector<XRectangle>& rows, const SnappedScene& scene, const
   const auto [top, bottom] =
       std::minmax_element(&scene.vertices[face.first], &scene.vertices[face.first] + face.count,
                           [](auto& a, auto& b) { return a.y < b.y; });
+  const PieceWalk walk{scene, sorted, piece};
   rows.clear();
   const int end = std::min(piece.area.bottom, (bottom->y >> kGridBits) + 1);
   for (int j = std::max(piece.area.top, top->y >> kGridBits); j < end; ++j) {
-    const Columns columns = withinCuts(scene, sorted, piece, j, {piece.area.left, piece.area.right});
+    const Columns columns = walk.within(j, {piece.area.left, piece.area.right});
     if (columns.from < columns.to)
       rows.push_back({static_cast<short>(area.x + columns.from), static_cast<short>(area.y + j),
                       static_cast<unsigned short>(columns.to - columns.from), 1});

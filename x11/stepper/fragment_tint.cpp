@@ -40,7 +40,7 @@ bool owns(const SnappedScene& scene, const SortedScene& sorted, const Fragment& 
               [&](int j, int from, int to) {
                 Columns columns{from, to};
                 if (fragment.piece >= 0)
-                  columns = withinCuts(scene, sorted, sorted.pieces[fragment.piece], j, columns);
+                  columns = PieceWalk{scene, sorted, sorted.pieces[fragment.piece]}.within(j, columns);
                 found |= columns.from <= column && column < columns.to;
               });
   return found;
