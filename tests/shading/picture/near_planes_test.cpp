@@ -5,6 +5,7 @@
 #include <cstdlib>
 #include <glm/geometric.hpp>
 #include <iostream>
+#include <random>
 
 #include "geometry/files/obj.h"
 #include "tests/support/near_scenes.h"
@@ -57,6 +58,42 @@ TEST(NearPlanes, ShowTheNearestFaceAndTheLatestOfOnePlane) {
     if (!seeds.all()) continue;
     EXPECT_GT(tally.samples, 5'000 * tally.views);
     EXPECT_GT(tally.doubtful, 0);
+  }
+}
+
+// The same where large triangles cross the scene and each other, so that the picture is divided into areas.
+// What a polygon hides there by less than a contact is not left out.
+TEST(NearPlanes, ShowTheNearestFaceAmongCrossings) {
+  const Seeds seeds{12};
+  for (const Near family : {Near::Rugs, Near::TiledWall, Near::Sheets, Near::Cards, Near::Boxes}) {
+    SCOPED_TRACE(kNear[static_cast<std::size_t>(family)].name);
+    for (unsigned seed = seeds.from; seed < seeds.end; ++seed) {
+      SCOPED_TRACE(testing::Message() << "XNEWELL_SEED=" << seed);
+      NearScene scene = nearScene(family, seed, 12);
+      glm::dvec3 low = scene.mesh.points[0], high = low;
+      for (const glm::dvec3& p : scene.mesh.points) low = glm::min(low, p), high = glm::max(high, p);
+      const double side = std::max({high.x - low.x, high.y - low.y, high.z - low.z});
+      std::mt19937 random{seed};
+      std::uniform_real_distribution<double> anywhere{-0.5, 0.5};
+      for (int k = 0; k < 40; ++k) {
+        std::vector<int> face;
+        for (int corner = 0; corner < 3; ++corner) {
+          glm::dvec3 p = 0.5 * (low + high);
+          for (int axis = 0; axis < 3; ++axis)
+            p[axis] = std::nearbyint((p[axis] + side * anywhere(random)) / (2 * scene.u)) * (2 * scene.u);
+          face.push_back(static_cast<int>(scene.mesh.points.size()));
+          scene.mesh.points.push_back(p);
+        }
+        scene.mesh.addFace(face, 0);
+        scene.madeIn.push_back(-1);
+      }
+      const Judgement j = judged(scene.mesh, scene.madeIn, scene.u, scene.camera, kWidth, kHeight,
+                                 shownFaces(scene.mesh, scene.camera, kWidth, kHeight));
+      EXPECT_EQ(j.farther, 0);
+      EXPECT_EQ(j.lost, 0);
+      EXPECT_EQ(j.outline, 0);
+      EXPECT_GT(j.samples, 1'000);
+    }
   }
 }
 
