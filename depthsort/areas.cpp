@@ -19,13 +19,13 @@ constexpr int kParts = 3;  // an area is divided into kParts by kParts
 // that it has painted: polygons that cross their neighbours alone need no areas.
 constexpr int kFewSplits = 8, kPerSplit = 16, kPerPainted = 8;
 
-/// What decides about the pixels of an area. A polygon whose vertices are rounded to pixels may paint a pixel
-/// that it does not reach, or miss one that it covers, by half a pixel. So for `inPixels` a pixel is added on
-/// all sides.
-ScreenBox boxOf(const PixelArea& area, bool inPixels) {
-  const int margin = inPixels ? kGrid : 0;
-  return {area.left * kGrid - margin, area.top * kGrid - margin, area.right * kGrid + margin,
-          area.bottom * kGrid + margin};
+/// What decides about the pixels of an area. This is right for polygons whose vertices are rounded to pixels,
+/// too (`inPixels`). Rounding moves an edge by at most half a pixel along x and y, and no sample is nearer to
+/// the border of the box than that. So a polygon paints no pixel of an area whose box it does not reach, and
+/// one that covers the box paints all its pixels. (At exactly half a pixel, the rule for edges agrees: only
+/// left and top edges are moved towards a sample within.)
+ScreenBox boxOf(const PixelArea& area) {
+  return {area.left * kGrid, area.top * kGrid, area.right * kGrid, area.bottom * kGrid};
 }
 
 /// The depths of a plane at the four corners of an area and at its centre. An error of a depth is far below
@@ -125,7 +125,7 @@ void AreaSort::sort(PolygonList list, const PixelArea& area) {
 }
 
 PolygonList AreaSort::within(const PixelArea& area, const PolygonList& list) {
-  const ScreenBox box = boxOf(area, settings_.inPixels);
+  const ScreenBox box = boxOf(area);
   PolygonList part;
   std::vector<Cover> covers;
   for (std::size_t k = 0; k < list.polygons.size(); ++k) {
@@ -193,7 +193,7 @@ bool AreaSort::hide(Region& region, int P, const Depths& depths, const Cover& co
   if (!isNearer(cover.depths, depths)) signs = regions_.signs(line, region);
   if (signs.none()) return countHidden(P < cover.face);
   if (!signs.negative) return false;
-  if (!signs.positive) return countHidden(tests_.isDeep(region, q, p));
+  if (!signs.positive) return countHidden(true);
   Region behind = region, front = region;
   regions_.clip(behind, Regions::flipped(line));
   regions_.clip(front, line);

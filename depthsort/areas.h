@@ -16,7 +16,7 @@ namespace xnewell {
 ///
 /// Why it is right. Each sample is in one area, and a polygon is left out there only where a nearer one, or a
 /// later one in the same plane, covers it. So the polygon that shows at a sample is never left out, even if
-/// some of those that hide others are themselves hidden. What is hidden by less than a contact stays.
+/// some of those that hide others are themselves hidden. A polygon is not cut by one that it may only touch.
 ///
 /// Appends what is painted to `sorted`. The samples of the list lie in `area`.
 void sortByAreas(PolygonList list, const SnappedScene& scene, const SortSettings& settings,

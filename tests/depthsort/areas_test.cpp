@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <array>
+#include <random>
 
 #include "depthsort/oracle.h"
 #include "tests/support/painted.h"
@@ -44,6 +45,8 @@ TEST(Areas, ShareOutTheSamplesOfAFace) {
     SCOPED_TRACE(testing::Message() << "seed " << seed);
     const SnappedScene scene = randomScene(seed, 24, kSize);
     const SortedScene sorted = depthSort(scene, {kSize, kSize});
+    // Each split made two pieces; those of runs that gave up are gone, and so are their splits.
+    EXPECT_LE(2 * sorted.statistics.splits, std::ssize(sorted.pieces));
     std::vector<std::vector<bool>> taken(scene.faces.size(), std::vector<bool>(kSize * kSize));
     for (const Fragment& fragment : sorted.fragments)
       forEachSpan(scene, sorted, fragment, kSize, kSize, [&](int row, int from, int to) {
@@ -72,6 +75,32 @@ TEST(Areas, SplitLittleMoreThanShows) {
     splits[k] = sorted.statistics.splits;
   }
   EXPECT_LT(splits[1], 4 * splits[0]);  // in one area, they grow with the third power
+}
+
+// Two sheets cross each other by less than their doubt, so the later one shows, and neither is cut. This
+// holds in an area too. Large triangles on the left are why there are areas.
+TEST(Areas, CutNothingByWhatItMayTouch) {
+  constexpr int kSize = 96, kSide = kSize * kGrid, kFar = 1000;
+  SnappedScene scene;
+  for (const int tilt : {-20, 20})
+    ASSERT_TRUE(addFace(scene, {{0, 0, kFar - tilt},
+                                {0, kSide, kFar - tilt},
+                                {kSide, kSide, kFar + tilt},
+                                {kSide, 0, kFar + tilt}}));
+  std::mt19937 random{1};
+  const auto below = [&random](int n) { return static_cast<int>(random() % static_cast<unsigned>(n)); };
+  for (int k = 0; k < 40; ++k) {
+    std::vector<glm::ivec3> corners;
+    for (int i = 0; i < 3; ++i)
+      corners.emplace_back(below(kSide / 3), below(kSide), 100 * kFar + below(kSide));
+    addFace(scene, corners);
+  }
+  for (SnappedFace& face : scene.faces) face.doubt.atBack = 30;
+  const SortedScene sorted = depthSort(scene, {kSize, kSize});
+  EXPECT_GT(sorted.statistics.areas, 9);
+  const std::vector<int> shown = painted(scene, sorted, kSize, kSize);
+  for (int j = 0; j < kSize; ++j)
+    for (int i = kSize / 3; i < 2 * kSize / 3; ++i) ASSERT_EQ(shown[j * kSize + i], 1) << i << ", " << j;
 }
 
 // Scenes without crossings are one area.

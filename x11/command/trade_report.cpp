@@ -134,11 +134,13 @@ void printTrade(const Options& options, const Trade& trade, std::ostream& out) {
   out << "Faces are samples that show a wrong face. dE is CIEDE2000, its mean and its largest. "
          "MB is what the picture holds.\n";
   if (trade.stopped) out << "The measuring was stopped. What was known is here.\n";
-  out << "Times are medians of " << trade.ofRows.rounds << " rounds, in turn, " << endingOf(trade.ofRows)
-      << "; = is a tie.\n";
-  if (trade.ofRows.rounds > 0)
-    out << "The set-up, timed twice under two names, is " << percentOf(trade.ofRows.twin.interval.low)
-        << " to " << percentOf(trade.ofRows.twin.interval.high) << " of itself.\n";
+  if (trade.ofRows.rounds == 0)
+    out << "Nothing was timed.\n";
+  else
+    out << "Times are medians of " << trade.ofRows.rounds << " rounds, in turn, " << endingOf(trade.ofRows)
+        << "; = is a tie.\nThe set-up, timed twice under two names, is "
+        << percentOf(trade.ofRows.twin.interval.low) << " to " << percentOf(trade.ofRows.twin.interval.high)
+        << " of itself.\n";
   out << '\n';
   printTradeHead(out, "one short cut");
   printTradeNumbers(out, "as it is", trade.asked);

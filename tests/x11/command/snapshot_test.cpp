@@ -97,7 +97,21 @@ TEST(Snapshot, EqualsDrawWhereBlackIsOneAndWhiteZero) {
 // pixels as for whole polygons in any other order.
 TEST(Snapshot, PiecesLeaveNoGap) {
   const XServer server = XServer::xvfb(8);
-  for (const std::string scene : {"crossing-sheets", "nested-cycles", "tori", "teapot"}) {
+  const TemporaryFolder folder;
+  std::vector<std::string> scenes{"crossing-sheets", "nested-cycles", "tori", "teapot"};
+  for (unsigned seed = 0; seed < 8; ++seed) {  // triangles that cross, so that the picture is divided
+    std::ofstream obj{scenes.emplace_back(folder.file("crossing" + std::to_string(seed) + ".obj"))};
+    std::mt19937 random{seed};
+    const auto below = [&random](int n) { return static_cast<int>(random() % static_cast<unsigned>(n)); };
+    for (int k = 0; k < 60; ++k) {
+      const glm::ivec3 center{below(2000), below(2000), below(2000)};
+      for (int i = 0; i < 3; ++i)
+        obj << "v " << center.x + below(2000) << ' ' << center.y + below(2000) << ' '
+            << center.z + below(2000) << '\n';
+      obj << "f -3 -2 -1\n";
+    }
+  }
+  for (const std::string& scene : scenes) {
     SCOPED_TRACE(scene);
     const RgbImage whole = pictureOf("snapshot --fill x11 --order none " + scene, server.name());
     const auto ground = [](const RgbImage& image, std::size_t i) {

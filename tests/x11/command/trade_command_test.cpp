@@ -86,6 +86,7 @@ TEST_F(CommandTest, AnInterruptedTradeWritesItsChart) {
     ASSERT_EQ(end.status, 130) << end.err;
     some = std::filesystem::exists(file("chart.png"));
     EXPECT_EQ(end.err.find("no chart was written: nothing was timed") == std::string::npos, some) << end.err;
+    EXPECT_EQ(end.out.find("Nothing was timed") == std::string::npos, some) << end.out;
   }
   ASSERT_TRUE(some);
   EXPECT_GT(readPng(file("chart.png")).height, 50);
