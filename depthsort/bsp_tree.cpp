@@ -61,8 +61,8 @@ class PlaneSide {
 
 class Builder {
  public:
-  Builder(const SnappedScene& scene, const SortSettings& settings, int mostPieces)
-      : scene_{scene}, settings_{settings}, mostPieces_{mostPieces}, tests_{scene, settings} {}
+  Builder(const SnappedScene& scene, const SortSettings& settings)
+      : scene_{scene}, settings_{settings}, tests_{scene, settings} {}
 
   BspTree run() {
     // Subtrees that are still to be built. There is no recursion: a tree may be as deep as it has polygons.
@@ -146,7 +146,6 @@ class Builder {
 
   const SnappedScene& scene_;
   SortSettings settings_;
-  int mostPieces_;
   PairTests tests_;
   std::vector<Entry> polygons_;  ///< every polygon ever made, also those that were split
   std::vector<Region> regions_;  ///< by piece
@@ -215,9 +214,8 @@ Where Builder::split(int P, int Q) {
   PairTests::Parts parts = tests_.split(shapeOf(P), shapeOf(Q));
   if (!shows(parts.front)) return Where::Behind;
   if (!shows(parts.behind)) return Where::Front;
-  if (static_cast<int>(regions_.size()) + 2 > mostPieces_)
-    throw TooManyPieces{"the BSP tree needs more than " + std::to_string(mostPieces_) +
-                        " pieces for these polygons: they cross each other's planes too often"};
+  if (static_cast<int>(regions_.size()) + 2 > settings_.mostPieces)
+    throw tooManyPieces("the BSP tree", settings_.mostPieces);
   ++tree_.sorted.statistics.splits;
   forget(P);
   enterPart(P, std::move(parts.behind));
@@ -238,8 +236,8 @@ void Builder::enterPart(int P, Region region) {
 
 }  // namespace
 
-BspTree bspTree(const SnappedScene& scene, const SortSettings& settings, int mostPieces) {
-  return Builder{scene, settings, mostPieces}.run();
+BspTree bspTree(const SnappedScene& scene, const SortSettings& settings) {
+  return Builder{scene, settings}.run();
 }
 
 SortedScene backToFront(BspTree tree) {

@@ -1,6 +1,5 @@
 #pragma once
 
-#include <stdexcept>
 #include <vector>
 
 #include "depthsort/depth_sort.h"
@@ -42,16 +41,9 @@ struct BspTree {
   SortedScene sorted;          ///< its fragments stand node by node
 };
 
-/// The error if a tree needs more pieces than it may have.
-struct TooManyPieces : std::runtime_error {
-  using std::runtime_error::runtime_error;
-};
-inline constexpr int kMostPieces = 1'000'000;  ///< of some hundred bytes each
-
-/// Builds the tree of a scene that has planes (addPlanes()). Of the settings, it uses width, height and
-/// inPixels. The same scene gives the same tree. @throws TooManyPieces
-[[nodiscard]] BspTree bspTree(const SnappedScene& scene, const SortSettings& settings,
-                              int mostPieces = kMostPieces);
+/// Builds the tree of a scene that has planes (addPlanes()). Of the settings, it uses width, height,
+/// inPixels and mostPieces. The same scene gives the same tree. @throws TooManyPieces
+[[nodiscard]] BspTree bspTree(const SnappedScene& scene, const SortSettings& settings);
 
 /// The fragments in painting order. Work: linear in the number of nodes and fragments.
 [[nodiscard]] SortedScene backToFront(BspTree tree);

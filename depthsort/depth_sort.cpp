@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <limits>
 #include <stdexcept>
+#include <string>
 #include <utility>
 
 #include "depthsort/areas.h"
@@ -40,6 +41,12 @@ std::int64_t bytesOf(const SortedScene& sorted) {
   return static_cast<std::int64_t>(sorted.fragments.size() * sizeof(Fragment) +
                                    sorted.pieces.size() * sizeof(Piece) +
                                    sorted.cuts.size() * sizeof(CutLine));
+}
+
+TooManyPieces tooManyPieces(std::string_view who, int most) {
+  return TooManyPieces{std::string{who} + " needs more than " + std::to_string(most) +
+                       " pieces, for the polygons cross too often; --max-fragments allows more, and --order "
+                       "oracle needs none"};
 }
 
 SortedScene depthSort(const SnappedScene& scene, const SortSettings& settings) {

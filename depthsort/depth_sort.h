@@ -151,6 +151,9 @@ struct SortStatistics {
   }
 };
 
+/// How many pieces an order makes before it gives up. Each takes some hundred bytes while it waits.
+inline constexpr int kMostPieces = 5'000'000;
+
 struct SortSettings {
   int width, height;  ///< size of the picture in pixels
   /// True for the textbook's run, for learners. It takes every Q in the list whose z-extent reaches back to
@@ -165,7 +168,8 @@ struct SortSettings {
   /// True if the quick run may divide the picture (areas.h). A run that records does not.
   bool areas = true;
   bool record = false;                            ///< fills SortedScene::list and events
-  std::size_t mostEvents = std::size_t{1} << 27;  ///< of 12 bytes each
+  std::size_t mostEvents = std::size_t{1} << 24;  ///< of 12 bytes each
+  int mostPieces = kMostPieces;
   /// which of P and Q is split if they cross
   enum class Split { Smaller, First, Second } crossing = Split::Smaller;
 };
@@ -182,12 +186,20 @@ struct SortedScene {
 /// The size of the fragments, pieces and cuts.
 [[nodiscard]] std::int64_t bytesOf(const SortedScene& sorted);
 
-/// The error if a run has more events than it may record.
-struct TooManyEvents : std::length_error {
-  using std::length_error::length_error;
+/// The errors if a run has more events than it may record, or makes more pieces than it may.
+struct TooLongRun : std::runtime_error {
+  using std::runtime_error::runtime_error;
 };
+struct TooManyEvents : TooLongRun {
+  using TooLongRun::TooLongRun;
+};
+struct TooManyPieces : TooLongRun {
+  using TooLongRun::TooLongRun;
+};
+/// @param who  "the depth sort"
+[[nodiscard]] TooManyPieces tooManyPieces(std::string_view who, int most);
 
-/// Sorts a scene. @throws TooManyEvents only if it records
+/// Sorts a scene. @throws TooManyPieces, and TooManyEvents if it records
 [[nodiscard]] SortedScene depthSort(const SnappedScene& scene, const SortSettings& settings);
 
 }  // namespace xnewell

@@ -160,6 +160,8 @@ class NewellRun {
   std::optional<BoxGrid> grid_;
   /// #cells + 1 and #cells: first polygon, first polygon not painted
   std::vector<int> cellBegin_, cellOpen_;
+  /// #cells: a face, if all faces of the cell are of one surface with it; otherwise kNone
+  std::vector<int> cellSurface_;
   std::vector<int> stack_;
 };
 
@@ -192,6 +194,13 @@ void NewellRun::enter(PolygonList list) {
     if (!list.regions.empty() && !list.regions[i].empty())
       progress_[P].piece = enterRegion(std::move(list.regions[i]), list_[P], list_[P].face);
   }
+  cellSurface_.assign(grid_->cells(), kNone);
+  for (int c = 0; c < grid_->cells(); ++c) {
+    const auto begin = list_.begin() + cellBegin_[c], end = list_.begin() + cellBegin_[c + 1];
+    if (begin != end &&
+        std::all_of(begin, end, [&](const Polygon& P) { return oneSurface(P.face, begin->face); }))
+      cellSurface_[c] = begin->face;
+  }
   if (settings_.record) {
     for (const Polygon& P : list_) sorted_.list.push_back(P.face);
     // Reserve room for most runs; memory that is never written costs nothing. Moving the events at every
@@ -220,6 +229,10 @@ int NewellRun::candidate(int P) {
     if (!grid_->settle(polygon.extents.box, p.place)) return kNone;
     const int cell = grid_->cell(p.place);
     p.end = cellBegin_[cell + 1];
+    if (cellSurface_[cell] != kNone && oneSurface(cellSurface_[cell], polygon.face)) {
+      p.list = p.end;
+      continue;
+    }
     int& open = cellOpen_[cell];
     while (open < p.end && list_[open].state == State::Painted) ++open;
     p.list = p.Q = open;
@@ -354,6 +367,8 @@ void NewellRun::addPiece(int P, Region region) {
 }
 
 int NewellRun::enterRegion(Region region, const Polygon& polygon, int parent) {
+  if (std::ssize(sorted_.pieces) >= settings_.mostPieces)
+    throw tooManyPieces("the depth sort", settings_.mostPieces);
   enterPiece(sorted_, {polygon.face, parent}, region,
              rowsOf(polygon.extents.box, limits_.area, settings_.inPixels));
   pieces_.push_back(std::move(region));

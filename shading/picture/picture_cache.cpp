@@ -40,7 +40,8 @@ struct Visibility {
 
 Visibility visibilityOf(const SnappedScene& snapped, const ViewSpec& view, const PictureSettings& wanted) {
   const int width = wanted.width, height = wanted.height;
-  const SortSettings settings{.width = width, .height = height, .inPixels = wanted.inPixels};
+  const SortSettings settings{
+      .width = width, .height = height, .inPixels = wanted.inPixels, .mostPieces = wanted.mostPieces};
   Visibility result;
   if (wanted.order == Order::Newell) {
     result.sorted = depthSort(snapped, settings);

@@ -18,7 +18,7 @@ class PictureCache {
 
   /// Runs all stages of a picture. If `ground` is given, the image is painted, with that cell as its
   /// background. Otherwise no new image is painted, which saves most of the time. @throws ViewError, and
-  /// TooManyPieces for a BSP tree; the last picture then stays as it was.
+  /// TooManyPieces; the last picture then stays as it was.
   Picture make(const PictureSettings& settings, std::optional<std::uint8_t> ground = {});
 
   [[nodiscard]] const Scene& scene() const { return *scene_; }

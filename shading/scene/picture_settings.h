@@ -1,5 +1,6 @@
 #pragma once
 
+#include "depthsort/depth_sort.h"
 #include "depthsort/order.h"
 #include "geometry/model/vertex_normals.h"
 #include "geometry/view/camera.h"
@@ -31,7 +32,8 @@ struct PictureSettings {
   TextureMapping mapping = TextureMapping::Perspective;
   Order order = Order::Newell;
   Cull cull = Cull::Keep;
-  bool inPixels = false;  ///< true if an X server will fill the polygons (SortSettings::inPixels)
+  int mostPieces = kMostPieces;  ///< SortSettings::mostPieces
+  bool inPixels = false;         ///< true if an X server will fill the polygons (SortSettings::inPixels)
   ColorPlan colors = ColorPlan::Needed;
   bool dither = false;  ///< has an effect if the cells hold colours, not ramps
   TableSettings table;

@@ -103,6 +103,19 @@ TEST(Areas, CutNothingByWhatItMayTouch) {
     for (int i = kSize / 3; i < 2 * kSize / 3; ++i) ASSERT_EQ(shown[j * kSize + i], 1) << i << ", " << j;
 }
 
+// A run makes no more pieces than it may, with areas and without.
+TEST(Areas, MakeAtMostSoManyPieces) {
+  const SnappedScene scene = randomScene(SceneKind::BigTriangles, 7, 60, 64);
+  for (const bool areas : {false, true}) {
+    SortSettings settings{.width = 64, .height = 64, .areas = areas};
+    settings.mostPieces = static_cast<int>(depthSort(scene, settings).pieces.size());
+    EXPECT_GT(settings.mostPieces, 100);
+    EXPECT_NO_THROW(static_cast<void>(depthSort(scene, settings)));
+    settings.mostPieces /= 2;
+    EXPECT_THROW(static_cast<void>(depthSort(scene, settings)), TooManyPieces);
+  }
+}
+
 // Scenes without crossings are one area.
 TEST(Areas, AreMadeOnlyWherePolygonsCross) {
   for (const SceneKind kind : {SceneKind::EqualZ, SceneKind::Coplanar, SceneKind::Tiny}) {

@@ -176,18 +176,17 @@ TEST(BspTree, HasAtMostSoManyPieces) {
   SnappedScene scene;
   ASSERT_TRUE(addFace(scene, {{0, 0, 0}, {0, 16 * kGrid, 0}, {16 * kGrid, 0, 1000}}));
   ASSERT_TRUE(addFace(scene, {{0, 0, 1000}, {0, 16 * kGrid, 1000}, {16 * kGrid, 0, 0}}));
-  const SortSettings settings{.width = 16, .height = 16};
-  EXPECT_EQ(bspTree(scene, settings, 2).sorted.statistics.splits, 1);
-  EXPECT_THROW(bspTree(scene, settings, 1), TooManyPieces);
+  EXPECT_EQ(bspTree(scene, {.width = 16, .height = 16, .mostPieces = 2}).sorted.statistics.splits, 1);
+  EXPECT_THROW(bspTree(scene, {.width = 16, .height = 16, .mostPieces = 1}), TooManyPieces);
 
   const SnappedScene many = randomScene(SceneKind::BigTriangles, 7, 200, 32);
   try {
-    (void)bspTree(many, {.width = 32, .height = 32}, 500);
+    (void)bspTree(many, {.width = 32, .height = 32, .mostPieces = 500});
     ADD_FAILURE() << "no error";
   } catch (const TooManyPieces& e) {
     EXPECT_EQ(e.what(),
-              std::string{"the BSP tree needs more than 500 pieces for these polygons: they cross each "
-                          "other's planes too often"});
+              std::string{"the BSP tree needs more than 500 pieces, for the polygons cross too often; "
+                          "--max-fragments allows more, and --order oracle needs none"});
   }
 }
 

@@ -103,4 +103,28 @@ TEST(DepthSort, PaintsWhatTheOracleSees) {
   for (std::size_t k = 0; k < covered.size(); ++k) EXPECT_GT(covered[k], 1'000) << kSceneKinds[k].name;
 }
 
+// The parts of one face in one plane need no order among themselves, however many there are: no pair of them
+// is even looked at. With another face beside them the picture is as ever.
+TEST(DepthSort, AsksNothingWithinOneSurface) {
+  constexpr int kSize = 64, kSide = kSize * kGrid;
+  SnappedScene scene;
+  for (int k = 0; k < 2000; ++k) {  // needles across the picture, in one plane
+    const int x = k * (kSide / 2000);
+    ASSERT_TRUE(
+        addFace(scene, {{x, 0, 500}, {x, kSide, 500}, {kSide - x / 2, kSide / 2, 500}}, k == 0 ? -1 : 0));
+    scene.faces.back().number = 0;
+  }
+  const SortSettings settings{.width = kSize, .height = kSize};
+  const SortedScene alone = depthSort(scene, settings);
+  EXPECT_EQ(alone.statistics.pairs(), 0);
+  EXPECT_EQ(alone.statistics.boxesApart, (decltype(alone.statistics.boxesApart){}));
+  EXPECT_GT(alone.fragments.size(), 1000u);
+
+  ASSERT_TRUE(addFace(scene, {{0, 0, 0}, {0, kSide, 1000}, {kSide, 0, 1000}}));
+  const SortedScene both = depthSort(scene, settings);
+  EXPECT_GT(both.statistics.pairs(), 0);
+  const std::vector<int> seen = visibleFaces(scene, kSize, kSize), shown = painted(scene, both, kSize, kSize);
+  for (std::size_t k = 0; k < seen.size(); ++k) ASSERT_EQ(seen[k] == 2000, shown[k] == 2000) << k;
+}
+
 }  // namespace xnewell

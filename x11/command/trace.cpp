@@ -234,6 +234,7 @@ class Teller {
 SortedScene recordedRun(const Options& options, const Picture& picture) {
   SortSettings settings{picture.settings().width, picture.settings().height, !options.quick};
   settings.record = true;
+  settings.mostPieces = picture.settings().mostPieces;
   try {
     return depthSort(picture.snapped(), settings);
   } catch (const TooManyEvents& e) {

@@ -169,6 +169,8 @@ std::optional<Options> parseOptions(int argc, const char* const* argv, const Pic
   r.number("--divisions", o.divisions, 1, kMaxDivisions,
            "each Bezier patch becomes N x N polygons, unless the scene file gives the number");
   for (const Setting& row : settingRows()) r.setting(row, o.picture);
+  r.number("--max-fragments", o.picture.mostPieces, 1, 1'000'000'000,
+           "how many pieces the depth sort and the BSP tree make before they give up");
   r.flag("--half-vector", o.halfVector, "the same as --form half-vector");
   r.named("--texture", o.texture, "file", "a PNG for the diffuse colour of all surfaces");
   addCamera(r, o.picture.camera);

@@ -37,7 +37,7 @@ void SortBench::record(const Desk& desk) {
   picture_ = desk.picture;
   try {
     run_ = std::make_unique<SortRun>(desk.picture, desk.plan[Cell::Well]);
-  } catch (const TooManyEvents&) {
+  } catch (const TooLongRun&) {
     tooLong_ = true;
     early_.clear();
     view_.playing = false;

@@ -23,7 +23,7 @@ class SortRun {
   static constexpr std::size_t kMostEvents = std::size_t{1} << 22;
   static constexpr std::size_t kCopies = std::size_t{64} << 20;  ///< bytes for the copies of SoFar
 
-  /// Sorts what the picture shows. @throws TooManyEvents
+  /// Sorts what the picture shows. @throws TooLongRun
   SortRun(const Picture& picture, std::uint8_t ground);
   SortRun(const SortRun&) = delete;
   SortRun& operator=(const SortRun&) = delete;

@@ -359,4 +359,20 @@ TEST_F(CommandTest, IsDeterministic) {
   }
 }
 
+// A sort that makes too many pieces ends with one line that says what to do.
+TEST_F(CommandTest, SortsMakeAtMostSoManyFragments) {
+  const std::string advice =
+      " pieces, for the polygons cross too often; --max-fragments allows more, and --order oracle needs none";
+  refused({"draw", "crossing-sheets", "-o", file("new.png"), "--max-fragments", "10"}, 1,
+          "the depth sort needs more than 10" + advice);
+  refused({"trace", "crossing-sheets", "--max-fragments", "20"}, 1,
+          "the depth sort needs more than 20" + advice);
+  refused({"draw", "crossing-sheets", "-o", file("new.png"), "--order", "bsp", "--max-fragments", "10"}, 1,
+          "the BSP tree needs more than 10" + advice);
+  refused({"draw", "teapot", "-o", file("new.png"), "--max-fragments", "0"}, 2,
+          "--max-fragments: '0' is not a whole number from 1 to 1000000000");
+  EXPECT_EQ(runProgram({"draw", "crossing-sheets", "-o", file("new.png"), "--max-fragments", "200"}).status,
+            0);
+}
+
 }  // namespace xnewell
