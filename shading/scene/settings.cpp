@@ -109,7 +109,7 @@ std::optional<int> choiceNamed(const Setting& setting, std::string_view name) {
 
 std::string textOf(double v) {
   std::array<char, 32> text;
-  const bool plain = v == 0.0 || (std::abs(v) >= 1e-4 && std::abs(v) < 1e9);
+  const bool plain = v == 0.0 || (std::abs(v) >= 1e-4 && std::abs(v) <= 1e9);
   const auto [end, error] = std::to_chars(text.begin(), text.end(), v,
                                           plain ? std::chars_format::fixed : std::chars_format::general);
   return {text.begin(), end};
