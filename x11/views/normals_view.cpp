@@ -34,31 +34,47 @@ void forEachOfBall(int diameter, Use&& use) {
     }
 }
 
-/// Turns N into viewing coordinates.
-std::vector<glm::dvec3> seenNormals(const Picture& picture) {
-  std::vector<glm::dvec3> N = picture.normals(picture.seen(0, picture.settings().height));
-  const glm::dmat3 rotation = vrcRotation(picture.camera().view);
-  for (glm::dvec3& n : N) n = rotation * n;
-  return N;
-}
+/// The normals of a picture in viewing coordinates.
+struct SeenNormals {
+  RgbImage colors;                  ///< black where no face shows
+  std::vector<std::uint8_t> shows;  ///< of each sample: 1 where a face shows
+  std::vector<glm::dvec3> needles;  ///< where needles stand, row by row; 0 where no face shows
+};
 
-RgbImage colorsOf(const std::vector<glm::dvec3>& N, int width, int height) {
-  RgbImage colors{width, height};
-  for (std::size_t k = 0; k < N.size(); ++k)
-    if (N[k] != glm::dvec3{0.0}) setColor(&colors.rgb[3 * k], N[k]);
-  return colors;
+/// The rows below the picture, `below` of them, stay black and show nothing. A large picture is worked on in
+/// bands of rows, because a normal takes eight times as much memory as its colour.
+SeenNormals seenNormals(const Picture& picture, int below = 0) {
+  constexpr int kMostSamples = 1 << 21;  // of a band
+  const int width = picture.settings().width, height = picture.settings().height;
+  const int rows = std::max(1, kMostSamples / width);
+  const glm::dmat3 rotation = vrcRotation(picture.camera().view);
+  SeenNormals seen{.colors = {width, height + below},
+                   .shows = std::vector<std::uint8_t>(std::size_t(width) * (height + below), 0),
+                   .needles = {}};
+  for (int row = 0; row < height; row += rows) {
+    const std::vector<glm::dvec3> N = picture.normals(picture.seen(row, std::min(row + rows, height)));
+    const std::size_t first = std::size_t(row) * width;
+    for (std::size_t k = 0; k < N.size(); ++k) {
+      const glm::dvec3 n = rotation * N[k];
+      const bool shows = n != glm::dvec3{0.0};
+      if (shows) seen.shows[first + k] = 1, setColor(&seen.colors.rgb[3 * (first + k)], n);
+      const int i = static_cast<int>(k % width), j = row + static_cast<int>(k / width);
+      if (i % kNeedles == kNeedles / 2 && j % kNeedles == kNeedles / 2) seen.needles.push_back(n);
+    }
+  }
+  return seen;
 }
 
 /// Draws one needle for each cell of the coarse grid whose middle shows a face; a dot if it points at the
 /// viewer.
-void drawNeedles(Painter painter, const std::vector<glm::dvec3>& N, const Rect& at, std::uint8_t cell) {
+void drawNeedles(Painter painter, const SeenNormals& seen, const Rect& at, std::uint8_t cell) {
+  auto n = seen.needles.begin();
   for (int j = kNeedles / 2; j < at.height; j += kNeedles)
-    for (int i = kNeedles / 2; i < at.width; i += kNeedles) {
-      const glm::dvec3& n = N[std::size_t(j) * at.width + i];
-      if (n == glm::dvec3{0.0}) continue;
+    for (int i = kNeedles / 2; i < at.width; i += kNeedles, ++n) {
+      if (*n == glm::dvec3{0.0}) continue;
       const int x = at.x + i, y = at.y + j;
-      painter.line(x, y, x + static_cast<int>(std::lround(kNeedle * n.x)),
-                   y - static_cast<int>(std::lround(kNeedle * n.y)), cell);
+      painter.line(x, y, x + static_cast<int>(std::lround(kNeedle * n->x)),
+                   y - static_cast<int>(std::lround(kNeedle * n->y)), cell);
       painter.disc(x, y, 1, cell);
     }
 }
@@ -97,24 +113,20 @@ NormalsPlaces placesOf(const ViewSettings& settings) {
 
 }  // namespace
 
-RgbImage normalColors(const Picture& picture) {
-  return colorsOf(seenNormals(picture), picture.settings().width, picture.settings().height);
-}
+RgbImage normalColors(const Picture& picture) { return seenNormals(picture).colors; }
 
 ColoredImage normalsImage(const Picture& picture, const CellPlan& plan, const Palette& palette) {
   const PictureSettings& settings = picture.settings();
-  const std::vector<glm::dvec3> N = seenNormals(picture);
+  const SeenNormals seen = seenNormals(picture);
   const int first = kTables[static_cast<int>(settings.table.kind)].first;
-  std::vector<std::uint8_t> shows(N.size());
-  std::ranges::transform(N, shows.begin(), [](const glm::dvec3& n) { return n != glm::dvec3{0.0}; });
   ColoredImage normals{{settings.width, settings.height, plan[Cell::Well]}, palette};
   const std::vector<Rgb16> chosen =
-      quantize(colorsOf(N, settings.width, settings.height), shows,
+      quantize(seen.colors, seen.shows,
                {.quantizer = settings.colors == ColorPlan::Cube ? Quantizer::Cube : Quantizer::Chosen,
                 .dither = true,
                 .first = first},
                normals.image);
-  drawNeedles(Painter{normals.image}, N, {0, 0, settings.width, settings.height}, plan[Cell::Black]);
+  drawNeedles(Painter{normals.image}, seen, {0, 0, settings.width, settings.height}, plan[Cell::Black]);
   std::ranges::copy(chosen, normals.palette.begin() + first);
   return normals;
 }
@@ -131,22 +143,17 @@ ColoredImage drawNormals(const Picture& picture, const ViewSettings& settings) {
   const NormalsPlaces places = placesOf(settings);
   const Rect& at = places.picture;
   const PictureSettings& smaller = picture.settings();
-  const std::vector<glm::dvec3> N = seenNormals(picture);
 
   // The ball's colours are chosen with the picture's: one image above the other.
   const int rows = at.height + kBall, first = kTables[static_cast<int>(smaller.table.kind)].first;
-  RgbImage colors = colorsOf(N, at.width, at.height);
-  colors.height = rows;
-  colors.rgb.resize(std::size_t{3} * at.width * rows);
-  std::vector<std::uint8_t> shows(std::size_t(at.width) * rows, 0);
-  for (std::size_t k = 0; k < N.size(); ++k) shows[k] = N[k] != glm::dvec3{0.0};
+  SeenNormals seen = seenNormals(picture, kBall);
   forEachOfBall(kBall, [&](int i, int j, const glm::dvec3& n) {
-    setColor(colors.pixel(i, at.height + j), n);
-    shows[std::size_t(at.height + j) * at.width + i] = 1;
+    setColor(seen.colors.pixel(i, at.height + j), n);
+    seen.shows[std::size_t(at.height + j) * at.width + i] = 1;
   });
   IndexImage cells{at.width, rows, settings.cells[Cell::Well]};
   const std::vector<Rgb16> chosen =
-      quantize(colors, shows,
+      quantize(seen.colors, seen.shows,
                {.quantizer = smaller.colors == ColorPlan::Cube ? Quantizer::Cube : Quantizer::Chosen,
                 .dither = true,
                 .first = first},
@@ -157,7 +164,7 @@ ColoredImage drawNormals(const Picture& picture, const ViewSettings& settings) {
 
   Sheet sheet{settings.picture.width, settings.picture.height, settings.cells};
   sheet.painter().place(cells, {0, 0, at.width, at.height}, at.x, at.y);
-  drawNeedles(sheet.painter().within(at), N, at, sheet.cell(Cell::Black));
+  drawNeedles(sheet.painter().within(at), seen, at, sheet.cell(Cell::Black));
   sheet.painter().frame(at, sheet.cell(Cell::Ink));
   const int top = at.y + at.height + Sheet::kGutter;
   sheet.painter().place(cells, {0, at.height, kBall, kBall}, Sheet::kMargin, top);
