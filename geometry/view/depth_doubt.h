@@ -10,13 +10,13 @@ namespace xnewell {
 
 /// Computes SnappedFace::doubt: how far the plane of a face's own corners may be off at a sample, in z steps.
 ///
-/// The snap moves a point by half a step in each coordinate, so a plane with the slopes alpha and beta by 1/2
-/// +
-/// (|alpha| + |beta|) / 2. Rounding in the model moves the plane by r (rounding.h; without the terms of
-/// arithmetic: the snap is coarser, and a file that stands far from the origin is taken at its word). If the
-/// plane is k away from the eye, then at distance d it changes 1 / d by r / (|k| d). So z = D^2 / zStep (1 /
-/// d - 1 / dB) changes by (z + q0) r / |k| with q0 = D^2 / (zStep dB): this is linear in z, and z is linear
-/// over the screen. In a parallel view it is r / (zStep |m.z'|) everywhere, with m.z' as in plane_record.h.
+/// The snap moves a point by half a step in each coordinate. So it moves a plane with the slopes alpha and
+/// beta by 1/2 + (|alpha| + |beta|) / 2. Rounding in the model moves the plane by r (rounding.h; without the
+/// terms of arithmetic: the snap is coarser, and coordinates far from the origin are trusted as written). If
+/// the plane is k away from the eye, then at distance d it changes 1/d by r / (|k| d). So
+/// z = D^2 / zStep (1/d - 1/dB) changes by (z + q0) r / |k| with q0 = D^2 / (zStep dB): this is linear in z,
+/// and z is linear over the screen. In a parallel view it is r / (zStep |m.z'|) everywhere, with m.z' as in
+/// plane_record.h.
 /// The normal over k, or over m.z', follows from the record alone.
 ///
 /// The record of a class of faces is another plane, up to r from each corner. Where faces touch in the model,
