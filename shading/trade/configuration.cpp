@@ -6,7 +6,6 @@
 
 #include "geometry/exact/box.h"
 #include "shading/picture/facts.h"
-#include "shading/scene/save_scene.h"
 
 namespace xnewell {
 
@@ -19,13 +18,6 @@ bool lightsHavePlaces(const Picture& picture) {
   const Scene& scene = picture.scene();
   return std::ranges::any_of(lightsOf(scene.light, picture.settings().light, boxOf(scene.mesh.points)),
                              [](const Light& light) { return light.kind != LightKind::Directional; });
-}
-
-/// True if the patches of the scene may have other divisions. Its file may give their number.
-bool canBeDivided(const Scene& scene) {
-  if (scene.divisions == 0 || scene.origin.of.empty()) return false;
-  const int other = scene.divisions == 1 ? 2 : 1;
-  return redivided(scene, other).divisions == other;
 }
 
 bool isAnAxis(const Setting& setting, const Picture& picture) {
@@ -77,7 +69,7 @@ std::string Configuration::options() const {
 std::vector<Axis> axesOf(const Picture& picture) {
   std::vector<Axis> axes;
   const Scene& scene = picture.scene();
-  if (canBeDivided(scene)) {
+  if (scene.divisions > 0) {
     axes.push_back({nullptr, static_cast<double>(scene.divisions), {}});
     for (const int n : kDivisions)
       if (n != scene.divisions) axes.back().others.push_back(n);
@@ -107,28 +99,6 @@ Configuration changed(Configuration configuration, const Axis& axis, double valu
     configuration.divisions = static_cast<int>(value);
   configuration.changes.push_back({axis.setting, value});
   return configuration;
-}
-
-int finestDivisions(const Scene& scene) {
-  constexpr std::size_t kFinest = 64, kMostFaces = 300'000;
-  if (!canBeDivided(scene)) return scene.divisions;
-  std::size_t patches = 0;
-  for (const PatchRun& run : scene.patches) patches += run.patches.size();
-  std::size_t finest = kFinest;
-  while (finest > 1 && patches * finest * finest > kMostFaces) --finest;
-  return std::max(scene.divisions, static_cast<int>(finest));
-}
-
-Scene dividedAnew(const Scene& scene, int divisions) {
-  if (divisions == scene.divisions) return scene;
-  Scene other = redivided(scene, divisions);
-  const double factor = std::ldexp(1.0, other.exponent - scene.exponent);  // exact
-  for (glm::dvec3& p : other.mesh.points) p *= factor;
-  for (double& u : other.mesh.rounding) u *= factor;
-  for (ModelPlane& plane : other.parts.planes) plane.at *= factor;
-  other.exponent = scene.exponent;
-  other.light = scene.light;
-  return other;
 }
 
 CameraSettings heldCamera(const Picture& picture) {

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "shading/picture/picture.h"
+#include "shading/scene/divide_anew.h"
 #include "shading/scene/settings.h"
 
 namespace xnewell {
@@ -44,8 +45,8 @@ struct Configuration {
 };
 
 /// The axes that have an effect on this picture, in the order of the rows, the divisions first. An X server
-/// would have to time its own filler, so `fill` is not among them. Where the scene's file gives the
-/// divisions, they are no axis.
+/// would have to time its own filler, so `fill` is not among them. The divisions are one where they change
+/// a patch: where the scene's file does not set those of all.
 [[nodiscard]] std::vector<Axis> axesOf(const Picture& picture);
 
 /// The names of those axes on which the program may choose by itself: the method, the divisions, the order,
@@ -54,12 +55,6 @@ struct Configuration {
 
 /// The configuration with another value of one short cut.
 [[nodiscard]] Configuration changed(Configuration configuration, const Axis& axis, double value);
-
-/// The divisions that make the patches of a scene as fine as a reference needs: 64, or as many as give no
-/// more than 300,000 faces, and not less than the scene has. 0 if there are no patches to divide.
-[[nodiscard]] int finestDivisions(const Scene& scene);
-/// The scene with other divisions, in the units and with the lights of the first.
-[[nodiscard]] Scene dividedAnew(const Scene& scene, int divisions);
 
 /// The camera of a picture, said in full. So it stays when the polygons change.
 [[nodiscard]] CameraSettings heldCamera(const Picture& picture);

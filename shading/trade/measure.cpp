@@ -54,7 +54,7 @@ std::optional<PairCheck> pairsOf(const Picture& picture, std::int64_t wrongFaces
 
 Errors briefErrors(const Comparison& comparison) {
   Errors errors;
-  const std::vector<float> after = comparison.intensityErrors(Rounding::After);
+  const std::vector<float> after = comparison.intensityErrors(TableSide::After);
   errors.afterTable = spreadOf(after);
   errors.worst = worstPlaces(comparison, after);
   errors.samples = errors.afterTable.count;
@@ -78,8 +78,8 @@ StageTimes Stages::medians() const {
 
 Measure::Measure(const Scene& scene, const PictureSettings& settings)
     : scenes_{{scene.divisions, scene}},
+      fine_{fineSceneOf(scene)},
       asked_{held(PictureCache{scenes_.begin()->second}.make(settings), groundOf(settings))},
-      referenceDivisions_{finestDivisions(scene)},
       here_{sightOf(asked_.settings().camera, settings)} {
   for (const glm::dvec2& turn : kTurns) try {
       others_.push_back(sightOf(moved(settings.camera, asked_.camera(), turn.x, turn.y, 1.0), settings));
@@ -95,9 +95,10 @@ const Shared<Scene>& Measure::scene(int divisions) {
 }
 
 Measure::Sight Measure::sightOf(const CameraSettings& camera, const PictureSettings& settings) {
-  PictureSettings seen = withoutShortCuts(settings);
+  PictureSettings seen = trueSettings(settings);
   seen.camera = camera;
-  return {camera, std::make_unique<Reference>(PictureCache{scene(referenceDivisions_)}.make(seen))};
+  const Picture picture = PictureCache{scene(asked_.scene().divisions)}.make(seen);
+  return {camera, std::make_unique<Reference>(referenceOf(picture, fine_))};
 }
 
 Measure::Polygons& Measure::polygons(int divisions, const Picture& picture) {
@@ -154,21 +155,10 @@ Measured Measure::measured(const Configuration& configuration, bool whole) {
     // Which face shows does not matter here, so the reference may stand for the polygons.
     const Palette colors = paletteOf(turned);
     const Comparison beside{turned, *other.reference, colors};
-    const Spread errors = spreadOf(beside.intensityErrors(Rounding::After));
+    const Spread errors = spreadOf(beside.intensityErrors(TableSide::After));
     measured.elsewhere = std::max(measured.elsewhere, errors.rootMeanSquare);
   }
   return measured;
-}
-
-Errors errorsAgainstFinest(const Picture& picture, const Palette& palette) {
-  PictureSettings settings = withoutShortCuts(picture.settings());
-  settings.camera = heldCamera(picture);
-  const Reference finest{
-      makePicture(dividedAnew(picture.scene(), finestDivisions(picture.scene())), settings)};
-  const TrueView polygons{PictureCache{picture}.make(settings)};
-  Errors errors = errorsOf(Comparison{picture, finest, palette, polygons});
-  errors.patches = distanceFromPatches(polygons);
-  return errors;
 }
 
 }  // namespace xnewell

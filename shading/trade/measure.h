@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "shading/picture/picture_cache.h"
-#include "shading/picture/reference.h"
+#include "shading/picture/truth.h"
 #include "shading/trade/trade.h"
 
 namespace xnewell {
@@ -32,7 +32,7 @@ class Measure {
   [[nodiscard]] Configuration askedConfiguration() const {
     return {asked_.settings(), asked_.scene().divisions, {}};
   }
-  [[nodiscard]] int referenceDivisions() const { return referenceDivisions_; }
+  [[nodiscard]] int referenceDivisions() const { return finestDivisions(asked_.scene()); }
   /// How far the reference's polygons are from the patches.
   [[nodiscard]] std::optional<PatchDistance> referenceOff() const {
     return distanceFromPatches(*here_.reference);
@@ -66,14 +66,11 @@ class Measure {
   [[nodiscard]] Sight sightOf(const CameraSettings& camera, const PictureSettings& settings);
 
   std::map<int, Shared<Scene>> scenes_;  ///< by divisions
+  FineScene fine_;
   Picture asked_;
-  int referenceDivisions_ = 0;
   Sight here_;
   std::vector<Sight> others_;
   std::map<int, Polygons> polygons_;  ///< by divisions
 };
-
-/// The errors of a painted picture, as a trade measures them: against a reference with finestDivisions().
-[[nodiscard]] Errors errorsAgainstFinest(const Picture& picture, const Palette& palette);
 
 }  // namespace xnewell

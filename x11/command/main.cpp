@@ -59,14 +59,17 @@ void draw(const Options& options, Scene scene, double msRead) {
                       ? "that would take more than a million polygons\n"
                       : "that would take parts smaller than a thousandth of a polygon\n");
 
+  drawing.reset();
+  const Measurements known = measured(options, picture);
   StageTimes times = picture.times();
   times.read = msRead;
+  drawing.emplace("writing");
   const Stopwatch watch;
   const Palette palette = withEffects(picture.palette(plan), picture, plan, options.effects);
   writePictures(options, picture, encodePng(picture.image(), palette));
   times.present = watch.ms();
   drawing.reset();
-  report(options, picture, times);
+  report(options, picture, known, times);
 }
 
 /// Draws the numbers behind the picture (--view) and writes them.
@@ -190,8 +193,9 @@ void snapshot(const Options& options, Scene scene, double msRead) {
   takeSnapshot(options, std::move(scene),
                [&](const Picture& picture, const std::string& png, StageTimes times, const Sent& sent) {
                  times.read = msRead;
+                 const Measurements known = measured(options, picture);
                  writePictures(options, picture, png);
-                 report(options, picture, times, &sent);
+                 report(options, picture, known, times, &sent);
                });
 }
 

@@ -42,7 +42,7 @@ void tellError(double limit, const Options& options, const Scene& scene) {
   const PictureSettings settings = settingsOf(options);
   const CellPlan plan{settings.table.kind};
   const Picture picture = makePicture(scene, settings, plan[Cell::Well]);
-  const Errors errors = errorsAgainstFinest(picture, picture.palette(plan));
+  const Errors errors = errorsOf(picture, picture.palette(plan));
   if (errors.samples == 0) return;
   const double off = errors.afterTable.rootMeanSquare;
   std::cerr << "xnewell: nothing is left to choose. The RMS error is " << shortly(off) << " in this view, "

@@ -34,8 +34,7 @@ double freshError(const Scene& scene, const Configuration& chosen, double azimut
   settings.camera = moved(settings.camera, asked.camera(), azimuth, elevation, 1.0);
   const Picture picture =
       makePicture(dividedAnew(scene, chosen.divisions), settings, CellPlan{settings.table.kind}[Cell::Well]);
-  return errorsAgainstFinest(picture, picture.palette(CellPlan{settings.table.kind}))
-      .afterTable.rootMeanSquare;
+  return errorsOf(picture, picture.palette(CellPlan{settings.table.kind})).afterTable.rootMeanSquare;
 }
 
 }  // namespace

@@ -32,7 +32,7 @@ double errorOf(const Scene& scene, const Setup& setup) {
   const CellPlan plan{settings.table.kind};
   const Picture picture = makePicture(setup.divisions > 0 ? dividedAnew(scene, setup.divisions) : scene,
                                       settings, plan[Cell::Well]);
-  return errorsAgainstFinest(picture, picture.palette(plan)).afterTable.rootMeanSquare;
+  return errorsOf(picture, picture.palette(plan)).afterTable.rootMeanSquare;
 }
 
 }  // namespace
