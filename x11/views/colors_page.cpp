@@ -16,7 +16,8 @@ constexpr int kGridLabels = 26, kTitle = 24, kGridGutter = 28, kTableWidth = 240
 constexpr int kLabels = 108;  // from the name of a fact to its value
 constexpr int kOptions = 60;  // from the label of a line of the table to its options
 constexpr int kKeyColumn = 24;
-constexpr int kLines = 10;  // of the table in a window, if the options of each fit beside each other
+constexpr int kLines = 10;      // of the table in a window, if the options of each fit beside each other
+constexpr int kLeastPlot = 60;  // the height of the lower plot at least
 constexpr int kTableTrack = 96, kTrackValue = 152;
 
 int pitchOf(const ColorsLayout& at) { return at.compact ? 16 : 20; }
@@ -265,7 +266,7 @@ ColorsLayout layoutOfColors(const Rect& body) {
   const int bottom = std::max(lines, body.height * 36 / 100);
   const int between = kPlotBelow + (at.compact ? 28 : 30);
   const int plots = body.height - bottom - 12 - kTitle - between - kPlotBelow;
-  const int upper = plots * 56 / 100;
+  const int upper = std::min(plots * 56 / 100, plots - kLeastPlot);
   at.stored = {x + kPlotLeft, body.y + kTitle, width - kPlotLeft - kPlotRight, upper};
   at.steps = {at.stored.x, at.stored.y + upper + between, at.stored.width, plots - upper};
   at.table = {x, body.y + body.height - bottom, kTableWidth, bottom};

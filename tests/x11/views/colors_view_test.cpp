@@ -132,9 +132,9 @@ TEST(ColorsLayout, LinesKeepApart) {
         if (hit) options.insert({hit->line, hit->option});
         if (inWide) {
           ASSERT_EQ(both.row(y)[x], first.row(y)[x]);
-          ASSERT_TRUE(hit && hit->line == 0) << x << ", " << y;
+          ASSERT_FALSE(hit && hit->line == 1) << x << ", " << y;
         } else if (inBoth) {
-          ASSERT_TRUE(hit && hit->line == 1) << x << ", " << y;
+          ASSERT_FALSE(hit && hit->line == 0) << x << ", " << y;
         }
         ofWide += inWide, ofNext += inBoth && !inWide;
       }
