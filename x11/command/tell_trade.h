@@ -9,7 +9,7 @@ namespace xnewell {
 [[nodiscard]] PictureSettings settingsOf(const Options& options);
 
 /// `trade`: measures what each short cut saves and costs, and tells it. An interrupt ends the measuring, and
-/// what is known is told; a second interrupt ends the program. Returns the exit status.
+/// it prints what is known; a second interrupt ends the program. Returns the exit status.
 [[nodiscard]] int tellTrade(const Options& options, const Scene& scene);
 
 /// --accuracy: puts the cheapest short cuts whose picture stays within `limit` into the options, and the
