@@ -63,6 +63,8 @@ TEST(Trade, AxesAreTheShortCutsWithAnEffect) {
     EXPECT_FALSE(has(flat, name)) << name;
   EXPECT_FALSE(has(axes("cycle"), "divisions"));
   EXPECT_FALSE(has(axes("lamp"), "divisions"));  // its file gives them
+  EXPECT_FALSE(has(axes("coarse-teapot"), "divisions"));
+  EXPECT_TRUE(has(axes("colored-lights"), "divisions"));  // its file gives those of the floor alone
   settings.shading = Shading::Gouraud;
   settings.light.lightPosition = glm::dvec3{1, 1, 1};
   const auto lamp = axes("teapot");
