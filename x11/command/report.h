@@ -1,5 +1,7 @@
 #pragma once
 
+#include <nlohmann/json_fwd.hpp>
+
 #include "shading/picture/picture.h"
 #include "x11/options/options.h"
 #include "x11/server/sent.h"
@@ -11,8 +13,9 @@ namespace xnewell {
 void writePictures(const Options& options, const Picture& picture, const std::string& png);
 
 /// Reports on a picture that was written: a note on standard error for each option that had no effect, and
-/// with --stats one JSON object on standard output. `sent` is what a server got; null without one.
+/// with --stats one JSON object on standard output. `accuracy` is what keepWithin() chose, or null. `sent` is
+/// what a server got; null without one.
 void report(const Options& options, const Picture& picture, const StageTimes& times,
-            const Sent* sent = nullptr);
+            const nlohmann::ordered_json& accuracy, const Sent* sent = nullptr);
 
 }  // namespace xnewell
