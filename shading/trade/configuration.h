@@ -49,9 +49,17 @@ struct Configuration {
 /// a patch: where the scene's file does not set those of all.
 [[nodiscard]] std::vector<Axis> axesOf(const Picture& picture);
 
-/// The names of those axes on which the program may choose by itself: the method, the divisions, the order,
-/// and L and V as constants. They decide most, and the cells stay as they are.
+/// The same, and the axes that have an effect on this picture only beside other short cuts: the rule for
+/// normals, for example, if the method is flat shading.
+[[nodiscard]] std::vector<Axis> axesInReach(const Picture& picture);
+
+/// The names of those axes in reach on which the program may choose by itself: all but the plan of the
+/// colours. A picture in one hue has one intensity, and a picture in colours has three, so their errors do
+/// not compare, and the intensity does not tell that colours are lost.
 [[nodiscard]] std::vector<std::string> choosableAxes(const Picture& picture);
+
+/// True if each change has an effect on this picture, beside the others.
+[[nodiscard]] bool allHaveEffect(const Configuration& configuration, const Picture& asked);
 
 /// The configuration with another value of one short cut.
 [[nodiscard]] Configuration changed(Configuration configuration, const Axis& axis, double value);

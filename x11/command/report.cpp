@@ -127,11 +127,12 @@ void writePictures(const Options& options, const Picture& picture, const std::st
 }
 
 void report(const Options& options, const Picture& picture, const Measurements& measured,
-            const StageTimes& times, const Sent* sent) {
+            const StageTimes& times, const nlohmann::ordered_json& accuracy, const Sent* sent) {
   noteMoot(std::cerr, options, picture);
   if (!options.stats) return;
   // A file name need not be UTF-8, but JSON can hold nothing else.
   nlohmann::ordered_json stats = statsOf(options, picture, times);
+  if (!accuracy.is_null()) stats["accuracy"] = accuracy;
   if (sent != nullptr)
     stats["sent"] = {{"requests", sent->requests},
                      {"bytes", sent->bytes},

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <nlohmann/json_fwd.hpp>
 #include <optional>
 #include <string>
 #include <utility>
@@ -27,8 +28,9 @@ struct Measurements {
 void writePictures(const Options& options, const Picture& picture, const std::string& png);
 
 /// Reports on a picture that was written: a note on standard error for each option that had no effect, and
-/// with --stats one JSON object on standard output. `sent` is what a server got; null without one.
+/// with --stats one JSON object on standard output. `accuracy` is what keepWithin() chose, or null. `sent` is
+/// what a server got; null without one.
 void report(const Options& options, const Picture& picture, const Measurements& measured,
-            const StageTimes& times, const Sent* sent = nullptr);
+            const StageTimes& times, const nlohmann::ordered_json& accuracy, const Sent* sent = nullptr);
 
 }  // namespace xnewell

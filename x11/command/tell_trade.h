@@ -1,5 +1,7 @@
 #pragma once
 
+#include <nlohmann/json_fwd.hpp>
+
 #include "shading/scene/scene.h"
 #include "x11/options/options.h"
 
@@ -13,7 +15,8 @@ namespace xnewell {
 [[nodiscard]] int tellTrade(const Options& options, const Scene& scene);
 
 /// --accuracy: puts the cheapest short cuts whose picture stays within `limit` into the options, and the
-/// divisions into the scene. Options that the user gave stay. Says on standard error what was chosen and why.
-void keepWithin(double limit, Options& options, Scene& scene);
+/// divisions into the scene. Options that the user gave stay. Says on standard error what was chosen and why,
+/// and returns the same for --stats.
+[[nodiscard]] nlohmann::ordered_json keepWithin(const AccuracyLimit& limit, Options& options, Scene& scene);
 
 }  // namespace xnewell
