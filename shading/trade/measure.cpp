@@ -129,7 +129,7 @@ void Measure::addErrors(Glance& glance, const Picture& picture, int divisions, c
   const TrueView& faces =
       countsWrong ? polygons(divisions, sight, picture).view : static_cast<const TrueView&>(*sight.reference);
   const Comparison comparison{picture, *sight.reference, palette, faces};
-  const Spread errors = spreadOf(comparison.intensityErrors(Rounding::After));
+  const Spread errors = spreadOf(comparison.intensityErrors(TableSide::After));
   glance.rms = std::max(glance.rms, errors.rootMeanSquare);
   if (!countsWrong) return;
   std::int64_t wrong = 0;
