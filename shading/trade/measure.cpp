@@ -23,14 +23,16 @@ Palette paletteOf(const Picture& picture) { return picture.palette(CellPlan{pict
 
 constexpr Glance kNoPicture{0, {}, std::numeric_limits<double>::infinity(), 0};
 
-/// The cells of a palette that the picture or the interface needs: those that do not follow the others.
+/// The cells of a palette that the picture or the interface needs: those that do not follow the others. Black
+/// and white do not count, because the server has them.
 int cellsOf(const Picture& picture) {
   Palette white;
   white.fill({0xffff, 0xffff, 0xffff});
   const CellPlan plan{picture.settings().table.kind};
   const Palette a = picture.palette(plan), b = picture.palette(plan, white);
   int cells = 0;
-  for (std::size_t k = 0; k < a.size(); ++k) cells += a[k] == b[k];
+  for (std::size_t k = 0; k < a.size(); ++k)
+    cells += a[k] == b[k] && k != plan[Cell::Black] && k != plan[Cell::White];
   return cells;
 }
 

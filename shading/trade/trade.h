@@ -32,7 +32,7 @@ struct Cost {
   bool rough = false;         ///< the time is that of one run, and its ratio says nothing
   StageTimes stages;          ///< medians
   std::int64_t bytes = 0;     ///< of memory that the picture holds; 0 if the system does not tell
-  int cells = 0;              ///< of the colormap that hold a colour for the picture or its window
+  int cells = 0;              ///< of the colormap that get a colour for the picture or its window
   std::int64_t polygons = 0;  ///< painted: whole ones, and pieces of those that the depth sort cut
 };
 

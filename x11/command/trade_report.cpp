@@ -135,9 +135,8 @@ void printTrade(const Options& options, const Trade& trade, std::ostream& out) {
     out << " (" << fixed(trade.referenceOff->largestPixels, 3) << " pixels off the patches at most)";
   out << ".\n";
   out << "Faces are samples that show a wrong face. dE is CIEDE2000, its mean and its largest. "
-         "MB is what the picture holds. X bytes are what a window's first picture sends, in 3 requests, to "
-         "an "
-         "8-bit server without shared memory; they are computed.\n";
+         "MB is what the picture holds. X bytes are what a window's first picture sends to an 8-bit server "
+         "without shared memory; they are computed.\n";
   if (trade.stopped) out << "The measuring was stopped. What was known is here.\n";
   if (trade.ofRows.rounds == 0)
     out << "Nothing was timed.\n";

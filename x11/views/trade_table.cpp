@@ -17,11 +17,12 @@ constexpr int kName = 34;
 
 ServerCost serverCostOf(int width, int height, int cells) {
   constexpr std::int64_t kStoreColors = 8, kColor = 12, kPutImage = 24, kCopyArea = 28;
-  // A longer request has its length in a word more (BIG-REQUESTS).
-  constexpr std::int64_t kLongest = 4 * 65'535, kLengthWord = 4;
-  const std::int64_t row = (std::int64_t{width} + 3) / 4 * 4, put = kPutImage + row * height;
-  return {.requests = 3,
-          .bytes = kStoreColors + kColor * cells + put + (put > kLongest ? kLengthWord : 0) + kCopyArea};
+  constexpr std::int64_t kLongest =
+      4 * 65'535;  // of a request without BIG-REQUESTS, which Xlib does not use here
+  const std::int64_t row = (std::int64_t{width} + 3) / 4 * 4, rows = (kLongest - kPutImage) / row,
+                     puts = (height + rows - 1) / rows;
+  return {.requests = puts + 2,
+          .bytes = kStoreColors + kColor * cells + kPutImage * puts + row * height + kCopyArea};
 }
 
 std::string percentOf(double ratio) { return fixed(100 * ratio, 0) + " %"; }
