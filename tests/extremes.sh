@@ -15,32 +15,53 @@ for scene in $("$xnewell" scenes | awk '$1 != "lesson" {print $1}'); do
   "$xnewell" extremes "$scene" --size "$size" -o "$folder/$scene.png" >"$folder/$scene.txt"
 done
 # For each way: at how many scenes it is right to its end, or as wrong as the set-up all the way, and between which
-# values it becomes wrong at the others. Rows that begin with a space go on with the finding of the row above.
+# values it becomes wrong or doubtful at the others. Rows that begin with a space go on with the finding of the row
+# above, or after two more spaces explain it.
 awk '
-  FNR == 1 { in_table = 0; name = FILENAME; sub(/.*\//, "", name); sub(/\.txt$/, "", name) }
+  # The value at which the finding becomes `verdict`; "" if it does not.
+  function first(verdict,   word) {
+    if (!match(finding, verdict " (from|at) [^ :;]+")) return ""
+    split(substr(finding, RSTART, RLENGTH), word, " ")
+    return word[3]
+  }
+  function finish() {
+    if (way == "") return
+    if (finding ~ /^(right|shows no face)/) ++right[way]
+    if (finding ~ /wrong as the set-up/) ++asSetUp[way]
+    wrong[way] = wrong[way] " " first("wrong")
+    doubtful[way] = doubtful[way] " " first("doubtful")
+    way = ""
+  }
+  function range(values,   n, v, i, least, most) {
+    n = split(values, v, " ")
+    if (n == 0) return "-"
+    least = most = v[1]
+    for (i = 2; i <= n; ++i) {
+      if (v[i] + 0 < least + 0) least = v[i]
+      if (v[i] + 0 > most + 0) most = v[i]
+    }
+    return least == most ? least : least " to " most
+  }
+  FNR == 1 { finish(); in_table = 0; name = FILENAME; sub(/.*\//, "", name); sub(/\.txt$/, "", name) }
   /^The set-up itself/ { setups = setups "- `" name "`: " $0 "\n" }
   /^way / { in_table = 1; next }
   !in_table { next }
   /^[^ ]/ {
+    finish()
     way = substr($0, 1, 32); sub(/ +$/, "", way)
     finding = substr($0, 53)
     if (!(way in total)) order[++ways] = way
     ++total[way]
-    if (finding ~ /^(right|shows no face)/) ++right[way]
-    else if (finding ~ /^wrong as the set-up/) ++asSetUp[way]
-    else { split(finding, word, " "); list[way] = list[way] " " word[3] }
+    next
   }
+  substr($0, 53) !~ /^  / { finding = finding " " substr($0, 53) }
   END {
-    print "| way | right in all pictures | wrong as the set-up | the others are wrong from |"
-    print "| --- | --- | --- | --- |"
+    finish()
+    print "| way | right in all pictures | wrong as the set-up | the others are wrong from | or doubtful from |"
+    print "| --- | --- | --- | --- | --- |"
     for (k = 1; k <= ways; ++k) {
-      way = order[k]
-      n = split(list[way], v, " "); least = ""; most = ""
-      for (i = 1; i <= n; ++i) { value = v[i]; sub(/:$/, "", value)
-        if (least == "" || value + 0 < least + 0) least = value
-        if (most == "" || value + 0 > most + 0) most = value }
-      at = n == 0 ? "-" : least == most ? least : least " to " most
-      printf "| %s | %d of %d | %d | %s |\n", way, right[way], total[way], asSetUp[way], at
+      w = order[k]
+      printf "| %s | %d of %d | %d | %s | %s |\n", w, right[w], total[w], asSetUp[w], range(wrong[w]), range(doubtful[w])
     }
     if (setups != "") printf "\n%s", setups
   }' "$folder"/*.txt >"$folder/summary.md"

@@ -60,12 +60,12 @@ enum class UpAxis { Y, Z };
 /// plane is half way to it. `parts` tells what is in view: only what lies in the pyramid from the eye through
 /// the window counts, and with Cull::Back no part that shows its back. (Without `parts` nothing does.) The
 /// plane is never nearer than 2^-15 of the distance dB of the farthest that may be seen, and what is nearer
-/// is cut away: Camera::cutByFront. dB is the distance of the back plane; but if a near part fills the
-/// picture, it is that of its farthest point in view, for it hides all that is farther. The z of a place at
-/// the distance d is proportional to 1/d, and the screen has 2^29 steps of z or more from the front plane to
-/// the back plane. So a step at dB is at most dB 2^15 2^-29 deep. In a picture of 600 rows with the default
-/// field of view this is a fourteenth of what a pixel is wide there. The back plane and the planes of a
-/// parallel view enclose the scene.
+/// is cut away: Camera::cutByFront. dB is the distance of the back plane. But if a near part fills the
+/// picture, dB is the distance of that part's farthest visible point, because it hides everything beyond. The
+/// z of a place at the distance d is proportional to 1/d, and the screen has 2^29 steps of z or more from the
+/// front plane to the back plane. So a step at dB is at most dB 2^15 2^-29 deep. In a picture of 600 rows
+/// with the default field of view this is a fourteenth of what a pixel is wide there. The back plane and the
+/// planes of a parallel view enclose the scene.
 /// @throws ViewError as ViewSpec says
 [[nodiscard]] Camera placeCamera(const CameraSettings& settings, std::span<const glm::dvec3> points,
                                  UpAxis axis, double aspect, const ConvexParts& parts = {},

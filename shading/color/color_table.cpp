@@ -50,7 +50,7 @@ ColorTable::ColorTable(const TableSettings& settings)
 int ColorTable::shade(double I) const {
   assert(!std::isnan(I));
   if (I >= 1.0) return shades() - 1;
-  if (I < 0.0) return 0;
+  if (!(I >= 0.0)) return 0;
   const int b = static_cast<int>(I * kBuckets);
   const auto from = thresholds_.begin() + bucket_[b], to = thresholds_.begin() + bucket_[b + 1];
   return static_cast<int>(std::upper_bound(from, to, I) - thresholds_.begin());

@@ -60,8 +60,8 @@ using Shows = std::span<const std::uint8_t>;
 /// and holds no colour twice. @see X. Wu, "Efficient Statistical Computations for Optimal Color
 /// Quantization", Graphics Gems II, 1991.
 /// We depart from the paper in two ways. We cut the set of colours itself, not a histogram of 32^3 bins,
-/// which would leave only 32 shades of one hue. And the next box to be cut is the one that gains most by its
-/// cut, not the one with the largest variance.
+/// which would leave only 32 shades of one hue. And we cut next the box that gains most by its cut,
+/// not the box with the largest variance.
 [[nodiscard]] std::vector<glm::u8vec3> choosePalette(const RgbImage& picture, Shows shows, int colors);
 
 /// Gives each pixel the nearest level of each channel; half way between two levels, the brighter. With
@@ -71,7 +71,7 @@ void paintCube(const RgbImage& picture, Shows shows, int first, bool dither, Ind
 
 /// Gives each pixel the nearest colour of `palette` by squared distance; if two are equally near, the later
 /// one. With dithering, that colour and one of its sixteen nearest neighbours share each 8 x 8 block. For
-/// each neighbour, the ratio is the one that brings the mean nearest to the wanted colour. The neighbour is
+/// each neighbour, the ratio brings the mean as near to the wanted colour as it can. The neighbour is
 /// chosen to minimize the squared error of the mean plus an eighth of the mixture's variance (its noise). A
 /// colour that the palette holds stays solid.
 /// Ordered dithering of evenly spaced levels displaces a colour before the search. Here the neighbours lie in

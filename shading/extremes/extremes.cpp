@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 #include <cstdio>
+#include <cstdlib>
 #include <glm/geometric.hpp>
 #include <optional>
 
@@ -89,6 +90,9 @@ void judge(ExtremeStep& step, const Picture& picture) {
 std::string shortly(double v) {
   std::array<char, 32> text{};
   std::snprintf(text.data(), text.size(), "%.4g", v);
+  int exponent = 0;
+  if (std::frexp(v, &exponent) == 0.5 && std::atof(text.data()) != v)
+    return "2^" + std::to_string(exponent - 1);
   return text.data();
 }
 

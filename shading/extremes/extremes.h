@@ -27,6 +27,8 @@ struct ExtremeStep {
   std::string why = {};  ///< what explains an error at this value, with numbers
 
   [[nodiscard]] bool isWrong() const;
+  /// True if it is not wrong, but z cannot tell everywhere which face is the nearest.
+  [[nodiscard]] bool isDoubtful() const { return !isWrong() && seen.doubtful > 0; }
   /// True if no face shows, and rightly so.
   [[nodiscard]] bool isEmpty() const { return refused.empty() && seen.samples == 0; }
 };
@@ -46,7 +48,8 @@ struct Extremes {
   [[nodiscard]] bool isStopped() const { return std::ssize(ways) < allWays; }
 };
 
-/// A number with at most four digits: 0.01, 1e+15.
+/// A number with at most four digits: 0.01, 1e+15. A power of two that would take more is written as one:
+/// 2^900.
 [[nodiscard]] std::string shortly(double v);
 
 /// Drives the scene all ways. Calls `goOn` before each picture with what it shows ("moved by 1e+09"), and

@@ -9,8 +9,11 @@ namespace xnewell {
 
 namespace {
 
+constexpr std::string_view kWrong = "wrong", kDoubtful = "doubtful";
+
 /// A kind of fault.
 struct FaultRow {
+  std::string_view verdict;           ///< what it makes of a picture
   int (*amount)(const ExtremeStep&);  ///< 0 if a step is free of it
   std::string (*words)(const ExtremeStep&);
 };
@@ -20,28 +23,32 @@ std::string ofSamples(int count, const ExtremeStep& step) {
 }
 
 const std::array kFaults{
-    FaultRow{[](const ExtremeStep& s) { return static_cast<int>(!s.refused.empty()); },
+    FaultRow{kWrong, [](const ExtremeStep& s) { return static_cast<int>(!s.refused.empty()); },
              [](const ExtremeStep& s) { return s.refused; }},
-    FaultRow{[](const ExtremeStep& s) { return s.seen.wrong - s.seen.missing; },
+    FaultRow{kWrong, [](const ExtremeStep& s) { return s.seen.wrong - s.seen.missing; },
              [](const ExtremeStep& s) {
                return "a face that is not the nearest at " + ofSamples(s.seen.wrong - s.seen.missing, s);
              }},
-    FaultRow{[](const ExtremeStep& s) { return s.seen.missing; },
+    FaultRow{kWrong, [](const ExtremeStep& s) { return s.seen.missing; },
              [](const ExtremeStep& s) {
                return "no face at " + ofSamples(s.seen.missing, s) + " that should show one";
              }},
-    FaultRow{[](const ExtremeStep& s) { return s.shadesOff > 1 ? s.shadesOff : 0; },
+    FaultRow{kWrong, [](const ExtremeStep& s) { return s.shadesOff > 1 ? s.shadesOff : 0; },
              [](const ExtremeStep& s) {
                return "cells that are off by up to " + std::to_string(s.shadesOff) + " shades";
              }},
-    FaultRow{[](const ExtremeStep& s) { return s.changed; },
+    FaultRow{kWrong, [](const ExtremeStep& s) { return s.changed; },
              [](const ExtremeStep& s) {
                return "another face or shade than at first at " + std::to_string(s.changed) +
                       (s.changed == 1 ? " sample" : " samples");
              }},
-    FaultRow{[](const ExtremeStep& s) { return s.merged; },
+    FaultRow{kWrong, [](const ExtremeStep& s) { return s.merged; },
              [](const ExtremeStep& s) {
                return std::to_string(s.merged) + " shades that look like the next one";
+             }},
+    FaultRow{kDoubtful, [](const ExtremeStep& s) { return s.seen.doubtful; },
+             [](const ExtremeStep& s) {
+               return "a face as near as the nearest, to a step of z, at " + ofSamples(s.seen.doubtful, s);
              }},
 };
 
@@ -95,6 +102,16 @@ std::string joined(const std::vector<std::string>& parts) {
   return text;
 }
 
+/// The first step with a fault of this verdict that the set-up does not have.
+const ExtremeStep* firstOf(std::string_view verdict, const Extreme& way, const ExtremeStep& setUp) {
+  int first = static_cast<int>(std::ssize(way.steps));
+  for (const FaultRow& fault : kFaults)
+    if (fault.verdict == verdict)
+      for (const Run& run : runsOf(way.steps, [&](const ExtremeStep& s) { return fault.amount(s) > 0; }))
+        if (!isInherited(run, fault, setUp)) first = std::min(first, run.first);
+  return first < std::ssize(way.steps) ? &way.steps[first] : nullptr;
+}
+
 /// That a way without a fault is right, and where it shows no face.
 std::string rightness(const Extreme& way) {
   const int last = static_cast<int>(std::ssize(way.steps)) - 1;
@@ -111,7 +128,8 @@ std::string rightness(const Extreme& way) {
 }  // namespace
 
 bool ExtremeStep::isWrong() const {
-  return std::ranges::any_of(kFaults, [&](const FaultRow& fault) { return fault.amount(*this) > 0; });
+  return std::ranges::any_of(
+      kFaults, [&](const FaultRow& fault) { return fault.verdict == kWrong && fault.amount(*this) > 0; });
 }
 
 std::string stoppedText(const Extremes& extremes) {
@@ -122,43 +140,54 @@ std::string stoppedText(const Extremes& extremes) {
 
 std::string findingOf(const ExtremeStep& setUp) {
   if (setUp.isEmpty()) return "The set-up itself shows no face.";
+  const std::string_view verdict = setUp.isWrong() ? kWrong : kDoubtful;
   std::vector<std::string> parts;
   for (const FaultRow& fault : kFaults)
-    if (fault.amount(setUp) > 0) parts.push_back(fault.words(setUp));
-  return parts.empty() ? "" : "The set-up itself is wrong: " + joined(parts) + ".";
+    if (fault.verdict == verdict && fault.amount(setUp) > 0) parts.push_back(fault.words(setUp));
+  return parts.empty() ? "" : "The set-up itself is " + std::string{verdict} + ": " + joined(parts) + ".";
 }
 
 std::string findingOf(const Extreme& way, const ExtremeStep& setUp) {
-  if (std::ranges::none_of(way.steps, &ExtremeStep::isWrong)) return rightness(way);
+  if (std::ranges::none_of(way.steps, [](const ExtremeStep& s) { return s.isWrong() || s.isDoubtful(); }))
+    return rightness(way);
   struct Part {
     int first;
+    std::string_view verdict;
     std::string text;
   };
   std::vector<Part> parts;
   for (const FaultRow& fault : kFaults)
     for (const Run& run : runsOf(way.steps, [&](const ExtremeStep& s) { return fault.amount(s) > 0; })) {
       if (!isInherited(run, fault, setUp))
-        parts.push_back({run.first, foundIn(way, run, fault)});
+        parts.push_back({run.first, fault.verdict, foundIn(way, run, fault)});
       else if (run.last + 1 == std::ssize(way.steps))
-        parts.push_back({-1, "as the set-up itself, at all values"});
+        parts.push_back({-1, fault.verdict, "as the set-up itself, at all values"});
       else
-        parts.push_back({-1, "as the set-up itself, up to " + valueOf(way, run.last)});
+        parts.push_back({-1, fault.verdict, "as the set-up itself, up to " + valueOf(way, run.last)});
     }
   std::ranges::stable_sort(parts, {}, &Part::first);
-  parts.erase(std::ranges::unique(parts, {}, &Part::text).begin(), parts.end());
+  const auto same = [](const Part& a, const Part& b) { return a.verdict == b.verdict && a.text == b.text; };
+  parts.erase(std::ranges::unique(parts, same).begin(), parts.end());
   std::vector<std::string> texts;
-  for (const Part& part : parts) texts.push_back(part.text);
+  std::string_view said;
+  for (const Part& part : parts) {
+    texts.push_back((part.verdict == said ? "" : std::string{part.verdict} + " ") + part.text);
+    said = part.verdict;
+  }
   for (const Run& run : runsOf(way.steps, &ExtremeStep::isEmpty))
     texts.push_back("no face shows " + placeOf(way, run));
-  return "wrong " + joined(texts);
+  return joined(texts);
 }
 
 const ExtremeStep* firstWrong(const Extreme& way, const ExtremeStep& setUp) {
-  int first = static_cast<int>(std::ssize(way.steps));
-  for (const FaultRow& fault : kFaults)
-    for (const Run& run : runsOf(way.steps, [&](const ExtremeStep& s) { return fault.amount(s) > 0; }))
-      if (!isInherited(run, fault, setUp)) first = std::min(first, run.first);
-  return first < std::ssize(way.steps) ? &way.steps[first] : nullptr;
+  return firstOf(kWrong, way, setUp);
+}
+
+const ExtremeStep* firstToExplain(const Extreme& way, const ExtremeStep& setUp) {
+  if (const ExtremeStep* const wrong = firstWrong(way, setUp)) return wrong;
+  if (const ExtremeStep* const doubtful = firstOf(kDoubtful, way, setUp)) return doubtful;
+  const auto empty = std::ranges::find_if(way.steps, &ExtremeStep::isEmpty);
+  return empty == way.steps.end() || setUp.isEmpty() ? nullptr : &*empty;
 }
 
 }  // namespace xnewell

@@ -125,6 +125,12 @@ std::optional<Rays::Hit> Rays::hit(int face, long double x, long double y) const
   return nearest;
 }
 
+long double Rays::zApart(const Hit& a, const Hit& b, long double x, long double y) const {
+  const long double pixel = (high_.x - low_.x) / width_, slope = std::abs(glm::dot(ray(x, y).along, n_));
+  const long double D = glm::dot(prp_ - vrp_, n_), da = a.t * slope, db = b.t * slope;
+  return (perspective_ ? D * D * std::abs(1 / da - 1 / db) : std::abs(da - db)) / pixel;
+}
+
 glm::dvec3 Rays::point(long double x, long double y, long double t) const {
   const Ray along = ray(x, y);
   return along.from + t * along.along;
@@ -134,6 +140,7 @@ JudgedByRays judgedByRays(const Picture& picture) {
   const int width = picture.settings().width, height = picture.settings().height;
   const Rays rays{picture.scene(), picture.camera(), picture.settings()};
   const std::vector<std::uint32_t> shown = picture.faceImage();
+  const long double zStep = std::ldexp(1.0L / kGrid, picture.snapped().zShift);
   constexpr long double s = 2.0L / kGrid;
   constexpr std::array<std::array<long double, 2>, 5> kAround{{{0, 0}, {s, s}, {-s, s}, {s, -s}, {-s, -s}}};
   JudgedByRays judged;
@@ -144,6 +151,7 @@ JudgedByRays judgedByRays(const Picture& picture) {
       judged.samples += face >= 0 || first;
       if (face == (first ? first->face : -1)) continue;
       double behind = 1;
+      bool doubtful = false;
       for (const auto& [dx, dy] : kAround) {
         const std::optional<Rays::Hit> near = rays.nearest(i + 0.5L + dx, j + 0.5L + dy);
         if (face < 0 || !near) {
@@ -155,6 +163,11 @@ JudgedByRays judgedByRays(const Picture& picture) {
         const long double apart = mine->t - near->t;
         const bool one = apart <= mine->play + near->play + kArithmetic * std::abs(near->t);
         behind = std::min(behind, one ? 0.0 : static_cast<double>(apart / std::abs(near->t)));
+        doubtful |= rays.zApart(*mine, *near, i + 0.5L + dx, j + 0.5L + dy) <= zStep;
+      }
+      if (behind > 0 && doubtful) {
+        ++judged.doubtful;
+        continue;
       }
       judged.wrong += behind > 0;
       judged.missing += behind > 0 && face < 0;

@@ -96,14 +96,14 @@ struct Lighting {
   /// on a green surface has none.
   bool luminance = false;
   std::vector<Source> sources;      ///< those that can reach the scene and that a face reflects
-  std::vector<Material> materials;  ///< the first is that of no material, then as in Mesh::materials
+  std::vector<Material> materials;  ///< the first is for faces without one, then as in Mesh::materials
   Form form = Form::Textbook;
   bool twoSided = true;
   bool specular = false;  ///< whether a face reflects any source in a highlight
   bool constantV = false;
   glm::dvec3 farV{0}, eye{0};
-  /// Whether all light is ambient. Then an intensity is that of a material, wherever it is and however the
-  /// surface is turned: nothing asks for a normal.
+  /// Whether all light is ambient. Then each material has one intensity, at every place and in every
+  /// direction, and nothing asks for a normal.
   [[nodiscard]] bool onlyAmbient() const { return sources.empty(); }
   [[nodiscard]] bool asksForEye() const { return specular && form != Form::Tutorial; }
   /// Whether V differs from place to place.
@@ -113,15 +113,15 @@ struct Lighting {
   [[nodiscard]] bool needsPlaces() const { return variesV() || placed(); }
 };
 
-/// The distance of a light from the scene's centre. By it go the defaults of `range` and of c1, c2 and c3. A
-/// light in the middle of the scene counts as 2^-20 of the scene's longest side away.
+/// The distance of a light from the scene's centre. The defaults of `range`, c1, c2 and c3 are computed from
+/// it. A light in the middle of the scene counts as 2^-20 of the scene's longest side away.
 [[nodiscard]] double distanceFromCentre(const glm::dvec3& position, const Box& scene);
 
 /// The lights of the scene, or if it has none the user's. Lengths are in the scene's units. `box` is the
 /// scene's.
 [[nodiscard]] std::vector<Light> lightsOf(const SceneLight& scene, const Illumination& user, const Box& box);
-/// What a surface reflects in one channel, 0 to 2 for RGB. `m` says what it does not leave to the user. With
-/// a texture, kd is what the texel multiplies.
+/// What a surface reflects in one channel, 0 to 2 for RGB. Values that the material sets win over the user's.
+/// With a texture, kd is what the texel multiplies.
 [[nodiscard]] Reflection reflectionOf(const MeshMaterial& m, const Illumination& user, int channel);
 
 /// For Channels::Luminance, `colored` says whether the scene has colours. If it has none, one channel is

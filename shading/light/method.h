@@ -10,21 +10,23 @@ namespace xnewell {
 enum class Shading { Full, Depth, Flat, Gouraud, Phong, Environment };
 struct ShadingRow {
   Shading id;
-  std::string_view name, label;
+  std::string_view name, label, words;
   bool lit;           ///< whether it needs the illumination
   bool interpolates;  ///< whether it needs normals at vertices
   std::string_view evaluates;
 };
 inline constexpr std::array kShadings{
-    ShadingRow{Shading::Full, "none", "none", false, false, "nothing: every face at full intensity"},
-    ShadingRow{Shading::Depth, "depth", "depth", false, false,
+    ShadingRow{Shading::Full, "none", "none", "full intensity", false, false,
+               "nothing: every face at full intensity"},
+    ShadingRow{Shading::Depth, "depth", "depth", "depth", false, false,
                "color = max - (z1 + z2 + z3) / a: the nearer, the brighter"},
-    ShadingRow{Shading::Flat, "flat", "flat", true, false, "the illumination once a face, at its centroid"},
-    ShadingRow{Shading::Gouraud, "gouraud", "Gouraud", true, true,
+    ShadingRow{Shading::Flat, "flat", "flat", "flat", true, false,
+               "the illumination once a face, at its centroid"},
+    ShadingRow{Shading::Gouraud, "gouraud", "Gouraud", "Gouraud", true, true,
                "the illumination at vertices; intensities are interpolated (Gouraud 1971)"},
-    ShadingRow{Shading::Phong, "phong", "Phong", true, true,
+    ShadingRow{Shading::Phong, "phong", "Phong", "Phong", true, true,
                "the illumination at every pixel; normals are interpolated (Phong 1975)"},
-    ShadingRow{Shading::Environment, "envmap", "env", true, true,
+    ShadingRow{Shading::Environment, "envmap", "env", "environment map", true, true,
                "nothing at a pixel: a map is looked up by x and y of the interpolated normal"},
 };
 [[nodiscard]] constexpr const ShadingRow& rowOf(Shading shading) {
@@ -53,11 +55,11 @@ inline constexpr std::array kPolygons{
 enum class Interpolated { Intensity, Cell };
 struct InterpolatedRow {
   Interpolated id;
-  std::string_view name, label;
+  std::string_view name, label, words;
 };
 inline constexpr std::array kInterpolated{
-    InterpolatedRow{Interpolated::Intensity, "intensity", "intensity"},
-    InterpolatedRow{Interpolated::Cell, "cell", "cell number"},
+    InterpolatedRow{Interpolated::Intensity, "intensity", "intensity", "intensities interpolated"},
+    InterpolatedRow{Interpolated::Cell, "cell", "cell number", "cell numbers interpolated"},
 };
 
 }  // namespace xnewell

@@ -10,6 +10,7 @@
 #include "depthsort/oracle.h"
 #include "geometry/view/touch.h"
 #include "shading/color/color_difference.h"
+#include "shading/scene/divide_anew.h"
 
 namespace xnewell {
 
@@ -100,6 +101,13 @@ int Comparison::dueFace(std::size_t sample) const {
   return face == kNothing ? kNothing : polygons_.picture().snapped().faces[face].number;
 }
 
+int Comparison::trueFace(std::size_t sample) const {
+  const int face = reference_.faces()[sample];
+  if (face == kNothing) return kNothing;
+  const Picture& of = reference_.picture();
+  return sameFaceIn(picture_.scene(), of.scene(), of.snapped().faces[face].number);
+}
+
 glm::dvec3 Comparison::shown(std::size_t sample) const {
   return faces_.faces[sample] == kNothing ? glm::dvec3{0.0} : ofCell_[picture_.image().pixels[sample]];
 }
@@ -116,12 +124,12 @@ Rgb16 Comparison::dueColor(std::size_t sample) const {
   return {stored(I.r), stored(I.g), stored(I.b)};
 }
 
-std::vector<float> Comparison::intensityErrors(Rounding rounding) const {
+std::vector<float> Comparison::intensityErrors(TableSide side) const {
   std::vector<float> errors(samples(), kNone);
   std::array<std::vector<double>, 3> before;
   const SceneColors& colors = picture_.colors();
   const int channels = channelsOf(colors.plan()) == Channels::Rgb ? 3 : 1;
-  if (rounding == Rounding::Before)
+  if (side == TableSide::Before)
     for (int c = 0; c < channels; ++c) before[c] = picture_.intensities(faces_, c);
   const std::vector<int>& material = picture_.scene().mesh.material;
   const auto beforeTable = [&](std::size_t k) {
@@ -135,7 +143,7 @@ std::vector<float> Comparison::intensityErrors(Rounding rounding) const {
   for (std::size_t k = 0; k < errors.size(); ++k)
     if (shows(k))
       errors[k] = static_cast<float>(
-          largestOf(glm::abs((rounding == Rounding::Before ? beforeTable(k) : shown(k)) - due(k))));
+          largestOf(glm::abs((side == TableSide::Before ? beforeTable(k) : shown(k)) - due(k))));
   return errors;
 }
 
@@ -217,7 +225,7 @@ std::vector<WorstPlace> worstPlaces(const Comparison& comparison, std::span<cons
   for (const std::size_t k : worstSamples(errors, width))
     places.push_back({.x = static_cast<int>(k) % width,
                       .y = static_cast<int>(k) / width,
-                      .face = comparison.dueFace(k),
+                      .face = comparison.trueFace(k),
                       .shownFace = comparison.shownFace(k),
                       .due = comparison.due(k),
                       .shown = comparison.shown(k),
@@ -228,8 +236,8 @@ std::vector<WorstPlace> worstPlaces(const Comparison& comparison, std::span<cons
 Errors errorsOf(const Comparison& comparison) {
   const Picture& picture = comparison.picture();
   Errors errors;
-  errors.beforeTable = spreadOf(comparison.intensityErrors(Rounding::Before));
-  const std::vector<float> after = comparison.intensityErrors(Rounding::After);
+  errors.beforeTable = spreadOf(comparison.intensityErrors(TableSide::Before));
+  const std::vector<float> after = comparison.intensityErrors(TableSide::After);
   errors.afterTable = spreadOf(after);
   errors.color = spreadOf(comparison.colorErrors());
   errors.samples = errors.afterTable.count;
@@ -241,9 +249,9 @@ Errors errorsOf(const Comparison& comparison) {
 }
 
 Errors errorsOf(const Picture& picture, const Palette& palette) {
-  const Reference reference{picture};
-  Errors errors = errorsOf(Comparison{picture, reference, palette});
-  errors.patches = distanceFromPatches(reference);
+  const Truth truth{picture};
+  Errors errors = errorsOf(Comparison{picture, truth, palette});
+  errors.patches = distanceFromPatches(truth.polygons());
   return errors;
 }
 

@@ -8,11 +8,11 @@
 
 #include "depthsort/oracle.h"
 #include "shading/color/palette.h"
-#include "shading/picture/reference.h"
+#include "shading/picture/truth.h"
 
 namespace xnewell {
 
-/// How wrong is a picture, by which measure, and where? All errors are against a Reference.
+/// How wrong is a picture, by which measure, and where? All errors are against the Truth.
 
 /// The mean, the root mean square, the 99th percentile and the largest of some errors. All are 0 if there are
 /// none. The percentile is one of the errors: the least one that 99 % of them do not exceed.
@@ -24,7 +24,7 @@ struct Spread {
 [[nodiscard]] Spread spreadOf(std::span<const float> errors);
 
 /// The intensities of a picture, before the table rounds them to a shade, or after.
-enum class Rounding { Before, After };
+enum class TableSide { Before, After };
 
 /// A picture, painted, beside its reference. All errors are by sample, row by row, and NaN where neither
 /// shows a face. Where only one shows a face, the other has intensity 0, and the colour of the background.
@@ -32,20 +32,22 @@ class Comparison {
  public:
   /// `picture` is painted. `palette` has its colours and that of its background. `ofItsPolygons` is the true
   /// view of the picture's own polygons. It tells which face should show, and `reference` tells the light.
-  /// They are one unless the picture has other divisions than the reference. All outlive this.
+  /// All outlive this.
   Comparison(const Picture& picture, const Reference& reference, const Palette& palette,
              const TrueView& ofItsPolygons);
   Comparison(const Picture& picture, const Reference& reference, const Palette& palette)
       : Comparison{picture, reference, palette, reference} {}
+  Comparison(const Picture& picture, const Truth& truth, const Palette& palette)
+      : Comparison{picture, truth.reference(), palette, truth.polygons()} {}
 
   /// The error of the intensity.
-  /// - A picture of one hue has one intensity. It is compared with the luminance of the reference.
+  /// - A picture of one hue has one intensity. It is compared with the luminance of the reference. After the
+  ///   table, a cell counts as the middle of the intensities that it stands for.
   /// - In several hues, each channel is compared: the intensity times the hue. The largest of the three
-  /// errors
-  ///   counts.
+  ///   errors counts.
   /// - In a plan of colours each channel is compared, too. After the table, the intensity is the stored
-  /// colour. After the table, a cell of a ramp counts as the middle of the intensities that it stands for.
-  [[nodiscard]] std::vector<float> intensityErrors(Rounding rounding) const;
+  ///   colour.
+  [[nodiscard]] std::vector<float> intensityErrors(TableSide side) const;
   /// CIEDE2000 between the colour that a sample shows and that of the reference. The reference has the colour
   /// of its three channels, or if it is gray, its intensity times the one hue. A hue belongs to the model.
   [[nodiscard]] std::vector<float> colorErrors() const;
@@ -62,9 +64,12 @@ class Comparison {
   [[nodiscard]] glm::dvec3 due(std::size_t sample) const;
   /// The colour that the reference has at a sample, as it would be stored.
   [[nodiscard]] Rgb16 dueColor(std::size_t sample) const;
-  /// The numbers of the faces at a sample; kNothing where no face shows.
+  /// The numbers of the faces at a sample; kNothing where no face shows. dueFace() is the one of the
+  /// picture's polygons that should show. trueFace() is the one that stands for the part of the surface that
+  /// should show: at the outline of a curved surface, its polygons may be elsewhere.
   [[nodiscard]] int shownFace(std::size_t sample) const;
   [[nodiscard]] int dueFace(std::size_t sample) const;
+  [[nodiscard]] int trueFace(std::size_t sample) const;
 
   [[nodiscard]] const Picture& picture() const { return picture_; }
   [[nodiscard]] std::size_t samples() const { return faces_.faces.size(); }
@@ -87,7 +92,7 @@ class Comparison {
 /// One of the samples with the largest errors.
 struct WorstPlace {
   int x = 0, y = 0;               ///< pixel
-  int face = -1, shownFace = -1;  ///< numbers of the reference's face and of the picture's; kNothing for none
+  int face = -1, shownFace = -1;  ///< Comparison::trueFace() and shownFace()
   glm::dvec3 due{0}, shown{0};    ///< Comparison::due() and shown()
   double error = 0;
 };
@@ -125,7 +130,7 @@ struct Errors {
 /// All errors but the distance from patches, which depends on the polygons alone. Pictures that differ only
 /// in short cuts can share a reference.
 [[nodiscard]] Errors errorsOf(const Comparison& comparison);
-/// All errors of a picture, against the reference of its own polygons.
+/// All errors of a picture.
 [[nodiscard]] Errors errorsOf(const Picture& picture, const Palette& palette);
 
 }  // namespace xnewell

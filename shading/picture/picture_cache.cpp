@@ -81,7 +81,9 @@ Picture PictureCache::make(const PictureSettings& wanted, std::optional<std::uin
   StageTimes& ms = next.times_ = {};
 
   // The camera. The user's choices come first. The scene gives the rest, which takes passes over its points.
-  if (changed(&Asked::camera, &Asked::width, &Asked::height, &Asked::cull))
+  if (camera_)
+    next.camera_ = *camera_;
+  else if (changed(&Asked::camera, &Asked::width, &Asked::height, &Asked::cull))
     timed(ms.transform, [&] {
       const double aspect = static_cast<double>(width) / height;
       next.camera_ =

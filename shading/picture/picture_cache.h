@@ -13,6 +13,8 @@ namespace xnewell {
 class PictureCache {
  public:
   explicit PictureCache(Shared<Scene> scene) : scene_{std::move(scene)} {}
+  /// All pictures have this camera, whatever their settings say of it.
+  PictureCache(Shared<Scene> scene, const Camera& camera) : scene_{std::move(scene)}, camera_{camera} {}
   /// Begins with an existing picture, for example to try another method or order in the same view.
   explicit PictureCache(const Picture& last) : scene_{last.scene_}, last_{last} {}
 
@@ -29,6 +31,7 @@ class PictureCache {
 
  private:
   Shared<Scene> scene_;
+  std::optional<Camera> camera_;
   std::optional<Picture> last_;
 };
 

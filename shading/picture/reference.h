@@ -16,14 +16,13 @@ namespace xnewell {
 /// the illumination equation (equation.h) in double precision, once for each light and channel, with
 /// - the true place and normal (true_surface.h), the true L and V there, and the texel there;
 /// - those settings of the picture that belong to the model (Role in settings.h): light, surfaces, the form
-/// of
-///   the equation;
+///   of the equation;
 /// - for a colour the illumination of each of its channels, each clamped to [0, 1].
 /// It uses nothing that the painters use: no vertex normals, no interpolation over the screen, no table, no
 /// shades. N is turned towards the side of the polygon that is seen, unless only fronts are lit.
 ///
-/// It belongs to the polygons of the scene. With more divisions a patch has other polygons and another
-/// reference; how far polygons are from the patch is an error of its own.
+/// It belongs to the polygons of the picture's scene. The truth about a picture is the reference of a scene
+/// with finer ones (truth.h).
 class Reference : public TrueView {
  public:
   explicit Reference(const Picture& of);

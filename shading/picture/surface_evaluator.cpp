@@ -46,6 +46,7 @@ std::array<double, 3> SurfaceEvaluator::overDepths(const FaceTriangle& t) const 
     });
   // so that the unit of length does not matter
   const double least = std::min({depth[0], depth[1], depth[2]});
+  if (!(least > 0.0)) return {1.0, 1.0, 1.0};  // the eye is nearer than its coordinates are rounded
   return {least / depth[0], least / depth[1], least / depth[2]};
 }
 

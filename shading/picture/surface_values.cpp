@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cassert>
 #include <cmath>
 #include <limits>
 #include <optional>
@@ -77,7 +78,11 @@ std::vector<double> intensitiesAt(const SeenRows& seen, const Surfaces& s, int c
     const SnappedFace& face = s.snapped.faces[f];
     const glm::ivec3* const outline = &s.snapped.vertices[face.first];
     const auto fill = [&](const glm::ivec3* p, int count, const auto& at) {
-      store(I, seen, f, p, count, [&](int i, int j) { return std::clamp(at(i, j), 0.0, 1.0); });
+      store(I, seen, f, p, count, [&](int i, int j) {
+        const double value = at(i, j);
+        assert(!std::isnan(value));
+        return std::clamp(value, 0.0, 1.0);
+      });
     };
     const auto atVertex = [&](int source) {
       return atSource(s.snapped, source, [&](int corner) {

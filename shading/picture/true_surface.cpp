@@ -12,15 +12,6 @@
 
 namespace xnewell {
 
-namespace {
-
-int firstFaceOf(const Mesh& mesh, const PatchRun& run) {
-  const auto face = std::ranges::lower_bound(mesh.firstCorner, run.firstCorner);
-  return static_cast<int>(face - mesh.firstCorner.begin());
-}
-
-}  // namespace
-
 TrueSurface::TrueSurface(const Scene& scene, const ViewSpec& view, int width, int height)
     : scene_{scene},
       view_{view},
@@ -29,10 +20,8 @@ TrueSurface::TrueSurface(const Scene& scene, const ViewSpec& view, int width, in
       rotation_{vrcRotation(view)},
       runOf_(static_cast<std::size_t>(scene.mesh.faceCount()), -1) {
   int run = 0;
-  for (const PatchRun& patches : scene.patches) {
-    const std::size_t faces = patches.patches.size() * patches.divisions * patches.divisions;
-    std::fill_n(runOf_.begin() + firstFaceOf(scene.mesh, patches), faces, run++);
-  }
+  for (const PatchRun& patches : scene.patches)
+    std::fill_n(runOf_.begin() + firstFaceOf(scene.mesh, patches), facesOf(patches), run++);
   for (const RoundRun& round : scene.rounds)
     std::fill_n(runOf_.begin() + round.firstFace, round.faces, run++);
 }

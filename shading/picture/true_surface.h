@@ -28,8 +28,7 @@ namespace xnewell {
 ///   pole has every parameter between theirs, and the one on the straight line through the sample counts.
 /// - A face of a sphere or a torus has the normal of that solid at its point nearest to the place.
 /// - Any other face is itself the surface, and has its own normal, by Newell's method over the face as the
-/// file
-///   has it. So has a face whose patch or solid has no normal there.
+///   file has it. So has a face whose patch or solid has no normal there.
 /// The distance between the place and the patch is no part of this. It is an error of its own
 /// (distanceToPatch()).
 ///

@@ -6,18 +6,15 @@
 
 namespace xnewell {
 
-namespace {
-
-/// Its cells are never used, so no time is spent on choosing them.
-PictureSettings unpainted(PictureSettings settings) {
-  settings.colors = ColorPlan::OneHue;
-  return settings;
+PictureSettings trueSettings(const PictureSettings& settings) {
+  PictureSettings unpainted = withoutShortCuts(settings);
+  unpainted.shading = Shading::Full;
+  unpainted.colors = ColorPlan::OneHue;
+  return unpainted;
 }
 
-}  // namespace
-
 TrueView::TrueView(const Picture& of)
-    : picture_{PictureCache{of}.make(unpainted(withoutShortCuts(of.settings())))},
+    : picture_{PictureCache{of}.make(trueSettings(of.settings()))},
       faces_{picture_.seen(0, picture_.settings().height).faces},
       surface_{picture_.scene(), picture_.camera().view, picture_.settings().width,
                picture_.settings().height} {}

@@ -8,6 +8,10 @@
 
 namespace xnewell {
 
+/// The settings of a picture without its short cuts, and without what only painting needs: nothing is shaded,
+/// and no cells are chosen.
+[[nodiscard]] PictureSettings trueSettings(const PictureSettings& settings);
+
 /// What each sample of a picture should see: the face that is nearest there, and the place on the true
 /// surface. It has the scene, the camera and the size of a picture, and none of its short cuts (Role in
 /// settings.h). visibleFaces() finds the faces on the grid of the screen; it keeps back faces.

@@ -82,8 +82,7 @@ std::vector<Setting> lightRows() {
        .label = "attenuation",
        .is = "how a point light fades with distance d",
        .role = Role::model(),
-       .field = chooses(
-           kAttenuations, [](auto& s) -> auto& { return s.light.attenuation; }),
+       .field = chooses<kAttenuations>([](auto& s) -> auto& { return s.light.attenuation; }),
        .need = kLit,
        .differsIn = "light",
        .phrase = "attenuation {}"},
@@ -114,8 +113,7 @@ std::vector<Setting> lightRows() {
        .label = "form",
        .is = "which cosine the specular term raises to the n-th power",
        .role = Role::model(),
-       .field = chooses(
-           kForms, [](auto& s) -> auto& { return s.light.form; }),
+       .field = chooses<kForms>([](auto& s) -> auto& { return s.light.form; }),
        .need = kFormed,
        .phrase = "{} form"},
       {.key = "constant_l",
@@ -145,11 +143,9 @@ std::vector<Setting> lightRows() {
        .label = "sides",
        .is = "how many sides of a face are lit",
        .role = Role::model(),
-       .field = chooses(
-           kSides, [](auto& s) -> auto& { return s.light.twoSided; }),
+       .field = chooses<kSides>([](auto& s) -> auto& { return s.light.twoSided; }),
        .need = kLit,
-       .differsIn = "light",
-       .words = {"fronts lit", "both sides lit"}},
+       .differsIn = "light"},
       {.key = "ka",
        .option = "--ka",
        .label = "ka",
@@ -205,8 +201,7 @@ std::vector<Setting> lightRows() {
        .is = "what a texel does to the diffuse colour of a surface: it takes its place, or multiplies it",
        .more = "Scenes read from .obj files begin with multiplies, because map_Kd is so defined.",
        .role = Role::model(),
-       .field = chooses(
-           kTexelUses, [](auto& s) -> auto& { return s.light.texel; }),
+       .field = chooses<kTexelUses>([](auto& s) -> auto& { return s.light.texel; }),
        .need = kTextured,
        .differsIn = "surface",
        .phrase = "a texel {} the colour"},

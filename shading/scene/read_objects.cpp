@@ -169,23 +169,24 @@ Mesh readPolygons(const Node& node) {
   return mesh;
 }
 
-Mesh readSolid(const Node& node) {
+/// Tells which surface the faces approximate; `round` stays as it is if they are the surface.
+Mesh readSolid(const Node& node, RoundRun& round) {
   const std::string solid = node.at("solid").text();
   const auto count = [&](const char* key, int low, int otherwise) {
     return node.has(key) ? node.at(key).whole(low, 4096) : otherwise;
   };
   if (solid == "cube") return cube();
-  if (solid == "sphere") return sphere(count("around", 3, 24), count("down", 2, 12));
-  if (solid == "torus") return torus(count("around", 3, 32), count("across", 3, 16));
+  if (solid == "sphere") {
+    const int around = count("around", 3, 24), down = count("down", 2, 12);
+    round.faces = around * down, round.solid = RoundSolid::Sphere, round.columns = around;
+    return sphere(around, down);
+  }
+  if (solid == "torus") {
+    const int around = count("around", 3, 32), across = count("across", 3, 16);
+    round.faces = around * across, round.solid = RoundSolid::Torus, round.columns = across;
+    return torus(around, across);
+  }
   node.at("solid").fail("cube, sphere or torus is needed");
-}
-
-/// The surface that the faces of a "solid" approximate; none if they are the surface.
-std::optional<RoundSolid> roundSolidOf(const Node& node) {
-  const std::string solid = node.has("solid") ? node.at("solid").text() : "";
-  if (solid == "sphere") return RoundSolid::Sphere;
-  if (solid == "torus") return RoundSolid::Torus;
-  return std::nullopt;
 }
 
 /// Refuses "around", "down" and "across" for anything but the round solids that they divide.
@@ -225,7 +226,8 @@ class Collector {
       node.at("uv").fail("texture coordinates apply only to polygons");
     const Transform transform{node};
     PatchRun run;
-    Mesh mesh = meshOf(node, transform, run);
+    RoundRun round;
+    Mesh mesh = meshOf(node, transform, run, round);
     const bool keepsOwn = !node.has("material") && !node.has("color") && !node.has("color255");
     if (keepsOwn) textures_.readAll(mesh);
     if (node.has("polygons")) {
@@ -245,9 +247,11 @@ class Collector {
     }
     const std::optional<int> material = materialOf(node, !mesh.uvOfCorner.empty());
     run.firstCorner = static_cast<int>(all_.mesh.corners.size());
-    if (const std::optional<RoundSolid> solid = roundSolidOf(node))
-      all_.rounds.push_back(
-          {all_.mesh.faceCount(), mesh.faceCount(), *solid, transform.axes(), transform.move()});
+    if (round.faces > 0) {
+      round.firstFace = all_.mesh.faceCount();
+      round.axes = transform.axes(), round.centre = transform.move();
+      all_.rounds.push_back(round);
+    }
     append(mesh, material);
     if (!run.patches.empty()) all_.patches.push_back(std::move(run));
   }
@@ -266,16 +270,18 @@ class Collector {
 
   /// The mesh of an object. Patches are transformed before they are divided, because exact normals are
   /// computed from the patches themselves.
-  Mesh meshOf(const Node& node, const Transform& transform, PatchRun& run) const {
+  /// Tells of which patches or of which round solid it is, if any.
+  Mesh meshOf(const Node& node, const Transform& transform, PatchRun& run, RoundRun& round) const {
     std::filesystem::path file;
     if (node.has("file")) file = folder_ / node.at("file").text();
     if (node.has("divisions") && file.extension() != ".bpt")
       node.at("divisions").fail("divisions apply only to the patches of a .bpt file");
-    if (node.has("solid")) return readSolid(node);
+    if (node.has("solid")) return readSolid(node, round);
     if (node.has("polygons")) return readPolygons(node);
     if (file.extension() == ".obj") return fromFile(node.at("file"), [&] { return readObj(file); });
     if (file.extension() != ".bpt") node.at("file").fail("an .obj or .bpt file is needed");
-    run.divisions = node.has("divisions") ? node.at("divisions").whole(1, kMaxDivisions) : divisions_;
+    run.own = node.has("divisions");
+    run.divisions = run.own ? node.at("divisions").whole(1, kMaxDivisions) : divisions_;
     run.patches = fromFile(node.at("file"), [&] { return readBpt(file); });
     for (BezierPatch& patch : run.patches)
       for (glm::dvec3& p : patch.p) p = transform(p);

@@ -108,16 +108,4 @@ std::string savedScene(const Scene& scene, const PictureSettings& settings,
   return json.dump(2) + "\n";
 }
 
-Scene redivided(const Scene& scene, int divisions) {
-  Scene other = readScene(scene.origin.of, divisions);
-  for (const std::string& what : scene.origin.without) strip(other, what);
-  if (!scene.origin.texture.empty()) wear(other, readTexture(scene.origin.texture));
-  other.origin = scene.origin;
-  other.origin.divisions = divisions;
-  other.name = scene.name;
-  other.camera = scene.camera;
-  other.settings = scene.settings;
-  return other;
-}
-
 }  // namespace xnewell

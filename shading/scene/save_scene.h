@@ -15,7 +15,4 @@ namespace xnewell {
 [[nodiscard]] std::string savedScene(const Scene& scene, const PictureSettings& settings,
                                      const std::filesystem::path& folder);
 
-/// The same scene with another number of divisions for its patches. It throws what readScene() throws.
-[[nodiscard]] Scene redivided(const Scene& scene, int divisions);
-
 }  // namespace xnewell

@@ -89,6 +89,15 @@ bool isGray(const Scene& scene) {
          std::ranges::none_of(scene.textures, &Texture::colored);
 }
 
+int firstFaceOf(const Mesh& mesh, const PatchRun& run) {
+  const auto face = std::ranges::lower_bound(mesh.firstCorner, run.firstCorner);
+  return static_cast<int>(face - mesh.firstCorner.begin());
+}
+
+int facesOf(const PatchRun& run) {
+  return static_cast<int>(run.patches.size()) * run.divisions * run.divisions;
+}
+
 std::vector<glm::dvec3> exactNormals(const Scene& scene) {
   std::vector<glm::dvec3> normals;
   for (const PatchRun& run : scene.patches) {
@@ -247,8 +256,11 @@ void wear(Scene& scene, Texture texture) {
 
 std::string titleOf(const Scene& scene) {
   const std::string name = scene.name.substr(scene.name.find_last_of('/') + 1);
-  if (scene.divisions == 0) return name;
-  const std::string divisions = std::to_string(scene.divisions);
+  const int all = scene.patches.empty() ? scene.divisions : scene.patches.front().divisions;
+  const bool alike =
+      std::ranges::all_of(scene.patches, [&](const PatchRun& run) { return run.divisions == all; });
+  if (all == 0 || !alike) return name;
+  const std::string divisions = std::to_string(all);
   return name + " \u00B7 " + divisions + " x " + divisions + " divisions";
 }
 

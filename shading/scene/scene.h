@@ -23,7 +23,11 @@ struct PatchRun {
                         ///< tessellate()
   std::vector<BezierPatch> patches;  ///< in file coordinates
   int divisions = 0;
+  bool own = false;  ///< the file sets the divisions, so readScene() has no say
 };
+/// The number of the run's first face, and how many faces it has.
+[[nodiscard]] int firstFaceOf(const Mesh& mesh, const PatchRun& run);
+[[nodiscard]] int facesOf(const PatchRun& run);
 
 /// The faces of the mesh that approximate a round solid.
 struct RoundRun {
@@ -32,6 +36,7 @@ struct RoundRun {
   /// A point p of the solid is at axes p + centre, in file coordinates.
   glm::dmat3 axes{1.0};
   glm::dvec3 centre{0.0};
+  int columns = 1;  ///< the faces in a row: around a sphere, or across the tube of a torus
 };
 
 /// Where a scene came from and what was done to it since, so that a scene file can name it.
@@ -52,7 +57,7 @@ struct Scene {
   int exponent = 0;          ///< file coordinate = mesh coordinate * 2^exponent
   CameraSettings camera;     ///< from the scene file, in its units; empty if the file has none
   PictureSettings settings;  ///< the settings that the scene asks for; size and camera are not among them
-  int divisions = 0;         ///< divisions of each Bezier patch; 0 if there are no patches, or if they differ
+  int divisions = 0;         ///< of the Bezier patches that do not set their own; 0 if there are none
   std::vector<PatchRun> patches;  ///< in the order of their faces
   std::vector<RoundRun> rounds;   ///< in the order of their faces
   SceneLight light;               ///< from the scene file, with lengths in the mesh's units

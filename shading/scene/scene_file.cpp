@@ -67,10 +67,8 @@ Scene ownScene(const Node& root, std::string_view text, const std::string& name,
   }
   Objects objects = readObjects(root, text, folder, divisions);
   if (objects.mesh.faceCount() == 0) root.fail("the scene has no faces");
-  const int divided = objects.patches.empty() ? 0 : objects.patches.front().divisions;
-  const bool alike =
-      std::ranges::all_of(objects.patches, [&](const auto& run) { return run.divisions == divided; });
-  Scene scene = makeScene(name, std::move(objects.mesh), up, alike ? divided : 0);
+  const bool open = std::ranges::any_of(objects.patches, [](const PatchRun& run) { return !run.own; });
+  Scene scene = makeScene(name, std::move(objects.mesh), up, open ? divisions : 0);
   scene.patches = std::move(objects.patches);
   scene.rounds = std::move(objects.rounds);
   scene.textures = std::move(objects.textures);

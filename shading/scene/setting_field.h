@@ -47,22 +47,32 @@ Field holds(Member member) {
   return field;
 }
 
-/// A field for a choice of one of the rows of a table.
-template <class Rows, class Member>
-Field chooses(const Rows& rows, Member member) {
+/// True if each row says itself in words, or if rows of this table have no words.
+template <class Rows>
+constexpr bool allHaveWords(const Rows& rows) {
+  return std::ranges::none_of(rows, [](const auto& row) {
+    if constexpr (requires { row.words; }) return row.words.empty();
+    return false;
+  });
+}
+
+/// A field for a choice of one of the rows of a table. A row may have a label and words.
+template <const auto& kRows, class Member>
+Field chooses(Member member) {
+  static_assert(allHaveWords(kRows), "a row of this table has no words");
   Field field{.kind = ValueKind::Choice};
-  for (const auto& row : rows) {
-    if constexpr (requires { row.label; })
-      field.choices.push_back({row.name, row.label});
-    else
-      field.choices.push_back({row.name, row.name});
+  for (const auto& row : kRows) {
+    Choice choice{.name = row.name, .label = row.name, .words = ""};
+    if constexpr (requires { row.label; }) choice.label = row.label;
+    if constexpr (requires { row.words; }) choice.words = row.words;
+    field.choices.push_back(choice);
   }
-  field.get = [member, &rows](const PictureSettings& s) -> Value {
-    const auto row = std::ranges::find(rows, member(s), [](const auto& r) { return r.id; });
-    return static_cast<double>(row - rows.begin());
+  field.get = [member](const PictureSettings& s) -> Value {
+    const auto row = std::ranges::find(kRows, member(s), [](const auto& r) { return r.id; });
+    return static_cast<double>(row - kRows.begin());
   };
-  field.set = [member, &rows](PictureSettings& s, const Value& value) {
-    member(s) = rows[static_cast<std::size_t>(std::get<double>(value))].id;
+  field.set = [member](PictureSettings& s, const Value& value) {
+    member(s) = kRows[static_cast<std::size_t>(std::get<double>(value))].id;
   };
   return field;
 }

@@ -41,8 +41,16 @@ std::string inWords(const Setting& setting, const Value& value) {
     return inWords(v->x) + ", " + inWords(v->y) + ", " + inWords(v->z);
   const auto* v = std::get_if<double>(&value);
   if (!v) return std::string{setting.initially};
-  if (!setting.words.empty()) return std::string{setting.words[static_cast<std::size_t>(*v)]};
   return setting.field.kind == ValueKind::Choice ? textOf(setting, value) : inWords(*v);
+}
+
+/// The words for a value that say it without the setting's name; "" if there are none.
+std::string_view ownWords(const Setting& setting, const Value& value) {
+  const auto* v = std::get_if<double>(&value);
+  if (setting.field.kind == ValueKind::Flag) return setting.words.of(*v != 0.0);
+  if (setting.field.kind == ValueKind::Choice)
+    return setting.field.choices[static_cast<std::size_t>(*v)].words;
+  return "";
 }
 
 }  // namespace
@@ -127,8 +135,9 @@ std::string textOf(const Setting& setting, const Value& value) {
 }
 
 std::string phraseOf(const Setting& setting, const PictureSettings& settings) {
-  const std::string value = inWords(setting, setting.field.get(settings));
-  if (!setting.words.empty()) return value;
+  const Value now = setting.field.get(settings);
+  if (const std::string_view own = ownWords(setting, now); !own.empty()) return std::string{own};
+  const std::string value = inWords(setting, now);
   if (const std::size_t at = setting.phrase.find("{}"); at != std::string_view::npos)
     return std::string{setting.phrase}.replace(at, 2, value);
   return std::string{setting.label} + ' ' + value +

@@ -31,6 +31,18 @@ struct ValueRange {
 /// One of the possible values of a choice.
 struct Choice {
   std::string_view name, label;  ///< the name in files and options, and the label on a control
+  std::string_view words;        ///< "z-sort by mean z"; if it is empty, the phrase has the name
+};
+
+/// What a flag means when it is off and when it is on: "not dithered", "dithered". Both, or neither.
+class FlagWords {
+ public:
+  FlagWords() = default;
+  constexpr FlagWords(std::string_view off, std::string_view on) : off_{off}, on_{on} {}
+  [[nodiscard]] constexpr std::string_view of(bool flag) const { return flag ? on_ : off_; }
+
+ private:
+  std::string_view off_, on_;
 };
 
 /// Where a setting is stored, and which values it can have.
@@ -124,8 +136,7 @@ struct Setting {
   std::string_view differsIn = {};
   /// For example "{} shades". If it is empty, the label and the value are used.
   std::string_view phrase = {};
-  /// The words for each choice, or for false and true. If there are none, the names are used.
-  std::vector<std::string_view> words = {};
+  FlagWords words = {};     ///< of a flag; a choice has its words in its rows (Choice::words)
   bool alwaysSaid = false;  ///< named even if two set-ups agree in it
 };
 

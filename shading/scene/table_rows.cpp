@@ -25,8 +25,7 @@ std::vector<Setting> tableRows() {
        .section = Section::ColourTable,
        .is = "which intensity the i-th shade of the colour table stands for",
        .role = Role::shortCut("linear"),
-       .field = chooses(
-           kTables, [](auto& s) -> auto& { return s.table.kind; }),
+       .field = chooses<kTables>([](auto& s) -> auto& { return s.table.kind; }),
        .need = {inRamps, "cells that hold ramps; here they hold colours"},
        .phrase = "{}",
        .alwaysSaid = true},
@@ -62,8 +61,7 @@ std::vector<Setting> tableRows() {
        .control = 'J',
        .is = "how the corrected table picks the nearest shade",
        .role = Role::shortCut("search"),
-       .field = chooses(
-           kPickLabels, [](auto& s) -> auto& { return s.table.pick; }),
+       .field = chooses<kPickLabels>([](auto& s) -> auto& { return s.table.pick; }),
        .need = kCorrected,
        .differsIn = "table",
        .phrase = "nearest by {}"},
@@ -84,8 +82,7 @@ std::vector<Setting> tableRows() {
        .control = 'B',
        .is = "bits per red, green and blue value in a cell",
        .role = Role::shortCut("16"),
-       .field = chooses(
-           kBits, [](auto& s) -> auto& { return s.table.bits; }),
+       .field = chooses<kBits>([](auto& s) -> auto& { return s.table.bits; }),
        .phrase = "{} bits"},
   };
 }

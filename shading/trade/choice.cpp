@@ -2,19 +2,20 @@
 
 #include <algorithm>
 #include <cstdio>
+#include <limits>
 #include <optional>
 
 namespace xnewell {
 
 namespace {
 
-std::string digits(double v, const char* format) {
+std::string textIn(double v, const char* format) {
   char text[32];
   std::snprintf(text, sizeof text, format, v);
   return text;
 }
-std::string error(double v) { return digits(v, "%.2g"); }
-std::string ms(double v) { return digits(v, v < 9.95 ? "%.2g" : "%.0f") + " ms"; }
+std::string error(double v) { return textIn(v, "%.2g"); }
+std::string ms(double v) { return textIn(v, v < 9.95 ? "%.2g" : "%.0f") + " ms"; }
 
 /// The value that a configuration has on an axis.
 double valueOn(const Axis& axis, const Configuration& one) {
@@ -29,23 +30,51 @@ std::string phraseOf(const Axis& axis, double value) {
   return changed(one, axis, value).name();
 }
 
-bool isFaster(const Measured& a, const Measured& b) { return a.cost.time.ratio < b.cost.time.ratio; }
+std::string samples(std::int64_t count) {
+  return (count == 0 ? "no" : std::to_string(count)) + (count <= 1 ? " sample" : " samples");
+}
 
-bool isWithin(const Measured& one, double limit) { return errorOnAllViews(one) <= (1 - kSpare) * limit; }
+/// Where a combination stands among equals: the fewest changes, then the order of the axes and their values.
+std::vector<double> rankOf(const Trade& trade, const Configuration& one) {
+  std::vector<double> rank{static_cast<double>(one.changes.size())};
+  for (const Axis& axis : trade.axes) {
+    const double value = valueOn(axis, one);
+    rank.push_back(value == axis.now ? 0 : 1);
+    rank.push_back(value);
+  }
+  return rank;
+}
+
+/// Of some combinations, those whose measure is at most `tie` times the least.
+template <class Measure>
+std::vector<int> bestOf(const std::vector<int>& some, double tie, Measure&& measure) {
+  double least = std::numeric_limits<double>::infinity();
+  for (const int k : some) least = std::min(least, measure(k));
+  std::vector<int> best;
+  for (const int k : some)
+    if (measure(k) <= tie * least) best.push_back(k);
+  return best;
+}
 
 /// What the best combination with another value of an axis has to say; "" if no other value was tried. The
 /// best is the fastest that is accurate enough, or else the most accurate.
-std::string otherwise(const Trade& trade, const Axis& axis, const Measured& chosen, double limit) {
+std::string otherwise(const Trade& trade, const Axis& axis, const Measured& chosen,
+                      const AccuracyLimit& limit) {
   const double mine = valueOn(axis, chosen.configuration);
   const Measured *fastest = nullptr, *nearest = nullptr;
   for (const Measured& one : trade.combinations) {
     if (valueOn(axis, one.configuration) == mine) continue;
-    if (isWithin(one, limit) && (!fastest || isFaster(one, *fastest))) fastest = &one;
+    if (keeps(one, limit) && (!fastest || one.cost.time.ms < fastest->cost.time.ms)) fastest = &one;
     if (!nearest || errorOnAllViews(one) < errorOnAllViews(*nearest)) nearest = &one;
   }
   if (!nearest) return "";
   const Measured& best = fastest ? *fastest : *nearest;
-  const std::string says = fastest ? ms(best.cost.time.ms) : error(errorOnAllViews(best));
+  const std::string says = fastest ? (best.cost.rough ? "about " : "") + ms(best.cost.time.ms)
+                           : errorOnAllViews(best) > (1 - kSpare) * limit.rms
+                               ? error(errorOnAllViews(best))
+                               : error(errorOnAllViews(best)) + ", with " +
+                                     samples(std::max(best.here.wrongFaces, best.wrongElsewhere)) +
+                                     " of a wrong face";
   const std::string value = phraseOf(axis, valueOn(axis, best.configuration));
   if (axis.others.size() == 1)
     return "With " + value +
@@ -65,41 +94,60 @@ double errorOnAllViews(const Measured& one) {
   return std::max(one.elsewhere, one.here.afterTable.rootMeanSquare);
 }
 
-Chosen chooseWithin(const Trade& trade, double limit) {
+bool keeps(const Measured& one, const AccuracyLimit& limit) {
+  return errorOnAllViews(one) <= (1 - kSpare) * limit.rms &&
+         (!limit.wrong || std::max(one.here.wrongFaces, one.wrongElsewhere) <= *limit.wrong);
+}
+
+std::pair<std::string, std::string> toldApart(double a, double b) {
+  for (int digits = 2; digits < 17; ++digits) {
+    const std::string format = "%." + std::to_string(digits) + "g";
+    std::pair both{textIn(a, format.c_str()), textIn(b, format.c_str())};
+    if (both.first != both.second || a == b) return both;
+  }
+  return {error(a), error(b)};
+}
+
+Chosen chooseWithin(const Trade& trade, const AccuracyLimit& limit) {
   Chosen choice;
   const std::vector<Measured>& all = trade.combinations;
-  for (int k = 0; k < static_cast<int>(all.size()); ++k) {
-    if (!isWithin(all[k], limit)) continue;
-    if (choice.combination < 0 || isFaster(all[k], all[choice.combination])) choice.combination = k;
-  }
-  choice.accurate = choice.combination >= 0;
-  const auto moreAccurate = [&](int a, int b) { return errorOnAllViews(all[a]) < errorOnAllViews(all[b]); };
-  if (choice.accurate) {
-    // What is as fast, as far as its time tells, and more accurate is better.
-    const int fastest = choice.combination;
-    for (int k = 0; k < static_cast<int>(all.size()); ++k)
-      if (isWithin(all[k], limit) && all[k].cost.time.ratio <= kTied * all[fastest].cost.time.ratio &&
-          all[k].cost.time.interval.meets(all[fastest].cost.time.interval) &&
-          moreAccurate(k, choice.combination))
-        choice.combination = k;
-  } else {
-    for (int k = 0; k < static_cast<int>(all.size()); ++k)
-      if (choice.combination < 0 || moreAccurate(k, choice.combination)) choice.combination = k;
-  }
-  if (choice.combination < 0) return choice;
+  const auto errorOf = [&](int k) { return errorOnAllViews(all[k]); };
+  const auto ratioOf = [&](int k) { return all[k].cost.time.ratio; };
+  std::vector<int> timed, kept;
+  for (int k = 0; k < static_cast<int>(all.size()); ++k)
+    if (!all[k].cost.rough) timed.push_back(k);
+  for (const int k : timed)
+    if (keeps(all[k], limit)) kept.push_back(k);
+  choice.accurate = !kept.empty();
+  const std::vector<int> best = choice.accurate
+                                    ? bestOf(bestOf(kept, kTimeTie, ratioOf), kErrorTie, errorOf)
+                                    : bestOf(bestOf(timed, kErrorTie, errorOf), kTimeTie, ratioOf);
+  if (best.empty()) return choice;
+  choice.combination =
+      *std::ranges::min_element(best, {}, [&](int k) { return rankOf(trade, all[k].configuration); });
   const Measured& chosen = all[choice.combination];
   choice.why.push_back("Of " + std::to_string(all.size()) + " combinations that were tried, it is the " +
                        (choice.accurate
                             ? "fastest within the limit, with " + textOf(100 * kSpare) + " % to spare."
                             : "most accurate."));
-  choice.why.push_back("Its RMS error is at most " + error(errorOnAllViews(chosen)) +
-                       " in this view and in turned ones" + (choice.accurate ? ", and " : ", but ") +
-                       error(limit) + " is allowed. It takes " + ms(chosen.cost.time.ms) + ".");
-  if (!choice.accurate) return choice;
+  const auto [off, allowed] = toldApart(errorOnAllViews(chosen), limit.rms);
+  choice.why.push_back("Its RMS error is at most " + off + " in this view and in turned ones" +
+                       (errorOnAllViews(chosen) <= limit.rms ? ", and " : ", but ") + allowed +
+                       " is allowed. It takes " + ms(chosen.cost.time.ms) + ".");
+  if (limit.wrong)
+    choice.why.push_back("At most " + samples(std::max(chosen.here.wrongFaces, chosen.wrongElsewhere)) +
+                         " of a view may show a wrong face: " + std::to_string(*limit.wrong) +
+                         " are allowed.");
+  if (!choice.accurate) {
+    choice.why.push_back(trade.neverTried.empty()
+                             ? "Every value of every short cut was tried, but not every combination."
+                             : "Never tried: " + trade.neverTried + ".");
+    return choice;
+  }
   for (const Axis& axis : trade.axes)
     if (std::string why = otherwise(trade, axis, chosen, limit); !why.empty())
       choice.why.push_back(std::move(why));
-  if (chosen.configuration.settings.light.constantL && trade.constantL && *trade.constantL <= limit)
+  if (chosen.configuration.settings.light.constantL && trade.constantL && *trade.constantL <= limit.rms)
     choice.why.push_back("L constant changes no intensity by more than " + error(*trade.constantL) +
                          ": all lamps are far from the whole scene.");
   if (chosen.pairs && chosen.pairs->proves()) {
@@ -109,7 +157,8 @@ Chosen chooseWithin(const Trade& trade, double limit) {
   }
   const std::int64_t wrong = chosen.here.wrongFaces;
   choice.why.push_back((wrong == 0 ? "No" : std::to_string(wrong)) +
-                       (wrong == 0 || wrong == 1 ? " sample shows" : " samples show") + " a wrong face.");
+                       (wrong == 0 || wrong == 1 ? " sample shows" : " samples show") + " a wrong face." +
+                       (limit.wrong ? "" : " The limit is for the intensity alone."));
   return choice;
 }
 

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "shading/trade/trade.h"
@@ -21,13 +22,20 @@ struct Chosen {
 /// different error.
 inline constexpr double kSpare = 0.03;
 
-/// Of times that are a tie, the slower is at most this many times the faster: wide intervals must not make a
-/// choice slow.
-inline constexpr double kTied = 1.1;
+/// Times are equal if the larger is at most so many times the smaller, and so are errors. Chance must not
+/// decide between equals: a fixed rule does.
+inline constexpr double kTimeTie = 1.1, kErrorTie = 1.05;
 
-/// The choice among the combinations of a trade. `limit` is for the RMS error of the intensity after the
-/// table, on all views of the trade. Of two that are equally fast, as far as their times tell, the more
-/// accurate is chosen.
-[[nodiscard]] Chosen chooseWithin(const Trade& trade, double limit);
+/// True if a combination stays within the limit on all views, with kSpare for its RMS error.
+[[nodiscard]] bool keeps(const Measured& one, const AccuracyLimit& limit);
+
+/// The choice among the combinations of a trade whose times are not rough. Of those that keep the limit it is
+/// the fastest. Of equally fast ones the most accurate is chosen, of equally accurate ones the one with the
+/// fewest changes, and then the first by the axes of the trade and their values. If none keeps the limit, it
+/// is the most accurate, and of equals the fastest.
+[[nodiscard]] Chosen chooseWithin(const Trade& trade, const AccuracyLimit& limit);
+
+/// Two numbers in two digits, or in as many as it takes to tell them apart: {"0.012", "0.01"}.
+[[nodiscard]] std::pair<std::string, std::string> toldApart(double a, double b);
 
 }  // namespace xnewell

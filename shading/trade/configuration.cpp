@@ -3,16 +3,16 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <set>
 
 #include "geometry/exact/box.h"
 #include "shading/picture/facts.h"
-#include "shading/scene/save_scene.h"
 
 namespace xnewell {
 
 namespace {
 
-constexpr std::array kDivisions{1, 2, 3, 4, 6, 8, 12, 16, 24, 32};
+constexpr std::array kDivisions{1, 2, 3, 4, 6, 8, 12, 16, 24, 32, 48, 64};
 
 /// L is the same everywhere if all lights are at infinity. Then it is no short cut to take it as constant.
 bool lightsHavePlaces(const Picture& picture) {
@@ -21,16 +21,8 @@ bool lightsHavePlaces(const Picture& picture) {
                              [](const Light& light) { return light.kind != LightKind::Directional; });
 }
 
-/// True if the patches of the scene may have other divisions. Its file may give their number.
-bool canBeDivided(const Scene& scene) {
-  if (scene.divisions == 0 || scene.origin.of.empty()) return false;
-  const int other = scene.divisions == 1 ? 2 : 1;
-  return redivided(scene, other).divisions == other;
-}
-
-bool isAnAxis(const Setting& setting, const Picture& picture) {
-  if (!setting.role.isShortCut() || !hasEffect(setting, factsOf(picture))) return false;
-  if (setting.key == "fill") return false;
+bool mayBeAnAxis(const Setting& setting, const Picture& picture) {
+  if (!setting.role.isShortCut() || setting.key == "fill") return false;
   return setting.key != "constant_l" || lightsHavePlaces(picture);
 }
 
@@ -74,16 +66,33 @@ std::string Configuration::options() const {
   return all;
 }
 
-std::vector<Axis> axesOf(const Picture& picture) {
+namespace {
+
+/// Adds the settings that have an effect on a picture with these settings, or beside `deep` changes of them.
+void addEffective(const Picture& picture, const PictureSettings& settings, int deep,
+                  std::set<const Setting*>& all) {
+  for (const Setting& setting : settingRows()) {
+    if (!mayBeAnAxis(setting, picture) || !hasEffect(setting, factsOf(picture, settings))) continue;
+    all.insert(&setting);
+    if (deep == 0) continue;
+    for (const double value : valuesOf(setting)) {
+      PictureSettings other = settings;
+      setting.field.set(other, value);
+      addEffective(picture, other, deep - 1, all);
+    }
+  }
+}
+
+std::vector<Axis> axesAmong(const Picture& picture, const std::set<const Setting*>& effective) {
   std::vector<Axis> axes;
   const Scene& scene = picture.scene();
-  if (canBeDivided(scene)) {
+  if (scene.divisions > 0) {
     axes.push_back({nullptr, static_cast<double>(scene.divisions), {}});
     for (const int n : kDivisions)
       if (n != scene.divisions) axes.back().others.push_back(n);
   }
   for (const Setting& setting : settingRows()) {
-    if (!isAnAxis(setting, picture)) continue;
+    if (!effective.contains(&setting)) continue;
     Axis axis{&setting, std::get<double>(setting.field.get(picture.settings())), valuesOf(setting)};
     std::erase(axis.others, axis.now);
     if (!axis.others.empty()) axes.push_back(std::move(axis));
@@ -91,13 +100,36 @@ std::vector<Axis> axesOf(const Picture& picture) {
   return axes;
 }
 
+}  // namespace
+
+std::vector<Axis> axesOf(const Picture& picture) {
+  std::set<const Setting*> effective;
+  const PictureFacts facts = factsOf(picture);
+  for (const Setting& setting : settingRows())
+    if (mayBeAnAxis(setting, picture) && hasEffect(setting, facts)) effective.insert(&setting);
+  return axesAmong(picture, effective);
+}
+
+std::vector<Axis> axesInReach(const Picture& picture) {
+  // Two changes reach all: normals need a method, and creases need a method and normals.
+  constexpr int kDeep = 2;
+  std::set<const Setting*> effective;
+  addEffective(picture, picture.settings(), kDeep, effective);
+  return axesAmong(picture, effective);
+}
+
 std::vector<std::string> choosableAxes(const Picture& picture) {
-  constexpr std::array<std::string_view, 5> kChoosable{"shade", "divisions", "order", "constant-l",
-                                                       "constant-v"};
   std::vector<std::string> names;
-  for (const Axis& axis : axesOf(picture))
-    if (std::ranges::find(kChoosable, axis.name()) != kChoosable.end()) names.emplace_back(axis.name());
+  for (const Axis& axis : axesInReach(picture))
+    if (axis.name() != "colors") names.emplace_back(axis.name());
   return names;
+}
+
+bool allHaveEffect(const Configuration& configuration, const Picture& asked) {
+  const PictureFacts facts = factsOf(asked, configuration.settings);
+  return std::ranges::all_of(configuration.changes, [&](const Change& change) {
+    return !change.setting || hasEffect(*change.setting, facts);
+  });
 }
 
 Configuration changed(Configuration configuration, const Axis& axis, double value) {
@@ -107,28 +139,6 @@ Configuration changed(Configuration configuration, const Axis& axis, double valu
     configuration.divisions = static_cast<int>(value);
   configuration.changes.push_back({axis.setting, value});
   return configuration;
-}
-
-int finestDivisions(const Scene& scene) {
-  constexpr std::size_t kFinest = 64, kMostFaces = 300'000;
-  if (!canBeDivided(scene)) return scene.divisions;
-  std::size_t patches = 0;
-  for (const PatchRun& run : scene.patches) patches += run.patches.size();
-  std::size_t finest = kFinest;
-  while (finest > 1 && patches * finest * finest > kMostFaces) --finest;
-  return std::max(scene.divisions, static_cast<int>(finest));
-}
-
-Scene dividedAnew(const Scene& scene, int divisions) {
-  if (divisions == scene.divisions) return scene;
-  Scene other = redivided(scene, divisions);
-  const double factor = std::ldexp(1.0, other.exponent - scene.exponent);  // exact
-  for (glm::dvec3& p : other.mesh.points) p *= factor;
-  for (double& u : other.mesh.rounding) u *= factor;
-  for (ModelPlane& plane : other.parts.planes) plane.at *= factor;
-  other.exponent = scene.exponent;
-  other.light = scene.light;
-  return other;
 }
 
 CameraSettings heldCamera(const Picture& picture) {

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "shading/picture/picture.h"
+#include "shading/scene/divide_anew.h"
 #include "shading/scene/settings.h"
 
 namespace xnewell {
@@ -44,22 +45,24 @@ struct Configuration {
 };
 
 /// The axes that have an effect on this picture, in the order of the rows, the divisions first. An X server
-/// would have to time its own filler, so `fill` is not among them. Where the scene's file gives the
-/// divisions, they are no axis.
+/// would have to time its own filler, so `fill` is not among them. The divisions are one where they change
+/// a patch: where the scene's file does not set those of all.
 [[nodiscard]] std::vector<Axis> axesOf(const Picture& picture);
 
-/// The names of those axes on which the program may choose by itself: the method, the divisions, the order,
-/// and L and V as constants. They decide most, and the cells stay as they are.
+/// The same, and the axes that have an effect on this picture only beside other short cuts: the rule for
+/// normals, for example, if the method is flat shading.
+[[nodiscard]] std::vector<Axis> axesInReach(const Picture& picture);
+
+/// The names of those axes in reach on which the program may choose by itself: all but the plan of the
+/// colours. A picture in one hue has one intensity, and a picture in colours has three, so their errors do
+/// not compare, and the intensity does not tell that colours are lost.
 [[nodiscard]] std::vector<std::string> choosableAxes(const Picture& picture);
+
+/// True if each change has an effect on this picture, beside the others.
+[[nodiscard]] bool allHaveEffect(const Configuration& configuration, const Picture& asked);
 
 /// The configuration with another value of one short cut.
 [[nodiscard]] Configuration changed(Configuration configuration, const Axis& axis, double value);
-
-/// The divisions that make the patches of a scene as fine as a reference needs: 64, or as many as give no
-/// more than 300,000 faces, and not less than the scene has. 0 if there are no patches to divide.
-[[nodiscard]] int finestDivisions(const Scene& scene);
-/// The scene with other divisions, in the units and with the lights of the first.
-[[nodiscard]] Scene dividedAnew(const Scene& scene, int divisions);
 
 /// The camera of a picture, said in full. So it stays when the polygons change.
 [[nodiscard]] CameraSettings heldCamera(const Picture& picture);

@@ -6,6 +6,8 @@
 #include <array>
 #include <cmath>
 #include <glm/vec2.hpp>
+#include <limits>
+#include <stdexcept>
 
 #include "geometry/view/view.h"
 
@@ -18,6 +20,19 @@ namespace {
 constexpr std::array kTurns{glm::dvec2{-1.5, 1.1}, glm::dvec2{1.7, -0.9}, glm::dvec2{0.8, 1.9}};
 std::uint8_t groundOf(const PictureSettings& settings) { return CellPlan{settings.table.kind}[Cell::Well]; }
 Palette paletteOf(const Picture& picture) { return picture.palette(CellPlan{picture.settings().table.kind}); }
+
+constexpr Glance kNoPicture{0, {}, std::numeric_limits<double>::infinity(), 0};
+
+/// The cells of a palette that the picture or the interface needs: those that do not follow the others.
+int cellsOf(const Picture& picture) {
+  Palette white;
+  white.fill({0xffff, 0xffff, 0xffff});
+  const CellPlan plan{picture.settings().table.kind};
+  const Palette a = picture.palette(plan), b = picture.palette(plan, white);
+  int cells = 0;
+  for (std::size_t k = 0; k < a.size(); ++k) cells += a[k] == b[k];
+  return cells;
+}
 
 /// Bytes that this program has on the heap; 0 if the system does not tell.
 std::int64_t heapBytes() {
@@ -54,7 +69,7 @@ std::optional<PairCheck> pairsOf(const Picture& picture, std::int64_t wrongFaces
 
 Errors briefErrors(const Comparison& comparison) {
   Errors errors;
-  const std::vector<float> after = comparison.intensityErrors(Rounding::After);
+  const std::vector<float> after = comparison.intensityErrors(TableSide::After);
   errors.afterTable = spreadOf(after);
   errors.worst = worstPlaces(comparison, after);
   errors.samples = errors.afterTable.count;
@@ -78,8 +93,8 @@ StageTimes Stages::medians() const {
 
 Measure::Measure(const Scene& scene, const PictureSettings& settings)
     : scenes_{{scene.divisions, scene}},
+      fine_{fineSceneOf(scene)},
       asked_{held(PictureCache{scenes_.begin()->second}.make(settings), groundOf(settings))},
-      referenceDivisions_{finestDivisions(scene)},
       here_{sightOf(asked_.settings().camera, settings)} {
   for (const glm::dvec2& turn : kTurns) try {
       others_.push_back(sightOf(moved(settings.camera, asked_.camera(), turn.x, turn.y, 1.0), settings));
@@ -95,15 +110,68 @@ const Shared<Scene>& Measure::scene(int divisions) {
 }
 
 Measure::Sight Measure::sightOf(const CameraSettings& camera, const PictureSettings& settings) {
-  PictureSettings seen = withoutShortCuts(settings);
+  PictureSettings seen = trueSettings(settings);
   seen.camera = camera;
-  return {camera, std::make_unique<Reference>(PictureCache{scene(referenceDivisions_)}.make(seen))};
+  const Picture picture = PictureCache{scene(asked_.scene().divisions)}.make(seen);
+  return {camera, std::make_unique<Reference>(referenceOf(picture, fine_))};
 }
 
-Measure::Polygons& Measure::polygons(int divisions, const Picture& picture) {
-  const auto known = polygons_.find(divisions);
+Measure::Polygons& Measure::polygons(int divisions, const Sight& sight, const Picture& picture) {
+  const auto known = polygons_.find({divisions, &sight});
   if (known != polygons_.end()) return known->second;
-  return polygons_.emplace(divisions, Polygons{TrueView{picture}, {}}).first->second;
+  return polygons_.emplace(std::pair{divisions, &sight}, Polygons{TrueView{picture}, {}}).first->second;
+}
+
+void Measure::addErrors(Glance& glance, const Picture& picture, int divisions, const Sight& sight,
+                        bool countsWrong) {
+  const Palette palette = paletteOf(picture);
+  // For the intensity alone, the reference may stand for the polygons.
+  const TrueView& faces =
+      countsWrong ? polygons(divisions, sight, picture).view : static_cast<const TrueView&>(*sight.reference);
+  const Comparison comparison{picture, *sight.reference, palette, faces};
+  const Spread errors = spreadOf(comparison.intensityErrors(TableSide::After));
+  glance.rms = std::max(glance.rms, errors.rootMeanSquare);
+  if (!countsWrong) return;
+  std::int64_t wrong = 0;
+  for (const std::uint8_t one : comparison.wrongFaces()) wrong += one;
+  glance.wrong = std::max(glance.wrong, wrong);
+}
+
+Glance Measure::glance(const Configuration& configuration, bool countsWrong) try {
+  constexpr double kEnough = 4;  // ms
+  Glance glance;
+  PictureSettings settings = configuration.settings;
+  settings.camera = here_.camera;
+  double all = 0;
+  for (int k = 0; k < 5 && all < kEnough; ++k) {
+    PictureCache pictures{scene(configuration.divisions)};
+    const double start = processorMs();
+    const Picture picture = pictures.make(settings, groundOf(settings));
+    const double ms = std::max(processorMs() - start, 1e-6);
+    if (k == 0) addErrors(glance, picture, configuration.divisions, here_, countsWrong);
+    if (k == 0 || ms < glance.ms) {
+      const StageTimes& t = picture.times();  // by the clock on the wall
+      const double share = ms / std::max(t.total(), 1e-6);
+      glance.ms = ms;
+      glance.stages = {.shade = share * t.shade,
+                       .transform = share * t.transform,
+                       .sort = share * t.sort,
+                       .fill = share * t.fill};
+    }
+    all += ms;
+  }
+  return glance;
+} catch (const std::runtime_error&) {
+  return kNoPicture;
+}
+
+Glance Measure::glanceElsewhere(const Configuration& configuration, bool countsWrong) try {
+  Glance glance;
+  for (const Sight& other : others_)
+    addErrors(glance, painted(configuration, other.camera), configuration.divisions, other, countsWrong);
+  return glance;
+} catch (const std::runtime_error&) {
+  return kNoPicture;
 }
 
 Picture Measure::painted(const Configuration& configuration, const CameraSettings& camera) {
@@ -139,8 +207,9 @@ Measured Measure::measured(const Configuration& configuration, bool whole) {
   const Picture picture = painted(configuration, here_.camera);
   measured.cost.bytes = std::max<std::int64_t>(0, heapBytes() - before);
   measured.cost.polygons = static_cast<std::int64_t>(picture.sorted().fragments.size());
+  measured.cost.cells = cellsOf(picture);
   const Palette palette = paletteOf(picture);
-  Polygons& faces = polygons(configuration.divisions, picture);
+  Polygons& faces = polygons(configuration.divisions, here_, picture);
   const Comparison comparison{picture, *here_.reference, palette, faces.view};
   measured.here = whole ? errorsOf(comparison) : briefErrors(comparison);
   if (whole) {
@@ -154,21 +223,10 @@ Measured Measure::measured(const Configuration& configuration, bool whole) {
     // Which face shows does not matter here, so the reference may stand for the polygons.
     const Palette colors = paletteOf(turned);
     const Comparison beside{turned, *other.reference, colors};
-    const Spread errors = spreadOf(beside.intensityErrors(Rounding::After));
+    const Spread errors = spreadOf(beside.intensityErrors(TableSide::After));
     measured.elsewhere = std::max(measured.elsewhere, errors.rootMeanSquare);
   }
   return measured;
-}
-
-Errors errorsAgainstFinest(const Picture& picture, const Palette& palette) {
-  PictureSettings settings = withoutShortCuts(picture.settings());
-  settings.camera = heldCamera(picture);
-  const Reference finest{
-      makePicture(dividedAnew(picture.scene(), finestDivisions(picture.scene())), settings)};
-  const TrueView polygons{PictureCache{picture}.make(settings)};
-  Errors errors = errorsOf(Comparison{picture, finest, palette, polygons});
-  errors.patches = distanceFromPatches(polygons);
-  return errors;
 }
 
 }  // namespace xnewell

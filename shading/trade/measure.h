@@ -3,10 +3,11 @@
 #include <map>
 #include <memory>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "shading/picture/picture_cache.h"
-#include "shading/picture/reference.h"
+#include "shading/picture/truth.h"
 #include "shading/trade/trade.h"
 
 namespace xnewell {
@@ -21,6 +22,14 @@ class Stages {
   std::vector<StageTimes> all_;
 };
 
+/// What one run of a configuration tells.
+struct Glance {
+  double ms = 0;           ///< of the processor
+  StageTimes stages;       ///< their sum is `ms`
+  double rms = 0;          ///< the error of the intensity after the table; infinite if there is no picture
+  std::int64_t wrong = 0;  ///< samples that show a wrong face, if they are counted
+};
+
 /// Measures configurations of one scene: their errors on the user's view and on other views, and what they
 /// cost. It keeps the scene with each number of divisions, and the references.
 class Measure {
@@ -32,7 +41,7 @@ class Measure {
   [[nodiscard]] Configuration askedConfiguration() const {
     return {asked_.settings(), asked_.scene().divisions, {}};
   }
-  [[nodiscard]] int referenceDivisions() const { return referenceDivisions_; }
+  [[nodiscard]] int referenceDivisions() const { return finestDivisions(asked_.scene()); }
   /// How far the reference's polygons are from the patches.
   [[nodiscard]] std::optional<PatchDistance> referenceOff() const {
     return distanceFromPatches(*here_.reference);
@@ -45,6 +54,11 @@ class Measure {
   [[nodiscard]] Measured whole(const Configuration& configuration) { return measured(configuration, true); }
   /// The same without what only a closer look needs: colours, distances.
   [[nodiscard]] Measured brief(const Configuration& configuration) { return measured(configuration, false); }
+  /// One picture of the user's view, with its error. The time is the least of up to five runs if they are
+  /// short.
+  [[nodiscard]] Glance glance(const Configuration& configuration, bool countsWrong);
+  /// The largest errors on the other views, without times.
+  [[nodiscard]] Glance glanceElsewhere(const Configuration& configuration, bool countsWrong);
   /// Makes the picture as if it were the first. Returns the processor's time in milliseconds.
   double run(const Configuration& configuration, Stages& stages);
 
@@ -57,23 +71,22 @@ class Measure {
   [[nodiscard]] Measured measured(const Configuration& configuration, bool whole);
   [[nodiscard]] Picture painted(const Configuration& configuration, const CameraSettings& camera);
   [[nodiscard]] const Shared<Scene>& scene(int divisions);
-  /// The polygons of a number of divisions, from the user's camera.
+  /// The polygons of a number of divisions, from the camera of a view.
   struct Polygons {
     TrueView view;
     std::optional<std::optional<PatchDistance>> off;  ///< nothing as long as nobody asked for it
   };
-  [[nodiscard]] Polygons& polygons(int divisions, const Picture& picture);
+  [[nodiscard]] Polygons& polygons(int divisions, const Sight& sight, const Picture& picture);
+  /// The errors of a picture of a view, for a Glance.
+  void addErrors(Glance& glance, const Picture& picture, int divisions, const Sight& sight, bool countsWrong);
   [[nodiscard]] Sight sightOf(const CameraSettings& camera, const PictureSettings& settings);
 
   std::map<int, Shared<Scene>> scenes_;  ///< by divisions
+  FineScene fine_;
   Picture asked_;
-  int referenceDivisions_ = 0;
   Sight here_;
   std::vector<Sight> others_;
-  std::map<int, Polygons> polygons_;  ///< by divisions
+  std::map<std::pair<int, const Sight*>, Polygons> polygons_;  ///< by divisions and view
 };
-
-/// The errors of a painted picture, as a trade measures them: against a reference with finestDivisions().
-[[nodiscard]] Errors errorsAgainstFinest(const Picture& picture, const Palette& palette);
 
 }  // namespace xnewell

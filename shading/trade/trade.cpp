@@ -8,6 +8,7 @@
 #include "shading/trade/combine.h"
 #include "shading/trade/constant_l_bound.h"
 #include "shading/trade/measure.h"
+#include "shading/trade/search.h"
 #include "shading/trade/trade_sentences.h"
 
 namespace xnewell {
@@ -15,8 +16,16 @@ namespace xnewell {
 namespace {
 
 /// The shares of the time that the parts may take: errors of rows, their times, errors of combinations, and
-/// their times.
+/// their times. A choice within a limit has no rows.
 constexpr double kRowErrors = 0.3, kRowTimes = 0.6, kCombinationErrors = 0.8;
+
+/// What keeps a limit is timed again in turn if it is at most so many times as slow as the fastest; but no
+/// more than so many, the fastest by one run.
+constexpr double kFinal = 1.4;
+constexpr std::size_t kFinalists = 16;
+/// After so many rounds, what takes so many times as long as the first of them is out.
+constexpr int kFirstRounds = 5;
+constexpr double kLast = 1.2;
 
 /// The trade while it is made.
 class Trader {
@@ -26,7 +35,9 @@ class Trader {
       : request_{request}, progress_{progress}, measure_{scene, settings} {}
 
   Trade make() {
-    trade_.axes = requestedAxes(axesOf(measure_.asked()), request_);
+    // Who names axes may mean some that have an effect only beside another.
+    trade_.axes = requestedAxes(
+        request_.axes.empty() ? axesOf(measure_.asked()) : axesInReach(measure_.asked()), request_);
     trade_.exponent = measure_.asked().scene().exponent;
     trade_.referenceDivisions = measure_.referenceDivisions();
     if (!request_.brief) trade_.referenceOff = measure_.referenceOff();
@@ -34,8 +45,12 @@ class Trader {
     trade_.constantL = boundOfConstantL(measure_.asked().scene(), measure_.asked().settings().light);
     trade_.asked = closely(measure_.askedConfiguration());
     if (trade_.asked.here.samples == 0) throw ViewError{"nothing shows, so there is nothing to measure"};
-    rows();
-    if (!trade_.stopped) combinations();
+    if (request_.within) {
+      choices();
+    } else {
+      rows();
+      if (!trade_.stopped) combinations();
+    }
     return std::move(trade_);
   }
 
@@ -66,6 +81,7 @@ class Trader {
           continue;
         }
         const Configuration one = changed(measure_.askedConfiguration(), axis, value);
+        if (!allHaveEffect(one, measure_.asked())) continue;
         if (const std::string why = measure_.refusal(one); !why.empty())
           trade_.notes.push_back(one.name() + " was left out: " + why);
         else
@@ -78,32 +94,41 @@ class Trader {
     }
     std::vector<Measured*> timed{&trade_.asked};
     for (TradeRow& row : trade_.rows) timed.push_back(&row.measured);
-    trade_.ofRows = time(timed, kRowTimes, "timing short cuts");
+    trade_.ofRows = time(timed, kRowTimes, "timing short cuts", request_.mostRounds);
     for (TradeRow& row : trade_.rows)
       row.sentence = sentenceOf(row, trade_.axes[row.axis], trade_.asked, measure_.asked());
   }
 
+  /// Searches as long as there is time. Returns false if it was stopped.
+  bool searched(Search& search, const std::string& what) {
+    do {
+      if (!goOn("looking at " + what + ": " + std::to_string(search.tried().size()))) return false;
+      if (isLate(kCombinationErrors)) {
+        trade_.notes.emplace_back("the time did not suffice for all combinations with promise (--budget)");
+        break;
+      }
+    } while (search.step());
+    trade_.neverTried = search.neverTried();
+    return true;
+  }
+
   void combinations() {
-    // One combination costs a picture for each view, and some more to be timed.
-    const double each = trade_.asked.cost.time.ms * (1 + trade_.views + 2 * TimingLimits{}.leastRounds);
-    const int most = static_cast<int>(
+    Search search{measure_, trade_.axes, {}};
+    search.know(trade_.asked);
+    for (const TradeRow& row : trade_.rows) search.know(row.measured);
+    if (!searched(search, "combinations")) return;
+    // Each is timed in several rounds.
+    const double each = trade_.asked.cost.time.ms * (1 + trade_.views + TimingLimits{}.leastRounds);
+    const auto most = static_cast<std::size_t>(
         std::clamp(1e3 * secondsTo(1) / std::max(each, 1e-3), 8.0, double{kMostCombinations}));
-    std::vector<std::string> left;
-    for (const Configuration& one : combinationsOf(trade_, measure_, most, left)) {
-      if (!goOn("looking at " + one.name())) return;
-      if (isLate(kCombinationErrors)) break;
-      if (measure_.refusal(one).empty()) trade_.combinations.push_back(measure_.brief(one));
-    }
-    trade_.notes.insert(trade_.notes.end(), left.begin(), left.end());
-    // The single short cuts stand beside them, as far as there is room.
-    for (const TradeRow& row : trade_.rows) {
-      if (static_cast<int>(trade_.combinations.size()) >= most) break;
-      if (!isKnown(row.measured.configuration)) trade_.combinations.push_back(row.measured);
+    for (const int k : search.nearFront(most)) {
+      if (!goOn("looking at " + search.tried()[k].configuration.name())) return;
+      trade_.combinations.push_back(measure_.brief(search.tried()[k].configuration));
     }
     Measured base = trade_.asked;  // so that all times are compared with the same set-up
     std::vector<Measured*> timed{&base};
     for (Measured& one : trade_.combinations) timed.push_back(&one);
-    trade_.ofCombinations = time(timed, 1, "timing combinations");
+    trade_.ofCombinations = time(timed, 1, "timing combinations", request_.mostRounds);
     if (trade_.ofCombinations.rounds == 0) {
       trade_.combinations.clear();
       return;
@@ -117,24 +142,47 @@ class Trader {
     }
   }
 
-  [[nodiscard]] bool isKnown(const Configuration& single) const {
-    return std::ranges::any_of(trade_.combinations, [&](const Measured& one) {
-      return one.configuration.changes == single.changes;
-    });
+  /// The combinations near the limit. Those that may be the choice are timed again, in turn.
+  void choices() {
+    Search search{measure_, trade_.axes, request_.within};
+    if (!searched(search, "combinations")) return;
+    std::vector<int> final = search.within(kFinal);
+    if (final.size() > kFinalists) final.resize(kFinalists);
+    trade_.combinations = search.tried();
+    std::vector<Measured*> timed;
+    for (const int k : final) {
+      Measured& one = trade_.combinations[k];
+      const Cost rough = one.cost;
+      const std::int64_t wrong = one.wrongElsewhere;
+      one = measure_.brief(one.configuration);
+      one.wrongElsewhere = wrong;
+      one.cost.time = rough.time, one.cost.stages = rough.stages;
+      timed.push_back(&one);
+    }
+    // A few rounds leave those that may be the fastest; these have the rest of the time.
+    (void)time(timed, 1, "timing the fastest", kFirstRounds);
+    std::erase_if(timed, [](Measured* one) { return one->cost.rough = one->cost.time.ratio > kLast; });
+    if (!trade_.stopped && !timed.empty())
+      trade_.ofCombinations = time(timed, 1, "timing the fastest again", request_.mostRounds);
+    if (trade_.ofCombinations.rounds == 0)
+      for (Measured* one : timed) one->cost.rough = true;
   }
 
-  Timings time(const std::vector<Measured*>& ways, double share, const std::string& doing) {
+  /// `ways` are in Trade or beside it; the first is the base.
+  Timings time(const std::vector<Measured*>& ways, double share, const std::string& doing, int mostRounds) {
     std::vector<Stages> stages(ways.size());
     std::vector<Timed> timed;
     for (std::size_t k = 0; k < ways.size(); ++k)
       timed.emplace_back(
           [this, way = ways[k], &stage = stages[k]] { return measure_.run(way->configuration, stage); });
-    const TimingLimits limits{
-        .seconds = secondsTo(share), .mostRounds = request_.mostRounds, .seed = request_.seed};
+    const TimingLimits limits{.seconds = secondsTo(share),
+                              .leastRounds = std::min(TimingLimits{}.leastRounds, mostRounds),
+                              .mostRounds = mostRounds,
+                              .seed = request_.seed};
     int kept = 0;
     const auto keep = [&](const Timings& timings) {
       for (std::size_t k = 0; k < ways.size(); ++k) ways[k]->cost.time = timings.of[k];
-      trade_.front = frontOf(trade_.combinations);
+      if (!request_.within) trade_.front = frontOf(trade_.combinations);
     };
     Timings timings = timeAll(timed, limits, [&](int rounds, const Timings& known) {
       if (known.rounds != kept) keep(known), kept = known.rounds;

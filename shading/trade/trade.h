@@ -27,9 +27,12 @@ namespace xnewell {
 
 /// What one picture costs.
 struct Cost {
-  Timing time;                ///< its base is the set-up that was asked for
+  Timing time;                ///< its base is the set-up that was asked for; in a choice within a limit, the
+                              ///< fastest that keeps it
+  bool rough = false;         ///< the time is that of one run, and its ratio says nothing
   StageTimes stages;          ///< medians
   std::int64_t bytes = 0;     ///< of memory that the picture holds; 0 if the system does not tell
+  int cells = 0;              ///< of the colormap that hold a colour for the picture or its window
   std::int64_t polygons = 0;  ///< painted: whole ones, and pieces of those that the depth sort cut
 };
 
@@ -38,6 +41,7 @@ struct Measured {
   /// On the user's view. A combination off the front has only samples, wrongFaces, afterTable and worst.
   Errors here;
   double elsewhere = 0;  ///< the largest RMS error of the intensity after the table, on the other views
+  std::int64_t wrongElsewhere = 0;  ///< the most wrong faces on the other views, if a limit asks for them
   Cost cost;
   /// For an order that is not exact and shows no wrong face here: are all pairs in order?
   std::optional<PairCheck> pairs = {};
@@ -65,6 +69,7 @@ struct Trade {
   int views = 0;                              ///< other views that chose
   Timings ofRows, ofCombinations;
   std::vector<std::string> notes;  ///< what was left out, and why
+  std::string neverTried;          ///< values that no combination had: "--order bsp; --divisions 64"
   bool stopped = false;            ///< the caller stopped it, and what is here is what was known
 };
 

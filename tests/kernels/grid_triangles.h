@@ -43,10 +43,10 @@ struct ExactPlane {
   }
 };
 /// a x + b y + c is C_P C_Q (z_P - z_Q).
-struct ExactLine {
+struct WholeLine {
   Whole a, b, c;
 };
-inline ExactLine difference(const ExactPlane& P, const ExactPlane& Q) {
+inline WholeLine difference(const ExactPlane& P, const ExactPlane& Q) {
   return {P.A * Q.C - Q.A * P.C, P.B * Q.C - Q.B * P.C, P.D * Q.C - Q.D * P.C};
 }
 

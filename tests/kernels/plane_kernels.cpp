@@ -54,7 +54,7 @@ Kernel compareKernel() {
             const ExactPlane P{triangleAt(in.data())}, Q{triangleAt(&in[9])};
             const Big zP = P.at(big(in[18]), big(in[19])), zQ = Q.at(big(in[18]), big(in[19])),
                       apart = zP - zQ;
-            const ExactLine l = difference(P, Q);
+            const WholeLine l = difference(P, Q);
             const Whole exact = l.a * Whole{in[18]} + l.b * Whole{in[19]} + l.c;
             if (out[0] != exact.sign()) return kWrong;
             const Big tolerance = 0x1p-50 * (abs(big(out[1])) + abs(big(out[2])));
@@ -99,7 +99,7 @@ Kernel nearerKernel() {
           },
       .judge =
           [](const Numbers& in, const Numbers& out) {
-            const ExactLine l = difference(ExactPlane{triangleAt(in.data())}, ExactPlane{triangleAt(&in[9])});
+            const WholeLine l = difference(ExactPlane{triangleAt(in.data())}, ExactPlane{triangleAt(&in[9])});
             const Whole x = Whole{in[18]} * kGrid + kGrid / 2, y = Whole{in[19]} * kGrid + kGrid / 2;
             const Whole value = l.a * x + l.b * y + l.c;
             const Whole& part = value != 0 ? value : l.a != 0 ? l.a : l.b;

@@ -40,7 +40,7 @@ Kernel cutLineKernel() {
               },
           .judge =
               [](const Numbers& in, const Numbers& out) {
-                const ExactLine l =
+                const WholeLine l =
                     difference(ExactPlane{triangleAt(in.data())}, ExactPlane{triangleAt(&in[9])});
                 const Big a{l.a}, b{l.b}, c{l.c}, most = largerOf(abs(a), abs(b));
                 if (most == 0) {  // parallel: c has the sign everywhere
@@ -63,7 +63,7 @@ Kernel cutLineKernel() {
 }
 
 /// The exact side of a region: the edge of a face from vertex p to q, or a cut.
-ExactLine exactly(const Numbers& in, const Line& line) {
+WholeLine exactly(const Numbers& in, const Line& line) {
   if (line.kind == Line::Kind::Cut)
     return difference(ExactPlane{triangleAt(&in[9 * line.p])}, ExactPlane{triangleAt(&in[9 * line.q])});
   const auto vertex = [&](int k) { return std::array{Whole{in[3 * k]}, Whole{in[3 * k + 1]}}; };
@@ -81,7 +81,7 @@ Kernel cutKernel() {
     for (std::size_t k = 0; k < out.size(); k += 7)
       lines.push_back(
           {static_cast<Line::Kind>(out[k]), static_cast<int>(out[k + 1]), static_cast<int>(out[k + 2])});
-    std::vector<ExactLine> exact;
+    std::vector<WholeLine> exact;
     for (const Line& line : lines) exact.push_back(exactly(in, line));
     return exact;
   };
@@ -113,12 +113,12 @@ Kernel cutKernel() {
           },
       .judge =
           [sides](const Numbers& in, const Numbers& out) {
-            const std::vector<ExactLine> lines = sides(in, out);
-            const ExactLine third =
+            const std::vector<WholeLine> lines = sides(in, out);
+            const WholeLine third =
                 difference(ExactPlane{triangleAt(in.data())}, ExactPlane{triangleAt(&in[27])});
             double worst = 0;
             for (std::size_t k = 0; k < lines.size(); ++k) {
-              const ExactLine &l = lines[k], &m = lines[(k + 1) % lines.size()];
+              const WholeLine &l = lines[k], &m = lines[(k + 1) % lines.size()];
               const Whole X = l.b * m.c - m.b * l.c, Y = m.a * l.c - l.a * m.c, W = l.a * m.b - m.a * l.b;
               if (W == 0) return kWrong;
               const Whole value = third.a * X + third.b * Y + third.c * W;
@@ -127,7 +127,7 @@ Kernel cutKernel() {
               worst = std::max({worst, shareOf(out[7 * k + 3], Big{X} / Big{W}, radius),
                                 shareOf(out[7 * k + 4], Big{Y} / Big{W}, radius)});
               // Every corner lies on the inner side of every line.
-              for (const ExactLine& other : lines) {
+              for (const WholeLine& other : lines) {
                 const Whole side = other.a * X + other.b * Y + other.c * W;
                 if (side.sign() * W.sign() < 0) return kWrong;
               }

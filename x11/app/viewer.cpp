@@ -90,7 +90,8 @@ class Viewer {
       std::vector<std::string> mine;
       for (const std::string& option : options.given)
         mine.push_back(option.substr(option.find_first_not_of('-')));
-      bench_.keepWithin(options.accuracy, std::move(mine));
+      bench_.keepWithin(options.accuracy, std::move(mine),
+                        options.gave("--budget") ? options.trade.seconds : kAccuracySeconds);
     }
     XkbSetDetectableAutoRepeat(display(), 1, nullptr);  // a held key sends only one release event
   }

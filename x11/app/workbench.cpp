@@ -292,12 +292,13 @@ void Workbench::compare(const Setup& B) {
   sides_->put(B);  // after the view was entered, because then B follows what was changed elsewhere
 }
 
-void Workbench::keepWithin(std::optional<double> limit, std::vector<std::string> mine) {
+void Workbench::keepWithin(std::optional<AccuracyLimit> limit, std::vector<std::string> mine,
+                           double seconds) {
   keeper_.reset();
-  if (limit) keeper_.emplace(*limit, std::move(mine));
+  if (limit) keeper_.emplace(*limit, std::move(mine), TradeRequest{.brief = true, .seconds = seconds});
 }
 
-std::optional<double> Workbench::keptWithin() const {
+std::optional<AccuracyLimit> Workbench::keptWithin() const {
   return keeper_ ? std::optional{keeper_->limit()} : std::nullopt;
 }
 

@@ -109,10 +109,12 @@ class Workbench : public Host {
   void close() override;
   void switchTo(WindowView view) override;
   void compare(const Setup& B) override;
-  void keepWithin(std::optional<double> limit) override { keepWithin(limit, {}); }
-  /// `mine` are the axes that the user has chosen.
-  void keepWithin(std::optional<double> limit, std::vector<std::string> mine);
-  [[nodiscard]] std::optional<double> keptWithin() const override;
+  void keepWithin(std::optional<AccuracyLimit> limit) override { keepWithin(limit, {}); }
+  /// `mine` are the axes that the user has chosen. Each choice takes at most about so many seconds of the
+  /// processor's time.
+  void keepWithin(std::optional<AccuracyLimit> limit, std::vector<std::string> mine,
+                  double seconds = kAccuracySeconds);
+  [[nodiscard]] std::optional<AccuracyLimit> keptWithin() const override;
   void ask(Question question) override;
   void notify(std::string notice) override;
   void tell(std::string news) override;

@@ -2,7 +2,7 @@
 #include <stdexcept>
 #include <utility>
 
-#include "shading/scene/save_scene.h"
+#include "shading/scene/divide_anew.h"
 #include "x11/app/workbench.h"
 #include "x11/window/moot.h"
 
@@ -77,8 +77,8 @@ std::vector<HelpLine> Workbench::helpLines() const {
 void Workbench::divide() {
   const Scene& scene = this->scene();
   const int wanted = work_.setup.divisions > 0 ? work_.setup.divisions : work_.divisions;
-  if (scene.divisions == 0 || scene.origin.of.empty() || scene.origin.divisions == wanted) return;
-  work_.pictures = PictureCache{redivided(scene, wanted)};
+  if (scene.divisions == 0 || scene.divisions == wanted) return;
+  work_.pictures = PictureCache{dividedAnew(scene, wanted)};
 }
 
 void Workbench::drawFrame(bool dragging) {
@@ -151,7 +151,7 @@ void Workbench::update(bool dragging) {
   }
   try {
     drawFrame(dragging);
-  } catch (const std::runtime_error& e) {  // also if redivided() can no longer read the scene's file
+  } catch (const std::runtime_error& e) {
     if (!shown_) throw;
     work_.setup = shown_->colors.setup;
     bench().leave();

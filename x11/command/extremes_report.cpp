@@ -16,10 +16,17 @@ using Json = nlohmann::ordered_json;
 constexpr int kWay = 32, kRange = 20, kFinding = 66;
 
 Json jsonOf(const ExtremeStep& step) {
-  return {
-      {"refused", step.refused},           {"samples", step.seen.samples}, {"wrong_face", step.seen.wrong},
-      {"missing_face", step.seen.missing}, {"behind", step.seen.behind},   {"shades_off", step.shadesOff},
-      {"changed", step.changed},           {"merged_shades", step.merged}, {"wrong", step.isWrong()}};
+  return {{"refused", step.refused},
+          {"samples", step.seen.samples},
+          {"wrong_face", step.seen.wrong},
+          {"missing_face", step.seen.missing},
+          {"doubtful_face", step.seen.doubtful},
+          {"behind", step.seen.behind},
+          {"shades_off", step.shadesOff},
+          {"changed", step.changed},
+          {"merged_shades", step.merged},
+          {"wrong", step.isWrong()},
+          {"doubtful", step.isDoubtful()}};
 }
 
 }  // namespace
@@ -31,8 +38,8 @@ void printExtremes(const Extremes& extremes, std::ostream& out) {
       << "what was found\n";
   for (const Extreme& way : extremes.ways) {
     std::vector<std::string> lines = broken(findingOf(way, extremes.setUp), kFinding);
-    if (const ExtremeStep* const wrong = firstWrong(way, extremes.setUp))
-      for (const std::string& line : broken(wrong->why, kFinding)) lines.push_back("  " + line);
+    if (const ExtremeStep* const explained = firstToExplain(way, extremes.setUp))
+      for (const std::string& line : broken(explained->why, kFinding)) lines.push_back("  " + line);
     const bool ofPowers = way.unit.starts_with('(');
     out << std::setw(kWay) << std::string{way.name} + (ofPowers ? " " + std::string{way.unit} : "")
         << std::setw(kRange) << shortly(way.steps.front().value) + " to " + shortly(way.steps.back().value);

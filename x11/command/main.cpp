@@ -10,6 +10,7 @@
 #include <iomanip>
 #include <iostream>
 #include <new>
+#include <nlohmann/json.hpp>
 #include <optional>
 #include <string>
 #include <system_error>
@@ -48,7 +49,7 @@ Scene read(const Options& options) {
 }
 
 /// From a scene to a picture in a file.
-void draw(const Options& options, Scene scene, double msRead) {
+void draw(const Options& options, Scene scene, double msRead, const nlohmann::ordered_json& accuracy) {
   std::optional<Doing> drawing{"drawing"};
   const PictureSettings settings = settingsOf(options);
   const CellPlan plan{settings.table.kind};
@@ -59,14 +60,17 @@ void draw(const Options& options, Scene scene, double msRead) {
                       ? "that would take more than a million polygons\n"
                       : "that would take parts smaller than a thousandth of a polygon\n");
 
+  drawing.reset();
+  const Measurements known = measured(options, picture);
   StageTimes times = picture.times();
   times.read = msRead;
+  drawing.emplace("writing");
   const Stopwatch watch;
   const Palette palette = withEffects(picture.palette(plan), picture, plan, options.effects);
   writePictures(options, picture, encodePng(picture.image(), palette));
   times.present = watch.ms();
   drawing.reset();
-  report(options, picture, times);
+  report(options, picture, known, times, accuracy);
 }
 
 /// Draws the numbers behind the picture (--view) and writes them.
@@ -186,12 +190,13 @@ void fade(Scene& scene, const Options& options) {
 }
 
 /// Draws the picture in a window of a server, reads it back and writes it.
-void snapshot(const Options& options, Scene scene, double msRead) {
+void snapshot(const Options& options, Scene scene, double msRead, const nlohmann::ordered_json& accuracy) {
   takeSnapshot(options, std::move(scene),
                [&](const Picture& picture, const std::string& png, StageTimes times, const Sent& sent) {
                  times.read = msRead;
+                 const Measurements known = measured(options, picture);
                  writePictures(options, picture, png);
-                 report(options, picture, times, &sent);
+                 report(options, picture, known, times, accuracy, &sent);
                });
 }
 
@@ -218,13 +223,15 @@ int run(int argc, char** argv) {
   }
   const double msRead = watch.ms();
   if (options.command == Command::View) return openWindow(options, std::move(scene));
-  if (options.accuracy) keepWithin(*options.accuracy, options, scene);
-  if (options.command == Command::Snapshot) return snapshot(options, std::move(scene), msRead), kDone;
+  nlohmann::ordered_json accuracy;
+  if (options.accuracy) accuracy = keepWithin(*options.accuracy, options, scene);
+  if (options.command == Command::Snapshot)
+    return snapshot(options, std::move(scene), msRead, accuracy), kDone;
   if (options.command == Command::Trade) return tellTrade(options, scene);
   if (options.command == Command::Extremes) return tellExtremes(options, scene);
   if (options.command == Command::Trace) return trace(options, std::move(scene)), kDone;
   if (options.view != View::Picture) return drawNumbers(options, std::move(scene)), kDone;
-  return draw(options, std::move(scene), msRead), kDone;
+  return draw(options, std::move(scene), msRead, accuracy), kDone;
 }
 
 int failed(Status status, const std::string& what) {

@@ -10,8 +10,10 @@
 #include "shading/color/rgb_image.h"
 #include "shading/picture/exactness.h"
 #include "shading/picture/required.h"
-#include "shading/trade/measure.h"
+#include "shading/scene/divide_anew.h"
+#include "x11/command/check_writable.h"
 #include "x11/command/costs.h"
+#include "x11/command/doing.h"
 #include "x11/command/errors_json.h"
 #include "x11/window/moot.h"
 
@@ -97,6 +99,25 @@ nlohmann::ordered_json statsOf(const Options& options, const Picture& picture, c
 
 }  // namespace
 
+Measurements measured(const Options& options, const Picture& picture) {
+  Measurements measured;
+  if (options.costs || options.errors)
+    for (const std::string& file : {options.output, options.ids})
+      if (!file.empty()) checkWritable(file);
+  if (options.costs) {
+    const Doing measuring{"measuring what each item costs"};
+    measured.costs = costsOf(picture);
+  }
+  if (options.errors) try {
+      const Doing measuring{"measuring the errors"};
+      measured.errors = errorsOf(picture, picture.palette(CellPlan{picture.settings().table.kind}));
+    } catch (const ViewError& e) {
+      throw ViewError{"the errors cannot be measured (the picture can be drawn without --errors): " +
+                      std::string{e.what()}};
+    }
+  return measured;
+}
+
 void writePictures(const Options& options, const Picture& picture, const std::string& png) {
   std::vector<OutputFile> files{{options.output, png}};
   std::string ids;
@@ -107,22 +128,22 @@ void writePictures(const Options& options, const Picture& picture, const std::st
   writeFiles(files);
 }
 
-void report(const Options& options, const Picture& picture, const StageTimes& times, const Sent* sent) {
+void report(const Options& options, const Picture& picture, const Measurements& measured,
+            const StageTimes& times, const nlohmann::ordered_json& accuracy, const Sent* sent) {
   noteMoot(std::cerr, options, picture);
   if (!options.stats) return;
   // A file name need not be UTF-8, but JSON can hold nothing else.
   nlohmann::ordered_json stats = statsOf(options, picture, times);
+  if (!accuracy.is_null()) stats["accuracy"] = accuracy;
   if (sent != nullptr)
     stats["sent"] = {{"requests", sent->requests},
                      {"bytes", sent->bytes},
                      {"image_bytes", sent->imageBytes},
                      {"bits_per_pixel", sent->bitsPerPixel},
                      {"shared_memory", sent->sharedMemory}};
-  if (options.costs)
-    for (const auto& [name, ms] : costsOf(picture)) stats["required_cost_ms"][name] = ms;
-  if (options.errors) {
-    const Palette palette = picture.palette(CellPlan{picture.settings().table.kind});
-    stats["errors"] = errorsAsJson(errorsAgainstFinest(picture, palette));
+  for (const auto& [name, ms] : measured.costs) stats["required_cost_ms"][name] = ms;
+  if (measured.errors) {
+    stats["errors"] = errorsAsJson(*measured.errors);
     stats["errors"]["reference_divisions"] = finestDivisions(picture.scene());
   }
   std::cout << stats.dump(-1, ' ', false, nlohmann::ordered_json::error_handler_t::replace) << '\n';

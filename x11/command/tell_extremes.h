@@ -6,7 +6,7 @@
 namespace xnewell {
 
 /// `extremes`: drives a scene to its extremes and tells what becomes wrong first. An interrupt ends it, and
-/// the ways that are finished are told; a second interrupt ends the program. Returns the exit status.
+/// it prints the finished ways; a second interrupt ends the program. Returns the exit status.
 /// @throws std::system_error before anything is drawn, if the chart cannot be written
 [[nodiscard]] int tellExtremes(const Options& options, const Scene& scene);
 

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <iostream>
+#include <nlohmann/json.hpp>
 #include <optional>
 
 #include "geometry/files/output_file.h"
@@ -37,16 +38,59 @@ Trade measured(const Options& options, const TradeRequest& request, const Scene&
   });
 }
 
+nlohmann::ordered_json limitAsJson(const AccuracyLimit& limit) {
+  nlohmann::ordered_json json{{"rms", limit.rms}, {"wrong_faces", nullptr}};
+  if (limit.wrong) json["wrong_faces"] = *limit.wrong;
+  return json;
+}
+
 /// Says how far off the picture is when no short cut is left to choose.
-void tellError(double limit, const Options& options, const Scene& scene) {
+nlohmann::ordered_json tellError(const AccuracyLimit& limit, const Options& options, const Scene& scene) {
   const PictureSettings settings = settingsOf(options);
   const CellPlan plan{settings.table.kind};
   const Picture picture = makePicture(scene, settings, plan[Cell::Well]);
-  const Errors errors = errorsAgainstFinest(picture, picture.palette(plan));
-  if (errors.samples == 0) return;
+  const Errors errors = errorsOf(picture, picture.palette(plan));
   const double off = errors.afterTable.rootMeanSquare;
-  std::cerr << "xnewell: nothing is left to choose. The RMS error is " << shortly(off) << " in this view, "
-            << (off <= limit ? "and " : "but ") << shortly(limit) << " is allowed.\n";
+  const bool within = off <= limit.rms && (!limit.wrong || errors.wrongFaces <= *limit.wrong);
+  std::string why = "nothing is left to choose.";
+  if (errors.samples > 0) {
+    const auto [told, allowed] = toldApart(off, limit.rms);
+    why += " The RMS error is " + told + " in this view, " + (off <= limit.rms ? "and " : "but ") + allowed +
+           " is allowed.";
+    if (limit.wrong)
+      why += " Samples that show a wrong face: " + std::to_string(errors.wrongFaces) + " of " +
+             std::to_string(*limit.wrong) + " allowed.";
+    std::cerr << "xnewell: " << why << '\n';
+  }
+  return {{"limit", limitAsJson(limit)},      {"within", within}, {"chosen", nullptr}, {"rms", off},
+          {"wrong_faces", errors.wrongFaces}, {"why", {why}}};
+}
+
+/// What was chosen, and beside what.
+nlohmann::ordered_json choiceAsJson(const AccuracyLimit& limit, const Trade& trade, const Chosen& choice) {
+  const auto asJson = [&](const Measured& one) {
+    nlohmann::ordered_json json{{"name", one.configuration.name()},
+                                {"options", one.configuration.options()},
+                                {"rms", errorOnAllViews(one)},
+                                {"ms", one.cost.time.ms},
+                                {"ratio", one.cost.time.ratio},
+                                {"interval", {one.cost.time.interval.low, one.cost.time.interval.high}}};
+    if (limit.wrong) json["wrong_faces"] = std::max(one.here.wrongFaces, one.wrongElsewhere);
+    return json;
+  };
+  nlohmann::ordered_json finalists = nlohmann::ordered_json::array();
+  for (const Measured& one : trade.combinations)
+    if (!one.cost.rough) finalists.push_back(asJson(one));
+  return {{"limit", limitAsJson(limit)},
+          {"within", choice.accurate},
+          {"chosen", asJson(trade.combinations[choice.combination])},
+          {"why", choice.why},
+          {"tried", trade.combinations.size()},
+          {"timed_in_turn", finalists},
+          {"rounds", trade.ofCombinations.rounds},
+          {"other_views", trade.views},
+          {"never_tried", trade.neverTried},
+          {"notes", trade.notes}};
 }
 
 /// The axes that --accuracy may choose on, but for those that the user gave.
@@ -87,18 +131,20 @@ int tellTrade(const Options& options, const Scene& scene) {
   return trade.stopped ? kInterrupted : kDone;
 }
 
-void keepWithin(double limit, Options& options, Scene& scene) {
+nlohmann::ordered_json keepWithin(const AccuracyLimit& limit, Options& options, Scene& scene) {
   TradeRequest request = options.trade;
-  if (!options.gave("--budget")) request.seconds = 8;
+  if (!options.gave("--budget")) request.seconds = kAccuracySeconds;
   request.brief = true;
+  request.within = limit;
   request.axes = freeAxes(options, scene);
   if (request.axes.empty()) return tellError(limit, options, scene);
   const Trade trade = measured(options, request, scene);
   for (const std::string& note : trade.notes) std::cerr << "xnewell: " << note << '\n';
   const Chosen choice = chooseWithin(trade, limit);
   if (choice.combination < 0) {
-    std::cerr << "xnewell: nothing was chosen: the time did not suffice (--budget)\n";
-    return;
+    const std::string why = "nothing was chosen: the time did not suffice (--budget)";
+    std::cerr << "xnewell: " << why << '\n';
+    return {{"limit", limitAsJson(limit)}, {"within", nullptr}, {"chosen", nullptr}, {"why", {why}}};
   }
   const Configuration& chosen = trade.combinations[choice.combination].configuration;
   std::cerr << "xnewell: chosen: " << chosen.name()
@@ -106,6 +152,7 @@ void keepWithin(double limit, Options& options, Scene& scene) {
   for (const std::string& why : choice.why) std::cerr << "xnewell: " << why << '\n';
   options.picture = chosen.settings;
   scene = dividedAnew(scene, chosen.divisions);
+  return choiceAsJson(limit, trade, choice);
 }
 
 }  // namespace xnewell

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <nlohmann/json_fwd.hpp>
+
 #include "shading/scene/scene.h"
 #include "x11/options/options.h"
 
@@ -9,11 +11,12 @@ namespace xnewell {
 [[nodiscard]] PictureSettings settingsOf(const Options& options);
 
 /// `trade`: measures what each short cut saves and costs, and tells it. An interrupt ends the measuring, and
-/// what is known is told; a second interrupt ends the program. Returns the exit status.
+/// it prints what is known; a second interrupt ends the program. Returns the exit status.
 [[nodiscard]] int tellTrade(const Options& options, const Scene& scene);
 
 /// --accuracy: puts the cheapest short cuts whose picture stays within `limit` into the options, and the
-/// divisions into the scene. Options that the user gave stay. Says on standard error what was chosen and why.
-void keepWithin(double limit, Options& options, Scene& scene);
+/// divisions into the scene. Options that the user gave stay. Says on standard error what was chosen and why,
+/// and returns the same for --stats.
+[[nodiscard]] nlohmann::ordered_json keepWithin(const AccuracyLimit& limit, Options& options, Scene& scene);
 
 }  // namespace xnewell

@@ -81,12 +81,15 @@ Json errorsIn(const Measured& one) {
 
 Json jsonOf(const Options& options, int exponent, const Measured& one) {
   const StageTimes& t = one.cost.stages;
+  const PictureSettings& s = one.configuration.settings;
+  const ServerCost server = serverCostOf(s.width, s.height, one.cost.cells);
   return {
       {"name", one.configuration.name()},
       {"command", commandOf(options, exponent, one.configuration)},
       {"ms", jsonOf(one.cost.time)},
       {"ms_by_stage", {{"shade", t.shade}, {"transform", t.transform}, {"sort", t.sort}, {"fill", t.fill}}},
       {"bytes", one.cost.bytes},
+      {"x_server", {{"cells", one.cost.cells}, {"requests", server.requests}, {"bytes", server.bytes}}},
       {"painted", one.cost.polygons},
       {"same_pixels", one.samePixels},
       {"rms_elsewhere", one.elsewhere},
@@ -132,15 +135,19 @@ void printTrade(const Options& options, const Trade& trade, std::ostream& out) {
     out << " (" << fixed(trade.referenceOff->largestPixels, 3) << " pixels off the patches at most)";
   out << ".\n";
   out << "Faces are samples that show a wrong face. dE is CIEDE2000, its mean and its largest. "
-         "MB is what the picture holds.\n";
+         "MB is what the picture holds. X bytes are what a window's first picture sends, in 3 requests, to "
+         "an "
+         "8-bit server without shared memory; they are computed.\n";
   if (trade.stopped) out << "The measuring was stopped. What was known is here.\n";
   if (trade.ofRows.rounds == 0)
     out << "Nothing was timed.\n";
   else
     out << "Times are medians of " << trade.ofRows.rounds << " rounds, in turn, " << endingOf(trade.ofRows)
-        << "; = is a tie.\nThe set-up, timed twice under two names, is "
-        << percentOf(trade.ofRows.twin.interval.low) << " to " << percentOf(trade.ofRows.twin.interval.high)
-        << " of itself.\n";
+        << ".\nThe set-up, timed twice under two names, is " << percentOf(trade.ofRows.twin.interval.low)
+        << " to " << percentOf(trade.ofRows.twin.interval.high)
+        << " of itself. = is a tie: chance alone may explain the difference, since\nthe interval of this "
+           "time "
+           "(95 %) meets that one.\n";
   out << '\n';
   printTradeHead(out, "one short cut");
   printTradeNumbers(out, "as it is", trade.asked);

@@ -35,10 +35,12 @@ class Reader {
     text(name, help, initially,
          [&row, &settings](const std::string& given) { row.field.set(settings, valueOf(row, given)); });
   }
-  /// Adds a number in [low, high].
+  /// Adds a number in [low, high]. `initially` is its default in words, if it is not the number's own.
   template <class Number>
-  void number(const std::string& name, Number& target, double low, double high, const std::string& help) {
-    text(name, help, textOf(static_cast<double>(target)), [=, &target](const std::string& given) {
+  void number(const std::string& name, Number& target, double low, double high, const std::string& help,
+              std::string initially = "") {
+    if (initially.empty()) initially = textOf(static_cast<double>(target));
+    text(name, help, initially, [=, &target](const std::string& given) {
       const bool whole = std::is_integral_v<Number>;
       const std::string needed =
           std::string{whole ? "a whole number" : "a number"} + " from " + textOf(low) + " to " + textOf(high);

@@ -45,6 +45,20 @@ glm::ivec2 parseSize(const std::string& text) {
   return size;
 }
 
+AccuracyLimit parseAccuracy(const std::string& text) {
+  const std::string expected =
+      "a number between 0 and 1, and perhaps a comma and a whole number of samples: 0.03 or 0.03,20";
+  const std::size_t comma = text.find(',');
+  AccuracyLimit limit{numbers("--accuracy", text.substr(0, comma), 1, expected)[0], {}};
+  if (!(limit.rms > 0 && limit.rms < 1)) refuse("--accuracy", text, expected);
+  if (comma == std::string::npos) return limit;
+  const double wrong = numbers("--accuracy", text.substr(comma + 1), 1, expected)[0];
+  if (wrong < 0 || wrong > double{kMaxPicture} * kMaxPicture || wrong != std::floor(wrong))
+    refuse("--accuracy", text, expected);
+  limit.wrong = static_cast<std::int64_t>(wrong);
+  return limit;
+}
+
 /// Takes the command off the arguments. CLI11's subcommands would read `draw -- -s.obj` as an option: in a
 /// subcommand they parse what follows `--` as options again.
 Command takeCommand(std::vector<std::string>& arguments) {
@@ -203,13 +217,11 @@ std::optional<Options> parseOptions(int argc, const char* const* argv, const Pic
          "with and without each, for some seconds");
   r.text(
       "--accuracy",
-      "window, draw, snapshot: choose the cheapest methods, order and divisions whose picture is off by no "
-      "more than this intensity (root mean square); options that you give stay. The window chooses again "
-      "after each change",
-      "", [&](const std::string& s) {
-        o.accuracy = numbers("--accuracy", s, 1, "a number between 0 and 1")[0];
-        if (!(*o.accuracy > 0 && *o.accuracy < 1)) refuse("--accuracy", s, "a number between 0 and 1");
-      });
+      "RMS[,WRONG], window, draw, snapshot: choose the cheapest short cuts whose picture is off by no more "
+      "than this intensity (root mean square), and shows a wrong face at no more samples than WRONG; without "
+      "WRONG their number does not count. Options that you give stay. The window chooses again after each "
+      "change",
+      "", [&](const std::string& s) { o.accuracy = parseAccuracy(s); });
   r.flag("--json", o.json, "trade, extremes: print all numbers as one JSON object instead of the table");
   r.text("--axes", "trade: only these short cuts, named as their options: shade,order,divisions",
          "all that have an effect", [&](const std::string& s) {
@@ -219,7 +231,8 @@ std::optional<Options> parseOptions(int argc, const char* const* argv, const Pic
   r.text("--without", "trade: values to leave out, for example order=none,shade=depth", "",
          [&](const std::string& s) { o.trade.without = commaWords(s); });
   r.number("--budget", o.trade.seconds, 1, 3600,
-           "trade, --accuracy: about how many seconds of the processor's time to measure");
+           "about how many seconds of the processor's time to measure, at most",
+           "trade " + textOf(TradeRequest{}.seconds) + ", --accuracy " + textOf(kAccuracySeconds));
   r.flag("--whole-window", o.wholeWindow,
          "snapshot: the window with all its controls; trace --frames: with the stepper at each step");
   r.flag("--quick", o.quick,

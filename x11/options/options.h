@@ -71,8 +71,8 @@ struct Options {
   bool costs = false;   ///< with what each required item costs
   bool json = false;    ///< extremes, trade: all numbers instead of the table
   TradeRequest trade;
-  /// The largest RMS error of the intensity; the program chooses the cheapest short cuts that stay within it.
-  std::optional<double> accuracy;
+  /// How wrong the picture may be; the program chooses the cheapest short cuts that stay within it.
+  std::optional<AccuracyLimit> accuracy;
   bool wholeWindow = false;
   std::string viewName = "picture";
   View view = View::Picture;                    ///< draw, snapshot: which view of the picture

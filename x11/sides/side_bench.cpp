@@ -278,7 +278,8 @@ void SideBench::measure(Measured& side, const Measured& other, const Picture& pi
     side = other;
     return;
   }
-  side = {picture.settings(), numbersOf(picture), timeOf(picture.scene(), picture.settings())};
+  side = {picture.settings(), numbersOf(picture, truth_.of(picture)),
+          timeOf(picture.scene(), picture.settings())};
 }
 
 void SideBench::draw(IndexImage& image, const Desk& desk) {

@@ -80,7 +80,7 @@ class SideBench : public Bench {
     SideNumbers numbers;
     BestTime time;
   };
-  static void measure(Measured& side, const Measured& other, const Picture& picture);
+  void measure(Measured& side, const Measured& other, const Picture& picture);
 
   Host* host_;
   std::function<ControlKeys::Subject()> subject_;
@@ -109,6 +109,7 @@ class SideBench : public Bench {
   [[nodiscard]] Told told() const { return {b_, kind_, place_, blinking_, focus_, slider_}; }
   std::optional<Told> drawn_;
   Measured measuredA_, measuredB_;
+  LastTruth truth_;
   std::optional<std::pair<Unlike, std::pair<PictureSettings, PictureSettings>>> placed_;
   std::vector<DifferingPlace> places_;
   SidesLayout at_;

@@ -169,8 +169,8 @@ std::vector<DifferingPlace> placesOf(const Unlikeness& unlike, int frameWidth, i
   return places;
 }
 
-SideNumbers numbersOf(const Picture& picture) {
-  const Difference difference = comparedWithReference(picture).difference;
+SideNumbers numbersOf(const Picture& picture, const Truth& truth) {
+  const Difference difference = comparedWithReference(picture, truth).difference;
   SideNumbers numbers{.samples = difference.samples,
                       .wrong = difference.otherFace,
                       .painted = static_cast<std::int64_t>(picture.sorted().fragments.size()),

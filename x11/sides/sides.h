@@ -65,17 +65,17 @@ struct DifferingPlace {
 inline constexpr int kMostPlaces = 9;
 [[nodiscard]] std::vector<DifferingPlace> placesOf(const Unlikeness& unlike, int frameWidth, int frameHeight);
 
-/// What is measured of each picture. It is compared with a reference without short cuts, which has the
-/// picture's own light and material (difference.h). Both have the same reference if these are the same.
+/// What is measured of each picture. It is compared with the truth about it (difference.h). Both have the
+/// same truth if their lights and surfaces are the same.
 struct SideNumbers {
   std::int64_t samples = 0, wrong = 0;  ///< those that show a face, and a wrong one
-  Measure measure = Measure::Intensity;
+  DifferenceMeasure measure = DifferenceMeasure::Intensity;
   double largest = 0, rootMeanSquare = 0;
   std::int64_t painted = 0;  ///< polygons and pieces
   std::int64_t cuts = 0;
 };
 /// `picture` is painted.
-[[nodiscard]] SideNumbers numbersOf(const Picture& picture);
+[[nodiscard]] SideNumbers numbersOf(const Picture& picture, const Truth& truth);
 
 /// Milliseconds from the scene's points to the painted picture, with nothing kept from earlier runs: the best
 /// of three runs, or of fewer if they take long.

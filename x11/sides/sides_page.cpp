@@ -174,10 +174,10 @@ void SidesDrawing::drawNumbers() {
     row(label, fixed(ofA, decimals), fixed(ofB, decimals), alike ? fixed(apart + 0.0, decimals) : "");
   };
   const bool alike = a.measure == b.measure;
-  const int decimals = a.measure == Measure::Intensity && alike ? 4 : 2;
+  const int decimals = a.measure == DifferenceMeasure::Intensity && alike ? 4 : 2;
   count("wrong face, samples", a.wrong, b.wrong, true);
   amount("largest error", a.largest, b.largest, decimals, alike);
-  const bool colors = alike && a.measure == Measure::Color;
+  const bool colors = alike && a.measure == DifferenceMeasure::Color;
   amount(colors ? "root mean square, CIEDE2000" : "root mean square error", a.rootMeanSquare,
          b.rootMeanSquare, decimals, alike);
   count("polygons painted", a.painted, b.painted);

@@ -110,7 +110,8 @@ Finding findingOf(const Picture& A, const Picture& B, const SideNumbers& ofA, co
             reason};
   }
   const std::string share = shareOf(unlike.differ, unlike.samples);
-  const Measure measure = unlike.kind == Unlike::Intensity ? Measure::Intensity : Measure::Color;
+  const DifferenceMeasure measure =
+      unlike.kind == Unlike::Intensity ? DifferenceMeasure::Intensity : DifferenceMeasure::Color;
   const std::string they = unlike.differ > 0 ? "They differ at " + share + " of the samples."
                            : unlike.kind == Unlike::Face
                                ? "Both show the same face at every sample."
@@ -122,7 +123,7 @@ Finding findingOf(const Picture& A, const Picture& B, const SideNumbers& ofA, co
     return {"The same intensities get different shades. " + they,
             "In the linear table all steps are equally large. In the corrected table all are the same "
             "percentage, and that is what the eye compares. View 3 plots both."};
-  const int decimals = ofA.measure == Measure::Intensity ? 4 : 2;
+  const int decimals = ofA.measure == DifferenceMeasure::Intensity ? 4 : 2;
   const bool aIsNearer = ofA.rootMeanSquare < ofB.rootMeanSquare;
   const std::string least = fixed(std::min(ofA.rootMeanSquare, ofB.rootMeanSquare), decimals),
                     most = fixed(std::max(ofA.rootMeanSquare, ofB.rootMeanSquare), decimals);

@@ -50,11 +50,11 @@ AccuracyKeeper::News AccuracyKeeper::choose(const Seen& now, const Trade& trade,
     return {now.setup, failure.empty() ? "--accuracy found nothing to choose." : "--accuracy: " + failure};
   chosen_ = trade.combinations[choice.combination].configuration;
   const std::string name = chosen_.changes.empty() ? "the set-up as it is" : chosen_.name();
-  const std::string off = fixed(errorOnAllViews(trade.combinations[choice.combination]), 4);
+  const auto [off, allowed] = toldApart(errorOnAllViews(trade.combinations[choice.combination]), limit_.rms);
   return {withChanges(asked_, chosen_),
           choice.accurate
-              ? "Within " + textOf(limit_) + " with " + name + ": off by " + off + "."
-              : "Nothing stays within " + textOf(limit_) + ". Off by " + off + " with " + name + "."};
+              ? "Within " + allowed + " with " + name + ": off by " + off + "."
+              : "Nothing that was tried stays within " + allowed + ". Off by " + off + " with " + name + "."};
 }
 
 std::optional<AccuracyKeeper::News> AccuracyKeeper::tick(const Seen& now) {

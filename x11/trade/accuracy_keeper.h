@@ -15,13 +15,14 @@ namespace xnewell {
 /// cheapest short cuts whose picture stays within a limit. A short cut that the user chooses stays as it is.
 class AccuracyKeeper {
  public:
-  /// `limit` is for the RMS error of the intensity. `mine` are the axes that the user has chosen.
-  /// `request` says how long it measures.
-  explicit AccuracyKeeper(double limit, std::vector<std::string> mine = {},
-                          const TradeRequest& request = {.brief = true, .seconds = 5})
-      : limit_{limit}, mine_{std::move(mine)}, request_{request} {}
+  /// `mine` are the axes that the user has chosen. `request` says how long it measures.
+  explicit AccuracyKeeper(const AccuracyLimit& limit, std::vector<std::string> mine = {},
+                          const TradeRequest& request = {.brief = true, .seconds = kAccuracySeconds})
+      : limit_{limit}, mine_{std::move(mine)}, request_{request} {
+    request_.within = limit;
+  }
 
-  [[nodiscard]] double limit() const { return limit_; }
+  [[nodiscard]] const AccuracyLimit& limit() const { return limit_; }
 
   /// What the window shows, and where the user may have changed it.
   struct Seen {
@@ -58,7 +59,7 @@ class AccuracyKeeper {
   void measure(const Seen& now);
   [[nodiscard]] News choose(const Seen& now, const Trade& trade, const std::string& failure);
 
-  double limit_;
+  AccuracyLimit limit_;
   std::vector<std::string> mine_;
   TradeRequest request_;
   std::unique_ptr<Measuring> measuring_;

@@ -73,7 +73,7 @@ void TradeBench::pick(int combination) {
 }
 
 void TradeBench::setLimit(double limit) {
-  limit_ = std::clamp(limit, limitOfShare(0), limitOfShare(1));
+  limit_.rms = std::clamp(limit, limitOfShare(0), limitOfShare(1));
   if (host_.keptWithin()) host_.keepWithin(limit_);
   picked_.reset();
   choose();
@@ -147,9 +147,9 @@ bool TradeBench::press(const Key& key, const Setup&) {
     case NamedKey::Right:
       return walk(times), true;
     case NamedKey::Up:
-      return setLimit(limitOfShare(shareOfLimit(limit_) + double(times) / kSteps)), true;
+      return setLimit(limitOfShare(shareOfLimit(limit_.rms) + double(times) / kSteps)), true;
     case NamedKey::Down:
-      return setLimit(limitOfShare(shareOfLimit(limit_) - double(times) / kSteps)), true;
+      return setLimit(limitOfShare(shareOfLimit(limit_.rms) - double(times) / kSteps)), true;
     case NamedKey::Return:
       return useChosen(), true;
     case NamedKey::Letter:
@@ -163,7 +163,7 @@ bool TradeBench::press(const Key& key, const Setup&) {
       return true;
     case 'k':
       host_.keepWithin(host_.keptWithin() ? std::nullopt : std::optional{limit_});
-      host_.tell(host_.keptWithin() ? "The other views now keep within " + textOfLimit(limit_) +
+      host_.tell(host_.keptWithin() ? "The other views now keep within " + textOfLimit(limit_.rms) +
                                           ", and measure after each change."
                                     : "The set-up stays as it is now.");
       return changed_ = true;
@@ -184,7 +184,7 @@ bool TradeBench::press(const Key& key, const Setup&) {
     case 'E':
     case '=':
       host_.ask({.asks = "largest error allowed, 0.001 to 0.5",
-                 .text = textOfLimit(limit_),
+                 .text = textOfLimit(limit_.rms),
                  .take = [this](const std::string& text) -> std::string {
                    const std::optional<double> value = typedNumber(text);
                    if (!value || *value < limitOfShare(0) || *value > limitOfShare(1) + 1e-9)
@@ -227,7 +227,7 @@ bool TradeBench::grab(int x, int y) {
   // The limit's handle, a mark, or else the limit's line.
   const TradeScale scale{at_.chart, known_.trade, axes_};
   const bool hasLimit = axes_.error == TradeError::Rms;
-  if (hasLimit && limitHandle(scale, limit_).has(x, y)) {
+  if (hasLimit && limitHandle(scale, limit_.rms).has(x, y)) {
     dragged_ = 'L';
     return true;
   }
@@ -243,7 +243,7 @@ bool TradeBench::grab(int x, int y) {
     pick(mark);
     return false;
   }
-  if (!hasLimit || std::abs(scale.y(limit_) - y) > 6) return false;
+  if (!hasLimit || std::abs(scale.y(limit_.rms) - y) > 6) return false;
   dragged_ = 'L';
   return true;
 }
@@ -282,7 +282,7 @@ void TradeBench::paintChosen(const Desk& desk) {
 
 void TradeBench::draw(IndexImage& image, const Desk& desk) {
   at_ = layoutOfTrade(desk.layout.body, desk.layout.picture);
-  if (const std::optional<double> kept = host_.keptWithin(); kept && *kept != limit_) {
+  if (const std::optional<AccuracyLimit> kept = host_.keptWithin(); kept && *kept != limit_) {
     limit_ = *kept;
     choose();
   }
@@ -305,7 +305,7 @@ void TradeBench::draw(IndexImage& image, const Desk& desk) {
                  .kept = host_.keptWithin().has_value(),
                  .stale = stale,
                  .axes = axes_,
-                 .limit = limit_,
+                 .limit = limit_.rms,
                  .chosen = chosen_,
                  .within = within_,
                  .picture = painted_ ? &painted_->image() : nullptr,

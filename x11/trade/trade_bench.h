@@ -44,7 +44,7 @@ class TradeBench : public Bench {
 
   [[nodiscard]] const Trade& trade() const { return known_.trade; }
   [[nodiscard]] int chosen() const { return chosen_; }
-  [[nodiscard]] double limit() const { return limit_; }
+  [[nodiscard]] double limit() const { return limit_.rms; }
 
  private:
   void measure(const Picture& picture, const Setup& setup);
@@ -71,7 +71,7 @@ class TradeBench : public Bench {
   std::string measuredScene_;
   Rect measuredSize_;
   TradeAxes axes_;
-  double limit_ = 0.03;
+  AccuracyLimit limit_;
   int chosen_ = -1;
   std::optional<std::vector<Change>> picked_;  ///< the changes of the combination that the user picked
   Chosen within_;

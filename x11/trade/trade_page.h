@@ -51,7 +51,7 @@ struct TradePage {
   Chosen within;                        ///< what chooseWithin() says
   const IndexImage* picture = nullptr;  ///< of the chosen combination; null for none
   std::vector<Rect> places = {};        ///< the worst places in the picture, the worst first
-  int place = 0;                        ///< the one whose numbers are told
+  int place = 0;                        ///< the place whose numbers are shown
   char hovered = 0, dragged = 0;
   int option = -1;
 };

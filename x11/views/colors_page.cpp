@@ -16,7 +16,8 @@ constexpr int kGridLabels = 26, kTitle = 24, kGridGutter = 28, kTableWidth = 240
 constexpr int kLabels = 108;  // from the name of a fact to its value
 constexpr int kOptions = 60;  // from the label of a line of the table to its options
 constexpr int kKeyColumn = 24;
-constexpr int kLines = 10;  // of the table in a window
+constexpr int kLines = 10;      // of the table in a window, if the options of each fit beside each other
+constexpr int kLeastPlot = 60;  // the height of the lower plot at least
 constexpr int kTableTrack = 96, kTrackValue = 152;
 
 int pitchOf(const ColorsLayout& at) { return at.compact ? 16 : 20; }
@@ -30,6 +31,19 @@ std::vector<std::string_view> optionsOf(const TableLine& line) {
 std::vector<Rect> framesOf(const ColorsLayout& at, const TableLine& line, int x, int baseline) {
   return optionFrames(optionsOf(line), x, baseline, kTableWidth - kKeyColumn - kOptions,
                       std::min(18, pitchOf(at)));
+}
+
+/// The height of a line. If there is too little room for its options, it has several rows.
+int heightOf(const ColorsLayout& at, const TableLine& line) {
+  const std::vector<Rect> frames = framesOf(at, line, 0, 0);
+  return pitchOf(at) + (frames.empty() ? 0 : frames.back().y - frames.front().y);
+}
+
+/// The line of the table's kind.
+TableLine kindLine(TableKind chosen) {
+  TableLine line{.label = "table", .chosen = static_cast<int>(chosen)};
+  for (const TableRow& row : kTables) line.options.emplace_back(row.name);
+  return line;
 }
 
 /// Draws the parts of the page, one function each.
@@ -228,9 +242,10 @@ void ColorsDrawing::drawTable() {
   pen_.caps(at.x, at.y + 16, "TABLE");
   int y = firstLine(at_);
   for (const TableLine& line : page_.lines) {
-    if (line.key != 0 && line.key == page_.focus) drawFocus(pen_, {at.x, y - 14, at.width, pitchOf(at_)});
+    const int height = heightOf(at_, line);
+    if (line.key != 0 && line.key == page_.focus) drawFocus(pen_, {at.x, y - 14, at.width, height});
     drawLine(line, at.x, y);
-    y += pitchOf(at_);
+    y += height;
   }
 }
 
@@ -247,11 +262,11 @@ ColorsLayout layoutOfColors(const Rect& body) {
   at.facts = {body.x, at.grid.y + at.grid.height + gap, left, factsHeight};
 
   const int x = body.x + left + kGridGutter, width = body.x + body.width - x;
-  const int lines = pitchOf(at) * kLines + (at.compact ? 24 : 28);
+  const int lines = pitchOf(at) * (kLines - 1) + heightOf(at, kindLine({})) + (at.compact ? 24 : 28);
   const int bottom = std::max(lines, body.height * 36 / 100);
   const int between = kPlotBelow + (at.compact ? 28 : 30);
   const int plots = body.height - bottom - 12 - kTitle - between - kPlotBelow;
-  const int upper = plots * 56 / 100;
+  const int upper = std::min(plots * 56 / 100, plots - kLeastPlot);
   at.stored = {x + kPlotLeft, body.y + kTitle, width - kPlotLeft - kPlotRight, upper};
   at.steps = {at.stored.x, at.stored.y + upper + between, at.stored.width, plots - upper};
   at.table = {x, body.y + body.height - bottom, kTableWidth, bottom};
@@ -261,12 +276,13 @@ ColorsLayout layoutOfColors(const Rect& body) {
 
 std::optional<TableLineHit> lineAt(const ColorsLayout& at, const std::vector<TableLine>& lines, int x,
                                    int y) {
-  const int from = y - firstLine(at) + 14, line = from / pitchOf(at);
-  if (from < 0 || line >= static_cast<int>(lines.size()) || x < at.table.x ||
-      x >= at.table.x + at.table.width)
-    return std::nullopt;
+  if (x < at.table.x || x >= at.table.x + at.table.width || y < firstLine(at) - 14) return std::nullopt;
+  int line = 0, baseline = firstLine(at);
+  while (line < static_cast<int>(lines.size()) && y >= baseline - 14 + heightOf(at, lines[line]))
+    baseline += heightOf(at, lines[line++]);
+  if (line == static_cast<int>(lines.size())) return std::nullopt;
   TableLineHit hit{.line = line};
-  const int first = at.table.x + kKeyColumn + kOptions, baseline = firstLine(at) + line * pitchOf(at);
+  const int first = at.table.x + kKeyColumn + kOptions;
   if (lines[line].share && x >= first - 5 && x <= first + kTableTrack + 5) hit.share = trackShare(at, x);
   const std::vector<Rect> frames = framesOf(at, lines[line], first, baseline);
   for (int k = 0; k < static_cast<int>(frames.size()); ++k)
@@ -309,9 +325,7 @@ std::vector<TableLine> tableLines(const Picture& picture, const PaletteEffects& 
     if (!turned.empty()) lines.push_back({.label = "hue", .value = turned});
     lines.push_back({.label = "dither", .options = {"off", "on"}, .chosen = picture.settings().dither});
   } else {
-    TableLine kinds{.label = "table", .chosen = static_cast<int>(table.kind)};
-    for (const TableRow& row : kTables) kinds.options.emplace_back(row.name);
-    lines.push_back(kinds);
+    lines.push_back(kindLine(table.kind));
     const bool corrected = table.kind == TableKind::Corrected;
     const std::string I0 = corrected ? ", I0 " + fixed(table.I0, table.I0 < 0.001 ? 6 : 3) : "";
     lines.push_back({.label = "shades", .value = std::to_string(table.shades) + I0});

@@ -12,7 +12,7 @@ namespace xnewell {
 
 namespace {
 
-Difference differenceOf(Measure measure, std::vector<float> errors, int width) {
+Difference differenceOf(DifferenceMeasure measure, std::vector<float> errors, int width) {
   const double unit = kMeasures[static_cast<int>(measure)].unit;
   const Spread spread = spreadOf(errors);
   Difference d{.measure = measure, .width = width, .at = {}, .samples = spread.count, .mean = spread.mean};
@@ -30,20 +30,22 @@ void paintInRamps(IndexImage& image, const Picture& picture, const Reference& re
                   const Comparison& comparison) {
   const std::vector<Ramp> ramps = picture.colors().ramps();
   for (std::size_t k = 0; k < image.pixels.size(); ++k) {
-    if (comparison.dueFace(k) == kNothing) continue;
+    const int face = reference.faces()[k];
+    if (face == kNothing) continue;
     const glm::dvec3 I = comparison.due(k);
-    image.pixels[k] = ramps[reference.picture().scene().mesh.material[comparison.dueFace(k)] + 1].cell(
-        std::max({I.r, I.g, I.b}));
+    const int number = reference.picture().snapped().faces[face].number;
+    image.pixels[k] =
+        ramps[reference.picture().scene().mesh.material[number] + 1].cell(std::max({I.r, I.g, I.b}));
   }
 }
 
 /// The reference in the colours of the picture.
 void paintInColors(IndexImage& image, const Picture& picture, const Palette& palette,
-                   const Comparison& comparison) {
+                   const Reference& reference, const Comparison& comparison) {
   RgbImage bytes{image.width, image.height};
   std::vector<std::uint8_t> shows(image.pixels.size(), 0);
   for (std::size_t k = 0; k < shows.size(); ++k) {
-    if (comparison.dueFace(k) == kNothing) continue;
+    if (reference.faces()[k] == kNothing) continue;
     shows[k] = 1;
     const Rgb16 color = comparison.dueColor(k);
     bytes.rgb[3 * k] = static_cast<std::uint8_t>(color.r >> 8);
@@ -59,18 +61,18 @@ void paintInColors(IndexImage& image, const Picture& picture, const Palette& pal
 
 }  // namespace
 
-Compared comparedWithReference(const Picture& picture) {
+Compared comparedWithReference(const Picture& picture, const Truth& truth) {
   const PictureSettings& settings = picture.settings();
   const Palette palette = picture.palette(CellPlan{settings.table.kind});
-  const Reference reference{picture};
-  const Comparison comparison{picture, reference, palette};
+  const Reference& reference = truth.reference();
+  const Comparison comparison{picture, truth, palette};
   Compared result{{settings.width, settings.height, picture.ground()}, {}};
   if (channelsOf(picture.colors().plan()) == Channels::Rgb) {
-    result.difference = differenceOf(Measure::Color, comparison.colorErrors(), settings.width);
-    paintInColors(result.reference, picture, palette, comparison);
+    result.difference = differenceOf(DifferenceMeasure::Color, comparison.colorErrors(), settings.width);
+    paintInColors(result.reference, picture, palette, reference, comparison);
   } else {
-    result.difference =
-        differenceOf(Measure::Intensity, comparison.intensityErrors(Rounding::After), settings.width);
+    result.difference = differenceOf(DifferenceMeasure::Intensity,
+                                     comparison.intensityErrors(TableSide::After), settings.width);
     paintInRamps(result.reference, picture, reference, comparison);
   }
   for (const std::uint8_t wrong : comparison.wrongFaces()) result.difference.otherFace += wrong;

@@ -4,28 +4,30 @@
 #include <string>
 #include <vector>
 
+#include "shading/picture/truth.h"
 #include "x11/drawing/sheet.h"
 #include "x11/views/views.h"
 
 namespace xnewell {
 
-/// How wrong is a picture, and where? It is compared with a reference that has the same scene, camera and
-/// light, and no short cut (reference.h). The errors are those of errors.h, after the table.
+/// How wrong is a picture, and where? It is compared with the truth about it (truth.h): the same scene,
+/// camera and light, and no short cut. The errors are those of errors.h, after the table.
 
 /// How a difference is measured, one row for each measure.
-enum class Measure { Intensity, Color };
+enum class DifferenceMeasure { Intensity, Color };
 struct MeasureRow {
-  Measure id;
+  DifferenceMeasure id;
   double unit;  ///< a difference should stay below this
   std::string_view unitInWords, times, means;
 };
 inline constexpr std::array kMeasures{
-    MeasureRow{Measure::Intensity, 1.0 / 240, "1/240", "x 1/240", "one shade of 240"},
-    MeasureRow{Measure::Color, 1.0, "CIEDE2000 1", "CIEDE2000", "what the eye just sees side by side"},
+    MeasureRow{DifferenceMeasure::Intensity, 1.0 / 240, "1/240", "x 1/240", "one shade of 240"},
+    MeasureRow{DifferenceMeasure::Color, 1.0, "CIEDE2000 1", "CIEDE2000",
+               "what the eye just sees side by side"},
 };
 
 struct Difference {
-  Measure measure = Measure::Intensity;  ///< Color if the cells hold colours, not ramps
+  DifferenceMeasure measure = DifferenceMeasure::Intensity;  ///< Color if the cells hold colours, not ramps
   int width = 0;
   std::vector<float> at;       ///< of each sample, row by row; NaN at background
   std::int64_t samples = 0;    ///< samples that show a face
@@ -42,7 +44,7 @@ struct Compared {
 };
 
 /// `picture` is painted; the reference is on its ground.
-[[nodiscard]] Compared comparedWithReference(const Picture& picture);
+[[nodiscard]] Compared comparedWithReference(const Picture& picture, const Truth& truth);
 
 /// The difference as an image of the picture's size, in six steps: each is twice as large as the one before,
 /// the first is the unit.

@@ -76,11 +76,11 @@ std::string share(const Difference& d) {
 
 void drawNumbers(Sheet& sheet, const Difference& d, int x, int y, int width) {
   const MeasureRow& measure = kMeasures[static_cast<int>(d.measure)];
-  const int decimals = d.measure == Measure::Intensity ? 4 : 2;
+  const int decimals = d.measure == DifferenceMeasure::Intensity ? 4 : 2;
   const auto row = [&](const std::string& label, const std::string& value) {
     y = sheet.tableRow(x, y, label, {value}, {width});
   };
-  const std::string of = d.measure == Measure::Intensity ? ", intensity" : ", CIEDE2000";
+  const std::string of = d.measure == DifferenceMeasure::Intensity ? ", intensity" : ", CIEDE2000";
   row("samples", grouped(d.samples));
   row("mean difference" + of, fixed(d.mean, decimals));
   row("largest difference", fixed(d.largest, decimals));
@@ -103,7 +103,7 @@ IndexImage differenceImage(const Difference& d, const CellPlan& plan) {
 
 Finding findingOf(const Difference& d) {
   const MeasureRow& measure = kMeasures[static_cast<int>(d.measure)];
-  const int decimals = d.measure == Measure::Intensity ? 4 : 2;
+  const int decimals = d.measure == DifferenceMeasure::Intensity ? 4 : 2;
   const std::string unit{measure.unitInWords};
   if (d.samples == 0) return {"Nothing shows.", ""};
   Finding finding{
@@ -125,7 +125,7 @@ PictureSettings pictureForDifference(const ViewSettings& settings) {
 ColoredImage drawDifference(const Picture& picture, const ViewSettings& settings) {
   const DifferencePlaces at{settings.picture.width, settings.picture.height};
   const PictureSettings& shown = picture.settings();
-  const Compared compared = comparedWithReference(picture);
+  const Compared compared = comparedWithReference(picture, Truth{picture});
 
   Sheet sheet{settings.picture.width, settings.picture.height, settings.cells};
   const Rect whole{0, 0, shown.width, shown.height};
@@ -133,8 +133,9 @@ ColoredImage drawDifference(const Picture& picture, const ViewSettings& settings
           std::string{rowOf(shown.shading).label} + ", " + std::string{rowOf(shown.order).label},
           "as it is painted");
   caption(sheet, at.reference, at.captions, "the reference",
-          compared.difference.measure == Measure::Color ? "without short cuts, in the picture's cells"
-                                                        : "true normals, L and V at every pixel");
+          compared.difference.measure == DifferenceMeasure::Color
+              ? "without short cuts, in the picture's cells"
+              : "true normals, L and V at every pixel");
   sheet.painter().place(picture.image(), whole, at.picture.x, at.picture.y);
   sheet.painter().place(compared.reference, whole, at.reference.x, at.reference.y);
   sheet.section(at.difference.x, at.sections, at.difference.width, "difference");

@@ -15,12 +15,12 @@ namespace {
 constexpr int kChartWidth = 960, kChartNames = 190, kChartBars = 336, kBarHeight = 36, kChartWords = 380;
 constexpr int kWayGap = 14;  // between two ways
 
-/// The share of samples that are wrong in any respect; 1 if there is no picture.
+/// The share of samples that are wrong or doubtful in any respect; 1 if there is no picture.
 double shareOf(const ExtremeStep& step) {
   if (!step.refused.empty()) return 1.0;
   const double samples = std::max(1, step.seen.samples);
-  const double share = std::max(step.seen.wrong, step.changed) / samples;
-  return step.isWrong() ? std::clamp(share, 1.0 / samples, 1.0) : 0.0;
+  const double share = std::max({step.seen.wrong + step.seen.doubtful, step.changed}) / samples;
+  return step.isWrong() || step.isDoubtful() ? std::clamp(share, 1.0 / samples, 1.0) : 0.0;
 }
 
 /// A share from 1e-5 to 1 as a height.
@@ -41,7 +41,8 @@ struct Words {
 
 Words wordsOf(const Extreme& way, const ExtremeStep& setUp) {
   const ExtremeStep* const wrong = firstWrong(way, setUp);
-  return {findingOf(way, setUp), wrong ? wrong->why : std::string{way.drives}, wrong != nullptr};
+  const ExtremeStep* const explained = firstToExplain(way, setUp);
+  return {findingOf(way, setUp), explained ? explained->why : std::string{way.drives}, wrong != nullptr};
 }
 
 /// The name of a way and its bars, from y down.
@@ -57,7 +58,10 @@ void drawBars(Sheet& sheet, int y, const Extreme& way) {
   for (int k = 0; k < count; ++k) {
     const ExtremeStep& step = way.steps[k];
     const int x = left + k * pitch, tall = std::max(3, heightOf(shareOf(step)));
-    const Cell cell = step.isWrong() ? Cell::Alarm : step.isEmpty() ? Cell::Soft : Cell::Good;
+    const Cell cell = step.isWrong()      ? Cell::Alarm
+                      : step.isDoubtful() ? Cell::Q
+                      : step.isEmpty()    ? Cell::Soft
+                                          : Cell::Good;
     paint.fillRect({x + 1, base - tall, pitch - 2, tall}, sheet.cell(cell));
     // The first, the last and the first wrong value are named, if their names do not touch.
     const std::string name = shortly(step.value);
@@ -74,7 +78,9 @@ void drawBars(Sheet& sheet, int y, const Extreme& way) {
 ColoredImage drawExtremes(const Extremes& extremes, const std::string& title) {
   const int width = kChartWidth - 2 * Sheet::kMargin;
   std::vector<std::pair<std::string, Cell>> above{
-      {"A bar is one picture. Its height is the share of wrong samples, from 1 in 100,000 to all of them.",
+      {"A bar is one picture. Its height is the share of wrong samples, or in amber of doubtful ones, from 1 "
+       "in "
+       "100,000 to all of them.",
        Cell::Soft}};
   for (const std::string& said : {stoppedText(extremes), findingOf(extremes.setUp)})
     if (!said.empty()) above.emplace_back(said, Cell::Alarm);

@@ -15,7 +15,8 @@ constexpr int kLegend = 8;  // pixels from the upper left corner
 
 }  // namespace
 
-ShownPicture shownAs(Show show, const Picture& picture, const Palette& palette, const CellPlan& plan) {
+ShownPicture shownAs(Show show, const Picture& picture, const Palette& palette, const CellPlan& plan,
+                     LastTruth& truth) {
   switch (show) {
     case Show::Shaded:
       break;
@@ -36,7 +37,7 @@ ShownPicture shownAs(Show show, const Picture& picture, const Palette& palette, 
       return shown;
     }
     case Show::Difference: {
-      const Compared compared = comparedWithReference(picture);
+      const Compared compared = comparedWithReference(picture, truth.of(picture));
       ShownPicture shown{differenceImage(compared.difference, plan), palette,
                          findingOf(compared.difference).bold};
       drawStepLegend(Painter{shown.image}, plan, kLegend, kLegend, kDoublingSteps,

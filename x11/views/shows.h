@@ -4,6 +4,7 @@
 #include <string>
 #include <string_view>
 
+#include "shading/picture/truth.h"
 #include "x11/views/views.h"
 
 namespace xnewell {
@@ -35,9 +36,9 @@ struct ShownPicture {
   std::string finding;
 };
 
-/// `picture` is painted; `palette` has its colours. Show::Difference evaluates the light at
-/// each sample, which takes long.
+/// `picture` is painted; `palette` has its colours. Show::Difference needs the truth, which takes long to
+/// make; it is kept in `truth`.
 [[nodiscard]] ShownPicture shownAs(Show show, const Picture& picture, const Palette& palette,
-                                   const CellPlan& plan);
+                                   const CellPlan& plan, LastTruth& truth);
 
 }  // namespace xnewell

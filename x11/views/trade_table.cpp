@@ -15,12 +15,22 @@ constexpr int kName = 34;
 
 }  // namespace
 
+ServerCost serverCostOf(int width, int height, int cells) {
+  constexpr std::int64_t kStoreColors = 8, kColor = 12, kPutImage = 24, kCopyArea = 28;
+  // A longer request has its length in a word more (BIG-REQUESTS).
+  constexpr std::int64_t kLongest = 4 * 65'535, kLengthWord = 4;
+  const std::int64_t row = (std::int64_t{width} + 3) / 4 * 4, put = kPutImage + row * height;
+  return {.requests = 3,
+          .bytes = kStoreColors + kColor * cells + put + (put > kLongest ? kLengthWord : 0) + kCopyArea};
+}
+
 std::string percentOf(double ratio) { return fixed(100 * ratio, 0) + " %"; }
 
 void printTradeHead(std::ostream& out, const std::string& what) {
   out << std::left << std::setw(kName) << what << std::right << std::setw(9) << "ms" << std::setw(8) << "time"
       << "  " << std::setw(9) << "RMS" << std::setw(9) << "99 %" << std::setw(9) << "largest" << std::setw(9)
-      << "faces" << std::setw(8) << "dE" << std::setw(8) << "dE max" << std::setw(8) << "MB" << '\n';
+      << "faces" << std::setw(8) << "dE" << std::setw(8) << "dE max" << std::setw(8) << "MB" << std::setw(11)
+      << "X bytes" << '\n';
 }
 
 void printTradeNumbers(std::ostream& out, const std::string& name, const Measured& one) {
@@ -33,7 +43,11 @@ void printTradeNumbers(std::ostream& out, const std::string& name, const Measure
       << std::setw(9) << fixed(e.afterTable.p99, 4) << std::setw(9) << fixed(e.afterTable.largest, 4)
       << std::setw(9) << grouped(e.wrongFaces) << std::setw(8) << (coloured ? fixed(e.color.mean, 2) : "-")
       << std::setw(8) << (coloured ? fixed(e.color.largest, 1) : "-") << std::setw(8)
-      << fixed(static_cast<double>(one.cost.bytes) / 1e6, 1) << '\n';
+      << fixed(static_cast<double>(one.cost.bytes) / 1e6, 1) << std::setw(11)
+      << grouped(
+             serverCostOf(one.configuration.settings.width, one.configuration.settings.height, one.cost.cells)
+                 .bytes)
+      << '\n';
 }
 
 std::string tableOfCombinations(const Trade& trade) {

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstdint>
 #include <iosfwd>
 #include <string>
 
@@ -8,6 +9,15 @@
 namespace xnewell {
 
 /// The numbers of a trade as a table of plain text.
+
+/// What an X server gets for the first picture of a window, on an 8-bit visual with a colormap of its own and
+/// without shared memory: the cells in XStoreColors, the pixels in XPutImage, and XCopyArea from the pixmap
+/// to the window. It is computed, since a trade has no server. The image is the same size whatever the short
+/// cuts are; only cells can be saved. `snapshot --stats` measures it.
+struct ServerCost {
+  std::int64_t requests = 0, bytes = 0;
+};
+[[nodiscard]] ServerCost serverCostOf(int width, int height, int cells);
 
 /// The head of the table. `what` names its first column.
 void printTradeHead(std::ostream& out, const std::string& what);

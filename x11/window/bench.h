@@ -8,6 +8,7 @@
 #include "shading/picture/cell_use.h"
 #include "shading/picture/palette_effects.h"
 #include "shading/picture/picture.h"
+#include "shading/trade/trade_request.h"
 #include "x11/views/color_strip.h"
 #include "x11/window/controls.h"
 #include "x11/window/key.h"
@@ -43,10 +44,10 @@ class Host {
   virtual void switchTo(WindowView view) = 0;
   /// Shows the setup in view 5, beside B.
   virtual void compare(const Setup& B) = 0;
-  /// From now on the window chooses its short cuts by itself, the cheapest that stay within this RMS error of
-  /// the intensity; or it no longer does.
-  virtual void keepWithin(std::optional<double> limit) = 0;
-  [[nodiscard]] virtual std::optional<double> keptWithin() const = 0;
+  /// From now on the window chooses its short cuts by itself, the cheapest that stay within this limit; or it
+  /// no longer does.
+  virtual void keepWithin(std::optional<AccuracyLimit> limit) = 0;
+  [[nodiscard]] virtual std::optional<AccuracyLimit> keptWithin() const = 0;
   virtual void ask(Question question) = 0;
   /// Shows a warning, one sentence, in the status line until the next key or click.
   virtual void notify(std::string notice) = 0;

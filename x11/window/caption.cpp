@@ -15,11 +15,7 @@ std::string_view chosen(char key, const Setup& setup) {
 
 std::string orderInWords(Order order) { return std::string{rowOf(order).inWords}; }
 
-std::string shadingInWords(Shading shading) {
-  if (shading == Shading::Full) return "full intensity";
-  if (shading == Shading::Environment) return "environment map";
-  return std::string{rowOf(shading).label};
-}
+std::string shadingInWords(Shading shading) { return std::string{rowOf(shading).words}; }
 
 std::string captionOf(const Setup& setup) {
   return shadingInWords(setup.picture.shading) + "; " + orderInWords(setup.picture.order) + "; " +

@@ -164,7 +164,7 @@ void PictureBench::draw(IndexImage& image, const Desk& desk) {
   at_ = desk.layout;
   const Show show = at_.roomy ? desk.setup.show : Show::Shaded;
   if (desk.fresh || show != shownAs_) {
-    shown_ = xnewell::shownAs(show, desk.picture, desk.palette, desk.plan);
+    shown_ = xnewell::shownAs(show, desk.picture, desk.palette, desk.plan, truth_);
     shownAs_ = show;
   }
   use_ = cellUse(shown_.image);

@@ -55,6 +55,7 @@ class PictureBench : public Bench {
   std::optional<ControlHit> drawnHover_;
   Show shownAs_ = Show::Shaded;
   ShownPicture shown_;
+  LastTruth truth_;
   OwnColors colors_;
   CellUse use_;
   std::string counts_, aside_;

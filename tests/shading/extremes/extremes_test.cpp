@@ -5,6 +5,7 @@
 #include <cmath>
 #include <iterator>
 
+#include "depthsort/oracle.h"
 #include "geometry/model/bezier.h"
 #include "shading/extremes/extreme_ways.h"
 #include "shading/extremes/finding.h"
@@ -44,7 +45,7 @@ const Extreme& named(const Extremes& extremes, std::string_view name) {
 }
 
 /// Steps with the values 1, 10, 100 ..., one for each letter: r right, w 7 wrong faces, W 9 wrong faces, m 7
-/// missing faces, e no face at all, c 3 samples changed, x no picture.
+/// missing faces, d 5 doubtful faces, e no face at all, c 3 samples changed, x no picture.
 Extreme wayOf(std::string_view letters, std::string_view unit = "degrees") {
   Extreme way{.name = "turned by", .unit = unit, .drives = "The scene is turned."};
   for (std::size_t k = 0; k < letters.size(); ++k) {
@@ -53,6 +54,7 @@ Extreme wayOf(std::string_view letters, std::string_view unit = "degrees") {
     if (letters[k] == 'w') step.seen.wrong = 7;
     if (letters[k] == 'W') step.seen.wrong = 9;
     if (letters[k] == 'm') step.seen.wrong = step.seen.missing = 7;
+    if (letters[k] == 'd') step.seen.doubtful = 5;
     if (letters[k] == 'e') step.seen.samples = 0;
     if (letters[k] == 'c') step.changed = 3;
     if (letters[k] == 'x') step.refused = "too far";
@@ -97,6 +99,50 @@ TEST(Rays, JudgeTheOrder) {
   EXPECT_GT(unsorted.wrong, 100);
   EXPECT_LT(unsorted.wrong, unsorted.samples + 1);
   EXPECT_NEAR(unsorted.behind, 1.0 / 4.0, 1e-12);  // 5 - 4 of 4
+}
+
+// A card that hides another is doubtful, not wrong, if it lies behind by no more than a step of z. The step
+// at a distance is reckoned by hand: 1 / depth has steps of one size.
+TEST(Rays, CallDoubtfulWhatZCannotTell) {
+  for (const bool parallel : {false, true}) {
+    SCOPED_TRACE(parallel);
+    const auto judged = [&](double gap) {
+      const Scene scene = cards({gap, 0});  // the lower one is painted last
+      PictureSettings settings = fromAbove(scene);
+      settings.order = Order::Unsorted;
+      settings.camera.parallel = parallel;
+      const Picture picture = makePicture(scene, settings);
+      const ViewSpec& view = picture.camera().view;
+      const double pixel = (view.windowMax.x - view.windowMin.x) / settings.width;
+      const double step = std::ldexp(pixel / kGrid, picture.snapped().zShift + scene.exponent);
+      const double away = 5 / std::ldexp(view.prp.z, scene.exponent);
+      return std::pair{judgedByRays(picture), parallel ? step : step * away * away};
+    };
+    const double step = judged(0.125).second;
+    ASSERT_GT(step, 0x1p-40);
+    for (const double steps : {0.25, 0.75, 0.99}) {
+      const JudgedByRays seen = judged(steps * step).first;
+      EXPECT_EQ(seen.wrong, 0) << steps;
+      EXPECT_GT(seen.doubtful, 100) << steps;
+    }
+    for (const double steps : {1.01, 1.5, 100.0}) {
+      const JudgedByRays seen = judged(steps * step).first;
+      EXPECT_GT(seen.wrong, 100) << steps;
+      EXPECT_EQ(seen.doubtful, 0) << steps;
+    }
+  }
+}
+
+// Four digits, and powers of two as such where four digits do not say them.
+TEST(Extremes, NumbersAreShort) {
+  EXPECT_EQ(shortly(std::ldexp(1.0, 900)), "2^900");
+  EXPECT_EQ(shortly(std::ldexp(1.0, -900)), "2^-900");
+  EXPECT_EQ(shortly(1.0), "1");
+  EXPECT_EQ(shortly(0.25), "0.25");
+  EXPECT_EQ(shortly(1024), "1024");
+  EXPECT_EQ(shortly(1e270), "1e+270");
+  EXPECT_EQ(shortly(0), "0");
+  EXPECT_EQ(shortly(1.0 / 3), "0.3333");
 }
 
 // What is cut away by a plane of the user's is not missing. What is cut away by a plane that the program
@@ -204,6 +250,43 @@ TEST(Extremes, PatchesGoWithTheirMesh) {
   EXPECT_GT(without, 12);  // a copy in front has none, at twelve values
 }
 
+// Every sample that shows a face has an intensity, also where the eye is nearer to the face than numbers are
+// exact. There is a pillar as long as a thousand million million of the others.
+TEST(Extremes, IntensitiesAreNumbers) {
+  const Scene scene = readScene(XNEWELL_DATA_DIR "/../tests/data/long-pillar.json");
+  PictureSettings settings = scene.settings;
+  settings.width = 16, settings.height = 12;
+  settings.camera = inSceneUnits(scene.camera, scene);
+  const Camera camera = makePicture(scene, settings).camera();
+  const Rays rays{scene, camera, settings};
+  const auto hit = rays.nearest(7.5, 5.5);
+  ASSERT_TRUE(hit);
+  const Start start{.scene = scene,
+                    .settings = settings,
+                    .camera = camera,
+                    .size = 1,
+                    .pixel = 0.01,
+                    .target = rays.point(7.5, 5.5, hit->t),
+                    .facing = {0, 0, 1}};
+  int pictures = 0;
+  for (const Way& way : extremeWays())
+    for (const double value : way.values) {
+      SCOPED_TRACE(testing::Message() << way.name << ' ' << value);
+      try {
+        Case drive = way.at(start, value);
+        const Picture picture = makePicture(std::move(drive.scene), drive.settings);
+        const SeenRows seen = picture.seen(0, picture.settings().height);
+        const std::vector<double> I = picture.intensities(seen);
+        for (std::size_t k = 0; k < I.size(); ++k)
+          ASSERT_EQ(std::isnan(I[k]), seen.faces[k] == kNothing) << k;
+        ++pictures;
+      } catch (const ViewError&) {
+        continue;
+      }
+    }
+  EXPECT_GT(pictures, 60);
+}
+
 // A finding says which values have a fault, and no others: "on" only where it stays. Where it is largest is
 // told if it grows.
 TEST(Extremes, AFindingHoldsWhatItSays) {
@@ -218,6 +301,30 @@ TEST(Extremes, AFindingHoldsWhatItSays) {
   EXPECT_EQ(found("rxx"), "wrong from 10 degrees on: too far");
   EXPECT_EQ(findingOf(wayOf("rw", "(powers of ten)"), {}),
             "wrong at 10: a face that is not the nearest at 7 of 99 samples");
+}
+
+// What z cannot tell is called doubtful. It is explained if nothing is wrong.
+TEST(Extremes, AFindingKeepsDoubtApart) {
+  EXPECT_EQ(found("rdd"),
+            "doubtful from 10 degrees on: a face as near as the nearest, to a step of z, at 5 of 99 samples");
+  EXPECT_EQ(
+      found("rdwr"),
+      "doubtful at 10 degrees: a face as near as the nearest, to a step of z, at 5 of 99 samples; wrong "
+      "at 100 degrees: a face that is not the nearest at 7 of 99 samples");
+  EXPECT_EQ(found("ddd", "d"), "doubtful as the set-up itself, at all values");
+  const ExtremeStep right = wayOf("r").steps.front(), doubtful = wayOf("d").steps.front();
+  EXPECT_TRUE(doubtful.isDoubtful());
+  EXPECT_FALSE(doubtful.isWrong());
+  EXPECT_EQ(
+      findingOf(doubtful),
+      "The set-up itself is doubtful: a face as near as the nearest, to a step of z, at 5 of 99 samples.");
+  const Extreme way = wayOf("rdw"), only = wayOf("rdd"), empty = wayOf("rre");
+  EXPECT_EQ(firstWrong(only, right), nullptr);
+  EXPECT_EQ(firstToExplain(way, right)->why, "at 2");
+  EXPECT_EQ(firstToExplain(only, right)->why, "at 1");
+  EXPECT_EQ(firstToExplain(only, doubtful)->why, "at 1");
+  EXPECT_EQ(firstToExplain(empty, right)->why, "at 2");
+  EXPECT_EQ(firstToExplain(wayOf("rrr"), right), nullptr);
 }
 
 // A picture without a face is not right or wrong.

@@ -77,7 +77,7 @@ TEST(Picture, KeptStagesPaintWhatFreshOnesPaint) {
     SCOPED_TRACE(trial);
     switch (rng() % 13) {
       case 0:
-        s.table.kind = kTables[rng() % 3].id;
+        s.table.kind = kTables[rng() % kTables.size()].id;
         break;
       case 1:
         s.table.shades = 2 + static_cast<int>(rng() % 239);

@@ -179,7 +179,7 @@ TEST_F(MapKd, FacesWithoutCoordinatesShowKd) {
     EXPECT_GT(plain, 200);
     const Reference reference{picture};
     const Comparison beside{picture, reference, picture.palette(CellPlan{s.table.kind})};
-    EXPECT_LT(spreadOf(beside.intensityErrors(Rounding::Before)).rootMeanSquare, 0.02);
+    EXPECT_LT(spreadOf(beside.intensityErrors(TableSide::Before)).rootMeanSquare, 0.02);
   }
 }
 

@@ -120,7 +120,7 @@ TEST(SceneFile, PatchesAreTransformedThemselves) {
     {"file": "teapot.bpt", "scale": [3, 1, 0.5], "rotate": [20, 30, 40], "move": [1, 2, 3], "divisions": 24}]})");
   ASSERT_EQ(s.patches.size(), 1u);
   EXPECT_EQ(s.patches[0].firstCorner, 24);
-  EXPECT_EQ(s.divisions, 24);
+  EXPECT_EQ(s.patches[0].divisions, 24);
   const std::vector<glm::dvec3> exact = exactNormals(s);
   ASSERT_EQ(exact.size(), s.mesh.corners.size());
   int compared = 0, apart = 0;
@@ -145,9 +145,14 @@ TEST(SceneFile, DivisionsOfPatches) {
   };
   EXPECT_EQ(faces("", 3), 32 * 9);
   EXPECT_EQ(faces(R"(, "divisions": 2)", 3), 32 * 4);
-  EXPECT_EQ(
-      parsed(R"({"objects": [{"file": "teapot.bpt", "divisions": 2}, {"file": "teapot.bpt"}]})").divisions,
-      0);
+  // The scene's divisions are those of the patches that do not give their own.
+  const Scene both =
+      parsed(R"({"objects": [{"file": "teapot.bpt", "divisions": 2}, {"file": "teapot.bpt"}]})");
+  EXPECT_EQ(both.divisions, kDefaultDivisions);
+  EXPECT_EQ(both.patches[0].divisions, 2);
+  EXPECT_EQ(both.patches[1].divisions, kDefaultDivisions);
+  EXPECT_EQ(titleOf(both), "s.json");
+  EXPECT_EQ(parsed(R"({"objects": [{"file": "teapot.bpt", "divisions": 2}]})").divisions, 0);
 }
 
 // Texture coordinates belong to their object, whatever comes before and after it. Corners without any have

@@ -154,6 +154,20 @@ TEST(SettingRows, AllowTheirRanges) {
   EXPECT_FALSE(allows(row("--range"), 0.0));
 }
 
+// Where two set-ups are compared, two values of a setting never read alike.
+TEST(SettingRows, PhrasesTellValuesApart) {
+  for (const Setting& setting : settingRows()) {
+    const auto phrase = [&](const Value& value) {
+      PictureSettings settings;
+      setting.field.set(settings, value);
+      return phraseOf(setting, settings);
+    };
+    const std::vector<Value> values = someOf(setting);
+    for (const Value& a : values)
+      for (const Value& b : values) EXPECT_EQ(phrase(a) == phrase(b), a == b) << setting.key << phrase(a);
+  }
+}
+
 // What is expected is said in words that fit behind "is not" and before "is needed".
 TEST(SettingRows, SayWhatTheyExpect) {
   EXPECT_EQ(expected(row("--ka")), "a number from 0 to 1");

@@ -1,7 +1,8 @@
 #include <gtest/gtest.h>
 
-#include <array>
 #include <functional>
+#include <string>
+#include <vector>
 
 #include "tests/x11/support/watched_viewer.h"
 
@@ -85,14 +86,17 @@ TEST_P(ViewerAt, CellsAndIndicesChangeInOneFrame) {
   const auto type = [](const char* letters) {
     return [letters](const WatchedWindow& w) { w.type(letters); };
   };
-  const std::array changes{
-      Change{"--table linear", nothing, type("T"), "--table corrected"},
-      Change{"--table corrected", nothing, type("T"), "--table brief"},
-      Change{"--table brief", nothing, type("T"), "--table linear"},
+  std::vector<Change> changes{
       Change{"--shades 64", type("c"), key(XK_Left), "--shades 63"},
       Change{"--table corrected --shades 64", type("c"), key(XK_Home), "--table corrected --shades 2"},
       Change{"--table corrected", type("0"), key(XK_End), "--table corrected --i0 0.5"},
   };
+  for (std::size_t k = 0; k < kTables.size(); ++k) {
+    const auto table = [](std::size_t row) {
+      return "--table " + std::string{kTables[row % kTables.size()].name};
+    };
+    changes.push_back({table(k), nothing, type("T"), table(k + 1)});
+  }
   // The marks of the defaults on the sliders of the colour table differ from those of a fresh start.
   const Layout at = layoutOf(1024, 768);
   const Rect tracks{at.controls.x + 78, at.controls.y + at.controls.height - 160, 180, 160};

@@ -40,12 +40,12 @@ TEST_F(CommandTest, BadScenesAreRefusedInOneLine) {
                 ":4: face index 4 is out of range; vertices in the file: 3");
   refusedToDraw(write("negative.obj", three + "f 1 2 -4\n"), 2,
                 ":4: face index -4 is out of range; vertices so far: 3");
-  refusedToDraw(write("nan.obj", "v 0 nan 0\n" + kTriangle), 2, ":1: number 'nan' is not finite");
-  refusedToDraw(write("inf.obj", "\nv 0 -inf 0\n" + kTriangle), 2, ":2: number '-inf' is not finite");
-  refusedToDraw(write("huge.obj", "v 1e999 0 0\n" + kTriangle), 2, ":1: number '1e999' is too large");
+  refusedToDraw(write("nan.obj", "v 0 nan 0\n" + kTriangleObj), 2, ":1: number 'nan' is not finite");
+  refusedToDraw(write("inf.obj", "\nv 0 -inf 0\n" + kTriangleObj), 2, ":2: number '-inf' is not finite");
+  refusedToDraw(write("huge.obj", "v 1e999 0 0\n" + kTriangleObj), 2, ":1: number '1e999' is too large");
   refusedToDraw(write("two.obj", three + "f 1 2\n"), 2, ":4: a face needs three vertices; this one has 2");
   refusedToDraw(write("scene.json", "{}"), 2, ": the scene has no faces");
-  refusedToDraw(write("scene.xyz", kTriangle), 2,
+  refusedToDraw(write("scene.xyz", kTriangleObj), 2,
                 ": not a scene file: scenes are .obj, .bpt and .json files");
   refused({"draw", "nosuch", "-o", file("new.png")}, 2,
           "nosuch: there is no built-in scene of that name; `xnewell scenes` lists them");
@@ -245,10 +245,10 @@ TEST_F(CommandTest, ScenesListsTheBuiltInOnes) {
 // A built-in name wins over a file of that name; a path always means the file. Odd file names work.
 TEST_F(CommandTest, NamesOfScenes) {
   const std::filesystem::path before = std::filesystem::current_path();
-  write("teapot", kTriangle);
+  write("teapot", kTriangleObj);
   for (const std::string name : {"teapot.obj", "-dash.obj", "with blank.obj", "\xC3\xBC\xE6\x97\xA5.obj",
                                  "q'\"$.obj", "new\nline.obj", "\xFF.obj"})
-    write(name, kTriangle);
+    write(name, kTriangleObj);
   std::filesystem::current_path(std::filesystem::path{file(".")});
   const auto facesOf = [&](const Words& words) {
     const Finished end = runProgram(Words{"draw", "--stats", "--size", "8x6", "-o", "-o.png"} + words);

@@ -31,9 +31,17 @@ TEST_F(CommandTest, ExtremesTellASetUpThatIsWrong) {
   EXPECT_EQ(end.status, 0) << end.err;
   EXPECT_TRUE(end.out.starts_with("The set-up itself is wrong: a face that is not the nearest at "))
       << end.out;
-  EXPECT_NE(end.out.find("1 to 8.453e+270     wrong as the set-up itself, at all values\nscaled down"),
+  EXPECT_NE(end.out.find("1 to 2^900          wrong as the set-up itself, at all values\nscaled down"),
             std::string::npos)
       << end.out;
+}
+
+// Where numbers are so large that no light can be computed, cells are told wrong, and nothing else happens.
+TEST_F(CommandTest, ExtremesOfAPillarAsLongAsTheWorld) {
+  const auto end = runProgram(
+      {"extremes", XNEWELL_DATA_DIR "/../tests/data/long-pillar.json", "--size", "16x12", "--json"});
+  EXPECT_EQ(end.status, 0) << end.err;
+  EXPECT_EQ(Json::parse(end.out).at("extremes").size(), 13u);
 }
 
 // After an interrupt the finished ways are told, and that it was stopped. A second interrupt ends the

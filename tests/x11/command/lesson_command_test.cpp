@@ -44,7 +44,7 @@ TEST_F(LessonCommand, FramesAreAsLargeAsTheWindowIsAtFirst) {
 
 // A lesson file of the user's own works. Its scenes are looked for in its folder.
 TEST_F(LessonCommand, AFileIsALesson) {
-  write("bare.obj", kTriangle);
+  write("bare.obj", kTriangleObj);
   write(
       "own.json",
       R"({"title": "own", "steps": [{"heading": "One", "caption": ["It has {polygons} polygon."], "scene": "bare.obj"}]})");

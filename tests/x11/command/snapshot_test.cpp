@@ -197,6 +197,29 @@ TEST(Snapshot, WholeWindowIsTheSameAtBothDepths) {
   }
 }
 
+// A trade has no server, so it computes what a first picture sends. A snapshot measures the same: on an 8-bit
+// server without shared memory, with a colormap of its own.
+TEST(Snapshot, SendsWhatATradeComputes) {
+  const XServer server = XServer::xvfb(8, 1024, 768, {"-extension", "MIT-SHM"});
+  for (const char* line :
+       {"teapot --size 162x120", "teapot --size 162x120 --shades 8", "cycle --size 800x600"}) {
+    SCOPED_TRACE(line);
+    const TemporaryFolder folder;
+    const auto told = [&](const std::string& command, const std::vector<std::string>& more) {
+      std::vector<std::string> all = words(command + ' ' + line);
+      all.insert(all.end(), more.begin(), more.end());
+      const Finished done = runProgram(all, server.name());
+      EXPECT_EQ(done.status, 0) << done.err;
+      return nlohmann::json::parse(done.out);
+    };
+    const auto sent = told("snapshot", {"--stats", "-o", folder.file("picture.png")}).at("sent");
+    const auto computed =
+        told("trade", {"--json", "--axes", "bits", "--budget", "1"}).at("as_it_is").at("x_server");
+    EXPECT_EQ(computed.at("requests"), sent.at("requests"));
+    EXPECT_EQ(computed.at("bytes"), sent.at("bytes"));
+  }
+}
+
 // --stats of a snapshot has what the server got. The pixels are among the bytes if they go through the
 // connection, and not if they go through shared memory. A server that fills polygons gets more requests.
 TEST(Snapshot, SaysWhatItSent) {

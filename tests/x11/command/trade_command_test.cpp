@@ -1,5 +1,6 @@
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <nlohmann/json.hpp>
 #include <sstream>
 
@@ -126,6 +127,17 @@ TEST_F(CommandTest, AccuracyChoosesAndSaysWhy) {
   EXPECT_NE(chosen.err.find(" and 0.2 is allowed. It takes "), std::string::npos) << chosen.err;
   const auto stats = nlohmann::json::parse(chosen.out);
   EXPECT_LE(stats.at("errors").at("intensity").at("after_table").at("rms").get<double>(), 0.2);
+  const auto& accuracy = stats.at("accuracy");
+  EXPECT_EQ(accuracy.at("limit").at("rms"), 0.2);
+  EXPECT_TRUE(accuracy.at("limit").at("wrong_faces").is_null());
+  EXPECT_EQ(accuracy.at("within"), true);
+  EXPECT_NE(chosen.err.find("xnewell: chosen: " + accuracy.at("chosen").at("name").get<std::string>()),
+            std::string::npos);
+  for (const auto& why : accuracy.at("why"))
+    EXPECT_NE(chosen.err.find(why.get<std::string>()), std::string::npos) << why;
+  EXPECT_GE(accuracy.at("tried"), accuracy.at("timed_in_turn").size());
+  EXPECT_NE(std::ranges::find(accuracy.at("timed_in_turn"), accuracy.at("chosen")),
+            accuracy.at("timed_in_turn").end());
 
   const auto kept = runProgram(Words{"draw", "teapot"} + options +
                                Words{"--order", "newell", "--shade", "phong", "--divisions", "2"});
@@ -135,9 +147,32 @@ TEST_F(CommandTest, AccuracyChoosesAndSaysWhy) {
   EXPECT_EQ(phong.at("faces"), 32 * 4);
 }
 
+// The second limit is for samples that show a wrong face.
+TEST_F(CommandTest, AccuracyKeepsASecondLimit) {
+  for (const auto& [limit, most] : {std::pair{"0.3", 1'000'000}, {"0.3,0", 0}}) {
+    const auto chosen = runProgram({"draw", "nested-cycles", "--size", "120x90", "--accuracy", limit,
+                                    "--errors", "-o", file("chosen.png")});
+    ASSERT_EQ(chosen.status, 0) << chosen.err;
+    const auto stats = nlohmann::json::parse(chosen.out);
+    const int wrong = stats.at("errors").at("wrong_faces");
+    EXPECT_LE(wrong, most);
+    EXPECT_EQ(wrong > 0, most > 0);
+  }
+}
+
+// --help tells the true default.
+TEST_F(CommandTest, HelpTellsTheTimeOfAccuracy) {
+  const auto help = runProgram({"--help"});
+  EXPECT_NE(help.out.find("[trade 30, --accuracy 8]"), std::string::npos) << help.out;
+}
+
 TEST_F(CommandTest, AccuracyRefusesWhatItDoesNotTake) {
-  refused({"draw", "cycle", "-o", file("new.png"), "--accuracy", "0"}, 2,
-          "--accuracy: '0' is not a number between 0 and 1");
+  refused(
+      {"draw", "cycle", "-o", file("new.png"), "--accuracy", "0"}, 2,
+      "--accuracy: '0' is not a number between 0 and 1, and perhaps a comma and a whole number of samples: "
+      "0.03 or 0.03,20");
+  for (const char* wrong : {"0.1,", "0.1,-1", "0.1,2.5", "0.1,2,3"})
+    EXPECT_EQ(runProgram({"draw", "cycle", "-o", file("new.png"), "--accuracy", wrong}).status, 2) << wrong;
   refused({"trade", "cycle", "--accuracy", "0.1"}, 2,
           "--accuracy works only in the window and with draw and snapshot");
   refused({"draw", "cycle", "-o", file("new.png"), "--budget", "5"}, 2,

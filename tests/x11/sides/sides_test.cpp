@@ -58,7 +58,9 @@ TEST(Sides, AlikeDifferNowhere) {
       EXPECT_EQ(u.largest, 0.0);
       EXPECT_EQ(u.rootMeanSquare, 0.0);
       EXPECT_TRUE(placesOf(u, 30, 40).empty());
-      EXPECT_EQ(findingOf(A.picture, B.picture, numbersOf(A.picture), numbersOf(B.picture), u, {}).bold,
+      EXPECT_EQ(findingOf(A.picture, B.picture, numbersOf(A.picture, Truth{A.picture}),
+                          numbersOf(B.picture, Truth{B.picture}), u, {})
+                    .bold,
                 "A and B have the same settings.");
     }
     EXPECT_TRUE(differencesOf(s, s).empty());
@@ -79,7 +81,8 @@ TEST(Sides, CountsOtherFaces) {
   EXPECT_EQ(u.differ, others);
   EXPECT_EQ(u.samples, samples);
   EXPECT_GT(u.differ, 500);
-  const SideNumbers ofA = numbersOf(A.picture), ofB = numbersOf(B.picture);
+  const SideNumbers ofA = numbersOf(A.picture, Truth{A.picture}),
+                    ofB = numbersOf(B.picture, Truth{B.picture});
   EXPECT_LE(ofA.wrong, others);
   EXPECT_GT(ofA.wrong, others * 99 / 100);
   EXPECT_EQ(ofB.wrong, 0);
@@ -90,12 +93,13 @@ TEST(Sides, CountsOtherFaces) {
     const Scene pot = readScene("teapot", divisions);
     Made z{pot, viewOf(pot, Shading::Flat, Order::ZSort)},
         oracle{pot, viewOf(pot, Shading::Flat, Order::Oracle)};
-    EXPECT_LE(numbersOf(z.picture).wrong, unlikeness(Unlike::Face, z.painted(), oracle.painted()).differ);
+    EXPECT_LE(numbersOf(z.picture, Truth{z.picture}).wrong,
+              unlikeness(Unlike::Face, z.painted(), oracle.painted()).differ);
   }
   Made C{scene, viewOf(scene)};
   EXPECT_EQ(unlikeness(Unlike::Face, B.painted(), C.painted()).differ, 0);
-  EXPECT_EQ(numbersOf(C.picture).cuts, 1);
-  EXPECT_EQ(numbersOf(C.picture).painted, 3);
+  EXPECT_EQ(numbersOf(C.picture, Truth{C.picture}).cuts, 1);
+  EXPECT_EQ(numbersOf(C.picture, Truth{C.picture}).painted, 3);
 }
 
 // Differences of intensity are those of the surfaces to within one shade, and the numbers are computed from
@@ -130,8 +134,8 @@ TEST(Sides, ErrorsAreAgainstTheReference) {
   double before = 1;
   for (const Shading shading : {Shading::Flat, Shading::Gouraud, Shading::Phong}) {
     Made made{scene, viewOf(scene, shading)};
-    const SideNumbers numbers = numbersOf(made.picture);
-    const Difference d = comparedWithReference(made.picture).difference;
+    const SideNumbers numbers = numbersOf(made.picture, Truth{made.picture});
+    const Difference d = comparedWithReference(made.picture, Truth{made.picture}).difference;
     double squares = 0;
     for (const float v : d.at) squares += std::isnan(v) ? 0.0 : double{v} * v;
     EXPECT_EQ(numbers.largest, d.largest);
@@ -244,12 +248,13 @@ TEST(Sides, FindingsAreOfTheNumbers) {
     Made A{scene, a}, B{scene, b};
     const Unlikeness u = unlikeness(Unlike::Face, A.painted(), B.painted());
     const std::vector<DifferingPlace> places = placesOf(u, 30, 40);
-    return findingOf(A.picture, B.picture, numbersOf(A.picture), numbersOf(B.picture), u,
+    return findingOf(A.picture, B.picture, numbersOf(A.picture, Truth{A.picture}),
+                     numbersOf(B.picture, Truth{B.picture}), u,
                      places.empty() ? std::nullopt : std::optional{places[0]});
   };
   PictureSettings a = viewOf(scene, Shading::Flat, Order::ZSort), b = viewOf(scene);
   Made A{scene, a};
-  const std::int64_t wrong = numbersOf(A.picture).wrong;
+  const std::int64_t wrong = numbersOf(A.picture, Truth{A.picture}).wrong;
   EXPECT_GT(wrong, 30);
   const std::string bold = found(a, b).bold;
   EXPECT_TRUE(bold.starts_with("A is wrong at " + std::to_string(wrong) + " samples, ")) << bold;

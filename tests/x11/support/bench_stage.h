@@ -30,8 +30,8 @@ class BenchStage : public Host {
   void pressLetter(char) override {}
   void switchTo(WindowView) override {}
   void compare(const xnewell::Setup& B) override { compared = B; }
-  void keepWithin(std::optional<double> limit) override { kept = limit; }
-  [[nodiscard]] std::optional<double> keptWithin() const override { return kept; }
+  void keepWithin(std::optional<AccuracyLimit> limit) override { kept = limit; }
+  [[nodiscard]] std::optional<AccuracyLimit> keptWithin() const override { return kept; }
   void ask(Question asked) override { question = std::move(asked); }
   void notify(std::string notice) override { notices.push_back(std::move(notice)); }
   void tell(std::string news) override { notices.push_back(std::move(news)); }
@@ -79,7 +79,7 @@ class BenchStage : public Host {
   std::vector<xnewell::Setup> undo;
   std::optional<xnewell::Setup> compared;
   std::optional<Question> question;
-  std::optional<double> kept;
+  std::optional<AccuracyLimit> kept;
   bool taken = false;  ///< whether the bench took the last key
 };
 

@@ -29,8 +29,8 @@ class LessonWindow : public Host {
     view = v;
   }
   void compare(const Setup&) override {}
-  void keepWithin(std::optional<double>) override {}
-  [[nodiscard]] std::optional<double> keptWithin() const override { return {}; }
+  void keepWithin(std::optional<AccuracyLimit>) override {}
+  [[nodiscard]] std::optional<AccuracyLimit> keptWithin() const override { return {}; }
   void ask(Question) override {}
   void notify(std::string n) override { notice = std::move(n); }
   void tell(std::string n) override { notice = std::move(n); }

@@ -79,8 +79,8 @@ class Stepper : private Host {
   void open(Scene, const xnewell::Setup&) override {}
   void switchTo(WindowView) override {}
   void compare(const xnewell::Setup&) override {}
-  void keepWithin(std::optional<double>) override {}
-  [[nodiscard]] std::optional<double> keptWithin() const override { return {}; }
+  void keepWithin(std::optional<AccuracyLimit>) override {}
+  [[nodiscard]] std::optional<AccuracyLimit> keptWithin() const override { return {}; }
   void ask(Question question) override { questions.push_back(std::move(question)); }
   void notify(std::string notice) override { notices.push_back(std::move(notice)); }
   void tell(std::string news) override { notices.push_back(std::move(news)); }

@@ -32,7 +32,7 @@ double errorOf(const Scene& scene, const Setup& setup) {
   const CellPlan plan{settings.table.kind};
   const Picture picture = makePicture(setup.divisions > 0 ? dividedAnew(scene, setup.divisions) : scene,
                                       settings, plan[Cell::Well]);
-  return errorsAgainstFinest(picture, picture.palette(plan)).afterTable.rootMeanSquare;
+  return errorsOf(picture, picture.palette(plan)).afterTable.rootMeanSquare;
 }
 
 }  // namespace
@@ -40,7 +40,7 @@ double errorOf(const Scene& scene, const Setup& setup) {
 // What it chooses stays within the limit. It rests until the view changes, and then chooses again.
 TEST(AccuracyKeeper, KeepsTheLimit) {
   const Scene scene = readScene("teapot", 3);
-  AccuracyKeeper keeper{0.12, {}, kQuick};
+  AccuracyKeeper keeper{{0.12}, {}, kQuick};
   AccuracyKeeper::Seen now{scene, {}, 3, kWidth, kHeight};
   EXPECT_FALSE(keeper.rests(now));
   for (const double azimuth : {0.0, 100.0}) {
@@ -63,7 +63,7 @@ TEST(AccuracyKeeper, KeepsTheLimit) {
 // A short cut that the user chooses stays as it is; what was chosen here may change again.
 TEST(AccuracyKeeper, LeavesTheUsersChoicesAlone) {
   const Scene scene = readScene("nested-cycles");
-  AccuracyKeeper keeper{0.4, {}, kQuick};
+  AccuracyKeeper keeper{{0.4}, {}, kQuick};
   AccuracyKeeper::Seen now{scene, {}, 0, kWidth, kHeight};
   now.setup = waited(keeper, now).setup;
   EXPECT_NE(now.setup.picture.order, Order::Newell);  // so large an error allows every order
@@ -74,14 +74,14 @@ TEST(AccuracyKeeper, LeavesTheUsersChoicesAlone) {
   now.setup = waited(keeper, now).setup;
   EXPECT_EQ(now.setup.picture.order, Order::Newell);
 
-  AccuracyKeeper told{0.4, {"order"}, kQuick};
+  AccuracyKeeper told{{0.4}, {"order"}, kQuick};
   EXPECT_EQ(waited(told, {scene, {}, 0, kWidth, kHeight}).setup.picture.order, Order::Newell);
 }
 
 // Where nothing is left to choose, it says so and leaves the setup as it is.
 TEST(AccuracyKeeper, SaysThatNothingIsLeft) {
   const Scene scene = readScene("nested-cycles");
-  AccuracyKeeper keeper{0.4, {"order", "shade", "constant-l", "constant-v", "divisions"}, kQuick};
+  AccuracyKeeper keeper{{0.4}, choosableAxes(makePicture(scene, small())), kQuick};
   const AccuracyKeeper::News news = waited(keeper, {scene, {}, 0, kWidth, kHeight});
   EXPECT_EQ(news.setup, xnewell::Setup{});
   EXPECT_EQ(news.says, "--accuracy: every short cut is chosen already");
@@ -91,8 +91,8 @@ TEST(AccuracyKeeper, SaysThatNothingIsLeft) {
 TEST(AccuracyKeeper, WorksInTheWindow) {
   ReadyWorkbench bench{{}, 800, 600, "nested-cycles"};
   EXPECT_FALSE(bench.moving());
-  bench.keepWithin(0.4);
-  EXPECT_EQ(bench.keptWithin(), 0.4);
+  bench.keepWithin(AccuracyLimit{0.4});
+  EXPECT_EQ(bench.keptWithin(), AccuracyLimit{0.4});
   for (; bench.moving(); bench.tick()) std::this_thread::sleep_for(std::chrono::milliseconds{5});
   EXPECT_NE(bench.setup().picture.order, Order::Newell);
   bench.finish();

@@ -1,0 +1,145 @@
+#include "shading/trade/search.h"
+
+#include <gtest/gtest.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <array>
+#include <atomic>
+#include <csignal>
+#include <set>
+
+#include "shading/picture/picture_cache.h"
+#include "shading/trade/choice.h"
+#include "tests/support/small_picture.h"
+
+namespace xnewell {
+
+namespace {
+
+/// The choice within a limit, on all axes on which the program may choose.
+struct Choosing {
+  Trade trade;
+  Chosen chosen;
+  [[nodiscard]] const Measured& measured() const { return trade.combinations[chosen.combination]; }
+};
+Choosing choiceOf(const Scene& scene, const PictureSettings& settings, const AccuracyLimit& limit,
+                  unsigned seed = 1) {
+  TradeRequest request{.brief = true, .within = limit, .seconds = 600, .mostRounds = 21, .seed = seed};
+  request.axes = choosableAxes(makePicture(scene, settings));
+  Choosing choice{tradeOf(scene, settings, request), {}};
+  choice.chosen = chooseWithin(choice.trade, limit);
+  return choice;
+}
+
+/// Two processes that do nothing but take time.
+class BusyLoops {
+ public:
+  BusyLoops() {
+    for (pid_t& child : children_)
+      if (child = ::fork(); child == 0)
+        for (std::atomic<unsigned> spin = 0;;) ++spin;
+  }
+  BusyLoops(const BusyLoops&) = delete;
+  BusyLoops& operator=(const BusyLoops&) = delete;
+  ~BusyLoops() {
+    for (const pid_t child : children_) ::kill(child, SIGKILL), ::waitpid(child, nullptr, 0);
+  }
+
+ private:
+  std::array<pid_t, 2> children_{};
+};
+
+}  // namespace
+
+// It finds combinations that keep a limit which no single short cut keeps.
+TEST(Search, KeepsLimitsThatCanBeKept) {
+  struct Case {
+    const char* scene;
+    double limit;
+  };
+  PictureSettings settings = small();
+  for (const Case& c : {Case{"teapot", 0.02}, Case{"cubes", 0.01}, Case{"room", 0.003}}) {
+    SCOPED_TRACE(c.scene);
+    const Choosing choice = choiceOf(readScene(c.scene), settings, {c.limit});
+    ASSERT_TRUE(choice.chosen.accurate) << choice.chosen.why.back();
+    EXPECT_LE(errorOnAllViews(choice.measured()), c.limit);
+    EXPECT_FALSE(choice.measured().cost.rough);
+  }
+}
+
+// What was tried has no combination twice, and none with a change that has no effect.
+TEST(Search, TriesEachCombinationOnce) {
+  PictureSettings settings = small();
+  const Choosing choice = choiceOf(readScene("cubes"), settings, {0.05});
+  const Picture asked = makePicture(readScene("cubes"), settings);
+  std::set<std::string> names;
+  for (const Measured& one : choice.trade.combinations) {
+    EXPECT_TRUE(names.insert(one.configuration.name()).second) << one.configuration.name();
+    EXPECT_TRUE(allHaveEffect(one.configuration, asked)) << one.configuration.name();
+  }
+  EXPECT_GT(names.size(), 10u);
+}
+
+// Cheap values come before dear ones: sorts and z-buffers before Phong's method and BSP trees.
+TEST(Search, BeginsWithWhatIsCheap) {
+  Measure measure{readScene("teapot"), small()};
+  Search search{measure, axesInReach(measure.asked()), AccuracyLimit{0.1}};
+  for (int k = 0; k < 6; ++k) ASSERT_TRUE(search.step());
+  for (const Measured& one : search.tried()) {
+    EXPECT_NE(one.configuration.settings.order, Order::Bsp) << one.configuration.name();
+    EXPECT_NE(one.configuration.settings.shading, Shading::Phong) << one.configuration.name();
+  }
+}
+
+// If nothing keeps the limit, it says what no combination had.
+TEST(Search, SaysWhatWasNeverTried) {
+  Measure measure{readScene("teapot"), small()};
+  std::vector<Axis> axes = axesOf(measure.asked());
+  std::erase_if(axes, [](const Axis& axis) { return axis.name() != "order" && axis.name() != "cull"; });
+  Search search{measure, axes, AccuracyLimit{1e-6}};
+  EXPECT_TRUE(search.step());
+  EXPECT_EQ(search.neverTried(),
+            "--order none, zmean, zsort, bsp, zbuffer16, zbuffer24, zbuffer32, oracle; --cull back");
+  while (search.step()) {
+  }
+  EXPECT_EQ(search.neverTried(), "");
+  EXPECT_FALSE(search.within(1).empty());
+}
+
+// Samples that show a wrong face are counted on all views.
+TEST(Search, KeepsASecondLimit) {
+  const Scene scene = readScene("nested-cycles");
+  PictureSettings settings = small();
+  const Choosing one = choiceOf(scene, settings, {0.2}), both = choiceOf(scene, settings, {0.2, 5});
+  ASSERT_TRUE(one.chosen.accurate && both.chosen.accurate);
+  EXPECT_GT(one.measured().here.wrongFaces, 5);
+  EXPECT_LE(both.measured().here.wrongFaces, 5);
+  EXPECT_LE(both.measured().wrongElsewhere, 5);
+}
+
+// Beside two busy loops, five choices of one picture take the same time, but for a quarter.
+TEST(Search, IsRepeatableBesideBusyProcesses) {
+  const Scene scene = readScene("teapot");
+  const PictureSettings settings = small();
+  Measure measure{scene, settings};
+  const BusyLoops busy;
+  std::vector<Configuration> chosen;
+  for (unsigned seed = 1; seed <= 5; ++seed) {
+    const Choosing choice = choiceOf(scene, settings, {0.1}, seed);
+    ASSERT_TRUE(choice.chosen.accurate);
+    chosen.push_back(choice.measured().configuration);
+  }
+  std::vector<Stages> stages(chosen.size());
+  std::vector<Timed> timed;
+  for (std::size_t k = 0; k < chosen.size(); ++k)
+    timed.emplace_back([&, k] { return measure.run(chosen[k], stages[k]); });
+  const Timings timings = timeAll(timed, {.seconds = 600, .leastRounds = 21, .mostRounds = 21});
+  std::string names;
+  for (const Configuration& one : chosen) names += one.name() + "; ";
+  const auto [least, most] = std::ranges::minmax(timings.of, {}, &Timing::ratio);
+  EXPECT_LE(most.ratio, 1.25 * least.ratio) << names;
+}
+
+}  // namespace xnewell

@@ -1,0 +1,57 @@
+#include <chrono>
+#include <thread>
+
+#include "tests/x11/support/command_fixture.h"
+
+namespace xnewell {
+
+// What can be drawn can be measured, from so near that the eye and the look-at point are almost one.
+TEST_F(CommandTest, ErrorsAreMeasuredFromTheVeryEye) {
+  const Finished end =
+      runProgram({"draw", "nested-cycles", "-o", file("a.png"), "--errors", "--fov", "179.99"});
+  ASSERT_EQ(end.status, 0) << end.err;
+  EXPECT_TRUE(Json::parse(end.out).at("errors").contains("intensity"));
+  EXPECT_TRUE(std::filesystem::exists(file("a.png")));
+}
+
+// One point of the teapot is very far away, so that all others coincide on the screen. The errors are
+// measured, in seconds.
+TEST_F(CommandTest, ErrorsOfATeapotWithOnePointFarAway) {
+  std::string teapot = contents(std::string{XNEWELL_DATA_DIR} + "/teapot.bpt");
+  const std::string one = "\n0 -1.425 0\n";  // in the middle of the bottom
+  ASSERT_NE(teapot.rfind(one), std::string::npos);
+  teapot.replace(teapot.rfind(one), one.size(), "\n-1e30 -1.425 0\n");
+  const auto start = std::chrono::steady_clock::now();
+  const Finished end = runProgram({"draw", write("far.bpt", teapot), "-o", file("a.png"), "--size", "60x40",
+                                   "--errors", "--shade", "flat"});
+  ASSERT_EQ(end.status, 0) << end.err;
+  EXPECT_LT(std::chrono::steady_clock::now() - start, std::chrono::seconds{60});
+  EXPECT_TRUE(Json::parse(end.out).at("errors").contains("intensity"));
+}
+
+// An interrupt while the errors are measured leaves no picture behind: it is written when they are known.
+TEST_F(CommandTest, AnInterruptedMeasurementLeavesNothing) {
+  const Words words{"draw", "teapot", "-o", file("a.png"), "--size", "1600x1200", "--errors"};
+  const auto start = std::chrono::steady_clock::now();
+  ASSERT_EQ(runProgram(words).status, 0);
+  const auto whole = std::chrono::steady_clock::now() - start;
+  for (const double share : {0.3, 0.5, 0.7}) {
+    std::filesystem::remove(file("a.png"));
+    RunningProgram child{words};
+    std::this_thread::sleep_for(whole * share);
+    child.signal(SIGINT);
+    const Finished end = child.wait();
+    EXPECT_EQ(std::filesystem::exists(file("a.png")), end.status == 0);
+    EXPECT_EQ(end.out.empty(), end.status == 130) << end.status;
+  }
+}
+
+// A file that cannot be written is an error before anything is measured.
+TEST_F(CommandTest, ErrorsCheckTheirOutputFirst) {
+  const Words words{"draw", "teapot", "--errors", "-o"};
+  const Finished end = runProgram(words + Words{file("none/a.png")});
+  EXPECT_EQ(end.status, 1);
+  EXPECT_EQ(end.err, "xnewell: " + file("none/a.png") + ": No such file or directory\n");
+}
+
+}  // namespace xnewell
