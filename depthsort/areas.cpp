@@ -106,7 +106,7 @@ void AreaSort::sort(PolygonList list, const PixelArea& area) {
 
   const std::size_t fragments = sorted_.fragments.size(), pieces = sorted_.pieces.size(),
                     cuts = sorted_.cuts.size();
-  const std::int64_t splits = sorted_.statistics.splits;
+  const SortStatistics before = sorted_.statistics;
   const std::int64_t few =
       isPixel ? std::numeric_limits<std::int64_t>::max() : kFewSplits + std::ssize(list.polygons) / kPerSplit;
   if (runNewell(list, scene_, settings_, {area, few, isPixel ? 0 : kPerPainted}, tests_, sorted_)) {
@@ -115,7 +115,7 @@ void AreaSort::sort(PolygonList list, const PixelArea& area) {
   }
   divided_ = true;
   sorted_.fragments.resize(fragments), sorted_.pieces.resize(pieces), sorted_.cuts.resize(cuts);
-  sorted_.statistics.splits = splits;
+  sorted_.statistics = before;
   for (int j = 0; j < kParts; ++j)
     for (int i = 0; i < kParts; ++i) {
       const PixelArea part{area.left + width * i / kParts, area.top + height * j / kParts,

@@ -20,8 +20,8 @@ namespace xnewell {
 /// cross, and one of them is split. The textbook moves Q to the end of its list. Here the marked polygons are
 /// a stack with P at its top, and the list stays sorted. (The order is the same. But once a move had unsorted
 /// the list, the scan could no longer stop at the first Q beyond P's z-extent.) If a Q that must go first is
-/// already marked, there is a cycle. Then one polygon of the cycle is split, or one of its pairs is found to
-/// be a contact.
+/// already marked, there is a cycle. Then one polygon of the cycle is split, if possible so that no piece of
+/// it stays in the cycle, or one of its pairs is found to be a contact.
 ///
 /// Polygons are compared over their common area on the screen. Q > P means that Q is nearer than P somewhere
 /// in it. The plane records (project.h) define the depth. Of two faces in one plane, the later one of the
@@ -117,7 +117,8 @@ struct Event {
     Move,        ///< Q goes first: it is marked and becomes P
     Cycle,       ///< Q should go first but is already marked
     Impossible,  ///< Q's plane does not properly cross P: no split
-    Void,        ///< P > Q is only a contact and does not count in the cycle; P is on top of the stack again
+    Vain,   ///< Q's plane crosses P, but a piece of P would stay in the cycle: another split is looked for
+    Void,   ///< P > Q is only a contact and does not count in the cycle; P is on top of the stack again
     Split,  ///< P is split by Q's plane. The k-th split makes pieces 2k (behind the plane) and 2k + 1. If P
             ///< was in the stack, it leaves it, with all above it.
     Paint,  ///< P is painted
@@ -130,12 +131,13 @@ struct Event {
 };
 static_assert(sizeof(Event) == 12);
 
+/// Counts of the run that painted. What a run did that gave up (areas.h) is not counted.
 struct SortStatistics {
   std::array<std::int64_t, kTests> settled{};  ///< pairs that each test settled
   /// In the quick run only: the Q's that were skipped, without an event, because their boxes are apart in x,
   /// or in y.
   std::array<std::int64_t, 2> boxesApart{};
-  std::int64_t moves = 0, cycles = 0, impossible = 0, splits = 0, voids = 0, contacts = 0;
+  std::int64_t moves = 0, cycles = 0, impossible = 0, vain = 0, splits = 0, voids = 0, contacts = 0;
   int deepest = 0;  ///< most polygons marked at once; in a BSP tree, most nodes on the way from the root
   std::int64_t areas = 0;       ///< into which the picture was divided; 0 if it was not (areas.h)
   std::int64_t hidden = 0;      ///< polygons that were left out of an area, or cut, because they are hidden

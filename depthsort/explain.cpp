@@ -120,6 +120,8 @@ std::string_view wordFor(Event::Kind kind) {
       return "cycle";
     case Event::Kind::Impossible:
       return "impossible";
+    case Event::Kind::Vain:
+      return "vain";
     case Event::Kind::Void:
       return "contact";
     case Event::Kind::Split:
@@ -289,6 +291,9 @@ std::string Explainer::sentence(const Event& e, int splits) const {
                     Q);
     case Event::Kind::Impossible:
       return filled("Cut impossible: {P} lies on one side of the plane of {Q}.", P, Q);
+    case Event::Kind::Vain:
+      return filled("Cut in vain: the plane of {Q} would cut {P}, but a piece of it would stay in the cycle.",
+                    P, Q);
     case Event::Kind::Void:
       return filled(
           "Contact: within the model's rounding, {P} and {Q} only touch; this breaks the cycle without a "

@@ -19,6 +19,7 @@ std::optional<Landmark> landmarkOf(const Event& event) {
       return Landmark::Paint;
     case Event::Kind::Take:
     case Event::Kind::Impossible:
+    case Event::Kind::Vain:
     case Event::Kind::Void:
       break;
   }

@@ -16,6 +16,9 @@ namespace xnewell {
 namespace {
 
 constexpr int kNone = -1;
+/// How many splits are tried to break a cycle: all of a cycle of eight polygons. In a longer one it stays at
+/// these, so that the time does not grow with the square of the length.
+constexpr int kMostTries = 56;
 
 /// What is read only for P: its place in the tree of pieces and in the walk over the Q's. All Q's before that
 /// place are settled for good, for P and for all pieces of P.
@@ -117,8 +120,11 @@ class NewellRun {
       stack_.pop_back();
     }
   }
-  /// Splits P by Q's plane, if the plane properly crosses P. Returns true if it did.
-  bool split(int P, int Q);
+  /// Splits P by Q's plane, which properly crosses it.
+  void split(int P, int Q);
+  /// True if Q's plane properly crosses the polygon at this depth of the stack, and no piece of it would stay
+  /// in the cycle that begins at depth `first`: behind what is before it there, and in front of what is next.
+  [[nodiscard]] bool breaksCycle(int first, int depth, int Q);
   void addPiece(int P, Region region);
   /// Enters a region as the next piece of a face. Returns its index into pieces_.
   int enterRegion(Region region, const Polygon& polygon, int parent);
@@ -313,14 +319,44 @@ void NewellRun::breakCycle(int P, int R) {
     return settle(A);
   }
 
-  // Try the textbook's choice, then neighbours in the cycle, then any polygon: P's plane properly crosses one
-  // of them.
-  if (split(P, R) || split(R, P)) return;
-  for (int depth = last - 1; depth >= first; --depth)
-    if (split(stack_[depth], next(depth)) || split(next(depth), stack_[depth])) return;
-  for (int depth = last - 1; depth >= first; --depth)
-    if (split(stack_[depth], P)) return;
-  throw std::logic_error{"a cycle without a proper split"};
+  // Try the textbook's choice, then P by the plane of each of the others, then the others. Of the proper
+  // splits, take the first one that breaks the cycle, or the first one if none of those tried does. P's plane
+  // properly crosses one of the others.
+  std::optional<std::pair<int, int>> proper;
+  const auto tries = [&](int depth, int Q) {
+    const int A = stack_[depth];
+    if (list_[A].face == list_[Q].face) return false;
+    if (!tests_.crosses(shapeOf(A), shapeOf(Q))) {
+      ++sorted_.statistics.impossible;
+      note(Event::Kind::Impossible, A, Q);
+      return false;
+    }
+    if (!proper) proper = {A, Q};
+    if (breaksCycle(first, depth, Q)) return split(A, Q), true;
+    ++sorted_.statistics.vain;
+    note(Event::Kind::Vain, A, Q);
+    return false;
+  };
+  int left = kMostTries;
+  for (int depth = last; depth >= first && left > 0; --depth)
+    for (int by = first; by <= last && left > 0; ++by)
+      if (by != depth && --left >= 0 && tries(depth, stack_[by])) return;
+  for (int depth = last - 1; depth >= first && !proper; --depth)
+    if (tries(depth, P)) return;
+  if (!proper) throw std::logic_error{"a cycle without a proper split"};
+  split(proper->first, proper->second);
+}
+
+bool NewellRun::breaksCycle(int first, int depth, int Q) {
+  const int A = stack_[depth], last = static_cast<int>(stack_.size()) - 1;
+  const Shape before = shapeOf(stack_[depth == first ? last : depth - 1]),
+              next = shapeOf(stack_[depth == last ? first : depth + 1]);
+  const PairTests::Parts parts = tests_.split(shapeOf(A), shapeOf(Q));
+  const auto stays = [&](const Region& part) {
+    const Shape piece{scene_.faces[list_[A].face], list_[A].face, list_[A].extents.box, &part};
+    return tests_.overlapCounts(before, piece) && tests_.overlapCounts(piece, next);
+  };
+  return !stays(parts.behind) && !stays(parts.front);
 }
 
 /// P and Q cross where they overlap. Each one's plane properly crosses the other polygon.
@@ -332,15 +368,12 @@ void NewellRun::splitCrossing(int P, int Q) {
   const bool splitQ = list_[Q].state != State::Marked &&
                       (settings_.crossing == SortSettings::Split::Second ||
                        (settings_.crossing == SortSettings::Split::Smaller && area(Q) < area(P)));
-  if (!(splitQ ? split(Q, P) : split(P, Q))) throw std::logic_error{"a crossing without a proper split"};
+  const int cut = splitQ ? Q : P, by = splitQ ? P : Q;
+  if (!tests_.crosses(shapeOf(cut), shapeOf(by))) throw std::logic_error{"a crossing without a proper split"};
+  split(cut, by);
 }
 
-bool NewellRun::split(int P, int Q) {
-  if (!tests_.crosses(shapeOf(P), shapeOf(Q))) {
-    ++sorted_.statistics.impossible;
-    note(Event::Kind::Impossible, P, Q);
-    return false;
-  }
+void NewellRun::split(int P, int Q) {
   ++sorted_.statistics.splits, ++splits_;
   note(Event::Kind::Split, P, Q);
   if (list_[P].state == State::Marked) unwind(progress_[P].depth);
@@ -351,7 +384,6 @@ bool NewellRun::split(int P, int Q) {
   progress_[P].pieces = static_cast<int>(list_.size());
   addPiece(P, std::move(parts.behind));
   addPiece(P, std::move(parts.front));
-  return true;
 }
 
 void NewellRun::addPiece(int P, Region region) {

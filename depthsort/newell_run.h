@@ -35,7 +35,7 @@ struct RunLimits {
 };
 
 /// Sorts a list by Newell's algorithm, as depth_sort.h describes it, and appends what it paints to `sorted`.
-/// Returns false if it gave up. Then `sorted` has the pieces and fragments of an unfinished run.
+/// Returns false if it gave up. Then `sorted` has the pieces, fragments and statistics of an unfinished run.
 [[nodiscard]] bool runNewell(PolygonList list, const SnappedScene& scene, const SortSettings& settings,
                              const RunLimits& limits, PairTests& tests, SortedScene& sorted);
 

@@ -111,7 +111,7 @@ bool PairTests::counts(const Region& part, const SnappedFace& front, const Snapp
 
 bool PairTests::overlapCounts(const Shape& P, const Shape& Q) {
   overlap(P, Q);
-  return counts(both_, P.face, Q.face);
+  return !both_.empty() && counts(both_, P.face, Q.face);
 }
 
 PairTests::Parts PairTests::split(const Shape& P, const Shape& Q) {

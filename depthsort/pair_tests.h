@@ -40,7 +40,7 @@ class PairTests {
   /// Decides whether P may be painted before Q. It makes the tests in the textbook's order or in the quick
   /// one. For the quick one the caller must have compared the boxes.
   [[nodiscard]] Relation compare(const Shape& P, const Shape& Q);
-  /// True if the overlap, where P is in front of Q, is more than a contact.
+  /// True if there is an overlap, where P is in front of Q, and it is more than a contact.
   [[nodiscard]] bool overlapCounts(const Shape& P, const Shape& Q);
   /// True if Q's plane properly crosses P. Then split() returns the parts of P behind it and in front of it.
   [[nodiscard]] bool crosses(const Shape& P, const Shape& Q) { return signsOver(P, Q).both(); }

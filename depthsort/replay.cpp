@@ -35,6 +35,7 @@ void Replay::advance(State& state, int index) const {
     case Event::Kind::Compare:
     case Event::Kind::Cycle:
     case Event::Kind::Impossible:
+    case Event::Kind::Vain:
       break;
     case Event::Kind::Void:
       while (marks_[state.top].fragment != e.P) state.top = marks_[state.top].below;

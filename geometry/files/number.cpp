@@ -79,6 +79,30 @@ int decimals(std::string_view number) {
   return static_cast<int>(std::clamp<long long>(count, -kMaxDecimals, kMaxDecimals));
 }
 
+void RoundingOfNumbers::noteWhatItHolds(std::string_view number, double value, int decimals) {
+  const double half = 0.5 * std::pow(10.0, -decimals);
+  const auto single = static_cast<float>(value);
+  if (std::abs(single - value) <= half) ++single_;
+  if (std::isfinite(single) && std::ldexp(std::abs(value), -26) > half) ++finer_;
+  const std::string_view mantissa = number.substr(0, number.find_first_of("eE"));
+  const std::size_t last = mantissa.find_last_not_of('0');
+  used_ = std::max(used_, decimals - static_cast<int>(mantissa.size() - 1 - last));
+}
+
+std::string RoundingOfNumbers::doubtful() const {
+  constexpr int kFewest = 24, kZeros = 3;
+  if (all_ < kFewest) return "";
+  const double written = -std::log10(2.0 * rounding());
+  std::string holds;
+  if (single_ == all_ && 10LL * finer_ >= 9LL * all_)
+    holds = "are numbers of single precision";
+  else if (used_ >= kZeros && written >= used_ + kZeros - 0.5)
+    holds = "have no more than " + std::to_string(used_) + " that are not 0";
+  if (holds.empty()) return "";
+  return "the coordinates are written with " + std::to_string(std::lround(written)) + " decimals but " +
+         holds + ": written with fewer, faces that were made in one plane would count as one plane";
+}
+
 double RoundingOfNumbers::rounding() const {
   int d = 0;
   if (all_ > 0) {

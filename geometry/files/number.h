@@ -1,6 +1,7 @@
 #pragma once
 
 #include <array>
+#include <string>
 #include <string_view>
 
 #include "geometry/files/text_file.h"
@@ -32,14 +33,26 @@ class RoundingOfNumbers {
       integers_ = true;
       return;
     }
-    ++count_[kMaxDecimals + decimals(number)];
+    const int d = decimals(number);
+    ++count_[kMaxDecimals + d];
     ++all_;
+    noteWhatItHolds(number, value, d);
   }
   [[nodiscard]] double rounding() const;
+  /// A sentence if the numbers are written with more decimals than they hold; otherwise "". They are taken at
+  /// their word, so faces that were made in one plane may count as two. It is seen in two cases, if there are
+  /// at least 24 numbers: all are numbers of single precision, or all end in three zeros after at least three
+  /// decimals. Of other numbers, such as results of arithmetic that loses digits, nothing can be seen.
+  [[nodiscard]] std::string doubtful() const;
 
  private:
+  void noteWhatItHolds(std::string_view number, double value, int decimals);
+
   std::array<int, 2 * kMaxDecimals + 1> count_{};
   int all_ = 0;
+  int single_ = 0;            ///< numbers of single precision
+  int finer_ = 0;             ///< numbers with more decimals than single precision holds at their size
+  int used_ = -kMaxDecimals;  ///< the most decimals up to the last digit that is not 0
   bool integers_ = false;
 };
 

@@ -84,6 +84,7 @@ class ObjReader {
       if (!known->second.material.map.empty()) mesh_.materials.back().texture = textureOf(known->second);
     }
     mesh_.rounding.assign(mesh_.groupNames.size(), rounding_.rounding());
+    if (const std::string doubtful = rounding_.doubtful(); !doubtful.empty()) note(0, doubtful);
     return std::move(mesh_);
   }
 

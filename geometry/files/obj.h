@@ -31,9 +31,10 @@ namespace xnewell {
 ///
 /// Throws ParseError, `teapot.obj:41: face index 0; OBJ counts from 1`, also if the file has no face.
 /// Messages call the text `name`. Libraries are searched for in `folder`. A missing library is not an error,
-/// but Mesh::notes reports the first one, and the first material that no library has. A library that cannot
-/// be read is an error (std::system_error), and so is a malformed colour in it. Mesh::notes also has those of
-/// the libraries.
+/// but Mesh::notes reports the first one, and the first material that no library has. It also reports
+/// coordinates that are written with more decimals than they hold (RoundingOfNumbers::doubtful()). A library
+/// that cannot be read is an error (std::system_error), and so is a malformed colour in it. Mesh::notes also
+/// has those of the libraries.
 [[nodiscard]] Mesh parseObj(std::string_view text, const std::string& name,
                             const std::filesystem::path& folder);
 

@@ -61,7 +61,7 @@ class Coplanarity {
         points_.push_back({model_.box.points[c], model_.sheets[s].u});
     return points_;
   }
-  [[nodiscard]] const Sheet& largestOf(std::span<const int> sheets) const {
+  [[nodiscard]] const ModelSheet& largestOf(std::span<const int> sheets) const {
     return model_.sheets[*std::ranges::max_element(sheets, {}, [&](int s) { return model_.sheets[s].area; })];
   }
   [[nodiscard]] PlaneFit fit(std::span<const int> sheets, FitGoal goal) {
@@ -75,7 +75,7 @@ class Coplanarity {
   }
   void makeAlone(int s) {
     const std::array one{s};
-    const Sheet& sheet = model_.sheets[s];
+    const ModelSheet& sheet = model_.sheets[s];
     if (sheet.area == 0.0 || model_.corners(sheet).size() == 3) return makeClass(one, sheet.plane);
     const bool explains = fitOf(sheet.plane, pointsOf(one), model_.rounding).explains();
     makeClass(one, explains ? sheet.plane : fit(one, FitGoal::Best).plane);
@@ -166,7 +166,7 @@ class Coplanarity {
       glm::dmat3 M{0.0};
       glm::dvec3 right{0.0};
       for (const int s : set) {
-        const Sheet& sheet = model_.sheets[s];
+        const ModelSheet& sheet = model_.sheets[s];
         const auto outline = model_.corners(sheet);
         for (const int c : outline) {
           const glm::dvec3 q = model_.box.points[c] - origin, column{q[x], q[y], 1.0};
@@ -235,7 +235,7 @@ class Coplanarity {
     }
     result.own = result.plane;
     for (std::size_t s = 0; s < model_.sheets.size(); ++s) {
-      const Sheet& sheet = model_.sheets[s];
+      const ModelSheet& sheet = model_.sheets[s];
       if (!several_[classOf_[s]] || sheet.area == 0.0) continue;
       std::fill_n(result.own.begin() + sheet.firstPart, sheet.partCount,
                   static_cast<int>(result.planes.size()));
@@ -244,7 +244,7 @@ class Coplanarity {
     return result;
   }
   /// The plane, through the point of it that is nearest to the sheet's centroid.
-  [[nodiscard]] ModelPlane inModel(const Plane& plane, const Sheet& sheet) const {
+  [[nodiscard]] ModelPlane inModel(const Plane& plane, const ModelSheet& sheet) const {
     const glm::dvec3 foot = sheet.centroid - plane.N * (glm::dot(plane.N, sheet.centroid) - plane.d);
     return {plane.N, model_.box.inWorld(foot)};
   }
@@ -252,9 +252,9 @@ class Coplanarity {
   /// True if parts i and j overlap in area and one plane explains their sheets.
   [[nodiscard]] bool inOnePlane(int i, int j) {
     const int p = model_.parts.plane[i], q = model_.parts.plane[j];
-    const Sheet &P = model_.sheets[p], &Q = model_.sheets[q];
+    const ModelSheet &P = model_.sheets[p], &Q = model_.sheets[q];
     if (model_.tooFar(i, j)) return false;
-    const Sheet& larger = P.area > Q.area || (P.area == Q.area && i < j) ? P : Q;
+    const ModelSheet& larger = P.area > Q.area || (P.area == Q.area && i < j) ? P : Q;
     if (model_.parted(i, j, larger.plane.N)) return false;
     const std::span<const RoundedPoint> both = pointsOf(std::array{p, q});
     if (failures_[p] >= kMostFailures || failures_[q] >= kMostFailures)

@@ -37,12 +37,12 @@ Sheets::Sheets(const Mesh& mesh, const ConvexParts& convexParts)
       ++sheets.back().partCount;
       continue;
     }
-    Sheet& sheet = sheets.emplace_back();
+    ModelSheet& sheet = sheets.emplace_back();
     sheet.firstPart = k;
     sheet.partCount = 1;
     sheet.u = counted(mesh.roundingOf(parts.face[k]));
   }
-  for (Sheet& sheet : sheets) {
+  for (ModelSheet& sheet : sheets) {
     const int k = sheet.firstPart;
     const auto outline = sheet.partCount == 1 ? parts.part(k) : mesh.face(parts.face[k]);
     const glm::dvec3 v = newellVector(box.points, outline);
@@ -56,7 +56,7 @@ Sheets::Sheets(const Mesh& mesh, const ConvexParts& convexParts)
   }
 }
 
-std::span<const int> Sheets::corners(const Sheet& sheet) const {
+std::span<const int> Sheets::corners(const ModelSheet& sheet) const {
   const auto at = [&](int k) { return parts.corners.data() + parts.firstCorner[k]; };
   return {at(sheet.firstPart), at(sheet.firstPart + sheet.partCount)};
 }
@@ -76,7 +76,7 @@ std::vector<ItemBox> Sheets::places(const std::vector<int>& open) const {
   std::vector<ItemBox> boxes;
   boxes.reserve(open.size() == sheets.size() ? parts.count() : 2 * open.size());
   for (const int s : open) {
-    const Sheet& sheet = sheets[s];
+    const ModelSheet& sheet = sheets[s];
     if (sheet.area == 0.0) continue;
     const glm::dvec3 foot = sheet.plane.N * (sheet.plane.d - glm::dot(sheet.plane.N, from));
     for (int k = sheet.firstPart; k < sheet.firstPart + sheet.partCount; ++k) {
@@ -107,7 +107,7 @@ std::vector<ItemBox> Sheets::places(const std::vector<int>& open) const {
 }
 
 bool Sheets::oneTooFar(int i, int j) const {
-  const Sheet& P = of(i);
+  const ModelSheet& P = of(i);
   const double u = std::max(P.u, of(j).u);
   const double rho = rounding.most(u);
   return std::ranges::any_of(parts.part(j), [&](int c) {

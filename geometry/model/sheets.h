@@ -30,7 +30,7 @@ struct UnitBox {
 };
 
 /// The parts of one planar face, or one part of a bent face.
-struct Sheet {
+struct ModelSheet {
   int firstPart = 0, partCount = 0;
   Plane plane;
   glm::dvec3 centroid{0.0};
@@ -39,11 +39,11 @@ struct Sheet {
   double steepness = 0.0;  ///< the perimeter / the area
 };
 
-/// The sheets of a model, in the unit box. Sheet s consists of the parts with ConvexParts::plane s.
+/// The sheets of a model, in the unit box. ModelSheet s consists of the parts with ConvexParts::plane s.
 struct Sheets {
   Sheets(const Mesh& mesh, const ConvexParts& convexParts);
 
-  [[nodiscard]] std::span<const int> corners(const Sheet& sheet) const;
+  [[nodiscard]] std::span<const int> corners(const ModelSheet& sheet) const;
 
   /// The places of the parts of some sheets: boxes in six dimensions. They overlap if one plane can explain
   /// two parts. Three dimensions are the part's own box. The other three are the places where the
@@ -67,10 +67,10 @@ struct Sheets {
   const ConvexParts& parts;
   UnitBox box;
   Rounding rounding;
-  std::vector<Sheet> sheets;
+  std::vector<ModelSheet> sheets;
 
  private:
-  [[nodiscard]] const Sheet& of(int part) const { return sheets[parts.plane[part]]; }
+  [[nodiscard]] const ModelSheet& of(int part) const { return sheets[parts.plane[part]]; }
   [[nodiscard]] double perimeter(std::span<const int> outline) const;
   [[nodiscard]] bool oneTooFar(int i, int j) const;
   [[nodiscard]] bool partedByEdgesOf(int i, int j, int dropped) const;

@@ -197,6 +197,12 @@ Lighting resolve(const Mesh& mesh, const SceneLight& scene, const Illumination& 
   });
   lighting.specular = std::ranges::any_of(
       lighting.sources, [&](const Lighting::Source& source) { return isReflected(source, &Material::ks); });
+  // x^0 = 1: where n is 0, a highlight is the same whatever V is.
+  bool turns = false;
+  for (std::size_t m = 0; m < used.size(); ++m)
+    turns |=
+        used[m] && lighting.materials[m].n > 0 && *std::ranges::max_element(lighting.materials[m].ks) > 0.0;
+  lighting.constantV |= !turns;
   return lighting;
 }
 

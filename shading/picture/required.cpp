@@ -20,9 +20,33 @@ std::string channelsWhy(const Lighting& lighting, ColorPlan plan) {
   return plan == ColorPlan::Hues ? "each hue has a ramp of its own" : "the scene has no colours";
 }
 
-std::string eyeWhy(const Lighting& lighting, const Illumination& user) {
+/// The materials that faces of the scene have; none for a method that uses no light.
+std::vector<const Material*> usedMaterials(const Scene& scene, const Lighting& lighting) {
+  if (lighting.materials.empty()) return {};
+  std::vector<bool> used(lighting.materials.size(), false);
+  for (const int m : scene.mesh.material) used[m + 1] = true;
+  std::vector<const Material*> materials;
+  for (std::size_t m = 0; m < used.size(); ++m)
+    if (used[m]) materials.push_back(&lighting.materials[m]);
+  return materials;
+}
+
+bool isShiny(const Material* m) { return *std::ranges::max_element(m->ks) > 0.0; }
+
+/// Which faces a light meets, and which of them show, is not asked: a highlight is computed for all.
+std::string specularWhy(const Scene& scene, const Lighting& lighting) {
+  if (lighting.specular) return "a surface has ks above 0, and a light of its colour reaches the scene";
+  return std::ranges::any_of(usedMaterials(scene, lighting), isShiny)
+             ? "a surface has ks above 0, but no light of its colour reaches the scene"
+             : "no surface has ks above 0";
+}
+
+std::string eyeWhy(const Scene& scene, const Lighting& lighting, const Illumination& user) {
   if (!lighting.specular) return "nothing has a highlight";
   if (!lighting.asksForEye()) return "the highlight of this form is N.L";
+  if (std::ranges::none_of(usedMaterials(scene, lighting),
+                           [](const Material* m) { return isShiny(m) && m->n > 0; }))
+    return "n is 0: a highlight is the same from everywhere";
   if (user.constantV) return "V is held constant";
   return lighting.constantV ? "the eye is so far away that V is the same everywhere"
                             : "V of a highlight ends at the eye";
@@ -73,9 +97,8 @@ std::vector<Required> requiredBy(const Picture& picture) {
   const std::size_t all = scene.light.lights.empty() ? 1 : scene.light.lights.size();
   add("lights", count(method.lit ? lighting.sources.size() : 0),
       lit(lightsWhy(lighting.sources.size(), all)));
-  add("specular", method.lit && lighting.specular,
-      lit(lighting.specular ? "a lit surface has ks above 0" : "no lit surface has ks above 0"));
-  add("eye", method.lit && lighting.variesV(), lit(eyeWhy(lighting, s.light)));
+  add("specular", method.lit && lighting.specular, lit(specularWhy(scene, lighting)));
+  add("eye", method.lit && lighting.variesV(), lit(eyeWhy(scene, lighting, s.light)));
   add("places", method.lit && lighting.needsPlaces(), lit(placesWhy(lighting)));
   add("spots", spots, lit(spots ? "the cone of a spot can reach the scene" : "no cone of a spot reaches it"));
   add("attenuation", fades, lit(fades ? "a light fades with distance" : "no light fades with distance"));

@@ -14,7 +14,7 @@ namespace xnewell {
 struct Required {
   std::string_view name;                  ///< "specular"
   std::variant<bool, std::int64_t> what;  ///< whether, or how many
-  std::string why;                        ///< "a lit surface has ks above 0"
+  std::string why;                        ///< "no surface has ks above 0"
 };
 [[nodiscard]] std::vector<Required> requiredBy(const Picture& picture);
 

@@ -93,7 +93,7 @@ const std::vector<CostRow>& costRows() {
       {.name = "vertex_normals", .alone = vertexNormals},
       {.name = "textures", .without = bare},
       {.name = "planes", .alone = planes},
-      {.name = "ramps", .without = [](Scene&, PictureSettings& s) { s.colors = ColorPlan::OneHue; }},
+      {.name = "ramps", .without = inGray},  // in one hue alone, a scene with colours computes three channels
       {.name = "cuts_of_concave_faces", .alone = cutsOfConcaveFaces},
   };
   return rows;

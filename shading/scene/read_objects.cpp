@@ -215,8 +215,8 @@ class Collector {
     }
   }
 
-  /// Adds an object. `rounding` is that of its polygons' coordinates.
-  void add(const Node& node, double rounding) {
+  /// Adds an object. `numbers` are those of its polygons' coordinates.
+  void add(const Node& node, const RoundingOfNumbers& numbers) {
     node.expectKeys({"file", "polygons", "uv", "solid", "name", "color", "color255", "material", "divisions",
                      "around", "down", "across", "scale", "rotate", "move"});
     if (node.has("file") + node.has("polygons") + node.has("solid") != 1)
@@ -230,7 +230,11 @@ class Collector {
     Mesh mesh = meshOf(node, transform, run, round);
     const bool keepsOwn = !node.has("material") && !node.has("color") && !node.has("color255");
     if (keepsOwn) textures_.readAll(mesh);
-    if (node.has("polygons")) mesh.rounding = {rounding};
+    if (node.has("polygons")) {
+      mesh.rounding = {numbers.rounding()};
+      if (const std::string doubtful = numbers.doubtful(); !doubtful.empty())
+        mesh.notes.push_back("polygons: " + doubtful);
+    }
     mesh.rounding.resize(std::max<std::size_t>(mesh.groupNames.size(), 1), 0.0);
     if (node.has("name")) {
       mesh.groupNames = {node.at("name").text()};
@@ -359,7 +363,7 @@ Objects readObjects(const Node& root, std::string_view text, const std::filesyst
   if (root.has("objects"))
     for (std::size_t i = 0, polygons = 0; i < static_cast<std::size_t>(root.at("objects").size()); ++i) {
       const Node object = root.at("objects").item(static_cast<int>(i));
-      collector.add(object, polygons < rounding.size() ? rounding[polygons].rounding() : 0.0);
+      collector.add(object, polygons < rounding.size() ? rounding[polygons] : RoundingOfNumbers{});
       polygons += object.has("polygons");
     }
   return collector.take();

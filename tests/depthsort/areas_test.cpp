@@ -116,6 +116,26 @@ TEST(Areas, MakeAtMostSoManyPieces) {
   }
 }
 
+// The statistics are of the runs that painted. Here the run of the whole picture gives up. Each of the nine
+// areas is a pixel, where no run is made, so there is nothing to count but the areas and what is hidden.
+TEST(Areas, CountNothingOfARunThatGaveUp) {
+  constexpr SortSettings kSettings{.width = 3, .height = 3};
+  int divided = 0;
+  for (unsigned seed = 0; seed < 20; ++seed) {
+    SCOPED_TRACE(testing::Message() << "seed " << seed);
+    const SnappedScene scene = randomScene(SceneKind::BigTriangles, seed, 60, 3);
+    const SortStatistics s = depthSort(scene, kSettings).statistics;
+    if (s.areas == 0) continue;
+    ++divided;
+    EXPECT_LE(s.areas, 9);
+    EXPECT_EQ(s.pairs(), 0);
+    EXPECT_EQ(s.boxesApart, (decltype(s.boxesApart){}));
+    EXPECT_EQ(s.moves + s.cycles + s.impossible + s.vain + s.splits + s.voids + s.contacts, 0);
+    EXPECT_EQ(s.deepest, 0);
+  }
+  EXPECT_GT(divided, 10);
+}
+
 // Scenes without crossings are one area.
 TEST(Areas, AreMadeOnlyWherePolygonsCross) {
   for (const SceneKind kind : {SceneKind::EqualZ, SceneKind::Coplanar, SceneKind::Tiny}) {

@@ -109,9 +109,10 @@ void Replay::step(const Event& event) {
       cycle_ = std::ranges::find(marked_, Q);
       break;
     case Kind::Impossible:
-      ASSERT_TRUE(last_.kind == Kind::Cycle || last_.kind == Kind::Impossible);
+    case Kind::Vain:
+      ASSERT_TRUE(last_.kind == Kind::Cycle || last_.kind == Kind::Impossible || last_.kind == Kind::Vain);
       ASSERT_TRUE(inCycle(P) && inCycle(Q));
-      ++statistics.impossible;
+      ++(kind == Kind::Vain ? statistics.vain : statistics.impossible);
       break;
     case Kind::Void: {
       ASSERT_EQ(last_.kind, Kind::Cycle);
@@ -127,7 +128,7 @@ void Replay::step(const Event& event) {
         ASSERT_EQ(last_.verdict, Verdict::Crossing);
         ASSERT_EQ(std::minmax(P, Q), std::minmax(last_.P, last_.Q));
       } else {
-        ASSERT_TRUE(last_.kind == Kind::Cycle || last_.kind == Kind::Impossible);
+        ASSERT_TRUE(last_.kind == Kind::Cycle || last_.kind == Kind::Impossible || last_.kind == Kind::Vain);
         ASSERT_TRUE(inCycle(P) && inCycle(Q));
       }
       ++statistics.splits;
@@ -170,6 +171,7 @@ TEST(Events, TellTheRun) {
     EXPECT_EQ(told.moves, counted.moves);
     EXPECT_EQ(told.cycles, counted.cycles);
     EXPECT_EQ(told.impossible, counted.impossible);
+    EXPECT_EQ(told.vain, counted.vain);
     EXPECT_EQ(told.splits, counted.splits);
     EXPECT_EQ(told.voids, counted.voids);
     EXPECT_EQ(told.contacts, counted.contacts);
@@ -178,12 +180,13 @@ TEST(Events, TellTheRun) {
     EXPECT_EQ(silent.statistics.settled, counted.settled);
     EXPECT_EQ(silent.fragments.size(), sorted.fragments.size());
     sum.voids += told.voids, sum.cycles += told.cycles, sum.splits += told.splits;
-    sum.impossible += told.impossible;
+    sum.impossible += told.impossible, sum.vain += told.vain;
   }
   if (!seeds.all()) return;
   EXPECT_GT(sum.voids, 10);
   EXPECT_GT(sum.cycles, 1'000);
   EXPECT_GT(sum.impossible, 2'000);
+  EXPECT_GT(sum.vain, 200);
   EXPECT_GT(sum.splits, 4'000);
 }
 

@@ -226,7 +226,8 @@ TEST(Explain, SentencesNameTheirPolygons) {
       }
     }
   }
-  for (const char* event : {"Take", "Move", "Cycle", "Cut", "Cut impossible", "Contact", "Paint"})
+  for (const char* event :
+       {"Take", "Move", "Cycle", "Cut", "Cut impossible", "Cut in vain", "Contact", "Paint"})
     EXPECT_TRUE(beginnings.contains(event)) << event;
   for (const char* test : {"1", "2", "3", "4", "5", "3'", "4'"})
     EXPECT_TRUE(beginnings.contains(std::string{"Test "} + test + ": no")) << test;

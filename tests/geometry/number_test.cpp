@@ -8,6 +8,7 @@
 #include <cstdint>
 #include <cstdio>
 #include <cstdlib>
+#include <random>
 
 #include "tests/support/reader_fixture.h"
 
@@ -121,6 +122,34 @@ TEST(Decimals, AreThoseOfTheText) {
   EXPECT_EQ(decimals("7"), 0);
   EXPECT_EQ(decimals("1e-99999999999999999999"), kMaxDecimals);
   EXPECT_EQ(decimals("1e99999999999999999999"), -kMaxDecimals);
+}
+
+// A file that is written with more decimals than it holds is told, in the two ways in which it can be seen.
+TEST(RoundingOfNumbers, TellsOfDecimalsThatHoldNothing) {
+  const auto told = [](const char* format, const auto& value) {
+    RoundingOfNumbers r;
+    std::mt19937 rng{1};
+    for (int k = 0; k < 60; ++k) {
+      const double v = value(static_cast<double>(rng()) * 0x1p-32 + 1);
+      char text[64];
+      std::snprintf(text, sizeof text, format, v);
+      r.add(text, std::strtod(text, nullptr));
+    }
+    return r.doubtful();
+  };
+  const auto as = [](double v) { return v; };
+  const auto single = [](double v) { return static_cast<double>(static_cast<float>(v)); };
+  const auto sixDecimals = [](double v) { return std::round(1e6 * v) / 1e6; };
+  const auto far = [&](double v) { return single(1e7 + v); };
+  const auto quarters = [](double v) { return std::round(4 * v) / 4; };
+  EXPECT_NE(told("%.12f", single).find("written with 12 decimals but are numbers of single precision"),
+            std::string::npos);
+  EXPECT_NE(told("%.9f", sixDecimals).find("9 decimals but have no more than 6 that are not 0"),
+            std::string::npos);
+  EXPECT_NE(told("%.6f", far), "");
+  for (const char* honest : {"%.3f", "%.6f", "%.12f", "%.17g"}) EXPECT_EQ(told(honest, as), "") << honest;
+  for (const char* honest : {"%.4f", "%.6f"}) EXPECT_EQ(told(honest, single), "") << honest;
+  EXPECT_EQ(told("%.6f", quarters), "");  // a model of round numbers
 }
 
 // The most decimals give the rounding, for any exponent. A few numbers with more decimals, zeros and integers

@@ -10,6 +10,7 @@ std::vector<Kernel> allKernels() {
   addViewKernels(kernels);
   addPlaneKernels(kernels);
   addDoubtKernels(kernels);
+  addRecordKernels(kernels);
   addRegionKernels(kernels);
   addColorKernels(kernels);
   addLightKernels(kernels);

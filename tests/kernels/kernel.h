@@ -48,6 +48,7 @@ void addModelKernels(std::vector<Kernel>& kernels);
 void addViewKernels(std::vector<Kernel>& kernels);
 void addPlaneKernels(std::vector<Kernel>& kernels);
 void addDoubtKernels(std::vector<Kernel>& kernels);
+void addRecordKernels(std::vector<Kernel>& kernels);
 void addRegionKernels(std::vector<Kernel>& kernels);
 void addColorKernels(std::vector<Kernel>& kernels);
 void addLightKernels(std::vector<Kernel>& kernels);

@@ -276,8 +276,8 @@ class Judge {
   [[nodiscard]] Real explainedAt(const Face& face, Real x, Real y, Real depth) const {
     const Ray ray = rays_.at(x, y);
     const Real slope = dot(face.N, ray.along), height = face.d - dot(face.N, ray.from);
-    const Real plane =
-        rays_.perspective() ? std::abs(depth) * face.r / std::abs(height) : face.r / std::abs(slope);
+    const Real away = std::max(std::abs(height) - face.r, Real{0});  // at 0, everything is explained
+    const Real plane = rays_.perspective() ? std::abs(depth) * face.r / away : face.r / std::abs(slope);
     const Real grid =
         std::abs(depthAt(face, x + kStep / 2, y) - depth) + std::abs(depthAt(face, x, y + kStep / 2) - depth);
     return plane + grid + zHalfStep_;

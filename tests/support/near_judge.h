@@ -19,10 +19,9 @@ namespace xnewell {
 /// by half a step in x, y and z, and a step is 1/65536 pixel (in z times the least power of two for which
 /// 2^30 steps reach the nearest point). These two explain a difference of depths at a sample.
 /// 1. No face may be nearer than the one shown by more than 1.5 times what both their roundings explain
-/// there.
+///    there. A plane h away from the eye that moves by r changes 1 / d by up to r / (h - r) of it.
 /// 2. Of the faces that were made in one plane, the latest that covers the sample must be shown, unless a
-/// face
-///    of another plane is.
+///    face of another plane is.
 /// 3. A face is shown only where it covers the sample, and nothing is shown only where no face does.
 /// Outlines may be off by the grid. For 2, where two faces of one plane were only made to touch, rounding may
 /// let them overlap: the later one must cover the sample by 3 sqrt 3 u.

@@ -53,6 +53,7 @@ nlohmann::ordered_json statsOf(const Options& options, const Picture& picture, c
   const SnappedScene& scene = picture.snapped();
   const SortedScene& sorted = picture.sorted();
   const SortStatistics& sort = sorted.statistics;
+  const auto painted = static_cast<std::int64_t>(sorted.fragments.size());
   const std::vector<Required> required = requiredBy(picture);
   nlohmann::ordered_json tests;
   for (const TestRow& row : kTestRows) tests[std::string{row.name}] = sort.settled[static_cast<int>(row.id)];
@@ -66,8 +67,9 @@ nlohmann::ordered_json statsOf(const Options& options, const Picture& picture, c
           {"culled", scene.culled},
           {"outside", scene.outside},
           {"cut_by_front", picture.camera().cutByFront},
-          {"fragments", static_cast<std::int64_t>(scene.faces.size()) + sort.splits},
-          {"painted", static_cast<std::int64_t>(sorted.fragments.size())},
+          {"in_view", static_cast<std::int64_t>(scene.faces.size())},
+          {"fragments", painted},
+          {"painted", painted},
           {"splits", sort.splits},
           {"areas", sort.areas},
           {"hidden", sort.hidden},

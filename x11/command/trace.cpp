@@ -107,10 +107,11 @@ class Teller {
         return finish(begun(e), e);
       case Event::Kind::Cycle:
         return cycle(e);
-      case Event::Kind::Impossible: {
-        Json impossible = begun(e);
-        impossible["numbers"] = {{"P_from_plane_of_Q", json(explainer_.corners(e.P, e.Q))}};
-        return finish(std::move(impossible), e);
+      case Event::Kind::Impossible:
+      case Event::Kind::Vain: {
+        Json noCut = begun(e);
+        noCut["numbers"] = {{"P_from_plane_of_Q", json(explainer_.corners(e.P, e.Q))}};
+        return finish(std::move(noCut), e);
       }
       case Event::Kind::Void: {
         Json contact = begun(e);
@@ -215,6 +216,7 @@ class Teller {
           {"moves", s.moves},
           {"cycles", s.cycles},
           {"impossible", s.impossible},
+          {"vain", s.vain},
           {"cuts", s.splits},
           {"contacts", s.contacts + s.voids},
           {"most_marked", s.deepest}});

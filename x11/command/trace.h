@@ -17,7 +17,7 @@ namespace xnewell {
 
 /// Writes one JSON object per line. The first, "event": "run", describes the run; the last, "summary", gives
 /// its counts. Between them stand, in the order of the run, the events take, test, move, cycle, impossible,
-/// contact, cut and paint. Before a test that settles a pair stand the tests that were made earlier and
+/// vain, contact, cut and paint. Before a test that settles a pair stand the tests that were made earlier and
 /// failed; together they are one step. Lengths are in pixels, a larger z is nearer, and numbers have ten
 /// digits.
 /// @throws std::system_error if `out` accepts no more

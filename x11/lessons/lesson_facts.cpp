@@ -78,6 +78,8 @@ constexpr std::array kFacts{
             [](Found f) { return static_cast<double>(f.run->cycles); }},
     FactRow{"impossible splits", "times that Q's plane did not cross P in that run", 0, FactNeeds::Run,
             [](Found f) { return static_cast<double>(f.run->impossible); }},
+    FactRow{"vain splits", "splits that run tried but did not make, for the cycle would have stayed", 0,
+            FactNeeds::Run, [](Found f) { return static_cast<double>(f.run->vain); }},
     FactRow{"steps", "events of that run", 0, FactNeeds::Run,
             [](Found f) { return static_cast<double>(f.steps); }},
     FactRow{"test 1", "pairs that test 1 settled in that run", 0, FactNeeds::Run, settled<Test::XExtents>},

@@ -72,10 +72,11 @@ struct KindRow {
   std::string_view name;
 };
 constexpr std::array kKinds{
-    KindRow{Event::Kind::Take, "take"},    KindRow{Event::Kind::Compare, "test"},
-    KindRow{Event::Kind::Move, "move"},    KindRow{Event::Kind::Cycle, "cycle"},
-    KindRow{Event::Kind::Split, "cut"},    KindRow{Event::Kind::Impossible, "impossible"},
-    KindRow{Event::Kind::Void, "contact"}, KindRow{Event::Kind::Paint, "paint"},
+    KindRow{Event::Kind::Take, "take"},   KindRow{Event::Kind::Compare, "test"},
+    KindRow{Event::Kind::Move, "move"},   KindRow{Event::Kind::Cycle, "cycle"},
+    KindRow{Event::Kind::Split, "cut"},   KindRow{Event::Kind::Impossible, "impossible"},
+    KindRow{Event::Kind::Vain, "vain"},   KindRow{Event::Kind::Void, "contact"},
+    KindRow{Event::Kind::Paint, "paint"},
 };
 
 EventChoice readEvent(const Node& node) {

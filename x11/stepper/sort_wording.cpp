@@ -232,6 +232,10 @@ StepFinding findingOf(const SortRun& run, const SortView& view) {
       finding.bold = "The plane of Q does not cut P.";
       finding.alarm = true;
       break;
+    case Event::Kind::Vain:
+      finding.bold = "A cut here leaves the cycle.";
+      finding.alarm = true;
+      break;
     case Event::Kind::Void:
       finding.bold = "P and Q only touch.";
       break;

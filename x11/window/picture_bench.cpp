@@ -46,10 +46,14 @@ BallCells ballCells(const Picture& picture, const CellPlan& plan, bool ramp) {
 std::string countsOf(const Picture& picture) {
   const SnappedScene& snapped = picture.snapped();
   const auto backs = std::ranges::count(snapped.faces, true, &SnappedFace::back);
-  const std::int64_t splits = picture.sorted().statistics.splits;
+  const SortedScene& sorted = picture.sorted();
+  const std::int64_t splits = sorted.statistics.splits, areas = sorted.statistics.areas;
+  // Orders that decide at each sample paint no polygon as a whole.
+  const bool whole = !rowOf(picture.settings().order).bySample;
   return counted(snapped.polygons - snapped.degenerate, "polygon") + ", " +
          (splits > 0 ? counted(splits, "cut") + ", " : "") +
-         grouped(static_cast<std::int64_t>(snapped.faces.size()) + splits) + " painted, " +
+         (whole ? grouped(static_cast<std::int64_t>(sorted.fragments.size())) + " painted" : "") +
+         (whole && areas > 0 ? " in " + counted(areas, "area") : "") + (whole ? ", " : "") +
          counted(backs + snapped.culled, "back face") + "   " + grouped(picture.saturated()) + " clamped";
 }
 

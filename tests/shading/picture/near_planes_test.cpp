@@ -99,7 +99,8 @@ TEST(NearPlanes, ShowTheNearestFaceAmongCrossings) {
 
 // Pictures that were wrong once. In `near-eye` and `slabs` the plane of a class went through points near the
 // eye; in `layers` cards that the file keeps apart were united; in `sliver-cycle` a cycle was broken where
-// the planes are apart.
+// the planes are apart. In `grazing` the eye is three roundings from the plane of a face, where rounding
+// explains half as much again as to first order.
 TEST(NearPlanes, PastFailures) {
   struct Case {
     const char* file;
@@ -119,6 +120,14 @@ TEST(NearPlanes, PastFailures) {
                  60}},
            Case{"sliver-cycle", 17, 800, 600, {{0, 0, 6.12544335983705}, {0, 0, 0}, up, 0, 6.0}},
            Case{"layers", 4, 640, 480, {{0.5, 2.6, 1.2}, {0, 0.7, -0.4}, up, 45}},
+           Case{"grazing",
+                4,
+                160,
+                120,
+                {{-0.03372897492714367, -0.03694326352961762, 0.002786626974297173},
+                 {0.10009314076072366, 0.1265746256849492, -0.024919181315789317},
+                 {-0.7581787815495581, 0.4479724161908362, 0.4737991658289108},
+                 20}},
        }) {
     SCOPED_TRACE(c.file);
     const Mesh mesh = readObj(std::string{XNEWELL_DATA_DIR "/../tests/data/near/"} + c.file + ".obj");
@@ -126,7 +135,7 @@ TEST(NearPlanes, PastFailures) {
         judged(mesh, std::vector<int>(mesh.faceCount(), -1), 0.5 * std::pow(10.0, -c.decimals), c.camera,
                c.width, c.height, shownFaces(mesh, c.camera, c.width, c.height));
     EXPECT_EQ(j.wrong(), 0) << j.farther << ' ' << j.outline;
-    EXPECT_GT(j.samples, 20'000);
+    EXPECT_GT(j.samples, std::min(20'000, c.width * c.height / 2));
   }
 }
 

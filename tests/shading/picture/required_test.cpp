@@ -7,6 +7,7 @@
 #include <glm/geometric.hpp>
 #include <map>
 
+#include "shading/light/intensities.h"
 #include "shading/picture/picture_cache.h"
 #include "shading/picture/without.h"
 #include "shading/scene/scene_file.h"
@@ -53,14 +54,53 @@ TEST(Required, HighlightsOfSurfacesInUse) {
   const std::string sun{kSun};
   auto required = requiredOf(scene(sun, R"("ks": 0.3)"), user);
   EXPECT_TRUE(needs(required, "specular") && needs(required, "eye") && needs(required, "places"));
-  EXPECT_EQ(required.at("specular").why, "a lit surface has ks above 0");
+  EXPECT_EQ(required.at("specular").why,
+            "a surface has ks above 0, and a light of its colour reaches the scene");
   required = requiredOf(scene(sun, R"("ks": 0)"), user);
   EXPECT_FALSE(needs(required, "specular") || needs(required, "eye") || needs(required, "places"));
+  EXPECT_EQ(required.at("specular").why, "no surface has ks above 0");
   EXPECT_EQ(required.at("eye").why, "nothing has a highlight");
   EXPECT_EQ(count(required, "lights"), 1);
   // A highlight without a colour that the light has is none.
   required = requiredOf(scene(R"({"color": [0.5, 0, 0]})", R"("ks": 0.5, "specular": [0, 1, 1])"), user);
   EXPECT_FALSE(needs(required, "specular"));
+  EXPECT_EQ(required.at("specular").why,
+            "a surface has ks above 0, but no light of its colour reaches the scene");
+}
+
+// With n = 0 a highlight is as bright from everywhere. So it asks neither for the eye nor, under a light far
+// away, for places; and another eye changes no intensity.
+TEST(Required, NoEyeWhereNIsZero) {
+  const std::string sun{kSun};
+  for (const int n : {0, 1}) {
+    const std::string text = scene(sun, R"("ks": 0.3, "n": )" + std::to_string(n));
+    const auto required = requiredOf(text);
+    EXPECT_TRUE(needs(required, "specular"));
+    EXPECT_EQ(needs(required, "eye"), n > 0);
+    EXPECT_EQ(needs(required, "places"), n > 0);
+    const Scene ball = parseSceneFile(text, "scene", XNEWELL_DATA_DIR);
+    const auto intensities = [&](const glm::dvec3& eye) {
+      const Lighting lighting = resolve(ball.mesh, ball.light, {}, Channels::Luminance, eye, {0, 0, 0});
+      Terms specular;
+      specularIntensities(specular, facePoints(ball.mesh), lighting, 0);
+      std::vector<double> front;
+      for (const FrontBack<double>& I : specular) front.push_back(I.front);
+      return front;
+    };
+    EXPECT_EQ(intensities({0, -4, 1}) == intensities({3, 2, 5}), n == 0);
+  }
+  EXPECT_EQ(requiredOf(scene(sun, R"("ks": 0.3, "n": 0)")).at("eye").why,
+            "n is 0: a highlight is the same from everywhere");
+}
+
+// Where a spot shines away, the reason is the spot, not the surface.
+TEST(Required, SaysThatNoLightReachesAShinySurface) {
+  const auto required = requiredOf(
+      scene(R"({"kind": "spot", "Ip": 0.8, "at": [0, 0, 4], "shines": [0, 0, 1], "inner": 5, "outer": 10})",
+            R"("ks": 0.4)"));
+  EXPECT_FALSE(needs(required, "specular"));
+  EXPECT_EQ(required.at("specular").why,
+            "a surface has ks above 0, but no light of its colour reaches the scene");
 }
 
 // A light that no surface reflects is not needed.

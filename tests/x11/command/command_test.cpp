@@ -6,6 +6,7 @@
 #include <csignal>
 #include <cstdlib>
 #include <set>
+#include <sstream>
 #include <thread>
 
 #include "tests/x11/support/command_fixture.h"
@@ -279,9 +280,24 @@ TEST_F(CommandTest, StatsHoldWhatIsPromised) {
     sum += stats.at("ms").at(key).get<double>();
   EXPECT_GT(sum, 0);
   EXPECT_NEAR(stats.at("ms").at("total").get<double>(), sum, 1e-6);
-  EXPECT_EQ(stats["polygons"], stats["fragments"].get<int>() - stats["splits"].get<int>() +
-                                   stats["degenerate"].get<int>() + stats["culled"].get<int>() +
-                                   stats["outside"].get<int>());
+  EXPECT_EQ(stats["polygons"], stats["in_view"].get<int>() + stats["degenerate"].get<int>() +
+                                   stats["culled"].get<int>() + stats["outside"].get<int>());
+}
+
+// What is painted is counted in one way. The trace of the same run tells of each polygon and piece that it
+// paints, in a line of its own; there are as many lines. A scene that is divided into areas is not traced.
+TEST_F(CommandTest, PaintedIsWhatTheTracePaints) {
+  for (const char* scene : {"teapot", "cycle", "penetrate", "pinwheels", "slivers"}) {
+    SCOPED_TRACE(scene);
+    const Json stats = draw(scene, {"--size", "320x240"}).stats;
+    if (stats["areas"] != 0) continue;
+    std::istringstream trace{runProgram({"trace", scene, "--quick", "--size", "320x240"}).out};
+    int painted = 0;
+    for (std::string line; std::getline(trace, line);) painted += Json::parse(line)["event"] == "paint";
+    EXPECT_EQ(stats["painted"], painted);
+    EXPECT_EQ(stats["fragments"], painted);
+    EXPECT_LE(painted, stats["in_view"].get<int>() + stats["splits"].get<int>());
+  }
 }
 
 // The statistics have what each way to decide costs: a tree its nodes, a z-buffer its tests and its memory.
