@@ -189,7 +189,7 @@ std::vector<VisualInfo> kindsOf(const ServerVisuals& server, std::string_view on
 }
 
 /// One picture and its colours, with the indices that each fill gives it.
-struct Reference {
+struct KnownPicture {
   TableKind table;
   Picture picture;
   Palette palette;
@@ -209,8 +209,8 @@ IndexImage filledBy(Display* d, const Picture& picture, const Palette& palette) 
 }
 
 /// Three tables and hues of a teapot whose polygons penetrate each other.
-const std::vector<Reference>& references() {
-  static std::vector<Reference> made;
+const std::vector<KnownPicture>& references() {
+  static std::vector<KnownPicture> made;
   if (!made.empty()) return made;
   const XServer server = XServer::xvfb(8, 320, 240);
   const OwnedDisplay display = openDisplay(server.name());
@@ -224,7 +224,7 @@ const std::vector<Reference>& references() {
                          : row.id == TableKind::Linear ? glm::dvec3{0.4, 1, 0.7}
                                                        : glm::dvec3{1, 1, 1};
     const Picture picture = makePicture(readScene("teapot", 3), settings, CellPlan{row.id}[Cell::Well]);
-    Reference reference{row.id, picture, picture.palette(CellPlan{row.id}), picture.image(), {}};
+    KnownPicture reference{row.id, picture, picture.palette(CellPlan{row.id}), picture.image(), {}};
     reference.filled = filledBy(display.get(), picture, reference.palette);
     made.push_back(std::move(reference));
   }
@@ -257,7 +257,7 @@ class VisualMatrix : public testing::TestWithParam<ServerRow> {
   }
 
   /// Checks that the tiles show what they should on a visual of this kind.
-  void expectTiles(const std::array<Tile, 256>& tiles, const Reference& reference,
+  void expectTiles(const std::array<Tile, 256>& tiles, const KnownPicture& reference,
                    const ServerColormap& colormap, bool dither) {
     const VisualInfo& v = colormap.visual();
     std::set<unsigned long> pixels;
@@ -319,7 +319,7 @@ TEST_P(VisualMatrix, ShowsEveryIndexAsItsClassAllows) {
       ServerColormap colormap{d, {v, ""}, {.dither = dither}};
       Canvas canvas{d, colormap, {.width = 190, .height = 140}};
       bool mixed = false;
-      for (const Reference& reference : references()) {
+      for (const KnownPicture& reference : references()) {
         SCOPED_TRACE(kTables[static_cast<int>(reference.table)].name);
         colormap.store(reference.palette, CellPlan{reference.table});
         mixed |= colormap.table().dithers();
