@@ -5,6 +5,8 @@
 
 #include <algorithm>
 
+#include "depthsort/oracle.h"
+
 namespace xnewell {
 
 namespace {
