@@ -70,15 +70,16 @@ namespace {
 
 /// Adds the settings that have an effect on a picture with these settings, or beside `deep` changes of them.
 void addEffective(const Picture& picture, const PictureSettings& settings, int deep,
-                  std::set<const Setting*>& all) {
+                  const std::vector<std::string>& held, std::set<const Setting*>& all) {
   for (const Setting& setting : settingRows()) {
     if (!mayBeAnAxis(setting, picture) || !hasEffect(setting, factsOf(picture, settings))) continue;
+    if (std::ranges::find(held, Axis{&setting, 0, {}}.name()) != held.end()) continue;
     all.insert(&setting);
     if (deep == 0) continue;
     for (const double value : valuesOf(setting)) {
       PictureSettings other = settings;
       setting.field.set(other, value);
-      addEffective(picture, other, deep - 1, all);
+      addEffective(picture, other, deep - 1, held, all);
     }
   }
 }
@@ -110,17 +111,17 @@ std::vector<Axis> axesOf(const Picture& picture) {
   return axesAmong(picture, effective);
 }
 
-std::vector<Axis> axesInReach(const Picture& picture) {
+std::vector<Axis> axesInReach(const Picture& picture, const std::vector<std::string>& held) {
   // Two changes reach all: normals need a method, and creases need a method and normals.
   constexpr int kDeep = 2;
   std::set<const Setting*> effective;
-  addEffective(picture, picture.settings(), kDeep, effective);
+  addEffective(picture, picture.settings(), kDeep, held, effective);
   return axesAmong(picture, effective);
 }
 
-std::vector<std::string> choosableAxes(const Picture& picture) {
+std::vector<std::string> choosableAxes(const Picture& picture, const std::vector<std::string>& held) {
   std::vector<std::string> names;
-  for (const Axis& axis : axesInReach(picture))
+  for (const Axis& axis : axesInReach(picture, held))
     if (axis.name() != "colors") names.emplace_back(axis.name());
   return names;
 }

@@ -95,7 +95,11 @@ nlohmann::ordered_json choiceAsJson(const AccuracyLimit& limit, const Trade& tra
 
 /// The axes that --accuracy may choose on, but for those that the user gave.
 std::vector<std::string> freeAxes(const Options& options, const Scene& scene) {
-  std::vector<std::string> axes = choosableAxes(makePicture(scene, settingsOf(options)));
+  const Picture picture = makePicture(scene, settingsOf(options));
+  std::vector<std::string> given;
+  for (const Axis& axis : axesInReach(picture))
+    if (options.gave("--" + std::string{axis.name()})) given.emplace_back(axis.name());
+  std::vector<std::string> axes = choosableAxes(picture, given);
   std::erase_if(axes, [&](const std::string& axis) { return options.gave("--" + axis); });
   return axes;
 }

@@ -58,17 +58,24 @@ void TradeBench::choose() {
   chosen_ = -1;
   if (!known_.trade.front.empty()) {
     within_ = chooseWithin(known_.trade, limit_);
-    const std::vector<Measured>& all = known_.trade.combinations;
-    const auto same =
-        std::ranges::find_if(all, [&](const Measured& one) { return one.configuration.changes == picked_; });
-    chosen_ = same == all.end() ? within_.combination : static_cast<int>(same - all.begin());
+    chosen_ = picked_ ? indexOfPicked() : within_.combination;
   }
   changed_ = true;
 }
 
+/// The search may leave out what was picked while only single short cuts were known. Then it is added.
+int TradeBench::indexOfPicked() {
+  std::vector<Measured>& all = known_.trade.combinations;
+  const auto same = std::ranges::find_if(
+      all, [&](const Measured& one) { return one.configuration.changes == picked_->configuration.changes; });
+  if (same != all.end()) return static_cast<int>(same - all.begin());
+  all.push_back(*picked_);
+  return static_cast<int>(all.size()) - 1;
+}
+
 void TradeBench::pick(int combination) {
   chosen_ = combination;
-  picked_ = known_.trade.combinations[combination].configuration.changes;
+  picked_ = known_.trade.combinations[combination];
   changed_ = true;
 }
 

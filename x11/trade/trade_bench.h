@@ -52,6 +52,8 @@ class TradeBench : public Bench {
   void choose();
   /// The user picks a combination himself.
   void pick(int combination);
+  /// Where the picked combination is among those that are known now.
+  [[nodiscard]] int indexOfPicked();
   void setLimit(double limit);
   /// Goes along the front, to the right if `steps` > 0.
   void walk(int steps);
@@ -73,7 +75,7 @@ class TradeBench : public Bench {
   TradeAxes axes_;
   AccuracyLimit limit_;
   int chosen_ = -1;
-  std::optional<std::vector<Change>> picked_;  ///< the changes of the combination that the user picked
+  std::optional<Measured> picked_;  ///< the combination that the user picked
   Chosen within_;
   int place_ = 0;             ///< index into the worst places of the chosen combination
   std::vector<Rect> places_;  ///< their frames in the picture

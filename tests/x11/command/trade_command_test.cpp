@@ -1,5 +1,7 @@
 #include <gtest/gtest.h>
 
+#include <cmath>
+
 #include <algorithm>
 #include <nlohmann/json.hpp>
 #include <sstream>
@@ -23,7 +25,8 @@ Words wordsOf(const std::string& command, const std::string& picture) {
 
 }  // namespace
 
-// Each row has its command, and the command has the errors of the row, to the bit.
+// Each row has its command, and the command has the errors of the row. They may differ by roundings: the
+// trade holds the camera still while divisions change, and the command places it anew.
 TEST_F(CommandTest, EachRowOfATradeCanBeRepeated) {
   const auto told =
       runProgram(kTrade + Words{"--json", "--axes", "order,shade,divisions,adapt", "--adapt", "0.1"});
@@ -41,7 +44,16 @@ TEST_F(CommandTest, EachRowOfATradeCanBeRepeated) {
     auto errors = nlohmann::json::parse(drawn.out).at("errors");
     EXPECT_EQ(errors.at("reference_divisions"), trade.at("reference").at("divisions"));
     errors.erase("reference_divisions");
-    EXPECT_EQ(errors, row.at("errors"));
+    const nlohmann::json ofCommand = errors.flatten(), ofTrade = nlohmann::json(row.at("errors")).flatten();
+    ASSERT_EQ(ofCommand.size(), ofTrade.size());
+    for (const auto& [key, value] : ofTrade.items()) {
+      if (value.is_number_float())
+        EXPECT_NEAR(ofCommand.at(key).get<double>(), value.get<double>(),
+                    1e-9 * std::abs(value.get<double>()))
+            << key;
+      else
+        EXPECT_EQ(ofCommand.at(key), value) << key;
+    }
   }
 }
 
@@ -106,15 +118,17 @@ TEST_F(CommandTest, ASceneWithoutExtentIsRefused) {
 
 // If the user chose everything himself, --accuracy still says whether the picture is within the limit.
 TEST_F(CommandTest, AccuracyTellsTheErrorIfNothingIsLeftToChoose) {
-  const Words words{"draw",    "two-cards", "--size", "60x40",         "--order", "none",
-                    "--shade", "flat",      "-o",     file("new.png"), "--errors"};
+  const Words words{"draw",   "two-cards", "--size",        "60x40",    "--order", "none",   "--shade",
+                    "flat",   "--table",   "linear",        "--shades", "240",     "--bits", "16",
+                    "--cull", "none",      "--adapt",       "0",        "--i0",    "0.02",   "--pick",
+                    "log",    "-o",        file("new.png"), "--errors"};
   const auto missed = runProgram(words + Words{"--accuracy", "0.05"});
   ASSERT_EQ(missed.status, 0) << missed.err;
   EXPECT_TRUE(missed.err.starts_with("xnewell: nothing is left to choose. The RMS error is 0."))
       << missed.err;
-  EXPECT_TRUE(missed.err.ends_with(" in this view, but 0.05 is allowed.\n")) << missed.err;
+  EXPECT_NE(missed.err.find(" in this view, but 0.05 is allowed.\n"), std::string::npos) << missed.err;
   const auto kept = runProgram(words + Words{"--accuracy", "0.9"});
-  EXPECT_TRUE(kept.err.ends_with(" in this view, and 0.9 is allowed.\n")) << kept.err;
+  EXPECT_NE(kept.err.find(" in this view, and 0.9 is allowed.\n"), std::string::npos) << kept.err;
 }
 
 // --accuracy draws what it chose, says why, and leaves what the user gave.
