@@ -158,7 +158,8 @@ TEST(Choice, SaysNothingOfValuesThatWereNotTried) {
 TEST(Choice, SaysThatAnOrderIsProved) {
   PictureSettings settings = small();
   const Scene scene = readScene("three-cards");
-  const Trade trade = tradeOf(scene, settings, {.axes = {"order"}, .seconds = 600, .mostRounds = 7});
+  const Trade trade =
+      withSingles(tradeOf(scene, settings, {.axes = {"order"}, .seconds = 600, .mostRounds = 7}));
   int proved = 0;
   for (const Measured& one : trade.combinations) {
     const OrderRow& order = rowOf(one.configuration.settings.order);
