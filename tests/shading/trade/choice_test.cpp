@@ -6,6 +6,7 @@
 #include <cstdlib>
 
 #include "shading/picture/picture_cache.h"
+#include "shading/trade/combine.h"
 #include "shading/trade/measure.h"
 #include "tests/support/small_picture.h"
 

