@@ -17,7 +17,7 @@ namespace xnewell {
 class LessonBench : public Bench {
  public:
   /// The host must outlive it.
-  explicit LessonBench(Host& host) : host_{host} {}
+  explicit LessonBench(Host& host) : Bench{host} {}
 
   /// Opens a lesson at its first step. The host must switch to this view.
   void start(Lesson lesson);
@@ -35,7 +35,6 @@ class LessonBench : public Bench {
   [[nodiscard]] const std::vector<Rect>& rows() const { return rows_; }
 
   [[nodiscard]] bool press(const Key& key, const Setup& setup) override;
-  [[nodiscard]] std::string_view sharedKeys() const override { return ""; }
   [[nodiscard]] bool grab(int x, int y) override;
   void dragTo(int x, int y) override;
   void drop() override { held_.reset(); }
@@ -51,8 +50,8 @@ class LessonBench : public Bench {
   void draw(IndexImage& image, const Desk& desk) override;
   [[nodiscard]] std::string status() const override;
   [[nodiscard]] std::string aside() const override;
-  [[nodiscard]] std::vector<Legend> legend() const override;
-  [[nodiscard]] std::vector<HelpLine> help() const override;
+  [[nodiscard]] std::vector<Legend> legend() override;
+  [[nodiscard]] std::vector<HelpLine> help() override;
 
  private:
   /// What the user did with a question.
@@ -82,7 +81,6 @@ class LessonBench : public Bench {
   [[nodiscard]] LessonPage pageOf(const Desk& desk, const IndexImage* lower);
   [[nodiscard]] LessonList list() const;
 
-  Host& host_;
   std::vector<LessonEntry> entries_;  ///< read when they are first needed
   int listed_ = 0;                    ///< row of the list
   bool listing_ = true;

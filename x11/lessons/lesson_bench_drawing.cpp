@@ -126,26 +126,26 @@ std::string LessonBench::aside() const {
                                                        : "the outcome is hidden until you answer";
 }
 
-std::vector<Legend> LessonBench::legend() const {
+std::vector<Legend> LessonBench::legend() {
   if (listing_ || !lesson_) return {{{"^", "v"}, "choose"}, {{"Return"}, "begin"}, {{"Esc"}, "back"}};
   std::vector<Legend> words{{{"PgUp"}, "back"}, {{"PgDn"}, "next"}};
   if (const auto& question = now().question) {
     static constexpr std::array<std::string_view, 4> kLetters{"a", "b", "c", "d"};
     Legend letters{{}, "choose"};
-    for (std::size_t k = 0; k < question->answers.size(); ++k) letters.keys.push_back(kLetters[k]);
+    for (std::size_t k = 0; k < question->answers.size(); ++k) letters.keys.emplace_back(kLetters[k]);
     words.push_back(letters);
     const bool given = taken_[static_cast<std::size_t>(step_)].given;
     words.push_back({{"Return"}, given ? "go on" : "answer"});
     if (!given && !question->hint.empty()) words.push_back({{"h"}, "hint"});
   }
-  if (focus_) words.push_back({{"<", ">"}, rowOf(*focus_).name});
+  if (focus_) words.push_back({{"<", ">"}, std::string{rowOf(*focus_).name}});
   words.push_back({{"2"}, "open in the stepper"});
   words.push_back({{"l"}, "all lessons"});
   words.push_back({{"Esc"}, "leave"});
   return words;
 }
 
-std::vector<HelpLine> LessonBench::help() const {
+std::vector<HelpLine> LessonBench::help() {
   return {{"PgUp PgDn", "the step before, the next"},
           {"a b c d", "choose an answer; another letter answers again"},
           {"Return", "give the answer; then go on"},

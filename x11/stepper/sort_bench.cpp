@@ -6,7 +6,7 @@
 
 #include "x11/stepper/sort_page.h"
 #include "x11/stepper/sort_wording.h"
-#include "x11/window/typed_number.h"
+#include "x11/kit/typed_number.h"
 
 namespace xnewell {
 

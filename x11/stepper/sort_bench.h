@@ -22,7 +22,6 @@ class SortBench : public Bench {
   ~SortBench() override;
 
   [[nodiscard]] bool press(const Key& key, const Setup& setup) override;
-  [[nodiscard]] std::string_view sharedKeys() const override { return ""; }
   void hover(int x, int y) override;
   [[nodiscard]] bool grab(int x, int y) override;
   void dragTo(int x, int y) override;
@@ -40,8 +39,8 @@ class SortBench : public Bench {
 
   [[nodiscard]] std::string status() const override;
   [[nodiscard]] std::string aside() const override;
-  [[nodiscard]] std::vector<Legend> legend() const override;
-  [[nodiscard]] std::vector<HelpLine> help() const override;
+  [[nodiscard]] std::vector<Legend> legend() override;
+  [[nodiscard]] std::vector<HelpLine> help() override;
   [[nodiscard]] const CellUse* use() const override { return &use_; }
 
   /// Goes to a step, or to the nearest end of the run. If the learner predicts, and the step is a question,
@@ -76,7 +75,6 @@ class SortBench : public Bench {
   void askPolygon();
   [[nodiscard]] bool pressNamed(const Key& key);
 
-  Host& host_;
   SortView view_;
   std::vector<Key> early_;  ///< keys typed before there was a run
   double due_ = 0;          ///< the part of the next step that is due, while the run plays

@@ -11,7 +11,7 @@ namespace xnewell {
 
 // This file records the run and draws the view. Keys and pointer: sort_bench.cpp.
 
-SortBench::SortBench(Host& host) : host_{host} {}
+SortBench::SortBench(Host& host) : Bench{host} {}
 SortBench::~SortBench() = default;
 
 Setup SortBench::painted(const Setup& setup) const {
@@ -102,7 +102,7 @@ void SortBench::draw(IndexImage& image, const Desk& desk) {
 
 std::string SortBench::status() const { return status_; }
 
-std::vector<HelpLine> SortBench::help() const {
+std::vector<HelpLine> SortBench::help() {
   return {{"arrows Home End", "a step back or forward, ten with Shift; the ends"},
           {"Space - +", "play and stop; slower, faster"},
           {"j J K", "next and previous step of a kind; the next kind"},
@@ -120,7 +120,7 @@ std::string SortBench::aside() const {
                                  : "Newell's sort; the picture itself: " + orderInWords(order_);
 }
 
-std::vector<Legend> SortBench::legend() const {
+std::vector<Legend> SortBench::legend() {
   if (!run_) return {};
   if (view_.asking)
     return {{{"a"}, "P first"},
