@@ -101,6 +101,8 @@ class Workbench : public Host {
   /// The cell of the picture's background in image().
   [[nodiscard]] std::uint8_t ground() const { return plan()[Cell::Well]; }
 
+  /// The view that is shown.
+  [[nodiscard]] Bench& bench() const { return *benches_[static_cast<std::size_t>(view())]; }
   /// All keys that do something at the moment: those of the view and those that all views have.
   [[nodiscard]] KeyTable keys();
 
@@ -179,7 +181,6 @@ class Workbench : public Host {
   /// What must be shown now.
   [[nodiscard]] Indices indices() const;
   [[nodiscard]] Colors colors() const { return {work_.setup, bench().stored(work_.setup)}; }
-  [[nodiscard]] Bench& bench() const { return *benches_[static_cast<std::size_t>(view())]; }
   /// The setup that the picture is painted with. It picks the indices.
   [[nodiscard]] Setup painted() const { return bench().painted(work_.setup); }
   /// The settings of that picture, in the size that the view has for it. The size is not part of the setup,

@@ -98,7 +98,7 @@ std::vector<Rect> optionFrames(const std::vector<std::string>& options, int x, i
 }
 
 void drawOptions(Pen& pen, const std::vector<std::string>& options, const std::vector<Rect>& frames,
-                 int chosen, int hovered) {
+                 int chosen, int hovered, const std::vector<bool>& lacking) {
   for (int i = 0; i < static_cast<int>(options.size()); ++i) {
     const Rect& box = frames[i];
     const int baseline = box.y + (box.height + 9) / 2;
@@ -110,7 +110,9 @@ void drawOptions(Pen& pen, const std::vector<std::string>& options, const std::v
     }
     if (i == hovered)
       pen.paint.fillRect({box.x + 2, box.y + 1, box.width - 4, box.height - 2}, pen(Cell::Panel));
-    pen.paint.text(box.x + 6, baseline, options[i], pen(i == hovered ? Cell::Ink : Cell::Soft));
+    const bool lacks = !lacking.empty() && lacking[i];
+    const Cell ink = lacks ? Cell::Faint : i == hovered ? Cell::Ink : Cell::Soft;
+    pen.paint.text(box.x + 6, baseline, options[i], pen(ink));
   }
 }
 
@@ -197,7 +199,8 @@ void drawControl(Pen& pen, const Control& control, const ControlPlace& place, co
       return valueAtTheRight(textOf(control.range, control.value));
     }
     case Control::Kind::Choice:
-      return drawOptions(pen, control.options, place.options, static_cast<int>(control.value), look.option);
+      return drawOptions(pen, control.options, place.options, static_cast<int>(control.value), look.option,
+                         control.lacking);
     case Control::Kind::Toggle:
       return drawToggle(pen, control, place, look);
     case Control::Kind::Number:

@@ -56,12 +56,15 @@ struct Control {
   TrackRange range = {};
   std::optional<double> initially = {};   ///< marked on the track
   std::vector<std::string> options = {};  ///< of a choice
+  std::vector<bool> lacking = {};         ///< the options without effect, drawn faint; empty: none
   std::string words = {};                 ///< beside a toggle's box or for an Own value
   std::string off = {};                   ///< why it has no effect, a sentence; "": it has one
-  std::function<void(double)> set = {};   ///< gets a value as in `value`; a button gets 1
+  /// Gets a value as in `value`; a button gets 1. An Own control may lack it; with it, a value can be typed.
+  std::function<void(double)> set = {};
   /// What the arrows do instead of stepping the value.
   std::function<void(int along, int up)> move = {};
-  /// What a drag does instead of setting the value: the pointer is at (x, y), and came by (dx, dy).
+  /// What a drag does instead of setting the value: the pointer is at (x, y), and came by (dx, dy), which is
+  /// (0, 0) when the button is pressed.
   std::function<void(int x, int y, int dx, int dy)> drag = {};
 
   [[nodiscard]] ControlId id() const { return {key, part}; }
@@ -112,7 +115,7 @@ void drawControl(Pen& pen, const Control& control, const ControlPlace& place, co
 void drawTrack(Pen& pen, const ControlPlace& place, double share, std::optional<double> initially,
                bool enabled, const Look& look);
 void drawOptions(Pen& pen, const std::vector<std::string>& options, const std::vector<Rect>& frames,
-                 int chosen, int hovered);
+                 int chosen, int hovered, const std::vector<bool>& lacking = {});
 /// The frames of all options of a choice, in a line from x on within `width`. If there is too little room
 /// for the words, more lines follow, each one `height` below the one before. `height` is at least that of
 /// the text, 13.

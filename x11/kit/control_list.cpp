@@ -1,6 +1,7 @@
 #include "x11/kit/control_list.h"
 
 #include <algorithm>
+#include <cmath>
 #include <memory>
 #include <string_view>
 #include <utility>
@@ -132,7 +133,7 @@ bool ControlList::grab(const Controls& controls, int x, int y) {
   // A click on a name or a value selects the control and does not change its value.
   if (hit.grip) {
     state_.dragged = hit.id;
-    if (control.kind == Kind::Slider || !control.drag) dragTo(controls, x, y);
+    dragTo(controls, x, y);
     return true;
   }
   if (!control.takesArrows()) activate(control, hit.option);
@@ -196,8 +197,11 @@ void ControlList::askForValue(const Control& control) {
                .text = fixed(control.value, range.decimals),
                .take = [=, set = control.set](const std::string& text) -> std::string {
                  const std::optional<double> value = typedNumber(text);
-                 if (!value || !(*value >= range.low && *value <= range.high))
-                   return name + " is a number from " + low + " to " + high + ".";
+                 const bool whole = range.decimals == 0;
+                 if (!value || !(*value >= range.low && *value <= range.high) ||
+                     (whole && *value != std::round(*value)))
+                   return name + (whole ? " is a whole number from " : " is a number from ") + low + " to " +
+                          high + ".";
                  set(valueAt(range, shareOf(range, *value)));
                  return {};
                }});
@@ -218,7 +222,7 @@ KeyTable ControlList::keys(const Controls& controls) {
              {{NamedKey::Right}, now->label, does, arrow(1, 0), now->off},
              {{NamedKey::Up}, "", does, arrow(0, 1), now->off},
              {{NamedKey::Down}, "", does, arrow(0, -1), now->off}};
-    if (now->kind != Kind::Own) {
+    if (now->set) {
       const auto setTo = [&](double value) { return [all, now, value](const Key&) { now->set(value); }; };
       const std::string ends = "its lowest and its highest value; type a value";
       table.push_back({{NamedKey::Home}, "", ends, setTo(now->range.low), now->off});

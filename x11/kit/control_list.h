@@ -34,6 +34,7 @@ class ControlList {
   /// Places all controls in rows, one below the other. Returns the baseline of the row after the last.
   int placeColumn(const Controls& controls, int x, int baseline, const RowStyle& style = {});
   [[nodiscard]] const ControlPlace* find(ControlId id) const;
+  [[nodiscard]] const std::vector<std::pair<ControlId, ControlPlace>>& places() const { return places_; }
   [[nodiscard]] Look look(ControlId id) const;
   /// Draws the placed controls, the mark of the focus first, so that it covers none.
   void draw(Pen& pen, const Controls& controls);

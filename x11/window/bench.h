@@ -59,6 +59,8 @@ class Bench {
   }
   /// Handles a key. Returns false if it is not a key of this view.
   [[nodiscard]] virtual bool press(const Key& key, const Setup&) { return pressIn(keys(), key, host_); }
+  /// Where the controls were drawn last, and which one is selected.
+  [[nodiscard]] const ControlList& list() const { return list_; }
   virtual void release(char) {}
   /// The pointer, in pixels of the window. hover(): it moved with no button pressed. grab(): the button was
   /// pressed; returns true if this begins a drag. dragTo(): it moved during the drag. drop(): the drag ended.

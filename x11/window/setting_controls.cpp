@@ -89,7 +89,10 @@ Controls cameraControls(const Setup& shown, const Subject& subject, const Change
            .label = "turn",
            .is = "turn the scene with the arrows",
            .move = [=](int along, int up) { turn(change, shown, subject, -2.0 * along, -2.0 * up); },
-           .drag = [=](int, int, int dx, int dy) { turn(change, shown, subject, -0.5 * dx, 0.5 * dy); }},
+           .drag =
+               [=](int, int, int dx, int dy) {
+                 if (dx != 0 || dy != 0) turn(change, shown, subject, -0.5 * dx, 0.5 * dy);
+               }},
           {.kind = Kind::Own,
            .key = 'z',
            .label = "zoom",

@@ -219,11 +219,10 @@ TEST(TradePage, EndsAtAWholeSentence) {
 // The slider and the line of the limit can be dragged; both move together.
 TEST(TradeBench, TheLimitCanBeDragged) {
   Measured6 m;
-  const Rect row = m.at().limit;
-  const int middle = row.x + kColumnTrackAt + kColumnTrack / 2;
-  ASSERT_TRUE(m.bench.grab(middle, row.y + row.height / 2));
+  const Rect track = m.bench.list().find({'E'})->track;
+  ASSERT_TRUE(m.bench.grab(track.x + track.width / 2, track.y));
   m.bench.drop();
-  EXPECT_NEAR(m.bench.limit(), limitOfShare(0.5), 1e-12);
+  EXPECT_NEAR(m.bench.limit(), valueAt(kLimits, 0.5), 1e-4);
   m.stage.draw(m.bench);
   const Rect chart = m.at().chart;
   const TradeScale scale{chart, m.bench.trade(), {}};
@@ -245,7 +244,7 @@ TEST(TradeBench, UsesAndComparesWhatIsChosen) {
     }
   const Configuration used = m.chosen().configuration;
   m.press(NamedKey::Return);
-  EXPECT_EQ(m.stage.undo.size(), 1u);
+  EXPECT_EQ(m.stage.undone.size(), 1u);
   for (const Change& change : used.changes)
     if (change.setting)
       EXPECT_EQ(change.setting->field.get(m.stage.now.picture), change.setting->field.get(used.settings));
