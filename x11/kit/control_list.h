@@ -55,6 +55,8 @@ class ControlList {
   [[nodiscard]] const Control* focused(const Controls& controls) const;
   [[nodiscard]] std::optional<ControlId> focus() const { return state_.focus; }
   void setFocus(std::optional<ControlId> id) { state_.focus = id; }
+  /// The user types a value of the control.
+  void askForValue(const Control& control);
   /// The control under the pointer.
   [[nodiscard]] const Control* hovered(const Controls& controls) const;
   /// The rows of all keys: the arrows, Home, End, = and Tab for the selected control, and each control's
@@ -78,7 +80,6 @@ class ControlList {
   void selectNext(const Controls& controls, int direction);
   void press(const Controls& controls, const Control& control);
   void move(const Control& control, int along, int up);
-  void askForValue(const Control& control);
 
   Prompt& prompt_;
   State state_;

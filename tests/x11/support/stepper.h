@@ -75,6 +75,7 @@ class Stepper : private Host {
   [[nodiscard]] const xnewell::Setup& setup() const override { return wanted; }
   [[nodiscard]] const xnewell::Setup& defaults() const override { return wanted; }
   void close() override {}
+  void undo() override {}
   void pressLetter(char) override {}
   void open(Scene, const xnewell::Setup&) override {}
   void switchTo(WindowView) override {}
