@@ -1,10 +1,10 @@
 #include "x11/stepper/sort_layout.h"
-#include "x11/stepper/sort_view.h"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
 
+#include "tests/x11/support/stepper.h"
 #include "x11/drawing/painter.h"
 
 namespace xnewell {
@@ -48,6 +48,39 @@ TEST(SortLayout, PartsKeepApart) {
     for (const Rect& answer : at.answers) EXPECT_EQ(intersection(answer, at.finding), answer);
     for (int k = 0; k < kToggleCount; ++k)
       EXPECT_GE(at.toggles[k].area.width, 17 + textWidth(kToggleNames[k])) << kToggleNames[k];
+  }
+}
+
+// No control that is drawn shares a pixel with another, and every control has a place. Where one can be
+// clicked, the list finds it, up to its corners.
+TEST(SortLayout, ControlsHavePlaces) {
+  for (const auto& [width, height] : {std::pair{1024, 768}, {800, 600}, {1600, 1200}}) {
+    Stepper s{"nested-cycles", 3, width, height};
+    s.press("y");
+    for (int step = 0; step <= s.run().steps() && !s.bench.view().asking; ++step) s.press(NamedKey::Right);
+    ASSERT_TRUE(s.bench.view().asking);
+    s.draw();
+    const Controls all = s.bench.controls();
+    const auto& places = s.bench.list().places();
+    ASSERT_EQ(all.size(), places.size());
+    for (const auto& [id, place] : places) {
+      const Rect& r = place.area;
+      ASSERT_FALSE(r.empty()) << id.part;
+      for (const auto& [other, there] : places)
+        EXPECT_TRUE(other == id || intersection(r, there.area).empty()) << id.part << ' ' << other.part;
+      for (const auto& [x, y] : {std::pair{r.x, r.y},
+                                 {r.x + r.width / 2, r.y + r.height / 2},
+                                 {r.x + r.width - 1, r.y + r.height - 1}}) {
+        s.bench.hover(x, y);
+        const Control* const found = s.bench.list().hovered(all);
+        ASSERT_NE(found, nullptr) << id.part;
+        EXPECT_EQ(found->id(), id);
+      }
+    }
+    for (const auto& [x, y] : {std::pair{0, 0}, {s.places().body.x, s.places().rule}}) {
+      s.bench.hover(x, y);
+      EXPECT_EQ(s.bench.list().hovered(all), nullptr);
+    }
   }
 }
 
