@@ -25,9 +25,9 @@ struct HueNeed {
 /// The plan minimizes the sum, over all samples, of the step between neighbouring shades. In `brief` and
 /// `linear` the step is a difference of intensities, (high - low) / (N - 1). In `corrected` it is a ratio
 /// minus 1, (high / low)^(1 / (N - 1)) - 1, with low at least I0. No 8-bit value shows a step below 1/255, so
-/// such a step counts as 1/255. Each further shade lowers a step by less than the one before. So the best plan
-/// gives the shades one by one, each to the hue that gains most by it (Fox 1966), or to the first of several.
-/// A shade that no hue gains by is not given: its cell stays free.
+/// such a step counts as 1/255. Each further shade lowers a step by less than the one before. So the best
+/// plan gives the shades one by one, each to the hue that gains most by it (Fox 1966), or to the first of
+/// several. A shade that no hue gains by is not given: its cell stays free.
 [[nodiscard]] std::vector<TableSettings> planHues(std::span<const HueNeed> needs, const TableSettings& table);
 
 /// The step between neighbouring shades, as planHues() counts it, for a ramp of N >= 2 shades.

@@ -121,7 +121,9 @@ TEST(Picture, EveryCellIsOnTheRamp) {
     s.environment = kEnvironmentForms[rng() % 2].id;
     s.polygons = kPolygons[rng() % 2].id;
     s.order = kOrders[rng() % kOrders.size()].id;
-    s.table = {.kind = kTables[rng() % kTables.size()].id, .shades = rng() % 2 ? 2 : 240, .I0 = rng() % 2 ? 1e-6 : 0.5};
+    s.table = {.kind = kTables[rng() % kTables.size()].id,
+               .shades = rng() % 2 ? 2 : 240,
+               .I0 = rng() % 2 ? 1e-6 : 0.5};
     if (trial % 7 == 0) s.camera.eye = pictures.scene().mesh.points[9];  // in the surface
     const IndexImage image = painted(pictures, s);
     const int first = pictures.last().table().first(), end = first + pictures.last().table().shades();
