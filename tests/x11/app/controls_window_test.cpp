@@ -17,6 +17,9 @@ namespace {
 /// The places in the control column, as the window has them now.
 ControlColumn columnOf(const TwinWindow& twin) { return layoutOfControls(twin.same.layout()); }
 
+/// Times differ between two windows: sides_test.cpp and trade_bench_test.cpp look at these views.
+bool showsTimes(WindowView view) { return view == WindowView::SideBySide || view == WindowView::Trade; }
+
 /// Uses the corrected table, so that no slider is off.
 const std::string kCorrected = "teapot --divisions 3 --table corrected";
 xnewell::Setup corrected() {
@@ -91,7 +94,7 @@ TEST_P(ControlsWindowAt, AllAnswerToTheMouse) {
 // Every view is drawn again at each size, and responds to a drag there.
 TEST_P(ControlsWindowAt, EveryViewAtEverySize) {
   for (const WindowViewRow& row : kWindowViews) {
-    if (row.id == WindowView::SideBySide) continue;  // this view shows times: sides_window_test.cpp
+    if (showsTimes(row.id)) continue;
     SCOPED_TRACE(row.name);
     twin.type({&row.key, 1});
     ASSERT_TRUE(twin.agrees());
@@ -118,7 +121,7 @@ TEST_P(ControlsWindowAt, EveryKeyInEveryView) {
                               std::pair{XK_Tab, NamedKey::Tab},      std::pair{XK_Prior, NamedKey::PageUp},
                               std::pair{XK_Next, NamedKey::PageDown}};
   for (const WindowViewRow& row : kWindowViews) {
-    if (row.id == WindowView::SideBySide) continue;  // this view shows times: sides_window_test.cpp
+    if (showsTimes(row.id)) continue;
     SCOPED_TRACE(row.name);
     twin.type({&row.key, 1});
     ASSERT_TRUE(twin.agrees());
