@@ -33,12 +33,16 @@ constexpr std::size_t kFewBoxes = 64;
 /// fewest pairs of different groups to compare.
 [[nodiscard]] BoxCut chooseCut(std::span<const ItemBox> boxes);
 
+/// Boxes are measured anew at most this many times, each time in finer units.
+constexpr int kMostRefinements = 4;
+
 /// Calls visit(item, item) for every pair of overlapping boxes of different groups, twice for some pairs. It
 /// halves the set of boxes again and again. A box across a cut belongs to both halves. When few boxes are
 /// left, or no cut separates them, it compares each box with all boxes of other groups. It overwrites
-/// `boxes`.
-template <class Visit>
-void forOverlapping(std::span<ItemBox> boxes, const Visit& visit) {
+/// `boxes`. Before it compares more than a few, it calls refine(boxes): this may replace them with boxes of
+/// the same items in finer units, if single precision blurs them, and then returns true.
+template <class Visit, class Refine>
+void forOverlapping(std::span<ItemBox> boxes, const Visit& visit, const Refine& refine, int refined = 0) {
   const BoxCut cut = chooseCut(boxes);
   if (cut.axis >= 0) {
     // Sort the boxes into three runs: below the cut, above it, across it. The last two runs form one half.
@@ -53,11 +57,14 @@ void forOverlapping(std::span<ItemBox> boxes, const Visit& visit) {
     const auto few = static_cast<std::ptrdiff_t>(boxes.size() / 20);
     if (above - boxes.begin() > few && across - above > few) {
       const std::vector<ItemBox> both(across, boxes.end());
-      forOverlapping(std::span<ItemBox>(above, boxes.end()), visit);
-      forOverlapping(std::span<ItemBox>(boxes.begin(), std::copy(both.begin(), both.end(), above)), visit);
+      forOverlapping(std::span<ItemBox>(above, boxes.end()), visit, refine, refined);
+      forOverlapping(std::span<ItemBox>(boxes.begin(), std::copy(both.begin(), both.end(), above)), visit,
+                     refine, refined);
       return;
     }
   }
+  if (boxes.size() > kFewBoxes && refined < kMostRefinements && refine(boxes))
+    return forOverlapping(boxes, visit, refine, refined + 1);
   if (boxes.size() > kFewBoxes) std::ranges::sort(boxes, {}, &ItemBox::group);
   std::size_t run = 0;  // where the run of boxes of the same group as box i begins
   for (std::size_t i = 1; i < boxes.size(); ++i) {
@@ -66,6 +73,12 @@ void forOverlapping(std::span<ItemBox> boxes, const Visit& visit) {
       if (overlap(boxes[j], boxes[i]) && boxes[j].group != boxes[i].group)
         visit(boxes[j].item, boxes[i].item);
   }
+}
+
+/// The same for boxes that have no finer units.
+template <class Visit>
+void forOverlapping(std::span<ItemBox> boxes, const Visit& visit) {
+  forOverlapping(boxes, visit, [](std::span<ItemBox>) { return false; });
 }
 
 }  // namespace xnewell

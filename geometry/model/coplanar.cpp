@@ -10,7 +10,6 @@
 #include <numeric>
 #include <utility>
 
-#include "geometry/exact/overlap.h"
 #include "geometry/model/fit_plane.h"
 #include "geometry/model/sheets.h"
 
@@ -85,8 +84,7 @@ class Coplanarity {
   template <class Visit>
   void forSets(const std::vector<int>& open, const Visit& visit) {
     DisjointSets sets{static_cast<int>(model_.sheets.size())};
-    std::vector<ItemBox> boxes = model_.places(open);
-    forOverlapping(std::span{boxes}, [&](int i, int j) {
+    model_.forNear(open, [&](int i, int j) {
       const int P = model_.parts.plane[i], Q = model_.parts.plane[j];
       if (sets.of(P) != sets.of(Q) && inOnePlane(i, j)) sets.unite(P, Q);
     });
@@ -194,9 +192,8 @@ class Coplanarity {
     DisjointSets sets{static_cast<int>(model_.sheets.size())};
     std::vector<std::vector<int>> members(model_.sheets.size());
     for (const int s : open) members[s] = {s};
-    std::vector<ItemBox> boxes = model_.places(open);
     std::vector<int> both;
-    forOverlapping(std::span{boxes}, [&](int i, int j) {
+    model_.forNear(open, [&](int i, int j) {
       const int P = sets.of(model_.parts.plane[i]), Q = sets.of(model_.parts.plane[j]);
       if (P == Q || !inOnePlane(i, j)) return;
       both = members[P];

@@ -71,39 +71,125 @@ double Sheets::perimeter(std::span<const int> outline) const {
   return sum;
 }
 
+Sheets::Shape Sheets::shapeOf(int part) const {
+  const ModelSheet& sheet = of(part);
+  if (sheet.partCount == 1) return {sheet.area, sheet.steepness};
+  const double area = glm::length(newellVector(box.points, parts.part(part)));
+  return {area, 2.0 * perimeter(parts.part(part)) / area};
+}
+
+Sheets::Place Sheets::placeOf(int part, double steepness, const glm::dvec3& from, double r) const {
+  const ModelSheet& sheet = of(part);
+  Box around;
+  for (const int c : parts.part(part)) around.add(box.points[c]);
+  const glm::dvec3 foot = sheet.plane.N * (sheet.plane.d - glm::dot(sheet.plane.N, from));
+  const double distance = glm::length(glm::max(glm::abs(around.low - from), glm::abs(around.high - from)));
+  const double play = (sheet.partCount == 1 ? 1.0 : 2.0) * r * (steepness * distance + 1.0);
+  Place place;
+  for (int axis = 0; axis < 3; ++axis) {
+    place.low[axis] = place.high[axis] = foot[axis];
+    place.play[axis] = std::min(4.0, play);  // two feet are never farther apart
+    place.low[axis + 3] = around.low[axis];
+    place.high[axis + 3] = around.high[axis];
+    place.play[axis + 3] = r;
+  }
+  return place;
+}
+
+namespace {
+
+/// Rounding a number up to 8 to float changes it by at most this.
+constexpr double kToFloat = 0x1p-22;
+
+/// The value below which this share of the values lie.
+double quantile(std::vector<double>& values, double share) {
+  const auto at = values.begin() + static_cast<std::ptrdiff_t>(share * static_cast<double>(values.size()));
+  std::nth_element(values.begin(), at, values.end());
+  return *at;
+}
+
+/// How some intervals lie: the middle one, how far apart those of the middle half are, and the usual width.
+struct Spread {
+  double middle, apart, width;
+  [[nodiscard]] double wide() const { return apart / width; }  ///< in widths
+};
+template <class Item, class Low, class High>
+Spread spreadOf(std::span<const Item> items, const Low& low, const High& high) {
+  std::vector<double> centres, widths;
+  for (const Item& item : items) {
+    centres.push_back((low(item) + high(item)) / 2.0);
+    widths.push_back(high(item) - low(item));
+  }
+  const double first = quantile(centres, 0.25), last = quantile(centres, 0.75);
+  return {quantile(centres, 0.5), last - first, quantile(widths, 0.5)};
+}
+
+}  // namespace
+
 std::vector<ItemBox> Sheets::places(const std::vector<int>& open) const {
   const glm::dvec3 from{0.43, 0.56, 0.47};
+  constexpr int kDust = -1;
   std::vector<ItemBox> boxes;
   boxes.reserve(open.size() == sheets.size() ? parts.count() : 2 * open.size());
   for (const int s : open) {
     const ModelSheet& sheet = sheets[s];
     if (sheet.area == 0.0) continue;
-    const glm::dvec3 foot = sheet.plane.N * (sheet.plane.d - glm::dot(sheet.plane.N, from));
     for (int k = sheet.firstPart; k < sheet.firstPart + sheet.partCount; ++k) {
-      double steepness = sheet.steepness;
-      if (sheet.partCount > 1) {
-        const double area = glm::length(newellVector(box.points, parts.part(k)));
-        if (area == 0.0) continue;
-        steepness = 2.0 * perimeter(parts.part(k)) / area;
-      }
-      Box around;
-      for (const int c : parts.part(k)) around.add(box.points[c]);
-      const double distance =
-          glm::length(glm::max(glm::abs(around.low - from), glm::abs(around.high - from)));
-      const double play = (sheet.partCount == 1 ? 1.0 : 2.0) * mostRounding_ * (steepness * distance + 1.0);
-      // Two feet are never more than 4 apart. Rounding a number up to 8 to float changes it by at most
-      // 2^-22.
-      const double nearFoot = std::min(play, 4.0) + 0x1p-22, nearby = mostRounding_ + 0x1p-22;
-      ItemBox& place = boxes.emplace_back(ItemBox{k, parts.plane[k], {}, {}});
-      for (int axis = 0; axis < 3; ++axis) {
-        place.low[axis] = static_cast<float>(foot[axis] - nearFoot);
-        place.high[axis] = static_cast<float>(foot[axis] + nearFoot);
-        place.low[axis + 3] = static_cast<float>(around.low[axis] - nearby);
-        place.high[axis + 3] = static_cast<float>(around.high[axis] + nearby);
+      const Shape shape = shapeOf(k);
+      if (shape.area == 0.0) continue;
+      const Place place = placeOf(k, shape.steepness, from, mostRounding_);
+      const double length = std::hypot(place.high[3] - place.low[3], place.high[4] - place.low[4],
+                                       place.high[5] - place.low[5]);
+      const bool dust = length < 0.9 * delta(sheet.u);
+      ItemBox& item = boxes.emplace_back(ItemBox{k, dust ? kDust : parts.plane[k], {}, {}});
+      for (int axis = 0; axis < 6; ++axis) {
+        item.low[axis] = static_cast<float>(place.low[axis] - (place.play[axis] + kToFloat));
+        item.high[axis] = static_cast<float>(place.high[axis] + (place.play[axis] + kToFloat));
       }
     }
   }
   return boxes;
+}
+
+bool Sheets::refine(std::span<ItemBox> boxes) const {
+  constexpr std::size_t kMany = 1'024;
+  if (boxes.size() < kMany) return false;
+  glm::dvec3 from{0.0};
+  for (int axis = 0; axis < 3; ++axis) {
+    const auto at = [&](const ItemBox& b) { return of(b.item).centroid[axis]; };
+    from[axis] = spreadOf(std::span<const ItemBox>{boxes}, at, at).middle;
+  }
+  std::vector<Place> places;
+  places.reserve(boxes.size());
+  for (const ItemBox& b : boxes)
+    places.push_back(placeOf(b.item, shapeOf(b.item).steepness, from, 2.0 * rounding.most(of(b.item).u)));
+
+  std::array<Spread, 6> spread;
+  bool separates = false;
+  for (int axis = 0; axis < 6; ++axis) {
+    spread[axis] = spreadOf(
+        std::span<const Place>{places}, [&](const Place& p) { return p.low[axis] - p.play[axis]; },
+        [&](const Place& p) { return p.high[axis] + p.play[axis]; });
+    const Spread now = spreadOf(
+        std::span<const ItemBox>{boxes}, [&](const ItemBox& b) { return double{b.low[axis]}; },
+        [&](const ItemBox& b) { return double{b.high[axis]}; });
+    separates |= now.wide() < 4.0 && spread[axis].wide() > std::max(2.0, 4.0 * now.wide());
+  }
+  if (!separates) return false;
+
+  for (std::size_t k = 0; k < boxes.size(); ++k)
+    for (int axis = 0; axis < 6; ++axis) {
+      const Spread& all = spread[axis];
+      const int exponent = -std::ilogb(std::max(all.apart, all.width));
+      // What lies beyond 7 units lies at 7: it still overlaps what it did.
+      const auto inUnits = [&](double x) {
+        return std::clamp(std::ldexp(x - all.middle, exponent), -7.0, 7.0);
+      };
+      const Place& p = places[k];
+      boxes[k].low[axis] = static_cast<float>(inUnits(p.low[axis] - p.play[axis]) - kToFloat);
+      boxes[k].high[axis] = static_cast<float>(inUnits(p.high[axis] + p.play[axis]) + kToFloat);
+    }
+  return true;
 }
 
 bool Sheets::oneTooFar(int i, int j) const {
@@ -126,7 +212,7 @@ bool Sheets::parted(int i, int j, const glm::dvec3& N) const {
 bool Sheets::partedByEdgesOf(int i, int j, int dropped) const {
   const double u = std::max(of(i).u, of(j).u);
   const auto P = parts.part(i), Q = parts.part(j);
-  const double delta = std::sqrt(2.0) * u + rounding.arithmetic();
+  const double delta = this->delta(u);
   const auto seen = [&](int c) {
     return glm::dvec2{box.points[c][(dropped + 1) % 3], box.points[c][(dropped + 2) % 3]};
   };

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <array>
+#include <cmath>
 #include <glm/vec3.hpp>
 #include <span>
 #include <vector>
@@ -45,14 +47,13 @@ struct Sheets {
 
   [[nodiscard]] std::span<const int> corners(const ModelSheet& sheet) const;
 
-  /// The places of the parts of some sheets: boxes in six dimensions. They overlap if one plane can explain
-  /// two parts. Three dimensions are the part's own box. The other three are the places where the
-  /// perpendicular from a fixed point near the middle can meet the plane that explains the part. If every
-  /// corner of a polygon of area A is within tol of a plane, the sine of the angle between them is at most
-  /// tol * perimeter / A, because the polygon's vector area changes by no more. The foot of the perpendicular
-  /// then moves by at most that sine times the distance, plus tol. The bound doubles for a part that may lie
-  /// tol off its face's plane.
-  [[nodiscard]] std::vector<ItemBox> places(const std::vector<int>& open) const;
+  /// Calls visit(i, j) for all parts i and j of some sheets that may lie in one plane and overlap, by their
+  /// places; twice for some.
+  template <class Visit>
+  void forNear(const std::vector<int>& open, const Visit& visit) const {
+    std::vector<ItemBox> boxes = places(open);
+    forOverlapping(std::span{boxes}, visit, [&](std::span<ItemBox> many) { return refine(many); });
+  }
 
   /// True if the sheets of parts i and j are certainly explained by no plane: a corner of one is further from
   /// the other's plane than Rounding::mostOff().
@@ -70,6 +71,36 @@ struct Sheets {
   std::vector<ModelSheet> sheets;
 
  private:
+  /// The places of the parts of some sheets: boxes in six dimensions. They overlap if one plane can explain
+  /// two parts. Three dimensions are the part's own box. The other three are the places where the
+  /// perpendicular from a fixed point near the middle can meet the plane that explains the part. If every
+  /// corner of a polygon of area A is within tol of a plane, the sine of the angle between them is at most
+  /// tol * perimeter / A, because the polygon's vector area changes by no more. The foot of the perpendicular
+  /// then moves by at most that sine times the distance, plus tol. The bound doubles for a part that may lie
+  /// tol off its face's plane.
+  ///
+  /// Dust is in one group, because no two parts of it are joined: parted() asks each edge for a corner of the
+  /// other part that lies 2 delta inside it. If the two overlap at all, a corner is no farther from an edge
+  /// than the two parts are long together. So parts shorter than 0.9 delta are dust.
+  [[nodiscard]] std::vector<ItemBox> places(const std::vector<int>& open) const;
+
+  /// Measures places anew in finer units, if they are many and only single precision keeps them together.
+  /// One far corner is enough: at its scale, all other faces lie in one point. The new places are seen from
+  /// their middle; each dimension has a unit of its own, by the middle half of the places. Each part counts
+  /// with its own rounding, twice. Returns false, and changes nothing, if that would not separate them.
+  [[nodiscard]] bool refine(std::span<ItemBox> boxes) const;
+
+  /// A place in double precision: it reaches from low - play to high + play.
+  struct Place {
+    std::array<double, 6> low, high, play;
+  };
+  /// Twice the area of a part, and the perimeter / the area.
+  struct Shape {
+    double area, steepness;
+  };
+  [[nodiscard]] Shape shapeOf(int part) const;
+  [[nodiscard]] Place placeOf(int part, double steepness, const glm::dvec3& from, double r) const;
+  [[nodiscard]] double delta(double u) const { return std::sqrt(2.0) * u + rounding.arithmetic(); }
   [[nodiscard]] const ModelSheet& of(int part) const { return sheets[parts.plane[part]]; }
   [[nodiscard]] double perimeter(std::span<const int> outline) const;
   [[nodiscard]] bool oneTooFar(int i, int j) const;

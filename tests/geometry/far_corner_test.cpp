@@ -1,0 +1,121 @@
+#include <gtest/gtest.h>
+
+#include <array>
+#include <cmath>
+#include <glm/vec2.hpp>
+#include <numeric>
+#include <random>
+#include <set>
+#include <utility>
+#include <vector>
+
+#include "geometry/model/fit_plane.h"
+#include "geometry/model/sheets.h"
+
+namespace xnewell {
+
+namespace {
+
+/// A wavy sheet of n x n faces, about 1 long, with decals on every eighth of them, and one long face that
+/// makes the scene 1 / share as large.
+Mesh sheetBesideFarCorner(int n, double share, unsigned seed) {
+  std::mt19937 rng{seed};
+  std::uniform_real_distribution<double> unit{0.0, 1.0};
+  Mesh mesh;
+  mesh.groupNames = {""};
+  const auto add = [&](const std::vector<glm::dvec3>& corners) {
+    std::vector<int> face(corners.size());
+    std::iota(face.begin(), face.end(), static_cast<int>(mesh.points.size()));
+    mesh.points.insert(mesh.points.end(), corners.begin(), corners.end());
+    mesh.addFace(face, 0);
+  };
+  const auto at = [&](double i, double j) {
+    return glm::dvec3{i / n, j / n, 0.1 * std::sin(7.0 * i / n) + 0.2 * std::cos(5.0 * j / n)};
+  };
+  for (int i = 0; i < n; ++i)
+    for (int j = 0; j < n; ++j) {
+      const glm::dvec3 a = at(i, j), b = at(i + 1, j), c = at(i + 1, j + 1);
+      add({a, b, c});
+      if (unit(rng) > 0.125) continue;
+      const auto inside = [&](double s, double t) { return a + s * (b - a) + t * (c - b); };
+      add({a, b, c});
+      add({inside(0.5, 0.1), inside(0.9, 0.1), inside(0.9, 0.4)});
+    }
+  const double far = (seed % 2 == 0 ? 1.0 : -1.0) / share;
+  add({{0.3, 0.3, 0.0}, {0.6, far, 0.0}, {0.6, 0.4, 0.01}});
+  add({{0.2, 0.2, 0.1}, {0.7, 0.2, 0.15}, {0.7, 0.8, 0.1}});
+  return mesh;
+}
+
+using Pairs = std::set<std::pair<int, int>>;
+
+Pairs nearPairs(const Sheets& sheets, std::size_t& visits) {
+  std::vector<int> all(sheets.sheets.size());
+  std::iota(all.begin(), all.end(), 0);
+  Pairs visited;
+  sheets.forNear(all, [&](int i, int j) {
+    ++visits;
+    visited.insert(std::minmax(i, j));
+  });
+  return visited;
+}
+
+/// True if two parts overlap in area and one plane explains both, without a search for near ones.
+bool inOnePlane(const Sheets& model, int i, int j) {
+  const ModelSheet &P = model.sheets[i], &Q = model.sheets[j];
+  const ModelSheet& larger = P.area > Q.area ? P : Q;
+  if (model.parted(i, j, larger.plane.N)) return false;
+  std::vector<RoundedPoint> both;
+  for (const ModelSheet* sheet : {&P, &Q})
+    for (const int c : model.corners(*sheet)) both.push_back({model.box.points[c], sheet->u});
+  return fitPlane(both, larger.plane, model.rounding, FitGoal::Explain).explains();
+}
+
+}  // namespace
+
+// A scene may be so large that a detailed object is a speck in it, down to the size of rounding. No pair of
+// faces that lies in one plane is missed.
+TEST(FarCorner, NoPairIsMissed) {
+  std::size_t joined = 0, apart = 0;
+  unsigned seed = 0;
+  for (const double share : {1e-3, 1e-6, 1e-8, 1e-10, 1e-11, 3e-12, 1e-12, 3e-13, 1e-13, 1e-14, 1e-30}) {
+    SCOPED_TRACE(share);
+    for (const double u : {0.0, 1e-4, 1.0}) {
+      SCOPED_TRACE(u);
+      Mesh mesh = sheetBesideFarCorner(34, share, seed++);
+      if (u > 0.0) mesh.rounding = {u};
+      const ConvexParts parts = divideFaces(mesh);
+      ASSERT_EQ(parts.count(), mesh.faceCount());
+      const Sheets sheets{mesh, parts};
+      std::size_t visits = 0;
+      const Pairs visited = nearPairs(sheets, visits);
+      for (int i = 0; i < parts.count(); ++i)
+        for (int j = i + 1; j < parts.count(); ++j) {
+          if (!inOnePlane(sheets, i, j)) continue;
+          ++joined;
+          ASSERT_TRUE(visited.contains({i, j})) << i << ' ' << j;
+        }
+      apart += static_cast<std::size_t>(parts.count()) * parts.count() / 2 - visited.size();
+    }
+  }
+  EXPECT_GT(joined, 1'000u);
+  EXPECT_GT(apart, 10'000'000u);
+}
+
+// The work grows with the number of faces, however large the scene is beside them. Faces that are not dust
+// are at least about delta long here, and a place reaches two roundings further on each side. So about 10 x
+// 10 faces are near, with their decals, and each pair may be visited twice.
+TEST(FarCorner, FewPairsAreCompared) {
+  for (double share = 1.0; share > 1e-20; share /= 7.0) {
+    SCOPED_TRACE(share);
+    const Mesh mesh = sheetBesideFarCorner(150, share, 5);
+    const ConvexParts parts = divideFaces(mesh);
+    std::vector<int> all(parts.count());
+    std::iota(all.begin(), all.end(), 0);
+    std::size_t visits = 0;
+    Sheets{mesh, parts}.forNear(all, [&](int, int) { ++visits; });
+    EXPECT_LT(visits, 300u * static_cast<std::size_t>(parts.count()));
+  }
+}
+
+}  // namespace xnewell
