@@ -242,8 +242,12 @@ const std::vector<Way>& extremeWays() {
                return p;
              });
            },
-       .why = [](const Start& s,
-                 double v) { return "The scene is " + shortly(v * s.size / s.pixel) + " pixels high."; }},
+       .why =
+           [](const Start& s, double v) {
+             const Box box = boxOf(s.scene.mesh.points);
+             const double high = (box.high - box.low)[s.scene.up == UpAxis::Y ? 1 : 2];
+             return "The scene is " + shortly(v * high / s.pixel) + " pixels high.";
+           }},
       {.name = "a copy in front at",
        .unit = "of its size",
        .drives = "A second copy of all faces lies in front of the first. It should hide it.",
