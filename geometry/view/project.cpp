@@ -26,6 +26,14 @@ std::int64_t doubleArea(const glm::ivec3& a, const glm::ivec3& b, const glm::ive
 /// A vertex before the snap, in pixels: divided by w.
 glm::dvec3 divided(const glm::dvec4& p) { return glm::dvec3{p} / p.w; }
 
+/// The point of the clipped volume that is nearest to a vertex that clipping made. If an edge is vastly
+/// longer than the picture, rounding may leave its end outside, or make it not a number.
+glm::dvec3 inVolume(const glm::dvec3& p, double zFront) {
+  const auto within = [](double x, double low, double high) { return std::fmax(low, std::fmin(x, high)); };
+  return {within(p.x, -kMaxPicture, kMaxPicture), within(p.y, -kMaxPicture, kMaxPicture),
+          within(p.z, 0.0, zFront)};
+}
+
 /// An outline with more corners is halved: comparing its corners would cost more than one more outline does.
 constexpr int kMostCorners = 64;
 
@@ -218,7 +226,8 @@ SnappedScene snap(const Mesh& mesh, const ConvexParts& parts, const ViewSpec& vi
                   Cull cull) {
   const glm::dmat4 screenFromVrc = screenFromCanonical(view, width, height) * canonicalFromVrc(view);
   const glm::dmat3 rotation = vrcRotation(view);
-  const std::array<ClipPlane, 6> planes = clipPlanes(frontDepth(view, width), kMaxPicture);
+  const double zFront = frontDepth(view, width);
+  const std::array<ClipPlane, 6> planes = clipPlanes(zFront, kMaxPicture);
 
   // Transform every vertex once. Divide those inside the volume by w.
   std::vector<glm::dvec4> homogeneous(mesh.points.size());
@@ -262,7 +271,7 @@ SnappedScene snap(const Mesh& mesh, const ConvexParts& parts, const ViewSpec& vi
       polygon.push_back({homogeneous[parts.corners[c]], parts.from[c]});
     clip(polygon, planes, any, scene.between);
     for (const ClipVertex& v : polygon) {
-      clippedVertices.push_back({divided(v.p), v.source});
+      clippedVertices.push_back({inVolume(divided(v.p), zFront), v.source});
       zMax = std::max(zMax, clippedVertices.back().at.z);
     }
     clipped.back().count = static_cast<int>(polygon.size());

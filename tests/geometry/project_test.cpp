@@ -149,6 +149,32 @@ TEST(Project, NeighboursShareClippedVertices) {
   EXPECT_GT(clippedEdges, 30);
 }
 
+// The window may be vastly smaller than the faces: every snapped vertex lies in the guard band and between
+// the front and the back plane.
+TEST(Project, StaysInTheGuardBand) {
+  std::mt19937 rng{7};
+  std::uniform_real_distribution<double> coordinate{-1.0, 1.0};
+  const auto point = [&] { return glm::dvec3{coordinate(rng), coordinate(rng), coordinate(rng)}; };
+  std::size_t cut = 0;
+  for (const Projection projection : {Projection::Parallel, Projection::Perspective})
+    for (double size = 1.0; size > 1e-300; size *= 1e-3)
+      for (int k = 0; k < 50; ++k) {
+        SCOPED_TRACE(size);
+        ViewSpec view = fromAbove(projection);
+        view.windowMin = {-size, -size}, view.windowMax = {size, size};
+        if (projection == Projection::Perspective) view.prp.z = 2.0 * size, view.front = size, view.back = -2;
+        const SnappedScene s = projected(triangle(point(), point(), point()), view);
+        cut += s.between.size();
+        for (const glm::ivec3& v : s.vertices) {
+          ASSERT_LE(std::abs(std::int64_t{v.x}), kMaxPicture * kGrid);
+          ASSERT_LE(std::abs(std::int64_t{v.y}), kMaxPicture * kGrid);
+          ASSERT_GE(v.z, 0);
+          ASSERT_LE(v.z, 1 << 30);
+        }
+      }
+  EXPECT_GT(cut, 1'000u);
+}
+
 // A polygon with a million corners keeps its area: rounding its corners to the grid moves the outline by at
 // most one step. Every part of it is convex and has a positive area.
 TEST(Project, MillionCorners) {
