@@ -263,7 +263,7 @@ std::vector<int> Search::within(double times) const {
   for (int k = 0; k < static_cast<int>(tried_.size()); ++k)
     if (least_ > 0 ? keeps(tried_[k], *limit_) && tried_[k].cost.time.ms <= times * least_ : true)
       all.push_back(k);
-  if (least_ == 0) {
+  if (least_ == 0 && !all.empty()) {
     const int best = *std::ranges::min_element(all, {}, errorOf);
     std::erase_if(all, [&](int k) { return errorOf(k) > kErrorTie * errorOf(best); });
   }

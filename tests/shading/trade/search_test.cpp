@@ -95,6 +95,13 @@ TEST(Search, BeginsWithWhatIsCheap) {
   }
 }
 
+// If the time did not suffice to try anything, nothing is near the limit.
+TEST(Search, MayHaveTriedNothing) {
+  Measure measure{readScene("teapot"), small()};
+  const Search search{measure, axesInReach(measure.asked()), AccuracyLimit{0.1}};
+  EXPECT_TRUE(search.within(1).empty());
+}
+
 // If nothing keeps the limit, it says what no combination had.
 TEST(Search, SaysWhatWasNeverTried) {
   Measure measure{readScene("teapot"), small()};
