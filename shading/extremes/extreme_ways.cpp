@@ -7,6 +7,7 @@
 #include <optional>
 
 #include "geometry/exact/box.h"
+#include "geometry/exact/unit.h"
 #include "geometry/model/bezier.h"
 #include "geometry/model/coplanar.h"
 #include "shading/extremes/extremes.h"
@@ -101,7 +102,7 @@ Case multiplied(const Start& start, double v) {
 Case withLayer(const Start& start, double distance) {
   return sameWith(start, [&](Case& c) {
     const Mesh& single = start.scene.mesh;
-    const glm::dvec3 nearer = distance * glm::normalize(start.camera.eye - start.camera.lookAt);
+    const glm::dvec3 nearer = distance * unit(start.camera.eye - start.camera.lookAt);
     Mesh both = single;
     const int points = static_cast<int>(single.points.size()), uvs = static_cast<int>(single.uv.size());
     for (const glm::dvec3& p : single.points) both.points.push_back(p + nearer);

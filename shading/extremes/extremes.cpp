@@ -11,6 +11,7 @@
 #include "depthsort/oracle.h"
 #include "geometry/exact/box.h"
 #include "geometry/exact/plane.h"
+#include "geometry/exact/unit.h"
 #include "shading/extremes/extreme_ways.h"
 #include "shading/picture/picture_cache.h"
 
@@ -33,9 +34,9 @@ Start startOf(const Picture& picture) {
               .size = boxOf(scene.mesh.points).side(),
               .pixel = 0,
               .target = picture.camera().lookAt,
-              .facing = glm::normalize(picture.camera().eye - picture.camera().lookAt)};
+              .facing = unit(picture.camera().eye - picture.camera().lookAt)};
   const ViewSpec& view = start.camera.view;
-  const double away = glm::length(start.camera.eye - start.camera.lookAt);
+  const double away = glm::dot(start.facing, start.camera.eye - start.camera.lookAt);
   start.pixel = (view.windowMax.y - view.windowMin.y) / settings.height *
                 (view.projection == Projection::Perspective ? away / view.prp.z : 1.0);
   const Rays rays{scene, start.camera, settings};
