@@ -27,7 +27,7 @@ struct ExtremeStep {
   std::string why = {};  ///< what explains an error at this value, with numbers
 
   [[nodiscard]] bool isWrong() const;
-  /// True if it is not wrong, but z cannot tell everywhere which face is the nearest.
+  /// True if it is not wrong, but the grid cannot tell everywhere which face is the nearest.
   [[nodiscard]] bool isDoubtful() const { return !isWrong() && seen.doubtful > 0; }
   /// True if no face shows, and rightly so.
   [[nodiscard]] bool isEmpty() const { return refused.empty() && seen.samples == 0; }

@@ -48,7 +48,8 @@ const std::array kFaults{
              }},
     FaultRow{kDoubtful, [](const ExtremeStep& s) { return s.seen.doubtful; },
              [](const ExtremeStep& s) {
-               return "a face as near as the nearest, to a step of z, at " + ofSamples(s.seen.doubtful, s);
+               return "a face as near as the nearest, to a step of the grid, at " +
+                      ofSamples(s.seen.doubtful, s);
              }},
 };
 

@@ -125,10 +125,10 @@ std::optional<Rays::Hit> Rays::hit(int face, long double x, long double y) const
   return nearest;
 }
 
-long double Rays::zApart(const Hit& a, const Hit& b, long double x, long double y) const {
-  const long double pixel = (high_.x - low_.x) / width_, slope = std::abs(glm::dot(ray(x, y).along, n_));
-  const long double D = glm::dot(prp_ - vrp_, n_), da = a.t * slope, db = b.t * slope;
-  return (perspective_ ? D * D * std::abs(1 / da - 1 / db) : std::abs(da - db)) / pixel;
+long double Rays::z(const Hit& hit, long double x, long double y) const {
+  const long double pixel = (high_.x - low_.x) / width_, D = glm::dot(prp_ - vrp_, n_);
+  const long double depth = hit.t * std::abs(glm::dot(ray(x, y).along, n_));
+  return (perspective_ ? D * D / depth : -depth) / pixel;
 }
 
 glm::dvec3 Rays::point(long double x, long double y, long double t) const {
@@ -136,13 +136,31 @@ glm::dvec3 Rays::point(long double x, long double y, long double t) const {
   return along.from + t * along.along;
 }
 
+namespace {
+
+/// The middle and the corners of a square of this half side.
+std::array<std::array<long double, 2>, 5> around(long double s) {
+  return {{{0, 0}, {s, s}, {-s, s}, {s, -s}, {-s, -s}}};
+}
+
+/// True if face `shown` may look as near as face `nearest` at (x, y), because the corners of each were moved
+/// by half a step of the grid.
+bool isDoubtful(const Rays& rays, int shown, int nearest, long double x, long double y, long double zStep) {
+  long double mine = -kInfinity, its = kInfinity;
+  for (const auto& [dx, dy] : around(0.5L / kGrid)) {
+    if (const auto hit = rays.hit(shown, x + dx, y + dy)) mine = std::max(mine, rays.z(*hit, x + dx, y + dy));
+    if (const auto hit = rays.hit(nearest, x + dx, y + dy)) its = std::min(its, rays.z(*hit, x + dx, y + dy));
+  }
+  return mine >= its - zStep;
+}
+
+}  // namespace
+
 JudgedByRays judgedByRays(const Picture& picture) {
   const int width = picture.settings().width, height = picture.settings().height;
   const Rays rays{picture.scene(), picture.camera(), picture.settings()};
   const std::vector<std::uint32_t> shown = picture.faceImage();
   const long double zStep = std::ldexp(1.0L / kGrid, picture.snapped().zShift);
-  constexpr long double s = 2.0L / kGrid;
-  constexpr std::array<std::array<long double, 2>, 5> kAround{{{0, 0}, {s, s}, {-s, s}, {s, -s}, {-s, -s}}};
   JudgedByRays judged;
   for (int j = 0; j < height; ++j)
     for (int i = 0; i < width; ++i) {
@@ -151,8 +169,7 @@ JudgedByRays judgedByRays(const Picture& picture) {
       judged.samples += face >= 0 || first;
       if (face == (first ? first->face : -1)) continue;
       double behind = 1;
-      bool doubtful = false;
-      for (const auto& [dx, dy] : kAround) {
+      for (const auto& [dx, dy] : around(2.0L / kGrid)) {
         const std::optional<Rays::Hit> near = rays.nearest(i + 0.5L + dx, j + 0.5L + dy);
         if (face < 0 || !near) {
           if (face < 0 && !near) behind = 0;
@@ -163,9 +180,9 @@ JudgedByRays judgedByRays(const Picture& picture) {
         const long double apart = mine->t - near->t;
         const bool one = apart <= mine->play + near->play + kArithmetic * std::abs(near->t);
         behind = std::min(behind, one ? 0.0 : static_cast<double>(apart / std::abs(near->t)));
-        doubtful |= rays.zApart(*mine, *near, i + 0.5L + dx, j + 0.5L + dy) <= zStep;
       }
-      if (behind > 0 && doubtful) {
+      if (behind > 0 && face >= 0 && first &&
+          isDoubtful(rays, face, first->face, i + 0.5L, j + 0.5L, zStep)) {
         ++judged.doubtful;
         continue;
       }

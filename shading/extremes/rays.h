@@ -28,9 +28,9 @@ class Rays {
   [[nodiscard]] std::optional<Hit> nearest(long double x, long double y) const;
   /// The place where the ray at (x, y) meets a face; nothing if it does not meet it.
   [[nodiscard]] std::optional<Hit> hit(int face, long double x, long double y) const;
-  /// How far apart two hits of the ray at (x, y) are in z, in pixels of the view plane, as project() measures
-  /// z: 1 / depth in perspective.
-  [[nodiscard]] long double zApart(const Hit& a, const Hit& b, long double x, long double y) const;
+  /// The z of a hit of the ray at (x, y), in pixels of the view plane, larger where it is nearer: 1 / depth
+  /// in perspective, as project() measures z, but from another zero.
+  [[nodiscard]] long double z(const Hit& hit, long double x, long double y) const;
   /// The point at t along the ray at (x, y), in world units.
   [[nodiscard]] glm::dvec3 point(long double x, long double y, long double t) const;
 
@@ -63,13 +63,13 @@ class Rays {
 /// A picture as rays judge it. A sample is wrong if it shows a face that is not the nearest. There are two
 /// exceptions. The snap may move a face by 1/65536 pixel, so a face counts as nearest if it is the nearest at
 /// a place that close. And the rounding of the file may move a plane: two planes that are no farther apart
-/// than that may show either face. A sample is doubtful, and not wrong, if the two faces are at most a step
-/// of z apart: the snap rounds the z of each by half a step.
+/// than that may show either face. A sample is doubtful, and not wrong, if rounding in the snap can let the
+/// farther face look nearer: it moves each corner by up to half a step of the grid in x, y and z.
 struct JudgedByRays {
   int samples = 0;    ///< that show a face or should show one
   int wrong = 0;      ///< that show another face than the rays, or none
   int missing = 0;    ///< those of them that show none
-  int doubtful = 0;   ///< that show another face than the rays, as near as z can tell
+  int doubtful = 0;   ///< that show another face than the rays, as near as the snap can tell
   double behind = 0;  ///< the most by which a shown face lies behind the nearest, as a share of its distance
 };
 [[nodiscard]] JudgedByRays judgedByRays(const Picture& picture);

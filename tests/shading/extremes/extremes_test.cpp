@@ -103,7 +103,7 @@ TEST(Rays, JudgeTheOrder) {
 
 // A card that hides another is doubtful, not wrong, if it lies behind by no more than a step of z. The step
 // at a distance is reckoned by hand: 1 / depth has steps of one size.
-TEST(Rays, CallDoubtfulWhatZCannotTell) {
+TEST(Rays, CallDoubtfulWhatTheGridCannotTell) {
   for (const bool parallel : {false, true}) {
     SCOPED_TRACE(parallel);
     const auto judged = [&](double gap) {
@@ -303,21 +303,22 @@ TEST(Extremes, AFindingHoldsWhatItSays) {
             "wrong at 10: a face that is not the nearest at 7 of 99 samples");
 }
 
-// What z cannot tell is called doubtful. It is explained if nothing is wrong.
+// What the grid cannot tell is called doubtful. It is explained if nothing is wrong.
 TEST(Extremes, AFindingKeepsDoubtApart) {
   EXPECT_EQ(found("rdd"),
-            "doubtful from 10 degrees on: a face as near as the nearest, to a step of z, at 5 of 99 samples");
-  EXPECT_EQ(
-      found("rdwr"),
-      "doubtful at 10 degrees: a face as near as the nearest, to a step of z, at 5 of 99 samples; wrong "
-      "at 100 degrees: a face that is not the nearest at 7 of 99 samples");
+            "doubtful from 10 degrees on: a face as near as the nearest, to a step of the grid, at 5 of 99 "
+            "samples");
+  EXPECT_EQ(found("rdwr"),
+            "doubtful at 10 degrees: a face as near as the nearest, to a step of the grid, at 5 of 99 "
+            "samples; wrong "
+            "at 100 degrees: a face that is not the nearest at 7 of 99 samples");
   EXPECT_EQ(found("ddd", "d"), "doubtful as the set-up itself, at all values");
   const ExtremeStep right = wayOf("r").steps.front(), doubtful = wayOf("d").steps.front();
   EXPECT_TRUE(doubtful.isDoubtful());
   EXPECT_FALSE(doubtful.isWrong());
-  EXPECT_EQ(
-      findingOf(doubtful),
-      "The set-up itself is doubtful: a face as near as the nearest, to a step of z, at 5 of 99 samples.");
+  EXPECT_EQ(findingOf(doubtful),
+            "The set-up itself is doubtful: a face as near as the nearest, to a step of the grid, at 5 of 99 "
+            "samples.");
   const Extreme way = wayOf("rdw"), only = wayOf("rdd"), empty = wayOf("rre");
   EXPECT_EQ(firstWrong(only, right), nullptr);
   EXPECT_EQ(firstToExplain(way, right)->why, "at 2");
