@@ -83,6 +83,7 @@ void RoundingOfNumbers::noteWhatItHolds(std::string_view number, double value, i
   const double half = 0.5 * std::pow(10.0, -decimals);
   const auto single = static_cast<float>(value);
   if (std::abs(single - value) <= half) ++single_;
+  if (std::ldexp(std::abs(value), -53) >= 32.0 * 2.0 * half) ++beyond_;
   if (std::isfinite(single) && std::ldexp(std::abs(value), -26) > half) ++finer_;
   const std::string_view mantissa = number.substr(0, number.find_first_of("eE"));
   const std::size_t last = mantissa.find_last_not_of('0');
@@ -98,6 +99,8 @@ std::string RoundingOfNumbers::doubtful() const {
     holds = "are numbers of single precision";
   else if (used_ >= kZeros && written >= used_ + kZeros - 0.5)
     holds = "have no more than " + std::to_string(used_) + " that are not 0";
+  else if (10LL * beyond_ >= 9LL * all_)
+    holds = "are so large that doubles do not hold them";
   if (holds.empty()) return "";
   return "the coordinates are written with " + std::to_string(std::lround(written)) + " decimals but " +
          holds + ": written with fewer, faces that were made in one plane would count as one plane";

@@ -40,9 +40,10 @@ class RoundingOfNumbers {
   }
   [[nodiscard]] double rounding() const;
   /// A sentence if the numbers are written with more decimals than they hold; otherwise "". They are taken at
-  /// their word, so faces that were made in one plane may count as two. It is seen in two cases, if there are
-  /// at least 24 numbers: all are numbers of single precision, or all end in three zeros after at least three
-  /// decimals. Of other numbers, such as results of arithmetic that loses digits, nothing can be seen.
+  /// their word, so faces that were made in one plane may count as two. It is seen in three cases, if there
+  /// are at least 24 numbers: all are numbers of single precision; all end in three zeros after at least
+  /// three decimals; or most have more digits than the 17 that tell doubles apart, as if they were moved far
+  /// away. Of other numbers, such as results of arithmetic that loses digits, nothing can be seen.
   [[nodiscard]] std::string doubtful() const;
 
  private:
@@ -52,6 +53,7 @@ class RoundingOfNumbers {
   int all_ = 0;
   int single_ = 0;            ///< numbers of single precision
   int finer_ = 0;             ///< numbers with more decimals than single precision holds at their size
+  int beyond_ = 0;            ///< numbers with a unit of at most 1/32 of the distance between doubles there
   int used_ = -kMaxDecimals;  ///< the most decimals up to the last digit that is not 0
   bool integers_ = false;
 };

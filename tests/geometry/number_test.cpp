@@ -124,7 +124,7 @@ TEST(Decimals, AreThoseOfTheText) {
   EXPECT_EQ(decimals("1e99999999999999999999"), -kMaxDecimals);
 }
 
-// A file that is written with more decimals than it holds is told, in the two ways in which it can be seen.
+// A file that is written with more decimals than it holds is told, in the three ways in which it can be seen.
 TEST(RoundingOfNumbers, TellsOfDecimalsThatHoldNothing) {
   const auto told = [](const char* format, const auto& value) {
     RoundingOfNumbers r;
@@ -147,6 +147,10 @@ TEST(RoundingOfNumbers, TellsOfDecimalsThatHoldNothing) {
   EXPECT_NE(told("%.9f", sixDecimals).find("9 decimals but have no more than 6 that are not 0"),
             std::string::npos);
   EXPECT_NE(told("%.6f", far), "");
+  const auto moved = [](double v) { return 1e7 + v; };
+  EXPECT_NE(told("%.15f", moved).find("15 decimals but are so large that doubles do not hold them"),
+            std::string::npos);
+  for (const char* honest : {"%.3f", "%.8f", "%.17g"}) EXPECT_EQ(told(honest, moved), "") << honest;
   for (const char* honest : {"%.3f", "%.6f", "%.12f", "%.17g"}) EXPECT_EQ(told(honest, as), "") << honest;
   for (const char* honest : {"%.4f", "%.6f"}) EXPECT_EQ(told(honest, single), "") << honest;
   EXPECT_EQ(told("%.6f", quarters), "");  // a model of round numbers
