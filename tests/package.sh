@@ -3,7 +3,7 @@
 # or of the ones named. In the first copy of a root it builds the package twice, in different folders, time
 # zones and languages, and compares the bytes; lintian and blhc look at it. In the second copy it installs the
 # package, runs the program, purges the package and compares all files with those of before; then autopkgtest
-# tries the installed program on X servers of depth 8 and 24.
+# tries the installed program on X servers of depth 8 and 24, and builds the example with the library.
 # The packages and all logs are in build/package-RELEASE. Exit status as that of tests/front_door.sh.
 set -euo pipefail
 source "$(dirname "$(readlink -f "${BASH_SOURCE[0]}")")/bare_roots.sh"
@@ -36,7 +36,8 @@ build_twice() {
   for file in "$copy"/root/package/*.deb; do
     step same-bytes cmp "$file" "$copy$there/package/${file##*/}" || return
   done
-  cp "$copy"/root/package/xnewell_* "$results" && cp "$copy/root/package/build.log" "$results/compiler.log"
+  find "$copy/root/package" -maxdepth 1 -name '*xnewell*_*' ! -name '*-dbgsym_*' -exec cp -t "$results" {} + &&
+    cp "$copy/root/package/build.log" "$results/compiler.log"
 }
 
 # Prints each file of a root with its kind and its contents, except for what belongs to apt and dpkg.
@@ -48,8 +49,8 @@ files_of() {
 
 install_and_purge() {
   local copy=$1
-  files_of "$copy" >"$results/files-before" && cp "$results"/xnewell_*_*.deb "$copy/tmp/" || return
-  step install inside "$copy" sh -c 'apt-get install -y --no-install-recommends /tmp/xnewell_*.deb' || return
+  files_of "$copy" >"$results/files-before" && cp "$results"/*.deb "$copy/tmp/" || return
+  step install inside "$copy" sh -c 'apt-get install -y --no-install-recommends /tmp/*.deb' || return
   # shellcheck disable=SC2016
   step run inside "$copy" sh -ec '
     cd /
@@ -58,10 +59,14 @@ install_and_purge() {
     xnewell draw textured-cube -o /tmp/cube.png
     xnewell lesson cycles --frames /tmp/lesson
     xnewell scenes
-    dpkg-query -W -f "\${Installed-Size} KiB installed; depends on \${Depends}\n" xnewell' || return
-  tail -1 "$results/run.log"
-  step remove inside "$copy" apt-get remove -y xnewell || return
-  step purge inside "$copy" sh -ec 'apt-get purge -y xnewell && apt-get autoremove --purge -y' || return
+    for package in xnewell libxnewell-dev; do
+      dpkg-query -W -f "\${Package}: \${Installed-Size} KiB installed; depends on \${Depends}\n" "$package"
+    done' || return
+  tail -n 2 "$results/run.log"
+  step remove inside "$copy" apt-get remove -y xnewell libxnewell-dev || return
+  step purge inside "$copy" sh -ec '
+    dpkg --purge xnewell libxnewell-dev
+    apt-get autoremove --purge -y' || return
   files_of "$copy" >"$results/files-after" || return
   step nothing-left diff "$results/files-before" "$results/files-after" || return
   [[ -z $(find "$copy" -xdev -path "$copy/tmp" -prune -o -iname '*xnewell*' -print) ]]
@@ -71,9 +76,9 @@ autopkgtests() {
   local copy=$1
   step autopkgtest-install inside "$copy" sh -c '
     DEBIAN_FRONTEND=noninteractive apt-get install -y --no-install-recommends autopkgtest dpkg-dev' || return
-  cp "$results"/xnewell_* "$copy/tmp/" || return
+  cp "$results"/*xnewell*_* "$copy/tmp/" || return
   step autopkgtest inside "$copy" sh -c '
-    cd /tmp && autopkgtest --no-built-binaries xnewell_*.deb xnewell_*.dsc -- null'
+    cd /tmp && autopkgtest --no-built-binaries *.deb xnewell_*.dsc -- null'
 }
 
 check_package() {

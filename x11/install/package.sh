@@ -9,7 +9,7 @@ debian=$root/x11/install/debian
 folder=$(realpath -m "${1:-$root/build/package}")
 mapfile -t needed < <(sed -n '/^Build-Depends:/,/^[^ B]/s/^ \([a-z0-9+.-]*\).*/\1/p' "$debian/control" |
   sed 's/^debhelper-compat$/debhelper/')
-need dpkg-dev fakeroot g++ git xz-utils "${needed[@]}"
+need build-essential fakeroot git xz-utils "${needed[@]}"
 
 # debian/ belongs at the top of the source package. In the project it stands with the rest of the install.
 version=$(sed -n '1s/.*(\(.*\)-.*/\1/p' "$debian/changelog")
