@@ -10,6 +10,7 @@
 
 #include "geometry/exact/scale.h"
 #include "geometry/files/bpt.h"
+#include "geometry/files/data_folder.h"
 #include "geometry/files/obj.h"
 #include "geometry/files/parse_error.h"
 #include "geometry/model/bezier.h"
@@ -22,14 +23,12 @@ namespace xnewell {
 
 namespace {
 
-const std::filesystem::path kData{XNEWELL_DATA_DIR};
-
 /// The file of a built-in scene; empty if the name is not one. Built-in names are plain words, with no folder
 /// and no extension.
 std::filesystem::path fileOfBuiltIn(const std::string& name) {
-  if (name == "teapot") return kData / "teapot.bpt";
+  if (name == "teapot") return dataFolder() / "teapot.bpt";
   if (name.empty() || name.find_first_of("./") != std::string::npos) return {};
-  const std::filesystem::path file = kData / "scenes" / (name + ".json");
+  const std::filesystem::path file = dataFolder() / "scenes" / (name + ".json");
   return std::filesystem::exists(file) ? file : std::filesystem::path{};
 }
 
@@ -109,7 +108,7 @@ std::vector<glm::dvec3> exactNormals(const Scene& scene) {
 
 std::vector<BuiltInScene> builtInScenes() {
   std::vector<BuiltInScene> scenes;
-  for (const auto& entry : std::filesystem::directory_iterator{kData / "scenes"})
+  for (const auto& entry : std::filesystem::directory_iterator{dataFolder() / "scenes"})
     if (entry.path().extension() == ".json")
       scenes.push_back({entry.path().stem().string(), sentenceOf(entry.path())});
   std::ranges::sort(scenes, {}, &BuiltInScene::name);

@@ -7,9 +7,6 @@
 
 namespace xnewell {
 
-/// The exit statuses that the program promises: success, an error outside our control, wrong input, SIGINT.
-enum Status { kDone = 0, kOutside = 1, kWrong = 2, kInterrupted = 130 };
-
 /// On a terminal, shows what is being done for as long as it lasts. Silent anywhere else.
 class Doing {
  public:

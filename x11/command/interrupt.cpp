@@ -5,6 +5,7 @@
 #include <csignal>
 
 #include "x11/command/doing.h"
+#include "x11/options/exit_status.h"
 
 namespace xnewell {
 

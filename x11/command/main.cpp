@@ -32,6 +32,7 @@
 #include "x11/command/trace.h"
 #include "x11/command/write_frames.h"
 #include "x11/command/write_lesson.h"
+#include "x11/options/exit_status.h"
 #include "x11/options/options.h"
 #include "x11/views/views.h"
 #include "x11/visual/x11_error.h"

@@ -10,6 +10,7 @@
 #include "x11/command/doing.h"
 #include "x11/command/extremes_report.h"
 #include "x11/command/interrupt.h"
+#include "x11/options/exit_status.h"
 #include "x11/views/extremes_chart.h"
 
 namespace xnewell {

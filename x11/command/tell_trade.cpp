@@ -17,6 +17,7 @@
 #include "x11/command/doing.h"
 #include "x11/command/interrupt.h"
 #include "x11/command/trade_report.h"
+#include "x11/options/exit_status.h"
 #include "x11/views/trade_chart.h"
 
 namespace xnewell {

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "geometry/files/data_folder.h"
 #include "geometry/files/text_file.h"
 #include "shading/scene/json_text.h"
 #include "x11/lessons/lesson_facts.h"
@@ -13,8 +14,6 @@ namespace {
 
 constexpr std::size_t kLongestHeading = 26;  // letters of Voice::Title in a column of 320 pixels
 constexpr int kMostSteps = 12;               // dots
-
-const std::filesystem::path kLessons = std::filesystem::path{XNEWELL_DATA_DIR} / "lessons";
 
 /// Reads words with placeholders.
 std::string readWords(const Node& node) {
@@ -117,7 +116,7 @@ Lesson readLesson(const std::filesystem::path& file) {
 
 std::vector<LessonEntry> builtInLessons() {
   std::vector<LessonEntry> lessons;
-  for (const auto& found : std::filesystem::directory_iterator{kLessons}) {
+  for (const auto& found : std::filesystem::directory_iterator{dataFolder() / "lessons"}) {
     if (found.path().extension() != ".json") continue;
     const std::string name = found.path().string();
     LessonEntry entry = readEntry(JsonText{readTextFile(found.path()), name}.root());

@@ -4,14 +4,17 @@ namespace xnewell {
 
 namespace {
 
+struct ObliqueRow {
+  std::string_view name;
+  double length;
+};
+constexpr std::array kObliques{ObliqueRow{"cavalier", 1.0}, ObliqueRow{"cabinet", 0.5}};
+
 Oblique parseOblique(const std::string& text) {
   const std::size_t colon = text.find(':');
-  const std::string kind = text.substr(0, colon);
-  Oblique oblique;
-  if (kind == "cabinet")
-    oblique.length = 0.5;
-  else if (kind != "cavalier")
-    refuse("--oblique", text, "cavalier or cabinet, optionally followed by :ANGLE");
+  const auto* const row = std::ranges::find(kObliques, text.substr(0, colon), &ObliqueRow::name);
+  if (row == kObliques.end()) refuse("--oblique", text, "cavalier or cabinet, optionally followed by :ANGLE");
+  Oblique oblique{.length = row->length};
   if (colon != std::string::npos)
     oblique.angle = numbers("--oblique", text.substr(colon + 1), 1, "an angle in degrees")[0];
   return oblique;
@@ -39,6 +42,7 @@ void addCamera(Reader& r, CameraSettings& camera) {
          });
   r.text("--oblique", "oblique projection: cavalier or cabinet, optionally followed by :ANGLE", "angle 45",
          [&](const std::string& text) { camera.oblique = parseOblique(text); });
+  r.proposes("--oblique", kObliques);
   r.point("--vrp", "the textbook's view reference point", "the look-at point",
           [&](glm::dvec3 p) { camera.vrp = p; });
   r.point("--vpn", "view plane normal", "from the reference point to the eye",
@@ -78,6 +82,7 @@ void addEffects(Reader& r, Options& o) {
            if (row == kTables.end()) refuse("--store", s, "one of " + tables);
            o.effects.stored = row->id;
          });
+  r.proposes("--store", kTables);
   r.number("--turn", o.effects.hueTurn, -360, 360, "turn the hue of all stored colours by degrees");
   r.number("--gamma", o.effects.gamma, kLeastGamma, kMostGamma,
            "store v^(1/gamma) for v, for a screen that shows v^gamma");

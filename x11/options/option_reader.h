@@ -4,9 +4,12 @@
 #include <algorithm>
 #include <cmath>
 #include <functional>
+#include <map>
 #include <string>
+#include <vector>
 
 #include "shading/scene/settings.h"
+#include "x11/options/option_rows.h"
 #include "x11/options/options.h"
 #include "x11/options/read_value.h"
 
@@ -34,6 +37,7 @@ class Reader {
         row.initially.empty() ? textOf(row, row.field.get(settings)) : std::string{row.initially};
     text(name, help, initially,
          [&row, &settings](const std::string& given) { row.field.set(settings, valueOf(row, given)); });
+    for (const Choice& choice : row.field.choices) words_[name].emplace_back(choice.name);
   }
   /// Adds a number in [low, high]. `initially` is its default in words, if it is not the number's own.
   template <class Number>
@@ -63,6 +67,7 @@ class Reader {
       all += (all.empty() ? "" : ", ") + std::string{row.name};
       if (row.id == target) initially = row.name;
     }
+    proposes(name, rows);
     text(name, help + ": " + all, initially, [=, &rows, &target](const std::string& given) {
       const auto row = std::ranges::find(rows, given, [](const auto& r) { return r.name; });
       if (row == rows.end()) refuse(name, given, "one of " + all);
@@ -71,6 +76,8 @@ class Reader {
   }
   /// Adds the name of a `what`, such as a file. The name must not be empty.
   void named(const std::string& name, std::string& target, const std::string& what, const std::string& help) {
+    if (what == "file") takes(name, Takes::File);
+    if (what == "folder") takes(name, Takes::Folder);
     text(name, help, "", [=, &target](const std::string& given) {
       if (given.empty()) throw UsageError{name + ": the " + what + "'s name is empty"};
       target = given;
@@ -85,9 +92,19 @@ class Reader {
   void flag(const std::string& name, bool& target, const std::string& help) {
     app_.add_flag(name, target, help)->disable_flag_override();
   }
+  /// Says that the value of an option is the name of a file or of a folder.
+  void takes(const std::string& name, Takes what) { takes_[name] = what; }
+  /// Says that the value of an option may be the name of one of these rows.
+  void proposes(const std::string& name, const auto& rows) {
+    for (const auto& row : rows) words_[name].emplace_back(row.name);
+  }
+  /// The options so far, in the order of --help.
+  [[nodiscard]] std::vector<OptionRow> rows() const;
 
  private:
   CLI::App& app_;
+  std::map<std::string, Takes> takes_;
+  std::map<std::string, std::vector<std::string>> words_;
 };
 
 /// Adds the options of the camera.

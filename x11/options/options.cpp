@@ -11,7 +11,9 @@
 #include <vector>
 
 #include "geometry/files/text_file.h"
+#include "x11/options/exit_status.h"
 #include "x11/options/option_reader.h"
+#include "x11/options/option_rows.h"
 #include "x11/options/options_check.h"
 #include "x11/options/read_value.h"
 
@@ -73,7 +75,7 @@ Command takeCommand(std::vector<std::string>& arguments) {
 }
 
 /// Says in our words what CLI11 found wrong.
-[[noreturn]] void refuse(const CLI::App& app, const Options& o, const CLI::ParseError& e) {
+[[noreturn]] void complain(const CLI::App& app, const Options& o, const CLI::ParseError& e) {
   if (e.get_exit_code() == static_cast<int>(CLI::ExitCodes::ExtrasError)) {
     std::vector<std::string> extra = app.remaining();
     std::erase(extra, "--");
@@ -93,6 +95,21 @@ Command takeCommand(std::vector<std::string>& arguments) {
   throw UsageError{e.what()};
 }
 
+/// ".obj, .bpt, .json"
+std::string kindsOfScenes() {
+  std::string all;
+  for (const std::string_view kind : kSceneFiles) all += (all.empty() ? "" : ", ") + std::string{kind};
+  return all;
+}
+
+/// "0 done, 1 ..."
+std::string exitStatuses() {
+  std::string all;
+  for (const StatusRow& row : kStatuses)
+    all += (all.empty() ? "" : ", ") + std::to_string(row.id) + " " + std::string{row.means};
+  return all;
+}
+
 /// CLI11 prints one usage line; this prints one for each command.
 class Help : public CLI::Formatter {
   std::string make_usage(const CLI::App*, std::string) const override {
@@ -102,11 +119,13 @@ class Help : public CLI::Formatter {
       usage +=
           std::string(row.usage.size() < 40 ? 40 - row.usage.size() : 1, ' ') + std::string{row.does} + "\n";
     }
-    return usage +
-           "\nSCENE is a file (.obj, .bpt, .json) or a built-in name (`xnewell scenes`).\n"
+    return usage + "\nSCENE is a file (" + kindsOfScenes() +
+           ") or a built-in name (`xnewell scenes`).\n"
            "Defaults are in [ ]; a scene file may set others.\n";
   }
 };
+
+bool isView(std::string_view name) { return std::ranges::find(kViews, name, &ViewRow::name) != kViews.end(); }
 
 /// The names of all views of draw, snapshot and the window, each once.
 std::string viewNames() {
@@ -114,8 +133,7 @@ std::string viewNames() {
   for (const ViewRow& row : kViews) all += (all.empty() ? "" : ", ") + std::string{row.name};
   all += "; in a window";
   for (const WindowViewRow& row : kWindowViews)
-    if (std::ranges::find(kViews, row.option, &ViewRow::name) == kViews.end())
-      all += (all.ends_with("window") ? " " : ", ") + std::string{row.option};
+    if (!isView(row.option)) all += (all.ends_with("window") ? " " : ", ") + std::string{row.option};
   return all;
 }
 
@@ -154,29 +172,15 @@ void settle(Options& o) {
   light.form = Form::HalfVector;
 }
 
-}  // namespace
-
-std::optional<Options> parseOptions(int argc, const char* const* argv, const PictureSettings& initially) {
-  std::vector<std::string> arguments(argv + 1, argv + argc);
-  Options o;
-  o.picture = initially;
-  const std::size_t words = arguments.size();
-  o.command = takeCommand(arguments);
-  o.commandMeant = !arguments.empty() && arguments.size() == words && !arguments.front().starts_with('-');
-
-  CLI::App app{"xnewell: shading and hidden surfaces through real X11 colormaps"};
-  app.formatter(std::make_shared<Help>());
-  app.footer(
-      "In the window, `?` shows all keys. Exit status: 0 done, 1 a file or the server failed, 2 wrong usage "
-      "or "
-      "bad\n"
-      "contents, 130 interrupted.");
-
-  Reader r{app};
+/// Adds all options, in the order of --help. The reader writes what they say into `o`.
+void addOptions(CLI::App& app, Reader& r, Options& o) {
+  app.set_help_flag("-h,--help", "print this help");
+  app.set_version_flag("--version", "xnewell " XNEWELL_VERSION, "print the version");
   app.add_option_function<std::string>(
          "scene", [&](const std::string& s) { o.scene = s; }, "SCENE [teapot, in a window only]")
       ->type_name("");
   r.text("-o,--output", "the PNG file to write", "", [&](const std::string& s) { o.output = s; });
+  r.takes("--output", Takes::File);
   r.text("--size", "picture or window size WxH, at most 8192x8192",
          "800x600, a window 1024x768, extremes 160x120",
          [&](const std::string& s) { o.size = parseSize(s); });
@@ -196,6 +200,9 @@ std::optional<Options> parseOptions(int argc, const char* const* argv, const Pic
   r.text("--view", "what to show: " + viewNames(), o.viewName, [&](const std::string& s) {
     if (!takeView(o, s)) refuse("--view", s, viewNames());
   });
+  r.proposes("--view", kViews);
+  for (const WindowViewRow& row : kWindowViews)
+    if (!isView(row.option)) r.proposes("--view", std::array{Choice{row.option, {}, {}}});
   r.text("--scanline", "the row of the picture that --view machbands follows, from 0 at its top",
          "the middle row, or the row that shows most if nothing shows there", [&](const std::string& s) {
            const std::string expected = "a whole number from 0 to " + std::to_string(kMaxPicture - 1);
@@ -242,6 +249,45 @@ std::optional<Options> parseOptions(int argc, const char* const* argv, const Pic
       "--frames", o.frames, "folder",
       "trace: write numbered pictures into this folder instead of lines; it must not hold any frames yet");
   r.choice("--every", kEvery, o.every, "trace: the steps that --frames draws");
+}
+
+}  // namespace
+
+std::vector<OptionRow> Reader::rows() const {
+  std::vector<OptionRow> rows;
+  for (const CLI::Option* option : app_.get_options()) {
+    if (option->get_lnames().empty()) continue;  // SCENE
+    OptionRow row{.name = option->get_name(), .letter = {}, .does = option->get_description()};
+    if (!option->get_snames().empty()) row.letter = "-" + option->get_snames().front();
+    if (option->get_items_expected_max() > 0) row.takes = Takes::Text;
+    if (const auto what = takes_.find(row.name); what != takes_.end()) row.takes = what->second;
+    if (const auto words = words_.find(row.name); words != words_.end()) row.words = words->second;
+    rows.push_back(std::move(row));
+  }
+  return rows;
+}
+
+std::vector<OptionRow> optionRows() {
+  CLI::App app;
+  Options options;
+  Reader reader{app};
+  addOptions(app, reader, options);
+  return reader.rows();
+}
+
+std::optional<Options> parseOptions(int argc, const char* const* argv, const PictureSettings& initially) {
+  std::vector<std::string> arguments(argv + 1, argv + argc);
+  Options o;
+  o.picture = initially;
+  const std::size_t words = arguments.size();
+  o.command = takeCommand(arguments);
+  o.commandMeant = !arguments.empty() && arguments.size() == words && !arguments.front().starts_with('-');
+
+  CLI::App app{"xnewell: " + std::string{kAbout}};
+  app.formatter(std::make_shared<Help>());
+  app.footer("In the window, `?` shows all keys.\nExit status: " + exitStatuses() + ".");
+  Reader reader{app};
+  addOptions(app, reader, o);
 
   try {
     std::ranges::reverse(arguments);  // CLI11 takes them in reverse order
@@ -249,8 +295,11 @@ std::optional<Options> parseOptions(int argc, const char* const* argv, const Pic
   } catch (const CLI::CallForHelp&) {
     std::cout << app.help();
     return std::nullopt;
+  } catch (const CLI::CallForVersion& version) {
+    std::cout << version.what() << '\n';
+    return std::nullopt;
   } catch (const CLI::ParseError& e) {
-    refuse(app, o, e);
+    complain(app, o, e);
   }
   for (const CLI::Option* option : app.parse_order()) {
     o.given.push_back(option->get_name());

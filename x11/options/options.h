@@ -97,7 +97,7 @@ struct UsageError : std::runtime_error {
 };
 
 /// `initially` holds the settings of a picture without any option: the program's defaults, or what a scene
-/// asks for. Returns nothing if it printed --help and there is no more to do.
+/// asks for. Returns nothing if it printed --help or --version and there is no more to do.
 /// @throws UsageError
 [[nodiscard]] std::optional<Options> parseOptions(int argc, const char* const* argv,
                                                   const PictureSettings& initially = {});

@@ -1,0 +1,21 @@
+#pragma once
+
+#include <array>
+#include <string_view>
+
+namespace xnewell {
+
+/// The exit status of the program.
+enum Status { kDone = 0, kOutside = 1, kWrong = 2, kInterrupted = 130 };
+struct StatusRow {
+  Status id;
+  std::string_view means;
+};
+inline constexpr std::array kStatuses{
+    StatusRow{kDone, "done"},
+    StatusRow{kOutside, "a file or the server failed"},
+    StatusRow{kWrong, "wrong usage or bad contents"},
+    StatusRow{kInterrupted, "interrupted"},
+};
+
+}  // namespace xnewell

@@ -1,0 +1,28 @@
+#pragma once
+
+#include <array>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace xnewell {
+
+/// The rows of --help. The man page and the completions of the shells are made from them.
+
+inline constexpr std::string_view kAbout = "shading and hidden surfaces through real X11 colormaps";
+
+/// The names of scene files end with one of these.
+inline constexpr std::array<std::string_view, 3> kSceneFiles{".obj", ".bpt", ".json"};
+
+/// What follows an option.
+enum class Takes { Nothing, Text, File, Folder };
+struct OptionRow {
+  std::string name, letter;  ///< "--output", and "-o" or ""
+  std::string does;          ///< the default at its end in [ ]
+  Takes takes = Takes::Nothing;
+  std::vector<std::string> words = {};  ///< the words that its text may be, or may begin with; else empty
+};
+/// In the order of --help.
+[[nodiscard]] std::vector<OptionRow> optionRows();
+
+}  // namespace xnewell
