@@ -79,6 +79,37 @@ TEST(Rooms, UseWhatTheReadmeSays) {
   EXPECT_EQ(stated.size(), actual.size());
 }
 
+// Keys and controls belong to the kit. Elsewhere no code tells keys apart, tests a list of them, or draws the
+// parts of a control: views give the kit rows.
+TEST(Rooms, KeysAndControlsBelongToTheKit) {
+  struct Rule {
+    const char* pattern;
+    Names allowed;  ///< files where it means something else
+  };
+  const std::vector<Rule> rules{
+      {R"(case '[^']+':)", {}},
+      {R"("[^" ]{4,}"\}?\.find(_first_of)?\(|\.find(_first_of)?\((key|letter)\b)", {}},
+      {R"(\b(key|event)\.letter\b)", {"x11/app/workbench.cpp"}},  // a letter of a typed text
+      {R"(\b(drawOptions|optionFrames|drawToggle|drawNumber)\()", {}},
+      {R"(\bdrawTrack\()", {"x11/stepper/sort_controls.cpp"}},  // the speed has words beside its track
+  };
+  int files = 0;
+  for (const char* const room : {"window", "views", "sides", "trade", "stepper", "lessons", "app"})
+    for (const auto& entry :
+         std::filesystem::directory_iterator{std::string{XNEWELL_DATA_DIR} + "/../x11/" + room}) {
+      const std::string path = std::string{"x11/"} + room + '/' + entry.path().filename().string();
+      if (!path.ends_with(".cpp") && !path.ends_with(".h")) continue;
+      ++files;
+      const std::string text = documentOf(path);
+      for (const Rule& rule : rules) {
+        if (!rule.allowed.contains(path)) {
+          EXPECT_THAT(matches(text, rule.pattern), testing::IsEmpty()) << path;
+        }
+      }
+    }
+  EXPECT_GT(files, 80);
+}
+
 // The README is short enough to be read.
 TEST(Readme, HasAtMost150Lines) {
   const std::string text = documentOf("README.md");

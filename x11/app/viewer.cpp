@@ -8,6 +8,7 @@
 #include <unistd.h>
 
 #include <algorithm>
+#include <array>
 #include <csignal>
 #include <iostream>
 #include <utility>
@@ -217,64 +218,65 @@ class Viewer {
     return 0;
   }
 
+  /// Calls the handler of the event's type.
   void handle(XEvent& event) {
-    switch (event.type) {
-      case Expose: {
-        const XExposeEvent& e = event.xexpose;
-        canvas_.expose({e.x, e.y, e.width, e.height});
-        break;
-      }
-      case ConfigureNotify:
-        resized(event.xconfigure.width, event.xconfigure.height);
-        break;
-      case DestroyNotify:
-        endWithoutWindow();
-      case MapNotify:
-      case FocusIn:
-        server_.colormap.installUnlessManaged();
-        break;
-      case EnterNotify:
-        pointerInside_ = true;
-        server_.colormap.installUnlessManaged();
-        break;
-      case LeaveNotify:
-        pointerInside_ = false;
-        break;
-      case ColormapNotify:
-        // If another program installs its map while the pointer is in our window, we take the screen back. If
-        // the pointer is elsewhere, the map of that window should be installed; two programs that both
-        // insisted would never stop.
-        if (event.xcolormap.state == ColormapUninstalled && pointerInside_)
-          server_.colormap.installUnlessManaged();
-        break;
-      case KeyPress:
-        if (const std::optional<Key> key = keyOf(event.xkey)) bench_.press(*key);
-        break;
-      case KeyRelease:
-        if (const std::optional<Key> key = keyOf(event.xkey)) bench_.release(key->letter);
-        break;
-      case FocusOut:  // a key released in another window sends us no event
-        bench_.release('h');
-        break;
-      case ButtonPress:
-        pressed(event.xbutton);
-        break;
-      case ButtonRelease:
-        if (event.xbutton.button == Button1 && std::exchange(dragging_, false)) bench_.settle();
-        break;
-      case MotionNotify:
-        moved(event.xmotion);
-        break;
-      case ClientMessage:
-        if (canvas_.isCloseRequest(event)) bench_.askToQuit();
-        break;
-      case MappingNotify:
-        XRefreshKeyboardMapping(&event.xmapping);
-        break;
-      default:
-        break;
-    }
+    using Handler = void (Viewer::*)(XEvent&);
+    static const auto handlers = [] {
+      std::array<Handler, LASTEvent> of{};
+      of[Expose] = &Viewer::exposed;
+      of[ConfigureNotify] = &Viewer::configured;
+      of[DestroyNotify] = &Viewer::destroyed;
+      of[MapNotify] = of[FocusIn] = &Viewer::cameToFront;
+      of[FocusOut] = &Viewer::lostFocus;
+      of[EnterNotify] = of[LeaveNotify] = &Viewer::crossed;
+      of[ColormapNotify] = &Viewer::colormapChanged;
+      of[KeyPress] = of[KeyRelease] = &Viewer::key;
+      of[ButtonPress] = &Viewer::pressed;
+      of[ButtonRelease] = &Viewer::released;
+      of[MotionNotify] = &Viewer::moved;
+      of[ClientMessage] = &Viewer::message;
+      of[MappingNotify] = &Viewer::keyboardChanged;
+      return of;
+    }();
+    if (event.type < 0 || event.type >= LASTEvent) return;  // of an extension
+    if (const Handler handler = handlers[event.type]) (this->*handler)(event);
   }
+
+  void exposed(XEvent& event) {
+    const XExposeEvent& e = event.xexpose;
+    canvas_.expose({e.x, e.y, e.width, e.height});
+  }
+  void configured(XEvent& event) { resized(event.xconfigure.width, event.xconfigure.height); }
+  void destroyed(XEvent&) { endWithoutWindow(); }
+  void cameToFront(XEvent&) { server_.colormap.installUnlessManaged(); }
+  /// A key released in another window sends us no event.
+  void lostFocus(XEvent&) { bench_.release('h'); }
+  void crossed(XEvent& event) {
+    pointerInside_ = event.type == EnterNotify;
+    if (pointerInside_) server_.colormap.installUnlessManaged();
+  }
+  /// If another program installs its map while the pointer is in our window, we take the screen back. If the
+  /// pointer is elsewhere, the map of that window should be installed; two programs that both insisted would
+  /// never stop.
+  void colormapChanged(XEvent& event) {
+    if (event.xcolormap.state == ColormapUninstalled && pointerInside_)
+      server_.colormap.installUnlessManaged();
+  }
+  void key(XEvent& event) {
+    const std::optional<Key> key = keyOf(event.xkey);
+    if (!key) return;
+    if (event.type == KeyPress)
+      bench_.press(*key);
+    else
+      bench_.release(key->letter);
+  }
+  void released(XEvent& event) {
+    if (event.xbutton.button == Button1 && std::exchange(dragging_, false)) bench_.settle();
+  }
+  void message(XEvent& event) {
+    if (canvas_.isCloseRequest(event)) bench_.askToQuit();
+  }
+  void keyboardChanged(XEvent& event) { XRefreshKeyboardMapping(&event.xmapping); }
 
   void resized(int width, int height) {
     const int w = std::clamp(width, 1, kMaxPicture), h = std::clamp(height, 1, kMaxPicture);
@@ -286,14 +288,16 @@ class Viewer {
     }
   }
 
-  void pressed(const XButtonEvent& e) {
+  void pressed(XEvent& event) {
     constexpr double kWheelStep = 1.1;
+    const XButtonEvent& e = event.xbutton;
     if (e.button == Button4) bench_.wheel(e.x, e.y, kWheelStep);
     if (e.button == Button5) bench_.wheel(e.x, e.y, 1.0 / kWheelStep);
     if (e.button == Button1) dragging_ = bench_.grab(e.x, e.y);
   }
 
-  void moved(const XMotionEvent& e) {
+  void moved(XEvent& event) {
+    const XMotionEvent& e = event.xmotion;
     if (dragging_)
       bench_.dragTo(e.x, e.y);
     else

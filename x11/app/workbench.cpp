@@ -43,12 +43,12 @@ Workbench::Workbench(Scene scene, const Setup& setup, Server server)
     : work_{std::move(scene), setup}, server_{std::move(server)} {
   fit(this->scene(), setup);
   const auto at = [this](WindowView view) -> auto& { return benches_[static_cast<std::size_t>(view)]; };
-  at(WindowView::Picture) = std::make_unique<PictureBench>(*this, keys_, [this] { return subject(); });
+  at(WindowView::Picture) = std::make_unique<PictureBench>(*this, [this] { return subject(); });
   auto stepper = std::make_unique<SortBench>(*this);
   stepper_ = stepper.get();
   at(WindowView::DepthSort) = std::move(stepper);
   at(WindowView::Colors) = std::make_unique<ColorsBench>(*this);
-  at(WindowView::MachBands) = std::make_unique<MachBench>(*this, keys_, [this] { return subject(); });
+  at(WindowView::MachBands) = std::make_unique<MachBench>(*this, [this] { return subject(); });
   auto sides = std::make_unique<SideBench>(
       *this, [this] { return subject(); }, [this] { return mostShades_; });
   sides_ = sides.get();
@@ -122,55 +122,60 @@ void Workbench::press(const Key& key) {
   if (key.letter != 'q') warned_ = false;
   if (question_) return answer(key);
   if (help_ && key.letter != '?') {  // the list of keys closes, so that the user sees what the key does
-    pressLetter('?');
+    help_ = false;
     if (key.name == NamedKey::Escape) return;
   }
-  if (bench().press(key, work_.setup)) return;
-  if (key.name == NamedKey::Escape && visitsFromLesson()) return switchTo(WindowView::Lesson);
-  if (key.name == NamedKey::Letter &&
-      std::string_view{"uUrwe?q1234567"}.find(key.letter) != std::string_view::npos)
-    return pressLetter(key.letter);
-  const Setup before = work_.setup;
-  keys_.press(key, bench().sharedKeys(), before, subject(), *this);
+  if (bench().press(key) || pressIn(generalKeys(), key, *this)) return;
+  notify(nameOf(key) + " does nothing here; ? lists all keys.");
 }
 
-/// Does what a letter does in all views. Buttons call this to do the same as their keys.
-void Workbench::pressLetter(char letter) {
-  for (const WindowViewRow& row : kWindowViews)
-    if (row.key == letter) return switchTo(row.id);
-  const auto restore = [this](std::vector<Setup>& from, std::vector<Setup>& to, const char* what) {
-    if (from.empty())
-      return notify(std::string{"There is nothing to "} + what +
-                    (!shown_ || shown_->colors.effects == PaletteEffects{}
-                         ? " here."
-                         : " here; Esc restores the stored colours."));
-    to.push_back(std::exchange(work_.setup, from.back()));
-    from.pop_back();
-    work_.lastChanged = 0;
+KeyTable Workbench::keys() {
+  KeyTable table = bench().keys();
+  append(table, generalKeys());
+  return table;
+}
+
+KeyTable Workbench::generalKeys() {
+  KeyTable table;
+  const auto add = [&](char letter, const char* legend, const char* does, auto act) {
+    table.push_back({{letter}, legend, does, [act](const Key&) { act(); }});
   };
-  switch (letter) {
-    case 'q':
-      if (isSaved() || std::exchange(warned_, true))
-        quit_ = true;
-      else
-        notify("Changes since " + work_.file + " are not saved: press w to save, or q again to quit.");
-      return;
-    case '?':
-      help_ = !help_;
-      return;
-    case 'w':
-      return askToSave();
-    case 'e':
-      return askToOpen();
-    case 'u':
-      return restore(work_.undo, work_.redo, "undo");
-    case 'U':
-      return restore(work_.redo, work_.undo, "redo");
-    case 'r':
-      return change('r', [this](Setup& s) { s = work_.defaults; });
-    default:
-      keys_.press({NamedKey::Letter, letter}, allControls(), Setup{work_.setup}, subject(), *this);
-  }
+  if (visitsFromLesson())
+    table.push_back({{NamedKey::Escape}, "the lesson", "go back to the lesson", [this](const Key&) {
+                       switchTo(WindowView::Lesson);
+                     }});
+  const char* const undoes = "undo, redo";
+  add('u', "undo", undoes, [this] { undo(); });
+  add('U', "", undoes, [this] { restore(work_.redo, work_.undo, "redo"); });
+  add('r', "reset", "reset everything", [this] { change('r', [this](Setup& s) { s = work_.defaults; }); });
+  add('w', "save", "save the set-up as a scene file", [this] { askToSave(); });
+  add('e', "", "open a scene", [this] { askToOpen(); });
+  for (const WindowViewRow& row : kWindowViews)
+    add(row.key, "", "the views; or click their names", [this, id = row.id] { switchTo(id); });
+  add('q', "quit", "quit", [this] { quit(); });
+  add('?', "all keys", "open this list, close it", [this] { help_ = !help_; });
+  return table;
+}
+
+/// Buttons call this to do the same as their keys.
+void Workbench::pressLetter(char letter) { (void)pressIn(keys(), letter, *this); }
+
+void Workbench::quit() {
+  if (isSaved() || std::exchange(warned_, true))
+    quit_ = true;
+  else
+    notify("Changes since " + work_.file + " are not saved: press w to save, or q again to quit.");
+}
+
+void Workbench::restore(std::vector<Setup>& from, std::vector<Setup>& to, const char* what) {
+  if (from.empty())
+    return notify(std::string{"There is nothing to "} + what +
+                  (!shown_ || shown_->colors.effects == PaletteEffects{}
+                       ? " here."
+                       : " here; Esc restores the stored colours."));
+  to.push_back(std::exchange(work_.setup, from.back()));
+  from.pop_back();
+  work_.lastChanged = 0;
 }
 
 namespace {
@@ -321,7 +326,7 @@ void Workbench::tick() {
   tell(std::move(news->says));
 }
 
-ControlKeys::Subject Workbench::subject() const {
+Subject Workbench::subject() const {
   const Rect at = bench().picture(layout_);
   return {scene(), work_.centre, static_cast<double>(at.width) / std::max(1, at.height)};
 }
@@ -349,8 +354,10 @@ void Workbench::wheel(int x, int y, double factor) {
 }
 
 void Workbench::zoom(double factor) {
-  if (bench().sharedKeys().find('z') != std::string_view::npos)
-    xnewell::zoom(*this, Setup{work_.setup}, subject(), factor);
+  const Controls controls = bench().controls();
+  if (std::ranges::find(controls, 'z', &Control::key) == controls.end()) return;
+  const auto edit = [this](char control, const auto& change) { this->change(control, change); };
+  xnewell::zoom(edit, Setup{work_.setup}, subject(), factor);
 }
 
 }  // namespace xnewell

@@ -10,7 +10,6 @@
 #include "x11/lessons/lesson_bench.h"
 #include "x11/trade/accuracy_keeper.h"
 #include "x11/window/bench.h"
-#include "x11/window/control_keys.h"
 #include "x11/window/panel.h"
 
 namespace xnewell {
@@ -102,6 +101,13 @@ class Workbench : public Host {
   /// The cell of the picture's background in image().
   [[nodiscard]] std::uint8_t ground() const { return plan()[Cell::Well]; }
 
+  /// The view that is shown.
+  [[nodiscard]] Bench& bench() const { return *benches_[static_cast<std::size_t>(view())]; }
+  /// The keys that all views have.
+  [[nodiscard]] KeyTable generalKeys();
+  /// All keys that do something at the moment: those of the view and those that all views have.
+  [[nodiscard]] KeyTable keys();
+
   // The functions of Host.
   [[nodiscard]] const Setup& setup() const override { return work_.setup; }
   [[nodiscard]] const Setup& defaults() const override { return work_.defaults; }
@@ -119,6 +125,7 @@ class Workbench : public Host {
   void notify(std::string notice) override;
   void tell(std::string news) override;
   void change(char control, const std::function<void(Setup&)>& edit) override;
+  void undo() override { restore(work_.undo, work_.redo, "undo"); }
   void pressLetter(char letter) override;
 
  private:
@@ -178,13 +185,12 @@ class Workbench : public Host {
   /// What must be shown now.
   [[nodiscard]] Indices indices() const;
   [[nodiscard]] Colors colors() const { return {work_.setup, bench().stored(work_.setup)}; }
-  [[nodiscard]] Bench& bench() const { return *benches_[static_cast<std::size_t>(view())]; }
   /// The setup that the picture is painted with. It picks the indices.
   [[nodiscard]] Setup painted() const { return bench().painted(work_.setup); }
   /// The settings of that picture, in the size that the view has for it. The size is not part of the setup,
   /// so undo does not change it.
   [[nodiscard]] PictureSettings sized() const;
-  [[nodiscard]] ControlKeys::Subject subject() const;
+  [[nodiscard]] Subject subject() const;
   /// True if the view was drawn at its present size. Before that, it does not know where its parts are, so
   /// the pointer can do nothing.
   [[nodiscard]] bool isDrawn() const {
@@ -193,14 +199,14 @@ class Workbench : public Host {
   }
   /// True if the window shows the scene of a lesson's step in another view.
   [[nodiscard]] bool visitsFromLesson() const { return before_ && view() != WindowView::Lesson; }
-  [[nodiscard]] std::vector<Legend> legend() const;
-  [[nodiscard]] std::vector<HelpLine> helpLines() const;
+  /// Takes back a change, or a step back.
+  void restore(std::vector<Setup>& from, std::vector<Setup>& to, const char* what);
+  void quit();
 
   Work work_;
   std::unique_ptr<Work> before_;  ///< the work from before open(); null without one
   Server server_;
   int mostShades_ = kMaxShades;
-  ControlKeys keys_;
   std::array<std::unique_ptr<Bench>, kEveryWindowView> benches_;
   LessonBench* lessons_;  ///< one of the benches
   SortBench* stepper_;    ///< another one

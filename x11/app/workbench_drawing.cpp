@@ -56,22 +56,6 @@ void Workbench::makePalette(const PaletteEffects& effects) {
   palette_ = withEffects(plainPalette(), picture(), plan(), effects);
 }
 
-std::vector<Legend> Workbench::legend() const {
-  std::vector<Legend> all = bench().legend();
-  if (visitsFromLesson()) all.insert(all.begin(), {{"Esc"}, "the lesson"});
-  all.push_back({{"?"}, "all keys"});
-  return all;
-}
-
-std::vector<HelpLine> Workbench::helpLines() const {
-  std::vector<HelpLine> lines = bench().help();
-  lines.insert(lines.end(), {{"1 2 3 ...", "the views; or click their names"},
-                             {"u U r", "undo, redo, reset"},
-                             {"w e", "save the set-up as a scene file; open one"},
-                             {"? or Esc", "close this; q quits"}});
-  return lines;
-}
-
 /// Divides the scene's patches as often as the setup says. If it does not say, they get the divisions that
 /// they were read with.
 void Workbench::divide() {
@@ -127,8 +111,8 @@ void Workbench::drawFrame(bool dragging) {
             .aside = view.aside(),
             .notice = notice_,
             .told = told_,
-            .legend = legend(),
-            .help = help_ ? helpLines() : std::vector<HelpLine>{}};
+            .legend = legendOf(keys()),
+            .help = help_ ? helpOf(keys()) : std::vector<HelpLine>{}};
   if (question_)
     panel_.typed = Typed{question_->asks, question_->text, complaint_, !question_->offers.empty()};
   drawPanel(image_, layout_, panel_, cells);

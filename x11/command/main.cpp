@@ -22,6 +22,7 @@
 #include "shading/picture/stopwatch.h"
 #include "shading/scene/scene.h"
 #include "shading/scene/settings.h"
+#include "x11/app/key_lists.h"
 #include "x11/app/one_line.h"
 #include "x11/app/snapshot.h"
 #include "x11/app/viewer.h"
@@ -205,6 +206,7 @@ int run(int argc, char** argv) {
   std::optional<Options> said = parseOptions(argc, argv);
   if (!said) return kDone;
   if (said->command == Command::Scenes) return listScenes(), kDone;
+  if (said->command == Command::Keys) return std::cout << keyLists(), kDone;
   if (said->command == Command::Visuals) return std::cout << visualsTable(*said), kDone;
 
   if (said->command == Command::Lesson) return teach(*said);

@@ -56,37 +56,37 @@ enum class LessonControl {
 };
 struct LessonControlRow {
   LessonControl id;
-  char key;     ///< the key in a lesson; never a to d, which choose answers
-  char window;  ///< the key of the same control in the picture's view, 0 if there is none
+  char key;  ///< the same as in the views that have the control too
   std::string_view name;
+  char spare = 0;  ///< the key in a step where `key` chooses an answer, `a` to `d`
 };
 inline constexpr std::array kLessonControls{
-    LessonControlRow{LessonControl::Ia, 'i', 'i', "Ia"},
-    LessonControlRow{LessonControl::Ip, 'p', 'p', "Ip"},
-    LessonControlRow{LessonControl::Ka, 'k', 'a', "ka"},
-    LessonControlRow{LessonControl::Kd, 'f', 'd', "kd"},
-    LessonControlRow{LessonControl::Ks, 's', 's', "ks"},
-    LessonControlRow{LessonControl::N, 'n', 'n', "n"},
-    LessonControlRow{LessonControl::Shades, 'e', 'c', "shades"},
-    LessonControlRow{LessonControl::I0, '0', '0', "I0"},
-    LessonControlRow{LessonControl::Light, 'g', 'l', "light"},
-    LessonControlRow{LessonControl::Turn, 't', 't', "turn"},
-    LessonControlRow{LessonControl::Zoom, 'z', 'z', "zoom"},
-    LessonControlRow{LessonControl::Shading, 'S', 'S', "shading"},
-    LessonControlRow{LessonControl::Normals, 'R', 'N', "normals"},
-    LessonControlRow{LessonControl::Order, 'O', 'O', "order"},
-    LessonControlRow{LessonControl::Projection, 'P', 'P', "projection"},
-    LessonControlRow{LessonControl::Table, 'T', 'T', "table"},
-    LessonControlRow{LessonControl::Hue, 'H', 'H', "hue"},
-    LessonControlRow{LessonControl::Bits, 'B', 'B', "bits"},
-    LessonControlRow{LessonControl::Pick, 'j', 'J', "nearest"},
-    LessonControlRow{LessonControl::ConstantL, 'L', 'L', "L constant"},
-    LessonControlRow{LessonControl::ConstantV, 'V', 'V', "V constant"},
-    LessonControlRow{LessonControl::Names, 'N', 0, "names"},
-    LessonControlRow{LessonControl::Wrong, 'W', 0, "wrong"},
-    LessonControlRow{LessonControl::Event, 'v', 0, "event"},
-    LessonControlRow{LessonControl::Rotate, 'm', 0, "rotate"},
-    LessonControlRow{LessonControl::Gamma, 'G', 0, "gamma"},
+    LessonControlRow{LessonControl::Ia, 'i', "Ia"},
+    LessonControlRow{LessonControl::Ip, 'p', "Ip"},
+    LessonControlRow{LessonControl::Ka, 'a', "ka", 'k'},
+    LessonControlRow{LessonControl::Kd, 'd', "kd", 'f'},
+    LessonControlRow{LessonControl::Ks, 's', "ks"},
+    LessonControlRow{LessonControl::N, 'n', "n"},
+    LessonControlRow{LessonControl::Shades, 'c', "shades", 'x'},
+    LessonControlRow{LessonControl::I0, '0', "I0"},
+    LessonControlRow{LessonControl::Light, 'l', "light"},
+    LessonControlRow{LessonControl::Turn, 't', "turn"},
+    LessonControlRow{LessonControl::Zoom, 'z', "zoom"},
+    LessonControlRow{LessonControl::Shading, 'S', "shading"},
+    LessonControlRow{LessonControl::Normals, 'N', "normals"},
+    LessonControlRow{LessonControl::Order, 'O', "order"},
+    LessonControlRow{LessonControl::Projection, 'P', "projection"},
+    LessonControlRow{LessonControl::Table, 'T', "table"},
+    LessonControlRow{LessonControl::Hue, 'H', "hue"},
+    LessonControlRow{LessonControl::Bits, 'B', "bits"},
+    LessonControlRow{LessonControl::Pick, 'J', "nearest"},
+    LessonControlRow{LessonControl::ConstantL, 'L', "L constant"},
+    LessonControlRow{LessonControl::ConstantV, 'V', "V constant"},
+    LessonControlRow{LessonControl::Names, 'M', "names"},
+    LessonControlRow{LessonControl::Wrong, 'W', "wrong"},
+    LessonControlRow{LessonControl::Event, 'v', "event"},
+    LessonControlRow{LessonControl::Rotate, 'm', "rotate"},
+    LessonControlRow{LessonControl::Gamma, 'g', "gamma"},
 };
 [[nodiscard]] constexpr const LessonControlRow& rowOf(LessonControl control) {
   return kLessonControls[static_cast<std::size_t>(control)];

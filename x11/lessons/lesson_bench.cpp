@@ -1,16 +1,30 @@
 #include "x11/lessons/lesson_bench.h"
 
 #include <algorithm>
-#include <stdexcept>
+
+#include "x11/drawing/wording.h"
+#include "x11/lessons/lesson_facts.h"
+#include "x11/lessons/lesson_sight.h"
 
 namespace xnewell {
 
-// This file handles keys and pointer. Drawing: lesson_bench_drawing.cpp.
-
 namespace {
 
-bool isOffered(const LessonStep& step, LessonControl control) {
-  return std::ranges::find(step.controls, control) != step.controls.end();
+// The buttons of a step, which have no letters.
+constexpr ControlId kGive{0, -1}, kBack{0, -2}, kNext{0, -3};
+
+char letterOf(std::size_t answer) { return static_cast<char>('a' + answer); }
+ControlId idOf(std::size_t answer) { return {letterOf(answer), -1}; }
+
+/// Above the bars of the strip.
+int heightOf(const Layout& at) { return at.body.height - (at.compact ? 2 : 12); }
+
+Rect columnOf(const Layout& at) {
+  return {at.body.x + at.body.width - kLessonColumn, at.body.y, kLessonColumn, heightOf(at)};
+}
+
+Rect sightOf(const Layout& at) {
+  return {at.body.x, at.body.y, at.body.width - kLessonColumn - kMargin, heightOf(at)};
 }
 
 }  // namespace
@@ -22,43 +36,40 @@ void LessonBench::start(Lesson lesson) {
   goTo(0);
 }
 
-const Exhibit& LessonBench::exhibit() const {
-  const Taken& t = taken_[static_cast<std::size_t>(step_)];
-  return t.given ? now().question->answers[static_cast<std::size_t>(*t.chosen)].shown : now().exhibit;
-}
-
 void LessonBench::goTo(int step) {
   step_ = step;
-  focus_.reset();
-  for (const LessonControl control : now().controls)
-    if (!focus_ && takesArrows(control)) focus_ = control;
   captionOf_ = -1;
   openExhibit();
+  const Controls all = rows();
+  const auto first = std::ranges::find_if(all, &Control::takesArrows);
+  list_.setFocus(first == all.end() ? std::nullopt : std::optional{first->id()});
 }
 
 void LessonBench::openExhibit() {
-  state_ = {.exhibit = exhibit()};
+  const Taken& t = taken();
+  state_ = {.exhibit =
+                t.given ? now().question->answers[static_cast<std::size_t>(*t.chosen)].shown : now().exhibit};
   state_.event = 0;  // set to the exhibit's event once the run is known
   lower_.reset();
   if (state_.exhibit.stage == Stage::SideBySide) lower_.emplace(Scene{*state_.exhibit.scene});
-  first_ = {};
-  first_.picture = state_.exhibit.settings;
+  Setup first;
+  first.picture = state_.exhibit.settings;
   Scene scene = *state_.exhibit.scene;
-  scene.name = "lesson " + std::to_string(lesson_->number) + " of " + std::to_string(entries_.size()) +
-               " \u00B7 " + lesson_->title;
-  opened_ = late_ = true;
-  host_.open(std::move(scene), first_);
+  scene.name = "lesson " + std::to_string(lesson_->number) + " of " +
+               std::to_string(lessons_.entries().size()) + " \u00B7 " + lesson_->title;
+  opened_ = true;
+  host_.open(std::move(scene), first);
 }
 
 void LessonBench::enter() {
   handing_ = false;
-  if (entries_.empty()) entries_ = builtInLessons();
-  late_ = true;
-  if (lesson_ && !listing_) openExhibit();
+  lessons_.read();
+  state_.late = true;
+  if (!listing_) openExhibit();
 }
 
 void LessonBench::leave() {
-  drop();
+  Bench::leave();
   state_.moving = false;
   if (!opened_ || handing_) return;
   opened_ = false;
@@ -73,11 +84,10 @@ void LessonBench::leaveForGood() {
 }
 
 void LessonBench::choose(int answer) {
-  if (!now().question || answer >= static_cast<int>(now().question->answers.size())) return;
   const bool wasGiven = taken().given;
   taken().chosen = answer;
   taken().given = false;
-  late_ = true;
+  state_.late = true;
   if (wasGiven) openExhibit();  // shows the question again, as it was asked
 }
 
@@ -90,222 +100,194 @@ void LessonBench::give() {
 
 void LessonBench::goOn(int steps) {
   const int to = step_ + steps;
-  if (to < 0) return host_.notify("This is the first step. l lists all lessons.");
+  if (to < 0) return host_.notify("This is the first step. 7 lists all lessons.");
   if (to < static_cast<int>(lesson_->steps.size())) return goTo(to);
   const auto after =
-      std::ranges::find_if(entries_, [&](const auto& e) { return e.number > lesson_->number; });
-  if (after == entries_.end()) return showList(true);
+      std::ranges::find_if(lessons_.entries(), [&](const auto& e) { return e.number > lesson_->number; });
+  if (after == lessons_.entries().end()) return showList(true);
   start(readLesson(after->file));
-}
-
-LessonList LessonBench::list() const {
-  LessonList list{.rows = {}, .chosen = listed_, .current = {}};
-  for (const LessonEntry& entry : entries_) {
-    if (lesson_ && lesson_->name == entry.name) list.current = static_cast<int>(list.rows.size());
-    list.rows.push_back({entry.number, entry.title, entry.shows});
-  }
-  return list;
 }
 
 void LessonBench::showList(bool shown) {
   listing_ = shown;
-  late_ = true;
+  state_.late = true;
   state_.moving = false;
-  if (shown) listed_ = list().current.value_or(0);
+  if (shown) lessons_.choose(lesson_->name);
 }
 
-void LessonBench::openListed() {
-  if (entries_.empty()) return;
-  start(readLesson(entries_[static_cast<std::size_t>(listed_)].file));
+Controls LessonBench::controls() {
+  if (listing_) return lessons_.controls();
+  Controls all = rows();
+  const auto button = [&](ControlId id, std::function<void()> act) {
+    all.push_back({.kind = Control::Kind::Button,
+                   .key = id.key,
+                   .part = id.part,
+                   .set = [act = std::move(act)](double) { act(); }});
+  };
+  if (now().question)
+    for (std::size_t k = 0; k < now().question->answers.size(); ++k)
+      button(idOf(k), [this, k] { choose(static_cast<int>(k)); });
+  button(kGive, [this] { give(); });
+  button(kBack, [this] { goOn(-1); });
+  button(kNext, [this] { goOn(1); });
+  return all;
 }
 
-bool LessonBench::pressInList(const Key& key) {
-  const int last = static_cast<int>(entries_.size()) - 1;
-  late_ = true;
-  switch (key.name) {
-    case NamedKey::Up:
-      return listed_ = std::max(0, listed_ - 1), true;
-    case NamedKey::Down:
-      return listed_ = std::min(last, listed_ + 1), true;
-    case NamedKey::Home:
-      return listed_ = 0, true;
-    case NamedKey::End:
-      return listed_ = last, true;
-    case NamedKey::Return:
-      return openListed(), true;
-    case NamedKey::Escape:
-      return lesson_ && opened_ ? showList(false) : leaveForGood(), true;
-    default:
-      break;
-  }
-  if (key.letter == 'l' && lesson_ && opened_) return showList(false), true;
-  return key.letter != 'q' && key.letter != '?' && (key.letter < '1' || key.letter > '7');
-}
-
-bool LessonBench::press(const Key& key, const Setup&) {
-  if (listing_ || !lesson_) return pressInList(key);
-  const int times = key.shift ? 10 : 1;
-  switch (key.name) {
-    case NamedKey::PageUp:
-      return goOn(-1), true;
-    case NamedKey::PageDown:
-      return goOn(1), true;
-    case NamedKey::Return:
-      return give(), true;
-    case NamedKey::Escape:
-      return leaveForGood(), true;
-    case NamedKey::Tab:
-      return nextFocus(key.shift ? -1 : 1), true;
-    case NamedKey::Left:
-      return arrow(-times, 0), true;
-    case NamedKey::Right:
-      return arrow(times, 0), true;
-    case NamedKey::Up:
-      return arrow(0, times), true;
-    case NamedKey::Down:
-      return arrow(0, -times), true;
-    case NamedKey::Home:
-      return end(false), true;
-    case NamedKey::End:
-      return end(true), true;
-    default:
-      break;
-  }
-  if (now().question && key.letter >= 'a' && key.letter <= 'd') return choose(key.letter - 'a'), true;
-  if (pressControl(key.letter)) return true;
-  switch (key.letter) {
-    case 'h':
-      if (!now().question || now().question->hint.empty()) return true;
-      taken().hint = late_ = true;
-      return true;
-    case 'l':
-      return showList(true), true;
-    case '2':
+KeyTable LessonBench::ownKeys() {
+  KeyTable table = listing_ ? lessons_.keys() : KeyTable{};
+  const auto add = [&](Key key, std::string legend, std::string does, std::function<void()> act) {
+    table.push_back(
+        {{key}, std::move(legend), std::move(does), [act = std::move(act)](const Key&) { act(); }});
+  };
+  if (!listing_) {
+    const std::string steps = "the step before, the next";
+    add(NamedKey::PageUp, "back", steps, [this] { goOn(-1); });
+    add(NamedKey::PageDown, "next", steps, [this] { goOn(1); });
+    if (const auto& question = now().question) {
+      for (std::size_t k = 0; k < question->answers.size(); ++k)
+        add(letterOf(k), "choose", "choose an answer; another letter answers again",
+            [this, k] { choose(static_cast<int>(k)); });
+      const bool given = taken().given;
+      add(NamedKey::Return, given ? "go on" : "answer", "give the answer; then go on", [this] { give(); });
+      if (!question->hint.empty())
+        add('h', given ? "" : "hint", "a hint", [this] { taken().hint = state_.late = true; });
+    } else {
+      add(NamedKey::Return, "", "go on", [this] { give(); });
+    }
+    add('2', "open in the stepper", "the step's scene in the stepper", [this] {
       handing_ = true;  // the stepper keeps the lesson's scene
       host_.switchTo(WindowView::DepthSort);
-      return true;
-    default:
-      // These keys work in all views; the others are off.
-      if (key.name != NamedKey::Letter ||
-          std::string_view{"uUr?q134567"}.find(key.letter) != std::string_view::npos)
-        return false;
-      host_.notify("That key is off in this step; Esc leaves the lesson.");
-      return true;
-  }
-}
-
-bool LessonBench::pressControl(char letter) {
-  const auto* const row = std::ranges::find(kLessonControls, letter, &LessonControlRow::key);
-  if (row == kLessonControls.end() || !isOffered(now(), row->id)) return false;
-  late_ = true;
-  if (takesArrows(row->id))
-    focus_ = row->id;
-  else if (isLessonsOwn(row->id))
-    actOn(state_, row->id);
-  else
-    change(row->id, [&](Setup& s) { actOn(s, row->id); });
-  return true;
-}
-
-void LessonBench::change(LessonControl control, const std::function<void(Setup&)>& edit) {
-  late_ = true;
-  host_.change(rowOf(control).window, edit);
-}
-
-void LessonBench::arrow(int along, int up) {
-  if (!focus_) return;
-  late_ = true;
-  if (*focus_ == LessonControl::Event)
-    state_.event = std::clamp(state_.event + along + up, 1, state_.events);
-  else
-    change(*focus_, [&](Setup& s) { move(s, *focus_, along, up, *state_.exhibit.scene, aspect_); });
-}
-
-void LessonBench::end(bool high) {
-  if (!focus_) return;
-  late_ = true;
-  if (*focus_ == LessonControl::Event)
-    state_.event = high ? state_.events : 1;
-  else
-    change(*focus_, [&](Setup& s) { moveToEnd(s, *focus_, high); });
-}
-
-void LessonBench::nextFocus(int direction) {
-  std::vector<LessonControl> all;
-  std::ranges::copy_if(now().controls, std::back_inserter(all), takesArrows);
-  if (all.empty()) return;
-  const auto at = focus_ ? std::ranges::find(all, *focus_) - all.begin() : 0;
-  const auto n = static_cast<std::ptrdiff_t>(all.size());
-  focus_ = all[static_cast<std::size_t>((at + n + direction) % n)];
-  late_ = true;
-}
-
-bool LessonBench::grab(int x, int y) {
-  x_ = x, y_ = y;
-  if (listing_ || !lesson_) {
-    for (std::size_t k = 0; k < rows_.size(); ++k)
-      if (rows_[k].has(x, y)) {
-        listed_ = static_cast<int>(k);
-        openListed();
-        break;
-      }
-    return false;
-  }
-  for (std::size_t k = 0; k < at_.answers.size(); ++k)
-    if (at_.answers[k].has(x, y)) return choose(static_cast<int>(k)), false;
-  if (at_.answer.has(x, y)) return give(), false;
-  if (at_.back.has(x, y)) return goOn(-1), false;
-  if (at_.next.has(x, y)) return goOn(1), false;
-  for (std::size_t k = 0; k < at_.controls.size() && k < now().controls.size(); ++k) {
-    if (!at_.controls[k].has(x, y)) continue;
-    const LessonControl control = now().controls[k];
-    const PageControl& row = page_.controls[k];
-    if (takesArrows(control)) {
-      focus_ = control;
-      late_ = true;
-      const auto share = row.track ? trackAt(at_.controls[k], x) : std::nullopt;
-      if (!share) return false;
-      held_ = control;
-      change(control, [&](Setup& s) { moveTo(s, control, *share); });
-      return true;
-    }
-    const std::optional<int> option = optionAt(at_.controls[k], row, x, y);
-    if (!option && !row.toggle) return false;
-    late_ = true;
-    if (isLessonsOwn(control))
-      actOn(state_, control, option);
-    else
-      change(control, [&](Setup& s) { actOn(s, control, option); });
-    return false;
-  }
-  if (!sight_.has(x, y) || !isOffered(now(), LessonControl::Turn)) return false;
-  held_ = LessonControl::Turn;
-  return true;
-}
-
-void LessonBench::dragTo(int x, int y) {
-  if (!held_) return;
-  if (*held_ == LessonControl::Turn) {
-    const int dx = x - x_, dy = y - y_;
-    x_ = x, y_ = y;
-    const Scene& scene = *state_.exhibit.scene;
-    change(*held_, [&](Setup& s) {
-      CameraSettings& camera = s.picture.camera;
-      camera =
-          moved(camera, placeCamera(camera, scene.mesh.points, scene.up, aspect_), -0.5 * dx, 0.5 * dy, 1.0);
     });
-    return;
+    add('7', "all lessons", "the list of all lessons", [this] { showList(true); });
+    add(NamedKey::Escape, "leave", "leave the lesson: the window's own scene comes back",
+        [this] { leaveForGood(); });
+  } else if (opened_) {
+    add(NamedKey::Escape, "back", "back to the lesson", [this] { showList(false); });
+    add('7', "", "back to the lesson", [this] { showList(false); });
+  } else {
+    add(NamedKey::Escape, "back", "back to the picture", [this] { leaveForGood(); });
   }
-  for (std::size_t k = 0; k < at_.controls.size() && k < now().controls.size(); ++k)
-    if (now().controls[k] == *held_) {
-      const int left = at_.controls[k].x + 84;  // beyond the ends of the track the thumb stays at its end
-      const auto share = trackAt(at_.controls[k], std::clamp(x, left, left + 168));
-      change(*held_, [&](Setup& s) { moveTo(s, *held_, share.value_or(0)); });
-    }
+  if (opened_)
+    table.push_back({.keys = {'w', 'e'},
+                     .does = "off in a lesson: it has its own scene and settings",
+                     .off = "A lesson has its own scene and settings; Esc leaves the lesson."});
+  return table;
 }
 
 void LessonBench::tick() {
   if (state_.moving) state_.exhibit.effects.rotate = (state_.exhibit.effects.rotate + 1) % kMaxShades;
+}
+
+bool LessonBench::late(const Setup& setup) const {
+  return state_.late || drawn_ != setup || (listing_ && lessons_.late()) || list_.late();
+}
+
+Rect LessonBench::picture(const Layout& at) const {
+  if (!lesson_) return sightOf(at);
+  return layoutOfSight(sightOf(at), state_.exhibit, at.compact).picture;
+}
+
+PaletteEffects LessonBench::stored(const Setup&) const {
+  return listing_ ? PaletteEffects{} : state_.exhibit.effects;
+}
+
+void LessonBench::draw(IndexImage& image, const Desk& desk) {
+  state_.late = false;
+  drawn_ = desk.setup;
+  counts_ = "scene: " + (listing_ ? desk.picture.scene().name : state_.exhibit.sceneName) + ", " +
+            counted(desk.picture.snapped().polygons - desk.picture.snapped().degenerate, "polygon");
+  list_.forgetPlaces();
+  Pen pen{Painter{image}, desk.plan};
+  if (listing_)
+    lessons_.draw(pen, desk.layout, list_, lesson());
+  else
+    drawStep(image, desk);
+  list_.draw(pen, controls());
+}
+
+void LessonBench::drawStep(IndexImage& image, const Desk& desk) {
+  const bool compact = desk.layout.compact;
+  const SightLayout at = layoutOfSight(sightOf(desk.layout), state_.exhibit, compact);
+  aspect_ = static_cast<double>(at.picture.width) / at.picture.height;
+
+  std::optional<Picture> lower;
+  if (lower_) {
+    PictureSettings settings = state_.exhibit.beside;
+    settings.width = at.lower.width, settings.height = at.lower.height;
+    settings.table = desk.setup.picture.table;  // the window has one table
+    lower = lower_->make(settings, desk.plan[Cell::Well]);
+  }
+  const IndexImage* const lowerImage = lower ? &lower->image() : nullptr;
+  const bool sorts = state_.exhibit.stage == Stage::DepthSort;
+  const Picture picture = sorts ? desk.picture.withPlanes() : desk.picture;
+  std::optional<SortedScene> run;
+  if (sorts) {
+    run = textbookRun(picture);
+    state_.events = static_cast<int>(run->events.size());
+    if (state_.event == 0) state_.event = stepOf(*run, state_.exhibit.event).value_or(state_.events);
+    state_.event = std::clamp(state_.event, 1, state_.events);
+  }
+  PaletteEffects effects = state_.exhibit.effects;
+  effects.rotate = 0;  // the words do not describe the moving ramp
+  drawSight(image, at,
+            {.exhibit = state_.exhibit,
+             .picture = picture,
+             .image = picture.image(),
+             .lower = lowerImage,
+             .run = run ? &*run : nullptr,
+             .step = state_.event,
+             .plan = desk.plan,
+             .palette = withEffects(desk.palette, desk.picture, desk.plan, effects)});
+  page_ = pageOf(desk, lowerImage);
+  at_ = layoutOfLesson(columnOf(desk.layout), page_, rows(), list_, compact);
+  placeButtons();
+  if (std::ranges::find(now().controls, LessonControl::Turn) != now().controls.end())
+    list_.place({rowOf(LessonControl::Turn).key}, {.area = at.picture, .grip = at.picture, .bare = true, .passive = true});
+  Pen pen{Painter{image}, desk.plan};
+  drawLessonPage(pen, at_, page_);
+}
+
+void LessonBench::placeButtons() {
+  const auto place = [&](ControlId id, const Rect& area) { list_.place(id, {.area = area, .bare = true}); };
+  for (std::size_t k = 0; k < at_.answers.size(); ++k) place(idOf(k), at_.answers[k]);
+  if (!at_.answer.empty()) place(kGive, at_.answer);
+  place(kBack, at_.back);
+  place(kNext, at_.next);
+}
+
+LessonPage LessonBench::pageOf(const Desk& desk, const IndexImage* lower) {
+  ShownExhibit facts{desk.picture, desk.picture.image(), lower};
+  const LessonStep& step = now();
+  const Taken& t = taken();
+  LessonPage page;
+  page.heading = step.heading;
+  page.step = step_;
+  page.steps = static_cast<int>(lesson_->steps.size());
+  // The words describe the step as it begins, not what the user tries in it.
+  changed_ = desk.setup != host_.defaults();
+  if (captionOf_ != step_ || (!changed_ && !t.given)) {
+    caption_.clear();
+    for (const std::string& paragraph : step.caption) caption_.push_back(facts.filled(paragraph));
+    captionOf_ = step_;
+  }
+  page.caption = caption_;
+  if (!step.question) return page;
+  PageQuestion question;
+  question.asks = step.question->asks;
+  question.chosen = t.chosen;
+  question.given = t.given;
+  for (const LessonAnswer& answer : step.question->answers) question.answers.push_back(answer.text);
+  if (t.given) question.says = facts.filled(step.question->answers[static_cast<std::size_t>(*t.chosen)].says);
+  if (t.hint) question.hint = step.question->hint;
+  page.question = std::move(question);
+  return page;
+}
+
+std::string LessonBench::aside() const {
+  if (listing_) return "";
+  if (changed_) return "changed: the words describe the step as it began";
+  if (!now().question) return "";
+  return taken().given ? "another letter answers again" : "the outcome is hidden until you answer";
 }
 
 }  // namespace xnewell

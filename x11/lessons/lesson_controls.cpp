@@ -1,7 +1,6 @@
 #include "x11/lessons/lesson_controls.h"
 
 #include <algorithm>
-#include <cmath>
 
 #include "geometry/exact/box.h"
 #include "x11/drawing/wording.h"
@@ -10,145 +9,104 @@ namespace xnewell {
 
 namespace {
 
-const SliderRow* slider(LessonControl control) { return sliderOf(rowOf(control).window); }
+using Kind = Control::Kind;
 
-const ChoiceRow* choice(LessonControl control) { return choiceOf(rowOf(control).window); }
+/// Words that differ from those of the views, where there are any.
+struct WordsRow {
+  LessonControl id;
+  std::string_view label, is, words;
+};
+constexpr std::array kWords{
+    WordsRow{LessonControl::Light, "light", "turn the light with the arrows", ""},
+    WordsRow{LessonControl::Turn, "turn", "turn the scene with the arrows", "arrows, or drag the picture"},
+    WordsRow{LessonControl::Zoom, "zoom", "come nearer or go away with the arrows", "arrows up and down"},
+    WordsRow{LessonControl::Pick, "nearest", "", ""},
+    WordsRow{LessonControl::ConstantL, "L const.", "", "the light is far away"},
+    WordsRow{LessonControl::ConstantV, "V const.", "", "the viewer is far away"},
+    WordsRow{LessonControl::Names, "names", "", "name the polygons"},
+    WordsRow{LessonControl::Wrong, "wrong", "", "mark them in the picture"},
+    WordsRow{LessonControl::Event, "step", "go through the run with the arrows", ""},
+    WordsRow{LessonControl::Rotate, "rotate", "", "move the ramp through its cells"},
+    WordsRow{LessonControl::Gamma, "gamma", "", ""},
+};
 
-const ToggleRow* toggle(LessonControl control) { return toggleOf(rowOf(control).window); }
-
-bool* toggle(LessonState& state, LessonControl control) {
-  if (control == LessonControl::Names) return &state.exhibit.named;
-  if (control == LessonControl::Wrong) return &state.exhibit.wrongMarked;
-  return control == LessonControl::Rotate ? &state.moving : nullptr;
+Control toggle(bool& on, LessonState& state) {
+  return {.kind = Kind::Toggle, .value = on ? 1.0 : 0.0, .set = [&](double value) {
+            on = value != 0;
+            state.late = true;
+          }};
 }
 
-/// The words beside a tick.
-std::string_view wordsOf(LessonControl control) {
-  switch (control) {
-    case LessonControl::ConstantL:
-      return "the light is far away";
-    case LessonControl::ConstantV:
-      return "the viewer is far away";
+Control rotateControl(LessonState& state) {
+  Control control = toggle(state.moving, state);
+  control.set = [&state, set = control.set](double value) {
+    set(value);
+    if (!state.moving) state.exhibit.effects.rotate = 0;
+  };
+  return control;
+}
+
+Control eventControl(LessonState& state) {
+  const auto go = [&state](int event) {
+    state.event = std::clamp(event, 1, state.events);
+    state.late = true;
+  };
+  return {.kind = Kind::Own,
+          .value = static_cast<double>(state.event),
+          .range = {1, static_cast<double>(state.events), 1, false, 0},
+          .words = std::to_string(state.event) + " of " + std::to_string(state.events),
+          .set = [go](double event) { go(static_cast<int>(event)); },
+          .move = [&state, go](int along, int up) { go(state.event + along + up); }};
+}
+
+Control plainControl(const LessonControlRow& row, LessonState& state, Host& host, double aspect) {
+  const ChangeSetup change = [&host](char control, const auto& edit) { host.change(control, edit); };
+  const Scene& scene = *state.exhibit.scene;
+  const Subject subject{scene, boxOf(scene.mesh.points).centre(), aspect};
+  switch (row.id) {
     case LessonControl::Names:
-      return "name the polygons";
+      return toggle(state.exhibit.named, state);
     case LessonControl::Wrong:
-      return "mark them in the picture";
-    default:
-      return "move the ramp through its cells";
-  }
-}
-
-std::string_view labelOf(LessonControl control) {
-  switch (control) {
-    case LessonControl::Projection:
-      return "project";
-    case LessonControl::ConstantL:
-      return "L const.";
-    case LessonControl::ConstantV:
-      return "V const.";
+      return toggle(state.exhibit.wrongMarked, state);
+    case LessonControl::Rotate:
+      return rotateControl(state);
     case LessonControl::Event:
-      return "step";
+      return eventControl(state);
+    case LessonControl::Gamma:
+      return gammaControl(state.exhibit.effects.gamma, [&state](double gamma) {
+        state.exhibit.effects.gamma = gamma;
+        state.late = true;
+      });
+    case LessonControl::Light:
+      return lightControl(host.setup(), subject, change);
+    case LessonControl::Turn:
+    case LessonControl::Zoom: {
+      const Controls camera = cameraControls(host.setup(), subject, change);
+      return *std::ranges::find(camera, row.key, &Control::key);
+    }
     default:
-      return rowOf(control).name;
+      return settingControl(row.key, host.setup(), host.defaults(), change);
   }
-}
-
-int indexOf(double gamma) {
-  const auto* const g = std::ranges::find(kGammas, gamma);
-  return g == kGammas.end() ? -1 : static_cast<int>(g - kGammas.begin());
-}
-
-int indexOfHue(const Setup& setup) {
-  const auto* const h = std::ranges::find(kHues, setup.picture.table.hue, &HueRow::hue);
-  return h == kHues.end() ? -1 : static_cast<int>(h - kHues.begin());
 }
 
 }  // namespace
 
-bool takesArrows(LessonControl control) {
-  switch (control) {
-    case LessonControl::Light:
-    case LessonControl::Turn:
-    case LessonControl::Zoom:
-    case LessonControl::Event:
-      return true;
-    default:
-      return slider(control) != nullptr;
+Controls stepControls(const LessonStep& step, LessonState& state, Host& host, double aspect) {
+  const std::size_t answers = step.question ? step.question->answers.size() : 0;
+  Controls all;
+  for (const LessonControl id : step.controls) {
+    const LessonControlRow& row = rowOf(id);
+    Control control = plainControl(row, state, host, aspect);
+    const bool answer = row.spare != 0 && static_cast<std::size_t>(row.key - 'a') < answers;
+    control.key = answer ? row.spare : row.key;
+    if (const auto* const words = std::ranges::find(kWords, id, &WordsRow::id); words != kWords.end()) {
+      control.label = words->label;
+      if (!words->is.empty()) control.is = words->is;
+      if (!words->words.empty()) control.words = words->words;
+    }
+    all.push_back(std::move(control));
   }
-}
-
-bool isLessonsOwn(LessonControl control) { return rowOf(control).window == 0; }
-
-PageControl pageControl(LessonControl control, const Setup& now, const Setup& first,
-                        const LessonState& state) {
-  PageControl row{.key = rowOf(control).key, .label = std::string{labelOf(control)}};
-  const auto ticked = [&](bool on) { row.toggle = true, row.chosen = on, row.value = wordsOf(control); };
-  if (const SliderRow* s = slider(control)) {
-    row.track = trackPosition(*s, s->get(now));
-    row.usual = trackPosition(*s, s->get(first));
-    row.value = fixed(s->get(now), s->decimals);
-    row.enabled = s->enabled(now);
-  } else if (const ChoiceRow* c = choice(control)) {
-    row.options.assign(c->options.begin(), c->options.end());
-    row.chosen = c->get(now);
-  } else if (const ToggleRow* t = toggle(control)) {
-    ticked(t->get(now));
-  } else if (LessonState copy = state; const bool* on = toggle(copy, control)) {
-    ticked(*on);
-  } else if (control == LessonControl::Hue) {
-    for (const HueRow& hue : kHues) row.options.emplace_back(hue.name);
-    row.chosen = indexOfHue(now);
-  } else if (control == LessonControl::Gamma) {
-    for (const double g : kGammas) row.options.push_back(fixed(g, 1));
-    row.chosen = indexOf(state.exhibit.effects.gamma);
-  } else if (control == LessonControl::Light) {
-    const LightAngles at = lightAngles(now.picture.light, state.exhibit.scene->up);
-    row.value = "azimuth " + fixed(at.azimuth, 0) + "\u00B0, elevation " + fixed(at.elevation, 0) + "\u00B0";
-  } else if (control == LessonControl::Event) {
-    row.value = std::to_string(state.event) + " of " + std::to_string(state.events);
-  } else {
-    row.value = control == LessonControl::Turn ? "arrows, or drag the picture" : "arrows up and down";
-  }
-  return row;
-}
-
-void actOn(Setup& setup, LessonControl control, std::optional<int> option) {
-  const auto next = [&](int now, int count) { return option.value_or((now + 1) % count); };
-  if (const ChoiceRow* c = choice(control))
-    c->set(setup, next(c->get(setup), static_cast<int>(c->options.size())));
-  else if (const ToggleRow* t = toggle(control))
-    t->flip(setup);
-  else if (control == LessonControl::Hue)
-    setup.picture.table.hue =
-        kHues[static_cast<std::size_t>(next(indexOfHue(setup), static_cast<int>(kHues.size())))].hue;
-}
-
-void actOn(LessonState& state, LessonControl control, std::optional<int> option) {
-  if (bool* on = toggle(state, control)) *on = !*on;
-  if (control == LessonControl::Rotate && !state.moving) state.exhibit.effects.rotate = 0;
-  if (control != LessonControl::Gamma) return;
-  const int count = static_cast<int>(kGammas.size());
-  double& gamma = state.exhibit.effects.gamma;
-  gamma = kGammas[static_cast<std::size_t>(option.value_or((indexOf(gamma) + 1) % count))];
-}
-
-void move(Setup& setup, LessonControl control, int along, int up, const Scene& scene, double aspect) {
-  if (const SliderRow* s = slider(control)) return step(setup, *s, along + up);
-  const auto& points = scene.mesh.points;
-  if (control == LessonControl::Light)
-    return turnLight(setup.picture.light, scene.up, along, up, boxOf(points).centre());
-  CameraSettings& camera = setup.picture.camera;
-  const Camera placed = placeCamera(camera, points, scene.up, aspect);
-  if (control == LessonControl::Turn) camera = moved(camera, placed, -2.0 * along, -2.0 * up, 1.0);
-  if (control == LessonControl::Zoom) camera = moved(camera, placed, 0, 0, std::pow(1.02, along + up));
-}
-
-void moveTo(Setup& setup, LessonControl control, double share) {
-  if (const SliderRow* s = slider(control)) s->set(setup, trackValue(*s, share));
-}
-
-void moveToEnd(Setup& setup, LessonControl control, bool high) {
-  if (const SliderRow* s = slider(control)) s->set(setup, high ? s->high : s->low);
+  return all;
 }
 
 }  // namespace xnewell

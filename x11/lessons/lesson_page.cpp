@@ -1,9 +1,5 @@
 #include "x11/lessons/lesson_page.h"
 
-#include <algorithm>
-#include <cmath>
-
-#include "x11/drawing/pen.h"
 #include "x11/drawing/wording.h"
 
 namespace xnewell {
@@ -96,44 +92,12 @@ void drawQuestion(Pen& pen, const LessonLayout& at, const PageQuestion& question
   drawLines(pen, at.after, question.given ? Cell::Ink : Cell::Soft);
 }
 
-std::vector<std::string_view> optionsOf(const PageControl& control) {
-  return {control.options.begin(), control.options.end()};
-}
-
-/// The frames of the options of a control, in a row of the column.
-std::vector<Rect> framesOf(const PageControl& control, const Rect& row) {
-  return optionFrames(optionsOf(control), row.x + kColumnTrackAt, row.y + 14,
-                      kLessonColumn - kColumnTrackAt - 6);
-}
-
-void drawControl(Pen& pen, const PageControl& control, const Rect& row) {
-  const int x = row.x, y = row.y + 14;
-  if (control.focused) drawFocus(pen, {x, row.y, kLessonColumn, row.height});
-  pen.key(x, y - 11, std::string_view{&control.key, 1});
-  pen.paint.text(x + 24, y, control.label, pen(control.enabled ? Cell::Ink : Cell::Faint));
-  if (control.track)
-    drawTrack(pen, x + kColumnTrackAt, y, kColumnTrack,
-              {.share = *control.track, .initially = control.usual, .enabled = control.enabled});
-  if (control.toggle) {
-    const Rect box{x + kColumnTrackAt, y - 10, 11, 11};
-    pen.paint.fillRect(box, pen(Cell::White));
-    pen.paint.frame(box, pen(Cell::Ink));
-    if (control.chosen) pen.paint.tick(box.x + 2, box.y + 2, pen(Cell::Ink));
-    pen.ink(box.x + 18, y, control.value);
-    return;
-  }
-  drawOptions(pen, optionsOf(control), framesOf(control, row), control.chosen);
-  pen.paint.textRight(x + kLessonColumn, y, control.value, pen(control.enabled ? Cell::Ink : Cell::Faint),
-                      control.enabled ? Voice::Bold : Voice::Plain);
-}
-
-void drawControls(Pen& pen, const LessonLayout& at, const LessonPage& page) {
-  if (page.controls.empty()) return;
-  pen.rule(at.column.x, at.controlsTop - 16, at.column.width);
-  pen.caps(at.column.x, at.controlsTop, "in this step");
-  for (std::size_t k = 0; k < page.controls.size(); ++k) drawControl(pen, page.controls[k], at.controls[k]);
-  const Rect& last = at.controls.back();
-  if (const int y = last.y + last.height + 16; !at.compact && y + 6 < at.back.y)
+/// What stands around the controls of the step.
+void drawControlsFrame(Pen& pen, const LessonLayout& at) {
+  if (!at.controls) return;
+  pen.rule(at.column.x, *at.controls - 16, at.column.width);
+  pen.caps(at.column.x, *at.controls, "in this step");
+  if (const int y = at.end + 14; !at.compact && y + 6 < at.back.y)
     pen.soft(at.column.x, y, "The other controls are off. Esc leaves the lesson.");
 }
 
@@ -152,7 +116,8 @@ void drawWays(Pen& pen, const LessonLayout& at, const LessonPage& page) {
 
 }  // namespace
 
-LessonLayout layoutOfLesson(const Rect& column, const LessonPage& page, bool compact) {
+LessonLayout layoutOfLesson(const Rect& column, const LessonPage& page, const Controls& rows,
+                            ControlList& list, bool compact) {
   const Pitches& pitch = compact ? kCompact : kRoomy;
   LessonLayout at;
   at.column = column, at.compact = compact;
@@ -188,16 +153,11 @@ LessonLayout layoutOfLesson(const Rect& column, const LessonPage& page, bool com
       y += -11 + pitch.gap;
     }
   }
-  if (!page.controls.empty()) {
-    at.controlsTop = y + 16;
-    y = at.controlsTop + (compact ? 5 : 8);
-    for (std::size_t k = 0; k < page.controls.size(); ++k) {
-      const std::vector<Rect> frames = framesOf(page.controls[k], column);
-      const int more = frames.empty() ? 0 : frames.back().y - frames.front().y;  // if they need a second line
-      at.controls.push_back({column.x, y, column.width, pitch.control + more});
-      y += pitch.control + more;
-    }
-    y += 2;
+  if (!rows.empty()) {
+    at.controls = y + 16;
+    y = list.placeColumn(rows, column.x, *at.controls + (compact ? 19 : 22),
+                         {.width = column.width, .pitch = pitch.control, .beyond = 2});
+    y -= 12;  // from a baseline to the top of the next part
   }
   at.end = y;
   const int half = (column.width - 16) / 2, top = column.y + column.height - pitch.button;
@@ -206,79 +166,12 @@ LessonLayout layoutOfLesson(const Rect& column, const LessonPage& page, bool com
   return at;
 }
 
-std::vector<std::string> tooWide(const LessonPage& page) {
-  std::vector<std::string> found;
-  if (textWidth(page.heading, Voice::Title) > kLessonColumn) found.push_back(page.heading);
-  for (const PageControl& control : page.controls) {
-    if (24 + textWidth(control.label) > kColumnTrackAt - 4) found.push_back(control.label);
-    const std::vector<Rect> frames = framesOf(control, {});
-    const auto wordsEnd = [&](const Rect& frame) { return frame.x + frame.width - 7; };
-    for (std::size_t k = 0; k < frames.size(); ++k) {
-      if (wordsEnd(frames[k]) > kLessonColumn) found.push_back(control.options[k]);
-      if (k > 0 && frames[k].y == frames[k - 1].y && frames[k].x + 6 - wordsEnd(frames[k - 1]) < 6)
-        found.push_back(control.options[k]);
-    }
-    const int room = control.track ? kLessonColumn - kColumnTrackAt - kColumnTrack - 8
-                                   : kLessonColumn - kColumnTrackAt - 18;
-    if (textWidth(control.value) > room) found.push_back(control.value);
-  }
-  return found;
-}
-
-void drawLessonPage(IndexImage& image, const LessonLayout& at, const LessonPage& page, const CellPlan& plan) {
-  Pen pen{Painter{image}, plan};
+void drawLessonPage(Pen& pen, const LessonLayout& at, const LessonPage& page) {
   drawTop(pen, at, page);
   drawLines(pen, at.words, Cell::Ink);
   if (page.question) drawQuestion(pen, at, *page.question);
-  drawControls(pen, at, page);
+  drawControlsFrame(pen, at);
   drawWays(pen, at, page);
-}
-
-std::optional<double> trackAt(const Rect& row, int x) {
-  const int along = x - row.x - kColumnTrackAt;
-  if (along < -6 || along > kColumnTrack + 6) return std::nullopt;
-  return std::clamp(static_cast<double>(along) / kColumnTrack, 0.0, 1.0);
-}
-
-std::optional<int> optionAt(const Rect& row, const PageControl& control, int x, int y) {
-  const std::vector<Rect> frames = framesOf(control, row);
-  if (frames.empty()) return std::nullopt;
-  y = std::clamp(y, frames.front().y,
-                 frames.back().y + frames.back().height - 1);  // a row is a little higher
-  for (std::size_t k = 0; k < frames.size(); ++k)
-    if (frames[k].has(x, y)) return static_cast<int>(k);
-  return std::nullopt;
-}
-
-std::vector<Rect> layoutOfList(const Rect& body, const LessonList& list, bool compact) {
-  const int pitch = compact ? 34 : 44, top = body.y + (compact ? 44 : 60);
-  std::vector<Rect> rows;
-  for (int k = 0; k < static_cast<int>(list.rows.size()); ++k)
-    rows.push_back({body.x, top + k * pitch, body.width, pitch - 4});
-  return rows;
-}
-
-void drawLessonList(IndexImage& image, const Rect& body, const LessonList& list, const CellPlan& plan,
-                    bool compact) {
-  Pen pen{Painter{image}, plan};
-  pen.paint.text(body.x, body.y + 21, "Lessons", pen(Cell::Ink), Voice::Title);
-  pen.paint.textRight(body.x + body.width, body.y + 21, "arrows, then Return; or the pointer",
-                      pen(Cell::Soft));
-  pen.rule(body.x, body.y + (compact ? 34 : 42), body.width);
-  const std::vector<Rect> rows = layoutOfList(body, list, compact);
-  for (std::size_t k = 0; k < rows.size(); ++k) {
-    const LessonList::Row& lesson = list.rows[k];
-    const Rect& row = rows[k];
-    const int y = row.y + (compact ? 13 : 16);
-    if (static_cast<int>(k) == list.chosen) {
-      pen.paint.fillRect({row.x, row.y, row.width, row.height}, pen(Cell::Focus));
-      pen.paint.fillRect({row.x, row.y, 2, row.height}, pen(Cell::Ink));
-    }
-    pen.softRight(row.x + 32, y, std::to_string(lesson.number));
-    const int end = pen.bold(row.x + 48, y, lesson.title);
-    if (list.current == static_cast<int>(k)) pen.soft(end + 18, y, "open");
-    pen.soft(row.x + 48, y + (compact ? 14 : 17), lesson.shows);
-  }
 }
 
 }  // namespace xnewell

@@ -20,7 +20,7 @@ namespace xnewell {
 
 /// The command line as a value.
 
-enum class Command { View, Draw, Snapshot, Trace, Trade, Extremes, Lesson, Visuals, Scenes };
+enum class Command { View, Draw, Snapshot, Trace, Trade, Extremes, Lesson, Visuals, Scenes, Keys };
 struct CommandRow {
   Command id;
   std::string_view name, usage, does;
@@ -42,6 +42,7 @@ inline constexpr std::array kCommands{
     CommandRow{Command::Visuals, "visuals", "visuals [options]",
                "what this X server offers and what xnewell would choose, and why"},
     CommandRow{Command::Scenes, "scenes", "scenes", "the built-in scenes and lessons, one line each"},
+    CommandRow{Command::Keys, "keys", "keys", "the keys of all views of the window, as tables"},
 };
 
 /// What fills the polygons: the server, or our scanline filler.

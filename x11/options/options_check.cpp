@@ -141,7 +141,7 @@ void checkCommand(const Options& o) {
   if (o.gave("--every") && o.frames.empty()) throw UsageError{"--every works only with --frames"};
   exclude(o.wholeWindow, !o.ids.empty(), "--whole-window and --ids");
   const bool serverless = o.command == Command::Draw || traces || charts || o.command == Command::Scenes ||
-                          (lesson && !o.frames.empty());
+                          o.command == Command::Keys || (lesson && !o.frames.empty());
   if (serverless && !o.visual.empty())
     throw UsageError{"--visual works only with view, snapshot and visuals"};
   if (serverless && (o.colormap != MapOwner::Private || o.nearest))

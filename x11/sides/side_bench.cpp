@@ -56,7 +56,7 @@ Setup SideBench::beside(const Setup& A) const {
 }
 
 void SideBench::put(const Setup& B) {
-  a_ = host_->setup(), b_ = B;
+  a_ = host_.setup(), b_ = B;
   (void)keepFillable(*b_);
   kind_ = Unlike::Intensity, place_ = 0, joins_ = false;
   picturesB_.reset();  // whatever scene they were of, B stays
@@ -77,14 +77,15 @@ void SideBench::remember(Changed changed, char control, const Setup& A) {
     before_.push_back({changed, control, A, *b_});
 }
 
-void SideBench::change(char control, const Setup& A, const std::function<void(Setup&)>& edit) {
+void SideBench::changeFocused(char control, const std::function<void(Setup&)>& edit) {
+  const Setup A = host_.setup();
   Setup next = focus_ == 'A' ? A : *b_;
   edit(next);
   (void)keepFillable(next);
   if (next == (focus_ == 'A' ? A : *b_)) return;
   if (focus_ == 'A') {
     remember(Changed::A, control, next);
-    host_->change(control, edit);
+    host_.change(control, edit);
   } else {
     remember(Changed::B, control, A);
     b_ = next;
@@ -95,7 +96,7 @@ void SideBench::swap(const Setup& A) {
   const Setup B = *b_;
   remember(Changed::Both, 'x', B);
   b_ = A;
-  host_->change('x', [&](Setup& s) { s = B; });
+  host_.change('x', [&](Setup& s) { s = B; });
 }
 
 void SideBench::nextPair(const Setup& A) {
@@ -112,9 +113,9 @@ void SideBench::nextPair(const Setup& A) {
   place_ = 0;
   remember(Changed::Both, 'g', nextA);
   b_ = nextB;
-  host_->change('g', [&](Setup& s) { s = nextA; });
-  host_->tell("A and B are " + std::string{row->name} +
-              "; all else is as in A, the picture of view 1. u undoes this.");
+  host_.change('g', [&](Setup& s) { s = nextA; });
+  host_.tell("A and B are " + std::string{row->name} +
+             "; all else is as in A, the picture of view 1. u undoes this.");
 }
 
 bool SideBench::undo(const Setup& A) {
@@ -126,115 +127,86 @@ bool SideBench::undo(const Setup& A) {
   return last.changed == Changed::B;
 }
 
-bool SideBench::pressArrow(int steps, const Setup& A) {
-  if (!slider_) return false;
-  const SliderRow* const row = sliderOf(slider_);
-  const Setup& of = focus_ == 'A' ? A : *b_;
-  if (!row->enabled(of)) {
-    host_->notify(noEffect(row->label, *row->setting, std::string{"in "} + focus_) + ".");
-    return true;
-  }
-  change(slider_, A, [&](Setup& s) { step(s, *row, steps); });
-  return true;
+void SideBench::nextPlace() {
+  if (places_.empty()) return host_.notify("Nothing differs: there is no place to go to.");
+  place_ = (place_ + 1) % static_cast<int>(places_.size());
 }
 
-bool SideBench::pressControl(char letter, const Setup& A) {
-  if (letter == 'F') {
-    host_->notify("Here the program's own scanline code fills both pictures.");
-    return true;
-  }
-  if (const ChoiceRow* const row = choiceOf(letter); row && row->section != Section::Hidden) {
-    if (letter == 'P')  // both have one camera
-      choose(*host_, *row, row->next(A));
-    else
-      change(letter, A, [&](Setup& s) { row->set(s, row->next(s)); });
-    return true;
-  }
-  if (const ToggleRow* const row = toggleOf(letter))
-    return change(letter, A, [&](Setup& s) { row->flip(s); }), true;
-  if (letter == 'H') return change('H', A, nextHue), true;
-  if (!sliderOf(letter)) return false;
-  slider_ = letter;
-  return true;
+void SideBench::nextKind() {
+  kind_ = kUnlikes[(static_cast<std::size_t>(kind_) + 1) % kUnlikes.size()].id;
+  place_ = 0;
+  if (kind_ != Unlike::Intensity || !noIntensities_) return;
+  kind_ = Unlike::Color;
+  host_.notify("These cells hold single colours, which have no intensity.");
 }
 
-bool SideBench::press(const Key& key, const Setup& setup) {
-  follow(setup);
-  const int times = key.shift ? 10 : 1;
-  switch (key.name) {
-    case NamedKey::Space:
-      return blinking_ = !blinking_, true;
-    case NamedKey::Left:
-    case NamedKey::Down:
-      return pressArrow(-times, setup);
-    case NamedKey::Right:
-    case NamedKey::Up:
-      return pressArrow(times, setup);
-    case NamedKey::Tab:
-      return focus_ = focus_ == 'A' ? 'B' : 'A', true;
-    case NamedKey::Escape:
-      blinking_ = false, slider_ = 0;
-      return true;
-    case NamedKey::Letter:
-      break;
-    default:
-      return false;
+Controls SideBench::controls() {
+  const Setup& A = host_.setup();
+  follow(A);
+  Controls all;
+  const ChangeSetup focused = [this](char control, const auto& edit) { changeFocused(control, edit); };
+  for (Control& control : settingControls(focus_ == 'A' ? A : *b_, host_.defaults(), focused)) {
+    const char key = control.key;
+    if (key == 'W' || key == 'J' || key == 'B') continue;
+    if (key == 'P') control = settingControl('P', A, host_.defaults(), change());  // both have one camera
+    if (key == 'F') control.off = "Here the program's own scanline code fills both pictures.";
+    if (key == 'S' || key == 'N' || key == 'O' || key == 'T') control.legend = "change";
+    all.push_back(std::move(control));
   }
-  switch (key.letter) {
-    case 'A':
-    case 'B':
-      return focus_ = key.letter, true;
-    case 'x':
-      return swap(setup), true;
-    case 'g':
-      return nextPair(setup), true;
-    case 'n':
-      place_ = places_.empty() ? 0 : (place_ + 1) % static_cast<int>(places_.size());
-      if (places_.empty()) host_->notify("Nothing differs: there is no place to go to.");
-      return true;
-    case 'f':
-      kind_ = kUnlikes[(static_cast<std::size_t>(kind_) + 1) % kUnlikes.size()].id;
-      place_ = 0;
-      if (kind_ == Unlike::Intensity && noIntensities_) {
-        kind_ = Unlike::Color;
-        host_->notify("These cells hold single colours, which have no intensity.");
-      }
-      return true;
-    case 'u':
-      return undo(setup);
-    case 't':
-    case 'z':
-      slider_ = 0;
-      return false;
-    default:
-      return pressControl(key.letter, setup);
+  for (Control& control : cameraControls(A, subject_(), change())) {
+    control.legend = control.label + " both";
+    all.push_back(std::move(control));
   }
+  for (const auto& [key, area] : buttons())
+    all.push_back({.kind = Control::Kind::Button, .key = key, .part = 1, .set = [this, key = key](double) {
+                     host_.pressLetter(key);
+                   }});
+  return all;
 }
 
-bool SideBench::grab(int x, int y) {
-  if (at_.captionA.has(x, y)) focus_ = 'A';
-  if (at_.captionB.has(x, y)) focus_ = 'B';
-  const Rect kinds{at_.difference.x, at_.sections.y + 3, at_.difference.width, 20};
-  if (kinds.has(x, y)) (void)press({NamedKey::Letter, 'f'}, host_->setup());
-  const Rect pairs{at_.numbers.x, at_.numbers.y + at_.numbers.height - 18, at_.numbers.width, 18};
-  if (pairs.has(x, y)) (void)press({NamedKey::Letter, 'g'}, host_->setup());
-  if (at_.difference.has(x, y)) (void)press({NamedKey::Letter, 'n'}, host_->setup());
-  x_ = x, y_ = y;
-  return at_.A.has(x, y) || at_.B.has(x, y);
+std::vector<std::pair<char, Rect>> SideBench::buttons() const {
+  const Rect& difference = at_.difference;
+  return {{'A', at_.captionA},
+          {'B', at_.captionB},
+          {'f', {difference.x, at_.sections.y + 3, difference.width, 20}},
+          {'g', {at_.numbers.x, at_.numbers.y + at_.numbers.height - 18, at_.numbers.width, 18}},
+          {'n', difference}};
 }
 
-void SideBench::dragTo(int x, int y) {
-  if (x == x_ && y == y_) return;
-  turn(*host_, host_->setup(), subject_(), -0.5 * (x - x_), 0.5 * (y - y_));
-  x_ = x, y_ = y;
+KeyTable SideBench::ownKeys() {
+  const auto add = [](KeyTable& table, Key key, const char* legend, const char* does, auto act) {
+    table.push_back({{key}, legend, does, [act](const Key&) { act(); }});
+  };
+  KeyTable table;
+  const char* const focus = "which one the letters of settings change; Tab is the other, or a click";
+  add(table, 'A', "focus", focus, [this] { focus_ = 'A'; });
+  add(table, 'B', "focus", focus, [this] { focus_ = 'B'; });
+  add(table, NamedKey::Tab, "", focus, [this] { focus_ = focus_ == 'A' ? 'B' : 'A'; });
+  add(table, 'x', "swap", "swap A and B", [this] { swap(host_.setup()); });
+  add(table, NamedKey::Space, "blink in place", "B in A's place and back: differences jump out",
+      [this] { blinking_ = !blinking_; });
+  add(table, 'f', "difference of", "compare faces, intensities or colours", [this] { nextKind(); });
+  add(table, 'n', "next place", "the next place where they differ", [this] { nextPlace(); });
+  add(table, 'g', "next pair", "a pair worth comparing: z-sort | Newell, flat | Gouraud, ...",
+      [this] { nextPair(host_.setup()); });
+  add(table, NamedKey::Escape, "", "stop blinking, select nothing", [this] {
+    blinking_ = false;
+    list_.setFocus(std::nullopt);
+  });
+  add(table, 'u', "undo", "undo, redo", [this] {
+    if (!undo(host_.setup())) host_.undo();
+  });
+  return table;
 }
 
 void SideBench::leave() {
-  blinking_ = false, slider_ = 0;
+  blinking_ = false;
+  list_.setFocus(std::nullopt);
   before_.clear();
+  Bench::leave();
 }
 
-bool SideBench::late(const Setup&) const { return told() != drawn_; }
+bool SideBench::late(const Setup&) const { return told() != drawn_ || list_.late(); }
 
 Picture SideBench::makeB(const Desk& desk) {
   if (!picturesB_ || !isSame(picturesB_->scene(), desk.picture.scene())) {
@@ -263,7 +235,7 @@ Picture SideBench::makeB(const Desk& desk) {
     try {
       return make();
     } catch (const std::runtime_error& e) {  // a view that shows nothing, or too large a BSP tree
-      host_->notify("B cannot be drawn with these settings: " + std::string{e.what()});
+      host_.notify("B cannot be drawn with these settings: " + std::string{e.what()});
       b_ = drawn_ && drawn_->b ? drawn_->b : desk.setup;
       return make();
     }
@@ -351,36 +323,21 @@ void SideBench::draw(IndexImage& image, const Desk& desk) {
   const CellUse second = cellUse(one.B);
   for (std::size_t k = 0; k < use_.samples.size(); ++k) use_.samples[k] += second.samples[k];
   status_ = sidesStatus(askedA, askedB);
-  if (slider_) {
-    const SliderRow* const row = sliderOf(slider_);
-    const Setup& of = focus_ == 'A' ? desk.setup : *b_;
-    aside_ =
-        "arrows: " + std::string{row->label} + " of " + focus_ + ", " + fixed(row->get(of), row->decimals);
-  } else {
+  const Controls all = controls();
+  list_.forgetPlaces();
+  for (const Rect& picture : {at_.A, at_.B})
+    list_.place({'t'}, {.area = picture, .grip = picture, .bare = true, .passive = true});
+  for (const auto& [key, area] : buttons()) list_.place({key, 1}, {.area = area, .bare = true});
+  Pen pen{Painter{image}, desk.plan};
+  list_.draw(pen, all);
+  const Control* const selected = list_.focused(all);
+  if (selected && selected->kind == Control::Kind::Slider)
+    aside_ = "arrows: " + selected->label + " of " + focus_ + ", " + textOf(selected->range, selected->value);
+  else
     aside_ = known                    ? "the numbers are of these pictures"
              : coarse_ || desk.coarse ? "coarse while dragging; numbers follow"
                                       : "numbers follow";
-  }
   drawn_ = told();
-}
-
-std::vector<Legend> SideBench::legend() const {
-  return {
-      {{"A", "B"}, "focus"}, {{"x"}, "swap"},      {{"Space"}, "blink in place"},    {{"f"}, "difference of"},
-      {{"n"}, "next place"}, {{"g"}, "next pair"}, {{"S", "N", "O", "T"}, "change"}, {{"t"}, "turn both"},
-      {{"z"}, "zoom both"}};
-}
-
-std::vector<HelpLine> SideBench::help() const {
-  return {{"A B", "which one the letters below change; Tab is the other, or a click"},
-          {"S N O K T H L V", "shading, normals, order, backs, table, hue, L, V: the next"},
-          {"i p a d s c 0", "Ia, Ip, ka, kd, ks, shades, I0: then < >, Shift by ten"},
-          {"g", "a pair worth comparing: z-sort | Newell, flat | Gouraud, ..."},
-          {"x", "swap A and B"},
-          {"Space", "B in A's place and back: differences jump out"},
-          {"f", "compare faces, intensities or colours"},
-          {"n", "the next place where they differ"},
-          {"t z P", "turn, zoom, projection: of both; or drag a picture"}};
 }
 
 }  // namespace xnewell

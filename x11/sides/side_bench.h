@@ -7,7 +7,6 @@
 
 #include "x11/sides/sides_page.h"
 #include "x11/window/bench.h"
-#include "x11/window/control_keys.h"
 
 namespace xnewell {
 
@@ -25,14 +24,12 @@ extern const std::array<PairRow, 4> kPairs;
 class SideBench : public Bench {
  public:
   /// All that is passed must outlive it. The screen has cells for `most` colours.
-  SideBench(Host& host, std::function<ControlKeys::Subject()> subject, std::function<int()> most)
-      : host_{&host}, subject_{std::move(subject)}, most_{std::move(most)} {}
+  SideBench(Host& host, std::function<Subject()> subject, std::function<int()> most)
+      : Bench{host}, subject_{std::move(subject)}, most_{std::move(most)} {}
 
-  [[nodiscard]] bool press(const Key& key, const Setup& setup) override;
-  [[nodiscard]] std::string_view sharedKeys() const override { return "tz"; }
-  /// A click on a caption sets the focus; dragging a picture turns both.
-  [[nodiscard]] bool grab(int x, int y) override;
-  void dragTo(int x, int y) override;
+  /// The controls change the setup that has the focus, A or B; a click on a caption sets it.
+  [[nodiscard]] Controls controls() override;
+  [[nodiscard]] KeyTable ownKeys() override;
   void enter() override { joins_ = true; }
   void leave() override;
   [[nodiscard]] Rect picture(const Layout& at) const override { return layoutOfSides(at.body).A; }
@@ -40,8 +37,6 @@ class SideBench : public Bench {
   void draw(IndexImage& image, const Desk& desk) override;
   [[nodiscard]] std::string status() const override { return status_; }
   [[nodiscard]] std::string aside() const override { return aside_; }
-  [[nodiscard]] std::vector<Legend> legend() const override;
-  [[nodiscard]] std::vector<HelpLine> help() const override;
   [[nodiscard]] const CellUse* use() const override { return &use_; }
   [[nodiscard]] const OwnColors* colors() const override { return &colors_; }
 
@@ -64,10 +59,12 @@ class SideBench : public Bench {
   /// B takes over what has changed in A since the last drawing: camera and size, and settings that both
   /// shared.
   void follow(const Setup& A);
-  [[nodiscard]] bool pressArrow(int steps, const Setup& A);
-  [[nodiscard]] bool pressControl(char letter, const Setup& A);
   /// Changes the setup that has the focus.
-  void change(char control, const Setup& A, const std::function<void(Setup&)>& edit);
+  void changeFocused(char control, const std::function<void(Setup&)>& edit);
+  void nextPlace();
+  void nextKind();
+  /// The letters that a click on a part of the page presses.
+  [[nodiscard]] std::vector<std::pair<char, Rect>> buttons() const;
   void swap(const Setup& A);
   void nextPair(const Setup& A);
   /// Undoes the last change made here. Returns false if the window must undo a change of A.
@@ -82,13 +79,10 @@ class SideBench : public Bench {
   };
   void measure(Measured& side, const Measured& other, const Picture& picture);
 
-  Host* host_;
-  std::function<ControlKeys::Subject()> subject_;
+  std::function<Subject()> subject_;
   std::function<int()> most_;
-  int x_ = 0, y_ = 0;           ///< the pointer, while it turns both
   std::optional<Setup> a_, b_;  ///< both setups at the last drawing
   char focus_ = 'B';
-  char slider_ = 0;  ///< the slider that the arrows change, 0 for none
   Unlike kind_ = Unlike::Face;
   int place_ = 0;
   bool blinking_ = false;
@@ -103,10 +97,10 @@ class SideBench : public Bench {
     Unlike kind;
     int place;
     bool blinking;
-    char focus, slider;
+    char focus;
     bool operator==(const Told&) const = default;
   };
-  [[nodiscard]] Told told() const { return {b_, kind_, place_, blinking_, focus_, slider_}; }
+  [[nodiscard]] Told told() const { return {b_, kind_, place_, blinking_, focus_}; }
   std::optional<Told> drawn_;
   Measured measuredA_, measuredB_;
   LastTruth truth_;

@@ -1,12 +1,12 @@
 #include "x11/stepper/sort_bench.h"
 
 #include <algorithm>
-#include <cmath>
 #include <utility>
 
+#include "x11/drawing/wording.h"
 #include "x11/stepper/sort_page.h"
 #include "x11/stepper/sort_wording.h"
-#include "x11/window/typed_number.h"
+#include "x11/window/caption.h"
 
 namespace xnewell {
 
@@ -14,312 +14,255 @@ namespace {
 
 constexpr int kShiftSteps = 10;
 
-constexpr std::string_view kOwnLetters{"jJKg/bly+-"};
-constexpr std::array kOwnKeys{NamedKey::Left, NamedKey::Right, NamedKey::Home, NamedKey::End,
-                              NamedKey::Space};
+/// The keys that the buttons stand for.
+constexpr std::array<Key, kTransport> kTransportKeys{
+    Key{NamedKey::Home}, {NamedKey::Left, 0, true},  {NamedKey::Left}, {NamedKey::Space},
+    {NamedKey::Right},   {NamedKey::Right, 0, true}, {NamedKey::End}};
 
 }  // namespace
 
-void SortBench::goTo(int step) {
-  if (!run_) return;
-  view_.step = std::clamp(step, 0, run_->steps());
-  view_.answer.reset();
-  view_.asking = view_.predict && view_.step > 0 && isQuestion(run_->sorted().events[view_.step - 1]);
+Control SortBench::timeline() {
+  return {.kind = Control::Kind::Slider,
+          .part = sortId(SortPart::Timeline).part,
+          .label = "step",
+          .is = "the step that is shown",
+          .value = static_cast<double>(view().step),
+          .range = {0, static_cast<double>(run()->steps()), 1, false, 0},
+          .set = [this](double step) { player_.moveTo(static_cast<int>(step)); },
+          .move = [this](int along, int up) { player_.stepBy(along + up); }};
 }
 
-void SortBench::stepBy(int steps) {
-  view_.playing = false;
-  // The first step forward answers the question.
-  if (view_.asking && steps > 0) return reveal();
-  goTo(view_.step + steps);
-}
-
-void SortBench::jump(bool forward) {
-  if (!run_) return;
-  view_.playing = false;
-  const std::optional<int> step = forward ? run_->landmarks().next(view_.kind, view_.step)
-                                          : run_->landmarks().previous(view_.kind, view_.step);
-  const std::string name{kLandmarks[static_cast<int>(view_.kind)].name};
-  if (step) return goTo(*step);
-  host_.notify(run_->landmarks().steps(view_.kind).empty()
-                   ? "This run has no " + name + " step; K chooses another kind."
-                   : std::string{"There is no "} + name + " step " + (forward ? "after" : "before") +
-                         " this one; K chooses another kind.");
-}
-
-void SortBench::goToPolygon(int number) {
-  if (!run_) return;
-  view_.playing = false;
-  view_.polygon = number;
-  const std::string face = "face " + std::to_string(number);
-  if (const auto step = run_->landmarks().nextWith(run_->scene(), number, view_.step)) {
-    goTo(*step);
-    host_.tell("This is the next step with " + face + "; / and Return go to the one after it.");
-  } else if (const auto first = run_->landmarks().nextWith(run_->scene(), number, 0)) {
-    goTo(*first);
-    host_.tell("No later step has " + face + ": this is the first that has it.");
-  } else {
-    host_.notify("No step has " + face + ": it is not visible, or no other polygon is as deep.");
+Controls SortBench::controls() {
+  if (!run()) return {};
+  SortView& view = player_.view;
+  Controls all{timeline(),
+               {.kind = Control::Kind::Slider,
+                .part = sortId(SortPart::Speed).part,
+                .label = "speed",
+                .is = "steps a second",
+                .value = view.speed,
+                .range = kSpeeds,
+                .set = [&view](double speed) { view.speed = speed; }},
+               kindsControl(*run(), view)};
+  all.back().set = [this, &view](double kind) {
+    view.kind = static_cast<Landmark>(kind);
+    player_.jump(true);
+  };
+  for (int k = 0; k < kToggleCount; ++k) {
+    all.push_back(toggleControl(view, k));
+    all.back().set = [this, k](double) { player_.toggle(k); };
   }
+  const auto add = [&](SortPart part, int index, const std::function<void()>& act) {
+    all.push_back(
+        {.kind = Control::Kind::Button, .part = sortId(part, index).part, .set = [act](double) { act(); }});
+  };
+  for (int k = 0; k < kTransport; ++k)
+    add(SortPart::Transport, k, [this, k] { (void)pressIn(ownKeys(), kTransportKeys[k], host_); });
+  for (int k = 0; view.asking && k < static_cast<int>(kAnswers.size()); ++k)
+    add(SortPart::Answer, k, [this, k] { player_.answer(k); });
+  for (int k = 0; k < static_cast<int>(places_.rows.size()); ++k)
+    if (const int id = places_.rows[k]; id >= 0) add(SortPart::Row, k, [this, id] { goToFaceOf(id); });
+  return all;
 }
 
-void SortBench::reveal() { view_.asking = false; }
-
-void SortBench::answer(int which) {
-  if (!view_.asking || !run_) return;
-  view_.answer = static_cast<Verdict>(which);
-  ++view_.asked;
-  view_.right += *view_.answer == run_->sorted().events[view_.step - 1].verdict;
-  reveal();
-}
-
-void SortBench::toggle(int index) {
-  if (index == kPredict) {
-    view_.predict = !view_.predict;
-    if (!view_.predict) reveal();
-    return;
+KeyTable SortBench::ownKeys() {
+  SortView& view = player_.view;
+  KeyTable table;
+  const auto add = [&](Key key, std::string legend, const char* does, std::string off, auto act) {
+    append(table, {{{key}, std::move(legend), does, [act](const Key&) { act(); }, std::move(off)}});
+  };
+  const char* const predicts = "predict: say what follows each comparison; or no longer";
+  if (view.asking) {
+    for (std::size_t k = 0; k < kAnswers.size(); ++k)
+      add(kAnswerKeys[k], std::string{kAnswers[k]}, "answer what follows", "",
+          [this, k] { player_.answer(static_cast<int>(k)); });
+    add(NamedKey::Return, "show", "show what follows", "", [&view] { view.asking = false; });
+    add('y', "stop predicting", predicts, "", [this] { player_.toggle(kPredict); });
   }
-  view_.stops[index] = !view_.stops[index];
-  if (index == kPolygonStop && view_.stops[index] && !view_.polygon) askPolygon();
+  for (int k = 0; view.numbered && k < kStops; ++k)
+    add(static_cast<char>('1' + k), "tick a box", "tick a box", "", [this, k] { player_.toggle(k); });
+
+  const bool rests = run() && !view.playing;
+  const char* const atStart = rests && view.step == 0 ? "This is the start of the run." : "";
+  const char* const atEnd =
+      rests && !view.asking && view.step == run()->steps() ? "This is the end of the run." : "";
+  const auto by = [this](int steps) {
+    return [this, steps](const Key& key) { player_.stepBy(key.shift ? kShiftSteps * steps : steps); };
+  };
+  const char* const steps = "a step back or forward; Shift: ten steps";
+  append(table, {{{NamedKey::Left}, "step", steps, by(-1), atStart},
+                 {{NamedKey::Right}, "step", steps, by(1), atEnd}});
+  add(NamedKey::Space, view.playing ? "stop" : "play", "play, stop",
+      run() && run()->steps() == 0 ? "There is nothing to sort." : "", [this] { player_.play(); });
+  const char* const ends = "the start of the run, its end";
+  add(NamedKey::Home, "start", ends, atStart, [this] { player_.moveTo(0); });
+  add(NamedKey::End, "end", ends, atEnd, [this] { player_.moveTo(run()->steps()); });
+  const char* const jumps = "the next step of the kind, the one before";
+  const auto whyNot = [&](bool forward) { return run() ? player_.whyNoJump(forward) : ""; };
+  add('j', "next of kind", jumps, whyNot(true), [this] { player_.jump(true); });
+  add('J', "back", jumps, whyNot(false), [this] { player_.jump(false); });
+  add('K', "kind", "the next kind of step", "", [&view] {
+    view.kind = static_cast<Landmark>((static_cast<std::size_t>(view.kind) + 1) % kLandmarks.size());
+  });
+  add('g', "go to step", "go to a step by its number", "", [this] {
+    player_.view.playing = false;
+    list_.askForValue(timeline());
+  });
+  add('/', "polygon", "go to the next step with a polygon", "", [this] { player_.askPolygon(); });
+  add('b', "stop at", "and 1 to 6: tick what playing stops at", "",
+      [&view, on = !view.numbered] { view.numbered = on; });
+  add('y', "predict", predicts, "", [this] { player_.toggle(kPredict); });
+  const auto speed = [&view](int presses) {
+    return [&view, presses] { view.speed = stepped(kSpeeds, view.speed, presses); };
+  };
+  add('-', "speed", "slower, faster", view.speed <= kSpeeds.low ? "This is the lowest speed." : "",
+      speed(-1));
+  add('+', "speed", "slower, faster", view.speed >= kSpeeds.high ? "This is the highest speed." : "",
+      speed(1));
+  add('l', "", "show the loupe, or put it away", "", [&view] { view.loupe = !view.loupe; });
+  if (view.playing || view.numbered || list_.focus() == sortId(SortPart::Speed))
+    add(NamedKey::Escape, "", "stop playing; select the timeline again", "", [this] {
+      player_.view.playing = false;
+      list_.setFocus(sortId(SortPart::Timeline));
+    });
+  table.push_back({.does = "go to the next step with a polygon; tick a box", .gesture = "click"});
+  if (tooLong_)
+    for (KeyRow& row : table) row.legend.clear(), row.off = "This run is too long to step through.";
+  return table;
 }
 
-void SortBench::speedUp(int notches) {
-  const double factor = std::pow(2.0, notches / 2.0);
-  view_.speed = std::clamp(view_.speed * factor, kSlowest, kFastest);
-}
-
-void SortBench::push(Transport button) {
-  switch (button) {
-    case Transport::Start:
-      return stepBy(-view_.step);
-    case Transport::TenBack:
-      return stepBy(-kShiftSteps);
-    case Transport::Back:
-      return stepBy(-1);
-    case Transport::Play:
-      if (run_ && !view_.playing && view_.step == run_->steps()) goTo(0);
-      if (view_.asking) reveal();
-      view_.playing = run_ && !view_.playing && run_->steps() > 0;
-      due_ = 0;
-      return;
-    case Transport::Forward:
-      return stepBy(1);
-    case Transport::TenForward:
-      return stepBy(kShiftSteps);
-    case Transport::End:
-      if (!run_) return;
-      view_.playing = false;
-      return goTo(run_->steps());
+bool SortBench::press(const Key& key) {
+  if (!run() && !tooLong_) {  // the key waits until the run is recorded
+    const bool own = rowOf(ownKeys(), key) != nullptr;
+    if (own) early_.push_back(key);
+    return own;
   }
-}
-
-bool SortBench::stopsAt(int step) const {
-  const Event& e = run_->sorted().events[step - 1];
-  if (view_.predict && isQuestion(e)) return true;
-  const std::optional<Landmark> kind = landmarkOf(e);
-  if (kind && view_.stops[static_cast<int>(*kind)]) return true;
-  return view_.stops[kPolygonStop] && view_.polygon &&
-         run_->landmarks().has(run_->scene(), *view_.polygon, step);
-}
-
-void SortBench::tick() {
-  if (!view_.playing || !run_) return;
-  due_ += view_.speed * kTick / 1000.0;
-  while (due_ >= 1.0 && view_.playing) {
-    due_ -= 1.0;
-    goTo(view_.step + 1);
-    view_.playing = view_.step < run_->steps() && !stopsAt(view_.step);
-  }
-}
-
-void SortBench::askStep() {
-  if (!run_) return;
-  view_.playing = false;
-  host_.ask({.asks = "go to step, 0 to " + std::to_string(run_->steps()),
-             .take = [this](const std::string& text) -> std::string {
-               const std::optional<int> step = wholeNumber(text);
-               if (!step || *step < 0 || *step > run_->steps())
-                 return "A step is a whole number from 0 to " + std::to_string(run_->steps()) + ".";
-               goTo(*step);
-               return "";
-             }});
-}
-
-void SortBench::askPolygon() {
-  if (!run_) return;
-  host_.ask({.asks = "go to the next step with face number",
-             .text = view_.polygon ? std::to_string(*view_.polygon) : "",
-             .take = [this](const std::string& text) -> std::string {
-               // A piece, 12a or 12.1, counts as its face.
-               const std::optional<int> number =
-                   wholeNumber(text.substr(0, text.find_first_not_of("0123456789")));
-               const auto& faces = run_->scene().faces;
-               if (!number || std::ranges::find(faces, *number, &SnappedFace::number) == faces.end())
-                 return "No face with that number is in the picture; the list shows some.";
-               goToPolygon(*number);
-               return "";
-             }});
-}
-
-bool SortBench::pressNamed(const Key& key) {
-  const int times = key.shift ? kShiftSteps : 1;
-  switch (key.name) {
-    case NamedKey::Left:
-      return stepBy(-times), true;
-    case NamedKey::Right:
-      return stepBy(times), true;
-    case NamedKey::Home:
-      return push(Transport::Start), true;
-    case NamedKey::End:
-      return push(Transport::End), true;
-    case NamedKey::Space:
-      return push(Transport::Play), true;
-    case NamedKey::Return:
-      if (!view_.asking) return false;
-      return reveal(), true;
-    case NamedKey::Escape:
-      if (!view_.playing && !view_.numbered) return false;
-      view_.playing = view_.numbered = false;
-      return true;
-    default:
-      return false;
-  }
-}
-
-bool SortBench::press(const Key& key, const Setup&) {
-  if (!run_) {
-    // Keys typed before the run is recorded wait for it.
-    const bool waits =
-        !tooLong_ && (key.name == NamedKey::Letter ? kOwnLetters.find(key.letter) != std::string_view::npos
-                                                   : std::ranges::find(kOwnKeys, key.name) != kOwnKeys.end());
-    if (waits) early_.push_back(key);
-    return waits;
-  }
-  // After `b` a digit ticks a box; any other key does what it always does.
-  if (view_.numbered) {
-    view_.numbered = false;
-    if (key.name == NamedKey::Letter && key.letter >= '1' && key.letter < '1' + kStops)
-      return toggle(key.letter - '1'), true;
-    if (key.name == NamedKey::Escape || (key.name == NamedKey::Letter && key.letter == 'b')) return true;
-  }
-  if (key.name != NamedKey::Letter) return pressNamed(key);
-  if (view_.asking) {
-    const auto* const which = std::ranges::find(kAnswerKeys, key.letter);
-    if (which != kAnswerKeys.end()) return answer(static_cast<int>(which - kAnswerKeys.begin())), true;
-  }
-  switch (key.letter) {
-    case 'j':
-      return jump(true), true;
-    case 'J':
-      return jump(false), true;
-    case 'K':
-      view_.kind =
-          static_cast<Landmark>((static_cast<int>(view_.kind) + 1) % static_cast<int>(kLandmarks.size()));
-      return true;
-    case 'g':
-      return askStep(), true;
-    case '/':
-      return askPolygon(), true;
-    case 'b':
-      view_.numbered = true;
-      return true;
-    case 'l':
-      return view_.loupe = !view_.loupe, true;
-    case 'y':
-      return toggle(kPredict), true;
-    case '+':
-      return speedUp(1), true;
-    case '-':
-      return speedUp(-1), true;
-    default:
-      return false;
-  }
-}
-
-void SortBench::hover(int x, int y) {
-  if (!run_) return;
-  SortSpot spot = spotAt(at_, x, y);
-  // A polygon or a place on the timeline is not highlighted.
-  if (spot.part == SortPart::Picture || spot.part == SortPart::Timeline) spot = {};
-  if (spot.part == SortPart::Row &&
-      (spot.index >= static_cast<int>(places_.rows.size()) || places_.rows[spot.index] < 0))
-    spot = {};
-  if (spot.part == SortPart::Answer && !view_.asking) spot = {};
-  view_.hover = spot;
-}
-
-void SortBench::clickPicture(int x, int y) {
-  if (places_.loupe.has(x, y)) return;
-  const int id = run_->fragmentAt(x - at_.picture.x, y - at_.picture.y);
-  if (id >= 0)
-    goToPolygon(run_->fragments().face(id).number);
-  else
-    host_.notify("There is no polygon there.");
-}
-
-void SortBench::click(const SortSpot& spot, int x, int y) {
-  switch (spot.part) {
-    case SortPart::Picture:
-      return clickPicture(x, y);
-    case SortPart::Row:
-      if (spot.index < static_cast<int>(places_.rows.size()) && places_.rows[spot.index] >= 0)
-        goToPolygon(run_->fragments().face(places_.rows[spot.index]).number);
-      return;
-    case SortPart::Toggle:
-      return toggle(spot.index);
-    case SortPart::Transport:
-      return push(static_cast<Transport>(spot.index));
-    case SortPart::Kind:
-      view_.kind = static_cast<Landmark>(spot.index);
-      return jump(true);
-    case SortPart::Answer:
-      return answer(spot.index);
-    case SortPart::Nothing:
-    case SortPart::Speed:
-    case SortPart::Timeline:
-      return;
-  }
+  const KeyTable table = keys();
+  player_.view.numbered = false;  // the boxes have digits for one key only
+  return pressIn(table, key, host_);
 }
 
 bool SortBench::grab(int x, int y) {
-  if (!run_) return false;
-  view_.numbered = false;
-  const SortSpot spot = spotAt(at_, x, y);
-  if (spot.part != SortPart::Speed && spot.part != SortPart::Timeline) {
-    click(spot, x, y);
-    return false;
-  }
-  dragged_ = spot.part;
-  view_.dragged = spot.part == SortPart::Speed;
-  dragTo(x, y);
-  return true;
+  if (!run()) return false;
+  player_.view.numbered = false;
+  if (list_.grab(controls(), x, y)) return list_.dragging();
+  if (!at_.picture.has(x, y) || places_.loupe.has(x, y)) return false;
+  if (const int id = run()->fragmentAt(x - at_.picture.x, y - at_.picture.y); id >= 0)
+    goToFaceOf(id);
+  else
+    host_.notify("There is no polygon there.");
+  return false;
 }
 
-void SortBench::dragTo(int x, int) {
-  if (!run_) return;
-  if (dragged_ == SortPart::Timeline) {
-    view_.playing = false;
-    goTo(stepAt(at_.timeline, x, run_->steps()));
-  } else if (dragged_ == SortPart::Speed) {
-    view_.speed = speedAt(at_.speed, x);
-  }
-}
+void SortBench::goToFaceOf(int id) { player_.goToPolygon(run()->fragments().face(id).number); }
 
-void SortBench::drop() {
-  dragged_ = SortPart::Nothing;
-  view_.dragged = false;
-}
+void SortBench::enter() { list_.setFocus(sortId(SortPart::Timeline)); }
 
 void SortBench::leave() {
-  view_.playing = view_.numbered = false;
-  view_.hover = {};
-  drop();
+  Bench::leave();
+  player_.view.playing = player_.view.numbered = false;
   // Another view makes the picture at its own size, so this run is no longer valid.
-  run_.reset();
-  tooLong_ = false;
+  player_.run.reset();
+  tooLong_ = fullColor_ = false;
   early_.clear();
   drawn_.reset();
-  fullColor_ = false;
+}
+
+Setup SortBench::painted(const Setup& setup) const {
+  Setup newell = setup;
+  newell.picture.order = Order::Newell;
+  newell.picture.inPixels = false;
+  // In full colour a picture chooses its colours after all of it is painted, but a run is painted piece by
+  // piece.
+  if (fullColor_) newell.picture.colors = ColorPlan::OneHue;
+  newell.fill = Fill::Scanline;
+  return newell;
+}
+
+void SortBench::record(const Desk& desk) {
+  SortView& view = player_.view;
+  const bool sameScene = picture_ && &picture_->scene() == &desk.picture.scene();
+  const bool same = sameScene && picture_->snapped().vertices == desk.picture.snapped().vertices;
+  if ((run() || tooLong_) && same && picture_->settings() == desk.picture.settings()) return;
+  const int step = view.step;
+  const bool atEnd = run() && step > 0 && step == run()->steps();
+  player_.run.reset();
+  tooLong_ = false;
+  if (!sameScene) view.polygon.reset(), about_.reset();
+  picture_ = desk.picture;
+  try {
+    player_.run = std::make_unique<SortRun>(desk.picture, desk.plan[Cell::Well]);
+  } catch (const TooLongRun&) {
+    tooLong_ = true;
+    early_.clear();
+    view.playing = false;
+    return;
+  }
+  const bool asking = view.asking && same;
+  const std::optional<Verdict> answer = same ? view.answer : std::nullopt;
+  goTo(same ? step : atEnd && sameScene ? run()->steps() : likeBefore());
+  view.asking = view.asking && asking;
+  view.answer = answer;
+  for (const Key& key : std::exchange(early_, {})) static_cast<void>(press(key));
+}
+
+int SortBench::likeBefore() {
+  if (!about_) return 0;
+  const std::optional<int> step = run()->stepAbout(*about_);
+  host_.tell(step ? "The new view has its own run: this is its step most like the one before."
+                  : "The new view has its own run, without such a step: this is its start.");
+  return step.value_or(0);
+}
+
+void SortBench::drawTooLong(IndexImage& image, const Desk& desk) {
+  const Rect &body = desk.layout.body, picture = this->picture(desk.layout);
+  Painter paint = Painter{image}.within(body);
+  const IndexImage whole = desk.picture.paint(desk.plan[Cell::Well]).image;
+  use_ = cellUse(whole);
+  paint.place(whole, picture.x, picture.y);
+  int y = picture.y + picture.height + 30;
+  paint.text(body.x, y, "This run is too long to step through.", desk.plan[Cell::Ink], Voice::Bold);
+  for (const std::string& line :
+       broken("Newell's sort of " +
+                  counted(static_cast<std::int64_t>(desk.picture.snapped().faces.size()), "polygon") +
+                  " takes more than " + grouped(SortRun::kMostEvents) +
+                  " steps. Use fewer divisions if the scene has patches (k in view 4), or zoom in so that "
+                  "fewer polygons are visible.",
+              90)) {
+    y += 16;
+    paint.text(body.x, y, line, desk.plan[Cell::Ink]);
+  }
+}
+
+void SortBench::draw(IndexImage& image, const Desk& desk) {
+  at_ = layoutOfSort(desk.layout.body);
+  order_ = desk.setup.picture.order;
+  if (channelsOf(desk.picture.colors().plan()) == Channels::Rgb) {
+    fullColor_ = true;  // the view is still late, so it is drawn again at once
+    drawn_.reset();
+    return;
+  }
+  record(desk);
+  list_.forgetPlaces();
+  if (!run()) {
+    drawTooLong(image, desk);
+    status_ = "Newell's sort of this scene is too long to step through.";
+  } else {
+    places_ = drawSortPage(image, at_, *run(), view(), desk.plan, &list_);
+    status_ = stepInWords(*run());
+    about_ = view().step > 0 ? std::optional{run()->about(view().step)} : std::nullopt;
+    use_ = cellUse(run()->soFar());
+  }
+  Pen pen{Painter{image}, desk.plan};
+  list_.draw(pen, controls());
+  drawn_ = view();
+}
+
+std::string SortBench::aside() const {
+  if (!player_.run) return "";
+  if (fullColor_) return "in one hue: the picture chooses its colours after all of it is painted";
+  return order_ == Order::Newell ? "the textbook's run; the picture uses a quicker one, which may cut others"
+                                 : "Newell's sort; the picture itself: " + orderInWords(order_);
 }
 
 }  // namespace xnewell

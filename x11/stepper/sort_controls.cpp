@@ -7,90 +7,73 @@
 
 namespace xnewell {
 
+Control kindsControl(const SortRun& run, const SortView& view) {
+  Control kinds{.kind = Control::Kind::Choice,
+                .part = sortId(SortPart::Kinds).part,
+                .label = "jump to",
+                .is = "the kind of step to jump to",
+                .value = static_cast<double>(view.kind)};
+  for (const LandmarkRow& row : kLandmarks) {
+    kinds.options.emplace_back(row.name);
+    kinds.lacking.push_back(run.landmarks().steps(row.id).empty());
+  }
+  return kinds;
+}
+
+Control toggleControl(const SortView& view, int index) {
+  return {.kind = Control::Kind::Toggle,
+          .part = sortId(SortPart::Toggle, index).part,
+          .label = std::string{kToggleNames[index]},
+          .value = (index == kPredict ? view.predict : view.stops[index]) ? 1.0 : 0.0};
+}
+
 namespace {
 
-void drawToggle(SortPen& pen, int index, bool on) {
-  const Rect& r = pen.at.toggles[index];
-  const int y = r.y + pen.at.line - 4;
-  const Rect box{r.x, y - 10, 11, 11};
-  pen.paint.fillRect(box, pen(pen.hovers(SortPart::Toggle, index) ? Cell::Focus : Cell::White));
-  pen.paint.frame(box, pen(Cell::Ink));
-  if (on) pen.paint.tick(box.x + 2, box.y + 2, pen(Cell::Ink));
-  pen.ink(r.x + 17, y, kToggleNames[index]);
-  if (pen.view.numbered && index < kStops)
-    pen.paint.keyCap(r.x - 19, y - 11, std::to_string(index + 1),
-                     {pen(Cell::Focus), pen(Cell::Rule), pen(Cell::Faint), pen(Cell::Ink)});
-}
-
-void bar(SortPen& pen, int x, int middle) { pen.paint.fillRect({x, middle - 4, 2, 9}, pen(Cell::Ink)); }
-
-void drawIcon(SortPen& pen, Transport button, const Rect& r) {
-  const int cx = r.x + r.width / 2, cy = r.y + r.height / 2;
-  const auto left = [&](int x) { pen.paint.triangle(x, cy - 4, 5, Direction::Left, pen(Cell::Ink)); };
-  const auto right = [&](int x) { pen.paint.triangle(x, cy - 4, 5, Direction::Right, pen(Cell::Ink)); };
-  switch (button) {
-    case Transport::Start:
-      bar(pen, cx - 5, cy);
-      return left(cx - 1);
-    case Transport::TenBack:
-      left(cx - 6);
-      return left(cx);
-    case Transport::Back:
-      return left(cx - 3);
-    case Transport::Play:
-      if (!pen.view.playing) return right(cx - 2);
-      bar(pen, cx - 4, cy);
-      return bar(pen, cx + 2, cy);
-    case Transport::Forward:
-      return right(cx - 2);
-    case Transport::TenForward:
-      right(cx - 5);
-      return right(cx + 1);
-    case Transport::End:
-      right(cx - 4);
-      return bar(pen, cx + 3, cy);
-  }
-}
+/// A bar or an arrow of an icon, and how far its left edge is from the middle.
+struct Piece {
+  char shape = 0;
+  int at = 0;
+};
+using Icon = std::array<Piece, 2>;
+constexpr std::array<Icon, kTransport> kIcons{{{{{'|', -5}, {'<', -1}}},
+                                               {{{'<', -6}, {'<', 0}}},
+                                               {{{'<', -3}}},
+                                               {{{'>', -2}}},
+                                               {{{'>', -2}}},
+                                               {{{'>', -5}, {'>', 1}}},
+                                               {{{'>', -4}, {'|', 3}}}}};
+constexpr Icon kStopIcon{{{'|', -4}, {'|', 2}}};
 
 void drawButton(SortPen& pen, int index) {
   const Rect& r = pen.at.transport[index];
-  pen.paint.fillRect(r, pen(pen.hovers(SortPart::Transport, index) ? Cell::White : Cell::Panel));
+  pen.paint.fillRect(r, pen(pen.look(SortPart::Transport, index).hovered ? Cell::White : Cell::Panel));
   pen.paint.frame(r, pen(Cell::Faint));
   pen.paint.hline(r.x + 1, r.y + 1, r.width - 2, pen(Cell::White));
   pen.paint.vline(r.x + 1, r.y + 1, r.height - 2, pen(Cell::White));
   pen.rule(r.x + 1, r.y + r.height - 2, r.width - 2);
   pen.paint.vline(r.x + r.width - 2, r.y + 1, r.height - 2, pen(Cell::Rule));
-  drawIcon(pen, static_cast<Transport>(index), r);
-}
-
-void drawKinds(SortPen& pen, int y) {
-  const Rect& first = pen.at.kinds.front();
-  if (first.x - 54 > pen.at.step.x + pen.at.step.width) pen.ink(first.x - 54, y, "jump to");
-  for (int k = 0; k < static_cast<int>(kLandmarks.size()); ++k) {
-    const Rect& r = pen.at.kinds[k];
-    const bool chosen = k == static_cast<int>(pen.view.kind), hovered = pen.hovers(SortPart::Kind, k);
-    if (chosen || hovered) pen.paint.fillRect(r, pen(chosen ? Cell::White : Cell::Panel));
-    if (chosen) {
-      pen.paint.frame(r, pen(Cell::Ink));
-      pen.bold(r.x + 6, y, kLandmarks[k].name);
-    } else {
-      const bool none = pen.run.landmarks().steps(kLandmarks[k].id).empty();
-      pen.paint.text(r.x + 6, y, kLandmarks[k].name, pen(none ? Cell::Faint : Cell::Soft));
-    }
+  const int top = r.y + r.height / 2 - 4;
+  for (const auto& [shape, at] : index == kPlay && pen.view.playing ? kStopIcon : kIcons[index]) {
+    const int x = r.x + r.width / 2 + at;
+    if (shape == '|') pen.paint.fillRect({x, top, 2, 9}, pen(Cell::Ink));
+    if (shape == '<') pen.paint.triangle(x, top, 5, Direction::Left, pen(Cell::Ink));
+    if (shape == '>') pen.paint.triangle(x, top, 5, Direction::Right, pen(Cell::Ink));
   }
 }
 
+void drawKinds(SortPen& pen, int y) {
+  if (!pen.at.narrow) pen.ink(pen.at.kinds.area.x - 54, y, "jump to");
+  drawControl(pen, kindsControl(pen.run, pen.view), pen.at.kinds, pen.look(SortPart::Kinds));
+}
+
 void drawSpeed(SortPen& pen, int y) {
-  const Rect& track = pen.at.speed;
+  const ControlPlace& place = pen.at.speed;
+  const Look look = pen.look(SortPart::Speed);
   const double speed = pen.view.speed;
-  const int label = pen.paint.textRight(track.x - 8, y, fixed(speed, speed < 10.0 ? 1 : 0) + "/s",
-                                        pen(Cell::Ink), Voice::Bold);
-  const Rect& last = pen.at.kinds.back();
-  if (track.x - 82 > last.x + last.width) pen.ink(std::min(track.x - 80, label - 36), y, "speed");
-  drawTrack(pen, track.x, track.y + 11, track.width - 1,
-            {.share = double(columnOfSpeed(track, speed) - track.x) / std::max(1, track.width - 1),
-             .hovered = pen.hovers(SortPart::Speed, 0),
-             .dragged = pen.view.dragged});
+  if (look.focused) drawFocus(pen, place.area);
+  if (!pen.at.narrow) pen.ink(place.track.x - 80, y, "speed");
+  pen.boldRight(place.track.x - 8, y, fixed(speed, speed < 10.0 ? 1 : 0) + "/s");
+  drawTrack(pen, place, shareOf(kSpeeds, speed), {}, true, look);
 }
 
 struct Lane {
@@ -108,7 +91,7 @@ void drawCounts(SortPen& pen) {
             heading = first - (pen.at.compact ? 4 : 10);
   pen.rule(at.x, at.y - (pen.at.compact ? 1 : 4), at.width);
   pen.caps(at.x, heading, "SO FAR");
-  pen.caps(pen.at.toggles[0].x, heading, "STOP AT");
+  pen.caps(pen.at.toggles[0].area.x, heading, "STOP AT");
 
   const int step = pen.view.step, all = pen.run.steps();
   const Landmarks& landmarks = pen.run.landmarks();
@@ -118,7 +101,7 @@ void drawCounts(SortPen& pen) {
     const int end = at.x + (at.width < 380 ? 84 : 95);
     pen.boldRight(end - 1, y, grouped(now));
     const std::string of = "of " + grouped(total);
-    const int right = pen.at.toggles[0].x - 14;
+    const int right = pen.at.toggles[0].area.x - 14;
     const bool room = !pen.view.numbered && end + 4 + textWidth(of) <= right;  // the key caps are there
     if (room) pen.softRight(right, y, of);
     y += line;
@@ -127,9 +110,14 @@ void drawCounts(SortPen& pen) {
   for (const Landmark kind : {Landmark::Move, Landmark::Cycle, Landmark::Cut, Landmark::Paint})
     row(kLandmarks[static_cast<int>(kind)].several, landmarks.count(kind, step), landmarks.count(kind, all));
 
-  for (int k = 0; k < kStops; ++k) drawToggle(pen, k, pen.view.stops[k]);
-  drawToggle(pen, kPredict, pen.view.predict);
-  const Rect &polygon = pen.at.toggles[kPolygonStop], &predict = pen.at.toggles[kPredict];
+  for (int k = 0; k < kToggleCount; ++k) {
+    const ControlPlace& place = pen.at.toggles[k];
+    drawControl(pen, toggleControl(pen.view, k), place, pen.look(SortPart::Toggle, k));
+    if (pen.view.numbered && k < kStops)
+      pen.paint.keyCap(place.x - 19, place.y - 11, std::to_string(k + 1),
+                       {pen(Cell::Focus), pen(Cell::Rule), pen(Cell::Faint), pen(Cell::Ink)});
+  }
+  const Rect &polygon = pen.at.toggles[kPolygonStop].area, &predict = pen.at.toggles[kPredict].area;
   const int below = polygon.y + 2 * line - 4;
   if (pen.view.polygon) {
     const std::string face = fitting("face " + std::to_string(*pen.view.polygon), 90);

@@ -15,23 +15,30 @@ constexpr int kNarrowBelow = 900;  // pixels; a body narrower than this is narro
 
 void placeLower(SortLayout& at) {
   const Rect& body = at.body;
-  const bool narrow = body.width < kNarrowBelow;
+  const bool narrow = at.narrow;
   const int top = at.rule + (at.compact ? 4 : 6), height = at.compact ? 20 : 22, gap = narrow ? 2 : 4;
   int x = body.x;
   for (int k = 0; k < kTransport; ++k) {
-    const bool play = k == static_cast<int>(Transport::Play);
-    const int width = narrow ? (play ? 32 : 22) : (play ? 44 : 28);
+    const int width = narrow ? (k == kPlay ? 32 : 22) : (k == kPlay ? 44 : 28);
     at.transport[k] = {x, top, width, height};
     x += width + gap;
   }
-  const int speedWidth = narrow ? 130 : 168;
-  at.speed = {body.x + body.width - speedWidth, top + height / 2 - 7, speedWidth, 15};
-  int right = at.speed.x - (narrow ? 48 : 92);
-  for (int k = static_cast<int>(kLandmarks.size()); k-- > 0;) {
+  const int track = narrow ? 130 : 168, words = narrow ? 42 : 82, left = body.x + body.width - track;
+  const int middle = top + height / 2;
+  at.speed = {.area = {left - words, middle - 8, words + track + 5, 17},
+              .track = {left, middle - 1, track, 2},
+              .grip = {left - 5, middle - 8, track + 10, 17},  // the thumb reaches beyond both ends
+              .bare = true};
+  const int end = left - (narrow ? 48 : 92);
+  int right = end;
+  at.kinds.options.resize(kLandmarks.size());
+  for (std::size_t k = kLandmarks.size(); k-- > 0;) {
     const int width = textWidth(kLandmarks[k].name) + 13;
     right -= width;
-    at.kinds[k] = {right, top + height / 2 - 9, width, 19};
+    at.kinds.options[k] = {right, middle - 10, width, 19};
   }
+  at.kinds.area = {right, middle - 10, end - right, 19};
+  at.kinds.bare = true;
   at.step = {x + 10, top, right - (narrow ? 4 : 62) - (x + 10), height};
   const int lanes = at.rule + (at.compact ? 28 : 35);
   at.timeline = {body.x + 68, lanes, body.width - 68, body.y + body.height - lanes - (at.compact ? 4 : 9)};
@@ -52,8 +59,13 @@ void placeRight(SortLayout& at, int x, int upper) {
   for (int k = 0; k < kToggleCount; ++k) {
     const int row = k < kPolygonStop ? k : k == kPolygonStop ? 0 : 4;
     const int left = k < kPolygonStop ? first : second;
-    at.toggles[k] = {left, at.counts.y + counts - (5 - row) * at.line, 17 + textWidth(kToggleNames[k]),
-                     at.line};
+    const int baseline = at.counts.y + counts - (4 - row) * at.line - 4;
+    at.toggles[k] = {.x = left,
+                     .y = baseline,
+                     .area = {left, baseline + 4 - at.line, 17 + textWidth(kToggleNames[k]), at.line},
+                     .box = {left, baseline - 10, 11, 11},
+                     .style = {.boxAfterKey = true},
+                     .bare = true};
   }
 }
 
@@ -63,13 +75,14 @@ SortLayout layoutOfSort(const Rect& body) {
   SortLayout at;
   at.body = body;
   at.compact = body.height < kCompactBelow;
+  at.narrow = body.width < kNarrowBelow;
   at.line = at.compact ? 14 : 16;
   const int lower = at.compact ? 84 : 104, upper = body.height - lower - (at.compact ? 4 : 8);
   at.rule = body.y + body.height - lower;
 
   const int left = (body.width + kGutter) * 7 / 12 - kGutter;
   const int heading = at.compact ? 19 : 26;
-  const int findings = (body.width < kNarrowBelow ? 4 : 3) * at.line + (at.compact ? 4 : 8);
+  const int findings = (at.narrow ? 4 : 3) * at.line + (at.compact ? 4 : 8);
   const int table = heading + kTestRowsShown * at.line, gap = at.compact ? 3 : 6;
   at.picture = {body.x, body.y, left, upper - table - gap - findings};
   at.table = {body.x, at.picture.y + at.picture.height, left, table};
@@ -85,43 +98,9 @@ SortLayout layoutOfSort(const Rect& body) {
   return at;
 }
 
-SortSpot spotAt(const SortLayout& at, int x, int y) {
-  const auto among = [&](const auto& rects, SortPart part) -> std::optional<SortSpot> {
-    for (int k = 0; k < static_cast<int>(rects.size()); ++k)
-      if (rects[k].has(x, y)) return SortSpot{part, k};
-    return std::nullopt;
-  };
-  if (const auto spot = among(at.transport, SortPart::Transport)) return *spot;
-  if (const auto spot = among(at.toggles, SortPart::Toggle)) return *spot;
-  if (const auto spot = among(at.kinds, SortPart::Kind)) return *spot;
-  if (const auto spot = among(at.answers, SortPart::Answer)) return *spot;
-  // The thumb reaches beyond both ends.
-  if (Rect{at.speed.x - 5, at.speed.y, at.speed.width + 10, at.speed.height}.has(x, y))
-    return {SortPart::Speed};
-  if (at.timeline.has(x, y)) return {SortPart::Timeline};
-  if (at.picture.has(x, y)) return {SortPart::Picture};
-  if (at.list.has(x, y)) return {SortPart::Row, (y - at.list.y) / at.line};
-  return {};
-}
-
 int columnOf(const Rect& timeline, int step, int steps) {
   const double share = static_cast<double>(step) / std::max(1, steps);
   return timeline.x + static_cast<int>(std::lround(share * (timeline.width - 1)));
-}
-
-int stepAt(const Rect& timeline, int x, int steps) {
-  const double share = static_cast<double>(x - timeline.x) / (timeline.width - 1);
-  return static_cast<int>(std::lround(std::clamp(share, 0.0, 1.0) * steps));
-}
-
-int columnOfSpeed(const Rect& track, double speed) {
-  const double share = std::log(speed / kSlowest) / std::log(kFastest / kSlowest);
-  return track.x + static_cast<int>(std::lround(share * (track.width - 1)));
-}
-
-double speedAt(const Rect& track, int x) {
-  const double share = std::clamp(static_cast<double>(x - track.x) / (track.width - 1), 0.0, 1.0);
-  return kSlowest * std::pow(kFastest / kSlowest, share);
 }
 
 }  // namespace xnewell

@@ -194,7 +194,7 @@ void drawRows(SortPen& pen, const Axis& axis, const Rows& rows) {
     const Row& row = rows.shown[k];
     const bool pair = row.mark == Mark::P || row.mark == Mark::Q;
     const Rect words{at.x, y - pen.at.line + 4, pen.at.side.x - at.x - 8, pen.at.line};
-    if (pair || pen.hovers(SortPart::Row, k)) pen.paint.fillRect(words, pen(Cell::White));
+    if (pair || pen.look(SortPart::Row, k).hovered) pen.paint.fillRect(words, pen(Cell::White));
     drawMark(pen, row.mark, at.x + 2, y);
     const Cell cell = row.mark == Mark::Painted ? Cell::Faint : pair ? Cell::Ink : Cell::Soft;
     const Voice voice = pair ? Voice::Bold : Voice::Plain;

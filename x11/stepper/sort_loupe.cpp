@@ -1,4 +1,4 @@
-#include "x11/stepper/sort_loupe.h"
+#include "x11/stepper/sort_pen.h"
 
 #include <algorithm>
 #include <cmath>

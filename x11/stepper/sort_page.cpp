@@ -11,14 +11,36 @@ void drawBadge(SortPen& pen, int x, int y, bool isP) {
   pen.bold(x + 3, y + 11, isP ? "P" : "Q", isP ? Cell::White : Cell::Black);
 }
 
+namespace {
+
+/// Tells the list where the controls are. The page draws them all itself.
+void placeControls(ControlList& list, const SortLayout& at, const SortView& view, const SortDrawn& drawn) {
+  const auto place = [&](SortPart part, int index, const Rect& area) {
+    list.place(sortId(part, index), {.area = area, .bare = true});
+  };
+  list.place(sortId(SortPart::Timeline),
+             {.area = at.timeline, .track = at.timeline, .grip = at.timeline, .bare = true});
+  list.place(sortId(SortPart::Speed), at.speed);
+  list.place(sortId(SortPart::Kinds), at.kinds);
+  for (int k = 0; k < kToggleCount; ++k) list.place(sortId(SortPart::Toggle, k), at.toggles[k]);
+  for (int k = 0; k < kTransport; ++k) place(SortPart::Transport, k, at.transport[k]);
+  for (int k = 0; view.asking && k < static_cast<int>(kAnswers.size()); ++k)
+    place(SortPart::Answer, k, at.answers[k]);
+  for (int k = 0; k < static_cast<int>(drawn.rows.size()); ++k)
+    if (drawn.rows[k] >= 0)
+      place(SortPart::Row, k, {at.list.x, at.list.y + k * at.line, at.list.width, at.line});
+}
+
+}  // namespace
+
 SortDrawn drawSortPage(IndexImage& image, const SortLayout& at, SortRun& run, const SortView& view,
-                       const CellPlan& plan) {
+                       const CellPlan& plan, ControlList* list) {
   run.goTo(view.step);
   // Of two polygons that pass through each other the smaller is cut and is then called P. If the tests were
   // made with the names the other way round, their rows would mislead.
   const Event *const event = run.replay().event(), *compare = comparisonAt(run.sorted(), view.step);
   if (event && compare && (compare->P != event->P || compare->Q != event->Q)) compare = nullptr;
-  SortPen pen{{Painter{image}.within(at.body), plan}, image, at, run, view, event, compare};
+  SortPen pen{{Painter{image}.within(at.body), plan}, image, at, run, view, event, compare, list};
   pen.paint.fillRect(at.body, plan[Cell::Paper]);
   SortDrawn drawn;
   drawn.loupe = drawSortPicture(pen);
@@ -29,6 +51,7 @@ SortDrawn drawSortPage(IndexImage& image, const SortLayout& at, SortRun& run, co
   pen.rule(at.body.x, at.rule, at.body.width);
   drawTransport(pen);
   drawTimeline(pen);
+  if (list) placeControls(*list, at, view, drawn);
   return drawn;
 }
 

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "shading/color/palette.h"
+#include "x11/kit/control_list.h"
 #include "x11/stepper/sort_run.h"
 #include "x11/stepper/sort_view.h"
 
@@ -10,8 +11,18 @@ namespace xnewell {
 /// and Q, both under a loupe, the tests in order with their numbers, a finding, both polygons from the side,
 /// the list, counts, and the run as a timeline.
 
-/// Draws the whole body of the window. The run goes to the step of the view.
+/// The name of a control of the page: its part of the page, and its index there.
+enum class SortPart { Timeline = 1, Speed, Kinds, Toggle = 10, Transport = 20, Answer = 30, Row = 40 };
+[[nodiscard]] constexpr ControlId sortId(SortPart part, int index = 0) {
+  return {0, static_cast<int>(part) + index};
+}
+/// The kinds of step to jump to, and a box, as the page shows them.
+[[nodiscard]] Control kindsControl(const SortRun& run, const SortView& view);
+[[nodiscard]] Control toggleControl(const SortView& view, int index);
+
+/// Draws the whole body of the window. The run goes to the step of the view. The list says which control is
+/// under the pointer, dragged or selected, and learns where they are; without it they are drawn at rest.
 SortDrawn drawSortPage(IndexImage& image, const SortLayout& at, SortRun& run, const SortView& view,
-                       const CellPlan& plan);
+                       const CellPlan& plan, ControlList* list = nullptr);
 
 }  // namespace xnewell

@@ -16,6 +16,7 @@ struct SortPen : Pen {
   const SortView& view;
   const Event* event;    ///< the event of the step; null at the start
   const Event* compare;  ///< the tests that led to it; null if there are none
+  const ControlList* list;
 
   [[nodiscard]] int P() const { return event ? event->P : -1; }
   [[nodiscard]] int Q() const { return event ? event->Q : -1; }
@@ -25,13 +26,18 @@ struct SortPen : Pen {
   [[nodiscard]] bool aboutPlanes() const {
     return told() && compare->test != Test::XExtents && compare->test != Test::YExtents;
   }
-  [[nodiscard]] bool hovers(SortPart part, int index) const { return view.hover == SortSpot{part, index}; }
+  [[nodiscard]] Look look(SortPart part, int index = 0) const {
+    return list ? list->look(sortId(part, index)) : Look{};
+  }
 };
 
 /// A badge of P or Q in its colour, 13 x 13 pixels.
 void drawBadge(SortPen& pen, int x, int y, bool isP);
 
 Rect drawSortPicture(SortPen& pen);
+/// Draws P and Q enlarged, in the corner of the picture that is farthest from them: their corners with the
+/// distances that decide, and the line where their planes meet. Returns the area of the loupe.
+Rect drawLoupe(SortPen& pen, Painter& picture);
 void drawTests(SortPen& pen);
 void drawFinding(SortPen& pen);
 std::vector<int> drawSidesAndList(SortPen& pen);

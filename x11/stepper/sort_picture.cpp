@@ -4,7 +4,7 @@
 #include "x11/drawing/wording.h"
 #include "x11/stepper/fragment_tint.h"
 #include "x11/stepper/frames.h"
-#include "x11/stepper/sort_loupe.h"
+#include "x11/stepper/sort_pen.h"
 
 namespace xnewell {
 

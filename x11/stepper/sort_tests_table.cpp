@@ -99,7 +99,7 @@ void drawFinding(SortPen& pen) {
   if (pen.view.asking) {
     for (std::size_t k = 0; k < kAnswers.size(); ++k) {
       const Rect& r = pen.at.answers[k];
-      if (pen.hovers(SortPart::Answer, static_cast<int>(k)))
+      if (pen.look(SortPart::Answer, static_cast<int>(k)).hovered)
         pen.paint.fillRect({r.x - 3, r.y - 1, r.width + 6, r.height + 1}, pen(Cell::Focus));
       const int width = pen.key(r.x, r.y + 1, std::string_view{&kAnswerKeys[k], 1});
       pen.ink(r.x + width + 6, r.y + 1 + kKeyCapBaseline, kAnswers[k]);

@@ -4,9 +4,14 @@
 #include <vector>
 
 #include "depthsort/depth_sort.h"
+#include "x11/kit/control.h"
 #include "x11/stepper/sort_layout.h"
 
 namespace xnewell {
+
+/// Steps a second. Two presses of a key double the speed.
+inline constexpr TrackRange kSpeeds{.low = 0.5, .high = 2000, .step = 0.04178, .logarithmic = true};
+inline constexpr double kUsualSpeed = 5;
 
 /// The state of the page besides the run itself.
 struct SortView {
@@ -15,14 +20,13 @@ struct SortView {
   std::array<bool, kStops> stops{};  ///< in the order of kToggleNames
   std::optional<int> polygon = {};   ///< the face number to stop at
   bool predict = false;
-  bool asking = false;                    ///< the outcome of this comparison is hidden
-  std::optional<Verdict> answer = {};     ///< the learner's answer to the question of this step
-  int right = 0, asked = 0;               ///< answers so far, right and all
-  double speed = kUsualSpeed;             ///< steps a second
-  bool playing = false, dragged = false;  ///< dragged: the thumb of the speed is
-  bool loupe = true;                      ///< the loupe is shown over the picture
-  bool numbered = false;                  ///< the boxes show the digits that tick them
-  SortSpot hover = {};
+  bool asking = false;                 ///< the outcome of this comparison is hidden
+  std::optional<Verdict> answer = {};  ///< the learner's answer to the question of this step
+  int right = 0, asked = 0;            ///< answers so far, right and all
+  double speed = kUsualSpeed;          ///< steps a second
+  bool playing = false;
+  bool loupe = true;      ///< the loupe is shown over the picture
+  bool numbered = false;  ///< the boxes show the digits that tick them
   bool operator==(const SortView&) const = default;
 };
 

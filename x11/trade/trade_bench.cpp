@@ -1,7 +1,6 @@
 #include "x11/trade/trade_bench.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <filesystem>
 
@@ -12,15 +11,8 @@
 #include "x11/drawing/wording.h"
 #include "x11/trade/chosen_setup.h"
 #include "x11/views/trade_table.h"
-#include "x11/window/typed_number.h"
 
 namespace xnewell {
-
-namespace {
-
-constexpr int kSteps = 40;  // of the limit's track
-
-}  // namespace
 
 void TradeBench::measure(const Picture& picture, const Setup& setup) {
   measuring_.reset();
@@ -46,7 +38,7 @@ void TradeBench::tick() {
 }
 
 void TradeBench::leave() {
-  hovered_ = 0;
+  Bench::leave();
   if (!measuring_) return;
   measuring_.reset();
   known_ = {};
@@ -80,7 +72,7 @@ void TradeBench::pick(int combination) {
 }
 
 void TradeBench::setLimit(double limit) {
-  limit_.rms = std::clamp(limit, limitOfShare(0), limitOfShare(1));
+  limit_.rms = std::clamp(limit, kLimits.low, kLimits.high);
   if (host_.keptWithin()) host_.keepWithin(limit_);
   picked_.reset();
   choose();
@@ -146,98 +138,98 @@ void TradeBench::askToSave() {
              }});
 }
 
-bool TradeBench::press(const Key& key, const Setup&) {
-  const int times = key.shift ? 5 : 1;
-  switch (key.name) {
-    case NamedKey::Left:
-      return walk(-times), true;
-    case NamedKey::Right:
-      return walk(times), true;
-    case NamedKey::Up:
-      return setLimit(limitOfShare(shareOfLimit(limit_.rms) + double(times) / kSteps)), true;
-    case NamedKey::Down:
-      return setLimit(limitOfShare(shareOfLimit(limit_.rms) - double(times) / kSteps)), true;
-    case NamedKey::Return:
-      return useChosen(), true;
-    case NamedKey::Letter:
-      break;
-    default:
-      return false;
-  }
-  switch (key.letter) {
-    case 'm':
-      again_ = changed_ = true;
-      return true;
-    case 'k':
-      host_.keepWithin(host_.keptWithin() ? std::nullopt : std::optional{limit_});
-      host_.tell(host_.keptWithin() ? "The other views now keep within " + textOfLimit(limit_.rms) +
-                                          ", and measure after each change."
-                                    : "The set-up stays as it is now.");
-      return changed_ = true;
-    case 'n':
-      place_ = places_.empty() ? 0 : (place_ + 1) % static_cast<int>(places_.size());
-      return changed_ = true;
-    case 'w':
-      return askToSave(), true;
-    case '5':
-      return compareChosen(), chosen_ >= 0;
-    case 'X':
-      axes_.cost = static_cast<TradeCost>((static_cast<std::size_t>(axes_.cost) + 1) % kTradeCosts.size());
-      return changed_ = true;
-    case 'Y':
-      axes_.error =
-          static_cast<TradeError>((static_cast<std::size_t>(axes_.error) + 1) % kTradeErrors.size());
-      return changed_ = true;
-    case 'E':
-    case '=':
-      host_.ask({.asks = "largest error allowed, 0.001 to 0.5",
-                 .text = textOfLimit(limit_.rms),
-                 .take = [this](const std::string& text) -> std::string {
-                   const std::optional<double> value = typedNumber(text);
-                   if (!value || *value < limitOfShare(0) || *value > limitOfShare(1) + 1e-9)
-                     return "The limit is a number from 0.001 to 0.5.";
-                   setLimit(*value);
-                   return {};
-                 }});
-      return true;
-    default:
-      return false;
-  }
+Controls TradeBench::controls() {
+  Controls all{{.kind = Control::Kind::Slider,
+                .key = 'E',
+                .label = "accuracy",
+                .is = "the largest error allowed",
+                .value = limit_.rms,
+                .range = kLimits,
+                .set = [this](double limit) { setLimit(limit); }}};
+  const auto axis = [&](char key, const char* label, const auto& rows, auto& chosen) {
+    Control control{.kind = Control::Kind::Choice,
+                    .key = key,
+                    .label = label,
+                    .is = "what this axis of the chart shows",
+                    .legend = "axes",
+                    .value = static_cast<double>(chosen),
+                    .set = [this, &chosen](double option) {
+                      chosen = static_cast<std::remove_reference_t<decltype(chosen)>>(option);
+                      changed_ = true;
+                    }};
+    for (const auto& row : rows) control.options.emplace_back(row.label);
+    all.push_back(std::move(control));
+  };
+  axis('X', "cost", kTradeCosts, axes_.cost);
+  axis('Y', "error", kTradeErrors, axes_.error);
+  return all;
 }
 
-void TradeBench::hover(int x, int y) {
-  const char before = hovered_;
-  const int option = option_;
-  hovered_ = at_.limit.has(x, y) ? 'E' : at_.costs.has(x, y) ? 'X' : at_.errors.has(x, y) ? 'Y' : 0;
-  option_ = -1;
-  const std::vector<Rect> options = hovered_ == 'X'   ? costOptions(at_)
-                                    : hovered_ == 'Y' ? errorOptions(at_)
-                                                      : std::vector<Rect>{};
-  for (std::size_t k = 0; k < options.size(); ++k)
-    if (options[k].has(x, y)) option_ = static_cast<int>(k);
-  changed_ = changed_ || before != hovered_ || option != option_;
+KeyTable TradeBench::ownKeys() {
+  const auto walks = [this](int steps) {
+    return [this, steps](const Key& key) { walk(key.shift ? 5 * steps : steps); };
+  };
+  const auto moves = [this](int steps) {
+    return [this, steps](const Key& key) {
+      setLimit(stepped(kLimits, limit_.rms, key.shift ? 5 * steps : steps));
+    };
+  };
+  const std::string none = known_.trade.front.empty() ? "Nothing is measured yet." : "";
+  const std::string nowhere = places_.empty() ? "There are no worst places to go to." : "";
+  const char* const front = "along the front; or click a mark";
+  const char* const limit = "move the limit; or drag its line";
+  KeyTable table{
+      {{NamedKey::Left}, "along the front", front, walks(-1), none},
+      {{NamedKey::Right}, "along the front", front, walks(1), none},
+      {{NamedKey::Up}, "limit", limit, moves(1)},
+      {{NamedKey::Down}, "limit", limit, moves(-1)},
+      {{NamedKey::Return},
+       "use this one",
+       "use the chosen combination in all views",
+       [this](const Key&) { useChosen(); },
+       none},
+      {{'='}, "", "type the limit", [this](const Key&) { list_.askForValue(controls().front()); }}};
+  if (chosen_ >= 0)
+    table.push_back({{'5'},
+                     "beside no short cuts",
+                     "use it, and compare it with the set-up without short cuts",
+                     [this](const Key&) { compareChosen(); }});
+  table.push_back({{'k'},
+                   "keep the limit",
+                   "keep the limit: other views choose again after each change",
+                   [this](const Key&) { keepLimit(); }});
+  table.push_back({{'n'},
+                   "next worst place",
+                   "the next of the worst places; or click one",
+                   [this](const Key&) {
+                     place_ = (place_ + 1) % static_cast<int>(places_.size());
+                     changed_ = true;
+                   },
+                   nowhere});
+  table.push_back(
+      {{'m'}, "measure again", "measure again", [this](const Key&) { again_ = changed_ = true; }});
+  table.push_back({{'w'}, "save", "save the chart or the table", [this](const Key&) { askToSave(); }});
+  return table;
+}
+
+void TradeBench::keepLimit() {
+  host_.keepWithin(host_.keptWithin() ? std::nullopt : std::optional{limit_});
+  host_.tell(host_.keptWithin() ? "The other views now keep within " + textOfLimit(limit_.rms) +
+                                      ", and measure after each change."
+                                : "The set-up stays as it is now.");
+  changed_ = true;
 }
 
 bool TradeBench::grab(int x, int y) {
-  hover(x, y);
-  if (hovered_ == 'X' && option_ >= 0) axes_.cost = static_cast<TradeCost>(option_);
-  if (hovered_ == 'Y' && option_ >= 0) axes_.error = static_cast<TradeError>(option_);
+  if (list_.grab(controls(), x, y)) return list_.dragging();
   changed_ = true;
-  if (hovered_ == 'E') {
-    dragged_ = 'E';
-    dragTo(x, y);
-    return true;
-  }
   for (std::size_t k = places_.size(); k-- > 0;)
     if (places_[k].has(x, y)) place_ = static_cast<int>(k);
-  if (hovered_ != 0 || known_.trade.front.empty()) return false;
+  if (known_.trade.front.empty()) return false;
   // The limit's handle, a mark, or else the limit's line.
   const TradeScale scale{at_.chart, known_.trade, axes_};
   const bool hasLimit = axes_.error == TradeError::Rms;
-  if (hasLimit && limitHandle(scale, limit_.rms).has(x, y)) {
-    dragged_ = 'L';
-    return true;
-  }
+  if (hasLimit && limitHandle(scale, limit_.rms).has(x, y)) return limitDragged_ = true;
   if (!at_.chart.has(x, y)) return false;
   double nearest = 12 * 12;
   int mark = -1;
@@ -250,16 +242,19 @@ bool TradeBench::grab(int x, int y) {
     pick(mark);
     return false;
   }
-  if (!hasLimit || std::abs(scale.y(limit_.rms) - y) > 6) return false;
-  dragged_ = 'L';
-  return true;
+  return limitDragged_ = hasLimit && std::abs(scale.y(limit_.rms) - y) <= 6;
 }
 
 void TradeBench::dragTo(int x, int y) {
-  if (dragged_ == 'E')
-    setLimit(limitOfShare(double(x - at_.limit.x - kColumnTrackAt) / kColumnTrack));
-  else if (dragged_ == 'L')
+  if (limitDragged_)
     setLimit(TradeScale{at_.chart, known_.trade, axes_}.errorAt(y));
+  else
+    Bench::dragTo(x, y);
+}
+
+void TradeBench::drop() {
+  limitDragged_ = false;
+  Bench::drop();
 }
 
 bool TradeBench::isStale(const Desk& desk) const {
@@ -268,7 +263,7 @@ bool TradeBench::isStale(const Desk& desk) const {
          std::pair{now.width, now.height} != std::pair{measuredSize_.width, measuredSize_.height};
 }
 
-bool TradeBench::late(const Setup&) const { return changed_; }
+bool TradeBench::late(const Setup&) const { return changed_ || list_.late(); }
 
 void TradeBench::paintChosen(const Desk& desk) {
   if (chosen_ < 0) {
@@ -317,11 +312,13 @@ void TradeBench::draw(IndexImage& image, const Desk& desk) {
                  .within = within_,
                  .picture = painted_ ? &painted_->image() : nullptr,
                  .places = places_,
-                 .place = place_,
-                 .hovered = hovered_,
-                 .dragged = dragged_,
-                 .option = option_},
+                 .place = place_},
                 desk.plan);
+  list_.forgetPlaces();
+  const Controls all = controls();
+  (void)list_.placeColumn(all, at_.controls.x, at_.controls.y + 15);
+  Pen pen{Painter{image}, desk.plan};
+  list_.draw(pen, all);
   colors_ = {desk.palette, std::nullopt};
   use_ = {};
   if (painted_) {
@@ -336,24 +333,6 @@ void TradeBench::draw(IndexImage& image, const Desk& desk) {
                       " on the front";
   aside_ = measuring_ ? "" : grouped(known_.trade.ofCombinations.rounds) + " rounds, in turn";
   changed_ = false;
-}
-
-std::vector<Legend> TradeBench::legend() const {
-  return {{{"<", ">"}, "along the front"}, {{"^", "v"}, "limit"},     {{"Return"}, "use this one"},
-          {{"5"}, "beside no short cuts"}, {{"k"}, "keep the limit"}, {{"n"}, "next worst place"},
-          {{"m"}, "measure again"},        {{"X", "Y"}, "axes"},      {{"w"}, "save"}};
-}
-
-std::vector<HelpLine> TradeBench::help() const {
-  return {{"left, right", "along the front; or click a mark"},
-          {"up, down", "the limit; or drag its line, or its slider; = types it"},
-          {"Return", "use the chosen combination in all views"},
-          {"5", "use it, and compare it with the set-up without short cuts"},
-          {"n", "the next of the worst places; or click one"},
-          {"X Y", "what the axes show"},
-          {"w", "save the chart or the table"},
-          {"k", "keep the limit: other views choose again after each change"},
-          {"m", "measure again"}};
 }
 
 }  // namespace xnewell

@@ -17,14 +17,14 @@ class TradeBench : public Bench {
  public:
   /// `request` says how long it measures.
   explicit TradeBench(Host& host, const TradeRequest& request = {.brief = true, .seconds = 20})
-      : host_{host}, request_{request} {}
+      : Bench{host}, request_{request} {}
 
-  [[nodiscard]] bool press(const Key& key, const Setup& setup) override;
-  [[nodiscard]] std::string_view sharedKeys() const override { return ""; }
-  void hover(int x, int y) override;
+  [[nodiscard]] Controls controls() override;
+  [[nodiscard]] KeyTable ownKeys() override;
   [[nodiscard]] bool grab(int x, int y) override;
   void dragTo(int x, int y) override;
-  void drop() override { dragged_ = 0; }
+  void drop() override;
+  void enter() override { list_.setFocus(ControlId{'E'}); }
   /// Other views must not share the processor with the measuring, so it ends with this view.
   void leave() override;
   [[nodiscard]] bool moving() const override { return measuring_ != nullptr; }
@@ -37,8 +37,6 @@ class TradeBench : public Bench {
   void draw(IndexImage& image, const Desk& desk) override;
   [[nodiscard]] std::string status() const override { return status_; }
   [[nodiscard]] std::string aside() const override { return aside_; }
-  [[nodiscard]] std::vector<Legend> legend() const override;
-  [[nodiscard]] std::vector<HelpLine> help() const override;
   [[nodiscard]] const CellUse* use() const override { return &use_; }
   [[nodiscard]] const OwnColors* colors() const override { return &colors_; }
 
@@ -61,10 +59,10 @@ class TradeBench : public Bench {
   /// Shows it in view 5, beside the set-up without short cuts.
   void compareChosen();
   void askToSave();
+  void keepLimit();
   void paintChosen(const Desk& desk);
   [[nodiscard]] bool isStale(const Desk& desk) const;
 
-  Host& host_;
   TradeRequest request_;
   std::unique_ptr<Measuring> measuring_;
   Measuring::News known_;
@@ -77,12 +75,11 @@ class TradeBench : public Bench {
   int chosen_ = -1;
   std::optional<Measured> picked_;  ///< the combination that the user picked
   Chosen within_;
-  int place_ = 0;             ///< index into the worst places of the chosen combination
-  std::vector<Rect> places_;  ///< their frames in the picture
-  char hovered_ = 0, dragged_ = 0;
-  int option_ = -1;
-  bool changed_ = true;  ///< something must be drawn
-  bool again_ = false;   ///< the user asked to measure again
+  int place_ = 0;              ///< index into the worst places of the chosen combination
+  std::vector<Rect> places_;   ///< their frames in the picture
+  bool limitDragged_ = false;  ///< by its line in the chart
+  bool changed_ = true;        ///< something must be drawn
+  bool again_ = false;         ///< the user asked to measure again
 
   std::optional<PictureCache> pictures_;  ///< of the chosen combination
   int divisions_ = 0;                     ///< of their scene

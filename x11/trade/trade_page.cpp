@@ -13,12 +13,6 @@ namespace xnewell {
 namespace {
 
 constexpr int kRow = 22, kLine = 17;
-constexpr double kLeastLimit = 0.001, kMostLimit = 0.5;
-
-constexpr std::array<std::string_view, kTradeCosts.size()> kCosts{kTradeCosts[0].label, kTradeCosts[1].label};
-constexpr std::array<std::string_view, kTradeErrors.size()> kErrors{
-    kTradeErrors[0].label, kTradeErrors[1].label, kTradeErrors[2].label};
-
 /// Draws a page.
 class TradeDrawing {
  public:
@@ -130,37 +124,18 @@ class TradeDrawing {
     y += kLine + 2;
     // The rows above say what the first two sentences say.
     const std::vector<std::string>& why = page_.within.why;
-    const int room = (at_.limit.y - 26 - y) / (kLine - 1) + 1;
+    const int room = (at_.controls.y - 26 - y) / (kLine - 1) + 1;
     for (const std::string& line : wholeSentences(
              {why.begin() + std::min<std::ptrdiff_t>(2, std::ssize(why)), why.end()}, width / 6, room))
       pen_.ink(x, y, line), y += kLine - 1;
   }
 
   void drawControls() {
-    const int x = at_.limit.x, width = at_.limit.width;
-    pen_.rule(x, at_.limit.y - 22, width);
-    pen_.caps(x, at_.limit.y - 6, "limit and axes");
-    if (page_.kept) pen_.softRight(x + width, at_.limit.y - 6, "kept in all views");
-    int y = at_.limit.y + 15;
-    drawFocus(pen_, {x, y - 14, width, kRow}, 6);
-    pen_.key(x, y - 11, "E");
-    pen_.ink(x + 24, y, "accuracy");
-    drawTrack(pen_, x + kColumnTrackAt, y, kColumnTrack,
-              {.share = shareOfLimit(page_.limit),
-               .hovered = page_.hovered == 'E',
-               .dragged = page_.dragged == 'E'});
-    pen_.boldRight(x + width, y, textOfLimit(page_.limit));
-    y = at_.costs.y + 15;
-    pen_.key(x, y - 11, "X");
-    pen_.ink(x + 24, y, "cost");
-    drawOptions(pen_, kCosts, costOptions(at_), static_cast<int>(page_.axes.cost),
-                page_.hovered == 'X' ? page_.option : -1);
-    y = at_.errors.y + 15;
-    pen_.key(x, y - 11, "Y");
-    pen_.ink(x + 24, y, "error");
-    drawOptions(pen_, kErrors, errorOptions(at_), static_cast<int>(page_.axes.error),
-                page_.hovered == 'Y' ? page_.option : -1);
-    drawTradeLegend(pen_.paint, pen_.plan, x, at_.errors.y + kRow + 12);
+    const int x = at_.controls.x, width = at_.controls.width;
+    pen_.rule(x, at_.controls.y - 22, width);
+    pen_.caps(x, at_.controls.y - 6, "limit and axes");
+    if (page_.kept) pen_.softRight(x + width, at_.controls.y - 6, "kept in all views");
+    drawTradeLegend(pen_.paint, pen_.plan, x, at_.controls.y + at_.controls.height + 12);
   }
 
   Pen pen_;
@@ -183,21 +158,12 @@ TradeLayout layoutOfTrade(const Rect& body, const Rect& measured) {
             h = std::max(1, static_cast<int>(scale * measured.height));
   at.picture = {at.well.x + (at.well.width - w) / 2, at.well.y + (at.well.height - h) / 2, w, h};
   const int controls = body.y + body.height - 3 * kRow - 26;
-  at.limit = {at.column.x, controls, kControls, kRow};
-  at.costs = {at.column.x, controls + kRow, kControls, kRow};
-  at.errors = {at.column.x, controls + 2 * kRow, kControls, kRow};
+  at.controls = {at.column.x, controls, kControls, 3 * kRow};
   return at;
 }
 
-double shareOfLimit(double limit) {
-  return std::clamp(std::log(limit / kLeastLimit) / std::log(kMostLimit / kLeastLimit), 0.0, 1.0);
-}
-double limitOfShare(double share) {
-  return kLeastLimit * std::pow(kMostLimit / kLeastLimit, std::clamp(share, 0.0, 1.0));
-}
-
 std::string textOfLimit(double limit) {
-  return limit < kLeastLimit ? textOf(limit) : fixed(limit, limit < 0.01 ? 4 : 3);
+  return limit < kLimits.low ? textOf(limit) : fixed(limit, limit < 0.01 ? 4 : 3);
 }
 
 std::vector<std::string> wholeSentences(const std::vector<std::string>& sentences, int most, int room) {
@@ -217,14 +183,6 @@ std::vector<Rect> framesOfWorst(const TradeLayout& at, const Rect& measured, con
                       at.picture.y + place.y * at.picture.height / measured.height - kFrame / 2, kFrame,
                       kFrame});
   return frames;
-}
-
-std::vector<Rect> costOptions(const TradeLayout& at) {
-  return optionFrames(kCosts, at.costs.x + kColumnTrackAt - 6, at.costs.y + 15, kControls - kColumnTrackAt);
-}
-std::vector<Rect> errorOptions(const TradeLayout& at) {
-  return optionFrames(kErrors, at.errors.x + kColumnTrackAt - 6, at.errors.y + 15,
-                      kControls - kColumnTrackAt);
 }
 
 void drawTradePage(IndexImage& image, const TradeLayout& at, const TradePage& page, const CellPlan& plan) {

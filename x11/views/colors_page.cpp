@@ -14,34 +14,14 @@ namespace {
 
 constexpr int kGridLabels = 26, kTitle = 24, kGridGutter = 28, kTableWidth = 240;
 constexpr int kLabels = 108;  // from the name of a fact to its value
-constexpr int kOptions = 60;  // from the label of a line of the table to its options
-constexpr int kKeyColumn = 24;
 constexpr int kLines = 10;      // of the table in a window, if the options of each fit beside each other
 constexpr int kLeastPlot = 60;  // the height of the lower plot at least
-constexpr int kTableTrack = 96, kTrackValue = 152;
 
 int pitchOf(const ColorsLayout& at) { return at.compact ? 16 : 20; }
-int firstLine(const ColorsLayout& at) { return at.table.y + (at.compact ? 35 : 37); }
-
-std::vector<std::string_view> optionsOf(const TableLine& line) {
-  return {line.options.begin(), line.options.end()};
-}
-
-/// The frames of the options of a line that begin at x.
-std::vector<Rect> framesOf(const ColorsLayout& at, const TableLine& line, int x, int baseline) {
-  return optionFrames(optionsOf(line), x, baseline, kTableWidth - kKeyColumn - kOptions,
-                      std::min(18, pitchOf(at)));
-}
-
-/// The height of a line. If there is too little room for its options, it has several rows.
-int heightOf(const ColorsLayout& at, const TableLine& line) {
-  const std::vector<Rect> frames = framesOf(at, line, 0, 0);
-  return pitchOf(at) + (frames.empty() ? 0 : frames.back().y - frames.front().y);
-}
 
 /// The line of the table's kind.
-TableLine kindLine(TableKind chosen) {
-  TableLine line{.label = "table", .chosen = static_cast<int>(chosen)};
+Control kindLine(TableKind chosen) {
+  Control line{.kind = Control::Kind::Choice, .label = "table", .value = static_cast<double>(chosen)};
   for (const TableRow& row : kTables) line.options.emplace_back(row.name);
   return line;
 }
@@ -84,7 +64,6 @@ class ColorsDrawing {
   /// Draws words beside a point of the plot's curve, or beside the line from there down: at the nearest place
   /// where they hide nothing. If there is no such place, where they hide least.
   void remark(int x, int y, std::string_view text);
-  void drawLine(const TableLine& line, int x, int baseline);
   void outline(const CellRange& cells);
 
   const IndexImage& image_;
@@ -221,31 +200,16 @@ void ColorsDrawing::drawSteps() {
   drawPlot(pen_.paint, page_.plan, area, plot);
 }
 
-void ColorsDrawing::drawLine(const TableLine& line, int x, int y) {
-  const bool keys = std::ranges::any_of(page_.lines, [](const TableLine& l) { return l.key != 0; });
-  if (line.key) pen_.key(x, y - 11, std::string_view{&line.key, 1});
-  if (keys) x += kKeyColumn;
-  pen_.ink(x, y, line.label);
-  x += kOptions;
-  if (line.share) {
-    drawTrack(pen_, x, y, kTableTrack, {.share = *line.share});
-    pen_.boldRight(x + kTrackValue, y, line.value);
-  } else if (line.options.empty()) {
-    pen_.bold(x, y, line.value);
-  }
-  drawOptions(pen_, optionsOf(line), framesOf(at_, line, x, y), line.chosen);
-}
-
 void ColorsDrawing::drawTable() {
   const Rect& at = at_.table;
   pen_.rule(at.x, at.y, at_.picture.x + at_.picture.width - at.x);
   pen_.caps(at.x, at.y + 16, "TABLE");
-  int y = firstLine(at_);
-  for (const TableLine& line : page_.lines) {
-    const int height = heightOf(at_, line);
-    if (line.key != 0 && line.key == page_.focus) drawFocus(pen_, {at.x, y - 14, at.width, height});
-    drawLine(line, at.x, y);
-    y += height;
+  const RowStyle style = tableStyle(at_, false);
+  int y = firstTableLine(at_);
+  for (const Control& line : page_.lines) {
+    const ControlPlace place = placeInRow(line, at.x, y, style);
+    drawControl(pen_, line, place, {});
+    y += place.area.height;
   }
 }
 
@@ -262,7 +226,8 @@ ColorsLayout layoutOfColors(const Rect& body) {
   at.facts = {body.x, at.grid.y + at.grid.height + gap, left, factsHeight};
 
   const int x = body.x + left + kGridGutter, width = body.x + body.width - x;
-  const int lines = pitchOf(at) * (kLines - 1) + heightOf(at, kindLine({})) + (at.compact ? 24 : 28);
+  const int kinds = placeInRow(kindLine({}), 0, 0, tableStyle(at, true)).area.height;
+  const int lines = pitchOf(at) * (kLines - 1) + kinds + (at.compact ? 24 : 28);
   const int bottom = std::max(lines, body.height * 36 / 100);
   const int between = kPlotBelow + (at.compact ? 28 : 30);
   const int plots = body.height - bottom - 12 - kTitle - between - kPlotBelow;
@@ -274,25 +239,18 @@ ColorsLayout layoutOfColors(const Rect& body) {
   return at;
 }
 
-std::optional<TableLineHit> lineAt(const ColorsLayout& at, const std::vector<TableLine>& lines, int x,
-                                   int y) {
-  if (x < at.table.x || x >= at.table.x + at.table.width || y < firstLine(at) - 14) return std::nullopt;
-  int line = 0, baseline = firstLine(at);
-  while (line < static_cast<int>(lines.size()) && y >= baseline - 14 + heightOf(at, lines[line]))
-    baseline += heightOf(at, lines[line++]);
-  if (line == static_cast<int>(lines.size())) return std::nullopt;
-  TableLineHit hit{.line = line};
-  const int first = at.table.x + kKeyColumn + kOptions;
-  if (lines[line].share && x >= first - 5 && x <= first + kTableTrack + 5) hit.share = trackShare(at, x);
-  const std::vector<Rect> frames = framesOf(at, lines[line], first, baseline);
-  for (int k = 0; k < static_cast<int>(frames.size()); ++k)
-    if (frames[k].has(x, y)) hit.option = k;
-  return hit;
+RowStyle tableStyle(const ColorsLayout& at, bool keys) {
+  const int label = keys ? 24 : 0, value = label + 60;
+  return {.width = kTableWidth - 24 + label,
+          .pitch = pitchOf(at),
+          .label = label,
+          .value = value,
+          .track = 96,
+          .beyond = 2,
+          .wordsAtValue = true};
 }
 
-double trackShare(const ColorsLayout& at, int x) {
-  return std::clamp(static_cast<double>(x - at.table.x - kKeyColumn - kOptions) / kTableTrack, 0.0, 1.0);
-}
+int firstTableLine(const ColorsLayout& at) { return at.table.y + (at.compact ? 35 : 37); }
 
 std::optional<int> cellInGrid(const ColorsLayout& at, int x, int y) {
   const int column = x - at.grid.x, row = y - at.grid.y;
@@ -312,40 +270,42 @@ Plot storedPlot(const Picture& picture, const Palette& palette) {
           .curves = storedCurves(picture, palette)};
 }
 
-std::vector<TableLine> tableLines(const Picture& picture, const PaletteEffects& effects) {
+std::vector<Control> tableLines(const Picture& picture, const PaletteEffects& effects) {
   const TableSettings& table = picture.settings().table;
   const bool colors = channelsOf(picture.colors().plan()) == Channels::Rgb;
   const std::string turned = effects.hueTurn != 0.0 ? " + " + fixed(effects.hueTurn, 0) + "\u00B0" : "";
-  std::vector<TableLine> lines;
+  std::vector<Control> lines;
+  const auto choice = [&](std::string label, double chosen, std::vector<std::string> options) {
+    lines.push_back({.kind = Control::Kind::Choice,
+                     .label = std::move(label),
+                     .value = chosen,
+                     .options = std::move(options)});
+  };
+  const auto fact = [&](std::string label, std::string words) {
+    lines.push_back({.kind = Control::Kind::Own, .label = std::move(label), .words = std::move(words)});
+  };
   if (colors) {
-    lines.push_back({.label = "colours",
-                     .options = {"chosen", "cube"},
-                     .chosen = picture.colors().plan() == ColorPlan::Cube});
-    lines.push_back({.label = "cells", .value = std::to_string(sceneCells(picture).count)});
-    if (!turned.empty()) lines.push_back({.label = "hue", .value = turned});
-    lines.push_back({.label = "dither", .options = {"off", "on"}, .chosen = picture.settings().dither});
+    choice("colours", picture.colors().plan() == ColorPlan::Cube, {"chosen", "cube"});
+    fact("cells", std::to_string(sceneCells(picture).count));
+    if (!turned.empty()) fact("hue", turned);
+    choice("dither", picture.settings().dither, {"off", "on"});
   } else {
     lines.push_back(kindLine(table.kind));
     const bool corrected = table.kind == TableKind::Corrected;
     const std::string I0 = corrected ? ", I0 " + fixed(table.I0, table.I0 < 0.001 ? 6 : 3) : "";
-    lines.push_back({.label = "shades", .value = std::to_string(table.shades) + I0});
-    if (corrected)
-      lines.push_back(
-          {.label = "nearest", .options = {"in ratio", "difference"}, .chosen = table.pick == Pick::Search});
+    fact("shades", std::to_string(table.shades) + I0);
+    if (corrected) choice("nearest", table.pick == Pick::Search, {"in ratio", "difference"});
     const std::size_t ramps = picture.colors().tables().size();
     const glm::dvec3& h = table.hue;
     const std::string hue = ramps > 1 ? std::to_string(ramps) + ", a ramp each"
                                       : fixed(h.r, 2) + ", " + fixed(h.g, 2) + ", " + fixed(h.b, 2);
-    lines.push_back({.label = ramps > 1 ? "hues" : "hue", .value = hue + turned});
-    lines.push_back({.label = "stored", .options = {"8 bits", "16 bits"}, .chosen = table.bits == 16});
+    fact(ramps > 1 ? "hues" : "hue", hue + turned);
+    choice("stored", table.bits == 16, {"8 bits", "16 bits"});
   }
-  if (effects.stored)
-    lines.push_back({.label = "colours", .value = "of " + std::string{kTables[int(*effects.stored)].name}});
-  if (effects.gamma != 1.0) lines.push_back({.label = "gamma", .value = fixed(effects.gamma, 2)});
-  if (effects.bend)
-    lines.push_back({.label = "bent",
-                     .value = std::to_string(effects.bend->cell) + " to " + fixed(effects.bend->value, 1)});
-  if (effects.rotate != 0) lines.push_back({.label = "rotated", .value = std::to_string(effects.rotate)});
+  if (effects.stored) fact("colours", "of " + std::string{kTables[int(*effects.stored)].name});
+  if (effects.gamma != 1.0) fact("gamma", fixed(effects.gamma, 2));
+  if (effects.bend) fact("bent", std::to_string(effects.bend->cell) + " to " + fixed(effects.bend->value, 1));
+  if (effects.rotate != 0) fact("rotated", std::to_string(effects.rotate));
   return lines;
 }
 

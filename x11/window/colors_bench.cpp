@@ -7,20 +7,7 @@
 namespace xnewell {
 
 namespace {
-
-/// A line of the table, and the key that changes its setting.
-struct LineKey {
-  std::string_view label;
-  char key;
-};
-constexpr std::array kLineKeys{LineKey{"table", 'T'}, LineKey{"shades", 'c'}, LineKey{"nearest", 'j'},
-                               LineKey{"hue", 'H'}, LineKey{"stored", 'B'}};
-
-}  // namespace
-
-bool ColorsBench::hasRamp(const char* what) {
-  if (!ramps_) host_.notify(std::string{what} + " needs a ramp, and these cells hold single colours.");
-  return ramps_;
+constexpr ControlId kCurve{0, 1};  // of the stored values: it has no key
 }
 
 void ColorsBench::inspect(int cell) {
@@ -28,90 +15,101 @@ void ColorsBench::inspect(int cell) {
   if (effects_.lit) effects_.lit = scene_.has(*cell_) ? cell_ : std::nullopt;
 }
 
-bool ColorsBench::press(const Key& key, const Setup& setup) {
-  const int times = key.shift ? 10 : 1;
-  if (focus_ != 0 && pressOnSlider(key, times)) return true;
-  switch (key.name) {
-    case NamedKey::Left:
-      return inspect(cell() - times), true;
-    case NamedKey::Right:
-      return inspect(cell() + times), true;
-    case NamedKey::Up:
-      return cell() >= 16 ? inspect(cell() - 16) : void(), true;
-    case NamedKey::Down:
-      return cell() < 240 ? inspect(cell() + 16) : void(), true;
-    case NamedKey::Home:
-      return inspect(scene_.first), true;
-    case NamedKey::End:
-      return inspect(scene_.last()), true;
-    case NamedKey::Escape:
-      return undo(), true;
-    case NamedKey::Tab:
-      return true;
-    default:
-      break;
-  }
-  switch (key.letter) {
-    case 'h':
-      if (scene_.has(cell()))
-        effects_.lit = cell();
-      else
-        host_.notify("Cell " + std::to_string(cell()) +
-                     " does not belong to the scene: there is nothing to light up.");
-      return true;
-    case 'm':
-      if (!hasRamp("Moving")) return true;
-      moving_ = !moving_;
-      effects_.rotate = 0;
-      return true;
-    case 'g': {
-      const auto* const now = std::ranges::find(kGammas, effects_.gamma);
-      effects_.gamma = now == kGammas.end() || now + 1 == kGammas.end() ? kGammas[0] : now[1];
-      return true;
+/// The lines of the table, with the keys and the values of the settings. The number of shades and I0 are
+/// sliders here.
+Controls ColorsBench::controls() {
+  const Setup& now = host_.setup();
+  Controls all;
+  const auto add = [&](char key, const char* legend) -> Control& {
+    all.push_back(settingControl(key, now, host_.defaults(), change()));
+    all.back().legend = legend;
+    return all.back();
+  };
+  for (const Control& fact : facts_) {
+    if (fact.label == "table") {
+      add('T', "table").options = fact.options;
+    } else if (fact.label == "shades") {
+      add('c', "shades");
+      add('0', "I0");
+      Control& nearest = add('J', "nearest");
+      nearest.label = "nearest";
+      if (now.picture.table.kind != TableKind::Corrected)
+        nearest.off = noEffect(nearest.label, *settingOf('J')) + ".";
+    } else if (fact.label == "hue") {
+      const Control choice = add('H', "hue");
+      all.back() = fact;  // the line shows the hue's numbers
+      all.back().key = 'H', all.back().legend = choice.legend, all.back().is = choice.is;
+      all.back().set = [choice](double) { activate(choice); };
+    } else if (fact.label == "stored") {
+      add('B', "bits").label = fact.label;
+    } else if (fact.label != "nearest" && fact.label != "gamma") {
+      all.push_back(fact);
     }
-    case 'i':
-      if (!hasRamp("Holding indices")) return true;
-      held_ = holds(setup) ? std::nullopt : std::optional{setup.picture.table};
-      return true;
-    case 'j':
-      return host_.pressLetter('J'), true;
-    case 'r':  // the host resets the settings; this view resets its own state
-      undo();
-      return false;
-    case '0':
-      if (const SliderRow& I0 = *sliderOf('0'); !I0.enabled(setup)) return host_.notify(I0.whenOff()), true;
-      [[fallthrough]];
-    case 'c':
-      focus_ = std::ranges::find(lines_, key.letter, &TableLine::key) == lines_.end() ? '\0' : key.letter;
-      return true;
-    default:
-      return false;
   }
+  const auto choice = [&](char key, std::string label, std::string is, std::string legend, double chosen,
+                          std::vector<std::string> options, std::function<void(double)> set) {
+    all.push_back({.kind = Control::Kind::Choice,
+                   .key = key,
+                   .label = std::move(label),
+                   .is = std::move(is),
+                   .legend = std::move(legend),
+                   .value = chosen,
+                   .options = std::move(options),
+                   .set = std::move(set)});
+  };
+  all.push_back(gammaControl(effects_.gamma, [this](double gamma) { effects_.gamma = gamma; }));
+  all.back().legend = "gamma";
+  choice('i', "indices", "held, they show what storing colours alone does", "hold indices", holds(now),
+         {"follow", "held"},
+         [this](double on) { held_ = on != 0 ? std::optional{host_.setup().picture.table} : std::nullopt; });
+  choice('m', "move", "moves the ramp through the cells", "move the ramp", moving_, {"off", "rotate"},
+         [this](double on) { moving_ = on != 0, effects_.rotate = 0; });
+  // The curve of stored values.
+  all.push_back({.kind = Control::Kind::Own, .part = kCurve.part, .drag = [this](int, int y, int, int dy) {
+                   if (dy != 0) bendTo(y);
+                 }});
+  if (ramps_) return all;
+  for (Control& control : all)
+    if (control.key == 'i' || control.key == 'm' || control.id() == kCurve)
+      control.off = "This needs a ramp, and these cells hold single colours.";
+  return all;
 }
 
-/// Handles a key while a slider has the focus: the arrows change it. Esc, Tab or the pointer gives the arrows
-/// back to the cells.
-bool ColorsBench::pressOnSlider(const Key& key, int times) {
-  const SliderRow& row = *sliderOf(focus_);
-  const auto change = [&](const std::function<void(Setup&)>& edit) { host_.change(focus_, edit); };
-  switch (key.name) {
-    case NamedKey::Left:
-    case NamedKey::Down:
-      return change([&](Setup& s) { step(s, row, -times); }), true;
-    case NamedKey::Right:
-    case NamedKey::Up:
-      return change([&](Setup& s) { step(s, row, times); }), true;
-    case NamedKey::Home:
-      return change([&](Setup& s) { row.set(s, row.low); }), true;
-    case NamedKey::End:
-      return change([&](Setup& s) { row.set(s, row.high); }), true;
-    case NamedKey::Tab:
-    case NamedKey::Escape:
-      focus_ = 0;
-      return true;
-    default:
-      return false;
+KeyTable ColorsBench::ownKeys() {
+  KeyTable table;
+  if (!list_.focused(controls())) {
+    const auto by = [this](int cells, int ofShift) {
+      return [=, this](const Key& key) {
+        const int to = cell() + (key.shift ? ofShift : cells);
+        if (std::abs(cells) == 1 || (to >= 0 && to < 256)) inspect(to);
+      };
+    };
+    const std::string does = "choose a cell; Shift: ten";
+    table = {{{NamedKey::Left}, "cell", does, by(-1, -10)},
+             {{NamedKey::Right}, "cell", does, by(1, 10)},
+             {{NamedKey::Up}, "cell", does, by(-16, -16)},
+             {{NamedKey::Down}, "cell", does, by(16, 16)}};
+    const std::string ends = "the scene's first cell, its last";
+    table.push_back({{NamedKey::Home}, "", ends, [this](const Key&) { inspect(scene_.first); }});
+    table.push_back({{NamedKey::End}, "", ends, [this](const Key&) { inspect(scene_.last()); }});
   }
+  table.push_back({{'h'},
+                   "light it up",
+                   "light up the cell while the key is held",
+                   [this](const Key&) { effects_.lit = cell(); },
+                   scene_.has(cell()) ? ""
+                                      : "Cell " + std::to_string(cell()) +
+                                            " does not belong to the scene: there is nothing to light up."});
+  table.push_back(
+      {{NamedKey::Escape}, "restore", "restore light, gamma, curve, indices and ramp", [this](const Key&) {
+         undo();
+       }});
+  table.push_back({.does = "bend the curve of stored values", .gesture = "drag"});
+  table.push_back({{'r'}, "", "reset everything", [this](const Key&) {
+                     undo();
+                     host_.change('r', [this](Setup& s) { s = host_.defaults(); });
+                   }});
+  return table;
 }
 
 void ColorsBench::release(char letter) {
@@ -120,9 +118,10 @@ void ColorsBench::release(char letter) {
 
 void ColorsBench::undo() {
   effects_ = {};
-  moving_ = grabbed_ = false;
+  moving_ = false;
   held_.reset();
-  focus_ = 0;
+  list_.drop();
+  list_.setFocus(std::nullopt);
 }
 
 void ColorsBench::leave() {
@@ -130,9 +129,11 @@ void ColorsBench::leave() {
   if (effects_ != PaletteEffects{} || moving_ || held_)
     host_.tell("Gamma, curve, ramp and indices are restored: only view 3 changes them.");
   undo();
+  Bench::leave();
 }
 
 void ColorsBench::hover(int x, int y) {
+  Bench::hover(x, y);
   if (const std::optional<int> cell = cellInGrid(at_, x, y)) return inspect(*cell);
   if (const std::optional<int> cell = cellInStrip(strip_, x, y)) return inspect(*cell);
   for (const Rect& plot : {at_.stored, at_.steps})
@@ -141,42 +142,11 @@ void ColorsBench::hover(int x, int y) {
 
 bool ColorsBench::grab(int x, int y) {
   hover(x, y);
-  if (const std::optional<TableLineHit> hit = lineAt(at_, lines_, x, y)) return grabLine(*hit);
-  focus_ = 0;
-  if (!at_.stored.has(x, y) || scene_.count == 0) return false;
-  if (!hasRamp("Dragging the curve")) return false;
-  inspect(cellAtX(scene_, at_.stored, x));
-  grabbedY_ = y;
-  return grabbed_ = true;
+  if (!at_.table.has(x, y)) list_.setFocus(std::nullopt);
+  return Bench::grab(x, y);
 }
 
-/// Handles a click on a line of the table. On a choice's name it takes the next option; on an option it takes
-/// that one. It presses the choice's key as often as needed.
-bool ColorsBench::grabLine(const TableLineHit& hit) {
-  const TableLine line = lines_[hit.line];
-  if (line.share) {
-    focus_ = dragged_ = line.key;
-    if (hit.share) setSlider(*hit.share);
-    return hit.share.has_value();
-  }
-  if (line.key == 'H') host_.pressLetter('H');  // a value without options: its key changes it
-  if (line.options.empty()) return false;
-  const int options = static_cast<int>(line.options.size());
-  const int times = hit.option < 0 ? 1 : (hit.option - line.chosen + options) % options;
-  for (int k = 0; k < times; ++k)
-    if (!press({NamedKey::Letter, line.key}, host_.setup())) host_.pressLetter(line.key);
-  return false;
-}
-
-void ColorsBench::setSlider(double share) {
-  const SliderRow& row = *sliderOf(dragged_);
-  host_.change(dragged_, [&](Setup& s) { row.set(s, trackValue(row, share)); });
-}
-
-void ColorsBench::dragTo(int x, int y) {
-  if (dragged_ != 0) return setSlider(trackShare(at_, x));
-  if (!grabbed_ || y == grabbedY_) return;
-  grabbedY_ = y;
+void ColorsBench::bendTo(int y) {
   const double share = 1.0 - static_cast<double>(y - at_.stored.y) / (at_.stored.height - 1);
   effects_.bend = CurvePoint{cell(), std::min(255.0 * std::clamp(share, 0.0, 1.0), brightest_)};
 }
@@ -207,7 +177,7 @@ PaletteEffects ColorsBench::stored(const Setup& setup) const {
 }
 
 ColorsBench::Told ColorsBench::told(const Setup& setup) const {
-  Told told{cell_, stored(setup), setup, focus_, moving_, holds(setup)};
+  Told told{cell_, stored(setup), setup, moving_, holds(setup)};
   told.effects.lit.reset();
   told.effects.rotate = 0;
   return told;
@@ -234,72 +204,28 @@ void ColorsBench::draw(IndexImage& image, const Desk& desk) {
                   .cell = cell(),
                   .aside = "light it up everywhere",
                   .asideKey = 'h',
-                  .lines = lines_ = lines(desk.picture, desk.setup),
-                  .focus = focus_,
                   .gamma = effects_.gamma,
                   .hint = moving_      ? "The colours are rotating; the numbers are for the table at rest."
                           : ramps == 1 ? "Drag the curve: colours change, the indices stay."
                                        : ""});
+  facts_ = tableLines(desk.picture, {.bend = effects_.bend});
+  const Controls all = controls();
+  const RowStyle style = tableStyle(at_, true);
+  int line = firstTableLine(at_);
+  Pen pen{Painter{image}, desk.plan};
+  list_.forgetPlaces();
+  for (const Control& control : all) {
+    if (control.label.empty()) continue;
+    const ControlPlace place = placeInRow(control, at_.table.x, line, style);
+    if (control.key == 0)
+      drawControl(pen, control, place, {});
+    else
+      list_.place(control.id(), place);
+    line += place.area.height;
+  }
+  if (scene_.count > 0) list_.place(kCurve, {.area = at_.stored, .grip = at_.stored, .bare = true});
+  list_.draw(pen, all);
   levels_ = levelsText(desk.picture, steps);
-}
-
-std::vector<Legend> ColorsBench::legend() const {
-  std::vector<Legend> legend{
-      {{"<", ">", "^", "v"}, focus_ == 0 ? std::string_view{"cell"} : sliderOf(focus_)->label},
-      {{"h"}, "light it up"},
-      {{"Esc"}, "restore"}};
-  if (ramps_)  // without a ramp there is no table to change
-    legend.insert(legend.end(), {{{"T"}, "table"},
-                                 {{"c"}, "shades"},
-                                 {{"0"}, "I0"},
-                                 {{"j"}, "nearest"},
-                                 {{"H"}, "hue"},
-                                 {{"B"}, "bits"}});
-  legend.push_back({{"g"}, "gamma"});
-  if (ramps_) legend.insert(legend.end(), {{{"i"}, "hold indices"}, {{"m"}, "move the ramp"}});
-  return legend;
-}
-
-std::vector<HelpLine> ColorsBench::help() const {
-  return {{"arrows", "choose a cell; Shift: ten; Home, End: the scene's first, last"},
-          {"h", "light up the cell while the key is held"},
-          {"T j H B", "table; nearest in ratio or difference; hue; 8 or 16 bits a cell"},
-          {"c 0", "go to the shades, or to I0; then arrows; Esc goes back to the cells"},
-          {"g", "the screen's gamma"},
-          {"i", "hold the indices, to see what storing colours does"},
-          {"m", "move the ramp through the cells"},
-          {"drag", "bend the curve of stored values"},
-          {"Esc", "restore light, gamma, curve, indices and ramp"}};
-}
-
-std::vector<TableLine> ColorsBench::lines(const Picture& picture, const Setup& setup) const {
-  std::vector<TableLine> lines = tableLines(picture, {.bend = effects_.bend});
-  for (TableLine& line : lines) {
-    const auto* const row = std::ranges::find(kLineKeys, line.label, &LineKey::label);
-    if (row != kLineKeys.end()) line.key = row->key;
-    if (line.key == 'T') line.chosen = static_cast<int>(setup.picture.table.kind);
-  }
-  // The number of shades and I0 are sliders here.
-  const auto shades = std::ranges::find(lines, 'c', &TableLine::key);
-  if (shades != lines.end()) {
-    const auto slider = [&](char key) {
-      const SliderRow& row = *sliderOf(key);
-      return TableLine{.key = row.key,
-                       .label = std::string{row.label},
-                       .value = fixed(row.get(setup), row.decimals),
-                       .share = trackPosition(row, row.get(setup))};
-    };
-    *shades = slider('c');
-    if (setup.picture.table.kind == TableKind::Corrected) lines.insert(shades + 1, slider('0'));
-  }
-  const auto* const gamma = std::ranges::find(kGammas, effects_.gamma);
-  TableLine gammas{.key = 'g', .label = "gamma", .chosen = static_cast<int>(gamma - kGammas.begin())};
-  for (const double g : kGammas) gammas.options.push_back(fixed(g, 1));
-  lines.push_back(gammas);
-  if (!ramps_) return lines;
-  lines.push_back({.key = 'i', .label = "indices", .options = {"follow", "held"}, .chosen = holds(setup)});
-  lines.push_back({.key = 'm', .label = "move", .options = {"off", "rotate"}, .chosen = moving_});
-  return lines;
 }
 
 }  // namespace xnewell

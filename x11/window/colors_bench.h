@@ -2,7 +2,6 @@
 
 #include <optional>
 #include <string>
-#include <vector>
 
 #include "x11/views/colors_page.h"
 #include "x11/window/bench.h"
@@ -14,21 +13,15 @@ namespace xnewell {
 class ColorsBench : public Bench {
  public:
   /// The host must outlive it.
-  explicit ColorsBench(Host& host) : host_{host} {}
+  explicit ColorsBench(Host& host) : Bench{host} {}
 
-  [[nodiscard]] bool press(const Key& key, const Setup& setup) override;
-  [[nodiscard]] std::string_view sharedKeys() const override { return "HBJT"; }
+  [[nodiscard]] Controls controls() override;
+  [[nodiscard]] KeyTable ownKeys() override;
   void release(char letter) override;
-  /// The pointer moves over a cell, or over a column of the plots.
+  /// The pointer moves over a cell, over a column of the plots, or over a control.
   void hover(int x, int y) override;
-  /// Handles a press of the button, which starts a drag on a slider of the table or on the curve of stored
-  /// values.
+  /// Handles a press of the button, which may start a drag on a slider or on the curve of stored values.
   [[nodiscard]] bool grab(int x, int y) override;
-  void dragTo(int x, int y) override;
-  void drop() override {
-    grabbed_ = false;
-    dragged_ = 0;
-  }
   void leave() override;
   /// True while the ramp moves: tick() moves it by one shade.
   [[nodiscard]] bool moving() const override { return moving_; }
@@ -39,12 +32,10 @@ class ColorsBench : public Bench {
   /// one.
   [[nodiscard]] Setup painted(const Setup& setup) const override;
   [[nodiscard]] PaletteEffects stored(const Setup& setup) const override;
-  /// True if the cells or colours have changed since the page was drawn.
-  [[nodiscard]] bool late(const Setup& setup) const override { return told(setup) != drawn_; }
+  /// True if the cells, the colours or the controls have changed since the page was drawn.
+  [[nodiscard]] bool late(const Setup& setup) const override { return told(setup) != drawn_ || list_.late(); }
   void draw(IndexImage& image, const Desk& desk) override;
   [[nodiscard]] std::string status() const override { return levels_; }
-  [[nodiscard]] std::vector<Legend> legend() const override;
-  [[nodiscard]] std::vector<HelpLine> help() const override;
   [[nodiscard]] bool countsPolygons() const override { return true; }
   [[nodiscard]] std::optional<int> inspected() const override { return cell(); }
 
@@ -53,10 +44,8 @@ class ColorsBench : public Bench {
   void undo();
   void inspect(int cell);
   [[nodiscard]] int cell() const { return cell_.value_or(0); }
-  bool pressOnSlider(const Key& key, int times);
-  bool grabLine(const TableLineHit& hit);
-  void setSlider(double share);
-  [[nodiscard]] bool hasRamp(const char* what);
+  void bendTo(int y);
+  void light();
   /// Held indices are for one number of shades and one I0. If these change, the indices follow the settings
   /// again.
   [[nodiscard]] bool holds(const Setup& setup) const;
@@ -66,26 +55,20 @@ class ColorsBench : public Bench {
     std::optional<int> cell;
     PaletteEffects effects;
     Setup setup;
-    char focus = 0;
     bool moving = false, holds = false;
     bool operator==(const Told&) const = default;
   };
   [[nodiscard]] Told told(const Setup& setup) const;
-  [[nodiscard]] std::vector<TableLine> lines(const Picture& picture, const Setup& setup) const;
 
-  Host& host_;
   std::optional<int> cell_;
   PaletteEffects effects_;  ///< except `stored`, which follows from the settings and held_
-  bool moving_ = false, grabbed_ = false;
-  double brightest_ = 255.0;  ///< the value in the last cell of the ramp, of 255
-  int grabbedY_ = 0;          ///< the pointer's last y while the curve is dragged
-  char focus_ = 0;    ///< the key of the slider that the arrows change; 0: the arrows move over the cells
-  char dragged_ = 0;  ///< the slider that is dragged
+  bool moving_ = false;
+  double brightest_ = 255.0;           ///< the value in the last cell of the ramp, of 255
   std::optional<TableSettings> held_;  ///< the table that picks the indices
   // The state of the last drawing.
   ColorsLayout at_;
   Rect strip_{};
-  std::vector<TableLine> lines_;
+  Controls facts_;  ///< the lines of the table, without keys
   std::string levels_;
   CellRange scene_;
   bool ramps_ = false;

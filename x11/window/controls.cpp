@@ -77,8 +77,6 @@ bool ToggleRow::get(const Setup& setup) const {
   return std::get<double>(setting->field.get(setup.picture)) != 0.0;
 }
 
-void ToggleRow::flip(Setup& setup) const { setting->field.set(setup.picture, get(setup) ? 0.0 : 1.0); }
-
 const std::vector<SliderRow>& sliders() {
   static const std::vector<SliderRow> rows = [] {
     std::vector<SliderRow> all;
@@ -141,13 +139,6 @@ const ChoiceRow* choiceOf(char key) {
 
 const ToggleRow* toggleOf(char key) { return withKey(toggles(), key); }
 
-std::string_view whatIs(char key) {
-  if (key == 'l') return "where the light is: drag it on the ball";
-  if (const ChoiceRow* const choice = choiceOf(key)) return choice->tells;
-  const Setting* const setting = settingOf(key);
-  return setting ? setting->is : std::string_view{};
-}
-
 std::string_view keepFillable(Setup& setup) {
   if (setup.fill != Fill::XFillPolygon) return {};
   const Order order = setup.picture.order;
@@ -158,36 +149,6 @@ std::string_view keepFillable(Setup& setup) {
              ? "The oracle decides each sample by itself: there is no polygon for the server to fill."
          : bySample ? "A z-buffer decides each sample by itself: there is no polygon for the server to fill."
                     : "XFillPolygon gives a polygon one cell: the server cannot interpolate.";
-}
-
-void nextHue(Setup& setup) {
-  const auto* const row = std::ranges::find(kHues, setup.picture.table.hue, &HueRow::hue);
-  setup.picture.table.hue = row == kHues.end() || row + 1 == kHues.end() ? kHues[0].hue : row[1].hue;
-}
-
-double trackPosition(const SliderRow& row, double value) {
-  const double v = std::clamp(value, row.low, row.high);
-  return row.logarithmic ? std::log(v / row.low) / std::log(row.high / row.low)
-                         : (v - row.low) / (row.high - row.low);
-}
-
-double trackValue(const SliderRow& row, double position) {
-  const double p = std::clamp(position, 0.0, 1.0);
-  const double v =
-      row.logarithmic ? row.low * std::pow(row.high / row.low, p) : row.low + p * (row.high - row.low);
-  const double unit = std::pow(10.0, row.decimals);
-  return std::clamp(std::round(v * unit) / unit, row.low, row.high);
-}
-
-void step(Setup& setup, const SliderRow& row, int steps) {
-  const double share = row.logarithmic ? row.step : row.step / (row.high - row.low);
-  const double before = row.get(setup), unit = std::pow(10.0, -row.decimals);
-  double after = trackValue(row, trackPosition(row, before) + steps * share);
-  // On a logarithmic track a step may be smaller than the last decimal. Then the value moves by one unit of
-  // that decimal.
-  if (std::abs(after - before) < unit / 2)
-    after = std::clamp(before + (steps > 0 ? unit : -unit), row.low, row.high);
-  row.set(setup, after);
 }
 
 namespace {

@@ -59,10 +59,6 @@ struct ChoiceRow {
   std::vector<std::string_view> options;
   std::function<int(const Setup&)> get;
   std::function<void(Setup&, int)> set;
-  /// The option after the setup's; the first one after the last.
-  [[nodiscard]] int next(const Setup& setup) const {
-    return (get(setup) + 1) % static_cast<int>(options.size());
-  }
 };
 /// choices() are in the column. others() have no place there: pick and bits.
 [[nodiscard]] const std::vector<ChoiceRow>& choices();
@@ -73,7 +69,6 @@ struct ToggleRow {
   char key;
   std::string_view label;
   [[nodiscard]] bool get(const Setup& setup) const;
-  void flip(Setup& setup) const;
 };
 [[nodiscard]] const std::vector<ToggleRow>& toggles();
 
@@ -81,9 +76,6 @@ struct ToggleRow {
 [[nodiscard]] const SliderRow* sliderOf(char key);
 [[nodiscard]] const ChoiceRow* choiceOf(char key);  ///< in choices() or others()
 [[nodiscard]] const ToggleRow* toggleOf(char key);
-
-/// What the control of a key is; "" if the key has none.
-[[nodiscard]] std::string_view whatIs(char key);
 
 /// The hues that the key `H` visits.
 struct HueRow {
@@ -94,16 +86,9 @@ inline constexpr std::array kHues{
     HueRow{"red", {1, 0, 0}},      HueRow{"amber", {1, 0.7, 0}}, HueRow{"green", {0, 1, 0}},
     HueRow{"blue", {0.3, 0.5, 1}}, HueRow{"gray", {1, 1, 1}},
 };
-void nextHue(Setup& setup);
 
 /// The gammas that the key `g` visits.
 inline constexpr std::array kGammas{1.0, 1.4, 1.8, 2.2};
-
-/// The position of a value on its track, in [0, 1], and the value at a position.
-[[nodiscard]] double trackPosition(const SliderRow& row, double value);
-[[nodiscard]] double trackValue(const SliderRow& row, double position);
-/// Moves the slider's value by `steps` of its steps, within its range.
-void step(Setup& setup, const SliderRow& row, int steps);
 
 /// The light's direction from the scene's centre, in degrees. Azimuth is the angle about the up axis: 0 where
 /// the default view stands, positive to its right. Elevation is the angle above the horizon.

@@ -1,12 +1,10 @@
 #include "x11/window/mach_bench.h"
 
 #include <algorithm>
-#include <cmath>
 
 #include "x11/drawing/pen.h"
 #include "x11/drawing/sheet.h"
 #include "x11/drawing/wording.h"
-#include "x11/window/typed_number.h"
 
 namespace xnewell {
 
@@ -19,8 +17,6 @@ constexpr int kRow = 22, kRows = 3;
 /// margin below it.
 int sheetHeight(const Layout& at) { return at.body.height + 2 * Sheet::kMargin; }
 int sheetTop(const Layout& at) { return at.body.y - Sheet::kMargin; }
-
-const ChoiceRow& shadings() { return *choiceOf('S'); }
 
 }  // namespace
 
@@ -37,127 +33,59 @@ Setup MachBench::painted(const Setup& setup) const {
   return painted;
 }
 
-bool MachBench::press(const Key& key, const Setup& setup) {
-  const int times = key.shift ? 10 : 1;
-  const bool turns = focus() == 't' || focus() == 'z';
-  switch (key.name) {
-    case NamedKey::Up:
-    case NamedKey::Down:
-      if (turns) return false;
-      return moveScanline(key.name == NamedKey::Up ? -times : times), true;
-    case NamedKey::Left:
-    case NamedKey::Right: {
-      if (turns) return false;
-      const int by = key.name == NamedKey::Left ? -times : times;
-      return focus() == 'k' ? divide(divisions_ + by) : moveScanline(by), true;
-    }
-    case NamedKey::Home:
-    case NamedKey::End: {
-      const bool end = key.name == NamedKey::End;
-      if (focus() == 'k') return divide(end ? kMostDivisions : 1), true;
-      row_ = end ? height_ - 1 : 0;
-      return true;
-    }
-    case NamedKey::Tab:
-      focus_ = focus() == 'y' ? 'k' : 'y';
-      return true;
-    case NamedKey::Escape:
-      focus_ = 'y';
-      return true;
-    case NamedKey::Letter:
-      break;
-    default:
-      return false;
-  }
-  switch (key.letter) {
-    case 'y':
-    case 'k':
-      focus_ = key.letter;
-      return true;
-    case 't':
-    case 'z':
-      focus_ = 0;
-      return false;
-    case '=': {
-      if (focus() == 'k') return askForDivisions(), true;
-      host_.ask({.asks = "scanline, 0 to " + std::to_string(height_ - 1),
-                 .text = std::to_string(row_.value_or(0)),
-                 .take = [this](const std::string& text) -> std::string {
-                   const std::optional<int> value = wholeNumber(text);
-                   if (!value || *value < 0 || *value >= height_)
-                     return "The picture's rows are 0 to " + std::to_string(height_ - 1) + ".";
-                   row_ = *value;
-                   return {};
+Controls MachBench::controls() {
+  const Setup& now = host_.setup();
+  Controls all{settingControl('S', now, host_.defaults(), change())};
+  all.back().legend = "shading";
+  all.push_back({.kind = Control::Kind::Slider,
+                 .key = 'y',
+                 .label = "scanline",
+                 .is = "the row of the picture that is plotted",
+                 .value = static_cast<double>(row_.value_or(0)),
+                 .range = {0, static_cast<double>(height_ - 1), 1, false, 0},
+                 .initially = height_ / 2.0,
+                 .set = [this](double row) { moveTo(static_cast<int>(row)); }});
+  all.push_back({.kind = Control::Kind::Slider,
+                 .key = 'k',
+                 .label = "divisions",
+                 .is = "into how many polygons each patch is divided, each way",
+                 .legend = "divisions",
+                 .value = static_cast<double>(std::max(1, divisions_)),
+                 .range = {1, kMostDivisions, 1, false, 0},
+                 .initially = kDefaultDivisions,
+                 .off = divisions_ > 0 ? "" : "The scene has no patches to divide.",
+                 .set = [this](double divisions) {
+                   host_.change('k', [&](Setup& s) { s.divisions = static_cast<int>(divisions); });
                  }});
-      return true;
-    }
-    default:
-      (void)setup;
-      return false;
+  for (Control& control : cameraControls(now, subject_(), change())) {
+    control.drag = {};
+    control.legend = control.label;
+    all.push_back(std::move(control));
   }
+  // The picture: a drag takes the scanline along.
+  all.push_back({.kind = Control::Kind::Own, .drag = [this](int, int y, int, int) {
+                   list_.setFocus(ControlId{'y'});
+                   moveTo(std::clamp(y - picture_.y, 0, picture_.height - 1) + firstRow_.value_or(0));
+                 }});
+  return all;
 }
 
-void MachBench::askForDivisions() {
-  if (divisions_ == 0) return divide(0);
-  host_.ask({.asks = "divisions, 1 to " + std::to_string(kMostDivisions),
-             .text = std::to_string(divisions_),
-             .take = [this](const std::string& text) -> std::string {
-               const std::optional<int> value = wholeNumber(text);
-               if (!value || *value < 1 || *value > kMostDivisions)
-                 return "A patch has 1 to " + std::to_string(kMostDivisions) + " divisions each way.";
-               divide(*value);
-               return {};
-             }});
-}
-
-void MachBench::moveScanline(int rows) { row_ = std::clamp(row_.value_or(0) + rows, 0, height_ - 1); }
-
-void MachBench::divide(int divisions) {
-  if (divisions_ == 0) return host_.notify("The scene has no patches to divide.");
-  host_.change('k', [&](Setup& s) { s.divisions = std::clamp(divisions, 1, kMostDivisions); });
-}
-
-char MachBench::rowAt(int x, int y, int& option) const {
-  option = -1;
-  if (!controls_.has(x, y)) return 0;
-  const char row = "Syk"[std::min(kRows - 1, (y - controls_.y) / kRow)];
-  if (row == 'S')
-    for (std::size_t k = 0; k < options_.size(); ++k)
-      if (options_[k].has(x, y)) option = static_cast<int>(k);
-  return row;
-}
-
-void MachBench::hover(int x, int y) { hovered_ = rowAt(x, y, option_); }
-
-bool MachBench::grab(int x, int y) {
-  hover(x, y);
-  if (picture_.has(x, y)) {
-    dragged_ = 'p';
-  } else if (hovered_ == 'S') {
-    if (option_ >= 0) choose(host_, shadings(), option_);
-    return false;
-  } else if (hovered_ != 0) {
-    focus_ = hovered_;
-    const int track = controls_.x + kColumnTrackAt;
-    if (x < track - 5 || x > track + kColumnTrack + 5) return false;
-    dragged_ = hovered_;
+KeyTable MachBench::ownKeys() {
+  KeyTable table;
+  const Control* const selected = list_.focused(controls());
+  if (!selected || selected->kind == Control::Kind::Slider) {
+    const auto by = [this](int rows) {
+      return [this, rows](const Key& key) { moveScanline(key.shift ? 10 * rows : rows); };
+    };
+    const std::string does = "move the scanline; Shift: ten rows; or drag it in the picture";
+    table = {{{NamedKey::Up}, "scanline", does, by(-1)}, {{NamedKey::Down}, "scanline", does, by(1)}};
   }
-  if (dragged_ == 0) return false;
-  focus_ = dragged_ == 'k' ? 'k' : 'y';
-  dragTo(x, y);
-  return true;
+  table.push_back({{NamedKey::Escape}, "", "select the scanline again", [this](const Key&) {
+                     list_.setFocus(ControlId{'y'});
+                   }});
+  append(table, zoomKeys(host_.setup(), subject_(), change()));
+  return table;
 }
-
-void MachBench::dragTo(int x, int y) {
-  const double share = std::clamp(double(x - controls_.x - kColumnTrackAt) / kColumnTrack, 0.0, 1.0);
-  if (dragged_ == 'p')
-    row_ = std::clamp(std::clamp(y - picture_.y, 0, picture_.height - 1) + firstRow_.value_or(0), 0,
-                      height_ - 1);
-  if (dragged_ == 'y') row_ = static_cast<int>(std::lround(share * (height_ - 1)));
-  if (dragged_ == 'k') divide(1 + static_cast<int>(std::lround(share * (kMostDivisions - 1))));
-}
-
-bool MachBench::late(const Setup&) const { return drawn_ != shown(); }
 
 void MachBench::draw(IndexImage& image, const Desk& desk) {
   const Layout& at = desk.layout;
@@ -183,57 +111,17 @@ void MachBench::draw(IndexImage& image, const Desk& desk) {
       settings);
   Painter{image}.within({0, top, at.width, at.strip.y - top}).place(page.image, 0, top);
   firstRow_ = page.firstRow;
-  controls_ = page.controls;
-  controls_.y += top;
-  drawControls(image, desk);
-  drawn_ = shown();
+  const Controls all = controls();
+  int y = page.controls.y + top + 15;
+  list_.forgetPlaces();
+  for (const char key : {'S', 'y', 'k'}) y = list_.placeRow(all, key, page.controls.x, y);
+  list_.place({}, {.area = picture_, .grip = picture_, .bare = true});
+  Pen pen{Painter{image}, desk.plan};
+  list_.draw(pen, all);
+  drawnRow_ = row_;
   const Shading method = desk.setup.picture.shading;
   status_ = "scanline " + grouped(*row_) + " of " + grouped(height_) + "   " +
             std::string{rowOf(method).label} + " shown";
-}
-
-void MachBench::drawControls(IndexImage& image, const Desk& desk) {
-  Pen pen{Painter{image}, desk.plan};
-  const int x = controls_.x;
-  int y = controls_.y + 15;
-  const auto row = [&](std::string_view key, std::string_view label, bool enabled = true) {
-    if (key[0] == focus()) drawFocus(pen, {x, y - 14, kControls, kRow}, 6);
-    pen.key(x, y - 11, key);
-    pen.paint.text(x + 24, y, label, pen(enabled ? Cell::Ink : Cell::Faint));
-  };
-  const auto slider = [&](char key, double value, double initially, double low, double high, bool enabled) {
-    drawTrack(pen, x + kColumnTrackAt, y, kColumnTrack,
-              {.share = std::clamp((value - low) / std::max(1.0, high - low), 0.0, 1.0),
-               .initially = std::clamp((initially - low) / std::max(1.0, high - low), 0.0, 1.0),
-               .enabled = enabled,
-               .hovered = hovered_ == key,
-               .dragged = dragged_ == key});
-    if (enabled) pen.boldRight(x + kControls, y, grouped(static_cast<int>(value)));
-    y += kRow;
-  };
-  row("S", "shading");
-  options_ = optionFrames(shadings().options, x + kColumnTrackAt, y, kControls - kColumnTrackAt);
-  drawOptions(pen, shadings().options, options_, shadings().get(desk.setup), hovered_ == 'S' ? option_ : -1);
-  y += kRow;
-  row("y", "scanline");
-  slider('y', *row_, height_ / 2.0, 0, height_ - 1, true);
-  const bool patches = divisions_ > 0;
-  row("k", "divisions", patches);
-  slider('k', patches ? divisions_ : 1, kDefaultDivisions, 1, kMostDivisions, patches);
-}
-
-std::vector<Legend> MachBench::legend() const {
-  return {{{"^", "v"}, "scanline"}, {{"Shift"}, "by 10"}, {{"S"}, "shading"}, {{"k", "<", ">"}, "divisions"},
-          {{"="}, "type"},          {{"t"}, "turn"},      {{"z"}, "zoom"},    {{"u"}, "undo"}};
-}
-
-std::vector<HelpLine> MachBench::help() const {
-  return {{"up, down", "move the scanline; Shift: ten rows; Home, End: first, last row"},
-          {"drag", "the scanline, in the picture or on its slider"},
-          {"y =", "select the scanline; type its row"},
-          {"k", "the divisions of the patches: left and right, or = types them"},
-          {"S", "next shading of the picture"},
-          {"t z", "turn or zoom with the arrows"}};
 }
 
 }  // namespace xnewell

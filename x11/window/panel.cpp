@@ -4,6 +4,7 @@
 
 #include "x11/drawing/font.h"
 #include "x11/drawing/pen.h"
+#include "x11/drawing/wording.h"
 
 namespace xnewell {
 
@@ -128,10 +129,18 @@ void drawStatus(Pen& pen, const Layout& at, const PanelState& state) {
 }
 
 constexpr int kHelpLine = 18, kShadow = 4;
+constexpr int kHelpKeys = 16, kHelpWords = 140;  // from the box's left edge
+
+/// The words of a line of the list of all keys. Long words take several lines.
+std::vector<std::string> wordsIn(const Rect& box, const HelpLine& line) {
+  return broken(line.does, std::max(1, (box.width - kHelpWords - kHelpKeys) / kVoices[0].pitch));
+}
 
 Rect helpBox(const Layout& at, const std::vector<HelpLine>& lines) {
   const int width = std::min(at.width - 2 * kMargin, 560);
-  const int height = 52 + kHelpLine * static_cast<int>(lines.size());
+  int rows = 0;
+  for (const HelpLine& line : lines) rows += static_cast<int>(wordsIn({.width = width}, line).size());
+  const int height = 52 + kHelpLine * rows;
   return {(at.width - width) / 2, std::max(0, (at.height - height) / 2), width, height};
 }
 
@@ -140,12 +149,14 @@ void drawHelp(Pen& pen, const Layout& at, const std::vector<HelpLine>& lines) {
   pen.paint.fillRect({box.x + kShadow, box.y + kShadow, box.width, box.height}, pen(Cell::Ink));
   pen.paint.fillRect(box, pen(Cell::Paper));
   pen.paint.frame(box, pen(Cell::Ink));
-  pen.caps(box.x + 16, box.y + 24, "ALL KEYS");
+  pen.caps(box.x + kHelpKeys, box.y + 24, "ALL KEYS");
   int y = box.y + 48;
   for (const HelpLine& line : lines) {
-    pen.bold(box.x + 16, y, line.keys);
-    pen.ink(box.x + 140, y, line.does);
-    y += kHelpLine;
+    pen.bold(box.x + kHelpKeys, y, line.keys);
+    for (const std::string& words : wordsIn(box, line)) {
+      pen.ink(box.x + kHelpWords, y, words);
+      y += kHelpLine;
+    }
   }
 }
 

@@ -80,84 +80,44 @@ SceneCellWords wordsOfNormals(const CellUse& use, int first) {
 
 }  // namespace
 
-void PictureBench::hover(int x, int y) { hover_ = controlAt(column_, host_.setup(), x, y); }
-
-bool PictureBench::grab(int x, int y) {
-  x_ = x, y_ = y;
-  if (at_.picture.has(x, y)) return dragged_ = 't', true;
-  hover(x, y);
-  if (!hover_) return false;
-  grabControl(*hover_);
-  if (dragged_ != 0) dragControl(x, y);
-  return dragged_ != 0;
-}
-
-void PictureBench::grabControl(const ControlHit& hit) {
-  const ControlPlace* const place = column_.find(hit.key);
-  switch (place->kind) {
-    case ControlPlace::Kind::Choice: {
-      const ChoiceRow& row = *choiceOf(hit.key);
-      choose(host_, row, hit.option >= 0 ? hit.option : row.next(host_.setup()));
-      return;
-    }
-    case ControlPlace::Kind::Toggle:
-    case ControlPlace::Kind::Button:
-      host_.pressLetter(hit.key);
-      return;
-    case ControlPlace::Kind::Slider:
-    case ControlPlace::Kind::Light:
-    case ControlPlace::Kind::Intensity:
-      keys_.setFocus(hit.key);
-      if (const SliderRow* const row = sliderOf(hit.key); row && !row->enabled(host_.setup()))
-        return host_.notify(row->whenOff());
-      // A click on a name or a value gives the control the focus and does not change its value.
-      const bool onTrack = place->kind == ControlPlace::Kind::Light
-                               ? column_.ball.has(x_, y_)
-                               : x_ >= place->track.x - 5 && x_ < place->track.x + place->track.width + 5 &&
-                                     (place->kind == ControlPlace::Kind::Slider || y_ >= place->track.y - 4);
-      if (onTrack) dragged_ = hit.key;
-      return;
+Controls PictureBench::controls() {
+  const Setup& now = host_.setup();
+  const Subject subject = subject_();
+  Controls all{lightControl(now, subject, change())};
+  all.back().drag = [this](int x, int y, int, int) {
+    const glm::dvec3 towards = glm::transpose(toView_) * directionOnBall(column_, x, y);
+    host_.change('l', [&](Setup& s) { aimLight(s.picture.light, towards, subject_().centre); });
+  };
+  for (Control& control : settingControls(now, host_.defaults(), change())) {
+    if (control.key == 'p')  // its thumb stands at Ia + Ip
+      control.drag = [this](int x, int, int, int) {
+        const TrackRange share{};
+        const double sum = valueAt(share, double(x - column_.bar.x) / (column_.bar.width - 1));
+        host_.change('p', [&](Setup& s) {
+          s.picture.light.Ia = std::min(s.picture.light.Ia, sum);
+          sliderOf('p')->set(s, valueAt(share, sum - s.picture.light.Ia));
+        });
+      };
+    if (control.key == 'H') control.legend = control.label;  // it has no row in the column
+    all.push_back(std::move(control));
   }
+  for (Control& control : cameraControls(now, subject, change())) all.push_back(std::move(control));
+  for (Control& button : buttonControls([this](char letter) { host_.pressLetter(letter); }))
+    all.push_back(std::move(button));
+  return all;
 }
 
-void PictureBench::dragTo(int x, int y) {
-  if (x == x_ && y == y_) return;
-  if (dragged_ == 't')
-    turn(host_, host_.setup(), subject_(), -0.5 * (x - x_), 0.5 * (y - y_));
-  else if (dragged_ != 0)
-    dragControl(x, y);
-  x_ = x, y_ = y;
-}
-
-void PictureBench::dragControl(int x, int y) {
-  const ControlPlace* const place = column_.find(dragged_);
-  const double share = place->track.width > 1
-                           ? std::clamp(double(x - place->track.x) / (place->track.width - 1), 0.0, 1.0)
-                           : 0.0;
-  const auto hundredth = [](double v) { return std::round(v * 100) / 100; };
-  switch (dragged_) {
-    case 'l': {
-      const glm::dvec3 towards = glm::transpose(toView_) * directionOnBall(column_, x, y);
-      return host_.change('l', [&](Setup& s) { aimLight(s.picture.light, towards, subject_().centre); });
-    }
-    case 'i':
-      return host_.change('i', [&](Setup& s) { sliderOf('i')->set(s, hundredth(share)); });
-    case 'p':  // the thumb of Ip stands at Ia + Ip
-      return host_.change('p', [&](Setup& s) {
-        s.picture.light.Ia = std::min(s.picture.light.Ia, hundredth(share));
-        sliderOf('p')->set(s, hundredth(share - s.picture.light.Ia));
-      });
-    default: {
-      const SliderRow* const row = sliderOf(dragged_);
-      return host_.change(dragged_, [&](Setup& s) { row->set(s, trackValue(*row, share)); });
-    }
-  }
-}
-
-void PictureBench::drop() { dragged_ = 0; }
-
-bool PictureBench::late(const Setup&) const {
-  return keys_.focus() != focus_ || hover_ != drawnHover_ || dragged_ != drawnDragged_;
+KeyTable PictureBench::ownKeys() {
+  const auto all = [this](char key) {
+    return [this, key](const Key&) {
+      host_.change(key == 'i' ? '[' : ']', [&](Setup& s) { sliderOf(key)->set(s, 1.0); });
+    };
+  };
+  KeyTable table = zoomKeys(host_.setup(), subject_(), change());
+  table.insert(table.begin(), {.legend = "turn", .does = "turn the scene", .gesture = "drag"});
+  table.push_back({{'['}, "Ia = 1", "only ambient light", all('i')});
+  table.push_back({{']'}, "Ip = 1", "only the light of the point", all('p')});
+  return table;
 }
 
 void PictureBench::draw(IndexImage& image, const Desk& desk) {
@@ -173,32 +133,37 @@ void PictureBench::draw(IndexImage& image, const Desk& desk) {
     colors_.words = wordsOfNormals(use_, desk.picture.colors().table().first());
   Painter{image}.place(shown_.image, at_.picture.x, at_.picture.y);
   counts_ = countsOf(desk.picture);
-  focus_ = keys_.focus(), drawnDragged_ = dragged_, drawnHover_ = hover_;
-  const char pointed = hover_ ? hover_->key : focus_;
-  const std::string_view tells = whatIs(pointed);
-  const SliderRow* const slider = sliderOf(pointed);
-  aside_ = fixed(desk.picture.times().total(), 1) + " ms";
-  if (!tells.empty())
-    aside_ += "   " + (slider ? std::string{slider->label} + ": " : "") + std::string{tells};
-  if (!at_.roomy) return;
+  drawColumn(image, desk);
+  if (at_.roomy) drawCaption(image, desk);
+}
 
-  const ControlKeys::Subject subject = subject_();
+void PictureBench::drawColumn(IndexImage& image, const Desk& desk) {
+  const Controls all = controls();
+  const Control* const pointed = list_.hovered(all) ? list_.hovered(all) : list_.focused(all);
+  aside_ = fixed(desk.picture.times().total(), 1) + " ms";
+  if (pointed && !pointed->is.empty())
+    aside_ += "   " + (pointed->kind == Control::Kind::Slider ? pointed->label + ": " : "") + pointed->is;
+  list_.forgetPlaces();
+  list_.place({'t'}, {.area = at_.picture, .grip = at_.picture, .bare = true, .passive = true});
+  Pen pen{Painter{image}, desk.plan};
+  if (!at_.roomy) return list_.draw(pen, all);
+
+  const Subject subject = subject_();
   const Illumination& light = desk.setup.picture.light;
+  const bool ramp = desk.setup.show != Show::Normals && desk.picture.colors().plan() == ColorPlan::OneHue;
   toView_ = vrcRotation(desk.picture.camera().view);
-  column_ = layoutOfControls(at_);
-  drawControls(image, column_,
-               {.setup = desk.setup,
-                .defaults = host_.defaults(),
-                .light = lightAngles(light, subject.scene.up, subject.centre),
-                .lightInView = toView_ * towardsLight(light, subject.centre),
-                .ball = ballCells(desk.picture, desk.plan,
-                                  show != Show::Normals && desk.picture.colors().plan() == ColorPlan::OneHue),
-                .ownLights = !desk.picture.scene().light.lights.empty(),
-                .focus = focus_,
-                .hover = hover_,
-                .dragged = dragged_},
-               desk.plan);
-  drawCaption(image, desk);
+  column_ = layoutOfControls(at_, all, desk.setup);
+  for (const auto& [id, place] : column_.places) list_.place(id, place);
+  drawLightControls(pen, column_,
+                    {.setup = desk.setup,
+                     .angles = lightAngles(light, subject.scene.up, subject.centre),
+                     .lightInView = toView_ * towardsLight(light, subject.centre),
+                     .ball = ballCells(desk.picture, desk.plan, ramp),
+                     .ownLights = !desk.picture.scene().light.lights.empty(),
+                     .light = list_.look({'l'}),
+                     .Ia = list_.look({'i'}),
+                     .Ip = list_.look({'p'})});
+  list_.draw(pen, all);
 }
 
 void PictureBench::drawCaption(IndexImage& image, const Desk& desk) {
@@ -240,38 +205,6 @@ void PictureBench::drawCaption(IndexImage& image, const Desk& desk) {
     if (cap + 20 + textWidth(way.does) > x + at_.picture.width) break;
     cap = pen.soft(cap + pen.key(cap, y - 11, way.keys.front()) + 5, y, way.does) + 12;
   }
-}
-
-std::vector<Legend> PictureBench::legend() const {
-  const char focus = keys_.focus();
-  const SliderRow* const row = sliderOf(focus);
-  const std::string_view name = row ? row->label : focus == 'l' ? "light" : focus == 't' ? "turn" : "zoom";
-  std::vector<Legend> legend{{{"<", ">"}, name}};
-  if (row) legend.push_back({{"="}, "type"});
-  legend.insert(legend.end(), {{{"drag"}, "turn"},
-                               {{"+", "-"}, "zoom"},
-                               {{"["}, "Ia = 1"},
-                               {{"]"}, "Ip = 1"},
-                               {{"H"}, "hue"},
-                               {{"w"}, "save"},
-                               {{"u"}, "undo"},
-                               {{"r"}, "reset"},
-                               {{"q"}, "quit"}});
-  return legend;
-}
-
-std::vector<HelpLine> PictureBench::help() const {
-  return {{"drag, wheel, + -", "turn the scene; zoom in or out"},
-          {"i p a d s n c 0 l", "go to a slider, or to the light"},
-          {"t z", "select turning or zooming"},
-          {"arrows", "change the selected control; Shift: ten steps"},
-          {"Tab, Shift-Tab", "next slider, previous slider"},
-          {"Home End, =", "lowest and highest value; type a value"},
-          {"[ ]", "only ambient light; only point light"},
-          {"L V", "keep L constant; keep V constant"},
-          {"S N O F P K T", "next shading, normals, order, fill, projection, backs, table"},
-          {"W", "show wires, normals, overdraw, difference, or which faces are right"},
-          {"H B J", "next hue; 8 or 16 bits a cell; nearest in ratio or difference"}};
 }
 
 }  // namespace xnewell

@@ -82,7 +82,8 @@ TEST(Workbench, TheListOfKeysFits) {
       for (int y = 0; y < end; ++y)
         for (int x = 0; x < width; ++x)
           if (before.row(y)[x] != b.image().row(y)[x]) {
-            ASSERT_TRUE(x >= left && x <= right + kShadow) << x;
+            ASSERT_TRUE(x >= left && x <= right + kShadow) << x << ", " << y;
+            ASSERT_TRUE(y > 0 && y + 1 < end) << y;
           }
     }
 }

@@ -274,30 +274,4 @@ TEST(Painter, ArrowCapsAreMirrored) {
   EXPECT_EQ(right.size(), 16u);
 }
 
-// The options of a choice stand in one line. Those that do not fit follow in more lines, one height lower,
-// from the same place on. The frame of a chosen word touches no other word.
-TEST(Pen, OptionsTakeTheLinesThatTheyNeed) {
-  const std::array<std::string_view, 6> words{"one", "two", "three", "four", "five", "six"};  // 22 letters
-  for (const auto& [width, lines] :
-       {std::pair{400, 1}, {22 * 6 + 5 * 8, 1}, {22 * 6 + 19, 2}, {60, 4}, {1, 6}}) {
-    SCOPED_TRACE(width);
-    const std::vector<Rect> frames = optionFrames(words, 100, 50, width, 19);
-    ASSERT_EQ(frames.size(), words.size());
-    EXPECT_EQ(frames.back().y, frames.front().y + (lines - 1) * 19);
-    for (std::size_t k = 0; k < frames.size(); ++k) {
-      const int from = frames[k].x + 6, to = from + textWidth(words[k]);
-      EXPECT_EQ(frames[k].width, textWidth(words[k]) + 13);
-      EXPECT_TRUE(to <= 100 + width || from == 100);  // a word that is wider than a line has its own
-      if (k == 0) continue;
-      const bool sameLine = frames[k].y == frames[k - 1].y;
-      EXPECT_TRUE(sameLine || frames[k].y == frames[k - 1].y + 19);
-      if (sameLine) {
-        EXPECT_GT(from, frames[k - 1].x + frames[k - 1].width);
-      } else {
-        EXPECT_EQ(from, 100);
-      }
-    }
-  }
-}
-
 }  // namespace xnewell

@@ -156,7 +156,13 @@ TEST(LessonFile, EveryControlIsKnown) {
     const Lesson lesson = parsed(withStep("\"controls\": [\"" + std::string{row.name} + "\"]"));
     EXPECT_EQ(lesson.steps[0].controls, std::vector{row.id});
     EXPECT_EQ(std::ranges::count(kLessonControls, row.key, &LessonControlRow::key), 1) << row.name;
-    EXPECT_EQ(std::string_view{"abcdhl"}.find(row.key), std::string_view::npos) << row.name;
+    // Answers, the hint, and keys of all views.
+    EXPECT_EQ(std::string_view{"h1234567weuUrq?"}.find(row.key), std::string_view::npos) << row.name;
+    EXPECT_EQ(row.spare != 0, row.key >= 'a' && row.key <= 'd') << row.name;
+    EXPECT_EQ(std::string_view{"abcdh1234567weuUrq?"}.find(row.spare), std::string_view::npos) << row.name;
+    if (row.spare == 0) continue;
+    EXPECT_EQ(std::ranges::count(kLessonControls, row.spare, &LessonControlRow::key), 0) << row.name;
+    EXPECT_EQ(std::ranges::count(kLessonControls, row.spare, &LessonControlRow::spare), 1) << row.name;
   }
 }
 

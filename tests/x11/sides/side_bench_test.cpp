@@ -17,7 +17,7 @@ struct Shown {
   BenchStage stage;
   SideBench bench{stage,
                   [this] {
-                    return ControlKeys::Subject{stage.pictures.scene(), glm::dvec3{0}, 1.5};
+                    return Subject{stage.pictures.scene(), glm::dvec3{0}, 1.5};
                   },
                   [] { return kMaxShades; }};
   explicit Shown(const char* scene = "teapot", const xnewell::Setup& setup = {}, int width = 1024,
@@ -83,7 +83,7 @@ TEST(SideBench, KeysChangeTheOneInFocus) {
     s.press({&key, 1});
     EXPECT_NE(s.stage.now, A);
     EXPECT_EQ(s.setupB(), changed);
-    EXPECT_EQ(s.stage.undo, std::vector{A});
+    EXPECT_EQ(s.stage.undone, std::vector{A});
   }
   for (const char key : std::string{"ipadsc"}) {
     SCOPED_TRACE(key);
@@ -108,15 +108,26 @@ TEST(SideBench, KeysChangeTheOneInFocus) {
   }
 }
 
-// Turning and zooming belong to the window and apply to both: the bench leaves these keys, and the arrows
-// after them, to the window. B is drawn with A's camera.
+// Turning and zooming apply to both, by their letters and the arrows after them, and by dragging either
+// picture. B is drawn with A's camera.
 TEST(SideBench, TheCameraIsShared) {
   Shown s;
   s.press("s");
   for (const char key : {'t', 'z'}) {
-    EXPECT_FALSE(s.bench.press({NamedKey::Letter, key}, s.stage.now));
-    EXPECT_FALSE(s.bench.press({NamedKey::Left}, s.stage.now));
-    EXPECT_NE(s.bench.sharedKeys().find(key), std::string_view::npos);
+    const CameraSettings camera = s.stage.now.picture.camera;
+    s.press({&key, 1});
+    s.press(NamedKey::Left);
+    EXPECT_NE(s.stage.now.picture.camera, camera);
+    EXPECT_EQ(s.setupB().picture.camera, s.stage.now.picture.camera);
+  }
+  for (const Rect& picture : {s.at().A, s.at().B}) {
+    const CameraSettings camera = s.stage.now.picture.camera;
+    ASSERT_TRUE(s.bench.grab(picture.x + 9, picture.y + 9));
+    EXPECT_EQ(s.stage.now.picture.camera, camera);
+    s.bench.dragTo(picture.x + 29, picture.y + 9);
+    s.bench.drop();
+    EXPECT_NE(s.stage.now.picture.camera, camera);
+    s.stage.draw(s.bench);
   }
   const IndexImage before = s.B();
   s.stage.now.picture.camera.fov = 17.0;
@@ -207,27 +218,25 @@ TEST(SideBench, KindsAndPlacesGoRound) {
   EXPECT_EQ(s.difference(), face);
 }
 
-// u undoes the changes of B step by step. The bench leaves to the window what the window has to undo.
-TEST(SideBench, UndoesWhatIsItsOwn) {
+// u undoes the changes of B step by step, and those of A through the window. A swap is undone as one.
+TEST(SideBench, UndoesStepByStep) {
   Shown s;
   const xnewell::Setup A = s.stage.now, B = s.setupB();
   s.press("ST");
   s.press("A");
   s.press("S");
-  EXPECT_FALSE(s.bench.press({NamedKey::Letter, 'u'}, s.stage.now));
-  s.stage.now = s.stage.undo.back();  // as the window does
-  s.stage.draw(s.bench);
+  EXPECT_NE(s.stage.now, A);
+  s.press("u");
   EXPECT_EQ(s.stage.now, A);
   EXPECT_NE(s.setupB(), B);
   s.press("u");
   s.press("u");
   EXPECT_EQ(s.setupB(), B);
-  EXPECT_FALSE(s.bench.press({NamedKey::Letter, 'u'}, s.stage.now));
+  EXPECT_EQ(s.stage.now, A);
 
   s.press("x");
-  EXPECT_FALSE(s.bench.press({NamedKey::Letter, 'u'}, s.stage.now));
-  s.stage.now = s.stage.undo.back();
-  s.stage.draw(s.bench);
+  EXPECT_EQ(s.stage.now, B);
+  s.press("u");
   EXPECT_EQ(s.stage.now, A);
   EXPECT_EQ(s.setupB(), B);
 }
@@ -358,7 +367,7 @@ TEST(SideBench, ExtremesAreDrawn) {
   few.press("c");
   const std::size_t notices = few.stage.notices.size();
   few.stage.press(few.bench, "c");
-  for (int k = 0; k < 24; ++k) few.stage.taken = few.bench.press({NamedKey::Left, 0, true}, few.stage.now);
+  for (int k = 0; k < 24; ++k) few.stage.taken = few.bench.press({NamedKey::Left, 0, true});
   few.stage.draw(few.bench);  // two shades for seven hues
   EXPECT_GT(few.stage.notices.size(), notices);
   EXPECT_GT(few.setupB().picture.table.shades, 13);

@@ -32,7 +32,7 @@ TEST(SortBench, PlaysUntilAStop) {
       playOn();
       ASSERT_EQ(s.step(), step) << kToggleNames[k];
     }
-    s.click(s.places().toggles[k]);  // turned off again
+    s.click(s.places().toggles[k].area);  // turned off again
   }
   s.press(NamedKey::Home);
   playOn();
@@ -62,12 +62,12 @@ TEST(SortBench, SpeedHasEnds) {
   s.press("+++---");
   EXPECT_NEAR(s.bench.view().speed, kUsualSpeed, 1e-9);
   for (int k = 0; k < 100; ++k) s.press("+");
-  EXPECT_EQ(s.bench.view().speed, kFastest);
+  EXPECT_EQ(s.bench.view().speed, kSpeeds.high);
   s.press(NamedKey::Space);
   s.bench.tick();  // 80 steps at once end at the last one
   EXPECT_EQ(s.step(), s.run().steps());
   for (int k = 0; k < 100; ++k) s.press("-");
-  EXPECT_EQ(s.bench.view().speed, kSlowest);
+  EXPECT_EQ(s.bench.view().speed, kSpeeds.low);
 }
 
 // Prediction asks at every pair whose extents overlap in x and y. It takes an answer by key or click, and
@@ -85,6 +85,7 @@ TEST(SortBench, PredictsAndKeepsTheScore) {
                           s.event().test != xnewell::Test::XExtents &&
                           s.event().test != xnewell::Test::YExtents;
     ASSERT_EQ(s.bench.view().asking, question) << step;
+    EXPECT_EQ(legendOf(s.bench.keys()).front().does, question ? "P first" : "step");
     if (!question) continue;
     EXPECT_NE(s.draw(), plain.draw());
     if (told == 0) {

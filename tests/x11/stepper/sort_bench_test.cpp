@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
 #include <random>
 
 #include "tests/x11/support/stepper.h"
@@ -37,6 +38,56 @@ TEST(SortBench, ArrowsStep) {
   EXPECT_TRUE(s.taken);
   s.press("x");
   EXPECT_FALSE(s.taken);
+  EXPECT_EQ(s.notices.size(), 2u) << "one for each end";
+}
+
+// With the speed selected, the arrows up and down change it, and left and right still step. Esc selects the
+// timeline again, where up is a step forward.
+TEST(SortBench, TheSelectedControlHasTheArrows) {
+  Stepper s{"cycle"};
+  s.bench.enter();
+  s.press(NamedKey::Up);
+  EXPECT_EQ(s.step(), 1);
+  const IndexImage timeline = s.draw();
+  s.press(NamedKey::Tab);
+  EXPECT_NE(s.draw(), timeline) << "it is marked";
+  s.press(NamedKey::Up);
+  EXPECT_NEAR(s.bench.view().speed, kUsualSpeed * std::sqrt(2.0), 0.01);
+  s.press(NamedKey::Down);
+  EXPECT_NEAR(s.bench.view().speed, kUsualSpeed, 1e-9);
+  s.press(NamedKey::Right);
+  EXPECT_EQ(s.step(), 2);
+  s.press("=");
+  EXPECT_NE(s.type("0.1").find("from 0.50 to 2000.00"), std::string::npos);
+  EXPECT_EQ(s.type("8"), "");
+  EXPECT_EQ(s.bench.view().speed, 8);
+  s.press(NamedKey::Escape);
+  s.press(NamedKey::Down);
+  EXPECT_EQ(s.step(), 1);
+  EXPECT_EQ(s.bench.view().speed, 8);
+}
+
+// After `b` the digits tick boxes, for one key. Any other key does what it always does, and Esc nothing.
+TEST(SortBench, DigitsTickBoxesForOneKey) {
+  Stepper s{"cycle"};
+  const auto ticked = [&] { return std::ranges::count(s.bench.view().stops, true); };
+  s.press("2");
+  EXPECT_FALSE(s.taken) << "it is another view";
+  s.press("b");
+  const IndexImage numbered = s.draw();
+  s.press("2");
+  EXPECT_TRUE(s.bench.view().stops[1]);
+  EXPECT_NE(s.draw(), numbered);
+  s.press("3");
+  EXPECT_FALSE(s.taken);
+  for (const Key& key : {Key{NamedKey::Escape}, Key{'b'}, Key{NamedKey::Right}}) {
+    s.press("b");
+    s.press(key);
+    EXPECT_TRUE(s.taken);
+    EXPECT_FALSE(s.bench.view().numbered);
+  }
+  EXPECT_EQ(s.step(), 1);
+  EXPECT_EQ(ticked(), 1);
 }
 
 // `j` visits every step of the chosen kind once and no other, and `J` visits the same steps backward. `K`
@@ -120,7 +171,7 @@ TEST(SortBench, ButtonsAreKeys) {
     clicked.click(clicked.places().transport[k]);
     typed.press(keys[k]);
     EXPECT_EQ(clicked.bench.view(), typed.bench.view()) << k;
-    const bool play = k == static_cast<int>(Transport::Play);
+    const bool play = k == kPlay;
     EXPECT_EQ(clicked.bench.moving(), play);
     EXPECT_EQ(clicked.step() != 40, !play) << k;
   }
@@ -132,28 +183,33 @@ TEST(SortBench, EveryRectangleDoesItsThing) {
     Stepper s{"nested-cycles", 3, width, height};
     const SortLayout at = s.places();
     for (int k = 0; k < kToggleCount; ++k) {
+      const Rect& box = at.toggles[k].area;
+      s.bench.hover(box.x + 1, box.y + 1);
       const IndexImage before = s.draw();
-      s.click(at.toggles[k]);
+      s.click(at.toggles[k].area);
       EXPECT_TRUE(k == kPredict ? s.bench.view().predict : s.bench.view().stops[k]) << k;
       EXPECT_TRUE(s.bench.late(s.wanted));
       EXPECT_NE(s.draw(), before) << k;
-      s.click(at.toggles[k]);
+      s.click(at.toggles[k].area);
       EXPECT_FALSE(k == kPredict ? s.bench.view().predict : s.bench.view().stops[k]) << k;
     }
     EXPECT_EQ(s.questions.size(), 1u);  // which polygon?
     for (const LandmarkRow& row : kLandmarks) {
       s.press(NamedKey::Home);
-      s.click(at.kinds[static_cast<int>(row.id)]);
+      s.click(at.kinds.options[static_cast<int>(row.id)]);
       EXPECT_EQ(s.bench.view().kind, row.id);
       EXPECT_EQ(s.step(), s.stepsOf(row.id).front());
     }
-    ASSERT_TRUE(s.bench.grab(at.speed.x, at.speed.y + 7));
-    EXPECT_NEAR(s.bench.view().speed, kSlowest, 1e-9);
-    s.bench.dragTo(at.speed.x + 10 * at.speed.width, 0);
-    EXPECT_NEAR(s.bench.view().speed, kFastest, 1e-6);
-    EXPECT_TRUE(s.bench.view().dragged);
+    const Rect& track = at.speed.track;
+    ASSERT_TRUE(s.bench.grab(track.x, track.y));
+    EXPECT_NEAR(s.bench.view().speed, kSpeeds.low, 1e-9);
+    s.bench.dragTo(track.x + 10 * track.width, 0);
+    EXPECT_NEAR(s.bench.view().speed, kSpeeds.high, 1e-6);
+    EXPECT_TRUE(s.bench.list().dragging());
+    const IndexImage held = s.draw();
     s.bench.drop();
-    EXPECT_FALSE(s.bench.view().dragged);
+    EXPECT_FALSE(s.bench.list().dragging());
+    EXPECT_NE(s.draw(), held);
     EXPECT_FALSE(s.bench.grab(at.body.x + at.body.width - 2, at.rule));
   }
 }
@@ -269,6 +325,15 @@ TEST(SortBench, RecordsAgainWhereTheSortChanged) {
   EXPECT_FALSE(s.bench.moving());
   s.draw();
   EXPECT_EQ(s.step(), 3) << "coming back to the same run";
+  // Keys that are typed before the run is recorded wait for it.
+  s.bench.leave();
+  s.press(NamedKey::Right);
+  EXPECT_TRUE(s.taken);
+  s.press("x");
+  EXPECT_FALSE(s.taken);
+  EXPECT_EQ(s.step(), 3);
+  s.draw();
+  EXPECT_EQ(s.step(), 4);
 }
 
 // The step of another run most like a given one has the same kind, P and Q; or else the same P and Q; or else

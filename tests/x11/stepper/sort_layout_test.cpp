@@ -4,6 +4,7 @@
 
 #include <cmath>
 
+#include "tests/x11/support/stepper.h"
 #include "x11/drawing/painter.h"
 
 namespace xnewell {
@@ -17,10 +18,14 @@ std::vector<Rect> bodies() {
 }
 
 std::vector<Rect> partsOf(const SortLayout& at) {
-  std::vector<Rect> all{at.picture, at.table, at.finding, at.side, at.list, at.step, at.speed, at.timeline};
-  all.insert(all.end(), at.toggles.begin(), at.toggles.end());
+  std::vector<Rect> all{
+      at.picture,  at.table,
+      at.finding,  at.side,
+      at.list,     at.step,
+      at.timeline, intersection(at.speed.area, at.body)};  // its thumb reaches into the margin
+  for (const ControlPlace& toggle : at.toggles) all.push_back(toggle.area);
   all.insert(all.end(), at.transport.begin(), at.transport.end());
-  all.insert(all.end(), at.kinds.begin(), at.kinds.end());
+  all.insert(all.end(), at.kinds.options.begin(), at.kinds.options.end());
   return all;
 }
 
@@ -42,33 +47,40 @@ TEST(SortLayout, PartsKeepApart) {
     EXPECT_GE(at.rows(), 8);
     for (const Rect& answer : at.answers) EXPECT_EQ(intersection(answer, at.finding), answer);
     for (int k = 0; k < kToggleCount; ++k)
-      EXPECT_GE(at.toggles[k].width, 17 + textWidth(kToggleNames[k])) << kToggleNames[k];
+      EXPECT_GE(at.toggles[k].area.width, 17 + textWidth(kToggleNames[k])) << kToggleNames[k];
   }
 }
 
-// The middle of each part is found as that part, with its number.
-TEST(SortLayout, AMiddleBelongsToItsPart) {
-  for (const Rect& body : bodies()) {
-    const SortLayout at = layoutOfSort(body);
-    const auto expect = [&](const Rect& r, SortPart part, int index) {
-      EXPECT_EQ(spotAt(at, r.x + r.width / 2, r.y + r.height / 2), (SortSpot{part, index}));
-      EXPECT_EQ(spotAt(at, r.x, r.y), (SortSpot{part, index}));
-      EXPECT_EQ(spotAt(at, r.x + r.width - 1, r.y + r.height - 1), (SortSpot{part, index}));
-    };
-    const auto each = [&](const auto& rects, SortPart part) {
-      for (int k = 0; k < static_cast<int>(rects.size()); ++k) expect(rects[k], part, k);
-    };
-    each(at.toggles, SortPart::Toggle);
-    each(at.transport, SortPart::Transport);
-    each(at.kinds, SortPart::Kind);
-    each(at.answers, SortPart::Answer);
-    expect(at.picture, SortPart::Picture, 0);
-    expect(at.timeline, SortPart::Timeline, 0);
-    expect(at.speed, SortPart::Speed, 0);
-    for (int row = 0; row < at.rows(); ++row)
-      EXPECT_EQ(spotAt(at, at.list.x, at.list.y + row * at.line), (SortSpot{SortPart::Row, row}));
-    EXPECT_EQ(spotAt(at, body.x - 1, body.y), SortSpot{});
-    EXPECT_EQ(spotAt(at, body.x, at.rule), SortSpot{});
+// No control that is drawn shares a pixel with another, and every control has a place. Where one can be
+// clicked, the list finds it, up to its corners.
+TEST(SortLayout, ControlsHavePlaces) {
+  for (const auto& [width, height] : {std::pair{1024, 768}, {800, 600}, {1600, 1200}}) {
+    Stepper s{"nested-cycles", 3, width, height};
+    s.press("y");
+    for (int step = 0; step <= s.run().steps() && !s.bench.view().asking; ++step) s.press(NamedKey::Right);
+    ASSERT_TRUE(s.bench.view().asking);
+    s.draw();
+    const Controls all = s.bench.controls();
+    const auto& places = s.bench.list().places();
+    ASSERT_EQ(all.size(), places.size());
+    for (const auto& [id, place] : places) {
+      const Rect& r = place.area;
+      ASSERT_FALSE(r.empty()) << id.part;
+      for (const auto& [other, there] : places)
+        EXPECT_TRUE(other == id || intersection(r, there.area).empty()) << id.part << ' ' << other.part;
+      for (const auto& [x, y] : {std::pair{r.x, r.y},
+                                 {r.x + r.width / 2, r.y + r.height / 2},
+                                 {r.x + r.width - 1, r.y + r.height - 1}}) {
+        s.bench.hover(x, y);
+        const Control* const found = s.bench.list().hovered(all);
+        ASSERT_NE(found, nullptr) << id.part;
+        EXPECT_EQ(found->id(), id);
+      }
+    }
+    for (const auto& [x, y] : {std::pair{0, 0}, {s.places().body.x, s.places().rule}}) {
+      s.bench.hover(x, y);
+      EXPECT_EQ(s.bench.list().hovered(all), nullptr);
+    }
   }
 }
 
@@ -77,24 +89,28 @@ TEST(SortLayout, AMiddleBelongsToItsPart) {
 TEST(SortLayout, ColumnsAndStepsAgree) {
   const Rect line{84, 591, 924, 60};
   for (const int steps : {0, 1, 2, 19, 300, 923, 924, 20339, 4000000}) {
+    const TrackRange range{0, static_cast<double>(steps), 1, false, 0};
+    const auto stepAt = [&](int x) {
+      return static_cast<int>(valueAt(range, static_cast<double>(x - line.x) / (line.width - 1)));
+    };
     EXPECT_EQ(columnOf(line, 0, steps), line.x);
     if (steps > 0) {
       EXPECT_EQ(columnOf(line, steps, steps), line.x + line.width - 1);
     }
     for (int step = 0; step <= steps; step += std::max(1, steps / 1000)) {
       const int column = columnOf(line, step, steps);
-      ASSERT_EQ(columnOf(line, stepAt(line, column, steps), steps), column);
+      ASSERT_EQ(columnOf(line, stepAt(column), steps), column);
       if (steps < line.width) {
-        ASSERT_EQ(stepAt(line, column, steps), step);
+        ASSERT_EQ(stepAt(column), step);
       }
     }
-    EXPECT_EQ(stepAt(line, -1000, steps), 0);
-    EXPECT_EQ(stepAt(line, 5000, steps), steps);
+    EXPECT_EQ(stepAt(-1000), 0);
+    EXPECT_EQ(stepAt(5000), steps);
   }
-  const Rect track{840, 566, 168, 15};
-  for (int x = track.x; x < track.x + track.width; ++x) EXPECT_EQ(columnOfSpeed(track, speedAt(track, x)), x);
-  EXPECT_NEAR(speedAt(track, -9), kSlowest, 1e-9);
-  EXPECT_NEAR(speedAt(track, 5000), kFastest, 1e-6);
+  for (int x = 0; x < 168; ++x)
+    EXPECT_EQ(std::lround(167 * shareOf(kSpeeds, valueAt(kSpeeds, x / 167.0))), x);
+  EXPECT_EQ(valueAt(kSpeeds, -0.1), kSpeeds.low);
+  EXPECT_EQ(valueAt(kSpeeds, 1.1), kSpeeds.high);
 }
 
 }  // namespace xnewell

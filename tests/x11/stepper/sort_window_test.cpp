@@ -62,11 +62,11 @@ TEST_P(SortWindowAt, KeysStep) {
 // Boxes, buttons, kinds, rows, the picture, the slider and the timeline respond to the mouse.
 TEST_P(SortWindowAt, TheMouseDoesWhatItPointsAt) {
   const RgbImage start = twin.expected();
-  for (const Rect& box : at.toggles)
-    if (box.x != at.toggles[kPolygonStop].x || box.y != at.toggles[kPolygonStop].y) twin.click(box);
+  for (int k = 0; k < kToggleCount; ++k)
+    if (k != kPolygonStop) twin.click(at.toggles[k].area);
   EXPECT_TRUE(twin.agrees());
-  twin.click(at.toggles[kPredict]);
-  twin.click(at.kinds[3]);
+  twin.click(at.toggles[kPredict].area);
+  twin.click(at.kinds.options[3]);
   EXPECT_TRUE(twin.agrees());
   twin.click(at.transport[4]);
   twin.click(at.transport[5]);

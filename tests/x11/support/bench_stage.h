@@ -27,6 +27,11 @@ class BenchStage : public Host {
     pictures = PictureCache{std::move(scene)}, now = s;
   }
   void close() override {}
+  void undo() override {
+    if (undone.empty()) return;
+    now = undone.back();
+    undone.pop_back();
+  }
   void pressLetter(char) override {}
   void switchTo(WindowView) override {}
   void compare(const xnewell::Setup& B) override { compared = B; }
@@ -36,14 +41,14 @@ class BenchStage : public Host {
   void notify(std::string notice) override { notices.push_back(std::move(notice)); }
   void tell(std::string news) override { notices.push_back(std::move(news)); }
   void change(char, const std::function<void(xnewell::Setup&)>& edit) override {
-    undo.push_back(now);
+    undone.push_back(now);
     edit(now);
   }
 
   void press(Bench& bench, std::string_view letters) {
-    for (const char c : letters) taken = bench.press({NamedKey::Letter, c}, now);
+    for (const char c : letters) taken = bench.press({NamedKey::Letter, c});
   }
-  void press(Bench& bench, NamedKey name) { taken = bench.press({name}, now); }
+  void press(Bench& bench, NamedKey name) { taken = bench.press({name}); }
 
   void draw(Bench& bench, bool dragging = false) {
     const Rect at = bench.picture(layout);
@@ -76,7 +81,7 @@ class BenchStage : public Host {
   Palette palette{};
   PictureCache pictures;
   std::vector<std::string> notices;
-  std::vector<xnewell::Setup> undo;
+  std::vector<xnewell::Setup> undone;
   std::optional<xnewell::Setup> compared;
   std::optional<Question> question;
   std::optional<AccuracyLimit> kept;

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <gtest/gtest.h>
+
 #include <optional>
 #include <string>
 #include <utility>
@@ -31,18 +33,19 @@ class LessonWindow : public Host {
   void compare(const Setup&) override {}
   void keepWithin(std::optional<AccuracyLimit>) override {}
   [[nodiscard]] std::optional<AccuracyLimit> keptWithin() const override { return {}; }
-  void ask(Question) override {}
+  void ask(Question asked) override { question = std::move(asked); }
   void notify(std::string n) override { notice = std::move(n); }
   void tell(std::string n) override { notice = std::move(n); }
   void change(char, const std::function<void(Setup&)>& edit) override { edit(setup_); }
   [[nodiscard]] const Setup& setup() const override { return setup_; }
   [[nodiscard]] const Setup& defaults() const override { return first_; }
+  void undo() override {}
   void pressLetter(char) override {}
 
   /// Returns whether the bench took the key.
   bool press(const Key& key) {
     notice.clear();
-    return bench.press(key, Setup{setup_});
+    return bench.press(key);
   }
   bool press(char letter) { return press(Key{NamedKey::Letter, letter}); }
   bool press(NamedKey name) { return press(Key{name}); }
@@ -69,10 +72,48 @@ class LessonWindow : public Host {
   IndexImage image;
   Palette palette{};
   std::string notice;
+  std::optional<Question> question;
   int opened = 0, closed = 0;
 
  private:
   xnewell::Setup setup_, first_;
 };
+
+/// A window in which the lesson has begun.
+inline void begin(LessonWindow& window, const std::string& name) {
+  window.bench.enter();
+  window.bench.start(readLesson(std::string{XNEWELL_DATA_DIR} + "/lessons/" + name + ".json"));
+  window.draw();
+}
+
+template <class Visit>
+void forEachLesson(Visit&& visit) {
+  for (const LessonEntry& entry : builtInLessons()) {
+    SCOPED_TRACE(entry.name);
+    visit(entry.name);
+  }
+}
+
+/// Visits every state of every step: as it appears first, with a hint, and with each answer given.
+template <class Visit>
+void forEachState(LessonWindow& window, Visit&& visit) {
+  for (int step = 0; step < static_cast<int>(window.bench.lesson()->steps.size()); ++step) {
+    window.bench.goTo(step);
+    const std::string place = "step " + std::to_string(step + 1);
+    window.draw();
+    visit(place);
+    const auto& question = window.bench.lesson()->steps[static_cast<std::size_t>(step)].question;
+    if (!question) continue;
+    window.press('h');
+    window.draw();
+    visit(place + ", hint");
+    for (std::size_t k = 0; k < question->answers.size(); ++k) {
+      window.press(static_cast<char>('a' + k));
+      window.press(NamedKey::Return);
+      window.draw();
+      visit(place + ", answer " + std::to_string(k));
+    }
+  }
+}
 
 }  // namespace xnewell

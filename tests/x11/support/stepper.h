@@ -45,7 +45,7 @@ class Stepper : private Host {
     } while (bench.painted(wanted) != painted);
     return image_;
   }
-  void press(const Key& key) { taken = bench.press(key, wanted); }
+  void press(const Key& key) { taken = bench.press(key); }
   void press(std::string_view letters) {
     for (const char c : letters) press({NamedKey::Letter, c});
   }
@@ -75,6 +75,7 @@ class Stepper : private Host {
   [[nodiscard]] const xnewell::Setup& setup() const override { return wanted; }
   [[nodiscard]] const xnewell::Setup& defaults() const override { return wanted; }
   void close() override {}
+  void undo() override {}
   void pressLetter(char) override {}
   void open(Scene, const xnewell::Setup&) override {}
   void switchTo(WindowView) override {}

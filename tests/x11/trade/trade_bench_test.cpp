@@ -220,11 +220,10 @@ TEST(TradePage, EndsAtAWholeSentence) {
 // The slider and the line of the limit can be dragged; both move together.
 TEST(TradeBench, TheLimitCanBeDragged) {
   Measured6 m;
-  const Rect row = m.at().limit;
-  const int middle = row.x + kColumnTrackAt + kColumnTrack / 2;
-  ASSERT_TRUE(m.bench.grab(middle, row.y + row.height / 2));
+  const Rect track = m.bench.list().find({'E'})->track;
+  ASSERT_TRUE(m.bench.grab(track.x + track.width / 2, track.y));
   m.bench.drop();
-  EXPECT_NEAR(m.bench.limit(), limitOfShare(0.5), 1e-12);
+  EXPECT_NEAR(m.bench.limit(), valueAt(kLimits, 0.5), 1e-4);
   m.stage.draw(m.bench);
   const Rect chart = m.at().chart;
   const TradeScale scale{chart, m.bench.trade(), {}};
@@ -246,7 +245,7 @@ TEST(TradeBench, UsesAndComparesWhatIsChosen) {
     }
   const Configuration used = m.chosen().configuration;
   m.press(NamedKey::Return);
-  EXPECT_EQ(m.stage.undo.size(), 1u);
+  EXPECT_EQ(m.stage.undone.size(), 1u);
   for (const Change& change : used.changes)
     if (change.setting)
       EXPECT_EQ(change.setting->field.get(m.stage.now.picture), change.setting->field.get(used.settings));
@@ -350,10 +349,10 @@ TEST(TradePage, PartsStayApart) {
     SCOPED_TRACE(width);
     const Layout layout = layoutOf(width, height);
     const TradeLayout at = layoutOfTrade(layout.body, layout.picture);
-    const std::vector<Rect> parts{at.chart, at.well, at.limit, at.costs, at.errors};
+    const std::vector<Rect> parts{at.chart, at.well, at.controls};
     for (std::size_t a = 0; a < parts.size(); ++a)
       for (std::size_t b = a + 1; b < parts.size(); ++b) EXPECT_FALSE(overlap(parts[a], parts[b])) << a << b;
-    EXPECT_LE(at.errors.y + at.errors.height + 20, layout.body.y + layout.body.height);
+    EXPECT_LE(at.controls.y + at.controls.height + 20, layout.body.y + layout.body.height);
     EXPECT_TRUE(at.well.has(at.picture.x, at.picture.y));
     EXPECT_NEAR(double(at.picture.width) / at.picture.height,
                 double(layout.picture.width) / layout.picture.height, 0.02);

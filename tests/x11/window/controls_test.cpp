@@ -1,4 +1,4 @@
-#include "x11/window/controls.h"
+#include "x11/window/setting_controls.h"
 
 #include <gtest/gtest.h>
 
@@ -9,6 +9,15 @@
 namespace xnewell {
 
 namespace {
+
+/// The control of a key, which changes `setup`.
+Control controlOf(char key, xnewell::Setup& setup) {
+  return settingControl(key, setup, setup, [&setup](char, const auto& edit) { edit(setup); });
+}
+void stepBy(xnewell::Setup& setup, char key, int steps) {
+  const Control control = controlOf(key, setup);
+  control.set(stepped(control.range, control.value, steps));
+}
 const SliderRow& slider(char key) { return *sliderOf(key); }
 }  // namespace
 
@@ -34,17 +43,15 @@ TEST(Controls, AreRowsOfSettings) {
     if (setting.control == 0) continue;
     SCOPED_TRACE(setting.option);
     ++controls;
-    EXPECT_EQ(whatIs(setting.control), setting.is);
     xnewell::Setup s;
+    const Control control = controlOf(setting.control, s);
+    EXPECT_EQ(control.is, setting.is);
+    if (setting.key == "fill") continue;
     const Value before = setting.field.get(s.picture);
-    if (const SliderRow* const row = sliderOf(setting.control))
-      step(s, *row, row->get(s) == row->high ? -1 : 1);
-    else if (const ToggleRow* const toggle = toggleOf(setting.control))
-      toggle->flip(s);
-    else if (const ChoiceRow* const choice = choiceOf(setting.control); choice && setting.key != "fill")
-      choice->set(s, choice->next(s));
+    if (control.kind == Control::Kind::Slider)
+      control.set(stepped(control.range, control.value, control.value == control.range.high ? -1 : 1));
     else
-      continue;
+      activate(control);
     EXPECT_NE(setting.field.get(s.picture), before);
     setting.field.set(s.picture, before);
     EXPECT_EQ(s, xnewell::Setup{});
@@ -78,25 +85,28 @@ TEST(Controls, StepsReachBothEnds) {
     int steps = 0;
     for (double before = -1; row.get(s) != before && steps < 5000; ++steps) {
       before = row.get(s);
-      step(s, row, 1);
+      stepBy(s, row.key, 1);
       ASSERT_GE(row.get(s), before);
     }
     EXPECT_EQ(row.get(s), row.high);
     EXPECT_GT(steps, 50);
-    step(s, row, -100'000);
+    stepBy(s, row.key, -100'000);
     EXPECT_EQ(row.get(s), row.low);
   }
 }
 
 // The place on a track and the value there belong together, on linear and logarithmic tracks.
 TEST(Controls, TracksInvert) {
-  for (const SliderRow& row : sliders())
+  for (const SliderRow& row : sliders()) {
+    xnewell::Setup s;
+    const TrackRange range = controlOf(row.key, s).range;
     for (int k = 0; k <= 50; ++k) {
-      const double v = trackValue(row, k / 50.0);
+      const double v = valueAt(range, k / 50.0);
       EXPECT_GE(v, row.low);
       EXPECT_LE(v, row.high);
-      EXPECT_EQ(trackValue(row, trackPosition(row, v)), v) << row.label;
+      EXPECT_EQ(valueAt(range, shareOf(range, v)), v) << row.label;
     }
+  }
 }
 
 // Azimuth and elevation, worked by hand: the default light comes from the upper left. Turns by degrees add
@@ -133,10 +143,10 @@ TEST(Controls, KeysAreUnique) {
 TEST(Controls, HuesGoRound) {
   xnewell::Setup s;
   const glm::dvec3 first = s.picture.table.hue;
-  for (std::size_t i = 0; i < kHues.size(); ++i) nextHue(s);
+  for (std::size_t i = 0; i < kHues.size(); ++i) activate(controlOf('H', s));
   EXPECT_EQ(s.picture.table.hue, first);
   s.picture.table.hue = {1, 0.123, 0};
-  nextHue(s);
+  activate(controlOf('H', s));
   EXPECT_EQ(s.picture.table.hue, kHues[0].hue);
 }
 
@@ -145,7 +155,7 @@ TEST(Controls, WholeNumbersStayWhole) {
   for (const char key : {'n', 'c'}) {
     xnewell::Setup s;
     for (int k = 0; k < 30; ++k) {
-      step(s, slider(key), -1);
+      stepBy(s, key, -1);
       EXPECT_EQ(slider(key).get(s), std::round(slider(key).get(s)));
     }
   }

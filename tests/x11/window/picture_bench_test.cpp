@@ -15,9 +15,15 @@ namespace xnewell {
 
 namespace {
 
-using Kind = ControlPlace::Kind;
+using Kind = Control::Kind;
 
-ControlColumn columnOf(const Workbench& b) { return layoutOfControls(b.layout()); }
+ControlColumn columnOf(const Workbench& b) {
+  return layoutOfControls(b.layout(), b.bench().controls(), b.setup());
+}
+const ControlPlace& placeOf(const Workbench& b, char key) { return *b.bench().list().find({key}); }
+const Control& withKey(const Controls& controls, char key) {
+  return *std::ranges::find(controls, key, &Control::key);
+}
 glm::ivec2 middle(const Rect& r) { return {r.x + r.width / 2, r.y + r.height / 2}; }
 
 void click(ReadyWorkbench& b, glm::ivec2 at) {
@@ -42,31 +48,32 @@ bool complains(const Workbench& b) {
 
 }  // namespace
 
-// No two controls share a pixel, all lie inside the column, and the middle of each row is found as the
+// No two controls share a pixel, all lie inside the column, and a click in the middle of each row finds the
 // control with its key. This holds at every size of window.
 TEST(ControlColumn, EveryControlHasItsPlace) {
   for (const auto& [w, h] : {std::pair{800, 600}, {1023, 768}, {1024, 768}, {1600, 1200}}) {
     SCOPED_TRACE(w);
-    const Layout layout = layoutOf(w, h);
-    const ControlColumn at = layoutOfControls(layout);
-    const xnewell::Setup setup;
+    const ReadyWorkbench b{{}, w, h};
+    const Layout& layout = b.layout();
+    const ControlColumn at = columnOf(b);
+    Bench& bench = b.bench();
     for (std::size_t p = 0; p < at.places.size(); ++p) {
-      const ControlPlace& place = at.places[p];
-      EXPECT_LE(place.row.y + place.row.height, layout.strip.y) << place.key;
-      EXPECT_GE(place.row.x, layout.controls.x);
-      EXPECT_LE(place.row.x + place.row.width, w);
-      if (place.kind != Kind::Intensity) {
-        const glm::ivec2 m = middle(place.row);
-        const std::optional<ControlHit> hit = controlAt(at, setup, m.x, m.y);
-        ASSERT_TRUE(hit);
-        EXPECT_EQ(hit->key, place.key);
-      }
+      const auto& [id, place] = at.places[p];
+      EXPECT_LE(place.area.y + place.area.height, layout.strip.y) << id.key;
+      EXPECT_GE(place.area.x, layout.controls.x);
+      EXPECT_LE(place.area.x + place.area.width, w);
+      const glm::ivec2 m = middle(place.area);
+      bench.hover(m.x, m.y);
+      const Controls controls = bench.controls();
+      const Control* const hit = bench.list().hovered(controls);
+      ASSERT_TRUE(hit);
+      EXPECT_EQ(hit->key, id.key);
       for (std::size_t q = 0; q < p; ++q)
-        EXPECT_TRUE(intersection(place.row, at.places[q].row).empty()) << place.key << at.places[q].key;
+        EXPECT_TRUE(intersection(place.area, at.places[q].second.area).empty()) << id.key;
     }
-    std::string missing{allControls()};
-    for (const ControlPlace& place : at.places) std::erase(missing, place.key);
-    EXPECT_EQ(missing.find_first_of("lipadsncLVSNOFPKT0"), std::string::npos) << missing;
+    for (const char key :
+         {'l', 'i', 'p', 'a', 'd', 's', 'n', 'c', 'L', 'V', 'S', 'N', 'O', 'F', 'P', 'K', 'T', '0', 'W'})
+      EXPECT_TRUE(bench.list().find({key})) << key;
   }
 }
 
@@ -74,17 +81,25 @@ TEST(ControlColumn, EveryControlHasItsPlace) {
 TEST(ControlColumn, FitsALowerColumn) {
   for (const auto& [w, h] : {std::pair{800, 600}, {1024, 768}}) {
     SCOPED_TRACE(w);
-    Layout layout = layoutOf(w, h);
-    const ControlColumn usual = layoutOfControls(layout);
-    const auto bottom = [](const ControlPlace& place) { return place.row.y + place.row.height; };
-    layout.controls.height =
-        bottom(usual.places.back()) - layout.controls.y - 2 * usual.find('a')->row.height;
-    const ControlColumn at = layoutOfControls(layout);
-    EXPECT_LT(at.find('a')->row.height, usual.find('a')->row.height);
-    EXPECT_LE(bottom(at.places.back()), layout.controls.y + layout.controls.height);
+    const ReadyWorkbench b{{}, w, h};
+    Layout layout = b.layout();
+    const ControlColumn usual = columnOf(b);
+    const auto heightOf = [](const ControlColumn& column) {
+      const auto found =
+          std::ranges::find(column.places, ControlId{'a'}, [](const auto& one) { return one.first; });
+      return found->second.area.height;
+    };
+    const auto bottom = [](const ControlColumn& column) {
+      const Rect& last = column.places.back().second.area;
+      return last.y + last.height;
+    };
+    layout.controls.height = bottom(usual) - layout.controls.y - 2 * heightOf(usual);
+    const ControlColumn at = layoutOfControls(layout, b.bench().controls(), b.setup());
+    EXPECT_LT(heightOf(at), heightOf(usual));
+    EXPECT_LE(bottom(at), layout.controls.y + layout.controls.height);
     for (std::size_t p = 0; p < at.places.size(); ++p)
       for (std::size_t q = 0; q < p; ++q)
-        EXPECT_TRUE(intersection(at.places[p].row, at.places[q].row).empty());
+        EXPECT_TRUE(intersection(at.places[p].second.area, at.places[q].second.area).empty());
   }
 }
 
@@ -97,9 +112,11 @@ TEST(PictureBench, SlidersAreDragged) {
     xnewell::Setup setup;
     setup.picture.table.kind = TableKind::Corrected;  // otherwise I0 is off
     ReadyWorkbench b{setup};
-    const Rect track = columnOf(b).find(row.key)->track;
+    const Rect track = placeOf(b, row.key).track;
     ASSERT_TRUE(b.grab(track.x + track.width / 4, track.y));
-    EXPECT_NEAR(trackPosition(row, row.get(b.setup())), 0.25, 0.02);
+    const Controls controls = b.bench().controls();
+    const Control& control = withKey(controls, row.key);
+    EXPECT_NEAR(shareOf(control.range, control.value), 0.25, 0.02);
     b.update(true);
     b.dragTo(track.x + track.width + 500, track.y - 90);
     EXPECT_EQ(row.get(b.setup()), row.high);
@@ -119,7 +136,7 @@ TEST(PictureBench, NamesTakeTheKeyboard) {
   ReadyWorkbench b{setup};
   const xnewell::Setup before = b.setup();
   for (const SliderRow& row : sliders()) {
-    const Rect place = columnOf(b).find(row.key)->row;
+    const Rect place = placeOf(b, row.key).area;
     EXPECT_FALSE(b.grab(place.x + 30, place.y + 5)) << row.label;
     EXPECT_EQ(b.setup(), before);
     b.press({NamedKey::End});
@@ -132,7 +149,7 @@ TEST(PictureBench, NamesTakeTheKeyboard) {
 // thumb follows the pointer.
 TEST(PictureBench, IntensitiesPushEachOther) {
   ReadyWorkbench b;
-  const Rect bar = columnOf(b).find('i')->track;
+  const Rect bar = columnOf(b).bar;
   const auto at = [&](double v) { return bar.x + static_cast<int>(std::lround(v * (bar.width - 1))); };
   const auto light = [&]() -> const Illumination& { return b.setup().picture.light; };
   for (const char key : {'i', 'p'})
@@ -154,10 +171,9 @@ TEST(PictureBench, IntensitiesPushEachOther) {
 // A click on an option chooses it. A click on the name of its row chooses the next one.
 TEST(PictureBench, OptionsAreClicked) {
   ReadyWorkbench b;
-  const ControlColumn at = columnOf(b);
   int taken = 0;
   for (const ChoiceRow& row : choices()) {
-    const ControlPlace& place = *at.find(row.key);
+    const ControlPlace place = placeOf(b, row.key);
     for (int k = 0; k < static_cast<int>(row.options.size()); ++k) {
       SCOPED_TRACE(row.label);
       b.type("r");
@@ -169,7 +185,7 @@ TEST(PictureBench, OptionsAreClicked) {
       ++taken;
     }
     const int before = row.get(b.setup());
-    click(b, {place.row.x + 30, place.row.y + 5});
+    click(b, {place.area.x + 30, place.area.y + 5});
     EXPECT_EQ(row.get(b.setup()), (before + 1) % static_cast<int>(row.options.size()));
   }
   EXPECT_GT(taken, 20);
@@ -181,7 +197,7 @@ TEST(PictureBench, ButtonsAreKeys) {
     SCOPED_TRACE(key);
     ReadyWorkbench clicked, typed;
     for (ReadyWorkbench* b : {&clicked, &typed}) b->type("TSu");
-    click(clicked, middle(columnOf(clicked).find(key)->row));
+    click(clicked, middle(placeOf(clicked, key).area));
     typed.type({&key, 1});
     EXPECT_EQ(clicked.setup(), typed.setup());
   }
@@ -220,13 +236,14 @@ TEST(PictureBench, HoverShowsAndPasses) {
     return std::vector<std::uint8_t>(pixels, pixels + std::ptrdiff_t{1024} * b.layout().status.y);
   };
   const std::vector<std::uint8_t> before = aboveStatus();
-  const ControlColumn at = columnOf(b);
   int shown = 0;
-  for (const ControlPlace& place : at.places) {
-    if (place.kind == Kind::Light || place.kind == Kind::Intensity || place.key == '0') continue;
-    SCOPED_TRACE(place.key);
-    const glm::ivec2 m = place.kind == Kind::Choice ? middle(place.options.back()) : middle(place.row);
-    if (place.kind == Kind::Choice && place.key != 'O' && place.key != 'T')
+  const Controls controls = b.bench().controls();
+  for (const auto& [id, place] : columnOf(b).places) {
+    const Kind kind = std::ranges::find(controls, id, &Control::id)->kind;
+    if (id.key == 'l' || id.key == 'i' || id.key == 'p' || id.key == '0') continue;
+    SCOPED_TRACE(id.key);
+    const glm::ivec2 m = kind == Kind::Choice ? middle(place.options.back()) : middle(place.area);
+    if (kind == Kind::Choice && id.key != 'O' && id.key != 'T')
       continue;  // the last option is chosen already
     b.hover(m.x, m.y);
     b.update();
@@ -350,8 +367,7 @@ TEST(PictureBench, TheStripIsOfWhatIsShown) {
     xnewell::Setup setup;
     setup.show = show;
     BenchStage stage{"teapot", 3, 1024, 768, setup};
-    ControlKeys keys;
-    PictureBench bench{stage, keys, [&] { return ControlKeys::Subject{stage.pictures.scene(), {}, 1.0}; }};
+    PictureBench bench{stage, [&] { return Subject{stage.pictures.scene(), {}, 1.0}; }};
     stage.draw(bench);
     const CellUse shaded = cellUse(stage.pictures.last().image());
     ASSERT_EQ(bench.use() == nullptr, show == Show::Shaded);

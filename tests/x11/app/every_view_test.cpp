@@ -1,0 +1,116 @@
+#include <gtest/gtest.h>
+
+#include <set>
+
+#include "geometry/files/text_file.h"
+#include "tests/x11/support/ready_workbench.h"
+#include "x11/app/key_lists.h"
+
+namespace xnewell {
+
+// Whatever a view says of its keys and controls is true of every view.
+
+namespace {
+
+/// What a key may change, as the user can tell.
+struct Seen {
+  explicit Seen(const Workbench& b)
+      : image{b.image()},
+        palette{b.palette()},
+        setup{b.setup()},
+        view{b.view()},
+        asking{b.isAsking()},
+        quitting{b.quitAsked()},
+        moving{b.moving()} {}
+  IndexImage image;
+  Palette palette;
+  xnewell::Setup setup;
+  WindowView view;
+  bool asking, quitting, moving;
+  bool operator==(const Seen&) const = default;
+};
+
+std::string nameOf(const WindowViewRow& row) { return std::string{row.name}; }
+
+}  // namespace
+
+// No view has a key twice, and every key has words in the list of all keys.
+TEST(EveryView, KeysAreUniqueAndExplained) {
+  for (const char* scene : {"teapot", "hues", "cycle"})
+    for (const WindowViewRow& row : kWindowViews) {
+      SCOPED_TRACE(scene + nameOf(row));
+      ReadyWorkbench b{{}, 1024, 768, scene};
+      b.press(row.key);
+      b.finish();
+      std::set<std::pair<NamedKey, char>> taken;
+      for (const KeyRow& keys : b.keys()) {
+        EXPECT_FALSE(keys.does.empty())
+            << (keys.keys.empty() ? keys.gesture : xnewell::nameOf(keys.keys.front()));
+        for (const Key& key : keys.keys)
+          EXPECT_TRUE(taken.insert({key.name, key.name == NamedKey::Letter ? key.letter : '\0'}).second)
+              << xnewell::nameOf(key);
+      }
+      EXPECT_GT(taken.size(), 15u);
+    }
+}
+
+// Every key that is listed does something that can be seen, or a sentence says why it does not. A key that is
+// not listed says that it does nothing.
+TEST(EveryView, EveryKeyAnswers) {
+  for (const char* scene : {"teapot", "hues", "cycle"})
+    for (const WindowViewRow& row : kWindowViews) {
+      SCOPED_TRACE(scene + nameOf(row));
+      std::vector<Key> keys;
+      {
+        ReadyWorkbench b{{}, 1024, 768, scene};
+        b.press(row.key);
+        b.finish();
+        for (const KeyRow& one : b.keys()) keys.insert(keys.end(), one.keys.begin(), one.keys.end());
+      }
+      for (char letter = '!'; letter <= '~'; ++letter) keys.push_back(letter);
+      ReadyWorkbench b{{}, 1024, 768, scene};
+      std::set<std::string> silent;
+      for (const Key& key : keys) {
+        b.press(row.key);
+        b.finish();
+        const Seen before{b};
+        b.press(key);
+        b.update();
+        b.update();
+        // A control that is selected already, a step beyond the end, the view that is shown.
+        if (Seen{b} == before) silent.insert(xnewell::nameOf(key));
+        if (b.isAsking()) b.press(NamedKey::Escape);
+      }
+      EXPECT_LE(silent.size(), 8u) << testing::PrintToString(silent);
+    }
+}
+
+// The manual's tables of keys are those that the window acts by. To write them anew: xnewell keys
+// >x11/KEYS.md
+TEST(EveryView, TheManualListsTheKeys) {
+  EXPECT_EQ(keyLists(), readTextFile(XNEWELL_DATA_DIR "/../x11/KEYS.md"));
+}
+
+// No two controls that are drawn share a pixel, unless one of them has no place of its own; and all are in
+// the window.
+TEST(EveryView, ControlsHavePlaces) {
+  for (const auto& [w, h] : {std::pair{800, 600}, {1024, 768}, {1920, 1080}})
+    for (const WindowViewRow& row : kWindowViews) {
+      SCOPED_TRACE(nameOf(row) + std::to_string(w));
+      ReadyWorkbench b{{}, w, h};
+      b.press(row.key);
+      b.finish();
+      const auto& places = b.bench().list().places();
+      for (std::size_t p = 0; p < places.size(); ++p) {
+        const Rect& area = places[p].second.area;
+        EXPECT_FALSE(area.empty());
+        EXPECT_TRUE(area.x >= 0 && area.y >= 0 && area.x + area.width <= w && area.y + area.height <= h);
+        for (std::size_t q = 0; q < p; ++q)
+          EXPECT_TRUE(intersection(area, places[q].second.area).empty())
+              << places[p].first.key << places[p].first.part << ' ' << places[q].first.key
+              << places[q].first.part;
+      }
+    }
+}
+
+}  // namespace xnewell

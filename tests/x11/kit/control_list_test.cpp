@@ -1,0 +1,261 @@
+#include "x11/kit/control_list.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+namespace xnewell {
+
+// A page of controls, one of each kind, without a window.
+
+namespace {
+
+struct Page : Prompt {
+  Page() {
+    image = IndexImage{400, 300, 0};
+    draw();
+  }
+  void ask(Question asked) override { question = std::move(asked); }
+  void notify(std::string notice) override { notices.push_back(std::move(notice)); }
+  void tell(std::string) override {}
+
+  [[nodiscard]] Controls controls() {
+    using Kind = Control::Kind;
+    const auto into = [](double& value) { return [&value](double v) { value = v; }; };
+    return {
+        {.kind = Kind::Slider, .key = 's', .label = "share", .value = share, .set = into(share)},
+        {.kind = Kind::Slider,
+         .key = 'n',
+         .label = "count",
+         .value = count,
+         .range = {1, 1000, 0.01, true, 0},
+         .set = into(count)},
+        {.kind = Kind::Slider, .key = 'o', .label = "off", .off = "It is off.", .set = into(never)},
+        {.kind = Kind::Choice,
+         .key = 'C',
+         .label = "choice",
+         .value = choice,
+         .options = {"one", "two", "three"},
+         .set = into(choice)},
+        {.kind = Kind::Toggle, .key = 'T', .label = "toggle", .value = on, .words = "on", .set = into(on)},
+        {.kind = Kind::Number,
+         .key = 'v',
+         .part = 0,
+         .label = "place",
+         .value = xyz[0],
+         .range = {-9, 9, 0.5},
+         .set = into(xyz[0])},
+        {.kind = Kind::Number,
+         .key = 'v',
+         .part = 1,
+         .label = "place",
+         .value = xyz[1],
+         .range = {-9, 9, 0.5},
+         .set = into(xyz[1])},
+        {.kind = Kind::Number,
+         .key = 'v',
+         .part = 2,
+         .label = "place",
+         .value = xyz[2],
+         .range = {-9, 9, 0.5},
+         .set = into(xyz[2])},
+        {.kind = Kind::Own, .key = 't', .label = "turn", .move = [this](int along, int up) {
+           turned += 100 * along + up;
+         }}};
+  }
+  void draw() {
+    list.forgetPlaces();
+    bottom = list.placeColumn(controls(), 20, 30);
+    const CellPlan plan;
+    Pen pen{Painter{image}, plan};
+    list.draw(pen, controls());
+  }
+  bool press(const Key& key) {
+    KeyTable keys;
+    list.appendKeys(keys, controls());
+    return pressIn(keys, key, *this);
+  }
+  void type(std::string_view text) {
+    for (const char letter : text) (void)press(letter);
+  }
+  [[nodiscard]] Rect area(char key, int part = 0) const { return list.find({key, part})->area; }
+
+  double share = 0.5, count = 10, never = -1, choice = 0, on = 0;
+  std::array<double, 3> xyz{1, 2, 3};
+  int turned = 0, bottom = 0;
+  std::vector<std::string> notices;
+  std::optional<Question> question;
+  IndexImage image;
+  ControlList list{*this};
+};
+
+}  // namespace
+
+// A letter selects a slider; arrows, Shift, Home and End change the selected one and no other.
+TEST(ControlList, KeysChangeTheSelectedControl) {
+  Page page;
+  page.type("s");
+  EXPECT_TRUE(page.press(NamedKey::Right));
+  EXPECT_DOUBLE_EQ(page.share, 0.51);
+  EXPECT_TRUE(page.press({NamedKey::Down, 0, true}));
+  EXPECT_DOUBLE_EQ(page.share, 0.41);
+  EXPECT_TRUE(page.press(NamedKey::End));
+  EXPECT_EQ(page.share, 1);
+  page.type("n");
+  EXPECT_TRUE(page.press(NamedKey::Home));
+  EXPECT_EQ(page.count, 1);
+  EXPECT_TRUE(page.press(NamedKey::Right));
+  EXPECT_EQ(page.count, 2);  // at least one unit of the last decimal
+  EXPECT_EQ(page.share, 1);
+  page.type("t");
+  EXPECT_TRUE(page.press({NamedKey::Left, 0, true}));
+  EXPECT_TRUE(page.press(NamedKey::Up));
+  EXPECT_EQ(page.turned, -999);
+  EXPECT_EQ(page.count, 2);
+}
+
+// Tab visits all controls that the arrows change, and comes round; with Shift, the other way.
+TEST(ControlList, TabGoesRound) {
+  Page page;
+  std::string visited;
+  for (int k = 0; k < 8; ++k) {
+    EXPECT_TRUE(page.press(NamedKey::Tab));
+    visited += page.list.focus()->key;
+  }
+  EXPECT_EQ(visited, "snovvvts");
+  EXPECT_TRUE(page.press({NamedKey::Tab, 0, true}));
+  EXPECT_EQ(page.list.focus()->key, 't');
+}
+
+// The letter of several numbers goes through them, and each takes its own value: by the arrows, typed, and
+// dragged.
+TEST(ControlList, NumbersShareALetter) {
+  Page page;
+  page.type("vv");
+  EXPECT_TRUE(page.press(NamedKey::Right));
+  EXPECT_EQ(page.xyz, (std::array<double, 3>{1, 2.5, 3}));
+  page.type("v=");
+  ASSERT_TRUE(page.question);
+  EXPECT_NE(page.question->take("12"), "");
+  EXPECT_EQ(page.question->take("-7.25"), "");
+  EXPECT_EQ(page.xyz[2], -7.25);
+  page.type("v");
+  EXPECT_EQ(page.list.focus()->part, 0);
+  const Rect box = page.area('v', 0);
+  ASSERT_TRUE(page.list.grab(page.controls(), box.x + 5, box.y + 5));
+  page.list.dragTo(page.controls(), box.x + 8, box.y + 5);
+  EXPECT_EQ(page.xyz[0], 2.5);
+  page.list.drop();
+}
+
+// A control that is off keeps its value, whatever the user does, and says why.
+TEST(ControlList, OffSaysWhy) {
+  Page page;
+  page.type("o");
+  for (const Key key : {Key{NamedKey::Left}, Key{NamedKey::Up}, Key{NamedKey::End}, Key{'='}}) {
+    page.notices.clear();
+    EXPECT_TRUE(page.press(key));
+    EXPECT_EQ(page.notices, std::vector<std::string>{"It is off."});
+  }
+  const Rect track = page.list.find({'o'})->track;
+  page.notices.clear();
+  EXPECT_TRUE(page.list.grab(page.controls(), track.x + 9, track.y));
+  EXPECT_FALSE(page.list.dragging());
+  EXPECT_EQ(page.notices.size(), 1u);
+  EXPECT_EQ(page.never, -1);
+  EXPECT_FALSE(page.question);
+}
+
+// The pointer: an option is chosen, the name of a choice takes the next one, a toggle flips, a name selects
+// and changes nothing, and a thumb follows to both ends and no further.
+TEST(ControlList, ThePointer) {
+  Page page;
+  const std::vector<Rect> options = page.list.find({'C'})->options;
+  ASSERT_TRUE(page.list.grab(page.controls(), options[2].x + 3, options[2].y + 3));
+  EXPECT_EQ(page.choice, 2);
+  ASSERT_TRUE(page.list.grab(page.controls(), page.area('C').x + 30, page.area('C').y + 5));
+  EXPECT_EQ(page.choice, 0);
+  ASSERT_TRUE(page.list.grab(page.controls(), page.area('T').x + 30, page.area('T').y + 5));
+  EXPECT_EQ(page.on, 1);
+  ASSERT_TRUE(page.list.grab(page.controls(), page.area('s').x + 30, page.area('s').y + 5));
+  EXPECT_EQ(page.share, 0.5);
+  EXPECT_EQ(page.list.focus()->key, 's');
+  EXPECT_FALSE(page.list.dragging());
+  const Rect track = page.list.find({'s'})->track;
+  ASSERT_TRUE(page.list.grab(page.controls(), track.x + track.width / 4, track.y));
+  EXPECT_TRUE(page.list.dragging());
+  EXPECT_NEAR(page.share, 0.25, 0.01);
+  page.list.dragTo(page.controls(), track.x + 5000, track.y - 40);
+  EXPECT_EQ(page.share, 1);
+  page.list.dragTo(page.controls(), -5000, track.y);
+  EXPECT_EQ(page.share, 0);
+  page.list.drop();
+  EXPECT_FALSE(page.list.grab(page.controls(), 390, 290));
+}
+
+// Rows do not overlap, options that need more lines get them, and the column says where it ends.
+TEST(ControlList, LayoutReturnsWhatItTook) {
+  Page page;
+  const auto& places = page.list.places();
+  int lowest = 0;
+  for (std::size_t p = 0; p < places.size(); ++p) {
+    const Rect& area = places[p].second.area;
+    lowest = std::max(lowest, area.y + area.height);
+    for (std::size_t q = 0; q < p; ++q)
+      EXPECT_TRUE(intersection(area, places[q].second.area).empty()) << places[p].first.key;
+  }
+  EXPECT_LE(lowest, page.bottom);
+  Control wide = page.controls()[3];
+  wide.options = {"a long option", "another long option", "a third long option", "short"};
+  const ControlPlace place = placeInRow(wide, 0, 20);
+  EXPECT_GT(place.options.back().y, place.options.front().y);
+  EXPECT_GE(place.area.y + place.area.height, place.options.back().y + place.options.back().height);
+}
+
+// A place on a track and the value there belong together, on linear and logarithmic tracks; a step moves
+// every value and stays in the range.
+TEST(ControlList, TracksInvert) {
+  for (const TrackRange& range : {TrackRange{}, TrackRange{1, 1000, 0.01, true, 0},
+                                  TrackRange{-9, 9, 0.5, false, 1}, TrackRange{0.001, 0.5, 0.025, true, 4}}) {
+    for (int k = 0; k <= 50; ++k) {
+      const double value = valueAt(range, k / 50.0);
+      EXPECT_GE(value, range.low);
+      EXPECT_LE(value, range.high);
+      EXPECT_EQ(valueAt(range, shareOf(range, value)), value);
+      for (const int steps : {-1, 1}) {
+        const double next = stepped(range, value, steps);
+        EXPECT_TRUE(next != value || value == (steps > 0 ? range.high : range.low)) << value;
+        EXPECT_GE(next, range.low);
+        EXPECT_LE(next, range.high);
+      }
+    }
+  }
+}
+
+// The options of a choice stand in one line. Those that do not fit follow in more lines, one height lower,
+// from the same place on. The frame of a chosen word touches no other word.
+TEST(Control, OptionsTakeTheLinesThatTheyNeed) {
+  const std::vector<std::string> words{"one", "two", "three", "four", "five", "six"};  // 22 letters
+  for (const auto& [width, lines] :
+       {std::pair{400, 1}, {22 * 6 + 5 * 8, 1}, {22 * 6 + 19, 2}, {60, 4}, {1, 6}}) {
+    SCOPED_TRACE(width);
+    const std::vector<Rect> frames = optionFrames(words, 100, 50, width, 19);
+    ASSERT_EQ(frames.size(), words.size());
+    EXPECT_EQ(frames.back().y, frames.front().y + (lines - 1) * 19);
+    for (std::size_t k = 0; k < frames.size(); ++k) {
+      const int from = frames[k].x + 6, to = from + textWidth(words[k]);
+      EXPECT_EQ(frames[k].width, textWidth(words[k]) + 13);
+      EXPECT_TRUE(to <= 100 + width || from == 100);  // a word that is wider than a line has its own
+      if (k == 0) continue;
+      const bool sameLine = frames[k].y == frames[k - 1].y;
+      EXPECT_TRUE(sameLine || frames[k].y == frames[k - 1].y + 19);
+      if (sameLine) {
+        EXPECT_GT(from, frames[k - 1].x + frames[k - 1].width);
+      } else {
+        EXPECT_EQ(from, 100);
+      }
+    }
+  }
+}
+
+}  // namespace xnewell

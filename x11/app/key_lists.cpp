@@ -1,0 +1,39 @@
+#include "x11/app/key_lists.h"
+
+#include "x11/app/workbench.h"
+
+namespace xnewell {
+
+namespace {
+
+/// A bar would end the cell of a table.
+std::string inCell(std::string_view words) {
+  std::string cell;
+  for (const char c : words) cell += c == '|' ? "\\|" : std::string{c};
+  return cell;
+}
+
+std::string tableOf(std::string_view name, const KeyTable& keys) {
+  std::string table = "## " + std::string{name} + "\n\n| key | what it does |\n| --- | --- |\n";
+  for (const HelpLine& line : helpOf(keys)) {
+    table += "| " + inCell(line.keys) + " | " + inCell(line.does) + " |\n";
+  }
+  return table + "\n";
+}
+
+}  // namespace
+
+std::string keyLists() {
+  Workbench bench{readScene("teapot"), {}, {}};
+  bench.resize(kWindowSize.x, kWindowSize.y);
+  std::string lists = "# All keys\n\n" + tableOf("In every view", bench.generalKeys());
+  for (const WindowViewRow& row : kWindowViews) {
+    bench.switchTo(row.id);
+    bench.update();
+    lists += tableOf("View " + std::string{row.key} + ", " + std::string{row.name}, bench.bench().keys());
+  }
+  lists.pop_back();  // the empty line after the last table
+  return lists;
+}
+
+}  // namespace xnewell

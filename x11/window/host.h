@@ -1,0 +1,39 @@
+#pragma once
+
+#include <functional>
+#include <optional>
+
+#include "shading/trade/trade_request.h"
+#include "x11/kit/prompt.h"
+#include "x11/options/window_view.h"
+#include "x11/window/controls.h"
+
+namespace xnewell {
+
+/// What a view may ask of the window that holds it.
+class Host : public Prompt {
+ public:
+  [[nodiscard]] virtual const Setup& setup() const = 0;
+  /// The setup that `reset` restores.
+  [[nodiscard]] virtual const Setup& defaults() const = 0;
+  /// open() shows another scene with a setup of its own, and undo starts afresh. close() brings back what was
+  /// there before the first open().
+  virtual void open(Scene scene, const Setup& setup) = 0;
+  virtual void close() = 0;
+  virtual void switchTo(WindowView view) = 0;
+  /// Shows the setup in view 5, beside B.
+  virtual void compare(const Setup& B) = 0;
+  /// From now on the window chooses its short cuts by itself, the cheapest that stay within this limit; or it
+  /// no longer does.
+  virtual void keepWithin(std::optional<AccuracyLimit> limit) = 0;
+  [[nodiscard]] virtual std::optional<AccuracyLimit> keptWithin() const = 0;
+  /// Changes the setup in a way that can be undone. Changes in a row with the same `control` are undone as
+  /// one.
+  virtual void change(char control, const std::function<void(Setup&)>& edit) = 0;
+  /// Takes back the last change.
+  virtual void undo() = 0;
+  /// Presses a letter, as a button with this letter does.
+  virtual void pressLetter(char letter) = 0;
+};
+
+}  // namespace xnewell
