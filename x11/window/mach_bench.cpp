@@ -72,7 +72,8 @@ Controls MachBench::controls() {
 
 KeyTable MachBench::ownKeys() {
   KeyTable table;
-  const Control* const selected = list_.focused(controls());
+  const Controls all = controls();
+  const Control* const selected = list_.focused(all);
   if (!selected || selected->kind == Control::Kind::Slider) {
     const auto by = [this](int rows) {
       return [this, rows](const Key& key) { moveScanline(key.shift ? 10 * rows : rows); };
