@@ -113,7 +113,9 @@ void MachBench::askForDivisions() {
 void MachBench::moveScanline(int rows) { row_ = std::clamp(row_.value_or(0) + rows, 0, height_ - 1); }
 
 void MachBench::divide(int divisions) {
-  if (divisions_ == 0) return host_.notify("The scene has no patches to divide.");
+  if (divisions_ == 0)
+    return host_.notify(patches_ ? "The scene's file sets the divisions of all its patches."
+                                 : "The scene has no patches to divide.");
   host_.change('k', [&](Setup& s) { s.divisions = std::clamp(divisions, 1, kMostDivisions); });
 }
 
@@ -169,6 +171,7 @@ void MachBench::draw(IndexImage& image, const Desk& desk) {
   }
   height_ = desk.picture.settings().height;
   divisions_ = desk.picture.scene().divisions;
+  patches_ = !desk.picture.scene().patches.empty();
   if (!row_) row_ = defaultScanline(desk.picture);
   ViewSettings settings{.view = View::MachBands, .picture = desk.setup.picture, .cells = desk.plan};
   settings.picture.width = at.width;

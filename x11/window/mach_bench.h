@@ -64,6 +64,7 @@ class MachBench : public Bench {
   Rect picture_{}, controls_{};
   std::optional<int> firstRow_;  ///< the first row of the picture that is shown
   int height_ = 1, divisions_ = 0;
+  bool patches_ = false;  ///< the scene has some; it may set the divisions of all
   std::vector<Rect> options_;
   std::optional<Shown> drawn_;
   std::string status_;
