@@ -1,14 +1,12 @@
 #include "depthsort/newell_run.h"
 
 #include <algorithm>
-#include <numeric>
 #include <optional>
 #include <stdexcept>
 #include <string>
 #include <utility>
 
-#include "depthsort/box_grid.h"
-#include "depthsort/order.h"
+#include "depthsort/list_order.h"
 #include "depthsort/pieces.h"
 
 namespace xnewell {
@@ -75,12 +73,6 @@ class NewellRun {
       if (progress_[parent].pieces == Q) return Q + 1;
       Q = parent;
     }
-  }
-  /// True for a face and itself, and for parts of one model face in one plane. They show the same picture in
-  /// any order.
-  [[nodiscard]] bool oneSurface(int f, int g) const {
-    const SnappedFace &F = scene_.faces[f], &G = scene_.faces[g];
-    return F.number == G.number && F.plane == G.plane;
   }
   /// The first polygon that is neither painted nor split, among a face and its pieces.
   [[nodiscard]] int nextOpen(int root) const {
@@ -175,38 +167,20 @@ class NewellRun {
 
 void NewellRun::enter(PolygonList list) {
   const std::vector<Polygon>& unsorted = list.polygons;
-  std::vector<ScreenBox> boxes;
-  boxes.reserve(unsorted.size());
-  for (const Polygon& P : unsorted) boxes.push_back(P.extents.box);
-  grid_.emplace(boxes, settings_.grid && !settings_.textbook);
   given_ = static_cast<int>(unsorted.size());
-  cellBegin_.assign(grid_->cells() + 1, 0);
-  std::vector<int> cell(given_);
-  for (int i = 0; i < given_; ++i) ++cellBegin_[(cell[i] = grid_->cellOf(boxes[i])) + 1];
-  std::partial_sum(cellBegin_.begin(), cellBegin_.end(), cellBegin_.begin());
-  cellOpen_.assign(cellBegin_.begin(), cellBegin_.end() - 1);
-
-  // Sort by farthest z, at equal z in scene order; then cell by cell.
-  std::vector<std::uint32_t> keys(given_);
-  std::ranges::transform(unsorted, keys.begin(), [](const Polygon& P) {
-    return static_cast<std::uint32_t>(P.extents.zFar) ^ 0x80000000u;
-  });
+  ListOrder order = listOrder(scene_, unsorted, settings_.grid && !settings_.textbook);
   list_.resize(given_);
   progress_.resize(given_);
-  std::vector<int> next = cellOpen_;
-  for (const int i : sortedByKey(keys)) {
-    const int P = next[cell[i]]++;
+  for (const int i : order.byDepth) {
+    const int P = order.place[i];
     list_[P] = unsorted[i];
     if (!list.regions.empty() && !list.regions[i].empty())
       progress_[P].piece = enterRegion(std::move(list.regions[i]), list_[P], list_[P].face);
   }
-  cellSurface_.assign(grid_->cells(), kNone);
-  for (int c = 0; c < grid_->cells(); ++c) {
-    const auto begin = list_.begin() + cellBegin_[c], end = list_.begin() + cellBegin_[c + 1];
-    if (begin != end &&
-        std::all_of(begin, end, [&](const Polygon& P) { return oneSurface(P.face, begin->face); }))
-      cellSurface_[c] = begin->face;
-  }
+  grid_ = std::move(order.grid);
+  cellBegin_ = std::move(order.cellBegin);
+  cellOpen_.assign(cellBegin_.begin(), cellBegin_.end() - 1);
+  cellSurface_ = std::move(order.cellSurface);
   if (settings_.record) {
     for (const Polygon& P : list_) sorted_.list.push_back(P.face);
     // Reserve room for most runs; memory that is never written costs nothing. Moving the events at every
@@ -235,7 +209,7 @@ int NewellRun::candidate(int P) {
     if (!grid_->settle(polygon.extents.box, p.place)) return kNone;
     const int cell = grid_->cell(p.place);
     p.end = cellBegin_[cell + 1];
-    if (cellSurface_[cell] != kNone && oneSurface(cellSurface_[cell], polygon.face)) {
+    if (cellSurface_[cell] != kNone && oneSurface(scene_, cellSurface_[cell], polygon.face)) {
       p.list = p.end;
       continue;
     }
@@ -253,7 +227,7 @@ int NewellRun::openWithin(int Q, int P) const {
     const Polygon& q = list_[Q];
     const bool reaches =
         q.extents.zFar <= p.extents.zNear && (settings_.textbook || p.extents.box.overlaps(q.extents.box));
-    if (q.state != State::Painted && reaches && !oneSurface(p.face, q.face)) {
+    if (q.state != State::Painted && reaches && !oneSurface(scene_, p.face, q.face)) {
       if (q.state != State::Split) return Q;
       Q = progress_[Q].pieces;
     } else {

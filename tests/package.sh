@@ -35,20 +35,20 @@ fresh_copy() {
 step() { logged "$results/$1.log" "Debian $release: $1" "${@:2}"; }
 
 build_once() {
-  local copy=$1 here=/root/first
+  local copy=$1 here=/srv/first
   git clone --quiet "$root" "$copy$here" || return
-  step build inside "$copy" "$here/x11/install/package.sh" /root/package || return
-  find "$copy/root/package" -maxdepth 1 -name '*xnewell*_*' ! -name '*-dbgsym_*' -exec cp -t "$results" {} + &&
-    cp "$copy/root/package/build.log" "$results/compiler.log"
+  step build inside "$copy" "$here/x11/install/package.sh" /srv/package || return
+  find "$copy/srv/package" -maxdepth 1 -name '*xnewell*_*' ! -name '*-dbgsym_*' -exec cp -t "$results" {} + &&
+    cp "$copy/srv/package/build.log" "$results/compiler.log"
 }
 
 build_again() {
-  local copy=$1 there=/var/tmp/second/place file
+  local copy=$1 there=/srv/second/place file
   git clone --quiet "$root" "$copy$there/xnewell" || return
   # shellcheck disable=SC2016
   step build-again inside "$copy" env TZ=Pacific/Kiritimati LC_ALL=C.UTF-8 \
     sh -c 'umask 027 && "$1/xnewell/x11/install/package.sh" "$1/package"' sh "$there" || return
-  for file in "$copy"/root/package/*.deb; do
+  for file in "$copy"/srv/package/*.deb; do
     step same-bytes cmp "$file" "$copy$there/package/${file##*/}" || return
   done
 }
@@ -101,8 +101,8 @@ check_package() {
   # shellcheck disable=SC2016
   step lintian inside "$copy" sh -ec '
     DEBIAN_FRONTEND=noninteractive apt-get install -y --no-install-recommends lintian blhc >/dev/null
-    lintian --fail-on error,warning --info --display-info --allow-root /root/package/*.changes' || return
-  step blhc inside "$copy" blhc --debian --bindnow /root/package/build.log || return
+    lintian --fail-on error,warning --info --display-info --allow-root /srv/package/*.changes' || return
+  step blhc inside "$copy" blhc --debian --bindnow /srv/package/build.log || return
   [[ $once ]] || build_again "$copy" || return
   fresh_copy "$release" "$copy" || return
   install_and_purge "$copy" || return

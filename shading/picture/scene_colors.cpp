@@ -4,8 +4,8 @@
 #include <cassert>
 #include <cmath>
 
+#include "geometry/view/at_source.h"
 #include "shading/color/hue_plan.h"
-#include "shading/picture/at_source.h"
 #include "shading/picture/surface_painter.h"
 
 namespace xnewell {

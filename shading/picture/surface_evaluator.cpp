@@ -5,7 +5,7 @@
 #include <glm/geometric.hpp>
 #include <glm/matrix.hpp>
 
-#include "shading/picture/at_source.h"
+#include "geometry/view/at_source.h"
 
 namespace xnewell {
 

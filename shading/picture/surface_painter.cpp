@@ -3,11 +3,11 @@
 #include <algorithm>
 #include <utility>
 
+#include "geometry/view/at_source.h"
 #include "shading/fill/fill.h"
 #include "shading/fill/fragment_spans.h"
 #include "shading/fill/gouraud.h"
 #include "shading/fill/row_values.h"
-#include "shading/picture/at_source.h"
 
 namespace xnewell {
 

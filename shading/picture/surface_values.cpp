@@ -10,8 +10,8 @@
 #include "depthsort/oracle.h"
 #include "geometry/exact/plane.h"
 #include "geometry/exact/unit.h"
+#include "geometry/view/at_source.h"
 #include "shading/fill/row_values.h"
-#include "shading/picture/at_source.h"
 
 namespace xnewell {
 

@@ -39,8 +39,8 @@ class Search {
   /// their errors elsewhere, unless they are much slower than the fastest.
   [[nodiscard]] const std::vector<Measured>& tried() const { return tried_; }
   /// The indices of those that keep the limit and are at most `times` as slow as the fastest of them, the
-  /// fastest first; without any, of the most accurate; none if nothing was tried. Those with changes that bring nothing are left out.
-  /// Precondition: there is a limit.
+  /// fastest first; without any, of the most accurate; none if nothing was tried. Those with changes that
+  /// bring nothing are left out. Precondition: there is a limit.
   [[nodiscard]] std::vector<int> within(double times) const;
   /// The indices of the `count` that are nearest to the front. Changes that bring nothing are left out.
   [[nodiscard]] std::vector<int> nearFront(std::size_t count) const;

@@ -159,6 +159,7 @@ class Trader {
       one.cost.time = rough.time, one.cost.stages = rough.stages;
       timed.push_back(&one);
     }
+    if (timed.empty()) return;
     // A few rounds leave those that may be the fastest; these have the rest of the time.
     (void)time(timed, 1, "timing the fastest", kFirstRounds);
     std::erase_if(timed, [](Measured* one) { return one->cost.rough = one->cost.time.ratio > kLast; });

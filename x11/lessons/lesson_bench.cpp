@@ -242,7 +242,8 @@ void LessonBench::drawStep(IndexImage& image, const Desk& desk) {
   at_ = layoutOfLesson(columnOf(desk.layout), page_, rows(), list_, compact);
   placeButtons();
   if (std::ranges::find(now().controls, LessonControl::Turn) != now().controls.end())
-    list_.place({rowOf(LessonControl::Turn).key}, {.area = at.picture, .grip = at.picture, .bare = true, .passive = true});
+    list_.place({rowOf(LessonControl::Turn).key},
+                {.area = at.picture, .grip = at.picture, .bare = true, .passive = true});
   Pen pen{Painter{image}, desk.plan};
   drawLessonPage(pen, at_, page_);
 }

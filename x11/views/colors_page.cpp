@@ -13,7 +13,7 @@ namespace xnewell {
 namespace {
 
 constexpr int kGridLabels = 26, kTitle = 24, kGridGutter = 28, kTableWidth = 240;
-constexpr int kLabels = 108;  // from the name of a fact to its value
+constexpr int kLabels = 108;    // from the name of a fact to its value
 constexpr int kLines = 10;      // of the table in a window, if the options of each fit beside each other
 constexpr int kLeastPlot = 60;  // the height of the lower plot at least
 

@@ -53,7 +53,9 @@ Controls MachBench::controls() {
                  .value = static_cast<double>(std::max(1, divisions_)),
                  .range = {1, kMostDivisions, 1, false, 0},
                  .initially = kDefaultDivisions,
-                 .off = divisions_ > 0 ? "" : "The scene has no patches to divide.",
+                 .off = divisions_ > 0 ? ""
+                        : patches_     ? "The scene's file sets the divisions of all its patches."
+                                       : "The scene has no patches to divide.",
                  .set = [this](double divisions) {
                    host_.change('k', [&](Setup& s) { s.divisions = static_cast<int>(divisions); });
                  }});
@@ -98,6 +100,7 @@ void MachBench::draw(IndexImage& image, const Desk& desk) {
   }
   height_ = desk.picture.settings().height;
   divisions_ = desk.picture.scene().divisions;
+  patches_ = !desk.picture.scene().patches.empty();
   if (!row_) row_ = defaultScanline(desk.picture);
   ViewSettings settings{.view = View::MachBands, .picture = desk.setup.picture, .cells = desk.plan};
   settings.picture.width = at.width;

@@ -35,6 +35,7 @@ class MachBench : public Bench {
   Rect picture_{};
   std::optional<int> firstRow_;  ///< the first row of the picture that is shown
   int height_ = 1, divisions_ = 0;
+  bool patches_ = false;  ///< the scene has some; it may set the divisions of all
   std::optional<int> drawnRow_;
   std::string status_;
 };

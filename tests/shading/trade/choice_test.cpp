@@ -55,6 +55,19 @@ TEST(Choice, IsTheCheapestWithinTheLimit) {
   EXPECT_EQ(chooseWithin({}, {0.1}).combination, -1);
 }
 
+// Without time for a single combination it ends, and nothing is chosen.
+TEST(Choice, MayHaveNoTime) {
+  PictureSettings settings;
+  settings.width = 40, settings.height = 30;
+  TradeRequest request;
+  request.seconds = 1e-9;
+  request.brief = true;
+  request.within = AccuracyLimit{0.1};
+  const Trade trade = tradeOf(readScene("cycle"), settings, request);
+  EXPECT_TRUE(trade.combinations.empty());
+  EXPECT_EQ(chooseWithin(trade, {0.1}).combination, -1);
+}
+
 // Times within 10 % are equal, and errors within 5 %. Of equals a fixed rule decides, not chance: the more
 // accurate, then the fewest changes, then the order of the axes.
 TEST(Choice, BreaksTiesByAFixedRule) {

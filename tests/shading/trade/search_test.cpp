@@ -97,7 +97,7 @@ TEST(Search, BeginsWithWhatIsCheap) {
 
 // If the time did not suffice to try anything, nothing is near the limit.
 TEST(Search, MayHaveTriedNothing) {
-  Measure measure{readScene("teapot"), small()};
+  Measure measure{readScene("cycle"), small()};
   const Search search{measure, axesInReach(measure.asked()), AccuracyLimit{0.1}};
   EXPECT_TRUE(search.within(1).empty());
 }
