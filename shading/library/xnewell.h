@@ -56,7 +56,7 @@ struct TooManyPieces : std::runtime_error {
 
 /// An order of painting, back to front: painted one over the other, the pieces show the nearest face at every
 /// sample. It is Newell's depth sort with exact signs, on a grid of 1/65536 pixel, to which corners are
-/// rounded. A face is cut only where no order is right without.
+/// rounded. A face is cut where the sort finds no order without a cut.
 /// Ties: of faces in one plane, the later one is painted later. Where faces only touch, within the rounding
 /// of the input, either may show. Left out: faces without an area, faces out of view, and faces that show at
 /// no sample because others hide them, if the sort finds that out. Faces with holes or dents come as several
