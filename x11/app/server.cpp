@@ -64,7 +64,7 @@ void bringUpToDate(Server& server, Canvas& canvas, Workbench& bench, const std::
   const Rect all{0, 0, canvas.width(), canvas.height()};
   canvas.upload(bench.image(), all);
   if (bench.serverFills()) {
-    fillPolygons(server.display.get(), canvas, bench.picture(), bench.layout().picture, bench.ground());
+    fillPolygons(server.display.get(), canvas, bench.picture(), bench.pictureArea(), bench.ground());
     for (const Rect& part : bench.overPicture()) canvas.upload(bench.image(), part);
   }
   const ServerGrab grab{server.display.get()};

@@ -43,7 +43,7 @@ void present(Server& server, Canvas& canvas, const Shot& shot, Fill fill) {
 
 void takeSnapshot(const Options& options, Scene scene, const Taken& taken) {
   Server server{options, scene};
-  const glm::ivec2 size = options.size.value_or(options.wholeWindow ? kWindowSize : kPictureSize);
+  const glm::ivec2 size = options.wholeWindow ? windowSize(options) : options.size.value_or(kPictureSize);
   Canvas canvas{server.display.get(), server.colormap, {.width = size.x, .height = size.y}};
   ErrorTrap trap{server.display.get()};
   canvas.map();
@@ -68,13 +68,14 @@ void takeSnapshot(const Options& options, Scene scene, const Taken& taken) {
   };
   if (options.wholeWindow) {
     Workbench bench{std::move(scene), server.setupOf(options), server.forBench()};
+    bench.scale(options.scale);
     bench.resize(size.x, size.y);
     bench.switchTo(options.windowView);
     bench.update();
     if (bench.view() == WindowView::Trade)
       for (; bench.moving(); bench.tick()) std::this_thread::sleep_for(std::chrono::milliseconds{20});
     for (int k = 0; k == 0 || (k < 3 && bench.stale() != Workbench::Stale::Nothing); ++k) bench.update();
-    shoot({bench.picture(), bench.image(), bench.palette(), bench.plan(), bench.layout().picture,
+    shoot({bench.picture(), bench.image(), bench.palette(), bench.plan(), bench.pictureArea(),
            bench.overPicture()});
     return;
   }

@@ -79,13 +79,15 @@ class Viewer {
  public:
   Viewer(const Options& options, Scene scene)
       : server_{options, scene},
-        size_{options.size.value_or(kWindowSize)},
+        size_{windowSize(options)},
+        unit_{options.scale},
         canvas_{server_.display.get(),
                 server_.colormap,
                 {.title = titleOf(scene), .width = size_.x, .height = size_.y}},
         bench_{std::move(scene), server_.setupOf(options), server_.forBench()},
         title_{titleOf(bench_.scene())},
         plan_{bench_.plan()} {
+    bench_.scale(unit_);
     bench_.resize(size_.x, size_.y);
     if (options.accuracy) {
       std::vector<std::string> mine;
@@ -181,7 +183,7 @@ class Viewer {
     if (mayEnd && XCheckIfEvent(display(), &event, isQuitKey, nullptr)) _exit(0);
     if (seconds == busyFor_) return;
     IndexImage box{canvas_.width(), canvas_.height(), plan_[Cell::Paper]};
-    drawBusyBox(box, plan_, seconds, mayEnd);
+    drawBusyBox(box, unit_, plan_, seconds, mayEnd);
     if (busyFor_ < 0) {
       entitle("(drawing) " + title_);
       if (watch_ == 0) watch_ = XCreateFontCursor(display(), XC_watch);
@@ -193,7 +195,7 @@ class Viewer {
       server_.colormap.store(tool, plan_);
       canvas_.upload(box, {0, 0, box.width, box.height});
     }
-    canvas_.present(box, busyBox(box.width, box.height));
+    canvas_.present(box, busyBox(box.width, box.height, unit_));
     map();
     XFlush(display());
     busyFor_ = seconds;
@@ -306,6 +308,7 @@ class Viewer {
 
   Server server_;
   glm::ivec2 size_;
+  int unit_;
   Canvas canvas_;
   Workbench bench_;
   static constexpr double kLong = 100;  ///< ms; a longer update counts as long

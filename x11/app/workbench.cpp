@@ -60,9 +60,11 @@ Workbench::Workbench(Scene scene, const Setup& setup, Server server)
 }
 
 void Workbench::resize(int width, int height) {
-  if (width == layout_.width && height == layout_.height) return;
-  layout_ = layoutOf(width, height);
+  width_ = width, height_ = height;
+  layout_ = layoutOf(width, height, layout_.unit);
 }
+
+void Workbench::scale(int unit) { layout_ = layoutOf(width_, height_, unit); }
 
 void Workbench::teach(Lesson lesson) {
   switchTo(WindowView::Lesson);
@@ -308,7 +310,8 @@ std::optional<AccuracyLimit> Workbench::keptWithin() const {
 }
 
 AccuracyKeeper::Seen Workbench::seen() const {
-  return {scene(), work_.setup, work_.divisions, layout_.picture.width, layout_.picture.height};
+  const Rect at = pictureArea();
+  return {scene(), work_.setup, work_.divisions, at.width, at.height};
 }
 
 bool Workbench::mustMeasure() const {
@@ -335,12 +338,13 @@ bool Workbench::grab(int x, int y) {
   notice_.clear();
   help_ = false;
   question_.reset();
+  x /= layout_.unit, y /= layout_.unit;
   if (const std::optional<WindowView> tab = tabAt(layout_, x, y)) return switchTo(*tab), false;
   return isDrawn() && bench().grab(x, y);
 }
 
 void Workbench::hover(int x, int y) {
-  if (!question_ && isDrawn()) bench().hover(x, y);
+  if (!question_ && isDrawn()) bench().hover(x / layout_.unit, y / layout_.unit);
 }
 
 void Workbench::settle() {
@@ -349,7 +353,7 @@ void Workbench::settle() {
 }
 
 void Workbench::wheel(int x, int y, double factor) {
-  const bool overPicture = bench().picture(layout_).has(x, y);
+  const bool overPicture = bench().picture(layout_).has(x / layout_.unit, y / layout_.unit);
   if (overPicture && !question_) zoom(factor);
 }
 

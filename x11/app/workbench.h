@@ -37,7 +37,10 @@ class Workbench : public Host {
   Workbench(Workbench&&) = delete;  // the benches point to it
   ~Workbench() override = default;
 
+  /// The size of the window, in pixels.
   void resize(int width, int height);
+  /// How many pixels a unit of the layout is wide. Everything but the picture's samples grows with it.
+  void scale(int unit);
   void press(const Key& key);
   /// A letter key was released. Only some views need to know.
   void release(char letter) { bench().release(letter); }
@@ -46,10 +49,10 @@ class Workbench : public Host {
   /// For code that draws the frames of a lesson or of the stepper.
   [[nodiscard]] LessonBench& lessons() { return *lessons_; }
   [[nodiscard]] SortBench& stepper() { return *stepper_; }
-  /// The button was pressed. Returns true if a drag begins; it ends when the button is released and settle()
-  /// is called.
+  /// The pointer, in pixels of the window. The button was pressed. Returns true if a drag begins; it ends
+  /// when the button is released and settle() is called.
   [[nodiscard]] bool grab(int x, int y);
-  void dragTo(int x, int y) { bench().dragTo(x, y); }
+  void dragTo(int x, int y) { bench().dragTo(x / layout_.unit, y / layout_.unit); }
   /// Ends a drag. What the drag left out becomes stale.
   void settle();
   /// The pointer moved with no button pressed.
@@ -89,13 +92,19 @@ class Workbench : public Host {
   /// The picture that the last update() made.
   [[nodiscard]] const Picture& picture() const { return work_.pictures.last(); }
   [[nodiscard]] WindowView view() const { return layout_.roomy ? view_ : WindowView::Picture; }
-  /// True if an X server must fill the polygons at layout().picture.
+  /// True if an X server must fill the polygons at pictureArea().
   [[nodiscard]] bool serverFills() const {
     return work_.setup.fill == Fill::XFillPolygon && view() == WindowView::Picture &&
            work_.setup.show == Show::Shaded;
   }
+  /// The place of the picture of the first view in image().
+  [[nodiscard]] Rect pictureArea() const { return inPixels(layout_.picture); }
   /// The parts of image() that lie over the picture.
-  [[nodiscard]] std::vector<Rect> overPicture() const { return drawnOverPicture(layout_, panel_); }
+  [[nodiscard]] std::vector<Rect> overPicture() const {
+    std::vector<Rect> parts = drawnOverPicture(layout_, panel_);
+    for (Rect& part : parts) part = inPixels(part);
+    return parts;
+  }
   /// The cells of the interface's colours in palette(). They depend on the table that picks the indices.
   [[nodiscard]] CellPlan plan() const { return server_.plan(painted().picture.table.kind); }
   /// The cell of the picture's background in image().
@@ -146,7 +155,7 @@ class Workbench : public Host {
   /// Bench::late().
   struct Indices {
     WindowView view;
-    int width, height;
+    int width, height, unit;
     Setup painted;  ///< without the colours of the cells
     std::string notice, told;
     std::array<std::string, 3> typing;  ///< the question, the text typed, and the complaint about it
@@ -167,6 +176,10 @@ class Workbench : public Host {
     std::optional<Picture> image;  ///< the picture, if the view wanted its image
   };
 
+  /// What the window has of an area of the layout.
+  [[nodiscard]] Rect inPixels(const Rect& units) const {
+    return intersection(units * layout_.unit, {0, 0, width_, height_});
+  }
   [[nodiscard]] Work workOn(Scene scene, Setup setup);
   /// Asks the server for cells for the hues of a scene.
   void fit(const Scene& scene, const Setup& setup);
@@ -194,8 +207,8 @@ class Workbench : public Host {
   /// True if the view was drawn at its present size. Before that, it does not know where its parts are, so
   /// the pointer can do nothing.
   [[nodiscard]] bool isDrawn() const {
-    return shown_ && shown_->indices.view == view() && shown_->indices.width == layout_.width &&
-           shown_->indices.height == layout_.height;
+    return shown_ && shown_->indices.view == view() && shown_->indices.width == width_ &&
+           shown_->indices.height == height_ && shown_->indices.unit == layout_.unit;
   }
   /// True if the window shows the scene of a lesson's step in another view.
   [[nodiscard]] bool visitsFromLesson() const { return before_ && view() != WindowView::Lesson; }
@@ -212,6 +225,7 @@ class Workbench : public Host {
   SortBench* stepper_;    ///< another one
   SideBench* sides_;      ///< and another
   WindowView view_ = WindowView::Picture;
+  int width_ = 0, height_ = 0;  ///< of the window, in pixels
   Layout layout_;
   PanelState panel_;
   std::string notice_, told_;  ///< for the status line: a warning (until a key or click), news (until a key)

@@ -28,7 +28,7 @@ Workbench::Indices Workbench::indices() const {
   painted.picture = withoutColors(painted.picture);
   std::array<std::string, 3> typing;
   if (question_) typing = {question_->asks, question_->text, complaint_};
-  return {view(), layout_.width, layout_.height, painted, notice_, told_, typing, help_, dragging_};
+  return {view(), width_, height_, layout_.unit, painted, notice_, told_, typing, help_, dragging_};
 }
 
 Workbench::Stale Workbench::stale() const {
@@ -38,10 +38,10 @@ Workbench::Stale Workbench::stale() const {
 }
 
 PictureSettings Workbench::sized() const {
-  const Rect at = bench().picture(layout_);
+  const Rect at = bench().picture(layout_) * layout_.unit;
   PictureSettings settings = painted().picture;
-  settings.width = at.width;
-  settings.height = at.height;
+  settings.width = std::min(at.width, width_);
+  settings.height = std::min(at.height, height_);
   settings.inPixels = serverFills();
   return settings;
 }
@@ -83,22 +83,23 @@ void Workbench::drawFrame(bool dragging) {
 
   const PaletteEffects effects = view.stored(work_.setup);
   makePalette(effects);
-  image_.width = layout_.width, image_.height = layout_.height;
-  image_.pixels.assign(static_cast<std::size_t>(layout_.width) * layout_.height, cells[Cell::Paper]);
+  image_.width = width_, image_.height = height_;
+  image_.pixels.assign(static_cast<std::size_t>(width_) * height_, cells[Cell::Paper]);
+  const Painter paint{image_, layout_.unit};
   const Palette plain = plainPalette();
   const CellUse use = whole ? cellUse(picture.image(), view.countsPolygons() ? picture.faceImage()
                                                                              : std::vector<std::uint32_t>{})
                             : CellUse{};
-  view.draw(image_, {.picture = picture,
-                     .plan = cells,
-                     .palette = plain,
-                     .use = use,
-                     .setup = work_.setup,
-                     .layout = layout_,
-                     .fresh = fresh,
-                     .dragging = dragging,
-                     .coarse = quick,
-                     .gray = server_.gray});
+  view.draw(paint, {.picture = picture,
+                    .plan = cells,
+                    .palette = plain,
+                    .use = use,
+                    .setup = work_.setup,
+                    .layout = layout_,
+                    .fresh = fresh,
+                    .dragging = dragging,
+                    .coarse = quick,
+                    .gray = server_.gray});
   const OwnColors* const own = view.colors();
   if (own) palette_ = own->palette;
   panel_ = {.title = titleOf(picture.scene()),
@@ -115,7 +116,7 @@ void Workbench::drawFrame(bool dragging) {
             .help = help_ ? helpOf(keys()) : std::vector<HelpLine>{}};
   if (question_)
     panel_.typed = Typed{question_->asks, question_->text, complaint_, !question_->offers.empty()};
-  drawPanel(image_, layout_, panel_, cells);
+  drawPanel(paint, layout_, panel_, cells);
   shown_ = {indices(), {work_.setup, effects}, whole ? std::optional{picture} : std::nullopt};
 }
 

@@ -45,7 +45,8 @@ void writeFrames(const Options& options, const Picture& picture, const SortedSce
 
 void writeStepperFrames(const Options& options, Scene scene, const std::function<void(int, int)>& tell) {
   Workbench bench{std::move(scene), {.picture = options.picture, .fill = options.fill}, {}};
-  const glm::ivec2 size = options.size.value_or(kWindowSize);
+  const glm::ivec2 size = windowSize(options);
+  bench.scale(options.scale);
   bench.resize(size.x, size.y);
   bench.switchTo(WindowView::DepthSort);
   const auto draw = [&] {

@@ -23,7 +23,8 @@ void writeLesson(const Options& options, Lesson lesson, const std::function<void
   makeFrameFolder(options.frames);
   const int steps = static_cast<int>(lesson.steps.size());
   Workbench bench{readScene("teapot"), Setup{}, {}};
-  const glm::ivec2 size = options.size.value_or(kWindowSize);
+  const glm::ivec2 size = windowSize(options);
+  bench.scale(options.scale);
   bench.resize(size.x, size.y);
   bench.teach(std::move(lesson));
   for (int step = 0; step < steps; ++step) {

@@ -26,39 +26,40 @@ bool stippled(Stipple stipple, int x, int y) {
   return false;
 }
 
+Painter Painter::pixels() const {
+  Painter fine = *this;
+  fine.step_ = 1;
+  return fine;
+}
+
 Painter Painter::within(const Rect& area) const {
   Painter inner = *this;
-  inner.clip_ = intersection(clip_, area);
+  inner.clip_ = intersection(clip_, area * step_);
   return inner;
 }
 
-void Painter::point(int x, int y, std::uint8_t cell) {
-  if (x >= clip_.x && x < clip_.x + clip_.width && y >= clip_.y && y < clip_.y + clip_.height)
-    image_->row(y)[x] = cell;
-}
-
 void Painter::fillRect(const Rect& area, std::uint8_t cell) {
-  const Rect r = intersection(area, clip_);
+  const Rect r = intersection(area * step_, clip_);
   for (int j = r.y; j < r.y + r.height; ++j) std::fill_n(image_->row(j) + r.x, r.width, cell);
 }
 
 void Painter::frame(const Rect& area, std::uint8_t cell) {
   if (area.width <= 0 || area.height <= 0) return;
   hline(area.x, area.y, area.width, cell);
-  hline(area.x, area.y + area.height - 1, area.width, cell);
+  hline(area.x, area.y + area.height - thick(), area.width, cell);
   vline(area.x, area.y, area.height, cell);
-  vline(area.x + area.width - 1, area.y, area.height, cell);
+  vline(area.x + area.width - thick(), area.y, area.height, cell);
 }
 
 void Painter::stipple(const Rect& area, Stipple stipple, std::uint8_t cell) {
-  const Rect r = intersection(area, clip_);
+  const Rect r = intersection(area * step_, clip_);
   for (int j = r.y; j < r.y + r.height; ++j)
     for (int i = r.x; i < r.x + r.width; ++i)
-      if (stippled(stipple, i, j)) image_->row(j)[i] = cell;
+      if (stippled(stipple, i / unit_, j / unit_)) image_->row(j)[i] = cell;
 }
 
 void Painter::place(const IndexImage& picture, const Rect& part, int x, int y) {
-  const int dx = x - part.x, dy = y - part.y;
+  const int dx = x * step_ - part.x, dy = y * step_ - part.y;
   const Rect from = intersection(part, {0, 0, picture.width, picture.height});
   const Rect to = intersection({from.x + dx, from.y + dy, from.width, from.height}, clip_);
   if (to.empty()) return;
@@ -69,20 +70,22 @@ void Painter::place(const IndexImage& picture, const Rect& part, int x, int y) {
 void Painter::line(int x0, int y0, int x1, int y1, std::uint8_t cell, const LineStyle& style) {
   assert(style.thickness >= 1 && style.on >= 1 && style.off >= 0);
   const bool steep = std::abs(y1 - y0) > std::abs(x1 - x0);
-  forEachPixelOfLine(clip_, x0, y0, x1, y1, [&](int k, int x, int y) {
-    if (k % (style.on + style.off) >= style.on) return;
-    for (int t = 0; t < style.thickness; ++t) {
-      const int beside = t - (style.thickness - 1) / 2;
-      steep ? point(x + beside, y, cell) : point(x, y + beside, cell);
-    }
+  const int across = style.thickness * thick(), before = (across - 1) / 2;
+  const int x = clip_.x / step_, y = clip_.y / step_;
+  const Rect area{x, y, (clip_.x + clip_.width + step_ - 1) / step_ - x,
+                  (clip_.y + clip_.height + step_ - 1) / step_ - y};
+  forEachPixelOfLine(area, x0, y0, x1, y1, [&](int k, int i, int j) {
+    if (k / thick() % (style.on + style.off) >= style.on) return;
+    fillRect(steep ? Rect{i - before, j, across, 1} : Rect{i, j - before, 1, across}, cell);
   });
 }
 
 namespace {
 
-/// Distances in half pixels, squared: (2i)^2 + (2j)^2 < (2r + 1)^2.
-bool inDisc(int i, int j, int radius) {
-  return radius >= 0 && 4 * (i * i + j * j) < (2 * radius + 1) * (2 * radius + 1);
+/// Distances in half coordinates, squared: (2i)^2 + (2j)^2 < (2r + 1)^2, where a radius has `thick` of them.
+bool inDisc(int i, int j, int radius, int thick) {
+  const int reach = (2 * radius + 1) * thick;
+  return radius >= 0 && 4 * (i * i + j * j) < reach * reach;
 }
 
 constexpr std::array<std::string_view, 7> kTick{"      #", "     ##", "    ## ", "#   #",
@@ -99,15 +102,17 @@ void stamp(Painter& painter, int x, int y, const std::array<std::string_view, 7>
 }  // namespace
 
 void Painter::disc(int x, int y, int radius, std::uint8_t cell) {
-  for (int j = -radius; j <= radius; ++j)
-    for (int i = -radius; i <= radius; ++i)
-      if (inDisc(i, j, radius)) point(x + i, y + j, cell);
+  const int reach = (radius + 1) * thick() - 1;
+  for (int j = -reach; j <= reach; ++j)
+    for (int i = -reach; i <= reach; ++i)
+      if (inDisc(i, j, radius, thick())) point(x + i, y + j, cell);
 }
 
 void Painter::ring(int x, int y, int radius, std::uint8_t cell) {
-  for (int j = -radius; j <= radius; ++j)
-    for (int i = -radius; i <= radius; ++i)
-      if (inDisc(i, j, radius) && !inDisc(i, j, radius - 1)) point(x + i, y + j, cell);
+  const int reach = (radius + 1) * thick() - 1;
+  for (int j = -reach; j <= reach; ++j)
+    for (int i = -reach; i <= reach; ++i)
+      if (inDisc(i, j, radius, thick()) && !inDisc(i, j, radius - 1, thick())) point(x + i, y + j, cell);
 }
 
 int Painter::text(int x, int baseline, std::string_view utf8, std::uint8_t cell, Voice voice) {

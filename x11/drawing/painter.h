@@ -11,8 +11,9 @@ namespace xnewell {
 
 /// Lines, areas, letters and small marks, drawn into the index image. Every view of the tool is drawn
 /// with these, with and without a server. Colours are cells of the palette; what they mean is the caller's.
-/// Units are pixels, x to the right, y downward; coordinates and sizes stay within +-2^24, and what falls
-/// outside the image is not drawn.
+/// Coordinates and sizes are in units, x to the right, y downward; a unit is a square of 1, 4, 9 or 16
+/// pixels, the same for all that is drawn. They stay within +-2^24, and what falls outside the image is not
+/// drawn.
 
 /// The styles of text. The width of a text is a multiple of the pitch.
 enum class Voice { Plain, Bold, Caps, Title };
@@ -49,7 +50,7 @@ inline constexpr std::array kStipples{
 [[nodiscard]] bool stippled(Stipple stipple, int x, int y);
 
 struct LineStyle {
-  int thickness = 1;    ///< pixels across the line's longer axis, >= 1
+  int thickness = 1;    ///< units across the line's longer axis, >= 1
   int on = 1, off = 0;  ///< dashes along the longer axis, from the first point; on >= 1
 };
 
@@ -59,32 +60,42 @@ struct KeyCapCells {
   std::uint8_t face, edge, shadow, letter;
 };
 inline constexpr int kKeyCap = 15;          ///< height, and least width
-inline constexpr int kKeyCapBaseline = 11;  ///< of its letter, in pixels below its top
+inline constexpr int kKeyCapBaseline = 11;  ///< of its letter, below its top
 
 /// Draws into an image that outlives it. Small and copyable.
 class Painter {
  public:
-  explicit Painter(IndexImage& image) : image_{&image}, clip_{0, 0, image.width, image.height} {}
+  /// A unit is `unit` x `unit` pixels. Any image can be drawn into, so it converts to its painter.
+  Painter(IndexImage& image, int unit = 1)
+      : image_{&image}, unit_{unit}, step_{unit}, clip_{0, 0, image.width, image.height} {}
+  /// How many pixels a unit is wide.
+  [[nodiscard]] int unit() const { return unit_; }
+  /// A painter of the same image whose coordinates are pixels: for areas, lines, frames, discs, rings and
+  /// tints that mark single samples of a picture. Lines and rings stay as thick as units are, and so do the
+  /// radii of discs and rings and the dots of tints.
+  [[nodiscard]] Painter pixels() const;
   /// A painter of the same image that draws nothing outside `area`.
   [[nodiscard]] Painter within(const Rect& area) const;
 
-  void point(int x, int y, std::uint8_t cell);
+  /// The cell at the upper left corner of a unit of the image.
+  [[nodiscard]] std::uint8_t cellAt(int x, int y) const { return image_->row(y * step_)[x * step_]; }
+  void point(int x, int y, std::uint8_t cell) { fillRect({x, y, 1, 1}, cell); }
   void fillRect(const Rect& area, std::uint8_t cell);
-  void hline(int x, int y, int width, std::uint8_t cell) { fillRect({x, y, width, 1}, cell); }
-  void vline(int x, int y, int height, std::uint8_t cell) { fillRect({x, y, 1, height}, cell); }
-  /// The outermost pixels of the area.
+  void hline(int x, int y, int width, std::uint8_t cell) { fillRect({x, y, width, thick()}, cell); }
+  void vline(int x, int y, int height, std::uint8_t cell) { fillRect({x, y, thick(), height}, cell); }
+  /// The outermost units of the area.
   void frame(const Rect& area, std::uint8_t cell);
   void stipple(const Rect& area, Stipple stipple, std::uint8_t cell);
-  /// A part of a picture, pixel by pixel, its upper left corner at (x, y).
+  /// A part of a picture, pixel by pixel, its upper left corner at (x, y). `part` is in the picture's pixels.
   void place(const IndexImage& picture, const Rect& part, int x, int y);
   /// All of a picture.
   void place(const IndexImage& picture, int x, int y) {
     place(picture, {0, 0, picture.width, picture.height}, x, y);
   }
-  /// Draws both ends too. Each step along the longer axis gets the nearest pixel; half way between two, the
-  /// one with the larger coordinate. So the pixels are the same from either end.
+  /// Draws both ends too. Each step along the longer axis gets the nearest unit; half way between two, the
+  /// one with the larger coordinate. So the units are the same from either end.
   void line(int x0, int y0, int x1, int y1, std::uint8_t cell, const LineStyle& style = {});
-  /// The pixels whose centres are nearer to the centre of pixel (x, y) than radius + 1/2.
+  /// The units whose centres are nearer to the centre of unit (x, y) than radius + 1/2.
   void disc(int x, int y, int radius, std::uint8_t cell);
   /// The disc without the disc of radius - 1.
   void ring(int x, int y, int radius, std::uint8_t cell);
@@ -102,15 +113,19 @@ class Painter {
   void cross(int x, int y, std::uint8_t cell);
   void triangle(int x, int y, int depth, Direction to, std::uint8_t cell);
 
-  /// A key cap with a name or an arrow, 15 pixels high and as wide as the name needs. Returns its width.
+  /// A key cap with a name or an arrow, 15 units high and as wide as the name needs. Returns its width.
   int keyCap(int x, int y, std::string_view name, const KeyCapCells& cells);
   int keyCap(int x, int y, Direction arrow, const KeyCapCells& cells);
 
  private:
   void keyBlank(const Rect& area, const KeyCapCells& cells);
+  /// The thickness of a rule.
+  [[nodiscard]] int thick() const { return unit_ / step_; }
 
   IndexImage* image_;
-  Rect clip_;  ///< inside the image
+  int unit_;
+  int step_;   ///< pixels from one coordinate to the next
+  Rect clip_;  ///< pixels, inside the image
 };
 
 }  // namespace xnewell

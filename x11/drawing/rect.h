@@ -13,6 +13,11 @@ struct Rect {
   bool operator==(const Rect&) const = default;
 };
 
+/// The rectangle with all its sides `factor` times as far from the origin, such as units in pixels.
+[[nodiscard]] constexpr Rect operator*(const Rect& r, int factor) {
+  return {r.x * factor, r.y * factor, r.width * factor, r.height * factor};
+}
+
 /// The pixels that two rectangles share. Precondition: their sides end within int.
 [[nodiscard]] constexpr Rect intersection(const Rect& a, const Rect& b) {
   const int x = std::max(a.x, b.x), y = std::max(a.y, b.y);

@@ -22,8 +22,8 @@ int textInBox(int width) { return width - kTextInBox - kPadding; }
 
 }  // namespace
 
-Sheet::Sheet(int width, int height, const CellPlan& plan)
-    : image_{width, height, plan[Cell::Paper]}, plan_{plan} {}
+Sheet::Sheet(int width, int height, const CellPlan& plan, int unit)
+    : image_{width * unit, height * unit, plan[Cell::Paper]}, plan_{plan}, unit_{unit} {}
 
 int Sheet::title(int x, int y, std::string_view text) {
   painter().text(x, y + 22, text, cell(Cell::Ink), Voice::Title);

@@ -14,11 +14,11 @@ struct Finding {
   std::string bold, why;
 };
 
-/// A page of the window uses less space between its parts if its body is lower than this, in pixels.
+/// A page of the window uses less space between its parts if its body is lower than this, in units.
 inline constexpr int kCompactBelow = 560;
 
 /// A sheet of paper for a view of numbers: pictures, titles, paragraphs, tables and findings on the grid of
-/// the window's drawing. Units are pixels; a part is placed by its upper left corner, and its function
+/// the window's drawing. All is in units; a part is placed by its upper left corner, and its function
 /// returns the y below it.
 class Sheet {
  public:
@@ -29,10 +29,11 @@ class Sheet {
   static constexpr int kSection = 28;  ///< of a section's line and name
   static constexpr int kTitle = 34;
 
-  Sheet(int width, int height, const CellPlan& plan);
+  /// A unit is `unit` x `unit` pixels of the image.
+  Sheet(int width, int height, const CellPlan& plan, int unit = 1);
 
   [[nodiscard]] const IndexImage& image() const { return image_; }
-  [[nodiscard]] Painter painter() { return Painter{image_}; }
+  [[nodiscard]] Painter painter() { return {image_, unit_}; }
   [[nodiscard]] std::uint8_t cell(Cell c) const { return plan_[c]; }
 
   int title(int x, int y, std::string_view text);
@@ -53,6 +54,7 @@ class Sheet {
 
   IndexImage image_;
   CellPlan plan_;
+  int unit_;
 };
 
 }  // namespace xnewell

@@ -191,21 +191,21 @@ PaletteEffects LessonBench::stored(const Setup&) const {
   return listing_ ? PaletteEffects{} : state_.exhibit.effects;
 }
 
-void LessonBench::draw(IndexImage& image, const Desk& desk) {
+void LessonBench::draw(Painter paint, const Desk& desk) {
   state_.late = false;
   drawn_ = desk.setup;
   counts_ = "scene: " + (listing_ ? desk.picture.scene().name : state_.exhibit.sceneName) + ", " +
             counted(desk.picture.snapped().polygons - desk.picture.snapped().degenerate, "polygon");
   list_.forgetPlaces();
-  Pen pen{Painter{image}, desk.plan};
+  Pen pen{paint, desk.plan};
   if (listing_)
     lessons_.draw(pen, desk.layout, list_, lesson());
   else
-    drawStep(image, desk);
+    drawStep(paint, desk);
   list_.draw(pen, controls());
 }
 
-void LessonBench::drawStep(IndexImage& image, const Desk& desk) {
+void LessonBench::drawStep(Painter paint, const Desk& desk) {
   const bool compact = desk.layout.compact;
   const SightLayout at = layoutOfSight(sightOf(desk.layout), state_.exhibit, compact);
   aspect_ = static_cast<double>(at.picture.width) / at.picture.height;
@@ -213,7 +213,8 @@ void LessonBench::drawStep(IndexImage& image, const Desk& desk) {
   std::optional<Picture> lower;
   if (lower_) {
     PictureSettings settings = state_.exhibit.beside;
-    settings.width = at.lower.width, settings.height = at.lower.height;
+    const Rect place = at.lower * desk.layout.unit;
+    settings.width = place.width, settings.height = place.height;
     settings.table = desk.setup.picture.table;  // the window has one table
     lower = lower_->make(settings, desk.plan[Cell::Well]);
   }
@@ -229,7 +230,7 @@ void LessonBench::drawStep(IndexImage& image, const Desk& desk) {
   }
   PaletteEffects effects = state_.exhibit.effects;
   effects.rotate = 0;  // the words do not describe the moving ramp
-  drawSight(image, at,
+  drawSight(paint, at,
             {.exhibit = state_.exhibit,
              .picture = picture,
              .image = picture.image(),
@@ -244,7 +245,7 @@ void LessonBench::drawStep(IndexImage& image, const Desk& desk) {
   if (std::ranges::find(now().controls, LessonControl::Turn) != now().controls.end())
     list_.place({rowOf(LessonControl::Turn).key},
                 {.area = at.picture, .grip = at.picture, .bare = true, .passive = true});
-  Pen pen{Painter{image}, desk.plan};
+  Pen pen{paint, desk.plan};
   drawLessonPage(pen, at_, page_);
 }
 

@@ -45,7 +45,7 @@ class LessonBench : public Bench {
   [[nodiscard]] Rect picture(const Layout& at) const override;
   [[nodiscard]] PaletteEffects stored(const Setup& setup) const override;
   [[nodiscard]] bool late(const Setup& setup) const override;
-  void draw(IndexImage& image, const Desk& desk) override;
+  void draw(Painter paint, const Desk& desk) override;
   [[nodiscard]] std::string status() const override { return counts_; }
   [[nodiscard]] std::string aside() const override;
 
@@ -66,7 +66,7 @@ class LessonBench : public Bench {
   void showList(bool shown);
   [[nodiscard]] Controls rows() { return stepControls(now(), state_, host_, aspect_); }
   void placeButtons();
-  void drawStep(IndexImage& image, const Desk& desk);
+  void drawStep(Painter paint, const Desk& desk);
   [[nodiscard]] LessonPage pageOf(const Desk& desk, const IndexImage* lower);
 
   LessonList lessons_;

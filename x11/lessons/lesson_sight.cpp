@@ -26,16 +26,17 @@ void SightPen::line(const Rect& on, std::string_view words) {
 namespace {
 
 void markWrong(SightPen& pen) {
-  const Rect& at = pen.at.picture;
+  const Rect &at = pen.at.picture, all = at * pen.paint.unit();
+  Painter fine = pen.paint.pixels();
   const std::vector<SampleCheck> checked = checkedSamples(pen.sight.picture);
   std::int64_t wrong = 0, samples = 0;
-  for (int j = 0; j < at.height; ++j)
-    for (int i = 0; i < at.width; ++i) {
-      const SampleCheck sample = checked[std::size_t(j) * at.width + i];
+  for (int j = 0; j < all.height; ++j)
+    for (int i = 0; i < all.width; ++i) {
+      const SampleCheck sample = checked[std::size_t(j) * all.width + i];
       samples += sample != SampleCheck::Nothing;
       if (!isWrong(sample)) continue;
       ++wrong;
-      pen.paint.point(at.x + i, at.y + j, pen(Cell::Q));
+      fine.point(all.x + i, all.y + j, pen(Cell::Q));
     }
   const std::string words = wrong == 0
                                 ? "no sample shows a wrong face"
@@ -49,11 +50,12 @@ void markWrong(SightPen& pen) {
 }
 
 void drawNames(SightPen& pen) {
-  const Rect& at = pen.at.picture;
+  const int unit = pen.paint.unit();
+  const Rect &at = pen.at.picture, all = at * unit;
   const std::vector<std::uint32_t> faces = pen.sight.picture.faceImage();
   for (const NamedFace& named : pen.sight.exhibit.names)
-    if (const auto place = placeOfLetter(faces, at.width, at.height, named.face))
-      pen.plate(at.x + place->x, at.y + place->y, named.name, Cell::White, Cell::Ink);
+    if (const auto place = placeOfLetter(faces, all.width, all.height, named.face, unit))
+      pen.plate(at.x + place->x / unit, at.y + place->y / unit, named.name, Cell::White, Cell::Ink);
 }
 
 void drawDifference(SightPen& pen) {
@@ -94,8 +96,8 @@ SightLayout layoutOfSight(const Rect& area, const Exhibit& exhibit, bool compact
 }
 
 std::optional<LetterPlace> placeOfLetter(const std::vector<std::uint32_t>& faces, int width, int height,
-                                         int face) {
-  constexpr int kRoom = kDisc + 4;  // more space than this is not needed
+                                         int face, int unit) {
+  const int enough = (kDisc + 4) * unit;  // more space than this is not needed
   // The distance of each sample from other faces, in steps to the eight neighbours.
   std::vector<int> room(faces.size(), 0);
   const auto at = [&](int i, int j) {
@@ -107,7 +109,7 @@ std::optional<LetterPlace> placeOfLetter(const std::vector<std::uint32_t>& faces
     here = std::min(here, least + 1);
   };
   for (std::size_t k = 0; k < faces.size(); ++k)
-    if (faces[k] == static_cast<std::uint32_t>(face) + 1) room[k] = kRoom;
+    if (faces[k] == static_cast<std::uint32_t>(face) + 1) room[k] = enough;
   for (int j = 0; j < height; ++j)
     for (int i = 0; i < width; ++i) pass(i, j, 1);
   for (int j = height - 1; j >= 0; --j)
@@ -124,8 +126,8 @@ std::optional<LetterPlace> placeOfLetter(const std::vector<std::uint32_t>& faces
   return best;
 }
 
-void drawSight(IndexImage& image, const SightLayout& at, const Sight& sight) {
-  SightPen pen{{Painter{image}, sight.plan}, image, at, sight};
+void drawSight(Painter paint, const SightLayout& at, const Sight& sight) {
+  SightPen pen{{paint, sight.plan}, at, sight};
   const Exhibit& exhibit = sight.exhibit;
   if (exhibit.stage == Stage::DepthSort && sight.run)
     drawRun(pen);

@@ -5,7 +5,7 @@
 #include "shading/color/index_image.h"
 #include "shading/color/palette.h"
 #include "shading/picture/picture.h"
-#include "x11/drawing/rect.h"
+#include "x11/drawing/painter.h"
 #include "x11/lessons/exhibit.h"
 
 namespace xnewell {
@@ -34,14 +34,15 @@ struct Sight {
 };
 
 /// Draws the picture and what is below it, on a paper background.
-void drawSight(IndexImage& image, const SightLayout& at, const Sight& sight);
+void drawSight(Painter paint, const SightLayout& at, const Sight& sight);
 
 /// The place of a letter: a sample of the face with space around it, as far from the middle of the picture as
-/// possible; nothing if the face is not visible. `faces` comes from Picture::faceImage().
+/// possible; nothing if the face is not visible. `faces` comes from Picture::faceImage();
+/// a letter's size is in units of so many pixels.
 struct LetterPlace {
   int x, y;
 };
 [[nodiscard]] std::optional<LetterPlace> placeOfLetter(const std::vector<std::uint32_t>& faces, int width,
-                                                       int height, int face);
+                                                       int height, int face, int unit);
 
 }  // namespace xnewell

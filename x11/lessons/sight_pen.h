@@ -10,7 +10,6 @@ inline constexpr int kNameWidth = 92;  ///< pixels for names at the left of bars
 
 /// What the parts of the left side of a lesson are drawn with; only for the source files of lesson_sight.h.
 struct SightPen : Pen {
-  IndexImage& image;
   const SightLayout& at;
   const Sight& sight;
 

@@ -94,10 +94,12 @@ void drawCurves(SightPen& pen) {
 void drawProfiles(SightPen& pen) {
   const Sight& sight = pen.sight;
   const Rect &below = pen.at.below, &at = pen.at.picture;
-  const int row = defaultScanline(sight.picture);
+  const int row = defaultScanline(sight.picture), unit = pen.paint.unit();
+  Painter fine = pen.paint.pixels();
   const Scanline line = scanlineOf(sight.picture, row, pen(Cell::Well));
 
-  pen.paint.line(at.x, at.y + row, at.x + at.width - 1, at.y + row, pen(Cell::White), {1, 4, 4});
+  const int marked = at.y + row / unit;
+  pen.paint.line(at.x, marked, at.x + at.width - 1, marked, pen(Cell::White), {1, 4, 4});
   pen.section("row " + std::to_string(row) + " of the picture");
   if (!pen.at.compact)
     pen.softRight(pen.right(), below.y + 17, "the strip repeats the row, the curve is its intensity");
@@ -105,17 +107,17 @@ void drawProfiles(SightPen& pen) {
   for (int k = 0; k < 3; ++k) {
     const Profile& profile = line.profiles[k];
     const int top = below.y + 24 + k * block;
-    for (int j = top; j < top + strip; ++j)
-      std::copy(profile.cells.begin(), profile.cells.end(), pen.image.row(j) + at.x);
+    drawStrip(pen.paint, {at.x, top, at.width, strip}, profile.cells);
     pen.paint.fillRect({at.x, top + strip, at.width, curve}, pen(Cell::Panel));
+    const int left = at.x * unit, base = (top + strip + curve - 2) * unit;
     int last = -1;
-    for (int i = 0; i < at.width; ++i) {
+    for (int i = 0; i < at.width * unit; ++i) {
       if (std::isnan(profile.I[i])) {
         last = -1;
         continue;
       }
-      const int y = top + strip + curve - 2 - static_cast<int>(std::lround(profile.I[i] * (curve - 4)));
-      pen.paint.line(at.x + std::max(0, i - (last >= 0)), last >= 0 ? last : y, at.x + i, y, pen(Cell::Ink));
+      const int y = base - static_cast<int>(std::lround(profile.I[i] * (curve - 4) * unit));
+      fine.line(left + std::max(0, i - (last >= 0)), last >= 0 ? last : y, left + i, y, pen(Cell::Ink));
       last = y;
     }
     const std::string name{rowOf(profile.method).label};

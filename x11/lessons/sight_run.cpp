@@ -76,7 +76,7 @@ void drawRun(SightPen& pen) {
   const Sight& sight = pen.sight;
   const Rect& at = pen.at.picture;
   const SortedScene& run = *sight.run;
-  Frames frames{sight.picture, run, true, {sight.step}, sight.plan};
+  Frames frames{sight.picture, run, true, {sight.step}, sight.plan, pen.paint.unit()};
   pen.paint.within(at).place(frames.at(sight.step), at.x, at.y);
 
   const Event& e = run.events[sight.step - 1];

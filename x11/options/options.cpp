@@ -182,8 +182,11 @@ void addOptions(CLI::App& app, Reader& r, Options& o) {
   r.text("-o,--output", "the PNG file to write", "", [&](const std::string& s) { o.output = s; });
   r.takes("--output", Takes::File);
   r.text("--size", "picture or window size WxH, at most 8192x8192",
-         "800x600, a window 1024x768, extremes 160x120",
+         "800x600, a window 1024x768 times --scale, extremes 160x120",
          [&](const std::string& s) { o.size = parseSize(s); });
+  r.number("--scale", o.scale, 1, 4,
+           "how many times as large the window's letters, lines and controls are; the picture keeps its own "
+           "pixels. For the window, and for pictures of it");
   r.number("--divisions", o.divisions, 1, kMaxDivisions,
            "each Bezier patch becomes N x N polygons, unless the scene file gives the number");
   for (const Setting& row : settingRows()) r.setting(row, o.picture);

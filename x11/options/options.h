@@ -49,14 +49,15 @@ inline constexpr std::array kCommands{
 enum class Fill { XFillPolygon, Scanline };
 
 inline constexpr glm::ivec2 kPictureSize{800, 600}, kWindowSize{1024, 768}, kExtremesSize{160, 120};
-inline constexpr glm::ivec2 kLeastWindow{800, 600};  ///< has room for all controls
+inline constexpr glm::ivec2 kLeastWindow{800, 600};  ///< has room for all controls, at scale 1
 
 struct Options {
   Command command = Command::View;
   bool commandMeant = false;     ///< no command was given, and the first argument may be a mistyped one
   std::string scene = "teapot";  ///< or the lesson's name
   int divisions = kDefaultDivisions;
-  std::optional<glm::ivec2> size;  ///< none without --size: then kPictureSize or kWindowSize
+  std::optional<glm::ivec2> size;  ///< none without --size: then kPictureSize or windowSize()
+  int scale = 1;                   ///< of the window: pixels of a unit
   PictureSettings picture;  ///< parseOptions() leaves its camera and light in the units of the scene's file
   std::vector<std::string> given;   ///< the names of all options on the command line
   std::vector<std::string> values;  ///< what each of these says; "" for a flag
@@ -91,6 +92,11 @@ struct Options {
     return std::ranges::find(given, option) != given.end();
   }
 };
+
+/// The size of the window, in pixels: what --size says, or kWindowSize in units.
+[[nodiscard]] inline glm::ivec2 windowSize(const Options& o) {
+  return o.size.value_or(kWindowSize * o.scale);
+}
 
 /// Wrong usage. The program prints one line on standard error and exits with status 2.
 struct UsageError : std::runtime_error {

@@ -41,6 +41,11 @@ void needsSize(const std::string& view, glm::ivec2 size, glm::ivec2 least) {
                      std::to_string(least.y)};
 }
 
+/// Refuses a window that has no room for its controls.
+void needsWindow(const std::string& view, const Options& o) {
+  needsSize(view, windowSize(o), kLeastWindow * o.scale);
+}
+
 void checkView(const Options& o) {
   if (o.scanline && o.view != View::MachBands)
     throw UsageError{"--scanline works only with --view machbands"};
@@ -49,7 +54,7 @@ void checkView(const Options& o) {
   const bool window = o.command == Command::View || o.wholeWindow;
   if (o.scanline && window)
     throw UsageError{"--scanline works only with a view that is drawn without its window"};
-  if (window) return needsSize(view, o.size.value_or(kWindowSize), kLeastWindow);
+  if (window) return needsWindow(view, o);
   if (o.command != Command::Draw && o.command != Command::Snapshot)
     throw UsageError{view + " works only with view, draw and snapshot"};
   if (o.view == View::Picture)
@@ -97,15 +102,13 @@ void checkCommand(const Options& o) {
                      "`xnewell scenes` the scenes"};
   const bool lesson = o.command == Command::Lesson;
   if (lesson) {
-    constexpr std::array<std::string_view, 6> kTaken{"scene",    "--size",     "--frames",
+    constexpr std::array<std::string_view, 7> kTaken{"scene",    "--size",     "--scale",  "--frames",
                                                      "--visual", "--colormap", "--nearest"};
     for (const std::string& option : o.given)
       if (std::ranges::find(kTaken, option) == kTaken.end())
         throw UsageError{option + " does not work with lesson: the lesson decides how its steps are drawn"};
     if (!o.frames.empty() && !sceneGiven) throw UsageError{"--frames needs a lesson's name"};
-    const glm::ivec2 size = o.size.value_or(kWindowSize);
-    if (size.x < kLeastWindow.x || size.y < kLeastWindow.y)
-      throw UsageError{"a lesson needs a --size of at least 800x600"};
+    needsWindow("a lesson", o);
   }
   if (sceneGiven && !makesPng && !traces && !charts && !lesson && o.command != Command::View)
     throw UsageError{name + " takes no scene"};
@@ -131,9 +134,9 @@ void checkCommand(const Options& o) {
   if (o.wholeWindow && o.command != Command::Snapshot && !stepper)
     throw UsageError{"--whole-window works only with snapshot and with trace --frames"};
   exclude(o.quick, o.wholeWindow, "--quick and --whole-window");
-  const glm::ivec2 window = o.size.value_or(kWindowSize);
-  if (stepper && o.wholeWindow && (window.x < kLeastWindow.x || window.y < kLeastWindow.y))
-    throw UsageError{"the stepper needs a --size of at least 800x600"};
+  if (stepper && o.wholeWindow) needsWindow("the stepper", o);
+  if (o.gave("--scale") && o.command != Command::View && !lesson && !o.wholeWindow)
+    throw UsageError{"--scale works only with view, lesson and --whole-window"};
   if (!traces && o.quick) throw UsageError{"--quick works only with trace"};
   if (!traces && !lesson && !o.frames.empty()) throw UsageError{"--frames works only with trace and lesson"};
   if (traces && o.picture.order != Order::Newell)

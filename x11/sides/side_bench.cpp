@@ -254,7 +254,7 @@ void SideBench::measure(Measured& side, const Measured& other, const Picture& pi
           timeOf(picture.scene(), picture.settings())};
 }
 
-void SideBench::draw(IndexImage& image, const Desk& desk) {
+void SideBench::draw(Painter paint, const Desk& desk) {
   follow(desk.setup);
   at_ = layoutOfSides(desk.layout.body);
   const Picture pictureB = makeB(desk);
@@ -278,7 +278,7 @@ void SideBench::draw(IndexImage& image, const Desk& desk) {
   if (desk.dragging) {
     places_.clear(), placed_.reset();
   } else if (placed_ != placed) {
-    places_ = placesOf(unlike, at_.frameWidth, at_.frameHeight);
+    places_ = placesOf(unlike, at_.frameWidth * desk.layout.unit, at_.frameHeight * desk.layout.unit);
     placed_ = placed;
   }
   if (place_ >= static_cast<int>(places_.size())) place_ = 0;
@@ -297,9 +297,9 @@ void SideBench::draw(IndexImage& image, const Desk& desk) {
   std::string pairs;
   for (const PairRow& row : kPairs) pairs += (pairs.empty() ? "" : ", ") + std::string{row.name};
   if (textWidth(pairs) + 21 > at_.numbers.width) pairs = "next pair: " + std::string{kPairs[pair_].name};
-  Painter{image}.fillRect(desk.layout.body, desk.plan[Cell::Paper]);
+  paint.fillRect(desk.layout.body, desk.plan[Cell::Paper]);
   const bool known = measuredA_.of == ofA && measuredB_.of == ofB;
-  drawSidesPage(image, at_,
+  drawSidesPage(paint, at_,
                 {.A = one.A,
                  .B = one.B,
                  .unlike = unlike,
@@ -328,7 +328,7 @@ void SideBench::draw(IndexImage& image, const Desk& desk) {
   for (const Rect& picture : {at_.A, at_.B})
     list_.place({'t'}, {.area = picture, .grip = picture, .bare = true, .passive = true});
   for (const auto& [key, area] : buttons()) list_.place({key, 1}, {.area = area, .bare = true});
-  Pen pen{Painter{image}, desk.plan};
+  Pen pen{paint, desk.plan};
   list_.draw(pen, all);
   const Control* const selected = list_.focused(all);
   if (selected && selected->kind == Control::Kind::Slider)

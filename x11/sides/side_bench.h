@@ -34,7 +34,7 @@ class SideBench : public Bench {
   void leave() override;
   [[nodiscard]] Rect picture(const Layout& at) const override { return layoutOfSides(at.body).A; }
   [[nodiscard]] bool late(const Setup& setup) const override;
-  void draw(IndexImage& image, const Desk& desk) override;
+  void draw(Painter paint, const Desk& desk) override;
   [[nodiscard]] std::string status() const override { return status_; }
   [[nodiscard]] std::string aside() const override { return aside_; }
   [[nodiscard]] const CellUse* use() const override { return &use_; }

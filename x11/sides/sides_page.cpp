@@ -22,19 +22,19 @@ constexpr int kMostMagnified = 8;
 /// Draws the parts of the page, one function each.
 class SidesDrawing {
  public:
-  SidesDrawing(IndexImage& image, const SidesLayout& at, const SidesPage& page, const CellPlan& plan)
-      : pen_{Painter{image}, plan}, at_{at}, page_{page} {}
+  SidesDrawing(Painter paint, const SidesLayout& at, const SidesPage& page, const CellPlan& plan)
+      : pen_{paint, plan}, at_{at}, page_{page} {}
 
   void drawSide(char letter, const Rect& caption, const Rect& picture);
   void drawDifference();
   void drawNumbers();
 
  private:
-  /// Draws a frame around the place, in a picture whose first pixel would be at (x, y).
-  void drawFrame(Painter paint, int x, int y);
+  /// Draws a frame around the place, in a picture at `area` whose first row shown is `first`.
+  void drawFrame(const Rect& area, int first);
   int drawKinds(int x, int baseline);
   void drawLegend(const Rect& at);
-  /// Draws the place in both pictures, pixel by pixel, if there is room.
+  /// Draws the place in both pictures, sample by sample, if there is room.
   void drawLoupe(const Rect& at);
   /// The first row of the difference that is shown, so that the place is in the middle.
   [[nodiscard]] int firstRow() const;
@@ -44,11 +44,13 @@ class SidesDrawing {
   const SidesPage& page_;
 };
 
-void SidesDrawing::drawFrame(Painter paint, int x, int y) {
+void SidesDrawing::drawFrame(const Rect& area, int first) {
   if (!page_.place) return;
+  Painter paint = pen_.paint.within(area).pixels();
+  const int unit = paint.unit(), x = area.x * unit, y = area.y * unit - first;
   const Rect& f = page_.place->frame;
-  paint.frame({x + f.x - 2, y + f.y - 2, f.width + 4, f.height + 4}, pen_(Cell::Black));
-  paint.frame({x + f.x - 1, y + f.y - 1, f.width + 2, f.height + 2}, pen_(Cell::White));
+  for (const auto& [out, cell] : {std::pair{2 * unit, Cell::Black}, {unit, Cell::White}})
+    paint.frame({x + f.x - out, y + f.y - out, f.width + 2 * out, f.height + 2 * out}, pen_(cell));
 }
 
 void SidesDrawing::drawSide(char letter, const Rect& caption, const Rect& picture) {
@@ -75,15 +77,15 @@ void SidesDrawing::drawSide(char letter, const Rect& caption, const Rect& pictur
     x = pen_.paint.text(x, y, phrase.text, pen_(phrase.differs ? Cell::Ink : Cell::Soft), voice);
     first = false, differed = phrase.differs;
   }
-  pen_.paint.place(B ? page_.B : page_.A, {0, 0, picture.width, picture.height}, picture.x, picture.y);
-  drawFrame(pen_.paint.within(picture), picture.x, picture.y);
+  pen_.paint.place(B ? page_.B : page_.A, picture.x, picture.y);
+  drawFrame(picture, 0);
 }
 
 int SidesDrawing::firstRow() const {
-  const int spare = at_.A.height - at_.difference.height;
+  const int shown = at_.difference.height * pen_.paint.unit(), spare = page_.A.height - shown;
   if (!page_.place) return spare / 2;
   const Rect& f = page_.place->frame;
-  return std::clamp(f.y + f.height / 2 - at_.difference.height / 2, 0, spare);
+  return std::clamp(f.y + f.height / 2 - shown / 2, 0, spare);
 }
 
 int SidesDrawing::drawKinds(int x, int y) {
@@ -124,10 +126,9 @@ void SidesDrawing::drawDifference() {
   const std::string& told = end + textWidth(all) + 4 <= right ? all : percent;
   pen_.boldRight(right - 1, y + 17, told);
 
-  const int first = firstRow();
-  pen_.paint.place(unlikenessImage(u, pen_.plan), {0, first, at_.difference.width, at_.difference.height}, x,
-                   at_.difference.y);
-  drawFrame(pen_.paint.within(at_.difference), x, at_.difference.y - first);
+  const int first = firstRow(), rows = at_.difference.height * pen_.paint.unit();
+  pen_.paint.place(unlikenessImage(u, pen_.plan), {0, first, page_.A.width, rows}, x, at_.difference.y);
+  drawFrame(at_.difference, first);
   drawLegend(at_.difference);
   // Words on a dark ground at the foot of the panel, at the left or at the right.
   const int base = at_.difference.y + at_.difference.height - 8;
@@ -135,9 +136,9 @@ void SidesDrawing::drawDifference() {
     pen_.paint.fillRect({left - 4, base - 12, textWidth(words) + 8, 16}, pen_(Cell::Well));
     pen_.paint.text(left, base, words, pen_(Cell::WellText));
   };
-  if (at_.difference.height < at_.A.height)
-    foot(x + 8, "rows " + std::to_string(first) + " to " + std::to_string(first + at_.difference.height - 1) +
-                    " of " + std::to_string(at_.A.height));
+  if (rows < page_.A.height)
+    foot(x + 8, "rows " + std::to_string(first) + " to " + std::to_string(first + rows - 1) + " of " +
+                    std::to_string(page_.A.height));
   if (!page_.place) return;
   const std::string which = "place " + std::to_string(page_.number + 1) + " of " +
                             std::to_string(page_.places) + ": " + counted(page_.place->samples, "sample");
@@ -150,7 +151,7 @@ std::string signedDifference(std::int64_t a, std::int64_t b) {
 
 void SidesDrawing::drawNumbers() {
   const Rect& at = at_.numbers;
-  Sheet sheet{at.width, at.height, pen_.plan};
+  Sheet sheet{at.width, at.height, pen_.plan, pen_.paint.unit()};
   const std::vector<int> ends{at.width * 61 / 100, at.width * 80 / 100, at.width};
   sheet.section(0, 0, at.width, "numbers");
   for (const auto& [k, name] : {std::pair{0, "A"}, {1, "B"}, {2, "A - B"}})
@@ -202,7 +203,7 @@ void SidesDrawing::drawNumbers() {
   }
   if (!page_.colors.empty() && y + 6 + Sheet::paragraphHeight(at.width, page_.colors) <= room)
     y = sheet.paragraph(0, y + 6, at.width, page_.colors, Cell::Soft);
-  pen_.paint.place(sheet.image(), {0, 0, at.width, at.height}, at.x, at.y);
+  pen_.paint.place(sheet.image(), at.x, at.y);
   drawLoupe({at.x, at.y + y + 12, at.width, room - y - 24});
   if (!pairs) return;
   const int baseline = at.y + at.height - 4;
@@ -213,20 +214,22 @@ void SidesDrawing::drawNumbers() {
 void SidesDrawing::drawLoupe(const Rect& at) {
   if (!page_.place) return;
   const Rect& f = page_.place->frame;
-  const int half = (at.width - Sheet::kGutter) / 2, high = at.height - Sheet::kLine;
+  Painter paint = pen_.paint.pixels();
+  const int unit = paint.unit();
+  const int half = (at.width - Sheet::kGutter) / 2 * unit, high = (at.height - Sheet::kLine) * unit;
   const int scale = std::min({half / f.width, 2 * high / f.height, kMostMagnified});
   if (scale < 2) return;
   // Shows at least half of the frame, around its middle.
   const int rows = std::min(f.height, high / scale), first = f.y + (f.height - rows) / 2;
-  const int top = at.y + Sheet::kLine;
-  int x = at.x;
+  const int top = (at.y + Sheet::kLine) * unit;
+  int x = at.x * unit;
   for (const auto& [image, name] : {std::pair{&page_.A, "A"}, {&page_.B, "B"}}) {
-    pen_.soft(x, at.y + Sheet::kAscent - 2,
+    pen_.soft(x / unit, at.y + Sheet::kAscent - 2,
               std::string{name} + " in the frame, " + std::to_string(scale) + " x");
     for (int j = 0; j < rows; ++j)
       for (int i = 0; i < f.width; ++i)
-        pen_.paint.fillRect({x + i * scale, top + j * scale, scale, scale}, image->row(first + j)[f.x + i]);
-    x += half + Sheet::kGutter;
+        paint.fillRect({x + i * scale, top + j * scale, scale, scale}, image->row(first + j)[f.x + i]);
+    x += half + Sheet::kGutter * unit;
   }
 }
 
@@ -272,8 +275,8 @@ std::string sidesStatus(const PictureSettings& A, const PictureSettings& B) {
   return text + (plural ? " differ" : " differs");
 }
 
-void drawSidesPage(IndexImage& image, const SidesLayout& at, const SidesPage& page, const CellPlan& plan) {
-  SidesDrawing draws{image, at, page, plan};
+void drawSidesPage(Painter paint, const SidesLayout& at, const SidesPage& page, const CellPlan& plan) {
+  SidesDrawing draws{paint, at, page, plan};
   draws.drawSide('A', at.captionA, at.A);
   draws.drawSide('B', at.captionB, at.B);
   draws.drawDifference();

@@ -11,7 +11,7 @@ namespace xnewell {
 /// What differs between two pictures, where, and how much? A and B stand beside each other; below them are
 /// the image of their difference and the numbers of both.
 
-/// The places of the page's parts, in pixels. The three pictures have one scale and take the space that is
+/// The places of the page's parts, in units. The three pictures have one scale and take the space that is
 /// free.
 struct SidesLayout {
   bool compact = false;
@@ -32,7 +32,7 @@ struct SideFacts {
 
 /// All that the page shows.
 struct SidesPage {
-  const IndexImage &A, &B;  ///< of the layout's size, in the cells of one palette
+  const IndexImage &A, &B;  ///< all pixels of the layout's A, in the cells of one palette
   const Unlikeness& unlike;
   SideFacts ofA, ofB;
   Finding finding;
@@ -45,7 +45,7 @@ struct SidesPage {
   std::string colors = {};     ///< how both share the cells, "" if they have the same ones
   std::string pairs = {};      ///< pairs of settings that are worth comparing, for a window
 };
-void drawSidesPage(IndexImage& image, const SidesLayout& at, const SidesPage& page, const CellPlan& plan);
+void drawSidesPage(Painter paint, const SidesLayout& at, const SidesPage& page, const CellPlan& plan);
 
 /// "same scene, same view, same light   only the order differs"
 [[nodiscard]] std::string sidesStatus(const PictureSettings& A, const PictureSettings& B);

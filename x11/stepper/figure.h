@@ -8,8 +8,8 @@
 
 namespace xnewell {
 
-/// Convex figures in pixels: polygons on the screen, under a loupe or from the side. They may have any size;
-/// only the part near the image is drawn.
+/// Convex figures in the painter's coordinates: polygons on the screen, under a loupe or from the side. They
+/// may have any size; only the part near the image is drawn.
 
 using Figure = std::vector<Place>;
 
@@ -18,11 +18,11 @@ using Figure = std::vector<Place>;
 /// The mean of its corners; the origin if there are none.
 [[nodiscard]] Place middleOf(const Figure& figure);
 
-/// Draws a line from one place to the other, with the pixels of both ends; both lie within +-1e12.
+/// Draws a line from one place to the other, with both ends; both lie within +-1e12.
 void segment(Painter& painter, Place from, Place to, std::uint8_t cell, const LineStyle& style = {});
 /// Draws the sides of the figure.
 void outline(Painter& painter, const Figure& figure, std::uint8_t cell, const LineStyle& style = {});
-/// Tints the pixels of the area whose centres lie inside the figure.
+/// Tints the units of the area whose centres lie inside the figure.
 void tint(Painter& painter, const Rect& area, const Figure& figure, Stipple stipple, std::uint8_t cell);
 
 /// The line across a figure where a value is 0, or nothing if it has one sign everywhere. `values` has one

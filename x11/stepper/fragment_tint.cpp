@@ -9,18 +9,20 @@ Fragment fragmentOf(const SnappedScene& scene, const SortedScene& sorted, int id
   return id < faces ? Fragment{id} : Fragment{sorted.pieces[id - faces].face, id - faces};
 }
 
-Samples tintFragment(IndexImage& image, const Rect& at, const SnappedScene& scene, const SortedScene& sorted,
+Samples tintFragment(Painter paint, const Rect& at, const SnappedScene& scene, const SortedScene& sorted,
                      int id, std::optional<Stipple> tint, std::uint8_t cell) {
+  const int unit = paint.unit();
+  const Rect all = at * unit;
+  Painter fine = paint.pixels();
   std::int64_t x = 0, y = 0, samples = 0;
-  forEachSpan(scene, sorted, fragmentOf(scene, sorted, id), at.width, at.height,
+  forEachSpan(scene, sorted, fragmentOf(scene, sorted, id), all.width, all.height,
               [&](int row, int from, int to) {
                 samples += to - from, y += std::int64_t{row} * (to - from),
                     x += std::int64_t{from + to} * (to - from) / 2;
-                for (int i = from; i < to && tint; ++i)
-                  if (stippled(*tint, at.x + i, at.y + row)) image.row(at.y + row)[at.x + i] = cell;
+                if (tint) fine.stipple({all.x + from, all.y + row, to - from, 1}, *tint, cell);
               });
   if (samples == 0) return {};
-  return {samples, at.x + static_cast<int>(x / samples), at.y + static_cast<int>(y / samples)};
+  return {samples, at.x + static_cast<int>(x / samples / unit), at.y + static_cast<int>(y / samples / unit)};
 }
 
 std::int64_t samplesWithin(const SnappedScene& scene, const SortedScene& sorted, int id, const Rect& area) {

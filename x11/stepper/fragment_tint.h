@@ -11,11 +11,10 @@ namespace xnewell {
 
 struct Samples {
   std::int64_t count = 0;
-  int x = 0, y = 0;  ///< near their middle, in coordinates of the image
+  int x = 0, y = 0;  ///< near their middle, in units of the image
 };
-/// Tints the samples of fragment `id` of the run, or only counts them. `at` is the area of the picture, which
-/// lies inside the image.
-Samples tintFragment(IndexImage& image, const Rect& at, const SnappedScene& scene, const SortedScene& sorted,
+/// Tints the samples of fragment `id` of the run, or only counts them. `at` is the area of the picture.
+Samples tintFragment(Painter paint, const Rect& at, const SnappedScene& scene, const SortedScene& sorted,
                      int id, std::optional<Stipple> tint, std::uint8_t cell);
 
 /// How many samples of the fragment lie in an area, which lies inside the picture.

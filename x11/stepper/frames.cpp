@@ -13,21 +13,22 @@ namespace {
 
 constexpr int kLeastWidth = 320;     // pixels: about fifty letters
 constexpr int kLargeWidth = 1600;    // from this width on letters are doubled
-constexpr int kLeastLabelled = 800;  // a fragment with fewer pixels has no room for a letter
+constexpr int kLeastLabelled = 800;  // a fragment with fewer units has no room for a letter
 constexpr int kMargin = 6;
 constexpr auto kThinOutlines = " Thin outlines: polygons still in the list; marked ones are brighter.";
 
 }  // namespace
 
 Frames::Frames(const Picture& picture, const SortedScene& sorted, bool textbook,
-               const std::vector<int>& steps, const CellPlan& plan)
+               const std::vector<int>& steps, const CellPlan& plan, int unit)
     : picture_{picture},
       sorted_{sorted},
       explainer_{picture_.scene().mesh, picture_.snapped(), sorted, textbook},
       replay_{picture_.snapped(), sorted},
       plan_{plan},
       palette_{picture.palette(plan_)},
-      voice_{picture.settings().width < kLargeWidth ? Voice::Plain : Voice::Title},
+      unit_{unit},
+      voice_{picture.settings().width / unit < kLargeWidth ? Voice::Plain : Voice::Title},
       width_{std::max(kLeastWidth, picture.settings().width)},
       soFar_{picture, sorted, plan_[Cell::Well], 0} {
   rows_ = static_cast<int>(wrapped(lastLines()).size());
@@ -48,7 +49,9 @@ std::vector<Frames::Line> Frames::linesOf(int step) {
   return lines;
 }
 
-Rect Frames::pictureArea() const { return {0, 0, picture_.settings().width, picture_.settings().height}; }
+Rect Frames::pictureArea() const {
+  return {0, 0, picture_.settings().width / unit_, picture_.settings().height / unit_};
+}
 
 bool Frames::waitingAreOutlined() const {
   const int fragments = static_cast<int>(sorted_.fragments.size()) - replay_.painted();
@@ -123,7 +126,7 @@ void Frames::compose(const IndexImage& soFar, const std::vector<Line>& lines) {
 /// Outlines polygons that are not painted yet in thin lines.
 void Frames::outlineWaiting() {
   if (!waitingAreOutlined()) return;
-  Painter painter = Painter{frame_}.within(pictureArea());
+  Painter painter = overPicture().pixels();
   for (const auto& [id, marked] : replay_.list(kMostWaiting))
     outline(painter, figureOf(explainer_.fragments().region(id)),
             cell(marked ? Cell::Faint : Cell::WellLine));
@@ -132,17 +135,19 @@ void Frames::outlineWaiting() {
 /// Tints a fragment if it is not painted yet, outlines it, and draws its letter in the middle.
 void Frames::mark(int fragment, Cell color, Stipple tint, std::string_view letter) {
   const bool paintedNow = replay_.event()->kind == Event::Kind::Paint;
-  const auto [samples, x, y] = tintFragment(frame_, pictureArea(), picture_.snapped(), sorted_, fragment,
-                                            paintedNow ? std::nullopt : std::optional{tint}, cell(color));
+  const auto [samples, x, y] =
+      tintFragment(overPicture(), pictureArea(), picture_.snapped(), sorted_, fragment,
+                   paintedNow ? std::nullopt : std::optional{tint}, cell(color));
 
-  Painter painter = Painter{frame_}.within(pictureArea());
+  Painter painter = overPicture(), fine = painter.pixels();
   const int thickness = std::max(1, std::min(pictureArea().width, pictureArea().height) / 250);
   const Figure figure = figureOf(explainer_.fragments().region(fragment));
-  if (thickness > 1) outline(painter, figure, cell(Cell::Black), {thickness + 2});
-  outline(painter, figure, cell(color), {thickness});
+  if (thickness > 1) outline(fine, figure, cell(Cell::Black), {thickness + 2});
+  outline(fine, figure, cell(color), {thickness});
 
   const VoiceRow& voice = kVoices[static_cast<int>(voice_)];
-  if (samples < kLeastLabelled * voice.scale * voice.scale) return;
+  const int scale = voice.scale * unit_;
+  if (samples < kLeastLabelled * scale * scale) return;
   const Rect plate{x - 5 * voice.scale, y - 7 * voice.scale, 11 * voice.scale, 15 * voice.scale};
   painter.fillRect(plate, cell(color));
   painter.frame(plate, cell(Cell::Black));

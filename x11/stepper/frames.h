@@ -22,11 +22,12 @@ inline constexpr int kMostWaiting = 3000;  ///< more thin outlines would cover t
 /// The frames of a run over picture.snapped(). The run outlives it.
 class Frames {
  public:
-  /// `steps` are the steps that will be asked for: the strip below the picture is as high as they need.
+  /// `steps` are the steps that will be asked for: the strip below the picture is as high as they need. Lines
+  /// and letters over the picture are drawn in units of so many pixels; the picture is whole units.
   Frames(const Picture& picture, const SortedScene& sorted, bool textbook, const std::vector<int>& steps)
       : Frames{picture, sorted, textbook, steps, CellPlan{picture.settings().table.kind}} {}
   Frames(const Picture& picture, const SortedScene& sorted, bool textbook, const std::vector<int>& steps,
-         const CellPlan& plan);
+         const CellPlan& plan, int unit = 1);
 
   /// The frame of a step: the picture in the upper left corner, and the strip below. A frame is at least 320
   /// pixels wide. It is valid until the next call. If steps are asked for in ascending order, each fragment
@@ -53,7 +54,9 @@ class Frames {
   [[nodiscard]] bool waitingAreOutlined() const;
   void outlineWaiting();
   void mark(int fragment, Cell cell, Stipple stipple, std::string_view letter);
+  /// In units.
   [[nodiscard]] Rect pictureArea() const;
+  [[nodiscard]] Painter overPicture() { return Painter{frame_, unit_}.within(pictureArea()); }
   [[nodiscard]] std::uint8_t cell(Cell c) const { return plan_[c]; }
 
   const Picture picture_;
@@ -62,6 +65,7 @@ class Frames {
   Replay replay_;
   CellPlan plan_;
   Palette palette_;
+  int unit_;
   Voice voice_;
   int width_, rows_ = 0;  ///< pixels; lines of the strip
   SoFar soFar_;

@@ -147,7 +147,8 @@ bool SortBench::grab(int x, int y) {
   player_.view.numbered = false;
   if (list_.grab(controls(), x, y)) return list_.dragging();
   if (!at_.picture.has(x, y) || places_.loupe.has(x, y)) return false;
-  if (const int id = run()->fragmentAt(x - at_.picture.x, y - at_.picture.y); id >= 0)
+  const auto sample = [unit = unit_](int units) { return units * unit + unit / 2; };
+  if (const int id = run()->fragmentAt(sample(x - at_.picture.x), sample(y - at_.picture.y)); id >= 0)
     goToFaceOf(id);
   else
     host_.notify("There is no polygon there.");
@@ -214,9 +215,9 @@ int SortBench::likeBefore() {
   return step.value_or(0);
 }
 
-void SortBench::drawTooLong(IndexImage& image, const Desk& desk) {
+void SortBench::drawTooLong(Painter paint, const Desk& desk) {
   const Rect &body = desk.layout.body, picture = this->picture(desk.layout);
-  Painter paint = Painter{image}.within(body);
+  paint = paint.within(body);
   const IndexImage whole = desk.picture.paint(desk.plan[Cell::Well]).image;
   use_ = cellUse(whole);
   paint.place(whole, picture.x, picture.y);
@@ -234,8 +235,9 @@ void SortBench::drawTooLong(IndexImage& image, const Desk& desk) {
   }
 }
 
-void SortBench::draw(IndexImage& image, const Desk& desk) {
+void SortBench::draw(Painter paint, const Desk& desk) {
   at_ = layoutOfSort(desk.layout.body);
+  unit_ = desk.layout.unit;
   order_ = desk.setup.picture.order;
   if (channelsOf(desk.picture.colors().plan()) == Channels::Rgb) {
     fullColor_ = true;  // the view is still late, so it is drawn again at once
@@ -245,15 +247,15 @@ void SortBench::draw(IndexImage& image, const Desk& desk) {
   record(desk);
   list_.forgetPlaces();
   if (!run()) {
-    drawTooLong(image, desk);
+    drawTooLong(paint, desk);
     status_ = "Newell's sort of this scene is too long to step through.";
   } else {
-    places_ = drawSortPage(image, at_, *run(), view(), desk.plan, &list_);
+    places_ = drawSortPage(paint, at_, *run(), view(), desk.plan, &list_);
     status_ = stepInWords(*run());
     about_ = view().step > 0 ? std::optional{run()->about(view().step)} : std::nullopt;
     use_ = cellUse(run()->soFar());
   }
-  Pen pen{Painter{image}, desk.plan};
+  Pen pen{paint, desk.plan};
   list_.draw(pen, controls());
   drawn_ = view();
 }

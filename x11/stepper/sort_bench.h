@@ -31,7 +31,7 @@ class SortBench : public Bench {
   [[nodiscard]] bool wantsImage() const override { return false; }
   [[nodiscard]] Setup painted(const Setup& setup) const override;
   [[nodiscard]] bool late(const Setup&) const override { return drawn_ != view() || list_.late(); }
-  void draw(IndexImage& image, const Desk& desk) override;
+  void draw(Painter paint, const Desk& desk) override;
 
   [[nodiscard]] std::string status() const override { return status_; }
   [[nodiscard]] std::string aside() const override;
@@ -53,7 +53,7 @@ class SortBench : public Bench {
   [[nodiscard]] int likeBefore();
   /// The run's steps as a slider.
   [[nodiscard]] Control timeline();
-  void drawTooLong(IndexImage& image, const Desk& desk);
+  void drawTooLong(Painter paint, const Desk& desk);
   /// Goes to the next step with the face of this fragment.
   void goToFaceOf(int id);
 
@@ -66,6 +66,7 @@ class SortBench : public Bench {
   Order order_ = Order::Newell;     ///< of the picture in its own view
   std::optional<StepAbout> about_;  ///< the step; none at the start
   SortLayout at_;
+  int unit_ = 1;  ///< of the layout
   SortDrawn places_;
   std::optional<SortView> drawn_;
   std::string status_;

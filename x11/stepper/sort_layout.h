@@ -23,7 +23,7 @@ inline constexpr std::array<std::string_view, kToggleCount> kToggleNames{
 inline constexpr std::array<std::string_view, 3> kAnswers{"P first", "Q first", "they cross"};
 inline constexpr std::array<char, 3> kAnswerKeys{'a', 'b', 'c'};
 
-/// In pixels.
+/// In units.
 struct SortLayout {
   bool compact = false, narrow = false;
   int line = 16;  ///< from one line of text to the next

@@ -38,7 +38,8 @@ Area focusOf(const SortPen& pen) {
                                                  : Area{small.x0 - size(small), small.y0 - size(small),
                                                         small.x1 + size(small), small.y1 + size(small)};
   }
-  const double W = pen.at.picture.width, H = pen.at.picture.height;
+  const Rect all = pen.at.picture * pen.paint.unit();
+  const double W = all.width, H = all.height;
   focus = {std::clamp(focus.x0, 0.0, W), std::clamp(focus.y0, 0.0, H), std::clamp(focus.x1, 0.0, W),
            std::clamp(focus.y1, 0.0, H)};
   const double least = 2.0;  // pixels: limits how much a sliver is enlarged
@@ -47,9 +48,10 @@ Area focusOf(const SortPen& pen) {
 }
 
 /// The corner of the picture where the loupe hides least of P and Q. If several are equal, the one farthest
-/// from `from`.
+/// from `from`, a place in pixels of the picture.
 Rect cornerFor(const SortPen& pen, Place from) {
   const Rect& picture = pen.at.picture;
+  const int unit = pen.paint.unit();
   const int width = std::max(150, picture.width * 38 / 100), height = picture.height * 54 / 100;
   constexpr int kInset = 10, kBelowWords = 26;
   Rect best;
@@ -61,8 +63,9 @@ Rect cornerFor(const SortPen& pen, Place from) {
                    low ? picture.height - height - kInset : kBelowWords, width, height};
       std::int64_t hidden = 0;
       for (const int id : {pen.P(), pen.Q()})
-        if (id >= 0) hidden += samplesWithin(pen.run.scene(), pen.run.sorted(), id, r);
-      const double distance = std::hypot(r.x + width / 2.0 - from.x, r.y + height / 2.0 - from.y);
+        if (id >= 0) hidden += samplesWithin(pen.run.scene(), pen.run.sorted(), id, r * unit);
+      const double distance =
+          std::hypot(r.x + width / 2.0 - from.x / unit, r.y + height / 2.0 - from.y / unit);
       if (hidden > least || (hidden == least && distance <= farthest + 1e-9)) continue;
       least = hidden, farthest = distance;
       best = {picture.x + r.x, picture.y + r.y, width, height};
@@ -83,7 +86,7 @@ class Loupe {
 
   /// Otherwise the loupe shows the numbers only, and a frame around nearly all of the picture would be
   /// useless.
-  [[nodiscard]] bool enlarges() const { return scale_ > 1.0; }
+  [[nodiscard]] bool enlarges() const { return scale_ * paint_.unit() > 1.0; }
 
   void draw() {
     const int P = pen_.P(), Q = pen_.Q();
@@ -107,8 +110,8 @@ class Loupe {
   }
 
  private:
-  static constexpr int kAroundLabels = 42, kAbove = 22;  // pixels for numbers
-  static constexpr double kRoomForLetter = 30;           // pixels
+  static constexpr int kAroundLabels = 42, kAbove = 22;  // for numbers
+  static constexpr double kRoomForLetter = 30;
 
   [[nodiscard]] Place place(Place p) const {
     const Place m = focus_.middle();
@@ -263,25 +266,30 @@ class Loupe {
   Painter paint_;
   Rect at_;
   Area focus_;
-  double scale_;
+  double scale_;  ///< units for each pixel of the picture
   std::vector<Label> wanted_;
   std::vector<Rect> labels_, dots_;
 };
 
 }  // namespace
 
-Rect drawLoupe(SortPen& pen, Painter& picture) {
+Rect drawLoupe(SortPen& pen) {
   const Rect& area = pen.at.picture;
   const Area focus = focusOf(pen);
   const Rect at = cornerFor(pen, focus.middle());
   Loupe loupe{pen, at, focus};
   if (loupe.enlarges()) {
-    const Rect framed{area.x + static_cast<int>(focus.x0) - 2, area.y + static_cast<int>(focus.y0) - 2,
-                      static_cast<int>(focus.width()) + 5, static_cast<int>(focus.height()) + 5};
+    Painter picture = pen.paint.within(area).pixels();
+    const int unit = picture.unit(), out = 2 * unit;
+    const Rect all = area * unit, loupeAt = at * unit;
+    const Rect framed{all.x + static_cast<int>(focus.x0) - out, all.y + static_cast<int>(focus.y0) - out,
+                      static_cast<int>(focus.width()) + 2 * out + 1,
+                      static_cast<int>(focus.height()) + 2 * out + 1};
     picture.frame(framed, pen(Cell::WellText));
     const bool right = at.x > area.x + area.width / 2, low = at.y + at.height > area.y + area.height - 20;
     picture.line(framed.x + (right ? framed.width : 0), framed.y + (low ? framed.height - 1 : 0),
-                 right ? at.x : at.x + at.width - 1, low ? at.y + at.height - 1 : at.y, pen(Cell::WellText));
+                 right ? loupeAt.x : loupeAt.x + loupeAt.width - 1,
+                 low ? loupeAt.y + loupeAt.height - 1 : loupeAt.y, pen(Cell::WellText));
   }
   pen.paint.fillRect(at, pen(Cell::White));
   loupe.draw();

@@ -33,14 +33,14 @@ void placeControls(ControlList& list, const SortLayout& at, const SortView& view
 
 }  // namespace
 
-SortDrawn drawSortPage(IndexImage& image, const SortLayout& at, SortRun& run, const SortView& view,
+SortDrawn drawSortPage(Painter paint, const SortLayout& at, SortRun& run, const SortView& view,
                        const CellPlan& plan, ControlList* list) {
   run.goTo(view.step);
   // Of two polygons that pass through each other the smaller is cut and is then called P. If the tests were
   // made with the names the other way round, their rows would mislead.
   const Event *const event = run.replay().event(), *compare = comparisonAt(run.sorted(), view.step);
   if (event && compare && (compare->P != event->P || compare->Q != event->Q)) compare = nullptr;
-  SortPen pen{{Painter{image}.within(at.body), plan}, image, at, run, view, event, compare, list};
+  SortPen pen{{paint.within(at.body), plan}, at, run, view, event, compare, list};
   pen.paint.fillRect(at.body, plan[Cell::Paper]);
   SortDrawn drawn;
   drawn.loupe = drawSortPicture(pen);

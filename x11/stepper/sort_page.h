@@ -22,7 +22,7 @@ enum class SortPart { Timeline = 1, Speed, Kinds, Toggle = 10, Transport = 20, A
 
 /// Draws the whole body of the window. The run goes to the step of the view. The list says which control is
 /// under the pointer, dragged or selected, and learns where they are; without it they are drawn at rest.
-SortDrawn drawSortPage(IndexImage& image, const SortLayout& at, SortRun& run, const SortView& view,
+SortDrawn drawSortPage(Painter paint, const SortLayout& at, SortRun& run, const SortView& view,
                        const CellPlan& plan, ControlList* list = nullptr);
 
 }  // namespace xnewell

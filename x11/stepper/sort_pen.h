@@ -10,7 +10,6 @@ namespace xnewell {
 
 /// What the parts of the stepper's page are drawn with; only for the source files of that page.
 struct SortPen : Pen {
-  IndexImage& image;
   const SortLayout& at;
   SortRun& run;
   const SortView& view;
@@ -31,13 +30,13 @@ struct SortPen : Pen {
   }
 };
 
-/// A badge of P or Q in its colour, 13 x 13 pixels.
+/// A badge of P or Q in its colour, 13 x 13 units.
 void drawBadge(SortPen& pen, int x, int y, bool isP);
 
 Rect drawSortPicture(SortPen& pen);
 /// Draws P and Q enlarged, in the corner of the picture that is farthest from them: their corners with the
 /// distances that decide, and the line where their planes meet. Returns the area of the loupe.
-Rect drawLoupe(SortPen& pen, Painter& picture);
+Rect drawLoupe(SortPen& pen);
 void drawTests(SortPen& pen);
 void drawFinding(SortPen& pen);
 std::vector<int> drawSidesAndList(SortPen& pen);

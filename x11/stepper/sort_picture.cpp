@@ -11,18 +11,18 @@ namespace xnewell {
 namespace {
 
 /// Outlines polygons that are not painted yet in thin lines. Returns false if there are none, or too many.
-bool outlineWaiting(SortPen& pen, Painter& paint, const auto& placed) {
+bool outlineWaiting(SortPen& pen, Painter fine, const auto& placed) {
   const int left = static_cast<int>(pen.run.sorted().fragments.size()) - pen.run.replay().painted();
   if (left > kMostWaiting) return false;
   for (const auto& [id, marked] : pen.run.replay().list(kMostWaiting))
-    outline(paint, placed(id), pen(marked ? Cell::Faint : Cell::WellLine));
+    outline(fine, placed(id), pen(marked ? Cell::Faint : Cell::WellLine));
   return left > 0;
 }
 
 /// Draws a letter in the middle of a piece that has room for it.
 void letter(SortPen& pen, Painter& paint, const Samples& where, std::string_view text) {
-  constexpr int kLeast = 300;  // samples
-  if (where.count < kLeast) return;
+  constexpr int kLeast = 300;  // of units
+  if (where.count < kLeast * paint.unit() * paint.unit()) return;
   const Rect plate{where.x - 5, where.y - 7, 11, 15};
   paint.fillRect(plate, pen(Cell::P));
   paint.frame(plate, pen(Cell::Black));
@@ -31,46 +31,47 @@ void letter(SortPen& pen, Painter& paint, const Samples& where, std::string_view
 
 void markPair(SortPen& pen, Painter& paint, const auto& placed) {
   const Event& e = *pen.event;
+  Painter fine = paint.pixels();
   const auto tinted = [&](int id, Cell cell, std::optional<Stipple> stipple) {
-    return tintFragment(pen.image, pen.at.picture, pen.run.scene(), pen.run.sorted(), id, stipple, pen(cell));
+    return tintFragment(paint, pen.at.picture, pen.run.scene(), pen.run.sorted(), id, stipple, pen(cell));
   };
   if (e.Q >= 0) {
     tinted(e.Q, Cell::Q, Stipple::Diagonals);
-    outline(paint, placed(e.Q), pen(Cell::Black), {4});
-    outline(paint, placed(e.Q), pen(Cell::Q), {2, 5, 3});
+    outline(fine, placed(e.Q), pen(Cell::Black), {4});
+    outline(fine, placed(e.Q), pen(Cell::Q), {2, 5, 3});
   }
   if (e.kind == Event::Kind::Split) {
     const int behind = pen.run.fragments().pieceOf(pen.run.replay().splits() - 1);
     const std::array names{"a", "b"};
     for (int k = 0; k < 2; ++k) {
       const Samples where = tinted(behind + k, Cell::P, k == 0 ? Stipple::Eighth : Stipple::Quarter);
-      outline(paint, placed(behind + k), pen(Cell::Black), {4});
-      outline(paint, placed(behind + k), pen(Cell::P), {2});
+      outline(fine, placed(behind + k), pen(Cell::Black), {4});
+      outline(fine, placed(behind + k), pen(Cell::P), {2});
       letter(pen, paint, where, names[k]);
     }
     return;
   }
   if (e.kind != Event::Kind::Paint) tinted(e.P, Cell::P, Stipple::Quarter);
-  outline(paint, placed(e.P), pen(Cell::Black), {4});
-  outline(paint, placed(e.P), pen(Cell::P), {2});
+  outline(fine, placed(e.P), pen(Cell::Black), {4});
+  outline(fine, placed(e.P), pen(Cell::P), {2});
 }
 
 }  // namespace
 
 Rect drawSortPicture(SortPen& pen) {
-  const Rect& at = pen.at.picture;
+  const Rect &at = pen.at.picture, samples = at * pen.paint.unit();
   Painter paint = pen.paint.within(at);
   paint.place(pen.run.soFar(), at.x, at.y);
   const auto placed = [&](int id) {
     Figure figure = figureOf(pen.run.fragments().region(id));
-    for (Place& p : figure) p = {p.x + at.x, p.y + at.y};
+    for (Place& p : figure) p = {p.x + samples.x, p.y + samples.y};  // pixels
     return figure;
   };
-  const bool outlined = outlineWaiting(pen, paint, placed);
+  const bool outlined = outlineWaiting(pen, paint.pixels(), placed);
   Rect loupe;
   if (pen.event) {
     markPair(pen, paint, placed);
-    if (pen.view.loupe) loupe = drawLoupe(pen, paint);
+    if (pen.view.loupe) loupe = drawLoupe(pen);
   }
 
   const int painted = pen.run.replay().painted();

@@ -277,12 +277,13 @@ void TradeBench::paintChosen(const Desk& desk) {
   }
   PictureSettings settings = withChanges(desk.setup, chosen).picture;
   settings.camera = heldCamera(desk.picture);
-  settings.width = at_.picture.width, settings.height = at_.picture.height;
+  const Rect place = at_.picture * desk.layout.unit;
+  settings.width = place.width, settings.height = place.height;
   settings.inPixels = false;
   painted_ = pictures_->make(settings, desk.plan[Cell::Well]);
 }
 
-void TradeBench::draw(IndexImage& image, const Desk& desk) {
+void TradeBench::draw(Painter paint, const Desk& desk) {
   at_ = layoutOfTrade(desk.layout.body, desk.layout.picture);
   if (const std::optional<AccuracyLimit> kept = host_.keptWithin(); kept && *kept != limit_) {
     limit_ = *kept;
@@ -298,8 +299,8 @@ void TradeBench::draw(IndexImage& image, const Desk& desk) {
   places_ = stale || chosen_ < 0 ? std::vector<Rect>{}
                                  : framesOfWorst(at_, measuredSize_, known_.trade.combinations[chosen_]);
   if (place_ >= static_cast<int>(places_.size())) place_ = 0;
-  Painter{image}.fillRect(desk.layout.body, desk.plan[Cell::Paper]);
-  drawTradePage(image, at_,
+  paint.fillRect(desk.layout.body, desk.plan[Cell::Paper]);
+  drawTradePage(paint, at_,
                 {.trade = known_.trade,
                  .doing = known_.doing,
                  .failure = known_.failure,
@@ -317,7 +318,7 @@ void TradeBench::draw(IndexImage& image, const Desk& desk) {
   list_.forgetPlaces();
   const Controls all = controls();
   (void)list_.placeColumn(all, at_.controls.x, at_.controls.y + 15);
-  Pen pen{Painter{image}, desk.plan};
+  Pen pen{paint, desk.plan};
   list_.draw(pen, all);
   colors_ = {desk.palette, std::nullopt};
   use_ = {};

@@ -16,8 +16,8 @@ constexpr int kRow = 22, kLine = 17;
 /// Draws a page.
 class TradeDrawing {
  public:
-  TradeDrawing(IndexImage& image, const TradeLayout& at, const TradePage& page, const CellPlan& plan)
-      : pen_{Painter{image}, plan}, at_{at}, page_{page} {}
+  TradeDrawing(Painter paint, const TradeLayout& at, const TradePage& page, const CellPlan& plan)
+      : pen_{paint, plan}, at_{at}, page_{page} {}
 
   void drawChart() {
     const int x = at_.chart.x - 48, y = at_.chart.y - 36;
@@ -185,8 +185,8 @@ std::vector<Rect> framesOfWorst(const TradeLayout& at, const Rect& measured, con
   return frames;
 }
 
-void drawTradePage(IndexImage& image, const TradeLayout& at, const TradePage& page, const CellPlan& plan) {
-  TradeDrawing drawing{image, at, page, plan};
+void drawTradePage(Painter paint, const TradeLayout& at, const TradePage& page, const CellPlan& plan) {
+  TradeDrawing drawing{paint, at, page, plan};
   drawing.drawChart();
   drawing.drawColumn();
 }

@@ -13,7 +13,7 @@ namespace xnewell {
 /// What does accuracy cost on this scene, and which is enough? At the left the chart, at the right what is
 /// chosen, why, and the limit.
 
-/// The places of the page's parts, in pixels.
+/// The places of the page's parts, in units.
 struct TradeLayout {
   bool compact = false;
   Rect chart;     ///< the area of the marks
@@ -52,11 +52,11 @@ struct TradePage {
   std::vector<Rect> places = {};        ///< the worst places in the picture, the worst first
   int place = 0;                        ///< the place whose numbers are shown
 };
-/// The frames around the worst places of a combination, in pixels of the window, the worst first. `measured`
+/// The frames around the worst places of a combination, in units, the worst first. `measured`
 /// has the size of the pictures that are measured.
 [[nodiscard]] std::vector<Rect> framesOfWorst(const TradeLayout& at, const Rect& measured,
                                               const Measured& one);
 /// Draws on a background of paper.
-void drawTradePage(IndexImage& image, const TradeLayout& at, const TradePage& page, const CellPlan& plan);
+void drawTradePage(Painter paint, const TradeLayout& at, const TradePage& page, const CellPlan& plan);
 
 }  // namespace xnewell

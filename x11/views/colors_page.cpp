@@ -29,12 +29,8 @@ Control kindLine(TableKind chosen) {
 /// Draws the parts of the page, one function each.
 class ColorsDrawing {
  public:
-  ColorsDrawing(IndexImage& image, const ColorsLayout& at, const ColorsPage& page)
-      : image_{image},
-        pen_{Painter{image}, page.plan},
-        at_{at},
-        page_{page},
-        scene_{sceneCells(page.picture)} {}
+  ColorsDrawing(Painter paint, const ColorsLayout& at, const ColorsPage& page)
+      : pen_{paint, page.plan}, at_{at}, page_{page}, scene_{sceneCells(page.picture)} {}
 
   void drawGrid();
   void drawFacts();
@@ -59,14 +55,13 @@ class ColorsDrawing {
   [[nodiscard]] static Rect roomOf(int x, int baseline, std::string_view text) {
     return {x - 2, baseline - 11, textWidth(text) + 4, 14};
   }
-  /// How many pixels of curves the area covers. Pixels of the chosen curve count more than all others.
+  /// How many units of curves the area covers. Those of the chosen curve count more than all others.
   [[nodiscard]] int hidden(const Rect& room) const;
   /// Draws words beside a point of the plot's curve, or beside the line from there down: at the nearest place
   /// where they hide nothing. If there is no such place, where they hide least.
   void remark(int x, int y, std::string_view text);
   void outline(const CellRange& cells);
 
-  const IndexImage& image_;
   Pen pen_;
   const ColorsLayout& at_;
   const ColorsPage& page_;
@@ -137,7 +132,7 @@ int ColorsDrawing::hidden(const Rect& room) const {
   int sum = 0;
   for (int y = room.y; y < room.y + room.height; ++y)
     for (int x = room.x; x < room.x + room.width; ++x) {
-      const std::uint8_t cell = image_.row(y)[x];
+      const std::uint8_t cell = pen_.paint.cellAt(x, y);
       if (cell != pen_(Cell::Paper) && cell != pen_(Cell::Panel))
         sum += cell == pen_(Cell::Ink) ? kChosen : 1;
     }
@@ -334,9 +329,9 @@ std::string levelsText(const Picture& picture, const std::vector<Curve>& curves)
          std::to_string(eight) + " at 8" + told + " steps";
 }
 
-void drawColorsPage(IndexImage& image, const ColorsLayout& at, const ColorsPage& page) {
-  Painter{image}.within(at.picture).place(page.picture.image(), at.picture.x, at.picture.y);
-  ColorsDrawing draws{image, at, page};
+void drawColorsPage(Painter paint, const ColorsLayout& at, const ColorsPage& page) {
+  paint.within(at.picture).place(page.picture.image(), at.picture.x, at.picture.y);
+  ColorsDrawing draws{paint, at, page};
   draws.drawGrid();
   draws.drawFacts();
   draws.drawStored();

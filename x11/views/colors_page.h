@@ -16,7 +16,7 @@ namespace xnewell {
 /// cells as a grid, one of them in numbers, the stored values and the step to the next shade as curves, and
 /// the picture itself.
 
-/// The places of the page's parts, in pixels. The plots take the space that is free, the picture its share of
+/// The places of the page's parts, in units. The plots take the space that is free, the picture its share of
 /// it.
 struct ColorsLayout {
   bool compact = false;
@@ -53,7 +53,7 @@ struct ColorsPage {
 [[nodiscard]] std::vector<Curve> stepsSeen(const Picture& picture, const Palette& plain, const CellPlan& plan,
                                            PaletteEffects effects);
 
-void drawColorsPage(IndexImage& image, const ColorsLayout& at, const ColorsPage& page);
+void drawColorsPage(Painter paint, const ColorsLayout& at, const ColorsPage& page);
 
 /// The plot of the stored values, for the code that lets the user drag its curve.
 [[nodiscard]] Plot storedPlot(const Picture& picture, const Palette& palette);

@@ -81,11 +81,13 @@ std::vector<Rect> spotsOf(const std::vector<SampleCheck>& verdicts, int width) {
 void ringSpots(Painter painter, int x, int y, const std::vector<SampleCheck>& verdicts, int width,
                const CellPlan& plan) {
   constexpr int kGap = 6;  // between a spot and its ring
+  const int unit = painter.unit();
+  painter = painter.pixels();
   const int most = static_cast<int>(verdicts.size()) / width / 4;
   for (const Rect& spot : spotsOf(verdicts, width)) {
     if (std::max(spot.width, spot.height) > most) continue;
-    const int i = x + spot.x + spot.width / 2, j = y + spot.y + spot.height / 2,
-              radius = kGap + static_cast<int>(std::ceil(std::hypot(spot.width, spot.height) / 2));
+    const int i = x * unit + spot.x + spot.width / 2, j = y * unit + spot.y + spot.height / 2,
+              radius = kGap + static_cast<int>(std::ceil(std::hypot(spot.width, spot.height) / 2 / unit));
     painter.ring(i, j, radius, plan[Cell::White]);
     painter.ring(i, j, radius + 1, plan[Cell::White]);
     painter.ring(i, j, radius + 2, plan[Cell::Black]);

@@ -7,6 +7,7 @@
 
 #include "x11/drawing/sheet.h"
 #include "x11/drawing/wording.h"
+#include "x11/views/plot.h"
 
 namespace xnewell {
 
@@ -70,12 +71,13 @@ double scaleOf(const std::vector<double>& slopes) {
 class MachBands {
  public:
   MachBands(const ViewSettings& settings, const BandsPlaces& at, const Scanline& line,
-            std::optional<int> firstRow)
+            const MachBandsShown& shown)
       : chosen_{settings.picture.shading},
         at_{at},
         line_{line},
-        firstRow_{firstRow},
-        sheet_{settings.picture.width, settings.picture.height, settings.cells} {
+        firstRow_{shown.firstRow},
+        unit_{shown.unit},
+        sheet_{settings.picture.width, settings.picture.height, settings.cells, unit_} {
     for (const Profile& p : line.profiles)
       if (p.method != Shading::Flat) smoothScale_ = std::max(smoothScale_, scaleOf(p.slope));
   }
@@ -83,9 +85,9 @@ class MachBands {
   void drawPicture(const IndexImage& image) {
     const int first = firstRow();
     const Rect& p = at_.picture;
-    sheet_.painter().place(image, {0, first, p.width, p.height}, p.x, p.y);
     Painter inside = sheet_.painter().within(p);
-    const int y = p.y + line_.row - first;
+    inside.place(image, {0, first, image.width, p.height * unit_}, p.x, p.y);
+    const int y = p.y + (line_.row - first) / unit_;
     inside.hline(p.x, y - 1, p.width, sheet_.cell(Cell::Black));
     inside.hline(p.x, y, p.width, sheet_.cell(Cell::White));
     inside.hline(p.x, y + 1, p.width, sheet_.cell(Cell::Black));
@@ -115,8 +117,8 @@ class MachBands {
 
   /// The first row of the picture that is shown.
   [[nodiscard]] int firstRow() const {
-    const int first = firstRow_.value_or(line_.row - at_.picture.height / 2);
-    return std::clamp(first, 0, at_.pictureHeight - at_.picture.height);
+    const int first = firstRow_.value_or(line_.row - at_.picture.height * unit_ / 2);
+    return std::clamp(first, 0, (at_.pictureHeight - at_.picture.height) * unit_);
   }
 
  private:
@@ -133,6 +135,7 @@ class MachBands {
   const BandsPlaces& at_;
   const Scanline& line_;
   std::optional<int> firstRow_;
+  int unit_;
   Sheet sheet_;
   double smoothScale_ = kLeastScale;  ///< scale of slopes, the same for all methods except flat shading
 };
@@ -144,8 +147,7 @@ void MachBands::drawBlock(const Profile& profile, int y) {
   painter.text(x, y + Sheet::kAscent, method.label, sheet_.cell(Cell::Ink), Voice::Bold);
   painter.text(x + 60, y + Sheet::kAscent, behaviour(profile.method), sheet_.cell(Cell::Soft));
   y += Sheet::kLine;
-  for (int j = 0; j < at_.strip; ++j)
-    for (int i = 0; i < at_.picture.width; ++i) painter.point(x + i, y + j, profile.cells[i]);
+  drawStrip(painter, {x, y, at_.picture.width, at_.strip}, profile.cells);
   y += at_.strip + kBetweenParts;
   drawIntensity(profile, y);
   drawSlope(profile, y + at_.intensity + kBetweenParts);
@@ -159,23 +161,24 @@ void MachBands::axes(const Rect& plot) {
 }
 
 void MachBands::drawIntensity(const Profile& profile, int y) {
-  Painter painter = sheet_.painter();
+  Painter painter = sheet_.painter(), fine = painter.pixels();
   const Rect plot{at_.picture.x, y, at_.picture.width, at_.intensity};
-  const auto height = [&](double I) {
-    return plot.y + static_cast<int>(std::lround((1.0 - I) * (plot.height - 1)));
+  const auto height = [&](double I, int unit) {
+    return plot.y * unit + static_cast<int>(std::lround((1.0 - I) * (plot.height - 1) * unit));
   };
   for (const double I : {0.25, 0.5, 0.75, 1.0})
-    painter.hline(plot.x, height(I), plot.width, sheet_.cell(Cell::Panel));
+    painter.hline(plot.x, height(I, 1), plot.width, sheet_.cell(Cell::Panel));
   axes(plot);
   painter.text(Sheet::kMargin, y + Sheet::kAscent, "intensity", sheet_.cell(Cell::Soft));
   painter.textRight(plot.x - 5, y + Sheet::kAscent - 1, "1", sheet_.cell(Cell::Soft));
   painter.textRight(plot.x - 5, y + plot.height, "0", sheet_.cell(Cell::Soft));
 
-  for (int i = 0; i < plot.width; ++i) {
+  const int first = plot.x * unit_, samples = plot.width * unit_;
+  for (int i = 0; i < samples; ++i) {
     if (std::isnan(profile.I[i])) continue;
-    const bool joins = i + 1 < plot.width && !std::isnan(profile.slope[i]);
-    painter.line(plot.x + i, height(profile.I[i]), plot.x + i + joins, height(profile.I[i + joins]),
-                 sheet_.cell(Cell::Ink), {thickness(profile)});
+    const bool joins = i + 1 < samples && !std::isnan(profile.slope[i]);
+    fine.line(first + i, height(profile.I[i], unit_), first + i + joins, height(profile.I[i + joins], unit_),
+              sheet_.cell(Cell::Ink), {thickness(profile)});
   }
 }
 
@@ -188,11 +191,12 @@ void MachBands::drawSlope(const Profile& profile, int y) {
   painter.hline(plot.x - 1, middle, plot.width + 1, sheet_.cell(Cell::Rule));
   painter.text(Sheet::kMargin, y + Sheet::kAscent - 1, "derivative", sheet_.cell(Cell::Soft));
   painter.textRight(plot.x - 5, y + Sheet::kAscent + 12, "to " + fixed(scale, 4), sheet_.cell(Cell::Soft));
-  for (int i = 0; i + 1 < plot.width; ++i) {
+  Painter fine = painter.pixels();
+  for (int i = 0; i + 1 < plot.width * unit_; ++i) {
     if (std::isnan(profile.slope[i])) continue;
     const double share = std::clamp(profile.slope[i] / scale, -1.0, 1.0);
-    const int bar = static_cast<int>(std::lround(share * reach));
-    painter.vline(plot.x + i, bar > 0 ? middle - bar : middle, std::abs(bar) + 1,
+    const int bar = static_cast<int>(std::lround(share * reach * unit_));
+    fine.fillRect({plot.x * unit_ + i, middle * unit_ - std::max(0, bar), 1, std::abs(bar) + unit_},
                   sheet_.cell(chosen(profile) ? Cell::Ink : Cell::Soft));
   }
 }
@@ -302,7 +306,7 @@ MachBandsPage drawMachBandsPage(const Picture& picture, const MachBandsShown& sh
                                 const ViewSettings& settings) {
   const BandsPlaces at{settings.picture.width, settings.picture.height};
   const Scanline line = scanlineOf(picture, shown.row, settings.cells[Cell::Well]);
-  MachBands view{settings, at, line, shown.firstRow};
+  MachBands view{settings, at, line, shown};
   view.drawPicture(picture.image());
   view.drawBlocks();
   const Rect place = view.drawFindings(settings.picture.height >= 600, shown.grayed, shown.controls);

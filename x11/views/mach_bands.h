@@ -35,9 +35,11 @@ struct MachBandsShown {
   std::optional<int> firstRow =
       {};  ///< the first row to show, as far as the picture reaches; without it the scanline is in the middle
   bool grayed = false;  ///< the colours had to become one hue
-  int controls = 0;     ///< pixels left for controls; 0: words tell their values instead
+  int controls = 0;     ///< height left for controls; 0: words tell their values instead
+  int unit = 1;         ///< the image has so many pixels for each unit, each way
 };
-/// `picture` is painted, of the layout's size and by a plan of ramps.
+/// The size in the settings is in units. `picture` is painted, of all pixels of the layout's, by a plan of
+/// ramps.
 [[nodiscard]] MachBandsPage drawMachBandsPage(const Picture& picture, const MachBandsShown& shown,
                                               const ViewSettings& settings);
 

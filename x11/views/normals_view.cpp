@@ -14,7 +14,7 @@ namespace xnewell {
 namespace {
 
 constexpr int kBall = 72;     // diameter of the ball
-constexpr int kNeedles = 24;  // pixels from needle to needle
+constexpr int kNeedles = 24;  // units from needle to needle
 constexpr double kNeedle = 14.0;
 
 /// To 8 bits, the nearest.
@@ -43,10 +43,10 @@ struct SeenNormals {
 
 /// The rows below the picture, `below` of them, stay black and show nothing. A large picture is worked on in
 /// bands of rows, because a normal takes eight times as much memory as its colour.
-SeenNormals seenNormals(const Picture& picture, int below = 0) {
+SeenNormals seenNormals(const Picture& picture, int below = 0, int unit = 1) {
   constexpr int kMostSamples = 1 << 21;  // of a band
   const int width = picture.settings().width, height = picture.settings().height;
-  const int rows = std::max(1, kMostSamples / width);
+  const int rows = std::max(1, kMostSamples / width), pitch = kNeedles * unit;
   const glm::dmat3 rotation = vrcRotation(picture.camera().view);
   SeenNormals seen{.colors = {width, height + below},
                    .shows = std::vector<std::uint8_t>(std::size_t(width) * (height + below), 0),
@@ -59,7 +59,7 @@ SeenNormals seenNormals(const Picture& picture, int below = 0) {
       const bool shows = n != glm::dvec3{0.0};
       if (shows) seen.shows[first + k] = 1, setColor(&seen.colors.rgb[3 * (first + k)], n);
       const int i = static_cast<int>(k % width), j = row + static_cast<int>(k / width);
-      if (i % kNeedles == kNeedles / 2 && j % kNeedles == kNeedles / 2) seen.needles.push_back(n);
+      if (i % pitch == pitch / 2 && j % pitch == pitch / 2) seen.needles.push_back(n);
     }
   }
   return seen;
@@ -69,12 +69,15 @@ SeenNormals seenNormals(const Picture& picture, int below = 0) {
 /// viewer.
 void drawNeedles(Painter painter, const SeenNormals& seen, const Rect& at, std::uint8_t cell) {
   auto n = seen.needles.begin();
-  for (int j = kNeedles / 2; j < at.height; j += kNeedles)
-    for (int i = kNeedles / 2; i < at.width; i += kNeedles, ++n) {
+  const double length = kNeedle * painter.unit();
+  const int pitch = kNeedles * painter.unit();
+  painter = painter.pixels();
+  for (int j = pitch / 2; j < at.height; j += pitch)
+    for (int i = pitch / 2; i < at.width; i += pitch, ++n) {
       if (*n == glm::dvec3{0.0}) continue;
       const int x = at.x + i, y = at.y + j;
-      painter.line(x, y, x + static_cast<int>(std::lround(kNeedle * n->x)),
-                   y - static_cast<int>(std::lround(kNeedle * n->y)), cell);
+      painter.line(x, y, x + static_cast<int>(std::lround(length * n->x)),
+                   y - static_cast<int>(std::lround(length * n->y)), cell);
       painter.disc(x, y, 1, cell);
     }
 }
@@ -115,9 +118,9 @@ NormalsPlaces placesOf(const ViewSettings& settings) {
 
 RgbImage normalColors(const Picture& picture) { return seenNormals(picture).colors; }
 
-ColoredImage normalsImage(const Picture& picture, const CellPlan& plan, const Palette& palette) {
+ColoredImage normalsImage(const Picture& picture, const CellPlan& plan, const Palette& palette, int unit) {
   const PictureSettings& settings = picture.settings();
-  const SeenNormals seen = seenNormals(picture);
+  const SeenNormals seen = seenNormals(picture, 0, unit);
   const int first = kTables[static_cast<int>(settings.table.kind)].first;
   ColoredImage normals{{settings.width, settings.height, plan[Cell::Well]}, palette};
   const std::vector<Rgb16> chosen =
@@ -126,7 +129,7 @@ ColoredImage normalsImage(const Picture& picture, const CellPlan& plan, const Pa
                 .dither = true,
                 .first = first},
                normals.image);
-  drawNeedles(Painter{normals.image}, seen, {0, 0, settings.width, settings.height}, plan[Cell::Black]);
+  drawNeedles({normals.image, unit}, seen, {0, 0, settings.width, settings.height}, plan[Cell::Black]);
   std::ranges::copy(chosen, normals.palette.begin() + first);
   return normals;
 }

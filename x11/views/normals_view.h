@@ -14,7 +14,8 @@ namespace xnewell {
 
 /// The normals as an image of the picture's size, with needles, on the plan's dark background. The image has
 /// colours of its own in the scene's cells; the rest of its palette is `palette`.
-[[nodiscard]] ColoredImage normalsImage(const Picture& picture, const CellPlan& plan, const Palette& palette);
+[[nodiscard]] ColoredImage normalsImage(const Picture& picture, const CellPlan& plan, const Palette& palette,
+                                        int unit = 1);
 
 /// The picture of normals, a ball that explains its colours, and what they mean in words.
 [[nodiscard]] ColoredImage drawNormals(const Picture& picture, const ViewSettings& settings);

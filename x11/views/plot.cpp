@@ -138,4 +138,11 @@ void drawPlot(Painter paint, const CellPlan& plan, const Rect& area, const Plot&
   drawEndLabels(paint, plan, area, labels);
 }
 
+void drawStrip(Painter paint, const Rect& area, const std::vector<std::uint8_t>& cells) {
+  const Rect all = area * paint.unit();
+  Painter fine = paint.pixels();
+  for (int i = 0; i < static_cast<int>(cells.size()); ++i)
+    fine.fillRect({all.x + i, all.y, 1, all.height}, cells[i]);
+}
+
 }  // namespace xnewell

@@ -16,7 +16,7 @@ constexpr int kLegend = 8;  // pixels from the upper left corner
 }  // namespace
 
 ShownPicture shownAs(Show show, const Picture& picture, const Palette& palette, const CellPlan& plan,
-                     LastTruth& truth) {
+                     LastTruth& truth, int unit) {
   switch (show) {
     case Show::Shaded:
       break;
@@ -25,7 +25,7 @@ ShownPicture shownAs(Show show, const Picture& picture, const Palette& palette, 
       return {wires.image, palette, findingOf(wires, picture).bold};
     }
     case Show::Normals: {
-      const ColoredImage normals = normalsImage(picture, plan, palette);
+      const ColoredImage normals = normalsImage(picture, plan, palette, unit);
       return {normals.image, normals.palette, ""};
     }
     case Show::Overdraw: {
@@ -33,14 +33,14 @@ ShownPicture shownAs(Show show, const Picture& picture, const Palette& palette, 
       ShownPicture shown{overdrawImage(overdraw, plan), palette, findingOf(overdraw, picture).bold};
       std::vector<LegendStep> steps;
       for (const OverdrawStep& step : kOverdrawSteps) steps.push_back({step.cell, step.label});
-      drawStepLegend(Painter{shown.image}, plan, kLegend, kLegend, steps, "");
+      drawStepLegend({shown.image, unit}, plan, kLegend, kLegend, steps, "");
       return shown;
     }
     case Show::Difference: {
       const Compared compared = comparedWithReference(picture, truth.of(picture));
       ShownPicture shown{differenceImage(compared.difference, plan), palette,
                          findingOf(compared.difference).bold};
-      drawStepLegend(Painter{shown.image}, plan, kLegend, kLegend, kDoublingSteps,
+      drawStepLegend({shown.image, unit}, plan, kLegend, kLegend, kDoublingSteps,
                      kMeasures[static_cast<int>(compared.difference.measure)].times);
       return shown;
     }
@@ -48,8 +48,8 @@ ShownPicture shownAs(Show show, const Picture& picture, const Palette& palette, 
       const std::vector<SampleCheck> verdicts = checkedSamples(picture);
       ShownPicture shown{verdictImage(verdicts, picture.settings().width, plan), palette,
                          findingOf(exactnessOf(verdicts), picture.settings().order).bold};
-      ringSpots(Painter{shown.image}, 0, 0, verdicts, picture.settings().width, plan);
-      drawStepLegend(Painter{shown.image}, plan, kLegend, kLegend, kVerdictSteps, "");
+      ringSpots({shown.image, unit}, 0, 0, verdicts, picture.settings().width, plan);
+      drawStepLegend({shown.image, unit}, plan, kLegend, kLegend, kVerdictSteps, "");
       return shown;
     }
   }

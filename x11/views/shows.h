@@ -37,8 +37,8 @@ struct ShownPicture {
 };
 
 /// `picture` is painted; `palette` has its colours. Show::Difference needs the truth, which takes long to
-/// make; it is kept in `truth`.
+/// make; it is kept in `truth`. Marks and legends are drawn in units of so many pixels.
 [[nodiscard]] ShownPicture shownAs(Show show, const Picture& picture, const Palette& palette,
-                                   const CellPlan& plan, LastTruth& truth);
+                                   const CellPlan& plan, LastTruth& truth, int unit = 1);
 
 }  // namespace xnewell

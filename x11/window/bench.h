@@ -62,7 +62,7 @@ class Bench {
   /// Where the controls were drawn last, and which one is selected.
   [[nodiscard]] const ControlList& list() const { return list_; }
   virtual void release(char) {}
-  /// The pointer, in pixels of the window. hover(): it moved with no button pressed. grab(): the button was
+  /// The pointer, in units of the window. hover(): it moved with no button pressed. grab(): the button was
   /// pressed; returns true if this begins a drag. dragTo(): it moved during the drag. drop(): the drag ended.
   virtual void hover(int x, int y) { list_.hover(controls(), x, y); }
   [[nodiscard]] virtual bool grab(int x, int y) { return list_.grab(controls(), x, y) && list_.dragging(); }
@@ -76,8 +76,8 @@ class Bench {
   [[nodiscard]] virtual bool moving() const { return false; }
   virtual void tick() {}
 
-  /// The place of the scene's picture. The workbench makes the picture in this size; the view decides what to
-  /// draw there.
+  /// The place of the scene's picture, in units. The workbench makes the picture of all pixels there; the
+  /// view decides what to draw.
   [[nodiscard]] virtual Rect picture(const Layout& at) const = 0;
   /// True if Desk::picture must be painted. If false, the picture is never made with coarser settings.
   [[nodiscard]] virtual bool wantsImage() const { return true; }
@@ -87,9 +87,9 @@ class Bench {
   [[nodiscard]] virtual PaletteEffects stored(const Setup&) const { return {}; }
   /// True if the body must be drawn again for a reason other than a change of the setup.
   [[nodiscard]] virtual bool late(const Setup&) const { return list_.late(); }
-  /// Draws the body and the picture. The body is layout.body and the margins around it; `image` is filled
-  /// with paper there.
-  virtual void draw(IndexImage& image, const Desk& desk) = 0;
+  /// Draws the body and the picture. The body is layout.body and the margins around it; it is filled with
+  /// paper.
+  virtual void draw(Painter paint, const Desk& desk) = 0;
 
   // The functions below describe the last drawing.
 

@@ -183,7 +183,7 @@ ColorsBench::Told ColorsBench::told(const Setup& setup) const {
   return told;
 }
 
-void ColorsBench::draw(IndexImage& image, const Desk& desk) {
+void ColorsBench::draw(Painter paint, const Desk& desk) {
   at_ = layoutOfColors(desk.layout.body);
   strip_ = desk.layout.strip;
   scene_ = sceneCells(desk.picture);
@@ -195,7 +195,7 @@ void ColorsBench::draw(IndexImage& image, const Desk& desk) {
   brightest_ = std::max({last.r, last.g, last.b}) / 65535.0 * 255.0;
   const Palette palette = withEffects(desk.palette, desk.picture, desk.plan, drawn_->effects);
   const std::vector<Curve> steps = stepsSeen(desk.picture, desk.palette, desk.plan, drawn_->effects);
-  drawColorsPage(image, at_,
+  drawColorsPage(paint, at_,
                  {.picture = desk.picture,
                   .palette = palette,
                   .steps = steps,
@@ -212,7 +212,7 @@ void ColorsBench::draw(IndexImage& image, const Desk& desk) {
   const Controls all = controls();
   const RowStyle style = tableStyle(at_, true);
   int line = firstTableLine(at_);
-  Pen pen{Painter{image}, desk.plan};
+  Pen pen{paint, desk.plan};
   list_.forgetPlaces();
   for (const Control& control : all) {
     if (control.label.empty()) continue;

@@ -34,7 +34,7 @@ class ColorsBench : public Bench {
   [[nodiscard]] PaletteEffects stored(const Setup& setup) const override;
   /// True if the cells, the colours or the controls have changed since the page was drawn.
   [[nodiscard]] bool late(const Setup& setup) const override { return told(setup) != drawn_ || list_.late(); }
-  void draw(IndexImage& image, const Desk& desk) override;
+  void draw(Painter paint, const Desk& desk) override;
   [[nodiscard]] std::string status() const override { return levels_; }
   [[nodiscard]] bool countsPolygons() const override { return true; }
   [[nodiscard]] std::optional<int> inspected() const override { return cell(); }

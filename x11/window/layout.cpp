@@ -1,16 +1,20 @@
 #include "x11/window/layout.h"
 
+#include "x11/options/options.h"
+
 namespace xnewell {
 
 namespace {
 constexpr int kStatusHeight = 44, kStripHeight = 60, kViewsHeight = 32;
 }
 
-Layout layoutOf(int width, int height) {
+Layout layoutOf(int wide, int high, int unit) {
+  const int width = (wide + unit - 1) / unit, height = (high + unit - 1) / unit;
   Layout at;
   at.width = width;
   at.height = height;
-  at.roomy = width >= 800 && height >= 600;
+  at.unit = unit;
+  at.roomy = width >= kLeastWindow.x && height >= kLeastWindow.y;
   at.compact = width < 1024 || height < 768;
   if (!at.roomy) {
     at.picture = {0, 0, width, height};

@@ -4,16 +4,19 @@
 
 namespace xnewell {
 
-inline constexpr int kMargin = 16, kControls = 320;  ///< pixels
+inline constexpr int kMargin = 16, kControls = 320;
 
-/// The places of the window's parts, in pixels. Below 800 x 600 there is no room for the controls: `roomy` is
-/// false.
+/// The places of the window's parts, in units of the scale: a unit is `unit` x `unit` pixels. The whole
+/// window is laid out in units, and Painter makes pixels of them; only pictures are made of pixels. `roomy`
+/// is false if there is no room for the controls.
 struct Layout {
-  int width = 0, height = 0;
+  int width = 0, height = 0;  ///< the last unit may reach beyond the window
+  int unit = 1;
   bool roomy = false, compact = false;
   Rect views, picture, controls, strip, status;
   Rect body;  ///< between the tabs and the strip, for a view without controls
 };
-[[nodiscard]] Layout layoutOf(int width, int height);
+/// The layout of a window of so many pixels.
+[[nodiscard]] Layout layoutOf(int width, int height, int unit = 1);
 
 }  // namespace xnewell

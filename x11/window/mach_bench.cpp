@@ -67,7 +67,8 @@ Controls MachBench::controls() {
   // The picture: a drag takes the scanline along.
   all.push_back({.kind = Control::Kind::Own, .drag = [this](int, int y, int, int) {
                    list_.setFocus(ControlId{'y'});
-                   moveTo(std::clamp(y - picture_.y, 0, picture_.height - 1) + firstRow_.value_or(0));
+                   const int row = std::clamp(y - picture_.y, 0, picture_.height - 1);
+                   moveTo(row * unit_ + unit_ / 2 + firstRow_.value_or(0));
                  }});
   return all;
 }
@@ -90,9 +91,10 @@ KeyTable MachBench::ownKeys() {
   return table;
 }
 
-void MachBench::draw(IndexImage& image, const Desk& desk) {
+void MachBench::draw(Painter paint, const Desk& desk) {
   const Layout& at = desk.layout;
   const int top = sheetTop(at);
+  unit_ = at.unit;
   // If the window's size changes, the scanline stays at the same place in the scene.
   if (row_ && height_ != desk.picture.settings().height) {
     row_ = (2 * *row_ + 1) * desk.picture.settings().height / (2 * height_);
@@ -109,18 +111,19 @@ void MachBench::draw(IndexImage& image, const Desk& desk) {
   picture_ = layoutOfMachBands(at.width, sheetHeight(at)).picture;
   picture_.y += top;
   // The part of the picture that is shown moves only if the scanline leaves it.
-  if (firstRow_ && (*row_ < *firstRow_ || *row_ >= *firstRow_ + picture_.height)) firstRow_.reset();
+  if (firstRow_ && (*row_ < *firstRow_ || *row_ >= *firstRow_ + picture_.height * unit_)) firstRow_.reset();
   const MachBandsPage page = drawMachBandsPage(
-      desk.picture, {.row = *row_, .firstRow = firstRow_, .grayed = grayed, .controls = kRows * kRow + 4},
+      desk.picture,
+      {.row = *row_, .firstRow = firstRow_, .grayed = grayed, .controls = kRows * kRow + 4, .unit = unit_},
       settings);
-  Painter{image}.within({0, top, at.width, at.strip.y - top}).place(page.image, 0, top);
+  paint.within({0, top, at.width, at.strip.y - top}).place(page.image, 0, top);
   firstRow_ = page.firstRow;
   const Controls all = controls();
   int y = page.controls.y + top + 15;
   list_.forgetPlaces();
   for (const char key : {'S', 'y', 'k'}) y = list_.placeRow(all, key, page.controls.x, y);
   list_.place({}, {.area = picture_, .grip = picture_, .bare = true});
-  Pen pen{Painter{image}, desk.plan};
+  Pen pen{paint, desk.plan};
   list_.draw(pen, all);
   drawnRow_ = row_;
   const Shading method = desk.setup.picture.shading;

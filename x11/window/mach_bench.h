@@ -22,7 +22,7 @@ class MachBench : public Bench {
   [[nodiscard]] Rect picture(const Layout& at) const override;
   [[nodiscard]] Setup painted(const Setup& setup) const override;
   [[nodiscard]] bool late(const Setup&) const override { return row_ != drawnRow_ || list_.late(); }
-  void draw(IndexImage& image, const Desk& desk) override;
+  void draw(Painter paint, const Desk& desk) override;
   [[nodiscard]] std::string status() const override { return status_; }
 
  private:
@@ -30,6 +30,7 @@ class MachBench : public Bench {
   void moveTo(int row) { row_ = std::clamp(row, 0, height_ - 1); }
 
   std::function<Subject()> subject_;
+  int unit_ = 1;            ///< of the layout drawn last
   std::optional<int> row_;  ///< the scanline's row in the picture; none: the row that shows most
   // The state of the last drawing.
   Rect picture_{};

@@ -5,12 +5,16 @@
 #include "x11/drawing/font.h"
 #include "x11/drawing/pen.h"
 #include "x11/drawing/wording.h"
+#include "x11/options/options.h"
 
 namespace xnewell {
 
 namespace {
 
-constexpr std::string_view kNoRoom = "the controls need a window of 800 x 600";
+std::string noRoom(const Layout& at) {
+  const glm::ivec2 least = kLeastWindow * at.unit;
+  return "the controls need a window of " + std::to_string(least.x) + " x " + std::to_string(least.y);
+}
 
 struct Tab {
   WindowViewRow view;
@@ -169,14 +173,14 @@ std::optional<WindowView> tabAt(const Layout& at, int x, int y) {
   return std::nullopt;
 }
 
-Rect busyBox(int width, int height) {
+Rect busyBox(int width, int height, int unit) {
   constexpr int kWidth = 280, kHeight = 58;
-  return {(width - kWidth) / 2, (height - kHeight) / 2, kWidth, kHeight};
+  return Rect{(width / unit - kWidth) / 2, (height / unit - kHeight) / 2, kWidth, kHeight} * unit;
 }
 
-void drawBusyBox(IndexImage& image, const CellPlan& plan, int seconds, bool mayEnd) {
-  Pen pen{Painter{image}, plan};
-  const Rect box = busyBox(image.width, image.height);
+void drawBusyBox(IndexImage& image, int unit, const CellPlan& plan, int seconds, bool mayEnd) {
+  Pen pen{{image, unit}, plan};
+  const Rect box = busyBox(image.width / unit, image.height / unit, 1);
   pen.paint.fillRect(box, pen(Cell::Paper));
   pen.paint.frame(box, pen(Cell::Ink));
   pen.bold(box.x + 16, box.y + 25, "drawing: " + std::to_string(seconds) + " s so far");
@@ -186,21 +190,21 @@ void drawBusyBox(IndexImage& image, const CellPlan& plan, int seconds, bool mayE
 
 std::vector<Rect> drawnOverPicture(const Layout& at, const PanelState& state) {
   std::vector<Rect> parts;
-  if (!at.roomy) parts.push_back({8, 5, textWidth(kNoRoom), 13});
+  if (!at.roomy) parts.push_back({8, 5, textWidth(noRoom(at)), 13});
   if (const Rect box = helpBox(at, state.help); !state.help.empty())
     parts.push_back({box.x, box.y, box.width + kShadow, box.height + kShadow});
   return parts;
 }
 
-void drawPanel(IndexImage& image, const Layout& at, const PanelState& state, const CellPlan& plan) {
-  Pen pen{Painter{image}, plan};
+void drawPanel(Painter paint, const Layout& at, const PanelState& state, const CellPlan& plan) {
+  Pen pen{paint, plan};
   if (at.roomy) {
     drawTabs(pen, at, state);
     pen.rule(0, at.strip.y, at.width);
     drawColorStrip(pen.paint, at.strip, plan, state.use, state.words, at.compact, state.inspected);
     drawStatus(pen, at, state);
   } else {
-    pen.paint.text(8, 16, kNoRoom, plan[Cell::WellText]);
+    pen.paint.text(8, 16, noRoom(at), plan[Cell::WellText]);
   }
   if (!state.help.empty()) drawHelp(pen, at, state.help);
 }

@@ -40,17 +40,17 @@ struct PanelState {
 [[nodiscard]] std::optional<WindowView> tabAt(const Layout& layout, int x, int y);
 
 /// Draws the bands of a window that has room for them, and what lies over the view: the list of keys, or the
-/// note that the window is too small. `image` has the layout's size. The image does not depend on the table's
-/// hue or bits, so a new hue needs no redraw.
-void drawPanel(IndexImage& image, const Layout& layout, const PanelState& state, const CellPlan& plan);
+/// note that the window is too small. What it draws does not depend on the table's hue or bits, so a new hue
+/// needs no redraw.
+void drawPanel(Painter paint, const Layout& layout, const PanelState& state, const CellPlan& plan);
 
-/// A note over the middle of a window of any size while the program is busy drawing. busyBox() is its place,
-/// and drawBusyBox() draws it. mayEnd: q ends the program meanwhile.
-[[nodiscard]] Rect busyBox(int width, int height);
-void drawBusyBox(IndexImage& image, const CellPlan& plan, int seconds, bool mayEnd);
+/// A note over the middle of a window of any size while the program is busy drawing. busyBox() is its place
+/// in pixels, and drawBusyBox() draws it. mayEnd: q ends the program meanwhile.
+[[nodiscard]] Rect busyBox(int width, int height, int unit);
+void drawBusyBox(IndexImage& image, int unit, const CellPlan& plan, int seconds, bool mayEnd);
 
-/// The areas that drawPanel() draws over the picture. After painting the picture again, draw these parts of
-/// the image over it again.
+/// The areas that drawPanel() draws over the picture, in units. After painting the picture again, draw these
+/// parts of the image over it again.
 [[nodiscard]] std::vector<Rect> drawnOverPicture(const Layout& layout, const PanelState& state);
 
 }  // namespace xnewell

@@ -120,24 +120,24 @@ KeyTable PictureBench::ownKeys() {
   return table;
 }
 
-void PictureBench::draw(IndexImage& image, const Desk& desk) {
+void PictureBench::draw(Painter paint, const Desk& desk) {
   at_ = desk.layout;
   const Show show = at_.roomy ? desk.setup.show : Show::Shaded;
   if (desk.fresh || show != shownAs_) {
-    shown_ = xnewell::shownAs(show, desk.picture, desk.palette, desk.plan, truth_);
+    shown_ = xnewell::shownAs(show, desk.picture, desk.palette, desk.plan, truth_, at_.unit);
     shownAs_ = show;
   }
   use_ = cellUse(shown_.image);
   colors_ = {shown_.palette, {}};
   if (show == Show::Normals && desk.picture.colors().plan() != ColorPlan::Cube)
     colors_.words = wordsOfNormals(use_, desk.picture.colors().table().first());
-  Painter{image}.place(shown_.image, at_.picture.x, at_.picture.y);
+  paint.place(shown_.image, at_.picture.x, at_.picture.y);
   counts_ = countsOf(desk.picture);
-  drawColumn(image, desk);
-  if (at_.roomy) drawCaption(image, desk);
+  drawColumn(paint, desk);
+  if (at_.roomy) drawCaption(paint, desk);
 }
 
-void PictureBench::drawColumn(IndexImage& image, const Desk& desk) {
+void PictureBench::drawColumn(Painter paint, const Desk& desk) {
   const Controls all = controls();
   const Control* const pointed = list_.hovered(all) ? list_.hovered(all) : list_.focused(all);
   aside_ = fixed(desk.picture.times().total(), 1) + " ms";
@@ -145,7 +145,7 @@ void PictureBench::drawColumn(IndexImage& image, const Desk& desk) {
     aside_ += "   " + (pointed->kind == Control::Kind::Slider ? pointed->label + ": " : "") + pointed->is;
   list_.forgetPlaces();
   list_.place({'t'}, {.area = at_.picture, .grip = at_.picture, .bare = true, .passive = true});
-  Pen pen{Painter{image}, desk.plan};
+  Pen pen{paint, desk.plan};
   if (!at_.roomy) return list_.draw(pen, all);
 
   const Subject subject = subject_();
@@ -166,8 +166,8 @@ void PictureBench::drawColumn(IndexImage& image, const Desk& desk) {
   list_.draw(pen, all);
 }
 
-void PictureBench::drawCaption(IndexImage& image, const Desk& desk) {
-  Pen pen{Painter{image}, desk.plan};
+void PictureBench::drawCaption(Painter paint, const Desk& desk) {
+  Pen pen{paint, desk.plan};
   const PictureSettings& p = desk.setup.picture;
   const int x = at_.picture.x;
   int y = at_.picture.y + at_.picture.height + (at_.compact ? 16 : 19);

@@ -21,7 +21,7 @@ class PictureBench : public Bench {
   [[nodiscard]] KeyTable ownKeys() override;
 
   [[nodiscard]] Rect picture(const Layout& at) const override { return at.picture; }
-  void draw(IndexImage& image, const Desk& desk) override;
+  void draw(Painter paint, const Desk& desk) override;
   /// The picture of normals has colours of its own.
   [[nodiscard]] const OwnColors* colors() const override {
     return shownAs_ == Show::Normals ? &colors_ : nullptr;
@@ -31,8 +31,8 @@ class PictureBench : public Bench {
   [[nodiscard]] std::string aside() const override { return aside_; }
 
  private:
-  void drawColumn(IndexImage& image, const Desk& desk);
-  void drawCaption(IndexImage& image, const Desk& desk);
+  void drawColumn(Painter paint, const Desk& desk);
+  void drawCaption(Painter paint, const Desk& desk);
 
   std::function<Subject()> subject_;
   // The state of the last drawing.

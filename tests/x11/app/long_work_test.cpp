@@ -49,7 +49,7 @@ class BoxWatch {
     std::vector<RgbImage> all;
     IndexImage window{1024, 768, plan[Cell::Paper]};
     for (int seconds = 1; seconds <= kSeconds; ++seconds) {
-      drawBusyBox(window, plan, seconds, mayEnd);
+      drawBusyBox(window, 1, plan, seconds, mayEnd);
       RgbImage& box = all.emplace_back(at_.width, at_.height);
       std::size_t k = 0;
       for (int j = at_.y; j < at_.y + at_.height; ++j)
@@ -61,7 +61,7 @@ class BoxWatch {
     return all;
   }
 
-  static inline const Rect at_ = busyBox(1024, 768);
+  static inline const Rect at_ = busyBox(1024, 768, 1);
   std::vector<RgbImage> boxes_;
 };
 

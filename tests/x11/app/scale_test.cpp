@@ -1,0 +1,153 @@
+#include <gtest/gtest.h>
+
+#include "tests/x11/support/ready_workbench.h"
+#include "x11/lessons/lesson_list.h"
+#include "x11/sides/sides_page.h"
+
+namespace xnewell {
+
+// One scale: letters, lines and controls grow by a whole factor, and pictures keep their own pixels.
+
+namespace {
+
+constexpr int kWidth = 800, kHeight = 600;  // the least window
+
+/// A window that shows a view at a scale. In units it has the same size at all scales.
+struct Scaled : ReadyWorkbench {
+  Scaled(int unit, WindowView view, const char* lesson = "five-tests", int wider = 0)
+      : ReadyWorkbench{{}, 1, 1, "cycle"} {
+    scale(unit);
+    resize(unit * kWidth + wider, unit * kHeight + wider);
+    if (view == WindowView::Lesson)
+      teach(readLesson(std::string{XNEWELL_DATA_DIR} + "/lessons/" + lesson + ".json"));
+    switchTo(view);
+    finish();
+  }
+  void click(int x, int y) {
+    if (grab(x, y)) settle();
+    finish();
+  }
+};
+
+/// Where samples of pictures are, in units, and what lies exactly under them.
+std::vector<Rect> picturesOf(const Workbench& b) {
+  const Rect at = b.bench().picture(b.layout()), &body = b.layout().body;
+  if (b.view() == WindowView::MachBands) return {{at.x, body.y, at.width, body.height}};
+  if (b.view() != WindowView::SideBySide) return {at};
+  const SidesLayout sides = layoutOfSides(body);
+  return {sides.A, sides.B, sides.difference, sides.numbers};  // the numbers have a loupe and times
+}
+
+/// Outside of its pictures the window at the scale must look like the one at scale 1, each unit a square of
+/// one cell. Only words that count samples differ, since there are more samples.
+void expectGrown(const Scaled& one, const Scaled& more, int unit) {
+  const std::vector<Rect> pictures = picturesOf(one);
+  int ragged = 0, differ = 0;
+  for (int y = 0; y < kHeight; ++y)
+    for (int x = 0; x < kWidth; ++x) {
+      if (std::ranges::any_of(pictures, [&](const Rect& r) { return r.has(x, y); })) continue;
+      const auto at = [&](int i, int j) { return more.image().row(y * unit + j)[x * unit + i]; };
+      for (int k = 0; k < unit * unit; ++k) ragged += at(k % unit, k / unit) != at(0, 0);
+      differ += at(0, 0) != one.image().row(y)[x];
+    }
+  EXPECT_EQ(ragged, 0);
+  EXPECT_LT(differ, 600);  // of 480,000: two lines of text are more
+}
+
+}  // namespace
+
+TEST(Scale, PagesGrow) {
+  for (const WindowViewRow& row : kWindowViews) {
+    SCOPED_TRACE(row.name);
+    const Scaled one{1, row.id};
+    expectGrown(one, Scaled{2, row.id}, 2);
+    if (row.id == WindowView::Picture) expectGrown(one, Scaled{3, row.id}, 3);
+  }
+  for (const char* lesson : {"sorting-by-z", "colormap-tricks"}) {
+    SCOPED_TRACE(lesson);
+    expectGrown({1, WindowView::Lesson, lesson}, {2, WindowView::Lesson, lesson}, 2);
+  }
+}
+
+// Controls answer where they are drawn: all have the same places in units, and the pointer at any pixel of a
+// unit does the same.
+TEST(Scale, ControlsAnswerWhereTheyAre) {
+  for (const WindowViewRow& row : kWindowViews) {
+    SCOPED_TRACE(row.name);
+    Scaled one{1, row.id}, two{2, row.id};
+    const auto& places = one.bench().list().places();
+    ASSERT_EQ(places.size(), two.bench().list().places().size());
+    for (std::size_t k = 0; k < places.size(); ++k) {
+      const ControlPlace &a = places[k].second, &b = two.bench().list().places()[k].second;
+      EXPECT_EQ(places[k].first, two.bench().list().places()[k].first);
+      EXPECT_EQ(a.area, b.area);
+      EXPECT_EQ(a.options, b.options);
+      EXPECT_EQ(a.track, b.track);
+    }
+  }
+  Scaled one{1, WindowView::Picture}, two{2, WindowView::Picture};
+  const Rect phong = one.bench().list().find({'S'})->options[4];
+  const Rect track = one.bench().list().find({'s'})->track;
+  for (const Rect& r : {phong, track}) {
+    const int x = r.x + r.width / 4, y = r.y + r.height / 2;
+    one.click(x, y);
+    two.click(2 * x + 1, 2 * y + 1);
+    EXPECT_EQ(one.setup(), two.setup());
+  }
+  EXPECT_EQ(two.setup().picture.shading, Shading::Phong);
+  EXPECT_NE(two.setup(), two.defaults());
+  two.click(2 * 300 + 1, 2 * 15);
+  one.click(300, 15);
+  EXPECT_NE(two.view(), WindowView::Picture);
+  EXPECT_EQ(one.view(), two.view());
+}
+
+// No sample is blown up: the window shows the picture that is drawn for all pixels of its place.
+TEST(Scale, PicturesKeepTheirPixels) {
+  for (const WindowView view : {WindowView::Picture, WindowView::Colors}) {
+    const Scaled b{2, view};
+    const Rect at = b.bench().picture(b.layout());
+    PictureSettings settings = b.setup().picture;
+    settings.width = 2 * at.width, settings.height = 2 * at.height;
+    PictureCache pictures{readScene("cycle", 3)};
+    const Picture picture = pictures.make(settings, b.ground());
+    for (int j = 0; j < settings.height; ++j)
+      ASSERT_TRUE(std::equal(picture.image().row(j), picture.image().row(j) + settings.width,
+                             b.image().row(2 * at.y + j) + 2 * at.x));
+  }
+}
+
+// A click means the sample under the pointer: in the stepper it goes to the polygon there.
+TEST(Scale, AClickMeansTheSampleUnderIt) {
+  Scaled one{1, WindowView::DepthSort}, two{2, WindowView::DepthSort};
+  const Rect at = one.bench().picture(one.layout());
+  const int x = at.x + at.width / 2 + 30, y = at.y + at.height / 2;
+  const std::string before = one.bench().status();
+  one.click(x, y);
+  two.click(2 * x, 2 * y);
+  EXPECT_NE(one.bench().status(), before);
+  EXPECT_EQ(one.bench().status(), two.bench().status());
+}
+
+// A window of any size is drawn whole at each scale.
+TEST(Scale, AnySize) {
+  ReadyWorkbench b{{}, 1, 1, "cycle"};
+  for (int unit = 1; unit <= 4; ++unit)
+    for (const auto& [w, h] : {std::pair{1, 1}, {7, 3}, {799, 2000}, {1599, 1200}, {4000, 3000}}) {
+      SCOPED_TRACE(std::to_string(unit) + ": " + std::to_string(w));
+      b.scale(unit);
+      b.resize(w, h);
+      b.press('?');
+      b.finish();
+      EXPECT_EQ(b.layout().roomy, w > 799 * unit && h > 599 * unit);
+      EXPECT_EQ(std::pair(b.image().width, b.image().height), std::pair(w, h));
+      for (const Rect& part : b.overPicture()) EXPECT_EQ(intersection(part, {0, 0, w, h}), part);
+      b.press('?');
+    }
+  for (const WindowViewRow& row : kWindowViews) {
+    const Scaled odd{3, row.id, "cycles", 1};
+    EXPECT_EQ(odd.image().width, 3 * kWidth + 1);
+  }
+}
+
+}  // namespace xnewell
