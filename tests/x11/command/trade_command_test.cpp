@@ -14,7 +14,7 @@ namespace xnewell {
 namespace {
 
 /// A small picture, and time for all of it on the slowest machine.
-Words tradeOf(const std::string& scene) { return {"trade", scene, "--size", "60x45", "--budget", "600"}; }
+Words tradeOf(const std::string& scene) { return {"trade", scene, "--size", "60x45", "--budget", "60"}; }
 
 /// A patch that is higher in the middle.
 std::string domeOfOnePatch() {
@@ -40,12 +40,12 @@ Words wordsOf(const std::string& command, const std::string& picture) {
 // A row has its command, and the command has the errors of the row. They may differ by roundings: the
 // trade holds the camera still while divisions change, and the command places it anew.
 TEST_F(CommandTest, EachRowOfATradeCanBeRepeated) {
-  const auto told = runProgram(tradeOf(write("dome.bpt", domeOfOnePatch())) +
-                               Words{"--json", "--axes", "order,shade,divisions,adapt", "--adapt", "0.1"});
+  const auto told =
+      runProgram(tradeOf(write("dome.bpt", domeOfOnePatch())) + Words{"--json", "--axes", "shade,divisions"});
   ASSERT_EQ(told.status, 0) << told.err;
   const auto trade = nlohmann::json::parse(told.out);
   auto rows = trade.at("rows");
-  ASSERT_GT(rows.size(), 15u);
+  ASSERT_GT(rows.size(), 5u);
   for (const auto& one : trade.at("combinations"))
     if (one.at("front").get<bool>()) rows.push_back(one);
   for (std::size_t k = 0; k < rows.size(); k += kSanitized ? 6 : 2) {
