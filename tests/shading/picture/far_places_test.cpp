@@ -9,6 +9,7 @@
 #include "geometry/model/solids.h"
 #include "shading/picture/picture_cache.h"
 #include "tests/support/scene_text.h"
+#include "tests/support/seeds.h"
 
 namespace xnewell {
 
@@ -114,13 +115,14 @@ Difference between(const IndexImage& a, const IndexImage& b) {
 }  // namespace
 
 TEST(FarPlaces, EveryMethodAndLightKeepsItsPicture) {
-  int compared = 0;
+  int compared = 0, cases = 0;
   for (const json& light : lights())
     for (const bool textured : {false, true})
       for (const ShadingRow& method : kShadings)
         for (const FormRow& form : kForms) {
           if (!method.lit && (form.id != Form::Textbook || textured)) continue;
           if (method.id == Shading::Environment && (form.id != Form::Textbook || textured)) continue;
+          if (kSanitized && cases++ % 5 != 0) continue;
           const IndexImage here = pictureOf(sceneAt(0, light), method.id, form.id, textured);
           ASSERT_GT(kWidth * kHeight - std::ranges::count(here.pixels, 0), kWidth * kHeight / 4);
           for (const double d : kDistances) {
@@ -133,7 +135,7 @@ TEST(FarPlaces, EveryMethodAndLightKeepsItsPicture) {
             ++compared;
           }
         }
-  EXPECT_GT(compared, 600);
+  EXPECT_GT(compared, kSanitized ? 120 : 600);
 }
 
 }  // namespace xnewell
