@@ -169,6 +169,11 @@ TEST(Options, RefuseWhatTheCommandIgnores) {
   EXPECT_EQ(complaintAll({"--ids", "i.png"}),
             "--stats, --errors, --costs and --ids work only with draw and snapshot");
   EXPECT_EQ(complaint({"--whole-window"}), "--whole-window works only with snapshot and with trace --frames");
+  EXPECT_EQ(complaintAll({"draw", "teapot", "-o", "a", "--scale", "2"}),
+            "--scale works only with view, lesson and --whole-window");
+  EXPECT_EQ(complaintAll({"lesson", "cycles", "--scale", "2", "--size", "1599x1200"}),
+            "a lesson needs a --size of at least 1600x1200");
+  EXPECT_EQ(complaintAll({"lesson", "cycles", "--scale", "2"}), "");
   EXPECT_EQ(complaint({"--fill", "x11"}), "--fill x11 needs a server: use snapshot");
   for (const OrderRow& row : kOrders) {
     const std::string name{row.name};
