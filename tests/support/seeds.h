@@ -1,6 +1,9 @@
 #pragma once
 
 #include <cstdlib>
+#include <initializer_list>
+#include <ranges>
+#include <vector>
 
 namespace xnewell {
 
@@ -10,10 +13,22 @@ inline constexpr bool kSanitized = true;
 inline constexpr bool kSanitized = false;
 #endif
 
+/// The cases of a test that has a list of them. A sanitized build takes only the first `few`: it runs several
+/// times more slowly and looks for faults of the code on its way, and the results are those of the other
+/// builds.
+template <std::ranges::random_access_range Cases>
+requires std::is_lvalue_reference_v<Cases&&>
+auto someOf(Cases&& cases, long few) {
+  return cases | std::views::take(kSanitized ? few : static_cast<long>(std::ranges::size(cases)));
+}
+template <typename Case>
+std::vector<Case> someOf(std::initializer_list<Case> cases, long few) {
+  return {cases.begin(), kSanitized ? cases.begin() + few : cases.end()};
+}
+
 /// The seeds of a test: 0..count-1. If the environment has XNEWELL_SEED=seed, only that one, so that a scene
 /// that failed can be run again; the test then leaves out what it asks of all scenes together. A sanitized
-/// build leaves that out too and takes an eighth of the seeds: it runs several times more slowly and looks
-/// for faults of the code on its way, and the results are those of the other builds.
+/// build leaves that out too and takes an eighth of the seeds.
 class Seeds {
  public:
   unsigned from = 0, end;

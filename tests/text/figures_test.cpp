@@ -19,6 +19,7 @@
 #include "shading/scene/settings.h"
 #include "tests/support/doubt.h"
 #include "tests/support/painted.h"
+#include "tests/support/seeds.h"
 #include "tests/support/temporary_folder.h"
 #include "tests/text/document.h"
 #include "tests/x11/support/program.h"
@@ -206,7 +207,7 @@ TEST(DepthSortReadme, CountsTheSamplesOfTwoCards) {
 
 TEST(ShadingReadme, HasTheErrorsOfPhong) {
   const TemporaryFolder folder;
-  for (const std::string scene : {"highlight", "lamp", "spotlight", "teapot"}) {
+  for (const std::string scene : someOf({"spotlight", "highlight", "lamp", "teapot"}, 1)) {
     std::vector<std::string> errors;
     for (const std::string options : {"", " --constant-l --constant-v"}) {
       const Json stats =

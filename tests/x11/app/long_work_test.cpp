@@ -10,6 +10,7 @@
 #include <thread>
 #include <vector>
 
+#include "tests/support/seeds.h"
 #include "tests/support/temporary_folder.h"
 #include "tests/x11/support/watched_viewer.h"
 #include "tests/x11/support/work_gate.h"
@@ -146,7 +147,8 @@ class LongWorkAt : public testing::TestWithParam<int> {
   WorkGate gate;
   BoxWatch box;
 };
-INSTANTIATE_TEST_SUITE_P(Depths, LongWorkAt, testing::Values(8, 24), testing::PrintToStringParamName());
+INSTANTIATE_TEST_SUITE_P(Depths, LongWorkAt, testing::ValuesIn(someOf({8, 24}, 1)),
+                         testing::PrintToStringParamName());
 
 // The window is there before its picture, and says so. Then the picture comes, and nothing of the box stays.
 // A later picture that takes long is told over the one that is there. The window closes meanwhile without

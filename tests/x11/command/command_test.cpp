@@ -215,8 +215,8 @@ TEST_F(CommandTest, HelpTellsWhatThereIs) {
   EXPECT_EQ(help.err, "");
   for (const CommandRow& row : kCommands) EXPECT_NE(help.out.find(row.usage), std::string::npos);
   for (const std::string expected :
-       {"[800x600, a window 1024x768, extremes 160x120]", "[flat]", "[newell]", "[linear]", "[240]", "[0.02]",
-        "[30]", "[1,0,0]", "[8]", "[teapot, in a window only]"})
+       {"[800x600, a window 1024x768 times --scale, extremes 160x120]", "[flat]", "[newell]", "[linear]",
+        "[240]", "[0.02]", "[30]", "[1,0,0]", "[8]", "[teapot, in a window only]"})
     EXPECT_NE(help.out.find(expected), std::string::npos) << expected;
   EXPECT_EQ(help.out.find("figure"), std::string::npos);
   for (const Words& words :

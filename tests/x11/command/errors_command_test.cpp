@@ -1,6 +1,7 @@
 #include <chrono>
 #include <thread>
 
+#include "tests/support/seeds.h"
 #include "tests/x11/support/command_fixture.h"
 
 namespace xnewell {
@@ -31,7 +32,8 @@ TEST_F(CommandTest, ErrorsOfATeapotWithOnePointFarAway) {
 
 // An interrupt while the errors are measured leaves no picture behind: it is written when they are known.
 TEST_F(CommandTest, AnInterruptedMeasurementLeavesNothing) {
-  const Words words{"draw", "teapot", "-o", file("a.png"), "--size", "1600x1200", "--errors"};
+  const Words words{"draw",    "teapot", "-o", file("a.png"), "--size", kSanitized ? "400x300" : "1600x1200",
+                    "--errors"};
   const auto start = std::chrono::steady_clock::now();
   ASSERT_EQ(runProgram(words).status, 0);
   const auto whole = std::chrono::steady_clock::now() - start;

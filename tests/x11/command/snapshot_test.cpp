@@ -9,6 +9,7 @@
 
 #include "x11/window/panel.h"
 
+#include "tests/support/seeds.h"
 #include "tests/x11/support/program_picture.h"
 #include "tests/x11/support/watched_window.h"
 #include "tests/x11/support/x_server.h"
@@ -39,7 +40,7 @@ constexpr std::array kPictures{
 // 8-bit server, or emulated at depth 24. What the server fills is the same on both servers.
 TEST(Snapshot, EqualsDrawOnEveryKindOfServer) {
   const XServer eight = XServer::xvfb(8), deep = XServer::xvfb(24);
-  for (const std::string line : kPictures) {
+  for (const std::string line : someOf(kPictures, 3)) {
     SCOPED_TRACE(line);
     const RgbImage drawn = pictureOf("draw " + line);
     EXPECT_EQ(pictureOf("snapshot --visual PseudoColor8 " + line, eight.name()), drawn);
@@ -99,7 +100,8 @@ TEST(Snapshot, PiecesLeaveNoGap) {
   const XServer server = XServer::xvfb(8);
   const TemporaryFolder folder;
   std::vector<std::string> scenes{"crossing-sheets", "nested-cycles", "tori", "teapot"};
-  for (unsigned seed = 0; seed < 8; ++seed) {  // triangles that cross, so that the picture is divided
+  for (unsigned seed = 0; seed < Seeds{8}.end;
+       ++seed) {  // triangles that cross, so that the picture is divided
     std::ofstream obj{scenes.emplace_back(folder.file("crossing" + std::to_string(seed) + ".obj"))};
     std::mt19937 random{seed};
     const auto below = [&random](int n) { return static_cast<int>(random() % static_cast<unsigned>(n)); };
@@ -139,7 +141,7 @@ TEST(Snapshot, OwnsTheSamplesThatTheServerOwns) {
   const XServer server = XServer::xvfb(8);
   const TemporaryFolder folder;
   constexpr int kSize = 128;  // one world unit is one pixel: x = i + 1/2 is the centre of pixel i
-  for (unsigned seed = 0; seed < 6; ++seed) {
+  for (unsigned seed = 0; seed < Seeds{6}.end; ++seed) {
     SCOPED_TRACE(seed);
     std::mt19937 rng{seed};
     const auto below = [&rng](int n) { return static_cast<int>(rng() % n); };
@@ -202,7 +204,7 @@ TEST(Snapshot, WholeWindowIsTheSameAtBothDepths) {
 TEST(Snapshot, SendsWhatATradeComputes) {
   const XServer server = XServer::xvfb(8, 1024, 768, {"-extension", "MIT-SHM"});
   for (const char* line :
-       {"teapot --size 162x120", "teapot --size 162x120 --shades 8", "cycle --size 800x600"}) {
+       someOf({"cycle --size 800x600", "teapot --size 162x120", "teapot --size 162x120 --shades 8"}, 1)) {
     SCOPED_TRACE(line);
     const TemporaryFolder folder;
     const auto told = [&](const std::string& command, const std::vector<std::string>& more) {
