@@ -87,9 +87,10 @@ std::vector<Legend> legendOf(const KeyTable& table) {
   std::vector<Legend> all;
   for (const KeyRow& row : table) {
     if (row.legend.empty()) continue;
-    if (all.empty() || all.back().does != row.legend) all.push_back({{}, row.legend});
-    for (const Key& key : row.keys) all.back().keys.push_back(capOf(key));
-    if (row.keys.empty()) all.back().keys.push_back(row.gesture);
+    auto entry = std::ranges::find(all, row.legend, &Legend::does);
+    if (entry == all.end()) entry = all.insert(entry, {{}, row.legend});
+    for (const Key& key : row.keys) entry->keys.push_back(capOf(key));
+    if (row.keys.empty()) entry->keys.push_back(row.gesture);
   }
   return all;
 }

@@ -42,7 +42,7 @@ struct Legend {
   std::string does;
   bool operator==(const Legend&) const = default;
 };
-/// The entries of the last line, in the table's order. Neighbours with the same words share an entry.
+/// The entries of the last line, in the table's order. Rows with the same words share an entry.
 [[nodiscard]] std::vector<Legend> legendOf(const KeyTable& table);
 
 /// A line in the list of all keys.

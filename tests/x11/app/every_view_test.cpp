@@ -68,7 +68,8 @@ TEST(EveryView, EveryKeyAnswers) {
         b.finish();
         for (const KeyRow& one : b.keys()) keys.insert(keys.end(), one.keys.begin(), one.keys.end());
       }
-      for (char letter = '!'; letter <= '~'; ++letter) keys.push_back(letter);
+      if (!kSanitized)
+        for (char letter = '!'; letter <= '~'; ++letter) keys.push_back(letter);
       ReadyWorkbench b{{}, 800, 600, scene};
       std::set<std::string> silent;
       for (const Key& key : keys) {

@@ -59,12 +59,15 @@ TEST(KeyTable, SaysWhatItDoes) {
                        {{NamedKey::Down}, "", "a step"},
                        {{'g', NamedKey::PageUp}, "", "go"},
                        {.legend = "turn", .does = "turn it", .gesture = "drag"},
-                       {{'+'}, "zoom", "nearer", {}, {}, "wheel"}};
+                       {{'+'}, "zoom", "nearer", {}, {}, "wheel"},
+                       {{'j'}, "step", "a long step"}};
   EXPECT_EQ(legendOf(table),
-            (std::vector<Legend>{{{"<", ">"}, "step"}, {{"drag"}, "turn"}, {{"+"}, "zoom"}}));
-  EXPECT_EQ(helpOf(table),
-            (std::vector<HelpLine>{
-                {"arrows", "a step"}, {"g PgUp", "go"}, {"drag", "turn it"}, {"+, wheel", "nearer"}}));
+            (std::vector<Legend>{{{"<", ">", "j"}, "step"}, {{"drag"}, "turn"}, {{"+"}, "zoom"}}));
+  EXPECT_EQ(helpOf(table), (std::vector<HelpLine>{{"arrows", "a step"},
+                                                  {"g PgUp", "go"},
+                                                  {"drag", "turn it"},
+                                                  {"+, wheel", "nearer"},
+                                                  {"j", "a long step"}}));
 }
 
 }  // namespace xnewell

@@ -62,7 +62,7 @@ class BadServer : public testing::TestWithParam<int> {
     const std::string file = contents(use.file);
     std::map<XRequest, std::string> outcomes;
     const std::vector<XFaultPlan> all = plans(good);
-    for (const XFaultPlan& plan : all) {
+    for (const XFaultPlan& plan : someOf(all, 6)) {
       SCOPED_TRACE(proxy.nameOf(plan.request) + ", occurrence " + std::to_string(plan.occurrence));
       const Course course = runThrough(use, server, proxy, plan);
       outcomes[plan.request] += (plan.occurrence == 1 ? "  first: " : "  last: ") +
@@ -100,8 +100,7 @@ INSTANTIATE_TEST_SUITE_P(Depths, BadServer, testing::ValuesIn(someOf({8, 24}, 1)
 std::vector<XFaultPlan> at(XFault fault, const std::vector<XRequest>& which, const Course& good) {
   std::vector<XFaultPlan> plans;
   for (const XRequest& r : kinds(which))
-    for (const int occurrence :
-         std::set<int>{1, kSanitized ? 1 : static_cast<int>(std::ranges::count(good.requests, r))})
+    for (const int occurrence : std::set<int>{1, static_cast<int>(std::ranges::count(good.requests, r))})
       plans.push_back({fault, r, occurrence, occurrence == 1 ? BadAlloc : BadMatch});
   return plans;
 }
@@ -149,6 +148,7 @@ TEST_P(BadServer, RefusedRequestsAreNamed) {
       EXPECT_TRUE(use.file.empty() || folder.entries() == 0);
     });
   }
+  if (kSanitized) return;  // not all were refused
   EXPECT_THAT(fatal, testing::IsSupersetOf({"setup", "X_CreateWindow", "X_CreatePixmap", "X_CreateGC",
                                             "X_ChangeProperty", "X_InternAtom", "MIT-SHM.3", "X_CopyArea",
                                             "X_GetImage", "X_FillPoly", "X_MapWindow"}));
