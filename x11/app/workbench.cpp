@@ -2,12 +2,9 @@
 
 #include <algorithm>
 #include <filesystem>
+#include <stdexcept>
 #include <utility>
 
-#include "geometry/exact/box.h"
-#include "geometry/files/output_file.h"
-#include "geometry/files/text_file.h"
-#include "shading/scene/save_scene.h"
 #include "x11/app/one_line.h"
 #include "x11/sides/side_bench.h"
 #include "x11/stepper/sort_bench.h"
@@ -19,19 +16,11 @@
 
 namespace xnewell {
 
-Workbench::Work::Work(Scene scene, const Setup& s)
-    : pictures{std::move(scene)},
-      centre{boxOf(pictures.scene().mesh.points).centre()},
-      setup{s},
-      defaults{s},
-      saved{s},
-      divisions{pictures.scene().origin.divisions} {}
-
 void Workbench::fit(const Scene& scene, const Setup& setup) {
   mostShades_ = server_.mostShades(planOf(scene, setup.picture) != ColorPlan::OneHue);
 }
 
-Workbench::Work Workbench::workOn(Scene scene, Setup setup) {
+Work Workbench::workOn(Scene scene, Setup setup) {
   (void)keepFillable(setup);
   fit(scene, setup);
   TableSettings& table = setup.picture.table;
@@ -64,8 +53,6 @@ void Workbench::resize(int width, int height) {
   layout_ = layoutOf(width, height, layout_.unit);
 }
 
-void Workbench::scale(int unit) { layout_ = layoutOf(width_, height_, unit); }
-
 void Workbench::teach(Lesson lesson) {
   switchTo(WindowView::Lesson);
   lessons_->start(std::move(lesson));
@@ -90,15 +77,6 @@ void Workbench::close() {
   before_.reset();
 }
 
-void Workbench::ask(Question question) {
-  question_ = std::move(question);
-  complaint_.clear();
-}
-
-void Workbench::notify(std::string notice) { notice_ = std::move(notice); }
-
-void Workbench::tell(std::string news) { told_ = std::move(news); }
-
 void Workbench::change(char control, const std::function<void(Setup&)>& edit) {
   const SceneLight& own = scene().light;
   if (!own.lights.empty() && (control == 'l' || control == 'p' || control == ']'))
@@ -109,11 +87,7 @@ void Workbench::change(char control, const std::function<void(Setup&)>& edit) {
   edit(next);
   if (const std::string_view why = keepFillable(next); !why.empty()) notify(std::string{why});
   if (next == work_.setup) return;
-  if (control != work_.lastChanged || work_.undo.empty()) work_.undo.push_back(work_.setup);
-  if (work_.undo.size() > kMostUndone) work_.undo.erase(work_.undo.begin());
-  work_.lastChanged = control;
-  work_.redo.clear();
-  work_.setup = next;
+  work_.change(control, next);
   if (!work_.pictures.hasLast()) return;
   if (const std::string why = whyMoot(control, picture(), next); !why.empty()) notify(why);
 }
@@ -122,7 +96,7 @@ void Workbench::press(const Key& key) {
   notice_.clear();
   told_.clear();
   if (key.letter != 'q') warned_ = false;
-  if (question_) return answer(key);
+  if (line_.isOpen()) return line_.press(key);
   if (help_ && key.letter != '?') {  // the list of keys closes, so that the user sees what the key does
     help_ = false;
     if (key.name == NamedKey::Escape) return;
@@ -148,7 +122,7 @@ KeyTable Workbench::generalKeys() {
                      }});
   const char* const undoes = "undo, redo";
   add('u', "undo", undoes, [this] { undo(); });
-  add('U', "", undoes, [this] { restore(work_.redo, work_.undo, "redo"); });
+  add('U', "", undoes, [this] { done(work_.redo(), "redo"); });
   add('r', "reset", "reset everything", [this] { change('r', [this](Setup& s) { s = work_.defaults; }); });
   add('w', "save", "save the set-up as a scene file", [this] { askToSave(); });
   add('e', "", "open a scene", [this] { askToOpen(); });
@@ -159,9 +133,6 @@ KeyTable Workbench::generalKeys() {
   return table;
 }
 
-/// Buttons call this to do the same as their keys.
-void Workbench::pressLetter(char letter) { (void)pressIn(keys(), letter, *this); }
-
 void Workbench::quit() {
   if (isSaved() || std::exchange(warned_, true))
     quit_ = true;
@@ -169,29 +140,12 @@ void Workbench::quit() {
     notify("Changes since " + work_.file + " are not saved: press w to save, or q again to quit.");
 }
 
-void Workbench::restore(std::vector<Setup>& from, std::vector<Setup>& to, const char* what) {
-  if (from.empty())
-    return notify(std::string{"There is nothing to "} + what +
-                  (!shown_ || shown_->colors.effects == PaletteEffects{}
-                       ? " here."
-                       : " here; Esc restores the stored colours."));
-  to.push_back(std::exchange(work_.setup, from.back()));
-  from.pop_back();
-  work_.lastChanged = 0;
+void Workbench::done(bool something, const char* what) {
+  if (something) return;
+  const bool stored = !shown_ || shown_->colors.effects == PaletteEffects{};
+  notify(std::string{"There is nothing to "} + what +
+         (stored ? " here." : " here; Esc restores the stored colours."));
 }
-
-namespace {
-
-/// The setup of a scene that is opened: what its file asks for, and defaults for the rest.
-Setup setupOf(const Scene& scene) {
-  Setup setup{scene.settings, scene.settings.inPixels ? Fill::XFillPolygon : Fill::Scanline};
-  setup.picture.inPixels = false;
-  setup.picture.camera = inSceneUnits(scene.camera, scene);
-  toSceneUnits(setup.picture.light, scene);
-  return setup;
-}
-
-}  // namespace
 
 void Workbench::askToSave() {
   const Scene& scene = this->scene();
@@ -205,15 +159,11 @@ void Workbench::askToSave() {
            replaced = file;
            return "The file exists. Press Return again to replace it.";
          }
-         PictureSettings settings = work_.setup.picture;
-         settings.inPixels = work_.setup.fill == Fill::XFillPolygon;
          try {
-           writeFile(file, savedScene(this->scene(), settings, std::filesystem::path{file}.parent_path()));
+           work_.save(file);
          } catch (const std::system_error& e) {
            return oneLine(e.what());
          }
-         work_.file = file;
-         work_.saved = work_.setup;
          told_ = "Saved. \"xnewell " + file + "\" shows " +
                  (view() == WindowView::Picture ? "it" : "the picture of view 1") + " again.";
          return {};
@@ -230,7 +180,7 @@ void Workbench::askToOpen() {
          if (name.empty()) return "Type a name, or press Esc to cancel.";
          try {
            Scene scene = readScene(name);
-           const Setup setup = setupOf(scene);
+           const Setup setup = setupIn(scene);
            Work work = workOn(std::move(scene), setup);
            if (name.ends_with(".json")) work.file = name;
            if (!isSaved() && std::exchange(warned, name) != name)
@@ -242,49 +192,6 @@ void Workbench::askToOpen() {
          }
          return {};
        }});
-}
-
-/// Handles a key for the line that the user types.
-void Workbench::answer(const Key& key) {
-  complaint_.clear();
-  std::string& text = question_->text;
-  switch (key.name) {
-    case NamedKey::Escape:
-      return question_.reset();
-    case NamedKey::Backspace:
-      if (!text.empty()) text.pop_back();
-      question_->fresh = false;  // the next letter is added to the text that is left
-      return;
-    case NamedKey::Return: {
-      const Question asked = *std::exchange(question_, std::nullopt);
-      complaint_ = asked.take(asked.text);
-      if (!complaint_.empty()) question_ = asked;
-      return;
-    }
-    case NamedKey::Space:
-      text += ' ';
-      return;
-    case NamedKey::Up:
-    case NamedKey::Down: {
-      const std::vector<std::string>& offers = question_->offers;
-      if (offers.empty()) return;
-      const auto at = std::ranges::find(offers, text);
-      if (key.name == NamedKey::Up)
-        text = at == offers.begin() || at == offers.end() ? offers.back() : *(at - 1);
-      else
-        text = at == offers.end() || at + 1 == offers.end() ? offers.front() : *(at + 1);
-      question_->fresh = true;
-      return;
-    }
-    case NamedKey::Letter: {
-      if (question_->fresh) text.clear();
-      text += key.letter;
-      question_->fresh = false;
-      return;
-    }
-    default:
-      return;
-  }
 }
 
 void Workbench::switchTo(WindowView view) {
@@ -322,7 +229,7 @@ bool Workbench::mustMeasure() const {
 
 void Workbench::tick() {
   if (bench().moving()) bench().tick();
-  if (!mustMeasure() || dragging_ || question_) return;
+  if (!mustMeasure() || dragging_ || line_.isOpen()) return;
   std::optional<AccuracyKeeper::News> news = keeper_->tick(seen());
   if (!news) return;
   work_.setup = std::move(news->setup);
@@ -337,14 +244,14 @@ Subject Workbench::subject() const {
 bool Workbench::grab(int x, int y) {
   notice_.clear();
   help_ = false;
-  question_.reset();
+  line_.cancel();
   x /= layout_.unit, y /= layout_.unit;
   if (const std::optional<WindowView> tab = tabAt(layout_, x, y)) return switchTo(*tab), false;
   return isDrawn() && bench().grab(x, y);
 }
 
 void Workbench::hover(int x, int y) {
-  if (!question_ && isDrawn()) bench().hover(x / layout_.unit, y / layout_.unit);
+  if (!line_.isOpen() && isDrawn()) bench().hover(x / layout_.unit, y / layout_.unit);
 }
 
 void Workbench::settle() {
@@ -354,7 +261,7 @@ void Workbench::settle() {
 
 void Workbench::wheel(int x, int y, double factor) {
   const bool overPicture = bench().picture(layout_).has(x / layout_.unit, y / layout_.unit);
-  if (overPicture && !question_) zoom(factor);
+  if (overPicture && !line_.isOpen()) zoom(factor);
 }
 
 void Workbench::zoom(double factor) {
@@ -362,6 +269,130 @@ void Workbench::zoom(double factor) {
   if (std::ranges::find(controls, 'z', &Control::key) == controls.end()) return;
   const auto edit = [this](char control, const auto& change) { this->change(control, change); };
   xnewell::zoom(edit, Setup{work_.setup}, subject(), factor);
+}
+
+namespace {
+
+/// Settings for a quick picture that still shows where everything is.
+PictureSettings coarse(PictureSettings settings) {
+  settings.shading = settings.shading == Shading::Full ? Shading::Full : Shading::Flat;
+  settings.order = Order::ZSort;
+  settings.adapt = 0;
+  settings.dither = false;
+  return settings;
+}
+
+}  // namespace
+
+Workbench::Indices Workbench::indices() const {
+  Setup painted = this->painted();
+  painted.picture = withoutColors(painted.picture);
+  return {view(), width_, height_, layout_.unit, painted, notice_, told_, line_.typed(), help_, dragging_};
+}
+
+Workbench::Stale Workbench::stale() const {
+  if (!shown_ || indices() != shown_->indices) return Stale::Everything;
+  if (colors() != shown_->colors) return bench().colors() ? Stale::Everything : Stale::Colors;
+  return bench().late(work_.setup) ? Stale::Everything : Stale::Nothing;
+}
+
+PictureSettings Workbench::sized() const {
+  const Rect at = bench().picture(layout_) * layout_.unit;
+  PictureSettings settings = painted().picture;
+  settings.width = std::min(at.width, width_);
+  settings.height = std::min(at.height, height_);
+  settings.inPixels = serverFills();
+  return settings;
+}
+
+/// The palette without effects.
+Palette Workbench::plainPalette() const {
+  const Palette palette = picture().palette(plan(), server_.unneeded);
+  return server_.gray ? forGrayScreen(palette, picture()) : palette;
+}
+
+void Workbench::makePalette(const PaletteEffects& effects) {
+  palette_ = withEffects(plainPalette(), picture(), plan(), effects);
+}
+
+void Workbench::drawFrame(bool dragging) {
+  const PictureSettings wanted = sized();
+  Bench& view = bench();
+  const bool whole = view.wantsImage();
+  const bool quick = dragging && slow_ && whole && !serverFills() && coarse(wanted) != wanted;
+  work_.divide();
+  const CellPlan cells = plan();
+  const Picture picture = work_.pictures.make(quick ? coarse(wanted) : wanted,
+                                              whole ? std::optional{cells[Cell::Well]} : std::nullopt);
+  const auto isShown = [&](const Picture& shown) {
+    return shown.settings() == picture.settings() && &shown.scene() == &picture.scene();
+  };
+  const bool fresh = !whole || !shown_ || !shown_->image || !isShown(*shown_->image);
+  slow_ = dragging && (quick || picture.times().total() > kFluid);
+  dragging_ = dragging;
+
+  const PaletteEffects effects = view.stored(work_.setup);
+  makePalette(effects);
+  image_.width = width_, image_.height = height_;
+  image_.pixels.assign(static_cast<std::size_t>(width_) * height_, cells[Cell::Paper]);
+  const Painter paint{image_, layout_.unit};
+  const Palette plain = plainPalette();
+  const CellUse use = whole ? cellUse(picture.image(), view.countsPolygons() ? picture.faceImage()
+                                                                             : std::vector<std::uint32_t>{})
+                            : CellUse{};
+  view.draw(paint, {.picture = picture,
+                    .plan = cells,
+                    .palette = plain,
+                    .use = use,
+                    .setup = work_.setup,
+                    .layout = layout_,
+                    .fresh = fresh,
+                    .dragging = dragging,
+                    .coarse = quick,
+                    .gray = server_.gray});
+  const OwnColors* const own = view.colors();
+  if (own) palette_ = own->palette;
+  panel_ = {.title = titleOf(picture.scene()),
+            .visual = server_.visual(),
+            .view = this->view(),
+            .words = own && own->words ? *own->words : wordsOf(picture, effects),
+            .use = view.use() ? *view.use() : use,
+            .inspected = view.inspected(),
+            .status = view.status(),
+            .aside = view.aside(),
+            .notice = notice_,
+            .told = told_,
+            .legend = legendOf(keys()),
+            .typed = line_.typed(),
+            .help = help_ ? helpOf(keys()) : std::vector<HelpLine>{}};
+  drawPanel(paint, layout_, panel_, cells);
+  shown_ = {indices(), {work_.setup, effects}, whole ? std::optional{picture} : std::nullopt};
+}
+
+void Workbench::update(bool dragging) {
+  switch (stale()) {
+    case Stale::Nothing:
+      return;
+    case Stale::Colors: {
+      PictureSettings recolored = picture().settings();  // of the last picture, which may be a coarse one
+      recolored.table = sized().table;
+      work_.pictures.make(recolored);
+      shown_->colors = colors();
+      return makePalette(shown_->colors.effects);
+    }
+    case Stale::Everything:
+      break;
+  }
+  try {
+    drawFrame(dragging);
+  } catch (const std::runtime_error& e) {
+    if (!shown_) throw;
+    work_.setup = shown_->colors.setup;
+    bench().leave();
+    bench().enter();
+    notify(e.what());
+    drawFrame(dragging);
+  }
 }
 
 }  // namespace xnewell

@@ -6,7 +6,8 @@
 #include <string>
 #include <vector>
 
-#include "shading/picture/picture_cache.h"
+#include "x11/app/work.h"
+#include "x11/kit/typed_line.h"
 #include "x11/lessons/lesson_bench.h"
 #include "x11/trade/accuracy_keeper.h"
 #include "x11/window/bench.h"
@@ -40,7 +41,7 @@ class Workbench : public Host {
   /// The size of the window, in pixels.
   void resize(int width, int height);
   /// How many pixels a unit of the layout is wide. Everything but the picture's samples grows with it.
-  void scale(int unit);
+  void scale(int unit) { layout_ = layoutOf(width_, height_, unit); }
   void press(const Key& key);
   /// A letter key was released. Only some views need to know.
   void release(char letter) { bench().release(letter); }
@@ -63,13 +64,13 @@ class Workbench : public Host {
 
   /// Does what `q` does, even while the user types on a line.
   void askToQuit() {
-    question_.reset();
+    line_.cancel();
     press({NamedKey::Letter, 'q'});
   }
   /// True if quitting loses nothing.
-  [[nodiscard]] bool isSaved() const { return work_.file.empty() || work_.setup == work_.saved; }
+  [[nodiscard]] bool isSaved() const { return work_.isSaved(); }
   /// True while the user types on a line.
-  [[nodiscard]] bool isAsking() const { return question_.has_value(); }
+  [[nodiscard]] bool isAsking() const { return line_.isOpen(); }
   [[nodiscard]] bool quitAsked() const { return quit_; }
 
   /// True if something moves by itself. Then tick() must be called at regular intervals.
@@ -130,27 +131,15 @@ class Workbench : public Host {
   void keepWithin(std::optional<AccuracyLimit> limit, std::vector<std::string> mine,
                   double seconds = kAccuracySeconds);
   [[nodiscard]] std::optional<AccuracyLimit> keptWithin() const override;
-  void ask(Question question) override;
-  void notify(std::string notice) override;
-  void tell(std::string news) override;
+  void ask(Question question) override { line_.ask(std::move(question)); }
+  void notify(std::string notice) override { notice_ = std::move(notice); }
+  void tell(std::string news) override { told_ = std::move(news); }
   void change(char control, const std::function<void(Setup&)>& edit) override;
-  void undo() override { restore(work_.undo, work_.redo, "undo"); }
-  void pressLetter(char letter) override;
+  void undo() override { done(work_.undo(), "undo"); }
+  /// Buttons call this to do the same as their keys.
+  void pressLetter(char letter) override { (void)pressIn(keys(), letter, *this); }
 
  private:
-  static constexpr std::size_t kMostUndone = 1000;  // steps; each takes less than a kilobyte
-  /// A scene, and all that the user did to it.
-  struct Work {
-    Work(Scene scene, const Setup& setup);
-    PictureCache pictures;
-    glm::dvec3 centre;  ///< of the scene
-    Setup setup, defaults;
-    std::string file;  ///< the scene file that this was saved in or opened from; "" for none
-    Setup saved;       ///< the setup in that file
-    int divisions;     ///< the divisions that the scene was read with
-    std::vector<Setup> undo, redo;
-    char lastChanged = 0;  ///< the control of the newest undo step; its further changes join that step
-  };
   /// What decides which cells the window shows, as far as the workbench knows. A bench may know more:
   /// Bench::late().
   struct Indices {
@@ -158,7 +147,7 @@ class Workbench : public Host {
     int width, height, unit;
     Setup painted;  ///< without the colours of the cells
     std::string notice, told;
-    std::array<std::string, 3> typing;  ///< the question, the text typed, and the complaint about it
+    std::optional<Typed> typed;
     bool help;
     bool leftOut;  ///< true if the frame was drawn during a drag, which leaves out slow parts
     bool operator==(const Indices&) const = default;
@@ -184,10 +173,8 @@ class Workbench : public Host {
   /// Asks the server for cells for the hues of a scene.
   void fit(const Scene& scene, const Setup& setup);
   void begin(Work work);
-  void answer(const Key& key);
   void askToSave();
   void askToOpen();
-  void divide();
   [[nodiscard]] AccuracyKeeper::Seen seen() const;
   /// True if the limit of keepWithin() must be looked at again.
   [[nodiscard]] bool mustMeasure() const;
@@ -212,8 +199,8 @@ class Workbench : public Host {
   }
   /// True if the window shows the scene of a lesson's step in another view.
   [[nodiscard]] bool visitsFromLesson() const { return before_ && view() != WindowView::Lesson; }
-  /// Takes back a change, or a step back.
-  void restore(std::vector<Setup>& from, std::vector<Setup>& to, const char* what);
+  /// Notifies the user if there was nothing to undo or redo.
+  void done(bool something, const char* what);
   void quit();
 
   Work work_;
@@ -230,8 +217,7 @@ class Workbench : public Host {
   PanelState panel_;
   std::string notice_, told_;  ///< for the status line: a warning (until a key or click), news (until a key)
   std::optional<AccuracyKeeper> keeper_;
-  std::optional<Question> question_;
-  std::string complaint_;  ///< about what was typed
+  TypedLine line_;
   bool help_ = false, quit_ = false;
   bool warned_ = false;    ///< true if the user was told that changes are not saved
   bool dragging_ = false;  ///< true if the last frame was drawn during a drag that is not settled

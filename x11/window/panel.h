@@ -7,6 +7,7 @@
 #include "shading/color/index_image.h"
 #include "shading/color/palette.h"
 #include "x11/drawing/painter.h"
+#include "x11/kit/typed_line.h"
 #include "x11/views/color_strip.h"
 #include "x11/window/bench.h"
 #include "x11/window/layout.h"
@@ -15,12 +16,6 @@ namespace xnewell {
 
 /// What surrounds a view: the tabs above it, the colour strip and the status lines below it. No code here
 /// asks the server, so a picture of the window is the same on all servers.
-
-/// A line that the user types, and what is wrong with it.
-struct Typed {
-  std::string asks, text, complaint;
-  bool offers = false;  ///< Up and Down put another text on the line
-};
 
 struct PanelState {
   std::string title;   ///< "teapot, 8 x 8 divisions"

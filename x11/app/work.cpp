@@ -1,0 +1,60 @@
+#include "x11/app/work.h"
+
+#include <filesystem>
+#include <utility>
+
+#include "geometry/exact/box.h"
+#include "geometry/files/output_file.h"
+#include "shading/scene/divide_anew.h"
+#include "shading/scene/save_scene.h"
+
+namespace xnewell {
+
+Work::Work(Scene scene, const Setup& s)
+    : pictures{std::move(scene)},
+      centre{boxOf(pictures.scene().mesh.points).centre()},
+      setup{s},
+      defaults{s},
+      saved{s},
+      divisions{pictures.scene().origin.divisions} {}
+
+void Work::change(char control, const Setup& next) {
+  if (control != lastChanged_ || before_.empty()) before_.push_back(setup);
+  if (before_.size() > kMostUndone) before_.erase(before_.begin());
+  lastChanged_ = control;
+  after_.clear();
+  setup = next;
+}
+
+bool Work::restore(std::vector<Setup>& from, std::vector<Setup>& to) {
+  if (from.empty()) return false;
+  to.push_back(std::exchange(setup, from.back()));
+  from.pop_back();
+  lastChanged_ = 0;
+  return true;
+}
+
+void Work::save(const std::string& name) {
+  PictureSettings settings = setup.picture;
+  settings.inPixels = setup.fill == Fill::XFillPolygon;
+  writeFile(name, savedScene(pictures.scene(), settings, std::filesystem::path{name}.parent_path()));
+  file = name;
+  saved = setup;
+}
+
+void Work::divide() {
+  const Scene& scene = pictures.scene();
+  const int wanted = setup.divisions > 0 ? setup.divisions : divisions;
+  if (scene.divisions == 0 || scene.divisions == wanted) return;
+  pictures = PictureCache{dividedAnew(scene, wanted)};
+}
+
+Setup setupIn(const Scene& scene) {
+  Setup setup{scene.settings, scene.settings.inPixels ? Fill::XFillPolygon : Fill::Scanline};
+  setup.picture.inPixels = false;
+  setup.picture.camera = inSceneUnits(scene.camera, scene);
+  toSceneUnits(setup.picture.light, scene);
+  return setup;
+}
+
+}  // namespace xnewell
