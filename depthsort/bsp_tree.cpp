@@ -11,6 +11,7 @@
 #include "depthsort/pair_tests.h"
 #include "depthsort/pieces.h"
 #include "depthsort/samples.h"
+#include "geometry/exact/give_up.h"
 
 namespace xnewell {
 
@@ -68,7 +69,9 @@ class Builder {
     // Subtrees that are still to be built. There is no recursion: a tree may be as deep as it has polygons.
     std::vector<Subtree> open;
     open.push_back({faces(), kNoIndex, false, 1});
+    GiveUpNowAndThen giveUp;
     while (!open.empty()) {
+      giveUp();
       Subtree subtree = std::move(open.back());
       open.pop_back();
       if (subtree.polygons.empty()) continue;

@@ -8,6 +8,7 @@
 
 #include "depthsort/list_order.h"
 #include "depthsort/pieces.h"
+#include "geometry/exact/give_up.h"
 
 namespace xnewell {
 
@@ -46,11 +47,13 @@ class NewellRun {
 
   bool sort(PolygonList list) {
     enter(std::move(list));
+    GiveUpNowAndThen giveUp;
     for (int root = 0; root < given_; ++root)
       for (int P; (P = nextOpen(root)) != kNone;) {
         note(Event::Kind::Take, P);
         mark(P);
         while (!stack_.empty()) {
+          giveUp();
           step();
           if (splits_ > limits_.splits + root * limits_.perPainted) return false;
         }

@@ -7,6 +7,7 @@
 #include <numbers>
 #include <numeric>
 
+#include "geometry/exact/give_up.h"
 #include "geometry/exact/power.h"
 #include "geometry/exact/trig.h"
 #include "geometry/exact/unit.h"
@@ -269,6 +270,7 @@ std::vector<double> Misfit::atSamples(std::span<const Facet> facets, std::span<c
   Intensities intensities;
   for (std::size_t first = 0, end = 0; first < which.size(); first = end) {
     end = std::min(which.size(), first + kTogether / each + 1);
+    MayGiveUp::check();
     samples = {};
     for (std::size_t k = first; k < end; ++k) addSamples(facets[which[k]], along, samples);
     for (int channel = 0; channel < lighting_.channels; ++channel) {

@@ -9,6 +9,7 @@
 #include <unordered_map>
 #include <utility>
 
+#include "geometry/exact/give_up.h"
 #include "geometry/exact/unit.h"
 #include "shading/light/misfit.h"
 
@@ -182,6 +183,7 @@ bool Refiner::markMissed() {
 /// Marks the longest edge of each triangle that has a marked edge, until there are no more.
 void Refiner::markLongest() {
   for (bool more = true; more;) {
+    MayGiveUp::check();
     more = false;
     for (const Triangle& t : triangles_)
       if (isMarked(t, 0) || isMarked(t, 1) || isMarked(t, 2)) more |= mark(t, longest(t));

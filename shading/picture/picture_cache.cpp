@@ -8,6 +8,7 @@
 #include "depthsort/bsp_tree.h"
 #include "depthsort/oracle.h"
 #include "depthsort/order.h"
+#include "geometry/exact/give_up.h"
 #include "shading/fill/z_buffer.h"
 #include "shading/picture/stopwatch.h"
 
@@ -15,9 +16,10 @@ namespace xnewell {
 
 namespace {
 
-/// Runs a stage, or a part of it, and adds its time in milliseconds.
+/// Runs a stage, or a part of it, and adds its time in milliseconds. @throws GivenUp instead
 template <class Stage>
 void timed(double& ms, Stage&& stage) {
+  MayGiveUp::check();
   const Stopwatch watch;
   stage();
   ms += watch.ms();

@@ -32,7 +32,7 @@ PictureSettings modelOf(const Picture& picture) {
 }  // namespace
 
 FineScene fineSceneOf(const Scene& scene) {
-  return hasCurves(scene) ? FineScene{finelyDivided(scene)} : std::nullopt;
+  return isCoarse(scene) ? FineScene{finelyDivided(scene)} : std::nullopt;
 }
 
 Reference referenceOf(const Picture& picture, const FineScene& fine) {

@@ -6,7 +6,7 @@
 
 namespace xnewell {
 
-/// The scene with finely divided surfaces (finelyDivided()); nothing if no surface is curved.
+/// The scene with finely divided surfaces (finelyDivided()); nothing if the scene's own are as fine.
 using FineScene = std::optional<Shared<Scene>>;
 [[nodiscard]] FineScene fineSceneOf(const Scene& scene);
 

@@ -23,6 +23,7 @@ constexpr double kLeastSide = 0x1p-42;
 struct Grid {
   int rows = 1, columns = 1;
   [[nodiscard]] int faces() const { return rows * columns; }
+  bool operator==(const Grid&) const = default;
 };
 
 /// The grid whose rows run around a sphere, or across a torus' tube.
@@ -83,6 +84,15 @@ struct Divisions {
   std::function<int(const PatchRun&)> ofPatches;
   std::function<Grid(const RoundRun&)> ofRound;
 };
+
+/// How often a reference divides them.
+Divisions fineDivisions(const Scene& scene) {
+  const int n = finestDivisions(scene);
+  const double least = std::ldexp(kLeastSide, scene.exponent);
+  return {
+      [=](const PatchRun& run) { return isTiny(run, least) ? run.divisions : std::max(n, run.divisions); },
+      [=](const RoundRun& run) { return isTiny(run, least) ? gridOf(run) : fineGrid(run, n); }};
+}
 
 /// Makes the mesh anew, in file coordinates. Faces of curved surfaces get the group and the material of the
 /// old face in their place.
@@ -191,15 +201,15 @@ Scene dividedAnew(const Scene& scene, int divisions) {
   return other;
 }
 
-Scene finelyDivided(const Scene& scene) {
-  const int n = finestDivisions(scene);
-  const double least = std::ldexp(kLeastSide, scene.exponent);
-  return Divider{scene}.divided(
-      {[&](const PatchRun& run) { return isTiny(run, least) ? run.divisions : std::max(n, run.divisions); },
-       [&](const RoundRun& run) { return isTiny(run, least) ? gridOf(run) : fineGrid(run, n); }});
-}
+Scene finelyDivided(const Scene& scene) { return Divider{scene}.divided(fineDivisions(scene)); }
 
-bool hasCurves(const Scene& scene) { return !scene.patches.empty() || !scene.rounds.empty(); }
+bool isCoarse(const Scene& scene) {
+  const Divisions fine = fineDivisions(scene);
+  return std::ranges::any_of(scene.patches,
+                             [&](const PatchRun& run) { return fine.ofPatches(run) != run.divisions; }) ||
+         std::ranges::any_of(scene.rounds,
+                             [&](const RoundRun& run) { return fine.ofRound(run) != gridOf(run); });
+}
 
 int finestDivisions(const Scene& scene) {
   std::int64_t patches = 0;

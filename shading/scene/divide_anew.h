@@ -13,8 +13,8 @@ namespace xnewell {
 /// The scene with all curved surfaces as fine as a reference needs: patches, spheres and tori, whatever
 /// divisions the file sets. Each has finestDivisions() or more.
 [[nodiscard]] Scene finelyDivided(const Scene& scene);
-/// True if finelyDivided() has other faces: a surface is curved, or may be.
-[[nodiscard]] bool hasCurves(const Scene& scene);
+/// True if finelyDivided() has other faces.
+[[nodiscard]] bool isCoarse(const Scene& scene);
 /// 64, or as many as give no more than 300,000 faces; at least 1. A patch has the square of it. A quarter of
 /// a sphere's or a torus' circle has as many, so a sphere counts as 8 patches, and a torus as 16. 0 if
 /// nothing is curved.

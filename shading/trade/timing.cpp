@@ -6,6 +6,7 @@
 #include <numeric>
 #include <random>
 
+#include "geometry/exact/give_up.h"
 #include "shading/picture/stopwatch.h"
 
 namespace xnewell {
@@ -96,7 +97,11 @@ Timings timeAll(std::span<const Timed> ways, const TimingLimits& limits, const T
     std::vector<double> round(order.size());
     for (const std::size_t way : order) {
       if (goOn && !goOn(static_cast<int>(rounds.size()), timings)) return ended(Ended::Stopped);
-      round[way] = ways[way % ways.size()]();
+      try {
+        round[way] = ways[way % ways.size()]();
+      } catch (const GivenUp&) {
+        return ended(Ended::OutOfTime);
+      }
     }
     rounds.push_back(std::move(round));
     const int count = static_cast<int>(rounds.size());

@@ -42,7 +42,7 @@ struct Timings {
 
 struct TimingLimits {
   double seconds = 10;
-  int leastRounds = 7;  ///< also beyond the time, unless it is stopped
+  int leastRounds = 7;  ///< also beyond the time, unless it is stopped or a way is given up
   int mostRounds = 200;
   /// An interval is narrow if high / low is at most 1 + this.
   double narrow = 0.04;
@@ -56,8 +56,8 @@ using Timed = std::function<double()>;
 /// end the rounds.
 using TimingProgress = std::function<bool(int rounds, const Timings& known)>;
 
-/// If `goOn` returns false, no more runs, and a round that is not whole does not count. Without a whole
-/// round, all times are 0. Precondition: there is a way.
+/// If `goOn` returns false or a way throws GivenUp, no more runs, and a round that is not whole does not
+/// count. Without a whole round, all times are 0. Precondition: there is a way.
 [[nodiscard]] Timings timeAll(std::span<const Timed> ways, const TimingLimits& limits = {},
                               const TimingProgress& goOn = {});
 

@@ -5,6 +5,7 @@
 #include <limits>
 
 #include "geometry/exact/box.h"
+#include "geometry/exact/give_up.h"
 #include "shading/trade/combine.h"
 #include "shading/trade/constant_l_bound.h"
 #include "shading/trade/measure.h"
@@ -26,6 +27,10 @@ constexpr std::size_t kFinalists = 16;
 /// After so many rounds, what takes so many times as long as the first of them is out.
 constexpr int kFirstRounds = 5;
 constexpr double kLast = 1.2;
+
+/// What has begun may take this share of the time more than its part has left. Then it is given up. So one
+/// picture that takes very long cannot take more.
+constexpr double kBeyond = 0.5;
 
 /// The trade while it is made.
 class Trader {
@@ -66,6 +71,21 @@ class Trader {
     return std::max(0.0, share * request_.seconds - seconds());
   }
 
+  /// While it lives, what belongs to a part that ends at `share` of the time can be given up.
+  [[nodiscard]] MayGiveUp limitOf(double share) const {
+    const double last = std::max(seconds(), share * request_.seconds) + kBeyond * request_.seconds;
+    return MayGiveUp{[this, last] { return seconds() > last; }};
+  }
+  /// Returns false if the work was given up.
+  template <class Work>
+  bool inTime(double share, Work&& work) try {
+    const MayGiveUp limit = limitOf(share);
+    work();
+    return true;
+  } catch (const GivenUp&) {
+    return false;
+  }
+
   [[nodiscard]] Measured closely(const Configuration& one) {
     return request_.brief ? measure_.brief(one) : measure_.whole(one);
   }
@@ -82,10 +102,13 @@ class Trader {
         }
         const Configuration one = changed(measure_.askedConfiguration(), axis, value);
         if (!allHaveEffect(one, measure_.asked())) continue;
-        if (const std::string why = measure_.refusal(one); !why.empty())
-          trade_.notes.push_back(one.name() + " was left out: " + why);
-        else
-          trade_.rows.push_back({static_cast<int>(k), value, closely(one), ""});
+        const bool known = inTime(kRowErrors, [&] {
+          if (const std::string why = measure_.refusal(one); !why.empty())
+            trade_.notes.push_back(one.name() + " was left out: " + why);
+          else
+            trade_.rows.push_back({static_cast<int>(k), value, closely(one), ""});
+        });
+        if (!known) left.push_back("--" + std::string{axis.name()} + ' ' + axis.text(value));
       }
     if (!left.empty()) {
       std::string note = "the time did not suffice (--budget) for " + left.front();
@@ -101,13 +124,16 @@ class Trader {
 
   /// Searches as long as there is time. Returns false if it was stopped.
   bool searched(Search& search, const std::string& what) {
+    bool more = true;
     do {
       if (!goOn("looking at " + what + ": " + std::to_string(search.tried().size()))) return false;
-      if (isLate(kCombinationErrors)) {
+      const bool known =
+          !isLate(kCombinationErrors) && inTime(kCombinationErrors, [&] { more = search.step(); });
+      if (!known) {
         trade_.notes.emplace_back("the time did not suffice for all combinations with promise (--budget)");
         break;
       }
-    } while (search.step());
+    } while (more);
     trade_.neverTried = search.neverTried();
     return true;
   }
@@ -123,23 +149,30 @@ class Trader {
         std::clamp(1e3 * secondsTo(1) / std::max(each, 1e-3), 8.0, double{kMostCombinations}));
     for (const int k : search.nearFront(most)) {
       if (!goOn("looking at " + search.tried()[k].configuration.name())) return;
-      trade_.combinations.push_back(measure_.brief(search.tried()[k].configuration));
+      if (!inTime(kCombinationErrors,
+                  [&] { trade_.combinations.push_back(measure_.brief(search.tried()[k].configuration)); }))
+        return noTimeForCombinations();
     }
     Measured base = trade_.asked;  // so that all times are compared with the same set-up
     std::vector<Measured*> timed{&base};
     for (Measured& one : trade_.combinations) timed.push_back(&one);
     trade_.ofCombinations = time(timed, 1, "timing combinations", request_.mostRounds);
-    if (trade_.ofCombinations.rounds == 0) {
-      trade_.combinations.clear();
-      return;
-    }
+    if (trade_.ofCombinations.rounds == 0) return noTimeForCombinations();
     if (request_.brief) return;
     for (const int k : trade_.front) {
       if (!goOn("looking closer at " + trade_.combinations[k].configuration.name())) return;
       const Cost cost = trade_.combinations[k].cost;
-      trade_.combinations[k] = measure_.whole(trade_.combinations[k].configuration);
+      if (!inTime(1, [&] { trade_.combinations[k] = measure_.whole(trade_.combinations[k].configuration); }))
+        return noTimeForCombinations();
       trade_.combinations[k].cost.time = cost.time, trade_.combinations[k].cost.stages = cost.stages;
     }
+  }
+
+  void noTimeForCombinations() {
+    trade_.combinations.clear();
+    trade_.front.clear();
+    if (!trade_.stopped)
+      trade_.notes.emplace_back("the time did not suffice to time combinations (--budget)");
   }
 
   /// The combinations near the limit. Those that may be the choice are timed again, in turn.
@@ -154,7 +187,7 @@ class Trader {
       Measured& one = trade_.combinations[k];
       const Cost rough = one.cost;
       const std::int64_t wrong = one.wrongElsewhere;
-      one = measure_.brief(one.configuration);
+      if (!inTime(kCombinationErrors, [&] { one = measure_.brief(one.configuration); })) break;
       one.wrongElsewhere = wrong;
       one.cost.time = rough.time, one.cost.stages = rough.stages;
       timed.push_back(&one);
@@ -185,6 +218,7 @@ class Trader {
       for (std::size_t k = 0; k < ways.size(); ++k) ways[k]->cost.time = timings.of[k];
       if (!request_.within) trade_.front = frontOf(trade_.combinations);
     };
+    const MayGiveUp limit = limitOf(share);
     Timings timings = timeAll(timed, limits, [&](int rounds, const Timings& known) {
       if (known.rounds != kept) keep(known), kept = known.rounds;
       return goOn(doing + ": round " + std::to_string(rounds + 1));

@@ -8,6 +8,7 @@
 #include <random>
 #include <set>
 
+#include "geometry/exact/give_up.h"
 #include "tests/support/painted_picture.h"
 #include "tests/support/small_picture.h"
 
@@ -201,6 +202,37 @@ TEST(Picture, NeverChanges) {
   EXPECT_EQ(pictures.last().image(), last);
   EXPECT_EQ(pictures.make(other, 8).image(), last);
   expectSame();
+}
+
+// A stage that takes long can be given up at many places: the depth sort, the building of a tree, adaptive
+// subdivision. The cache then goes on from its last picture.
+TEST(Picture, CanBeGivenUp) {
+  const Scene scene = readScene("teapot", 8);
+  const auto asked = [&](const PictureSettings& settings) {
+    int times = 0;
+    const MayGiveUp counts{[&] { return ++times < 0; }};
+    (void)makePicture(scene, settings, 8);
+    return times;
+  };
+  PictureSettings quick = small();
+  quick.order = Order::ZSort;
+  const int stages = asked(quick);
+  EXPECT_GT(stages, 3);
+  PictureCache pictures{scene};
+  const IndexImage image = pictures.make(quick, 8).image();
+  for (const auto& [order, adapt] :
+       {std::pair{Order::Newell, 0.0}, {Order::Bsp, 0.0}, {Order::ZSort, 0.001}}) {
+    PictureSettings slow = quick;
+    slow.order = order, slow.adapt = adapt;
+    const int all = asked(slow);
+    EXPECT_GT(all, 2 * stages) << rowOf(order).name << ' ' << adapt;
+    int left = all / 2;
+    const MayGiveUp outer{[&] { return --left < 0; }};
+    const MayGiveUp inner{[] { return false; }};
+    EXPECT_THROW((void)pictures.make(slow, 8), GivenUp);
+    EXPECT_EQ(pictures.last().image(), image);
+  }
+  EXPECT_EQ(pictures.make(quick, 8).image(), image);
 }
 
 }  // namespace xnewell

@@ -235,6 +235,16 @@ TEST(Truth, DoesNotAskWhoSetTheDivisions) {
   EXPECT_GT(a.afterTable.rootMeanSquare, 0.08);
 }
 
+// A scene whose surfaces are as fine as those of the reference is not divided again: nothing is held twice.
+TEST(Truth, NeedsNoSecondSceneIfTheFirstIsFine) {
+  EXPECT_TRUE(fineSceneOf(readScene("teapot", 63)));
+  EXPECT_FALSE(fineSceneOf(readScene("teapot", 64)));
+  EXPECT_FALSE(fineSceneOf(readScene("cycle")));
+  const Few few;
+  EXPECT_TRUE(fineSceneOf(few.scene));
+  EXPECT_FALSE(fineSceneOf(finelyDivided(few.scene)));
+}
+
 // A face of one division is a face of any other: at poles, edges, and beside other objects.
 TEST(Truth, FindsTheFaceOfOtherDivisions) {
   const Few few;

@@ -182,6 +182,19 @@ TEST(Trade, StopsWhenItIsTold) {
   }
 }
 
+// One picture that takes long cannot take much more than the time that there is. So without time nothing is
+// timed, and what was left out is told.
+TEST(Trade, GivesUpWhatTakesTooLong) {
+  const Trade trade = tradeOf(readScene("teapot"), small(), {.axes = {"order"}, .seconds = 1e-9});
+  EXPECT_FALSE(trade.stopped);
+  EXPECT_TRUE(trade.rows.empty());
+  ASSERT_FALSE(trade.notes.empty());
+  EXPECT_TRUE(trade.notes[0].starts_with("the time did not suffice (--budget) for --order none"));
+  EXPECT_EQ(trade.ofRows.rounds, 0);
+  EXPECT_EQ(trade.ofRows.ended, Ended::OutOfTime);
+  EXPECT_GT(trade.asked.here.samples, 0);
+}
+
 // No combination beats one on the front, unless their times or their errors are a tie.
 TEST(Trade, NothingBeatsTheFront) {
   PictureSettings settings = small();
