@@ -362,8 +362,8 @@ void Workbench::drawFrame(bool dragging) {
             .aside = view.aside(),
             .notice = notice_,
             .told = told_,
-            .legend = legendOf(keys()),
             .typed = line_.typed(),
+            .legend = legendOf(keys()),
             .help = help_ ? helpOf(keys()) : std::vector<HelpLine>{}};
   drawPanel(paint, layout_, panel_, cells);
   shown_ = {indices(), {work_.setup, effects}, whole ? std::optional{picture} : std::nullopt};

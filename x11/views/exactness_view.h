@@ -34,7 +34,9 @@ inline constexpr int kSpotBlock = 16;  ///< pixels
 void ringSpots(Painter painter, int x, int y, const std::vector<SampleCheck>& verdicts, int width,
                const CellPlan& plan);
 
-[[nodiscard]] Finding findingOf(const Exactness& exactness, Order order);
+/// The oracle judges by the faces that are drawn. If some are culled, the finding says so: the truth of all
+/// faces is with the errors.
+[[nodiscard]] Finding findingOf(const Exactness& exactness, Order order, Cull cull);
 
 /// The map, its numbers, and what they mean.
 [[nodiscard]] ColoredImage drawExactness(const Picture& picture, const ViewSettings& settings);

@@ -88,7 +88,7 @@ TEST(ExactnessView, OfOnePlaneTheLaterShouldShow) {
   s.order = Order::Newell;
   EXPECT_EQ(exactnessOf(makePicture(scene, s)).wrong, 0);
   const auto why = [](int wrong, int earlier) {
-    return findingOf({.samples = 4000, .wrong = wrong, .earlier = earlier}, Order::ZSort).why;
+    return findingOf({.samples = 4000, .wrong = wrong, .earlier = earlier}, Order::ZSort, Cull::Keep).why;
   };
   EXPECT_EQ(why(1200, 0), "The oracle, which compares all faces at each sample, sees a nearer one there.");
   EXPECT_EQ(
@@ -143,13 +143,18 @@ TEST(ExactnessView, RingsFindSingleSamples) {
 
 // The finding tells what was counted: wrong samples first, then doubtful ones.
 TEST(ExactnessView, FindingIsOfTheNumbers) {
-  EXPECT_EQ(findingOf({}, Order::Newell).bold, "Nothing shows.");
-  EXPECT_EQ(findingOf({.samples = 9}, Order::Newell).bold, "Every sample shows the right face.");
-  EXPECT_NE(findingOf({.samples = 9}, Order::Newell).why, findingOf({.samples = 9}, Order::Oracle).why);
-  const Finding doubtful = findingOf({.samples = 4000, .doubtful = 1}, Order::Newell);
+  EXPECT_EQ(findingOf({}, Order::Newell, Cull::Keep).bold, "Nothing shows.");
+  EXPECT_EQ(findingOf({.samples = 9}, Order::Newell, Cull::Keep).bold, "Every sample shows the right face.");
+  EXPECT_NE(findingOf({.samples = 9}, Order::Newell, Cull::Keep).why,
+            findingOf({.samples = 9}, Order::Oracle, Cull::Keep).why);
+  // With backs culled, a face that was culled may be nearer: --errors counts that.
+  const Finding culled = findingOf({.samples = 9}, Order::Newell, Cull::Back);
+  EXPECT_EQ(culled.bold, "Every sample shows the right one of the faces that culling left.");
+  EXPECT_TRUE(culled.why.ends_with(" Only the faces that culling left are compared.")) << culled.why;
+  const Finding doubtful = findingOf({.samples = 4000, .doubtful = 1}, Order::Newell, Cull::Keep);
   EXPECT_EQ(doubtful.bold, "No face is wrong, but 1 sample may be.");
   EXPECT_EQ(doubtful.why.substr(0, 27), "At 1 sample two faces lie s");
-  const Finding wrong = findingOf({.samples = 4000, .wrong = 1200, .doubtful = 2}, Order::ZSort);
+  const Finding wrong = findingOf({.samples = 4000, .wrong = 1200, .doubtful = 2}, Order::ZSort, Cull::Keep);
   EXPECT_EQ(wrong.bold, "A wrong face shows at 1,200 of 4,000 samples.");
   EXPECT_NE(wrong.why.find("At 2 samples two faces"), std::string::npos);
 }
