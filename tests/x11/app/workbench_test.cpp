@@ -68,10 +68,10 @@ TEST(Workbench, TableChangesEqualAFreshStart) {
 TEST(Workbench, TheListOfKeysFits) {
   constexpr int kWidth = 560, kShadow = 4;
   for (const auto& [width, height] : {std::pair{800, 600}, {1024, 768}})
-    for (const char view : {'1', '2', '3', '4', '5', '6', '7', '8'}) {
-      SCOPED_TRACE(view);
+    for (const WindowViewRow& row : kWindowViews) {
+      SCOPED_TRACE(row.name);
       ReadyWorkbench b{{}, width, height};
-      b.type(std::string{view});
+      b.press(row.key);
       b.finish();
       const IndexImage before = b.image();
       b.type("?");
