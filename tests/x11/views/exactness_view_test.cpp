@@ -84,7 +84,8 @@ TEST(ExactnessView, OfOnePlaneTheLaterShouldShow) {
   const Exactness e = exactnessOf(makePicture(scene, s));
   EXPECT_GT(e.earlier, 100);
   EXPECT_LE(e.earlier, e.wrong);
-  EXPECT_NE(findingOf(e, s.order, s.cull).why.find("in the plane of the face that should show"), std::string::npos);
+  EXPECT_NE(findingOf(e, s.order, s.cull).why.find("in the plane of the face that should show"),
+            std::string::npos);
   s.order = Order::Newell;
   EXPECT_EQ(exactnessOf(makePicture(scene, s)).wrong, 0);
   const auto why = [](int wrong, int earlier) {
