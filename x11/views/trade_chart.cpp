@@ -103,12 +103,12 @@ TradeScale::TradeScale(const Rect& area, const Trade& trade, const TradeAxes& ax
 }
 
 int TradeScale::x(double cost) const {
-  const double share = std::log(std::max(cost, cost0_) / cost0_) / std::log(cost1_ / cost0_);
+  const double share = std::log(std::clamp(cost, cost0_, cost1_) / cost0_) / std::log(cost1_ / cost0_);
   return area_.x + static_cast<int>(std::lround((area_.width - 1) * share));
 }
 
 int TradeScale::y(double error) const {
-  const double share = std::log(std::max(error, error0_) / error0_) / std::log(error1_ / error0_);
+  const double share = std::log(std::clamp(error, error0_, error1_) / error0_) / std::log(error1_ / error0_);
   return area_.y + area_.height - 1 - static_cast<int>(std::lround((area_.height - 1) * share));
 }
 

@@ -57,6 +57,7 @@ class TradeScale {
   /// `area` is that of the marks. `trade` has a combination with a time.
   TradeScale(const Rect& area, const Trade& trade, const TradeAxes& axes = {});
 
+  /// What is beyond the marks is put at the area's edge: a large limit keeps its handle in reach.
   [[nodiscard]] int x(double cost) const;
   [[nodiscard]] int y(double error) const;
   /// The error at a row of pixels.

@@ -70,6 +70,10 @@ class BenchStage : public Host {
 
   [[nodiscard]] IndexImage part(const Rect& r) const {
     IndexImage copy{r.width, r.height, 0};
+    if (r.x < 0 || r.y < 0 || r.x + r.width > image.width || r.y + r.height > image.height) {
+      ADD_FAILURE() << "a part beyond the window";
+      return copy;
+    }
     for (int j = 0; j < r.height; ++j) std::copy_n(image.row(r.y + j) + r.x, r.width, copy.row(j));
     return copy;
   }

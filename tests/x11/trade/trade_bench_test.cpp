@@ -177,6 +177,24 @@ TEST(TradeBench, TheLimitsHandleCanBeDragged) {
   EXPECT_FALSE(m.bench.grab(handle.x + handle.width, handle.y + 1));
 }
 
+// What is beyond the marks is put at the edge of their area. The scale of one combination is the narrowest.
+TEST(TradeScale, PutsWhatIsBeyondAtTheEdge) {
+  Measured one;
+  one.cost.time = {.ms = 2, .ratio = 1};
+  one.here.afterTable.rootMeanSquare = 0.001;
+  Trade trade;
+  trade.combinations = {one};
+  const Rect area{60, 40, 300, 200};
+  const TradeScale scale{area, trade, {}};
+  for (const double far : {0.1, 1e9}) {
+    EXPECT_EQ(scale.y(far), area.y);
+    EXPECT_EQ(limitHandle(scale, far).y, limitHandle(scale, scale.errorAt(area.y)).y);
+    EXPECT_EQ(scale.x(1000 * far), area.x + area.width - 1);
+  }
+  EXPECT_EQ(scale.y(1e-9), area.y + area.height - 1);
+  EXPECT_EQ(scale.x(1e-9), area.x);
+}
+
 // A combination off the front is not said to be on it.
 TEST(TradePage, SaysWhetherAMarkIsOnTheFront) {
   const auto with = [](double ms, double error) {
