@@ -207,7 +207,7 @@ class Workbench : public Host {
   std::unique_ptr<Work> before_;  ///< the work from before open(); null without one
   Server server_;
   int mostShades_ = kMaxShades;
-  std::array<std::unique_ptr<Bench>, kEveryWindowView> benches_;
+  std::array<std::unique_ptr<Bench>, kWindowViews.size()> benches_;
   LessonBench* lessons_;  ///< one of the benches
   SortBench* stepper_;    ///< another one
   SideBench* sides_;      ///< and another

@@ -7,13 +7,12 @@ namespace xnewell {
 
 /// The views of the window. Each has a tab and a key.
 enum class WindowView { Picture, DepthSort, Colors, MachBands, SideBySide, Trade, Lesson };
-inline constexpr int kEveryWindowView = 7;
 struct WindowViewRow {
   WindowView id;
   char key;
   std::string_view name, option;  ///< the words on the tab, and the value of --view
 };
-inline constexpr std::array kWindowViews{
+inline constexpr std::array kWindowViews{  // in the order of WindowView
     WindowViewRow{WindowView::Picture, '1', "Picture", "picture"},
     WindowViewRow{WindowView::DepthSort, '2', "Depth sort", "depthsort"},
     WindowViewRow{WindowView::Colors, '3', "Colours", "colours"},

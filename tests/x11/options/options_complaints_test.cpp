@@ -222,12 +222,18 @@ TEST(Options, RefuseWhatAViewCannotHeed) {
     EXPECT_EQ(complaintAll({"snapshot", "teapot", "-o", "a", "--fill", "x11", "--view", name}),
               view + " uses the scanline filler: leave out --fill x11");
   }
-  for (const std::string name : {"depthsort", "sidebyside", "lesson"}) {
+  // The others are drawn in the window only.
+  int inTheWindow = 0;
+  for (const WindowViewRow& row : kWindowViews) {
+    const std::string name{row.option};
+    if (std::ranges::find(kViews, name, &ViewRow::name) != kViews.end()) continue;
+    ++inTheWindow;
     EXPECT_EQ(complaintAll({"--view", name}), "");
     EXPECT_EQ(complaintAll({"snapshot", "teapot", "-o", "a", "--whole-window", "--view", name}), "");
     EXPECT_EQ(complaint({"--view", name}),
               "--view " + name + " is a view of the window: use view, or snapshot --whole-window");
   }
+  EXPECT_GE(inTheWindow, 4);
   EXPECT_EQ(complaintAll({"--scanline", "3", "--view", "machbands"}),
             "--scanline works only with a view that is drawn without its window");
 }
