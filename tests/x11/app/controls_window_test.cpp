@@ -66,6 +66,7 @@ TEST_P(ControlsWindowAt, AllAnswerToTheMouse) {
     }
     ++(drags ? dragged : clicked);
     twin.type("r");
+    ASSERT_TRUE(twin.agrees());  // the next drag acts on what is drawn: the ball is seen by the camera
   }
   EXPECT_GE(dragged, 9);
   EXPECT_GE(clicked, 30);
