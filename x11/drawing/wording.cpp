@@ -46,6 +46,8 @@ std::string grouped(std::int64_t value) {
   return digits;
 }
 
+std::string sizeText(int width, int height) { return std::to_string(width) + " x " + std::to_string(height); }
+
 std::string counted(std::int64_t n, std::string_view what) {
   return (n == 0 ? "no" : grouped(n)) + " " + std::string{what} + (n == 1 ? "" : "s");
 }

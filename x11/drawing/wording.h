@@ -18,6 +18,8 @@ namespace xnewell {
 [[nodiscard]] std::string msText(double ms);
 /// 12,345.
 [[nodiscard]] std::string grouped(std::int64_t value);
+/// The size of a picture: `376 x 256`.
+[[nodiscard]] std::string sizeText(int width, int height);
 /// `1 cut`, `1,234 cuts`, `no cuts`.
 [[nodiscard]] std::string counted(std::int64_t n, std::string_view what);
 

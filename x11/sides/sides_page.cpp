@@ -176,7 +176,7 @@ void SidesDrawing::drawNumbers() {
   };
   const bool alike = a.measure == b.measure;
   const int decimals = a.measure == DifferenceMeasure::Intensity && alike ? 4 : 2;
-  count("wrong face, samples", a.wrong, b.wrong, true);
+  count("wrong face, of " + sizeText(page_.A.width, page_.A.height), a.wrong, b.wrong, true);
   amount("largest error", a.largest, b.largest, decimals, alike);
   const bool colors = alike && a.measure == DifferenceMeasure::Color;
   amount(colors ? "root mean square, CIEDE2000" : "root mean square error", a.rootMeanSquare,

@@ -105,7 +105,9 @@ class TradeDrawing {
     row("time", msText(one.cost.time.ms) + " ms", fixed(one.cost.time.ratio, 2) + " x the set-up");
     if (!at_.compact) {
       row("memory", fixed(static_cast<double>(one.cost.bytes) / 1e6, 1) + " MB", "");
-      row("wrong faces", grouped(one.here.wrongFaces), "of " + grouped(one.here.samples));
+      const PictureSettings& measured = one.configuration.settings;
+      row("wrong, of " + sizeText(measured.width, measured.height), grouped(one.here.wrongFaces),
+          "of " + grouped(one.here.samples));
     }
     if (page_.place < static_cast<int>(one.here.worst.size())) {
       const WorstPlace& place = one.here.worst[page_.place];

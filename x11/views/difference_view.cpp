@@ -75,13 +75,14 @@ std::string share(const Difference& d) {
 }
 
 void drawNumbers(Sheet& sheet, const Difference& d, int x, int y, int width) {
+  const int height = static_cast<int>(d.at.size()) / d.width;
   const MeasureRow& measure = kMeasures[static_cast<int>(d.measure)];
   const int decimals = d.measure == DifferenceMeasure::Intensity ? 4 : 2;
   const auto row = [&](const std::string& label, const std::string& value) {
     y = sheet.tableRow(x, y, label, {value}, {width});
   };
   const std::string of = d.measure == DifferenceMeasure::Intensity ? ", intensity" : ", CIEDE2000";
-  row("samples", grouped(d.samples));
+  row("samples that show a face", grouped(d.samples) + " of " + sizeText(d.width, height));
   row("mean difference" + of, fixed(d.mean, decimals));
   row("largest difference", fixed(d.largest, decimals));
   row("above " + std::string{measure.unitInWords}, share(d));

@@ -94,9 +94,9 @@ void ringSpots(Painter painter, int x, int y, const std::vector<SampleCheck>& ve
   }
 }
 
-Finding findingOf(const Exactness& e, Order order, Cull cull) {
+Finding findingOf(const Exactness& e, const PictureSettings& of) {
   if (e.samples == 0) return {"Nothing shows.", ""};
-  const std::string culled = cull == Cull::Keep ? "" : " Only the faces that culling left are compared.";
+  const std::string culled = of.cull == Cull::Keep ? "" : " Only the faces that culling left are compared.";
   const std::string doubtful =
       e.doubtful == 0 ? ""
                       : "At " + counted(e.doubtful, "sample") +
@@ -112,16 +112,18 @@ Finding findingOf(const Exactness& e, Order order, Cull cull) {
       add((e.earlier == e.wrong ? "There" : "At " + grouped(e.earlier)) +
           " it lies in the plane of the face that should show: of faces in one plane, the later one wins.");
     if (!doubtful.empty()) add(doubtful);
-    return {"A wrong face shows at " + grouped(e.wrong) + " of " + counted(e.samples, "sample") + ".",
+    return {"A wrong face shows at " + grouped(e.wrong) + " of " + counted(e.samples, "sample") + " of " +
+                sizeText(of.width, of.height) + ".",
             why + culled};
   }
   if (e.doubtful > 0)
     return {"No face is wrong, but " + counted(e.doubtful, "sample") + " may be.", doubtful + culled};
-  return {culled.empty() ? "Every sample shows the right face."
-                         : "Every sample shows the right one of the faces that culling left.",
-          (order == Order::Oracle ? "The oracle painted it, and the oracle is the judge."
-                                  : "The oracle, which compares all faces at each sample, sees the same.") +
-              culled};
+  return {
+      culled.empty() ? "Every sample shows the right face."
+                     : "Every sample shows the right one of the faces that culling left.",
+      (of.order == Order::Oracle ? "The oracle painted it, and the oracle is the judge."
+                                 : "The oracle, which compares all faces at each sample, sees the same.") +
+          culled};
 }
 
 PictureSettings pictureForExactness(const ViewSettings& settings) {
@@ -137,11 +139,11 @@ ColoredImage drawExactness(const Picture& picture, const ViewSettings& settings)
   ringSpots(page.sheet.painter().within(page.at), page.at.x, page.at.y, verdicts, width, settings.cells);
   int y = page.section("faces");
   drawStepLegend(page.sheet.painter(), settings.cells, page.left + 2, y + 2, kVerdictSteps, "");
-  page.finding(y, findingOf(e, picture.settings().order, picture.settings().cull));
+  page.finding(y, findingOf(e, picture.settings()));
   y += 22;
   const auto row = [&](std::string_view label, const std::string& value) { y = page.row(y, label, value); };
   row("order", std::string{kOrders[static_cast<int>(picture.settings().order)].label});
-  row("samples that show a face", grouped(e.samples));
+  row("samples that show a face", grouped(e.samples) + " of " + sizeText(width, picture.settings().height));
   row("right", grouped(e.samples - e.doubtful - e.wrong));
   row("doubtful", grouped(e.doubtful));
   row("wrong", grouped(e.wrong));

@@ -35,8 +35,8 @@ void ringSpots(Painter painter, int x, int y, const std::vector<SampleCheck>& ve
                const CellPlan& plan);
 
 /// The oracle judges by the faces that are drawn. If some are culled, the finding says so: the truth of all
-/// faces is with the errors.
-[[nodiscard]] Finding findingOf(const Exactness& exactness, Order order, Cull cull);
+/// faces is with the errors. The picture is named by its size: --errors may count in a larger one.
+[[nodiscard]] Finding findingOf(const Exactness& exactness, const PictureSettings& of);
 
 /// The map, its numbers, and what they mean.
 [[nodiscard]] ColoredImage drawExactness(const Picture& picture, const ViewSettings& settings);

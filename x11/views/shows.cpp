@@ -46,9 +46,8 @@ ShownPicture shownAs(Show show, const Picture& picture, const Palette& palette, 
     }
     case Show::Exactness: {
       const std::vector<SampleCheck> verdicts = checkedSamples(picture);
-      ShownPicture shown{
-          verdictImage(verdicts, picture.settings().width, plan), palette,
-          findingOf(exactnessOf(verdicts), picture.settings().order, picture.settings().cull).bold};
+      ShownPicture shown{verdictImage(verdicts, picture.settings().width, plan), palette,
+                         findingOf(exactnessOf(verdicts), picture.settings()).bold};
       ringSpots({shown.image, unit}, 0, 0, verdicts, picture.settings().width, plan);
       drawStepLegend({shown.image, unit}, plan, kLegend, kLegend, kVerdictSteps, "");
       return shown;

@@ -64,8 +64,9 @@ std::string inexactness(const Picture& picture, bool compact) {
   if (rowOf(order).exact || picture.snapped().faces.size() > kMost) return {};
   const Exactness e = exactnessOf(picture);
   if (e.wrong == 0) return {};
-  return "Not exact: " + (compact ? "" : orderInWords(order) + ", ") + "the wrong face at " +
-         grouped(e.wrong) + " of " + grouped(e.samples) + " samples.";
+  return (compact ? "A" : "Not exact: " + orderInWords(order) + ", a") + " wrong face at " +
+         grouped(e.wrong) + " of " + grouped(e.samples) + " samples of " +
+         sizeText(picture.settings().width, picture.settings().height) + ".";
 }
 
 /// Words for the colours chosen for the picture of normals. They are in the cells from `first` on.

@@ -34,6 +34,14 @@ Exactness ofSheets(double left, double right, Order order, IndexImage* map = nul
   return exactnessOf(verdicts);
 }
 
+/// What a finding needs to know of a picture.
+PictureSettings of(Order order, Cull cull = Cull::Keep) {
+  PictureSettings s;
+  s.order = order, s.cull = cull;
+  s.width = 90, s.height = 50;
+  return s;
+}
+
 }  // namespace
 
 // A worked example. The upper sheet is 6e-5 behind the other at its left side and 1.9e-5 before it at its
@@ -84,12 +92,11 @@ TEST(ExactnessView, OfOnePlaneTheLaterShouldShow) {
   const Exactness e = exactnessOf(makePicture(scene, s));
   EXPECT_GT(e.earlier, 100);
   EXPECT_LE(e.earlier, e.wrong);
-  EXPECT_NE(findingOf(e, s.order, s.cull).why.find("in the plane of the face that should show"),
-            std::string::npos);
+  EXPECT_NE(findingOf(e, s).why.find("in the plane of the face that should show"), std::string::npos);
   s.order = Order::Newell;
   EXPECT_EQ(exactnessOf(makePicture(scene, s)).wrong, 0);
   const auto why = [](int wrong, int earlier) {
-    return findingOf({.samples = 4000, .wrong = wrong, .earlier = earlier}, Order::ZSort, Cull::Keep).why;
+    return findingOf({.samples = 4000, .wrong = wrong, .earlier = earlier}, of(Order::ZSort)).why;
   };
   EXPECT_EQ(why(1200, 0), "The oracle, which compares all faces at each sample, sees a nearer one there.");
   EXPECT_EQ(
@@ -144,19 +151,19 @@ TEST(ExactnessView, RingsFindSingleSamples) {
 
 // The finding tells what was counted: wrong samples first, then doubtful ones.
 TEST(ExactnessView, FindingIsOfTheNumbers) {
-  EXPECT_EQ(findingOf({}, Order::Newell, Cull::Keep).bold, "Nothing shows.");
-  EXPECT_EQ(findingOf({.samples = 9}, Order::Newell, Cull::Keep).bold, "Every sample shows the right face.");
-  EXPECT_NE(findingOf({.samples = 9}, Order::Newell, Cull::Keep).why,
-            findingOf({.samples = 9}, Order::Oracle, Cull::Keep).why);
+  EXPECT_EQ(findingOf({}, of(Order::Newell)).bold, "Nothing shows.");
+  EXPECT_EQ(findingOf({.samples = 9}, of(Order::Newell)).bold, "Every sample shows the right face.");
+  EXPECT_NE(findingOf({.samples = 9}, of(Order::Newell)).why,
+            findingOf({.samples = 9}, of(Order::Oracle)).why);
   // With backs culled, a face that was culled may be nearer: --errors counts that.
-  const Finding culled = findingOf({.samples = 9}, Order::Newell, Cull::Back);
+  const Finding culled = findingOf({.samples = 9}, of(Order::Newell, Cull::Back));
   EXPECT_EQ(culled.bold, "Every sample shows the right one of the faces that culling left.");
   EXPECT_TRUE(culled.why.ends_with(" Only the faces that culling left are compared.")) << culled.why;
-  const Finding doubtful = findingOf({.samples = 4000, .doubtful = 1}, Order::Newell, Cull::Keep);
+  const Finding doubtful = findingOf({.samples = 4000, .doubtful = 1}, of(Order::Newell));
   EXPECT_EQ(doubtful.bold, "No face is wrong, but 1 sample may be.");
   EXPECT_EQ(doubtful.why.substr(0, 27), "At 1 sample two faces lie s");
-  const Finding wrong = findingOf({.samples = 4000, .wrong = 1200, .doubtful = 2}, Order::ZSort, Cull::Keep);
-  EXPECT_EQ(wrong.bold, "A wrong face shows at 1,200 of 4,000 samples.");
+  const Finding wrong = findingOf({.samples = 4000, .wrong = 1200, .doubtful = 2}, of(Order::ZSort));
+  EXPECT_EQ(wrong.bold, "A wrong face shows at 1,200 of 4,000 samples of 90 x 50.");
   EXPECT_NE(wrong.why.find("At 2 samples two faces"), std::string::npos);
 }
 

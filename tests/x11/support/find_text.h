@@ -1,0 +1,44 @@
+#pragma once
+
+#include <algorithm>
+#include <glm/vec2.hpp>
+#include <string_view>
+#include <vector>
+
+#include "shading/color/index_image.h"
+#include "x11/drawing/font.h"
+#include "x11/drawing/painter.h"
+
+namespace xnewell {
+
+/// Where a text stands in an image, in a cell, in letters of so many pixels a unit: the upper left corners of
+/// its letters' boxes. Inside the box of the text nothing else may have the cell.
+inline std::vector<glm::ivec2> findText(const IndexImage& image, std::string_view text, std::uint8_t cell,
+                                        int unit = 1, Voice voice = Voice::Plain) {
+  IndexImage model{unit * textWidth(text), unit * kGlyphHeight, 0};
+  Painter{model, unit}.text(0, kGlyphAscent, text, 1, voice);
+  const auto first = std::ranges::find(model.pixels, 1) - model.pixels.begin();
+  const int i0 = static_cast<int>(first) % model.width, j0 = static_cast<int>(first) / model.width;
+  std::vector<glm::ivec2> found;
+  for (int y = 0; y + model.height <= image.height; ++y)
+    for (int x = 0; x + model.width <= image.width; ++x) {
+      bool same = image.row(y + j0)[x + i0] == cell;
+      for (int j = 0; j < model.height && same; ++j)
+        for (int i = 0; i < model.width && same; ++i)
+          same = (model.row(j)[i] == 1) == (image.row(y + j)[x + i] == cell);
+      if (same) found.emplace_back(x, y);
+    }
+  return found;
+}
+
+/// True if a table in the image has this row: the label, and right of it the value.
+inline bool hasRow(const IndexImage& image, std::string_view label, std::string_view value, std::uint8_t cell,
+                   int unit = 1, Voice voice = Voice::Plain) {
+  const std::vector<glm::ivec2> labels = findText(image, label, cell, unit),
+                                values = findText(image, value, cell, unit, voice);
+  return std::ranges::any_of(labels, [&](glm::ivec2 at) {
+    return std::ranges::any_of(values, [&](glm::ivec2 v) { return v.y == at.y && v.x > at.x; });
+  });
+}
+
+}  // namespace xnewell
