@@ -15,7 +15,7 @@
 #include "shading/scene/scene_file.h"
 #include "tests/support/temporary_folder.h"
 
-namespace xnewell {
+namespace xnewell::THIS_FILE {
 
 namespace {
 
@@ -284,4 +284,4 @@ TEST(Truth, IsKept) {
   EXPECT_EQ(last.of(other).reference().picture().scene().name, "cycle");
 }
 
-}  // namespace xnewell
+}  // namespace xnewell::THIS_FILE

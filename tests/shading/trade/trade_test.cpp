@@ -13,7 +13,7 @@
 #include "shading/trade/measure.h"
 #include "tests/support/small_picture.h"
 
-namespace xnewell {
+namespace xnewell::THIS_FILE {
 
 namespace {
 
@@ -257,4 +257,4 @@ TEST(Trade, DividesAnewInTheSameUnits) {
     EXPECT_NE(std::ranges::find(eight.mesh.points, p), eight.mesh.points.end());
 }
 
-}  // namespace xnewell
+}  // namespace xnewell::THIS_FILE

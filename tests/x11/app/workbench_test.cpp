@@ -8,7 +8,7 @@
 #include "tests/support/temporary_folder.h"
 #include "tests/x11/support/ready_workbench.h"
 
-namespace xnewell {
+namespace xnewell::THIS_FILE {
 
 namespace {
 
@@ -346,4 +346,4 @@ TEST(Workbench, CountsWrongFacesWhenSettled) {
   EXPECT_TRUE(std::equal(counted.row(600), counted.row(663), b.image().row(600)));
 }
 
-}  // namespace xnewell
+}  // namespace xnewell::THIS_FILE

@@ -4,7 +4,7 @@
 
 #include <cmath>
 
-namespace xnewell {
+namespace xnewell::THIS_FILE {
 
 // A page of controls, one of each kind, without a window.
 
@@ -258,4 +258,4 @@ TEST(Control, OptionsTakeTheLinesThatTheyNeed) {
   }
 }
 
-}  // namespace xnewell
+}  // namespace xnewell::THIS_FILE

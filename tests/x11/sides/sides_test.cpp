@@ -10,7 +10,7 @@
 #include "tests/support/seeds.h"
 #include "x11/sides/sides_page.h"
 
-namespace xnewell {
+namespace xnewell::THIS_FILE {
 
 namespace {
 
@@ -300,4 +300,4 @@ TEST(SidesLayout, HasRoomForAll) {
   }
 }
 
-}  // namespace xnewell
+}  // namespace xnewell::THIS_FILE

@@ -13,7 +13,7 @@
 #include "tests/x11/support/bench_stage.h"
 #include "x11/drawing/pen.h"
 
-namespace xnewell {
+namespace xnewell::THIS_FILE {
 
 // The view of the trade, without a server.
 
@@ -382,4 +382,4 @@ TEST(TradePage, PartsStayApart) {
   }
 }
 
-}  // namespace xnewell
+}  // namespace xnewell::THIS_FILE

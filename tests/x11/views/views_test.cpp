@@ -12,7 +12,7 @@
 #include "x11/drawing/rect.h"
 #include "x11/views/normals_view.h"
 
-namespace xnewell {
+namespace xnewell::THIS_FILE {
 
 namespace {
 
@@ -173,4 +173,4 @@ TEST(NormalColors, AreThoseOfTheSphere) {
   }
 }
 
-}  // namespace xnewell
+}  // namespace xnewell::THIS_FILE
