@@ -232,9 +232,9 @@ TEST_F(TraceCommand, Refusals) {
   const std::string folder = file("frames");
   refused({"trace", "room", "--frames", folder}, 2,
           "room: the run has no cut, so there is no frame to write; --every paint has 325");
-  refused({"trace", "teapot", "--frames", folder, "--every", "step", "--quick", "--divisions", "10"}, 2,
+  refused({"trace", "teapot", "--frames", folder, "--every", "step", "--quick", "--divisions", "6"}, 2,
           "--every step: " +
-              std::to_string(linesOf({"teapot", "--quick", "--divisions", "10"})[0]["steps"].get<int>()) +
+              std::to_string(linesOf({"teapot", "--quick", "--divisions", "6"})[0]["steps"].get<int>()) +
               " frames are too many; the most is 9,998");
   refused({"trace", "cycle", "--every", "cut"}, 2, "--every works only with --frames");
   refused({"trace", "cycle", "--frames", folder, "--every", "day"}, 2,
