@@ -37,6 +37,40 @@ Picture Picture::withPlanes() const {
   return picture;
 }
 
+Picture Picture::onlyShown() const {
+  const SnappedScene& all = *snapped_;
+  std::vector<int> visible = seen(0, settings_.height).faces;
+  std::vector<int> newIndex(all.faces.size(), kNothing);
+  for (const int face : visible)
+    if (face != kNothing) newIndex[face] = 0;
+  SnappedScene shown;
+  shown.between = all.between;
+  shown.zShift = all.zShift;
+  shown.polygons = all.polygons, shown.culled = all.culled;
+  shown.outside = all.outside, shown.degenerate = all.degenerate;
+  for (std::size_t f = 0; f < all.faces.size(); ++f) {
+    if (newIndex[f] == kNothing) continue;
+    newIndex[f] = static_cast<int>(shown.faces.size());
+    SnappedFace face = all.faces[f];
+    const auto outline = [&](const auto& from, auto& to) {
+      to.insert(to.end(), from.begin() + face.first, from.begin() + face.first + face.count);
+    };
+    outline(all.source, shown.source);
+    outline(all.vertices, shown.vertices);
+    face.first = static_cast<int>(shown.vertices.size()) - face.count;
+    shown.faces.push_back(face);
+  }
+  for (int& face : visible)
+    if (face != kNothing) face = newIndex[face];
+  Picture picture = *this;
+  picture.shading_ = shading_.onlyLights();
+  picture.snapped_ = std::move(shown);
+  picture.sorted_ = {};
+  picture.visible_ = std::move(visible);
+  picture.cells_ = {};
+  return picture;
+}
+
 std::vector<double> Picture::faceIntensities(int channel) const {
   std::vector<double> I(snapped_->faces.size(), 1.0);
   if (settings_.shading == Shading::Depth) {

@@ -81,6 +81,10 @@ class Picture {
   /// The same picture with the planes that a sort of snapped() needs. If the order is exact, they are
   /// already there, and the result is a plain copy.
   [[nodiscard]] Picture withPlanes() const;
+  /// The same picture with only those of snapped().faces that a sample shows, in the same order. It tells
+  /// what is seen, in little memory. What was only needed to make it is forgotten: it cannot be sorted, lit
+  /// or painted anew.
+  [[nodiscard]] Picture onlyShown() const;
 
   /// The face number + 1 at every sample, 0 where nothing shows; row by row from the top.
   [[nodiscard]] std::vector<std::uint32_t> faceImage() const;

@@ -29,6 +29,13 @@ class SceneShading {
   [[nodiscard]] SceneShading next(const Scene& scene, const PictureSettings& settings, Channels channels,
                                   const Camera& camera) const;
 
+  /// Only the lighting(), which says how many lights there are and of which kind. Everything else is empty.
+  [[nodiscard]] SceneShading onlyLights() const {
+    SceneShading lights;
+    lights.lighting_ = lighting_;
+    return lights;
+  }
+
   /// The scene's polygons, divided; empty unless PictureSettings::adapt is above 0 and the method uses it.
   [[nodiscard]] const std::optional<Refined>& refined() const { return *refined_; }
   /// The mesh that is projected and painted: the scene's own, or that of refined().

@@ -19,6 +19,11 @@ TrueView::TrueView(const Picture& of)
       surface_{picture_.scene(), picture_.camera().view, picture_.settings().width,
                picture_.settings().height} {}
 
+void TrueView::keepShownOnly() {
+  picture_ = picture_.onlyShown();
+  faces_ = picture_.seen(0, picture_.settings().height).faces;
+}
+
 SurfacePlace TrueView::place(std::size_t sample) const {
   const auto width = static_cast<std::size_t>(picture_.settings().width);
   return surface_.at(picture_.snapped().faces[faces_[sample]].part, static_cast<int>(sample % width),

@@ -19,6 +19,10 @@ class TrueView {
  public:
   explicit TrueView(const Picture& of);
 
+  /// Forgets the faces that no sample shows, which saves most of the memory. Such a view cannot tell whether
+  /// a face that it does not show may touch the one that it shows (Comparison::wrongFaces()).
+  void keepShownOnly();
+
   /// The picture of the same view without short cuts, which is not painted. faces() are among its faces.
   [[nodiscard]] const Picture& picture() const { return picture_; }
   /// Indices into picture().snapped().faces, row by row; kNothing where no face shows.

@@ -93,13 +93,14 @@ StageTimes Stages::medians() const {
           .fill = median(&StageTimes::fill)};
 }
 
-Measure::Measure(const Scene& scene, const PictureSettings& settings)
-    : scenes_{{scene.divisions, scene}},
-      fine_{fineSceneOf(scene)},
-      asked_{held(PictureCache{scenes_.begin()->second}.make(settings), groundOf(settings))},
-      here_{sightOf(asked_.settings().camera, settings)} {
+Measure::Measure(const Shared<Scene>& scene, const PictureSettings& settings)
+    : scenes_{{scene->divisions, scene}},
+      fine_{fineSceneOf(*scene)},
+      asked_{held(PictureCache{scenes_.begin()->second}.make(settings), groundOf(settings)).onlyShown()},
+      here_{sightOf(asked_.settings().camera, settings, !fine_)} {
   for (const glm::dvec2& turn : kTurns) try {
-      others_.push_back(sightOf(moved(settings.camera, asked_.camera(), turn.x, turn.y, 1.0), settings));
+      others_.push_back(
+          sightOf(moved(settings.camera, asked_.camera(), turn.x, turn.y, 1.0), settings, false));
     } catch (const ViewError&) {
       continue;  // nothing can be seen from there
     }
@@ -111,25 +112,30 @@ const Shared<Scene>& Measure::scene(int divisions) {
   return scenes_.emplace(divisions, dividedAnew(asked_.scene(), divisions)).first->second;
 }
 
-Measure::Sight Measure::sightOf(const CameraSettings& camera, const PictureSettings& settings) {
+Measure::Sight Measure::sightOf(const CameraSettings& camera, const PictureSettings& settings,
+                                bool keepsFaces) {
   PictureSettings seen = trueSettings(settings);
   seen.camera = camera;
   const Picture picture = PictureCache{scene(asked_.scene().divisions)}.make(seen);
-  return {camera, std::make_unique<Reference>(referenceOf(picture, fine_))};
+  auto reference = std::make_shared<Reference>(referenceOf(picture, fine_));
+  if (!keepsFaces) reference->keepShownOnly();
+  return {camera, std::move(reference)};
 }
 
 Measure::Polygons& Measure::polygons(int divisions, const Sight& sight, const Picture& picture) {
   const auto known = polygons_.find({divisions, &sight});
   if (known != polygons_.end()) return known->second;
-  return polygons_.emplace(std::pair{divisions, &sight}, Polygons{TrueView{picture}, {}}).first->second;
+  // Without finer surfaces the reference of the user's view has the polygons of the set-up.
+  const bool same = !fine_ && &sight == &here_ && divisions == asked_.scene().divisions;
+  Polygons made{same ? sight.reference : std::make_shared<const TrueView>(picture), {}};
+  return polygons_.emplace(std::pair{divisions, &sight}, std::move(made)).first->second;
 }
 
 void Measure::addErrors(Glance& glance, const Picture& picture, int divisions, const Sight& sight,
                         bool countsWrong) {
   const Palette palette = paletteOf(picture);
   // For the intensity alone, the reference may stand for the polygons.
-  const TrueView& faces =
-      countsWrong ? polygons(divisions, sight, picture).view : static_cast<const TrueView&>(*sight.reference);
+  const TrueView& faces = countsWrong ? *polygons(divisions, sight, picture).view : *sight.reference;
   const Comparison comparison{picture, *sight.reference, palette, faces};
   const Spread errors = spreadOf(comparison.intensityErrors(TableSide::After));
   glance.rms = std::max(glance.rms, errors.rootMeanSquare);
@@ -212,10 +218,10 @@ Measured Measure::measured(const Configuration& configuration, bool whole) {
   measured.cost.cells = cellsOf(picture);
   const Palette palette = paletteOf(picture);
   Polygons& faces = polygons(configuration.divisions, here_, picture);
-  const Comparison comparison{picture, *here_.reference, palette, faces.view};
+  const Comparison comparison{picture, *here_.reference, palette, *faces.view};
   measured.here = whole ? errorsOf(comparison) : briefErrors(comparison);
   if (whole) {
-    if (!faces.off) faces.off = distanceFromPatches(faces.view);
+    if (!faces.off) faces.off = distanceFromPatches(*faces.view);
     measured.here.patches = *faces.off;
   }
   measured.pairs = pairsOf(picture, measured.here.wrongFaces);

@@ -31,11 +31,12 @@ struct Glance {
 };
 
 /// Measures configurations of one scene: their errors on the user's view and on other views, and what they
-/// cost. It keeps the scene with each number of divisions, and the references.
+/// cost. It keeps the scene with each number of divisions, and the references. Of those that no picture's own
+/// polygons are, it keeps only the faces that show: a scene may have millions, and there are four views.
 class Measure {
  public:
   /// @throws ViewError if the set-up has no picture
-  Measure(const Scene& scene, const PictureSettings& settings);
+  Measure(const Shared<Scene>& scene, const PictureSettings& settings);
 
   [[nodiscard]] const Picture& asked() const { return asked_; }
   [[nodiscard]] Configuration askedConfiguration() const {
@@ -66,24 +67,25 @@ class Measure {
   /// A view: its camera, and what it should show.
   struct Sight {
     CameraSettings camera;
-    std::unique_ptr<Reference> reference;
+    std::shared_ptr<const Reference> reference;
   };
   [[nodiscard]] Measured measured(const Configuration& configuration, bool whole);
   [[nodiscard]] Picture painted(const Configuration& configuration, const CameraSettings& camera);
   [[nodiscard]] const Shared<Scene>& scene(int divisions);
   /// The polygons of a number of divisions, from the camera of a view.
   struct Polygons {
-    TrueView view;
+    std::shared_ptr<const TrueView> view;
     std::optional<std::optional<PatchDistance>> off;  ///< nothing as long as nobody asked for it
   };
   [[nodiscard]] Polygons& polygons(int divisions, const Sight& sight, const Picture& picture);
   /// The errors of a picture of a view, for a Glance.
   void addErrors(Glance& glance, const Picture& picture, int divisions, const Sight& sight, bool countsWrong);
-  [[nodiscard]] Sight sightOf(const CameraSettings& camera, const PictureSettings& settings);
+  /// `keepsFaces` if the reference may stand for the polygons of the set-up in every respect.
+  [[nodiscard]] Sight sightOf(const CameraSettings& camera, const PictureSettings& settings, bool keepsFaces);
 
   std::map<int, Shared<Scene>> scenes_;  ///< by divisions
   FineScene fine_;
-  Picture asked_;
+  Picture asked_;  ///< as it is seen (Picture::onlyShown())
   Sight here_;
   std::vector<Sight> others_;
   std::map<std::pair<int, const Sight*>, Polygons> polygons_;  ///< by divisions and view

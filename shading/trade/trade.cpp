@@ -35,7 +35,7 @@ constexpr double kBeyond = 0.5;
 /// The trade while it is made.
 class Trader {
  public:
-  Trader(const Scene& scene, const PictureSettings& settings, const TradeRequest& request,
+  Trader(const Shared<Scene>& scene, const PictureSettings& settings, const TradeRequest& request,
          const TradeProgress& progress)
       : request_{request}, progress_{progress}, measure_{scene, settings} {}
 
@@ -247,9 +247,9 @@ std::string savingOf(const Timing& time) {
   return "takes " + textOf(tenths >= 10 ? std::round(tenths) : tenths) + " times as long";
 }
 
-Trade tradeOf(const Scene& scene, const PictureSettings& settings, const TradeRequest& request,
+Trade tradeOf(const Shared<Scene>& scene, const PictureSettings& settings, const TradeRequest& request,
               const TradeProgress& progress) {
-  if (boxOf(scene.mesh.points).side() == 0) throw ViewError{"the scene has no extent"};
+  if (boxOf(scene->mesh.points).side() == 0) throw ViewError{"the scene has no extent"};
   return Trader{scene, settings, request, progress}.make();
 }
 

@@ -9,6 +9,7 @@
 
 #include "depthsort/pair_check.h"
 #include "shading/picture/errors.h"
+#include "shading/picture/shared.h"
 #include "shading/trade/configuration.h"
 #include "shading/trade/timing.h"
 #include "shading/trade/trade_request.h"
@@ -81,8 +82,8 @@ using TradeProgress = std::function<bool(const std::string& doing, const Trade& 
 /// @throws ViewError if the set-up itself has no picture, nothing shows, or the scene has no extent
 /// @throws std::invalid_argument if `request` names an axis that the scene does not have, or a value that the
 /// axis does not have
-[[nodiscard]] Trade tradeOf(const Scene& scene, const PictureSettings& settings, const TradeRequest& request,
-                            const TradeProgress& progress = {});
+[[nodiscard]] Trade tradeOf(const Shared<Scene>& scene, const PictureSettings& settings,
+                            const TradeRequest& request, const TradeProgress& progress = {});
 
 /// "saves 23 % of the time", "takes 1.4 times as long", "takes as long".
 [[nodiscard]] std::string savingOf(const Timing& time);

@@ -18,6 +18,7 @@
 #include <string>
 #include <string_view>
 #include <unordered_set>
+#include <utility>
 #include <vector>
 
 #include "shading/picture/picture_cache.h"
@@ -40,11 +41,8 @@ PictureSettings turned(const LitScene& lit, double azimuth, double elevation) {
 /// The axes that cost no time: what the cells hold. The exhaustive search leaves them as they are.
 constexpr std::array<std::string_view, 5> kOfCells{"table", "shades", "bits", "i0", "pick"};
 
-/// A combination, and the index of its value on each axis.
-struct Combination {
-  Configuration configuration;
-  std::string key = {};
-};
+/// A combination: the index of its value on each axis. There may be millions, so they are kept in this form.
+using Combination = std::string;
 
 /// All combinations of the axes on which --accuracy chooses. On each axis a value comes before those that
 /// take longer in any case: beside the same other values
@@ -53,8 +51,7 @@ struct Combination {
 /// - an order beside the first of its kind, which is not sorting, or the smallest z-buffer.
 class AllCombinations {
  public:
-  explicit AllCombinations(const Measure& measure) {
-    all_ = {{measure.askedConfiguration()}};
+  explicit AllCombinations(const Measure& measure) : asked_{measure.askedConfiguration()} {
     const std::vector<std::string> names = choosableAxes(measure.asked());
     for (const Axis& axis : axesInReach(measure.asked())) {
       if (std::ranges::find(names, axis.name()) == names.end() ||
@@ -66,10 +63,7 @@ class AllCombinations {
       if (axis.name() == "adapt") std::reverse(values.begin() + 1, values.end());  // the first is none
       std::vector<Combination> next;
       for (const Combination& one : all_)
-        for (std::size_t v = 0; v < values.size(); ++v)
-          next.push_back(
-              {values[v] == axis.now ? one.configuration : changed(one.configuration, axis, values[v]),
-               one.key + static_cast<char>(v)});
+        for (std::size_t v = 0; v < values.size(); ++v) next.push_back(one + static_cast<char>(v));
       all_ = std::move(next);
       std::vector<int> faster;  // the index of one that takes no longer
       for (int v = 0; v < static_cast<int>(values.size()); ++v) {
@@ -80,29 +74,42 @@ class AllCombinations {
                                                                                 : -1);
       }
       faster_.push_back(std::move(faster));
+      axes_.push_back({axis, std::move(values)});
     }
-    std::erase_if(all_,
-                  [&](const Combination& one) { return !allHaveEffect(one.configuration, measure.asked()); });
+    std::erase_if(
+        all_, [&](const Combination& one) { return !allHaveEffect(configurationOf(one), measure.asked()); });
+    all_.shrink_to_fit();
   }
 
   [[nodiscard]] const std::vector<Combination>& all() const { return all_; }
+  [[nodiscard]] Configuration configurationOf(const Combination& one) const {
+    Configuration configuration = asked_;
+    for (std::size_t k = 0; k < axes_.size(); ++k) {
+      const auto& [axis, values] = axes_[k];
+      const double value = values[static_cast<std::size_t>(one[k])];
+      if (value != axis.now) configuration = changed(std::move(configuration), axis, value);
+    }
+    return configuration;
+  }
   /// True if one that takes no longer was too slow.
   [[nodiscard]] bool isTooSlow(const Combination& one) {
     for (std::size_t k = 0; k < faster_.size(); ++k) {
-      const int faster = faster_[k][static_cast<std::size_t>(one.key[k])];
+      const int faster = faster_[k][static_cast<std::size_t>(one[k])];
       if (faster < 0) continue;
-      std::string key = one.key;
-      key[k] = static_cast<char>(faster);
-      if (slow_.contains(key)) return setTooSlow(one), true;
+      Combination other = one;
+      other[k] = static_cast<char>(faster);
+      if (slow_.contains(other)) return setTooSlow(one), true;
     }
     return false;
   }
-  void setTooSlow(const Combination& one) { slow_.insert(one.key); }
+  void setTooSlow(const Combination& one) { slow_.insert(one); }
 
  private:
-  std::vector<Combination> all_;
+  Configuration asked_;
+  std::vector<std::pair<Axis, std::vector<double>>> axes_;  ///< with all their values
+  std::vector<Combination> all_{""};
   std::vector<std::vector<int>> faster_;
-  std::unordered_set<std::string> slow_;
+  std::unordered_set<Combination> slow_;
 };
 
 struct Honour {
@@ -149,7 +156,7 @@ double overCheapest(const Configuration& chosen, double limit, Measure& asked, M
   int painted = 0;
   for (const Combination& combination : combinations.all()) {
     if (combinations.isTooSlow(combination)) continue;
-    const Configuration& one = combination.configuration;
+    const Configuration one = combinations.configurationOf(combination);
     ++painted;
     double ms = leastMs(one, asked, 1);
     if (ms > kSlower * mine && ms < 3 * mine) ms = std::min(ms, leastMs(one, asked, 2));

@@ -230,7 +230,7 @@ int run(int argc, char** argv) {
   if (options.accuracy) accuracy = keepWithin(*options.accuracy, options, scene);
   if (options.command == Command::Snapshot)
     return snapshot(options, std::move(scene), msRead, accuracy), kDone;
-  if (options.command == Command::Trade) return tellTrade(options, scene);
+  if (options.command == Command::Trade) return tellTrade(options, std::move(scene));
   if (options.command == Command::Extremes) return tellExtremes(options, scene);
   if (options.command == Command::Trace) return trace(options, std::move(scene)), kDone;
   if (options.view != View::Picture) return drawNumbers(options, std::move(scene)), kDone;

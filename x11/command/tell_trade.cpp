@@ -25,7 +25,7 @@ namespace xnewell {
 namespace {
 
 /// The trade, with its progress on the terminal.
-Trade measured(const Options& options, const TradeRequest& request, const Scene& scene) {
+Trade measured(const Options& options, const TradeRequest& request, const Shared<Scene>& scene) {
   std::optional<Doing> measuring;
   const Stopwatch watch;
   double shown = 0;
@@ -115,10 +115,11 @@ PictureSettings settingsOf(const Options& options) {
   return settings;
 }
 
-int tellTrade(const Options& options, const Scene& scene) {
+int tellTrade(const Options& options, Scene scene) {
   if (!options.output.empty()) checkWritable(options.output);
   awaitInterrupt();
-  const Trade trade = measured(options, options.trade, scene);
+  const Shared<Scene> shared{std::move(scene)};
+  const Trade trade = measured(options, options.trade, shared);
   if (options.json)
     printTradeAsJson(options, trade, std::cout);
   else
@@ -129,7 +130,7 @@ int tellTrade(const Options& options, const Scene& scene) {
     if (told.combinations.empty()) {
       std::cerr << "xnewell: no chart was written: nothing was timed\n";
     } else {
-      const ColoredImage chart = drawTrade(told, "Cost against error: " + titleOf(scene));
+      const ColoredImage chart = drawTrade(told, "Cost against error: " + titleOf(*shared));
       writeFile(options.output, encodePng(chart.image, chart.palette));
     }
   }

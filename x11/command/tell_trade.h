@@ -12,7 +12,7 @@ namespace xnewell {
 
 /// `trade`: measures what each short cut saves and costs, and tells it. An interrupt ends the measuring, and
 /// it prints what is known; a second interrupt ends the program. Returns the exit status.
-[[nodiscard]] int tellTrade(const Options& options, const Scene& scene);
+[[nodiscard]] int tellTrade(const Options& options, Scene scene);
 
 /// --accuracy: puts the cheapest short cuts whose picture stays within `limit` into the options, and the
 /// divisions into the scene. Options that the user gave stay. Says on standard error what was chosen and why,

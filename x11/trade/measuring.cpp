@@ -18,10 +18,10 @@ constexpr double kBetweenNews = 150;  // ms
 
 Measuring::Measuring(Scene scene, const PictureSettings& settings, TradeRequest request,
                      std::vector<std::string> without)
-    : thread_{[this, scene = std::move(scene), settings, request = std::move(request),
+    : thread_{[this, scene = Shared<Scene>{std::move(scene)}, settings, request = std::move(request),
                without = std::move(without)]() mutable {
         try {
-          request.axes = choosableAxes(makePicture(scene, settings));
+          request.axes = choosableAxes(PictureCache{scene}.make(settings));
           std::erase_if(request.axes, [&](const std::string& axis) {
             return std::ranges::find(without, axis) != without.end();
           });
@@ -32,7 +32,8 @@ Measuring::Measuring(Scene scene, const PictureSettings& settings, TradeRequest 
         }
       }} {}
 
-Trade Measuring::measured(const Scene& scene, const PictureSettings& settings, const TradeRequest& request) {
+Trade Measuring::measured(const Shared<Scene>& scene, const PictureSettings& settings,
+                          const TradeRequest& request) {
   const Stopwatch watch;
   double told = -kBetweenNews;
   return tradeOf(scene, settings, request, [&](const std::string& doing, const Trade& known) {

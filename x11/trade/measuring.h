@@ -33,7 +33,7 @@ class Measuring {
   [[nodiscard]] std::optional<News> news();
 
  private:
-  [[nodiscard]] Trade measured(const Scene& scene, const PictureSettings& settings,
+  [[nodiscard]] Trade measured(const Shared<Scene>& scene, const PictureSettings& settings,
                                const TradeRequest& request);
   void publish(News news);
 

@@ -7,7 +7,9 @@
 #include <numeric>
 #include <random>
 #include <set>
+#include <tuple>
 
+#include "depthsort/oracle.h"
 #include "geometry/exact/int128.h"
 #include "geometry/model/solids.h"
 #include "shading/fill/scanline.h"
@@ -181,6 +183,36 @@ TEST(Picture, CoplanarFacesAreNotCalledWrong) {
     s.camera = moved(s.camera, decals.last().camera(), 29, view % 2 ? 11 : -9, 1.02);
   }
   EXPECT_GT(doubtful, 1000);
+}
+
+// What is seen is known without the hidden faces, whatever the order is: the same faces at every sample.
+TEST(Picture, KnowsWhatIsSeenWithoutHiddenFaces) {
+  const Scene scene = readScene("teapot", 6);
+  for (const OrderRow& order : kOrders) {
+    SCOPED_TRACE(order.name);
+    PictureSettings s = small();
+    s.order = order.id;
+    const Picture all = makePicture(scene, s, 8), shown = all.onlyShown();
+    EXPECT_EQ(shown.faceImage(), all.faceImage());
+    EXPECT_EQ(shown.image(), all.image());
+    EXPECT_EQ(shown.palette(CellPlan{}), all.palette(CellPlan{}));
+    const SnappedScene &few = shown.snapped(), &many = all.snapped();
+    const std::vector<int> seenFew = shown.seen(0, s.height).faces, seen = all.seen(0, s.height).faces;
+    std::set<int> different;
+    for (std::size_t k = 0; k < seen.size(); ++k) {
+      ASSERT_EQ(seenFew[k] == kNothing, seen[k] == kNothing);
+      if (seen[k] == kNothing) continue;
+      different.insert(seen[k]);
+      const SnappedFace &a = few.faces[seenFew[k]], &b = many.faces[seen[k]];
+      ASSERT_EQ(std::tuple(a.number, a.part, a.back, a.count), std::tuple(b.number, b.part, b.back, b.count));
+      for (int v = 0; v < a.count; ++v) {
+        ASSERT_EQ(few.vertices[a.first + v], many.vertices[b.first + v]);
+        ASSERT_EQ(few.source[a.first + v], many.source[b.first + v]);
+      }
+    }
+    EXPECT_EQ(few.faces.size(), different.size());
+    EXPECT_LT(few.faces.size(), many.faces.size() * 3 / 4);
+  }
 }
 
 }  // namespace xnewell::THIS_FILE

@@ -7,12 +7,14 @@
 #include <functional>
 #include <glm/geometric.hpp>
 #include <optional>
+#include <tuple>
 
 #include "depthsort/oracle.h"
 #include "shading/picture/errors.h"
 #include "shading/picture/picture_cache.h"
 #include "shading/scene/divide_anew.h"
 #include "shading/scene/scene_file.h"
+#include "tests/support/small_picture.h"
 #include "tests/support/temporary_folder.h"
 
 namespace xnewell::THIS_FILE {
@@ -282,6 +284,34 @@ TEST(Truth, IsKept) {
   EXPECT_NE(last.of(pictures.make(few.settings)).reference().faces(), faces);
   const Picture other = makePicture(readScene("cycle"), few.settings);
   EXPECT_EQ(last.of(other).reference().picture().scene().name, "cycle");
+}
+
+// A reference that has forgotten the hidden faces has the same light and the same places.
+TEST(Truth, IsTheSameWithoutHiddenFaces) {
+  for (const char* const name : {"teapot", "decals", "lamp"}) {
+    SCOPED_TRACE(name);
+    const Picture picture = makePicture(readScene(name, 8), small(), 8);
+    const FineScene fine = fineSceneOf(picture.scene());
+    const Reference all = referenceOf(picture, fine);
+    Reference shown = referenceOf(picture, fine);
+    shown.keepShownOnly();
+    for (std::size_t k = 0; k < all.faces().size(); ++k) {
+      ASSERT_EQ(all.I(k), shown.I(k));
+      if (all.faces()[k] == kNothing) continue;
+      ASSERT_EQ(all.place(k).at, shown.place(k).at);
+      ASSERT_EQ(all.place(k).N, shown.place(k).N);
+    }
+    const Palette palette = picture.palette(CellPlan{});
+    const auto worst = [&](const Reference& reference) {
+      std::vector<std::tuple<int, int, int>> places;
+      const Comparison comparison{picture, reference, palette};
+      for (const WorstPlace& p : worstPlaces(comparison, comparison.intensityErrors(TableSide::After)))
+        places.emplace_back(p.x, p.y, p.face);
+      return places;
+    };
+    EXPECT_EQ(worst(all), worst(shown));
+    EXPECT_LE(shown.picture().snapped().faces.size(), all.picture().snapped().faces.size());
+  }
 }
 
 }  // namespace xnewell::THIS_FILE

@@ -1,6 +1,7 @@
 #include "shading/trade/trade.h"
 
 #include <gtest/gtest.h>
+#include <malloc.h>
 
 #include <algorithm>
 #include <set>
@@ -255,6 +256,26 @@ TEST(Trade, DividesAnewInTheSameUnits) {
   // Corners of the patches are corners with any divisions.
   for (const glm::dvec3& p : one.mesh.points)
     EXPECT_NE(std::ranges::find(eight.mesh.points, p), eight.mesh.points.end());
+}
+
+// A measure holds the faces of the scene once, however many views it has: its four references and the picture
+// that was asked for keep what they show.
+TEST(Measure, HoldsTheFacesOnce) {
+#if defined(__GLIBC__) && !defined(__SANITIZE_ADDRESS__)
+  const auto heap = [] {
+    const struct mallinfo2 now = ::mallinfo2();
+    return static_cast<std::int64_t>(now.uordblks + now.hblkhd);
+  };
+  const Shared<Scene> scene{readScene("teapot", 100)};
+  const std::int64_t before = heap();
+  Measure measure{scene, small()};
+  EXPECT_EQ(measure.otherViews(), 3);
+  const std::int64_t picture = measure.brief(measure.askedConfiguration()).cost.bytes;
+  EXPECT_GT(picture, 50'000'000);
+  EXPECT_LT(heap() - before, picture);
+#else
+  GTEST_SKIP() << "the heap is not counted";
+#endif
 }
 
 }  // namespace xnewell::THIS_FILE
