@@ -6,7 +6,7 @@
 
 #include "x11/kit/typed_number.h"
 
-namespace xnewell {
+namespace xnewell::THIS_FILE {
 
 // A page of controls, one of each kind, without a window.
 
@@ -280,4 +280,4 @@ TEST(Control, OptionsTakeTheLinesThatTheyNeed) {
   }
 }
 
-}  // namespace xnewell
+}  // namespace xnewell::THIS_FILE
