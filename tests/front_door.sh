@@ -37,8 +37,8 @@ mapfile -t commands < <(sed -n '/^```sh$/,/^```$/p' "$root/README.md" | sed -n '
 ((${#commands[@]} == 2)) || { say "README.md: its first block should have two commands"; exit 1; }
 [[ $with_tests ]] || unset 'commands[1]'
 
-# Indents what a command prints. Of ctest it keeps only the failures and the end.
-indented() { sed -uE '/(Start +[0-9]+:| Passed +[0-9.]+ sec)/d; s/^/    /' >&2; }
+# indented RELEASE: puts the release before what a command prints. Of ctest it keeps only the failures and the end.
+indented() { sed -uE "/(Start +[0-9]+:| Passed +[0-9.]+ sec)/d; s/^/    Debian $1: /" >&2; }
 
 # prepare RELEASE COPY HOME: makes a copy of the bare root, with the user, the packages asked for and a clone.
 prepare() {
@@ -70,7 +70,7 @@ front_door() {
   for command in "${commands[@]}"; do
     say "Debian $1, as $user: $command"
     start=$SECONDS
-    if ! inside "$copy" "${run[@]}" "cd $home/xnewell && $command" </dev/null 2>&1 | tee -a "$log" | indented; then
+    if ! inside "$copy" "${run[@]}" "cd $home/xnewell && $command" </dev/null 2>&1 | tee -a "$log" | indented "$1"; then
       say "Debian $1, as $user: $command FAILED after $((SECONDS - start)) s; the root is $copy, the log $log"
       return 1
     fi
@@ -86,13 +86,26 @@ front_door() {
 
 one_at_a_time
 status=0
+declare -A running=()
+# While one root is made or installs its packages, another uses the processors. Each runs in a process group of
+# its own, which ends with this script.
+set -m
+trap 'for job in "${running[@]}"; do kill -- "-$job" 2>/dev/null || true; done' EXIT
+trap 'exit 130' INT TERM
 for release in "${releases[@]}"; do
-  if ! bare_root "$release"; then
+  if bare_root "$release"; then
+    front_door "$release" &
+    running[$release]=$!
+  else
     say "front door: Debian $release NOT TRIED: $why"
-    ((status)) || status=77
-  elif ! front_door "$release"; then
+    status=77
+  fi
+done
+for release in "${!running[@]}"; do
+  if ! wait "${running[$release]}"; then
     say "front door: Debian $release FAILED"
     status=1
   fi
+  unset "running[$release]"
 done
 exit "$status"

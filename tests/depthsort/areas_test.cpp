@@ -10,7 +10,7 @@
 #include "tests/support/random_scenes.h"
 #include "tests/support/seeds.h"
 
-namespace xnewell {
+namespace xnewell::THIS_FILE {
 
 // The areas into which the picture is divided where polygons cross too often.
 
@@ -155,4 +155,4 @@ TEST(Areas, AreOfTheQuietQuickRun) {
     EXPECT_EQ(depthSort(scene, settings).statistics.areas, 0);
 }
 
-}  // namespace xnewell
+}  // namespace xnewell::THIS_FILE

@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <random>
 
-namespace xnewell {
+namespace xnewell::THIS_FILE {
 
 namespace {
 
@@ -101,4 +101,4 @@ TEST(BoxGrid, WalkFindsAllThatOverlap) {
   EXPECT_LT(visited, all * 2 / 3);  // otherwise a single cell would do as well
 }
 
-}  // namespace xnewell
+}  // namespace xnewell::THIS_FILE

@@ -15,7 +15,7 @@
 #include "tests/support/random_scenes.h"
 #include "tests/support/seeds.h"
 
-namespace xnewell {
+namespace xnewell::THIS_FILE {
 
 namespace {
 
@@ -239,4 +239,4 @@ TEST(BspTree, KeepsWhatShowsInPixels) {
   EXPECT_EQ(bspTree(scene, {.width = 8, .height = 8, .inPixels = true}).nodes.size(), 1u);
 }
 
-}  // namespace xnewell
+}  // namespace xnewell::THIS_FILE

@@ -5,7 +5,7 @@
 #include "tests/support/painted.h"
 #include "tests/support/random_scenes.h"
 
-namespace xnewell {
+namespace xnewell::THIS_FILE {
 
 namespace {
 
@@ -52,4 +52,4 @@ TEST(CycleSplit, OneIsEnoughForFourBeams) {
         }
 }
 
-}  // namespace xnewell
+}  // namespace xnewell::THIS_FILE

@@ -13,7 +13,7 @@
 #include "tests/support/painted.h"
 #include "tests/support/random_wall.h"
 
-namespace xnewell {
+namespace xnewell::THIS_FILE {
 
 namespace {
 
@@ -180,4 +180,4 @@ TEST(Decals, KeepTheirPixelsWhenSplit) {
   EXPECT_GT(platePieces, 1'000);
 }
 
-}  // namespace xnewell
+}  // namespace xnewell::THIS_FILE

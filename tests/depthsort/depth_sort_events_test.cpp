@@ -7,7 +7,7 @@
 #include "tests/support/random_scenes.h"
 #include "tests/support/seeds.h"
 
-namespace xnewell {
+namespace xnewell::THIS_FILE {
 
 namespace {
 
@@ -190,4 +190,4 @@ TEST(Events, TellTheRun) {
   EXPECT_GT(sum.splits, 4'000);
 }
 
-}  // namespace xnewell
+}  // namespace xnewell::THIS_FILE

@@ -3,7 +3,7 @@
 #include "tests/support/painted.h"
 #include "tests/support/random_scenes.h"
 
-namespace xnewell {
+namespace xnewell::THIS_FILE {
 
 namespace {
 
@@ -179,4 +179,4 @@ TEST(DepthSortExtremes, EdgeOn) {
   }
 }
 
-}  // namespace xnewell
+}  // namespace xnewell::THIS_FILE

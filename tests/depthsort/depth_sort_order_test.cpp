@@ -9,7 +9,7 @@
 #include "tests/support/random_scenes.h"
 #include "tests/support/seeds.h"
 
-namespace xnewell {
+namespace xnewell::THIS_FILE {
 
 namespace {
 
@@ -124,4 +124,4 @@ TEST(DepthSortOrder, NothingIsPaintedOverWhatIsNearerBeyondDoubt) {
   EXPECT_LT(doubtful.splits, exact.splits);  // contacts cause no split
 }
 
-}  // namespace xnewell
+}  // namespace xnewell::THIS_FILE

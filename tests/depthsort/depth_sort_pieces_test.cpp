@@ -5,7 +5,7 @@
 #include "tests/support/random_scenes.h"
 #include "tests/support/seeds.h"
 
-namespace xnewell {
+namespace xnewell::THIS_FILE {
 
 namespace {
 
@@ -147,4 +147,4 @@ TEST(ConvexParts, ComeFromProperCuts) {
   EXPECT_GT(checked, 1'000);
 }
 
-}  // namespace xnewell
+}  // namespace xnewell::THIS_FILE

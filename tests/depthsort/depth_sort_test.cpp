@@ -9,7 +9,7 @@
 #include "tests/support/random_scenes.h"
 #include "tests/support/seeds.h"
 
-namespace xnewell {
+namespace xnewell::THIS_FILE {
 
 namespace {
 
@@ -129,4 +129,4 @@ TEST(DepthSort, AsksNothingWithinOneSurface) {
   for (std::size_t k = 0; k < seen.size(); ++k) ASSERT_EQ(seen[k] == 2000, shown[k] == 2000) << k;
 }
 
-}  // namespace xnewell
+}  // namespace xnewell::THIS_FILE

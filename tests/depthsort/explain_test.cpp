@@ -7,7 +7,7 @@
 
 #include "tests/support/random_scenes.h"
 
-namespace xnewell {
+namespace xnewell::THIS_FILE {
 
 namespace {
 
@@ -233,4 +233,4 @@ TEST(Explain, SentencesNameTheirPolygons) {
     EXPECT_TRUE(beginnings.contains(std::string{"Test "} + test + ": no")) << test;
 }
 
-}  // namespace xnewell
+}  // namespace xnewell::THIS_FILE

@@ -6,7 +6,7 @@
 
 #include "tests/support/random_scenes.h"
 
-namespace xnewell {
+namespace xnewell::THIS_FILE {
 
 namespace {
 
@@ -104,4 +104,4 @@ TEST(Landmarks, CountWhatSettledAPolygon) {
   EXPECT_GT(pairs, 500);
 }
 
-}  // namespace xnewell
+}  // namespace xnewell::THIS_FILE

@@ -6,7 +6,7 @@
 #include "tests/support/random_scenes.h"
 #include "tests/support/seeds.h"
 
-namespace xnewell {
+namespace xnewell::THIS_FILE {
 
 namespace {
 
@@ -117,4 +117,4 @@ TEST(ListSort, EndlessIfPiecesInheritMarks) {
   EXPECT_GT(endless, 10);
 }
 
-}  // namespace xnewell
+}  // namespace xnewell::THIS_FILE

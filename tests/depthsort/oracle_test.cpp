@@ -9,7 +9,7 @@
 #include "tests/support/random_scenes.h"
 #include "tests/support/seeds.h"
 
-namespace xnewell {
+namespace xnewell::THIS_FILE {
 
 namespace {
 
@@ -153,4 +153,4 @@ TEST(Oracle, PlaneOfManyCorners) {
   EXPECT_TRUE(on(3));
 }
 
-}  // namespace xnewell
+}  // namespace xnewell::THIS_FILE

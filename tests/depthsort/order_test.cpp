@@ -6,7 +6,7 @@
 #include <numeric>
 #include <random>
 
-namespace xnewell {
+namespace xnewell::THIS_FILE {
 
 // The radix sort gives the result of std::stable_sort by key: equal keys stay in order of index.
 TEST(Order, RadixSortIsTheStableSort) {
@@ -45,4 +45,4 @@ TEST(Order, FarthestFirst) {
   EXPECT_EQ(paintingOrder(scene, Order::Unsorted), (std::vector{0, 1, 2, 3, 4}));
 }
 
-}  // namespace xnewell
+}  // namespace xnewell::THIS_FILE

@@ -12,7 +12,7 @@
 #include "tests/support/random_scenes.h"
 #include "tests/support/seeds.h"
 
-namespace xnewell {
+namespace xnewell::THIS_FILE {
 
 namespace {
 
@@ -77,4 +77,4 @@ TEST(PairCheck, LooksAtEveryPairOnce) {
   EXPECT_TRUE(checkPairs(scene, order, kSize, kSize, pairs).complete);
 }
 
-}  // namespace xnewell
+}  // namespace xnewell::THIS_FILE

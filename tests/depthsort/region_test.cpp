@@ -9,7 +9,7 @@
 #include "tests/support/random_scenes.h"
 #include "tests/support/seeds.h"
 
-namespace xnewell {
+namespace xnewell::THIS_FILE {
 
 namespace {
 
@@ -168,4 +168,4 @@ TEST(Region, SmallNegativeConstantOfACut) {
   EXPECT_FALSE(regions.samePlane(0, 1));
 }
 
-}  // namespace xnewell
+}  // namespace xnewell::THIS_FILE

@@ -7,7 +7,7 @@
 
 #include "tests/support/random_scenes.h"
 
-namespace xnewell {
+namespace xnewell::THIS_FILE {
 
 namespace {
 
@@ -185,4 +185,4 @@ TEST(Replay, TooManyEventsAreRefused) {
   EXPECT_EQ(depthSort(scene, settings).events.size(), count);
 }
 
-}  // namespace xnewell
+}  // namespace xnewell::THIS_FILE

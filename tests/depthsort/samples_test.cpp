@@ -10,7 +10,7 @@
 #include "tests/support/random_scenes.h"
 #include "tests/support/seeds.h"
 
-namespace xnewell {
+namespace xnewell::THIS_FILE {
 
 namespace {
 
@@ -141,4 +141,4 @@ TEST(FragmentSpans, CutWalkLeavesWhatIsOnItsSide) {
   EXPECT_GT(level, 100);
 }
 
-}  // namespace xnewell
+}  // namespace xnewell::THIS_FILE

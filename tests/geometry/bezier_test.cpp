@@ -12,7 +12,7 @@
 #include "geometry/exact/plane.h"
 #include "geometry/exact/unit.h"
 
-namespace xnewell {
+namespace xnewell::THIS_FILE {
 
 namespace {
 
@@ -335,4 +335,4 @@ TEST(Bezier, CornerNormalsAtAPole) {
   EXPECT_EQ(atPole, n);
 }
 
-}  // namespace xnewell
+}  // namespace xnewell::THIS_FILE

@@ -7,7 +7,7 @@
 
 #include "tests/support/reader_fixture.h"
 
-namespace xnewell {
+namespace xnewell::THIS_FILE {
 
 namespace {
 
@@ -162,4 +162,4 @@ TEST(Bpt, SurvivesMutation) {
   EXPECT_LT(readable, 4'500);
 }
 
-}  // namespace xnewell
+}  // namespace xnewell::THIS_FILE

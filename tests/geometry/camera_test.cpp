@@ -7,7 +7,7 @@
 #include <random>
 #include <vector>
 
-namespace xnewell {
+namespace xnewell::THIS_FILE {
 
 namespace {
 
@@ -283,4 +283,4 @@ TEST(Camera, FrontPlaneCutsNothingInSilence) {
   EXPECT_GT(cut, 20);
 }
 
-}  // namespace xnewell
+}  // namespace xnewell::THIS_FILE

@@ -10,7 +10,7 @@
 #include "tests/support/random_wall.h"
 #include "tests/support/seeds.h"
 
-namespace xnewell {
+namespace xnewell::THIS_FILE {
 
 namespace {
 
@@ -117,4 +117,4 @@ TEST(Coplanar, CombsAsAllPairsGiveThem) {
   EXPECT_GT(inGaps, 500);
 }
 
-}  // namespace xnewell
+}  // namespace xnewell::THIS_FILE

@@ -12,7 +12,7 @@
 #include "geometry/model/solids.h"
 #include "tests/support/random_wall.h"
 
-namespace xnewell {
+namespace xnewell::THIS_FILE {
 
 namespace {
 
@@ -325,4 +325,4 @@ TEST(Coplanar, WithoutArea) {
   EXPECT_TRUE(coplanarClasses(Mesh{}, ConvexParts{}).plane.empty());
 }
 
-}  // namespace xnewell
+}  // namespace xnewell::THIS_FILE

@@ -11,7 +11,7 @@
 #include "geometry/model/bezier.h"
 #include "tests/support/random_wall.h"
 
-namespace xnewell {
+namespace xnewell::THIS_FILE {
 
 namespace {
 
@@ -255,4 +255,4 @@ TEST(Divide, MillionCorners) {
   EXPECT_EQ(divideFaces(oneFace(p)).count(), 999'998);
 }
 
-}  // namespace xnewell
+}  // namespace xnewell::THIS_FILE

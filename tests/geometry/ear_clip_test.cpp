@@ -6,7 +6,7 @@
 #include <cmath>
 #include <random>
 
-namespace xnewell {
+namespace xnewell::THIS_FILE {
 
 namespace {
 
@@ -287,4 +287,4 @@ TEST(ClipEars, LargeCombSpiralAndStars) {
     expectTiling(p, clipEars(p), false);
 }
 
-}  // namespace xnewell
+}  // namespace xnewell::THIS_FILE

@@ -12,7 +12,7 @@
 #include "geometry/model/fit_plane.h"
 #include "geometry/model/sheets.h"
 
-namespace xnewell {
+namespace xnewell::THIS_FILE {
 
 namespace {
 
@@ -118,4 +118,4 @@ TEST(FarCorner, FewPairsAreCompared) {
   }
 }
 
-}  // namespace xnewell
+}  // namespace xnewell::THIS_FILE

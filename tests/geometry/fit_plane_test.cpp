@@ -10,7 +10,7 @@
 
 #include "geometry/exact/unit.h"
 
-namespace xnewell {
+namespace xnewell::THIS_FILE {
 
 namespace {
 
@@ -85,4 +85,4 @@ TEST(FitPlane, TheBestIsAsGoodAsClaimed) {
   EXPECT_GT(worst, 0x1p-13);  // the claim is needed
 }
 
-}  // namespace xnewell
+}  // namespace xnewell::THIS_FILE

@@ -4,7 +4,7 @@
 
 #include "tests/support/reader_fixture.h"
 
-namespace xnewell {
+namespace xnewell::THIS_FILE {
 
 // Every newmtl makes a material. Its Kd is the colour, clamped to [0, 1]. The last Kd counts, and the last
 // map_Kd.
@@ -66,4 +66,4 @@ TEST(Mtl, RefusesColorsThatAreNoNumbers) {
   EXPECT_EQ(complaintOf("newmtl a\nKd\n"), "a.mtl:2: Kd needs a colour");
 }
 
-}  // namespace xnewell
+}  // namespace xnewell::THIS_FILE

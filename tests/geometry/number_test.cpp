@@ -12,7 +12,7 @@
 
 #include "tests/support/reader_fixture.h"
 
-namespace xnewell {
+namespace xnewell::THIS_FILE {
 
 namespace {
 
@@ -176,4 +176,4 @@ TEST(RoundingOfNumbers, IsThatOfMost) {
   EXPECT_LT(rounding(many), 1e-15);
 }
 
-}  // namespace xnewell
+}  // namespace xnewell::THIS_FILE

@@ -9,7 +9,7 @@
 
 #include "tests/support/reader_fixture.h"
 
-namespace xnewell {
+namespace xnewell::THIS_FILE {
 
 using testing::ElementsAre;
 
@@ -342,4 +342,4 @@ TEST(Obj, SurvivesMutation) {
   EXPECT_LT(readable, 4'500);
 }
 
-}  // namespace xnewell
+}  // namespace xnewell::THIS_FILE

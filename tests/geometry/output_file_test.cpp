@@ -14,7 +14,7 @@
 
 #include "tests/support/temporary_folder.h"
 
-namespace xnewell {
+namespace xnewell::THIS_FILE {
 
 namespace {
 
@@ -158,4 +158,4 @@ TEST(OutputFile, GoesStraightIntoAPipeOrADescriptor) {
   writeFile("/dev/null", "nothing");
 }
 
-}  // namespace xnewell
+}  // namespace xnewell::THIS_FILE

@@ -10,7 +10,7 @@
 #include "geometry/exact/unit.h"
 #include "tests/support/seeds.h"
 
-namespace xnewell {
+namespace xnewell::THIS_FILE {
 
 namespace {
 
@@ -65,4 +65,4 @@ TEST(Overlap, FindsEveryPair) {
   EXPECT_GT(apart, 100'000u);
 }
 
-}  // namespace xnewell
+}  // namespace xnewell::THIS_FILE

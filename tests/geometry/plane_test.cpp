@@ -9,7 +9,7 @@
 #include <random>
 #include <vector>
 
-namespace xnewell {
+namespace xnewell::THIS_FILE {
 
 namespace {
 
@@ -121,4 +121,4 @@ TEST(Centroid, OfTrianglesAndOfPolygonsWithoutArea) {
   EXPECT_EQ(centroid(line, all(4)), glm::dvec3(2, 0, 0));
 }
 
-}  // namespace xnewell
+}  // namespace xnewell::THIS_FILE

@@ -13,7 +13,7 @@
 
 #include "geometry/model/coplanar.h"
 
-namespace xnewell {
+namespace xnewell::THIS_FILE {
 
 namespace {
 
@@ -309,4 +309,4 @@ TEST(Project, DoubtIsWhatRoundingMoves) {
   EXPECT_GT(mostly, 500);
 }
 
-}  // namespace xnewell
+}  // namespace xnewell::THIS_FILE

@@ -10,7 +10,7 @@
 
 #include "geometry/exact/plane.h"
 
-namespace xnewell {
+namespace xnewell::THIS_FILE {
 
 namespace {
 
@@ -110,4 +110,4 @@ TEST(Solids, SoupIsTheSameOnEveryMachine) {
     for (int axis = 0; axis < 3; ++axis) EXPECT_LE(std::abs(p[axis]), 1.1);
 }
 
-}  // namespace xnewell
+}  // namespace xnewell::THIS_FILE

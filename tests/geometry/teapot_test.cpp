@@ -14,7 +14,7 @@
 
 #include "geometry/files/bpt.h"
 
-namespace xnewell {
+namespace xnewell::THIS_FILE {
 
 namespace {
 
@@ -278,4 +278,4 @@ TEST_F(Teapot, HasNormalsEverywhere) {
     });
 }
 
-}  // namespace xnewell
+}  // namespace xnewell::THIS_FILE

@@ -10,7 +10,7 @@
 
 #include "tests/support/reader_fixture.h"
 
-namespace xnewell {
+namespace xnewell::THIS_FILE {
 
 using testing::ElementsAre;
 
@@ -146,4 +146,4 @@ TEST(InQuotes, IsShortAndPrintable) {
             "?'");
 }
 
-}  // namespace xnewell
+}  // namespace xnewell::THIS_FILE

@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-namespace xnewell {
+namespace xnewell::THIS_FILE {
 
 namespace {
 
@@ -43,4 +43,4 @@ TEST(Touch, WithoutRecordsOfSeveralFaces) {
   EXPECT_TRUE(mayTouch(scene, scene.faces[1], scene.faces[0], 0, 0));
 }
 
-}  // namespace xnewell
+}  // namespace xnewell::THIS_FILE

@@ -6,7 +6,7 @@
 #include <cmath>
 #include <random>
 
-namespace xnewell {
+namespace xnewell::THIS_FILE {
 
 // The values are within the stated 2^-51 of the C library's long double functions, whose argument is reduced
 // exactly.
@@ -73,4 +73,4 @@ TEST(Trig, DegreesOfASineAndACosine) {
     EXPECT_NEAR(degreesOf(sinCosDegrees(d).sin, sinCosDegrees(d).cos), d, 60 * 0x1p-51 + 0x1p-45);
 }
 
-}  // namespace xnewell
+}  // namespace xnewell::THIS_FILE

@@ -10,7 +10,7 @@
 #include "geometry/model/solids.h"
 #include "tests/support/corner_normals.h"
 
-namespace xnewell {
+namespace xnewell::THIS_FILE {
 
 // Where corners at one point have normals of their own: at creases, at materials, and at faces that have no
 // normal or opposite ones. The rules themselves: vertex_normals_test.cpp.
@@ -143,4 +143,4 @@ TEST(VertexNormals, OppositeFacesKeepTheirOwn) {
   }
 }
 
-}  // namespace xnewell
+}  // namespace xnewell::THIS_FILE

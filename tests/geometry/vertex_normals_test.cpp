@@ -17,7 +17,7 @@
 #include "tests/support/normal_error.h"
 #include "tests/support/seeds.h"
 
-namespace xnewell {
+namespace xnewell::THIS_FILE {
 
 namespace {
 
@@ -324,4 +324,4 @@ TEST(VertexNormals, ErrorsAgainstTheTrueNormals) {
   }
 }
 
-}  // namespace xnewell
+}  // namespace xnewell::THIS_FILE

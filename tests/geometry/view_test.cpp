@@ -9,7 +9,7 @@
 #include <glm/geometric.hpp>
 #include <random>
 
-namespace xnewell {
+namespace xnewell::THIS_FILE {
 
 namespace {
 
@@ -194,4 +194,4 @@ TEST(View, UnitVectorsAreTheSameAtEveryScale) {
   }
 }
 
-}  // namespace xnewell
+}  // namespace xnewell::THIS_FILE

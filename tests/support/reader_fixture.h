@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <concepts>
 #include <random>
 #include <string>
 #include <string_view>
@@ -14,7 +15,7 @@ namespace xnewell {
 
 /// The error of `read()`: the exact text of its ParseError or system_error, or "" if there is none. Any other
 /// exception ends the test.
-template <typename Read>
+template <std::invocable Read>
 std::string complaint(Read read) {
   try {
     static_cast<void>(read());

@@ -26,7 +26,7 @@
 #include "x11/views/difference.h"
 #include "x11/views/table_curves.h"
 
-namespace xnewell {
+namespace xnewell::THIS_FILE {
 
 // Figures that documents state about the program, each computed again. Where one has changed, the message has
 // the words as they should be.
@@ -228,4 +228,4 @@ TEST(Readme, LeadsToTheSortByFarthestZ) {
   EXPECT_TRUE(says("README.md", "At `z far` (click it, or press `O` {} times)", {number(presses)}));
 }
 
-}  // namespace xnewell
+}  // namespace xnewell::THIS_FILE

@@ -11,7 +11,7 @@
 
 #include "tests/text/definitions.h"
 
-namespace xnewell {
+namespace xnewell::THIS_FILE {
 
 namespace {
 
@@ -140,4 +140,4 @@ TEST(DefinitionsIn, SkipsWhatIsNoCode) {
   EXPECT_FALSE(definitionsIn("namespace n { } }").balanced);
 }
 
-}  // namespace xnewell
+}  // namespace xnewell::THIS_FILE

@@ -11,7 +11,7 @@
 
 #include "tests/text/document.h"
 
-namespace xnewell {
+namespace xnewell::THIS_FILE {
 
 namespace {
 
@@ -116,4 +116,4 @@ TEST(Readme, HasAtMost150Lines) {
   EXPECT_LE(std::ranges::count(text, '\n'), 150);
 }
 
-}  // namespace xnewell
+}  // namespace xnewell::THIS_FILE

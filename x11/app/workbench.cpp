@@ -123,7 +123,10 @@ KeyTable Workbench::generalKeys() {
   const char* const undoes = "undo, redo";
   add('u', "undo", undoes, [this] { undo(); });
   add('U', "", undoes, [this] { done(work_.redo(), "redo"); });
-  add('r', "reset", "reset everything", [this] { change('r', [this](Setup& s) { s = work_.defaults; }); });
+  add('r', "reset", "reset the set-up", [this] {
+    done(work_.setup != work_.defaults, "reset");
+    change('r', [this](Setup& s) { s = work_.defaults; });
+  });
   add('w', "save", "save the set-up as a scene file", [this] { askToSave(); });
   add('e', "", "open a scene", [this] { askToOpen(); });
   for (const WindowViewRow& row : kWindowViews)

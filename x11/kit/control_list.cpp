@@ -195,7 +195,8 @@ void ControlList::askForValue(const Control& control) {
   const std::string low = textOf(range, range.low), high = textOf(range, range.high), name = control.label;
   prompt_.ask({.asks = name + ", " + low + " to " + high,
                .text = fixed(control.value, range.decimals),
-               .take = [=, set = control.set](const std::string& text) -> std::string {
+               .take = [=, set = control.set, off = control.off](const std::string& text) -> std::string {
+                 if (!off.empty()) return off;
                  const std::optional<double> value = typedNumber(text);
                  const bool whole = range.decimals == 0;
                  if (!value || !(*value >= range.low && *value <= range.high) ||
@@ -210,6 +211,8 @@ void ControlList::askForValue(const Control& control) {
 void ControlList::appendKeys(KeyTable& table, const Controls& controls) {
   KeyTable arrows, letters;
   const auto all = std::make_shared<const Controls>(controls);
+  const std::string types = "type the value of the selected control";
+  bool typed = false;
   if (const Control* const now = focused(*all)) {
     const auto arrow = [&](int along, int up) {
       return [this, all, now, along, up](const Key& key) {
@@ -224,12 +227,17 @@ void ControlList::appendKeys(KeyTable& table, const Controls& controls) {
               {{NamedKey::Down}, "", does, arrow(0, -1), now->off}};
     if (now->set) {
       const auto setTo = [&](double value) { return [all, now, value](const Key&) { now->set(value); }; };
-      const std::string ends = "its lowest and its highest value; type a value";
+      const std::string ends = "its lowest and its highest value";
       arrows.push_back({{NamedKey::Home}, "", ends, setTo(now->range.low), now->off});
       arrows.push_back({{NamedKey::End}, "", ends, setTo(now->range.high), now->off});
-      arrows.push_back({{'='}, "type", ends, [this, all, now](const Key&) { askForValue(*now); }, now->off});
+      // The question opens also if the value has no effect now, so that digits never change the view.
+      arrows.push_back({{'='}, "type", types, [this, all, now](const Key&) { askForValue(*now); }});
+      typed = true;
     }
   }
+  if (!typed && std::ranges::any_of(*all, [](const Control& one) { return one.takesArrows() && one.set; }))
+    arrows.push_back(
+        {{'='}, "", types, {}, "Select a control that has a value first: press its letter, or Tab."});
   if (std::ranges::any_of(*all, &Control::takesArrows))
     arrows.push_back(
         {{NamedKey::Tab}, "", "select the next control; Shift: the one before", [this, all](const Key& key) {

@@ -21,7 +21,8 @@ class TypedLine {
   void ask(Question question);
   void cancel() { question_.reset(); }
   [[nodiscard]] bool isOpen() const { return question_.has_value(); }
-  /// Edits the text of an open line. Return gives it to the question, which may complain and stay; Esc cancels.
+  /// Edits the text of an open line. Return gives it to the question, which may complain and stay; Esc
+  /// cancels.
   void press(const Key& key);
   [[nodiscard]] std::optional<Typed> typed() const;
 

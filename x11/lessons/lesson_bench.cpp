@@ -194,7 +194,7 @@ PaletteEffects LessonBench::stored(const Setup&) const {
 void LessonBench::draw(Painter paint, const Desk& desk) {
   state_.late = false;
   drawn_ = desk.setup;
-  counts_ = "scene: " + (listing_ ? desk.picture.scene().name : state_.exhibit.sceneName) + ", " +
+  counts_ = "scene: " + (lesson_ ? state_.exhibit.sceneName : desk.picture.scene().name) + ", " +
             counted(desk.picture.snapped().polygons - desk.picture.snapped().degenerate, "polygon");
   list_.forgetPlaces();
   Pen pen{paint, desk.plan};

@@ -66,9 +66,9 @@ class TradeDrawing {
     return page_.stale
                ? (at_.compact ? "out of date: press m" : "measured for an earlier set-up: m measures again")
                : counted(static_cast<std::int64_t>(page_.trade.combinations.size()), "configuration") +
-                     (page_.single  ? ", one change each"
-                      : at_.compact ? ""
-                                    : ", this scene, this view");
+                     (at_.compact    ? ""
+                      : page_.single ? ", one change each"
+                                     : ", this scene, this view");
   }
 
   void drawWaiting() {

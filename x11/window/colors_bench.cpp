@@ -105,7 +105,7 @@ KeyTable ColorsBench::ownKeys() {
          undo();
        }});
   table.push_back({.does = "bend the curve of stored values", .gesture = "drag"});
-  table.push_back({{'r'}, "", "reset everything", [this](const Key&) {
+  table.push_back({{'r'}, "", "reset the set-up, and restore as Esc does", [this](const Key&) {
                      undo();
                      host_.change('r', [this](Setup& s) { s = host_.defaults(); });
                    }});

@@ -9,7 +9,7 @@
 #include "shading/color/quantize.h"
 #include "tests/support/quantized.h"
 
-namespace xnewell {
+namespace xnewell::THIS_FILE {
 
 // The fixed cube of 240 colours, plain and dithered. Colours chosen for a picture: quantize_test.cpp.
 
@@ -103,4 +103,4 @@ TEST(Quantize, TheCubesOwnColoursStay) {
     EXPECT_EQ(resultOf(picture, {.quantizer = Quantizer::Cube, .dither = dither}).image, picture);
 }
 
-}  // namespace xnewell
+}  // namespace xnewell::THIS_FILE

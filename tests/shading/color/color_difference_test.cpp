@@ -7,7 +7,7 @@
 #include <random>
 #include <vector>
 
-namespace xnewell {
+namespace xnewell::THIS_FILE {
 
 namespace {
 
@@ -178,4 +178,4 @@ TEST(ColorDifference, OfPicturesIsTheSumOfItsPixels) {
   EXPECT_EQ(all.largest, largest);
 }
 
-}  // namespace xnewell
+}  // namespace xnewell::THIS_FILE

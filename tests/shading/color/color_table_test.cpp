@@ -5,7 +5,7 @@
 #include <cmath>
 #include <set>
 
-namespace xnewell {
+namespace xnewell::THIS_FILE {
 
 // r = 50^(1/239) = 1.01650299..., and the brightest corrected shade is full intensity.
 TEST(ColorTable, CorrectedRatioAsInTheBook) {
@@ -145,4 +145,4 @@ TEST(ColorTable, OneIntensity) {
   }
 }
 
-}  // namespace xnewell
+}  // namespace xnewell::THIS_FILE

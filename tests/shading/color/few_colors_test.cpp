@@ -4,7 +4,7 @@
 
 #include <random>
 
-namespace xnewell {
+namespace xnewell::THIS_FILE {
 
 namespace {
 
@@ -44,4 +44,4 @@ TEST(FewColors, AreAllKept) {
   EXPECT_FALSE(inFewColors(pictureOf(257, 61, 20)));
 }
 
-}  // namespace xnewell
+}  // namespace xnewell::THIS_FILE

@@ -5,7 +5,7 @@
 #include <functional>
 #include <random>
 
-namespace xnewell {
+namespace xnewell::THIS_FILE {
 
 namespace {
 
@@ -174,4 +174,4 @@ TEST(HuePlan, OrderMovesCellsOnly) {
   }
 }
 
-}  // namespace xnewell
+}  // namespace xnewell::THIS_FILE

@@ -4,7 +4,7 @@
 
 #include <set>
 
-namespace xnewell {
+namespace xnewell::THIS_FILE {
 
 namespace {
 
@@ -68,4 +68,4 @@ TEST(Palette, UnneededCellsKeepTheirColours) {
   EXPECT_EQ(palette[8], (Rgb16{0x2A2A, 0x2E2E, 0x3535}));
 }
 
-}  // namespace xnewell
+}  // namespace xnewell::THIS_FILE

@@ -12,7 +12,7 @@
 #include "tests/support/scattered_palette.h"
 #include "tests/support/temporary_folder.h"
 
-namespace xnewell {
+namespace xnewell::THIS_FILE {
 
 namespace {
 
@@ -123,4 +123,4 @@ TEST(Png, FailsAsTheFileDoes) {
   }
 }
 
-}  // namespace xnewell
+}  // namespace xnewell::THIS_FILE

@@ -13,7 +13,7 @@
 #include "shading/color/nearest_color.h"
 #include "tests/support/quantized.h"
 
-namespace xnewell {
+namespace xnewell::THIS_FILE {
 
 // Colours chosen for a picture. The fixed cube: color_cube_test.cpp.
 
@@ -333,4 +333,4 @@ TEST(Quantize, AllColours) {
   EXPECT_LE(furthest, 32 * 32 + 32 * 32 + 16 * 16);
 }
 
-}  // namespace xnewell
+}  // namespace xnewell::THIS_FILE

@@ -11,7 +11,7 @@
 #include "shading/extremes/finding.h"
 #include "shading/picture/picture_cache.h"
 
-namespace xnewell {
+namespace xnewell::THIS_FILE {
 
 namespace {
 
@@ -397,4 +397,4 @@ TEST(Extremes, AStopKeepsTheFinishedWays) {
   }
 }
 
-}  // namespace xnewell
+}  // namespace xnewell::THIS_FILE

@@ -5,7 +5,7 @@
 #include "shading/extremes/extreme_ways.h"
 #include "shading/picture/picture_cache.h"
 
-namespace xnewell {
+namespace xnewell::THIS_FILE {
 
 // The eye may be nearer to the scene than the root of the smallest double. A copy in front still has numbers
 // for coordinates, and lies nearer by what the way says.
@@ -38,4 +38,4 @@ TEST(Extremes, ACopyInFrontHasNumbers) {
   }
 }
 
-}  // namespace xnewell
+}  // namespace xnewell::THIS_FILE

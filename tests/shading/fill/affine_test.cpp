@@ -12,7 +12,7 @@
 #include "geometry/view/project.h"
 #include "shading/fill/scanline.h"
 
-namespace xnewell {
+namespace xnewell::THIS_FILE {
 
 namespace {
 
@@ -196,4 +196,4 @@ TEST(Affine, IsFlatWithoutAnArea) {
   EXPECT_EQ(affineOver(point.data(), {1, 2, 6}), (AffineValue{3u << 24, 0, 0}));
 }
 
-}  // namespace xnewell
+}  // namespace xnewell::THIS_FILE

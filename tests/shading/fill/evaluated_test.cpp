@@ -11,7 +11,7 @@
 #include "shading/fill/scanline.h"
 #include "tests/support/random_triangles.h"
 
-namespace xnewell {
+namespace xnewell::THIS_FILE {
 
 // The pixels' single precision against the same evaluation in double: planes, normal and cosine are off by
 // less than 2^-19 together, which the power multiplies by n; beyond n = 1,024 pixels have double precision
@@ -246,4 +246,4 @@ TEST(Evaluated, LanesPastTheEndReadNothingElse) {
   }
 }
 
-}  // namespace xnewell
+}  // namespace xnewell::THIS_FILE

@@ -12,7 +12,7 @@
 #include "shading/fill/gouraud.h"
 #include "tests/support/seeds.h"
 
-namespace xnewell {
+namespace xnewell::THIS_FILE {
 
 namespace {
 
@@ -261,4 +261,4 @@ TEST(Fill, FacesFromExactly128On) {
         }
 }
 
-}  // namespace xnewell
+}  // namespace xnewell::THIS_FILE

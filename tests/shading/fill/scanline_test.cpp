@@ -10,7 +10,7 @@
 #include "geometry/exact/int128.h"
 #include "shading/fill/fill.h"
 
-namespace xnewell {
+namespace xnewell::THIS_FILE {
 
 namespace {
 
@@ -187,4 +187,4 @@ TEST(Scanline, SharedEdgesLeaveNoGapAndNoOverlap) {
   }
 }
 
-}  // namespace xnewell
+}  // namespace xnewell::THIS_FILE

@@ -11,7 +11,7 @@
 #include "shading/fill/scanline.h"
 #include "tests/support/random_triangles.h"
 
-namespace xnewell {
+namespace xnewell::THIS_FILE {
 
 // A texture in perspective lies on its surface: the texel at a sample is that of the place seen there,
 // found by a ray. Interpolated by a plane it is another, and the same where 1/w is the same at all corners.
@@ -81,4 +81,4 @@ TEST(Evaluated, TexturesEndOrRepeat) {
   EXPECT_EQ(texel(-1.5, 7.5, true), 7);
 }
 
-}  // namespace xnewell
+}  // namespace xnewell::THIS_FILE

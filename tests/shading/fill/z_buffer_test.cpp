@@ -13,7 +13,7 @@
 #include "tests/support/random_scenes.h"
 #include "tests/support/seeds.h"
 
-namespace xnewell {
+namespace xnewell::THIS_FILE {
 
 namespace {
 
@@ -239,4 +239,4 @@ TEST(ZBuffer, ManyTriangles) {
   EXPECT_LE(wrong[2], 1);
 }
 
-}  // namespace xnewell
+}  // namespace xnewell::THIS_FILE

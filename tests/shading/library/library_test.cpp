@@ -6,7 +6,7 @@
 
 #include "shading/library/xnewell.h"
 
-namespace xnewell {
+namespace xnewell::THIS_FILE {
 
 namespace {
 
@@ -101,4 +101,4 @@ TEST(Library, RefusesWhatIsWrong) {
   EXPECT_THROW((void)library::readObj("/nowhere.obj"), std::runtime_error);
 }
 
-}  // namespace xnewell
+}  // namespace xnewell::THIS_FILE

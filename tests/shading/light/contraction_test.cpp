@@ -7,7 +7,7 @@
 #include "shading/light/lanes.h"
 #include "tests/support/contracted.h"
 
-namespace xnewell {
+namespace xnewell::THIS_FILE {
 
 // No product and sum are fused: each rounds. The bounds, and the promise of the same picture on every
 // machine, rest on it (-ffp-contract=off).
@@ -61,4 +61,4 @@ TEST(Contraction, IsOffInEveryFileOfTheLibraries) {
   EXPECT_GT(files, 20);  // with several files of a room in one, too
 }
 
-}  // namespace xnewell
+}  // namespace xnewell::THIS_FILE

@@ -9,7 +9,7 @@
 #include "geometry/exact/trig.h"
 #include "geometry/model/solids.h"
 
-namespace xnewell {
+namespace xnewell::THIS_FILE {
 
 namespace {
 
@@ -101,4 +101,4 @@ TEST(Environment, PublishedIsExactOnTheViewAxisAlone) {
   }
 }
 
-}  // namespace xnewell
+}  // namespace xnewell::THIS_FILE

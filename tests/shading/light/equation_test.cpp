@@ -9,7 +9,7 @@
 
 #include "shading/light/intensities.h"
 
-namespace xnewell {
+namespace xnewell::THIS_FILE {
 
 namespace {
 
@@ -163,4 +163,4 @@ TEST(Equation, LoopsOverManyPlacesGiveTheSame) {
   EXPECT_GT(inCones, 1'000);
 }
 
-}  // namespace xnewell
+}  // namespace xnewell::THIS_FILE

@@ -8,7 +8,7 @@
 
 #include "shading/light/reflect.h"
 
-namespace xnewell {
+namespace xnewell::THIS_FILE {
 
 namespace {
 
@@ -344,4 +344,4 @@ TEST(Illumination, SideBySideAsAlone) {
   }
 }
 
-}  // namespace xnewell
+}  // namespace xnewell::THIS_FILE

@@ -15,7 +15,7 @@
 #include "tests/support/lit_solids.h"
 #include "tests/support/seeds.h"
 
-namespace xnewell {
+namespace xnewell::THIS_FILE {
 
 namespace {
 
@@ -289,4 +289,4 @@ TEST(Refine, InterpolatesAtNewCorners) {
   }
 }
 
-}  // namespace xnewell
+}  // namespace xnewell::THIS_FILE

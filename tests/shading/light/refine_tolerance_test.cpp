@@ -11,7 +11,7 @@
 #include "tests/support/lit_solids.h"
 #include "tests/support/seeds.h"
 
-namespace xnewell {
+namespace xnewell::THIS_FILE {
 
 // RefineLimit::None is a promise: no place of any part is off by more than the tolerance. It is held against
 // the equation as the book has it, at many places, of the normal that Phong shading interpolates over the
@@ -159,4 +159,4 @@ TEST(RefineTolerance, NoPlaceIsOffByMore) {
   EXPECT_GT(nearest, 0.9);  // the bound is not far too careful
 }
 
-}  // namespace xnewell
+}  // namespace xnewell::THIS_FILE

@@ -4,7 +4,7 @@
 #include "shading/picture/profile.h"
 #include "shading/scene/scene_file.h"
 
-namespace xnewell {
+namespace xnewell::THIS_FILE {
 
 namespace {
 
@@ -110,4 +110,4 @@ TEST(AmbientLight, NormalsComeWithTheLight) {
     }
 }
 
-}  // namespace xnewell
+}  // namespace xnewell::THIS_FILE

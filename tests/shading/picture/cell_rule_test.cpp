@@ -7,7 +7,7 @@
 #include "shading/picture/picture_cache.h"
 #include "tests/support/seeds.h"
 
-namespace xnewell {
+namespace xnewell::THIS_FILE {
 
 namespace {
 
@@ -114,4 +114,4 @@ TEST(CellRule, TablesHoldTheCellsOfTheMiddles) {
         }
 }
 
-}  // namespace xnewell
+}  // namespace xnewell::THIS_FILE

@@ -8,7 +8,7 @@
 #include <random>
 #include <set>
 
-namespace xnewell {
+namespace xnewell::THIS_FILE {
 
 namespace {
 
@@ -105,4 +105,4 @@ TEST(CellUse, MedianHasHalfOnEitherSide) {
   }
 }
 
-}  // namespace xnewell
+}  // namespace xnewell::THIS_FILE

@@ -12,7 +12,7 @@
 #include "tests/support/painted.h"
 #include "tests/support/random_wall.h"
 
-namespace xnewell {
+namespace xnewell::THIS_FILE {
 
 namespace {
 
@@ -173,4 +173,4 @@ TEST(Contact, IsByThePlanesOfTheirOwnCorners) {
   }
 }
 
-}  // namespace xnewell
+}  // namespace xnewell::THIS_FILE

@@ -14,7 +14,7 @@
 #include "tests/support/model_view.h"
 #include "tests/support/seeds.h"
 
-namespace xnewell {
+namespace xnewell::THIS_FILE {
 
 namespace {
 
@@ -169,4 +169,4 @@ TEST(Crossing, ToriSplitOnceForEachPartOfACrossing) {
   EXPECT_GT(broken, 5);
 }
 
-}  // namespace xnewell
+}  // namespace xnewell::THIS_FILE

@@ -10,7 +10,7 @@
 #include "geometry/model/solids.h"
 #include "shading/picture/picture_cache.h"
 
-namespace xnewell {
+namespace xnewell::THIS_FILE {
 
 // Pictures by environment mapping, against the equation. The maps themselves: environment_test.cpp.
 
@@ -146,4 +146,4 @@ TEST(EnvironmentPicture, ErrsOnCoarseMeshesAsTheReadmeSays) {
   }
 }
 
-}  // namespace xnewell
+}  // namespace xnewell::THIS_FILE

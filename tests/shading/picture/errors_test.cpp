@@ -12,7 +12,7 @@
 #include "shading/picture/picture_cache.h"
 #include "shading/scene/scene_file.h"
 
-namespace xnewell {
+namespace xnewell::THIS_FILE {
 
 namespace {
 
@@ -260,4 +260,4 @@ TEST(Errors, DistanceToAPatch) {
   EXPECT_NEAR(e.patches->largestPixels, 10 * e.patches->largest, 1e-9);
 }
 
-}  // namespace xnewell
+}  // namespace xnewell::THIS_FILE

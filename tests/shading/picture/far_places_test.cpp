@@ -11,7 +11,7 @@
 #include "tests/support/scene_text.h"
 #include "tests/support/seeds.h"
 
-namespace xnewell {
+namespace xnewell::THIS_FILE {
 
 // A scene that is moved far from the origin, together with its lights and its eye, keeps its picture. All
 // coordinates are multiples of 2^-7, so the file of the moved scene has no rounding of its own, and nothing
@@ -138,4 +138,4 @@ TEST(FarPlaces, EveryMethodAndLightKeepsItsPicture) {
   EXPECT_GT(compared, kSanitized ? 120 : 600);
 }
 
-}  // namespace xnewell
+}  // namespace xnewell::THIS_FILE

@@ -11,7 +11,7 @@
 #include "tests/support/near_scenes.h"
 #include "tests/support/seeds.h"
 
-namespace xnewell {
+namespace xnewell::THIS_FILE {
 
 namespace {
 
@@ -179,4 +179,4 @@ TEST(NearPlanes, DecalsOnTiles) {
     }
 }
 
-}  // namespace xnewell
+}  // namespace xnewell::THIS_FILE

@@ -7,7 +7,7 @@
 #include "shading/picture/picture_cache.h"
 #include "shading/scene/scene_file.h"
 
-namespace xnewell {
+namespace xnewell::THIS_FILE {
 
 namespace {
 
@@ -105,4 +105,4 @@ TEST(OneHue, OfRedLightOnGreenIsBlack) {
   }
 }
 
-}  // namespace xnewell
+}  // namespace xnewell::THIS_FILE

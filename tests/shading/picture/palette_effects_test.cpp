@@ -9,7 +9,7 @@
 #include "shading/picture/picture_cache.h"
 #include "tests/support/scattered_palette.h"
 
-namespace xnewell {
+namespace xnewell::THIS_FILE {
 
 namespace {
 
@@ -264,4 +264,4 @@ TEST(PaletteEffects, GraysForGrayScreens) {
   }
 }
 
-}  // namespace xnewell
+}  // namespace xnewell::THIS_FILE

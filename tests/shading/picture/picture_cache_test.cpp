@@ -12,7 +12,7 @@
 #include "tests/support/painted_picture.h"
 #include "tests/support/small_picture.h"
 
-namespace xnewell {
+namespace xnewell::THIS_FILE {
 
 // What one picture lends to the next, and that none changes.
 
@@ -235,4 +235,4 @@ TEST(Picture, CanBeGivenUp) {
   EXPECT_EQ(pictures.make(quick, 8).image(), image);
 }
 
-}  // namespace xnewell
+}  // namespace xnewell::THIS_FILE

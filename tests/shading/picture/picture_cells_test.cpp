@@ -11,7 +11,7 @@
 #include "tests/support/painted_picture.h"
 #include "tests/support/small_picture.h"
 
-namespace xnewell {
+namespace xnewell::THIS_FILE {
 
 // Which cells the samples of a picture take, and how many samples are clamped.
 
@@ -184,4 +184,4 @@ TEST(Picture, HuesWithoutLightAndTooManyOfThem) {
   EXPECT_EQ(pictures.last().colors().plan(), ColorPlan::Chosen);
 }
 
-}  // namespace xnewell
+}  // namespace xnewell::THIS_FILE

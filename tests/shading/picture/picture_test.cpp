@@ -18,7 +18,7 @@
 #include "tests/support/painted_picture.h"
 #include "tests/support/small_picture.h"
 
-namespace xnewell {
+namespace xnewell::THIS_FILE {
 
 // How often samples are painted, and where the order is wrong. Cells: picture_cells_test.cpp. What one
 // picture lends to the next: picture_cache_test.cpp.
@@ -215,4 +215,4 @@ TEST(Picture, KnowsWhatIsSeenWithoutHiddenFaces) {
   }
 }
 
-}  // namespace xnewell
+}  // namespace xnewell::THIS_FILE

@@ -10,7 +10,7 @@
 #include "shading/picture/picture_cache.h"
 #include "tests/bench/triangulated.h"
 
-namespace xnewell {
+namespace xnewell::THIS_FILE {
 
 namespace {
 
@@ -206,4 +206,4 @@ TEST(Profile, DefaultScanlineShowsSomething) {
   EXPECT_EQ(defaultScanline(makePicture(readScene("teapot", 3), wide(100))), 25);
 }
 
-}  // namespace xnewell
+}  // namespace xnewell::THIS_FILE

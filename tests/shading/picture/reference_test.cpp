@@ -15,7 +15,7 @@
 #include "tests/support/brief_light.h"
 #include "tests/support/seeds.h"
 
-namespace xnewell {
+namespace xnewell::THIS_FILE {
 
 namespace {
 
@@ -261,4 +261,4 @@ TEST(Reference, KnowsWhichFacesAreRound) {
     }
 }
 
-}  // namespace xnewell
+}  // namespace xnewell::THIS_FILE

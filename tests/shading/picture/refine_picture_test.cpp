@@ -12,7 +12,7 @@
 #include "tests/support/lit_solids.h"
 #include "tests/support/painted_picture.h"
 
-namespace xnewell {
+namespace xnewell::THIS_FILE {
 
 // What refined polygons show in a picture.
 
@@ -175,4 +175,4 @@ TEST(RefinePicture, IsMadeAgainWhenItMust) {
   EXPECT_EQ(kept.last().times().transform, 0);
 }
 
-}  // namespace xnewell
+}  // namespace xnewell::THIS_FILE

@@ -12,7 +12,7 @@
 #include "shading/picture/without.h"
 #include "shading/scene/scene_file.h"
 
-namespace xnewell {
+namespace xnewell::THIS_FILE {
 
 namespace {
 
@@ -228,4 +228,4 @@ TEST(Required, SaysWhy) {
   EXPECT_EQ(required.at("specular").why, "depth shading uses no light");
 }
 
-}  // namespace xnewell
+}  // namespace xnewell::THIS_FILE

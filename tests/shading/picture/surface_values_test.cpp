@@ -10,7 +10,7 @@
 #include "geometry/model/solids.h"
 #include "shading/picture/picture_cache.h"
 
-namespace xnewell {
+namespace xnewell::THIS_FILE {
 
 namespace {
 
@@ -260,4 +260,4 @@ TEST(SurfaceValues, DependOnTheSampleAlone) {
   }
 }
 
-}  // namespace xnewell
+}  // namespace xnewell::THIS_FILE

@@ -17,7 +17,7 @@
 #include "tests/support/small_picture.h"
 #include "tests/support/temporary_folder.h"
 
-namespace xnewell {
+namespace xnewell::THIS_FILE {
 
 namespace {
 
@@ -314,4 +314,4 @@ TEST(Truth, IsTheSameWithoutHiddenFaces) {
   }
 }
 
-}  // namespace xnewell
+}  // namespace xnewell::THIS_FILE

@@ -12,7 +12,7 @@
 #include "shading/picture/picture_cache.h"
 #include "shading/scene/scene_file.h"
 
-namespace xnewell {
+namespace xnewell::THIS_FILE {
 
 /// Each built-in scene of shading shows what it says, measured in its pictures.
 
@@ -356,4 +356,4 @@ TEST(BuiltInScenes, LampFallsWithDistance) {
   EXPECT_GT(floor.front().second, 0.5);
 }
 
-}  // namespace xnewell
+}  // namespace xnewell::THIS_FILE

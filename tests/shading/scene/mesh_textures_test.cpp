@@ -11,7 +11,7 @@
 #include "shading/scene/scene_file.h"
 #include "tests/support/reader_fixture.h"
 
-namespace xnewell {
+namespace xnewell::THIS_FILE {
 
 namespace {
 
@@ -241,4 +241,4 @@ TEST_F(MapKd, InASceneFile) {
   EXPECT_EQ(plain.mesh.materials[plain.mesh.material[2]].texture, -1);
 }
 
-}  // namespace xnewell
+}  // namespace xnewell::THIS_FILE

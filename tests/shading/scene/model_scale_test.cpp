@@ -13,7 +13,7 @@
 #include "tests/support/painted.h"
 #include "tests/support/temporary_folder.h"
 
-namespace xnewell {
+namespace xnewell::THIS_FILE {
 
 namespace {
 
@@ -336,4 +336,4 @@ TEST(ModelScale, FacesThroughTheEyesPlaneAgreeWithTheOracle) {
   EXPECT_GT(wide, 50);
 }
 
-}  // namespace xnewell
+}  // namespace xnewell::THIS_FILE

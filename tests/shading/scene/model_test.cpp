@@ -6,7 +6,7 @@
 #include "tests/support/painted.h"
 #include "tests/support/seeds.h"
 
-namespace xnewell {
+namespace xnewell::THIS_FILE {
 
 namespace {
 
@@ -148,4 +148,4 @@ TEST(Model, PiecesHaveTheColorOfTheirFace) {
   EXPECT_GT(std::ranges::count_if(colors, [](int n) { return n > 0; }), 100);
 }
 
-}  // namespace xnewell
+}  // namespace xnewell::THIS_FILE

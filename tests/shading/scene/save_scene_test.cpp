@@ -12,7 +12,7 @@
 #include "tests/support/seeds.h"
 #include "tests/support/temporary_folder.h"
 
-namespace xnewell {
+namespace xnewell::THIS_FILE {
 
 namespace {
 
@@ -207,4 +207,4 @@ TEST(SaveScene, Refusals) {
   refused(R"({"scene": 3})", "scene");
 }
 
-}  // namespace xnewell
+}  // namespace xnewell::THIS_FILE

@@ -3,7 +3,7 @@
 #include "geometry/files/parse_error.h"
 #include "tests/support/scene_text.h"
 
-namespace xnewell {
+namespace xnewell::THIS_FILE {
 
 // Every complaint names the place and what is allowed there.
 TEST(SceneFile, ComplaintsNameThePlace) {
@@ -275,4 +275,4 @@ TEST(SceneFile, TruncatedAnywhere) {
     EXPECT_THROW((void)parsed(whole.substr(0, n)), ParseError) << n;
 }
 
-}  // namespace xnewell
+}  // namespace xnewell::THIS_FILE

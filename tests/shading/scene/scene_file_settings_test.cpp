@@ -9,7 +9,7 @@
 #include "tests/support/scene_text.h"
 #include "tests/support/temporary_folder.h"
 
-namespace xnewell {
+namespace xnewell::THIS_FILE {
 
 // Lights, choices and cameras in a scene file. Its objects: scene_file_test.cpp.
 
@@ -251,4 +251,4 @@ TEST(SceneFile, BuiltInScenes) {
   EXPECT_FALSE(isBuiltIn("room.json"));
 }
 
-}  // namespace xnewell
+}  // namespace xnewell::THIS_FILE

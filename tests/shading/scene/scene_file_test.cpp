@@ -12,7 +12,7 @@
 #include "tests/support/scene_text.h"
 #include "tests/support/temporary_folder.h"
 
-namespace xnewell {
+namespace xnewell::THIS_FILE {
 
 // The objects of a scene file. Its lights, choices and cameras: scene_file_settings_test.cpp.
 
@@ -248,4 +248,4 @@ TEST(SceneFile, RoundingOfTurnedObjects) {
   EXPECT_LT(ofDoubles, 0x1p-48);
 }
 
-}  // namespace xnewell
+}  // namespace xnewell::THIS_FILE

@@ -6,7 +6,7 @@
 #include <limits>
 #include <set>
 
-namespace xnewell {
+namespace xnewell::THIS_FILE {
 
 namespace {
 
@@ -206,4 +206,4 @@ TEST(SettingRows, IntensitiesKeepWithinOne) {
   EXPECT_FALSE(keepWithinOne(light, true, true));
 }
 
-}  // namespace xnewell
+}  // namespace xnewell::THIS_FILE

@@ -11,7 +11,7 @@
 #include "tests/support/seeds.h"
 #include "tests/support/small_picture.h"
 
-namespace xnewell {
+namespace xnewell::THIS_FILE {
 
 namespace {
 
@@ -213,4 +213,4 @@ TEST(Choice, IsHonouredOnFreshSamples) {
   EXPECT_LE(worst, 1.0);
 }
 
-}  // namespace xnewell
+}  // namespace xnewell::THIS_FILE

@@ -8,7 +8,7 @@
 
 #include "geometry/exact/box.h"
 
-namespace xnewell {
+namespace xnewell::THIS_FILE {
 
 namespace {
 
@@ -70,4 +70,4 @@ TEST(ConstantLBound, IsGivenOnlyWhereItHolds) {
   EXPECT_LE(*boundOfConstantL(scene, light), 1e-6);
 }
 
-}  // namespace xnewell
+}  // namespace xnewell::THIS_FILE

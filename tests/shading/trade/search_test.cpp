@@ -17,7 +17,7 @@
 #include "tests/support/seeds.h"
 #include "tests/support/small_picture.h"
 
-namespace xnewell {
+namespace xnewell::THIS_FILE {
 
 namespace {
 
@@ -154,4 +154,4 @@ TEST(Search, IsRepeatableBesideBusyProcesses) {
   EXPECT_LE(most.ratio, 1.25 * least.ratio) << names;
 }
 
-}  // namespace xnewell
+}  // namespace xnewell::THIS_FILE

@@ -7,7 +7,7 @@
 #include <random>
 #include <set>
 
-namespace xnewell {
+namespace xnewell::THIS_FILE {
 
 namespace {
 
@@ -127,4 +127,4 @@ TEST(Timing, IntervalsContainTheMedian) {
   EXPECT_LT(contain, 0.99 * kTrials);
 }
 
-}  // namespace xnewell
+}  // namespace xnewell::THIS_FILE

@@ -14,7 +14,7 @@
 #include "shading/trade/measure.h"
 #include "tests/support/small_picture.h"
 
-namespace xnewell {
+namespace xnewell::THIS_FILE {
 
 namespace {
 
@@ -278,4 +278,4 @@ TEST(Measure, HoldsTheFacesOnce) {
 #endif
 }
 
-}  // namespace xnewell
+}  // namespace xnewell::THIS_FILE

@@ -10,7 +10,7 @@
 #include <X11/Xproto.h>
 #include <X11/keysym.h>
 
-namespace xnewell {
+namespace xnewell::THIS_FILE {
 
 // The view of the colour table in the window, on real servers: what is stored, and what is drawn.
 
@@ -161,4 +161,4 @@ TEST_P(ColorsWindowAt, DraggingTheCurveBrightensThePicture) {
   EXPECT_TRUE(window.comesToShow(picture, kSeen));
 }
 
-}  // namespace xnewell
+}  // namespace xnewell::THIS_FILE

@@ -7,7 +7,7 @@
 #include "tests/x11/support/twin_window.h"
 #include "x11/lessons/lesson.h"
 
-namespace xnewell {
+namespace xnewell::THIS_FILE {
 
 // Every control of the picture's view, resizes, lessons and saved set-ups on real servers. Keys and mouse
 // come in as a user's do. The window must show what a workbench without a server shows after the same input.
@@ -206,4 +206,4 @@ TEST_P(ControlsWindowAt, SavedSetupsReload) {
   EXPECT_TRUE(again.window.comesToShow(changed, at));
 }
 
-}  // namespace xnewell
+}  // namespace xnewell::THIS_FILE

@@ -7,7 +7,7 @@
 #include "tests/x11/support/ready_workbench.h"
 #include "x11/app/key_lists.h"
 
-namespace xnewell {
+namespace xnewell::THIS_FILE {
 
 // Whatever a view says of its keys and controls is true of every view.
 
@@ -115,4 +115,4 @@ TEST(EveryView, ControlsHavePlaces) {
     }
 }
 
-}  // namespace xnewell
+}  // namespace xnewell::THIS_FILE

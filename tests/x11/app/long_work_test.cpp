@@ -17,7 +17,7 @@
 
 #include <X11/keysym.h>
 
-namespace xnewell {
+namespace xnewell::THIS_FILE {
 
 namespace {
 
@@ -239,4 +239,4 @@ TEST_P(LongWorkAt, LosesNothing) {
   EXPECT_EQ(program.wait().status, 0);
 }
 
-}  // namespace xnewell
+}  // namespace xnewell::THIS_FILE

@@ -4,7 +4,7 @@
 #include "x11/lessons/lesson_list.h"
 #include "x11/sides/sides_page.h"
 
-namespace xnewell {
+namespace xnewell::THIS_FILE {
 
 // One scale: letters, lines and controls grow by a whole factor, and pictures keep their own pixels.
 
@@ -150,4 +150,4 @@ TEST(Scale, AnySize) {
   }
 }
 
-}  // namespace xnewell
+}  // namespace xnewell::THIS_FILE

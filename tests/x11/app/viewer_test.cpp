@@ -10,7 +10,7 @@
 #include <X11/Xproto.h>
 #include <X11/keysym.h>
 
-namespace xnewell {
+namespace xnewell::THIS_FILE {
 
 // What keys and mouse do to the picture in the window, on real servers.
 
@@ -245,4 +245,4 @@ TEST(Viewer, ShowsTheSameAtBothDepths) {
   }
 }
 
-}  // namespace xnewell
+}  // namespace xnewell::THIS_FILE

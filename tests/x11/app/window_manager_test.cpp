@@ -19,7 +19,7 @@
 #include "x11/server/colormap.h"
 #include "x11/server/read_visuals.h"
 
-namespace xnewell {
+namespace xnewell::THIS_FILE {
 
 // The window under a real window manager, next to a client that has its own colormap; and what the window
 // leaves behind on the server.
@@ -226,4 +226,4 @@ TEST(WindowManager, FindsNothingOfUsAfterwards) {
   }
 }
 
-}  // namespace xnewell
+}  // namespace xnewell::THIS_FILE

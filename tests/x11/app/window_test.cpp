@@ -10,7 +10,7 @@
 #include <X11/Xproto.h>
 #include <X11/keysym.h>
 
-namespace xnewell {
+namespace xnewell::THIS_FILE {
 
 // The window among other windows: how it ends, is covered, is resized, and keeps its colours.
 
@@ -239,4 +239,4 @@ TEST(WindowColormap, NeedsNoFreeCellInTheDefaultMap) {
   EXPECT_TRUE(comesTrue([&] { return viewer.window.colormapInstalled(); }));
 }
 
-}  // namespace xnewell
+}  // namespace xnewell::THIS_FILE

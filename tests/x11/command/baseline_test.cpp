@@ -5,7 +5,7 @@
 #include "tests/support/temporary_folder.h"
 #include "tests/x11/support/program_picture.h"
 
-namespace xnewell {
+namespace xnewell::THIS_FILE {
 
 // The code for newer processors and the code for any processor give the same picture, bit for bit. A build
 // that has only the latter does not have this test.
@@ -44,4 +44,4 @@ TEST(Baseline, GivesTheSameBits) {
 
 #endif
 
-}  // namespace xnewell
+}  // namespace xnewell::THIS_FILE

@@ -12,7 +12,7 @@
 #include "tests/support/seeds.h"
 #include "tests/x11/support/command_fixture.h"
 
-namespace xnewell {
+namespace xnewell::THIS_FILE {
 
 /// What the program draws: the face image against an independent decision, the meaning of each option, and
 /// extreme scenes and cameras.
@@ -144,11 +144,11 @@ TEST_F(DrawnPicture, IdsNameTheFaceInFront) {
     SCOPED_TRACE(seed);
     const std::vector<Sheet> all = sheets(seed, 48);
     const std::string obj = write("sheets.obj", objOf(all));
-    const Words eye{"--eye", "0,0,9", "--look-at", "0,0,0", "--up", "0,1,0"};
-    expectSheets(draw(obj, eye + Words{"--parallel", "3"}).ids, all, 9, 1.5, false, false);
-    expectSheets(draw(obj, eye + Words{"--fov", "20"}).ids, all, 9, std::tan(3.14159265358979 / 18), true,
+    const Strings eye{"--eye", "0,0,9", "--look-at", "0,0,0", "--up", "0,1,0"};
+    expectSheets(draw(obj, eye + Strings{"--parallel", "3"}).ids, all, 9, 1.5, false, false);
+    expectSheets(draw(obj, eye + Strings{"--fov", "20"}).ids, all, 9, std::tan(3.14159265358979 / 18), true,
                  false);
-    const Drawn culled = draw(obj, eye + Words{"--parallel", "3", "--cull", "back"});
+    const Drawn culled = draw(obj, eye + Strings{"--parallel", "3", "--cull", "back"});
     expectSheets(culled.ids, all, 9, 1.5, false, true);
     EXPECT_GT(culled.stats["culled"], 0);
   }
@@ -192,31 +192,31 @@ TEST_F(DrawnPicture, DoesNotKnowTheUnitOfTheFile) {
 // differently.
 TEST_F(DrawnPicture, LightAndTableRecolour) {
   const Drawn plain = draw("teapot"), corrected = draw("teapot", {"--table", "corrected"});
-  const auto recolours = [&](const Drawn& before, const Words& options) {
+  const auto recolours = [&](const Drawn& before, const Strings& options) {
     const Drawn after = draw("teapot", options);
     EXPECT_NE(after.picture.rgb, before.picture.rgb) << options.back();
     EXPECT_EQ(after.ids.rgb, before.ids.rgb) << options.back();
     return after;
   };
-  for (const Words& options : std::vector<Words>{{"--ia", "0.1"},
-                                                 {"--ip", "0.3"},
-                                                 {"--ka", "0.3"},
-                                                 {"--kd", "0.3"},
-                                                 {"--ks", "0"},
-                                                 {"--n", "1"},
-                                                 {"--light", "1,-1,0"},
-                                                 {"--light-at", "5,-5,5"},
-                                                 {"--constant-v"},
-                                                 {"--sided", "one"},
-                                                 {"--table", "brief"},
-                                                 {"--table", "corrected"}})
+  for (const Strings& options : std::vector<Strings>{{"--ia", "0.1"},
+                                                     {"--ip", "0.3"},
+                                                     {"--ka", "0.3"},
+                                                     {"--kd", "0.3"},
+                                                     {"--ks", "0"},
+                                                     {"--n", "1"},
+                                                     {"--light", "1,-1,0"},
+                                                     {"--light-at", "5,-5,5"},
+                                                     {"--constant-v"},
+                                                     {"--sided", "one"},
+                                                     {"--table", "brief"},
+                                                     {"--table", "corrected"}})
     recolours(plain, options);
   recolours(draw("teapot", {"--light-at", "5,-5,5"}), {"--light-at", "5,-5,5", "--constant-l"});
-  for (const Words& more : std::vector<Words>{{"--i0", "0.2"}, {"--bits", "8"}})
-    recolours(corrected, Words{"--table", "corrected"} + more);
+  for (const Strings& more : std::vector<Strings>{{"--i0", "0.2"}, {"--bits", "8"}})
+    recolours(corrected, Strings{"--table", "corrected"} + more);
   // The two rules disagree on about 0.2 % of all intensities, so only a large picture shows it.
-  const Words large{"--table", "corrected", "--size", "800x600", "--pick"};
-  EXPECT_NE(draw("teapot", large + Words{"log"}).png, draw("teapot", large + Words{"search"}).png);
+  const Strings large{"--table", "corrected", "--size", "800x600", "--pick"};
+  EXPECT_NE(draw("teapot", large + Strings{"log"}).png, draw("teapot", large + Strings{"search"}).png);
 
   // There is the ground, and one colour where nothing tells the faces apart; N shades give at most N colours.
   EXPECT_EQ(colorsOf(recolours(plain, {"--shade", "none"}).picture).size(), 2u);
@@ -238,22 +238,22 @@ TEST_F(DrawnPicture, LightAndTableRecolour) {
 // Options of the camera and of the sort change the faces as they say.
 TEST_F(DrawnPicture, CameraOptionsMean) {
   const Drawn plain = draw("teapot");
-  for (const Words& options : std::vector<Words>{{"--eye", "-1,-9,3"},
-                                                 {"--look-at", "1,0,1"},
-                                                 {"--up", "1,0,1"},
-                                                 {"--fov", "90"},
-                                                 {"--parallel", "3"},
-                                                 {"--oblique", "cavalier"},
-                                                 {"--oblique", "cabinet:30"},
-                                                 {"--vrp", "1,0,1"},
-                                                 {"--vpn", "0,-1,1"},
-                                                 {"--vup", "1,0,1"},
-                                                 {"--prp", "1,1,9"},
-                                                 {"--view-window", "-1,1,-1,1"},
-                                                 {"--front", "0"},
-                                                 {"--back", "0"},
-                                                 {"--divisions", "3"},
-                                                 {"--order", "none"}})
+  for (const Strings& options : std::vector<Strings>{{"--eye", "-1,-9,3"},
+                                                     {"--look-at", "1,0,1"},
+                                                     {"--up", "1,0,1"},
+                                                     {"--fov", "90"},
+                                                     {"--parallel", "3"},
+                                                     {"--oblique", "cavalier"},
+                                                     {"--oblique", "cabinet:30"},
+                                                     {"--vrp", "1,0,1"},
+                                                     {"--vpn", "0,-1,1"},
+                                                     {"--vup", "1,0,1"},
+                                                     {"--prp", "1,1,9"},
+                                                     {"--view-window", "-1,1,-1,1"},
+                                                     {"--front", "0"},
+                                                     {"--back", "0"},
+                                                     {"--divisions", "3"},
+                                                     {"--order", "none"}})
     EXPECT_NE(draw("teapot", options).ids.rgb, plain.ids.rgb) << options[0];
   EXPECT_EQ(draw("teapot", {"--divisions", "3"}).stats["faces"], 32 * 9);
   EXPECT_GT(draw("teapot", {"--cull", "back"}).stats["culled"], 500);
@@ -264,22 +264,23 @@ TEST_F(DrawnPicture, CameraOptionsMean) {
   const int one = covered(draw("teapot", {"--parallel", "20"}).ids),
             four = covered(draw("teapot", {"--parallel", "10"}).ids);
   EXPECT_NEAR(four, 4 * one, 0.1 * four);
-  const Words eye{"--eye", "0,-20,0"};
-  EXPECT_GT(covered(draw("teapot", eye + Words{"--fov", "30"}).ids),
-            2 * covered(draw("teapot", eye + Words{"--fov", "60"}).ids));
+  const Strings eye{"--eye", "0,-20,0"};
+  EXPECT_GT(covered(draw("teapot", eye + Strings{"--fov", "30"}).ids),
+            2 * covered(draw("teapot", eye + Strings{"--fov", "60"}).ids));
 
   // Of two squares the nearer one shows, from either side; unsorted, the later one in the file shows.
   const std::string squares =
       write("squares.obj",
             "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nv 0 0 1\nv 1 0 1\nv 1 1 1\nv 0 1 1\nf 1 2 3 4\nf 5 6 7 8\n");
-  const Words back{"--eye", "0.5,0.5,-9", "--look-at", "0.5,0.5,0", "--parallel", "2"};
-  const auto seen = [&](const Words& options) { return idAt(draw(squares, options).ids, 80, 60); };
+  const Strings back{"--eye", "0.5,0.5,-9", "--look-at", "0.5,0.5,0", "--parallel", "2"};
+  const auto seen = [&](const Strings& options) { return idAt(draw(squares, options).ids, 80, 60); };
   EXPECT_EQ(seen({"--eye", "0.5,0.5,9", "--look-at", "0.5,0.5,0", "--parallel", "2"}), 2);
-  for (const char* order : {"zsort", "zmean"}) EXPECT_EQ(seen(back + Words{"--order", order}), 1);
-  EXPECT_EQ(seen(back + Words{"--order", "none"}), 2);
-  EXPECT_EQ(seen(back + Words{"--cull", "back"}), 0);
-  EXPECT_EQ(seen(back + Words{"--front", "-0.5"}), 2);  // n runs towards the eye: face 0 at n = 0 is cut away
-  EXPECT_EQ(seen(back + Words{"--front", "0.5", "--back", "-0.5"}), 1);
+  for (const char* order : {"zsort", "zmean"}) EXPECT_EQ(seen(back + Strings{"--order", order}), 1);
+  EXPECT_EQ(seen(back + Strings{"--order", "none"}), 2);
+  EXPECT_EQ(seen(back + Strings{"--cull", "back"}), 0);
+  EXPECT_EQ(seen(back + Strings{"--front", "-0.5"}),
+            2);  // n runs towards the eye: face 0 at n = 0 is cut away
+  EXPECT_EQ(seen(back + Strings{"--front", "0.5", "--back", "-0.5"}), 1);
 }
 
 // Awkward scenes are drawn: scenes of any size, far from the origin, single points, faces without area.
@@ -315,29 +316,29 @@ TEST_F(DrawnPicture, AwkwardScenes) {
 
 // An awkward camera gives a picture or a message of one line, but never NaN or a crash.
 TEST_F(DrawnPicture, AwkwardCameras) {
-  for (const Words& camera : std::vector<Words>{{"--eye", "0,0,1"},
-                                                {"--eye", "0.1,0.1,1.5"},
-                                                {"--eye", "1e12,1e12,1e12"},
-                                                {"--eye", "1e300,0,0"},
-                                                {"--eye", "1.7e308,-1.7e308,1.7e308"},
-                                                {"--eye", "1e-300,0,0", "--look-at", "0,0,0"},
-                                                {"--fov", "0.001"},
-                                                {"--fov", "179.9"},
-                                                {"--fov", "1e-300"},
-                                                {"--parallel", "1e-300"},
-                                                {"--parallel", "1e300"},
-                                                {"--eye", "0,0,9", "--look-at", "0,0,0"},
-                                                {"--light-at", "0,0,0"},
-                                                {"--light", "1e-320,0,0"},
-                                                {"--light", "1e308,1e308,1e308"},
-                                                {"--up", "1e308,0,1e308"},
-                                                {"--front", "1e-300", "--back", "-1e-300"},
-                                                {"--size", "1x1"},
-                                                {"--size", "8192x1"},
-                                                {"--size", "1x8192"},
-                                                {"--n", "1000000"},
-                                                {"--n", "0"}}) {
-    const Finished end = runProgram(Words{"draw", "teapot", "-o", file("a.png"), "--stats"} + camera);
+  for (const Strings& camera : std::vector<Strings>{{"--eye", "0,0,1"},
+                                                    {"--eye", "0.1,0.1,1.5"},
+                                                    {"--eye", "1e12,1e12,1e12"},
+                                                    {"--eye", "1e300,0,0"},
+                                                    {"--eye", "1.7e308,-1.7e308,1.7e308"},
+                                                    {"--eye", "1e-300,0,0", "--look-at", "0,0,0"},
+                                                    {"--fov", "0.001"},
+                                                    {"--fov", "179.9"},
+                                                    {"--fov", "1e-300"},
+                                                    {"--parallel", "1e-300"},
+                                                    {"--parallel", "1e300"},
+                                                    {"--eye", "0,0,9", "--look-at", "0,0,0"},
+                                                    {"--light-at", "0,0,0"},
+                                                    {"--light", "1e-320,0,0"},
+                                                    {"--light", "1e308,1e308,1e308"},
+                                                    {"--up", "1e308,0,1e308"},
+                                                    {"--front", "1e-300", "--back", "-1e-300"},
+                                                    {"--size", "1x1"},
+                                                    {"--size", "8192x1"},
+                                                    {"--size", "1x8192"},
+                                                    {"--n", "1000000"},
+                                                    {"--n", "0"}}) {
+    const Finished end = runProgram(Strings{"draw", "teapot", "-o", file("a.png"), "--stats"} + camera);
     EXPECT_EQ(end.status, 0) << camera[0] << ' ' << camera[1] << ": " << end.err;
     std::filesystem::remove(file("a.png"));
   }
@@ -357,7 +358,7 @@ TEST_F(DrawnPicture, FacesOfManyCorners) {
     disc += "v " + number(std::cos(a)) + " " + number(std::sin(a)) + " 0\n";
   }
   for (int c = 1; c <= kCorners; ++c) corners += " " + std::to_string(c);
-  const Words view{"--eye", "0,0,9", "--look-at", "0,0,0", "--parallel", "4"};
+  const Strings view{"--eye", "0,0,9", "--look-at", "0,0,0", "--parallel", "4"};
   const RgbImage ids = draw(write("disc.obj", disc + "f" + corners + "\n"), view).ids;
   EXPECT_NEAR(covered(ids), 3.14159265358979 * 30 * 30,
               2 * 3.14159265358979 * 30);  // half a pixel to each side of the rim
@@ -374,4 +375,4 @@ TEST_F(DrawnPicture, FacesOfManyCorners) {
   EXPECT_GT(covered(drawn.ids), 1000);
 }
 
-}  // namespace xnewell
+}  // namespace xnewell::THIS_FILE

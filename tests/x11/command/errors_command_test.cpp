@@ -4,7 +4,7 @@
 #include "tests/support/seeds.h"
 #include "tests/x11/support/command_fixture.h"
 
-namespace xnewell {
+namespace xnewell::THIS_FILE {
 
 // What can be drawn can be measured, from so near that the eye and the look-at point are almost one.
 TEST_F(CommandTest, ErrorsAreMeasuredFromTheVeryEye) {
@@ -32,8 +32,8 @@ TEST_F(CommandTest, ErrorsOfATeapotWithOnePointFarAway) {
 
 // An interrupt while the errors are measured leaves no picture behind: it is written when they are known.
 TEST_F(CommandTest, AnInterruptedMeasurementLeavesNothing) {
-  const Words words{"draw",    "teapot", "-o", file("a.png"), "--size", kSanitized ? "400x300" : "1600x1200",
-                    "--errors"};
+  const Strings words{
+      "draw", "teapot", "-o", file("a.png"), "--size", kSanitized ? "400x300" : "1600x1200", "--errors"};
   const auto start = std::chrono::steady_clock::now();
   ASSERT_EQ(runProgram(words).status, 0);
   const auto whole = std::chrono::steady_clock::now() - start;
@@ -54,10 +54,10 @@ TEST_F(CommandTest, AnInterruptedMeasurementLeavesNothing) {
 
 // A file that cannot be written is an error before anything is measured.
 TEST_F(CommandTest, ErrorsCheckTheirOutputFirst) {
-  const Words words{"draw", "teapot", "--errors", "-o"};
-  const Finished end = runProgram(words + Words{file("none/a.png")});
+  const Strings words{"draw", "teapot", "--errors", "-o"};
+  const Finished end = runProgram(words + Strings{file("none/a.png")});
   EXPECT_EQ(end.status, 1);
   EXPECT_EQ(end.err, "xnewell: " + file("none/a.png") + ": No such file or directory\n");
 }
 
-}  // namespace xnewell
+}  // namespace xnewell::THIS_FILE

@@ -5,18 +5,18 @@
 #include "shading/color/png.h"
 #include "tests/x11/support/command_fixture.h"
 
-namespace xnewell {
+namespace xnewell::THIS_FILE {
 
 // The table has a line for each way, the chart is a picture, and the JSON has every step.
 TEST_F(CommandTest, ExtremesAreTold) {
-  const Words words{"extremes", "cycle", "--size", "40x30"};
-  const auto table = runProgram(words + Words{"-o", file("chart.png")});
+  const Strings words{"extremes", "cycle", "--size", "40x30"};
+  const auto table = runProgram(words + Strings{"-o", file("chart.png")});
   EXPECT_EQ(table.status, 0) << table.err;
   for (const char* way : {"scaled up by (powers of two)", "moved by", "eye falls to", "I0 down to"})
     EXPECT_NE(table.out.find(way), std::string::npos) << way;
   EXPECT_TRUE(std::filesystem::file_size(file("chart.png")) > 1'000);
 
-  const auto printed = runProgram(words + Words{"--json"});
+  const auto printed = runProgram(words + Strings{"--json"});
   EXPECT_EQ(printed.status, 0) << printed.err;
   const auto json = nlohmann::json::parse(printed.out);
   EXPECT_EQ(json.at("scene"), "cycle");
@@ -47,7 +47,7 @@ TEST_F(CommandTest, ExtremesOfAPillarAsLongAsTheWorld) {
 // After an interrupt the finished ways are told, and that it was stopped. A second interrupt ends the
 // program.
 TEST_F(CommandTest, ExtremesCanBeInterrupted) {
-  const Words words{"extremes", "cycle", "--size", "1200x900", "-o", file("chart.png")};
+  const Strings words{"extremes", "cycle", "--size", "1200x900", "-o", file("chart.png")};
   bool some = false;
   for (int seconds = 1; !some && seconds <= 32; seconds *= 2) {
     std::filesystem::remove(file("chart.png"));
@@ -73,11 +73,11 @@ TEST_F(CommandTest, ExtremesCanBeInterrupted) {
 
 // A chart that cannot be written is an error before anything is measured: the size would take hours.
 TEST_F(CommandTest, ExtremesCheckTheirOutputFirst) {
-  const Words words{"extremes", "teapot", "--size", "8192x8192", "-o"};
-  refused(words + Words{file("none/chart.png")}, 1, file("none/chart.png") + ": No such file or directory");
+  const Strings words{"extremes", "teapot", "--size", "8192x8192", "-o"};
+  refused(words + Strings{file("none/chart.png")}, 1, file("none/chart.png") + ": No such file or directory");
   std::filesystem::create_directory(file("folder.png"));
-  refused(words + Words{file("folder.png")}, 1, file("folder.png") + ": Is a directory");
-  refused(words + Words{file("old.png/chart.png")}, 1, file("old.png/chart.png") + ": Not a directory");
+  refused(words + Strings{file("folder.png")}, 1, file("folder.png") + ": Is a directory");
+  refused(words + Strings{file("old.png/chart.png")}, 1, file("old.png/chart.png") + ": Not a directory");
 }
 
 TEST_F(CommandTest, ExtremesRefuseWhatTheyDoNotTake) {
@@ -89,4 +89,4 @@ TEST_F(CommandTest, ExtremesRefuseWhatTheyDoNotTake) {
           "--stats, --errors, --costs and --ids work only with draw and snapshot");
 }
 
-}  // namespace xnewell
+}  // namespace xnewell::THIS_FILE

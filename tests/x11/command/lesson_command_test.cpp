@@ -3,7 +3,7 @@
 #include "tests/x11/support/command_fixture.h"
 #include "x11/lessons/lesson.h"
 
-namespace xnewell {
+namespace xnewell::THIS_FILE {
 
 // `xnewell lesson` as a user meets it.
 
@@ -85,4 +85,4 @@ TEST_F(LessonCommand, AnInterruptLeavesWholeFrames) {
   interruptsLeaveWholeFrames({"lesson", "specular", "--size", "2000x1500"}, 2000);
 }
 
-}  // namespace xnewell
+}  // namespace xnewell::THIS_FILE

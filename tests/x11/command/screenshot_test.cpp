@@ -10,7 +10,7 @@
 
 #include <X11/XWDFile.h>
 
-namespace xnewell {
+namespace xnewell::THIS_FILE {
 
 // What an independent client, xwd, sees of the window. No code of the program reads the pixels, and the
 // colours come from xwd's file.
@@ -105,4 +105,4 @@ TEST_P(Screenshot, OfAnotherClientAgreesWithOurs) {
   }
 }
 
-}  // namespace xnewell
+}  // namespace xnewell::THIS_FILE

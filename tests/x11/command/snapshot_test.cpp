@@ -14,7 +14,7 @@
 #include "tests/x11/support/watched_window.h"
 #include "tests/x11/support/x_server.h"
 
-namespace xnewell {
+namespace xnewell::THIS_FILE {
 
 namespace {
 
@@ -261,4 +261,4 @@ TEST(Snapshot, SaysWhatItSent) {
   }
 }
 
-}  // namespace xnewell
+}  // namespace xnewell::THIS_FILE

@@ -11,7 +11,7 @@
 
 #include "tests/x11/support/command_fixture.h"
 
-namespace xnewell {
+namespace xnewell::THIS_FILE {
 
 /// The trace as a user meets it: its lines, its frames, and what is refused.
 
@@ -19,8 +19,8 @@ namespace {
 
 using TraceCommand = CommandTest;
 
-std::vector<Json> linesOf(const Words& words) {
-  const Finished end = runProgram(Words{"trace"} + words);
+std::vector<Json> linesOf(const Strings& words) {
+  const Finished end = runProgram(Strings{"trace"} + words);
   EXPECT_EQ(end.status, 0) << end.err;
   EXPECT_EQ(end.err, "");
   std::vector<Json> lines;
@@ -66,9 +66,9 @@ std::map<std::string, int> framesIn(const std::string& folder) {
 // the pair. The numbers of each test give the same decision. The summary counts what was told.
 TEST_F(TraceCommand, LinesTellTheRun) {
   std::map<std::string, int> settled;
-  for (const Words& words :
-       {Words{"cycle"}, Words{"penetrate"}, Words{"nested-cycles"}, Words{"decals"}, Words{"crossing-sheets"},
-        Words{"room", "--quick"}, Words{"nested-cycles", "--quick"}, Words{"cycle", "--size", "64x64"}}) {
+  for (const Strings& words : {Strings{"cycle"}, Strings{"penetrate"}, Strings{"nested-cycles"},
+                               Strings{"decals"}, Strings{"crossing-sheets"}, Strings{"room", "--quick"},
+                               Strings{"nested-cycles", "--quick"}, Strings{"cycle", "--size", "64x64"}}) {
     SCOPED_TRACE(words[0]);
     const bool quick = std::ranges::find(words, "--quick") != words.end();
     const std::vector<Json> lines = linesOf(words);
@@ -130,8 +130,8 @@ TEST_F(TraceCommand, LinesTellTheRun) {
 
 // According to the lines, every polygon is either cut once into pieces or painted once.
 TEST_F(TraceCommand, EveryPolygonIsPaintedOrCut) {
-  for (const Words& words :
-       {Words{"nested-cycles"}, Words{"crossing-sheets"}, Words{"nested-cycles", "--quick"}}) {
+  for (const Strings& words :
+       {Strings{"nested-cycles"}, Strings{"crossing-sheets"}, Strings{"nested-cycles", "--quick"}}) {
     const std::vector<Json> lines = linesOf(words);
     std::set<int> there;
     for (int id = 0; id < lines.front()["polygons"]; ++id) there.insert(id);
@@ -171,10 +171,10 @@ TEST_F(TraceCommand, FramesOfEachKind) {
     EXPECT_EQ(framesIn(folder), expected) << word;
   }
   for (const std::string scene : {"cycle", "penetrate", "nested-cycles", "room"}) {
-    const Words options = scene == "room" ? Words{"--every", "cycle"} : Words{};
+    const Strings options = scene == "room" ? Strings{"--every", "cycle"} : Strings{};
     for (const std::string size : {"64x64", "800x600"}) {
       const std::string folder = file(scene + size);
-      ASSERT_EQ(runProgram(Words{"trace", scene, "--frames", folder, "--size", size} + options).status, 0);
+      ASSERT_EQ(runProgram(Strings{"trace", scene, "--frames", folder, "--size", size} + options).status, 0);
       const Drawn drawn = draw(scene, {"--size", size});
       std::set<std::string> names;
       for (const auto& entry : std::filesystem::directory_iterator{folder})
@@ -232,9 +232,9 @@ TEST_F(TraceCommand, Refusals) {
   const std::string folder = file("frames");
   refused({"trace", "room", "--frames", folder}, 2,
           "room: the run has no cut, so there is no frame to write; --every paint has 325");
-  refused({"trace", "teapot", "--frames", folder, "--every", "step", "--quick", "--divisions", "10"}, 2,
+  refused({"trace", "teapot", "--frames", folder, "--every", "step", "--quick", "--divisions", "6"}, 2,
           "--every step: " +
-              std::to_string(linesOf({"teapot", "--quick", "--divisions", "10"})[0]["steps"].get<int>()) +
+              std::to_string(linesOf({"teapot", "--quick", "--divisions", "6"})[0]["steps"].get<int>()) +
               " frames are too many; the most is 9,998");
   refused({"trace", "cycle", "--every", "cut"}, 2, "--every works only with --frames");
   refused({"trace", "cycle", "--frames", folder, "--every", "day"}, 2,
@@ -283,4 +283,4 @@ TEST_F(TraceCommand, StandardOutputThatTakesNoMore) {
   EXPECT_EQ(Json::parse(contents(file("line")))["event"], "run");
 }
 
-}  // namespace xnewell
+}  // namespace xnewell::THIS_FILE

@@ -9,16 +9,16 @@
 #include "tests/support/seeds.h"
 #include "tests/x11/support/command_fixture.h"
 
-namespace xnewell {
+namespace xnewell::THIS_FILE {
 
 namespace {
 
 /// A small picture, and time for all of it on the slowest machine.
-Words tradeOf(const std::string& scene) { return {"trade", scene, "--size", "60x45", "--budget", "60"}; }
+Strings tradeOf(const std::string& scene) { return {"trade", scene, "--size", "60x45", "--budget", "60"}; }
 
 /// The words of a printed command, after the program's name. No word of these tests needs quotes.
-Words wordsOf(const std::string& command, const std::string& picture) {
-  Words words;
+Strings wordsOf(const std::string& command, const std::string& picture) {
+  Strings words;
   std::istringstream in{command};
   for (std::string word; in >> word;) words.push_back(word == "picture.png" ? picture : word);
   words.erase(words.begin());
@@ -31,7 +31,7 @@ Words wordsOf(const std::string& command, const std::string& picture) {
 // trade holds the camera still while divisions change, and the command places it anew.
 TEST_F(CommandTest, EachRowOfATradeCanBeRepeated) {
   const auto told = runProgram(tradeOf(XNEWELL_DATA_DIR "/../tests/data/dome.bpt") +
-                               Words{"--json", "--axes", kSanitized ? "shade,order" : "shade,divisions"});
+                               Strings{"--json", "--axes", kSanitized ? "shade,order" : "shade,divisions"});
   ASSERT_EQ(told.status, 0) << told.err;
   const auto trade = nlohmann::json::parse(told.out);
   auto rows = trade.at("rows");
@@ -62,7 +62,7 @@ TEST_F(CommandTest, EachRowOfATradeCanBeRepeated) {
 
 // The table has each value with its sentence, then the front. The chart is a picture.
 TEST_F(CommandTest, ATradeIsTold) {
-  const auto told = runProgram(tradeOf("cycle") + Words{"--axes", "shade,order", "-o", file("chart.png")});
+  const auto told = runProgram(tradeOf("cycle") + Strings{"--axes", "shade,order", "-o", file("chart.png")});
   EXPECT_EQ(told.status, 0) << told.err;
   for (const char* words :
        {"as it is", "Gouraud", "unsorted", "more samples show a wrong face.",
@@ -83,19 +83,19 @@ TEST_F(CommandTest, ATradeRefusesWhatItDoesNotTake) {
 
 // A chart that cannot be written is an error before anything is measured.
 TEST_F(CommandTest, ATradeChecksItsOutputFirst) {
-  const Words words{"trade", "teapot", "--size", "8192x8192", "--budget", "3600", "-o"};
-  refused(words + Words{file("none/chart.png")}, 1, file("none/chart.png") + ": No such file or directory");
+  const Strings words{"trade", "teapot", "--size", "8192x8192", "--budget", "3600", "-o"};
+  refused(words + Strings{file("none/chart.png")}, 1, file("none/chart.png") + ": No such file or directory");
   std::filesystem::create_directory(file("folder.png"));
-  refused(words + Words{file("folder.png")}, 1, file("folder.png") + ": Is a directory");
+  refused(words + Strings{file("folder.png")}, 1, file("folder.png") + ": Is a directory");
 }
 
 // After an interrupt there is a chart of what is known, or it is said that there is none.
 TEST_F(CommandTest, AnInterruptedTradeWritesItsChart) {
-  const Words words{"trade",    kSanitized ? "cubes" : "teapot",
-                    "--size",   "400x300",
-                    "--axes",   "shade,order",
-                    "--budget", "600",
-                    "-o",       file("chart.png")};
+  const Strings words{"trade",    kSanitized ? "cubes" : "teapot",
+                      "--size",   "400x300",
+                      "--axes",   "shade,order",
+                      "--budget", "600",
+                      "-o",       file("chart.png")};
   bool some = false;
   for (int seconds = 1; !some && seconds <= 32; seconds *= 2) {
     std::filesystem::remove(file("chart.png"));
@@ -125,24 +125,24 @@ TEST_F(CommandTest, ASceneWithoutExtentIsRefused) {
 
 // If the user chose everything himself, --accuracy still says whether the picture is within the limit.
 TEST_F(CommandTest, AccuracyTellsTheErrorIfNothingIsLeftToChoose) {
-  const Words words{"draw",   "two-cards", "--size",        "60x40",    "--order", "none",   "--shade",
-                    "flat",   "--table",   "linear",        "--shades", "240",     "--bits", "16",
-                    "--cull", "none",      "--adapt",       "0",        "--i0",    "0.02",   "--pick",
-                    "log",    "-o",        file("new.png"), "--errors"};
-  const auto missed = runProgram(words + Words{"--accuracy", "0.05"});
+  const Strings words{"draw",   "two-cards", "--size",        "60x40",    "--order", "none",   "--shade",
+                      "flat",   "--table",   "linear",        "--shades", "240",     "--bits", "16",
+                      "--cull", "none",      "--adapt",       "0",        "--i0",    "0.02",   "--pick",
+                      "log",    "-o",        file("new.png"), "--errors"};
+  const auto missed = runProgram(words + Strings{"--accuracy", "0.05"});
   ASSERT_EQ(missed.status, 0) << missed.err;
   EXPECT_TRUE(missed.err.starts_with("xnewell: nothing is left to choose. The RMS error is 0."))
       << missed.err;
   EXPECT_NE(missed.err.find(" in this view, but 0.05 is allowed.\n"), std::string::npos) << missed.err;
-  const auto kept = runProgram(words + Words{"--accuracy", "0.9"});
+  const auto kept = runProgram(words + Strings{"--accuracy", "0.9"});
   EXPECT_NE(kept.err.find(" in this view, and 0.9 is allowed.\n"), std::string::npos) << kept.err;
 }
 
 // --accuracy draws what it chose, says why, and leaves what the user gave.
 TEST_F(CommandTest, AccuracyChoosesAndSaysWhy) {
-  const Words options{"--size",   "120x90", "--budget",        "20", "--accuracy", "0.2",
-                      "--errors", "-o",     file("chosen.png")};
-  const auto chosen = runProgram(Words{"draw", "cycle"} + options);
+  const Strings options{"--size",   "120x90", "--budget",        "20", "--accuracy", "0.2",
+                        "--errors", "-o",     file("chosen.png")};
+  const auto chosen = runProgram(Strings{"draw", "cycle"} + options);
   ASSERT_EQ(chosen.status, 0) << chosen.err;
   EXPECT_NE(chosen.err.find("xnewell: chosen: "), std::string::npos) << chosen.err;
   EXPECT_NE(chosen.err.find(" and 0.2 is allowed. It takes "), std::string::npos) << chosen.err;
@@ -160,8 +160,8 @@ TEST_F(CommandTest, AccuracyChoosesAndSaysWhy) {
   EXPECT_NE(std::ranges::find(accuracy.at("timed_in_turn"), accuracy.at("chosen")),
             accuracy.at("timed_in_turn").end());
 
-  const auto kept = runProgram(Words{"draw", "teapot"} + options +
-                               Words{"--order", "newell", "--shade", "phong", "--divisions", "2"});
+  const auto kept = runProgram(Strings{"draw", "teapot"} + options +
+                               Strings{"--order", "newell", "--shade", "phong", "--divisions", "2"});
   ASSERT_EQ(kept.status, 0) << kept.err;
   const auto phong = nlohmann::json::parse(kept.out);
   EXPECT_EQ(phong.at("shading"), "phong");
@@ -200,4 +200,4 @@ TEST_F(CommandTest, AccuracyRefusesWhatItDoesNotTake) {
           "--budget works only with trade and --accuracy");
 }
 
-}  // namespace xnewell
+}  // namespace xnewell::THIS_FILE

@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <random>
 
-namespace xnewell {
+namespace xnewell::THIS_FILE {
 
 namespace {
 
@@ -93,4 +93,4 @@ TEST(Font, Latin1FromUtf8) {
   EXPECT_EQ(latin1(""), "");
 }
 
-}  // namespace xnewell
+}  // namespace xnewell::THIS_FILE

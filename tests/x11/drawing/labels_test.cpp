@@ -4,7 +4,7 @@
 
 #include <algorithm>
 
-namespace xnewell {
+namespace xnewell::THIS_FILE {
 
 // Labels beside each other stay apart by a gap, so that each can be read by itself.
 TEST(Labels, KeepAGap) {
@@ -35,4 +35,4 @@ TEST(Labels, CoverNothing) {
   EXPECT_EQ(std::ranges::count(image.pixels, 0), 100 * 40);
 }
 
-}  // namespace xnewell
+}  // namespace xnewell::THIS_FILE

@@ -14,7 +14,7 @@
 
 #include "x11/drawing/pen.h"
 
-namespace xnewell {
+namespace xnewell::THIS_FILE {
 
 namespace {
 
@@ -274,4 +274,4 @@ TEST(Painter, ArrowCapsAreMirrored) {
   EXPECT_EQ(right.size(), 16u);
 }
 
-}  // namespace xnewell
+}  // namespace xnewell::THIS_FILE

@@ -3,7 +3,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-namespace xnewell {
+namespace xnewell::THIS_FILE {
 
 // Broken text loses no word, and no line is longer than asked. Letters are counted, not bytes.
 TEST(Wording, BreaksAtSpaces) {
@@ -35,4 +35,4 @@ TEST(Wording, WritesNumbers) {
   EXPECT_EQ(counted(1200, "cut"), "1,200 cuts");
 }
 
-}  // namespace xnewell
+}  // namespace xnewell::THIS_FILE

@@ -6,7 +6,7 @@
 #include "shading/color/png.h"
 #include "tests/x11/install/installed.h"
 
-namespace xnewell {
+namespace xnewell::THIS_FILE {
 
 namespace {
 
@@ -134,4 +134,4 @@ TEST_F(ExampleTest, BuildsWithPkgConfig) {
   EXPECT_EQ(inFolder("/", quoted(file("painted"))).status, 2);
 }
 
-}  // namespace xnewell
+}  // namespace xnewell::THIS_FILE

@@ -7,7 +7,7 @@
 
 #include "shading/color/png.h"
 
-namespace xnewell {
+namespace xnewell::THIS_FILE {
 
 namespace {
 
@@ -148,4 +148,4 @@ TEST_F(InstalledTest, DesktopFilesAreValid) {
   EXPECT_TRUE(metainfo.status == 0 || metainfo.status == 127) << metainfo.out;
 }
 
-}  // namespace xnewell
+}  // namespace xnewell::THIS_FILE

@@ -7,7 +7,7 @@
 
 #include "tests/x11/install/installed.h"
 
-namespace xnewell {
+namespace xnewell::THIS_FILE {
 
 namespace {
 
@@ -187,4 +187,4 @@ TEST_F(ManualTest, FishCompletes) {
   EXPECT_EQ(typed("xnewell draw --order=ne"), Names{"--order=newell"});
 }
 
-}  // namespace xnewell
+}  // namespace xnewell::THIS_FILE

@@ -4,7 +4,9 @@
 
 #include <cmath>
 
-namespace xnewell {
+#include "x11/kit/typed_number.h"
+
+namespace xnewell::THIS_FILE {
 
 // A page of controls, one of each kind, without a window.
 
@@ -152,7 +154,7 @@ TEST(ControlList, NumbersShareALetter) {
 TEST(ControlList, OffSaysWhy) {
   Page page;
   page.type("o");
-  for (const Key key : {Key{NamedKey::Left}, Key{NamedKey::Up}, Key{NamedKey::End}, Key{'='}}) {
+  for (const Key key : {Key{NamedKey::Left}, Key{NamedKey::Up}, Key{NamedKey::End}}) {
     page.notices.clear();
     EXPECT_TRUE(page.press(key));
     EXPECT_EQ(page.notices, std::vector<std::string>{"It is off."});
@@ -162,8 +164,28 @@ TEST(ControlList, OffSaysWhy) {
   EXPECT_TRUE(page.list.grab(page.controls(), track.x + 9, track.y));
   EXPECT_FALSE(page.list.dragging());
   EXPECT_EQ(page.notices.size(), 1u);
-  EXPECT_EQ(page.never, -1);
   EXPECT_FALSE(page.question);
+  EXPECT_TRUE(page.press({'='}));  // opens a question, so that digits are not keys of the view
+  ASSERT_TRUE(page.question);
+  EXPECT_EQ(page.question->take("0.5"), "It is off.");
+  EXPECT_EQ(page.never, -1);
+}
+
+// Without a selected control `=` says what is missing.
+TEST(ControlList, TypingNeedsAControl) {
+  Page page;
+  ASSERT_FALSE(page.list.focus());
+  EXPECT_TRUE(page.press({'='}));
+  EXPECT_FALSE(page.question);
+  EXPECT_EQ(page.notices.size(), 1u);
+}
+
+// A typed number may have a plus, and blanks around it.
+TEST(ControlList, TypedNumbers) {
+  EXPECT_EQ(typedNumber(" +0.5 "), 0.5);
+  EXPECT_EQ(typedNumber("-2"), -2);
+  for (const char* wrong : {"", " ", "+", "+-1", "1 2", "0x1", "1,5", "--1"})
+    EXPECT_FALSE(typedNumber(wrong)) << wrong;
 }
 
 // The pointer: an option is chosen, the name of a choice takes the next one, a toggle flips, a name selects
@@ -258,4 +280,4 @@ TEST(Control, OptionsTakeTheLinesThatTheyNeed) {
   }
 }
 
-}  // namespace xnewell
+}  // namespace xnewell::THIS_FILE

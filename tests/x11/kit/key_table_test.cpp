@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-namespace xnewell {
+namespace xnewell::THIS_FILE {
 
 // One table drives a view and is what the view says about its keys.
 
@@ -70,4 +70,4 @@ TEST(KeyTable, SaysWhatItDoes) {
                                                   {"j", "a long step"}}));
 }
 
-}  // namespace xnewell
+}  // namespace xnewell::THIS_FILE

@@ -11,7 +11,7 @@
 #include "x11/app/workbench.h"
 #include "x11/drawing/painter.h"
 
-namespace xnewell {
+namespace xnewell::THIS_FILE {
 
 // Lessons in the window: keys and pointer, what is hidden until an answer is given, and the room for words.
 
@@ -368,4 +368,4 @@ TEST(LessonBench, InTheWindow) {
     ASSERT_TRUE(std::equal(before.row(j), before.row(j) + before.width, window.image().row(j))) << j;
 }
 
-}  // namespace xnewell
+}  // namespace xnewell::THIS_FILE

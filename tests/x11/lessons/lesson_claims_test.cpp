@@ -8,7 +8,7 @@
 #include "x11/lessons/lesson_sight.h"
 #include "x11/window/layout.h"
 
-namespace xnewell {
+namespace xnewell::THIS_FILE {
 
 // What lessons say is what the program shows.
 
@@ -150,4 +150,4 @@ TEST(LessonFacts, FillWords) {
   EXPECT_TRUE(checkPlaceholders("{cats}").starts_with("there is no fact 'cats'; the facts are polygons, "));
 }
 
-}  // namespace xnewell
+}  // namespace xnewell::THIS_FILE

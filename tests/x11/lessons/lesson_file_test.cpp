@@ -9,7 +9,7 @@
 #include "x11/lessons/lesson.h"
 #include "x11/lessons/lesson_facts.h"
 
-namespace xnewell {
+namespace xnewell::THIS_FILE {
 
 // Lesson files: all of ours can be read, every key does what it says, and each mistake is named with its
 // place.
@@ -269,4 +269,4 @@ TEST(LessonFile, AnyTextIsReadOrRefused) {
   EXPECT_GT(refused, 100);
 }
 
-}  // namespace xnewell
+}  // namespace xnewell::THIS_FILE

@@ -5,7 +5,7 @@
 
 #include "tests/x11/support/lesson_window.h"
 
-namespace xnewell {
+namespace xnewell::THIS_FILE {
 
 // The controls of a lesson's steps and their keys.
 
@@ -182,4 +182,4 @@ TEST(LessonKeys, FollowsTheSetup) {
   EXPECT_EQ(window.draw(), before);
 }
 
-}  // namespace xnewell
+}  // namespace xnewell::THIS_FILE

@@ -6,7 +6,7 @@
 
 #include "tests/x11/support/parsed_options.h"
 
-namespace xnewell {
+namespace xnewell::THIS_FILE {
 
 // Command lines that are refused, and the complaint about each. What options set: options_test.cpp.
 
@@ -249,4 +249,4 @@ TEST(Options, OutputsAreFilesOfTheirOwn) {
   EXPECT_EQ(complaintAll({"draw", "a.obj", "-o", "/dev/null", "--ids", "/dev/null"}), "");
 }
 
-}  // namespace xnewell
+}  // namespace xnewell::THIS_FILE

@@ -10,7 +10,7 @@
 #include "shading/scene/settings.h"
 #include "tests/x11/support/parsed_options.h"
 
-namespace xnewell {
+namespace xnewell::THIS_FILE {
 
 // What options set. Command lines that are refused: options_complaints_test.cpp.
 
@@ -190,4 +190,4 @@ TEST(Options, EffectsChangeWhatIsStored) {
   EXPECT_EQ(complaint({"--cell", "20"}), "--cell works only with --view colours");
 }
 
-}  // namespace xnewell
+}  // namespace xnewell::THIS_FILE

@@ -19,7 +19,7 @@
 #include <X11/Xproto.h>
 #include <X11/keysym.h>
 
-namespace xnewell {
+namespace xnewell::THIS_FILE {
 
 // What the user sees of servers that refuse, die or hang: the right picture, or a message and status 1. There
 // is never a wrong picture, half a file or a program that does not end.
@@ -283,4 +283,4 @@ TEST_P(BadServer, RefusalsAreToldInTheWindow) {
   }
 }
 
-}  // namespace xnewell
+}  // namespace xnewell::THIS_FILE

@@ -13,7 +13,7 @@
 
 #include "x11/server/canvas.h"
 
-namespace xnewell {
+namespace xnewell::THIS_FILE {
 
 using testing::AllOf;
 using testing::HasSubstr;
@@ -251,4 +251,4 @@ TEST(Canvas, KnowsTheCloseButton) {
   EXPECT_EQ(attributes.bit_gravity, NorthWestGravity);
 }
 
-}  // namespace xnewell
+}  // namespace xnewell::THIS_FILE

@@ -10,7 +10,7 @@
 #include "x11/server/colormap.h"
 #include "x11/server/read_visuals.h"
 
-namespace xnewell {
+namespace xnewell::THIS_FILE {
 
 namespace {
 
@@ -261,4 +261,4 @@ TEST(ServerColormap, InstallsOnlyWhereNobodyElseDoes) {
   EXPECT_TRUE(map.installed());
 }
 
-}  // namespace xnewell
+}  // namespace xnewell::THIS_FILE

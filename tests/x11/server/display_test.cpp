@@ -15,7 +15,7 @@
 
 #include "x11/server/display.h"
 
-namespace xnewell {
+namespace xnewell::THIS_FILE {
 
 using testing::AllOf;
 using testing::HasSubstr;
@@ -211,4 +211,4 @@ TEST(XResource, IsFreedOnce) {
   EXPECT_NO_THROW(trap.check());  // a second free would be BadPixmap
 }
 
-}  // namespace xnewell
+}  // namespace xnewell::THIS_FILE

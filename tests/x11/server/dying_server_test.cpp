@@ -4,7 +4,7 @@
 
 #include <X11/Xproto.h>
 
-namespace xnewell {
+namespace xnewell::THIS_FILE {
 
 // Servers that end, and connections that are cut while a picture is sent: a message and status 1. Every
 // request that a server may refuse: bad_server_test.cpp.
@@ -69,4 +69,4 @@ TEST(DyingServer, EndsTheWindowAtAnyTime) {
   }
 }
 
-}  // namespace xnewell
+}  // namespace xnewell::THIS_FILE

@@ -10,7 +10,7 @@
 #include "tests/x11/support/program_picture.h"
 #include "tests/x11/support/x_server.h"
 
-namespace xnewell {
+namespace xnewell::THIS_FILE {
 
 // PNG files hold the picture's cells: the same numbers and colours, whether drawn or read back from a server.
 
@@ -48,7 +48,7 @@ StoredPng storedPng(const std::string& file) {
 
 std::string made(const TemporaryFolder& folder, const std::string& name, const std::string& line,
                  const std::string& display = "") {
-  const Finished done = runProgram(words(line) + Words{"-o", folder.file(name)}, display);
+  const Finished done = runProgram(words(line) + Strings{"-o", folder.file(name)}, display);
   EXPECT_EQ(done.status, 0) << line << ": " << done.err;
   return folder.file(name);
 }
@@ -132,7 +132,7 @@ TEST(ReadCells, EffectsAreRefusedWhereTheyMakeNoSense) {
   const TemporaryFolder folder;
   const std::string file = folder.file("no.png");
   const auto refused = [&](const std::string& line) {
-    const Finished done = runProgram(words(line) + Words{"-o", file});
+    const Finished done = runProgram(words(line) + Strings{"-o", file});
     EXPECT_EQ(done.status, 2) << line;
     return done.err;
   };
@@ -146,4 +146,4 @@ TEST(ReadCells, EffectsAreRefusedWhereTheyMakeNoSense) {
   EXPECT_EQ(folder.entries(), 0);
 }
 
-}  // namespace xnewell
+}  // namespace xnewell::THIS_FILE

@@ -10,7 +10,7 @@
 #include "x11/server/canvas.h"
 #include "x11/server/read_visuals.h"
 
-namespace xnewell {
+namespace xnewell::THIS_FILE {
 
 // Servers that are reached over the network, and servers that ask for a cookie.
 
@@ -94,4 +94,4 @@ TEST(RemoteServer, SaysThatACookieIsNeeded) {
   }
 }
 
-}  // namespace xnewell
+}  // namespace xnewell::THIS_FILE

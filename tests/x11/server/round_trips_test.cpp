@@ -10,7 +10,7 @@
 
 #include <X11/keysym.h>
 
-namespace xnewell {
+namespace xnewell::THIS_FILE {
 
 // How often the program waits for the server, which is what a slow connection costs.
 
@@ -108,4 +108,4 @@ TEST_P(RoundTripsAt, AreFewInEveryView) {
   }
 }
 
-}  // namespace xnewell
+}  // namespace xnewell::THIS_FILE

@@ -18,7 +18,7 @@
 #include "x11/app/snapshot.h"
 #include "x11/command/report.h"
 
-namespace xnewell {
+namespace xnewell::THIS_FILE {
 
 using testing::HasSubstr;
 
@@ -212,4 +212,4 @@ TEST(SharedCellsProgram, ServeWhereNoMapCanBeMade) {
   unsetenv("DISPLAY");
 }
 
-}  // namespace xnewell
+}  // namespace xnewell::THIS_FILE

@@ -14,7 +14,7 @@
 #include "x11/server/canvas.h"
 #include "x11/server/read_visuals.h"
 
-namespace xnewell {
+namespace xnewell::THIS_FILE {
 
 using testing::HasSubstr;
 
@@ -285,4 +285,4 @@ TEST(SharedCells, LevelsOfDirectColor) {
   }
 }
 
-}  // namespace xnewell
+}  // namespace xnewell::THIS_FILE

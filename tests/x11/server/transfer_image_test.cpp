@@ -15,7 +15,7 @@
 #include "x11/server/canvas.h"
 #include "x11/server/transfer_image.h"
 
-namespace xnewell {
+namespace xnewell::THIS_FILE {
 
 namespace {
 
@@ -112,4 +112,4 @@ TEST(WritePixels, EveryFormatHoldsThePixels) {
       }
 }
 
-}  // namespace xnewell
+}  // namespace xnewell::THIS_FILE

@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-namespace xnewell {
+namespace xnewell::THIS_FILE {
 
 namespace {
 
@@ -48,4 +48,4 @@ TEST(XlibIncludes, AreInOneFileOfTheApp) {
   EXPECT_THAT(folders, testing::Contains("x11/app").Times(1));
 }
 
-}  // namespace xnewell
+}  // namespace xnewell::THIS_FILE

@@ -7,7 +7,7 @@
 #include "tests/support/seeds.h"
 #include "tests/x11/support/bench_stage.h"
 
-namespace xnewell {
+namespace xnewell::THIS_FILE {
 
 // Two setups side by side, without a server.
 
@@ -397,4 +397,4 @@ TEST(SideBench, EverySizeIsWhole) {
   }
 }
 
-}  // namespace xnewell
+}  // namespace xnewell::THIS_FILE

@@ -10,7 +10,7 @@
 #include "tests/support/seeds.h"
 #include "x11/sides/sides_page.h"
 
-namespace xnewell {
+namespace xnewell::THIS_FILE {
 
 namespace {
 
@@ -52,6 +52,8 @@ TEST(Sides, AlikeDifferNowhere) {
     PictureSettings s = viewOf(scene, Shading::Gouraud, Order::ZSort);
     s.colors = plan;
     Made A{scene, s}, B{scene, s};
+    const SideNumbers numbersA = numbersOf(A.picture, Truth{A.picture});
+    const SideNumbers numbersB = numbersOf(B.picture, Truth{B.picture});
     for (const UnlikeRow& row : kUnlikes) {
       if (row.id == Unlike::Intensity && !hasIntensities(A.picture, B.picture)) continue;
       const Unlikeness u = unlikeness(row.id, A.painted(), B.painted());
@@ -60,9 +62,7 @@ TEST(Sides, AlikeDifferNowhere) {
       EXPECT_EQ(u.largest, 0.0);
       EXPECT_EQ(u.rootMeanSquare, 0.0);
       EXPECT_TRUE(placesOf(u, 30, 40).empty());
-      EXPECT_EQ(findingOf(A.picture, B.picture, numbersOf(A.picture, Truth{A.picture}),
-                          numbersOf(B.picture, Truth{B.picture}), u, {})
-                    .bold,
+      EXPECT_EQ(findingOf(A.picture, B.picture, numbersA, numbersB, u, {}).bold,
                 "A and B have the same settings.");
     }
     EXPECT_TRUE(differencesOf(s, s).empty());
@@ -258,15 +258,17 @@ TEST(Sides, FindingsAreOfTheNumbers) {
   Made A{scene, a};
   const std::int64_t wrong = numbersOf(A.picture, Truth{A.picture}).wrong;
   EXPECT_GT(wrong, 30);
-  const std::string bold = found(a, b).bold;
-  EXPECT_TRUE(bold.starts_with("A is wrong at " + std::to_string(wrong) + " samples, ")) << bold;
-  EXPECT_TRUE(bold.ends_with(" of them where spout and upper body meet.")) << bold;
+  const Finding orders = found(a, b);
+  EXPECT_TRUE(orders.bold.starts_with("A is wrong at " + std::to_string(wrong) + " samples, "))
+      << orders.bold;
+  EXPECT_TRUE(orders.bold.ends_with(" of them where spout and upper body meet.")) << orders.bold;
   EXPECT_TRUE(found(b, a).bold.starts_with("B is wrong at "));
-  EXPECT_NE(found(a, b).why.find("; B cuts "), std::string::npos);
+  EXPECT_NE(orders.why.find("; B cuts "), std::string::npos);
   a = b;
   a.shading = Shading::Gouraud;
-  EXPECT_EQ(found(a, b).bold, "A is closer to the truth overall.");
-  EXPECT_NE(found(a, b).why.find("Both show the same face at every sample."), std::string::npos);
+  const Finding shadings = found(a, b);
+  EXPECT_EQ(shadings.bold, "A is closer to the truth overall.");
+  EXPECT_NE(shadings.why.find("Both show the same face at every sample."), std::string::npos);
   a = b;
   a.dither = true;
   EXPECT_EQ(found(a, b).bold, "A and B show the same picture.");
@@ -300,4 +302,4 @@ TEST(SidesLayout, HasRoomForAll) {
   }
 }
 
-}  // namespace xnewell
+}  // namespace xnewell::THIS_FILE

@@ -4,7 +4,7 @@
 #include "tests/x11/support/twin_window.h"
 #include "x11/sides/sides_page.h"
 
-namespace xnewell {
+namespace xnewell::THIS_FILE {
 
 // Two setups side by side in the window, on real servers, with keys and mouse.
 
@@ -91,4 +91,4 @@ TEST_P(SidesWindowAt, ADragTurnsBoth) {
   shows();
 }
 
-}  // namespace xnewell
+}  // namespace xnewell::THIS_FILE

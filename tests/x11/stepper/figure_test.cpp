@@ -4,7 +4,7 @@
 
 #include <cmath>
 
-namespace xnewell {
+namespace xnewell::THIS_FILE {
 
 namespace {
 
@@ -72,4 +72,4 @@ TEST(Figure, TheZeroLineIsWhereThePlaneIsZero) {
   EXPECT_GT(lines, 50);
 }
 
-}  // namespace xnewell
+}  // namespace xnewell::THIS_FILE

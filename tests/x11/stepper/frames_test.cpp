@@ -5,7 +5,7 @@
 
 #include <algorithm>
 
-namespace xnewell {
+namespace xnewell::THIS_FILE {
 
 namespace {
 
@@ -89,4 +89,4 @@ TEST(Frames, NothingIsCutOff) {
   }
 }
 
-}  // namespace xnewell
+}  // namespace xnewell::THIS_FILE

@@ -5,7 +5,7 @@
 
 #include <random>
 
-namespace xnewell {
+namespace xnewell::THIS_FILE {
 
 // The picture so far is the one that painting from the start makes, in whatever order steps are visited and
 // however many copies are kept. The last one is the finished picture.
@@ -35,4 +35,4 @@ TEST(SoFar, DoesNotDependOnTheWayThere) {
   }
 }
 
-}  // namespace xnewell
+}  // namespace xnewell::THIS_FILE

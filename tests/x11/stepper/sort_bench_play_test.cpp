@@ -5,7 +5,7 @@
 #include "tests/x11/support/stepper.h"
 #include "x11/stepper/sort_bench.h"
 
-namespace xnewell {
+namespace xnewell::THIS_FILE {
 
 // The stepper: how it plays and where it stops, and how it asks for predictions and keeps the score.
 
@@ -114,4 +114,4 @@ TEST(SortBench, PredictsAndKeepsTheScore) {
   EXPECT_FALSE(s.taken);
 }
 
-}  // namespace xnewell
+}  // namespace xnewell::THIS_FILE

@@ -8,7 +8,7 @@
 
 #include "tests/x11/support/stepper.h"
 
-namespace xnewell {
+namespace xnewell::THIS_FILE {
 
 // The depth-sort stepper: its keys, its pointer and its runs. Playing and predicting:
 // sort_bench_play_test.cpp. What it draws: sort_page_test.cpp.
@@ -372,4 +372,4 @@ TEST(SortBench, TheLoupeCanBePutAway) {
   EXPECT_EQ(s.draw(), with);
 }
 
-}  // namespace xnewell
+}  // namespace xnewell::THIS_FILE

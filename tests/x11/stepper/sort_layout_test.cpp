@@ -7,7 +7,7 @@
 #include "tests/x11/support/stepper.h"
 #include "x11/drawing/painter.h"
 
-namespace xnewell {
+namespace xnewell::THIS_FILE {
 
 namespace {
 
@@ -113,4 +113,4 @@ TEST(SortLayout, ColumnsAndStepsAgree) {
   EXPECT_EQ(valueAt(kSpeeds, 1.1), kSpeeds.high);
 }
 
-}  // namespace xnewell
+}  // namespace xnewell::THIS_FILE

@@ -16,7 +16,7 @@
 #include "x11/stepper/figure.h"
 #include "x11/stepper/sort_wording.h"
 
-namespace xnewell {
+namespace xnewell::THIS_FILE {
 
 // What the stepper draws.
 
@@ -369,4 +369,4 @@ TEST(SortPage, EveryStepHasAFinding) {
   EXPECT_GE(kinds.size(), 6u);
 }
 
-}  // namespace xnewell
+}  // namespace xnewell::THIS_FILE

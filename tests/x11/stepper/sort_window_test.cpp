@@ -4,7 +4,7 @@
 #include "tests/x11/support/twin_window.h"
 #include "x11/stepper/sort_layout.h"
 
-namespace xnewell {
+namespace xnewell::THIS_FILE {
 
 // The depth-sort stepper in the window, on real servers. Keys and mouse come in as a user's do. The window
 // must show what a workbench without a server shows after the same input.
@@ -93,4 +93,4 @@ TEST_P(SortWindowAt, PlaysToAStop) {
   EXPECT_TRUE(twin.agrees());
 }
 
-}  // namespace xnewell
+}  // namespace xnewell::THIS_FILE

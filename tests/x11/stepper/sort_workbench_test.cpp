@@ -5,7 +5,7 @@
 #include "tests/x11/support/ready_workbench.h"
 #include "x11/stepper/sort_bench.h"
 
-namespace xnewell {
+namespace xnewell::THIS_FILE {
 
 // The depth-sort stepper as a view of the window, without a server.
 
@@ -182,4 +182,4 @@ TEST(SortWorkbench, SaysWhatItCannotShow) {
   EXPECT_NE(b.image(), tooLong);
 }
 
-}  // namespace xnewell
+}  // namespace xnewell::THIS_FILE

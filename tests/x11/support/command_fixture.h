@@ -23,10 +23,10 @@ namespace xnewell {
 
 /// Shared by the tests of the program as a user meets it.
 
-using Words = std::vector<std::string>;
+using Strings = std::vector<std::string>;
 using Json = nlohmann::json;
 
-inline Words operator+(Words a, const Words& b) {
+inline Strings operator+(Strings a, const Strings& b) {
   a.insert(a.end(), b.begin(), b.end());
   return a;
 }
@@ -39,8 +39,8 @@ inline std::string contents(const std::string& file) {
 inline const std::string kTriangleObj = "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n";
 
 /// The names in a folder, sorted; none if there is no folder.
-inline Words filesIn(const std::string& folder) {
-  Words names;
+inline Strings filesIn(const std::string& folder) {
+  Strings names;
   std::error_code none;
   for (const auto& entry : std::filesystem::directory_iterator{folder, none})
     names.push_back(entry.path().filename().string());
@@ -69,7 +69,7 @@ class CommandTest : public testing::Test {
 
   /// Checks that the arguments are refused in exactly this line, after `xnewell: `, and that nothing is
   /// written.
-  void refused(const Words& words, int status, const std::string& line) const {
+  void refused(const Strings& words, int status, const std::string& line) const {
     const auto before = everything();
     const Finished end = runProgram(words);
     EXPECT_EQ(end.err, "xnewell: " + line + "\n");
@@ -80,12 +80,12 @@ class CommandTest : public testing::Test {
   /// Checks Ctrl-C at the start of a program that writes frames this wide, and right after each of its first
   /// five frames. It ends at once (status 130), or had just ended. Every frame in the folder is whole, and
   /// nothing else is there.
-  void interruptsLeaveWholeFrames(Words words, int width) const {
+  void interruptsLeaveWholeFrames(Strings words, int width) const {
     int interrupted = 0;
     for (int frames = 0; frames <= 5; ++frames) {
       SCOPED_TRACE(frames);
       const std::string folder = file("frames" + std::to_string(frames));
-      RunningProgram child{words + Words{"--frames", folder}};
+      RunningProgram child{words + Strings{"--frames", folder}};
       const auto latest = std::chrono::steady_clock::now() + std::chrono::seconds{60};
       do std::this_thread::sleep_for(std::chrono::milliseconds{3});
       while (std::ssize(filesIn(folder)) < frames && std::chrono::steady_clock::now() < latest);
@@ -93,7 +93,7 @@ class CommandTest : public testing::Test {
       const Finished end = child.wait();
       EXPECT_TRUE(end.status == 130 || end.status == 0) << end.status;
       interrupted += end.status == 130;
-      const Words names = filesIn(folder);
+      const Strings names = filesIn(folder);
       EXPECT_GE(std::ssize(names), frames);
       for (const std::string& name : names) EXPECT_EQ(readPng(folder + "/" + name).width, width) << name;
     }
@@ -113,10 +113,11 @@ class CommandTest : public testing::Test {
   };
   /// Draws a picture, at 160x120 unless the options say otherwise, and checks everything that is promised of
   /// a success.
-  [[nodiscard]] Drawn draw(const std::string& scene, Words options = {}) const {
-    if (std::ranges::find(options, "--size") == options.end()) options = options + Words{"--size", "160x120"};
+  [[nodiscard]] Drawn draw(const std::string& scene, Strings options = {}) const {
+    if (std::ranges::find(options, "--size") == options.end())
+      options = options + Strings{"--size", "160x120"};
     const Finished end = runProgram(
-        Words{"draw", scene, "-o", file("out.png"), "--ids", file("ids.png"), "--stats"} + options);
+        Strings{"draw", scene, "-o", file("out.png"), "--ids", file("ids.png"), "--stats"} + options);
     EXPECT_EQ(end.status, 0) << end.err;
     for (std::size_t from = 0; from < end.err.size(); from = end.err.find('\n', from) + 1)
       EXPECT_EQ(end.err.compare(from, 15, "xnewell: note: "), 0) << end.err;

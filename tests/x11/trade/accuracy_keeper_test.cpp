@@ -10,7 +10,7 @@
 #include "tests/support/small_picture.h"
 #include "tests/x11/support/ready_workbench.h"
 
-namespace xnewell {
+namespace xnewell::THIS_FILE {
 
 namespace {
 
@@ -102,4 +102,4 @@ TEST(AccuracyKeeper, WorksInTheWindow) {
   EXPECT_FALSE(bench.moving());
 }
 
-}  // namespace xnewell
+}  // namespace xnewell::THIS_FILE

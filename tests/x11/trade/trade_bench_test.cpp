@@ -13,7 +13,7 @@
 #include "tests/x11/support/bench_stage.h"
 #include "x11/drawing/pen.h"
 
-namespace xnewell {
+namespace xnewell::THIS_FILE {
 
 // The view of the trade, without a server.
 
@@ -260,7 +260,8 @@ TEST(TradeBench, TheLimitCanBeDragged) {
 // Return uses the chosen combination in all views; 5 also puts it beside the set-up without short cuts.
 TEST(TradeBench, UsesAndComparesWhatIsChosen) {
   Measured6 m{"coarse-teapot"};
-  for (int k = 0; k < 100; ++k) m.press(NamedKey::Right);
+  for (int k = 0; k < 100; ++k) m.stage.press(m.bench, NamedKey::Right);
+  m.stage.draw(m.bench);
   for (const Change& change : m.chosen().configuration.changes)
     if (change.setting) {
       EXPECT_NE(change.setting->field.get(m.stage.now.picture),
@@ -382,4 +383,4 @@ TEST(TradePage, PartsStayApart) {
   }
 }
 
-}  // namespace xnewell
+}  // namespace xnewell::THIS_FILE

@@ -7,7 +7,7 @@
 #include <charconv>
 #include <cmath>
 
-namespace xnewell {
+namespace xnewell::THIS_FILE {
 
 namespace {
 
@@ -134,4 +134,4 @@ TEST(CellFacts, EveryCellHasSome) {
   }
 }
 
-}  // namespace xnewell
+}  // namespace xnewell::THIS_FILE

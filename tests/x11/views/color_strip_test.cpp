@@ -3,7 +3,7 @@
 
 #include <gtest/gtest.h>
 
-namespace xnewell {
+namespace xnewell::THIS_FILE {
 
 // The strip's rule for the cells is true for every hue, and the strip says when the colours were changed.
 TEST(ColorStrip, SaysWhatTheCellsHold) {
@@ -29,4 +29,4 @@ TEST(ColorStrip, SaysWhatTheCellsHold) {
   }
 }
 
-}  // namespace xnewell
+}  // namespace xnewell::THIS_FILE

@@ -12,7 +12,7 @@
 #include "x11/views/color_strip.h"
 #include "x11/views/colors_page.h"
 
-namespace xnewell {
+namespace xnewell::THIS_FILE {
 
 namespace {
 
@@ -317,4 +317,4 @@ TEST(ColorsView, EffectsLeaveIndicesAlone) {
   }
 }
 
-}  // namespace xnewell
+}  // namespace xnewell::THIS_FILE

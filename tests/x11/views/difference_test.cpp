@@ -10,7 +10,7 @@
 #include "shading/picture/picture_cache.h"
 #include "shading/picture/truth.h"
 
-namespace xnewell {
+namespace xnewell::THIS_FILE {
 
 namespace {
 
@@ -203,4 +203,4 @@ TEST(Difference, DividedPolygonsShowTheirFaces) {
   EXPECT_LT(divided.mean, whole.mean / 2);
 }
 
-}  // namespace xnewell
+}  // namespace xnewell::THIS_FILE

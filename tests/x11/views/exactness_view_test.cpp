@@ -4,7 +4,7 @@
 
 #include "shading/picture/picture_cache.h"
 
-namespace xnewell {
+namespace xnewell::THIS_FILE {
 
 namespace {
 
@@ -167,4 +167,4 @@ TEST(ExactnessView, FindingIsOfTheNumbers) {
   EXPECT_NE(wrong.why.find("At 2 samples two faces"), std::string::npos);
 }
 
-}  // namespace xnewell
+}  // namespace xnewell::THIS_FILE

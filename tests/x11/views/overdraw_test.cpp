@@ -9,7 +9,7 @@
 #include "shading/picture/picture_cache.h"
 #include "tests/support/model_view.h"
 
-namespace xnewell {
+namespace xnewell::THIS_FILE {
 
 namespace {
 
@@ -136,4 +136,4 @@ TEST(Overdraw, FindingIsOfTheNumbers) {
   EXPECT_EQ(findingOf(overdrawOf(pictures.last()), pictures.last()).bold, "Nothing shows.");
 }
 
-}  // namespace xnewell
+}  // namespace xnewell::THIS_FILE

@@ -8,7 +8,7 @@
 #include "depthsort/oracle.h"
 #include "tests/support/seeds.h"
 
-namespace xnewell {
+namespace xnewell::THIS_FILE {
 
 namespace {
 
@@ -78,4 +78,4 @@ TEST(Shows, TheGroundStays) {
   }
 }
 
-}  // namespace xnewell
+}  // namespace xnewell::THIS_FILE

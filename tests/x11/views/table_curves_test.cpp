@@ -9,7 +9,7 @@
 #include "shading/picture/picture_cache.h"
 #include "x11/views/plot.h"
 
-namespace xnewell {
+namespace xnewell::THIS_FILE {
 
 namespace {
 
@@ -139,4 +139,4 @@ TEST(Plot, ColumnsLeadBackToCells) {
   }
 }
 
-}  // namespace xnewell
+}  // namespace xnewell::THIS_FILE

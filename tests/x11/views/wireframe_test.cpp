@@ -11,7 +11,7 @@
 #include "shading/fill/fragment_spans.h"
 #include "shading/picture/picture_cache.h"
 
-namespace xnewell {
+namespace xnewell::THIS_FILE {
 
 namespace {
 
@@ -148,4 +148,4 @@ TEST(Wireframe, BrightLinesLieOnWhatShows) {
   EXPECT_GT(inside, bright * 9 / 10);  // an edge lies where the visible face changes
 }
 
-}  // namespace xnewell
+}  // namespace xnewell::THIS_FILE

@@ -11,7 +11,7 @@
 
 #include "tests/support/masks.h"
 
-namespace xnewell {
+namespace xnewell::THIS_FILE {
 
 namespace {
 
@@ -242,4 +242,4 @@ TEST(OfferedColors, MissCountsMeanAndGrain) {
   EXPECT_GT(offered.miss({254, 0, 0}, true), 254 * std::sqrt(2.0 / 3.0));
 }
 
-}  // namespace xnewell
+}  // namespace xnewell::THIS_FILE

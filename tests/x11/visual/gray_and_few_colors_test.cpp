@@ -10,7 +10,7 @@
 #include "tests/x11/support/x_server.h"
 #include "x11/visual/visual.h"
 
-namespace xnewell {
+namespace xnewell::THIS_FILE {
 
 // Pictures of the program on gray visuals and on those of few colours. Every index on every visual:
 // visual_matrix_test.cpp.
@@ -86,4 +86,4 @@ TEST(FewColors, TheWindowFollows) {
   }
 }
 
-}  // namespace xnewell
+}  // namespace xnewell::THIS_FILE

@@ -7,7 +7,7 @@
 #include "shading/color/color_difference.h"
 #include "tests/support/masks.h"
 
-namespace xnewell {
+namespace xnewell::THIS_FILE {
 
 namespace {
 
@@ -110,4 +110,4 @@ TEST(ToolColors, BlackAndWhiteAreEnoughToRead) {
   EXPECT_NE(colorOf(chosen, Paper), colorOf(chosen, Rule));
 }
 
-}  // namespace xnewell
+}  // namespace xnewell::THIS_FILE

@@ -23,7 +23,7 @@
 #include "x11/server/fill_polygons.h"
 #include "x11/server/read_visuals.h"
 
-namespace xnewell {
+namespace xnewell::THIS_FILE {
 
 // Servers x visuals x tables x fills: what a picture looks like on each, compared with what the server's own
 // answers say it should look like.
@@ -360,4 +360,4 @@ TEST_P(VisualMatrix, ShowsEveryIndexAsItsClassAllows) {
   std::cout << "covered: " << GetParam().name << " (" << covered << ")\n";
 }
 
-}  // namespace xnewell
+}  // namespace xnewell::THIS_FILE

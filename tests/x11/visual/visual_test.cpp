@@ -14,7 +14,7 @@
 #include "x11/server/display.h"
 #include "x11/server/read_visuals.h"
 
-namespace xnewell {
+namespace xnewell::THIS_FILE {
 
 using testing::AllOf;
 using testing::HasSubstr;
@@ -254,4 +254,4 @@ TEST(DescribeVisuals, IsATableThatEndsWithTheChoice) {
               HasSubstr("none: display ':7' has no GrayScale"));
 }
 
-}  // namespace xnewell
+}  // namespace xnewell::THIS_FILE

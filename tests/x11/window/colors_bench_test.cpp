@@ -6,7 +6,7 @@
 
 #include "tests/x11/support/ready_workbench.h"
 
-namespace xnewell {
+namespace xnewell::THIS_FILE {
 
 // The colour table in the window: what keys and pointer do to the colours, and how it is undone.
 
@@ -345,4 +345,4 @@ TEST(ColorsBench, EverySizeShowsSomething) {
   }
 }
 
-}  // namespace xnewell
+}  // namespace xnewell::THIS_FILE

@@ -6,7 +6,7 @@
 #include <cmath>
 #include <set>
 
-namespace xnewell {
+namespace xnewell::THIS_FILE {
 
 namespace {
 
@@ -173,4 +173,4 @@ TEST(Controls, PointLightKeepsItsDistance) {
   EXPECT_NEAR(lightAngles(light, UpAxis::Z, centre).azimuth, 90, 1e-9);
 }
 
-}  // namespace xnewell
+}  // namespace xnewell::THIS_FILE

@@ -5,7 +5,7 @@
 #include "tests/x11/support/ready_workbench.h"
 #include "x11/drawing/sheet.h"
 
-namespace xnewell {
+namespace xnewell::THIS_FILE {
 
 // The Mach bands in the window: which scanline is shown, and that a fresh start shows the same.
 
@@ -214,4 +214,4 @@ TEST(MachBench, SharesTheSetup) {
   EXPECT_TRUE(std::equal(picture.row(100), picture.row(500), c.image().row(100)));
 }
 
-}  // namespace xnewell
+}  // namespace xnewell::THIS_FILE

@@ -3,7 +3,7 @@
 #include "tests/support/seeds.h"
 #include "tests/x11/support/command_fixture.h"
 
-namespace xnewell {
+namespace xnewell::THIS_FILE {
 
 namespace {
 
@@ -15,7 +15,7 @@ using MootOptions = CommandTest;
 // there is no note, and the picture is another.
 TEST_F(MootOptions, AreNamed) {
   struct Case {
-    Words option, moot, counts;
+    Strings option, moot, counts;
   };
   const std::vector<Case> cases{
       {{"--normals", "sum"}, {"--shade", "flat"}, {"--shade", "phong"}},
@@ -49,9 +49,9 @@ TEST_F(MootOptions, AreNamed) {
       {{"--hue", "0,1,0"}, {"--colors", "chosen"}, {}},
       {{"--dither"}, {}, {"--colors", "cube"}},
   };
-  const auto drawn = [&](const Words& options) {
+  const auto drawn = [&](const Strings& options) {
     const Finished end = runProgram(
-        Words{"draw", "teapot", "--divisions", "4", "--size", "80x60", "-o", file("new.png")} + options);
+        Strings{"draw", "teapot", "--divisions", "4", "--size", "80x60", "-o", file("new.png")} + options);
     EXPECT_EQ(end.status, 0) << end.err;
     return std::pair{end.err, contents(file("new.png"))};
   };
@@ -71,21 +71,22 @@ TEST_F(MootOptions, AreNamed) {
 // If a picture leaves out something of its scene, one line says so for each. If a picture is empty, a line
 // says why.
 TEST_F(MootOptions, WhatIsLeftOutOfTheSceneIsNamed) {
-  const auto told = [&](const std::string& scene, const Words& options) {
-    const Finished end = runProgram(Words{"draw", scene, "--size", "80x60", "-o", file("new.png")} + options);
+  const auto told = [&](const std::string& scene, const Strings& options) {
+    const Finished end =
+        runProgram(Strings{"draw", scene, "--size", "80x60", "-o", file("new.png")} + options);
     EXPECT_EQ(end.status, 0) << end.err;
     return end.err;
   };
-  const Words mapped{"--shade", "envmap"}, phong{"--shade", "phong"};
+  const Strings mapped{"--shade", "envmap"}, phong{"--shade", "phong"};
   const std::string far = "xnewell: note: envmap shading puts all lights infinitely far away: ";
   EXPECT_EQ(told("spotlight", mapped), far + "spotlights lose their cones\n");
   EXPECT_EQ(told("lamp", mapped), far + "point lights act as if far away\n");
   EXPECT_EQ(told("textured-cube", mapped),
             "xnewell: note: envmap shading shows no textures: the scene's textures are left out\n");
   for (const std::string scene : {"spotlight", "lamp", "textured-cube"}) EXPECT_EQ(told(scene, phong), "");
-  EXPECT_EQ(told("spotlight", mapped + Words{"--light", "0,0,1"}), "");
+  EXPECT_EQ(told("spotlight", mapped + Strings{"--light", "0,0,1"}), "");
 
-  const auto nothing = [&](const std::string& object, const Words& options, const std::string& why) {
+  const auto nothing = [&](const std::string& object, const Strings& options, const std::string& why) {
     const std::string scene = write("empty.json", R"({"objects": [)" + object + "]}");
     EXPECT_EQ(told(scene, options), "xnewell: note: the picture is empty: of " + why + '\n');
   };
@@ -101,24 +102,26 @@ TEST_F(MootOptions, WhatIsLeftOutOfTheSceneIsNamed) {
 // --attenuation applies to the scene's own lights at places, as it does to the user's light at the same
 // place. If neither has a light at a place, it is refused.
 TEST_F(MootOptions, AttenuationFadesTheScenesLights) {
-  const auto drawn = [&](const std::string& scene, const Words& options) { return draw(scene, options).png; };
-  const Words inverse{"--attenuation", "inverse"}, lamp{"--light-at", "-2.3,0,2", "--ip", "0.94"};
+  const auto drawn = [&](const std::string& scene, const Strings& options) {
+    return draw(scene, options).png;
+  };
+  const Strings inverse{"--attenuation", "inverse"}, lamp{"--light-at", "-2.3,0,2", "--ip", "0.94"};
   EXPECT_EQ(drawn("lamp", inverse), drawn("lamp", lamp + inverse));
-  const Words linear{"--attenuation", "linear", "--range", "5"};
+  const Strings linear{"--attenuation", "linear", "--range", "5"};
   EXPECT_EQ(drawn("lamp", linear), drawn("lamp", lamp + linear));
   EXPECT_EQ(drawn("lamp", {"--attenuation", "linear"}),
-            drawn("lamp", lamp + Words{"--attenuation", "linear"}));
+            drawn("lamp", lamp + Strings{"--attenuation", "linear"}));
   EXPECT_NE(drawn("lamp", inverse), drawn("lamp", {}));
   EXPECT_NE(drawn("lamp", linear), drawn("lamp", {}));
   EXPECT_NE(drawn("lamp", {"--attenuation", "none"}), drawn("lamp", {}));
   EXPECT_NE(drawn("spotlight", inverse), drawn("spotlight", {}));
-  refused(Words{"draw", "teapot", "-o", file("new.png")} + inverse, 2,
+  refused(Strings{"draw", "teapot", "-o", file("new.png")} + inverse, 2,
           "--attenuation needs a light at a place: give --light-at x,y,z or a scene with such a light");
-  refused(Words{"view", "lamp"} + inverse,
+  refused(Strings{"view", "lamp"} + inverse,
           2,  // a set-up of the window names the scene, but not what became of its lights
           "--attenuation changes the scene's own lights only with draw, snapshot and trace; for a window, "
           "give --light-at x,y,z as well");
-  refused(Words{"draw", "lamp", "-o", file("new.png"), "--light", "0,0,1"} + inverse, 2,
+  refused(Strings{"draw", "lamp", "-o", file("new.png"), "--light", "0,0,1"} + inverse, 2,
           "--attenuation needs a light at a place: give --light-at x,y,z or a scene with such a light");
 }
 
@@ -127,9 +130,9 @@ TEST_F(MootOptions, AttenuationFadesTheScenesLights) {
 TEST_F(MootOptions, TheFilesChoicesGiveWay) {
   const std::string scene = write("s.json", R"({"objects": [{"solid": "cube"}], "shading": {"method": "flat",
     "adapt": 0.1, "light_at": [3, 3, 3], "attenuation": "linear", "range": 20}})");
-  const auto drawn = [&](const Words& options) { return draw(scene, options).png; };
+  const auto drawn = [&](const Strings& options) { return draw(scene, options).png; };
   EXPECT_NE(drawn({"--light", "0,0,1"}), drawn({}));
   EXPECT_NE(drawn({"--shade", "phong"}), drawn({}));
 }
 
-}  // namespace xnewell
+}  // namespace xnewell::THIS_FILE

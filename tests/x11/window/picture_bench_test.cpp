@@ -9,7 +9,7 @@
 #include "tests/x11/support/bench_stage.h"
 #include "tests/x11/support/ready_workbench.h"
 
-namespace xnewell {
+namespace xnewell::THIS_FILE {
 
 // The controls under the pointer, values that are typed, and set-ups that are saved.
 
@@ -383,4 +383,4 @@ TEST(PictureBench, TheStripIsOfWhatIsShown) {
   }
 }
 
-}  // namespace xnewell
+}  // namespace xnewell::THIS_FILE
