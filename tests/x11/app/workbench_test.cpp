@@ -220,13 +220,15 @@ TEST(Workbench, OrdersBySampleFillNoPolygons) {
 TEST(Workbench, KeysThatDoNothingSayWhy) {
   ReadyWorkbench b;
   const xnewell::Setup before = b.setup();
-  for (const std::string letters : {"u", "U", "0>", "0H", "0=", "i>"}) {
+  for (const std::string letters : {"u", "U", "0>", "0H", "0=5!", "i>"}) {
     SCOPED_TRACE(letters);
     for (const char c : letters) {
       if (c == '>')
         b.press({NamedKey::Right});
       else if (c == 'H')
         b.press({NamedKey::End});
+      else if (c == '!')
+        b.press({NamedKey::Return});
       else
         b.type({&c, 1});
     }
@@ -236,6 +238,8 @@ TEST(Workbench, KeysThatDoNothingSayWhy) {
     const std::span status{b.image().row(b.layout().status.y), std::size_t{24} * 1024};
     EXPECT_EQ(std::ranges::find(status, alarm) != status.end(), off);
     EXPECT_EQ(b.setup() == before, off);
+    EXPECT_EQ(b.view(), WindowView::Picture);
+    b.press({NamedKey::Escape});
   }
 }
 
