@@ -120,9 +120,8 @@ KeyTable Workbench::generalKeys() {
     table.push_back({{NamedKey::Escape}, "the lesson", "go back to the lesson", [this](const Key&) {
                        switchTo(WindowView::Lesson);
                      }});
-  const char* const undoes = "undo, redo";
-  add('u', "undo", undoes, [this] { undo(); });
-  add('U', "", undoes, [this] { done(work_.redo(), "redo"); });
+  add('u', "undo", "undo, redo", [this] { undo(); });
+  add('U', "", "undo, redo", [this] { done(work_.redo(), "redo"); });
   add('r', "reset", "reset the set-up", [this] {
     done(work_.setup != work_.defaults, "reset");
     change('r', [this](Setup& s) { s = work_.defaults; });

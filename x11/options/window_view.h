@@ -12,7 +12,7 @@ struct WindowViewRow {
   char key;
   std::string_view name, option;  ///< the words on the tab, and the value of --view
 };
-inline constexpr std::array kWindowViews{  // in the order of WindowView
+inline constexpr std::array kWindowViews{
     WindowViewRow{WindowView::Picture, '1', "Picture", "picture"},
     WindowViewRow{WindowView::DepthSort, '2', "Depth sort", "depthsort"},
     WindowViewRow{WindowView::Colors, '3', "Colours", "colours"},
