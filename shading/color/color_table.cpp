@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cassert>
 #include <cmath>
+#include <numeric>
 
 #include "geometry/exact/power.h"
 
@@ -39,12 +40,12 @@ ColorTable::ColorTable(const TableSettings& settings)
     for (int j = 0; j < N; ++j) levels_[j] = (offset + 239.0 * low + 239.0 * width * j / (N - 1)) / 255.0;
     for (int j = 0; j + 1 < N; ++j) thresholds_[j] = low + width * (j + 0.5) / (N - 1);
   }
-  bucket_.resize(kBuckets + 1);
-  for (int b = 0; b <= kBuckets; ++b) {
-    const double lowerEnd = static_cast<double>(b) / kBuckets;
-    bucket_[b] = static_cast<int>(std::lower_bound(thresholds_.begin(), thresholds_.end(), lowerEnd) -
-                                  thresholds_.begin());
-  }
+  // A bucket holds the number of thresholds below its lower end. A product with a power of two is exact.
+  static_assert((kBuckets & (kBuckets - 1)) == 0);
+  bucket_.assign(kBuckets + 1, 0);
+  for (const double threshold : thresholds_)
+    if (threshold < 1.0) ++bucket_[static_cast<int>(threshold * kBuckets) + 1];
+  std::partial_sum(bucket_.begin(), bucket_.end(), bucket_.begin());
 }
 
 int ColorTable::shade(double I) const {
