@@ -38,9 +38,9 @@ void markWrong(SightPen& pen) {
       ++wrong;
       fine.point(all.x + i, all.y + j, pen(Cell::Q));
     }
-  const std::string words = wrong == 0
-                                ? "no sample shows a wrong face"
-                                : grouped(wrong) + " of " + grouped(samples) + " samples show a wrong face";
+  const std::string words = wrong == 0 ? "no sample shows a wrong face"
+                                       : grouped(wrong) + " of " + grouped(samples) + " samples of " +
+                                             sizeText(all.width, all.height) + " show a wrong face";
   const int baseline = at.y + at.height - 9;
   if (wrong > 0) {
     pen.paint.fillRect({at.x + 10, baseline - 10, 11, 11}, pen(Cell::Q));

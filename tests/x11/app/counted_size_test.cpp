@@ -3,6 +3,7 @@
 #include "shading/picture/errors.h"
 #include "shading/picture/exactness.h"
 #include "tests/x11/support/find_text.h"
+#include "tests/x11/support/lesson_window.h"
 #include "tests/x11/support/ready_workbench.h"
 #include "x11/drawing/wording.h"
 #include "x11/sides/sides_page.h"
@@ -97,6 +98,25 @@ TEST(CountedSize, IsNamedByTheWindow) {
         EXPECT_TRUE(
             hasRow(b.image(), "wrong face, of " + count.size, grouped(count.wrong), kPlan[Cell::Ink], unit));
     }
+}
+
+TEST(CountedSize, IsNamedByLessons) {
+  for (const glm::ivec2 size : {glm::ivec2{800, 600}, {1024, 768}}) {
+    SCOPED_TRACE(size.x);
+    LessonWindow window{size};
+    begin(window, "sorting-by-z");
+    window.press('a');  // an order that is wrong
+    window.press(NamedKey::Return);
+    const IndexImage& image = window.draw();
+    const Picture& picture = window.pictures->last();
+    const Count count = countIn(picture.scene(), picture.settings());
+    EXPECT_EQ(findText(image,
+                       grouped(count.wrong) + " of " + grouped(count.shown) + " samples of " + count.size +
+                           " show a wrong face",
+                       CellPlan{picture.settings().table.kind}[Cell::WellText])
+                  .size(),
+              1u);
+  }
 }
 
 }  // namespace xnewell
