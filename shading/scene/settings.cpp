@@ -47,6 +47,7 @@ std::string inWords(const Setting& setting, const Value& value) {
 /// The words for a value that say it without the setting's name; "" if there are none.
 std::string_view ownWords(const Setting& setting, const Value& value) {
   const auto* v = std::get_if<double>(&value);
+  if (!v) return "";
   if (setting.field.kind == ValueKind::Flag) return setting.words.of(*v != 0.0);
   if (setting.field.kind == ValueKind::Choice)
     return setting.field.choices[static_cast<std::size_t>(*v)].words;

@@ -117,7 +117,7 @@ void readSettings(PictureSettings& settings, const Node& node, const Scene& scen
     if (!settings.light.lightPosition) settings.light.lightPosition = before.lightPosition;
     if (!settings.light.range) settings.light.range = before.range;
     if (!settings.light.c) settings.light.c = before.c;
-    expectCounts(settings, node.at("shading"));
+    expectCounts(settings, scene.light, node.at("shading"));
   }
   if (!node.has("camera")) return;
   const CameraSettings camera = completed(readCamera(node.at("camera")), scene.camera);

@@ -155,7 +155,7 @@ void settle(Options& o) {
   Illumination& light = o.picture.light;
   if (o.gave("--light") && !o.gave("--light-at")) {  // it replaces the scene's light, and its attenuation too
     light.lightPosition.reset();
-    if (!o.gave("--attenuation")) light.attenuation = Attenuation::None;
+    if (!o.gave("--attenuation")) light.attenuation.reset();
   }
   if (!keepWithinOne(light, o.gave("--ia"), o.gave("--ip")))
     throw UsageError{"--ia and --ip: their sum must not exceed 1"};
