@@ -76,15 +76,16 @@ void expectEffect(const Setting& setting, const PictureSettings& settings, const
 
 void readShading(PictureSettings& settings, const Node& node) {
   expectSettings(node);
+  std::vector<Override> overrides;
   for (const Setting& setting : settingRows()) {
     const std::optional<Node> found = findIn(node, setting);
     if (!found) continue;
     const Value value = valueOf(setting, *found);
     if (!allows(setting, value))
       found->fail(expected(setting) + (setting.letters.empty() ? " is" : " are") + " needed");
-    setting.field.set(settings, value);
+    overrides.push_back({&setting, value});
   }
-  if (!keepWithinOne(settings.light, node.has("Ia"), node.has("Ip"))) node.fail("Ia + Ip must not exceed 1");
+  if (!applyOverrides(settings, overrides)) node.fail("Ia + Ip must not exceed 1");
 }
 
 void expectCounts(const PictureSettings& settings, const SceneLight& scene, const Node& node) {

@@ -176,4 +176,19 @@ bool keepWithinOne(Illumination& light, bool IaSet, bool IpSet) {
   return true;
 }
 
+bool applyOverrides(PictureSettings& settings, const std::vector<Override>& overrides) {
+  const auto has = [&](std::string_view key) {
+    return std::ranges::any_of(overrides, [&](const Override& o) { return o.setting->key == key; });
+  };
+  for (const Override& o : overrides) o.setting->field.set(settings, o.value);
+  Illumination& light = settings.light;
+  if (has("light") && !has("light_at")) {
+    light.lightPosition.reset();
+    if (!has("attenuation")) light.attenuation.reset();
+  }
+  if (has("attenuation") && !has("range")) light.range.reset();
+  if (has("attenuation") && !has("c")) light.c.reset();
+  return keepWithinOne(light, has("Ia"), has("Ip"));
+}
+
 }  // namespace xnewell

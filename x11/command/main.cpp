@@ -185,17 +185,18 @@ void snapshot(const Options& options, Scene scene, double msRead, const nlohmann
 int run(int argc, char** argv) {
   std::optional<Options> said = parseOptions(argc, argv);
   if (!said) return kDone;
-  if (said->command == Command::Scenes) return listScenes(), kDone;
-  if (said->command == Command::Keys) return std::cout << keyLists(), kDone;
-  if (said->command == Command::Visuals) return std::cout << visualsTable(*said), kDone;
-
-  if (said->command == Command::Lesson) return teach(*said);
+  Options& options = *said;
+  if (!rowOf(options.command).draws) settle(options, {});
+  if (options.command == Command::Scenes) return listScenes(), kDone;
+  if (options.command == Command::Keys) return std::cout << keyLists(), kDone;
+  if (options.command == Command::Visuals) return std::cout << visualsTable(options), kDone;
+  if (options.command == Command::Lesson) return teach(options);
 
   const Stopwatch watch;
-  Scene scene = read(*said);
-  if (said->command == Command::Trace) scene.settings.order = Order::Newell;  // the trace follows this order
-  Options options = *parseOptions(argc, argv, scene.settings);  // parse again, over the settings that the
-                                                                // scene asks for
+  Scene scene = read(options);
+  if (options.command == Command::Trace)
+    scene.settings.order = Order::Newell;  // the trace follows this order
+  settle(options, scene.settings);
   giveWay(scene, options);
   options.picture.camera = inSceneUnits(completed(options.picture.camera, scene.camera), scene);
   toSceneUnits(options.picture.light, scene);
