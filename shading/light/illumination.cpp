@@ -34,15 +34,11 @@ double leastCosine(int n) {
 }
 
 /// The user's light, for a scene that has none.
-Light usersLight(const Illumination& user, double distance) {
-  Light light{.kind = user.lightPosition ? LightKind::Point : LightKind::Directional,
-              .Ip = glm::dvec3{user.Ip},
-              .direction = user.light,
-              .position = user.lightPosition.value_or(glm::dvec3{0}),
-              .attenuation = user.attenuation};
-  light.range = user.range.value_or(2.0 * distance);
-  light.c = user.c.value_or(glm::dvec3{1.0, 0.0, 1.0 / (distance * distance)});
-  return light;
+Light usersLight(const Illumination& user) {
+  return {.kind = user.lightPosition ? LightKind::Point : LightKind::Directional,
+          .Ip = glm::dvec3{user.Ip},
+          .direction = user.light,
+          .position = user.lightPosition.value_or(glm::dvec3{0})};
 }
 
 /// c of fatt = 1 / max(1, c.x + c.y d + c.z d^2). For `linear`, c.x is what each unit of length takes away.
@@ -118,8 +114,13 @@ glm::dvec3 diffuseColor(const MeshMaterial& m, TexelUse texel) {
 
 }  // namespace
 
-double distanceFromCentre(const glm::dvec3& position, const Box& scene) {
-  return std::max(lengthOf(position - scene.centre()), std::ldexp(scene.side(), -20));
+void attenuate(Light& light, Attenuation attenuation, const std::optional<double>& range,
+               const std::optional<glm::dvec3>& c, const Box& scene) {
+  if (light.kind == LightKind::Directional) return;
+  const double d = std::max(lengthOf(light.position - scene.centre()), std::ldexp(scene.side(), -20));
+  light.attenuation = attenuation;
+  light.range = range.value_or(2.0 * d);
+  light.c = c.value_or(glm::dvec3{1.0, 0.0, 1.0 / (d * d)});
 }
 
 double luminance(glm::dvec3 color) {
@@ -128,8 +129,11 @@ double luminance(glm::dvec3 color) {
 }
 
 std::vector<Light> lightsOf(const SceneLight& scene, const Illumination& user, const Box& box) {
-  if (!scene.lights.empty()) return scene.lights;
-  return {usersLight(user, distanceFromCentre(user.lightPosition.value_or(glm::dvec3{0}), box))};
+  std::vector<Light> lights = scene.lights;
+  if (lights.empty()) lights.push_back(usersLight(user));
+  if (user.attenuation)
+    for (Light& light : lights) attenuate(light, *user.attenuation, user.range, user.c, box);
+  return lights;
 }
 
 Reflection reflectionOf(const MeshMaterial& m, const Illumination& user, int channel) {

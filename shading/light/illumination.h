@@ -41,12 +41,12 @@ struct Illumination {
   int n = 20;
   glm::dvec3 light{-0.54, -0.64, 0.55};  ///< direction towards the light, of any length but 0
   std::optional<glm::dvec3> lightPosition =
-      std::nullopt;                             ///< if given, a point light here, in the scene's coordinates
-  Attenuation attenuation = Attenuation::None;  ///< of the point light
-  std::optional<double> range =
-      std::nullopt;  ///< in the scene's units; else twice the distance to the scene's centre
-  /// c1, c2, c3 in the scene's units; else 1, 0 and the value for which fatt = 1/2 at the scene's centre.
-  std::optional<glm::dvec3> c = std::nullopt;
+      std::nullopt;  ///< if given, a point light here, in the scene's coordinates
+  /// Of all lights at places. If empty, each light of the scene keeps its own, and the user's has none.
+  std::optional<Attenuation> attenuation = std::nullopt;
+  /// For these lights, in the scene's units. attenuate() has the defaults.
+  std::optional<double> range = std::nullopt;
+  std::optional<glm::dvec3> c = std::nullopt;  ///< c1, c2, c3
   Form form = Form::Textbook;
   bool constantL = false;  ///< use L and fatt of the scene's centre everywhere: the light is far away
   bool constantV = false;  ///< use V of the look-at point everywhere: the viewer is far away
@@ -60,6 +60,10 @@ struct SceneLight {
   std::optional<glm::dvec3> Ia;  ///< RGB
   std::vector<Light> lights;     ///< if empty, there is the user's light
   double unit = 1;               ///< in the scene's units: the length that `inverse` takes for 1
+  /// Whether a light has a place, so that it can be attenuated.
+  [[nodiscard]] bool placed() const {
+    return std::ranges::any_of(lights, [](const Light& l) { return l.kind != LightKind::Directional; });
+  }
 };
 
 /// Which channels a picture computes.
@@ -113,12 +117,15 @@ struct Lighting {
   [[nodiscard]] bool needsPlaces() const { return variesV() || placed(); }
 };
 
-/// The distance of a light from the scene's centre. The defaults of `range`, c1, c2 and c3 are computed from
-/// it. A light in the middle of the scene counts as 2^-20 of the scene's longest side away.
-[[nodiscard]] double distanceFromCentre(const glm::dvec3& position, const Box& scene);
+/// Gives a light at a place this attenuation; a directional light has none. Lengths are in the scene's units.
+/// The defaults are computed from the distance between the light and the centre of the scene's box: `range`
+/// is twice that distance, and c1, c2, c3 are 1, 0 and the value for which fatt = 1/2 at the centre. A light
+/// in the middle counts as 2^-20 of the box's longest side away.
+void attenuate(Light& light, Attenuation attenuation, const std::optional<double>& range,
+               const std::optional<glm::dvec3>& c, const Box& scene);
 
-/// The lights of the scene, or if it has none the user's. Lengths are in the scene's units. `box` is the
-/// scene's.
+/// The lights of the scene, or if it has none the user's, with the attenuation that the user says. Lengths
+/// are in the scene's units. `box` is the scene's.
 [[nodiscard]] std::vector<Light> lightsOf(const SceneLight& scene, const Illumination& user, const Box& box);
 /// What a surface reflects in one channel, 0 to 2 for RGB. Values that the material sets win over the user's.
 /// With a texture, kd is what the texel multiplies.

@@ -37,10 +37,7 @@ void openCones(Scene& scene, PictureSettings&) {
     if (light.kind == LightKind::Spot) light.kind = LightKind::Point;
 }
 
-void unattenuated(Scene& scene, PictureSettings& settings) {
-  for (Light& light : scene.light.lights) light.attenuation = Attenuation::None;
-  settings.light.attenuation = Attenuation::None;
-}
+void unattenuated(Scene&, PictureSettings& settings) { settings.light.attenuation = Attenuation::None; }
 
 void bare(Scene& scene, PictureSettings&) {
   for (MeshMaterial& m : scene.mesh.materials) m.texture = -1;

@@ -5,11 +5,13 @@
 #include <cmath>
 #include <cstdio>
 #include <glm/common.hpp>
+#include <optional>
 #include <string>
 #include <vector>
 
 #include "geometry/exact/box.h"
 #include "geometry/view/view.h"
+#include "shading/scene/read_shading.h"
 
 namespace xnewell {
 
@@ -28,22 +30,25 @@ glm::dvec3 place(const Scene& scene, const Node& node) {
   return p;
 }
 
-void readAttenuation(Light& light, const Scene& scene, const Node& node, double distance) {
-  if (node.has("attenuation")) light.attenuation = node.at("attenuation").choice(kAttenuations);
-  light.range = 2.0 * distance;
-  light.c = {1.0, 0.0, 1.0 / (distance * distance)};
+void readAttenuation(Light& light, const Scene& scene, const Node& node, const Box& box) {
+  Attenuation attenuation = Attenuation::None;
+  std::optional<double> range;
+  std::optional<glm::dvec3> c;
+  if (node.has("attenuation")) attenuation = node.at("attenuation").choice(kAttenuations);
   if (node.has("range")) {
-    const Node range = node.at("range");
-    if (light.attenuation != Attenuation::Linear) range.fail("a range applies only to attenuation linear");
-    light.range = scaledTo(scene, range, range.numberAbove(0));
+    const Node given = node.at("range");
+    if (attenuation != Attenuation::Linear) given.fail("a range applies only to attenuation linear");
+    range = scaledTo(scene, given, given.numberAbove(0));
   }
-  if (!node.has("c")) return;
-  const Node c = node.at("c");
-  if (light.attenuation != Attenuation::Textbook) c.fail("c1, c2 and c3 apply only to attenuation textbook");
-  light.c = c.point();
-  if (std::min({light.c.x, light.c.y, light.c.z}) < 0.0) c.fail("c1, c2 and c3 must not be negative");
-  light.c.y = scaledTo(scene, c, light.c.y, -1);
-  light.c.z = scaledTo(scene, c, light.c.z, -2);
+  if (node.has("c")) {
+    const Node given = node.at("c");
+    if (attenuation != Attenuation::Textbook) given.fail("c1, c2 and c3 apply only to attenuation textbook");
+    c = given.point();
+    if (std::min({c->x, c->y, c->z}) < 0.0) given.fail("c1, c2 and c3 must not be negative");
+    c->y = scaledTo(scene, given, c->y, -1);
+    c->z = scaledTo(scene, given, c->z, -2);
+  }
+  attenuate(light, attenuation, range, c, box);
 }
 
 void readCone(Light& light, const Scene& scene, const Node& node, const glm::dvec3& centre) {
@@ -86,7 +91,7 @@ Light readOne(const Scene& scene, const Node& node, const Box& box) {
 
   if (!node.has("at")) node.fail("at is missing: the position of the light");
   light.position = place(scene, node.at("at"));
-  readAttenuation(light, scene, node, distanceFromCentre(light.position, box));
+  readAttenuation(light, scene, node, box);
   if (light.kind == LightKind::Spot) readCone(light, scene, node, box.centre());
   return light;
 }
@@ -112,6 +117,8 @@ void expectOnce(const Scene& scene, const Node& root) {
   for (const char* key : {"light", "light_at"})
     if (!scene.light.lights.empty() && shading.has(key))
       shading.at(key).fail("the light is given twice: here and in lights");
+  if (scene.light.placed() && shading.has("attenuation"))
+    shading.at("attenuation").fail(std::string{kOwnAttenuation});
 }
 
 }  // namespace

@@ -76,27 +76,27 @@ void expectEffect(const Setting& setting, const PictureSettings& settings, const
 
 void readShading(PictureSettings& settings, const Node& node) {
   expectSettings(node);
+  std::vector<Override> overrides;
   for (const Setting& setting : settingRows()) {
     const std::optional<Node> found = findIn(node, setting);
     if (!found) continue;
     const Value value = valueOf(setting, *found);
     if (!allows(setting, value))
       found->fail(expected(setting) + (setting.letters.empty() ? " is" : " are") + " needed");
-    setting.field.set(settings, value);
+    overrides.push_back({&setting, value});
   }
-  if (!keepWithinOne(settings.light, node.has("Ia"), node.has("Ip"))) node.fail("Ia + Ip must not exceed 1");
+  if (!applyOverrides(settings, overrides)) node.fail("Ia + Ip must not exceed 1");
 }
 
-void expectCounts(const PictureSettings& settings, const Node& node) {
+void expectCounts(const PictureSettings& settings, const SceneLight& scene, const Node& node) {
   for (const Setting& setting : settingRows())
     if (setting.need.unmet == Need::Unmet::Refused)
       if (const std::optional<Node> found = findIn(node, setting)) expectEffect(setting, settings, *found);
   const Illumination& light = settings.light;
-  if (node.has("attenuation") && light.attenuation != Attenuation::None && !light.lightPosition)
+  if (node.has("attenuation") && light.attenuation != Attenuation::None && !light.lightPosition &&
+      !scene.placed())
     node.at("attenuation")
-        .fail(
-            "attenuation needs a point light: give light_at. Each of the scene's lights has its own "
-            "attenuation");
+        .fail("attenuation needs a point light: give light_at. " + std::string{kOwnAttenuation});
 }
 
 void expectDivides(const PictureSettings& settings, const Node& node) {

@@ -1,5 +1,8 @@
 #pragma once
 
+#include <string_view>
+
+#include "shading/light/illumination.h"
 #include "shading/scene/json_node.h"
 #include "shading/scene/picture_settings.h"
 
@@ -10,9 +13,11 @@ namespace xnewell {
 void readShading(PictureSettings& settings, const Node& node);
 
 /// Refuses settings that `node` gives but that have no effect (Need::Unmet::Refused), for example a range
-/// without attenuation linear. It also refuses an attenuation if the light has no place. `settings` are those
-/// that readShading() left. @throws ParseError
-void expectCounts(const PictureSettings& settings, const Node& node);
+/// without attenuation linear. It also refuses an attenuation if no light has a place. `settings` are those
+/// that readShading() left; `scene` has the lights that were there before. @throws ParseError
+void expectCounts(const PictureSettings& settings, const SceneLight& scene, const Node& node);
+/// A file that lists lights says it there, not in "shading".
+inline constexpr std::string_view kOwnAttenuation = "Each of the scene's lights has its own attenuation";
 
 /// Does the same for settings that set-ups and lessons may keep for another method
 /// (Need::Unmet::RefusedOrKept). @throws ParseError

@@ -1,6 +1,5 @@
 #include "shading/scene/save_scene.h"
 
-#include <cmath>
 #include <nlohmann/json.hpp>
 
 #include "shading/scene/settings.h"
@@ -13,35 +12,21 @@ using Json = nlohmann::ordered_json;
 
 Json list(const glm::dvec3& v) { return {v.x, v.y, v.z}; }
 
-/// Converts the scene's units to the file's units. The factor is a power of two, so this is exact.
-struct FileUnits {
-  int exponent;
-  [[nodiscard]] double operator()(double length) const { return std::ldexp(length, exponent); }
-  [[nodiscard]] Json operator()(const glm::dvec3& p) const {
-    return list({(*this)(p.x), (*this)(p.y), (*this)(p.z)});
-  }
-};
-
-Json camera(const CameraSettings& c, const FileUnits& units) {
+/// `c` is in the file's units.
+Json camera(const CameraSettings& c) {
   Json json = Json::object();
-  const auto place = [&](const char* key, const std::optional<glm::dvec3>& p) {
-    if (p) json[key] = units(*p);
-  };
-  const auto direction = [&](const char* key, const std::optional<glm::dvec3>& v) {
+  const auto triple = [&](const char* key, const std::optional<glm::dvec3>& v) {
     if (v) json[key] = list(*v);
   };
-  const auto length = [&](const char* key, const std::optional<double>& v) {
-    if (v) json[key] = units(*v);
-  };
-  place("eye", c.eye), place("look_at", c.lookAt), direction("up", c.up);
-  place("vrp", c.vrp), direction("vpn", c.vpn), direction("vup", c.vup), place("prp", c.prp);
-  if (c.window)
-    json["window"] = {units(c.window->x), units(c.window->y), units(c.window->z), units(c.window->w)};
-  length("front", c.front), length("back", c.back);
+  triple("eye", c.eye), triple("look_at", c.lookAt), triple("up", c.up);
+  triple("vrp", c.vrp), triple("vpn", c.vpn), triple("vup", c.vup), triple("prp", c.prp);
+  if (c.window) json["window"] = {c.window->x, c.window->y, c.window->z, c.window->w};
+  if (c.front) json["front"] = *c.front;
+  if (c.back) json["back"] = *c.back;
   const bool parallel = c.parallel || c.oblique;
   if (c.fov && !parallel) json["fov"] = *c.fov;
   if (c.height)
-    json["parallel"] = units(*c.height);
+    json["parallel"] = *c.height;
   else if (c.parallel)
     json["parallel"] = true;
   if (c.oblique)
@@ -94,14 +79,13 @@ std::string seenFrom(const std::filesystem::path& folder, const std::string& fil
 std::string savedScene(const Scene& scene, const PictureSettings& settings,
                        const std::filesystem::path& folder) {
   const SceneOrigin& origin = scene.origin;
-  const FileUnits units{scene.exponent};
   Json json;
   json["shows"] = "a set-up of " + titleOf(scene);
   json["scene"] = isBuiltIn(origin.of) ? origin.of : seenFrom(folder, origin.of);
   json["divisions"] = origin.divisions;
   if (!origin.without.empty()) json["without"] = origin.without;
   if (!origin.texture.empty()) json["texture"] = seenFrom(folder, origin.texture);
-  json["camera"] = camera(settings.camera, units);
+  json["camera"] = camera(inFileUnits(settings.camera, scene));
   PictureSettings inFileUnits = settings;
   toFileUnits(inFileUnits.light, scene);
   json["shading"] = shading(inFileUnits);

@@ -6,6 +6,7 @@
 #include <filesystem>
 #include <stdexcept>
 #include <system_error>
+#include <utility>
 #include <vector>
 
 #include "geometry/exact/scale.h"
@@ -199,14 +200,29 @@ CameraSettings completed(CameraSettings said, const CameraSettings& scene) {
   return said;
 }
 
-CameraSettings inSceneUnits(CameraSettings c, const Scene& scene) {
+namespace {
+
+/// Every length and every place of the camera becomes what `convert` makes of each of its numbers.
+template <class Convert>
+CameraSettings converted(CameraSettings c, const Convert& convert) {
   for (std::optional<glm::dvec3>* p : {&c.eye, &c.lookAt, &c.vrp, &c.prp})
-    if (*p) *p = inSceneUnits(**p, scene);
+    if (*p)
+      for (int k = 0; k < 3; ++k) (**p)[k] = convert((**p)[k]);
   for (std::optional<double>* v : {&c.height, &c.front, &c.back})
-    if (*v) *v = inSceneUnits(**v, scene);
+    if (*v) *v = convert(**v);
   if (c.window)
-    for (int k = 0; k < 4; ++k) (*c.window)[k] = inSceneUnits((*c.window)[k], scene);
+    for (int k = 0; k < 4; ++k) (*c.window)[k] = convert((*c.window)[k]);
   return c;
+}
+
+}  // namespace
+
+CameraSettings inSceneUnits(CameraSettings camera, const Scene& scene) {
+  return converted(std::move(camera), [&](double v) { return inSceneUnits(v, scene); });
+}
+
+CameraSettings inFileUnits(CameraSettings camera, const Scene& scene) {
+  return converted(std::move(camera), [&](double v) { return std::ldexp(v, scene.exponent); });
 }
 
 void toSceneUnits(Illumination& light, const Scene& scene) {

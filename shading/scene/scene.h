@@ -101,6 +101,7 @@ inline constexpr int kDefaultDivisions = 8;
 /// Converts the place and the attenuation of the user's light from file units to scene units.
 void toSceneUnits(Illumination& light, const Scene& scene);
 /// And back, exactly.
+[[nodiscard]] CameraSettings inFileUnits(CameraSettings camera, const Scene& scene);
 void toFileUnits(Illumination& light, const Scene& scene);
 
 /// What a scene file may set and strip() can remove, so that the user's choice counts.

@@ -90,7 +90,7 @@ Scene parseSceneFile(std::string_view text, const std::string& name, const std::
   }
   if (root.has("shading")) {
     readShading(scene.settings, root.at("shading"));
-    expectCounts(scene.settings, root.at("shading"));
+    expectCounts(scene.settings, scene.light, root.at("shading"));
     if (!other) expectDivides(scene.settings, root.at("shading"));
   }
   if (!other) readLight(scene, root);

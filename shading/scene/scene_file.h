@@ -49,7 +49,8 @@ namespace xnewell {
 ///               settingRows(), which describe each setting; "table.i0" is written "table": {"i0"}. "fill"
 ///               has an effect only in a window. "ka", "kd", "ks" and "n" apply to surfaces that do not set
 ///               them. "Ia" applies if the scene has no "ambient"; "Ip", "light" and "light_at" apply if it
-///               has no "lights"
+///               has no "lights". "attenuation" is for the light of "light_at"; in a set-up of another scene,
+///               for that scene's own lights at places too
 ///   "scene"     a built-in name, or the file of a scene. A relative path starts at this file's folder. The
 ///               key takes the place of "objects", "up", "materials", "ambient" and "lights". It allows
 ///               "divisions" of patches; "without", a list of what that scene must not set (kStrippable);

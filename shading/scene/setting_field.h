@@ -56,9 +56,11 @@ constexpr bool allHaveWords(const Rows& rows) {
   });
 }
 
-/// A field for a choice of one of the rows of a table. A row may have a label and words.
+/// A field for a choice of one of the rows of a table, or for an optional one, which may stay open. A row may
+/// have a label and words.
 template <const auto& kRows, class Member>
 Field chooses(Member member) {
+  using T = std::remove_cvref_t<decltype(member(std::declval<PictureSettings&>()))>;
   static_assert(allHaveWords(kRows), "a row of this table has no words");
   Field field{.kind = ValueKind::Choice};
   for (const auto& row : kRows) {
@@ -68,10 +70,16 @@ Field chooses(Member member) {
     field.choices.push_back(choice);
   }
   field.get = [member](const PictureSettings& s) -> Value {
-    const auto row = std::ranges::find(kRows, member(s), [](const auto& r) { return r.id; });
+    if constexpr (kOptional<T>)
+      if (!member(s)) return {};
+    const auto row = std::ranges::find_if(kRows, [&](const auto& r) { return member(s) == r.id; });
     return static_cast<double>(row - kRows.begin());
   };
   field.set = [member](PictureSettings& s, const Value& value) {
+    if constexpr (kOptional<T>) {
+      member(s).reset();
+      if (std::holds_alternative<std::monostate>(value)) return;
+    }
     member(s) = kRows[static_cast<std::size_t>(std::get<double>(value))].id;
   };
   return field;

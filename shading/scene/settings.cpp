@@ -47,6 +47,7 @@ std::string inWords(const Setting& setting, const Value& value) {
 /// The words for a value that say it without the setting's name; "" if there are none.
 std::string_view ownWords(const Setting& setting, const Value& value) {
   const auto* v = std::get_if<double>(&value);
+  if (!v) return "";
   if (setting.field.kind == ValueKind::Flag) return setting.words.of(*v != 0.0);
   if (setting.field.kind == ValueKind::Choice)
     return setting.field.choices[static_cast<std::size_t>(*v)].words;
@@ -173,6 +174,21 @@ bool keepWithinOne(Illumination& light, bool IaSet, bool IpSet) {
   if (kept + rest > 1.0) rest = 1.0 - kept;
   (IaSet ? light.Ip : light.Ia) = rest;
   return true;
+}
+
+bool applyOverrides(PictureSettings& settings, const std::vector<Override>& overrides) {
+  const auto has = [&](std::string_view key) {
+    return std::ranges::any_of(overrides, [&](const Override& o) { return o.setting->key == key; });
+  };
+  for (const Override& o : overrides) o.setting->field.set(settings, o.value);
+  Illumination& light = settings.light;
+  if (has("light") && !has("light_at")) {
+    light.lightPosition.reset();
+    if (!has("attenuation")) light.attenuation.reset();
+  }
+  if (has("attenuation") && !has("range")) light.range.reset();
+  if (has("attenuation") && !has("c")) light.c.reset();
+  return keepWithinOne(light, has("Ia"), has("Ip"));
 }
 
 }  // namespace xnewell

@@ -167,8 +167,21 @@ struct Setting {
 [[nodiscard]] std::string noEffect(std::string_view name, const Setting& setting,
                                    std::string_view where = "here");
 
+/// A setting, and the value that takes the place of its own. Options, the keys of a scene file, the steps of
+/// a lesson and the controls of the window are lists of these over the settings that were there before.
+struct Override {
+  const Setting* setting;
+  Value value;
+};
+
 /// Ensures Ia + Ip <= 1. If the sum is larger, it reduces the one that was not set, or Ia if neither was. It
 /// changes nothing and returns false if both were set and the sum exceeds 1.
 [[nodiscard]] bool keepWithinOne(Illumination& light, bool IaSet, bool IpSet);
+
+/// Puts the values into the settings, in their order. What goes with another value of its own ends, unless
+/// the list has it: a direction of the light ends its position and its attenuation, and an attenuation ends
+/// its range and coefficients. keepWithinOne() takes those in the list as set. Returns false if Ia + Ip of
+/// the list exceeds 1.
+[[nodiscard]] bool applyOverrides(PictureSettings& settings, const std::vector<Override>& overrides);
 
 }  // namespace xnewell

@@ -135,7 +135,7 @@ bool allHaveEffect(const Configuration& configuration, const Picture& asked) {
 
 Configuration changed(Configuration configuration, const Axis& axis, double value) {
   if (axis.setting)
-    axis.setting->field.set(configuration.settings, value);
+    (void)applyOverrides(configuration.settings, {{axis.setting, value}});
   else
     configuration.divisions = static_cast<int>(value);
   configuration.changes.push_back({axis.setting, value});

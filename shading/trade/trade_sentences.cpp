@@ -3,6 +3,7 @@
 #include <cmath>
 #include <cstdio>
 #include <glm/geometric.hpp>
+#include <limits>
 
 #include "geometry/exact/box.h"
 #include "shading/trade/constant_l_bound.h"
@@ -29,11 +30,11 @@ std::string times(double ratio, const std::string& what) { return twoDigits(rati
 std::string whereTheLampIs(const Picture& picture) {
   const Scene& scene = picture.scene();
   const Box box = boxOf(scene.mesh.points);
-  double nearest = 0;
+  double nearest = std::numeric_limits<double>::infinity();
   for (const Light& light : lightsOf(scene.light, picture.settings().light, box))
     if (light.kind != LightKind::Directional) {
-      const double away = distanceFromCentre(light.position, box);
-      nearest = nearest == 0 ? away : std::min(nearest, away);
+      const glm::dvec3 to = light.position - box.centre();
+      nearest = std::min(nearest, std::hypot(to.x, to.y, to.z));
     }
   const std::optional<double> bound = boundOfConstantL(scene, picture.settings().light);
   return "The nearest lamp is " + times(nearest / box.side(), "the scene's side away") +

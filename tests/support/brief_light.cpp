@@ -275,15 +275,20 @@ BriefLight::Lit BriefLight::light(int part, int i, int j) const {
     if (user_.lightPosition) {
       light.kind = LightKind::Point;
       light.position = *user_.lightPosition;
-      light.attenuation = user_.attenuation;
+    }
+    lights.push_back(light);
+  }
+  if (user_.attenuation) {
+    glm::dvec3 low{INFINITY}, high{-INFINITY};
+    for (const glm::dvec3& p : scene_.mesh.points) low = min(low, p), high = max(high, p);
+    for (Light& light : lights) {
+      if (light.kind == LightKind::Directional) continue;
+      light.attenuation = *user_.attenuation;
       // The defaults of the options --range and --coefficients, by the distance to the scene's centre.
-      glm::dvec3 low{INFINITY}, high{-INFINITY};
-      for (const glm::dvec3& p : scene_.mesh.points) low = min(low, p), high = max(high, p);
       const double d = glm::length(light.position - (low + high) / 2.0);
       light.range = user_.range.value_or(2 * d);
       light.c = user_.c.value_or(glm::dvec3{1, 0, 1 / (d * d)});
     }
-    lights.push_back(light);
   }
   for (const Light& light : lights) {
     const bool far = light.kind == LightKind::Directional;

@@ -15,7 +15,6 @@
 #include <string>
 #include <system_error>
 
-#include "geometry/exact/box.h"
 #include "geometry/files/parse_error.h"
 #include "shading/color/png.h"
 #include "shading/picture/picture_cache.h"
@@ -145,15 +144,22 @@ int teach(const Options& options) {
 }
 
 /// Removes from the scene the light and surface values that the command line replaces.
-/// @throws UsageError if Ia + the sum of Ip then exceeds 1, or if --fill x11 cannot show the scene's textures
+/// @throws UsageError if the rest does not go with the command line: if Ia + the sum of Ip exceeds 1, if no
+/// light can be attenuated, or if --fill x11 cannot show the scene's textures
 void giveWay(Scene& scene, const Options& options) {
   if (options.fill == Fill::XFillPolygon && !scene.textures.empty())
     throw UsageError{"--fill x11 paints each polygon in one colour, so it cannot show the scene's textures"};
   for (const Setting& setting : settingRows())
     if (!setting.replaces.empty() && options.gave(setting.option)) strip(scene, setting.replaces);
 
-  // A user's Ia must fit the scene's lights, and a user's Ip the scene's Ia.
+  // What is left of the lights must be able to fade as the user says.
   const Illumination& user = options.picture.light;
+  if (options.gave("--attenuation") && user.attenuation != Attenuation::None && !user.lightPosition &&
+      !scene.light.placed())
+    throw UsageError{
+        "--attenuation needs a light at a place: give --light-at x,y,z or a scene with such a light"};
+
+  // A user's Ia must fit the scene's lights, and a user's Ip the scene's Ia.
   const bool besideLights = options.gave("--ia") && !scene.light.lights.empty(),
              besideIa = options.gave("--ip") && scene.light.Ia;
   glm::dvec3 sum = scene.light.Ia.value_or(glm::dvec3{user.Ia});
@@ -163,32 +169,6 @@ void giveWay(Scene& scene, const Options& options) {
     throw UsageError{
         std::string{besideLights ? "--ia and the scene's lights" : "--ip and the scene's ambient light"} +
         ": their sum must not exceed 1"};
-}
-
-/// Applies the user's attenuation to the scene's own lights that have a place, if the user gave no such
-/// light. All lengths are in the scene's units by now.
-/// @throws UsageError if no light can be attenuated
-void fade(Scene& scene, const Options& options) {
-  const Illumination& user = options.picture.light;
-  if (!options.gave("--attenuation") || user.lightPosition) return;
-  const Box box = boxOf(scene.mesh.points);
-  bool any = false;
-  for (Light& light : scene.light.lights) {
-    if (light.kind == LightKind::Directional) continue;
-    any = true;
-    const double distance = distanceFromCentre(light.position, box);
-    light.attenuation = user.attenuation;
-    light.range = user.range.value_or(2.0 * distance);
-    light.c = user.c.value_or(glm::dvec3{1.0, 0.0, 1.0 / (distance * distance)});
-  }
-  if (!any && user.attenuation != Attenuation::None)
-    throw UsageError{
-        "--attenuation needs a light at a place: give --light-at x,y,z or a scene with such a light"};
-  if (any && options.command == Command::View)  // a set-up of the window names the scene, but not what became
-                                                // of its lights
-    throw UsageError{
-        "--attenuation changes the scene's own lights only with draw, snapshot and trace; for a window, "
-        "give --light-at x,y,z as well"};
 }
 
 /// Draws the picture in a window of a server, reads it back and writes it.
@@ -205,21 +185,21 @@ void snapshot(const Options& options, Scene scene, double msRead, const nlohmann
 int run(int argc, char** argv) {
   std::optional<Options> said = parseOptions(argc, argv);
   if (!said) return kDone;
-  if (said->command == Command::Scenes) return listScenes(), kDone;
-  if (said->command == Command::Keys) return std::cout << keyLists(), kDone;
-  if (said->command == Command::Visuals) return std::cout << visualsTable(*said), kDone;
-
-  if (said->command == Command::Lesson) return teach(*said);
+  Options& options = *said;
+  if (!rowOf(options.command).draws) settle(options, {});
+  if (options.command == Command::Scenes) return listScenes(), kDone;
+  if (options.command == Command::Keys) return std::cout << keyLists(), kDone;
+  if (options.command == Command::Visuals) return std::cout << visualsTable(options), kDone;
+  if (options.command == Command::Lesson) return teach(options);
 
   const Stopwatch watch;
-  Scene scene = read(*said);
-  if (said->command == Command::Trace) scene.settings.order = Order::Newell;  // the trace follows this order
-  Options options = *parseOptions(argc, argv, scene.settings);  // parse again, over the settings that the
-                                                                // scene asks for
+  Scene scene = read(options);
+  if (options.command == Command::Trace)
+    scene.settings.order = Order::Newell;  // the trace follows this order
+  settle(options, scene.settings);
   giveWay(scene, options);
   options.picture.camera = inSceneUnits(completed(options.picture.camera, scene.camera), scene);
   toSceneUnits(options.picture.light, scene);
-  fade(scene, options);
   if (!options.texture.empty()) {
     wear(scene, readTexture(options.texture));
     scene.origin.texture = options.texture;

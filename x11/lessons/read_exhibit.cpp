@@ -109,15 +109,11 @@ Claim readClaim(const std::string& name, const Node& node) {
 /// Reads the settings of a picture from an object.
 void readSettings(PictureSettings& settings, const Node& node, const Scene& scene) {
   if (node.has("shading")) {
-    const Illumination before = settings.light;  // values that are not given stay, in the scene's units
-    settings.light.lightPosition.reset(), settings.light.range.reset(), settings.light.c.reset();
+    toFileUnits(settings.light, scene);
     readShading(settings, node.at("shading"));
-    if (settings.inPixels) node.at("shading").at("fill").fail("lessons are filled by the scanline");
     toSceneUnits(settings.light, scene);
-    if (!settings.light.lightPosition) settings.light.lightPosition = before.lightPosition;
-    if (!settings.light.range) settings.light.range = before.range;
-    if (!settings.light.c) settings.light.c = before.c;
-    expectCounts(settings, node.at("shading"));
+    if (settings.inPixels) node.at("shading").at("fill").fail("lessons are filled by the scanline");
+    expectCounts(settings, scene.light, node.at("shading"));
   }
   if (!node.has("camera")) return;
   const CameraSettings camera = completed(readCamera(node.at("camera")), scene.camera);

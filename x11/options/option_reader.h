@@ -6,6 +6,8 @@
 #include <functional>
 #include <map>
 #include <string>
+#include <string_view>
+#include <utility>
 #include <vector>
 
 #include "shading/scene/settings.h"
@@ -20,8 +22,8 @@ class Reader {
  public:
   explicit Reader(CLI::App& app) : app_{app} {}
 
-  /// Adds a setting of the picture. Everything comes from its row.
-  void setting(const Setting& row, PictureSettings& settings) {
+  /// Adds a setting of the picture. Everything comes from its row. Its value joins `overrides`.
+  void setting(const Setting& row, std::vector<Override>& overrides) {
     std::string help{row.is};
     if (row.field.kind != ValueKind::Flag) help += "; " + expected(row);
     if (!row.unit.empty()) help += ", in " + std::string{row.unit};
@@ -29,14 +31,19 @@ class Reader {
     const std::string name{row.option};
     if (row.field.kind == ValueKind::Flag) {
       app_.add_flag_callback(
-              name, [&row, &settings] { row.field.set(settings, 1.0); }, help)
+              name,
+              [&] {
+                overrides.push_back({&row, 1.0});
+              },
+              help)
           ->disable_flag_override();
       return;
     }
     const std::string initially =
-        row.initially.empty() ? textOf(row, row.field.get(settings)) : std::string{row.initially};
-    text(name, help, initially,
-         [&row, &settings](const std::string& given) { row.field.set(settings, valueOf(row, given)); });
+        row.initially.empty() ? textOf(row, row.field.get(PictureSettings{})) : std::string{row.initially};
+    text(name, help, initially, [&](const std::string& given) {
+      overrides.push_back({&row, valueOf(row, given)});
+    });
     for (const Choice& choice : row.field.choices) words_[name].emplace_back(choice.name);
   }
   /// Adds a number in [low, high]. `initially` is its default in words, if it is not the number's own.
@@ -94,6 +101,10 @@ class Reader {
   }
   /// Says that the value of an option is the name of a file or of a folder.
   void takes(const std::string& name, Takes what) { takes_[name] = what; }
+  /// Says where an option works (OptionRow::places).
+  void only(const std::string& name, std::vector<std::string_view> places) {
+    places_[name] = std::move(places);
+  }
   /// Says that the value of an option may be the name of one of these rows.
   void proposes(const std::string& name, const auto& rows) {
     for (const auto& row : rows) words_[name].emplace_back(row.name);
@@ -104,6 +115,7 @@ class Reader {
  private:
   CLI::App& app_;
   std::map<std::string, Takes> takes_;
+  std::map<std::string, std::vector<std::string_view>> places_;
   std::map<std::string, std::vector<std::string>> words_;
 };
 

@@ -21,6 +21,11 @@ struct OptionRow {
   std::string does;          ///< the default at its end in [ ]
   Takes takes = Takes::Nothing;
   std::vector<std::string> words = {};  ///< the words that its text may be, or may begin with; else empty
+  /// Where it works: a command, "draw"; another option, "--accuracy", or its value, "--view colours"; or
+  /// both, "trace --frames". Empty: with all commands that draw a scene (CommandRow::draws).
+  std::vector<std::string_view> places = {};
+  /// The name in messages: "-o", "--size".
+  [[nodiscard]] const std::string& shown() const { return letter.empty() ? name : letter; }
 };
 /// In the order of --help.
 [[nodiscard]] std::vector<OptionRow> optionRows();

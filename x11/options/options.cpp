@@ -149,27 +149,29 @@ bool takeView(Options& o, const std::string& name) {
   return view != kViews.end() || window != kWindowViews.end();
 }
 
-/// Works out what the options mean together, after all of them are read.
-void settle(Options& o) {
-  o.stats = o.stats || o.errors || o.costs;
-  Illumination& light = o.picture.light;
-  if (o.gave("--light") && !o.gave("--light-at")) {  // it replaces the scene's light, and its attenuation too
-    light.lightPosition.reset();
-    if (!o.gave("--attenuation")) light.attenuation = Attenuation::None;
-  }
-  if (!keepWithinOne(light, o.gave("--ia"), o.gave("--ip")))
-    throw UsageError{"--ia and --ip: their sum must not exceed 1"};
-  // Here inPixels is true if --fill or the scene asks for the server's filler. --fill x11 always counts. A
-  // scene's wish counts only for view and snapshot, which have a server, and only if the server can fill the
-  // polygons.
-  const bool server = std::exchange(o.picture.inPixels, false);
-  const bool window = o.command == Command::View || o.command == Command::Snapshot;
-  const bool fillable = !rowOf(o.picture.order).bySample && !rowOf(o.picture.shading).interpolates;
-  if (server && (o.gave("--fill") || (window && fillable))) o.fill = Fill::XFillPolygon;
-  if (!o.halfVector) return;
-  if (o.gave("--form") && light.form != Form::HalfVector)
-    throw UsageError{"--half-vector and --form exclude each other"};
-  light.form = Form::HalfVector;
+/// Says where the options work that do not work with all commands that draw a scene.
+void addPlaces(Reader& r) {
+  const auto only = [&](std::initializer_list<const char*> names,
+                        const std::vector<std::string_view>& places) {
+    for (const char* name : names) r.only(name, places);
+  };
+  only({"--output"}, {"draw", "snapshot", "trade", "extremes"});
+  only({"--size"}, {"view", "draw", "snapshot", "trace", "trade", "extremes", "lesson"});
+  only({"--scale"}, {"view", "lesson", "--whole-window"});
+  only({"--visual", "--colormap", "--nearest"}, {"view", "snapshot", "lesson", "visuals"});
+  only({"--view"}, {"view", "draw", "snapshot"});
+  only({"--scanline"}, {"--view machbands"});
+  only({"--cell"}, {"--view colours"});
+  only({"--store", "--turn", "--gamma", "--bend", "--rotate", "--lit"}, {"draw", "snapshot"});
+  only({"--ids", "--stats", "--errors", "--costs"}, {"draw", "snapshot"});
+  only({"--accuracy"}, {"view", "draw", "snapshot"});
+  only({"--json"}, {"trade", "extremes"});
+  only({"--axes", "--without"}, {"trade"});
+  only({"--budget"}, {"trade", "--accuracy"});
+  only({"--whole-window"}, {"snapshot", "trace --frames"});
+  only({"--quick"}, {"trace"});
+  only({"--frames"}, {"trace", "lesson"});
+  only({"--every"}, {"trace --frames"});
 }
 
 /// Adds all options, in the order of --help. The reader writes what they say into `o`.
@@ -189,7 +191,7 @@ void addOptions(CLI::App& app, Reader& r, Options& o) {
            "pixels. For the window, and for pictures of it");
   r.number("--divisions", o.divisions, 1, kMaxDivisions,
            "each Bezier patch becomes N x N polygons, unless the scene file gives the number");
-  for (const Setting& row : settingRows()) r.setting(row, o.picture);
+  for (const Setting& row : settingRows()) r.setting(row, o.overrides);
   r.number("--max-fragments", o.picture.mostPieces, 1, 1'000'000'000,
            "how many pieces the depth sort and the BSP tree make before they give up");
   r.flag("--half-vector", o.halfVector, "the same as --form half-vector");
@@ -252,6 +254,7 @@ void addOptions(CLI::App& app, Reader& r, Options& o) {
       "--frames", o.frames, "folder",
       "trace: write numbered pictures into this folder instead of lines; it must not hold any frames yet");
   r.choice("--every", kEvery, o.every, "trace: the steps that --frames draws");
+  addPlaces(r);
 }
 
 }  // namespace
@@ -265,6 +268,7 @@ std::vector<OptionRow> Reader::rows() const {
     if (option->get_items_expected_max() > 0) row.takes = Takes::Text;
     if (const auto what = takes_.find(row.name); what != takes_.end()) row.takes = what->second;
     if (const auto words = words_.find(row.name); words != words_.end()) row.words = words->second;
+    if (const auto places = places_.find(row.name); places != places_.end()) row.places = places->second;
     rows.push_back(std::move(row));
   }
   return rows;
@@ -278,10 +282,9 @@ std::vector<OptionRow> optionRows() {
   return reader.rows();
 }
 
-std::optional<Options> parseOptions(int argc, const char* const* argv, const PictureSettings& initially) {
+std::optional<Options> parseOptions(int argc, const char* const* argv) {
   std::vector<std::string> arguments(argv + 1, argv + argc);
   Options o;
-  o.picture = initially;
   const std::size_t words = arguments.size();
   o.command = takeCommand(arguments);
   o.commandMeant = !arguments.empty() && arguments.size() == words && !arguments.front().starts_with('-');
@@ -308,9 +311,29 @@ std::optional<Options> parseOptions(int argc, const char* const* argv, const Pic
     o.given.push_back(option->get_name());
     o.values.push_back(option->get_items_expected_max() == 0 ? "" : option->results().back());
   }
-  settle(o);
-  checkTogether(o);
+  o.stats = o.stats || o.errors || o.costs;
+  checkUsage(o, reader.rows());
   return o;
+}
+
+void settle(Options& o, const PictureSettings& scene) {
+  PictureSettings settings = scene;
+  settings.camera = o.picture.camera, settings.mostPieces = o.picture.mostPieces;
+  if (!applyOverrides(settings, o.overrides)) throw UsageError{"--ia and --ip: their sum must not exceed 1"};
+  if (o.halfVector) {
+    if (o.gave("--form") && settings.light.form != Form::HalfVector)
+      throw UsageError{"--half-vector and --form exclude each other"};
+    settings.light.form = Form::HalfVector;
+  }
+  // Here inPixels is true if --fill or the scene asks for the server's filler. --fill x11 always counts. A
+  // scene's wish counts only for view and snapshot, which have a server, and only if the server can fill the
+  // polygons.
+  const bool server = std::exchange(settings.inPixels, false);
+  const bool window = o.command == Command::View || o.command == Command::Snapshot;
+  const bool fillable = !rowOf(settings.order).bySample && !rowOf(settings.shading).interpolates;
+  if (server && (o.gave("--fill") || (window && fillable))) o.fill = Fill::XFillPolygon;
+  o.picture = settings;
+  checkSettings(o);
 }
 
 }  // namespace xnewell

@@ -10,6 +10,7 @@
 
 #include "depthsort/replay.h"
 #include "shading/picture/picture.h"
+#include "shading/scene/settings.h"
 #include "shading/trade/trade_request.h"
 #include "x11/options/window_view.h"
 #include "x11/views/shows.h"
@@ -24,19 +25,20 @@ enum class Command { View, Draw, Snapshot, Trace, Trade, Extremes, Lesson, Visua
 struct CommandRow {
   Command id;
   std::string_view name, usage, does;
+  bool draws = false;  ///< whether it draws a scene as the settings of the command line say
 };
 inline constexpr std::array kCommands{
-    CommandRow{Command::View, "view", "[view] [SCENE] [options]", "a window; the default command"},
-    CommandRow{Command::Draw, "draw", "draw SCENE -o FILE.png [options]",
-               "the picture, without any X server"},
+    CommandRow{Command::View, "view", "[view] [SCENE] [options]", "a window; the default command", true},
+    CommandRow{Command::Draw, "draw", "draw SCENE -o FILE.png [options]", "the picture, without any X server",
+               true},
     CommandRow{Command::Snapshot, "snapshot", "snapshot SCENE -o FILE.png [options]",
-               "the picture through a real X window, read back from the server"},
+               "the picture through a real X window, read back from the server", true},
     CommandRow{Command::Trace, "trace", "trace SCENE [options]",
-               "the depth sort's events, one JSON object a line, or as pictures"},
+               "the depth sort's events, one JSON object a line, or as pictures", true},
     CommandRow{Command::Trade, "trade", "trade SCENE [-o CHART.png] [--json]",
-               "what each short cut saves on the scene, and the error that it costs"},
+               "what each short cut saves on the scene, and the error that it costs", true},
     CommandRow{Command::Extremes, "extremes", "extremes SCENE [-o CHART.png] [--json]",
-               "what becomes wrong first when the scene is scaled, moved, flattened ..."},
+               "what becomes wrong first when the scene is scaled, moved, flattened ...", true},
     CommandRow{Command::Lesson, "lesson", "lesson [NAME] [--frames DIR]",
                "a guided lesson in the window, or as pictures; without NAME, the list"},
     CommandRow{Command::Visuals, "visuals", "visuals [options]",
@@ -44,6 +46,10 @@ inline constexpr std::array kCommands{
     CommandRow{Command::Scenes, "scenes", "scenes", "the built-in scenes and lessons, one line each"},
     CommandRow{Command::Keys, "keys", "keys", "the keys of all views of the window, as tables"},
 };
+
+[[nodiscard]] constexpr const CommandRow& rowOf(Command command) {
+  return kCommands[static_cast<std::size_t>(command)];
+}
 
 /// What fills the polygons: the server, or our scanline filler.
 enum class Fill { XFillPolygon, Scanline };
@@ -56,9 +62,10 @@ struct Options {
   bool commandMeant = false;     ///< no command was given, and the first argument may be a mistyped one
   std::string scene = "teapot";  ///< or the lesson's name
   int divisions = kDefaultDivisions;
-  std::optional<glm::ivec2> size;  ///< none without --size: then kPictureSize or windowSize()
-  int scale = 1;                   ///< of the window: pixels of a unit
-  PictureSettings picture;  ///< parseOptions() leaves its camera and light in the units of the scene's file
+  std::optional<glm::ivec2> size;   ///< none without --size: then kPictureSize or windowSize()
+  int scale = 1;                    ///< of the window: pixels of a unit
+  std::vector<Override> overrides;  ///< the settings that the command line gives, in its order
+  PictureSettings picture;  ///< settle() has these over the scene's own, in the units of the scene's file
   std::vector<std::string> given;   ///< the names of all options on the command line
   std::vector<std::string> values;  ///< what each of these says; "" for a flag
   bool halfVector = false;          ///< --half-vector; settle() has put it into the light
@@ -103,10 +110,13 @@ struct UsageError : std::runtime_error {
   using std::runtime_error::runtime_error;
 };
 
-/// `initially` holds the settings of a picture without any option: the program's defaults, or what a scene
-/// asks for. Returns nothing if it printed --help or --version and there is no more to do.
-/// @throws UsageError
-[[nodiscard]] std::optional<Options> parseOptions(int argc, const char* const* argv,
-                                                  const PictureSettings& initially = {});
+/// Reads the command line, and refuses what is wrong whatever the scene asks for. Of `picture` only the
+/// camera and the limit of pieces are known then. Returns nothing if it printed --help or --version and there
+/// is no more to do. @throws UsageError
+[[nodiscard]] std::optional<Options> parseOptions(int argc, const char* const* argv);
+
+/// Completes the options of parseOptions(): `picture` becomes `scene`, what the scene asks for, with the
+/// overrides of the command line. Refuses what does not go together then. @throws UsageError
+void settle(Options& options, const PictureSettings& scene);
 
 }  // namespace xnewell

@@ -1,6 +1,9 @@
 #include "x11/options/options_check.h"
 
+#include <algorithm>
+#include <array>
 #include <filesystem>
+#include <sstream>
 #include <string>
 
 #include "shading/scene/settings.h"
@@ -21,15 +24,46 @@ bool sameFile(const std::string& a, const std::string& b) {
   return fs::absolute(a).lexically_normal() == fs::absolute(b).lexically_normal();
 }
 
+/// Whether the command line is at a place where an option works (OptionRow::places).
+bool isAt(const Options& o, std::string_view place) {
+  std::istringstream words{std::string{place}};
+  std::string option;  // the word before, if it is an option
+  for (std::string word; words >> word;) {
+    const auto given = std::ranges::find(o.given, option.empty() ? word : option);
+    const bool said = given != o.given.end();
+    if (!option.empty() && !(said && o.values[given - o.given.begin()] == word)) return false;
+    if (option.empty() && !(word.starts_with('-') ? said : rowOf(o.command).name == word)) return false;
+    option = word.starts_with('-') ? word : "";
+  }
+  return true;
+}
+
+/// Refuses options where they do not work.
+void checkPlaces(const Options& o, const std::vector<OptionRow>& rows) {
+  for (const std::string& given : o.given) {
+    const auto row = std::ranges::find(rows, given, &OptionRow::name);
+    if (row == rows.end()) continue;  // the scene
+    if (row->places.empty()) {
+      if (!rowOf(o.command).draws)
+        throw UsageError{row->shown() + " does not work with " + std::string{rowOf(o.command).name} +
+                         (o.command == Command::Lesson ? ": the lesson decides how its steps are drawn"
+                                                       : ": it draws no scene")};
+      continue;
+    }
+    if (std::ranges::any_of(row->places, [&](std::string_view place) { return isAt(o, place); })) continue;
+    std::string all;
+    for (const std::string_view place : row->places)
+      all += (all.empty() ? "" : place == row->places.back() ? " and " : ", ") + std::string{place};
+    throw UsageError{row->shown() + " works only with " + all};
+  }
+}
+
 void checkEffects(const Options& o) {
-  if (o.cell && o.view != View::Colors) throw UsageError{"--cell works only with --view colours"};
   if (o.cell && o.wholeWindow) throw UsageError{"--cell and --whole-window exclude each other"};
   if (o.effects == PaletteEffects{}) return;
   constexpr std::array<std::string_view, 6> kEffects{"--store", "--turn",   "--gamma",
                                                      "--bend",  "--rotate", "--lit"};
   const std::string effect{*std::ranges::find_if(kEffects, [&](auto name) { return o.gave(name); })};
-  if (o.command != Command::Draw && o.command != Command::Snapshot)
-    throw UsageError{effect + " works only with draw and snapshot"};
   if (o.view != View::Picture && o.view != View::Colors)
     throw UsageError{effect + " works only with --view picture and colours"};
   exclude(true, o.wholeWindow, effect + " and --whole-window");
@@ -47,16 +81,12 @@ void needsWindow(const std::string& view, const Options& o) {
 }
 
 void checkView(const Options& o) {
-  if (o.scanline && o.view != View::MachBands)
-    throw UsageError{"--scanline works only with --view machbands"};
   if (o.viewName == "picture") return;
   const std::string view = "--view " + o.viewName;
   const bool window = o.command == Command::View || o.wholeWindow;
   if (o.scanline && window)
     throw UsageError{"--scanline works only with a view that is drawn without its window"};
   if (window) return needsWindow(view, o);
-  if (o.command != Command::Draw && o.command != Command::Snapshot)
-    throw UsageError{view + " works only with view, draw and snapshot"};
   if (o.view == View::Picture)
     throw UsageError{view + " is a view of the window: use view, or snapshot --whole-window"};
   const ViewRow& row = rowOf(o.view);
@@ -65,27 +95,24 @@ void checkView(const Options& o) {
     throw UsageError{
         view +
         " is not just the picture: --stats, --errors, --costs and --ids work only with --view picture"};
-  if (o.fill == Fill::XFillPolygon)
-    throw UsageError{view + " uses the scanline filler: leave out --fill x11"};
 }
 
 /// Refuses settings that have no effect, unless their row asks only for a note.
-void checkSettings(const Options& o) {
+void checkHaveEffect(const Options& o) {
   const PictureFacts facts = factsOf(o.picture);
   for (const Setting& setting : settingRows())
     if (setting.need.unmet != Need::Unmet::Noted && o.gave(setting.option) && !hasEffect(setting, facts))
       throw UsageError{std::string{setting.option} + " applies only to " +
                        std::string{setting.need.appliesTo}};
-  exclude(o.gave("--light"), o.gave("--light-at"), "--light and --light-at");
 }
 
 /// Checks what each command needs and takes.
-void checkCommand(const Options& o) {
+void checkCommand(const Options& o, const std::vector<OptionRow>& rows) {
   const bool sceneGiven = o.gave("scene");
   const bool makesPng = o.command == Command::Draw || o.command == Command::Snapshot;
-  const std::string name{kCommands[static_cast<int>(o.command)].name};
-  const bool traces = o.command == Command::Trace, trades = o.command == Command::Trade;
-  const bool charts = trades || o.command == Command::Extremes;
+  const std::string name{rowOf(o.command).name};
+  const bool traces = o.command == Command::Trace;
+  const bool charts = o.command == Command::Trade || o.command == Command::Extremes;
   if ((makesPng || traces || charts) && !sceneGiven)
     throw UsageError{name + " needs a scene, such as teapot"};
   if (makesPng && o.output.empty()) throw UsageError{name + " needs -o FILE.png"};
@@ -101,54 +128,25 @@ void checkCommand(const Options& o) {
                      ": not a command or a built-in scene; `xnewell --help` lists the commands, "
                      "`xnewell scenes` the scenes"};
   const bool lesson = o.command == Command::Lesson;
+  if (sceneGiven && !rowOf(o.command).draws && !lesson) throw UsageError{name + " takes no scene"};
+  checkPlaces(o, rows);
   if (lesson) {
-    constexpr std::array<std::string_view, 7> kTaken{"scene",    "--size",     "--scale",  "--frames",
-                                                     "--visual", "--colormap", "--nearest"};
-    for (const std::string& option : o.given)
-      if (std::ranges::find(kTaken, option) == kTaken.end())
-        throw UsageError{option + " does not work with lesson: the lesson decides how its steps are drawn"};
     if (!o.frames.empty() && !sceneGiven) throw UsageError{"--frames needs a lesson's name"};
+    for (const char* option : {"--visual", "--colormap", "--nearest"})
+      if (!o.frames.empty() && o.gave(option))
+        throw UsageError{std::string{option} + " needs a server, and lesson --frames uses none"};
     needsWindow("a lesson", o);
   }
-  if (sceneGiven && !makesPng && !traces && !charts && !lesson && o.command != Command::View)
-    throw UsageError{name + " takes no scene"};
-  if (!makesPng && !charts && !o.output.empty())
-    throw UsageError{"-o works only with draw, snapshot, trade and extremes"};
-  if (!charts && o.json) throw UsageError{"--json works only with trade and extremes"};
-  for (const std::string_view option : {"--axes", "--without"})
-    if (!trades && o.gave(option)) throw UsageError{std::string{option} + " works only with trade"};
-  if (!trades && !o.accuracy && o.gave("--budget"))
-    throw UsageError{"--budget works only with trade and --accuracy"};
-  if (o.accuracy && !makesPng && o.command != Command::View)
-    throw UsageError{"--accuracy works only in the window and with draw and snapshot"};
-  exclude(o.accuracy.has_value(), o.fill == Fill::XFillPolygon, "--accuracy and --fill x11");
-  exclude(o.accuracy.has_value(), o.wholeWindow, "--accuracy and --whole-window");
-  if (!makesPng && (o.stats || !o.ids.empty()))
-    throw UsageError{"--stats, --errors, --costs and --ids work only with draw and snapshot"};
   const bool file = !isBuiltIn(o.scene);
   for (const std::string* made : {&o.output, &o.ids})
     if (file && !made->empty() && sameFile(*made, o.scene))
       throw UsageError{"-o and --ids must not name the scene's own file: it would be lost"};
   if (!o.ids.empty() && sameFile(o.ids, o.output)) throw UsageError{"-o and --ids name the same file"};
-  const bool stepper = traces && !o.frames.empty();
-  if (o.wholeWindow && o.command != Command::Snapshot && !stepper)
-    throw UsageError{"--whole-window works only with snapshot and with trace --frames"};
+  exclude(o.accuracy.has_value(), o.wholeWindow, "--accuracy and --whole-window");
   exclude(o.quick, o.wholeWindow, "--quick and --whole-window");
-  if (stepper && o.wholeWindow) needsWindow("the stepper", o);
-  if (o.gave("--scale") && o.command != Command::View && !lesson && !o.wholeWindow)
-    throw UsageError{"--scale works only with view, lesson and --whole-window"};
-  if (!traces && o.quick) throw UsageError{"--quick works only with trace"};
-  if (!traces && !lesson && !o.frames.empty()) throw UsageError{"--frames works only with trace and lesson"};
-  if (traces && o.picture.order != Order::Newell)
-    throw UsageError{"trace follows the depth sort: it allows only --order newell"};
-  if (o.gave("--every") && o.frames.empty()) throw UsageError{"--every works only with --frames"};
+  if (traces && o.wholeWindow) needsWindow("the stepper", o);
   exclude(o.wholeWindow, !o.ids.empty(), "--whole-window and --ids");
-  const bool serverless = o.command == Command::Draw || traces || charts || o.command == Command::Scenes ||
-                          o.command == Command::Keys || (lesson && !o.frames.empty());
-  if (serverless && !o.visual.empty())
-    throw UsageError{"--visual works only with view, snapshot and visuals"};
-  if (serverless && (o.colormap != MapOwner::Private || o.nearest))
-    throw UsageError{"--colormap shared and --nearest work only with view and snapshot: they need a server"};
+  exclude(o.gave("--light"), o.gave("--light-at"), "--light and --light-at");
 }
 
 /// Checks that shading, order, filler and texture go together.
@@ -157,6 +155,11 @@ void checkMethods(const Options& o) {
   if (serverFills && (o.command == Command::Trace || o.command == Command::Draw ||
                       o.command == Command::Trade || o.command == Command::Extremes))
     throw UsageError{"--fill x11 needs a server: use snapshot"};
+  exclude(o.accuracy.has_value(), serverFills, "--accuracy and --fill x11");
+  if (serverFills && o.view != View::Picture && !o.wholeWindow && o.command != Command::View)
+    throw UsageError{"--view " + o.viewName + " uses the scanline filler: leave out --fill x11"};
+  if (o.command == Command::Trace && o.picture.order != Order::Newell)
+    throw UsageError{"trace follows the depth sort: it allows only --order newell"};
   if (serverFills && rowOf(o.picture.shading).interpolates)
     throw UsageError{"--fill x11 gives a polygon one cell: use --shade none, depth or flat"};
   if (!o.texture.empty() && (!rowOf(o.picture.shading).lit || o.picture.shading == Shading::Environment))
@@ -179,13 +182,16 @@ void checkCamera(const CameraSettings& c) {
 
 }  // namespace
 
-void checkTogether(const Options& o) {
-  checkSettings(o);
-  checkCommand(o);
-  checkMethods(o);
+void checkUsage(const Options& o, const std::vector<OptionRow>& rows) {
+  checkCommand(o, rows);
   checkCamera(o.picture.camera);
   checkView(o);
   checkEffects(o);
+}
+
+void checkSettings(const Options& o) {
+  checkHaveEffect(o);
+  checkMethods(o);
 }
 
 }  // namespace xnewell

@@ -1,11 +1,18 @@
 #pragma once
 
+#include <vector>
+
+#include "x11/options/option_rows.h"
 #include "x11/options/options.h"
 
 namespace xnewell {
 
-/// Checks what no option can check alone: which options need others, and which exclude each other.
+/// Check what no option can check alone: which options need others, and which exclude each other.
 /// @throws UsageError
-void checkTogether(const Options& options);
+
+/// What the command line says by itself. `rows` are those of all options.
+void checkUsage(const Options& options, const std::vector<OptionRow>& rows);
+/// What settle() made of it.
+void checkSettings(const Options& options);
 
 }  // namespace xnewell

@@ -21,7 +21,10 @@ ChoiceRow choiceRow(const Setting& setting) {
                 .section = setting.section,
                 .options = {},
                 .get = [&](const Setup& s) { return int(std::get<double>(setting.field.get(s.picture))); },
-                .set = [&](Setup& s, int i) { setting.field.set(s.picture, double(i)); }};
+                .set =
+                    [&](Setup& s, int i) {
+                      (void)applyOverrides(s.picture, {{&setting, double(i)}});
+                    }};
   for (const Choice& choice : setting.field.choices) row.options.push_back(choice.label);
   return row;
 }
@@ -67,8 +70,7 @@ double SliderRow::get(const Setup& setup) const {
 }
 
 void SliderRow::set(Setup& setup, double value) const {
-  setting->field.set(setup.picture, value);
-  (void)keepWithinOne(setup.picture.light, setting->key == "Ia", setting->key == "Ip");
+  (void)applyOverrides(setup.picture, {{setting, value}});
 }
 
 bool SliderRow::enabled(const Setup& setup) const { return hasEffect(*setting, factsOf(setup.picture)); }

@@ -207,6 +207,38 @@ TEST(Reference, IsTheEquationOfTheUsersLight) {
     }
 }
 
+// The user's attenuation takes the place of that of the scene's lights at places. The file with the same
+// words at each of these lights shows the same, bit by bit, with defaults and without; a directional light
+// stays.
+TEST(Reference, FadesTheScenesLightsAsTheUserSays) {
+  const auto withLights = [](const std::string& point, const std::string& spot) {
+    const std::string lights = R"("lights": [{"Ip": 0.2, "towards": [1, -1, 0.4]},
+      {"kind": "point", "color": [0.3, 0.1, 0.2], "at": [-3, -2, 4])" +
+                               point + R"(}, {"kind": "spot", "Ip": 0.3, "at": [2, -4, 5])" + spot + "}], ";
+    return parseSceneFile('{' + lights + std::string{kEverything}.substr(1), "faded", XNEWELL_DATA_DIR);
+  };
+  const Scene own = withLights(R"(, "attenuation": "inverse")", "");
+  for (const AttenuationRow& row : kAttenuations)
+    for (const bool given : {false, true}) {
+      SCOPED_TRACE(row.name);
+      std::string words = R"(, "attenuation": ")" + std::string{row.name} + '"';
+      PictureSettings s = settingsOf(own);
+      const PictureSettings asItIs = s;
+      s.light.attenuation = row.id;
+      if (given && row.id == Attenuation::Linear) words += R"(, "range": 9)", s.light.range = 9;
+      if (given && row.id == Attenuation::Textbook)
+        words += R"(, "c": [0.2, 0.1, 0.02])", s.light.c = {0.2, 0.1, 0.02};
+      toSceneUnits(s.light, own);
+      const Scene said = withLights(words, words);
+      const Picture faded = makePicture(own, s, 0), written = makePicture(said, asItIs, 0);
+      EXPECT_EQ(faded.image(), written.image());
+      EXPECT_NE(faded.image(), makePicture(own, asItIs, 0).image());
+      const Reference one{faded}, other{written};
+      for (std::size_t k = 0; k < one.faces().size(); ++k) ASSERT_EQ(one.I(k), other.I(k));
+      expectAgreement(own, s);
+    }
+}
+
 // Short cuts change nothing, one by one or all together.
 TEST(Reference, KnowsNoShortCut) {
   const Scene scene = everything();

@@ -136,6 +136,8 @@ TEST(SaveScene, PaintsTheSamePicture) {
         PictureSettings settings = randomSettings(rng);
         settings.camera = inSceneUnits(original.scene().camera, original.scene());
         settings.*choice = row.id;
+        if (original.scene().light.placed() && !settings.light.lightPosition)  // of the scene's own lights
+          settings.light.attenuation = kAttenuations[rng() % kAttenuations.size()].id;
         settings.table.shades = std::max(settings.table.shades, 14);  // two for each of seven hues
         if (drawn++ % (kSanitized ? 4 : 1) != 0) continue;
         expectSame(original, settings);

@@ -206,4 +206,32 @@ TEST(SettingRows, IntensitiesKeepWithinOne) {
   EXPECT_FALSE(keepWithinOne(light, true, true));
 }
 
+// A list of overrides sets what it names, the last value of each. What is given also decides what gives way:
+// Ia or Ip, and a light's position with its attenuation when only a direction is given.
+TEST(SettingRows, OverridesAreAppliedAsAList) {
+  PictureSettings s;
+  s.light.lightPosition = glm::dvec3{1, 2, 3}, s.light.attenuation = Attenuation::Inverse;
+  const Override up{&row("--light"), glm::dvec3{0, 0, 1}}, at{&row("--light-at"), glm::dvec3{4, 5, 6}};
+  const Override inverse{&row("--attenuation"), 1.0}, none{&row("--attenuation"), {}};
+  const auto with = [&](const std::vector<Override>& list) {
+    PictureSettings changed = s;
+    EXPECT_TRUE(applyOverrides(changed, list));
+    return changed.light;
+  };
+  EXPECT_EQ(applyOverrides(s, {}), true);
+  EXPECT_EQ(with({}), s.light);
+  EXPECT_EQ(with({up}).light, (glm::dvec3{0, 0, 1}));
+  EXPECT_FALSE(with({up}).lightPosition || with({up}).attenuation);
+  EXPECT_EQ(with({up, inverse}).attenuation, Attenuation::Inverse);
+  EXPECT_EQ(with({at, up}).lightPosition, (glm::dvec3{4, 5, 6}));
+  EXPECT_EQ(with({at, up}).attenuation, Attenuation::Inverse);
+  EXPECT_FALSE(with({inverse, none}).attenuation);
+  s.light.attenuation = Attenuation::Linear, s.light.range = 5;
+  EXPECT_EQ(with({at}).range, 5);
+  EXPECT_FALSE(with({inverse}).range);
+  EXPECT_EQ(with({{&row("--ia"), 1.0}}).Ip, 0.0);
+  EXPECT_EQ(with({{&row("--ip"), 1.0}}).Ia, 0.0);
+  EXPECT_FALSE(applyOverrides(s, {{&row("--ia"), 0.6}, {&row("--ip"), 0.6}}));
+}
+
 }  // namespace xnewell::THIS_FILE

@@ -64,9 +64,9 @@ TEST_F(LessonCommand, Refusals) {
   refused({"lesson", "cycles", "--frames", folder, "--size", "799x600"}, 2,
           "a lesson needs a --size of at least 800x600");
   refused({"lesson", "cycles", "--frames", folder, "--visual", "GrayScale8"}, 2,
-          "--visual works only with view, snapshot and visuals");
+          "--visual needs a server, and lesson --frames uses none");
   refused({"lesson", "cycles", "-o", file("new.png")}, 2,
-          "--output does not work with lesson: the lesson decides how its steps are drawn");
+          "-o works only with draw, snapshot, trade and extremes");
   refused({"lesson", "cycles", "--frames", file("old.png")}, 1, file("old.png") + ": Not a directory");
   const std::string bad = write("bad.json", R"({"title": "t", "steps": [{"heading": "h"}]})");
   refused({"lesson", bad, "--frames", folder}, 2, bad + ": steps[0]: caption is needed");

@@ -222,7 +222,7 @@ TEST_F(TraceCommand, FramesOfTheStepper) {
   refused({"trace", "cycle", "--frames", none, "--whole-window", "--size", "799x600"}, 2,
           "the stepper needs a --size of at least 800x600");
   refused({"trace", "cycle", "--whole-window"}, 2,
-          "--whole-window works only with snapshot and with trace --frames");
+          "--whole-window works only with snapshot and trace --frames");
   refused({"trace", "room", "--frames", none, "--whole-window"}, 2,
           "room: the run has no cut, so there is no frame to write; --every paint has 325");
 }
@@ -236,7 +236,7 @@ TEST_F(TraceCommand, Refusals) {
           "--every step: " +
               std::to_string(linesOf({"teapot", "--quick", "--divisions", "6"})[0]["steps"].get<int>()) +
               " frames are too many; the most is 9,998");
-  refused({"trace", "cycle", "--every", "cut"}, 2, "--every works only with --frames");
+  refused({"trace", "cycle", "--every", "cut"}, 2, "--every works only with trace --frames");
   refused({"trace", "cycle", "--frames", folder, "--every", "day"}, 2,
           "--every: 'day' is not one of step, paint, move, cycle, cut");
   refused({"trace", "cycle", "--frames", ""}, 2, "--frames: the folder's name is empty");

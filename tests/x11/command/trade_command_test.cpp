@@ -75,8 +75,7 @@ TEST_F(CommandTest, ATradeRefusesWhatItDoesNotTake) {
   refused({"trade"}, 2, "trade needs a scene, such as teapot");
   refused({"trade", "cycle", "--budget", "0"}, 2, "--budget: '0' is not a number from 1 to 3600");
   refused({"draw", "cycle", "-o", file("new.png"), "--axes", "order"}, 2, "--axes works only with trade");
-  refused({"trade", "cycle", "--stats"}, 2,
-          "--stats, --errors, --costs and --ids work only with draw and snapshot");
+  refused({"trade", "cycle", "--stats"}, 2, "--stats works only with draw and snapshot");
   refused({"trade", "cycle", "-o", file("new.svg")}, 2,
           "-o " + file("new.svg") + ": pictures are PNG files; call it .png");
 }
@@ -195,7 +194,7 @@ TEST_F(CommandTest, AccuracyRefusesWhatItDoesNotTake) {
   for (const char* wrong : {"0.1,", "0.1,-1", "0.1,2.5", "0.1,2,3"})
     EXPECT_EQ(runProgram({"draw", "cycle", "-o", file("new.png"), "--accuracy", wrong}).status, 2) << wrong;
   refused({"trade", "cycle", "--accuracy", "0.1"}, 2,
-          "--accuracy works only in the window and with draw and snapshot");
+          "--accuracy works only with view, draw and snapshot");
   refused({"draw", "cycle", "-o", file("new.png"), "--budget", "5"}, 2,
           "--budget works only with trade and --accuracy");
 }

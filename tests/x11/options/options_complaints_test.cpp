@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "tests/x11/support/parsed_options.h"
+#include "x11/options/option_rows.h"
 
 namespace xnewell::THIS_FILE {
 
@@ -73,12 +74,45 @@ TEST(Options, RefuseSettingsWithoutEffect) {
   EXPECT_EQ(complaint({"--adapt", "0"}), "");
 }
 
-// Options about a server's colormap are refused by commands that use no server.
-TEST(Options, ColormapsAreForServers) {
-  for (const std::vector<std::string>& server :
-       std::vector<std::vector<std::string>>{{"--colormap", "shared"}, {"--nearest"}})
-    EXPECT_EQ(complaint(server),
-              "--colormap shared and --nearest work only with view and snapshot: they need a server");
+// Each option either works with all commands that draw a scene, or says where it works: it names commands
+// that there are, or options that there are. There it is accepted, and with every other command it is refused
+// in one line that names these places.
+TEST(Options, WorkWhereTheirRowSays) {
+  std::vector<std::string> names;
+  for (const OptionRow& row : optionRows()) names.push_back(row.name);
+  int refusals = 0;
+  for (const OptionRow& row : optionRows()) {
+    if (row.name == "--help" || row.name == "--version") continue;
+    const auto among = [&](std::string_view word) {
+      return std::ranges::any_of(row.places, [&](std::string_view place) {
+        return place == word || place.starts_with(std::string{word} + ' ');
+      });
+    };
+    for (const std::string_view place : row.places) {
+      const std::string first{place.substr(0, place.find(' '))};
+      EXPECT_TRUE(std::ranges::find(names, first) != names.end() ||
+                  std::ranges::find(kCommands, first, &CommandRow::name) != kCommands.end())
+          << row.name << ": " << place;
+    }
+    const auto alone = std::ranges::count_if(row.places, [](auto place) { return place.starts_with('-'); });
+    for (const CommandRow& command : kCommands) {
+      std::vector<std::string> words{std::string{command.name}};
+      if (command.draws || command.id == Command::Lesson) words.emplace_back("teapot");
+      if (row.name != "--output" && (command.id == Command::Draw || command.id == Command::Snapshot))
+        words.insert(words.end(), {"-o", "no.png"});
+      words.push_back(row.name);
+      if (row.takes != Takes::Nothing) words.push_back(row.words.empty() ? "1" : row.words.front());
+      const std::string said = complaintAll(words);
+      const std::string only =
+          row.shown() + (row.places.empty() ? " does not work with " : " works only with ");
+      if (row.places.empty() ? command.draws : among(command.name) || alone > 0) continue;
+      if (said.starts_with(row.name + ": ")) continue;  // its value is refused first
+      EXPECT_TRUE(said.starts_with(only)) << said;
+      for (const std::string_view place : row.places) EXPECT_NE(said.find(place), std::string::npos) << said;
+      ++refusals;
+    }
+  }
+  EXPECT_GT(refusals, 150);
 }
 
 // Every option that needs a value says so if there is none, and no option may be given twice.
@@ -164,11 +198,10 @@ TEST(Options, RefuseWhatTheCommandIgnores) {
   EXPECT_EQ(complaintAll({"scenes", "teapot"}), "scenes takes no scene");
   EXPECT_EQ(complaintAll({"visuals", "teapot"}), "visuals takes no scene");
   EXPECT_EQ(complaintAll({"view", "-o", "a.png"}), "-o works only with draw, snapshot, trade and extremes");
-  EXPECT_EQ(complaintAll({"view", "--stats"}),
-            "--stats, --errors, --costs and --ids work only with draw and snapshot");
-  EXPECT_EQ(complaintAll({"--ids", "i.png"}),
-            "--stats, --errors, --costs and --ids work only with draw and snapshot");
-  EXPECT_EQ(complaint({"--whole-window"}), "--whole-window works only with snapshot and with trace --frames");
+  EXPECT_EQ(complaintAll({"view", "--stats"}), "--stats works only with draw and snapshot");
+  EXPECT_EQ(complaintAll({"--ids", "i.png"}), "--ids works only with draw and snapshot");
+  EXPECT_EQ(complaint({"--whole-window"}), "--whole-window works only with snapshot and trace --frames");
+  EXPECT_EQ(complaintAll({"scenes", "--ka", "1"}), "--ka does not work with scenes: it draws no scene");
   EXPECT_EQ(complaintAll({"draw", "teapot", "-o", "a", "--scale", "2"}),
             "--scale works only with view, lesson and --whole-window");
   EXPECT_EQ(complaintAll({"lesson", "cycles", "--scale", "2", "--size", "1599x1200"}),
@@ -184,7 +217,10 @@ TEST(Options, RefuseWhatTheCommandIgnores) {
                              " decides each sample by itself: there is no polygon for --fill x11 to fill"
                        : "");
   }
-  EXPECT_EQ(complaint({"--visual", "TrueColor24"}), "--visual works only with view, snapshot and visuals");
+  EXPECT_EQ(complaint({"--visual", "TrueColor24"}),
+            "--visual works only with view, snapshot, lesson and visuals");
+  EXPECT_EQ(complaintAll({"lesson", "cycles", "--frames", "f", "--nearest"}),
+            "--nearest needs a server, and lesson --frames uses none");
   for (const std::string method : {"none", "depth", "phong", "envmap"})
     EXPECT_EQ(complaint({"--adapt", "0.02", "--shade", method}),
               "--adapt applies only to flat and gouraud shading");
@@ -213,7 +249,7 @@ TEST(Options, RefuseWhatAViewCannotHeed) {
     EXPECT_EQ(complaintAll({"--view", name, "--size", "799x600"}),
               view + " needs a --size of at least 800x600");
     EXPECT_EQ(complaintAll({"trace", "teapot", "--view", name}),
-              view + " works only with view, draw and snapshot");
+              "--view works only with view, draw and snapshot");
     const std::string more =
         view + " is not just the picture: --stats, --errors, --costs and --ids work only with --view picture";
     EXPECT_EQ(complaint({"--view", name, "--ids", "i.png"}), more);

@@ -103,9 +103,9 @@ TEST(Options, SetOverWhatASceneAsksFor) {
   scene.light.ks = 0.75;
   scene.table.shades = 64;
   scene.dither = true;
-  const auto over = [&](std::vector<const char*> words) {
-    words.insert(words.begin(), {"xnewell", "draw", "teapot", "-o", "no.png"});
-    return parseOptions(static_cast<int>(words.size()), words.data(), scene)->picture;
+  const auto over = [&](std::vector<std::string> words) {
+    words.insert(words.begin(), {"draw", "teapot", "-o", "no.png"});
+    return parsed(words, scene).picture;
   };
   EXPECT_EQ(over({}), scene);
   scene.light.kd = 0.5;
@@ -113,6 +113,15 @@ TEST(Options, SetOverWhatASceneAsksFor) {
   PictureSettings flat = scene;
   flat.shading = Shading::Flat;
   EXPECT_EQ(over({"--shade", "flat"}), flat);  // also if that is the program's default
+}
+
+// What an option needs may be said by the scene: a range goes with its linear attenuation.
+TEST(Options, GoWithWhatASceneAsksFor) {
+  PictureSettings scene;
+  scene.light.lightPosition = glm::dvec3{1, 2, 3}, scene.light.attenuation = Attenuation::Linear;
+  const std::vector<std::string> words{"draw", "teapot", "-o", "no.png", "--range", "3"};
+  EXPECT_EQ(parsed(words, scene).picture.light.range, 3);
+  EXPECT_THROW((void)parsed(words), UsageError);
 }
 
 // Settings of light and surfaces replace the scene's own; each says which.
@@ -146,7 +155,7 @@ TEST(Options, SetWhatIsNotInThePicture) {
   EXPECT_TRUE(parsed({"snapshot", "teapot", "-o", "a", "--whole-window"}).wholeWindow);
   EXPECT_EQ(drawn({"--view", "machbands", "--scanline", "8191"}).scanline, 8191);
   EXPECT_FALSE(drawn({"--view", "machbands"}).scanline.has_value());
-  EXPECT_EQ(drawn({"--colormap", "private", "--view", "picture"}).picture, PictureSettings{});
+  EXPECT_EQ(drawn({"--view", "picture"}).picture, PictureSettings{});
   EXPECT_EQ(parsed({"snapshot", "teapot", "-o", "a", "--colormap", "shared"}).colormap, MapOwner::Shared);
   EXPECT_EQ(parsed({"visuals", "--colormap", "shared"}).colormap, MapOwner::Shared);
   EXPECT_TRUE(parsed({"view", "--nearest"}).nearest);

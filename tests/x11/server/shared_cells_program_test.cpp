@@ -187,7 +187,8 @@ TEST(SharedCellsProgram, ServeWhereNoMapCanBeMade) {
     const std::vector<std::string> line = words("xnewell snapshot cycle --size 160x120 -o " + file + more);
     std::vector<const char*> arguments;
     for (const std::string& word : line) arguments.push_back(word.c_str());
-    const Options options = parseOptions(static_cast<int>(line.size()), arguments.data()).value();
+    Options options = parseOptions(static_cast<int>(line.size()), arguments.data()).value();
+    settle(options, {});
     testing::internal::CaptureStderr();
     try {
       takeSnapshot(options, readScene(options.scene, 3),

@@ -10,11 +10,13 @@ namespace xnewell {
 
 /// Command lines as options, or as complaints.
 
-inline Options parsed(const std::vector<std::string>& arguments) {
+/// Over what a scene asks for.
+inline Options parsed(const std::vector<std::string>& arguments, const PictureSettings& scene = {}) {
   std::vector<const char*> argv{"xnewell"};
   for (const std::string& a : arguments) argv.push_back(a.c_str());
-  const auto options = parseOptions(static_cast<int>(argv.size()), argv.data());
+  auto options = parseOptions(static_cast<int>(argv.size()), argv.data());
   if (!options) throw std::logic_error{"only --help returns nothing"};
+  settle(*options, scene);
   return *options;
 }
 

@@ -117,10 +117,6 @@ TEST_F(MootOptions, AttenuationFadesTheScenesLights) {
   EXPECT_NE(drawn("spotlight", inverse), drawn("spotlight", {}));
   refused(Strings{"draw", "teapot", "-o", file("new.png")} + inverse, 2,
           "--attenuation needs a light at a place: give --light-at x,y,z or a scene with such a light");
-  refused(Strings{"view", "lamp"} + inverse,
-          2,  // a set-up of the window names the scene, but not what became of its lights
-          "--attenuation changes the scene's own lights only with draw, snapshot and trace; for a window, "
-          "give --light-at x,y,z as well");
   refused(Strings{"draw", "lamp", "-o", file("new.png"), "--light", "0,0,1"} + inverse, 2,
           "--attenuation needs a light at a place: give --light-at x,y,z or a scene with such a light");
 }
