@@ -29,7 +29,8 @@ Weights weightsOnScreen(const std::array<glm::ivec3, 3>& p, int i, int j) {
   };
   const Point a = fromSample(p[0]), b = fromSample(p[1]), c = fromSample(p[2]), sample{0.0, 0.0};
   const double whole = area(a, b, c);
-  const double longest = std::max({std::abs(b.x - a.x), std::abs(b.y - a.y), std::abs(c.x - a.x), std::abs(c.y - a.y)});
+  const double longest =
+      std::max({std::abs(b.x - a.x), std::abs(b.y - a.y), std::abs(c.x - a.x), std::abs(c.y - a.y)});
   if (std::abs(whole) <= kNarrow * longest) return {1.0 / 3.0, 1.0 / 3.0, 1.0 / 3.0};
   return {area(sample, b, c) / whole, area(a, sample, c) / whole, area(a, b, sample) / whole};
 }

@@ -15,7 +15,8 @@ using Weights = std::array<double, 3>;
 
 /// The weights of the vertices at the sample of pixel (i, j), on the screen: each is the area of the triangle
 /// between the sample and the opposite side, over the whole area. Vertices are on the grid of 1/65536 pixel.
-/// A triangle narrower than 2^-12 pixel has the mean everywhere, because the grid decides how its values grow.
+/// A triangle narrower than 2^-12 pixel has the mean everywhere, because the grid decides how its values
+/// grow.
 [[nodiscard]] Weights weightsOnScreen(const std::array<glm::ivec3, 3>& p, int i, int j);
 
 /// The weights at the place of the surface that is seen there. In perspective the far end of a side takes

@@ -18,9 +18,9 @@ namespace xnewell {
 
 /// An edge that spans at least one row of samples. Horizontal edges span none.
 struct ScanEdge {
-  int from = 0, to = 0;              ///< its vertices, indices into the outline, as the outline runs
-  glm::ivec2 top{0}, bottom{0};      ///< its ends on the grid, top.y < bottom.y
-  int firstRow = 0, endRow = 0;      ///< it spans the rows [firstRow, endRow)
+  int from = 0, to = 0;          ///< its vertices, indices into the outline, as the outline runs
+  glm::ivec2 top{0}, bottom{0};  ///< its ends on the grid, top.y < bottom.y
+  int firstRow = 0, endRow = 0;  ///< it spans the rows [firstRow, endRow)
   /// How far x moves to the right from one row to the next, in pixels.
   [[nodiscard]] double step() const;
   /// Where the edge crosses the samples of a row, in pixels; off by at most 2^-37 in the picture.

@@ -60,7 +60,7 @@ ExplainedLight EquationAt::explained(const Light& light, const ExplainedEquation
   ExplainedLight e;
   const bool directional = light.kind == LightKind::Directional;
   // A light with the same L everywhere has that of the scene's centre. The cone of a spot stays where it is.
-  const glm::dvec3 towards = directional     ? light.direction
+  const glm::dvec3 towards = directional       ? light.direction
                              : user_.constantL ? light.position - centre_
                                                : light.position - at.P;
   e.L = unit(towards);
@@ -74,8 +74,7 @@ ExplainedLight EquationAt::explained(const Light& light, const ExplainedEquation
   if (e.NdotL > 0.0) e.power = power(std::clamp(e.cosine, 0.0, 1.0), at.surface[0].n);
   for (int c = 0; c < lighting_.channels; ++c) {
     e.Ip[c] = lighting_.channels == 3 ? light.Ip[c] : luminance(light.Ip);
-    const IlluminationTerms terms =
-        termsOf(0.0, e.Ip[c], e.fatt, e.spot, at.surface[c], e.NdotL, e.cosine);
+    const IlluminationTerms terms = termsOf(0.0, e.Ip[c], e.fatt, e.spot, at.surface[c], e.NdotL, e.cosine);
     e.diffuse[c] = terms.diffuse * texel[c];
     e.specular[c] = terms.specular;
   }

@@ -91,12 +91,13 @@ class Explainer {
     ExplainedTexel texel;
     glm::dvec2 uv{0.0};
     for (int k = 0; k < 3; ++k)
-      uv += inWorld_[k] * atSource(s_.snapped, s_.snapped.source[triangle_.vertex[k]], [&](int corner) {
-              return s_.mesh.uv[s_.mesh.uvOfCorner[corner]];
-            });
+      uv += inWorld_[k] * atSource(s_.snapped, s_.snapped.source[triangle_.vertex[k]],
+                                   [&](int corner) { return s_.mesh.uv[s_.mesh.uvOfCorner[corner]]; });
     const Texture& texture = s_.scene.textures[s_.mesh.materials[material_].texture];
     // v runs up the columns, and rows run down. The texture repeats.
-    const auto place = [](double share, int size) { return std::min(static_cast<int>(share * size), size - 1); };
+    const auto place = [](double share, int size) {
+      return std::min(static_cast<int>(share * size), size - 1);
+    };
     texel.u = uv.x, texel.v = uv.y;
     texel.column = place(uv.x - std::floor(uv.x), texture.width);
     texel.row = place(1.0 - (uv.y - std::floor(uv.y)), texture.height);
@@ -129,11 +130,13 @@ class Explainer {
         e_.equations.push_back(at(sources_[k]));
       }
       for (int c = 0; c < e_.channels; ++c)
-        vertex.I[c] = atSource(s_.snapped, sources_[k], [&](int corner) { return std::min(1.0, at(corner).I[c]); });
+        vertex.I[c] =
+            atSource(s_.snapped, sources_[k], [&](int corner) { return std::min(1.0, at(corner).I[c]); });
     }
     ByChannel I{};
     if (e_.luminance && !e_.texel) {  // the luminance is interpolated, not the three
-      for (const ExplainedVertex& v : e_.vertices) luminances_.push_back(xnewell::luminance({v.I[0], v.I[1], v.I[2]}));
+      for (const ExplainedVertex& v : e_.vertices)
+        luminances_.push_back(xnewell::luminance({v.I[0], v.I[1], v.I[2]}));
     }
     for (int c = 0; c < e_.channels; ++c) {
       if (e_.texel)
@@ -164,8 +167,8 @@ class Explainer {
       return sum;
     };
     const double here = valueHere([&](std::size_t k) { return ofVertex(k, diffuse); });
-    const double rest =
-        valueHere([&](std::size_t k) { return ofVertex(k, [&](const auto& e) { return e.I[c] - diffuse(e); }); });
+    const double rest = valueHere(
+        [&](std::size_t k) { return ofVertex(k, [&](const auto& e) { return e.I[c] - diffuse(e); }); });
     return rest + here * e_.texel->share[c];
   }
 
@@ -187,7 +190,8 @@ class Explainer {
 
   /// Full intensity, depth, and what an environment's map holds.
   void takeFromPicture() {
-    SeenRows here{s_.settings.width, e_.j, std::vector<int>(static_cast<std::size_t>(s_.settings.width), kNothing)};
+    SeenRows here{s_.settings.width, e_.j,
+                  std::vector<int>(static_cast<std::size_t>(s_.settings.width), kNothing)};
     here.faces[static_cast<std::size_t>(e_.i)] = e_.face;
     for (int c = 0; c < e_.channels; ++c)
       e_.I[c] = picture_.intensities(here, c)[static_cast<std::size_t>(e_.i)];
@@ -216,8 +220,8 @@ class Explainer {
   Explanation e_;
   FaceTriangle triangle_{};
   Weights onScreen_{}, inWorld_{};
-  std::vector<int> sources_;         ///< of the vertices
-  std::vector<double> luminances_;   ///< of the vertices
+  std::vector<int> sources_;        ///< of the vertices
+  std::vector<double> luminances_;  ///< of the vertices
 };
 
 }  // namespace

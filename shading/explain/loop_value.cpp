@@ -85,11 +85,13 @@ class Loop {
       plane = RowValues{&s_.snapped.vertices[face_.first], face_.count, std::move(v)}.along(j_);
     } else {
       const FaceTriangle t = triangleAt(s_.snapped, face_, i_, j_);
-      plane = AffineOver{t.p.data()}(std::array{steps(t.vertex[0]), steps(t.vertex[1]), steps(t.vertex[2])}.data());
+      plane = AffineOver{t.p.data()}(
+          std::array{steps(t.vertex[0]), steps(t.vertex[1]), steps(t.vertex[2])}.data());
     }
     const std::uint32_t at = plane.at(i_, j_);
     const bool table = ramp_.table != nullptr && !cells;
-    return {intensityAt(at * 0x1p-24, table), table ? ramp_.table[at >> 16] : static_cast<std::uint8_t>(at >> 24)};
+    return {intensityAt(at * 0x1p-24, table),
+            table ? ramp_.table[at >> 16] : static_cast<std::uint8_t>(at >> 24)};
   }
   /// The intensity that has this value on the ramp.
   [[nodiscard]] double intensityAt(double value, bool table) const {
@@ -103,10 +105,10 @@ class Loop {
     const FaceTriangle t = triangleAt(s_.snapped, face_, i_, j_);
     std::array<std::array<std::uint32_t, 3>, 3> steps{};
     for (int k = 0; k < 3; ++k) {
-      const glm::dvec3 N = s_.side(face_) * kMapScale *
-                           atSource(s_.snapped, s_.snapped.source[t.vertex[k]], [&](int corner) {
-                             return s_.shading.mapped(channel_)[s_.shading.vertices().ofCorner[corner]];
-                           });
+      const glm::dvec3 N =
+          s_.side(face_) * kMapScale * atSource(s_.snapped, s_.snapped.source[t.vertex[k]], [&](int corner) {
+            return s_.shading.mapped(channel_)[s_.shading.vertices().ofCorner[corner]];
+          });
       for (int axis = 0; axis < 3; ++axis) steps[axis][k] = valueSteps(kMapCentre + N[axis]);
     }
     const AffineOver over{t.p.data()};
@@ -115,7 +117,8 @@ class Loop {
     LoopValue value;
     value.place = glm::ivec2{at(0) >> 24, at(1) >> 24};
     value.away = map.twoMaps && at(2) >> 31 == 0;
-    const float I = (value.away ? map.away : map.front)[256 * static_cast<std::size_t>(value.place->y) + value.place->x];
+    const float I =
+        (value.away ? map.away : map.front)[256 * static_cast<std::size_t>(value.place->y) + value.place->x];
     value.I = std::min(1.0F, I);
     value.cell = ramp_.cell(value.I);
     return value;
@@ -143,7 +146,8 @@ FaceTriangle triangleAt(const SnappedScene& scene, const SnappedFace& face, int 
   return at;
 }
 
-double alongRow(const SnappedScene& scene, const SnappedFace& face, const std::vector<double>& v, int i, int j) {
+double alongRow(const SnappedScene& scene, const SnappedFace& face, const std::vector<double>& v, int i,
+                int j) {
   return RowValues{&scene.vertices[face.first], face.count, v}.at(i, j);
 }
 

@@ -13,8 +13,8 @@ namespace xnewell {
 /// What the picture's own loops have at one sample. explain.h puts it beside the definitions.
 
 struct LoopValue {
-  double I = 0;            ///< clamped to [0, 1], as precise as the loop
-  std::uint8_t cell = 0;   ///< or the value of a channel, where the cells hold colours
+  double I = 0;                          ///< clamped to [0, 1], as precise as the loop
+  std::uint8_t cell = 0;                 ///< or the value of a channel, where the cells hold colours
   std::optional<glm::ivec2> place = {};  ///< environment: column and row of the map
   bool away = false;
 };
@@ -26,7 +26,7 @@ struct LoopValue {
 [[nodiscard]] FaceTriangle triangleAt(const SnappedScene& scene, const SnappedFace& face, int i, int j);
 
 /// A value along the edges and the row (Polygons::Rows); `v` has one for each vertex of the face.
-[[nodiscard]] double alongRow(const SnappedScene& scene, const SnappedFace& face, const std::vector<double>& v,
-                              int i, int j);
+[[nodiscard]] double alongRow(const SnappedScene& scene, const SnappedFace& face,
+                              const std::vector<double>& v, int i, int j);
 
 }  // namespace xnewell

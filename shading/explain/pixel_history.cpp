@@ -13,14 +13,17 @@ namespace {
 /// What owns the sample of pixel (i, j).
 class OwnersHere {
  public:
-  OwnersHere(const Picture& picture, int i, int j) : picture_{picture}, scene_{picture.snapped()}, i_{i}, j_{j} {}
+  OwnersHere(const Picture& picture, int i, int j)
+      : picture_{picture}, scene_{picture.snapped()}, i_{i}, j_{j} {}
 
   /// The columns of row j that a face owns.
   [[nodiscard]] Columns columnsOf(int face) const {
     const SnappedFace& f = scene_.faces[face];
     Columns columns{0, 0};
     forEachSpan(&scene_.vertices[f.first], f.count, j_, picture_.settings().width, j_ + 1,
-                [&](int, int from, int to) { columns = {from, to}; });
+                [&](int, int from, int to) {
+                  columns = {from, to};
+                });
     return columns;
   }
   [[nodiscard]] bool owns(const Columns& columns) const { return columns.from <= i_ && i_ < columns.to; }
@@ -33,8 +36,8 @@ class OwnersHere {
   }
   [[nodiscard]] double z(int face) const {
     const SnappedFace& f = scene_.faces[face];
-    const ScreenPlane plane = scene_.planes.empty() ? planeThrough(&scene_.vertices[f.first], f.count)
-                                                    : scene_.planes[f.plane];
+    const ScreenPlane plane =
+        scene_.planes.empty() ? planeThrough(&scene_.vertices[f.first], f.count) : scene_.planes[f.plane];
     const std::int64_t x = std::int64_t{i_} * kGrid + kGrid / 2, y = std::int64_t{j_} * kGrid + kGrid / 2;
     return std::ldexp(depthAt(plane, x, y), scene_.zShift - kGridBits);
   }
@@ -73,8 +76,9 @@ PixelHistory historyOf(const Picture& picture, int i, int j) {
     history.notPainted = static_cast<int>(all.size() - painted.size());
   }
   for (const int f : all)
-    if (history.nearest < 0 || !(nearer(complete.snapped().planes[complete.snapped().faces[history.nearest].plane],
-                                        complete.snapped().planes[complete.snapped().faces[f].plane], i, j) > 0))
+    if (history.nearest < 0 ||
+        !(nearer(complete.snapped().planes[complete.snapped().faces[history.nearest].plane],
+                 complete.snapped().planes[complete.snapped().faces[f].plane], i, j) > 0))
       history.nearest = f;
   if (history.nearest >= 0) history.check = checkOf(complete.snapped(), seen, history.nearest, i, j);
   return history;

@@ -36,7 +36,8 @@ std::string keyLists() {
   }
   // A step that asks a question, with the controls of all steps.
   Lesson lesson = readLesson(builtInLessons().front().file);
-  const auto asks = std::ranges::find_if(lesson.steps, [](const LessonStep& step) { return step.question; });
+  const auto asks =
+      std::ranges::find_if(lesson.steps, [](const LessonStep& step) { return step.question.has_value(); });
   const auto number = static_cast<int>(asks - lesson.steps.begin());
   asks->controls.clear();
   for (const LessonControlRow& row : kLessonControls) asks->controls.push_back(row.id);

@@ -85,9 +85,16 @@ void checkCommand(const Options& o) {
   const bool makesPng = o.command == Command::Draw || o.command == Command::Snapshot;
   const std::string name{kCommands[static_cast<int>(o.command)].name};
   const bool traces = o.command == Command::Trace, trades = o.command == Command::Trade;
-  const bool charts = trades || o.command == Command::Extremes;
-  if ((makesPng || traces || charts) && !sceneGiven)
+  const bool charts = trades || o.command == Command::Extremes, explains = o.command == Command::Explain;
+  if ((makesPng || traces || charts || explains) && !sceneGiven)
     throw UsageError{name + " needs a scene, such as teapot"};
+  if (explains && !o.pixel)
+    throw UsageError{"explain needs a pixel X,Y of the picture, such as 400,300: xnewell explain " + o.scene +
+                     " 400,300"};
+  if (const glm::ivec2 size = o.size.value_or(kPictureSize);
+      o.pixel && (o.pixel->x >= size.x || o.pixel->y >= size.y))
+    throw UsageError{"pixel " + std::to_string(o.pixel->x) + "," + std::to_string(o.pixel->y) +
+                     " lies outside the picture of " + std::to_string(size.x) + "x" + std::to_string(size.y)};
   if (makesPng && o.output.empty()) throw UsageError{name + " needs -o FILE.png"};
   constexpr std::array<std::string_view, 8> kOtherPictures{".jpg", ".jpeg", ".gif", ".bmp",
                                                            ".ppm", ".tif",  ".svg", ".pdf"};
@@ -110,11 +117,11 @@ void checkCommand(const Options& o) {
     if (!o.frames.empty() && !sceneGiven) throw UsageError{"--frames needs a lesson's name"};
     needsWindow("a lesson", o);
   }
-  if (sceneGiven && !makesPng && !traces && !charts && !lesson && o.command != Command::View)
+  if (sceneGiven && !makesPng && !traces && !charts && !lesson && !explains && o.command != Command::View)
     throw UsageError{name + " takes no scene"};
   if (!makesPng && !charts && !o.output.empty())
     throw UsageError{"-o works only with draw, snapshot, trade and extremes"};
-  if (!charts && o.json) throw UsageError{"--json works only with trade and extremes"};
+  if (!charts && !explains && o.json) throw UsageError{"--json works only with explain, trade and extremes"};
   for (const std::string_view option : {"--axes", "--without"})
     if (!trades && o.gave(option)) throw UsageError{std::string{option} + " works only with trade"};
   if (!trades && !o.accuracy && o.gave("--budget"))
@@ -143,8 +150,9 @@ void checkCommand(const Options& o) {
     throw UsageError{"trace follows the depth sort: it allows only --order newell"};
   if (o.gave("--every") && o.frames.empty()) throw UsageError{"--every works only with --frames"};
   exclude(o.wholeWindow, !o.ids.empty(), "--whole-window and --ids");
-  const bool serverless = o.command == Command::Draw || traces || charts || o.command == Command::Scenes ||
-                          o.command == Command::Keys || (lesson && !o.frames.empty());
+  const bool serverless = o.command == Command::Draw || explains || traces || charts ||
+                          o.command == Command::Scenes || o.command == Command::Keys ||
+                          (lesson && !o.frames.empty());
   if (serverless && !o.visual.empty())
     throw UsageError{"--visual works only with view, snapshot and visuals"};
   if (serverless && (o.colormap != MapOwner::Private || o.nearest))
@@ -154,8 +162,9 @@ void checkCommand(const Options& o) {
 /// Checks that shading, order, filler and texture go together.
 void checkMethods(const Options& o) {
   const bool serverFills = o.fill == Fill::XFillPolygon;
-  if (serverFills && (o.command == Command::Trace || o.command == Command::Draw ||
-                      o.command == Command::Trade || o.command == Command::Extremes))
+  if (serverFills &&
+      (o.command == Command::Trace || o.command == Command::Draw || o.command == Command::Explain ||
+       o.command == Command::Trade || o.command == Command::Extremes))
     throw UsageError{"--fill x11 needs a server: use snapshot"};
   if (serverFills && rowOf(o.picture.shading).interpolates)
     throw UsageError{"--fill x11 gives a polygon one cell: use --shade none, depth or flat"};

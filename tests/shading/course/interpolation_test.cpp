@@ -26,8 +26,8 @@ TEST(Interpolation, IsTheFillersPlane) {
     }
 }
 
-// By hand: half way along a side on the screen, from depth 1 to depth 3, the near end counts three quarters of
-// the world's way: (1/1) : (1/3) = 3 : 1.
+// By hand: half way along a side on the screen, from depth 1 to depth 3, the near end counts three quarters
+// of the world's way: (1/1) : (1/3) = 3 : 1.
 TEST(Interpolation, OfAPlaceInPerspectiveByHand) {
   const Weights world = weightsInWorld({0.5, 0.5, 0.0}, {1.0 / 1.0, 1.0 / 3.0, 1.0 / 2.0});
   EXPECT_NEAR(world[0], 0.75, 1e-15);

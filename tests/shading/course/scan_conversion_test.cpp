@@ -47,8 +47,9 @@ std::vector<std::array<int, 3>> byCourse(const Outline& p, int width, int height
 
 std::vector<std::array<int, 3>> byFiller(const Outline& p, int width, int height) {
   std::vector<std::array<int, 3>> rows;
-  forEachSpan(p.data(), static_cast<int>(p.size()), width, height,
-              [&](int row, int from, int to) { rows.push_back({row, from, to}); });
+  forEachSpan(p.data(), static_cast<int>(p.size()), width, height, [&](int row, int from, int to) {
+    rows.push_back({row, from, to});
+  });
   return rows;
 }
 

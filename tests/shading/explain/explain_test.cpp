@@ -67,7 +67,8 @@ PictureSettings settingsOf(const Scene& scene, Shading shading) {
 
 class ExplainedScene : public testing::TestWithParam<const char*> {};
 
-// All methods on scenes with patches, hues, coloured lights, spots, textures and polygons that cut each other.
+// All methods on scenes with patches, hues, coloured lights, spots, textures and polygons that cut each
+// other.
 TEST_P(ExplainedScene, EndsInThePicturesCells) {
   PictureCache pictures{readScene(GetParam(), 4)};
   Seen seen;
@@ -114,7 +115,8 @@ TEST(PixelHistory, EndsWithWhatShows) {
       const SeenRows rows = picture.seen(0, settings.height);
       const std::vector<SampleCheck> checks = checkedSamples(picture);
       const std::vector<int> times = picture.timesPainted();
-      const std::vector<int> nearest = visibleFaces(picture.withPlanes().snapped(), settings.width, settings.height);
+      const std::vector<int> nearest =
+          visibleFaces(picture.withPlanes().snapped(), settings.width, settings.height);
       int several = 0;
       for (int j = 0; j < settings.height; ++j)
         for (int i = 0; i < settings.width; ++i) {
