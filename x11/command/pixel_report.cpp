@@ -1,19 +1,15 @@
 #include "x11/command/pixel_report.h"
 
-#include <algorithm>
 #include <array>
 #include <cmath>
+#include <glm/geometric.hpp>
 #include <iomanip>
 #include <nlohmann/json.hpp>
-#include <numeric>
 #include <ostream>
 #include <string_view>
-#include <vector>
 
-#include "shading/explain/explain.h"
-#include "shading/explain/pixel_history.h"
-#include "shading/explain/rounded_terms.h"
 #include "x11/drawing/wording.h"
+#include "x11/views/pixel_words.h"
 
 namespace xnewell {
 
@@ -21,114 +17,56 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-constexpr int kDecimals = 4;
 constexpr std::array<std::string_view, 3> kChannels{"red", "green", "blue"};
 
-/// What a pixel report is about.
-struct Pixel {
-  const Picture& picture;
-  int i, j;
-  PixelHistory history;
-  std::optional<Explanation> e;  ///< none where no face shows
+std::string number(double v) { return fixed(v, kPixelDecimals); }
+char letterOf(std::size_t vertex) { return static_cast<char>('A' + vertex % 26); }
 
-  Pixel(const Picture& of, int column, int row)
-      : picture{of}, i{column}, j{row}, history{historyOf(of, column, row)} {
-    if (history.shown >= 0) e = explain(of, history.painted[history.shown].fragment.face, i, j);
-  }
-  [[nodiscard]] int cell() const { return picture.image().row(j)[i]; }
-  [[nodiscard]] bool inColors() const { return channelsOf(picture.colors().plan()) == Channels::Rgb; }
-  /// True if the chain ends in the picture's cell.
-  [[nodiscard]] bool isExplained() const { return !e || inColors() || e->value[0] == cell(); }
-};
-
-std::string_view verdictOf(const Pixel& pixel) {
-  if (!pixel.e) return "ground";
-  if (isWrong(pixel.history.check)) return "wrong face";
-  return pixel.e->clamped ? "clamped" : "shaded";
-}
-
-/// "1954.2, spout": the face's number, the convex part of it, and the name of its group.
-std::string nameOf(const Picture& picture, int face) {
-  const SnappedFace& f = picture.snapped().faces[face];
-  const Mesh& mesh = picture.scene().mesh;
-  const ConvexParts& parts = picture.scene().parts;
-  std::string name = std::to_string(f.number);
-  if (!picture.shading().refined()) {
-    const bool several = (f.part > 0 && parts.face[f.part - 1] == f.number) ||
-                         (f.part + 1 < parts.count() && parts.face[f.part + 1] == f.number);
-    const auto first = std::ranges::lower_bound(parts.face, f.number) - parts.face.begin();
-    if (several) name += '.' + std::to_string(f.part - first + 1);
-  }
-  return name + ", " + mesh.groupNames[mesh.group[f.number]];
-}
-
-std::string numbersOf(const glm::dvec3& v) {
-  std::string all;
-  for (int axis = 0; axis < 3; ++axis) {
-    const std::string number = fixed(v[axis], kDecimals);
-    all += std::string(9 - std::min<std::size_t>(9, number.size()), ' ') + number;
-  }
-  return all;
-}
-
-std::string padded(const std::string& text, int width) {
-  return text + std::string(std::max(0, width - static_cast<int>(text.size())), ' ');
-}
-
-void printHistory(const Pixel& pixel, std::ostream& out) {
+void printHistory(const PixelStory& story, std::ostream& out) {
   out << "1 history: polygons in the order of painting; z in pixels of the view plane, larger is nearer\n";
-  const bool bySample = rowOf(pixel.picture.settings().order).bySample;
-  for (std::size_t k = 0; k < pixel.history.painted.size(); ++k) {
-    const PaintedHere& one = pixel.history.painted[k];
-    const bool shown = static_cast<int>(k) == pixel.history.shown;
-    const std::string piece = one.fragment.piece < 0 ? "" : " (a piece)";
-    out << "  " << std::setw(3) << k + 1 << "  face "
-        << padded(nameOf(pixel.picture, one.fragment.face) + piece, 36) << std::setw(12) << fixed(one.z, 3)
-        << (shown      ? "  shows"
-            : bySample ? "  another is nearer, or as near and later"
-                       : "  painted over by " + std::to_string(k + 2))
-        << '\n';
+  for (std::size_t k = 0; k < story.history.painted.size(); ++k) {
+    const PaintedHere& one = story.history.painted[k];
+    std::string name =
+        faceName(story.picture, one.fragment.face) + (one.fragment.piece < 0 ? "" : " (a piece)");
+    if (name.size() < 36) name.resize(36, ' ');
+    out << "  " << std::setw(3) << k + 1 << "  face " << name << std::setw(12) << fixed(one.z, 3) << "  "
+        << fateOf(story, k) << '\n';
   }
-  if (pixel.history.notPainted > 0)
-    out << "       hidden everywhere: " << counted(pixel.history.notPainted, "more polygon")
+  if (story.history.notPainted > 0)
+    out << "       hidden everywhere: " << counted(story.history.notPainted, "more polygon")
         << " at this sample, not painted\n";
-  if (isWrong(pixel.history.check))
-    out << "       face " << nameOf(pixel.picture, pixel.history.nearest)
+  if (isWrong(story.history.check))
+    out << "       face " << faceName(story.picture, story.history.nearest)
         << " is nearer and should show: choose --order newell\n";
 }
 
-void printSurface(const Pixel& pixel, std::ostream& out) {
-  const Explanation& e = *pixel.e;
-  const SnappedFace& face = pixel.picture.snapped().faces[e.face];
-  out << "2 surface: face " << nameOf(pixel.picture, e.face) << ", " << (face.back ? "back" : "front")
-      << "; shading " << rowOf(e.method).name << ": " << rowOf(e.method).evaluates << '\n';
-  const bool weights = e.vertices.size() == 3;
-  const bool normals = e.method != Shading::Gouraud;
-  if (!e.vertices.empty()) {
-    out << "      vertex" << std::setw(20) << "x, y";
-    if (weights) out << "   on screen   in world";
-    out << (normals ? "        N" : "        I") << '\n';
-  }
+void printVertices(const Explanation& e, std::ostream& out) {
+  if (e.vertices.empty()) return;
+  const bool weights = e.vertices.size() == 3, normals = e.method != Shading::Gouraud;
+  out << "      vertex" << std::setw(20) << "x, y" << (weights ? "   on screen   in world" : "")
+      << (normals ? "        N\n" : "        I\n");
   for (std::size_t k = 0; k < e.vertices.size(); ++k) {
     const ExplainedVertex& v = e.vertices[k];
-    out << "      " << static_cast<char>('A' + k % 26) << std::setw(25)
-        << fixed(v.at.x, 2) + ", " + fixed(v.at.y, 2);
-    if (weights)
-      out << std::setw(12) << fixed(v.onScreen, kDecimals) << std::setw(11) << fixed(v.inWorld, kDecimals);
-    if (normals) {
-      out << numbersOf(v.N);
-    } else {
-      for (int c = 0; c < e.channels; ++c) out << std::setw(9) << fixed(v.I[c], kDecimals);
-    }
+    out << "      " << letterOf(k) << std::setw(25) << fixed(v.at.x, 2) + ", " + fixed(v.at.y, 2);
+    if (weights) out << std::setw(12) << number(v.onScreen) << std::setw(11) << number(v.inWorld);
+    if (normals) out << componentsOf(v.N);
+    for (int c = 0; c < e.channels && !normals; ++c) out << std::setw(9) << number(v.I[c]);
     out << '\n';
   }
+}
+
+void printSurface(const PixelStory& story, const Explanation& e, std::ostream& out) {
+  out << "2 surface: face " << faceName(story.picture, e.face) << ", "
+      << (story.picture.snapped().faces[e.face].back ? "back" : "front") << "; shading "
+      << rowOf(e.method).name << ": " << rowOf(e.method).evaluates << '\n';
+  printVertices(e, out);
   if (e.method == Shading::Phong && e.sum != glm::dvec3{0.0})
-    out << "      weighted sum" << std::setw(36) << "" << numbersOf(e.sum)
-        << "\n      divided by its length, " << fixed(glm::length(e.sum), kDecimals) << '\n';
+    out << "      weighted sum" << std::setw(36) << "" << componentsOf(e.sum)
+        << "\n      divided by its length, " << number(glm::length(e.sum)) << '\n';
   if (e.texel) {
-    out << "      texture: u " << fixed(e.texel->u, kDecimals) << ", v " << fixed(e.texel->v, kDecimals)
+    out << "      texture: u " << number(e.texel->u) << ", v " << number(e.texel->v)
         << "; the texel in column " << e.texel->column << ", row " << e.texel->row << " leaves";
-    for (int c = 0; c < e.channels; ++c) out << ' ' << fixed(e.texel->share[c], kDecimals);
+    for (int c = 0; c < e.channels; ++c) out << ' ' << number(e.texel->share[c]);
     out << " of the diffuse term\n";
   }
   if (e.place)
@@ -136,67 +74,29 @@ void printSurface(const Pixel& pixel, std::ostream& out) {
         << (e.place->away ? ", of the side that faces away\n" : "\n");
 }
 
-/// The terms of one channel, rounded so that they add up.
-void printSum(const ExplainedEquation& at, int c, std::ostream& out) {
-  std::vector<double> terms{at.ambient[c]};
-  for (const ExplainedLight& light : at.lights) {
-    terms.push_back(light.diffuse[c]);
-    terms.push_back(light.specular[c]);
-  }
-  const std::vector<double> rounded = roundedTerms(terms, kDecimals);
-  out << "        = " << fixed(rounded[0], kDecimals);
-  for (std::size_t k = 1; k < rounded.size(); ++k) out << " + " << fixed(rounded[k], kDecimals);
-  const double sum = std::accumulate(rounded.begin(), rounded.end(), 0.0);
-  out << " = " << fixed(sum, kDecimals) << (at.I[c] > 1.0 ? ", clamped to 1\n" : "\n");
-}
-
-/// "R.V", or what the form of the equation takes for it.
-std::string cosineOf(Form form) {
-  return form == Form::Textbook ? "R.V" : form == Form::HalfVector ? "N.H" : "N.L";
-}
-
-/// The numbers put in. `texel` is what the texture leaves of the diffuse term; 1 without one.
-void printNumbers(const ExplainedEquation& at, int c, bool textured, double texel, std::ostream& out) {
-  out << "        = " << fixed(at.surface[c].ka, 2) << " x " << fixed(at.Ia[c], 2);
-  for (const ExplainedLight& light : at.lights) {
-    if (at.lights.size() > 1) out << "\n       ";
-    out << " + " << fixed(light.fatt * light.spot, kDecimals) << " x " << fixed(light.Ip[c], 2) << " [ "
-        << fixed(at.surface[c].kd, 2) << " x " << fixed(std::max(0.0, light.NdotL), kDecimals);
-    if (textured) out << " x " << fixed(texel, kDecimals);
-    out << " + " << fixed(at.surface[c].ks, 2) << " x "
-        << fixed(light.NdotL > 0.0 ? std::max(0.0, light.cosine) : 0.0, kDecimals) << '^' << at.surface[c].n
-        << " ]";
-  }
-  out << '\n';
-}
-
 void printVectors(const ExplainedEquation& at, Form form, std::ostream& out) {
-  out << "        N " << numbersOf(at.N) << "\n        V " << numbersOf(at.V) << "   to the eye\n";
+  out << "        N " << componentsOf(at.N) << "\n        V " << componentsOf(at.V) << "   to the eye\n";
   for (std::size_t k = 0; k < at.lights.size(); ++k) {
     const ExplainedLight& light = at.lights[k];
-    out << "        L " << numbersOf(light.L) << "   to the light";
+    out << "        L " << componentsOf(light.L) << "   to the light";
     if (at.lights.size() > 1) out << ' ' << k + 1;
-    out << "; N.L " << fixed(light.NdotL, kDecimals);
-    if (light.NdotL <= 0.0) out << ": it does not reach this side";
-    out << '\n';
+    out << "; N.L " << number(light.NdotL) << (light.NdotL > 0.0 ? "\n" : ": it does not reach this side\n");
     if (form == Form::Tutorial || light.NdotL <= 0.0) continue;
-    out << "        " << (form == Form::Textbook ? 'R' : 'H') << ' ' << numbersOf(light.R)
-        << (form == Form::Textbook ? "   2 N (N.L) - L; " : "   half way from L to V; ") << cosineOf(form)
-        << ' ' << fixed(light.cosine, kDecimals) << ", its power " << fixed(light.power, kDecimals) << '\n';
+    out << "        " << (form == Form::Textbook ? 'R' : 'H') << ' ' << componentsOf(light.R)
+        << (form == Form::Textbook ? "   2 N (N.L) - L; " : "   half way from L to V; ") << cosineName(form)
+        << ' ' << number(light.cosine) << ", its power " << number(light.power) << '\n';
   }
 }
 
-void printEquation(const Pixel& pixel, const ExplainedEquation& at, const std::string& where,
-                   std::ostream& out) {
-  const Explanation& e = *pixel.e;
-  const Form form = pixel.picture.settings().light.form;
-  const bool textured = e.texel && e.method != Shading::Gouraud;  // Gouraud's vertices know no texel
-  out << "      " << where << "I = ka Ia + f Ip [ kd N.L" << (textured ? " x texel" : "") << " + ks ("
-      << cosineOf(form) << ")^n ]" << (at.lights.size() > 1 ? ", the last part for each light\n" : "\n");
+void printEquation(const PixelStory& story, const Explanation& e, const ExplainedEquation& at,
+                   const std::string& where, std::ostream& out) {
+  const Form form = story.picture.settings().light.form;
+  out << "      " << where << formulaOf(e, form)
+      << (at.lights.size() > 1 ? ", the last part for each light\n" : "\n");
   for (int c = 0; c < e.channels; ++c) {
     if (e.channels > 1) out << "      " << kChannels[c] << '\n';
-    printNumbers(at, c, textured, textured ? e.texel->share[c] : 1.0, out);
-    printSum(at, c, out);
+    for (const std::string& line : numbersPutIn(e, at, c)) out << "        " << line << '\n';
+    out << "        " << sumOf(at, c) << '\n';
   }
   if (at.lights.empty())
     out << "        no light but the ambient reaches the scene, so no normal counts\n";
@@ -204,70 +104,47 @@ void printEquation(const Pixel& pixel, const ExplainedEquation& at, const std::s
     printVectors(at, form, out);
 }
 
-/// What comes of the intensities at the vertices.
-void printInterpolated(const Explanation& e, std::ostream& out) {
-  out << "      interpolated to the sample: I";
-  for (int c = 0; c < e.channels; ++c) out << (c > 0 ? ", " : " ") << fixed(e.I[c], kDecimals);
-  if (e.texel) out << "; the diffuse part is multiplied by the texel";
-  out << '\n';
-}
-
-void printEquations(const Pixel& pixel, std::ostream& out) {
-  const Explanation& e = *pixel.e;
+void printEquations(const PixelStory& story, const Explanation& e, std::ostream& out) {
   out << "3 equation" << (e.channels > 1 ? ", by channel" : "") << '\n';
   if (e.equations.empty()) {
     out << "      " << (e.method == Shading::Environment ? "the map holds" : "no light is computed:") << " I "
-        << fixed(e.I[0], kDecimals) << '\n';
+        << number(e.I[0]) << '\n';
     return;
   }
-  for (std::size_t k = 0; k < e.vertices.size() && e.method == Shading::Gouraud; ++k)
-    if (const int number = e.vertices[k].equation; number >= 0)
-      printEquation(pixel, e.equations[number], std::string{"at "} + static_cast<char>('A' + k % 26) + ": ",
-                    out);
   if (e.method != Shading::Gouraud)
-    printEquation(pixel, e.equations.front(), e.method == Shading::Flat ? "at the centroid: " : "", out);
-  if (e.method == Shading::Gouraud) printInterpolated(e, out);
+    return printEquation(story, e, e.equations.front(), e.method == Shading::Flat ? "at the centroid: " : "",
+                         out);
+  for (std::size_t k = 0; k < e.vertices.size(); ++k)
+    if (const int at = e.vertices[k].equation; at >= 0)
+      printEquation(story, e, e.equations[at], std::string{"at "} + letterOf(k) + ": ", out);
+  out << "      interpolated to the sample: I";
+  for (int c = 0; c < e.channels; ++c) out << (c > 0 ? ", " : " ") << number(e.I[c]);
+  out << (e.texel ? "; the diffuse part is multiplied by the texel\n" : "\n");
 }
 
-/// As many decimals, four or more, as it takes to tell the value from the borders.
-int decimalsFor(double value, const ColorTable::Picked& picked) {
-  int decimals = kDecimals;
-  while (decimals < 12 && (fixed(value, decimals) == fixed(picked.from, decimals) ||
-                           fixed(value, decimals) == fixed(picked.to, decimals)))
-    ++decimals;
-  return decimals;
-}
-
-void printTable(const Pixel& pixel, std::ostream& out) {
-  const Explanation& e = *pixel.e;
+void printTable(const PixelStory& story, const Explanation& e, std::ostream& out) {
   out << "4 table\n";
-  if (pixel.inColors()) {
+  if (story.inColors()) {
     out << "      red, green and blue are " << e.value[0] << ", " << e.value[1] << " and " << e.value[2]
-        << " of 1 to 255; the cells hold colours (--colors), and this one's is in cell " << pixel.cell()
+        << " of 1 to 255; the cells hold colours (--colors), and this one's is in cell " << story.cell()
         << '\n';
     return;
   }
-  const int material = pixel.picture.scene().mesh.material[pixel.picture.snapped().faces[e.face].number];
-  const ColorTable& table = pixel.picture.colors().tableOf(material);
-  const int shade = e.value[0] - table.first();
   if (e.luminance)
-    out << "      one hue for all colours: the luminance 0.30 R + 0.59 G + 0.11 B is "
-        << fixed(e.intensity, kDecimals) << '\n';
-  const ColorTable::Picked picked = table.picked(std::clamp(shade, 0, table.shades() - 1));
-  const Rgb16 color = table.color(std::clamp(shade, 0, table.shades() - 1));
-  const int decimals = decimalsFor(e.intensity, picked);
-  out << "      I " << fixed(e.intensity, decimals) << " picks shade " << shade << " of " << table.shades()
-      << " (" << kTables[static_cast<int>(table.settings().kind)].name << "), cell " << table.first() << " + "
-      << shade << " = " << e.value[0] << "\n      that shade is for " << fixed(picked.from, decimals)
-      << " <= I < " << fixed(picked.to, decimals) << "; the cell holds " << color.r << ", " << color.g << ", "
-      << color.b << " of 65535\n";
+    out << "      one hue for all colours: the luminance 0.30 R + 0.59 G + 0.11 B is " << number(e.intensity)
+        << '\n';
+  const PickedWords words = pickedWords(story, e);
+  const ColorTable& table = tableOf(story, e);
+  const Rgb16 color = table.color(std::clamp(e.value[0] - table.first(), 0, table.shades() - 1));
+  out << "      " << words.picks << "\n      " << words.range << "; the cell holds " << color.r << ", "
+      << color.g << ", " << color.b << " of 65535\n";
   if (std::abs(e.inLoop - e.intensity) > 1e-4)
-    out << "      the picture's loop has I " << fixed(e.inLoop, kDecimals)
-        << (pixel.picture.settings().interpolated == Interpolated::Cell
+    out << "      the picture's loop has I " << number(e.inLoop)
+        << (story.picture.settings().interpolated == Interpolated::Cell
                 ? ": it interpolates the numbers of cells\n"
                 : "\n");
-  out << "      the picture has cell " << pixel.cell()
-      << " here: " << (pixel.isExplained() ? "the chain explains it" : "THE CHAIN DOES NOT EXPLAIN IT")
+  out << "      the picture has cell " << story.cell()
+      << " here: " << (story.isExplained() ? "the chain explains it" : "THE CHAIN DOES NOT EXPLAIN IT")
       << '\n';
 }
 
@@ -318,70 +195,70 @@ Json termsAsJson(const Explanation& e) {
           {"specular", asJson(specular, e.channels)}};
 }
 
-}  // namespace
-
-std::string verdictOf(const Picture& picture, int i, int j) {
-  return std::string{verdictOf(Pixel{picture, i, j})};
+Json asJson(const Explanation& e) {
+  Json vertices = Json::array();
+  for (const ExplainedVertex& v : e.vertices)
+    vertices.push_back({{"x", v.at.x},
+                        {"y", v.at.y},
+                        {"on_screen", v.onScreen},
+                        {"in_world", v.inWorld},
+                        {"N", asJson(v.N)},
+                        {"I", asJson(v.I, e.channels)}});
+  Json equations = Json::array();
+  for (const ExplainedEquation& one : e.equations) equations.push_back(asJson(one, e.channels));
+  Json all{{"shading", rowOf(e.method).name},
+           {"I", asJson(e.I, e.channels)},
+           {"intensity", e.intensity},
+           {"terms", termsAsJson(e)},
+           {"vertices", vertices},
+           {"equations", equations},
+           {"value", e.value[0]}};
+  if (e.texel)
+    all["texel"] = {{"u", e.texel->u},
+                    {"v", e.texel->v},
+                    {"column", e.texel->column},
+                    {"row", e.texel->row},
+                    {"share", asJson(e.texel->share, e.channels)}};
+  if (e.place) all["place"] = {{"column", e.place->column}, {"row", e.place->row}, {"away", e.place->away}};
+  if (e.value[1] > 0) all["value"] = {e.value[0], e.value[1], e.value[2]};  // three channels
+  return all;
 }
 
+}  // namespace
+
 void printPixel(const Picture& picture, int i, int j, std::ostream& out) {
-  const Pixel pixel{picture, i, j};
+  const PixelStory story{picture, i, j};
   out << "pixel " << i << ", " << j << " of " << titleOf(picture.scene()) << " at "
-      << sizeText(picture.settings().width, picture.settings().height) << ": " << verdictOf(pixel) << '\n';
-  if (pixel.history.painted.empty()) {
-    out << "no polygon covers its sample; the background is cell " << pixel.cell() << '\n';
+      << sizeText(picture.settings().width, picture.settings().height) << ": " << story.verdict() << '\n';
+  if (story.history.painted.empty()) {
+    out << "no polygon covers its sample; the background is cell " << story.cell() << '\n';
     return;
   }
-  printHistory(pixel, out);
-  if (!pixel.e) return;
-  printSurface(pixel, out);
-  printEquations(pixel, out);
-  printTable(pixel, out);
+  printHistory(story, out);
+  if (!story.shown()) return;
+  printSurface(story, *story.shown(), out);
+  printEquations(story, *story.shown(), out);
+  printTable(story, *story.shown(), out);
 }
 
 void printPixelAsJson(const Picture& picture, int i, int j, std::ostream& out) {
-  const Pixel pixel{picture, i, j};
+  const PixelStory story{picture, i, j};
   Json history = Json::array();
-  for (const PaintedHere& one : pixel.history.painted)
+  for (const PaintedHere& one : story.history.painted)
     history.push_back({{"face", picture.snapped().faces[one.fragment.face].number},
-                       {"name", nameOf(picture, one.fragment.face)},
+                       {"name", faceName(picture, one.fragment.face)},
                        {"piece", one.fragment.piece >= 0},
                        {"z", one.z}});
   Json all{{"pixel", {i, j}},
            {"size", {picture.settings().width, picture.settings().height}},
-           {"verdict", verdictOf(pixel)},
-           {"cell", pixel.cell()},
-           {"explained", pixel.isExplained()},
+           {"verdict", story.verdict()},
+           {"cell", story.cell()},
+           {"explained", story.isExplained()},
            {"history", history},
-           {"not_painted", pixel.history.notPainted}};
-  if (pixel.e) {
-    const Explanation& e = *pixel.e;
-    Json vertices = Json::array();
-    for (const ExplainedVertex& v : e.vertices)
-      vertices.push_back({{"x", v.at.x},
-                          {"y", v.at.y},
-                          {"on_screen", v.onScreen},
-                          {"in_world", v.inWorld},
-                          {"N", asJson(v.N)},
-                          {"I", asJson(v.I, e.channels)}});
-    Json equations = Json::array();
-    for (const ExplainedEquation& one : e.equations) equations.push_back(asJson(one, e.channels));
-    all["shown"] = pixel.history.shown;
-    all["shading"] = rowOf(e.method).name;
-    all["I"] = asJson(e.I, e.channels);
-    all["intensity"] = e.intensity;
-    all["terms"] = termsAsJson(e);
-    all["vertices"] = vertices;
-    if (e.texel)
-      all["texel"] = {{"u", e.texel->u},
-                      {"v", e.texel->v},
-                      {"column", e.texel->column},
-                      {"row", e.texel->row},
-                      {"share", asJson(e.texel->share, e.channels)}};
-    if (e.place) all["place"] = {{"column", e.place->column}, {"row", e.place->row}, {"away", e.place->away}};
-    all["equations"] = equations;
-    all["value"] = e.value[0];
-    if (pixel.inColors()) all["value"] = {e.value[0], e.value[1], e.value[2]};
+           {"not_painted", story.history.notPainted}};
+  if (story.shown()) {
+    all["shown"] = story.history.shown;
+    all.update(asJson(*story.shown()));
   }
   out << all.dump(-1, ' ', false, Json::error_handler_t::replace) << '\n';
 }

@@ -1,7 +1,6 @@
 #pragma once
 
 #include <iosfwd>
-#include <string>
 
 #include "shading/picture/picture.h"
 
@@ -9,9 +8,6 @@ namespace xnewell {
 
 /// Why a pixel has its colour, as text and as JSON: its history, the surface, the equation, the table. The
 /// last line says whether the chain ends in the cell that the picture has there.
-
-/// One word for what the pixel is: ground, shaded, clamped, or wrong face.
-[[nodiscard]] std::string verdictOf(const Picture& picture, int i, int j);
 
 /// The picture is painted. 0 <= i < width, 0 <= j < height.
 void printPixel(const Picture& picture, int i, int j, std::ostream& out);
