@@ -357,11 +357,15 @@ std::vector<int> shownRows(int count, int chosen, int room) {
     for (int k = 0; k < count; ++k) rows.push_back(k);
     return rows;
   }
+  if (chosen < room - 1) {  // the first ones, and a gap
+    for (int k = 0; k < room - 1; ++k) rows.push_back(k);
+    rows.push_back(-1);
+    return rows;
+  }
   // The first, a gap, and the rows around the chosen one.
-  const int last = std::clamp(chosen + (room > 3 ? 1 : 0), room - 1, count - 1);
+  const int last = std::min(chosen + (room > 3 ? 1 : 0), count - 1);
   rows = {0, -1};
   for (int k = last - (room - 3); k <= last; ++k) rows.push_back(k);
-  if (rows[2] == 1) rows.erase(rows.begin() + 1);
   return rows;
 }
 
