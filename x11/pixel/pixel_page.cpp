@@ -128,11 +128,12 @@ void PixelPen::surface() {
   if (e().vertices.empty())
     line(e().method == Shading::Flat ? "one normal and one place: the centroid of the face"
                                      : std::string{rowOf(e().method).evaluates});
-  if (!e().vertices.empty() && at.pitch > 14) {  // a low window has no line for it
-    std::string heads = "vertex, x, y";
-    heads.resize(20, ' ');
-    if (weights) heads += "screen  world   ";
-    soft(x(), y, heads + (normals ? "       x        y        z" : "  I"));
+  const bool heads = at.pitch > 14;  // a low window has no line for them
+  if (!e().vertices.empty() && heads) {
+    std::string head = "vertex, x, y";
+    head.resize(20, ' ');
+    if (weights) head += "screen  world   ";
+    soft(x(), y, head + (normals ? "      Nx       Ny       Nz" : "  I"));
     y += at.pitch;
   }
   for (std::size_t k = 0; k < e().vertices.size() && k < 4; ++k) {
@@ -142,10 +143,10 @@ void PixelPen::surface() {
     text.resize(20, ' ');
     if (weights) text += number(v.onScreen) + "  " + number(v.inWorld) + "  ";
     if (normals) {
-      text += componentsOf(v.N) + "  N";
+      text += componentsOf(v.N) + (heads ? "" : "  N");
     } else {
       for (int c = 0; c < e().channels; ++c) text += "  " + number(v.I[c]);
-      text += "  I";
+      if (!heads) text += "  I";
     }
     line(text);
   }
