@@ -19,6 +19,9 @@ enum class SampleCheck : std::uint8_t { Nothing, Right, Doubtful, Wrong, Earlier
 [[nodiscard]] constexpr bool isWrong(SampleCheck verdict) {
   return verdict == SampleCheck::Wrong || verdict == SampleCheck::Earlier;
 }
+/// The verdict on the sample of pixel (i, j) that shows the face `painted` where the oracle sees `visible`;
+/// both are indices into the faces of a scene with planes, `visible` is not kNothing.
+[[nodiscard]] SampleCheck checkOf(const SnappedScene& scene, int painted, int visible, int i, int j);
 /// The verdict on each sample, row by row.
 [[nodiscard]] std::vector<SampleCheck> checkedSamples(const Picture& picture);
 

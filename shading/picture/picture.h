@@ -78,6 +78,8 @@ class Picture {
   /// Paints single fragments of snapped(), also those of other sorts. The picture must outlive the painter.
   /// Precondition: the plan is not one of colours.
   [[nodiscard]] SurfacePainter painter() const;
+  /// What painters and explanations read of the picture; it must outlive them.
+  [[nodiscard]] Surfaces surfaces() const;
   /// The same picture with the planes that a sort of snapped() needs. If the order is exact, they are
   /// already there, and the result is a plain copy.
   [[nodiscard]] Picture withPlanes() const;
@@ -112,7 +114,6 @@ class Picture {
   /// The cell, or the value of the channel, of each of snapped().faces. Use it only if the method gives each
   /// face one cell.
   [[nodiscard]] std::vector<std::uint8_t> cellsOf(int channel) const;
-  [[nodiscard]] Surfaces surfaces() const;
   /// Paints one channel on `image`. Returns how many evaluations at pixels exceeded 1.
   std::int64_t paintChannel(IndexImage& image, int channel, const std::vector<std::uint8_t>& cells) const;
   void paintColors(Painted& painted) const;

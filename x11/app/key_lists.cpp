@@ -1,5 +1,7 @@
 #include "x11/app/key_lists.h"
 
+#include <algorithm>
+
 #include "x11/app/workbench.h"
 
 namespace xnewell {
@@ -32,6 +34,17 @@ std::string keyLists() {
     bench.update();
     lists += tableOf("View " + std::string{row.key} + ", " + std::string{row.name}, bench.bench().keys());
   }
+  // A step that asks a question, with the controls of all steps.
+  Lesson lesson = readLesson(builtInLessons().front().file);
+  const auto asks =
+      std::ranges::find_if(lesson.steps, [](const LessonStep& step) { return step.question.has_value(); });
+  const auto number = static_cast<int>(asks - lesson.steps.begin());
+  asks->controls.clear();
+  for (const LessonControlRow& row : kLessonControls) asks->controls.push_back(row.id);
+  bench.teach(std::move(lesson));
+  bench.lessons().goTo(number);
+  bench.update();
+  lists += tableOf("A step of a lesson: each has some of these", bench.bench().keys());
   lists.pop_back();  // the empty line after the last table
   return lists;
 }

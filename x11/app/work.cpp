@@ -57,4 +57,12 @@ Setup setupIn(const Scene& scene) {
   return setup;
 }
 
+PictureSettings coarse(PictureSettings settings) {
+  settings.shading = settings.shading == Shading::Full ? Shading::Full : Shading::Flat;
+  settings.order = Order::ZSort;
+  settings.adapt = 0;
+  settings.dither = false;
+  return settings;
+}
+
 }  // namespace xnewell

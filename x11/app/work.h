@@ -46,4 +46,7 @@ class Work {
 /// The setup that a scene's file asks for, with defaults for the rest.
 [[nodiscard]] Setup setupIn(const Scene& scene);
 
+/// Settings for a quick picture that still shows where everything is.
+[[nodiscard]] PictureSettings coarse(PictureSettings settings);
+
 }  // namespace xnewell

@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "x11/app/one_line.h"
+#include "x11/pixel/pixel_bench.h"
 #include "x11/sides/side_bench.h"
 #include "x11/stepper/sort_bench.h"
 #include "x11/trade/trade_bench.h"
@@ -31,21 +32,21 @@ Work Workbench::workOn(Scene scene, Setup setup) {
 Workbench::Workbench(Scene scene, const Setup& setup, Server server)
     : work_{std::move(scene), setup}, server_{std::move(server)} {
   fit(this->scene(), setup);
-  const auto at = [this](WindowView view) -> auto& { return benches_[static_cast<std::size_t>(view)]; };
-  at(WindowView::Picture) = std::make_unique<PictureBench>(*this, [this] { return subject(); });
-  auto stepper = std::make_unique<SortBench>(*this);
-  stepper_ = stepper.get();
-  at(WindowView::DepthSort) = std::move(stepper);
-  at(WindowView::Colors) = std::make_unique<ColorsBench>(*this);
-  at(WindowView::MachBands) = std::make_unique<MachBench>(*this, [this] { return subject(); });
-  auto sides = std::make_unique<SideBench>(
-      *this, [this] { return subject(); }, [this] { return mostShades_; });
-  sides_ = sides.get();
-  at(WindowView::SideBySide) = std::move(sides);
-  at(WindowView::Trade) = std::make_unique<TradeBench>(*this);
-  auto lessons = std::make_unique<LessonBench>(*this);
-  lessons_ = lessons.get();
-  at(WindowView::Lesson) = std::move(lessons);
+  const auto own = [this](WindowView view, auto made) {
+    auto* const bench = made.get();
+    benches_[static_cast<std::size_t>(view)] = std::move(made);
+    return bench;
+  };
+  const auto subject = [this] { return this->subject(); };
+  own(WindowView::Picture, std::make_unique<PictureBench>(*this, subject));
+  stepper_ = own(WindowView::DepthSort, std::make_unique<SortBench>(*this));
+  own(WindowView::Colors, std::make_unique<ColorsBench>(*this));
+  own(WindowView::MachBands, std::make_unique<MachBench>(*this, subject));
+  sides_ = own(WindowView::SideBySide,
+               std::make_unique<SideBench>(*this, subject, [this] { return mostShades_; }));
+  own(WindowView::Trade, std::make_unique<TradeBench>(*this));
+  lessons_ = own(WindowView::Lesson, std::make_unique<LessonBench>(*this));
+  pixel_ = own(WindowView::Pixel, std::make_unique<PixelBench>(*this, subject));
 }
 
 void Workbench::resize(int width, int height) {
@@ -203,6 +204,11 @@ void Workbench::switchTo(WindowView view) {
   bench().enter();
 }
 
+void Workbench::explain(double x, double y) {
+  pixel_->choose(x, y);
+  switchTo(WindowView::Pixel);
+}
+
 void Workbench::compare(const Setup& B) {
   switchTo(WindowView::SideBySide);
   sides_->put(B);  // after the view was entered, because then B follows what was changed elsewhere
@@ -272,19 +278,6 @@ void Workbench::zoom(double factor) {
   const auto edit = [this](char control, const auto& change) { this->change(control, change); };
   xnewell::zoom(edit, Setup{work_.setup}, subject(), factor);
 }
-
-namespace {
-
-/// Settings for a quick picture that still shows where everything is.
-PictureSettings coarse(PictureSettings settings) {
-  settings.shading = settings.shading == Shading::Full ? Shading::Full : Shading::Flat;
-  settings.order = Order::ZSort;
-  settings.adapt = 0;
-  settings.dither = false;
-  return settings;
-}
-
-}  // namespace
 
 Workbench::Indices Workbench::indices() const {
   Setup painted = this->painted();

@@ -15,6 +15,7 @@
 
 namespace xnewell {
 
+class PixelBench;
 class SideBench;
 class SortBench;
 
@@ -124,6 +125,7 @@ class Workbench : public Host {
   void open(Scene scene, const Setup& setup) override;
   void close() override;
   void switchTo(WindowView view) override;
+  void explain(double x, double y) override;
   void compare(const Setup& B) override;
   void keepWithin(std::optional<AccuracyLimit> limit) override { keepWithin(limit, {}); }
   /// `mine` are the axes that the user has chosen. Each choice takes at most about so many seconds of the
@@ -211,6 +213,7 @@ class Workbench : public Host {
   LessonBench* lessons_;  ///< one of the benches
   SortBench* stepper_;    ///< another one
   SideBench* sides_;      ///< and another
+  PixelBench* pixel_;     ///< and one more
   WindowView view_ = WindowView::Picture;
   int width_ = 0, height_ = 0;  ///< of the window, in pixels
   Layout layout_;

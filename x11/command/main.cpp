@@ -26,6 +26,7 @@
 #include "x11/app/snapshot.h"
 #include "x11/app/viewer.h"
 #include "x11/command/doing.h"
+#include "x11/command/pixel_report.h"
 #include "x11/command/report.h"
 #include "x11/command/tell_extremes.h"
 #include "x11/command/tell_trade.h"
@@ -72,6 +73,15 @@ void draw(const Options& options, Scene scene, double msRead, const nlohmann::or
   times.present = watch.ms();
   drawing.reset();
   report(options, picture, known, times, accuracy);
+}
+
+/// Says why a pixel has its colour.
+void explainPixel(const Options& options, Scene scene) {
+  const PictureSettings settings = settingsOf(options);
+  std::optional<Doing> drawing{"drawing"};
+  const Picture picture = makePicture(std::move(scene), settings, CellPlan{settings.table.kind}[Cell::Well]);
+  drawing.reset();
+  (options.json ? printPixelAsJson : printPixel)(picture, options.pixel->x, options.pixel->y, std::cout);
 }
 
 /// Draws the numbers behind the picture (--view) and writes them.
@@ -212,6 +222,7 @@ int run(int argc, char** argv) {
     return snapshot(options, std::move(scene), msRead, accuracy), kDone;
   if (options.command == Command::Trade) return tellTrade(options, std::move(scene));
   if (options.command == Command::Extremes) return tellExtremes(options, scene);
+  if (options.command == Command::Explain) return explainPixel(options, std::move(scene)), kDone;
   if (options.command == Command::Trace) return trace(options, std::move(scene)), kDone;
   if (options.view != View::Picture) return drawNumbers(options, std::move(scene)), kDone;
   return draw(options, std::move(scene), msRead, accuracy), kDone;

@@ -47,6 +47,14 @@ glm::ivec2 parseSize(const std::string& text) {
   return size;
 }
 
+glm::ivec2 parsePixel(const std::string& text) {
+  const std::string expected = "a pixel X,Y: two whole numbers from 0, counted from the top left";
+  const std::vector<double> v = numbers("X,Y", text, 2, expected);
+  for (const double x : v)
+    if (x < 0 || x >= kMaxPicture || x != std::floor(x)) refuse("X,Y", text, expected);
+  return {static_cast<int>(v[0]), static_cast<int>(v[1])};
+}
+
 AccuracyLimit parseAccuracy(const std::string& text) {
   const std::string expected =
       "a number between 0 and 1, and perhaps a comma and a whole number of samples: 0.03 or 0.03,20";
@@ -156,7 +164,7 @@ void addPlaces(Reader& r) {
     for (const char* name : names) r.only(name, places);
   };
   only({"--output"}, {"draw", "snapshot", "trade", "extremes"});
-  only({"--size"}, {"view", "draw", "snapshot", "trace", "trade", "extremes", "lesson"});
+  only({"--size"}, {"view", "draw", "snapshot", "explain", "trace", "trade", "extremes", "lesson"});
   only({"--scale"}, {"view", "lesson", "--whole-window"});
   only({"--visual", "--colormap", "--nearest"}, {"view", "snapshot", "lesson", "visuals"});
   only({"--view"}, {"view", "draw", "snapshot"});
@@ -165,7 +173,7 @@ void addPlaces(Reader& r) {
   only({"--store", "--turn", "--gamma", "--bend", "--rotate", "--lit"}, {"draw", "snapshot"});
   only({"--ids", "--stats", "--errors", "--costs"}, {"draw", "snapshot"});
   only({"--accuracy"}, {"view", "draw", "snapshot"});
-  only({"--json"}, {"trade", "extremes"});
+  only({"--json"}, {"explain", "trade", "extremes"});
   only({"--axes", "--without"}, {"trade"});
   only({"--budget"}, {"trade", "--accuracy"});
   only({"--whole-window"}, {"snapshot", "trace --frames"});
@@ -181,6 +189,10 @@ void addOptions(CLI::App& app, Reader& r, Options& o) {
   app.add_option_function<std::string>(
          "scene", [&](const std::string& s) { o.scene = s; }, "SCENE [teapot, in a window only]")
       ->type_name("");
+  if (o.command == Command::Explain)
+    app.add_option_function<std::string>(
+           "pixel", [&](const std::string& s) { o.pixel = parsePixel(s); }, "X,Y, a pixel of the picture")
+        ->type_name("");
   r.text("-o,--output", "the PNG file to write", "", [&](const std::string& s) { o.output = s; });
   r.takes("--output", Takes::File);
   r.text("--size", "picture or window size WxH, at most 8192x8192",
@@ -234,7 +246,8 @@ void addOptions(CLI::App& app, Reader& r, Options& o) {
       "WRONG their number does not count. Options that you give stay. The window chooses again after each "
       "change",
       "", [&](const std::string& s) { o.accuracy = parseAccuracy(s); });
-  r.flag("--json", o.json, "trade, extremes: print all numbers as one JSON object instead of the table");
+  r.flag("--json", o.json,
+         "explain, trade, extremes: print all numbers as one JSON object instead of the text");
   r.text("--axes", "trade: only these short cuts, named as their options: shade,order,divisions",
          "all that have an effect", [&](const std::string& s) {
            o.trade.axes = commaWords(s);

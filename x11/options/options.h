@@ -21,7 +21,7 @@ namespace xnewell {
 
 /// The command line as a value.
 
-enum class Command { View, Draw, Snapshot, Trace, Trade, Extremes, Lesson, Visuals, Scenes, Keys };
+enum class Command { View, Draw, Snapshot, Explain, Trace, Trade, Extremes, Lesson, Visuals, Scenes, Keys };
 struct CommandRow {
   Command id;
   std::string_view name, usage, does;
@@ -33,6 +33,8 @@ inline constexpr std::array kCommands{
                true},
     CommandRow{Command::Snapshot, "snapshot", "snapshot SCENE -o FILE.png [options]",
                "the picture through a real X window, read back from the server", true},
+    CommandRow{Command::Explain, "explain", "explain SCENE X,Y [--json] [options]",
+               "why a pixel has its colour: its polygons, the surface, the equation, the table", true},
     CommandRow{Command::Trace, "trace", "trace SCENE [options]",
                "the depth sort's events, one JSON object a line, or as pictures", true},
     CommandRow{Command::Trade, "trade", "trade SCENE [-o CHART.png] [--json]",
@@ -59,8 +61,9 @@ inline constexpr glm::ivec2 kLeastWindow{800, 600};  ///< has room for all contr
 
 struct Options {
   Command command = Command::View;
-  bool commandMeant = false;     ///< no command was given, and the first argument may be a mistyped one
-  std::string scene = "teapot";  ///< or the lesson's name
+  bool commandMeant = false;        ///< no command was given, and the first argument may be a mistyped one
+  std::string scene = "teapot";     ///< or the lesson's name
+  std::optional<glm::ivec2> pixel;  ///< explain: column and row, from the top left
   int divisions = kDefaultDivisions;
   std::optional<glm::ivec2> size;   ///< none without --size: then kPictureSize or windowSize()
   int scale = 1;                    ///< of the window: pixels of a unit
@@ -78,7 +81,7 @@ struct Options {
   bool stats = false;   ///< also if only --errors or --costs was given
   bool errors = false;  ///< with the errors
   bool costs = false;   ///< with what each required item costs
-  bool json = false;    ///< extremes, trade: all numbers instead of the table
+  bool json = false;    ///< explain, extremes, trade: all numbers instead of the text
   TradeRequest trade;
   /// How wrong the picture may be; the program chooses the cheapest short cuts that stay within it.
   std::optional<AccuracyLimit> accuracy;

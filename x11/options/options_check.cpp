@@ -113,8 +113,16 @@ void checkCommand(const Options& o, const std::vector<OptionRow>& rows) {
   const std::string name{rowOf(o.command).name};
   const bool traces = o.command == Command::Trace;
   const bool charts = o.command == Command::Trade || o.command == Command::Extremes;
-  if ((makesPng || traces || charts) && !sceneGiven)
+  const bool explains = o.command == Command::Explain;
+  if ((makesPng || traces || charts || explains) && !sceneGiven)
     throw UsageError{name + " needs a scene, such as teapot"};
+  if (explains && !o.pixel)
+    throw UsageError{"explain needs a pixel X,Y of the picture, such as 400,300: xnewell explain " + o.scene +
+                     " 400,300"};
+  if (const glm::ivec2 size = o.size.value_or(kPictureSize);
+      o.pixel && (o.pixel->x >= size.x || o.pixel->y >= size.y))
+    throw UsageError{"pixel " + std::to_string(o.pixel->x) + "," + std::to_string(o.pixel->y) +
+                     " lies outside the picture of " + std::to_string(size.x) + "x" + std::to_string(size.y)};
   if (makesPng && o.output.empty()) throw UsageError{name + " needs -o FILE.png"};
   constexpr std::array<std::string_view, 8> kOtherPictures{".jpg", ".jpeg", ".gif", ".bmp",
                                                            ".ppm", ".tif",  ".svg", ".pdf"};
@@ -152,8 +160,9 @@ void checkCommand(const Options& o, const std::vector<OptionRow>& rows) {
 /// Checks that shading, order, filler and texture go together.
 void checkMethods(const Options& o) {
   const bool serverFills = o.fill == Fill::XFillPolygon;
-  if (serverFills && (o.command == Command::Trace || o.command == Command::Draw ||
-                      o.command == Command::Trade || o.command == Command::Extremes))
+  if (serverFills &&
+      (o.command == Command::Trace || o.command == Command::Draw || o.command == Command::Explain ||
+       o.command == Command::Trade || o.command == Command::Extremes))
     throw UsageError{"--fill x11 needs a server: use snapshot"};
   exclude(o.accuracy.has_value(), serverFills, "--accuracy and --fill x11");
   if (serverFills && o.view != View::Picture && !o.wholeWindow && o.command != Command::View)

@@ -6,7 +6,7 @@
 namespace xnewell {
 
 /// The views of the window. Each has a tab and a key.
-enum class WindowView { Picture, DepthSort, Colors, MachBands, SideBySide, Trade, Lesson };
+enum class WindowView { Picture, DepthSort, Colors, MachBands, SideBySide, Trade, Lesson, Pixel };
 struct WindowViewRow {
   WindowView id;
   char key;
@@ -20,6 +20,7 @@ inline constexpr std::array kWindowViews{
     WindowViewRow{WindowView::SideBySide, '5', "Side by side", "sidebyside"},
     WindowViewRow{WindowView::Trade, '6', "Trade", "trade"},
     WindowViewRow{WindowView::Lesson, '7', "Lesson", "lesson"},
+    WindowViewRow{WindowView::Pixel, '8', "One pixel", "pixel"},
 };
 
 }  // namespace xnewell

@@ -97,7 +97,7 @@ void TradeBench::useChosen() {
 }
 
 void TradeBench::compareChosen() {
-  if (chosen_ < 0) return;
+  if (chosen_ < 0) return host_.switchTo(WindowView::SideBySide);
   const Configuration& chosen = known_.trade.combinations[chosen_].configuration;
   const std::string name = chosen.changes.empty() ? "the set-up" : chosen.name();
   useChosen();
@@ -188,16 +188,15 @@ KeyTable TradeBench::ownKeys() {
        "use the chosen combination in all views",
        [this](const Key&) { useChosen(); },
        none},
-      {{'='}, "", "type the limit", [this](const Key&) { list_.askForValue(controls().front()); }}};
-  if (chosen_ >= 0)
-    table.push_back({{'5'},
-                     "beside no short cuts",
-                     "use it, and compare it with the set-up without short cuts",
-                     [this](const Key&) { compareChosen(); }});
-  table.push_back({{'k'},
-                   "keep the limit",
-                   "keep the limit: other views choose again after each change",
-                   [this](const Key&) { keepLimit(); }});
+      {{'='}, "", "type the limit", [this](const Key&) { list_.askForValue(controls().front()); }},
+      {{'5'},
+       "beside no short cuts",
+       "use it, and compare it with the set-up without short cuts",
+       [this](const Key&) { compareChosen(); }},
+      {{'k'},
+       "keep the limit",
+       "keep the limit: other views choose again after each change",
+       [this](const Key&) { keepLimit(); }}};
   table.push_back({{'n'},
                    "next worst place",
                    "the next of the worst places; or click one",

@@ -21,6 +21,9 @@ class Host : public Prompt {
   virtual void open(Scene scene, const Setup& setup) = 0;
   virtual void close() = 0;
   virtual void switchTo(WindowView view) = 0;
+  /// Shows in view 8 why a pixel of the picture has its colour: the one at this share of the picture's width
+  /// and height, each in [0, 1).
+  virtual void explain(double x, double y) = 0;
   /// Shows the setup in view 5, beside B.
   virtual void compare(const Setup& B) = 0;
   /// From now on the window chooses its short cuts by itself, the cheapest that stay within this limit; or it

@@ -108,6 +108,29 @@ Controls PictureBench::controls() {
   return all;
 }
 
+bool PictureBench::grab(int x, int y) {
+  const bool drags = Bench::grab(x, y);
+  clicked_.reset();
+  if (drags && at_.picture.has(x, y)) clicked_ = {x, y};
+  return drags;
+}
+
+void PictureBench::dragTo(int x, int y) {
+  constexpr int kStill = 2;  // units that a hand may tremble in a click
+  if (clicked_ && std::abs(x - clicked_->x) <= kStill && std::abs(y - clicked_->y) <= kStill) return;
+  clicked_.reset();
+  Bench::dragTo(x, y);
+}
+
+void PictureBench::drop() {
+  Bench::drop();
+  if (!clicked_) return;
+  const glm::ivec2 at = *clicked_;
+  clicked_.reset();
+  host_.explain((at.x - at_.picture.x + 0.5) / at_.picture.width,
+                (at.y - at_.picture.y + 0.5) / at_.picture.height);
+}
+
 KeyTable PictureBench::ownKeys() {
   const auto all = [this](char key) {
     return [this, key](const Key&) {
@@ -115,7 +138,8 @@ KeyTable PictureBench::ownKeys() {
     };
   };
   KeyTable table = zoomKeys(host_.setup(), subject_(), change());
-  table.insert(table.begin(), {.legend = "turn", .does = "turn the scene", .gesture = "drag"});
+  table.insert(table.begin(), {{.legend = "turn", .does = "turn the scene", .gesture = "drag"},
+                               {.does = "explain the pixel under the pointer", .gesture = "click"}});
   table.push_back({{'['}, "Ia = 1", "only ambient light", all('i')});
   table.push_back({{']'}, "Ip = 1", "only the light of the point", all('p')});
   return table;

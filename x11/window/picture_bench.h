@@ -1,6 +1,8 @@
 #pragma once
 
 #include <functional>
+#include <glm/vec2.hpp>
+#include <optional>
 #include <string>
 
 #include "x11/views/shows.h"
@@ -20,6 +22,10 @@ class PictureBench : public Bench {
   [[nodiscard]] Controls controls() override;
   [[nodiscard]] KeyTable ownKeys() override;
 
+  /// A press on the picture that is dragged turns the scene; one that is not explains the pixel under it.
+  [[nodiscard]] bool grab(int x, int y) override;
+  void dragTo(int x, int y) override;
+  void drop() override;
   [[nodiscard]] Rect picture(const Layout& at) const override { return at.picture; }
   void draw(Painter paint, const Desk& desk) override;
   /// The picture of normals has colours of its own.
@@ -35,6 +41,8 @@ class PictureBench : public Bench {
   void drawCaption(Painter paint, const Desk& desk);
 
   std::function<Subject()> subject_;
+  std::optional<glm::ivec2>
+      clicked_;  ///< where the picture was pressed, in units, if it was not dragged since
   // The state of the last drawing.
   Layout at_;
   ControlColumn column_;

@@ -336,8 +336,10 @@ TEST(Workbench, OpeningAnotherSceneWarns) {
 TEST(Workbench, CountsWrongFacesWhenSettled) {
   ReadyWorkbench b;
   const IndexImage counted = b.image();
-  b.drag(0, 0);
+  b.drag(3, 3);
   b.settle();
+  b.update();
+  b.type("u");
   b.update();
   EXPECT_EQ(b.stale(), Stale::Nothing);  // nothing was left out
   b.drag(3, 3);

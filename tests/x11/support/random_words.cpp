@@ -25,6 +25,8 @@ class Maker {
       picture("snapshot", scene);
     else if (what < 60)
       view(server && oneIn(3) ? "snapshot" : "draw", scene);
+    else if (what < 66)
+      explain(scene);
     else if (what < 75)
       trace(scene);
     else if (what < 90)
@@ -153,6 +155,13 @@ class Maker {
     if (!frames && oneIn(2)) add({"--quick"});
     made_.printsLines = !frames;
     options(2);
+  }
+  void explain(const std::string& scene) {
+    add({"explain", scene, std::to_string(below(60, rng_)) + "," + std::to_string(below(60, rng_))});
+    add({"--size", "60x60"});
+    made_.printsJson = oneIn(2);
+    if (made_.printsJson) add({"--json"});
+    options(3);
   }
   void extremes(const std::string& scene) {
     add({"extremes", scene});

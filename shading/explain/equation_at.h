@@ -1,0 +1,58 @@
+#pragma once
+
+#include <array>
+#include <glm/vec3.hpp>
+#include <vector>
+
+#include "shading/light/equation.h"
+#include "shading/picture/surface_evaluator.h"
+
+namespace xnewell {
+
+/// Numbers of up to three channels: of one, or of red, green and blue.
+using ByChannel = std::array<double, 3>;
+
+/// One light in the equation at one place.
+struct ExplainedLight {
+  glm::dvec3 L{0};
+  glm::dvec3 R{0};  ///< R of the textbook; H where the form is N.H; L where it is N.L
+  double NdotL = 0;
+  double cosine = 0;  ///< R.V, or what the form takes for it
+  double power = 0;   ///< max(0, cosine)^n; 0 where N.L <= 0
+  double fatt = 1, spot = 1;
+  ByChannel Ip{}, diffuse{}, specular{};  ///< the diffuse term includes the texel
+};
+
+/// The illumination equation at one place, with all its numbers.
+struct ExplainedEquation {
+  glm::dvec3 P{0}, N{0}, V{0};          ///< world; N is 0 where all light is ambient
+  std::array<Reflection, 3> surface{};  ///< by channel, with the surface's colour
+  ByChannel Ia{}, ambient{};
+  std::vector<ExplainedLight> lights;  ///< of the scene, or the user's; none where all light is ambient
+  ByChannel I{};                       ///< the sum of all terms; it may exceed 1
+};
+
+/// Evaluates the equation for one material by the definitions of equation.h, light by light.
+class EquationAt {
+ public:
+  /// `material` is an index into Lighting::materials.
+  EquationAt(const Surfaces& surfaces, int material);
+
+  /// P is a place in the world. N is a unit vector towards the side that is lit, or 0 where all light is
+  /// ambient. `texel` is what the texture leaves of the diffuse term.
+  [[nodiscard]] ExplainedEquation operator()(const glm::dvec3& P, const glm::dvec3& N,
+                                             const ByChannel& texel = {1, 1, 1}) const;
+
+ private:
+  [[nodiscard]] ExplainedLight explained(const Light& light, const ExplainedEquation& at,
+                                         const ByChannel& texel) const;
+
+  const Illumination& user_;
+  const Lighting& lighting_;
+  glm::dvec3 centre_;
+  double unit_;
+  std::vector<Light> lights_;
+  ExplainedEquation everywhere_;  ///< what does not depend on the place
+};
+
+}  // namespace xnewell

@@ -1,0 +1,84 @@
+#include <gtest/gtest.h>
+
+#include "tests/x11/support/command_fixture.h"
+
+namespace xnewell::THIS_FILE {
+
+namespace {
+
+const Strings kPixel{"explain",     "teapot", "288,158", "--size", "404x268",
+                     "--divisions", "11",     "--shade", "phong"};
+
+}  // namespace
+
+// The pixel of the manual. Its numbers were also computed by hand from the textbook's formulas: 0.9 x 0.2 +
+// 0.7 (0.9 x 0.8948 + 0.4 x 0.9504^20) = 0.8449, 239 x 0.8449 = 201.9, and 11 + 202 = 213.
+TEST_F(CommandTest, ExplainsThePixelOfTheManual) {
+  const auto end = runProgram(kPixel);
+  EXPECT_EQ(end.status, 0) << end.err;
+  for (const char* line :
+       {"404 x 268: shaded\n", "    4  face 1954.2, spout ", " 137.131  shows\n",
+        "= 0.90 x 0.20 + 1.0000 x 0.70 [ 0.90 x 0.8948 + 0.40 x 0.9504^20 ]\n",
+        "= 0.1800 + 0.5637 + 0.1012 = 0.8449\n", "cell 11 + 202 = 213\n",
+        "the picture has cell 213 here: the chain explains it\n"})
+    EXPECT_NE(end.out.find(line), std::string::npos) << line << end.out;
+
+  const auto json = runProgram(kPixel + Strings{"--json"});
+  EXPECT_EQ(json.status, 0) << json.err;
+  const Json e = Json::parse(json.out);
+  EXPECT_EQ(e.at("cell"), 213);
+  EXPECT_EQ(e.at("verdict"), "shaded");
+  EXPECT_EQ(e.at("explained"), true);
+  EXPECT_NEAR(e.at("I").get<double>(), 0.8449, 5e-5);
+  const Json& terms = e.at("terms");
+  EXPECT_NEAR(terms.at("ambient").get<double>() + terms.at("diffuse").get<double>() +
+                  terms.at("specular").get<double>(),
+              e.at("I").get<double>(), 1e-12);
+}
+
+// The cell is that of the picture that `draw` writes, for every method, with textures, colours and lights.
+TEST_F(CommandTest, ExplainsWhatDrawWrites) {
+  for (const char* scene : {"teapot", "hues", "colored-lights", "textured-cube", "spotlight"})
+    for (const char* method : {"none", "depth", "flat", "gouraud", "phong", "envmap"}) {
+      const Strings settings{"--size", "160x120", "--shade", method, "--colors", "one"};
+      ASSERT_EQ(runProgram(Strings{"draw", scene, "-o", file("a.png")} + settings).status, 0);
+      const auto explained = runProgram(Strings{"explain", scene, "80,70", "--json"} + settings);
+      ASSERT_EQ(explained.status, 0) << explained.err;
+      const Json e = Json::parse(explained.out);
+      // Cell i of the linear table holds (i - 10) / 255 of red.
+      const RgbImage drawn = readPng(file("a.png"));
+      EXPECT_EQ(e.at("cell"), 10 + drawn.rgb[3 * (70 * 160 + 80)]) << scene << ' ' << method;
+      EXPECT_EQ(e.at("explained"), true) << scene << ' ' << method;
+      const auto told = runProgram(Strings{"explain", scene, "80,70"} + settings);
+      EXPECT_EQ(told.status, 0) << told.err;
+      EXPECT_NE(told.out.find("the chain explains it"), std::string::npos) << told.out;
+    }
+}
+
+TEST_F(CommandTest, ExplainsGroundAndAWrongFace) {
+  const auto ground = runProgram({"explain", "teapot", "0,0"});
+  EXPECT_EQ(ground.status, 0) << ground.err;
+  EXPECT_NE(ground.out.find(": ground\nno polygon covers its sample"), std::string::npos) << ground.out;
+  // Somewhere on the way along the spout's foot, the sort by z shows a face that another one hides.
+  int wrong = 0;
+  for (int x = 480; x < 620 && wrong == 0; x += 4) {
+    const auto end =
+        runProgram({"explain", "teapot", std::to_string(x) + ",330", "--order", "zsort", "--json"});
+    wrong += Json::parse(end.out).at("verdict") == "wrong face";
+  }
+  EXPECT_EQ(wrong, 1);
+}
+
+TEST_F(CommandTest, ExplainRefuses) {
+  refused({"explain"}, 2, "explain needs a scene, such as teapot");
+  refused({"explain", "teapot"}, 2,
+          "explain needs a pixel X,Y of the picture, such as 400,300: xnewell explain teapot 400,300");
+  refused({"explain", "teapot", "800,3"}, 2, "pixel 800,3 lies outside the picture of 800x600");
+  refused({"explain", "teapot", "1,x"}, 2,
+          "X,Y: '1,x' is not a pixel X,Y: two whole numbers from 0, counted from the top left");
+  refused({"explain", "teapot", "1,1", "-o", file("a.png")}, 2,
+          "-o works only with draw, snapshot, trade and extremes");
+  refused({"draw", "teapot", "3,3", "-o", file("a.png")}, 2, "unexpected argument: '3,3'");
+}
+
+}  // namespace xnewell::THIS_FILE

@@ -1,0 +1,132 @@
+#include "x11/pixel/pixel_bench.h"
+
+#include <gtest/gtest.h>
+
+#include "tests/x11/support/ready_workbench.h"
+
+namespace xnewell::THIS_FILE {
+
+namespace {
+
+/// A window at view 8.
+struct PixelWindow : ReadyWorkbench {
+  explicit PixelWindow(const char* scene = "teapot", int width = 1024, int height = 768)
+      : ReadyWorkbench{{}, width, height, scene} {
+    press('8');
+    finish();
+  }
+  void does(const Key& key) {
+    press(key);
+    finish();
+  }
+  [[nodiscard]] std::string status() const { return bench().status(); }
+  /// The cell of the picture's pixel that the status line names.
+  [[nodiscard]] int cellThere() const {
+    int i = 0, j = 0;
+    EXPECT_EQ(std::sscanf(status().c_str(), "pixel %d, %d", &i, &j), 2) << status();
+    const Rect at = bench().picture(layout());
+    PictureSettings settings = setup().picture;
+    settings.width = at.width, settings.height = at.height;
+    PictureCache pictures{readScene("teapot", 3)};
+    return pictures.make(settings, ground()).image().row(j)[i];
+  }
+};
+
+}  // namespace
+
+// A click on the picture of view 1 explains the pixel under the pointer; a drag turns the scene instead. A
+// hand may tremble.
+TEST(PixelBench, AClickExplains) {
+  ReadyWorkbench b;
+  const Rect at = b.layout().picture;
+  const int x = at.x + at.width / 2, y = at.y + at.height / 2;
+  ASSERT_TRUE(b.grab(x, y));
+  b.dragTo(x + 1, y - 1);
+  b.settle();
+  b.finish();
+  EXPECT_EQ(b.view(), WindowView::Pixel);
+  const Rect small = b.bench().picture(b.layout());
+  EXPECT_TRUE(b.bench().status().starts_with("pixel " + std::to_string(small.width / 2) + ", "))
+      << b.bench().status();
+  EXPECT_EQ(b.setup(), b.defaults()) << "nothing was turned";
+
+  b.press('1');
+  b.finish();
+  ASSERT_TRUE(b.grab(x, y));
+  b.dragTo(x + 40, y);
+  b.settle();
+  b.finish();
+  EXPECT_EQ(b.view(), WindowView::Picture);
+  EXPECT_NE(b.setup(), b.defaults());
+}
+
+// The arrows move by one pixel, with Shift by ten; g goes to a pixel by its numbers, and says what it allows.
+TEST(PixelBench, KeysChooseThePixel) {
+  PixelWindow b;
+  b.press('g');
+  for (const char c : std::string{"100,60"}) b.press(c);
+  b.does(NamedKey::Return);
+  EXPECT_TRUE(b.status().starts_with("pixel 100, 60 of ")) << b.status();
+  b.does(NamedKey::Right);
+  b.does({NamedKey::Down, 0, true});
+  EXPECT_TRUE(b.status().starts_with("pixel 101, 70 of ")) << b.status();
+  EXPECT_EQ(b.bench().inspected(), b.cellThere());
+  b.press('g');
+  for (const char c : std::string{"9999,1"}) b.press(c);
+  b.press(NamedKey::Return);
+  EXPECT_TRUE(b.isAsking());
+  b.does(NamedKey::Escape);
+  // At the picture's border the pixel stays.
+  for (int k = 0; k < 60; ++k) b.press({NamedKey::Up, 0, true});
+  b.finish();
+  EXPECT_TRUE(b.status().starts_with("pixel 101, 0 of ")) << b.status();
+}
+
+// A click in this view's picture chooses the pixel there.
+TEST(PixelBench, TheMouseChoosesThePixel) {
+  PixelWindow b;
+  const Rect at = b.bench().picture(b.layout());
+  ASSERT_TRUE(b.grab(at.x + 30, at.y + 40));
+  b.settle();
+  b.finish();
+  EXPECT_TRUE(b.status().starts_with("pixel 30, 40 of ")) << b.status();
+}
+
+// A changed setting keeps the pixel. In any method the cell that is explained is the one that the window
+// shows.
+TEST(PixelBench, ASettingKeepsThePixel) {
+  PixelWindow b;
+  const std::string pixel = b.status().substr(0, b.status().find(" of "));
+  for (const Shading method :
+       {Shading::Gouraud, Shading::Phong, Shading::Environment, Shading::Full, Shading::Depth}) {
+    b.change('S', [&](xnewell::Setup& s) { s.picture.shading = method; });
+    b.finish();
+    EXPECT_TRUE(b.status().starts_with(pixel)) << b.status();
+    EXPECT_EQ(b.bench().inspected(), b.cellThere()) << rowOf(method).name;
+  }
+  b.type("s");
+  b.does(NamedKey::Right);  // the arrows are those of ks now
+  EXPECT_TRUE(b.status().starts_with(pixel)) << b.status();
+  b.does(NamedKey::Escape);
+  b.does(NamedKey::Right);
+  EXPECT_FALSE(b.status().starts_with(pixel)) << b.status();
+}
+
+// The rows of a long history: the first, a gap, and the chosen one.
+TEST(PixelPage, RowsOfALongHistory) {
+  EXPECT_EQ(shownRows(3, 2, 5), (std::vector{0, 1, 2}));
+  EXPECT_EQ(shownRows(9, 3, 5), (std::vector{0, 1, 2, 3, -1}));
+  EXPECT_EQ(shownRows(9, 8, 5), (std::vector{0, -1, 6, 7, 8}));
+  EXPECT_EQ(shownRows(9, 5, 5), (std::vector{0, -1, 4, 5, 6}));
+  for (int count = 1; count < 30; ++count)
+    for (int chosen = 0; chosen < count; ++chosen)
+      for (const int room : {3, 5}) {
+        std::vector<int> rows = shownRows(count, chosen, room);
+        EXPECT_LE(static_cast<int>(rows.size()), room);
+        EXPECT_TRUE(std::ranges::find(rows, chosen) != rows.end()) << count << ' ' << chosen;
+        rows.erase(std::remove(rows.begin(), rows.end(), -1), rows.end());
+        EXPECT_TRUE(std::ranges::is_sorted(rows));
+      }
+}
+
+}  // namespace xnewell::THIS_FILE

@@ -1,0 +1,171 @@
+#include "x11/pixel/pixel_bench.h"
+
+#include <algorithm>
+
+#include "x11/drawing/wording.h"
+#include "x11/kit/typed_number.h"
+
+namespace xnewell {
+
+void PixelBench::choose(double x, double y) {
+  x_ = x, y_ = y;
+  chosen_.reset();
+  before_.reset(), now_.reset();
+  late_ = true;
+}
+
+void PixelBench::goTo(int column, int row) {
+  choose((std::clamp(column, 0, width_ - 1) + 0.5) / width_,
+         (std::clamp(row, 0, height_ - 1) + 0.5) / height_);
+}
+
+void PixelBench::move(int columns, int rows) {
+  goTo(static_cast<int>(x_ * width_) + columns, static_cast<int>(y_ * height_) + rows);
+}
+
+void PixelBench::walk(int steps) {
+  if (painted_ == 0) return host_.notify("No polygon is at this sample.");
+  const int to = chosen_.value_or(shown_) + steps;
+  if (to < 0 || to >= painted_)
+    return host_.notify(to < 0 ? "This is the first polygon at this sample."
+                               : "This is the last polygon at this sample.");
+  chosen_ = to;
+  late_ = true;
+}
+
+Controls PixelBench::controls() {
+  Controls all = settingControls(host_.setup(), host_.defaults(), change());
+  for (Control& control : cameraControls(host_.setup(), subject_(), change())) {
+    control.drag = {};
+    all.push_back(std::move(control));
+  }
+  // The picture: a press or a drag takes the pixel along.
+  all.push_back({.kind = Control::Kind::Own, .drag = [this](int x, int y, int, int) {
+                   goTo((x - picture_.x) * unit_ + unit_ / 2, (y - picture_.y) * unit_ + unit_ / 2);
+                 }});
+  return all;
+}
+
+KeyTable PixelBench::ownKeys() {
+  KeyTable table;
+  const auto moves = [this](int columns, int rows) {
+    return [this, columns, rows](const Key& key) {
+      const int times = key.shift ? 10 : 1;
+      move(times * columns, times * rows);
+    };
+  };
+  if (const Controls all = controls(); !list_.focused(all)) {
+    const std::string does = "move to a neighbour; Shift: ten pixels; or click in the picture";
+    table = {{{NamedKey::Left}, "pixel", does, moves(-1, 0)},
+             {{NamedKey::Right}, "pixel", does, moves(1, 0)},
+             {{NamedKey::Up}, "pixel", does, moves(0, -1)},
+             {{NamedKey::Down}, "pixel", does, moves(0, 1)}};
+  }
+  const auto add = [&](Key key, std::string legend, std::string does, std::function<void()> act) {
+    table.push_back(
+        {{key}, std::move(legend), std::move(does), [act = std::move(act)](const Key&) { act(); }});
+  };
+  add('g', "go to", "go to a pixel by its column and row", [this] {
+    host_.ask({.asks = "go to the pixel x,y", .take = [this](const std::string& text) -> std::string {
+                 const std::size_t comma = text.find(',');
+                 const auto x = wholeNumber(text.substr(0, comma));
+                 const auto y =
+                     comma == std::string::npos ? std::nullopt : wholeNumber(text.substr(comma + 1));
+                 if (!x || !y || *x < 0 || *y < 0 || *x >= width_ || *y >= height_)
+                   return "Type a column and a row, 0,0 to " + std::to_string(width_ - 1) + "," +
+                          std::to_string(height_ - 1) + ".";
+                 goTo(*x, *y);
+                 return {};
+               }});
+  });
+  const std::string polygon = "the polygon that was painted before, after: explain it";
+  add(NamedKey::PageUp, "polygon", polygon, [this] { walk(-1); });
+  add(NamedKey::PageDown, "polygon", polygon, [this] { walk(1); });
+  const std::string none = vertices_ > 0 ? "" : "Only Gouraud shading evaluates the light at vertices.";
+  table.push_back({{'j'},
+                   "vertex",
+                   "Gouraud: the equation at the next vertex",
+                   [this](const Key&) {
+                     vertex_ = (vertex_ + 1) % std::max(1, vertices_);
+                     late_ = true;
+                   },
+                   none});
+  const std::string one = channels_ > 1 ? "" : "The picture has one channel.";
+  table.push_back({{'y'},
+                   "channel",
+                   "the next channel: red, green, blue",
+                   [this](const Key&) {
+                     channel_ = (channel_ + 1) % channels_;
+                     late_ = true;
+                   },
+                   one});
+  add('k', "keep", "keep this pixel's numbers, to compare with what comes", [this] {
+    before_ = now_;
+    late_ = true;
+    if (now_)
+      host_.tell("Kept: I " + fixed(now_->I, kPixelDecimals) + ", cell " + std::to_string(now_->cell) + ".");
+  });
+  add(NamedKey::Return, "the stepper", "step through the depth sort",
+      [this] { host_.switchTo(WindowView::DepthSort); });
+  add(NamedKey::Escape, "", "give the arrows back to the pixel", [this] { list_.setFocus(std::nullopt); });
+  append(table, zoomKeys(host_.setup(), subject_(), change()));
+  return table;
+}
+
+void PixelBench::draw(Painter paint, const Desk& desk) {
+  late_ = false;
+  const PixelLayout at = layoutOfPixel(desk.layout);
+  picture_ = at.picture, unit_ = desk.layout.unit;
+  const IndexImage& image = desk.picture.image();
+  width_ = image.width, height_ = image.height;
+  const int i = std::min(width_ - 1, static_cast<int>(x_ * width_));
+  const int j = std::min(height_ - 1, static_cast<int>(y_ * height_));
+  if (setup_ && *setup_ != desk.setup && !desk.dragging) {  // a setting has changed: compare
+    before_ = now_;
+    chosen_.reset();
+  }
+  setup_ = desk.setup;
+  const PixelStory story{desk.picture, i, j};
+  painted_ = static_cast<int>(story.history.painted.size()), shown_ = story.history.shown;
+  if (chosen_ && *chosen_ >= painted_) chosen_.reset();
+  const int chosen = chosen_.value_or(std::max(0, shown_));
+  cell_ = story.cell();
+  now_.reset();
+  vertices_ = 0, channels_ = 1;
+  if (painted_ > 0) {
+    const Explanation& e = story.explained[static_cast<std::size_t>(chosen)];
+    if (e.method == Shading::Gouraud) vertices_ = static_cast<int>(e.vertices.size());
+    channels_ = e.channels;
+  }
+  if (const Explanation* const shown = story.shown()) now_ = PixelBefore{shown->intensity, story.cell()};
+  vertex_ = vertices_ > 0 ? vertex_ % vertices_ : 0, channel_ %= channels_;
+
+  paint.place(image, at.picture.x, at.picture.y);
+  const Rect mark{at.picture.x + i / unit_ - 7, at.picture.y + j / unit_ - 7, 15, 15};
+  Painter inside = paint.within(at.picture);
+  inside.frame({mark.x - 1, mark.y - 1, mark.width + 2, mark.height + 2}, desk.plan[Cell::Black]);
+  inside.frame(mark, desk.plan[Cell::White]);
+  Pen pen{paint, desk.plan};
+  drawPixelPage(pen, at,
+                {.story = story,
+                 .chosen = chosen,
+                 .vertex = vertex_,
+                 .channel = channel_,
+                 .before = before_,
+                 .palette = desk.palette});
+  const Controls all = controls();
+  list_.forgetPlaces();
+  const RowStyle narrow{.width = at.picture.width, .track = at.picture.width - 84 - 60};
+  int y = at.controls;
+  for (const char key : {'s', 'n'}) y = list_.placeRow(all, key, at.picture.x, y, narrow);
+  list_.place({}, {.area = at.picture, .grip = at.picture, .bare = true});
+  list_.draw(pen, all);
+  status_ = "pixel " + std::to_string(i) + ", " + std::to_string(j) + " of " + sizeText(width_, height_) +
+            ": " +
+            (shown_ < 0
+                 ? std::string{"ground"}
+                 : "face " + faceName(desk.picture,
+                                      story.history.painted[static_cast<std::size_t>(shown_)].fragment.face));
+}
+
+}  // namespace xnewell

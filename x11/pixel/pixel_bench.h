@@ -1,0 +1,56 @@
+#pragma once
+
+#include <functional>
+#include <optional>
+#include <string>
+
+#include "x11/pixel/pixel_page.h"
+#include "x11/window/bench.h"
+
+namespace xnewell {
+
+/// View 8: why one pixel of the picture has its colour. A changed setting keeps the pixel.
+class PixelBench : public Bench {
+ public:
+  PixelBench(Host& host, std::function<Subject()> subject) : Bench{host}, subject_{std::move(subject)} {}
+
+  /// Chooses the pixel at this share of the picture's width and height, each in [0, 1).
+  void choose(double x, double y);
+
+  [[nodiscard]] Controls controls() override;
+  [[nodiscard]] KeyTable ownKeys() override;
+  void enter() override { list_.setFocus(std::nullopt); }
+
+  [[nodiscard]] Rect picture(const Layout& at) const override { return layoutOfPixel(at).picture; }
+  [[nodiscard]] bool late(const Setup&) const override { return late_ || list_.late(); }
+  void draw(Painter paint, const Desk& desk) override;
+  [[nodiscard]] std::string status() const override { return status_; }
+  [[nodiscard]] std::string aside() const override {
+    return "a changed setting keeps the pixel; Esc gives the arrows back to it";
+  }
+  [[nodiscard]] std::optional<int> inspected() const override { return cell_; }
+
+ private:
+  void move(int columns, int rows);
+  void goTo(int column, int row);
+  void walk(int steps);
+
+  std::function<Subject()> subject_;
+  /// The pixel's place, as shares of the picture: so it stays in the scene if the window's size changes.
+  double x_ = 0.5, y_ = 0.5;
+  std::optional<int> chosen_;  ///< a polygon of the history; none: the one that shows
+  int vertex_ = 0, channel_ = 0;
+  std::optional<PixelBefore> before_;
+  bool late_ = true;
+  // The state of the last drawing.
+  Rect picture_{};
+  int width_ = 1, height_ = 1, unit_ = 1;  ///< of the picture, in pixels
+  int painted_ = 0, shown_ = -1;           ///< of the history
+  int vertices_ = 0, channels_ = 1;
+  std::optional<PixelBefore> now_;
+  std::optional<int> cell_;
+  std::optional<Setup> setup_;
+  std::string status_;
+};
+
+}  // namespace xnewell

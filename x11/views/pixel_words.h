@@ -1,0 +1,65 @@
+#pragma once
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "shading/explain/explain.h"
+#include "shading/explain/pixel_history.h"
+#include "shading/picture/picture.h"
+
+namespace xnewell {
+
+/// The words and numbers of an explanation, for the command `explain` and for view 8.
+
+inline constexpr int kPixelDecimals = 4;
+
+/// What there is to say about the sample of pixel (i, j).
+struct PixelStory {
+  /// The picture is painted and must outlive the story.
+  PixelStory(const Picture& picture, int i, int j);
+
+  const Picture& picture;
+  int i, j;
+  PixelHistory history;
+  std::vector<Explanation> explained;  ///< of each of history.painted
+
+  /// What shows; null where no face does.
+  [[nodiscard]] const Explanation* shown() const {
+    return history.shown < 0 ? nullptr : &explained[static_cast<std::size_t>(history.shown)];
+  }
+  [[nodiscard]] int cell() const { return picture.image().row(j)[i]; }
+  /// True if the cells hold single colours, so there is no shade to explain.
+  [[nodiscard]] bool inColors() const { return channelsOf(picture.colors().plan()) == Channels::Rgb; }
+  /// True if the chain ends in the picture's cell.
+  [[nodiscard]] bool isExplained() const { return !shown() || inColors() || shown()->value[0] == cell(); }
+  /// One word: ground, shaded, clamped or wrong face.
+  [[nodiscard]] std::string_view verdict() const;
+};
+
+/// "1954.2, spout": the number of a face, of the convex part of it, and the name of its group.
+[[nodiscard]] std::string faceName(const Picture& picture, int face);
+/// "painted over by 2"; `k` is an index into history.painted.
+[[nodiscard]] std::string fateOf(const PixelStory& story, std::size_t k);
+
+/// "R.V", or what the form of the equation takes for it.
+[[nodiscard]] std::string_view cosineName(Form form);
+/// "I = ka Ia + f Ip [ kd N.L + ks (R.V)^n ]"
+[[nodiscard]] std::string formulaOf(const Explanation& e, Form form);
+/// The numbers put into the formula in one channel: one line, or one for the ambient term and each light.
+[[nodiscard]] std::vector<std::string> numbersPutIn(const Explanation& e, const ExplainedEquation& at, int c);
+/// "= 0.1800 + 0.5637 + 0.1012 = 0.8449": the terms, rounded so that they add up.
+[[nodiscard]] std::string sumOf(const ExplainedEquation& at, int c);
+/// "  -0.1182  -0.8214   0.5580"
+[[nodiscard]] std::string componentsOf(const glm::dvec3& v);
+
+/// The table of the face that an explanation is about.
+[[nodiscard]] const ColorTable& tableOf(const PixelStory& story, const Explanation& e);
+/// "I 0.8449 picks shade 202 of 240 (linear), cell 11 + 202 = 213", and "that shade is for 0.8431 <= I <
+/// 0.8473". There are as many decimals as it takes to tell I from the borders.
+struct PickedWords {
+  std::string picks, range;
+};
+[[nodiscard]] PickedWords pickedWords(const PixelStory& story, const Explanation& e);
+
+}  // namespace xnewell
