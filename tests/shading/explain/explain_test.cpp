@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <glm/geometric.hpp>
 
 #include "depthsort/oracle.h"
 #include "shading/explain/pixel_history.h"
@@ -38,6 +39,12 @@ void expectExplained(const Picture& picture, Seen& seen) {
         ASSERT_LT(off, 4e-5) << "pixel " << i << ", " << j << ": " << e.inLoop << " for " << e.intensity;
         seen.off = std::max(seen.off, off);
       }
+      for (const ExplainedEquation& one : e.equations)
+        for (const ExplainedLight& light : one.lights) {
+          const glm::dvec3 with = settings.light.form == Form::Textbook ? one.V : one.N;
+          ASSERT_NEAR(glm::dot(light.R, with), light.cosine, 1e-12) << "the vector does not have the cosine";
+          ASSERT_NEAR(glm::dot(one.N, light.L), light.NdotL, 1e-12);
+        }
       for (const ExplainedEquation& one : e.equations)
         for (int c = 0; c < e.channels; ++c) {
           double sum = one.ambient[c];
