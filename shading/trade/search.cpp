@@ -19,7 +19,7 @@ constexpr double kHopeless = 2;
 constexpr double kSlow = 1.7;
 /// A change brings nothing if it is at most so many times as slow without it.
 constexpr double kIdle = 1.1;
-static_assert(kIdle * kNear < kSlow);
+static_assert(kIdle * kNearFastest < kSlow);
 
 /// How costly a value is before anything is known: a step doubles the time.
 int costOf(const Axis& axis, double value) {
@@ -207,7 +207,7 @@ Search::Pick Search::pick() {
 
 Search::Pick Search::pickBeside() {
   if (!limit_ || least_ == 0) return {};
-  for (const int k : within(kNear, kIdle)) {
+  for (const int k : within(kNearFastest, kIdle)) {
     const int from = nodeOfTried_[k];
     expand(from);
     for (const Move& move : nodes_[from].moves) {

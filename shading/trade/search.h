@@ -13,7 +13,7 @@
 namespace xnewell {
 
 /// A combination is near the fastest within a limit if it takes at most so many times as long.
-inline constexpr double kNear = 1.5;
+inline constexpr double kNearFastest = 1.5;
 
 /// Which combinations of short cuts are worth a look?
 ///

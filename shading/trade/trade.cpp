@@ -185,7 +185,7 @@ class Trader {
   void choices() {
     Search search{measure_, trade_.axes, request_.within};
     if (!searched(search, "combinations")) return;
-    std::vector<int> final = search.within(kNear, kMaySave);
+    std::vector<int> final = search.within(kNearFastest, kMaySave);
     if (final.size() > kFinalists) final.resize(kFinalists);
     double ms = 0;
     std::erase_if(final, [&](int k) {
