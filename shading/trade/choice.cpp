@@ -56,6 +56,23 @@ std::vector<int> bestOf(const std::vector<int>& some, double tie, Measure&& meas
   return best;
 }
 
+/// Those that are as fast as the fastest, up to the widest gap.
+std::vector<int> fastestOf(std::vector<int> some, const std::vector<Measured>& all) {
+  if (some.empty()) return some;
+  const auto ratioOf = [&](int k) { return all[k].cost.time.ratio; };
+  std::ranges::stable_sort(some, {}, ratioOf);
+  const double least = ratioOf(some.front());
+  std::size_t count = 0;
+  double widest = 0;
+  for (std::size_t k = 0; k < some.size() && ratioOf(some[k]) <= kTimeTie * least; ++k) {
+    const double next = k + 1 < some.size() ? ratioOf(some[k + 1]) : kTimeFar * least;
+    const double gap = std::min(next, kTimeFar * least) / ratioOf(some[k]);
+    if (gap > widest) widest = gap, count = k + 1;
+  }
+  some.resize(count);
+  return some;
+}
+
 /// What the best combination with another value of an axis has to say; "" if no other value was tried. The
 /// best is the fastest that is accurate enough, or else the most accurate.
 std::string otherwise(const Trade& trade, const Axis& axis, const Measured& chosen,
@@ -88,7 +105,28 @@ std::string otherwise(const Trade& trade, const Axis& axis, const Measured& chos
                        ", is off by " + says + ".";
 }
 
+/// True if `simple` has some of the changes of `other`, or none, or all.
+bool isPart(const Measured& simple, const Measured& other) {
+  return std::ranges::all_of(simple.configuration.changes, [&](const Change& change) {
+    return std::ranges::find(other.configuration.changes, change) != other.configuration.changes.end();
+  });
+}
+
 }  // namespace
+
+std::vector<const Measured*> usefulOf(std::vector<const Measured*> some, double saves) {
+  std::ranges::stable_sort(some, {}, [](const Measured* one) { return one->configuration.changes.size(); });
+  std::vector<const Measured*> useful;
+  for (const Measured* const one : some)
+    if (std::ranges::none_of(useful, [&](const Measured* simple) {
+          return simple->cost.time.ms <= saves * one->cost.time.ms && isPart(*simple, *one);
+        }))
+      useful.push_back(one);
+  std::erase_if(some, [&](const Measured* one) {
+    return std::ranges::none_of(useful, [&](const Measured* other) { return isPart(*one, *other); });
+  });
+  return some;
+}
 
 double errorOnAllViews(const Measured& one) {
   return std::max(one.elsewhere, one.here.afterTable.rootMeanSquare);
@@ -119,8 +157,9 @@ Chosen chooseWithin(const Trade& trade, const AccuracyLimit& limit) {
   for (const int k : timed)
     if (keeps(all[k], limit)) kept.push_back(k);
   choice.accurate = !kept.empty();
+  const auto changesOf = [&](int k) { return static_cast<double>(all[k].configuration.changes.size()); };
   const std::vector<int> best = choice.accurate
-                                    ? bestOf(bestOf(kept, kTimeTie, ratioOf), kErrorTie, errorOf)
+                                    ? bestOf(bestOf(fastestOf(kept, all), 1, changesOf), kErrorTie, errorOf)
                                     : bestOf(bestOf(timed, kErrorTie, errorOf), kTimeTie, ratioOf);
   if (best.empty()) return choice;
   choice.combination =

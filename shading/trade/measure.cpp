@@ -146,12 +146,12 @@ void Measure::addErrors(Glance& glance, const Picture& picture, int divisions, c
 }
 
 Glance Measure::glance(const Configuration& configuration, bool countsWrong) try {
-  constexpr double kEnough = 4;  // ms
+  constexpr double kEnough = 6;  // ms
   Glance glance;
   PictureSettings settings = configuration.settings;
   settings.camera = here_.camera;
   double all = 0;
-  for (int k = 0; k < 5 && all < kEnough; ++k) {
+  for (int k = 0; k < 9 && all < kEnough; ++k) {
     PictureCache pictures{scene(configuration.divisions)};
     const double start = processorMs();
     const Picture picture = pictures.make(settings, groundOf(settings));

@@ -33,10 +33,14 @@ struct Glance {
 /// Measures configurations of one scene: their errors on the user's view and on other views, and what they
 /// cost. It keeps the scene with each number of divisions, and the references. Of those that no picture's own
 /// polygons are, it keeps only the faces that show: a scene may have millions, and there are four views.
+/// Tests put other times in the place of those of this machine.
 class Measure {
  public:
   /// @throws ViewError if the set-up has no picture
   Measure(const Shared<Scene>& scene, const PictureSettings& settings);
+  virtual ~Measure() = default;
+  Measure(const Measure&) = delete;
+  Measure& operator=(const Measure&) = delete;
 
   [[nodiscard]] const Picture& asked() const { return asked_; }
   [[nodiscard]] Configuration askedConfiguration() const {
@@ -54,14 +58,16 @@ class Measure {
   /// All errors, and all costs but the times. Precondition: no refusal().
   [[nodiscard]] Measured whole(const Configuration& configuration) { return measured(configuration, true); }
   /// The same without what only a closer look needs: colours, distances.
-  [[nodiscard]] Measured brief(const Configuration& configuration) { return measured(configuration, false); }
-  /// One picture of the user's view, with its error. The time is the least of up to five runs if they are
+  [[nodiscard]] virtual Measured brief(const Configuration& configuration) {
+    return measured(configuration, false);
+  }
+  /// One picture of the user's view, with its error. The time is the least of up to nine runs if they are
   /// short.
-  [[nodiscard]] Glance glance(const Configuration& configuration, bool countsWrong);
+  [[nodiscard]] virtual Glance glance(const Configuration& configuration, bool countsWrong);
   /// The largest errors on the other views, without times.
-  [[nodiscard]] Glance glanceElsewhere(const Configuration& configuration, bool countsWrong);
+  [[nodiscard]] virtual Glance glanceElsewhere(const Configuration& configuration, bool countsWrong);
   /// Makes the picture as if it were the first. Returns the processor's time in milliseconds.
-  double run(const Configuration& configuration, Stages& stages);
+  virtual double run(const Configuration& configuration, Stages& stages);
 
  private:
   /// A view: its camera, and what it should show.

@@ -16,7 +16,10 @@ constexpr double kInfinity = std::numeric_limits<double>::infinity();
 /// Candidates that promise less are left.
 constexpr double kHopeless = 2;
 /// What keeps the limit, but is slower than the fastest by more, is not looked at from elsewhere.
-constexpr double kSlow = 1.5;
+constexpr double kSlow = 1.7;
+/// A change brings nothing if it is at most so many times as slow without it.
+constexpr double kIdle = 1.1;
+static_assert(kIdle * kNearFastest < kSlow);
 
 /// How costly a value is before anything is known: a step doubles the time.
 int costOf(const Axis& axis, double value) {
@@ -167,12 +170,15 @@ double Search::promise(const Look& look) const {
 }
 
 bool Search::makesIdle(const Node& simple, const Node& other) const {
-  if (&simple == &other || simple.look.ms() > kTimeTie * other.look.ms() ||
-      simple.look.rms() > kErrorTie * other.look.rms() || simple.look.wrong > other.look.wrong)
-    return false;
+  return &simple != &other && simple.look.ms() <= kIdle * other.look.ms() &&
+         simple.look.rms() <= kErrorTie * other.look.rms() && simple.look.wrong <= other.look.wrong &&
+         isPart(simple.key, other.key);
+}
+
+bool Search::isPart(const Key& simple, const Key& other) const {
   const Key& now = nodes_.front().key;
   for (std::size_t k = 0; k < now.size(); ++k)
-    if (simple.key[k] != now[k] && simple.key[k] != other.key[k]) return false;
+    if (simple[k] != now[k] && simple[k] != other[k]) return false;
   return true;
 }
 
@@ -197,6 +203,21 @@ Search::Pick Search::pick() {
       if (value < least) least = value, best = {k, move};
     }
   return best;
+}
+
+Search::Pick Search::pickBeside() {
+  if (!limit_ || least_ == 0) return {};
+  for (const int k : within(kNearFastest, kIdle)) {
+    const int from = nodeOfTried_[k];
+    expand(from);
+    for (const Move& move : nodes_[from].moves) {
+      if (nodes_[move.node].seen) continue;
+      const Look& look = nodes_[from].look;
+      if (move.to == dials_[move.dial].now || promise(after(look, effectOf(move, look))) < kHopeless)
+        return {from, move};
+    }
+  }
+  return {};
 }
 
 void Search::take(int node, Measured measured, const Look& look) {
@@ -236,7 +257,8 @@ void Search::know(const Measured& measured) {
 
 bool Search::step() {
   const bool first = tried_.empty();
-  const Pick next = first ? Pick{} : pick();
+  Pick next = first ? Pick{} : pick();
+  if (!first && next.from < 0) next = pickBeside();
   if (!first && next.from < 0) return false;
   const int node = first ? 0 : next.move.node;
   Measured one;
@@ -257,17 +279,26 @@ bool Search::step() {
   return true;
 }
 
-std::vector<int> Search::within(double times) const {
+std::vector<int> Search::within(double times, double saves) const {
   std::vector<int> all;
   const auto errorOf = [&](int k) { return errorOnAllViews(tried_[k]); };
+  const auto isWithin = [&](int k, double most) {
+    return least_ == 0 || (keeps(tried_[k], *limit_) && tried_[k].cost.time.ms <= most * least_);
+  };
   for (int k = 0; k < static_cast<int>(tried_.size()); ++k)
-    if (least_ > 0 ? keeps(tried_[k], *limit_) && tried_[k].cost.time.ms <= times * least_ : true)
-      all.push_back(k);
-  if (least_ == 0 && !all.empty()) {
+    if (isWithin(k, saves * times)) all.push_back(k);
+  if (least_ > 0) {
+    std::vector<const Measured*> some;
+    for (const int k : all) some.push_back(&tried_[k]);
+    const std::vector<const Measured*> useful = usefulOf(std::move(some), saves);
+    std::erase_if(all, [&](int k) {
+      return !isWithin(k, times) || std::ranges::find(useful, &tried_[k]) == useful.end();
+    });
+  } else if (!all.empty()) {
     const int best = *std::ranges::min_element(all, {}, errorOf);
-    std::erase_if(all, [&](int k) { return errorOf(k) > kErrorTie * errorOf(best); });
+    std::erase_if(
+        all, [&](int k) { return errorOf(k) > kErrorTie * errorOf(best) || nodes_[nodeOfTried_[k]].idle; });
   }
-  std::erase_if(all, [&](int k) { return nodes_[nodeOfTried_[k]].idle; });
   std::ranges::stable_sort(all, {}, [&](int k) { return tried_[k].cost.time.ms; });
   return all;
 }

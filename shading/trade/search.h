@@ -12,6 +12,9 @@
 
 namespace xnewell {
 
+/// A combination is near the fastest within a limit if it takes at most so many times as long.
+inline constexpr double kNearFastest = 1.5;
+
 /// Which combinations of short cuts are worth a look?
 ///
 /// There are far too many to try all. The search looks at one combination after the other: it paints it once,
@@ -23,8 +26,12 @@ namespace xnewell {
 /// it shows corrects the predictions.
 ///
 /// Within a limit, promise is time x the square of how often the error contains the limit. Without one it is
-/// the time, in times of the fastest combination tried that is as accurate. The search ends when no candidate
-/// promises anything.
+/// the time, in times of the fastest combination tried that is as accurate.
+///
+/// First times are of few runs and may mislead. So when no candidate promises anything, the search closes
+/// what it found within a limit. It looks about each combination that is near the fastest, however little the
+/// change seemed to help before: without each of its changes, and with each other one that may come near.
+/// What is found may be near too. The search ends when this leads to nothing new.
 class Search {
  public:
   /// `measure` must outlive it. `axes` are those that may change.
@@ -32,16 +39,16 @@ class Search {
 
   /// Takes over what is known of a configuration.
   void know(const Measured& measured);
-  /// Tries the most promising candidate. Returns false if nothing is left to try.
+  /// Tries the most promising candidate, or closes. Returns false if nothing is left to try.
   bool step();
 
   /// All that was tried, with rough times, but what has no picture. Within a limit, those that keep it have
   /// their errors elsewhere, unless they are much slower than the fastest.
   [[nodiscard]] const std::vector<Measured>& tried() const { return tried_; }
   /// The indices of those that keep the limit and are at most `times` as slow as the fastest of them, the
-  /// fastest first; without any, of the most accurate; none if nothing was tried. Those with changes that
-  /// bring nothing are left out. Precondition: there is a limit.
-  [[nodiscard]] std::vector<int> within(double times) const;
+  /// fastest first; without any, of the most accurate; none if nothing was tried. Those are left out that
+  /// are as fast with fewer changes: usefulOf(). `saves` is at most 1.1. Precondition: there is a limit.
+  [[nodiscard]] std::vector<int> within(double times, double saves) const;
   /// The indices of the `count` that are nearest to the front. Changes that bring nothing are left out.
   [[nodiscard]] std::vector<int> nearFront(std::size_t count) const;
   /// The values that no combination tried had: "--order bsp, oracle; --divisions 64"; "" if all were tried.
@@ -104,12 +111,16 @@ class Search {
   void take(int node, Measured measured, const Look& look);
   /// True if `simple` has some of the changes of `other`, or none, and is as fast and as accurate.
   [[nodiscard]] bool makesIdle(const Node& simple, const Node& other) const;
+  /// True if `simple` has some of the changes of `other`, or none.
+  [[nodiscard]] bool isPart(const Key& simple, const Key& other) const;
   /// The move to try next, and from where.
   struct Pick {
     int from = -1;
     Move move = {};
   };
   [[nodiscard]] Pick pick();
+  /// The same to close what was found.
+  [[nodiscard]] Pick pickBeside();
 
   Measure& measure_;
   std::optional<AccuracyLimit> limit_;

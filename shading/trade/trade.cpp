@@ -6,6 +6,7 @@
 
 #include "geometry/exact/box.h"
 #include "geometry/exact/give_up.h"
+#include "shading/trade/choice.h"
 #include "shading/trade/combine.h"
 #include "shading/trade/constant_l_bound.h"
 #include "shading/trade/measure.h"
@@ -20,13 +21,19 @@ namespace {
 /// their times. A choice within a limit has no rows.
 constexpr double kRowErrors = 0.3, kRowTimes = 0.6, kCombinationErrors = 0.8;
 
-/// What keeps a limit is timed again in turn if it is at most so many times as slow as the fastest; but no
-/// more than so many, the fastest by one run.
-constexpr double kFinal = 1.4;
-constexpr std::size_t kFinalists = 16;
-/// After so many rounds, what takes so many times as long as the first of them is out.
-constexpr int kFirstRounds = 5;
-constexpr double kLast = 1.2;
+/// What keeps a limit and is near the fastest is timed again in turn; but no more than so many, the fastest
+/// by their first times, and only as many as take this share of the time for the first rounds.
+constexpr std::size_t kFinalists = 96;
+constexpr double kFirstShare = 0.1;
+/// After so many rounds, what takes so many times as long as the fastest of them is out.
+constexpr int kFirstRounds = 7;
+constexpr double kLast = 1.4;
+static_assert(kLast > kTimeFar);
+/// And so is what has changes without which it is at most so many times as slow (usefulOf()). First times are
+/// less sure, so more is timed.
+constexpr double kSaves = 1.1, kMaySave = 1.05;
+/// How narrow the intervals of the last times shall be, so that chance seldom decides what is a tie.
+constexpr double kNarrow = 0.02;
 
 /// What has begun may take this share of the time more than its part has left. Then it is given up. So one
 /// picture that takes very long cannot take more.
@@ -35,9 +42,8 @@ constexpr double kBeyond = 0.5;
 /// The trade while it is made.
 class Trader {
  public:
-  Trader(const Shared<Scene>& scene, const PictureSettings& settings, const TradeRequest& request,
-         const TradeProgress& progress)
-      : request_{request}, progress_{progress}, measure_{scene, settings} {}
+  Trader(Measure& measure, const TradeRequest& request, const TradeProgress& progress, double start)
+      : request_{request}, progress_{progress}, start_{start}, measure_{measure} {}
 
   Trade make() {
     // Who names axes may mean some that have an effect only beside another.
@@ -179,8 +185,13 @@ class Trader {
   void choices() {
     Search search{measure_, trade_.axes, request_.within};
     if (!searched(search, "combinations")) return;
-    std::vector<int> final = search.within(kFinal);
+    std::vector<int> final = search.within(kNearFastest, kMaySave);
     if (final.size() > kFinalists) final.resize(kFinalists);
+    double ms = 0;
+    std::erase_if(final, [&](int k) {
+      ms += kFirstRounds * search.tried()[k].cost.time.ms;
+      return k != final.front() && ms > 1e3 * kFirstShare * request_.seconds;
+    });
     trade_.combinations = search.tried();
     std::vector<Measured*> timed;
     for (const int k : final) {
@@ -195,15 +206,22 @@ class Trader {
     if (timed.empty()) return;
     // A few rounds leave those that may be the fastest; these have the rest of the time.
     (void)time(timed, 1, "timing the fastest", kFirstRounds);
-    std::erase_if(timed, [](Measured* one) { return one->cost.rough = one->cost.time.ratio > kLast; });
-    if (!trade_.stopped && !timed.empty())
-      trade_.ofCombinations = time(timed, 1, "timing the fastest again", request_.mostRounds);
+    const auto ratioOf = [](const Measured* one) { return one->cost.time.ratio; };
+    const double least = ratioOf(*std::ranges::min_element(timed, {}, ratioOf));
+    const std::vector<const Measured*> useful = usefulOf({timed.begin(), timed.end()}, kSaves);
+    std::erase_if(timed, [&](Measured* one) {
+      one->cost.rough = ratioOf(one) > kLast * least || std::ranges::find(useful, one) == useful.end();
+      return one->cost.rough;
+    });
+    if (!trade_.stopped)
+      trade_.ofCombinations = time(timed, 1, "timing the fastest again", request_.mostRounds, kNarrow);
     if (trade_.ofCombinations.rounds == 0)
       for (Measured* one : timed) one->cost.rough = true;
   }
 
   /// `ways` are in Trade or beside it; the first is the base.
-  Timings time(const std::vector<Measured*>& ways, double share, const std::string& doing, int mostRounds) {
+  Timings time(const std::vector<Measured*>& ways, double share, const std::string& doing, int mostRounds,
+               double narrow = TimingLimits{}.narrow) {
     std::vector<Stages> stages(ways.size());
     std::vector<Timed> timed;
     for (std::size_t k = 0; k < ways.size(); ++k)
@@ -212,6 +230,7 @@ class Trader {
     const TimingLimits limits{.seconds = secondsTo(share),
                               .leastRounds = std::min(TimingLimits{}.leastRounds, mostRounds),
                               .mostRounds = mostRounds,
+                              .narrow = narrow,
                               .seed = request_.seed};
     int kept = 0;
     const auto keep = [&](const Timings& timings) {
@@ -230,8 +249,8 @@ class Trader {
 
   TradeRequest request_;
   TradeProgress progress_;
-  double start_ = processorMs();
-  Measure measure_;
+  double start_;
+  Measure& measure_;
   Trade trade_;
 };
 
@@ -250,7 +269,13 @@ std::string savingOf(const Timing& time) {
 Trade tradeOf(const Shared<Scene>& scene, const PictureSettings& settings, const TradeRequest& request,
               const TradeProgress& progress) {
   if (boxOf(scene->mesh.points).side() == 0) throw ViewError{"the scene has no extent"};
-  return Trader{scene, settings, request, progress}.make();
+  const double start = processorMs();
+  Measure measure{scene, settings};
+  return Trader{measure, request, progress, start}.make();
+}
+
+Trade tradeOf(Measure& measure, const TradeRequest& request, const TradeProgress& progress) {
+  return Trader{measure, request, progress, processorMs()}.make();
 }
 
 }  // namespace xnewell

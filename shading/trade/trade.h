@@ -16,6 +16,8 @@
 
 namespace xnewell {
 
+class Measure;
+
 /// Speed against accuracy: what each short cut saves on a scene, and what it costs in errors.
 ///
 /// First each short cut alone takes its other values, about the set-up that the user asked for. Then the
@@ -84,6 +86,10 @@ using TradeProgress = std::function<bool(const std::string& doing, const Trade& 
 /// axis does not have
 [[nodiscard]] Trade tradeOf(const Shared<Scene>& scene, const PictureSettings& settings,
                             const TradeRequest& request, const TradeProgress& progress = {});
+
+/// The same of what `measure` measures. It must not have been asked for anything yet.
+[[nodiscard]] Trade tradeOf(Measure& measure, const TradeRequest& request,
+                            const TradeProgress& progress = {});
 
 /// "saves 23 % of the time", "takes 1.4 times as long", "takes as long".
 [[nodiscard]] std::string savingOf(const Timing& time);

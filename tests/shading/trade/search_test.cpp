@@ -100,7 +100,7 @@ TEST(Search, BeginsWithWhatIsCheap) {
 TEST(Search, MayHaveTriedNothing) {
   Measure measure{readScene("cycle"), small()};
   const Search search{measure, axesInReach(measure.asked()), AccuracyLimit{0.1}};
-  EXPECT_TRUE(search.within(1).empty());
+  EXPECT_TRUE(search.within(1, 1).empty());
 }
 
 // If nothing keeps the limit, it says what no combination had.
@@ -115,7 +115,7 @@ TEST(Search, SaysWhatWasNeverTried) {
   while (search.step()) {
   }
   EXPECT_EQ(search.neverTried(), "");
-  EXPECT_FALSE(search.within(1).empty());
+  EXPECT_FALSE(search.within(1, 1).empty());
 }
 
 // Samples that show a wrong face are counted on all views.
@@ -129,29 +129,21 @@ TEST(Search, KeepsASecondLimit) {
   EXPECT_LE(both.measured().wrongElsewhere, 5);
 }
 
-// Beside two busy loops, five choices of one picture take the same time, but for a quarter. XNEWELL_TIMES=1
-// runs this test: how long something takes is not asserted on machines that have other work to do.
+// Beside two busy loops, five choices of one picture are the same. XNEWELL_TIMES=1 runs this test: how long
+// something takes is not asserted on machines that have other work to do. RepeatableChoice asserts the same
+// of times that do not depend on the machine.
 TEST(Search, IsRepeatableBesideBusyProcesses) {
   if (!std::getenv("XNEWELL_TIMES")) GTEST_SKIP() << "XNEWELL_TIMES=1 runs it";
   const Scene scene = readScene("teapot");
   const PictureSettings settings = small();
-  Measure measure{scene, settings};
   const BusyLoops busy;
-  std::vector<Configuration> chosen;
+  std::set<std::string> chosen;
   for (unsigned seed = 1; seed <= 5; ++seed) {
     const Choosing choice = choiceOf(scene, settings, {0.1}, seed);
     ASSERT_TRUE(choice.chosen.accurate);
-    chosen.push_back(choice.measured().configuration);
+    chosen.insert(choice.measured().configuration.name());
   }
-  std::vector<Stages> stages(chosen.size());
-  std::vector<Timed> timed;
-  for (std::size_t k = 0; k < chosen.size(); ++k)
-    timed.emplace_back([&, k] { return measure.run(chosen[k], stages[k]); });
-  const Timings timings = timeAll(timed, {.seconds = 600, .leastRounds = 21, .mostRounds = 21});
-  std::string names;
-  for (const Configuration& one : chosen) names += one.name() + "; ";
-  const auto [least, most] = std::ranges::minmax(timings.of, {}, &Timing::ratio);
-  EXPECT_LE(most.ratio, 1.25 * least.ratio) << names;
+  EXPECT_EQ(chosen.size(), 1u) << *chosen.begin() << "; " << *chosen.rbegin();
 }
 
 }  // namespace xnewell::THIS_FILE
