@@ -49,7 +49,6 @@ class Trader {
     // Who names axes may mean some that have an effect only beside another.
     trade_.axes = requestedAxes(
         request_.axes.empty() ? axesOf(measure_.asked()) : axesInReach(measure_.asked()), request_);
-    trade_.exponent = measure_.asked().scene().exponent;
     trade_.referenceDivisions = measure_.referenceDivisions();
     if (!request_.brief) trade_.referenceOff = measure_.referenceOff();
     trade_.views = measure_.otherViews();

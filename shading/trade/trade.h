@@ -64,8 +64,7 @@ struct Trade {
   Measured asked;
   std::vector<TradeRow> rows;  ///< in the order of the axes
   std::vector<Measured> combinations;
-  std::vector<int> front;  ///< indices into combinations, the cheapest first
-  int exponent = 0;        ///< of the scene: a length in the file is that in the settings times 2^exponent
+  std::vector<int> front;                     ///< indices into combinations, the cheapest first
   int referenceDivisions = 0;                 ///< of the reference's patches; 0 if there are none
   std::optional<PatchDistance> referenceOff;  ///< how far the reference's polygons are from the patches
   std::optional<double> constantL;            ///< boundOfConstantL()

@@ -20,6 +20,7 @@
 #include "x11/server/canvas.h"
 #include "x11/server/colormap.h"
 #include "x11/server/display.h"
+#include "x11/server/selection.h"
 
 namespace xnewell {
 
@@ -84,7 +85,8 @@ class Viewer {
         canvas_{server_.display.get(),
                 server_.colormap,
                 {.title = titleOf(scene), .width = size_.x, .height = size_.y}},
-        bench_{std::move(scene), server_.setupOf(options), server_.forBench()},
+        selection_{server_.display.get(), canvas_.window()},
+        bench_{std::move(scene), server_.setupOf(options), forBench()},
         title_{titleOf(bench_.scene())},
         plan_{bench_.plan()} {
     bench_.scale(unit_);
@@ -133,6 +135,15 @@ class Viewer {
 
  private:
   [[nodiscard]] Display* display() const { return server_.display.get(); }
+
+  [[nodiscard]] Workbench::Server forBench() {
+    Workbench::Server server = server_.forBench();
+    server.copy = [this](const std::string& text) {
+      std::cout << text << std::endl;
+      selection_.offer(text, pressedAt_);
+    };
+    return server;
+  }
 
   static std::string titleOf(const Scene& scene) { return "xnewell: " + scene.name; }
 
@@ -238,6 +249,7 @@ class Viewer {
       of[MotionNotify] = &Viewer::moved;
       of[ClientMessage] = &Viewer::message;
       of[MappingNotify] = &Viewer::keyboardChanged;
+      of[SelectionRequest] = &Viewer::asked;
       return of;
     }();
     if (event.type < 0 || event.type >= LASTEvent) return;  // of an extension
@@ -264,7 +276,9 @@ class Viewer {
     if (event.xcolormap.state == ColormapUninstalled && pointerInside_)
       server_.colormap.installUnlessManaged();
   }
+  void asked(XEvent& event) { selection_.answer(event.xselectionrequest); }
   void key(XEvent& event) {
+    pressedAt_ = event.xkey.time;
     const std::optional<Key> key = keyOf(event.xkey);
     if (!key) return;
     if (event.type == KeyPress)
@@ -310,6 +324,8 @@ class Viewer {
   glm::ivec2 size_;
   int unit_;
   Canvas canvas_;
+  Selection selection_;
+  Time pressedAt_ = 0;  ///< of the last key event
   Workbench bench_;
   static constexpr double kLong = 100;  ///< ms; a longer update counts as long
 

@@ -1,11 +1,9 @@
 #include "x11/app/workbench.h"
 
 #include <algorithm>
-#include <filesystem>
 #include <stdexcept>
 #include <utility>
 
-#include "x11/app/one_line.h"
 #include "x11/pixel/pixel_bench.h"
 #include "x11/sides/side_bench.h"
 #include "x11/stepper/sort_bench.h"
@@ -129,6 +127,7 @@ KeyTable Workbench::generalKeys() {
   });
   add('w', "save", "save the set-up as a scene file", [this] { askToSave(); });
   add('e', "", "open a scene", [this] { askToOpen(); });
+  add('C', "", "print the command that draws this set-up, and copy it", [this] { copyCommand(); });
   for (const WindowViewRow& row : kWindowViews)
     add(row.key, "", "the views; or click their names", [this, id = row.id] { switchTo(id); });
   add('q', "quit", "quit", [this] { quit(); });
@@ -148,53 +147,6 @@ void Workbench::done(bool something, const char* what) {
   const bool stored = !shown_ || shown_->colors.effects == PaletteEffects{};
   notify(std::string{"There is nothing to "} + what +
          (stored ? " here." : " here; Esc restores the stored colours."));
-}
-
-void Workbench::askToSave() {
-  const Scene& scene = this->scene();
-  const std::string stem = std::filesystem::path{scene.name}.stem().string();
-  ask({.asks = "save the set-up as",
-       .text = work_.file.empty() ? stem + "-set-up.json" : work_.file,
-       .take = [this, replaced = std::string{}](const std::string& file) mutable -> std::string {
-         if (!file.ends_with(".json")) return "A scene file's name ends in .json.";
-         if (std::filesystem::is_directory(file)) return "That is a folder.";
-         if (file != work_.file && file != replaced && std::filesystem::exists(file)) {
-           replaced = file;
-           return "The file exists. Press Return again to replace it.";
-         }
-         try {
-           work_.save(file);
-         } catch (const std::system_error& e) {
-           return oneLine(e.what());
-         }
-         told_ = "Saved. \"xnewell " + file + "\" shows " +
-                 (view() == WindowView::Picture ? "it" : "the picture of view 1") + " again.";
-         return {};
-       }});
-}
-
-void Workbench::askToOpen() {
-  std::vector<std::string> names;
-  for (const BuiltInScene& scene : builtInScenes()) names.push_back(scene.name);
-  ask({.asks = "open a scene: a file, or a built-in name",
-       .text = work_.file,
-       .offers = std::move(names),
-       .take = [this, warned = std::string{}](const std::string& name) mutable -> std::string {
-         if (name.empty()) return "Type a name, or press Esc to cancel.";
-         try {
-           Scene scene = readScene(name);
-           const Setup setup = setupIn(scene);
-           Work work = workOn(std::move(scene), setup);
-           if (name.ends_with(".json")) work.file = name;
-           if (!isSaved() && std::exchange(warned, name) != name)
-             return "Your changes are not saved. Press Return again to open this and lose them.";
-           before_.reset();
-           begin(std::move(work));
-         } catch (const std::exception& e) {
-           return oneLine(e.what());
-         }
-         return {};
-       }});
 }
 
 void Workbench::switchTo(WindowView view) {

@@ -34,6 +34,8 @@ class Workbench : public Host {
     /// The most shades that the server has cells for, of one hue or divided among several. Each new scene
     /// asks again.
     std::function<int(bool severalHues)> mostShades = [](bool) { return kMaxShades; };
+    /// Prints a text, and lets other programs paste it.
+    std::function<void(const std::string&)> copy = [](const std::string&) {};
   };
   Workbench(Scene scene, const Setup& setup, Server server);
   Workbench(Workbench&&) = delete;  // the benches point to it
@@ -175,6 +177,7 @@ class Workbench : public Host {
   /// Asks the server for cells for the hues of a scene.
   void fit(const Scene& scene, const Setup& setup);
   void begin(Work work);
+  void copyCommand();
   void askToSave();
   void askToOpen();
   [[nodiscard]] AccuracyKeeper::Seen seen() const;

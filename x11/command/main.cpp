@@ -160,7 +160,9 @@ void giveWay(Scene& scene, const Options& options) {
   if (options.fill == Fill::XFillPolygon && !scene.textures.empty())
     throw UsageError{"--fill x11 paints each polygon in one colour, so it cannot show the scene's textures"};
   for (const Setting& setting : settingRows())
-    if (!setting.replaces.empty() && options.gave(setting.option)) strip(scene, setting.replaces);
+    if (!setting.replaces.empty() && options.gave(setting.option) &&
+        std::ranges::find(options.keep, setting.replaces) == options.keep.end())
+      strip(scene, setting.replaces);
 
   // What is left of the lights must be able to fade as the user says.
   const Illumination& user = options.picture.light;

@@ -120,10 +120,11 @@ int tellTrade(const Options& options, Scene scene) {
   awaitInterrupt();
   const Shared<Scene> shared{std::move(scene)};
   const Trade trade = measured(options, options.trade, shared);
+  const TradeCommands commands{SetupCommand{*shared}, options.picture.camera};
   if (options.json)
-    printTradeAsJson(options, trade, std::cout);
+    printTradeAsJson(options.scene, commands, trade, std::cout);
   else
-    printTrade(options, trade, std::cout);
+    printTrade(commands, trade, std::cout);
   std::cout.flush();  // a chart that cannot be written must not cost the table
   if (!options.output.empty()) {
     const Trade told = areTimed(trade.combinations) ? trade : withSingles(trade);

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <array>
-#include <cmath>
 #include <nlohmann/json.hpp>
 #include <ostream>
 
@@ -17,33 +16,6 @@ namespace {
 using Json = nlohmann::ordered_json;
 
 constexpr int kSentence = 100;
-
-/// A word of a shell's command line.
-std::string quoted(const std::string& word) {
-  const auto plain = [](unsigned char c) {
-    return std::isalnum(c) != 0 ||
-           std::string_view{"-_./,:=+"}.find(static_cast<char>(c)) != std::string_view::npos;
-  };
-  if (!word.empty() && std::ranges::all_of(word, plain)) return word;
-  std::string text = "'";
-  for (const char c : word) text += c == '\'' ? std::string{"'\\''"} : std::string{c};
-  return text + '\'';
-}
-
-/// The options of the camera, with a space before each, if it must be said. Words that begin with a minus go
-/// with their option.
-std::string cameraOf(const Configuration& configuration, int exponent) {
-  const CameraSettings& camera = configuration.settings.camera;
-  const bool divided = std::ranges::any_of(configuration.changes, [](const Change& c) { return !c.setting; });
-  if (!divided || !camera.eye) return "";
-  const auto point = [](const glm::dvec3& p, int power) {
-    return textOf(std::ldexp(p.x, power)) + ',' + textOf(std::ldexp(p.y, power)) + ',' +
-           textOf(std::ldexp(p.z, power));
-  };
-  return " --eye=" + point(*camera.eye, exponent) + " --look-at=" + point(*camera.lookAt, exponent) +
-         " --up=" + point(*camera.up, 0) +
-         (camera.parallel ? " --parallel " + textOf(std::ldexp(*camera.height, exponent)) : "");
-}
 
 /// One word for why the rounds ended.
 std::string_view wordOf(Ended ended) {
@@ -79,13 +51,13 @@ Json errorsIn(const Measured& one) {
           {"intensity", {{"after_table", errorsAsJson(one.here)["intensity"]["after_table"]}}}};
 }
 
-Json jsonOf(const Options& options, int exponent, const Measured& one) {
+Json jsonOf(const TradeCommands& commands, const Measured& one) {
   const StageTimes& t = one.cost.stages;
   const PictureSettings& s = one.configuration.settings;
   const ServerCost server = serverCostOf(s.width, s.height, one.cost.cells);
   return {
       {"name", one.configuration.name()},
-      {"command", commandOf(options, exponent, one.configuration)},
+      {"command", commands.of(one.configuration)},
       {"ms", jsonOf(one.cost.time)},
       {"ms_by_stage", {{"shade", t.shade}, {"transform", t.transform}, {"sort", t.sort}, {"fill", t.fill}}},
       {"bytes", one.cost.bytes},
@@ -102,33 +74,14 @@ Json jsonOf(const Timings& timings) {
 
 }  // namespace
 
-std::string commandOf(const Options& options, int exponent, const Configuration& configuration) {
-  std::string command = "xnewell draw " + quoted(options.scene);
-  constexpr std::array<std::string_view, 8> kOthers{"scene",  "-o",        "--output", "--json",
-                                                    "--axes", "--without", "--budget", "--errors"};
-  constexpr std::array<std::string_view, 6> kCamera{"--eye", "--look-at", "--up",
-                                                    "--vrp", "--vup",     "--parallel"};
-  const std::string camera = cameraOf(configuration, exponent);
-  for (std::size_t k = 0; k < options.given.size(); ++k) {
-    const std::string& name = options.given[k];
-    if (std::ranges::find(kOthers, name) != kOthers.end()) continue;
-    const Setting* const setting = settingOf(std::string_view{name});
-    if (std::ranges::any_of(configuration.changes, [&](const Change& change) {
-          return change.setting ? change.setting == setting : name == "--divisions";
-        }))
-      continue;
-    if (!camera.empty() && std::ranges::find(kCamera, name) != kCamera.end()) continue;
-    // What has no effect beside the changes may be refused.
-    if (setting && !hasEffect(*setting, factsOf(configuration.settings))) continue;
-    command += ' ' + name;
-    if (!options.values[k].empty()) command += ' ' + quoted(options.values[k]);
-  }
-  const std::string changes = configuration.options();
-  command += camera;
-  return command + (changes.empty() ? "" : ' ' + changes) + " -o picture.png --errors";
+std::string TradeCommands::of(const Configuration& configuration) const {
+  PictureSettings settings = configuration.settings;
+  const bool divided = std::ranges::any_of(configuration.changes, [](const Change& c) { return !c.setting; });
+  if (!divided) settings.camera = camera;
+  return setup.of(settings, configuration.divisions) + " --errors";
 }
 
-void printTrade(const Options& options, const Trade& trade, std::ostream& out) {
+void printTrade(const TradeCommands& commands, const Trade& trade, std::ostream& out) {
   out << "Errors are those of the intensity, 0 to 1, against a reference without short cuts";
   if (trade.referenceDivisions > 0) out << ", with " << trade.referenceDivisions << " divisions";
   if (trade.referenceOff)
@@ -153,7 +106,7 @@ void printTrade(const Options& options, const Trade& trade, std::ostream& out) {
   for (const TradeRow& row : trade.rows) {
     printTradeNumbers(out, row.measured.configuration.name(), row.measured);
     for (const std::string& line : broken(row.sentence, kSentence)) out << "    " << line << '\n';
-    out << "    " << commandOf(options, trade.exponent, row.measured.configuration) << '\n';
+    out << "    " << commands.of(row.measured.configuration) << '\n';
   }
   if (!trade.front.empty()) {
     out << '\n'
@@ -164,31 +117,32 @@ void printTrade(const Options& options, const Trade& trade, std::ostream& out) {
     for (const int k : trade.front) {
       const Configuration& one = trade.combinations[k].configuration;
       printTradeNumbers(out, one.name(), trade.combinations[k]);
-      out << "    " << commandOf(options, trade.exponent, one) << '\n';
+      out << "    " << commands.of(one) << '\n';
     }
   }
   if (!trade.notes.empty()) out << '\n';
   for (const std::string& note : trade.notes) out << note << '\n';
 }
 
-void printTradeAsJson(const Options& options, const Trade& trade, std::ostream& out) {
+void printTradeAsJson(const std::string& scene, const TradeCommands& commands, const Trade& trade,
+                      std::ostream& out) {
   Json rows = Json::array(), combinations = Json::array();
   for (const TradeRow& row : trade.rows) {
     rows.push_back({{"axis", trade.axes[row.axis].name()},
                     {"value", trade.axes[row.axis].text(row.value)},
                     {"sentence", row.sentence}});
-    rows.back().update(jsonOf(options, trade.exponent, row.measured));
+    rows.back().update(jsonOf(commands, row.measured));
   }
   for (std::size_t k = 0; k < trade.combinations.size(); ++k) {
     const bool front = std::ranges::find(trade.front, static_cast<int>(k)) != trade.front.end();
     combinations.push_back({{"front", front}});
-    combinations.back().update(jsonOf(options, trade.exponent, trade.combinations[k]));
+    combinations.back().update(jsonOf(commands, trade.combinations[k]));
   }
   Json reference{{"divisions", trade.referenceDivisions}};
   if (trade.referenceOff) reference["largest_pixels_off_patches"] = trade.referenceOff->largestPixels;
-  const Json json{{"scene", options.scene},
+  const Json json{{"scene", scene},
                   {"reference", reference},
-                  {"as_it_is", jsonOf(options, trade.exponent, trade.asked)},
+                  {"as_it_is", jsonOf(commands, trade.asked)},
                   {"timing_of_rows", jsonOf(trade.ofRows)},
                   {"rows", rows},
                   {"other_views", trade.views},

@@ -22,6 +22,11 @@ Oblique parseOblique(const std::string& text) {
 
 }  // namespace
 
+std::string textOf(const Oblique& oblique) {
+  const auto* const row = std::ranges::find(kObliques, oblique.length, &ObliqueRow::length);
+  return std::string{row->name} + ':' + textOf(oblique.angle);
+}
+
 void addCamera(Reader& r, CameraSettings& camera) {
   r.point("--eye", "where the eye is, x,y,z in the world", "where the whole scene fits",
           [&](glm::dvec3 p) { camera.eye = p; });

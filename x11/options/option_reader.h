@@ -3,6 +3,7 @@
 #include <CLI/CLI.hpp>
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
 #include <functional>
 #include <map>
 #include <string>
@@ -30,13 +31,16 @@ class Reader {
     if (!row.more.empty()) help += ". " + std::string{row.more};
     const std::string name{row.option};
     if (row.field.kind == ValueKind::Flag) {
-      app_.add_flag_callback(
+      app_.add_flag_function(
               name,
-              [&] {
-                overrides.push_back({&row, 1.0});
+              [&](std::int64_t times) {
+                overrides.push_back({&row, times > 0 ? 1.0 : 0.0});
               },
-              help)
-          ->disable_flag_override();
+              help + ". " + name + "=false ends what the scene asks for")
+          ->check([name](const std::string& given) -> std::string {
+            if (given != "true" && given != "false") refuse(name, given, "true or false");
+            return "";
+          });
       return;
     }
     const std::string initially =

@@ -6,7 +6,6 @@
 #include <cmath>
 #include <filesystem>
 #include <iostream>
-#include <sstream>
 #include <utility>
 #include <vector>
 
@@ -23,14 +22,6 @@ namespace {
 
 /// Commands that have a name but do nothing yet. The program says so.
 constexpr std::array<std::string_view, 1> kLaterCommands{"figure"};
-
-/// The words between commas.
-std::vector<std::string> commaWords(const std::string& text) {
-  std::vector<std::string> all;
-  std::istringstream in{text};
-  for (std::string word; std::getline(in, word, ',');) all.push_back(word);
-  return all;
-}
 
 glm::ivec2 parseSize(const std::string& text) {
   const std::string expected = "a size WxH from 1x1 to 8192x8192";
@@ -157,6 +148,13 @@ bool takeView(Options& o, const std::string& name) {
   return view != kViews.end() || window != kWindowViews.end();
 }
 
+/// "ambient, lights, ka ..."
+std::string strippable() {
+  std::string all;
+  for (const std::string_view what : kStrippable) all += (all.empty() ? "" : ", ") + std::string{what};
+  return all;
+}
+
 /// Says where the options work that do not work with all commands that draw a scene.
 void addPlaces(Reader& r) {
   const auto only = [&](std::initializer_list<const char*> names,
@@ -204,6 +202,14 @@ void addOptions(CLI::App& app, Reader& r, Options& o) {
   r.number("--divisions", o.divisions, 1, kMaxDivisions,
            "each Bezier patch becomes N x N polygons, unless the scene file gives the number");
   for (const Setting& row : settingRows()) r.setting(row, o.overrides);
+  r.text("--keep",
+         "what the scene keeps of its own although options give it, for example ka,n: " + strippable(),
+         "nothing", [&](const std::string& s) {
+           o.keep = commaWords(s);
+           for (const std::string& what : o.keep)
+             if (std::ranges::find(kStrippable, what) == kStrippable.end())
+               refuse("--keep", s, "names of these, with commas between them: " + strippable());
+         });
   r.number("--max-fragments", o.picture.mostPieces, 1, 1'000'000'000,
            "how many pieces the depth sort and the BSP tree make before they give up");
   r.flag("--half-vector", o.halfVector, "the same as --form half-vector");

@@ -71,6 +71,7 @@ struct Options {
   PictureSettings picture;  ///< settle() has these over the scene's own, in the units of the scene's file
   std::vector<std::string> given;   ///< the names of all options on the command line
   std::vector<std::string> values;  ///< what each of these says; "" for a flag
+  std::vector<std::string> keep;    ///< of kStrippable: what stays in the scene although options give it
   bool halfVector = false;          ///< --half-vector; settle() has put it into the light
   std::string texture;              ///< the file's name; "" for none
   Fill fill = Fill::Scanline;

@@ -171,8 +171,6 @@ void checkMethods(const Options& o) {
     throw UsageError{"trace follows the depth sort: it allows only --order newell"};
   if (serverFills && rowOf(o.picture.shading).interpolates)
     throw UsageError{"--fill x11 gives a polygon one cell: use --shade none, depth or flat"};
-  if (!o.texture.empty() && (!rowOf(o.picture.shading).lit || o.picture.shading == Shading::Environment))
-    throw UsageError{"--texture works only with --shade flat, gouraud and phong"};
   if (serverFills && !o.texture.empty())
     throw UsageError{"--fill x11 gives a polygon one cell: it shows no --texture"};
   if (const OrderRow& order = rowOf(o.picture.order); serverFills && order.bySample)

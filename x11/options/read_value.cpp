@@ -2,6 +2,7 @@
 
 #include <charconv>
 #include <cmath>
+#include <sstream>
 
 #include "geometry/files/text_file.h"
 #include "x11/options/options.h"
@@ -47,6 +48,13 @@ Value valueOf(const Setting& setting, const std::string& text) {
   }
   if (!allows(setting, value)) refuse(option, text, needed);
   return value;
+}
+
+std::vector<std::string> commaWords(const std::string& text) {
+  std::vector<std::string> all;
+  std::istringstream in{text};
+  for (std::string word; std::getline(in, word, ',');) all.push_back(word);
+  return all;
 }
 
 }  // namespace xnewell

@@ -20,4 +20,10 @@ namespace xnewell {
 /// The value of a setting, read from the text of its option. @throws UsageError
 [[nodiscard]] Value valueOf(const Setting& setting, const std::string& text);
 
+/// The value of --oblique: "cabinet:45".
+[[nodiscard]] std::string textOf(const Oblique& oblique);
+
+/// The words between commas.
+[[nodiscard]] std::vector<std::string> commaWords(const std::string& text);
+
 }  // namespace xnewell

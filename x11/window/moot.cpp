@@ -34,6 +34,10 @@ constexpr std::array kLosses{
          "envmap shading puts all lights infinitely far away: point lights act as if far away"},
     Loss{[](const PictureSettings& s, const Scene& scene) { return mapped(s) && hasTextures(scene); },
          "envmap shading shows no textures: the scene's textures are left out"},
+    Loss{[](const PictureSettings& s, const Scene& scene) {
+           return !rowOf(s.shading).lit && hasTextures(scene);
+         },
+         "shading without light shows no textures: the scene's textures are left out"},
 };
 
 /// True if a face has an area, so that it is more than a point or a line. Twice the area must exceed 2^-40 of

@@ -353,4 +353,22 @@ TEST(Workbench, CountsWrongFacesWhenSettled) {
   EXPECT_TRUE(std::equal(counted.row(600), counted.row(663), b.image().row(600)));
 }
 
+// C gives the command of the set-up in every view, and the status line says where it went.
+TEST(Workbench, AnyViewsSetupIsACommand) {
+  std::vector<std::string> copied;
+  Workbench b{readScene("teapot", 3), {}, {.copy = [&](const std::string& text) { copied.push_back(text); }}};
+  b.resize(1024, 768);
+  for (const WindowViewRow& row : kWindowViews) {
+    SCOPED_TRACE(row.name);
+    b.switchTo(row.id);
+    b.update();
+    b.change('S', [&](xnewell::Setup& s) { s.picture.shading = Shading::Phong; });
+    b.press({NamedKey::Letter, 'C'});
+    ASSERT_EQ(copied.size(), 1u);
+    EXPECT_EQ(copied[0].rfind("xnewell draw teapot --size ", 0), 0u) << copied[0];
+    EXPECT_NE(copied[0].find(" --divisions 3 --shade phong -o picture.png"), std::string::npos) << copied[0];
+    copied.clear();
+  }
+}
+
 }  // namespace xnewell::THIS_FILE

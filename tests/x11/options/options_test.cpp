@@ -115,6 +115,28 @@ TEST(Options, SetOverWhatASceneAsksFor) {
   EXPECT_EQ(over({"--shade", "flat"}), flat);  // also if that is the program's default
 }
 
+// A flag ends what a scene asks for with =false. Nothing but true and false is taken.
+TEST(Options, FlagsMayBeFalse) {
+  PictureSettings scene;
+  scene.dither = true;
+  const std::vector<std::string> words{"draw", "teapot", "-o", "no.png"};
+  const auto dithered = [&](const std::string& word) {
+    std::vector<std::string> all = words;
+    if (!word.empty()) all.push_back(word);
+    return parsed(all, scene).picture.dither;
+  };
+  EXPECT_TRUE(dithered("") && dithered("--dither") && dithered("--dither=true"));
+  EXPECT_FALSE(dithered("--dither=false"));
+  EXPECT_EQ(complaint({"--dither=perhaps"}), "--dither: 'perhaps' is not true or false");
+}
+
+// --keep takes names of what the scene may set.
+TEST(Options, KeepsPartsOfTheScene) {
+  EXPECT_EQ(drawn({"--ka", "1", "--keep", "ka,n"}).keep, (std::vector<std::string>{"ka", "n"}));
+  EXPECT_EQ(complaint({"--keep", "kq"}),
+            "--keep: 'kq' is not names of these, with commas between them: ambient, lights, ka, kd, ks, n");
+}
+
 // What an option needs may be said by the scene: a range goes with its linear attenuation.
 TEST(Options, GoWithWhatASceneAsksFor) {
   PictureSettings scene;

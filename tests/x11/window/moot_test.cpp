@@ -83,6 +83,8 @@ TEST_F(MootOptions, WhatIsLeftOutOfTheSceneIsNamed) {
   EXPECT_EQ(told("lamp", mapped), far + "point lights act as if far away\n");
   EXPECT_EQ(told("textured-cube", mapped),
             "xnewell: note: envmap shading shows no textures: the scene's textures are left out\n");
+  EXPECT_EQ(told("textured-cube", {"--shade", "depth"}),
+            "xnewell: note: shading without light shows no textures: the scene's textures are left out\n");
   for (const std::string scene : {"spotlight", "lamp", "textured-cube"}) EXPECT_EQ(told(scene, phong), "");
   EXPECT_EQ(told("spotlight", mapped + Strings{"--light", "0,0,1"}), "");
 

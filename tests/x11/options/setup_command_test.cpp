@@ -1,0 +1,188 @@
+#include "x11/options/setup_command.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <random>
+#include <sstream>
+
+#include "shading/color/png.h"
+#include "shading/picture/picture_cache.h"
+#include "shading/scene/scene_file.h"
+#include "tests/support/seeds.h"
+#include "tests/x11/support/command_fixture.h"
+
+namespace xnewell::THIS_FILE {
+
+namespace {
+
+/// The words of a printed command, after the program's name. No word of these tests needs quotes.
+Strings wordsOf(const std::string& command, const std::string& picture) {
+  Strings words;
+  std::istringstream in{command};
+  for (std::string word; in >> word;) words.push_back(word == "picture.png" ? picture : word);
+  words.erase(words.begin());
+  return words;
+}
+
+/// What the scene asks for, in its units, at a small size.
+PictureSettings setupOf(const Scene& scene) {
+  PictureSettings settings = scene.settings;
+  settings.inPixels = false;
+  settings.camera = inSceneUnits(scene.camera, scene);
+  toSceneUnits(settings.light, scene);
+  settings.width = 64, settings.height = 48;
+  return settings;
+}
+
+/// The file that `draw` writes of this set-up; "" if it has no picture.
+std::string fileOf(const Scene& scene, const PictureSettings& settings) {
+  try {
+    const CellPlan plan{settings.table.kind};
+    const Picture picture = makePicture(scene, settings, plan[Cell::Well]);
+    return encodePng(picture.image(), picture.palette(plan));
+  } catch (const std::exception&) {
+    return "";
+  }
+}
+
+Value randomValue(const Setting& setting, std::mt19937& rng) {
+  const auto number = [&] {
+    const double low = std::max(setting.range.low, -4.0), high = std::min(setting.range.high, 4.0);
+    return std::uniform_real_distribution{low, high}(rng);
+  };
+  for (;;) {
+    Value value = number();
+    if (setting.field.kind == ValueKind::Triple) value = glm::dvec3{number(), number(), number()};
+    if (setting.field.kind == ValueKind::Whole) value = setting.range.low + static_cast<double>(rng() % 200);
+    if (setting.field.kind == ValueKind::Flag) value = static_cast<double>(rng() % 2);
+    if (setting.field.kind == ValueKind::Choice)
+      value = static_cast<double>(rng() % setting.field.choices.size());
+    if (setting.key == "table.hue") value = glm::dvec3{1.0, std::abs(number()) / 4, 0.5};
+    if (setting.key == "table.shades") value = 30.0 + static_cast<double>(rng() % 200);
+    if (allows(setting, value)) return value;
+  }
+}
+
+/// A random camera, or the scene's own turned, or another projection.
+CameraSettings randomCamera(const Scene& scene, const PictureSettings& settings, std::mt19937& rng) {
+  const Camera placed = placeCamera(settings.camera, scene.mesh.points, scene.up, 4.0 / 3);
+  CameraSettings camera = settings.camera;
+  switch (rng() % 6) {
+    case 0:
+      return moved(camera, placed, 20.0, -7.5, 1.3);
+    case 1:  // as the key P does
+      camera.parallel = !camera.parallel && !camera.oblique;
+      camera.oblique.reset(), camera.height.reset();
+      return camera;
+    case 2:
+      camera = {}, camera.oblique = Oblique{0.5, 30};
+      return completed(camera, settings.camera);
+    case 3:
+      camera = {}, camera.vpn = glm::dvec3{0.3, -1, 0.4}, camera.front = 0.25;
+      return completed(camera, settings.camera);
+    case 4:
+      camera = {}, camera.parallel = true, camera.height = 1.7, camera.vup = glm::dvec3{0.1, 0.2, 1};
+      return completed(camera, settings.camera);
+    default:
+      return camera;
+  }
+}
+
+}  // namespace
+
+using SetupCommandTest = CommandTest;
+
+// The command draws the set-up again, byte for byte: for any settings that may be chosen in a window, any
+// camera, scenes with lights, materials and textures of their own, and set-ups from a file.
+TEST_F(SetupCommandTest, DrawsTheSameFile) {
+  const std::string setup = write("setup.json", R"({"scene": "lamp", "without": ["kd"],
+    "camera": {"parallel": true}, "shading": {"method": "gouraud", "kd": 0.5, "dither": true,
+    "constant_v": true, "attenuation": "inverse"}})");
+  const std::string worn =
+      write("worn.json", R"({"scene": "teapot", "divisions": 3, "texture": ")" XNEWELL_DATA_DIR
+                         R"(/textures/checks.png", "shading": {"method": "phong", "light_at": [4, -5, 6]}})");
+  const std::string far = write("far.obj", "v 0 0 0\nv 3e9 0 0\nv 0 3e9 1e9\nf 1 2 3\n");
+  const std::string half =
+      write("half.json", R"({"materials": {"m": {"ka": 0.5, "kd": 0.6, "ks": 0.7, "n": 9}},
+    "objects": [{"solid": "sphere", "material": "m"}, {"solid": "cube", "move": [1.5, 0, 0]}]})");
+  std::mt19937 rng{11};
+  int drawn = 0, kept = 0, lit = 0;
+  for (const std::string& name :
+       {setup, worn, far, half, std::string{"teapot"}, std::string{"colored-lights"},
+        std::string{"textured-cube"}, std::string{"spotlight"}, std::string{"hues"}})
+    for (int trial = 0; trial < (kSanitized ? 4 : 16); ++trial) {
+      Scene scene = readScene(name, 4);
+      PictureSettings settings = setupOf(scene);
+      toFileUnits(settings.light, scene);
+      std::vector<Override> overrides;
+      for (const Setting& setting : settingRows()) {
+        if (setting.key == "fill" || rng() % 4 != 0) continue;
+        if (setting.key == "Ia" && !scene.light.lights.empty()) continue;  // their sum must not exceed 1
+        overrides.push_back({&setting, randomValue(setting, rng)});
+        if (!setting.replaces.empty() && rng() % 2) strip(scene, setting.replaces);
+      }
+      if (!applyOverrides(settings, overrides)) continue;
+      if (scene.light.lights.empty() && scene.light.Ia && largest(*scene.light.Ia) + settings.light.Ip > 1)
+        continue;
+      toSceneUnits(settings.light, scene);
+      settings.camera = randomCamera(scene, settings, rng);
+      const std::string expected = fileOf(scene, settings);
+      if (expected.empty()) continue;
+      const std::string command = SetupCommand{scene}.of(settings);
+      SCOPED_TRACE(command);
+      const Finished end = runProgram(wordsOf(command, file("out.png")));
+      ASSERT_EQ(end.status, 0) << end.err;
+      ASSERT_TRUE(contents(file("out.png")) == expected);
+      ++drawn;
+      kept += command.find(" --keep ") != std::string::npos;
+      lit += command.find(" --light") != std::string::npos;
+    }
+  EXPECT_GT(drawn, kSanitized ? 15 : 60);
+  EXPECT_GT(kept, 0);
+  EXPECT_GT(lit, kSanitized ? 1 : 10);
+}
+
+// Only what differs from what the scene asks for is said. What a scene's file sets and the set-up does not is
+// ended by name.
+TEST_F(SetupCommandTest, SaysWhatDiffers) {
+  const auto said = [](const std::string& name, auto&& change) {
+    Scene scene = readScene(name);
+    PictureSettings settings = setupOf(scene);
+    change(scene, settings);
+    const std::string all = SetupCommand{scene}.of(settings);
+    const std::string first = "xnewell draw ", last = " -o picture.png";
+    EXPECT_TRUE(all.starts_with(first) && all.ends_with(last)) << all;
+    return all.substr(first.size(), all.size() - first.size() - last.size());
+  };
+  const auto nothing = [](Scene&, PictureSettings&) {};
+  for (const std::string name : {"teapot", "lamp", "spotlight"})
+    EXPECT_EQ(said(name, nothing), name + " --size 64x48");
+  EXPECT_EQ(said("teapot", [](Scene&, PictureSettings& s) { s.shading = Shading::Phong, s.light.n = 7; }),
+            "teapot --size 64x48 --shade phong --n 7");
+  EXPECT_EQ(said("lamp", [](Scene&, PictureSettings& s) { s.light.attenuation = Attenuation::Inverse; }),
+            "lamp --size 64x48 --attenuation inverse");
+  EXPECT_EQ(said("teapot",
+                 [](Scene& scene, PictureSettings& s) {
+                   s.camera.eye = inSceneUnits(glm::dvec3{-1, 0.1, 3}, scene), s.camera.fov = 20;
+                 }),
+            "teapot --size 64x48 --eye=-1,0.1,3 --fov 20");
+  const std::string dithered = write("it's.json", R"({"objects": [{"solid": "cube"}],
+    "shading": {"dither": true, "light_at": [1, 2, 3]}})");
+  std::string quotedName;
+  for (const char c : dithered) quotedName += c == '\'' ? "'\\''" : std::string{c};
+  EXPECT_EQ(
+      said(dithered, [](Scene&, PictureSettings& s) { s.dither = false, s.light.lightPosition.reset(); }),
+      "'" + quotedName + "' --size 64x48 --dither=false --light" +
+          (defaultLight(UpAxis::Y).x < 0 ? "=" : " ") +
+          textOf(*settingOf("--light"), defaultLight(UpAxis::Y)));
+}
+
+// Only a server fills with XFillPolygon.
+TEST_F(SetupCommandTest, IsASnapshotWhereTheServerFills) {
+  const Scene scene = readScene("cycle");
+  EXPECT_EQ(SetupCommand{scene}.of(setupOf(scene), 0, Fill::XFillPolygon),
+            "xnewell snapshot cycle --size 64x48 --fill x11 -o picture.png");
+}
+
+}  // namespace xnewell::THIS_FILE

@@ -1,0 +1,73 @@
+#include <algorithm>
+#include <filesystem>
+#include <stdexcept>
+#include <utility>
+
+#include "x11/app/one_line.h"
+#include "x11/app/workbench.h"
+#include "x11/options/setup_command.h"
+
+namespace xnewell {
+
+/// The ways of a set-up out of the window and into it: as a command, to a file, from a file.
+
+void Workbench::copyCommand() {
+  PictureSettings settings = work_.setup.picture;
+  const PictureSettings shown = sized();
+  settings.width = shown.width, settings.height = shown.height;
+  try {
+    server_.copy(SetupCommand{scene()}.of(settings, work_.setup.divisions, work_.setup.fill));
+    tell("The command is on standard output, and other programs can paste it.");
+  } catch (const std::exception& e) {  // its file may have gone
+    notify(oneLine(e.what()));
+  }
+}
+
+void Workbench::askToSave() {
+  const Scene& scene = this->scene();
+  const std::string stem = std::filesystem::path{scene.name}.stem().string();
+  ask({.asks = "save the set-up as",
+       .text = work_.file.empty() ? stem + "-set-up.json" : work_.file,
+       .take = [this, replaced = std::string{}](const std::string& file) mutable -> std::string {
+         if (!file.ends_with(".json")) return "A scene file's name ends in .json.";
+         if (std::filesystem::is_directory(file)) return "That is a folder.";
+         if (file != work_.file && file != replaced && std::filesystem::exists(file)) {
+           replaced = file;
+           return "The file exists. Press Return again to replace it.";
+         }
+         try {
+           work_.save(file);
+         } catch (const std::system_error& e) {
+           return oneLine(e.what());
+         }
+         told_ = "Saved. \"xnewell " + file + "\" shows " +
+                 (view() == WindowView::Picture ? "it" : "the picture of view 1") + " again.";
+         return {};
+       }});
+}
+
+void Workbench::askToOpen() {
+  std::vector<std::string> names;
+  for (const BuiltInScene& scene : builtInScenes()) names.push_back(scene.name);
+  ask({.asks = "open a scene: a file, or a built-in name",
+       .text = work_.file,
+       .offers = std::move(names),
+       .take = [this, warned = std::string{}](const std::string& name) mutable -> std::string {
+         if (name.empty()) return "Type a name, or press Esc to cancel.";
+         try {
+           Scene scene = readScene(name);
+           const Setup setup = setupIn(scene);
+           Work work = workOn(std::move(scene), setup);
+           if (name.ends_with(".json")) work.file = name;
+           if (!isSaved() && std::exchange(warned, name) != name)
+             return "Your changes are not saved. Press Return again to open this and lose them.";
+           before_.reset();
+           begin(std::move(work));
+         } catch (const std::exception& e) {
+           return oneLine(e.what());
+         }
+         return {};
+       }});
+}
+
+}  // namespace xnewell
