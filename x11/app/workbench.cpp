@@ -4,6 +4,7 @@
 #include <stdexcept>
 #include <utility>
 
+#include "shading/explain/pixel_place.h"
 #include "x11/pixel/pixel_bench.h"
 #include "x11/sides/side_bench.h"
 #include "x11/stepper/sort_bench.h"
@@ -157,7 +158,12 @@ void Workbench::switchTo(WindowView view) {
 }
 
 void Workbench::explain(double x, double y) {
-  pixel_->choose(x, y);
+  const auto place = placeSeen(picture(), static_cast<int>(x * picture().settings().width),
+                               static_cast<int>(y * picture().settings().height));
+  if (place)
+    pixel_->choose(*place);
+  else
+    pixel_->choose(x, y);
   switchTo(WindowView::Pixel);
 }
 

@@ -44,7 +44,9 @@ void printVertices(const Explanation& e, std::ostream& out) {
   if (e.vertices.empty()) return;
   const bool weights = e.vertices.size() == 3, normals = e.method != Shading::Gouraud;
   out << "      vertex" << std::setw(20) << "x, y" << (weights ? "   on screen   in world" : "")
-      << (normals ? "        N\n" : "        I\n");
+      << (normals ? "        N" : "        I");
+  if (weights) out << "   (" << weightsThatCount(e) << ')';
+  out << '\n';
   for (std::size_t k = 0; k < e.vertices.size(); ++k) {
     const ExplainedVertex& v = e.vertices[k];
     out << "      " << letterOf(k) << std::setw(25) << fixed(v.at.x, 2) + ", " + fixed(v.at.y, 2);
@@ -84,7 +86,8 @@ void printVectors(const ExplainedEquation& at, Form form, std::ostream& out) {
     if (form == Form::Tutorial || light.NdotL <= 0.0) continue;
     out << "        " << (form == Form::Textbook ? 'R' : 'H') << ' ' << componentsOf(light.R)
         << (form == Form::Textbook ? "   2 N (N.L) - L; " : "   half way from L to V; ") << cosineName(form)
-        << ' ' << number(light.cosine) << ", its power " << number(light.power) << '\n';
+        << ' ' << number(light.cosine) << (light.cosine < 0.0 ? ", counts as 0" : "") << ", its power "
+        << number(light.power) << '\n';
   }
 }
 
@@ -125,9 +128,12 @@ void printEquations(const PixelStory& story, const Explanation& e, std::ostream&
 void printTable(const PixelStory& story, const Explanation& e, std::ostream& out) {
   out << "4 table\n";
   if (story.inColors()) {
-    out << "      red, green and blue are " << e.value[0] << ", " << e.value[1] << " and " << e.value[2]
-        << " of 1 to 255; the cells hold colours (--colors), and this one's is in cell " << story.cell()
-        << '\n';
+    const Rgb16 held = story.picture.palette(CellPlan{story.picture.settings().table.kind})[story.cell()];
+    out << "      each channel is 1 + 254 I, rounded: " << e.value[0] << ", " << e.value[1] << ", "
+        << e.value[2] << "\n      the cells hold colours: cell " << story.cell() << " holds " << held.r
+        << ", " << held.g << ", " << held.b << " of 65535, "
+        << (story.picture.settings().dither ? "one of two colours that share these places (--dither)\n"
+                                            : "the nearest of them\n");
     return;
   }
   if (e.luminance)
@@ -137,7 +143,8 @@ void printTable(const PixelStory& story, const Explanation& e, std::ostream& out
   const ColorTable& table = tableOf(story, e);
   const Rgb16 color = table.color(std::clamp(e.value[0] - table.first(), 0, table.shades() - 1));
   out << "      " << words.picks << "\n      " << words.range << "; the cell holds " << color.r << ", "
-      << color.g << ", " << color.b << " of 65535\n";
+      << color.g << ", " << color.b << " of 65535 (" << kTables[static_cast<int>(table.settings().kind)].holds
+      << ")\n";
   if (std::abs(e.inLoop - e.intensity) > 1e-4)
     out << "      the picture's loop has I " << number(e.inLoop)
         << (story.picture.settings().interpolated == Interpolated::Cell

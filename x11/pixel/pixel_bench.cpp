@@ -1,7 +1,9 @@
 #include "x11/pixel/pixel_bench.h"
 
 #include <algorithm>
+#include <utility>
 
+#include "shading/explain/pixel_place.h"
 #include "x11/drawing/wording.h"
 #include "x11/kit/typed_number.h"
 
@@ -12,6 +14,11 @@ void PixelBench::choose(double x, double y) {
   chosen_.reset();
   before_.reset(), now_.reset();
   late_ = true;
+}
+
+void PixelBench::choose(const glm::dvec3& place) {
+  choose(0.5, 0.5);
+  place_ = place;
 }
 
 void PixelBench::goTo(int column, int row) {
@@ -35,6 +42,8 @@ void PixelBench::walk(int steps) {
 
 Controls PixelBench::controls() {
   Controls all = settingControls(host_.setup(), host_.defaults(), change());
+  std::erase_if(all,
+                [](const Control& control) { return control.key == 'W'; });  // this view shows what is shaded
   for (Control& control : cameraControls(host_.setup(), subject_(), change())) {
     control.drag = {};
     all.push_back(std::move(control));
@@ -83,7 +92,7 @@ KeyTable PixelBench::ownKeys() {
   add(NamedKey::PageDown, "polygon", polygon, [this] { walk(1); });
   const std::string none = vertices_ > 0 ? "" : "Only Gouraud shading evaluates the light at vertices.";
   table.push_back({{'j'},
-                   "vertex",
+                   vertices_ > 0 ? "vertex" : "",
                    "Gouraud: the equation at the next vertex",
                    [this](const Key&) {
                      vertex_ = (vertex_ + 1) % std::max(1, vertices_);
@@ -92,18 +101,18 @@ KeyTable PixelBench::ownKeys() {
                    none});
   const std::string one = channels_ > 1 ? "" : "The picture has one channel.";
   table.push_back({{'y'},
-                   "channel",
+                   channels_ > 1 ? "channel" : "",
                    "the next channel: red, green, blue",
                    [this](const Key&) {
                      channel_ = (channel_ + 1) % channels_;
                      late_ = true;
                    },
                    one});
-  add('k', "keep", "keep this pixel's numbers, to compare with what comes", [this] {
-    before_ = now_;
+  add('k', "keep", "keep this pixel's numbers, to compare with what comes; or no longer", [this] {
+    kept_ = kept_ ? std::nullopt : now_;
     late_ = true;
-    if (now_)
-      host_.tell("Kept: I " + fixed(now_->I, kPixelDecimals) + ", cell " + std::to_string(now_->cell) + ".");
+    if (kept_)
+      host_.tell("Kept: I " + kept_->I + ", cell " + std::to_string(kept_->cell) + ". k forgets it.");
   });
   add(NamedKey::Return, "the stepper", "step through the depth sort",
       [this] { host_.switchTo(WindowView::DepthSort); });
@@ -118,26 +127,29 @@ void PixelBench::draw(Painter paint, const Desk& desk) {
   picture_ = at.picture, unit_ = desk.layout.unit;
   const IndexImage& image = desk.picture.image();
   width_ = image.width, height_ = image.height;
+  const auto seenAt = place_ ? placeInPicture(desk.picture, *place_) : std::nullopt;
+  if (seenAt) x_ = std::clamp(seenAt->x / width_, 0.0, 1.0), y_ = std::clamp(seenAt->y / height_, 0.0, 1.0);
+  place_.reset();
   const int i = std::min(width_ - 1, static_cast<int>(x_ * width_));
   const int j = std::min(height_ - 1, static_cast<int>(y_ * height_));
-  if (setup_ && *setup_ != desk.setup && !desk.dragging) {  // a setting has changed: compare
-    before_ = now_;
-    chosen_.reset();
-  }
+  const bool changed = setup_ && *setup_ != desk.setup && !desk.dragging;
+  if (changed) chosen_.reset();
   setup_ = desk.setup;
   const PixelStory story{desk.picture, i, j};
   painted_ = static_cast<int>(story.history.painted.size()), shown_ = story.history.shown;
   if (chosen_ && *chosen_ >= painted_) chosen_.reset();
   const int chosen = chosen_.value_or(std::max(0, shown_));
   cell_ = story.cell();
-  now_.reset();
+  const std::optional<PixelBefore> last = std::exchange(now_, std::nullopt);
   vertices_ = 0, channels_ = 1;
   if (painted_ > 0) {
     const Explanation& e = story.explained[static_cast<std::size_t>(chosen)];
     if (e.method == Shading::Gouraud) vertices_ = static_cast<int>(e.vertices.size());
     channels_ = e.channels;
   }
-  if (const Explanation* const shown = story.shown()) now_ = PixelBefore{shown->intensity, story.cell()};
+  if (const Explanation* const shown = story.shown())
+    now_ = PixelBefore{intensityWords(story, *shown), story.cell()};
+  if (changed && last && last != now_) before_ = last;  // a setting has changed the numbers: compare
   vertex_ = vertices_ > 0 ? vertex_ % vertices_ : 0, channel_ %= channels_;
 
   paint.place(image, at.picture.x, at.picture.y);
@@ -151,7 +163,7 @@ void PixelBench::draw(Painter paint, const Desk& desk) {
                  .chosen = chosen,
                  .vertex = vertex_,
                  .channel = channel_,
-                 .before = before_,
+                 .before = kept_ ? kept_ : before_,
                  .palette = desk.palette});
   const Controls all = controls();
   list_.forgetPlaces();

@@ -14,8 +14,10 @@ class PixelBench : public Bench {
  public:
   PixelBench(Host& host, std::function<Subject()> subject) : Bench{host}, subject_{std::move(subject)} {}
 
-  /// Chooses the pixel at this share of the picture's width and height, each in [0, 1).
+  /// Chooses the pixel at this share of the picture's width and height, each in [0, 1); or the one that shows
+  /// this place of the world.
   void choose(double x, double y);
+  void choose(const glm::dvec3& place);
 
   [[nodiscard]] Controls controls() override;
   [[nodiscard]] KeyTable ownKeys() override;
@@ -38,9 +40,10 @@ class PixelBench : public Bench {
   std::function<Subject()> subject_;
   /// The pixel's place, as shares of the picture: so it stays in the scene if the window's size changes.
   double x_ = 0.5, y_ = 0.5;
-  std::optional<int> chosen_;  ///< a polygon of the history; none: the one that shows
+  std::optional<glm::dvec3> place_;  ///< of the world: the next drawing finds its pixel
+  std::optional<int> chosen_;        ///< a polygon of the history; none: the one that shows
   int vertex_ = 0, channel_ = 0;
-  std::optional<PixelBefore> before_;
+  std::optional<PixelBefore> before_, kept_;
   bool late_ = true;
   // The state of the last drawing.
   Rect picture_{};

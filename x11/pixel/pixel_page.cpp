@@ -17,12 +17,6 @@ constexpr std::array<std::string_view, 3> kChannels{"red", "green", "blue"};
 std::string number(double v) { return fixed(v, kPixelDecimals); }
 char letterOf(int vertex) { return static_cast<char>('A' + vertex % 26); }
 
-/// What the table gets; where the cells hold colours, of each channel.
-std::string intensities(const Explanation& e) {
-  if (e.channels == 1 || e.luminance) return number(e.intensity);
-  return fixed(e.I[0], 2) + " " + fixed(e.I[1], 2) + " " + fixed(e.I[2], 2);
-}
-
 /// Writes the explanation from top to bottom.
 struct PixelPen : Pen {
   const PixelLayout& at;
@@ -82,11 +76,10 @@ void PixelPen::verdict() {
                  : "The " + std::string{story().history.shown + 1 == times ? "last" : "nearest"} + " of " +
                        counted(times, "polygon") + " at this sample shows.");
   if (wrong)
-    ink(beside, y + 16,
-        "Face " + faceName(story().picture, story().history.nearest) + " is nearer: press O.");
+    ink(beside, y + 16, "Face " + faceName(story().picture, story().history.nearest) + " is nearer.");
   else
     ink(beside, y + 16,
-        std::string{rowOf(shown->method).label} + ": I " + intensities(*shown) + ", cell " +
+        std::string{rowOf(shown->method).label} + ": I " + intensityWords(story(), *shown) + ", cell " +
             std::to_string(story().cell()));
 }
 
@@ -123,7 +116,8 @@ void PixelPen::history() {
 void PixelPen::surface() {
   const SnappedFace& face = story().picture.snapped().faces[e().face];
   section("2 surface", std::string{rowOf(e().method).label} + ", " + (face.back ? "back" : "front") +
-                           " side" + (e().vertices.size() == 3 ? ", weights for the world" : ""));
+                           " side" +
+                           (e().vertices.size() == 3 ? ": " + std::string{weightsThatCount(e())} : ""));
   const bool normals = e().method != Shading::Gouraud, weights = e().vertices.size() == 3;
   if (e().vertices.empty())
     line(e().method == Shading::Flat ? "one normal and one place: the centroid of the face"
@@ -217,22 +211,28 @@ void PixelPen::equation() {
   }
   const ExplainedEquation& of = e().equations[static_cast<std::size_t>(number_)];
   const Form form = story().picture.settings().light.form;
+  constexpr int kBelow = 8;  // lines: the sum, the bar and the table
   line(formulaOf(e(), form), true);
-  for (const std::string& put : numbersPutIn(e(), of, page.channel)) line(put, false, 12);
-  line(sumOf(of, page.channel), true, 12);
-  if (of.lights.empty()) {
-    line("No light but the ambient reaches the scene, so no normal counts.");
-  } else {
-    line("N" + componentsOf(of.N) + "    V" + componentsOf(of.V));
-    for (const ExplainedLight& light : of.lights) {
-      if (!hasRoom(6)) break;  // the table comes first
-      line("L" + componentsOf(light.L) + "    N.L " + number(light.NdotL) +
-           (light.NdotL > 0.0 ? "" : ": behind"));
-      if (form != Form::Tutorial && light.NdotL > 0.0)
-        line(std::string{form == Form::Textbook ? "R" : "H"} + componentsOf(light.R) + "    " +
-             std::string{cosineName(form)} + " " + number(light.cosine) + ", its power " +
-             number(light.power));
+  const std::vector<std::string> put = numbersPutIn(e(), of, page.channel);
+  for (std::size_t k = 0; k < put.size(); ++k) {
+    if (k > 1 && !hasRoom(kBelow + 1)) {
+      line("+ " + std::to_string(put.size() - k) + " more", false, 12);
+      break;
     }
+    line(put[k], false, 12);
+  }
+  line(sumOf(of, page.channel, lights > 2), true, 12);
+  if (of.lights.empty()) line("No light but the ambient reaches the scene, so no normal counts.");
+  if (!of.lights.empty() && hasRoom(kBelow)) line("N" + componentsOf(of.N) + "    V" + componentsOf(of.V));
+  for (std::size_t k = 0; k < of.lights.size() && hasRoom(kBelow + 1); ++k) {
+    const ExplainedLight& light = of.lights[k];
+    const std::string which = of.lights.size() > 1 ? " " + std::to_string(k + 1) : "";
+    line("L" + componentsOf(light.L) + "    N.L" + which + " " + number(light.NdotL) +
+         (light.NdotL > 0.0 ? "" : ": behind"));
+    if (form != Form::Tutorial && light.NdotL > 0.0)
+      line(std::string{form == Form::Textbook ? "R" : "H"} + componentsOf(light.R) + "    " +
+           std::string{cosineName(form)} + which + " " + number(light.cosine) +
+           (light.cosine < 0.0 ? ", counts as 0" : ", its power " + number(light.power)));
   }
   bar(of);
   if (gouraud) line("interpolated to this sample: I " + number(e().I[page.channel]));
@@ -242,9 +242,14 @@ void PixelPen::table() {
   section("4 table", "");
   const bool shown = page.chosen == story().history.shown;
   if (story().inColors()) {
-    line("channels " + std::to_string(e().value[0]) + ", " + std::to_string(e().value[1]) + ", " +
-         std::to_string(e().value[2]) + " of 1 to 255; the cells hold colours");
-    if (shown) line("the picture has cell " + std::to_string(story().cell()) + " here");
+    line("each channel is 1 + 254 I, rounded: " + std::to_string(e().value[0]) + ", " +
+         std::to_string(e().value[1]) + ", " + std::to_string(e().value[2]));
+    const Rgb16 held = page.palette[static_cast<std::size_t>(story().cell())];
+    if (shown)
+      line("the cells hold colours; cell " + std::to_string(story().cell()) + ", " +
+           (story().picture.settings().dither ? "one of two that share these places" : "the nearest") +
+           ", holds " + std::to_string(held.r) + ", " + std::to_string(held.g) + ", " +
+           std::to_string(held.b));
     return;
   }
   const PickedWords words = pickedWords(story(), e());
@@ -327,10 +332,10 @@ void PixelPen::facts() {
   };
   fact("pixel", std::to_string(story().i) + ", " + std::to_string(story().j));
   fact("cell", std::to_string(story().cell()));
-  if (story().shown()) fact("I", intensities(*story().shown()));
+  if (story().shown()) fact("I", intensityWords(story(), *story().shown()));
   if (!page.before) return;
   fact("before: cell", std::to_string(page.before->cell));
-  fact("I", number(page.before->I));
+  fact("I", page.before->I);
 }
 
 }  // namespace

@@ -24,8 +24,9 @@ struct PixelLayout {
 
 /// A pixel and its numbers from before the last change, for comparison.
 struct PixelBefore {
-  double I = 0;
+  std::string I;  ///< as it is written
   int cell = 0;
+  bool operator==(const PixelBefore&) const = default;
 };
 
 struct PixelPage {

@@ -55,13 +55,15 @@ std::string formulaOf(const Explanation& e, Form form) {
 std::vector<std::string> numbersPutIn(const Explanation& e, const ExplainedEquation& at, int c) {
   std::vector<std::string> lines{"= " + fixed(at.surface[c].ka, 2) + " x " + fixed(at.Ia[c], 2)};
   for (const ExplainedLight& light : at.lights) {
+    if (light.NdotL <= 0.0) {
+      lines.push_back("+ 0: a light is behind this side");
+      continue;
+    }
     std::string part = "+ " + fixed(light.fatt * light.spot, kPixelDecimals) + " x " + fixed(light.Ip[c], 2) +
-                       " [ " + fixed(at.surface[c].kd, 2) + " x " +
-                       fixed(std::max(0.0, light.NdotL), kPixelDecimals);
+                       " [ " + fixed(at.surface[c].kd, 2) + " x " + fixed(light.NdotL, kPixelDecimals);
     if (showsTexel(e)) part += " x " + fixed(e.texel->share[c], kPixelDecimals);
-    part += " + " + fixed(at.surface[c].ks, 2) + " x " +
-            fixed(light.NdotL > 0.0 ? std::max(0.0, light.cosine) : 0.0, kPixelDecimals) + '^' +
-            std::to_string(at.surface[c].n) + " ]";
+    part += " + " + fixed(at.surface[c].ks, 2) + " x " + fixed(std::max(0.0, light.cosine), kPixelDecimals) +
+            '^' + std::to_string(at.surface[c].n) + " ]";
     if (at.lights.size() == 1)
       lines.front() += ' ' + part;
     else
@@ -70,9 +72,26 @@ std::vector<std::string> numbersPutIn(const Explanation& e, const ExplainedEquat
   return lines;
 }
 
-std::string sumOf(const ExplainedEquation& at, int c) {
+std::string_view weightsThatCount(const Explanation& e) {
+  if (e.method == Shading::Phong) return "the weights in the world count";
+  return e.texel ? "in the world for u and v, on the screen for I" : "the weights on the screen count";
+}
+
+std::string intensityWords(const PixelStory& story, const Explanation& e) {
+  if (!story.inColors() || e.channels == 1) return fixed(e.intensity, kPixelDecimals);
+  std::string all;
+  for (int c = 0; c < 3; ++c) all += (c > 0 ? " " : "") + fixed(std::clamp(e.I[c], 0.0, 1.0), 2);
+  return all;
+}
+
+std::string sumOf(const ExplainedEquation& at, int c, bool together) {
   std::vector<double> terms{at.ambient[c]};
+  if (together) terms.resize(3);
   for (const ExplainedLight& light : at.lights) {
+    if (together) {
+      terms[1] += light.diffuse[c], terms[2] += light.specular[c];
+      continue;
+    }
     terms.push_back(light.diffuse[c]);
     terms.push_back(light.specular[c]);
   }
@@ -102,14 +121,18 @@ PickedWords pickedWords(const PixelStory& story, const Explanation& e) {
   const int shade = std::clamp(e.value[0] - table.first(), 0, table.shades() - 1);
   const ColorTable::Picked picked = table.picked(shade);
   int decimals = kPixelDecimals;
-  const auto alike = [&](double a, double b) { return fixed(a, decimals) == fixed(b, decimals); };
-  while (decimals < 12 && (alike(e.intensity, picked.from) || alike(e.intensity, picked.to))) ++decimals;
+  const auto alike = [&](double border) {
+    return e.intensity != border && fixed(e.intensity, decimals) == fixed(border, decimals);
+  };
+  while (decimals < 12 && (alike(picked.from) || alike(picked.to))) ++decimals;
+  const bool last = shade + 1 == table.shades();
   return {"I " + fixed(e.intensity, decimals) + " picks shade " + std::to_string(shade) + " of " +
               std::to_string(table.shades()) + " (" +
               std::string{kTables[static_cast<int>(table.settings().kind)].name} + "), cell " +
               std::to_string(table.first()) + " + " + std::to_string(shade) + " = " +
               std::to_string(e.value[0]),
-          "that shade is for " + fixed(picked.from, decimals) + " <= I < " + fixed(picked.to, decimals)};
+          "that shade is for " + fixed(picked.from, decimals) + (last ? " <= I <= " : " <= I < ") +
+              fixed(picked.to, decimals)};
 }
 
 }  // namespace xnewell

@@ -48,8 +48,14 @@ struct PixelStory {
 [[nodiscard]] std::string formulaOf(const Explanation& e, Form form);
 /// The numbers put into the formula in one channel: one line, or one for the ambient term and each light.
 [[nodiscard]] std::vector<std::string> numbersPutIn(const Explanation& e, const ExplainedEquation& at, int c);
-/// "= 0.1800 + 0.5637 + 0.1012 = 0.8449": the terms, rounded so that they add up.
-[[nodiscard]] std::string sumOf(const ExplainedEquation& at, int c);
+/// "= 0.1800 + 0.5637 + 0.1012 = 0.8449": the ambient term, then the diffuse and the specular term of each
+/// light, rounded so that they add up. If `together`, those of all lights are one diffuse and one specular
+/// term.
+[[nodiscard]] std::string sumOf(const ExplainedEquation& at, int c, bool together = false);
+/// "the weights on the screen count": which of the vertices' weights the method uses.
+[[nodiscard]] std::string_view weightsThatCount(const Explanation& e);
+/// "0.8449"; where the cells hold colours, the intensity of each channel.
+[[nodiscard]] std::string intensityWords(const PixelStory& story, const Explanation& e);
 /// "  -0.1182  -0.8214   0.5580"
 [[nodiscard]] std::string componentsOf(const glm::dvec3& v);
 

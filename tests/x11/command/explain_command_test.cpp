@@ -17,11 +17,10 @@ const Strings kPixel{"explain",     "teapot", "288,158", "--size", "404x268",
 TEST_F(CommandTest, ExplainsThePixelOfTheManual) {
   const auto end = runProgram(kPixel);
   EXPECT_EQ(end.status, 0) << end.err;
-  for (const char* line :
-       {"404 x 268: shaded\n", "    4  face 1954.2, spout ", " 137.131  shows\n",
-        "= 0.90 x 0.20 + 1.0000 x 0.70 [ 0.90 x 0.8948 + 0.40 x 0.9504^20 ]\n",
-        "= 0.1800 + 0.5637 + 0.1012 = 0.8449\n", "cell 11 + 202 = 213\n",
-        "the picture has cell 213 here: the chain explains it\n"})
+  for (const char* line : {"404 x 268: shaded\n", "    4  face 1954.2, spout ", " 137.131  shows\n",
+                           "= 0.90 x 0.20 + 1.0000 x 0.70 [ 0.90 x 0.8948 + 0.40 x 0.9504^20 ]\n",
+                           "= 0.1800 + 0.5637 + 0.1012 = 0.8449\n", "cell 11 + 202 = 213\n",
+                           "the picture has cell 213 here: the chain explains it\n"})
     EXPECT_NE(end.out.find(line), std::string::npos) << line << end.out;
 
   const auto json = runProgram(kPixel + Strings{"--json"});
