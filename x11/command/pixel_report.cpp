@@ -9,7 +9,7 @@
 #include <string_view>
 
 #include "x11/drawing/wording.h"
-#include "x11/views/pixel_words.h"
+#include "x11/pixel/pixel_words.h"
 
 namespace xnewell {
 

@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "x11/drawing/pen.h"
-#include "x11/views/pixel_words.h"
+#include "x11/pixel/pixel_words.h"
 #include "x11/window/layout.h"
 
 namespace xnewell {

@@ -193,8 +193,7 @@ TEST_F(CommandTest, AccuracyRefusesWhatItDoesNotTake) {
       "0.03 or 0.03,20");
   for (const char* wrong : {"0.1,", "0.1,-1", "0.1,2.5", "0.1,2,3"})
     EXPECT_EQ(runProgram({"draw", "cycle", "-o", file("new.png"), "--accuracy", wrong}).status, 2) << wrong;
-  refused({"trade", "cycle", "--accuracy", "0.1"}, 2,
-          "--accuracy works only with view, draw and snapshot");
+  refused({"trade", "cycle", "--accuracy", "0.1"}, 2, "--accuracy works only with view, draw and snapshot");
   refused({"draw", "cycle", "-o", file("new.png"), "--budget", "5"}, 2,
           "--budget works only with trade and --accuracy");
 }

@@ -1,4 +1,4 @@
-#include "x11/views/pixel_words.h"
+#include "x11/pixel/pixel_words.h"
 
 #include <algorithm>
 #include <numeric>
