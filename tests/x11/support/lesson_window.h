@@ -30,6 +30,7 @@ class LessonWindow : public Host {
     bench.leave();
     view = v;
   }
+  void explain(double, double) override {}
   void compare(const Setup&) override {}
   void keepWithin(std::optional<AccuracyLimit>) override {}
   [[nodiscard]] std::optional<AccuracyLimit> keptWithin() const override { return {}; }

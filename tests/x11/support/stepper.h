@@ -79,6 +79,7 @@ class Stepper : private Host {
   void pressLetter(char) override {}
   void open(Scene, const xnewell::Setup&) override {}
   void switchTo(WindowView) override {}
+  void explain(double, double) override {}
   void compare(const xnewell::Setup&) override {}
   void keepWithin(std::optional<AccuracyLimit>) override {}
   [[nodiscard]] std::optional<AccuracyLimit> keptWithin() const override { return {}; }
