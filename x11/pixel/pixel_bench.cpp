@@ -1,7 +1,6 @@
 #include "x11/pixel/pixel_bench.h"
 
 #include <algorithm>
-#include <utility>
 
 #include "shading/explain/pixel_place.h"
 #include "x11/drawing/wording.h"
@@ -12,7 +11,7 @@ namespace xnewell {
 void PixelBench::choose(double x, double y) {
   x_ = x, y_ = y;
   chosen_.reset();
-  before_.reset(), now_.reset();
+  found_.reset(), now_.reset();
   late_ = true;
 }
 
@@ -140,7 +139,7 @@ void PixelBench::draw(Painter paint, const Desk& desk) {
   if (chosen_ && *chosen_ >= painted_) chosen_.reset();
   const int chosen = chosen_.value_or(std::max(0, shown_));
   cell_ = story.cell();
-  const std::optional<PixelBefore> last = std::exchange(now_, std::nullopt);
+  now_.reset();
   vertices_ = 0, channels_ = 1;
   if (painted_ > 0) {
     const Explanation& e = story.explained[static_cast<std::size_t>(chosen)];
@@ -149,7 +148,7 @@ void PixelBench::draw(Painter paint, const Desk& desk) {
   }
   if (const Explanation* const shown = story.shown())
     now_ = PixelBefore{intensityWords(story, *shown), story.cell()};
-  if (changed && last && last != now_) before_ = last;  // a setting has changed the numbers: compare
+  if (!found_) found_ = now_;
   vertex_ = vertices_ > 0 ? vertex_ % vertices_ : 0, channel_ %= channels_;
 
   paint.place(image, at.picture.x, at.picture.y);
@@ -163,7 +162,9 @@ void PixelBench::draw(Painter paint, const Desk& desk) {
                  .chosen = chosen,
                  .vertex = vertex_,
                  .channel = channel_,
-                 .before = kept_ ? kept_ : before_,
+                 .before = kept_            ? kept_
+                           : found_ != now_ ? found_
+                                            : std::nullopt,
                  .palette = desk.palette});
   const Controls all = controls();
   list_.forgetPlaces();

@@ -24,7 +24,10 @@ class PixelBench : public Bench {
   void enter() override { list_.setFocus(std::nullopt); }
 
   [[nodiscard]] Rect picture(const Layout& at) const override { return layoutOfPixel(at).picture; }
-  [[nodiscard]] bool late(const Setup&) const override { return late_ || list_.late(); }
+  /// The page states what cells hold, so another hue draws it again.
+  [[nodiscard]] bool late(const Setup& setup) const override {
+    return late_ || setup_ != setup || list_.late();
+  }
   void draw(Painter paint, const Desk& desk) override;
   [[nodiscard]] std::string status() const override { return status_; }
   [[nodiscard]] std::string aside() const override {
@@ -43,7 +46,7 @@ class PixelBench : public Bench {
   std::optional<glm::dvec3> place_;  ///< of the world: the next drawing finds its pixel
   std::optional<int> chosen_;        ///< a polygon of the history; none: the one that shows
   int vertex_ = 0, channel_ = 0;
-  std::optional<PixelBefore> before_, kept_;
+  std::optional<PixelBefore> found_, kept_;  ///< when the pixel was chosen; by k
   bool late_ = true;
   // The state of the last drawing.
   Rect picture_{};

@@ -98,6 +98,7 @@ TEST(Options, WorkWhereTheirRowSays) {
     for (const CommandRow& command : kCommands) {
       std::vector<std::string> words{std::string{command.name}};
       if (command.draws || command.id == Command::Lesson) words.emplace_back("teapot");
+      if (command.id == Command::Explain) words.emplace_back("1,1");
       if (row.name != "--output" && (command.id == Command::Draw || command.id == Command::Snapshot))
         words.insert(words.end(), {"-o", "no.png"});
       words.push_back(row.name);

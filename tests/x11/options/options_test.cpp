@@ -28,6 +28,7 @@ TEST(Options, CommandIsTheFirstWordOrView) {
       words.insert(words.end(), {"a.obj", "-o", "a"});
     if (row.id == Command::Trace || row.id == Command::Trade || row.id == Command::Extremes)
       words.emplace_back("a.obj");
+    if (row.id == Command::Explain) words.insert(words.end(), {"a.obj", "1,1"});
     EXPECT_EQ(parsed(words).command, row.id) << row.name;
   }
 }

@@ -114,6 +114,19 @@ TEST(PixelBench, ASettingKeepsThePixel) {
   EXPECT_FALSE(b.status().starts_with(pixel)) << b.status();
 }
 
+// A hue changes only colours, not indices. The page states the colour that the cell holds, so it is drawn again.
+TEST(PixelBench, AHueIsStated) {
+  PixelWindow b;
+  const IndexImage before = b.image();
+  b.does('H');
+  EXPECT_NE(b.image(), before);
+  const IndexImage blue = b.image();
+  b.press('1');
+  b.finish();
+  b.does('8');
+  EXPECT_EQ(b.image(), blue) << "as if it were drawn for the first time";
+}
+
 // The rows of a long history: the first, a gap, and the chosen one.
 TEST(PixelPage, RowsOfALongHistory) {
   EXPECT_EQ(shownRows(3, 2, 5), (std::vector{0, 1, 2}));
