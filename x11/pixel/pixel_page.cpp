@@ -5,6 +5,7 @@
 #include <cmath>
 #include <glm/geometric.hpp>
 
+#include "shading/explain/rounded_terms.h"
 #include "x11/drawing/wording.h"
 
 namespace xnewell {
@@ -185,8 +186,10 @@ void PixelPen::bar(const ExplainedEquation& of) {
     paint.fillRect({x() + width, top, std::min(24, static_cast<int>((from - 1.0) * width) + 1), height},
                    (*this)(Cell::Alarm));
   y += at.pitch;
-  std::vector<std::string> words{"ambient " + number(of.ambient[page.channel]), "diffuse " + number(diffuse),
-                                 "specular " + number(specular)};
+  const std::vector<double> terms =  // as in the sum above
+      roundedTerms({of.ambient[page.channel], diffuse, specular}, kPixelDecimals);
+  const std::array words{"ambient " + number(terms[0]), "diffuse " + number(terms[1]),
+                         "specular " + number(terms[2])};
   int place = x();
   for (const std::string& word : words) place = soft(place, y, word) + 18;
   softRight(right(), y, "I " + number(of.I[page.channel]) + " of 1");
@@ -252,6 +255,9 @@ void PixelPen::table() {
            std::to_string(held.b));
     return;
   }
+  if (e().luminance)
+    line("one hue: the luminance 0.30 R + 0.59 G + 0.11 B of " + fixed(e().I[0], 2) + ", " +
+         fixed(e().I[1], 2) + ", " + fixed(e().I[2], 2));
   const PickedWords words = pickedWords(story(), e());
   const ColorTable& table = tableOf(story(), e());
   const int shade = std::clamp(e().value[0] - table.first(), 0, table.shades() - 1);
