@@ -114,7 +114,8 @@ TEST(PixelBench, ASettingKeepsThePixel) {
   EXPECT_FALSE(b.status().starts_with(pixel)) << b.status();
 }
 
-// A hue changes only colours, not indices. The page states the colour that the cell holds, so it is drawn again.
+// A hue changes only colours, not indices. The page states the colour that the cell holds, so it is drawn
+// again.
 TEST(PixelBench, AHueIsStated) {
   PixelWindow b;
   const IndexImage before = b.image();
