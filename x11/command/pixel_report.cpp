@@ -60,7 +60,7 @@ void printVertices(const Explanation& e, std::ostream& out) {
 void printSurface(const PixelStory& story, const Explanation& e, std::ostream& out) {
   out << "2 surface: face " << faceName(story.picture, e.face) << ", "
       << (story.picture.snapped().faces[e.face].back ? "back" : "front") << "; shading "
-      << rowOf(e.method).name << ": " << rowOf(e.method).evaluates << '\n';
+      << rowOf(e.method).name << "\n      " << rowOf(e.method).evaluates << '\n';
   printVertices(e, out);
   if (e.method == Shading::Phong && e.sum != glm::dvec3{0.0})
     out << "      weighted sum" << std::setw(36) << "" << componentsOf(e.sum)
@@ -82,7 +82,10 @@ void printVectors(const ExplainedEquation& at, Form form, std::ostream& out) {
     const ExplainedLight& light = at.lights[k];
     out << "        L " << componentsOf(light.L) << "   to the light";
     if (at.lights.size() > 1) out << ' ' << k + 1;
-    out << "; N.L " << number(light.NdotL) << (light.NdotL > 0.0 ? "\n" : ": it does not reach this side\n");
+    out << "; N.L " << number(light.NdotL) << (light.NdotL > 0.0 ? "" : ": it does not reach this side");
+    if (light.fatt != 1.0 || light.spot != 1.0)
+      out << "; f = " << number(light.fatt) << " by distance x " << number(light.spot) << " by the cone";
+    out << '\n';
     if (form == Form::Tutorial || light.NdotL <= 0.0) continue;
     out << "        " << (form == Form::Textbook ? 'R' : 'H') << ' ' << componentsOf(light.R)
         << (form == Form::Textbook ? "   2 N (N.L) - L; " : "   half way from L to V; ") << cosineName(form)

@@ -40,6 +40,7 @@ glm::ivec2 parseSize(const std::string& text) {
 
 glm::ivec2 parsePixel(const std::string& text) {
   const std::string expected = "a pixel X,Y: two whole numbers from 0, counted from the top left";
+  if (text.find_first_not_of("0123456789,") != std::string::npos) refuse("X,Y", text, expected);
   const std::vector<double> v = numbers("X,Y", text, 2, expected);
   for (const double x : v)
     if (x < 0 || x >= kMaxPicture || x != std::floor(x)) refuse("X,Y", text, expected);

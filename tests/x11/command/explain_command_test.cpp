@@ -74,6 +74,8 @@ TEST_F(CommandTest, ExplainRefuses) {
   refused({"explain", "teapot"}, 2,
           "explain needs a pixel X,Y of the picture, such as 400,300: xnewell explain teapot 400,300");
   refused({"explain", "teapot", "800,3"}, 2, "pixel 800,3 lies outside the picture of 800x600");
+  refused({"explain", "teapot", "1e2,3"}, 2,
+          "X,Y: '1e2,3' is not a pixel X,Y: two whole numbers from 0, counted from the top left");
   refused({"explain", "teapot", "1,x"}, 2,
           "X,Y: '1,x' is not a pixel X,Y: two whole numbers from 0, counted from the top left");
   refused({"explain", "teapot", "1,1", "-o", file("a.png")}, 2,
