@@ -49,6 +49,15 @@ nlohmann::ordered_json adaptLimitOf(const Picture& picture) {
   return kRefineLimits[static_cast<int>(limit)].name;
 }
 
+/// The samples that show a farther face which rounding alone may part from the nearest. An exact order shows
+/// the nearest face everywhere, unless it met a contact; only then they are counted, which takes as long as a
+/// picture of the oracle.
+int doubtfulIn(const Picture& picture) {
+  const SortStatistics& sort = picture.sorted().statistics;
+  const bool exact = rowOf(picture.settings().order).exact && sort.contacts == 0 && sort.voids == 0;
+  return exact ? 0 : exactnessOf(picture).doubtful;
+}
+
 nlohmann::ordered_json statsOf(const Options& options, const Picture& picture, const StageTimes& t) {
   const SnappedScene& scene = picture.snapped();
   const SortedScene& sorted = picture.sorted();
@@ -79,7 +88,7 @@ nlohmann::ordered_json statsOf(const Options& options, const Picture& picture, c
           {"tree_depth", sort.nodes > 0 ? sort.deepest : 0},
           {"depth_tests", sort.depthTests},
           {"order_bytes", sort.bytes},
-          {"doubtful", exactnessOf(picture).doubtful},
+          {"doubtful", doubtfulIn(picture)},
           {"tests", tests},
           {"saturated", picture.saturated()},
           {"shading", rowOf(picture.settings().shading).name},

@@ -1,6 +1,8 @@
 #include <chrono>
 #include <thread>
 
+#include "shading/picture/exactness.h"
+#include "shading/picture/picture_cache.h"
 #include "tests/support/seeds.h"
 #include "tests/x11/support/command_fixture.h"
 
@@ -58,6 +60,29 @@ TEST_F(CommandTest, ErrorsCheckTheirOutputFirst) {
   const Finished end = runProgram(words + Strings{file("none/a.png")});
   EXPECT_EQ(end.status, 1);
   EXPECT_EQ(end.err, "xnewell: " + file("none/a.png") + ": No such file or directory\n");
+}
+
+// --stats counts doubtful samples only where an order may have any. The number is that of a whole check: for
+// scenes whose faces touch, for exact orders and others.
+TEST_F(CommandTest, StatsCountWhatIsDoubtful) {
+  int doubtful = 0, contacts = 0, none = 0;
+  for (const char* scene : {"teapot", "room", "shingles", "sheets", "decals"})
+    for (const char* order : {"newell", "bsp", "zsort", "oracle", "zbuffer16"}) {
+      const Json stats = draw(scene, {"--order", order, "--size", "97x71"}).stats;
+      PictureCache pictures{readScene(scene)};
+      PictureSettings settings = pictures.scene().settings;
+      settings.camera = inSceneUnits(pictures.scene().camera, pictures.scene());
+      settings.width = 97, settings.height = 71;
+      settings.order = std::ranges::find(kOrders, order, &OrderRow::name)->id;
+      const int whole = exactnessOf(pictures.make(settings, 8)).doubtful;
+      EXPECT_EQ(stats.at("doubtful"), whole) << scene << ' ' << order;
+      doubtful += whole;
+      contacts += stats.at("contacts").get<int>();
+      none += stats.at("contacts") == 0;
+    }
+  EXPECT_GT(doubtful, 0);
+  EXPECT_GT(contacts, 0);
+  EXPECT_GT(none, 10);
 }
 
 }  // namespace xnewell::THIS_FILE
