@@ -64,30 +64,66 @@ double toNumber(const Words& words, std::string_view word) {
   return value;
 }
 
-int decimals(std::string_view number) {
-  long long count = 0;
+namespace {
+
+/// What the text of a well-formed number says besides its value.
+struct Spelling {
+  long long decimals = 0;  ///< trailing zeros included; not clamped
+  int zeros = 0;           ///< at the end of the mantissa
+  bool integer = true;     ///< there is no point and no exponent
+};
+Spelling spellingOf(std::string_view number) {
+  Spelling s;
   bool fraction = false;
   for (std::size_t i = 0; i < number.size(); ++i) {
     const char c = number[i];
     if (c == 'e' || c == 'E') {
-      count -= toExponent(number.substr(i + 1));
+      s.integer = false;
+      s.decimals -= toExponent(number.substr(i + 1));
       break;
     }
-    count += fraction;
-    fraction |= c == '.';
+    s.decimals += fraction;
+    s.zeros = c == '0' ? s.zeros + 1 : 0;
+    if (c == '.') fraction = true, s.integer = false;
   }
-  return static_cast<int>(std::clamp<long long>(count, -kMaxDecimals, kMaxDecimals));
+  return s;
 }
 
-void RoundingOfNumbers::noteWhatItHolds(std::string_view number, double value, int decimals) {
-  const double half = 0.5 * std::pow(10.0, -decimals);
+int clampedDecimals(const Spelling& s) {
+  return static_cast<int>(std::clamp<long long>(s.decimals, -kMaxDecimals, kMaxDecimals));
+}
+
+/// Half a unit of the last decimal: 5 10^-(d + 1) for d decimals.
+double halfUnit(int d) {
+  static const std::array<double, 2 * kMaxDecimals + 1> kHalfUnits = [] {
+    std::array<double, 2 * kMaxDecimals + 1> units{};
+    for (int k = -kMaxDecimals; k <= kMaxDecimals; ++k)
+      units[kMaxDecimals + k] = k < 0 ? 0.5 * power(10.0, -k) : 0.5 / power(10.0, k);
+    return units;
+  }();
+  return kHalfUnits[kMaxDecimals + d];
+}
+
+}  // namespace
+
+int decimals(std::string_view number) { return clampedDecimals(spellingOf(number)); }
+
+void RoundingOfNumbers::add(std::string_view number, double value) {
+  if (value == 0.0) return;
+  const Spelling spelling = spellingOf(number);
+  if (spelling.integer) {
+    integers_ = true;
+    return;
+  }
+  const int d = clampedDecimals(spelling);
+  ++count_[kMaxDecimals + d];
+  ++all_;
+  const double half = halfUnit(d), size = std::abs(value);
   const auto single = static_cast<float>(value);
   if (std::abs(single - value) <= half) ++single_;
-  if (std::ldexp(std::abs(value), -53) >= 32.0 * 2.0 * half) ++beyond_;
-  if (std::isfinite(single) && std::ldexp(std::abs(value), -26) > half) ++finer_;
-  const std::string_view mantissa = number.substr(0, number.find_first_of("eE"));
-  const std::size_t last = mantissa.find_last_not_of('0');
-  used_ = std::max(used_, decimals - static_cast<int>(mantissa.size() - 1 - last));
+  if (size * 0x1p-53 >= 32.0 * 2.0 * half) ++beyond_;
+  if (std::isfinite(single) && size * 0x1p-26 > half) ++finer_;
+  used_ = std::max(used_, d - spelling.zeros);
 }
 
 std::string RoundingOfNumbers::doubtful() const {
@@ -113,7 +149,7 @@ double RoundingOfNumbers::rounding() const {
     for (int fit = count_[0]; 10LL * fit < 9LL * all_; fit += count_[kMaxDecimals + d]) ++d;
   }
   if (integers_) d = std::max(d, 0);
-  return d < 0 ? 0.5 * power(10.0, -d) : 0.5 / power(10.0, d);
+  return halfUnit(d);
 }
 
 }  // namespace xnewell

@@ -27,17 +27,7 @@ inline constexpr int kMaxDecimals = 400;  ///< 10^400 is infinite as a double, a
 /// is given.
 class RoundingOfNumbers {
  public:
-  void add(std::string_view number, double value) {
-    if (value == 0.0) return;
-    if (number.find_first_of(".eE") == std::string_view::npos) {
-      integers_ = true;
-      return;
-    }
-    const int d = decimals(number);
-    ++count_[kMaxDecimals + d];
-    ++all_;
-    noteWhatItHolds(number, value, d);
-  }
+  void add(std::string_view number, double value);
   [[nodiscard]] double rounding() const;
   /// A sentence if the numbers are written with more decimals than they hold; otherwise "". They are taken at
   /// their word, so faces that were made in one plane may count as two. It is seen in three cases, if there
@@ -47,8 +37,6 @@ class RoundingOfNumbers {
   [[nodiscard]] std::string doubtful() const;
 
  private:
-  void noteWhatItHolds(std::string_view number, double value, int decimals);
-
   std::array<int, 2 * kMaxDecimals + 1> count_{};
   int all_ = 0;
   int single_ = 0;            ///< numbers of single precision
