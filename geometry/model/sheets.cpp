@@ -126,11 +126,26 @@ Spread spreadOf(std::span<const Item> items, const Low& low, const High& high) {
 
 }  // namespace
 
-std::vector<ItemBox> Sheets::places(const std::vector<int>& open) const {
+bool Sheets::isWide(int part, double least) const {
+  const auto outline = parts.part(part);
+  glm::dvec3 a = box.points[outline.back()];
+  for (const int c : outline) {
+    const glm::dvec3 b = box.points[c], edge = b - a;
+    const double length = glm::length(edge);
+    const auto isFar = [&](int q) {
+      return glm::length(glm::cross(edge, box.points[q] - a)) > least * length;
+    };
+    if (length > 0.0 && std::ranges::none_of(outline, isFar)) return false;
+    a = b;
+  }
+  return true;
+}
+
+Sheets::Places Sheets::places(const std::vector<int>& open) const {
   const glm::dvec3 from{0.43, 0.56, 0.47};
-  constexpr int kDust = -1;
-  std::vector<ItemBox> boxes;
-  boxes.reserve(open.size() == sheets.size() ? parts.count() : 2 * open.size());
+  constexpr int kDust = -1, kWide = -2;
+  Places result;
+  result.among.reserve(open.size() == sheets.size() ? parts.count() : 2 * open.size());
   for (const int s : open) {
     const ModelSheet& sheet = sheets[s];
     if (sheet.area == 0.0) continue;
@@ -141,14 +156,21 @@ std::vector<ItemBox> Sheets::places(const std::vector<int>& open) const {
       const double length = std::hypot(place.high[3] - place.low[3], place.high[4] - place.low[4],
                                        place.high[5] - place.low[5]);
       const bool dust = length < 0.9 * delta(sheet.u);
-      ItemBox& item = boxes.emplace_back(ItemBox{k, dust ? kDust : parts.plane[k], {}, {}});
+      ItemBox& item =
+          (dust ? result.dust : result.among).emplace_back(ItemBox{k, dust ? kDust : parts.plane[k], {}, {}});
       for (int axis = 0; axis < 6; ++axis) {
         item.low[axis] = static_cast<float>(place.low[axis] - (place.play[axis] + kToFloat));
         item.high[axis] = static_cast<float>(place.high[axis] + (place.play[axis] + kToFloat));
       }
     }
   }
-  return boxes;
+  if (result.dust.empty()) return result;
+  for (const ItemBox& item : result.among) {
+    if (!isWide(item.item, 1.1 * delta(of(item.item).u))) continue;
+    result.dust.push_back(item);
+    result.dust.back().group = kWide;
+  }
+  return result;
 }
 
 bool Sheets::refine(std::span<ItemBox> boxes) const {

@@ -51,8 +51,9 @@ struct Sheets {
   /// places; twice for some.
   template <class Visit>
   void forNear(const std::vector<int>& open, const Visit& visit) const {
-    std::vector<ItemBox> boxes = places(open);
-    forOverlapping(std::span{boxes}, visit, [&](std::span<ItemBox> many) { return refine(many); });
+    Places near = places(open);
+    for (std::vector<ItemBox>* boxes : {&near.among, &near.dust})
+      forOverlapping(std::span{*boxes}, visit, [&](std::span<ItemBox> many) { return refine(many); });
   }
 
   /// True if the sheets of parts i and j are certainly explained by no plane: a corner of one is further from
@@ -79,10 +80,19 @@ struct Sheets {
   /// then moves by at most that sine times the distance, plus tol. The bound doubles for a part that may lie
   /// tol off its face's plane.
   ///
-  /// Dust is in one group, because no two parts of it are joined: parted() asks each edge for a corner of the
-  /// other part that lies 2 delta inside it. If the two overlap at all, a corner is no farther from an edge
-  /// than the two parts are long together. So parts shorter than 0.9 delta are dust.
-  [[nodiscard]] std::vector<ItemBox> places(const std::vector<int>& open) const;
+  /// Dust is apart, because no two parts of it are joined: parted() asks each edge for a corner of the other
+  /// part that lies 2 delta inside it. If the two overlap at all, a corner is no farther from an edge than
+  /// the two parts are long together. So parts shorter than 0.9 delta are dust. All corners of one lie
+  /// within 0.9 delta of each other. So dust is joined only to a part that is wide: inside each of its edges,
+  /// it reaches farther than 1.1 delta. Without this rule, a model of dust and needles has a pair for each of
+  /// both.
+  struct Places {
+    std::vector<ItemBox> among;  ///< the parts that are not dust
+    std::vector<ItemBox> dust;   ///< the dust in one group, the wide parts in another
+  };
+  [[nodiscard]] Places places(const std::vector<int>& open) const;
+  /// True if, for each edge of the part, a corner is farther than `least` from the edge's line.
+  [[nodiscard]] bool isWide(int part, double least) const;
 
   /// Measures places anew in finer units, if they are many and only single precision keeps them together.
   /// One far corner is enough: at its scale, all other faces lie in one point. The new places are seen from

@@ -16,6 +16,13 @@ namespace xnewell::THIS_FILE {
 
 namespace {
 
+void add(Mesh& mesh, const std::vector<glm::dvec3>& corners) {
+  std::vector<int> face(corners.size());
+  std::iota(face.begin(), face.end(), static_cast<int>(mesh.points.size()));
+  mesh.points.insert(mesh.points.end(), corners.begin(), corners.end());
+  mesh.addFace(face, 0);
+}
+
 /// A wavy sheet of n x n faces, about 1 long, with decals on every eighth of them, and one long face that
 /// makes the scene 1 / share as large.
 Mesh sheetBesideFarCorner(int n, double share, unsigned seed) {
@@ -23,27 +30,21 @@ Mesh sheetBesideFarCorner(int n, double share, unsigned seed) {
   std::uniform_real_distribution<double> unit{0.0, 1.0};
   Mesh mesh;
   mesh.groupNames = {""};
-  const auto add = [&](const std::vector<glm::dvec3>& corners) {
-    std::vector<int> face(corners.size());
-    std::iota(face.begin(), face.end(), static_cast<int>(mesh.points.size()));
-    mesh.points.insert(mesh.points.end(), corners.begin(), corners.end());
-    mesh.addFace(face, 0);
-  };
   const auto at = [&](double i, double j) {
     return glm::dvec3{i / n, j / n, 0.1 * std::sin(7.0 * i / n) + 0.2 * std::cos(5.0 * j / n)};
   };
   for (int i = 0; i < n; ++i)
     for (int j = 0; j < n; ++j) {
       const glm::dvec3 a = at(i, j), b = at(i + 1, j), c = at(i + 1, j + 1);
-      add({a, b, c});
+      add(mesh, {a, b, c});
       if (unit(rng) > 0.125) continue;
       const auto inside = [&](double s, double t) { return a + s * (b - a) + t * (c - b); };
-      add({a, b, c});
-      add({inside(0.5, 0.1), inside(0.9, 0.1), inside(0.9, 0.4)});
+      add(mesh, {a, b, c});
+      add(mesh, {inside(0.5, 0.1), inside(0.9, 0.1), inside(0.9, 0.4)});
     }
   const double far = (seed % 2 == 0 ? 1.0 : -1.0) / share;
-  add({{0.3, 0.3, 0.0}, {0.6, far, 0.0}, {0.6, 0.4, 0.01}});
-  add({{0.2, 0.2, 0.1}, {0.7, 0.2, 0.15}, {0.7, 0.8, 0.1}});
+  add(mesh, {{0.3, 0.3, 0.0}, {0.6, far, 0.0}, {0.6, 0.4, 0.01}});
+  add(mesh, {{0.2, 0.2, 0.1}, {0.7, 0.2, 0.15}, {0.7, 0.8, 0.1}});
   return mesh;
 }
 
@@ -100,6 +101,48 @@ TEST(FarCorner, NoPairIsMissed) {
   }
   EXPECT_GT(joined, 1'000u);
   EXPECT_GT(apart, 10'000'000u);
+}
+
+// Specks that are smaller than the rounding still lie in the plane of the floor under them. A needle has no
+// room for them, however long it is.
+TEST(FarCorner, SpecksLieOnTheFloor) {
+  std::size_t joined = 0;
+  for (const double share : {1e-3, 1e-13, 1e-14, 1e-16, 1e-30, 1e-200}) {
+    SCOPED_TRACE(share);
+    Mesh mesh = sheetBesideFarCorner(20, share, 4);
+    const double far = 1.0 / share;
+    add(mesh, {{-far, -far, 0.0}, {far, -far, 0.0}, {0.0, far, 0.0}});
+    add(mesh, {{-far, 0.0, 0.1}, {far, 0.0, 0.1}, {0.0, 0.6, 0.1}});
+    const ConvexParts parts = divideFaces(mesh);
+    const Sheets sheets{mesh, parts};
+    std::size_t visits = 0;
+    const Pairs visited = nearPairs(sheets, visits);
+    for (int i = 0; i < parts.count(); ++i)
+      for (int j = i + 1; j < parts.count(); ++j) {
+        const bool covers = sheets.sheets[i].area > 0.0 && sheets.sheets[j].area > 0.0;
+        if (!covers || !inOnePlane(sheets, i, j)) continue;
+        ++joined;
+        ASSERT_TRUE(visited.contains({i, j})) << i << ' ' << j;
+      }
+  }
+  EXPECT_GT(joined, 1'000u);
+}
+
+// One far corner of a patch makes needles of that patch's faces, and specks of all others. Each speck lies
+// within the rounding of each needle's end.
+TEST(FarCorner, SpecksAreNotComparedWithNeedles) {
+  Mesh mesh = sheetBesideFarCorner(60, 1e-20, 6);
+  for (int i = 0; i < 2'000; ++i)
+    add(mesh, {{0.5, 0.001 * i, 0.0}, {0.5, 0.001 * i + 0.1, 0.0}, {0.5, 0.001 * i, 1e20 + 1e16 * i}});
+  const ConvexParts parts = divideFaces(mesh);
+  std::vector<int> all(parts.count());
+  std::iota(all.begin(), all.end(), 0);
+  std::size_t withSpecks = 0;
+  const int firstNeedle = parts.count() - 2'000;
+  Sheets{mesh, parts}.forNear(all, [&](int i, int j) {
+    withSpecks += std::min(i, j) < firstNeedle - 2 && std::max(i, j) >= firstNeedle;
+  });
+  EXPECT_EQ(withSpecks, 0u);
 }
 
 // The work grows with the number of faces, however large the scene is beside them. Faces that are not dust
