@@ -311,6 +311,7 @@ void Workbench::drawFrame(bool dragging) {
             .words = own && own->words ? *own->words : wordsOf(picture, effects),
             .use = view.use() ? *view.use() : use,
             .inspected = view.inspected(),
+            .selected = view.selectedOutOfSight(),
             .status = view.status(),
             .aside = view.aside(),
             .notice = notice_,

@@ -208,6 +208,13 @@ void ControlList::askForValue(const Control& control) {
                }});
 }
 
+std::string ControlList::focusOutOfSight(const Controls& controls) const {
+  const Control* const now = focused(controls);
+  if (!now || find(now->id())) return {};
+  if (now->kind == Kind::Own) return now->words.empty() ? now->label : now->label + " " + now->words;
+  return now->label + " " + textOf(now->range, now->value);
+}
+
 void ControlList::appendKeys(KeyTable& table, const Controls& controls) {
   KeyTable arrows, letters;
   const auto all = std::make_shared<const Controls>(controls);

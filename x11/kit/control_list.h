@@ -54,6 +54,8 @@ class ControlList {
   /// The selected control; null if there is none, or if it is not among these controls.
   [[nodiscard]] const Control* focused(const Controls& controls) const;
   [[nodiscard]] std::optional<ControlId> focus() const { return state_.focus; }
+  /// "ka 0.90": the selected control and its value, if the view has placed it nowhere; "" else.
+  [[nodiscard]] std::string focusOutOfSight(const Controls& controls) const;
   void setFocus(std::optional<ControlId> id) { state_.focus = id; }
   /// The user types a value of the control.
   void askForValue(const Control& control);

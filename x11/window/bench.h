@@ -61,6 +61,8 @@ class Bench {
   [[nodiscard]] virtual bool press(const Key& key) { return pressIn(keys(), key, host_); }
   /// Where the controls were drawn last, and which one is selected.
   [[nodiscard]] const ControlList& list() const { return list_; }
+  /// The selected control with its value, if the last drawing does not show it.
+  [[nodiscard]] std::string selectedOutOfSight() { return list_.focusOutOfSight(controls()); }
   virtual void release(char) {}
   /// The pointer, in units of the window. hover(): it moved with no button pressed. grab(): the button was
   /// pressed; returns true if this begins a drag. dragTo(): it moved during the drag. drop(): the drag ended.

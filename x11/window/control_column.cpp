@@ -32,7 +32,7 @@ int onBar(const Rect& bar, double value) {
 class Walk {
  public:
   Walk(const Layout& at, const Controls& controls, const Setup& setup, int pitch)
-      : controls_{controls}, setup_{setup}, x_{at.controls.x}, y_{at.controls.y + 11} {
+      : controls_{controls}, setup_{setup}, low_{at.low}, x_{at.controls.x}, y_{at.controls.y + 11} {
     column_.compact = at.compact;
     column_.area = at.controls;
     row_.pitch = pitch;
@@ -104,9 +104,9 @@ class Walk {
   }
 
   void section(Section section, std::string_view name, int advance) {
-    y_ += column_.compact ? 5 : 8;
+    y_ += low_ ? 3 : column_.compact ? 5 : 8;
     column_.headings.push_back({y_, name});
-    y_ += column_.compact ? 18 : advance;
+    y_ += low_ ? 17 : column_.compact ? 18 : advance;
     const auto addAll = [&](Kind kind) {
       for (const Control& control : controls_) {
         if (control.kind != kind || sectionOf(control.key) != section) continue;
@@ -137,6 +137,7 @@ class Walk {
   const Setup& setup_;
   ControlColumn column_;
   RowStyle row_;
+  bool low_;
   int x_, y_;
 };
 

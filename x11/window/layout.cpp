@@ -5,8 +5,14 @@
 namespace xnewell {
 
 namespace {
-constexpr int kStatusHeight = 44, kStripHeight = 60, kViewsHeight = 32;
-}
+
+/// The heights of the bands, and the spaces above the body and below the picture.
+struct Bands {
+  int views, bodyTop, below, strip, status;
+};
+constexpr Bands kRoomy{32, 48, 56, 60, 44}, kCompact{32, 43, 44, 60, 44}, kLow{22, 27, 40, 56, 22};
+
+}  // namespace
 
 Layout layoutOf(int wide, int high, int unit) {
   const int width = (wide + unit - 1) / unit, height = (high + unit - 1) / unit;
@@ -16,17 +22,19 @@ Layout layoutOf(int wide, int high, int unit) {
   at.unit = unit;
   at.roomy = width >= kLeastWindow.x && height >= kLeastWindow.y;
   at.compact = width < 1024 || height < 768;
+  at.low = height < 600;
   if (!at.roomy) {
     at.picture = {0, 0, width, height};
     return at;
   }
-  const int bodyTop = at.compact ? 43 : 48, below = at.compact ? 44 : 56;
-  at.views = {0, 0, width, kViewsHeight};
-  at.status = {0, height - kStatusHeight, width, kStatusHeight};
-  at.strip = {0, at.status.y - kStripHeight, width, kStripHeight};
-  at.controls = {width - kMargin - kControls, bodyTop, kControls, at.strip.y - bodyTop};
-  at.body = {kMargin, bodyTop, width - 2 * kMargin, at.strip.y - 4 - bodyTop};
-  at.picture = {kMargin, bodyTop, at.controls.x - 2 * kMargin, at.strip.y - below - bodyTop};
+  const Bands& bands = at.low ? kLow : at.compact ? kCompact : kRoomy;
+  at.views = {0, 0, width, bands.views};
+  at.status = {0, height - bands.status, width, bands.status};
+  at.strip = {0, at.status.y - bands.strip, width, bands.strip};
+  const int bodyTop = bands.bodyTop, bottom = at.strip.y;
+  at.controls = {width - kMargin - kControls, bodyTop, kControls, bottom - bodyTop};
+  at.body = {kMargin, bodyTop, width - 2 * kMargin, bottom - 4 - bodyTop};
+  at.picture = {kMargin, bodyTop, at.controls.x - 2 * kMargin, bottom - bands.below - bodyTop};
   return at;
 }
 

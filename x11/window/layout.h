@@ -13,6 +13,8 @@ struct Layout {
   int width = 0, height = 0;  ///< the last unit may reach beyond the window
   int unit = 1;
   bool roomy = false, compact = false;
+  bool low =
+      false;  ///< lower than 600, as 1080 lines are at scale 2: the bands take less, the status one line
   Rect views, picture, controls, strip, status;
   Rect body;  ///< between the tabs and the strip, for a view without controls
 };

@@ -25,15 +25,33 @@ std::vector<Tab> tabsOf(const Layout& at) {
   const int letter = at.compact ? 0 : 9;  // a narrow window has less space beside the names
   int x = 6;
   for (const WindowViewRow& row : kWindowViews) {
-    tabs.push_back({row, {x, 5, 27 + letter + textWidth(row.name), at.views.height - 4}});
+    tabs.push_back(
+        {row, {x, at.low ? 2 : 5, 27 + letter + textWidth(row.name), at.views.height - (at.low ? 1 : 4)}});
     x += tabs.back().place.width + (at.compact ? 0 : 4);
   }
   return tabs;
 }
 
+/// The end of the text, as much as fits.
+std::string endOf(const std::string& text, int width) {
+  const auto letters = static_cast<std::size_t>(std::max(0, width) / kGlyphWidth);
+  if (text.size() <= letters) return text;
+  return letters > 3 ? "..." + text.substr(text.size() - letters + 3) : "";
+}
+
+/// As much of the text as fits.
+std::string beginningOf(std::string text, int width) {
+  const auto letters = static_cast<std::size_t>(std::max(0, width) / kGlyphWidth);
+  if (text.size() <= letters || letters < 4) return text;
+  text.resize(letters - 3);
+  while (!text.empty() && static_cast<unsigned char>(text.back()) >= 0x80) text.pop_back();
+  return text + "...";
+}
+
 void drawTabs(Pen& pen, const Layout& at, const PanelState& state) {
   pen.paint.fillRect(at.views, pen(Cell::Panel));
   pen.rule(0, at.views.height, at.width);
+  const int baseline = at.low ? 16 : 23;
   int end = 0;
   for (const auto& [view, tab] : tabsOf(at)) {
     const bool shown = view.id == state.view;
@@ -43,23 +61,17 @@ void drawTabs(Pen& pen, const Layout& at, const PanelState& state) {
       for (const int edge : {tab.x, tab.x + tab.width - 1})
         pen.paint.vline(edge, tab.y, at.views.height - tab.y, pen(Cell::Rule));
     }
-    pen.soft(tab.x + 9, 23, std::string_view{&view.key, 1});
-    pen.paint.text(tab.x + 24 - (at.compact ? 4 : 0), 23, view.name, pen(shown ? Cell::Ink : Cell::Soft),
-                   shown ? Voice::Bold : Voice::Plain);
+    pen.soft(tab.x + 9, baseline, std::string_view{&view.key, 1});
+    pen.paint.text(tab.x + 24 - (at.compact ? 4 : 0), baseline, view.name,
+                   pen(shown ? Cell::Ink : Cell::Soft), shown ? Voice::Bold : Voice::Plain);
     end = tab.x + tab.width + 4;
   }
+  const int room = at.width - 2 * kMargin - end;
+  if (room < 4 * kGlyphWidth) return;
   // A long path keeps its end, which distinguishes files; other names keep their beginning.
-  std::string title = state.title;
-  const auto room = static_cast<std::size_t>(std::max(0, at.width - 2 * kMargin - end) / 6);
-  if (room < 4) return;
-  if (title.size() > room && title.find('/') != std::string::npos) {
-    title = "..." + title.substr(title.size() - room + 3);
-  } else if (title.size() > room) {
-    title.resize(room - 3);
-    while (!title.empty() && static_cast<unsigned char>(title.back()) >= 0x80) title.pop_back();
-    title += "...";
-  }
-  pen.softRight(at.width - kMargin, 23, title);
+  const bool isPath = state.title.find('/') != std::string::npos;
+  pen.softRight(at.width - kMargin, baseline,
+                isPath ? endOf(state.title, room) : beginningOf(state.title, room));
 }
 
 std::optional<Direction> arrowOf(std::string_view key) {
@@ -77,9 +89,8 @@ int widthOf(const Legend& legend) {
   return width;
 }
 
-/// Entries that do not fit are left out, but never the last one.
-void drawLegend(Pen& pen, const Layout& at, int y, const std::vector<Legend>& legends) {
-  int x = kMargin;
+/// From x to the right. Entries that do not fit are left out, but never the last one.
+void drawLegend(Pen& pen, const Layout& at, int x, int y, const std::vector<Legend>& legends) {
   const int last = legends.empty() ? 0 : widthOf(legends.back());
   for (const Legend& legend : legends) {
     const bool isLast = &legend == &legends.back();
@@ -90,13 +101,6 @@ void drawLegend(Pen& pen, const Layout& at, int y, const std::vector<Legend>& le
     }
     x = pen.soft(x + 4, y, legend.does) + 12;
   }
-}
-
-/// The end of the text, as much as fits.
-std::string endOf(const std::string& text, int width) {
-  const auto letters = static_cast<std::size_t>(std::max(0, width) / kGlyphWidth);
-  if (text.size() <= letters) return text;
-  return letters > 3 ? "..." + text.substr(text.size() - letters + 3) : "";
 }
 
 void drawTyped(Pen& pen, const Layout& at, const Typed& typed) {
@@ -110,7 +114,10 @@ void drawTyped(Pen& pen, const Layout& at, const Typed& typed) {
   if (!complaint.empty()) pen.paint.text(x + 26, y, complaint, pen(Cell::Alarm));
   std::vector<Legend> legend{{{"Return"}, "accept"}, {{"Esc"}, "cancel"}};
   if (typed.offers) legend.insert(legend.begin() + 1, {{"^", "v"}, "the built-in scenes"});
-  drawLegend(pen, at, y + 18, legend);
+  if (at.low)
+    drawLegend(pen, at, x + textWidth(complaint) + 36, y, legend);
+  else
+    drawLegend(pen, at, kMargin, y + 18, legend);
 }
 
 void drawStatus(Pen& pen, const Layout& at, const PanelState& state) {
@@ -118,22 +125,28 @@ void drawStatus(Pen& pen, const Layout& at, const PanelState& state) {
   pen.rule(0, at.status.y, at.width);
   if (state.typed) return drawTyped(pen, at, *state.typed);
   const int y = at.status.y + 15;
-  int end = kMargin;
+  const int begin = state.selected.empty() ? kMargin : pen.bold(kMargin, y, state.selected) + 18;
+  int end = begin;
   if (!state.notice.empty()) {
-    end = pen.paint.text(kMargin, y, state.notice, pen(Cell::Alarm));
+    end = pen.paint.text(begin, y, state.notice, pen(Cell::Alarm));
   } else if (!state.told.empty()) {
-    end = pen.paint.text(kMargin, y, state.told, pen(Cell::Good));
+    end = pen.paint.text(begin, y, state.told, pen(Cell::Good));
+  } else if (at.low) {  // the keys have some of this line
+    end = pen.ink(begin, y, beginningOf(state.status, at.width * 3 / 5 - begin));
   } else {
-    end = pen.ink(kMargin, y, state.status);
+    end = pen.ink(begin, y, state.status);
     if (!at.compact) end = pen.soft(end + 18, y, state.aside);
   }
+  if (at.low) return drawLegend(pen, at, end + 18, y, state.legend);
   if (end + 18 + textWidth(state.visual) <= at.width - kMargin)
     pen.softRight(at.width - kMargin, y, state.visual);
-  drawLegend(pen, at, y + 18, state.legend);
+  drawLegend(pen, at, kMargin, y + 18, state.legend);
 }
 
-constexpr int kHelpLine = 18, kShadow = 4;
+constexpr int kShadow = 4;
 constexpr int kHelpKeys = 16, kHelpWords = 140;  // from the box's left edge
+
+int helpLine(const Layout& at) { return at.low ? 15 : 18; }
 
 /// The words of a line of the list of all keys. Long words take several lines.
 std::vector<std::string> wordsIn(const Rect& box, const HelpLine& line) {
@@ -144,7 +157,7 @@ Rect helpBox(const Layout& at, const std::vector<HelpLine>& lines) {
   const int width = std::min(at.width - 2 * kMargin, 560);
   int rows = 0;
   for (const HelpLine& line : lines) rows += static_cast<int>(wordsIn({.width = width}, line).size());
-  const int height = 52 + kHelpLine * rows;
+  const int height = (at.low ? 40 : 52) + helpLine(at) * rows;
   return {(at.width - width) / 2, std::max(0, (at.height - height) / 2), width, height};
 }
 
@@ -153,13 +166,14 @@ void drawHelp(Pen& pen, const Layout& at, const std::vector<HelpLine>& lines) {
   pen.paint.fillRect({box.x + kShadow, box.y + kShadow, box.width, box.height}, pen(Cell::Ink));
   pen.paint.fillRect(box, pen(Cell::Paper));
   pen.paint.frame(box, pen(Cell::Ink));
-  pen.caps(box.x + kHelpKeys, box.y + 24, "ALL KEYS");
-  int y = box.y + 48;
+  const int lead = at.low ? 16 : 24;
+  pen.caps(box.x + kHelpKeys, box.y + lead, "ALL KEYS");
+  int y = box.y + 2 * lead;
   for (const HelpLine& line : lines) {
     pen.bold(box.x + kHelpKeys, y, line.keys);
     for (const std::string& words : wordsIn(box, line)) {
       pen.ink(box.x + kHelpWords, y, words);
-      y += kHelpLine;
+      y += helpLine(at);
     }
   }
 }

@@ -24,6 +24,7 @@ struct PanelState {
   SceneCellWords words;
   CellUse use;
   std::optional<int> inspected = {};  ///< the cell that the strip marks
+  std::string selected;               ///< a control that is out of sight, before the first line; "" for none
   std::string status, aside;          ///< the first line and the softer text after it
   std::string notice, told;           ///< a warning, or plain news, in place of the first line; "" for none
   std::optional<Typed> typed = {};    ///< shown in place of both lines

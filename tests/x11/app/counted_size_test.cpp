@@ -79,7 +79,7 @@ TEST(CountedSize, IsNamedByTheWindow) {
       SCOPED_TRACE(std::to_string(unit) + (view == WindowView::Picture ? " picture" : " side by side"));
       ReadyWorkbench b{xnewell::Setup{sorted()}, 1, 1};
       b.scale(unit);
-      b.resize(unit * 800, unit * 600);  // the least window
+      b.resize(unit * 800, unit * 540);  // the least window
       b.switchTo(view);
       b.finish();
       const Rect at =
@@ -101,7 +101,7 @@ TEST(CountedSize, IsNamedByTheWindow) {
 }
 
 TEST(CountedSize, IsNamedByLessons) {
-  for (const glm::ivec2 size : {glm::ivec2{800, 600}, {1024, 768}}) {
+  for (const glm::ivec2 size : {glm::ivec2{800, 540}, {1024, 768}}) {
     SCOPED_TRACE(size.x);
     LessonWindow window{size};
     begin(window, "sorting-by-z");

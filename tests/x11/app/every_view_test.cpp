@@ -63,14 +63,14 @@ TEST(EveryView, EveryKeyAnswers) {
       SCOPED_TRACE(scene + nameOf(row));
       std::vector<Key> keys;
       {
-        ReadyWorkbench b{{}, 800, 600, scene};
+        ReadyWorkbench b{{}, 800, 540, scene};
         b.press(row.key);
         b.finish();
         for (const KeyRow& one : b.keys()) keys.insert(keys.end(), one.keys.begin(), one.keys.end());
       }
       if (!kSanitized)
         for (char letter = '!'; letter <= '~'; ++letter) keys.push_back(letter);
-      ReadyWorkbench b{{}, 800, 600, scene};
+      ReadyWorkbench b{{}, 800, 540, scene};
       std::set<std::string> silent;
       for (const Key& key : keys) {
         b.press(row.key);
@@ -96,7 +96,7 @@ TEST(EveryView, TheManualListsTheKeys) {
 // No two controls that are drawn share a pixel, unless one of them has no place of its own; and all are in
 // the window.
 TEST(EveryView, ControlsHavePlaces) {
-  for (const auto& [w, h] : someOf({std::pair{800, 600}, {1920, 1080}}, 1))
+  for (const auto& [w, h] : someOf({std::pair{800, 540}, {800, 600}, {1920, 1080}}, 1))
     for (const WindowViewRow& row : kWindowViews) {
       SCOPED_TRACE(nameOf(row) + std::to_string(w));
       ReadyWorkbench b{{}, w, h};

@@ -82,7 +82,7 @@ class Hands {
       const int w = 1 + static_cast<int>(below(kWidth)), h = 1 + static_cast<int>(below(kHeight));
       const bool roomy = below(4) != 0;
       tell("resize");
-      window_.resize(roomy ? std::max(w, 800) : w, roomy ? std::max(h, 600) : h);
+      window_.resize(roomy ? std::max(w, 800) : w, roomy ? std::max(h, 540) : h);
     }
   }
   [[nodiscard]] const std::deque<std::string>& last() const { return told_; }

@@ -62,7 +62,7 @@ TEST_F(LessonCommand, Refusals) {
   refused({"lesson", "cycles", "--frames", folder, "--shade", "flat"}, 2,
           "--shade does not work with lesson: the lesson decides how its steps are drawn");
   refused({"lesson", "cycles", "--frames", folder, "--size", "799x600"}, 2,
-          "a lesson needs a --size of at least 800x600");
+          "a lesson needs a --size of at least 800x540");
   refused({"lesson", "cycles", "--frames", folder, "--visual", "GrayScale8"}, 2,
           "--visual needs a server, and lesson --frames uses none");
   refused({"lesson", "cycles", "-o", file("new.png")}, 2,

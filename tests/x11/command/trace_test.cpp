@@ -219,8 +219,8 @@ TEST_F(TraceCommand, FramesOfTheStepper) {
   const std::string none = file("none");
   refused({"trace", "cycle", "--frames", none, "--whole-window", "--quick"}, 2,
           "--quick and --whole-window exclude each other");
-  refused({"trace", "cycle", "--frames", none, "--whole-window", "--size", "799x600"}, 2,
-          "the stepper needs a --size of at least 800x600");
+  refused({"trace", "cycle", "--frames", none, "--whole-window", "--size", "799x540"}, 2,
+          "the stepper needs a --size of at least 800x540");
   refused({"trace", "cycle", "--whole-window"}, 2,
           "--whole-window works only with snapshot and trace --frames");
   refused({"trace", "room", "--frames", none, "--whole-window"}, 2,

@@ -17,7 +17,8 @@ namespace xnewell::THIS_FILE {
 
 namespace {
 
-constexpr std::array kSizes{glm::ivec2{800, 600}, glm::ivec2{1024, 768}, glm::ivec2{1600, 1200}};
+constexpr std::array kSizes{glm::ivec2{800, 540}, glm::ivec2{800, 600}, glm::ivec2{1024, 768},
+                            glm::ivec2{1600, 1200}};
 
 IndexImage part(const IndexImage& image, const Rect& r) {
   IndexImage copy{r.width, r.height, 0};

@@ -14,7 +14,8 @@ namespace xnewell::THIS_FILE {
 
 namespace {
 
-constexpr std::array kSizes{glm::ivec2{800, 600}, glm::ivec2{1024, 768}, glm::ivec2{1600, 1200}};
+constexpr std::array kSizes{glm::ivec2{800, 540}, glm::ivec2{800, 600}, glm::ivec2{1024, 768},
+                            glm::ivec2{1600, 1200}};
 
 /// An exhibit drawn as the window draws it at a size.
 struct Shown {

@@ -247,8 +247,8 @@ TEST(Options, RefuseWhatAViewCannotHeed) {
                 view + " needs a --size of at least " + width + "x" + height);
     EXPECT_EQ(complaint({"--view", name}), "") << "the size without --size is too small";
     EXPECT_EQ(complaintAll({"--view", name}), "");
-    EXPECT_EQ(complaintAll({"--view", name, "--size", "799x600"}),
-              view + " needs a --size of at least 800x600");
+    EXPECT_EQ(complaintAll({"--view", name, "--size", "799x540"}),
+              view + " needs a --size of at least 800x540");
     EXPECT_EQ(complaintAll({"trace", "teapot", "--view", name}),
               "--view works only with view, draw and snapshot");
     const std::string more =

@@ -11,7 +11,7 @@ namespace xnewell::THIS_FILE {
 
 namespace {
 
-/// Bodies of windows of 800 x 600 and more.
+/// Bodies of windows of 800 x 540 and more.
 std::vector<Rect> bodies() {
   return {{16, 43, 768, 428},  {16, 43, 768, 449}, {16, 48, 992, 612},   {16, 48, 1248, 612},
           {16, 43, 1200, 449}, {16, 48, 768, 900}, {16, 48, 1568, 1044}, {16, 48, 3000, 2000}};
@@ -54,7 +54,7 @@ TEST(SortLayout, PartsKeepApart) {
 // No control that is drawn shares a pixel with another, and every control has a place. Where one can be
 // clicked, the list finds it, up to its corners.
 TEST(SortLayout, ControlsHavePlaces) {
-  for (const auto& [width, height] : {std::pair{1024, 768}, {800, 600}, {1600, 1200}}) {
+  for (const auto& [width, height] : {std::pair{1024, 768}, {800, 540}, {800, 600}, {1600, 1200}}) {
     Stepper s{"nested-cycles", 3, width, height};
     s.press("y");
     for (int step = 0; step <= s.run().steps() && !s.bench.view().asking; ++step) s.press(NamedKey::Right);

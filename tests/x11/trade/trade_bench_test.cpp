@@ -26,7 +26,7 @@ const TradeRequest kQuick{.brief = true, .seconds = 100, .mostRounds = 7};
 struct Measured6 {
   BenchStage stage;
   TradeBench bench{stage, kQuick};
-  explicit Measured6(const char* scene = "cubes", int width = 800, int height = 600)
+  explicit Measured6(const char* scene = "cubes", int width = 800, int height = 540)
       : stage{scene, 3, width, height} {
     stage.draw(bench);
     finish();
@@ -369,7 +369,7 @@ TEST(TradeBench, MeasuresAgainWhenAsked) {
 
 // The parts of the page stay apart at every size.
 TEST(TradePage, PartsStayApart) {
-  for (const auto& [width, height] : {std::pair{800, 600}, {1024, 768}, {1400, 1000}}) {
+  for (const auto& [width, height] : {std::pair{800, 540}, {800, 600}, {1024, 768}, {1400, 1000}}) {
     SCOPED_TRACE(width);
     const Layout layout = layoutOf(width, height);
     const TradeLayout at = layoutOfTrade(layout.body, layout.picture);
