@@ -20,6 +20,7 @@
 #include "x11/server/canvas.h"
 #include "x11/server/colormap.h"
 #include "x11/server/display.h"
+#include "x11/server/screen.h"
 #include "x11/server/selection.h"
 
 namespace xnewell {
@@ -50,6 +51,7 @@ constexpr std::array kNamedKeys{
     KeysymRow{XK_Return, XK_KP_Enter, NamedKey::Return},
     KeysymRow{XK_BackSpace, XK_Delete, NamedKey::Backspace},
     KeysymRow{XK_Escape, XK_Escape, NamedKey::Escape},
+    KeysymRow{XK_F11, XK_F11, NamedKey::F11},
 };
 
 /// Translates a key event: keysyms to named keys, Latin-1 letters to themselves.
@@ -80,17 +82,19 @@ class Viewer {
  public:
   Viewer(const Options& options, Scene scene)
       : server_{options, scene},
-        size_{windowSize(options)},
-        unit_{options.scale},
+        scaleIsGiven_{options.gave("--scale")},
+        size_{firstSize(options)},
         canvas_{server_.display.get(),
                 server_.colormap,
                 {.title = titleOf(scene), .width = size_.x, .height = size_.y}},
         selection_{server_.display.get(), canvas_.window()},
+        fullScreen_{server_.display.get(), canvas_.window()},
         bench_{std::move(scene), server_.setupOf(options), forBench()},
         title_{titleOf(bench_.scene())},
         plan_{bench_.plan()} {
-    bench_.scale(unit_);
+    bench_.scale(scaleIsGiven_ ? options.scale : std::min(usualScale(), largestScale(size_.x, size_.y)));
     bench_.resize(size_.x, size_.y);
+    selectResources(display());
     if (options.accuracy) {
       std::vector<std::string> mine;
       for (const std::string& option : options.given)
@@ -142,7 +146,16 @@ class Viewer {
       std::cout << text << std::endl;
       selection_.offer(text, pressedAt_);
     };
+    server.toggleFullScreen = [this] { return std::optional{fullScreen_.toggle()}; };
     return server;
+  }
+
+  /// The scale that suits the screen.
+  [[nodiscard]] int usualScale() const { return scaleFor(readResources(display()), screenSize(display())); }
+  /// Without --size: the usual size at the scale, as far as the screen has room.
+  [[nodiscard]] glm::ivec2 firstSize(const Options& options) const {
+    if (options.size || scaleIsGiven_) return windowSize(options);
+    return glm::max(kWindowSize, glm::min(kWindowSize * usualScale(), screenSize(display())));
   }
 
   static std::string titleOf(const Scene& scene) { return "xnewell: " + scene.name; }
@@ -194,7 +207,7 @@ class Viewer {
     if (mayEnd && XCheckIfEvent(display(), &event, isQuitKey, nullptr)) _exit(0);
     if (seconds == busyFor_) return;
     IndexImage box{canvas_.width(), canvas_.height(), plan_[Cell::Paper]};
-    drawBusyBox(box, unit_, plan_, seconds, mayEnd);
+    drawBusyBox(box, bench_.layout().unit, plan_, seconds, mayEnd);
     if (busyFor_ < 0) {
       entitle("(drawing) " + title_);
       if (watch_ == 0) watch_ = XCreateFontCursor(display(), XC_watch);
@@ -206,7 +219,7 @@ class Viewer {
       server_.colormap.store(tool, plan_);
       canvas_.upload(box, {0, 0, box.width, box.height});
     }
-    canvas_.present(box, busyBox(box.width, box.height, unit_));
+    canvas_.present(box, busyBox(box.width, box.height, bench_.layout().unit));
     map();
     XFlush(display());
     busyFor_ = seconds;
@@ -250,6 +263,7 @@ class Viewer {
       of[ClientMessage] = &Viewer::message;
       of[MappingNotify] = &Viewer::keyboardChanged;
       of[SelectionRequest] = &Viewer::asked;
+      of[PropertyNotify] = &Viewer::propertyChanged;
       return of;
     }();
     if (event.type < 0 || event.type >= LASTEvent) return;  // of an extension
@@ -275,6 +289,11 @@ class Viewer {
   void colormapChanged(XEvent& event) {
     if (event.xcolormap.state == ColormapUninstalled && pointerInside_)
       server_.colormap.installUnlessManaged();
+  }
+  /// The user has set another resolution of the screen.
+  void propertyChanged(XEvent& event) {
+    if (isResourceChange(event) && !scaleIsGiven_ && !bench_.scaleIsChosen())
+      bench_.scale(std::min(usualScale(), largestScale(canvas_.width(), canvas_.height())));
   }
   void asked(XEvent& event) { selection_.answer(event.xselectionrequest); }
   void key(XEvent& event) {
@@ -321,10 +340,11 @@ class Viewer {
   }
 
   Server server_;
+  bool scaleIsGiven_;  ///< by an option
   glm::ivec2 size_;
-  int unit_;
   Canvas canvas_;
   Selection selection_;
+  FullScreen fullScreen_;
   Time pressedAt_ = 0;  ///< of the last key event
   Workbench bench_;
   static constexpr double kLong = 100;  ///< ms; a longer update counts as long

@@ -50,7 +50,36 @@ Workbench::Workbench(Scene scene, const Setup& setup, Server server)
 
 void Workbench::resize(int width, int height) {
   width_ = width, height_ = height;
-  layout_ = layoutOf(width, height, layout_.unit);
+  layOut();
+}
+
+void Workbench::scale(int unit) {
+  unit_ = unit;
+  layOut();
+}
+
+void Workbench::layOut() {
+  layout_ = layoutOf(width_, height_, largest_ ? largestScale(width_, height_) : unit_);
+}
+
+void Workbench::toggleFullScreen() {
+  const std::optional<bool> full = server_.toggleFullScreen();
+  if (!full) return notify("There is no screen to fill.");
+  fillsScreen_ = largest_ = *full;
+  layOut();
+}
+
+void Workbench::takeNextScale() {
+  const int most = largestScale(width_, height_);
+  if (most == 1 && layout_.unit == 1) {
+    const glm::ivec2 least = 2 * kLeastWindow;
+    return notify("Larger letters need a window of " + std::to_string(least.x) + " x " +
+                  std::to_string(least.y) + "; F11 fills the screen.");
+  }
+  const int next = layout_.unit < most ? layout_.unit + 1 : 1;
+  largest_ = false, scaleIsChosen_ = true;
+  scale(next);
+  tell("scale " + std::to_string(next) + " of " + std::to_string(most));
 }
 
 void Workbench::teach(Lesson lesson) {
@@ -129,6 +158,11 @@ KeyTable Workbench::generalKeys() {
   add('w', "save", "save the set-up as a scene file", [this] { askToSave(); });
   add('e', "", "open a scene", [this] { askToOpen(); });
   add('C', "", "print the command that draws this set-up, and copy it", [this] { copyCommand(); });
+  const char* const full = "fill the screen, in letters as large as fit, or go back";
+  table.push_back({{NamedKey::F11, 'f'}, "", full, [this](const Key&) { toggleFullScreen(); }});
+  if (fillsScreen_)
+    table.push_back({{NamedKey::Escape}, "", full, [this](const Key&) { toggleFullScreen(); }});
+  add('Z', "", "larger letters and controls; after the largest, the smallest", [this] { takeNextScale(); });
   for (const WindowViewRow& row : kWindowViews)
     add(row.key, "", "the views; or click their names", [this, id = row.id] { switchTo(id); });
   add('q', "quit", "quit", [this] { quit(); });

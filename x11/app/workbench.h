@@ -36,6 +36,9 @@ class Workbench : public Host {
     std::function<int(bool severalHues)> mostShades = [](bool) { return kMaxShades; };
     /// Prints a text, and lets other programs paste it.
     std::function<void(const std::string&)> copy = [](const std::string&) {};
+    /// Makes the window fill the screen, or gives it its old place again. Returns which; nothing if there is
+    /// no screen.
+    std::function<std::optional<bool>()> toggleFullScreen = [] { return std::optional<bool>{}; };
   };
   Workbench(Scene scene, const Setup& setup, Server server);
   Workbench(Workbench&&) = delete;  // the benches point to it
@@ -43,8 +46,12 @@ class Workbench : public Host {
 
   /// The size of the window, in pixels.
   void resize(int width, int height);
-  /// How many pixels a unit of the layout is wide. Everything but the picture's samples grows with it.
-  void scale(int unit) { layout_ = layoutOf(width_, height_, unit); }
+  /// How many pixels a unit of the layout is wide. Everything but the picture's samples grows with it. A
+  /// window that fills the screen has the largest scale at which all fits, for readers at the back, until
+  /// the user chooses another.
+  void scale(int unit);
+  /// True if the user has chosen the scale by a key.
+  [[nodiscard]] bool scaleIsChosen() const { return scaleIsChosen_; }
   void press(const Key& key);
   /// A letter key was released. Only some views need to know.
   void release(char letter) { bench().release(letter); }
@@ -178,6 +185,9 @@ class Workbench : public Host {
   void fit(const Scene& scene, const Setup& setup);
   void begin(Work work);
   void copyCommand();
+  void layOut();
+  void toggleFullScreen();
+  void takeNextScale();
   void askToSave();
   void askToOpen();
   [[nodiscard]] AccuracyKeeper::Seen seen() const;
@@ -219,6 +229,8 @@ class Workbench : public Host {
   PixelBench* pixel_;     ///< and one more
   WindowView view_ = WindowView::Picture;
   int width_ = 0, height_ = 0;  ///< of the window, in pixels
+  int unit_ = 1;                ///< the scale, unless the window fills the screen
+  bool fillsScreen_ = false, largest_ = false, scaleIsChosen_ = false;
   Layout layout_;
   PanelState panel_;
   std::string notice_, told_;  ///< for the status line: a warning (until a key or click), news (until a key)

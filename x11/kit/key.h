@@ -19,7 +19,8 @@ enum class NamedKey {
   Space,
   Return,
   Backspace,
-  Escape
+  Escape,
+  F11
 };
 struct Key {
   NamedKey name = NamedKey::Letter;

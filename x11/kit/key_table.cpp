@@ -26,6 +26,7 @@ constexpr std::array kCaps{
     CapRow{NamedKey::Return, "Return", "Return"},
     CapRow{NamedKey::Backspace, "Backspace", "Backspace"},
     CapRow{NamedKey::Escape, "Esc", "Esc"},
+    CapRow{NamedKey::F11, "F11", "F11"},
 };
 
 bool hasKey(const KeyRow& row, const Key& key) {

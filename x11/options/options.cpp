@@ -199,7 +199,7 @@ void addOptions(CLI::App& app, Reader& r, Options& o) {
          [&](const std::string& s) { o.size = parseSize(s); });
   r.number("--scale", o.scale, 1, 4,
            "how many times as large the window's letters, lines and controls are; the picture keeps its own "
-           "pixels. For the window, and for pictures of it");
+           "pixels. For the window, and for pictures of it. Without it, the screen decides for the window");
   r.number("--divisions", o.divisions, 1, kMaxDivisions,
            "each Bezier patch becomes N x N polygons, unless the scene file gives the number");
   for (const Setting& row : settingRows()) r.setting(row, o.overrides);

@@ -38,4 +38,10 @@ Layout layoutOf(int wide, int high, int unit) {
   return at;
 }
 
+int largestScale(int width, int height) {
+  int unit = kMostScale;
+  while (unit > 1 && !layoutOf(width, height, unit).roomy) --unit;
+  return unit;
+}
+
 }  // namespace xnewell

@@ -21,4 +21,8 @@ struct Layout {
 /// The layout of a window of so many pixels.
 [[nodiscard]] Layout layoutOf(int width, int height, int unit = 1);
 
+inline constexpr int kMostScale = 4;
+/// The largest scale at which the window has room for the controls; 1 if there is none.
+[[nodiscard]] int largestScale(int width, int height);
+
 }  // namespace xnewell

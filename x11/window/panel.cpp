@@ -144,25 +144,29 @@ void drawStatus(Pen& pen, const Layout& at, const PanelState& state) {
 }
 
 constexpr int kShadow = 4;
-constexpr int kHelpKeys = 16, kHelpWords = 140;  // from the box's left edge
-
-int helpLine(const Layout& at) { return at.low ? 15 : 18; }
+constexpr int kHelpKeys = 16, kHelpWords = 154;  // from the box's left edge
 
 /// The words of a line of the list of all keys. Long words take several lines.
 std::vector<std::string> wordsIn(const Rect& box, const HelpLine& line) {
   return broken(line.does, std::max(1, (box.width - kHelpWords - kHelpKeys) / kVoices[0].pitch));
 }
 
-Rect helpBox(const Layout& at, const std::vector<HelpLine>& lines) {
-  const int width = std::min(at.width - 2 * kMargin, 560);
+struct HelpBox {
+  Rect box;
+  int line;  ///< from one line to the next: less where many must fit
+};
+HelpBox helpBox(const Layout& at, const std::vector<HelpLine>& lines) {
+  constexpr int kLeastLine = 13, kLine = 18;
+  const int width = std::min(at.width - 2 * kMargin, 560), head = at.low ? 32 : 52;
   int rows = 0;
   for (const HelpLine& line : lines) rows += static_cast<int>(wordsIn({.width = width}, line).size());
-  const int height = (at.low ? 40 : 52) + helpLine(at) * rows;
-  return {(at.width - width) / 2, std::max(0, (at.height - height) / 2), width, height};
+  const int line = std::clamp((at.status.y - head - kShadow - 2) / std::max(rows, 1), kLeastLine, kLine);
+  const int height = head + line * rows;
+  return {{(at.width - width) / 2, std::max(1, (at.status.y - height) / 2), width, height}, line};
 }
 
 void drawHelp(Pen& pen, const Layout& at, const std::vector<HelpLine>& lines) {
-  const Rect box = helpBox(at, lines);
+  const auto& [box, lineHeight] = helpBox(at, lines);
   pen.paint.fillRect({box.x + kShadow, box.y + kShadow, box.width, box.height}, pen(Cell::Ink));
   pen.paint.fillRect(box, pen(Cell::Paper));
   pen.paint.frame(box, pen(Cell::Ink));
@@ -173,7 +177,7 @@ void drawHelp(Pen& pen, const Layout& at, const std::vector<HelpLine>& lines) {
     pen.bold(box.x + kHelpKeys, y, line.keys);
     for (const std::string& words : wordsIn(box, line)) {
       pen.ink(box.x + kHelpWords, y, words);
-      y += helpLine(at);
+      y += lineHeight;
     }
   }
 }
@@ -205,7 +209,7 @@ void drawBusyBox(IndexImage& image, int unit, const CellPlan& plan, int seconds,
 std::vector<Rect> drawnOverPicture(const Layout& at, const PanelState& state) {
   std::vector<Rect> parts;
   if (!at.roomy) parts.push_back({8, 5, textWidth(noRoom(at)), 13});
-  if (const Rect box = helpBox(at, state.help); !state.help.empty())
+  if (const Rect box = helpBox(at, state.help).box; !state.help.empty())
     parts.push_back({box.x, box.y, box.width + kShadow, box.height + kShadow});
   return parts;
 }

@@ -96,7 +96,8 @@ TEST_P(ControlsWindowAt, EveryViewAtEverySize) {
 // Every key in every view does what it does without a server. The keys are pressed a few at a time. Esc
 // leaves a line that is typed.
 TEST_P(ControlsWindowAt, EveryKeyInEveryView) {
-  constexpr std::string_view kLetters = "ipadsncl0tzLVSNOPKTW[]HBJ+-rjgbxfAhmkyuUGDC";
+  // f, which needs a screen to fill, is in full_screen_test.cpp.
+  constexpr std::string_view kLetters = "ipadsncl0tzLVSNOPKTW[]HBJ+-rjgbxAhmkyuUGDCZ";
   constexpr std::array kNamed{std::pair{XK_Right, NamedKey::Right},  std::pair{XK_Up, NamedKey::Up},
                               std::pair{XK_Home, NamedKey::Home},    std::pair{XK_End, NamedKey::End},
                               std::pair{XK_Tab, NamedKey::Tab},      std::pair{XK_Prior, NamedKey::PageUp},

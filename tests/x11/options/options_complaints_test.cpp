@@ -206,7 +206,7 @@ TEST(Options, RefuseWhatTheCommandIgnores) {
   EXPECT_EQ(complaintAll({"draw", "teapot", "-o", "a", "--scale", "2"}),
             "--scale works only with view, lesson and --whole-window");
   EXPECT_EQ(complaintAll({"lesson", "cycles", "--scale", "2", "--size", "1599x1200"}),
-            "a lesson needs a --size of at least 1600x1200");
+            "a lesson needs a --size of at least 1600x1080");
   EXPECT_EQ(complaintAll({"lesson", "cycles", "--scale", "2"}), "");
   EXPECT_EQ(complaint({"--fill", "x11"}), "--fill x11 needs a server: use snapshot");
   for (const OrderRow& row : kOrders) {
