@@ -8,8 +8,7 @@
 #include <cerrno>
 #include <csignal>
 #include <cstdio>
-#include <cstdlib>
-#include <memory>
+#include <filesystem>
 #include <system_error>
 #include <utility>
 #include <vector>
@@ -23,8 +22,8 @@ namespace {
 }
 
 /// Writes the bytes and closes the descriptor, even after an error. Returns 0 or the errno of the first
-/// error.
-int writeAndClose(int descriptor, std::string_view bytes) {
+/// error. `toDisk` also waits until a disk has them.
+int writeAndClose(int descriptor, std::string_view bytes, bool toDisk = false) {
   int error = 0;
   while (!error && !bytes.empty()) {
     const ssize_t n = ::write(descriptor, bytes.data(), bytes.size());
@@ -33,15 +32,34 @@ int writeAndClose(int descriptor, std::string_view bytes) {
     else if (errno != EINTR)
       error = errno;
   }
+  if (!error && toDisk && ::fsync(descriptor) != 0 && errno != EINVAL && errno != EROFS) error = errno;
   // Some file systems report a full disk only here.
   if (::close(descriptor) != 0 && !error && errno != EINTR) error = errno;
   return error;
 }
 
-/// The file at the end of a chain of symbolic links.
+/// The file at the end of a chain of symbolic links. It need not exist.
 std::string resolved(const std::string& file) {
-  const std::unique_ptr<char, decltype(&std::free)> real{::realpath(file.c_str(), nullptr), &std::free};
-  return real ? real.get() : file;
+  constexpr int kMostLinks = 40;  // as in Linux
+  std::filesystem::path end = file;
+  for (int k = 0; std::filesystem::is_symlink(end); ++k) {
+    if (k == kMostLinks) fail(ELOOP, file);
+    end = end.parent_path() / std::filesystem::read_symlink(end);
+  }
+  return end;
+}
+
+/// Gives a new file the owner, the group and the mode of the one that it replaces. What this user may not
+/// give is left out; then no other user gets a right that comes with an owner.
+void takeAfter(int descriptor, const std::string& replaced) {
+  struct ::stat old {};
+  if (::stat(replaced.c_str(), &old) != 0) return;
+  const bool owned = ::fchown(descriptor, old.st_uid, old.st_gid) == 0;
+  const bool grouped = owned || ::fchown(descriptor, ::uid_t(-1), old.st_gid) == 0;
+  mode_t mode = old.st_mode & 07777;
+  if (!owned) mode &= ~mode_t{S_ISUID};
+  if (!grouped) mode &= ~mode_t{S_ISGID | S_IRWXG};
+  (void)::fchmod(descriptor, mode);
 }
 
 /// Opens a new file beside `target` and sets `name` to its name.
@@ -77,7 +95,8 @@ class Replacement {
       fail(errno, file_);
     const int descriptor = openTemporary(target_, temporary_);
     if (descriptor < 0) fail(errno, file_);
-    if (const int error = writeAndClose(descriptor, bytes)) {
+    takeAfter(descriptor, target_);
+    if (const int error = writeAndClose(descriptor, bytes, true)) {
       ::unlink(temporary_.c_str());
       fail(error, file_);
     }

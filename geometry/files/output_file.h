@@ -7,9 +7,11 @@
 namespace xnewell {
 
 /// Writes a whole file. Afterwards the file is complete, or it is as it was before (absent, if it was
-/// absent). The bytes go to a temporary file in the same folder, which is renamed when it is complete. A
-/// symbolic link stays, and the file that it points to is replaced. If this makes no sense (/dev/stdout,
-/// /dev/fd/N, /dev/null, a pipe), the bytes are written directly.
+/// absent). The bytes go to a temporary file in the same folder, which is renamed when a disk has all of
+/// them. It keeps the mode, the owner and the group of the file that it replaces, as far as this user may
+/// give them. A symbolic link stays, and the file that it points to is replaced or made. A hard link ends:
+/// the file's other names keep the old bytes. If all this makes no sense (/dev/stdout, /dev/fd/N, /dev/null,
+/// a pipe), the bytes are written directly.
 /// @throws std::system_error `FILE: No space left on device`
 void writeFile(const std::string& file, std::string_view bytes);
 

@@ -137,6 +137,43 @@ TEST(OutputFile, FollowsALink) {
   EXPECT_EQ(folder.entries(), 2);
 }
 
+// A link may lead to a file that does not exist yet, through other links and folders. It makes that file.
+TEST(OutputFile, MakesWhatALinkLeadsTo) {
+  const TemporaryFolder folder;
+  std::filesystem::create_directory(folder.file("far"));
+  std::filesystem::create_symlink("far/second", folder.file("first"));
+  std::filesystem::create_symlink("file", folder.file("far/second"));
+  writeFile(folder.file("first"), "made");
+  EXPECT_TRUE(std::filesystem::is_symlink(folder.file("first")));
+  EXPECT_TRUE(std::filesystem::is_symlink(folder.file("far/second")));
+  EXPECT_EQ(contents(folder.file("far/file")), "made");
+  std::filesystem::create_symlink("round", folder.file("round"));
+  EXPECT_EQ(failure(folder.file("round"), "x").second, ELOOP);
+  EXPECT_TRUE(std::filesystem::is_symlink(folder.file("round")));
+}
+
+// A file that is replaced keeps its mode, its owner and its group. Nobody else can read it meanwhile.
+TEST(OutputFile, KeepsModeAndOwner) {
+  const TemporaryFolder folder;
+  const std::string file = folder.file("private");
+  writeFile(file, "before");
+  constexpr uid_t kOther = 65534;
+  const bool root = ::geteuid() == 0;
+  if (root) {
+    ASSERT_EQ(::chown(file.c_str(), kOther, kOther), 0);
+  }
+  for (const mode_t mode : {0600, 0755, 0640}) {
+    ASSERT_EQ(::chmod(file.c_str(), mode), 0);
+    writeFile(file, "after");
+    struct ::stat now {};
+    ASSERT_EQ(::stat(file.c_str(), &now), 0);
+    EXPECT_EQ(now.st_mode & 07777, mode);
+    EXPECT_EQ(now.st_uid, root ? kOther : ::geteuid());
+    EXPECT_EQ(now.st_gid, root ? kOther : ::getegid());
+  }
+  EXPECT_EQ(folder.entries(), 1);
+}
+
 // A pipe and a file descriptor are written to, not replaced.
 TEST(OutputFile, GoesStraightIntoAPipeOrADescriptor) {
   const TemporaryFolder folder;

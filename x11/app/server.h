@@ -1,5 +1,6 @@
 #pragma once
 
+#include <mutex>
 #include <optional>
 
 #include "x11/app/workbench.h"
@@ -24,6 +25,7 @@ struct Server {
     return {[this](TableKind table) { return colormap.plan(table); }, colormap.unneeded(),
             [this] { return colormap.account(); }, gray(),
             [this](bool severalHues) {
+              const std::scoped_lock alone{turn};
               colormap.reconsider(severalHues);
               return colormap.mostShades();
             }};
@@ -45,6 +47,9 @@ struct Server {
 
   OwnedDisplay display;
   ServerColormap colormap;
+  /// While work goes on beside the thread that has the window (long_work.h), both take turns: the work asks
+  /// for cells when it opens a scene, and the window says that it is busy.
+  std::mutex turn;
 };
 
 /// The visual that --visual asks for; no value without --visual.

@@ -1,6 +1,7 @@
 #include "x11/app/snapshot.h"
 
 #include <chrono>
+#include <iostream>
 #include <thread>
 #include <utility>
 
@@ -65,6 +66,8 @@ void takeSnapshot(const Options& options, Scene scene, const Taken& taken) {
     const RgbImage seen = cells ? RgbImage{} : canvas.readBack({0, 0, size.x, size.y});
     if (!cells) cells = inFewColors(seen);
     taken(shot.picture, cells ? encodePng(cells->image, cells->palette) : encodePng(seen), times, sent);
+    std::cout.flush();
+    nothingMoreIsNeeded();
   };
   if (options.wholeWindow) {
     Workbench bench{std::move(scene), server.setupOf(options), server.forBench()};

@@ -9,7 +9,6 @@
 
 #include <algorithm>
 #include <array>
-#include <csignal>
 #include <iostream>
 #include <utility>
 
@@ -26,12 +25,6 @@
 namespace xnewell {
 
 namespace {
-
-/// A signal ends the window at once, even while Xlib waits for a server that hangs. The server frees what we
-/// have there, and any grab, when the connection closes.
-void endWithSignals() {
-  for (const int signal : {SIGINT, SIGTERM, SIGHUP}) std::signal(signal, [](int) { _exit(130); });
-}
 
 struct KeysymRow {
   KeySym symbol, onKeypad;
@@ -108,7 +101,6 @@ class Viewer {
   [[nodiscard]] Workbench& bench() { return bench_; }
 
   int run(const std::function<void()>& shown) {
-    endWithSignals();
     {
       ErrorTrap trap{display()};  // if the window cannot be shown, the user cannot close it either
       refresh();                  // draws the first picture before the window appears, unless that takes long
@@ -199,6 +191,7 @@ class Viewer {
   /// Most events wait. Two kinds do not: those that uncover parts of the window, and, if nothing would be
   /// lost, those that close it.
   void sayBusy(int seconds, bool mayEnd) {
+    const std::scoped_lock alone{server_.turn};
     XEvent event;
     while (XCheckTypedEvent(display(), Expose, &event)) handle(event);
     if (XCheckTypedEvent(display(), DestroyNotify, &event)) endWithoutWindow();

@@ -258,8 +258,10 @@ void keepFreedMemory() {
 int program(int argc, char** argv) try {
   keepFreedMemory();
   occupyStandardStreams();
-  // An interrupted picture leaves no files behind.
-  std::signal(SIGINT, [](int) { _exit(kInterrupted); });
+  // An interrupted picture leaves no files behind. A window, too, ends at once, even while Xlib waits for a
+  // server that hangs. The server frees what we have there, and any grab, when the connection closes.
+  for (const int signal : {SIGINT, SIGTERM, SIGHUP})
+    std::signal(signal, [](int number) { _exit(kInterrupted + number - SIGINT); });
   std::signal(SIGXFSZ, SIG_IGN);  // a file larger than the shell's limit is an error like a full disk
   const int status = run(argc, argv);
   std::cout.flush();

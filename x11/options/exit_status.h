@@ -6,7 +6,7 @@
 namespace xnewell {
 
 /// The exit status of the program.
-enum Status { kDone = 0, kOutside = 1, kWrong = 2, kInterrupted = 130 };
+enum Status { kDone = 0, kOutside = 1, kWrong = 2, kInterrupted = 130, kTerminated = 143 };
 struct StatusRow {
   Status id;
   std::string_view means;
@@ -16,6 +16,7 @@ inline constexpr std::array kStatuses{
     StatusRow{kOutside, "a file or the server failed"},
     StatusRow{kWrong, "wrong usage or bad contents"},
     StatusRow{kInterrupted, "interrupted"},
+    StatusRow{kTerminated, "terminated (SIGTERM)"},
 };
 
 }  // namespace xnewell

@@ -3,10 +3,13 @@
 #include <X11/Xutil.h>
 
 #include <algorithm>
+#include <cmath>
 #include <glm/geometric.hpp>
 #include <memory>
 #include <utility>
 #include <vector>
+
+#include "x11/drawing/wording.h"
 
 namespace xnewell {
 
@@ -85,7 +88,7 @@ ServerColormap::ServerColormap(Display* display, const VisualChoice& choice, con
     own_ = std::move(made);
   }
   if (sharing && visual_.hasChannels() && !visual_.holdsTable()) {
-    shared_ = std::make_unique<SharedCells>(display, id(), visual_, 0);
+    shared_ = std::make_unique<SharedCells>(display, id(), visual_, 0, false);
     fixed_.emplace(shared_->levels(), visual_.alphaMask());
   } else if (byCell) {
     takeShades();
@@ -101,9 +104,10 @@ ServerColormap::ServerColormap(Display* display, const VisualChoice& choice, con
 
 void ServerColormap::takeShades() {
   shared_.reset();  // frees what was taken before
-  shared_ = std::make_unique<SharedCells>(display_, id(), visual_, settings_.shades);
+  shared_ = std::make_unique<SharedCells>(display_, id(), visual_, settings_.shades, own_.get() != 0);
   found_ = static_cast<int>(shared_->ramp().size());
-  if (mixingShowsMore()) shared_->giveRampBack();
+  misses_ = missesOfMap();
+  if (misses_ && misses_->mixing < misses_->ramp) shared_->giveRampBack();
   has_ = shared_->ramp().empty() ? Own::Nothing : Own::Ramp;
 }
 
@@ -125,25 +129,26 @@ void ServerColormap::useEveryCell() {
       unneeded_.begin());
 }
 
-bool ServerColormap::mixingShowsMore() const {
+std::optional<ServerColormap::Misses> ServerColormap::missesOfMap() const {
   const bool several = settings_.severalHues && !visual_.gray();
   const int shades = several ? found_ / kPureHues : found_;
   // A mixture of two colours has at most 65 levels, so it cannot beat a longer ramp. And asking for the
   // colours takes many round trips.
-  if (found_ == 0 || found_ == settings_.shades || shades > 65) return false;
+  if (found_ == 0 || found_ == settings_.shades || shades > 65) return std::nullopt;
   const std::vector<OfferedColor> held = shared_->held();
-  if (held.empty()) return false;
+  if (held.empty()) return std::nullopt;
   const OfferedColors offered{held};
-  double mixing = 0, ramp = 0;
+  Misses sum;
+  int count = 0;
   for (int corner = visual_.gray() ? 7 : 1; corner <= 7; ++corner) {
     const glm::ivec3 hue{corner & 1, corner >> 1 & 1, corner >> 2 & 1};
-    for (int value = 0; value < 256; value += 17) {
-      mixing += offered.miss(hue * value, settings_.dither);
-      // With equally spaced shades, the nearest one is a quarter of a step away on average.
-      ramp += glm::length(glm::dvec3{hue}) * 255.0 / (4.0 * std::max(shades - 1, 1));
+    for (int value = 0; value < 256; value += 3, ++count) {
+      sum.mixing += offered.miss(hue * value, settings_.dither);
+      const double step = 255.0 / std::max(shades - 1, 1);
+      sum.ramp += glm::length(glm::dvec3{hue}) * std::abs(value - step * std::round(value / step));
     }
   }
-  return mixing < ramp;
+  return Misses{sum.mixing / count, sum.ramp / count};
 }
 
 void ServerColormap::offerFixedColors() {
@@ -195,8 +200,11 @@ std::string ServerColormap::shortfall() const {
   const std::string its = "the " + std::string{own_.get() ? "" : "default "} + "colormap";
   if (shared_ && found_ > 0 && found_ < settings_.shades) {
     const std::string has = its + " has free cells for " + std::to_string(found_) + " of " +
-                            std::to_string(settings_.shades) + " shades";
-    return has_ == Own::Ramp ? has : has + "; " + instead() + " instead, because that shows more";
+                            std::to_string(settings_.shades) + " shades" +
+                            (own_.get() ? "" : ", and some for other programs");
+    if (has_ == Own::Ramp) return has;
+    return has + "; " + instead() + " instead, which miss a colour by " + fixed(misses_->mixing, 1) +
+           " of 255 on average, and the shades by " + fixed(misses_->ramp, 1);
   }
   if (shared_ && fixed_)
     return its + " has levels for " + std::to_string(fixed_->size()) +

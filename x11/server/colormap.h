@@ -100,8 +100,13 @@ class ServerColormap {
   void useEveryCell();
   void takeShades();
   void offerFixedColors();
-  /// True if mixtures of the shared map's colours come nearer to a picture's colours than the ramp does.
-  [[nodiscard]] bool mixingShowsMore() const;
+  /// How far from a picture's colours its pixels are on average, in 8-bit values: as mixtures of the colours
+  /// that the shared map has, and with the ramp. Measured for this map. Nothing where it is clear that a ramp
+  /// shows more.
+  struct Misses {
+    double mixing = 0, ramp = 0;
+  };
+  [[nodiscard]] std::optional<Misses> missesOfMap() const;
   /// Says what is done with the colours of a shared map that has too few cells.
   [[nodiscard]] std::string instead() const;
   void fillEvenly();  ///< fills a DirectColor map that has fewer than 256 levels per channel
@@ -124,6 +129,7 @@ class ServerColormap {
   Settings settings_;
   Own has_ = Own::Nothing;
   int found_ = 0;                        ///< shades that the map had cells for, even if we gave them back
+  std::optional<Misses> misses_;         ///< of a map with few free cells
   OwnedColormap own_;                    ///< empty if we use the default map
   std::unique_ptr<SharedCells> shared_;  ///< set if cells were taken one by one, even if there were none for
                                          ///< the ramp

@@ -43,9 +43,11 @@ std::string describe(Display* display, const XErrorEvent& error, bool mayAsk) {
   return requestName(display, error.request_code, error.minor_code, mayAsk) + ": " + text.data();
 }
 
-int onServerGone(Display* display) {
-  std::fflush(stdout);
-  tell(std::string{"lost the connection to the X server of display '"} + DisplayString(display) + "'");
+bool allIsDone = false;
+std::string lostServer;  ///< the display whose connection has ended
+
+[[noreturn]] void endLost(int /*signal*/ = 0) {
+  tell("lost the connection to the X server of display '" + lostServer + "'");
   std::_Exit(1);
 }
 
@@ -70,6 +72,23 @@ OwnedDisplay open(const std::string& name, std::string& said) {
   return display;
 }
 
+/// Xlib calls this when a connection has ended. It must not return.
+int onServerGone(Display* display) {
+  std::fflush(stdout);
+  if (allIsDone) std::_Exit(0);
+  const bool opening = standardError != STDERR_FILENO;  // perhaps to see whether the server still runs
+  lostServer = DisplayString(display);
+  if (opening) endLost();
+  constexpr unsigned kPatience = 2;  // seconds
+  std::signal(SIGALRM, endLost);
+  alarm(kPatience);
+  std::string said;
+  if (!open(lostServer, said)) endLost();
+  tell("the X server of display '" + lostServer +
+       "' still runs, but has ended our connection, as xkill makes it do");
+  std::_Exit(1);
+}
+
 }  // namespace
 
 /// Xlib calls this while it reads the server's answers. It must not make requests and must not throw.
@@ -84,7 +103,6 @@ int onError(Display* display, XErrorEvent* error) {
 }
 
 OwnedDisplay openDisplay(const std::string& name) {
-  XInitThreads();                 // see long_work.h: a scene opened on the other thread asks for its cells
   std::signal(SIGPIPE, SIG_IGN);  // onServerGone() handles a broken connection
   XSetErrorHandler(onError);
   XSetIOErrorHandler(onServerGone);
@@ -99,6 +117,8 @@ OwnedDisplay openDisplay(const std::string& name) {
 }
 
 int strayErrors() { return strays; }
+
+void nothingMoreIsNeeded() { allIsDone = true; }
 
 void ImageDestroyer::operator()(XImage* image) const { XDestroyImage(image); }
 

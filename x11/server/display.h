@@ -24,9 +24,10 @@ using OwnedDisplay = std::unique_ptr<Display, DisplayCloser>;
 /// It also installs what this program does about errors that no ErrorTrap awaits:
 ///   - An X error is counted (see strayErrors()), and the program goes on. The first ten are printed with
 ///     their requests; no more, because a window may cause one in every frame.
-///   - If the server is gone, the program prints a message and ends at once with status 1. Xlib cannot go on
-///     from there, and we may call nothing but Xlib, so destructors do not run. SIGPIPE is ignored for this,
-///     so writing to a pipe that nobody reads is an ordinary error, like a full disk.
+///   - If the connection has ended, the program prints a message and ends at once with status 1. Xlib cannot
+///     go on from there, so destructors do not run. The message says whether the server still runs: then
+///     another program has ended the connection (XKillClient). SIGPIPE is ignored for this, so writing to a
+///     pipe that nobody reads is an ordinary error, like a full disk.
 /// @throws X11Error "cannot open display ':7'" with the server's reason, if it gives one; or "DISPLAY is not
 /// set"
 [[nodiscard]] OwnedDisplay openDisplay(const std::string& name = {});
@@ -34,6 +35,9 @@ using OwnedDisplay = std::unique_ptr<Display, DisplayCloser>;
 inline constexpr int kToldErrors = 10;
 /// The number of errors so far that no trap caught. If it is not 0 at the end, something shown may be wrong.
 [[nodiscard]] int strayErrors();
+
+/// From now on a connection that ends is no failure: the program then ends with status 0 and says nothing.
+void nothingMoreIsNeeded();
 
 /// A server resource that Free(display, id) releases. It can be moved but not copied; id 0 owns nothing.
 /// The Display is borrowed. It must outlive every resource made on it.

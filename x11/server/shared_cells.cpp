@@ -21,20 +21,20 @@ void giveBack(Display* display, Colormap map, std::vector<unsigned long>& cells,
 
 }  // namespace
 
-SharedCells::SharedCells(Display* display, Colormap map, const VisualInfo& visual, int shades)
+SharedCells::SharedCells(Display* display, Colormap map, const VisualInfo& visual, int shades, bool ours)
     : display_{display}, map_{map}, visual_{visual} {
   const ServerGrab grab{display};
   if (shades > 0) ramp_ = takeCells(display, map_, visual.cells);
-  const std::size_t forInterface = std::min<std::size_t>(ramp_.size() / 4, kCells);
+  const std::size_t free = ramp_.size(), left = ours ? 0 : std::min(free / 4, kLeft);
+  const std::size_t forInterface = std::min<std::size_t>(free / 4, kCells);
   giveBack(display, map_, ramp_, ramp_.size() - forInterface);
   const CellPlan plan;
   const Palette colors = withInterface({}, plan);
   for (const Cell cell : std::span{kByNeed}.first(shades > 0 ? kCells : 2))
     interface_[static_cast<int>(cell)] = take(colors[plan[cell]]);
-  giveBack(display, map_, ramp_, shades);
-  const std::vector<unsigned long> rest =
-      takeCells(display, map_, std::min(shades, visual.cells) - static_cast<int>(ramp_.size()));
+  const std::vector<unsigned long> rest = takeCells(display, map_, static_cast<int>(forInterface));
   ramp_.insert(ramp_.end(), rest.begin(), rest.end());
+  giveBack(display, map_, ramp_, std::min<std::size_t>(shades, ramp_.size() - std::min(ramp_.size(), left)));
   if (ramp_.size() < 2) giveBack(display, map_, ramp_, 0);
 }
 
@@ -55,6 +55,9 @@ std::optional<unsigned long> SharedCells::take(Rgb16 color) {
 
 std::vector<OfferedColor> SharedCells::held() {
   if (!held_.empty()) return held_;
+  // If a cell were free, asking for a colour that others may change would take that cell.
+  const ServerGrab grab{display_};
+  std::vector<unsigned long> free = takeCells(display_, map_, visual_.cells);
   std::vector<XColor> cells(visual_.cells);
   for (int k = 0; k < visual_.cells; ++k) cells[k].pixel = pixelOfCell(visual_, k);
   XQueryColors(display_, map_, cells.data(), visual_.cells);
@@ -66,13 +69,15 @@ std::vector<OfferedColor> SharedCells::held() {
     colors.push_back({full(1), full(2), full(4)});
   }
   for (const XColor& cell : cells)
-    if (std::ranges::find(ramp_, cell.pixel) == ramp_.end())
+    if (std::ranges::find(ramp_, cell.pixel) == ramp_.end() &&
+        std::ranges::find(free, cell.pixel) == free.end())
       colors.push_back({cell.red, cell.green, cell.blue});
   for (const Rgb16 color : colors) {
     const glm::ivec3 shown = eightBits(color);
     if (std::ranges::find(held_, shown, &OfferedColor::color) != held_.end()) continue;
     if (const std::optional<unsigned long> pixel = take(color)) held_.push_back({*pixel, shown});
   }
+  giveBack(display_, map_, free, 0);
   return held_;
 }
 

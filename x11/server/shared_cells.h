@@ -22,9 +22,11 @@ class SharedCells {
   /// come first: black and white, which the map has anyway; then the grays between them; then the colours
   /// that carry a meaning; last those that hardly differ from black or white. A ramp of one shade is useless:
   /// its cell is given back. If `shades` is 0, we take only black and white.
-  /// All other programs wait during this. So if two programs start together, they share the cells and neither
-  /// gets none.
-  SharedCells(Display* display, Colormap map, const VisualInfo& visual, int shades);
+  /// We leave kLeft cells to programs that start later, or a quarter if fewer than 4 kLeft were free. Of a
+  /// map that is `ours`, we leave none. All other programs wait during this. So if two programs start
+  /// together, they share the cells and neither gets none.
+  SharedCells(Display* display, Colormap map, const VisualInfo& visual, int shades, bool ours);
+  static constexpr std::size_t kLeft = 16;
   ~SharedCells();
   SharedCells(const SharedCells&) = delete;
   SharedCells& operator=(const SharedCells&) = delete;

@@ -46,8 +46,8 @@ class WindowAt : public testing::TestWithParam<int> {
 INSTANTIATE_TEST_SUITE_P(Depths, WindowAt, testing::ValuesIn(someOf({8, 24}, 1)),
                          testing::PrintToStringParamName());
 
-// `q` and the close button end the program with status 0, signals with 130. It says nothing and leaves no
-// window.
+// `q` and the close button end the program with status 0, SIGINT with 130, SIGTERM with 143. It says nothing
+// and leaves no window.
 TEST_P(WindowAt, EndsAsAsked) {
   struct End {
     int status;
@@ -56,9 +56,10 @@ TEST_P(WindowAt, EndsAsAsked) {
   const auto signal = [](int number) {
     return [number](const WatchedViewer& viewer) { viewer.program.signal(number); };
   };
-  for (const auto& [status, ask] : {End{0, [](const WatchedViewer& v) { v.window.type("q"); }},
-                                    End{0, [](const WatchedViewer& v) { v.window.askToClose(); }},
-                                    End{130, signal(SIGINT)}, End{130, signal(SIGTERM)}}) {
+  for (const auto& [status, ask] :
+       {End{0, [](const WatchedViewer& v) { v.window.type("q"); }},
+        End{0, [](const WatchedViewer& v) { v.window.askToClose(); }}, End{130, signal(SIGINT)},
+        End{143, signal(SIGTERM)}, End{129, signal(SIGHUP)}}) {
     WatchedViewer viewer{server, kTeapot};
     ask(viewer);
     const Finished end = viewer.program.wait(std::chrono::seconds{90});

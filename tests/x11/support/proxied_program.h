@@ -21,6 +21,12 @@ namespace xnewell {
 inline const std::string kTeapot = "teapot --divisions 2", kSmall = " --size 120x90";
 inline constexpr std::chrono::seconds kEnough{90};
 
+/// What the program says when its connection ends and the server answers another one.
+inline std::string cutAt(const std::string& display) {
+  return "xnewell: the X server of display '" + display +
+         "' still runs, but has ended our connection, as xkill makes it do\n";
+}
+
 inline XServer serverFor(int depth) { return XServer::xvfb(depth, 320, 240); }
 
 /// A way to use the program, from its start to its end.
