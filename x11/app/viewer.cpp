@@ -99,6 +99,7 @@ class Viewer {
   }
 
   [[nodiscard]] Workbench& bench() { return bench_; }
+  [[nodiscard]] Setup setupOf(const Options& options) const { return server_.setupOf(options); }
 
   int run(const std::function<void()>& shown) {
     {
@@ -138,6 +139,7 @@ class Viewer {
       std::cout << text << std::endl;
       selection_.offer(text, pressedAt_);
     };
+    server.say = [](const std::string& text) { std::cout << text << std::flush; };
     server.toggleFullScreen = [this] { return std::optional{fullScreen_.toggle()}; };
     return server;
   }
@@ -366,6 +368,21 @@ int runViewer(const Options& options, Scene scene, std::optional<Lesson> lesson,
     viewer.bench().teach(std::move(*lesson));
   else
     viewer.bench().switchTo(options.command == Command::Lesson ? WindowView::Lesson : options.windowView);
+  return viewer.run(shown);
+}
+
+int runLecture(const Options& options, std::vector<Page> pages, const std::function<void()>& shown) {
+  Viewer viewer{options, pages.front().scene};
+  std::vector<Slide> slides;
+  for (Page& page : pages)
+    slides.push_back({.title = std::move(page.title),
+                      .notes = std::move(page.notes),
+                      .scene = std::move(page.scene),
+                      .setup = viewer.setupOf(page.options),
+                      .view = page.options.windowView,
+                      .step = page.step,
+                      .lesson = std::move(page.lesson)});
+  viewer.bench().lecture({std::move(slides), options.play});
   return viewer.run(shown);
 }
 

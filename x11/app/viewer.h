@@ -3,6 +3,7 @@
 #include <functional>
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "x11/lessons/lesson.h"
 #include "x11/options/options.h"
@@ -16,5 +17,17 @@ namespace xnewell {
 /// @throws X11Error, also at the end if the server refused to show something; ViewError
 [[nodiscard]] int runViewer(const Options& options, Scene scene, std::optional<Lesson> lesson,
                             const std::function<void()>& shown);
+
+/// A page of a lecture: what it shows as a command line would, and the scene that this names.
+struct Page {
+  std::string title, notes;
+  Options options;
+  Scene scene;
+  std::optional<int> step;       ///< of the depth sort
+  std::optional<Lesson> lesson;  ///< shown instead of the scene
+};
+/// Runs the window with a lecture of at least one page. `options` are about the window.
+[[nodiscard]] int runLecture(const Options& options, std::vector<Page> pages,
+                             const std::function<void()>& shown);
 
 }  // namespace xnewell

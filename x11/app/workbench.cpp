@@ -130,12 +130,15 @@ void Workbench::press(const Key& key) {
     help_ = false;
     if (key.name == NamedKey::Escape) return;
   }
-  if (bench().press(key) || pressIn(generalKeys(), key, *this)) return;
+  if (turnsPage(key) || bench().press(key) || pressIn(generalKeys(), key, *this)) return;
   notify(nameOf(key) + " does nothing here; ? lists all keys.");
 }
 
 KeyTable Workbench::keys() {
   KeyTable table = bench().keys();
+  // In a lecture PgUp and PgDn turn its pages.
+  if (lecture_)
+    std::erase_if(table, [](const KeyRow& row) { return std::ranges::any_of(row.keys, turning); });
   append(table, generalKeys());
   return table;
 }
@@ -163,6 +166,11 @@ KeyTable Workbench::generalKeys() {
   if (fillsScreen_)
     table.push_back({{NamedKey::Escape}, "", full, [this](const Key&) { toggleFullScreen(); }});
   add('Z', "", "larger letters and controls; after the largest, the smallest", [this] { takeNextScale(); });
+  if (lecture_) {
+    const std::string pages = "the lecture's page before, the next; in a lesson its steps come first";
+    for (const NamedKey key : {NamedKey::PageUp, NamedKey::PageDown})
+      table.push_back({{key}, "page", pages, [this, key](const Key&) { static_cast<void>(turnsPage(key)); }});
+  }
   for (const WindowViewRow& row : kWindowViews)
     add(row.key, "", "the views; or click their names", [this, id = row.id] { switchTo(id); });
   add('q', "quit", "quit", [this] { quit(); });
@@ -229,6 +237,10 @@ bool Workbench::mustMeasure() const {
 
 void Workbench::tick() {
   if (bench().moving()) bench().tick();
+  if (lecture_ && lecture_->isDue() && !line_.isOpen()) {
+    lecture_->turnByItself();
+    showSlide();
+  }
   if (!mustMeasure() || dragging_ || line_.isOpen()) return;
   std::optional<AccuracyKeeper::News> news = keeper_->tick(seen());
   if (!news) return;
@@ -244,6 +256,7 @@ Subject Workbench::subject() const {
 bool Workbench::grab(int x, int y) {
   notice_.clear();
   help_ = false;
+  if (lecture_) lecture_->wait();
   line_.cancel();
   x /= layout_.unit, y /= layout_.unit;
   if (const std::optional<WindowView> tab = tabAt(layout_, x, y)) return switchTo(*tab), false;
@@ -339,7 +352,7 @@ void Workbench::drawFrame(bool dragging) {
                     .gray = server_.gray});
   const OwnColors* const own = view.colors();
   if (own) palette_ = own->palette;
-  panel_ = {.title = titleOf(picture.scene()),
+  panel_ = {.title = lecture_ ? lecture_->title() : titleOf(picture.scene()),
             .visual = server_.visual(),
             .view = this->view(),
             .words = own && own->words ? *own->words : wordsOf(picture, effects),

@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "x11/app/lecture.h"
 #include "x11/app/work.h"
 #include "x11/kit/typed_line.h"
 #include "x11/lessons/lesson_bench.h"
@@ -36,6 +37,8 @@ class Workbench : public Host {
     std::function<int(bool severalHues)> mostShades = [](bool) { return kMaxShades; };
     /// Prints a text, and lets other programs paste it.
     std::function<void(const std::string&)> copy = [](const std::string&) {};
+    /// Prints a text for whoever stands before the class.
+    std::function<void(const std::string&)> say = [](const std::string&) {};
     /// Makes the window fill the screen, or gives it its old place again. Returns which; nothing if there is
     /// no screen.
     std::function<std::optional<bool>()> toggleFullScreen = [] { return std::optional<bool>{}; };
@@ -84,7 +87,9 @@ class Workbench : public Host {
   [[nodiscard]] bool quitAsked() const { return quit_; }
 
   /// True if something moves by itself. Then tick() must be called at regular intervals.
-  [[nodiscard]] bool moving() const { return bench().moving() || mustMeasure(); }
+  [[nodiscard]] bool moving() const {
+    return bench().moving() || mustMeasure() || (lecture_ && lecture_->plays());
+  }
   void tick();
 
   /// What is out of date, from least to most: nothing; only the colours of the cells; the indices. The view
@@ -120,6 +125,9 @@ class Workbench : public Host {
   [[nodiscard]] CellPlan plan() const { return server_.plan(painted().picture.table.kind); }
   /// The cell of the picture's background in image().
   [[nodiscard]] std::uint8_t ground() const { return plan()[Cell::Well]; }
+
+  /// Shows the first page of a lecture. PgDn and PgUp turn its pages, in all views.
+  void lecture(Lecture lecture);
 
   /// The view that is shown.
   [[nodiscard]] Bench& bench() const { return *benches_[static_cast<std::size_t>(view())]; }
@@ -185,6 +193,13 @@ class Workbench : public Host {
   void fit(const Scene& scene, const Setup& setup);
   void begin(Work work);
   void copyCommand();
+  void showSlide();
+  /// True if the key turns the page of the lecture.
+  [[nodiscard]] bool turnsPage(const Key& key);
+  /// How many pages of a lecture the key turns.
+  [[nodiscard]] static int turning(const Key& key) {
+    return key.name == NamedKey::PageDown ? 1 : key.name == NamedKey::PageUp ? -1 : 0;
+  }
   void layOut();
   void toggleFullScreen();
   void takeNextScale();
@@ -231,6 +246,7 @@ class Workbench : public Host {
   int width_ = 0, height_ = 0;  ///< of the window, in pixels
   int unit_ = 1;                ///< the scale, unless the window fills the screen
   bool fillsScreen_ = false, largest_ = false, scaleIsChosen_ = false;
+  std::optional<Lecture> lecture_;
   Layout layout_;
   PanelState panel_;
   std::string notice_, told_;  ///< for the status line: a warning (until a key or click), news (until a key)

@@ -80,7 +80,7 @@ Command takeCommand(std::vector<std::string>& arguments) {
     std::vector<std::string> extra = app.remaining();
     std::erase(extra, "--");
     const bool option = extra.front().starts_with('-');
-    const bool meansScene = o.command != Command::Lesson;
+    const bool meansScene = o.command != Command::Lesson && o.command != Command::Lecture;
     if (!option && meansScene && !isBuiltIn(o.scene) && !std::filesystem::exists(o.scene))
       throw UsageError{inQuotes(o.scene) +
                        ": not a command, a built-in scene or a file; `xnewell --help` lists the commands"};
@@ -163,9 +163,10 @@ void addPlaces(Reader& r) {
     for (const char* name : names) r.only(name, places);
   };
   only({"--output"}, {"draw", "snapshot", "trade", "extremes"});
-  only({"--size"}, {"view", "draw", "snapshot", "explain", "trace", "trade", "extremes", "lesson"});
-  only({"--scale"}, {"view", "lesson", "--whole-window"});
-  only({"--visual", "--colormap", "--nearest"}, {"view", "snapshot", "lesson", "visuals"});
+  only({"--size"},
+       {"view", "draw", "snapshot", "explain", "trace", "trade", "extremes", "lesson", "lecture"});
+  only({"--scale"}, {"view", "lesson", "lecture", "--whole-window"});
+  only({"--visual", "--colormap", "--nearest"}, {"view", "snapshot", "lesson", "lecture", "visuals"});
   only({"--view"}, {"view", "draw", "snapshot"});
   only({"--scanline"}, {"--view machbands"});
   only({"--cell"}, {"--view colours"});
@@ -179,6 +180,7 @@ void addPlaces(Reader& r) {
   only({"--quick"}, {"trace"});
   only({"--frames"}, {"trace", "lesson"});
   only({"--every"}, {"trace --frames"});
+  only({"--play"}, {"lecture"});
 }
 
 /// Adds all options, in the order of --help. The reader writes what they say into `o`.
@@ -275,6 +277,10 @@ void addOptions(CLI::App& app, Reader& r, Options& o) {
       "--frames", o.frames, "folder",
       "trace: write numbered pictures into this folder instead of lines; it must not hold any frames yet");
   r.choice("--every", kEvery, o.every, "trace: the steps that --frames draws");
+  r.number(
+      "--play", o.play, 0.5, 3600,
+      "lecture: seconds without a key or click until a page turns by itself; after the last comes the first",
+      "pages wait for a key");
   addPlaces(r);
 }
 

@@ -21,7 +21,20 @@ namespace xnewell {
 
 /// The command line as a value.
 
-enum class Command { View, Draw, Snapshot, Explain, Trace, Trade, Extremes, Lesson, Visuals, Scenes, Keys };
+enum class Command {
+  View,
+  Draw,
+  Snapshot,
+  Explain,
+  Trace,
+  Trade,
+  Extremes,
+  Lesson,
+  Lecture,
+  Visuals,
+  Scenes,
+  Keys
+};
 struct CommandRow {
   Command id;
   std::string_view name, usage, does;
@@ -43,6 +56,8 @@ inline constexpr std::array kCommands{
                "what becomes wrong first when the scene is scaled, moved, flattened ...", true},
     CommandRow{Command::Lesson, "lesson", "lesson [NAME] [--frames DIR]",
                "a guided lesson in the window, or as pictures; without NAME, the list"},
+    CommandRow{Command::Lecture, "lecture", "lecture FILE [--play SECONDS]",
+               "the pages of a lecture in the window: PgDn and PgUp turn them"},
     CommandRow{Command::Visuals, "visuals", "visuals [options]",
                "what this X server offers and what xnewell would choose, and why"},
     CommandRow{Command::Scenes, "scenes", "scenes", "the built-in scenes and lessons, one line each"},
@@ -62,7 +77,7 @@ inline constexpr glm::ivec2 kLeastWindow{800, 540};  ///< has room for all contr
 struct Options {
   Command command = Command::View;
   bool commandMeant = false;        ///< no command was given, and the first argument may be a mistyped one
-  std::string scene = "teapot";     ///< or the lesson's name
+  std::string scene = "teapot";     ///< or the lesson's name, or the lecture's file
   std::optional<glm::ivec2> pixel;  ///< explain: column and row, from the top left
   int divisions = kDefaultDivisions;
   std::optional<glm::ivec2> size;   ///< none without --size: then kPictureSize or windowSize()
@@ -95,6 +110,7 @@ struct Options {
   std::optional<int> cell;                      ///< for View::Colors
   PaletteEffects effects;                       ///< for the picture and View::Colors
   bool quick = false;        ///< trace: true for the accelerated run, false for the textbook's
+  double play = 0;           ///< lecture: seconds until a page turns by itself; 0: never
   std::string frames;        ///< trace, lesson: a folder for pictures; "" for JSON lines, or for a window
   Every every = Every::Cut;  ///< trace: the steps that become pictures
 

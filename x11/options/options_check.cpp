@@ -46,8 +46,9 @@ void checkPlaces(const Options& o, const std::vector<OptionRow>& rows) {
     if (row->places.empty()) {
       if (!rowOf(o.command).draws)
         throw UsageError{row->shown() + " does not work with " + std::string{rowOf(o.command).name} +
-                         (o.command == Command::Lesson ? ": the lesson decides how its steps are drawn"
-                                                       : ": it draws no scene")};
+                         (o.command == Command::Lesson    ? ": the lesson decides how its steps are drawn"
+                          : o.command == Command::Lecture ? ": the lecture decides how its pages are drawn"
+                                                          : ": it draws no scene")};
       continue;
     }
     if (std::ranges::any_of(row->places, [&](std::string_view place) { return isAt(o, place); })) continue;
@@ -135,9 +136,15 @@ void checkCommand(const Options& o, const std::vector<OptionRow>& rows) {
     throw UsageError{o.scene +
                      ": not a command or a built-in scene; `xnewell --help` lists the commands, "
                      "`xnewell scenes` the scenes"};
-  const bool lesson = o.command == Command::Lesson;
-  if (sceneGiven && !rowOf(o.command).draws && !lesson) throw UsageError{name + " takes no scene"};
+  const bool lesson = o.command == Command::Lesson, lecture = o.command == Command::Lecture;
+  if (sceneGiven && !rowOf(o.command).draws && !lesson && !lecture)
+    throw UsageError{name + " takes no scene"};
   checkPlaces(o, rows);
+  if (lecture) {
+    if (!sceneGiven)
+      throw UsageError{"lecture needs a file, such as my-lecture.json; first-hour comes with the program"};
+    needsWindow("a lecture", o);
+  }
   if (lesson) {
     if (!o.frames.empty() && !sceneGiven) throw UsageError{"--frames needs a lesson's name"};
     for (const char* option : {"--visual", "--colormap", "--nearest"})

@@ -8,22 +8,11 @@
 
 #include "shading/scene/settings.h"
 #include "x11/options/read_value.h"
+#include "x11/options/shell_words.h"
 
 namespace xnewell {
 
 namespace {
-
-/// A word of a shell's command line.
-std::string quoted(const std::string& word) {
-  const auto plain = [](unsigned char c) {
-    return std::isalnum(c) != 0 ||
-           std::string_view{"-_./,:=+"}.find(static_cast<char>(c)) != std::string_view::npos;
-  };
-  if (!word.empty() && std::ranges::all_of(word, plain)) return word;
-  std::string text = "'";
-  for (const char c : word) text += c == '\'' ? std::string{"'\\''"} : std::string{c};
-  return text + '\'';
-}
 
 /// " --eye=-1,2,3": a value that begins with a minus goes with its option.
 std::string option(std::string_view name, const std::string& value) {

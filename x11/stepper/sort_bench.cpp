@@ -201,7 +201,10 @@ void SortBench::record(const Desk& desk) {
   }
   const bool asking = view.asking && same;
   const std::optional<Verdict> answer = same ? view.answer : std::nullopt;
-  goTo(same ? step : atEnd && sameScene ? run()->steps() : likeBefore());
+  goTo(start_               ? *std::exchange(start_, std::nullopt)
+       : same               ? step
+       : atEnd && sameScene ? run()->steps()
+                            : likeBefore());
   view.asking = view.asking && asking;
   view.answer = answer;
   for (const Key& key : std::exchange(early_, {})) static_cast<void>(press(key));

@@ -39,6 +39,8 @@ class SortBench : public Bench {
 
   /// Goes to a step of the run, which must be recorded.
   void goTo(int step) { player_.goTo(step); }
+  /// The step to begin with when the next run is recorded.
+  void startAt(int step) { start_ = step; }
   /// What is shown, and where it is.
   [[nodiscard]] const SortView& view() const { return player_.view; }
   [[nodiscard]] const SortDrawn& places() const { return places_; }
@@ -62,6 +64,7 @@ class SortBench : public Bench {
   // The state of the last drawing.
   bool tooLong_ = false;
   bool fullColor_ = false;          ///< the scene's own plan is of colours: it is shown in one hue
+  std::optional<int> start_;        ///< of startAt(), until a run is recorded
   std::optional<Picture> picture_;  ///< that the run is about
   Order order_ = Order::Newell;     ///< of the picture in its own view
   std::optional<StepAbout> about_;  ///< the step; none at the start

@@ -65,7 +65,7 @@ class ManualTest : public InstalledTest {
     Names first = told.scenes;
     first.insert(told.commands.begin(), told.commands.end());
     for (const std::string folder :
-         {"lessons/", "pictures/", "scenes/", "textures/", "square.bpt", "teapot.bpt"})
+         {"lectures/", "lessons/", "pictures/", "scenes/", "textures/", "square.bpt", "teapot.bpt"})
       first.insert(folder);
     // A folder may be shown without its slash, and a name that is a scene's and a file's once.
     const auto plain = [](const Names& names) {

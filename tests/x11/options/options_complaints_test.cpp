@@ -204,7 +204,7 @@ TEST(Options, RefuseWhatTheCommandIgnores) {
   EXPECT_EQ(complaint({"--whole-window"}), "--whole-window works only with snapshot and trace --frames");
   EXPECT_EQ(complaintAll({"scenes", "--ka", "1"}), "--ka does not work with scenes: it draws no scene");
   EXPECT_EQ(complaintAll({"draw", "teapot", "-o", "a", "--scale", "2"}),
-            "--scale works only with view, lesson and --whole-window");
+            "--scale works only with view, lesson, lecture and --whole-window");
   EXPECT_EQ(complaintAll({"lesson", "cycles", "--scale", "2", "--size", "1599x1200"}),
             "a lesson needs a --size of at least 1600x1080");
   EXPECT_EQ(complaintAll({"lesson", "cycles", "--scale", "2"}), "");
@@ -219,7 +219,7 @@ TEST(Options, RefuseWhatTheCommandIgnores) {
                        : "");
   }
   EXPECT_EQ(complaint({"--visual", "TrueColor24"}),
-            "--visual works only with view, snapshot, lesson and visuals");
+            "--visual works only with view, snapshot, lesson, lecture and visuals");
   EXPECT_EQ(complaintAll({"lesson", "cycles", "--frames", "f", "--nearest"}),
             "--nearest needs a server, and lesson --frames uses none");
   for (const std::string method : {"none", "depth", "phong", "envmap"})

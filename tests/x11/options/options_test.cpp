@@ -26,7 +26,8 @@ TEST(Options, CommandIsTheFirstWordOrView) {
     std::vector<std::string> words{std::string{row.name}};
     if (row.id == Command::Draw || row.id == Command::Snapshot)
       words.insert(words.end(), {"a.obj", "-o", "a"});
-    if (row.id == Command::Trace || row.id == Command::Trade || row.id == Command::Extremes)
+    if (row.id == Command::Trace || row.id == Command::Trade || row.id == Command::Extremes ||
+        row.id == Command::Lecture)
       words.emplace_back("a.obj");
     if (row.id == Command::Explain) words.insert(words.end(), {"a.obj", "1,1"});
     EXPECT_EQ(parsed(words).command, row.id) << row.name;

@@ -1,0 +1,209 @@
+#include <gtest/gtest.h>
+
+#include <chrono>
+#include <thread>
+
+#include "geometry/files/parse_error.h"
+#include "tests/x11/support/command_fixture.h"
+#include "tests/x11/support/ready_workbench.h"
+#include "x11/command/read_lecture.h"
+#include "x11/lessons/lesson_bench.h"
+#include "x11/stepper/sort_bench.h"
+
+namespace xnewell::THIS_FILE {
+
+namespace {
+
+std::vector<Slide> slidesOf(std::vector<Page> pages) {
+  std::vector<Slide> slides;
+  for (Page& page : pages)
+    slides.push_back({page.title, page.notes, std::move(page.scene),
+                      Setup{.picture = page.options.picture, .fill = page.options.fill},
+                      page.options.windowView, page.step, std::move(page.lesson)});
+  return slides;
+}
+
+class LectureTest : public CommandTest {
+ protected:
+  std::string lecture(const std::string& pages) const {
+    return write("lecture.json", "{\"pages\": [" + pages + "]}");
+  }
+  /// What is wrong with a page.
+  std::string wrong(const std::string& page) const {
+    const std::string file = lecture(page);
+    try {
+      (void)readLecture(file);
+    } catch (const std::exception& e) {
+      std::string what = e.what();
+      if (const std::size_t at = what.find("pages"); at != std::string::npos) what.erase(0, at);
+      return what;
+    }
+    return "";
+  }
+};
+
+/// A workbench that shows a lecture, and what it tells the teacher.
+struct Shown : ReadyWorkbench {
+  explicit Shown(const std::string& file, double seconds = 0) { present(file, seconds); }
+  void present(const std::string& file, double seconds) {
+    lecture({slidesOf(readLecture(file)), seconds});
+    finish();
+  }
+  void turn(NamedKey key) {
+    press(key);
+    finish();
+  }
+  /// The view without the bar above it, which names the page.
+  [[nodiscard]] std::vector<std::uint8_t> body() const {
+    const auto above = image().pixels.begin() + std::ptrdiff_t{image().width} * 40;
+    return {above, image().pixels.begin() + std::ptrdiff_t{image().width} * layout().status.y};
+  }
+};
+
+/// The view of a window that shows one scene only.
+std::vector<std::uint8_t> alone(const std::string& scene, const Setup& setup, WindowView view) {
+  ReadyWorkbench bench{setup, 1024, 768, scene};
+  bench.switchTo(view);
+  bench.finish();
+  const auto above = bench.image().pixels.begin() + std::ptrdiff_t{1024} * 40;
+  return {above, bench.image().pixels.begin() + std::ptrdiff_t{1024} * bench.layout().status.y};
+}
+
+const std::string kThree =
+    R"({"title": "Flat", "show": "teapot --divisions 3 --shade flat --ks 0.7"},
+       {"title": "Cells", "show": "xnewell draw teapot --divisions 3 --size 500x400 --shade phong --view colours -o a.png"},
+       {"title": "Cycle", "show": "cycle --view depthsort", "step": 12})";
+
+}  // namespace
+
+// PgDn and PgUp turn the pages, in every view. A page shows what a window with its scene and set-up alone
+// shows. Coming back, it is as it was at first, whatever was changed.
+TEST_F(LectureTest, PagesTurn) {
+  Shown shown{lecture(kThree)};
+  xnewell::Setup flat;
+  flat.picture.shading = Shading::Flat, flat.picture.light.ks = 0.7;
+  const std::vector<std::uint8_t> first = shown.body();
+  EXPECT_EQ(first, alone("teapot", flat, WindowView::Picture));
+  shown.type("SJ");
+  shown.finish();
+  EXPECT_NE(shown.body(), first);
+  shown.turn(NamedKey::PageDown);
+  EXPECT_EQ(shown.view(), WindowView::Colors);
+  EXPECT_EQ(shown.setup().picture.shading, Shading::Phong);
+  shown.turn(NamedKey::PageDown);
+  EXPECT_EQ(shown.view(), WindowView::DepthSort);
+  const auto& stepper = dynamic_cast<const SortBench&>(shown.bench());
+  EXPECT_EQ(stepper.view().step, 12);
+  const std::vector<std::uint8_t> third = shown.body();
+  shown.turn(NamedKey::PageDown);  // there is none
+  EXPECT_EQ(shown.view(), WindowView::DepthSort);
+  EXPECT_EQ(shown.body(), third);
+  shown.turn(NamedKey::PageUp);
+  shown.turn(NamedKey::PageUp);
+  EXPECT_EQ(shown.body(), first);
+  shown.turn(NamedKey::PageUp);
+  EXPECT_EQ(shown.body(), first);
+}
+
+// Inside a lesson the steps come first; after its last step comes the next page. The page after it has its
+// own scene again.
+TEST_F(LectureTest, StepsOfALessonComeFirst) {
+  Shown shown{
+      lecture(R"({"title": "Cards", "lesson": "five-tests"}, {"title": "Teapot", "show": "teapot"})")};
+  const auto& lesson = dynamic_cast<const LessonBench&>(shown.bench());
+  const int steps = static_cast<int>(lesson.lesson()->steps.size());
+  for (int step = 0; step < steps; ++step) {
+    EXPECT_EQ(shown.view(), WindowView::Lesson);
+    EXPECT_EQ(lesson.step(), step);
+    shown.turn(NamedKey::PageDown);
+  }
+  EXPECT_EQ(shown.view(), WindowView::Picture);
+  EXPECT_EQ(shown.scene().name, "teapot");
+  shown.turn(NamedKey::PageUp);
+  EXPECT_EQ(lesson.step(), 0);
+  shown.type("2");  // to the stepper, with the lesson's scene
+  shown.finish();
+  shown.turn(NamedKey::PageDown);
+  EXPECT_EQ(shown.scene().name, "teapot");
+  EXPECT_EQ(shown.view(), WindowView::Picture);
+}
+
+// With --play the pages turn by themselves, and after the last comes the first. A key makes the page wait.
+TEST_F(LectureTest, PlaysByItself) {
+  using namespace std::chrono_literals;
+  const std::string file = lecture(kThree);
+  const Shown still{file};
+  EXPECT_FALSE(still.moving());
+  Shown shown{file, 0.3};
+  EXPECT_TRUE(shown.moving());
+  std::string views;
+  for (int k = 0; k < 3; ++k) {
+    shown.tick();
+    views += std::to_string(static_cast<int>(shown.view()));
+    std::this_thread::sleep_for(310ms);
+    if (k == 1) shown.press('?');  // somebody is there
+    if (k == 1) shown.press('?');
+    shown.tick();
+    views += std::to_string(static_cast<int>(shown.view())) + ' ';
+    shown.finish();
+  }
+  EXPECT_EQ(views, "02 22 21 ");
+  std::this_thread::sleep_for(310ms);
+  shown.tick();
+  EXPECT_EQ(shown.view(), WindowView::Picture);
+}
+
+// The lecture that comes with the program can be read, and it is a lecture of several views.
+TEST_F(LectureTest, TheFirstHour) {
+  const std::vector<Page> pages = readLecture("first-hour");
+  EXPECT_GE(pages.size(), 5u);
+  EXPECT_TRUE(pages.back().lesson);
+}
+
+// Scenes and lessons are looked for beside the lecture.
+TEST_F(LectureTest, NamesFilesBesideIt) {
+  write("mine.obj", kTriangleObj);
+  EXPECT_EQ(readLecture(lecture(R"({"title": "Mine", "show": "mine.obj"})")).front().scene.mesh.points.size(),
+            3u);
+}
+
+// A mistake on any page is told with its place before anything is shown.
+TEST_F(LectureTest, MistakesAreToldAtOnce) {
+  const std::pair<const char*, const char*> kRows[]{
+      {R"({"show": "teapot"})", "pages[0]: title is needed"},
+      {R"({"title": "", "show": "teapot"})", "pages[0].title: 1 to 60 characters are needed"},
+      {R"({"title": "a"})", "pages[0]: either show or lesson is needed"},
+      {R"({"title": "a", "show": "teapot", "lesson": "cycles"})",
+       "pages[0]: either show or lesson is needed"},
+      {R"({"title": "a", "show": "teapot", "nots": "b"})",
+       "pages[0]: unknown key 'nots'; the keys are title, show, step, lesson, notes"},
+      {R"({"title": "a", "show": "teapot --shad flat"})", "pages[0].show: unknown option '--shad'"},
+      {R"({"title": "a", "show": "teapot 'oh"})", "pages[0].show: a quotation does not end"},
+      {R"({"title": "a", "show": "teapot --size 9x9"})", "pages[0].show: --size is not for a page"},
+      {R"({"title": "a", "show": "--version"})", "pages[0].show: it shows no scene"},
+      {R"({"title": "a", "show": "teapot --ia 0.9 --ip 0.9"})",
+       "pages[0].show: --ia and --ip: their sum must not exceed 1"},
+      {R"({"title": "a", "show": "teapot", "step": 3})",
+       "pages[0].step: steps are for pages with --view depthsort"},
+      {R"({"title": "a", "lesson": "no-such"})",
+       "there is no lesson 'no-such'; `xnewell scenes` lists the lessons"},
+      {R"({"title": "a", "show": "no-such.obj"})", "no-such.obj: No such file or directory"},
+  };
+  for (const auto& [page, what] : kRows) EXPECT_EQ(wrong(page), what) << page;
+  EXPECT_EQ(wrong(""), "pages: 1 to 200 pages are needed");
+}
+
+// Without a file, and without a server, one line says what is missing.
+TEST_F(LectureTest, NeedsAFileAndAServer) {
+  EXPECT_EQ(runProgram({"lecture"}).err,
+            "xnewell: lecture needs a file, such as my-lecture.json; first-hour comes with the program\n");
+  EXPECT_EQ(runProgram({"lecture", "no-such.json"}).err,
+            "xnewell: no-such.json: No such file or directory\n");
+  EXPECT_EQ(runProgram({"draw", "teapot", "-o", file("a.png"), "--play", "3"}).err,
+            "xnewell: --play works only with lecture\n");
+  const Finished end = runProgram({"lecture", lecture(kThree)});
+  EXPECT_EQ(end.status, 1);
+  EXPECT_NE(end.err.find("DISPLAY is not set"), std::string::npos) << end.err;
+}
+
+}  // namespace xnewell::THIS_FILE

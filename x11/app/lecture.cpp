@@ -1,0 +1,65 @@
+#include "x11/app/lecture.h"
+
+#include "x11/app/workbench.h"
+#include "x11/lessons/lesson_bench.h"
+#include "x11/stepper/sort_bench.h"
+
+namespace xnewell {
+
+std::string Lecture::title() const {
+  return std::to_string(at_ + 1) + " of " + std::to_string(slides_.size()) + ": " + now().title;
+}
+
+bool Lecture::turn(int pages) {
+  const auto to = static_cast<std::ptrdiff_t>(at_) + pages;
+  if (to < 0 || to >= static_cast<std::ptrdiff_t>(slides_.size())) return false;
+  at_ = static_cast<std::size_t>(to);
+  wait();
+  return true;
+}
+
+void Lecture::turnByItself() {
+  at_ = (at_ + 1) % slides_.size();
+  wait();
+}
+
+/// The lecture in the window.
+
+void Workbench::lecture(Lecture lecture) {
+  lecture_ = std::move(lecture);
+  showSlide();
+}
+
+void Workbench::showSlide() {
+  if (before_) switchTo(WindowView::Lesson);  // a view may still have the scene of a lesson
+  switchTo(WindowView::Picture);
+  const Slide& slide = lecture_->now();
+  begin(workOn(slide.scene, slide.setup));
+  stepper_->startAt(slide.step.value_or(0));
+  if (slide.lesson)
+    teach(*slide.lesson);
+  else
+    switchTo(slide.view);
+  told_.clear();
+  server_.say(lecture_->title() + '\n' + (slide.notes.empty() ? "" : slide.notes + '\n'));
+}
+
+bool Workbench::turnsPage(const Key& key) {
+  if (!lecture_) return false;
+  lecture_->wait();
+  const int pages = turning(key);
+  if (pages == 0) return false;
+  // Inside a lesson its steps come first.
+  if (const Lesson* const lesson = lessons_->lesson();
+      view() == WindowView::Lesson && lesson && !lessons_->showsList()) {
+    const int step = lessons_->step() + pages;
+    if (step >= 0 && step < static_cast<int>(lesson->steps.size())) return false;
+  }
+  if (lecture_->turn(pages))
+    showSlide();
+  else
+    notify(pages > 0 ? "This is the last page of the lecture." : "This is the first page of the lecture.");
+  return true;
+}
+
+}  // namespace xnewell

@@ -1,0 +1,53 @@
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "shading/picture/stopwatch.h"
+#include "x11/lessons/lesson.h"
+#include "x11/options/window_view.h"
+#include "x11/window/controls.h"
+
+namespace xnewell {
+
+/// A page of a lecture: a scene with its set-up, in one of the views.
+struct Slide {
+  std::string title, notes;
+  Scene scene;
+  Setup setup;
+  WindowView view = WindowView::Picture;
+  std::optional<int> step;       ///< of the depth sort; none: its start
+  std::optional<Lesson> lesson;  ///< opened in WindowView::Lesson
+};
+
+/// The pages of a lecture, and which one is shown. What the audience changes on a page is gone when the page
+/// is shown again.
+class Lecture {
+ public:
+  /// At least one slide. If `seconds` is not 0, the pages turn by themselves, each after so long without a
+  /// key or click, and after the last comes the first.
+  Lecture(std::vector<Slide> slides, double seconds) : slides_{std::move(slides)}, seconds_{seconds} {}
+
+  [[nodiscard]] const Slide& now() const { return slides_[at_]; }
+  /// "3 of 12: Why facets?"
+  [[nodiscard]] std::string title() const;
+  /// Goes to another page. Returns false if there is none there.
+  bool turn(int pages);
+
+  /// True if the pages turn by themselves.
+  [[nodiscard]] bool plays() const { return seconds_ > 0; }
+  /// True if this page has been shown long enough.
+  [[nodiscard]] bool isDue() const { return plays() && shown_.ms() >= 1000 * seconds_; }
+  void turnByItself();
+  /// Somebody uses the page.
+  void wait() { shown_ = {}; }
+
+ private:
+  std::vector<Slide> slides_;
+  std::size_t at_ = 0;
+  double seconds_;
+  Stopwatch shown_;
+};
+
+}  // namespace xnewell
