@@ -87,6 +87,7 @@ class Viewer {
         plan_{bench_.plan()} {
     bench_.scale(scaleIsGiven_ ? options.scale : std::min(usualScale(), largestScale(size_.x, size_.y)));
     bench_.resize(size_.x, size_.y);
+    if (!options.answers.empty()) bench_.lessons().keepAnswers(options.answers);
     selectResources(display());
     if (options.accuracy) {
       std::vector<std::string> mine;

@@ -35,6 +35,7 @@
 #include "x11/command/trace.h"
 #include "x11/command/write_frames.h"
 #include "x11/command/write_lesson.h"
+#include "x11/command/write_worksheet.h"
 #include "x11/options/exit_status.h"
 #include "x11/options/options.h"
 #include "x11/views/views.h"
@@ -145,10 +146,12 @@ int teach(const Options& options) {
     const Doing reading{"reading " + options.scene};
     lesson = lessonNamed(options.scene);
   }
-  if (options.frames.empty()) return openWindow(options, readScene("teapot"), std::move(lesson));
+  if (options.frames.empty() && options.worksheet.empty())
+    return openWindow(options, readScene("teapot"), std::move(lesson));
   const std::string all = " of " + std::to_string(lesson->steps.size());
   std::optional<Doing> writing;
-  writeLesson(options, std::move(*lesson), [&](int step) {
+  const auto write = options.frames.empty() ? writeWorksheet : writeLesson;
+  write(options, std::move(*lesson), [&](int step) {
     writing.reset();  // each message replaces the one before
     writing.emplace("drawing step " + std::to_string(step) + all);
   });

@@ -96,12 +96,19 @@ void LessonBench::give() {
   if (!taken().chosen) return host_.notify("Choose an answer with a letter first, or go on with PgDn.");
   taken().given = true;
   openExhibit();
+  try {
+    answers_.add(*lesson_, step_, *taken().chosen);
+  } catch (const std::exception& e) {
+    host_.notify(std::string{"The answer is not kept: "} + e.what());
+  }
 }
 
 void LessonBench::goOn(int steps) {
   const int to = step_ + steps;
   if (to < 0) return host_.notify("This is the first step. 7 lists all lessons.");
   if (to < static_cast<int>(lesson_->steps.size())) return goTo(to);
+  if (const std::string score = answers_.score(lesson_->name); !score.empty())
+    host_.tell(lesson_->title + ": " + score);
   const auto after =
       std::ranges::find_if(lessons_.entries(), [&](const auto& e) { return e.number > lesson_->number; });
   if (after == lessons_.entries().end()) return showList(true);
@@ -199,7 +206,7 @@ void LessonBench::draw(Painter paint, const Desk& desk) {
   list_.forgetPlaces();
   Pen pen{paint, desk.plan};
   if (listing_)
-    lessons_.draw(pen, desk.layout, list_, lesson());
+    lessons_.draw(pen, desk.layout, list_, lesson(), answers_);
   else
     drawStep(paint, desk);
   list_.draw(pen, controls());
@@ -279,7 +286,10 @@ LessonPage LessonBench::pageOf(const Desk& desk, const IndexImage* lower) {
   question.chosen = t.chosen;
   question.given = t.given;
   for (const LessonAnswer& answer : step.question->answers) question.answers.push_back(answer.text);
-  if (t.given) question.says = facts.filled(step.question->answers[static_cast<std::size_t>(*t.chosen)].says);
+  if (t.given) {
+    const LessonAnswer& answer = step.question->answers[static_cast<std::size_t>(*t.chosen)];
+    question.says = (answer.holds ? "Right. " : "") + facts.filled(answer.says);
+  }
   if (t.hint) question.hint = step.question->hint;
   page.question = std::move(question);
   return page;

@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include "x11/lessons/kept_answers.h"
 #include "x11/lessons/lesson.h"
 #include "x11/lessons/lesson_controls.h"
 #include "x11/lessons/lesson_list.h"
@@ -23,6 +24,8 @@ class LessonBench : public Bench {
 
   /// Opens a lesson at its first step. The host must switch to this view.
   void start(Lesson lesson);
+  /// Keeps all answers in this file, from now on. @throws ParseError, std::system_error
+  void keepAnswers(const std::string& file) { answers_.keepIn(file); }
   /// 0 <= step < steps.
   void goTo(int step);
   [[nodiscard]] int step() const { return step_; }
@@ -74,6 +77,7 @@ class LessonBench : public Bench {
   std::optional<Lesson> lesson_;
   int step_ = 0;
   std::vector<Taken> taken_;  ///< one for each step
+  KeptAnswers answers_;
   LessonState state_;
   std::optional<PictureCache> lower_;  ///< of Stage::SideBySide
   std::vector<std::string> caption_;   ///< of captionOf_, filled in

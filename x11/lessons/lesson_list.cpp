@@ -41,7 +41,8 @@ KeyTable LessonList::keys() {
            }}};
 }
 
-void LessonList::draw(Pen& pen, const Layout& at, ControlList& places, const Lesson* open) {
+void LessonList::draw(Pen& pen, const Layout& at, ControlList& places, const Lesson* open,
+                      const KeptAnswers& answers) {
   const Rect& body = at.body;
   pen.paint.text(body.x, body.y + 21, "Lessons", pen(Cell::Ink), Voice::Title);
   pen.softRight(body.x + body.width, body.y + 21, "arrows, then Return; or the pointer");
@@ -60,6 +61,7 @@ void LessonList::draw(Pen& pen, const Layout& at, ControlList& places, const Les
     pen.softRight(row.x + 32, y, std::to_string(lesson.number));
     const int end = pen.bold(row.x + 48, y, lesson.title);
     if (open && open->name == lesson.name) pen.soft(end + 18, y, "open");
+    pen.softRight(row.x + row.width - 8, y, answers.score(lesson.name));
     pen.soft(row.x + 48, y + (at.compact ? 14 : 17), lesson.shows);
   }
   drawn_ = chosen_;

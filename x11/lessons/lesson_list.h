@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "x11/kit/control_list.h"
+#include "x11/lessons/kept_answers.h"
 #include "x11/lessons/lesson.h"
 #include "x11/window/layout.h"
 
@@ -24,8 +25,9 @@ class LessonList {
   [[nodiscard]] Controls controls();
   [[nodiscard]] KeyTable keys();
   [[nodiscard]] bool late() const { return chosen_ != drawn_; }
-  /// Draws the list and places its rows in `places`. `open` is the lesson that is open; null for none.
-  void draw(Pen& pen, const Layout& at, ControlList& places, const Lesson* open);
+  /// Draws the list with the scores, and places its rows in `places`. `open` is the lesson that is open; null
+  /// for none.
+  void draw(Pen& pen, const Layout& at, ControlList& places, const Lesson* open, const KeptAnswers& answers);
 
  private:
   void openRow(int row);

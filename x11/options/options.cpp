@@ -181,6 +181,8 @@ void addPlaces(Reader& r) {
   only({"--frames"}, {"trace", "lesson"});
   only({"--every"}, {"trace --frames"});
   only({"--play"}, {"lecture"});
+  only({"--answers"}, {"lesson", "lecture"});
+  only({"--worksheet"}, {"lesson"});
 }
 
 /// Adds all options, in the order of --help. The reader writes what they say into `o`.
@@ -277,6 +279,11 @@ void addOptions(CLI::App& app, Reader& r, Options& o) {
       "--frames", o.frames, "folder",
       "trace: write numbered pictures into this folder instead of lines; it must not hold any frames yet");
   r.choice("--every", kEvery, o.every, "trace: the steps that --frames draws");
+  r.named("--answers", o.answers, "file",
+          "lesson, lecture: keep what is answered in this JSON file, beside what it has");
+  r.named("--worksheet", o.worksheet, "file",
+          "lesson: write an HTML file to print, with pictures, questions, room to write, and solutions at "
+          "the end");
   r.number(
       "--play", o.play, 0.5, 3600,
       "lecture: seconds without a key or click until a page turns by itself; after the last comes the first",

@@ -54,8 +54,8 @@ inline constexpr std::array kCommands{
                "what each short cut saves on the scene, and the error that it costs", true},
     CommandRow{Command::Extremes, "extremes", "extremes SCENE [-o CHART.png] [--json]",
                "what becomes wrong first when the scene is scaled, moved, flattened ...", true},
-    CommandRow{Command::Lesson, "lesson", "lesson [NAME] [--frames DIR]",
-               "a guided lesson in the window, or as pictures; without NAME, the list"},
+    CommandRow{Command::Lesson, "lesson", "lesson [NAME] [--frames DIR] [--worksheet FILE]",
+               "a guided lesson in the window, as pictures, or to print; without NAME, the list"},
     CommandRow{Command::Lecture, "lecture", "lecture FILE [--play SECONDS]",
                "the pages of a lecture in the window: PgDn and PgUp turn them"},
     CommandRow{Command::Visuals, "visuals", "visuals [options]",
@@ -110,6 +110,8 @@ struct Options {
   std::optional<int> cell;                      ///< for View::Colors
   PaletteEffects effects;                       ///< for the picture and View::Colors
   bool quick = false;        ///< trace: true for the accelerated run, false for the textbook's
+  std::string answers;       ///< lesson, lecture: the file that keeps the answers; "" for none
+  std::string worksheet;     ///< lesson: the HTML file to write; "" for a window
   double play = 0;           ///< lecture: seconds until a page turns by itself; 0: never
   std::string frames;        ///< trace, lesson: a folder for pictures; "" for JSON lines, or for a window
   Every every = Every::Cut;  ///< trace: the steps that become pictures

@@ -146,10 +146,14 @@ void checkCommand(const Options& o, const std::vector<OptionRow>& rows) {
     needsWindow("a lecture", o);
   }
   if (lesson) {
-    if (!o.frames.empty() && !sceneGiven) throw UsageError{"--frames needs a lesson's name"};
+    const bool writes = !o.frames.empty() || !o.worksheet.empty();
+    const std::string how = o.frames.empty() ? "--worksheet" : "--frames";
+    if (writes && !sceneGiven) throw UsageError{how + " needs a lesson's name"};
     for (const char* option : {"--visual", "--colormap", "--nearest"})
-      if (!o.frames.empty() && o.gave(option))
-        throw UsageError{std::string{option} + " needs a server, and lesson --frames uses none"};
+      if (writes && o.gave(option))
+        throw UsageError{std::string{option} + " needs a server, and lesson " + how + " uses none"};
+    exclude(writes, !o.answers.empty(), how + " and --answers");
+    exclude(!o.frames.empty(), !o.worksheet.empty(), "--frames and --worksheet");
     needsWindow("a lesson", o);
   }
   const bool file = !isBuiltIn(o.scene);

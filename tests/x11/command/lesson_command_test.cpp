@@ -65,11 +65,50 @@ TEST_F(LessonCommand, Refusals) {
           "a lesson needs a --size of at least 800x540");
   refused({"lesson", "cycles", "--frames", folder, "--visual", "GrayScale8"}, 2,
           "--visual needs a server, and lesson --frames uses none");
+  refused({"lesson", "--worksheet", folder}, 2, "--worksheet needs a lesson's name");
+  refused({"lesson", "cycles", "--worksheet", file("no/w.html")}, 1,
+          file("no/w.html") + ": No such file or directory");
+  refused({"lesson", "cycles", "--worksheet", folder, "--answers", folder}, 2,
+          "--worksheet and --answers exclude each other");
   refused({"lesson", "cycles", "-o", file("new.png")}, 2,
           "-o works only with draw, snapshot, trade and extremes");
   refused({"lesson", "cycles", "--frames", file("old.png")}, 1, file("old.png") + ": Not a directory");
   const std::string bad = write("bad.json", R"({"title": "t", "steps": [{"heading": "h"}]})");
   refused({"lesson", bad, "--frames", folder}, 2, bad + ": steps[0]: caption is needed");
+}
+
+// `--worksheet` writes one HTML file without any X server: a picture for each step, each question with all
+// its answers and room to write, and the right letter of each only after the last step.
+TEST_F(LessonCommand, AWorksheetAsksAndSolves) {
+  for (const LessonEntry& entry : builtInLessons()) {
+    SCOPED_TRACE(entry.name);
+    const std::string sheet = file("sheet.html");
+    const Finished end = runProgram({"lesson", entry.name, "--worksheet", sheet});
+    ASSERT_EQ(end.status, 0) << end.err;
+    const std::string html = contents(sheet);
+    const auto count = [&](const std::string& what) {
+      std::size_t n = 0;
+      for (std::size_t at = html.find(what); at != std::string::npos; at = html.find(what, at + 1)) ++n;
+      return n;
+    };
+    const Lesson lesson = readLesson(entry.file);
+    const std::size_t questions =
+        std::ranges::count_if(lesson.steps, [](const auto& s) { return s.question.has_value(); });
+    EXPECT_EQ(count("src=\"data:image/png;base64,iVBORw0KGgo"), lesson.steps.size());
+    EXPECT_EQ(count("class=\"room\""), questions);
+    const std::size_t solutions = html.find("<h2>Solutions</h2>");
+    for (const LessonStep& step : lesson.steps) {
+      if (!step.question) continue;
+      const auto right = std::ranges::find(step.question->answers, true, &LessonAnswer::holds);
+      const std::string letter{static_cast<char>('a' + (right - step.question->answers.begin()))};
+      EXPECT_NE(html.find("<li>" + letter + ": ", solutions), std::string::npos);
+    }
+    EXPECT_EQ(html.find("Right. "), html.find("Right. ", solutions));  // not before the solutions
+    for (const std::string name : {"section", "ol", "p", "html", "li", "h2"})
+      EXPECT_EQ(count('<' + name + '>') + count('<' + name + ' '), count("</" + name + '>')) << name;
+    EXPECT_EQ(html.find('{'), html.find("{ font"));  // no placeholder is left, only the style
+    EXPECT_EQ(html.find('{', html.find("</style>")), std::string::npos);
+  }
 }
 
 TEST_F(LessonCommand, FramesOfAnEarlierRunStay) {

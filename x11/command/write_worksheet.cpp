@@ -1,0 +1,109 @@
+#include "x11/command/write_worksheet.h"
+
+#include <algorithm>
+#include <cstdint>
+#include <string>
+#include <string_view>
+#include <utility>
+
+#include "geometry/files/output_file.h"
+#include "shading/color/png.h"
+#include "x11/app/workbench.h"
+#include "x11/lessons/lesson_bench.h"
+
+namespace xnewell {
+
+namespace {
+
+constexpr std::string_view kHead = R"(<meta charset="utf-8">
+<style>
+body { font: 11pt/1.4 serif; max-width: 45em; margin: 2em auto }
+img { width: 100%; image-rendering: pixelated }
+section { break-inside: avoid; margin-top: 2em }
+.room { height: 7em; border-bottom: 1px solid; margin-bottom: 1em }
+.solutions { break-before: page }
+</style>
+)";
+
+std::string inHtml(const std::string& text) {
+  std::string html;
+  for (const char c : text)
+    html += c == '&' ? "&amp;" : c == '<' ? "&lt;" : c == '>' ? "&gt;" : std::string{c};
+  return html;
+}
+
+std::string element(const std::string& name, const std::string& text) {
+  return '<' + name + '>' + inHtml(text) + "</" + name.substr(0, name.find(' ')) + ">\n";
+}
+
+/// RFC 4648, section 4.
+std::string base64(std::string_view bytes) {
+  constexpr std::string_view kDigits = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
+  std::string text;
+  for (std::size_t k = 0; k < bytes.size(); k += 3) {
+    std::uint32_t three = 0;
+    for (std::size_t i = k; i < k + 3; ++i)
+      three = three << 8 | (i < bytes.size() ? static_cast<std::uint8_t>(bytes[i]) : 0U);
+    for (std::size_t digit = 0; digit < 4; ++digit)
+      text += k + digit <= bytes.size() ? kDigits[three >> (18 - 6 * digit) & 63] : '=';
+  }
+  return text;
+}
+
+/// What the page of a step shows at the left of its words.
+std::string pictureOf(Workbench& bench) {
+  const Layout& at = bench.layout();
+  const Rect& column = bench.lessons().layout().column;
+  const Rect units{at.body.x, at.body.y, column.x - 8 - at.body.x, column.height};
+  const Rect from = units * at.unit;
+  IndexImage part{from.width, from.height, 0};
+  for (int y = 0; y < from.height; ++y)
+    std::copy_n(bench.image().row(from.y + y) + from.x, from.width, part.row(y));
+  return "<img alt=\"\" src=\"data:image/png;base64," + base64(encodePng(part, bench.palette())) + "\">\n";
+}
+
+void finish(Workbench& bench) {
+  while (bench.stale() != Workbench::Stale::Nothing) bench.update();
+}
+
+}  // namespace
+
+void writeWorksheet(const Options& options, Lesson lesson, const std::function<void(int)>& tell) {
+  Workbench bench{readScene("teapot"), Setup{}, {}};
+  const glm::ivec2 size = windowSize(options);
+  bench.scale(options.scale);
+  bench.resize(size.x, size.y);
+  std::string sheet = "<!DOCTYPE html>\n<html lang=\"en\">\n" + element("title", lesson.title) +
+                      std::string{kHead} + element("h1", lesson.title) + "<p>Name:</p>\n";
+  std::string solutions = "<section class=\"solutions\">\n" + element("h2", "Solutions") + "<ol>\n";
+  const std::vector<LessonStep> steps = lesson.steps;
+  bench.teach(std::move(lesson));
+  for (int k = 0; k < static_cast<int>(steps.size()); ++k) {
+    tell(k + 1);
+    bench.lessons().goTo(k);
+    finish(bench);
+    const LessonPage asked = bench.lessons().page();
+    sheet += "<section>\n" + element("h2", std::to_string(k + 1) + ". " + asked.heading) + pictureOf(bench);
+    for (const std::string& paragraph : asked.caption) sheet += element("p", paragraph);
+    solutions += "<li>";
+    if (const auto& question = steps[static_cast<std::size_t>(k)].question) {
+      sheet += element("p", question->asks) + "<ol type=\"a\">\n";
+      for (const LessonAnswer& answer : question->answers) sheet += element("li", answer.text);
+      sheet += "</ol>\n" + element("p", "Why?") + "<div class=\"room\"></div>\n";
+      const auto right = std::ranges::find(question->answers, true, &LessonAnswer::holds);
+      const char letter = static_cast<char>('a' + (right - question->answers.begin()));
+      bench.press({NamedKey::Letter, letter});
+      bench.press({NamedKey::Return});
+      finish(bench);
+      solutions +=
+          inHtml(std::string{letter} + ": " + right->text + ". " + bench.lessons().page().question->says);
+    } else {
+      solutions += inHtml(asked.heading + ": no question.");
+    }
+    sheet += "</section>\n";
+    solutions += "</li>\n";
+  }
+  writeFile(options.worksheet, sheet + solutions + "</ol>\n</section>\n</html>\n");
+}
+
+}  // namespace xnewell
