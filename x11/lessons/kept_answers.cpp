@@ -12,9 +12,7 @@ namespace xnewell {
 
 namespace {
 
-constexpr int kMostAnswers = 4, kMostSteps = 12;
-
-std::string letterOf(int answer) { return {static_cast<char>('a' + answer)}; }
+std::string letterText(int answer) { return {static_cast<char>('a' + answer)}; }
 
 int readLetter(const Node& node) {
   const std::string letter = node.text();
@@ -57,9 +55,9 @@ void KeptAnswers::add(const Lesson& lesson, int step, int answer) {
   for (const auto& [name, steps] : lessons_)
     for (const auto& [number, kept] : steps) {
       nlohmann::ordered_json tries = nlohmann::ordered_json::array();
-      for (const int k : kept.tries) tries.push_back(letterOf(k));
+      for (const int k : kept.tries) tries.push_back(letterText(k));
       all.push_back(
-          {{"lesson", name}, {"step", number + 1}, {"tries", tries}, {"right", letterOf(kept.right)}});
+          {{"lesson", name}, {"step", number + 1}, {"tries", tries}, {"right", letterText(kept.right)}});
     }
   writeFile(file_, nlohmann::ordered_json{{"answers", all}}.dump(2) + '\n');
 }

@@ -13,7 +13,6 @@ namespace xnewell {
 namespace {
 
 constexpr std::size_t kLongestHeading = 26;  // letters of Voice::Title in a column of 320 pixels
-constexpr int kMostSteps = 12;               // dots
 
 /// Reads words with placeholders.
 std::string readWords(const Node& node) {
@@ -50,7 +49,7 @@ LessonQuestion readQuestion(const Node& node, const Exhibit& exhibit, SceneShelf
   LessonQuestion question{.asks = node.at("asks").text(), .hint = {}, .answers = {}};
   if (node.has("hint")) question.hint = node.at("hint").text();
   const Node answers = node.at("answers");
-  if (answers.size() < 2 || answers.size() > 4) answers.fail("2 to 4 answers are needed");
+  if (answers.size() < 2 || answers.size() > kMostAnswers) answers.fail("2 to 4 answers are needed");
   for (int k = 0; k < answers.size(); ++k)
     question.answers.push_back(readAnswer(answers.item(k), exhibit, shelf));
   if (std::ranges::count(question.answers, true, &LessonAnswer::holds) != 1)

@@ -92,6 +92,9 @@ inline constexpr std::array kLessonControls{
   return kLessonControls[static_cast<std::size_t>(control)];
 }
 
+inline constexpr int kMostSteps = 12;   ///< of a lesson: as many dots fit
+inline constexpr int kMostAnswers = 4;  ///< to a question
+
 struct LessonAnswer {
   std::string text;
   bool holds = false;

@@ -90,7 +90,7 @@ class Loupe {
 
   void draw() {
     const int P = pen_.P(), Q = pen_.Q();
-    const bool isCut = pen_.event->kind == Event::Kind::Split && !pen_.view.asking;
+    const bool isCut = pen_.cut >= 0 && !pen_.view.asking;
     if (Q >= 0) tint(paint_, at_, figure(Q), Stipple::Quarter, pen_(Cell::Q));
     tint(paint_, at_, figure(P), Stipple::Quarter, pen_(Cell::P));
     const Figure both = Q >= 0 && !pen_.view.asking ? placed(pen_.run.explainer().overlap(P, Q)) : Figure{};
@@ -101,7 +101,7 @@ class Loupe {
     }
     outline(paint_, figure(P), pen_(Cell::P), {2});
     const bool distances = Q >= 0 && (pen_.aboutPlanes() || (isCut && !pen_.compare));
-    if (distances) drawMeeting(isCut ? figure(P) : both, isCut);
+    if (distances) drawMeeting(isCut ? figure(pen_.cut) : both, isCut);
     if (pen_.told()) drawApart();
     drawCorners(P, Q, Cell::P, distances);
     if (Q >= 0) drawCorners(Q, P, Cell::Q, distances);
@@ -202,7 +202,7 @@ class Loupe {
       const Place middle = middleOf(piece);
       if (!isInside(middle) || leastSide(piece) < kRoomForLetter) continue;
       const int x = static_cast<int>(middle.x), y = static_cast<int>(middle.y);
-      pen_.paint.fillRect({x - 5, y - 7, 11, 15}, pen_(Cell::P));
+      pen_.paint.fillRect({x - 5, y - 7, 11, 15}, pen_(pen_.cut == pen_.P() ? Cell::P : Cell::Q));
       pen_.bold(x - 2, y + 4, names[k], Cell::White);
     }
   }

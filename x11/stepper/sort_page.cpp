@@ -36,11 +36,11 @@ void placeControls(ControlList& list, const SortLayout& at, const SortView& view
 SortDrawn drawSortPage(Painter paint, const SortLayout& at, SortRun& run, const SortView& view,
                        const CellPlan& plan, ControlList* list) {
   run.goTo(view.step);
-  // Of two polygons that pass through each other the smaller is cut and is then called P. If the tests were
-  // made with the names the other way round, their rows would mislead.
-  const Event *const event = run.replay().event(), *compare = comparisonAt(run.sorted(), view.step);
+  const std::optional<Event> event = run.asTested();
+  const Event* compare = comparisonAt(run.sorted(), view.step);
   if (event && compare && (compare->P != event->P || compare->Q != event->Q)) compare = nullptr;
-  SortPen pen{{paint.within(at.body), plan}, at, run, view, event, compare, list};
+  const int cut = event && event->kind == Event::Kind::Split ? run.replay().event()->P : -1;
+  SortPen pen{{paint.within(at.body), plan}, at, run, view, event ? &*event : nullptr, compare, cut, list};
   pen.paint.fillRect(at.body, plan[Cell::Paper]);
   SortDrawn drawn;
   drawn.loupe = drawSortPicture(pen);

@@ -20,11 +20,11 @@ bool outlineWaiting(SortPen& pen, Painter fine, const auto& placed) {
 }
 
 /// Draws a letter in the middle of a piece that has room for it.
-void letter(SortPen& pen, Painter& paint, const Samples& where, std::string_view text) {
+void letter(SortPen& pen, Painter& paint, const Samples& where, std::string_view text, Cell cell) {
   constexpr int kLeast = 300;  // of units
   if (where.count < kLeast * paint.unit() * paint.unit()) return;
   const Rect plate{where.x - 5, where.y - 7, 11, 15};
-  paint.fillRect(plate, pen(Cell::P));
+  paint.fillRect(plate, pen(cell));
   paint.frame(plate, pen(Cell::Black));
   paint.text(plate.x + 3, plate.y + 11, text, pen(Cell::White));
 }
@@ -35,21 +35,23 @@ void markPair(SortPen& pen, Painter& paint, const auto& placed) {
   const auto tinted = [&](int id, Cell cell, std::optional<Stipple> stipple) {
     return tintFragment(paint, pen.at.picture, pen.run.scene(), pen.run.sorted(), id, stipple, pen(cell));
   };
-  if (e.Q >= 0) {
+  const bool cutsQ = pen.cut >= 0 && pen.cut == e.Q;
+  if (e.Q >= 0 && !cutsQ) {
     tinted(e.Q, Cell::Q, Stipple::Diagonals);
     outline(fine, placed(e.Q), pen(Cell::Black), {4});
     outline(fine, placed(e.Q), pen(Cell::Q), {2, 5, 3});
   }
-  if (e.kind == Event::Kind::Split) {
+  if (pen.cut >= 0) {
+    const Cell cell = cutsQ ? Cell::Q : Cell::P;
     const int behind = pen.run.fragments().pieceOf(pen.run.replay().splits() - 1);
     const std::array names{"a", "b"};
     for (int k = 0; k < 2; ++k) {
-      const Samples where = tinted(behind + k, Cell::P, k == 0 ? Stipple::Eighth : Stipple::Quarter);
+      const Samples where = tinted(behind + k, cell, k == 0 ? Stipple::Eighth : Stipple::Quarter);
       outline(fine, placed(behind + k), pen(Cell::Black), {4});
-      outline(fine, placed(behind + k), pen(Cell::P), {2});
-      letter(pen, paint, where, names[k]);
+      outline(fine, placed(behind + k), pen(cell), {2});
+      letter(pen, paint, where, names[k], cell);
     }
-    return;
+    if (!cutsQ) return;
   }
   if (e.kind != Event::Kind::Paint) tinted(e.P, Cell::P, Stipple::Quarter);
   outline(fine, placed(e.P), pen(Cell::Black), {4});

@@ -46,6 +46,15 @@ int SortRun::fragmentAt(int column, int row) const {
   return -1;
 }
 
+std::optional<Event> SortRun::asTested() const {
+  const Event* const event = replay_.event();
+  if (!event) return std::nullopt;
+  Event named = *event;
+  const Event* const tests = comparisonAt(sorted_, replay_.step());
+  if (tests && tests->P == event->Q && tests->Q == event->P) std::swap(named.P, named.Q);
+  return named;
+}
+
 StepAbout SortRun::about(int step) const {
   const Event& e = sorted_.events[static_cast<std::size_t>(step - 1)];
   return {e.kind, fragments().face(e.P).number, e.Q < 0 ? -1 : fragments().face(e.Q).number};

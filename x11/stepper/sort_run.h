@@ -36,6 +36,9 @@ class SortRun {
   [[nodiscard]] const Landmarks& landmarks() const { return landmarks_; }
   [[nodiscard]] const Replay& replay() const { return replay_; }
   [[nodiscard]] int steps() const { return replay_.steps(); }
+  /// The event of the present step, with P and Q named as in the tests that led to it. Of two polygons that
+  /// pass through each other the smaller is cut, and that may be the Q of the tests. Nothing at the start.
+  [[nodiscard]] std::optional<Event> asTested() const;
   /// 0 <= step <= steps().
   void goTo(int step) { replay_.goTo(step); }
   [[nodiscard]] const IndexImage& soFar() { return soFar_.at(replay_.painted()); }

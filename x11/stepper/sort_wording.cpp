@@ -73,6 +73,9 @@ std::string sentenceOf(const SortRun& run) {
       sentence.erase(0, colon + 2);
       sentence[0] = static_cast<char>(std::toupper(static_cast<unsigned char>(sentence[0])));
     }
+  constexpr std::string_view kCut = "P is split by the plane of Q";
+  if (run.asTested()->P != e.P && sentence.starts_with(kCut))
+    sentence.replace(0, kCut.size(), "Q is split by the plane of P");
   return sentence;
 }
 
@@ -89,8 +92,8 @@ std::string numberAndPart(const SortRun& run, int id) {
 }
 
 std::string stepInWords(const SortRun& run) {
-  const Event* const e = run.replay().event();
-  if (e == nullptr) return "start: nothing is painted";
+  const std::optional<Event> e = run.asTested();
+  if (!e) return "start: nothing is painted";
   std::string words = std::string{wordFor(e->kind)} + ": P " + numberAndPart(run, e->P);
   if (e->Q >= 0) words += ", Q " + numberAndPart(run, e->Q);
   return words;
@@ -240,12 +243,11 @@ StepFinding findingOf(const SortRun& run, const SortView& view) {
       finding.bold = "P and Q only touch.";
       break;
     case Event::Kind::Split:
-      finding.bold = "P is cut in two.";
+      finding.bold = run.asTested()->P == e->P ? "P is cut in two." : "Q is cut in two.";
       if (const Event* const compare = comparisonAt(run.sorted(), view.step);
           compare && compare->verdict == Verdict::Crossing)
         finding.why = "P and Q pass through each other" +
-                      std::string{compare->P == e->P ? ": " : "; the smaller is cut, called P here: "} +
-                      finding.why;
+                      std::string{compare->P == e->P ? ": " : "; Q is smaller, so it is cut: "} + finding.why;
       else if (!compare || compare->P != e->P)
         finding.why += " The steps before show why.";
       finding.alarm = true;
