@@ -21,6 +21,41 @@ const std::array<std::uint8_t, 256> kBytes = [] {
   return bytes;
 }();
 
+/// The scene without the faces whose newIndex is kNothing; newIndex gets the places of the others. It has no
+/// planes.
+SnappedScene onlySome(const SnappedScene& all, std::vector<int>& newIndex) {
+  SnappedScene some;
+  some.between = all.between;
+  some.zShift = all.zShift;
+  some.polygons = all.polygons, some.culled = all.culled;
+  some.outside = all.outside, some.degenerate = all.degenerate;
+  for (std::size_t f = 0; f < all.faces.size(); ++f) {
+    if (newIndex[f] == kNothing) continue;
+    newIndex[f] = static_cast<int>(some.faces.size());
+    SnappedFace face = all.faces[f];
+    const auto outline = [&](const auto& from, auto& to) {
+      to.insert(to.end(), from.begin() + face.first, from.begin() + face.first + face.count);
+    };
+    outline(all.source, some.source);
+    outline(all.vertices, some.vertices);
+    face.first = static_cast<int>(some.vertices.size()) - face.count;
+    some.faces.push_back(face);
+  }
+  return some;
+}
+
+/// True if the box around a face meets the samples [low, high).
+bool meets(const SnappedScene& scene, const SnappedFace& face, glm::ivec2 low, glm::ivec2 high) {
+  constexpr double kPixel = 65536;
+  glm::dvec2 least{scene.vertices[face.first]}, most = least;
+  for (int k = 1; k < face.count; ++k) {
+    const glm::dvec2 at{scene.vertices[face.first + k]};
+    least = glm::min(least, at), most = glm::max(most, at);
+  }
+  return least.x < high.x * kPixel && least.y < high.y * kPixel && most.x > low.x * kPixel &&
+         most.y > low.y * kPixel;
+}
+
 }  // namespace
 
 const std::vector<std::uint8_t>& Picture::cells() const {
@@ -38,37 +73,44 @@ Picture Picture::withPlanes() const {
 }
 
 Picture Picture::onlyShown() const {
-  const SnappedScene& all = *snapped_;
   std::vector<int> visible = seen(0, settings_.height).faces;
-  std::vector<int> newIndex(all.faces.size(), kNothing);
+  std::vector<int> newIndex(snapped_->faces.size(), kNothing);
   for (const int face : visible)
     if (face != kNothing) newIndex[face] = 0;
-  SnappedScene shown;
-  shown.between = all.between;
-  shown.zShift = all.zShift;
-  shown.polygons = all.polygons, shown.culled = all.culled;
-  shown.outside = all.outside, shown.degenerate = all.degenerate;
-  for (std::size_t f = 0; f < all.faces.size(); ++f) {
-    if (newIndex[f] == kNothing) continue;
-    newIndex[f] = static_cast<int>(shown.faces.size());
-    SnappedFace face = all.faces[f];
-    const auto outline = [&](const auto& from, auto& to) {
-      to.insert(to.end(), from.begin() + face.first, from.begin() + face.first + face.count);
-    };
-    outline(all.source, shown.source);
-    outline(all.vertices, shown.vertices);
-    face.first = static_cast<int>(shown.vertices.size()) - face.count;
-    shown.faces.push_back(face);
-  }
+  Picture picture = *this;
+  picture.snapped_ = onlySome(*snapped_, newIndex);
   for (int& face : visible)
     if (face != kNothing) face = newIndex[face];
-  Picture picture = *this;
   picture.shading_ = shading_.onlyLights();
-  picture.snapped_ = std::move(shown);
   picture.sorted_ = {};
   picture.visible_ = std::move(visible);
   picture.cells_ = {};
   return picture;
+}
+
+Picture Picture::onlyWithin(glm::ivec2 low, glm::ivec2 high) const {
+  const Picture whole = withPlanes();
+  std::vector<int> newIndex(snapped_->faces.size(), kNothing);
+  std::vector<std::uint8_t> cells;
+  for (std::size_t f = 0; f < newIndex.size(); ++f) {
+    if (!meets(*snapped_, snapped_->faces[f], low, high)) continue;
+    newIndex[f] = 0;
+    if (!cells_->empty()) cells.push_back(cells_->at(f));
+  }
+  Picture picture = whole;
+  SnappedScene some = onlySome(*whole.snapped_, newIndex);
+  some.planes = whole.snapped_->planes, some.ahead = whole.snapped_->ahead;
+  picture.snapped_ = std::move(some);
+  picture.sorted_ = {};
+  picture.visible_ = {};
+  picture.cells_ = std::move(cells);
+  picture.painted_ = nullptr;
+  return picture;
+}
+
+std::int64_t Picture::facesWithin(glm::ivec2 low, glm::ivec2 high) const {
+  return std::ranges::count_if(snapped_->faces,
+                               [&](const SnappedFace& face) { return meets(*snapped_, face, low, high); });
 }
 
 std::vector<double> Picture::faceIntensities(int channel) const {

@@ -87,6 +87,11 @@ class Picture {
   /// what is seen, in little memory. What was only needed to make it is forgotten: it cannot be sorted, lit
   /// or painted anew.
   [[nodiscard]] Picture onlyShown() const;
+  /// The same picture with only those of snapped().faces whose box meets the samples [low, high), in the same
+  /// order. Sorted anew, it shows the same there. It is not painted or sorted.
+  [[nodiscard]] Picture onlyWithin(glm::ivec2 low, glm::ivec2 high) const;
+  /// How many faces these are.
+  [[nodiscard]] std::int64_t facesWithin(glm::ivec2 low, glm::ivec2 high) const;
 
   /// The face number + 1 at every sample, 0 where nothing shows; row by row from the top.
   [[nodiscard]] std::vector<std::uint32_t> faceImage() const;

@@ -125,9 +125,15 @@ KeyTable SortBench::ownKeys() {
       player_.view.playing = false;
       list_.setFocus(sortId(SortPart::Timeline));
     });
+  if (part_ && !view.playing && !view.numbered)
+    add(NamedKey::Escape, "the whole picture", "leave the part that is sorted", "",
+        [this] { part_.reset(); });
   table.push_back({.does = "go to the next step with a polygon; tick a box", .gesture = "click"});
   if (tooLong_)
     for (KeyRow& row : table) row.legend.clear(), row.off = "This run is too long to step through.";
+  if (tooLong_)
+    table.push_back(
+        {.legend = "sort there", .does = "sort only the polygons around that place", .gesture = "click"});
   return table;
 }
 
@@ -143,16 +149,31 @@ bool SortBench::press(const Key& key) {
 }
 
 bool SortBench::grab(int x, int y) {
+  const auto sample = [unit = unit_](int units) { return units * unit + unit / 2; };
+  if (tooLong_ && at_.picture.has(x, y)) choosePart({sample(x - at_.picture.x), sample(y - at_.picture.y)});
   if (!run()) return false;
   player_.view.numbered = false;
   if (list_.grab(controls(), x, y)) return list_.dragging();
   if (!at_.picture.has(x, y) || places_.loupe.has(x, y)) return false;
-  const auto sample = [unit = unit_](int units) { return units * unit + unit / 2; };
   if (const int id = run()->fragmentAt(sample(x - at_.picture.x), sample(y - at_.picture.y)); id >= 0)
     goToFaceOf(id);
   else
     host_.notify("There is no polygon there.");
   return false;
+}
+
+void SortBench::choosePart(glm::ivec2 sample) {
+  constexpr std::int64_t kMost = 1000;  // so that the run, which grows with their square, stays short
+  const glm::ivec2 size{picture_->settings().width, picture_->settings().height};
+  for (int half = std::max(size.x, size.y) / 2; half > 0; half /= 2) {
+    const Part part{glm::max(sample - half, glm::ivec2{0}), glm::min(sample + half, size)};
+    const std::int64_t faces = picture_->facesWithin(part.low, part.high);
+    if (faces > kMost) continue;
+    if (faces == 0) return host_.notify("There is no polygon there.");
+    part_ = part;
+    return;
+  }
+  host_.notify("More than " + grouped(kMost) + " polygons lie there, one over the other.");
 }
 
 void SortBench::goToFaceOf(int id) { player_.goToPolygon(run()->fragments().face(id).number); }
@@ -184,7 +205,10 @@ void SortBench::record(const Desk& desk) {
   SortView& view = player_.view;
   const bool sameScene = picture_ && &picture_->scene() == &desk.picture.scene();
   const bool same = sameScene && picture_->snapped().vertices == desk.picture.snapped().vertices;
-  if ((run() || tooLong_) && same && picture_->settings() == desk.picture.settings()) return;
+  if (!sameScene) part_.reset();
+  if ((run() || tooLong_) && same && part_ == recorded_ && picture_->settings() == desk.picture.settings())
+    return;
+  recorded_ = part_;
   const int step = view.step;
   const bool atEnd = run() && step > 0 && step == run()->steps();
   player_.run.reset();
@@ -192,7 +216,8 @@ void SortBench::record(const Desk& desk) {
   if (!sameScene) view.polygon.reset(), about_.reset();
   picture_ = desk.picture;
   try {
-    player_.run = std::make_unique<SortRun>(desk.picture, desk.plan[Cell::Well]);
+    player_.run = std::make_unique<SortRun>(
+        part_ ? desk.picture.onlyWithin(part_->low, part_->high) : desk.picture, desk.plan[Cell::Well]);
   } catch (const TooLongRun&) {
     tooLong_ = true;
     early_.clear();
@@ -230,8 +255,8 @@ void SortBench::drawTooLong(Painter paint, const Desk& desk) {
        broken("Newell's sort of " +
                   counted(static_cast<std::int64_t>(desk.picture.snapped().faces.size()), "polygon") +
                   " takes more than " + grouped(SortRun::kMostEvents) +
-                  " steps. Use fewer divisions if the scene has patches (k in view 4), or zoom in so that "
-                  "fewer polygons are visible.",
+                  " steps. Click on the picture to sort only the polygons around that place. Fewer divisions "
+                  "make a shorter run, if the scene has patches (k in view 4).",
               90)) {
     y += 16;
     paint.text(body.x, y, line, desk.plan[Cell::Ink]);
@@ -265,6 +290,9 @@ void SortBench::draw(Painter paint, const Desk& desk) {
 
 std::string SortBench::aside() const {
   if (!player_.run) return "";
+  if (part_)
+    return "a part: " + grouped(static_cast<std::int64_t>(player_.run->scene().faces.size())) + " of " +
+           grouped(static_cast<std::int64_t>(picture_->snapped().faces.size())) + " polygons; Esc: all";
   if (fullColor_) return "in one hue: the picture chooses its colours after all of it is painted";
   return order_ == Order::Newell ? "the textbook's run; the picture uses a quicker one, which may cut others"
                                  : "Newell's sort; the picture itself: " + orderInWords(order_);

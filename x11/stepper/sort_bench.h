@@ -30,7 +30,9 @@ class SortBench : public Bench {
   /// The finished picture is not needed, and a step would have to wait for it.
   [[nodiscard]] bool wantsImage() const override { return false; }
   [[nodiscard]] Setup painted(const Setup& setup) const override;
-  [[nodiscard]] bool late(const Setup&) const override { return drawn_ != view() || list_.late(); }
+  [[nodiscard]] bool late(const Setup&) const override {
+    return drawn_ != view() || part_ != recorded_ || list_.late();
+  }
   void draw(Painter paint, const Desk& desk) override;
 
   [[nodiscard]] std::string status() const override { return status_; }
@@ -56,6 +58,8 @@ class SortBench : public Bench {
   /// The run's steps as a slider.
   [[nodiscard]] Control timeline();
   void drawTooLong(Painter paint, const Desk& desk);
+  /// Where a run is too long: sorts only the polygons around this sample, as many as make a run.
+  void choosePart(glm::ivec2 sample);
   /// Goes to the next step with the face of this fragment.
   void goToFaceOf(int id);
 
@@ -63,7 +67,13 @@ class SortBench : public Bench {
   std::vector<Key> early_;  ///< keys typed before there was a run
   // The state of the last drawing.
   bool tooLong_ = false;
-  bool fullColor_ = false;          ///< the scene's own plan is of colours: it is shown in one hue
+  bool fullColor_ = false;  ///< the scene's own plan is of colours: it is shown in one hue
+  /// The samples of the part that is sorted; none: all of the picture.
+  struct Part {
+    glm::ivec2 low, high;
+    bool operator==(const Part&) const = default;
+  };
+  std::optional<Part> part_, recorded_;
   std::optional<int> start_;        ///< of startAt(), until a run is recorded
   std::optional<Picture> picture_;  ///< that the run is about
   Order order_ = Order::Newell;     ///< of the picture in its own view

@@ -177,6 +177,25 @@ TEST(SortWorkbench, SaysWhatItCannotShow) {
   b.finish();
   EXPECT_EQ(different(b.image(), tooLong, b.layout().body), 0) << "there are no steps";
   EXPECT_NE(b.image(), tooLong) << "and a sentence says why";
+
+  // A click sorts the polygons around it. Esc leaves that part, and a click on the ground says that none is
+  // there.
+  const Rect picture = b.bench().picture(b.layout());
+  const auto& stepper = dynamic_cast<const SortBench&>(b.bench());
+  (void)b.grab(picture.x + picture.width / 2, picture.y + picture.height / 2);
+  b.finish();
+  EXPECT_FALSE(stepper.tooLong());
+  const IndexImage begun = b.image();
+  b.press({NamedKey::End});
+  b.finish();
+  EXPECT_NE(different(b.image(), begun, picture), 0);
+  b.press({NamedKey::Escape});
+  b.finish();
+  EXPECT_TRUE(stepper.tooLong());
+  EXPECT_EQ(different(b.image(), tooLong, b.layout().body), 0);
+  (void)b.grab(picture.x + 2, picture.y + 2);
+  b.finish();
+  EXPECT_TRUE(stepper.tooLong());
   b.close();
   b.finish();
   EXPECT_NE(b.image(), tooLong);
