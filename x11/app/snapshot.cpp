@@ -10,6 +10,7 @@
 #include "shading/picture/stopwatch.h"
 #include "x11/app/server.h"
 #include "x11/app/workbench.h"
+#include "x11/options/carried_setup.h"
 #include "x11/server/fill_polygons.h"
 #include "x11/server/read_cells.h"
 #include "x11/server/read_visuals.h"
@@ -65,7 +66,9 @@ void takeSnapshot(const Options& options, Scene scene, const Taken& taken) {
     std::optional<ColoredImage> cells = readCells(canvas, server.colormap, shot.image);
     const RgbImage seen = cells ? RgbImage{} : canvas.readBack({0, 0, size.x, size.y});
     if (!cells) cells = inFewColors(seen);
-    taken(shot.picture, cells ? encodePng(cells->image, cells->palette) : encodePng(seen), times, sent);
+    const std::string note = noteOf(options, shot.picture);
+    taken(shot.picture, cells ? encodePng(cells->image, cells->palette, note) : encodePng(seen, note), times,
+          sent);
     std::cout.flush();
     nothingMoreIsNeeded();
   };
