@@ -10,7 +10,6 @@
 #include "geometry/files/parse_error.h"
 #include "geometry/files/text_file.h"
 #include "shading/color/png.h"
-#include "x11/options/setup_command.h"
 #include "x11/options/shell_words.h"
 
 namespace xnewell {
@@ -67,9 +66,18 @@ bool isPicture(const std::string& scene) {
   return end == ".png";
 }
 
-std::string noteOf(const Options& options, const Picture& picture) {
-  const Scene& scene = picture.scene();
+std::string noteOf(const Scene& scene, const PictureSettings& settings, int divisions, Fill fill,
+                   const Drawing& drawing) {
   if (!scene.origin.texture.empty()) return "";
+  try {
+    std::string note = SetupCommand{scene}.of(settings, divisions, fill, drawing);
+    return note.size() <= kLongestNote && isUtf8(note) ? note : "";
+  } catch (const std::runtime_error&) {  // no options can say its camera, or a file has gone
+    return "";
+  }
+}
+
+std::string noteOf(const Options& options, const Picture& picture) {
   Drawing drawing{.size = options.wholeWindow ? windowSize(options) : options.size.value_or(kPictureSize),
                   .wholeWindow = options.wholeWindow};
   for (std::size_t k = 0; k < options.given.size(); ++k) {
@@ -79,12 +87,7 @@ std::string noteOf(const Options& options, const Picture& picture) {
   }
   PictureSettings settings = options.picture;
   settings.width = picture.settings().width, settings.height = picture.settings().height;
-  try {
-    std::string note = SetupCommand{scene}.of(settings, scene.divisions, options.fill, drawing);
-    return note.size() <= kLongestNote && isUtf8(note) ? note : "";
-  } catch (const std::runtime_error&) {  // no options can say its camera, or a file has gone
-    return "";
-  }
+  return noteOf(picture.scene(), settings, picture.scene().divisions, options.fill, drawing);
 }
 
 CarriedSetup readCarriedSetup(const std::string& file) {

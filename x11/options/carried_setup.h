@@ -5,6 +5,7 @@
 
 #include "shading/picture/picture.h"
 #include "x11/options/options.h"
+#include "x11/options/setup_command.h"
 
 namespace xnewell {
 
@@ -17,6 +18,9 @@ inline constexpr std::size_t kLongestNote = 2000;
 /// set-up, if the command would be too long, is not UTF-8, rests on another file than the scene's
 /// (--texture), or if there is none that draws the picture again.
 [[nodiscard]] std::string noteOf(const Options& options, const Picture& picture);
+/// The same for any other picture, in the words of SetupCommand::of().
+[[nodiscard]] std::string noteOf(const Scene& scene, const PictureSettings& settings, int divisions,
+                                 Fill fill, const Drawing& drawing);
 
 /// What a picture's file carries.
 struct CarriedSetup {
