@@ -2,6 +2,7 @@
 
 #include <png.h>
 
+#include <algorithm>
 #include <array>
 #include <cassert>
 #include <cerrno>
@@ -9,7 +10,9 @@
 #include <cstdint>
 #include <cstdio>
 #include <memory>
+#include <span>
 #include <stdexcept>
+#include <string_view>
 #include <system_error>
 #include <utility>
 #include <vector>
@@ -34,7 +37,14 @@ struct Pixels {
   const std::uint8_t* bytes;  ///< rows without padding
   int bytesPerRow;
   const png_color* palette;  ///< 256 entries, or null
+  const std::string& note;
 };
+
+/// The keyword of the note: what PNG calls an international text chunk.
+constexpr const char* kNote = "xnewell";
+
+/// The longest chunk besides pixels that is read, and the longest text that one may unfold to. Bytes.
+constexpr png_alloc_size_t kLongestChunk = 1 << 20;
 
 struct CloseFile {
   void operator()(std::FILE* file) const { std::fclose(file); }
@@ -71,6 +81,14 @@ bool encode(png_structp png, png_infop info, const Pixels& p) {
   if (p.palette) png_set_PLTE(png, info, p.palette, 256);
   png_set_compression_level(png, kCompression);
   png_set_filter(png, PNG_FILTER_TYPE_BASE, PNG_FILTER_SUB);
+  if (!p.note.empty()) {
+    png_text text{};
+    text.compression = PNG_ITXT_COMPRESSION_NONE;
+    text.key = const_cast<char*>(kNote);  // libpng only reads them
+    text.text = const_cast<char*>(p.note.c_str());
+    text.itxt_length = p.note.size();
+    png_set_text(png, info, &text, 1);
+  }
   png_write_info(png, info);
   for (int j = 0; j < p.height; ++j) png_write_row(png, p.bytes + std::size_t(j) * p.bytesPerRow);
   png_write_end(png, nullptr);
@@ -98,22 +116,55 @@ std::string encoded(const Pixels& pixels) {
   return std::move(output.bytes);
 }
 
+std::unique_ptr<std::FILE, CloseFile> openPng(const std::string& file) {
+  std::unique_ptr<std::FILE, CloseFile> input{std::fopen(file.c_str(), "rb")};
+  if (!input) throw std::system_error{errno, std::generic_category(), file};
+  std::array<std::uint8_t, 8> signature{};
+  const std::size_t there = std::fread(signature.data(), 1, signature.size(), input.get());
+  if (std::ferror(input.get())) throw std::system_error{errno, std::generic_category(), file};
+  if (there < signature.size() || png_sig_cmp(signature.data(), 0, signature.size()) != 0)
+    throw ParseError{file, 0, "not a PNG file"};
+  std::rewind(input.get());
+  return input;
+}
+
+struct Reader {
+  png_structp png;
+  png_infop info;
+  explicit Reader(Output& output)
+      : png{png_create_read_struct(PNG_LIBPNG_VER_STRING, &output, onError, onWarning)},
+        info{png ? png_create_info_struct(png) : nullptr} {}
+  Reader(const Reader&) = delete;
+  Reader& operator=(const Reader&) = delete;
+  ~Reader() { png_destroy_read_struct(&png, &info, nullptr); }
+};
+
+/// Reads all that stands before the pixels. Returns false after an error; the Output has its text.
+bool readHead(png_structp png, png_infop info, std::FILE* input) {
+  if (setjmp(png_jmpbuf(png))) return false;
+  png_set_chunk_malloc_max(png, kLongestChunk);
+  png_init_io(png, input);
+  png_read_info(png, info);
+  return true;
+}
+
 }  // namespace
 
-std::string encodePng(const IndexImage& image, const Palette& palette) {
+std::string encodePng(const IndexImage& image, const Palette& palette, const std::string& note) {
   assert(image.pixels.size() == std::size_t(image.width) * image.height);
   std::array<png_color, 256> colors;
   for (int c = 0; c < 256; ++c) {
     const auto shown = [](std::uint16_t v) { return static_cast<png_byte>(v >> 8); };
     colors[c] = {shown(palette[c].r), shown(palette[c].g), shown(palette[c].b)};
   }
-  return encoded(
-      {image.width, image.height, PNG_COLOR_TYPE_PALETTE, image.pixels.data(), image.width, colors.data()});
+  return encoded({image.width, image.height, PNG_COLOR_TYPE_PALETTE, image.pixels.data(), image.width,
+                  colors.data(), note});
 }
 
-std::string encodePng(const RgbImage& image) {
+std::string encodePng(const RgbImage& image, const std::string& note) {
   assert(image.rgb.size() == std::size_t{3} * image.width * image.height);
-  return encoded({image.width, image.height, PNG_COLOR_TYPE_RGB, image.rgb.data(), 3 * image.width, nullptr});
+  return encoded(
+      {image.width, image.height, PNG_COLOR_TYPE_RGB, image.rgb.data(), 3 * image.width, nullptr, note});
 }
 
 void writePng(const std::string& file, const IndexImage& image, const Palette& palette) {
@@ -123,14 +174,7 @@ void writePng(const std::string& file, const IndexImage& image, const Palette& p
 void writePng(const std::string& file, const RgbImage& image) { writeFile(file, encodePng(image)); }
 
 RgbImage readPng(const std::string& file) {
-  const std::unique_ptr<std::FILE, CloseFile> input{std::fopen(file.c_str(), "rb")};
-  if (!input) throw std::system_error{errno, std::generic_category(), file};
-  std::array<std::uint8_t, 8> signature{};
-  const std::size_t there = std::fread(signature.data(), 1, signature.size(), input.get());
-  if (std::ferror(input.get())) throw std::system_error{errno, std::generic_category(), file};
-  if (there < signature.size() || png_sig_cmp(signature.data(), 0, signature.size()) != 0)
-    throw ParseError{file, 0, "not a PNG file"};
-  std::rewind(input.get());
+  const auto input = openPng(file);
   // libpng's simplified reader prints no errors; it leaves them in `message`.
   png_image png{};
   png.version = PNG_IMAGE_VERSION;
@@ -145,6 +189,21 @@ RgbImage readPng(const std::string& file) {
   if (!png_image_finish_read(&png, &black, image.rgb.data(), 0, nullptr))
     throw ParseError{file, 0, std::feof(input.get()) ? "the PNG file ends early" : png.message};
   return image;
+}
+
+std::optional<std::string> noteInPng(const std::string& file) {
+  const auto input = openPng(file);
+  Output output;
+  const Reader reader{output};
+  if (!reader.info) throw std::bad_alloc{};
+  if (!readHead(reader.png, reader.info, input.get()))
+    throw ParseError{file, 0, std::feof(input.get()) ? "the PNG file ends early" : output.error};
+  png_textp texts = nullptr;
+  const int count = png_get_text(reader.png, reader.info, &texts, nullptr);
+  for (const png_text& text : std::span{texts, static_cast<std::size_t>(count)})
+    if (std::string_view{text.key} == kNote)
+      return std::string{text.text, std::max(text.text_length, text.itxt_length)};
+  return std::nullopt;
 }
 
 }  // namespace xnewell

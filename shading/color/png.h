@@ -1,5 +1,6 @@
 #pragma once
 
+#include <optional>
 #include <string>
 
 #include "shading/color/index_image.h"
@@ -8,8 +9,8 @@
 
 namespace xnewell {
 
-/// Reads and writes PNG files. The bytes written depend on the pixels alone: they hold no time and no program
-/// name. A file is written completely or not at all (see writeFile()).
+/// Reads and writes PNG files. The bytes written depend on the pixels and the note alone: they hold no time
+/// and no version. A file is written completely or not at all (see writeFile()).
 
 /// Writes a palette PNG of 8 bits per pixel: the index image unchanged, and its 256 colours as a server shows
 /// them (16-bit value >> 8). Width and height are 1..8192 pixels.
@@ -19,9 +20,14 @@ void writePng(const std::string& file, const IndexImage& image, const Palette& p
 /// Writes an RGB PNG of 8 bits per channel.
 void writePng(const std::string& file, const RgbImage& image);
 
-/// The same pictures as the bytes of a file.
-[[nodiscard]] std::string encodePng(const IndexImage& image, const Palette& palette);
-[[nodiscard]] std::string encodePng(const RgbImage& image);
+/// The same pictures as the bytes of a file. The file carries `note`, a text in UTF-8, unless it is "".
+[[nodiscard]] std::string encodePng(const IndexImage& image, const Palette& palette,
+                                    const std::string& note = "");
+[[nodiscard]] std::string encodePng(const RgbImage& image, const std::string& note = "");
+
+/// The note that encodePng() put into a file, byte for byte, before its pixels; nothing if there is none.
+/// Nobody promises that it is a note of ours, or UTF-8. @throws as readPng(); the pixels are not looked at
+[[nodiscard]] std::optional<std::string> noteInPng(const std::string& file);
 
 /// Reads a PNG of any kind as RGB. Transparent pixels are shown on black.
 /// @throws std::system_error if the file cannot be opened; ParseError if it is not a complete PNG, or if its

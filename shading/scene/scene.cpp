@@ -245,16 +245,15 @@ void toFileUnits(Illumination& light, const Scene& scene) {
 }
 
 void strip(Scene& scene, std::string_view what) {
-  for (MeshMaterial& m : scene.mesh.materials) {
-    if (what == "ka") m.ka.reset();
-    if (what == "kd") m.kd.reset();
-    if (what == "ks") m.ks.reset();
-    if (what == "n") m.n.reset();
-  }
-  if (what == "ambient") scene.light.Ia.reset();
-  if (what == "lights") scene.light.lights.clear();
-  std::vector<std::string>& without = scene.origin.without;
-  if (std::ranges::find(without, what) == without.end()) without.emplace_back(what);
+  bool had = false;
+  const auto end = [&](std::string_view name, auto& own) {
+    if (name == what) had |= std::exchange(own, {}) != std::remove_reference_t<decltype(own)>{};
+  };
+  for (MeshMaterial& m : scene.mesh.materials)
+    end("ka", m.ka), end("kd", m.kd), end("ks", m.ks), end("n", m.n);
+  end("ambient", scene.light.Ia);
+  if (what == "lights") had = !std::exchange(scene.light.lights, {}).empty();
+  if (had) scene.origin.without.emplace_back(what);
 }
 
 void wear(Scene& scene, Texture texture) {

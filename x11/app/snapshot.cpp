@@ -1,15 +1,16 @@
 #include "x11/app/snapshot.h"
 
 #include <chrono>
+#include <filesystem>
 #include <iostream>
 #include <thread>
 #include <utility>
 
-#include "shading/color/few_colors.h"
-#include "shading/color/png.h"
+#include "geometry/files/output_file.h"
 #include "shading/picture/stopwatch.h"
 #include "x11/app/server.h"
 #include "x11/app/workbench.h"
+#include "x11/options/carried_setup.h"
 #include "x11/server/fill_polygons.h"
 #include "x11/server/read_cells.h"
 #include "x11/server/read_visuals.h"
@@ -62,10 +63,8 @@ void takeSnapshot(const Options& options, Scene scene, const Taken& taken) {
     measureImage(sent, server.display.get(), window.depth, canvas.width(), canvas.height());
     sent.sharedMemory = canvas.sharedMemory();
     if (strayErrors() > 0) throw X11Error{"the X server refused requests, so there is no picture"};
-    std::optional<ColoredImage> cells = readCells(canvas, server.colormap, shot.image);
-    const RgbImage seen = cells ? RgbImage{} : canvas.readBack({0, 0, size.x, size.y});
-    if (!cells) cells = inFewColors(seen);
-    taken(shot.picture, cells ? encodePng(cells->image, cells->palette) : encodePng(seen), times, sent);
+    taken(shot.picture, pngOf(canvas, server.colormap, shot.image, noteOf(options, shot.picture)), times,
+          sent);
     std::cout.flush();
     nothingMoreIsNeeded();
   };
@@ -103,6 +102,14 @@ void takeSnapshot(const Options& options, Scene scene, const Taken& taken) {
   const Palette palette =
       withEffects(picture.palette(plan, server.colormap.unneeded()), picture, plan, options.effects);
   shoot({picture, picture.image(), palette, plan, {0, 0, size.x, size.y}});
+}
+
+std::string writeNewPng(const std::string& stem, const std::string& png) {
+  namespace fs = std::filesystem;
+  std::string file = stem + ".png";
+  for (int n = 2; fs::exists(fs::symlink_status(file)); ++n) file = stem + '-' + std::to_string(n) + ".png";
+  writeFile(file, png);
+  return file;
 }
 
 std::string visualsTable(const Options& options) {

@@ -15,10 +15,12 @@
 #include "shading/picture/stopwatch.h"
 #include "x11/app/long_work.h"
 #include "x11/app/server.h"
+#include "x11/app/snapshot.h"
 #include "x11/app/workbench.h"
 #include "x11/server/canvas.h"
 #include "x11/server/colormap.h"
 #include "x11/server/display.h"
+#include "x11/server/read_cells.h"
 #include "x11/server/screen.h"
 #include "x11/server/selection.h"
 
@@ -139,6 +141,11 @@ class Viewer {
     server.copy = [this](const std::string& text) {
       std::cout << text << std::endl;
       selection_.offer(text, pressedAt_);
+    };
+    server.writePicture = [this] {
+      for (int k = 0; k < 3 && bench_.stale() != Workbench::Stale::Nothing; ++k) refresh();
+      return writeNewPng(bench_.pictureName(),
+                         pngOf(canvas_, server_.colormap, bench_.image(), bench_.pictureNote()));
     };
     server.say = [](const std::string& text) { std::cout << text << std::flush; };
     server.toggleFullScreen = [this] { return std::optional{fullScreen_.toggle()}; };

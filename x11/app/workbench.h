@@ -37,6 +37,9 @@ class Workbench : public Host {
     std::function<int(bool severalHues)> mostShades = [](bool) { return kMaxShades; };
     /// Prints a text, and lets other programs paste it.
     std::function<void(const std::string&)> copy = [](const std::string&) {};
+    /// Writes what the window shows, as PNG bytes with a note, into a new file. Returns its name; "" if there
+    /// is no window.
+    std::function<std::string()> writePicture = [] { return std::string{}; };
     /// Prints a text for whoever stands before the class.
     std::function<void(const std::string&)> say = [](const std::string&) {};
     /// Makes the window fill the screen, or gives it its old place again. Returns which; nothing if there is
@@ -131,6 +134,9 @@ class Workbench : public Host {
 
   /// The view that is shown.
   [[nodiscard]] Bench& bench() const { return *benches_[static_cast<std::size_t>(view())]; }
+  /// For a picture of the window: the beginning of its file's name, and the set-up that it carries.
+  [[nodiscard]] std::string pictureName() const;
+  [[nodiscard]] std::string pictureNote() const;
   /// The keys that all views have.
   [[nodiscard]] KeyTable generalKeys();
   /// All keys that do something at the moment: those of the view and those that all views have.
@@ -193,6 +199,7 @@ class Workbench : public Host {
   void fit(const Scene& scene, const Setup& setup);
   void begin(Work work);
   void copyCommand();
+  void writePicture();
   void showSlide();
   /// True if the key turns the page of the lecture.
   [[nodiscard]] bool turnsPage(const Key& key);

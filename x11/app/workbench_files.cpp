@@ -1,13 +1,32 @@
 #include <algorithm>
 #include <filesystem>
 #include <stdexcept>
+#include <string_view>
 #include <utility>
 
 #include "x11/app/one_line.h"
 #include "x11/app/workbench.h"
-#include "x11/options/setup_command.h"
+#include "x11/options/carried_setup.h"
 
 namespace xnewell {
+
+namespace {
+
+/// The beginning of a file's name, without spaces.
+std::string stemOf(const Scene& scene) {
+  std::string stem = std::filesystem::path{scene.name}.stem().string();
+  std::ranges::replace_if(
+      stem, [](unsigned char c) { return c <= ' ' || c == 0x7F; }, '-');
+  return stem;
+}
+
+/// What --view calls a view.
+std::string_view viewOption(WindowView view, Show show) {
+  if (view == WindowView::Picture && show != Show::Shaded) return kShows[static_cast<std::size_t>(show)].name;
+  return kWindowViews[static_cast<std::size_t>(view)].option;
+}
+
+}  // namespace
 
 /// The ways of a set-up out of the window and into it: as a command, to a file, from a file.
 
@@ -23,15 +42,39 @@ void Workbench::copyCommand() {
   }
 }
 
+std::string Workbench::pictureName() const {
+  return stemOf(scene()) + '-' + std::string{viewOption(view(), work_.setup.show)};
+}
+
+std::string Workbench::pictureNote() const {
+  if (view() == WindowView::Lesson) return "";  // no option says which lesson
+  PictureSettings settings = work_.setup.picture;
+  const PictureSettings shown = sized();
+  settings.width = shown.width, settings.height = shown.height;
+  Drawing drawing{.size = glm::ivec2{width_, height_}, .wholeWindow = true};
+  drawing.options.emplace_back("--view", viewOption(view(), work_.setup.show));
+  if (layout_.unit != 1) drawing.options.emplace_back("--scale", std::to_string(layout_.unit));
+  return noteOf(scene(), settings, work_.setup.divisions, work_.setup.fill, drawing);
+}
+
+void Workbench::writePicture() {
+  try {
+    const std::string file = server_.writePicture();
+    if (file.empty()) return notify("There is no window to take a picture of.");
+    tell(file + " is written." + (pictureNote().empty() ? "" : " \"xnewell " + file + "\" opens it again."));
+  } catch (const std::exception& e) {
+    notify(oneLine(e.what()));
+  }
+}
+
 void Workbench::askToSave() {
-  const Scene& scene = this->scene();
-  const std::string stem = std::filesystem::path{scene.name}.stem().string();
+  const std::string stem = stemOf(scene());
   ask({.asks = "save the set-up as",
        .text = work_.file.empty() ? stem + "-set-up.json" : work_.file,
        .take = [this, replaced = std::string{}](const std::string& file) mutable -> std::string {
          if (!file.ends_with(".json")) return "A scene file's name ends in .json.";
          if (std::filesystem::is_directory(file)) return "That is a folder.";
-         if (file != work_.file && file != replaced && std::filesystem::exists(file)) {
+         if (file != replaced && std::filesystem::exists(file)) {
            replaced = file;
            return "The file exists. Press Return again to replace it.";
          }

@@ -36,6 +36,7 @@
 #include "x11/command/write_frames.h"
 #include "x11/command/write_lesson.h"
 #include "x11/command/write_worksheet.h"
+#include "x11/options/carried_setup.h"
 #include "x11/options/exit_status.h"
 #include "x11/options/options.h"
 #include "x11/views/views.h"
@@ -64,7 +65,7 @@ void draw(const Options& options, Scene scene, double msRead, const nlohmann::or
   drawing.emplace("writing");
   const Stopwatch watch;
   const Palette palette = withEffects(picture.palette(plan), picture, plan, options.effects);
-  writePictures(options, picture, encodePng(picture.image(), palette));
+  writePictures(options, picture, encodePng(picture.image(), palette, noteOf(options, picture)));
   times.present = watch.ms();
   drawing.reset();
   report(options, picture, known, times, accuracy);
@@ -89,7 +90,8 @@ void drawNumbers(const Options& options, Scene scene) {
                                                 .effects = options.effects,
                                                 .picture = settingsOf(options),
                                                 .cells = CellPlan{options.picture.table.kind}});
-  writePictures(options, pictures.last(), encodePng(view.image, view.palette));
+  writePictures(options, pictures.last(),
+                encodePng(view.image, view.palette, noteOf(options, pictures.last())));
 }
 
 /// The walk through a run of the depth sort: read, shade, project, sort, trace.

@@ -11,8 +11,8 @@ namespace xnewell {
 
 inline constexpr std::string_view kAbout = "shading and hidden surfaces through real X11 colormaps";
 
-/// The names of scene files end with one of these.
-inline constexpr std::array<std::string_view, 3> kSceneFiles{".obj", ".bpt", ".json"};
+/// The names of scene files end with one of these. A picture carries its scene's name and its set-up.
+inline constexpr std::array<std::string_view, 4> kSceneFiles{".obj", ".bpt", ".json", ".png"};
 
 /// What follows an option.
 enum class Takes { Nothing, Text, File, Folder };

@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "geometry/files/text_file.h"
+#include "x11/options/carried_setup.h"
 #include "x11/options/exit_status.h"
 #include "x11/options/option_reader.h"
 #include "x11/options/option_rows.h"
@@ -121,6 +122,7 @@ class Help : public CLI::Formatter {
     }
     return usage + "\nSCENE is a file (" + kindsOfScenes() +
            ") or a built-in name (`xnewell scenes`).\n"
+           "A .png is a picture that xnewell wrote: it carries its scene's name and all settings.\n"
            "Defaults are in [ ]; a scene file may set others.\n";
   }
 };
@@ -316,28 +318,24 @@ std::vector<OptionRow> optionRows() {
   return reader.rows();
 }
 
-std::optional<Options> parseOptions(int argc, const char* const* argv) {
-  std::vector<std::string> arguments(argv + 1, argv + argc);
-  Options o;
-  const std::size_t words = arguments.size();
-  o.command = takeCommand(arguments);
-  o.commandMeant = !arguments.empty() && arguments.size() == words && !arguments.front().starts_with('-');
+namespace {
 
+/// Reads arguments into `o`, over what is there. Returns false if it printed --help or --version.
+bool parse(std::vector<std::string> arguments, Options& o) {
   CLI::App app{"xnewell: " + std::string{kAbout}};
   app.formatter(std::make_shared<Help>());
   app.footer("In the window, `?` shows all keys.\nExit status: " + exitStatuses() + ".");
   Reader reader{app};
   addOptions(app, reader, o);
-
   try {
     std::ranges::reverse(arguments);  // CLI11 takes them in reverse order
     app.parse(arguments);
   } catch (const CLI::CallForHelp&) {
     std::cout << app.help();
-    return std::nullopt;
+    return false;
   } catch (const CLI::CallForVersion& version) {
     std::cout << version.what() << '\n';
-    return std::nullopt;
+    return false;
   } catch (const CLI::ParseError& e) {
     complain(app, o, e);
   }
@@ -346,11 +344,49 @@ std::optional<Options> parseOptions(int argc, const char* const* argv) {
     o.values.push_back(option->get_items_expected_max() == 0 ? "" : option->results().back());
   }
   o.stats = o.stats || o.errors || o.costs;
-  checkUsage(o, reader.rows());
+  return true;
+}
+
+/// The set-up that a picture carries, and over it what the user `said` in these arguments.
+Options withCarried(Options o, const Options& said, const CarriedSetup& carried,
+                    const std::vector<std::string>& arguments) {
+  (void)parse(argumentsFor(said, carried), o);
+  o.carried = o.given;
+  const CameraSettings camera = std::exchange(o.picture.camera, {});
+  (void)parse(arguments, o);
+  o.picture.camera = completed(o.picture.camera, camera);
+  o.scene = carried.scene;
   return o;
 }
 
-void settle(Options& o, const PictureSettings& scene) {
+}  // namespace
+
+std::optional<Options> parseOptions(int argc, const char* const* argv) {
+  std::vector<std::string> arguments(argv + 1, argv + argc);
+  Options o;
+  const std::size_t words = arguments.size();
+  o.command = takeCommand(arguments);
+  o.commandMeant = !arguments.empty() && arguments.size() == words && !arguments.front().starts_with('-');
+
+  Options said = o;
+  if (!parse(arguments, said)) return std::nullopt;
+  if (!rowOf(o.command).draws || !isPicture(said.scene)) {
+    checkUsage(said, optionRows());
+    return said;
+  }
+  const std::string carrier = said.scene;
+  const CarriedSetup carried = readCarriedSetup(carrier);
+  try {
+    o = withCarried(std::move(o), said, carried, arguments);
+    o.carrier = carrier;
+    checkUsage(o, optionRows());
+  } catch (const UsageError& e) {
+    throw UsageError{carrier + ": " + e.what()};
+  }
+  return o;
+}
+
+void settle(Options& o, const PictureSettings& scene) try {
   PictureSettings settings = scene;
   settings.camera = o.picture.camera, settings.mostPieces = o.picture.mostPieces;
   if (!applyOverrides(settings, o.overrides)) throw UsageError{"--ia and --ip: their sum must not exceed 1"};
@@ -368,6 +404,9 @@ void settle(Options& o, const PictureSettings& scene) {
   if (server && (o.gave("--fill") || (window && fillable))) o.fill = Fill::XFillPolygon;
   o.picture = settings;
   checkSettings(o);
+} catch (const UsageError& e) {
+  if (o.carrier.empty()) throw;
+  throw UsageError{o.carrier + ": " + e.what()};
 }
 
 }  // namespace xnewell

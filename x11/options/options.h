@@ -78,17 +78,19 @@ struct Options {
   Command command = Command::View;
   bool commandMeant = false;        ///< no command was given, and the first argument may be a mistyped one
   std::string scene = "teapot";     ///< or the lesson's name, or the lecture's file
+  std::string carrier;              ///< the picture that carries the scene's name and its set-up; "" for none
   std::optional<glm::ivec2> pixel;  ///< explain: column and row, from the top left
   int divisions = kDefaultDivisions;
   std::optional<glm::ivec2> size;   ///< none without --size: then kPictureSize or windowSize()
   int scale = 1;                    ///< of the window: pixels of a unit
   std::vector<Override> overrides;  ///< the settings that the command line gives, in its order
   PictureSettings picture;  ///< settle() has these over the scene's own, in the units of the scene's file
-  std::vector<std::string> given;   ///< the names of all options on the command line
-  std::vector<std::string> values;  ///< what each of these says; "" for a flag
-  std::vector<std::string> keep;    ///< of kStrippable: what stays in the scene although options give it
-  bool halfVector = false;          ///< --half-vector; settle() has put it into the light
-  std::string texture;              ///< the file's name; "" for none
+  std::vector<std::string> given;    ///< the names of all options on the command line
+  std::vector<std::string> values;   ///< what each of these says; "" for a flag
+  std::vector<std::string> carried;  ///< those of `given` that only the carrier gives
+  std::vector<std::string> keep;     ///< of kStrippable: what stays in the scene although options give it
+  bool halfVector = false;           ///< --half-vector; settle() has put it into the light
+  std::string texture;               ///< the file's name; "" for none
   Fill fill = Fill::Scanline;
   std::string visual;  ///< the visual's name; "" if the program chooses
   MapOwner colormap = MapOwner::Private;

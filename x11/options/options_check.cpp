@@ -98,11 +98,17 @@ void checkView(const Options& o) {
         " is not just the picture: --stats, --errors, --costs and --ids work only with --view picture"};
 }
 
-/// Refuses settings that have no effect, unless their row asks only for a note.
+/// True if only a picture gives the option.
+bool carries(const Options& o, std::string_view option) {
+  return std::ranges::find(o.carried, option) != o.carried.end();
+}
+
+/// Refuses settings that have no effect, unless a picture carries them or their row asks only for a note.
 void checkHaveEffect(const Options& o) {
   const PictureFacts facts = factsOf(o.picture);
   for (const Setting& setting : settingRows())
-    if (setting.need.unmet != Need::Unmet::Noted && o.gave(setting.option) && !hasEffect(setting, facts))
+    if (setting.need.unmet != Need::Unmet::Noted && o.gave(setting.option) && !carries(o, setting.option) &&
+        !hasEffect(setting, facts))
       throw UsageError{std::string{setting.option} + " applies only to " +
                        std::string{setting.need.appliesTo}};
 }
@@ -160,6 +166,9 @@ void checkCommand(const Options& o, const std::vector<OptionRow>& rows) {
   for (const std::string* made : {&o.output, &o.ids})
     if (file && !made->empty() && sameFile(*made, o.scene))
       throw UsageError{"-o and --ids must not name the scene's own file: it would be lost"};
+  for (const std::string* made : {&o.output, &o.ids})
+    if (!o.carrier.empty() && !made->empty() && sameFile(*made, o.carrier))
+      throw UsageError{"-o and --ids must not name the picture that carries the set-up: it would be lost"};
   if (!o.ids.empty() && sameFile(o.ids, o.output)) throw UsageError{"-o and --ids name the same file"};
   exclude(o.accuracy.has_value(), o.wholeWindow, "--accuracy and --whole-window");
   exclude(o.quick, o.wholeWindow, "--quick and --whole-window");

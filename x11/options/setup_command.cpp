@@ -133,11 +133,15 @@ std::string SetupCommand::cameraOf(const PictureSettings& settings) const {
   return all + part("--front", now.front, own.front) + part("--back", now.back, own.back);
 }
 
-std::string SetupCommand::of(const PictureSettings& settings, int divisions, Fill fill) const {
+std::string SetupCommand::of(const PictureSettings& settings, int divisions, Fill fill,
+                             const Drawing& drawing) const {
   const bool server = fill == Fill::XFillPolygon;
-  std::string command = server ? "xnewell snapshot " : "xnewell draw ";
+  std::string command = server || drawing.wholeWindow ? "xnewell snapshot " : "xnewell draw ";
   command += quoted(asFile(scene_.origin.of));
-  command += option("--size", std::to_string(settings.width) + 'x' + std::to_string(settings.height));
+  const glm::ivec2 size = drawing.size.value_or(glm::ivec2{settings.width, settings.height});
+  command += option("--size", std::to_string(size.x) + 'x' + std::to_string(size.y));
+  if (drawing.wholeWindow) command += " --whole-window";
+  for (const auto& [name, value] : drawing.options) command += option(name, value);
   if (divisions == 0) divisions = scene_.origin.divisions;
   if (scene_.divisions > 0 && divisions != kDefaultDivisions)
     command += option("--divisions", std::to_string(divisions));

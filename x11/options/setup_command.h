@@ -1,11 +1,21 @@
 #pragma once
 
+#include <optional>
 #include <string>
+#include <utility>
+#include <vector>
 
 #include "shading/scene/scene.h"
 #include "x11/options/options.h"
 
 namespace xnewell {
+
+/// What a command draws, if it is not just the picture in the size that the settings say.
+struct Drawing {
+  std::optional<glm::ivec2> size = {};  ///< of the file's picture
+  bool wholeWindow = false;             ///< the window with its controls, so the command is `snapshot`
+  std::vector<std::pair<std::string, std::string>> options = {};  ///< "--view" and "machbands"
+};
 
 /// A set-up in words: the command that draws it again.
 class SetupCommand {
@@ -20,8 +30,8 @@ class SetupCommand {
   /// are those of the patches; 0: as the scene was read. Only a server fills with XFillPolygon, so the
   /// command is then `snapshot`.
   /// @throws ViewError if no options can say the camera: one that lacks a part that the scene's own has
-  [[nodiscard]] std::string of(const PictureSettings& settings, int divisions = 0,
-                               Fill fill = Fill::Scanline) const;
+  [[nodiscard]] std::string of(const PictureSettings& settings, int divisions = 0, Fill fill = Fill::Scanline,
+                               const Drawing& drawing = {}) const;
 
  private:
   [[nodiscard]] bool stripped(std::string_view what) const;

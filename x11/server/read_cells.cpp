@@ -5,6 +5,9 @@
 #include <cassert>
 #include <unordered_map>
 
+#include "shading/color/few_colors.h"
+#include "shading/color/png.h"
+
 namespace xnewell {
 
 std::optional<ColoredImage> readCells(const Canvas& canvas, const ServerColormap& colormap,
@@ -25,6 +28,15 @@ std::optional<ColoredImage> readCells(const Canvas& canvas, const ServerColormap
       cell = known->second;
     }
   return cells;
+}
+
+std::string pngOf(const Canvas& canvas, const ServerColormap& colormap, const IndexImage& sent,
+                  const std::string& note) {
+  if (const auto cells = readCells(canvas, colormap, sent))
+    return encodePng(cells->image, cells->palette, note);
+  const RgbImage seen = canvas.readBack({0, 0, sent.width, sent.height});
+  if (const auto cells = inFewColors(seen)) return encodePng(cells->image, cells->palette, note);
+  return encodePng(seen, note);
 }
 
 }  // namespace xnewell

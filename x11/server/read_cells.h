@@ -1,6 +1,7 @@
 #pragma once
 
 #include <optional>
+#include <string>
 
 #include "shading/color/colored_image.h"
 #include "x11/server/canvas.h"
@@ -19,5 +20,10 @@ namespace xnewell {
 /// @throws X11Error if the server does not deliver the picture
 [[nodiscard]] std::optional<ColoredImage> readCells(const Canvas& canvas, const ServerColormap& colormap,
                                                     const IndexImage& sent);
+
+/// What a canvas shows as the bytes of a PNG file that carries `note`: in cells, if its colours are few.
+/// @throws X11Error
+[[nodiscard]] std::string pngOf(const Canvas& canvas, const ServerColormap& colormap, const IndexImage& sent,
+                                const std::string& note);
 
 }  // namespace xnewell

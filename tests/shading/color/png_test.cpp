@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <array>
 #include <fstream>
 #include <iterator>
 #include <random>
@@ -121,6 +123,67 @@ TEST(Png, FailsAsTheFileDoes) {
   } catch (const std::system_error& e) {
     EXPECT_STREQ(e.what(), "/dev/full: No space left on device");
   }
+}
+
+namespace {
+
+/// The chunks of a PNG file: their names, and what they hold.
+std::vector<std::pair<std::string, std::string>> chunksOf(const std::string& bytes) {
+  std::vector<std::pair<std::string, std::string>> chunks;
+  for (std::size_t at = 8; at + 12 <= bytes.size();) {
+    std::size_t length = 0;
+    for (int k = 0; k < 4; ++k) length = length << 8 | static_cast<unsigned char>(bytes[at + k]);
+    chunks.emplace_back(bytes.substr(at + 4, 4), bytes.substr(at + 8, length));
+    at += 12 + length;
+  }
+  return chunks;
+}
+
+}  // namespace
+
+// A note comes back byte for byte. It is one chunk before the pixels; all else in the file is as without it,
+// and the same picture with the same note is the same file.
+TEST(Png, CarriesANote) {
+  const TemporaryFolder folder;
+  const Palette palette = scattered(3);
+  const IndexImage image = noise(40, 30, 1973);
+  const RgbImage deep{5, 4};
+  const auto files = [&](const std::string& note) {
+    return std::array{encodePng(image, palette, note), encodePng(deep, note)};
+  };
+  const auto plain = files("");
+  EXPECT_EQ(plain, (std::array{encodePng(image, palette), encodePng(deep)}));
+  for (const std::string& note : {std::string{"a"}, std::string{"xnewell draw W\u00FCrfel.obj --ia 0.2"},
+                                  std::string(2000, 'x'), std::string{"two\nlines"}}) {
+    EXPECT_EQ(files(note), files(note));
+    for (int k = 0; k < 2; ++k) {
+      const std::string bytes = files(note)[k];
+      EXPECT_EQ(noteInPng(folder.write("noted.png", bytes)), note);
+      auto chunks = chunksOf(bytes);
+      const auto text = std::ranges::find(chunks, "iTXt", [](const auto& chunk) { return chunk.first; });
+      ASSERT_NE(text, chunks.end());
+      EXPECT_EQ(text->second, std::string("xnewell\0\0\0\0\0", 12) + note);
+      EXPECT_NE(std::find_if(text, chunks.end(), [](const auto& c) { return c.first == "IDAT"; }),
+                chunks.end());
+      chunks.erase(text);
+      EXPECT_EQ(chunks, chunksOf(plain[k]));
+    }
+  }
+  EXPECT_EQ(noteInPng(folder.write("plain.png", plain[0])), std::nullopt);
+}
+
+// A file that ends before its pixels, or that is no PNG, has an error and no note. A damaged chunk is no
+// note.
+TEST(Png, ReadsNoNoteFromABrokenFile) {
+  const TemporaryFolder folder;
+  std::string bytes = encodePng(IndexImage{3, 2, 7}, scattered(1), "a note");
+  const std::size_t pixels = bytes.find("IDAT"), note = bytes.find("a note");
+  for (std::size_t length = 0; length < pixels; length += 7)
+    EXPECT_THROW((void)noteInPng(folder.write("cut.png", bytes.substr(0, length))), ParseError) << length;
+  EXPECT_EQ(noteInPng(folder.write("head.png", bytes.substr(0, pixels + 4))), "a note");
+  bytes[note] = 'b';
+  EXPECT_EQ(noteInPng(folder.write("damaged.png", bytes)), std::nullopt);
+  EXPECT_THROW((void)noteInPng(folder.file("none.png")), std::system_error);
 }
 
 }  // namespace xnewell::THIS_FILE

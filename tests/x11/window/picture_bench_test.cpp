@@ -325,6 +325,14 @@ TEST(PictureBench, SavesAndOpens) {
   b.type("q");
   EXPECT_TRUE(b.quitAsked());
 
+  b.type("w");
+  b.press({NamedKey::Return});  // the same file
+  b.update();
+  EXPECT_TRUE(complains(b));
+  EXPECT_TRUE(b.isAsking());
+  b.press({NamedKey::Return});
+  EXPECT_FALSE(b.isAsking());
+
   const std::string other = folder.write("other.json", "mine");
   b.type("w");
   b.type(other);

@@ -1,0 +1,84 @@
+#include <gtest/gtest.h>
+
+#include <filesystem>
+#include <fstream>
+
+#include "shading/color/png.h"
+#include "tests/support/temporary_folder.h"
+#include "tests/x11/support/ready_workbench.h"
+#include "tests/x11/support/watched_viewer.h"
+
+namespace xnewell::THIS_FILE {
+
+namespace {
+
+/// The working directory, for as long as this lives. The program starts in it.
+class WorkingIn {
+ public:
+  explicit WorkingIn(const std::filesystem::path& folder) { std::filesystem::current_path(folder); }
+  WorkingIn(const WorkingIn&) = delete;
+  WorkingIn& operator=(const WorkingIn&) = delete;
+  ~WorkingIn() { std::filesystem::current_path(before_); }
+
+ private:
+  std::filesystem::path before_ = std::filesystem::current_path();
+};
+
+}  // namespace
+
+// I writes what the window shows, under a new name each time. The file carries the set-up: it opens as the
+// same window.
+TEST(WrittenPicture, IsTheWindowAndItsSource) {
+  const TemporaryFolder folder;
+  const WorkingIn here{folder.path()};
+  const XServer server = XServer::xvfb(24, 1280, 1024);
+  const std::string taken = folder.write("cubes-colours-2.png", "mine");
+  const Rect whole = aboveStatus(1024, 768);
+  RgbImage shown;
+  {
+    WatchedViewer viewer{server, "cubes --divisions 4 --size 1024x768"};
+    viewer.window.type("ST3");
+    ASSERT_TRUE(viewer.window.settles());
+    shown = viewer.window.shown(whole);
+    viewer.window.type("I");
+    ASSERT_TRUE(comesTrue([&] { return std::filesystem::exists(folder.file("cubes-colours.png")); }));
+    viewer.window.type("I");
+    ASSERT_TRUE(comesTrue([&] { return std::filesystem::exists(folder.file("cubes-colours-3.png")); }));
+  }
+  EXPECT_EQ(std::filesystem::file_size(taken), 4u);
+  EXPECT_EQ(folder.entries(), 3);
+  for (const std::string file : {"cubes-colours.png", "cubes-colours-3.png"}) {
+    const RgbImage all = readPng(folder.file(file));
+    EXPECT_EQ(all.width, 1024);
+    EXPECT_EQ(all.height, 768);
+    EXPECT_EQ(cropped(all, whole), shown) << file;
+    EXPECT_NE(noteInPng(folder.file(file)).value_or("").find(" --whole-window --view colours "),
+              std::string::npos);
+  }
+  const WatchedViewer again{server, folder.file("cubes-colours.png")};
+  EXPECT_TRUE(again.window.comesToShow(shown, whole));
+}
+
+// The name is that of the scene and the view, without spaces; no option tells a lesson's step.
+TEST(WrittenPicture, IsNamedAfterSceneAndView) {
+  const TemporaryFolder folder;
+  const std::string file = folder.write("my own.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n");
+  ReadyWorkbench b{{}, 1024, 768, file};
+  EXPECT_EQ(b.pictureName(), "my-own-picture");
+  b.type("W");
+  b.update();
+  EXPECT_EQ(b.pictureName(), "my-own-wireframe");
+  const std::string begin =
+      "xnewell snapshot '" + file + "' --size 1024x768 --whole-window --view wireframe ";
+  EXPECT_TRUE(b.pictureNote().starts_with(begin)) << b.pictureNote();
+  b.scale(2);
+  b.resize(2048, 1536);
+  b.type("2");
+  EXPECT_EQ(b.pictureName(), "my-own-depthsort");
+  EXPECT_NE(b.pictureNote().find(" --size 2048x1536 --whole-window --view depthsort --scale 2 "),
+            std::string::npos);
+  b.type("7");
+  EXPECT_EQ(b.pictureNote(), "");
+}
+
+}  // namespace xnewell::THIS_FILE
