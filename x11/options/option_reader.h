@@ -127,5 +127,7 @@ class Reader {
 void addCamera(Reader& r, CameraSettings& camera);
 /// Adds the effects on the stored colours, after the indices are picked.
 void addEffects(Reader& r, Options& o);
+/// Says where the options work that do not work with all commands that draw a scene.
+void addPlaces(Reader& r);
 
 }  // namespace xnewell

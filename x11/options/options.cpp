@@ -158,35 +158,6 @@ std::string strippable() {
   return all;
 }
 
-/// Says where the options work that do not work with all commands that draw a scene.
-void addPlaces(Reader& r) {
-  const auto only = [&](std::initializer_list<const char*> names,
-                        const std::vector<std::string_view>& places) {
-    for (const char* name : names) r.only(name, places);
-  };
-  only({"--output"}, {"draw", "snapshot", "trade", "extremes"});
-  only({"--size"},
-       {"view", "draw", "snapshot", "explain", "trace", "trade", "extremes", "lesson", "lecture"});
-  only({"--scale"}, {"view", "lesson", "lecture", "--whole-window"});
-  only({"--visual", "--colormap", "--nearest"}, {"view", "snapshot", "lesson", "lecture", "visuals"});
-  only({"--view"}, {"view", "draw", "snapshot"});
-  only({"--scanline"}, {"--view machbands"});
-  only({"--cell"}, {"--view colours"});
-  only({"--store", "--turn", "--gamma", "--bend", "--rotate", "--lit"}, {"draw", "snapshot"});
-  only({"--ids", "--stats", "--errors", "--costs"}, {"draw", "snapshot"});
-  only({"--accuracy"}, {"view", "draw", "snapshot"});
-  only({"--json"}, {"explain", "trade", "extremes"});
-  only({"--axes", "--without"}, {"trade"});
-  only({"--budget"}, {"trade", "--accuracy"});
-  only({"--whole-window"}, {"snapshot", "trace --frames"});
-  only({"--quick"}, {"trace"});
-  only({"--frames"}, {"trace", "lesson"});
-  only({"--every"}, {"trace --frames"});
-  only({"--play"}, {"lecture"});
-  only({"--answers"}, {"lesson", "lecture"});
-  only({"--worksheet"}, {"lesson"});
-}
-
 /// Adds all options, in the order of --help. The reader writes what they say into `o`.
 void addOptions(CLI::App& app, Reader& r, Options& o) {
   app.set_help_flag("-h,--help", "print this help");

@@ -1,0 +1,37 @@
+#include <initializer_list>
+#include <string_view>
+#include <vector>
+
+#include "x11/options/option_reader.h"
+
+namespace xnewell {
+
+void addPlaces(Reader& r) {
+  const auto only = [&](std::initializer_list<const char*> names,
+                        const std::vector<std::string_view>& places) {
+    for (const char* name : names) r.only(name, places);
+  };
+  only({"--output"}, {"draw", "snapshot", "trade", "extremes"});
+  only({"--size"},
+       {"view", "draw", "snapshot", "explain", "trace", "trade", "extremes", "lesson", "lecture"});
+  only({"--scale"}, {"view", "lesson", "lecture", "--whole-window"});
+  only({"--visual", "--colormap", "--nearest"}, {"view", "snapshot", "lesson", "lecture", "visuals"});
+  only({"--view"}, {"view", "draw", "snapshot"});
+  only({"--scanline"}, {"--view machbands"});
+  only({"--cell"}, {"--view colours"});
+  only({"--store", "--turn", "--gamma", "--bend", "--rotate", "--lit"}, {"draw", "snapshot"});
+  only({"--ids", "--stats", "--errors", "--costs"}, {"draw", "snapshot"});
+  only({"--accuracy"}, {"view", "draw", "snapshot"});
+  only({"--json"}, {"explain", "trade", "extremes"});
+  only({"--axes", "--without"}, {"trade"});
+  only({"--budget"}, {"trade", "--accuracy"});
+  only({"--whole-window"}, {"snapshot", "trace --frames"});
+  only({"--quick"}, {"trace"});
+  only({"--frames"}, {"trace", "lesson"});
+  only({"--every"}, {"trace --frames"});
+  only({"--play"}, {"lecture"});
+  only({"--answers"}, {"lesson", "lecture"});
+  only({"--worksheet"}, {"lesson"});
+}
+
+}  // namespace xnewell
