@@ -357,27 +357,4 @@ std::optional<Options> parseOptions(int argc, const char* const* argv) {
   return o;
 }
 
-void settle(Options& o, const PictureSettings& scene) try {
-  PictureSettings settings = scene;
-  settings.camera = o.picture.camera, settings.mostPieces = o.picture.mostPieces;
-  if (!applyOverrides(settings, o.overrides)) throw UsageError{"--ia and --ip: their sum must not exceed 1"};
-  if (o.halfVector) {
-    if (o.gave("--form") && settings.light.form != Form::HalfVector)
-      throw UsageError{"--half-vector and --form exclude each other"};
-    settings.light.form = Form::HalfVector;
-  }
-  // Here inPixels is true if --fill or the scene asks for the server's filler. --fill x11 always counts. A
-  // scene's wish counts only for view and snapshot, which have a server, and only if the server can fill the
-  // polygons.
-  const bool server = std::exchange(settings.inPixels, false);
-  const bool window = o.command == Command::View || o.command == Command::Snapshot;
-  const bool fillable = !rowOf(settings.order).bySample && !rowOf(settings.shading).interpolates;
-  if (server && (o.gave("--fill") || (window && fillable))) o.fill = Fill::XFillPolygon;
-  o.picture = settings;
-  checkSettings(o);
-} catch (const UsageError& e) {
-  if (o.carrier.empty()) throw;
-  throw UsageError{o.carrier + ": " + e.what()};
-}
-
 }  // namespace xnewell
