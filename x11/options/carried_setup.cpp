@@ -78,6 +78,7 @@ std::string noteOf(const Scene& scene, const PictureSettings& settings, int divi
 }
 
 std::string noteOf(const Options& options, const Picture& picture) {
+  if (options.bare) return "";
   Drawing drawing{.size = options.wholeWindow ? windowSize(options) : options.size.value_or(kPictureSize),
                   .wholeWindow = options.wholeWindow};
   for (std::size_t k = 0; k < options.given.size(); ++k) {

@@ -20,7 +20,7 @@ void addPlaces(Reader& r) {
   only({"--scanline"}, {"--view machbands"});
   only({"--cell"}, {"--view colours"});
   only({"--store", "--turn", "--gamma", "--bend", "--rotate", "--lit"}, {"draw", "snapshot"});
-  only({"--ids", "--stats", "--errors", "--costs"}, {"draw", "snapshot"});
+  only({"--bare", "--ids", "--stats", "--errors", "--costs"}, {"draw", "snapshot"});
   only({"--accuracy"}, {"view", "draw", "snapshot"});
   only({"--json"}, {"explain", "trade", "extremes"});
   only({"--axes", "--without"}, {"trade"});

@@ -214,6 +214,9 @@ void addOptions(CLI::App& app, Reader& r, Options& o) {
   addEffects(r, o);
   r.named("--ids", o.ids, "file",
           "also write the face image: 8-bit RGB, face number + 1, 0 where there is no face");
+  r.flag("--bare", o.bare,
+         "the file carries no set-up, so that two files of the same pixels are the same, however they were "
+         "drawn");
   r.flag("--stats", o.stats,
          "print counts and times as one JSON object; `saturated` counts intensities above 1 at faces "
          "(flat), at vertices (gouraud), or at pixels each time they are painted (phong, envmap, textures)");

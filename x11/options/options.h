@@ -96,6 +96,7 @@ struct Options {
   MapOwner colormap = MapOwner::Private;
   bool nearest = false;  ///< true: a colour that the server lacks becomes the nearest it has, not a mixture
   std::string output, ids;
+  bool bare = false;    ///< the PNG file carries no set-up
   bool stats = false;   ///< also if only --errors or --costs was given
   bool errors = false;  ///< with the errors
   bool costs = false;   ///< with what each required item costs

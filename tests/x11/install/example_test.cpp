@@ -94,7 +94,7 @@ TEST_F(ExampleTest, PaintsWhatTheProgramShows) {
   std::ofstream{model} << kCrossing;
   const Finished order = inFolder("/", program + quoted(model) + ' ' + quoted(a));
   ASSERT_EQ(order.status, 0) << order.err;
-  ASSERT_EQ(run("draw " + quoted(model) + " --size 400x300 -o " + quoted(b)).status, 0);
+  ASSERT_EQ(run("draw " + quoted(model) + " --size 400x300 --bare -o " + quoted(b)).status, 0);
   EXPECT_EQ(textOfFile(a), textOfFile(b));
 
   ASSERT_EQ(run("draw " + quoted(model) + " --size 400x300 --order oracle -o " + quoted(b) + " --ids " +

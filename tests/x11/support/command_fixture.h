@@ -117,7 +117,8 @@ class CommandTest : public testing::Test {
     if (std::ranges::find(options, "--size") == options.end())
       options = options + Strings{"--size", "160x120"};
     const Finished end = runProgram(
-        Strings{"draw", scene, "-o", file("out.png"), "--ids", file("ids.png"), "--stats"} + options);
+        Strings{"draw", scene, "-o", file("out.png"), "--ids", file("ids.png"), "--stats", "--bare"} +
+        options);
     EXPECT_EQ(end.status, 0) << end.err;
     for (std::size_t from = 0; from < end.err.size(); from = end.err.find('\n', from) + 1)
       EXPECT_EQ(end.err.compare(from, 15, "xnewell: note: "), 0) << end.err;

@@ -51,7 +51,8 @@ TEST_F(MootOptions, AreNamed) {
   };
   const auto drawn = [&](const Strings& options) {
     const Finished end = runProgram(
-        Strings{"draw", "teapot", "--divisions", "4", "--size", "80x60", "-o", file("new.png")} + options);
+        Strings{"draw", "teapot", "--divisions", "4", "--size", "80x60", "--bare", "-o", file("new.png")} +
+        options);
     EXPECT_EQ(end.status, 0) << end.err;
     return std::pair{end.err, contents(file("new.png"))};
   };
