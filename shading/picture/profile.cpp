@@ -65,6 +65,14 @@ class Surface {
   std::vector<std::vector<FaceCorner>> cornersAt_;  ///< the corners at each point
 };
 
+/// True if both give every intensity on every material the same cell.
+bool sameTables(const SceneColors& a, const SceneColors& b, std::size_t materials) {
+  for (int m = -1; m < static_cast<int>(materials); ++m)
+    if (a.tableOf(m).settings() != b.tableOf(m).settings() || a.tableOf(m).first() != b.tableOf(m).first())
+      return false;
+  return true;
+}
+
 }  // namespace
 
 int defaultScanline(const Picture& picture) {
@@ -111,6 +119,7 @@ Scanline scanlineOf(const Picture& picture, int row, std::uint8_t ground) {
   PictureCache cache{picture};
   PictureSettings method = picture.settings();
   method.shading = Shading::Phong;  // it uses the normals at the vertices
+  method.colors = picture.colors().plan();
   const Picture phong = cache.make(method);
   const SeenRows seen = phong.seen(row, row + 1);
   const Surface surface{phong};
@@ -129,7 +138,20 @@ Scanline scanlineOf(const Picture& picture, int row, std::uint8_t ground) {
     const Picture shown = cache.make(method, ground);
     profile.I = shown.intensities(seen);
     addSlopes(profile, joined);
-    profile.cells.assign(shown.image().row(row), shown.image().row(row) + shown.image().width);
+    if (sameTables(shown.colors(), picture.colors(), picture.scene().mesh.materials.size())) {
+      profile.cells.assign(shown.image().row(row), shown.image().row(row) + shown.image().width);
+      continue;
+    }
+    // Another method divides the shades among the hues in another way. The strip has the shades of the
+    // picture.
+    profile.cells.assign(seen.faces.size(), ground);
+    for (std::size_t i = 0; i < seen.faces.size(); ++i)
+      if (seen.faces[i] != kNothing)
+        profile.cells[i] = static_cast<std::uint8_t>(
+            picture.colors()
+                .tableOf(
+                    phong.shading().mesh(phong.scene()).material[phong.snapped().faces[seen.faces[i]].number])
+                .cell(profile.I[i]));
   }
   return line;
 }

@@ -17,7 +17,7 @@ struct Profile {
   Shading method = Shading::Flat;
   std::vector<double> I;            ///< of each pixel, before rounding to cells; NaN where nothing shows
   std::vector<double> slope;        ///< I[i + 1] - I[i]; NaN if the two pixels do not show one surface
-  std::vector<std::uint8_t> cells;  ///< of each pixel as the picture shows it, with the background
+  std::vector<std::uint8_t> cells;  ///< of each pixel, by the plan of the picture, with the background
   double largestJump = 0;           ///< the largest |slope|
   double largestKink = 0;           ///< the largest |slope[i + 1] - slope[i]|
   int bands = 0;  ///< places with a kink that stands out (kBand); those at most two pixels apart count as one

@@ -206,4 +206,38 @@ TEST(Profile, DefaultScanlineShowsSomething) {
   EXPECT_EQ(defaultScanline(makePicture(readScene("teapot", 3), wide(100))), 25);
 }
 
+// The cells of every strip are those of the picture's plan, whatever method the picture has: cell by cell,
+// the ramp of the surface's hue. The method of the picture has its own row.
+TEST(Profile, CellsAreOfThePicturesPlan) {
+  for (const Shading shading : {Shading::Full, Shading::Depth, Shading::Flat, Shading::Gouraud,
+                                Shading::Phong, Shading::Environment}) {
+    Scene scene = readScene("hues");
+    PictureSettings settings = scene.settings;
+    settings.camera = inSceneUnits(scene.camera, scene);
+    settings.width = 200, settings.height = 150, settings.shading = shading;
+    const Picture picture = makePicture(std::move(scene), settings, 8);
+    for (const int row : {60, 80, 100}) {
+      const Scanline line = scanlineOf(picture, row, 8);
+      const SeenRows seen = picture.seen(row, row + 1);
+      for (const Profile& p : line.profiles) {
+        SCOPED_TRACE(testing::Message() << static_cast<int>(shading) << ' ' << row);
+        if (p.method == shading) {
+          EXPECT_TRUE(std::equal(p.cells.begin(), p.cells.end(), picture.image().row(row)));
+        }
+        for (int i = 0; i < 200; ++i) {
+          if (seen.faces[i] < 0) {
+            ASSERT_EQ(p.cells[i], 8);
+            continue;
+          }
+          const int face = picture.snapped().faces[seen.faces[i]].number;
+          const ColorTable& table = picture.colors().tableOf(picture.scene().mesh.material[face]);
+          ASSERT_GE(p.cells[i], table.first());
+          ASSERT_LT(p.cells[i], table.first() + table.shades());
+          ASSERT_NEAR(picture.colors().intensityOf(p.cells[i]), p.I[i], 2.0 / table.shades());
+        }
+      }
+    }
+  }
+}
+
 }  // namespace xnewell::THIS_FILE
