@@ -35,7 +35,9 @@ void Workbench::copyCommand() {
   const PictureSettings shown = sized();
   settings.width = shown.width, settings.height = shown.height;
   try {
-    server_.copy(SetupCommand{scene()}.of(settings, work_.setup.divisions, work_.setup.fill));
+    const std::string whole = view() == WindowView::Picture ? "" : pictureNote();
+    server_.copy(
+        !whole.empty() ? whole : SetupCommand{scene()}.of(settings, work_.setup.divisions, work_.setup.fill));
     tell("The command is on standard output, and other programs can paste it.");
   } catch (const std::exception& e) {  // its file may have gone
     notify(oneLine(e.what()));

@@ -32,9 +32,10 @@ Options optionsOf(const Node& show) {
   std::optional<std::vector<std::string>> words = wordsOf(show.text());
   if (!words) show.fail("a quotation does not end");
   if (!words->empty() && words->front() == "xnewell") words->erase(words->begin());
-  if (!words->empty() && words->front() == "draw") {  // as `C` prints it
+  if (!words->empty() && (words->front() == "draw" || words->front() == "snapshot")) {  // as `C` prints it
     words->erase(words->begin());
-    for (const std::string_view name : {"-o", "--size"})
+    std::erase(*words, "--whole-window");
+    for (const std::string_view name : {"-o", "--size", "--scale"})
       if (const auto at = std::ranges::find(*words, name); at != words->end() && at + 1 != words->end())
         words->erase(at, at + 2);
   }

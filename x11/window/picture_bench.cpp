@@ -165,7 +165,7 @@ void PictureBench::draw(Painter paint, const Desk& desk) {
 void PictureBench::drawColumn(Painter paint, const Desk& desk) {
   const Controls all = controls();
   const Control* const pointed = list_.hovered(all) ? list_.hovered(all) : list_.focused(all);
-  aside_ = fixed(desk.picture.times().total(), 1) + " ms";
+  aside_ = msText(desk.picture.times().total()) + " ms";
   if (pointed && !pointed->is.empty())
     aside_ += "   " + (pointed->kind == Control::Kind::Slider ? pointed->label + ": " : "") + pointed->is;
   list_.forgetPlaces();

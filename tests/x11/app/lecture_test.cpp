@@ -71,7 +71,7 @@ std::vector<std::uint8_t> alone(const std::string& scene, const Setup& setup, Wi
 
 const std::string kThree =
     R"({"title": "Flat", "show": "teapot --divisions 3 --shade flat --ks 0.7"},
-       {"title": "Cells", "show": "xnewell draw teapot --divisions 3 --size 500x400 --shade phong --view colours -o a.png"},
+       {"title": "Cells", "show": "xnewell snapshot teapot --divisions 3 --size 1024x768 --whole-window --shade phong --view colours -o a.png"},
        {"title": "Cycle", "show": "cycle --view depthsort", "step": 12})";
 
 }  // namespace

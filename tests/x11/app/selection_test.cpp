@@ -86,4 +86,20 @@ TEST(SelectionOfTheWindow, HasTheCommand) {
   EXPECT_EQ(end.status, 0);
 }
 
+// In another view than the first, the command makes a picture of the window, and that is what the window
+// shows.
+TEST(SelectionOfTheWindow, HasTheCommandOfTheView) {
+  const XServer server = XServer::xvfb(24, 1280, 1024);
+  WatchedViewer viewer{server, "teapot --divisions 4"};
+  viewer.window.type("3");
+  EXPECT_TRUE(viewer.window.settles());
+  const Rect seen = aboveStatus(1024, 768);
+  const RgbImage shown = viewer.window.shown(seen);
+  viewer.window.type("Cq");
+  const std::string command = viewer.program.wait().out;
+  ASSERT_EQ(command.rfind("xnewell snapshot teapot --size 1024x768 --whole-window ", 0), 0u) << command;
+  const std::string line = command.substr(8, command.find(" -o ") - 8);
+  EXPECT_EQ(cropped(pictureOf(line, server.name()), seen), shown);
+}
+
 }  // namespace xnewell::THIS_FILE

@@ -354,7 +354,8 @@ TEST(Workbench, CountsWrongFacesWhenSettled) {
   EXPECT_TRUE(std::equal(counted.row(600), counted.row(663), b.image().row(600)));
 }
 
-// C gives the command of the set-up in every view, and the status line says where it went.
+// C gives the command of the set-up in every view: of the picture, or of the window with another view. No
+// command opens a lesson at a step, so there it is the picture's.
 TEST(Workbench, AnyViewsSetupIsACommand) {
   std::vector<std::string> copied;
   Workbench b{readScene("teapot", 3), {}, {.copy = [&](const std::string& text) { copied.push_back(text); }}};
@@ -366,7 +367,11 @@ TEST(Workbench, AnyViewsSetupIsACommand) {
     b.change('S', [&](xnewell::Setup& s) { s.picture.shading = Shading::Phong; });
     b.press({NamedKey::Letter, 'C'});
     ASSERT_EQ(copied.size(), 1u);
-    EXPECT_EQ(copied[0].rfind("xnewell draw teapot --size ", 0), 0u) << copied[0];
+    const bool picture = row.id == WindowView::Picture || row.id == WindowView::Lesson;
+    const std::string begin = picture ? "xnewell draw teapot --size "
+                                      : "xnewell snapshot teapot --size 1024x768 --whole-window --view " +
+                                            std::string{row.option} + ' ';
+    EXPECT_EQ(copied[0].rfind(begin, 0), 0u) << copied[0];
     EXPECT_NE(copied[0].find(" --divisions 3 --shade phong -o picture.png"), std::string::npos) << copied[0];
     copied.clear();
   }
