@@ -247,7 +247,7 @@ void toFileUnits(Illumination& light, const Scene& scene) {
 void strip(Scene& scene, std::string_view what) {
   bool had = false;
   const auto end = [&](std::string_view name, auto& own) {
-    if (name == what) had |= std::exchange(own, {}) != std::remove_reference_t<decltype(own)>{};
+    if (name == what) had |= std::exchange(own, {}).has_value();
   };
   for (MeshMaterial& m : scene.mesh.materials)
     end("ka", m.ka), end("kd", m.kd), end("ks", m.ks), end("n", m.n);
