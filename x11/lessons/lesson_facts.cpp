@@ -50,6 +50,13 @@ double stepsSeen(Found found) {
   return static_cast<double>(seen);
 }
 
+/// The least number of shades of a corrected table, from its I0 to 1, whose steps are all too small to be
+/// seen.
+double shadesUnseen(Found found) {
+  const double I0 = found.picture.settings().table.I0;
+  return 2 + std::floor(std::log(1 / I0) / std::log(1 + kSeenStep / 100));
+}
+
 constexpr std::array kFacts{
     FactRow{"polygons", "polygons that can be seen at all", 0, FactNeeds::Picture,
             [](Found f) -> double { return f.picture.snapped().polygons - f.picture.snapped().degenerate; }},
@@ -107,6 +114,8 @@ constexpr std::array kFacts{
             [](Found f) { return 255 * f.picture.table().level(f.picture.table().shades() - 1); }},
     FactRow{"ratio", "r, from each corrected shade to the next", 6, FactNeeds::Picture, ratio},
     FactRow{"steps seen", "steps of 1 % or more from shade to shade", 0, FactNeeds::Picture, stepsSeen},
+    FactRow{"shades unseen", "shades with which a corrected table has only steps below 1 %", 0,
+            FactNeeds::Picture, shadesUnseen},
     FactRow{"clamped", "evaluations above 1", 0, FactNeeds::Picture,
             [](Found f) { return static_cast<double>(f.picture.saturated()); }},
 
