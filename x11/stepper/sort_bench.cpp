@@ -214,6 +214,8 @@ void SortBench::record(const Desk& desk) {
   player_.run.reset();
   tooLong_ = false;
   if (!sameScene) view.polygon.reset(), about_.reset();
+  if (picture_ && picture_->scene().name != desk.picture.scene().name)  // nobody asked this scene's questions
+    view = {.kind = view.kind, .speed = view.speed, .loupe = view.loupe};
   picture_ = desk.picture;
   try {
     player_.run = std::make_unique<SortRun>(

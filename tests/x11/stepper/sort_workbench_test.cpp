@@ -197,4 +197,22 @@ TEST(SortWorkbench, SaysWhatItCannotShow) {
   EXPECT_NE(b.image(), tooLong);
 }
 
+// What playing stops at, and the score of the predictions, belong to a scene. The speed is the user's.
+TEST(SortWorkbench, AnotherSceneHasNoTicks) {
+  ReadyWorkbench b{{}, 1024, 768, "cycle"};
+  b.type("2");
+  b.finish();
+  b.type("b1b3y+");
+  b.finish();
+  const auto& stepper = dynamic_cast<const SortBench&>(b.bench());
+  const SortView ticked = stepper.view();
+  EXPECT_TRUE(ticked.predict);
+  EXPECT_EQ(std::ranges::count(ticked.stops, true), 2);
+  b.open(readScene("penetrate"), {});
+  b.finish();
+  EXPECT_FALSE(stepper.view().predict);
+  EXPECT_EQ(std::ranges::count(stepper.view().stops, true), 0);
+  EXPECT_EQ(stepper.view().speed, ticked.speed);
+}
+
 }  // namespace xnewell::THIS_FILE
