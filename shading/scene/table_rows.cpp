@@ -69,7 +69,7 @@ std::vector<Setting> tableRows() {
        .option = "--hue",
        .label = "hue",
        .control = 'H',
-       .is = "hue of the ramp",
+       .is = "hue of the ramp; gray suits projectors and red-blind eyes",
        .role = Role::model(),
        .field = holds([](auto& s) -> auto& { return s.table.hue; }),
        .letters = "r,g,b",

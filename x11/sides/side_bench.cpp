@@ -21,6 +21,12 @@ Setup lessonBeside(const Setup& A) {
   return B;
 }
 
+/// What every pair rests on: only what the pair is about may be wrong, and there must be light to see it.
+void layGround(PictureSettings& s) {
+  if (!rowOf(s.order).exact) s.order = Order::Newell;
+  if (!rowOf(s.shading).lit) s.shading = Shading::Flat;
+}
+
 }  // namespace
 
 const std::array<PairRow, 4> kPairs{{
@@ -105,7 +111,9 @@ void SideBench::nextPair(const Setup& A) {
   do {  // skip a pair that is shown already, in either order
     row = &kPairs[pair_];
     pair_ = (pair_ + 1) % kPairs.size();
-    nextA = nextB = A;
+    nextA = A;
+    layGround(nextA.picture);
+    nextB = nextA;
     row->set(nextA.picture, nextB.picture);
     (void)keepFillable(nextA), (void)keepFillable(nextB);
   } while ((nextA == A && nextB == *b_) || (nextA == *b_ && nextB == A));
@@ -114,8 +122,12 @@ void SideBench::nextPair(const Setup& A) {
   remember(Changed::Both, 'g', nextA);
   b_ = nextB;
   host_.change('g', [&](Setup& s) { s = nextA; });
+  PictureSettings ground = A.picture;
+  layGround(ground);
   host_.tell("A and B are " + std::string{row->name} +
-             "; all else is as in A, the picture of view 1. u undoes this.");
+             (ground == A.picture ? "; all else is as in A, the picture of view 1."
+                                  : ", in a right order and lit; all else is as in A.") +
+             " u undoes this.");
 }
 
 bool SideBench::undo(const Setup& A) {

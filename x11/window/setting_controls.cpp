@@ -54,7 +54,7 @@ Control hueControl(const Setup& shown, ChangeSetup change) {
       .kind = Kind::Choice,
       .key = 'H',
       .label = std::string{settingOf('H')->label},
-      .is = std::string{settingOf('H')->is} + "; gray suits projectors and red-blind eyes",
+      .is = std::string{settingOf('H')->is},
       .value = now == kHues.end() ? -1.0 : static_cast<double>(now - kHues.begin()),
       .set = [change = std::move(change)](double option) {
         change('H', [&](Setup& s) { s.picture.table.hue = kHues[static_cast<std::size_t>(option)].hue; });

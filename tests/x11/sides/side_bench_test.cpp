@@ -254,6 +254,19 @@ TEST(SideBench, PairsDifferInOneThing) {
   }
 }
 
+// A pair also sets what it rests on: faces in a right order, unless the pair is about the order, and light.
+TEST(SideBench, PairsHaveARightOrderAndLight) {
+  Shown s{"teapot", ordered(Order::Unsorted, Shading::Full)};
+  for (const PairRow& row : kPairs) {
+    SCOPED_TRACE(row.name);
+    s.press("g");
+    const PictureSettings &A = s.stage.now.picture, B = s.setupB().picture;
+    EXPECT_TRUE(rowOf(B.order).exact);
+    EXPECT_TRUE(rowOf(A.order).exact || A.order != B.order);
+    EXPECT_TRUE(rowOf(A.shading).lit && rowOf(B.shading).lit);
+  }
+}
+
 // If A and B are set up alike, the pictures are the same, the difference is empty, and only the finding is
 // bold.
 TEST(SideBench, AlikeIsSaid) {
