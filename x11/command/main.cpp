@@ -36,6 +36,7 @@
 #include "x11/command/write_frames.h"
 #include "x11/command/write_lesson.h"
 #include "x11/command/write_worksheet.h"
+#include "x11/lessons/broken_claims.h"
 #include "x11/options/carried_setup.h"
 #include "x11/options/exit_status.h"
 #include "x11/options/options.h"
@@ -141,12 +142,23 @@ int lecture(const Options& options) {
   return runLecture(options, std::move(pages), [&] { doing.reset(); });
 }
 
+/// Says which sentences of a lesson rest on claims that do not hold. The program's own lessons have a test.
+void warnOfClaims(const Lesson& lesson, const Options& options) {
+  std::optional<Doing> checking{"checking the claims of " + options.scene};
+  const std::vector<std::string> broken = brokenClaims(lesson, windowSize(options) / options.scale);
+  checking.reset();
+  for (const std::string& sentence : broken)
+    std::cerr << "xnewell: " << options.scene << ": " << sentence << '\n';
+}
+
 /// Shows a lesson in the window, or writes its steps as pictures.
 int teach(const Options& options) {
   std::optional<Lesson> lesson;
   if (options.gave("scene")) {
     const Doing reading{"reading " + options.scene};
     lesson = lessonNamed(options.scene);
+    if (!std::ranges::count(builtInLessons(), options.scene, &LessonEntry::name))
+      warnOfClaims(*lesson, options);
   }
   if (options.frames.empty() && options.worksheet.empty())
     return openWindow(options, readScene("teapot"), std::move(lesson));

@@ -16,15 +16,8 @@ constexpr ControlId kGive{0, -1}, kBack{0, -2}, kNext{0, -3};
 char letterOf(std::size_t answer) { return static_cast<char>('a' + answer); }
 ControlId idOf(std::size_t answer) { return {letterOf(answer), -1}; }
 
-/// Above the bars of the strip.
-int heightOf(const Layout& at) { return at.body.height - (at.compact ? 2 : 12); }
-
 Rect columnOf(const Layout& at) {
-  return {at.body.x + at.body.width - kLessonColumn, at.body.y, kLessonColumn, heightOf(at)};
-}
-
-Rect sightOf(const Layout& at) {
-  return {at.body.x, at.body.y, at.body.width - kLessonColumn - kMargin, heightOf(at)};
+  return {at.body.x + at.body.width - kLessonColumn, at.body.y, kLessonColumn, sightOf(at).height};
 }
 
 }  // namespace

@@ -1,4 +1,5 @@
 #include "x11/lessons/lesson_sight.h"
+#include "x11/lessons/lesson_page.h"
 
 #include <algorithm>
 
@@ -72,6 +73,11 @@ void drawDifference(SightPen& pen) {
 }
 
 }  // namespace
+
+Rect sightOf(const Layout& window) {
+  const int aboveBars = window.body.height - (window.compact ? 2 : 12);  // of the strip
+  return {window.body.x, window.body.y, window.body.width - kLessonColumn - kMargin, aboveBars};
+}
 
 SightLayout layoutOfSight(const Rect& area, const Exhibit& exhibit, bool compact) {
   SightLayout at{.picture = area, .lower = {}, .below = {}, .compact = compact};

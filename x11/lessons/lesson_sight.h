@@ -7,6 +7,7 @@
 #include "shading/picture/picture.h"
 #include "x11/drawing/painter.h"
 #include "x11/lessons/exhibit.h"
+#include "x11/window/layout.h"
 
 namespace xnewell {
 
@@ -19,6 +20,8 @@ struct SightLayout {
   Rect below;  ///< extents, tests or curves; empty if there is nothing to show
   bool compact = false;
 };
+/// The area for it in a window.
+[[nodiscard]] Rect sightOf(const Layout& window);
 /// `area` is at least 400 x 400.
 [[nodiscard]] SightLayout layoutOfSight(const Rect& area, const Exhibit& exhibit, bool compact);
 

@@ -53,6 +53,24 @@ TEST_F(LessonCommand, AFileIsALesson) {
   EXPECT_EQ(filesIn(file("f")).size(), 1U);
 }
 
+// Claims of one's own lesson that do not hold are told, each with its place; the lesson is shown all the
+// same.
+TEST_F(LessonCommand, ClaimsOfAnOwnLessonAreChecked) {
+  write("bare.obj", kTriangleObj);
+  const std::string own = write("own.json", R"({"title": "own", "steps": [
+    {"heading": "One", "caption": ["It has {polygons} polygon."], "scene": "bare.obj", "claims": {"polygons": 1},
+     "question": {"asks": "How many?", "answers": [
+       {"text": "one", "holds": true, "says": "Yes."},
+       {"text": "two", "says": "No.", "shown": {"claims": {"polygons": 2}}}]}},
+    {"heading": "Two", "caption": ["No cut."], "claims": {"cuts": 0, "n": 7}}]})");
+  const Finished end = runProgram({"lesson", own, "--frames", file("f")});
+  EXPECT_EQ(end.status, 0);
+  EXPECT_EQ(end.err, "xnewell: " + own +
+                         ": step 1, answer b: polygons is 1, which is not what the lesson claims\nxnewell: " +
+                         own + ": step 2: n is 20, which is not what the lesson claims\n");
+  EXPECT_EQ(filesIn(file("f")).size(), 2U);
+}
+
 TEST_F(LessonCommand, Refusals) {
   const std::string folder = file("frames");
   refused({"lesson", "nosuch", "--frames", folder}, 2,
