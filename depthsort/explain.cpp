@@ -271,9 +271,10 @@ std::string Explainer::sentence(const Event& e, Test test) const {
   return title + (test == e.test ? ": " + settled(e) : ": no, " + failed(e, test));
 }
 
-std::string Explainer::sentence(const Event& e, int splits) const {
+std::string Explainer::sentence(const Event& e, int splits, bool swapped) const {
   const bool taken = e.kind == Event::Kind::Take;
-  const std::string P = taken ? name(e.P) : called(e.P, "P"), Q = e.Q < 0 ? "" : called(e.Q, "Q");
+  const std::string P = taken ? name(e.P) : called(e.P, swapped ? "Q" : "P"),
+                    Q = e.Q < 0 ? "" : called(e.Q, swapped ? "P" : "Q");
   switch (e.kind) {
     case Event::Kind::Take:
       if (fragments_.isPiece(e.P))

@@ -93,8 +93,8 @@ class Explainer {
   /// The sentence for one test of a Compare event. `test` is one of testsMade().
   [[nodiscard]] std::string sentence(const Event& compare, Test test) const;
   /// The sentence for any event. For a Compare event it is about the test that settled the pair. `splits` is
-  /// the number of splits before the event.
-  [[nodiscard]] std::string sentence(const Event& event, int splits) const;
+  /// the number of splits before the event. `swapped`: the sentence calls P of the event Q, and Q of it P.
+  [[nodiscard]] std::string sentence(const Event& event, int splits, bool swapped = false) const;
 
  private:
   [[nodiscard]] std::string called(int id, std::string_view letter) const {

@@ -42,18 +42,17 @@ int writeAndClose(int descriptor, std::string_view bytes, bool toDisk = false) {
 std::string resolved(const std::string& file) {
   constexpr int kMostLinks = 40;  // as in Linux
   std::filesystem::path end = file;
-  for (int k = 0; std::filesystem::is_symlink(end); ++k) {
+  std::error_code none;  // what is wrong with the name shows when the file is opened
+  for (int k = 0; std::filesystem::is_symlink(end, none); ++k) {
     if (k == kMostLinks) fail(ELOOP, file);
-    end = end.parent_path() / std::filesystem::read_symlink(end);
+    end = end.parent_path() / std::filesystem::read_symlink(end, none);
   }
   return end;
 }
 
 /// Gives a new file the owner, the group and the mode of the one that it replaces. What this user may not
 /// give is left out; then no other user gets a right that comes with an owner.
-void takeAfter(int descriptor, const std::string& replaced) {
-  struct ::stat old {};
-  if (::stat(replaced.c_str(), &old) != 0) return;
+void takeAfter(int descriptor, const struct ::stat& old) {
   const bool owned = ::fchown(descriptor, old.st_uid, old.st_gid) == 0;
   const bool grouped = owned || ::fchown(descriptor, ::uid_t(-1), old.st_gid) == 0;
   mode_t mode = old.st_mode & 07777;
@@ -62,13 +61,13 @@ void takeAfter(int descriptor, const std::string& replaced) {
   (void)::fchmod(descriptor, mode);
 }
 
-/// Opens a new file beside `target` and sets `name` to its name.
-int openTemporary(const std::string& target, std::string& name) {
+/// Opens a new file of this mode beside `target` and sets `name` to its name.
+int openTemporary(const std::string& target, mode_t mode, std::string& name) {
   const std::size_t slash = target.rfind('/');
   const std::string folder = slash == std::string::npos ? "" : target.substr(0, slash + 1);
   for (int attempt = 0;; ++attempt) {
     name = folder + ".xnewell-" + std::to_string(::getpid()) + "-" + std::to_string(attempt);
-    const int descriptor = ::open(name.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0666);
+    const int descriptor = ::open(name.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, mode);
     if (descriptor >= 0 || errno != EEXIST) return descriptor;
   }
 }
@@ -93,9 +92,12 @@ class Replacement {
   Replacement(std::string file, std::string_view bytes) : file_{std::move(file)}, target_{resolved(file_)} {
     if (::access(file_.c_str(), F_OK) == 0 && ::faccessat(AT_FDCWD, file_.c_str(), W_OK, AT_EACCESS) != 0)
       fail(errno, file_);
-    const int descriptor = openTemporary(target_, temporary_);
+    struct ::stat old {};
+    const bool replaces = ::stat(target_.c_str(), &old) == 0;
+    // Nobody else may open the new file before it has the mode of the old one.
+    const int descriptor = openTemporary(target_, replaces ? 0600 : 0666, temporary_);
     if (descriptor < 0) fail(errno, file_);
-    takeAfter(descriptor, target_);
+    if (replaces) takeAfter(descriptor, old);
     if (const int error = writeAndClose(descriptor, bytes, true)) {
       ::unlink(temporary_.c_str());
       fail(error, file_);

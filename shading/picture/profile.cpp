@@ -144,14 +144,14 @@ Scanline scanlineOf(const Picture& picture, int row, std::uint8_t ground) {
     }
     // Another method divides the shades among the hues in another way. The strip has the shades of the
     // picture.
+    const std::vector<int>& material = phong.shading().mesh(phong.scene()).material;
     profile.cells.assign(seen.faces.size(), ground);
-    for (std::size_t i = 0; i < seen.faces.size(); ++i)
-      if (seen.faces[i] != kNothing)
-        profile.cells[i] = static_cast<std::uint8_t>(
-            picture.colors()
-                .tableOf(
-                    phong.shading().mesh(phong.scene()).material[phong.snapped().faces[seen.faces[i]].number])
-                .cell(profile.I[i]));
+    for (std::size_t i = 0; i < seen.faces.size(); ++i) {
+      if (seen.faces[i] == kNothing) continue;
+      const int face = phong.snapped().faces[seen.faces[i]].number;
+      const ColorTable& table = picture.colors().tableOf(material[face]);
+      profile.cells[i] = static_cast<std::uint8_t>(table.cell(profile.I[i]));
+    }
   }
   return line;
 }

@@ -102,6 +102,15 @@ TEST(OutputFile, FailureNamesFileAndReason) {
   EXPECT_EQ(folder.entries(), 1);
 }
 
+// A name that is too long, and a file in the place of a folder, are told in the system's words, too.
+TEST(OutputFile, StrangeNamesAreTold) {
+  const TemporaryFolder folder;
+  writeFile(folder.file("file"), "x");
+  const std::string inside = folder.file("file") + "/a", endless = folder.file(std::string(300, 'n'));
+  EXPECT_EQ(failure(inside, "x").first, inside + ": Not a directory");
+  EXPECT_EQ(failure(endless, "x").first, endless + ": File name too long");
+}
+
 // A folder, or a file without write permission, is not written.
 TEST(OutputFile, RespectsPermissions) {
   const TemporaryFolder folder;
@@ -152,7 +161,7 @@ TEST(OutputFile, MakesWhatALinkLeadsTo) {
   EXPECT_TRUE(std::filesystem::is_symlink(folder.file("round")));
 }
 
-// A file that is replaced keeps its mode, its owner and its group. Nobody else can read it meanwhile.
+// A file that is replaced keeps its mode, its owner and its group.
 TEST(OutputFile, KeepsModeAndOwner) {
   const TemporaryFolder folder;
   const std::string file = folder.file("private");

@@ -7,19 +7,19 @@
 namespace xnewell {
 
 std::string Lecture::title() const {
-  return std::to_string(at_ + 1) + " of " + std::to_string(slides_.size()) + ": " + now().title;
+  return std::to_string(at_ + 1) + " of " + std::to_string(pages_.size()) + ": " + now().title;
 }
 
 bool Lecture::turn(int pages) {
   const auto to = static_cast<std::ptrdiff_t>(at_) + pages;
-  if (to < 0 || to >= static_cast<std::ptrdiff_t>(slides_.size())) return false;
+  if (to < 0 || to >= static_cast<std::ptrdiff_t>(pages_.size())) return false;
   at_ = static_cast<std::size_t>(to);
   wait();
   return true;
 }
 
 void Lecture::turnByItself() {
-  at_ = (at_ + 1) % slides_.size();
+  at_ = (at_ + 1) % pages_.size();
   wait();
 }
 
@@ -27,21 +27,21 @@ void Lecture::turnByItself() {
 
 void Workbench::lecture(Lecture lecture) {
   lecture_ = std::move(lecture);
-  showSlide();
+  showPage();
 }
 
-void Workbench::showSlide() {
+void Workbench::showPage() {
   if (before_) switchTo(WindowView::Lesson);  // a view may still have the scene of a lesson
   switchTo(WindowView::Picture);
-  const Slide& slide = lecture_->now();
-  begin(workOn(slide.scene, slide.setup));
-  stepper_->startAt(slide.step.value_or(0));
-  if (slide.lesson)
-    teach(*slide.lesson);
+  const Page& page = lecture_->now();
+  begin(workOn(page.scene, page.setup));
+  stepper_->startAt(page.step.value_or(0));
+  if (page.lesson)
+    teach(*page.lesson);
   else
-    switchTo(slide.view);
+    switchTo(page.view);
   told_.clear();
-  server_.say(lecture_->title() + '\n' + (slide.notes.empty() ? "" : slide.notes + '\n'));
+  server_.say(lecture_->title() + '\n' + (page.notes.empty() ? "" : page.notes + '\n'));
 }
 
 bool Workbench::turnsPage(const Key& key) {
@@ -56,7 +56,7 @@ bool Workbench::turnsPage(const Key& key) {
     if (step >= 0 && step < static_cast<int>(lesson->steps.size())) return false;
   }
   if (lecture_->turn(pages))
-    showSlide();
+    showPage();
   else
     notify(pages > 0 ? "This is the last page of the lecture." : "This is the first page of the lecture.");
   return true;

@@ -12,7 +12,7 @@
 namespace xnewell {
 
 /// A page of a lecture: a scene with its set-up, in one of the views.
-struct Slide {
+struct Page {
   std::string title, notes;
   Scene scene;
   Setup setup;
@@ -25,11 +25,11 @@ struct Slide {
 /// is shown again.
 class Lecture {
  public:
-  /// At least one slide. If `seconds` is not 0, the pages turn by themselves, each after so long without a
+  /// At least one page. If `seconds` is not 0, the pages turn by themselves, each after so long without a
   /// key or click, and after the last comes the first.
-  Lecture(std::vector<Slide> slides, double seconds) : slides_{std::move(slides)}, seconds_{seconds} {}
+  Lecture(std::vector<Page> pages, double seconds) : pages_{std::move(pages)}, seconds_{seconds} {}
 
-  [[nodiscard]] const Slide& now() const { return slides_[at_]; }
+  [[nodiscard]] const Page& now() const { return pages_[at_]; }
   /// "3 of 12: Why facets?"
   [[nodiscard]] std::string title() const;
   /// Goes to another page. Returns false if there is none there.
@@ -44,7 +44,7 @@ class Lecture {
   void wait() { shown_ = {}; }
 
  private:
-  std::vector<Slide> slides_;
+  std::vector<Page> pages_;
   std::size_t at_ = 0;
   double seconds_;
   Stopwatch shown_;

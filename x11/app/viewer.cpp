@@ -102,7 +102,6 @@ class Viewer {
   }
 
   [[nodiscard]] Workbench& bench() { return bench_; }
-  [[nodiscard]] Setup setupOf(const Options& options) const { return server_.setupOf(options); }
 
   int run(const std::function<void()>& shown) {
     {
@@ -148,12 +147,14 @@ class Viewer {
                          pngOf(canvas_, server_.colormap, bench_.image(), bench_.pictureNote()));
     };
     server.say = [](const std::string& text) { std::cout << text << std::flush; };
-    server.toggleFullScreen = [this] { return std::optional{fullScreen_.toggle()}; };
+    server.fillScreen = [this](std::optional<bool> wish) { return std::optional{fullScreen_.fill(wish)}; };
     return server;
   }
 
   /// The scale that suits the screen.
-  [[nodiscard]] int usualScale() const { return scaleFor(readResources(display()), screenSize(display())); }
+  [[nodiscard]] int usualScale() const {
+    return scaleFor(readResources(display()), screenSize(display()), kMostScale);
+  }
   /// Without --size: the usual size at the scale, as far as the screen has room.
   [[nodiscard]] glm::ivec2 firstSize(const Options& options) const {
     if (options.size || scaleIsGiven_) return windowSize(options);
@@ -381,16 +382,7 @@ int runViewer(const Options& options, Scene scene, std::optional<Lesson> lesson,
 
 int runLecture(const Options& options, std::vector<Page> pages, const std::function<void()>& shown) {
   Viewer viewer{options, pages.front().scene};
-  std::vector<Slide> slides;
-  for (Page& page : pages)
-    slides.push_back({.title = std::move(page.title),
-                      .notes = std::move(page.notes),
-                      .scene = std::move(page.scene),
-                      .setup = viewer.setupOf(page.options),
-                      .view = page.options.windowView,
-                      .step = page.step,
-                      .lesson = std::move(page.lesson)});
-  viewer.bench().lecture({std::move(slides), options.play});
+  viewer.bench().lecture({std::move(pages), options.play});
   return viewer.run(shown);
 }
 

@@ -62,8 +62,8 @@ void Workbench::layOut() {
   layout_ = layoutOf(width_, height_, largest_ ? largestScale(width_, height_) : unit_);
 }
 
-void Workbench::toggleFullScreen() {
-  const std::optional<bool> full = server_.toggleFullScreen();
+void Workbench::fillScreen(std::optional<bool> wish) {
+  const std::optional<bool> full = server_.fillScreen(wish);
   if (!full) return notify("There is no screen to fill.");
   fillsScreen_ = largest_ = *full;
   layOut();
@@ -163,9 +163,9 @@ KeyTable Workbench::generalKeys() {
   add('C', "", "print the command that draws this set-up or view, and copy it", [this] { copyCommand(); });
   add('I', "", "write what the window shows as a picture, into a new file", [this] { writePicture(); });
   const char* const full = "fill the screen, in letters as large as fit, or go back";
-  table.push_back({{NamedKey::F11, 'f'}, "", full, [this](const Key&) { toggleFullScreen(); }});
+  table.push_back({{NamedKey::F11, 'f'}, "", full, [this](const Key&) { fillScreen({}); }});
   if (fillsScreen_)
-    table.push_back({{NamedKey::Escape}, "", full, [this](const Key&) { toggleFullScreen(); }});
+    table.push_back({{NamedKey::Escape}, "", full, [this](const Key&) { fillScreen(false); }});
   add('Z', "", "larger letters and controls; after the largest, the smallest", [this] { takeNextScale(); });
   if (lecture_) {
     const std::string pages = "the lecture's page before, the next; in a lesson its steps come first";
@@ -240,7 +240,7 @@ void Workbench::tick() {
   if (bench().moving()) bench().tick();
   if (lecture_ && lecture_->isDue() && !line_.isOpen()) {
     lecture_->turnByItself();
-    showSlide();
+    showPage();
   }
   if (!mustMeasure() || dragging_ || line_.isOpen()) return;
   std::optional<AccuracyKeeper::News> news = keeper_->tick(seen());

@@ -42,9 +42,11 @@ class Workbench : public Host {
     std::function<std::string()> writePicture = [] { return std::string{}; };
     /// Prints a text for whoever stands before the class.
     std::function<void(const std::string&)> say = [](const std::string&) {};
-    /// Makes the window fill the screen, or gives it its old place again. Returns which; nothing if there is
-    /// no screen.
-    std::function<std::optional<bool>()> toggleFullScreen = [] { return std::optional<bool>{}; };
+    /// Makes the window fill the screen, or gives it its old place again; without a wish, the other than now.
+    /// Returns true if it fills the screen; nothing if there is no screen.
+    std::function<std::optional<bool>(std::optional<bool> wish)> fillScreen = [](auto) {
+      return std::optional<bool>{};
+    };
   };
   Workbench(Scene scene, const Setup& setup, Server server);
   Workbench(Workbench&&) = delete;  // the benches point to it
@@ -200,7 +202,7 @@ class Workbench : public Host {
   void begin(Work work);
   void copyCommand();
   void writePicture();
-  void showSlide();
+  void showPage();
   /// True if the key turns the page of the lecture.
   [[nodiscard]] bool turnsPage(const Key& key);
   /// How many pages of a lecture the key turns.
@@ -208,7 +210,7 @@ class Workbench : public Host {
     return key.name == NamedKey::PageDown ? 1 : key.name == NamedKey::PageUp ? -1 : 0;
   }
   void layOut();
-  void toggleFullScreen();
+  void fillScreen(std::optional<bool> wish);
   void takeNextScale();
   void askToSave();
   void askToOpen();

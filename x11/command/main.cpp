@@ -7,6 +7,7 @@
 #include <csignal>
 #include <cstdio>
 #include <exception>
+#include <filesystem>
 #include <iomanip>
 #include <iostream>
 #include <new>
@@ -157,8 +158,7 @@ int teach(const Options& options) {
   if (options.gave("scene")) {
     const Doing reading{"reading " + options.scene};
     lesson = lessonNamed(options.scene);
-    if (!std::ranges::count(builtInLessons(), options.scene, &LessonEntry::name))
-      warnOfClaims(*lesson, options);
+    if (std::filesystem::path{options.scene}.extension() == ".json") warnOfClaims(*lesson, options);
   }
   if (options.frames.empty() && options.worksheet.empty())
     return openWindow(options, readScene("teapot"), std::move(lesson));
@@ -240,8 +240,10 @@ int program(int argc, char** argv) try {
   occupyStandardStreams();
   // An interrupted picture leaves no files behind. A window, too, ends at once, even while Xlib waits for a
   // server that hangs. The server frees what we have there, and any grab, when the connection closes.
-  for (const int signal : {SIGINT, SIGTERM, SIGHUP})
-    std::signal(signal, [](int number) { _exit(kInterrupted + number - SIGINT); });
+  for (const int signal : {SIGINT, SIGTERM, SIGHUP}) {
+    const auto before = std::signal(signal, [](int number) { _exit(128 + number); });
+    if (signal == SIGHUP && before == SIG_IGN) std::signal(signal, SIG_IGN);  // nohup asked for that
+  }
   std::signal(SIGXFSZ, SIG_IGN);  // a file larger than the shell's limit is an error like a full disk
   const int status = run(argc, argv);
   std::cout.flush();

@@ -67,18 +67,20 @@ Page readPage(const Node& node, const std::filesystem::path& folder) {
     node.at("title").fail("1 to " + std::to_string(kLongestTitle) + " characters are needed");
   if (node.has("notes")) page.notes = node.at("notes").text();
   if (node.has("lesson")) page.lesson = lessonNamed(beside(folder, node.at("lesson").text()));
-  if (node.has("show")) page.options = optionsOf(node.at("show"));
-  page.options.scene = beside(folder, page.options.scene);
+  Options options;
+  if (node.has("show")) options = optionsOf(node.at("show"));
+  options.scene = beside(folder, options.scene);
+  page.view = options.windowView;
   if (node.has("step")) {
-    if (page.options.windowView != WindowView::DepthSort)
-      node.at("step").fail("steps are for pages with --view depthsort");
+    if (page.view != WindowView::DepthSort) node.at("step").fail("steps are for pages with --view depthsort");
     page.step = node.at("step").whole(0, 1'000'000'000);
   }
   try {
-    page.scene = readyScene(page.options);
+    page.scene = readyScene(options);
   } catch (const UsageError& e) {
     node.at("show").fail(e.what());
   }
+  page.setup = {.picture = options.picture, .fill = options.fill, .show = options.show};
   return page;
 }
 

@@ -3,7 +3,7 @@
 #include <string>
 #include <vector>
 
-#include "x11/app/viewer.h"
+#include "x11/app/lecture.h"
 
 namespace xnewell {
 

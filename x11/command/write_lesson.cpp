@@ -19,8 +19,8 @@ Lesson lessonNamed(const std::string& nameOrFile) {
   throw UsageError{"there is no lesson " + inQuotes(nameOrFile) + "; `xnewell scenes` lists the lessons"};
 }
 
-void writeLesson(const Options& options, Lesson lesson, const std::function<void(int)>& tell) {
-  makeFrameFolder(options.frames);
+void visitSteps(const Options& options, Lesson lesson, const std::function<void(int)>& tell,
+                const std::function<void(Workbench& bench, int step)>& visit) {
   const int steps = static_cast<int>(lesson.steps.size());
   Workbench bench{readScene("teapot"), Setup{}, {}};
   const glm::ivec2 size = windowSize(options);
@@ -31,8 +31,15 @@ void writeLesson(const Options& options, Lesson lesson, const std::function<void
     tell(step + 1);
     bench.lessons().goTo(step);
     while (bench.stale() != Workbench::Stale::Nothing) bench.update();
-    writeFile(frameFile(options.frames, step + 1, "step"), encodePng(bench.image(), bench.palette()));
+    visit(bench, step);
   }
+}
+
+void writeLesson(const Options& options, Lesson lesson, const std::function<void(int)>& tell) {
+  makeFrameFolder(options.frames);
+  visitSteps(options, std::move(lesson), tell, [&](const Workbench& bench, int step) {
+    writeFile(frameFile(options.frames, step + 1, "step"), encodePng(bench.image(), bench.palette()));
+  });
 }
 
 }  // namespace xnewell

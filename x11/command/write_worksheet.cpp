@@ -8,8 +8,9 @@
 
 #include "geometry/files/output_file.h"
 #include "shading/color/png.h"
-#include "x11/app/workbench.h"
+#include "x11/command/write_lesson.h"
 #include "x11/lessons/lesson_bench.h"
+#include "x11/lessons/lesson_sight.h"
 
 namespace xnewell {
 
@@ -33,7 +34,7 @@ std::string inHtml(const std::string& text) {
 }
 
 std::string element(const std::string& name, const std::string& text) {
-  return '<' + name + '>' + inHtml(text) + "</" + name.substr(0, name.find(' ')) + ">\n";
+  return '<' + name + '>' + inHtml(text) + "</" + name + ">\n";
 }
 
 /// RFC 4648, section 4.
@@ -50,42 +51,27 @@ std::string base64(std::string_view bytes) {
   return text;
 }
 
-/// What the page of a step shows at the left of its words.
-std::string pictureOf(Workbench& bench) {
-  const Layout& at = bench.layout();
-  const Rect& column = bench.lessons().layout().column;
-  const Rect units{at.body.x, at.body.y, column.x - 8 - at.body.x, column.height};
-  const Rect from = units * at.unit;
+/// What the page of a step shows beside its words.
+std::string pictureOf(const Workbench& bench) {
+  const Rect from = sightOf(bench.layout()) * bench.layout().unit;
   IndexImage part{from.width, from.height, 0};
   for (int y = 0; y < from.height; ++y)
     std::copy_n(bench.image().row(from.y + y) + from.x, from.width, part.row(y));
   return "<img alt=\"\" src=\"data:image/png;base64," + base64(encodePng(part, bench.palette())) + "\">\n";
 }
 
-void finish(Workbench& bench) {
-  while (bench.stale() != Workbench::Stale::Nothing) bench.update();
-}
-
 }  // namespace
 
 void writeWorksheet(const Options& options, Lesson lesson, const std::function<void(int)>& tell) {
-  Workbench bench{readScene("teapot"), Setup{}, {}};
-  const glm::ivec2 size = windowSize(options);
-  bench.scale(options.scale);
-  bench.resize(size.x, size.y);
   std::string sheet = "<!DOCTYPE html>\n<html lang=\"en\">\n" + element("title", lesson.title) +
                       std::string{kHead} + element("h1", lesson.title) + "<p>Name:</p>\n";
   std::string solutions = "<section class=\"solutions\">\n" + element("h2", "Solutions") + "<ol>\n";
   const std::vector<LessonStep> steps = lesson.steps;
-  bench.teach(std::move(lesson));
-  for (int k = 0; k < static_cast<int>(steps.size()); ++k) {
-    tell(k + 1);
-    bench.lessons().goTo(k);
-    finish(bench);
+  visitSteps(options, std::move(lesson), tell, [&](Workbench& bench, int k) {
     const LessonPage asked = bench.lessons().page();
     sheet += "<section>\n" + element("h2", std::to_string(k + 1) + ". " + asked.heading) + pictureOf(bench);
     for (const std::string& paragraph : asked.caption) sheet += element("p", paragraph);
-    solutions += "<li>";
+    std::string solution = asked.heading + ": no question.";
     if (const auto& question = steps[static_cast<std::size_t>(k)].question) {
       sheet += element("p", question->asks) + "<ol type=\"a\">\n";
       for (const LessonAnswer& answer : question->answers) sheet += element("li", answer.text);
@@ -94,15 +80,12 @@ void writeWorksheet(const Options& options, Lesson lesson, const std::function<v
       const char letter = static_cast<char>('a' + (right - question->answers.begin()));
       bench.press({NamedKey::Letter, letter});
       bench.press({NamedKey::Return});
-      finish(bench);
-      solutions +=
-          inHtml(std::string{letter} + ": " + right->text + ". " + bench.lessons().page().question->says);
-    } else {
-      solutions += inHtml(asked.heading + ": no question.");
+      while (bench.stale() != Workbench::Stale::Nothing) bench.update();
+      solution = std::string{letter} + ": " + right->text + ". " + bench.lessons().page().question->says;
     }
     sheet += "</section>\n";
-    solutions += "</li>\n";
-  }
+    solutions += element("li", solution);
+  });
   writeFile(options.worksheet, sheet + solutions + "</ol>\n</section>\n</html>\n");
 }
 

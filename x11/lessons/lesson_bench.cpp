@@ -281,7 +281,8 @@ LessonPage LessonBench::pageOf(const Desk& desk, const IndexImage* lower) {
   for (const LessonAnswer& answer : step.question->answers) question.answers.push_back(answer.text);
   if (t.given) {
     const LessonAnswer& answer = step.question->answers[static_cast<std::size_t>(*t.chosen)];
-    question.says = (answer.holds ? "Right. " : "") + facts.filled(answer.says);
+    question.right = answer.holds;
+    question.says = facts.filled(answer.says);
   }
   if (t.hint) question.hint = step.question->hint;
   page.question = std::move(question);

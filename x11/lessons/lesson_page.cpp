@@ -147,7 +147,9 @@ LessonLayout layoutOfLesson(const Rect& column, const LessonPage& page, const Co
       at.answer = {column.x, y, 100, compact ? 22 : 26};
       y += at.answer.height + pitch.gap;
     }
-    if (const std::string& words = question.given ? question.says : question.hint; !words.empty()) {
+    const std::string confirmed = question.right ? "Right. " : "";
+    if (const std::string words = question.given ? confirmed + question.says : question.hint;
+        !words.empty()) {
       y += 11;
       flow(at.after, column.x, y, words, kLetters, pitch.text);
       y += -11 + pitch.gap;

@@ -18,6 +18,7 @@ struct PageQuestion {
   std::vector<std::string> answers;
   std::optional<int> chosen;
   bool given = false;  ///< the answer was given; `says` is the response
+  bool right = false;  ///< the answer holds
   std::string says;
   std::string hint;  ///< the hint, if it is shown; "" for none
 };

@@ -174,7 +174,7 @@ void addOptions(CLI::App& app, Reader& r, Options& o) {
   r.text("--size", "picture or window size WxH, at most 8192x8192",
          "800x600, a window 1024x768 times --scale, extremes 160x120",
          [&](const std::string& s) { o.size = parseSize(s); });
-  r.number("--scale", o.scale, 1, 4,
+  r.number("--scale", o.scale, 1, kMostScale,
            "how many times as large the window's letters, lines and controls are; the picture keeps its own "
            "pixels. For the window, and for pictures of it. Without it, the screen decides for the window");
   r.number("--divisions", o.divisions, 1, kMaxDivisions,

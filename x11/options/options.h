@@ -73,6 +73,7 @@ enum class Fill { XFillPolygon, Scanline };
 
 inline constexpr glm::ivec2 kPictureSize{800, 600}, kWindowSize{1024, 768}, kExtremesSize{160, 120};
 inline constexpr glm::ivec2 kLeastWindow{800, 540};  ///< has room for all controls, at scale 1
+inline constexpr int kMostScale = 4;                 ///< of the window: pixels of a unit
 
 struct Options {
   Command command = Command::View;

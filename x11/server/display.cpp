@@ -44,11 +44,12 @@ std::string describe(Display* display, const XErrorEvent& error, bool mayAsk) {
 }
 
 bool allIsDone = false;
-std::string lostServer;  ///< the display whose connection has ended
+std::string lostMessage;
 
+/// It may be called in a signal handler.
 [[noreturn]] void endLost(int /*signal*/ = 0) {
-  tell("lost the connection to the X server of display '" + lostServer + "'");
-  std::_Exit(1);
+  if (write(standardError, lostMessage.data(), lostMessage.size()) < 0) _exit(1);  // nobody reads it
+  _exit(1);
 }
 
 struct FileCloser {
@@ -76,15 +77,16 @@ OwnedDisplay open(const std::string& name, std::string& said) {
 int onServerGone(Display* display) {
   std::fflush(stdout);
   if (allIsDone) std::_Exit(0);
-  const bool opening = standardError != STDERR_FILENO;  // perhaps to see whether the server still runs
-  lostServer = DisplayString(display);
-  if (opening) endLost();
+  const std::string name = DisplayString(display);
+  lostMessage = "xnewell: lost the connection to the X server of display '" + name + "'\n";
+  // A connection may end while it is opened, perhaps to see here whether the server still runs.
+  if (standardError != STDERR_FILENO) endLost();
   constexpr unsigned kPatience = 2;  // seconds
   std::signal(SIGALRM, endLost);
   alarm(kPatience);
   std::string said;
-  if (!open(lostServer, said)) endLost();
-  tell("the X server of display '" + lostServer +
+  if (!open(name, said)) endLost();
+  tell("the X server of display '" + name +
        "' still runs, but has ended our connection, as xkill makes it do");
   std::_Exit(1);
 }

@@ -47,9 +47,8 @@ std::string readResources(Display* display) {
   return {text.begin(), text.end()};
 }
 
-int scaleFor(const std::string& resources, glm::ivec2 pixels) {
+int scaleFor(const std::string& resources, glm::ivec2 pixels, int most) {
   constexpr double kUsualDpi = 96;
-  constexpr int kMost = 4;
   XrmInitialize();
   XrmDatabase database = XrmGetStringDatabase(resources.c_str());
   char* type = nullptr;
@@ -58,8 +57,9 @@ int scaleFor(const std::string& resources, glm::ivec2 pixels) {
   if (database && XrmGetResource(database, "Xft.dpi", "Xft.Dpi", &type, &value) != 0 && value.addr)
     dpi = std::strtod(value.addr, nullptr);
   if (database) XrmDestroyDatabase(database);
-  if (dpi > 0) return static_cast<int>(std::clamp(std::floor(dpi / kUsualDpi + 0.5), 1.0, double{kMost}));
-  return std::clamp(std::min(pixels.x / 1920, pixels.y / 1080), 1, kMost);
+  if (dpi > 0)
+    return static_cast<int>(std::clamp(std::floor(dpi / kUsualDpi + 0.5), 1.0, static_cast<double>(most)));
+  return std::clamp(std::min(pixels.x / 1920, pixels.y / 1080), 1, most);
 }
 
 glm::ivec2 screenSize(Display* display) {
@@ -81,8 +81,9 @@ bool FullScreen::isFull() const {
          has(atoms(display_, window_, "_NET_WM_STATE"), XInternAtom(display_, "_NET_WM_STATE_FULLSCREEN", 0));
 }
 
-bool FullScreen::toggle() {
-  const bool fill = !isFull();
+bool FullScreen::fill(std::optional<bool> wish) {
+  const bool fill = wish.value_or(!isFull());
+  if (fill == isFull()) return fill;
   const Window root = DefaultRootWindow(display_);
   const Atom full = XInternAtom(display_, "_NET_WM_STATE_FULLSCREEN", 0);
   if (!before_ && has(atoms(display_, root, "_NET_SUPPORTED"), full)) {

@@ -13,10 +13,10 @@ namespace xnewell {
 /// The text of the server's resources (RESOURCE_MANAGER), as they are now; "" if it has none.
 [[nodiscard]] std::string readResources(Display* display);
 
-/// How many pixels a unit of a window should be wide, from 1 to 4: the nearest to Xft.dpi / 96 if the
+/// How many pixels a unit of a window should be wide, from 1 to `most`: the nearest to Xft.dpi / 96 if the
 /// resources have that, half a unit more is a unit more. Else as many as a screen of `pixels` has times
 /// 1920 x 1080.
-[[nodiscard]] int scaleFor(const std::string& resources, glm::ivec2 pixels);
+[[nodiscard]] int scaleFor(const std::string& resources, glm::ivec2 pixels, int most);
 
 [[nodiscard]] glm::ivec2 screenSize(Display* display);
 
@@ -30,8 +30,8 @@ void selectResources(Display* display);
 class FullScreen {
  public:
   FullScreen(Display* display, Window window) : display_{display}, window_{window} {}
-  /// Returns true if the window will fill the screen, false if it will have its old place.
-  bool toggle();
+  /// Fills the screen or not; without `wish`, the other than now. Returns true if the window will fill it.
+  bool fill(std::optional<bool> wish);
 
  private:
   struct Geometry {

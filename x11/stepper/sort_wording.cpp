@@ -67,15 +67,12 @@ std::string_view answerText(Verdict verdict) { return kAnswers[static_cast<std::
 std::string sentenceOf(const SortRun& run) {
   const Event& e = *run.replay().event();
   const int splits = run.replay().splits() - (e.kind == Event::Kind::Split);
-  std::string sentence = run.explainer().sentence(e, splits);
+  std::string sentence = run.explainer().sentence(e, splits, run.asTested()->P != e.P);
   if (e.kind != Event::Kind::Compare)
     if (const std::size_t colon = sentence.find(": "); colon != std::string::npos) {
       sentence.erase(0, colon + 2);
       sentence[0] = static_cast<char>(std::toupper(static_cast<unsigned char>(sentence[0])));
     }
-  constexpr std::string_view kCut = "P is split by the plane of Q";
-  if (run.asTested()->P != e.P && sentence.starts_with(kCut))
-    sentence.replace(0, kCut.size(), "Q is split by the plane of P");
   return sentence;
 }
 

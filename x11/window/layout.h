@@ -21,7 +21,6 @@ struct Layout {
 /// The layout of a window of so many pixels.
 [[nodiscard]] Layout layoutOf(int width, int height, int unit = 1);
 
-inline constexpr int kMostScale = 4;
 /// The largest scale at which the window has room for the controls; 1 if there is none.
 [[nodiscard]] int largestScale(int width, int height);
 

@@ -80,7 +80,7 @@ TEST(ScaleOfTheScreen, FollowsTheResourcesElseTheSize) {
       {"*dpi: 192", {1024, 768}, 2},  // as the X resource manager matches names
   };
   for (const auto& row : kRows)
-    EXPECT_EQ(scaleFor(row.resources, row.screen), row.scale) << row.resources << ' ' << row.screen.x;
+    EXPECT_EQ(scaleFor(row.resources, row.screen, 4), row.scale) << row.resources << ' ' << row.screen.x;
 }
 
 // Without a window manager, F11 fills the screen in letters as large as fit. Esc puts the window back.
@@ -127,6 +127,21 @@ TEST(FullScreenWindow, AsksItsWindowManager) {
                     reinterpret_cast<const unsigned char*>(&full), fills ? 1 : 0);
     XSync(d, 0);
   }
+
+  // If the manager ends full screen by itself, Esc asks for nothing more.
+  const auto setState = [&](int count) {
+    XChangeProperty(d, viewer.window.id(), state, XA_ATOM, 32, PropModeReplace,
+                    reinterpret_cast<const unsigned char*>(&full), count);
+    XSync(d, 0);
+  };
+  viewer.window.press(XK_F11);
+  XEvent event{};
+  ASSERT_TRUE(comesTrue([&] { return XCheckTypedEvent(d, ClientMessage, &event) != 0; }));
+  setState(1);
+  setState(0);
+  viewer.window.press(XK_Escape);
+  ASSERT_TRUE(viewer.window.settles());
+  EXPECT_EQ(XCheckTypedEvent(d, ClientMessage, &event), 0);
 }
 
 // The usual scale and size of a window come from the screen. They follow a change of its resolution, until

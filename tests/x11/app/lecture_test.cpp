@@ -14,15 +14,6 @@ namespace xnewell::THIS_FILE {
 
 namespace {
 
-std::vector<Slide> slidesOf(std::vector<Page> pages) {
-  std::vector<Slide> slides;
-  for (Page& page : pages)
-    slides.push_back({page.title, page.notes, std::move(page.scene),
-                      Setup{.picture = page.options.picture, .fill = page.options.fill},
-                      page.options.windowView, page.step, std::move(page.lesson)});
-  return slides;
-}
-
 class LectureTest : public CommandTest {
  protected:
   std::string lecture(const std::string& pages) const {
@@ -44,9 +35,8 @@ class LectureTest : public CommandTest {
 
 /// A workbench that shows a lecture, and what it tells the teacher.
 struct Shown : ReadyWorkbench {
-  explicit Shown(const std::string& file, double seconds = 0) { present(file, seconds); }
-  void present(const std::string& file, double seconds) {
-    lecture({slidesOf(readLecture(file)), seconds});
+  explicit Shown(const std::string& file, double seconds = 0) {
+    lecture({readLecture(file), seconds});
     finish();
   }
   void turn(NamedKey key) {

@@ -1,5 +1,7 @@
 #include <gtest/gtest.h>
+
 #include <signal.h>
+#include <csignal>
 
 #include <array>
 #include <functional>
@@ -75,6 +77,17 @@ TEST_P(WindowAt, EndsAsAsked) {
       return left == 0;
     }));
   }
+}
+
+// A program that `nohup` has started outlives its terminal.
+TEST_P(WindowAt, IgnoresAHangupThatWasIgnored) {
+  const auto before = std::signal(SIGHUP, SIG_IGN);  // the program inherits it
+  WatchedViewer viewer{server, kTeapot};
+  std::signal(SIGHUP, before);
+  viewer.program.signal(SIGHUP);
+  EXPECT_TRUE(viewer.window.settles());
+  viewer.window.type("q");
+  EXPECT_EQ(viewer.program.wait(std::chrono::seconds{90}).status, 0);
 }
 
 // What another window covered comes back by a copy on the server when that window goes. Nothing is drawn

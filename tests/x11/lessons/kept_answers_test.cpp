@@ -40,14 +40,16 @@ TEST(KeptAnswers, AreWhatTheStudentGave) {
     window.press('b');
     window.press(NamedKey::Return);
     window.draw();
-    EXPECT_EQ(window.bench.page().question->says.find("Right"), std::string::npos);
+    EXPECT_FALSE(window.bench.page().question->right);
+    EXPECT_NE(window.bench.layout().after.front().text.find("B was painted"), std::string::npos);
     EXPECT_EQ(read(file),
               nlohmann::json::parse(
                   R"({"answers": [{"lesson": "cycles", "step": 3, "tries": ["b"], "right": "d"}]})"));
     window.press('d');
     window.press(NamedKey::Return);
     window.draw();
-    EXPECT_EQ(window.bench.page().question->says.find("Right. "), 0u);
+    EXPECT_TRUE(window.bench.page().question->right);
+    EXPECT_EQ(window.bench.layout().after.front().text.find("Right. "), 0u);
     EXPECT_EQ(read(file)["answers"][0]["tries"], (nlohmann::json{"b", "d"}));
   }
   KeptAnswers later;

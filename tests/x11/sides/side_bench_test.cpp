@@ -5,7 +5,7 @@
 #include <algorithm>
 
 #include "tests/support/seeds.h"
-#include "tests/x11/support/bench_stage.h"
+#include "tests/x11/support/shown_sides.h"
 
 namespace xnewell::THIS_FILE {
 
@@ -13,44 +13,7 @@ namespace xnewell::THIS_FILE {
 
 namespace {
 
-/// A bench on a stage, drawn.
-struct Shown {
-  BenchStage stage;
-  SideBench bench{stage,
-                  [this] {
-                    return Subject{stage.pictures.scene(), glm::dvec3{0}, 1.5};
-                  },
-                  [] { return kMaxShades; }};
-  explicit Shown(const char* scene = "teapot", const xnewell::Setup& setup = {}, int width = 1024,
-                 int height = 768)
-      : stage{scene, 3, width, height, setup} {
-    stage.draw(bench);
-  }
-  void press(std::string_view letters) {
-    for (const char c : letters) {
-      stage.press(bench, std::string_view{&c, 1});
-      EXPECT_TRUE(stage.taken) << c;
-    }
-    stage.draw(bench);
-  }
-  void press(NamedKey key) { stage.press(bench, key), stage.draw(bench); }
-  [[nodiscard]] SidesLayout at() const { return layoutOfSides(stage.layout.body); }
-  [[nodiscard]] IndexImage A() const { return stage.part(at().A); }
-  [[nodiscard]] IndexImage B() const { return stage.part(at().B); }
-  [[nodiscard]] IndexImage difference() const { return stage.part(at().difference); }
-  /// The body without the numbers, which include measured times.
-  [[nodiscard]] IndexImage pictures() const {
-    const Rect& body = stage.layout.body;
-    return stage.part({body.x, body.y, body.width, at().sections.y - body.y});
-  }
-  [[nodiscard]] xnewell::Setup setupB() const { return bench.beside(stage.now); }
-};
-
-xnewell::Setup ordered(Order order, Shading shading = Shading::Flat) {
-  xnewell::Setup s;
-  s.picture.order = order, s.picture.shading = shading;
-  return s;
-}
+using Shown = ShownSides;
 
 int inkIn(const IndexImage& image) {
   return static_cast<int>(std::ranges::count(image.pixels, CellPlan{}[Cell::Ink]));
@@ -238,33 +201,6 @@ TEST(SideBench, UndoesStepByStep) {
   s.press("u");
   EXPECT_EQ(s.stage.now, A);
   EXPECT_EQ(s.setupB(), B);
-}
-
-// The pairs that teach something come one after the other, and each pair differs in one setting.
-TEST(SideBench, PairsDifferInOneThing) {
-  Shown s{"teapot", ordered(Order::Newell, Shading::Phong)};
-  for (const PairRow& row : kPairs) {
-    SCOPED_TRACE(row.name);
-    s.press("g");
-    EXPECT_EQ(differencesOf(s.stage.now.picture, s.setupB().picture).size(), 1u);
-    EXPECT_NE(s.A(), s.B());
-    EXPECT_GT(std::ranges::count(s.difference().pixels, CellPlan{}[Cell::Q]) +
-                  std::ranges::count(s.difference().pixels, CellPlan{}[Cell::Faint]),
-              50);
-  }
-}
-
-// A pair also sets what it rests on: faces in a right order, unless the pair is about the order, and light.
-TEST(SideBench, PairsHaveARightOrderAndLight) {
-  Shown s{"teapot", ordered(Order::Unsorted, Shading::Full)};
-  for (const PairRow& row : kPairs) {
-    SCOPED_TRACE(row.name);
-    s.press("g");
-    const PictureSettings &A = s.stage.now.picture, B = s.setupB().picture;
-    EXPECT_TRUE(rowOf(B.order).exact);
-    EXPECT_TRUE(rowOf(A.order).exact || A.order != B.order);
-    EXPECT_TRUE(rowOf(A.shading).lit && rowOf(B.shading).lit);
-  }
 }
 
 // If A and B are set up alike, the pictures are the same, the difference is empty, and only the finding is

@@ -12,6 +12,7 @@
 #include "shading/picture/picture_cache.h"
 #include "tests/support/scene_text.h"
 #include "tests/support/seeds.h"
+#include "tests/x11/support/shown_sort_page.h"
 #include "x11/drawing/font.h"
 #include "x11/stepper/figure.h"
 #include "x11/stepper/sort_wording.h"
@@ -22,38 +23,7 @@ namespace xnewell::THIS_FILE {
 
 namespace {
 
-constexpr Rect kWide{16, 48, 992, 612}, kCompact{16, 43, 768, 428};
-
-/// The page of a scene's run in a body, on a ground that nothing else uses.
-struct Page {
-  static constexpr std::uint8_t kGround = 77;
-
-  std::optional<Picture> picture;
-  CellPlan plan;
-  SortLayout at;
-  std::unique_ptr<SortRun> run;
-  IndexImage image;
-  SortView view;
-  SortDrawn drawn;
-
-  explicit Page(Scene scene, const Rect& body = kWide, Cull cull = Cull::Keep)
-      : at{layoutOfSort(body)}, image{body.x + body.width + 16, body.y + body.height + 16, kGround} {
-    PictureSettings settings;
-    settings.width = at.picture.width;
-    settings.height = at.picture.height;
-    settings.cull = cull;
-    settings.camera = inSceneUnits(completed({}, scene.camera), scene);
-    picture = makePicture(std::move(scene), settings);
-    run = std::make_unique<SortRun>(*picture, plan[Cell::Well]);
-  }
-  const IndexImage& show(int step) {
-    view.step = step;
-    drawn = drawSortPage(image, at, *run, view, plan);
-    return image;
-  }
-  [[nodiscard]] const Event& event(int step) const { return run->sorted().events[step - 1]; }
-  [[nodiscard]] std::uint8_t operator()(Cell c) const { return plan[c]; }
-};
+using Page = ShownSortPage;
 
 Scene polygons(const std::string& list, const std::string& name = "p") {
   return parsed(R"({"objects": [{"name": ")" + name + R"(", "polygons": [)" + list + "]}]}");
@@ -367,43 +337,6 @@ TEST(SortPage, EveryStepHasAFinding) {
     }
   }
   EXPECT_GE(kinds.size(), 6u);
-}
-
-// A cut keeps the names that its two polygons had in the tests before it, and the tests stay in the table.
-// The words say which of the two is cut: the one that the record calls P.
-TEST(SortPage, ACutKeepsTheNamesOfItsTests) {
-  int cuts = 0, ofQ = 0;
-  for (const char* const scene : {"penetrate", "teapot", "crossing-sheets"}) {
-    SCOPED_TRACE(scene);
-    Page page{readScene(scene, 4)};
-    for (int step = 2; step <= page.run->steps(); ++step) {
-      const Event &cut = page.event(step), &tests = page.event(step - 1);
-      if (cut.kind != Event::Kind::Split || tests.kind != Event::Kind::Compare) continue;
-      page.show(step);
-      const Event named = *page.run->asTested();
-      EXPECT_EQ(named.P, tests.P);
-      EXPECT_EQ(named.Q, tests.Q);
-      const StepFinding finding = findingOf(*page.run, page.view);
-      const bool P = cut.P == tests.P;
-      EXPECT_EQ(finding.bold, P ? "P is cut in two." : "Q is cut in two.");
-      EXPECT_NE(finding.why.find(P ? "P is split by the plane of Q" : "Q is split by the plane of P"),
-                std::string::npos)
-          << finding.why;
-      const Rect& table = page.at.table;
-      const auto rows = [&] {
-        std::vector<std::uint8_t> cells;
-        for (int y = table.y + page.at.line; y < table.y + table.height; ++y)
-          cells.insert(cells.end(), page.image.row(y) + table.x, page.image.row(y) + table.x + table.width);
-        return cells;
-      };
-      const std::vector<std::uint8_t> atCut = rows();
-      page.show(step - 1);
-      EXPECT_EQ(rows(), atCut);
-      ++cuts, ofQ += !P;
-    }
-  }
-  EXPECT_GT(cuts, 20);
-  EXPECT_GT(ofQ, 5);
 }
 
 }  // namespace xnewell::THIS_FILE
