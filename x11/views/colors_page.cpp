@@ -304,7 +304,7 @@ std::vector<Control> tableLines(const Picture& picture, const PaletteEffects& ef
   return lines;
 }
 
-std::string levelsText(const Picture& picture, const std::vector<Curve>& curves) {
+std::string levelsText(const Picture& picture, const Palette& stored, const std::vector<Curve>& curves) {
   const SceneColors& colors = picture.colors();
   int steps = 0, seen = 0;
   for (const Curve& curve : curves)
@@ -316,17 +316,18 @@ std::string levelsText(const Picture& picture, const std::vector<Curve>& curves)
                 ? "6 x 8 x 5 = 240 colours, whatever the picture"
                 : counted(sceneCells(picture).count, "colour") + " chosen from the picture") +
            told + " apart from all others";
-  int shades = 0, sixteen = 0, eight = 0;
+  int shades = 0, distinct = 0, eight = 0;
   for (const ColorTable& table : colors.tables()) {
-    shades += table.shades();
-    sixteen += distinctLevels(table.settings(), 16);
-    eight += distinctLevels(table.settings(), 8);
+    const CellRange ramp{table.first(), table.shades()};
+    shades += ramp.count;
+    distinct += distinctColors(stored, ramp, 16);
+    eight += distinctColors(stored, ramp, 8);
   }
   std::string text;
   if (colors.tables().size() == 1 && picture.settings().table.kind == TableKind::Corrected)
     text = "r = " + fixed(ratioOf(colors.table()), 8) + "   ";
-  return text + std::to_string(sixteen) + " of " + std::to_string(shades) + " levels distinct at 16 bits, " +
-         std::to_string(eight) + " at 8" + told + " steps";
+  return text + std::to_string(distinct) + " of " + std::to_string(shades) + " stored levels distinct, " +
+         std::to_string(eight) + " at 8 bits" + told + " steps";
 }
 
 void drawColorsPage(Painter paint, const ColorsLayout& at, const ColorsPage& page) {

@@ -61,7 +61,9 @@ void drawColorsPage(Painter paint, const ColorsLayout& at, const ColorsPage& pag
 /// The settings of a picture's table, without keys, and the effects that are on.
 [[nodiscard]] std::vector<Control> tableLines(const Picture& picture, const PaletteEffects& effects);
 
-/// `r = 1.01650299   240 of 240 levels distinct at 16 bits, 144 at 8   the eye sees 239 of 239 steps`
-[[nodiscard]] std::string levelsText(const Picture& picture, const std::vector<Curve>& steps);
+/// `r = 1.01650299   240 of 240 stored levels distinct, 144 at 8 bits   the eye sees 239 of 239 steps`.
+/// `stored` is what the cells hold.
+[[nodiscard]] std::string levelsText(const Picture& picture, const Palette& stored,
+                                     const std::vector<Curve>& steps);
 
 }  // namespace xnewell

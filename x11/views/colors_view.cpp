@@ -64,7 +64,7 @@ ColoredImage drawColors(const Picture& picture, const ViewSettings& settings) {
   const int foot = H - kFoot;
   paint.fillRect({0, foot, W, kFoot}, plan[Cell::Panel]);
   paint.hline(0, foot, W, plan[Cell::Rule]);
-  const int end = paint.text(Sheet::kMargin, foot + 18, levelsText(picture, steps), plan[Cell::Ink]);
+  const int end = paint.text(Sheet::kMargin, foot + 18, levelsText(picture, stored, steps), plan[Cell::Ink]);
   const std::string title = titleOf(picture.scene());
   if (end + 18 + textWidth(title) <= W - Sheet::kMargin)
     paint.textRight(W - Sheet::kMargin, foot + 18, title, plan[Cell::Soft]);

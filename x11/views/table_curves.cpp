@@ -97,12 +97,17 @@ double nearestOther(const Palette& palette, const CellRange& cells, int cell) {
 int distinctLevels(TableSettings settings, int bits) {
   settings.bits = bits;
   const ColorTable table{settings};
-  std::set<std::tuple<int, int, int>> levels;
-  for (int j = 0; j < table.shades(); ++j) {
-    const Rgb16 c = table.color(j);
-    levels.insert({c.r, c.g, c.b});
-  }
-  return static_cast<int>(levels.size());
+  Palette palette;
+  for (int j = 0; j < table.shades(); ++j) palette[table.first() + j] = table.color(j);
+  return distinctColors(palette, {table.first(), table.shades()}, 16);
+}
+
+int distinctColors(const Palette& palette, const CellRange& cells, int bits) {
+  const auto kept = [bits](int v) { return bits == 8 ? std::lround(of255(v)) : v; };
+  std::set<std::tuple<long, long, long>> colors;
+  for (int cell = cells.first; cell <= cells.last(); ++cell)
+    colors.insert({kept(palette[cell].r), kept(palette[cell].g), kept(palette[cell].b)});
+  return static_cast<int>(colors.size());
 }
 
 double ratioOf(const ColorTable& table) {

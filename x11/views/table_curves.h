@@ -35,6 +35,8 @@ struct Curve {
 
 /// How many different colours the table has if each value keeps only so many bits.
 [[nodiscard]] int distinctLevels(TableSettings table, int bits);
+/// How many different colours these cells hold, if each value, 0..65535, keeps only so many bits (8 or 16).
+[[nodiscard]] int distinctColors(const Palette& palette, const CellRange& cells, int bits);
 
 /// The ratio r of neighbouring intensities in a corrected table.
 [[nodiscard]] double ratioOf(const ColorTable& table);

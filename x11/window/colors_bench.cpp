@@ -225,7 +225,7 @@ void ColorsBench::draw(Painter paint, const Desk& desk) {
   }
   if (scene_.count > 0) list_.place(kCurve, {.area = at_.stored, .grip = at_.stored, .bare = true});
   list_.draw(pen, all);
-  levels_ = levelsText(desk.picture, steps);
+  levels_ = levelsText(desk.picture, palette, steps);
 }
 
 }  // namespace xnewell

@@ -4,9 +4,11 @@
 
 #include <algorithm>
 #include <cmath>
+#include <set>
 
 #include "shading/picture/palette_effects.h"
 #include "shading/picture/picture_cache.h"
+#include "x11/views/colors_page.h"
 #include "x11/views/plot.h"
 
 namespace xnewell::THIS_FILE {
@@ -33,6 +35,31 @@ TEST(TableCurves, CountDistinctLevels) {
   EXPECT_NEAR(ratioOf(ColorTable{corrected}), 1.01650299, 5e-9);
   EXPECT_NEAR(std::pow(ratioOf(ColorTable{{.kind = TableKind::Corrected, .shades = 64, .I0 = 0.1}}), 63), 10,
               1e-9);
+}
+
+// What is told is counted from what is stored. A bent curve has fewer levels at 8 bits, and a table of 8 bits
+// has no more at 16. This test collects the red values one by one.
+TEST(TableCurves, CountStoredLevels) {
+  for (const int bits : {8, 16}) {
+    const Picture picture = made("teapot", ColorPlan::OneHue, {.kind = TableKind::Corrected, .bits = bits});
+    const CellPlan plan{TableKind::Corrected};
+    const Palette plain = picture.palette(plan);
+    const Palette bent = withEffects(plain, picture, plan, {.bend = CurvePoint{200, 20}});
+    const auto told = [&](const Palette& stored) {
+      std::set<int> all, eight;
+      for (int cell = picture.table().first(); cell < picture.table().first() + 240; ++cell) {
+        all.insert(stored[cell].r);
+        eight.insert((stored[cell].r + 128) / 257);
+      }
+      return std::to_string(all.size()) + " of 240 stored levels distinct, " + std::to_string(eight.size()) +
+             " at 8 bits   the eye sees 0 of 0 steps";
+    };
+    for (const Palette& stored : {plain, bent})
+      EXPECT_EQ(levelsText(picture, stored, {}).substr(std::string{"r = 1.01650299   "}.size()),
+                told(stored));
+    EXPECT_EQ(told(plain).substr(0, 4), bits == 8 ? "144 " : "240 ");
+    EXPECT_NE(told(plain), told(bent));
+  }
 }
 
 // With one hue there is a curve for each table, over the cells that the table would fill. No curve falls. The
