@@ -61,6 +61,7 @@ TEST(DyingServer, EndsTheWindowAtAnyTime) {
       window.button(1, when == When::Dragging);
       for (int i = 0; when == When::Dragging && i < 300; ++i) window.moveTo(20 + i % 80, 45);
     }
+    proxy.serverStops();
     server.stop();
     const Finished end = program.wait(kEnough);
     EXPECT_EQ(end.status, 1);

@@ -218,7 +218,8 @@ void XProxy::accept() {
   link.program.socket = accept4(listener_, nullptr, nullptr, SOCK_CLOEXEC);
   link.server.socket = newSocket();
   const sockaddr_un address = addressOf(serverPath_);
-  link.over = connect(link.server.socket, reinterpret_cast<const sockaddr*>(&address), sizeof address) != 0;
+  link.over = serverStops_ ||
+              connect(link.server.socket, reinterpret_cast<const sockaddr*>(&address), sizeof address) != 0;
   links_.push_back(std::move(link));
 }
 

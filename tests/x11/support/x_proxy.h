@@ -1,6 +1,7 @@
 #pragma once
 
 #include <array>
+#include <atomic>
 #include <chrono>
 #include <compare>
 #include <cstdint>
@@ -54,6 +55,10 @@ class XProxy {
 
   [[nodiscard]] const std::string& name() const { return name_; }  ///< as in ":600"
 
+  /// From here on nobody gets a new connection. To be called before the server is stopped: another test's
+  /// server may take the number that becomes free, and a program that tries again would find that one.
+  void serverStops() { serverStops_ = true; }
+
   /// Forgets what was counted. `plan` is carried out at most once.
   void begin(const std::optional<XFaultPlan>& plan = {});
   /// All requests of all programs since begin(), oldest first.
@@ -105,6 +110,7 @@ class XProxy {
   std::string name_, path_, serverPath_;
   std::chrono::microseconds latency_;
   int listener_ = -1, stop_ = -1;
+  std::atomic<bool> serverStops_ = false;
   std::vector<Link> links_;  ///< only the thread uses them
 
   mutable std::mutex mutex_;  ///< guards all that follows
