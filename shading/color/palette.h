@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <cstdint>
 #include <string_view>
@@ -55,6 +56,8 @@ class CellPlan {
   /// kept: the interface then has a black or white of its own.
   explicit CellPlan(TableKind table = TableKind::Linear, int black = 0, int white = 1);
   [[nodiscard]] std::uint8_t operator[](Cell cell) const { return at_[static_cast<int>(cell)]; }
+  /// True if this cell, 0..255, is one of the interface's sixteen.
+  [[nodiscard]] bool has(int cell) const { return std::ranges::find(at_, cell) != at_.end(); }
   bool operator==(const CellPlan&) const = default;
 
  private:

@@ -16,7 +16,7 @@ std::vector<Setting> methodRows() {
        .label = "shading",
        .control = 'S',
        .section = Section::Method,
-       .is = "where the illumination is evaluated, per face, per vertex or per pixel",
+       .is = "where the intensity is computed: once a face, a vertex, a pixel, or (env) looked up in a map",
        .role = Role::shortCut("phong"),
        .field = chooses<kShadings>([](auto& s) -> auto& { return s.shading; }),
        .alwaysSaid = true},

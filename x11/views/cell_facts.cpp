@@ -109,7 +109,7 @@ std::vector<CellFact> factsOf(int cell, const Picture& picture, const Palette& p
     facts.push_back({"nearest", std::isnan(step) ? "no other" : fixed(step, 2) + " CIEDE2000 away"});
     return facts;
   }
-  facts.insert(facts.begin(), {"holds", "nothing: a free cell"});
+  facts.insert(facts.begin(), {"holds", "nothing of ours: a free cell"});
   return facts;
 }
 

@@ -59,7 +59,10 @@ void drawColorStrip(Painter paint, const Rect& at, const CellPlan& plan, const C
   const int barsBottom = at.y + kBars, stripTop = barsBottom + 1, stripBottom = stripTop + kHeight;
   const int most = std::max(2, *std::ranges::max_element(use.samples));
   for (int i = 0; i < 256; ++i) {
-    paint.fillRect({x0 + i * cell, stripTop, cell, kHeight}, static_cast<std::uint8_t>(i));
+    if (words.cells.has(i) || plan.has(i))
+      paint.fillRect({x0 + i * cell, stripTop, cell, kHeight}, static_cast<std::uint8_t>(i));
+    else
+      paint.hline(x0 + i * cell, stripTop + kHeight / 2, cell, plan[Cell::Faint]);
     if (use.samples[i] == 0) continue;
     const int height = 1 + static_cast<int>(17 * std::log(use.samples[i]) / std::log(most));
     paint.fillRect({x0 + i * cell, barsBottom - height, std::max(1, cell - 1), height}, ink);

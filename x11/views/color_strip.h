@@ -10,8 +10,8 @@
 
 namespace xnewell {
 
-/// All 256 cells side by side. Bars above them show how much the picture uses each; words below say what they
-/// hold.
+/// All 256 cells side by side. A free cell holds what other programs stored there: it is a line. Bars above
+/// them show how much the picture uses each; words below say what they hold.
 
 /// The cells of the scene in words.
 struct SceneCellWords {

@@ -39,11 +39,6 @@ class ColorsDrawing {
   void drawTable();
 
  private:
-  [[nodiscard]] bool isTools(int cell) const {
-    for (int role = 0; role < kCells; ++role)
-      if (page_.plan[static_cast<Cell>(role)] == cell) return true;
-    return false;
-  }
   [[nodiscard]] bool holdsColors() const {
     return channelsOf(page_.picture.colors().plan()) == Channels::Rgb;
   }
@@ -91,11 +86,15 @@ void ColorsDrawing::drawGrid() {
   const int large = at_.pitch - 2, middle = at_.pitch / 2, small = at_.pitch * 2 / 5;
   for (int cell = 0; cell < 256; ++cell) {
     const Rect r = cellRect(cell);
-    const bool used = page_.use.samples[cell] > 0;
-    const int side = isTools(cell) ? middle : used ? large : small;
+    const bool used = page_.use.samples[cell] > 0, tools = page_.plan.has(cell);
+    const int side = tools ? middle : used ? large : small;
     const Rect mark{r.x + (r.width - side + 1) / 2, r.y + (r.height - side + 1) / 2, side, side};
+    if (!tools && !scene_.has(cell)) {  // a free cell
+      pen_.paint.hline(mark.x, mark.y + side / 2, side, pen_(Cell::Faint));
+      continue;
+    }
     pen_.paint.fillRect(mark, static_cast<std::uint8_t>(cell));
-    if (isTools(cell)) pen_.paint.frame(mark, pen_(Cell::Rule));
+    if (tools) pen_.paint.frame(mark, pen_(Cell::Rule));
   }
   if (scene_.count > 0) outline(scene_);
   const std::vector<CellRange> ramps = rampsOf(page_.picture);

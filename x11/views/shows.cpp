@@ -26,7 +26,7 @@ ShownPicture shownAs(Show show, const Picture& picture, const Palette& palette, 
     }
     case Show::Normals: {
       const ColoredImage normals = normalsImage(picture, plan, palette, unit);
-      return {normals.image, normals.palette, ""};
+      return {normals.image, normals.palette, "Red: N to the right. Green: up. Blue: towards the viewer."};
     }
     case Show::Overdraw: {
       const Overdraw overdraw = overdrawOf(picture);

@@ -25,9 +25,10 @@ inline constexpr std::array kShows{
             "N as a colour: red to the right, green up, blue towards the viewer"},
     ShowRow{Show::Overdraw, "overdraw", "overdraw",
             "how often each sample was painted: the brighter, the more often"},
-    ShowRow{Show::Difference, "difference", "differ",
+    ShowRow{Show::Difference, "difference", "difference",
             "from a reference without short cuts: the brighter, the more"},
-    ShowRow{Show::Exactness, "exactness", "exact", "where the face that shows is right, wrong, or doubtful"},
+    ShowRow{Show::Exactness, "exactness", "exactness",
+            "where the face that shows is right, wrong, or doubtful"},
 };
 
 struct ShownPicture {

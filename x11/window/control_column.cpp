@@ -209,6 +209,7 @@ void LightPen::ball() {
       const bool high = bayerRank(x & 7, y & 7) < shown.ball.share[k];
       paint.point(cx + x, cy + y, (high ? shown.ball.high : shown.ball.low)[k]);
     }
+  paint.ring(cx, cy, radius + 1, (*this)(Cell::WellLine));  // dark shades are as dark as the background
   const int lx = cx + static_cast<int>(std::lround(radius * L.x)),
             ly = cy - static_cast<int>(std::lround(radius * L.y));
   const bool behind = L.z < 0;

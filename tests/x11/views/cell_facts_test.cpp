@@ -127,7 +127,7 @@ TEST(CellFacts, EveryCellHasSome) {
       EXPECT_LE(facts.size(), 7u);
       const std::string holds = valueOf(facts, "holds");
       tools += holds.starts_with("the tool's own: ");
-      free += holds == "nothing: a free cell";
+      free += holds == "nothing of ours: a free cell";
     }
     EXPECT_EQ(tools, kCells);
     EXPECT_EQ(free, 240 - sceneCells(m.picture).count);

@@ -202,6 +202,15 @@ TEST(ColorsView, MarksAreTheUseOfThePicture) {
   }
 }
 
+// On a screen that other programs share, a free cell has any colour. No pixel of the view has its number.
+TEST(ColorsView, PaintsNothingWithFreeCells) {
+  PictureCache pictures{readScene("teapot", 4)};
+  ViewSettings s = settingsOf(1024, 768);
+  s.picture.table.shades = 40;
+  const IndexImage view = drawView(pictures, s).image;
+  for (int cell = 51; cell <= 250; ++cell) ASSERT_EQ(countIn(view, {0, 0, 1024, 768}, cell), 0) << cell;
+}
+
 // A longer bar stands for more samples.
 TEST(ColorStrip, BarsGrowWithTheUse) {
   CellUse use;

@@ -46,7 +46,7 @@ TEST(Shows, KeepThePictureAndItsColours) {
         ASSERT_EQ(shown.image.height, settings.height);
         EXPECT_EQ(shown.image == picture.image(), row.id == Show::Shaded);
         EXPECT_EQ(shown.palette == palette, row.id != Show::Normals || plan == ColorPlan::Cube);
-        EXPECT_EQ(shown.finding.empty(), row.id == Show::Shaded || row.id == Show::Normals);
+        EXPECT_EQ(shown.finding.empty(), row.id == Show::Shaded);
         EXPECT_EQ(withInterface(shown.palette, CellPlan{}), shown.palette);
         if (row.id != Show::Shaded && row.id != Show::Normals) {
           EXPECT_TRUE(std::ranges::none_of(shown.image.pixels, [](int c) { return c > 10 && c < 251; }));
