@@ -103,15 +103,89 @@ void addSlopes(Profile& profile, const std::vector<bool>& joined) {
     kinks[i] = std::abs(profile.slope[i] - profile.slope[i - 1]);
     if (kinks[i] > profile.largestKink) profile.largestKink = kinks[i];  // false for NaN
   }
-  const auto isBelow = [&](std::size_t i, double most) { return i >= pixels || !(kinks[i] > most); };
-  std::size_t last = 0;  // the last pixel with a band
-  for (std::size_t i = 1; i + 1 < pixels; ++i) {
-    if (!(kinks[i] >= kBand && isBelow(i - kBeside, kinks[i] / 2) && isBelow(i + kBeside, kinks[i] / 2)))
-      continue;
-    profile.bands += last == 0 || i > last + 2;
-    last = i;
-  }
 }
+
+std::vector<double> bandsOf(const std::vector<double>& I, const std::vector<FaceRun>& runs, double width) {
+  constexpr int kReach = 4;  // samples over which a slope is measured
+  std::vector<double> bands;
+  for (std::size_t k = 0; k + 1 < runs.size(); ++k) {
+    if (!runs[k].joinsNext) continue;
+    const int left = runs[k].end - 1, right = runs[k + 1].begin;
+    const int before = std::max(runs[k].begin, left - kReach);
+    const int after = std::min(runs[k + 1].end - 1, right + kReach);
+    const double slopeLeft = (I[left] - I[before]) / (left - before);
+    const double slopeRight = (I[after] - I[right]) / (after - right);
+    const double half = (right - left) / 2.0;  // from the outermost samples to the edge between the faces
+    const double jump = (I[right] - slopeRight * half) - (I[left] + slopeLeft * half);
+    if (std::abs(jump) >= kBandJump || std::abs(slopeRight - slopeLeft) * width >= kBandKink)
+      bands.push_back((left + right + 1) / 2.0);
+  }
+  return bands;
+}
+
+namespace {
+
+/// One row of a picture, of about kFineWidth samples, at the same height as another picture's row.
+class FineRow {
+ public:
+  FineRow(const Picture& picture, int row) : cache_{picture}, settings_{picture.settings()} {
+    const double scale =
+        std::min(double(kFineWidth) / settings_.width, double(kMaxPicture) / settings_.height);
+    const std::int64_t height = settings_.height;
+    settings_.width = std::max(1, static_cast<int>(std::lround(settings_.width * scale)));
+    settings_.height = std::max(1, static_cast<int>(std::lround(settings_.height * scale)));
+    row_ = static_cast<int>((2 * row + 1) * std::int64_t{settings_.height} / (2 * height));
+    const Picture fine = cache_.make(settings_);
+    seen_ = fine.seen(row_, row_ + 1);
+    findRuns(fine);
+  }
+  [[nodiscard]] int edges() const {
+    return static_cast<int>(std::ranges::count(runs_, true, &FaceRun::joinsNext));
+  }
+  /// As pixels of a row of `width`.
+  [[nodiscard]] std::vector<int> bands(Shading method, int width) {
+    settings_.shading = method;
+    std::vector<int> pixels;
+    for (const double x : bandsOf(cache_.make(settings_).intensities(seen_), runs_, shown_))
+      pixels.push_back(std::min(width - 1, static_cast<int>(x * width / settings_.width)));
+    return pixels;
+  }
+
+ private:
+  void findRuns(const Picture& fine) {
+    const Surface surface{fine};
+    const auto number = [&](int at) { return fine.snapped().faces[seen_.faces[at]].number; };
+    std::optional<int> first;
+    for (int i = 0, end = 0; i < seen_.width; i = end) {
+      const int face = seen_.faces[i];
+      for (end = i; end < seen_.width && seen_.faces[end] == face; ++end) continue;
+      if (face == kNothing) continue;
+      if (!first) first = i;
+      shown_ = end - *first;
+      if (end - i < kLeastRun) continue;
+      if (!runs_.empty() && number(runs_.back().begin) == number(i) && runs_.back().end == i) {
+        runs_.back().end = end;  // a piece of the same face
+        continue;
+      }
+      if (!runs_.empty() && i - runs_.back().end < kLeastRun && showsAll(runs_.back().end, i))
+        runs_.back().joinsNext = surface.joined(number(runs_.back().begin), number(i));
+      runs_.push_back({i, end});
+    }
+  }
+  [[nodiscard]] bool showsAll(int begin, int end) const {
+    return std::none_of(seen_.faces.begin() + begin, seen_.faces.begin() + end,
+                        [](int face) { return face == kNothing; });
+  }
+
+  PictureCache cache_;
+  PictureSettings settings_;
+  int row_ = 0;
+  double shown_ = 0;  ///< samples from the first to the last that shows something
+  SeenRows seen_;
+  std::vector<FaceRun> runs_;
+};
+
+}  // namespace
 
 Scanline scanlineOf(const Picture& picture, int row, std::uint8_t ground) {
   Scanline line;
@@ -129,8 +203,10 @@ Scanline scanlineOf(const Picture& picture, int row, std::uint8_t ground) {
     if (i == 0 || seen.faces[i - 1] == kNothing || seen.faces[i] == kNothing) continue;
     const auto number = [&](int at) { return phong.snapped().faces[seen.faces[at]].number; };
     joined[i - 1] = surface.joined(number(i - 1), number(i));
-    line.edges += !joined[i - 1];
+    line.outlines += !joined[i - 1];
   }
+  FineRow fine{phong, row};
+  line.edges = fine.edges();
 
   for (std::size_t k = 0; k < kProfiled.size(); ++k) {
     Profile& profile = line.profiles[k];
@@ -138,6 +214,7 @@ Scanline scanlineOf(const Picture& picture, int row, std::uint8_t ground) {
     const Picture shown = cache.make(method, ground);
     profile.I = shown.intensities(seen);
     addSlopes(profile, joined);
+    profile.bands = fine.bands(profile.method, seen.width);
     if (sameTables(shown.colors(), picture.colors(), picture.scene().mesh.materials.size())) {
       profile.cells.assign(shown.image().row(row), shown.image().row(row) + shown.image().width);
       continue;

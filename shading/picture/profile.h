@@ -20,20 +20,33 @@ struct Profile {
   std::vector<std::uint8_t> cells;  ///< of each pixel, by the plan of the picture, with the background
   double largestJump = 0;           ///< the largest |slope|
   double largestKink = 0;           ///< the largest |slope[i + 1] - slope[i]|
-  int bands = 0;  ///< places with a kink that stands out (kBand); those at most two pixels apart count as one
+  std::vector<int> bands;           ///< the pixels where a band is, ascending; two bands may share one
 };
 
-/// A kink stands out if it is at least kBand, a fifth of the step between two of 240 shades, and at least
-/// twice as large as the kinks kBeside pixels to either side. Where a curve bends smoothly, neighbouring
-/// kinks have much the same size.
-inline constexpr double kBand = 1.0 / 1200;
-inline constexpr int kBeside = 3;
+/// A band is where two faces of one surface meet, and the eye may see a stripe. I jumps there by kBandJump
+/// or more, or its slope changes by kBandKink or more. The slope is dI/dx, where x grows by 1 over the width
+/// of all that the row shows. Bands are found on a row of kFineWidth samples at the same height of the
+/// picture, so a larger picture has the same bands. Faces narrower than kLeastRun of these samples are passed
+/// over.
+inline constexpr double kBandJump = 1.0 / 240, kBandKink = 0.5;
+inline constexpr int kFineWidth = 4096, kLeastRun = 3;
+
+/// Samples [begin, end) of a row that show one face.
+struct FaceRun {
+  int begin = 0, end = 0;  ///< end >= begin + kLeastRun
+  bool joinsNext = false;  ///< the next run is beside it and shows the same surface
+};
+/// The bands of a row of intensities, as places 0..I.size() between samples: k + 0.5 is the middle of sample
+/// k. `runs` ascend. `width` is that of all that the row shows, in samples.
+[[nodiscard]] std::vector<double> bandsOf(const std::vector<double>& I, const std::vector<FaceRun>& runs,
+                                          double width);
 
 inline constexpr std::array kProfiled{Shading::Flat, Shading::Gouraud, Shading::Phong};
 
 struct Scanline {
   int row = 0, samples = 0;  ///< `samples`: those that show something
-  int edges = 0;             ///< neighbouring samples that both show something, but not one surface
+  int outlines = 0;          ///< neighbouring samples that both show something, but not one surface
+  int edges = 0;             ///< places where two faces of one surface meet, as they are counted for bands
   std::array<Profile, kProfiled.size()> profiles;
 };
 

@@ -194,7 +194,7 @@ void ShownExhibit::find(FactNeeds needs) {
       const Scanline line = scanlineOf(picture, defaultScanline(picture), 0);
       found_.profiled.emplace();
       for (int k = 0; k < 3; ++k) {
-        found_.profiled->bands[k] = line.profiles[k].bands;
+        found_.profiled->bands[k] = static_cast<int>(line.profiles[k].bands.size());
         found_.profiled->jumps[k] = line.profiles[k].largestJump * (kMaxShades - 1);
       }
       return;

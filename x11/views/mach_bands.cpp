@@ -180,6 +180,11 @@ void MachBands::drawIntensity(const Profile& profile, int y) {
     fine.line(first + i, height(profile.I[i], unit_), first + i + joins, height(profile.I[i + joins], unit_),
               sheet_.cell(Cell::Ink), {thickness(profile)});
   }
+  for (const int i : profile.bands) {
+    const double I = profile.I[i];
+    if (std::isnan(I)) continue;  // a face narrower than a pixel
+    painter.vline(plot.x + i / unit_, std::max(plot.y, height(I, 1) - 7), 15, sheet_.cell(Cell::Alarm));
+  }
 }
 
 void MachBands::drawSlope(const Profile& profile, int y) {
@@ -207,16 +212,17 @@ Finding findingOf(const Scanline& line, bool inWindow) {
   if (line.samples == 0)
     return {"Nothing shows on this scanline.",
             inWindow ? "Move it up or down." : "Choose another with --scanline."};
-  const auto bands = [](const Profile& p) { return grouped(p.bands); };
-  if (std::ranges::all_of(line.profiles, [](const Profile& p) { return p.bands == 0; }))
-    return {"No bands in any method.", "No kink of 1/1200 or more stands out on any surface."};
+  const auto bands = [](const Profile& p) { return grouped(std::ssize(p.bands)); };
+  if (std::ranges::all_of(line.profiles, [](const Profile& p) { return p.bands.empty(); }))
+    return {"No bands in any method.", line.edges == 0 ? "No two faces of one surface meet here."
+                                                       : "At no edge of a face does I jump or bend enough."};
   Finding finding{"Bands: " + bands(flat) + " in flat shading, " + bands(gouraud) + " in Gouraud's, " +
                       bands(phong) + " in Phong's.",
                   ""};
   finding.why = "The largest jump between neighbours is " + shadesIn(flat.largestJump) +
                 " shades of 240 in flat shading, " + shadesIn(gouraud.largestJump) + " in Gouraud's and " +
                 shadesIn(phong.largestJump) + " in Phong's.";
-  if (gouraud.bands > phong.bands && gouraud.largestJump < flat.largestJump / 2)
+  if (gouraud.bands.size() > phong.bands.size() && gouraud.largestJump < flat.largestJump / 2)
     finding.why +=
         " Gouraud shading has kinks instead of jumps: across an edge the intensity is continuous, its slope "
         "is not.";
@@ -243,7 +249,9 @@ Rect MachBands::drawFindings(bool explains, bool grayed, int controls) {
     y = sheet_.tableRow(x, y, "scanline", {grouped(line_.row) + " of 0.." + grouped(at_.pictureHeight - 1)},
                         {kFindings});
   }
-  y = sheet_.tableRow(x, y, "it shows", {grouped(line_.samples) + " pixels, " + counted(line_.edges, "edge")},
+  y = sheet_.tableRow(x, y, "it shows",
+                      {grouped(line_.samples) + " pixels, " + counted(line_.edges, "edge") + ", " +
+                       counted(line_.outlines, "outline")},
                       {kFindings});
 
   if (grayed) y = sheet_.tableRow(x, y, "colours", {"by their gray value"}, {kFindings});
@@ -259,13 +267,15 @@ Rect MachBands::drawFindings(bool explains, bool grayed, int controls) {
   y = sheet_.tableRow(x, y, "", names, ends, Cell::Soft, Voice::Plain);
   row("largest jump", [](const Profile& q) { return fixed(q.largestJump, 4); });
   row("largest kink", [](const Profile& q) { return fixed(q.largestKink, 4); });
-  row("bands", [](const Profile& q) { return grouped(q.bands); });
+  row("bands", [](const Profile& q) { return grouped(std::ssize(q.bands)); });
   if (explains)
-    y = sheet_.paragraph(x, y + 6, kFindings,
-                         "A jump is the change of I from one pixel of a surface to the next. A kink is the "
-                         "change of that change. A band is a kink of 1/1200 or more that stands out from its "
-                         "neighbours. A bar that reaches the edge of its plot is cut off there.",
-                         Cell::Soft);
+    y = sheet_.paragraph(
+        x, y + 6, kFindings,
+        "A jump is the change of I from one pixel of a surface to the next. A kink is the "
+        "change of that change. An edge is where two faces of a surface meet. It is a band, marked "
+        "on the curve, if I jumps there by 1/240 or its slope, over all that the row shows, "
+        "changes by 1/2.",
+        Cell::Soft);
   const Finding finding = findingOf(line_, controls > 0);
   sheet_.finding(x, y + 10, kFindings, finding.bold, finding.why);
   return place;

@@ -59,7 +59,7 @@ TEST(Profile, MethodsAreWhatTheyInterpolate) {
   const BallLine ball{500};
   const Profile &flat = ball.of(Shading::Flat), &gouraud = ball.of(Shading::Gouraud),
                 &phong = ball.of(Shading::Phong);
-  EXPECT_EQ(ball.line.edges, 0);
+  EXPECT_EQ(ball.line.outlines, 0);
   EXPECT_GT(ball.line.samples, 150);
   int within = 0, across = 0;
   double bend = 0;
@@ -98,54 +98,118 @@ TEST(Profile, ContinuousStepsShrinkWithThePixels) {
   EXPECT_GT(coarse.of(Shading::Gouraud).largestJump, 0.001);
 }
 
-// Known counts: straight lines have a band where they meet, each jump has one, and an even bend has none,
-// however strong. Nothing is counted across a gap.
-TEST(Profile, CountsBandsThatStandOut) {
-  std::vector<double> steps, bend;
+// Known slopes: a staircase has jumps, an even bend has one kink, and nothing is measured across a gap.
+TEST(Profile, MeasuresJumpsAndKinks) {
+  std::vector<double> steps, bend, roof;
   for (int i = 0; i < 60; ++i) {
     steps.push_back(0.1 * (i / 12));
     bend.push_back(0.001 * i * i);
   }
   Profile p = sloped(steps);
-  EXPECT_EQ(p.bands, 4);
   EXPECT_NEAR(p.largestJump, 0.1, 1e-12);
   EXPECT_NEAR(p.largestKink, 0.1, 1e-12);
   p = sloped(bend);
-  EXPECT_EQ(p.bands, 0);
   EXPECT_NEAR(p.largestJump, 0.001 * (59 * 59 - 58 * 58), 1e-12);
   EXPECT_NEAR(p.largestKink, 0.002, 1e-12);
-  std::vector<double> roof;
   for (int i = 0; i < 41; ++i) roof.push_back(0.01 * (20 - std::abs(i - 20)));
-  EXPECT_EQ(sloped(roof).bands, 1);
   EXPECT_NEAR(sloped(roof).largestKink, 0.02, 1e-12);
   roof[20] = kNone;
-  EXPECT_EQ(sloped(roof).bands, 0);
   EXPECT_TRUE(std::isnan(sloped(roof).slope[19]) && std::isnan(sloped(roof).slope[20]));
   EXPECT_FALSE(std::isnan(sloped(roof).slope[18]));
 }
 
-// Where one torus is in front of the other there is an edge and no band. A cube's faces are one surface if
+// Known bands: one for each jump of 1/240 or more, and one for each change of slope of 1/2 or more over the
+// whole row, at the very edge between two faces. There is none between two surfaces, and a bend within a face
+// counts for nothing.
+TEST(Profile, BandsAreAtEdgesOfFaces) {
+  constexpr int kFace = 20, kFaces = 5, kAll = kFace * kFaces;
+  std::vector<FaceRun> runs;
+  for (int f = 0; f < kFaces; ++f) runs.push_back({f * kFace, (f + 1) * kFace, f + 1 < kFaces});
+  const auto bands = [&](auto&& I) {
+    std::vector<double> row;
+    for (int i = 0; i < kAll; ++i) row.push_back(I(i + 0.5));
+    return bandsOf(row, runs, kAll);
+  };
+  const auto stairs = [&](double step) { return [=](double x) { return step * std::floor(x / kFace); }; };
+  EXPECT_EQ(bands(stairs(1.01 / 240)), (std::vector<double>{20, 40, 60, 80}));
+  EXPECT_EQ(bands(stairs(0.99 / 240)), std::vector<double>{});
+  const auto roof = [&](double slope) {
+    return [=](double x) { return slope / kAll * (x < 40 ? x : 80 - x); };
+  };
+  EXPECT_EQ(bands(roof(0.251)), std::vector<double>{40});
+  EXPECT_EQ(bands(roof(0.249)), std::vector<double>{});
+  EXPECT_EQ(bands([](double x) { return std::abs(x - 50) / 50; }), std::vector<double>{});
+  EXPECT_EQ(bands([](double x) { return 1.5 * x * x / kAll / kAll; }), std::vector<double>{});
+  runs[1].joinsNext = false;
+  EXPECT_EQ(bands(stairs(0.1)), (std::vector<double>{20, 60, 80}));
+}
+
+// The flat ball has a band wherever the face changes and its intensity does, counted here from the picture's
+// own row, as wide as the row of bands.
+TEST(Profile, AFlatBandForEachVisibleEdge) {
+  const BallLine ball{kFineWidth};
+  const Profile& flat = ball.of(Shading::Flat);
+  int edges = 0, visible = 0;
+  for (std::size_t i = 1, since = 0; i < ball.faces.size(); ++i) {
+    if (ball.faces[i] == ball.faces[since]) continue;
+    ASSERT_TRUE(ball.faces[since] < 0 || i - since >= 3);
+    since = i;
+    if (ball.faces[i - 1] < 0 || ball.faces[i] < 0) continue;
+    ++edges;
+    visible += std::abs(flat.I[i] - flat.I[i - 1]) >= 1.0 / 240;
+  }
+  EXPECT_EQ(ball.line.edges, edges);
+  EXPECT_EQ(std::ssize(flat.bands), visible);
+  EXPECT_GT(visible, 5);
+}
+
+// A larger picture has the same bands in the same places. Smoother methods have fewer.
+TEST(Profile, BandsAreTheSameAtEverySize) {
+  for (const char* name : {"teapot", "hues", "mach-bands"}) {
+    SCOPED_TRACE(name);
+    PictureCache pictures{readScene(name)};
+    std::array<std::vector<int>, 3> first;
+    for (const int width : {2102, 422, 702}) {
+      PictureSettings s = wide(width);
+      s.camera = inSceneUnits(completed({}, pictures.scene().camera), pictures.scene());
+      s.colors = ColorPlan::OneHue;
+      const Scanline line = scanlineOf(pictures.make(s), s.height / 2, 8);
+      for (std::size_t k = 0; k < 3; ++k) {
+        const std::vector<int>& bands = line.profiles[k].bands;
+        if (width == 2102) first[k] = bands;
+        ASSERT_EQ(bands.size(), first[k].size()) << width << ' ' << k;
+        for (std::size_t i = 0; i < bands.size(); ++i)
+          EXPECT_NEAR((bands[i] + 0.5) / width, (first[k][i] + 0.5) / 2102, 1.5 / width);
+      }
+    }
+    EXPECT_GT(first[0].size(), 5U);
+    EXPECT_GE(first[0].size(), first[1].size());
+    EXPECT_GE(first[1].size(), first[2].size());
+  }
+}
+
+// Where one torus is in front of the other there is an outline and no band. A cube's faces are one surface if
 // their normals are averaged, but not if a crease parts them.
 TEST(Profile, CountsWithinOneSurface) {
   PictureSettings s = wide(300);
   PictureCache tori{readScene("tori")};
   s.camera = inSceneUnits(completed({}, tori.scene().camera), tori.scene());
   const Scanline both = scanlineOf(tori.make(s), 75, 8);
-  EXPECT_GE(both.edges, 1);
+  EXPECT_GE(both.outlines, 1);
   for (const Profile& p : both.profiles)
     for (const double slope : p.slope) EXPECT_TRUE(std::isnan(slope) || std::abs(slope) < 0.4);
 
   PictureCache box{makeScene("box", cube(), UpAxis::Z)};
   s.camera = {};
   s.camera.eye = glm::dvec3{3, -2, 1};
-  EXPECT_EQ(scanlineOf(box.make(s), 75, 8).edges, 0);
+  EXPECT_EQ(scanlineOf(box.make(s), 75, 8).outlines, 0);
   s.crease = 30;
   const Scanline creased = scanlineOf(box.make(s), 75, 8);
-  EXPECT_EQ(creased.edges, 1);
+  EXPECT_EQ(creased.outlines, 1);
   EXPECT_EQ(creased.profiles[0].largestJump, 0.0);
 }
 
-// Where one looks into a tube, the near wall's outside ends at the far walls' inside. This is an edge,
+// Where one looks into a tube, the near wall's outside ends at the far walls' inside. This is an outline,
 // although all three walls meet in their corners.
 TEST(Profile, TheTwoSidesAreTwoSurfaces) {
   Mesh tube;
@@ -163,7 +227,7 @@ TEST(Profile, TheTwoSidesAreTwoSurfaces) {
     for (std::size_t i = 1; i < seen.size(); ++i)
       if (seen[i - 1] >= 0 && seen[i] >= 0)
         sides += picture.snapped().faces[seen[i - 1]].back != picture.snapped().faces[seen[i]].back;
-    EXPECT_EQ(line.edges, sides);
+    EXPECT_EQ(line.outlines, sides);
     edges += sides, samples += line.samples;
   }
   EXPECT_GT(edges, 10);

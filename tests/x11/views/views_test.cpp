@@ -8,6 +8,7 @@
 
 #include "geometry/model/solids.h"
 #include "shading/picture/picture_cache.h"
+#include "shading/picture/profile.h"
 #include "tests/support/seeds.h"
 #include "x11/drawing/rect.h"
 #include "x11/views/normals_view.h"
@@ -139,6 +140,30 @@ TEST(Views, StripsRepeatTheMarkedScanline) {
   int rows = 0;
   for (int j = 0; j < view.height; ++j) rows += std::equal(image.row(100), image.row(101), view.row(j) + 100);
   EXPECT_GE(rows, 12);  // the strip; in the pictures.last() the line is drawn over it
+}
+
+// Each band is marked on its curve, in the column of its pixel, and nothing else is.
+TEST(Views, MarkEveryBand) {
+  PictureCache pictures{readScene("teapot")};
+  const ViewSettings s = settingsOf(View::MachBands, pictures.scene(), 1600, 1200);
+  const IndexImage view = drawView(pictures, s).image;
+  const Picture& picture = pictures.last();
+  const Scanline line = scanlineOf(picture, defaultScanline(picture), CellPlan{}[Cell::Well]);
+  std::vector<std::pair<int, int>> due;  // column; how many marks in it
+  for (int x = 0; x < picture.settings().width; ++x)
+    due.emplace_back(x, std::ranges::count_if(line.profiles, [x](const Profile& p) {
+                       return std::ranges::find(p.bands, x) != p.bands.end();
+                     }));
+  int all = 0;
+  for (const auto& [x, marks] : due) {
+    int found = 0;
+    for (int j = 1; j < view.height; ++j)
+      found += view.row(j)[100 + x] == CellPlan{}[Cell::Alarm] &&
+               view.row(j - 1)[100 + x] != CellPlan{}[Cell::Alarm];
+    EXPECT_EQ(found, marks) << x;
+    all += marks;
+  }
+  EXPECT_GT(all, 50);
 }
 
 // A fine ball from afar shows every normal of its front half once. At each sample the colour is that of the
