@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <chrono>
+#include <optional>
 #include <thread>
 
 #include "geometry/files/text_file.h"
@@ -87,7 +88,11 @@ TEST(TradeBench, ChoosesWithinTheLimit) {
 // The arrows go along the front, from the fastest to the slowest.
 TEST(TradeBench, WalksAlongTheFront) {
   if (kSanitized) GTEST_SKIP() << "the front is of times, and sanitizers change them";
-  Measured6 m{"coarse-teapot"};
+  // On a busy machine the most accurate may seem the fastest. Then the front has one place only.
+  std::optional<Measured6> measured;
+  for (int tries = 0; tries < 10 && (!measured || measured->bench.trade().front.size() < 2); ++tries)
+    measured.emplace("coarse-teapot");
+  Measured6& m = *measured;
   const std::vector<int> front = m.bench.trade().front;
   ASSERT_GE(front.size(), 2u);
   for (std::size_t k = 0; k < front.size(); ++k) m.press(NamedKey::Left);
