@@ -160,7 +160,7 @@ KeyTable Workbench::generalKeys() {
   });
   add('w', "save", "save the set-up as a scene file", [this] { askToSave(); });
   add('e', "", "open a scene", [this] { askToOpen(); });
-  add('C', "", "print the command that draws this set-up or view, and copy it", [this] { copyCommand(); });
+  add('C', "", "print and copy the finding, the table and their command", [this] { copyCommand(); });
   add('I', "", "write what the window shows as a picture, into a new file", [this] { writePicture(); });
   const char* const full = "fill the screen, in letters as large as fit, or go back";
   table.push_back({{NamedKey::F11, 'f'}, "", full, [this](const Key&) { fillScreen({}); }});

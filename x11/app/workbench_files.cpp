@@ -36,9 +36,12 @@ void Workbench::copyCommand() {
   settings.width = shown.width, settings.height = shown.height;
   try {
     const std::string whole = view() == WindowView::Picture ? "" : pictureNote();
-    server_.copy(
-        !whole.empty() ? whole : SetupCommand{scene()}.of(settings, work_.setup.divisions, work_.setup.fill));
-    tell("The command is on standard output, and other programs can paste it.");
+    std::string text;
+    for (const std::string& line : bench().inWords()) text += "# " + line + '\n';
+    server_.copy(text + (!whole.empty()
+                             ? whole
+                             : SetupCommand{scene()}.of(settings, work_.setup.divisions, work_.setup.fill)));
+    tell("Finding, table and command are on standard output, and other programs can paste them.");
   } catch (const std::exception& e) {  // its file may have gone
     notify(oneLine(e.what()));
   }

@@ -50,6 +50,8 @@ int Sheet::paragraph(int x, int y, int width, std::string_view text, Cell color)
 
 int Sheet::tableRow(int x, int y, std::string_view label, const std::vector<std::string>& values,
                     const std::vector<int>& ends, Cell color, Voice voice) {
+  if (!label.empty() || words_.empty()) words_.emplace_back(label);
+  for (const std::string& value : values) words_.back() += "   " + value;
   painter().text(x, y + kAscent, label, cell(Cell::Ink));
   for (std::size_t k = 0; k < values.size(); ++k)
     painter().textRight(x + ends[k] - (voice == Voice::Bold), y + kAscent, values[k], cell(color), voice);
@@ -64,6 +66,8 @@ int Sheet::findingHeight(int width, std::string_view bold, std::string_view why)
 }
 
 int Sheet::finding(int x, int y, int width, std::string_view bold, std::string_view why) {
+  words_.emplace_back(bold);
+  if (!why.empty()) words_.emplace_back(why);
   const int height = findingHeight(width, bold, why), room = textInBox(width);
   painter().fillRect({x, y, width, height}, cell(Cell::White));
   painter().fillRect({x, y, kBar, height}, cell(Cell::Ink));

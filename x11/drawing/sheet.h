@@ -33,6 +33,8 @@ class Sheet {
   Sheet(int width, int height, const CellPlan& plan, int unit = 1);
 
   [[nodiscard]] const IndexImage& image() const { return image_; }
+  /// The rows of tables and the findings, in the order in which they were drawn.
+  [[nodiscard]] const std::vector<std::string>& inWords() const { return words_; }
   [[nodiscard]] Painter painter() { return {image_, unit_}; }
   [[nodiscard]] std::uint8_t cell(Cell c) const { return plan_[c]; }
 
@@ -40,7 +42,8 @@ class Sheet {
   /// A hairline and a name in capitals.
   int section(int x, int y, int width, std::string_view name);
   int paragraph(int x, int y, int width, std::string_view text, Cell cell);
-  /// A label at the left, and values aligned right at `ends`, which are counted from x.
+  /// A label at the left, and values aligned right at `ends`, which are counted from x. Without a label it
+  /// goes on with the row before.
   int tableRow(int x, int y, std::string_view label, const std::vector<std::string>& values,
                const std::vector<int>& ends, Cell cell = Cell::Ink, Voice voice = Voice::Bold);
   /// A white box with a bar at its left: the finding in bold, then why.
@@ -53,6 +56,7 @@ class Sheet {
   int lines(int x, int y, int width, std::string_view text, Cell cell, Voice voice);
 
   IndexImage image_;
+  std::vector<std::string> words_;
   CellPlan plan_;
   int unit_;
 };

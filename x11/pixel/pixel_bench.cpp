@@ -179,6 +179,8 @@ void PixelBench::draw(Painter paint, const Desk& desk) {
                  ? std::string{"ground"}
                  : "face " + faceName(desk.picture,
                                       story.history.painted[static_cast<std::size_t>(shown_)].fragment.face));
+  words_ = shortStory(story, chosen);
+  words_.insert(words_.begin(), status_);
 }
 
 }  // namespace xnewell

@@ -33,6 +33,7 @@ class PixelBench : public Bench {
   [[nodiscard]] std::string aside() const override {
     return "a changed setting keeps the pixel; Esc gives the arrows back to it";
   }
+  [[nodiscard]] std::vector<std::string> inWords() const override { return words_; }
   [[nodiscard]] std::optional<int> inspected() const override { return cell_; }
 
  private:
@@ -57,6 +58,7 @@ class PixelBench : public Bench {
   std::optional<int> cell_;
   std::optional<Setup> setup_;
   std::string status_;
+  std::vector<std::string> words_;
 };
 
 }  // namespace xnewell

@@ -135,4 +135,22 @@ PickedWords pickedWords(const PixelStory& story, const Explanation& e) {
               fixed(picked.to, decimals)};
 }
 
+std::vector<std::string> shortStory(const PixelStory& story, int chosen) {
+  if (story.explained.empty()) return {};
+  const Explanation& e = story.explained[static_cast<std::size_t>(chosen)];
+  std::vector<std::string> lines{"face " + faceName(story.picture, e.face) + ": " + fateOf(story, chosen) +
+                                 ", I " + intensityWords(story, e)};
+  for (const ExplainedEquation& at : e.equations) {
+    lines.push_back(formulaOf(e, story.picture.settings().light.form));
+    for (int c = 0; c < e.channels; ++c) {
+      for (std::string& numbers : numbersPutIn(e, at, c)) lines.push_back(std::move(numbers));
+      lines.push_back(sumOf(at, c));
+    }
+  }
+  if (story.inColors()) return lines;
+  const PickedWords picked = pickedWords(story, e);
+  lines.insert(lines.end(), {picked.picks, picked.range});
+  return lines;
+}
+
 }  // namespace xnewell

@@ -68,4 +68,8 @@ struct PickedWords {
 };
 [[nodiscard]] PickedWords pickedWords(const PixelStory& story, const Explanation& e);
 
+/// A polygon of the history, an index into history.painted, in a few lines: its intensity and the formula
+/// with the numbers put in, and the cell that is picked.
+[[nodiscard]] std::vector<std::string> shortStory(const PixelStory& story, int chosen);
+
 }  // namespace xnewell

@@ -2,7 +2,9 @@
 
 #include <X11/Xatom.h>
 
+#include <algorithm>
 #include <array>
+#include <string_view>
 #include <utility>
 
 #include "x11/drawing/font.h"
@@ -39,7 +41,13 @@ void Selection::answer(const XSelectionRequestEvent& request) const {
   } else if (request.target == utf8) {
     put(utf8, 8, text_.data(), text_.size());
   } else if (request.target == XA_STRING) {
-    const std::string text = latin1(text_);
+    std::string text;
+    for (std::size_t at = 0; at <= text_.size();) {  // line by line: STRING has new lines, the font none
+      const std::size_t end = std::min(text_.find('\n', at), text_.size());
+      text += latin1(std::string_view{text_}.substr(at, end - at));
+      if (end < text_.size()) text += '\n';
+      at = end + 1;
+    }
     put(XA_STRING, 8, text.data(), text.size());
   } else {
     reply.xselection.property = 0;

@@ -311,26 +311,27 @@ void SideBench::draw(Painter paint, const Desk& desk) {
   if (textWidth(pairs) + 21 > at_.numbers.width) pairs = "next pair: " + std::string{kPairs[pair_].name};
   paint.fillRect(desk.layout.body, desk.plan[Cell::Paper]);
   const bool known = measuredA_.of == ofA && measuredB_.of == ofB;
-  drawSidesPage(paint, at_,
-                {.A = one.A,
-                 .B = one.B,
-                 .unlike = unlike,
-                 .ofA = {phrasesOf(askedA, askedB), measuredA_.numbers, measuredA_.time},
-                 .ofB = {phrasesOf(askedB, askedA), measuredB_.numbers, measuredB_.time},
-                 .finding = known ? findingOf(desk.picture, pictureB, measuredA_.numbers, measuredB_.numbers,
-                                              unlike, place)
-                                  : Finding{},
-                 .known = known,
-                 .place = place,
-                 .number = place_,
-                 .places = static_cast<int>(places_.size()),
-                 .focus = focus_,
-                 .blinking = blinking_,
-                 .colors = one.shared ? "Both in one palette of " + std::to_string(one.colors) +
-                                            " colours, " + (one.exact ? "all exact." : "each the nearest.")
-                                      : "",
-                 .pairs = pairs},
-                desk.plan);
+  words_ = drawSidesPage(
+      paint, at_,
+      {.A = one.A,
+       .B = one.B,
+       .unlike = unlike,
+       .ofA = {phrasesOf(askedA, askedB), measuredA_.numbers, measuredA_.time},
+       .ofB = {phrasesOf(askedB, askedA), measuredB_.numbers, measuredB_.time},
+       .finding =
+           known ? findingOf(desk.picture, pictureB, measuredA_.numbers, measuredB_.numbers, unlike, place)
+                 : Finding{},
+       .known = known,
+       .place = place,
+       .number = place_,
+       .places = static_cast<int>(places_.size()),
+       .focus = focus_,
+       .blinking = blinking_,
+       .colors = one.shared ? "Both in one palette of " + std::to_string(one.colors) + " colours, " +
+                                  (one.exact ? "all exact." : "each the nearest.")
+                            : "",
+       .pairs = pairs},
+      desk.plan);
   use_ = cellUse(one.A);
   const CellUse second = cellUse(one.B);
   for (std::size_t k = 0; k < use_.samples.size(); ++k) use_.samples[k] += second.samples[k];

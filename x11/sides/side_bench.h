@@ -37,6 +37,7 @@ class SideBench : public Bench {
   void draw(Painter paint, const Desk& desk) override;
   [[nodiscard]] std::string status() const override { return status_; }
   [[nodiscard]] std::string aside() const override { return aside_; }
+  [[nodiscard]] std::vector<std::string> inWords() const override { return words_; }
   [[nodiscard]] const CellUse* use() const override { return &use_; }
   [[nodiscard]] const OwnColors* colors() const override { return &colors_; }
 
@@ -110,6 +111,7 @@ class SideBench : public Bench {
   CellUse use_;
   OwnColors colors_{};
   std::string status_, aside_;
+  std::vector<std::string> words_;
   bool noIntensities_ = false, coarse_ = false;
   bool slow_ = false;  ///< B takes long to draw while something is dragged
 };

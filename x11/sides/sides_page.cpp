@@ -27,7 +27,8 @@ class SidesDrawing {
 
   void drawSide(char letter, const Rect& caption, const Rect& picture);
   void drawDifference();
-  void drawNumbers();
+  /// Returns the finding and the table in words.
+  std::vector<std::string> drawNumbers();
 
  private:
   /// Draws a frame around the place, in a picture at `area` whose first row shown is `first`.
@@ -149,7 +150,7 @@ std::string signedDifference(std::int64_t a, std::int64_t b) {
   return (a < b ? "-" : "") + grouped(std::abs(a - b));
 }
 
-void SidesDrawing::drawNumbers() {
+std::vector<std::string> SidesDrawing::drawNumbers() {
   const Rect& at = at_.numbers;
   Sheet sheet{at.width, at.height, pen_.plan, pen_.paint.unit()};
   const std::vector<int> ends{at.width * 61 / 100, at.width * 80 / 100, at.width};
@@ -205,10 +206,11 @@ void SidesDrawing::drawNumbers() {
     y = sheet.paragraph(0, y + 6, at.width, page_.colors, Cell::Soft);
   pen_.paint.place(sheet.image(), at.x, at.y);
   drawLoupe({at.x, at.y + y + 12, at.width, room - y - 24});
-  if (!pairs) return;
+  if (!pairs) return sheet.inWords();
   const int baseline = at.y + at.height - 4;
   const int cap = pen_.key(at.x, baseline - 11, "g");
   pen_.soft(at.x + cap + 6, baseline, page_.pairs);
+  return sheet.inWords();
 }
 
 void SidesDrawing::drawLoupe(const Rect& at) {
@@ -275,12 +277,13 @@ std::string sidesStatus(const PictureSettings& A, const PictureSettings& B) {
   return text + (plural ? " differ" : " differs");
 }
 
-void drawSidesPage(Painter paint, const SidesLayout& at, const SidesPage& page, const CellPlan& plan) {
+std::vector<std::string> drawSidesPage(Painter paint, const SidesLayout& at, const SidesPage& page,
+                                       const CellPlan& plan) {
   SidesDrawing draws{paint, at, page, plan};
   draws.drawSide('A', at.captionA, at.A);
   draws.drawSide('B', at.captionB, at.B);
   draws.drawDifference();
-  draws.drawNumbers();
+  return draws.drawNumbers();
 }
 
 }  // namespace xnewell

@@ -45,7 +45,9 @@ struct SidesPage {
   std::string colors = {};     ///< how both share the cells, "" if they have the same ones
   std::string pairs = {};      ///< pairs of settings that are worth comparing, for a window
 };
-void drawSidesPage(Painter paint, const SidesLayout& at, const SidesPage& page, const CellPlan& plan);
+/// Returns the finding and the table in words.
+std::vector<std::string> drawSidesPage(Painter paint, const SidesLayout& at, const SidesPage& page,
+                                       const CellPlan& plan);
 
 /// "same scene, same view, same light   only the order differs"
 [[nodiscard]] std::string sidesStatus(const PictureSettings& A, const PictureSettings& B);

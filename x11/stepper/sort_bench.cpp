@@ -300,4 +300,8 @@ std::string SortBench::aside() const {
                                  : "Newell's sort; the picture itself: " + orderInWords(order_);
 }
 
+std::vector<std::string> SortBench::inWords() const {
+  return player_.run ? stepAsLines(*player_.run, view()) : std::vector{status_};
+}
+
 }  // namespace xnewell

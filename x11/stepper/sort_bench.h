@@ -37,6 +37,7 @@ class SortBench : public Bench {
 
   [[nodiscard]] std::string status() const override { return status_; }
   [[nodiscard]] std::string aside() const override;
+  [[nodiscard]] std::vector<std::string> inWords() const override;
   [[nodiscard]] const CellUse* use() const override { return &use_; }
 
   /// Goes to a step of the run, which must be recorded.

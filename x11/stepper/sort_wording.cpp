@@ -260,4 +260,18 @@ StepFinding findingOf(const SortRun& run, const SortView& view) {
   return finding;
 }
 
+std::vector<std::string> stepAsLines(const SortRun& run, const SortView& view) {
+  std::vector<std::string> lines{stepInWords(run)};
+  if (view.asking) return lines;
+  const std::optional<Event> e = run.asTested();
+  if (e && e->kind == Event::Kind::Compare)
+    for (const Test test : run.explainer().testsMade(*e))
+      lines.push_back(std::string{shortNameOf(test)} + "   " + std::string{questionOf(test)} + "   " +
+                      numbersOf(run.explainer(), *e, test).front() + "   " + answerOf(*e, test).words);
+  const StepFinding finding = findingOf(run, view);
+  lines.push_back(finding.bold);
+  if (!finding.why.empty()) lines.push_back(finding.why);
+  return lines;
+}
+
 }  // namespace xnewell

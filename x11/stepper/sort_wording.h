@@ -49,5 +49,8 @@ struct StepFinding {
   bool alarm = false;      ///< a cut, or a step that leads to one
 };
 [[nodiscard]] StepFinding findingOf(const SortRun& run, const SortView& view);
+/// The step, the tests that were made with their numbers, and the result: a line each. Nothing is told that
+/// the learner is asked to predict.
+[[nodiscard]] std::vector<std::string> stepAsLines(const SortRun& run, const SortView& view);
 
 }  // namespace xnewell

@@ -114,6 +114,7 @@ class MachBands {
   Rect drawFindings(bool explains, bool grayed, int controls);
 
   [[nodiscard]] const IndexImage& image() const { return sheet_.image(); }
+  [[nodiscard]] const std::vector<std::string>& inWords() const { return sheet_.inWords(); }
 
   /// The first row of the picture that is shown.
   [[nodiscard]] int firstRow() const {
@@ -264,7 +265,7 @@ Rect MachBands::drawFindings(bool explains, bool grayed, int controls) {
   };
   std::vector<std::string> names;
   for (const Profile& profile : line_.profiles) names.emplace_back(rowOf(profile.method).label);
-  y = sheet_.tableRow(x, y, "", names, ends, Cell::Soft, Voice::Plain);
+  y = sheet_.tableRow(x, y, "method", names, ends, Cell::Soft, Voice::Plain);
   row("largest jump", [](const Profile& q) { return fixed(q.largestJump, 4); });
   row("largest kink", [](const Profile& q) { return fixed(q.largestKink, 4); });
   row("bands", [](const Profile& q) { return grouped(std::ssize(q.bands)); });
@@ -320,7 +321,7 @@ MachBandsPage drawMachBandsPage(const Picture& picture, const MachBandsShown& sh
   view.drawPicture(picture.image());
   view.drawBlocks();
   const Rect place = view.drawFindings(settings.picture.height >= 600, shown.grayed, shown.controls);
-  return {view.image(), view.firstRow(), place};
+  return {view.image(), view.firstRow(), place, view.inWords()};
 }
 
 }  // namespace xnewell

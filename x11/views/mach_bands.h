@@ -27,8 +27,9 @@ struct MachBandsLayout {
 
 struct MachBandsPage {
   IndexImage image;
-  int firstRow = 0;  ///< the first row of the picture that is shown
-  Rect controls{};   ///< left empty for the window's controls
+  int firstRow = 0;                       ///< the first row of the picture that is shown
+  Rect controls{};                        ///< left empty for the window's controls
+  std::vector<std::string> inWords = {};  ///< the finding and the table
 };
 struct MachBandsShown {
   int row = 0;  ///< the row of the picture that is the scanline

@@ -98,6 +98,8 @@ class Bench {
   /// The first status line, and the softer text after it.
   [[nodiscard]] virtual std::string status() const = 0;
   [[nodiscard]] virtual std::string aside() const { return {}; }
+  /// What the view has found, and its table: a line each.
+  [[nodiscard]] virtual std::vector<std::string> inWords() const { return {status()}; }
   /// The cells that the strip counts; null for those of the scene's picture.
   [[nodiscard]] virtual const CellUse* use() const { return nullptr; }
   /// True if Desk::use must count polygons too.

@@ -226,6 +226,9 @@ void ColorsBench::draw(Painter paint, const Desk& desk) {
   if (scene_.count > 0) list_.place(kCurve, {.area = at_.stored, .grip = at_.stored, .bare = true});
   list_.draw(pen, all);
   levels_ = levelsText(desk.picture, palette, steps);
+  words_ = {levels_, "cell " + std::to_string(cell())};
+  for (const CellFact& fact : factsOf(cell(), desk.picture, palette, desk.plan, desk.use))
+    words_.push_back(fact.label + ": " + fact.value);
 }
 
 }  // namespace xnewell

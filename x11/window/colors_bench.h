@@ -36,6 +36,7 @@ class ColorsBench : public Bench {
   [[nodiscard]] bool late(const Setup& setup) const override { return told(setup) != drawn_ || list_.late(); }
   void draw(Painter paint, const Desk& desk) override;
   [[nodiscard]] std::string status() const override { return levels_; }
+  [[nodiscard]] std::vector<std::string> inWords() const override { return words_; }
   [[nodiscard]] bool countsPolygons() const override { return true; }
   [[nodiscard]] std::optional<int> inspected() const override { return cell(); }
 
@@ -70,6 +71,7 @@ class ColorsBench : public Bench {
   Rect strip_{};
   Controls facts_;  ///< the lines of the table, without keys
   std::string levels_;
+  std::vector<std::string> words_;
   CellRange scene_;
   bool ramps_ = false;
   std::optional<Told> drawn_;

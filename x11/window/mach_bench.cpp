@@ -118,6 +118,7 @@ void MachBench::draw(Painter paint, const Desk& desk) {
       settings);
   paint.within({0, top, at.width, at.strip.y - top}).place(page.image, 0, top);
   firstRow_ = page.firstRow;
+  words_ = page.inWords;
   const Controls all = controls();
   int y = page.controls.y + top + 15;
   list_.forgetPlaces();

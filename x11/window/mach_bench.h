@@ -24,6 +24,7 @@ class MachBench : public Bench {
   [[nodiscard]] bool late(const Setup&) const override { return row_ != drawnRow_ || list_.late(); }
   void draw(Painter paint, const Desk& desk) override;
   [[nodiscard]] std::string status() const override { return status_; }
+  [[nodiscard]] std::vector<std::string> inWords() const override { return words_; }
 
  private:
   void moveScanline(int rows) { moveTo(row_.value_or(0) + rows); }
@@ -39,6 +40,7 @@ class MachBench : public Bench {
   bool patches_ = false;  ///< the scene has some; it may set the divisions of all
   std::optional<int> drawnRow_;
   std::string status_;
+  std::vector<std::string> words_;
 };
 
 }  // namespace xnewell

@@ -354,8 +354,8 @@ TEST(Workbench, CountsWrongFacesWhenSettled) {
   EXPECT_TRUE(std::equal(counted.row(600), counted.row(663), b.image().row(600)));
 }
 
-// C gives the command of the set-up in every view: of the picture, or of the window with another view. No
-// command opens a lesson at a step, so there it is the picture's.
+// C gives what the view says, as comments of a shell, and the command of its set-up: of the picture, or of
+// the window with another view. No command opens a lesson at a step, so there it is the picture's.
 TEST(Workbench, AnyViewsSetupIsACommand) {
   std::vector<std::string> copied;
   Workbench b{readScene("teapot", 3), {}, {.copy = [&](const std::string& text) { copied.push_back(text); }}};
@@ -371,7 +371,27 @@ TEST(Workbench, AnyViewsSetupIsACommand) {
     const std::string begin = picture ? "xnewell draw teapot --size "
                                       : "xnewell snapshot teapot --size 1024x768 --whole-window --view " +
                                             std::string{row.option} + ' ';
-    EXPECT_EQ(copied[0].rfind(begin, 0), 0u) << copied[0];
+    const std::size_t last = copied[0].rfind('\n') + 1;
+    EXPECT_EQ(copied[0].find(begin), last) << copied[0];
+    for (std::size_t at = 0; at < last; at = copied[0].find('\n', at) + 1)
+      ASSERT_EQ(copied[0].substr(at, 2), "# ") << copied[0];
+    const std::string_view found = [&] {
+      switch (row.id) {
+        case WindowView::DepthSort:
+          return "# start: nothing is painted\n";
+        case WindowView::Colors:
+          return " stored levels distinct";
+        case WindowView::MachBands:
+          return "\n# Bands: ";
+        case WindowView::SideBySide:
+          return "\n# cuts   ";
+        case WindowView::Pixel:
+          return "\n# I = ka Ia + ";
+        default:
+          return "# ";
+      }
+    }();
+    EXPECT_NE(copied[0].find(found), std::string::npos) << copied[0];
     EXPECT_NE(copied[0].find(" --divisions 3 --shade phong -o picture.png"), std::string::npos) << copied[0];
     copied.clear();
   }
