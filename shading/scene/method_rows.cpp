@@ -16,7 +16,8 @@ std::vector<Setting> methodRows() {
        .label = "shading",
        .control = 'S',
        .section = Section::Method,
-       .is = "where the intensity is computed: once a face, a vertex, a pixel, or (env) looked up in a map",
+       .is =
+           "where the intensity is computed: per face, vertex or pixel, or (env) from a map of surroundings",
        .role = Role::shortCut("phong"),
        .field = chooses<kShadings>([](auto& s) -> auto& { return s.shading; }),
        .alwaysSaid = true},

@@ -42,7 +42,8 @@ std::string endOf(const std::string& text, int width) {
 /// As much of the text as fits.
 std::string beginningOf(std::string text, int width) {
   const auto letters = static_cast<std::size_t>(std::max(0, width) / kGlyphWidth);
-  if (text.size() <= letters || letters < 4) return text;
+  if (text.size() <= letters) return text;
+  if (letters < 4) return "";
   text.resize(letters - 3);
   while (!text.empty() && static_cast<unsigned char>(text.back()) >= 0x80) text.pop_back();
   return text + "...";
@@ -135,7 +136,7 @@ void drawStatus(Pen& pen, const Layout& at, const PanelState& state) {
     end = pen.ink(begin, y, beginningOf(state.status, at.width * 3 / 5 - begin));
   } else {
     end = pen.ink(begin, y, state.status);
-    if (!at.compact) end = pen.soft(end + 18, y, state.aside);
+    if (!at.compact) end = pen.soft(end + 18, y, beginningOf(state.aside, at.width - kMargin - end - 18));
   }
   if (at.low) return drawLegend(pen, at, end + 18, y, state.legend);
   if (end + 18 + textWidth(state.visual) <= at.width - kMargin)

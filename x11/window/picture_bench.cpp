@@ -5,6 +5,7 @@
 #include "geometry/view/view.h"
 #include "shading/picture/exactness.h"
 #include "x11/drawing/pen.h"
+#include "x11/drawing/sheet.h"
 #include "x11/drawing/wording.h"
 #include "x11/window/caption.h"
 
@@ -50,7 +51,8 @@ std::string countsOf(const Picture& picture) {
   const std::int64_t splits = sorted.statistics.splits, areas = sorted.statistics.areas;
   // Orders that decide at each sample paint no polygon as a whole.
   const bool whole = !rowOf(picture.settings().order).bySample;
-  return counted(snapped.polygons - snapped.degenerate, "polygon") + ", " +
+  const int polygons = snapped.polygons - snapped.degenerate, faces = picture.scene().mesh.faceCount();
+  return (polygons != faces ? counted(faces, "face") + ", " : "") + counted(polygons, "polygon") + ", " +
          (splits > 0 ? counted(splits, "cut") + ", " : "") +
          (whole ? grouped(static_cast<std::int64_t>(sorted.fragments.size())) + " painted" : "") +
          (whole && areas > 0 ? " in " + counted(areas, "area") : "") + (whole ? ", " : "") +
@@ -166,8 +168,18 @@ void PictureBench::drawColumn(Painter paint, const Desk& desk) {
   const Controls all = controls();
   const Control* const pointed = list_.hovered(all) ? list_.hovered(all) : list_.focused(all);
   aside_ = msText(desk.picture.times().total()) + " ms";
-  if (pointed && !pointed->is.empty())
-    aside_ += "   " + (pointed->kind == Control::Kind::Slider ? pointed->label + ": " : "") + pointed->is;
+  if (pointed && !pointed->is.empty()) {
+    const std::string is =
+        (pointed->kind == Control::Kind::Slider ? pointed->label + ": " : "") + pointed->is;
+    // What a control is for has the line to itself if it must.
+    const int room = desk.layout.width - 2 * Sheet::kMargin - textWidth(is) - 18;
+    if (textWidth(counts_ + "   " + aside_) <= room)
+      aside_ += "   " + is;
+    else if (textWidth(counts_) <= room)
+      aside_ = is;
+    else
+      counts_ = is, aside_.clear();
+  }
   list_.forgetPlaces();
   list_.place({'t'}, {.area = at_.picture, .grip = at_.picture, .bare = true, .passive = true});
   Pen pen{paint, desk.plan};

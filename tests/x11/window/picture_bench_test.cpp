@@ -77,6 +77,24 @@ TEST(ControlColumn, EveryControlHasItsPlace) {
   }
 }
 
+// The status line says what the control under the pointer is for, in whole words, and ends in the window.
+TEST(PictureBench, SaysWhatAControlIsForAsFarAsTheWindowReaches) {
+  for (const auto& [w, h] : {std::pair{1024, 768}, {1152, 864}, {1920, 1080}}) {
+    SCOPED_TRACE(w);
+    ReadyWorkbench b{{}, w, h};
+    for (const auto& [id, place] : columnOf(b).places) {
+      const glm::ivec2 m = middle(place.area);
+      b.hover(m.x, m.y);
+      b.update();
+      const Bench& bench = b.bench();
+      const std::string line = bench.status() + "   " + bench.aside();
+      EXPECT_LE(16 + textWidth(line) + 16, w) << line;
+      const Controls controls = b.bench().controls();
+      EXPECT_NE(line.find(withKey(controls, id.key).is), std::string::npos) << id.key << ": " << line;
+    }
+  }
+}
+
 // If the column is too low for its controls, the rows are closer together, and still none shares a pixel.
 TEST(ControlColumn, FitsALowerColumn) {
   for (const auto& [w, h] : {std::pair{800, 600}, {1024, 768}}) {
