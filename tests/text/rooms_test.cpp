@@ -89,7 +89,7 @@ TEST(Rooms, KeysAndControlsBelongToTheKit) {
   const std::vector<Rule> rules{
       {R"(case '[^']+':)", {}},
       {R"("[^" ]{4,}"\}?\.find(_first_of)?\(|\.find(_first_of)?\((key|letter)\b)", {}},
-      {R"(\b(key|event)\.letter\b)", {"x11/app/workbench.cpp"}},  // a letter of a typed text
+      {R"(\b(key|event)\.letter\b)", {"x11/app/workbench_keys.cpp"}},  // a letter of a typed text
       {R"(\b(drawOptions|optionFrames|drawToggle|drawNumber)\()", {}},
       {R"(\bdrawTrack\()", {"x11/stepper/sort_controls.cpp"}},  // the speed has words beside its track
   };

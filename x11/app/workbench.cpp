@@ -59,7 +59,12 @@ void Workbench::scale(int unit) {
 }
 
 void Workbench::layOut() {
-  layout_ = layoutOf(width_, height_, largest_ ? largestScale(width_, height_) : unit_);
+  const Drawer open = few_.empty() || view_ != WindowView::Picture ? Drawer::Whole : Drawer::Few;
+  const bool hasDrawer = benches_[static_cast<std::size_t>(view_)]->hasDrawer();
+  layout_ = layoutOf(width_, height_, largest_ ? largestScale(width_, height_) : unit_,
+                     !hasDrawer ? Drawer::Whole
+                     : shut_    ? Drawer::Shut
+                                : open);
 }
 
 void Workbench::fillScreen(std::optional<bool> wish) {
@@ -121,82 +126,11 @@ void Workbench::change(char control, const std::function<void(Setup&)>& edit) {
   if (const std::string why = whyMoot(control, picture(), next); !why.empty()) notify(why);
 }
 
-void Workbench::press(const Key& key) {
-  notice_.clear();
-  told_.clear();
-  if (key.letter != 'q') warned_ = false;
-  if (line_.isOpen()) return line_.press(key);
-  if (help_ && key.letter != '?') {  // the list of keys closes, so that the user sees what the key does
-    help_ = false;
-    if (key.name == NamedKey::Escape) return;
-  }
-  if (turnsPage(key) || bench().press(key) || pressIn(generalKeys(), key, *this)) return;
-  notify(nameOf(key) + " does nothing here; ? lists all keys.");
-}
-
-KeyTable Workbench::keys() {
-  KeyTable table = bench().keys();
-  // In a lecture PgUp and PgDn turn its pages.
-  if (lecture_)
-    std::erase_if(table, [](const KeyRow& row) { return std::ranges::any_of(row.keys, turning); });
-  append(table, generalKeys());
-  return table;
-}
-
-KeyTable Workbench::generalKeys() {
-  KeyTable table;
-  const auto add = [&](char letter, const char* legend, const char* does, auto act) {
-    table.push_back({{letter}, legend, does, [act](const Key&) { act(); }});
-  };
-  if (visitsFromLesson())
-    table.push_back({{NamedKey::Escape}, "the lesson", "go back to the lesson", [this](const Key&) {
-                       switchTo(WindowView::Lesson);
-                     }});
-  add('u', "undo", "undo, redo", [this] { undo(); });
-  add('U', "", "undo, redo", [this] { done(work_.redo(), "redo"); });
-  add('r', "reset", "reset the set-up", [this] {
-    done(work_.setup != work_.defaults, "reset");
-    change('r', [this](Setup& s) { s = work_.defaults; });
-  });
-  add('w', "save", "save the set-up as a scene file", [this] { askToSave(); });
-  add('e', "", "open a scene", [this] { askToOpen(); });
-  add('C', "", "print and copy the finding, the table and their command", [this] { copyCommand(); });
-  add('I', "", "write what the window shows as a picture, into a new file", [this] { writePicture(); });
-  const char* const full = "fill the screen, in letters as large as fit, or go back";
-  table.push_back({{NamedKey::F11, 'f'}, "", full, [this](const Key&) { fillScreen({}); }});
-  if (fillsScreen_)
-    table.push_back({{NamedKey::Escape}, "", full, [this](const Key&) { fillScreen(false); }});
-  add('Z', "", "larger letters and controls; after the largest, the smallest", [this] { takeNextScale(); });
-  if (lecture_) {
-    const std::string pages = "the lecture's page before, the next; in a lesson its steps come first";
-    for (const NamedKey key : {NamedKey::PageUp, NamedKey::PageDown})
-      table.push_back({{key}, "page", pages, [this, key](const Key&) { static_cast<void>(turnsPage(key)); }});
-  }
-  for (const WindowViewRow& row : kWindowViews)
-    add(row.key, "", "the views; or click their names", [this, id = row.id] { switchTo(id); });
-  add('q', "quit", "quit", [this] { quit(); });
-  add('?', "all keys", "open this list, close it", [this] { help_ = !help_; });
-  return table;
-}
-
-void Workbench::quit() {
-  if (isSaved() || std::exchange(warned_, true))
-    quit_ = true;
-  else
-    notify("Changes since " + work_.file + " are not saved: press w to save, or q again to quit.");
-}
-
-void Workbench::done(bool something, const char* what) {
-  if (something) return;
-  const bool stored = !shown_ || shown_->colors.effects == PaletteEffects{};
-  notify(std::string{"There is nothing to "} + what +
-         (stored ? " here." : " here; Esc restores the stored colours."));
-}
-
 void Workbench::switchTo(WindowView view) {
   if (view_ == view) return;
   bench().leave();
   view_ = view;
+  layOut();
   bench().enter();
 }
 
@@ -288,7 +222,8 @@ void Workbench::zoom(double factor) {
 Workbench::Indices Workbench::indices() const {
   Setup painted = this->painted();
   painted.picture = withoutColors(painted.picture);
-  return {view(), width_, height_, layout_.unit, painted, notice_, told_, line_.typed(), help_, dragging_};
+  return {view(), width_,        height_, layout_.unit,   painted, notice_,
+          told_,  line_.typed(), help_,   layout_.drawer, few_,    dragging_};
 }
 
 Workbench::Stale Workbench::stale() const {
@@ -350,7 +285,9 @@ void Workbench::drawFrame(bool dragging) {
                     .fresh = fresh,
                     .dragging = dragging,
                     .coarse = quick,
-                    .gray = server_.gray});
+                    .gray = server_.gray,
+                    .title = lecture_ ? lecture_->now().title : titleOf(picture.scene()),
+                    .few = few_});
   const OwnColors* const own = view.colors();
   if (own) palette_ = own->palette;
   panel_ = {.title = lecture_ ? lecture_->title() : titleOf(picture.scene()),

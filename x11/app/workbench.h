@@ -176,6 +176,8 @@ class Workbench : public Host {
     std::string notice, told;
     std::optional<Typed> typed;
     bool help;
+    Drawer drawer;
+    std::string few;
     bool leftOut;  ///< true if the frame was drawn during a drag, which leaves out slow parts
     bool operator==(const Indices&) const = default;
   };
@@ -234,7 +236,8 @@ class Workbench : public Host {
   /// the pointer can do nothing.
   [[nodiscard]] bool isDrawn() const {
     return shown_ && shown_->indices.view == view() && shown_->indices.width == width_ &&
-           shown_->indices.height == height_ && shown_->indices.unit == layout_.unit;
+           shown_->indices.height == height_ && shown_->indices.unit == layout_.unit &&
+           shown_->indices.drawer == layout_.drawer;
   }
   /// True if the window shows the scene of a lesson's step in another view.
   [[nodiscard]] bool visitsFromLesson() const { return before_ && view() != WindowView::Lesson; }
@@ -255,6 +258,8 @@ class Workbench : public Host {
   int width_ = 0, height_ = 0;  ///< of the window, in pixels
   int unit_ = 1;                ///< the scale, unless the window fills the screen
   bool fillsScreen_ = false, largest_ = false, scaleIsChosen_ = false;
+  bool shut_ = false;  ///< the user has put the controls away
+  std::string few_;    ///< the keys of the controls that a page of a lecture names; "": all
   std::optional<Lecture> lecture_;
   Layout layout_;
   PanelState panel_;

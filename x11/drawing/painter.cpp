@@ -14,6 +14,19 @@ int textWidth(std::string_view utf8, Voice voice) {
   return kVoices[static_cast<int>(voice)].pitch * static_cast<int>(latin1(utf8).size());
 }
 
+std::string beginningOf(std::string text, int width, Voice voice) {
+  constexpr std::size_t kDots = 3;
+  const auto letters = static_cast<std::size_t>(std::max(0, width) / kVoices[static_cast<int>(voice)].pitch);
+  if (latin1(text).size() <= letters) return text;
+  if (letters <= kDots) return "";
+  const auto continues = [](char c) { return (static_cast<unsigned char>(c) & 0xC0) == 0x80; };
+  std::size_t end = 0;
+  for (std::size_t letter = 0; end < text.size(); ++end)
+    if (!continues(text[end]) && ++letter > letters - kDots) break;
+  text.resize(end);
+  return text + "...";
+}
+
 bool stippled(Stipple stipple, int x, int y) {
   switch (stipple) {
     case Stipple::Quarter:

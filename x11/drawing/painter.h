@@ -2,6 +2,7 @@
 
 #include <array>
 #include <cstdint>
+#include <string>
 #include <string_view>
 
 #include "shading/color/index_image.h"
@@ -48,6 +49,9 @@ inline constexpr std::array kStipples{
 };
 /// True if the tint paints this pixel of the image. x, y >= 0.
 [[nodiscard]] bool stippled(Stipple stipple, int x, int y);
+
+/// As much of a text in UTF-8 as fits, with dots at the end if it is not all.
+[[nodiscard]] std::string beginningOf(std::string text, int width, Voice voice = Voice::Plain);
 
 struct LineStyle {
   int thickness = 1;    ///< units across the line's longer axis, >= 1

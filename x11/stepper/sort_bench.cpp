@@ -7,6 +7,7 @@
 #include "x11/stepper/sort_page.h"
 #include "x11/stepper/sort_wording.h"
 #include "x11/window/caption.h"
+#include "x11/window/drawer.h"
 
 namespace xnewell {
 
@@ -33,17 +34,20 @@ Control SortBench::timeline() {
 }
 
 Controls SortBench::controls() {
-  if (!run()) return {};
+  Controls all;
+  if (drawer_ == Drawer::Shut)
+    all.push_back(handleControl([this](char letter) { host_.pressLetter(letter); }));
+  if (!run()) return all;
   SortView& view = player_.view;
-  Controls all{timeline(),
-               {.kind = Control::Kind::Slider,
-                .part = sortId(SortPart::Speed).part,
-                .label = "speed",
-                .is = "steps a second",
-                .value = view.speed,
-                .range = kSpeeds,
-                .set = [&view](double speed) { view.speed = speed; }},
-               kindsControl(*run(), view)};
+  all.insert(all.end(), {timeline(),
+                         {.kind = Control::Kind::Slider,
+                          .part = sortId(SortPart::Speed).part,
+                          .label = "speed",
+                          .is = "steps a second",
+                          .value = view.speed,
+                          .range = kSpeeds,
+                          .set = [&view](double speed) { view.speed = speed; }},
+                         kindsControl(*run(), view)});
   all.back().set = [this, &view](double kind) {
     view.kind = static_cast<Landmark>(kind);
     player_.jump(true);
@@ -151,8 +155,8 @@ bool SortBench::press(const Key& key) {
 bool SortBench::grab(int x, int y) {
   const auto sample = [unit = unit_](int units) { return units * unit + unit / 2; };
   if (tooLong_ && at_.picture.has(x, y)) choosePart({sample(x - at_.picture.x), sample(y - at_.picture.y)});
-  if (!run()) return false;
   player_.view.numbered = false;
+  if (!run()) return list_.grab(controls(), x, y) && list_.dragging();
   if (list_.grab(controls(), x, y)) return list_.dragging();
   if (!at_.picture.has(x, y) || places_.loupe.has(x, y)) return false;
   if (const int id = run()->fragmentAt(sample(x - at_.picture.x), sample(y - at_.picture.y)); id >= 0)
@@ -266,7 +270,8 @@ void SortBench::drawTooLong(Painter paint, const Desk& desk) {
 }
 
 void SortBench::draw(Painter paint, const Desk& desk) {
-  at_ = layoutOfSort(desk.layout.body);
+  at_ = layoutIn(desk.layout);
+  drawer_ = desk.layout.drawer;
   unit_ = desk.layout.unit;
   order_ = desk.setup.picture.order;
   if (channelsOf(desk.picture.colors().plan()) == Channels::Rgb) {
@@ -286,7 +291,9 @@ void SortBench::draw(Painter paint, const Desk& desk) {
     use_ = cellUse(run()->soFar());
   }
   Pen pen{paint, desk.plan};
-  list_.draw(pen, controls());
+  const Controls all = controls();
+  if (desk.layout.drawer != Drawer::Whole) drawDrawer(pen, desk.layout, all, {}, list_);
+  list_.draw(pen, all);
   drawn_ = view();
 }
 

@@ -26,7 +26,8 @@ class SortBench : public Bench {
   [[nodiscard]] bool moving() const override { return view().playing; }
   void tick() override { player_.tick(); }
 
-  [[nodiscard]] Rect picture(const Layout& at) const override { return layoutOfSort(at.body).picture; }
+  [[nodiscard]] Rect picture(const Layout& at) const override { return layoutIn(at).picture; }
+  [[nodiscard]] bool hasDrawer() const override { return true; }
   /// The finished picture is not needed, and a step would have to wait for it.
   [[nodiscard]] bool wantsImage() const override { return false; }
   [[nodiscard]] Setup painted(const Setup& setup) const override;
@@ -52,6 +53,9 @@ class SortBench : public Bench {
   [[nodiscard]] bool tooLong() const { return tooLong_; }
 
  private:
+  [[nodiscard]] static SortLayout layoutIn(const Layout& at) {
+    return layoutOfSort(at.body, at.drawer == Drawer::Shut);
+  }
   void record(const Desk& desk);
   /// After the view has changed, the step of the new run that is most like the one shown before. Tells the
   /// user which one it is.
@@ -81,6 +85,7 @@ class SortBench : public Bench {
   std::optional<StepAbout> about_;  ///< the step; none at the start
   SortLayout at_;
   int unit_ = 1;  ///< of the layout
+  Drawer drawer_ = Drawer::Whole;
   SortDrawn places_;
   std::optional<SortView> drawn_;
   std::string status_;

@@ -11,6 +11,7 @@ namespace xnewell {
 namespace {
 
 constexpr int kGutter = 16, kTestRowsShown = 8;
+constexpr int kHeadline = 30;
 constexpr int kNarrowBelow = 900;  // pixels; a body narrower than this is narrow
 
 void placeLower(SortLayout& at) {
@@ -44,16 +45,18 @@ void placeLower(SortLayout& at) {
   at.timeline = {body.x + 68, lanes, body.width - 68, body.y + body.height - lanes - (at.compact ? 4 : 9)};
 }
 
-void placeRight(SortLayout& at, int x, int upper) {
-  const Rect& body = at.body;
-  const int width = body.x + body.width - x, labels = at.compact ? 112 : 132;
-  at.side = {x + labels, body.y, width - labels, upper * 22 / 100};
-  const int counts = (at.compact ? 18 : 26) + 5 * at.line;
-  at.counts = {x, body.y + upper - counts, width, counts};
+void placeSidesAndList(SortLayout& at, int x, int width, int upper) {
+  const int labels = at.compact ? 112 : 132;
+  at.side = {x + labels, at.body.y, width - labels, upper * 22 / 100};
   const int top = at.side.y + at.side.height + (at.compact ? 30 : 42);
   const int rows = (at.counts.y - (at.compact ? 4 : 8) - top) / at.line - 1;  // the last line has words
   at.list = {x, top, width, rows * at.line};
+}
 
+void placeCounts(SortLayout& at, int x, int upper) {
+  const Rect& body = at.body;
+  const int width = body.x + body.width - x, counts = (at.compact ? 18 : 26) + 5 * at.line;
+  at.counts = {x, body.y + upper - counts, width, counts};
   const bool narrow = width < 380;
   const int first = x + (narrow ? 160 : 168), second = x + (narrow ? 251 : 288);
   for (int k = 0; k < kToggleCount; ++k) {
@@ -71,29 +74,39 @@ void placeRight(SortLayout& at, int x, int upper) {
 
 }  // namespace
 
-SortLayout layoutOfSort(const Rect& body) {
+SortLayout layoutOfSort(const Rect& body, bool shut) {
   SortLayout at;
   at.body = body;
+  at.shut = shut;
   at.compact = body.height < kCompactBelow;
   at.narrow = body.width < kNarrowBelow;
-  at.line = at.compact ? 14 : 16;
+  at.line = !at.compact ? 16 : shut ? 15 : 14;
   const int lower = at.compact ? 84 : 104, upper = body.height - lower - (at.compact ? 4 : 8);
   at.rule = body.y + body.height - lower;
 
-  const int left = (body.width + kGutter) * 7 / 12 - kGutter;
+  const int left = (body.width + kGutter) * (shut ? 11 : 14) / (shut ? 20 : 24) - kGutter;
+  const int right = body.x + left + kGutter;
   const int heading = at.compact ? 19 : 26;
-  const int findings = (at.narrow ? 4 : 3) * at.line + (at.compact ? 4 : 8);
+  const int findings = (at.narrow || shut ? 4 : 3) * at.line + (at.compact ? 4 : 8);
   const int table = heading + kTestRowsShown * at.line, gap = at.compact ? 3 : 6;
-  at.picture = {body.x, body.y, left, upper - table - gap - findings};
-  at.table = {body.x, at.picture.y + at.picture.height, left, table};
-  at.finding = {body.x, at.table.y + table + gap, left, findings};
-  int x = body.x + 13;
+  placeCounts(at, right, upper);
+  if (shut) {
+    at.headline = {body.x, body.y, body.width, kHeadline};
+    at.picture = {body.x, body.y + kHeadline, left, upper - kHeadline};
+    at.table = {right, at.picture.y, body.width - left - kGutter, table};
+  } else {
+    at.picture = {body.x, body.y, left, upper - table - gap - findings};
+    at.table = {body.x, at.picture.y + at.picture.height, left, table};
+    placeSidesAndList(at, right, body.width - left - kGutter, upper);
+  }
+  at.finding = {at.table.x, at.table.y + table + gap, at.table.width, findings};
+  int x = at.finding.x + 13;
+  const int first = shut ? 3 : at.line + 3;  // the headline has the first line
   for (std::size_t k = 0; k < kAnswers.size(); ++k) {
     const int width = kKeyCap + 6 + textWidth(kAnswers[k]);
-    at.answers[k] = {x, at.finding.y + at.line + 3, width, at.line + 2};
-    x += width + 20;
+    at.answers[k] = {x, at.finding.y + first, width, at.line + 2};
+    x += width + (shut ? 14 : 20);
   }
-  placeRight(at, body.x + left + kGutter, upper);
   placeLower(at);
   return at;
 }

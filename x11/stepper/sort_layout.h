@@ -26,13 +26,15 @@ inline constexpr std::array<char, 3> kAnswerKeys{'a', 'b', 'c'};
 /// In units.
 struct SortLayout {
   bool compact = false, narrow = false;
-  int line = 16;  ///< from one line of text to the next
+  bool shut = false;  ///< without list and side view, so that the picture is larger
+  int line = 16;      ///< from one line of text to the next
   Rect body, picture;
-  Rect table;    ///< the heading and the eight tests
-  Rect finding;  ///< the white box under it
+  Rect headline;  ///< the finding in large letters; empty unless `shut`
+  Rect table;     ///< the heading and the eight tests
+  Rect finding;   ///< the white box under it
   std::array<Rect, kAnswers.size()> answers;
-  Rect side;  ///< the side view; the list's bars stand below it
-  Rect list;  ///< rows of `line` height, all of the column's width
+  Rect side;  ///< the side view; the list's bars stand below it; empty if `shut`
+  Rect list;  ///< rows of `line` height, all of the column's width; empty if `shut`
   Rect counts;
   std::array<ControlPlace, kToggleCount> toggles;
   int rule = 0;  ///< y of the line above the buttons
@@ -42,8 +44,8 @@ struct SortLayout {
   Rect timeline;  ///< four lanes
   [[nodiscard]] int rows() const { return list.height / line; }
 };
-/// `body` is at least 768 x 428.
-[[nodiscard]] SortLayout layoutOfSort(const Rect& body);
+/// `body` is at least 744 x 428.
+[[nodiscard]] SortLayout layoutOfSort(const Rect& body, bool shut = false);
 
 /// The column of a step on the timeline: step 0 is at the left end, the last step at the right end.
 [[nodiscard]] int columnOf(const Rect& timeline, int step, int steps);

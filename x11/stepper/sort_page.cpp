@@ -46,7 +46,7 @@ SortDrawn drawSortPage(Painter paint, const SortLayout& at, SortRun& run, const 
   drawn.loupe = drawSortPicture(pen);
   drawTests(pen);
   drawFinding(pen);
-  drawn.rows = drawSidesAndList(pen);
+  if (!at.shut) drawn.rows = drawSidesAndList(pen);
   drawCounts(pen);
   pen.rule(at.body.x, at.rule, at.body.width);
   drawTransport(pen);

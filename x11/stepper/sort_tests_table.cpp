@@ -93,9 +93,15 @@ void drawFinding(SortPen& pen) {
   pen.paint.fillRect({at.x, at.y, 3, at.height}, pen(alarm ? Cell::Alarm : Cell::Ink));
   const int x = at.x + 13, room = at.width - 20;
   int y = at.y + pen.at.line - (pen.at.compact ? 2 : 1);
-  const int end = pen.bold(x, y, fitting(finding.bold, room));
-  if (!finding.aside.empty() && end + 12 + textWidth(finding.aside) <= at.x + at.width - 6)
-    pen.softRight(at.x + at.width - 8, y, finding.aside);
+  if (const Rect& head = pen.at.headline; !head.empty()) {
+    pen.paint.text(head.x, head.y + 23, beginningOf(finding.bold, head.width, Voice::Title), pen(Cell::Ink),
+                   Voice::Title);
+    y -= pen.at.line;
+  } else {
+    const int end = pen.bold(x, y, fitting(finding.bold, room));
+    if (!finding.aside.empty() && end + 12 + textWidth(finding.aside) <= at.x + at.width - 6)
+      pen.softRight(at.x + at.width - 8, y, finding.aside);
+  }
   if (pen.view.asking) {
     for (std::size_t k = 0; k < kAnswers.size(); ++k) {
       const Rect& r = pen.at.answers[k];

@@ -28,6 +28,8 @@ struct Desk {
   bool dragging = false;  ///< true during a drag: slow work may wait, because the next frame follows at once
   bool coarse = false;  ///< true if the picture was made with coarser settings than the setup's, to save time
   bool gray = false;    ///< true if the screen shows only grays
+  std::string title = {};  ///< of the page of a lecture, or of the scene
+  std::string few = {};    ///< the keys of the controls in a drawer that has few
 };
 
 /// The colours that a view chose for the cells, and words for them if the picture's words do not fit.
@@ -81,6 +83,8 @@ class Bench {
   /// The place of the scene's picture, in units. The workbench makes the picture of all pixels there; the
   /// view decides what to draw.
   [[nodiscard]] virtual Rect picture(const Layout& at) const = 0;
+  /// True if the view's controls can be put away, so that the picture is larger.
+  [[nodiscard]] virtual bool hasDrawer() const { return false; }
   /// True if Desk::picture must be painted. If false, the picture is never made with coarser settings.
   [[nodiscard]] virtual bool wantsImage() const { return true; }
   /// The setup that the picture is painted with. It picks the indices.

@@ -122,14 +122,15 @@ class Walk {
 
   void buttons() {
     y_ += column_.compact ? 3 : 4;
+    const int inRow = column_.compact ? 5 : 4, pitch = (kControls + 16) / inRow;
     int placed = 0;
     for (const Control& control : controls_) {
       const auto* const row = std::ranges::find(kButtons, control.key, &ButtonRow::key);
       if (control.kind != Kind::Button || (column_.compact && !row->always)) continue;
-      const int x = x_ + 84 * (placed % 4);
-      const Rect box{x, y_ - 14, 68, column_.compact ? kButton - 2 : kButton};
+      const int x = x_ + pitch * (placed % inRow);
+      const Rect box{x, y_ - 14, column_.compact ? 60 : 68, column_.compact ? kButton - 2 : kButton};
       add(control, {.x = x, .y = y_, .area = box, .box = box});
-      if (++placed % 4 == 0) y_ += kButton + 4;
+      if (++placed % inRow == 0) y_ += kButton + 4;
     }
   }
 

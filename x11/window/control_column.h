@@ -10,6 +10,7 @@
 #include "x11/drawing/rect.h"
 #include "x11/kit/control_list.h"
 #include "x11/window/controls.h"
+#include "x11/window/drawer.h"
 #include "x11/window/layout.h"
 
 namespace xnewell {
@@ -23,9 +24,9 @@ struct ButtonRow {
   bool always;  ///< also in a window of less than 1024 x 768
 };
 inline constexpr std::array kButtons{
-    ButtonRow{'[', "Ia = 1", false}, ButtonRow{']', "Ip = 1", false}, ButtonRow{'u', "undo", true},
-    ButtonRow{'r', "reset", true},   ButtonRow{'w', "save", true},    ButtonRow{'e', "open", true},
-    ButtonRow{'U', "redo", false},
+    ButtonRow{'[', "Ia = 1", false}, ButtonRow{']', "Ip = 1", false},     ButtonRow{'u', "undo", true},
+    ButtonRow{'r', "reset", true},   ButtonRow{'w', "save", true},        ButtonRow{'e', "open", true},
+    ButtonRow{'U', "redo", false},   ButtonRow{kDrawerKey, "hide", true},
 };
 
 /// The places of the column's parts. The kit (x11/kit) draws the controls and finds them under the pointer,

@@ -12,9 +12,25 @@ struct Bands {
 };
 constexpr Bands kRoomy{32, 48, 56, 60, 44}, kCompact{32, 43, 44, 60, 44}, kLow{22, 27, 40, 56, 22};
 
+/// The places beside a drawer that has few controls, or none.
+void placeDrawer(Layout& at, Drawer drawer) {
+  constexpr int kEdge = 8, kTitle = 30, kFindings = 38, kHandleRow = 24;
+  const Rect room{kEdge, at.views.height + 4, at.width - 2 * kEdge, at.strip.y - 4 - (at.views.height + 4)};
+  const int aside = drawer == Drawer::Shut ? kHandle : kFewControls, right = room.x + room.width;
+  at.drawer = drawer;
+  at.controls = {right - aside, room.y, aside, room.height};
+  at.handle = drawer == Drawer::Shut ? at.controls
+                                     : Rect{at.controls.x, at.controls.y, at.controls.width, kHandleRow};
+  const int width = at.controls.x - 2 * kEdge - room.x;
+  at.body = {room.x, room.y, width, room.height};
+  at.headline = {room.x, room.y, width, kTitle};
+  at.picture = {room.x, room.y + kTitle, width, room.height - kTitle - kFindings};
+  at.finding = {room.x, at.picture.y + at.picture.height + 4, width, kFindings - 4};
+}
+
 }  // namespace
 
-Layout layoutOf(int wide, int high, int unit) {
+Layout layoutOf(int wide, int high, int unit, Drawer drawer) {
   const int width = (wide + unit - 1) / unit, height = (high + unit - 1) / unit;
   Layout at;
   at.width = width;
@@ -35,6 +51,7 @@ Layout layoutOf(int wide, int high, int unit) {
   at.controls = {width - kMargin - kControls, bodyTop, kControls, bottom - bodyTop};
   at.body = {kMargin, bodyTop, width - 2 * kMargin, bottom - 4 - bodyTop};
   at.picture = {kMargin, bodyTop, at.controls.x - 2 * kMargin, bottom - bands.below - bodyTop};
+  if (drawer != Drawer::Whole) placeDrawer(at, drawer);
   return at;
 }
 

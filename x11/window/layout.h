@@ -6,6 +6,11 @@ namespace xnewell {
 
 inline constexpr int kMargin = 16, kControls = 320;
 
+/// How much of its controls a view shows: all, the few that a page of a lecture names, or none. The picture
+/// gets the room that they leave.
+enum class Drawer { Whole, Few, Shut };
+inline constexpr int kHandle = 24, kFewControls = 176;  ///< widths, in units
+
 /// The places of the window's parts, in units of the scale: a unit is `unit` x `unit` pixels. The whole
 /// window is laid out in units, and Painter makes pixels of them; only pictures are made of pixels. `roomy`
 /// is false if there is no room for the controls.
@@ -17,9 +22,12 @@ struct Layout {
       false;  ///< lower than 600, as 1080 lines are at scale 2: the bands take less, the status one line
   Rect views, picture, controls, strip, status;
   Rect body;  ///< between the tabs and the strip, for a view without controls
+  Drawer drawer = Drawer::Whole;
+  Rect handle;             ///< opens the drawer, or shuts it if it has few controls; empty if all are there
+  Rect headline, finding;  ///< above and below the picture; empty if all controls are there
 };
 /// The layout of a window of so many pixels.
-[[nodiscard]] Layout layoutOf(int width, int height, int unit = 1);
+[[nodiscard]] Layout layoutOf(int width, int height, int unit = 1, Drawer drawer = Drawer::Whole);
 
 /// The largest scale at which the window has room for the controls; 1 if there is none.
 [[nodiscard]] int largestScale(int width, int height);

@@ -39,16 +39,6 @@ std::string endOf(const std::string& text, int width) {
   return letters > 3 ? "..." + text.substr(text.size() - letters + 3) : "";
 }
 
-/// As much of the text as fits.
-std::string beginningOf(std::string text, int width) {
-  const auto letters = static_cast<std::size_t>(std::max(0, width) / kGlyphWidth);
-  if (text.size() <= letters) return text;
-  if (letters < 4) return "";
-  text.resize(letters - 3);
-  while (!text.empty() && static_cast<unsigned char>(text.back()) >= 0x80) text.pop_back();
-  return text + "...";
-}
-
 void drawTabs(Pen& pen, const Layout& at, const PanelState& state) {
   pen.paint.fillRect(at.views, pen(Cell::Panel));
   pen.rule(0, at.views.height, at.width);

@@ -8,6 +8,7 @@
 #include "x11/drawing/sheet.h"
 #include "x11/drawing/wording.h"
 #include "x11/window/caption.h"
+#include "x11/window/drawer.h"
 
 namespace xnewell {
 
@@ -161,7 +162,37 @@ void PictureBench::draw(Painter paint, const Desk& desk) {
   paint.place(shown_.image, at_.picture.x, at_.picture.y);
   counts_ = countsOf(desk.picture);
   drawColumn(paint, desk);
-  if (at_.roomy) drawCaption(paint, desk);
+  if (!at_.roomy) return;
+  findInexactness(desk);
+  if (at_.drawer == Drawer::Whole)
+    drawCaption(paint, desk);
+  else
+    drawHeadlines(paint, desk);
+}
+
+void PictureBench::findInexactness(const Desk& desk) {
+  if (desk.fresh || !counted_)
+    inexact_ = desk.dragging ? std::string{} : inexactness(desk.picture, at_.compact);
+  counted_ = !desk.dragging;
+}
+
+void PictureBench::drawHeadlines(Painter paint, const Desk& desk) {
+  Pen pen{paint, desk.plan};
+  const auto large = [&](const Rect& line, std::string_view text, Cell cell) {
+    paint.text(line.x, line.y + 23, beginningOf(std::string{text}, line.width, Voice::Title), desk.plan[cell],
+               Voice::Title);
+  };
+  large(at_.headline, desk.title, Cell::Ink);
+  const std::string made = captionOf(desk.setup);
+  std::string found = shown_.finding;
+  if (found.empty() && !desk.coarse) found = inexact_;
+  const Cell cell = shown_.finding.empty() && !found.empty() ? Cell::Alarm : Cell::Ink;
+  if (found.empty()) return large(at_.finding, made, Cell::Ink);
+  // Large letters where they fit; else the finding in bold, and below it how the picture was made.
+  if (textWidth(found, Voice::Title) <= at_.finding.width) return large(at_.finding, found, cell);
+  int y = at_.finding.y + 13;
+  pen.bold(at_.finding.x, y, beginningOf(found, at_.finding.width), cell);
+  pen.soft(at_.finding.x, y + 16, beginningOf(made, at_.finding.width));
 }
 
 void PictureBench::drawColumn(Painter paint, const Desk& desk) {
@@ -185,6 +216,10 @@ void PictureBench::drawColumn(Painter paint, const Desk& desk) {
   Pen pen{paint, desk.plan};
   if (!at_.roomy) return list_.draw(pen, all);
 
+  if (at_.drawer != Drawer::Whole) {
+    drawDrawer(pen, at_, all, desk.few, list_);
+    return list_.draw(pen, all);
+  }
   const Subject subject = subject_();
   const Illumination& light = desk.setup.picture.light;
   const bool ramp = desk.setup.show != Show::Normals && desk.picture.colors().plan() == ColorPlan::OneHue;
@@ -223,9 +258,6 @@ void PictureBench::drawCaption(Painter paint, const Desk& desk) {
     line += "; " + std::string{kTables[static_cast<int>(p.table.kind)].name} + " table, " +
             std::to_string(p.table.shades) + " shades";
   }
-  if (desk.fresh || !counted_)
-    inexact_ = desk.dragging ? std::string{} : inexactness(desk.picture, at_.compact);
-  counted_ = !desk.dragging;
   const std::string inexact =
       desk.coarse ? "Coarse while dragging: " + captionOf({desk.picture.settings()}) : inexact_;
   const std::string& finding = shown_.finding;  // of any view but the shaded one

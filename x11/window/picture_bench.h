@@ -27,6 +27,7 @@ class PictureBench : public Bench {
   void dragTo(int x, int y) override;
   void drop() override;
   [[nodiscard]] Rect picture(const Layout& at) const override { return at.picture; }
+  [[nodiscard]] bool hasDrawer() const override { return true; }
   void draw(Painter paint, const Desk& desk) override;
   /// The picture of normals has colours of its own.
   [[nodiscard]] const OwnColors* colors() const override {
@@ -39,6 +40,9 @@ class PictureBench : public Bench {
  private:
   void drawColumn(Painter paint, const Desk& desk);
   void drawCaption(Painter paint, const Desk& desk);
+  /// What a picture beside a drawer has above and below it: its title, and what was found, in large letters.
+  void drawHeadlines(Painter paint, const Desk& desk);
+  void findInexactness(const Desk& desk);
 
   std::function<Subject()> subject_;
   std::optional<glm::ivec2>

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "tests/x11/support/ready_workbench.h"
+#include "x11/window/drawer.h"
 
 namespace xnewell::THIS_FILE {
 
@@ -86,6 +87,45 @@ TEST(EveryControl, IsHitWhereItIsDrawn) {
     }
     EXPECT_GT(answered, 20);
   }
+}
+
+// D gives the room of the controls to the picture, and the handle at the edge gives it back: with every
+// control where it was, and found there.
+TEST(EveryControl, CanBePutAway) {
+  for (const auto& [width, height, unit] :
+       {Screen{800, 600, 1}, {1024, 768, 1}, {1920, 1080, 2}, {3840, 2160, 2}, {2400, 1700, 3}}) {
+    SCOPED_TRACE(testing::Message() << width << " x " << height << " at scale " << unit);
+    ReadyWorkbench b{{}, width, height};
+    b.scale(unit);
+    for (const WindowView view : {WindowView::Picture, WindowView::DepthSort}) {
+      b.switchTo(view);
+      b.update();
+      b.finish();
+      const IndexImage before = b.image();
+      const auto places = b.bench().list().places();
+      const Rect picture = b.bench().picture(b.layout());
+      b.type("D");
+      b.finish();
+      const Rect larger = b.bench().picture(b.layout());
+      EXPECT_GT(larger.width * larger.height, picture.width * picture.height);
+      EXPECT_TRUE(b.bench().list().find({kDrawerKey}));
+      visit(b, unit);
+      const Rect handle = b.layout().handle;
+      EXPECT_TRUE(intersection(handle, larger).empty());
+      EXPECT_FALSE(b.grab((handle.x + 12) * unit, (handle.y + handle.height / 2) * unit));
+      b.settle();
+      b.hover(0, 0);
+      b.finish();
+      EXPECT_EQ(b.bench().list().places().size(), places.size());
+      // Below stands how long the picture took.
+      EXPECT_TRUE(changed(before, b.image(), b.layout().status * unit).empty());
+    }
+  }
+  ReadyWorkbench b;
+  b.switchTo(WindowView::Colors);
+  b.finish();
+  b.type("D");  // this view has no drawer
+  EXPECT_EQ(b.layout().drawer, Drawer::Whole);
 }
 
 }  // namespace xnewell::THIS_FILE

@@ -143,6 +143,51 @@ TEST_F(LectureTest, PlaysByItself) {
   EXPECT_EQ(shown.view(), WindowView::Picture);
 }
 
+// A page keeps the controls that it names in the drawer, and only these. They work there as elsewhere, and so
+// do the keys of all others. "" puts all away, and a page that names none leaves the drawer shut or opens it
+// whole.
+TEST_F(LectureTest, PagesNameControls) {
+  Shown shown{lecture(
+      R"({"title": "A", "show": "teapot", "controls": "S s n"}, {"title": "B", "show": "teapot", "controls": ""},
+         {"title": "C", "show": "teapot"}, {"title": "D", "show": "cycle --view depthsort", "controls": ""})")};
+  const auto keys = [&] {
+    std::string all;
+    for (const auto& [id, place] : shown.bench().list().places())
+      if (!place.bare) all += id.key;
+    return all;
+  };
+  EXPECT_EQ(keys(), "Ssn");
+  EXPECT_EQ(shown.layout().drawer, Drawer::Few);
+  const int beside = shown.layout().picture.width;
+  const Rect n = shown.bench().list().find({'n'})->track;
+  EXPECT_FALSE(shown.grab(n.x + n.width / 2, n.y + 200));
+  EXPECT_TRUE(shown.grab(n.x + n.width / 2, n.y));
+  shown.settle();
+  shown.finish();
+  EXPECT_NE(shown.setup().picture.light.n, xnewell::Setup{}.picture.light.n);
+  const double ka = shown.setup().picture.light.ka;
+  shown.type("a");
+  shown.press(NamedKey::Left);
+  EXPECT_LT(shown.setup().picture.light.ka, ka);
+  shown.type("D");
+  shown.finish();
+  EXPECT_EQ(keys(), "");
+  EXPECT_GT(shown.layout().picture.width, beside);
+  shown.type("D");
+  shown.finish();
+  EXPECT_EQ(keys(), "Ssn");
+  shown.turn(NamedKey::PageDown);
+  EXPECT_EQ(shown.layout().drawer, Drawer::Shut);
+  EXPECT_EQ(keys(), "");
+  shown.turn(NamedKey::PageDown);
+  EXPECT_EQ(shown.layout().drawer, Drawer::Shut);
+  shown.type("D");
+  shown.finish();
+  EXPECT_EQ(shown.layout().drawer, Drawer::Whole);
+  shown.turn(NamedKey::PageDown);
+  EXPECT_EQ(shown.layout().drawer, Drawer::Shut);
+}
+
 // The lecture that comes with the program can be read, and it is a lecture of several views.
 TEST_F(LectureTest, TheFirstHour) {
   const std::vector<Page> pages = readLecture("first-hour");
@@ -166,7 +211,7 @@ TEST_F(LectureTest, MistakesAreToldAtOnce) {
       {R"({"title": "a", "show": "teapot", "lesson": "cycles"})",
        "pages[0]: either show or lesson is needed"},
       {R"({"title": "a", "show": "teapot", "nots": "b"})",
-       "pages[0]: unknown key 'nots'; the keys are title, show, step, lesson, notes"},
+       "pages[0]: unknown key 'nots'; the keys are title, show, step, lesson, notes, controls"},
       {R"({"title": "a", "show": "teapot --shad flat"})", "pages[0].show: unknown option '--shad'"},
       {R"({"title": "a", "show": "teapot 'oh"})", "pages[0].show: a quotation does not end"},
       {R"({"title": "a", "show": "teapot --size 9x9"})", "pages[0].show: --size is not for a page"},
@@ -175,6 +220,12 @@ TEST_F(LectureTest, MistakesAreToldAtOnce) {
        "pages[0].show: --ia and --ip: their sum must not exceed 1"},
       {R"({"title": "a", "show": "teapot", "step": 3})",
        "pages[0].step: steps are for pages with --view depthsort"},
+      {R"({"title": "a", "show": "teapot", "controls": "s!"})",
+       "pages[0].controls: no control of view 1 has the key !"},
+      {R"({"title": "a", "show": "teapot --view depthsort", "controls": "s"})",
+       "pages[0].controls: a page with --view picture names controls; \"\" puts those of view 1 or 2 away"},
+      {R"({"title": "a", "lesson": "cycles", "controls": "s"})",
+       "pages[0].controls: a lesson shows the controls of its step"},
       {R"({"title": "a", "lesson": "no-such"})",
        "there is no lesson 'no-such'; `xnewell scenes` lists the lessons"},
       {R"({"title": "a", "show": "no-such.obj"})", "no-such.obj: No such file or directory"},

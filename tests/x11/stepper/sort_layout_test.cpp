@@ -13,16 +13,19 @@ namespace {
 
 /// Bodies of windows of 800 x 540 and more.
 std::vector<Rect> bodies() {
-  return {{16, 43, 768, 428},  {16, 43, 768, 449}, {16, 48, 992, 612},   {16, 48, 1248, 612},
-          {16, 43, 1200, 449}, {16, 48, 768, 900}, {16, 48, 1568, 1044}, {16, 48, 3000, 2000}};
+  return {{16, 43, 768, 428},   {16, 43, 768, 449},  {16, 48, 992, 612}, {16, 48, 1248, 612},
+          {16, 43, 1200, 449},  {8, 26, 744, 450},   {8, 26, 904, 432},  {16, 48, 768, 900},
+          {16, 48, 1568, 1044}, {16, 48, 3000, 2000}};
 }
 
 std::vector<Rect> partsOf(const SortLayout& at) {
   std::vector<Rect> all{
-      at.picture,  at.table,
-      at.finding,  at.side,
-      at.list,     at.step,
-      at.timeline, intersection(at.speed.area, at.body)};  // its thumb reaches into the margin
+      at.picture, at.table,    at.finding,
+      at.step,    at.timeline, intersection(at.speed.area, at.body)};  // its thumb reaches into the margin
+  if (at.shut)
+    all.push_back(at.headline);
+  else
+    all.insert(all.end(), {at.side, at.list});
   for (const ControlPlace& toggle : at.toggles) all.push_back(toggle.area);
   all.insert(all.end(), at.transport.begin(), at.transport.end());
   all.insert(all.end(), at.kinds.options.begin(), at.kinds.options.end());
@@ -35,19 +38,23 @@ std::vector<Rect> partsOf(const SortLayout& at) {
 TEST(SortLayout, PartsKeepApart) {
   for (const Rect& body : bodies()) {
     SCOPED_TRACE(std::to_string(body.width) + " x " + std::to_string(body.height));
-    const SortLayout at = layoutOfSort(body);
-    const std::vector<Rect> all = partsOf(at);
-    for (std::size_t i = 0; i < all.size(); ++i) {
-      ASSERT_FALSE(all[i].empty()) << i;
-      ASSERT_EQ(intersection(all[i], body), all[i]) << i;
-      for (std::size_t j = 0; j < i; ++j) ASSERT_TRUE(intersection(all[i], all[j]).empty()) << i << ' ' << j;
+    for (const bool shut : {false, true}) {
+      if (!shut && body.x < 16) continue;  // with the drawer shut, the margins are smaller
+      const SortLayout at = layoutOfSort(body, shut);
+      const std::vector<Rect> all = partsOf(at);
+      for (std::size_t i = 0; i < all.size(); ++i) {
+        ASSERT_FALSE(all[i].empty()) << i;
+        ASSERT_EQ(intersection(all[i], body), all[i]) << i;
+        for (std::size_t j = 0; j < i; ++j)
+          ASSERT_TRUE(intersection(all[i], all[j]).empty()) << i << ' ' << j;
+      }
+      EXPECT_GE(at.picture.width, 400);
+      EXPECT_GE(at.picture.height, 146);
+      EXPECT_GE(at.rows(), shut ? 0 : 8);
+      for (const Rect& answer : at.answers) EXPECT_EQ(intersection(answer, at.finding), answer);
+      for (int k = 0; k < kToggleCount; ++k)
+        EXPECT_GE(at.toggles[k].area.width, 17 + textWidth(kToggleNames[k])) << kToggleNames[k];
     }
-    EXPECT_GE(at.picture.width, 400);
-    EXPECT_GE(at.picture.height, 146);
-    EXPECT_GE(at.rows(), 8);
-    for (const Rect& answer : at.answers) EXPECT_EQ(intersection(answer, at.finding), answer);
-    for (int k = 0; k < kToggleCount; ++k)
-      EXPECT_GE(at.toggles[k].area.width, 17 + textWidth(kToggleNames[k])) << kToggleNames[k];
   }
 }
 

@@ -1,0 +1,89 @@
+#include <algorithm>
+#include <utility>
+
+#include "x11/app/workbench.h"
+#include "x11/window/drawer.h"
+
+namespace xnewell {
+
+/// What keys do in all views.
+
+void Workbench::press(const Key& key) {
+  notice_.clear();
+  told_.clear();
+  if (key.letter != 'q') warned_ = false;
+  if (line_.isOpen()) return line_.press(key);
+  if (help_ && key.letter != '?') {  // the list of keys closes, so that the user sees what the key does
+    help_ = false;
+    if (key.name == NamedKey::Escape) return;
+  }
+  if (turnsPage(key) || bench().press(key) || pressIn(generalKeys(), key, *this)) return;
+  notify(nameOf(key) + " does nothing here; ? lists all keys.");
+}
+
+KeyTable Workbench::keys() {
+  KeyTable table = bench().keys();
+  // In a lecture PgUp and PgDn turn its pages.
+  if (lecture_)
+    std::erase_if(table, [](const KeyRow& row) { return std::ranges::any_of(row.keys, turning); });
+  append(table, generalKeys());
+  return table;
+}
+
+KeyTable Workbench::generalKeys() {
+  KeyTable table;
+  const auto add = [&](char letter, const char* legend, const char* does, auto act) {
+    table.push_back({{letter}, legend, does, [act](const Key&) { act(); }});
+  };
+  if (visitsFromLesson())
+    table.push_back({{NamedKey::Escape}, "the lesson", "go back to the lesson", [this](const Key&) {
+                       switchTo(WindowView::Lesson);
+                     }});
+  add('u', "undo", "undo, redo", [this] { undo(); });
+  add('U', "", "undo, redo", [this] { done(work_.redo(), "redo"); });
+  add('r', "reset", "reset the set-up", [this] {
+    done(work_.setup != work_.defaults, "reset");
+    change('r', [this](Setup& s) { s = work_.defaults; });
+  });
+  add('w', "save", "save the set-up as a scene file", [this] { askToSave(); });
+  add('e', "", "open a scene", [this] { askToOpen(); });
+  add('C', "", "print and copy the finding, the table and their command", [this] { copyCommand(); });
+  add('I', "", "write what the window shows as a picture, into a new file", [this] { writePicture(); });
+  const char* const full = "fill the screen, in letters as large as fit, or go back";
+  table.push_back({{NamedKey::F11, 'f'}, "", full, [this](const Key&) { fillScreen({}); }});
+  if (fillsScreen_)
+    table.push_back({{NamedKey::Escape}, "", full, [this](const Key&) { fillScreen(false); }});
+  if (bench().hasDrawer())
+    add(kDrawerKey, "", "put the controls away, or bring them back", [this] {
+      bench().hover(-1, -1);  // what was under the pointer moves away
+      shut_ = !shut_;
+      layOut();
+    });
+  add('Z', "", "larger letters and controls; after the largest, the smallest", [this] { takeNextScale(); });
+  if (lecture_) {
+    const std::string pages = "the lecture's page before, the next; in a lesson its steps come first";
+    for (const NamedKey key : {NamedKey::PageUp, NamedKey::PageDown})
+      table.push_back({{key}, "page", pages, [this, key](const Key&) { static_cast<void>(turnsPage(key)); }});
+  }
+  for (const WindowViewRow& row : kWindowViews)
+    add(row.key, "", "the views; or click their names", [this, id = row.id] { switchTo(id); });
+  add('q', "quit", "quit", [this] { quit(); });
+  add('?', "all keys", "open this list, close it", [this] { help_ = !help_; });
+  return table;
+}
+
+void Workbench::quit() {
+  if (isSaved() || std::exchange(warned_, true))
+    quit_ = true;
+  else
+    notify("Changes since " + work_.file + " are not saved: press w to save, or q again to quit.");
+}
+
+void Workbench::done(bool something, const char* what) {
+  if (something) return;
+  const bool stored = !shown_ || shown_->colors.effects == PaletteEffects{};
+  notify(std::string{"There is nothing to "} + what +
+         (stored ? " here." : " here; Esc restores the stored colours."));
+}
+
+}  // namespace xnewell
