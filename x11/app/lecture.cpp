@@ -35,14 +35,8 @@ void Workbench::showPage() {
   switchTo(WindowView::Picture);
   const Page& page = lecture_->now();
   begin(workOn(page.scene, page.setup));
-  few_ = page.controls.value_or("");
-  if (page.controls) shut_ = few_.empty();
-  layOut();
-  stepper_->startAt(page.step.value_or(0));
-  if (page.lesson)
-    teach(*page.lesson);
-  else
-    switchTo(page.view);
+  goTo(page.place);
+  if (page.lesson) teach(*page.lesson);
   told_.clear();
   server_.say(lecture_->title() + '\n' + (page.notes.empty() ? "" : page.notes + '\n'));
 }

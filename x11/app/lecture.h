@@ -16,11 +16,8 @@ struct Page {
   std::string title, notes;
   Scene scene;
   Setup setup;
-  WindowView view = WindowView::Picture;
-  std::optional<int> step;       ///< of the depth sort; none: its start
+  WindowPlace place;
   std::optional<Lesson> lesson;  ///< opened in WindowView::Lesson
-  /// The keys of the controls that the drawer holds; "": it is shut. None: the drawer stays as it is.
-  std::optional<std::string> controls = {};
 };
 
 /// The pages of a lecture, and which one is shown. What the audience changes on a page is gone when the page

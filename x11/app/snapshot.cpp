@@ -72,7 +72,7 @@ void takeSnapshot(const Options& options, Scene scene, const Taken& taken) {
     Workbench bench{std::move(scene), server.setupOf(options), server.forBench()};
     bench.scale(options.scale);
     bench.resize(size.x, size.y);
-    bench.switchTo(options.windowView);
+    bench.goTo(options.window);
     bench.update();
     if (bench.view() == WindowView::Trade)
       for (; bench.moving(); bench.tick()) std::this_thread::sleep_for(std::chrono::milliseconds{20});

@@ -375,8 +375,10 @@ int runViewer(const Options& options, Scene scene, std::optional<Lesson> lesson,
   Viewer viewer{options, std::move(scene)};
   if (lesson)
     viewer.bench().teach(std::move(*lesson));
+  else if (options.command == Command::Lesson)
+    viewer.bench().switchTo(WindowView::Lesson);
   else
-    viewer.bench().switchTo(options.command == Command::Lesson ? WindowView::Lesson : options.windowView);
+    viewer.bench().goTo(options.window);
   return viewer.run(shown);
 }
 

@@ -134,6 +134,23 @@ void Workbench::switchTo(WindowView view) {
   bench().enter();
 }
 
+void Workbench::goTo(const WindowPlace& place) {
+  few_ = place.controls.value_or("");
+  if (place.controls) shut_ = few_.empty();
+  stepper_->startAt(place.step);
+  if (place.pixel) pixel_->choose(*place.pixel);
+  switchTo(place.view);
+  layOut();
+}
+
+WindowPlace Workbench::place() const {
+  WindowPlace place{.view = view()};
+  if (place.view == WindowView::DepthSort) place.step = stepper_->view().step;
+  if (place.view == WindowView::Pixel) place.pixel = pixel_->pixel();
+  if (layout_.drawer != Drawer::Whole) place.controls = layout_.drawer == Drawer::Few ? few_ : "";
+  return place;
+}
+
 void Workbench::explain(double x, double y) {
   const auto place = placeSeen(picture(), static_cast<int>(x * picture().settings().width),
                                static_cast<int>(y * picture().settings().height));

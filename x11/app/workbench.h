@@ -63,6 +63,8 @@ class Workbench : public Host {
   void press(const Key& key);
   /// A letter key was released. Only some views need to know.
   void release(char letter) { bench().release(letter); }
+  /// Goes to a place of the window.
+  void goTo(const WindowPlace& place);
   /// Shows a lesson from its first step.
   void teach(Lesson lesson);
   /// For code that draws the frames of a lesson or of the stepper.
@@ -136,6 +138,8 @@ class Workbench : public Host {
 
   /// The view that is shown.
   [[nodiscard]] Bench& bench() const { return *benches_[static_cast<std::size_t>(view())]; }
+  /// Where the window is.
+  [[nodiscard]] WindowPlace place() const;
   /// For a picture of the window: the beginning of its file's name, and the set-up that it carries.
   [[nodiscard]] std::string pictureName() const;
   [[nodiscard]] std::string pictureNote() const;

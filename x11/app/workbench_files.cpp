@@ -59,6 +59,11 @@ std::string Workbench::pictureNote() const {
   Drawing drawing{.size = glm::ivec2{width_, height_}, .wholeWindow = true};
   drawing.options.emplace_back("--view", viewOption(view(), work_.setup.show));
   if (layout_.unit != 1) drawing.options.emplace_back("--scale", std::to_string(layout_.unit));
+  const WindowPlace at = place();
+  if (at.step > 0) drawing.options.emplace_back("--step", std::to_string(at.step));
+  if (at.pixel)
+    drawing.options.emplace_back("--pixel", std::to_string(at.pixel->x) + ',' + std::to_string(at.pixel->y));
+  if (at.controls) drawing.options.emplace_back("--controls", at.controls->empty() ? "none" : *at.controls);
   return noteOf(scene(), settings, work_.setup.divisions, work_.setup.fill, drawing);
 }
 

@@ -13,7 +13,6 @@
 #include "x11/command/ready_scene.h"
 #include "x11/command/write_lesson.h"
 #include "x11/options/shell_words.h"
-#include "x11/window/controls.h"
 
 namespace xnewell {
 
@@ -58,20 +57,8 @@ Options optionsOf(const Node& show) {
   }
 }
 
-/// The keys of the controls that a page of this view keeps in its drawer. View 2 can only shut it.
-std::string controlsOf(const Node& node, WindowView view) {
-  std::string keys = node.text();
-  std::erase(keys, ' ');
-  if (view != WindowView::Picture && (view != WindowView::DepthSort || !keys.empty()))
-    node.fail("a page with --view picture names controls; \"\" puts those of view 1 or 2 away");
-  for (const char key : keys)
-    if (sliderOf(key) == nullptr && choiceOf(key) == nullptr && toggleOf(key) == nullptr && key != 'H')
-      node.fail(std::string{"no control of view 1 has the key "} + key);
-  return keys;
-}
-
 Page readPage(const Node& node, const std::filesystem::path& folder) {
-  node.expectKeys({"title", "show", "step", "lesson", "notes", "controls"});
+  node.expectKeys({"title", "show", "lesson", "notes"});
   if (!node.has("title")) node.fail("title is needed");
   if (node.has("show") == node.has("lesson")) node.fail("either show or lesson is needed");
   Page page;
@@ -83,14 +70,7 @@ Page readPage(const Node& node, const std::filesystem::path& folder) {
   Options options;
   if (node.has("show")) options = optionsOf(node.at("show"));
   options.scene = beside(folder, options.scene);
-  page.view = options.windowView;
-  if (node.has("controls") && page.lesson)
-    node.at("controls").fail("a lesson shows the controls of its step");
-  if (node.has("controls")) page.controls = controlsOf(node.at("controls"), page.view);
-  if (node.has("step")) {
-    if (page.view != WindowView::DepthSort) node.at("step").fail("steps are for pages with --view depthsort");
-    page.step = node.at("step").whole(0, 1'000'000'000);
-  }
+  page.place = options.window;
   try {
     page.scene = readyScene(options);
   } catch (const UsageError& e) {

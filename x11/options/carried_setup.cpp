@@ -29,11 +29,14 @@ constexpr std::array<string_view, 17> kOfPicture{
 constexpr std::array<string_view, 8> kOfDrawing{"--scanline", "--cell", "--store",  "--turn",
                                                 "--gamma",    "--bend", "--rotate", "--lit"};
 
+/// Where the window begins.
+constexpr std::array<string_view, 4> kOfWindow{"--scale", "--step", "--pixel", "--controls"};
+
 bool isOneOf(string_view name, const auto& names) { return std::ranges::find(names, name) != names.end(); }
 
 bool mayCarry(string_view name) {
   return settingOf(name) != nullptr || isOneOf(name, kOfPicture) || isOneOf(name, kOfDrawing) ||
-         name == "--view" || name == "--whole-window" || name == "--scale";
+         isOneOf(name, kOfWindow) || name == "--view" || name == "--whole-window";
 }
 
 bool isUtf8(const std::string& text) {
@@ -83,7 +86,7 @@ std::string noteOf(const Options& options, const Picture& picture) {
                   .wholeWindow = options.wholeWindow};
   for (std::size_t k = 0; k < options.given.size(); ++k) {
     const std::string& name = options.given[k];
-    if (name == "--view" || name == "--scale" || isOneOf(name, kOfDrawing))
+    if (name == "--view" || isOneOf(name, kOfWindow) || isOneOf(name, kOfDrawing))
       drawing.options.emplace_back(name, options.values[k]);
   }
   PictureSettings settings = options.picture;
@@ -137,6 +140,7 @@ std::vector<std::string> argumentsFor(const Options& said, const CarriedSetup& c
     if (name == "--whole-window") return snapshot;
     if (name == "--order") return command != Command::Trace;  // it follows its own
     if (name == "--scale") return whole;
+    if (isOneOf(name, kOfWindow)) return whole && !said.gave("--view");
     if (isOneOf(name, kOfDrawing)) return shows && !whole && !said.gave("--view");
     return true;
   };

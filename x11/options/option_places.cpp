@@ -17,6 +17,9 @@ void addPlaces(Reader& r) {
   only({"--scale"}, {"view", "lesson", "lecture", "--whole-window"});
   only({"--visual", "--colormap", "--nearest"}, {"view", "snapshot", "lesson", "lecture", "visuals"});
   only({"--view"}, {"view", "draw", "snapshot"});
+  only({"--step"}, {"--view depthsort"});
+  only({"--pixel"}, {"--view pixel"});
+  only({"--controls"}, {"view", "--whole-window"});
   only({"--scanline"}, {"--view machbands"});
   only({"--cell"}, {"--view colours"});
   only({"--store", "--turn", "--gamma", "--bend", "--rotate", "--lit"}, {"draw", "snapshot"});

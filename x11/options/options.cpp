@@ -39,13 +39,22 @@ glm::ivec2 parseSize(const std::string& text) {
   return size;
 }
 
-glm::ivec2 parsePixel(const std::string& text) {
+glm::ivec2 parsePixel(const std::string& name, const std::string& text) {
   const std::string expected = "a pixel X,Y: two whole numbers from 0, counted from the top left";
-  if (text.find_first_not_of("0123456789,") != std::string::npos) refuse("X,Y", text, expected);
-  const std::vector<double> v = numbers("X,Y", text, 2, expected);
+  if (text.find_first_not_of("0123456789,") != std::string::npos) refuse(name, text, expected);
+  const std::vector<double> v = numbers(name, text, 2, expected);
   for (const double x : v)
-    if (x < 0 || x >= kMaxPicture || x != std::floor(x)) refuse("X,Y", text, expected);
+    if (x < 0 || x >= kMaxPicture || x != std::floor(x)) refuse(name, text, expected);
   return {static_cast<int>(v[0]), static_cast<int>(v[1])};
+}
+
+/// The keys of settings, or "" for the word none.
+std::string parseControls(const std::string& text) {
+  if (text == "none") return "";
+  for (const char key : text)
+    if (settingOf(key) == nullptr)
+      refuse("--controls", text, "the keys of settings in view 1, such as Ssn, or none");
+  return text;
 }
 
 AccuracyLimit parseAccuracy(const std::string& text) {
@@ -146,7 +155,7 @@ bool takeView(Options& o, const std::string& name) {
   const auto* const window = std::ranges::find(kWindowViews, name, &WindowViewRow::option);
   const auto* const show = std::ranges::find(kShows, name, &ShowRow::name);
   o.view = view == kViews.end() ? View::Picture : view->id;
-  o.windowView = window == kWindowViews.end() ? WindowView::Picture : window->id;
+  o.window.view = window == kWindowViews.end() ? WindowView::Picture : window->id;
   o.show = show == kShows.end() ? Show::Shaded : show->id;
   return view != kViews.end() || window != kWindowViews.end();
 }
@@ -167,7 +176,8 @@ void addOptions(CLI::App& app, Reader& r, Options& o) {
       ->type_name("");
   if (o.command == Command::Explain)
     app.add_option_function<std::string>(
-           "pixel", [&](const std::string& s) { o.pixel = parsePixel(s); }, "X,Y, a pixel of the picture")
+           "pixel", [&](const std::string& s) { o.pixel = parsePixel("X,Y", s); },
+           "X,Y, a pixel of the picture")
         ->type_name("");
   r.text("-o,--output", "the PNG file to write", "", [&](const std::string& s) { o.output = s; });
   r.takes("--output", Takes::File);
@@ -204,6 +214,15 @@ void addOptions(CLI::App& app, Reader& r, Options& o) {
   r.proposes("--view", kViews);
   for (const WindowViewRow& row : kWindowViews)
     if (!isView(row.option)) r.proposes("--view", std::array{Choice{row.option, {}, {}}});
+  r.number("--step", o.window.step, 0, 1'000'000'000,
+           "the step of the depth sort that the window begins with");
+  r.text("--pixel", "the pixel X,Y that the window begins with, in the picture of that view", "its middle",
+         [&](const std::string& s) { o.window.pixel = parsePixel("--pixel", s); });
+  r.text(
+      "--controls",
+      "the few controls that stand beside a larger picture in view 1, by their keys, such as Ssn; none puts "
+      "those of view 1 or 2 away. All keys work all the time",
+      "all controls", [&](const std::string& s) { o.window.controls = parseControls(s); });
   r.text("--scanline", "the row of the picture that --view machbands follows, from 0 at its top",
          "the middle row, or the row that shows most if nothing shows there", [&](const std::string& s) {
            const std::string expected = "a whole number from 0 to " + std::to_string(kMaxPicture - 1);

@@ -83,6 +83,10 @@ void needsWindow(const std::string& view, const Options& o) {
 }
 
 void checkView(const Options& o) {
+  if (const auto& few = o.window.controls; few && o.window.view != WindowView::Picture &&
+                                           (o.window.view != WindowView::DepthSort || !few->empty()))
+    throw UsageError{"--controls names controls of view 1; none puts those of view 1 or 2 away"};
+  if (o.window.controls && o.wholeWindow) needsWindow("--controls", o);
   if (o.viewName == "picture") return;
   const std::string view = "--view " + o.viewName;
   const bool window = o.command == Command::View || o.wholeWindow;

@@ -1,6 +1,9 @@
 #pragma once
 
 #include <array>
+#include <glm/vec2.hpp>
+#include <optional>
+#include <string>
 #include <string_view>
 
 namespace xnewell {
@@ -21,6 +24,14 @@ inline constexpr std::array kWindowViews{
     WindowViewRow{WindowView::Trade, '6', "Trade", "trade"},
     WindowViewRow{WindowView::Lesson, '7', "Lesson", "lesson"},
     WindowViewRow{WindowView::Pixel, '8', "One pixel", "pixel"},
+};
+
+/// Where a window begins, beside its scene and the set-up.
+struct WindowPlace {
+  WindowView view = WindowView::Picture;
+  int step = 0;                              ///< of the depth sort
+  std::optional<glm::ivec2> pixel = {};      ///< of view 8: column and row in its picture
+  std::optional<std::string> controls = {};  ///< the keys of the few in view 1; "": put away; none: all
 };
 
 }  // namespace xnewell

@@ -1,6 +1,7 @@
 #include "x11/pixel/pixel_bench.h"
 
 #include <algorithm>
+#include <utility>
 
 #include "shading/explain/pixel_place.h"
 #include "x11/drawing/wording.h"
@@ -18,6 +19,11 @@ void PixelBench::choose(double x, double y) {
 void PixelBench::choose(const glm::dvec3& place) {
   choose(0.5, 0.5);
   place_ = place;
+}
+
+void PixelBench::choose(glm::ivec2 pixel) {
+  choose(0.5, 0.5);
+  asked_ = pixel;
 }
 
 void PixelBench::goTo(int column, int row) {
@@ -129,8 +135,11 @@ void PixelBench::draw(Painter paint, const Desk& desk) {
   const auto seenAt = place_ ? placeInPicture(desk.picture, *place_) : std::nullopt;
   if (seenAt) x_ = std::clamp(seenAt->x / width_, 0.0, 1.0), y_ = std::clamp(seenAt->y / height_, 0.0, 1.0);
   place_.reset();
-  const int i = std::min(width_ - 1, static_cast<int>(x_ * width_));
-  const int j = std::min(height_ - 1, static_cast<int>(y_ * height_));
+  if (const std::optional<glm::ivec2> asked = std::exchange(asked_, std::nullopt)) {
+    goTo(asked->x, asked->y);
+    late_ = false;
+  }
+  const int i = pixel().x, j = pixel().y;
   const bool changed = setup_ && *setup_ != desk.setup && !desk.dragging;
   if (changed) chosen_.reset();
   setup_ = desk.setup;

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <functional>
 #include <optional>
 #include <string>
@@ -18,6 +19,13 @@ class PixelBench : public Bench {
   /// this place of the world.
   void choose(double x, double y);
   void choose(const glm::dvec3& place);
+  /// Chooses a pixel by its column and row in the picture that is drawn next.
+  void choose(glm::ivec2 pixel);
+  /// Its column and row in the picture that was drawn last.
+  [[nodiscard]] glm::ivec2 pixel() const {
+    return {std::min(width_ - 1, static_cast<int>(x_ * width_)),
+            std::min(height_ - 1, static_cast<int>(y_ * height_))};
+  }
 
   [[nodiscard]] Controls controls() override;
   [[nodiscard]] KeyTable ownKeys() override;
@@ -45,6 +53,7 @@ class PixelBench : public Bench {
   /// The pixel's place, as shares of the picture: so it stays in the scene if the window's size changes.
   double x_ = 0.5, y_ = 0.5;
   std::optional<glm::dvec3> place_;  ///< of the world: the next drawing finds its pixel
+  std::optional<glm::ivec2> asked_;  ///< the pixel of the next drawing
   std::optional<int> chosen_;        ///< a polygon of the history; none: the one that shows
   int vertex_ = 0, channel_ = 0;
   std::optional<PixelBefore> found_, kept_;  ///< when the pixel was chosen; by k

@@ -47,27 +47,24 @@ Area focusOf(const SortPen& pen) {
   return {focus.x0 - around, focus.y0 - around, focus.x1 + around, focus.y1 + around};
 }
 
-/// The corner of the picture where the loupe hides least of P and Q. If several are equal, the one farthest
-/// from `from`, a place in pixels of the picture.
-Rect cornerFor(const SortPen& pen, Place from) {
+/// The corner of the picture where the loupe hides least of P and Q. If several are equal, the first in a
+/// fixed order, so that the loupe seldom jumps from step to step.
+Rect cornerFor(const SortPen& pen) {
   const Rect& picture = pen.at.picture;
   const int unit = pen.paint.unit();
   const int width = std::max(150, picture.width * 38 / 100), height = picture.height * 54 / 100;
   constexpr int kInset = 10, kBelowWords = 26;
   Rect best;
   std::int64_t least = std::numeric_limits<std::int64_t>::max();
-  double farthest = -1.0;
-  for (const bool right : {true, false})
-    for (const bool low : {true, false}) {
+  for (const bool low : {true, false})
+    for (const bool right : {true, false}) {
       const Rect r{right ? picture.width - width - kInset : kInset,
                    low ? picture.height - height - kInset : kBelowWords, width, height};
       std::int64_t hidden = 0;
       for (const int id : {pen.P(), pen.Q()})
         if (id >= 0) hidden += samplesWithin(pen.run.scene(), pen.run.sorted(), id, r * unit);
-      const double distance =
-          std::hypot(r.x + width / 2.0 - from.x / unit, r.y + height / 2.0 - from.y / unit);
-      if (hidden > least || (hidden == least && distance <= farthest + 1e-9)) continue;
-      least = hidden, farthest = distance;
+      if (hidden >= least) continue;
+      least = hidden;
       best = {picture.x + r.x, picture.y + r.y, width, height};
     }
   return best;
@@ -276,7 +273,7 @@ class Loupe {
 Rect drawLoupe(SortPen& pen) {
   const Rect& area = pen.at.picture;
   const Area focus = focusOf(pen);
-  const Rect at = cornerFor(pen, focus.middle());
+  const Rect at = cornerFor(pen);
   Loupe loupe{pen, at, focus};
   if (loupe.enlarges()) {
     Painter picture = pen.paint.within(area).pixels();

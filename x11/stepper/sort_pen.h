@@ -35,7 +35,7 @@ struct SortPen : Pen {
 void drawBadge(SortPen& pen, int x, int y, bool isP);
 
 Rect drawSortPicture(SortPen& pen);
-/// Draws P and Q enlarged, in the corner of the picture that is farthest from them: their corners with the
+/// Draws P and Q enlarged, in a corner of the picture that is free of them: their corners with the
 /// distances that decide, and the line where their planes meet. Returns the area of the loupe.
 Rect drawLoupe(SortPen& pen);
 void drawTests(SortPen& pen);

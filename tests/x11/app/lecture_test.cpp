@@ -62,7 +62,7 @@ std::vector<std::uint8_t> alone(const std::string& scene, const Setup& setup, Wi
 const std::string kThree =
     R"({"title": "Flat", "show": "teapot --divisions 3 --shade flat --ks 0.7"},
        {"title": "Cells", "show": "xnewell snapshot teapot --divisions 3 --size 1024x768 --whole-window --shade phong --view colours -o a.png"},
-       {"title": "Cycle", "show": "cycle --view depthsort", "step": 12})";
+       {"title": "Cycle", "show": "cycle --view depthsort --step 12"})";
 
 }  // namespace
 
@@ -144,12 +144,12 @@ TEST_F(LectureTest, PlaysByItself) {
 }
 
 // A page keeps the controls that it names in the drawer, and only these. They work there as elsewhere, and so
-// do the keys of all others. "" puts all away, and a page that names none leaves the drawer shut or opens it
-// whole.
+// do the keys of all others. The word none puts all away, and a page that names none leaves the drawer shut
+// or opens it whole.
 TEST_F(LectureTest, PagesNameControls) {
   Shown shown{lecture(
-      R"({"title": "A", "show": "teapot", "controls": "S s n"}, {"title": "B", "show": "teapot", "controls": ""},
-         {"title": "C", "show": "teapot"}, {"title": "D", "show": "cycle --view depthsort", "controls": ""})")};
+      R"({"title": "A", "show": "teapot --controls Ssn"}, {"title": "B", "show": "teapot --controls none"},
+         {"title": "C", "show": "teapot"}, {"title": "D", "show": "cycle --view depthsort --controls none"})")};
   const auto keys = [&] {
     std::string all;
     for (const auto& [id, place] : shown.bench().list().places())
@@ -211,21 +211,19 @@ TEST_F(LectureTest, MistakesAreToldAtOnce) {
       {R"({"title": "a", "show": "teapot", "lesson": "cycles"})",
        "pages[0]: either show or lesson is needed"},
       {R"({"title": "a", "show": "teapot", "nots": "b"})",
-       "pages[0]: unknown key 'nots'; the keys are title, show, step, lesson, notes, controls"},
+       "pages[0]: unknown key 'nots'; the keys are title, show, lesson, notes"},
       {R"({"title": "a", "show": "teapot --shad flat"})", "pages[0].show: unknown option '--shad'"},
       {R"({"title": "a", "show": "teapot 'oh"})", "pages[0].show: a quotation does not end"},
       {R"({"title": "a", "show": "teapot --size 9x9"})", "pages[0].show: --size is not for a page"},
       {R"({"title": "a", "show": "--version"})", "pages[0].show: it shows no scene"},
       {R"({"title": "a", "show": "teapot --ia 0.9 --ip 0.9"})",
        "pages[0].show: --ia and --ip: their sum must not exceed 1"},
-      {R"({"title": "a", "show": "teapot", "step": 3})",
-       "pages[0].step: steps are for pages with --view depthsort"},
-      {R"({"title": "a", "show": "teapot", "controls": "s!"})",
-       "pages[0].controls: no control of view 1 has the key !"},
-      {R"({"title": "a", "show": "teapot --view depthsort", "controls": "s"})",
-       "pages[0].controls: a page with --view picture names controls; \"\" puts those of view 1 or 2 away"},
-      {R"({"title": "a", "lesson": "cycles", "controls": "s"})",
-       "pages[0].controls: a lesson shows the controls of its step"},
+      {R"({"title": "a", "show": "teapot --step 3"})",
+       "pages[0].show: --step works only with --view depthsort"},
+      {R"({"title": "a", "show": "teapot --controls s!"})",
+       "pages[0].show: --controls: 's!' is not the keys of settings in view 1, such as Ssn, or none"},
+      {R"({"title": "a", "show": "teapot --view depthsort --controls s"})",
+       "pages[0].show: --controls names controls of view 1; none puts those of view 1 or 2 away"},
       {R"({"title": "a", "lesson": "no-such"})",
        "there is no lesson 'no-such'; `xnewell scenes` lists the lessons"},
       {R"({"title": "a", "show": "no-such.obj"})", "no-such.obj: No such file or directory"},

@@ -77,6 +77,22 @@ TEST(WrittenPicture, IsNamedAfterSceneAndView) {
   EXPECT_EQ(b.pictureName(), "my-own-depthsort");
   EXPECT_NE(b.pictureNote().find(" --size 2048x1536 --whole-window --view depthsort --scale 2 "),
             std::string::npos);
+  b.finish();
+  b.press(NamedKey::Right);
+  b.press(NamedKey::Right);
+  b.type("D");
+  b.finish();
+  EXPECT_NE(b.pictureNote().find(" --view depthsort --scale 2 --step 2 --controls none "), std::string::npos)
+      << b.pictureNote();
+  b.type("8");
+  b.finish();
+  b.press(NamedKey::Right);
+  b.finish();
+  const glm::ivec2 middle{b.picture().settings().width / 2, b.picture().settings().height / 2};
+  EXPECT_NE(
+      b.pictureNote().find(" --pixel " + std::to_string(middle.x + 1) + ',' + std::to_string(middle.y) + ' '),
+      std::string::npos)
+      << b.pictureNote();
   b.type("7");
   EXPECT_EQ(b.pictureNote(), "");
 }

@@ -36,8 +36,10 @@ TEST_F(ReopenedTest, DrawsThePictureAgain) {
 // So does a snapshot of the window, and of what the server fills.
 TEST_F(ReopenedTest, TakesTheSnapshotAgain) {
   const XServer server = XServer::xvfb(24, 1024, 768);
-  for (const std::string line : {"cubes --whole-window --view colours --size 900x700 --shades 90",
-                                 "cubes --shade flat --fill x11 --size 120x90"}) {
+  for (const std::string line :
+       {"cubes --whole-window --view colours --size 900x700 --shades 90",
+        "cycle --whole-window --view depthsort --step 12 --controls none",
+        "cubes --whole-window --view pixel --pixel 120,90", "cubes --shade flat --fill x11 --size 120x90"}) {
     SCOPED_TRACE(line);
     const Finished first =
         runProgram(Strings{"snapshot"} + words(line) + Strings{"-o", file("a.png")}, server.name());

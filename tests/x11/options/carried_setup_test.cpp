@@ -67,14 +67,14 @@ TEST(CarriedSetup, EachCommandTakesWhatItCanUse) {
                     window =
                         picture(folder,
                                 "xnewell snapshot teapot --size 1700x1300 --whole-window --view depthsort "
-                                "--scale 2 -o picture.png",
+                                "--scale 2 --step 40 --controls none -o picture.png",
                                 "b.png"),
                     filled = picture(folder, "xnewell snapshot teapot --shade flat --fill x11 -o picture.png",
                                      "c.png");
   const Options shown = parsed({drawn});
   EXPECT_EQ(shown.command, Command::View);
   EXPECT_EQ(shown.size, std::nullopt);
-  EXPECT_EQ(shown.windowView, WindowView::Colors);
+  EXPECT_EQ(shown.window.view, WindowView::Colors);
   EXPECT_EQ(shown.cell, std::nullopt);
   EXPECT_EQ(shown.picture.order, Order::ZMean);
   const Options again = parsed({"snapshot", drawn, "-o", "no.png"});
@@ -89,7 +89,10 @@ TEST(CarriedSetup, EachCommandTakesWhatItCanUse) {
   const Options opened = parsed({window});
   EXPECT_EQ(opened.size, (glm::ivec2{1700, 1300}));
   EXPECT_EQ(opened.scale, 2);
-  EXPECT_EQ(opened.windowView, WindowView::DepthSort);
+  EXPECT_EQ(opened.window.view, WindowView::DepthSort);
+  EXPECT_EQ(opened.window.step, 40);
+  EXPECT_EQ(opened.window.controls, "");
+  EXPECT_EQ(parsed({window, "--view", "colours"}).window.step, 0);
   EXPECT_FALSE(opened.wholeWindow);
   EXPECT_TRUE(parsed({"snapshot", window, "-o", "no.png"}).wholeWindow);
   EXPECT_EQ(parsed({"draw", window, "-o", "no.png"}).size, std::nullopt);

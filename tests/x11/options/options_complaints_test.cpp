@@ -234,6 +234,13 @@ TEST(Options, RefuseWhatTheCommandIgnores) {
 // A view refuses options that do not apply to it, and a size too small for its words.
 TEST(Options, RefuseWhatAViewCannotHeed) {
   EXPECT_EQ(complaint({"--scanline", "3"}), "--scanline works only with --view machbands");
+  EXPECT_EQ(complaintAll({"--step", "3"}), "--step works only with --view depthsort");
+  EXPECT_EQ(complaintAll({"--pixel", "3,3"}), "--pixel works only with --view pixel");
+  EXPECT_EQ(complaintAll({"--view", "pixel", "--pixel", "3"}),
+            "--pixel: '3' is not a pixel X,Y: two whole numbers from 0, counted from the top left");
+  EXPECT_EQ(complaintAll({"draw", "cubes", "-o", "a", "--controls", "s"}),
+            "--controls works only with view and --whole-window");
+  EXPECT_EQ(complaintAll({"--controls", "none", "--view", "depthsort"}), "");
   EXPECT_EQ(complaint({"--view", "normals", "--scanline", "3"}),
             "--scanline works only with --view machbands");
   for (const ViewRow& row : kViews) {

@@ -339,4 +339,34 @@ TEST(SortPage, EveryStepHasAFinding) {
   EXPECT_GE(kinds.size(), 6u);
 }
 
+// The loupe stands in the lower right corner, and elsewhere only if it would hide a part of P or Q there. So
+// it seldom jumps.
+TEST(SortPage, TheLoupeSeldomJumps) {
+  ShownSortPage page{readScene("teapot", 3)};
+  int jumps = 0, steps = 0, elsewhere = 0;
+  Rect usual, before;
+  for (int step = 1; step <= 1000; ++step) {
+    page.show(step);
+    const Rect now = page.drawn.loupe;
+    const std::optional<Event> event = page.run->asTested();
+    if (now.empty() || !event) continue;
+    if (usual.x + usual.y < now.x + now.y) usual = now;
+    jumps += !before.empty() && now != before;
+    before = now;
+    ++steps;
+    if (now == usual) continue;
+    ++elsewhere;
+    bool met = false;
+    for (const int id : {event->P, event->Q}) {
+      if (id < 0) continue;
+      const Range x = page.run->explainer().xExtent(id), y = page.run->explainer().yExtent(id);
+      met |= x.high + page.at.picture.x >= usual.x && y.high + page.at.picture.y >= usual.y;
+    }
+    EXPECT_TRUE(met) << step;
+  }
+  EXPECT_GT(steps, 900);
+  EXPECT_GT(elsewhere, 0);
+  EXPECT_LT(jumps, steps / 5);
+}
+
 }  // namespace xnewell::THIS_FILE
