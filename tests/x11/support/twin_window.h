@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <string>
 #include <string_view>
 
@@ -25,15 +26,25 @@ namespace xnewell {
 }
 
 /// The program's window on a server, and a workbench without a server. Both get the same keys and mouse, and
-/// must show the same pixels. The screen has 1280 x 1024 pixels, and the window is in its upper left corner.
+/// must show the same pixels. The window is in the upper left corner of the screen. It has 1024 x 768 pixels
+/// at scale 1, 800 x 600 units at others.
 class TwinWindow {
  public:
   explicit TwinWindow(int depth, const std::string& line = "teapot --divisions 3",
-                      const std::string& scene = "teapot", const xnewell::Setup& setup = {})
-      : server{XServer::xvfb(depth, 1280, 1024)},
-        viewer{server, line},
+                      const std::string& scene = "teapot", const xnewell::Setup& setup = {}, int scale = 1)
+      : unit{scale},
+        server{XServer::xvfb(depth, std::max(1280, 800 * unit), std::max(1024, 600 * unit))},
+        viewer{server,
+               line + (unit == 1 ? ""
+                                 : " --scale " + std::to_string(unit) + " --size " +
+                                       std::to_string(800 * unit) + 'x' + std::to_string(600 * unit))},
         window{viewer.window},
         same{setup, 1024, 768, scene} {
+    if (unit > 1) {
+      same.scale(unit);
+      same.resize(800 * unit, 600 * unit);
+      same.update();
+    }
     moveTo(700, 15);  // over nothing that responds
   }
 
@@ -45,22 +56,23 @@ class TwinWindow {
     window.press(symbol, shift);
     same.press({name, 0, shift});
   }
+  /// The pointer, in units.
   void moveTo(int x, int y) {
-    window.moveTo(x, y);
-    same.hover(x, y);
+    window.moveTo(x * unit, y * unit);
+    same.hover(x * unit, y * unit);
   }
   /// The button pressed, moved along and let go; then the pointer is over nothing that responds.
   void drag(int fromX, int fromY, int toX, int toY) {
     finish();
     moveTo(fromX, fromY);
     window.button(1, true);
-    const bool dragging = same.grab(fromX, fromY);
+    const bool dragging = same.grab(fromX * unit, fromY * unit);
     if (fromX != toX || fromY != toY) {
-      window.moveTo(toX, toY);
+      window.moveTo(toX * unit, toY * unit);
       if (dragging)
-        same.dragTo(toX, toY);
+        same.dragTo(toX * unit, toY * unit);
       else
-        same.hover(toX, toY);
+        same.hover(toX * unit, toY * unit);
     }
     window.button(1, false);
     if (dragging) same.settle();
@@ -77,7 +89,7 @@ class TwinWindow {
   /// The workbench uses the places that it drew last.
   void finish() { same.finish(); }
 
-  [[nodiscard]] const Rect& body() const { return same.layout().body; }
+  [[nodiscard]] Rect body() const { return same.layout().body * unit; }
   /// Compares the body. The bands around it tell times and facts of the server.
   [[nodiscard]] RgbImage expected() {
     finish();
@@ -85,6 +97,7 @@ class TwinWindow {
   }
   [[nodiscard]] bool agrees() { return window.comesToShow(expected(), body()); }
 
+  const int unit;  ///< pixels
   XServer server;
   const WatchedViewer viewer;
   const WatchedWindow& window;
