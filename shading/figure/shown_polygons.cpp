@@ -1,0 +1,255 @@
+#include "shading/figure/shown_polygons.h"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "depthsort/region.h"
+
+namespace xnewell {
+
+namespace {
+
+constexpr int kMargin = 2 * kFigureSteps;  ///< how far outside of the page polygons are clipped
+
+std::uint64_t packed(const glm::ivec3& v) {
+  return std::uint64_t{static_cast<std::uint32_t>(v.x)} << 32 | static_cast<std::uint32_t>(v.y);
+}
+
+SideLine lineOf(const SnappedScene& scene, const Line& line) {
+  SideLine of;
+  if (line.isOfArea()) return of;
+  const bool edge = line.kind == Line::Kind::Edge;
+  of.kind = edge ? SideLine::Kind::Edge : SideLine::Kind::Cut;
+  of.a = edge ? packed(scene.vertices[line.p]) : static_cast<std::uint64_t>(line.p);
+  of.b = edge ? packed(scene.vertices[line.q]) : static_cast<std::uint64_t>(line.q);
+  if (of.b < of.a) std::swap(of.a, of.b);
+  return of;
+}
+
+/// The region of a fragment.
+void regionOf(const SnappedScene& scene, const SortedScene& sorted, const Fragment& fragment,
+              const Regions& regions, Region& region) {
+  regions.outline(scene.faces[fragment.face], region);
+  if (fragment.piece < 0) return;
+  const Piece& piece = sorted.pieces[fragment.piece];
+  for (int k = 0; k < piece.cuts && !region.empty(); ++k) {
+    const CutLine& cut = sorted.cuts[piece.firstCut + k];
+    regions.clip(region, regions.cut(cut.over, cut.under));
+  }
+}
+
+/// Rounds the corners, drops sides that become points, and says whether an area is left.
+bool round(const SnappedScene& scene, const Region& region, FigurePolygon& polygon) {
+  constexpr double kStep = double{kGrid} / kFigureSteps;
+  const auto corner = [](const Corner& c) {
+    return glm::ivec2{static_cast<int>(std::floor(c.x / kStep + 0.5)),
+                      static_cast<int>(std::floor(c.y / kStep + 0.5))};
+  };
+  for (std::size_t k = 0; k < region.size(); ++k) {
+    const glm::ivec2 from = corner(region[k == 0 ? region.size() - 1 : k - 1].corner);
+    if (from == corner(region[k].corner)) continue;
+    polygon.corners.push_back(from);
+    polygon.lines.push_back(lineOf(scene, region[k].line));
+  }
+  std::int64_t area = 0;
+  for (std::size_t k = 2; k < polygon.corners.size(); ++k) {
+    const glm::ivec2 o = polygon.corners[0], a = polygon.corners[k - 1] - o, b = polygon.corners[k] - o;
+    area += std::int64_t{a.y} * b.x - std::int64_t{a.x} * b.y;
+  }
+  return area > 0;
+}
+
+}  // namespace
+
+std::vector<FigurePolygon> polygonsOf(const SnappedScene& scene, const SortedScene& sorted, int width,
+                                      int height) {
+  constexpr int kBeyond = kMargin * (kGrid / kFigureSteps);
+  const Regions regions{scene};
+  const int right = width * kGrid + kBeyond, bottom = height * kGrid + kBeyond;
+  const std::array borders{Regions::upright(-kBeyond, 1), Regions::upright(right, -1),
+                           Regions::level(-kBeyond, 1), Regions::level(bottom, -1)};
+  std::vector<FigurePolygon> polygons;
+  polygons.reserve(sorted.fragments.size());
+  Region region;
+  for (const Fragment& fragment : sorted.fragments) {
+    regionOf(scene, sorted, fragment, regions, region);
+    const auto outside = [&](const Side& side) {
+      const Corner& c = side.corner;
+      return c.x < -kBeyond || c.y < -kBeyond || c.x > right || c.y > bottom;
+    };
+    if (std::ranges::any_of(region, outside))
+      for (const Line& border : borders)
+        if (!region.empty()) regions.clip(region, border);
+    FigurePolygon polygon;
+    polygon.face = fragment.face;
+    if (!region.empty() && round(scene, region, polygon)) polygons.push_back(std::move(polygon));
+  }
+  return polygons;
+}
+
+PolygonGrid::PolygonGrid(const std::vector<FigurePolygon>& polygons, int width, int height) {
+  const double cells = 1.0 + static_cast<double>(polygons.size());
+  const int w = width * kFigureSteps + 2 * kMargin + 2, h = height * kFigureSteps + 2 * kMargin + 2;
+  side_ = std::max(kFigureSteps, static_cast<int>(std::sqrt(static_cast<double>(w) * h / cells)));
+  columns_ = w / side_ + 1, rows_ = h / side_ + 1;
+  right_ = w - 1, bottom_ = h - 1;
+  met_.assign(polygons.size(), 0);
+  for (const FigurePolygon& p : polygons) {
+    const auto [left, right] = std::ranges::minmax(p.corners, {}, &glm::ivec2::x);
+    const auto [top, bottom] = std::ranges::minmax(p.corners, {}, &glm::ivec2::y);
+    const auto within = [](int at, int most) { return std::clamp(at + kMargin, 0, most - 1); };
+    boxes_.push_back({within(left.x, w), within(top.y, h), within(right.x, w), within(bottom.y, h)});
+  }
+  const auto forEachCell = [&](const Box& box, auto use) {
+    for (int j = box.y0 / side_; j <= box.y1 / side_; ++j)
+      for (int i = box.x0 / side_; i <= box.x1 / side_; ++i) use(std::size_t(j) * columns_ + i);
+  };
+  begin_.assign(std::size_t(columns_) * rows_ + 1, 0);
+  for (const Box& box : boxes_) forEachCell(box, [&](std::size_t cell) { ++begin_[cell + 1]; });
+  for (std::size_t k = 1; k < begin_.size(); ++k) begin_[k] += begin_[k - 1];
+  members_.resize(begin_.back());
+  std::vector<int> next = begin_;
+  for (std::size_t k = 0; k < boxes_.size(); ++k)
+    forEachCell(boxes_[k], [&](std::size_t cell) { members_[next[cell]++] = static_cast<int>(k); });
+}
+
+namespace {
+
+constexpr double kRounding = 2.0;  ///< steps: rounding moves two corners towards each other by 1.42 at most
+
+double cross(const glm::dvec2& a, const glm::dvec2& b) { return a.y * b.x - a.x * b.y; }
+
+/// True if a line along a side of p has p on one side, and q on the other but for the rounding.
+bool isApartAlong(const FigureLoop& p, const FigureLoop& q) {
+  for (std::size_t k = 0; k < p.size(); ++k) {
+    const glm::dvec2 a = p[k], side = glm::dvec2{p[k + 1 == p.size() ? 0 : k + 1]} - a;
+    const double slack = kRounding * std::sqrt(side.x * side.x + side.y * side.y);
+    if (std::ranges::all_of(q, [&](const glm::ivec2& v) { return cross(side, glm::dvec2{v} - a) <= slack; }))
+      return true;
+  }
+  return false;
+}
+
+using Part = std::vector<glm::dvec2>;  ///< convex
+
+/// What lies on the positive side of the line through a along `side` (sign 1), or on the other (-1).
+void clip(const Part& part, const glm::dvec2& a, const glm::dvec2& side, double sign, Part& to) {
+  to.clear();
+  for (std::size_t k = 0; k < part.size(); ++k) {
+    const glm::dvec2 &u = part[k], &v = part[k + 1 == part.size() ? 0 : k + 1];
+    const double hu = sign * cross(side, u - a), hv = sign * cross(side, v - a);
+    if (hu >= 0) to.push_back(u);
+    if ((hu > 0 && hv < 0) || (hu < 0 && hv > 0)) to.push_back(u + (v - u) * (hu / (hu - hv)));
+  }
+}
+
+bool isSliver(const Part& part) {
+  double doubleArea = 0, longest = 0;
+  for (std::size_t k = 1; k < part.size(); ++k) {
+    const glm::dvec2 a = part[k] - part[0];
+    if (k > 1) doubleArea += cross(part[k - 1] - part[0], a);
+    longest = std::max(longest, a.x * a.x + a.y * a.y);
+  }
+  return doubleArea <= kRounding * std::sqrt(longest);
+}
+
+/// Takes the polygon q away from the parts.
+void takeAway(const FigureLoop& q, std::vector<Part>& parts) {
+  std::vector<Part> left;
+  Part outside, inside;
+  for (Part& part : parts) {
+    for (std::size_t k = 0; k < q.size() && !part.empty(); ++k) {
+      const glm::dvec2 a = q[k], side = glm::dvec2{q[k + 1 == q.size() ? 0 : k + 1]} - a;
+      clip(part, a, side, -1, outside);
+      if (outside.size() > 2 && !isSliver(outside)) left.push_back(outside);
+      clip(part, a, side, 1, inside);
+      std::swap(part, inside);
+      if (part.size() < 3) break;
+    }
+  }
+  parts = std::move(left);
+}
+
+/// A polygon with its sides moved outwards, as far as it lies in the page and in its box, which is made
+/// larger in the same way.
+Part enlarged(const FigureLoop& p, int by, const glm::ivec2& page) {
+  const auto [left, right] = std::ranges::minmax(p, {}, &glm::ivec2::x);
+  const auto [top, bottom] = std::ranges::minmax(p, {}, &glm::ivec2::y);
+  const double x0 = std::max(0, left.x - by), x1 = std::min(page.x, right.x + by),
+               y0 = std::max(0, top.y - by), y1 = std::min(page.y, bottom.y + by);
+  if (x0 >= x1 || y0 >= y1) return {};
+  Part part{{x0, y0}, {x0, y1}, {x1, y1}, {x1, y0}}, inside;
+  for (std::size_t k = 0; k < p.size() && part.size() > 2; ++k) {
+    const glm::dvec2 a = p[k], side = glm::dvec2{p[k + 1 == p.size() ? 0 : k + 1]} - a;
+    const glm::dvec2 out = glm::dvec2{-side.y, side.x} / std::sqrt(side.x * side.x + side.y * side.y);
+    clip(part, a + out * static_cast<double>(by), side, 1, inside);
+    std::swap(part, inside);
+  }
+  return part;
+}
+
+bool isWithin(const glm::dvec2& at, const FigureLoop& p) {
+  for (std::size_t k = 0; k < p.size(); ++k) {
+    const glm::dvec2 a = p[k], side = glm::dvec2{p[k + 1 == p.size() ? 0 : k + 1]} - a;
+    if (cross(side, at - a) < 0) return false;
+  }
+  return true;
+}
+
+}  // namespace
+
+bool overlap(const FigureLoop& p, const FigureLoop& q) { return !isApartAlong(p, q) && !isApartAlong(q, p); }
+
+std::vector<bool> hiddenIn(const std::vector<FigurePolygon>& polygons, int width, int height, int beyond) {
+  constexpr std::size_t kMostParts = 200;  // of one polygon; with more it counts as seen
+  PolygonGrid grid{polygons, width, height};
+  std::vector<bool> hidden(polygons.size(), false);
+  std::vector<int> over;
+  for (int k = 0; k < static_cast<int>(polygons.size()); ++k) {
+    const FigureLoop& p = polygons[k].corners;
+    over.clear();
+    grid.forEachNear(k, beyond, [&](int other) {
+      if (other > k) over.push_back(other);
+    });
+    glm::dvec2 centre{0.0};
+    for (const glm::ivec2& v : p) centre += glm::dvec2{v};
+    centre = centre / static_cast<double>(p.size());
+    if (std::ranges::none_of(over, [&](int other) { return isWithin(centre, polygons[other].corners); }))
+      continue;
+    std::ranges::sort(over);
+    const Part whole = enlarged(p, beyond, {width * kFigureSteps, height * kFigureSteps});
+    const FigureLoop about{whole.begin(), whole.end()};
+    std::vector<Part> parts;
+    if (whole.size() > 2) parts.push_back(whole);
+    for (const int other : over) {
+      if (overlap(about, polygons[other].corners)) takeAway(polygons[other].corners, parts);
+      if (parts.empty() || parts.size() > kMostParts) break;
+    }
+    hidden[k] = parts.empty();
+  }
+  return hidden;
+}
+
+bool isCovered(const FigureLoop& area, const std::vector<FigurePolygon>& polygons, int first, int beyond,
+               PolygonGrid& grid) {
+  std::vector<Part> parts{Part(area.begin(), area.end())};
+  grid.forEachNear(first, beyond, [&](int other) {
+    if (other > first && !parts.empty() && overlap(area, polygons[other].corners))
+      takeAway(polygons[other].corners, parts);
+  });
+  return parts.empty();
+}
+
+std::vector<int> levelsOf(const std::vector<FigurePolygon>& polygons, int width, int height) {
+  PolygonGrid grid{polygons, width, height};
+  std::vector<int> levels(polygons.size(), 0);
+  for (int k = 0; k < static_cast<int>(polygons.size()); ++k)
+    grid.forEachNear(k, 0, [&](int other) {
+      if (other < k && levels[other] >= levels[k] && overlap(polygons[k].corners, polygons[other].corners))
+        levels[k] = levels[other] + 1;
+    });
+  return levels;
+}
+
+}  // namespace xnewell

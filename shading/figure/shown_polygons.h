@@ -1,0 +1,92 @@
+#pragma once
+
+#include <algorithm>
+#include <array>
+#include <cstdint>
+#include <glm/vec2.hpp>
+#include <span>
+#include <vector>
+
+#include "depthsort/depth_sort.h"
+#include "shading/figure/figure.h"
+
+namespace xnewell {
+
+/// The line of the scene on which a side of a polygon lies. Sides of one line meet there; between them are no
+/// gaps.
+struct SideLine {
+  enum class Kind : std::uint8_t { Page, Edge, Cut };  ///< Page: the border of the page
+  Kind kind = Kind::Page;
+  /// Edge: the places of its ends on the screen grid, packed. Cut: two planes. Smaller first.
+  std::uint64_t a = 0, b = 0;
+  auto operator<=>(const SideLine&) const = default;
+};
+
+/// A fragment of the painting order, or a part of one, in the steps of a figure.
+/// Holds: counter-clockwise as seen (y down), with an area; convex but for the rounding of its corners.
+struct FigurePolygon {
+  FigureLoop corners;
+  std::vector<SideLine> lines;  ///< lines[k]: of the side from corner k to the next one
+  int face = 0;                 ///< index into SnappedScene::faces
+  std::array<std::uint8_t, 3> color{};
+};
+
+/// The fragments as polygons, in the same order. Those outside of a page of that size, in pixels, are left
+/// out. The others are clipped a little outside of it.
+[[nodiscard]] std::vector<FigurePolygon> polygonsOf(const SnappedScene& scene, const SortedScene& sorted,
+                                                    int width, int height);
+
+/// Finds the polygons whose boxes may overlap a box.
+class PolygonGrid {
+ public:
+  PolygonGrid(const std::vector<FigurePolygon>& polygons, int width, int height);
+  /// Calls use(k) once for each polygon k whose box overlaps that of `polygon`, made larger by `beyond`
+  /// steps, in no order.
+  template <class Use>
+  void forEachNear(int polygon, int beyond, Use&& use) {
+    const Box& of = boxes_[polygon];
+    const Box box{std::max(0, of.x0 - beyond), std::max(0, of.y0 - beyond), std::min(right_, of.x1 + beyond),
+                  std::min(bottom_, of.y1 + beyond)};
+    ++round_;
+    for (int j = box.y0 / side_; j <= box.y1 / side_; ++j)
+      for (int i = box.x0 / side_; i <= box.x1 / side_; ++i) {
+        const std::size_t cell = std::size_t(j) * columns_ + i;
+        for (int at = begin_[cell]; at < begin_[cell + 1]; ++at) {
+          const int k = members_[at];
+          if (met_[k] == round_) continue;
+          met_[k] = round_;
+          const Box& o = boxes_[k];
+          if (o.x0 < box.x1 && box.x0 < o.x1 && o.y0 < box.y1 && box.y0 < o.y1) use(k);
+        }
+      }
+  }
+
+ private:
+  struct Box {
+    int x0, y0, x1, y1;  ///< moved so that none is negative
+  };
+  int side_, columns_, rows_, right_, bottom_, round_ = 0;
+  std::vector<Box> boxes_;
+  std::vector<int> begin_, members_, met_;
+};
+
+/// True if the polygons overlap by more than the rounding of their corners may make them.
+[[nodiscard]] bool overlap(const FigureLoop& p, const FigureLoop& q);
+
+/// For each polygon, whether later ones cover all of it, and all of the page that is nearer to it than
+/// `beyond`, in the steps of a figure; slivers thinner than the rounding do not count. The pixels at the
+/// border of what hides a polygon show some of it, so one that is hidden by less than a pixel is still
+/// needed.
+[[nodiscard]] std::vector<bool> hiddenIn(const std::vector<FigurePolygon>& polygons, int width, int height,
+                                         int beyond);
+
+/// True if polygons after `first` cover an area near that polygon, as hiddenIn() means it. The grid is that
+/// of the polygons, and the area lies within `beyond` of the polygon's box.
+[[nodiscard]] bool isCovered(const FigureLoop& area, const std::vector<FigurePolygon>& polygons, int first,
+                             int beyond, PolygonGrid& grid);
+
+/// For each polygon a level: one more than the highest of the earlier polygons that it overlaps; 0 if there
+/// are none. So the polygons may be painted level by level, and those of one level in any order.
+[[nodiscard]] std::vector<int> levelsOf(const std::vector<FigurePolygon>& polygons, int width, int height);
+
+}  // namespace xnewell

@@ -1,0 +1,190 @@
+#include "shading/figure/write_figure.h"
+
+#include <algorithm>
+#include <charconv>
+#include <vector>
+
+namespace xnewell {
+
+namespace {
+
+using Color = std::array<std::uint8_t, 3>;
+
+/// A text that grows by numbers and words.
+class Text {
+ public:
+  Text& operator<<(std::string_view words) { return bytes_ += words, *this; }
+  Text& operator<<(std::int64_t number) {
+    std::array<char, 24> digits;
+    bytes_.append(digits.data(), std::to_chars(digits.begin(), digits.end(), number).ptr);
+    return *this;
+  }
+  /// A number after another: a minus sign parts them, or a blank.
+  Text& then(int number) {
+    if (number >= 0) bytes_ += ' ';
+    return *this << number;
+  }
+  [[nodiscard]] std::size_t size() const { return bytes_.size(); }
+  std::string take() { return std::move(bytes_); }
+
+ private:
+  std::string bytes_;
+};
+
+/// A step of a figure in pixels, exactly.
+constexpr std::string_view kStep = ".00390625";
+static_assert(kFigureSteps == 256);
+
+/// "#08f" or "#0088fe".
+std::string hex(const Color& color) {
+  constexpr std::string_view kDigits = "0123456789abcdef";
+  std::string text = "#";
+  const bool shorter = std::ranges::all_of(color, [](std::uint8_t c) { return c >> 4 == (c & 15); });
+  for (const std::uint8_t c : color) {
+    text += kDigits[c >> 4];
+    if (!shorter) text += kDigits[c & 15];
+  }
+  return text;
+}
+
+std::string escaped(std::string_view text) {
+  std::string xml;
+  for (const char c : text)
+    if (c == '&')
+      xml += "&amp;";
+    else if (c == '<')
+      xml += "&lt;";
+    else if (c == '>')
+      xml += "&gt;";
+    else
+      xml += c;
+  return xml;
+}
+
+/// "1 .502 0 rg ": three decimals tell all of 256 levels apart.
+void addColor(Text& text, const Color& color, std::string_view sets) {
+  for (const std::uint8_t c : color) {
+    const int thousandths = (c * 2000 + 255) / 510;
+    if (thousandths == 0 || thousandths == 1000) {
+      text << (thousandths == 0 ? "0 " : "1 ");
+      continue;
+    }
+    std::string digits = std::to_string(1000 + thousandths).substr(1);
+    while (digits.back() == '0') digits.pop_back();
+    text << "." << digits << " ";
+  }
+  text << sets << "\n";
+}
+
+/// The page in the colour of the paper.
+void addPaper(Text& text, const Figure& figure, std::string_view setsColor, std::string_view fills) {
+  if (figure.paper.empty()) return;
+  addColor(text, figure.paper.front(), setsColor);
+  text << "0 0 " << figure.width << " " << figure.height << " " << fills << "\n";
+}
+
+}  // namespace
+
+std::string svgOf(const Figure& figure) {
+  Text svg;
+  svg << "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n<svg xmlns=\"http://www.w3.org/2000/svg\" width=\""
+      << figure.width << "\" height=\"" << figure.height << "\" viewBox=\"0 0 " << figure.width << " "
+      << figure.height << "\">\n";
+  if (!figure.note.empty()) svg << "<desc>" << escaped(figure.note) << "</desc>\n";
+  if (!figure.paper.empty())
+    svg << "<rect width=\"100%\" height=\"100%\" fill=\"" << hex(figure.paper.front()) << "\"/>\n";
+  svg << "<g transform=\"scale(" << kStep << ")\">\n";
+  for (const FigurePath& path : figure.paths) {
+    svg << "<path fill=\"" << hex(path.color) << "\" d=\"";
+    for (const FigureLoop& loop : path.loops) {
+      svg << "M" << loop[0].x;
+      svg.then(loop[0].y) << "l";
+      for (std::size_t k = 1; k < loop.size(); ++k) {
+        const glm::ivec2 on = loop[k] - loop[k - 1];
+        (k == 1 ? svg << on.x : svg.then(on.x)).then(on.y);
+      }
+      svg << "z";
+    }
+    svg << "\"/>\n";
+  }
+  svg << "</g>\n</svg>\n";
+  return svg.take();
+}
+
+std::string pdfOf(const Figure& figure) {
+  Text drawing;
+  drawing << "0 0 " << figure.width << " " << figure.height << " re W n\n";
+  addPaper(drawing, figure, "rg", "re f");
+  drawing << kStep << " 0 0 -" << kStep << " 0 " << figure.height << " cm\n";
+  const Color* last = nullptr;
+  for (const FigurePath& path : figure.paths) {
+    if (last == nullptr || *last != path.color) addColor(drawing, path.color, "rg");
+    last = &path.color;
+    for (const FigureLoop& loop : path.loops) {
+      for (std::size_t k = 0; k < loop.size(); ++k)
+        drawing << loop[k].x << " " << loop[k].y << (k == 0 ? " m\n" : " l\n");
+      drawing << "h\n";
+    }
+    drawing << "f\n";
+  }
+  const std::string contents = drawing.take();
+
+  // The bytes above 127 tell programs that the file is not plain text.
+  Text pdf;
+  pdf << "%PDF-1.4\n%\xE2\xE3\xCF\xD3\n";
+  if (!figure.note.empty()) pdf << "%xnewell: " << figure.note << "\n";
+  std::vector<std::size_t> places;
+  const auto begin = [&]() -> Text& {
+    places.push_back(pdf.size());
+    return pdf << static_cast<std::int64_t>(places.size()) << " 0 obj\n";
+  };
+  begin() << "<</Type/Catalog/Pages 2 0 R>>\nendobj\n";
+  begin() << "<</Type/Pages/Kids[3 0 R]/Count 1>>\nendobj\n";
+  begin() << "<</Type/Page/Parent 2 0 R/MediaBox[0 0 " << figure.width << " " << figure.height
+          << "]/Resources<<>>/Contents 4 0 R>>\nendobj\n";
+  begin() << "<</Length " << static_cast<std::int64_t>(contents.size()) << ">>\nstream\n"
+          << contents << "endstream\nendobj\n";
+  const std::size_t table = pdf.size();
+  pdf << "xref\n0 " << static_cast<std::int64_t>(places.size() + 1) << "\n0000000000 65535 f \n";
+  for (const std::size_t place : places)
+    pdf << std::to_string(10'000'000'000 + place).substr(1) << " 00000 n \n";
+  pdf << "trailer\n<</Size " << static_cast<std::int64_t>(places.size() + 1) << "/Root 1 0 R>>\nstartxref\n"
+      << static_cast<std::int64_t>(table) << "\n%%EOF\n";
+  return pdf.take();
+}
+
+std::string epsOf(const Figure& figure) {
+  Text eps;
+  eps << "%!PS-Adobe-3.0 EPSF-3.0\n%%BoundingBox: 0 0 " << figure.width << " " << figure.height
+      << "\n%%LanguageLevel: 2\n%%EndComments\n";
+  if (!figure.note.empty()) eps << "%xnewell: " << figure.note << "\n";
+  eps << "10 dict begin gsave\n/c{setrgbcolor}bind def/m{moveto}bind def/l{rlineto}bind def"
+         "/h{closepath}bind def/f{fill}bind def\n"
+      << "0 0 " << figure.width << " " << figure.height << " rectclip\n";
+  addPaper(eps, figure, "c", "rectfill");
+  eps << "0 " << figure.height << " translate " << kStep << " -" << kStep << " scale\n";
+  const Color* last = nullptr;
+  for (const FigurePath& path : figure.paths) {
+    if (last == nullptr || *last != path.color) addColor(eps, path.color, "c");
+    last = &path.color;
+    for (const FigureLoop& loop : path.loops) {
+      eps << loop[0].x << " " << loop[0].y << " m\n";
+      for (std::size_t k = 1; k < loop.size(); ++k)
+        eps << loop[k].x - loop[k - 1].x << " " << loop[k].y - loop[k - 1].y << " l\n";
+      eps << "h\n";
+    }
+    eps << "f\n";
+  }
+  eps << "grestore end\n%%EOF\n";
+  return eps.take();
+}
+
+const FigureFormat* figureFormatOf(std::string_view file) {
+  std::string name{file};
+  std::ranges::transform(name, name.begin(), [](char c) { return c >= 'A' && c <= 'Z' ? char(c + 32) : c; });
+  const auto found = std::ranges::find_if(
+      kFigureFormats, [&](const FigureFormat& format) { return name.ends_with(format.ending); });
+  return found == kFigureFormats.end() ? nullptr : &*found;
+}
+
+}  // namespace xnewell

@@ -1,0 +1,27 @@
+#pragma once
+
+#include <array>
+#include <string>
+#include <string_view>
+
+#include "shading/figure/figure.h"
+
+namespace xnewell {
+
+/// The bytes of a figure's file. They depend on the figure alone: they hold no time and no version. A pixel
+/// of the picture is a pixel of SVG, and a point (1/72 inch) of PDF and EPS.
+[[nodiscard]] std::string svgOf(const Figure& figure);
+[[nodiscard]] std::string pdfOf(const Figure& figure);
+[[nodiscard]] std::string epsOf(const Figure& figure);
+
+struct FigureFormat {
+  std::string_view ending, name;
+  std::string (*write)(const Figure&);
+};
+inline constexpr std::array kFigureFormats{FigureFormat{".svg", "SVG", svgOf},
+                                           FigureFormat{".pdf", "PDF", pdfOf},
+                                           FigureFormat{".eps", "EPS", epsOf}};
+/// The format of a file by the end of its name, in capitals or not; null if there is none.
+[[nodiscard]] const FigureFormat* figureFormatOf(std::string_view file);
+
+}  // namespace xnewell

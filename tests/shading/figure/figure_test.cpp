@@ -1,0 +1,170 @@
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "shading/figure/make_figure.h"
+#include "shading/figure/write_figure.h"
+#include "shading/picture/picture_cache.h"
+#include "shading/scene/scene.h"
+
+namespace xnewell {
+namespace THIS_FILE {
+
+constexpr int kWidth = 160, kHeight = 120;
+
+Picture pictureOf(const std::string& name) {
+  Scene scene = readScene(name);
+  PictureSettings settings = scene.settings;
+  settings.width = kWidth, settings.height = kHeight;
+  settings.shading = Shading::Flat, settings.order = Order::Newell, settings.colors = ColorPlan::OneHue;
+  return makePicture(std::move(scene), settings, std::uint8_t{0});
+}
+
+Figure figureOf(const Picture& picture, FigureColors colors, int strip = kStrip) {
+  return makeFigure(picture, figureOrder(picture, Order::Newell),
+                    picture.palette(CellPlan{picture.settings().table.kind}), colors, strip);
+}
+
+/// How often the loops of a path wind around a point that is in no corner's row.
+int winding(const FigurePath& path, double x, double y) {
+  int turns = 0;
+  for (const FigureLoop& loop : path.loops)
+    for (std::size_t k = 0; k < loop.size(); ++k) {
+      const glm::ivec2 a = loop[k], b = loop[k + 1 == loop.size() ? 0 : k + 1];
+      if ((a.y < y) == (b.y < y)) continue;
+      const double at = a.x + (y - a.y) * (b.x - a.x) / (b.y - a.y);
+      if (at > x) turns += a.y < b.y ? 1 : -1;
+    }
+  return turns;
+}
+
+/// What a figure in the colours of the ids shows at a point: 0 where no path lies.
+std::uint32_t idAt(const Figure& figure, double x, double y) {
+  for (auto path = figure.paths.rbegin(); path != figure.paths.rend(); ++path)
+    if (winding(*path, x, y) != 0)
+      return std::uint32_t{path->color[0]} << 16 | std::uint32_t{path->color[1]} << 8 | path->color[2];
+  return 0;
+}
+
+// The figure shows the picture's face at each sample. Only at the border of a face, where the steps of a
+// figure are too coarse, it may show the one beside it.
+TEST(Figure, ShowsTheFaceOfEachSample) {
+  for (const char* name : {"cubes", "cycle", "pinwheels", "crossing-sheets", "penetrate", "tori"})
+    for (const int strip : {0, kStrip}) {
+      SCOPED_TRACE(std::string{name} + " " + std::to_string(strip));
+      const Picture picture = pictureOf(name);
+      const Figure figure = figureOf(picture, FigureColors::Ids, strip);
+      const std::vector<std::uint32_t> ids = picture.faceImage();
+      int atBorders = 0;
+      for (int j = 0; j < kHeight; ++j)
+        for (int i = 0; i < kWidth; ++i) {
+          const std::uint32_t id = ids[std::size_t(j) * kWidth + i];
+          const double x = i * kFigureSteps + 128.25, y = j * kFigureSteps + 128.25;
+          if (idAt(figure, x, y) == id) continue;
+          ++atBorders;
+          bool near = false;
+          for (const double dx : {-4.0, 0.0, 4.0})
+            for (const double dy : {-4.0, 0.0, 4.0}) near |= idAt(figure, x + dx, y + dy) == id;
+          EXPECT_TRUE(near) << i << ' ' << j;
+        }
+      EXPECT_LT(atBorders, kWidth * kHeight / 500);
+    }
+}
+
+// Of eighteen faces of cubes, those stay that show at a sample. They have three colours: three paths.
+TEST(Figure, LeavesOutHiddenFacesAndJoinsColors) {
+  const Picture picture = pictureOf("cubes");
+  const Figure figure = figureOf(picture, FigureColors::Shades);
+  std::vector<std::uint32_t> ids = picture.faceImage();
+  std::ranges::sort(ids);
+  ids.erase(std::unique(ids.begin(), ids.end()), ids.end());
+  EXPECT_EQ(figure.statistics.fragments, 18);
+  EXPECT_EQ(figure.statistics.hidden, 18 - (std::ssize(ids) - 1)) << "one of the ids is the background";
+  EXPECT_EQ(figure.paths.size(), 3u);
+}
+
+FigurePolygon triangle(glm::ivec2 a, glm::ivec2 b, glm::ivec2 c, std::uint8_t red) {
+  FigurePolygon p;
+  p.corners = {a, b, c};
+  p.lines.resize(3);
+  p.color = {red, 0, 0};
+  return p;
+}
+
+// Four triangles around a point. The first covers a disk around it and strips of its two neighbours; the last
+// one covers nothing but itself.
+TEST(Figure, CoversBordersUnderWhatIsPaintedLater) {
+  const glm::ivec2 o{4000, 4000}, e{8000, 4000}, n{4000, 0}, w{0, 4000}, s{4000, 8000};
+  const std::vector<FigurePolygon> around{triangle(o, e, n, 1), triangle(o, n, w, 2), triangle(o, w, s, 3),
+                                          triangle(o, s, e, 4)};
+  const auto paths = joinedPaths(around, {0, 1, 2, 3}, 100, 32, 32);
+  ASSERT_EQ(paths.size(), 4u);
+  EXPECT_NE(winding(paths[0], 3990.5, 3990.5), 0) << "the strip beside it";
+  EXPECT_NE(winding(paths[0], 3980.5, 4020.5), 0) << "the disk, in the triangle across the point";
+  EXPECT_EQ(winding(paths[0], 3800.5, 3900.5), 0) << "beyond the strip";
+  EXPECT_EQ(paths[3].loops, (std::vector<FigureLoop>{{s, e, o}}));
+  const auto bare = joinedPaths(around, {0, 1, 2, 3}, 0, 32, 32);
+  EXPECT_EQ(bare[0].loops, (std::vector<FigureLoop>{{e, n, o}}));
+}
+
+// Two triangles of one colour and one level lose the side between them.
+TEST(Figure, JoinsNeighboursOfOneColor) {
+  const glm::ivec2 a{0, 0}, b{0, 1000}, c{1000, 1000}, d{1000, 0};
+  const auto paths = joinedPaths({triangle(a, b, c, 7), triangle(a, c, d, 7)}, {0, 0}, 100, 32, 32);
+  ASSERT_EQ(paths.size(), 1u);
+  ASSERT_EQ(paths[0].loops.size(), 1u);
+  EXPECT_EQ(paths[0].loops[0].size(), 4u);
+}
+
+Figure smallFigure() {
+  Figure figure;
+  figure.width = 4, figure.height = 3;
+  figure.paths = {{{255, 136, 1}, {{{0, 0}, {0, 256}, {256, 256}}}}};
+  figure.note = "xnewell draw a<b&c";
+  return figure;
+}
+
+TEST(Figure, WritesSvg) {
+  EXPECT_EQ(svgOf(smallFigure()),
+            "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n"
+            "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"4\" height=\"3\" viewBox=\"0 0 4 3\">\n"
+            "<desc>xnewell draw a&lt;b&amp;c</desc>\n"
+            "<g transform=\"scale(.00390625)\">\n"
+            "<path fill=\"#ff8801\" d=\"M0 0l0 256 256 0z\"/>\n"
+            "</g>\n</svg>\n");
+}
+
+// The table of a PDF file tells at which byte each object begins, and the stream has the length that it says.
+TEST(Figure, WritesPdf) {
+  const std::string pdf = pdfOf(smallFigure());
+  EXPECT_NE(pdf.find("1 .533 .004 rg\n0 0 m\n0 256 l\n256 256 l\nh\nf\n"), pdf.npos);
+  EXPECT_NE(pdf.find("\n%xnewell: xnewell draw a<b&c\n"), pdf.npos);
+  const std::size_t start = pdf.find("startxref\n") + 10, table = std::stoul(pdf.substr(start));
+  ASSERT_EQ(pdf.substr(table, 9), "xref\n0 5\n");
+  for (int n = 1; n <= 4; ++n) {
+    const std::size_t place = std::stoul(pdf.substr(table + 9 + 20 * std::size_t(n), 10));
+    EXPECT_TRUE(pdf.substr(place).starts_with(std::to_string(n) + " 0 obj\n")) << n;
+  }
+  const std::size_t begin = pdf.find("stream\n") + 7, end = pdf.find("endstream");
+  EXPECT_NE(pdf.find("<</Length " + std::to_string(end - begin) + ">>"), pdf.npos);
+}
+
+TEST(Figure, WritesEps) {
+  const std::string eps = epsOf(smallFigure());
+  EXPECT_TRUE(eps.starts_with("%!PS-Adobe-3.0 EPSF-3.0\n%%BoundingBox: 0 0 4 3\n"));
+  EXPECT_NE(eps.find("1 .533 .004 c\n0 0 m\n0 256 l\n256 0 l\nh\nf\n"), eps.npos);
+}
+
+TEST(Figure, KnowsItsFormatsByTheEndOfTheName) {
+  EXPECT_EQ(figureFormatOf("a.b.SVG")->name, "SVG");
+  EXPECT_EQ(figureFormatOf("a.pdf")->name, "PDF");
+  EXPECT_EQ(figureFormatOf("a.eps")->name, "EPS");
+  EXPECT_EQ(figureFormatOf("svg"), nullptr);
+  EXPECT_EQ(figureFormatOf("a.png"), nullptr);
+}
+
+}  // namespace THIS_FILE
+}  // namespace xnewell
