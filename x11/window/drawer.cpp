@@ -4,7 +4,7 @@ namespace xnewell {
 
 namespace {
 
-constexpr int kInset = 10, kRow = 24;
+constexpr int kDrawerInset = 10, kDrawerRow = 24;
 
 void drawHandle(Pen& pen, const Layout& at, const Look& look) {
   const Rect& handle = at.handle;
@@ -12,7 +12,7 @@ void drawHandle(Pen& pen, const Layout& at, const Look& look) {
   if (look.hovered) pen.paint.fillRect(handle, pen(Cell::White));
   pen.paint.fillRect({at.controls.x, at.controls.y, 2, at.controls.height}, pen(Cell::Ink));
   if (at.drawer == Drawer::Few) {
-    const int y = handle.y + 17, x = handle.x + kInset;
+    const int y = handle.y + 17, x = handle.x + kDrawerInset;
     pen.soft(x + pen.key(x, y - kKeyCapBaseline, std::string_view{&kDrawerKey, 1}) + 6, y, "put away");
     pen.paint.triangle(handle.x + handle.width - 14, y - 9, 5, Direction::Right, pen(Cell::Ink));
     return;
@@ -42,9 +42,9 @@ void drawDrawer(Pen& pen, const Layout& at, const Controls& controls, std::strin
   drawHandle(pen, at, list.look({kDrawerKey}));
   list.place({kDrawerKey}, {.area = at.handle, .bare = true});
   if (at.drawer != Drawer::Few) return;
-  const int x = at.controls.x + kInset;
-  const RowStyle row{.width = at.controls.width - kInset - 6,
-                     .pitch = kRow,
+  const int x = at.controls.x + kDrawerInset;
+  const RowStyle row{.width = at.controls.width - kDrawerInset - 6,
+                     .pitch = kDrawerRow,
                      .label = 20,
                      .value = 66,
                      .track = 56,
