@@ -31,7 +31,7 @@ struct FigureStatistics {
   std::int64_t loops = 0, corners = 0;
 };
 
-struct Figure {
+struct VectorFigure {
   int width = 0, height = 0;  ///< of the page, in pixels of the picture; the figure is cut off at its border
   std::vector<FigurePath> paths;
   std::vector<std::array<std::uint8_t, 3>> paper;  ///< one colour behind all paths, or none

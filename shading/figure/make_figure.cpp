@@ -63,10 +63,10 @@ SortedScene figureOrder(const Picture& picture, Order order) {
   return sortEveryFace(picture.snapped(), s.width, s.height, s.mostPieces);
 }
 
-Figure makeFigure(const Picture& picture, const SortedScene& order, const Palette& palette,
-                  FigureColors colors, int strip) {
+VectorFigure makeFigure(const Picture& picture, const SortedScene& order, const Palette& palette,
+                        FigureColors colors, int strip) {
   const int width = picture.settings().width, height = picture.settings().height;
-  Figure figure;
+  VectorFigure figure;
   figure.width = width, figure.height = height;
   FigureStatistics& statistics = figure.statistics;
   std::vector<FigurePolygon> all = polygonsOf(picture.snapped(), order, width, height);

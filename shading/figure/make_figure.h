@@ -21,7 +21,8 @@ enum class FigureColors {
 /// Makes the figure of a picture. The cells' colours are those of `palette`.
 /// Preconditions: the picture is painted and has planes (Picture::withPlanes()), and its method of shading
 /// gives each face a single cell.
-[[nodiscard]] Figure makeFigure(const Picture& picture, const SortedScene& order, const Palette& palette,
-                                FigureColors colors = FigureColors::Shades, int strip = kStrip);
+[[nodiscard]] VectorFigure makeFigure(const Picture& picture, const SortedScene& order,
+                                      const Palette& palette, FigureColors colors = FigureColors::Shades,
+                                      int strip = kStrip);
 
 }  // namespace xnewell

@@ -77,7 +77,7 @@ void addColor(Text& text, const Color& color, std::string_view sets) {
 }
 
 /// The page in the colour of the paper.
-void addPaper(Text& text, const Figure& figure, std::string_view setsColor, std::string_view fills) {
+void addPaper(Text& text, const VectorFigure& figure, std::string_view setsColor, std::string_view fills) {
   if (figure.paper.empty()) return;
   addColor(text, figure.paper.front(), setsColor);
   text << "0 0 " << figure.width << " " << figure.height << " " << fills << "\n";
@@ -85,7 +85,7 @@ void addPaper(Text& text, const Figure& figure, std::string_view setsColor, std:
 
 }  // namespace
 
-std::string svgOf(const Figure& figure) {
+std::string svgOf(const VectorFigure& figure) {
   Text svg;
   svg << "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n<svg xmlns=\"http://www.w3.org/2000/svg\" width=\""
       << figure.width << "\" height=\"" << figure.height << "\" viewBox=\"0 0 " << figure.width << " "
@@ -111,7 +111,7 @@ std::string svgOf(const Figure& figure) {
   return svg.take();
 }
 
-std::string pdfOf(const Figure& figure) {
+std::string pdfOf(const VectorFigure& figure) {
   Text drawing;
   drawing << "0 0 " << figure.width << " " << figure.height << " re W n\n";
   addPaper(drawing, figure, "rg", "re f");
@@ -153,7 +153,7 @@ std::string pdfOf(const Figure& figure) {
   return pdf.take();
 }
 
-std::string epsOf(const Figure& figure) {
+std::string epsOf(const VectorFigure& figure) {
   Text eps;
   eps << "%!PS-Adobe-3.0 EPSF-3.0\n%%BoundingBox: 0 0 " << figure.width << " " << figure.height
       << "\n%%LanguageLevel: 2\n%%EndComments\n";

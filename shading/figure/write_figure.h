@@ -10,13 +10,13 @@ namespace xnewell {
 
 /// The bytes of a figure's file. They depend on the figure alone: they hold no time and no version. A pixel
 /// of the picture is a pixel of SVG, and a point (1/72 inch) of PDF and EPS.
-[[nodiscard]] std::string svgOf(const Figure& figure);
-[[nodiscard]] std::string pdfOf(const Figure& figure);
-[[nodiscard]] std::string epsOf(const Figure& figure);
+[[nodiscard]] std::string svgOf(const VectorFigure& figure);
+[[nodiscard]] std::string pdfOf(const VectorFigure& figure);
+[[nodiscard]] std::string epsOf(const VectorFigure& figure);
 
 struct FigureFormat {
   std::string_view ending, name;
-  std::string (*write)(const Figure&);
+  std::string (*write)(const VectorFigure&);
 };
 inline constexpr std::array kFigureFormats{FigureFormat{".svg", "SVG", svgOf},
                                            FigureFormat{".pdf", "PDF", pdfOf},

@@ -23,7 +23,7 @@ Picture pictureOf(const std::string& name) {
   return makePicture(std::move(scene), settings, std::uint8_t{0});
 }
 
-Figure figureOf(const Picture& picture, FigureColors colors, int strip = kStrip) {
+VectorFigure figureOf(const Picture& picture, FigureColors colors, int strip = kStrip) {
   return makeFigure(picture, figureOrder(picture, Order::Newell),
                     picture.palette(CellPlan{picture.settings().table.kind}), colors, strip);
 }
@@ -42,7 +42,7 @@ int winding(const FigurePath& path, double x, double y) {
 }
 
 /// What a figure in the colours of the ids shows at a point: 0 where no path lies.
-std::uint32_t idAt(const Figure& figure, double x, double y) {
+std::uint32_t idAt(const VectorFigure& figure, double x, double y) {
   for (auto path = figure.paths.rbegin(); path != figure.paths.rend(); ++path)
     if (winding(*path, x, y) != 0)
       return std::uint32_t{path->color[0]} << 16 | std::uint32_t{path->color[1]} << 8 | path->color[2];
@@ -51,12 +51,12 @@ std::uint32_t idAt(const Figure& figure, double x, double y) {
 
 // The figure shows the picture's face at each sample. Only at the border of a face, where the steps of a
 // figure are too coarse, it may show the one beside it.
-TEST(Figure, ShowsTheFaceOfEachSample) {
+TEST(VectorFigure, ShowsTheFaceOfEachSample) {
   for (const char* name : {"cubes", "cycle", "pinwheels", "crossing-sheets", "penetrate", "tori"})
     for (const int strip : {0, kStrip}) {
       SCOPED_TRACE(std::string{name} + " " + std::to_string(strip));
       const Picture picture = pictureOf(name);
-      const Figure figure = figureOf(picture, FigureColors::Ids, strip);
+      const VectorFigure figure = figureOf(picture, FigureColors::Ids, strip);
       const std::vector<std::uint32_t> ids = picture.faceImage();
       int atBorders = 0;
       for (int j = 0; j < kHeight; ++j)
@@ -75,9 +75,9 @@ TEST(Figure, ShowsTheFaceOfEachSample) {
 }
 
 // Of eighteen faces of cubes, those stay that show at a sample. They have three colours: three paths.
-TEST(Figure, LeavesOutHiddenFacesAndJoinsColors) {
+TEST(VectorFigure, LeavesOutHiddenFacesAndJoinsColors) {
   const Picture picture = pictureOf("cubes");
-  const Figure figure = figureOf(picture, FigureColors::Shades);
+  const VectorFigure figure = figureOf(picture, FigureColors::Shades);
   std::vector<std::uint32_t> ids = picture.faceImage();
   std::ranges::sort(ids);
   ids.erase(std::unique(ids.begin(), ids.end()), ids.end());
@@ -96,7 +96,7 @@ FigurePolygon triangle(glm::ivec2 a, glm::ivec2 b, glm::ivec2 c, std::uint8_t re
 
 // Four triangles around a point. The first covers a disk around it and strips of its two neighbours; the last
 // one covers nothing but itself.
-TEST(Figure, CoversBordersUnderWhatIsPaintedLater) {
+TEST(VectorFigure, CoversBordersUnderWhatIsPaintedLater) {
   const glm::ivec2 o{4000, 4000}, e{8000, 4000}, n{4000, 0}, w{0, 4000}, s{4000, 8000};
   const std::vector<FigurePolygon> around{triangle(o, e, n, 1), triangle(o, n, w, 2), triangle(o, w, s, 3),
                                           triangle(o, s, e, 4)};
@@ -111,7 +111,7 @@ TEST(Figure, CoversBordersUnderWhatIsPaintedLater) {
 }
 
 // Two triangles of one colour and one level lose the side between them.
-TEST(Figure, JoinsNeighboursOfOneColor) {
+TEST(VectorFigure, JoinsNeighboursOfOneColor) {
   const glm::ivec2 a{0, 0}, b{0, 1000}, c{1000, 1000}, d{1000, 0};
   const auto paths = joinedPaths({triangle(a, b, c, 7), triangle(a, c, d, 7)}, {0, 0}, 100, 32, 32);
   ASSERT_EQ(paths.size(), 1u);
@@ -119,15 +119,15 @@ TEST(Figure, JoinsNeighboursOfOneColor) {
   EXPECT_EQ(paths[0].loops[0].size(), 4u);
 }
 
-Figure smallFigure() {
-  Figure figure;
+VectorFigure smallFigure() {
+  VectorFigure figure;
   figure.width = 4, figure.height = 3;
   figure.paths = {{{255, 136, 1}, {{{0, 0}, {0, 256}, {256, 256}}}}};
   figure.note = "xnewell draw a<b&c";
   return figure;
 }
 
-TEST(Figure, WritesSvg) {
+TEST(VectorFigure, WritesSvg) {
   EXPECT_EQ(svgOf(smallFigure()),
             "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n"
             "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"4\" height=\"3\" viewBox=\"0 0 4 3\">\n"
@@ -138,7 +138,7 @@ TEST(Figure, WritesSvg) {
 }
 
 // The table of a PDF file tells at which byte each object begins, and the stream has the length that it says.
-TEST(Figure, WritesPdf) {
+TEST(VectorFigure, WritesPdf) {
   const std::string pdf = pdfOf(smallFigure());
   EXPECT_NE(pdf.find("1 .533 .004 rg\n0 0 m\n0 256 l\n256 256 l\nh\nf\n"), pdf.npos);
   EXPECT_NE(pdf.find("\n%xnewell: xnewell draw a<b&c\n"), pdf.npos);
@@ -152,13 +152,13 @@ TEST(Figure, WritesPdf) {
   EXPECT_NE(pdf.find("<</Length " + std::to_string(end - begin) + ">>"), pdf.npos);
 }
 
-TEST(Figure, WritesEps) {
+TEST(VectorFigure, WritesEps) {
   const std::string eps = epsOf(smallFigure());
   EXPECT_TRUE(eps.starts_with("%!PS-Adobe-3.0 EPSF-3.0\n%%BoundingBox: 0 0 4 3\n"));
   EXPECT_NE(eps.find("1 .533 .004 c\n0 0 m\n0 256 l\n256 0 l\nh\nf\n"), eps.npos);
 }
 
-TEST(Figure, KnowsItsFormatsByTheEndOfTheName) {
+TEST(VectorFigure, KnowsItsFormatsByTheEndOfTheName) {
   EXPECT_EQ(figureFormatOf("a.b.SVG")->name, "SVG");
   EXPECT_EQ(figureFormatOf("a.pdf")->name, "PDF");
   EXPECT_EQ(figureFormatOf("a.eps")->name, "EPS");
