@@ -40,92 +40,95 @@ SceneShading SceneShading::next(const Scene& scene, const PictureSettings& setti
   const ShadingRow& method = rowOf(settings.shading);
   if (!method.lit) return {};  // nothing is lit, so nothing is kept
   const bool keepsIntensities = settings.shading == Shading::Flat || settings.shading == Shading::Gouraud;
-  Light light{settings.light, channels, settings.shading};
-  // A map does not show textures: its surfaces keep their own colours.
-  if (settings.shading == Shading::Environment) light.light.texel = TexelUse::Multiplies;
-  const Eye eye{camera.eye, camera.lookAt};
+  const bool hasMaps = settings.shading == Shading::Environment;
+  SceneShading next = *this;
+  Light light{settings.light, channels};
+  if (hasMaps) light.light.texel = TexelUse::Multiplies;  // a map does not show textures
 
   // The lights come first: where all light is ambient, nothing asks for a normal, and nothing is divided.
-  Shared<Lighting> lighting = lighting_;
-  if (lightMade_ != light || eyeMade_ != eye)
-    lighting = resolve(scene.mesh, scene.light, light.light, channels, camera.eye, camera.lookAt,
-                       channels == Channels::Luminance && !isGray(scene));
-  Points points{.ofVertices = method.interpolates,
-                .withNormals = !lighting->onlyAmbient() || settings.shading == Shading::Environment};
+  const Eye eye{camera.eye, camera.lookAt};
+  next.lighting_.update({light, eye}, [&] {
+    return resolve(scene.mesh, scene.light, light.light, channels, eye.eye, eye.lookAt,
+                   channels == Channels::Luminance && !isGray(scene));
+  });
+  const Lighting& lighting = next.lighting();
+
+  // The places at which the light is evaluated, and their normals.
+  OfPoints points{.ofVertices = method.interpolates, .withNormals = !lighting.onlyAmbient() || hasMaps};
   if (points.withNormals) {
     points.normals = settings.normals;
     points.crease = method.interpolates ? settings.crease : 0.0;
-    points.adapt = keepsIntensities ? settings.adapt : 0.0;
   }
-  const double adapt = points.adapt;
+  next.own_.update(points, [&] { return ownPlaces(scene, settings, points); });
 
-  SceneShading next = pointsMade_ == points ? *this : SceneShading{};
-  if (next.pointsMade_ != points) next.makePoints(scene, settings, points);
-  next.lighting_ = lighting;
-  bool newLight = next.lightMade_ != light;
-  const bool newEye = next.eyeMade_ != eye;
-  const bool newHighlight = newLight || (newEye && next.lighting().asksForEye());
-  if (adapt > 0.0 && newHighlight) {
-    next.refined_ = std::optional{next.refine(scene, settings)};
-    newLight = true;  // points() has changed
-  }
-  if (!keepsIntensities)
-    next.lit_ = {}, next.luminance_ = {};
-  else if (newLight || newEye) {
-    for (int c = 0; c < next.lighting().channels; ++c) next.light(c, newLight, newHighlight);
-    if (next.lighting().luminance) next.luminance_ = next.luminanceOfAll();
-  }
+  // More places, where polygons are divided.
+  const Shared<Own>& own = next.own_.shared();
+  const HighlightEye highlightEye = lighting.asksForEye() ? HighlightEye{eye} : std::nullopt;
+  const double adapt = keepsIntensities && points.withNormals ? settings.adapt : 0.0;
+  if (adapt > 0.0)
+    next.refined_.update({own, adapt, light, highlightEye}, [&] { return next.refine(scene, settings); });
+  else
+    next.refined_.drop();
 
-  if (settings.shading == Shading::Environment) {
-    const Frame frame{settings.environment,
-                      settings.environment == EnvironmentForm::Published ? camera.view : ViewSpec{}};
-    if (newLight || next.frameMade_ != frame) next.maps_ = next.makeMaps(scene, settings, camera);
-    next.frameMade_ = frame;
-  } else {
-    next.frameMade_.reset();
-    next.maps_ = {};
-  }
-  next.lightMade_ = light;
-  next.eyeMade_ = eye;
+  // The intensities there.
+  if (keepsIntensities)
+    for (int c = 0; c < lighting.channels; ++c)
+      next.light(c, {{own, next.refined_.shared(), light}, highlightEye});
+  else
+    next.lit_ = {};
+  if (keepsIntensities && lighting.luminance)
+    next.luminance_.update({next.lit_[0].intensities.shared(), next.lit_[1].intensities.shared(),
+                            next.lit_[2].intensities.shared()},
+                           [&] { return next.luminanceOfAll(); });
+  else
+    next.luminance_.drop();
+
+  // The maps of all directions.
+  if (hasMaps)
+    next.maps_.update({own, light, settings.environment,
+                       settings.environment == EnvironmentForm::Published ? camera.view : ViewSpec{}},
+                      [&] { return next.makeMaps(scene, settings, camera); });
+  else
+    next.maps_.drop();
   return next;
 }
 
-void SceneShading::makePoints(const Scene& scene, const PictureSettings& settings, const Points& points) {
-  if (!points.withNormals) {
-    points_ = points.ofVertices ? materialPoints(scene.mesh) : ShadingPoints{{}, {}, scene.mesh.material};
-    vertices_ = points.ofVertices ? materialVertices(scene.mesh) : Vertices{};
-  } else if (points.ofVertices) {
-    Vertices vertices = smoothVertices(scene, settings);
-    points_ = vertexPoints(scene.mesh, vertices);
-    vertices_ = std::move(vertices);
-  } else {
-    points_ = facePoints(scene.mesh);
-  }
-  pointsMade_ = points;
+SceneShading::Own SceneShading::ownPlaces(const Scene& scene, const PictureSettings& settings,
+                                          const OfPoints& points) {
+  if (!points.withNormals && points.ofVertices)
+    return {materialVertices(scene.mesh), materialPoints(scene.mesh)};
+  if (!points.withNormals) return {{}, ShadingPoints{{}, {}, scene.mesh.material}};
+  if (!points.ofVertices) return {{}, facePoints(scene.mesh)};
+  Own own{smoothVertices(scene, settings), {}};
+  own.points = vertexPoints(scene.mesh, own.vertices);
+  return own;
 }
 
 Refined SceneShading::refine(const Scene& scene, const PictureSettings& settings) const {
   const RefineSettings asked{.tolerance = settings.adapt};
   return settings.shading == Shading::Flat
-             ? refineFlat(scene.mesh, scene.parts, *points_, lighting(), asked)
-             : refineSmooth(scene.mesh, scene.parts, *vertices_, lighting(), asked);
+             ? refineFlat(scene.mesh, scene.parts, own_->points, lighting(), asked)
+             : refineSmooth(scene.mesh, scene.parts, own_->vertices, lighting(), asked);
 }
 
-void SceneShading::light(int channel, bool newLight, bool newHighlight) {
+void SceneShading::light(int channel, const OfSpecular& by) {
   Lit& lit = lit_[channel];
-  if (newLight) {
+  lit.diffuse.update(by.diffuse, [&] {
     Terms diffuse;
     diffuseIntensities(diffuse, points(), lighting(), channel);
-    lit.diffuse = std::move(diffuse);
-  }
-  if (newHighlight) {
+    return diffuse;
+  });
+  lit.specular.update(by, [&] {
     Terms specular;
     specularIntensities(specular, points(), lighting(), channel);
-    lit.specular = std::move(specular);
-  }
-  Intensities intensities;
-  addTerms(intensities, *lit.diffuse, *lit.specular, points(), lighting(), channel);
-  lit.intensities = std::move(intensities);
+    return specular;
+  });
+  // The ambient term is as old as the diffuse one.
+  lit.intensities.update({lit.diffuse.shared(), lit.specular.shared()}, [&] {
+    Intensities intensities;
+    addTerms(intensities, *lit.diffuse, *lit.specular, points(), lighting(), channel);
+    return intensities;
+  });
 }
 
 Intensities SceneShading::luminanceOfAll() const {

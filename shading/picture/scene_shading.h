@@ -10,7 +10,7 @@
 #include "shading/light/illumination.h"
 #include "shading/light/intensities.h"
 #include "shading/light/refine.h"
-#include "shading/picture/shared.h"
+#include "shading/picture/kept.h"
 #include "shading/scene/picture_settings.h"
 #include "shading/scene/scene.h"
 
@@ -47,14 +47,14 @@ class SceneShading {
   }
   /// True if both have the same mesh() and parts().
   [[nodiscard]] bool hasMeshOf(const SceneShading& other) const {
-    return refined_.isOneWith(other.refined_) || (!refined() && !other.refined());
+    return refined_.shared() == other.refined_.shared() || (!refined() && !other.refined());
   }
   /// Empty unless the method interpolates. Without normals, `ofCorner` is the index into points() and there
   /// are no vertices.
-  [[nodiscard]] const Vertices& vertices() const { return refined() ? refined()->vertices : *vertices_; }
+  [[nodiscard]] const Vertices& vertices() const { return refined() ? refined()->vertices : own_->vertices; }
   /// The vertices, or the centroids of faces; in refined() of their pieces. Without normals, one for each
   /// material (the first for none) stands for all vertices.
-  [[nodiscard]] const ShadingPoints& points() const { return refined() ? refined()->points : *points_; }
+  [[nodiscard]] const ShadingPoints& points() const { return refined() ? refined()->points : own_->points; }
   /// The index into points() at which flat shading evaluates a face.
   [[nodiscard]] int pointOf(const SnappedFace& face) const { return refined() ? face.part : face.number; }
   [[nodiscard]] const Lighting& lighting() const { return *lighting_; }
@@ -75,57 +75,89 @@ class SceneShading {
   [[nodiscard]] const std::vector<glm::dvec3>& mapped(int channel) const { return maps_->N[channel]; }
 
  private:
-  // What the parts were made from; empty if they were not made.
-  struct Points {
-    bool ofVertices, withNormals;
-    NormalRule normals = {};
-    double crease = 0, adapt = 0;
-    bool operator==(const Points&) const = default;
-  };
+  // What the parts are made from.
   struct Light {
     Illumination light;
     Channels channels;
-    Shading shading;
     bool operator==(const Light&) const = default;
   };
   struct Eye {
     glm::dvec3 eye, lookAt;
     bool operator==(const Eye&) const = default;
   };
-  struct Frame {
+  struct OfLighting {
+    Light light;
+    Eye eye;
+    bool operator==(const OfLighting&) const = default;
+  };
+  struct OfPoints {
+    bool ofVertices, withNormals;
+    NormalRule normals = {};
+    double crease = 0;
+    bool operator==(const OfPoints&) const = default;
+  };
+  /// The places of the scene's own mesh.
+  struct Own {
+    Vertices vertices;
+    ShadingPoints points;
+  };
+  /// The eye, where a highlight asks for it.
+  using HighlightEye = std::optional<Eye>;
+  struct OfRefined {
+    Shared<Own> own;
+    double adapt;
+    Light light;
+    HighlightEye eye;
+    bool operator==(const OfRefined&) const = default;
+  };
+  struct OfDiffuse {
+    Shared<Own> own;
+    Shared<std::optional<Refined>> refined;
+    Light light;
+    bool operator==(const OfDiffuse&) const = default;
+  };
+  struct OfSpecular {
+    OfDiffuse diffuse;
+    HighlightEye eye;
+    bool operator==(const OfSpecular&) const = default;
+  };
+  struct OfIntensities {
+    Shared<Terms> diffuse, specular;
+    bool operator==(const OfIntensities&) const = default;
+  };
+  struct OfMaps {
+    Shared<Own> own;
+    Light light;
     EnvironmentForm form;
     ViewSpec view;
-    bool operator==(const Frame&) const = default;
+    bool operator==(const OfMaps&) const = default;
   };
 
   /// One channel. When the eye moves, the diffuse terms stay valid unless the polygons are divided again.
   struct Lit {
-    Shared<Terms> diffuse, specular;
-    Shared<Intensities> intensities;
+    Kept<OfDiffuse, Terms> diffuse;
+    Kept<OfSpecular, Terms> specular;
+    Kept<OfIntensities, Intensities> intensities;
   };
   struct Maps {
     std::array<std::vector<Environment>, 3> environments;
     std::array<std::vector<glm::dvec3>, 3> N;
   };
 
-  void makePoints(const Scene& scene, const PictureSettings& settings, const Points& points);
+  [[nodiscard]] static Own ownPlaces(const Scene& scene, const PictureSettings& settings,
+                                     const OfPoints& points);
   [[nodiscard]] Refined refine(const Scene& scene, const PictureSettings& settings) const;
-  void light(int channel, bool newLight, bool newHighlight);
+  void light(int channel, const OfSpecular& by);
   [[nodiscard]] Intensities luminanceOfAll() const;
   [[nodiscard]] Maps makeMaps(const Scene& scene, const PictureSettings& settings,
                               const Camera& camera) const;
 
-  std::optional<Points> pointsMade_;
-  std::optional<Light> lightMade_;
-  std::optional<Eye> eyeMade_;
-  std::optional<Frame> frameMade_;
-  Shared<Vertices> vertices_;
-  Shared<ShadingPoints> points_;
-  Shared<std::optional<Refined>> refined_;
-  Shared<Lighting> lighting_;
+  Kept<OfLighting, Lighting> lighting_;
+  Kept<OfPoints, Own> own_;
+  Kept<OfRefined, std::optional<Refined>> refined_;
   std::array<Lit, 3> lit_;
-  Shared<Intensities> luminance_;  ///< empty unless lighting().luminance
-  Shared<Maps> maps_;
+  Kept<std::array<Shared<Intensities>, 3>, Intensities> luminance_;  ///< only if lighting().luminance
+  Kept<OfMaps, Maps> maps_;
 };
 
 }  // namespace xnewell

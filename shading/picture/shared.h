@@ -14,8 +14,8 @@ class Shared {
 
   [[nodiscard]] const T& operator*() const { return *value_; }
   [[nodiscard]] const T* operator->() const { return value_.get(); }
-  /// True if both are the same object, not merely equal.
-  [[nodiscard]] bool isOneWith(const Shared& other) const { return value_ == other.value_; }
+  /// True if both are the same object, not merely of equal value.
+  bool operator==(const Shared& other) const = default;
 
  private:
   std::shared_ptr<const T> value_;
