@@ -52,12 +52,15 @@ Setup SideBench::beside(const Setup& A) const {
   b.width = now.width, b.height = now.height;
   b.camera = now.camera;
   B.fill = A.fill;
+  if (joins_) {
+    std::vector<Override> own;  // B is A with these over it: those in which they differed
+    for (const Setting& setting : settingRows())
+      if (const Value value = setting.field.get(b); value != setting.field.get(before))
+        own.push_back({&setting, value});
+    b = now;
+    (void)applyOverrides(b, own);
+  }
   (void)keepFillable(B);
-  if (!joins_) return B;
-  for (const Setting& setting : settingRows())  // B's follows A's where both had the same
-    if (setting.field.get(b) == setting.field.get(before)) setting.field.set(b, setting.field.get(now));
-  // Each thumb of the bar follows alone; together they stay within it.
-  (void)keepWithinOne(b.light, true, false);
   return B;
 }
 

@@ -7,7 +7,7 @@ namespace xnewell {
 Setup withChanges(Setup setup, const Configuration& chosen) {
   for (const Change& change : chosen.changes)
     if (change.setting)
-      change.setting->field.set(setup.picture, change.value);
+      (void)applyOverrides(setup.picture, {{change.setting, change.value}});
     else
       setup.divisions = static_cast<int>(change.value);
   return setup;
