@@ -182,6 +182,8 @@ std::vector<std::uint8_t> Comparison::wrongFaces() const {
   return wrong;
 }
 
+std::int64_t Comparison::wrongFaceCount() const { return std::ranges::count(wrongFaces(), 1); }
+
 std::vector<float> Comparison::blockErrors() const {
   std::vector<float> errors;
   const int width = picture_.settings().width, height = picture_.settings().height;
@@ -241,7 +243,7 @@ Errors errorsOf(const Comparison& comparison) {
   errors.afterTable = spreadOf(after);
   errors.color = spreadOf(comparison.colorErrors());
   errors.samples = errors.afterTable.count;
-  for (const std::uint8_t wrong : comparison.wrongFaces()) errors.wrongFaces += wrong;
+  errors.wrongFaces = comparison.wrongFaceCount();
   if (picture.settings().dither && channelsOf(picture.colors().plan()) == Channels::Rgb)
     errors.blocks = spreadOf(comparison.blockErrors());
   errors.worst = worstPlaces(comparison, after);

@@ -54,6 +54,8 @@ class Comparison {
   /// 1 where the picture shows another face than the reference, otherwise 0. There is one exception, as in
   /// exactness.h: two faces in different planes may be so near that rounding alone tells them apart.
   [[nodiscard]] std::vector<std::uint8_t> wrongFaces() const;
+  /// How many these are.
+  [[nodiscard]] std::int64_t wrongFaceCount() const;
   /// The errors of the means of blocks of 8 x 8 pixels, each of which shows a face, in the picture and in the
   /// reference; after the table, and the largest of the channels. One number for each block.
   [[nodiscard]] std::vector<float> blockErrors() const;

@@ -75,7 +75,7 @@ Errors briefErrors(const Comparison& comparison) {
   errors.afterTable = spreadOf(after);
   errors.worst = worstPlaces(comparison, after);
   errors.samples = errors.afterTable.count;
-  for (const std::uint8_t wrong : comparison.wrongFaces()) errors.wrongFaces += wrong;
+  errors.wrongFaces = comparison.wrongFaceCount();
   return errors;
 }
 
@@ -140,9 +140,7 @@ void Measure::addErrors(Glance& glance, const Picture& picture, int divisions, c
   const Spread errors = spreadOf(comparison.intensityErrors(TableSide::After));
   glance.rms = std::max(glance.rms, errors.rootMeanSquare);
   if (!countsWrong) return;
-  std::int64_t wrong = 0;
-  for (const std::uint8_t one : comparison.wrongFaces()) wrong += one;
-  glance.wrong = std::max(glance.wrong, wrong);
+  glance.wrong = std::max(glance.wrong, comparison.wrongFaceCount());
 }
 
 Glance Measure::glance(const Configuration& configuration, bool countsWrong) try {

@@ -114,15 +114,12 @@ Unlikeness unlikeness(Unlike kind, const ColoredPicture& A, const ColoredPicture
       break;
     }
   }
-  double squares = 0;
   for (const float d : unlike.at) {
     if (std::isnan(d)) continue;
     ++unlike.samples;
     unlike.differ += d > rowOf(kind).unit;
     unlike.largest = std::max(unlike.largest, double{d});
-    squares += double{d} * d;
   }
-  if (unlike.samples > 0) unlike.rootMeanSquare = std::sqrt(squares / static_cast<double>(unlike.samples));
   return unlike;
 }
 
@@ -171,18 +168,11 @@ std::vector<DifferingPlace> placesOf(const Unlikeness& unlike, int frameWidth, i
 
 SideNumbers numbersOf(const Picture& picture, const Truth& truth) {
   const Difference difference = comparedWithReference(picture, truth).difference;
-  SideNumbers numbers{.samples = difference.samples,
-                      .wrong = difference.otherFace,
-                      .painted = static_cast<std::int64_t>(picture.sorted().fragments.size()),
-                      .cuts = picture.sorted().statistics.splits};
-  numbers.measure = difference.measure;
-  numbers.largest = difference.largest;
-  double squares = 0;
-  for (const float d : difference.at)
-    if (!std::isnan(d)) squares += double{d} * d;
-  if (difference.samples > 0)
-    numbers.rootMeanSquare = std::sqrt(squares / static_cast<double>(difference.samples));
-  return numbers;
+  return {.wrong = difference.wrongFaces,
+          .measure = difference.measure,
+          .errors = difference.errors,
+          .painted = static_cast<std::int64_t>(picture.sorted().fragments.size()),
+          .cuts = picture.sorted().statistics.splits};
 }
 
 BestTime timeOf(const Scene& scene, const PictureSettings& settings) {

@@ -46,7 +46,7 @@ struct Unlikeness {
   std::vector<float> at = {};  ///< row by row; for faces 0 or 1; NaN where neither shows a face
   std::int64_t samples = 0;    ///< samples that show a face in A or in B
   std::int64_t differ = 0;     ///< samples that differ by more than the unit
-  double largest = 0, rootMeanSquare = 0;
+  double largest = 0;
 };
 /// Precondition: both have the same scene and size, and hasIntensities() if `kind` is Unlike::Intensity.
 [[nodiscard]] Unlikeness unlikeness(Unlike kind, const ColoredPicture& A, const ColoredPicture& B);
@@ -68,9 +68,9 @@ inline constexpr int kMostPlaces = 9;
 /// What is measured of each picture. It is compared with the truth about it (difference.h). Both have the
 /// same truth if their lights and surfaces are the same.
 struct SideNumbers {
-  std::int64_t samples = 0, wrong = 0;  ///< those that show a face, and a wrong one
+  std::int64_t wrong = 0;  ///< samples that show a wrong face
   DifferenceMeasure measure = DifferenceMeasure::Intensity;
-  double largest = 0, rootMeanSquare = 0;
+  Spread errors;
   std::int64_t painted = 0;  ///< polygons and pieces
   std::int64_t cuts = 0;
 };

@@ -178,10 +178,10 @@ std::vector<std::string> SidesDrawing::drawNumbers() {
   const bool alike = a.measure == b.measure;
   const int decimals = a.measure == DifferenceMeasure::Intensity && alike ? 4 : 2;
   count("wrong face, of " + sizeText(page_.A.width, page_.A.height), a.wrong, b.wrong, true);
-  amount("largest error", a.largest, b.largest, decimals, alike);
+  amount("largest error", a.errors.largest, b.errors.largest, decimals, alike);
   const bool colors = alike && a.measure == DifferenceMeasure::Color;
-  amount(colors ? "root mean square, CIEDE2000" : "root mean square error", a.rootMeanSquare,
-         b.rootMeanSquare, decimals, alike);
+  amount(colors ? "root mean square, CIEDE2000" : "root mean square error", a.errors.rootMeanSquare,
+         b.errors.rootMeanSquare, decimals, alike);
   count("polygons painted", a.painted, b.painted);
   count("cuts", a.cuts, b.cuts);
   amount(

@@ -124,9 +124,9 @@ Finding findingOf(const Picture& A, const Picture& B, const SideNumbers& ofA, co
             "In the linear table all steps are equally large. In the corrected table all are the same "
             "percentage, and that is what the eye compares. View 3 plots both."};
   const int decimals = ofA.measure == DifferenceMeasure::Intensity ? 4 : 2;
-  const bool aIsNearer = ofA.rootMeanSquare < ofB.rootMeanSquare;
-  const std::string least = fixed(std::min(ofA.rootMeanSquare, ofB.rootMeanSquare), decimals),
-                    most = fixed(std::max(ofA.rootMeanSquare, ofB.rootMeanSquare), decimals);
+  const bool aIsNearer = ofA.errors.rootMeanSquare < ofB.errors.rootMeanSquare;
+  const std::string least = fixed(std::min(ofA.errors.rootMeanSquare, ofB.errors.rootMeanSquare), decimals),
+                    most = fixed(std::max(ofA.errors.rootMeanSquare, ofB.errors.rootMeanSquare), decimals);
   if (ofA.measure == ofB.measure && least != most)
     return {std::string{aIsNearer ? "A" : "B"} + " is closer to the truth overall.",
             "Its root mean square error is " + least + ", against " + most + ". " + they};

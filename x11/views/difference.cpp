@@ -6,7 +6,6 @@
 
 #include "depthsort/oracle.h"
 #include "shading/color/quantize.h"
-#include "shading/picture/errors.h"
 
 namespace xnewell {
 
@@ -14,12 +13,10 @@ namespace {
 
 Difference differenceOf(DifferenceMeasure measure, std::vector<float> errors, int width) {
   const double unit = kMeasures[static_cast<int>(measure)].unit;
-  const Spread spread = spreadOf(errors);
-  Difference d{.measure = measure, .width = width, .at = {}, .samples = spread.count, .mean = spread.mean};
-  for (std::size_t k = 0; k < errors.size(); ++k) {
-    d.above += errors[k] > unit;  // false for NaN
-    if (errors[k] > d.largest) d.largest = errors[k], d.largestAt = k;
-  }
+  Difference d{.measure = measure, .width = width, .at = {}, .errors = spreadOf(errors)};
+  for (std::size_t k = 0; k < errors.size(); ++k) d.above += errors[k] > unit;  // false for NaN
+  if (d.errors.largest > 0)
+    d.largestAt = static_cast<std::size_t>(std::ranges::find(errors, d.errors.largest) - errors.begin());
   d.at = std::move(errors);
   return d;
 }
@@ -75,7 +72,7 @@ Compared comparedWithReference(const Picture& picture, const Truth& truth) {
                                      comparison.intensityErrors(TableSide::After), settings.width);
     paintInRamps(result.reference, picture, reference, comparison);
   }
-  for (const std::uint8_t wrong : comparison.wrongFaces()) result.difference.otherFace += wrong;
+  result.difference.wrongFaces = comparison.wrongFaceCount();
   return result;
 }
 

@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include "shading/picture/errors.h"
 #include "shading/picture/truth.h"
 #include "x11/drawing/sheet.h"
 #include "x11/views/views.h"
@@ -29,11 +30,10 @@ inline constexpr std::array kMeasures{
 struct Difference {
   DifferenceMeasure measure = DifferenceMeasure::Intensity;  ///< Color if the cells hold colours, not ramps
   int width = 0;
-  std::vector<float> at;       ///< of each sample, row by row; NaN at background
-  std::int64_t samples = 0;    ///< samples that show a face
-  std::int64_t above = 0;      ///< samples that differ by more than the unit
-  std::int64_t otherFace = 0;  ///< samples that show another face than the reference (Comparison::wrongFaces)
-  double mean = 0, largest = 0;
+  std::vector<float> at;   ///< of each sample, row by row; NaN at background
+  Spread errors;           ///< of the samples that show a face
+  std::int64_t above = 0;  ///< samples that differ by more than the unit
+  std::int64_t wrongFaces = 0;
   std::size_t largestAt = 0;  ///< index of the first sample that differs most
 };
 

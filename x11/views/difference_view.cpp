@@ -69,7 +69,9 @@ int drawScale(Sheet& sheet, const MeasureRow& measure, int x, int y) {
 }
 
 std::string share(const Difference& d) {
-  return fixed(d.samples == 0 ? 0.0 : 100.0 * static_cast<double>(d.above) / static_cast<double>(d.samples),
+  return fixed(d.errors.count == 0
+                   ? 0.0
+                   : 100.0 * static_cast<double>(d.above) / static_cast<double>(d.errors.count),
                2) +
          " %";
 }
@@ -82,11 +84,11 @@ void drawNumbers(Sheet& sheet, const Difference& d, int x, int y, int width) {
     y = sheet.tableRow(x, y, label, {value}, {width});
   };
   const std::string of = d.measure == DifferenceMeasure::Intensity ? ", intensity" : ", CIEDE2000";
-  row("samples that show a face", grouped(d.samples) + " of " + sizeText(d.width, height));
-  row("mean difference" + of, fixed(d.mean, decimals));
-  row("largest difference", fixed(d.largest, decimals));
+  row("samples that show a face", grouped(d.errors.count) + " of " + sizeText(d.width, height));
+  row("mean difference" + of, fixed(d.errors.mean, decimals));
+  row("largest difference", fixed(d.errors.largest, decimals));
   row("above " + std::string{measure.unitInWords}, share(d));
-  row("wrong face", grouped(d.otherFace));
+  row("wrong face", grouped(d.wrongFaces));
   y = drawScale(sheet, measure, x, y + 6);
   const Finding finding = findingOf(d);
   sheet.finding(x, y + 6, width, finding.bold, finding.why);
@@ -106,13 +108,13 @@ Finding findingOf(const Difference& d) {
   const MeasureRow& measure = kMeasures[static_cast<int>(d.measure)];
   const int decimals = d.measure == DifferenceMeasure::Intensity ? 4 : 2;
   const std::string unit{measure.unitInWords};
-  if (d.samples == 0) return {"Nothing shows.", ""};
+  if (d.errors.count == 0) return {"Nothing shows.", ""};
   Finding finding{
       d.above == 0 ? "The picture is nowhere more than " + unit + " off, " + std::string{measure.means} + "."
                    : "The picture is more than " + unit + " off at " + share(d) + " of the samples.",
-      "The mean error is " + fixed(d.mean, decimals) + ", the largest " + fixed(d.largest, decimals) +
-          (d.above == 0 ? "." : " (in the ring).")};
-  if (d.otherFace > 0) finding.why += " A wrong face shows at " + counted(d.otherFace, "sample") + ".";
+      "The mean error is " + fixed(d.errors.mean, decimals) + ", the largest " +
+          fixed(d.errors.largest, decimals) + (d.above == 0 ? "." : " (in the ring).")};
+  if (d.wrongFaces > 0) finding.why += " A wrong face shows at " + counted(d.wrongFaces, "sample") + ".";
   return finding;
 }
 

@@ -45,10 +45,10 @@ TEST(Difference, OfPhongOnFlatSurfacesIsHalfAShade) {
       s.table.kind = kind;
       s.camera = camera;
       const Difference d = compared(squares.make(s, 8)).difference;
-      EXPECT_GT(d.samples, 5000);
-      EXPECT_EQ(d.otherFace, 0);
-      EXPECT_LE(d.largest, 0.51 / (shades - 1));
-      EXPECT_GT(d.largest, 0.4 / (shades - 1));
+      EXPECT_GT(d.errors.count, 5000);
+      EXPECT_EQ(d.wrongFaces, 0);
+      EXPECT_LE(d.errors.largest, 0.51 / (shades - 1));
+      EXPECT_GT(d.errors.largest, 0.4 / (shades - 1));
       EXPECT_EQ(d.above == 0, shades == 240);
     }
   // Half a step of ratio r between the levels of the corrected table.
@@ -56,7 +56,7 @@ TEST(Difference, OfPhongOnFlatSurfacesIsHalfAShade) {
   s.table.kind = TableKind::Corrected;
   s.camera = camera;
   const double r = ratioOfShades(s.table.I0, s.table.shades - 1);
-  EXPECT_LE(compared(squares.make(s, 8)).difference.largest, 0.51 * (r - 1));
+  EXPECT_LE(compared(squares.make(s, 8)).difference.errors.largest, 0.51 * (r - 1));
 }
 
 // The numbers are computed from the samples. A sample's number is the distance of its shade from the
@@ -80,12 +80,12 @@ TEST(Difference, IsThatOfEverySample) {
     beyond += !isShown;
     ++samples, sum += d.at[k], above += d.at[k] > 1.0 / 240, largest = std::max<double>(largest, d.at[k]);
   }
-  EXPECT_EQ(d.samples, samples);
+  EXPECT_EQ(d.errors.count, samples);
   EXPECT_EQ(d.above, above);
   EXPECT_GT(above, samples / 2);
   EXPECT_GT(beyond, 20);  // the sphere is larger than its polygons
-  EXPECT_NEAR(d.mean, sum / samples, 1e-6);
-  EXPECT_NEAR(d.largest, largest, 1e-6);
+  EXPECT_NEAR(d.errors.mean, sum / samples, 1e-6);
+  EXPECT_NEAR(d.errors.largest, largest, 1e-6);
   EXPECT_NEAR(d.at[d.largestAt], largest, 1e-6);
   EXPECT_GT(largest, 0.05);
 }
@@ -139,7 +139,7 @@ TEST(Difference, OfHuesGoesByThePicturesOwnCells) {
                 result.difference.at[k] + 1.0 / fewest);
   }
   EXPECT_GT(samples, 5000);
-  EXPECT_LT(result.difference.mean, 0.02);
+  EXPECT_LT(result.difference.errors.mean, 0.02);
 }
 
 // What the picture leaves out on purpose is found, too. With L and V constant, a lamp lights a floor evenly.
@@ -158,12 +158,12 @@ TEST(Difference, FindsWhatIsConstant) {
     const Compared exact = compared(pictures.make(s, 8));
     // The lamp lies in the plane of the pillars' tops. There N.L is 0, and rounding decides about a
     // highlight.
-    EXPECT_LT(exact.difference.above, exact.difference.samples / 500);
+    EXPECT_LT(exact.difference.above, exact.difference.errors.count / 500);
     s.light.constantL = s.light.constantV = true;
     const Compared constant = compared(pictures.make(s, 8));
     EXPECT_EQ(constant.reference.pixels, exact.reference.pixels);
-    EXPECT_GT(constant.difference.mean, 0.1);
-    EXPECT_GT(constant.difference.largest, 0.4);
+    EXPECT_GT(constant.difference.errors.mean, 0.1);
+    EXPECT_GT(constant.difference.errors.largest, 0.4);
   }
 }
 
@@ -175,19 +175,19 @@ TEST(Difference, OfColoursIsHowTheyLook) {
   s.colors = ColorPlan::Chosen;
   Compared result = compared(balls.make(s, 8));
   EXPECT_EQ(result.difference.measure, DifferenceMeasure::Color);
-  EXPECT_GT(result.difference.samples, 5000);
+  EXPECT_GT(result.difference.errors.count, 5000);
   EXPECT_EQ(result.difference.above, 0);
   int differ = 0;  // a channel has 255 steps, so some samples are rounded to the next colour
   for (std::size_t k = 0; k < result.reference.pixels.size(); ++k)
     differ += std::abs(result.reference.pixels[k] - balls.last().image().pixels[k]);
-  EXPECT_LT(differ, result.difference.samples / 4);
+  EXPECT_LT(differ, result.difference.errors.count / 4);
   s.colors = ColorPlan::Cube;
-  EXPECT_GT(compared(balls.make(s, 8)).difference.mean, 2.0);
+  EXPECT_GT(compared(balls.make(s, 8)).difference.errors.mean, 2.0);
   s.shading = Shading::Flat, s.colors = ColorPlan::Chosen;
   balls = PictureCache{ball(64, 32)};
   result = compared(balls.make(s, 8));
-  EXPECT_GT(result.difference.above, result.difference.samples / 4);
-  EXPECT_GT(result.difference.largest, 3.0);
+  EXPECT_GT(result.difference.above, result.difference.errors.count / 4);
+  EXPECT_GT(result.difference.errors.largest, 3.0);
 }
 
 // ConvexParts of a divided polygon show its face, not another.
