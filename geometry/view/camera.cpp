@@ -274,6 +274,7 @@ CameraSettings moved(const CameraSettings& s, const Camera& camera, double azimu
   next.lookAt = camera.lookAt;
   next.up = camera.up;
   next.eye = camera.lookAt + (flat * c1 + up * s1) * (parallel ? length : length / zoom);
+  next.height = std::nullopt;
   if (parallel) next.height = (camera.view.windowMax.y - camera.view.windowMin.y) / zoom;
   return next;
 }

@@ -6,6 +6,7 @@
 #include "geometry/exact/box.h"
 #include "geometry/exact/power.h"
 #include "geometry/exact/unit.h"
+#include "shading/scene/units.h"
 
 namespace xnewell {
 
@@ -30,7 +31,7 @@ EquationAt::EquationAt(const Surfaces& s, int material)
     : user_{s.settings.light}, lighting_{s.shading.lighting()}, unit_{s.scene.light.unit} {
   const Box box = boxOf(s.scene.mesh.points);
   centre_ = box.centre();
-  if (!lighting_.onlyAmbient()) lights_ = lightsOf(s.scene.light, user_, box);
+  if (!lighting_.onlyAmbient()) lights_ = lightsOf(s.scene, user_);
   const Material& m = lighting_.materials[material];
   const glm::dvec3 Ia = s.scene.light.Ia.value_or(glm::dvec3{user_.Ia});
   for (int c = 0; c < lighting_.channels; ++c) {

@@ -11,6 +11,7 @@
 #include "geometry/model/bezier.h"
 #include "geometry/model/coplanar.h"
 #include "shading/extremes/extremes.h"
+#include "shading/scene/units.h"
 
 namespace xnewell {
 
@@ -39,13 +40,9 @@ std::vector<PatchRun> patchesAfter(const Scene& from, const std::function<glm::d
 /// The scene after an affine map of its points, in the file's units. Lengths grow by `scale`.
 Case mapped(const Start& start, double scale, const std::function<glm::dvec3(glm::dvec3)>& map) {
   const Scene& from = start.scene;
-  const auto inFile = [&](const glm::dvec3& p) {
-    return glm::dvec3{std::ldexp(p.x, from.exponent), std::ldexp(p.y, from.exponent),
-                      std::ldexp(p.z, from.exponent)};
-  };
   Mesh mesh = from.mesh;
   for (glm::dvec3& p : mesh.points) {
-    p = map(inFile(p));
+    p = map(inFileUnits(p, from));
     for (int axis = 0; axis < 3; ++axis)
       if (!std::isfinite(p[axis])) throw ViewError{"the coordinates are out of the range of doubles"};
   }
@@ -56,24 +53,29 @@ Case mapped(const Start& start, double scale, const std::function<glm::dvec3(glm
   to.textures = from.textures;
   to.light = from.light;
   to.light.unit = std::ldexp(std::ldexp(from.light.unit, from.exponent) * scale, -to.exponent);
-  const auto point = [&](const glm::dvec3& p) { return inSceneUnits(map(inFile(p)), to); };
+  const auto fade = [](glm::dvec3& c, double length) { c = {c.x, c.y / length, c.z / length / length}; };
   const double length = std::ldexp(scale, from.exponent - to.exponent);
-  const auto fade = [&](glm::dvec3& c) { c = {c.x, c.y / length, c.z / length / length}; };
   for (Light& light : to.light.lights) {
-    light.position = point(light.position), light.range *= length;
-    fade(light.c);
+    light.position = inSceneUnits(map(inFileUnits(light.position, from)), to), light.range *= length;
+    fade(light.c, length);
   }
   Illumination& user = moved.settings.light;
-  if (user.lightPosition) user.lightPosition = point(*user.lightPosition);
-  if (user.range) *user.range *= length;
-  if (user.c) fade(*user.c);
+  if (user.lightPosition) user.lightPosition = map(*user.lightPosition);
+  if (user.range) *user.range *= scale;
+  if (user.c) {
+    const glm::dvec3 before = *user.c;
+    fade(*user.c, scale);
+    for (int k = 0; k < 3; ++k)
+      if (before[k] != 0 && !std::isnormal((*user.c)[k]))
+        throw ViewError{"c1, c2 and c3 are out of the range of doubles"};
+  }
   CameraSettings& camera = moved.settings.camera;
   for (std::optional<glm::dvec3>* p : {&camera.eye, &camera.lookAt, &camera.vrp})
-    if (*p) *p = point(**p);
-  if (camera.prp) *camera.prp *= length;
+    if (*p) *p = map(**p);
+  if (camera.prp) *camera.prp *= scale;
   for (std::optional<double>* v : {&camera.height, &camera.front, &camera.back})
-    if (*v) **v *= length;
-  if (camera.window) *camera.window *= length;
+    if (*v) **v *= scale;
+  if (camera.window) *camera.window *= scale;
   return moved;
 }
 
@@ -87,10 +89,11 @@ Case withSettings(const Start& start, const std::function<void(PictureSettings&)
   return sameWith(start, [&](Case& c) { change(c.settings); });
 }
 
-CameraSettings perspective(std::optional<glm::dvec3> eye, std::optional<glm::dvec3> lookAt,
-                           std::optional<glm::dvec3> up, std::optional<double> fov) {
+/// The eye and the point that it looks at are in the scene's units.
+CameraSettings perspective(const Start& start, glm::dvec3 eye, glm::dvec3 lookAt, std::optional<double> fov) {
   CameraSettings camera;
-  camera.eye = eye, camera.lookAt = lookAt, camera.up = up, camera.fov = fov;
+  camera.eye = inFileUnits(eye, start.scene), camera.lookAt = inFileUnits(lookAt, start.scene);
+  camera.up = start.camera.up, camera.fov = fov;
   return camera;
 }
 
@@ -185,8 +188,11 @@ const std::vector<Way>& extremeWays() {
        .values = {30, 10, 3, 1, 0.3, 0.1, 0.03, 0.01},
        .at =
            [](const Start& s, double v) {
-             return withSettings(s,
-                                 [v](PictureSettings& p) { p.camera = perspective({}, {}, p.camera.up, v); });
+             return withSettings(s, [v](PictureSettings& p) {
+               CameraSettings camera;
+               camera.up = p.camera.up, camera.fov = v;
+               p.camera = camera;
+             });
            },
        .why =
            [](const Start&, double v) {
@@ -199,9 +205,8 @@ const std::vector<Way>& extremeWays() {
        .values = {30, 60, 90, 120, 150, 170, 179, 179.9},
        .at =
            [](const Start& s, double v) {
-             return withSettings(s, [&](PictureSettings& p) {
-               p.camera = perspective(s.camera.eye, s.camera.lookAt, s.camera.up, v);
-             });
+             return withSettings(
+                 s, [&](PictureSettings& p) { p.camera = perspective(s, s.camera.eye, s.camera.lookAt, v); });
            },
        .why =
            [](const Start&, double v) {
@@ -215,8 +220,7 @@ const std::vector<Way>& extremeWays() {
        .at =
            [](const Start& s, double v) {
              return withSettings(s, [&](PictureSettings& p) {
-               p.camera =
-                   perspective(s.target + v * (s.camera.eye - s.target), s.target, s.camera.up, p.camera.fov);
+               p.camera = perspective(s, s.target + v * (s.camera.eye - s.target), s.target, p.camera.fov);
              });
            },
        .why =
@@ -305,7 +309,7 @@ const std::vector<Way>& extremeWays() {
              return sameWith(s, [&](Case& c) {
                Illumination& light = phong(c.settings).light;
                strip(c.scene, "lights");
-               light.lightPosition = s.target + v * s.size * s.facing;
+               light.lightPosition = inFileUnits(s.target + v * s.size * s.facing, s.scene);
                light.attenuation = Attenuation::InverseSquare;
              });
            },

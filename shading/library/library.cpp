@@ -10,6 +10,7 @@
 #include "shading/library/xnewell.h"
 #include "shading/picture/picture_cache.h"
 #include "shading/scene/scene.h"
+#include "shading/scene/units.h"
 
 namespace xnewell::library {
 
@@ -83,8 +84,7 @@ std::vector<Piece> paintingOrder(const Polygons& polygons, const View& view, int
   const CameraSettings camera = cameraOf(view);
   const Scene scene = makeScene("the polygons", meshOf(polygons), UpAxis::Y);
   const double aspect = static_cast<double>(view.width) / view.height;
-  const Camera placed =
-      placeCamera(inSceneUnits(camera, scene), scene.mesh.points, scene.up, aspect, scene.parts);
+  const Camera placed = placeCamera(scene, camera, aspect);
   const SnappedScene snapped =
       project(scene.mesh, scene.parts, placed.view, view.width, view.height, Cull::Keep);
   const SortedScene sorted = depthSort(
@@ -116,8 +116,7 @@ Picture draw(const std::string& sceneFile, const View& view) try {
   Scene scene = readScene(sceneFile);
   PictureSettings settings = scene.settings;
   settings.width = view.width, settings.height = view.height;
-  settings.camera = inSceneUnits(completed(camera, scene.camera), scene);
-  toSceneUnits(settings.light, scene);
+  settings.camera = completed(camera, scene.camera);
   const CellPlan plan{settings.table.kind};
   const xnewell::Picture made = makePicture(std::move(scene), settings, plan[Cell::Well]);
   const Palette palette = made.palette(plan);

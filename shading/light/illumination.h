@@ -34,17 +34,17 @@ inline constexpr std::array kTexelUses{
 };
 
 /// What the user says about the light. It applies where the scene says nothing.
+/// Lengths are in the file's units, but in the scene's for the functions of this header.
 /// Holds: all are in [0, 1], Ia + Ip <= 1, 0 <= n <= 1,000,000 (x^0 = 1).
 struct Illumination {
   double Ia = 0.2, Ip = 0.7;
   double ka = 0.9, kd = 0.9, ks = 0.4;
   int n = 20;
   glm::dvec3 light{-0.54, -0.64, 0.55};  ///< direction towards the light, of any length but 0
-  std::optional<glm::dvec3> lightPosition =
-      std::nullopt;  ///< if given, a point light here, in the scene's coordinates
+  std::optional<glm::dvec3> lightPosition = std::nullopt;  ///< if given, a point light here
   /// Of all lights at places. If empty, each light of the scene keeps its own, and the user's has none.
   std::optional<Attenuation> attenuation = std::nullopt;
-  /// For these lights, in the scene's units. attenuate() has the defaults.
+  /// For these lights. attenuate() has the defaults.
   std::optional<double> range = std::nullopt;
   std::optional<glm::dvec3> c = std::nullopt;  ///< c1, c2, c3
   Form form = Form::Textbook;

@@ -11,6 +11,7 @@
 #include "geometry/exact/give_up.h"
 #include "shading/fill/z_buffer.h"
 #include "shading/picture/stopwatch.h"
+#include "shading/scene/units.h"
 
 namespace xnewell {
 
@@ -80,6 +81,7 @@ Picture PictureCache::make(const PictureSettings& wanted, std::optional<std::uin
   const Scene& scene = *scene_;
   const int width = wanted.width, height = wanted.height;
   next.settings_ = wanted;
+  const PictureSettings inScene = inSceneUnits(wanted, scene);
   StageTimes& ms = next.times_ = {};
 
   // The camera. The user's choices come first. The scene gives the rest, which takes passes over its points.
@@ -89,14 +91,15 @@ Picture PictureCache::make(const PictureSettings& wanted, std::optional<std::uin
     timed(ms.transform, [&] {
       const double aspect = static_cast<double>(width) / height;
       next.camera_ =
-          placeCamera(wanted.camera, scene.mesh.points, scene.up, aspect, scene.parts, wanted.cull);
+          placeCamera(inScene.camera, scene.mesh.points, scene.up, aspect, scene.parts, wanted.cull);
     });
   const ViewSpec& view = next.camera_.view;
 
   // Lighting and shades, in world coordinates. The diffuse term does not depend on the eye. The specular term
   // is computed again when the eye moves.
   const ColorPlan plan = planOf(scene, wanted);
-  timed(ms.shade, [&] { next.shading_ = next.shading_.next(scene, wanted, channelsOf(plan), next.camera_); });
+  timed(ms.shade,
+        [&] { next.shading_ = next.shading_.next(scene, inScene, channelsOf(plan), next.camera_); });
 
   // View, shear, warp, clip, viewport, and one snap to the grid. From here on, everything is exact. Orders
   // that compare planes also get the planes here.

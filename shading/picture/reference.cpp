@@ -5,8 +5,8 @@
 #include <glm/geometric.hpp>
 
 #include "depthsort/oracle.h"
-#include "geometry/exact/box.h"
 #include "geometry/exact/unit.h"
+#include "shading/scene/units.h"
 
 namespace xnewell {
 
@@ -14,7 +14,7 @@ Reference::Reference(const Picture& of) : TrueView{of}, gray_{isGray(picture().s
   const Scene& scene = picture().scene();
   const Illumination& user = picture().settings().light;
   Ia_ = scene.light.Ia.value_or(glm::dvec3{user.Ia});
-  lights_ = lightsOf(scene.light, user, boxOf(scene.mesh.points));
+  lights_ = lightsOf(scene, user);
   const auto add = [&](const MeshMaterial& m) {
     materials_.push_back({reflectionOf(m, user, 0), reflectionOf(m, user, 1), reflectionOf(m, user, 2)});
   };

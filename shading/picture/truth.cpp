@@ -3,15 +3,16 @@
 #include "geometry/view/camera.h"
 #include "shading/picture/picture_cache.h"
 #include "shading/scene/divide_anew.h"
+#include "shading/scene/units.h"
 
 namespace xnewell {
 
 namespace {
 
-/// The camera of a picture, said in full but for the clipping planes.
+/// The camera of a picture, said in full but for the clipping planes, in the scene's units.
 CameraSettings saidInFull(const Picture& picture) {
   const ViewSpec& view = picture.camera().view;
-  const CameraSettings& said = picture.settings().camera;
+  const CameraSettings said = inSceneUnits(picture.settings().camera, picture.scene());
   CameraSettings full;
   full.vrp = view.vrp, full.vpn = view.vpn, full.vup = view.vup, full.prp = view.prp;
   full.window = glm::dvec4{view.windowMin.x, view.windowMax.x, view.windowMin.y, view.windowMax.y};

@@ -14,11 +14,10 @@
 
 namespace xnewell {
 
-/// All settings of a picture of a scene.
-
+/// All settings of a picture of a scene. Lengths are in the units of the scene's file (units.h).
 struct PictureSettings {
   int width = 800, height = 600;  ///< pixels, 1..kMaxPicture
-  CameraSettings camera;          ///< in the scene's units
+  CameraSettings camera;
   Illumination light;
   Shading shading = Shading::Flat;
   NormalRule normals = NormalRule::Exact;

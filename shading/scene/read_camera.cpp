@@ -4,6 +4,7 @@
 #include <string>
 
 #include "geometry/view/project.h"
+#include "shading/scene/units.h"
 
 namespace xnewell {
 
@@ -53,14 +54,12 @@ CameraSettings readCamera(const Node& node) {
   return camera;
 }
 
-CameraSettings seeing(const CameraSettings& camera, const Scene& scene, const Node& node) {
+void expectSees(const CameraSettings& camera, const Scene& scene, const Node& node) {
   // The parts that the file leaves out are chosen to keep clear of the scene; for a narrower picture they are
   // farther away. So what the narrowest picture cannot show, no other can.
   constexpr double kNarrowest = 1.0 / kMaxPicture;
   try {
-    const CameraSettings settings = inSceneUnits(camera, scene);
-    (void)canonicalFromVrc(placeCamera(settings, scene.mesh.points, scene.up, kNarrowest).view);
-    return settings;
+    (void)canonicalFromVrc(placeCamera(scene, camera, kNarrowest).view);
   } catch (const ViewError& e) {
     node.fail(e.what());
   }

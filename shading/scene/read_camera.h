@@ -9,9 +9,9 @@ namespace xnewell {
 /// Reads the "camera" of a scene file (scene_file.h), in the file's units. @throws ParseError
 [[nodiscard]] CameraSettings readCamera(const Node& node);
 
-/// Converts `camera`, which was read from `node`, to the scene's units. It throws ParseError if the camera
-/// sees nothing in a picture of any size. An error that depends on the file alone is thus reported when the
-/// file is read, and not only when someone draws a picture of it.
-[[nodiscard]] CameraSettings seeing(const CameraSettings& camera, const Scene& scene, const Node& node);
+/// Throws ParseError if `camera`, which was read from `node`, sees nothing in a picture of any size. An error
+/// that depends on the file alone is thus reported when the file is read, and not only when someone draws a
+/// picture of it.
+void expectSees(const CameraSettings& camera, const Scene& scene, const Node& node);
 
 }  // namespace xnewell

@@ -12,7 +12,6 @@ using Json = nlohmann::ordered_json;
 
 Json list(const glm::dvec3& v) { return {v.x, v.y, v.z}; }
 
-/// `c` is in the file's units.
 Json camera(const CameraSettings& c) {
   Json json = Json::object();
   const auto triple = [&](const char* key, const std::optional<glm::dvec3>& v) {
@@ -52,7 +51,6 @@ Json json(const Setting& setting, const Value& value) {
   }
 }
 
-/// `settings` are in the file's units.
 Json shading(const PictureSettings& settings) {
   Json all = Json::object();
   for (const Setting& setting : settingRows()) {
@@ -85,10 +83,8 @@ std::string savedScene(const Scene& scene, const PictureSettings& settings,
   json["divisions"] = origin.divisions;
   if (!origin.without.empty()) json["without"] = origin.without;
   if (!origin.texture.empty()) json["texture"] = seenFrom(folder, origin.texture);
-  json["camera"] = camera(inFileUnits(settings.camera, scene));
-  PictureSettings inFileUnits = settings;
-  toFileUnits(inFileUnits.light, scene);
-  json["shading"] = shading(inFileUnits);
+  json["camera"] = camera(settings.camera);
+  json["shading"] = shading(settings);
   return json.dump(2) + "\n";
 }
 

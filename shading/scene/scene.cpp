@@ -170,16 +170,6 @@ glm::dvec3 defaultLight(UpAxis up) {
   return up == UpAxis::Z ? L : glm::dvec3{L.x, L.z, -L.y};
 }
 
-double inSceneUnits(double length, const Scene& scene) {
-  const double v = std::ldexp(length, -scene.exponent);
-  if (!std::isfinite(v)) throw ViewError{"the camera or the light is too far away for the size of the scene"};
-  return v;
-}
-
-glm::dvec3 inSceneUnits(glm::dvec3 p, const Scene& scene) {
-  return {inSceneUnits(p.x, scene), inSceneUnits(p.y, scene), inSceneUnits(p.z, scene)};
-}
-
 CameraSettings completed(CameraSettings said, const CameraSettings& scene) {
   const CameraSettings user = said;
   const auto fill = [](auto& mine, const auto& theirs, bool replaced = false) {
@@ -198,50 +188,6 @@ CameraSettings completed(CameraSettings said, const CameraSettings& scene) {
     fill(said.window, scene.window);
   }
   return said;
-}
-
-namespace {
-
-/// Every length and every place of the camera becomes what `convert` makes of each of its numbers.
-template <class Convert>
-CameraSettings converted(CameraSettings c, const Convert& convert) {
-  for (std::optional<glm::dvec3>* p : {&c.eye, &c.lookAt, &c.vrp, &c.prp})
-    if (*p)
-      for (int k = 0; k < 3; ++k) (**p)[k] = convert((**p)[k]);
-  for (std::optional<double>* v : {&c.height, &c.front, &c.back})
-    if (*v) *v = convert(**v);
-  if (c.window)
-    for (int k = 0; k < 4; ++k) (*c.window)[k] = convert((*c.window)[k]);
-  return c;
-}
-
-}  // namespace
-
-CameraSettings inSceneUnits(CameraSettings camera, const Scene& scene) {
-  return converted(std::move(camera), [&](double v) { return inSceneUnits(v, scene); });
-}
-
-CameraSettings inFileUnits(CameraSettings camera, const Scene& scene) {
-  return converted(std::move(camera), [&](double v) { return std::ldexp(v, scene.exponent); });
-}
-
-void toSceneUnits(Illumination& light, const Scene& scene) {
-  if (light.lightPosition) light.lightPosition = inSceneUnits(*light.lightPosition, scene);
-  if (light.range) light.range = inSceneUnits(*light.range, scene);
-  // c2 is per unit of length, c3 per unit of length squared.
-  if (light.c)
-    light.c = {light.c->x, std::ldexp(light.c->y, scene.exponent),
-               std::ldexp(light.c->z, 2 * scene.exponent)};
-}
-
-void toFileUnits(Illumination& light, const Scene& scene) {
-  if (light.lightPosition)
-    for (int k = 0; k < 3; ++k)
-      (*light.lightPosition)[k] = std::ldexp((*light.lightPosition)[k], scene.exponent);
-  if (light.range) light.range = std::ldexp(*light.range, scene.exponent);
-  if (light.c)
-    light.c = {light.c->x, std::ldexp(light.c->y, -scene.exponent),
-               std::ldexp(light.c->z, -2 * scene.exponent)};
 }
 
 void strip(Scene& scene, std::string_view what) {

@@ -93,17 +93,6 @@ inline constexpr int kDefaultDivisions = 8;
 /// The direction towards the light if none is given: from the upper left of the default view.
 [[nodiscard]] glm::dvec3 defaultLight(UpAxis up);
 
-/// Converts a length or a point from file units to scene units. @throws ViewError if the result is out of the
-/// range of doubles
-[[nodiscard]] double inSceneUnits(double length, const Scene& scene);
-[[nodiscard]] glm::dvec3 inSceneUnits(glm::dvec3 point, const Scene& scene);
-[[nodiscard]] CameraSettings inSceneUnits(CameraSettings camera, const Scene& scene);
-/// Converts the place and the attenuation of the user's light from file units to scene units.
-void toSceneUnits(Illumination& light, const Scene& scene);
-/// And back, exactly.
-[[nodiscard]] CameraSettings inFileUnits(CameraSettings camera, const Scene& scene);
-void toFileUnits(Illumination& light, const Scene& scene);
-
 /// What a scene file may set and strip() can remove, so that the user's choice counts.
 inline constexpr std::array<std::string_view, 6> kStrippable{"ambient", "lights", "ka", "kd", "ks", "n"};
 /// Removes `what`, one of kStrippable, from the scene.

@@ -86,7 +86,7 @@ Scene parseSceneFile(std::string_view text, const std::string& name, const std::
   Scene scene = other ? otherScene(root, folder, divisions) : ownScene(root, text, name, folder, divisions);
   if (root.has("camera")) {
     scene.camera = readCamera(root.at("camera"));
-    (void)seeing(scene.camera, scene, root.at("camera"));
+    expectSees(scene.camera, scene, root.at("camera"));
   }
   if (root.has("shading")) {
     readShading(scene.settings, root.at("shading"));

@@ -7,6 +7,7 @@
 
 #include "geometry/exact/box.h"
 #include "shading/picture/facts.h"
+#include "shading/scene/units.h"
 
 namespace xnewell {
 
@@ -17,7 +18,7 @@ constexpr std::array kDivisions{1, 2, 3, 4, 6, 8, 12, 16, 24, 32, 48, 64};
 /// L is the same everywhere if all lights are at infinity. Then it is no short cut to take it as constant.
 bool lightsHavePlaces(const Picture& picture) {
   const Scene& scene = picture.scene();
-  return std::ranges::any_of(lightsOf(scene.light, picture.settings().light, boxOf(scene.mesh.points)),
+  return std::ranges::any_of(lightsOf(scene, picture.settings().light),
                              [](const Light& light) { return light.kind != LightKind::Directional; });
 }
 
@@ -145,11 +146,11 @@ Configuration changed(Configuration configuration, const Axis& axis, double valu
 CameraSettings heldCamera(const Picture& picture) {
   CameraSettings held = picture.settings().camera;
   if (held.window || held.vpn || held.prp) return held;  // it says all itself
-  const Camera& camera = picture.camera();
+  const CameraSettings placed = saidOf(picture.camera(), picture.scene());
   held.vrp = held.vup = std::nullopt;
-  held.eye = camera.eye, held.lookAt = camera.lookAt, held.up = camera.up;
-  held.parallel = camera.view.projection == Projection::Parallel;
-  if (held.parallel) held.height = camera.view.windowMax.y - camera.view.windowMin.y;
+  held.eye = placed.eye, held.lookAt = placed.lookAt, held.up = placed.up;
+  held.parallel = placed.parallel;
+  if (held.parallel) held.height = placed.height;
   return held;
 }
 

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "geometry/exact/box.h"
+#include "shading/scene/units.h"
 
 namespace xnewell {
 
@@ -18,7 +19,7 @@ std::optional<double> boundOfConstantL(const Scene& scene, const Illumination& u
 
   std::array<double, 3> bound{};
   bool placed = false;
-  for (const Light& light : lightsOf(scene.light, user, box)) {
+  for (const Light& light : lightsOf(scene, user)) {
     if (light.kind == LightKind::Directional) continue;
     placed = true;
     const double d = glm::length(light.position - box.centre());

@@ -10,6 +10,7 @@
 #include <stdexcept>
 
 #include "geometry/view/view.h"
+#include "shading/scene/units.h"
 
 namespace xnewell {
 
@@ -100,7 +101,7 @@ Measure::Measure(const Shared<Scene>& scene, const PictureSettings& settings)
       here_{sightOf(asked_.settings().camera, settings, !fine_)} {
   for (const glm::dvec2& turn : kTurns) try {
       others_.push_back(
-          sightOf(moved(settings.camera, asked_.camera(), turn.x, turn.y, 1.0), settings, false));
+          sightOf(moved(settings.camera, asked_.camera(), *scene, turn.x, turn.y, 1.0), settings, false));
     } catch (const ViewError&) {
       continue;  // nothing can be seen from there
     }

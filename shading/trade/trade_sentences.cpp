@@ -6,6 +6,7 @@
 #include <limits>
 
 #include "geometry/exact/box.h"
+#include "shading/scene/units.h"
 #include "shading/trade/constant_l_bound.h"
 
 namespace xnewell {
@@ -31,7 +32,7 @@ std::string whereTheLampIs(const Picture& picture) {
   const Scene& scene = picture.scene();
   const Box box = boxOf(scene.mesh.points);
   double nearest = std::numeric_limits<double>::infinity();
-  for (const Light& light : lightsOf(scene.light, picture.settings().light, box))
+  for (const Light& light : lightsOf(scene, picture.settings().light))
     if (light.kind != LightKind::Directional) {
       const glm::dvec3 to = light.position - box.centre();
       nearest = std::min(nearest, std::hypot(to.x, to.y, to.z));

@@ -6,6 +6,7 @@
 #include "geometry/model/solids.h"
 #include "shading/color/png.h"
 #include "shading/picture/picture_cache.h"
+#include "shading/scene/units.h"
 #include "tests/bench/least.h"
 #include "tests/bench/triangulated.h"
 
@@ -56,7 +57,7 @@ StageTimes moveEye(benchmark::State& state, PictureCache& pictures, PictureSetti
   Picture picture = pictures.make(settings);
   StageTimes sum;
   for (auto _ : state) {
-    settings.camera = moved(settings.camera, picture.camera(), 1.0, 0.0, 1.0);
+    settings.camera = moved(settings.camera, picture.camera(), picture.scene(), 1.0, 0.0, 1.0);
     picture = pictures.make(settings, 0);
     add(sum, picture.times());
   }
@@ -156,7 +157,7 @@ const int kRegistered = [] {
 void BM_EnvironmentClamped(benchmark::State& state, const char* name, double highlights) {
   Scene scene = readScene(name);
   PictureSettings settings = scene.settings;
-  settings.camera = inSceneUnits(scene.camera, scene);
+  settings.camera = scene.camera;
   settings.shading = Shading::Environment;
   settings.order = Order::ZSort;
   settings.light.ks *= highlights;

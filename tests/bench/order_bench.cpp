@@ -13,7 +13,7 @@ namespace {
 void orders(benchmark::State& state, const std::string& name, Order order) {
   Scene scene = readScene(name);
   PictureSettings settings;
-  settings.camera = inSceneUnits(scene.camera, scene);
+  settings.camera = scene.camera;
   PictureCache pictures{std::move(scene)};
   for (auto _ : state) {
     // so that the order is computed again

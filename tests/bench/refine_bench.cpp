@@ -81,7 +81,7 @@ Scene highlightFloor(int n) { return makeScene("floor", floorOf(n), UpAxis::Z); 
 void BM_Refine(benchmark::State& state, Scene (*make)(int), int n, Shading shading) {
   const bool highlight = make == highlightFloor;
   const auto settingsOf = [&](const Scene& scene, Shading method) {
-    const PictureSettings s = fromAbove(scene, method);
+    const PictureSettings s = fromAbove(method);
     return highlight ? withHighlight(s) : s;
   };
   const Scene scene = make(n);

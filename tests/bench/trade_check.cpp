@@ -22,6 +22,7 @@
 #include <vector>
 
 #include "shading/picture/picture_cache.h"
+#include "shading/scene/units.h"
 #include "shading/trade/choice.h"
 #include "shading/trade/measure.h"
 #include "tests/support/random_lit_scenes.h"
@@ -34,7 +35,7 @@ namespace {
 PictureSettings turned(const LitScene& lit, double azimuth, double elevation) {
   PictureSettings settings = lit.settings;
   settings.camera =
-      moved(settings.camera, makePicture(lit.scene, settings).camera(), azimuth, elevation, 1.0);
+      moved(settings.camera, makePicture(lit.scene, settings).camera(), lit.scene, azimuth, elevation, 1.0);
   return settings;
 }
 
@@ -277,8 +278,7 @@ int checkRanks(std::vector<std::string> scenes) {
   for (const std::string& name : scenes) {
     const Scene scene = readScene(name);
     PictureSettings settings = scene.settings;
-    settings.camera = inSceneUnits(scene.camera, scene);
-    toSceneUnits(settings.light, scene);
+    settings.camera = scene.camera;
     settings.width = 800, settings.height = 600;
     const auto run = [&](unsigned seed) {
       return rowsOf(tradeOf(scene, settings, {.seconds = 30, .seed = seed}));

@@ -274,7 +274,7 @@ BriefLight::Lit BriefLight::light(int part, int i, int j) const {
     light.direction = user_.light;
     if (user_.lightPosition) {
       light.kind = LightKind::Point;
-      light.position = *user_.lightPosition;
+      light.position = *user_.lightPosition * std::ldexp(1.0, -scene_.exponent);
     }
     lights.push_back(light);
   }
@@ -286,8 +286,10 @@ BriefLight::Lit BriefLight::light(int part, int i, int j) const {
       light.attenuation = *user_.attenuation;
       // The defaults of the options --range and --coefficients, by the distance to the scene's centre.
       const double d = glm::length(light.position - (low + high) / 2.0);
-      light.range = user_.range.value_or(2 * d);
-      light.c = user_.c.value_or(glm::dvec3{1, 0, 1 / (d * d)});
+      // The user's lengths are in the file's units.
+      const double file = std::ldexp(1.0, scene_.exponent);
+      light.range = user_.range ? *user_.range / file : 2 * d;
+      light.c = user_.c ? *user_.c * glm::dvec3{1, file, file * file} : glm::dvec3{1, 0, 1 / (d * d)};
     }
   }
   for (const Light& light : lights) {

@@ -5,6 +5,7 @@
 #include "geometry/model/solids.h"
 #include "shading/scene/picture_settings.h"
 #include "shading/scene/scene.h"
+#include "shading/scene/units.h"
 
 namespace xnewell {
 
@@ -42,15 +43,15 @@ inline Scene underSpot(Mesh mesh, double inner = 14, double outer = 20) {
 }
 
 /// A parallel view straight from above: interpolated places are those of the floor.
-inline PictureSettings fromAbove(const Scene& scene, Shading shading) {
+inline PictureSettings fromAbove(Shading shading) {
   PictureSettings s;
   s.width = s.height = 480;
   s.shading = shading;
-  s.camera.eye = inSceneUnits(glm::dvec3{0.0, 0.0, 2.0}, scene);
+  s.camera.eye = glm::dvec3{0.0, 0.0, 2.0};
   s.camera.lookAt = glm::dvec3{0.0};
   s.camera.up = glm::dvec3{0, 1, 0};
   s.camera.parallel = true;
-  s.camera.height = inSceneUnits(2.1, scene);
+  s.camera.height = 2.1;
   s.light.kd = 0.8;
   s.light.ks = 0.0;
   return s;

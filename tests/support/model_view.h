@@ -8,6 +8,7 @@
 #include "geometry/exact/box.h"
 #include "geometry/exact/unit.h"
 #include "shading/picture/picture.h"
+#include "shading/scene/units.h"
 
 namespace xnewell {
 
@@ -64,6 +65,8 @@ inline PictureSettings randomView(const Scene& scene, unsigned seed, int width, 
       camera.fov = 40.0 + 60.0 * unit(rng);
       break;
   }
+  camera.eye = inFileUnits(*camera.eye, scene), camera.lookAt = inFileUnits(*camera.lookAt, scene);
+  if (camera.height) camera.height = std::ldexp(*camera.height, scene.exponent);
   return s;
 }
 

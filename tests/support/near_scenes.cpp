@@ -265,7 +265,7 @@ std::vector<std::uint32_t> shownFaces(const Mesh& mesh, const JudgedCamera& came
   } else {
     given.fov = camera.fov;
   }
-  settings.camera = inSceneUnits(given, pictures.scene());
+  settings.camera = given;
   return pictures.make(settings, 0).faceImage();
 }
 

@@ -5,6 +5,7 @@
 #include <random>
 
 #include "shading/picture/picture_cache.h"
+#include "shading/scene/units.h"
 #include "tests/support/scene_text.h"
 
 namespace xnewell {
@@ -72,7 +73,8 @@ LitScene randomLitScene(unsigned seed) {
   s.light.ks = chance.once(2) ? chance.within(0, 0.6) : 0;
   s.light.n = chance.whole(2, 60);
   const Picture asked = makePicture(lit.scene, s);
-  s.camera = moved(s.camera, asked.camera(), chance.within(-180, 180), chance.within(-40, 40), 1.0);
+  s.camera =
+      moved(s.camera, asked.camera(), asked.scene(), chance.within(-180, 180), chance.within(-40, 40), 1.0);
   return lit;
 }
 

@@ -53,7 +53,7 @@ Json lastLine(const std::string& command) {
 PictureSettings settingsOf(const Scene& scene, int width, int height) {
   PictureSettings settings = scene.settings;
   settings.width = width, settings.height = height;
-  settings.camera = inSceneUnits(completed({}, scene.camera), scene);
+  settings.camera = completed({}, scene.camera);
   return settings;
 }
 

@@ -7,12 +7,13 @@
 #include "geometry/files/output_file.h"
 #include "shading/scene/divide_anew.h"
 #include "shading/scene/save_scene.h"
+#include "shading/scene/units.h"
 
 namespace xnewell {
 
 Work::Work(Scene scene, const Setup& s)
     : pictures{std::move(scene)},
-      centre{boxOf(pictures.scene().mesh.points).centre()},
+      centre{centreOf(pictures.scene())},
       setup{s},
       defaults{s},
       saved{s},
@@ -52,8 +53,7 @@ void Work::divide() {
 Setup setupIn(const Scene& scene) {
   Setup setup{scene.settings, scene.settings.inPixels ? Fill::XFillPolygon : Fill::Scanline};
   setup.picture.inPixels = false;
-  setup.picture.camera = inSceneUnits(scene.camera, scene);
-  toSceneUnits(setup.picture.light, scene);
+  setup.picture.camera = scene.camera;
   return setup;
 }
 

@@ -29,7 +29,7 @@ class Work {
   [[nodiscard]] bool isSaved() const { return file.empty() || setup == saved; }
 
   PictureCache pictures;
-  glm::dvec3 centre;  ///< of the scene
+  glm::dvec3 centre;  ///< of the scene, in the file's units
   Setup setup, defaults;
   std::string file;  ///< the scene file that this was saved in or opened from; "" for none
   Setup saved;       ///< the setup in that file

@@ -59,8 +59,7 @@ Scene readyScene(Options& options) {
     scene.settings.order = Order::Newell;  // the trace follows this order
   settle(options, scene.settings);
   giveWay(scene, options);
-  options.picture.camera = inSceneUnits(completed(options.picture.camera, scene.camera), scene);
-  toSceneUnits(options.picture.light, scene);
+  options.picture.camera = completed(options.picture.camera, scene.camera);
   if (!options.texture.empty()) {
     wear(scene, readTexture(options.texture));
     scene.origin.texture = options.texture;

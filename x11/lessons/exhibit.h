@@ -55,7 +55,7 @@ struct Claim {
 struct Exhibit {
   std::shared_ptr<const Scene> scene;
   std::string sceneName;
-  PictureSettings settings;  ///< without the size; camera and light in the scene's units
+  PictureSettings settings;  ///< without the size
   Stage stage = Stage::Picture;
   std::string line;  ///< a line of words over the picture
   std::vector<NamedFace> names;

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "geometry/exact/box.h"
+#include "shading/scene/units.h"
 #include "x11/drawing/wording.h"
 
 namespace xnewell {
@@ -62,7 +63,7 @@ Control eventControl(LessonState& state) {
 Control plainControl(const LessonControlRow& row, LessonState& state, Host& host, double aspect) {
   const ChangeSetup change = [&host](char control, const auto& edit) { host.change(control, edit); };
   const Scene& scene = *state.exhibit.scene;
-  const Subject subject{scene, boxOf(scene.mesh.points).centre(), aspect};
+  const Subject subject{scene, centreOf(scene), aspect};
   switch (row.id) {
     case LessonControl::Names:
       return toggle(state.exhibit.named, state);

@@ -109,15 +109,13 @@ Claim readClaim(const std::string& name, const Node& node) {
 /// Reads the settings of a picture from an object.
 void readSettings(PictureSettings& settings, const Node& node, const Scene& scene) {
   if (node.has("shading")) {
-    toFileUnits(settings.light, scene);
     readShading(settings, node.at("shading"));
-    toSceneUnits(settings.light, scene);
     if (settings.inPixels) node.at("shading").at("fill").fail("lessons are filled by the scanline");
     expectCounts(settings, scene.light, node.at("shading"));
   }
   if (!node.has("camera")) return;
-  const CameraSettings camera = completed(readCamera(node.at("camera")), scene.camera);
-  settings.camera = seeing(camera, scene, node.at("camera"));
+  settings.camera = completed(readCamera(node.at("camera")), scene.camera);
+  expectSees(settings.camera, scene, node.at("camera"));
 }
 
 void readBeside(Exhibit& exhibit, const Node& node) {
@@ -162,9 +160,8 @@ Exhibit readExhibit(const Node& node, const Exhibit* base, SceneShelf& shelf) {
     exhibit.scene = shelf.scene(node.at("scene"), divisions);
     exhibit.sceneName = exhibit.scene->name;
     exhibit.settings = exhibit.scene->settings;
-    exhibit.settings.camera = inSceneUnits(exhibit.scene->camera, *exhibit.scene);
+    exhibit.settings.camera = exhibit.scene->camera;
     exhibit.settings.inPixels = false;
-    toSceneUnits(exhibit.settings.light, *exhibit.scene);
     exhibit.names.clear();
   }
   if (node.has("names")) readNames(exhibit, node.at("names"));

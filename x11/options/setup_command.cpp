@@ -7,6 +7,7 @@
 #include <tuple>
 
 #include "shading/scene/settings.h"
+#include "shading/scene/units.h"
 #include "x11/options/read_value.h"
 #include "x11/options/shell_words.h"
 
@@ -93,15 +94,15 @@ std::string SetupCommand::settingsOf(const PictureSettings& now) const {
 
 CameraSettings SetupCommand::saidCamera(const PictureSettings& settings) const {
   const double aspect = static_cast<double>(settings.width) / settings.height;
-  const Camera placed = placeCamera(settings.camera, scene_.mesh.points, scene_.up, aspect);
+  const CameraSettings placed = saidOf(placeCamera(scene_, settings.camera, aspect), scene_);
   const CameraSettings& own = ownCamera_;
   CameraSettings said = settings.camera;
   if (!said.eye && !said.vpn && !said.prp && (own.eye || own.vpn || own.prp)) said.eye = placed.eye;
   if (!said.lookAt && !said.vrp && (own.lookAt || own.vrp)) said.lookAt = placed.lookAt;
   if (!said.up && !said.vup && (own.up || own.vup)) said.up = placed.up;
   const bool fits = said.parallel && !said.height && !said.oblique && !(own.parallel && !own.height);
-  if (fits) said.height = placed.view.windowMax.y - placed.view.windowMin.y;
-  return inFileUnits(said, scene_);
+  if (fits) said.height = placed.height;
+  return said;
 }
 
 std::string SetupCommand::cameraOf(const PictureSettings& settings) const {
@@ -145,11 +146,9 @@ std::string SetupCommand::of(const PictureSettings& settings, int divisions, Fil
   if (divisions == 0) divisions = scene_.origin.divisions;
   if (scene_.divisions > 0 && divisions != kDefaultDivisions)
     command += option("--divisions", std::to_string(divisions));
-  PictureSettings now = settings;
-  toFileUnits(now.light, scene_);
-  command += settingsOf(now);
-  if (now.mostPieces != PictureSettings{}.mostPieces)
-    command += option("--max-fragments", std::to_string(now.mostPieces));
+  command += settingsOf(settings);
+  if (settings.mostPieces != PictureSettings{}.mostPieces)
+    command += option("--max-fragments", std::to_string(settings.mostPieces));
   if (!scene_.origin.texture.empty()) command += option("--texture", scene_.origin.texture);
   if (server) command += " --fill x11";
   return command + cameraOf(settings) + " -o picture.png";

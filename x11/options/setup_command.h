@@ -26,9 +26,8 @@ class SetupCommand {
 
   /// "xnewell draw SCENE --size 800x600 --shade phong -o picture.png": every setting that differs from what
   /// the scene asks for by itself, its camera too. Settings without effect that the command would refuse are
-  /// left out. Lengths of `settings` are in the scene's units; its size is that of the picture. `divisions`
-  /// are those of the patches; 0: as the scene was read. Only a server fills with XFillPolygon, so the
-  /// command is then `snapshot`.
+  /// left out. The size of `settings` is that of the picture. `divisions` are those of the patches; 0: as the
+  /// scene was read. Only a server fills with XFillPolygon, so the command is then `snapshot`.
   /// @throws ViewError if no options can say the camera: one that lacks a part that the scene's own has
   [[nodiscard]] std::string of(const PictureSettings& settings, int divisions = 0, Fill fill = Fill::Scanline,
                                const Drawing& drawing = {}) const;

@@ -190,7 +190,9 @@ void turnLight(Illumination& light, UpAxis up, double azimuth, double elevation,
 void aimLight(Illumination& light, glm::dvec3 towards, glm::dvec3 centre) {
   light.light = towards;
   if (light.lightPosition)
-    *light.lightPosition = centre + glm::length(*light.lightPosition - centre) * towards;
+    // Without squares: the file's units may be as large as 1e300.
+    *light.lightPosition =
+        centre + glm::dot(*light.lightPosition - centre, towardsLight(light, centre)) * towards;
 }
 
 }  // namespace xnewell

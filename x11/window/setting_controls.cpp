@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "shading/scene/units.h"
 #include "x11/drawing/wording.h"
 
 namespace xnewell {
@@ -136,18 +137,22 @@ KeyTable zoomKeys(const Setup& shown, const Subject& subject, const ChangeSetup&
 }
 
 Camera cameraOf(const Setup& setup, const Subject& subject) {
-  return placeCamera(setup.picture.camera, subject.scene.mesh.points, subject.scene.up, subject.aspect);
+  return placeCamera(subject.scene, setup.picture.camera, subject.aspect);
 }
 
 void turn(const ChangeSetup& change, const Setup& shown, const Subject& subject, double azimuth,
           double elevation) {
   const Camera camera = cameraOf(shown, subject);
-  change('t', [&](Setup& s) { s.picture.camera = moved(s.picture.camera, camera, azimuth, elevation, 1.0); });
+  change('t', [&](Setup& s) {
+    s.picture.camera = moved(s.picture.camera, camera, subject.scene, azimuth, elevation, 1.0);
+  });
 }
 
 void zoom(const ChangeSetup& change, const Setup& shown, const Subject& subject, double factor) {
   const Camera camera = cameraOf(shown, subject);
-  change('z', [&](Setup& s) { s.picture.camera = moved(s.picture.camera, camera, 0.0, 0.0, factor); });
+  change('z', [&](Setup& s) {
+    s.picture.camera = moved(s.picture.camera, camera, subject.scene, 0.0, 0.0, factor);
+  });
 }
 
 }  // namespace xnewell

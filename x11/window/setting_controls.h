@@ -17,7 +17,7 @@ using ChangeSetup = std::function<void(char control, const std::function<void(Se
 /// The scene that is pictured. Camera and light turn about its centre.
 struct Subject {
   const Scene& scene;
-  glm::dvec3 centre;  ///< the direction of a point light is measured from here
+  glm::dvec3 centre;  ///< in the file's units; the direction of a point light is measured from here
   double aspect;      ///< of the picture, width to height
 };
 

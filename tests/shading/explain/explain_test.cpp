@@ -65,7 +65,7 @@ void expectExplained(const Picture& picture, Seen& seen) {
 
 PictureSettings settingsOf(const Scene& scene, Shading shading) {
   PictureSettings s = scene.settings;
-  s.camera = inSceneUnits(scene.camera, scene);
+  s.camera = scene.camera;
   s.width = kSanitized ? 32 : 64, s.height = kSanitized ? 24 : 48;
   s.shading = shading;
   return s;

@@ -13,7 +13,7 @@ namespace {
 Picture pictureOf(const char* scene, int width, int height, bool parallel) {
   PictureCache pictures{readScene(scene, 4)};
   PictureSettings s = pictures.scene().settings;
-  s.camera = inSceneUnits(pictures.scene().camera, pictures.scene());
+  s.camera = pictures.scene().camera;
   if (parallel) {
     s.camera = {};
     s.camera.parallel = true;

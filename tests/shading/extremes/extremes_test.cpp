@@ -31,12 +31,11 @@ Scene cards(const std::vector<double>& heights) {
   return makeScene("cards", std::move(mesh), UpAxis::Y);
 }
 
-PictureSettings fromAbove(const Scene& scene) {
+PictureSettings fromAbove() {
   PictureSettings settings;
   settings.width = 40, settings.height = 30;
-  CameraSettings camera;
+  CameraSettings& camera = settings.camera;
   camera.eye = {0, 0, 5}, camera.lookAt = {0, 0, 0}, camera.up = {0, 1, 0};
-  settings.camera = inSceneUnits(camera, scene);
   return settings;
 }
 
@@ -72,7 +71,7 @@ std::string found(std::string_view letters, std::string_view setUp = "r") {
 // A ray through the middle of the picture meets the nearest card at the distance that one reckons by hand.
 TEST(Rays, MeetTheNearestCard) {
   const Scene scene = cards({0.5, -1, 0.25});
-  const PictureSettings settings = fromAbove(scene);
+  const PictureSettings settings = fromAbove();
   const Rays rays{scene, makePicture(scene, settings).camera(), settings};
   const double unit = std::ldexp(1.0, -scene.exponent);
   const auto nearest = rays.nearest(20, 15);
@@ -90,7 +89,7 @@ TEST(Rays, MeetTheNearestCard) {
 // the distance that one reckons by hand.
 TEST(Rays, JudgeTheOrder) {
   const Scene scene = cards({1, 0});
-  PictureSettings settings = fromAbove(scene);
+  PictureSettings settings = fromAbove();
   const JudgedByRays sorted = judgedByRays(makePicture(scene, settings));
   EXPECT_GT(sorted.samples, 100);
   EXPECT_EQ(sorted.wrong, 0);
@@ -108,7 +107,7 @@ TEST(Rays, CallDoubtfulWhatTheGridCannotTell) {
     SCOPED_TRACE(parallel);
     const auto judged = [&](double gap) {
       const Scene scene = cards({gap, 0});  // the lower one is painted last
-      PictureSettings settings = fromAbove(scene);
+      PictureSettings settings = fromAbove();
       settings.order = Order::Unsorted;
       settings.camera.parallel = parallel;
       const Picture picture = makePicture(scene, settings);
@@ -149,8 +148,8 @@ TEST(Extremes, NumbersAreShort) {
 // chose would be.
 TEST(Rays, EndAtTheUsersPlanes) {
   const Scene scene = cards({1, 0});
-  PictureSettings settings = fromAbove(scene);
-  settings.camera.front = inSceneUnits(0.5, scene);
+  PictureSettings settings = fromAbove();
+  settings.camera.front = 0.5;
   const Camera camera = makePicture(scene, settings).camera();
   EXPECT_EQ((Rays{scene, camera, settings}.nearest(20, 15)->face), 1);
   settings.camera.front.reset();
@@ -256,7 +255,7 @@ TEST(Extremes, IntensitiesAreNumbers) {
   const Scene scene = readScene(XNEWELL_DATA_DIR "/../tests/data/long-pillar.json");
   PictureSettings settings = scene.settings;
   settings.width = 16, settings.height = 12;
-  settings.camera = inSceneUnits(scene.camera, scene);
+  settings.camera = scene.camera;
   const Camera camera = makePicture(scene, settings).camera();
   const Rays rays{scene, camera, settings};
   const auto hit = rays.nearest(7.5, 5.5);
@@ -376,7 +375,7 @@ TEST(Extremes, TwoCardsAreWrongAsTheyAre) {
 // Stopped at any picture, the ways that were finished are as they would have been.
 TEST(Extremes, AStopKeepsTheFinishedWays) {
   const Scene scene = cards({1, 0});
-  PictureSettings settings = fromAbove(scene);
+  PictureSettings settings = fromAbove();
   settings.width = 16, settings.height = 12;
   const Extremes whole = extremesOf(scene, settings);
   ASSERT_FALSE(whole.isStopped());

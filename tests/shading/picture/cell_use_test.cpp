@@ -23,7 +23,7 @@ Made made(const char* scene, ColorPlan plan = ColorPlan::Needed, Shading shading
   s.width = 200, s.height = 150;
   s.shading = shading;
   s.colors = plan;
-  s.camera = inSceneUnits(completed({}, read.camera), read);
+  s.camera = completed({}, read.camera);
   const Picture picture = makePicture(std::move(read), s, CellPlan{}[Cell::Well]);
   return {picture, picture.image()};
 }

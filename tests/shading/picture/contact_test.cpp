@@ -93,7 +93,6 @@ std::int64_t splitsOf(std::initializer_list<Card> cards, double u) {
   s.cull = Cull::Keep;
   s.camera.eye = glm::dvec3{1, 0, 20}, s.camera.lookAt = glm::dvec3{1, 0, 0};
   s.camera.parallel = true, s.camera.height = 5.0;
-  s.camera = inSceneUnits(s.camera, pictures.scene());
   pictures.make(s);
   EXPECT_EQ(exactnessOf(pictures.last()).wrong, 0);
   return pictures.last().sorted().statistics.splits;

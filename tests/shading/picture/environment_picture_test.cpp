@@ -104,7 +104,7 @@ TEST(EnvironmentPicture, EachChannelHasItsOwnLight) {
   PictureCache pictures{std::move(scene)};
   PictureSettings s = mapped(240);
   s.colors = ColorPlan::Chosen;
-  s.camera.eye = glm::dvec3{0, 0, 3}, s.camera.lookAt = glm::dvec3{0};
+  s.camera.eye = glm::dvec3{0, 0, 6}, s.camera.lookAt = glm::dvec3{0};
   const Picture picture = pictures.make(s, 8);
   const SeenRows seen = picture.seen(0, s.height);
   const std::vector<glm::dvec3> N = picture.normals(seen);

@@ -26,10 +26,10 @@ struct Cards {
             parseSceneFile(R"({"up": "y", "materials": )" + materials + R"(, "objects": )" + objects + "}",
                            "cards", XNEWELL_DATA_DIR)} {
     settings.width = settings.height = 80;
-    settings.camera.eye = inSceneUnits({0, 0, 20}, pictures.scene());
+    settings.camera.eye = {0, 0, 20};
     settings.camera.lookAt = glm::dvec3{0};
     settings.camera.parallel = true;
-    settings.camera.height = inSceneUnits(8, pictures.scene());
+    settings.camera.height = 8;
     settings.light = {.Ia = 0.25, .Ip = 0.5, .ka = 1, .kd = 1, .ks = 0, .n = 5, .light = {0, 0, 1}};
     settings.table.hue = glm::dvec3{1};
   }
@@ -164,8 +164,7 @@ TEST(Errors, CountWrongFaces) {
 // A lamp above a card: L constant takes N.L = 1 everywhere. The error is 1 - cos of the angle to the lamp.
 TEST(Errors, OfConstantL) {
   Cards card{kCard};
-  const auto units = [&](double file) { return inSceneUnits(file, card.pictures.scene()); };
-  card.settings.light.lightPosition = glm::dvec3{0, 0, units(2)};
+  card.settings.light.lightPosition = glm::dvec3{0, 0, 2};
   card.settings.shading = Shading::Phong;
   const auto cosine = [](int i, int j) {
     const double x = (i + 0.5 - 40) / 10, y = (j + 0.5 - 40) / 10;

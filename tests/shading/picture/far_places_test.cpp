@@ -90,7 +90,7 @@ Texture checks() {
 IndexImage pictureOf(Scene scene, Shading method, Form form, bool textured) {
   PictureSettings s = scene.settings;
   s.width = kWidth, s.height = kHeight;
-  s.camera = inSceneUnits(scene.camera, scene);
+  s.camera = scene.camera;
   s.shading = method;
   s.light.form = form;
   s.light.n = 40;

@@ -46,7 +46,7 @@ PictureSettings settingsOf(const Scene& scene, Shading shading) {
   // Rotated maps have axes for each channel in colours, and the same axes for a luminance. On a coarse mesh
   // the error of a look-up depends on the axes.
   s.environment = EnvironmentForm::Published;
-  s.camera = inSceneUnits(completed({}, scene.camera), scene);
+  s.camera = completed({}, scene.camera);
   return s;
 }
 

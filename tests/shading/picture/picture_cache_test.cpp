@@ -9,6 +9,7 @@
 #include <set>
 
 #include "geometry/exact/give_up.h"
+#include "shading/scene/units.h"
 #include "tests/support/painted_picture.h"
 #include "tests/support/small_picture.h"
 
@@ -96,7 +97,7 @@ TEST(Picture, KeptStagesPaintWhatFreshOnesPaint) {
         s.width = 100 + static_cast<int>(rng() % 100);
         break;
       case 6:
-        s.camera = moved(s.camera, kept.last().camera(), 20, 3, 1.05);
+        s.camera = moved(s.camera, kept.last().camera(), kept.last().scene(), 20, 3, 1.05);
         break;
       case 7:
         s.light.constantV = !s.light.constantV;
@@ -191,7 +192,7 @@ TEST(Picture, NeverChanges) {
   EXPECT_EQ(&exact.scene(), &picture.scene());
   EXPECT_NE(exact.image(), image);
   expectSame();
-  other.camera = moved(s.camera, picture.camera(), 30, 10, 1.1);
+  other.camera = moved(s.camera, picture.camera(), picture.scene(), 30, 10, 1.1);
   other.width = 100;
   (void)pictures.make(other, 8);
   expectSame();

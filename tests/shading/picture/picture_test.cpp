@@ -15,6 +15,7 @@
 #include "shading/fill/scanline.h"
 #include "shading/picture/exactness.h"
 #include "shading/picture/picture_cache.h"
+#include "shading/scene/units.h"
 #include "tests/support/painted_picture.h"
 #include "tests/support/small_picture.h"
 
@@ -71,7 +72,8 @@ TEST(Picture, PaintsEachSampleAsOftenAsFacesCoverIt) {
     s.camera.parallel = view % 2 == 0;
     if (view == 3) s.camera.oblique = Oblique{};
     teapot.make(s);
-    s.camera = moved(s.camera, teapot.last().camera(), 50.0 * view, 20.0 * view - 70, view == 7 ? 6.0 : 1.0);
+    s.camera = moved(s.camera, teapot.last().camera(), teapot.last().scene(), 50.0 * view, 20.0 * view - 70,
+                     view == 7 ? 6.0 : 1.0);
     check(teapot, s);
   }
   for (unsigned seed = 0; seed < 20; ++seed) {
@@ -95,7 +97,8 @@ TEST(Picture, ClosedSurfacesPaintInPairs) {
     PictureSettings s = small();
     s.camera.parallel = seed % 3 == 0;
     pictures.make(s);
-    s.camera = moved(s.camera, pictures.last().camera(), 17.0 * seed, 7.0 * seed - 100, 1.3);
+    s.camera = moved(s.camera, pictures.last().camera(), pictures.last().scene(), 17.0 * seed,
+                     7.0 * seed - 100, 1.3);
     pictures.make(s);
     for (const int n : timesPainted(pictures.last().snapped(), s.width, s.height)) {
       ASSERT_EQ(n % 2, 0);
@@ -125,11 +128,11 @@ TEST(Picture, FaceImageNamesFaces) {
   s.camera.parallel = true;
   s.camera.eye = glm::dvec3{0, 0, 3};
   s.camera.lookAt = glm::dvec3{0};
-  s.camera.height = 1.2;  // scene units: coordinates were halved
+  s.camera.height = 2.4;
   pictures.make(s);
   const std::vector<std::uint32_t> ids = pictures.last().faceImage();
   const auto at = [&](double x, double y) {  // of the file's coordinates
-    return ids[std::size_t(90 - y / 2 / 1.2 * 180) * 240 + std::size_t(120 + x / 2 / 1.2 * 180)];
+    return ids[std::size_t(90 - y / 2.4 * 180) * 240 + std::size_t(120 + x / 2.4 * 180)];
   };
   EXPECT_EQ(at(-0.25, 0), 2u);
   EXPECT_EQ(at(0.3, 0), 1u);  // seen through the notch
@@ -180,7 +183,7 @@ TEST(Picture, CoplanarFacesAreNotCalledWrong) {
     const std::vector<std::uint32_t> seen = decals.last().faceImage();
     for (std::size_t k = 0; k < seen.size(); ++k) doubtful += seen[k] != listed[k];
     s.order = Order::Unsorted;
-    s.camera = moved(s.camera, decals.last().camera(), 29, view % 2 ? 11 : -9, 1.02);
+    s.camera = moved(s.camera, decals.last().camera(), decals.last().scene(), 29, view % 2 ? 11 : -9, 1.02);
   }
   EXPECT_GT(doubtful, 1000);
 }

@@ -171,7 +171,7 @@ TEST(Profile, BandsAreTheSameAtEverySize) {
     std::array<std::vector<int>, 3> first;
     for (const int width : {2102, 422, 702}) {
       PictureSettings s = wide(width);
-      s.camera = inSceneUnits(completed({}, pictures.scene().camera), pictures.scene());
+      s.camera = completed({}, pictures.scene().camera);
       s.colors = ColorPlan::OneHue;
       const Scanline line = scanlineOf(pictures.make(s), s.height / 2, 8);
       for (std::size_t k = 0; k < 3; ++k) {
@@ -193,7 +193,7 @@ TEST(Profile, BandsAreTheSameAtEverySize) {
 TEST(Profile, CountsWithinOneSurface) {
   PictureSettings s = wide(300);
   PictureCache tori{readScene("tori")};
-  s.camera = inSceneUnits(completed({}, tori.scene().camera), tori.scene());
+  s.camera = completed({}, tori.scene().camera);
   const Scanline both = scanlineOf(tori.make(s), 75, 8);
   EXPECT_GE(both.outlines, 1);
   for (const Profile& p : both.profiles)
@@ -258,7 +258,7 @@ TEST(Profile, DefaultScanlineShowsSomething) {
   s.camera.parallel = true;
   s.camera.eye = glm::dvec3{0, 0, 3};
   s.camera.lookAt = glm::dvec3{0};
-  s.camera.height = 1.0;  // of the mesh's units: the triangle spans rows 0 to ...
+  s.camera.height = 2.0;
   const Picture above = makePicture(makeScene("above", m, UpAxis::Y), s);
   const SeenRows middle = above.seen(25, 26);
   const SeenRows chosen = above.seen(defaultScanline(above), defaultScanline(above) + 1);
@@ -277,7 +277,7 @@ TEST(Profile, CellsAreOfThePicturesPlan) {
                                 Shading::Phong, Shading::Environment}) {
     Scene scene = readScene("hues");
     PictureSettings settings = scene.settings;
-    settings.camera = inSceneUnits(scene.camera, scene);
+    settings.camera = scene.camera;
     settings.width = 200, settings.height = 150, settings.shading = shading;
     const Picture picture = makePicture(std::move(scene), settings, 8);
     for (const int row : {60, 80, 100}) {

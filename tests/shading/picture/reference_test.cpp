@@ -61,8 +61,7 @@ PictureSettings settingsOf(const Scene& scene) {
   PictureSettings s = scene.settings;
   s.width = kWidth;
   s.height = kHeight;
-  s.camera = inSceneUnits(completed({}, scene.camera), scene);
-  toSceneUnits(s.light, scene);
+  s.camera = completed({}, scene.camera);
   return s;
 }
 
@@ -197,12 +196,12 @@ TEST(Reference, IsTheEquationOfEveryModel) {
 TEST(Reference, IsTheEquationOfTheUsersLight) {
   const Scene scene = everything();
   PictureSettings s = settingsOf(scene);
-  s.light.lightPosition = scaled({-3, -2, 4}, -scene.exponent);
+  s.light.lightPosition = glm::dvec3{-3, -2, 4};
   for (const bool given : {false, true})
     for (const AttenuationRow& attenuation : someOf(kAttenuations, 1)) {
       SCOPED_TRACE(attenuation.name);
       s.light.attenuation = attenuation.id;
-      if (given) s.light.range = 0.9, s.light.c = glm::dvec3{0.5, 0.3, 0.8};
+      if (given) s.light.range = 14, s.light.c = glm::dvec3{0.5, 0.02, 0.004};
       expectAgreement(scene, s);
     }
 }
@@ -228,7 +227,6 @@ TEST(Reference, FadesTheScenesLightsAsTheUserSays) {
       if (given && row.id == Attenuation::Linear) words += R"(, "range": 9)", s.light.range = 9;
       if (given && row.id == Attenuation::Textbook)
         words += R"(, "c": [0.2, 0.1, 0.02])", s.light.c = {0.2, 0.1, 0.02};
-      toSceneUnits(s.light, own);
       const Scene said = withLights(words, words);
       const Picture faded = makePicture(own, s, 0), written = makePicture(said, asItIs, 0);
       EXPECT_EQ(faded.image(), written.image());

@@ -8,6 +8,7 @@
 #include "shading/light/refine.h"
 #include "shading/picture/exactness.h"
 #include "shading/picture/picture_cache.h"
+#include "shading/scene/units.h"
 #include "tests/support/lit_floor.h"
 #include "tests/support/lit_solids.h"
 #include "tests/support/painted_picture.h"
@@ -30,7 +31,8 @@ TEST(RefinePicture, CoversEachSampleAsBefore) {
     PictureCache pictures{litAtRandom(soup ? triangleSoup(20, 0.5, seed) : solid(seed), s.light, seed)};
     s.camera.parallel = seed % 3 == 0;
     pictures.make(s);
-    s.camera = moved(s.camera, pictures.last().camera(), 17.0 * seed, 7.0 * seed - 100, 1.3);
+    s.camera = moved(s.camera, pictures.last().camera(), pictures.last().scene(), 17.0 * seed,
+                     7.0 * seed - 100, 1.3);
     pictures.make(s);
     const std::vector<int> before = timesPainted(pictures.last().snapped(), s.width, s.height);
     const int polygons = pictures.last().snapped().polygons;
@@ -65,7 +67,7 @@ TEST(RefinePicture, PaintsWhatPixelsShow) {
         stripes.channel = {stripes.gray, stripes.gray, stripes.gray};
         wear(scene, stripes);
       }
-      PictureSettings s = fromAbove(scene, Shading::Phong);
+      PictureSettings s = fromAbove(Shading::Phong);
       s.table.kind = TableKind::Linear;
       PictureCache pictures{scene};
       const IndexImage exact = painted(pictures, s);
@@ -128,7 +130,7 @@ TEST(RefinePicture, KeepsFacesAndOrder) {
 // none are made again.
 TEST(RefinePicture, IsMadeAgainWhenItMust) {
   std::mt19937 rng{1984};
-  PictureSettings s = withHighlight(fromAbove(underSpot(floorOf(3)), Shading::Gouraud));
+  PictureSettings s = withHighlight(fromAbove(Shading::Gouraud));
   s.width = s.height = 100;
   PictureCache kept{underSpot(floorOf(3))};
   int divided = 0;
@@ -145,7 +147,7 @@ TEST(RefinePicture, IsMadeAgainWhenItMust) {
         s.light.kd = static_cast<double>(rng() % 100) / 100;
         break;
       case 3:
-        s.camera = moved(s.camera, kept.last().camera(), 20, 3, 1.02);
+        s.camera = moved(s.camera, kept.last().camera(), kept.last().scene(), 20, 3, 1.02);
         break;
       case 4:
         s.light.ks = rng() % 2 ? 0.5 : 0.0;

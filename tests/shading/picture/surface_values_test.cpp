@@ -9,6 +9,7 @@
 #include "depthsort/oracle.h"
 #include "geometry/model/solids.h"
 #include "shading/picture/picture_cache.h"
+#include "shading/scene/units.h"
 
 namespace xnewell::THIS_FILE {
 
@@ -80,7 +81,7 @@ TEST(SurfaceValues, AreTheEquationAtEverySample) {
     s.unnormalized = unnormalized;
     s.camera.fov = 70;
     const glm::dvec3 lampAt = 1.5 * s.light.light;
-    if (lamp) s.light.lightPosition = lampAt;
+    if (lamp) s.light.lightPosition = inFileUnits(lampAt, ball.scene());
     ball.make(s);
     const glm::dvec3 L = normalize(s.light.light),
                      V = normalize(ball.last().camera().eye - ball.last().camera().lookAt);
@@ -241,7 +242,7 @@ TEST(SurfaceValues, DependOnTheSampleAlone) {
   for (const ShadingRow& row : kShadings) {
     SCOPED_TRACE(row.name);
     PictureSettings s = small(row.id);
-    s.camera = inSceneUnits(completed({}, split.scene().camera), split.scene());
+    s.camera = completed({}, split.scene().camera);
     split.make(s);
     s.order = Order::Oracle;
     whole.make(s);

@@ -137,7 +137,7 @@ struct Few {
     folder.write("vault.bpt", vaultPatch());
     scene = parseSceneFile(kFew, "few", folder.path());
     settings.width = 160, settings.height = 120;
-    settings.camera = inSceneUnits(completed({}, scene.camera), scene);
+    settings.camera = completed({}, scene.camera);
     settings.light = {.Ia = 0.2, .Ip = 0.7, .ka = 1, .kd = 1, .ks = 0, .n = 5, .light = {-1, -2, 3}};
   }
   TemporaryFolder folder;
@@ -150,7 +150,7 @@ double errorOf(const std::string& name, int divisions, ColorPlan colors, int wid
   PictureSettings s = scene.settings;
   s.width = width, s.height = height;
   s.colors = colors;
-  s.camera = inSceneUnits(completed({}, scene.camera), scene);
+  s.camera = completed({}, scene.camera);
   const Picture picture = makePicture(scene, s, CellPlan{s.table.kind}[Cell::Well]);
   return errorsOf(picture, picture.palette(CellPlan{s.table.kind})).afterTable.rootMeanSquare;
 }

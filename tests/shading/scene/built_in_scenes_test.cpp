@@ -24,7 +24,7 @@ constexpr int kGround = 255;  ///< belongs to no ramp
 
 PictureSettings settingsOf(const Scene& scene, const std::function<void(PictureSettings&)>& change) {
   PictureSettings settings = scene.settings;
-  settings.camera = inSceneUnits(scene.camera, scene);
+  settings.camera = scene.camera;
   settings.width = kWidth;
   settings.height = kHeight;
   if (change) change(settings);

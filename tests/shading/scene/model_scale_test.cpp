@@ -42,8 +42,8 @@ CameraSettings scaled(CameraSettings c, int k) {
 
 /// Of the scene, camera and light said in the file's units, which are 2^k times as small.
 IndexImage imageOf(const Scene& scene, PictureSettings s, int k) {
-  s.camera = inSceneUnits(scaled(s.camera, k), scene);
-  s.light.lightPosition = inSceneUnits(scaled(glm::dvec3{-3, 2, 5}, k), scene);
+  s.camera = scaled(s.camera, k);
+  s.light.lightPosition = scaled(glm::dvec3{-3, 2, 5}, k);
   PictureCache pictures{scene};
   const IndexImage image = pictures.make(s, 0).image();
   return image;
@@ -61,11 +61,7 @@ void writeObj(const std::string& file, const Mesh& mesh) {
   }
 }
 
-/// Settings in units of the scene's file.
-PictureSettings inFileUnits(PictureSettings s, const Scene& scene) {
-  s.camera = scaled(s.camera, scene.exponent);
-  return s;
-}
+bool isFinite(const glm::dvec3& p) { return std::isfinite(p.x + p.y + p.z); }
 
 Mesh fileMesh(const Scene& scene) { return scaled(scene.mesh, scene.exponent); }
 
@@ -192,7 +188,7 @@ TEST(ModelScale, PowersOfTwoChangeNoPixel) {
     const Mesh mesh = fileMesh(scene);
     for (unsigned seed = 0; seed < kSeen.size(); ++seed) {
       SCOPED_TRACE(seed);
-      const PictureSettings s = inFileUnits(randomView(scene, seed, kWidth, kHeight), scene);
+      const PictureSettings s = randomView(scene, seed, kWidth, kHeight);
       const IndexImage image = imageOf(scene, s, 0);
       EXPECT_NE(image, last);
       last = image;
@@ -227,7 +223,7 @@ TEST(ModelScale, FilesOfAnyMagnitudeShowTheSame) {
     for (const int k : {-900, -800, -701, -600, -500, -397, -300, -200, -100, -53, -7,
                         1,    10,   100,  200,  300,  411,  500,  600,  703,  800, 900}) {
       const unsigned seed = static_cast<unsigned>(k + 1000);
-      const PictureSettings s = inFileUnits(randomView(scene, seed, kWidth, kHeight), scene);
+      const PictureSettings s = randomView(scene, seed, kWidth, kHeight);
       const IndexImage image = imageOf(unscaled, s, 0);
       ASSERT_EQ(imageOf(read(k), s, k), image) << "2^" << k;
       shown += std::ranges::count_if(image.pixels, [](std::uint8_t cell) { return cell != 0; });
@@ -248,7 +244,7 @@ TEST(ModelScale, PermutedFacesShowTheSame) {
       std::vector<int> order(scene.mesh.faceCount());
       std::iota(order.begin(), order.end(), 0);
       std::shuffle(order.begin(), order.end(), std::mt19937{seed});
-      PictureCache permuted{makeScene("permuted", permutedFaces(scene.mesh, order), scene.up)};
+      PictureCache permuted{makeScene("permuted", permutedFaces(fileMesh(scene), order), scene.up)};
       const PictureSettings s = randomView(scene, seed, kWidth, kHeight);
       pictures.make(s);
       permuted.make(s);
@@ -288,7 +284,8 @@ TEST(ModelScale, ExtremeCoordinatesAgreeWithTheOracle) {
       std::mt19937 rng{seed};
       PictureCache pictures{makeScene("extreme", extreme.make(rng), UpAxis::Z)};
       PictureSettings s = randomView(pictures.scene(), seed, kWidth, kHeight);
-      if (seed % 5 == 4) s.camera = {};
+      // No file can say a place beyond the largest double.
+      if (seed % 5 == 4 || !isFinite(*s.camera.eye) || !isFinite(*s.camera.lookAt)) s.camera = {};
       pictures.make(s);
       samples += agreeing(pictures.last());
       splits += pictures.last().sorted().statistics.splits;
@@ -317,7 +314,6 @@ TEST(ModelScale, FacesThroughTheEyesPlaneAgreeWithTheOracle) {
     s.camera.lookAt = glm::dvec3{0.0};
     s.camera.up = glm::dvec3{0.3, 0.2, 0.9};
     s.camera.fov = 60;
-    s.camera = inSceneUnits(s.camera, pictures.scene());
     s.camera.front = 0.9 * glm::length(*s.camera.eye);
     pictures.make(s);
     samples += agreeing(pictures.last());

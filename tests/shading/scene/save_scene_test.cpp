@@ -70,8 +70,7 @@ PictureSettings randomSettings(std::mt19937& rng) {
 /// The set-up that a reader of the file gets.
 PictureSettings opened(const Scene& scene) {
   PictureSettings s = scene.settings;
-  s.camera = inSceneUnits(scene.camera, scene);
-  toSceneUnits(s.light, scene);
+  s.camera = scene.camera;
   return s;
 }
 
@@ -134,7 +133,7 @@ TEST(SaveScene, PaintsTheSamePicture) {
     const auto each = [&](const auto& rows, auto PictureSettings::*choice) {
       for (const auto& row : rows) {
         PictureSettings settings = randomSettings(rng);
-        settings.camera = inSceneUnits(original.scene().camera, original.scene());
+        settings.camera = original.scene().camera;
         settings.*choice = row.id;
         if (original.scene().light.placed() && !settings.light.lightPosition)  // of the scene's own lights
           settings.light.attenuation = kAttenuations[rng() % kAttenuations.size()].id;

@@ -6,6 +6,7 @@
 #include <cstdlib>
 
 #include "shading/picture/picture_cache.h"
+#include "shading/scene/units.h"
 #include "shading/trade/combine.h"
 #include "shading/trade/measure.h"
 #include "tests/support/seeds.h"
@@ -34,7 +35,7 @@ Trade tradeWith(std::vector<Measured> combinations) {
 double freshError(const Scene& scene, const Configuration& chosen, double azimuth, double elevation) {
   PictureSettings settings = chosen.settings;
   const Picture asked = makePicture(scene, settings);
-  settings.camera = moved(settings.camera, asked.camera(), azimuth, elevation, 1.0);
+  settings.camera = moved(settings.camera, asked.camera(), asked.scene(), azimuth, elevation, 1.0);
   const Picture picture =
       makePicture(dividedAnew(scene, chosen.divisions), settings, CellPlan{settings.table.kind}[Cell::Well]);
   return errorsOf(picture, picture.palette(CellPlan{settings.table.kind})).afterTable.rootMeanSquare;

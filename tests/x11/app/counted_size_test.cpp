@@ -61,7 +61,7 @@ TEST(CountedSize, IsNamedByViews) {
       ViewSettings s;
       s.view = view;
       s.picture = sorted();
-      s.picture.camera = inSceneUnits(completed({}, scene.camera), scene);
+      s.picture.camera = completed({}, scene.camera);
       s.picture.width = width, s.picture.height = height;
       const IndexImage image = drawView(pictures, s).image;
       const Count count = countIn(scene, pictures.last().settings());

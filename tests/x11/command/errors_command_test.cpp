@@ -71,7 +71,7 @@ TEST_F(CommandTest, StatsCountWhatIsDoubtful) {
       const Json stats = draw(scene, {"--order", order, "--size", "97x71"}).stats;
       PictureCache pictures{readScene(scene)};
       PictureSettings settings = pictures.scene().settings;
-      settings.camera = inSceneUnits(pictures.scene().camera, pictures.scene());
+      settings.camera = pictures.scene().camera;
       settings.width = 97, settings.height = 71;
       settings.order = std::ranges::find(kOrders, order, &OrderRow::name)->id;
       const int whole = exactnessOf(pictures.make(settings, 8)).doubtful;

@@ -9,6 +9,7 @@
 #include "shading/color/png.h"
 #include "shading/picture/picture_cache.h"
 #include "shading/scene/scene_file.h"
+#include "shading/scene/units.h"
 #include "tests/support/seeds.h"
 #include "tests/x11/support/command_fixture.h"
 
@@ -29,8 +30,7 @@ Strings wordsOf(const std::string& command, const std::string& picture) {
 PictureSettings setupOf(const Scene& scene) {
   PictureSettings settings = scene.settings;
   settings.inPixels = false;
-  settings.camera = inSceneUnits(scene.camera, scene);
-  toSceneUnits(settings.light, scene);
+  settings.camera = scene.camera;
   settings.width = 64, settings.height = 48;
   return settings;
 }
@@ -66,11 +66,11 @@ Value randomValue(const Setting& setting, std::mt19937& rng) {
 
 /// A random camera, or the scene's own turned, or another projection.
 CameraSettings randomCamera(const Scene& scene, const PictureSettings& settings, std::mt19937& rng) {
-  const Camera placed = placeCamera(settings.camera, scene.mesh.points, scene.up, 4.0 / 3);
+  const Camera placed = placeCamera(scene, settings.camera, 4.0 / 3);
   CameraSettings camera = settings.camera;
   switch (rng() % 6) {
     case 0:
-      return moved(camera, placed, 20.0, -7.5, 1.3);
+      return moved(camera, placed, scene, 20.0, -7.5, 1.3);
     case 1:  // as the key P does
       camera.parallel = !camera.parallel && !camera.oblique;
       camera.oblique.reset(), camera.height.reset();
@@ -114,7 +114,6 @@ TEST_F(SetupCommandTest, DrawsTheSameFile) {
     for (int trial = 0; trial < (kSanitized ? 4 : 16); ++trial) {
       Scene scene = readScene(name, 4);
       PictureSettings settings = setupOf(scene);
-      toFileUnits(settings.light, scene);
       std::vector<Override> overrides;
       for (const Setting& setting : settingRows()) {
         if (setting.key == "fill" || rng() % 4 != 0) continue;
@@ -125,7 +124,6 @@ TEST_F(SetupCommandTest, DrawsTheSameFile) {
       if (!applyOverrides(settings, overrides)) continue;
       if (scene.light.lights.empty() && scene.light.Ia && largest(*scene.light.Ia) + settings.light.Ip > 1)
         continue;
-      toSceneUnits(settings.light, scene);
       settings.camera = randomCamera(scene, settings, rng);
       const std::string command = SetupCommand{scene}.of(settings);
       // The file carries the command, unless that rests on a second file.
@@ -165,7 +163,7 @@ TEST_F(SetupCommandTest, SaysWhatDiffers) {
             "lamp --size 64x48 --attenuation inverse");
   EXPECT_EQ(said("teapot",
                  [](Scene& scene, PictureSettings& s) {
-                   s.camera.eye = inSceneUnits(glm::dvec3{-1, 0.1, 3}, scene), s.camera.fov = 20;
+                   s.camera.eye = glm::dvec3{-1, 0.1, 3}, s.camera.fov = 20;
                  }),
             "teapot --size 64x48 --eye=-1,0.1,3 --fov 20");
   const std::string dithered = write("it's.json", R"({"objects": [{"solid": "cube"}],

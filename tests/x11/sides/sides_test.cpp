@@ -29,7 +29,7 @@ PictureSettings viewOf(const Scene& scene, Shading shading = Shading::Flat, Orde
   s.width = 220, s.height = 150;
   s.shading = shading;
   s.order = order;
-  s.camera = inSceneUnits(completed({}, scene.camera), scene);
+  s.camera = completed({}, scene.camera);
   return s;
 }
 
@@ -138,7 +138,8 @@ TEST(Sides, ErrorsAreAgainstTheReference) {
     double squares = 0;
     for (const float v : d.at) squares += std::isnan(v) ? 0.0 : double{v} * v;
     EXPECT_EQ(numbers.errors.largest, d.errors.largest);
-    EXPECT_NEAR(numbers.errors.rootMeanSquare, std::sqrt(squares / static_cast<double>(d.errors.count)), 1e-12);
+    EXPECT_NEAR(numbers.errors.rootMeanSquare, std::sqrt(squares / static_cast<double>(d.errors.count)),
+                1e-12);
     EXPECT_LT(numbers.errors.rootMeanSquare, before);
     before = numbers.errors.rootMeanSquare;
   }

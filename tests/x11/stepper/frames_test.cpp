@@ -13,7 +13,7 @@ PictureSettings viewOf(const Scene& scene, int width, int height) {
   PictureSettings settings;
   settings.width = width;
   settings.height = height;
-  settings.camera = inSceneUnits(completed({}, scene.camera), scene);
+  settings.camera = completed({}, scene.camera);
   return settings;
 }
 

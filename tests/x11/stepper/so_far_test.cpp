@@ -46,7 +46,7 @@ TEST(SoFar, APartEndsAsTheWhole) {
       PictureSettings settings;
       settings.width = 120, settings.height = 90, settings.shading = shading;
       Scene read = readScene(scene, 4);
-      settings.camera = inSceneUnits(completed({}, read.camera), read);
+      settings.camera = completed({}, read.camera);
       const Picture picture = makePicture(std::move(read), settings, 8);
       for (int k = 0; k < 20; ++k) {
         const glm::ivec2 low{rng() % 110, rng() % 80};

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <random>
 
+#include "shading/scene/units.h"
 #include "tests/x11/support/stepper.h"
 
 namespace xnewell::THIS_FILE {
@@ -315,7 +316,8 @@ TEST(SortBench, RecordsAgainWhereTheSortChanged) {
   EXPECT_EQ(s.step(), 18);
   const StepAbout about = s.run().about(s.step());
   const std::size_t told = s.notices.size();
-  s.wanted.picture.camera = moved(s.wanted.picture.camera, s.picture().camera(), 20, 0, 1);
+  s.wanted.picture.camera =
+      moved(s.wanted.picture.camera, s.picture().camera(), s.picture().scene(), 20, 0, 1);
   s.draw();
   ASSERT_GT(s.step(), 0);
   EXPECT_EQ(s.run().about(s.step()).P, about.P);

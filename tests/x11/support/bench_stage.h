@@ -17,8 +17,7 @@ class BenchStage : public Host {
         layout{layoutOf(width, height)},
         image{width, height, 0},
         pictures{readScene(scene, divisions)} {
-    now.picture.camera =
-        inSceneUnits(completed(now.picture.camera, pictures.scene().camera), pictures.scene());
+    now.picture.camera = completed(now.picture.camera, pictures.scene().camera);
   }
 
   [[nodiscard]] const xnewell::Setup& setup() const override { return now; }

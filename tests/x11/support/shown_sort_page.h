@@ -28,7 +28,7 @@ struct ShownSortPage {
     settings.width = at.picture.width;
     settings.height = at.picture.height;
     settings.cull = cull;
-    settings.camera = inSceneUnits(completed({}, scene.camera), scene);
+    settings.camera = completed({}, scene.camera);
     picture = makePicture(std::move(scene), settings);
     run = std::make_unique<SortRun>(*picture, plan[Cell::Well]);
   }

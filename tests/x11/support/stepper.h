@@ -15,7 +15,7 @@ class Stepper : private Host {
  public:
   explicit Stepper(Scene scene, int width = 1024, int height = 768)
       : bench{*this}, pictures_{std::move(scene)}, image_{width, height, 0} {
-    wanted.picture.camera = inSceneUnits(completed({}, pictures_.scene().camera), pictures_.scene());
+    wanted.picture.camera = completed({}, pictures_.scene().camera);
     layout_ = layoutOf(width, height);
     draw();
   }

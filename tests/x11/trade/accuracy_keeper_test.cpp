@@ -6,6 +6,7 @@
 #include <thread>
 
 #include "shading/picture/picture_cache.h"
+#include "shading/scene/units.h"
 #include "shading/trade/measure.h"
 #include "tests/support/small_picture.h"
 #include "tests/x11/support/ready_workbench.h"
@@ -47,7 +48,7 @@ TEST(AccuracyKeeper, KeepsTheLimit) {
     SCOPED_TRACE(azimuth);
     if (azimuth != 0)
       now.setup.picture.camera =
-          moved(now.setup.picture.camera, makePicture(scene, small()).camera(), azimuth, 0, 1);
+          moved(now.setup.picture.camera, makePicture(scene, small()).camera(), scene, azimuth, 0, 1);
     EXPECT_FALSE(keeper.rests(now));
     const AccuracyKeeper::News news = waited(keeper, now);
     EXPECT_LE(errorOf(scene, news.setup), 0.12);

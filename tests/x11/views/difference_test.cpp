@@ -37,7 +37,7 @@ Scene ball(int around, int down) {
 // rounding to shades: by half a shade, plus a hundredth of a shade from the single precision of its kernel.
 TEST(Difference, OfPhongOnFlatSurfacesIsHalfAShade) {
   PictureCache squares{readScene("highlight", 4)};
-  const CameraSettings camera = inSceneUnits(completed({}, squares.scene().camera), squares.scene());
+  const CameraSettings camera = completed({}, squares.scene().camera);
   for (const int shades : {240, 60, 7})
     for (const TableKind kind : {TableKind::Linear, TableKind::Brief}) {
       PictureSettings s = small(Shading::Phong);
@@ -95,7 +95,7 @@ TEST(Difference, IsThatOfEverySample) {
 TEST(Difference, CountsOtherFaces) {
   PictureCache pictures{readScene("penetrate")};
   PictureSettings s = small(Shading::Phong);
-  s.camera = inSceneUnits(completed({}, pictures.scene().camera), pictures.scene());
+  s.camera = completed({}, pictures.scene().camera);
   const Difference exact = compared(pictures.make(s, 8)).difference;
   EXPECT_GT(pictures.last().sorted().statistics.splits, 0);
   EXPECT_EQ(exact.otherFace, 0);
@@ -122,7 +122,7 @@ TEST(Difference, CountsOtherFaces) {
 TEST(Difference, OfHuesGoesByThePicturesOwnCells) {
   PictureCache hues{readScene("hues")};
   PictureSettings s = small(Shading::Gouraud);
-  s.camera = inSceneUnits(completed({}, hues.scene().camera), hues.scene());
+  s.camera = completed({}, hues.scene().camera);
   s.colors = ColorPlan::Hues;
   const Compared result = compared(hues.make(s, 8));
   const IndexImage& image = hues.last().image();
@@ -150,7 +150,7 @@ TEST(Difference, FindsWhatIsConstant) {
   PictureSettings s = pictures.scene().settings;
   s.width = 200, s.height = 150;
   s.light.ks = 0.4;
-  s.camera = inSceneUnits(completed({}, pictures.scene().camera), pictures.scene());
+  s.camera = completed({}, pictures.scene().camera);
   for (const FormRow& form : kForms) {
     SCOPED_TRACE(form.name);
     s.light.form = form.id;

@@ -27,7 +27,6 @@ Exactness ofSheets(double left, double right, Order order, IndexImage* map = nul
   s.camera.lookAt = glm::dvec3{0, 0, 0};
   s.camera.parallel = true;
   s.camera.height = 2.0;
-  s.camera = inSceneUnits(s.camera, pictures.scene());
   pictures.make(s);
   const std::vector<SampleCheck> verdicts = checkedSamples(pictures.last());
   if (map) *map = verdictImage(verdicts, 100, CellPlan{});

@@ -28,7 +28,7 @@ Scene squares(const std::vector<glm::dvec3>& centres) {
   return makeScene("squares", mesh, UpAxis::Y);
 }
 
-PictureSettings fromAbove(const Scene& scene, Order order) {
+PictureSettings fromAbove(Order order) {
   PictureSettings s;
   s.width = s.height = 100;
   s.order = order;
@@ -36,7 +36,6 @@ PictureSettings fromAbove(const Scene& scene, Order order) {
   s.camera.lookAt = glm::dvec3{0, 0, 0};
   s.camera.parallel = true;
   s.camera.height = 10.0;
-  s.camera = inSceneUnits(s.camera, scene);
   return s;
 }
 
@@ -46,7 +45,7 @@ PictureSettings fromAbove(const Scene& scene, Order order) {
 // samples. The first two share 100 samples, the last two share 100, and no sample is in all three.
 TEST(Overdraw, OfOverlappingSquaresIsCounted) {
   PictureCache pictures{squares({{-1, -1, 0}, {0, 0, 1}, {1, 1, 2}})};
-  pictures.make(fromAbove(pictures.scene(), Order::ZSort));
+  pictures.make(fromAbove(Order::ZSort));
   const Overdraw o = overdrawOf(pictures.last());
   EXPECT_EQ(o.painted, 1200);
   EXPECT_EQ(o.samples, 1000);
@@ -72,7 +71,7 @@ TEST(Overdraw, AddsUpToTheSpans) {
     PictureCache pictures{readScene(name, 3)};
     PictureSettings s;
     s.width = 230, s.height = 170;
-    s.camera = inSceneUnits(completed({}, pictures.scene().camera), pictures.scene());
+    s.camera = completed({}, pictures.scene().camera);
     s.order = Order::Oracle;
     pictures.make(s);
     const Overdraw oracle = overdrawOf(pictures.last());
@@ -115,21 +114,21 @@ TEST(Overdraw, MapStepsByTheCount) {
 // The finding gives the counted numbers. If nothing was counted, it says that.
 TEST(Overdraw, FindingIsOfTheNumbers) {
   PictureCache pictures{squares({{-1, -1, 0}, {0, 0, 1}, {1, 1, 2}})};
-  pictures.make(fromAbove(pictures.scene(), Order::ZSort));
+  pictures.make(fromAbove(Order::ZSort));
   Finding finding = findingOf(overdrawOf(pictures.last()), pictures.last());
   EXPECT_EQ(finding.bold, "A sample is painted 1.20 times on average, 2 at most.");
   EXPECT_EQ(finding.why.substr(0, 43), "16.7 % of all painted samples are painted o");
-  pictures.make(fromAbove(pictures.scene(), Order::Oracle));
+  pictures.make(fromAbove(Order::Oracle));
   finding = findingOf(overdrawOf(pictures.last()), pictures.last());
   EXPECT_EQ(finding.bold, "Every sample is painted once.");
-  pictures.make(fromAbove(pictures.scene(), Order::ZBuffer24));
+  pictures.make(fromAbove(Order::ZBuffer24));
   finding = findingOf(overdrawOf(pictures.last()), pictures.last());
   EXPECT_EQ(finding.bold, "Every sample is painted once.");
   EXPECT_EQ(
       finding.why,
       "The z-buffer found the face that each sample shows by 1,200 tests of a depth, one for each sample "
       "of each face.");
-  PictureSettings away = fromAbove(pictures.scene(), Order::Newell);
+  PictureSettings away = fromAbove(Order::Newell);
   away.camera.eye = glm::dvec3{90, 0, 20};
   away.camera.lookAt = glm::dvec3{90, 0, 0};
   pictures.make(away);

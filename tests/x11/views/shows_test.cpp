@@ -19,7 +19,7 @@ Picture made(const char* name, ColorPlan plan = ColorPlan::Needed, Order order =
   s.shading = Shading::Gouraud;
   s.colors = plan;
   s.order = order;
-  s.camera = inSceneUnits(completed({}, scene.camera), scene);
+  s.camera = completed({}, scene.camera);
   return makePicture(std::move(scene), s, CellPlan{}[Cell::Well]);
 }
 

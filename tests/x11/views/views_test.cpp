@@ -25,7 +25,7 @@ ViewSettings settingsOf(View view, const Scene& scene, int width, int height) {
   s.view = view;
   s.picture.width = width;
   s.picture.height = height;
-  s.picture.camera = inSceneUnits(completed({}, scene.camera), scene);
+  s.picture.camera = completed({}, scene.camera);
   return s;
 }
 

@@ -19,7 +19,7 @@ PictureSettings viewOf(const Scene& scene, Order order) {
   PictureSettings s;
   s.width = 300, s.height = 220;
   s.order = order;
-  s.camera = inSceneUnits(completed({}, scene.camera), scene);
+  s.camera = completed({}, scene.camera);
   return s;
 }
 
