@@ -35,9 +35,11 @@ void Workbench::showPage() {
   switchTo(WindowView::Picture);
   const Page& page = lecture_->now();
   begin(workOn(page.scene, page.setup));
+  lessons_->forget();
   goTo(page.place);
   if (page.lesson) teach(*page.lesson);
   told_.clear();
+  notice_.clear();
   server_.say(lecture_->title() + '\n' + (page.notes.empty() ? "" : page.notes + '\n'));
 }
 

@@ -89,8 +89,8 @@ void takeSnapshot(const Options& options, Scene scene, const Taken& taken) {
   const CellPlan plan = server.colormap.plan(settings.table.kind);
   if (options.view != View::Picture) {
     const ColoredImage view = drawView(pictures, {.view = options.view,
-                                                  .scanline = options.scanline,
-                                                  .cell = options.cell,
+                                                  .scanline = options.window.scanline,
+                                                  .cell = options.window.cell,
                                                   .effects = options.effects,
                                                   .picture = settings,
                                                   .cells = plan,

@@ -39,8 +39,8 @@ Workbench::Workbench(Scene scene, const Setup& setup, Server server)
   const auto subject = [this] { return this->subject(); };
   own(WindowView::Picture, std::make_unique<PictureBench>(*this, subject));
   stepper_ = own(WindowView::DepthSort, std::make_unique<SortBench>(*this));
-  own(WindowView::Colors, std::make_unique<ColorsBench>(*this));
-  own(WindowView::MachBands, std::make_unique<MachBench>(*this, subject));
+  colors_ = own(WindowView::Colors, std::make_unique<ColorsBench>(*this));
+  bands_ = own(WindowView::MachBands, std::make_unique<MachBench>(*this, subject));
   sides_ = own(WindowView::SideBySide,
                std::make_unique<SideBench>(*this, subject, [this] { return mostShades_; }));
   own(WindowView::Trade, std::make_unique<TradeBench>(*this));
@@ -61,7 +61,10 @@ void Workbench::scale(int unit) {
 void Workbench::layOut() {
   const Drawer open = few_.empty() || view_ != WindowView::Picture ? Drawer::Whole : Drawer::Few;
   const bool hasDrawer = benches_[static_cast<std::size_t>(view_)]->hasDrawer();
-  layout_ = layoutOf(width_, height_, largest_ ? largestScale(width_, height_) : unit_,
+  layout_ = layoutOf(width_, height_,
+                     largest_ || scaleIsChosen_
+                         ? std::min(largest_ ? kMostScale : unit_, largestScale(width_, height_))
+                         : unit_,
                      !hasDrawer ? Drawer::Whole
                      : shut_    ? Drawer::Shut
                                 : open);
@@ -136,8 +139,10 @@ void Workbench::switchTo(WindowView view) {
 
 void Workbench::goTo(const WindowPlace& place) {
   few_ = place.controls.value_or("");
-  if (place.controls) shut_ = few_.empty();
+  shut_ = place.controls && few_.empty();
   stepper_->startAt(place.step);
+  if (place.scanline) bands_->choose(*place.scanline);
+  if (place.cell) colors_->choose(*place.cell);
   if (place.pixel) pixel_->choose(*place.pixel);
   switchTo(place.view);
   layOut();
@@ -146,6 +151,8 @@ void Workbench::goTo(const WindowPlace& place) {
 WindowPlace Workbench::place() const {
   WindowPlace place{.view = view()};
   if (place.view == WindowView::DepthSort) place.step = stepper_->view().step;
+  if (place.view == WindowView::MachBands) place.scanline = bands_->row();
+  if (place.view == WindowView::Colors) place.cell = colors_->inspected();
   if (place.view == WindowView::Pixel) place.pixel = pixel_->pixel();
   if (layout_.drawer != Drawer::Whole) place.controls = layout_.drawer == Drawer::Few ? few_ : "";
   return place;
@@ -207,6 +214,7 @@ Subject Workbench::subject() const {
 
 bool Workbench::grab(int x, int y) {
   notice_.clear();
+  told_.clear();
   help_ = false;
   if (lecture_) lecture_->wait();
   line_.cancel();

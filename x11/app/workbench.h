@@ -16,6 +16,8 @@
 
 namespace xnewell {
 
+class ColorsBench;
+class MachBench;
 class PixelBench;
 class SideBench;
 class SortBench;
@@ -143,6 +145,8 @@ class Workbench : public Host {
   /// For a picture of the window: the beginning of its file's name, and the set-up that it carries.
   [[nodiscard]] std::string pictureName() const;
   [[nodiscard]] std::string pictureNote() const;
+  /// The keys that turn the pages of a lecture.
+  [[nodiscard]] KeyTable pageKeys();
   /// The keys that all views have.
   [[nodiscard]] KeyTable generalKeys();
   /// All keys that do something at the moment: those of the view and those that all views have.
@@ -256,8 +260,10 @@ class Workbench : public Host {
   std::array<std::unique_ptr<Bench>, kWindowViews.size()> benches_;
   LessonBench* lessons_;  ///< one of the benches
   SortBench* stepper_;    ///< another one
-  SideBench* sides_;      ///< and another
-  PixelBench* pixel_;     ///< and one more
+  ColorsBench* colors_;
+  MachBench* bands_;
+  SideBench* sides_;   ///< and another
+  PixelBench* pixel_;  ///< and one more
   WindowView view_ = WindowView::Picture;
   int width_ = 0, height_ = 0;  ///< of the window, in pixels
   int unit_ = 1;                ///< the scale, unless the window fills the screen

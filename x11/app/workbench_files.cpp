@@ -1,4 +1,4 @@
-#include <algorithm>
+#include <cctype>
 #include <filesystem>
 #include <stdexcept>
 #include <string_view>
@@ -12,12 +12,16 @@ namespace xnewell {
 
 namespace {
 
-/// The beginning of a file's name, without spaces.
-std::string stemOf(const Scene& scene) {
-  std::string stem = std::filesystem::path{scene.name}.stem().string();
-  std::ranges::replace_if(
-      stem, [](unsigned char c) { return c <= ' ' || c == 0x7F; }, '-');
-  return stem;
+/// The beginning of a file's name: letters, digits, dots and lines between them.
+std::string stemOf(const std::string& name) {
+  std::string stem;
+  for (const unsigned char c : std::filesystem::path{name}.stem().string())
+    if (std::isalnum(c) != 0 || c == '.' || c == '_')
+      stem += static_cast<char>(c);
+    else if (!stem.empty() && stem.back() != '-')
+      stem += '-';
+  while (stem.ends_with('-')) stem.pop_back();
+  return stem.empty() ? "scene" : stem;
 }
 
 /// What --view calls a view.
@@ -35,7 +39,9 @@ void Workbench::copyCommand() {
   const PictureSettings shown = sized();
   settings.width = shown.width, settings.height = shown.height;
   try {
-    const std::string whole = view() == WindowView::Picture ? "" : pictureNote();
+    // The picture of view 1 alone, unless the drawer beside it belongs to what is shown.
+    const bool alone = view() == WindowView::Picture && layout_.drawer == Drawer::Whole;
+    const std::string whole = alone ? "" : pictureNote();
     std::string text;
     for (const std::string& line : bench().inWords()) text += "# " + line + '\n';
     server_.copy(text + (!whole.empty()
@@ -48,7 +54,9 @@ void Workbench::copyCommand() {
 }
 
 std::string Workbench::pictureName() const {
-  return stemOf(scene()) + '-' + std::string{viewOption(view(), work_.setup.show)};
+  if (view() == WindowView::Lesson && lessons_->lesson() && !lessons_->showsList())
+    return stemOf(lessons_->lesson()->title) + "-step-" + std::to_string(lessons_->step() + 1);
+  return stemOf(scene().name) + '-' + std::string{viewOption(view(), work_.setup.show)};
 }
 
 std::string Workbench::pictureNote() const {
@@ -61,6 +69,8 @@ std::string Workbench::pictureNote() const {
   if (layout_.unit != 1) drawing.options.emplace_back("--scale", std::to_string(layout_.unit));
   const WindowPlace at = place();
   if (at.step > 0) drawing.options.emplace_back("--step", std::to_string(at.step));
+  if (at.scanline) drawing.options.emplace_back("--scanline", std::to_string(*at.scanline));
+  if (at.cell) drawing.options.emplace_back("--cell", std::to_string(*at.cell));
   if (at.pixel)
     drawing.options.emplace_back("--pixel", std::to_string(at.pixel->x) + ',' + std::to_string(at.pixel->y));
   if (at.controls) drawing.options.emplace_back("--controls", at.controls->empty() ? "none" : *at.controls);
@@ -78,7 +88,7 @@ void Workbench::writePicture() {
 }
 
 void Workbench::askToSave() {
-  const std::string stem = stemOf(scene());
+  const std::string stem = stemOf(scene().name);
   ask({.asks = "save the set-up as",
        .text = work_.file.empty() ? stem + "-set-up.json" : work_.file,
        .take = [this, replaced = std::string{}](const std::string& file) mutable -> std::string {

@@ -23,10 +23,23 @@ void Workbench::press(const Key& key) {
 
 KeyTable Workbench::keys() {
   KeyTable table = bench().keys();
-  // In a lecture PgUp and PgDn turn its pages.
-  if (lecture_)
+  if (lecture_) {  // PgUp and PgDn turn its pages; a teacher needs them most
     std::erase_if(table, [](const KeyRow& row) { return std::ranges::any_of(row.keys, turning); });
+    KeyTable pages = pageKeys();
+    append(pages, std::move(table));
+    table = std::move(pages);
+  }
   append(table, generalKeys());
+  return table;
+}
+
+KeyTable Workbench::pageKeys() {
+  KeyTable table;
+  for (const NamedKey key : {NamedKey::PageUp, NamedKey::PageDown})
+    table.push_back({{key},
+                     "page",
+                     "the lecture's page before, the next; in a lesson its steps come first",
+                     [this, key](const Key&) { static_cast<void>(turnsPage(key)); }});
   return table;
 }
 
@@ -60,11 +73,6 @@ KeyTable Workbench::generalKeys() {
       layOut();
     });
   add('Z', "", "larger letters and controls; after the largest, the smallest", [this] { takeNextScale(); });
-  if (lecture_) {
-    const std::string pages = "the lecture's page before, the next; in a lesson its steps come first";
-    for (const NamedKey key : {NamedKey::PageUp, NamedKey::PageDown})
-      table.push_back({{key}, "page", pages, [this, key](const Key&) { static_cast<void>(turnsPage(key)); }});
-  }
   for (const WindowViewRow& row : kWindowViews)
     add(row.key, "", "the views; or click their names", [this, id = row.id] { switchTo(id); });
   add('q', "quit", "quit", [this] { quit(); });

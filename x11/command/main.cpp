@@ -87,8 +87,8 @@ void drawNumbers(const Options& options, Scene scene) {
   const Doing drawing{"drawing"};
   PictureCache pictures{std::move(scene)};
   const ColoredImage view = drawView(pictures, {.view = options.view,
-                                                .scanline = options.scanline,
-                                                .cell = options.cell,
+                                                .scanline = options.window.scanline,
+                                                .cell = options.window.cell,
                                                 .effects = options.effects,
                                                 .picture = settingsOf(options),
                                                 .cells = CellPlan{options.picture.table.kind}});

@@ -60,7 +60,8 @@ Options optionsOf(const Node& show) {
 Page readPage(const Node& node, const std::filesystem::path& folder) {
   node.expectKeys({"title", "show", "lesson", "notes"});
   if (!node.has("title")) node.fail("title is needed");
-  if (node.has("show") == node.has("lesson")) node.fail("either show or lesson is needed");
+  if (node.has("show") && node.has("lesson")) node.fail("show and lesson exclude each other");
+  if (!node.has("show") && !node.has("lesson")) node.fail("show or lesson is needed");
   Page page;
   page.title = node.at("title").text();
   if (page.title.empty() || page.title.size() > kLongestTitle)
@@ -74,6 +75,8 @@ Page readPage(const Node& node, const std::filesystem::path& folder) {
   try {
     page.scene = readyScene(options);
   } catch (const UsageError& e) {
+    node.at("show").fail(e.what());
+  } catch (const std::system_error& e) {
     node.at("show").fail(e.what());
   }
   page.setup = {.picture = options.picture, .fill = options.fill, .show = options.show};

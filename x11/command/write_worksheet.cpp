@@ -53,7 +53,10 @@ std::string base64(std::string_view bytes) {
 
 /// What the page of a step shows beside its words.
 std::string pictureOf(const Workbench& bench) {
-  const Rect from = sightOf(bench.layout()) * bench.layout().unit;
+  constexpr int kAround = 8;  // units: marks reach into the margins
+  const Rect sight = sightOf(bench.layout());
+  const Rect from =
+      Rect{sight.x - kAround, sight.y, sight.width + 2 * kAround, sight.height} * bench.layout().unit;
   IndexImage part{from.width, from.height, 0};
   for (int y = 0; y < from.height; ++y)
     std::copy_n(bench.image().row(from.y + y) + from.x, from.width, part.row(y));

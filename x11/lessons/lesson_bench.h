@@ -24,6 +24,8 @@ class LessonBench : public Bench {
 
   /// Opens a lesson at its first step. The host must switch to this view.
   void start(Lesson lesson);
+  /// Closes the lesson, so that the view begins with the list. Another view must be shown.
+  void forget() { lesson_.reset(), listing_ = true; }
   /// Keeps all answers in this file, from now on. @throws ParseError, std::system_error
   void keepAnswers(const std::string& file) { answers_.keepIn(file); }
   /// 0 <= step < steps.

@@ -78,7 +78,7 @@ void addEffects(Reader& r, Options& o) {
     return static_cast<int>(v);
   };
   r.text("--cell", "the cell that --view colours inspects", "the middle one of the cells that polygons use",
-         [&o, cell](const std::string& s) { o.cell = cell("--cell", s); });
+         [&o, cell](const std::string& s) { o.window.cell = cell("--cell", s); });
   std::string tables;
   for (const TableRow& row : kTables) tables += (tables.empty() ? "" : ", ") + std::string{row.name};
   r.text("--store", "keep the indices that --table picks, but store the colours of this table: " + tables, "",

@@ -141,6 +141,8 @@ std::vector<std::string> argumentsFor(const Options& said, const CarriedSetup& c
     if (name == "--order") return command != Command::Trace;  // it follows its own
     if (name == "--scale") return whole;
     if (isOneOf(name, kOfWindow)) return whole && !said.gave("--view");
+    if (name == "--scanline" || name == "--cell")
+      return shows && !said.gave("--view") && whole == carried.wholeWindow;
     if (isOneOf(name, kOfDrawing)) return shows && !whole && !said.gave("--view");
     return true;
   };

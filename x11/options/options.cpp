@@ -51,6 +51,7 @@ glm::ivec2 parsePixel(const std::string& name, const std::string& text) {
 /// The keys of settings, or "" for the word none.
 std::string parseControls(const std::string& text) {
   if (text == "none") return "";
+  if (text.empty()) refuse("--controls", text, "the keys of settings in view 1, such as Ssn, or none");
   for (const char key : text)
     if (settingOf(key) == nullptr)
       refuse("--controls", text, "the keys of settings in view 1, such as Ssn, or none");
@@ -228,7 +229,7 @@ void addOptions(CLI::App& app, Reader& r, Options& o) {
            const std::string expected = "a whole number from 0 to " + std::to_string(kMaxPicture - 1);
            const double v = numbers("--scanline", s, 1, expected)[0];
            if (v < 0 || v >= kMaxPicture || v != std::floor(v)) refuse("--scanline", s, expected);
-           o.scanline = static_cast<int>(v);
+           o.window.scanline = static_cast<int>(v);
          });
   addEffects(r, o);
   r.named("--ids", o.ids, "file",

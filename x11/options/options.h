@@ -107,18 +107,16 @@ struct Options {
   std::optional<AccuracyLimit> accuracy;
   bool wholeWindow = false;
   std::string viewName = "picture";
-  View view = View::Picture;    ///< draw, snapshot: which view of the picture
-  WindowPlace window;           ///< where the window begins
-  Show show = Show::Shaded;     ///< what the window's picture shows
-  std::optional<int> scanline;  ///< for View::MachBands
-  std::optional<int> cell;      ///< for View::Colors
-  PaletteEffects effects;       ///< for the picture and View::Colors
-  bool quick = false;           ///< trace: true for the accelerated run, false for the textbook's
-  std::string answers;          ///< lesson, lecture: the file that keeps the answers; "" for none
-  std::string worksheet;        ///< lesson: the HTML file to write; "" for a window
-  double play = 0;              ///< lecture: seconds until a page turns by itself; 0: never
-  std::string frames;           ///< trace, lesson: a folder for pictures; "" for JSON lines, or for a window
-  Every every = Every::Cut;     ///< trace: the steps that become pictures
+  View view = View::Picture;  ///< draw, snapshot: which view of the picture
+  WindowPlace window;         ///< where the window begins
+  Show show = Show::Shaded;   ///< what the window's picture shows
+  PaletteEffects effects;     ///< for the picture and View::Colors
+  bool quick = false;         ///< trace: true for the accelerated run, false for the textbook's
+  std::string answers;        ///< lesson, lecture: the file that keeps the answers; "" for none
+  std::string worksheet;      ///< lesson: the HTML file to write; "" for a window
+  double play = 0;            ///< lecture: seconds until a page turns by itself; 0: never
+  std::string frames;         ///< trace, lesson: a folder for pictures; "" for JSON lines, or for a window
+  Every every = Every::Cut;   ///< trace: the steps that become pictures
 
   /// True if the command line gives it. The argument is the name of an option, or "scene".
   [[nodiscard]] bool gave(std::string_view option) const {

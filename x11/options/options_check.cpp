@@ -61,7 +61,6 @@ void checkPlaces(const Options& o, const std::vector<OptionRow>& rows) {
 }
 
 void checkEffects(const Options& o) {
-  if (o.cell && o.wholeWindow) throw UsageError{"--cell and --whole-window exclude each other"};
   if (o.effects == PaletteEffects{}) return;
   constexpr std::array<std::string_view, 6> kEffects{"--store", "--turn",   "--gamma",
                                                      "--bend",  "--rotate", "--lit"};
@@ -90,8 +89,6 @@ void checkView(const Options& o) {
   if (o.viewName == "picture") return;
   const std::string view = "--view " + o.viewName;
   const bool window = o.command == Command::View || o.wholeWindow;
-  if (o.scanline && window)
-    throw UsageError{"--scanline works only with a view that is drawn without its window"};
   if (window) return needsWindow(view, o);
   if (o.view == View::Picture)
     throw UsageError{view + " is a view of the window: use view, or snapshot --whole-window"};

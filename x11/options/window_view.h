@@ -26,12 +26,15 @@ inline constexpr std::array kWindowViews{
     WindowViewRow{WindowView::Pixel, '8', "One pixel", "pixel"},
 };
 
-/// Where a window begins, beside its scene and the set-up.
+/// Where a view begins, beside its scene and the set-up.
 struct WindowPlace {
   WindowView view = WindowView::Picture;
-  int step = 0;                              ///< of the depth sort
-  std::optional<glm::ivec2> pixel = {};      ///< of view 8: column and row in its picture
-  std::optional<std::string> controls = {};  ///< the keys of the few in view 1; "": put away; none: all
+  int step = 0;                          ///< of the depth sort
+  std::optional<int> scanline = {};      ///< of the view of Mach bands
+  std::optional<int> cell = {};          ///< of the view of the colours
+  std::optional<glm::ivec2> pixel = {};  ///< of view 8: column and row in its picture
+  std::optional<std::string> controls =
+      {};  ///< the keys of the few in view 1; "": put away; none: all of them
 };
 
 }  // namespace xnewell

@@ -243,6 +243,8 @@ void SortBench::record(const Desk& desk) {
 
 int SortBench::likeBefore() {
   if (!about_) return 0;
+  // The same picture at another size usually has the same run.
+  if (view().step <= run()->steps() && run()->about(view().step) == *about_) return view().step;
   const std::optional<int> step = run()->stepAbout(*about_);
   host_.tell(step ? "The new view has its own run: this is its step most like the one before."
                   : "The new view has its own run, without such a step: this is its start.");

@@ -48,25 +48,28 @@ Area focusOf(const SortPen& pen) {
 }
 
 /// The corner of the picture where the loupe hides least of P and Q. If several are equal, the first in a
-/// fixed order, so that the loupe seldom jumps from step to step.
+/// fixed order, so that the loupe seldom jumps from step to step. If it hides a part of them in all corners,
+/// a smaller loupe.
 Rect cornerFor(const SortPen& pen) {
   const Rect& picture = pen.at.picture;
   const int unit = pen.paint.unit();
-  const int width = std::max(150, picture.width * 38 / 100), height = picture.height * 54 / 100;
-  constexpr int kInset = 10, kBelowWords = 26;
+  constexpr int kInset = 10, kBelowWords = 26, kLeast = 150;
   Rect best;
   std::int64_t least = std::numeric_limits<std::int64_t>::max();
-  for (const bool low : {true, false})
-    for (const bool right : {true, false}) {
-      const Rect r{right ? picture.width - width - kInset : kInset,
-                   low ? picture.height - height - kInset : kBelowWords, width, height};
-      std::int64_t hidden = 0;
-      for (const int id : {pen.P(), pen.Q()})
-        if (id >= 0) hidden += samplesWithin(pen.run.scene(), pen.run.sorted(), id, r * unit);
-      if (hidden >= least) continue;
-      least = hidden;
-      best = {picture.x + r.x, picture.y + r.y, width, height};
-    }
+  for (const int percent : {100, 80, 60})
+    for (const bool low : {true, false})
+      for (const bool right : {true, false}) {
+        const int width = std::max(kLeast, picture.width * 38 * percent / 10'000),
+                  height = picture.height * 54 * percent / 10'000;
+        const Rect r{right ? picture.width - width - kInset : kInset,
+                     low ? picture.height - height - kInset : kBelowWords, width, height};
+        std::int64_t hidden = 0;
+        for (const int id : {pen.P(), pen.Q()})
+          if (id >= 0) hidden += samplesWithin(pen.run.scene(), pen.run.sorted(), id, r * unit);
+        if (hidden >= least) continue;
+        least = hidden;
+        best = {picture.x + r.x, picture.y + r.y, width, height};
+      }
   return best;
 }
 
@@ -243,16 +246,19 @@ class Loupe {
       r.y = std::clamp(r.y, at_.y + 2, at_.y + at_.height - 14);
       return r;
     };
-    const std::array tries{at(right, low, 0), at(right, !low, 0), at(!right, low, 0), at(!right, !low, 0),
-                           at(right, low, low ? 12 : -12)};
+    const std::array tries{at(right, low, 0),
+                           at(right, !low, 0),
+                           at(!right, low, 0),
+                           at(!right, !low, 0),
+                           at(right, low, low ? 12 : -12),
+                           at(right, !low, low ? -12 : 12),
+                           at(!right, low, low ? 12 : -12)};
     const auto keepsOff = [](const std::vector<Rect>& others, const Rect& r) {
       return std::ranges::all_of(others, [&](const Rect& o) { return intersection(o, r).empty(); });
     };
-    const auto* free = std::ranges::find_if(
+    const auto* const free = std::ranges::find_if(
         tries, [&](const Rect& r) { return keepsOff(labels_, r) && keepsOff(dots_, r); });
-    if (free == tries.end())
-      free = std::ranges::find_if(tries, [&](const Rect& r) { return keepsOff(labels_, r); });
-    if (free == tries.end()) return;
+    if (free == tries.end()) return;  // a number on a corner could not be told from its neighbour's
     labels_.push_back(*free);
     for (const int dx : {-1, 0, 1, 2})
       for (const int dy : {-1, 0, 1}) paint_.text(free->x + dx, free->y + 10 + dy, text, pen_(Cell::White));

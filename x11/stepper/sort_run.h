@@ -14,6 +14,7 @@ namespace xnewell {
 struct StepAbout {
   Event::Kind kind = Event::Kind::Take;
   int P = -1, Q = -1;  ///< numbers of faces; -1 if there is no Q
+  bool operator==(const StepAbout&) const = default;
 };
 
 /// The recorded textbook run of a picture's depth sort, with all that the stepper asks about its steps.

@@ -196,7 +196,9 @@ void MachBands::drawSlope(const Profile& profile, int y) {
   painter.vline(plot.x - 1, plot.y, plot.height, sheet_.cell(Cell::Faint));
   painter.hline(plot.x - 1, middle, plot.width + 1, sheet_.cell(Cell::Rule));
   painter.text(Sheet::kMargin, y + Sheet::kAscent - 1, "derivative", sheet_.cell(Cell::Soft));
-  painter.textRight(plot.x - 5, y + Sheet::kAscent + 12, "to " + fixed(scale, 4), sheet_.cell(Cell::Soft));
+  const bool more = std::ranges::any_of(profile.slope, [&](double slope) { return std::abs(slope) > scale; });
+  painter.textRight(plot.x - 5, y + Sheet::kAscent + 12, (more ? "cut at " : "to ") + fixed(scale, 4),
+                    sheet_.cell(Cell::Soft));
   Painter fine = painter.pixels();
   for (int i = 0; i + 1 < plot.width * unit_; ++i) {
     if (std::isnan(profile.slope[i])) continue;

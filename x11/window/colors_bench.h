@@ -40,6 +40,9 @@ class ColorsBench : public Bench {
   [[nodiscard]] bool countsPolygons() const override { return true; }
   [[nodiscard]] std::optional<int> inspected() const override { return cell(); }
 
+  /// Chooses the cell that the page is about.
+  void choose(int cell) { inspect(cell); }
+
  private:
   /// Restores all stored colours, releases the indices and gives the arrows back to the cells.
   void undo();

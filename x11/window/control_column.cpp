@@ -104,7 +104,7 @@ class Walk {
   }
 
   void section(Section section, std::string_view name, int advance) {
-    y_ += low_ ? 3 : column_.compact ? 5 : 8;
+    y_ += low_ ? 4 : column_.compact ? 5 : 8;
     column_.headings.push_back({y_, name});
     y_ += low_ ? 17 : column_.compact ? 18 : advance;
     const auto addAll = [&](Kind kind) {
@@ -121,14 +121,15 @@ class Walk {
   }
 
   void buttons() {
-    y_ += column_.compact ? 3 : 4;
-    const int inRow = column_.compact ? 5 : 4, pitch = (kControls + 16) / inRow;
+    y_ += low_ ? 6 : column_.compact ? 3 : 4;
+    const int inRow = column_.compact ? 5 : 4, width = column_.compact ? 58 : 68;
+    const int pitch = (kControls - width) / (inRow - 1);
     int placed = 0;
     for (const Control& control : controls_) {
       const auto* const row = std::ranges::find(kButtons, control.key, &ButtonRow::key);
       if (control.kind != Kind::Button || (column_.compact && !row->always)) continue;
       const int x = x_ + pitch * (placed % inRow);
-      const Rect box{x, y_ - 14, column_.compact ? 60 : 68, column_.compact ? kButton - 2 : kButton};
+      const Rect box{x, y_ - 14, width, column_.compact ? kButton - 2 : kButton};
       add(control, {.x = x, .y = y_, .area = box, .box = box});
       if (++placed % inRow == 0) y_ += kButton + 4;
     }

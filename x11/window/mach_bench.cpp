@@ -1,6 +1,7 @@
 #include "x11/window/mach_bench.h"
 
 #include <algorithm>
+#include <utility>
 
 #include "x11/drawing/pen.h"
 #include "x11/drawing/sheet.h"
@@ -103,6 +104,7 @@ void MachBench::draw(Painter paint, const Desk& desk) {
   height_ = desk.picture.settings().height;
   divisions_ = desk.picture.scene().divisions;
   patches_ = !desk.picture.scene().patches.empty();
+  if (asked_) moveTo(*std::exchange(asked_, std::nullopt));
   if (!row_) row_ = defaultScanline(desk.picture);
   ViewSettings settings{.view = View::MachBands, .picture = desk.setup.picture, .cells = desk.plan};
   settings.picture.width = at.width;

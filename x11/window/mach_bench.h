@@ -15,6 +15,10 @@ class MachBench : public Bench {
  public:
   MachBench(Host& host, std::function<Subject()> subject) : Bench{host}, subject_{std::move(subject)} {}
 
+  /// Chooses the scanline by its row in the picture that is drawn next.
+  void choose(int row) { asked_ = row, row_.reset(); }
+  [[nodiscard]] int row() const { return row_.value_or(0); }
+
   [[nodiscard]] Controls controls() override;
   [[nodiscard]] KeyTable ownKeys() override;
   void enter() override { list_.setFocus(ControlId{'y'}); }
@@ -31,8 +35,9 @@ class MachBench : public Bench {
   void moveTo(int row) { row_ = std::clamp(row, 0, height_ - 1); }
 
   std::function<Subject()> subject_;
-  int unit_ = 1;            ///< of the layout drawn last
-  std::optional<int> row_;  ///< the scanline's row in the picture; none: the row that shows most
+  int unit_ = 1;              ///< of the layout drawn last
+  std::optional<int> asked_;  ///< the row of the next drawing
+  std::optional<int> row_;    ///< the scanline's row in the picture; none: the row that shows most
   // The state of the last drawing.
   Rect picture_{};
   std::optional<int> firstRow_;  ///< the first row of the picture that is shown

@@ -187,11 +187,12 @@ void PictureBench::drawHeadlines(Painter paint, const Desk& desk) {
   std::string found = shown_.finding;
   if (found.empty() && !desk.coarse) found = inexact_;
   const Cell cell = shown_.finding.empty() && !found.empty() ? Cell::Alarm : Cell::Ink;
-  if (found.empty()) return large(at_.finding, made, Cell::Ink);
   // Large letters where they fit; else the finding in bold, and below it how the picture was made.
-  if (textWidth(found, Voice::Title) <= at_.finding.width) return large(at_.finding, found, cell);
-  int y = at_.finding.y + 13;
-  pen.bold(at_.finding.x, y, beginningOf(found, at_.finding.width), cell);
+  const std::string& main = found.empty() ? made : found;
+  if (textWidth(main, Voice::Title) <= at_.finding.width) return large(at_.finding, main, cell);
+  const int y = at_.finding.y + 13;
+  pen.bold(at_.finding.x, y, beginningOf(main, at_.finding.width), cell);
+  if (found.empty()) return;
   pen.soft(at_.finding.x, y + 16, beginningOf(made, at_.finding.width));
 }
 

@@ -43,7 +43,7 @@ TEST(CarriedSetup, TheUserHasTheLastWord) {
   EXPECT_EQ(as.picture.light.lightPosition, (glm::dvec3{1, 2, 3}));
   EXPECT_EQ(as.picture.camera.eye, (glm::dvec3{-1, 2, 3}));
   EXPECT_EQ(as.view, View::MachBands);
-  EXPECT_EQ(as.scanline, 7);
+  EXPECT_EQ(as.window.scanline, 7);
 
   const Options other = parsed({"draw", file, "-o", "no.png", "--size", "80x60", "--shade", "flat", "--light",
                                 "0,0,1", "--eye", "9,9,9", "--view", "picture"});
@@ -54,7 +54,7 @@ TEST(CarriedSetup, TheUserHasTheLastWord) {
   EXPECT_EQ(other.picture.camera.eye, (glm::dvec3{9, 9, 9}));
   EXPECT_EQ(other.picture.camera.fov, 40);
   EXPECT_EQ(other.view, View::Picture);
-  EXPECT_EQ(other.scanline, std::nullopt);
+  EXPECT_EQ(other.window.scanline, std::nullopt);
 }
 
 // Each command takes from a picture what it can use. The window has its own size, unless the picture shows
@@ -75,11 +75,11 @@ TEST(CarriedSetup, EachCommandTakesWhatItCanUse) {
   EXPECT_EQ(shown.command, Command::View);
   EXPECT_EQ(shown.size, std::nullopt);
   EXPECT_EQ(shown.window.view, WindowView::Colors);
-  EXPECT_EQ(shown.cell, std::nullopt);
+  EXPECT_EQ(shown.window.cell, std::nullopt);
   EXPECT_EQ(shown.picture.order, Order::ZMean);
   const Options again = parsed({"snapshot", drawn, "-o", "no.png"});
   EXPECT_EQ(again.size, (glm::ivec2{768, 560}));
-  EXPECT_EQ(again.cell, 40);
+  EXPECT_EQ(again.window.cell, 40);
   EXPECT_EQ(parsed({filled}).fill, Fill::XFillPolygon);
   EXPECT_EQ(parsed({"draw", filled, "-o", "no.png"}).fill, Fill::Scanline);
   EXPECT_EQ(parsed({"trace", drawn}).picture.order, Order::Newell);

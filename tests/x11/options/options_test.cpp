@@ -177,8 +177,8 @@ TEST(Options, SetWhatIsNotInThePicture) {
   EXPECT_EQ(parsed({"draw", "--output=-x.png", "--", "-s.obj"}).scene, "-s.obj");
   EXPECT_EQ(parsed({"visuals", "--visual", "TrueColor24"}).visual, "TrueColor24");
   EXPECT_TRUE(parsed({"snapshot", "teapot", "-o", "a", "--whole-window"}).wholeWindow);
-  EXPECT_EQ(drawn({"--view", "machbands", "--scanline", "8191"}).scanline, 8191);
-  EXPECT_FALSE(drawn({"--view", "machbands"}).scanline.has_value());
+  EXPECT_EQ(drawn({"--view", "machbands", "--scanline", "8191"}).window.scanline, 8191);
+  EXPECT_FALSE(drawn({"--view", "machbands"}).window.scanline.has_value());
   EXPECT_EQ(drawn({"--view", "picture"}).picture, PictureSettings{});
   EXPECT_EQ(parsed({"snapshot", "teapot", "-o", "a", "--colormap", "shared"}).colormap, MapOwner::Shared);
   EXPECT_EQ(parsed({"visuals", "--colormap", "shared"}).colormap, MapOwner::Shared);
@@ -207,7 +207,7 @@ TEST(Options, EffectsChangeWhatIsStored) {
   only({"--bend", "100,12.5"}, {.bend = CurvePoint{100, 12.5}});
   only({"--rotate", "-30"}, {.rotate = -30});
   only({"--lit", "255"}, {.lit = 255});
-  EXPECT_EQ(drawn({"--view", "colours", "--cell", "0"}).cell, 0);
+  EXPECT_EQ(drawn({"--view", "colours", "--cell", "0"}).window.cell, 0);
   for (const std::vector<std::string>& bad : std::vector<std::vector<std::string>>{{"--store", "gray"},
                                                                                    {"--gamma", "0"},
                                                                                    {"--bend", "100"},
