@@ -1,10 +1,8 @@
 #include "shading/explain/equation_at.h"
 
-#include <algorithm>
 #include <glm/geometric.hpp>
 
 #include "geometry/exact/box.h"
-#include "geometry/exact/power.h"
 #include "geometry/exact/unit.h"
 #include "shading/scene/units.h"
 
@@ -12,17 +10,11 @@ namespace xnewell {
 
 namespace {
 
-/// R, H or L: the vector whose cosine `form` takes.
-glm::dvec3 vectorOf(Form form, const glm::dvec3& N, const glm::dvec3& L, const glm::dvec3& V) {
-  switch (form) {
-    case Form::Textbook:
-      return 2.0 * N * glm::dot(N, L) - L;
-    case Form::HalfVector:
-      return unit(L + V);
-    case Form::Tutorial:
-      break;
-  }
-  return L;
+/// N and V as a mistake takes them. L counts for itself: there may be several.
+EquationVectors taken(Mistake mistake, const glm::dvec3& N, const glm::dvec3& V) {
+  const EquationVectors at{N, glm::dvec3{0.0}, V};
+  const MistakeRow& row = rowOf(mistake);
+  return row.vectors ? row.vectors(at) : at;
 }
 
 }  // namespace
@@ -37,7 +29,8 @@ EquationAt::EquationAt(const Surfaces& s, int material)
   for (int c = 0; c < lighting_.channels; ++c) {
     everywhere_.Ia[c] = lighting_.channels == 3 ? Ia[c] : luminance(Ia);
     everywhere_.ambient[c] = m.ambient[c];
-    const double ka = everywhere_.Ia[c] > 0.0 ? m.ambient[c] / everywhere_.Ia[c] : 0.0;
+    const double once = rowOf(lighting_.mistake).ambient * everywhere_.Ia[c];
+    const double ka = once > 0.0 ? m.ambient[c] / once : 0.0;
     everywhere_.surface[c] = {.ka = ka, .kd = m.kd[c], .ks = m.ks[c], .n = m.n};
   }
 }
@@ -53,6 +46,8 @@ ExplainedEquation EquationAt::operator()(const glm::dvec3& P, const glm::dvec3& 
     for (int c = 0; c < lighting_.channels; ++c)
       at.I[c] += at.lights.back().diffuse[c] + at.lights.back().specular[c];
   }
+  const EquationVectors said = taken(lighting_.mistake, N, at.V);
+  at.N = said.N, at.V = said.V;
   return at;
 }
 
@@ -69,15 +64,17 @@ ExplainedLight EquationAt::explained(const Light& light, const ExplainedEquation
     e.fatt = attenuation(light, glm::dot(towards, e.L), unit_);
     e.spot = spotShare(light, unit(light.position - at.P));
   }
-  e.NdotL = glm::dot(at.N, e.L);
-  e.R = vectorOf(user_.form, at.N, e.L, at.V);
-  e.cosine = specularCosine(user_.form, at.N, e.L, at.V);
-  if (e.NdotL > 0.0) e.power = power(std::clamp(e.cosine, 0.0, 1.0), at.surface[0].n);
+  const EquationVectors vectors{at.N, e.L, at.V};
   for (int c = 0; c < lighting_.channels; ++c) {
     e.Ip[c] = lighting_.channels == 3 ? light.Ip[c] : luminance(light.Ip);
-    const IlluminationTerms terms = termsOf(0.0, e.Ip[c], e.fatt, e.spot, at.surface[c], e.NdotL, e.cosine);
+    const LightTerms terms =
+        lightTerms(lighting_.mistake, e.fatt * e.spot, e.Ip[c], at.surface[c], vectors, user_.form);
     e.diffuse[c] = terms.diffuse * texel[c];
     e.specular[c] = terms.specular;
+    if (c > 0) continue;  // the vectors and cosines are the same in every channel
+    e.L = terms.at.L, e.R = terms.R;
+    e.NdotL = terms.NdotL, e.cosine = terms.cosine;
+    e.facing = terms.facing, e.counted = terms.counted, e.power = terms.power;
   }
   return e;
 }

@@ -17,19 +17,21 @@ struct ExplainedLight {
   glm::dvec3 L{0};
   glm::dvec3 R{0};  ///< R of the textbook; H where the form is N.H; L where it is N.L
   double NdotL = 0;
-  double cosine = 0;  ///< R.V, or what the form takes for it
-  double power = 0;   ///< max(0, cosine)^n; 0 where N.L <= 0
+  double cosine = 0;               ///< R.V, or what the form takes for it
+  double facing = 0, counted = 0;  ///< what counts for both: max(0, .) unless a mistake says otherwise
+  double power = 0;                ///< counted^n; 0 where there is no highlight, as N.L <= 0
   double fatt = 1, spot = 1;
   ByChannel Ip{}, diffuse{}, specular{};  ///< the diffuse term includes the texel
 };
 
 /// The illumination equation at one place, with all its numbers.
 struct ExplainedEquation {
-  glm::dvec3 P{0}, N{0}, V{0};          ///< world; N is 0 where all light is ambient
+  /// World. N is 0 where all light is ambient. With a mistake N and V are those that it takes.
+  glm::dvec3 P{0}, N{0}, V{0};
   std::array<Reflection, 3> surface{};  ///< by channel, with the surface's colour
-  ByChannel Ia{}, ambient{};
-  std::vector<ExplainedLight> lights;  ///< of the scene, or the user's; none where all light is ambient
-  ByChannel I{};                       ///< the sum of all terms; it may exceed 1
+  ByChannel Ia{}, ambient{};            ///< `ambient` as often as a mistake counts it
+  std::vector<ExplainedLight> lights;   ///< of the scene, or the user's; none where all light is ambient
+  ByChannel I{};                        ///< the sum of all terms; it may exceed 1
 };
 
 /// Evaluates the equation for one material by the definitions of equation.h, light by light.

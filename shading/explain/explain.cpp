@@ -14,6 +14,8 @@ namespace xnewell {
 
 namespace {
 
+/// With a mistake in the equation an intensity may be below 0.
+constexpr bool isOutside(double I) { return I < 0.0 || I > 1.0; }
 constexpr double clampedToOne(double I) { return std::clamp(I, 0.0, 1.0); }
 
 class Explainer {
@@ -131,7 +133,7 @@ class Explainer {
       }
       for (int c = 0; c < e_.channels; ++c)
         vertex.I[c] =
-            atSource(s_.snapped, sources_[k], [&](int corner) { return std::min(1.0, at(corner).I[c]); });
+            atSource(s_.snapped, sources_[k], [&](int corner) { return clampedToOne(at(corner).I[c]); });
     }
     ByChannel I{};
     if (e_.luminance && !e_.texel) {  // the luminance is interpolated, not the three
@@ -145,7 +147,7 @@ class Explainer {
         I[c] = valueHere([&](std::size_t k) { return e_.vertices[k].I[c]; });
     }
     for (const ExplainedEquation& one : e_.equations)
-      for (int c = 0; c < e_.channels; ++c) e_.clamped = e_.clamped || one.I[c] > 1.0;
+      for (int c = 0; c < e_.channels; ++c) e_.clamped = e_.clamped || isOutside(one.I[c]);
     e_.I = I;
   }
   /// Interpolates over the triangle; by rows, along the edges and the row.
@@ -177,15 +179,16 @@ class Explainer {
     for (int k = 0; k < 3; ++k) {
       P += inWorld_[k] * e_.vertices[k].P;
       // Their length does not matter, unless they stay as long as they are.
-      e_.sum += (s_.settings.unnormalized ? onScreen_ : inWorld_)[k] * e_.vertices[k].N;
+      e_.sum += (keepsLengthOfN(s_.settings) ? onScreen_ : inWorld_)[k] * e_.vertices[k].N;
     }
-    e_.equations.push_back(equationAt()(P, s_.settings.unnormalized ? e_.sum : unit(e_.sum), texelShare()));
+    e_.equations.push_back(
+        equationAt()(P, keepsLengthOfN(s_.settings) ? e_.sum : unit(e_.sum), texelShare()));
     takeFrom(e_.equations.front().I);
   }
 
   void takeFrom(const ByChannel& I) {
     e_.I = I;
-    for (int c = 0; c < e_.channels; ++c) e_.clamped = e_.clamped || I[c] > 1.0;
+    for (int c = 0; c < e_.channels; ++c) e_.clamped = e_.clamped || isOutside(I[c]);
   }
 
   /// Full intensity, depth, and what an environment's map holds.

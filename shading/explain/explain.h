@@ -53,8 +53,9 @@ struct Explanation {
   std::optional<ExplainedPlace> place;
   /// Flat, Phong: one. Gouraud: one for each vertex of the model.
   std::vector<ExplainedEquation> equations;
-  ByChannel I{};         ///< at the sample, by the definitions; with Phong or a texture it may exceed 1
-  bool clamped = false;  ///< a sum of terms is above 1, at the sample or at what it comes from
+  ByChannel I{};  ///< at the sample, by the definitions; with Phong or a texture it may exceed 1
+  bool clamped =
+      false;  ///< a sum of terms is above 1, or below 0 by a mistake, at the sample or at what it comes from
   double intensity = 0;  ///< what the table gets: I, or the luminance of the three, clamped to [0, 1]
   double inLoop = 0;     ///< the same in the picture's own loop, as precise as that loop
   /// What the loop makes of it: the cell; where the cells hold colours, each channel's value, 1 to 255.

@@ -44,7 +44,9 @@ template <class Real, class Then>
 }
 template <class Real, class Then>
 [[gnu::always_inline]] inline void withRow(const PhongTriangle& t, double down, const Then& then) {
-  if (!isOfFarLights(t))
+  if (t.lighting->mistake != Mistake::None)
+    then(MistakenRow<Real>{t, down});
+  else if (!isOfFarLights(t))
     then(PhongRow<Real>{t, down});
   else if (t.material->ks[t.channel] == 0.0)
     then(FarLightsRow<Real, Eye::None>{t, down});

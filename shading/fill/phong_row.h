@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 
+#include "geometry/exact/unit.h"
 #include "shading/fill/pixel_row.h"
 #include "shading/fill/texel_row.h"
 #include "shading/light/reflect.h"
@@ -46,6 +47,46 @@ class PhongRow {
   [[nodiscard, gnu::always_inline]] Real sum(int b) const { return sum_[b]; }
 
  private:
+  const PhongTriangle& t_;
+  RowOfThree<Real> N_, V_, at_;
+  RowOf<Real> q_;
+  Real sum_[kMostBlocks];
+};
+
+/// Phong's illumination along a row with a mistake in the equation, pixel by pixel.
+template <class Real>
+class MistakenRow {
+ public:
+  [[gnu::always_inline]] MistakenRow(const PhongTriangle& t, double down)
+      : t_{t}, N_{t.N, down}, V_{t.V, down}, at_{t.at, down}, q_{t.q, down} {}
+  /// As in TermRow, and so is `sum`.
+  void evaluate(const Real* along, int blocks, const TexelRow<Real>& texels) {
+    for (int b = 0; b < blocks; ++b) {
+      const Vec<Real> N = N_.at(along[b]), V = V_.at(along[b]), at = at_.at(along[b]);
+      const Real q = q_.at(along[b]), share = texels ? texels.share(b) : splat<Real>(1.0);
+      for (int k = 0; k < kLanes<Real>; ++k)
+        sum_[b][k] = static_cast<Number<Real>>(sumAt(lane(N, k), lane(V, k), lane(at, k), q[k], share[k]));
+    }
+  }
+  [[nodiscard, gnu::always_inline]] Real sum(int b) const { return sum_[b]; }
+
+ private:
+  [[nodiscard]] static glm::dvec3 lane(const Vec<Real>& v, int k) { return {v.x[k], v.y[k], v.z[k]}; }
+  [[nodiscard]] double sumAt(const glm::dvec3& N, const glm::dvec3& towardsEye, const glm::dvec3& overDepth,
+                             double q, double share) const {
+    const Lighting& lighting = *t_.lighting;
+    const glm::dvec3 V = t_.variesV ? unit(towardsEye) : lighting.farV;
+    const glm::dvec3 at = t_.placed ? overDepth / q : glm::dvec3{0.0};
+    double sum = t_.material->ambient[t_.channel];
+    for (const Lighting::Source& light : lighting.sources) {
+      const Incident<double> in = incident<double>(light, {at.x, at.y, at.z}, t_.origin);
+      const LightTerms terms =
+          mistakenTerms(lighting, light, in, *t_.material, t_.channel, t_.unitN ? unit(N) : N, V);
+      sum += terms.diffuse * share + terms.specular;
+    }
+    return sum;
+  }
+
   const PhongTriangle& t_;
   RowOfThree<Real> N_, V_, at_;
   RowOf<Real> q_;

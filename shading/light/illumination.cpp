@@ -99,7 +99,6 @@ bool coneMeets(const Lighting::Source& spot, double outer, const Box& box) {
 
 /// Whether the light can reach any place of the box.
 bool reaches(const Lighting::Source& source, const Light& light, const Box& box) {
-  if (*std::ranges::max_element(source.Ip) <= 0.0) return false;
   if (!source.placed) return source.f > 0.0;
   if (source.spot && !coneMeets(source, light.outer, box)) return false;
   if (!source.linear || source.constantL) return true;
@@ -158,6 +157,7 @@ Lighting resolve(const Mesh& mesh, const SceneLight& scene, const Illumination& 
   lighting.channels = rgb ? 3 : 1;
   lighting.luminance = rgb && channels == Channels::Luminance;
   lighting.form = user.form;
+  lighting.mistake = user.mistake;
   lighting.twoSided = user.twoSided;
   lighting.eye = eye;
   lighting.farV = unit(eye - lookAt);
@@ -167,7 +167,8 @@ Lighting resolve(const Mesh& mesh, const SceneLight& scene, const Illumination& 
     Lighting::Source source = sourceOf(light, centre, scene.unit, user.constantL);
     // Ramps of several hues are for white lights; others count with their luminance.
     source.Ip = rgb ? share(light.Ip) : std::array{luminance(light.Ip), 0.0, 0.0};
-    if (reaches(source, light, box)) lighting.sources.push_back(source);
+    const bool shines = *std::ranges::max_element(source.Ip) > 0.0 || user.mistake != Mistake::None;
+    if (shines && reaches(source, light, box)) lighting.sources.push_back(source);
   }
 
   const glm::dvec3 Ia = scene.Ia.value_or(glm::dvec3{user.Ia});
@@ -176,7 +177,7 @@ Lighting resolve(const Mesh& mesh, const SceneLight& scene, const Illumination& 
     const std::array Oa = share(m.diffuse), Od = share(diffuseColor(m, user.texel)), Os = share(m.specular);
     Material material;
     for (int c = 0; c < 3; ++c) {
-      material.ambient[c] = m.ka.value_or(user.ka) * Oa[c] * ambientLight[c];
+      material.ambient[c] = rowOf(user.mistake).ambient * m.ka.value_or(user.ka) * Oa[c] * ambientLight[c];
       material.kd[c] = m.kd.value_or(user.kd) * Od[c];
       material.ks[c] = m.ks.value_or(user.ks) * Os[c];
     }
@@ -186,6 +187,10 @@ Lighting resolve(const Mesh& mesh, const SceneLight& scene, const Illumination& 
   };
   lighting.materials.push_back(resolved({}));
   for (const MeshMaterial& m : mesh.materials) lighting.materials.push_back(resolved(m));
+  if (user.mistake != Mistake::None) {  // it may take any light and any coefficient for another
+    lighting.specular = !lighting.sources.empty();
+    return lighting;
+  }
 
   // Only what a face of the scene reflects counts.
   std::vector<bool> used(lighting.materials.size(), false);

@@ -12,6 +12,7 @@
 #include "geometry/model/mesh.h"
 #include "shading/light/equation.h"
 #include "shading/light/lanes.h"
+#include "shading/light/mistake.h"
 
 namespace xnewell {
 
@@ -52,6 +53,7 @@ struct Illumination {
   bool constantV = false;  ///< use V of the look-at point everywhere: the viewer is far away
   bool twoSided = true;    ///< if not, the back of a face has the intensity of its front
   TexelUse texel = TexelUse::Replaces;
+  Mistake mistake = Mistake::None;  ///< in the equation
   bool operator==(const Illumination&) const = default;
 };
 
@@ -102,6 +104,7 @@ struct Lighting {
   std::vector<Source> sources;      ///< those that can reach the scene and that a face reflects
   std::vector<Material> materials;  ///< the first is for faces without one, then as in Mesh::materials
   Form form = Form::Textbook;
+  Mistake mistake = Mistake::None;
   bool twoSided = true;
   bool specular = false;  ///< whether a face reflects any source in a highlight
   bool constantV = false;

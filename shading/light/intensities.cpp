@@ -39,6 +39,25 @@ std::size_t runOf(const std::vector<int>& material, std::size_t first) {
   }
 }
 
+/// One of the terms with a mistake: place by place, each side for itself.
+void mistakenTerms(Terms& sums, double LightTerms::*term, const ShadingPoints& points,
+                   const Lighting& lighting, int channel) {
+  for (const Lighting::Source& light : lighting.sources)
+    for (std::size_t k = 0; k < points.count(); ++k) {
+      const glm::dvec3& P = points.at[k];
+      const Incident<double> in = incident<double>(light, {P.x, P.y, P.z});
+      const Vec<double> V = towardsEye<double>(lighting, {P.x, P.y, P.z});
+      const auto of = [&](const glm::dvec3& N) {
+        return mistakenTerms(lighting, light, in, lighting.materials[points.material[k] + 1], channel, N,
+                             {V.x, V.y, V.z}).*
+               term;
+      };
+      const double front = of(points.N[k]);
+      sums[k].front += front;
+      sums[k].back += lighting.twoSided ? of(-points.N[k]) : front;
+    }
+}
+
 }  // namespace
 
 ShadingPoints facePoints(const Mesh& mesh) {
@@ -69,6 +88,8 @@ ShadingPoints vertexPoints(const Mesh& mesh, const Vertices& vertices) {
 XNEWELL_DISPATCHED
 void diffuseIntensities(Terms& diffuse, const ShadingPoints& points, const Lighting& lighting, int channel) {
   diffuse.assign(points.count(), {0.0, 0.0});
+  if (lighting.mistake != Mistake::None)
+    return mistakenTerms(diffuse, &LightTerms::diffuse, points, lighting, channel);
   for (const Lighting::Source& light : lighting.sources)
     for (std::size_t first = 0, count = 0; first < points.count(); first += count) {
       count = runOf(points.material, first);
@@ -84,6 +105,8 @@ void specularIntensities(Terms& specular, const ShadingPoints& points, const Lig
                          int channel) {
   specular.assign(points.count(), {0.0, 0.0});
   if (!lighting.specular) return;
+  if (lighting.mistake != Mistake::None)
+    return mistakenTerms(specular, &LightTerms::specular, points, lighting, channel);
   for (const Lighting::Source& light : lighting.sources)
     for (std::size_t first = 0, count = 0; first < points.count(); first += count) {
       count = runOf(points.material, first);
@@ -105,7 +128,8 @@ void addTerms(Intensities& intensities, const Terms& diffuse, const Terms& specu
     const FrontBack<double>&d = diffuse[k], &s = specular[k];
     const FrontBack<double> sum{ambient + d.front + s.front, ambient + d.back + s.back};
     intensities.clamped += sum.front > 1.0 || sum.back > 1.0;
-    intensities.I[k] = {std::min(1.0, sum.front), std::min(1.0, sum.back)};
+    intensities.I[k] = {std::clamp(sum.front, 0.0, 1.0),
+                        std::clamp(sum.back, 0.0, 1.0)};  // a mistake may be below 0
   }
 }
 

@@ -101,6 +101,16 @@ template <class Real>
   return {front, lighting.twoSided ? (NdotL < zero ? term : zero) : front};
 }
 
+/// The terms with Lighting::mistake, times f, Ip, kd and ks, at one place. They are not computed at several
+/// places at once: a mistake is looked at, not waited for.
+[[nodiscard]] inline LightTerms mistakenTerms(const Lighting& lighting, const Lighting::Source& light,
+                                              const Incident<double>& in, const Material& material,
+                                              int channel, const glm::dvec3& N, const glm::dvec3& V) {
+  const Reflection surface{0.0, material.kd[channel], material.ks[channel], material.n};
+  return lightTerms(lighting.mistake, in.f, light.Ip[channel], surface,
+                    {.N = N, .L = {in.L.x, in.L.y, in.L.z}, .V = V}, lighting.form);
+}
+
 /// V at each place.
 template <class Real>
 [[nodiscard, gnu::always_inline]] inline Vec<Real> towardsEye(const Lighting& lighting, const Vec<Real>& at) {

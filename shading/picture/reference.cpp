@@ -39,16 +39,15 @@ glm::dvec3 Reference::illumination(const SurfacePlace& place, const SnappedFace&
   const glm::dvec3 texel = this->texel(place, face.number);
   const int channels = gray_ ? 1 : 3;
   glm::dvec3 I{0.0};
-  for (int c = 0; c < channels; ++c) I[c] = Ia_[c] * material[c].ka;
+  for (int c = 0; c < channels; ++c) I[c] = rowOf(user.mistake).ambient * Ia_[c] * material[c].ka;
   for (const Light& light : lights_) {
     const bool directional = light.kind == LightKind::Directional;
     const glm::dvec3 towards = directional ? light.direction : light.position - place.origin - place.at;
     const glm::dvec3 L = unit(towards);
     const double fatt = directional ? 1.0 : attenuation(light, glm::dot(towards, L), scene.light.unit);
-    const double spot = spotShare(light, L), NdotL = glm::dot(N, L);
-    const double cosine = specularCosine(user.form, N, L, V);
+    const double f = fatt * spotShare(light, L);
     for (int c = 0; c < channels; ++c) {
-      const IlluminationTerms terms = termsOf(0.0, light.Ip[c], fatt, spot, material[c], NdotL, cosine);
+      const LightTerms terms = lightTerms(user.mistake, f, light.Ip[c], material[c], {N, L, V}, user.form);
       I[c] += terms.diffuse * texel[c] + terms.specular;
     }
   }

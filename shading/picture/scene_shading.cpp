@@ -1,10 +1,13 @@
 #include "shading/picture/scene_shading.h"
 
 #include <algorithm>
+#include <cmath>
+#include <glm/geometric.hpp>
 #include <numeric>
 #include <utility>
 
 #include "geometry/exact/box.h"
+#include "geometry/exact/plane.h"
 
 namespace xnewell {
 
@@ -35,6 +38,27 @@ Vertices smoothVertices(const Scene& scene, const PictureSettings& settings) {
       settings.normals == NormalRule::Exact ? exactNormals(scene) : std::vector<glm::dvec3>{});
 }
 
+namespace {
+
+/// Gives each normal the length of the cross products that made it, in the scene's units: a face's own, or
+/// the sum of those of the faces around a vertex. `ofCorner` is empty for faces.
+void lengthenNormals(const Scene& scene, ShadingPoints& points, const std::vector<int>& ofCorner) {
+  const Mesh& mesh = scene.mesh;
+  std::vector<glm::dvec3> sums(points.count(), glm::dvec3{0.0});
+  for (int f = 0; f < mesh.faceCount(); ++f) {
+    const glm::dvec3 product = newellVector(mesh.points, mesh.face(f));
+    if (ofCorner.empty())
+      sums[f] = product;
+    else
+      for (int corner = mesh.firstCorner[f]; corner < mesh.firstCorner[f + 1]; ++corner)
+        sums[ofCorner[corner]] += product;
+  }
+  for (std::size_t k = 0; k < sums.size(); ++k)
+    points.N[k] *= std::ldexp(glm::length(sums[k]), 2 * scene.exponent);
+}
+
+}  // namespace
+
 SceneShading SceneShading::next(const Scene& scene, const PictureSettings& settings, Channels channels,
                                 const Camera& camera) const {
   const ShadingRow& method = rowOf(settings.shading);
@@ -43,10 +67,13 @@ SceneShading SceneShading::next(const Scene& scene, const PictureSettings& setti
   const bool hasMaps = settings.shading == Shading::Environment;
   SceneShading next = *this;
   Light light{settings.light, channels};
-  if (hasMaps) light.light.texel = TexelUse::Multiplies;  // a map does not show textures
+  // A map does not show textures, and it has a formula of its own.
+  if (hasMaps) light.light.texel = TexelUse::Multiplies, light.light.mistake = Mistake::None;
 
   // The lights come first: where all light is ambient, nothing asks for a normal, and nothing is divided.
   const Eye eye{camera.eye, camera.lookAt};
+  const bool mistaken = light.light.mistake != Mistake::None;
+  if (mistaken) light.eye = eye;
   next.lighting_.update({light, eye}, [&] {
     return resolve(scene.mesh, scene.light, light.light, channels, eye.eye, eye.lookAt,
                    channels == Channels::Luminance && !isGray(scene));
@@ -58,13 +85,15 @@ SceneShading SceneShading::next(const Scene& scene, const PictureSettings& setti
   if (points.withNormals) {
     points.normals = settings.normals;
     points.crease = method.interpolates ? settings.crease : 0.0;
+    points.longN = rowOf(light.light.mistake).longN;
   }
   next.own_.update(points, [&] { return ownPlaces(scene, settings, points); });
 
   // More places, where polygons are divided.
   const Shared<Own>& own = next.own_.shared();
   const HighlightEye highlightEye = lighting.asksForEye() ? HighlightEye{eye} : std::nullopt;
-  const double adapt = keepsIntensities && points.withNormals ? settings.adapt : 0.0;
+  // The bounds of a division are those of the course's equation.
+  const double adapt = keepsIntensities && points.withNormals && !mistaken ? settings.adapt : 0.0;
   if (adapt > 0.0)
     next.refined_.update({own, adapt, light, highlightEye}, [&] { return next.refine(scene, settings); });
   else
@@ -98,9 +127,14 @@ SceneShading::Own SceneShading::ownPlaces(const Scene& scene, const PictureSetti
   if (!points.withNormals && points.ofVertices)
     return {materialVertices(scene.mesh), materialPoints(scene.mesh)};
   if (!points.withNormals) return {{}, ShadingPoints{{}, {}, scene.mesh.material}};
-  if (!points.ofVertices) return {{}, facePoints(scene.mesh)};
-  Own own{smoothVertices(scene, settings), {}};
-  own.points = vertexPoints(scene.mesh, own.vertices);
+  Own own;
+  if (points.ofVertices) {
+    own.vertices = smoothVertices(scene, settings);
+    own.points = vertexPoints(scene.mesh, own.vertices);
+  } else {
+    own.points = facePoints(scene.mesh);
+  }
+  if (points.longN) lengthenNormals(scene, own.points, own.vertices.ofCorner);
   return own;
 }
 

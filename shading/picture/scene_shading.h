@@ -76,14 +76,15 @@ class SceneShading {
 
  private:
   // What the parts are made from.
-  struct Light {
-    Illumination light;
-    Channels channels;
-    bool operator==(const Light&) const = default;
-  };
   struct Eye {
     glm::dvec3 eye, lookAt;
     bool operator==(const Eye&) const = default;
+  };
+  struct Light {
+    Illumination light;
+    Channels channels;
+    std::optional<Eye> eye = {};  ///< with a mistake, any term may ask for it
+    bool operator==(const Light&) const = default;
   };
   struct OfLighting {
     Light light;
@@ -94,6 +95,7 @@ class SceneShading {
     bool ofVertices, withNormals;
     NormalRule normals = {};
     double crease = 0;
+    bool longN = false;
     bool operator==(const OfPoints&) const = default;
   };
   /// The places of the scene's own mesh.

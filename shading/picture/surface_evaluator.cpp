@@ -61,7 +61,7 @@ PhongTriangle SurfaceEvaluator::phong(const SnappedFace& face, const FaceTriangl
   e.channel = channel;
   e.placed = e.lighting->placed();
   e.variesV = e.lighting->variesV();
-  e.unitN = !s_.settings.unnormalized;
+  e.unitN = !keepsLengthOfN(s_.settings);
   const double side = s_.side(face);
   const auto normalPlane = [&](const auto& ofCorner) {
     return planeOf(s_.snapped, t, planes, e.unitN ? q : std::array{1.0, 1.0, 1.0}, ofCorner);

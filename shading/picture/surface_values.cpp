@@ -141,7 +141,7 @@ std::vector<glm::dvec3> normalsAt(const SeenRows& seen, const Surfaces& s) {
     if (interpolates) {
       forEachTriangle(s.snapped, face, [&](const FaceTriangle& t) {
         std::array<glm::dvec3, 3> ofVertices = normalsOf(s, face, t, ofCorner);
-        if (s.settings.shading == Shading::Phong && !s.settings.unnormalized) {
+        if (s.settings.shading == Shading::Phong && !keepsLengthOfN(s.settings)) {
           const std::array<double, 3> q = evaluator.overDepths(t);
           for (int k = 0; k < 3; ++k) ofVertices[k] *= q[k];
         }

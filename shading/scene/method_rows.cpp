@@ -75,7 +75,7 @@ std::vector<Setting> methodRows() {
        .role = Role::shortCut(0),
        .field = holds([](auto& s) -> auto& { return s.adapt; }),
        .trials = {0, 0.1, 0.03, 0.01},
-       .need = {dividing, "flat and gouraud shading", Unmet::RefusedOrKept},
+       .need = {dividing, "flat and gouraud shading without --mistake", Unmet::RefusedOrKept},
        .differsIn = "division"},
       {.key = "environment",
        .option = "--environment",

@@ -39,4 +39,9 @@ struct PictureSettings {
   bool operator==(const PictureSettings&) const = default;
 };
 
+/// True if Phong shading takes the interpolated normals as they are.
+[[nodiscard]] inline bool keepsLengthOfN(const PictureSettings& settings) {
+  return settings.unnormalized || rowOf(settings.light.mistake).longN;
+}
+
 }  // namespace xnewell

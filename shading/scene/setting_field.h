@@ -57,32 +57,36 @@ constexpr bool allHaveWords(const Rows& rows) {
 }
 
 /// A field for a choice of one of the rows of a table, or for an optional one, which may stay open. A row may
-/// have a label and words.
-template <const auto& kRows, class Member>
-Field chooses(Member member) {
+/// have a label and words. The table must live as long as the program.
+template <class Rows, class Member>
+Field choosesFrom(const Rows& rows, Member member) {
   using T = std::remove_cvref_t<decltype(member(std::declval<PictureSettings&>()))>;
-  static_assert(allHaveWords(kRows), "a row of this table has no words");
   Field field{.kind = ValueKind::Choice};
-  for (const auto& row : kRows) {
+  for (const auto& row : rows) {
     Choice choice{.name = row.name, .label = row.name, .words = ""};
     if constexpr (requires { row.label; }) choice.label = row.label;
     if constexpr (requires { row.words; }) choice.words = row.words;
     field.choices.push_back(choice);
   }
-  field.get = [member](const PictureSettings& s) -> Value {
+  field.get = [member, &rows](const PictureSettings& s) -> Value {
     if constexpr (kOptional<T>)
       if (!member(s)) return {};
-    const auto row = std::ranges::find_if(kRows, [&](const auto& r) { return member(s) == r.id; });
-    return static_cast<double>(row - kRows.begin());
+    const auto row = std::ranges::find_if(rows, [&](const auto& r) { return member(s) == r.id; });
+    return static_cast<double>(row - rows.begin());
   };
-  field.set = [member](PictureSettings& s, const Value& value) {
+  field.set = [member, &rows](PictureSettings& s, const Value& value) {
     if constexpr (kOptional<T>) {
       member(s).reset();
       if (std::holds_alternative<std::monostate>(value)) return;
     }
-    member(s) = kRows[static_cast<std::size_t>(std::get<double>(value))].id;
+    member(s) = rows[static_cast<std::size_t>(std::get<double>(value))].id;
   };
   return field;
+}
+template <const auto& kRows, class Member>
+Field chooses(Member member) {
+  static_assert(allHaveWords(kRows), "a row of this table has no words");
+  return choosesFrom(kRows, member);
 }
 
 }  // namespace xnewell

@@ -15,7 +15,9 @@ inline bool creased(Facts f) {
 inline bool gouraud(Facts f) { return f.settings.shading == Shading::Gouraud; }
 inline bool phong(Facts f) { return f.settings.shading == Shading::Phong; }
 inline bool mapped(Facts f) { return f.settings.shading == Shading::Environment; }
-inline bool dividing(Facts f) { return gouraud(f) || f.settings.shading == Shading::Flat; }
+inline bool dividing(Facts f) {
+  return (gouraud(f) || f.settings.shading == Shading::Flat) && f.settings.light.mistake == Mistake::None;
+}
 inline bool lit(Facts f) { return rowOf(f.settings.shading).lit; }
 inline bool litInPlace(Facts f) { return lit(f) && !mapped(f); }
 inline bool textured(Facts f) { return litInPlace(f) && f.textures; }
@@ -41,6 +43,7 @@ inline constexpr Need kEye{asksForEye,
                            "highlights (ks above 0) of flat, gouraud and phong shading with V in their form"};
 inline constexpr Need kInPlace{litInPlace,
                                "flat, gouraud and phong shading; for envmap all lights are far away"};
+inline constexpr Need kEvaluated{litInPlace, "flat, gouraud and phong shading, which evaluate the equation"};
 inline constexpr Need kCorrected{corrected, "ramps of the corrected table"};
 
 }  // namespace xnewell::needs

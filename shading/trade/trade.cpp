@@ -52,7 +52,9 @@ class Trader {
     trade_.referenceDivisions = measure_.referenceDivisions();
     if (!request_.brief) trade_.referenceOff = measure_.referenceOff();
     trade_.views = measure_.otherViews();
-    trade_.constantL = boundOfConstantL(measure_.asked().scene(), measure_.asked().settings().light);
+    const Illumination& light = measure_.asked().settings().light;
+    if (light.mistake == Mistake::None)  // the bound is that of the course's equation
+      trade_.constantL = boundOfConstantL(measure_.asked().scene(), light);
     trade_.asked = closely(measure_.askedConfiguration());
     if (trade_.asked.here.samples == 0) throw ViewError{"nothing shows, so there is nothing to measure"};
     if (request_.within) {

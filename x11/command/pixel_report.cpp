@@ -1,5 +1,6 @@
 #include "x11/command/pixel_report.h"
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <glm/geometric.hpp>
@@ -32,6 +33,12 @@ void printHistory(const PixelStory& story, std::ostream& out) {
     out << "  " << std::setw(3) << k + 1 << "  face " << name << std::setw(12) << fixed(one.z, 3) << "  "
         << fateOf(story, k) << '\n';
   }
+  if (std::ranges::any_of(story.history.painted, [&](const PaintedHere& one) {
+        return faceName(story.picture, one.fragment.face).find('.') < 8;
+      }))
+    out << "       a face is named by its number in the scene, .1 or .2 for the first or second convex part "
+           "of"
+           " it, and its group\n";
   if (story.history.notPainted > 0)
     out << "       hidden everywhere: " << counted(story.history.notPainted, "more polygon")
         << " at this sample, not painted\n";
@@ -64,7 +71,9 @@ void printSurface(const PixelStory& story, const Explanation& e, std::ostream& o
   printVertices(e, out);
   if (e.method == Shading::Phong && e.sum != glm::dvec3{0.0})
     out << "      weighted sum" << std::setw(36) << "" << componentsOf(e.sum)
-        << "\n      divided by its length, " << number(glm::length(e.sum)) << '\n';
+        << (keepsLengthOfN(story.picture.settings()) ? "\n      it stays as long as it is, "
+                                                     : "\n      divided by its length, ")
+        << number(glm::length(e.sum)) << '\n';
   if (e.texel) {
     out << "      texture: u " << number(e.texel->u) << ", v " << number(e.texel->v)
         << "; the texel in column " << e.texel->column << ", row " << e.texel->row << " leaves";
@@ -76,38 +85,43 @@ void printSurface(const PixelStory& story, const Explanation& e, std::ostream& o
         << (e.place->away ? ", of the side that faces away\n" : "\n");
 }
 
-void printVectors(const ExplainedEquation& at, Form form, std::ostream& out) {
+void printVectors(const ExplainedEquation& at, const Illumination& user, std::ostream& out) {
+  const Form form = user.form;
   out << "        N " << componentsOf(at.N) << "\n        V " << componentsOf(at.V) << "   to the eye\n";
   for (std::size_t k = 0; k < at.lights.size(); ++k) {
     const ExplainedLight& light = at.lights[k];
-    out << "        L " << componentsOf(light.L) << "   to the light";
-    if (at.lights.size() > 1) out << ' ' << k + 1;
-    out << "; N.L " << number(light.NdotL) << (light.NdotL > 0.0 ? "" : ": it does not reach this side");
+    const std::string which = at.lights.size() > 1 ? std::to_string(k + 1) : " ";
+    out << "        L" << which << componentsOf(light.L) << "   to the light"
+        << (at.lights.size() > 1 ? ' ' + which : "") << "; N.L " << number(light.NdotL)
+        << (light.NdotL > 0.0 ? "" : ": it does not reach this side");
     if (light.fatt != 1.0 || light.spot != 1.0)
       out << "; f = " << number(light.fatt) << " by distance x " << number(light.spot) << " by the cone";
     out << '\n';
-    if (form == Form::Tutorial || light.NdotL <= 0.0) continue;
-    out << "        " << (form == Form::Textbook ? 'R' : 'H') << ' ' << componentsOf(light.R)
-        << (form == Form::Textbook ? "   2 N (N.L) - L; " : "   half way from L to V; ") << cosineName(form)
-        << ' ' << number(light.cosine) << (light.cosine < 0.0 ? ", counts as 0" : "") << ", its power "
+    const MistakeRow& row = rowOf(user.mistake);
+    if (form == Form::Tutorial || (light.NdotL <= 0.0 && !row.highlightBehind)) continue;
+    out << "        " << (form == Form::Textbook ? 'R' : 'H') << which << componentsOf(light.R) << "   "
+        << (form == Form::Textbook ? row.R : "half way from L to V") << "; " << cosineName(form) << ' '
+        << number(light.cosine) << (light.counted == 0.0 ? ", counts as 0" : "") << ", its power "
         << number(light.power) << '\n';
   }
 }
 
 void printEquation(const PixelStory& story, const Explanation& e, const ExplainedEquation& at,
                    const std::string& where, std::ostream& out) {
-  const Form form = story.picture.settings().light.form;
-  out << "      " << where << formulaOf(e, form)
+  const Illumination& user = story.picture.settings().light;
+  out << "      " << where << formulaOf(e, user)
       << (at.lights.size() > 1 ? ", the last part for each light\n" : "\n");
+  if (const std::string wrong = mistakeWords(e, user); !wrong.empty())
+    out << "        a mistake: " << wrong << '\n';
   for (int c = 0; c < e.channels; ++c) {
     if (e.channels > 1) out << "      " << kChannels[c] << '\n';
-    for (const std::string& line : numbersPutIn(e, at, c)) out << "        " << line << '\n';
+    for (const std::string& line : numbersPutIn(e, at, c, user.mistake)) out << "        " << line << '\n';
     out << "        " << sumOf(at, c) << '\n';
   }
   if (at.lights.empty())
     out << "        no light but the ambient reaches the scene, so no normal counts\n";
   else
-    printVectors(at, form, out);
+    printVectors(at, user, out);
 }
 
 void printEquations(const PixelStory& story, const Explanation& e, std::ostream& out) {
@@ -205,7 +219,7 @@ Json termsAsJson(const Explanation& e) {
           {"specular", asJson(specular, e.channels)}};
 }
 
-Json asJson(const Explanation& e) {
+Json asJson(const PixelStory& story, const Explanation& e) {
   Json vertices = Json::array();
   for (const ExplainedVertex& v : e.vertices)
     vertices.push_back({{"x", v.at.x},
@@ -230,6 +244,18 @@ Json asJson(const Explanation& e) {
                     {"row", e.texel->row},
                     {"share", asJson(e.texel->share, e.channels)}};
   if (e.place) all["place"] = {{"column", e.place->column}, {"row", e.place->row}, {"away", e.place->away}};
+  if (!story.inColors()) {
+    const ColorTable& table = tableOf(story, e);
+    const int shade = std::clamp(e.value[0] - table.first(), 0, table.shades() - 1);
+    const ColorTable::Picked picked = table.picked(shade);
+    const Rgb16 color = table.color(shade);
+    all["shade"] = shade;
+    all["table"] = {{"name", kTables[static_cast<int>(table.settings().kind)].name},
+                    {"first", table.first()},
+                    {"shades", table.shades()}};
+    all["interval"] = {picked.from, picked.to};
+    all["color"] = {color.r, color.g, color.b};
+  }
   if (e.value[1] > 0) all["value"] = {e.value[0], e.value[1], e.value[2]};  // three channels
   return all;
 }
@@ -265,10 +291,11 @@ void printPixelAsJson(const Picture& picture, int i, int j, std::ostream& out) {
            {"cell", story.cell()},
            {"explained", story.isExplained()},
            {"history", history},
-           {"not_painted", story.history.notPainted}};
+           {"not_painted", story.history.notPainted},
+           {"mistake", rowOf(picture.settings().light.mistake).name}};
   if (story.shown()) {
     all["shown"] = story.history.shown;
-    all.update(asJson(*story.shown()));
+    all.update(asJson(story, *story.shown()));
   }
   out << all.dump(-1, ' ', false, Json::error_handler_t::replace) << '\n';
 }

@@ -49,6 +49,8 @@ Controls PixelBench::controls() {
   Controls all = settingControls(host_.setup(), host_.defaults(), change());
   std::erase_if(all,
                 [](const Control& control) { return control.key == 'W'; });  // this view shows what is shaded
+  for (Control& control : all)
+    if (control.key == 'E') control.legend = control.label;
   for (Control& control : cameraControls(host_.setup(), subject_(), change())) {
     control.drag = {};
     all.push_back(std::move(control));
@@ -57,7 +59,33 @@ Controls PixelBench::controls() {
   all.push_back({.kind = Control::Kind::Own, .drag = [this](int x, int y, int, int) {
                    goTo((x - picture_.x) * unit_ + unit_ / 2, (y - picture_.y) * unit_ + unit_ / 2);
                  }});
+  addParts(all);
   return all;
+}
+
+void PixelBench::turnBall(double around, double down) {
+  ball_.around += around;
+  ball_.down = std::clamp(ball_.down + down, -90.0, 90.0);
+  late_ = true;
+}
+
+/// The parts of the page that the pointer can press: the ball, the pixels around, and the history.
+void PixelBench::addParts(Controls& all) {
+  all.push_back({.kind = Control::Kind::Own,
+                 .key = 'b',
+                 .label = "ball",
+                 .is = "turn the ball of N, L, V and R with the arrows, or drag it",
+                 .move = [this](int along, int up) { turnBall(5.0 * along, 5.0 * up); },
+                 .drag = [this](int, int, int dx, int dy) { turnBall(dx, dy); }});
+  all.push_back({.kind = Control::Kind::Own, .part = 1, .drag = [this](int x, int y, int dx, int dy) {
+                   const int side = around_.width / (2 * kAround + 1);
+                   if (side > 0 && dx == 0 && dy == 0)
+                     move((x - around_.x) / side - kAround, (y - around_.y) / side - kAround);
+                 }});
+  all.push_back({.kind = Control::Kind::Own, .part = 2, .drag = [this](int x, int y, int, int) {
+                   for (const auto& [row, k] : places_.history)
+                     if (row.has(x, y)) chosen_ = k, late_ = true;
+                 }});
 }
 
 KeyTable PixelBench::ownKeys() {
@@ -166,21 +194,27 @@ void PixelBench::draw(Painter paint, const Desk& desk) {
   inside.frame({mark.x - 1, mark.y - 1, mark.width + 2, mark.height + 2}, desk.plan[Cell::Black]);
   inside.frame(mark, desk.plan[Cell::White]);
   Pen pen{paint, desk.plan};
-  drawPixelPage(pen, at,
-                {.story = story,
-                 .chosen = chosen,
-                 .vertex = vertex_,
-                 .channel = channel_,
-                 .before = kept_            ? kept_
-                           : found_ != now_ ? found_
-                                            : std::nullopt,
-                 .palette = desk.palette});
+  places_ = drawPixelPage(pen, at,
+                          {.story = story,
+                           .chosen = chosen,
+                           .vertex = vertex_,
+                           .channel = channel_,
+                           .before = kept_            ? kept_
+                                     : found_ != now_ ? found_
+                                                      : std::nullopt,
+                           .ball = ball_,
+                           .palette = desk.palette});
   const Controls all = controls();
   list_.forgetPlaces();
   const RowStyle narrow{.width = at.picture.width, .track = at.picture.width - 84 - 60};
   int y = at.controls;
   for (const char key : {'s', 'n'}) y = list_.placeRow(all, key, at.picture.x, y, narrow);
   list_.place({}, {.area = at.picture, .grip = at.picture, .bare = true});
+  around_ = at.neighbourhood;
+  list_.place({0, 1}, {.area = around_, .grip = around_, .bare = true, .passive = true});
+  if (places_.ball.height > 0) list_.place({'b'}, {.area = places_.ball, .grip = places_.ball, .bare = true});
+  for (const auto& [row, k] : places_.history)
+    list_.place({0, 2}, {.area = row, .grip = row, .bare = true, .passive = true});
   list_.draw(pen, all);
   status_ = "pixel " + std::to_string(i) + ", " + std::to_string(j) + " of " + sizeText(width_, height_) +
             ": " +

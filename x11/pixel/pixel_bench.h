@@ -48,6 +48,8 @@ class PixelBench : public Bench {
   void move(int columns, int rows);
   void goTo(int column, int row);
   void walk(int steps);
+  void turnBall(double around, double down);
+  void addParts(Controls& all);
 
   std::function<Subject()> subject_;
   /// The pixel's place, as shares of the picture: so it stays in the scene if the window's size changes.
@@ -56,10 +58,13 @@ class PixelBench : public Bench {
   std::optional<glm::ivec2> asked_;  ///< the pixel of the next drawing
   std::optional<int> chosen_;        ///< a polygon of the history; none: the one that shows
   int vertex_ = 0, channel_ = 0;
+  BallTurn ball_;
   std::optional<PixelBefore> found_, kept_;  ///< when the pixel was chosen; by k
   bool late_ = true;
   // The state of the last drawing.
   Rect picture_{};
+  PixelPlaces places_;
+  Rect around_{};                          ///< the neighbourhood
   int width_ = 1, height_ = 1, unit_ = 1;  ///< of the picture, in pixels
   int painted_ = 0, shown_ = -1;           ///< of the history
   int vertices_ = 0, channels_ = 1;

@@ -7,12 +7,12 @@
 
 #include "shading/explain/rounded_terms.h"
 #include "x11/drawing/wording.h"
+#include "x11/pixel/pixel_drawings.h"
 
 namespace xnewell {
 
 namespace {
 
-constexpr int kAround = 7;  ///< pixels on each side in the neighbourhood
 constexpr std::array<std::string_view, 3> kChannels{"red", "green", "blue"};
 
 std::string number(double v) { return fixed(v, kPixelDecimals); }
@@ -23,6 +23,7 @@ struct PixelPen : Pen {
   const PixelLayout& at;
   const PixelPage& page;
   int y;
+  PixelPlaces places = {};
 
   [[nodiscard]] const PixelStory& story() const { return page.story; }
   [[nodiscard]] const Explanation& e() const {
@@ -54,9 +55,18 @@ struct PixelPen : Pen {
   void surface();
   void equation();
   void table();
-  void neighbourhood();
   void facts();
   void bar(const ExplainedEquation& of);
+  /// Where a drawing stands beside the lines of the equation, from the line y on; empty without room.
+  [[nodiscard]] Rect beside() const {
+    const int height = 7 * at.pitch - 4, width = height * 4 / 3;
+    if (!hasRoom(7) || at.column.width < 500) return {};
+    return {right() - width, y - 11, width, height};
+  }
+  /// Moves below a drawing.
+  void passBy(const Rect& drawn) {
+    if (drawn.height > 0) y = std::max(y, drawn.y + drawn.height + 14);
+  }
 };
 
 void PixelPen::verdict() {
@@ -95,6 +105,7 @@ void PixelPen::history() {
       continue;
     }
     const PaintedHere& one = h.painted[static_cast<std::size_t>(k)];
+    places.history.emplace_back(Rect{x() - 4, y - 11, at.column.width + 8, at.pitch - 1}, k);
     if (k == page.chosen)
       paint.fillRect({x() - 4, y - 11, at.column.width + 8, at.pitch - 1}, (*this)(Cell::White));
     const Voice voice = k == page.chosen ? Voice::Bold : Voice::Plain;
@@ -210,13 +221,34 @@ void PixelPen::equation() {
          : e().method == Shading::Environment
              ? "The map holds the equation for every normal: I " + number(e().I[0])
              : "No light is computed: I " + number(e().I[0]));
+    if (e().method == Shading::Environment) {
+      const Rect map = beside();
+      if (map.height > 0) {
+        drawMap(*this, {x(), map.y, map.height, map.height}, story(), e(), page.channel);
+        const int words = x() + map.height + 16;
+        soft(words, y,
+             e().place && e().place->away ? "normals that face away from the light"
+                                          : "the map of this material");
+        soft(words, y + at.pitch, "The ring is the place that is looked up.");
+        passBy(map);
+      }
+    }
     return;
   }
   const ExplainedEquation& of = e().equations[static_cast<std::size_t>(number_)];
-  const Form form = story().picture.settings().light.form;
+  const Illumination& user = story().picture.settings().light;
+  const Form form = user.form;
   constexpr int kBelow = 8;  // lines: the sum, the bar and the table
-  line(formulaOf(e(), form), true);
-  const std::vector<std::string> put = numbersPutIn(e(), of, page.channel);
+  line(formulaOf(e(), user), true);
+  if (const std::string wrong = mistakeWords(e(), user); !wrong.empty() && hasRoom(kBelow + 2)) {
+    paint.text(x() + 12, y, "a mistake: " + wrong, (*this)(Cell::Alarm));
+    y += at.pitch;
+  }
+  if (!of.lights.empty()) {
+    places.ball = beside();
+    if (places.ball.height > 0) drawBall(*this, places.ball, story(), e(), of, page.channel, page.ball);
+  }
+  const std::vector<std::string> put = numbersPutIn(e(), of, page.channel, user.mistake);
   for (std::size_t k = 0; k < put.size(); ++k) {
     if (k > 1 && !hasRoom(kBelow + 1)) {
       line("+ " + std::to_string(put.size() - k) + " more", false, 12);
@@ -232,11 +264,12 @@ void PixelPen::equation() {
     const std::string which = of.lights.size() > 1 ? " " + std::to_string(k + 1) : "";
     line("L" + componentsOf(light.L) + "    N.L" + which + " " + number(light.NdotL) +
          (light.NdotL > 0.0 ? "" : ": behind"));
-    if (form != Form::Tutorial && light.NdotL > 0.0)
+    if (form != Form::Tutorial && (light.NdotL > 0.0 || rowOf(user.mistake).highlightBehind))
       line(std::string{form == Form::Textbook ? "R" : "H"} + componentsOf(light.R) + "    " +
            std::string{cosineName(form)} + which + " " + number(light.cosine) +
-           (light.cosine < 0.0 ? ", counts as 0" : ", its power " + number(light.power)));
+           (light.counted == 0.0 ? ", counts as 0" : ", its power " + number(light.power)));
   }
+  passBy(places.ball);
   bar(of);
   if (gouraud) line("interpolated to this sample: I " + number(e().I[page.channel]));
 }
@@ -287,45 +320,6 @@ void PixelPen::table() {
     paint.text(end, y, " here, and the chain does not end there", (*this)(Cell::Alarm));
   }
   y += at.pitch;
-}
-
-/// The pixels around, each as a square.
-void PixelPen::neighbourhood() {
-  const Rect& area = at.neighbourhood;
-  const int side = area.width / (2 * kAround + 1);
-  caps(area.x, area.y - 8, "neighbourhood");
-  const IndexImage& image = story().picture.image();
-  for (int dj = -kAround; dj <= kAround; ++dj)
-    for (int di = -kAround; di <= kAround; ++di) {
-      const int i = story().i + di, j = story().j + dj;
-      const bool inside = i >= 0 && j >= 0 && i < image.width && j < image.height;
-      paint.fillRect({area.x + (di + kAround) * side, area.y + (dj + kAround) * side, side, side},
-                     inside ? image.row(j)[i] : (*this)(Cell::Panel));
-    }
-  // The outline of the polygon that is explained, where it is inside.
-  if (!story().history.painted.empty()) {
-    const SnappedScene& scene = story().picture.snapped();
-    const SnappedFace& face = scene.faces[e().face];
-    Painter inside = paint.within({area.x, area.y, side * (2 * kAround + 1), side * (2 * kAround + 1)});
-    const auto place = [&](int k) {
-      const glm::ivec3& v = scene.vertices[face.first + k % face.count];
-      const auto along = [&](int coordinate, int pixel, int from) {
-        const double pixels = coordinate / 65536.0 - (pixel - kAround);
-        return from + static_cast<int>(std::clamp(std::floor(pixels * side), -1e5, 1e5));
-      };
-      return std::pair{along(v.x, story().i, area.x), along(v.y, story().j, area.y)};
-    };
-    for (const auto& [cell, thick] : {std::pair{Cell::Black, 3}, {Cell::White, 1}})
-      for (int k = 0; k < face.count; ++k) {
-        const auto [x0, y0] = place(k);
-        const auto [x1, y1] = place(k + 1);
-        inside.line(x0, y0, x1, y1, (*this)(cell), {.thickness = thick});
-      }
-  }
-  const Rect middle{area.x + kAround * side, area.y + kAround * side, side, side};
-  paint.frame({middle.x - 1, middle.y - 1, side + 2, side + 2}, (*this)(Cell::Black));
-  paint.frame(middle, (*this)(Cell::White));
-  paint.fillRect({middle.x + side / 2 - 1, middle.y + side / 2 - 1, 2, 2}, (*this)(Cell::White));
 }
 
 void PixelPen::facts() {
@@ -381,17 +375,19 @@ std::vector<int> shownRows(int count, int chosen, int room) {
   return rows;
 }
 
-void drawPixelPage(Pen& pen, const PixelLayout& at, const PixelPage& page) {
+PixelPlaces drawPixelPage(Pen& pen, const PixelLayout& at, const PixelPage& page) {
   PixelPen p{pen, at, page, 0};
-  p.neighbourhood();
+  const bool ground = page.story.history.painted.empty();
+  drawNeighbourhood(p, at.neighbourhood, page.story, ground ? -1 : p.e().face);
   p.facts();
   p.verdict();
   p.y = at.column.y + 46;
-  if (page.story.history.painted.empty()) return;
+  if (ground) return {};
   p.history();
   p.surface();
   p.equation();
   p.table();
+  return p.places;
 }
 
 }  // namespace xnewell

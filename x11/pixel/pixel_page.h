@@ -2,9 +2,11 @@
 
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "x11/drawing/pen.h"
+#include "x11/pixel/pixel_drawings.h"
 #include "x11/pixel/pixel_words.h"
 #include "x11/window/layout.h"
 
@@ -35,11 +37,18 @@ struct PixelPage {
   int vertex = 0;   ///< Gouraud: index into Explanation::vertices of the equation that is shown
   int channel = 0;  ///< of several
   std::optional<PixelBefore> before = {};
+  BallTurn ball = {};
   const Palette& palette;
 };
 
+/// Where the parts are that the pointer can press.
+struct PixelPlaces {
+  std::vector<std::pair<Rect, int>> history;  ///< a row, and its index into history.painted
+  Rect ball{};                                ///< of no height if there is none
+};
+
 /// Draws the words and the neighbourhood. The picture is drawn first, by the caller.
-void drawPixelPage(Pen& pen, const PixelLayout& at, const PixelPage& page);
+PixelPlaces drawPixelPage(Pen& pen, const PixelLayout& at, const PixelPage& page);
 
 /// The rows of the history that have room: indices into history.painted, -1 for a gap. The chosen one is
 /// among them.

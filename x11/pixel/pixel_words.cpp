@@ -1,6 +1,8 @@
 #include "x11/pixel/pixel_words.h"
 
 #include <algorithm>
+#include <cctype>
+#include <cmath>
 #include <numeric>
 
 #include "shading/explain/rounded_terms.h"
@@ -45,25 +47,83 @@ namespace {
 /// With Gouraud shading the vertices know no texel.
 bool showsTexel(const Explanation& e) { return e.texel && e.method != Shading::Gouraud; }
 
-}  // namespace
+std::string asItIs(std::string_view word) { return std::string{word}; }
 
-std::string formulaOf(const Explanation& e, Form form) {
-  return std::string{"I = ka Ia + f Ip [ kd N.L"} + (showsTexel(e) ? " x texel" : "") + " + ks (" +
-         std::string{cosineName(form)} + ")^n ]";
+/// A term of MistakeRow with its words replaced, and `times` for each product.
+template <class OfWord>
+std::string writtenOut(std::string_view term, std::string_view times, const OfWord& ofWord) {
+  std::string text;
+  for (std::size_t k = 0; k < term.size();) {
+    std::size_t end = k;
+    while (end < term.size() && std::isalpha(static_cast<unsigned char>(term[end]))) ++end;
+    if (end > k) {
+      text += ofWord(term.substr(k, end - k));
+      k = end;
+      continue;
+    }
+    if (term[k] == '*')
+      text += times;
+    else
+      text += term[k];
+    ++k;
+  }
+  return text;
 }
 
-std::vector<std::string> numbersPutIn(const Explanation& e, const ExplainedEquation& at, int c) {
-  std::vector<std::string> lines{"= " + fixed(at.surface[c].ka, 2) + " x " + fixed(at.Ia[c], 2)};
+}  // namespace
+
+std::string formulaOf(const Explanation& e, const Illumination& light) {
+  const MistakeRow& row = rowOf(light.mistake);
+  const std::string cosine{cosineName(light.form)};
+  const std::string_view terms = row.lightTerms;
+  const bool alone = terms.find("|RV|") != std::string_view::npos;  // its bars are brackets enough
+  const std::string NL = std::string{"N.L"} + (showsTexel(e) ? " x texel" : "");
+  const std::string shown = writtenOut(terms, " ", [&](std::string_view word) -> std::string {
+    if (word == "NL") return NL;
+    if (word == "RV") return alone ? cosine : "(" + cosine + ")";
+    return std::string{word};
+  });
+  return "I = " + (row.ambientTerm.empty() ? "" : writtenOut(row.ambientTerm, " ", asItIs) + " + ") + shown;
+}
+
+std::string mistakeWords(const Explanation& e, const Illumination& light) {
+  if (light.mistake == Mistake::None || e.equations.empty()) return {};
+  return std::string{rowOf(light.mistake).is};
+}
+
+std::vector<std::string> numbersPutIn(const Explanation& e, const ExplainedEquation& at, int c,
+                                      Mistake mistake) {
+  const MistakeRow& row = rowOf(mistake);
+  const Reflection& surface = at.surface[c];
+  const auto ofSurface = [&](std::string_view word) {
+    return word == "ka"   ? fixed(surface.ka, 2)
+           : word == "kd" ? fixed(surface.kd, 2)
+           : word == "ks" ? fixed(surface.ks, 2)
+           : word == "Ia" ? fixed(at.Ia[c], 2)
+                          : std::to_string(surface.n);
+  };
+  const auto inBrackets = [](double v) {
+    const std::string text = fixed(v, kPixelDecimals);
+    return v < 0.0 ? "(" + text + ")" : text;
+  };
+  std::vector<std::string> lines{
+      "= " + (row.ambientTerm.empty() ? "0" : writtenOut(row.ambientTerm, " x ", ofSurface))};
   for (const ExplainedLight& light : at.lights) {
-    if (light.NdotL <= 0.0) {
+    const bool highlight = light.NdotL > 0.0 || row.highlightBehind;
+    if (!highlight && light.facing == 0.0) {
       lines.push_back("+ 0: a light is behind this side");
       continue;
     }
-    std::string part = "+ " + fixed(light.fatt * light.spot, kPixelDecimals) + " x " + fixed(light.Ip[c], 2) +
-                       " [ " + fixed(at.surface[c].kd, 2) + " x " + fixed(light.NdotL, kPixelDecimals);
-    if (showsTexel(e)) part += " x " + fixed(e.texel->share[c], kPixelDecimals);
-    part += " + " + fixed(at.surface[c].ks, 2) + " x " + fixed(std::max(0.0, light.cosine), kPixelDecimals) +
-            '^' + std::to_string(at.surface[c].n) + " ]";
+    const auto ofLight = [&](std::string_view word) {
+      if (word == "f") return fixed(light.fatt * light.spot, kPixelDecimals);
+      if (word == "Ip") return fixed(light.Ip[c], 2);
+      if (word == "RV") return inBrackets(highlight ? light.counted : 0.0);
+      if (word == "angle") return fixed(90.0 * (1.0 - light.facing), 2);
+      if (word != "NL") return ofSurface(word);
+      const double shown = row.facing ? light.NdotL : light.facing;
+      return inBrackets(shown) + (showsTexel(e) ? " x " + fixed(e.texel->share[c], kPixelDecimals) : "");
+    };
+    std::string part = "+ " + writtenOut(row.lightTerms, " x ", ofLight);
     if (at.lights.size() == 1)
       lines.front() += ' ' + part;
     else
@@ -97,9 +157,13 @@ std::string sumOf(const ExplainedEquation& at, int c, bool together) {
   }
   const std::vector<double> rounded = roundedTerms(terms, kPixelDecimals);
   std::string text = "= " + fixed(rounded[0], kPixelDecimals);
-  for (std::size_t k = 1; k < rounded.size(); ++k) text += " + " + fixed(rounded[k], kPixelDecimals);
+  for (std::size_t k = 1; k < rounded.size(); ++k)
+    text += (rounded[k] < 0.0 ? " - " : " + ") + fixed(std::abs(rounded[k]), kPixelDecimals);
   const double sum = std::accumulate(rounded.begin(), rounded.end(), 0.0);
-  return text + " = " + fixed(sum, kPixelDecimals) + (at.I[c] > 1.0 ? ", clamped to 1" : "");
+  return text + " = " + fixed(sum, kPixelDecimals) +
+         (at.I[c] > 1.0   ? ", clamped to 1"
+          : at.I[c] < 0.0 ? ", clamped to 0"
+                          : "");
 }
 
 std::string componentsOf(const glm::dvec3& v) {
@@ -141,9 +205,10 @@ std::vector<std::string> shortStory(const PixelStory& story, int chosen) {
   std::vector<std::string> lines{"face " + faceName(story.picture, e.face) + ": " + fateOf(story, chosen) +
                                  ", I " + intensityWords(story, e)};
   for (const ExplainedEquation& at : e.equations) {
-    lines.push_back(formulaOf(e, story.picture.settings().light.form));
+    const Illumination& light = story.picture.settings().light;
+    lines.push_back(formulaOf(e, light));
     for (int c = 0; c < e.channels; ++c) {
-      for (std::string& numbers : numbersPutIn(e, at, c)) lines.push_back(std::move(numbers));
+      for (std::string& numbers : numbersPutIn(e, at, c, light.mistake)) lines.push_back(std::move(numbers));
       lines.push_back(sumOf(at, c));
     }
   }

@@ -44,10 +44,14 @@ struct PixelStory {
 
 /// "R.V", or what the form of the equation takes for it.
 [[nodiscard]] std::string_view cosineName(Form form);
-/// "I = ka Ia + f Ip [ kd N.L + ks (R.V)^n ]"
-[[nodiscard]] std::string formulaOf(const Explanation& e, Form form);
+/// "I = ka Ia + f Ip [ kd N.L + ks (R.V)^n ]", with the mistake that is in force.
+[[nodiscard]] std::string formulaOf(const Explanation& e, const Illumination& light);
+/// What the mistake in the equation does, one sentence; empty if there is none, or if the method has no
+/// equation.
+[[nodiscard]] std::string mistakeWords(const Explanation& e, const Illumination& light);
 /// The numbers put into the formula in one channel: one line, or one for the ambient term and each light.
-[[nodiscard]] std::vector<std::string> numbersPutIn(const Explanation& e, const ExplainedEquation& at, int c);
+[[nodiscard]] std::vector<std::string> numbersPutIn(const Explanation& e, const ExplainedEquation& at, int c,
+                                                    Mistake mistake);
 /// "= 0.1800 + 0.5637 + 0.1012 = 0.8449": the ambient term, then the diffuse and the specular term of each
 /// light, rounded so that they add up. If `together`, those of all lights are one diffuse and one specular
 /// term.

@@ -3,8 +3,9 @@
 #include <algorithm>
 #include <cmath>
 
+#include "geometry/exact/unit.h"
 #include "shading/color/quantize.h"
-#include "shading/light/equation.h"
+#include "shading/light/mistake.h"
 #include "x11/drawing/painter.h"
 #include "x11/drawing/pen.h"
 #include "x11/drawing/wording.h"
@@ -199,14 +200,15 @@ void LightPen::ball() {
   const Illumination& light = shown.setup.picture.light;
   const glm::dvec3& L = shown.lightInView;
   const glm::dvec3 V{0, 0, 1};
-  const Light source{.direction = L};
   const Reflection surface{light.ka, light.kd, light.ks, light.n};
   for (int y = -radius; y <= radius; ++y)
     for (int x = -radius; x <= radius; ++x) {
       const double rest = static_cast<double>(radius) * radius - x * x - y * y;
       if (rest < 0) continue;
       const glm::dvec3 N = glm::dvec3{x, -y, std::sqrt(rest)} / static_cast<double>(radius);
-      const double I = illuminate(light.Ia, light.Ip, source, surface, N, V, N, light.form).I;
+      const LightTerms terms = lightTerms(light.mistake, 1.0, light.Ip, surface, {N, unit(L), V}, light.form);
+      const double I =
+          std::max(0.0, rowOf(light.mistake).ambient * light.Ia * light.ka + terms.diffuse + terms.specular);
       const auto k = static_cast<std::size_t>(255.0 * std::min(1.0, I) + 0.5);
       const bool high = bayerRank(x & 7, y & 7) < shown.ball.share[k];
       paint.point(cx + x, cy + y, (high ? shown.ball.high : shown.ball.low)[k]);

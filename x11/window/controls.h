@@ -60,7 +60,7 @@ struct ChoiceRow {
   std::function<int(const Setup&)> get;
   std::function<void(Setup&, int)> set;
 };
-/// choices() are in the column. others() have no place there: pick and bits.
+/// choices() are in the column. others() have no place there: the mistake in the equation, pick and bits.
 [[nodiscard]] const std::vector<ChoiceRow>& choices();
 [[nodiscard]] const std::vector<ChoiceRow>& others();
 

@@ -102,7 +102,8 @@ Controls PictureBench::controls() {
           sliderOf('p')->set(s, valueAt(share, sum - s.picture.light.Ia));
         });
       };
-    if (control.key == 'H') control.legend = control.label;  // it has no row in the column
+    if (control.key == 'H' || control.key == 'E')
+      control.legend = control.label;  // it has no row in the column
     all.push_back(std::move(control));
   }
   for (Control& control : cameraControls(now, subject, change())) all.push_back(std::move(control));

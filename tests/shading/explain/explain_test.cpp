@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <glm/geometric.hpp>
+#include <set>
 
 #include "depthsort/oracle.h"
 #include "shading/explain/pixel_history.h"
@@ -110,6 +111,31 @@ INSTANTIATE_TEST_SUITE_P(Scenes, ExplainedScene,
                            std::ranges::replace(name, '-', '_');
                            return name;
                          });
+
+// The same with each mistake in the equation, for the methods that evaluate it, and forms with and without V.
+// Every mistake changes a picture, in one of the scenes at least.
+TEST(ExplainedMistakes, EndInThePicturesCells) {
+  std::set<Mistake> seenToDiffer;
+  Seen seen;
+  for (const char* name : {"teapot", "colored-lights", "textured-cube", "spotlight"}) {
+    PictureCache pictures{readScene(name, 3)};
+    for (const MistakeRow& row : kMistakes) {
+      SCOPED_TRACE(std::string{name} + ' ' + std::string{row.name});
+      for (const Shading method : {Shading::Flat, Shading::Gouraud, Shading::Phong}) {
+        PictureSettings settings = settingsOf(pictures.scene(), method);
+        settings.width = 40, settings.height = 30;
+        settings.light.form = method == Shading::Gouraud ? Form::HalfVector : Form::Textbook;
+        const Picture right = pictures.make(settings, 8);
+        settings.light.mistake = row.id;
+        const Picture wrong = pictures.make(settings, 8);
+        ASSERT_NO_FATAL_FAILURE(expectExplained(wrong, seen));
+        if (right.image().pixels != wrong.image().pixels) seenToDiffer.insert(row.id);
+      }
+    }
+  }
+  EXPECT_GT(seen.pixels, 10'000);
+  EXPECT_EQ(seenToDiffer.size(), kMistakes.size() - 1) << "all but `none`";
+}
 
 // The last polygon of a history shows, as in the picture, and the verdict is that of the judge of pictures.
 TEST(PixelHistory, EndsWithWhatShows) {

@@ -83,13 +83,14 @@ TEST(SettingRows, ReachEveryMember) {
     for (const Value& value : someOf(setting))
       if (value != setting.field.get(PictureSettings{})) setting.field.set(all, value);
   EXPECT_NE(all.light, expected.light);
-  const auto& [Ia, Ip, ka, kd, ks, n, light, place, attenuation, range, c, form, farL, farV, two, texel] =
-      all.light;
+  const auto& [Ia, Ip, ka, kd, ks, n, light, place, attenuation, range, c, form, farL, farV, two, texel,
+               mistake] = all.light;
   const Illumination was;
   EXPECT_TRUE(Ia != was.Ia && Ip != was.Ip && ka != was.ka && kd != was.kd && ks != was.ks && n != was.n);
   EXPECT_TRUE(light != was.light && place && attenuation != was.attenuation && range && c);
   EXPECT_TRUE(form != was.form && farL != was.constantL && farV != was.constantV && two != was.twoSided);
   EXPECT_NE(texel, was.texel);
+  EXPECT_NE(mistake, was.mistake);
   const auto& [width, height, camera, lights, shading, normals, crease, polygons, interpolated, raw, adapt,
                environment, mapping, order, cull, pieces, inPixels, colors, dither, table] = all;
   EXPECT_TRUE(shading != expected.shading && normals != expected.normals && crease != expected.crease);
@@ -131,7 +132,7 @@ TEST(SettingRows, ShortCutsHaveAnExactValue) {
   }
   // How many there are of each kind: a new setting is counted on purpose.
   EXPECT_EQ(std::ranges::count_if(settingRows(), [](const Setting& s) { return s.role.isShortCut(); }), 21);
-  EXPECT_EQ(settingRows().size(), 36u);
+  EXPECT_EQ(settingRows().size(), 37u);
 }
 
 // The defaults are values that the settings allow, and so are those at the ends of a range, unless it is

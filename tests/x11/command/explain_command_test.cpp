@@ -34,6 +34,34 @@ TEST_F(CommandTest, ExplainsThePixelOfTheManual) {
   EXPECT_NEAR(terms.at("ambient").get<double>() + terms.at("diffuse").get<double>() +
                   terms.at("specular").get<double>(),
               e.at("I").get<double>(), 1e-12);
+  EXPECT_EQ(e.at("shade"), 202);
+  EXPECT_EQ(e.at("table").at("first"), 11);
+  EXPECT_NEAR(e.at("interval").at(0).get<double>(), 201.5 / 239, 1e-9);
+  EXPECT_NEAR(e.at("interval").at(1).get<double>(), 202.5 / 239, 1e-9);
+  EXPECT_EQ(e.at("color"), Json({52171, 0, 0}));
+  EXPECT_EQ(e.at("mistake"), "none");
+}
+
+// The same pixel with mistakes, by hand: (0.9 x 0.8948 + 0.4 x 0.9504)^20 = 4.76 is far above 1; without the
+// exponent the highlight is 0.7 x 0.4 x 0.9504 = 0.2661; with R reversed R.V is below 0.
+TEST_F(CommandTest, ExplainsMistakes) {
+  const auto lines = [&](const char* mistake, const Strings& expected) {
+    const auto end = runProgram(kPixel + Strings{"--mistake", mistake});
+    EXPECT_EQ(end.status, 0) << end.err;
+    for (const std::string& line : expected)
+      EXPECT_NE(end.out.find(line), std::string::npos) << mistake << ": " << line << '\n' << end.out;
+    EXPECT_NE(end.out.find("here: the chain explains it\n"), std::string::npos) << end.out;
+  };
+  lines("n-on-the-sum", {"I = ka Ia + f Ip (kd N.L + ks (R.V))^n\n",
+                         "= 0.90 x 0.20 + 1.0000 x 0.70 (0.90 x 0.8948 + 0.40 x 0.9504)^20\n",
+                         "a mistake: The exponent is on the sum", ", clamped to 1\n"});
+  lines("n-forgotten",
+        {"+ f Ip [ kd N.L + ks (R.V) ]\n", "= 0.1800 + 0.5637 + 0.2661 = 1.0098, clamped to 1\n"});
+  lines("R-sign", {"+ 0.40 x 0.0000^20 ]\n", "L - 2 N (N.L); R.V -0.9504, counts as 0",
+                   "= 0.1800 + 0.5637 + 0.0000 = 0.7437\n"});
+  lines("spec-forgotten", {"I = ka Ia + f Ip kd N.L\n", "= 0.90 x 0.20 + 1.0000 x 0.70 x 0.90 x 0.8948\n"});
+  lines("Ia-forgotten", {"I = f Ip [ kd N.L", "= 0.0000 + 0.5637 + 0.1012 = 0.6649\n"});
+  lines("Ia-twice", {"I = 2 ka Ia + f Ip [", "= 2 x 0.90 x 0.20 + 1.0000 x 0.70 ["});
 }
 
 // The cell is that of the picture that `draw` writes, for every method, with textures, colours and lights.

@@ -75,6 +75,7 @@ TEST(Options, SetOneSettingEach) {
   only({"--n", "1000000"}, [](auto& s) { s.light.n = 1'000'000; });
   only({"--light", "1,-2,3e0"}, [](auto& s) { s.light.light = {1, -2, 3}; });
   only({"--light-at", "0,0,0"}, [](auto& s) { s.light.lightPosition = glm::dvec3{0}; });
+  only({"--mistake", "R-sign"}, [](auto& s) { s.light.mistake = Mistake::ReversedR; });
   only({"--constant-l"}, [](auto& s) { s.light.constantL = true; });
   only({"--constant-v"}, [](auto& s) { s.light.constantV = true; });
   only({"--shades", "2"}, [](auto& s) { s.table.shades = 2; });

@@ -32,6 +32,7 @@ TEST_F(MootOptions, AreNamed) {
       {{"--light", "1,0,1"}, {"--shade", "depth"}, {}},
       {{"--light-at", "1,-4,1"}, {"--shade", "depth"}, {}},
       {{"--constant-v"}, {"--ks", "0"}, {}},
+      {{"--mistake", "n-forgotten"}, {"--shade", "envmap"}, {"--shade", "phong"}},
       {{"--n", "3"}, {"--ks", "0"}, {}},
       {{"--form", "half-vector"}, {"--ks", "0"}, {}},
       {{"--half-vector"}, {"--shade", "none"}, {}},
