@@ -6,7 +6,6 @@
 
 #include "geometry/files/parse_error.h"
 #include "shading/scene/scene_file.h"
-#include "shading/scene/units.h"
 #include "tests/support/scene_text.h"
 #include "tests/support/temporary_folder.h"
 
@@ -173,7 +172,9 @@ TEST(SceneFile, PlanesAndWindowBesideAnEyeCount) {
                              kTriangle + "]}");
   EXPECT_EQ(completed({}, scene.camera), scene.camera);
   CameraSettings said = completed({}, scene.camera);
-  const auto placed = [&](const CameraSettings& camera) { return placeCamera(scene, camera, 2.0); };
+  const auto placed = [&](const CameraSettings& camera) {
+    return placeCamera(camera, scene.mesh.points, scene.up, 2.0);
+  };
   const ViewSpec view = placed(said).view;
   EXPECT_EQ(view.windowMin, glm::dvec2(-2, -1));
   EXPECT_EQ(view.windowMax, glm::dvec2(2, 1));

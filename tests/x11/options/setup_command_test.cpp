@@ -162,7 +162,7 @@ TEST_F(SetupCommandTest, SaysWhatDiffers) {
   EXPECT_EQ(said("lamp", [](Scene&, PictureSettings& s) { s.light.attenuation = Attenuation::Inverse; }),
             "lamp --size 64x48 --attenuation inverse");
   EXPECT_EQ(said("teapot",
-                 [](Scene& scene, PictureSettings& s) {
+                 [](Scene&, PictureSettings& s) {
                    s.camera.eye = glm::dvec3{-1, 0.1, 3}, s.camera.fov = 20;
                  }),
             "teapot --size 64x48 --eye=-1,0.1,3 --fov 20");

@@ -98,7 +98,7 @@ TEST(Difference, CountsOtherFaces) {
   s.camera = completed({}, pictures.scene().camera);
   const Difference exact = compared(pictures.make(s, 8)).difference;
   EXPECT_GT(pictures.last().sorted().statistics.splits, 0);
-  EXPECT_EQ(exact.otherFace, 0);
+  EXPECT_EQ(exact.wrongFaces, 0);
   s.order = Order::Oracle;
   const Difference oracle = compared(pictures.make(s, 8)).difference;
   EXPECT_TRUE(
@@ -111,10 +111,10 @@ TEST(Difference, CountsOtherFaces) {
   const std::vector<int> seen = pictures.last().seen(0, s.height).faces;
   int others = 0;
   for (std::size_t k = 0; k < seen.size(); ++k) others += shown[k] != seen[k];
-  EXPECT_LE(unsorted.otherFace, others);  // some faces are too close to tell
-  EXPECT_GT(unsorted.otherFace, others * 99 / 100);
-  EXPECT_GT(unsorted.otherFace, 100);
-  EXPECT_GT(unsorted.largest, exact.largest);
+  EXPECT_LE(unsorted.wrongFaces, others);  // some faces are too close to tell
+  EXPECT_GT(unsorted.wrongFaces, others * 99 / 100);
+  EXPECT_GT(unsorted.wrongFaces, 100);
+  EXPECT_GT(unsorted.errors.largest, exact.errors.largest);
 }
 
 // With several hues, each picture divides the cells in its own way. A picture's cells are read as that
@@ -198,9 +198,9 @@ TEST(Difference, DividedPolygonsShowTheirFaces) {
   const Difference divided = compared(spot.make(s, 8)).difference;
   s.adapt = 0;
   const Difference whole = compared(spot.make(s, 8)).difference;
-  EXPECT_GT(divided.samples, 1000);
-  EXPECT_EQ(divided.otherFace, 0);
-  EXPECT_LT(divided.mean, whole.mean / 2);
+  EXPECT_GT(divided.errors.count, 1000);
+  EXPECT_EQ(divided.wrongFaces, 0);
+  EXPECT_LT(divided.errors.mean, whole.errors.mean / 2);
 }
 
 }  // namespace xnewell::THIS_FILE
