@@ -239,7 +239,7 @@ TEST(SceneFile, ComplaintsOfWhatDoesNotCount) {
   EXPECT_EQ(shading(at + R"(, "attenuation": "linear", "c": [1, 0, 0])"),
             "s.json: shading.c: this setting applies only to attenuation textbook");
   EXPECT_EQ(shading(R"("method": "phong", "adapt": 0.1)"),
-            "s.json: shading.adapt: this setting applies only to flat and gouraud shading");
+            "s.json: shading.adapt: this setting applies only to flat and gouraud shading without --mistake");
   EXPECT_EQ(shading(R"("method": "gouraud", "adapt": 0)"), "no complaint");
   EXPECT_EQ(shading(R"("method": "gouraud", "adapt": 0.1)"), "no complaint");
 
