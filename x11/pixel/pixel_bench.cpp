@@ -9,6 +9,13 @@
 
 namespace xnewell {
 
+namespace {
+
+/// What three letters are for; they share a line in the list of all keys.
+const char* const kTurns = "with the arrows: turn the scene, zoom, turn the ball of N, L, V and R";
+
+}  // namespace
+
 void PixelBench::choose(double x, double y) {
   x_ = x, y_ = y;
   chosen_.reset();
@@ -53,6 +60,7 @@ Controls PixelBench::controls() {
     if (control.key == 'E') control.legend = control.label;
   for (Control& control : cameraControls(host_.setup(), subject_(), change())) {
     control.drag = {};
+    control.is = kTurns;
     all.push_back(std::move(control));
   }
   // The picture: a press or a drag takes the pixel along.
@@ -74,7 +82,7 @@ void PixelBench::addParts(Controls& all) {
   all.push_back({.kind = Control::Kind::Own,
                  .key = 'b',
                  .label = "ball",
-                 .is = "turn the ball of N, L, V and R with the arrows, or drag it",
+                 .is = kTurns,
                  .move = [this](int along, int up) { turnBall(5.0 * along, 5.0 * up); },
                  .drag = [this](int, int, int dx, int dy) { turnBall(dx, dy); }});
   all.push_back({.kind = Control::Kind::Own, .part = 1, .drag = [this](int x, int y, int dx, int dy) {

@@ -15,7 +15,7 @@ namespace xnewell {
 
 namespace {
 
-const Ramp& rampOf(const PixelStory& story, const Explanation& e) {
+Ramp rampOf(const PixelStory& story, const Explanation& e) {
   const Picture& picture = story.picture;
   return picture.colors().ramps()[picture.scene().mesh.material[picture.snapped().faces[e.face].number] + 1];
 }
@@ -105,7 +105,7 @@ void drawBall(Pen& pen, const Rect& area, const PixelStory& story, const Explana
     L.push_back(turned * rightOne(user.mistake, light.L, &EquationVectors::L));
   const glm::dvec3 V = turned * rightOne(user.mistake, at.V, &EquationVectors::V);
   const double length = glm::length(at.N);  // where a mistake leaves N as long as it is
-  const Ramp& ramp = rampOf(story, e);
+  const Ramp ramp = rampOf(story, e);
   for (int y = -radius; y <= radius && !story.inColors(); ++y)
     for (int x = -radius; x <= radius; ++x) {
       const double rest = static_cast<double>(radius) * radius - x * x - y * y;
@@ -146,7 +146,7 @@ void drawMap(Pen& pen, const Rect& area, const PixelStory& story, const Explanat
   const Surfaces s = story.picture.surfaces();
   const Environment& map =
       s.shading.environments(channel)[s.mesh.material[s.snapped.faces[e.face].number] + 1];
-  const Ramp& ramp = rampOf(story, e);
+  const Ramp ramp = rampOf(story, e);
   const bool away = e.place && e.place->away;
   const int side = std::min(area.width, area.height);
   const auto cellAt = [&](int x, int y) {
