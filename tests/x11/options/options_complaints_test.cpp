@@ -224,7 +224,7 @@ TEST(Options, RefuseWhatTheCommandIgnores) {
             "--nearest needs a server, and lesson --frames uses none");
   for (const std::string method : {"none", "depth", "phong", "envmap"})
     EXPECT_EQ(complaint({"--adapt", "0.02", "--shade", method}),
-              "--adapt applies only to flat and gouraud shading");
+              "--adapt applies only to flat and gouraud shading without --mistake");
   EXPECT_EQ(complaint({"--fov", "30", "--parallel", "3"}),
             "--fov is for perspective: leave out --parallel and --oblique");
   EXPECT_EQ(complaint({"--fov", "30", "--oblique", "cabinet"}),
