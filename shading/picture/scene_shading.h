@@ -10,7 +10,7 @@
 #include "shading/light/illumination.h"
 #include "shading/light/intensities.h"
 #include "shading/light/refine.h"
-#include "shading/picture/kept.h"
+#include "shading/picture/shared.h"
 #include "shading/scene/picture_settings.h"
 #include "shading/scene/scene.h"
 

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <memory>
+#include <optional>
 #include <utility>
 
 namespace xnewell {
@@ -19,6 +20,33 @@ class Shared {
 
  private:
   std::shared_ptr<const T> value_;
+};
+
+/// The result of a stage, with the key that it was made from: all that the result depends on. A key may have
+/// the result of another stage as a member (Shared). Copies share the result.
+template <class Key, class Value>
+class Kept {
+ public:
+  /// Keeps the result if `key` equals the key that it was made from. Otherwise `make` makes it anew; if that
+  /// throws, the old result stays.
+  template <class Make>
+  void update(Key key, Make&& make) {
+    if (key_ == key) return;
+    value_ = Value(make());
+    key_ = std::move(key);
+  }
+  /// Forgets the result of a stage that is not required.
+  void drop() {
+    if (key_) *this = {};
+  }
+
+  [[nodiscard]] const Value& operator*() const { return *value_; }
+  [[nodiscard]] const Value* operator->() const { return &*value_; }
+  [[nodiscard]] const Shared<Value>& shared() const { return value_; }
+
+ private:
+  std::optional<Key> key_;
+  Shared<Value> value_;
 };
 
 }  // namespace xnewell

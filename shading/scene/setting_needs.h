@@ -20,6 +20,11 @@ inline bool dividing(Facts f) {
 }
 inline bool lit(Facts f) { return rowOf(f.settings.shading).lit; }
 inline bool litInPlace(Facts f) { return lit(f) && !mapped(f); }
+/// R stands only in the textbook's form.
+inline bool takesMistake(Facts f) {
+  const Illumination& light = f.settings.light;
+  return litInPlace(f) && (rowOf(light.mistake).reflected == nullptr || light.form == Form::Textbook);
+}
 inline bool textured(Facts f) { return litInPlace(f) && f.textures; }
 inline bool overDepth(Facts f) { return f.settings.shading == Shading::Phong || textured(f); }
 inline bool specular(Facts f) { return lit(f) && f.highlights; }
@@ -43,7 +48,9 @@ inline constexpr Need kEye{asksForEye,
                            "highlights (ks above 0) of flat, gouraud and phong shading with V in their form"};
 inline constexpr Need kInPlace{litInPlace,
                                "flat, gouraud and phong shading; for envmap all lights are far away"};
-inline constexpr Need kEvaluated{litInPlace, "flat, gouraud and phong shading, which evaluate the equation"};
+inline constexpr Need kEvaluated{takesMistake,
+                                 "flat, gouraud and phong shading, which evaluate the equation; mistakes in "
+                                 "R only to the textbook's form"};
 inline constexpr Need kCorrected{corrected, "ramps of the corrected table"};
 
 }  // namespace xnewell::needs

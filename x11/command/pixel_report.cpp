@@ -36,9 +36,8 @@ void printHistory(const PixelStory& story, std::ostream& out) {
   if (std::ranges::any_of(story.history.painted, [&](const PaintedHere& one) {
         return faceName(story.picture, one.fragment.face).find('.') < 8;
       }))
-    out << "       a face is named by its number in the scene, .1 or .2 for the first or second convex part "
-           "of"
-           " it, and its group\n";
+    out << "       a face is named by its number in the scene, .1 or .2 for its first or second convex part, "
+           "and its group\n";
   if (story.history.notPainted > 0)
     out << "       hidden everywhere: " << counted(story.history.notPainted, "more polygon")
         << " at this sample, not painted\n";

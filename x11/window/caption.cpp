@@ -1,6 +1,6 @@
 #include "x11/window/caption.h"
 
-#include <algorithm>
+#include "shading/scene/settings.h"
 
 namespace xnewell {
 
@@ -18,7 +18,12 @@ std::string orderInWords(Order order) { return std::string{rowOf(order).inWords}
 std::string shadingInWords(Shading shading) { return std::string{rowOf(shading).words}; }
 
 std::string captionOf(const Setup& setup) {
-  return shadingInWords(setup.picture.shading) + "; " + orderInWords(setup.picture.order) + "; " +
+  const MistakeRow& equation = rowOf(setup.picture.light.mistake);
+  const bool mistaken =
+      equation.id != Mistake::None && hasEffect(*settingOf("--mistake"), factsOf(setup.picture));
+  return shadingInWords(setup.picture.shading) +
+         (mistaken ? " with " + std::string{equation.words} : std::string{}) + "; " +
+         orderInWords(setup.picture.order) + "; " +
          (setup.fill == Fill::Scanline ? "own scanline" : "XFillPolygon") + "; " +
          std::string{chosen('P', setup)};
 }

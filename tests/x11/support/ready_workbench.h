@@ -28,6 +28,14 @@ struct ReadyWorkbench : Workbench {
     ASSERT_TRUE(grab(x, y));
     dragTo(x + dx, y + dy);
   }
+  /// True if the status line warns.
+  [[nodiscard]] bool complains() const {
+    const Rect& at = layout().status;
+    for (int j = at.y; j < at.y + 20; ++j)
+      for (int i = 0; i < at.width; ++i)
+        if (image().row(j)[i] == plan()[Cell::Alarm]) return true;
+    return false;
+  }
   /// Brings everything up to date. In the view of the colours, colours come first, and the words about them
   /// second.
   void finish() {

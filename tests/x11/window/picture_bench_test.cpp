@@ -2,16 +2,14 @@
 
 #include <gtest/gtest.h>
 
-#include <fstream>
 #include <glm/geometric.hpp>
 
-#include "tests/support/temporary_folder.h"
 #include "tests/x11/support/bench_stage.h"
 #include "tests/x11/support/ready_workbench.h"
 
 namespace xnewell::THIS_FILE {
 
-// The controls under the pointer, values that are typed, and set-ups that are saved.
+// The controls under the pointer, and values that are typed.
 
 namespace {
 
@@ -36,14 +34,6 @@ void typeValue(ReadyWorkbench& b, std::string_view text) {
   b.type("=");
   b.type(text);
   b.press({NamedKey::Return});
-}
-
-bool complains(const Workbench& b) {
-  const Rect& at = b.layout().status;
-  for (int j = at.y; j < at.y + 20; ++j)
-    for (int i = 0; i < at.width; ++i)
-      if (b.image().row(j)[i] == b.plan()[Cell::Alarm]) return true;
-  return false;
 }
 
 }  // namespace
@@ -288,11 +278,11 @@ TEST(PictureBench, ValuesAreTyped) {
     b.type(wrong);
     b.press({NamedKey::Return});
     b.update();
-    EXPECT_TRUE(complains(b));
+    EXPECT_TRUE(b.complains());
     EXPECT_EQ(b.setup().picture.light.ks, 0.75);
     b.press({NamedKey::Escape});
     b.update();
-    EXPECT_FALSE(complains(b));
+    EXPECT_FALSE(b.complains());
   }
   b.type("n");
   typeValue(b, "137");
@@ -301,89 +291,6 @@ TEST(PictureBench, ValuesAreTyped) {
   EXPECT_FALSE(b.quitAsked());
   b.askToQuit();  // the close button acts even while something is typed
   EXPECT_TRUE(b.quitAsked());
-}
-
-// A set-up that was changed, saved and opened again gives the same window. An existing file is replaced only
-// if that is confirmed. If a file cannot be read or written, one line says so.
-TEST(PictureBench, SavesAndOpens) {
-  const TemporaryFolder folder;
-  const std::string file = folder.file("mine.json");
-  ReadyWorkbench b;
-  b.type("STO]");
-  b.drag(40, 10);
-  b.settle();
-  b.type("w");
-  for (int k = 0; k < 60; ++k) b.press({NamedKey::Backspace});
-  b.type(file);
-  b.press({NamedKey::Return});
-  ASSERT_TRUE(std::filesystem::exists(file));
-  b.update();
-  const xnewell::Setup saved = b.setup();
-  const Rect at = b.layout().picture;
-  const auto pictureOf = [&] {
-    std::vector<std::uint8_t> pixels;
-    for (int j = at.y; j < at.y + at.height; ++j)
-      pixels.insert(pixels.end(), b.image().row(j) + at.x, b.image().row(j) + at.x + at.width);
-    return pixels;
-  };
-  const std::vector<std::uint8_t> picture = pictureOf();
-  b.type("SSrNKs");
-  b.type("q");
-  EXPECT_FALSE(b.quitAsked());  // the change has not been saved
-  b.type("e");
-  EXPECT_EQ(b.view(), WindowView::Picture);
-  b.press({NamedKey::Return});  // the file that it knows
-  b.update();
-  EXPECT_TRUE(complains(b));
-  EXPECT_NE(b.setup(), saved);
-  b.press({NamedKey::Return});
-  b.update();
-  EXPECT_EQ(b.setup(), saved);
-  EXPECT_EQ(pictureOf(), picture);
-  b.type("q");
-  EXPECT_TRUE(b.quitAsked());
-
-  b.type("w");
-  b.press({NamedKey::Return});  // the same file
-  b.update();
-  EXPECT_TRUE(complains(b));
-  EXPECT_TRUE(b.isAsking());
-  b.press({NamedKey::Return});
-  EXPECT_FALSE(b.isAsking());
-
-  const std::string other = folder.write("other.json", "mine");
-  b.type("w");
-  b.type(other);
-  b.press({NamedKey::Return});
-  b.update();
-  EXPECT_TRUE(complains(b));
-  EXPECT_EQ(std::filesystem::file_size(other), 4u);
-  b.press({NamedKey::Return});
-  EXPECT_GT(std::filesystem::file_size(other), 100u);
-  for (const std::string& bad :
-       {folder.file("none.json"), folder.write("bad.json", "{"), folder.file("x/y.obj")}) {
-    b.type("e");
-    b.type(bad);
-    b.press({NamedKey::Return});
-    b.update();
-    EXPECT_TRUE(complains(b)) << bad;
-    EXPECT_EQ(b.setup(), saved);
-    b.press({NamedKey::Escape});
-  }
-
-  // Up and down offer the built-in scenes.
-  b.type("e");
-  b.press({NamedKey::Down});
-  b.press({NamedKey::Down});
-  b.press({NamedKey::Up});
-  b.press({NamedKey::Return});
-  b.update();
-  EXPECT_EQ(b.picture().scene().name, builtInScenes().front().name);
-  b.type("e");
-  b.press({NamedKey::Up});
-  b.press({NamedKey::Return});
-  b.update();
-  EXPECT_EQ(b.picture().scene().name, builtInScenes().back().name);
 }
 
 // The strip tells about what is shown in the picture's place: its cells, and what they hold.
