@@ -27,6 +27,7 @@
 #include "x11/app/snapshot.h"
 #include "x11/app/viewer.h"
 #include "x11/command/doing.h"
+#include "x11/command/draw_figure.h"
 #include "x11/command/pixel_report.h"
 #include "x11/command/read_lecture.h"
 #include "x11/command/ready_scene.h"
@@ -206,6 +207,7 @@ int run(int argc, char** argv) {
   if (options.command == Command::Extremes) return tellExtremes(options, scene);
   if (options.command == Command::Explain) return explainPixel(options, std::move(scene)), kDone;
   if (options.command == Command::Trace) return trace(options, std::move(scene)), kDone;
+  if (options.command == Command::Figure) return drawFigure(options, std::move(scene)), kDone;
   if (options.view != View::Picture) return drawNumbers(options, std::move(scene)), kDone;
   return draw(options, std::move(scene), msRead, accuracy), kDone;
 }

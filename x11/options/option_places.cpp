@@ -11,9 +11,9 @@ void addPlaces(Reader& r) {
                         const std::vector<std::string_view>& places) {
     for (const char* name : names) r.only(name, places);
   };
-  only({"--output"}, {"draw", "snapshot", "trade", "extremes"});
+  only({"--output"}, {"draw", "snapshot", "figure", "trade", "extremes"});
   only({"--size"},
-       {"view", "draw", "snapshot", "explain", "trace", "trade", "extremes", "lesson", "lecture"});
+       {"view", "draw", "snapshot", "figure", "explain", "trace", "trade", "extremes", "lesson", "lecture"});
   only({"--scale"}, {"view", "lesson", "lecture", "--whole-window"});
   only({"--visual", "--colormap", "--nearest"}, {"view", "snapshot", "lesson", "lecture", "visuals"});
   only({"--view"}, {"view", "draw", "snapshot"});
@@ -23,7 +23,9 @@ void addPlaces(Reader& r) {
   only({"--scanline"}, {"--view machbands"});
   only({"--cell"}, {"--view colours"});
   only({"--store", "--turn", "--gamma", "--bend", "--rotate", "--lit"}, {"draw", "snapshot"});
-  only({"--bare", "--ids", "--stats", "--errors", "--costs"}, {"draw", "snapshot"});
+  only({"--bare", "--ids", "--stats"}, {"draw", "snapshot", "figure"});
+  only({"--errors", "--costs"}, {"draw", "snapshot"});
+  only({"--paper"}, {"figure"});
   only({"--accuracy"}, {"view", "draw", "snapshot"});
   only({"--json"}, {"explain", "trade", "extremes"});
   only({"--axes", "--without"}, {"trade"});

@@ -180,7 +180,8 @@ void addOptions(CLI::App& app, Reader& r, Options& o) {
            "pixel", [&](const std::string& s) { o.pixel = parsePixel("X,Y", s); },
            "X,Y, a pixel of the picture")
         ->type_name("");
-  r.text("-o,--output", "the PNG file to write", "", [&](const std::string& s) { o.output = s; });
+  r.text("-o,--output", "the PNG file to write; figure: an SVG, PDF or EPS file, by the end of its name", "",
+         [&](const std::string& s) { o.output = s; });
   r.takes("--output", Takes::File);
   r.text("--size", "picture or window size WxH, at most 8192x8192",
          "800x600, a window 1024x768 times --scale, extremes 160x120",
@@ -233,7 +234,15 @@ void addOptions(CLI::App& app, Reader& r, Options& o) {
          });
   addEffects(r, o);
   r.named("--ids", o.ids, "file",
-          "also write the face image: 8-bit RGB, face number + 1, 0 where there is no face");
+          "also write the face image: 8-bit RGB, face number + 1, 0 where there is no face; figure: also "
+          "write the "
+          "figure in these colours");
+  r.text("--paper", "figure: the colour behind it, such as #ffffff", "none, so that the page shows",
+         [&](const std::string& s) {
+           if (s.size() != 7 || s[0] != '#' || s.find_first_not_of("0123456789abcdefABCDEF", 1) != s.npos)
+             refuse("--paper", s, "#rrggbb, a colour by six hexadecimal digits");
+           o.paper = s;
+         });
   r.flag("--bare", o.bare,
          "the file carries no set-up, so that two files of the same pixels are the same, however they were "
          "drawn");

@@ -25,6 +25,7 @@ enum class Command {
   View,
   Draw,
   Snapshot,
+  Figure,
   Explain,
   Trace,
   Trade,
@@ -46,6 +47,8 @@ inline constexpr std::array kCommands{
                true},
     CommandRow{Command::Snapshot, "snapshot", "snapshot SCENE -o FILE.png [options]",
                "the picture through a real X window, read back from the server", true},
+    CommandRow{Command::Figure, "figure", "figure SCENE -o FILE.svg|.pdf|.eps [options]",
+               "the picture as areas with smooth borders, for paper and for the web", true},
     CommandRow{Command::Explain, "explain", "explain SCENE X,Y [--json] [options]",
                "why a pixel has its colour: its polygons, the surface, the equation, the table", true},
     CommandRow{Command::Trace, "trace", "trace SCENE [options]",
@@ -97,6 +100,7 @@ struct Options {
   MapOwner colormap = MapOwner::Private;
   bool nearest = false;  ///< true: a colour that the server lacks becomes the nearest it has, not a mixture
   std::string output, ids;
+  std::string paper;    ///< figure: the colour behind it, "#rrggbb"; "" for none
   bool bare = false;    ///< the PNG file carries no set-up
   bool stats = false;   ///< also if only --errors or --costs was given
   bool errors = false;  ///< with the errors

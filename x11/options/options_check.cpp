@@ -7,6 +7,7 @@
 #include <string>
 #include <utility>
 
+#include "shading/figure/write_figure.h"
 #include "shading/scene/settings.h"
 
 namespace xnewell {
@@ -115,6 +116,15 @@ void checkHaveEffect(const Options& o) {
                        std::string{setting.need.appliesTo}};
 }
 
+/// Checks what `figure` needs and takes.
+void checkFigure(const Options& o) {
+  if (o.output.empty()) throw UsageError{"figure needs -o FILE.svg, FILE.pdf or FILE.eps"};
+  for (const std::string* file : {&o.output, &o.ids})
+    if (!file->empty() && figureFormatOf(*file) == nullptr)
+      throw UsageError{(file == &o.output ? "-o " : "--ids ") + *file +
+                       ": figures are SVG, PDF or EPS files; call it .svg, .pdf or .eps"};
+}
+
 /// Checks what each command needs and takes.
 void checkCommand(const Options& o, const std::vector<OptionRow>& rows) {
   const bool sceneGiven = o.gave("scene");
@@ -123,7 +133,8 @@ void checkCommand(const Options& o, const std::vector<OptionRow>& rows) {
   const bool traces = o.command == Command::Trace;
   const bool charts = o.command == Command::Trade || o.command == Command::Extremes;
   const bool explains = o.command == Command::Explain;
-  if ((makesPng || traces || charts || explains) && !sceneGiven)
+  const bool figure = o.command == Command::Figure;
+  if ((makesPng || traces || charts || explains || figure) && !sceneGiven)
     throw UsageError{name + " needs a scene, such as teapot"};
   if (explains && !o.pixel)
     throw UsageError{"explain needs a pixel X,Y of the picture, such as 400,300: xnewell explain " + o.scene +
@@ -132,6 +143,7 @@ void checkCommand(const Options& o, const std::vector<OptionRow>& rows) {
       o.pixel && (o.pixel->x >= size.x || o.pixel->y >= size.y))
     throw UsageError{"pixel " + std::to_string(o.pixel->x) + "," + std::to_string(o.pixel->y) +
                      " lies outside the picture of " + std::to_string(size.x) + "x" + std::to_string(size.y)};
+  if (figure) checkFigure(o);
   if (makesPng && o.output.empty()) throw UsageError{name + " needs -o FILE.png"};
   constexpr std::array<std::string_view, 8> kOtherPictures{".jpg", ".jpeg", ".gif", ".bmp",
                                                            ".ppm", ".tif",  ".svg", ".pdf"};
@@ -179,18 +191,31 @@ void checkCommand(const Options& o, const std::vector<OptionRow>& rows) {
   exclude(o.gave("--light"), o.gave("--light-at"), "--light and --light-at");
 }
 
+/// Refuses a figure of an order that knows no polygons, or only those with samples.
+void checkFigureMethods(const Options& o) {
+  const OrderRow& order = rowOf(o.picture.order);
+  const std::string name = "--order " + std::string{order.name};
+  if (order.bySample)
+    throw UsageError{name + " decides each sample by itself: a figure needs a painting order"};
+  if (o.picture.order == Order::Bsp)
+    throw UsageError{name + " leaves out what has no sample: use --order newell for a figure"};
+  if (rowOf(o.picture.shading).interpolates || !o.texture.empty())
+    throw UsageError{"figure gives each polygon one colour: use --shade none, depth or flat, and no texture"};
+}
+
 /// Checks that shading, order, filler and texture go together.
 void checkMethods(const Options& o) {
   const bool serverFills = o.fill == Fill::XFillPolygon;
   if (serverFills &&
       (o.command == Command::Trace || o.command == Command::Draw || o.command == Command::Explain ||
-       o.command == Command::Trade || o.command == Command::Extremes))
+       o.command == Command::Figure || o.command == Command::Trade || o.command == Command::Extremes))
     throw UsageError{"--fill x11 needs a server: use snapshot"};
   exclude(o.accuracy.has_value(), serverFills, "--accuracy and --fill x11");
   if (serverFills && o.view != View::Picture && !o.wholeWindow && o.command != Command::View)
     throw UsageError{"--view " + o.viewName + " uses the scanline filler: leave out --fill x11"};
   if (o.command == Command::Trace && o.picture.order != Order::Newell)
     throw UsageError{"trace follows the depth sort: it allows only --order newell"};
+  if (o.command == Command::Figure) checkFigureMethods(o);
   if (serverFills && rowOf(o.picture.shading).interpolates)
     throw UsageError{"--fill x11 gives a polygon one cell: use --shade none, depth or flat"};
   if (serverFills && !o.texture.empty())

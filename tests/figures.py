@@ -1,0 +1,58 @@
+"""What renderers make of the figures in a folder; see figures.sh."""
+import subprocess
+import sys
+
+import numpy as np
+from PIL import Image
+
+PAPER = (255, 0, 255)
+WAYS = [('svg', 'rsvg-convert {i} -o {o}.png'),
+        ('pdf', 'pdftoppm -r 72 -png -singlefile {i} {o}'),
+        ('pdf', 'pdftocairo -r 72 -png -singlefile {i} {o}'),
+        ('pdf', 'gs -q -dNOPAUSE -dBATCH -dSAFER -sDEVICE=png16m -r72 -dGraphicsAlphaBits=4 -sOutputFile={o}.png {i}'),
+        ('pdf', 'mutool draw -q -r 72 -o {o}.png {i}'),
+        ('eps', 'gs -q -dNOPAUSE -dBATCH -dSAFER -dEPSCrop -sDEVICE=png16m -r72 -dGraphicsAlphaBits=4'
+                ' -sOutputFile={o}.png {i}')]
+
+
+def image(file):
+    return np.asarray(Image.open(file).convert('RGB')).astype(int)
+
+
+def around(values, radius, combine):
+    """Combines the values of all pixels within the radius."""
+    result = values
+    for y in range(-radius, radius + 1):
+        for x in range(-radius, radius + 1):
+            result = combine(result, np.roll(np.roll(values, y, 0), x, 1))
+    return result
+
+
+def main(folder, scenes):
+    wrong_of_all = 0
+    for scene in scenes:
+        base = f'{folder}/{scene}'
+        true, ids = image(base + '.png'), image(base + '.ids.png')
+        number = ids[..., 0] << 16 | ids[..., 1] << 8 | ids[..., 2]
+        bare = number == 0
+        true[bare] = ids[bare] = PAPER
+        away = around(number, 1, np.minimum) == around(number, 1, np.maximum)
+        inside = ~around(bare, 2, np.logical_or)
+        blue = around(true[..., 2], 1, np.maximum)
+        for ending, command in WAYS:
+            wrong = []
+            for kind, expected in (('', true), ('.ids', ids)):
+                made = f'{base}{kind}.made'
+                subprocess.check_call(command.format(i=f'{base}{kind}.{ending}', o=made).split())
+                shown = image(made + '.png')
+                wrong.append(int(((abs(shown - expected).max(2) > 1) & away).sum()))
+                if not kind:
+                    leak = np.where(inside, shown[..., 2] - blue, 0)
+            wrong_of_all += sum(wrong)
+            print(f'{scene:16} {ending} {command.split()[0]:12} away from edges {away.sum()}: wrong colour {wrong[0]},'
+                  f' wrong face {wrong[1]}; paper inside: at most {max(0, leak.max())} of 255,'
+                  f' {(leak > 4).sum()} pixels above 4')
+    return 1 if wrong_of_all else 0
+
+
+sys.exit(main(sys.argv[1], sys.argv[2:]))

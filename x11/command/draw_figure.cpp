@@ -1,0 +1,90 @@
+#include "x11/command/draw_figure.h"
+
+#include <iostream>
+#include <nlohmann/json.hpp>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "geometry/files/output_file.h"
+#include "shading/figure/make_figure.h"
+#include "shading/figure/write_figure.h"
+#include "shading/picture/picture_cache.h"
+#include "shading/picture/stopwatch.h"
+#include "shading/scene/settings.h"
+#include "x11/command/doing.h"
+#include "x11/command/tell_trade.h"
+#include "x11/options/carried_setup.h"
+
+namespace xnewell {
+
+namespace {
+
+/// The picture whose polygons and colours a figure has. The figure makes its own sort.
+Picture pictureFor(const Options& options, Scene scene) {
+  PictureSettings settings = settingsOf(options);
+  settings.order = Order::Unsorted;
+  return makePicture(std::move(scene), settings, CellPlan{settings.table.kind}[Cell::Well]).withPlanes();
+}
+
+std::array<std::uint8_t, 3> colorOf(const std::string& hex) {
+  const auto number = static_cast<std::uint32_t>(std::stoul(hex.substr(1), nullptr, 16));
+  return {static_cast<std::uint8_t>(number >> 16), static_cast<std::uint8_t>(number >> 8),
+          static_cast<std::uint8_t>(number)};
+}
+
+}  // namespace
+
+void drawFigure(const Options& options, Scene scene) {
+  std::optional<Doing> doing{"sorting"};
+  const Stopwatch watch;
+  const Picture picture = pictureFor(options, std::move(scene));
+  const double msPicture = watch.ms();
+  const SortedScene order = figureOrder(picture, options.picture.order);
+  const double msSorted = watch.ms();
+  doing.reset();
+  doing.emplace("joining areas");
+  const Palette palette = picture.palette(CellPlan{options.picture.table.kind});
+  const auto made = [&](FigureColors colors) {
+    VectorFigure figure = makeFigure(picture, order, palette, colors);
+    if (!options.paper.empty()) figure.paper = {colorOf(options.paper)};
+    figure.note = noteOf(options, picture);
+    return figure;
+  };
+  const VectorFigure figure = made(FigureColors::Shades);
+  const double msJoined = watch.ms();
+  doing.reset();
+  doing.emplace("writing");
+  const std::string bytes = figureFormatOf(options.output)->write(figure);
+  std::vector<OutputFile> files{{options.output, bytes}};
+  std::string ids;
+  if (!options.ids.empty()) {
+    ids = figureFormatOf(options.ids)->write(made(FigureColors::Ids));
+    files.push_back({options.ids, ids});
+  }
+  writeFiles(files);
+  doing.reset();
+  if (!options.stats) return;
+  const FigureStatistics& s = figure.statistics;
+  std::cout << nlohmann::ordered_json{{"scene", options.scene},
+                                      {"size", {figure.width, figure.height}},
+                                      {"faces", picture.scene().mesh.faceCount()},
+                                      {"fragments", s.fragments},
+                                      {"outside", s.outside},
+                                      {"hidden", s.hidden},
+                                      {"levels", s.levels},
+                                      {"paths", figure.paths.size()},
+                                      {"loops", s.loops},
+                                      {"corners", s.corners},
+                                      {"bytes", bytes.size()},
+                                      {"ms",
+                                       {{"picture", msPicture},
+                                        {"sort", msSorted - msPicture},
+                                        {"join", msJoined - msSorted},
+                                        {"write", watch.ms() - msJoined}}}}
+                   .dump(-1, ' ', false, nlohmann::ordered_json::error_handler_t::replace)
+            << '\n';
+}
+
+}  // namespace xnewell
