@@ -14,15 +14,15 @@ scenes=("$@")
 for needed in rsvg-convert pdftoppm pdftocairo gs mutool qpdf xmllint; do
   command -v "$needed" > /dev/null || { echo "figures.sh: $needed is missing" >&2; exit 77; }
 done
-python=/usr/bin/python3
+python=/usr/bin/python3  # the one that has the packages of the system
 "$python" -c 'import numpy, PIL' 2> /dev/null || { echo 'figures.sh: NumPy or Pillow is missing' >&2; exit 77; }
 folder=$(mktemp -d)
 trap 'rm -rf "$folder"' EXIT
 for scene in "${scenes[@]}"; do
   file=$folder/$scene
-  "$program" draw "$scene" --shade flat --colors one-hue -o "$file.png" --ids "$file.ids.png"
+  "$program" draw "$scene" --shade flat --colors one -o "$file.png" --ids "$file.ids.png"
   for format in svg pdf eps; do
-    "$program" figure "$scene" --shade flat --colors one-hue --paper '#ff00ff' \
+    "$program" figure "$scene" --shade flat --colors one --paper '#ff00ff' \
       -o "$file.$format" --ids "$file.ids.$format"
   done
   qpdf --check "$file.pdf" > /dev/null

@@ -12,8 +12,9 @@ namespace xnewell {
 ///
 /// A renderer mixes the colours of a pixel by the share that each path covers, so it shows the paper between
 /// two areas that only touch. So each polygon also covers a strip of the polygons beside it that are painted
-/// later. They hide the strip, so every point keeps its colour; but no pixel at the border is left to the
-/// paper. The polygon that is painted first at a corner covers a disk around the corner.
+/// later. They hide the strip, so every point keeps its colour; but the paper has no share in a pixel at the
+/// border. Where surfaces cross, the polygons have no common side, and a strip is added only where later ones
+/// cover it. The polygon that is painted first at a corner covers a disk around the corner.
 /// @param strip  its width in the steps of a figure; 0: no strips
 /// @param width, height  of the page, in pixels
 [[nodiscard]] std::vector<FigurePath> joinedPaths(std::vector<FigurePolygon> polygons,

@@ -21,9 +21,6 @@ namespace xnewell {
 
 namespace {
 
-/// Commands that have a name but do nothing yet. The program says so.
-constexpr std::array<std::string_view, 1> kLaterCommands{"figure"};
-
 glm::ivec2 parseSize(const std::string& text) {
   const std::string expected = "a size WxH from 1x1 to 8192x8192";
   const std::size_t x = text.find('x');
@@ -77,8 +74,6 @@ AccuracyLimit parseAccuracy(const std::string& text) {
 Command takeCommand(std::vector<std::string>& arguments) {
   if (arguments.empty()) return Command::View;
   const std::string first = arguments.front();
-  if (std::ranges::find(kLaterCommands, first) != kLaterCommands.end())
-    throw UsageError{"the command '" + first + "' is not built yet; `xnewell --help` lists the commands"};
   const auto* const row = std::ranges::find(kCommands, first, &CommandRow::name);
   if (row == kCommands.end()) return Command::View;
   arguments.erase(arguments.begin());

@@ -107,7 +107,7 @@ TEST_F(CommandTest, ExplainRefuses) {
   refused({"explain", "teapot", "1,x"}, 2,
           "X,Y: '1,x' is not a pixel X,Y: two whole numbers from 0, counted from the top left");
   refused({"explain", "teapot", "1,1", "-o", file("a.png")}, 2,
-          "-o works only with draw, snapshot, trade and extremes");
+          "-o works only with draw, snapshot, figure, trade and extremes");
   refused({"draw", "teapot", "3,3", "-o", file("a.png")}, 2, "unexpected argument: '3,3'");
 }
 

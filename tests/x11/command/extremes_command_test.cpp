@@ -86,7 +86,7 @@ TEST_F(CommandTest, ExtremesRefuseWhatTheyDoNotTake) {
           "--json works only with explain, trade and extremes");
   refused({"extremes", "cycle", "-o", file("new.svg")}, 2,
           "-o " + file("new.svg") + ": pictures are PNG files; call it .png");
-  refused({"extremes", "cycle", "--stats"}, 2, "--stats works only with draw and snapshot");
+  refused({"extremes", "cycle", "--stats"}, 2, "--stats works only with draw, snapshot and figure");
 }
 
 }  // namespace xnewell::THIS_FILE

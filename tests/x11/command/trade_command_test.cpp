@@ -75,7 +75,7 @@ TEST_F(CommandTest, ATradeRefusesWhatItDoesNotTake) {
   refused({"trade"}, 2, "trade needs a scene, such as teapot");
   refused({"trade", "cycle", "--budget", "0"}, 2, "--budget: '0' is not a number from 1 to 3600");
   refused({"draw", "cycle", "-o", file("new.png"), "--axes", "order"}, 2, "--axes works only with trade");
-  refused({"trade", "cycle", "--stats"}, 2, "--stats works only with draw and snapshot");
+  refused({"trade", "cycle", "--stats"}, 2, "--stats works only with draw, snapshot and figure");
   refused({"trade", "cycle", "-o", file("new.svg")}, 2,
           "-o " + file("new.svg") + ": pictures are PNG files; call it .png");
 }

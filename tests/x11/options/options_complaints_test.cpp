@@ -165,15 +165,31 @@ TEST(Options, RefuseTheUnknown) {
     EXPECT_LT(complaint(words).size(), 200u) << words[0].substr(0, 20);
 }
 
-// Words of the contract that are not built yet say so, and are not taken for misspellings.
-TEST(Options, SayWhatIsNotBuiltYet) {
-  for (const std::vector<std::string>& rest :
-       {std::vector<std::string>{}, {"teapot", "-o", "no.svg"}, {"--help"}}) {
-    std::vector<std::string> words{"figure"};
-    words.insert(words.end(), rest.begin(), rest.end());
-    EXPECT_EQ(complaintAll(words),
-              "the command 'figure' is not built yet; `xnewell --help` lists the commands");
-  }
+// A figure is an SVG, PDF or EPS file of polygons in a painting order, each in one colour.
+TEST(Options, FiguresAreOfPolygons) {
+  const auto figure = [](std::vector<std::string> words) {
+    words.insert(words.begin(), {"figure", "teapot", "-o", "a.svg"});
+    return complaintAll(words);
+  };
+  EXPECT_EQ(figure({"--paper", "#ffffff", "--stats"}), "");
+  EXPECT_EQ(figure({"--ids", "b.pdf", "--order", "zmean", "--shade", "depth"}), "");
+  EXPECT_EQ(complaintAll({"figure", "teapot"}), "figure needs -o FILE.svg, FILE.pdf or FILE.eps");
+  EXPECT_EQ(complaintAll({"figure", "-o", "a.svg"}), "figure needs a scene, such as teapot");
+  EXPECT_EQ(complaintAll({"figure", "teapot", "-o", "a.png"}),
+            "-o a.png: figures are SVG, PDF or EPS files; call it .svg, .pdf or .eps");
+  EXPECT_EQ(figure({"--ids", "b.png"}),
+            "--ids b.png: figures are SVG, PDF or EPS files; call it .svg, .pdf or .eps");
+  EXPECT_EQ(figure({"--paper", "white"}),
+            "--paper: 'white' is not #rrggbb, a colour by six hexadecimal digits");
+  EXPECT_EQ(complaint({"--paper", "#ffffff"}), "--paper works only with figure");
+  EXPECT_EQ(figure({"--errors"}), "--errors works only with draw and snapshot");
+  for (const std::string method : {"gouraud", "phong", "envmap"})
+    EXPECT_EQ(figure({"--shade", method}),
+              "figure gives each polygon one colour: use --shade none, depth or flat, and no texture");
+  EXPECT_EQ(figure({"--order", "bsp"}),
+            "--order bsp leaves out what has no sample: use --order newell for a figure");
+  EXPECT_EQ(figure({"--order", "oracle"}),
+            "--order oracle decides each sample by itself: a figure needs a painting order");
 }
 
 // Two options that exclude each other are refused: neither is ignored.
@@ -198,9 +214,10 @@ TEST(Options, RefuseWhatTheCommandIgnores) {
   EXPECT_EQ(complaintAll({""}), "the scene's name is empty");
   EXPECT_EQ(complaintAll({"scenes", "teapot"}), "scenes takes no scene");
   EXPECT_EQ(complaintAll({"visuals", "teapot"}), "visuals takes no scene");
-  EXPECT_EQ(complaintAll({"view", "-o", "a.png"}), "-o works only with draw, snapshot, trade and extremes");
-  EXPECT_EQ(complaintAll({"view", "--stats"}), "--stats works only with draw and snapshot");
-  EXPECT_EQ(complaintAll({"--ids", "i.png"}), "--ids works only with draw and snapshot");
+  EXPECT_EQ(complaintAll({"view", "-o", "a.png"}),
+            "-o works only with draw, snapshot, figure, trade and extremes");
+  EXPECT_EQ(complaintAll({"view", "--stats"}), "--stats works only with draw, snapshot and figure");
+  EXPECT_EQ(complaintAll({"--ids", "i.png"}), "--ids works only with draw, snapshot and figure");
   EXPECT_EQ(complaint({"--whole-window"}), "--whole-window works only with snapshot and trace --frames");
   EXPECT_EQ(complaintAll({"scenes", "--ka", "1"}), "--ka does not work with scenes: it draws no scene");
   EXPECT_EQ(complaintAll({"draw", "teapot", "-o", "a", "--scale", "2"}),
