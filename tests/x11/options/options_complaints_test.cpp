@@ -101,6 +101,8 @@ TEST(Options, WorkWhereTheirRowSays) {
       if (command.id == Command::Explain) words.emplace_back("1,1");
       if (row.name != "--output" && (command.id == Command::Draw || command.id == Command::Snapshot))
         words.insert(words.end(), {"-o", "no.png"});
+      if (row.name != "--output" && command.id == Command::Figure)
+        words.insert(words.end(), {"-o", "no.svg"});
       words.push_back(row.name);
       if (row.takes != Takes::Nothing) words.push_back(row.words.empty() ? "1" : row.words.front());
       const std::string said = complaintAll(words);
