@@ -95,6 +95,26 @@ TEST_F(LectureTest, PagesTurn) {
   EXPECT_EQ(shown.body(), first);
 }
 
+// The last line names the page keys first. A warning ends with its page. 7 on a page without a lesson opens
+// the list, also after another page had a lesson.
+TEST_F(LectureTest, EachPageBeginsAnew) {
+  Shown shown{lecture(
+      R"({"title": "Cards", "lesson": "five-tests"}, {"title": "Cycle", "show": "cycle --view depthsort"},
+                 {"title": "Teapot", "show": "teapot"})")};
+  const int steps = static_cast<int>(shown.lessons().lesson()->steps.size());
+  for (int step = 0; step < steps; ++step) shown.turn(NamedKey::PageDown);
+  ASSERT_EQ(shown.view(), WindowView::DepthSort);
+  EXPECT_EQ(legendOf(shown.keys()).front().does, "page");
+  shown.press(NamedKey::Left);  // the run is at its start
+  shown.finish();
+  EXPECT_TRUE(shown.complains());
+  shown.turn(NamedKey::PageDown);
+  EXPECT_FALSE(shown.complains());
+  shown.type("7");
+  shown.finish();
+  EXPECT_TRUE(shown.lessons().showsList());
+}
+
 // Inside a lesson the steps come first; after its last step comes the next page. The page after it has its
 // own scene again.
 TEST_F(LectureTest, StepsOfALessonComeFirst) {

@@ -150,4 +150,27 @@ TEST(Scale, AnySize) {
   }
 }
 
+// Z chooses a scale on a screen that is filled. Back in the small window the scale is one that fits.
+TEST(Scale, FitsAgainAfterTheFullScreen) {
+  bool full = false;
+  Workbench b{readScene("cycle", 3), {}, {.fillScreen = [&](std::optional<bool> wish) {
+                return std::optional{full = wish.value_or(!full)};
+              }}};
+  const auto size = [&](int width, int height) {
+    b.resize(width, height);
+    b.update();
+  };
+  size(1024, 768);
+  b.press(NamedKey::F11);
+  size(3840, 2160);
+  EXPECT_EQ(b.layout().unit, 4);
+  b.press('Z');
+  b.press('Z');
+  EXPECT_EQ(b.layout().unit, 2);
+  b.press(NamedKey::F11);
+  size(1024, 768);
+  EXPECT_TRUE(b.layout().roomy);
+  EXPECT_EQ(b.layout().unit, 1);
+}
+
 }  // namespace xnewell::THIS_FILE

@@ -84,6 +84,20 @@ TEST(WrittenPicture, IsNamedAfterSceneAndView) {
   b.finish();
   EXPECT_NE(b.pictureNote().find(" --view depthsort --scale 2 --step 2 --controls none "), std::string::npos)
       << b.pictureNote();
+  b.type("3");
+  b.finish();
+  b.press(NamedKey::Right);
+  b.finish();
+  EXPECT_NE(b.pictureNote().find(" --cell " + std::to_string(b.bench().inspected().value()) + ' '),
+            std::string::npos)
+      << b.pictureNote();
+  b.type("4");
+  b.finish();
+  const std::string before = b.pictureNote();
+  b.press(NamedKey::Up);
+  b.finish();
+  EXPECT_NE(b.pictureNote().find(" --view machbands --scale 2 --scanline "), std::string::npos);
+  EXPECT_NE(b.pictureNote(), before);
   b.type("8");
   b.finish();
   b.press(NamedKey::Right);

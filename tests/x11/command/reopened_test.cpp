@@ -39,7 +39,9 @@ TEST_F(ReopenedTest, TakesTheSnapshotAgain) {
   for (const std::string line :
        {"cubes --whole-window --view colours --size 900x700 --shades 90",
         "cycle --whole-window --view depthsort --step 12 --controls none",
-        "cubes --whole-window --view pixel --pixel 120,90", "cubes --shade flat --fill x11 --size 120x90"}) {
+        "cubes --whole-window --view pixel --pixel 120,90", "cubes --whole-window --view colours --cell 40",
+        "cubes --whole-window --view machbands --scanline 100",
+        "cubes --shade flat --fill x11 --size 120x90"}) {
     SCOPED_TRACE(line);
     const Finished first =
         runProgram(Strings{"snapshot"} + words(line) + Strings{"-o", file("a.png")}, server.name());

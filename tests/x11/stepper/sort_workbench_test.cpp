@@ -215,4 +215,27 @@ TEST(SortWorkbench, AnotherSceneHasNoTicks) {
   EXPECT_EQ(stepper.view().speed, ticked.speed);
 }
 
+// D makes the picture larger. The run is sorted again, but the step stays, and nothing is told: the steps of
+// `penetrate` have several comparisons of the same two faces.
+TEST(SortWorkbench, TheDrawerKeepsTheStep) {
+  InDepthSort b{"penetrate", 1920, 1080};
+  const int steps = b.stepper().run()->steps();
+  ASSERT_GT(steps, 4);
+  for (int step = 1; step <= steps; ++step) {
+    b.press({NamedKey::Right});
+    b.finish();
+    ASSERT_EQ(b.stepper().view().step, step);
+    const std::string status = b.bench().status();
+    for (int k = 0; k < 2; ++k) {
+      b.type("D");
+      b.finish();
+      EXPECT_EQ(b.stepper().view().step, step);
+      EXPECT_EQ(b.bench().status(), status);
+      for (int x = 0; x < 600; ++x)
+        for (int y = b.layout().status.y; y < b.layout().height; ++y)
+          ASSERT_NE(b.image().row(y)[x], b.plan()[Cell::Good]) << "news";
+    }
+  }
+}
+
 }  // namespace xnewell::THIS_FILE
