@@ -4,8 +4,8 @@
 #include <cmath>
 
 #include "x11/drawing/wording.h"
-#include "x11/stepper/figure.h"
 #include "x11/stepper/fragment_tint.h"
+#include "x11/stepper/outline.h"
 
 namespace xnewell {
 
@@ -128,7 +128,7 @@ void Frames::outlineWaiting() {
   if (!waitingAreOutlined()) return;
   Painter painter = overPicture().pixels();
   for (const auto& [id, marked] : replay_.list(kMostWaiting))
-    outline(painter, figureOf(explainer_.fragments().region(id)),
+    outline(painter, outlineOf(explainer_.fragments().region(id)),
             cell(marked ? Cell::Faint : Cell::WellLine));
 }
 
@@ -141,7 +141,7 @@ void Frames::mark(int fragment, Cell color, Stipple tint, std::string_view lette
 
   Painter painter = overPicture(), fine = painter.pixels();
   const int thickness = std::max(1, std::min(pictureArea().width, pictureArea().height) / 250);
-  const Figure figure = figureOf(explainer_.fragments().region(fragment));
+  const Outline figure = outlineOf(explainer_.fragments().region(fragment));
   if (thickness > 1) outline(fine, figure, cell(Cell::Black), {thickness + 2});
   outline(fine, figure, cell(color), {thickness});
 

@@ -109,7 +109,7 @@ void drawSide(SortPen& pen, const Axis& axis, const Rows& rows) {
     return Place{axis.at(depth), side.y + (across - x.low) / (x.high - x.low) * (side.height - 1)};
   };
   const auto figure = [&](int id) {
-    Figure corners = figureOf(pen.run.fragments().region(id));
+    Outline corners = outlineOf(pen.run.fragments().region(id));
     for (Place& p : corners) p = place(explainer.depth(id, p), p.x);
     return corners;
   };
@@ -120,7 +120,7 @@ void drawSide(SortPen& pen, const Axis& axis, const Rows& rows) {
 
   double middle = (y.low + y.high) / 2;
   if (Q >= 0)
-    if (const Figure both = explainer.overlap(P, Q); !both.empty()) middle = middleOf(both).y;
+    if (const Outline both = explainer.overlap(P, Q); !both.empty()) middle = middleOf(both).y;
   const auto plane = [&](int id, std::uint8_t cell, const LineStyle& style) {
     segment(inside, place(explainer.depth(id, {x.low, middle}), x.low),
             place(explainer.depth(id, {x.high, middle}), x.high), cell, style);

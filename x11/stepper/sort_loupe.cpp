@@ -93,7 +93,7 @@ class Loupe {
     const bool isCut = pen_.cut >= 0 && !pen_.view.asking;
     if (Q >= 0) tint(paint_, at_, figure(Q), Stipple::Quarter, pen_(Cell::Q));
     tint(paint_, at_, figure(P), Stipple::Quarter, pen_(Cell::P));
-    const Figure both = Q >= 0 && !pen_.view.asking ? placed(pen_.run.explainer().overlap(P, Q)) : Figure{};
+    const Outline both = Q >= 0 && !pen_.view.asking ? placed(pen_.run.explainer().overlap(P, Q)) : Outline{};
     tint(paint_, at_, both, Stipple::Diagonals, pen_(Cell::Ink));
     if (Q >= 0) {
       outline(paint_, figure(Q), pen_(Cell::Ink), {4});
@@ -121,21 +121,21 @@ class Loupe {
     const Place m = focus_.middle();
     return {m.x + (p.x - at_.x - at_.width / 2.0) / scale_, m.y + (p.y - at_.y - at_.height / 2.0) / scale_};
   }
-  [[nodiscard]] Figure placed(Figure figure) const {
+  [[nodiscard]] Outline placed(Outline figure) const {
     for (Place& p : figure) p = place(p);
     return figure;
   }
-  [[nodiscard]] Figure figure(int id) const { return placed(figureOf(pen_.run.fragments().region(id))); }
+  [[nodiscard]] Outline figure(int id) const { return placed(outlineOf(pen_.run.fragments().region(id))); }
 
   /// Draws the line where both planes have the same depth: dashed across the loupe, and thick inside both
   /// polygons, or across the one that is cut.
-  void drawMeeting(const Figure& inside, bool isCut) {
+  void drawMeeting(const Outline& inside, bool isCut) {
     const Explainer& explainer = pen_.run.explainer();
     const auto apart = [&](Place p) {
       const Place at = back(p);
       return explainer.depth(pen_.P(), at) - explainer.depth(pen_.Q(), at);
     };
-    const auto zeros = [&](const Figure& figure) {
+    const auto zeros = [&](const Outline& figure) {
       std::vector<double> values;
       for (const Place& p : figure) values.push_back(apart(p));
       return zeroLine(figure, values);
@@ -182,7 +182,7 @@ class Loupe {
 
   void drawCorners(int of, int other, Cell cell, bool distances) {
     constexpr int kMostNumbers = 5;
-    const Figure corners = figure(of);
+    const Outline corners = figure(of);
     const Place middle = middleOf(corners);
     for (const Place& p : corners) disc(p, 4, pen_(cell));
     if (!distances) return;
@@ -198,7 +198,7 @@ class Loupe {
     const int behind = pen_.run.fragments().pieceOf(pen_.run.replay().splits() - 1);
     const std::array names{"a", "b"};
     for (int k = 0; k < 2; ++k) {
-      const Figure piece = figure(behind + k);
+      const Outline piece = figure(behind + k);
       const Place middle = middleOf(piece);
       if (!isInside(middle) || leastSide(piece) < kRoomForLetter) continue;
       const int x = static_cast<int>(middle.x), y = static_cast<int>(middle.y);
@@ -208,7 +208,7 @@ class Loupe {
   }
 
   /// The shorter side of the box around the figure.
-  static double leastSide(const Figure& figure) {
+  static double leastSide(const Outline& figure) {
     const auto [x0, x1] = std::ranges::minmax(figure, {}, &Place::x);
     const auto [y0, y1] = std::ranges::minmax(figure, {}, &Place::y);
     return std::min(x1.x - x0.x, y1.y - y0.y);

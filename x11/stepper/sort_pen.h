@@ -3,7 +3,7 @@
 #include <string>
 
 #include "x11/drawing/pen.h"
-#include "x11/stepper/figure.h"
+#include "x11/stepper/outline.h"
 #include "x11/stepper/sort_page.h"
 
 namespace xnewell {

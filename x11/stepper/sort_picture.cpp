@@ -65,7 +65,7 @@ Rect drawSortPicture(SortPen& pen) {
   Painter paint = pen.paint.within(at);
   paint.place(pen.run.soFar(), at.x, at.y);
   const auto placed = [&](int id) {
-    Figure figure = figureOf(pen.run.fragments().region(id));
+    Outline figure = outlineOf(pen.run.fragments().region(id));
     for (Place& p : figure) p = {p.x + samples.x, p.y + samples.y};  // pixels
     return figure;
   };

@@ -14,7 +14,7 @@
 #include "tests/support/seeds.h"
 #include "tests/x11/support/shown_sort_page.h"
 #include "x11/drawing/font.h"
-#include "x11/stepper/figure.h"
+#include "x11/stepper/outline.h"
 #include "x11/stepper/sort_wording.h"
 
 namespace xnewell::THIS_FILE {
@@ -87,7 +87,7 @@ TEST(SortPage, ShowsThePictureSoFar) {
   IndexImage expected = page.picture->paint(page(Cell::Well)).image;
   EXPECT_EQ(page.run->soFar(), expected);
   Painter paint{expected};
-  const Figure last = figureOf(page.run->fragments().region(page.event(steps).P));
+  const Outline last = outlineOf(page.run->fragments().region(page.event(steps).P));
   outline(paint, last, page(Cell::Black), {4});
   outline(paint, last, page(Cell::P), {2});
   const int above = 18 - kGlyphAscent - 1,

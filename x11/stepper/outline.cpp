@@ -1,4 +1,4 @@
-#include "x11/stepper/figure.h"
+#include "x11/stepper/outline.h"
 
 #include <algorithm>
 #include <cassert>
@@ -34,13 +34,13 @@ int pixel(double v) { return static_cast<int>(std::floor(v)); }
 
 }  // namespace
 
-Figure figureOf(const Region& region) {
-  Figure figure;
+Outline outlineOf(const Region& region) {
+  Outline figure;
   for (const Side& side : region) figure.push_back({side.corner.x / kGrid, side.corner.y / kGrid});
   return figure;
 }
 
-Place middleOf(const Figure& figure) {
+Place middleOf(const Outline& figure) {
   Place middle;
   for (const Place& p : figure) {
     middle.x += p.x / static_cast<double>(figure.size());
@@ -54,7 +54,7 @@ void segment(Painter& painter, Place from, Place to, std::uint8_t cell, const Li
   painter.line(pixel(from.x), pixel(from.y), pixel(to.x), pixel(to.y), cell, style);
 }
 
-void outline(Painter& painter, const Figure& figure, std::uint8_t cell, const LineStyle& style) {
+void outline(Painter& painter, const Outline& figure, std::uint8_t cell, const LineStyle& style) {
   if (figure.empty()) return;
   Place from = figure.back();
   for (const Place& to : figure) {
@@ -63,7 +63,7 @@ void outline(Painter& painter, const Figure& figure, std::uint8_t cell, const Li
   }
 }
 
-void tint(Painter& painter, const Rect& area, const Figure& figure, Stipple stipple, std::uint8_t cell) {
+void tint(Painter& painter, const Rect& area, const Outline& figure, Stipple stipple, std::uint8_t cell) {
   for (int j = area.y; j < area.y + area.height; ++j) {
     const double y = j + 0.5;
     double left = kFarthestDrawn, right = -kFarthestDrawn;
@@ -80,7 +80,7 @@ void tint(Painter& painter, const Rect& area, const Figure& figure, Stipple stip
   }
 }
 
-std::optional<Chord> zeroLine(const Figure& figure, const std::vector<double>& values) {
+std::optional<Chord> zeroLine(const Outline& figure, const std::vector<double>& values) {
   assert(figure.size() == values.size());
   std::vector<Place> ends;
   for (std::size_t k = 0; k < figure.size() && ends.size() < 2; ++k) {

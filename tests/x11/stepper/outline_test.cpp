@@ -1,4 +1,4 @@
-#include "x11/stepper/figure.h"
+#include "x11/stepper/outline.h"
 
 #include <gtest/gtest.h>
 
@@ -17,7 +17,7 @@ int count(const IndexImage& image, std::uint8_t cell) {
 }  // namespace
 
 // A segment looks like its part near the image, however far away its ends are.
-TEST(Figure, FarEndsDoNotMatter) {
+TEST(Outline, FarEndsDoNotMatter) {
   for (const double far : {1e2, 1e6, 1e9, 1e12}) {
     IndexImage near{kSize, kSize, 0}, image{kSize, kSize, 0};
     Painter a{near}, b{image};
@@ -34,8 +34,8 @@ TEST(Figure, FarEndsDoNotMatter) {
 
 // Only pixels within the figure are tinted. Two halves of a square share no pixel, and together they are the
 // square.
-TEST(Figure, HalvesShareNoTint) {
-  const Figure lower{{3, 4}, {3, 27}, {29, 27}}, upper{{3, 4}, {29, 27}, {29, 4}};
+TEST(Outline, HalvesShareNoTint) {
+  const Outline lower{{3, 4}, {3, 27}, {29, 27}}, upper{{3, 4}, {29, 27}, {29, 4}};
   IndexImage a{kSize, kSize, 0}, b{kSize, kSize, 0};
   Painter pa{a}, pb{b};
   const Rect area{0, 0, kSize, kSize};
@@ -53,8 +53,8 @@ TEST(Figure, HalvesShareNoTint) {
 
 // If the values at the corners are those of a plane, the zero line lies where the plane is zero. If all
 // values have one sign, there is no line.
-TEST(Figure, TheZeroLineIsWhereThePlaneIsZero) {
-  const Figure square{{0, 0}, {0, 10}, {10, 10}, {10, 0}};
+TEST(Outline, TheZeroLineIsWhereThePlaneIsZero) {
+  const Outline square{{0, 0}, {0, 10}, {10, 10}, {10, 0}};
   int lines = 0;
   for (int a = -5; a <= 5; ++a)
     for (int c = -60; c <= 60; c += 7) {
