@@ -90,9 +90,10 @@ void Workbench::takeNextScale() {
   tell("scale " + std::to_string(next) + " of " + std::to_string(most));
 }
 
-void Workbench::teach(Lesson lesson) {
+void Workbench::teach(Lesson lesson, int step) {
   switchTo(WindowView::Lesson);
   lessons_->start(std::move(lesson));
+  if (step > 0) lessons_->goTo(step);
 }
 
 void Workbench::begin(Work work) {
@@ -144,6 +145,7 @@ void Workbench::goTo(const WindowPlace& place) {
   if (place.scanline) bands_->choose(*place.scanline);
   if (place.cell) colors_->choose(*place.cell);
   if (place.pixel) pixel_->choose(*place.pixel);
+  sides_->begin(place.beside, place.difference);
   switchTo(place.view);
   layOut();
 }
@@ -154,6 +156,8 @@ WindowPlace Workbench::place() const {
   if (place.view == WindowView::MachBands) place.scanline = bands_->row();
   if (place.view == WindowView::Colors) place.cell = colors_->inspected();
   if (place.view == WindowView::Pixel) place.pixel = pixel_->pixel();
+  if (place.view == WindowView::SideBySide)
+    place.beside = sides_->ownOfB(), place.difference = sides_->kind();
   if (layout_.drawer != Drawer::Whole) place.controls = layout_.drawer == Drawer::Few ? few_ : "";
   return place;
 }
@@ -170,7 +174,8 @@ void Workbench::explain(double x, double y) {
 
 void Workbench::compare(const Setup& B) {
   switchTo(WindowView::SideBySide);
-  sides_->put(B);  // after the view was entered, because then B follows what was changed elsewhere
+  sides_->put(
+      B, Unlike::Intensity);  // after the view was entered, because then B follows what was changed elsewhere
 }
 
 void Workbench::keepWithin(std::optional<AccuracyLimit> limit, std::vector<std::string> mine,

@@ -67,8 +67,8 @@ class Workbench : public Host {
   void release(char letter) { bench().release(letter); }
   /// Goes to a place of the window.
   void goTo(const WindowPlace& place);
-  /// Shows a lesson from its first step.
-  void teach(Lesson lesson);
+  /// Shows a lesson, beginning with this step; 0 is the first.
+  void teach(Lesson lesson, int step = 0);
   /// For code that draws the frames of a lesson or of the stepper.
   [[nodiscard]] LessonBench& lessons() { return *lessons_; }
   [[nodiscard]] SortBench& stepper() { return *stepper_; }

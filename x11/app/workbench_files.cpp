@@ -60,20 +60,17 @@ std::string Workbench::pictureName() const {
 }
 
 std::string Workbench::pictureNote() const {
-  if (view() == WindowView::Lesson) return "";  // no option says which lesson
+  if (view() == WindowView::Lesson) {
+    const Lesson* const lesson = lessons_->showsList() ? nullptr : lessons_->lesson();
+    return lesson ? lessonNote(lesson->source, {width_, height_}, layout_.unit, lessons_->step() + 1) : "";
+  }
   PictureSettings settings = work_.setup.picture;
   const PictureSettings shown = sized();
   settings.width = shown.width, settings.height = shown.height;
   Drawing drawing{.size = glm::ivec2{width_, height_}, .wholeWindow = true};
   drawing.options.emplace_back("--view", viewOption(view(), work_.setup.show));
   if (layout_.unit != 1) drawing.options.emplace_back("--scale", std::to_string(layout_.unit));
-  const WindowPlace at = place();
-  if (at.step > 0) drawing.options.emplace_back("--step", std::to_string(at.step));
-  if (at.scanline) drawing.options.emplace_back("--scanline", std::to_string(*at.scanline));
-  if (at.cell) drawing.options.emplace_back("--cell", std::to_string(*at.cell));
-  if (at.pixel)
-    drawing.options.emplace_back("--pixel", std::to_string(at.pixel->x) + ',' + std::to_string(at.pixel->y));
-  if (at.controls) drawing.options.emplace_back("--controls", at.controls->empty() ? "none" : *at.controls);
+  std::ranges::copy(optionsOf(place()), std::back_inserter(drawing.options));
   return noteOf(scene(), settings, work_.setup.divisions, work_.setup.fill, drawing);
 }
 

@@ -38,6 +38,7 @@
 #include "x11/command/write_frames.h"
 #include "x11/command/write_lesson.h"
 #include "x11/command/write_worksheet.h"
+#include "x11/drawing/wording.h"
 #include "x11/lessons/broken_claims.h"
 #include "x11/options/carried_setup.h"
 #include "x11/options/exit_status.h"
@@ -129,6 +130,8 @@ void listScenes() {
     std::cout << std::left << std::setw(18) << scene.name << ' ' << scene.shows << '\n';
   for (const LessonEntry& lesson : builtInLessons())
     std::cout << std::left << std::setw(26) << "lesson " + lesson.name << ' ' << lesson.shows << '\n';
+  for (const LectureEntry& lecture : builtInLectures())
+    std::cout << std::left << std::setw(26) << "lecture " + lecture.name << ' ' << lecture.shows << '\n';
 }
 
 int openWindow(const Options& options, Scene scene, std::optional<Lesson> lesson = {}) {
@@ -159,6 +162,8 @@ int teach(const Options& options) {
   if (options.gave("scene")) {
     const Doing reading{"reading " + options.scene};
     lesson = lessonNamed(options.scene);
+    if (const auto steps = lesson->steps.size(); options.window.step > static_cast<int>(steps))
+      throw UsageError{"--step: the lesson has " + counted(steps, "step")};
     if (std::filesystem::path{options.scene}.extension() == ".json") warnOfClaims(*lesson, options);
   }
   if (options.frames.empty() && options.worksheet.empty())

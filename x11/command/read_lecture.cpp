@@ -90,7 +90,7 @@ std::vector<Page> readLecture(const std::string& name) {
   const std::string file = std::filesystem::is_regular_file(builtIn) ? builtIn.string() : name;
   const JsonText json{readTextFile(file), file};
   const Node root = json.root();
-  root.expectKeys({"pages"});
+  root.expectKeys({"shows", "pages"});
   if (!root.has("pages")) root.fail("pages is needed");
   const Node pages = root.at("pages");
   if (pages.size() < 1 || pages.size() > kMostPages)
@@ -99,6 +99,18 @@ std::vector<Page> readLecture(const std::string& name) {
   for (int k = 0; k < pages.size(); ++k)
     all.push_back(readPage(pages.item(k), std::filesystem::path{file}.parent_path()));
   return all;
+}
+
+std::vector<LectureEntry> builtInLectures() {
+  std::vector<LectureEntry> lectures;
+  for (const auto& found : std::filesystem::directory_iterator{dataFolder() / "lectures"}) {
+    if (found.path().extension() != ".json") continue;
+    const JsonText json{readTextFile(found.path()), found.path().string()};
+    const Node root = json.root();
+    lectures.push_back({found.path().stem().string(), root.has("shows") ? root.at("shows").text() : ""});
+  }
+  std::ranges::sort(lectures, {}, &LectureEntry::name);
+  return lectures;
 }
 
 }  // namespace xnewell

@@ -9,7 +9,8 @@ namespace xnewell {
 
 /// Reads a lecture, a JSON file:
 ///
-///     {"pages": [
+///     {"shows": "what `xnewell scenes` says of it",
+///      "pages": [
 ///       {"title": "Why facets?", "show": "teapot --shade flat", "notes": "Ask: how many colours has a
 ///       face?"},
 ///       {"title": "The cycle", "show": "cycle --view depthsort --step 12"},
@@ -22,5 +23,11 @@ namespace xnewell {
 /// mistake on its last page.
 /// @throws ParseError, UsageError, std::system_error
 [[nodiscard]] std::vector<Page> readLecture(const std::string& name);
+
+struct LectureEntry {
+  std::string name, shows;
+};
+/// The lectures of the data folder, sorted by name. @throws ParseError, std::system_error
+[[nodiscard]] std::vector<LectureEntry> builtInLectures();
 
 }  // namespace xnewell

@@ -11,6 +11,7 @@
 #include "x11/command/write_lesson.h"
 #include "x11/lessons/lesson_bench.h"
 #include "x11/lessons/lesson_sight.h"
+#include "x11/options/shell_words.h"
 
 namespace xnewell {
 
@@ -21,8 +22,9 @@ constexpr std::string_view kHead = R"(<meta charset="utf-8">
 body { font: 11pt/1.4 serif; max-width: 45em; margin: 2em auto }
 img { width: 100%; image-rendering: pixelated }
 section { break-inside: avoid; margin-top: 2em }
+section + section { break-before: page }
 .room { height: 7em; border-bottom: 1px solid; margin-bottom: 1em }
-.solutions { break-before: page }
+.try { font-size: smaller }
 </style>
 )";
 
@@ -68,14 +70,20 @@ std::string pictureOf(const Workbench& bench) {
 void writeWorksheet(const Options& options, Lesson lesson, const std::function<void(int)>& tell) {
   std::string sheet = "<!DOCTYPE html>\n<html lang=\"en\">\n" + element("title", lesson.title) +
                       std::string{kHead} + element("h1", lesson.title) + "<p>Name:</p>\n";
-  std::string solutions = "<section class=\"solutions\">\n" + element("h2", "Solutions") + "<ol>\n";
+  std::string solutions = "<section>\n" + element("h2", "Solutions") + "<ol>\n";
   const std::vector<LessonStep> steps = lesson.steps;
+  const std::string source = lesson.source;
   visitSteps(options, std::move(lesson), tell, [&](Workbench& bench, int k) {
     const LessonPage asked = bench.lessons().page();
     sheet += "<section>\n" + element("h2", std::to_string(k + 1) + ". " + asked.heading) + pictureOf(bench);
     for (const std::string& paragraph : asked.caption) sheet += element("p", paragraph);
+    const LessonStep& step = steps[static_cast<std::size_t>(k)];
+    if (!step.controls.empty())
+      sheet += "<p class=\"try\">To try it on a screen: <code>" +
+               inHtml("xnewell lesson " + quoted(source) + " --step " + std::to_string(k + 1)) +
+               "</code></p>\n";
     std::string solution = asked.heading + ": no question.";
-    if (const auto& question = steps[static_cast<std::size_t>(k)].question) {
+    if (const auto& question = step.question) {
       sheet += element("p", question->asks) + "<ol type=\"a\">\n";
       for (const LessonAnswer& answer : question->answers) sheet += element("li", answer.text);
       sheet += "</ol>\n" + element("p", "Why?") + "<div class=\"room\"></div>\n";

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <optional>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -20,6 +21,8 @@ class Labels {
 
   /// No label will cover this.
   void avoid(const Rect& mark) { taken_.push_back(mark); }
+  /// Takes the first of these places that lies in the area and covers nothing, if there is one.
+  std::optional<Rect> take(std::span<const Rect> places);
   /// Draws a label beside the point (x, y), boxed or as it is. Returns its place, if there was room.
   std::optional<Rect> place(int x, int y, const std::string& text, bool boxed);
 

@@ -119,10 +119,10 @@ _xnewell() {
       esac
     done
     case ${#places[@]}:${places[0]-} in
-      0:) lines='/^lesson /d; s/ .*//' kinds='@kinds@'
+      0:) lines='/^le[a-z]* /d; s/ .*//' kinds='@kinds@'
         mapfile -t COMPREPLY < <(compgen -W '@commands@' -- "$word") ;;
-      @scene@) lines='/^lesson /d; s/ .*//' kinds='@kinds@' ;;
-      @lesson@) lines='/^lesson /!d; s/^lesson //; s/ .*//' kinds='json' ;;
+      @scene@) lines='/^le[a-z]* /d; s/ .*//' kinds='@kinds@' ;;
+      @lesson@) lines="/^${places[0]} /!d; s/^${places[0]} //; s/ .*//" kinds='json' ;;
       *) return ;;
     esac
     mapfile -t -O "${#COMPREPLY[@]}" COMPREPLY < <(
@@ -179,7 +179,7 @@ _xnewell_names() {
 }
 
 _xnewell_scenes() {
-  _xnewell_names '/^lesson /!s/^\([^ ]*\) */\1:/p'
+  _xnewell_names '/^le[a-z]* /!s/^\([^ ]*\) */\1:/p'
   _files -g '*.(@kinds@)'
 }
 
@@ -199,7 +199,7 @@ _xnewell() {
       case $line[1] in
         @scene@) _xnewell_scenes && ret=0 ;;
         @lesson@)
-          _xnewell_names 's/^lesson \([^ ]*\) */\1:/p' && ret=0
+          _xnewell_names "s/^$line[1] \([^ ]*\) */\1:/p" && ret=0
           _files -g '*.json' && ret=0 ;;
       esac ;;
   esac
@@ -234,7 +234,7 @@ std::string fishCompletion() {
   }
   return filled(R"x(# Completes the words after xnewell in fish.
 
-# What the next word is: first (a command or a scene), scene, lesson or nothing.
+# What the next word is: first (a command or a scene), scene, lesson (or lecture) or nothing.
 function __xnewell_place
     set -l words (commandline -opc)
     set -l places
@@ -278,13 +278,13 @@ end
 
 function __xnewell_scenes
     set -l words (commandline -opc)
-    $words[1] scenes 2>/dev/null | string match -v 'lesson *' | string replace -r ' +' \t
+    $words[1] scenes 2>/dev/null | string match -v -r '^le[a-z]* ' | string replace -r ' +' \t
     __xnewell_files '@kinds@'
 end
 
 function __xnewell_lessons
     set -l words (commandline -opc)
-    $words[1] scenes 2>/dev/null | string replace -f -r '^lesson ([^ ]*) +' '$1\t'
+    $words[1] scenes 2>/dev/null | string replace -f -r "^$words[2] ([^ ]*) +" '$1\t'
     __xnewell_files json
 end
 

@@ -110,7 +110,9 @@ Lesson parseLesson(std::string_view text, const std::string& name, const std::fi
 }
 
 Lesson readLesson(const std::filesystem::path& file) {
-  return parseLesson(readTextFile(file), file.string(), file.parent_path());
+  Lesson lesson = parseLesson(readTextFile(file), file.string(), file.parent_path());
+  lesson.source = file.parent_path() == dataFolder() / "lessons" ? lesson.name : file.string();
+  return lesson;
 }
 
 std::vector<LessonEntry> builtInLessons() {

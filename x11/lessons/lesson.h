@@ -116,6 +116,7 @@ struct Lesson {
   std::string name, title, shows;
   int number = 1;
   std::vector<LessonStep> steps;
+  std::string source = {};  ///< what opens it again: a built-in name, or the name of its file
 };
 
 /// Reads a file. Scene files are looked for in the same folder. @throws ParseError, std::system_error

@@ -30,7 +30,8 @@ constexpr std::array<string_view, 8> kOfDrawing{"--scanline", "--cell", "--store
                                                 "--gamma",    "--bend", "--rotate", "--lit"};
 
 /// Where the window begins.
-constexpr std::array<string_view, 4> kOfWindow{"--scale", "--step", "--pixel", "--controls"};
+constexpr std::array<string_view, 6> kOfWindow{"--scale",    "--step",   "--pixel",
+                                               "--controls", "--beside", "--difference"};
 
 bool isOneOf(string_view name, const auto& names) { return std::ranges::find(names, name) != names.end(); }
 
@@ -38,6 +39,9 @@ bool mayCarry(string_view name) {
   return settingOf(name) != nullptr || isOneOf(name, kOfPicture) || isOneOf(name, kOfDrawing) ||
          isOneOf(name, kOfWindow) || name == "--view" || name == "--whole-window";
 }
+
+/// What a picture of a lesson says beside the lesson's name.
+constexpr std::array<string_view, 3> kOfLesson{"--size", "--scale", "--step"};
 
 bool isUtf8(const std::string& text) {
   try {
@@ -80,6 +84,14 @@ std::string noteOf(const Scene& scene, const PictureSettings& settings, int divi
   }
 }
 
+std::string lessonNote(const std::string& lesson, glm::ivec2 size, int scale, int step) {
+  std::string note =
+      "xnewell lesson " + quoted(lesson) + " --size " + std::to_string(size.x) + 'x' + std::to_string(size.y);
+  if (scale != 1) note += " --scale " + std::to_string(scale);
+  note += " --step " + std::to_string(step);
+  return note.size() <= kLongestNote && isUtf8(note) && !lesson.starts_with('-') ? note : "";
+}
+
 std::string noteOf(const Options& options, const Picture& picture) {
   if (options.bare) return "";
   Drawing drawing{.size = options.wholeWindow ? windowSize(options) : options.size.value_or(kPictureSize),
@@ -103,23 +115,25 @@ CarriedSetup readCarriedSetup(const std::string& file) {
   if (!isUtf8(*note)) fail("the set-up that it carries is not UTF-8");
   if (std::ranges::any_of(*note, [](unsigned char c) { return c < ' ' || c == 0x7F; }))
     fail("the set-up that it carries has control characters");
-  if (!note->ends_with(kOutput)) fail("the set-up that it carries is no command of xnewell");
-  const auto words = wordsOf(string_view{*note}.substr(0, note->size() - kOutput.size()));
-  if (!words || words->size() < 3 || words->at(0) != "xnewell" ||
-      (words->at(1) != "draw" && words->at(1) != "snapshot") || words->at(2).empty() ||
+  const bool drawn = note->ends_with(kOutput);
+  const auto words = wordsOf(string_view{*note}.substr(0, note->size() - (drawn ? kOutput.size() : 0)));
+  const string_view command = words && words->size() >= 3 && words->at(0) == "xnewell" ? words->at(1) : "";
+  if (!(drawn ? command == "draw" || command == "snapshot" : command == "lesson") || words->at(2).empty() ||
       words->at(2).starts_with('-'))
     fail("the set-up that it carries is no command of xnewell");
 
   CarriedSetup carried;
+  carried.lesson = !drawn;
   carried.scene = words->at(2);
   if (isPicture(carried.scene)) fail("the scene of the set-up that it carries is a picture");
-  carried.scene = found(words->at(2), file);
+  if (!carried.lesson || carried.scene.ends_with(".json")) carried.scene = found(words->at(2), file);
   if (carried.scene.empty())
     fail("the scene of the set-up that it carries, " + words->at(2) + ", is not there");
   for (std::size_t k = 3; k < words->size(); ++k) {
     std::string argument = words->at(k);
     const std::string name{nameOf(argument)};
-    if (!mayCarry(name)) fail("a picture cannot carry " + inQuotes(name));
+    if (!(carried.lesson ? isOneOf(name, kOfLesson) : mayCarry(name)))
+      fail("a picture cannot carry " + inQuotes(name));
     if (argument == name && k + 1 < words->size() && !words->at(k + 1).starts_with('-'))
       argument += '=' + words->at(++k);
     carried.wholeWindow |= name == "--whole-window";
@@ -134,6 +148,7 @@ std::vector<std::string> argumentsFor(const Options& said, const CarriedSetup& c
   const bool shows = window || snapshot || command == Command::Draw;
   const bool whole = window || said.wholeWindow || (snapshot && carried.wholeWindow);
   const auto fits = [&](string_view name) {
+    if (carried.lesson) return true;
     if (name == "--fill") return window || snapshot;
     if (name == "--size") return whole == carried.wholeWindow && command != Command::Extremes;
     if (name == "--view") return shows && (whole || !carried.wholeWindow);

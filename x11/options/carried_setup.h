@@ -22,16 +22,20 @@ inline constexpr std::size_t kLongestNote = 2000;
 [[nodiscard]] std::string noteOf(const Scene& scene, const PictureSettings& settings, int divisions,
                                  Fill fill, const Drawing& drawing);
 
+/// The note for the picture of a step of a lesson, from 1. `lesson` is a built-in name or a file's name.
+[[nodiscard]] std::string lessonNote(const std::string& lesson, glm::ivec2 size, int scale, int step);
+
 /// What a picture's file carries.
 struct CarriedSetup {
-  std::string scene;
+  std::string scene;                   ///< or the lesson
+  bool lesson = false;                 ///< the picture shows a step of a lesson
   bool wholeWindow = false;            ///< the picture shows the window with all its controls
   std::vector<std::string> arguments;  ///< "--shade=phong": each an option of our own with its value
 };
 /// Reads the note of a file. A scene's file of a relative path is looked for from the picture's folder, then
 /// from the working directory, then beside the picture by its name alone. Nothing that it says is trusted: it
-/// is one of our commands, and it has no option that names a file, but the scene. @throws ParseError,
-/// std::system_error
+/// is one of our commands, and it has no option that names a file, but the scene or the lesson. @throws
+/// ParseError, std::system_error
 [[nodiscard]] CarriedSetup readCarriedSetup(const std::string& file);
 
 /// True if the name of a scene is that of a picture.

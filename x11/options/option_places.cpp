@@ -17,9 +17,10 @@ void addPlaces(Reader& r) {
   only({"--scale"}, {"view", "lesson", "lecture", "--whole-window"});
   only({"--visual", "--colormap", "--nearest"}, {"view", "snapshot", "lesson", "lecture", "visuals"});
   only({"--view"}, {"view", "draw", "snapshot"});
-  only({"--step"}, {"--view depthsort"});
+  only({"--step"}, {"--view depthsort", "lesson"});
   only({"--pixel"}, {"--view pixel"});
   only({"--controls"}, {"view", "--whole-window"});
+  only({"--beside", "--difference"}, {"--view sidebyside"});
   only({"--scanline"}, {"--view machbands"});
   only({"--cell"}, {"--view colours"});
   only({"--store", "--turn", "--gamma", "--bend", "--rotate", "--lit"}, {"draw", "snapshot"});

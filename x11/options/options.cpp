@@ -16,6 +16,7 @@
 #include "x11/options/option_rows.h"
 #include "x11/options/options_check.h"
 #include "x11/options/read_value.h"
+#include "x11/options/shell_words.h"
 
 namespace xnewell {
 
@@ -212,7 +213,7 @@ void addOptions(CLI::App& app, Reader& r, Options& o) {
   for (const WindowViewRow& row : kWindowViews)
     if (!isView(row.option)) r.proposes("--view", std::array{Choice{row.option, {}, {}}});
   r.number("--step", o.window.step, 0, 1'000'000'000,
-           "the step of the depth sort that the window begins with");
+           "the step of the depth sort that the window begins with; lesson: the lesson's step, from 1");
   r.text("--pixel", "the pixel X,Y that the window begins with, in the picture of that view", "its middle",
          [&](const std::string& s) { o.window.pixel = parsePixel("--pixel", s); });
   r.text(
@@ -227,6 +228,12 @@ void addOptions(CLI::App& app, Reader& r, Options& o) {
            if (v < 0 || v >= kMaxPicture || v != std::floor(v)) refuse("--scanline", s, expected);
            o.window.scanline = static_cast<int>(v);
          });
+  r.text("--beside",
+         "the settings of B that differ from those of A, such as \"order=none shade=phong\"; same: none of "
+         "them",
+         "z-sort beside an exact order, Newell's beside any other",
+         [&](const std::string& s) { o.window.beside = besideOf(s); });
+  r.choice("--difference", kUnlikes, o.window.difference, "what --view sidebyside compares");
   addEffects(r, o);
   r.named("--ids", o.ids, "file",
           "also write the face image: 8-bit RGB, face number + 1, 0 where there is no face; figure: also "
@@ -375,6 +382,12 @@ std::optional<Options> parseOptions(int argc, const char* const* argv) {
   const std::string carrier = said.scene;
   const CarriedSetup carried = readCarriedSetup(carrier);
   try {
+    if (carried.lesson && o.command != Command::View)
+      throw UsageError{"it shows a lesson, which opens in a window: xnewell " + quoted(carrier)};
+    if (carried.lesson) {
+      o.command = said.command = Command::Lesson;
+      o.commandMeant = false;
+    }
     o = withCarried(std::move(o), said, carried, arguments);
     o.carrier = carrier;
     checkUsage(o, optionRows());

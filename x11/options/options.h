@@ -59,11 +59,12 @@ inline constexpr std::array kCommands{
                "what becomes wrong first when the scene is scaled, moved, flattened ...", true},
     CommandRow{Command::Lesson, "lesson", "lesson [NAME] [--frames DIR] [--worksheet FILE]",
                "a guided lesson in the window, as pictures, or to print; without NAME, the list"},
-    CommandRow{Command::Lecture, "lecture", "lecture FILE [--play SECONDS]",
+    CommandRow{Command::Lecture, "lecture", "lecture NAME [--play SECONDS]",
                "the pages of a lecture in the window: PgDn and PgUp turn them"},
     CommandRow{Command::Visuals, "visuals", "visuals [options]",
                "what this X server offers and what xnewell would choose, and why"},
-    CommandRow{Command::Scenes, "scenes", "scenes", "the built-in scenes and lessons, one line each"},
+    CommandRow{Command::Scenes, "scenes", "scenes",
+               "the built-in scenes, lessons and lectures, one line each"},
     CommandRow{Command::Keys, "keys", "keys", "the keys of all views of the window, as tables"},
 };
 

@@ -173,6 +173,8 @@ void checkCommand(const Options& o, const std::vector<OptionRow>& rows) {
       if (writes && o.gave(option))
         throw UsageError{std::string{option} + " needs a server, and lesson " + how + " uses none"};
     exclude(writes, !o.answers.empty(), how + " and --answers");
+    exclude(writes, o.gave("--step"), how + " and --step");
+    if (o.gave("--step") && !sceneGiven) throw UsageError{"--step needs a lesson's name"};
     exclude(!o.frames.empty(), !o.worksheet.empty(), "--frames and --worksheet");
     needsWindow("a lesson", o);
   }
@@ -265,6 +267,8 @@ void settle(Options& o, const PictureSettings& scene) try {
   const bool fillable = !rowOf(settings.order).bySample && !rowOf(settings.shading).interpolates;
   if (server && (o.gave("--fill") || (window && fillable))) o.fill = Fill::XFillPolygon;
   o.picture = settings;
+  if (PictureSettings B = settings; o.window.beside && !applyOverrides(B, *o.window.beside))
+    throw UsageError{"--beside: the sum of ia and ip must not exceed 1"};
   checkSettings(o);
 } catch (const UsageError& e) {
   if (o.carrier.empty()) throw;

@@ -40,6 +40,10 @@ Value valueOf(const Setting& setting, const std::string& text) {
     if (!choice) refuse(option, text, needed);
     return static_cast<double>(*choice);
   }
+  if (setting.field.kind == ValueKind::Flag) {
+    if (text != "true" && text != "false") refuse(option, text, "true or false");
+    return text == "true" ? 1.0 : 0.0;
+  }
   if (setting.field.kind == ValueKind::Triple) {
     const std::vector<double> v = numbers(option, text, 3, needed);
     value = glm::dvec3{v[0], v[1], v[2]};

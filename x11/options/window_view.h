@@ -5,6 +5,10 @@
 #include <optional>
 #include <string>
 #include <string_view>
+#include <utility>
+#include <vector>
+
+#include "shading/scene/settings.h"
 
 namespace xnewell {
 
@@ -26,6 +30,23 @@ inline constexpr std::array kWindowViews{
     WindowViewRow{WindowView::Pixel, '8', "One pixel", "pixel"},
 };
 
+/// What two pictures may differ in at a sample, one row for each.
+enum class Unlike { Face, Intensity, Color };
+struct UnlikeRow {
+  Unlike id;
+  std::string_view name;
+  double unit;  ///< samples count as different above this
+  std::string_view differs, same, unitInWords;
+};
+inline constexpr std::array kUnlikes{
+    UnlikeRow{Unlike::Face, "face", 0.0, "another face", "same in A and B", ""},
+    UnlikeRow{Unlike::Intensity, "intensity", 1.0 / 240, "differs", "below 1/240", "x 1/240"},
+    UnlikeRow{Unlike::Color, "colour", 1.0, "differs", "below 1", "CIEDE2000"},
+};
+[[nodiscard]] constexpr const UnlikeRow& rowOf(Unlike kind) {
+  return kUnlikes[static_cast<std::size_t>(kind)];
+}
+
 /// Where a view begins, beside its scene and the set-up.
 struct WindowPlace {
   WindowView view = WindowView::Picture;
@@ -35,6 +56,18 @@ struct WindowPlace {
   std::optional<glm::ivec2> pixel = {};  ///< of view 8: column and row in its picture
   std::optional<std::string> controls =
       {};  ///< the keys of the few in view 1; "": put away; none: all of them
+  /// Of view 5: the settings of B that differ from those of A. None: an order worth comparing.
+  std::optional<std::vector<Override>> beside = {};
+  Unlike difference = Unlike::Face;  ///< of view 5
 };
+
+/// The options that say where the view begins, with their values; those that are as without an option are
+/// left out. The view itself is not among them.
+[[nodiscard]] std::vector<std::pair<std::string, std::string>> optionsOf(const WindowPlace& place);
+
+/// The value of --beside: "order=none shade=phong", or "same" for no settings at all.
+[[nodiscard]] std::string besideText(const std::vector<Override>& own);
+/// Reads it. @throws UsageError
+[[nodiscard]] std::vector<Override> besideOf(const std::string& text);
 
 }  // namespace xnewell

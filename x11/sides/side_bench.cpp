@@ -21,6 +21,15 @@ Setup lessonBeside(const Setup& A) {
   return B;
 }
 
+/// The settings of B that differ from those of A. B is A with these over it.
+std::vector<Override> differing(const PictureSettings& B, const PictureSettings& A) {
+  std::vector<Override> own;
+  for (const Setting& setting : settingRows())
+    if (const Value value = setting.field.get(B); value != setting.field.get(A))
+      own.push_back({&setting, value});
+  return own;
+}
+
 /// What every pair rests on: only what the pair is about may be wrong, and there must be light to see it.
 void layGround(PictureSettings& s) {
   if (!rowOf(s.order).exact) s.order = Order::Newell;
@@ -53,10 +62,7 @@ Setup SideBench::beside(const Setup& A) const {
   b.camera = now.camera;
   B.fill = A.fill;
   if (joins_) {
-    std::vector<Override> own;  // B is A with these over it: those in which they differed
-    for (const Setting& setting : settingRows())
-      if (const Value value = setting.field.get(b); value != setting.field.get(before))
-        own.push_back({&setting, value});
+    const std::vector<Override> own = differing(b, before);
     b = now;
     (void)applyOverrides(b, own);
   }
@@ -64,10 +70,24 @@ Setup SideBench::beside(const Setup& A) const {
   return B;
 }
 
-void SideBench::put(const Setup& B) {
+std::vector<Override> SideBench::ownOfB() const {
+  if (!a_ || !b_) return differing(lessonBeside(host_.setup()).picture, host_.setup().picture);
+  return differing(b_->picture, a_->picture);
+}
+
+void SideBench::begin(const std::optional<std::vector<Override>>& own, Unlike kind) {
+  Setup B = host_.setup();
+  if (own)
+    (void)applyOverrides(B.picture, *own);
+  else
+    B = lessonBeside(B);
+  put(B, kind);
+}
+
+void SideBench::put(const Setup& B, Unlike kind) {
   a_ = host_.setup(), b_ = B;
   (void)keepFillable(*b_);
-  kind_ = Unlike::Intensity, place_ = 0, joins_ = false;
+  kind_ = kind, place_ = 0, joins_ = false;
   picturesB_.reset();  // whatever scene they were of, B stays
   before_.clear();
 }

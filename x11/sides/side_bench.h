@@ -41,8 +41,13 @@ class SideBench : public Bench {
   [[nodiscard]] const CellUse* use() const override { return &use_; }
   [[nodiscard]] const OwnColors* colors() const override { return &colors_; }
 
-  /// Puts B beside the window's setup, and compares intensities.
-  void put(const Setup& B);
+  /// Puts B beside the window's setup, and compares this.
+  void put(const Setup& B, Unlike kind);
+  /// Begins anew: B is the window's setup with these settings over it. None: with an order worth comparing.
+  void begin(const std::optional<std::vector<Override>>& own, Unlike kind);
+  /// The settings of B that differ from those of A.
+  [[nodiscard]] std::vector<Override> ownOfB() const;
+  [[nodiscard]] Unlike kind() const { return kind_; }
   /// B as it would be drawn beside this A.
   [[nodiscard]] Setup beside(const Setup& A) const;
   [[nodiscard]] char focus() const { return focus_; }

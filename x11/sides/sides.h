@@ -9,28 +9,12 @@
 
 #include "shading/picture/picture.h"
 #include "x11/drawing/rect.h"
+#include "x11/options/window_view.h"
 #include "x11/views/difference.h"
 
 namespace xnewell {
 
 /// Two pictures A and B of one scene in one view: where do they differ, by how much, and which is right?
-
-/// What two pictures may differ in at a sample, one row for each.
-enum class Unlike { Face, Intensity, Color };
-struct UnlikeRow {
-  Unlike id;
-  std::string_view name;
-  double unit;  ///< samples count as different above this
-  std::string_view differs, same, unitInWords;
-};
-inline constexpr std::array kUnlikes{
-    UnlikeRow{Unlike::Face, "face", 0.0, "another face", "same in A and B", ""},
-    UnlikeRow{Unlike::Intensity, "intensity", 1.0 / 240, "differs", "below 1/240", "x 1/240"},
-    UnlikeRow{Unlike::Color, "colour", 1.0, "differs", "below 1", "CIEDE2000"},
-};
-[[nodiscard]] constexpr const UnlikeRow& rowOf(Unlike kind) {
-  return kUnlikes[static_cast<std::size_t>(kind)];
-}
 
 /// A picture, painted, and its colours; both outlive it.
 struct ColoredPicture {

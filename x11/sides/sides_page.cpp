@@ -122,7 +122,8 @@ void SidesDrawing::drawDifference() {
   const Unlikeness& u = page_.unlike;
   const double share =
       u.samples == 0 ? 0.0 : 100.0 * static_cast<double>(u.differ) / static_cast<double>(u.samples);
-  const std::string percent = fixed(share, 2) + " %", all = grouped(u.differ) + " samples, " + percent;
+  const std::string percent = fixed(share, 2) + " %",
+                    all = grouped(u.differ) + " of " + counted(u.samples, "sample") + ", " + percent;
   const int right = x + at_.difference.width;
   const std::string& told = end + textWidth(all) + 4 <= right ? all : percent;
   pen_.boldRight(right - 1, y + 17, told);
@@ -186,7 +187,7 @@ std::vector<std::string> SidesDrawing::drawNumbers() {
   count("cuts", a.cuts, b.cuts);
   amount(
       "time, ms, best of " + std::to_string(std::max(1, std::min(page_.ofA.time.runs, page_.ofB.time.runs))),
-      page_.ofA.time.ms, page_.ofB.time.ms, 1, true);
+      page_.ofA.time.ms, page_.ofB.time.ms, std::min(page_.ofA.time.ms, page_.ofB.time.ms) < 1 ? 3 : 1, true);
 
   const bool pairs = !page_.pairs.empty() && !at_.compact;
   const int room = at.height - (pairs ? 20 : 0);

@@ -112,7 +112,7 @@ Finding findingOf(const Picture& A, const Picture& B, const SideNumbers& ofA, co
   const std::string share = shareOf(unlike.differ, unlike.samples);
   const DifferenceMeasure measure =
       unlike.kind == Unlike::Intensity ? DifferenceMeasure::Intensity : DifferenceMeasure::Color;
-  const std::string they = unlike.differ > 0 ? "They differ at " + share + " of the samples."
+  const std::string they = unlike.differ > 0 ? "They differ at " + share + " of the samples that show a face."
                            : unlike.kind == Unlike::Face
                                ? "Both show the same face at every sample."
                                : "The two pictures differ nowhere by more than " +
@@ -131,7 +131,7 @@ Finding findingOf(const Picture& A, const Picture& B, const SideNumbers& ofA, co
     return {std::string{aIsNearer ? "A" : "B"} + " is closer to the truth overall.",
             "Its root mean square error is " + least + ", against " + most + ". " + they};
   if (unlike.differ > 0)
-    return {"A and B differ at " + share + " of the samples.",
+    return {"A and B differ at " + share + " of the samples that show a face.",
             unlike.kind == Unlike::Color ? "The largest difference is " + fixed(unlike.largest, 1) +
                                                "; the eye just sees a difference of 1."
                                          : ""};

@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 #include "x11/drawing/wording.h"
@@ -58,6 +59,30 @@ void markPair(SortPen& pen, Painter& paint, const auto& placed) {
   outline(fine, placed(e.P), pen(Cell::P), {2});
 }
 
+/// Writes words at the top of the picture, or at its foot if they would hide a part of P or Q and the foot is
+/// free.
+void drawWords(SortPen& pen, const std::string& words, const Rect& loupe) {
+  constexpr int kInset = 10, kHeight = 14;
+  const Rect& at = pen.at.picture;
+  const auto placeOf = [&](int y) { return Rect{at.x + kInset, at.y + y, textWidth(words), kHeight}; };
+  const auto hides = [&](const Rect& place) {
+    const bool onLoupe = place.x < loupe.x + loupe.width && loupe.x < place.x + place.width &&
+                         place.y < loupe.y + loupe.height && loupe.y < place.y + place.height;
+    const Rect inPicture{place.x - at.x, place.y - at.y, place.width, place.height};
+    return onLoupe || std::ranges::any_of(std::array{pen.P(), pen.Q()}, [&](int id) {
+             return id >= 0 &&
+                    samplesWithin(pen.run.scene(), pen.run.sorted(), id, inPicture * pen.paint.unit()) > 0;
+           });
+  };
+  const Rect top = placeOf(7), foot = placeOf(at.height - kHeight - 6);
+  const Rect place = hides(top) && !hides(foot) ? foot : top;
+  const int baseline = place.y + 11;
+  // A halo hides less of the picture than a plate would.
+  for (const int dx : {-1, 0, 1})
+    for (const int dy : {-1, 0, 1}) pen.paint.text(place.x + dx, baseline + dy, words, pen(Cell::Well));
+  pen.paint.text(place.x, baseline, words, pen(Cell::WellText));
+}
+
 }  // namespace
 
 Rect drawSortPicture(SortPen& pen) {
@@ -85,10 +110,7 @@ Rect drawSortPicture(SortPen& pen) {
                                       (outlined                       ? "; the rest in outline"
                                        : all - painted > kMostWaiting ? "; the rest is too much to outline"
                                                                       : "");
-  // A halo hides less of the picture than a plate would.
-  for (const int dx : {-1, 0, 1})
-    for (const int dy : {-1, 0, 1}) pen.paint.text(at.x + 10 + dx, at.y + 18 + dy, words, pen(Cell::Well));
-  pen.paint.text(at.x + 10, at.y + 18, words, pen(Cell::WellText));
+  drawWords(pen, words, loupe);
   return loupe;
 }
 

@@ -24,10 +24,15 @@ void TradeBench::measure(const Picture& picture, const Setup& setup) {
   measuredOf_ = measuredPart(setup);
   measuredScene_ = picture.scene().name;
   measuring_ = std::make_unique<Measuring>(picture.scene(), picture.settings(), request_);
+  since_ = {}, told_ = 0;
 }
 
 void TradeBench::tick() {
   if (!measuring_) return;
+  if (const int seconds = static_cast<int>(since_.ms() / 1e3); seconds != told_) {
+    told_ = seconds;
+    changed_ = true;
+  }
   std::optional<Measuring::News> news = measuring_->news();
   if (!news) return;
   known_ = std::move(*news);
@@ -326,7 +331,8 @@ void TradeBench::draw(Painter paint, const Desk& desk) {
     colors_.palette = desk.gray ? forGrayScreen(own, *painted_) : own;
   }
   status_ = measuring_
-                ? "measuring: " + known_.doing
+                ? "measuring, " + std::to_string(told_) + " of about " + textOf(request_.seconds) +
+                      " s: " + known_.doing
                 : grouped(static_cast<std::int64_t>(known_.trade.combinations.size())) + " measured, " +
                       grouped(static_cast<std::int64_t>(frontBy(axes_, known_.trade).size())) +
                       " on the front";

@@ -6,6 +6,8 @@
 #include <vector>
 
 #include "shading/picture/picture_cache.h"
+#include "shading/picture/stopwatch.h"
+#include "shading/picture/stopwatch.h"
 #include "x11/trade/measuring.h"
 #include "x11/trade/trade_page.h"
 #include "x11/window/bench.h"
@@ -66,6 +68,8 @@ class TradeBench : public Bench {
   TradeRequest request_;
   std::unique_ptr<Measuring> measuring_;
   Measuring::News known_;
+  Stopwatch since_;      ///< the measuring began
+  int told_ = 0;         ///< the seconds that the status line tells
   bool single_ = false;  ///< only single short cuts are known as yet
   std::optional<Setup> measuredOf_;
   std::string measuredScene_;

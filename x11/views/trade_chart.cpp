@@ -182,12 +182,20 @@ void drawTradePlot(Painter paint, const CellPlan& plan, const TradeScale& scale,
     const int y = scale.y(*limit);
     inside.line(area.x, y, right - 1, y, plan[Cell::Good], {1, 4, 3});
     paint.fillRect(limitHandle(scale, *limit), plan[Cell::Good]);
-    // The choice knows more than the chart.
-    const std::string words =
-        "within the limit here; turned views and " + textOf(100 * kSpare) + " % spare count too";
-    inside.text(area.x + 6, y + 14, words, plan[Cell::Good]);
-    labels.avoid({area.x + 6, y + 2, textWidth(words) + Labels::kGap, 14});
     labels.avoid({area.x, y - 1, area.width, 3});
+    // The choice knows more than the chart.
+    for (const std::string& words :
+         {"within the limit here; turned views and " + textOf(100 * kSpare) + " % spare count too",
+          std::string{"within the limit here"}}) {
+      const int width = textWidth(words) + 2;
+      std::vector<Rect> places;
+      for (int row = y + 3; row < base; row += 14)
+        for (const int x : {area.x + 6, right - width - 10, area.x + (area.width - width) / 2})
+          places.push_back({x, row, width, 14});
+      const std::optional<Rect> at = labels.take(places);
+      if (at) inside.text(at->x, at->y + 11, words, plan[Cell::Good]);
+      if (at) break;
+    }
   }
   for (const int k : front)
     drawMark(inside, xOf(k), yOf(k), trade.combinations[k].configuration.settings.shading, true,

@@ -1,12 +1,16 @@
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <filesystem>
 #include <fstream>
 
 #include "shading/color/png.h"
 #include "tests/support/temporary_folder.h"
+#include "tests/x11/support/parsed_options.h"
 #include "tests/x11/support/ready_workbench.h"
 #include "tests/x11/support/watched_viewer.h"
+#include "x11/options/shell_words.h"
+#include "x11/sides/sides_page.h"
 
 namespace xnewell::THIS_FILE {
 
@@ -108,7 +112,42 @@ TEST(WrittenPicture, IsNamedAfterSceneAndView) {
       std::string::npos)
       << b.pictureNote();
   b.type("7");
-  EXPECT_EQ(b.pictureNote(), "");
+  b.finish();
+  EXPECT_EQ(b.pictureNote(), "");  // the list of lessons
+  b.press(NamedKey::Return);
+  b.press(NamedKey::PageDown);
+  b.finish();
+  ASSERT_NE(b.lessons().lesson(), nullptr);
+  EXPECT_EQ(b.pictureNote(), "xnewell lesson " + b.lessons().lesson()->name +
+                                 " --size 2048x1536 --scale 2 --step " +
+                                 std::to_string(b.lessons().step() + 1));
+  EXPECT_EQ(b.lessons().step(), 1);
+}
+
+// A picture of view 5 has both set-ups and what was compared: a window that begins with its command shows the
+// same A and B, whichever keys made them.
+TEST(WrittenPicture, HasBothSetupsOfView5) {
+  for (const std::string keys : {"5", "5f", "5g", "5ggf", "5gggxS", "5ASBOOff", "5AkT"}) {
+    SCOPED_TRACE(keys);
+    ReadyWorkbench b{{}, 1024, 768, "cubes"};
+    b.type(keys);
+    b.finish();
+    const std::string note = b.pictureNote();
+    std::vector<std::string> said = wordsOf(note).value();
+    said.erase(said.begin());  // the program's name
+    const Options options = parsed(said, readScene("cubes", 3).settings);
+    ASSERT_EQ(options.window.view, WindowView::SideBySide);
+    ReadyWorkbench again{{.picture = options.picture, .fill = options.fill}, 1024, 768, "cubes"};
+    again.goTo(options.window);
+    again.finish();
+    EXPECT_EQ(again.pictureNote(), note);
+    const SidesLayout at = layoutOfSides(b.layout().body);
+    for (const Rect& part : {at.A, at.B, at.difference})  // the times beside them differ
+      for (int y = part.y; y < part.y + part.height; ++y)
+        ASSERT_TRUE(std::equal(b.image().row(y) + part.x, b.image().row(y) + part.x + part.width,
+                               again.image().row(y) + part.x))
+            << "row " << y;
+  }
 }
 
 }  // namespace xnewell::THIS_FILE

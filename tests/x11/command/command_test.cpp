@@ -11,6 +11,7 @@
 
 #include "tests/support/seeds.h"
 #include "tests/x11/support/command_fixture.h"
+#include "x11/command/read_lecture.h"
 #include "x11/lessons/lesson.h"
 #include "x11/options/options.h"
 
@@ -233,7 +234,10 @@ TEST_F(CommandTest, ScenesListsTheBuiltInOnes) {
   const std::string list = runProgram({"scenes"}).out;
   const std::vector<LessonEntry> lessons = builtInLessons();
   const std::vector<BuiltInScene> scenes = builtInScenes();
-  EXPECT_EQ(std::ranges::count(list, '\n'), std::ssize(scenes) + std::ssize(lessons));
+  const std::vector<LectureEntry> lectures = builtInLectures();
+  EXPECT_EQ(std::ranges::count(list, '\n'), std::ssize(scenes) + std::ssize(lessons) + std::ssize(lectures));
+  for (const LectureEntry& lecture : lectures)
+    EXPECT_NE(list.find("lecture " + lecture.name + ' '), std::string::npos);
   for (const LessonEntry& lesson : lessons)
     EXPECT_NE(list.find("lesson " + lesson.name + ' '), std::string::npos);
   for (const BuiltInScene& scene : scenes) EXPECT_NE(list.find(scene.shows), std::string::npos);

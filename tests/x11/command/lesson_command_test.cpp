@@ -83,6 +83,7 @@ TEST_F(LessonCommand, Refusals) {
           "a lesson needs a --size of at least 800x540");
   refused({"lesson", "cycles", "--frames", folder, "--visual", "GrayScale8"}, 2,
           "--visual needs a server, and lesson --frames uses none");
+  refused({"lesson", "cycles", "--step", "9"}, 2, "--step: the lesson has 6 steps");
   refused({"lesson", "--worksheet", folder}, 2, "--worksheet needs a lesson's name");
   refused({"lesson", "cycles", "--worksheet", file("no/w.html")}, 1,
           file("no/w.html") + ": No such file or directory");
@@ -125,6 +126,8 @@ TEST_F(LessonCommand, AWorksheetAsksAndSolves) {
         std::ranges::count_if(lesson.steps, [](const auto& s) { return s.question.has_value(); });
     EXPECT_EQ(count("src=\"data:image/png;base64,iVBORw0KGgo"), lesson.steps.size());
     EXPECT_EQ(count("class=\"room\""), questions);
+    EXPECT_EQ(count("<code>xnewell lesson " + entry.name + " --step "),
+              std::ranges::count_if(lesson.steps, [](const auto& s) { return !s.controls.empty(); }));
     const std::size_t solutions = html.find("<h2>Solutions</h2>");
     for (const LessonStep& step : lesson.steps) {
       if (!step.question) continue;

@@ -35,7 +35,7 @@ struct Told {
   std::string help = runProgram({"--help"}).out, list = runProgram({"scenes"}).out;
   Names commands = found(help, R"(^  xnewell \[?([a-z]+))"),
         options = found(help, R"(^  (?:-\w,)?(--[\w-]+) )"), lessons = found(list, "^lesson (\\S+)"),
-        scenes = found(list, "^(?!lesson )(\\S+)");
+        lectures = found(list, "^lecture (\\S+)"), scenes = found(list, "^(?!lesson |lecture )(\\S+)");
 };
 
 std::string replacedAll(std::string text, const std::string& what, const std::string& with) {
@@ -85,6 +85,7 @@ class ManualTest : public InstalledTest {
     EXPECT_EQ(propose("xnewell --view mach"), Names{"machbands"});
     EXPECT_EQ(propose("xnewell --view sideb"), Names{"sidebyside"});
     EXPECT_EQ(propose("xnewell lesson cy"), Names{"cycles"});
+    EXPECT_EQ(propose("xnewell lecture fi"), Names{"first-hour"});
     EXPECT_EQ(propose("xnewell --hal"), Names{"--half-vector"});
     EXPECT_EQ(propose("xnewell draw cycle -o pictures/windo").size(), 1u);
     EXPECT_EQ(propose("xnewell draw cycle --size 1"), Names{});

@@ -99,6 +99,28 @@ TEST(CarriedSetup, EachCommandTakesWhatItCanUse) {
   EXPECT_EQ(parsed({"snapshot", drawn, "-o", "no.png", "--whole-window"}).size, std::nullopt);
 }
 
+// A picture of a lesson opens the lesson, and only a window can show one.
+TEST(CarriedSetup, APictureOfALessonOpensIt) {
+  const TemporaryFolder folder;
+  const std::string own = folder.write("my own.json", ""),
+                    file = picture(folder, lessonNote("cycles", {1700, 1300}, 2, 3)),
+                    ofOwn = picture(folder, lessonNote("my own.json", {900, 700}, 1, 2), "b.png"),
+                    ofNone = picture(folder, lessonNote("no.json", {900, 700}, 1, 2), "c.png");
+  const Options opened = parsed({file});
+  EXPECT_EQ(opened.command, Command::Lesson);
+  EXPECT_EQ(opened.scene, "cycles");
+  EXPECT_EQ(opened.window.step, 3);
+  EXPECT_EQ(opened.size, (glm::ivec2{1700, 1300}));
+  EXPECT_EQ(opened.scale, 2);
+  EXPECT_EQ(parsed({file, "--step", "1"}).window.step, 1);
+  EXPECT_EQ(parsed({ofOwn}).scene, own);
+  EXPECT_EQ(complaintAbout(file), file + ": it shows a lesson, which opens in a window: xnewell " + file);
+  EXPECT_EQ(complaintAll({file, "--shade", "flat"}),
+            file + ": --shade does not work with lesson: the lesson decides how its steps are drawn");
+  EXPECT_EQ(complaintAbout(ofNone),
+            ofNone + ": the scene of the set-up that it carries, no.json, is not there");
+}
+
 // What a picture carries is not trusted: only a command that we could have written is read, and none of its
 // options names a file.
 TEST(CarriedSetup, RefusesWhatWeDoNotWrite) {
@@ -123,6 +145,10 @@ TEST(CarriedSetup, RefusesWhatWeDoNotWrite) {
            {"xnewell draw teapot --texture=b.png" + end, "a picture cannot carry '--texture'"},
            {"xnewell draw teapot cubes" + end, "a picture cannot carry 'cubes'"},
            {"xnewell draw b.png" + end, "the scene of the set-up that it carries is a picture"},
+           {"xnewell lesson cycles" + end, none},
+           {"xnewell lesson --step 2", none},
+           {"xnewell lesson cycles --answers a.json", "a picture cannot carry '--answers'"},
+           {"xnewell lesson cycles --shade flat", "a picture cannot carry '--shade'"},
            {"xnewell draw no.obj" + end, "the scene of the set-up that it carries, no.obj, is not there"},
            {"xnewell draw teapot --fov" + end, "--fov needs a value"},
            {"xnewell draw teapot --ia 0.8 --ip 0.8" + end, "--ia and --ip: their sum must not exceed 1"},

@@ -253,7 +253,27 @@ TEST(Options, RefuseWhatTheCommandIgnores) {
 // A view refuses options that do not apply to it, and a size too small for its words.
 TEST(Options, RefuseWhatAViewCannotHeed) {
   EXPECT_EQ(complaint({"--scanline", "3"}), "--scanline works only with --view machbands");
-  EXPECT_EQ(complaintAll({"--step", "3"}), "--step works only with --view depthsort");
+  EXPECT_EQ(complaintAll({"--step", "3"}), "--step works only with --view depthsort and lesson");
+  EXPECT_EQ(complaintAll({"lesson", "--step", "3"}), "--step needs a lesson's name");
+  EXPECT_EQ(complaintAll({"lesson", "cycles", "--step", "3", "--frames", "f"}),
+            "--frames and --step exclude each other");
+  const auto beside = [](const std::string& text) {
+    return complaintAll({"--view", "sidebyside", "--beside", text});
+  };
+  for (const std::string right :
+       {"same", "order=none", " shade=phong  ks=0.4 ", "light-at= light=0,0,1", "dither=true"})
+    EXPECT_EQ(beside(right), "") << right;
+  for (const std::string wrong : {"order", "colour=red", "fill=x11", "size=3x3"})
+    EXPECT_EQ(beside(wrong), "--beside: '" + wrong +
+                                 "' is not a setting with its value, such as order=none, or the word same");
+  EXPECT_EQ(beside(""),
+            "--beside: '' is not settings with their values, such as order=none, or the word same");
+  EXPECT_EQ(beside("order=none ks=2"), "--ks: '2' is not a number from 0 to 1");
+  EXPECT_EQ(beside("dither=perhaps"), "--dither: 'perhaps' is not true or false");
+  EXPECT_EQ(beside("ia=0.8 ip=0.8"), "--beside: the sum of ia and ip must not exceed 1");
+  EXPECT_EQ(complaintAll({"--beside", "same"}), "--beside works only with --view sidebyside");
+  EXPECT_EQ(complaintAll({"--view", "sidebyside", "--difference", "z"}),
+            "--difference: 'z' is not one of face, intensity, colour");
   EXPECT_EQ(complaintAll({"--pixel", "3,3"}), "--pixel works only with --view pixel");
   EXPECT_EQ(complaintAll({"--view", "pixel", "--pixel", "3"}),
             "--pixel: '3' is not a pixel X,Y: two whole numbers from 0, counted from the top left");

@@ -370,4 +370,38 @@ TEST(SortPage, TheLoupeSeldomJumps) {
   EXPECT_LT(jumps, steps / 5);
 }
 
+// The words about the picture so far stand at its top, unless a part of P or Q is there; then they stand at
+// its foot, if the foot is free.
+TEST(SortPage, WordsKeepClearOfPAndQ) {
+  Scene near = readScene("teapot", 3);
+  near.camera.fov = 12;  // polygons everywhere
+  ShownSortPage page{std::move(near)};
+  page.view.loupe = false;
+  const Rect& picture = page.at.picture;
+  const auto wordsIn = [&](int y, int height) {
+    int count = 0;
+    for (int j = picture.y + y; j < picture.y + y + height; ++j)
+      count += static_cast<int>(std::count(page.image.row(j) + picture.x + 10,
+                                           page.image.row(j) + picture.x + 200, page(Cell::WellText)));
+    return count;
+  };
+  int above = 0, below = 0;
+  for (int step = 1; step <= page.run->steps(); step += 7) {
+    page.show(step);
+    const Event event = page.event(step);
+    bool high = false;
+    for (const int id : {event.P, event.Q})
+      if (id >= 0) {
+        const Range x = page.run->explainer().xExtent(id), y = page.run->explainer().yExtent(id);
+        high |= x.low < 400 && y.low < 21;
+      }
+    const bool isAbove = wordsIn(7, 14) > 50;
+    EXPECT_NE(isAbove, wordsIn(picture.height - 20, 14) > 50) << step;
+    EXPECT_TRUE(isAbove || high) << step;
+    (isAbove ? above : below) += 1;
+  }
+  EXPECT_GT(above, 20);
+  EXPECT_GT(below, 20);
+}
+
 }  // namespace xnewell::THIS_FILE
