@@ -101,16 +101,4 @@ std::vector<Page> readLecture(const std::string& name) {
   return all;
 }
 
-std::vector<LectureEntry> builtInLectures() {
-  std::vector<LectureEntry> lectures;
-  for (const auto& found : std::filesystem::directory_iterator{dataFolder() / "lectures"}) {
-    if (found.path().extension() != ".json") continue;
-    const JsonText json{readTextFile(found.path()), found.path().string()};
-    const Node root = json.root();
-    lectures.push_back({found.path().stem().string(), root.has("shows") ? root.at("shows").text() : ""});
-  }
-  std::ranges::sort(lectures, {}, &LectureEntry::name);
-  return lectures;
-}
-
 }  // namespace xnewell

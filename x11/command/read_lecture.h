@@ -24,10 +24,4 @@ namespace xnewell {
 /// @throws ParseError, UsageError, std::system_error
 [[nodiscard]] std::vector<Page> readLecture(const std::string& name);
 
-struct LectureEntry {
-  std::string name, shows;
-};
-/// The lectures of the data folder, sorted by name. @throws ParseError, std::system_error
-[[nodiscard]] std::vector<LectureEntry> builtInLectures();
-
 }  // namespace xnewell

@@ -139,6 +139,9 @@ std::string manPage(std::string_view version, std::string_view date) {
   for (const BuiltInScene& scene : builtInScenes()) page.entry(bold(scene.name), sentence(scene.shows));
   page.section("LESSONS");
   for (const LessonEntry& lesson : builtInLessons()) page.entry(bold(lesson.name), sentence(lesson.shows));
+  page.section("LECTURES");
+  for (const LectureEntry& lecture : builtInLectures())
+    page.entry(bold(lecture.name), sentence(lecture.shows));
   page.section("\"EXIT STATUS\"");
   for (const StatusRow& row : kStatuses) page.entry(bold(std::to_string(row.id)), sentence(row.means));
   page.section("ENVIRONMENT");

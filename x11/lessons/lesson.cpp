@@ -129,4 +129,16 @@ std::vector<LessonEntry> builtInLessons() {
   return lessons;
 }
 
+std::vector<LectureEntry> builtInLectures() {
+  std::vector<LectureEntry> lectures;
+  for (const auto& found : std::filesystem::directory_iterator{dataFolder() / "lectures"}) {
+    if (found.path().extension() != ".json") continue;
+    const JsonText json{readTextFile(found.path()), found.path().string()};
+    const Node root = json.root();
+    lectures.push_back({found.path().stem().string(), root.has("shows") ? root.at("shows").text() : ""});
+  }
+  std::ranges::sort(lectures, {}, &LectureEntry::name);
+  return lectures;
+}
+
 }  // namespace xnewell

@@ -134,4 +134,10 @@ struct LessonEntry {
 /// The lessons of the data folder, sorted by number. @throws ParseError, std::system_error
 [[nodiscard]] std::vector<LessonEntry> builtInLessons();
 
+struct LectureEntry {
+  std::string name, shows;
+};
+/// The lectures of the data folder (read_lecture.h), sorted by name. @throws ParseError, std::system_error
+[[nodiscard]] std::vector<LectureEntry> builtInLectures();
+
 }  // namespace xnewell

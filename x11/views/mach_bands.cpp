@@ -271,15 +271,16 @@ Rect MachBands::drawFindings(bool explains, bool grayed, int controls) {
   row("largest jump", [](const Profile& q) { return fixed(q.largestJump, 4); });
   row("largest kink", [](const Profile& q) { return fixed(q.largestKink, 4); });
   row("bands", [](const Profile& q) { return grouped(std::ssize(q.bands)); });
-  if (explains)
-    y = sheet_.paragraph(
-        x, y + 6, kFindings,
-        "A jump is the change of I from one pixel of a surface to the next. A kink is the "
-        "change of that change. An edge is where two faces of a surface meet. It is a band, marked "
-        "on the curve, if I jumps there by 1/240 or its slope, over all that the row shows, "
-        "changes by 1/2.",
-        Cell::Soft);
+  constexpr std::string_view kWords =
+      "A jump is the change of I from one pixel of a surface to the next. A kink is the "
+      "change of that change. An edge is where two faces of a surface meet. It is a band, marked "
+      "on the curve, if I jumps there by 1/240 or its slope, over all that the row shows, "
+      "changes by 1/2.";
   const Finding finding = findingOf(line_, controls > 0);
+  const int end = sheet_.image().height / sheet_.painter().unit() -
+                  Sheet::findingHeight(kFindings, finding.bold, finding.why);
+  if (explains && y + 6 + Sheet::paragraphHeight(kFindings, kWords) + 10 <= end)
+    y = sheet_.paragraph(x, y + 6, kFindings, kWords, Cell::Soft);
   sheet_.finding(x, y + 10, kFindings, finding.bold, finding.why);
   return place;
 }

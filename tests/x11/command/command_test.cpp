@@ -11,7 +11,6 @@
 
 #include "tests/support/seeds.h"
 #include "tests/x11/support/command_fixture.h"
-#include "x11/command/read_lecture.h"
 #include "x11/lessons/lesson.h"
 #include "x11/options/options.h"
 

@@ -108,7 +108,7 @@ TEST_F(ManualTest, ManPageHasEverything) {
   for (const std::string& command : told.commands)
     EXPECT_TRUE(std::regex_search(page, std::regex{R"(\n\\fBxnewell \[?)" + command + R"(\]?\\fR)"}))
         << command;
-  for (const Names* names : {&told.scenes, &told.lessons})
+  for (const Names* names : {&told.scenes, &told.lessons, &told.lectures})
     for (const std::string& name : *names) EXPECT_THAT(page, HasSubstr("\n\\fB" + name + "\\fR\n"));
   for (const std::string status : {"0", "1", "2", "130"})
     EXPECT_THAT(page, HasSubstr("\n\\fB" + status + "\\fR\n"));
@@ -128,7 +128,7 @@ TEST_F(ManualTest, ManPageReadsAsTheHelp) {
   const std::string page = blanks(read.out);
   for (const std::string& line : found(told.help, R"(^  (?:-\w,)?--[\w-]+ +(.+)$)"))
     EXPECT_THAT(page, HasSubstr(blanks(line)));
-  for (const std::string& line : found(told.list, "^(?:lesson )?\\S+ +(.+)$"))
+  for (const std::string& line : found(told.list, "^(?:lesson |lecture )?\\S+ +(.+)$"))
     EXPECT_THAT(page, HasSubstr(blanks(line)));
 }
 

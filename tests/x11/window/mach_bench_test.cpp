@@ -84,6 +84,25 @@ TEST(MachBench, TheScanlineKeepsItsPlace) {
   EXPECT_EQ(b.markedRow(), row);
 }
 
+// At every height of the window the finding is whole: its box ends above the end of the body.
+TEST(MachBench, TheFindingIsWhole) {
+  InMachBands b{"teapot", 1280, 540};
+  for (int height = 540; height <= 1000; height += 30) {
+    b.resize(1280, height);
+    b.update();
+    const Rect& body = b.layout().body;
+    const int last = body.y + body.height + Sheet::kMargin - 1;
+    int white = 0, whiteAbove = 0;
+    for (int x = 900; x < 1270; ++x) {
+      white += b.image().row(last)[x] == b.plan()[Cell::White];
+      for (int y = body.y + body.height / 2; y < last; ++y)
+        whiteAbove += b.image().row(y)[x] == b.plan()[Cell::White];
+    }
+    EXPECT_EQ(white, 0) << height;
+    EXPECT_GT(whiteAbove, 20'000) << height;
+  }
+}
+
 // Dragged in the picture, the scanline stays under the pointer. On its slider it reaches both ends.
 TEST(MachBench, TheScanlineIsDragged) {
   for (const auto& [w, h] : {std::pair{800, 600}, {1024, 768}, {1600, 1200}}) {
