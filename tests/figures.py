@@ -6,6 +6,7 @@ import numpy as np
 from PIL import Image
 
 PAPER = (255, 0, 255)
+QUIET = subprocess.DEVNULL  # mutool of Debian says for each file that it has no ICC
 WAYS = [('svg', 'rsvg-convert {i} -o {o}.png'),
         ('pdf', 'pdftoppm -r 72 -png -singlefile {i} {o}'),
         ('pdf', 'pdftocairo -r 72 -png -singlefile {i} {o}'),
@@ -29,7 +30,7 @@ def around(values, radius, combine):
 
 
 def main(folder, scenes):
-    wrong_of_all = 0
+    wrong_of_all = compared = most_leak = leaks = 0
     for scene in scenes:
         base = f'{folder}/{scene}'
         true, ids = image(base + '.png'), image(base + '.ids.png')
@@ -43,15 +44,19 @@ def main(folder, scenes):
             wrong = []
             for kind, expected in (('', true), ('.ids', ids)):
                 made = f'{base}{kind}.made'
-                subprocess.check_call(command.format(i=f'{base}{kind}.{ending}', o=made).split())
+                subprocess.check_call(command.format(i=f'{base}{kind}.{ending}', o=made).split(), stderr=QUIET)
                 shown = image(made + '.png')
                 wrong.append(int(((abs(shown - expected).max(2) > 1) & away).sum()))
                 if not kind:
                     leak = np.where(inside, shown[..., 2] - blue, 0)
             wrong_of_all += sum(wrong)
+            compared += int(away.sum())
+            most_leak, leaks = max(most_leak, int(leak.max())), leaks + int((leak > 4).sum())
             print(f'{scene:16} {ending} {command.split()[0]:12} away from edges {away.sum()}: wrong colour {wrong[0]},'
                   f' wrong face {wrong[1]}; paper inside: at most {max(0, leak.max())} of 255,'
                   f' {(leak > 4).sum()} pixels above 4')
+    print(f'of {compared} pixels away from edges, {wrong_of_all} have a wrong colour or face; paper inside: at most'
+          f' {most_leak} of 255, {leaks} pixels above 4')
     return 1 if wrong_of_all else 0
 
 

@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <glm/vec2.hpp>
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace xnewell {
@@ -14,13 +15,45 @@ namespace xnewell {
 /// Steps of a figure's coordinates in a pixel of the picture. Renderers have no finer ones.
 inline constexpr int kFigureSteps = 256;
 
+/// How far a colour is off at most unless the user asks for something else, in steps of 1/255 of a channel.
+inline constexpr int kFigureTolerance = 2;
+
 /// A polygon in the steps of kFigureSteps: origin top left, y down.
 using FigureLoop = std::vector<glm::ivec2>;
 
+using FigureColor = std::array<std::uint8_t, 3>;  ///< red, green, blue
+
 struct FigurePath {
-  std::array<std::uint8_t, 3> color;  ///< red, green, blue
-  std::vector<FigureLoop> loops;      ///< filled together, by the rule of nonzero winding
+  FigureColor color;
+  std::vector<FigureLoop> loops;  ///< filled together, by the rule of nonzero winding
+  int level = 0;                  ///< of its polygons; it ascends
 };
+
+/// Lines of one look, painted after all paths.
+struct FigureStroke {
+  FigureColor color{};
+  int width = kFigureSteps;  ///< in steps
+  bool dashed = false;
+  std::vector<FigureLoop> lines;  ///< open; of two points or more
+};
+
+/// A text that begins at a place, on its base line.
+struct FigureText {
+  glm::ivec2 at{0};
+  FigureColor color{};
+  int size = 12 * kFigureSteps;  ///< of the font, in steps
+  std::string text;              ///< UTF-8, of printable characters of Latin-1
+};
+
+/// Which edges of the model a figure shows.
+enum class FigureEdges { None, Visible, All };
+struct FigureEdgesRow {
+  FigureEdges id;
+  std::string_view name;
+};
+inline constexpr std::array kFigureEdges{FigureEdgesRow{FigureEdges::None, "none"},
+                                         FigureEdgesRow{FigureEdges::Visible, "visible"},
+                                         FigureEdgesRow{FigureEdges::All, "all"}};
 
 /// What was done to the fragments of the painting order to make the paths.
 struct FigureStatistics {
@@ -29,13 +62,16 @@ struct FigureStatistics {
   std::int64_t hidden = 0;     ///< covered by what is painted later
   std::int64_t levels = 0;     ///< polygons of one level do not overlap
   std::int64_t loops = 0, corners = 0;
+  int off = 0;  ///< how far a colour is at most from the picture's, in steps of 1/255 of a channel
 };
 
 struct VectorFigure {
   int width = 0, height = 0;  ///< of the page, in pixels of the picture; the figure is cut off at its border
   std::vector<FigurePath> paths;
-  std::vector<std::array<std::uint8_t, 3>> paper;  ///< one colour behind all paths, or none
-  std::string note;                                ///< a comment in the file, one line of UTF-8; "" for none
+  std::vector<FigureStroke> strokes;
+  std::vector<FigureText> texts;   ///< painted last
+  std::vector<FigureColor> paper;  ///< one colour behind all paths, or none
+  std::string note;                ///< a comment in the file, one line of UTF-8; "" for none
   FigureStatistics statistics;
 };
 

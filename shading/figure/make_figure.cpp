@@ -1,11 +1,18 @@
 #include "shading/figure/make_figure.h"
 
 #include <algorithm>
+#include <iterator>
+#include <numeric>
+#include <string>
 #include <utility>
 
 #include "depthsort/every_face.h"
 #include "depthsort/order.h"
+#include "shading/figure/edge_strokes.h"
+#include "shading/figure/mark_strokes.h"
+#include "shading/figure/shades.h"
 #include "shading/figure/side_table.h"
+#include "shading/picture/picture_cache.h"
 
 namespace xnewell {
 
@@ -18,7 +25,7 @@ void color(std::vector<FigurePolygon>& polygons, const Picture& picture, const P
     if (colors == FigureColors::Ids) {
       const std::uint32_t id = static_cast<std::uint32_t>(picture.snapped().faces[p.face].number) + 1;
       for (int c = 0; c < 3; ++c) p.color[c] = static_cast<std::uint8_t>(id >> (16 - 8 * c));
-    } else {
+    } else if (shadesOver(picture, picture.snapped().faces[p.face]) == ShadesOver::Face) {
       const Rgb16& shade = palette[picture.cells()[p.face]];
       p.color = {static_cast<std::uint8_t>(shade.r >> 8), static_cast<std::uint8_t>(shade.g >> 8),
                  static_cast<std::uint8_t>(shade.b >> 8)};
@@ -31,7 +38,7 @@ void color(std::vector<FigurePolygon>& polygons, const Picture& picture, const P
 std::vector<FigurePolygon> shownOf(std::vector<FigurePolygon> all, int width, int height) {
   std::vector<bool> stays = hiddenIn(all, width, height, 0);
   stays.flip();
-  const std::vector<bool> deep = hiddenIn(all, width, height, kStrip);
+  const std::vector<bool> deep = hiddenIn(all, width, height, kStrip, stays);
   {
     constexpr int kMostRounds = 8;  // polygons in a row within a strip
     const SideTable sides{all};
@@ -51,6 +58,22 @@ std::vector<FigurePolygon> shownOf(std::vector<FigurePolygon> all, int width, in
   return shown;
 }
 
+/// Parts of one rank and colour as a path. Where they lie side by side, the nonzero rule makes one area of
+/// them.
+std::vector<FigurePath> pathsOf(const ShadeParts& parts) {
+  std::vector<int> order(parts.polygons.size());
+  std::iota(order.begin(), order.end(), 0);
+  const auto key = [&](int k) { return std::pair{parts.levels[k], parts.polygons[k].color}; };
+  std::ranges::stable_sort(order, {}, key);
+  std::vector<FigurePath> paths;
+  for (const int k : order) {
+    if (paths.empty() || std::pair{paths.back().level, paths.back().color} != key(k))
+      paths.push_back({parts.polygons[k].color, {}, parts.levels[k]});
+    paths.back().loops.push_back(parts.polygons[k].corners);
+  }
+  return paths;
+}
+
 }  // namespace
 
 SortedScene figureOrder(const Picture& picture, Order order) {
@@ -60,11 +83,17 @@ SortedScene figureOrder(const Picture& picture, Order order) {
     for (const int face : paintingOrder(picture.snapped(), order)) sorted.fragments.push_back({face});
     return sorted;
   }
-  return sortEveryFace(picture.snapped(), s.width, s.height, s.mostPieces);
+  try {
+    return sortEveryFace(picture.snapped(), s.width, s.height, s.mostPieces);
+  } catch (const TooManyPieces&) {  // its advice, the oracle, makes no figure
+    throw TooManyPieces{"the figure needs more than " + std::to_string(s.mostPieces) +
+                        " pieces, for the polygons cross too often; --max-fragments allows more, and --order "
+                        "zsort needs none but may be wrong"};
+  }
 }
 
 VectorFigure makeFigure(const Picture& picture, const SortedScene& order, const Palette& palette,
-                        FigureColors colors, int strip) {
+                        FigureColors colors, const ShadeSplit& split, int strip) {
   const int width = picture.settings().width, height = picture.settings().height;
   VectorFigure figure;
   figure.width = width, figure.height = height;
@@ -77,12 +106,51 @@ VectorFigure makeFigure(const Picture& picture, const SortedScene& order, const 
   color(shown, picture, palette, colors);
   const std::vector<int> levels = levelsOf(shown, width, height);
   statistics.levels = levels.empty() ? 0 : *std::ranges::max_element(levels) + 1;
+  ShadeParts parts;
+  if (colors == FigureColors::Shades)
+    parts = shadePartsOf(shown, levels, picture, palette, split.samples, split.tolerance);
+  statistics.off = parts.off;
   figure.paths = joinedPaths(std::move(shown), levels, strip, width, height);
+  std::vector<FigurePath> shades = pathsOf(parts);
+  for (FigurePath& path : shades) path.level /= kRanks;
+  std::ranges::move(shades, std::back_inserter(figure.paths));
+  std::ranges::stable_sort(figure.paths, {}, &FigurePath::level);
   for (const FigurePath& path : figure.paths) {
     statistics.loops += std::ssize(path.loops);
     for (const FigureLoop& loop : path.loops) statistics.corners += std::ssize(loop);
   }
   return figure;
+}
+
+namespace {
+
+/// Samples need the order; what has none is painted unsorted, as the figure sorts by itself.
+Picture pictureFor(const Scene& scene, PictureSettings settings) {
+  const Order order = std::exchange(settings.order, Order::Unsorted);
+  const std::uint8_t ground = CellPlan{settings.table.kind}[Cell::Well];
+  Picture picture = makePicture(scene, settings, ground).withPlanes();
+  if (!needsSamples(picture)) return picture;
+  settings.order = order;
+  return makePicture(scene, settings, ground).withPlanes();
+}
+
+}  // namespace
+
+FigureStages::FigureStages(const Scene& scene, const PictureSettings& settings, int tolerance)
+    : picture{pictureFor(scene, settings)},
+      samples{needsSamples(picture)},
+      order{figureOrder(picture, settings.order)},
+      palette{picture.palette(CellPlan{settings.table.kind})},
+      split{tolerance, samples ? shownSamples(picture, palette) : ShownSamples{}} {}
+
+VectorFigure FigureStages::figure(FigureColors colors, FigureEdges edges) const {
+  VectorFigure made = makeFigure(picture, order, palette, colors, split);
+  const SceneMarks marks = marksOf(picture.scene());
+  if (edges == FigureEdges::None && marks.lines.empty() && marks.labels.empty()) return made;
+  const HidingFaces faces{picture.snapped(), made.width, made.height};
+  made.strokes = edgeStrokes(picture.snapped(), faces, edges);
+  addMarks(marks, picture, faces, edges, made);
+  return made;
 }
 
 }  // namespace xnewell

@@ -4,6 +4,7 @@
 
 #include "shading/figure/figure.h"
 #include "shading/figure/joined_paths.h"
+#include "shading/figure/shades.h"
 #include "shading/picture/picture.h"
 
 namespace xnewell {
@@ -18,11 +19,29 @@ enum class FigureColors {
 /// a list by one key. @throws TooManyPieces
 [[nodiscard]] SortedScene figureOrder(const Picture& picture, Order order);
 
+/// How polygons are split whose shade is not the same everywhere (shades.h).
+struct ShadeSplit {
+  int tolerance = 0;     ///< in steps of 1/255 of each channel
+  ShownSamples samples;  ///< if needsSamples()
+};
+
 /// Makes the figure of a picture. The cells' colours are those of `palette`.
-/// Preconditions: the picture is painted and has planes (Picture::withPlanes()), and its method of shading
-/// gives each face a single cell.
+/// Precondition: the picture is painted and has planes (Picture::withPlanes()).
 [[nodiscard]] VectorFigure makeFigure(const Picture& picture, const SortedScene& order,
                                       const Palette& palette, FigureColors colors = FigureColors::Shades,
-                                      int strip = kStrip);
+                                      const ShadeSplit& split = {}, int strip = kStrip);
+
+/// All that a scene's figures are made of. @throws ViewError, TooManyPieces
+struct FigureStages {
+  Picture picture;
+  bool samples;  ///< whether colours come from the picture's samples
+  SortedScene order;
+  Palette palette;
+  ShadeSplit split;
+
+  FigureStages(const Scene& scene, const PictureSettings& settings, int tolerance);
+  [[nodiscard]] VectorFigure figure(FigureColors colors = FigureColors::Shades,
+                                    FigureEdges edges = FigureEdges::None) const;
+};
 
 }  // namespace xnewell

@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "depthsort/region.h"
+#include "shading/figure/convex_part.h"
 
 namespace xnewell {
 
@@ -17,14 +18,10 @@ std::uint64_t packed(const glm::ivec3& v) {
 }
 
 SideLine lineOf(const SnappedScene& scene, const Line& line) {
-  SideLine of;
-  if (line.isOfArea()) return of;
-  const bool edge = line.kind == Line::Kind::Edge;
-  of.kind = edge ? SideLine::Kind::Edge : SideLine::Kind::Cut;
-  of.a = edge ? packed(scene.vertices[line.p]) : static_cast<std::uint64_t>(line.p);
-  of.b = edge ? packed(scene.vertices[line.q]) : static_cast<std::uint64_t>(line.q);
-  if (of.b < of.a) std::swap(of.a, of.b);
-  return of;
+  if (line.isOfArea()) return {};
+  if (line.kind == Line::Kind::Edge) return edgeOf(scene.vertices[line.p], scene.vertices[line.q]);
+  const auto [a, b] = std::minmax({line.p, line.q});
+  return {SideLine::Kind::Cut, static_cast<std::uint64_t>(a), static_cast<std::uint64_t>(b)};
 }
 
 /// The region of a fragment.
@@ -52,15 +49,15 @@ bool round(const SnappedScene& scene, const Region& region, FigurePolygon& polyg
     polygon.corners.push_back(from);
     polygon.lines.push_back(lineOf(scene, region[k].line));
   }
-  std::int64_t area = 0;
-  for (std::size_t k = 2; k < polygon.corners.size(); ++k) {
-    const glm::ivec2 o = polygon.corners[0], a = polygon.corners[k - 1] - o, b = polygon.corners[k] - o;
-    area += std::int64_t{a.y} * b.x - std::int64_t{a.x} * b.y;
-  }
-  return area > 0;
+  return doubleArea(polygon.corners) > 0;
 }
 
 }  // namespace
+
+SideLine edgeOf(const glm::ivec3& from, const glm::ivec3& to) {
+  const auto [a, b] = std::minmax({packed(from), packed(to)});
+  return {SideLine::Kind::Edge, a, b};
+}
 
 std::vector<FigurePolygon> polygonsOf(const SnappedScene& scene, const SortedScene& sorted, int width,
                                       int height) {
@@ -116,74 +113,19 @@ PolygonGrid::PolygonGrid(const std::vector<FigurePolygon>& polygons, int width, 
 
 namespace {
 
-constexpr double kRounding = 2.0;  ///< steps: rounding moves two corners towards each other by 1.42 at most
-
-double cross(const glm::dvec2& a, const glm::dvec2& b) { return a.y * b.x - a.x * b.y; }
-
-/// True if a line along a side of p has p on one side, and q on the other but for the rounding.
-bool isApartAlong(const FigureLoop& p, const FigureLoop& q) {
-  for (std::size_t k = 0; k < p.size(); ++k) {
-    const glm::dvec2 a = p[k], side = glm::dvec2{p[k + 1 == p.size() ? 0 : k + 1]} - a;
-    const double slack = kRounding * std::sqrt(side.x * side.x + side.y * side.y);
-    if (std::ranges::all_of(q, [&](const glm::ivec2& v) { return cross(side, glm::dvec2{v} - a) <= slack; }))
-      return true;
-  }
-  return false;
-}
-
-using Part = std::vector<glm::dvec2>;  ///< convex
-
-/// What lies on the positive side of the line through a along `side` (sign 1), or on the other (-1).
-void clip(const Part& part, const glm::dvec2& a, const glm::dvec2& side, double sign, Part& to) {
-  to.clear();
-  for (std::size_t k = 0; k < part.size(); ++k) {
-    const glm::dvec2 &u = part[k], &v = part[k + 1 == part.size() ? 0 : k + 1];
-    const double hu = sign * cross(side, u - a), hv = sign * cross(side, v - a);
-    if (hu >= 0) to.push_back(u);
-    if ((hu > 0 && hv < 0) || (hu < 0 && hv > 0)) to.push_back(u + (v - u) * (hu / (hu - hv)));
-  }
-}
-
-bool isSliver(const Part& part) {
-  double doubleArea = 0, longest = 0;
-  for (std::size_t k = 1; k < part.size(); ++k) {
-    const glm::dvec2 a = part[k] - part[0];
-    if (k > 1) doubleArea += cross(part[k - 1] - part[0], a);
-    longest = std::max(longest, a.x * a.x + a.y * a.y);
-  }
-  return doubleArea <= kRounding * std::sqrt(longest);
-}
-
-/// Takes the polygon q away from the parts.
-void takeAway(const FigureLoop& q, std::vector<Part>& parts) {
-  std::vector<Part> left;
-  Part outside, inside;
-  for (Part& part : parts) {
-    for (std::size_t k = 0; k < q.size() && !part.empty(); ++k) {
-      const glm::dvec2 a = q[k], side = glm::dvec2{q[k + 1 == q.size() ? 0 : k + 1]} - a;
-      clip(part, a, side, -1, outside);
-      if (outside.size() > 2 && !isSliver(outside)) left.push_back(outside);
-      clip(part, a, side, 1, inside);
-      std::swap(part, inside);
-      if (part.size() < 3) break;
-    }
-  }
-  parts = std::move(left);
-}
-
 /// A polygon with its sides moved outwards, as far as it lies in the page and in its box, which is made
 /// larger in the same way.
-Part enlarged(const FigureLoop& p, int by, const glm::ivec2& page) {
+ConvexPart enlarged(const FigureLoop& p, int by, const glm::ivec2& page) {
   const auto [left, right] = std::ranges::minmax(p, {}, &glm::ivec2::x);
   const auto [top, bottom] = std::ranges::minmax(p, {}, &glm::ivec2::y);
   const double x0 = std::max(0, left.x - by), x1 = std::min(page.x, right.x + by),
                y0 = std::max(0, top.y - by), y1 = std::min(page.y, bottom.y + by);
   if (x0 >= x1 || y0 >= y1) return {};
-  Part part{{x0, y0}, {x0, y1}, {x1, y1}, {x1, y0}}, inside;
+  ConvexPart part{{x0, y0}, {x0, y1}, {x1, y1}, {x1, y0}}, inside;
   for (std::size_t k = 0; k < p.size() && part.size() > 2; ++k) {
     const glm::dvec2 a = p[k], side = glm::dvec2{p[k + 1 == p.size() ? 0 : k + 1]} - a;
     const glm::dvec2 out = glm::dvec2{-side.y, side.x} / std::sqrt(side.x * side.x + side.y * side.y);
-    clip(part, a + out * static_cast<double>(by), side, 1, inside);
+    clipPart(part, a + out * static_cast<double>(by), side, 1, inside);
     std::swap(part, inside);
   }
   return part;
@@ -199,14 +141,14 @@ bool isWithin(const glm::dvec2& at, const FigureLoop& p) {
 
 }  // namespace
 
-bool overlap(const FigureLoop& p, const FigureLoop& q) { return !isApartAlong(p, q) && !isApartAlong(q, p); }
-
-std::vector<bool> hiddenIn(const std::vector<FigurePolygon>& polygons, int width, int height, int beyond) {
+std::vector<bool> hiddenIn(const std::vector<FigurePolygon>& polygons, int width, int height, int beyond,
+                           const std::vector<bool>& without) {
   constexpr std::size_t kMostParts = 200;  // of one polygon; with more it counts as seen
   PolygonGrid grid{polygons, width, height};
   std::vector<bool> hidden(polygons.size(), false);
   std::vector<int> over;
   for (int k = 0; k < static_cast<int>(polygons.size()); ++k) {
+    if (!without.empty() && without[k]) continue;
     const FigureLoop& p = polygons[k].corners;
     over.clear();
     grid.forEachNear(k, beyond, [&](int other) {
@@ -218,9 +160,9 @@ std::vector<bool> hiddenIn(const std::vector<FigurePolygon>& polygons, int width
     if (std::ranges::none_of(over, [&](int other) { return isWithin(centre, polygons[other].corners); }))
       continue;
     std::ranges::sort(over);
-    const Part whole = enlarged(p, beyond, {width * kFigureSteps, height * kFigureSteps});
+    const ConvexPart whole = enlarged(p, beyond, {width * kFigureSteps, height * kFigureSteps});
     const FigureLoop about{whole.begin(), whole.end()};
-    std::vector<Part> parts;
+    std::vector<ConvexPart> parts;
     if (whole.size() > 2) parts.push_back(whole);
     for (const int other : over) {
       if (overlap(about, polygons[other].corners)) takeAway(polygons[other].corners, parts);
@@ -229,16 +171,6 @@ std::vector<bool> hiddenIn(const std::vector<FigurePolygon>& polygons, int width
     hidden[k] = parts.empty();
   }
   return hidden;
-}
-
-bool isCovered(const FigureLoop& area, const std::vector<FigurePolygon>& polygons, int first, int beyond,
-               PolygonGrid& grid) {
-  std::vector<Part> parts{Part(area.begin(), area.end())};
-  grid.forEachNear(first, beyond, [&](int other) {
-    if (other > first && !parts.empty() && overlap(area, polygons[other].corners))
-      takeAway(polygons[other].corners, parts);
-  });
-  return parts.empty();
 }
 
 std::vector<int> levelsOf(const std::vector<FigurePolygon>& polygons, int width, int height) {

@@ -15,12 +15,17 @@ namespace xnewell {
 /// The line of the scene on which a side of a polygon lies. Sides of one line meet there; between them are no
 /// gaps.
 struct SideLine {
-  enum class Kind : std::uint8_t { Page, Edge, Cut };  ///< Page: the border of the page
+  /// Page: the border of the page. Shade: a border between two shades of a face.
+  enum class Kind : std::uint8_t { Page, Edge, Cut, Shade };
   Kind kind = Kind::Page;
-  /// Edge: the places of its ends on the screen grid, packed. Cut: two planes. Smaller first.
+  /// Edge: the places of its ends on the screen grid, packed. Cut: two planes. Smaller first. Shade: a
+  /// polygon and one of its lines.
   std::uint64_t a = 0, b = 0;
   auto operator<=>(const SideLine&) const = default;
 };
+
+/// The line of an edge between two vertices on the screen grid.
+[[nodiscard]] SideLine edgeOf(const glm::ivec3& from, const glm::ivec3& to);
 
 /// A fragment of the painting order, or a part of one, in the steps of a figure.
 /// Holds: counter-clockwise as seen (y down), with an area; convex but for the rounding of its corners.
@@ -28,7 +33,7 @@ struct FigurePolygon {
   FigureLoop corners;
   std::vector<SideLine> lines;  ///< lines[k]: of the side from corner k to the next one
   int face = 0;                 ///< index into SnappedScene::faces
-  std::array<std::uint8_t, 3> color{};
+  FigureColor color{};
 };
 
 /// The fragments as polygons, in the same order. Those outside of a page of that size, in pixels, are left
@@ -70,20 +75,13 @@ class PolygonGrid {
   std::vector<int> begin_, members_, met_;
 };
 
-/// True if the polygons overlap by more than the rounding of their corners may make them.
-[[nodiscard]] bool overlap(const FigureLoop& p, const FigureLoop& q);
-
 /// For each polygon, whether later ones cover all of it, and all of the page that is nearer to it than
 /// `beyond`, in the steps of a figure; slivers thinner than the rounding do not count. The pixels at the
 /// border of what hides a polygon show some of it, so one that is hidden by less than a pixel is still
 /// needed.
+/// @param without  if it is not empty: the polygons that are not asked for
 [[nodiscard]] std::vector<bool> hiddenIn(const std::vector<FigurePolygon>& polygons, int width, int height,
-                                         int beyond);
-
-/// True if polygons after `first` cover an area near that polygon, as hiddenIn() means it. The grid is that
-/// of the polygons, and the area lies within `beyond` of the polygon's box.
-[[nodiscard]] bool isCovered(const FigureLoop& area, const std::vector<FigurePolygon>& polygons, int first,
-                             int beyond, PolygonGrid& grid);
+                                         int beyond, const std::vector<bool>& without = {});
 
 /// For each polygon a level: one more than the highest of the earlier polygons that it overlaps; 0 if there
 /// are none. So the polygons may be painted level by level, and those of one level in any order.

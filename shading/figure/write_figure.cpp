@@ -2,13 +2,16 @@
 
 #include <algorithm>
 #include <charconv>
+#include <utility>
 #include <vector>
+
+#include "geometry/files/text_file.h"
 
 namespace xnewell {
 
 namespace {
 
-using Color = std::array<std::uint8_t, 3>;
+using Color = FigureColor;
 
 /// A text that grows by numbers and words.
 class Text {
@@ -35,6 +38,8 @@ class Text {
 constexpr std::string_view kStep = ".00390625";
 static_assert(kFigureSteps == 256);
 
+constexpr std::int64_t kDash = 3 * kFigureSteps;  ///< the length of a dash, and of a gap
+
 /// "#08f" or "#0088fe".
 std::string hex(const Color& color) {
   constexpr std::string_view kDigits = "0123456789abcdef";
@@ -59,6 +64,24 @@ std::string escaped(std::string_view text) {
     else
       xml += c;
   return xml;
+}
+
+/// A text as PDF and PostScript have it between parentheses, in Latin-1.
+std::string latinOf(const std::string& utf8) {
+  std::string latin;
+  for (std::size_t k = 0; k < utf8.size(); ++k) {
+    auto c = static_cast<unsigned char>(utf8[k]);
+    if (c >= 0xC2 && k + 1 < utf8.size())
+      c = static_cast<unsigned char>((c << 6 | (static_cast<unsigned char>(utf8[++k]) & 0x3F)) & 0xFF);
+    if (c == '(' || c == ')' || c == '\\') latin += '\\';
+    if (c < 0x80) {
+      latin += static_cast<char>(c);
+      continue;
+    }
+    latin += '\\';
+    for (const int shift : {6, 3, 0}) latin += static_cast<char>('0' + (c >> shift & 7));
+  }
+  return latin;
 }
 
 /// "1 .502 0 rg ": three decimals tell all of 256 levels apart.
@@ -107,6 +130,22 @@ std::string svgOf(const VectorFigure& figure) {
     }
     svg << "\"/>\n";
   }
+  for (const FigureStroke& stroke : figure.strokes) {
+    svg << "<path fill=\"none\" stroke=\"" << hex(stroke.color) << "\" stroke-width=\"" << stroke.width
+        << "\" stroke-linecap=\"" << (stroke.dashed ? "butt" : "round") << "\"";
+    if (stroke.dashed) svg << " stroke-dasharray=\"" << kDash << "\"";
+    svg << " d=\"";
+    for (const FigureLoop& line : stroke.lines) {
+      svg << "M" << line[0].x;
+      svg.then(line[0].y);
+      for (std::size_t k = 1; k < line.size(); ++k) svg << "L" << line[k].x, svg.then(line[k].y);
+    }
+    svg << "\"/>\n";
+  }
+  for (const FigureText& text : figure.texts)
+    svg << "<text x=\"" << text.at.x << "\" y=\"" << text.at.y << "\" fill=\"" << hex(text.color)
+        << "\" font-family=\"Helvetica, Arial, sans-serif\" font-size=\"" << text.size << "\">"
+        << escaped(text.text) << "</text>\n";
   svg << "</g>\n</svg>\n";
   return svg.take();
 }
@@ -127,6 +166,22 @@ std::string pdfOf(const VectorFigure& figure) {
     }
     drawing << "f\n";
   }
+  for (const FigureStroke& stroke : figure.strokes) {
+    addColor(drawing, stroke.color, "RG");
+    drawing << stroke.width << " w " << (stroke.dashed ? 0 : 1) << " J [";
+    if (stroke.dashed) drawing << kDash;
+    drawing << "] 0 d\n";
+    for (const FigureLoop& line : stroke.lines)
+      for (std::size_t k = 0; k < line.size(); ++k)
+        drawing << line[k].x << " " << line[k].y << (k == 0 ? " m\n" : " l\n");
+    drawing << "S\n";
+  }
+  // y points down in the figure, and up in a text.
+  for (const FigureText& text : figure.texts) {
+    addColor(drawing, text.color, "rg");
+    drawing << "BT /F " << text.size << " Tf 1 0 0 -1 " << text.at.x << " " << text.at.y << " Tm ("
+            << latinOf(text.text) << ") Tj ET\n";
+  }
   const std::string contents = drawing.take();
 
   // The bytes above 127 tell programs that the file is not plain text.
@@ -141,7 +196,11 @@ std::string pdfOf(const VectorFigure& figure) {
   begin() << "<</Type/Catalog/Pages 2 0 R>>\nendobj\n";
   begin() << "<</Type/Pages/Kids[3 0 R]/Count 1>>\nendobj\n";
   begin() << "<</Type/Page/Parent 2 0 R/MediaBox[0 0 " << figure.width << " " << figure.height
-          << "]/Resources<<>>/Contents 4 0 R>>\nendobj\n";
+          << "]/Resources<<"
+          << (figure.texts.empty() ? ""
+                                   : "/Font<</F<</Type/Font/Subtype/Type1/BaseFont/Helvetica"
+                                     "/Encoding/WinAnsiEncoding>>>>")
+          << ">>/Contents 4 0 R>>\nendobj\n";
   begin() << "<</Length " << static_cast<std::int64_t>(contents.size()) << ">>\nstream\n"
           << contents << "endstream\nendobj\n";
   const std::size_t table = pdf.size();
@@ -159,7 +218,7 @@ std::string epsOf(const VectorFigure& figure) {
       << "\n%%LanguageLevel: 2\n%%EndComments\n";
   if (!figure.note.empty()) eps << "%xnewell: " << figure.note << "\n";
   eps << "10 dict begin gsave\n/c{setrgbcolor}bind def/m{moveto}bind def/l{rlineto}bind def"
-         "/h{closepath}bind def/f{fill}bind def\n"
+         "/h{closepath}bind def/f{fill}bind def/s{stroke}bind def\n"
       << "0 0 " << figure.width << " " << figure.height << " rectclip\n";
   addPaper(eps, figure, "c", "rectfill");
   eps << "0 " << figure.height << " translate " << kStep << " -" << kStep << " scale\n";
@@ -175,6 +234,26 @@ std::string epsOf(const VectorFigure& figure) {
     }
     eps << "f\n";
   }
+  for (const FigureStroke& stroke : figure.strokes) {
+    addColor(eps, stroke.color, "c");
+    eps << stroke.width << " setlinewidth " << (stroke.dashed ? 0 : 1) << " setlinecap [";
+    if (stroke.dashed) eps << kDash;
+    eps << "] 0 setdash\n";
+    for (const FigureLoop& line : stroke.lines)
+      for (std::size_t k = 0; k < line.size(); ++k)
+        eps << line[k].x - (k == 0 ? 0 : line[k - 1].x) << " " << line[k].y - (k == 0 ? 0 : line[k - 1].y)
+            << (k == 0 ? " m\n" : " l\n");
+    eps << "s\n";
+  }
+  if (!figure.texts.empty())
+    eps << "/Helvetica findfont dup length dict begin{def}forall/Encoding ISOLatin1Encoding def currentdict "
+           "end\n"
+           "/F exch definefont pop\n";
+  for (const FigureText& text : figure.texts) {
+    addColor(eps, text.color, "c");
+    eps << "gsave " << text.at.x << " " << text.at.y << " m 1 -1 scale /F findfont " << text.size
+        << " scalefont setfont (" << latinOf(text.text) << ") show grestore\n";
+  }
   eps << "grestore end\n%%EOF\n";
   return eps.take();
 }
@@ -185,6 +264,23 @@ const FigureFormat* figureFormatOf(std::string_view file) {
   const auto found = std::ranges::find_if(
       kFigureFormats, [&](const FigureFormat& format) { return name.ends_with(format.ending); });
   return found == kFigureFormats.end() ? nullptr : &*found;
+}
+
+std::optional<std::string> noteInFigure(const std::string& file) {
+  constexpr std::size_t kBeginning = 16'000;  // a note of 2,000 bytes has at most five for each
+  const std::string text = readTextFile(file).substr(0, kBeginning);
+  const auto between = [&](std::string_view begin, std::string_view end) -> std::optional<std::string> {
+    const std::size_t at = text.find(begin), until = text.find(end, at == text.npos ? at : at + begin.size());
+    if (at == text.npos || until == text.npos) return {};
+    return text.substr(at + begin.size(), until - at - begin.size());
+  };
+  if (!text.starts_with("<?xml")) return between("\n%xnewell: ", "\n");
+  std::optional<std::string> note = between("<desc>", "</desc>");
+  if (!note) return note;
+  for (const auto& [xml, is] : {std::pair{"&lt;", "<"}, std::pair{"&gt;", ">"}, std::pair{"&amp;", "&"}})
+    for (std::size_t at = 0; (at = note->find(xml, at)) != note->npos; ++at)
+      note->replace(at, std::string_view{xml}.size(), is);
+  return note;
 }
 
 }  // namespace xnewell

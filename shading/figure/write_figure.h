@@ -1,6 +1,7 @@
 #pragma once
 
 #include <array>
+#include <optional>
 #include <string>
 #include <string_view>
 
@@ -23,5 +24,9 @@ inline constexpr std::array kFigureFormats{FigureFormat{".svg", "SVG", svgOf},
                                            FigureFormat{".eps", "EPS", epsOf}};
 /// The format of a file by the end of its name, in capitals or not; null if there is none.
 [[nodiscard]] const FigureFormat* figureFormatOf(std::string_view file);
+
+/// The note that one of these files carries, byte for byte; nothing if there is none near its beginning.
+/// Nobody promises that it is a note of ours, or UTF-8. @throws std::system_error
+[[nodiscard]] std::optional<std::string> noteInFigure(const std::string& file);
 
 }  // namespace xnewell

@@ -12,6 +12,7 @@
 #include "shading/scene/read_light.h"
 #include "shading/scene/read_objects.h"
 #include "shading/scene/read_shading.h"
+#include "shading/scene/scene_marks.h"
 
 namespace xnewell {
 
@@ -58,7 +59,9 @@ Scene otherScene(const Node& root, const std::filesystem::path& folder, int divi
 /// Makes the scene from the file's own objects.
 Scene ownScene(const Node& root, std::string_view text, const std::string& name,
                const std::filesystem::path& folder, int divisions) {
-  root.expectKeys({"shows", "up", "camera", "ambient", "lights", "shading", "materials", "objects"});
+  root.expectKeys(
+      {"shows", "up", "camera", "ambient", "lights", "shading", "materials", "objects", "lines", "labels"});
+  (void)readMarks(root);  // only figures show them, but every command says what is wrong in a file
   UpAxis up = UpAxis::Y;
   if (root.has("up")) {
     const std::string axis = root.at("up").text();

@@ -45,6 +45,10 @@ namespace xnewell {
 ///                 "shines"    a direction, or "look_at" a point, for spot; default: at the scene's centre
 ///                 "inner", "outer" half angles of a spot in degrees (default: 15, 20); "falloff" (default 1)
 ///               Ia + the sum of Ip must not exceed 1 in any channel
+///   "lines"     a list, for figures alone: "points", a list of [x, y, z]; "color" (default: black); "width"
+///               in pixels (default: 1). Faces in front hide parts of them
+///   "labels"    a list, for figures alone: "text", which begins "at" [x, y, z]; "color"; "size" in pixels
+///               (default: 12). It is there if no face hides that point
 ///   "shading"   the settings at the start; options of the command line override them. The keys are those of
 ///               settingRows(), which describe each setting; "table.i0" is written "table": {"i0"}. "fill"
 ///               has an effect only in a window. "ka", "kd", "ks" and "n" apply to surfaces that do not set
@@ -65,6 +69,9 @@ namespace xnewell {
 /// @throws ParseError such as `room.json: objects[2].polygons[0]: a polygon needs at least 3 corners`; if the
 /// text is not JSON, the message gives the line number instead of the key. @throws std::system_error
 [[nodiscard]] Scene readSceneFile(const std::filesystem::path& file, int divisions = kDefaultDivisions);
+
+/// The file of a built-in scene's name, or of a file's own.
+[[nodiscard]] std::filesystem::path fileOfScene(const std::string& nameOrFile);
 
 /// The "shows" sentence of a file, or "" if it has none. It throws what readSceneFile() throws.
 [[nodiscard]] std::string sentenceOf(const std::filesystem::path& file);

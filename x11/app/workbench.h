@@ -212,6 +212,8 @@ class Workbench : public Host {
   void begin(Work work);
   void copyCommand();
   void writePicture();
+  /// Writes the figure of what view 1 or 2 shows, and returns its name, or "" if there is none to write.
+  std::string writeFigure(const std::string& file);
   void showPage();
   /// True if the key turns the page of the lecture.
   [[nodiscard]] bool turnsPage(const Key& key);

@@ -4,6 +4,9 @@
 #include <string_view>
 #include <utility>
 
+#include "geometry/files/output_file.h"
+#include "shading/figure/make_figure.h"
+#include "shading/figure/write_figure.h"
 #include "x11/app/one_line.h"
 #include "x11/app/workbench.h"
 #include "x11/options/carried_setup.h"
@@ -78,10 +81,33 @@ void Workbench::writePicture() {
   try {
     const std::string file = server_.writePicture();
     if (file.empty()) return notify("There is no window to take a picture of.");
-    tell(file + " is written." + (pictureNote().empty() ? "" : " \"xnewell " + file + "\" opens it again."));
+    const std::string figure = writeFigure(std::filesystem::path{file}.replace_extension(".svg").string());
+    tell(file + (figure.empty() ? " is written." : " and " + figure + " are written.") +
+         (pictureNote().empty() ? "" : " \"xnewell " + file + "\" opens it again."));
   } catch (const std::exception& e) {
     notify(oneLine(e.what()));
   }
+}
+
+std::string Workbench::writeFigure(const std::string& file) {
+  constexpr int kMostFaces = 20'000;  // with more the window would stand still for seconds
+  const bool shows =
+      view() == WindowView::DepthSort || (view() == WindowView::Picture && work_.setup.show == Show::Shaded);
+  PictureSettings settings = sized();
+  const OrderRow& order = rowOf(settings.order);
+  if (!shows || order.bySample || settings.order == Order::Bsp || scene().mesh.faceCount() > kMostFaces ||
+      std::filesystem::exists(file))
+    return "";
+  VectorFigure figure;
+  try {
+    figure = FigureStages{scene(), settings, kFigureTolerance}.figure();
+  } catch (const TooManyPieces&) {
+    return "";
+  }
+  const Drawing drawing{.size = glm::ivec2{settings.width, settings.height}};
+  figure.note = noteOf(scene(), settings, work_.setup.divisions, work_.setup.fill, drawing);
+  writeFile(file, svgOf(figure));
+  return file;
 }
 
 void Workbench::askToSave() {

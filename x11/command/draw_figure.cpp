@@ -4,13 +4,11 @@
 #include <nlohmann/json.hpp>
 #include <optional>
 #include <string>
-#include <utility>
 #include <vector>
 
 #include "geometry/files/output_file.h"
 #include "shading/figure/make_figure.h"
 #include "shading/figure/write_figure.h"
-#include "shading/picture/picture_cache.h"
 #include "shading/picture/stopwatch.h"
 #include "shading/scene/settings.h"
 #include "x11/command/doing.h"
@@ -21,13 +19,6 @@ namespace xnewell {
 
 namespace {
 
-/// The picture whose polygons and colours a figure has. The figure makes its own sort.
-Picture pictureFor(const Options& options, Scene scene) {
-  PictureSettings settings = settingsOf(options);
-  settings.order = Order::Unsorted;
-  return makePicture(std::move(scene), settings, CellPlan{settings.table.kind}[Cell::Well]).withPlanes();
-}
-
 std::array<std::uint8_t, 3> colorOf(const std::string& hex) {
   const auto number = static_cast<std::uint32_t>(std::stoul(hex.substr(1), nullptr, 16));
   return {static_cast<std::uint8_t>(number >> 16), static_cast<std::uint8_t>(number >> 8),
@@ -36,20 +27,17 @@ std::array<std::uint8_t, 3> colorOf(const std::string& hex) {
 
 }  // namespace
 
-void drawFigure(const Options& options, Scene scene) {
+void drawFigure(const Options& options, const Scene& scene) {
   std::optional<Doing> doing{"sorting"};
   const Stopwatch watch;
-  const Picture picture = pictureFor(options, std::move(scene));
-  const double msPicture = watch.ms();
-  const SortedScene order = figureOrder(picture, options.picture.order);
+  const FigureStages stages{scene, settingsOf(options), options.tolerance};
   const double msSorted = watch.ms();
   doing.reset();
   doing.emplace("joining areas");
-  const Palette palette = picture.palette(CellPlan{options.picture.table.kind});
   const auto made = [&](FigureColors colors) {
-    VectorFigure figure = makeFigure(picture, order, palette, colors);
+    VectorFigure figure = stages.figure(colors, options.edges);
     if (!options.paper.empty()) figure.paper = {colorOf(options.paper)};
-    figure.note = noteOf(options, picture);
+    figure.note = noteOf(options, stages.picture);
     return figure;
   };
   const VectorFigure figure = made(FigureColors::Shades);
@@ -65,22 +53,26 @@ void drawFigure(const Options& options, Scene scene) {
   }
   writeFiles(files);
   doing.reset();
-  if (!options.stats) return;
   const FigureStatistics& s = figure.statistics;
+  if (stages.samples || s.off > 0)
+    std::cerr << options.output << ": colours are at most " << s.off << " of 255 off"
+              << (stages.samples ? ", from the picture's pixels" : "") << "; " << s.loops << " areas, "
+              << bytes.size() / 1000 << " kB\n";
+  if (!options.stats) return;
   std::cout << nlohmann::ordered_json{{"scene", options.scene},
                                       {"size", {figure.width, figure.height}},
-                                      {"faces", picture.scene().mesh.faceCount()},
+                                      {"faces", stages.picture.scene().mesh.faceCount()},
                                       {"fragments", s.fragments},
                                       {"outside", s.outside},
                                       {"hidden", s.hidden},
                                       {"levels", s.levels},
+                                      {"off", s.off},
                                       {"paths", figure.paths.size()},
                                       {"loops", s.loops},
                                       {"corners", s.corners},
                                       {"bytes", bytes.size()},
                                       {"ms",
-                                       {{"picture", msPicture},
-                                        {"sort", msSorted - msPicture},
+                                       {{"picture and sort", msSorted},
                                         {"join", msJoined - msSorted},
                                         {"write", watch.ms() - msJoined}}}}
                    .dump(-1, ' ', false, nlohmann::ordered_json::error_handler_t::replace)

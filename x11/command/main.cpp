@@ -212,7 +212,7 @@ int run(int argc, char** argv) {
   if (options.command == Command::Extremes) return tellExtremes(options, scene);
   if (options.command == Command::Explain) return explainPixel(options, std::move(scene)), kDone;
   if (options.command == Command::Trace) return trace(options, std::move(scene)), kDone;
-  if (options.command == Command::Figure) return drawFigure(options, std::move(scene)), kDone;
+  if (options.command == Command::Figure) return drawFigure(options, scene), kDone;
   if (options.view != View::Picture) return drawNumbers(options, std::move(scene)), kDone;
   return draw(options, std::move(scene), msRead, accuracy), kDone;
 }

@@ -127,12 +127,12 @@ std::string manPage(std::string_view version, std::string_view date) {
   page.macro(".PP");
   std::string kinds;
   for (const std::string_view kind : kSceneFiles) kinds += (kinds.empty() ? "" : ", ") + std::string{kind};
-  page.paragraph(
-      "SCENE is a file (" + kinds +
-      ") or a built-in name. A .png is a picture that xnewell wrote: it carries its scene's name and all "
-      "settings. Every pixel of a picture is a number from 0 to 255; a table of "
-      "colours, the colormap, says which colour each number shows. In the window, `?` shows all "
-      "keys.");
+  page.paragraph("SCENE is a file (" + kinds +
+                 ") or a built-in name. A .png is a picture that xnewell wrote, a .svg, .pdf or .eps a "
+                 "figure: it carries its scene's name and all "
+                 "settings. Every pixel of a picture is a number from 0 to 255; a table of "
+                 "colours, the colormap, says which colour each number shows. In the window, `?` shows all "
+                 "keys.");
   addCommands(page);
   addOptions(page);
   page.section("SCENES");

@@ -10,6 +10,7 @@
 #include "geometry/files/parse_error.h"
 #include "geometry/files/text_file.h"
 #include "shading/color/png.h"
+#include "shading/figure/write_figure.h"
 #include "x11/options/shell_words.h"
 
 namespace xnewell {
@@ -67,6 +68,7 @@ string_view nameOf(string_view argument) { return argument.substr(0, argument.fi
 }  // namespace
 
 bool isPicture(const std::string& scene) {
+  if (figureFormatOf(scene) != nullptr) return true;
   if (scene.size() < 4) return false;
   std::string end = scene.substr(scene.size() - 4);
   std::ranges::transform(end, end.begin(), [](char c) { return c >= 'A' && c <= 'Z' ? char(c + 32) : c; });
@@ -107,7 +109,8 @@ std::string noteOf(const Options& options, const Picture& picture) {
 }
 
 CarriedSetup readCarriedSetup(const std::string& file) {
-  const std::optional<std::string> note = noteInPng(file);
+  const std::optional<std::string> note =
+      figureFormatOf(file) != nullptr ? noteInFigure(file) : noteInPng(file);
   const auto fail = [&](const std::string& what) { throw ParseError{file, 0, what}; };
   if (!note) fail("the picture carries no set-up, so it is no scene");
   if (note->size() > kLongestNote)

@@ -9,13 +9,14 @@
 
 namespace xnewell {
 
-/// A picture is its own source: its PNG file carries the command that draws it, as setup_command.h words it.
+/// A picture is its own source: its file carries the command that draws it, as setup_command.h words it.
+/// Figures do, too (write_figure.h).
 
 /// The longest command that a picture carries, in bytes. With a longer one it carries none.
 inline constexpr std::size_t kLongestNote = 2000;
 
-/// The note for the file of a picture that `draw` or `snapshot` makes. It is "", so that the file carries no
-/// set-up, if the command would be too long, is not UTF-8, rests on another file than the scene's
+/// The note for the file of a picture that `draw`, `snapshot` or `figure` makes. It is "", so that the file
+/// carries no set-up, if the command would be too long, is not UTF-8, rests on another file than the scene's
 /// (--texture), or if there is none that draws the picture again.
 [[nodiscard]] std::string noteOf(const Options& options, const Picture& picture);
 /// The same for any other picture, in the words of SetupCommand::of().
@@ -38,7 +39,7 @@ struct CarriedSetup {
 /// ParseError, std::system_error
 [[nodiscard]] CarriedSetup readCarriedSetup(const std::string& file);
 
-/// True if the name of a scene is that of a picture.
+/// True if the name of a scene is that of a picture or a figure.
 [[nodiscard]] bool isPicture(const std::string& scene);
 
 /// The arguments that make sense for the command of `said`, which is what the user gave beside the picture.

@@ -26,7 +26,7 @@ void addPlaces(Reader& r) {
   only({"--store", "--turn", "--gamma", "--bend", "--rotate", "--lit"}, {"draw", "snapshot"});
   only({"--bare", "--ids", "--stats"}, {"draw", "snapshot", "figure"});
   only({"--errors", "--costs"}, {"draw", "snapshot"});
-  only({"--paper"}, {"figure"});
+  only({"--paper", "--tolerance", "--edges"}, {"figure"});
   only({"--accuracy"}, {"view", "draw", "snapshot"});
   only({"--json"}, {"explain", "trade", "extremes"});
   only({"--axes", "--without"}, {"trade"});

@@ -12,7 +12,8 @@ namespace xnewell {
 inline constexpr std::string_view kAbout = "shading and hidden surfaces through real X11 colormaps";
 
 /// The names of scene files end with one of these. A picture carries its scene's name and its set-up.
-inline constexpr std::array<std::string_view, 4> kSceneFiles{".obj", ".bpt", ".json", ".png"};
+inline constexpr std::array<std::string_view, 7> kSceneFiles{".obj", ".bpt", ".json", ".png",
+                                                             ".svg", ".pdf", ".eps"};
 
 /// What follows an option.
 enum class Takes { Nothing, Text, File, Folder };

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "depthsort/replay.h"
+#include "shading/figure/figure.h"
 #include "shading/picture/picture.h"
 #include "shading/scene/settings.h"
 #include "shading/trade/trade_request.h"
@@ -101,7 +102,9 @@ struct Options {
   MapOwner colormap = MapOwner::Private;
   bool nearest = false;  ///< true: a colour that the server lacks becomes the nearest it has, not a mixture
   std::string output, ids;
-  std::string paper;    ///< figure: the colour behind it, "#rrggbb"; "" for none
+  std::string paper;                 ///< figure: the colour behind it, "#rrggbb"; "" for none
+  int tolerance = kFigureTolerance;  ///< figure: how far colours from samples may be off, in steps of 1/255
+  FigureEdges edges = FigureEdges::None;
   bool bare = false;    ///< the PNG file carries no set-up
   bool stats = false;   ///< also if only --errors or --costs was given
   bool errors = false;  ///< with the errors

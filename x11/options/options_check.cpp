@@ -201,8 +201,6 @@ void checkFigureMethods(const Options& o) {
     throw UsageError{name + " decides each sample by itself: a figure needs a painting order"};
   if (o.picture.order == Order::Bsp)
     throw UsageError{name + " leaves out what has no sample: use --order newell for a figure"};
-  if (rowOf(o.picture.shading).interpolates || !o.texture.empty())
-    throw UsageError{"figure gives each polygon one colour: use --shade none, depth or flat, and no texture"};
 }
 
 /// Checks that shading, order, filler and texture go together.

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cstdint>
+#include <cstdlib>
 #include <string>
 #include <vector>
 
@@ -9,23 +10,24 @@
 #include "shading/figure/write_figure.h"
 #include "shading/picture/picture_cache.h"
 #include "shading/scene/scene.h"
+#include "tests/support/temporary_folder.h"
 
 namespace xnewell {
 namespace THIS_FILE {
 
 constexpr int kWidth = 160, kHeight = 120;
 
-Picture pictureOf(const std::string& name) {
+Picture pictureOf(const std::string& name, Shading shading = Shading::Flat) {
   Scene scene = readScene(name);
   PictureSettings settings = scene.settings;
   settings.width = kWidth, settings.height = kHeight;
-  settings.shading = Shading::Flat, settings.order = Order::Newell, settings.colors = ColorPlan::OneHue;
+  settings.shading = shading, settings.order = Order::Newell, settings.colors = ColorPlan::OneHue;
   return makePicture(std::move(scene), settings, std::uint8_t{0});
 }
 
 VectorFigure figureOf(const Picture& picture, FigureColors colors, int strip = kStrip) {
   return makeFigure(picture, figureOrder(picture, Order::Newell),
-                    picture.palette(CellPlan{picture.settings().table.kind}), colors, strip);
+                    picture.palette(CellPlan{picture.settings().table.kind}), colors, {}, strip);
 }
 
 /// How often the loops of a path wind around a point that is in no corner's row.
@@ -74,6 +76,43 @@ TEST(VectorFigure, ShowsTheFaceOfEachSample) {
     }
 }
 
+/// What paths show at a point: none where none lies.
+const FigureColor* colorAt(const VectorFigure& figure, double x, double y) {
+  for (auto path = figure.paths.rbegin(); path != figure.paths.rend(); ++path)
+    if (winding(*path, x, y) != 0) return &path->color;
+  return nullptr;
+}
+
+// Without tolerance a figure has the colour of each sample that is a pixel away from other faces: between the
+// lines of the cells in Gouraud shading, and from the samples themselves in Phong shading.
+TEST(VectorFigure, ShowsTheShadeOfEachSample) {
+  for (const Shading shading : {Shading::Gouraud, Shading::Phong})
+    for (const char* name : {"tori", "coarse-teapot"}) {
+      SCOPED_TRACE(std::string{name} + (shading == Shading::Phong ? " Phong" : " Gouraud"));
+      const Picture picture = pictureOf(name, shading);
+      const Palette palette = picture.palette(CellPlan{picture.settings().table.kind});
+      const ShownSamples samples = shownSamples(picture, palette);
+      const VectorFigure figure = makeFigure(picture, figureOrder(picture, Order::Newell), palette,
+                                             FigureColors::Shades, {0, samples});
+      const auto faceAt = [&](int i, int j) { return samples.faces[std::size_t(j) * kWidth + i]; };
+      int most = 0, compared = 0;
+      for (int j = 1; j + 1 < kHeight; ++j)
+        for (int i = 1; i + 1 < kWidth; ++i) {
+          bool inside = faceAt(i, j) >= 0;
+          for (int n = 0; n < 9; ++n) inside = inside && faceAt(i + n % 3 - 1, j + n / 3 - 1) == faceAt(i, j);
+          if (!inside) continue;
+          ++compared;
+          const FigureColor* shown = colorAt(figure, i * kFigureSteps + 128.25, j * kFigureSteps + 128.25);
+          ASSERT_NE(shown, nullptr);
+          const FigureColor& sample = samples.colors[std::size_t(j) * kWidth + i];
+          for (int c = 0; c < 3; ++c) most = std::max(most, std::abs((*shown)[c] - sample[c]));
+        }
+      EXPECT_GT(compared, 500);
+      // The lines have corners in steps, so a sample right beside one may have the next cell.
+      EXPECT_LE(most, shading == Shading::Gouraud ? 8 : 0);
+    }
+}
+
 // Of eighteen faces of cubes, those stay that show at a sample. They have three colours: three paths.
 TEST(VectorFigure, LeavesOutHiddenFacesAndJoinsColors) {
   const Picture picture = pictureOf("cubes");
@@ -108,6 +147,22 @@ TEST(VectorFigure, CoversBordersUnderWhatIsPaintedLater) {
   EXPECT_EQ(paths[3].loops, (std::vector<FigureLoop>{{s, e, o}}));
   const auto bare = joinedPaths(around, {0, 1, 2, 3}, 0, 32, 32);
   EXPECT_EQ(bare[0].loops, (std::vector<FigureLoop>{{e, n, o}}));
+}
+
+// A polygon that ends under others, which have no side in common with it, goes on beneath them for a strip,
+// and nowhere else.
+TEST(VectorFigure, CoversWhatCrossesItsBorder) {
+  const glm::ivec2 a{2000, 2000}, b{2000, 6000}, c{6000, 4000};
+  const std::vector<FigurePolygon> crossing{triangle(a, b, c, 1),
+                                            triangle({3000, 1000}, {3000, 3500}, {9000, 1000}, 2)};
+  std::vector<FigurePolygon> polygons = crossing;
+  for (FigurePolygon& p : polygons)
+    for (SideLine& line : p.lines) line = {SideLine::Kind::Cut, 1, 2};
+  const auto paths = joinedPaths(polygons, {0, 1}, 100, 40, 40);
+  ASSERT_EQ(paths.size(), 2u);
+  EXPECT_NE(winding(paths[0], 4000.5, 2950.5), 0) << "beyond the side, under the later polygon";
+  EXPECT_EQ(winding(paths[0], 2500.5, 2200.5), 0) << "beyond the side, where no later one lies";
+  EXPECT_EQ(paths[1].loops.size(), 1u);
 }
 
 // Two triangles of one colour and one level lose the side between them.
@@ -156,6 +211,47 @@ TEST(VectorFigure, WritesEps) {
   const std::string eps = epsOf(smallFigure());
   EXPECT_TRUE(eps.starts_with("%!PS-Adobe-3.0 EPSF-3.0\n%%BoundingBox: 0 0 4 3\n"));
   EXPECT_NE(eps.find("1 .533 .004 c\n0 0 m\n0 256 l\n256 0 l\nh\nf\n"), eps.npos);
+}
+
+// Each format gives back the note that was put into it, and a file without one has none.
+TEST(VectorFigure, GivesBackItsNote) {
+  const TemporaryFolder folder;
+  for (const FigureFormat& format : kFigureFormats)
+    for (const std::string note : {"xnewell draw a<b&c>.json -o picture.png", "&lt;", ""}) {
+      VectorFigure figure = smallFigure();
+      figure.note = note;
+      const auto found = noteInFigure(folder.write("f" + std::string{format.ending}, format.write(figure)));
+      EXPECT_EQ(found.value_or(""), note) << format.name;
+      EXPECT_EQ(found.has_value(), !note.empty()) << format.name;
+    }
+}
+
+// Lines stand behind all paths, open, with dashes if they are dashed.
+TEST(VectorFigure, WritesStrokes) {
+  VectorFigure figure = smallFigure();
+  figure.strokes = {{{0, 0, 0}, 128, true, {{{0, 0}, {256, 512}}}}};
+  EXPECT_NE(
+      svgOf(figure).find("<path fill=\"none\" stroke=\"#000\" stroke-width=\"128\" stroke-linecap=\"butt\" "
+                         "stroke-dasharray=\"768\" d=\"M0 0L256 512\"/>\n</g>"),
+      std::string::npos);
+  EXPECT_NE(pdfOf(figure).find("f\n0 0 0 RG\n128 w 0 J [768] 0 d\n0 0 m\n256 512 l\nS\n"), std::string::npos);
+  EXPECT_NE(epsOf(figure).find("128 setlinewidth 0 setlinecap [768] 0 setdash\n0 0 m\n256 512 l\ns\n"),
+            std::string::npos);
+}
+
+// Texts are texts, in Latin-1 where a format needs it.
+TEST(VectorFigure, WritesTexts) {
+  VectorFigure figure = smallFigure();
+  figure.texts = {{{256, 512}, {255, 0, 0}, 3072, "(\u00FC)"}};
+  EXPECT_NE(svgOf(figure).find(
+                "<text x=\"256\" y=\"512\" fill=\"#f00\" font-family=\"Helvetica, Arial, sans-serif\" "
+                "font-size=\"3072\">(\u00FC)</text>\n</g>"),
+            std::string::npos);
+  EXPECT_NE(pdfOf(figure).find("BT /F 3072 Tf 1 0 0 -1 256 512 Tm (\\(\\374\\)) Tj ET\n"), std::string::npos);
+  EXPECT_NE(pdfOf(figure).find("/Font<</F<<"), std::string::npos);
+  EXPECT_EQ(pdfOf(smallFigure()).find("/Font"), std::string::npos);
+  EXPECT_NE(epsOf(figure).find("256 512 m 1 -1 scale /F findfont 3072 scalefont setfont (\\(\\374\\)) show"),
+            std::string::npos);
 }
 
 TEST(VectorFigure, KnowsItsFormatsByTheEndOfTheName) {

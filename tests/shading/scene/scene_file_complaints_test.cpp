@@ -14,7 +14,7 @@ TEST(SceneFile, ComplaintsNameThePlace) {
   EXPECT_EQ(
       complaint(R"({"light": []})"),
       "s.json: unknown key 'light'; the keys are shows, up, camera, ambient, lights, shading, materials, "
-      "objects");
+      "objects, lines, labels");
   EXPECT_EQ(
       complaint(R"({"lights": [], "objects": [{"solid": "cube"}]})"),
       "s.json: lights: at least one light is needed; for a scene without lights, set Ip to 0 in shading");

@@ -40,11 +40,47 @@ TEST_F(FigureCommandTest, WritesWhatTheNameAsksFor) {
   EXPECT_EQ(contents(file("c.eps")).find("xnewell draw"), std::string::npos);
 }
 
+// Colours that change over a face: one line tells how far they are off, and less tolerance makes more areas.
+TEST_F(FigureCommandTest, TellsHowFarColorsAreOff) {
+  const auto made = [&](const std::string& method, const std::string& tolerance) {
+    return runProgram({"figure", "coarse-teapot", "--size", "200x150", "--shade", method, "--tolerance",
+                       tolerance, "--stats", "-o", file("a.svg")});
+  };
+  for (const std::string method : {"gouraud", "phong"}) {
+    const Finished exact = made(method, "0"), coarse = made(method, "4");
+    ASSERT_EQ(exact.status, 0) << exact.err;
+    const auto fine = nlohmann::json::parse(exact.out), rough = nlohmann::json::parse(coarse.out);
+    EXPECT_EQ(fine.at("off"), 0);
+    EXPECT_LE(rough.at("off"), 4);
+    EXPECT_GT(rough.at("off"), 0);
+    EXPECT_GT(fine.at("loops"), rough.at("loops"));
+    EXPECT_NE(coarse.err.find("a.svg: colours are at most "), std::string::npos) << coarse.err;
+  }
+}
+
+// A figure of each format is a scene: it has the set-up that it was drawn with.
+TEST_F(FigureCommandTest, ReopensAsAScene) {
+  const Strings setup{"cubes", "--size", "96x64", "--shade", "depth", "--eye", "3,2,4"};
+  ASSERT_EQ(runProgram(Strings{"draw"} + setup + Strings{"-o", file("a.png"), "--bare"}).status, 0);
+  for (const std::string name : {"f.svg", "f.pdf", "f.EPS"}) {
+    ASSERT_EQ(runProgram(Strings{"figure"} + setup + Strings{"-o", file(name)}).status, 0);
+    const Finished again = runProgram({"draw", file(name), "-o", file("b.png"), "--bare"});
+    ASSERT_EQ(again.status, 0) << again.err;
+    EXPECT_TRUE(contents(file("a.png")) == contents(file("b.png"))) << name;
+  }
+  const Finished bare =
+      runProgram({"draw", write("g.svg", "<?xml version=\"1.0\"?><svg/>"), "-o", file("c.png")});
+  EXPECT_EQ(bare.status, 2);
+  EXPECT_NE(bare.err.find("the picture carries no set-up"), std::string::npos) << bare.err;
+}
+
 // A figure that cannot be made leaves the old file as it was.
 TEST_F(FigureCommandTest, KeepsTheOldFile) {
   const std::string old = write("old.svg", "mine");
-  EXPECT_EQ(runProgram({"figure", "teapot", "--max-fragments", "10", "-o", old}).status, 1);
-  EXPECT_EQ(runProgram({"figure", "teapot", "--shade", "phong", "-o", old}).status, 2);
+  const Finished tooMany = runProgram({"figure", "teapot", "--max-fragments", "10", "-o", old});
+  EXPECT_EQ(tooMany.status, 1);
+  EXPECT_NE(tooMany.err.find("--order zsort needs none"), std::string::npos) << tooMany.err;
+  EXPECT_EQ(runProgram({"figure", "teapot", "--order", "oracle", "-o", old}).status, 2);
   EXPECT_EQ(contents(old), "mine");
 }
 

@@ -167,7 +167,7 @@ TEST(Options, RefuseTheUnknown) {
     EXPECT_LT(complaint(words).size(), 200u) << words[0].substr(0, 20);
 }
 
-// A figure is an SVG, PDF or EPS file of polygons in a painting order, each in one colour.
+// A figure is an SVG, PDF or EPS file of polygons in a painting order.
 TEST(Options, FiguresAreOfPolygons) {
   const auto figure = [](std::vector<std::string> words) {
     words.insert(words.begin(), {"figure", "teapot", "-o", "a.svg"});
@@ -185,9 +185,10 @@ TEST(Options, FiguresAreOfPolygons) {
             "--paper: 'white' is not #rrggbb, a colour by six hexadecimal digits");
   EXPECT_EQ(complaint({"--paper", "#ffffff"}), "--paper works only with figure");
   EXPECT_EQ(figure({"--errors"}), "--errors works only with draw and snapshot");
-  for (const std::string method : {"gouraud", "phong", "envmap"})
-    EXPECT_EQ(figure({"--shade", method}),
-              "figure gives each polygon one colour: use --shade none, depth or flat, and no texture");
+  EXPECT_EQ(figure({"--shade", "phong", "--tolerance", "0"}), "");
+  EXPECT_EQ(figure({"--edges", "all"}), "");
+  EXPECT_EQ(complaint({"--edges", "all"}), "--edges works only with figure");
+  EXPECT_EQ(figure({"--tolerance", "65"}), "--tolerance: '65' is not a whole number from 0 to 64");
   EXPECT_EQ(figure({"--order", "bsp"}),
             "--order bsp leaves out what has no sample: use --order newell for a figure");
   EXPECT_EQ(figure({"--order", "oracle"}),

@@ -1,0 +1,199 @@
+#include "shading/figure/edge_strokes.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cstdlib>
+#include <glm/geometric.hpp>
+#include <glm/matrix.hpp>
+#include <random>
+
+#include "geometry/files/parse_error.h"
+#include "shading/figure/make_figure.h"
+#include "shading/picture/picture_cache.h"
+#include "shading/scene/scene.h"
+#include "shading/scene/scene_file.h"
+#include "tests/support/temporary_folder.h"
+
+namespace xnewell {
+namespace THIS_FILE {
+
+Picture pictureOf(const std::string& name) {
+  Scene scene = readScene(name);
+  PictureSettings settings = scene.settings;
+  settings.width = 320, settings.height = 240;
+  settings.shading = Shading::Flat, settings.order = Order::Unsorted, settings.colors = ColorPlan::OneHue;
+  return makePicture(std::move(scene), settings, std::uint8_t{0}).withPlanes();
+}
+
+/// Rays from the eye, against the triangles of the model: what is nearer to a decision than rounding may move
+/// it is left open.
+class Rays {
+ public:
+  explicit Rays(const Picture& picture) : mesh_{picture.surfaces().mesh}, parts_{picture.scene().parts} {
+    const ViewSpec& view = picture.surfaces().view;
+    R_ = vrcRotation(view);
+    vrp_ = view.vrp, prp_ = view.prp;
+    eye_ = view.vrp + glm::transpose(R_) * view.prp;
+  }
+  [[nodiscard]] double depth(const glm::dvec3& X) const { return prp_.z - (R_ * (X - vrp_)).z; }
+
+  enum class Sight { Seen, Hidden, Open };
+  [[nodiscard]] Sight sight(const glm::dvec3& X) const {
+    bool open = false;
+    for (int k = 0; k < parts_.count(); ++k) {
+      const auto part = parts_.part(k);
+      for (std::size_t c = 2; c < part.size(); ++c) {
+        const Sight by = behind(X, mesh_.points[part[0]], mesh_.points[part[c - 1]], mesh_.points[part[c]]);
+        if (by == Sight::Hidden) return by;
+        open |= by == Sight::Open;
+      }
+    }
+    return open ? Sight::Open : Sight::Seen;
+  }
+
+ private:
+  /// Moeller and Trumbore 1997.
+  [[nodiscard]] Sight behind(const glm::dvec3& X, const glm::dvec3& a, const glm::dvec3& b,
+                             const glm::dvec3& c) const {
+    constexpr double kNear = 2e-4, kOn = 1e-9;
+    const glm::dvec3 ray = X - eye_, u = b - a, v = c - a, p = glm::cross(ray, v);
+    const double det = glm::dot(u, p);
+    if (det == 0) return Sight::Seen;
+    const glm::dvec3 s = eye_ - a, q = glm::cross(s, u);
+    const double x = glm::dot(s, p) / det, y = glm::dot(ray, q) / det, t = glm::dot(v, q) / det;
+    const double inside = std::min({x, y, 1 - x - y}), before = 1 - t;
+    if (inside < -kNear || before < kOn || t <= 0) return Sight::Seen;  // or it lies in the triangle
+    return inside > kNear && before > kNear ? Sight::Hidden : Sight::Open;
+  }
+
+  const Mesh& mesh_;
+  const ConvexParts& parts_;
+  glm::dmat3 R_{1.0};
+  glm::dvec3 vrp_{0}, prp_{0}, eye_{0};
+};
+
+// Rays in the world find the same points of edges hidden as intervals on the screen.
+TEST(EdgeStrokes, HideWhatRaysFindHidden) {
+  int seen = 0, hidden = 0;
+  for (const char* name : {"tori", "crossing-sheets", "penetrate", "coarse-teapot", "cubes"}) {
+    SCOPED_TRACE(name);
+    const Picture picture = pictureOf(name);
+    ASSERT_EQ(picture.surfaces().view.projection, Projection::Perspective);
+    const SnappedScene& scene = picture.snapped();
+    const Mesh& mesh = picture.surfaces().mesh;
+    const HidingFaces faces{scene, 320, 240};
+    const Rays rays{picture};
+    std::mt19937 rng{43};
+    for (int n = 0; n < 3'000; ++n) {
+      const SnappedFace& face = scene.faces[rng() % scene.faces.size()];
+      const int k = static_cast<int>(rng() % static_cast<unsigned>(face.count));
+      const int from = face.first + k, to = face.first + (k + 1 == face.count ? 0 : k + 1);
+      if (scene.source[from] < 0 || scene.source[to] < 0) continue;
+      const glm::dvec3 A = mesh.points[mesh.corners[scene.source[from]]],
+                       B = mesh.points[mesh.corners[scene.source[to]]];
+      const double t = static_cast<double>(1 + rng() % 998) / 1000.0;
+      const double perA = (1 - t) / rays.depth(A), perB = t / rays.depth(B);
+      const Rays::Sight sight = rays.sight(A + (B - A) * (perB / (perA + perB)));
+      if (sight == Rays::Sight::Open) continue;
+      bool hides = false;
+      for (const auto& [begin, end] :
+           faces.hidden(glm::dvec3{scene.vertices[from]}, glm::dvec3{scene.vertices[to]}))
+        hides |= begin <= t && t <= end;
+      EXPECT_EQ(hides, sight == Rays::Sight::Hidden)
+          << "face " << face.number << " corner " << k << " at " << t;
+      ++(hides ? hidden : seen);
+    }
+  }
+  EXPECT_GT(seen, 2'000);
+  EXPECT_GT(hidden, 2'000);
+}
+
+// A cube has nine edges in sight and three behind; the diagonals of no side are edges.
+TEST(EdgeStrokes, OfACube) {
+  Scene scene =
+      parseSceneFile(R"({"objects": [{"solid": "cube"}], "camera": {"eye": [3, 4, 5]}})", "cube", ".");
+  PictureSettings settings = scene.settings;
+  settings.width = 320, settings.height = 240, settings.camera = scene.camera;
+  const Picture picture = makePicture(std::move(scene), settings, std::uint8_t{0}).withPlanes();
+  const HidingFaces faces{picture.snapped(), 320, 240};
+  const auto strokes = edgeStrokes(picture.snapped(), faces, FigureEdges::All);
+  ASSERT_EQ(strokes.size(), 2u);
+  EXPECT_TRUE(strokes[0].dashed);
+  EXPECT_EQ(strokes[0].lines.size(), 3u);
+  EXPECT_EQ(strokes[1].lines.size(), 9u);
+  EXPECT_EQ(edgeStrokes(picture.snapped(), faces, FigureEdges::Visible).size(), 1u);
+  EXPECT_TRUE(edgeStrokes(picture.snapped(), faces, FigureEdges::None).empty());
+}
+
+/// The figure of a square in the plane z = 0, seen from the front, with lines and labels.
+VectorFigure figureWith(const std::string& marks, FigureEdges edges) {
+  const TemporaryFolder folder;
+  const std::string file = folder.write(
+      "marked.json",
+      R"({"objects": [{"polygons": [[[-1, -1, 0], [1, -1, 0], [1, 1, 0], [-1, 1, 0]]]}], "camera": {"eye": [0, 0, 9]}, )" +
+          marks + "}");
+  const Scene scene = readScene(file);
+  PictureSettings settings = scene.settings;
+  settings.width = 320, settings.height = 240, settings.order = Order::Newell;
+  settings.camera = scene.camera;
+  return FigureStages{scene, settings, kFigureTolerance}.figure(FigureColors::Shades, edges);
+}
+
+// A line through a face shows in front of it. What is behind is dashed if hidden lines are asked for, and the
+// two parts meet where the line passes through.
+TEST(MarkStrokes, LinesPassThroughFaces) {
+  const std::string lines =
+      R"("lines": [{"points": [[0.5, 0, 1], [-0.5, 0, -1]], "color": [0, 0, 1], "width": 2}])";
+  const VectorFigure figure = figureWith(lines, FigureEdges::None);
+  ASSERT_EQ(figure.strokes.size(), 1u);
+  const FigureStroke& seen = figure.strokes[0];
+  EXPECT_EQ(seen.color, (FigureColor{0, 0, 255}));
+  EXPECT_EQ(seen.width, 2 * kFigureSteps);
+  ASSERT_EQ(seen.lines.size(), 1u);
+  const glm::ivec2 middle{160 * kFigureSteps, 120 * kFigureSteps};
+  EXPECT_GT(seen.lines[0].front().x, middle.x);
+  EXPECT_LE(std::abs(seen.lines[0].back().x - middle.x), 1);
+  EXPECT_LE(std::abs(seen.lines[0].back().y - middle.y), 1);
+  const VectorFigure all = figureWith(lines, FigureEdges::All);
+  const auto dashed = std::ranges::find_if(all.strokes, [](const FigureStroke& s) { return s.dashed; });
+  ASSERT_NE(dashed, all.strokes.end());
+  EXPECT_EQ(dashed->lines[0].front(), seen.lines[0].back());
+}
+
+// Faces hide labels by the place where they begin; what lies in a face is not hidden by it.
+TEST(MarkStrokes, FacesHideLabels) {
+  const VectorFigure figure = figureWith(
+      R"("labels": [{"text": "front", "at": [0, 0, 1]}, {"text": "on", "at": [0.5, 0, 0], "size": 20},
+                    {"text": "behind", "at": [0, 0, -1]}, {"text": "beside", "at": [1.3, 0, -1]}])",
+      FigureEdges::None);
+  ASSERT_EQ(figure.texts.size(), 3u);
+  EXPECT_EQ(figure.texts[0].text, "front");
+  EXPECT_EQ(figure.texts[0].at, (glm::ivec2{160, 120} * kFigureSteps));
+  EXPECT_EQ(figure.texts[1].size, 20 * kFigureSteps);
+  EXPECT_EQ(figure.texts[2].text, "beside");
+}
+
+TEST(MarkStrokes, FilesAreChecked) {
+  const auto complaint = [](const std::string& marks) -> std::string {
+    try {
+      (void)figureWith(marks, FigureEdges::None);
+    } catch (const ParseError& e) {
+      const std::string what = e.what();
+      return what.substr(what.find(": ") + 2);
+    }
+    return "";
+  };
+  EXPECT_EQ(complaint(R"("labels": [{"text": "W\u00FCrfel 1", "at": [0, 0, 1]
+}])"),
+            "");
+  EXPECT_EQ(complaint(R"("labels": [{"text": "\u2192", "at": [0, 0, 1]}])"),
+            "labels[0].text: a label needs printable characters of Latin-1");
+  EXPECT_EQ(complaint(R"("lines": [{"points": [[0, 0, 1]]}])"),
+            "lines[0].points: a line needs at least 2 points");
+  EXPECT_EQ(complaint(R"("lines": [{"points": [[0, 0, 1], [1, 0, 0]], "width": 0}])"),
+            "lines[0].width: a number above 0 is needed");
+}
+
+}  // namespace THIS_FILE
+}  // namespace xnewell
