@@ -61,8 +61,7 @@ KeyTable Workbench::generalKeys() {
   add('w', "save", "save the set-up as a scene file", [this] { askToSave(); });
   add('e', "", "open a scene", [this] { askToOpen(); });
   add('C', "", "print and copy the finding, the table and their command", [this] { copyCommand(); });
-  add('I', "", "write what the window shows as a picture, views 1 and 2 also as a figure",
-      [this] { writePicture(); });
+  add('I', "", "write a picture; from views 1 and 2 also a figure", [this] { writePicture(); });
   const char* const full = "fill the screen, in letters as large as fit, or go back";
   table.push_back({{NamedKey::F11, 'f'}, "", full, [this](const Key&) { fillScreen({}); }});
   if (fillsScreen_)

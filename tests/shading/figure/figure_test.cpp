@@ -156,8 +156,9 @@ TEST(VectorFigure, CoversWhatCrossesItsBorder) {
   const std::vector<FigurePolygon> crossing{triangle(a, b, c, 1),
                                             triangle({3000, 1000}, {3000, 3500}, {9000, 1000}, 2)};
   std::vector<FigurePolygon> polygons = crossing;
+  std::uint64_t planes = 0;  // each side lies on a line of its own
   for (FigurePolygon& p : polygons)
-    for (SideLine& line : p.lines) line = {SideLine::Kind::Cut, 1, 2};
+    for (SideLine& line : p.lines) line = {SideLine::Kind::Cut, planes, planes + 1}, ++planes;
   const auto paths = joinedPaths(polygons, {0, 1}, 100, 40, 40);
   ASSERT_EQ(paths.size(), 2u);
   EXPECT_NE(winding(paths[0], 4000.5, 2950.5), 0) << "beyond the side, under the later polygon";
