@@ -120,7 +120,8 @@ CarriedSetup readCarriedSetup(const std::string& file) {
     fail("the set-up that it carries has control characters");
   const bool drawn = note->ends_with(kOutput);
   const auto words = wordsOf(string_view{*note}.substr(0, note->size() - (drawn ? kOutput.size() : 0)));
-  const string_view command = words && words->size() >= 3 && words->at(0) == "xnewell" ? words->at(1) : "";
+  const string_view command =
+      words && words->size() >= 3 && words->at(0) == "xnewell" ? string_view{words->at(1)} : string_view{};
   if (!(drawn ? command == "draw" || command == "snapshot" : command == "lesson") || words->at(2).empty() ||
       words->at(2).starts_with('-'))
     fail("the set-up that it carries is no command of xnewell");
