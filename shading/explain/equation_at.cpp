@@ -17,7 +17,21 @@ EquationVectors taken(Mistake mistake, const glm::dvec3& N, const glm::dvec3& V)
   return row.vectors ? row.vectors(at) : at;
 }
 
+double sumOver(const std::vector<ExplainedLight>& lights, ByChannel ExplainedLight::*term, int channel) {
+  double sum = 0.0;
+  for (const ExplainedLight& light : lights) sum += (light.*term)[channel];
+  return sum;
+}
+
 }  // namespace
+
+double ExplainedEquation::diffuse(int channel) const {
+  return sumOver(lights, &ExplainedLight::diffuse, channel);
+}
+
+double ExplainedEquation::specular(int channel) const {
+  return sumOver(lights, &ExplainedLight::specular, channel);
+}
 
 EquationAt::EquationAt(const Surfaces& s, int material)
     : user_{s.settings.light}, lighting_{s.shading.lighting()}, unit_{s.scene.light.unit} {

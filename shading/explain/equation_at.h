@@ -2,6 +2,7 @@
 
 #include <array>
 #include <glm/vec3.hpp>
+#include <optional>
 #include <vector>
 
 #include "shading/light/equation.h"
@@ -32,6 +33,10 @@ struct ExplainedEquation {
   ByChannel Ia{}, ambient{};            ///< `ambient` as often as a mistake counts it
   std::vector<ExplainedLight> lights;   ///< of the scene, or the user's; none where all light is ambient
   ByChannel I{};                        ///< the sum of all terms; it may exceed 1
+
+  /// The terms of all lights in one channel.
+  [[nodiscard]] double diffuse(int channel) const;
+  [[nodiscard]] double specular(int channel) const;
 };
 
 /// Evaluates the equation for one material by the definitions of equation.h, light by light.
@@ -55,6 +60,23 @@ class EquationAt {
   double unit_;
   std::vector<Light> lights_;
   ExplainedEquation everywhere_;  ///< what does not depend on the place
+};
+
+/// The equation of each material, made when it is first asked for.
+class EquationOf {
+ public:
+  explicit EquationOf(const Surfaces& surfaces) : s_{surfaces}, made_(surfaces.mesh.materials.size() + 1) {}
+
+  /// Of a face of the mesh.
+  [[nodiscard]] const EquationAt& operator()(int face) {
+    const int material = s_.mesh.material[face] + 1;
+    std::optional<EquationAt>& equation = made_[static_cast<std::size_t>(material)];
+    return equation ? *equation : equation.emplace(s_, material);
+  }
+
+ private:
+  Surfaces s_;
+  std::vector<std::optional<EquationAt>> made_;
 };
 
 }  // namespace xnewell

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "shading/explain/equation_at.h"
+#include "shading/explain/on_face.h"
 #include "shading/picture/picture.h"
 
 namespace xnewell {
@@ -26,13 +27,6 @@ struct ExplainedVertex {
   /// Gouraud: what I was computed by, an index into Explanation::equations; -1 for a vertex that clipping
   /// made: its I is interpolated along the edge.
   int equation = -1;
-};
-
-/// The texel under the sample.
-struct ExplainedTexel {
-  double u = 0, v = 0;
-  int column = 0, row = 0;
-  ByChannel share{};  ///< what it leaves of the diffuse term, 0 to 1
 };
 
 /// The place of an environment's map that is looked up.
@@ -62,8 +56,18 @@ struct Explanation {
   std::array<int, 3> value{};
 };
 
-/// Explains what a face shows at the sample of pixel (i, j), which it owns. `face` is an index into
-/// snapped().faces.
-[[nodiscard]] Explanation explain(const Picture& picture, int face, int i, int j);
+/// Explains pixels of one picture, which must outlive it. What all pixels share is prepared once.
+class PixelExplainer {
+ public:
+  explicit PixelExplainer(const Picture& picture) : picture_{picture}, equations_{picture.surfaces()} {}
+
+  /// Explains what a face shows at the sample of pixel (i, j), which it owns. `face` is an index into
+  /// snapped().faces.
+  [[nodiscard]] Explanation operator()(int face, int i, int j);
+
+ private:
+  const Picture& picture_;
+  EquationOf equations_;
+};
 
 }  // namespace xnewell

@@ -9,6 +9,7 @@
 #include <ostream>
 #include <string_view>
 
+#include "shading/explain/term_values.h"
 #include "x11/drawing/wording.h"
 #include "x11/pixel/pixel_words.h"
 

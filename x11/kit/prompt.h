@@ -14,6 +14,7 @@ struct Question {
   std::vector<std::string> offers = {};  ///< the texts that Up and Down put on the line
   /// Takes the text. Returns "", or a sentence that says what is wrong; then the user can correct the text.
   std::function<std::string(const std::string&)> take;
+  std::function<void()> dropped = {};  ///< called if the line is closed without an answer
 };
 
 /// Where a view talks to the user.

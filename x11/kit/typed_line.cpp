@@ -6,8 +6,14 @@
 namespace xnewell {
 
 void TypedLine::ask(Question question) {
+  cancel();
   question_ = std::move(question);
   complaint_.clear();
+}
+
+void TypedLine::cancel() {
+  const std::optional<Question> dropped = std::exchange(question_, std::nullopt);
+  if (dropped && dropped->dropped) dropped->dropped();
 }
 
 std::optional<Typed> TypedLine::typed() const {

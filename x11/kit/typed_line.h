@@ -19,7 +19,7 @@ struct Typed {
 class TypedLine {
  public:
   void ask(Question question);
-  void cancel() { question_.reset(); }
+  void cancel();
   [[nodiscard]] bool isOpen() const { return question_.has_value(); }
   /// Edits the text of an open line. Return gives it to the question, which may complain and stay; Esc
   /// cancels.

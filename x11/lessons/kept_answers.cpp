@@ -7,6 +7,7 @@
 #include "geometry/files/output_file.h"
 #include "geometry/files/text_file.h"
 #include "shading/scene/json_text.h"
+#include "x11/kit/score.h"
 
 namespace xnewell {
 
@@ -65,9 +66,9 @@ void KeptAnswers::add(const Lesson& lesson, int step, int answer) {
 std::string KeptAnswers::score(const std::string& lesson) const {
   const auto found = lessons_.find(lesson);
   if (found == lessons_.end()) return "";
-  const auto first = [](const auto& step) { return step.second.tries.front() == step.second.right; };
-  return std::to_string(std::ranges::count_if(found->second, first)) + " of " +
-         std::to_string(found->second.size()) + " right at the first try";
+  Score score;
+  for (const auto& [step, question] : found->second) score.add(question.tries.front() == question.right);
+  return score.inWords();
 }
 
 }  // namespace xnewell

@@ -1,6 +1,7 @@
 #include "x11/pixel/pixel_bench.h"
 
 #include <algorithm>
+#include <cctype>
 #include <utility>
 
 #include "shading/explain/pixel_place.h"
@@ -77,6 +78,36 @@ void PixelBench::turnBall(double around, double down) {
   late_ = true;
 }
 
+void PixelBench::predict() {
+  if (predictions_.empty()) return host_.notify("No number of this pixel can be predicted.");
+  const Prediction asked = predictions_[static_cast<std::size_t>(next_) % predictions_.size()];
+  hidden_ = asked.what, tried_ = false, late_ = true;
+  const auto tell = [this, asked](const std::string& before) {
+    reveal();
+    std::string name = asked.name;
+    if (before.empty()) name[0] = static_cast<char>(std::toupper(static_cast<unsigned char>(name[0])));
+    host_.tell(before + name + " is " + fixed(asked.written, asked.decimals) + "." +
+               (score_.asked > 0 ? " " + score_.inWords() + "." : ""));
+  };
+  const std::string least = asked.decimals > 0 ? ", to two decimals at least" : "";
+  host_.ask({.asks = "predict " + asked.name + least,
+             .take = [this, asked, tell](const std::string& text) -> std::string {
+               const Judged answer = judged(asked, text);
+               if (!answer.complaint.empty()) return answer.complaint;
+               if (!std::exchange(tried_, true)) score_.add(answer.isRight);
+               if (!answer.isRight) return text + " is not right. Try again, or press Esc to see it.";
+               tell("Right: ");
+               return {};
+             },
+             .dropped = [tell] { tell(""); }});
+}
+
+void PixelBench::reveal() {
+  hidden_.reset();
+  ++next_;
+  late_ = true;
+}
+
 /// The parts of the page that the pointer can press: the ball, the pixels around, and the history.
 void PixelBench::addParts(Controls& all) {
   all.push_back({.kind = Control::Kind::Own,
@@ -131,6 +162,11 @@ KeyTable PixelBench::ownKeys() {
   const std::string polygon = "the polygon that was painted before, after: explain it";
   add(NamedKey::PageUp, "polygon", polygon, [this] { walk(-1); });
   add(NamedKey::PageDown, "polygon", polygon, [this] { walk(1); });
+  add('h', "", "explain the polygon painted before; after the first, the last; also in a lecture", [this] {
+    if (painted_ < 2) return walk(-1);
+    chosen_ = (chosen_.value_or(shown_) + painted_ - 1) % painted_;
+    late_ = true;
+  });
   const std::string none = vertices_ > 0 ? "" : "Only Gouraud shading evaluates the light at vertices.";
   table.push_back({{'j'},
                    vertices_ > 0 ? "vertex" : "",
@@ -141,7 +177,8 @@ KeyTable PixelBench::ownKeys() {
                    },
                    none});
   const std::string one = channels_ > 1 ? "" : "The picture has one channel.";
-  table.push_back({{'y'},
+  add('y', "predict", "predict a number: it is hidden until you type it", [this] { predict(); });
+  table.push_back({{'x'},
                    channels_ > 1 ? "channel" : "",
                    "the next channel: red, green, blue",
                    [this](const Key&) {
@@ -195,6 +232,11 @@ void PixelBench::draw(Painter paint, const Desk& desk) {
     now_ = PixelBefore{intensityWords(story, *shown), story.cell()};
   if (!found_) found_ = now_;
   vertex_ = vertices_ > 0 ? vertex_ % vertices_ : 0, channel_ %= channels_;
+  predictions_.clear();
+  if (painted_ > 0) {
+    const Explanation& e = story.explained[static_cast<std::size_t>(chosen)];
+    predictions_ = predictionsOf(story, e, equationShown(e, vertex_), channel_);
+  }
 
   paint.place(image, at.picture.x, at.picture.y);
   const Rect mark{at.picture.x + i / unit_ - 7, at.picture.y + j / unit_ - 7, 15, 15};
@@ -211,6 +253,7 @@ void PixelBench::draw(Painter paint, const Desk& desk) {
                                      : found_ != now_ ? found_
                                                       : std::nullopt,
                            .ball = ball_,
+                           .asked = hidden_,
                            .palette = desk.palette});
   const Controls all = controls();
   list_.forgetPlaces();
@@ -230,7 +273,7 @@ void PixelBench::draw(Painter paint, const Desk& desk) {
                  ? std::string{"ground"}
                  : "face " + faceName(desk.picture,
                                       story.history.painted[static_cast<std::size_t>(shown_)].fragment.face));
-  words_ = shortStory(story, chosen);
+  words_ = hidden_ ? std::vector<std::string>{} : shortStory(story, chosen);
   words_.insert(words_.begin(), status_);
 }
 

@@ -5,6 +5,7 @@
 #include <optional>
 #include <string>
 
+#include "x11/kit/score.h"
 #include "x11/pixel/pixel_page.h"
 #include "x11/window/bench.h"
 
@@ -42,13 +43,16 @@ class PixelBench : public Bench {
     return "a changed setting keeps the pixel; Esc gives the arrows back to it";
   }
   [[nodiscard]] std::vector<std::string> inWords() const override { return words_; }
-  [[nodiscard]] std::optional<int> inspected() const override { return cell_; }
+  [[nodiscard]] std::optional<int> inspected() const override { return hidden_ ? std::nullopt : cell_; }
 
  private:
   void move(int columns, int rows);
   void goTo(int column, int row);
   void walk(int steps);
   void turnBall(double around, double down);
+  /// Hides the next value until the student has typed it or given up.
+  void predict();
+  void reveal();
   void addParts(Controls& all);
 
   std::function<Subject()> subject_;
@@ -59,6 +63,10 @@ class PixelBench : public Bench {
   std::optional<int> chosen_;        ///< a polygon of the history; none: the one that shows
   int vertex_ = 0, channel_ = 0;
   BallTurn ball_;
+  std::optional<Predicted> hidden_;
+  int next_ = 0;  ///< of predictions_: the next one to ask
+  bool tried_ = false;
+  Score score_;
   std::optional<PixelBefore> found_, kept_;  ///< when the pixel was chosen; by k
   bool late_ = true;
   // The state of the last drawing.
@@ -68,6 +76,7 @@ class PixelBench : public Bench {
   int width_ = 1, height_ = 1, unit_ = 1;  ///< of the picture, in pixels
   int painted_ = 0, shown_ = -1;           ///< of the history
   int vertices_ = 0, channels_ = 1;
+  std::vector<Prediction> predictions_;
   std::optional<PixelBefore> now_;
   std::optional<int> cell_;
   std::optional<Setup> setup_;

@@ -8,6 +8,7 @@
 #include "x11/drawing/pen.h"
 #include "x11/pixel/pixel_drawings.h"
 #include "x11/pixel/pixel_words.h"
+#include "x11/pixel/predict.h"
 #include "x11/window/layout.h"
 
 namespace xnewell {
@@ -38,6 +39,7 @@ struct PixelPage {
   int channel = 0;  ///< of several
   std::optional<PixelBefore> before = {};
   BallTurn ball = {};
+  std::optional<Predicted> asked = {};  ///< this value is hidden, and all that follows from it
   const Palette& palette;
 };
 

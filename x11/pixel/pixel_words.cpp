@@ -6,13 +6,15 @@
 #include <numeric>
 
 #include "shading/explain/rounded_terms.h"
+#include "shading/explain/term_values.h"
 #include "x11/drawing/wording.h"
 
 namespace xnewell {
 
 PixelStory::PixelStory(const Picture& of, int column, int row)
     : picture{of}, i{column}, j{row}, history{historyOf(of, column, row)} {
-  for (const PaintedHere& one : history.painted) explained.push_back(explain(of, one.fragment.face, i, j));
+  PixelExplainer explain{of};
+  for (const PaintedHere& one : history.painted) explained.push_back(explain(one.fragment.face, i, j));
 }
 
 std::string_view PixelStory::verdict() const {
@@ -36,10 +38,6 @@ std::string fateOf(const PixelStory& story, std::size_t k) {
   if (static_cast<int>(k) == story.history.shown) return "shows";
   if (rowOf(story.picture.settings().order).bySample) return "another one is nearer";
   return "painted over by " + std::to_string(k + 2);
-}
-
-std::string_view cosineName(Form form) {
-  return form == Form::Textbook ? "R.V" : form == Form::HalfVector ? "N.H" : "N.L";
 }
 
 namespace {
@@ -132,6 +130,12 @@ std::vector<std::string> numbersPutIn(const Explanation& e, const ExplainedEquat
   return lines;
 }
 
+const ExplainedEquation* equationShown(const Explanation& e, int vertex) {
+  if (e.equations.empty()) return nullptr;
+  const int k = e.method == Shading::Gouraud ? e.vertices[static_cast<std::size_t>(vertex)].equation : 0;
+  return k < 0 ? nullptr : &e.equations[static_cast<std::size_t>(k)];
+}
+
 std::string_view weightsThatCount(const Explanation& e) {
   if (e.method == Shading::Phong) return "the weights in the world count";
   return e.texel ? "in the world for u and v, on the screen for I" : "the weights on the screen count";
@@ -144,21 +148,20 @@ std::string intensityWords(const PixelStory& story, const Explanation& e) {
   return all;
 }
 
-std::string sumOf(const ExplainedEquation& at, int c, bool together) {
+std::string sumOf(const ExplainedEquation& at, int c, bool together, std::optional<std::size_t> known) {
   std::vector<double> terms{at.ambient[c]};
-  if (together) terms.resize(3);
-  for (const ExplainedLight& light : at.lights) {
-    if (together) {
-      terms[1] += light.diffuse[c], terms[2] += light.specular[c];
-      continue;
-    }
-    terms.push_back(light.diffuse[c]);
-    terms.push_back(light.specular[c]);
-  }
+  if (together)
+    terms.insert(terms.end(), {at.diffuse(c), at.specular(c)});
+  else
+    for (const ExplainedLight& light : at.lights)
+      terms.insert(terms.end(), {light.diffuse[c], light.specular[c]});
   const std::vector<double> rounded = roundedTerms(terms, kPixelDecimals);
-  std::string text = "= " + fixed(rounded[0], kPixelDecimals);
-  for (std::size_t k = 1; k < rounded.size(); ++k)
-    text += (rounded[k] < 0.0 ? " - " : " + ") + fixed(std::abs(rounded[k]), kPixelDecimals);
+  std::string text = "= ";
+  for (std::size_t k = 0; k < rounded.size(); ++k) {
+    if (k > 0) text += rounded[k] < 0.0 ? " - " : " + ";
+    text += known && k >= *known ? "?" : fixed(k > 0 ? std::abs(rounded[k]) : rounded[k], kPixelDecimals);
+  }
+  if (known) return text + " = ?";
   const double sum = std::accumulate(rounded.begin(), rounded.end(), 0.0);
   return text + " = " + fixed(sum, kPixelDecimals) +
          (at.I[c] > 1.0   ? ", clamped to 1"

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -42,8 +43,6 @@ struct PixelStory {
 /// "painted over by 2"; `k` is an index into history.painted.
 [[nodiscard]] std::string fateOf(const PixelStory& story, std::size_t k);
 
-/// "R.V", or what the form of the equation takes for it.
-[[nodiscard]] std::string_view cosineName(Form form);
 /// "I = ka Ia + f Ip [ kd N.L + ks (R.V)^n ]", with the mistake that is in force.
 [[nodiscard]] std::string formulaOf(const Explanation& e, const Illumination& light);
 /// What the mistake in the equation does, one sentence; empty if there is none, or if the method has no
@@ -54,8 +53,12 @@ struct PixelStory {
                                                     Mistake mistake);
 /// "= 0.1800 + 0.5637 + 0.1012 = 0.8449": the ambient term, then the diffuse and the specular term of each
 /// light, rounded so that they add up. If `together`, those of all lights are one diffuse and one specular
-/// term.
-[[nodiscard]] std::string sumOf(const ExplainedEquation& at, int c, bool together = false);
+/// term. If a number of `known` terms is given, a question mark stands for each of the others and for the
+/// sum.
+[[nodiscard]] std::string sumOf(const ExplainedEquation& at, int c, bool together = false,
+                                std::optional<std::size_t> known = {});
+/// The equation that is shown of an explanation: with Gouraud shading that of a vertex. Null if it has none.
+[[nodiscard]] const ExplainedEquation* equationShown(const Explanation& e, int vertex);
 /// "the weights on the screen count": which of the vertices' weights the method uses.
 [[nodiscard]] std::string_view weightsThatCount(const Explanation& e);
 /// "0.8449"; where the cells hold colours, the intensity of each channel.

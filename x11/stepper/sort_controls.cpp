@@ -130,9 +130,9 @@ void drawCounts(SortPen& pen) {
     pen.key(polygon.x + 17, below + line - 11, "/");
     pen.soft(polygon.x + 36, below + line, "number");
   }
-  if (pen.view.asked > 0)
+  if (const Score& score = pen.view.score; score.asked > 0)
     pen.paint.textRight(at.x + at.width, predict.y - 4,
-                        std::to_string(pen.view.right) + "/" + std::to_string(pen.view.asked) + " right",
+                        std::to_string(score.right) + "/" + std::to_string(score.asked) + " right",
                         pen(Cell::Soft));
 }
 

@@ -89,8 +89,7 @@ void SortPlayer::toggle(int index) {
 
 void SortPlayer::answer(int which) {
   view.answer = static_cast<Verdict>(which);
-  ++view.asked;
-  view.right += *view.answer == run->sorted().events[view.step - 1].verdict;
+  view.score.add(*view.answer == run->sorted().events[view.step - 1].verdict);
   view.asking = false;
 }
 

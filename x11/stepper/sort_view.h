@@ -5,6 +5,7 @@
 
 #include "depthsort/depth_sort.h"
 #include "x11/kit/control.h"
+#include "x11/kit/score.h"
 #include "x11/stepper/sort_layout.h"
 
 namespace xnewell {
@@ -22,7 +23,7 @@ struct SortView {
   bool predict = false;
   bool asking = false;                 ///< the outcome of this comparison is hidden
   std::optional<Verdict> answer = {};  ///< the learner's answer to the question of this step
-  int right = 0, asked = 0;            ///< answers so far, right and all
+  Score score = {};                    ///< of the answers so far
   double speed = kUsualSpeed;          ///< steps a second
   bool playing = false;
   bool loupe = true;      ///< the loupe is shown over the picture

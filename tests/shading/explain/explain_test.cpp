@@ -25,12 +25,13 @@ struct Seen {
 void expectExplained(const Picture& picture, Seen& seen) {
   const PictureSettings& settings = picture.settings();
   const SeenRows rows = picture.seen(0, settings.height);
+  PixelExplainer explain{picture};
   const bool colors = channelsOf(picture.colors().plan()) == Channels::Rgb;
   for (int j = 0; j < settings.height; ++j)
     for (int i = 0; i < settings.width; ++i) {
       const int face = rows.faces[std::size_t(j) * settings.width + i];
       if (face == kNothing) continue;
-      const Explanation e = explain(picture, face, i, j);
+      const Explanation e = explain(face, i, j);
       ASSERT_TRUE(colors || e.value[0] == picture.image().row(j)[i])
           << "pixel " << i << ", " << j << ": " << e.value[0] << " for " << int{picture.image().row(j)[i]};
       // What the loops have is what the definitions say, as precisely as single precision allows. Gouraud's

@@ -103,8 +103,8 @@ TEST(SortBench, PredictsAndKeepsTheScore) {
     }
     ASSERT_EQ(s.step(), step) << "the answer is shown before the next step";
     EXPECT_FALSE(s.bench.view().asking);
-    EXPECT_EQ(s.bench.view().asked, asked);
-    EXPECT_EQ(s.bench.view().right, right);
+    EXPECT_EQ(s.bench.view().score.asked, asked);
+    EXPECT_EQ(s.bench.view().score.right, right);
   }
   EXPECT_GT(asked, 3);
   EXPECT_EQ(told, 1);
