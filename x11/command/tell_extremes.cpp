@@ -8,10 +8,10 @@
 #include "shading/extremes/extremes.h"
 #include "x11/command/check_writable.h"
 #include "x11/command/doing.h"
+#include "x11/command/extremes_chart.h"
 #include "x11/command/extremes_report.h"
 #include "x11/command/interrupt.h"
 #include "x11/options/exit_status.h"
-#include "x11/views/extremes_chart.h"
 
 namespace xnewell {
 

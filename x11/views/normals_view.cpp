@@ -5,9 +5,9 @@
 #include <string>
 
 #include "depthsort/oracle.h"
-#include "shading/color/quantize.h"
 #include "x11/drawing/sheet.h"
 #include "x11/drawing/wording.h"
+#include "x11/views/own_colors.h"
 
 namespace xnewell {
 
@@ -121,16 +121,8 @@ RgbImage normalColors(const Picture& picture) { return seenNormals(picture).colo
 ColoredImage normalsImage(const Picture& picture, const CellPlan& plan, const Palette& palette, int unit) {
   const PictureSettings& settings = picture.settings();
   const SeenNormals seen = seenNormals(picture, 0, unit);
-  const int first = kTables[static_cast<int>(settings.table.kind)].first;
-  ColoredImage normals{{settings.width, settings.height, plan[Cell::Well]}, palette};
-  const std::vector<Rgb16> chosen =
-      quantize(seen.colors, seen.shows,
-               {.quantizer = settings.colors == ColorPlan::Cube ? Quantizer::Cube : Quantizer::Chosen,
-                .dither = true,
-                .first = first},
-               normals.image);
+  ColoredImage normals = inOwnColors(seen.colors, seen.shows, true, settings, plan, palette);
   drawNeedles({normals.image, unit}, seen, {0, 0, settings.width, settings.height}, plan[Cell::Black]);
-  std::ranges::copy(chosen, normals.palette.begin() + first);
   return normals;
 }
 
@@ -148,19 +140,14 @@ ColoredImage drawNormals(const Picture& picture, const ViewSettings& settings) {
   const PictureSettings& smaller = picture.settings();
 
   // The ball's colours are chosen with the picture's: one image above the other.
-  const int rows = at.height + kBall, first = kTables[static_cast<int>(smaller.table.kind)].first;
+  const int rows = at.height + kBall;
   SeenNormals seen = seenNormals(picture, kBall);
   forEachOfBall(kBall, [&](int i, int j, const glm::dvec3& n) {
     setColor(seen.colors.pixel(i, at.height + j), n);
     seen.shows[std::size_t(at.height + j) * at.width + i] = 1;
   });
-  IndexImage cells{at.width, rows, settings.cells[Cell::Well]};
-  const std::vector<Rgb16> chosen =
-      quantize(seen.colors, seen.shows,
-               {.quantizer = smaller.colors == ColorPlan::Cube ? Quantizer::Cube : Quantizer::Chosen,
-                .dither = true,
-                .first = first},
-               cells);
+  ColoredImage own = inOwnColors(seen.colors, seen.shows, true, smaller, settings.cells, settings.unneeded);
+  IndexImage& cells = own.image;
   for (int j = at.height; j < rows; ++j)
     std::replace(cells.row(j), cells.row(j) + at.width, settings.cells[Cell::Well],
                  settings.cells[Cell::Paper]);
@@ -174,9 +161,7 @@ ColoredImage drawNormals(const Picture& picture, const ViewSettings& settings) {
   sheet.painter().text(places.textLeft, top + Sheet::kAscent, heading, sheet.cell(Cell::Ink), Voice::Bold);
   sheet.paragraph(places.textLeft, top + Sheet::kRow, places.textWidth, places.words, Cell::Soft);
 
-  Palette palette = settings.unneeded;
-  std::ranges::copy(chosen, palette.begin() + first);
-  return {sheet.image(), withInterface(palette, settings.cells)};
+  return {sheet.image(), withInterface(own.palette, settings.cells)};
 }
 
 }  // namespace xnewell

@@ -5,6 +5,7 @@
 #include "x11/views/normals_view.h"
 #include "x11/views/overdraw.h"
 #include "x11/views/step_legend.h"
+#include "x11/views/terms_view.h"
 #include "x11/views/wireframe.h"
 
 namespace xnewell {
@@ -51,6 +52,15 @@ ShownPicture shownAs(Show show, const Picture& picture, const Palette& palette, 
       ringSpots({shown.image, unit}, 0, 0, verdicts, picture.settings().width, plan);
       drawStepLegend({shown.image, unit}, plan, kLegend, kLegend, kVerdictSteps, "");
       return shown;
+    }
+    case Show::Ambient:
+    case Show::Diffuse:
+    case Show::Specular:
+    case Show::NdotL:
+    case Show::Cosine: {
+      const TermValues found = termValuesOf(picture, *rowOf(show).term);
+      const ColoredImage own = termImage(found, picture, plan, palette, unit);
+      return {own.image, own.palette, findingOf(found, picture).bold};
     }
   }
   return {picture.image(), palette, ""};

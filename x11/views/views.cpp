@@ -8,6 +8,7 @@
 #include "x11/views/mach_bands.h"
 #include "x11/views/normals_view.h"
 #include "x11/views/overdraw.h"
+#include "x11/views/terms_view.h"
 #include "x11/views/wireframe.h"
 
 namespace xnewell {
@@ -31,6 +32,12 @@ PictureSettings pictureFor(const Scene& scene, const ViewSettings& settings) {
       return pictureForOverdraw(settings);
     case View::Wireframe:
       return pictureForWireframe(settings);
+    case View::Ambient:
+    case View::Diffuse:
+    case View::Specular:
+    case View::NdotL:
+    case View::Cosine:
+      return pictureForTerm(settings);
     case View::Picture:
       break;
   }
@@ -43,7 +50,7 @@ ColoredImage drawView(PictureCache& pictures, const ViewSettings& settings) {
   assert(settings.picture.width >= rowOf(settings.view).leastWidth &&
          settings.picture.height >= rowOf(settings.view).leastHeight);
   std::optional<std::uint8_t> ground = settings.cells[Cell::Well];
-  if (settings.view == View::Normals) ground.reset();  // it shows no cell of the picture's
+  if (hasOwnColors(settings.view)) ground.reset();  // it shows no cell of the picture's
   const Picture picture = pictures.make(pictureFor(pictures.scene(), settings), ground);
   switch (settings.view) {
     case View::Colors:
@@ -60,6 +67,12 @@ ColoredImage drawView(PictureCache& pictures, const ViewSettings& settings) {
       return drawOverdraw(picture, settings);
     case View::Wireframe:
       return drawWireframe(picture, settings);
+    case View::Ambient:
+    case View::Diffuse:
+    case View::Specular:
+    case View::NdotL:
+    case View::Cosine:
+      return drawTerm(picture, settings, *termOf(settings.view));
     case View::Picture:
       break;
   }

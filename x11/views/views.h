@@ -7,6 +7,7 @@
 #include "shading/color/colored_image.h"
 #include "shading/color/index_image.h"
 #include "shading/color/palette.h"
+#include "shading/explain/term_values.h"
 #include "shading/picture/palette_effects.h"
 #include "shading/picture/picture_cache.h"
 
@@ -14,7 +15,21 @@ namespace xnewell {
 
 /// What may be drawn of a scene: the picture, or the numbers behind it.
 
-enum class View { Picture, Colors, MachBands, Normals, Difference, Exactness, Overdraw, Wireframe };
+enum class View {
+  Picture,
+  Colors,
+  MachBands,
+  Normals,
+  Difference,
+  Exactness,
+  Overdraw,
+  Wireframe,
+  Ambient,
+  Diffuse,
+  Specular,
+  NdotL,
+  Cosine
+};
 struct ViewRow {
   View id;
   std::string_view name, shows;
@@ -35,8 +50,33 @@ inline constexpr std::array kViews{
     ViewRow{View::Overdraw, "overdraw", "how often each sample was painted, and what that costs", 640, 480},
     ViewRow{View::Wireframe, "wireframe", "the edges of all polygons, dashed where the depth sort cut one",
             640, 480},
+    ViewRow{View::Ambient, "ambient", "the ambient term of the equation at every pixel", 640, 480},
+    ViewRow{View::Diffuse, "diffuse", "the diffuse term, of all lights", 640, 480},
+    ViewRow{View::Specular, "specular", "the specular term, of all lights", 640, 480},
+    ViewRow{View::NdotL, "N.L", "N.L of the first light, below 0 where the light is behind", 640, 480},
+    ViewRow{View::Cosine, "R.V", "R.V of the first light, or what --form takes for it", 640, 480},
 };
 [[nodiscard]] constexpr const ViewRow& rowOf(View view) { return kViews[static_cast<std::size_t>(view)]; }
+
+/// The number of the equation that a view shows, if it is one of these.
+[[nodiscard]] constexpr std::optional<Term> termOf(View view) {
+  switch (view) {
+    case View::Ambient:
+      return Term::Ambient;
+    case View::Diffuse:
+      return Term::Diffuse;
+    case View::Specular:
+      return Term::Specular;
+    case View::NdotL:
+      return Term::NdotL;
+    case View::Cosine:
+      return Term::Cosine;
+    default:
+      return std::nullopt;
+  }
+}
+/// True if the view has colours of its own, not those of the picture.
+[[nodiscard]] constexpr bool hasOwnColors(View view) { return view == View::Normals || termOf(view); }
 
 struct ViewSettings {
   View view = View::Picture;

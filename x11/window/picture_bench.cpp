@@ -72,10 +72,16 @@ std::string inexactness(const Picture& picture, bool compact) {
          sizeText(picture.settings().width, picture.settings().height) + ".";
 }
 
-/// Words for the colours chosen for the picture of normals. They are in the cells from `first` on.
-SceneCellWords wordsOfNormals(const CellUse& use, int first) {
+/// Words for the colours that the picture of normals or of a term has of its own. They are in the cells from
+/// `first` on.
+SceneCellWords wordsOfOwnColors(Show show, const CellUse& use, int first) {
   int last = first + kMaxShades - 1;
   while (last > first && use.samples[last] == 0) --last;
+  if (rowOf(show).term)
+    return {.cells = {first, last - first + 1},
+            .rule = "the values of " + std::string{rowOf(show).name},
+            .shortRule = std::string{rowOf(show).name},
+            .what = "values"};
   return {.cells = {first, last - first + 1},
           .rule = "directions of N, chosen from the picture",
           .shortRule = "directions of N",
@@ -158,8 +164,8 @@ void PictureBench::draw(Painter paint, const Desk& desk) {
   }
   use_ = cellUse(shown_.image);
   colors_ = {shown_.palette, {}};
-  if (show == Show::Normals && desk.picture.colors().plan() != ColorPlan::Cube)
-    colors_.words = wordsOfNormals(use_, desk.picture.colors().table().first());
+  if (rowOf(show).ownColors && desk.picture.colors().plan() != ColorPlan::Cube)
+    colors_.words = wordsOfOwnColors(show, use_, desk.picture.colors().table().first());
   paint.place(shown_.image, at_.picture.x, at_.picture.y);
   counts_ = countsOf(desk.picture);
   drawColumn(paint, desk);
@@ -224,7 +230,7 @@ void PictureBench::drawColumn(Painter paint, const Desk& desk) {
   }
   const Subject subject = subject_();
   const Illumination& light = desk.setup.picture.light;
-  const bool ramp = desk.setup.show != Show::Normals && desk.picture.colors().plan() == ColorPlan::OneHue;
+  const bool ramp = !rowOf(desk.setup.show).ownColors && desk.picture.colors().plan() == ColorPlan::OneHue;
   toView_ = vrcRotation(desk.picture.camera().view);
   column_ = layoutOfControls(at_, all, desk.setup);
   for (const auto& [id, place] : column_.places) list_.place(id, place);

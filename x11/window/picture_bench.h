@@ -31,7 +31,7 @@ class PictureBench : public Bench {
   void draw(Painter paint, const Desk& desk) override;
   /// The picture of normals has colours of its own.
   [[nodiscard]] const OwnColors* colors() const override {
-    return shownAs_ == Show::Normals ? &colors_ : nullptr;
+    return rowOf(shownAs_).ownColors ? &colors_ : nullptr;
   }
   [[nodiscard]] const CellUse* use() const override { return shownAs_ == Show::Shaded ? nullptr : &use_; }
   [[nodiscard]] std::string status() const override { return counts_; }

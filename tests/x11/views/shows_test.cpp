@@ -26,7 +26,7 @@ Picture made(const char* name, ColorPlan plan = ColorPlan::Needed, Order order =
 }  // namespace
 
 // Everything that can be shown has the picture's size and place and leaves the picture as it was. All but the
-// normals are drawn in the tool's own cells and change no colour.
+// normals and the terms are drawn in the tool's own cells and change no colour.
 TEST(Shows, KeepThePictureAndItsColours) {
   for (const auto& [scene, plan] : someOf({std::pair{"tori", ColorPlan::Cube},
                                            {"hues", ColorPlan::Hues},
@@ -45,10 +45,10 @@ TEST(Shows, KeepThePictureAndItsColours) {
         ASSERT_EQ(shown.image.width, settings.width);
         ASSERT_EQ(shown.image.height, settings.height);
         EXPECT_EQ(shown.image == picture.image(), row.id == Show::Shaded);
-        EXPECT_EQ(shown.palette == palette, row.id != Show::Normals || plan == ColorPlan::Cube);
+        EXPECT_EQ(shown.palette == palette, !row.ownColors || plan == ColorPlan::Cube);
         EXPECT_EQ(shown.finding.empty(), row.id == Show::Shaded);
         EXPECT_EQ(withInterface(shown.palette, CellPlan{}), shown.palette);
-        if (row.id != Show::Shaded && row.id != Show::Normals) {
+        if (row.id != Show::Shaded && !row.ownColors) {
           EXPECT_TRUE(std::ranges::none_of(shown.image.pixels, [](int c) { return c > 10 && c < 251; }));
         }
         EXPECT_GT(std::ranges::count(shown.image.pixels, CellPlan{}[Cell::Well]), 1000);

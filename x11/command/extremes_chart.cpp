@@ -1,4 +1,4 @@
-#include "x11/views/extremes_chart.h"
+#include "x11/command/extremes_chart.h"
 
 #include <algorithm>
 #include <cmath>
