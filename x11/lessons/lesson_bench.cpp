@@ -158,6 +158,10 @@ KeyTable LessonBench::ownKeys() {
       handing_ = true;  // the stepper keeps the lesson's scene
       host_.switchTo(WindowView::DepthSort);
     });
+    add('8', "explain", "the pixel of the named face, or the middle, in view 8", [this] {
+      handing_ = true;  // view 8 keeps the lesson's scene, too
+      host_.explain(pixel_.x, pixel_.y);
+    });
     add('7', "all lessons", "the list of all lessons", [this] { showList(true); });
     add(NamedKey::Escape, "leave", "leave the lesson: the window's own scene comes back",
         [this] { leaveForGood(); });
@@ -230,6 +234,12 @@ void LessonBench::drawStep(Painter paint, const Desk& desk) {
   }
   PaletteEffects effects = state_.exhibit.effects;
   effects.rotate = 0;  // the words do not describe the moving ramp
+  const PictureSettings& shown = picture.settings();
+  pixel_ = {0.5, 0.5};
+  if (!state_.exhibit.names.empty())
+    if (const auto place = placeOfLetter(picture.faceImage(), shown.width, shown.height,
+                                         state_.exhibit.names.front().face, /*unit=*/1))
+      pixel_ = {(place->x + 0.5) / shown.width, (place->y + 0.5) / shown.height};
   drawSight(paint, at,
             {.exhibit = state_.exhibit,
              .picture = picture,
@@ -258,7 +268,7 @@ void LessonBench::placeButtons() {
 }
 
 LessonPage LessonBench::pageOf(const Desk& desk, const IndexImage* lower) {
-  ShownExhibit facts{desk.picture, desk.picture.image(), lower};
+  ShownExhibit facts{desk.picture, desk.picture.image(), lower, state_.exhibit.names};
   const LessonStep& step = now();
   const Taken& t = taken();
   LessonPage page;

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <glm/vec2.hpp>
 #include <optional>
 #include <string>
 #include <vector>
@@ -90,6 +91,7 @@ class LessonBench : public Bench {
   std::optional<Setup> drawn_;
   bool changed_ = false;  ///< the settings are not those of the step
   double aspect_ = 1;
+  glm::dvec2 pixel_{0.5};  ///< what view 8 explains: shares of the picture's width and height
   LessonLayout at_;
   LessonPage page_;
   std::string counts_;

@@ -6,9 +6,12 @@
 #include <limits>
 
 #include "geometry/files/text_file.h"
+#include "shading/explain/rounded_terms.h"
+#include "shading/explain/term_values.h"
 #include "shading/picture/cell_use.h"
 #include "shading/picture/profile.h"
 #include "x11/drawing/wording.h"
+#include "x11/lessons/lesson_sight.h"
 #include "x11/views/table_curves.h"
 
 namespace xnewell {
@@ -55,6 +58,43 @@ double stepsSeen(Found found) {
 double shadesUnseen(Found found) {
   const double I0 = found.picture.settings().table.I0;
   return 2 + std::floor(std::log(1 / I0) / std::log(1 + kSeenStep / 100));
+}
+
+constexpr double kMissing = std::numeric_limits<double>::quiet_NaN();
+
+/// A number of the equation of the named face; at the first vertex, if the method evaluates several.
+template <class Of>
+double ofEquation(Found found, const Of& of) {
+  return found.explained && !found.explained->equations.empty() ? of(found.explained->equations.front())
+                                                                : kMissing;
+}
+template <class Of>
+double ofLight(Found found, const Of& of) {
+  return ofEquation(found, [&](const ExplainedEquation& at) {
+    return at.lights.empty() ? kMissing : of(at.lights.front());
+  });
+}
+template <glm::dvec3 ExplainedEquation::*v, int axis>
+double vectorOf(Found found) {
+  return ofEquation(found, [](const ExplainedEquation& at) { return (at.*v)[axis]; });
+}
+template <int axis>
+double towardsTheLight(Found found) {
+  return ofLight(found, [](const ExplainedLight& light) { return light.L[axis]; });
+}
+template <double ExplainedLight::*number>
+double lightNumber(Found found) {
+  return ofLight(found, [](const ExplainedLight& light) { return light.*number; });
+}
+/// A term, rounded so that the three that are written add up.
+template <Term term>
+double termHere(Found found) {
+  return ofEquation(found, [&](const ExplainedEquation& at) {
+    std::vector<double> terms;
+    for (const Term each : {Term::Ambient, Term::Diffuse, Term::Specular})
+      terms.push_back(valueOf(at, each, found.explained->channels));
+    return roundedTerms(terms, 4)[static_cast<std::size_t>(term)];
+  });
 }
 
 constexpr std::array kFacts{
@@ -139,10 +179,49 @@ constexpr std::array kFacts{
     FactRow{"largest difference", "the largest difference of two such cells, in shades", 0, FactNeeds::Beside,
             [](Found f) -> double { return f.difference->most; }},
 
+    FactRow{"pixel x", "column of the pixel of the first named face", 0, FactNeeds::Face,
+            [](Found f) { return f.pixel ? f.pixel->x : kMissing; }},
+    FactRow{"pixel y", "its row", 0, FactNeeds::Face,
+            [](Found f) { return f.pixel ? f.pixel->y : kMissing; }},
+    FactRow{"N x", "N there, towards the side that is lit", 4, FactNeeds::Face,
+            vectorOf<&ExplainedEquation::N, 0>},
+    FactRow{"N y", "the same, y", 4, FactNeeds::Face, vectorOf<&ExplainedEquation::N, 1>},
+    FactRow{"N z", "the same, z", 4, FactNeeds::Face, vectorOf<&ExplainedEquation::N, 2>},
+    FactRow{"L x", "L there, of the first light", 4, FactNeeds::Face, towardsTheLight<0>},
+    FactRow{"L y", "the same, y", 4, FactNeeds::Face, towardsTheLight<1>},
+    FactRow{"L z", "the same, z", 4, FactNeeds::Face, towardsTheLight<2>},
+    FactRow{"V x", "V there", 4, FactNeeds::Face, vectorOf<&ExplainedEquation::V, 0>},
+    FactRow{"V y", "the same, y", 4, FactNeeds::Face, vectorOf<&ExplainedEquation::V, 1>},
+    FactRow{"V z", "the same, z", 4, FactNeeds::Face, vectorOf<&ExplainedEquation::V, 2>},
+    FactRow{"N.L", "N.L there", 4, FactNeeds::Face, lightNumber<&ExplainedLight::NdotL>},
+    FactRow{"R.V", "R.V there, or what the form takes for it", 4, FactNeeds::Face,
+            lightNumber<&ExplainedLight::cosine>},
+    FactRow{"power", "its n-th power, 0 where it does not count", 4, FactNeeds::Face,
+            lightNumber<&ExplainedLight::power>},
+    FactRow{"ambient", "the ambient term there", 4, FactNeeds::Face, termHere<Term::Ambient>},
+    FactRow{"diffuse", "the diffuse term there", 4, FactNeeds::Face, termHere<Term::Diffuse>},
+    FactRow{"specular", "the specular term there", 4, FactNeeds::Face, termHere<Term::Specular>},
+    FactRow{"I", "the intensity there", 4, FactNeeds::Face,
+            [](Found f) { return f.explained ? f.explained->intensity : kMissing; }},
+    FactRow{
+        "shade", "its shade in the colour table, from 0", 0, FactNeeds::Face,
+        [](Found f) { return f.explained ? f.explained->value[0] - f.picture.table().first() : kMissing; }},
+    FactRow{"cell", "its cell", 0, FactNeeds::Face,
+            [](Found f) { return f.explained ? f.explained->value[0] : kMissing; }},
+    FactRow{
+        "map column", "column of the environment's map that is looked up there", 0, FactNeeds::Face,
+        [](Found f) { return f.explained && f.explained->place ? f.explained->place->column : kMissing; }},
+    FactRow{"map row", "its row", 0, FactNeeds::Face,
+            [](Found f) { return f.explained && f.explained->place ? f.explained->place->row : kMissing; }},
+
     FactRow{"Ia", "ambient intensity", 2, FactNeeds::Picture,
             [](Found f) -> double { return f.picture.settings().light.Ia; }},
     FactRow{"Ip", "intensity of the point light", 2, FactNeeds::Picture,
             [](Found f) -> double { return f.picture.settings().light.Ip; }},
+    FactRow{"ka", "coefficient of ambient reflection", 2, FactNeeds::Picture,
+            [](Found f) -> double { return f.picture.settings().light.ka; }},
+    FactRow{"kd", "coefficient of diffuse reflection", 2, FactNeeds::Picture,
+            [](Found f) -> double { return f.picture.settings().light.kd; }},
     FactRow{"ks", "coefficient of specular reflection", 2, FactNeeds::Picture,
             [](Found f) -> double { return f.picture.settings().light.ks; }},
     FactRow{"n", "exponent of specular reflection", 0, FactNeeds::Picture,
@@ -197,6 +276,17 @@ void ShownExhibit::find(FactNeeds needs) {
         found_.profiled->bands[k] = static_cast<int>(line.profiles[k].bands.size());
         found_.profiled->jumps[k] = line.profiles[k].largestJump * (kMaxShades - 1);
       }
+      return;
+    }
+    case FactNeeds::Face: {
+      if (found_.explained || found_.face < 0) return;
+      const PictureSettings& settings = picture.settings();
+      const auto place =
+          placeOfLetter(picture.faceImage(), settings.width, settings.height, found_.face, /*unit=*/1);
+      if (!place) return;
+      found_.pixel = {place->x, place->y};
+      const int shown = picture.seen(place->y, place->y + 1).faces[static_cast<std::size_t>(place->x)];
+      found_.explained = PixelExplainer{picture}(shown, place->x, place->y);
       return;
     }
     case FactNeeds::Range:

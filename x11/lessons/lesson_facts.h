@@ -9,6 +9,7 @@
 
 #include "depthsort/explain.h"
 #include "shading/color/index_image.h"
+#include "shading/explain/explain.h"
 #include "shading/picture/exactness.h"
 #include "shading/picture/picture.h"
 #include "x11/lessons/exhibit.h"
@@ -19,7 +20,7 @@ namespace xnewell {
 /// what it counts, and a claim says which number a sentence relies on.
 
 /// Which part of the work a fact needs.
-enum class FactNeeds { Picture, Run, Oracle, Profile, Range, Beside };
+enum class FactNeeds { Picture, Run, Oracle, Profile, Range, Beside, Face };
 
 /// What the facts of an exhibit are read from: the picture, and what the parts of the work have found.
 struct FactSources {
@@ -43,6 +44,10 @@ struct FactSources {
     int samples = 0, most = 0;
   };
   std::optional<Difference> difference = {};
+  /// FactNeeds::Face: of the sample that the first named face is explained at; none where it does not show.
+  int face = -1;
+  std::optional<glm::ivec2> pixel = {};
+  std::optional<Explanation> explained = {};
 };
 
 struct FactRow {
@@ -65,10 +70,13 @@ struct FactRow {
 /// An exhibit as it is shown, and its facts. All that is passed must outlive this.
 class ShownExhibit {
  public:
-  /// `image` is the picture painted, `beside` the second picture of Stage::SideBySide or null. A fact is
-  /// computed when it is first asked for, each part of the work once.
-  ShownExhibit(const Picture& picture, const IndexImage& image, const IndexImage* beside)
-      : found_{picture, image, beside} {}
+  /// `image` is the picture painted, `beside` the second picture of Stage::SideBySide or null, `names` those
+  /// of the exhibit. A fact is computed when it is first asked for, each part of the work once.
+  ShownExhibit(const Picture& picture, const IndexImage& image, const IndexImage* beside,
+               const std::vector<NamedFace>& names)
+      : found_{picture, image, beside} {
+    if (!names.empty()) found_.face = names.front().face;
+  }
 
   /// NaN where the picture has none: a linear table has no ratio. No claim about it holds.
   [[nodiscard]] double value(const FactRow& fact);

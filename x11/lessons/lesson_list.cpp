@@ -47,13 +47,15 @@ void LessonList::draw(Pen& pen, const Layout& at, ControlList& places, const Les
   pen.paint.text(body.x, body.y + 21, "Lessons", pen(Cell::Ink), Voice::Title);
   pen.softRight(body.x + body.width, body.y + 21, "arrows, then Return; or the pointer");
   pen.rule(body.x, body.y + (at.compact ? 34 : 42), body.width);
-  const int pitch = at.compact ? 34 : 44;
   int top = body.y + (at.compact ? 44 : 60);
+  const int count = std::max(1, static_cast<int>(entries_.size()));
+  const int pitch = std::min(at.compact ? 34 : 44, (body.y + body.height - top) / count);
+  const bool close = pitch < 33;  // two lines of text, and hardly anything between the rows
   for (int k = 0; k < static_cast<int>(entries_.size()); ++k, top += pitch) {
     const LessonEntry& lesson = entries_[static_cast<std::size_t>(k)];
-    const Rect row{body.x, top, body.width, pitch - 4};
+    const Rect row{body.x, top, body.width, pitch - (close ? 1 : 4)};
     places.place({0, k}, {.area = row, .bare = true});
-    const int y = row.y + (at.compact ? 13 : 16);
+    const int y = row.y + (close ? 11 : at.compact ? 13 : 16);
     if (k == chosen_) {
       pen.paint.fillRect(row, pen(Cell::Focus));
       pen.paint.fillRect({row.x, row.y, 2, row.height}, pen(Cell::Ink));
@@ -62,7 +64,7 @@ void LessonList::draw(Pen& pen, const Layout& at, ControlList& places, const Les
     const int end = pen.bold(row.x + 48, y, lesson.title);
     if (open && open->name == lesson.name) pen.soft(end + 18, y, "open");
     pen.softRight(row.x + row.width - 8, y, answers.score(lesson.name));
-    pen.soft(row.x + 48, y + (at.compact ? 14 : 17), lesson.shows);
+    pen.soft(row.x + 48, y + (close ? 13 : at.compact ? 14 : 17), lesson.shows);
   }
   drawn_ = chosen_;
 }
