@@ -13,17 +13,19 @@ namespace xnewell {
 /// it.
 
 enum class Term { Ambient, Diffuse, Specular, NdotL, Cosine };
-struct TermRow {
+struct TermValueRow {
   Term id;
   std::string_view name;
   bool isCosine;  ///< from -1 to 1, before the equation clamps it; the others are parts of I
 };
 inline constexpr std::array kTerms{
-    TermRow{Term::Ambient, "ambient", false},   TermRow{Term::Diffuse, "diffuse", false},
-    TermRow{Term::Specular, "specular", false}, TermRow{Term::NdotL, "N.L", true},
-    TermRow{Term::Cosine, "R.V", true},  ///< or what the form of the equation takes for it
+    TermValueRow{Term::Ambient, "ambient", false},   TermValueRow{Term::Diffuse, "diffuse", false},
+    TermValueRow{Term::Specular, "specular", false}, TermValueRow{Term::NdotL, "N.L", true},
+    TermValueRow{Term::Cosine, "R.V", true},  ///< or what the form of the equation takes for it
 };
-[[nodiscard]] constexpr const TermRow& rowOf(Term term) { return kTerms[static_cast<std::size_t>(term)]; }
+[[nodiscard]] constexpr const TermValueRow& rowOf(Term term) {
+  return kTerms[static_cast<std::size_t>(term)];
+}
 
 /// "R.V", or what the form of the equation takes for it.
 [[nodiscard]] std::string_view cosineName(Form form);

@@ -31,7 +31,7 @@ int heightOf(double share) {
 }
 
 /// What is said about a way: what was found, and why, or what was done if nothing was.
-struct Words {
+struct SaidOfWay {
   std::string finding, why;
   bool wrong;
   [[nodiscard]] int height() const {
@@ -39,7 +39,7 @@ struct Words {
   }
 };
 
-Words wordsOf(const Extreme& way, const ExtremeStep& setUp) {
+SaidOfWay saidOf(const Extreme& way, const ExtremeStep& setUp) {
   const ExtremeStep* const wrong = firstWrong(way, setUp);
   const ExtremeStep* const explained = firstToExplain(way, setUp);
   return {findingOf(way, setUp), explained ? explained->why : std::string{way.drives}, wrong != nullptr};
@@ -84,12 +84,12 @@ ColoredImage drawExtremes(const Extremes& extremes, const std::string& title) {
        Cell::Soft}};
   for (const std::string& said : {stoppedText(extremes), findingOf(extremes.setUp)})
     if (!said.empty()) above.emplace_back(said, Cell::Alarm);
-  std::vector<Words> words;
-  for (const Extreme& way : extremes.ways) words.push_back(wordsOf(way, extremes.setUp));
+  std::vector<SaidOfWay> words;
+  for (const Extreme& way : extremes.ways) words.push_back(saidOf(way, extremes.setUp));
 
   int height = 2 * Sheet::kMargin + Sheet::kTitle;
   for (const auto& [text, cell] : above) height += Sheet::paragraphHeight(width, text);
-  for (const Words& said : words) height += kWayGap + std::max(kBarHeight + 20, said.height());
+  for (const SaidOfWay& said : words) height += kWayGap + std::max(kBarHeight + 20, said.height());
   const CellPlan plan{TableKind::Linear};
   Sheet sheet{kChartWidth, height, plan};
   int y = sheet.title(Sheet::kMargin, Sheet::kMargin, title);

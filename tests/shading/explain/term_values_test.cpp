@@ -72,7 +72,7 @@ TEST(TermValues, AreThoseOfTheExplanations) {
         ASSERT_TRUE(hasTerms(s));
         const SeenRows rows = picture.seen(5, s.height);
         PixelExplainer explain{picture};
-        for (const TermRow& row : kTerms) {
+        for (const TermValueRow& row : kTerms) {
           SCOPED_TRACE(std::string{name} + ' ' + std::string{rowOf(method).name} + ' ' +
                        std::string{row.name});
           const std::vector<double> values = termValues(picture, rows, row.id);

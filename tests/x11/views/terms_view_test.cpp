@@ -27,7 +27,7 @@ Picture made(Shading method, Form form = Form::Textbook, ColorPlan plan = ColorP
 // cells are lost.
 TEST(TermsView, ColoursTellTheValues) {
   for (const ColorPlan plan : {ColorPlan::OneHue, ColorPlan::Chosen})
-    for (const TermRow& row : kTerms) {
+    for (const TermValueRow& row : kTerms) {
       SCOPED_TRACE(std::string{row.name});
       const Picture picture = made(Shading::Phong, Form::Textbook, plan);
       const TermValues found = termValuesOf(picture, row.id);
@@ -73,7 +73,7 @@ TEST(TermsView, FindingsAreOfTheNumbers) {
 
 // Every number has a view of its own and can be shown in the window, by the same name.
 TEST(TermsView, AreViewsAndShows) {
-  for (const TermRow& row : kTerms) {
+  for (const TermValueRow& row : kTerms) {
     const auto* const view = std::ranges::find(kViews, row.name, &ViewRow::name);
     const auto* const show = std::ranges::find(kShows, row.name, &ShowRow::name);
     ASSERT_NE(view, kViews.end());
