@@ -56,9 +56,10 @@ struct Control {
   TrackRange range = {};
   std::optional<double> initially = {};   ///< marked on the track
   std::vector<std::string> options = {};  ///< of a choice
-  std::vector<bool> lacking = {};         ///< the options without effect, drawn faint; empty: none
-  std::string words = {};                 ///< beside a toggle's box or for an Own value
-  std::string off = {};                   ///< why it has no effect, a sentence; "": it has one
+  std::optional<double> next = {};  ///< of a choice: its key chooses this, not the option after the value
+  std::vector<bool> lacking = {};   ///< the options without effect, drawn faint; empty: none
+  std::string words = {};           ///< beside a toggle's box or for an Own value
+  std::string off = {};             ///< why it has no effect, a sentence; "": it has one
   /// Gets a value as in `value`; a button gets 1. An Own control may lack it; with it, a value can be typed.
   std::function<void(double)> set = {};
   /// What the arrows do instead of stepping the value.

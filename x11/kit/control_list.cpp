@@ -21,8 +21,9 @@ const Control* among(const Controls& controls, std::optional<ControlId> id) {
   return control == controls.end() ? nullptr : &*control;
 }
 
-/// The option after the chosen one; the first one after the last.
+/// The option that the key chooses: usually the one after the value, and the first one after the last.
 double nextOption(const Control& choice) {
+  if (choice.next) return *choice.next;
   return (static_cast<int>(choice.value) + 1) % static_cast<int>(choice.options.size());
 }
 

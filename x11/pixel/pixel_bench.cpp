@@ -162,7 +162,7 @@ KeyTable PixelBench::ownKeys() {
   const std::string polygon = "the polygon that was painted before, after: explain it";
   add(NamedKey::PageUp, "polygon", polygon, [this] { walk(-1); });
   add(NamedKey::PageDown, "polygon", polygon, [this] { walk(1); });
-  add('h', "", "explain the polygon painted before; after the first, the last; also in a lecture", [this] {
+  add('h', "", "explain the polygon painted before this one", [this] {
     if (painted_ < 2) return walk(-1);
     chosen_ = (chosen_.value_or(shown_) + painted_ - 1) % painted_;
     late_ = true;

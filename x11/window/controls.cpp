@@ -29,15 +29,29 @@ ChoiceRow choiceRow(const Setting& setting) {
   return row;
 }
 
+/// The terms of the equation share one option, the last; each choice of it goes on to the next term.
 ChoiceRow showRow() {
+  static const int terms = static_cast<int>(
+      std::ranges::find_if(kShows, [](const ShowRow& show) { return show.term.has_value(); }) -
+      kShows.begin());
+  const auto isLast = [](Show show) { return show == kShows.back().id; };
   ChoiceRow row{.key = 'W',
                 .label = "show",
                 .tells = "what the picture shows",
                 .section = Section::Method,
                 .options = {},
-                .get = [](const Setup& s) { return int(s.show); },
-                .set = [](Setup& s, int i) { s.show = kShows[i].id; }};
-  for (const ShowRow& show : kShows) row.options.push_back(show.label);
+                .get = [](const Setup& s) { return std::min(int(s.show), terms); },
+                .set =
+                    [isLast](Setup& s, int i) {
+                      const bool goesOn = i == terms && rowOf(s.show).term && !isLast(s.show);
+                      s.show = kShows[goesOn ? int(s.show) + 1 : i].id;
+                    },
+                .next = [isLast](const Setup& s) -> std::optional<int> {
+                  if (rowOf(s.show).term && !isLast(s.show)) return terms;
+                  return std::nullopt;
+                }};
+  for (int k = 0; k < terms; ++k) row.options.push_back(kShows[k].label);
+  row.options.emplace_back("term");
   return row;
 }
 

@@ -59,6 +59,7 @@ struct ChoiceRow {
   std::vector<std::string_view> options;
   std::function<int(const Setup&)> get;
   std::function<void(Setup&, int)> set;
+  std::function<std::optional<int>(const Setup&)> next = {};  ///< Control::next
 };
 /// choices() are in the column. others() have no place there: the mistake in the equation, pick and bits.
 [[nodiscard]] const std::vector<ChoiceRow>& choices();

@@ -33,6 +33,7 @@ Control choiceControl(const ChoiceRow& row, const Setup& shown, ChangeSetup chan
           .is = std::string{row.tells},
           .value = static_cast<double>(row.get(shown)),
           .options = {row.options.begin(), row.options.end()},
+          .next = row.next ? std::optional<double>{row.next(shown)} : std::nullopt,
           .set = [&row, change = std::move(change)](double option) {
             change(row.key, [&](Setup& s) { row.set(s, static_cast<int>(option)); });
           }};

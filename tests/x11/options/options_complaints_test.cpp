@@ -164,7 +164,7 @@ TEST(Options, RefuseTheUnknown) {
                                                 {"--fov", longest},
                                                 {"--cull", longest},
                                                 {"--bits", longest}})
-    EXPECT_LT(complaint(words).size(), 200u) << words[0].substr(0, 20);
+    EXPECT_LT(complaint(words).size(), 300u) << words[0].substr(0, 20);
 }
 
 // A figure is an SVG, PDF or EPS file of polygons in a painting order.

@@ -63,7 +63,7 @@ TEST(TermsView, FindingsAreOfTheNumbers) {
   EXPECT_TRUE(bold(made(Shading::Flat), Term::Cosine).starts_with("R.V: -"));
   EXPECT_TRUE(bold(made(Shading::Phong, Form::HalfVector), Term::Cosine).starts_with("N.H: -"));
   EXPECT_EQ(bold(made(Shading::Depth), Term::Diffuse), "depth computes no light: there is no diffuse.");
-  EXPECT_EQ(bold(made(Shading::Environment), Term::NdotL), "envmap looks up sums: there is no N.L.");
+  EXPECT_EQ(bold(made(Shading::Environment), Term::NdotL), "env looks up sums: there is no N.L.");
   const Picture lights = made(Shading::Gouraud, Form::Textbook, ColorPlan::OneHue, "colored-lights");
   EXPECT_NE(findingOf(termValuesOf(lights, Term::NdotL), lights).why.find("the first of "),
             std::string::npos);
