@@ -162,25 +162,26 @@ KeyTable PixelBench::ownKeys() {
   const std::string polygon = "the polygon that was painted before, after: explain it";
   add(NamedKey::PageUp, "polygon", polygon, [this] { walk(-1); });
   add(NamedKey::PageDown, "polygon", polygon, [this] { walk(1); });
-  add('h', "", "explain the polygon painted before this one", [this] {
+  add('h', "", polygon, [this] {  // before, also in a lecture, which has the other two
     if (painted_ < 2) return walk(-1);
     chosen_ = (chosen_.value_or(shown_) + painted_ - 1) % painted_;
     late_ = true;
   });
+  add('y', "predict", "predict a number: it is hidden until you type it", [this] { predict(); });
   const std::string none = vertices_ > 0 ? "" : "Only Gouraud shading evaluates the light at vertices.";
+  const std::string next = "the next vertex of Gouraud shading; the next channel";
   table.push_back({{'j'},
                    vertices_ > 0 ? "vertex" : "",
-                   "Gouraud: the equation at the next vertex",
+                   next,
                    [this](const Key&) {
                      vertex_ = (vertex_ + 1) % std::max(1, vertices_);
                      late_ = true;
                    },
                    none});
   const std::string one = channels_ > 1 ? "" : "The picture has one channel.";
-  add('y', "predict", "predict a number: it is hidden until you type it", [this] { predict(); });
   table.push_back({{'x'},
                    channels_ > 1 ? "channel" : "",
-                   "the next channel: red, green, blue",
+                   next,
                    [this](const Key&) {
                      channel_ = (channel_ + 1) % channels_;
                      late_ = true;
