@@ -145,7 +145,8 @@ FigureStages::FigureStages(const Scene& scene, const PictureSettings& settings, 
 
 VectorFigure FigureStages::figure(FigureColors colors, FigureEdges edges) const {
   VectorFigure made = makeFigure(picture, order, palette, colors, split);
-  const SceneMarks marks = marksOf(picture.scene());
+  const SceneMarks& marks = picture.scene().marks;
+  if (colors == FigureColors::Ids) return made;  // nothing but the faces
   if (edges == FigureEdges::None && marks.lines.empty() && marks.labels.empty()) return made;
   const HidingFaces faces{picture.snapped(), made.width, made.height};
   made.strokes = edgeStrokes(picture.snapped(), faces, edges);

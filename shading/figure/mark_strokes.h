@@ -3,7 +3,6 @@
 #include "shading/figure/figure.h"
 #include "shading/figure/hiding_faces.h"
 #include "shading/picture/picture.h"
-#include "shading/scene/scene_marks.h"
 
 namespace xnewell {
 

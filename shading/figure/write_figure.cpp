@@ -99,6 +99,21 @@ void addColor(Text& text, const Color& color, std::string_view sets) {
   text << sets << "\n";
 }
 
+/// The strokes in PDF's operators, which the EPS file defines, too. `colors` sets the colour of a stroke, and
+/// `lineTo` draws to a place.
+void addStrokes(Text& text, const VectorFigure& figure, std::string_view colors, std::string_view lineTo) {
+  for (const FigureStroke& stroke : figure.strokes) {
+    addColor(text, stroke.color, colors);
+    text << stroke.width << " w " << (stroke.dashed ? 0 : 1) << " J [";
+    if (stroke.dashed) text << kDash;
+    text << "] 0 d\n";
+    for (const FigureLoop& line : stroke.lines)
+      for (std::size_t k = 0; k < line.size(); ++k)
+        text << line[k].x << " " << line[k].y << " " << (k == 0 ? "m" : lineTo) << "\n";
+    text << "S\n";
+  }
+}
+
 /// The page in the colour of the paper.
 void addPaper(Text& text, const VectorFigure& figure, std::string_view setsColor, std::string_view fills) {
   if (figure.paper.empty()) return;
@@ -166,16 +181,7 @@ std::string pdfOf(const VectorFigure& figure) {
     }
     drawing << "f\n";
   }
-  for (const FigureStroke& stroke : figure.strokes) {
-    addColor(drawing, stroke.color, "RG");
-    drawing << stroke.width << " w " << (stroke.dashed ? 0 : 1) << " J [";
-    if (stroke.dashed) drawing << kDash;
-    drawing << "] 0 d\n";
-    for (const FigureLoop& line : stroke.lines)
-      for (std::size_t k = 0; k < line.size(); ++k)
-        drawing << line[k].x << " " << line[k].y << (k == 0 ? " m\n" : " l\n");
-    drawing << "S\n";
-  }
+  addStrokes(drawing, figure, "RG", "l");
   // y points down in the figure, and up in a text.
   for (const FigureText& text : figure.texts) {
     addColor(drawing, text.color, "rg");
@@ -218,7 +224,9 @@ std::string epsOf(const VectorFigure& figure) {
       << "\n%%LanguageLevel: 2\n%%EndComments\n";
   if (!figure.note.empty()) eps << "%xnewell: " << figure.note << "\n";
   eps << "10 dict begin gsave\n/c{setrgbcolor}bind def/m{moveto}bind def/l{rlineto}bind def"
-         "/h{closepath}bind def/f{fill}bind def/s{stroke}bind def\n"
+         "/h{closepath}bind def/f{fill}bind def"
+         "/L{lineto}bind def/w{setlinewidth}bind def/J{setlinecap}bind def/d{setdash}bind def/S{stroke}bind "
+         "def\n"
       << "0 0 " << figure.width << " " << figure.height << " rectclip\n";
   addPaper(eps, figure, "c", "rectfill");
   eps << "0 " << figure.height << " translate " << kStep << " -" << kStep << " scale\n";
@@ -234,17 +242,7 @@ std::string epsOf(const VectorFigure& figure) {
     }
     eps << "f\n";
   }
-  for (const FigureStroke& stroke : figure.strokes) {
-    addColor(eps, stroke.color, "c");
-    eps << stroke.width << " setlinewidth " << (stroke.dashed ? 0 : 1) << " setlinecap [";
-    if (stroke.dashed) eps << kDash;
-    eps << "] 0 setdash\n";
-    for (const FigureLoop& line : stroke.lines)
-      for (std::size_t k = 0; k < line.size(); ++k)
-        eps << line[k].x - (k == 0 ? 0 : line[k - 1].x) << " " << line[k].y - (k == 0 ? 0 : line[k - 1].y)
-            << (k == 0 ? " m\n" : " l\n");
-    eps << "s\n";
-  }
+  addStrokes(eps, figure, "c", "L");
   if (!figure.texts.empty())
     eps << "/Helvetica findfont dup length dict begin{def}forall/Encoding ISOLatin1Encoding def currentdict "
            "end\n"

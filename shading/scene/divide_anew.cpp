@@ -184,6 +184,7 @@ class Divider {
     scene.light = scene_.light;
     scene.origin = scene_.origin;
     scene.textures = scene_.textures;
+    scene.marks = scene_.marks;
     return scene;
   }
 

@@ -119,18 +119,13 @@ std::vector<BuiltInScene> builtInScenes() {
   return scenes;
 }
 
-std::filesystem::path fileOfScene(const std::string& nameOrFile) {
-  const std::filesystem::path builtIn = fileOfBuiltIn(nameOrFile);
-  return builtIn.empty() ? std::filesystem::path{nameOrFile} : builtIn;
-}
-
 bool isBuiltIn(const std::string& name) { return !fileOfBuiltIn(name).empty(); }
 
 namespace {
 
 Scene readAny(const std::string& nameOrFile, int divisions) {
   const std::filesystem::path builtIn = fileOfBuiltIn(nameOrFile);
-  const std::filesystem::path file = fileOfScene(nameOrFile);
+  const std::filesystem::path file = builtIn.empty() ? std::filesystem::path{nameOrFile} : builtIn;
   const std::string extension = lowerCase(file.extension().string());
   if (extension == ".bpt") {
     const std::vector<BezierPatch> patches = readBpt(file);

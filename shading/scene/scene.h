@@ -47,6 +47,24 @@ struct SceneOrigin {
   std::string texture = {};               ///< the file of the texture that wear() applied; "" for none
 };
 
+/// What a scene adds to its objects for figures only: lines and words that have a place in space, in the
+/// units of the mesh.
+struct SceneLine {
+  std::vector<glm::dvec3> points;
+  glm::dvec3 color{0};
+  double width = 1;  ///< in pixels
+};
+struct SceneLabel {
+  std::string text;  ///< UTF-8, of printable characters of Latin-1
+  glm::dvec3 at{0};  ///< where it begins, on its base line
+  glm::dvec3 color{0};
+  double size = 12;  ///< of the font, in pixels
+};
+struct SceneMarks {
+  std::vector<SceneLine> lines;
+  std::vector<SceneLabel> labels;
+};
+
 /// What is to be drawn. World coordinates are scaled by a power of two so that the largest is in [1/2, 1).
 /// This step is exact, and everything after it can handle files of any magnitude (1e-300, 1e300).
 struct Scene {
@@ -63,6 +81,7 @@ struct Scene {
   SceneLight light;               ///< from the scene file, with lengths in the mesh's units
   SceneOrigin origin;
   std::vector<Texture> textures;
+  SceneMarks marks;
 };
 
 /// True if the lights, surfaces and textures of the scene have no colour, only shades of gray.

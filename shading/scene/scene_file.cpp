@@ -61,7 +61,6 @@ Scene ownScene(const Node& root, std::string_view text, const std::string& name,
                const std::filesystem::path& folder, int divisions) {
   root.expectKeys(
       {"shows", "up", "camera", "ambient", "lights", "shading", "materials", "objects", "lines", "labels"});
-  (void)readMarks(root);  // only figures show them, but every command says what is wrong in a file
   UpAxis up = UpAxis::Y;
   if (root.has("up")) {
     const std::string axis = root.at("up").text();
@@ -75,6 +74,7 @@ Scene ownScene(const Node& root, std::string_view text, const std::string& name,
   scene.patches = std::move(objects.patches);
   scene.rounds = std::move(objects.rounds);
   scene.textures = std::move(objects.textures);
+  scene.marks = readMarks(root, scene.exponent);
   return scene;
 }
 

@@ -70,9 +70,6 @@ namespace xnewell {
 /// text is not JSON, the message gives the line number instead of the key. @throws std::system_error
 [[nodiscard]] Scene readSceneFile(const std::filesystem::path& file, int divisions = kDefaultDivisions);
 
-/// The file of a built-in scene's name, or of a file's own.
-[[nodiscard]] std::filesystem::path fileOfScene(const std::string& nameOrFile);
-
 /// The "shows" sentence of a file, or "" if it has none. It throws what readSceneFile() throws.
 [[nodiscard]] std::string sentenceOf(const std::filesystem::path& file);
 

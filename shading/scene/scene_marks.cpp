@@ -1,11 +1,8 @@
 #include "shading/scene/scene_marks.h"
 
-#include <cmath>
-#include <filesystem>
+#include <utility>
 
-#include "geometry/files/text_file.h"
-#include "shading/scene/json_text.h"
-#include "shading/scene/scene_file.h"
+#include "geometry/exact/scale.h"
 
 namespace xnewell {
 
@@ -36,14 +33,14 @@ double sizeOf(const Node& node, std::string_view key, double usual) {
 
 }  // namespace
 
-SceneMarks readMarks(const Node& root) {
+SceneMarks readMarks(const Node& root, int exponent) {
   SceneMarks marks;
   for (int i = 0; root.has("lines") && i < root.at("lines").size(); ++i) {
     const Node node = root.at("lines").item(i);
     node.expectKeys({"points", "color", "width"});
     SceneLine line;
     for (int k = 0; k < node.at("points").size(); ++k)
-      line.points.push_back(node.at("points").item(k).point());
+      line.points.push_back(scaled(node.at("points").item(k).point(), -exponent));
     if (line.points.size() < 2) node.at("points").fail("a line needs at least 2 points");
     line.color = colorOf(node), line.width = sizeOf(node, "width", line.width);
     marks.lines.push_back(std::move(line));
@@ -51,24 +48,11 @@ SceneMarks readMarks(const Node& root) {
   for (int i = 0; root.has("labels") && i < root.at("labels").size(); ++i) {
     const Node node = root.at("labels").item(i);
     node.expectKeys({"text", "at", "color", "size"});
-    SceneLabel label{node.at("text").text(), node.at("at").point(), colorOf(node), 12};
+    SceneLabel label{node.at("text").text(), scaled(node.at("at").point(), -exponent), colorOf(node), 12};
     if (!isLatin(label.text)) node.at("text").fail("a label needs printable characters of Latin-1");
     label.size = sizeOf(node, "size", label.size);
     marks.labels.push_back(std::move(label));
   }
-  return marks;
-}
-
-SceneMarks marksOf(const Scene& scene) {
-  const std::filesystem::path file = fileOfScene(scene.origin.of);
-  if (file.extension() != ".json") return {};
-  const JsonText json{readTextFile(file), file.string()};
-  if (json.root().has("scene")) return {};
-  SceneMarks marks = readMarks(json.root());
-  const double unit = std::ldexp(1.0, -scene.exponent);
-  for (SceneLine& line : marks.lines)
-    for (glm::dvec3& p : line.points) p *= unit;
-  for (SceneLabel& label : marks.labels) label.at *= unit;
   return marks;
 }
 

@@ -125,6 +125,8 @@ class Reader {
 
 /// Adds the options of the camera.
 void addCamera(Reader& r, CameraSettings& camera);
+/// Adds what is shown, and where a window begins.
+void addView(Reader& r, Options& o);
 /// Adds the effects on the stored colours, after the indices are picked.
 void addEffects(Reader& r, Options& o);
 /// Says where the options work that do not work with all commands that draw a scene.

@@ -54,6 +54,15 @@ Value valueOf(const Setting& setting, const std::string& text) {
   return value;
 }
 
+glm::ivec2 pixelOf(const std::string& option, const std::string& text) {
+  const std::string expected = "a pixel X,Y: two whole numbers from 0, counted from the top left";
+  if (text.find_first_not_of("0123456789,") != std::string::npos) refuse(option, text, expected);
+  const std::vector<double> v = numbers(option, text, 2, expected);
+  for (const double x : v)
+    if (x < 0 || x >= kMaxPicture || x != std::floor(x)) refuse(option, text, expected);
+  return {static_cast<int>(v[0]), static_cast<int>(v[1])};
+}
+
 std::vector<std::string> commaWords(const std::string& text) {
   std::vector<std::string> all;
   std::istringstream in{text};

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <glm/vec2.hpp>
 #include <string>
 #include <vector>
 
@@ -19,6 +20,9 @@ namespace xnewell {
 
 /// The value of a setting, read from the text of its option. @throws UsageError
 [[nodiscard]] Value valueOf(const Setting& setting, const std::string& text);
+
+/// A pixel X,Y: column and row, from the top left. @throws UsageError
+[[nodiscard]] glm::ivec2 pixelOf(const std::string& option, const std::string& text);
 
 /// The value of --oblique: "cabinet:45".
 [[nodiscard]] std::string textOf(const Oblique& oblique);

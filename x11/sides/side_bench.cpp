@@ -77,11 +77,9 @@ std::vector<Override> SideBench::ownOfB() const {
 
 void SideBench::begin(const std::optional<std::vector<Override>>& own, Unlike kind) {
   Setup B = host_.setup();
-  if (own)
-    (void)applyOverrides(B.picture, *own);
-  else
-    B = lessonBeside(B);
+  if (own) (void)applyOverrides(B.picture, *own);
   put(B, kind);
+  if (!own) a_.reset(), b_.reset();  // the order that is worth comparing when the view is opened
 }
 
 void SideBench::put(const Setup& B, Unlike kind) {

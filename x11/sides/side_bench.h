@@ -43,7 +43,8 @@ class SideBench : public Bench {
 
   /// Puts B beside the window's setup, and compares this.
   void put(const Setup& B, Unlike kind);
-  /// Begins anew: B is the window's setup with these settings over it. None: with an order worth comparing.
+  /// Begins anew: B is the window's setup with these settings over it. None: with an order worth comparing,
+  /// beside that of the window when the view is opened.
   void begin(const std::optional<std::vector<Override>>& own, Unlike kind);
   /// The settings of B that differ from those of A.
   [[nodiscard]] std::vector<Override> ownOfB() const;

@@ -7,7 +7,6 @@
 
 #include "shading/picture/picture_cache.h"
 #include "shading/picture/stopwatch.h"
-#include "shading/picture/stopwatch.h"
 #include "x11/trade/measuring.h"
 #include "x11/trade/trade_page.h"
 #include "x11/window/bench.h"

@@ -5,6 +5,7 @@
 #include <fstream>
 
 #include "shading/color/png.h"
+#include "shading/figure/write_figure.h"
 #include "tests/support/temporary_folder.h"
 #include "tests/x11/support/parsed_options.h"
 #include "tests/x11/support/ready_workbench.h"
@@ -48,9 +49,16 @@ TEST(WrittenPicture, IsTheWindowAndItsSource) {
     ASSERT_TRUE(comesTrue([&] { return std::filesystem::exists(folder.file("cubes-colours.png")); }));
     viewer.window.type("I");
     ASSERT_TRUE(comesTrue([&] { return std::filesystem::exists(folder.file("cubes-colours-3.png")); }));
+    EXPECT_EQ(folder.entries(), 3);
+    viewer.window.type("1");
+    ASSERT_TRUE(viewer.window.settles());
+    viewer.window.type("I");  // view 1 has a figure, too
+    ASSERT_TRUE(comesTrue([&] { return std::filesystem::exists(folder.file("cubes-picture.svg")); }));
   }
   EXPECT_EQ(std::filesystem::file_size(taken), 4u);
-  EXPECT_EQ(folder.entries(), 3);
+  EXPECT_EQ(folder.entries(), 5);
+  EXPECT_NE(noteInFigure(folder.file("cubes-picture.svg")).value_or("").find("xnewell draw cubes"),
+            std::string::npos);
   for (const std::string file : {"cubes-colours.png", "cubes-colours-3.png"}) {
     const RgbImage all = readPng(folder.file(file));
     EXPECT_EQ(all.width, 1024);
@@ -147,6 +155,17 @@ TEST(WrittenPicture, HasBothSetupsOfView5) {
         ASSERT_TRUE(std::equal(b.image().row(y) + part.x, b.image().row(y) + part.x + part.width,
                                again.image().row(y) + part.x))
             << "row " << y;
+  }
+}
+
+// A window that begins elsewhere opens view 5 with an order beside the one that it has by then.
+TEST(WrittenPicture, View5BeginsWithAnOrderBesideThatOfTheWindow) {
+  for (int presses = 0; presses < 9; ++presses) {
+    ReadyWorkbench b{{}, 1024, 768, "cubes"};
+    b.goTo({});
+    b.type(std::string(presses, 'O') + "5");
+    b.finish();
+    EXPECT_NE(b.pictureNote().find(" --beside order="), std::string::npos) << b.pictureNote();
   }
 }
 

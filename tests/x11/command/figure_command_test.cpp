@@ -40,6 +40,16 @@ TEST_F(FigureCommandTest, WritesWhatTheNameAsksFor) {
   EXPECT_EQ(contents(file("c.eps")).find("xnewell draw"), std::string::npos);
 }
 
+// The face image has faces alone: no lines over them.
+TEST_F(FigureCommandTest, TheFaceImageHasNoLines) {
+  const Finished end = runProgram({"figure", "cubes", "--size", "200x150", "--edges", "all", "-o",
+                                   file("a.svg"), "--ids", file("ids.svg")});
+  ASSERT_EQ(end.status, 0) << end.err;
+  EXPECT_GT(occurrences(contents(file("a.svg")), " stroke="), 1);
+  EXPECT_EQ(occurrences(contents(file("ids.svg")), " stroke="), 0);
+  EXPECT_GT(occurrences(contents(file("ids.svg")), "<path "), 5);
+}
+
 // Colours that change over a face: one line tells how far they are off, and less tolerance makes more areas.
 TEST_F(FigureCommandTest, TellsHowFarColorsAreOff) {
   const auto made = [&](const std::string& method, const std::string& tolerance) {

@@ -112,9 +112,8 @@ class TwinWindow {
   }
   [[nodiscard]] bool agrees() {
     finish();
-    return std::ranges::all_of(timeless(), [&](const Rect& part) {
-      return window.comesToShow(onScreen(same, part), part);
-    });
+    return std::ranges::all_of(
+        timeless(), [&](const Rect& part) { return window.comesToShow(onScreen(same, part), part); });
   }
 
   const int unit;  ///< pixels

@@ -1,0 +1,81 @@
+#include <algorithm>
+#include <cmath>
+#include <string>
+#include <string_view>
+
+#include "x11/options/option_reader.h"
+
+namespace xnewell {
+
+/// The options that say what is shown, and where a window begins.
+
+namespace {
+
+/// The keys of settings, or "" for the word none.
+std::string parseControls(const std::string& text) {
+  if (text == "none") return "";
+  if (text.empty()) refuse("--controls", text, "the keys of settings in view 1, such as Ssn, or none");
+  for (const char key : text)
+    if (settingOf(key) == nullptr)
+      refuse("--controls", text, "the keys of settings in view 1, such as Ssn, or none");
+  return text;
+}
+
+bool isView(std::string_view name) { return std::ranges::find(kViews, name, &ViewRow::name) != kViews.end(); }
+
+/// The names of all views of draw, snapshot and the window, each once.
+std::string viewNames() {
+  std::string all;
+  for (const ViewRow& row : kViews) all += (all.empty() ? "" : ", ") + std::string{row.name};
+  all += "; in a window";
+  for (const WindowViewRow& row : kWindowViews)
+    if (!isView(row.option)) all += (all.ends_with("window") ? " " : ", ") + std::string{row.option};
+  return all;
+}
+
+/// Returns false if no view has that name. checkTogether() checks later whether the command has this view.
+bool takeView(Options& o, const std::string& name) {
+  o.viewName = name;
+  const auto* const view = std::ranges::find(kViews, name, &ViewRow::name);
+  const auto* const window = std::ranges::find(kWindowViews, name, &WindowViewRow::option);
+  const auto* const show = std::ranges::find(kShows, name, &ShowRow::name);
+  o.view = view == kViews.end() ? View::Picture : view->id;
+  o.window.view = window == kWindowViews.end() ? WindowView::Picture : window->id;
+  o.show = show == kShows.end() ? Show::Shaded : show->id;
+  return view != kViews.end() || window != kWindowViews.end();
+}
+
+}  // namespace
+
+void addView(Reader& r, Options& o) {
+  r.text("--view", "what to show: " + viewNames(), o.viewName, [&](const std::string& s) {
+    if (!takeView(o, s)) refuse("--view", s, viewNames());
+  });
+  r.proposes("--view", kViews);
+  for (const WindowViewRow& row : kWindowViews)
+    if (!isView(row.option)) r.proposes("--view", std::array{Choice{row.option, {}, {}}});
+  r.number("--step", o.window.step, 0, 1'000'000'000,
+           "the step of the depth sort that the window begins with; lesson: the lesson's step, from 1");
+  r.text("--pixel", "the pixel X,Y that the window begins with, in the picture of that view", "its middle",
+         [&](const std::string& s) { o.window.pixel = pixelOf("--pixel", s); });
+  r.text(
+      "--controls",
+      "the few controls that stand beside a larger picture in view 1, by their keys, such as Ssn; none puts "
+      "those of view 1 or 2 away. All keys work all the time",
+      "all controls", [&](const std::string& s) { o.window.controls = parseControls(s); });
+  r.text("--scanline", "the row of the picture that --view machbands follows, from 0 at its top",
+         "the middle row, or the row that shows most if nothing shows there", [&](const std::string& s) {
+           const std::string expected = "a whole number from 0 to " + std::to_string(kMaxPicture - 1);
+           const double v = numbers("--scanline", s, 1, expected)[0];
+           if (v < 0 || v >= kMaxPicture || v != std::floor(v)) refuse("--scanline", s, expected);
+           o.window.scanline = static_cast<int>(v);
+         });
+  r.text("--beside",
+         "the settings of B that differ from those of A, such as \"order=none shade=phong\"; same: none of "
+         "them",
+         "z-sort beside an exact order, Newell's beside any other",
+         [&](const std::string& s) { o.window.beside = besideOf(s); });
+  r.choice("--difference", kUnlikes, o.window.difference, "what --view sidebyside compares");
+}
+
+}  // namespace xnewell
