@@ -277,7 +277,7 @@ Rect MachBands::drawFindings(bool explains, bool grayed, int controls) {
       "on the curve, if I jumps there by 1/240 or its slope, over all that the row shows, "
       "changes by 1/2.";
   const Finding finding = findingOf(line_, controls > 0);
-  const int end = sheet_.image().height / sheet_.painter().unit() -
+  const int end = sheet_.image().height / sheet_.painter().unit() - Sheet::kMargin -
                   Sheet::findingHeight(kFindings, finding.bold, finding.why);
   if (explains && y + 6 + Sheet::paragraphHeight(kFindings, kWords) + 10 <= end)
     y = sheet_.paragraph(x, y + 6, kFindings, kWords, Cell::Soft);

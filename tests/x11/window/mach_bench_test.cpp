@@ -86,12 +86,15 @@ TEST(MachBench, TheScanlineKeepsItsPlace) {
 
 // At every height of the window the finding is whole: its box ends above the end of the body.
 TEST(MachBench, TheFindingIsWhole) {
-  InMachBands b{"teapot", 1280, 540};
+  xnewell::Setup setup;
+  setup.divisions = 8;  // the finding has a second sentence then
+  ReadyWorkbench b{setup, 1280, 540};
+  b.type("4");
   for (int height = 540; height <= 1000; height += 30) {
     b.resize(1280, height);
     b.update();
     const Rect& body = b.layout().body;
-    const int last = body.y + body.height + Sheet::kMargin - 1;
+    const int last = b.layout().strip.y - 1;
     int white = 0, whiteAbove = 0;
     for (int x = 900; x < 1270; ++x) {
       white += b.image().row(last)[x] == b.plan()[Cell::White];
