@@ -58,9 +58,7 @@ class Snapper {
     makeRoom(parts.corners.size());
   }
 
-  [[nodiscard]] glm::ivec3 snap(const glm::dvec3& p) const {
-    return {std::lrint(p.x * kGrid), std::lrint(p.y * kGrid), std::lrint(p.z * zScale_)};
-  }
+  [[nodiscard]] glm::ivec3 snap(const glm::dvec3& p) const { return snapToGrid(p, zScale_); }
 
   void add(std::vector<ClippedCorner>& outline, const Owner& owner) {
     dropRepeats(outline);

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cmath>
 #include <cstdint>
 #include <glm/vec3.hpp>
 #include <vector>
@@ -86,6 +87,12 @@ void addPlanes(SnappedScene& scene, const Mesh& mesh, const ConvexParts& parts, 
 /// Calls snap(), then addPlanes().
 [[nodiscard]] SnappedScene project(const Mesh& mesh, const ConvexParts& parts, const ViewSpec& view,
                                    int width, int height, Cull cull);
+
+/// The snap: a point in pixels, with z as screenFromCanonical() has it, rounded to the grid. zScale is the
+/// number of z steps in a pixel, 65536 / 2^zShift. A tie goes to the even number.
+[[nodiscard]] inline glm::ivec3 snapToGrid(const glm::dvec3& p, double zScale) {
+  return {std::lrint(p.x * kGrid), std::lrint(p.y * kGrid), std::lrint(p.z * zScale)};
+}
 
 /// Twice the area of an outline on the grid; positive if it runs counter-clockwise as seen on the screen.
 /// Exact: |x|, |y| <= 2^29 bounds it by 2^61; partial sums may wrap, but the result cannot.

@@ -48,33 +48,38 @@ glm::dmat3 vrcRotation(const ViewSpec& s) {
   return {{u.x, v.x, n.x}, {u.y, v.y, n.y}, {u.z, v.z, n.z}};  // columns
 }
 
-glm::dmat4 vrcFromWorld(const ViewSpec& s) { return glm::dmat4{vrcRotation(s)} * translation(-s.vrp); }
-
-glm::dmat4 canonicalFromVrc(const ViewSpec& s) {
+ViewMatrices viewMatrices(const ViewSpec& s) {
   checkSpec(s);
   const glm::dvec2 centre = (s.windowMin + s.windowMax) / 2.0, size = s.windowMax - s.windowMin;
   const glm::dvec3 dop = glm::dvec3{centre, 0.0} - s.prp;  // direction of projection
-  const glm::dmat4 shear = shearAlongZ(-glm::dvec2{dop} / dop.z);
-
+  ViewMatrices m{.minusVrp = translation(-s.vrp),
+                 .R = glm::dmat4{vrcRotation(s)},
+                 .SH = shearAlongZ(-glm::dvec2{dop} / dop.z)};
   if (s.projection == Projection::Parallel) {
-    // Shear the projectors parallel to n, centre the window at the front plane, scale to the volume.
-    return scaling({2.0 / size.x, 2.0 / size.y, 1.0 / (s.front - s.back)}) *
-           translation({-centre, -s.front}) * shear;
+    // Centre the window at the front plane, scale to the volume.
+    m.T = translation({-centre, -s.front});
+    m.S = scaling({2.0 / size.x, 2.0 / size.y, 1.0 / (s.front - s.back)});
+    return m;
   }
   // Move the eye to the origin, shear the window's centre line onto the n axis, scale the pyramid to |x|, |y|
   // <= -z <= 1.
   const double vrpZ = -s.prp.z, backZ = vrpZ + s.back, frontZ = vrpZ + s.front;
-  const glm::dmat4 canonicalPerspective =
-      scaling({2.0 * vrpZ / (size.x * backZ), 2.0 * vrpZ / (size.y * backZ), -1.0 / backZ}) * shear *
-      translation(-s.prp);
+  m.minusPrp = translation(-s.prp);
+  m.S = scaling({2.0 * vrpZ / (size.x * backZ), 2.0 * vrpZ / (size.y * backZ), -1.0 / backZ});
   // Warp the pyramid to the parallel volume: the front plane z = zmax goes to 0, and z = -1 stays.
   const double zmax = -frontZ / backZ;
-  glm::dmat4 M{1.0};
-  M[2][2] = 1.0 / (1.0 + zmax);
-  M[3][2] = -zmax / (1.0 + zmax);
-  M[2][3] = -1.0;
-  M[3][3] = 0.0;
-  return M * canonicalPerspective;
+  m.M[2][2] = 1.0 / (1.0 + zmax);
+  m.M[3][2] = -zmax / (1.0 + zmax);
+  m.M[2][3] = -1.0;
+  m.M[3][3] = 0.0;
+  return m;
+}
+
+glm::dmat4 vrcFromWorld(const ViewSpec& s) { return glm::dmat4{vrcRotation(s)} * translation(-s.vrp); }
+
+glm::dmat4 canonicalFromVrc(const ViewSpec& s) {
+  const ViewMatrices m = viewMatrices(s);
+  return s.projection == Projection::Parallel ? m.S * m.T * m.SH : m.M * (m.S * m.SH * m.minusPrp);
 }
 
 double frontDepth(const ViewSpec& s, int width) {

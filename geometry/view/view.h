@@ -46,6 +46,22 @@ struct ViewSpec {
 /// The transform from world to VRC: a translation, then a rotation.
 [[nodiscard]] glm::dmat4 vrcFromWorld(const ViewSpec& spec);
 
+/// The textbook's matrices of a view, each by itself. What a projection does without is 1. With Tpar and
+/// Spar, or Sper, for T and S:
+///   parallel:     S T SH  R T(-VRP)
+///   perspective:  M S SH T(-PRP)  R T(-VRP)
+/// @see Foley & van Dam 2e §6.5.4
+struct ViewMatrices {
+  glm::dmat4 minusVrp{1}, R{1};  ///< T(-VRP); the rotation of the VRC axes onto x, y and z
+  glm::dmat4 minusPrp{1};        ///< T(-PRP): perspective
+  glm::dmat4 SH{1};              ///< the shear that brings the direction of projection onto the n axis
+  glm::dmat4 T{1};               ///< parallel: the middle of the volume's front to the origin
+  glm::dmat4 S{1};               ///< to the canonical volume: a box, or a pyramid with |x|, |y| <= -z <= 1
+  glm::dmat4 M{1};               ///< perspective: that pyramid to the parallel volume
+};
+/// @throws ViewError
+[[nodiscard]] ViewMatrices viewMatrices(const ViewSpec& spec);
+
 /// The transform from VRC to the canonical parallel volume: x, y in [-1, 1], z in [-1, 0], larger is nearer,
 /// front plane at 0. It warps a perspective view to this volume (homogeneous; w > 0 in front of the eye), so
 /// planes stay planes.

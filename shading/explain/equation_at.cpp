@@ -4,6 +4,7 @@
 
 #include "geometry/exact/box.h"
 #include "geometry/exact/unit.h"
+#include "geometry/view/stages.h"
 #include "shading/scene/units.h"
 
 namespace xnewell {
@@ -49,24 +50,25 @@ EquationAt::EquationAt(const Surfaces& s, int material)
   }
 }
 
-ExplainedEquation EquationAt::operator()(const glm::dvec3& P, const glm::dvec3& N,
-                                         const ByChannel& texel) const {
+ExplainedEquation EquationAt::evaluate(const glm::dvec3& P, const glm::dvec3& N, const ByChannel& texel,
+                                       const glm::dmat3* derivative) const {
   ExplainedEquation at = everywhere_;
-  at.P = P, at.N = N;
+  at.P = P, at.N = derivative ? carriedNormal(*derivative, N) : N;
   at.V = user_.constantV ? lighting_.farV : unit(lighting_.eye - P);
+  if (derivative) at.V = carried(*derivative, at.V);
   at.I = at.ambient;
   for (const Light& light : lights_) {
-    at.lights.push_back(explained(light, at, texel));
+    at.lights.push_back(explained(light, at, texel, derivative));
     for (int c = 0; c < lighting_.channels; ++c)
       at.I[c] += at.lights.back().diffuse[c] + at.lights.back().specular[c];
   }
-  const EquationVectors said = taken(lighting_.mistake, N, at.V);
+  const EquationVectors said = taken(lighting_.mistake, at.N, at.V);
   at.N = said.N, at.V = said.V;
   return at;
 }
 
-ExplainedLight EquationAt::explained(const Light& light, const ExplainedEquation& at,
-                                     const ByChannel& texel) const {
+ExplainedLight EquationAt::explained(const Light& light, const ExplainedEquation& at, const ByChannel& texel,
+                                     const glm::dmat3* derivative) const {
   ExplainedLight e;
   const bool directional = light.kind == LightKind::Directional;
   // A light with the same L everywhere has that of the scene's centre. The cone of a spot stays where it is.
@@ -78,6 +80,7 @@ ExplainedLight EquationAt::explained(const Light& light, const ExplainedEquation
     e.fatt = attenuation(light, glm::dot(towards, e.L), unit_);
     e.spot = spotShare(light, unit(light.position - at.P));
   }
+  if (derivative) e.L = carried(*derivative, e.L);
   const EquationVectors vectors{at.N, e.L, at.V};
   for (int c = 0; c < lighting_.channels; ++c) {
     e.Ip[c] = lighting_.channels == 3 ? light.Ip[c] : luminance(light.Ip);

@@ -48,11 +48,22 @@ class EquationAt {
   /// P is a place in the world. N is a unit vector towards the side that is lit, or 0 where all light is
   /// ambient. `texel` is what the texture leaves of the diffuse term.
   [[nodiscard]] ExplainedEquation operator()(const glm::dvec3& P, const glm::dvec3& N,
-                                             const ByChannel& texel = {1, 1, 1}) const;
+                                             const ByChannel& texel = {1, 1, 1}) const {
+    return evaluate(P, N, texel, nullptr);
+  }
+  /// The equation as a program would have it that shades behind a map of the world: N is the normal of where
+  /// the plane goes, L and V are where these directions go (geometry/view/stages.h). `derivative` is that of
+  /// the map at P. fatt and spot stay those of the world.
+  [[nodiscard]] ExplainedEquation behind(const glm::dmat3& derivative, const glm::dvec3& P,
+                                         const glm::dvec3& N) const {
+    return evaluate(P, N, {1, 1, 1}, &derivative);
+  }
 
  private:
+  [[nodiscard]] ExplainedEquation evaluate(const glm::dvec3& P, const glm::dvec3& N, const ByChannel& texel,
+                                           const glm::dmat3* derivative) const;
   [[nodiscard]] ExplainedLight explained(const Light& light, const ExplainedEquation& at,
-                                         const ByChannel& texel) const;
+                                         const ByChannel& texel, const glm::dmat3* derivative) const;
 
   const Illumination& user_;
   const Lighting& lighting_;

@@ -35,6 +35,7 @@
 #include "x11/command/tell_extremes.h"
 #include "x11/command/tell_trade.h"
 #include "x11/command/trace.h"
+#include "x11/command/viewing_report.h"
 #include "x11/command/write_frames.h"
 #include "x11/command/write_lesson.h"
 #include "x11/command/write_worksheet.h"
@@ -75,12 +76,16 @@ void draw(const Options& options, Scene scene, double msRead, const nlohmann::or
   report(options, picture, known, times, accuracy);
 }
 
-/// Says why a pixel has its colour.
+/// Says why a pixel has its colour, or what the viewing transformation does to a vertex.
 void explainPixel(const Options& options, Scene scene) {
   const PictureSettings settings = settingsOf(options);
   std::optional<Doing> drawing{"drawing"};
   const Picture picture = makePicture(std::move(scene), settings, CellPlan{settings.table.kind}[Cell::Well]);
   drawing.reset();
+  if (options.gave("--viewing")) {
+    const FaceCorner vertex = vertexOf(picture, options.window.vertex.value_or(""));
+    return (options.json ? printViewingAsJson : printViewing)(picture, vertex, std::cout);
+  }
   (options.json ? printPixelAsJson : printPixel)(picture, options.pixel->x, options.pixel->y, std::cout);
 }
 

@@ -31,7 +31,7 @@ constexpr std::array<string_view, 8> kOfDrawing{"--scanline", "--cell", "--store
                                                 "--gamma",    "--bend", "--rotate", "--lit"};
 
 /// Where the window begins.
-constexpr std::array<string_view, 6> kOfWindow{"--scale",    "--step",   "--pixel",
+constexpr std::array<string_view, 7> kOfWindow{"--scale",    "--step",   "--pixel",     "--viewing",
                                                "--controls", "--beside", "--difference"};
 
 bool isOneOf(string_view name, const auto& names) { return std::ranges::find(names, name) != names.end(); }

@@ -19,6 +19,7 @@ void addPlaces(Reader& r) {
   only({"--view"}, {"view", "draw", "snapshot"});
   only({"--step"}, {"--view depthsort", "lesson"});
   only({"--pixel"}, {"--view pixel"});
+  only({"--viewing"}, {"explain"});
   only({"--controls"}, {"view", "--whole-window"});
   only({"--beside", "--difference"}, {"--view sidebyside"});
   only({"--scanline"}, {"--view machbands"});

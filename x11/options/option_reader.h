@@ -100,6 +100,12 @@ class Reader {
                                           help + (initially.empty() ? "" : " [" + initially + "]"))
         ->type_name("");
   }
+  /// The value may be left out: then `take` gets "".
+  void mayTakeText(const std::string& name, const std::string& help, const std::string& initially,
+                   const std::function<void(const std::string&)>& take) {
+    text(name, help, initially, take);
+    app_.get_option(name)->expected(0, 1);
+  }
   void flag(const std::string& name, bool& target, const std::string& help) {
     app_.add_flag(name, target, help)->disable_flag_override();
   }

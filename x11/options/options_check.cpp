@@ -136,9 +136,10 @@ void checkCommand(const Options& o, const std::vector<OptionRow>& rows) {
   const bool figure = o.command == Command::Figure;
   if ((makesPng || traces || charts || explains || figure) && !sceneGiven)
     throw UsageError{name + " needs a scene, such as teapot"};
-  if (explains && !o.pixel)
+  if (explains && !o.pixel && !o.gave("--viewing"))
     throw UsageError{"explain needs a pixel X,Y of the picture, such as 400,300: xnewell explain " + o.scene +
                      " 400,300"};
+  exclude(explains && o.pixel, o.gave("--viewing"), "a pixel and --viewing");
   if (const glm::ivec2 size = o.size.value_or(kPictureSize);
       o.pixel && (o.pixel->x >= size.x || o.pixel->y >= size.y))
     throw UsageError{"pixel " + std::to_string(o.pixel->x) + "," + std::to_string(o.pixel->y) +

@@ -58,6 +58,17 @@ void addView(Reader& r, Options& o) {
            "the step of the depth sort that the window begins with; lesson: the lesson's step, from 1");
   r.text("--pixel", "the pixel X,Y that the window begins with, in the picture of that view", "its middle",
          [&](const std::string& s) { o.window.pixel = pixelOf("--pixel", s); });
+  r.mayTakeText(
+      "--viewing",
+      "explain: what the viewing transformation does to a vertex, FACE.CORNER with corners from 1, or "
+      "the number of a vertex, such as 495.1 or 1234",
+      "in the middle of the picture", [&](const std::string& s) {
+        const bool digits = s.find_first_not_of("0123456789.") == s.npos;
+        const bool isOne = s.find('.') == s.rfind('.') && !s.starts_with('.') && !s.ends_with('.');
+        if (!digits || !isOne || s.size() > 20)
+          refuse("--viewing", s, "FACE.CORNER or the number of a vertex, such as 495.1 or 1234");
+        o.window.vertex = s;
+      });
   r.text(
       "--controls",
       "the few controls that stand beside a larger picture in view 1, by their keys, such as Ssn; none puts "

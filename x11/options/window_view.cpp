@@ -50,6 +50,7 @@ std::vector<std::pair<std::string, std::string>> optionsOf(const WindowPlace& at
   if (at.cell) options.emplace_back("--cell", std::to_string(*at.cell));
   if (at.pixel)
     options.emplace_back("--pixel", std::to_string(at.pixel->x) + ',' + std::to_string(at.pixel->y));
+  if (at.vertex) options.emplace_back("--viewing", *at.vertex);
   if (at.controls) options.emplace_back("--controls", at.controls->empty() ? "none" : *at.controls);
   if (at.beside) options.emplace_back("--beside", besideText(*at.beside));
   if (at.difference != Unlike::Face) options.emplace_back("--difference", rowOf(at.difference).name);

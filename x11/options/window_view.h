@@ -54,6 +54,8 @@ struct WindowPlace {
   std::optional<int> scanline = {};      ///< of the view of Mach bands
   std::optional<int> cell = {};          ///< of the view of the colours
   std::optional<glm::ivec2> pixel = {};  ///< of view 8: column and row in its picture
+  /// Of view 9: FACE.CORNER, or the number of a vertex. "" or none: one in the middle of the picture.
+  std::optional<std::string> vertex = {};
   std::optional<std::string> controls =
       {};  ///< the keys of the few in view 1; "": put away; none: all of them
   /// Of view 5: the settings of B that differ from those of A. None: an order worth comparing.

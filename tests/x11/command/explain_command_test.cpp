@@ -1,7 +1,11 @@
 #include <gtest/gtest.h>
 
+#include <array>
+#include <cmath>
+
 #include "tests/support/seeds.h"
 #include "tests/x11/support/command_fixture.h"
+#include "x11/drawing/wording.h"
 
 namespace xnewell::THIS_FILE {
 
@@ -97,6 +101,57 @@ TEST_F(CommandTest, ExplainsGroundAndAWrongFace) {
   EXPECT_EQ(wrong, 1);
 }
 
+// The vertex of the manual: the text has the numbers of the JSON object, rounded; the matrices lead from row
+// to row; and in the JSON object the product of all of them leads to the snapped vertex.
+TEST_F(CommandTest, ExplainsTheViewing) {
+  const Strings vertex{"explain", "teapot", "--viewing", "495.1", "--prp=-4,1,12"};
+  const auto end = runProgram(vertex);
+  EXPECT_EQ(end.status, 0) << end.err;
+  const auto json = runProgram(vertex + Strings{"--json"});
+  EXPECT_EQ(json.status, 0) << json.err;
+  const Json e = Json::parse(json.out);
+  EXPECT_EQ(e.at("vertex"), "495.1");
+  EXPECT_EQ(e.at("group"), "upper body");
+  EXPECT_EQ(e.at("agrees"), true);
+  for (const Json& stage : e.at("stages")) {
+    const std::string name = stage.at("name").get<std::string>();
+    if (name == "clipped" || name == "snapped") continue;
+    const std::string row = fixed(stage.at("N").at(2).get<double>(), 4) + std::string(3, ' ') +
+                            fixed(stage.at("N.L").get<double>(), 4) + std::string(3, ' ') +
+                            fixed(stage.at("I").get<double>(), 4);
+    EXPECT_NE(end.out.find(row), std::string::npos) << name << ": " << row << '\n' << end.out;
+  }
+  const auto NdotL = [&](int stage) { return e.at("stages").at(stage).at("N.L").get<double>(); };
+  EXPECT_NEAR(NdotL(1), NdotL(0), 1e-14);
+  EXPECT_GT(std::abs(NdotL(2) - NdotL(0)), 0.05);
+  const Json& place = e.at("stages").at(0).at("at");
+  std::array<double, 4> q{};
+  for (std::size_t row = 0; row < 4; ++row)
+    for (std::size_t k = 0; k < 4; ++k)
+      q[row] += e.at("stages").at(6).at("so_far").at(row).at(k).get<double>() * place.at(k).get<double>();
+  for (std::size_t k = 0; k < 3; ++k)
+    EXPECT_NEAR(q[k] / q[3] * 65536, e.at("snapped").at(k).get<double>(), 0.5001) << k;
+  for (const char* line :
+       {"2 VRC: A turn keeps angles.", "3 sheared: Shade in the world, not behind the shear.",
+        "the one that the stages lead to, to the last bit\n", "matrix of 3 sheared: SH T(-PRP)\n"})
+    EXPECT_NE(end.out.find(line), std::string::npos) << line << end.out;
+}
+
+// Without a vertex it takes one in the middle, and the number of a vertex is one of its corners.
+TEST_F(CommandTest, ExplainsTheViewingOfAnyVertex) {
+  for (const char* scene : someOf({"teapot", "cubes", "hues", "colored-lights", "textured-cube"}, 2))
+    for (const Strings& view : {Strings{}, Strings{"--oblique", "cabinet"}, Strings{"--fov", "60"}}) {
+      for (const Strings& which :
+           {Strings{"--viewing"}, Strings{"--viewing", "3"}, Strings{"--viewing=0.2"}}) {
+        const auto end = runProgram(Strings{"explain", scene} + which + view + Strings{"--json"});
+        ASSERT_EQ(end.status, 0) << end.err;
+        EXPECT_EQ(Json::parse(end.out).at("agrees"), true) << scene;
+      }
+      const auto end = runProgram(Strings{"explain", scene, "--viewing"} + view);
+      EXPECT_EQ(end.out.find("nan"), std::string::npos) << end.out;
+    }
+}
+
 TEST_F(CommandTest, ExplainRefuses) {
   refused({"explain"}, 2, "explain needs a scene, such as teapot");
   refused({"explain", "teapot"}, 2,
@@ -108,6 +163,10 @@ TEST_F(CommandTest, ExplainRefuses) {
           "X,Y: '1,x' is not a pixel X,Y: two whole numbers from 0, counted from the top left");
   refused({"explain", "teapot", "1,1", "-o", file("a.png")}, 2,
           "-o works only with draw, snapshot, figure, trade and extremes");
+  refused({"explain", "cubes", "1,1", "--viewing"}, 2, "a pixel and --viewing exclude each other");
+  refused({"explain", "cubes", "--viewing", "1.x"}, 2,
+          "--viewing: '1.x' is not FACE.CORNER or the number of a vertex, such as 495.1 or 1234");
+  refused({"draw", "cubes", "--viewing", "1.1", "-o", file("a.png")}, 2, "--viewing works only with explain");
   refused({"draw", "teapot", "3,3", "-o", file("a.png")}, 2, "unexpected argument: '3,3'");
 }
 
