@@ -148,6 +148,16 @@ bool readHead(png_structp png, png_infop info, std::FILE* input) {
   return true;
 }
 
+/// Reads the rows of a palette PNG. Returns false after an error; the Output has its text.
+bool readRows(png_structp png, png_infop info, std::uint8_t** rows) {
+  if (setjmp(png_jmpbuf(png))) return false;
+  png_set_packing(png);
+  png_set_interlace_handling(png);
+  png_read_update_info(png, info);
+  png_read_image(png, rows);
+  return true;
+}
+
 }  // namespace
 
 std::string encodePng(const IndexImage& image, const Palette& palette, const std::string& note) {
@@ -189,6 +199,31 @@ RgbImage readPng(const std::string& file) {
   if (!png_image_finish_read(&png, &black, image.rgb.data(), 0, nullptr))
     throw ParseError{file, 0, std::feof(input.get()) ? "the PNG file ends early" : png.message};
   return image;
+}
+
+std::optional<IndexedPng> readIndexedPng(const std::string& file) {
+  const auto input = openPng(file);
+  const auto fail = [&](const std::string& what) {
+    throw ParseError{file, 0, std::feof(input.get()) ? "the PNG file ends early" : what};
+  };
+  Output output;
+  const Reader reader{output};
+  if (!reader.info) throw std::bad_alloc{};
+  if (!readHead(reader.png, reader.info, input.get())) fail(output.error);
+  if (png_get_color_type(reader.png, reader.info) != PNG_COLOR_TYPE_PALETTE) return std::nullopt;
+  const png_uint_32 width = png_get_image_width(reader.png, reader.info),
+                    height = png_get_image_height(reader.png, reader.info);
+  if (width > kLargest || height > kLargest) fail("the picture is larger than 8192 pixels");
+  IndexedPng read{.image = {static_cast<int>(width), static_cast<int>(height), 0}};
+  png_colorp palette = nullptr;
+  int colors = 0;
+  png_get_PLTE(reader.png, reader.info, &palette, &colors);
+  for (int c = 0; c < std::min(colors, 256); ++c)
+    read.held[c] = {palette[c].red, palette[c].green, palette[c].blue};
+  std::vector<std::uint8_t*> rows;
+  for (int j = 0; j < read.image.height; ++j) rows.push_back(read.image.row(j));
+  if (!readRows(reader.png, reader.info, rows.data())) fail(output.error);
+  return read;
 }
 
 std::optional<std::string> noteInPng(const std::string& file) {

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <array>
+#include <cstdint>
 #include <optional>
 #include <string>
 
@@ -33,5 +35,13 @@ void writePng(const std::string& file, const RgbImage& image);
 /// @throws std::system_error if the file cannot be opened; ParseError if it is not a complete PNG, or if its
 /// width or height is more than 8192 pixels
 [[nodiscard]] RgbImage readPng(const std::string& file);
+
+/// The indices of a PNG that has a palette, and what each holds; nothing if the PNG has none.
+struct IndexedPng {
+  IndexImage image;
+  std::array<std::array<std::uint8_t, 3>, 256> held{};
+};
+/// @throws as readPng()
+[[nodiscard]] std::optional<IndexedPng> readIndexedPng(const std::string& file);
 
 }  // namespace xnewell

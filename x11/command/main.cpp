@@ -32,6 +32,7 @@
 #include "x11/command/read_lecture.h"
 #include "x11/command/ready_scene.h"
 #include "x11/command/report.h"
+#include "x11/command/tell_diagnosis.h"
 #include "x11/command/tell_extremes.h"
 #include "x11/command/tell_trade.h"
 #include "x11/command/trace.h"
@@ -215,6 +216,7 @@ int run(int argc, char** argv) {
     return snapshot(options, std::move(scene), msRead, accuracy), kDone;
   if (options.command == Command::Trade) return tellTrade(options, std::move(scene));
   if (options.command == Command::Extremes) return tellExtremes(options, scene);
+  if (options.command == Command::Diagnose) return tellDiagnosis(options, std::move(scene));
   if (options.command == Command::Explain) return explainPixel(options, std::move(scene)), kDone;
   if (options.command == Command::Trace) return trace(options, std::move(scene)), kDone;
   if (options.command == Command::Figure) return drawFigure(options, scene), kDone;

@@ -13,7 +13,7 @@ struct StatusRow {
 };
 inline constexpr std::array kStatuses{
     StatusRow{kDone, "done"},
-    StatusRow{kOutside, "a file or the server failed"},
+    StatusRow{kOutside, "a file or the server failed, or what was handed in is wrong"},
     StatusRow{kWrong, "wrong usage or bad contents"},
     StatusRow{kInterrupted, "interrupted"},
     StatusRow{kTerminated, "terminated (SIGTERM)"},

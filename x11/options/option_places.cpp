@@ -11,9 +11,9 @@ void addPlaces(Reader& r) {
                         const std::vector<std::string_view>& places) {
     for (const char* name : names) r.only(name, places);
   };
-  only({"--output"}, {"draw", "snapshot", "figure", "trade", "extremes"});
-  only({"--size"},
-       {"view", "draw", "snapshot", "figure", "explain", "trace", "trade", "extremes", "lesson", "lecture"});
+  only({"--output"}, {"draw", "snapshot", "figure", "trade", "extremes", "diagnose"});
+  only({"--size"}, {"view", "draw", "snapshot", "figure", "explain", "trace", "trade", "extremes", "diagnose",
+                    "lesson", "lecture"});
   only({"--scale"}, {"view", "lesson", "lecture", "--whole-window"});
   only({"--visual", "--colormap", "--nearest"}, {"view", "snapshot", "lesson", "lecture", "visuals"});
   only({"--view"}, {"view", "draw", "snapshot"});
@@ -29,7 +29,7 @@ void addPlaces(Reader& r) {
   only({"--errors", "--costs"}, {"draw", "snapshot"});
   only({"--paper", "--tolerance", "--edges"}, {"figure"});
   only({"--accuracy"}, {"view", "draw", "snapshot"});
-  only({"--json"}, {"explain", "trade", "extremes"});
+  only({"--json"}, {"explain", "trade", "extremes", "diagnose"});
   only({"--axes", "--without"}, {"trade"});
   only({"--budget"}, {"trade", "--accuracy"});
   only({"--whole-window"}, {"snapshot", "trace --frames"});

@@ -132,11 +132,15 @@ void addOptions(CLI::App& app, Reader& r, Options& o) {
     app.add_option_function<std::string>(
            "pixel", [&](const std::string& s) { o.pixel = pixelOf("X,Y", s); }, "X,Y, a pixel of the picture")
         ->type_name("");
+  if (o.command == Command::Diagnose)
+    app.add_option_function<std::string>(
+           "picture", [&](const std::string& s) { o.handedIn = s; }, "PICTURE, a PNG, PPM or XWD file")
+        ->type_name("");
   r.text("-o,--output", "the PNG file to write; figure: an SVG, PDF or EPS file, by the end of its name", "",
          [&](const std::string& s) { o.output = s; });
   r.takes("--output", Takes::File);
   r.text("--size", "picture or window size WxH, at most 8192x8192",
-         "800x600, a window 1024x768 times --scale, extremes 160x120",
+         "800x600, a window 1024x768 times --scale, extremes 160x120, diagnose the picture's",
          [&](const std::string& s) { o.size = parseSize(s); });
   r.number("--scale", o.scale, 1, kMostScale,
            "how many times as large the window's letters, lines and controls are; the picture keeps its own "
@@ -207,7 +211,7 @@ void addOptions(CLI::App& app, Reader& r, Options& o) {
       "stay. The window chooses again after each change",
       "", [&](const std::string& s) { o.accuracy = parseAccuracy(s); });
   r.flag("--json", o.json,
-         "explain, trade, extremes: print all numbers as one JSON object instead of the text");
+         "explain, trade, extremes, diagnose: print all numbers as one JSON object instead of the text");
   r.text("--axes", "trade: only these short cuts, named as their options: shade,order,divisions",
          "all that have an effect", [&](const std::string& s) {
            o.trade.axes = commaWords(s);

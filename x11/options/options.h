@@ -31,6 +31,7 @@ enum class Command {
   Trace,
   Trade,
   Extremes,
+  Diagnose,
   Lesson,
   Lecture,
   Visuals,
@@ -59,6 +60,9 @@ inline constexpr std::array kCommands{
                "what each short cut saves on the scene, and the error that it costs", true},
     CommandRow{Command::Extremes, "extremes", "extremes SCENE [-o CHART.png] [--json]",
                "what becomes wrong first when the scene is scaled, moved, flattened ...", true},
+    CommandRow{Command::Diagnose, "diagnose", "diagnose SCENE PICTURE.png [options]",
+               "which mistake the program made that drew the picture; SCENE and options say what is right",
+               true},
     CommandRow{Command::Lesson, "lesson", "lesson [NAME] [--frames DIR] [--worksheet FILE]",
                "a guided lesson in the window, as pictures, or to print; without NAME, the list"},
     CommandRow{Command::Lecture, "lecture", "lecture NAME [--play SECONDS]",
@@ -86,6 +90,7 @@ struct Options {
   bool commandMeant = false;        ///< no command was given, and the first argument may be a mistyped one
   std::string scene = "teapot";     ///< or the lesson's name, or the lecture's file
   std::string carrier;              ///< the picture that carries the scene's name and its set-up; "" for none
+  std::string handedIn;             ///< diagnose: the picture; "" for none
   std::optional<glm::ivec2> pixel;  ///< explain: column and row, from the top left
   int divisions = kDefaultDivisions;
   std::optional<glm::ivec2> size;   ///< none without --size: then kPictureSize or windowSize()

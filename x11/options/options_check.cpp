@@ -134,8 +134,11 @@ void checkCommand(const Options& o, const std::vector<OptionRow>& rows) {
   const bool charts = o.command == Command::Trade || o.command == Command::Extremes;
   const bool explains = o.command == Command::Explain;
   const bool figure = o.command == Command::Figure;
-  if ((makesPng || traces || charts || explains || figure) && !sceneGiven)
+  const bool diagnoses = o.command == Command::Diagnose;
+  if ((makesPng || traces || charts || explains || figure || diagnoses) && !sceneGiven)
     throw UsageError{name + " needs a scene, such as teapot"};
+  if (diagnoses && o.handedIn.empty())
+    throw UsageError{"diagnose needs the picture to look at: xnewell diagnose " + o.scene + " picture.png"};
   if (explains && !o.pixel && !o.gave("--viewing"))
     throw UsageError{"explain needs a pixel X,Y of the picture, such as 400,300: xnewell explain " + o.scene +
                      " 400,300"};
@@ -149,7 +152,7 @@ void checkCommand(const Options& o, const std::vector<OptionRow>& rows) {
   constexpr std::array<std::string_view, 8> kOtherPictures{".jpg", ".jpeg", ".gif", ".bmp",
                                                            ".ppm", ".tif",  ".svg", ".pdf"};
   for (const std::string_view other : kOtherPictures)
-    if ((makesPng || charts) && o.output.ends_with(other))
+    if ((makesPng || charts || diagnoses) && o.output.ends_with(other))
       throw UsageError{"-o " + o.output + ": pictures are PNG files; call it .png"};
   if (sceneGiven && o.scene.empty()) throw UsageError{"the scene's name is empty"};
   const std::filesystem::path path{o.scene};
@@ -186,6 +189,8 @@ void checkCommand(const Options& o, const std::vector<OptionRow>& rows) {
   for (const std::string* made : {&o.output, &o.ids})
     if (!o.carrier.empty() && !made->empty() && sameFile(*made, o.carrier))
       throw UsageError{"-o and --ids must not name the picture that carries the set-up: it would be lost"};
+  if (!o.handedIn.empty() && !o.output.empty() && sameFile(o.output, o.handedIn))
+    throw UsageError{"-o must not name the picture that is looked at: it would be lost"};
   if (!o.ids.empty() && sameFile(o.ids, o.output)) throw UsageError{"-o and --ids name the same file"};
   exclude(o.accuracy.has_value(), o.wholeWindow, "--accuracy and --whole-window");
   exclude(o.quick, o.wholeWindow, "--quick and --whole-window");
@@ -209,7 +214,8 @@ void checkMethods(const Options& o) {
   const bool serverFills = o.fill == Fill::XFillPolygon;
   if (serverFills &&
       (o.command == Command::Trace || o.command == Command::Draw || o.command == Command::Explain ||
-       o.command == Command::Figure || o.command == Command::Trade || o.command == Command::Extremes))
+       o.command == Command::Figure || o.command == Command::Trade || o.command == Command::Extremes ||
+       o.command == Command::Diagnose))
     throw UsageError{"--fill x11 needs a server: use snapshot"};
   exclude(o.accuracy.has_value(), serverFills, "--accuracy and --fill x11");
   if (serverFills && o.view != View::Picture && !o.wholeWindow && o.command != Command::View)

@@ -218,7 +218,7 @@ TEST(Options, RefuseWhatTheCommandIgnores) {
   EXPECT_EQ(complaintAll({"scenes", "teapot"}), "scenes takes no scene");
   EXPECT_EQ(complaintAll({"visuals", "teapot"}), "visuals takes no scene");
   EXPECT_EQ(complaintAll({"view", "-o", "a.png"}),
-            "-o works only with draw, snapshot, figure, trade and extremes");
+            "-o works only with draw, snapshot, figure, trade, extremes and diagnose");
   EXPECT_EQ(complaintAll({"view", "--stats"}), "--stats works only with draw, snapshot and figure");
   EXPECT_EQ(complaintAll({"--ids", "i.png"}), "--ids works only with draw, snapshot and figure");
   EXPECT_EQ(complaint({"--whole-window"}), "--whole-window works only with snapshot and trace --frames");

@@ -1,0 +1,105 @@
+#pragma once
+
+#include <glm/vec3.hpp>
+#include <optional>
+
+#include "shading/light/light.h"
+#include "shading/light/method.h"
+
+namespace xnewell {
+
+/// How a program goes about the assignment: what it does at each step, right, allowed or mistaken. The first
+/// enumerator of each step is what the settings of the picture ask for. The evaluator (other_program.h)
+/// computes what a program that works in such a way would show.
+
+enum class ClampWay { Positive, Signed, Absolute, ByAngle };
+enum class NormalWay {
+  Unit,
+  Newell,
+  CornerProduct,
+  Inward,
+  InViewing,
+  Warped,
+  WarpedDeep,
+  WarpedInPixels,
+  ThreeCorners
+};
+/// Where two enumerators differ in a word: the sum is made a unit vector unless the name says otherwise.
+enum class VertexWay {
+  AsAsked,
+  Sum,
+  Distinct,
+  Area,
+  Angle,
+  Patch,
+  TrianglesTwice,
+  LastFace,
+  OwnFace,
+  SumNotUnit,
+  MeanNotUnit
+};
+enum class TowardsLight { Unit, Away, NotUnit, DirectionAsPlace, PlaceAsDirection, FarPlace, Constant };
+enum class TowardsEye { Unit, Away, NotUnit, PlaceOfEye, Constant };
+enum class CosineWay { AsAsked, Reversed, Without2, Halfway, Facing };
+enum class PowerWay { OfCosine, OfSum, Forgotten, WithKs };
+enum class IpWay { OnBoth, Forgotten, OnDiffuse };
+enum class FadeWay { AsAsked, Forgotten, Inverse, InverseSquare, NoLimit, OnAmbient };
+enum class CentroidWay { OfArea, FirstCorner, MeanOfCorners };
+enum class CellWay {
+  Nearest,
+  OneLess,
+  By240,
+  By255,
+  Truncated,
+  FromZero,
+  Ratios,
+  NaturalLog,
+  NoI0,
+  NoI0Wraps,
+  Even
+};
+enum class StoreWay { AsAsked, Rounded8, Minus11, EightIn16, Ratio240, Ratio64, Backwards, Gamma };
+/// Which faces show: the nearest; as listed; the nearest painted first; sorted by nearest z; no fronts.
+enum class PaintWay { Nearest, Listed, Reversed, NearestZ, BacksOnly };
+enum class TurnWay { Upright, UpsideDown, Mirrored, Turned };
+
+struct Approach {
+  Shading method = Shading::Flat;
+  ClampWay facing = ClampWay::Positive, reflected = ClampWay::Positive;
+  bool highlightBehind = false;  ///< the highlight does not ask for N.L > 0
+  bool cellWraps = false;        ///< I is not clamped, and the cell overflows a byte
+  NormalWay normal = NormalWay::Unit;
+  bool twoSided = true;
+  VertexWay vertex = VertexWay::AsAsked;
+  TowardsLight light = TowardsLight::Unit;
+  TowardsEye eye = TowardsEye::Unit;
+  CosineWay cosine = CosineWay::AsAsked;
+  PowerWay power = PowerWay::OfCosine;
+  bool highlightTimesFacing = false;
+  double ambient = 1, diffuse = 1, specular = 1;  ///< how often each term counts
+  bool noKa = false, swapsKaKd = false, swapsKdKs = false;
+  IpWay Ip = IpWay::OnBoth;
+  FadeWay fade = FadeWay::AsAsked;
+  CentroidWay centroid = CentroidWay::OfArea;
+  bool meansOfFaces = false;   ///< Gouraud: a vertex has the mean intensity of the faces around it
+  bool longNormals = false;    ///< Phong: interpolated normals are not made unit vectors
+  bool onScreen = false;       ///< Phong, textures: interpolated over the screen, not in perspective
+  bool otherDiagonal = false;  ///< a polygon's fan of triangles is around its second corner
+  bool byRows = false;         ///< Gouraud: along the edges, then along the row
+  bool clampsLate = false;     ///< Gouraud: intensities are clamped at the pixel, not at the vertices
+  bool cellsBetween = false;   ///< Gouraud: cells are interpolated, not intensities
+  CellWay cell = CellWay::Nearest;
+  StoreWay store = StoreWay::AsAsked;
+  bool directColors = false;  ///< several hues: each channel is 255 I
+  PaintWay paint = PaintWay::Nearest;
+  TurnWay turn = TurnWay::Upright;
+
+  // Numbers that a user might have said otherwise.
+  std::optional<double> Ia = {}, ka = {}, kd = {}, ks = {};
+  double nTimes = 1;
+  glm::dvec3 lightSigns{1};  ///< of x, y and z of each light
+  bool swapsLightYz = false;
+  bool operator==(const Approach&) const = default;
+};
+
+}  // namespace xnewell

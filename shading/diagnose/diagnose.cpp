@@ -1,0 +1,292 @@
+#include "shading/diagnose/diagnose.h"
+
+#include <algorithm>
+#include <cmath>
+#include <stdexcept>
+#include <utility>
+
+#include "depthsort/oracle.h"
+#include "shading/diagnose/face_images.h"
+#include "shading/picture/picture_cache.h"
+#include "shading/picture/scene_colors.h"
+
+namespace xnewell {
+
+namespace {
+
+constexpr std::size_t kFewest = 50;  ///< samples, without which nothing can be said
+
+/// The settings of the picture that the faces come from: exact, not painted.
+PictureSettings exactly(PictureSettings settings) {
+  settings.order = Order::Unsorted;
+  settings.adapt = 0.0;
+  return settings;
+}
+
+/// The pixel of a turned picture that shows what (i, j) shows upright.
+std::pair<int, int> turned(TurnWay turn, int i, int j, int width, int height) {
+  if (turn == TurnWay::Mirrored || turn == TurnWay::Turned) i = width - 1 - i;
+  if (turn == TurnWay::UpsideDown || turn == TurnWay::Turned) j = height - 1 - j;
+  return {i, j};
+}
+
+}  // namespace
+
+std::string whyNotDiagnosed(const Scene& scene, const PictureSettings& settings) {
+  const Shading method = settings.shading;
+  if (method != Shading::Flat && method != Shading::Gouraud && method != Shading::Phong)
+    return "diagnose knows flat, Gouraud and Phong shading, not --shade " + std::string{rowOf(method).name};
+  if (settings.light.mistake != Mistake::None)
+    return "diagnose looks for mistakes by itself: leave out --mistake";
+  if (settings.adapt > 0.0) return "diagnose takes the polygons as they are: leave out --adapt";
+  if (settings.dither) return "diagnose compares pixel by pixel: leave out --dither";
+  const ColorPlan plan = planOf(scene, settings);
+  if (plan != ColorPlan::OneHue && settings.table.kind == TableKind::Corrected)
+    return "diagnose reads colours of several hues as even values: choose --table linear";
+  return "";
+}
+
+Diagnoser::Diagnoser(Scene scene, const PictureSettings& settings)
+    : picture_{makePicture(std::move(scene), exactly(settings)).withPlanes()},
+      settings_{settings},
+      model_{picture_} {
+  chooseSamples();
+  if (samples_.size() < kFewest)
+    throw std::invalid_argument{"the picture shows too few pixels inside faces to tell anything: " +
+                                std::to_string(samples_.size())};
+}
+
+const std::vector<int>& Diagnoser::facesOf(PaintWay way) {
+  const auto [at, isNew] = faces_.try_emplace(way);
+  if (isNew) at->second = facesShown(picture_.snapped(), settings_.width, settings_.height, way);
+  return at->second;
+}
+
+void Diagnoser::chooseSamples() {
+  const SnappedScene& scene = picture_.snapped();
+  const int w = settings_.width, h = settings_.height;
+  const std::vector<int>& exact = facesOf(PaintWay::Nearest);
+  const std::vector<int> mean = paintedOver(scene, w, h, paintingOrder(scene, Order::ZMean)),
+                         far = paintedOver(scene, w, h, paintingOrder(scene, Order::ZSort));
+  std::vector<std::vector<DiagnosedSample>> ofFace(scene.faces.size());
+  OtherProgram right{model_, approachOf(settings_)};
+  const bool smooth = rowOf(settings_.shading).interpolates;
+  const bool textured = !picture_.scene().textures.empty();
+  std::vector<char> usable(scene.faces.size());
+  for (std::size_t f = 0; f < usable.size(); ++f)
+    usable[f] = !(smooth || textured) || right.canShow(static_cast<int>(f));
+  for (int j = 1; j + 1 < h; ++j)
+    for (int i = 1; i + 1 < w; ++i) {
+      const std::size_t at = static_cast<std::size_t>(j) * w + i;
+      const int face = exact[at];
+      if (face == kNothing || mean[at] != face || far[at] != face || !usable[face]) continue;
+      bool inside = true;
+      for (int y = -1; y <= 1; ++y)
+        for (int x = -1; x <= 1; ++x) inside &= exact[at + y * w + x] == face;
+      if (inside) ofFace[face].push_back({i, j, face});
+    }
+  const auto isOneTexel = [&](const DiagnosedSample& s) {
+    const int here = right.texelAt(s.face, s.i, s.j);
+    for (int y = -1; y <= 1; ++y)
+      for (int x = -1; x <= 1; ++x)
+        if (right.texelAt(s.face, s.i + x, s.j + y) != here) return false;
+    return true;
+  };
+  std::size_t faces = 0;
+  for (const auto& one : ofFace) faces += !one.empty();
+  if (faces == 0) return;
+  // As many of each face as fit; what small faces leave goes to the large ones.
+  const auto takenAt = [&](std::size_t most) {
+    std::size_t sum = 0;
+    for (const auto& one : ofFace) sum += std::min(most, one.size());
+    return sum;
+  };
+  std::size_t most = 1;
+  while (most < kMostSamples && takenAt(most + 1) <= kMostSamples) ++most;
+  for (const auto& one : ofFace)
+    for (std::size_t k = 0, take = std::min(most, one.size()); k < take; ++k)
+      if (const DiagnosedSample& s = one[(2 * k + 1) * one.size() / (2 * take)]; !textured || isOneTexel(s))
+        samples_.push_back(s);
+}
+
+Approach Diagnoser::approachWith(const Hypothesis& first, const Hypothesis* second) const {
+  Approach way = approachOf(settings_);
+  first.change(way);
+  if (second) second->change(way);
+  return way;
+}
+
+std::vector<Diagnoser::Predicted> Diagnoser::predicted(const Approach& way, std::size_t stride) {
+  OtherProgram program{model_, way};
+  const std::vector<int>& faces = facesOf(way.paint);
+  const int w = settings_.width;
+  std::vector<Predicted> all;
+  all.reserve(samples_.size());
+  for (std::size_t k = 0; k < samples_.size(); k += stride) {
+    const DiagnosedSample& s = samples_[k];
+    const int face = way.paint == PaintWay::Nearest ? s.face : faces[static_cast<std::size_t>(s.j) * w + s.i];
+    Predicted p;
+    if (face == kNothing) {
+      p.shows = false;
+    } else {
+      const ShownHere shown = program.at(face, s.i, s.j);
+      for (int c = 0; c < 3; ++c) p.value[c] = static_cast<float>(shown.value[c]);
+      p.step = static_cast<float>(shown.step), p.cell = static_cast<std::int16_t>(shown.cell);
+      if (way.method == Shading::Gouraud || way.method == Shading::Phong)
+        for (const auto& [x, y] : {std::pair{1, 0}, {0, 1}}) {
+          const ShownHere next = program.at(face, s.i + x, s.j + y);
+          for (int c = 0; c < 3; ++c)
+            p.slope = std::max(p.slope, static_cast<float>(std::abs(next.value[c] - shown.value[c])));
+        }
+    }
+    all.push_back(p);
+  }
+  return all;
+}
+
+const std::vector<Diagnoser::Predicted>& Diagnoser::known(const Hypothesis& h) {
+  const auto [at, isNew] = known_.try_emplace(&h);
+  if (isNew) at->second = predicted(approachWith(h));
+  return at->second;
+}
+
+/// The commonest colour where no face shows; nothing if faces show almost everywhere.
+std::optional<std::array<std::uint8_t, 3>> Diagnoser::groundOf(const HandedIn& handed, TurnWay turn) {
+  const std::vector<int>& faces = facesOf(PaintWay::Nearest);
+  std::map<std::array<std::uint8_t, 3>, int> counts;
+  int all = 0;
+  for (int j = 0; j < settings_.height; ++j)
+    for (int i = 0; i < settings_.width; ++i) {
+      if (faces[static_cast<std::size_t>(j) * settings_.width + i] != kNothing) continue;
+      const auto [x, y] = turned(turn, i, j, settings_.width, settings_.height);
+      const std::uint8_t* const p = handed.picture.pixel(x, y);
+      ++counts[{p[0], p[1], p[2]}], ++all;
+    }
+  if (all * 100 < settings_.width * settings_.height) return std::nullopt;
+  return std::ranges::max_element(counts, {}, [](const auto& c) { return c.second; })->first;
+}
+
+/// The pixels that both pictures paint over those that either paints, away from outlines. Where the ground is
+/// nearly black a face may be, too, so only faces where none should be count.
+double Diagnoser::overlapOf(const HandedIn& handed, TurnWay turn, PaintWay paint,
+                            std::array<std::uint8_t, 3> ground) {
+  const std::vector<int>& faces = facesOf(paint);
+  const int w = settings_.width, h = settings_.height;
+  const bool isDark = std::max({ground[0], ground[1], ground[2]}) <= 16;
+  long both = 0, either = 0;
+  for (int j = 1; j + 1 < h; ++j)
+    for (int i = 1; i + 1 < w; ++i) {
+      const std::size_t at = static_cast<std::size_t>(j) * w + i;
+      const bool ours = faces[at] != kNothing;
+      bool alike = true;
+      for (int y = -1; y <= 1; ++y)
+        for (int x = -1; x <= 1; ++x) alike &= (faces[at + y * w + x] != kNothing) == ours;
+      if (!alike) continue;
+      const auto [x, y] = turned(turn, i, j, w, h);
+      const std::uint8_t* const p = handed.picture.pixel(x, y);
+      const bool theirs = p[0] != ground[0] || p[1] != ground[1] || p[2] != ground[2] || (isDark && ours);
+      both += ours && theirs, either += ours || theirs;
+    }
+  return either == 0 ? 1.0 : static_cast<double>(both) / static_cast<double>(either);
+}
+
+/// True if what the file's palette holds is one of the tables that a program may have stored.
+bool Diagnoser::hasOurCells(const HandedIn& handed) {
+  if (!handed.cells || model_.colors) return false;
+  for (const StoreWay store : {StoreWay::AsAsked, StoreWay::Rounded8, StoreWay::Minus11, StoreWay::EightIn16,
+                               StoreWay::Ratio240, StoreWay::Ratio64, StoreWay::Backwards, StoreWay::Gamma}) {
+    Approach way = approachOf(settings_);
+    way.store = store;
+    const OtherProgram program{model_, way};
+    std::size_t same = 0;
+    for (const DiagnosedSample& s : samples_) {
+      const int cell = handed.cells->row(s.j)[s.i];
+      const auto& held = handed.held[cell];
+      same += std::abs(std::max({held[0], held[1], held[2]}) - program.stored(cell)) <= 1.0;
+    }
+    if (100 * same >= 95 * samples_.size()) return true;
+  }
+  return false;
+}
+
+Diagnoser::Read Diagnoser::read(const HandedIn& handed, TurnWay turn, bool cells) const {
+  Read all;
+  for (const DiagnosedSample& s : samples_) {
+    const auto [x, y] = turned(turn, s.i, s.j, settings_.width, settings_.height);
+    const std::uint8_t* const p = handed.picture.pixel(x, y);
+    all.value.push_back({p[0], p[1], p[2]});
+    if (!model_.colors) all.value.back()[0] = std::max({p[0], p[1], p[2]});
+    if (cells) all.cell.push_back(handed.cells->row(y)[x]);
+  }
+  return all;
+}
+
+Diagnosis Diagnoser::operator()(const HandedIn& handed) {
+  Diagnosis d;
+  d.samples = static_cast<int>(samples_.size());
+  d.oneHue = !model_.colors;
+  if (handed.picture.width != settings_.width || handed.picture.height != settings_.height) {
+    d.verdict = Marking::OtherScene, d.overlap = 0;
+    return d;
+  }
+  d.readsCells = hasOurCells(handed);
+  reads_.clear();
+  d.overlap = 0;
+  for (const TurnWay turn : {TurnWay::Upright, TurnWay::UpsideDown, TurnWay::Mirrored, TurnWay::Turned}) {
+    const auto ground = groundOf(handed, turn);
+    if (turn == TurnWay::Upright && ground) ground_ = *ground;
+    double overlap = 1.0;
+    if (ground)
+      overlap =
+          std::max(overlapOf(handed, turn, PaintWay::Nearest, *ground),
+                   turn == TurnWay::Upright ? overlapOf(handed, turn, PaintWay::BacksOnly, *ground) : 0);
+    if (overlap >= kOverlap)
+      reads_.push_back(read(handed, turn, d.readsCells));
+    else
+      reads_.push_back({});
+    d.overlap = std::max(d.overlap, overlap);
+  }
+  if (d.overlap < kOverlap) {
+    d.verdict = Marking::OtherScene;
+    return d;
+  }
+  decide(d);
+  return d;
+}
+
+RgbImage Diagnoser::pictureBy(const Approach& way) {
+  constexpr std::uint8_t kGround = 64;
+  const int w = settings_.width, h = settings_.height;
+  OtherProgram program{model_, way};
+  const std::vector<int>& faces = facesOf(way.paint);
+  RgbImage image{w, h};
+  for (int j = 0; j < h; ++j)
+    for (int i = 0; i < w; ++i) {
+      const auto [x, y] = turned(way.turn, i, j, w, h);
+      std::uint8_t* const rgb = image.pixel(x, y);
+      const int face = faces[static_cast<std::size_t>(j) * w + i];
+      std::fill(rgb, rgb + 3, kGround);
+      if (face == kNothing || !program.canShow(face)) continue;
+      const ShownHere shown = program.at(face, i, j);
+      for (int c = 0; c < 3; ++c) {
+        const double value = model_.colors ? shown.value[c] : shown.value[0] * settings_.table.hue[c];
+        rgb[c] = static_cast<std::uint8_t>(std::clamp(value, 0.0, 255.0));
+      }
+    }
+  return image;
+}
+
+Diagnoser::Parting Diagnoser::partingOf(const Hypothesis& a, const Hypothesis& b) {
+  const auto &first = known(a), &second = known(b), &right = known(hypotheses().front());
+  Parting best;
+  double most = -1.0;
+  for (std::size_t k = 0; k < samples_.size(); ++k) {
+    const double apart = std::abs(first[k].value[0] - second[k].value[0]);
+    if (!first[k].shows || !second[k].shows || apart <= most) continue;
+    most = apart;
+    best = {samples_[k], first[k].value[0], second[k].value[0], right[k].value[0]};
+  }
+  return best;
+}
+
+}  // namespace xnewell

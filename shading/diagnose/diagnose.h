@@ -1,0 +1,145 @@
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <map>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "shading/diagnose/handed_in.h"
+#include "shading/diagnose/hypothesis.h"
+#include "shading/diagnose/other_model.h"
+#include "shading/diagnose/other_program.h"
+
+namespace xnewell {
+
+/// Which mistake is it? Somebody's program drew a scene that is known, with settings that are known. For each
+/// row of hypothesis.h the other program says what it would show, and the picture is compared with it.
+///
+/// 1. Samples: pixels whose 3 x 3 neighbours show the same face, and where the orders that the course allows
+///    (exact, by mean z, by farthest z) agree. So rules for edges and legal orders do not count.
+/// 2. d is the difference in shades; where neighbouring cells are further apart than one step of 255, it is
+///    measured in their distance. Where the shade changes from pixel to pixel, one more shade for each of
+///    these counts as one: a corner that is rounded to a pixel moves the shades by as much.
+/// 3. The cost of a hypothesis is the mean of -log p(d), where p is 97 % a two-sided geometric distribution
+///    and 3 % anything. Its width is the best of six.
+/// 4. All rows within kClass of the best are a class. If "right" or a row that the course allows is in it and
+///    explains the picture, the picture is right.
+/// 5. A mistake must explain kInformative of the samples that tell: those where it, or the picture, is not
+///    right. That guards against mistakes that are not in the list. If no row does, two rows at once are
+///    tried.
+
+inline constexpr int kMostSamples = 3000;
+inline constexpr double kClass = 0.01, kInformative = 0.8;
+inline constexpr double kOverlap = 0.97;  ///< of the outlines; below it is another scene, camera or size
+
+struct DiagnosedSample {
+  int i = 0, j = 0, face = 0;  ///< of the snapped faces
+};
+
+enum class Marking { Right, Allowed, Mistake, OneOf, Numbers, Unknown, OtherScene };
+
+/// How well one hypothesis, or two at once, fit a picture.
+struct Fit {
+  const Hypothesis* first = nullptr;
+  const Hypothesis* second = nullptr;  ///< null for one
+  double cost = 0;
+  double explained = 0;    ///< share of all samples
+  int telling = 0;         ///< samples that tell
+  double informative = 0;  ///< share of these that it explains
+};
+
+/// Where a mistake shows most.
+struct DiagnosedPixel {
+  int i = 0, j = 0, face = 0;                          ///< the face's number in the scene
+  std::array<double, 3> yours{}, right{}, mistaken{};  ///< values 0 to 255; of one hue only the first
+  double NdotL = 0, RdotV = 0;
+};
+
+struct Diagnosis {
+  Marking verdict = Marking::Unknown;
+  std::vector<Fit> found;  ///< the class, each name once, best first; of "right", what it is right with
+  std::vector<Fit> all;    ///< all single hypotheses, best first
+  std::optional<DiagnosedPixel> pixel;
+  int samples = 0;
+  double overlap = 1;
+  bool readsCells = false;  ///< the cells of the picture are those of the table
+  bool oneHue = true;
+};
+
+/// Why a scene cannot be diagnosed with these settings; "" if it can.
+[[nodiscard]] std::string whyNotDiagnosed(const Scene& scene, const PictureSettings& settings);
+
+/// Diagnoses pictures of one scene. What all pictures share is made once.
+class Diagnoser {
+ public:
+  /// Precondition: whyNotDiagnosed() is "". @throws ViewError; std::invalid_argument if the scene shows too
+  /// few samples
+  Diagnoser(Scene scene, const PictureSettings& settings);
+  Diagnoser(const Diagnoser&) = delete;
+  Diagnoser& operator=(const Diagnoser&) = delete;
+
+  [[nodiscard]] Diagnosis operator()(const HandedIn& picture);
+
+  [[nodiscard]] const Picture& picture() const { return picture_; }
+  [[nodiscard]] const std::vector<DiagnosedSample>& samples() const { return samples_; }
+  /// What a program shows at a sample; nothing where its order shows no face. Rows are never asked for twice.
+  struct Predicted {
+    std::array<float, 3> value{};
+    float step = 1;
+    /// How many values it changes from this sample to the next ones. Corners that are rounded to pixels move
+    /// what is interpolated by up to that much.
+    float slope = 0;
+    std::int16_t cell = -1;
+    bool shows = true;
+  };
+  [[nodiscard]] std::vector<Predicted> predicted(const Approach& way, std::size_t stride = 1);
+  [[nodiscard]] Approach approachWith(const Hypothesis& first, const Hypothesis* second = nullptr) const;
+  /// The largest difference of two rows at a sample, and where; for pictures of two mistakes.
+  struct Parting {
+    DiagnosedSample at;
+    double first = 0, second = 0, right = 0;
+  };
+  /// The whole picture as a program shows it that works in this way.
+  [[nodiscard]] RgbImage pictureBy(const Approach& way);
+  [[nodiscard]] Parting partingOf(const Hypothesis& a, const Hypothesis& b);
+
+ private:
+  /// What a picture has at the samples, in one of four turns.
+  struct Read {
+    std::vector<std::array<std::uint8_t, 3>> value;
+    std::vector<std::int16_t> cell;  ///< empty if its cells are not ours
+  };
+  [[nodiscard]] const std::vector<int>& facesOf(PaintWay way);
+  void chooseSamples();
+  [[nodiscard]] double overlapOf(const HandedIn& picture, TurnWay turn, PaintWay paint,
+                                 std::array<std::uint8_t, 3> ground);
+  [[nodiscard]] std::optional<std::array<std::uint8_t, 3>> groundOf(const HandedIn& picture, TurnWay turn);
+  [[nodiscard]] Read read(const HandedIn& picture, TurnWay turn, bool cells) const;
+  [[nodiscard]] bool hasOurCells(const HandedIn& picture);
+  /// Every `stride`th sample; `other` has no more than these.
+  [[nodiscard]] Fit fit(TurnWay turn, const std::vector<Predicted>& other, std::size_t stride = 1);
+  [[nodiscard]] double apart(const Read& yours, std::size_t sample, const Predicted& other) const;
+  [[nodiscard]] double apart(const Predicted& a, const Predicted& b) const;
+  [[nodiscard]] double cellsApart(double cell, const Predicted& other) const;
+  [[nodiscard]] double tolerance() const;
+  [[nodiscard]] bool applies(const Hypothesis& h) const;
+  [[nodiscard]] const std::vector<Predicted>& known(const Hypothesis& h);
+  void decide(Diagnosis& d);
+  bool decideByTwo(Diagnosis& d, double best, bool twoMistakes);
+  void addPixel(Diagnosis& d);
+
+  Picture picture_;
+  PictureSettings settings_;
+  OtherModel model_;
+  std::map<PaintWay, std::vector<int>> faces_;
+  std::vector<DiagnosedSample> samples_;
+  std::map<const Hypothesis*, std::vector<Predicted>> known_;
+  std::map<std::pair<const Hypothesis*, const Hypothesis*>, std::vector<Predicted>> two_;  ///< thinned
+  std::vector<Read> reads_;                                                                ///< by TurnWay
+  std::array<std::uint8_t, 3> ground_{};
+};
+
+}  // namespace xnewell

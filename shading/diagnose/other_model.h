@@ -1,0 +1,69 @@
+#pragma once
+
+#include <array>
+#include <glm/mat3x3.hpp>
+#include <map>
+#include <optional>
+#include <utility>
+#include <vector>
+
+#include "shading/diagnose/approach.h"
+#include "shading/light/equation.h"
+#include "shading/picture/picture.h"
+
+namespace xnewell {
+
+/// A scene as another program for the assignment has it: places in the units of the file, normals of faces
+/// and vertices by each way to make them. It shares the camera and the snapped outlines with the picture, and
+/// nothing of its shading.
+class OtherModel {
+ public:
+  /// The picture has planes or not; it must outlive this.
+  explicit OtherModel(const Picture& picture);
+
+  [[nodiscard]] const Picture& picture() const { return picture_; }
+  [[nodiscard]] const Mesh& mesh() const { return picture_.scene().mesh; }
+  [[nodiscard]] const SnappedScene& snapped() const { return picture_.snapped(); }
+
+  [[nodiscard]] const glm::dvec3& place(int corner) const { return points_[mesh().corners[corner]]; }
+  /// Where flat shading evaluates a face.
+  [[nodiscard]] glm::dvec3 centroid(int face, CentroidWay way) const;
+  /// The normal of a face, before it is turned to a side.
+  [[nodiscard]] glm::dvec3 faceNormal(int face, NormalWay way) const;
+  /// The normals at all corners, before they are turned to a side; made when they are first asked for.
+  [[nodiscard]] const std::vector<glm::dvec3>& cornerNormals(VertexWay vertex, NormalWay normal);
+  /// True if the viewer sees the back of a face.
+  [[nodiscard]] bool isBack(int face) const;
+  /// The faces at each point.
+  [[nodiscard]] const std::vector<std::vector<int>>& facesAt() const { return facesAt_; }
+  /// The distance from the eye along the viewing direction; 1 in a parallel view.
+  [[nodiscard]] double depth(const glm::dvec3& place) const;
+
+  // In the units of the file.
+  glm::dvec3 eye{0}, lookAt{0}, centre{0};
+  std::vector<Light> lights;  ///< places in the file's units; range and c in the scene's
+  double unit = 1;            ///< file units in a unit of the scene
+  std::array<double, 3> Ia{};
+  int channels = 1;        ///< 3: red, green and blue
+  bool luminance = false;  ///< one hue shows the luminance of the three
+  bool colors = false;     ///< the cells hold several hues
+  /// By material, the first is for faces without one; by channel.
+  std::vector<std::array<Reflection, 3>> surface;
+  std::vector<std::optional<glm::dvec2>> onScreen;  ///< of each corner in view, in pixels
+  std::vector<double> byDepth;                      ///< of each snapped face, for shading by depth
+
+ private:
+  [[nodiscard]] std::vector<glm::dvec3> makeCornerNormals(VertexWay vertex, NormalWay normal) const;
+  [[nodiscard]] glm::dvec3 product(int a, int b, int c, NormalWay way) const;
+
+  const Picture& picture_;
+  std::vector<glm::dvec3> points_, warped_;  ///< #points: in file units; after projection
+  std::vector<double> deep_;  ///< z of each point along the viewing direction, larger is nearer
+  std::vector<std::vector<int>> facesAt_;
+  glm::dmat3 rotation_{1.0};
+  glm::dvec3 towardsViewer_{0};
+  double pixelsHigh_ = 1;
+  std::map<std::pair<VertexWay, NormalWay>, std::vector<glm::dvec3>> cornerNormals_;
+};
+
+}  // namespace xnewell

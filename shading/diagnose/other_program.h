@@ -1,0 +1,78 @@
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <limits>
+#include <optional>
+#include <vector>
+
+#include "shading/color/color_table.h"
+#include "shading/diagnose/other_model.h"
+
+namespace xnewell {
+
+/// What a program that works in some way shows at a sample, in doubles, straight from the equation. It shares
+/// no code with illuminate(), lightTerms() or the loops that paint, so each can check the other.
+
+/// The terms at one place; `rest` is the ambient and the specular term.
+struct LitPlace {
+  std::array<double, 3> rest{}, diffuse{};
+  double NdotL = std::numeric_limits<double>::quiet_NaN();  ///< of the first light
+  double RdotV = std::numeric_limits<double>::quiet_NaN();
+};
+
+struct ShownHere {
+  int cell = -1;                  ///< -1 where the cells hold several hues
+  std::array<double, 3> value{};  ///< what is stored, 0 to 255; only the first with one hue
+  double step = 1;                ///< how far two neighbouring cells are apart there, at least 1
+  double I = 0;                   ///< the intensity, or the luminance, before it is clamped
+  double NdotL = std::numeric_limits<double>::quiet_NaN();
+  double RdotV = std::numeric_limits<double>::quiet_NaN();
+};
+
+class OtherProgram {
+ public:
+  OtherProgram(OtherModel& model, const Approach& way);
+
+  /// False for a face that clipping has cut: its values between the corners are not known here.
+  [[nodiscard]] bool canShow(int face) const;
+  /// At the sample of pixel (i, j), which one of the snapped faces owns.
+  [[nodiscard]] ShownHere at(int face, int i, int j);
+  /// The colour of the texel under the sample; -1 for none.
+  [[nodiscard]] int texelAt(int face, int i, int j);
+  /// What a cell holds.
+  [[nodiscard]] double stored(int cell) const;
+
+ private:
+  /// A sample in one of the triangles of its face.
+  struct InTriangle {
+    std::array<int, 3> corner{};  ///< indices into Mesh::corners
+    std::array<double, 3> onScreen{}, inWorld{};
+  };
+  [[nodiscard]] std::vector<int> fanOf(const SnappedFace& face) const;
+  [[nodiscard]] InTriangle triangle(const SnappedFace& face, int i, int j) const;
+  [[nodiscard]] LitPlace lit(const glm::dvec3& P, const glm::dvec3& N, int material) const;
+  void addLight(LitPlace& sum, const Light& light, const glm::dvec3& P, const glm::dvec3& N,
+                const glm::dvec3& V, const std::array<Reflection, 3>& surface) const;
+  [[nodiscard]] double fade(const Light& light, double d) const;
+  [[nodiscard]] const LitPlace& ofFace(int face, bool back);
+  [[nodiscard]] const LitPlace& atCorner(int face, int corner, bool back);
+  [[nodiscard]] LitPlace meanOfFaces(int point);
+  [[nodiscard]] double side(bool back) const { return back && way_.twoSided ? -1.0 : 1.0; }
+  [[nodiscard]] LitPlace gouraud(const SnappedFace& face, const InTriangle& in, bool clamps);
+  [[nodiscard]] LitPlace alongRow(const SnappedFace& face, int i, int j, bool clamps);
+  [[nodiscard]] LitPlace phong(const SnappedFace& face, const InTriangle& in);
+  [[nodiscard]] std::optional<glm::ivec2> texel(const SnappedFace& face, const InTriangle& in) const;
+  [[nodiscard]] double intensity(const LitPlace& place, const std::array<double, 3>& texel) const;
+  [[nodiscard]] int cellOf(double I) const;
+  [[nodiscard]] double realCell(double I) const;
+  [[nodiscard]] double levelOf(int j) const;
+
+  OtherModel& model_;
+  Approach way_;
+  ColorTable table_;
+  std::array<Reflection, 3> none_{};
+  std::vector<std::optional<LitPlace>> faces_, corners_;  ///< by 2 k, and 2 k + 1 for the back
+};
+
+}  // namespace xnewell

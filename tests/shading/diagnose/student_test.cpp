@@ -1,0 +1,234 @@
+#include <gtest/gtest.h>
+
+#include <cctype>
+#include <map>
+#include <set>
+#include <string>
+#include <vector>
+
+#include "shading/diagnose/diagnose.h"
+#include "tests/support/seeds.h"
+#include "tests/support/student_world.h"
+
+namespace xnewell::THIS_FILE {
+
+namespace {
+
+/// The pictures of the student in support/student.cpp, by name of what is planted.
+class Students {
+ public:
+  Students(const std::string& name, Shading method, TableKind table) : method_{method}, table_{table} {
+    Scene scene = readScene(name, 4);
+    settings_ = scene.settings;
+    settings_.camera = scene.camera, settings_.shading = method, settings_.table.kind = table;
+    settings_.normals = NormalRule::Sum;
+    settings_.width = 320, settings_.height = 240;
+    diagnoser_.emplace(std::move(scene), settings_);
+    world_ = studentsWorld(diagnoser_->picture());
+  }
+
+  [[nodiscard]] Diagnosis diagnosed(student::Program program, bool indexed = false) {
+    program.method = static_cast<char>(std::tolower(rowOf(method_).label[0]));
+    program.table = kTables[static_cast<std::size_t>(table_)].name[0];
+    program.width = settings_.width, program.height = settings_.height;
+    return (*diagnoser_)(handedInBy(student::draw(world_, program), indexed));
+  }
+
+  /// True if no sample shows the mistake: each is within `most` shades of right.
+  [[nodiscard]] bool isInvisible(const std::string& key, double most) {
+    const auto right = diagnoser_->predicted(diagnoser_->approachWith(hypotheses().front()));
+    const auto other = diagnoser_->predicted(diagnoser_->approachWith(*hypothesisNamed(key)));
+    for (std::size_t k = 0; k < right.size(); ++k)
+      if (right[k].shows != other[k].shows || std::abs(right[k].value[0] - other[k].value[0]) > most)
+        return false;
+    return !key.starts_with("flip") && !key.starts_with("turned");
+  }
+
+  /// The keys that the student can plant here.
+  [[nodiscard]] std::vector<std::string> keys(Meaning meaning) const {
+    static const std::set<std::string_view> kNotPlanted{"by-rows",     "direct-colours", "VN-sum",
+                                                        "VN-distinct", "VN-angle",       "VN-patch"};
+    std::vector<std::string> all;
+    std::set<std::string_view> seen;
+    for (const Hypothesis& h : hypotheses()) {
+      const bool lamps = h.key.starts_with("f-") || h.key == "L-place-as-direction";
+      const bool here = world_.lamp ? h.key != "L-direction-as-place" && h.key != "f-1/d2" : !lamps;
+      if (h.meaning == meaning && here && (!h.applies || h.applies(settings_)) &&
+          !kNotPlanted.contains(h.key) && seen.insert(h.key).second)
+        all.emplace_back(h.key);
+    }
+    return all;
+  }
+
+ private:
+  Shading method_;
+  TableKind table_;
+  PictureSettings settings_;
+  std::optional<Diagnoser> diagnoser_;
+  student::World world_;
+};
+
+bool isRight(const Diagnosis& d) { return d.verdict == Marking::Right || d.verdict == Marking::Allowed; }
+
+/// How often a planted mistake is named.
+struct Confusion {
+  int planted = 0, invisible = 0, oneName = 0, inClass = 0, right = 0, unknown = 0, wrongName = 0;
+  std::string misnamed;
+
+  void count(const std::string& key, const Diagnosis& d) {
+    ++planted;
+    bool named = false;
+    std::string names;
+    for (const Fit& f : d.found) {
+      named = named || f.first->key == key || (f.second && f.second->key == key);
+      names += ' ' + std::string{f.first->key};
+    }
+    if (isRight(d))
+      ++right;
+    else if (d.verdict != Marking::Mistake && d.verdict != Marking::OneOf)
+      ++unknown;
+    else if (!named)
+      ++wrongName, misnamed += key + " was called" + names + "; ";
+    else
+      ++(d.verdict == Marking::Mistake ? oneName : inClass);
+  }
+  void record() const {
+    ::testing::Test::RecordProperty("planted", planted);
+    ::testing::Test::RecordProperty("invisible", invisible);
+    ::testing::Test::RecordProperty("one_name", oneName);
+    ::testing::Test::RecordProperty("in_class", inClass);
+    ::testing::Test::RecordProperty("called_right", right);
+    ::testing::Test::RecordProperty("unknown", unknown);
+  }
+};
+
+/// Flat shading with two tables; Gouraud and Phong shading with one.
+Confusion confusionOn(const std::string& scene) {
+  Confusion all;
+  for (const TableKind table : {TableKind::Linear, TableKind::Corrected})
+    for (const Shading method : someOf({Shading::Flat, Shading::Gouraud, Shading::Phong}, 1)) {
+      if (table == TableKind::Corrected && method != Shading::Flat) continue;
+      Students students{scene, method, table};
+      for (const std::string& key : students.keys(Meaning::Wrong)) {
+        all.count(key, students.diagnosed({.mistake = key}));
+        all.invisible += students.isInvisible(key, 0.5);
+      }
+    }
+  all.record();
+  return all;
+}
+
+}  // namespace
+
+// The confusion table on the bench: a second program plants each mistake, and none gets a wrong name. A class
+// of two stands where both are the same picture: V-sign and R-sign by algebra, cell-off-by-one and table-i-11
+// in files without cells, cell-natural-log and cell-I0-forgotten, which are both nearly black.
+TEST(Diagnose, NamesThePlantedMistakeOnTheBench) {
+  const Confusion c = confusionOn("bench-n3");
+  EXPECT_EQ(c.wrongName, 0) << c.misnamed;
+  if (kSanitized) return;
+  EXPECT_GE(c.planted, 200);
+  EXPECT_GE(c.oneName, (c.planted - c.invisible) * 92 / 100);
+  EXPECT_EQ(c.unknown, 0);
+}
+
+// On the teapot fewer mistakes show. What shows at no sample is the right picture, and counts for neither.
+TEST(Diagnose, NamesThePlantedMistakeOnTheTeapot) {
+  const Confusion c = confusionOn("teapot");
+  EXPECT_EQ(c.wrongName, 0) << c.misnamed;
+  if (kSanitized) return;
+  EXPECT_GE(c.planted, 150);
+  EXPECT_GE(c.oneName, (c.planted - c.invisible) * 80 / 100);
+}
+
+// A right picture is right: with the course's variants, orders and other rules for edges.
+TEST(Diagnose, AccusesNoRightPicture) {
+  for (const std::string scene : someOf({"bench-n3", "teapot"}, 1))
+    for (const Shading method : someOf({Shading::Flat, Shading::Gouraud, Shading::Phong}, 1)) {
+      Students students{scene, method, TableKind::Linear};
+      std::vector<std::string> keys = students.keys(Meaning::Allowed);
+      keys.emplace_back("");
+      for (const std::string& key : keys)
+        for (const bool half : {false, true}) {
+          EXPECT_TRUE(isRight(students.diagnosed({.variant = key, .half = half, .zbuffer = half})))
+              << scene << ' ' << rowOf(method).name << ' ' << key << ' ' << half;
+        }
+      if (method != Shading::Flat) continue;
+      student::Program program{.variant = "zmean"};
+      EXPECT_TRUE(isRight(students.diagnosed(program)));
+    }
+}
+
+// The cells of an indexed picture tell a mistake in color(I) from one in the table.
+TEST(Diagnose, ReadsCells) {
+  Students students{"bench-n3", Shading::Flat, TableKind::Linear};
+  for (const std::string key : {"cell-off-by-one", "table-i-11"}) {
+    const Diagnosis d = students.diagnosed({.mistake = key}, true);
+    EXPECT_TRUE(d.readsCells);
+    ASSERT_EQ(d.found.size(), 1u) << key;
+    EXPECT_EQ(d.found[0].first->key, key);
+  }
+}
+
+// A mistake together with what the course allows, and two mistakes, are told.
+TEST(Diagnose, TellsTwoAtOnce) {
+  Students students{"bench-n3", Shading::Flat, TableKind::Linear};
+  Diagnosis d = students.diagnosed({.mistake = "R-without-2", .variant = "V-constant"});
+  ASSERT_EQ(d.verdict, Marking::Mistake);
+  EXPECT_EQ(d.found[0].first->key, "R-without-2");
+  EXPECT_EQ(d.found[0].second->key, "V-constant");
+  d = students.diagnosed({.mistake = "L-sign", .second = "Ia-twice"});
+  ASSERT_EQ(d.verdict, Marking::Mistake);
+  EXPECT_EQ((std::set{d.found[0].first->key, d.found[0].second->key}),
+            (std::set<std::string_view>{"L-sign", "Ia-twice"}));
+  d = students.diagnosed({.variant = "V-constant", .second = "mean-of-corners"});
+  EXPECT_TRUE(isRight(d));
+}
+
+// Another camera, another size and an empty picture are another scene; the pixel where a mistake shows has
+// the picture's own value.
+TEST(Diagnose, LooksAtOutlinesFirst) {
+  Students students{"bench-n3", Shading::Flat, TableKind::Linear};
+  Students teapots{"teapot", Shading::Flat, TableKind::Linear};
+  Scene scene = readScene("bench-n3");
+  PictureSettings s = scene.settings;
+  s.camera = scene.camera, s.width = 320, s.height = 240;
+  Diagnoser diagnoser{std::move(scene), s};
+  student::World world = studentsWorld(diagnoser.picture());
+  student::Program program{.mistake = "L-sign", .width = 320, .height = 240};
+  const student::Result drawn = student::draw(world, program);
+  const Diagnosis wrong = diagnoser(handedInBy(drawn));
+  ASSERT_TRUE(wrong.pixel);
+  EXPECT_EQ(wrong.pixel->yours[0],
+            drawn.red[static_cast<std::size_t>(wrong.pixel->j) * 320 + wrong.pixel->i]);
+  EXPECT_EQ(wrong.pixel->yours[0], wrong.pixel->mistaken[0]);
+  EXPECT_NE(wrong.pixel->right[0], wrong.pixel->mistaken[0]);
+  world.eye[0] += 0.5;
+  EXPECT_EQ(diagnoser(handedInBy(student::draw(world, program))).verdict, Marking::OtherScene);
+  program.width = 300;
+  EXPECT_EQ(diagnoser(handedInBy(student::draw(world, program))).verdict, Marking::OtherScene);
+  HandedIn empty{.picture = RgbImage{320, 240}, .cells = {}, .held = {}};
+  EXPECT_NE(diagnoser(empty).verdict, Marking::Right);
+}
+
+// Other numbers are told as numbers: twice the n, y and z of the light swapped.
+TEST(Diagnose, TriesLikelyNumbers) {
+  Scene scene = readScene("bench-n3");
+  PictureSettings s = scene.settings;
+  s.camera = scene.camera, s.width = 320, s.height = 240;
+  Diagnoser diagnoser{std::move(scene), s};
+  const student::World world = studentsWorld(diagnoser.picture());
+  const student::Program program{.width = 320, .height = 240};
+  student::World other = world;
+  for (student::Surface& surface : other.surfaces) surface.n *= 2;
+  Diagnosis d = diagnoser(handedInBy(student::draw(other, program)));
+  ASSERT_EQ(d.verdict, Marking::Numbers);
+  EXPECT_EQ(d.found[0].first->key, "n-double");
+  other = world;
+  std::swap(other.light[1], other.light[2]);
+  d = diagnoser(handedInBy(student::draw(other, program)));
+  ASSERT_EQ(d.verdict, Marking::Numbers);
+  EXPECT_EQ(d.found[0].first->key, "light-yz");
+}
+
+}  // namespace xnewell::THIS_FILE

@@ -1,0 +1,68 @@
+#include <gtest/gtest.h>
+
+#include <nlohmann/json.hpp>
+
+#include "shading/color/png.h"
+#include "tests/x11/support/command_fixture.h"
+
+namespace xnewell::THIS_FILE {
+
+// A picture of the program is right, and the one with a mistake of the equation is told by name, with the
+// pixel, the JSON and the sheet.
+TEST_F(CommandTest, DiagnoseTellsTheMistake) {
+  const Strings scene{"bench-n3", "--size", "320x240", "-o"};
+  ASSERT_EQ(runProgram(Strings{"draw"} + scene + Strings{file("right.png")}).status, 0);
+  const auto right = runProgram({"diagnose", "bench-n3", file("right.png")});
+  EXPECT_EQ(right.status, 0) << right.err;
+  EXPECT_EQ(right.out, "right\n");
+
+  ASSERT_EQ(
+      runProgram(Strings{"draw", "--mistake", "R-without-2"} + scene + Strings{file("wrong.png")}).status, 0);
+  const auto wrong = runProgram({"diagnose", "bench-n3", file("wrong.png"), "-o", file("sheet.png")});
+  EXPECT_EQ(wrong.status, 1) << wrong.err;
+  EXPECT_TRUE(wrong.out.starts_with("wrong: R-without-2: R is N (N.L) - L")) << wrong.out;
+  EXPECT_NE(wrong.out.find("most clearly at pixel "), std::string::npos) << wrong.out;
+  const RgbImage sheet = readPng(file("sheet.png"));
+  EXPECT_EQ(sheet.width, 3 * 320 + 16);
+
+  const auto json =
+      nlohmann::json::parse(runProgram({"diagnose", "bench-n3", file("wrong.png"), "--json"}).out);
+  EXPECT_EQ(json.at("verdict"), "mistake");
+  EXPECT_EQ(json.at("found").at(0).at("key"), "R-without-2");
+  EXPECT_EQ(json.at("reads_cells"), true);
+  EXPECT_EQ(json.at("pixel").at("yours"), json.at("pixel").at("with_mistake"));
+}
+
+// Two mistakes that are one by algebra are a class, and no bench tells them apart.
+TEST_F(CommandTest, DiagnoseTellsAClass) {
+  ASSERT_EQ(
+      runProgram({"draw", "bench", "--size", "320x240", "--mistake", "V-sign", "-o", file("a.png")}).status,
+      0);
+  const auto one = runProgram({"diagnose", "bench", file("a.png")});
+  EXPECT_EQ(one.status, 1);
+  EXPECT_TRUE(one.out.starts_with("wrong: one of 2 mistakes that look alike here\n")) << one.out;
+  EXPECT_NE(one.out.find("tells V-sign and R-sign apart"), std::string::npos) << one.out;
+  ASSERT_EQ(
+      runProgram({"draw", "bench", "--size", "320x240", "--mistake", "RV-abs", "-o", file("a.png")}).status,
+      0);
+  const auto odd = runProgram({"diagnose", "bench", file("a.png")});
+  EXPECT_NE(odd.out.find("draw bench-n3 --size 640x480"), std::string::npos) << odd.out;
+}
+
+// What cannot be diagnosed is refused in one line.
+TEST_F(CommandTest, DiagnoseRefuses) {
+  refused({"diagnose"}, 2, "diagnose needs a scene, such as teapot");
+  refused({"diagnose", "bench"}, 2,
+          "diagnose needs the picture to look at: xnewell diagnose bench picture.png");
+  refused({"diagnose", "bench", file("none.png")}, 1, "No such file");
+  ASSERT_EQ(runProgram({"draw", "bench", "--size", "64x48", "-o", file("a.png")}).status, 0);
+  refused({"diagnose", "bench", file("a.png"), "--shade", "depth"}, 2,
+          "diagnose knows flat, Gouraud and Phong shading, not --shade depth");
+  refused({"diagnose", "bench", file("a.png"), "-o", file("a.png")}, 2,
+          "-o must not name the picture that is looked at: it would be lost");
+  const auto other = runProgram({"diagnose", "teapot", file("a.png")});
+  EXPECT_EQ(other.status, 1);
+  EXPECT_TRUE(other.out.starts_with("another scene, camera or size")) << other.out;
+}
+
+}  // namespace xnewell::THIS_FILE

@@ -1,0 +1,145 @@
+#include "x11/command/diagnosis_report.h"
+
+#include <cmath>
+#include <nlohmann/json.hpp>
+#include <ostream>
+
+#include "x11/drawing/wording.h"
+
+namespace xnewell {
+
+namespace {
+
+using DiagnosisJson = nlohmann::ordered_json;
+
+std::string percent(double share) { return fixed(100.0 * share, share > 0.995 && share < 1 ? 1 : 0) + " %"; }
+
+std::string inWords(const Hypothesis& h) { return std::string{h.key} + ": " + std::string{h.sentence}; }
+
+std::string inWords(const Fit& fit) {
+  std::string words = inWords(*fit.first);
+  if (fit.second == nullptr) return words;
+  const bool allowed = fit.second->meaning == Meaning::Allowed;
+  return words +
+         (allowed ? " With " + std::string{fit.second->key} + ", which the course allows: "
+                  : " And " + std::string{fit.second->key} + ": ") +
+         std::string{fit.second->sentence};
+}
+
+std::string termsOf(const Fit& fit) {
+  std::string terms{fit.first->term};
+  if (fit.second != nullptr && fit.second->term != fit.first->term)
+    terms += "; " + std::string{fit.second->term};
+  return terms;
+}
+
+std::string valuesOf(const std::array<double, 3>& v, bool oneHue) {
+  const auto one = [](double x) { return fixed(x, 0); };
+  return oneHue ? one(v[0]) : one(v[0]) + "," + one(v[1]) + "," + one(v[2]);
+}
+
+std::string_view nameOf(Marking verdict) {
+  switch (verdict) {
+    case Marking::Right:
+      return "right";
+    case Marking::Allowed:
+      return "allowed";
+    case Marking::Mistake:
+      return "mistake";
+    case Marking::OneOf:
+      return "one-of";
+    case Marking::Numbers:
+      return "numbers";
+    case Marking::Unknown:
+      return "unknown";
+    case Marking::OtherScene:
+      return "other-scene";
+  }
+  return "";
+}
+
+void printPixel(const Diagnosis& d, std::ostream& out) {
+  if (!d.pixel) return;
+  const DiagnosedPixel& p = *d.pixel;
+  out << "  most clearly at pixel " << p.i << ',' << p.j << ", face " << p.face << ": yours "
+      << valuesOf(p.yours, d.oneHue) << ", right " << valuesOf(p.right, d.oneHue);
+  if (!d.found.empty()) out << ", with this mistake " << valuesOf(p.mistaken, d.oneHue);
+  if (!std::isnan(p.NdotL)) out << "; N.L = " << fixed(p.NdotL, 3) << ", R.V = " << fixed(p.RdotV, 3);
+  out << '\n';
+}
+
+}  // namespace
+
+std::string verdictOf(const Diagnosis& d) {
+  switch (d.verdict) {
+    case Marking::Right:
+      return "right";
+    case Marking::Allowed: {
+      std::string words = "right, with " + std::string{d.found.front().first->key};
+      if (d.found.front().second) words += " and " + std::string{d.found.front().second->key};
+      return words + " (the course allows it): " + std::string{d.found.front().first->sentence};
+    }
+    case Marking::Mistake:
+      return "wrong: " + inWords(d.found.front());
+    case Marking::OneOf:
+      return "wrong: one of " + counted(d.found.size(), "mistake") + " that look alike here";
+    case Marking::Numbers:
+      return "wrong: other numbers. " + std::string{d.found.front().first->sentence};
+    case Marking::Unknown:
+      return "wrong, and none of my " + std::to_string(mistakesKnown()) +
+             " mistakes: check Ia, n, the light, the camera and the divisions";
+    case Marking::OtherScene:
+      return d.overlap > 0 ? "another scene, camera or size: the outlines overlap by " + percent(d.overlap)
+                           : "another size: the picture has not as many pixels as the scene's";
+  }
+  return "";
+}
+
+void printDiagnosis(const Diagnosis& d, const PartedBy& parted, std::ostream& out) {
+  out << verdictOf(d);
+  if (d.verdict == Marking::Mistake) out << "  [" << termsOf(d.found.front()) << ']';
+  out << '\n';
+  if (d.verdict == Marking::OneOf)
+    for (const Fit& fit : d.found) out << "  " << inWords(fit) << "  [" << termsOf(fit) << "]\n";
+  if (!d.found.empty() && d.verdict != Marking::Right && d.verdict != Marking::Allowed) {
+    const Fit& fit = d.found.front();
+    out << "  explains " << percent(fit.explained) << " of " << grouped(d.samples) << " samples, and "
+        << percent(fit.informative) << " of the " << grouped(fit.telling) << " that tell\n";
+  }
+  printPixel(d, out);
+  if (!parted.sentence.empty()) out << "  " << parted.sentence << '\n';
+}
+
+void printDiagnosisAsJson(const Diagnosis& d, const PartedBy& parted, std::ostream& out) {
+  const auto asJson = [](const Fit& fit) {
+    DiagnosisJson one{{"key", fit.first->key},   {"sentence", fit.first->sentence},
+                      {"term", fit.first->term}, {"allowed", fit.first->meaning == Meaning::Allowed},
+                      {"cost", fit.cost},        {"explained", fit.explained},
+                      {"telling", fit.telling},  {"informative", fit.informative}};
+    if (fit.second) one["with"] = fit.second->key;
+    return one;
+  };
+  DiagnosisJson found = DiagnosisJson::array(), all = DiagnosisJson::array();
+  for (const Fit& fit : d.found) found.push_back(asJson(fit));
+  for (const Fit& fit : d.all) all.push_back(asJson(fit));
+  DiagnosisJson json{{"verdict", nameOf(d.verdict)}, {"words", verdictOf(d)}, {"found", found},
+                     {"samples", d.samples},         {"overlap", d.overlap},  {"reads_cells", d.readsCells}};
+  if (d.pixel) {
+    const auto values = [&](const std::array<double, 3>& v) -> DiagnosisJson {
+      if (d.oneHue) return v[0];
+      return {v[0], v[1], v[2]};
+    };
+    json["pixel"] = {{"at", {d.pixel->i, d.pixel->j}},
+                     {"face", d.pixel->face},
+                     {"yours", values(d.pixel->yours)},
+                     {"right", values(d.pixel->right)},
+                     {"with_mistake", values(d.pixel->mistaken)},
+                     {"N.L", d.pixel->NdotL},
+                     {"R.V", d.pixel->RdotV}};
+  }
+  if (!parted.sentence.empty()) json["parted_by"] = parted.sentence;
+  json["hypotheses"] = all;
+  out << json.dump(-1, ' ', false, DiagnosisJson::error_handler_t::replace) << '\n';
+}
+
+}  // namespace xnewell

@@ -1,0 +1,21 @@
+#pragma once
+
+#include <iosfwd>
+#include <string>
+
+#include "shading/diagnose/diagnose.h"
+
+namespace xnewell {
+
+/// A diagnosis in words and as JSON.
+
+/// "right", "wrong: ..." without numbers: one line.
+[[nodiscard]] std::string verdictOf(const Diagnosis& d);
+/// What tells apart the mistakes of a class: a picture and its pixel, or that they are the same by algebra.
+struct PartedBy {
+  std::string sentence;  ///< "" if there is nothing to say
+};
+void printDiagnosis(const Diagnosis& d, const PartedBy& parted, std::ostream& out);
+void printDiagnosisAsJson(const Diagnosis& d, const PartedBy& parted, std::ostream& out);
+
+}  // namespace xnewell
