@@ -64,7 +64,9 @@ double Diagnoser::tolerance() const {
   return (rowOf(settings_.shading).interpolates ? 2.0 : 1.0) + (model_.colors ? 2.0 : 0.0);
 }
 
-bool Diagnoser::applies(const Hypothesis& h) const { return h.applies == nullptr || h.applies(settings_); }
+bool Diagnoser::applies(const Hypothesis& h) const {
+  return (h.applies == nullptr || h.applies(settings_)) && (leftOut_.empty() || h.key != leftOut_);
+}
 
 /// How many shades the picture is from a prediction.
 double Diagnoser::apart(const Read& yours, std::size_t sample, const Predicted& other) const {

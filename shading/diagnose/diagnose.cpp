@@ -41,7 +41,7 @@ std::string whyNotDiagnosed(const Scene& scene, const PictureSettings& settings)
   if (settings.adapt > 0.0) return "diagnose takes the polygons as they are: leave out --adapt";
   if (settings.dither) return "diagnose compares pixel by pixel: leave out --dither";
   const ColorPlan plan = planOf(scene, settings);
-  if (plan != ColorPlan::OneHue && settings.table.kind == TableKind::Corrected)
+  if (plan != ColorPlan::OneHue && plan != ColorPlan::Hues && settings.table.kind == TableKind::Corrected)
     return "diagnose reads colours of several hues as even values: choose --table linear";
   return "";
 }

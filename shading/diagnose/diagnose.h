@@ -83,6 +83,10 @@ class Diagnoser {
 
   [[nodiscard]] Diagnosis operator()(const HandedIn& picture);
 
+  /// From now on the rows of this key count as unknown; "" for none. It tells what becomes of a mistake that
+  /// is not in the list.
+  void leaveOut(std::string_view key) { leftOut_ = key; }
+
   [[nodiscard]] const Picture& picture() const { return picture_; }
   [[nodiscard]] const std::vector<DiagnosedSample>& samples() const { return samples_; }
   /// What a program shows at a sample; nothing where its order shows no face. Rows are never asked for twice.
@@ -140,6 +144,7 @@ class Diagnoser {
   std::map<std::pair<const Hypothesis*, const Hypothesis*>, std::vector<Predicted>> two_;  ///< thinned
   std::vector<Read> reads_;                                                                ///< by TurnWay
   std::array<std::uint8_t, 3> ground_{};
+  std::string_view leftOut_;
 };
 
 }  // namespace xnewell

@@ -52,7 +52,7 @@ OtherModel::OtherModel(const Picture& picture) : picture_{picture} {
   lights = lightsOf(scene, user);
   for (Light& light : lights) light.position *= unit;
   const ColorPlan plan = planOf(scene, picture.settings());
-  colors = plan != ColorPlan::OneHue;
+  colors = plan != ColorPlan::OneHue, ramps = plan == ColorPlan::Hues;
   channels = isGray(scene) && !colors ? 1 : 3;
   luminance = channels == 3 && !colors;
   const glm::dvec3 ambient = scene.light.Ia.value_or(glm::dvec3{user.Ia});

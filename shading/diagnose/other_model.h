@@ -47,6 +47,7 @@ class OtherModel {
   int channels = 1;        ///< 3: red, green and blue
   bool luminance = false;  ///< one hue shows the luminance of the three
   bool colors = false;     ///< the cells hold several hues
+  bool ramps = false;      ///< each hue has a ramp of its own (ColorPlan::Hues)
   /// By material, the first is for faces without one; by channel.
   std::vector<std::array<Reflection, 3>> surface;
   std::vector<std::optional<glm::dvec2>> onScreen;  ///< of each corner in view, in pixels

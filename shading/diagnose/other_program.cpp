@@ -355,6 +355,19 @@ bool OtherProgram::canShow(int face) const {
   return true;
 }
 
+/// Where each hue has a ramp: the shade of the brightest channel of the hue, and what its cell holds.
+void OtherProgram::onRamp(ShownHere& shown, const std::array<double, 3>& I, const ColorTable& table) {
+  const glm::dvec3& hue = table.settings().hue;
+  int brightest = 0;
+  for (int c = 1; c < 3; ++c)
+    if (hue[c] > hue[brightest]) brightest = c;
+  const int j = table.shade(I[brightest]), last = table.shades() - 1;
+  const Rgb16 held = table.color(j);
+  shown.value = {double(held.r >> 8), double(held.g >> 8), double(held.b >> 8)};
+  const int low = std::max(0, j - 1), high = std::min(last, j + 1);
+  shown.step = std::max(1.0, 255.0 * (table.level(high) - table.level(low)) / (high - low));
+}
+
 ShownHere OtherProgram::at(int face, int i, int j) {
   const SnappedFace& f = model_.snapped().faces[face];
   const int material = model_.mesh().material[f.number];
@@ -381,8 +394,13 @@ ShownHere OtherProgram::at(int face, int i, int j) {
   shown.NdotL = place.NdotL, shown.RdotV = place.RdotV;
   shown.I = intensity(place, share);
   if (model_.colors) {
-    for (int c = 0; c < 3; ++c)
-      shown.value[c] = 255.0 * clamped01(place.rest[c] + place.diffuse[c] * share[c]);
+    std::array<double, 3> I{};
+    for (int c = 0; c < 3; ++c) I[c] = clamped01(place.rest[c] + place.diffuse[c] * share[c]);
+    if (model_.ramps && !way_.directColors) {
+      onRamp(shown, I, model_.picture().colors().tableOf(material));
+    } else {
+      for (int c = 0; c < 3; ++c) shown.value[c] = 255.0 * I[c];
+    }
     return shown;
   }
   shown.cell = cellOf(shown.I);

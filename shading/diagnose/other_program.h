@@ -64,6 +64,7 @@ class OtherProgram {
   [[nodiscard]] LitPlace phong(const SnappedFace& face, const InTriangle& in);
   [[nodiscard]] std::optional<glm::ivec2> texel(const SnappedFace& face, const InTriangle& in) const;
   [[nodiscard]] double intensity(const LitPlace& place, const std::array<double, 3>& texel) const;
+  static void onRamp(ShownHere& shown, const std::array<double, 3>& I, const ColorTable& table);
   [[nodiscard]] int cellOf(double I) const;
   [[nodiscard]] double realCell(double I) const;
   [[nodiscard]] double levelOf(int j) const;

@@ -11,9 +11,9 @@
 #include "shading/figure/write_figure.h"
 #include "shading/picture/stopwatch.h"
 #include "shading/scene/settings.h"
-#include "x11/command/doing.h"
 #include "x11/command/tell_trade.h"
 #include "x11/options/carried_setup.h"
+#include "x11/terminal/doing.h"
 
 namespace xnewell {
 

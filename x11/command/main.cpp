@@ -26,14 +26,13 @@
 #include "x11/app/one_line.h"
 #include "x11/app/snapshot.h"
 #include "x11/app/viewer.h"
-#include "x11/command/doing.h"
 #include "x11/command/draw_figure.h"
 #include "x11/command/pixel_report.h"
 #include "x11/command/read_lecture.h"
 #include "x11/command/ready_scene.h"
 #include "x11/command/report.h"
-#include "x11/command/tell_diagnosis.h"
 #include "x11/command/tell_extremes.h"
+#include "x11/command/tell_homework.h"
 #include "x11/command/tell_trade.h"
 #include "x11/command/trace.h"
 #include "x11/command/viewing_report.h"
@@ -45,6 +44,7 @@
 #include "x11/options/carried_setup.h"
 #include "x11/options/exit_status.h"
 #include "x11/options/options.h"
+#include "x11/terminal/doing.h"
 #include "x11/views/views.h"
 #include "x11/visual/x11_error.h"
 
@@ -217,6 +217,9 @@ int run(int argc, char** argv) {
   if (options.command == Command::Trade) return tellTrade(options, std::move(scene));
   if (options.command == Command::Extremes) return tellExtremes(options, scene);
   if (options.command == Command::Diagnose) return tellDiagnosis(options, std::move(scene));
+  if (options.command == Command::Judge) return tellJudgement(options, std::move(scene));
+  if (options.command == Command::Grade) return gradeFolder(options, std::move(scene));
+  if (options.command == Command::Questions) return tellQuestions(options, scene);
   if (options.command == Command::Explain) return explainPixel(options, std::move(scene)), kDone;
   if (options.command == Command::Trace) return trace(options, std::move(scene)), kDone;
   if (options.command == Command::Figure) return drawFigure(options, scene), kDone;

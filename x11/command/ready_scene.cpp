@@ -7,7 +7,7 @@
 
 #include "shading/scene/settings.h"
 #include "x11/app/one_line.h"
-#include "x11/command/doing.h"
+#include "x11/terminal/doing.h"
 
 namespace xnewell {
 

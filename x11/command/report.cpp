@@ -11,10 +11,10 @@
 #include "shading/picture/exactness.h"
 #include "shading/picture/required.h"
 #include "shading/scene/divide_anew.h"
-#include "x11/command/check_writable.h"
 #include "x11/command/costs.h"
-#include "x11/command/doing.h"
 #include "x11/command/errors_json.h"
+#include "x11/terminal/check_writable.h"
+#include "x11/terminal/doing.h"
 #include "x11/window/moot.h"
 
 namespace xnewell {

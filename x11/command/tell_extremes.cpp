@@ -6,12 +6,12 @@
 #include "geometry/files/output_file.h"
 #include "shading/color/png.h"
 #include "shading/extremes/extremes.h"
-#include "x11/command/check_writable.h"
-#include "x11/command/doing.h"
 #include "x11/command/extremes_chart.h"
 #include "x11/command/extremes_report.h"
-#include "x11/command/interrupt.h"
 #include "x11/options/exit_status.h"
+#include "x11/terminal/check_writable.h"
+#include "x11/terminal/doing.h"
+#include "x11/terminal/interrupt.h"
 
 namespace xnewell {
 

@@ -13,11 +13,11 @@
 #include "shading/trade/choice.h"
 #include "shading/trade/combine.h"
 #include "shading/trade/measure.h"
-#include "x11/command/check_writable.h"
-#include "x11/command/doing.h"
-#include "x11/command/interrupt.h"
 #include "x11/command/trade_report.h"
 #include "x11/options/exit_status.h"
+#include "x11/terminal/check_writable.h"
+#include "x11/terminal/doing.h"
+#include "x11/terminal/interrupt.h"
 #include "x11/views/trade_chart.h"
 
 namespace xnewell {

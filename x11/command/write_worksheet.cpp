@@ -1,7 +1,6 @@
 #include "x11/command/write_worksheet.h"
 
 #include <algorithm>
-#include <cstdint>
 #include <string>
 #include <string_view>
 #include <utility>
@@ -9,6 +8,7 @@
 #include "geometry/files/output_file.h"
 #include "shading/color/png.h"
 #include "x11/command/write_lesson.h"
+#include "x11/homework/html.h"
 #include "x11/lessons/lesson_bench.h"
 #include "x11/lessons/lesson_sight.h"
 #include "x11/options/shell_words.h"
@@ -28,31 +28,6 @@ section + section { break-before: page }
 </style>
 )";
 
-std::string inHtml(const std::string& text) {
-  std::string html;
-  for (const char c : text)
-    html += c == '&' ? "&amp;" : c == '<' ? "&lt;" : c == '>' ? "&gt;" : std::string{c};
-  return html;
-}
-
-std::string element(const std::string& name, const std::string& text) {
-  return '<' + name + '>' + inHtml(text) + "</" + name + ">\n";
-}
-
-/// RFC 4648, section 4.
-std::string base64(std::string_view bytes) {
-  constexpr std::string_view kDigits = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
-  std::string text;
-  for (std::size_t k = 0; k < bytes.size(); k += 3) {
-    std::uint32_t three = 0;
-    for (std::size_t i = k; i < k + 3; ++i)
-      three = three << 8 | (i < bytes.size() ? static_cast<std::uint8_t>(bytes[i]) : 0U);
-    for (std::size_t digit = 0; digit < 4; ++digit)
-      text += k + digit <= bytes.size() ? kDigits[three >> (18 - 6 * digit) & 63] : '=';
-  }
-  return text;
-}
-
 /// What the page of a step shows beside its words.
 std::string pictureOf(const Workbench& bench) {
   constexpr int kAround = 8;  // units: marks reach into the margins
@@ -62,7 +37,7 @@ std::string pictureOf(const Workbench& bench) {
   IndexImage part{from.width, from.height, 0};
   for (int y = 0; y < from.height; ++y)
     std::copy_n(bench.image().row(from.y + y) + from.x, from.width, part.row(y));
-  return "<img alt=\"\" src=\"data:image/png;base64," + base64(encodePng(part, bench.palette())) + "\">\n";
+  return imageElement(encodePng(part, bench.palette()));
 }
 
 }  // namespace

@@ -155,7 +155,8 @@ std::vector<std::string> argumentsFor(const Options& said, const CarriedSetup& c
     if (carried.lesson) return true;
     if (name == "--fill") return window || snapshot;
     if (name == "--size")
-      return whole == carried.wholeWindow && command != Command::Extremes && command != Command::Diagnose;
+      return whole == carried.wholeWindow && command != Command::Extremes && rowOf(command).takes.empty() &&
+             command != Command::Questions;
     if (name == "--view") return shows && (whole || !carried.wholeWindow);
     if (name == "--whole-window") return snapshot;
     if (name == "--order") return command != Command::Trace;  // it follows its own

@@ -11,9 +11,9 @@ void addPlaces(Reader& r) {
                         const std::vector<std::string_view>& places) {
     for (const char* name : names) r.only(name, places);
   };
-  only({"--output"}, {"draw", "snapshot", "figure", "trade", "extremes", "diagnose"});
+  only({"--output"}, {"draw", "snapshot", "figure", "trade", "extremes", "diagnose", "judge", "grade"});
   only({"--size"}, {"view", "draw", "snapshot", "figure", "explain", "trace", "trade", "extremes", "diagnose",
-                    "lesson", "lecture"});
+                    "judge", "grade", "questions", "lesson", "lecture"});
   only({"--scale"}, {"view", "lesson", "lecture", "--whole-window"});
   only({"--visual", "--colormap", "--nearest"}, {"view", "snapshot", "lesson", "lecture", "visuals"});
   only({"--view"}, {"view", "draw", "snapshot"});
@@ -29,7 +29,7 @@ void addPlaces(Reader& r) {
   only({"--errors", "--costs"}, {"draw", "snapshot"});
   only({"--paper", "--tolerance", "--edges"}, {"figure"});
   only({"--accuracy"}, {"view", "draw", "snapshot"});
-  only({"--json"}, {"explain", "trade", "extremes", "diagnose"});
+  only({"--json"}, {"explain", "trade", "extremes", "diagnose", "judge"});
   only({"--axes", "--without"}, {"trade"});
   only({"--budget"}, {"trade", "--accuracy"});
   only({"--whole-window"}, {"snapshot", "trace --frames"});
@@ -38,6 +38,8 @@ void addPlaces(Reader& r) {
   only({"--every"}, {"trace --frames"});
   only({"--play"}, {"lecture"});
   only({"--answers"}, {"lesson", "lecture"});
+  only({"--page"}, {"grade"});
+  only({"--count", "--seed", "--gift"}, {"questions"});
   only({"--worksheet"}, {"lesson"});
 }
 

@@ -132,12 +132,14 @@ void addOptions(CLI::App& app, Reader& r, Options& o) {
     app.add_option_function<std::string>(
            "pixel", [&](const std::string& s) { o.pixel = pixelOf("X,Y", s); }, "X,Y, a pixel of the picture")
         ->type_name("");
-  if (o.command == Command::Diagnose)
+  if (const std::string_view what = rowOf(o.command).takes; !what.empty())
     app.add_option_function<std::string>(
-           "picture", [&](const std::string& s) { o.handedIn = s; }, "PICTURE, a PNG, PPM or XWD file")
+           "handed-in", [&](const std::string& s) { o.handedIn = s; }, std::string{what})
         ->type_name("");
-  r.text("-o,--output", "the PNG file to write; figure: an SVG, PDF or EPS file, by the end of its name", "",
-         [&](const std::string& s) { o.output = s; });
+  r.text("-o,--output",
+         "the PNG file to write; figure: an SVG, PDF or EPS file, by the end of its name; judge: a scene "
+         "file; grade: a CSV file",
+         "", [&](const std::string& s) { o.output = s; });
   r.takes("--output", Takes::File);
   r.text("--size", "picture or window size WxH, at most 8192x8192",
          "800x600, a window 1024x768 times --scale, extremes 160x120, diagnose the picture's",
@@ -210,8 +212,9 @@ void addOptions(CLI::App& app, Reader& r, Options& o) {
       "takes the fewest short cuts, so that another run seldom chooses otherwise. Options that you give "
       "stay. The window chooses again after each change",
       "", [&](const std::string& s) { o.accuracy = parseAccuracy(s); });
-  r.flag("--json", o.json,
-         "explain, trade, extremes, diagnose: print all numbers as one JSON object instead of the text");
+  r.flag(
+      "--json", o.json,
+      "explain, trade, extremes, diagnose, judge: print all numbers as one JSON object instead of the text");
   r.text("--axes", "trade: only these short cuts, named as their options: shade,order,divisions",
          "all that have an effect", [&](const std::string& s) {
            o.trade.axes = commaWords(s);
@@ -236,6 +239,10 @@ void addOptions(CLI::App& app, Reader& r, Options& o) {
   r.named("--worksheet", o.worksheet, "file",
           "lesson: write an HTML file to print, with pictures, questions, room to write, and solutions at "
           "the end");
+  r.named("--page", o.page, "file", "grade: also write an HTML file with the pictures in it");
+  r.number("--count", o.questions, 1, 10'000, "questions: how many");
+  r.number("--seed", o.seed, 0, 1'000'000'000, "questions: another number gives other questions");
+  r.named("--gift", o.gift, "file", "questions: also write a file that Moodle imports, in its GIFT format");
   r.number(
       "--play", o.play, 0.5, 3600,
       "lecture: seconds without a key or click until a page turns by itself; after the last comes the first",

@@ -32,6 +32,9 @@ enum class Command {
   Trade,
   Extremes,
   Diagnose,
+  Judge,
+  Grade,
+  Questions,
   Lesson,
   Lecture,
   Visuals,
@@ -41,7 +44,8 @@ enum class Command {
 struct CommandRow {
   Command id;
   std::string_view name, usage, does;
-  bool draws = false;  ///< whether it draws a scene as the settings of the command line say
+  bool draws = false;           ///< whether it draws a scene as the settings of the command line say
+  std::string_view takes = {};  ///< what it takes after the scene, beside options; "" for nothing
 };
 inline constexpr std::array kCommands{
     CommandRow{Command::View, "view", "[view] [SCENE] [options]", "a window; the default command", true},
@@ -62,7 +66,15 @@ inline constexpr std::array kCommands{
                "what becomes wrong first when the scene is scaled, moved, flattened ...", true},
     CommandRow{Command::Diagnose, "diagnose", "diagnose SCENE PICTURE.png [options]",
                "which mistake the program made that drew the picture; SCENE and options say what is right",
-               true},
+               true, "PICTURE, a PNG, PPM or XWD file"},
+    CommandRow{Command::Judge, "judge", "judge SCENE ORDER.jsonl [--json]",
+               "whether a painting order of faces and pieces is right, and its first wrong pair", true,
+               "ORDER, a file of JSON lines"},
+    CommandRow{Command::Grade, "grade", "grade SCENE FOLDER -o MARKS.csv [options]",
+               "the pictures and painting orders of a class, a row each", true,
+               "FOLDER, what a class has handed in"},
+    CommandRow{Command::Questions, "questions", "questions SCENE [--count N] [--seed S]",
+               "questions for an exam about a scene, with computed answers", true},
     CommandRow{Command::Lesson, "lesson", "lesson [NAME] [--frames DIR] [--worksheet FILE]",
                "a guided lesson in the window, as pictures, or to print; without NAME, the list"},
     CommandRow{Command::Lecture, "lecture", "lecture NAME [--play SECONDS]",
@@ -90,7 +102,7 @@ struct Options {
   bool commandMeant = false;        ///< no command was given, and the first argument may be a mistyped one
   std::string scene = "teapot";     ///< or the lesson's name, or the lecture's file
   std::string carrier;              ///< the picture that carries the scene's name and its set-up; "" for none
-  std::string handedIn;             ///< diagnose: the picture; "" for none
+  std::string handedIn;             ///< diagnose, judge, grade: the picture, order or folder; "" for none
   std::optional<glm::ivec2> pixel;  ///< explain: column and row, from the top left
   int divisions = kDefaultDivisions;
   std::optional<glm::ivec2> size;   ///< none without --size: then kPictureSize or windowSize()
@@ -127,6 +139,10 @@ struct Options {
   PaletteEffects effects;     ///< for the picture and View::Colors
   bool quick = false;         ///< trace: true for the accelerated run, false for the textbook's
   std::string answers;        ///< lesson, lecture: the file that keeps the answers; "" for none
+  std::string page;           ///< grade: the HTML file to write; "" for none
+  std::string gift;           ///< questions: the file for Moodle to write; "" for none
+  int questions = 20;         ///< how many
+  int seed = 1;               ///< of the questions
   std::string worksheet;      ///< lesson: the HTML file to write; "" for a window
   double play = 0;            ///< lecture: seconds until a page turns by itself; 0: never
   std::string frames;         ///< trace, lesson: a folder for pictures; "" for JSON lines, or for a window

@@ -134,11 +134,14 @@ void checkCommand(const Options& o, const std::vector<OptionRow>& rows) {
   const bool charts = o.command == Command::Trade || o.command == Command::Extremes;
   const bool explains = o.command == Command::Explain;
   const bool figure = o.command == Command::Figure;
-  const bool diagnoses = o.command == Command::Diagnose;
-  if ((makesPng || traces || charts || explains || figure || diagnoses) && !sceneGiven)
+  const bool diagnoses = o.command == Command::Diagnose, takes = !rowOf(o.command).takes.empty();
+  const bool asks = o.command == Command::Questions, grades = o.command == Command::Grade;
+  if ((makesPng || traces || charts || explains || figure || takes || asks) && !sceneGiven)
     throw UsageError{name + " needs a scene, such as teapot"};
-  if (diagnoses && o.handedIn.empty())
-    throw UsageError{"diagnose needs the picture to look at: xnewell diagnose " + o.scene + " picture.png"};
+  if (takes && o.handedIn.empty())
+    throw UsageError{name + " needs, after the scene, " + std::string{rowOf(o.command).takes}};
+  if (grades && o.output.empty()) throw UsageError{"grade needs -o MARKS.csv"};
+  if (grades && sameFile(o.output, o.page)) throw UsageError{"-o and --page name the same file"};
   if (explains && !o.pixel && !o.gave("--viewing"))
     throw UsageError{"explain needs a pixel X,Y of the picture, such as 400,300: xnewell explain " + o.scene +
                      " 400,300"};
@@ -190,7 +193,7 @@ void checkCommand(const Options& o, const std::vector<OptionRow>& rows) {
     if (!o.carrier.empty() && !made->empty() && sameFile(*made, o.carrier))
       throw UsageError{"-o and --ids must not name the picture that carries the set-up: it would be lost"};
   if (!o.handedIn.empty() && !o.output.empty() && sameFile(o.output, o.handedIn))
-    throw UsageError{"-o must not name the picture that is looked at: it would be lost"};
+    throw UsageError{"-o must not name what is handed in: it would be lost"};
   if (!o.ids.empty() && sameFile(o.ids, o.output)) throw UsageError{"-o and --ids name the same file"};
   exclude(o.accuracy.has_value(), o.wholeWindow, "--accuracy and --whole-window");
   exclude(o.quick, o.wholeWindow, "--quick and --whole-window");
@@ -215,7 +218,7 @@ void checkMethods(const Options& o) {
   if (serverFills &&
       (o.command == Command::Trace || o.command == Command::Draw || o.command == Command::Explain ||
        o.command == Command::Figure || o.command == Command::Trade || o.command == Command::Extremes ||
-       o.command == Command::Diagnose))
+       !rowOf(o.command).takes.empty() || o.command == Command::Questions))
     throw UsageError{"--fill x11 needs a server: use snapshot"};
   exclude(o.accuracy.has_value(), serverFills, "--accuracy and --fill x11");
   if (serverFills && o.view != View::Picture && !o.wholeWindow && o.command != Command::View)

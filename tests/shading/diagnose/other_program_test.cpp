@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <set>
 #include <string>
@@ -87,6 +88,34 @@ TEST(OtherProgram, HasTheMistakesOfTheEquation) {
       seen.insert(row.name);
     }
   EXPECT_EQ(seen.size(), kMistakes.size() - 1);
+}
+
+// Pictures of several hues, of coloured lights and of textures are right, and a mistake in them has its name.
+TEST(Diagnose, ReadsColours) {
+  for (const std::string name : someOf({"hues", "colored-lights", "textured-cube"}, 1))
+    for (const Mistake mistake : {Mistake::None, Mistake::ReversedL}) {
+      SCOPED_TRACE(name + ' ' + std::string{rowOf(mistake).name});
+      const Scene scene = readScene(name);
+      PictureSettings s = settingsFor(scene, Shading::Flat), drawn = s;
+      drawn.light.mistake = mistake;
+      const Picture picture = makePicture(scene, drawn, std::uint8_t{1});
+      const Palette palette = picture.palette(CellPlan{});
+      HandedIn handed{.picture = RgbImage{s.width, s.height}, .cells = {}, .held = {}};
+      for (std::size_t k = 0; k < picture.image().pixels.size(); ++k) {
+        const Rgb16 held = palette[picture.image().pixels[k]];
+        handed.picture.rgb[3 * k] = static_cast<std::uint8_t>(held.r >> 8);
+        handed.picture.rgb[3 * k + 1] = static_cast<std::uint8_t>(held.g >> 8);
+        handed.picture.rgb[3 * k + 2] = static_cast<std::uint8_t>(held.b >> 8);
+      }
+      Diagnoser diagnoser{scene, s};
+      const Diagnosis d = diagnoser(handed);
+      EXPECT_FALSE(d.oneHue);
+      if (mistake == Mistake::None) {
+        EXPECT_EQ(d.verdict, Marking::Right);
+      } else {
+        EXPECT_TRUE(std::ranges::any_of(d.found, [](const Fit& f) { return f.first->key == "L-sign"; }));
+      }
+    }
 }
 
 // The keys are names: each stands for one sentence, and mistakes and what the course allows share none.

@@ -52,14 +52,13 @@ TEST_F(CommandTest, DiagnoseTellsAClass) {
 // What cannot be diagnosed is refused in one line.
 TEST_F(CommandTest, DiagnoseRefuses) {
   refused({"diagnose"}, 2, "diagnose needs a scene, such as teapot");
-  refused({"diagnose", "bench"}, 2,
-          "diagnose needs the picture to look at: xnewell diagnose bench picture.png");
-  refused({"diagnose", "bench", file("none.png")}, 1, "No such file");
+  refused({"diagnose", "bench"}, 2, "diagnose needs, after the scene, PICTURE, a PNG, PPM or XWD file");
+  refused({"diagnose", "bench", file("none.png")}, 1, file("none.png") + ": No such file or directory");
   ASSERT_EQ(runProgram({"draw", "bench", "--size", "64x48", "-o", file("a.png")}).status, 0);
   refused({"diagnose", "bench", file("a.png"), "--shade", "depth"}, 2,
           "diagnose knows flat, Gouraud and Phong shading, not --shade depth");
   refused({"diagnose", "bench", file("a.png"), "-o", file("a.png")}, 2,
-          "-o must not name the picture that is looked at: it would be lost");
+          "-o must not name what is handed in: it would be lost");
   const auto other = runProgram({"diagnose", "teapot", file("a.png")});
   EXPECT_EQ(other.status, 1);
   EXPECT_TRUE(other.out.starts_with("another scene, camera or size")) << other.out;

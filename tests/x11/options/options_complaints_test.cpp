@@ -99,7 +99,9 @@ TEST(Options, WorkWhereTheirRowSays) {
       std::vector<std::string> words{std::string{command.name}};
       if (command.draws || command.id == Command::Lesson) words.emplace_back("teapot");
       if (command.id == Command::Explain) words.emplace_back("1,1");
-      if (row.name != "--output" && (command.id == Command::Draw || command.id == Command::Snapshot))
+      if (!command.takes.empty()) words.emplace_back("handed-in");
+      if (row.name != "--output" &&
+          (command.id == Command::Draw || command.id == Command::Snapshot || command.id == Command::Grade))
         words.insert(words.end(), {"-o", "no.png"});
       if (row.name != "--output" && command.id == Command::Figure)
         words.insert(words.end(), {"-o", "no.svg"});
@@ -218,7 +220,7 @@ TEST(Options, RefuseWhatTheCommandIgnores) {
   EXPECT_EQ(complaintAll({"scenes", "teapot"}), "scenes takes no scene");
   EXPECT_EQ(complaintAll({"visuals", "teapot"}), "visuals takes no scene");
   EXPECT_EQ(complaintAll({"view", "-o", "a.png"}),
-            "-o works only with draw, snapshot, figure, trade, extremes and diagnose");
+            "-o works only with draw, snapshot, figure, trade, extremes, diagnose, judge and grade");
   EXPECT_EQ(complaintAll({"view", "--stats"}), "--stats works only with draw, snapshot and figure");
   EXPECT_EQ(complaintAll({"--ids", "i.png"}), "--ids works only with draw, snapshot and figure");
   EXPECT_EQ(complaint({"--whole-window"}), "--whole-window works only with snapshot and trace --frames");

@@ -30,7 +30,9 @@ TEST(Options, CommandIsTheFirstWordOrView) {
         row.id == Command::Lecture)
       words.emplace_back("a.obj");
     if (row.id == Command::Figure) words.insert(words.end(), {"a.obj", "-o", "a.svg"});
-    if (row.id == Command::Diagnose) words.insert(words.end(), {"a.obj", "a.png"});
+    if (!row.takes.empty()) words.insert(words.end(), {"a.obj", "a.png"});
+    if (row.id == Command::Grade) words.insert(words.end(), {"-o", "a.csv"});
+    if (row.id == Command::Questions) words.emplace_back("a.obj");
     if (row.id == Command::Explain) words.insert(words.end(), {"a.obj", "1,1"});
     EXPECT_EQ(parsed(words).command, row.id) << row.name;
   }

@@ -1,10 +1,10 @@
-#include "x11/command/interrupt.h"
+#include "x11/terminal/interrupt.h"
 
 #include <unistd.h>
 
 #include <csignal>
 
-#include "x11/command/doing.h"
+#include "x11/terminal/doing.h"
 #include "x11/options/exit_status.h"
 
 namespace xnewell {

@@ -1,4 +1,4 @@
-#include "x11/command/check_writable.h"
+#include "x11/terminal/check_writable.h"
 
 #include <fcntl.h>
 #include <unistd.h>

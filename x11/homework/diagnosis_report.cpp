@@ -1,4 +1,4 @@
-#include "x11/command/diagnosis_report.h"
+#include "x11/homework/diagnosis_report.h"
 
 #include <cmath>
 #include <nlohmann/json.hpp>
@@ -26,7 +26,7 @@ std::string inWords(const Fit& fit) {
          std::string{fit.second->sentence};
 }
 
-std::string termsOf(const Fit& fit) {
+std::string fitTerms(const Fit& fit) {
   std::string terms{fit.first->term};
   if (fit.second != nullptr && fit.second->term != fit.first->term)
     terms += "; " + std::string{fit.second->term};
@@ -37,6 +37,18 @@ std::string valuesOf(const std::array<double, 3>& v, bool oneHue) {
   const auto one = [](double x) { return fixed(x, 0); };
   return oneHue ? one(v[0]) : one(v[0]) + "," + one(v[1]) + "," + one(v[2]);
 }
+
+void printWhere(const Diagnosis& d, std::ostream& out) {
+  if (!d.pixel) return;
+  const DiagnosedPixel& p = *d.pixel;
+  out << "  most clearly at pixel " << p.i << ',' << p.j << ", face " << p.face << ": yours "
+      << valuesOf(p.yours, d.oneHue) << ", right " << valuesOf(p.right, d.oneHue);
+  if (!d.found.empty()) out << ", with this mistake " << valuesOf(p.mistaken, d.oneHue);
+  if (!std::isnan(p.NdotL)) out << "; N.L = " << fixed(p.NdotL, 3) << ", R.V = " << fixed(p.RdotV, 3);
+  out << '\n';
+}
+
+}  // namespace
 
 std::string_view nameOf(Marking verdict) {
   switch (verdict) {
@@ -57,18 +69,6 @@ std::string_view nameOf(Marking verdict) {
   }
   return "";
 }
-
-void printPixel(const Diagnosis& d, std::ostream& out) {
-  if (!d.pixel) return;
-  const DiagnosedPixel& p = *d.pixel;
-  out << "  most clearly at pixel " << p.i << ',' << p.j << ", face " << p.face << ": yours "
-      << valuesOf(p.yours, d.oneHue) << ", right " << valuesOf(p.right, d.oneHue);
-  if (!d.found.empty()) out << ", with this mistake " << valuesOf(p.mistaken, d.oneHue);
-  if (!std::isnan(p.NdotL)) out << "; N.L = " << fixed(p.NdotL, 3) << ", R.V = " << fixed(p.RdotV, 3);
-  out << '\n';
-}
-
-}  // namespace
 
 std::string verdictOf(const Diagnosis& d) {
   switch (d.verdict) {
@@ -97,16 +97,16 @@ std::string verdictOf(const Diagnosis& d) {
 
 void printDiagnosis(const Diagnosis& d, const PartedBy& parted, std::ostream& out) {
   out << verdictOf(d);
-  if (d.verdict == Marking::Mistake) out << "  [" << termsOf(d.found.front()) << ']';
+  if (d.verdict == Marking::Mistake) out << "  [" << fitTerms(d.found.front()) << ']';
   out << '\n';
   if (d.verdict == Marking::OneOf)
-    for (const Fit& fit : d.found) out << "  " << inWords(fit) << "  [" << termsOf(fit) << "]\n";
+    for (const Fit& fit : d.found) out << "  " << inWords(fit) << "  [" << fitTerms(fit) << "]\n";
   if (!d.found.empty() && d.verdict != Marking::Right && d.verdict != Marking::Allowed) {
     const Fit& fit = d.found.front();
     out << "  explains " << percent(fit.explained) << " of " << grouped(d.samples) << " samples, and "
         << percent(fit.informative) << " of the " << grouped(fit.telling) << " that tell\n";
   }
-  printPixel(d, out);
+  printWhere(d, out);
   if (!parted.sentence.empty()) out << "  " << parted.sentence << '\n';
 }
 

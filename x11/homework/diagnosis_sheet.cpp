@@ -1,4 +1,4 @@
-#include "x11/command/diagnosis_sheet.h"
+#include "x11/homework/diagnosis_sheet.h"
 
 #include <algorithm>
 #include <array>

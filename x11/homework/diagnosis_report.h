@@ -2,6 +2,7 @@
 
 #include <iosfwd>
 #include <string>
+#include <string_view>
 
 #include "shading/diagnose/diagnose.h"
 
@@ -9,6 +10,8 @@ namespace xnewell {
 
 /// A diagnosis in words and as JSON.
 
+/// One word: right, allowed, mistake, one-of, numbers, unknown, other-scene.
+[[nodiscard]] std::string_view nameOf(Marking verdict);
 /// "right", "wrong: ..." without numbers: one line.
 [[nodiscard]] std::string verdictOf(const Diagnosis& d);
 /// What tells apart the mistakes of a class: a picture and its pixel, or that they are the same by algebra.

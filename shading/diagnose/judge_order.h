@@ -1,0 +1,57 @@
+#pragma once
+
+#include <glm/vec3.hpp>
+#include <optional>
+#include <span>
+#include <vector>
+
+#include "depthsort/depth_sort.h"
+#include "shading/diagnose/paint_steps.h"
+#include "shading/picture/picture.h"
+
+namespace xnewell {
+
+/// Is a painting order right? The faces and pieces are painted one over the other, and each sample is
+/// compared with the nearest face there. A step that shows where another face is nearer makes a wrong pair
+/// with the step that should show. The first wrong pair is that of the earliest step.
+
+/// A face whose pieces cover a sample not once, away from the borders of its pieces.
+struct BadCover {
+  int face = 0, i = 0, j = 0;  ///< a sample
+  int times = 0;               ///< how often it is covered there
+  int samples = 0;             ///< how many samples are so
+};
+
+struct WrongPair {
+  int shown = 0, hidden = 0;  ///< steps: what shows, and what should; indices into the steps
+  int i = 0, j = 0;           ///< a sample where it shows
+  int samples = 0;            ///< how many samples show this pair
+  /// The textbook's test that says that `shown` may be painted before `hidden`; no value if none of 3 and 4
+  /// does, as 1, 2 and 5 cannot. Overlap where only their common area tells.
+  std::optional<Test> told = {};
+  bool needsCut = false;  ///< each is in front of the other somewhere, so no order of both is right
+  std::vector<int> cycle =
+      {};  ///< numbers of faces, each to be painted before the next, which ends where it begins
+};
+
+struct OrderReport {
+  int steps = 0;
+  std::vector<int> missing;   ///< faces that should show somewhere and are not painted
+  std::vector<int> repeated;  ///< faces that are painted whole more than once, or whole and in pieces
+  std::vector<BadCover> covers;
+  int wrongSamples = 0, wrongPairs = 0;
+  /// Samples that show the other of two faces in one plane: depth does not say which, so both are right.
+  int inOnePlane = 0;
+  std::optional<WrongPair> first;
+  [[nodiscard]] bool isRight() const {
+    return missing.empty() && repeated.empty() && covers.empty() && wrongSamples == 0;
+  }
+};
+
+/// `picture` has planes (Picture::withPlanes()).
+[[nodiscard]] OrderReport judgeOrder(const Picture& picture, std::span<const PaintStep> steps);
+
+/// A step's face or piece in the world, in the units of the scene's file; nothing if it is not in view.
+[[nodiscard]] std::vector<glm::dvec3> stepInWorld(const Picture& picture, const PaintStep& step);
+
+}  // namespace xnewell

@@ -1,0 +1,77 @@
+#include "shading/diagnose/paint_steps.h"
+
+#include <cmath>
+#include <filesystem>
+#include <nlohmann/json.hpp>
+#include <sstream>
+#include <system_error>
+
+#include "geometry/files/parse_error.h"
+#include "geometry/files/text_file.h"
+
+namespace xnewell {
+
+namespace {
+
+constexpr std::uintmax_t kMostBytes = 64 << 20;
+constexpr std::size_t kMostCorners = 1000;
+constexpr double kFarthestPlace = 1e6;  ///< pixels
+
+glm::dvec2 placeOf(const nlohmann::json& corner) {
+  if (!corner.is_array() || corner.size() != 2 || !corner[0].is_number() || !corner[1].is_number())
+    throw std::runtime_error{"a corner of a piece is [x, y], in pixels"};
+  const glm::dvec2 place{corner[0].get<double>(), corner[1].get<double>()};
+  if (!(std::abs(place.x) <= kFarthestPlace && std::abs(place.y) <= kFarthestPlace))
+    throw std::runtime_error{"a corner of a piece is more than a million pixels away"};
+  return place;
+}
+
+PaintStep stepOf(const std::string& text, int faces) {
+  const nlohmann::json json = nlohmann::json::parse(text, nullptr, false);
+  if (json.is_discarded() || !json.is_object())
+    throw std::runtime_error{"not a JSON object such as {\"face\": 17}"};
+  const auto face = json.find("face");
+  if (face == json.end() || !face->is_number_integer())
+    throw std::runtime_error{"\"face\" is the number of a face, from 0"};
+  PaintStep step;
+  const auto number = face->get<std::int64_t>();
+  if (number < 0 || number >= faces)
+    throw std::runtime_error{"the scene has no face " + std::to_string(number) + ": its faces are 0 to " +
+                             std::to_string(faces - 1)};
+  step.face = static_cast<int>(number);
+  for (const auto& [key, value] : json.items())
+    if (key != "face" && key != "piece") throw std::runtime_error{"unknown key " + inQuotes(key)};
+  const auto piece = json.find("piece");
+  if (piece == json.end()) return step;
+  if (!piece->is_array() || piece->size() < 3 || piece->size() > kMostCorners)
+    throw std::runtime_error{"\"piece\" is a list of 3 to 1000 corners [x, y]"};
+  for (const auto& corner : *piece) step.piece.push_back(placeOf(corner));
+  return step;
+}
+
+}  // namespace
+
+std::vector<PaintStep> readPaintSteps(const std::string& file, int faces) {
+  std::error_code missing;
+  if (std::filesystem::exists(file, missing) && !std::filesystem::is_regular_file(file, missing))
+    throw ParseError{file, 0, "not a file with a painting order"};
+  if (const auto size = std::filesystem::file_size(file, missing); !missing && size > kMostBytes)
+    throw ParseError{file, 0, "longer than 64 MB"};
+  std::istringstream in{readTextFile(file)};
+  std::vector<PaintStep> steps;
+  int number = 0;
+  for (std::string line; std::getline(in, line);) {
+    ++number;
+    if (line.find_first_not_of(" \t\r") == std::string::npos) continue;
+    try {
+      steps.push_back(stepOf(line, faces));
+    } catch (const std::runtime_error& e) {
+      throw ParseError{file, number, e.what()};
+    }
+    steps.back().line = number;
+  }
+  if (steps.empty()) throw ParseError{file, 0, "no line paints a face"};
+  return steps;
+}
+
+}  // namespace xnewell

@@ -1,0 +1,89 @@
+#include <gtest/gtest.h>
+
+#include <nlohmann/json.hpp>
+
+#include "shading/color/png.h"
+#include "tests/x11/support/command_fixture.h"
+
+namespace xnewell::THIS_FILE {
+
+// A right order has the status 0. A wrong one has 1, names the pair, and the two polygons alone are a scene
+// that draws the mistake again.
+TEST_F(CommandTest, JudgeShowsAWrongPair) {
+  const auto write = [&](const std::string& order) {
+    std::ofstream{file("order.jsonl")} << order;
+    return file("order.jsonl");
+  };
+  // Card 0 slants before card 1: the sort by depth paints 1 first.
+  const auto good = runProgram({"judge", "two-cards", write("{\"face\": 1}\n{\"face\": 0}\n")});
+  const auto bad =
+      runProgram({"judge", "two-cards", write("{\"face\": 0}\n{\"face\": 1}\n"), "-o", file("pair.json")});
+  const bool first = good.status == 0;
+  const auto& wrong = first ? bad : good;
+  EXPECT_EQ((first ? good : bad).out, "right: 2 steps, and every sample shows the nearest face\n");
+  EXPECT_EQ(wrong.status, 1);
+  EXPECT_TRUE(wrong.out.starts_with("wrong: face ")) << wrong.out;
+  EXPECT_NE(wrong.out.find("test 3 tells") == std::string::npos,
+            wrong.out.find("test 4 tells") == std::string::npos)
+      << wrong.out;
+  ASSERT_TRUE(first);
+  const auto json = Json::parse(runProgram({"judge", "two-cards", file("order.jsonl"), "--json"}).out);
+  EXPECT_EQ(json.at("verdict"), "wrong");
+  const auto drawn =
+      runProgram({"draw", file("pair.json"), "-o", file("pair.png"), "--ids", file("ids.png")});
+  EXPECT_EQ(drawn.status, 0) << drawn.err;
+  const RgbImage ids = readPng(file("ids.png"));
+  const auto& pixel = json.at("first").at("pixel");
+  EXPECT_EQ(ids.pixel(pixel[0].get<int>(), pixel[1].get<int>())[2], 2);  // the second polygon hides the first
+}
+
+// A class is marked in one run: the rows, the page and the summary.
+TEST_F(CommandTest, GradeMarksAFolder) {
+  std::filesystem::create_directory(file("class"));
+  ASSERT_EQ(runProgram({"draw", "bench", "--size", "160x120", "-o", file("class/a.png")}).status, 0);
+  ASSERT_EQ(
+      runProgram({"draw", "bench", "--size", "160x120", "--mistake", "L-sign", "-o", file("class/b.png")})
+          .status,
+      0);
+  std::ofstream{file("class/c.png")} << "no picture";
+  const auto end =
+      runProgram({"grade", "bench", file("class"), "-o", file("marks.csv"), "--page", file("page.html")});
+  EXPECT_EQ(end.status, 0) << end.err;
+  EXPECT_EQ(end.err, "");
+  EXPECT_EQ(end.out, "3 files: 1 mistake, 1 right, 1 unreadable\nmistakes: 1 L-sign\n");
+  const std::string csv = contents(file("marks.csv"));
+  EXPECT_NE(csv.find("\nb.png,mistake,L-sign,L,"), std::string::npos) << csv;
+  EXPECT_NE(contents(file("page.html")).find("data:image/png;base64,"), std::string::npos);
+  refused({"grade", "bench", file("class")}, 2, "grade needs -o MARKS.csv");
+  refused({"grade", "bench", file("none"), "-o", file("new.csv")}, 1,
+          file("none") + ": No such file or directory");
+}
+
+// An interrupt leaves the marks that were there.
+TEST_F(CommandTest, GradeCanBeInterrupted) {
+  std::filesystem::create_directory(file("class"));
+  ASSERT_EQ(runProgram({"draw", "bench", "--size", "320x240", "-o", file("class/0.png")}).status, 0);
+  for (int k = 1; k < 400; ++k)
+    std::filesystem::copy_file(file("class/0.png"), file("class/" + std::to_string(k) + ".png"));
+  std::ofstream{file("marks.csv")} << "old";
+  RunningProgram child{{"grade", "bench", file("class"), "-o", file("marks.csv")}};
+  std::this_thread::sleep_for(std::chrono::milliseconds{300});
+  child.signal(SIGINT);
+  const Finished end = child.wait();
+  EXPECT_EQ(end.status, 130);
+  EXPECT_EQ(contents(file("marks.csv")), "old");
+}
+
+// Questions come as text with solutions and as a file for Moodle.
+TEST_F(CommandTest, QuestionsAreWritten) {
+  const auto end =
+      runProgram({"questions", "cycle", "--count", "30", "--seed", "4", "--gift", file("q.gift")});
+  EXPECT_EQ(end.status, 0) << end.err;
+  EXPECT_NE(end.out.find("\n30. "), std::string::npos);
+  EXPECT_NE(end.out.find("\nSolutions\n"), std::string::npos);
+  EXPECT_TRUE(contents(file("q.gift")).starts_with("// questions in Moodle's GIFT format\n"));
+  EXPECT_EQ(runProgram({"questions", "cycle", "--count", "30", "--seed", "4"}).out, end.out);
+  refused({"questions"}, 2, "questions needs a scene, such as teapot");
+}
+
+}  // namespace xnewell::THIS_FILE

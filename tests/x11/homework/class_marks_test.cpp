@@ -1,0 +1,79 @@
+#include "x11/homework/class_marks.h"
+
+#include <gtest/gtest.h>
+
+#include <string>
+
+#include "shading/color/png.h"
+#include "shading/picture/picture_cache.h"
+#include "tests/support/temporary_folder.h"
+
+namespace xnewell::THIS_FILE {
+
+namespace {
+
+struct Class {
+  Scene scene = readScene("bench-n3");
+  PictureSettings settings;
+  TemporaryFolder folder;
+
+  Class() {
+    settings = scene.settings;
+    settings.camera = scene.camera, settings.width = 160, settings.height = 120;
+  }
+  void draw(const std::string& name, Mistake mistake) {
+    PictureSettings s = settings;
+    s.light.mistake = mistake;
+    const CellPlan plan;
+    const Picture picture = makePicture(scene, s, plan[Cell::Well]);
+    writePng(folder.file(name), picture.image(), picture.palette(plan));
+  }
+};
+
+}  // namespace
+
+// Each file has a row, broken ones too; the summary counts verdicts and mistakes.
+TEST(ClassMarks, HaveARowForEachFile) {
+  Class one;
+  one.draw("anna.png", Mistake::None);
+  one.draw("bert.png", Mistake::NoAmbient);
+  one.draw("carl.png", Mistake::NoAmbient);
+  one.folder.write("dora.png", "\x89PNG, but not really");
+  one.folder.write("=emil,\"x\".ppm", "P6 99999 99999 255\n");
+  one.folder.write("fred.jsonl", "{\"face\": 0}\n");
+  one.folder.write(".hidden", "");
+  Marker marker{one.scene, one.settings, {}, true};
+  const std::vector<std::string> names = handedInFiles(one.folder.path().string());
+  ASSERT_EQ(names.size(), 6u);
+  std::vector<MarkedFile> rows;
+  for (const std::string& name : names) rows.push_back(marker.mark(one.folder.path().string(), name));
+  EXPECT_EQ(rows[0].verdict, "unreadable");
+  EXPECT_EQ(rows[1].verdict, "right");
+  EXPECT_EQ(rows[2].mistakes, "Ia-forgotten");
+  EXPECT_EQ(rows[3].terms, "ka Ia");
+  EXPECT_EQ(rows[4].words.substr(0, 10), "unreadable");
+  EXPECT_EQ(rows[5].mistakes, "missing");
+
+  const std::string csv = marksAsCsv(rows);
+  EXPECT_TRUE(csv.starts_with("file,verdict,mistakes,term,explained,informative,pixel,face,words\n"));
+  EXPECT_NE(csv.find("\n\"'=emil,\"\"x\"\".ppm\",unreadable,"), std::string::npos) << csv;
+  EXPECT_NE(csv.find("\nbert.png,mistake,Ia-forgotten,ka Ia,"), std::string::npos) << csv;
+  EXPECT_EQ(std::ranges::count(csv, '\n'), 7);
+  const std::string summary = summaryOf(rows);
+  EXPECT_TRUE(summary.starts_with("6 files: 2 mistake, 2 unreadable, 1 right, 1 wrong\n")) << summary;
+  EXPECT_NE(summary.find("mistakes: 2 Ia-forgotten, 1 missing\n"), std::string::npos) << summary;
+}
+
+// What stands in names and files cannot become part of the page's own elements.
+TEST(ClassMarks, PageKeepsNamesInTheirPlace) {
+  const std::vector<MarkedFile> rows{
+      {.file = "<script>alert(1)</script>.png", .verdict = "unreadable", .words = "\x01\xFF\"<b>"}};
+  const std::string page = marksAsHtml("a & b", rows);
+  EXPECT_EQ(page.find("<script>"), std::string::npos);
+  EXPECT_NE(page.find("&lt;script&gt;alert(1)&lt;/script&gt;.png"), std::string::npos);
+  EXPECT_NE(page.find("??&quot;&lt;b&gt;"), std::string::npos);
+  EXPECT_NE(page.find("<title>a &amp; b</title>"), std::string::npos);
+  EXPECT_NE(page.find("default-src 'none'"), std::string::npos);
+}
+
+}  // namespace xnewell::THIS_FILE

@@ -1,0 +1,143 @@
+#include "x11/homework/questions.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <set>
+#include <string>
+
+#include "shading/scene/scene.h"
+
+namespace xnewell::THIS_FILE {
+
+namespace {
+
+QuestionScene about(const std::string& name) {
+  const Scene scene = readScene(name);
+  PictureSettings s = scene.settings;
+  s.camera = scene.camera, s.width = 160, s.height = 120;
+  return QuestionScene{scene, s};
+}
+
+using Given = std::map<std::string, double>;
+struct V {
+  double x = 0, y = 0, z = 0;
+};
+V of(const Given& g, const std::string& name) {
+  return {g.at(name + "x"), g.at(name + "y"), g.at(name + "z")};
+}
+double by(const V& a, const V& b) { return a.x * b.x + a.y * b.y + a.z * b.z; }
+double angleBetween(const V& a, const V& b) { return std::acos(by(a, b) / std::sqrt(by(a, a) * by(b, b))); }
+
+/// The answer by another way than the program's.
+double answered(const ExamQuestion& q) {
+  const Given& g = q.given;
+  if (q.kind == "cell-linear") return std::lround(11 + 239 * g.at("I"));
+  if (q.kind == "cell-corrected") {
+    int best = 0;
+    double least = 1e9;
+    for (int j = 0; j < 240; ++j) {
+      const double held = 0.02 * std::pow(50.0, j / 239.0), ratio = std::abs(std::log(held / g.at("I")));
+      if (ratio < least) least = ratio, best = j;
+    }
+    return 11 + best;
+  }
+  if (q.kind == "table-ratio") return std::pow(1 / g.at("I0"), 1 / (g.at("N") - 1));
+  if (q.kind == "stored-value") return 257 * (g.at("cell") - 10);
+  if (q.kind == "N.L") return std::cos(angleBetween(of(g, "N"), of(g, "L")));
+  if (q.kind == "R.V") {
+    // R.V = 2 (N.L)(N.V) - L.V
+    const V N = of(g, "N"), L = of(g, "L"), V_ = of(g, "V");
+    return 2 * std::cos(angleBetween(N, L)) * std::cos(angleBetween(N, V_)) - std::cos(angleBetween(L, V_));
+  }
+  if (q.kind == "equation") {
+    double I = g.at("ka") * g.at("Ia");
+    if (g.at("NL") > 0)
+      I += g.at("Ip") * (g.at("kd") * g.at("NL") + g.at("ks") * std::exp(g.at("n") * std::log(g.at("RV"))));
+    return std::min(1.0, I);
+  }
+  if (q.kind == "attenuation") return std::min(1.0, std::pow(g.at("d"), -g.at("power")));
+  if (q.kind == "gouraud-row") {
+    const double t = (g.at("x") - g.at("left")) / (g.at("right") - g.at("left"));
+    return (1 - t) * g.at("A") + t * g.at("B");
+  }
+  if (q.kind == "normal") {
+    const V a = of(g, "p0"), b = of(g, "p1"), c = of(g, "p2");
+    const V N{(b.y - a.y) * (c.z - a.z) - (b.z - a.z) * (c.y - a.y),
+              (b.z - a.z) * (c.x - a.x) - (b.x - a.x) * (c.z - a.z),
+              (b.x - a.x) * (c.y - a.y) - (b.y - a.y) * (c.x - a.x)};
+    const double length = std::sqrt(by(N, N));
+    return g.at("axis") == 0 ? N.x / length : g.at("axis") == 1 ? N.y / length : N.z / length;
+  }
+  if (q.kind == "vertex-normal") {
+    const V a = of(g, "a"), b = of(g, "b");
+    const double la = std::sqrt(by(a, a)), lb = std::sqrt(by(b, b));
+    const V sum{a.x / la + b.x / lb, a.y / la + b.y / lb, a.z / la + b.z / lb};
+    return sum.z / std::sqrt(by(sum, sum));
+  }
+  return NAN;
+}
+
+}  // namespace
+
+// Every answer about numbers is the one of a second computation, within its tolerance.
+TEST(Questions, AnswersAreThoseOfASecondComputation) {
+  const QuestionScene scene = about("two-cards");
+  std::set<std::string> kinds;
+  for (unsigned seed = 0; seed < 5; ++seed)
+    for (const ExamQuestion& q : makeQuestions(scene, 120, seed)) {
+      const double second = answered(q);
+      kinds.insert(q.kind);
+      if (std::isnan(second)) continue;
+      if (q.tolerance > 0) EXPECT_NEAR(q.number, second, q.tolerance / 2) << q.text;
+      if (q.tolerance == 0) EXPECT_EQ(q.number, second) << q.text;
+    }
+  EXPECT_GE(kinds.size(), 16u);
+}
+
+// Answers about a scene: the nearest face and what a sort by mean z paints are those of pictures made with
+// these orders, and counts are those of the sort.
+TEST(Questions, AnswersAboutTheSceneAreThePicturesOwn) {
+  const QuestionScene scene = about("two-cards");
+  std::map<std::string, int> asked;
+  const Picture& exact = scene.picture;
+  for (const ExamQuestion& q : makeQuestions(scene, 120, 3)) {
+    const auto at = [&] {
+      return static_cast<std::size_t>(q.given.at("j")) * 160 + static_cast<std::size_t>(q.given.at("i"));
+    };
+    if (q.kind == "nearest-face") EXPECT_EQ(q.number, exact.snapped().faces[scene.nearest[at()]].number);
+    if (q.kind == "wrong-sort") EXPECT_NE(scene.byMeanZ[at()], scene.nearest[at()]);
+    if (q.kind == "cuts") EXPECT_EQ(q.number, 0);
+    if (q.kind == "back-faces") EXPECT_LE(q.number, 2);
+    if (q.kind == "faces-at-pixel") EXPECT_GE(q.number, 1);
+    if (q.kind == "settling-test") {
+      EXPECT_EQ(q.choices.size(), 8u);
+      EXPECT_EQ(std::set(q.choices.begin(), q.choices.end()).size(), 8u);
+    }
+    ++asked[q.kind];
+  }
+  for (const char* kind : {"nearest-face", "wrong-sort", "cuts", "settling-test"})
+    EXPECT_GE(asked[kind], 1) << kind;
+}
+
+// The same seed gives the same questions; no question comes twice; a GIFT file escapes what it must.
+TEST(Questions, AreRepeatable) {
+  const QuestionScene scene = about("cycle");
+  const auto first = makeQuestions(scene, 40, 7), again = makeQuestions(scene, 40, 7),
+             other = makeQuestions(scene, 40, 8);
+  ASSERT_EQ(first.size(), 40u);
+  EXPECT_EQ(questionsAsText(first), questionsAsText(again));
+  EXPECT_NE(questionsAsText(first), questionsAsText(other));
+  std::set<std::string> texts;
+  for (const ExamQuestion& q : first) texts.insert(q.text);
+  EXPECT_EQ(texts.size(), first.size());
+  const std::string gift = questionsAsGift(first);
+  EXPECT_EQ(std::ranges::count(gift, '{'), 40);
+  EXPECT_NE(gift.find("round(11 + 239 I)"), std::string::npos);
+  EXPECT_NE(gift.find("\\= 0.02"), std::string::npos);
+  EXPECT_EQ(questionsAsText({}).find("1."), std::string::npos);
+}
+
+}  // namespace xnewell::THIS_FILE

@@ -1,0 +1,201 @@
+#include "x11/homework/class_marks.h"
+
+#include <algorithm>
+#include <exception>
+#include <filesystem>
+#include <new>
+#include <set>
+#include <sstream>
+
+#include "shading/color/png.h"
+#include "shading/picture/picture_cache.h"
+#include "x11/drawing/wording.h"
+#include "x11/homework/diagnosis_report.h"
+#include "x11/homework/html.h"
+#include "x11/homework/judgement_report.h"
+
+namespace xnewell {
+
+namespace {
+
+constexpr std::size_t kMostSizes = 4;  ///< of pictures, for which what they share is kept
+constexpr int kSmallWidth = 240;       ///< of a picture on the page, in pixels
+
+/// A picture at most kSmallWidth wide: every n-th pixel of it.
+std::string smallPng(const RgbImage& image) {
+  const int step = std::max(1, (std::max(image.width, image.height) + kSmallWidth - 1) / kSmallWidth);
+  RgbImage small{(image.width + step - 1) / step, (image.height + step - 1) / step};
+  for (int j = 0; j < small.height; ++j)
+    for (int i = 0; i < small.width; ++i) std::copy_n(image.pixel(i * step, j * step), 3, small.pixel(i, j));
+  return encodePng(small);
+}
+
+/// The bytes that are no printable ASCII become '?'.
+std::string printable(std::string text) {
+  for (char& c : text)
+    if (static_cast<unsigned char>(c) < ' ' || static_cast<unsigned char>(c) > '~') c = '?';
+  return text;
+}
+
+std::string csvField(const std::string& text) {
+  std::string field = text;
+  if (!field.empty() && std::string_view{"=+-@"}.find(field[0]) != std::string_view::npos)
+    field.insert(0, 1, '\'');
+  if (field.find_first_of(",\"\n\r") == std::string::npos) return field;
+  std::string quoted = "\"";
+  for (const char c : field) quoted += c == '"' ? std::string{"\"\""} : std::string{c};
+  return quoted + '"';
+}
+
+std::string share(const std::optional<double>& v) { return v ? fixed(*v, 3) : ""; }
+
+}  // namespace
+
+Marker::Marker(Scene scene, PictureSettings settings, std::optional<glm::ivec2> size, bool pictures)
+    : scene_{std::move(scene)}, settings_{std::move(settings)}, size_{size}, pictures_{pictures} {}
+
+void Marker::markPicture(MarkedFile& row, const std::string& path) {
+  const HandedIn handed = readHandedIn(path);
+  const glm::ivec2 size = size_.value_or(glm::ivec2{handed.picture.width, handed.picture.height});
+  if (diagnosers_.size() >= kMostSizes && !diagnosers_.contains({size.x, size.y})) diagnosers_.clear();
+  std::unique_ptr<Diagnoser>& diagnoser = diagnosers_[{size.x, size.y}];
+  if (!diagnoser) {
+    PictureSettings settings = settings_;
+    settings.width = size.x, settings.height = size.y;
+    diagnoser = std::make_unique<Diagnoser>(scene_, settings);
+  }
+  const Diagnosis d = (*diagnoser)(handed);
+  row.verdict = nameOf(d.verdict), row.words = verdictOf(d);
+  std::set<std::string_view> terms;
+  for (const Fit& fit : d.found) {
+    if (d.verdict == Marking::Right) break;
+    row.mistakes += (row.mistakes.empty() ? "" : " ") + std::string{fit.first->key};
+    if (fit.second && fit.second->meaning == fit.first->meaning)  // two mistakes, or two variants
+      row.mistakes += '+' + std::string{fit.second->key};
+    if (terms.insert(fit.first->term).second)
+      row.terms += (row.terms.empty() ? "" : "; ") + std::string{fit.first->term};
+  }
+  if (!d.found.empty()) row.explained = d.found[0].explained, row.informative = d.found[0].informative;
+  if (d.pixel) row.pixel = {d.pixel->i, d.pixel->j}, row.face = d.pixel->face;
+  if (pictures_) row.picture = smallPng(handed.picture);
+}
+
+void Marker::markOrder(MarkedFile& row, const std::string& path) {
+  const std::vector<PaintStep> steps = readPaintSteps(path, scene_.mesh.faceCount());
+  if (!picture_) {
+    PictureSettings settings = settings_;
+    settings.order = Order::Unsorted;
+    if (size_) settings.width = size_->x, settings.height = size_->y;
+    picture_ = makePicture(scene_, settings).withPlanes();
+  }
+  const OrderReport report = judgeOrder(*picture_, steps);
+  row.verdict = report.isRight() ? "right" : "wrong", row.words = verdictOf(report, steps);
+  if (!report.isRight()) row.mistakes = kindOf(report), row.terms = "order";
+  if (report.first) {
+    row.pixel = {report.first->i, report.first->j};
+    row.face = steps[report.first->shown].face;
+  }
+}
+
+MarkedFile Marker::mark(const std::string& folder, const std::string& name) {
+  MarkedFile row{.file = name};
+  const std::string path = (std::filesystem::path{folder} / name).string();
+  try {
+    if (name.ends_with(".jsonl"))
+      markOrder(row, path);
+    else
+      markPicture(row, path);
+  } catch (const std::bad_alloc&) {
+    throw;
+  } catch (const std::exception& e) {
+    row = {.file = name, .verdict = "unreadable"};
+    std::string what = e.what();
+    if (what.starts_with(path)) what = what.substr(path.size());
+    row.words = "unreadable" + (what.starts_with(':') ? what : ": " + what);
+  }
+  return row;
+}
+
+std::vector<std::string> handedInFiles(const std::string& folder) {
+  std::vector<std::string> names;
+  for (const auto& entry : std::filesystem::directory_iterator{folder}) {
+    std::error_code error;
+    const std::string name = entry.path().filename().string();
+    if (!name.starts_with('.') && std::filesystem::is_regular_file(entry.path(), error))
+      names.push_back(name);
+  }
+  std::ranges::sort(names);
+  return names;
+}
+
+std::string marksAsCsv(const std::vector<MarkedFile>& rows) {
+  std::string csv = "file,verdict,mistakes,term,explained,informative,pixel,face,words\n";
+  for (const MarkedFile& row : rows) {
+    const std::string pixel =
+        row.pixel ? std::to_string(row.pixel->first) + ' ' + std::to_string(row.pixel->second) : "";
+    bool first = true;
+    for (const std::string& field :
+         {printable(row.file), row.verdict, row.mistakes, row.terms, share(row.explained),
+          share(row.informative), pixel, row.face ? std::to_string(*row.face) : "", printable(row.words)}) {
+      csv += (first ? "" : ",") + csvField(field);
+      first = false;
+    }
+    csv += '\n';
+  }
+  return csv;
+}
+
+std::string summaryOf(const std::vector<MarkedFile>& rows) {
+  std::map<std::string, int> verdicts, mistakes;
+  for (const MarkedFile& row : rows) {
+    ++verdicts[row.verdict];
+    if (row.verdict == "allowed") continue;
+    std::string names = row.mistakes;
+    std::ranges::replace(names, '+', ' ');
+    std::istringstream words{names};
+    for (std::string word; words >> word;) ++mistakes[word];
+  }
+  const auto listed = [](const std::map<std::string, int>& counts) {
+    std::vector<std::pair<int, std::string>> all;
+    for (const auto& [name, count] : counts) all.emplace_back(-count, name);
+    std::ranges::sort(all);
+    std::string words;
+    for (const auto& [count, name] : all)
+      words += (words.empty() ? "" : ", ") + std::to_string(-count) + ' ' + name;
+    return words;
+  };
+  std::string summary =
+      counted(static_cast<std::int64_t>(rows.size()), "file") + ": " + listed(verdicts) + '\n';
+  if (!mistakes.empty()) summary += "mistakes: " + listed(mistakes) + '\n';
+  return summary;
+}
+
+std::string marksAsHtml(const std::string& title, const std::vector<MarkedFile>& rows) {
+  std::string page = R"(<!DOCTYPE html>
+<html lang="en">
+<meta charset="utf-8">
+<meta http-equiv="Content-Security-Policy" content="default-src 'none'; img-src data:; style-src 'unsafe-inline'">
+<style>
+body { font: 11pt/1.4 sans-serif; margin: 2em }
+table { border-collapse: collapse }
+td, th { border-top: 1px solid #bbb; padding: 0.4em 0.8em; text-align: left; vertical-align: top }
+img { max-width: 240px; image-rendering: pixelated }
+</style>
+)";
+  page += element("title", title) + element("h1", title);
+  std::istringstream summary{summaryOf(rows)};
+  for (std::string line; std::getline(summary, line);) page += element("p", line);
+  page += "<table>\n<tr><th>file</th><th>picture</th><th>verdict</th><th>where</th></tr>\n";
+  for (const MarkedFile& row : rows) {
+    const std::string where = row.pixel ? "pixel " + std::to_string(row.pixel->first) + "," +
+                                              std::to_string(row.pixel->second) +
+                                              (row.face ? ", face " + std::to_string(*row.face) : "")
+                                        : "";
+    page += "<tr>" + element("td", printable(row.file)) + "<td>" +
+            (row.picture.empty() ? "" : imageElement(row.picture)) + "</td>" +
+            element("td", printable(row.words)) + element("td", where) + "</tr>\n";
+  }
+  return page + "</table>\n</html>\n";
+}
+
+}  // namespace xnewell

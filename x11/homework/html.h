@@ -1,0 +1,21 @@
+#pragma once
+
+#include <string>
+#include <string_view>
+
+#include "shading/color/rgb_image.h"
+
+namespace xnewell {
+
+/// Parts of HTML files that the program writes.
+
+/// The text with the characters that HTML means something by as entities, and others than UTF-8 as they are.
+[[nodiscard]] std::string inHtml(std::string_view text);
+/// <name>text</name> and a line break.
+[[nodiscard]] std::string element(const std::string& name, std::string_view text);
+/// An <img> that carries the bytes of a PNG file.
+[[nodiscard]] std::string imageElement(std::string_view png);
+/// RFC 4648, section 4.
+[[nodiscard]] std::string base64(std::string_view bytes);
+
+}  // namespace xnewell

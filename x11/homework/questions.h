@@ -1,0 +1,60 @@
+#pragma once
+
+#include <map>
+#include <optional>
+#include <random>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "depthsort/depth_sort.h"
+#include "shading/picture/picture.h"
+
+namespace xnewell {
+
+/// Questions for an exam, with numbers of their own and answers that are computed.
+
+struct ExamQuestion {
+  std::string kind;
+  std::string text = {};  ///< one paragraph
+  /// A number and how far an answer may be off; or, if there are choices, the first one is right.
+  double number = 0, tolerance = 0;
+  std::vector<std::string> choices = {};
+  std::string solution = {};                 ///< one paragraph: how the answer is found
+  std::map<std::string, double> given = {};  ///< the numbers of the text, for a second computation
+};
+
+/// What questions about a scene ask for.
+struct QuestionScene {
+  explicit QuestionScene(const Scene& scene, const PictureSettings& settings);
+  Picture picture;                    ///< unsorted, with planes
+  SortedScene sorted;                 ///< the textbook's run, recorded
+  std::vector<int> nearest, byMeanZ;  ///< the face at each sample
+  std::string name;
+};
+
+using Dice = std::mt19937;
+struct QuestionKind {
+  std::string_view name;
+  std::optional<ExamQuestion> (*make)(Dice&, const QuestionScene&);  ///< nothing where the scene has none
+};
+/// The kinds that ask about numbers alone, and those that ask about the scene.
+[[nodiscard]] const std::vector<QuestionKind>& questionKinds();
+
+/// `count` questions, the kinds in turn. The same seed gives the same questions on every machine.
+[[nodiscard]] std::vector<ExamQuestion> makeQuestions(const QuestionScene& scene, int count, unsigned seed);
+
+/// A file that Moodle imports.
+[[nodiscard]] std::string questionsAsGift(const std::vector<ExamQuestion>& questions);
+/// The questions, then the solutions.
+[[nodiscard]] std::string questionsAsText(const std::vector<ExamQuestion>& questions);
+
+/// A whole number in [low, high], and a number in steps of 1/per. (The distributions of the standard library
+/// may differ from machine to machine.)
+[[nodiscard]] int rolled(Dice& dice, int low, int high);
+[[nodiscard]] double rolled(Dice& dice, int low, int high, double per);
+/// The kinds of each file.
+[[nodiscard]] std::vector<QuestionKind> numberQuestions();
+[[nodiscard]] std::vector<QuestionKind> sceneQuestions();
+
+}  // namespace xnewell
