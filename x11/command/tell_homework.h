@@ -5,16 +5,16 @@
 
 namespace xnewell {
 
-/// What is handed in for a scene: a picture, a painting order, the files of a class; and questions to hand out.
-/// All return the exit status. `scene` and the settings say what is right.
+/// What is handed in for a scene: a picture, a painting order, the files of a class; and questions to hand
+/// out. All return the exit status. `scene` and the settings say what is right.
 
 /// Says which mistake the program made that drew options.handedIn, and writes a sheet that shows it. kDone if
 /// the picture is right, else kOutside.
 /// @throws UsageError for what cannot be diagnosed; ParseError, std::system_error for the picture
 int tellDiagnosis(const Options& options, Scene scene);
 
-/// Says whether the painting order in options.handedIn is right, and writes the first wrong pair as a scene of
-/// its own. kDone if the order is right, else kOutside. @throws ParseError, std::system_error for the file
+/// Says whether the painting order in options.handedIn is right, and writes the first wrong pair as a scene
+/// of its own. kDone if the order is right, else kOutside. @throws ParseError, std::system_error for the file
 int tellJudgement(const Options& options, Scene scene);
 
 /// Marks all files in the folder options.handedIn, writes a row each, and prints a summary. An interrupt

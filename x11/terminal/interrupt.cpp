@@ -4,8 +4,8 @@
 
 #include <csignal>
 
-#include "x11/terminal/doing.h"
 #include "x11/options/exit_status.h"
+#include "x11/terminal/doing.h"
 
 namespace xnewell {
 
