@@ -77,6 +77,16 @@ CameraSettings saidOf(const Camera& camera, const Scene& scene) {
   return inFileUnits(said, scene);
 }
 
+CameraSettings textbooksOf(const Camera& camera, const Scene& scene) {
+  const ViewSpec& view = camera.view;
+  CameraSettings said;
+  said.parallel = view.projection == Projection::Parallel;
+  said.vrp = view.vrp, said.vpn = view.vpn, said.vup = view.vup, said.prp = view.prp;
+  said.window = glm::dvec4{view.windowMin.x, view.windowMax.x, view.windowMin.y, view.windowMax.y};
+  said.front = view.front, said.back = view.back;
+  return inFileUnits(said, scene);
+}
+
 CameraSettings moved(const CameraSettings& settings, const Camera& camera, const Scene& scene, double azimuth,
                      double elevation, double zoom) {
   return inFileUnits(moved(settings, camera, azimuth, elevation, zoom), scene);

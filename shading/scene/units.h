@@ -29,6 +29,9 @@ namespace xnewell {
 /// Eye, look-at point, up vector and projection of a camera, and the height of a parallel view, as settings
 /// in the file's units.
 [[nodiscard]] CameraSettings saidOf(const Camera& camera, const Scene& scene);
+/// All of a camera in the textbook's terms: VRP, VPN, VUP, PRP, window, front and back plane, and the
+/// projection, as settings in the file's units. Placed again it has the same view, and its eye is PRP.
+[[nodiscard]] CameraSettings textbooksOf(const Camera& camera, const Scene& scene);
 /// moved() for settings in the file's units.
 [[nodiscard]] CameraSettings moved(const CameraSettings& settings, const Camera& camera, const Scene& scene,
                                    double azimuth, double elevation, double zoom);

@@ -9,6 +9,7 @@
 #include "x11/sides/side_bench.h"
 #include "x11/stepper/sort_bench.h"
 #include "x11/trade/trade_bench.h"
+#include "x11/viewing/viewing_bench.h"
 #include "x11/window/colors_bench.h"
 #include "x11/window/mach_bench.h"
 #include "x11/window/moot.h"
@@ -46,6 +47,7 @@ Workbench::Workbench(Scene scene, const Setup& setup, Server server)
   own(WindowView::Trade, std::make_unique<TradeBench>(*this));
   lessons_ = own(WindowView::Lesson, std::make_unique<LessonBench>(*this));
   pixel_ = own(WindowView::Pixel, std::make_unique<PixelBench>(*this, subject));
+  viewing_ = own(WindowView::Viewing, std::make_unique<ViewingBench>(*this, subject));
 }
 
 void Workbench::resize(int width, int height) {
@@ -141,10 +143,11 @@ void Workbench::switchTo(WindowView view) {
 void Workbench::goTo(const WindowPlace& place) {
   few_ = place.controls.value_or("");
   shut_ = place.controls && few_.empty();
-  stepper_->startAt(place.step);
+  if (place.view != WindowView::Viewing) stepper_->startAt(place.step);
   if (place.scanline) bands_->choose(*place.scanline);
   if (place.cell) colors_->choose(*place.cell);
   if (place.pixel) pixel_->choose(*place.pixel);
+  if (place.view == WindowView::Viewing) viewing_->begin(place.step, place.vertex.value_or(""));
   sides_->begin(place.beside, place.difference);
   switchTo(place.view);
   layOut();
@@ -156,6 +159,7 @@ WindowPlace Workbench::place() const {
   if (place.view == WindowView::MachBands) place.scanline = bands_->row();
   if (place.view == WindowView::Colors) place.cell = colors_->inspected();
   if (place.view == WindowView::Pixel) place.pixel = pixel_->pixel();
+  if (place.view == WindowView::Viewing) place.step = viewing_->stage(), place.vertex = viewing_->vertex();
   if (place.view == WindowView::SideBySide)
     place.beside = sides_->ownOfB(), place.difference = sides_->kind();
   if (layout_.drawer != Drawer::Whole) place.controls = layout_.drawer == Drawer::Few ? few_ : "";
@@ -243,6 +247,7 @@ void Workbench::wheel(int x, int y, double factor) {
 }
 
 void Workbench::zoom(double factor) {
+  if (bench().zoom(factor)) return;
   const Controls controls = bench().controls();
   if (std::ranges::find(controls, 'z', &Control::key) == controls.end()) return;
   const auto edit = [this](char control, const auto& change) { this->change(control, change); };

@@ -21,6 +21,7 @@ class MachBench;
 class PixelBench;
 class SideBench;
 class SortBench;
+class ViewingBench;
 
 /// The window without a server: what keys and the mouse do to the setup, and the index image and palette that
 /// show it. The event loop (viewer.h) and snapshots of the whole window use this class. Each view is a Bench.
@@ -266,6 +267,7 @@ class Workbench : public Host {
   MachBench* bands_;
   SideBench* sides_;   ///< and another
   PixelBench* pixel_;  ///< and one more
+  ViewingBench* viewing_;
   WindowView view_ = WindowView::Picture;
   int width_ = 0, height_ = 0;  ///< of the window, in pixels
   int unit_ = 1;                ///< the scale, unless the window fills the screen

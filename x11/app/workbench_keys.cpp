@@ -60,7 +60,10 @@ KeyTable Workbench::generalKeys() {
   });
   add('w', "save", "save the set-up as a scene file", [this] { askToSave(); });
   add('e', "", "open a scene", [this] { askToOpen(); });
-  add('C', "", "print and copy the finding, the table and their command", [this] { copyCommand(); });
+  table.push_back(
+      {{'C', 'c'}, "copy", "print and copy the finding, the table and their command", [this](const Key&) {
+         copyCommand();
+       }});
   add('I', "", "write a picture; from views 1 and 2 also a figure", [this] { writePicture(); });
   const char* const full = "fill the screen, in letters as large as fit, or go back";
   table.push_back({{NamedKey::F11, 'f'}, "", full, [this](const Key&) { fillScreen({}); }});

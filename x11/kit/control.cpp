@@ -184,7 +184,7 @@ void drawControl(Pen& pen, const Control& control, const ControlPlace& place, co
   const bool labelled = control.kind != Control::Kind::Toggle || !place.style.boxAfterKey;
   if (control.part == 0) {
     if (control.key != 0) pen.key(place.x, place.y - 11, std::string{control.key});
-    if (labelled) pen.paint.text(place.x + place.style.label, place.y, control.label, pen(ink));
+    if (labelled) pen.paint.text(place.x + place.style.label, place.y, control.name(), pen(ink));
   }
   const auto valueAtTheRight = [&](const std::string& value) {
     pen.paint.textRight(place.x + place.style.width, place.y, value, pen(ink),

@@ -50,9 +50,10 @@ struct Control {
   char key = 0;
   int part = 0;
   std::string label = {};
-  std::string is = {};      ///< what it changes, for the status line
-  std::string legend = {};  ///< its words in the last line; "": it is not there
-  double value = 0;         ///< of a choice: the option's index, or -1; of a toggle: 0 or 1
+  std::string heading = {};  ///< before a row of numbers, in place of the first one's label
+  std::string is = {};       ///< what it changes, for the status line
+  std::string legend = {};   ///< its words in the last line; "": it is not there
+  double value = 0;          ///< of a choice: the option's index, or -1; of a toggle: 0 or 1
   TrackRange range = {};
   std::optional<double> initially = {};   ///< marked on the track
   std::vector<std::string> options = {};  ///< of a choice
@@ -69,6 +70,8 @@ struct Control {
   std::function<void(int x, int y, int dx, int dy)> drag = {};
 
   [[nodiscard]] ControlId id() const { return {key, part}; }
+  /// The name of a row.
+  [[nodiscard]] const std::string& name() const { return heading.empty() ? label : heading; }
   [[nodiscard]] bool enabled() const { return off.empty(); }
   /// True if the control can be selected, so that the arrows change it.
   [[nodiscard]] bool takesArrows() const {

@@ -33,7 +33,7 @@ std::string wordsOfAll(const Controls& controls, std::string_view verb, Kind kin
   char last = 0;
   for (const Control& control : controls) {
     if (control.kind != kind || control.key == last) continue;
-    words += (words.empty() ? std::string{verb} + " " : ", ") + control.label;
+    words += (words.empty() ? std::string{verb} + " " : ", ") + control.name();
     last = control.key;
   }
   return words;

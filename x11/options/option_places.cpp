@@ -17,9 +17,9 @@ void addPlaces(Reader& r) {
   only({"--scale"}, {"view", "lesson", "lecture", "--whole-window"});
   only({"--visual", "--colormap", "--nearest"}, {"view", "snapshot", "lesson", "lecture", "visuals"});
   only({"--view"}, {"view", "draw", "snapshot"});
-  only({"--step"}, {"--view depthsort", "lesson"});
+  only({"--step"}, {"--view depthsort", "--view viewing", "lesson"});
   only({"--pixel"}, {"--view pixel"});
-  only({"--viewing"}, {"explain"});
+  only({"--viewing"}, {"explain", "--view viewing"});
   only({"--controls"}, {"view", "--whole-window"});
   only({"--beside", "--difference"}, {"--view sidebyside"});
   only({"--scanline"}, {"--view machbands"});

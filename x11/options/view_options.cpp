@@ -55,13 +55,14 @@ void addView(Reader& r, Options& o) {
   for (const WindowViewRow& row : kWindowViews)
     if (!isView(row.option)) r.proposes("--view", std::array{Choice{row.option, {}, {}}});
   r.number("--step", o.window.step, 0, 1'000'000'000,
-           "the step of the depth sort that the window begins with; lesson: the lesson's step, from 1");
+           "the step of the depth sort, or the stage of --view viewing, that the window begins with; lesson: "
+           "the lesson's step, from 1");
   r.text("--pixel", "the pixel X,Y that the window begins with, in the picture of that view", "its middle",
          [&](const std::string& s) { o.window.pixel = pixelOf("--pixel", s); });
   r.mayTakeText(
       "--viewing",
       "explain: what the viewing transformation does to a vertex, FACE.CORNER with corners from 1, or "
-      "the number of a vertex, such as 495.1 or 1234",
+      "the number of a vertex, such as 495.1 or 1234; --view viewing begins with it",
       "in the middle of the picture", [&](const std::string& s) {
         const bool digits = s.find_first_not_of("0123456789.") == s.npos;
         const bool isOne = s.find('.') == s.rfind('.') && !s.starts_with('.') && !s.ends_with('.');

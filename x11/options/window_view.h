@@ -13,7 +13,7 @@
 namespace xnewell {
 
 /// The views of the window. Each has a tab and a key.
-enum class WindowView { Picture, DepthSort, Colors, MachBands, SideBySide, Trade, Lesson, Pixel };
+enum class WindowView { Picture, DepthSort, Colors, MachBands, SideBySide, Trade, Lesson, Pixel, Viewing };
 struct WindowViewRow {
   WindowView id;
   char key;
@@ -28,6 +28,7 @@ inline constexpr std::array kWindowViews{
     WindowViewRow{WindowView::Trade, '6', "Trade", "trade"},
     WindowViewRow{WindowView::Lesson, '7', "Lesson", "lesson"},
     WindowViewRow{WindowView::Pixel, '8', "One pixel", "pixel"},
+    WindowViewRow{WindowView::Viewing, '9', "Viewing", "viewing"},
 };
 
 /// What two pictures may differ in at a sample, one row for each.
@@ -50,7 +51,7 @@ inline constexpr std::array kUnlikes{
 /// Where a view begins, beside its scene and the set-up.
 struct WindowPlace {
   WindowView view = WindowView::Picture;
-  int step = 0;                          ///< of the depth sort
+  int step = 0;                          ///< of the depth sort; of view 9 the stage, from 1; 0: the first
   std::optional<int> scanline = {};      ///< of the view of Mach bands
   std::optional<int> cell = {};          ///< of the view of the colours
   std::optional<glm::ivec2> pixel = {};  ///< of view 8: column and row in its picture

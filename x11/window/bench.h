@@ -72,6 +72,9 @@ class Bench {
   [[nodiscard]] virtual bool grab(int x, int y) { return list_.grab(controls(), x, y) && list_.dragging(); }
   virtual void dragTo(int x, int y) { list_.dragTo(controls(), x, y); }
   virtual void drop() { list_.drop(); }
+  /// Comes nearer by a factor in a picture of the view's own. Returns false if it has none: then the scene's
+  /// camera comes nearer.
+  [[nodiscard]] virtual bool zoom(double) { return false; }
   /// enter() is called when the view appears, leave() when it disappears. leave() undoes whatever must not
   /// outlast the view.
   virtual void enter() {}

@@ -256,7 +256,7 @@ TEST(Options, RefuseWhatTheCommandIgnores) {
 // A view refuses options that do not apply to it, and a size too small for its words.
 TEST(Options, RefuseWhatAViewCannotHeed) {
   EXPECT_EQ(complaint({"--scanline", "3"}), "--scanline works only with --view machbands");
-  EXPECT_EQ(complaintAll({"--step", "3"}), "--step works only with --view depthsort and lesson");
+  EXPECT_EQ(complaintAll({"--step", "3"}), "--step works only with --view depthsort, --view viewing and lesson");
   EXPECT_EQ(complaintAll({"lesson", "--step", "3"}), "--step needs a lesson's name");
   EXPECT_EQ(complaintAll({"lesson", "cycles", "--step", "3", "--frames", "f"}),
             "--frames and --step exclude each other");

@@ -1,0 +1,40 @@
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "shading/fill/ramp.h"
+#include "shading/picture/picture.h"
+
+namespace xnewell {
+
+/// The light on a scene as it is in the world: no stage of the viewing transformation changes it. It is
+/// evaluated at vertices where the picture's method interpolates, and else once for each face, for both
+/// sides.
+class LitParts {
+ public:
+  explicit LitParts(const Picture& picture, const Palette& palette);
+
+  /// The intensity at a corner of the scene's own mesh.
+  [[nodiscard]] double at(int corner, bool back) const {
+    return intensities_[static_cast<std::size_t>(pointOf_[static_cast<std::size_t>(corner)])].seen(back);
+  }
+  /// The ramp of a face; null where the cells hold single colours: then cell() has it.
+  [[nodiscard]] const CellOnRamp* ramp(int face) const {
+    return colored_ ? nullptr : &ramps_[static_cast<std::size_t>(material_[face] + 1)];
+  }
+  [[nodiscard]] std::uint8_t cell(int face, bool back) const {
+    return cells_[2 * static_cast<std::size_t>(face) + (back ? 1 : 0)];
+  }
+
+ private:
+  const std::vector<int>& material_;
+  std::vector<int> pointOf_;  ///< by corner of the mesh
+  std::vector<FrontBack<double>> intensities_;
+  std::vector<Ramp> of_;
+  std::vector<CellOnRamp> ramps_;  ///< by material; the first is for faces without one
+  bool colored_ = false;
+  std::vector<std::uint8_t> cells_;  ///< two for each face, if the cells hold single colours
+};
+
+}  // namespace xnewell

@@ -1,0 +1,289 @@
+#include "x11/viewing/outside_view.h"
+
+#include <algorithm>
+#include <cmath>
+#include <glm/geometric.hpp>
+#include <utility>
+
+#include "geometry/exact/unit.h"
+
+namespace xnewell {
+
+namespace {
+
+struct Dashes {
+  int on = 1, off = 0;
+};
+constexpr Dashes kDashed{4, 4};
+
+/// Draws lines and words over a stage's image. Places are those of the stage's space.
+class StagePen {
+ public:
+  StagePen(Pen& pen, const Rect& area, const StageImage& image)
+      : pen_{pen}, paint_{pen.paint.within(area)}, area_{area}, image_{image}, unit_{pen.paint.unit()} {}
+
+  /// The place on the paper, in units.
+  [[nodiscard]] glm::dvec2 onPaper(const glm::dvec3& p) const {
+    const glm::dvec3 q = image_.camera()(p);
+    return {area_.x + q.x / unit_, area_.y + q.y / unit_};
+  }
+
+  /// A straight line; what a face hides of it is left out.
+  void line(const glm::dvec3& from, const glm::dvec3& to, Cell cell, Dashes dashes = {}, int thick = 1,
+            bool always = false) {
+    const glm::dvec3 a = image_.camera()(from), b = image_.camera()(to);
+    if (!std::isfinite(a.x + a.y + b.x + b.y)) return;
+    double start = 0.0, end = 1.0;
+    for (int k = 0; k < 2; ++k) {  // the part over the image
+      const double size = k == 0 ? image_.image().width : image_.image().height, step = b[k] - a[k];
+      if (step == 0.0) continue;
+      const double u = -a[k] / step, v = (size - a[k]) / step;
+      start = std::max(start, std::min(u, v)), end = std::min(end, std::max(u, v));
+    }
+    if (start >= end) return;
+    const double steps = std::ceil(std::max(std::abs(b.x - a.x), std::abs(b.y - a.y)) / unit_);
+    const int count = static_cast<int>(std::clamp(steps * (end - start), 1.0, 20'000.0));
+    for (int k = 0; k <= count; ++k) {
+      if (k % (dashes.on + dashes.off) >= dashes.on) continue;
+      const glm::dvec3 p = a + (b - a) * (start + (end - start) * k / count);
+      if (!always && !image_.shows(p)) continue;
+      const int x = area_.x + static_cast<int>(std::floor(p.x / unit_));
+      const int y = area_.y + static_cast<int>(std::floor(p.y / unit_));
+      paint_.fillRect({x, y, thick, thick}, pen_(cell));
+    }
+  }
+  void loop(const std::array<glm::dvec3, 4>& corners, Cell cell, Dashes dashes = {}, int thick = 1) {
+    for (std::size_t k = 0; k < 4; ++k) line(corners[k], corners[(k + 1) % 4], cell, dashes, thick);
+  }
+  void volume(const StageVolume& v, bool dashed) {
+    const Dashes dashes = dashed ? kDashed : Dashes{};
+    const Cell cell = dashed ? Cell::Faint : Cell::WellText;
+    for (std::size_t k = 0; k < 4; ++k) {
+      if (v.eye && !v.parallel) line(*v.eye, v.front[k], Cell::Soft, dashes);
+      line(v.front[k], v.back[k], cell, dashes);
+    }
+    if (v.eye && v.parallel) line(*v.eye, (v.window[0] + v.window[2]) / 2.0, Cell::Soft, dashes);
+    loop(v.back, cell, dashes);
+    loop(v.front, cell, dashes);
+    if (!dashed) loop(v.window, Cell::White, {}, 2);
+  }
+  /// An arrow of so many units, as far as it is not seen end on.
+  void arrow(const glm::dvec3& from, const glm::dvec3& direction, double length, Cell cell,
+             std::string_view name, int thick = 1) {
+    const glm::dvec3 step = unit(direction) * (length * unit_ / image_.camera().scale);
+    line(from, from + step, cell, {}, thick, true);
+    const glm::dvec2 a = onPaper(from), b = onPaper(from + step);
+    if (!std::isfinite(b.x + b.y)) return;
+    const double along = std::hypot(b.x - a.x, b.y - a.y);
+    const glm::dvec2 d = along > 1.0 ? (b - a) / along : glm::dvec2{0.0};
+    if (along > 6.0)
+      for (const double side : {-1.0, 1.0})
+        paint_.line(at(b.x), at(b.y), at(b.x - 6 * d.x + side * 3 * d.y), at(b.y - 6 * d.y - side * 3 * d.x),
+                    pen_(cell), {.thickness = thick});
+    (void)name_(b + 9.0 * d - glm::dvec2{3.0, -4.0}, name, cell);
+  }
+  /// A name beside a place, kept inside the area. Returns false if another name stands there already.
+  bool name(const glm::dvec3& place, int dx, int dy, std::string_view text, Cell cell) {
+    return name_(onPaper(place) + glm::dvec2{dx, dy}, text, cell);
+  }
+  /// A name at the first corner where there is room: the upper ones, then the lower ones.
+  void nameOf(const std::array<glm::dvec3, 4>& corners, std::string_view text, Cell cell) {
+    const int half = textWidth(text) / 2;
+    for (const auto& [corner, below] : {std::pair{3, false}, {2, false}, {0, true}, {1, true}})
+      if (name(corners[static_cast<std::size_t>(corner)], -half, below ? 14 : -6, text, cell)) return;
+  }
+  void dot(const glm::dvec3& place, int radius, Cell cell) {
+    const glm::dvec2 p = onPaper(place);
+    if (!std::isfinite(p.x + p.y)) return;
+    paint_.disc(at(p.x), at(p.y), radius + 1, pen_(Cell::Well));
+    paint_.disc(at(p.x), at(p.y), radius, pen_(cell));
+  }
+
+ private:
+  static int at(double v) { return static_cast<int>(std::lround(std::clamp(v, -1e5, 1e5))); }
+  bool name_(const glm::dvec2& place, std::string_view text, Cell cell) {
+    if (text.empty() || !std::isfinite(place.x + place.y)) return false;
+    const int width = textWidth(text);
+    const int x =
+        std::clamp(at(place.x), area_.x + 4, std::max(area_.x + 4, area_.x + area_.width - width - 4));
+    const int y = std::clamp(at(place.y), area_.y + 32, std::max(area_.y + 32, area_.y + area_.height - 5));
+    const Rect box{x, y - 10, width, 13};
+    for (const Rect& other : names_)
+      if (const Rect both = intersection(box, other); both.width > 0 && both.height > 0) return false;
+    names_.push_back(box);
+    // A halo of the ground, so that no line crosses the letters.
+    for (const auto& [dx, dy] : {std::pair{-1, 0}, {1, 0}, {0, -1}, {0, 1}})
+      paint_.text(x + dx, y + dy, text, pen_(Cell::Well));
+    paint_.text(x, y, text, pen_(cell));
+    return true;
+  }
+
+  Pen& pen_;
+  Painter paint_;
+  Rect area_;
+  const StageImage& image_;
+  int unit_;
+  std::vector<Rect> names_;
+};
+
+/// The vertex at a stage, divided by w.
+glm::dvec3 vertexAt(const OutsideView& view) {
+  const glm::dvec4 p = view.story.of(view.stage).at;
+  return glm::dvec3{p} / p.w;
+}
+
+void drawAxes(StagePen& pen, const OutsideView& view, const StageVolume& volume) {
+  const bool vrc = view.stage == ViewStage::Vrc;
+  const double length = view.stage == ViewStage::World ? 24 : 34;
+  const std::array<std::string_view, 3> names{vrc ? "u" : "x", vrc ? "v" : "y", vrc ? "n" : "z"};
+  for (int k = 0; k < 3; ++k) {
+    glm::dvec3 axis{0.0};
+    axis[k] = 1.0;
+    pen.arrow(volume.origin, axis, length, Cell::WellText, names[static_cast<std::size_t>(k)]);
+  }
+}
+
+void drawNames(StagePen& pen, const OutsideView& view, const StageVolume& volume) {
+  pen.nameOf(volume.window, "window", Cell::White);
+  pen.nameOf(volume.front, "front", Cell::WellText);
+  pen.nameOf(volume.back, "back", Cell::WellText);
+  const ViewSpec& spec = view.picture.camera().view;
+  if (volume.eye) {
+    pen.dot(*volume.eye, 3, Cell::White);
+    (void)pen.name(*volume.eye, -9, 19, spec.projection == Projection::Parallel ? "PRP" : "eye",
+                   Cell::WellText);
+  }
+  if (view.stage == ViewStage::World) {
+    pen.dot(spec.vrp, 2, Cell::White);
+    (void)pen.name(spec.vrp, 6, 12, "VRP", Cell::WellText);
+    pen.arrow(spec.vrp, spec.vpn, 64, Cell::White, "VPN");
+    pen.arrow(spec.vrp, spec.vup, 64, Cell::White, "VUP");
+  }
+}
+
+IndexImage scaledTo(const IndexImage& from, int width, int height) {
+  IndexImage to{width, height, 0};
+  for (int j = 0; j < height; ++j)
+    for (int i = 0; i < width; ++i)
+      to.row(j)[i] = from.row(static_cast<int>((j + 0.5) * from.height /
+                                               height))[static_cast<int>((i + 0.5) * from.width / width)];
+  return to;
+}
+
+/// The vertex on the grid of the screen: the place before the snap as a ring, and after it as a dot.
+void drawGrid(Pen& pen, const Rect& area, const OutsideView& view, bool words) {
+  pen.paint.fillRect(area, pen(Cell::Well));
+  Painter paint = pen.paint.within(area);
+  const ViewingStory& story = view.story;
+  if (!story.snapped) {
+    if (words)
+      paint.text(area.x + 8, area.y + 40, "this vertex is cut off: it has no place on the grid",
+                 pen(Cell::WellText));
+    return;
+  }
+  const double step = words ? 40.0 : 10.0;  // units for a step of the grid
+  const glm::dvec2 middle{area.x + area.width / 2.0, area.y + area.height / 2.0};
+  const glm::ivec2 grid{*story.snapped};
+  const auto at = [](double v) { return static_cast<int>(std::lround(std::clamp(v, -1e5, 1e5))); };
+  const int columns = static_cast<int>(area.width / step / 2) + 1,
+            rows = static_cast<int>(area.height / step / 2) + 1;
+  for (int k = -columns; k <= columns; ++k)
+    paint.vline(at(middle.x + k * step), area.y, area.height, pen(Cell::WellLine));
+  for (int k = -rows; k <= rows; ++k)
+    paint.hline(area.x, at(middle.y + k * step), area.width, pen(Cell::WellLine));
+  // The edges of the faces that have this vertex, as the picture draws them.
+  const SnappedScene& scene = view.picture.snapped();
+  for (const SnappedFace& f : scene.faces)
+    for (int k = 0; k < f.count; ++k) {
+      const glm::ivec3 &a = scene.vertices[f.first + k], &b = scene.vertices[f.first + (k + 1) % f.count];
+      if (glm::ivec2{a} != grid && glm::ivec2{b} != grid) continue;
+      const glm::dvec2 away =
+          glm::ivec2{a} == grid ? glm::dvec2{b} - glm::dvec2{a} : glm::dvec2{a} - glm::dvec2{b};
+      if (away == glm::dvec2{0.0}) continue;
+      const glm::dvec2 end = middle + away / glm::length(away) * double(area.width + area.height);
+      paint.line(at(middle.x), at(middle.y), at(end.x), at(end.y), pen(Cell::WellText));
+    }
+  const glm::dvec4 before = story.of(ViewStage::Viewport).at;
+  const glm::dvec2 off = (glm::dvec2{before} * double{kGrid} - glm::dvec2{grid}) * step;
+  if (words) {
+    paint.ring(at(middle.x + off.x), at(middle.y + off.y), 5, pen(Cell::Q));
+    paint.text(at(middle.x + off.x) + 10, at(middle.y + off.y) - 6, "before", pen(Cell::WellText));
+  }
+  paint.disc(at(middle.x), at(middle.y), 3, pen(Cell::White));
+  if (words)
+    paint.text(area.x + 8, area.y + area.height - 8,
+               "a square is 1/65,536 pixel wide; the lines are edges of the faces at this vertex",
+               pen(Cell::WellText));
+}
+
+StageImage imageOf(const OutsideView& view, const Rect& area, Pen& pen) {
+  const int unit = pen.paint.unit();
+  return {view.picture,
+          view.lit,
+          view.story,
+          view.stage,
+          turnAt(view.stage, view.turn),
+          {area.width * unit, area.height * unit},
+          pen(Cell::Well)};
+}
+
+}  // namespace
+
+OutsideTurn turnAt(ViewStage stage, const OutsideTurn& turn) {
+  if (stage < ViewStage::Viewport) return turn;
+  const OutsideTurn first;
+  return {turn.around - first.around, turn.down - first.down, turn.zoom};
+}
+
+std::optional<StageImage> drawStage(Pen& pen, const Rect& area, const OutsideView& view) {
+  if (view.stage == ViewStage::Snapped) {
+    drawGrid(pen, area, view, true);
+    return std::nullopt;
+  }
+  StageImage image = imageOf(view, area, pen);
+  pen.paint.place(image.image(), area.x, area.y);
+  StagePen lines{pen, area, image};
+  const ViewSpec& spec = view.picture.camera().view;
+  if (const auto before = volumeBefore(view.story, spec, view.stage)) {
+    lines.volume(*before, true);
+    Painter paint = pen.paint.within(area);
+    paint.textRight(
+        area.x + area.width - 8, area.y + area.height - 8,
+        view.stage == ViewStage::Sheared ? "dashed: before the shear" : "dashed: before the warp, scaled",
+        pen(Cell::WellText));
+  }
+  lines.volume(image.volume(), false);
+  const VertexAtStage& here = view.story.of(view.stage);
+  if (here.at.w > 0.0) {
+    const glm::dvec3 vertex = vertexAt(view);
+    if (!here.equation.lights.empty())
+      lines.arrow(vertex, here.equation.lights.front().L, 60, Cell::WellText, "L");
+    lines.arrow(vertex, here.N, 60, Cell::White, "N", 2);
+    lines.dot(vertex, 3, Cell::White);
+  }
+  drawNames(lines, view, image.volume());
+  drawAxes(lines, view, image.volume());
+  return image;
+}
+
+void drawSmallStage(Pen& pen, const Rect& area, const OutsideView& view) {
+  if (view.stage == ViewStage::Snapped) return drawGrid(pen, area, view, false);
+  const int unit = pen.paint.unit();
+  if (view.stage == ViewStage::Viewport && view.picture.isPainted()) {
+    pen.paint.fillRect(area, pen(Cell::Well));
+    const IndexImage& all = view.picture.image();
+    const double share = std::min((area.width - 8.0) / all.width, (area.height - 8.0) / all.height);
+    const int width = std::max(1, static_cast<int>(all.width * share));
+    const int height = std::max(1, static_cast<int>(all.height * share));
+    const int x = area.x + (area.width - width) / 2, y = area.y + (area.height - height) / 2;
+    pen.paint.place(scaledTo(all, width * unit, height * unit), x, y);
+    return pen.paint.frame({x - 1, y - 1, width + 2, height + 2}, pen(Cell::WellText));
+  }
+  const StageImage image = imageOf(view, area, pen);
+  pen.paint.place(image.image(), area.x, area.y);
+  StagePen lines{pen, area, image};
+  lines.volume(image.volume(), false);
+  if (view.story.of(view.stage).at.w > 0.0) lines.dot(vertexAt(view), 1, Cell::White);
+}
+
+}  // namespace xnewell

@@ -1,0 +1,257 @@
+#include "x11/viewing/viewing_bench.h"
+
+#include <algorithm>
+#include <cmath>
+#include <glm/geometric.hpp>
+#include <limits>
+#include <utility>
+
+#include "x11/drawing/wording.h"
+#include "x11/viewing/view_controls.h"
+
+namespace xnewell {
+
+namespace {
+
+using Kind = Control::Kind;
+
+constexpr double kLeastZoom = 0.2, kMostZoom = 30.0;
+const char* const kOutside = "with the arrows: turn the view from outside, zoom it";
+
+}  // namespace
+
+void ViewingBench::begin(int stage, const std::string& vertex) {
+  choose(std::max(0, stage - 1));
+  asked_ = vertex;
+  vertex_.reset();
+}
+
+const Camera& ViewingBench::camera() {
+  const Subject subject = subject_();
+  const CameraSettings& settings = host_.setup().picture.camera;
+  if (!placed_ || placed_->scene != &subject.scene || placed_->settings != settings ||
+      placed_->aspect != subject.aspect) {
+    try {
+      placed_ = Placed{&subject.scene, settings, subject.aspect, cameraOf(host_.setup(), subject)};
+    } catch (const ViewError&) {  // the next picture says so, and brings back what was
+      if (!placed_) placed_ = Placed{&subject.scene, settings, subject.aspect, Camera{}};
+    }
+  }
+  return placed_->camera;
+}
+
+void ViewingBench::choose(int stage) {
+  stage_ = static_cast<ViewStage>(std::clamp(stage, 0, static_cast<int>(kViewStages.size()) - 1));
+  late_ = true;
+}
+
+void ViewingBench::turn(double around, double down) {
+  if (stage_ == ViewStage::Snapped)
+    return host_.notify("The grid is seen straight on: choose another stage to turn the view.");
+  turn_.around = std::remainder(turn_.around + around, 360.0);
+  turn_.down = std::clamp(turn_.down + down, -90.0, 110.0);
+  late_ = true;
+}
+
+bool ViewingBench::zoom(double factor) {
+  turn_.zoom = std::clamp(turn_.zoom * factor, kLeastZoom, kMostZoom);
+  late_ = true;
+  return true;
+}
+
+Controls ViewingBench::controls() {
+  const Oblique lean = leanOf(camera().view);
+  if (camera().view.projection == Projection::Parallel && lean.length > 1e-9) angle_ = lean.angle;
+  Controls all;
+  all.push_back({.kind = Kind::Own,
+                 .key = 's',
+                 .label = "stage",
+                 .is = "choose a stage with the arrows; or click it",
+                 .legend = "stage",
+                 .words = std::string{rowOf(stage_).name},
+                 .move = [this](int along, int up) { choose(static_cast<int>(stage_) + along + up); }});
+  for (Control& control : viewControls(subject_(), camera(), angle_, change(), host_))
+    all.push_back(std::move(control));
+  Control matrix{.kind = Kind::Choice,
+                 .key = 'M',
+                 .label = "matrix",
+                 .is = "which matrix is shown",
+                 .legend = "matrix",
+                 .value = static_cast<double>(matrix_),
+                 .set = [this](double option) {
+                   matrix_ = static_cast<ShownMatrix>(static_cast<int>(option));
+                   late_ = true;
+                 }};
+  for (const ShownMatrixRow& row : kShownMatrices) matrix.options.emplace_back(row.name);
+  all.push_back(std::move(matrix));
+  addParts(all);
+  return all;
+}
+
+/// What the arrows or the pointer turn or choose.
+void ViewingBench::addParts(Controls& all) {
+  all.push_back({.kind = Kind::Own,
+                 .key = 't',
+                 .label = "turn",
+                 .is = kOutside,
+                 .legend = "turn",
+                 .move = [this](int along, int up) { turn(3.0 * along, 3.0 * up); },
+                 .drag = [this](int, int, int dx, int dy) { turn(-0.5 * dx, 0.5 * dy); }});
+  all.push_back({.kind = Kind::Own,
+                 .key = 'z',
+                 .label = "zoom",
+                 .is = kOutside,
+                 .legend = "zoom",
+                 .move = [this](int along, int up) { (void)zoom(std::pow(1.05, along + up)); }});
+  const auto chooses = [this](const std::array<Rect, kViewStages.size()>& places) {
+    return [this, &places](int x, int y, int, int) {
+      for (std::size_t k = 0; k < places.size(); ++k)
+        if (places[k].has(x, y)) choose(static_cast<int>(k));
+    };
+  };
+  all.push_back({.kind = Kind::Own, .part = 1, .drag = chooses(small_)});
+  all.push_back({.kind = Kind::Own, .part = 2, .drag = chooses(rows_)});
+}
+
+KeyTable ViewingBench::ownKeys() {
+  KeyTable table;
+  if (const Controls all = controls(); !list_.focused(all)) {
+    const std::string does = "the stage before, the next";
+    table = {
+        {{NamedKey::Left}, "stage", does, [this](const Key&) { choose(static_cast<int>(stage_) - 1); }},
+        {{NamedKey::Right}, "stage", does, [this](const Key&) { choose(static_cast<int>(stage_) + 1); }}};
+  }
+  table.push_back({.does = "turn the view from outside; choose a vertex", .gesture = "drag, click"});
+  table.push_back({{'g'}, "vertex", "go to a vertex: FACE.CORNER, or its number", [this](const Key&) {
+                     host_.ask({.asks = "vertex FACE.CORNER, or its number",
+                                .text = vertex(),
+                                .take = [this](const std::string& text) -> std::string {
+                                  const Mesh& mesh = subject_().scene.mesh;
+                                  const std::optional<FaceCorner> found = cornerOf(mesh, text);
+                                  if (!found)
+                                    return "There is no such vertex: faces are 0 to " +
+                                           grouped(mesh.faceCount() - 1) + ", vertices 0 to " +
+                                           grouped(static_cast<std::int64_t>(mesh.points.size()) - 1) +
+                                           ", corners count from 1.";
+                                  vertex_ = found, late_ = true;
+                                  return {};
+                                }});
+                   }});
+  table.push_back({{NamedKey::Escape}, "", "give the arrows back to the stages", [this](const Key&) {
+                     list_.setFocus(std::nullopt);
+                   }});
+  return table;
+}
+
+bool ViewingBench::grab(int x, int y) {
+  const bool drags = Bench::grab(x, y);
+  clicked_.reset();
+  if (drags && outside_.has(x, y)) clicked_ = {x, y};
+  return drags;
+}
+
+void ViewingBench::dragTo(int x, int y) {
+  constexpr int kStill = 2;  // units that a hand may tremble in a click
+  if (clicked_ && std::abs(x - clicked_->x) <= kStill && std::abs(y - clicked_->y) <= kStill) return;
+  clicked_.reset();
+  Bench::dragTo(x, y);
+}
+
+void ViewingBench::drop() {
+  Bench::drop();
+  if (const auto at = std::exchange(clicked_, std::nullopt)) pick(at->x, at->y);
+}
+
+void ViewingBench::pick(int x, int y) {
+  if (!image_ || !story_) return host_.notify("Choose another stage to click a vertex, or press g.");
+  const glm::dvec2 place{(x - outside_.x + 0.5) * unit_, (y - outside_.y + 0.5) * unit_};
+  const int face = image_->faceAt(static_cast<int>(place.x), static_cast<int>(place.y));
+  if (face < 0) return host_.notify("No face is here: click one near a corner.");
+  const Mesh& mesh = subject_().scene.mesh;
+  double least = std::numeric_limits<double>::infinity();
+  const std::span<const int> corners = mesh.face(face);
+  for (int k = 0; k < static_cast<int>(corners.size()); ++k) {
+    const glm::dvec4 p = story_->stages.at(stage_, mesh.points[corners[k]]);
+    if (!(p.w > 0.0)) continue;
+    const double away = glm::length(glm::dvec2{image_->camera()(glm::dvec3{p} / p.w)} - place);
+    if (away < least) least = away, vertex_ = FaceCorner{face, k};
+  }
+  late_ = true;
+}
+
+void ViewingBench::placeControls(const Controls& all, const ViewingLayout& at, int baseline) {
+  list_.forgetPlaces();
+  const RowStyle style{.width = at.column.width, .pitch = at.rowPitch};
+  int y = at.column.y + (at.narrow ? 24 : 33);
+  for (const char key : {'P', 'C', 'a', 'v', 'n', 'y', 'p', 'o', 'f', 'b'})
+    y = list_.placeRow(all, key, at.column.x, y, style);
+  (void)list_.placeRow(all, 'M', at.column.x, baseline, style);
+  list_.place({'t'}, {.area = outside_, .grip = outside_, .bare = true, .passive = true});
+  for (const Rect& area : small_)
+    list_.place({0, 1}, {.area = area, .grip = area, .bare = true, .passive = true});
+  for (const Rect& area : rows_)
+    list_.place({0, 2}, {.area = area, .grip = area, .bare = true, .passive = true});
+}
+
+void ViewingBench::draw(Painter paint, const Desk& desk) {
+  late_ = false;
+  const ViewingLayout at = layoutOfViewing(desk.layout);
+  unit_ = desk.layout.unit;
+  const Picture& picture = desk.picture;
+  const Mesh& mesh = picture.scene().mesh;
+  if (scene_ != &picture.scene()) vertex_.reset(), scene_ = &picture.scene();
+  if (!vertex_ && !asked_.empty()) {
+    vertex_ = cornerOf(mesh, asked_);
+    if (!vertex_) host_.tell("The scene has no vertex " + asked_ + ".");
+    asked_.clear();
+  }
+  if (vertex_ && (vertex_->face >= mesh.faceCount() ||
+                  vertex_->corner >= static_cast<int>(mesh.face(vertex_->face).size())))
+    vertex_.reset();
+  if (!vertex_) vertex_ = middleCorner(picture);
+  story_.emplace(picture, *vertex_);
+  if (!lit_ || lit_->picture.settings() != picture.settings() || &lit_->picture.scene() != &picture.scene() ||
+      lit_->palette != desk.palette)
+    lit_.emplace(Lit{picture, desk.palette, LitParts{picture, desk.palette}});
+
+  outside_ = at.outside, small_ = at.small;
+  Pen pen{paint, desk.plan};
+  OutsideView view{.picture = picture, .lit = lit_->parts, .story = *story_, .stage = stage_, .turn = turn_};
+  image_ = drawStage(pen, outside_, view);
+  pen.paint.text(outside_.x + 8, outside_.y + 17,
+                 beginningOf(stageTitle(*story_, stage_), outside_.width - 16), pen(Cell::WellText));
+  for (const ViewStageRow& row : kViewStages) {
+    const Rect& small = small_[static_cast<std::size_t>(row.id)];
+    OutsideView one = view;
+    one.stage = row.id, one.turn.zoom = 1.0;
+    drawSmallStage(pen, small, one);
+    const std::string name = (at.narrow ? "" : std::to_string(static_cast<int>(row.id) + 1) + ' ') +
+                             std::string{rowOf(row.id).name};
+    const int x = small.x + (small.width - textWidth(name)) / 2, y = small.y + small.height + 13;
+    if (row.id == stage_) {
+      for (const int k : {1, 2})
+        pen.paint.frame({small.x - k, small.y - k, small.width + 2 * k, small.height + 2 * k},
+                        pen(Cell::Ink));
+      pen.bold(x, y, name);
+    } else {
+      pen.ink(x, y, name);
+    }
+  }
+  const ViewingPage page{.view = view, .matrix = matrix_};
+  rows_ = drawStageTable(pen, at, page);
+  pen.caps(at.column.x, at.column.y + 10, "view");
+  const Controls all = controls();
+  const int matrix = matrixRow(at, at.column.y + (at.narrow ? 24 : 33) + 10 * at.rowPitch);
+  placeControls(all, at, matrix);
+  drawMatrixAndLight(pen, at, page, matrix);
+  list_.draw(pen, all);
+
+  cell_ = story_->world().cell;
+  words_ = xnewell::inWords(page);
+  const Control* const pointed = list_.hovered(all) ? list_.hovered(all) : list_.focused(all);
+  const ViewingFinding finding = findingOf(*story_, stage_);
+  status_ = pointed && !pointed->is.empty() ? pointed->is : finding.heading;
+  aside_ = "vertex " + textOf(*vertex_) + " of " + partOf(picture.scene(), *vertex_);
+}
+
+}  // namespace xnewell
