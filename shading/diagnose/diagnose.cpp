@@ -36,6 +36,8 @@ std::string whyNotDiagnosed(const Scene& scene, const PictureSettings& settings)
   const Shading method = settings.shading;
   if (method != Shading::Flat && method != Shading::Gouraud && method != Shading::Phong)
     return "diagnose knows flat, Gouraud and Phong shading, not --shade " + std::string{rowOf(method).name};
+  if (std::int64_t{settings.width} * settings.height > kMostDiagnosed)
+    return "diagnose takes pictures of up to 4096 x 4096 pixels";
   if (settings.light.mistake != Mistake::None)
     return "diagnose looks for mistakes by itself: leave out --mistake";
   if (settings.adapt > 0.0) return "diagnose takes the polygons as they are: leave out --adapt";

@@ -69,6 +69,8 @@ struct Diagnosis {
   bool oneHue = true;
 };
 
+/// The most pixels of a picture that is diagnosed: it takes some 30 bytes for each.
+inline constexpr std::int64_t kMostDiagnosed = std::int64_t{4096} * 4096;
 /// Why a scene cannot be diagnosed with these settings; "" if it can.
 [[nodiscard]] std::string whyNotDiagnosed(const Scene& scene, const PictureSettings& settings);
 
@@ -89,7 +91,7 @@ class Diagnoser {
 
   [[nodiscard]] const Picture& picture() const { return picture_; }
   [[nodiscard]] const std::vector<DiagnosedSample>& samples() const { return samples_; }
-  /// What a program shows at a sample; nothing where its order shows no face. Rows are never asked for twice.
+  /// What a program shows at a sample; nothing where its order shows no face.
   struct Predicted {
     std::array<float, 3> value{};
     float step = 1;
@@ -99,9 +101,10 @@ class Diagnoser {
     std::int16_t cell = -1;
     bool shows = true;
   };
+  /// At every `stride`th sample.
   [[nodiscard]] std::vector<Predicted> predicted(const Approach& way, std::size_t stride = 1);
   [[nodiscard]] Approach approachWith(const Hypothesis& first, const Hypothesis* second = nullptr) const;
-  /// The largest difference of two rows at a sample, and where; for pictures of two mistakes.
+  /// The sample where two rows differ most, and what both show there.
   struct Parting {
     DiagnosedSample at;
     double first = 0, second = 0, right = 0;

@@ -6,6 +6,8 @@
 #include <new>
 #include <set>
 #include <sstream>
+#include <stdexcept>
+#include <system_error>
 
 #include "shading/color/png.h"
 #include "shading/picture/picture_cache.h"
@@ -62,6 +64,8 @@ void Marker::markPicture(MarkedFile& row, const std::string& path) {
   if (!diagnoser) {
     PictureSettings settings = settings_;
     settings.width = size.x, settings.height = size.y;
+    if (const std::string why = whyNotDiagnosed(scene_, settings); !why.empty())
+      throw std::invalid_argument{why};
     diagnoser = std::make_unique<Diagnoser>(scene_, settings);
   }
   const Diagnosis d = (*diagnoser)(handed);
@@ -118,8 +122,10 @@ MarkedFile Marker::mark(const std::string& folder, const std::string& name) {
 
 std::vector<std::string> handedInFiles(const std::string& folder) {
   std::vector<std::string> names;
-  for (const auto& entry : std::filesystem::directory_iterator{folder}) {
-    std::error_code error;
+  std::error_code error;
+  std::filesystem::directory_iterator entries{folder, error};
+  if (error) throw std::system_error{error.value(), std::generic_category(), folder};
+  for (const auto& entry : entries) {
     const std::string name = entry.path().filename().string();
     if (!name.starts_with('.') && std::filesystem::is_regular_file(entry.path(), error))
       names.push_back(name);

@@ -141,8 +141,10 @@ void addOptions(CLI::App& app, Reader& r, Options& o) {
          "file; grade: a CSV file",
          "", [&](const std::string& s) { o.output = s; });
   r.takes("--output", Takes::File);
-  r.text("--size", "picture or window size WxH, at most 8192x8192",
-         "800x600, a window 1024x768 times --scale, extremes 160x120, diagnose the picture's",
+  r.text("--size",
+         "picture or window size WxH, at most 8192x8192; diagnose and grade: that of the picture, if it is "
+         "not given",
+         "800x600, a window 1024x768 times --scale, extremes 160x120",
          [&](const std::string& s) { o.size = parseSize(s); });
   r.number("--scale", o.scale, 1, kMostScale,
            "how many times as large the window's letters, lines and controls are; the picture keeps its own "

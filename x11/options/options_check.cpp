@@ -141,7 +141,8 @@ void checkCommand(const Options& o, const std::vector<OptionRow>& rows) {
   if (takes && o.handedIn.empty())
     throw UsageError{name + " needs, after the scene, " + std::string{rowOf(o.command).takes}};
   if (grades && o.output.empty()) throw UsageError{"grade needs -o MARKS.csv"};
-  if (grades && sameFile(o.output, o.page)) throw UsageError{"-o and --page name the same file"};
+  if (grades && !o.page.empty() && sameFile(o.output, o.page))
+    throw UsageError{"-o and --page name the same file"};
   if (explains && !o.pixel && !o.gave("--viewing"))
     throw UsageError{"explain needs a pixel X,Y of the picture, such as 400,300: xnewell explain " + o.scene +
                      " 400,300"};

@@ -40,11 +40,12 @@ TEST(ClassMarks, HaveARowForEachFile) {
   one.draw("carl.png", Mistake::NoAmbient);
   one.folder.write("dora.png", "\x89PNG, but not really");
   one.folder.write("=emil,\"x\".ppm", "P6 99999 99999 255\n");
+  writePng(one.folder.file("gina.png"), IndexImage{5000, 4000, 7}, Palette{});
   one.folder.write("fred.jsonl", "{\"face\": 0}\n");
   one.folder.write(".hidden", "");
   Marker marker{one.scene, one.settings, {}, true};
   const std::vector<std::string> names = handedInFiles(one.folder.path().string());
-  ASSERT_EQ(names.size(), 6u);
+  ASSERT_EQ(names.size(), 7u);
   std::vector<MarkedFile> rows;
   for (const std::string& name : names) rows.push_back(marker.mark(one.folder.path().string(), name));
   EXPECT_EQ(rows[0].verdict, "unreadable");
@@ -53,14 +54,15 @@ TEST(ClassMarks, HaveARowForEachFile) {
   EXPECT_EQ(rows[3].terms, "ka Ia");
   EXPECT_EQ(rows[4].words.substr(0, 10), "unreadable");
   EXPECT_EQ(rows[5].mistakes, "missing");
+  EXPECT_EQ(rows[6].words, "unreadable: diagnose takes pictures of up to 4096 x 4096 pixels");
 
   const std::string csv = marksAsCsv(rows);
   EXPECT_TRUE(csv.starts_with("file,verdict,mistakes,term,explained,informative,pixel,face,words\n"));
   EXPECT_NE(csv.find("\n\"'=emil,\"\"x\"\".ppm\",unreadable,"), std::string::npos) << csv;
   EXPECT_NE(csv.find("\nbert.png,mistake,Ia-forgotten,ka Ia,"), std::string::npos) << csv;
-  EXPECT_EQ(std::ranges::count(csv, '\n'), 7);
+  EXPECT_EQ(std::ranges::count(csv, '\n'), 8);
   const std::string summary = summaryOf(rows);
-  EXPECT_TRUE(summary.starts_with("6 files: 2 mistake, 2 unreadable, 1 right, 1 wrong\n")) << summary;
+  EXPECT_TRUE(summary.starts_with("7 files: 3 unreadable, 2 mistake, 1 right, 1 wrong\n")) << summary;
   EXPECT_NE(summary.find("mistakes: 2 Ia-forgotten, 1 missing\n"), std::string::npos) << summary;
 }
 
