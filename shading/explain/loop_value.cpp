@@ -30,6 +30,26 @@ class Loop {
         ramp_{picture.colors().ramps()[s_.mesh.material[face_.number] + 1]},
         evaluator_{s_, channel} {}
 
+  Loop(const Picture& picture, int face, int channel) : Loop{picture, face, channel, 0, 0} {}
+
+  [[nodiscard]] double gouraudValueAt(int vertex) const {
+    const std::vector<int>& vertexOf = s_.shading.vertices().ofCorner;
+    const auto intensity = [&](int corner) {
+      return s_.shading.intensities(channel_).I[vertexOf[corner]].seen(face_.back);
+    };
+    const auto cell = [&](int corner) { return ramp_.cell(intensity(corner)) + 0.5; };
+    const int source = s_.snapped.source[vertex];
+    return s_.settings.interpolated == Interpolated::Cell
+               ? atSource(s_.snapped, source, cell)
+               : ramp_.value(atSource(s_.snapped, source, intensity));
+  }
+  [[nodiscard]] glm::dvec3 mapPlaceAt(int vertex) const {
+    return kMapCentre +
+           s_.side(face_) * kMapScale * atSource(s_.snapped, s_.snapped.source[vertex], [&](int corner) {
+             return s_.shading.mapped(channel_)[s_.shading.vertices().ofCorner[corner]];
+           });
+  }
+
   [[nodiscard]] LoopValue value() const {
     if (evaluator_.evaluates(face_)) return evaluated();
     if (s_.settings.shading == Shading::Gouraud) return gouraud();
@@ -68,16 +88,7 @@ class Loop {
 
   [[nodiscard]] LoopValue gouraud() const {
     const bool cells = s_.settings.interpolated == Interpolated::Cell;
-    const std::vector<int>& vertexOf = s_.shading.vertices().ofCorner;
-    const auto steps = [&](int vertex) {
-      const auto intensity = [&](int corner) {
-        return s_.shading.intensities(channel_).I[vertexOf[corner]].seen(face_.back);
-      };
-      const auto cell = [&](int corner) { return ramp_.cell(intensity(corner)) + 0.5; };
-      const int source = s_.snapped.source[vertex];
-      return valueSteps(cells ? atSource(s_.snapped, source, cell)
-                              : ramp_.value(atSource(s_.snapped, source, intensity)));
-    };
+    const auto steps = [&](int vertex) { return valueSteps(gouraudValueAt(vertex)); };
     AffineValue plane;
     if (s_.settings.polygons == Polygons::Rows && face_.count > 3) {
       std::vector<double> v;
@@ -105,11 +116,8 @@ class Loop {
     const FaceTriangle t = triangleAt(s_.snapped, face_, i_, j_);
     std::array<std::array<std::uint32_t, 3>, 3> steps{};
     for (int k = 0; k < 3; ++k) {
-      const glm::dvec3 N =
-          s_.side(face_) * kMapScale * atSource(s_.snapped, s_.snapped.source[t.vertex[k]], [&](int corner) {
-            return s_.shading.mapped(channel_)[s_.shading.vertices().ofCorner[corner]];
-          });
-      for (int axis = 0; axis < 3; ++axis) steps[axis][k] = valueSteps(kMapCentre + N[axis]);
+      const glm::dvec3 place = mapPlaceAt(t.vertex[k]);
+      for (int axis = 0; axis < 3; ++axis) steps[axis][k] = valueSteps(place[axis]);
     }
     const AffineOver over{t.p.data()};
     const auto at = [&](int axis) { return over(steps[axis].data()).at(i_, j_); };
@@ -136,6 +144,14 @@ class Loop {
 
 LoopValue loopValueOf(const Picture& picture, int face, int channel, int i, int j) {
   return Loop{picture, face, channel, i, j}.value();
+}
+
+double gouraudValueAt(const Picture& picture, int face, int channel, int vertex) {
+  return Loop{picture, face, channel}.gouraudValueAt(vertex);
+}
+
+glm::dvec3 mapPlaceAt(const Picture& picture, int face, int channel, int vertex) {
+  return Loop{picture, face, channel}.mapPlaceAt(vertex);
 }
 
 FaceTriangle triangleAt(const SnappedScene& scene, const SnappedFace& face, int i, int j) {

@@ -22,6 +22,12 @@ struct LoopValue {
 /// `face` is an index into snapped().faces and owns the sample of pixel (i, j). One channel, 0 to 2.
 [[nodiscard]] LoopValue loopValueOf(const Picture& picture, int face, int channel, int i, int j);
 
+/// What Gouraud shading interpolates, at a vertex of the face: the value on the ramp (Ramp::value). `vertex`
+/// is an index into snapped().vertices.
+[[nodiscard]] double gouraudValueAt(const Picture& picture, int face, int channel, int vertex);
+/// What environment maps interpolate there: column and row of the map, and which of two maps.
+[[nodiscard]] glm::dvec3 mapPlaceAt(const Picture& picture, int face, int channel, int vertex);
+
 /// The triangle of a face that owns the sample of pixel (i, j), which the face owns.
 [[nodiscard]] FaceTriangle triangleAt(const SnappedScene& scene, const SnappedFace& face, int i, int j);
 

@@ -11,17 +11,6 @@
 
 namespace xnewell {
 
-namespace {
-
-constexpr int kShiftSteps = 10;
-
-/// The keys that the buttons stand for.
-constexpr std::array<Key, kTransport> kTransportKeys{
-    Key{NamedKey::Home}, {NamedKey::Left, 0, true},  {NamedKey::Left}, {NamedKey::Space},
-    {NamedKey::Right},   {NamedKey::Right, 0, true}, {NamedKey::End}};
-
-}  // namespace
-
 Control SortBench::timeline() {
   return {.kind = Control::Kind::Slider,
           .part = sortId(SortPart::Timeline).part,
@@ -87,42 +76,31 @@ KeyTable SortBench::ownKeys() {
     add(static_cast<char>('1' + k), "tick a box", "tick a box", "", [this, k] { player_.toggle(k); });
 
   const bool rests = run() && !view.playing;
-  const char* const atStart = rests && view.step == 0 ? "This is the start of the run." : "";
-  const char* const atEnd =
-      rests && !view.asking && view.step == run()->steps() ? "This is the end of the run." : "";
-  const auto by = [this](int steps) {
-    return [this, steps](const Key& key) { player_.stepBy(key.shift ? kShiftSteps * steps : steps); };
-  };
-  const char* const steps = "a step back or forward; Shift: ten steps";
-  append(table, {{{NamedKey::Left}, "step", steps, by(-1), atStart},
-                 {{NamedKey::Right}, "step", steps, by(1), atEnd}});
-  add(NamedKey::Space, view.playing ? "stop" : "play", "play, stop",
-      run() && run()->steps() == 0 ? "There is nothing to sort." : "", [this] { player_.play(); });
-  const char* const ends = "the start of the run, its end";
-  add(NamedKey::Home, "start", ends, atStart, [this] { player_.moveTo(0); });
-  add(NamedKey::End, "end", ends, atEnd, [this] { player_.moveTo(run()->steps()); });
-  const char* const jumps = "the next step of the kind, the one before";
-  const auto whyNot = [&](bool forward) { return run() ? player_.whyNoJump(forward) : ""; };
-  add('j', "next of kind", jumps, whyNot(true), [this] { player_.jump(true); });
-  add('J', "back", jumps, whyNot(false), [this] { player_.jump(false); });
-  add('K', "kind", "the next kind of step", "", [&view] {
-    view.kind = static_cast<Landmark>((static_cast<std::size_t>(view.kind) + 1) % kLandmarks.size());
-  });
-  add('g', "go to step", "go to a step by its number", "", [this] {
-    player_.view.playing = false;
-    list_.askForValue(timeline());
-  });
+  appendTransportKeys(
+      table, view.playing,
+      {.by = [this](int steps) { player_.stepBy(steps); },
+       .play = [this] { player_.play(); },
+       .start = [this] { player_.moveTo(0); },
+       .end = [this] { player_.moveTo(run()->steps()); },
+       .jump = [this](bool forward) { player_.jump(forward); },
+       .nextKind =
+           [&view] {
+             view.kind = static_cast<Landmark>((static_cast<std::size_t>(view.kind) + 1) % kLandmarks.size());
+           },
+       .askStep =
+           [this] {
+             player_.view.playing = false;
+             list_.askForValue(timeline());
+           },
+       .whyNoJump = [&](bool forward) { return run() ? player_.whyNoJump(forward) : ""; },
+       .nothing = run() && run()->steps() == 0 ? "There is nothing to sort." : "",
+       .atStart = rests && view.step == 0,
+       .atEnd = rests && !view.asking && view.step == run()->steps()});
   add('/', "polygon", "go to the next step with a polygon", "", [this] { player_.askPolygon(); });
   add('b', "stop at", "and 1 to 6: tick what playing stops at", "",
       [&view, on = !view.numbered] { view.numbered = on; });
   add('y', "predict", predicts, "", [this] { player_.toggle(kPredict); });
-  const auto speed = [&view](int presses) {
-    return [&view, presses] { view.speed = stepped(kSpeeds, view.speed, presses); };
-  };
-  add('-', "speed", "slower, faster", view.speed <= kSpeeds.low ? "This is the lowest speed." : "",
-      speed(-1));
-  add('+', "speed", "slower, faster", view.speed >= kSpeeds.high ? "This is the highest speed." : "",
-      speed(1));
+  appendSpeedKeys(table, view.speed);
   add('l', "", "show the loupe, or put it away", "", [&view] { view.loupe = !view.loupe; });
   if (view.playing || view.numbered || list_.focus() == sortId(SortPart::Speed))
     add(NamedKey::Escape, "", "stop playing; select the timeline again", "", [this] {

@@ -1,5 +1,4 @@
 #include <algorithm>
-#include <cmath>
 
 #include "x11/drawing/wording.h"
 #include "x11/stepper/sort_pen.h"
@@ -29,59 +28,17 @@ Control toggleControl(const SortView& view, int index) {
 
 namespace {
 
-/// A bar or an arrow of an icon, and how far its left edge is from the middle.
-struct Piece {
-  char shape = 0;
-  int at = 0;
-};
-using Icon = std::array<Piece, 2>;
-constexpr std::array<Icon, kTransport> kIcons{{{{{'|', -5}, {'<', -1}}},
-                                               {{{'<', -6}, {'<', 0}}},
-                                               {{{'<', -3}}},
-                                               {{{'>', -2}}},
-                                               {{{'>', -2}}},
-                                               {{{'>', -5}, {'>', 1}}},
-                                               {{{'>', -4}, {'|', 3}}}}};
-constexpr Icon kStopIcon{{{'|', -4}, {'|', 2}}};
-
-void drawButton(SortPen& pen, int index) {
-  const Rect& r = pen.at.transport[index];
-  pen.paint.fillRect(r, pen(pen.look(SortPart::Transport, index).hovered ? Cell::White : Cell::Panel));
-  pen.paint.frame(r, pen(Cell::Faint));
-  pen.paint.hline(r.x + 1, r.y + 1, r.width - 2, pen(Cell::White));
-  pen.paint.vline(r.x + 1, r.y + 1, r.height - 2, pen(Cell::White));
-  pen.rule(r.x + 1, r.y + r.height - 2, r.width - 2);
-  pen.paint.vline(r.x + r.width - 2, r.y + 1, r.height - 2, pen(Cell::Rule));
-  const int top = r.y + r.height / 2 - 4;
-  for (const auto& [shape, at] : index == kPlay && pen.view.playing ? kStopIcon : kIcons[index]) {
-    const int x = r.x + r.width / 2 + at;
-    if (shape == '|') pen.paint.fillRect({x, top, 2, 9}, pen(Cell::Ink));
-    if (shape == '<') pen.paint.triangle(x, top, 5, Direction::Left, pen(Cell::Ink));
-    if (shape == '>') pen.paint.triangle(x, top, 5, Direction::Right, pen(Cell::Ink));
-  }
-}
-
-void drawKinds(SortPen& pen, int y) {
-  if (!pen.at.narrow) pen.ink(pen.at.kinds.area.x - 54, y, "jump to");
-  drawControl(pen, kindsControl(pen.run, pen.view), pen.at.kinds, pen.look(SortPart::Kinds));
-}
-
-void drawSpeed(SortPen& pen, int y) {
-  const ControlPlace& place = pen.at.speed;
-  const Look look = pen.look(SortPart::Speed);
-  const double speed = pen.view.speed;
-  if (look.focused) drawFocus(pen, place.area);
-  if (!pen.at.narrow) pen.ink(place.track.x - 80, y, "speed");
-  pen.boldRight(place.track.x - 8, y, fixed(speed, speed < 10.0 ? 1 : 0) + "/s");
-  drawTrack(pen, place, shareOf(kSpeeds, speed), {}, true, look);
-}
-
-struct Lane {
+struct KindOfLane {
   Landmark kind;
   std::string_view name;
 };
-constexpr std::array kTimelineLanes{Lane{Landmark::Move, "moves"}, Lane{Landmark::Cycle, "cycles"},
-                                    Lane{Landmark::Cut, "cuts"}, Lane{Landmark::Paint, "paint"}};
+constexpr std::array kTimelineLanes{KindOfLane{Landmark::Move, "moves"},
+                                    KindOfLane{Landmark::Cycle, "cycles"}, KindOfLane{Landmark::Cut, "cuts"},
+                                    KindOfLane{Landmark::Paint, "paint"}};
+
+TransportState stateOf(const SortPen& pen) {
+  return {pen.view.step, pen.run.steps(), pen.view.playing, pen.view.speed, pen.view.asking};
+}
 
 }  // namespace
 
@@ -137,49 +94,17 @@ void drawCounts(SortPen& pen) {
 }
 
 void drawTransport(SortPen& pen) {
-  for (int k = 0; k < kTransport; ++k) drawButton(pen, k);
-  const Rect& at = pen.at.step;
-  const int y = at.y + at.height / 2 + 4;
-  const std::string now = grouped(pen.view.step), of = " of " + grouped(pen.run.steps());
-  const bool word = at.width >= textWidth("step " + now + of);
-  int x = at.x;
-  if (word) x = pen.ink(x, y, "step ");
-  x = pen.bold(x, y, now);
-  if (x + textWidth(of) <= at.x + at.width) pen.soft(x, y, of);
-  drawKinds(pen, y);
-  drawSpeed(pen, y);
+  TransportLooks looks{.kinds = pen.look(SortPart::Kinds), .speed = pen.look(SortPart::Speed)};
+  for (int k = 0; k < kTransport; ++k) looks.buttons[k] = pen.look(SortPart::Transport, k);
+  drawTransport(pen, pen.at, stateOf(pen), kindsControl(pen.run, pen.view), looks);
 }
 
 void drawTimeline(SortPen& pen) {
-  const Rect& at = pen.at.timeline;
-  const int steps = pen.run.steps(), head = columnOf(at, pen.view.step, steps);
-  pen.paint.fillRect({at.x, at.y, head - at.x, at.height}, pen(Cell::White));
-  const int lanes = static_cast<int>(kTimelineLanes.size());
-  for (int k = 0; k < lanes; ++k) {
-    const int top = at.y + k * at.height / lanes, bottom = at.y + (k + 1) * at.height / lanes;
-    pen.soft(pen.at.body.x, bottom - 3, kTimelineLanes[k].name);
-    pen.rule(at.x, bottom - 1, at.width);
-    const bool paint = kTimelineLanes[k].kind == Landmark::Paint;
-    std::vector<int> marks(at.width, 0), done(at.width, 0);
-    for (const int step : pen.run.landmarks().steps(kTimelineLanes[k].kind)) {
-      const int column = columnOf(at, step, steps) - at.x;
-      ++marks[column];
-      done[column] |= step <= pen.view.step;
-    }
-    const int most = std::max(1, *std::ranges::max_element(marks)), height = bottom - top - 5;
-    for (int i = 0; i < at.width; ++i) {
-      // Marks of later steps would give the answer away.
-      if (marks[i] == 0 || (pen.view.asking && !done[i])) continue;
-      const int high = paint ? std::max(3, height * marks[i] / most) : height;
-      const Cell cell = !done[i]                                  ? Cell::Faint
-                        : kTimelineLanes[k].kind == Landmark::Cut ? Cell::Alarm
-                                                                  : Cell::Ink;
-      const int width = paint || i + 1 == at.width ? 1 : 2;
-      pen.paint.fillRect({at.x + i, bottom - 2 - high, width, high}, pen(cell));
-    }
-  }
-  pen.paint.vline(head, at.y - 4, at.height + 4, pen(Cell::Ink));
-  pen.paint.triangle(head - 4, at.y - 4, 5, Direction::Down, pen(Cell::Ink));
+  std::vector<Lane> lanes;
+  for (const KindOfLane& lane : kTimelineLanes)
+    lanes.push_back({lane.name, pen.run.landmarks().steps(lane.kind),
+                     lane.kind == Landmark::Cut ? Cell::Alarm : Cell::Ink, lane.kind == Landmark::Paint});
+  drawTimeline(pen, pen.at, stateOf(pen), lanes);
 }
 
 }  // namespace xnewell

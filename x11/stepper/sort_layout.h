@@ -4,14 +4,11 @@
 #include <string_view>
 
 #include "depthsort/landmarks.h"
-#include "x11/kit/control.h"
+#include "x11/kit/transport.h"
 
 namespace xnewell {
 
 /// Where the parts of the depth-sort stepper are.
-
-/// The buttons under the table: to the start, ten back, one back, play, one forward, ten forward, to the end.
-inline constexpr int kTransport = 7, kPlay = 3;
 
 /// The boxes that the user ticks. A playing run stops at the steps of ticked boxes; the last box asks the
 /// learner what follows.
@@ -24,8 +21,7 @@ inline constexpr std::array<std::string_view, 3> kAnswers{"P first", "Q first", 
 inline constexpr std::array<char, 3> kAnswerKeys{'a', 'b', 'c'};
 
 /// In units.
-struct SortLayout {
-  bool compact = false, narrow = false;
+struct SortLayout : TransportLayout {
   bool shut = false;  ///< without list and side view, so that the picture is larger
   int line = 16;      ///< from one line of text to the next
   Rect body, picture;
@@ -37,17 +33,9 @@ struct SortLayout {
   Rect list;  ///< rows of `line` height, all of the column's width; empty if `shut`
   Rect counts;
   std::array<ControlPlace, kToggleCount> toggles;
-  int rule = 0;  ///< y of the line above the buttons
-  std::array<Rect, kTransport> transport;
-  Rect step;  ///< where the number of the step is shown
-  ControlPlace kinds, speed;
-  Rect timeline;  ///< four lanes
   [[nodiscard]] int rows() const { return list.height / line; }
 };
 /// `body` is at least 744 x 428.
 [[nodiscard]] SortLayout layoutOfSort(const Rect& body, bool shut = false);
-
-/// The column of a step on the timeline: step 0 is at the left end, the last step at the right end.
-[[nodiscard]] int columnOf(const Rect& timeline, int step, int steps);
 
 }  // namespace xnewell

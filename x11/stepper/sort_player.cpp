@@ -97,7 +97,7 @@ void SortPlayer::play() {
   if (!view.playing && view.step == run->steps()) goTo(0);
   view.asking = false;
   view.playing = !view.playing && run->steps() > 0;
-  due_ = 0;
+  clock_.restart();
 }
 
 bool SortPlayer::stopsAt(int step) const {
@@ -110,9 +110,8 @@ bool SortPlayer::stopsAt(int step) const {
 
 void SortPlayer::tick() {
   if (!view.playing) return;
-  due_ += view.speed * kTick / 1000.0;
-  while (due_ >= 1.0 && view.playing) {
-    due_ -= 1.0;
+  clock_.tick(view.speed);
+  while (view.playing && clock_.takeStep()) {
     goTo(view.step + 1);
     view.playing = view.step < run->steps() && !stopsAt(view.step);
   }

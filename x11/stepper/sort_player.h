@@ -13,8 +13,6 @@ namespace xnewell {
 /// follows, and keeps the score. While there is no run, only `view` may be used.
 class SortPlayer {
  public:
-  static constexpr int kTick = 40;  ///< milliseconds from tick() to tick()
-
   /// The prompt must outlive it.
   explicit SortPlayer(Prompt& prompt) : prompt_{prompt} {}
 
@@ -47,7 +45,7 @@ class SortPlayer {
   [[nodiscard]] bool stopsAt(int step) const;
 
   Prompt& prompt_;
-  double due_ = 0;  ///< the part of the next step that is due, while the run plays
+  StepClock clock_;
 };
 
 }  // namespace xnewell

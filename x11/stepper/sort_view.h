@@ -10,10 +10,6 @@
 
 namespace xnewell {
 
-/// Steps a second. Two presses of a key double the speed.
-inline constexpr TrackRange kSpeeds{.low = 0.5, .high = 2000, .step = 0.04178, .logarithmic = true};
-inline constexpr double kUsualSpeed = 5;
-
 /// The state of the page besides the run itself.
 struct SortView {
   int step = 0;
