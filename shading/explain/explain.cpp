@@ -144,4 +144,15 @@ Explanation PixelExplainer::operator()(int face, int i, int j) {
   return OnePixel{picture_, equations_, face, i, j}.make();
 }
 
+std::string faceName(const Picture& picture, int face) {
+  const SnappedFace& f = picture.snapped().faces[face];
+  const Mesh& mesh = picture.scene().mesh;
+  const ConvexParts& parts = picture.scene().parts;
+  std::string name = std::to_string(f.number);
+  const auto own = std::ranges::equal_range(parts.face, f.number);
+  if (own.size() > 1 && !picture.shading().refined())
+    name += '.' + std::to_string(f.part - (own.begin() - parts.face.begin()) + 1);
+  return name + ", " + mesh.groupNames[mesh.group[f.number]];
+}
+
 }  // namespace xnewell

@@ -4,6 +4,7 @@
 #include <glm/vec2.hpp>
 #include <glm/vec3.hpp>
 #include <optional>
+#include <string>
 #include <vector>
 
 #include "shading/explain/equation_at.h"
@@ -55,6 +56,10 @@ struct Explanation {
   /// What the loop makes of it: the cell; where the cells hold colours, each channel's value, 1 to 255.
   std::array<int, 3> value{};
 };
+
+/// "1954.2, spout": the number of a face, of the convex part of it, and the name of its group. `face` is an
+/// index into snapped().faces.
+[[nodiscard]] std::string faceName(const Picture& picture, int face);
 
 /// Explains pixels of one picture, which must outlive it. What all pixels share is prepared once.
 class PixelExplainer {

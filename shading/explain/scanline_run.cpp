@@ -252,4 +252,26 @@ ScanlineRun::TexturePlaces ScanlineRun::texturePlaces(const ScanSample& sample) 
   return {at(TextureMapping::Affine), at(TextureMapping::Perspective)};
 }
 
+double ScanlineRun::at(const ScanSample& sample, const ScanQuantity& quantity) const {
+  const std::vector<glm::ivec3>& p = parts_[static_cast<std::size_t>(sample.part)].outline;
+  const std::vector<double>& v = quantity.atVertex;
+  const int i = sample.column, j = spanOf(sample).row;
+  if (p.size() > 3) return alongRow(s_.snapped, s_.snapped.faces[face_], v, i, j);
+  return interpolated(weightsOnScreen({p[0], p[1], p[2]}, i, j), std::array{v[0], v[1], v[2]});
+}
+
+ScanlineRun::ByTriangles ScanlineRun::byTriangles(const ScanSample& sample) const {
+  const int i = sample.column, j = spanOf(sample).row;
+  const FaceTriangle t = triangleAt(s_.snapped, s_.snapped.faces[face_], i, j);
+  std::array<double, 3> v;
+  for (std::size_t k = 0; k < 3; ++k) v[k] = gouraudValueAt(picture_, face_, 0, t.vertex[k]);
+  const SteppedPlane plane = steppedOver(t.p, v, bits_);
+  const double value = plane.number(plane.at(i, j));
+  return {value, cellOf(value)};
+}
+
+Explanation ScanlineRun::explained(const ScanSample& sample) const {
+  return PixelExplainer{picture_}(face_, sample.column, spanOf(sample).row);
+}
+
 }  // namespace xnewell

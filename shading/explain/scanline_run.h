@@ -89,6 +89,21 @@ class ScanlineRun {
   /// A quantity where an edge of the part crosses the samples of a row: linear along the edge.
   [[nodiscard]] double onEdge(int part, int edge, int row, const ScanQuantity& quantity) const;
 
+  /// A quantity at a sample, directly.
+  [[nodiscard]] double at(const ScanSample& sample, const ScanQuantity& quantity) const;
+  /// What a fan of triangles has at a sample, where the values go along the rows: the value and the cell.
+  struct ByTriangles {
+    double value = 0;
+    std::uint8_t cell = 0;
+  };
+  [[nodiscard]] ByTriangles byTriangles(const ScanSample& sample) const;
+  /// True if the values go along the rows of a polygon with more than three corners.
+  [[nodiscard]] bool goesAlongRows() const { return kind_ == Kind::Rows; }
+  [[nodiscard]] bool isConstant() const { return kind_ == Kind::Constant; }
+  [[nodiscard]] bool hasNormals() const { return kind_ == Kind::Normals; }
+  /// The chain of explanations that ends in the sample's cell.
+  [[nodiscard]] Explanation explained(const ScanSample& sample) const;
+
   /// The largest drift, in units of the value, and how many samples have another cell by steps.
   [[nodiscard]] double mostDrift() const { return mostDrift_; }
   [[nodiscard]] int differing() const { return static_cast<int>(marks(ScanMark::Differs).size()); }
@@ -98,6 +113,8 @@ class ScanlineRun {
   };
   [[nodiscard]] TexturePlaces texturePlaces(const ScanSample& sample) const;
   [[nodiscard]] bool isTextured() const { return textured_; }
+  /// From I to the value that picks the cell.
+  [[nodiscard]] const Ramp& ramp() const { return ramp_; }
 
  private:
   enum class Kind { Constant, Values, Rows, Normals, Sampled };

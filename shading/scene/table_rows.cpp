@@ -45,7 +45,7 @@ std::vector<Setting> tableRows() {
       {.key = "table.i0",
        .option = "--i0",
        .label = "I0",
-       .control = '0',
+       .control = 'o',
        .section = Section::ColourTable,
        .is = "lowest intensity of the corrected table, where each shade is r times the one before",
        .role = Role::shortCut(0.02),

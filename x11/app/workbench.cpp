@@ -6,6 +6,7 @@
 
 #include "shading/explain/pixel_place.h"
 #include "x11/pixel/pixel_bench.h"
+#include "x11/scanline/scanline_bench.h"
 #include "x11/sides/side_bench.h"
 #include "x11/stepper/sort_bench.h"
 #include "x11/trade/trade_bench.h"
@@ -48,6 +49,7 @@ Workbench::Workbench(Scene scene, const Setup& setup, Server server)
   lessons_ = own(WindowView::Lesson, std::make_unique<LessonBench>(*this));
   pixel_ = own(WindowView::Pixel, std::make_unique<PixelBench>(*this, subject));
   viewing_ = own(WindowView::Viewing, std::make_unique<ViewingBench>(*this, subject));
+  scanline_ = own(WindowView::Scanline, std::make_unique<ScanlineBench>(*this, subject));
 }
 
 void Workbench::resize(int width, int height) {
@@ -143,7 +145,12 @@ void Workbench::switchTo(WindowView view) {
 void Workbench::goTo(const WindowPlace& place) {
   few_ = place.controls.value_or("");
   shut_ = place.controls && few_.empty();
-  if (place.view != WindowView::Viewing) stepper_->startAt(place.step);
+  if (place.view == WindowView::Scanline) {
+    if (place.polygon) scanline_->choose(*place.polygon);
+    if (place.polygon || place.step > 0) scanline_->startAt(place.step);
+  } else if (place.view != WindowView::Viewing) {
+    stepper_->startAt(place.step);
+  }
   if (place.scanline) bands_->choose(*place.scanline);
   if (place.cell) colors_->choose(*place.cell);
   if (place.pixel) pixel_->choose(*place.pixel);
@@ -160,6 +167,8 @@ WindowPlace Workbench::place() const {
   if (place.view == WindowView::Colors) place.cell = colors_->inspected();
   if (place.view == WindowView::Pixel) place.pixel = pixel_->pixel();
   if (place.view == WindowView::Viewing) place.step = viewing_->stage(), place.vertex = viewing_->vertex();
+  if (place.view == WindowView::Scanline)
+    place.polygon = scanline_->polygon(), place.step = scanline_->view().step;
   if (place.view == WindowView::SideBySide)
     place.beside = sides_->ownOfB(), place.difference = sides_->kind();
   if (layout_.drawer != Drawer::Whole) place.controls = layout_.drawer == Drawer::Few ? few_ : "";
@@ -174,6 +183,11 @@ void Workbench::explain(double x, double y) {
   else
     pixel_->choose(x, y);
   switchTo(WindowView::Pixel);
+}
+
+void Workbench::fill(const std::string& polygon) {
+  scanline_->choose(polygon);
+  switchTo(WindowView::Scanline);
 }
 
 void Workbench::compare(const Setup& B) {

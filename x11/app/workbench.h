@@ -19,6 +19,7 @@ namespace xnewell {
 class ColorsBench;
 class MachBench;
 class PixelBench;
+class ScanlineBench;
 class SideBench;
 class SortBench;
 class ViewingBench;
@@ -160,6 +161,7 @@ class Workbench : public Host {
   void close() override;
   void switchTo(WindowView view) override;
   void explain(double x, double y) override;
+  void fill(const std::string& polygon) override;
   void compare(const Setup& B) override;
   void keepWithin(std::optional<AccuracyLimit> limit) override { keepWithin(limit, {}); }
   /// `mine` are the axes that the user has chosen. Each choice takes at most about so many seconds of the
@@ -266,8 +268,9 @@ class Workbench : public Host {
   ColorsBench* colors_;
   MachBench* bands_;
   SideBench* sides_;   ///< and another
-  PixelBench* pixel_;  ///< and one more
+  PixelBench* pixel_;
   ViewingBench* viewing_;
+  ScanlineBench* scanline_;
   WindowView view_ = WindowView::Picture;
   int width_ = 0, height_ = 0;  ///< of the window, in pixels
   int unit_ = 1;                ///< the scale, unless the window fills the screen

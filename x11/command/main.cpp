@@ -44,6 +44,7 @@
 #include "x11/options/carried_setup.h"
 #include "x11/options/exit_status.h"
 #include "x11/options/options.h"
+#include "x11/scanline/scanline_trace.h"
 #include "x11/terminal/doing.h"
 #include "x11/views/views.h"
 #include "x11/visual/x11_error.h"
@@ -118,6 +119,12 @@ void trace(const Options& options, Scene scene) {
   PictureSettings settings = settingsOf(options);
   settings.order = Order::Unsorted;  // the trace makes its own sort
   if (channelsOf(planOf(scene, settings)) == Channels::Rgb) settings.colors = ColorPlan::OneHue;
+  if (options.window.polygon) {
+    const Picture picture =
+        makePicture(std::move(scene), settings, CellPlan{settings.table.kind}[Cell::Well]);
+    sorting.reset();
+    return printScanline(options.scene, *options.window.polygon, picture, std::cout);
+  }
   const Picture picture = makePicture(std::move(scene), settings).withPlanes();
   const SortedScene sorted = recordedRun(options, picture);
   sorting.reset();

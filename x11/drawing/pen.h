@@ -30,6 +30,11 @@ struct Pen {
   void rule(int x, int y, int width) { paint.hline(x, y, width, plan[Cell::Rule]); }
 };
 
+/// A white box with a bar of a colour at its left: the finding in bold, then why, in as many lines of this
+/// height as fit.
+void drawFindingBox(Pen& pen, const Rect& at, int line, std::string_view bold, std::string_view why,
+                    Cell bar);
+
 /// Marks the row that has the keyboard: a background that reaches `beyond` pixels past its end, and an ink
 /// bar before it.
 void drawFocus(Pen& pen, const Rect& row, int beyond = 2);

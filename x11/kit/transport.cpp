@@ -88,11 +88,55 @@ void drawSpeed(Pen& pen, const TransportLayout& at, double speed, int y, const L
 
 }  // namespace
 
+Control timelineControl(const TransportState& state, std::function<void(int step)> moveTo,
+                        std::function<void(int steps)> by) {
+  return {.kind = Control::Kind::Slider,
+          .part = transportId(TransportPart::Timeline).part,
+          .label = "step",
+          .is = "the step that is shown",
+          .value = static_cast<double>(state.step),
+          .range = {0, static_cast<double>(state.steps), 1, false, 0},
+          .set = [moveTo = std::move(moveTo)](double step) { moveTo(static_cast<int>(step)); },
+          .move = [by = std::move(by)](int along, int up) { by(along + up); }};
+}
+
+Controls transportControls(const TransportState& state, Control kinds, double& speed,
+                           const std::function<void(int step)>& moveTo,
+                           const std::function<void(int steps)>& by,
+                           const std::function<void(const Key&)>& press) {
+  Controls all{timelineControl(state, moveTo, by),
+               {.kind = Control::Kind::Slider,
+                .part = transportId(TransportPart::Speed).part,
+                .label = "speed",
+                .is = "steps a second",
+                .value = speed,
+                .range = kSpeeds,
+                .set = [&speed](double steps) { speed = steps; }},
+               std::move(kinds)};
+  for (int k = 0; k < kTransport; ++k)
+    all.push_back({.kind = Control::Kind::Button,
+                   .part = transportId(TransportPart::Button, k).part,
+                   .set = [press, k](double) { press(kTransportKeys[k]); }});
+  return all;
+}
+
+void placeTransport(ControlList& list, const TransportLayout& at) {
+  list.place(transportId(TransportPart::Timeline),
+             {.area = at.timeline, .track = at.timeline, .grip = at.timeline, .bare = true});
+  list.place(transportId(TransportPart::Speed), at.speed);
+  list.place(transportId(TransportPart::Kinds), at.kinds);
+  for (int k = 0; k < kTransport; ++k)
+    list.place(transportId(TransportPart::Button, k), {.area = at.transport[k], .bare = true});
+}
+
 void drawTransport(Pen& pen, const TransportLayout& layout, const TransportState& state, const Control& kinds,
-                   const TransportLooks& looks) {
+                   const ControlList* list) {
+  const auto look = [list](TransportPart part, int index = 0) {
+    return list ? list->look(transportId(part, index)) : Look{};
+  };
   for (int k = 0; k < kTransport; ++k)
     drawButton(pen, layout.transport[k], k == kPlay && state.playing ? kStopIcon : kIcons[k],
-               looks.buttons[k].hovered);
+               look(TransportPart::Button, k).hovered);
   const Rect& at = layout.step;
   const int y = at.y + at.height / 2 + 4;
   const std::string now = grouped(state.step), of = " of " + grouped(state.steps);
@@ -102,8 +146,8 @@ void drawTransport(Pen& pen, const TransportLayout& layout, const TransportState
   x = pen.bold(x, y, now);
   if (x + textWidth(of) <= at.x + at.width) pen.soft(x, y, of);
   if (!layout.narrow) pen.ink(layout.kinds.area.x - 54, y, "jump to");
-  drawControl(pen, kinds, layout.kinds, looks.kinds);
-  drawSpeed(pen, layout, state.speed, y, looks.speed);
+  drawControl(pen, kinds, layout.kinds, look(TransportPart::Kinds));
+  drawSpeed(pen, layout, state.speed, y, look(TransportPart::Speed));
 }
 
 void drawTimeline(Pen& pen, const TransportLayout& layout, const TransportState& state,

@@ -68,20 +68,33 @@ struct Lane {
   bool many = false;  ///< so many steps that a mark's height tells how many are there
 };
 
-/// What the page shows. `look` says how a control looks that this page names by its part.
+/// What the page shows.
 struct TransportState {
   int step = 0, steps = 0;
   bool playing = false;
   double speed = kUsualSpeed;
   bool asking = false;  ///< lanes show no later steps, which would give the answer away
 };
-struct TransportLooks {
-  std::array<Look, kTransport> buttons{};
-  Look kinds{}, speed{};
-};
-/// The buttons, the number of the step, the kinds and the speed.
+/// The controls, by the part of their name (ControlId), whose key is none.
+enum class TransportPart { Timeline = 1, Speed, Kinds, Button = 20 };
+[[nodiscard]] constexpr ControlId transportId(TransportPart part, int index = 0) {
+  return {0, static_cast<int>(part) + index};
+}
+/// The run's steps as a slider, the speed, the kinds, and the buttons. `kinds` is a choice that the page
+/// made. A button presses its key.
+[[nodiscard]] Controls transportControls(const TransportState& state, Control kinds, double& speed,
+                                         const std::function<void(int step)>& moveTo,
+                                         const std::function<void(int steps)>& by,
+                                         const std::function<void(const Key&)>& press);
+/// The slider alone.
+[[nodiscard]] Control timelineControl(const TransportState& state, std::function<void(int step)> moveTo,
+                                      std::function<void(int steps)> by);
+/// Tells the list where they are. The page draws them all itself.
+void placeTransport(ControlList& list, const TransportLayout& at);
+
+/// The buttons, the number of the step, the kinds and the speed. Without a list they are drawn at rest.
 void drawTransport(Pen& pen, const TransportLayout& at, const TransportState& state, const Control& kinds,
-                   const TransportLooks& looks);
+                   const ControlList* list);
 /// The lanes, one below the other.
 void drawTimeline(Pen& pen, const TransportLayout& at, const TransportState& state,
                   std::span<const Lane> lanes);

@@ -46,7 +46,7 @@ void TypedLine::press(const Key& key) {
     case NamedKey::Return: {
       const Question asked = *std::exchange(question_, std::nullopt);
       complaint_ = asked.take(asked.text);
-      if (!complaint_.empty()) question_ = asked;
+      if (!complaint_.empty()) question_ = asked, question_->fresh = true;  // a letter begins anew
       return;
     }
     case NamedKey::Space:

@@ -23,7 +23,7 @@ void check(const Exhibit& exhibit, const std::string& place, const Layout& windo
   const Picture picture = drawn(exhibit.settings, at.picture);
   std::optional<Picture> lower;
   if (exhibit.stage == Stage::SideBySide) lower = drawn(exhibit.beside, at.lower);
-  ShownExhibit facts{picture, picture.image(), lower ? &lower->image() : nullptr, exhibit.names};
+  ShownExhibit facts{picture, picture.image(), lower ? &lower->image() : nullptr, exhibit};
   for (const Claim& claim : exhibit.claims) {
     if (facts.holds(claim)) continue;
     const FactRow& fact = allFacts()[static_cast<std::size_t>(claim.fact)];

@@ -17,7 +17,7 @@ namespace xnewell {
 /// What a step of a lesson shows: a scene, its settings, and what stands beside it.
 
 /// What is shown below the picture, or instead of it.
-enum class Stage { Picture, DepthSort, Colors, MachBands, SideBySide };
+enum class Stage { Picture, DepthSort, Colors, MachBands, SideBySide, Scanline };
 struct StageRow {
   Stage id;
   std::string_view name, shows;
@@ -28,6 +28,7 @@ inline constexpr std::array kStages{
     StageRow{Stage::Colors, "colours", "what the cells hold, and the step from each to the next"},
     StageRow{Stage::MachBands, "mach bands", "the intensity along the middle row, for three methods"},
     StageRow{Stage::SideBySide, "side by side", "two ways to draw the scene, and how much differs"},
+    StageRow{Stage::Scanline, "scanline", "the first named face, pixel by pixel, and the drift of its steps"},
 };
 
 /// A step of the textbook run of the depth sort: the n-th of a kind, or the n-th that a test settled.
@@ -64,6 +65,8 @@ struct Exhibit {
   bool wrongMarked = false;  ///< samples that show a wrong face are marked
   PaletteEffects effects;
   EventChoice event;       ///< for Stage::DepthSort
+  int stepBits = 24;       ///< for Stage::Scanline and its facts: after the point of a value that is stepped
+  double filled = 0.6;     ///< for Stage::Scanline: the share of the samples that are filled
   PictureSettings beside;  ///< for Stage::SideBySide: the lower picture
   std::string upperLine, lowerLine;
   std::vector<Claim> claims;

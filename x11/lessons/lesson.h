@@ -68,7 +68,7 @@ inline constexpr std::array kLessonControls{
     LessonControlRow{LessonControl::Ks, 's', "ks"},
     LessonControlRow{LessonControl::N, 'n', "n"},
     LessonControlRow{LessonControl::Shades, 'c', "shades", 'x'},
-    LessonControlRow{LessonControl::I0, '0', "I0"},
+    LessonControlRow{LessonControl::I0, 'o', "I0"},
     LessonControlRow{LessonControl::Light, 'l', "light"},
     LessonControlRow{LessonControl::Turn, 't', "turn"},
     LessonControlRow{LessonControl::Zoom, 'z', "zoom"},

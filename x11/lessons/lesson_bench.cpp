@@ -162,6 +162,11 @@ KeyTable LessonBench::ownKeys() {
       handing_ = true;  // view 8 keeps the lesson's scene, too
       host_.explain(pixel_.x, pixel_.y);
     });
+    add('0', "fill", "fill the named face pixel by pixel in view 0", [this] {
+      handing_ = true;
+      const std::vector<NamedFace>& names = state_.exhibit.names;
+      host_.fill(names.empty() ? "" : std::to_string(names.front().face));
+    });
     add('7', "all lessons", "the list of all lessons", [this] { showList(true); });
     add(NamedKey::Escape, "leave", "leave the lesson: the window's own scene comes back",
         [this] { leaveForGood(); });
@@ -268,7 +273,7 @@ void LessonBench::placeButtons() {
 }
 
 LessonPage LessonBench::pageOf(const Desk& desk, const IndexImage* lower) {
-  ShownExhibit facts{desk.picture, desk.picture.image(), lower, state_.exhibit.names};
+  ShownExhibit facts{desk.picture, desk.picture.image(), lower, state_.exhibit};
   const LessonStep& step = now();
   const Taken& t = taken();
   LessonPage page;

@@ -7,6 +7,7 @@
 
 #include "geometry/files/text_file.h"
 #include "shading/explain/rounded_terms.h"
+#include "shading/explain/scanline_run.h"
 #include "shading/explain/term_values.h"
 #include "shading/picture/cell_use.h"
 #include "shading/picture/profile.h"
@@ -214,6 +215,15 @@ constexpr std::array kFacts{
     FactRow{"map row", "its row", 0, FactNeeds::Face,
             [](Found f) { return f.explained && f.explained->place ? f.explained->place->row : kMissing; }},
 
+    FactRow{"polygon samples", "samples that the first named face owns", 0, FactNeeds::Scanline,
+            [](Found f) { return f.filled ? f.filled->samples : kMissing; }},
+    FactRow{"polygon rows", "rows with such samples", 0, FactNeeds::Scanline,
+            [](Found f) { return f.filled ? f.filled->rows : kMissing; }},
+    FactRow{"polygon drift", "the most that its stepped values are off, in shades", 6, FactNeeds::Scanline,
+            [](Found f) { return f.filled ? f.filled->drift : kMissing; }},
+    FactRow{"polygon other cells", "its samples that have another cell by steps", 0, FactNeeds::Scanline,
+            [](Found f) { return f.filled ? f.filled->otherCells : kMissing; }},
+
     FactRow{"Ia", "ambient intensity", 2, FactNeeds::Picture,
             [](Found f) -> double { return f.picture.settings().light.Ia; }},
     FactRow{"Ip", "intensity of the point light", 2, FactNeeds::Picture,
@@ -287,6 +297,15 @@ void ShownExhibit::find(FactNeeds needs) {
       found_.pixel = {place->x, place->y};
       const int shown = picture.seen(place->y, place->y + 1).faces[static_cast<std::size_t>(place->x)];
       found_.explained = PixelExplainer{picture}(shown, place->x, place->y);
+      return;
+    }
+    case FactNeeds::Scanline: {
+      if (found_.filled || found_.face < 0) return;
+      const std::unique_ptr<ScanlineRun> run = scanlineOfFace(picture, found_.face, found_.stepBits);
+      if (!run) return;
+      FactSources::Filled& filled = found_.filled.emplace();
+      filled = {run->steps(), static_cast<int>(run->marks(ScanMark::Row).size()), run->differing(),
+                run->mostDrift()};
       return;
     }
     case FactNeeds::Range:

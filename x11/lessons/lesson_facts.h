@@ -20,7 +20,7 @@ namespace xnewell {
 /// what it counts, and a claim says which number a sentence relies on.
 
 /// Which part of the work a fact needs.
-enum class FactNeeds { Picture, Run, Oracle, Profile, Range, Beside, Face };
+enum class FactNeeds { Picture, Run, Oracle, Profile, Range, Beside, Face, Scanline };
 
 /// What the facts of an exhibit are read from: the picture, and what the parts of the work have found.
 struct FactSources {
@@ -48,6 +48,13 @@ struct FactSources {
   int face = -1;
   std::optional<glm::ivec2> pixel = {};
   std::optional<Explanation> explained = {};
+  /// FactNeeds::Scanline: of the first named face, with the exhibit's bits.
+  int stepBits = 24;
+  struct Filled {
+    int samples = 0, rows = 0, otherCells = 0;
+    double drift = 0;
+  };
+  std::optional<Filled> filled = {};
 };
 
 struct FactRow {
@@ -70,12 +77,13 @@ struct FactRow {
 /// An exhibit as it is shown, and its facts. All that is passed must outlive this.
 class ShownExhibit {
  public:
-  /// `image` is the picture painted, `beside` the second picture of Stage::SideBySide or null, `names` those
-  /// of the exhibit. A fact is computed when it is first asked for, each part of the work once.
+  /// `image` is the picture painted, `beside` the second picture of Stage::SideBySide or null. A fact is
+  /// computed when it is first asked for, each part of the work once.
   ShownExhibit(const Picture& picture, const IndexImage& image, const IndexImage* beside,
-               const std::vector<NamedFace>& names)
+               const Exhibit& exhibit)
       : found_{picture, image, beside} {
-    if (!names.empty()) found_.face = names.front().face;
+    if (!exhibit.names.empty()) found_.face = exhibit.names.front().face;
+    found_.stepBits = exhibit.stepBits;
   }
 
   /// NaN where the picture has none: a linear table has no ratio. No claim about it holds.

@@ -87,6 +87,7 @@ SightLayout layoutOfSight(const Rect& area, const Exhibit& exhibit, bool compact
   if (exhibit.stage == Stage::Colors) height = compact ? 170 : 236;
   if (exhibit.stage == Stage::MachBands) height = compact ? 230 : 330;
   if (exhibit.stage == Stage::SideBySide) height = 18;
+  if (exhibit.stage == Stage::Scanline) height = area.height * 6 / 10;
   if (height > 0) {
     constexpr int kGap = 14;
     at.below = {area.x, area.y + area.height - height, area.width, height};
@@ -132,6 +133,13 @@ std::optional<LetterPlace> placeOfLetter(const std::vector<std::uint32_t>& faces
   return best;
 }
 
+std::unique_ptr<ScanlineRun> scanlineOfFace(const Picture& picture, int number, int bits) {
+  const auto& faces = picture.snapped().faces;
+  const auto face = std::ranges::find(faces, number, &SnappedFace::number);
+  if (face == faces.end() || channelsOf(picture.colors().plan()) == Channels::Rgb) return nullptr;
+  return std::make_unique<ScanlineRun>(picture, static_cast<int>(face - faces.begin()), bits);
+}
+
 void drawSight(Painter paint, const SightLayout& at, const Sight& sight) {
   SightPen pen{{paint, sight.plan}, at, sight};
   const Exhibit& exhibit = sight.exhibit;
@@ -144,6 +152,7 @@ void drawSight(Painter paint, const SightLayout& at, const Sight& sight) {
   if (exhibit.extents) drawExtents(pen);
   if (exhibit.stage == Stage::Colors) drawCurves(pen);
   if (exhibit.stage == Stage::MachBands) drawProfiles(pen);
+  if (exhibit.stage == Stage::Scanline) drawFilling(pen);
   if (exhibit.stage == Stage::SideBySide && sight.lower) {
     pen.paint.within(at.lower).place(*sight.lower, at.lower.x, at.lower.y);
     pen.line(at.lower, exhibit.lowerLine);

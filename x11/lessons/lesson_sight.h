@@ -1,9 +1,11 @@
 #pragma once
 
+#include <memory>
 #include <vector>
 
 #include "shading/color/index_image.h"
 #include "shading/color/palette.h"
+#include "shading/explain/scanline_run.h"
 #include "shading/picture/picture.h"
 #include "x11/drawing/painter.h"
 #include "x11/lessons/exhibit.h"
@@ -38,6 +40,9 @@ struct Sight {
 
 /// Draws the picture and what is below it, on a paper background.
 void drawSight(Painter paint, const SightLayout& at, const Sight& sight);
+
+/// The run of the first part of a face of the model; null if it is not in the picture.
+[[nodiscard]] std::unique_ptr<ScanlineRun> scanlineOfFace(const Picture& picture, int number, int bits);
 
 /// The place of a letter: a sample of the face with space around it, as far from the middle of the picture as
 /// possible; nothing if the face is not visible. `faces` comes from Picture::faceImage();

@@ -128,6 +128,15 @@ void readBeside(Exhibit& exhibit, const Node& node) {
   if (node.has("lower")) exhibit.lowerLine = node.at("lower").text();
 }
 
+void readScanline(Exhibit& exhibit, const Node& node) {
+  node.expectKeys({"bits", "filled"});
+  if (node.has("bits")) {
+    exhibit.stepBits = node.at("bits").whole(8, 24);
+    if (exhibit.stepBits % 8 != 0) node.at("bits").fail("8, 16 or 24");
+  }
+  if (node.has("filled")) exhibit.filled = node.at("filled").numberFrom(0, 1);
+}
+
 }  // namespace
 
 std::shared_ptr<const Scene> SceneShelf::scene(const Node& name, int divisions) {
@@ -145,7 +154,7 @@ std::shared_ptr<const Scene> SceneShelf::scene(const Node& name, int divisions) 
 
 void expectExhibitKeys(const Node& node, std::initializer_list<std::string_view> more) {
   node.expectKeys({"scene", "divisions", "listed", "camera", "shading", "window", "line", "names", "extents",
-                   "wrong", "beside", "effects", "event", "claims"},
+                   "wrong", "beside", "effects", "event", "scanline", "claims"},
                   more);
 }
 
@@ -175,6 +184,7 @@ Exhibit readExhibit(const Node& node, const Exhibit* base, SceneShelf& shelf) {
   if (node.has("wrong")) exhibit.wrongMarked = node.at("wrong").truth();
   if (node.has("effects")) readEffects(exhibit.effects, node.at("effects"));
   if (node.has("event")) exhibit.event = readEvent(node.at("event"));
+  if (node.has("scanline")) readScanline(exhibit, node.at("scanline"));
   if (node.has("beside")) readBeside(exhibit, node.at("beside"));
   if (exhibit.stage == Stage::SideBySide && !node.has("beside") &&
       (!base || base->stage != Stage::SideBySide))

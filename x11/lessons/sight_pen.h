@@ -26,6 +26,8 @@ struct SightPen : Pen {
 void drawExtents(SightPen& pen);
 /// A step of the depth sort: the picture so far, and what decided.
 void drawRun(SightPen& pen);
+/// The first named face, partly filled, and the drift.
+void drawFilling(SightPen& pen);
 /// What the colour cells hold.
 void drawCurves(SightPen& pen);
 /// A row of the picture in each shading method: as a strip, and its intensity as a curve.

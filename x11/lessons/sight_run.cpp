@@ -5,6 +5,7 @@
 #include "depthsort/replay.h"
 #include "x11/drawing/wording.h"
 #include "x11/lessons/sight_pen.h"
+#include "x11/scanline/scanline_page.h"
 #include "x11/stepper/frames.h"
 #include "x11/stepper/sort_wording.h"
 
@@ -105,6 +106,37 @@ void drawRun(SightPen& pen) {
     y += 15;
   }
   if (e.kind != Event::Kind::Compare) drawList(pen, explainer, e, y + 8);
+}
+
+void drawFilling(SightPen& pen) {
+  const Exhibit& exhibit = pen.sight.exhibit;
+  if (exhibit.names.empty()) return;
+  const auto run = scanlineOfFace(pen.sight.picture, exhibit.names.front().face, exhibit.stepBits);
+  if (!run || run->steps() == 0) return;
+  // A step in the second half of a row, so that the charts have something to show.
+  int step = static_cast<int>(exhibit.filled * run->steps());
+  if (step > 0) {
+    const ScanSample& at = run->samples()[static_cast<std::size_t>(step - 1)];
+    const ScanSpan& span = run->spanOf(at);
+    step = std::min(run->steps(), step + std::max(0, span.from + (span.to - span.from) * 2 / 3 - at.column));
+  }
+  // Its outline in the picture.
+  Painter inside = pen.paint.within(pen.at.picture);
+  for (const ScanPart& part : run->parts())
+    for (std::size_t k = 0; k < part.outline.size(); ++k) {
+      const auto place = [&](std::size_t v) {
+        const glm::ivec3& p = part.outline[v % part.outline.size()];
+        return glm::ivec2{pen.at.picture.x + p.x / kGrid / pen.paint.unit(),
+                          pen.at.picture.y + p.y / kGrid / pen.paint.unit()};
+      };
+      inside.line(place(k).x, place(k).y, place(k + 1).x, place(k + 1).y, pen(Cell::White));
+    }
+  const int first = pen.section("face " + exhibit.names.front().name + ", pixel by pixel");
+  pen.softRight(pen.right(), first - 22, std::to_string(exhibit.stepBits) + " bits after the point");
+  drawScanlineSight(
+      pen,
+      {pen.at.below.x, first - 8, pen.at.below.width, pen.at.below.height - (first - 8 - pen.at.below.y)},
+      *run, step);
 }
 
 }  // namespace xnewell

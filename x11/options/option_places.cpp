@@ -17,12 +17,12 @@ void addPlaces(Reader& r) {
   only({"--scale"}, {"view", "lesson", "lecture", "--whole-window"});
   only({"--visual", "--colormap", "--nearest"}, {"view", "snapshot", "lesson", "lecture", "visuals"});
   only({"--view"}, {"view", "draw", "snapshot"});
-  only({"--step"}, {"--view depthsort", "--view viewing", "lesson"});
+  only({"--step"}, {"--view depthsort", "--view viewing", "--view scanline", "lesson"});
   only({"--pixel"}, {"--view pixel"});
   only({"--viewing"}, {"explain", "--view viewing"});
   only({"--controls"}, {"view", "--whole-window"});
   only({"--beside", "--difference"}, {"--view sidebyside"});
-  only({"--scanline"}, {"--view machbands"});
+  only({"--scanline"}, {"--view machbands", "--view scanline", "trace"});
   only({"--cell"}, {"--view colours"});
   only({"--store", "--turn", "--gamma", "--bend", "--rotate", "--lit"}, {"draw", "snapshot"});
   only({"--bare", "--ids", "--stats"}, {"draw", "snapshot", "figure"});

@@ -198,6 +198,12 @@ void checkCommand(const Options& o, const std::vector<OptionRow>& rows) {
   if (!o.ids.empty() && sameFile(o.ids, o.output)) throw UsageError{"-o and --ids name the same file"};
   exclude(o.accuracy.has_value(), o.wholeWindow, "--accuracy and --whole-window");
   exclude(o.quick, o.wholeWindow, "--quick and --whole-window");
+  const bool follows = o.window.polygon && traces;
+  exclude(follows, o.quick, "--scanline and --quick");
+  exclude(follows, !o.frames.empty(), "--scanline and --frames");
+  if (o.window.polygon && !o.window.scanline && o.viewName == "machbands")
+    throw UsageError{"--scanline: '" + *o.window.polygon + "' is not a whole number from 0 to " +
+                     std::to_string(kMaxPicture - 1)};
   if (traces && o.wholeWindow) needsWindow("the stepper", o);
   exclude(o.wholeWindow, !o.ids.empty(), "--whole-window and --ids");
   exclude(o.gave("--light"), o.gave("--light-at"), "--light and --light-at");

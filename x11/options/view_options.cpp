@@ -45,6 +45,19 @@ bool takeView(Options& o, const std::string& name) {
   return view != kViews.end() || window != kWindowViews.end();
 }
 
+/// A row, or a polygon. checkPlaces() knows which of them the command has.
+void takeScanline(Options& o, const std::string& text) {
+  const std::size_t point = text.find('.');
+  const auto isNumber = [](const std::string& s) {
+    return !s.empty() && s.size() < 10 && std::ranges::all_of(s, [](char c) { return c >= '0' && c <= '9'; });
+  };
+  if (!isNumber(text.substr(0, point)) || (point != std::string::npos && !isNumber(text.substr(point + 1))))
+    refuse("--scanline", text, "a row or a face, such as 59, or a part of a face, such as 59.2");
+  o.window.polygon = text;
+  if (const int row = std::stoi(text); point == std::string::npos && row < kMaxPicture)
+    o.window.scanline = row;
+}
+
 }  // namespace
 
 void addView(Reader& r, Options& o) {
@@ -75,13 +88,13 @@ void addView(Reader& r, Options& o) {
       "the few controls that stand beside a larger picture in view 1, by their keys, such as Ssn; none puts "
       "those of view 1 or 2 away. All keys work all the time",
       "all controls", [&](const std::string& s) { o.window.controls = parseControls(s); });
-  r.text("--scanline", "the row of the picture that --view machbands follows, from 0 at its top",
-         "the middle row, or the row that shows most if nothing shows there", [&](const std::string& s) {
-           const std::string expected = "a whole number from 0 to " + std::to_string(kMaxPicture - 1);
-           const double v = numbers("--scanline", s, 1, expected)[0];
-           if (v < 0 || v >= kMaxPicture || v != std::floor(v)) refuse("--scanline", s, expected);
-           o.window.scanline = static_cast<int>(v);
-         });
+  r.text(
+      "--scanline",
+      "the row of the picture that --view machbands follows, from 0 at its top; --view scanline and "
+      "trace: the "
+      "polygon that is filled, by its face number, such as 59, or with .2 for the face's second convex part",
+      "the middle row, or the row that shows most if nothing shows there; a polygon of about 200 samples",
+      [&](const std::string& s) { takeScanline(o, s); });
   r.text("--beside",
          "the settings of B that differ from those of A, such as \"order=none shade=phong\"; same: none of "
          "them",

@@ -47,6 +47,7 @@ std::vector<std::pair<std::string, std::string>> optionsOf(const WindowPlace& at
   std::vector<std::pair<std::string, std::string>> options;
   if (at.step > 0) options.emplace_back("--step", std::to_string(at.step));
   if (at.scanline) options.emplace_back("--scanline", std::to_string(*at.scanline));
+  if (at.polygon) options.emplace_back("--scanline", *at.polygon);
   if (at.cell) options.emplace_back("--cell", std::to_string(*at.cell));
   if (at.pixel)
     options.emplace_back("--pixel", std::to_string(at.pixel->x) + ',' + std::to_string(at.pixel->y));

@@ -13,7 +13,18 @@
 namespace xnewell {
 
 /// The views of the window. Each has a tab and a key.
-enum class WindowView { Picture, DepthSort, Colors, MachBands, SideBySide, Trade, Lesson, Pixel, Viewing };
+enum class WindowView {
+  Picture,
+  DepthSort,
+  Colors,
+  MachBands,
+  SideBySide,
+  Trade,
+  Lesson,
+  Pixel,
+  Viewing,
+  Scanline
+};
 struct WindowViewRow {
   WindowView id;
   char key;
@@ -29,6 +40,7 @@ inline constexpr std::array kWindowViews{
     WindowViewRow{WindowView::Lesson, '7', "Lesson", "lesson"},
     WindowViewRow{WindowView::Pixel, '8', "One pixel", "pixel"},
     WindowViewRow{WindowView::Viewing, '9', "Viewing", "viewing"},
+    WindowViewRow{WindowView::Scanline, '0', "Scanline", "scanline"},
 };
 
 /// What two pictures may differ in at a sample, one row for each.
@@ -51,10 +63,11 @@ inline constexpr std::array kUnlikes{
 /// Where a view begins, beside its scene and the set-up.
 struct WindowPlace {
   WindowView view = WindowView::Picture;
-  int step = 0;                          ///< of the depth sort; of view 9 the stage, from 1; 0: the first
-  std::optional<int> scanline = {};      ///< of the view of Mach bands
-  std::optional<int> cell = {};          ///< of the view of the colours
-  std::optional<glm::ivec2> pixel = {};  ///< of view 8: column and row in its picture
+  int step = 0;  ///< of the depth sort, or of the polygon that is filled; of view 9 the stage, from 1
+  std::optional<int> scanline = {};         ///< of the view of Mach bands
+  std::optional<int> cell = {};             ///< of the view of the colours
+  std::optional<std::string> polygon = {};  ///< of view 0: "59.1", or "59" for the face's first part
+  std::optional<glm::ivec2> pixel = {};     ///< of view 8: column and row in its picture
   /// Of view 9: FACE.CORNER, or the number of a vertex. "" or none: one in the middle of the picture.
   std::optional<std::string> vertex = {};
   std::optional<std::string> controls =

@@ -23,17 +23,6 @@ std::string_view PixelStory::verdict() const {
   return shown()->clamped ? "clamped" : "shaded";
 }
 
-std::string faceName(const Picture& picture, int face) {
-  const SnappedFace& f = picture.snapped().faces[face];
-  const Mesh& mesh = picture.scene().mesh;
-  const ConvexParts& parts = picture.scene().parts;
-  std::string name = std::to_string(f.number);
-  const auto own = std::ranges::equal_range(parts.face, f.number);
-  if (own.size() > 1 && !picture.shading().refined())
-    name += '.' + std::to_string(f.part - (own.begin() - parts.face.begin()) + 1);
-  return name + ", " + mesh.groupNames[mesh.group[f.number]];
-}
-
 std::string fateOf(const PixelStory& story, std::size_t k) {
   if (static_cast<int>(k) == story.history.shown) return "shows";
   if (rowOf(story.picture.settings().order).bySample) return "another one is nearer";

@@ -38,8 +38,6 @@ struct PixelStory {
   [[nodiscard]] std::string_view verdict() const;
 };
 
-/// "1954.2, spout": the number of a face, of the convex part of it, and the name of its group.
-[[nodiscard]] std::string faceName(const Picture& picture, int face);
 /// "painted over by 2"; `k` is an index into history.painted.
 [[nodiscard]] std::string fateOf(const PixelStory& story, std::size_t k);
 

@@ -12,14 +12,9 @@
 namespace xnewell {
 
 Control SortBench::timeline() {
-  return {.kind = Control::Kind::Slider,
-          .part = sortId(SortPart::Timeline).part,
-          .label = "step",
-          .is = "the step that is shown",
-          .value = static_cast<double>(view().step),
-          .range = {0, static_cast<double>(run()->steps()), 1, false, 0},
-          .set = [this](double step) { player_.moveTo(static_cast<int>(step)); },
-          .move = [this](int along, int up) { player_.stepBy(along + up); }};
+  return timelineControl(
+      {view().step, run()->steps()}, [this](int step) { player_.moveTo(step); },
+      [this](int steps) { player_.stepBy(steps); });
 }
 
 Controls SortBench::controls() {
@@ -28,19 +23,16 @@ Controls SortBench::controls() {
     all.push_back(handleControl([this](char letter) { host_.pressLetter(letter); }));
   if (!run()) return all;
   SortView& view = player_.view;
-  all.insert(all.end(), {timeline(),
-                         {.kind = Control::Kind::Slider,
-                          .part = sortId(SortPart::Speed).part,
-                          .label = "speed",
-                          .is = "steps a second",
-                          .value = view.speed,
-                          .range = kSpeeds,
-                          .set = [&view](double speed) { view.speed = speed; }},
-                         kindsControl(*run(), view)});
-  all.back().set = [this, &view](double kind) {
+  Control kinds = kindsControl(*run(), view);
+  kinds.set = [this, &view](double kind) {
     view.kind = static_cast<Landmark>(kind);
     player_.jump(true);
   };
+  for (Control& control : transportControls(
+           {view.step, run()->steps()}, std::move(kinds), view.speed,
+           [this](int step) { player_.moveTo(step); }, [this](int steps) { player_.stepBy(steps); },
+           [this](const Key& key) { (void)pressIn(ownKeys(), key, host_); }))
+    all.push_back(std::move(control));
   for (int k = 0; k < kToggleCount; ++k) {
     all.push_back(toggleControl(view, k));
     all.back().set = [this, k](double) { player_.toggle(k); };
@@ -49,8 +41,6 @@ Controls SortBench::controls() {
     all.push_back(
         {.kind = Control::Kind::Button, .part = sortId(part, index).part, .set = [act](double) { act(); }});
   };
-  for (int k = 0; k < kTransport; ++k)
-    add(SortPart::Transport, k, [this, k] { (void)pressIn(ownKeys(), kTransportKeys[k], host_); });
   for (int k = 0; view.asking && k < static_cast<int>(kAnswers.size()); ++k)
     add(SortPart::Answer, k, [this, k] { player_.answer(k); });
   for (int k = 0; k < static_cast<int>(places_.rows.size()); ++k)
@@ -101,11 +91,14 @@ KeyTable SortBench::ownKeys() {
       [&view, on = !view.numbered] { view.numbered = on; });
   add('y', "predict", predicts, "", [this] { player_.toggle(kPredict); });
   appendSpeedKeys(table, view.speed);
+  add(kCodeKey, "", kCodeDoes,
+      drawer_ == Drawer::Shut ? "The column of the book's lines is put away; D brings it back." : "",
+      [&view] { view.code = !view.code; });
   add('l', "", "show the loupe, or put it away", "", [&view] { view.loupe = !view.loupe; });
-  if (view.playing || view.numbered || list_.focus() == sortId(SortPart::Speed))
+  if (view.playing || view.numbered || list_.focus() == transportId(TransportPart::Speed))
     add(NamedKey::Escape, "", "stop playing; select the timeline again", "", [this] {
       player_.view.playing = false;
-      list_.setFocus(sortId(SortPart::Timeline));
+      list_.setFocus(transportId(TransportPart::Timeline));
     });
   if (part_ && !view.playing && !view.numbered)
     add(NamedKey::Escape, "the whole picture", "leave the part that is sorted", "",
@@ -160,7 +153,7 @@ void SortBench::choosePart(glm::ivec2 sample) {
 
 void SortBench::goToFaceOf(int id) { player_.goToPolygon(run()->fragments().face(id).number); }
 
-void SortBench::enter() { list_.setFocus(sortId(SortPart::Timeline)); }
+void SortBench::enter() { list_.setFocus(transportId(TransportPart::Timeline)); }
 
 void SortBench::leave() {
   Bench::leave();

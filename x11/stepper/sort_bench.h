@@ -4,6 +4,7 @@
 #include <optional>
 #include <string>
 
+#include "x11/kit/pseudocode.h"
 #include "x11/stepper/sort_player.h"
 #include "x11/window/bench.h"
 

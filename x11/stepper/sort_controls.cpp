@@ -8,7 +8,7 @@ namespace xnewell {
 
 Control kindsControl(const SortRun& run, const SortView& view) {
   Control kinds{.kind = Control::Kind::Choice,
-                .part = sortId(SortPart::Kinds).part,
+                .part = transportId(TransportPart::Kinds).part,
                 .label = "jump to",
                 .is = "the kind of step to jump to",
                 .value = static_cast<double>(view.kind)};
@@ -94,9 +94,7 @@ void drawCounts(SortPen& pen) {
 }
 
 void drawTransport(SortPen& pen) {
-  TransportLooks looks{.kinds = pen.look(SortPart::Kinds), .speed = pen.look(SortPart::Speed)};
-  for (int k = 0; k < kTransport; ++k) looks.buttons[k] = pen.look(SortPart::Transport, k);
-  drawTransport(pen, pen.at, stateOf(pen), kindsControl(pen.run, pen.view), looks);
+  drawTransport(pen, pen.at, stateOf(pen), kindsControl(pen.run, pen.view), pen.list);
 }
 
 void drawTimeline(SortPen& pen) {

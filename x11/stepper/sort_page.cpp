@@ -1,5 +1,6 @@
 #include "x11/stepper/sort_page.h"
 
+#include "x11/stepper/sort_code.h"
 #include "x11/stepper/sort_pen.h"
 
 namespace xnewell {
@@ -18,12 +19,8 @@ void placeControls(ControlList& list, const SortLayout& at, const SortView& view
   const auto place = [&](SortPart part, int index, const Rect& area) {
     list.place(sortId(part, index), {.area = area, .bare = true});
   };
-  list.place(sortId(SortPart::Timeline),
-             {.area = at.timeline, .track = at.timeline, .grip = at.timeline, .bare = true});
-  list.place(sortId(SortPart::Speed), at.speed);
-  list.place(sortId(SortPart::Kinds), at.kinds);
+  placeTransport(list, at);
   for (int k = 0; k < kToggleCount; ++k) list.place(sortId(SortPart::Toggle, k), at.toggles[k]);
-  for (int k = 0; k < kTransport; ++k) place(SortPart::Transport, k, at.transport[k]);
   for (int k = 0; view.asking && k < static_cast<int>(kAnswers.size()); ++k)
     place(SortPart::Answer, k, at.answers[k]);
   for (int k = 0; k < static_cast<int>(drawn.rows.size()); ++k)
@@ -46,7 +43,13 @@ SortDrawn drawSortPage(Painter paint, const SortLayout& at, SortRun& run, const 
   drawn.loupe = drawSortPicture(pen);
   drawTests(pen);
   drawFinding(pen);
-  if (!at.shut) drawn.rows = drawSidesAndList(pen);
+  if (!at.shut && view.code) {
+    const int top = at.side.y;
+    drawPseudocode(pen, {at.list.x, top, at.list.width, at.counts.y - 6 - top}, at.line,
+                   "Foley & van Dam 15.5.1", sortCode(run, view));
+  } else if (!at.shut) {
+    drawn.rows = drawSidesAndList(pen);
+  }
   drawCounts(pen);
   pen.rule(at.body.x, at.rule, at.body.width);
   drawTransport(pen);

@@ -11,8 +11,8 @@ namespace xnewell {
 /// and Q, both under a loupe, the tests in order with their numbers, a finding, both polygons from the side,
 /// the list, counts, and the run as a timeline.
 
-/// The name of a control of the page: its part of the page, and its index there.
-enum class SortPart { Timeline = 1, Speed, Kinds, Toggle = 10, Transport = 20, Answer = 30, Row = 40 };
+/// The name of a control of the page beside those of transport.h: its part of the page, and its index there.
+enum class SortPart { Toggle = 10, Answer = 30, Row = 40 };
 [[nodiscard]] constexpr ControlId sortId(SortPart part, int index = 0) {
   return {0, static_cast<int>(part) + index};
 }

@@ -23,6 +23,7 @@ struct SortView {
   double speed = kUsualSpeed;          ///< steps a second
   bool playing = false;
   bool loupe = true;      ///< the loupe is shown over the picture
+  bool code = false;      ///< the book's lines are shown, in place of side view and list
   bool numbered = false;  ///< the boxes show the digits that tick them
   bool operator==(const SortView&) const = default;
 };

@@ -30,7 +30,7 @@ Controls ColorsBench::controls() {
       add('T', "table").options = fact.options;
     } else if (fact.label == "shades") {
       add('c', "shades");
-      add('0', "I0");
+      add('o', "I0");
       Control& nearest = add('J', "nearest");
       nearest.label = "nearest";
       if (now.picture.table.kind != TableKind::Corrected)

@@ -35,6 +35,7 @@ std::vector<Rect> picturesOf(const Workbench& b) {
   if (b.view() == WindowView::MachBands) return {{at.x, body.y, at.width, body.height}};
   if (b.view() == WindowView::Viewing)  // its table counts pixels
     return {{at.x - 4, body.y, at.width + 8, body.height}};
+  if (b.view() == WindowView::Scanline) return {body};  // a polygon has more pixels, and so another run
   if (b.view() != WindowView::SideBySide) return {at};
   const SidesLayout sides = layoutOfSides(body);
   return {sides.A, sides.B, sides.difference, sides.numbers};  // the numbers have a loupe and times

@@ -91,7 +91,7 @@ TEST_P(ViewerAt, CellsAndIndicesChangeInOneFrame) {
   std::vector<Change> changes{
       Change{"--shades 64", type("c"), key(XK_Left), "--shades 63"},
       Change{"--table corrected --shades 64", type("c"), key(XK_Home), "--table corrected --shades 2"},
-      Change{"--table corrected", type("0"), key(XK_End), "--table corrected --i0 0.5"},
+      Change{"--table corrected", type("o"), key(XK_End), "--table corrected --i0 0.5"},
   };
   for (std::size_t k = 0; k < kTables.size(); ++k) {
     const auto table = [](std::size_t row) {

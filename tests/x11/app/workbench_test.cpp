@@ -45,7 +45,7 @@ TEST(Workbench, TableChangesEqualAFreshStart) {
   ReadyWorkbench b;
   b.type("T");  // corrected
   b.update();
-  b.type("0");
+  b.type("o");
   b.press({NamedKey::Right, 0, true});
   b.type("c");
   b.press({NamedKey::Left, 0, true});
@@ -221,7 +221,7 @@ TEST(Workbench, OrdersBySampleFillNoPolygons) {
 TEST(Workbench, KeysThatDoNothingSayWhy) {
   ReadyWorkbench b;
   const xnewell::Setup before = b.setup();
-  for (const std::string letters : {"u", "U", "0>", "0H", "0=5!", "i>"}) {
+  for (const std::string letters : {"u", "U", "o>", "oH", "o=5!", "i>"}) {
     SCOPED_TRACE(letters);
     for (const char c : letters) {
       if (c == '>')

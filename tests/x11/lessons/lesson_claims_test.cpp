@@ -20,9 +20,9 @@ constexpr std::array kSizes{glm::ivec2{800, 540}, glm::ivec2{800, 600}, glm::ive
 /// An exhibit drawn as the window draws it at a size.
 struct Shown {
   std::optional<Picture> picture, lower;
-  std::vector<NamedFace> names;
+  Exhibit of;
 
-  Shown(const Exhibit& exhibit, glm::ivec2 window) : names{exhibit.names} {
+  Shown(const Exhibit& exhibit, glm::ivec2 window) : of{exhibit} {
     const Layout at = layoutOf(window.x, window.y);
     const Rect area{at.body.x, at.body.y, at.body.width - 320 - kMargin,
                     at.body.height - (at.compact ? 2 : 12)};
@@ -36,7 +36,7 @@ struct Shown {
     lower = makePicture(*exhibit.scene, settings, 8);
   }
   [[nodiscard]] ShownExhibit facts() {
-    return {*picture, picture->image(), lower ? &lower->image() : nullptr, names};
+    return {*picture, picture->image(), lower ? &lower->image() : nullptr, of};
   }
 };
 

@@ -57,7 +57,11 @@ TEST(Options, RefuseWrongNumbers) {
   for (const std::string wrong : {"0", "1", "-1", "nan"}) refused("--i0", wrong);
   for (const std::string wrong : {"9", "0", "016", "eight"}) refused("--bits", wrong);
   for (const std::string wrong : {"cubist", "Cabinet"}) refused("--oblique", wrong);
-  for (const std::string wrong : {"-1", "8192", "2.5", "nan", "1,2"}) refused("--scanline", wrong);
+  for (const std::string wrong : {"-1", "2.", ".5", "nan", "1,2", "1e3", "12345678901"})
+    refused("--scanline", wrong);
+  for (const std::string wrong : {"8192", "2.5"})
+    EXPECT_EQ(complaint({"--view", "machbands", "--scanline", wrong}),
+              "--scanline: '" + wrong + "' is not a whole number from 0 to 8191");
   for (const std::string wrong : {"front", "Back"}) refused("--cull", wrong);
   for (const std::string wrong : {"three", "1"}) refused("--sided", wrong);
   for (const std::string wrong : {"-0.1", "1.01", "nan", "1,1"}) refused("--adapt", wrong);
@@ -255,8 +259,10 @@ TEST(Options, RefuseWhatTheCommandIgnores) {
 
 // A view refuses options that do not apply to it, and a size too small for its words.
 TEST(Options, RefuseWhatAViewCannotHeed) {
-  EXPECT_EQ(complaint({"--scanline", "3"}), "--scanline works only with --view machbands");
-  EXPECT_EQ(complaintAll({"--step", "3"}), "--step works only with --view depthsort, --view viewing and lesson");
+  EXPECT_EQ(complaint({"--scanline", "3"}),
+            "--scanline works only with --view machbands, --view scanline and trace");
+  EXPECT_EQ(complaintAll({"--step", "3"}),
+            "--step works only with --view depthsort, --view viewing, --view scanline and lesson");
   EXPECT_EQ(complaintAll({"lesson", "--step", "3"}), "--step needs a lesson's name");
   EXPECT_EQ(complaintAll({"lesson", "cycles", "--step", "3", "--frames", "f"}),
             "--frames and --step exclude each other");
@@ -284,7 +290,7 @@ TEST(Options, RefuseWhatAViewCannotHeed) {
             "--controls works only with view and --whole-window");
   EXPECT_EQ(complaintAll({"--controls", "none", "--view", "depthsort"}), "");
   EXPECT_EQ(complaint({"--view", "normals", "--scanline", "3"}),
-            "--scanline works only with --view machbands");
+            "--scanline works only with --view machbands, --view scanline and trace");
   for (const ViewRow& row : kViews) {
     if (row.id == View::Picture) continue;
     const std::string name{row.name}, view = "--view " + name;

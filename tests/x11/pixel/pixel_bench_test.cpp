@@ -2,7 +2,9 @@
 
 #include <gtest/gtest.h>
 
+#include "shading/explain/pixel_history.h"
 #include "tests/x11/support/ready_workbench.h"
+#include "x11/lessons/lesson.h"
 
 namespace xnewell::THIS_FILE {
 
@@ -143,6 +145,39 @@ TEST(PixelPage, RowsOfALongHistory) {
         rows.erase(std::remove(rows.begin(), rows.end(), -1), rows.end());
         EXPECT_TRUE(std::ranges::is_sorted(rows));
       }
+}
+
+// h goes back through the polygons that were painted at the pixel, and from the first to the last: also in a
+// lecture, whose pages PgUp and PgDn turn.
+TEST(PixelBench, HGoesThroughTheHistory) {
+  PixelWindow b;
+  b.type("O");  // a sort by z paints all that is behind, too
+  b.finish();
+  const auto explained = [&] { return b.bench().inWords(); };
+  const PixelHistory history =
+      historyOf(b.picture(), b.picture().settings().width / 2, b.picture().settings().height / 2);
+  ASSERT_GT(history.painted.size(), 1u);
+  const std::vector<std::string> last = explained();
+  b.does('h');
+  EXPECT_NE(explained(), last);
+  for (std::size_t k = 1; k < history.painted.size(); ++k) b.does('h');
+  EXPECT_EQ(explained(), last);
+}
+
+// In a lesson 8 explains a pixel of the lesson's scene, and 7 goes back.
+TEST(PixelBench, ExplainsInALesson) {
+  ReadyWorkbench b;
+  b.teach(readLesson(XNEWELL_DATA_DIR "/lessons/equation-by-hand.json"));
+  b.finish();
+  b.press('8');
+  b.finish();
+  EXPECT_EQ(b.view(), WindowView::Pixel);
+  EXPECT_EQ(b.scene().divisions, 3) << "the lesson's teapot";
+  EXPECT_EQ(b.setup().picture.light.n, 5);
+  EXPECT_TRUE(b.bench().status().starts_with("pixel ")) << b.bench().status();
+  b.press('7');
+  b.finish();
+  EXPECT_EQ(b.view(), WindowView::Lesson);
 }
 
 }  // namespace xnewell::THIS_FILE

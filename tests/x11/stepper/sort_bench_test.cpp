@@ -37,7 +37,7 @@ TEST(SortBench, ArrowsStep) {
   s.press(NamedKey::Home);
   EXPECT_EQ(s.step(), 0);
   EXPECT_TRUE(s.taken);
-  s.press("x");
+  s.press("X");
   EXPECT_FALSE(s.taken);
   EXPECT_EQ(s.notices.size(), 2u) << "one for each end";
 }
@@ -331,7 +331,7 @@ TEST(SortBench, RecordsAgainWhereTheSortChanged) {
   s.bench.leave();
   s.press(NamedKey::Right);
   EXPECT_TRUE(s.taken);
-  s.press("x");
+  s.press("X");
   EXPECT_FALSE(s.taken);
   EXPECT_EQ(s.step(), 3);
   s.draw();

@@ -31,6 +31,7 @@ class LessonWindow : public Host {
     view = v;
   }
   void explain(double, double) override {}
+  void fill(const std::string&) override {}
   void compare(const Setup&) override {}
   void keepWithin(std::optional<AccuracyLimit>) override {}
   [[nodiscard]] std::optional<AccuracyLimit> keptWithin() const override { return {}; }

@@ -80,6 +80,7 @@ class Stepper : private Host {
   void open(Scene, const xnewell::Setup&) override {}
   void switchTo(WindowView) override {}
   void explain(double, double) override {}
+  void fill(const std::string&) override {}
   void compare(const xnewell::Setup&) override {}
   void keepWithin(std::optional<AccuracyLimit>) override {}
   [[nodiscard]] std::optional<AccuracyLimit> keptWithin() const override { return {}; }

@@ -62,10 +62,10 @@ TEST(Controls, AreRowsOfSettings) {
 // A slider without effect is off and says why in the one pattern of such sentences.
 TEST(Controls, AreOffWithoutEffect) {
   xnewell::Setup s;
-  EXPECT_FALSE(slider('0').enabled(s));
-  EXPECT_EQ(slider('0').whenOff(), "I0 has no effect here; it applies to ramps of the corrected table.");
+  EXPECT_FALSE(slider('o').enabled(s));
+  EXPECT_EQ(slider('o').whenOff(), "I0 has no effect here; it applies to ramps of the corrected table.");
   s.picture.table.kind = TableKind::Corrected;
-  EXPECT_TRUE(slider('0').enabled(s));
+  EXPECT_TRUE(slider('o').enabled(s));
   EXPECT_TRUE(slider('n').enabled(s));
   s.picture.light.ks = 0;
   EXPECT_FALSE(slider('n').enabled(s));

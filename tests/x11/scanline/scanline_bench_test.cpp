@@ -1,0 +1,160 @@
+#include "x11/scanline/scanline_bench.h"
+
+#include <gtest/gtest.h>
+
+#include "tests/x11/support/ready_workbench.h"
+#include "x11/scanline/scanline_code.h"
+
+namespace xnewell::THIS_FILE {
+
+namespace {
+
+/// A window at view 0.
+struct ScanlineWindow : ReadyWorkbench {
+  explicit ScanlineWindow(Shading shading = Shading::Gouraud, const char* scene = "teapot")
+      : ReadyWorkbench{shaded(shading), 1024, 768, scene} {
+    press('0');
+    finish();
+  }
+  static xnewell::Setup shaded(Shading shading) {
+    xnewell::Setup setup;
+    setup.picture.shading = shading;
+    return setup;
+  }
+  void does(const Key& key) {
+    press(key);
+    finish();
+  }
+  [[nodiscard]] const ScanlineBench& view0() const { return dynamic_cast<const ScanlineBench&>(bench()); }
+  [[nodiscard]] const ScanlineRun& run() const { return *view0().run(); }
+  [[nodiscard]] int step() const { return view0().view().step; }
+  [[nodiscard]] ScanSample sample() const { return run().samples()[static_cast<std::size_t>(step() - 1)]; }
+  void answer(const std::string& text) {
+    for (const char c : text) press(c);
+    does(NamedKey::Return);
+  }
+};
+
+}  // namespace
+
+// It begins with a polygon that shows, of a size that fills the grid, partly filled. The arrows, Home, End
+// and j go along its samples, and the strip marks the cell of each.
+TEST(ScanlineBench, StepsAlongThePolygon) {
+  ScanlineWindow b;
+  EXPECT_EQ(b.view(), WindowView::Scanline);
+  EXPECT_GT(b.run().steps(), 60);
+  EXPECT_LT(b.run().steps(), 700);
+  EXPECT_NEAR(b.step(), 0.6 * b.run().steps(), 1);
+  b.does(NamedKey::Home);
+  EXPECT_EQ(b.step(), 0);
+  EXPECT_EQ(b.bench().inspected(), std::nullopt);
+  EXPECT_TRUE(b.bench().status().starts_with("before the first sample")) << b.bench().status();
+  b.does(NamedKey::Right);
+  EXPECT_EQ(b.bench().inspected(), b.sample().steppedCell);
+  b.does({NamedKey::Right, 0, true});
+  EXPECT_EQ(b.step(), 11);
+  b.does('j');  // the next row
+  EXPECT_EQ(b.sample().column, b.run().spanOf(b.sample()).from);
+  EXPECT_GT(b.sample().span, 0);
+  b.does(NamedKey::End);
+  EXPECT_EQ(b.step(), b.run().steps());
+}
+
+// A click in the grid goes to its sample; a click in the small picture fills the polygon there.
+TEST(ScanlineBench, TheMouseChooses) {
+  ScanlineWindow b;
+  const ScanlineLayout at = layoutOfScanline(b.layout().body);
+  const ScanSample target = b.run().samples()[b.run().samples().size() / 3];
+  const GridWindow window = gridWindow(at.grid, b.run(), b.step());
+  const int row = b.run().spanOf(target).row;
+  static_cast<void>(b.grab(at.grid.x + (target.column - window.column) * window.side + 1,
+                           at.grid.y + (row - window.row) * window.side + 1));
+  b.settle();
+  b.finish();
+  EXPECT_EQ(b.sample().column, target.column);
+  EXPECT_EQ(b.run().spanOf(b.sample()).row, row);
+
+  const std::string before = b.view0().polygon();
+  const int scale = overviewScale(at.overview, b.picture().image(), 1);
+  const PictureSettings& settings = b.picture().settings();
+  const int i = settings.width / 2 / scale * scale, j = settings.height / 2 / scale * scale;
+  const int face = b.picture().seen(j, j + 1).faces[static_cast<std::size_t>(i)];
+  static_cast<void>(b.grab(at.overview.x + i / scale, at.overview.y + j / scale));
+  b.settle();
+  b.finish();
+  EXPECT_NE(b.view0().polygon(), before);
+  EXPECT_EQ(b.run().face(), face);
+}
+
+// A changed setting keeps the polygon; with fewer bits the drift is larger, and the finding says how many
+// cells change. Flat shading has no bits to choose.
+TEST(ScanlineBench, SettingsKeepThePolygon) {
+  ScanlineWindow b;
+  const std::string polygon = b.view0().polygon();
+  const double fine = b.run().mostDrift();
+  b.does('B');
+  EXPECT_EQ(b.run().bits(), 8);
+  EXPECT_GT(b.run().mostDrift(), 1000 * fine);
+  EXPECT_EQ(b.view0().polygon(), polygon);
+  b.type("SSS");
+  b.finish();
+  EXPECT_EQ(b.view0().polygon(), polygon);
+  while (b.setup().picture.shading != Shading::Flat) b.does('S');
+  EXPECT_TRUE(b.run().isConstant());
+  b.does('B');
+  EXPECT_TRUE(b.complains());
+}
+
+// y asks for the next cell. A wrong answer may be corrected; the first try counts. Nothing tells the answer
+// meanwhile.
+TEST(ScanlineBench, PredictsTheNextCell) {
+  ScanlineWindow b;
+  b.does(NamedKey::Home);
+  b.does('y');
+  ASSERT_TRUE(b.isAsking());
+  const int cell = b.run().samples().front().steppedCell;
+  EXPECT_EQ(b.bench().inWords().size(), 1u);
+  b.answer(std::to_string(cell + 1));
+  EXPECT_TRUE(b.isAsking());
+  b.answer(std::to_string(cell));
+  EXPECT_FALSE(b.isAsking());
+  EXPECT_EQ(b.step(), 1);
+  EXPECT_EQ(b.view0().view().score, (Score{0, 1}));
+  b.does('y');
+  b.answer(std::to_string(b.run().samples()[1].steppedCell));
+  EXPECT_EQ(b.view0().view().score, (Score{1, 2}));
+  b.does('y');
+  b.does(NamedKey::Escape);
+  EXPECT_EQ(b.step(), 3);
+  EXPECT_EQ(b.view0().view().score, (Score{1, 2}));
+}
+
+// 8 explains the pixel of the step.
+TEST(ScanlineBench, EightExplainsThePixel) {
+  ScanlineWindow b;
+  const int face = b.picture().snapped().faces[static_cast<std::size_t>(b.run().face())].number;
+  b.does('8');
+  EXPECT_EQ(b.view(), WindowView::Pixel);
+  EXPECT_NE(b.bench().status().find(": face " + std::to_string(face)), std::string::npos)
+      << b.bench().status();
+}
+
+// The book's lines have the numbers of the step: exactly one runs, those of the row only at its first sample.
+TEST(ScanlineBench, TheBooksLinesRun) {
+  ScanlineWindow b;
+  int rows = 0;
+  for (int step = 1; step <= b.run().steps(); ++step) {
+    const std::vector<CodeLine> lines = scanlineCode(b.run(), step);
+    ASSERT_EQ(std::ranges::count(lines, CodeLine::Ran::Now, &CodeLine::ran), 1);
+    const auto now = std::ranges::find(lines, CodeLine::Ran::Now, &CodeLine::ran);
+    EXPECT_EQ(now->values,
+              "cell " + std::to_string(b.run().samples()[static_cast<std::size_t>(step - 1)].directCell));
+    rows += lines.front().ran == CodeLine::Ran::Before;
+  }
+  EXPECT_EQ(rows, static_cast<int>(b.run().marks(ScanMark::Row).size()));
+  const IndexImage before = b.image();
+  b.does('x');
+  EXPECT_NE(b.image(), before);
+}
+
+}  // namespace xnewell::THIS_FILE

@@ -1,0 +1,146 @@
+#include "x11/stepper/sort_code.h"
+
+#include <array>
+
+#include "x11/drawing/wording.h"
+
+namespace xnewell {
+
+namespace {
+
+/// The lines, in the order of the book.
+enum SortLine {
+  Sort,
+  While,
+  TakeP,
+  EachQ,
+  TestOne,
+  TestTwo,
+  TestThree,
+  TestFour,
+  TestFive,
+  NextQ,
+  TestThreeOther,
+  TestFourOther,
+  Nearer,
+  MoveQ,
+  IsMarked,
+  SplitP,
+  NoSplit,
+  PaintP,
+  kLines
+};
+constexpr std::array<std::string_view, kLines> kText{"sort the polygons by their farthest z",
+                                                     "while a polygon is left",
+                                                     "  P = the farthest one that is left",
+                                                     "  for each Q whose z-extent reaches P's",
+                                                     "    1  x-extents apart: next Q",
+                                                     "    2  y-extents apart: next Q",
+                                                     "    3  P behind the plane of Q: next Q",
+                                                     "    4  Q before the plane of P: next Q",
+                                                     "    5  no common area: next Q",
+                                                     "    one plane: the later face is in front",
+                                                     "    3' Q behind the plane of P: Q first",
+                                                     "    4' P before the plane of Q: Q first",
+                                                     "    6  where they overlap, which is nearer?",
+                                                     "    Q first: mark Q, P = Q, begin again",
+                                                     "    Q is marked already: a cycle",
+                                                     "      split P by the plane of Q",
+                                                     "      no split helps: another pair",
+                                                     "  paint P"};
+
+/// The line of a test, and the tests that failed before it.
+SortLine lineOf(Test test) {
+  switch (test) {
+    case Test::SamePlane:
+      return NextQ;
+    case Test::XExtents:
+      return TestOne;
+    case Test::YExtents:
+      return TestTwo;
+    case Test::PBehindQ:
+      return TestThree;
+    case Test::QInFrontOfP:
+      return TestFour;
+    case Test::Projections:
+      return TestFive;
+    case Test::QBehindP:
+      return TestThreeOther;
+    case Test::PInFrontOfQ:
+      return TestFourOther;
+    case Test::Overlap:
+      return Nearer;
+  }
+  return Nearer;
+}
+
+SortLine lineOf(const Event& e) {
+  switch (e.kind) {
+    case Event::Kind::Take:
+      return TakeP;
+    case Event::Kind::Compare:
+      return lineOf(e.test);
+    case Event::Kind::Move:
+      return MoveQ;
+    case Event::Kind::Cycle:
+      return IsMarked;
+    case Event::Kind::Split:
+      return SplitP;
+    case Event::Kind::Impossible:
+    case Event::Kind::Vain:
+    case Event::Kind::Void:
+      return NoSplit;
+    case Event::Kind::Paint:
+      return PaintP;
+  }
+  return Sort;
+}
+
+std::string_view inWords(Verdict verdict) {
+  switch (verdict) {
+    case Verdict::PFirst:
+      return "P first";
+    case Verdict::QFirst:
+      return "Q first";
+    case Verdict::Crossing:
+      return "they cross";
+  }
+  return "";
+}
+
+}  // namespace
+
+std::vector<CodeLine> sortCode(SortRun& run, const SortView& view) {
+  std::vector<CodeLine> lines;
+  for (const std::string_view text : kText) lines.push_back({std::string{text}});
+  const auto ran = [&](SortLine line, CodeLine::Ran how) { lines[static_cast<std::size_t>(line)].ran = how; };
+  const auto values = [&](SortLine line, std::string text) {
+    lines[static_cast<std::size_t>(line)].values = std::move(text);
+  };
+  values(While, grouped(static_cast<std::int64_t>(run.replay().list(1'000'000).size())) + " left");
+  if (view.step == 0) {
+    ran(Sort, CodeLine::Ran::Now);
+    return lines;
+  }
+  const Event& e = run.sorted().events[static_cast<std::size_t>(view.step - 1)];
+  values(TakeP, "P = " + run.explainer().name(e.P));
+  if (e.Q >= 0) values(EachQ, "Q = " + run.explainer().name(e.Q));
+  if (e.kind == Event::Kind::Compare) {
+    ran(EachQ, CodeLine::Ran::Before);
+    if (view.asking) {
+      ran(EachQ, CodeLine::Ran::Now);
+      return lines;
+    }
+    // The tests before it failed. SamePlane is decided by itself.
+    const SortLine now = lineOf(e);
+    if (e.test != Test::SamePlane)
+      for (int k = TestOne; k < now; ++k)
+        if (k != NextQ)
+          ran(static_cast<SortLine>(k), CodeLine::Ran::Before), values(static_cast<SortLine>(k), "no");
+    values(now, std::string{inWords(e.verdict)});
+  }
+  ran(lineOf(e), CodeLine::Ran::Now);
+  return lines;
+}
+
+}  // namespace xnewell
