@@ -148,13 +148,13 @@ class ViewControls {
     const Oblique lean = leanOf(view_);
     const bool upright = lean.length < kUpright;
     Control oblique{.kind = Kind::Choice,
-                    .key = 'C',
+                    .key = 'O',
                     .label = "oblique",
                     .is = "how long a line along n is drawn: as long, or half as long",
                     .value = -1.0,
                     .off = parallel() ? std::string{} : "An oblique view is a parallel one: press P first.",
                     .set = [editor = editor_, angle = angle_](double option) {
-                      editor->lean('C', kObliqueOptions[static_cast<std::size_t>(option)].length, angle);
+                      editor->lean('O', kObliqueOptions[static_cast<std::size_t>(option)].length, angle);
                     }};
     for (std::size_t k = 0; k < kObliqueOptions.size(); ++k) {
       oblique.options.emplace_back(kObliqueOptions[k].name);

@@ -183,7 +183,7 @@ void ViewingBench::placeControls(const Controls& all, const ViewingLayout& at, i
   list_.forgetPlaces();
   const RowStyle style{.width = at.column.width, .pitch = at.rowPitch};
   int y = at.column.y + (at.narrow ? 24 : 33);
-  for (const char key : {'P', 'C', 'a', 'v', 'n', 'y', 'p', 'o', 'f', 'b'})
+  for (const char key : {'P', 'O', 'a', 'v', 'n', 'y', 'p', 'o', 'f', 'b'})
     y = list_.placeRow(all, key, at.column.x, y, style);
   (void)list_.placeRow(all, 'M', at.column.x, baseline, style);
   list_.place({'t'}, {.area = outside_, .grip = outside_, .bare = true, .passive = true});

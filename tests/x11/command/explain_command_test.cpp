@@ -162,7 +162,7 @@ TEST_F(CommandTest, ExplainRefuses) {
   refused({"explain", "teapot", "1,x"}, 2,
           "X,Y: '1,x' is not a pixel X,Y: two whole numbers from 0, counted from the top left");
   refused({"explain", "teapot", "1,1", "-o", file("a.png")}, 2,
-          "-o works only with draw, snapshot, figure, trade and extremes");
+          "-o works only with draw, snapshot, figure, trade, extremes, diagnose, judge and grade");
   refused({"explain", "cubes", "1,1", "--viewing"}, 2, "a pixel and --viewing exclude each other");
   refused({"explain", "cubes", "--viewing", "1.x"}, 2,
           "--viewing: '1.x' is not FACE.CORNER or the number of a vertex, such as 495.1 or 1234");

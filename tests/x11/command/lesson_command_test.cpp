@@ -90,7 +90,7 @@ TEST_F(LessonCommand, Refusals) {
   refused({"lesson", "cycles", "--worksheet", folder, "--answers", folder}, 2,
           "--worksheet and --answers exclude each other");
   refused({"lesson", "cycles", "-o", file("new.png")}, 2,
-          "-o works only with draw, snapshot, figure, trade and extremes");
+          "-o works only with draw, snapshot, figure, trade, extremes, diagnose, judge and grade");
   refused({"lesson", "cycles", "--frames", file("old.png")}, 1, file("old.png") + ": Not a directory");
   const std::string bad = write("bad.json", R"({"title": "t", "steps": [{"heading": "h"}]})");
   refused({"lesson", bad, "--frames", folder}, 2, bad + ": steps[0]: caption is needed");

@@ -244,7 +244,7 @@ TEST_F(TraceCommand, Refusals) {
   refused({"trace", "cycle", "--order", "zsort"}, 2,
           "trace follows the depth sort: it allows only --order newell");
   refused({"trace", "cycle", "-o", file("new.png")}, 2,
-          "-o works only with draw, snapshot, figure, trade and extremes");
+          "-o works only with draw, snapshot, figure, trade, extremes, diagnose, judge and grade");
   refused({"draw", "cycle", "-o", file("new.png"), "--quick"}, 2, "--quick works only with trace");
   refused({"draw", "cycle", "-o", file("new.png"), "--frames", folder}, 2,
           "--frames works only with trace and lesson");

@@ -22,7 +22,7 @@ const Control* withKey(const Controls& controls, char key) {
 // Only the letters of the step's controls, of its answers and of the lesson itself have an effect. Each
 // control of a step has one.
 TEST(LessonKeys, OnlyTheStepsControlsAct) {
-  constexpr std::string_view kLessons = "278we=";
+  constexpr std::string_view kLessons = "2780we=";
   int idle = 0, acted = 0;
   forEachLesson([&](const std::string& name) {
     LessonWindow window;

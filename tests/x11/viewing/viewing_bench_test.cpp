@@ -170,24 +170,24 @@ TEST(ViewingBench, RefusesWhatIsNoView) {
 // long as it is, or half as long, at the angle. In perspective they say why they do nothing.
 TEST(ViewingBench, ObliqueProjections) {
   ViewingWindow b;
-  b.does('C');
+  b.does('O');
   EXPECT_TRUE(b.complains());
   const ViewSpec before = b.camera().view;
   b.does('P');
   ViewSpec expected = before;
   expected.projection = Projection::Parallel;
   EXPECT_EQ(b.camera().view, expected);
-  b.does('C');
+  b.does('O');
   EXPECT_NEAR(leanOf(b.camera().view).length, 1.0, 1e-12);
   EXPECT_NEAR(leanOf(b.camera().view).angle, 45.0, 1e-9);
   b.press('a');
   b.typeValue("120");
   EXPECT_NEAR(leanOf(b.camera().view).length, 1.0, 1e-12);
   EXPECT_NEAR(leanOf(b.camera().view).angle, 120.0, 1e-9);
-  b.does('C');
+  b.does('O');
   EXPECT_NEAR(leanOf(b.camera().view).length, 0.5, 1e-12);
   EXPECT_NEAR(leanOf(b.camera().view).angle, 120.0, 1e-9);
-  b.does('C');
+  b.does('O');
   EXPECT_LT(leanOf(b.camera().view).length, 1e-12);
   b.does('P');
   ViewSpec back = b.camera().view;
