@@ -60,8 +60,9 @@ KeyTable Workbench::generalKeys() {
   });
   add('w', "save", "save the set-up as a scene file", [this] { askToSave(); });
   add('e', "", "open a scene", [this] { askToOpen(); });
+  const char* const copies = view() == WindowView::Viewing ? "copy" : "";  // the others need the room
   table.push_back(
-      {{'C', 'c'}, "copy", "print and copy the finding, the table and their command", [this](const Key&) {
+      {{'C', 'c'}, copies, "print and copy the finding, the table and their command", [this](const Key&) {
          copyCommand();
        }});
   add('I', "", "write a picture; from views 1 and 2 also a figure", [this] { writePicture(); });

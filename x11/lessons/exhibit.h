@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "depthsort/depth_sort.h"
+#include "shading/explain/viewing_story.h"
 #include "shading/picture/palette_effects.h"
 #include "shading/scene/picture_settings.h"
 #include "shading/scene/scene.h"
@@ -17,7 +18,7 @@ namespace xnewell {
 /// What a step of a lesson shows: a scene, its settings, and what stands beside it.
 
 /// What is shown below the picture, or instead of it.
-enum class Stage { Picture, DepthSort, Colors, MachBands, SideBySide, Scanline };
+enum class Stage { Picture, DepthSort, Colors, MachBands, SideBySide, Scanline, Viewing };
 struct StageRow {
   Stage id;
   std::string_view name, shows;
@@ -29,6 +30,7 @@ inline constexpr std::array kStages{
     StageRow{Stage::MachBands, "mach bands", "the intensity along the middle row, for three methods"},
     StageRow{Stage::SideBySide, "side by side", "two ways to draw the scene, and how much differs"},
     StageRow{Stage::Scanline, "scanline", "the first named face, pixel by pixel, and the drift of its steps"},
+    StageRow{Stage::Viewing, "viewing", "the scene from outside, at a stage of the viewing transformation"},
 };
 
 /// A step of the textbook run of the depth sort: the n-th of a kind, or the n-th that a test settled.
@@ -69,6 +71,10 @@ struct Exhibit {
   double filled = 0.6;     ///< for Stage::Scanline: the share of the samples that are filled
   PictureSettings beside;  ///< for Stage::SideBySide: the lower picture
   std::string upperLine, lowerLine;
+  /// For Stage::Viewing: the stage that is shown, the one at which the light is computed, and the vertex that
+  /// is followed.
+  ViewStage viewStage = ViewStage::World, shadedIn = ViewStage::World;
+  FaceCorner vertex;
   std::vector<Claim> claims;
 };
 

@@ -223,6 +223,20 @@ constexpr std::array kFacts{
             [](Found f) { return f.filled ? f.filled->drift : kMissing; }},
     FactRow{"polygon other cells", "its samples that have another cell by steps", 0, FactNeeds::Scanline,
             [](Found f) { return f.filled ? f.filled->otherCells : kMissing; }},
+    FactRow{"world N.L", "N.L of the vertex that is followed, in the world", 3, FactNeeds::Viewing,
+            [](Found f) { return f.viewing->worldNdotL; }},
+    FactRow{"world I", "I there", 3, FactNeeds::Viewing, [](Found f) { return f.viewing->worldI; }},
+    FactRow{"stage N.L", "its N.L at the stage that is shown", 3, FactNeeds::Viewing,
+            [](Found f) { return f.viewing->stageNdotL; }},
+    FactRow{"stage I", "I there", 3, FactNeeds::Viewing, [](Found f) { return f.viewing->stageI; }},
+    FactRow{"stage cells", "cells from the one I to the other", 0, FactNeeds::Viewing,
+            [](Found f) { return f.viewing->cells; }},
+    FactRow{"stage w", "w of the vertex there", 3, FactNeeds::Viewing, [](Found f) { return f.viewing->w; }},
+    FactRow{"stage z", "z of the vertex there", 2, FactNeeds::Viewing, [](Found f) { return f.viewing->z; }},
+    FactRow{"faces off", "faces whose cell is another one than with the world's light", 0, FactNeeds::Viewing,
+            [](Found f) { return f.viewing->facesOff; }},
+    FactRow{"outside", "corners of faces outside the planes that clip", 0, FactNeeds::Viewing,
+            [](Found f) { return f.viewing->outside; }},
 
     FactRow{"Ia", "ambient intensity", 2, FactNeeds::Picture,
             [](Found f) -> double { return f.picture.settings().light.Ia; }},
@@ -308,6 +322,9 @@ void ShownExhibit::find(FactNeeds needs) {
                 run->mostDrift()};
       return;
     }
+    case FactNeeds::Viewing:
+      if (!found_.viewing) found_.viewing = viewingFactsOf(picture, exhibit_);
+      return;
     case FactNeeds::Range:
       if (found_.range) return;
       found_.range = {1.0, 0.0};

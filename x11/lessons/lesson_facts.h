@@ -13,6 +13,7 @@
 #include "shading/picture/exactness.h"
 #include "shading/picture/picture.h"
 #include "x11/lessons/exhibit.h"
+#include "x11/lessons/viewing_facts.h"
 
 namespace xnewell {
 
@@ -20,7 +21,7 @@ namespace xnewell {
 /// what it counts, and a claim says which number a sentence relies on.
 
 /// Which part of the work a fact needs.
-enum class FactNeeds { Picture, Run, Oracle, Profile, Range, Beside, Face, Scanline };
+enum class FactNeeds { Picture, Run, Oracle, Profile, Range, Beside, Face, Scanline, Viewing };
 
 /// What the facts of an exhibit are read from: the picture, and what the parts of the work have found.
 struct FactSources {
@@ -55,6 +56,8 @@ struct FactSources {
     double drift = 0;
   };
   std::optional<Filled> filled = {};
+  /// FactNeeds::Viewing.
+  std::optional<ViewingFacts> viewing = {};
 };
 
 struct FactRow {
@@ -81,7 +84,7 @@ class ShownExhibit {
   /// computed when it is first asked for, each part of the work once.
   ShownExhibit(const Picture& picture, const IndexImage& image, const IndexImage* beside,
                const Exhibit& exhibit)
-      : found_{picture, image, beside} {
+      : exhibit_{exhibit}, found_{picture, image, beside} {
     if (!exhibit.names.empty()) found_.face = exhibit.names.front().face;
     found_.stepBits = exhibit.stepBits;
   }
@@ -99,6 +102,7 @@ class ShownExhibit {
   /// Does a part of the work, if it was not done yet.
   void find(FactNeeds needs);
 
+  const Exhibit& exhibit_;
   FactSources found_;
 };
 

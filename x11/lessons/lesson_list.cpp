@@ -55,7 +55,7 @@ void LessonList::draw(Pen& pen, const Layout& at, ControlList& places, const Les
     const LessonEntry& lesson = entries_[static_cast<std::size_t>(k)];
     const Rect row{body.x, top, body.width, pitch - (close ? 1 : 4)};
     places.place({0, k}, {.area = row, .bare = true});
-    const int y = row.y + (close ? 11 : at.compact ? 13 : 16);
+    const int y = row.y + (pitch < 26 ? 10 : close ? 11 : at.compact ? 13 : 16);
     if (k == chosen_) {
       pen.paint.fillRect(row, pen(Cell::Focus));
       pen.paint.fillRect({row.x, row.y, 2, row.height}, pen(Cell::Ink));
@@ -64,7 +64,7 @@ void LessonList::draw(Pen& pen, const Layout& at, ControlList& places, const Les
     const int end = pen.bold(row.x + 48, y, lesson.title);
     if (open && open->name == lesson.name) pen.soft(end + 18, y, "open");
     pen.softRight(row.x + row.width - 8, y, answers.score(lesson.name));
-    pen.soft(row.x + 48, y + (close ? 13 : at.compact ? 14 : 17), lesson.shows);
+    pen.soft(row.x + 48, y + (pitch < 26 ? 12 : close ? 13 : at.compact ? 14 : 17), lesson.shows);
   }
   drawn_ = chosen_;
 }

@@ -88,6 +88,7 @@ SightLayout layoutOfSight(const Rect& area, const Exhibit& exhibit, bool compact
   if (exhibit.stage == Stage::MachBands) height = compact ? 230 : 330;
   if (exhibit.stage == Stage::SideBySide) height = 18;
   if (exhibit.stage == Stage::Scanline) height = area.height * 6 / 10;
+  if (exhibit.stage == Stage::Viewing) height = compact ? 110 : 150;
   if (height > 0) {
     constexpr int kGap = 14;
     at.below = {area.x, area.y + area.height - height, area.width, height};
@@ -145,8 +146,11 @@ void drawSight(Painter paint, const SightLayout& at, const Sight& sight) {
   const Exhibit& exhibit = sight.exhibit;
   if (exhibit.stage == Stage::DepthSort && sight.run)
     drawRun(pen);
+  else if (exhibit.stage == Stage::Viewing)
+    drawViewing(pen);
   else
     pen.paint.within(at.picture).place(sight.image, at.picture.x, at.picture.y);
+  if (exhibit.stage == Stage::Viewing) return pen.line(at.picture, exhibit.line);
   if (exhibit.wrongMarked && exhibit.stage != Stage::DepthSort) markWrong(pen);
   if (exhibit.named && !exhibit.names.empty() && exhibit.stage != Stage::DepthSort) drawNames(pen);
   if (exhibit.extents) drawExtents(pen);

@@ -139,6 +139,20 @@ void readScanline(Exhibit& exhibit, const Node& node) {
 
 }  // namespace
 
+namespace {
+
+void readViewing(Exhibit& exhibit, const Node& node) {
+  node.expectKeys({"stage", "shaded in", "vertex"});
+  if (node.has("stage")) exhibit.viewStage = node.at("stage").choice(kViewStages);
+  exhibit.shadedIn = node.has("shaded in") ? node.at("shaded in").choice(kViewStages) : ViewStage::World;
+  if (!node.has("vertex")) return;
+  const std::optional<FaceCorner> vertex = cornerOf(exhibit.scene->mesh, node.at("vertex").text());
+  if (!vertex) node.at("vertex").fail("the scene has no such vertex");
+  exhibit.vertex = *vertex;
+}
+
+}  // namespace
+
 std::shared_ptr<const Scene> SceneShelf::scene(const Node& name, int divisions) {
   const std::string text = name.text();
   std::shared_ptr<const Scene>& found = scenes_[{text, divisions}];
@@ -154,7 +168,7 @@ std::shared_ptr<const Scene> SceneShelf::scene(const Node& name, int divisions) 
 
 void expectExhibitKeys(const Node& node, std::initializer_list<std::string_view> more) {
   node.expectKeys({"scene", "divisions", "listed", "camera", "shading", "window", "line", "names", "extents",
-                   "wrong", "beside", "effects", "event", "scanline", "claims"},
+                   "wrong", "beside", "effects", "event", "scanline", "viewing", "claims"},
                   more);
 }
 
@@ -172,7 +186,9 @@ Exhibit readExhibit(const Node& node, const Exhibit* base, SceneShelf& shelf) {
     exhibit.settings.camera = exhibit.scene->camera;
     exhibit.settings.inPixels = false;
     exhibit.names.clear();
+    exhibit.vertex = {};
   }
+  if (node.has("viewing")) readViewing(exhibit, node.at("viewing"));
   if (node.has("names")) readNames(exhibit, node.at("names"));
   if (node.has("listed")) readListed(exhibit, node.at("listed"));
   readSettings(exhibit.settings, node, *exhibit.scene);

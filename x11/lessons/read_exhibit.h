@@ -44,7 +44,10 @@ void expectExhibitKeys(const Node& node, std::initializer_list<std::string_view>
 ///   "event"      {"kind" (wordFor()) or "test", "number"}, for "depth sort"; "says" claims a part of its
 ///                sentence
 ///   "scanline"   {"bits": 8, 16 or 24, "filled": 0 to 1}; for "scanline" and for facts of the first named
-///   face "claims"     {"cuts": 3, "wrong samples": {"at least": 1}, ...}
+///                face
+///   "viewing"    {"stage", "shaded in", "vertex"}, for "viewing": two of kViewStages, and a vertex as
+///                cornerOf() reads it
+///   "claims"     {"cuts": 3, "wrong samples": {"at least": 1}, ...}
 /// @throws ParseError
 [[nodiscard]] Exhibit readExhibit(const Node& node, const Exhibit* base, SceneShelf& shelf);
 

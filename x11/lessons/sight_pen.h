@@ -24,6 +24,8 @@ struct SightPen : Pen {
 
 /// The z-extents of the named faces as bars.
 void drawExtents(SightPen& pen);
+/// A stage of the viewing transformation from outside; below it the picture, and N and L.
+void drawViewing(SightPen& pen);
 /// A step of the depth sort: the picture so far, and what decided.
 void drawRun(SightPen& pen);
 /// The first named face, partly filled, and the drift.

@@ -3,7 +3,9 @@
 #include <algorithm>
 #include <array>
 #include <limits>
+#include <optional>
 
+#include "shading/explain/equation_at.h"
 #include "shading/light/intensities.h"
 #include "shading/picture/cell_use.h"
 
@@ -18,6 +20,27 @@ Intensities litAt(const ShadingPoints& points, const Lighting& lighting, int cha
   specularIntensities(specular, points, lighting, channel);
   addTerms(lit, diffuse, specular, points, lighting, channel);
   return lit;
+}
+
+/// All channels at all points, as the equation has them behind a stage.
+std::vector<std::vector<FrontBack<double>>> litBehind(const Picture& picture, const ShadingPoints& points,
+                                                      const ViewStages& stages, ViewStage stage) {
+  const Surfaces surfaces = picture.surfaces();
+  const Lighting& lighting = picture.shading().lighting();
+  std::vector<std::optional<EquationAt>> equations(picture.scene().mesh.materials.size() + 1);
+  std::vector<std::vector<FrontBack<double>>> channels(static_cast<std::size_t>(lighting.channels));
+  for (std::size_t k = 0; k < points.count(); ++k) {
+    const int material = points.material[k] + 1;
+    std::optional<EquationAt>& equation = equations[static_cast<std::size_t>(material)];
+    if (!equation) equation.emplace(surfaces, material);
+    const glm::dmat3 derivative = stages.derivative(stage, points.at[k]);
+    const ByChannel front = equation->behind(derivative, points.at[k], points.N[k]).I;
+    const ByChannel back =
+        lighting.twoSided ? equation->behind(derivative, points.at[k], -points.N[k]).I : front;
+    for (std::size_t c = 0; c < channels.size(); ++c)
+      channels[c].push_back({std::clamp(front[c], 0.0, 1.0), std::clamp(back[c], 0.0, 1.0)});
+  }
+  return channels;
 }
 
 /// The cell of the scene's that is nearest to a colour.
@@ -35,7 +58,8 @@ std::uint8_t nearestCell(const Palette& palette, const CellRange& cells, const g
 
 }  // namespace
 
-LitParts::LitParts(const Picture& picture, const Palette& palette)
+LitParts::LitParts(const Picture& picture, const Palette& palette, const ViewStages* stages,
+                   ViewStage shadedIn)
     : material_{picture.scene().mesh.material}, of_{picture.colors().ramps()} {
   const Scene& scene = picture.scene();
   const Mesh& mesh = scene.mesh;
@@ -54,7 +78,10 @@ LitParts::LitParts(const Picture& picture, const Palette& palette)
                 face);
   }
   std::vector<std::vector<FrontBack<double>>> channels;
-  for (int c = 0; c < lighting.channels; ++c) channels.push_back(litAt(points, lighting, c).I);
+  if (stages && shadedIn != ViewStage::World && !lighting.onlyAmbient())
+    channels = litBehind(picture, points, *stages, shadedIn);
+  else
+    for (int c = 0; c < lighting.channels; ++c) channels.push_back(litAt(points, lighting, c).I);
   intensities_ = channels.front();
   const auto gray = [&](std::size_t k, double FrontBack<double>::*side) {
     return luminance({channels[0][k].*side, channels[1][k].*side, channels[2][k].*side});

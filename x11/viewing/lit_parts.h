@@ -3,6 +3,7 @@
 #include <cstdint>
 #include <vector>
 
+#include "geometry/view/stages.h"
 #include "shading/fill/ramp.h"
 #include "shading/picture/picture.h"
 
@@ -13,7 +14,11 @@ namespace xnewell {
 /// sides.
 class LitParts {
  public:
-  explicit LitParts(const Picture& picture, const Palette& palette);
+  explicit LitParts(const Picture& picture, const Palette& palette)
+      : LitParts{picture, palette, nullptr, ViewStage::World} {}
+  /// The light as a program would have it that shades at another stage: N, L and V are carried there
+  /// (EquationAt::behind()).
+  LitParts(const Picture& picture, const Palette& palette, const ViewStages* stages, ViewStage shadedIn);
 
   /// The intensity at a corner of the scene's own mesh.
   [[nodiscard]] double at(int corner, bool back) const {

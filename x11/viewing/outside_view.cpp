@@ -269,7 +269,7 @@ std::optional<StageImage> drawStage(Pen& pen, const Rect& area, const OutsideVie
 void drawSmallStage(Pen& pen, const Rect& area, const OutsideView& view) {
   if (view.stage == ViewStage::Snapped) return drawGrid(pen, area, view, false);
   const int unit = pen.paint.unit();
-  if (view.stage == ViewStage::Viewport && view.picture.isPainted()) {
+  if (view.stage == ViewStage::Viewport && view.picture.isPainted() && view.programs) {
     pen.paint.fillRect(area, pen(Cell::Well));
     const IndexImage& all = view.picture.image();
     const double share = std::min((area.width - 8.0) / all.width, (area.height - 8.0) / all.height);

@@ -13,6 +13,7 @@ struct OutsideView {
   const ViewingStory& story;
   ViewStage stage = ViewStage::World;
   OutsideTurn turn = {};
+  bool programs = true;  ///< the small viewport is the program's picture, not drawn with `lit`
 };
 
 /// The turn of the viewport and of the grid begins straight before the picture.

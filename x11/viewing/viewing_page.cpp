@@ -186,7 +186,25 @@ int drawMatrix(Pen& pen, const ViewingLayout& at, const ViewingPage& page, int y
   return y;
 }
 
-/// N straight up, and L at its true angle.
+void drawFinding(Pen& pen, const Rect& box, const ViewingFinding& finding, int pitch) {
+  if (box.height < 2 * pitch) return;
+  pen.paint.fillRect(box, pen(Cell::White));
+  pen.paint.fillRect({box.x, box.y, 4, box.height}, pen(finding.keeps ? Cell::Good : Cell::Alarm));
+  int y = box.y + pitch - 2;
+  const int room = box.width - 18, end = box.y + box.height;
+  for (const std::string& line : broken(finding.heading, room / 6)) {
+    pen.bold(box.x + 12, y, line);
+    y += pitch;
+  }
+  std::vector<std::string> lines = broken(finding.why, room / 6);
+  for (std::size_t k = 0; k < lines.size() && y + 3 <= end; ++k, y += pitch) {
+    const bool last = y + pitch + 3 > end && k + 1 < lines.size();
+    pen.ink(box.x + 12, y, last ? beginningOf(lines[k] + ' ' + lines[k + 1], room) : lines[k]);
+  }
+}
+
+}  // namespace
+
 void drawAngle(Pen& pen, const Rect& box, const ViewingStory& story, ViewStage stage) {
   pen.paint.fillRect(box, pen(Cell::White));
   pen.paint.frame(box, pen(Cell::Rule));
@@ -224,25 +242,6 @@ void drawAngle(Pen& pen, const Rect& box, const ViewingStory& story, ViewStage s
   paint.fillRect(swatch, static_cast<std::uint8_t>(*here.cell));
   paint.frame(swatch, pen(Cell::Ink));
 }
-
-void drawFinding(Pen& pen, const Rect& box, const ViewingFinding& finding, int pitch) {
-  if (box.height < 2 * pitch) return;
-  pen.paint.fillRect(box, pen(Cell::White));
-  pen.paint.fillRect({box.x, box.y, 4, box.height}, pen(finding.keeps ? Cell::Good : Cell::Alarm));
-  int y = box.y + pitch - 2;
-  const int room = box.width - 18, end = box.y + box.height;
-  for (const std::string& line : broken(finding.heading, room / 6)) {
-    pen.bold(box.x + 12, y, line);
-    y += pitch;
-  }
-  std::vector<std::string> lines = broken(finding.why, room / 6);
-  for (std::size_t k = 0; k < lines.size() && y + 3 <= end; ++k, y += pitch) {
-    const bool last = y + pitch + 3 > end && k + 1 < lines.size();
-    pen.ink(box.x + 12, y, last ? beginningOf(lines[k] + ' ' + lines[k + 1], room) : lines[k]);
-  }
-}
-
-}  // namespace
 
 ViewingLayout layoutOfViewing(const Layout& at) {
   ViewingLayout layout;

@@ -191,7 +191,7 @@ TEST(LessonFile, ComplaintsNameThePlace) {
             "l.json: steps[0].divisions: a whole number from 1 to 64 is needed");
   EXPECT_EQ(complaintOf(withStep(R"("window": "trade")")),
             "l.json: steps[0].window: 'trade' is not one of picture, depth sort, colours, mach bands, side "
-            "by side");
+            "by side, scanline, viewing");
   EXPECT_EQ(complaintOf(withStep(R"("window": "side by side")")),
             "l.json: steps[0]: side by side needs beside");
   EXPECT_EQ(complaintOf(withStep(R"("shading": {"order": "zbuffer8"})")),
