@@ -307,7 +307,7 @@ TEST(ColorsBench, SaysWhatNeedsARamp) {
 TEST(ColorsBench, LettersBelongToTheScreen) {
   InColors b;
   const xnewell::Setup setup = b.setup();
-  b.type("SNOFPKLV[]+-ipadsnc0ltz");
+  b.type("SNOFPKLV[]+-ipadsncoltz");
   b.press({NamedKey::Escape});
   b.press({NamedKey::Tab});
   b.zoom(1.1);
