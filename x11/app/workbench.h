@@ -267,7 +267,7 @@ class Workbench : public Host {
   SortBench* stepper_;    ///< another one
   ColorsBench* colors_;
   MachBench* bands_;
-  SideBench* sides_;   ///< and another
+  SideBench* sides_;  ///< and another
   PixelBench* pixel_;
   ViewingBench* viewing_;
   ScanlineBench* scanline_;

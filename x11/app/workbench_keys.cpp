@@ -60,11 +60,7 @@ KeyTable Workbench::generalKeys() {
   });
   add('w', "save", "save the set-up as a scene file", [this] { askToSave(); });
   add('e', "", "open a scene", [this] { askToOpen(); });
-  const char* const copies = view() == WindowView::Viewing ? "copy" : "";  // the others need the room
-  table.push_back(
-      {{'C', 'c'}, copies, "print and copy the finding, the table and their command", [this](const Key&) {
-         copyCommand();
-       }});
+  add('C', "", "print and copy the finding, the table and their command", [this] { copyCommand(); });
   add('I', "", "write a picture; from views 1 and 2 also a figure", [this] { writePicture(); });
   const char* const full = "fill the screen, in letters as large as fit, or go back";
   table.push_back({{NamedKey::F11, 'f'}, "", full, [this](const Key&) { fillScreen({}); }});

@@ -21,7 +21,8 @@ struct CodeLine {
 
 /// The key that shows them, on all such pages.
 inline constexpr char kCodeKey = 'x';
-inline constexpr const char* kCodeDoes = "show the book's lines and mark the line that runs; or put them away";
+inline constexpr const char* kCodeDoes =
+    "show the book's lines and mark the line that runs; or put them away";
 
 /// Draws the lines from the top of the area, as many as fit: the one that runs with a bar and a background,
 /// those that ran on the way to it with a dot. Values are aligned right, where they have room.

@@ -19,7 +19,8 @@ const char* const kTurns = "with the arrows: turn the scene, zoom, turn the ball
 
 void PixelBench::choose(double x, double y) {
   x_ = x, y_ = y;
-  chosen_.reset();
+  chosen_.reset(), hidden_.reset();
+  next_ = 0;
   found_.reset(), now_.reset();
   late_ = true;
 }
@@ -87,6 +88,7 @@ void PixelBench::predict() {
     std::string name = asked.name;
     if (before.empty()) name[0] = static_cast<char>(std::toupper(static_cast<unsigned char>(name[0])));
     host_.tell(before + name + " is " + fixed(asked.written, asked.decimals) + "." +
+               (hidden_ ? " y asks the next number, Esc shows all." : "") +
                (score_.asked > 0 ? " " + score_.inWords() + "." : ""));
   };
   const std::string least = asked.decimals > 0 ? ", to two decimals at least" : "";
@@ -103,8 +105,8 @@ void PixelBench::predict() {
 }
 
 void PixelBench::reveal() {
-  hidden_.reset();
-  ++next_;
+  const std::size_t count = predictions_.size(), next = static_cast<std::size_t>(++next_) % count;
+  hidden_ = next == 0 ? std::nullopt : std::optional{predictions_[next].what};
   late_ = true;
 }
 
@@ -195,7 +197,10 @@ KeyTable PixelBench::ownKeys() {
   });
   add(NamedKey::Return, "the stepper", "step through the depth sort",
       [this] { host_.switchTo(WindowView::DepthSort); });
-  add(NamedKey::Escape, "", "give the arrows back to the pixel", [this] { list_.setFocus(std::nullopt); });
+  add(NamedKey::Escape, "", "show what predict hides; give the arrows back to the pixel", [this] {
+    showAll();
+    list_.setFocus(std::nullopt);
+  });
   append(table, zoomKeys(host_.setup(), subject_(), change()));
   return table;
 }
@@ -215,7 +220,7 @@ void PixelBench::draw(Painter paint, const Desk& desk) {
   }
   const int i = pixel().x, j = pixel().y;
   const bool changed = setup_ && *setup_ != desk.setup && !desk.dragging;
-  if (changed) chosen_.reset();
+  if (changed) chosen_.reset(), hidden_.reset(), next_ = 0;
   setup_ = desk.setup;
   const PixelStory story{desk.picture, i, j};
   painted_ = static_cast<int>(story.history.painted.size()), shown_ = story.history.shown;

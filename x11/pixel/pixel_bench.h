@@ -50,9 +50,11 @@ class PixelBench : public Bench {
   void goTo(int column, int row);
   void walk(int steps);
   void turnBall(double around, double down);
-  /// Hides the next value until the student has typed it or given up.
+  /// Hides the next value, and all that follow from it, until the student has typed it or given up.
   void predict();
+  /// Shows it. The values after it stay hidden, so that they can be asked.
   void reveal();
+  void showAll() { hidden_.reset(), late_ = true; }
   void addParts(Controls& all);
 
   std::function<Subject()> subject_;

@@ -104,9 +104,8 @@ void PixelPen::equation() {
     paint.text(x() + 12, y, "a mistake: " + wrong, (*this)(Cell::Alarm));
     y += at.pitch;
   }
-  const std::vector<std::string> put = hides(Predicted::Cosine)
-                                           ? std::vector<std::string>{"= ?"}
-                                           : numbersPutIn(e(), of, page.channel, user.mistake);
+  const std::vector<std::string> put =
+      numbersPutIn(e(), of, page.channel, user.mistake, {hides(Predicted::NdotL), hides(Predicted::Cosine)});
   if (!of.lights.empty()) {
     int widest = kVectorWords;
     for (const std::string& numbers : put) widest = std::max(widest, 12 + textWidth(numbers));

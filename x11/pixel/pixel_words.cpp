@@ -79,7 +79,7 @@ std::string mistakeWords(const Explanation& e, const Illumination& light) {
 }
 
 std::vector<std::string> numbersPutIn(const Explanation& e, const ExplainedEquation& at, int c,
-                                      Mistake mistake) {
+                                      Mistake mistake, HiddenCosines hidden) {
   const MistakeRow& row = rowOf(mistake);
   const Reflection& surface = at.surface[c];
   const auto ofSurface = [&](std::string_view word) {
@@ -97,13 +97,15 @@ std::vector<std::string> numbersPutIn(const Explanation& e, const ExplainedEquat
       "= " + (row.ambientTerm.empty() ? "0" : writtenOut(row.ambientTerm, " x ", ofSurface))};
   for (const ExplainedLight& light : at.lights) {
     const bool highlight = light.NdotL > 0.0 || row.highlightBehind;
-    if (!highlight && light.facing == 0.0) {
+    if (!highlight && light.facing == 0.0 && !hidden.NL) {
       lines.push_back("+ 0: a light is behind this side");
       continue;
     }
     const auto ofLight = [&](std::string_view word) {
       if (word == "f") return fixed(light.fatt * light.spot, kPixelDecimals);
       if (word == "Ip") return fixed(light.Ip[c], 2);
+      if (word == "RV" && hidden.RV) return std::string{"?"};
+      if ((word == "NL" || word == "angle") && hidden.NL) return std::string{"?"};
       if (word == "RV") return inBrackets(highlight ? light.counted : 0.0);
       if (word == "angle") return fixed(90.0 * (1.0 - light.facing), 2);
       if (word != "NL") return ofSurface(word);

@@ -46,9 +46,13 @@ struct PixelStory {
 /// What the mistake in the equation does, one sentence; empty if there is none, or if the method has no
 /// equation.
 [[nodiscard]] std::string mistakeWords(const Explanation& e, const Illumination& light);
+/// Which of the two cosines a question mark stands for.
+struct HiddenCosines {
+  bool NL = false, RV = false;
+};
 /// The numbers put into the formula in one channel: one line, or one for the ambient term and each light.
 [[nodiscard]] std::vector<std::string> numbersPutIn(const Explanation& e, const ExplainedEquation& at, int c,
-                                                    Mistake mistake);
+                                                    Mistake mistake, HiddenCosines hidden = {});
 /// "= 0.1800 + 0.5637 + 0.1012 = 0.8449": the ambient term, then the diffuse and the specular term of each
 /// light, rounded so that they add up. If `together`, those of all lights are one diffuse and one specular
 /// term. If a number of `known` terms is given, a question mark stands for each of the others and for the

@@ -236,7 +236,7 @@ TEST_F(LectureTest, MistakesAreToldAtOnce) {
       {R"({"title": "a", "show": "teapot --ia 0.9 --ip 0.9"})",
        "pages[0].show: --ia and --ip: their sum must not exceed 1"},
       {R"({"title": "a", "show": "teapot --step 3"})",
-       "pages[0].show: --step works only with --view depthsort, --view viewing and lesson"},
+       "pages[0].show: --step works only with --view depthsort, --view viewing, --view scanline and lesson"},
       {R"({"title": "a", "show": "teapot --controls s!"})",
        "pages[0].show: --controls: 's!' is not the keys of settings in view 1, such as Ssn, or none"},
       {R"({"title": "a", "show": "teapot --view depthsort --controls s"})",

@@ -166,7 +166,8 @@ TEST_F(CommandTest, ExplainRefuses) {
   refused({"explain", "cubes", "1,1", "--viewing"}, 2, "a pixel and --viewing exclude each other");
   refused({"explain", "cubes", "--viewing", "1.x"}, 2,
           "--viewing: '1.x' is not FACE.CORNER or the number of a vertex, such as 495.1 or 1234");
-  refused({"draw", "cubes", "--viewing", "1.1", "-o", file("a.png")}, 2, "--viewing works only with explain and --view viewing");
+  refused({"draw", "cubes", "--viewing", "1.1", "-o", file("a.png")}, 2,
+          "--viewing works only with explain and --view viewing");
   refused({"draw", "teapot", "3,3", "-o", file("a.png")}, 2, "unexpected argument: '3,3'");
 }
 

@@ -83,7 +83,7 @@ TEST_F(CommandTest, ExtremesCheckTheirOutputFirst) {
 TEST_F(CommandTest, ExtremesRefuseWhatTheyDoNotTake) {
   refused({"extremes"}, 2, "extremes needs a scene, such as teapot");
   refused({"draw", "cycle", "-o", file("new.png"), "--json"}, 2,
-          "--json works only with explain, trade and extremes");
+          "--json works only with explain, trade, extremes, diagnose and judge");
   refused({"extremes", "cycle", "-o", file("new.svg")}, 2,
           "-o " + file("new.svg") + ": pictures are PNG files; call it .png");
   refused({"extremes", "cycle", "--stats"}, 2, "--stats works only with draw, snapshot and figure");

@@ -14,12 +14,7 @@ namespace {
 struct PixelWindow : ReadyWorkbench {
   explicit PixelWindow(const char* scene = "teapot", int width = 1024, int height = 768)
       : ReadyWorkbench{{}, width, height, scene} {
-    press('8');
-    finish();
-  }
-  void does(const Key& key) {
-    press(key);
-    finish();
+    does('8');
   }
   [[nodiscard]] std::string status() const { return bench().status(); }
   /// The cell of the picture's pixel that the status line names.

@@ -46,6 +46,10 @@ struct Asked : BenchStage {
     line.press({NamedKey::Return});
     draws();
   }
+  void showsAll() {
+    press(bench, NamedKey::Escape);
+    draws();
+  }
   void givesUp() {
     line.press({NamedKey::Escape});
     draws();
@@ -118,6 +122,9 @@ TEST(Predict, AsksAndScores) {
   view.givesUp();
   EXPECT_TRUE(view.notices.back().starts_with("N.L is ")) << view.notices.back();
   EXPECT_TRUE(view.notices.back().ends_with("0 of 1 right at the first try.")) << view.notices.back();
+  EXPECT_NE(view.image, before) << "what follows can still be asked";
+  EXPECT_EQ(view.bench.inWords().size(), 1u);
+  view.showsAll();
   EXPECT_EQ(view.image, before) << "all is shown again";
   EXPECT_EQ(view.bench.inWords().size(), words);
 
@@ -129,6 +136,8 @@ TEST(Predict, AsksAndScores) {
 
   // The last value is the cell, which the strip had marked.
   for (int k = 0; k < 3; ++k) view.predicts(), view.givesUp();
+  EXPECT_FALSE(view.bench.inspected());
+  view.showsAll();
   const int cell = view.bench.inspected().value();
   view.predicts();
   EXPECT_EQ(view.line.typed()->asks, "predict the cell");
@@ -144,6 +153,15 @@ TEST(Predict, TheWrittenSumHidesWhatIsAsked) {
   const PixelStory story{picture, 45, 45};
   const ExplainedEquation& at = story.shown()->equations.front();
   const std::string full = sumOf(at, 0);
+  const std::string put = numbersPutIn(*story.shown(), at, 0, Mistake::None).front(),
+                    NL = fixed(at.lights.front().NdotL, 4), RV = fixed(at.lights.front().counted, 4);
+  const auto blanked = [&](std::string text, const std::string& number) {
+    const std::size_t where = text.find(number);
+    return where == std::string::npos ? text + ": no " + number : text.replace(where, number.size(), "?");
+  };
+  EXPECT_EQ(numbersPutIn(*story.shown(), at, 0, Mistake::None, {.RV = true}).front(), blanked(put, RV));
+  EXPECT_EQ(numbersPutIn(*story.shown(), at, 0, Mistake::None, {true, true}).front(),
+            blanked(blanked(put, RV), NL));
   EXPECT_EQ(sumOf(at, 0, true, 1), full.substr(0, full.find(" + ")) + " + ? + ? = ?");
   EXPECT_EQ(sumOf(at, 0, true, 3), full.substr(0, full.rfind(" = ")) + " = ?");
 }

@@ -13,17 +13,12 @@ namespace {
 struct ScanlineWindow : ReadyWorkbench {
   explicit ScanlineWindow(Shading shading = Shading::Gouraud, const char* scene = "teapot")
       : ReadyWorkbench{shaded(shading), 1024, 768, scene} {
-    press('0');
-    finish();
+    does('0');
   }
   static xnewell::Setup shaded(Shading shading) {
     xnewell::Setup setup;
     setup.picture.shading = shading;
     return setup;
-  }
-  void does(const Key& key) {
-    press(key);
-    finish();
   }
   [[nodiscard]] const ScanlineBench& view0() const { return dynamic_cast<const ScanlineBench&>(bench()); }
   [[nodiscard]] const ScanlineRun& run() const { return *view0().run(); }

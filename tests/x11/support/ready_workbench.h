@@ -21,6 +21,11 @@ struct ReadyWorkbench : Workbench {
   void type(std::string_view letters) {
     for (const char c : letters) press({NamedKey::Letter, c});
   }
+  /// Presses a key and brings everything up to date.
+  void does(const Key& key) {
+    press(key);
+    finish();
+  }
   /// Drags the picture by so many pixels.
   void drag(int dx, int dy) {
     const Rect& at = layout().picture;

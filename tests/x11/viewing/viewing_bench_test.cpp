@@ -22,12 +22,7 @@ namespace {
 struct ViewingWindow : ReadyWorkbench {
   explicit ViewingWindow(const char* scene = "teapot", int width = 1024, int height = 768)
       : ReadyWorkbench{{}, width, height, scene} {
-    press('9');
-    finish();
-  }
-  void does(const Key& key) {
-    press(key);
-    finish();
+    does('9');
   }
   [[nodiscard]] ViewingBench& viewing() { return dynamic_cast<ViewingBench&>(bench()); }
   [[nodiscard]] ViewingLayout places() const { return layoutOfViewing(layout()); }
