@@ -75,7 +75,7 @@ TEST(ViewingBench, KeysAndThePointerChooseTheStage) {
   b.finish();
   EXPECT_EQ(b.viewing().stage(), 7);
   for (int k = 0; k < 7; ++k) {
-    const Rect& small = b.places().small[static_cast<std::size_t>(k)];
+    const Rect small = b.places().small[static_cast<std::size_t>(k)];
     (void)b.grab(small.x + 5, small.y + 5);
     b.settle();
     b.finish();
