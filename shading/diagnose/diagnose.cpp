@@ -23,13 +23,6 @@ PictureSettings exactly(PictureSettings settings) {
   return settings;
 }
 
-/// The pixel of a turned picture that shows what (i, j) shows upright.
-std::pair<int, int> turned(TurnWay turn, int i, int j, int width, int height) {
-  if (turn == TurnWay::Mirrored || turn == TurnWay::Turned) i = width - 1 - i;
-  if (turn == TurnWay::UpsideDown || turn == TurnWay::Turned) j = height - 1 - j;
-  return {i, j};
-}
-
 }  // namespace
 
 std::string whyNotDiagnosed(const Scene& scene, const PictureSettings& settings) {
@@ -276,19 +269,6 @@ RgbImage Diagnoser::pictureBy(const Approach& way) {
       }
     }
   return image;
-}
-
-Diagnoser::Parting Diagnoser::partingOf(const Hypothesis& a, const Hypothesis& b) {
-  const auto &first = known(a), &second = known(b), &right = known(hypotheses().front());
-  Parting best;
-  double most = -1.0;
-  for (std::size_t k = 0; k < samples_.size(); ++k) {
-    const double apart = std::abs(first[k].value[0] - second[k].value[0]);
-    if (!first[k].shows || !second[k].shows || apart <= most) continue;
-    most = apart;
-    best = {samples_[k], first[k].value[0], second[k].value[0], right[k].value[0]};
-  }
-  return best;
 }
 
 }  // namespace xnewell

@@ -58,6 +58,16 @@ struct DiagnosedPixel {
   double NdotL = 0, RdotV = 0;
 };
 
+/// What two mistakes show at the pixel that tells them apart best.
+struct Parting {
+  int i = 0, j = 0, face = 0;  ///< the face's number in the scene; that of the right picture
+  /// Values 0 to 255; nothing where no face shows. Of several hues only the first.
+  std::optional<double> first, second, right;
+  int firstCell = -1, secondCell = -1, rightCell = -1;  ///< -1: no face, or several hues
+  double shades = 0;                                    ///< how far the values are apart
+  double cells = 0;                                     ///< how far the cells are apart
+};
+
 struct Diagnosis {
   Marking verdict = Marking::Unknown;
   std::vector<Fit> found;  ///< the class, each name once, best first; of "right", what it is right with
@@ -104,14 +114,11 @@ class Diagnoser {
   /// At every `stride`th sample.
   [[nodiscard]] std::vector<Predicted> predicted(const Approach& way, std::size_t stride = 1);
   [[nodiscard]] Approach approachWith(const Hypothesis& first, const Hypothesis* second = nullptr) const;
-  /// The sample where two rows differ most, and what both show there.
-  struct Parting {
-    DiagnosedSample at;
-    double first = 0, second = 0, right = 0;
-  };
+  /// The pixel where the rows of two keys differ most; of several forms of a key the nearest two count.
+  /// Nothing if the settings leave no row of a key. (parting.cpp)
+  [[nodiscard]] std::optional<Parting> partingOf(std::string_view a, std::string_view b);
   /// The whole picture as a program shows it that works in this way.
   [[nodiscard]] RgbImage pictureBy(const Approach& way);
-  [[nodiscard]] Parting partingOf(const Hypothesis& a, const Hypothesis& b);
 
  private:
   /// What a picture has at the samples, in one of four turns.
@@ -130,6 +137,7 @@ class Diagnoser {
   [[nodiscard]] Fit fit(TurnWay turn, const std::vector<Predicted>& other, std::size_t stride = 1);
   [[nodiscard]] double apart(const Read& yours, std::size_t sample, const Predicted& other) const;
   [[nodiscard]] double apart(const Predicted& a, const Predicted& b) const;
+  [[nodiscard]] std::vector<std::optional<Predicted>> atPixels(const Hypothesis& h);
   [[nodiscard]] double cellsApart(double cell, const Predicted& other) const;
   [[nodiscard]] double tolerance() const;
   [[nodiscard]] bool applies(const Hypothesis& h) const;

@@ -213,6 +213,8 @@ int run(int argc, char** argv) {
   if (options.command == Command::Lesson) return teach(options);
   if (options.command == Command::Lecture) return lecture(options);
 
+  if (!options.sceneFor.empty()) return tellSceneFor(options);
+
   const Stopwatch watch;
   Scene scene = readyScene(options);
   const double msRead = watch.ms();

@@ -1,15 +1,17 @@
 #include "x11/command/tell_homework.h"
 
-#include <array>
-#include <cmath>
+#include <algorithm>
 #include <iostream>
 #include <optional>
+#include <utility>
+#include <vector>
 
 #include "geometry/files/output_file.h"
+#include "geometry/files/text_file.h"
 #include "shading/diagnose/diagnose.h"
 #include "shading/diagnose/pair_scene.h"
+#include "shading/diagnose/scene_for.h"
 #include "shading/picture/picture_cache.h"
-#include "x11/drawing/wording.h"
 #include "x11/homework/class_marks.h"
 #include "x11/homework/diagnosis_report.h"
 #include "x11/homework/diagnosis_sheet.h"
@@ -24,9 +26,6 @@ namespace xnewell {
 
 namespace {
 
-/// The scenes that are made to part mistakes.
-constexpr std::array<const char*, 2> kBenches{"bench", "bench-n3"};
-
 PictureSettings sized(const Options& options, glm::ivec2 usual) {
   PictureSettings settings = options.picture;
   const glm::ivec2 size = options.size.value_or(usual);
@@ -38,31 +37,34 @@ void refuseWhatIsNotDiagnosed(const Scene& scene, const PictureSettings& setting
   if (const std::string why = whyNotDiagnosed(scene, settings); !why.empty()) throw UsageError{why};
 }
 
-/// What parts the first two mistakes of a class: the picture of a bench where they differ most.
+/// What tells the first two mistakes of a class apart: a picture of a bench with this method and table.
 PartedBy partedBy(const Diagnosis& d, const PictureSettings& settings) {
   if (d.verdict != Marking::OneOf) return {};
-  const Hypothesis &a = *d.found[0].first, &b = *d.found[1].first;
-  const std::string both = std::string{a.key} + " and " + std::string{b.key};
-  Diagnoser::Parting best;
-  std::string where;
-  double most = 2.0;  // shades; less is easily the rounding of another program
-  for (const char* bench : kBenches) {
-    Scene scene = readScene(bench);
-    PictureSettings s = scene.settings;
-    s.shading = settings.shading, s.table = settings.table, s.camera = scene.camera;
-    s.width = 640, s.height = 480;
-    Diagnoser other{std::move(scene), s};
-    const Diagnoser::Parting parting = other.partingOf(a, b);
-    if (std::abs(parting.first - parting.second) <= most) continue;
-    most = std::abs(parting.first - parting.second), best = parting;
-    where = std::string{bench} + " --size 640x480 --shade " + std::string{rowOf(s.shading).name};
-  }
-  if (where.empty())
-    return {"no picture of bench or bench-n3 tells " + both +
-            " apart by its colours; the cells of a PNG may"};
-  return {"to tell " + both + " apart, draw " + where + ": at pixel " + std::to_string(best.at.i) + "," +
-          std::to_string(best.at.j) + " the first shows " + fixed(best.first, 0) + ", the second " +
-          fixed(best.second, 0) + "; right is " + fixed(best.right, 0)};
+  const std::string_view a = d.found[0].first->key, b = d.found[1].first->key;
+  std::vector<PartingPicture> pictures = benchPictures();
+  std::erase_if(pictures, [&](const PartingPicture& p) {
+    return p.method != settings.shading || p.table != settings.table.kind;
+  });
+  return {partingSentence(a, b, sceneFor(a, b, pictures))};
+}
+
+/// The two keys of --scene-for.
+std::pair<std::string_view, std::string_view> twoKeys(const std::string& said) {
+  const std::size_t comma = said.find(',');
+  if (comma == std::string::npos || said.find(',', comma + 1) != std::string::npos)
+    throw UsageError{"--scene-for: " + inQuotes(said) + " is not two mistakes, such as RV-abs,RV-unclamped"};
+  const auto known = [](const std::string& word) {
+    if (const Hypothesis* const row = hypothesisNamed(word)) return row->key;
+    std::string nearest;
+    for (const std::string_view key : nearestKeys(word, 3))
+      nearest += (nearest.empty() ? "" : ", ") + std::string{key};
+    throw UsageError{"--scene-for: no mistake is called " + inQuotes(word) + "; the nearest names are " +
+                     nearest};
+  };
+  const std::pair keys{known(said.substr(0, comma)), known(said.substr(comma + 1))};
+  if (keys.first == keys.second)
+    throw UsageError{"--scene-for: both are " + std::string{keys.first} + ": name two mistakes"};
+  return keys;
 }
 
 }  // namespace
@@ -81,6 +83,24 @@ int tellDiagnosis(const Options& options, Scene scene) {
   std::cout.flush();
   if (!options.output.empty()) writeFile(options.output, diagnosisSheet(diagnoser, handed, d));
   return d.verdict == Marking::Right || d.verdict == Marking::Allowed ? kDone : kOutside;
+}
+
+int tellSceneFor(const Options& options) {
+  const auto [a, b] = twoKeys(options.sceneFor);
+  std::optional<Doing> trying{"drawing the benches"};
+  SceneFor found = sceneFor(a, b, benchPictures());
+  if (!found.picture || found.byCells) {
+    trying.reset();  // each message replaces the one before
+    trying.emplace("drawing other scenes");
+    const int tried = found.tried;
+    const SceneFor other = sceneFor(a, b, otherPictures());
+    if ((other.picture && !(found.picture && other.byCells)) || tried == 0) found = other;
+    found.tried = tried + other.tried;
+    found.parting.shades = std::max(found.parting.shades, other.parting.shades);
+  }
+  trying.reset();
+  (options.json ? printSceneForAsJson : printSceneFor)(a, b, found, std::cout);
+  return found.picture ? kDone : kOutside;
 }
 
 int tellJudgement(const Options& options, Scene scene) {

@@ -13,6 +13,10 @@ namespace xnewell {
 /// @throws UsageError for what cannot be diagnosed; ParseError, std::system_error for the picture
 int tellDiagnosis(const Options& options, Scene scene);
 
+/// Names the picture that tells the two mistakes of options.sceneFor apart. kDone if there is one, else
+/// kOutside. @throws UsageError for names that are none
+int tellSceneFor(const Options& options);
+
 /// Says whether the painting order in options.handedIn is right, and writes the first wrong pair as a scene
 /// of its own. kDone if the order is right, else kOutside. @throws ParseError, std::system_error for the file
 int tellJudgement(const Options& options, Scene scene);

@@ -142,4 +142,70 @@ void printDiagnosisAsJson(const Diagnosis& d, const PartedBy& parted, std::ostre
   out << json.dump(-1, ' ', false, DiagnosisJson::error_handler_t::replace) << '\n';
 }
 
+namespace {
+
+std::string_view tableName(TableKind kind) { return kTables[static_cast<std::size_t>(kind)].name; }
+
+std::string optionsOf(const PartingPicture& picture) {
+  return std::string{picture.scene} + " --size " + std::to_string(kPartingSize.x) + "x" +
+         std::to_string(kPartingSize.y) + " --shade " + std::string{rowOf(picture.method).name} +
+         " --table " + std::string{tableName(picture.table)};
+}
+
+/// What is shown at a pixel: the value, or the cell if only cells tell.
+std::string shownAs(const std::optional<double>& value, int cell, bool byCells) {
+  if (!value) return "no face";
+  return byCells ? "cell " + std::to_string(cell) : fixed(*value, 0);
+}
+
+}  // namespace
+
+std::string partingSentence(std::string_view a, std::string_view b, const SceneFor& found) {
+  const std::string A{a}, B{b}, pictures = counted(found.tried, "picture");
+  if (found.tried == 0) return A + " and " + B + " are mistakes of different methods or tables";
+  const Parting& p = found.parting;
+  if (!found.picture)
+    return "no scene tells " + A + " and " + B + " apart: in " + pictures + " they differ by " +
+           (p.shades < 0.005 ? "nothing, so they may be the same by algebra"
+                             : fixed(p.shades, 2) + " shades at most");
+  return "to tell " + A + " and " + B + " apart, draw " + optionsOf(*found.picture) + ": at pixel " +
+         std::to_string(p.i) + "," + std::to_string(p.j) + ", face " + std::to_string(p.face) + ", " + A +
+         " shows " + shownAs(p.first, p.firstCell, found.byCells) + ", and " + B + " shows " +
+         shownAs(p.second, p.secondCell, found.byCells) + "; right is " +
+         shownAs(p.right, p.rightCell, found.byCells) +
+         (found.byCells ? ". Only a file with the cells tells: an indexed PNG or a window dump" : "");
+}
+
+void printSceneFor(std::string_view a, std::string_view b, const SceneFor& found, std::ostream& out) {
+  out << partingSentence(a, b, found) << '\n';
+  for (const std::string_view key : {a, b}) out << "  " << inWords(*hypothesisNamed(key)) << '\n';
+}
+
+void printSceneForAsJson(std::string_view a, std::string_view b, const SceneFor& found, std::ostream& out) {
+  DiagnosisJson json{{"first", a},
+                     {"second", b},
+                     {"told_apart", found.picture.has_value()},
+                     {"words", partingSentence(a, b, found)},
+                     {"tried", found.tried}};
+  if (found.tried > 0) json["shades_apart"] = found.parting.shades;
+  if (found.picture) {
+    const Parting& p = found.parting;
+    const auto shown = [](const std::optional<double>& value, int cell) -> DiagnosisJson {
+      if (!value) return nullptr;
+      return {{"value", *value}, {"cell", cell}};
+    };
+    json["scene"] = found.picture->scene;
+    json["size"] = {kPartingSize.x, kPartingSize.y};
+    json["shade"] = rowOf(found.picture->method).name;
+    json["table"] = tableName(found.picture->table);
+    json["pixel"] = {p.i, p.j};
+    json["face"] = p.face;
+    json["by_cells"] = found.byCells;
+    json["first_shows"] = shown(p.first, p.firstCell);
+    json["second_shows"] = shown(p.second, p.secondCell);
+    json["right_shows"] = shown(p.right, p.rightCell);
+  }
+  out << json.dump() << '\n';
+}
+
 }  // namespace xnewell

@@ -5,6 +5,7 @@
 #include <string_view>
 
 #include "shading/diagnose/diagnose.h"
+#include "shading/diagnose/scene_for.h"
 
 namespace xnewell {
 
@@ -20,5 +21,10 @@ struct PartedBy {
 };
 void printDiagnosis(const Diagnosis& d, const PartedBy& parted, std::ostream& out);
 void printDiagnosisAsJson(const Diagnosis& d, const PartedBy& parted, std::ostream& out);
+
+/// The picture that tells the mistakes a and b apart, in one sentence without a full stop.
+[[nodiscard]] std::string partingSentence(std::string_view a, std::string_view b, const SceneFor& found);
+void printSceneFor(std::string_view a, std::string_view b, const SceneFor& found, std::ostream& out);
+void printSceneForAsJson(std::string_view a, std::string_view b, const SceneFor& found, std::ostream& out);
 
 }  // namespace xnewell

@@ -38,6 +38,7 @@ void addPlaces(Reader& r) {
   only({"--every"}, {"trace --frames"});
   only({"--play"}, {"lecture"});
   only({"--answers"}, {"lesson", "lecture"});
+  only({"--scene-for"}, {"diagnose"});
   only({"--page"}, {"grade"});
   only({"--count", "--seed", "--gift"}, {"questions"});
   only({"--worksheet"}, {"lesson"});

@@ -241,6 +241,13 @@ void addOptions(CLI::App& app, Reader& r, Options& o) {
   r.named("--worksheet", o.worksheet, "file",
           "lesson: write an HTML file to print, with pictures, questions, room to write, and solutions at "
           "the end");
+  r.text("--scene-for",
+         "A,B, diagnose: name the scene, the settings and the pixel that tell these two mistakes apart best, "
+         "in place of a picture",
+         "", [&](const std::string& s) {
+           if (s.empty()) refuse("--scene-for", s, "two mistakes, such as RV-abs,RV-unclamped");
+           o.sceneFor = s;
+         });
   r.named("--page", o.page, "file", "grade: also write an HTML file with the pictures in it");
   r.number("--count", o.questions, 1, 10'000, "questions: how many");
   r.number("--seed", o.seed, 0, 1'000'000'000, "questions: another number gives other questions");

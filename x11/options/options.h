@@ -64,7 +64,7 @@ inline constexpr std::array kCommands{
                "what each short cut saves on the scene, and the error that it costs", true},
     CommandRow{Command::Extremes, "extremes", "extremes SCENE [-o CHART.png] [--json]",
                "what becomes wrong first when the scene is scaled, moved, flattened ...", true},
-    CommandRow{Command::Diagnose, "diagnose", "diagnose SCENE PICTURE.png [options]",
+    CommandRow{Command::Diagnose, "diagnose", "diagnose SCENE PICTURE.png | --scene-for A,B",
                "which mistake the program made that drew the picture; SCENE and options say what is right",
                true, "PICTURE, a PNG, PPM or XWD file"},
     CommandRow{Command::Judge, "judge", "judge SCENE ORDER.jsonl [--json]",
@@ -139,6 +139,7 @@ struct Options {
   PaletteEffects effects;     ///< for the picture and View::Colors
   bool quick = false;         ///< trace: true for the accelerated run, false for the textbook's
   std::string answers;        ///< lesson, lecture: the file that keeps the answers; "" for none
+  std::string sceneFor;       ///< diagnose: the keys of two mistakes; "" for none
   std::string page;           ///< grade: the HTML file to write; "" for none
   std::string gift;           ///< questions: the file for Moodle to write; "" for none
   int questions = 20;         ///< how many

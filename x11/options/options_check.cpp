@@ -7,6 +7,7 @@
 #include <string>
 #include <utility>
 
+#include "geometry/files/text_file.h"
 #include "shading/figure/write_figure.h"
 #include "shading/scene/settings.h"
 
@@ -136,6 +137,13 @@ void checkCommand(const Options& o, const std::vector<OptionRow>& rows) {
   const bool figure = o.command == Command::Figure;
   const bool diagnoses = o.command == Command::Diagnose, takes = !rowOf(o.command).takes.empty();
   const bool asks = o.command == Command::Questions, grades = o.command == Command::Grade;
+  if (diagnoses && !o.sceneFor.empty()) {
+    if (sceneGiven) throw UsageError{"--scene-for names a scene: leave out " + inQuotes(o.scene)};
+    for (std::size_t k = 0; k < o.given.size(); ++k)
+      if (o.given[k] != "--scene-for" && o.given[k] != "--json")
+        throw UsageError{"--scene-for tries all methods and tables: leave out " + o.given[k]};
+    return;
+  }
   if ((makesPng || traces || charts || explains || figure || takes || asks) && !sceneGiven)
     throw UsageError{name + " needs a scene, such as teapot"};
   if (takes && o.handedIn.empty())

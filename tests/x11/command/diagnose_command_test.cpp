@@ -49,6 +49,53 @@ TEST_F(CommandTest, DiagnoseTellsAClass) {
   EXPECT_NE(odd.out.find("draw bench-n3 --size 640x480"), std::string::npos) << odd.out;
 }
 
+// The picture that is named for two mistakes tells them apart: the program itself, which shares no code with
+// the evaluator that chose the pixel, draws there what is promised.
+TEST_F(CommandTest, DiagnoseNamesAScene) {
+  for (const auto& [a, b] :
+       {std::pair{"RV-abs", "RV-unclamped"}, {"NL-abs", "NL-unclamped"}, {"ks-in-the-power", "right"}}) {
+    SCOPED_TRACE(a);
+    const auto end = runProgram({"diagnose", "--scene-for", std::string{a} + "," + b, "--json"});
+    EXPECT_EQ(end.status, 0) << end.err;
+    const auto json = nlohmann::json::parse(end.out);
+    EXPECT_EQ(json.at("told_apart"), true);
+    EXPECT_GT(json.at("shades_apart"), 2);
+    const auto shown = [&](const std::string& mistake) {
+      Strings words{"draw", json.at("scene"), "--size", "640x480", "-o", file("a.png")};
+      words = words + Strings{"--shade", json.at("shade"), "--table", json.at("table")};
+      if (mistake != "right") words = words + Strings{"--mistake", mistake};
+      EXPECT_EQ(runProgram(words).status, 0);
+      return int{readPng(file("a.png")).pixel(json.at("pixel").at(0), json.at("pixel").at(1))[0]};
+    };
+    EXPECT_NEAR(shown(a), json.at("first_shows").at("value"), 1.5);
+    EXPECT_NEAR(shown(b), json.at("second_shows").at("value"), 1.5);
+    EXPECT_NEAR(shown("right"), json.at("right_shows").at("value"), 1.5);
+  }
+}
+
+// Where nothing differs, and where only cells do, the sentence says so. Unknown names get the nearest.
+TEST_F(CommandTest, DiagnoseNamesNoScene) {
+  const auto same = runProgram({"diagnose", "--scene-for", "V-sign,R-sign"});
+  EXPECT_EQ(same.status, 1);
+  EXPECT_TRUE(same.out.starts_with("no scene tells V-sign and R-sign apart: in ")) << same.out;
+  EXPECT_NE(same.out.find("by nothing, so they may be the same by algebra\n"), std::string::npos) << same.out;
+  const auto cells = runProgram({"diagnose", "--scene-for", "cell-off-by-one,table-i-11", "--json"});
+  EXPECT_EQ(cells.status, 0);
+  EXPECT_EQ(nlohmann::json::parse(cells.out).at("by_cells"), true);
+  EXPECT_TRUE(
+      runProgram({"diagnose", "--scene-for", "three-corners,by-rows"})
+          .out.starts_with("three-corners and by-rows are mistakes of different methods or tables\n"));
+  refused({"diagnose", "--scene-for", "rv-abz,R-sign"}, 2,
+          "--scene-for: no mistake is called 'rv-abz'; the nearest names are RV-abs, NL-abs, right");
+  refused({"diagnose", "--scene-for", "R-sign"}, 2,
+          "--scene-for: 'R-sign' is not two mistakes, such as RV-abs,RV-unclamped");
+  refused({"diagnose", "--scene-for", "R-sign,R-sign"}, 2, "--scene-for: both are R-sign: name two mistakes");
+  refused({"diagnose", "bench", "--scene-for", "R-sign,V-sign"}, 2,
+          "--scene-for names a scene: leave out 'bench'");
+  refused({"diagnose", "--scene-for", "R-sign,V-sign", "--shade", "flat"}, 2,
+          "--scene-for tries all methods and tables: leave out --shade");
+}
+
 // What cannot be diagnosed is refused in one line.
 TEST_F(CommandTest, DiagnoseRefuses) {
   refused({"diagnose"}, 2, "diagnose needs a scene, such as teapot");
