@@ -42,8 +42,10 @@ Control ScanlineBench::bitsControl() {
                .is = "bits after the point of a value that is stepped; the picture has 24",
                .set = [this](double k) { view_.bits = kBitChoices[static_cast<std::size_t>(k)]; }};
   for (const int one : kBitChoices) bits.options.push_back(std::to_string(one));
-  bits.value = static_cast<double>(std::ranges::find(kBitChoices, view_.bits) - kBitChoices.begin());
-  if (run_ && !run_->choosesBits()) bits.off = "Only Gouraud and Phong shading have values of chosen bits.";
+  const bool chooses = !run_ || run_->choosesBits();
+  const int shown = chooses ? view_.bits : 24;
+  bits.value = static_cast<double>(std::ranges::find(kBitChoices, shown) - kBitChoices.begin());
+  if (!chooses) bits.off = "Only Gouraud and Phong shading have values of chosen bits.";
   return bits;
 }
 
@@ -145,8 +147,12 @@ KeyTable ScanlineBench::ownKeys() {
 }
 
 void ScanlineBench::goTo(int step) {
-  view_.step = std::clamp(step, 0, run_ ? run_->steps() : 0);
-  if (run_ && run_->steps() > 0) share_ = 1.0 * view_.step / run_->steps();
+  if (!run_) {  // the picture is not ready
+    start_ = step;
+    return;
+  }
+  view_.step = std::clamp(step, 0, run_->steps());
+  if (run_->steps() > 0) share_ = 1.0 * view_.step / run_->steps();
 }
 
 void ScanlineBench::moveTo(int step) {
@@ -211,13 +217,13 @@ void ScanlineBench::askPolygon() {
 }
 
 void ScanlineBench::predict() {
-  if (!run_ || view_.step >= run_->steps()) return host_.notify("This is the end of the run.");
+  if (!run_) return host_.notify("There is no run yet.");
+  if (view_.step >= run_->steps()) return host_.notify("This is the end of the run.");
   const ScanSample next = run_->samples()[static_cast<std::size_t>(view_.step)];
   const auto tell = [this, next](const std::string& before) {
     view_.asking = false;
     goTo(view_.step + 1);
-    host_.tell(before + "cell " + std::to_string(next.steppedCell) + " is at pixel " +
-               std::to_string(next.column) + "." +
+    host_.tell(before + std::to_string(next.steppedCell) + ", at pixel " + std::to_string(next.column) + "." +
                (view_.score.asked > 0 ? " " + view_.score.inWords() + "." : ""));
   };
   view_.asking = true;
@@ -229,10 +235,10 @@ void ScanlineBench::predict() {
                const bool right = *cell == next.steppedCell;
                if (!std::exchange(*tried, true)) view_.score.add(right);
                if (!right) return text + " is not right. Try again, or press Esc to see it.";
-               tell("Right: ");
+               tell("Right: cell ");
                return {};
              },
-             .dropped = [tell] { tell("The next "); }});
+             .dropped = [tell] { tell("The next cell is "); }});
 }
 
 void ScanlineBench::walk(int direction) {

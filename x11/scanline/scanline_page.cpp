@@ -14,14 +14,17 @@ void drawPolygon(ScanlinePen& pen) {
   const ScanlineRun& run = pen.page.run;
   pen.y = pen.at.column.y + 10;
   pen.caps(pen.x(), pen.y, "polygon");
-  pen.y += pen.at.line;
+  const auto& parts = pen.page.run.parts();
   const int end = pen.at.overview.x - 12;
+  if (parts.size() > 1 && pen.sample)
+    pen.softRight(end, pen.y,
+                  "triangle " + std::to_string(pen.sample->part + 1) + " of " + std::to_string(parts.size()));
+  pen.y += pen.at.line;
   const auto row = [&](std::string_view label, const std::string& value) {
     pen.soft(pen.x(), pen.y, label);
     pen.boldRight(end, pen.y, beginningOf(value, end - pen.x() - textWidth(label) - 6));
     pen.y += pen.at.line;
   };
-  const auto& parts = run.parts();
   row("face", pen.page.polygon);
   const SnappedFace& face = run.picture().snapped().faces[static_cast<std::size_t>(run.face())];
   std::string rows = "no row";
@@ -32,20 +35,20 @@ void drawPolygon(ScanlinePen& pen) {
         first = std::min(first, span.row), last = std::max(last, span.row);
     rows = std::to_string(first) + ".." + std::to_string(last);
   }
-  const std::string triangle =
-      parts.size() > 1 && pen.sample
-          ? "; triangle " + std::to_string(pen.sample->part + 1) + " of " + std::to_string(parts.size())
-          : "";
-  row("corners, rows", std::to_string(face.count) + ", " + rows + triangle);
+  row("corners, rows", std::to_string(face.count) + ", " + rows);
   row("samples", grouped(pen.page.view.step) + " of " + grouped(run.steps()));
   if (run.isConstant()) {
     row("shading", "one value");
   } else if (pen.sample && !run.quantities(pen.sample->part).empty()) {
     const ScanQuantity& quantity = run.quantities(pen.sample->part).front();
+    const std::string label = std::string{quantity.name} + " at A, B ..";
     std::string values;
-    for (const double v : quantity.atVertex)
-      values += (values.empty() ? "" : " ") + fixed(v, quantity.atVertex.size() > 3 ? 2 : 3);
-    row(std::string{quantity.name} + " at A, B ..", values);
+    for (int decimals = 3; decimals >= 0; --decimals) {
+      values.clear();
+      for (const double v : quantity.atVertex) values += (values.empty() ? "" : " ") + fixed(v, decimals);
+      if (textWidth(values) + textWidth(label) + 6 <= end - pen.x()) break;
+    }
+    row(label, values);
   }
   pen.key(pen.x(), pen.y - 11, "/");
   pen.soft(pen.x() + 20, pen.y, beginningOf("another, or click one", end - pen.x() - 20));
@@ -134,7 +137,7 @@ void drawSpan(ScanlinePen& pen) {
   pen.softRight(pen.right(), pen.y, "cell");
   pen.y += pen.at.line;
   std::vector<SpanLine> lines = spanLines(run, *pen.sample);
-  if (!pen.filled) lines.pop_back();
+  if (!pen.filled) lines.resize(lines.size() - 2);  // the next pixel may be asked for
   for (const SpanLine& line : lines) {
     const bool here = pen.filled && &line == &lines.back();
     if (here) pen.white();
@@ -147,7 +150,7 @@ void drawSpan(ScanlinePen& pen) {
     pen.paint.textRight(pen.right(), pen.y, line.cell, pen(Cell::Ink), voice);
     pen.y += pen.at.line;
   }
-  if (!pen.filled) pen.y += pen.at.line;
+  if (!pen.filled) pen.y += 2 * pen.at.line;
 }
 
 void drawPixel(ScanlinePen& pen) {

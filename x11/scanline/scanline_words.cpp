@@ -33,9 +33,22 @@ double inSteps(const ScanlineRun& run, double drift) { return std::ldexp(drift, 
 
 std::string largestDrift(const ScanlineRun& run) {
   const double drift = run.mostDrift();
-  return drift < 5e-5
-             ? fixed(inSteps(run, drift), 1) + " steps of 2^-" + std::to_string(run.bits()) + " shade"
-             : fixed(drift, drift < 0.1 ? 4 : 2) + " shade";
+  return drift < 5e-5 ? fixed(inSteps(run, drift), 1) + " steps of 2^-" + std::to_string(run.bits())
+                      : fixed(drift, drift < 0.1 ? 4 : 2) + " shade";
+}
+
+/// How many additions lead from corner A of a triangle to a sample of it, along a column and a row; 0 where
+/// the values are not stepped so.
+int mostAdditions(const ScanlineRun& run) {
+  double most = 0;
+  if (run.stepsValues() && !run.goesAlongRows())
+    for (const ScanPart& part : run.parts())
+      for (const ScanSpan& span : part.spans) {
+        const glm::dvec2 A = glm::dvec2{part.outline[0]} / static_cast<double>(kGrid);
+        const double far = std::max(std::abs(span.from + 0.5 - A.x), std::abs(span.to - 0.5 - A.x));
+        most = std::max(most, far + std::abs(span.row + 0.5 - A.y));
+      }
+  return static_cast<int>(std::ceil(most));
 }
 
 }  // namespace
@@ -153,8 +166,10 @@ std::vector<PixelLine> pixelLines(const ScanlineRun& run, int step) {
       lines.push_back({"in the map",
                        "column " + std::to_string(e.place->column) + ", row " + std::to_string(e.place->row),
                        "I " + fixed(e.intensity, 6), ""});
-    lines.push_back({"by steps", run.bits() < 24 ? "N by steps, then the equation" : "as the picture's loop",
-                     fixed(sample.stepped, 6), steppedCell});
+    lines.push_back(
+        {"by steps",
+         run.hasNormals() && run.bits() < 24 ? "N by steps, then the equation" : "as the picture's loop",
+         fixed(sample.stepped, 6), steppedCell});
     lines.push_back({"direct", "in double precision", fixed(sample.direct, 6), directCell});
   }
   const double drift = sample.stepped - sample.direct;
@@ -180,9 +195,10 @@ Finding findingOf(const ScanlineRun& run, const ScanlineRun* eight) {
     return {"This polygon owns no sample.",
             "It lies between the centres of the pixels, or outside the picture."};
   if (run.isConstant())
-    return {
-        "One value fills the polygon.",
-        "Only the edges are stepped: each row adds dx to x, and the samples between two edges get the cell."};
+    return {"One value fills the polygon.",
+            "Only the edges are stepped: each row adds dx to x, and the samples between two edges get the "
+            "cell. S "
+            "chooses a method with steps along the row."};
   if (run.isTextured()) {
     double most = 0;
     for (const ScanSample& sample : run.samples()) {
@@ -219,14 +235,19 @@ Finding findingOf(const ScanlineRun& run, const ScanlineRun* eight) {
     return {"A place in the map is stepped, and looked up.",
             "Column and row are linear on the screen. The map holds I, so nothing is computed at a pixel."};
   const int differing = run.differing();
-  Finding finding{
-      differing == 0 ? "The steps drift, and no cell changes."
-                     : "The steps drift, and " + counted(differing, "sample") +
-                           (differing == 1 ? " has" : " have") + " another cell.",
-      "At most " + largestDrift(run) + " in " + samples + ": an addition errs by half a step at most."};
+  Finding finding{differing == 0 ? "The steps drift, and no cell changes."
+                                 : "The steps drift, and " + counted(differing, "sample") +
+                                       (differing == 1 ? " has" : " have") + " another cell.",
+                  "At most " + largestDrift(run)};
+  if (const int additions = mostAdditions(run); additions > 0)
+    finding.why += ": up to " + std::to_string(additions) +
+                   " additions err by half a step; half a cell is 2^" + std::to_string(run.bits() - 1) +
+                   " steps.";
+  else
+    finding.why += " in " + samples + ": an addition errs by half a step at most.";
   if (eight && run.bits() != 8)
     finding.why +=
-        " With 8 bits: " + largestDrift(*eight) + ", and " + counted(eight->differing(), "other cell") + ".";
+        " With 8 bits: " + largestDrift(*eight) + ", " + counted(eight->differing(), "other cell") + ".";
   return finding;
 }
 

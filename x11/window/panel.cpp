@@ -59,10 +59,13 @@ void drawTabs(Pen& pen, const Layout& at, const PanelState& state) {
   }
   const int room = at.width - 2 * kMargin - end;
   if (room < 4 * kGlyphWidth) return;
-  // A long path keeps its end, which distinguishes files; other names keep their beginning.
+  constexpr std::string_view kDot = " \u00B7 ";
+  // A long path keeps its end, which distinguishes files; other names keep their first parts.
   const bool isPath = state.title.find('/') != std::string::npos;
-  pen.softRight(at.width - kMargin, baseline,
-                isPath ? endOf(state.title, room) : beginningOf(state.title, room));
+  std::string title = state.title;
+  while (!isPath && textWidth(title) > room && title.find(kDot) != std::string::npos)
+    title.erase(title.rfind(kDot));
+  pen.softRight(at.width - kMargin, baseline, isPath ? endOf(title, room) : beginningOf(title, room));
 }
 
 std::optional<Direction> arrowOf(std::string_view key) {

@@ -2,6 +2,9 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <cmath>
+
 #include "tests/x11/support/ready_workbench.h"
 #include "x11/scanline/scanline_code.h"
 
@@ -122,6 +125,73 @@ TEST(ScanlineBench, PredictsTheNextCell) {
   b.does(NamedKey::Escape);
   EXPECT_EQ(b.step(), 3);
   EXPECT_EQ(b.view0().view().score, (Score{1, 2}));
+}
+
+// Before the first sample, the page does not show what y may ask for: its value and its cell.
+TEST(ScanlineBench, TheFirstCellIsNotTold) {
+  ScanlineWindow b;
+  b.does(NamedKey::Home);
+  const IndexImage before = b.image();
+  b.does(NamedKey::Right);
+  const ScanlineLayout at = layoutOfScanline(b.layout().body);
+  const std::uint8_t ground = before.row(at.choices - at.line)[at.column.x];
+  // The last two lines of the span, its first sample and the pixel, come with the step.
+  const auto inkAt = [&](const IndexImage& image, int y) {
+    int ink = 0;
+    for (int j = y; j < y + at.line; ++j)
+      for (int i = at.column.x; i < at.column.x + at.column.width; ++i) ink += image.row(j)[i] != ground;
+    return ink;
+  };
+  int filled = 0;
+  for (int y = at.column.y + at.column.height / 3; y + at.line < at.choices; y += at.line)
+    filled += inkAt(before, y) == 0 && inkAt(b.image(), y) > 0;
+  EXPECT_GE(filled, 4);  // the two lines, and those about the pixel
+}
+
+// A key that comes before the view is ready counts when it is.
+TEST(ScanlineBench, EarlyKeysCount) {
+  ScanlineWindow b;
+  b.does('1');
+  b.press('0');
+  b.press(NamedKey::Home);
+  b.finish();
+  EXPECT_EQ(b.step(), 0);
+}
+
+// Where no bits can be chosen, the control shows the 24 bits that count, and the last choice comes back.
+TEST(ScanlineBench, BitsThatDoNotCountAreNotShown) {
+  ScanlineWindow b{Shading::Gouraud};
+  const auto bits = [&] {
+    const Controls all = b.bench().controls();
+    const Control& control = *std::ranges::find(all, 'B', &Control::key);
+    return control.options[static_cast<std::size_t>(control.value)] + (control.off.empty() ? "" : " off");
+  };
+  while (bits() != "8") b.does('B');
+  while (b.setup().picture.shading != Shading::Flat) b.does('S');
+  EXPECT_EQ(bits(), "24 off");
+  while (b.setup().picture.shading != Shading::Gouraud) b.does('S');
+  EXPECT_EQ(bits(), "8");
+}
+
+// The finding's bound: half a step for each pixel and row between corner A and a sample, counted here over
+// all samples. No sample drifts more; a cell more is due to the two ends, which are rounded once each.
+TEST(ScanlineBench, TheBoundOfTheDriftHolds) {
+  ScanlineWindow b;
+  for (int polygons = 0; polygons < 20; ++polygons, b.does('h')) {
+    const std::string why = findingOf(b.run(), nullptr).why;
+    const std::size_t end = why.find(" additions err by half a step");
+    ASSERT_NE(end, std::string::npos) << why;
+    const int told = std::stoi(why.substr(why.rfind(' ', end - 1)));
+    double most = 0;
+    for (const ScanSample& sample : b.run().samples()) {
+      const glm::ivec3 A = b.run().parts()[static_cast<std::size_t>(sample.part)].outline.front();
+      const double away = std::abs(sample.column + 0.5 - A.x / 65536.0) +
+                          std::abs(b.run().spanOf(sample).row + 0.5 - A.y / 65536.0);
+      most = std::max(most, away);
+      EXPECT_LE(std::ldexp(std::abs(sample.stepped - sample.direct), b.run().bits()), away / 2 + 1);
+    }
+    EXPECT_EQ(told, static_cast<int>(std::ceil(most)));
+  }
 }
 
 // 8 explains the pixel of the step.
