@@ -30,6 +30,23 @@ bool isBeyondASide(const ConvexPart& part, const FigureLoop& q) {
   return false;
 }
 
+/// The smallest box around corners.
+struct Bounds {
+  glm::dvec2 least{HUGE_VAL}, most{-HUGE_VAL};
+
+  template <class Corners>
+  explicit Bounds(const Corners& corners) {
+    for (const auto& v : corners) {
+      const double x = v.x, y = v.y;
+      least = {std::min(least.x, x), std::min(least.y, y)};
+      most = {std::max(most.x, x), std::max(most.y, y)};
+    }
+  }
+  [[nodiscard]] bool isApartFrom(const Bounds& o) const {
+    return most.x <= o.least.x || o.most.x <= least.x || most.y <= o.least.y || o.most.y <= least.y;
+  }
+};
+
 }  // namespace
 
 void clipPart(const ConvexPart& part, const glm::dvec2& a, const glm::dvec2& side, double sign,
@@ -63,25 +80,29 @@ bool isSliver(const ConvexPart& part) {
 }
 
 void takeAway(const FigureLoop& q, std::vector<ConvexPart>& parts) {
-  if (std::ranges::all_of(parts, [&](const ConvexPart& part) { return isBeyondASide(part, q); })) return;
-  std::vector<ConvexPart> left;
-  ConvexPart outside, inside;
-  for (ConvexPart& part : parts) {
-    if (isBeyondASide(part, q)) {  // else the lines of its sides would cut it in vain
-      left.push_back(std::move(part));
+  const Bounds bounds{q};
+  const std::size_t count = parts.size();
+  std::size_t whole = 0;
+  ConvexPart part, outside, inside;
+  for (std::size_t at = 0; at < count; ++at) {
+    // The lines of q's sides would cut a part beside q in vain.
+    if (Bounds{parts[at]}.isApartFrom(bounds) || isBeyondASide(parts[at], q)) {
+      if (whole != at) std::swap(parts[whole], parts[at]);
+      ++whole;
       continue;
     }
-    for (std::size_t k = 0; k < q.size() && !part.empty(); ++k) {
+    part = parts[at];
+    for (std::size_t k = 0; k < q.size() && part.size() > 2; ++k) {
       const glm::dvec2 a = q[k], side = glm::dvec2{q[k + 1 == q.size() ? 0 : k + 1]} - a;
       if (std::ranges::all_of(part, [&](const glm::dvec2& v) { return cross(side, v - a) >= 0; })) continue;
       clipPart(part, a, side, -1, outside);
-      if (outside.size() > 2 && !isSliver(outside)) left.push_back(outside);
+      if (outside.size() > 2 && !isSliver(outside)) parts.push_back(outside);
       clipPart(part, a, side, 1, inside);
       std::swap(part, inside);
-      if (part.size() < 3) break;
     }
   }
-  parts = std::move(left);
+  parts.erase(parts.begin() + static_cast<std::ptrdiff_t>(whole),
+              parts.begin() + static_cast<std::ptrdiff_t>(count));
 }
 
 bool overlap(const FigureLoop& p, const FigureLoop& q) { return !isApartAlong(p, q) && !isApartAlong(q, p); }

@@ -27,7 +27,7 @@ void common(const ConvexPart& part, const FigureLoop& q, ConvexPart& to);
 /// True if the part is thinner than the rounding of corners may make it.
 [[nodiscard]] bool isSliver(const ConvexPart& part);
 
-/// Takes the polygon q away from the parts.
+/// Takes the polygon q away from the parts. What is left of those that it cuts comes last.
 void takeAway(const FigureLoop& q, std::vector<ConvexPart>& parts);
 
 /// True if the polygons overlap by more than the rounding of their corners may make them.

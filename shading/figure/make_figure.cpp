@@ -36,20 +36,23 @@ void color(std::vector<FigurePolygon>& polygons, const Picture& picture, const P
 /// The polygons without the hidden ones. The pixels at the border of what hides a polygon may show some of
 /// it. So a polygon that is hidden by less than a strip stays, if its surface goes on where it is seen.
 std::vector<FigurePolygon> shownOf(std::vector<FigurePolygon> all, int width, int height) {
-  std::vector<bool> stays = hiddenIn(all, width, height, 0);
-  stays.flip();
-  const std::vector<bool> deep = hiddenIn(all, width, height, kStrip, stays);
-  {
-    constexpr int kMostRounds = 8;  // polygons in a row within a strip
-    const SideTable sides{all};
-    bool more = true;
-    for (int round = 0; more && round < kMostRounds; ++round) {
-      more = false;
-      for (int k = 0; k < static_cast<int>(all.size()); ++k)
-        for (int c = 0; c < static_cast<int>(all[k].corners.size()) && !stays[k] && !deep[k]; ++c) {
-          const PolygonSide beyond = sides.beyond({k, c});
-          if (beyond.polygon >= 0 && stays[beyond.polygon]) stays[k] = more = true;
-        }
+  HidingPolygons later{all, width, height};
+  std::vector<bool> stays(all.size());
+  std::vector<int> open;  // stay, and may have such neighbours
+  for (int k = 0; k < static_cast<int>(all.size()); ++k) {
+    stays[k] = !later.hides(k, 0);
+    if (stays[k]) open.push_back(k);
+  }
+  const SideTable sides{all};
+  std::vector<bool> isDeep(all.size());
+  while (!open.empty()) {
+    const int k = open.back();
+    open.pop_back();
+    for (int c = 0; c < static_cast<int>(all[k].corners.size()); ++c) {
+      const int beyond = sides.beyond({k, c}).polygon;
+      if (beyond < 0 || stays[beyond] || isDeep[beyond]) continue;
+      (later.hides(beyond, kStrip) ? isDeep : stays)[beyond] = true;
+      if (stays[beyond]) open.push_back(beyond);
     }
   }
   std::vector<FigurePolygon> shown;

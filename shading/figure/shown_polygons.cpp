@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <utility>
 
 #include "depthsort/region.h"
@@ -141,36 +142,29 @@ bool isWithin(const glm::dvec2& at, const FigureLoop& p) {
 
 }  // namespace
 
-std::vector<bool> hiddenIn(const std::vector<FigurePolygon>& polygons, int width, int height, int beyond,
-                           const std::vector<bool>& without) {
+bool HidingPolygons::hides(int polygon, int beyond) {
   constexpr std::size_t kMostParts = 200;  // of one polygon; with more it counts as seen
-  PolygonGrid grid{polygons, width, height};
-  std::vector<bool> hidden(polygons.size(), false);
-  std::vector<int> over;
-  for (int k = 0; k < static_cast<int>(polygons.size()); ++k) {
-    if (!without.empty() && without[k]) continue;
-    const FigureLoop& p = polygons[k].corners;
-    over.clear();
-    grid.forEachNear(k, beyond, [&](int other) {
-      if (other > k) over.push_back(other);
-    });
-    glm::dvec2 centre{0.0};
-    for (const glm::ivec2& v : p) centre += glm::dvec2{v};
-    centre = centre / static_cast<double>(p.size());
-    if (std::ranges::none_of(over, [&](int other) { return isWithin(centre, polygons[other].corners); }))
-      continue;
-    std::ranges::sort(over);
-    const ConvexPart whole = enlarged(p, beyond, {width * kFigureSteps, height * kFigureSteps});
-    const FigureLoop about{whole.begin(), whole.end()};
-    std::vector<ConvexPart> parts;
-    if (whole.size() > 2) parts.push_back(whole);
-    for (const int other : over) {
-      if (overlap(about, polygons[other].corners)) takeAway(polygons[other].corners, parts);
-      if (parts.empty() || parts.size() > kMostParts) break;
-    }
-    hidden[k] = parts.empty();
+  const FigureLoop& p = polygons_[polygon].corners;
+  over_.clear();
+  grid_.forEachNear(polygon, beyond, [&](int other) {
+    if (other > polygon) over_.push_back(other);
+  });
+  glm::dvec2 centre{0.0};
+  for (const glm::ivec2& v : p) centre += glm::dvec2{v};
+  centre = centre / static_cast<double>(p.size());
+  if (std::ranges::none_of(over_, [&](int other) { return isWithin(centre, polygons_[other].corners); }))
+    return false;
+  // The surface in front is the latest. It may cover all before the layers between have left many parts.
+  std::ranges::sort(over_, std::greater{});
+  const ConvexPart whole = enlarged(p, beyond, page_);
+  const FigureLoop about{whole.begin(), whole.end()};
+  std::vector<ConvexPart> parts;
+  if (whole.size() > 2) parts.push_back(whole);
+  for (const int other : over_) {
+    if (overlap(about, polygons_[other].corners)) takeAway(polygons_[other].corners, parts);
+    if (parts.empty() || parts.size() > kMostParts) break;
   }
-  return hidden;
+  return parts.empty();
 }
 
 std::vector<int> levelsOf(const std::vector<FigurePolygon>& polygons, int width, int height) {

@@ -75,13 +75,26 @@ class PolygonGrid {
   std::vector<int> begin_, members_, met_;
 };
 
-/// For each polygon, whether later ones cover all of it, and all of the page that is nearer to it than
-/// `beyond`, in the steps of a figure; slivers thinner than the rounding do not count. The pixels at the
-/// border of what hides a polygon show some of it, so one that is hidden by less than a pixel is still
-/// needed.
-/// @param without  if it is not empty: the polygons that are not asked for
-[[nodiscard]] std::vector<bool> hiddenIn(const std::vector<FigurePolygon>& polygons, int width, int height,
-                                         int beyond, const std::vector<bool>& without = {});
+/// Tells which polygons the later ones hide.
+class HidingPolygons {
+ public:
+  /// The polygons must outlive this.
+  HidingPolygons(const std::vector<FigurePolygon>& polygons, int width, int height)
+      : polygons_{polygons},
+        page_{width * kFigureSteps, height * kFigureSteps},
+        grid_{polygons, width, height} {}
+
+  /// True if later polygons cover all of a polygon, and all of the page that is nearer to it than `beyond`,
+  /// in the steps of a figure; slivers thinner than the rounding do not count. The pixels at the border of
+  /// what hides a polygon show some of it, so one that is hidden by less than a pixel is still needed.
+  [[nodiscard]] bool hides(int polygon, int beyond);
+
+ private:
+  const std::vector<FigurePolygon>& polygons_;
+  glm::ivec2 page_;
+  PolygonGrid grid_;
+  std::vector<int> over_;
+};
 
 /// For each polygon a level: one more than the highest of the earlier polygons that it overlaps; 0 if there
 /// are none. So the polygons may be painted level by level, and those of one level in any order.
