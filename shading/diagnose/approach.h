@@ -3,6 +3,7 @@
 #include <glm/vec3.hpp>
 #include <optional>
 
+#include "shading/color/color_table.h"
 #include "shading/light/light.h"
 #include "shading/light/method.h"
 
@@ -40,7 +41,7 @@ enum class VertexWay {
 };
 enum class TowardsLight { Unit, Away, NotUnit, DirectionAsPlace, PlaceAsDirection, FarPlace, Constant };
 enum class TowardsEye { Unit, Away, NotUnit, PlaceOfEye, Constant };
-enum class CosineWay { AsAsked, Reversed, Without2, Halfway, Facing };
+enum class CosineWay { AsAsked, Reversed, Without2, PlusL, Halfway, Facing };
 enum class PowerWay { OfCosine, OfSum, Forgotten, WithKs };
 enum class IpWay { OnBoth, Forgotten, OnDiffuse };
 enum class FadeWay { AsAsked, Forgotten, Inverse, InverseSquare, NoLimit, OnAmbient };
@@ -53,6 +54,8 @@ enum class CellWay {
   Truncated,
   FromZero,
   Ratios,
+  Ratio240,
+  Ratio64,
   NaturalLog,
   NoI0,
   NoI0Wraps,
@@ -63,13 +66,23 @@ enum class StoreWay { AsAsked, Rounded8, Minus11, EightIn16, Ratio240, Ratio64, 
 enum class PaintWay { Nearest, Listed, Reversed, NearestZ, BacksOnly };
 enum class TurnWay { Upright, UpsideDown, Mirrored, Turned };
 
+/// A number that is another one wherever the scene has `was`.
+enum class NumberOf { n, ka, kd, ks, Ia, Ip, I0 };
+struct OtherNumber {
+  NumberOf which = NumberOf::n;
+  double was = 0, is = 0;
+  bool operator==(const OtherNumber&) const = default;
+};
+
 struct Approach {
   Shading method = Shading::Flat;
   ClampWay facing = ClampWay::Positive, reflected = ClampWay::Positive;
   bool highlightBehind = false;  ///< the highlight does not ask for N.L > 0
+  bool facingFlowsOn = false;    ///< R, and whether there is a highlight, have what counts for N.L
   bool cellWraps = false;        ///< I is not clamped, and the cell overflows a byte
   NormalWay normal = NormalWay::Unit;
   bool twoSided = true;
+  bool turnsByV = false;  ///< N is turned by its product with V, not by the side that the eye sees
   VertexWay vertex = VertexWay::AsAsked;
   TowardsLight light = TowardsLight::Unit;
   TowardsEye eye = TowardsEye::Unit;
@@ -90,12 +103,13 @@ struct Approach {
   bool cellsBetween = false;   ///< Gouraud: cells are interpolated, not intensities
   CellWay cell = CellWay::Nearest;
   StoreWay store = StoreWay::AsAsked;
-  bool directColors = false;  ///< several hues: each channel is 255 I
+  std::optional<TableKind> table = {};  ///< another kind, for cells and for what they hold
+  bool directColors = false;            ///< several hues: each channel is 255 I
   PaintWay paint = PaintWay::Nearest;
   TurnWay turn = TurnWay::Upright;
 
   // Numbers that a user might have said otherwise.
-  std::optional<double> Ia = {}, ka = {}, kd = {}, ks = {};
+  std::optional<OtherNumber> number = {};
   double nTimes = 1;
   glm::dvec3 lightSigns{1};  ///< of x, y and z of each light
   bool swapsLightYz = false;

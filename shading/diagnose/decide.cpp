@@ -1,10 +1,13 @@
 #include <algorithm>
 #include <array>
+#include <bitset>
 #include <cmath>
 #include <set>
 #include <utility>
 
+#include "depthsort/oracle.h"
 #include "shading/diagnose/diagnose.h"
+#include "shading/diagnose/face_images.h"
 
 namespace xnewell {
 
@@ -13,12 +16,14 @@ namespace xnewell {
 namespace {
 
 constexpr std::array kWidths{0.08, 0.25, 0.6, 1.2, 2.5, 5.0};  ///< of the distribution of d, in shades
-constexpr double kAnything = 0.03;       ///< the share of samples that may differ by any number of shades
-constexpr double kExplainsRight = 0.97;  ///< of the samples, before a picture is called right by its cost
-constexpr double kNearlyAll = 0.98;      ///< of the samples, where no row fits
-constexpr int kFewTelling = 5;           ///< samples; fewer tell nothing
+constexpr double kAnything = 0.03;   ///< the share of samples that may differ by any number of shades
+constexpr double kNearlyAll = 0.98;  ///< of the samples, where no row fits
+constexpr double kSameValue = 0.75;  ///< of 255: the values are whole numbers
+constexpr double kAsWell = 1e-6;     ///< of cost
+constexpr double kLargeN = 32;
+constexpr int kFewTelling = 5;  ///< samples; fewer tell nothing
 constexpr double kTwoInformative = 0.95;
-constexpr std::size_t kThin = 6;  ///< every sixth sample stands for all while pairs are tried
+constexpr int kPlacesForTwo = 3;  ///< pairs of values that must tell before two mistakes are named
 
 /// -log p(d) for each width, in steps of 1/16 shade.
 constexpr int kSteps = 16, kFarthest = 256 * kSteps;
@@ -52,6 +57,8 @@ double costOf(const std::vector<double>& d) {
 }
 
 bool isOk(Meaning meaning) { return meaning == Meaning::Right || meaning == Meaning::Allowed; }
+
+bool isFirstForm(const Hypothesis& h) { return hypothesisNamed(h.key) == &h; }
 
 /// The rank of two hypotheses at once: fewer mistakes first.
 int mistakesIn(const Fit& fit) {
@@ -87,6 +94,15 @@ double Diagnoser::apart(const Predicted& a, const Predicted& b) const {
   return most;
 }
 
+/// Flat faces of one hue have one value each, and it is the same or it is not.
+bool Diagnoser::tellsExactly() const { return settings_.shading == Shading::Flat && !model_.colors; }
+
+bool Diagnoser::isSame(const Read& yours, std::size_t sample, const Predicted& other) const {
+  const double shown = other.shows ? double{other.value[0]} : std::max({ground_[0], ground_[1], ground_[2]});
+  return std::abs(yours.value[sample][0] - shown) < kSameValue &&
+         (yours.cell.empty() || !other.shows || yours.cell[sample] == other.cell);
+}
+
 double Diagnoser::cellsApart(double cell, const Predicted& other) const {
   return std::abs(cell - other.cell) / (1.0 + other.slope / other.step);
 }
@@ -115,16 +131,35 @@ Fit Diagnoser::fit(TurnWay turn, const std::vector<Predicted>& other, std::size_
   fit.cost = costOf(d);
   // A mistake that is off by a shade at most is told by cells that are exactly its own.
   const double t = tolerance(), own = 0.0 < most && most <= t ? 0.5 : t;
+  const bool exactly = tellsExactly();
+  std::bitset<256 * 256> places;
   int explained = 0, told = 0;
   for (std::size_t k = 0; k < d.size(); ++k) {
+    const std::size_t s = k * stride;
     explained += d[k] <= t;
-    if (fromRight[k] <= own && otherFromRight[k] <= own) continue;
+    const bool byValue = exactly && other[k].slope == 0.0F;
+    const bool yoursIsRight =
+        byValue ? fromRight[k] < 200.0 && isSame(upright, s, right[s]) : fromRight[k] <= own;
+    const bool otherIsRight = byValue ? otherFromRight[k] < 200.0 &&
+                                            std::abs(right[s].value[0] - other[k].value[0]) < kSameValue &&
+                                            (yours.cell.empty() || right[s].cell == other[k].cell)
+                                      : otherFromRight[k] <= own;
+    if (yoursIsRight && otherIsRight) continue;
     ++fit.telling;
-    told += d[k] <= own;
+    told += byValue ? isSame(yours, s, other[k]) : d[k] <= own;
+    places.set(256 * std::clamp(static_cast<int>(right[s].value[0] + 0.5F), 0, 255) + yours.value[s][0]);
   }
+  fit.places = static_cast<int>(places.count());
   fit.explained = static_cast<double>(explained) / static_cast<double>(d.size());
   fit.informative = fit.telling > 0 ? static_cast<double>(told) / fit.telling : 0.0;
   return fit;
+}
+
+/// True if a row or a number explains what it must.
+bool Diagnoser::isTold(const Fit& fit) const {
+  const bool isMistake = fit.first->meaning == Meaning::Wrong;
+  return fit.telling >= kFewTelling &&
+         fit.informative >= (tellsExactly() && !isMistake ? kExact : kInformative);
 }
 
 void Diagnoser::decide(Diagnosis& d) {
@@ -135,53 +170,86 @@ void Diagnoser::decide(Diagnosis& d) {
     if (h.key == "direct-colours" && !model_.colors) continue;
     Fit one = fit(way.turn, known(h));
     one.first = &h;
-    (h.meaning == Meaning::Numbers ? numbers : d.all).push_back(one);
+    if (h.meaning != Meaning::Numbers)
+      d.all.push_back(one);
+    else if (one.explained >= kExplainsRight && isTold(one))
+      numbers.push_back(one);
   }
   std::ranges::stable_sort(d.all, {}, &Fit::cost);
-  std::ranges::stable_sort(numbers, {}, &Fit::cost);
   if (d.all.empty()) {
     d.verdict = Marking::OtherScene;
     return;
   }
   const double best = d.all.front().cost;
-  const bool byNumbers = !numbers.empty() && numbers.front().cost < best - kClass &&
-                         numbers.front().informative >= kInformative &&
-                         numbers.front().telling >= kFewTelling;
-  const auto accuses = [&](const Fit& f) {
-    return f.telling >= kFewTelling && f.informative >= kInformative;
+  const auto right = std::ranges::find(d.all, Meaning::Right, [](const Fit& f) { return f.first->meaning; });
+  if (right != d.all.end()) d.exact = 1.0 - static_cast<double>(right->telling) / d.samples;
+  const bool isBest =
+      right != d.all.end() && right->cost <= best + kClass && right->explained >= kExplainsRight;
+  if (isBest && (!tellsExactly() || d.exact >= kExact)) {
+    d.verdict = Marking::Right, d.found = {*right};
+    return;
+  }
+  for (const Fit& f : numbersThatFit(false)) {
+    if (f.number->which == NumberOf::n)  // which says more than half or twice of it
+      std::erase_if(numbers,
+                    [](const Fit& one) { return one.first && one.first->term == "n" && !one.number; });
+    numbers.push_back(f);
+  }
+  std::ranges::stable_sort(numbers, {}, &Fit::cost);
+  const auto keepClass = [&] {
+    std::erase_if(numbers, [&](const Fit& f) { return f.cost > numbers.front().cost + kClass; });
   };
+  if (!numbers.empty() && numbers.front().cost < best - kClass) {
+    keepClass();
+    d.verdict = Marking::Numbers, d.found = numbers;
+    return addPixel(d);
+  }
+  if (isBest) {
+    d.verdict = Marking::Right, d.found = {*right};
+    return;
+  }
   bool beaten = true;
   for (const Fit& f : d.all) {
     if (f.cost > best + kClass) break;
-    if (!isOk(f.first->meaning)) continue;
+    if (f.first->meaning != Meaning::Allowed) continue;
     beaten = false;
-    if (byNumbers || f.explained < kExplainsRight) continue;
-    if (f.first->meaning == Meaning::Right)
-      d.found.insert(d.found.begin(), f);
-    else
-      d.found.push_back(f);
+    if (f.explained >= kExplainsRight && (!tellsExactly() || isTold(f))) d.found.push_back(f);
   }
   if (!d.found.empty()) {
-    d.verdict = d.found.front().first->meaning == Meaning::Right ? Marking::Right : Marking::Allowed;
+    d.verdict = Marking::Allowed;
+    for (const std::vector<Fit>* others : {&std::as_const(d.all), &std::as_const(numbers)})
+      for (const Fit& f : *others)
+        if (!isOk(f.first->meaning) && isTold(f) && f.cost <= d.found.front().cost + kAsWell)
+          d.doubts.push_back(f);
     return;
-  }
-  if (byNumbers) {
-    d.verdict = Marking::Numbers, d.found = {numbers.front()};
-    return addPixel(d);
   }
   std::set<std::string_view> names;
   for (const Fit& f : d.all)
-    if (beaten && f.cost <= best + kClass && accuses(f) && names.insert(f.first->key).second)
+    if (beaten && f.cost <= best + kClass && isTold(f) && names.insert(f.first->key).second)
       d.found.push_back(f);
   if (!d.found.empty()) {
+    // A large n is another name for a highlight that is left out.
+    const double least = d.found.front().cost + kAsWell;
+    if (d.found.size() == 1)
+      for (const Fit& f : numbers)
+        if (f.cost <= least && !(f.number && f.number->which == NumberOf::n && f.number->is > kLargeN))
+          d.found.push_back(f);
     d.verdict = d.found.size() == 1 ? Marking::Mistake : Marking::OneOf;
     return addPixel(d);
   }
-  if (decideByTwo(d, best, false) || decideByTwo(d, best, true)) return addPixel(d);
-  const Fit& right =
-      *std::ranges::find_if(d.all, [](const Fit& f) { return f.first->meaning == Meaning::Right; });
-  if (right.explained >= kNearlyAll) {
-    d.verdict = Marking::Right, d.found = {right};
+  if (!numbers.empty()) {
+    keepClass();
+    d.verdict = Marking::Numbers, d.found = numbers;
+    return addPixel(d);
+  }
+  if (decideByTwo(d, best, false)) return addPixel(d);
+  if (numbers = numbersThatFit(true); !numbers.empty() && numbers.front().places > 1) {
+    d.verdict = Marking::Numbers, d.found = numbers;
+    return addPixel(d);
+  }
+  if (decideByTwo(d, best, true)) return addPixel(d);
+  if (right != d.all.end() && right->explained >= kNearlyAll) {
+    d.verdict = Marking::Right, d.found = {*right};
     return;
   }
   d.verdict = Marking::Unknown;
@@ -189,7 +257,7 @@ void Diagnoser::decide(Diagnosis& d) {
 }
 
 /// Two rows at once: two that the course allows, or one of these and a mistake; or two mistakes. First with
-/// few samples; what fits there is looked at with all.
+/// few samples; what fits there is looked at with all. Smooth pictures take long: of each key the first form.
 bool Diagnoser::decideByTwo(Diagnosis& d, double best, bool twoMistakes) {
   std::vector<Fit> pairs;
   const auto rows = hypotheses();
@@ -197,14 +265,15 @@ bool Diagnoser::decideByTwo(Diagnosis& d, double best, bool twoMistakes) {
     for (std::size_t b = a + 1; b < rows.size(); ++b) {
       const Hypothesis &first = rows[a], &second = rows[b];
       const bool wrong = first.meaning == Meaning::Wrong && second.meaning == Meaning::Wrong;
+      if (!(tellsExactly() || (isFirstForm(first) && isFirstForm(second)))) continue;
       if (first.meaning == Meaning::Numbers || second.meaning == Meaning::Numbers || wrong != twoMistakes ||
           first.key == second.key || !applies(first) || !applies(second))
         continue;
       const Approach way = approachWith(first, &second);
       if (reads_[static_cast<std::size_t>(way.turn)].value.empty()) continue;
       const auto [at, isNew] = two_.try_emplace({&first, &second});
-      if (isNew) at->second = predicted(way, kThin);
-      Fit one = fit(way.turn, at->second, kThin);
+      if (isNew) at->second = predicted(way, kThinned);
+      Fit one = fit(way.turn, at->second, kThinned);
       one.first = &first, one.second = &second;
       pairs.push_back(one);
     }
@@ -218,6 +287,7 @@ bool Diagnoser::decideByTwo(Diagnosis& d, double best, bool twoMistakes) {
     Fit whole = fit(way.turn, predicted(way));
     whole.first = pair.first, whole.second = pair.second;
     if (whole.explained < kExplainsRight || whole.informative < kTwoInformative) continue;
+    if (twoMistakes && whole.places < kPlacesForTwo) continue;
     std::set<std::string_view> wrong;
     for (const Hypothesis* h : {whole.first, whole.second})
       if (h->meaning == Meaning::Wrong) wrong.insert(h->key);
@@ -237,34 +307,71 @@ bool Diagnoser::decideByTwo(Diagnosis& d, double best, bool twoMistakes) {
   return true;
 }
 
-/// The sample where the mistake is furthest from right and the picture has it; without a mistake, the sample
-/// where the picture is furthest from right.
+std::vector<std::string_view> Diagnoser::whatCannotBeSeen() {
+  const std::vector<Predicted>& right = known(hypotheses().front());
+  std::vector<std::string_view> keys;
+  std::set<std::string_view> seen;
+  for (const Hypothesis& h : hypotheses()) {
+    if (h.meaning != Meaning::Wrong || !applies(h) || !seen.insert(h.key).second) continue;
+    if (approachWith(h).turn != TurnWay::Upright) continue;
+    const std::vector<Predicted>& other = known(h);
+    int shown = 0;
+    for (std::size_t k = 0; k < right.size() && shown < kFewTelling; ++k)
+      shown += tellsExactly() && other[k].slope == 0.0F && other[k].shows
+                   ? std::abs(right[k].value[0] - other[k].value[0]) >= kSameValue
+                   : apart(right[k], other[k]) > tolerance();
+    if (shown < kFewTelling) keys.push_back(h.key);
+  }
+  return keys;
+}
+
+/// What the picture shows at the pixel of each sample if a program turns it: another face stands there.
+std::vector<Diagnoser::Predicted> Diagnoser::whereItStands(const Approach& way) {
+  std::vector<Predicted> all = predicted(way);
+  if (way.turn == TurnWay::Upright) return all;
+  OtherProgram program{model_, way};
+  const std::vector<int>& faces = facesOf(way.paint);
+  for (std::size_t k = 0; k < samples_.size(); ++k) {
+    const auto [i, j] = turned(way.turn, samples_[k].i, samples_[k].j, settings_.width, settings_.height);
+    const int face = faces[static_cast<std::size_t>(j) * settings_.width + i];
+    all[k] = {};
+    all[k].shows = face != kNothing && program.canShow(face);
+    if (!all[k].shows) continue;
+    const ShownHere shown = program.at(face, i, j);
+    for (int c = 0; c < 3; ++c) all[k].value[c] = static_cast<float>(shown.value[c]);
+    all[k].step = static_cast<float>(shown.step), all[k].cell = static_cast<std::int16_t>(shown.cell);
+  }
+  return all;
+}
+
+/// The sample where picture and mistake are both furthest from right, and nearest to each other; without a
+/// mistake, where the picture is furthest from right.
 void Diagnoser::addPixel(Diagnosis& d) {
-  if (d.verdict == Marking::Allowed) return;
   const std::vector<Predicted>& right = known(hypotheses().front());
   const bool named = !d.found.empty();
-  Approach way = approachOf(settings_);
-  if (named) way = approachWith(*d.found.front().first, d.found.front().second);
-  const std::vector<Predicted> other = predicted(way);
-  const Read& yours = reads_[static_cast<std::size_t>(
-      reads_[static_cast<std::size_t>(way.turn)].value.empty() ? 0 : static_cast<int>(way.turn))];
-  if (yours.value.empty()) return;
-  double most = -1.0;
-  std::size_t at = 0;
+  const std::vector<Predicted> other =
+      whereItStands(named ? approachOf(d.found.front()) : xnewell::approachOf(settings_));
+  double most = 0.0;
+  std::optional<std::size_t> at;
   for (std::size_t k = 0; k < samples_.size(); ++k) {
-    const double here = named ? apart(right[k], other[k]) : apart(yours, k, right[k]);
-    if (here <= most || (named && apart(yours, k, other[k]) > tolerance())) continue;
+    double here = apart(asHanded_, k, right[k]);
+    if (named) {
+      const double off = apart(asHanded_, k, other[k]);
+      if (off > tolerance()) continue;
+      here = std::min(here, apart(right[k], other[k])) - off;
+    }
+    if (here <= most) continue;
     most = here, at = k;
   }
-  if (most < 0.0) return;
-  OtherProgram program{model_, approachOf(settings_)};
-  const DiagnosedSample& s = samples_[at];
+  if (!at) return;
+  OtherProgram program{model_, xnewell::approachOf(settings_)};
+  const DiagnosedSample& s = samples_[*at];
   const ShownHere shown = program.at(s.face, s.i, s.j);
   DiagnosedPixel pixel{.i = s.i, .j = s.j, .face = picture_.snapped().faces[s.face].number};
   for (int c = 0; c < 3; ++c) {
-    pixel.yours[c] = yours.value[at][c];
-    pixel.right[c] = right[at].value[c];
-    pixel.mistaken[c] = other[at].shows ? other[at].value[c] : ground_[c];
+    pixel.yours[c] = asHanded_.value[*at][c];
+    pixel.right[c] = right[*at].value[c];
+    pixel.mistaken[c] = other[*at].shows ? other[*at].value[c] : ground_[c];
   }
   pixel.NdotL = shown.NdotL, pixel.RdotV = shown.RdotV;
   d.pixel = pixel;

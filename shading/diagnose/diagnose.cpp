@@ -64,7 +64,7 @@ void Diagnoser::chooseSamples() {
   const std::vector<int> mean = paintedOver(scene, w, h, paintingOrder(scene, Order::ZMean)),
                          far = paintedOver(scene, w, h, paintingOrder(scene, Order::ZSort));
   std::vector<std::vector<DiagnosedSample>> ofFace(scene.faces.size());
-  OtherProgram right{model_, approachOf(settings_)};
+  OtherProgram right{model_, xnewell::approachOf(settings_)};
   const bool smooth = rowOf(settings_.shading).interpolates;
   const bool textured = !picture_.scene().textures.empty();
   std::vector<char> usable(scene.faces.size());
@@ -104,8 +104,15 @@ void Diagnoser::chooseSamples() {
         samples_.push_back(s);
 }
 
+Approach Diagnoser::approachOf(const Fit& fit) const {
+  if (!fit.number) return approachWith(*fit.first, fit.second);
+  Approach way = xnewell::approachOf(settings_);
+  way.number = fit.number;
+  return way;
+}
+
 Approach Diagnoser::approachWith(const Hypothesis& first, const Hypothesis* second) const {
-  Approach way = approachOf(settings_);
+  Approach way = xnewell::approachOf(settings_);
   first.change(way);
   if (second) second->change(way);
   return way;
@@ -190,7 +197,7 @@ bool Diagnoser::hasOurCells(const HandedIn& handed) {
   if (!handed.cells || model_.colors) return false;
   for (const StoreWay store : {StoreWay::AsAsked, StoreWay::Rounded8, StoreWay::Minus11, StoreWay::EightIn16,
                                StoreWay::Ratio240, StoreWay::Ratio64, StoreWay::Backwards, StoreWay::Gamma}) {
-    Approach way = approachOf(settings_);
+    Approach way = xnewell::approachOf(settings_);
     way.store = store;
     const OtherProgram program{model_, way};
     std::size_t same = 0;
@@ -221,11 +228,20 @@ Diagnosis Diagnoser::operator()(const HandedIn& handed) {
   d.samples = static_cast<int>(samples_.size());
   d.oneHue = !model_.colors;
   if (handed.picture.width != settings_.width || handed.picture.height != settings_.height) {
-    d.verdict = Marking::OtherScene, d.overlap = 0;
+    d.verdict = Marking::OtherScene, d.overlap = 0, d.isOtherSize = true;
     return d;
   }
   d.readsCells = hasOurCells(handed);
   reads_.clear();
+  asHanded_ = read(handed, TurnWay::Upright, d.readsCells);
+  const OtherProgram right{model_, xnewell::approachOf(settings_)};
+  const double top = model_.colors ? 255.0 : right.stored(right.brightest());
+  d.brightest = static_cast<double>(std::ranges::count_if(
+                    asHanded_.value, [&](const auto& v) { return std::ranges::max(v) >= top; })) /
+                static_cast<double>(samples_.size());
+  d.isOneColor = true;
+  for (std::size_t k = 3; k < handed.picture.rgb.size() && d.isOneColor; ++k)
+    d.isOneColor = handed.picture.rgb[k] == handed.picture.rgb[k % 3];
   d.overlap = 0;
   for (const TurnWay turn : {TurnWay::Upright, TurnWay::UpsideDown, TurnWay::Mirrored, TurnWay::Turned}) {
     const auto ground = groundOf(handed, turn);

@@ -28,12 +28,19 @@ namespace xnewell {
 /// 4. All rows within kClass of the best are a class. If "right" or a row that the course allows is in it and
 ///    explains the picture, the picture is right.
 /// 5. A mistake must explain kInformative of the samples that tell: those where it, or the picture, is not
-///    right. That guards against mistakes that are not in the list. If no row does, two rows at once are
-///    tried.
+///    right. That guards against mistakes that are not in the list. With flat shading and one hue, to explain
+///    is to show the same stored value; elsewhere, edges of other programs leave some slack.
+/// 6. If the right program does not show the picture exactly, other numbers are searched for, one at a time
+///    (numbers.cpp). A number that fits better than all rows is told; one that fits as well as a mistake is
+///    told with it, and one that fits as well as what the course allows is a doubt.
+/// 7. If nothing fits, two rows at once are tried, and after them numbers in small steps.
 
 inline constexpr int kMostSamples = 3000;
 inline constexpr double kClass = 0.01, kInformative = 0.8;
-inline constexpr double kOverlap = 0.97;  ///< of the outlines; below it is another scene, camera or size
+inline constexpr double kExplainsRight = 0.97;  ///< of the samples, before a picture is called right
+inline constexpr double kExact = 0.97;      ///< of the samples that tell, where each value must be the same
+inline constexpr std::size_t kThinned = 6;  ///< every sixth sample stands for all in a search
+inline constexpr double kOverlap = 0.97;    ///< of the outlines; below it is another scene, camera or size
 
 struct DiagnosedSample {
   int i = 0, j = 0, face = 0;  ///< of the snapped faces
@@ -44,11 +51,13 @@ enum class Marking { Right, Allowed, Mistake, OneOf, Numbers, Unknown, OtherScen
 /// How well one hypothesis, or two at once, fit a picture.
 struct Fit {
   const Hypothesis* first = nullptr;
-  const Hypothesis* second = nullptr;  ///< null for one
+  const Hypothesis* second = nullptr;      ///< null for one
+  std::optional<OtherNumber> number = {};  ///< of first, if that is rowOfNumber()
   double cost = 0;
   double explained = 0;    ///< share of all samples
   int telling = 0;         ///< samples that tell
   double informative = 0;  ///< share of these that it explains
+  int places = 0;          ///< pairs of a right value and the picture's that the samples that tell have
 };
 
 /// Where a mistake shows most.
@@ -73,8 +82,13 @@ struct Diagnosis {
   std::vector<Fit> found;  ///< the class, each name once, best first; of "right", what it is right with
   std::vector<Fit> all;    ///< all single hypotheses, best first
   std::optional<DiagnosedPixel> pixel;
+  /// What fits a picture that is right with a variant as well as that.
+  std::vector<Fit> doubts;
   int samples = 0;
+  double exact = 1;      ///< the share of samples with the very value of the right picture
+  double brightest = 0;  ///< the share of samples where the picture has the shade of I = 1
   double overlap = 1;
+  bool isOtherSize = false, isOneColor = false;
   bool readsCells = false;  ///< the cells of the picture are those of the table
   bool oneHue = true;
 };
@@ -114,9 +128,12 @@ class Diagnoser {
   /// At every `stride`th sample.
   [[nodiscard]] std::vector<Predicted> predicted(const Approach& way, std::size_t stride = 1);
   [[nodiscard]] Approach approachWith(const Hypothesis& first, const Hypothesis* second = nullptr) const;
+  [[nodiscard]] Approach approachOf(const Fit& fit) const;
   /// The pixel where the rows of two keys differ most; of several forms of a key the nearest two count.
   /// Nothing if the settings leave no row of a key. (parting.cpp)
   [[nodiscard]] std::optional<Parting> partingOf(std::string_view a, std::string_view b);
+  /// The keys of the mistakes that leave a right picture as it is, by their first form.
+  [[nodiscard]] std::vector<std::string_view> whatCannotBeSeen();
   /// The whole picture as a program shows it that works in this way.
   [[nodiscard]] RgbImage pictureBy(const Approach& way);
 
@@ -139,11 +156,17 @@ class Diagnoser {
   [[nodiscard]] double apart(const Predicted& a, const Predicted& b) const;
   [[nodiscard]] std::vector<std::optional<Predicted>> atPixels(const Hypothesis& h);
   [[nodiscard]] double cellsApart(double cell, const Predicted& other) const;
+  [[nodiscard]] bool isSame(const Read& yours, std::size_t sample, const Predicted& other) const;
   [[nodiscard]] double tolerance() const;
+  [[nodiscard]] bool isTold(const Fit& fit) const;
+  [[nodiscard]] bool tellsExactly() const;
+  [[nodiscard]] std::vector<OtherNumber> likelyNumbers(bool fine) const;
+  [[nodiscard]] std::vector<Fit> numbersThatFit(bool fine);
   [[nodiscard]] bool applies(const Hypothesis& h) const;
   [[nodiscard]] const std::vector<Predicted>& known(const Hypothesis& h);
   void decide(Diagnosis& d);
   bool decideByTwo(Diagnosis& d, double best, bool twoMistakes);
+  [[nodiscard]] std::vector<Predicted> whereItStands(const Approach& way);
   void addPixel(Diagnosis& d);
 
   Picture picture_;
@@ -153,7 +176,10 @@ class Diagnoser {
   std::vector<DiagnosedSample> samples_;
   std::map<const Hypothesis*, std::vector<Predicted>> known_;
   std::map<std::pair<const Hypothesis*, const Hypothesis*>, std::vector<Predicted>> two_;  ///< thinned
-  std::vector<Read> reads_;                                                                ///< by TurnWay
+  /// By number, thinned; of the second, in small steps.
+  std::vector<std::pair<OtherNumber, std::vector<Predicted>>> numbers_, fineNumbers_;
+  std::vector<Read> reads_;  ///< by TurnWay; empty where the outlines do not fit
+  Read asHanded_;            ///< not turned
   std::array<std::uint8_t, 3> ground_{};
   std::string_view leftOut_;
 };

@@ -1,45 +1,17 @@
 #include "shading/diagnose/hypothesis.h"
 
 #include <algorithm>
+#include <array>
 #include <set>
 #include <vector>
+
+#include "shading/diagnose/hypothesis_rows.h"
 
 namespace xnewell {
 
 namespace {
 
-using W = Approach;
-using S = PictureSettings;
-
-bool isLinear(const S& s) { return s.table.kind == TableKind::Linear; }
-bool isEvenTable(const S& s) { return isEven(s.table.kind); }
-bool isCorrected(const S& s) { return s.table.kind == TableKind::Corrected; }
-bool isFlat(const S& s) { return s.shading == Shading::Flat; }
-bool isGouraud(const S& s) { return s.shading == Shading::Gouraud; }
-bool isPhong(const S& s) { return s.shading == Shading::Phong; }
-bool hasVertices(const S& s) { return rowOf(s.shading).interpolates; }
-bool isTwoSided(const S& s) { return s.light.twoSided; }
-
-/// A mistake of the editable equation: its words are there.
-Hypothesis shared(Mistake mistake, std::string_view term, void (*change)(W&)) {
-  const MistakeRow& row = rowOf(mistake);
-  return {row.name, row.is, term, Meaning::Wrong, change, nullptr};
-}
-
-Hypothesis wrong(std::string_view key, std::string_view term, std::string_view sentence, void (*change)(W&),
-                 bool (*applies)(const S&) = nullptr) {
-  return {key, sentence, term, Meaning::Wrong, change, applies};
-}
-
-Hypothesis allowed(std::string_view key, std::string_view term, std::string_view sentence, void (*change)(W&),
-                   bool (*applies)(const S&) = nullptr) {
-  return {key, sentence, term, Meaning::Allowed, change, applies};
-}
-
-Hypothesis numbers(std::string_view key, std::string_view term, std::string_view sentence,
-                   void (*change)(W&)) {
-  return {key, sentence, term, Meaning::Numbers, change, nullptr};
-}
+using namespace rows;
 
 /// What the course allows.
 void addAllowed(std::vector<Hypothesis>& all) {
@@ -48,6 +20,9 @@ void addAllowed(std::vector<Hypothesis>& all) {
                       [](W& w) { w.light = TowardsLight::Constant; }),
               allowed("V-constant", "V", "V is the same everywhere, as of an eye far away.",
                       [](W& w) { w.eye = TowardsEye::Constant; }),
+              allowed(
+                  "V-constant", "V", "V is the same everywhere, as of an eye far away.",
+                  [](W& w) { w.eye = TowardsEye::Constant, w.turnsByV = true; }, isTwoSided),
               allowed("half-vector", "R.V", "The highlight is (N.H)^n, with the halfway vector.",
                       [](W& w) { w.cosine = CosineWay::Halfway; }),
               allowed("NL-to-the-n", "R.V", "The highlight is (N.L)^n, as in the tutorial.",
@@ -98,16 +73,32 @@ void addAllowed(std::vector<Hypothesis>& all) {
                       [](W& w) { w.directColors = true; })});
 }
 
+/// A form of a mistake that flows on into the turning of N towards the eye.
+Hypothesis turning(Hypothesis row) {
+  row.applies = isTwoSided;
+  return row;
+}
+
+/// What a program computes once and uses twice has a row for each reach of a mistake in it: N.L counts in the
+/// diffuse term, in R, and in whether a highlight is added; V counts in R.V, and turns N.
 void addEquation(std::vector<Hypothesis>& all) {
   constexpr std::string_view NL = "max(0, N.L)", RV = "max(0, R.V)";
   all.insert(
       all.end(),
       {shared(Mistake::FacingUnclamped, NL, [](W& w) { w.facing = ClampWay::Signed; }),
+       shared(Mistake::FacingUnclamped, NL,
+              [](W& w) { w.facing = ClampWay::Signed, w.highlightBehind = true; }),
        shared(Mistake::FacingAbsolute, NL, [](W& w) { w.facing = ClampWay::Absolute; }),
+       shared(Mistake::FacingAbsolute, NL,
+              [](W& w) { w.facing = ClampWay::Absolute, w.highlightBehind = true; }),
+       shared(Mistake::FacingAbsolute, NL,
+              [](W& w) { w.facing = ClampWay::Absolute, w.facingFlowsOn = true; }),
        shared(Mistake::FacingByAngle, NL, [](W& w) { w.facing = ClampWay::ByAngle; }),
+       shared(Mistake::FacingByAngle, NL, [](W& w) { w.facing = ClampWay::ByAngle, w.facingFlowsOn = true; }),
        shared(Mistake::ReflectedUnclamped, RV, [](W& w) { w.reflected = ClampWay::Signed; }),
        shared(Mistake::ReflectedAbsolute, RV, [](W& w) { w.reflected = ClampWay::Absolute; }),
        shared(Mistake::HighlightBehind, RV, [](W& w) { w.highlightBehind = true; }),
+       shared(Mistake::HighlightBehind, RV, [](W& w) { w.highlightBehind = true, w.facingFlowsOn = true; }),
        wrong("I-wraps", "min(1, I)", "I is not clamped at 1, so the number of the cell overflows a byte.",
              [](W& w) { w.cellWraps = true; }),
        shared(Mistake::NotUnitN, "N", [](W& w) { w.normal = NormalWay::Newell; }),
@@ -120,6 +111,9 @@ void addEquation(std::vector<Hypothesis>& all) {
            [](W& w) { w.twoSided = false; }, isTwoSided),
        wrong("N-in-view-coords", "N", "N is in viewing coordinates, but L and V are in the world's.",
              [](W& w) { w.normal = NormalWay::InViewing; }),
+       wrong(
+           "N-in-view-coords", "N", "N is in viewing coordinates, but L and V are in the world's.",
+           [](W& w) { w.normal = NormalWay::InViewing, w.turnsByV = true; }, isTwoSided),
        wrong("N-after-projection", "N", "N is the normal of the projected corners.",
              [](W& w) { w.normal = NormalWay::Warped; }),
        wrong("N-after-projection", "N", "N is the normal of the projected corners.",
@@ -154,11 +148,17 @@ void addEquation(std::vector<Hypothesis>& all) {
        wrong("L-place-as-direction", "L", "The place of the light is taken for the direction to it.",
              [](W& w) { w.light = TowardsLight::FarPlace; }),
        shared(Mistake::ReversedV, "V", [](W& w) { w.eye = TowardsEye::Away; }),
+       turning(shared(Mistake::ReversedV, "V", [](W& w) { w.eye = TowardsEye::Away, w.turnsByV = true; })),
        wrong("V-not-unit", "V", "V is not divided by its length.", [](W& w) { w.eye = TowardsEye::NotUnit; }),
        wrong("V-is-eye", "V", "V is the place of the eye, without - P.",
              [](W& w) { w.eye = TowardsEye::PlaceOfEye; }),
+       wrong(
+           "V-is-eye", "V", "V is the place of the eye, without - P.",
+           [](W& w) { w.eye = TowardsEye::PlaceOfEye, w.turnsByV = true; }, isTwoSided),
        shared(Mistake::ReversedR, "R", [](W& w) { w.cosine = CosineWay::Reversed; }),
        shared(Mistake::RWithout2, "R", [](W& w) { w.cosine = CosineWay::Without2; }),
+       wrong("R-plus-L", "R", "R is 2 N (N.L) + L, so it is no unit vector and leans towards the light.",
+             [](W& w) { w.cosine = CosineWay::PlusL; }),
        shared(Mistake::PowerOfSum, "n", [](W& w) { w.power = PowerWay::OfSum; }),
        shared(Mistake::NoPower, "n", [](W& w) { w.power = PowerWay::Forgotten; }),
        shared(Mistake::KsInPower, "ks", [](W& w) { w.power = PowerWay::WithKs; }),
@@ -206,99 +206,6 @@ void addMethods(std::vector<Hypothesis>& all) {
                   [](W& w) { w.longNormals = true; }, isPhong)});
 }
 
-void addTables(std::vector<Hypothesis>& all) {
-  constexpr std::string_view color = "color(I)", table = "table";
-  all.insert(
-      all.end(),
-      {wrong("cell-off-by-one", color, "The first cell is one too low.",
-             [](W& w) { w.cell = CellWay::OneLess; }),
-       wrong(
-           "cell-240I", color, "color(I) has 240 I, not 239 I.", [](W& w) { w.cell = CellWay::By240; },
-           isEvenTable),
-       wrong(
-           "cell-255I", color, "color(I) has 255 I, not 239 I.", [](W& w) { w.cell = CellWay::By255; },
-           isEvenTable),
-       wrong("cell-floor", color, "color(I) is cut off, not rounded.",
-             [](W& w) { w.cell = CellWay::Truncated; }),
-       wrong("cell-first-forgotten", color, "The first cell is forgotten: shades begin at cell 0.",
-             [](W& w) { w.cell = CellWay::FromZero; }),
-       wrong(
-           "cell-log-in-linear", color, "color(I) has the logarithm, but the table is even.",
-           [](W& w) { w.cell = CellWay::Ratios; }, isEvenTable),
-       wrong(
-           "cell-natural-log", color, "The logarithm is to the base e, not r.",
-           [](W& w) { w.cell = CellWay::NaturalLog; }, isCorrected),
-       wrong(
-           "cell-I0-forgotten", color, "The logarithm is that of I, not of I/I0.",
-           [](W& w) { w.cell = CellWay::NoI0; }, isCorrected),
-       wrong(
-           "cell-I0-forgotten", color, "The logarithm is that of I, not of I/I0.",
-           [](W& w) { w.cell = CellWay::NoI0Wraps; }, isCorrected),
-       wrong(
-           "cell-linear-in-corrected", color, "color(I) is even, but the table is corrected.",
-           [](W& w) { w.cell = CellWay::Even; }, isCorrected),
-       wrong(
-           "table-i-11", table, "Cell i holds (i - 11)/255.", [](W& w) { w.store = StoreWay::Minus11; },
-           isLinear),
-       wrong("table-8-bit-in-16", table, "Values up to 255 are stored where the server takes up to 65535.",
-             [](W& w) { w.store = StoreWay::EightIn16; }),
-       wrong(
-           "table-r-240-steps", table, "r has 240 steps from I0 to 1, not 239.",
-           [](W& w) { w.store = StoreWay::Ratio240; }, isCorrected),
-       wrong(
-           "table-r-64-steps", table, "r is that of a table of 64 shades.",
-           [](W& w) { w.store = StoreWay::Ratio64; }, isCorrected),
-       wrong("table-reversed", table, "The table runs from bright to dark.",
-             [](W& w) { w.store = StoreWay::Backwards; }),
-       wrong("table-gamma", table, "The stored values are v^(1/2.2).",
-             [](W& w) { w.store = StoreWay::Gamma; })});
-}
-
-void addPainting(std::vector<Hypothesis>& all) {
-  constexpr std::string_view order = "order", screen = "picture";
-  all.insert(
-      all.end(),
-      {wrong("order-none", order, "The faces are painted as they are listed, unsorted.",
-             [](W& w) { w.paint = PaintWay::Listed; }),
-       wrong("order-reversed", order, "The faces are painted from front to back.",
-             [](W& w) { w.paint = PaintWay::Reversed; }),
-       wrong("order-nearest-z", order, "The faces are sorted by their nearest z, not their farthest.",
-             [](W& w) { w.paint = PaintWay::NearestZ; }),
-       wrong("cull-front", order, "The fronts are culled in place of the backs.",
-             [](W& w) { w.paint = PaintWay::BacksOnly; }),
-       wrong("flip-y", screen, "The picture is upside down: y of the screen runs down.",
-             [](W& w) { w.turn = TurnWay::UpsideDown; }),
-       wrong("flip-x", screen, "The picture is its mirror image.", [](W& w) { w.turn = TurnWay::Mirrored; }),
-       wrong("turned-180", screen, "The picture is turned by 180 degrees.",
-             [](W& w) { w.turn = TurnWay::Turned; })});
-}
-
-/// Numbers that are often other ones. They are tried only if no mistake fits.
-void addNumbers(std::vector<Hypothesis>& all) {
-  all.insert(
-      all.end(),
-      {numbers("n-half", "n", "n is half of what it should be.", [](W& w) { w.nTimes = 0.5; }),
-       numbers("n-double", "n", "n is twice what it should be.", [](W& w) { w.nTimes = 2; }),
-       numbers("light-x", "L", "x of the light has the other sign.", [](W& w) { w.lightSigns.x = -1; }),
-       numbers("light-y", "L", "y of the light has the other sign.", [](W& w) { w.lightSigns.y = -1; }),
-       numbers("light-z", "L", "z of the light has the other sign.", [](W& w) { w.lightSigns.z = -1; }),
-       numbers("light-yz", "L", "y and z of the light are in each other's place.",
-               [](W& w) { w.swapsLightYz = true; }),
-       numbers("light-yz", "L", "y and z of the light are in each other's place.",
-               [](W& w) { w.swapsLightYz = true, w.lightSigns.z = -1; }),
-       numbers("Ia-0.1", "Ia", "Ia is 0.1.", [](W& w) { w.Ia = 0.1; }),
-       numbers("Ia-0.2", "Ia", "Ia is 0.2.", [](W& w) { w.Ia = 0.2; }),
-       numbers("Ia-0.3", "Ia", "Ia is 0.3.", [](W& w) { w.Ia = 0.3; }),
-       numbers("Ia-0.5", "Ia", "Ia is 0.5.", [](W& w) { w.Ia = 0.5; }),
-       numbers("Ia-1", "Ia", "Ia is 1.", [](W& w) { w.Ia = 1; }),
-       numbers("ks-0.5", "ks", "ks is 0.5.", [](W& w) { w.ks = 0.5; }),
-       numbers("ks-0.9", "ks", "ks is 0.9.", [](W& w) { w.ks = 0.9; }),
-       numbers("ks-1", "ks", "ks is 1.", [](W& w) { w.ks = 1; }),
-       numbers("kd-0.5", "kd", "kd is 0.5.", [](W& w) { w.kd = 0.5; }),
-       numbers("kd-1", "kd", "kd is 1.", [](W& w) { w.kd = 1; }),
-       numbers("ka-1", "ka", "ka is 1.", [](W& w) { w.ka = 1; })});
-}
-
 std::vector<Hypothesis> allRows() {
   std::vector<Hypothesis> all{{"right", "It is right.", "", Meaning::Right, [](W&) {}, nullptr}};
   addAllowed(all);
@@ -315,6 +222,19 @@ std::vector<Hypothesis> allRows() {
 std::span<const Hypothesis> hypotheses() {
   static const std::vector<Hypothesis> all = allRows();
   return all;
+}
+
+const Hypothesis& rowOfNumber(NumberOf which) {
+  const auto row = [](std::string_view key, std::string_view sentence) {
+    return Hypothesis{key, sentence, key, Meaning::Numbers, nullptr, nullptr};
+  };
+  static const std::array<Hypothesis, 7> all{
+      row("n", "n is another number."),   row("ka", "ka is another number."),
+      row("kd", "kd is another number."), row("ks", "ks is another number."),
+      row("Ia", "Ia is another number."), row("Ip", "Ip is another number."),
+      row("I0", "I0 is another number."),
+  };
+  return all[static_cast<std::size_t>(which)];
 }
 
 int mistakesKnown() {

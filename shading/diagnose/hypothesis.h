@@ -30,6 +30,8 @@ struct Hypothesis {
 /// All rows. The first is "right". A mistake of the equation that has a row in kMistakes has its name and its
 /// sentence from there. Rows of one key are forms of one mistake.
 [[nodiscard]] std::span<const Hypothesis> hypotheses();
+/// The row of a number that is another one. It stands in no list: its values are searched for.
+[[nodiscard]] const Hypothesis& rowOfNumber(NumberOf which);
 /// The number of different mistakes in them.
 [[nodiscard]] int mistakesKnown();
 [[nodiscard]] const Hypothesis* hypothesisNamed(std::string_view key);

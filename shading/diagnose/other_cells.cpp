@@ -30,6 +30,10 @@ double OtherProgram::realCell(double I) const {
       return last * I;
     case CellWay::Ratios:
       return I > 0.0 ? std::max(0.0, std::log(I / s.I0) / lnR) : 0.0;
+    case CellWay::Ratio240:
+      return I > 0.0 ? std::max(0.0, std::log(I / s.I0) / lnR * (last + 1) / last) : 0.0;
+    case CellWay::Ratio64:
+      return I > 0.0 ? std::max(0.0, std::log(I / s.I0) / lnR * 63 / last) : 0.0;
     case CellWay::NaturalLog:
       return I > 0.0 ? std::max(0.0, std::log(I / s.I0)) : 0.0;
     case CellWay::NoI0:

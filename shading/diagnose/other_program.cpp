@@ -47,12 +47,23 @@ double coneShare(const Light& light, const glm::dvec3& L) {
   return toThe((cosine - outer) / (inner - outer), light.falloff);
 }
 
+/// The number, or the one that takes its place.
+double numberOr(const Approach& way, NumberOf which, double v) {
+  return way.number && way.number->which == which && way.number->was == v ? way.number->is : v;
+}
+
+TableSettings tableOf(const Approach& way, TableSettings table) {
+  table.kind = way.table.value_or(table.kind);
+  table.I0 = numberOr(way, NumberOf::I0, table.I0);
+  return table;
+}
+
 }  // namespace
 
 OtherProgram::OtherProgram(OtherModel& model, const Approach& way)
     : model_{model},
       way_{way},
-      table_{model.picture().settings().table},
+      table_{tableOf(way, model.picture().settings().table)},
       faces_(2 * static_cast<std::size_t>(model.mesh().faceCount())),
       corners_(2 * model.mesh().corners.size()) {}
 
@@ -102,7 +113,8 @@ void OtherProgram::addLight(LitPlace& sum, const Light& light, const glm::dvec3&
   const double cone = far ? 1.0 : coneShare(light, unitVector(place - P));
   const double f = fade(light, d) * cone;
 
-  const double NL = glm::dot(N, L);
+  const double NL = glm::dot(N, L), facing = clampedBy(way_.facing, NL);
+  const double inR = way_.facingFlowsOn ? facing : NL;
   const Form form = model_.picture().settings().light.form;
   CosineWay which = way_.cosine;
   if (which == CosineWay::AsAsked && form == Form::HalfVector) which = CosineWay::Halfway;
@@ -110,13 +122,16 @@ void OtherProgram::addLight(LitPlace& sum, const Light& light, const glm::dvec3&
   double RV = 0.0;
   switch (which) {
     case CosineWay::AsAsked:
-      RV = glm::dot(2.0 * NL * N - L, V);
+      RV = glm::dot(2.0 * inR * N - L, V);
       break;
     case CosineWay::Reversed:
-      RV = glm::dot(L - 2.0 * NL * N, V);
+      RV = glm::dot(L - 2.0 * inR * N, V);
       break;
     case CosineWay::Without2:
-      RV = glm::dot(NL * N - L, V);
+      RV = glm::dot(inR * N - L, V);
+      break;
+    case CosineWay::PlusL:
+      RV = glm::dot(2.0 * inR * N + L, V);
       break;
     case CosineWay::Halfway:
       RV = glm::dot(N, unitVector(L + V));
@@ -126,12 +141,12 @@ void OtherProgram::addLight(LitPlace& sum, const Light& light, const glm::dvec3&
       break;
   }
   if (std::isnan(sum.NdotL)) sum.NdotL = NL, sum.RdotV = RV;
-  const double facing = clampedBy(way_.facing, NL), counted = clampedBy(way_.reflected, RV);
-  const bool shines = NL > 0.0 || way_.highlightBehind;
+  const double counted = clampedBy(way_.reflected, RV);
+  const bool shines = inR > 0.0 || way_.highlightBehind;
   for (int c = 0; c < model_.channels; ++c) {
     const Reflection& s = surface[c];
     const double n = s.n * way_.nTimes;
-    double Ip = light.Ip[c], IpOfHighlight = Ip;
+    double Ip = numberOr(way_, NumberOf::Ip, light.Ip[c]), IpOfHighlight = Ip;
     if (way_.Ip == IpWay::Forgotten) Ip = IpOfHighlight = 1.0;
     if (way_.Ip == IpWay::OnDiffuse) IpOfHighlight = 1.0;
     if (way_.power == PowerWay::OfSum) {
@@ -151,10 +166,10 @@ void OtherProgram::addLight(LitPlace& sum, const Light& light, const glm::dvec3&
 LitPlace OtherProgram::lit(const glm::dvec3& P, const glm::dvec3& N, int material) const {
   std::array<Reflection, 3> surface = model_.surface[material + 1];
   for (Reflection& s : surface) {
+    s.ka = numberOr(way_, NumberOf::ka, s.ka), s.ks = numberOr(way_, NumberOf::ks, s.ks);
+    s.kd = numberOr(way_, NumberOf::kd, s.kd);
+    s.n = static_cast<decltype(s.n)>(numberOr(way_, NumberOf::n, s.n));
     const double whole = s.kd;
-    if (way_.ka) s.ka = *way_.ka;
-    if (way_.kd) s.kd = *way_.kd;
-    if (way_.ks) s.ks = *way_.ks;
     if (way_.swapsKaKd) s.kd = s.ka, s.ka = whole;
     if (way_.swapsKdKs) s.kd = s.ks, s.ks = whole;
     if (way_.noKa) s.ka = 1.0;
@@ -166,13 +181,14 @@ LitPlace OtherProgram::lit(const glm::dvec3& P, const glm::dvec3& N, int materia
   if (way_.eye == TowardsEye::Away) V = -V;
   LitPlace sum;
   for (int c = 0; c < model_.channels; ++c)
-    sum.rest[c] = way_.ambient * surface[c].ka * way_.Ia.value_or(model_.Ia[c]);
+    sum.rest[c] = way_.ambient * surface[c].ka * numberOr(way_, NumberOf::Ia, model_.Ia[c]);
   if (way_.fade == FadeWay::OnAmbient)
     for (const Light& light : model_.lights) {
       const double f = fade(light, glm::length(light.position - P));
       for (double& ambient : sum.rest) ambient *= f;
     }
-  for (const Light& light : model_.lights) addLight(sum, light, P, N, V, surface);
+  const bool away = way_.turnsByV && way_.twoSided && glm::dot(N, V) < 0.0;
+  for (const Light& light : model_.lights) addLight(sum, light, P, away ? -N : N, V, surface);
   return sum;
 }
 

@@ -40,6 +40,8 @@ class OtherProgram {
   [[nodiscard]] ShownHere at(int face, int i, int j);
   /// The colour of the texel under the sample; -1 for none.
   [[nodiscard]] int texelAt(int face, int i, int j);
+  /// The cell of I = 1.
+  [[nodiscard]] int brightest() const { return table_.first() + table_.shades() - 1; }
   /// What a cell holds.
   [[nodiscard]] double stored(int cell) const;
 
@@ -58,7 +60,7 @@ class OtherProgram {
   [[nodiscard]] const LitPlace& ofFace(int face, bool back);
   [[nodiscard]] const LitPlace& atCorner(int face, int corner, bool back);
   [[nodiscard]] LitPlace meanOfFaces(int point);
-  [[nodiscard]] double side(bool back) const { return back && way_.twoSided ? -1.0 : 1.0; }
+  [[nodiscard]] double side(bool back) const { return back && way_.twoSided && !way_.turnsByV ? -1.0 : 1.0; }
   [[nodiscard]] LitPlace gouraud(const SnappedFace& face, const InTriangle& in, bool clamps);
   [[nodiscard]] LitPlace alongRow(const SnappedFace& face, int i, int j, bool clamps);
   [[nodiscard]] LitPlace phong(const SnappedFace& face, const InTriangle& in);

@@ -133,15 +133,19 @@ class Drawing {
     vertexNormal_ = sums;
   }
 
+  [[nodiscard]] char table() const {
+    if (has("table-linear")) return 'l';
+    return has("table-corrected") ? 'c' : p_.table;
+  }
   void makeTable() {
-    first_ = p_.table == 'b' ? 10 : 11;
+    first_ = table() == 'b' ? 10 : 11;
     for (int i = 0; i < 256; ++i) {
       const int j = std::clamp(i - first_, 0, 239);
       double v = std::clamp((i - 10) / 255.0, 0.0, 1.0);
-      if (p_.table == 'c') v = i < first_ ? 0.0 : 0.02 * std::pow(50.0, ratioSteps(j));
+      if (table() == 'c') v = i < first_ ? 0.0 : p_.I0 * std::pow(1 / p_.I0, ratioSteps(j));
       if (has("table-reversed")) {
         const int k = std::clamp(239 - (i - first_), 0, 239);
-        v = p_.table == 'c' ? 0.02 * std::pow(50.0, k / 239.0) : (k + first_ - 10) / 255.0;
+        v = table() == 'c' ? p_.I0 * std::pow(1 / p_.I0, k / 239.0) : (k + first_ - 10) / 255.0;
       }
       if (has("table-gamma")) v = std::pow(v, 1 / 2.2);
       if (has("table-i-11")) v = std::max(0.0, (i - 11) / 255.0);
@@ -163,10 +167,10 @@ class Drawing {
     if (has("cell-240I")) steps = 240;
     if (has("cell-255I")) steps = 255;
     double real = steps * I;
-    const double r = std::pow(50.0, 1 / 239.0);
-    const bool logarithm = p_.table == 'c' ? !has("cell-linear-in-corrected") : has("cell-log-in-linear");
+    const double r = std::pow(1 / p_.I0, p_.flows ? ratioSteps(1) : 1 / 239.0);
+    const bool logarithm = table() == 'c' ? !has("cell-linear-in-corrected") : has("cell-log-in-linear");
     if (logarithm) {
-      real = I > 0 ? std::log(I / (has("cell-I0-forgotten") ? 1 : 0.02)) : 0;
+      real = I > 0 ? std::log(I / (has("cell-I0-forgotten") ? 1 : p_.I0)) : 0;
       if (!has("cell-natural-log")) real /= std::log(r);
       real = std::max(0.0, real);
     }
@@ -200,9 +204,14 @@ class Drawing {
     if (has("V-is-eye")) V = w_.eye;
     if (!has("V-not-unit")) V = unitOf(V);
     if (has("V-sign")) V = times(-1, V);
-    const double NL = dotOf(N, L);
+    if (p_.flows && !has("N-one-sided") && dotOf(N, V) < 0) N = times(-1, N);
+    double NL = dotOf(N, L);
+    if (p_.flows && has("NL-abs")) NL = std::fabs(NL);
+    if (p_.flows && has("NL-angle")) NL = std::max(0.0, 1 - std::acos(std::clamp(NL, -1.0, 1.0)) * 2 / kPi);
+    if (p_.flows && has("highlight-behind")) NL = std::max(0.0, NL);
     Triple R = minus(times(2 * NL, N), L);
     if (has("R-sign")) R = times(-1, R);
+    if (has("R-plus-L")) R = plus(times(2 * NL, N), L);
     if (has("R-without-2")) R = minus(times(NL, N), L);
     double RV = dotOf(R, V);
     if (has("half-vector")) RV = dotOf(N, unitOf(plus(L, V)));
@@ -210,7 +219,8 @@ class Drawing {
     double facing = std::max(0.0, NL);
     if (has("NL-unclamped")) facing = NL;
     if (has("NL-abs")) facing = std::fabs(NL);
-    if (has("NL-angle")) facing = std::max(0.0, 1 - std::acos(std::clamp(NL, -1.0, 1.0)) * 2 / kPi);
+    if (has("NL-angle") && !p_.flows)
+      facing = std::max(0.0, 1 - std::acos(std::clamp(NL, -1.0, 1.0)) * 2 / kPi);
     double shine = std::max(0.0, RV);
     if (has("RV-unclamped")) shine = RV;
     if (has("RV-abs")) shine = std::fabs(RV);
@@ -218,7 +228,8 @@ class Drawing {
     if (has("n-forgotten")) highlight = ks * shine;
     if (has("ks-in-the-power")) highlight = std::pow(ks * shine, s.n);
     if (has("spec-times-NL")) highlight *= facing;
-    if (NL <= 0 && !has("highlight-behind")) highlight = 0;
+    const bool asks = !has("highlight-behind") && !(p_.flows && has("NL-unclamped"));
+    if (NL <= 0 && asks) highlight = 0;
     if (has("spec-forgotten")) highlight = 0;
     double diffuse = has("diffuse-forgotten") ? 0 : kd * facing;
     double ambient = ka * w_.Ia;

@@ -35,8 +35,12 @@ struct Program {
   char table = 'l';   ///< b: brief, l: linear, c: corrected
   std::string mistake = {}, variant = {};
   std::string second = {};  ///< another mistake, or another variant
-  bool half = false;        ///< corners half a pixel off
-  bool zbuffer = false;     ///< else sorted by far z, or by mean z with the variant "zmean"
+  /// What the program computes once it uses twice: N.L with its mistake also in R and to ask for a highlight,
+  /// V also to turn N, r also to find a cell.
+  bool flows = false;
+  double I0 = 0.02;      ///< of the corrected table
+  bool half = false;     ///< corners half a pixel off
+  bool zbuffer = false;  ///< else sorted by far z, or by mean z with the variant "zmean"
   int width = 640, height = 480;
 };
 

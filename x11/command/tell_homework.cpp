@@ -39,13 +39,35 @@ void refuseWhatIsNotDiagnosed(const Scene& scene, const PictureSettings& setting
 
 /// What tells the first two mistakes of a class apart: a picture of a bench with this method and table.
 PartedBy partedBy(const Diagnosis& d, const PictureSettings& settings) {
-  if (d.verdict != Marking::OneOf) return {};
+  if (d.verdict != Marking::OneOf || d.found[0].number || d.found[1].number) return {};
   const std::string_view a = d.found[0].first->key, b = d.found[1].first->key;
   std::vector<PartingPicture> pictures = benchPictures();
   std::erase_if(pictures, [&](const PartingPicture& p) {
     return p.method != settings.shading || p.table != settings.table.kind;
   });
-  return {partingSentence(a, b, sceneFor(a, b, pictures))};
+  PartedBy parted;
+  parted.sentence = partingSentence(a, b, sceneFor(a, b, pictures));
+  return parted;
+}
+
+/// What a right picture cannot show, and how much of it a bench does, with this method and table.
+void addHidden(PartedBy& parted, Diagnoser& diagnoser, const PictureSettings& settings) {
+  constexpr std::string_view kBench = "bench-n3";
+  parted.hidden = diagnoser.whatCannotBeSeen();
+  if (parted.hidden.empty()) return;
+  Scene scene = readScene(std::string{kBench});
+  PictureSettings s = scene.settings;
+  s.camera = scene.camera, s.shading = settings.shading, s.table = settings.table;
+  s.width = kPartingSize.x, s.height = kPartingSize.y;
+  Diagnoser bench{std::move(scene), s};
+  const std::vector<std::string_view> there = bench.whatCannotBeSeen();
+  const auto shows = std::ranges::count_if(
+      parted.hidden, [&](std::string_view key) { return std::ranges::find(there, key) == there.end(); });
+  const bool all = shows == std::ssize(parted.hidden);
+  if (shows > 0)
+    parted.shownBy =
+        std::string{kBench} + " shows " +
+        (all ? "these" : std::to_string(shows) + " of these " + std::to_string(parted.hidden.size()));
 }
 
 /// The two keys of --scene-for.
@@ -77,7 +99,8 @@ int tellDiagnosis(const Options& options, Scene scene) {
   std::optional<Doing> comparing{"comparing"};
   Diagnoser diagnoser{std::move(scene), settings};
   const Diagnosis d = diagnoser(handed);
-  const PartedBy parted = partedBy(d, settings);
+  PartedBy parted = partedBy(d, settings);
+  if (d.verdict == Marking::Right || d.verdict == Marking::Allowed) addHidden(parted, diagnoser, settings);
   comparing.reset();
   (options.json ? printDiagnosisAsJson : printDiagnosis)(d, parted, std::cout);
   std::cout.flush();
@@ -124,6 +147,7 @@ int gradeFolder(const Options& options, Scene scene) {
     if (!file->empty()) checkWritable(*file);
   refuseWhatIsNotDiagnosed(scene, options.picture);
   const std::vector<std::string> names = handedInFiles(options.handedIn);
+  if (names.empty()) throw UsageError{"grade: no picture and no order (.jsonl) is in " + options.handedIn};
   awaitInterrupt();
   const std::string title = "Marks: " + titleOf(scene);
   PictureSettings settings = sized(options, kPictureSize);

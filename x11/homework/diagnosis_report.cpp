@@ -1,5 +1,6 @@
 #include "x11/homework/diagnosis_report.h"
 
+#include <algorithm>
 #include <cmath>
 #include <nlohmann/json.hpp>
 #include <ostream>
@@ -10,13 +11,27 @@ namespace xnewell {
 
 namespace {
 
+constexpr std::size_t kMostHiddenTold = 6;
+constexpr double kMuch = 0.2;  ///< share of samples
+
 using DiagnosisJson = nlohmann::ordered_json;
 
 std::string percent(double share) { return fixed(100.0 * share, share > 0.995 && share < 1 ? 1 : 0) + " %"; }
 
 std::string inWords(const Hypothesis& h) { return std::string{h.key} + ": " + std::string{h.sentence}; }
 
+/// "0.35", not "0.350000".
+std::string shortNumber(double v) {
+  std::string words = fixed(v, 4);
+  while (words.ends_with('0')) words.pop_back();
+  if (words.ends_with('.')) words.pop_back();
+  return words;
+}
+
 std::string inWords(const Fit& fit) {
+  if (fit.number)
+    return std::string{fit.first->key} + " is " + shortNumber(fit.number->is) + " where the scene says " +
+           shortNumber(fit.number->was) + ".";
   std::string words = inWords(*fit.first);
   if (fit.second == nullptr) return words;
   const bool allowed = fit.second->meaning == Meaning::Allowed;
@@ -43,7 +58,9 @@ void printWhere(const Diagnosis& d, std::ostream& out) {
   const DiagnosedPixel& p = *d.pixel;
   out << "  most clearly at pixel " << p.i << ',' << p.j << ", face " << p.face << ": yours "
       << valuesOf(p.yours, d.oneHue) << ", right " << valuesOf(p.right, d.oneHue);
-  if (!d.found.empty()) out << ", with this mistake " << valuesOf(p.mistaken, d.oneHue);
+  if (!d.found.empty())
+    out << (d.found.front().number ? ", with this number " : ", with this mistake ")
+        << valuesOf(p.mistaken, d.oneHue);
   if (!std::isnan(p.NdotL)) out << "; N.L = " << fixed(p.NdotL, 3) << ", R.V = " << fixed(p.RdotV, 3);
   out << '\n';
 }
@@ -70,10 +87,20 @@ std::string_view nameOf(Marking verdict) {
   return "";
 }
 
+std::string nameOf(const Fit& fit) {
+  std::string name{fit.first->key};
+  if (fit.number) name += '=' + shortNumber(fit.number->is);
+  if (fit.second && fit.second->meaning == fit.first->meaning)  // two mistakes, or two variants
+    name += '+' + std::string{fit.second->key};
+  return name;
+}
+
 std::string verdictOf(const Diagnosis& d) {
   switch (d.verdict) {
     case Marking::Right:
-      return "right";
+      return d.exact >= kExact || !d.oneHue || d.found.front().explained < kExact
+                 ? "right"
+                 : "right, but for one shade at " + percent(1.0 - d.exact) + " of the samples";
     case Marking::Allowed: {
       std::string words = "right, with " + std::string{d.found.front().first->key};
       if (d.found.front().second) words += " and " + std::string{d.found.front().second->key};
@@ -82,24 +109,43 @@ std::string verdictOf(const Diagnosis& d) {
     case Marking::Mistake:
       return "wrong: " + inWords(d.found.front());
     case Marking::OneOf:
-      return "wrong: one of " + counted(d.found.size(), "mistake") + " that look alike here";
-    case Marking::Numbers:
-      return "wrong: other numbers. " + std::string{d.found.front().first->sentence};
+    case Marking::Numbers: {
+      if (d.found.size() == 1)
+        return "wrong: " +
+               (d.found[0].number ? inWords(d.found[0]) : std::string{d.found[0].first->sentence});
+      std::string words = "wrong: one of " + counted(d.found.size(), "answer") + " that look alike here: ";
+      for (const Fit& fit : d.found) words += (&fit == &d.found.front() ? "" : ", ") + nameOf(fit);
+      return words;
+    }
     case Marking::Unknown:
       return "wrong, and none of my " + std::to_string(mistakesKnown()) +
              " mistakes: check Ia, n, the light, the camera and the divisions";
     case Marking::OtherScene:
-      return d.overlap > 0 ? "another scene, camera or size: the outlines overlap by " + percent(d.overlap)
-                           : "another size: the picture has not as many pixels as the scene's";
+      if (d.isOtherSize) return "another size: the picture has not as many pixels as the scene's";
+      if (d.isOneColor) return "no picture of this scene: all pixels have one colour";
+      return "another scene, camera or size: the outlines overlap by " + percent(d.overlap);
   }
   return "";
 }
+
+namespace {
+
+/// At most six keys, and where to look for them.
+std::string hiddenSentence(const PartedBy& parted) {
+  std::string words = "this picture would be the same with ";
+  const std::size_t told = std::min<std::size_t>(parted.hidden.size(), kMostHiddenTold);
+  for (std::size_t k = 0; k < told; ++k) words += (k ? ", " : "") + std::string{parted.hidden[k]};
+  if (told < parted.hidden.size()) words += " and " + std::to_string(parted.hidden.size() - told) + " more";
+  return words + (parted.shownBy.empty() ? "" : "; " + parted.shownBy);
+}
+
+}  // namespace
 
 void printDiagnosis(const Diagnosis& d, const PartedBy& parted, std::ostream& out) {
   out << verdictOf(d);
   if (d.verdict == Marking::Mistake) out << "  [" << fitTerms(d.found.front()) << ']';
   out << '\n';
-  if (d.verdict == Marking::OneOf)
+  if (d.found.size() > 1 && d.verdict != Marking::Right && d.verdict != Marking::Allowed)
     for (const Fit& fit : d.found) out << "  " << inWords(fit) << "  [" << fitTerms(fit) << "]\n";
   if (!d.found.empty() && d.verdict != Marking::Right && d.verdict != Marking::Allowed) {
     const Fit& fit = d.found.front();
@@ -107,7 +153,11 @@ void printDiagnosis(const Diagnosis& d, const PartedBy& parted, std::ostream& ou
         << percent(fit.informative) << " of the " << grouped(fit.telling) << " that tell\n";
   }
   printWhere(d, out);
+  for (const Fit& fit : d.doubts) out << "  or, as this picture cannot tell: " << inWords(fit) << '\n';
+  if (d.brightest >= kMuch && d.verdict != Marking::Mistake && d.verdict != Marking::OtherScene)
+    out << "  " << percent(d.brightest) << " of the samples are clamped to I = 1, which hides mistakes\n";
   if (!parted.sentence.empty()) out << "  " << parted.sentence << '\n';
+  if (!parted.hidden.empty()) out << "  " << hiddenSentence(parted) << '\n';
 }
 
 void printDiagnosisAsJson(const Diagnosis& d, const PartedBy& parted, std::ostream& out) {
@@ -117,6 +167,7 @@ void printDiagnosisAsJson(const Diagnosis& d, const PartedBy& parted, std::ostre
                       {"cost", fit.cost},        {"explained", fit.explained},
                       {"telling", fit.telling},  {"informative", fit.informative}};
     if (fit.second) one["with"] = fit.second->key;
+    if (fit.number) one["value"] = fit.number->is, one["right_value"] = fit.number->was;
     return one;
   };
   DiagnosisJson found = DiagnosisJson::array(), all = DiagnosisJson::array();
@@ -138,6 +189,12 @@ void printDiagnosisAsJson(const Diagnosis& d, const PartedBy& parted, std::ostre
                      {"R.V", d.pixel->RdotV}};
   }
   if (!parted.sentence.empty()) json["parted_by"] = parted.sentence;
+  if (!d.doubts.empty()) {
+    DiagnosisJson doubts = DiagnosisJson::array();
+    for (const Fit& fit : d.doubts) doubts.push_back(asJson(fit));
+    json["doubts"] = doubts;
+  }
+  json["exact"] = d.exact, json["brightest"] = d.brightest, json["cannot_show"] = parted.hidden;
   json["hypotheses"] = all;
   out << json.dump(-1, ' ', false, DiagnosisJson::error_handler_t::replace) << '\n';
 }

@@ -3,6 +3,7 @@
 #include <iosfwd>
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include "shading/diagnose/diagnose.h"
 #include "shading/diagnose/scene_for.h"
@@ -15,9 +16,15 @@ namespace xnewell {
 [[nodiscard]] std::string_view nameOf(Marking verdict);
 /// "right", "wrong: ..." without numbers: one line.
 [[nodiscard]] std::string verdictOf(const Diagnosis& d);
-/// What tells apart the mistakes of a class: a picture and its pixel, or that they are the same by algebra.
+/// "RV-abs", "n=10", "L-sign+Ia-twice": a row, a number or two rows in one word.
+[[nodiscard]] std::string nameOf(const Fit& fit);
+/// Where to look further.
 struct PartedBy {
-  std::string sentence;  ///< "" if there is nothing to say
+  /// What tells apart the mistakes of a class: a picture and its pixel, or that they are the same by algebra;
+  /// "" if there is nothing to say.
+  std::string sentence;
+  std::vector<std::string_view> hidden;  ///< of a right picture: the keys that would not change it
+  std::string shownBy;                   ///< which scene shows these
 };
 void printDiagnosis(const Diagnosis& d, const PartedBy& parted, std::ostream& out);
 void printDiagnosisAsJson(const Diagnosis& d, const PartedBy& parted, std::ostream& out);

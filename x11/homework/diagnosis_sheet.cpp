@@ -5,6 +5,7 @@
 
 #include "shading/color/png.h"
 #include "x11/drawing/painter.h"
+#include "x11/homework/diagnosis_report.h"
 
 namespace xnewell {
 
@@ -47,9 +48,8 @@ std::string diagnosisSheet(Diagnoser& diagnoser, const HandedIn& handed, const D
   std::vector<std::pair<std::string, RgbImage>> pictures{
       {"yours", handed.picture}, {"right", diagnoser.pictureBy(diagnoser.approachWith(right))}};
   if (named && d.found.front().first != &right)
-    pictures.emplace_back(
-        "with " + std::string{d.found.front().first->key},
-        diagnoser.pictureBy(diagnoser.approachWith(*d.found.front().first, d.found.front().second)));
+    pictures.emplace_back("with " + nameOf(d.found.front()),
+                          diagnoser.pictureBy(diagnoser.approachOf(d.found.front())));
   std::array<int, 4> box{w, h, -1, -1};
   if (d.pixel) {
     const SnappedScene& scene = diagnoser.picture().snapped();

@@ -74,6 +74,7 @@ bool isRight(const Diagnosis& d) { return d.verdict == Marking::Right || d.verdi
 /// How often a planted mistake is named.
 struct Confusion {
   int planted = 0, invisible = 0, oneName = 0, inClass = 0, right = 0, unknown = 0, wrongName = 0;
+  int oneNameByCells = 0;  ///< of those in a class, where the file has the cells
   std::string misnamed;
 
   void count(const std::string& key, const Diagnosis& d) {
@@ -98,6 +99,7 @@ struct Confusion {
     ::testing::Test::RecordProperty("invisible", invisible);
     ::testing::Test::RecordProperty("one_name", oneName);
     ::testing::Test::RecordProperty("in_class", inClass);
+    ::testing::Test::RecordProperty("one_name_by_cells", oneNameByCells);
     ::testing::Test::RecordProperty("called_right", right);
     ::testing::Test::RecordProperty("unknown", unknown);
   }
@@ -111,7 +113,10 @@ Confusion confusionOn(const std::string& scene) {
       if (table == TableKind::Corrected && method != Shading::Flat) continue;
       Students students{scene, method, table};
       for (const std::string& key : students.keys(Meaning::Wrong)) {
-        all.count(key, students.diagnosed({.mistake = key}));
+        const Diagnosis d = students.diagnosed({.mistake = key});
+        all.count(key, d);
+        if (d.verdict == Marking::OneOf)
+          all.oneNameByCells += students.diagnosed({.mistake = key}, true).verdict == Marking::Mistake;
         all.invisible += students.isInvisible(key, 0.5);
       }
     }
@@ -123,13 +128,16 @@ Confusion confusionOn(const std::string& scene) {
 
 // The confusion table on the bench: a second program plants each mistake, and none gets a wrong name. A class
 // of two stands where both are the same picture: V-sign and R-sign by algebra, cell-off-by-one and table-i-11
-// in files without cells, cell-natural-log and cell-I0-forgotten, which are both nearly black.
+// in files without cells, cell-natural-log and cell-I0-forgotten, which are both nearly black; and, where the
+// program turns N by V, L-sign and V-sign by algebra. Cells part what colours do not: with them 95 % have one
+// name, and what is left is the same picture.
 TEST(Diagnose, NamesThePlantedMistakeOnTheBench) {
   const Confusion c = confusionOn("bench-n3");
   EXPECT_EQ(c.wrongName, 0) << c.misnamed;
   if (kSanitized) return;
   EXPECT_GE(c.planted, 200);
-  EXPECT_GE(c.oneName, (c.planted - c.invisible) * 92 / 100);
+  EXPECT_GE(c.oneName, (c.planted - c.invisible) * 91 / 100);
+  EXPECT_GE(c.oneName + c.oneNameByCells, (c.planted - c.invisible) * 95 / 100);
   EXPECT_EQ(c.unknown, 0);
 }
 
@@ -179,9 +187,14 @@ TEST(Diagnose, TellsTwoAtOnce) {
   EXPECT_EQ(d.found[0].first->key, "R-without-2");
   EXPECT_EQ(d.found[0].second->key, "V-constant");
   d = students.diagnosed({.mistake = "L-sign", .second = "Ia-twice"});
+  ASSERT_EQ(d.verdict, Marking::OneOf);  // a V that is reversed before it turns N is the same by algebra
+  std::set<std::set<std::string_view>> pairs;
+  for (const Fit& f : d.found) pairs.insert({f.first->key, f.second->key});
+  EXPECT_EQ(pairs, (std::set<std::set<std::string_view>>{{"L-sign", "Ia-twice"}, {"V-sign", "Ia-twice"}}));
+  d = students.diagnosed({.mistake = "R-without-2", .second = "Ia-twice"});
   ASSERT_EQ(d.verdict, Marking::Mistake);
   EXPECT_EQ((std::set{d.found[0].first->key, d.found[0].second->key}),
-            (std::set<std::string_view>{"L-sign", "Ia-twice"}));
+            (std::set<std::string_view>{"R-without-2", "Ia-twice"}));
   d = students.diagnosed({.variant = "V-constant", .second = "mean-of-corners"});
   EXPECT_TRUE(isRight(d));
 }
@@ -228,7 +241,8 @@ TEST(Diagnose, TriesLikelyNumbers) {
   for (student::Surface& surface : other.surfaces) surface.n *= 2;
   Diagnosis d = diagnoser(handedInBy(student::draw(other, program)));
   ASSERT_EQ(d.verdict, Marking::Numbers);
-  EXPECT_EQ(d.found[0].first->key, "n-double");
+  ASSERT_TRUE(d.found[0].number);
+  EXPECT_EQ(d.found[0].number->is, 6);
   other = world;
   std::swap(other.light[1], other.light[2]);
   d = diagnoser(handedInBy(student::draw(other, program)));

@@ -1,0 +1,101 @@
+#include "shading/diagnose/hypothesis_rows.h"
+
+namespace xnewell::rows {
+
+/// The rows of the tables, of the painting, and of numbers.
+
+void addTables(std::vector<Hypothesis>& all) {
+  constexpr std::string_view color = "color(I)", table = "table";
+  all.insert(
+      all.end(),
+      {wrong("cell-off-by-one", color, "The first cell is one too low.",
+             [](W& w) { w.cell = CellWay::OneLess; }),
+       wrong(
+           "cell-240I", color, "color(I) has 240 I, not 239 I.", [](W& w) { w.cell = CellWay::By240; },
+           isEvenTable),
+       wrong(
+           "cell-255I", color, "color(I) has 255 I, not 239 I.", [](W& w) { w.cell = CellWay::By255; },
+           isEvenTable),
+       wrong("cell-floor", color, "color(I) is cut off, not rounded.",
+             [](W& w) { w.cell = CellWay::Truncated; }),
+       wrong("cell-first-forgotten", color, "The first cell is forgotten: shades begin at cell 0.",
+             [](W& w) { w.cell = CellWay::FromZero; }),
+       wrong(
+           "cell-log-in-linear", color, "color(I) has the logarithm, but the table is even.",
+           [](W& w) { w.cell = CellWay::Ratios; }, isEvenTable),
+       wrong(
+           "cell-natural-log", color, "The logarithm is to the base e, not r.",
+           [](W& w) { w.cell = CellWay::NaturalLog; }, isCorrected),
+       wrong(
+           "cell-I0-forgotten", color, "The logarithm is that of I, not of I/I0.",
+           [](W& w) { w.cell = CellWay::NoI0; }, isCorrected),
+       wrong(
+           "cell-I0-forgotten", color, "The logarithm is that of I, not of I/I0.",
+           [](W& w) { w.cell = CellWay::NoI0Wraps; }, isCorrected),
+       wrong(
+           "cell-linear-in-corrected", color, "color(I) is even, but the table is corrected.",
+           [](W& w) { w.cell = CellWay::Even; }, isCorrected),
+       wrong(
+           "table-i-11", table, "Cell i holds (i - 11)/255.", [](W& w) { w.store = StoreWay::Minus11; },
+           isLinear),
+       wrong("table-8-bit-in-16", table, "Values up to 255 are stored where the server takes up to 65535.",
+             [](W& w) { w.store = StoreWay::EightIn16; }),
+       wrong(
+           "table-r-240-steps", table, "r has 240 steps from I0 to 1, not 239.",
+           [](W& w) { w.store = StoreWay::Ratio240; }, isCorrected),
+       wrong(
+           "table-r-240-steps", table, "r has 240 steps from I0 to 1, not 239.",
+           [](W& w) { w.store = StoreWay::Ratio240, w.cell = CellWay::Ratio240; }, isCorrected),
+       wrong(
+           "table-r-64-steps", table, "r is that of a table of 64 shades.",
+           [](W& w) { w.store = StoreWay::Ratio64, w.cell = CellWay::Ratio64; }, isCorrected),
+       wrong(
+           "table-linear", table, "The table and color(I) are even, as in linear.",
+           [](W& w) { w.table = TableKind::Linear; }, isCorrected),
+       wrong(
+           "table-corrected", table, "The table and color(I) have equal ratios, as in corrected.",
+           [](W& w) { w.table = TableKind::Corrected; }, isEvenTable),
+       wrong(
+           "table-r-64-steps", table, "r is that of a table of 64 shades.",
+           [](W& w) { w.store = StoreWay::Ratio64; }, isCorrected),
+       wrong("table-reversed", table, "The table runs from bright to dark.",
+             [](W& w) { w.store = StoreWay::Backwards; }),
+       wrong("table-gamma", table, "The stored values are v^(1/2.2).",
+             [](W& w) { w.store = StoreWay::Gamma; })});
+}
+
+void addPainting(std::vector<Hypothesis>& all) {
+  constexpr std::string_view order = "order", screen = "picture";
+  all.insert(
+      all.end(),
+      {wrong("order-none", order, "The faces are painted as they are listed, unsorted.",
+             [](W& w) { w.paint = PaintWay::Listed; }),
+       wrong("order-reversed", order, "The faces are painted from front to back.",
+             [](W& w) { w.paint = PaintWay::Reversed; }),
+       wrong("order-nearest-z", order, "The faces are sorted by their nearest z, not their farthest.",
+             [](W& w) { w.paint = PaintWay::NearestZ; }),
+       wrong("cull-front", order, "The fronts are culled in place of the backs.",
+             [](W& w) { w.paint = PaintWay::BacksOnly; }),
+       wrong("flip-y", screen, "The picture is upside down: y of the screen runs down.",
+             [](W& w) { w.turn = TurnWay::UpsideDown; }),
+       wrong("flip-x", screen, "The picture is its mirror image.", [](W& w) { w.turn = TurnWay::Mirrored; }),
+       wrong("turned-180", screen, "The picture is turned by 180 degrees.",
+             [](W& w) { w.turn = TurnWay::Turned; })});
+}
+
+/// Numbers that are often other ones. They are tried only if no mistake fits.
+void addNumbers(std::vector<Hypothesis>& all) {
+  all.insert(
+      all.end(),
+      {numbers("n-half", "n", "n is half of what it should be.", [](W& w) { w.nTimes = 0.5; }),
+       numbers("n-double", "n", "n is twice what it should be.", [](W& w) { w.nTimes = 2; }),
+       numbers("light-x", "L", "x of the light has the other sign.", [](W& w) { w.lightSigns.x = -1; }),
+       numbers("light-y", "L", "y of the light has the other sign.", [](W& w) { w.lightSigns.y = -1; }),
+       numbers("light-z", "L", "z of the light has the other sign.", [](W& w) { w.lightSigns.z = -1; }),
+       numbers("light-yz", "L", "y and z of the light are in each other's place.",
+               [](W& w) { w.swapsLightYz = true; }),
+       numbers("light-yz", "L", "y and z of the light are in each other's place.",
+               [](W& w) { w.swapsLightYz = true, w.lightSigns.z = -1; })});
+}
+
+}  // namespace xnewell::rows

@@ -1,0 +1,153 @@
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <set>
+#include <string>
+
+#include "shading/diagnose/diagnose.h"
+#include "tests/support/student_world.h"
+
+namespace xnewell::THIS_FILE {
+
+namespace {
+
+/// The house that the assignment begins with: three different values are in its picture, so most mistakes
+/// look like another one. Flat shading, 640 x 480.
+class House {
+ public:
+  explicit House(TableKind table = TableKind::Linear) {
+    Scene scene = readScene(XNEWELL_DATA_DIR "/../x11/example/house.obj");
+    settings_ = scene.settings;
+    settings_.camera = scene.camera;
+    settings_.camera.eye = glm::dvec3{4, 3, 6}, settings_.camera.lookAt = glm::dvec3{0, 0.4, 0};
+    settings_.light.light = glm::dvec3{-0.5, 0.6, -0.4};
+    settings_.light.n = 4, settings_.table.kind = table;
+    settings_.width = 640, settings_.height = 480;
+    diagnoser.emplace(std::move(scene), settings_);
+    world = studentsWorld(diagnoser->picture());
+    program.table = kTables[static_cast<std::size_t>(table)].name[0];
+  }
+  [[nodiscard]] Diagnosis diagnosed() { return (*diagnoser)(handedInBy(student::draw(world, program))); }
+
+  std::optional<Diagnoser> diagnoser;
+  student::World world;
+  student::Program program;
+
+ private:
+  PictureSettings settings_;
+};
+
+std::set<std::string_view> keysOf(const Diagnosis& d) {
+  std::set<std::string_view> keys;
+  for (const Fit& f : d.found) keys.insert(f.first->key);
+  return keys;
+}
+
+}  // namespace
+
+// Another n is found, and it is neither what the course allows nor two mistakes: the values of n = 5 are one
+// step from those of a constant V, and those of n = 10 one step from two rows at once.
+TEST(House, FindsAnotherN) {
+  House house;
+  EXPECT_EQ(house.diagnosed().verdict, Marking::Right);
+  for (const int n : {2, 3, 5, 6, 8, 10, 16, 20}) {
+    SCOPED_TRACE(n);
+    for (student::Surface& s : house.world.surfaces) s.n = n;
+    const Diagnosis d = house.diagnosed();
+    ASSERT_EQ(d.verdict, Marking::Numbers);
+    ASSERT_TRUE(d.found[0].number);
+    EXPECT_EQ(d.found[0].number->which, NumberOf::n);
+    EXPECT_EQ(d.found[0].number->is, n);
+    EXPECT_EQ(d.found[0].number->was, 4);
+    ASSERT_TRUE(d.pixel);
+    EXPECT_EQ(d.pixel->yours[0], d.pixel->mistaken[0]);
+    EXPECT_NE(d.pixel->yours[0], d.pixel->right[0]);
+  }
+}
+
+// Each other number of the equation is found, or is one of those that the picture cannot tell apart.
+TEST(House, FindsOtherNumbers) {
+  House house;
+  const student::World right = house.world;
+  const auto finds = [&](NumberOf which, double is) {
+    const Diagnosis d = house.diagnosed();
+    return d.verdict == Marking::Numbers && std::ranges::any_of(d.found, [&](const Fit& f) {
+             return f.number && f.number->which == which && std::abs(f.number->is - is) < 0.006;
+           });
+  };
+  for (student::Surface& s : house.world.surfaces) s.kd = 0.6;
+  EXPECT_TRUE(finds(NumberOf::kd, 0.6));
+  house.world = right;
+  for (student::Surface& s : house.world.surfaces) s.ks = 0.25;
+  EXPECT_TRUE(finds(NumberOf::ks, 0.25));
+  for (student::Surface& s : house.world.surfaces) s.ks = 0.32;
+  EXPECT_TRUE(finds(NumberOf::ks, 0.32)) << "in steps of 1/100";
+  house.world = right;
+  for (student::Surface& s : house.world.surfaces) s.ka = 0.5;
+  EXPECT_TRUE(finds(NumberOf::ka, 0.5));
+  house.world = right;
+  house.world.Ia = 0.3;
+  EXPECT_TRUE(finds(NumberOf::Ia, 0.3));
+  house.world.Ia = 0.2, house.world.Ip = 0.5;
+  EXPECT_TRUE(finds(NumberOf::Ip, 0.5));
+}
+
+// What a program computes once and uses twice carries a mistake on: N.L into R, V into the turning of N.
+TEST(House, NamesMistakesThatFlowOn) {
+  House house;
+  house.program.flows = true;
+  EXPECT_EQ(house.diagnosed().verdict, Marking::Right);
+  for (const std::string key : {"NL-abs", "NL-unclamped", "NL-angle", "V-sign", "V-is-eye"}) {
+    house.program.mistake = key;
+    const Diagnosis d = house.diagnosed();
+    EXPECT_TRUE(keysOf(d).contains(key)) << key << ": " << d.found.size();
+  }
+}
+
+// A picture upside down shows something else than the right one at the pixel that is told.
+TEST(House, TellsAPixelThatDiffers) {
+  House house;
+  for (const std::string key :
+       {"flip-y", "flip-x", "turned-180", "L-sign", "R-without-2", "order-reversed"}) {
+    house.program.mistake = key;
+    const Diagnosis d = house.diagnosed();
+    ASSERT_TRUE(d.pixel) << key;
+    EXPECT_GT(std::abs(d.pixel->yours[0] - d.pixel->right[0]), 1) << key;
+    EXPECT_NEAR(d.pixel->yours[0], d.pixel->mistaken[0], 1) << key;
+  }
+}
+
+// With the corrected table: a program of the linear table, another I0 and 240 steps are told from what the
+// course allows. A cell that is cut off is the same picture here, and that can be asked for.
+TEST(House, TellsTablesApart) {
+  House house{TableKind::Corrected};
+  EXPECT_EQ(house.diagnosed().verdict, Marking::Right);
+  house.program.table = 'l';
+  EXPECT_EQ(keysOf(house.diagnosed()), std::set<std::string_view>{"table-linear"});
+  house.program.table = 'c', house.program.I0 = 0.05;
+  const Diagnosis d = house.diagnosed();
+  EXPECT_EQ(d.verdict, Marking::Numbers);
+  EXPECT_TRUE(keysOf(d).contains("I0"));
+  house.program.I0 = 0.02, house.program.flows = true, house.program.mistake = "table-r-240-steps";
+  EXPECT_TRUE(keysOf(house.diagnosed()).contains("table-r-240-steps"));
+  house.program.flows = false, house.program.mistake = "cell-floor";
+  EXPECT_EQ(house.diagnosed().verdict, Marking::Right);
+  const auto hidden = house.diagnoser->whatCannotBeSeen();
+  EXPECT_TRUE(std::ranges::find(hidden, "cell-floor") != hidden.end());
+  EXPECT_TRUE(std::ranges::find(hidden, "L-sign") == hidden.end());
+}
+
+// A picture of one colour has the right size, and it is another reason.
+TEST(House, SaysWhyItIsAnotherScene) {
+  House house;
+  HandedIn empty{.picture = RgbImage{640, 480}, .cells = {}, .held = {}};
+  std::ranges::fill(empty.picture.rgb, std::uint8_t{128});
+  Diagnosis d = (*house.diagnoser)(empty);
+  EXPECT_EQ(d.verdict, Marking::OtherScene);
+  EXPECT_TRUE(d.isOneColor);
+  EXPECT_FALSE(d.isOtherSize);
+  d = (*house.diagnoser)({.picture = RgbImage{64, 48}, .cells = {}, .held = {}});
+  EXPECT_TRUE(d.isOtherSize);
+}
+
+}  // namespace xnewell::THIS_FILE
