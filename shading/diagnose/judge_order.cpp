@@ -172,6 +172,10 @@ class Judge {
         if (pair.samples++ == 0) pair = {1, i, j, top.face, should};
       }
     r_.missing.assign(missing.begin(), missing.end());
+    std::set<int> unseen;
+    for (const SnappedFace& face : scene_.faces)
+      if (!stepsOf_.contains(face.number) && !missing.contains(face.number)) unseen.insert(face.number);
+    r_.unseen.assign(unseen.begin(), unseen.end());
     r_.wrongPairs = static_cast<int>(pairs.size());
     if (pairs.empty()) return;
     const auto& [key, seen] = *pairs.begin();  // the earliest step that shows wrongly

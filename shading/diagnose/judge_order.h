@@ -37,6 +37,7 @@ struct WrongPair {
 struct OrderReport {
   int steps = 0;
   std::vector<int> missing;   ///< faces that should show somewhere and are not painted
+  std::vector<int> unseen;    ///< faces that are not painted, and that nobody would see
   std::vector<int> repeated;  ///< faces that are painted whole more than once, or whole and in pieces
   std::vector<BadCover> covers;
   int wrongSamples = 0, wrongPairs = 0;

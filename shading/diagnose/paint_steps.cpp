@@ -28,6 +28,10 @@ glm::dvec2 placeOf(const nlohmann::json& corner) {
 
 PaintStep stepOf(const std::string& text, int faces) {
   const nlohmann::json json = nlohmann::json::parse(text, nullptr, false);
+  if (json.is_discarded())
+    for (const char* word : {"nan", "NaN", "inf", "Inf"})
+      if (text.find(word) != std::string::npos)
+        throw std::runtime_error{std::string{"JSON has no "} + word + ": places are numbers"};
   if (json.is_discarded() || !json.is_object())
     throw std::runtime_error{"not a JSON object such as {\"face\": 17}"};
   const auto face = json.find("face");

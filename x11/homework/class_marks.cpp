@@ -73,9 +73,7 @@ void Marker::markPicture(MarkedFile& row, const std::string& path) {
   std::set<std::string_view> terms;
   for (const Fit& fit : d.found) {
     if (d.verdict == Marking::Right) break;
-    row.mistakes += (row.mistakes.empty() ? "" : " ") + std::string{fit.first->key};
-    if (fit.second && fit.second->meaning == fit.first->meaning)  // two mistakes, or two variants
-      row.mistakes += '+' + std::string{fit.second->key};
+    row.mistakes += (row.mistakes.empty() ? "" : " ") + nameOf(fit);
     if (terms.insert(fit.first->term).second)
       row.terms += (row.terms.empty() ? "" : "; ") + std::string{fit.first->term};
   }
@@ -114,10 +112,21 @@ MarkedFile Marker::mark(const std::string& folder, const std::string& name) {
   } catch (const std::exception& e) {
     row = {.file = name, .verdict = "unreadable"};
     std::string what = e.what();
-    if (what.starts_with(path)) what = what.substr(path.size());
-    row.words = "unreadable" + (what.starts_with(':') ? what : ": " + what);
+    if (what.starts_with(path)) what = name + what.substr(path.size());
+    row.words = "unreadable: " + what;
   }
   return row;
+}
+
+/// True if a file is handed in by its name: a picture of any kind, also of those that cannot be read, or an
+/// order. A text that explains the folder is not.
+bool isHandedIn(std::string name) {
+  for (char& c : name)
+    if ('A' <= c && c <= 'Z') c = static_cast<char>(c - 'A' + 'a');
+  for (const char* end : {".jsonl", ".png", ".ppm", ".pgm", ".pnm", ".xwd", ".jpg", ".jpeg", ".gif", ".bmp",
+                          ".tif", ".tiff", ".webp"})
+    if (name.ends_with(end)) return true;
+  return false;
 }
 
 std::vector<std::string> handedInFiles(const std::string& folder) {
@@ -127,7 +136,7 @@ std::vector<std::string> handedInFiles(const std::string& folder) {
   if (error) throw std::system_error{error.value(), std::generic_category(), folder};
   for (const auto& entry : entries) {
     const std::string name = entry.path().filename().string();
-    if (!name.starts_with('.') && std::filesystem::is_regular_file(entry.path(), error))
+    if (!name.starts_with('.') && isHandedIn(name) && std::filesystem::is_regular_file(entry.path(), error))
       names.push_back(name);
   }
   std::ranges::sort(names);

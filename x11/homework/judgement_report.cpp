@@ -56,8 +56,11 @@ std::string verdictOf(const OrderReport& r, std::span<const PaintStep> steps) {
     first = false;
   };
   if (!r.missing.empty())
-    add(counted(static_cast<std::int64_t>(r.missing.size()), "face") + " missing (" + listOf(r.missing) +
-        ")");
+    add(counted(static_cast<std::int64_t>(r.missing.size()), "face") + " missing that should show (" +
+        listOf(r.missing) + ")" +
+        (r.unseen.empty() ? ""
+                          : ", and " + std::to_string(r.unseen.size()) + " that nobody would see (" +
+                                listOf(r.unseen) + ")"));
   if (!r.repeated.empty())
     add(counted(static_cast<std::int64_t>(r.repeated.size()), "face") + " repeated (" + listOf(r.repeated) +
         ")");
@@ -102,6 +105,7 @@ void printJudgementAsJson(const OrderReport& r, std::span<const PaintStep> steps
                  {"words", verdictOf(r, steps)},
                  {"steps", r.steps},
                  {"missing", r.missing},
+                 {"unseen", r.unseen},
                  {"repeated", r.repeated},
                  {"covers", covers},
                  {"wrong_samples", r.wrongSamples},

@@ -106,7 +106,8 @@ MaybeOne settlingTest(Dice& dice, const QuestionScene& s) {
   q.choices.push_back(nameOfTest(kTestRows[static_cast<std::size_t>(e.test)]));
   for (const TestRow& row : kTestRows)
     if (row.id != e.test && row.id != Test::SamePlane) q.choices.push_back(nameOfTest(row));
-  q.solution = "It is " + q.choices.front() + ". All tests before it fail.";
+  q.solution = "It is test " + std::string{kTestRows[static_cast<std::size_t>(e.test)].name} +
+               ". All tests before it fail.";
   return q;
 }
 

@@ -40,7 +40,7 @@ TEST_F(CommandTest, GradeMarksAFolder) {
   std::filesystem::create_directory(file("class"));
   ASSERT_EQ(runProgram({"draw", "bench", "--size", "160x120", "-o", file("class/a.png")}).status, 0);
   ASSERT_EQ(
-      runProgram({"draw", "bench", "--size", "160x120", "--mistake", "L-sign", "-o", file("class/b.png")})
+      runProgram({"draw", "bench", "--size", "160x120", "--mistake", "Ia-twice", "-o", file("class/b.png")})
           .status,
       0);
   std::ofstream{file("class/c.png")} << "no picture";
@@ -48,11 +48,15 @@ TEST_F(CommandTest, GradeMarksAFolder) {
       runProgram({"grade", "bench", file("class"), "-o", file("marks.csv"), "--page", file("page.html")});
   EXPECT_EQ(end.status, 0) << end.err;
   EXPECT_EQ(end.err, "");
-  EXPECT_EQ(end.out, "3 files: 1 mistake, 1 right, 1 unreadable\nmistakes: 1 L-sign\n");
+  EXPECT_EQ(end.out, "3 files: 1 mistake, 1 right, 1 unreadable\nmistakes: 1 Ia-twice\n");
   const std::string csv = contents(file("marks.csv"));
-  EXPECT_NE(csv.find("\nb.png,mistake,L-sign,L,"), std::string::npos) << csv;
+  EXPECT_NE(csv.find("\nb.png,mistake,Ia-twice,ka Ia,"), std::string::npos) << csv;
   EXPECT_NE(contents(file("page.html")).find("data:image/png;base64,"), std::string::npos);
   refused({"grade", "bench", file("class")}, 2, "grade needs -o MARKS.csv");
+  std::filesystem::create_directory(file("empty"));
+  std::ofstream{file("empty/readme.txt")} << "hello";
+  refused({"grade", "bench", file("empty"), "-o", file("new.csv")}, 2,
+          "grade: no picture and no order (.jsonl) is in " + file("empty"));
   refused({"grade", "bench", file("none"), "-o", file("new.csv")}, 1,
           file("none") + ": No such file or directory");
 }

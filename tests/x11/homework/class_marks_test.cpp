@@ -43,6 +43,7 @@ TEST(ClassMarks, HaveARowForEachFile) {
   writePng(one.folder.file("gina.png"), IndexImage{5000, 4000, 7}, Palette{});
   one.folder.write("fred.jsonl", "{\"face\": 0}\n");
   one.folder.write(".hidden", "");
+  one.folder.write("readme.txt", "nobody handed this in");
   Marker marker{one.scene, one.settings, {}, true};
   const std::vector<std::string> names = handedInFiles(one.folder.path().string());
   ASSERT_EQ(names.size(), 7u);
@@ -64,6 +65,26 @@ TEST(ClassMarks, HaveARowForEachFile) {
   const std::string summary = summaryOf(rows);
   EXPECT_TRUE(summary.starts_with("7 files: 3 unreadable, 2 mistake, 1 right, 1 wrong\n")) << summary;
   EXPECT_NE(summary.find("mistakes: 2 Ia-forgotten, 1 missing\n"), std::string::npos) << summary;
+}
+
+// A class of mistakes is named, and so is the line of a file that cannot be read.
+TEST(ClassMarks, NameWhatTheyTell) {
+  Class one;
+  one.draw("anna.png", Mistake::ReversedV);
+  one.folder.write("bert.jsonl", "{\"face\": 0}\nface 1\n");
+  one.folder.write("carl.jsonl", "{\"face\": 0, \"piece\": [[nan, 1], [2, 3], [4, 5]]}\n");
+  Marker marker{one.scene, one.settings, {}, false};
+  one.folder.write("dora.jsonl", "{\"face\": 0}\n");
+  const std::string folder = one.folder.path().string();
+  EXPECT_EQ(marker.mark(folder, "anna.png").words,
+            "wrong: one of 2 answers that look alike here: V-sign, R-sign");
+  EXPECT_TRUE(
+      marker.mark(folder, "bert.jsonl").words.starts_with("unreadable: bert.jsonl:2: not a JSON object"));
+  const std::string dora = marker.mark(folder, "dora.jsonl").words;
+  EXPECT_NE(dora.find(" missing that should show ("), std::string::npos) << dora;
+  EXPECT_NE(dora.find(", and 55 that nobody would see ("), std::string::npos) << dora;
+  EXPECT_EQ(marker.mark(folder, "carl.jsonl").words,
+            "unreadable: carl.jsonl:1: JSON has no nan: places are numbers");
 }
 
 // What stands in names and files cannot become part of the page's own elements.
