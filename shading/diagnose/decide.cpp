@@ -228,11 +228,12 @@ void Diagnoser::decide(Diagnosis& d) {
     if (beaten && f.cost <= best + kClass && isTold(f) && names.insert(f.first->key).second)
       d.found.push_back(f);
   if (!d.found.empty()) {
-    // A large n is another name for a highlight that is left out.
+    // A large n is another name for a highlight that is left out, and half of 2 for an n that is forgotten.
     const double least = d.found.front().cost + kAsWell;
     if (d.found.size() == 1)
       for (const Fit& f : numbers)
-        if (f.cost <= least && !(f.number && f.number->which == NumberOf::n && f.number->is > kLargeN))
+        if (f.cost <= least &&
+            (f.number ? f.number->which != NumberOf::n || f.number->is <= kLargeN : f.first->term != "n"))
           d.found.push_back(f);
     d.verdict = d.found.size() == 1 ? Marking::Mistake : Marking::OneOf;
     return addPixel(d);

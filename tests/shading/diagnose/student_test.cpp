@@ -179,6 +179,14 @@ TEST(Diagnose, ReadsCells) {
   }
 }
 
+// With n = 2, half of n is another name for an exponent that is forgotten, and adds no second answer.
+TEST(Diagnose, GivesOneNameForOneThing) {
+  Students students{"bench", Shading::Flat, TableKind::Linear};
+  const Diagnosis d = students.diagnosed({.mistake = "n-forgotten"});
+  ASSERT_EQ(d.found.size(), 1u);
+  EXPECT_EQ(d.found[0].first->key, "n-forgotten");
+}
+
 // A mistake together with what the course allows, and two mistakes, are told.
 TEST(Diagnose, TellsTwoAtOnce) {
   Students students{"bench-n3", Shading::Flat, TableKind::Linear};
