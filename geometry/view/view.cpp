@@ -41,9 +41,9 @@ double pixelsPerUnit(const ViewSpec& s, int width) { return width / (s.windowMax
 
 glm::dmat3 vrcRotation(const ViewSpec& s) {
   const glm::dvec3 n = unit(s.vpn);
-  check(n != glm::dvec3{0.0}, "the view plane normal is zero: eye and look-at point coincide");
+  check(n != glm::dvec3{0.0}, "the view plane normal is zero; eye and look-at point must differ");
   const glm::dvec3 u = unit(glm::cross(unit(s.vup), n));
-  check(u != glm::dvec3{0.0}, "the up vector is zero or along the line of sight");
+  check(u != glm::dvec3{0.0}, "the up vector is zero or along the view plane normal");
   const glm::dvec3 v = glm::cross(n, u);
   return {{u.x, v.x, n.x}, {u.y, v.y, n.y}, {u.z, v.z, n.z}};  // columns
 }

@@ -184,12 +184,12 @@ TEST(SceneFile, ComplaintsOfTheCamera) {
   const auto camera = [](const std::string& what) {
     return complaint(withTriangle(R"("camera": {)" + what + "}"));
   };
-  const std::string along = "s.json: camera: the up vector is zero or along the line of sight";
+  const std::string along = "s.json: camera: the up vector is zero or along the view plane normal";
   const std::string window =
       "s.json: camera: the view window is empty: umin < umax and vmin < vmax are needed";
   const std::string planes = "s.json: camera: the front plane must lie nearer than the back plane (larger n)";
   EXPECT_EQ(camera(R"("eye": [0, 0, 0], "look_at": [0, 0, 0])"),
-            "s.json: camera: the view plane normal is zero: eye and look-at point coincide");
+            "s.json: camera: the view plane normal is zero; eye and look-at point must differ");
   for (const std::string key : {"vpn", "vup", "up"})
     EXPECT_EQ(camera('"' + key + R"(": [0, 0, 0])"),
               "s.json: camera." + key + ": 0, 0, 0 is not a direction");

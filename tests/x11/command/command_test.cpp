@@ -86,9 +86,9 @@ TEST_F(CommandTest, WrongUsageIsStatus2) {
           "--scanline: 261 is below the picture: in this view its rows are 0 to 260");
   refused(whole + Strings{"--texture", "none.png"}, 1, "none.png: No such file or directory");
   refused(whole + Strings{"--eye", "1,1,1", "--look-at", "1,1,1"}, 2,
-          "the view plane normal is zero: eye and look-at point coincide");
+          "the view plane normal is zero; eye and look-at point must differ");
   refused(whole + Strings{"--up", "0,0,1", "--eye", "0,0,9", "--look-at", "0,0,0"}, 2,
-          "the up vector is zero or along the line of sight");
+          "the up vector is zero or along the view plane normal");
   refused(whole + Strings{"--view-window", "1,-1,0,1"}, 2,
           "the view window is empty: umin < umax and vmin < vmax are needed");
   refused(whole + Strings{"--front", "-1", "--back", "1"}, 2,
