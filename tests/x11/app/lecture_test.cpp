@@ -8,7 +8,9 @@
 #include "tests/x11/support/ready_workbench.h"
 #include "x11/command/read_lecture.h"
 #include "x11/lessons/lesson_bench.h"
+#include "x11/scanline/scanline_bench.h"
 #include "x11/stepper/sort_bench.h"
+#include "x11/viewing/viewing_bench.h"
 
 namespace xnewell::THIS_FILE {
 
@@ -93,6 +95,31 @@ TEST_F(LectureTest, PagesTurn) {
   EXPECT_EQ(shown.body(), first);
   shown.turn(NamedKey::PageUp);
   EXPECT_EQ(shown.body(), first);
+}
+
+// A page opens view 9 at a stage with a vertex, and view 0 at a polygon and a step, again and again.
+TEST_F(LectureTest, PagesOpenTheViewingAndTheScanline) {
+  Shown shown{lecture(
+      R"({"title": "Shear", "show": "teapot --divisions 3 --view viewing --step 3 --viewing 12.2 --prp=-4,1,12"},
+         {"title": "Rows", "show": "teapot --divisions 3 --view scanline --scanline 40 --step 9"})")};
+  for (int times = 0; times < 2; ++times) {
+    ASSERT_EQ(shown.view(), WindowView::Viewing);
+    const auto& viewing = dynamic_cast<const ViewingBench&>(shown.bench());
+    EXPECT_EQ(viewing.stage(), 3);
+    EXPECT_EQ(viewing.vertex(), "12.2");
+    EXPECT_EQ(shown.setup().picture.camera.prp, (glm::dvec3{-4, 1, 12}));
+    shown.press(NamedKey::Right);
+    shown.finish();
+    shown.turn(NamedKey::PageDown);
+    ASSERT_EQ(shown.view(), WindowView::Scanline);
+    const auto& rows = dynamic_cast<const ScanlineBench&>(shown.bench());
+    EXPECT_EQ(rows.polygon(), "40");
+    EXPECT_EQ(rows.view().step, 9);
+    EXPECT_FALSE(shown.complains());
+    shown.press(NamedKey::Right);
+    shown.finish();
+    shown.turn(NamedKey::PageUp);
+  }
 }
 
 // The last line names the page keys first. A warning ends with its page. 7 on a page without a lesson opens
