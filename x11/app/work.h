@@ -17,6 +17,8 @@ class Work {
   /// Makes `next` the setup. undo() brings the present one back. Changes by one control, one after the other,
   /// are one step.
   void change(char control, const Setup& next);
+  /// The next change begins a step of its own.
+  void endStep() { lastChanged_ = 0; }
   /// Takes back a step, or a step back. Returns false if there is none.
   bool undo() { return restore(before_, after_); }
   bool redo() { return restore(after_, before_); }

@@ -243,7 +243,9 @@ bool Workbench::grab(int x, int y) {
   line_.cancel();
   x /= layout_.unit, y /= layout_.unit;
   if (const std::optional<WindowView> tab = tabAt(layout_, x, y)) return switchTo(*tab), false;
-  return isDrawn() && bench().grab(x, y);
+  if (!isDrawn()) return false;
+  work_.endStep();
+  return bench().grab(x, y);
 }
 
 void Workbench::hover(int x, int y) {
@@ -252,6 +254,7 @@ void Workbench::hover(int x, int y) {
 
 void Workbench::settle() {
   bench().drop();
+  work_.endStep();
   dragging_ = false;
 }
 

@@ -10,9 +10,13 @@ void drawViewing(SightPen& pen) {
   const Exhibit& exhibit = pen.sight.exhibit;
   const ViewingStory story{pen.sight.picture, exhibit.vertex};
   const LitParts lit{pen.sight.picture, pen.sight.palette, &story.stages, exhibit.shadedIn};
+  const StagePoints points{pen.sight.picture.scene().mesh, story.stages};
+  StageImages images;
   OutsideView view{.picture = pen.sight.picture,
                    .lit = lit,
                    .story = story,
+                   .points = points,
+                   .images = images,
                    .stage = exhibit.viewStage,
                    .programs = exhibit.shadedIn == ViewStage::World};
   (void)drawStage(pen, pen.at.picture, view);

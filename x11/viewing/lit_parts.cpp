@@ -65,23 +65,31 @@ LitParts::LitParts(const Picture& picture, const Palette& palette, const ViewSta
   const Mesh& mesh = scene.mesh;
   const Lighting& lighting = picture.shading().lighting();
   const bool ofVertices = rowOf(picture.settings().shading).interpolates;
+  const Shading method = picture.settings().shading;
+  const bool world = !stages || shadedIn == ViewStage::World;
+  // The picture has the intensities already, if it evaluates them where this does.
+  const bool has = world && (method == Shading::Flat || method == Shading::Gouraud) &&
+                   !picture.shading().refined() && !lighting.onlyAmbient() && !lighting.luminance;
   ShadingPoints points;
-  if (ofVertices) {
+  if (has && ofVertices) {
+    pointOf_ = picture.shading().vertices().ofCorner;
+  } else if (ofVertices) {
     Vertices vertices = smoothVertices(scene, picture.settings());
     points = vertexPoints(mesh, vertices);
     pointOf_ = std::move(vertices.ofCorner);
   } else {
-    points = facePoints(mesh);
+    if (!has) points = facePoints(mesh);
     pointOf_.resize(mesh.corners.size());
     for (int face = 0; face < mesh.faceCount(); ++face)
       std::fill(pointOf_.begin() + mesh.firstCorner[face], pointOf_.begin() + mesh.firstCorner[face + 1],
                 face);
   }
   std::vector<std::vector<FrontBack<double>>> channels;
-  if (stages && shadedIn != ViewStage::World && !lighting.onlyAmbient())
+  if (!world && !lighting.onlyAmbient())
     channels = litBehind(picture, points, *stages, shadedIn);
   else
-    for (int c = 0; c < lighting.channels; ++c) channels.push_back(litAt(points, lighting, c).I);
+    for (int c = 0; c < lighting.channels; ++c)
+      channels.push_back(has ? picture.shading().intensities(c).I : litAt(points, lighting, c).I);
   intensities_ = channels.front();
   const auto gray = [&](std::size_t k, double FrontBack<double>::*side) {
     return luminance({channels[0][k].*side, channels[1][k].*side, channels[2][k].*side});

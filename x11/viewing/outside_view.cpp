@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "geometry/exact/unit.h"
+#include "x11/viewing/viewing_words.h"
 
 namespace xnewell {
 
@@ -90,7 +91,24 @@ class StagePen {
   void nameOf(const std::array<glm::dvec3, 4>& corners, std::string_view text, Cell cell) {
     const int half = textWidth(text) / 2;
     for (const auto& [corner, below] : {std::pair{3, false}, {2, false}, {0, true}, {1, true}})
-      if (name(corners[static_cast<std::size_t>(corner)], -half, below ? 14 : -6, text, cell)) return;
+      if (name(corners[static_cast<std::size_t>(corner)], -half, below ? 16 : -8, text, cell)) return;
+  }
+  /// Words at a baseline below all the rest, which no name covers. Returns where they begin.
+  void words(int x, int baseline, std::string_view text) {
+    names_.push_back({x, baseline - 10, textWidth(text), 13});
+    paint_.text(x, baseline, text, pen_(Cell::WellText));
+  }
+  /// A handle, at pixels of the image.
+  void handle(const glm::dvec2& pixels, bool marked, std::string_view name) {
+    const glm::dvec2 p{area_.x + pixels.x / unit_, area_.y + pixels.y / unit_};
+    const int half = marked ? 4 : 2;
+    const auto square = [&](int reach, Cell cell) {
+      paint_.fillRect({at(p.x) - reach, at(p.y) - reach, 2 * reach + 1, 2 * reach + 1}, pen_(cell));
+    };
+    square(half + 1, Cell::Well);
+    square(half, marked ? Cell::Q : Cell::White);
+    if (!marked) square(half - 1, Cell::Well);
+    (void)name_(p + glm::dvec2{9.0, -7.0}, name, Cell::White);
   }
   void dot(const glm::dvec3& place, int radius, Cell cell) {
     const glm::dvec2 p = onPaper(place);
@@ -107,7 +125,8 @@ class StagePen {
     const int x =
         std::clamp(at(place.x), area_.x + 4, std::max(area_.x + 4, area_.x + area_.width - width - 4));
     const int y = std::clamp(at(place.y), area_.y + 32, std::max(area_.y + 32, area_.y + area_.height - 5));
-    const Rect box{x, y - 10, width, 13};
+    constexpr int kApart = 4;  // so that two names do not read as one
+    const Rect box{x - kApart / 2, y - 10, width + kApart, 13};
     for (const Rect& other : names_)
       if (const Rect both = intersection(box, other); both.width > 0 && both.height > 0) return false;
     names_.push_back(box);
@@ -210,21 +229,27 @@ void drawGrid(Pen& pen, const Rect& area, const OutsideView& view, bool words) {
     paint.text(at(middle.x + off.x) + 10, at(middle.y + off.y) - 6, "before", pen(Cell::WellText));
   }
   paint.disc(at(middle.x), at(middle.y), 3, pen(Cell::White));
-  if (words)
-    paint.text(area.x + 8, area.y + area.height - 8,
-               "a square is 1/65,536 pixel wide; the lines are edges of the faces at this vertex",
-               pen(Cell::WellText));
+  if (!words) return;
+  const std::string square = "a square is 1/65,536 pixel wide; ";
+  const std::string lines = "the lines are edges of the faces at this vertex";
+  const int last = area.y + area.height - 8;
+  const bool inOne = textWidth(square + lines) <= area.width - 16;
+  const int end = paint.text(area.x + 8, inOne ? last : last - 15, square, pen(Cell::WellText));
+  paint.text(inOne ? end : area.x + 8, last, lines, pen(Cell::WellText));
 }
 
-StageImage imageOf(const OutsideView& view, const Rect& area, Pen& pen) {
+const StageImage& imageOf(const OutsideView& view, const Rect& area, Pen& pen, bool large) {
   const int unit = pen.paint.unit();
-  return {view.picture,
-          view.lit,
-          view.story,
-          view.stage,
-          turnAt(view.stage, view.turn),
-          {area.width * unit, area.height * unit},
-          pen(Cell::Well)};
+  const OutsideCamera* const held = large ? view.held : nullptr;
+  const StageImages::Shows shows{.made = view.made,
+                                 .turn = turnAt(view.stage, view.turn),
+                                 .size = {area.width * unit, area.height * unit},
+                                 .ground = pen(Cell::Well),
+                                 .held = held ? std::optional{*held} : std::nullopt};
+  return view.images.get(view.stage, large, shows, [&](StageMemory memory) {
+    return StageImage{view.picture, view.lit,   view.story,   view.points, view.stage,
+                      shows.turn,   shows.size, shows.ground, held,        std::move(memory)};
+  });
 }
 
 }  // namespace
@@ -235,23 +260,25 @@ OutsideTurn turnAt(ViewStage stage, const OutsideTurn& turn) {
   return {turn.around - first.around, turn.down - first.down, turn.zoom};
 }
 
-std::optional<StageImage> drawStage(Pen& pen, const Rect& area, const OutsideView& view) {
+const StageImage* drawStage(Pen& pen, const Rect& area, const OutsideView& view) {
   if (view.stage == ViewStage::Snapped) {
     drawGrid(pen, area, view, true);
-    return std::nullopt;
+    return nullptr;
   }
-  StageImage image = imageOf(view, area, pen);
+  const StageImage& image = imageOf(view, area, pen, true);
   pen.paint.place(image.image(), area.x, area.y);
   StagePen lines{pen, area, image};
   const ViewSpec& spec = view.picture.camera().view;
+  const int last = area.y + area.height - 8;
   if (const auto before = volumeBefore(view.story, spec, view.stage)) {
     lines.volume(*before, true);
-    Painter paint = pen.paint.within(area);
-    paint.textRight(
-        area.x + area.width - 8, area.y + area.height - 8,
-        view.stage == ViewStage::Sheared ? "dashed: before the shear" : "dashed: before the warp, scaled",
-        pen(Cell::WellText));
+    const std::string_view words =
+        view.stage == ViewStage::Sheared ? "dashed: before the shear" : "dashed: before the warp, scaled";
+    lines.words(area.x + area.width - 8 - textWidth(words), last, words);
   }
+  const std::vector<HandleAt> handles =
+      handlesAt(view.story, spec, view.stage, image, lengthUnit(view.picture.scene()), pen.paint.unit());
+  if (!handles.empty()) lines.words(area.x + 8, last, "drag a square to change its number");
   lines.volume(image.volume(), false);
   const VertexAtStage& here = view.story.of(view.stage);
   if (here.at.w > 0.0) {
@@ -261,9 +288,12 @@ std::optional<StageImage> drawStage(Pen& pen, const Rect& area, const OutsideVie
     lines.arrow(vertex, here.N, 60, Cell::White, "N", 2);
     lines.dot(vertex, 3, Cell::White);
   }
+  for (const HandleAt& handle : handles)
+    if (handle.id == view.handle) lines.handle(handle.at, true, view.handleName);
   drawNames(lines, view, image.volume());
   drawAxes(lines, view, image.volume());
-  return image;
+  for (const HandleAt& handle : handles) lines.handle(handle.at, handle.id == view.handle, {});
+  return &image;
 }
 
 void drawSmallStage(Pen& pen, const Rect& area, const OutsideView& view) {
@@ -279,7 +309,7 @@ void drawSmallStage(Pen& pen, const Rect& area, const OutsideView& view) {
     pen.paint.place(scaledTo(all, width * unit, height * unit), x, y);
     return pen.paint.frame({x - 1, y - 1, width + 2, height + 2}, pen(Cell::WellText));
   }
-  const StageImage image = imageOf(view, area, pen);
+  const StageImage& image = imageOf(view, area, pen, false);
   pen.paint.place(image.image(), area.x, area.y);
   StagePen lines{pen, area, image};
   lines.volume(image.volume(), false);

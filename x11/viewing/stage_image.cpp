@@ -86,42 +86,50 @@ std::optional<StageVolume> volumeBefore(const ViewingStory& story, const ViewSpe
   return volume;
 }
 
-StageImage::StageImage(const Picture& picture, const LitParts& lit, const ViewingStory& story,
-                       ViewStage stage, const OutsideTurn& turn, glm::ivec2 size, std::uint8_t ground)
-    : image_{size.x, size.y, ground},
-      depth_(image_.pixels.size(), kFarthest),
-      face_(image_.pixels.size(), -1),
-      volume_{volumeAt(story, picture.camera().view, stage)} {
-  std::vector<glm::dvec3> around;
-  for (const auto* corners : {&volume_.front, &volume_.window, &volume_.back})
-    around.insert(around.end(), corners->begin(), corners->end());
-  if (volume_.eye) around.push_back(*volume_.eye);
-  if (const auto before = volumeBefore(story, picture.camera().view, stage);
-      before && stage == ViewStage::Warped) {
-    around.insert(around.end(), before->front.begin(), before->front.end());
-    around.insert(around.end(), before->back.begin(), before->back.end());
-    around.emplace_back(0.0);
+StagePoints::StagePoints(const Mesh& mesh, const ViewStages& stages) : mesh_{mesh} {
+  constexpr double kLeastW = 1e-3;  // nearer to the eye's own plane a place is thrown far away
+  for (std::vector<glm::dvec3>& at : at_) at.reserve(mesh.points.size());
+  near_.reserve(mesh.points.size());
+  for (const glm::dvec3& p : mesh.points) {
+    const glm::dvec4 vrc = stages.at(ViewStage::Vrc, p), sheared = stages.matrix(ViewStage::Sheared) * vrc;
+    const glm::dvec4 warped = stages.matrix(ViewStage::Warped) * sheared;
+    const bool near = warped.w > kLeastW;
+    at_[0].push_back(dividedByW(vrc));
+    at_[1].push_back(dividedByW(sheared));
+    at_[2].push_back(near ? dividedByW(warped) : glm::dvec3{0.0});
+    near_.push_back(near ? 1 : 0);
   }
+}
 
-  const Mesh& mesh = picture.scene().mesh;
-  std::vector<glm::dvec3> at;
-  std::vector<std::uint8_t> usable;
-  if (stage <= ViewStage::Warped) {
-    // Near the eye's own plane the warp throws points far away: they are left out.
-    constexpr double kLeastW = 1e-3;
-    at.reserve(mesh.points.size());
-    for (const glm::dvec3& p : mesh.points) {
-      const glm::dvec4 h = story.stages.at(stage, p);
-      usable.push_back(h.w > kLeastW * std::abs(h.w) && h.w > 0.0 &&
-                       story.stages.at(ViewStage::Warped, p).w > kLeastW);
-      at.push_back(usable.back() || stage < ViewStage::Warped ? dividedByW(h) : glm::dvec3{0.0});
-      if (stage < ViewStage::Warped) usable.back() = 1;
-      if (stage < ViewStage::Warped) around.push_back(at.back());
+StageImage::StageImage(const Picture& picture, const LitParts& lit, const ViewingStory& story,
+                       const StagePoints& points, ViewStage stage, const OutsideTurn& turn, glm::ivec2 size,
+                       std::uint8_t ground, const OutsideCamera* held, StageMemory memory)
+    : image_{std::move(memory.image)},
+      depth_{std::move(memory.depth)},
+      face_{std::move(memory.face)},
+      volume_{volumeAt(story, picture.camera().view, stage)} {
+  image_.width = size.x, image_.height = size.y;
+  image_.pixels.assign(static_cast<std::size_t>(size.x) * static_cast<std::size_t>(size.y), ground);
+  depth_.assign(image_.pixels.size(), kFarthest);
+  face_.resize(image_.pixels.size());  // faceAt() asks the depth first
+  if (held) {
+    camera_ = *held;
+  } else {
+    std::vector<glm::dvec3> around;
+    if (stage < ViewStage::Warped) around = points.at(stage);
+    for (const auto* corners : {&volume_.front, &volume_.window, &volume_.back})
+      around.insert(around.end(), corners->begin(), corners->end());
+    if (volume_.eye) around.push_back(*volume_.eye);
+    if (const auto before = volumeBefore(story, picture.camera().view, stage);
+        before && stage == ViewStage::Warped) {
+      around.insert(around.end(), before->front.begin(), before->front.end());
+      around.insert(around.end(), before->back.begin(), before->back.end());
+      around.emplace_back(0.0);
     }
+    place(around, turn, axesOf(picture, stage));
   }
-  place(around, turn, axesOf(picture, stage));
   if (stage <= ViewStage::Warped)
-    addMesh(picture, lit, at, usable);
+    addMesh(picture, lit, points, stage);
   else
     addSnapped(picture, lit, stage);
 }
@@ -147,16 +155,17 @@ void StageImage::place(const std::vector<glm::dvec3>& points, const OutsideTurn&
   camera_.shift = {size.x / 2.0 - camera_.scale * middle.x, size.y / 2.0 + camera_.scale * middle.y};
 }
 
-void StageImage::addMesh(const Picture& picture, const LitParts& lit, const std::vector<glm::dvec3>& at,
-                         const std::vector<std::uint8_t>& usable) {
+void StageImage::addMesh(const Picture& picture, const LitParts& lit, const StagePoints& points,
+                         ViewStage stage) {
   const ConvexParts& parts = picture.scene().parts;
   std::vector<glm::dvec3> seen;
-  seen.reserve(at.size());
-  for (const glm::dvec3& p : at) seen.push_back(camera_(p));
+  seen.reserve(points.at(stage).size());
+  for (const glm::dvec3& p : points.at(stage)) seen.push_back(camera_(p));
   std::vector<Corner> corners;
   for (int k = 0; k < parts.count(); ++k) {
     const std::span<const int> part = parts.part(k);
-    if (!std::ranges::all_of(part, [&](int p) { return usable[static_cast<std::size_t>(p)] != 0; })) continue;
+    if (stage == ViewStage::Warped && !std::ranges::all_of(part, [&](int p) { return points.staysNear(p); }))
+      continue;
     double area = 0.0;  // positive if it runs counter-clockwise, with y up
     for (std::size_t c = 1; c + 1 < part.size(); ++c) {
       const glm::dvec3 u = seen[part[c]] - seen[part[0]], v = seen[part[c + 1]] - seen[part[0]];
@@ -215,6 +224,16 @@ void StageImage::polygon(const std::vector<Corner>& corners, const CellOnRamp* r
 
 void StageImage::triangle(const Corner& a, const Corner& b, const Corner& c, const CellOnRamp* ramp,
                           std::uint8_t cell, int face) {
+  if (!std::isfinite(a.at.x + a.at.y + b.at.x + b.at.y + c.at.x + c.at.y)) return;
+  const auto clamped = [](double place, int most) {
+    return static_cast<int>(std::clamp(std::ceil(place - 0.5), 0.0, double(most)));
+  };
+  const int first = clamped(std::min({a.at.y, b.at.y, c.at.y}), image_.height);
+  const int end = clamped(std::max({a.at.y, b.at.y, c.at.y}), image_.height);
+  // Most triangles of a small drawing lie between the samples.
+  if (first >= end || clamped(std::min({a.at.x, b.at.x, c.at.x}), image_.width) >=
+                          clamped(std::max({a.at.x, b.at.x, c.at.x}), image_.width))
+    return;
   const glm::dvec3 u = b.at - a.at, v = c.at - a.at;
   const double area = u.x * v.y - u.y * v.x;
   if (!(std::abs(area) > 1e-9) || !std::isfinite(area)) return;
@@ -223,11 +242,6 @@ void StageImage::triangle(const Corner& a, const Corner& b, const Corner& c, con
     return glm::dvec2{(alongU * v.y - alongV * u.y) / area, (alongV * u.x - alongU * v.x) / area};
   };
   const glm::dvec2 ofZ = slopes(u.z, v.z), ofI = slopes(b.I - a.I, c.I - a.I);
-  const double top = std::min({a.at.y, b.at.y, c.at.y}), bottom = std::max({a.at.y, b.at.y, c.at.y});
-  const auto clampedRow = [](double y, int most) {
-    return static_cast<int>(std::clamp(std::ceil(y - 0.5), 0.0, double(most)));
-  };
-  const int first = clampedRow(top, image_.height), end = clampedRow(bottom, image_.height);
   const std::array<std::array<const glm::dvec3*, 2>, 3> edges{
       {{&a.at, &b.at}, {&b.at, &c.at}, {&c.at, &a.at}}};
   for (int j = first; j < end; ++j) {
@@ -238,7 +252,7 @@ void StageImage::triangle(const Corner& a, const Corner& b, const Corner& c, con
       const double x = p->x + (q->x - p->x) * ((y - p->y) / (q->y - p->y));
       from = std::min(from, x), to = std::max(to, x);
     }
-    const int start = clampedRow(from, image_.width), stop = clampedRow(to, image_.width);
+    const int start = clamped(from, image_.width), stop = clamped(to, image_.width);
     const std::size_t row = static_cast<std::size_t>(j) * image_.width;
     double z = a.at.z + ofZ.x * (start + 0.5 - a.at.x) + ofZ.y * (y - a.at.y);
     double I = a.I + ofI.x * (start + 0.5 - a.at.x) + ofI.y * (y - a.at.y);
@@ -253,7 +267,8 @@ void StageImage::triangle(const Corner& a, const Corner& b, const Corner& c, con
 
 int StageImage::faceAt(int x, int y) const {
   if (x < 0 || y < 0 || x >= image_.width || y >= image_.height) return -1;
-  return face_[static_cast<std::size_t>(y) * image_.width + x];
+  const std::size_t at = static_cast<std::size_t>(y) * image_.width + x;
+  return depth_[at] == kFarthest ? -1 : face_[at];
 }
 
 bool StageImage::shows(const glm::dvec3& place) const {

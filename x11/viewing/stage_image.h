@@ -6,6 +6,7 @@
 #include <glm/vec2.hpp>
 #include <glm/vec3.hpp>
 #include <optional>
+#include <utility>
 #include <vector>
 
 #include "shading/color/index_image.h"
@@ -31,6 +32,7 @@ struct OutsideCamera {
   glm::dmat3 turn{1.0};
   double scale = 1;
   glm::dvec2 shift{0};
+  bool operator==(const OutsideCamera&) const = default;
   [[nodiscard]] glm::dvec3 operator()(const glm::dvec3& p) const {
     const glm::dvec3 q = turn * p;
     return {shift.x + scale * q.x, shift.y - scale * q.y, scale * q.z};
@@ -50,12 +52,40 @@ struct StageVolume {
 [[nodiscard]] std::optional<StageVolume> volumeBefore(const ViewingStory& story, const ViewSpec& view,
                                                       ViewStage stage);
 
+/// The vertices of a scene at the stages up to the warp. All drawings of a view share them.
+class StagePoints {
+ public:
+  /// The mesh must outlive it.
+  StagePoints(const Mesh& mesh, const ViewStages& stages);
+  [[nodiscard]] const std::vector<glm::dvec3>& at(ViewStage stage) const {
+    return stage == ViewStage::World ? mesh_.points : at_[static_cast<std::size_t>(stage) - 1];
+  }
+  /// False for a vertex that the warp throws too far away, because it is near the eye's own plane or behind.
+  [[nodiscard]] bool staysNear(int vertex) const { return near_[static_cast<std::size_t>(vertex)] != 0; }
+
+ private:
+  const Mesh& mesh_;
+  std::array<std::vector<glm::dvec3>, static_cast<std::size_t>(ViewStage::Warped)> at_;
+  std::vector<std::uint8_t> near_;
+};
+
+/// The memory of an image, which the next one may use again.
+struct StageMemory {
+  IndexImage image;
+  std::vector<float> depth;
+  std::vector<int> face;
+};
+
 /// A picture of the faces with hidden ones left out, by a z-buffer.
 class StageImage {
  public:
   /// Draws the scene. Up to the warp it has all faces; then those that are left after clipping and culling.
-  StageImage(const Picture& picture, const LitParts& lit, const ViewingStory& story, ViewStage stage,
-             const OutsideTurn& turn, glm::ivec2 size, std::uint8_t ground);
+  /// It keeps the camera `held`, or fits the scene and the volume into the image.
+  StageImage(const Picture& picture, const LitParts& lit, const ViewingStory& story,
+             const StagePoints& points, ViewStage stage, const OutsideTurn& turn, glm::ivec2 size,
+             std::uint8_t ground, const OutsideCamera* held = nullptr, StageMemory memory = {});
+  /// Gives its memory away; after that it has no pixels.
+  [[nodiscard]] StageMemory release() { return {std::move(image_), std::move(depth_), std::move(face_)}; }
 
   [[nodiscard]] const IndexImage& image() const { return image_; }
   [[nodiscard]] const OutsideCamera& camera() const { return camera_; }
@@ -71,8 +101,7 @@ class StageImage {
     double I;
   };
   void place(const std::vector<glm::dvec3>& points, const OutsideTurn& turn, const glm::dmat3& axes);
-  void addMesh(const Picture& picture, const LitParts& lit, const std::vector<glm::dvec3>& at,
-               const std::vector<std::uint8_t>& usable);
+  void addMesh(const Picture& picture, const LitParts& lit, const StagePoints& points, ViewStage stage);
   void addSnapped(const Picture& picture, const LitParts& lit, ViewStage stage);
   void polygon(const std::vector<Corner>& corners, const CellOnRamp* ramp, std::uint8_t cell, int face);
   void triangle(const Corner& a, const Corner& b, const Corner& c, const CellOnRamp* ramp, std::uint8_t cell,

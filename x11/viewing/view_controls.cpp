@@ -35,8 +35,8 @@ class ViewEditor {
   ViewEditor(const Subject& subject, ChangeSetup change, Prompt& prompt)
       : subject_{subject}, change_{std::move(change)}, prompt_{prompt} {}
 
-  /// Changes the camera, said in the textbook's terms or, if not `whole`, as it was said. What cannot be a
-  /// view is refused.
+  /// Changes the camera, said in the textbook's terms or, if not `whole`, as it was said: for a plane alone.
+  /// What cannot be a view is refused.
   void edit(char key, const std::function<void(CameraSettings&)>& change, bool whole = true) const {
     // A change of its own for undo: in view 1 these letters are other settings.
     change_(static_cast<char>(key | 0x80), [&](Setup& s) {
@@ -47,6 +47,7 @@ class ViewEditor {
           if (key != 'o' && key != 'p') next.oblique = s.picture.camera.oblique;
         }
         change(next);
+        if (!whole) keepOtherPlane(next, s);
         (void)viewMatrices(placeCamera(subject_.scene, next, subject_.aspect).view);
         s.picture.camera = next;
       } catch (const ViewError& e) {
@@ -66,6 +67,17 @@ class ViewEditor {
   }
 
  private:
+  /// A plane that nobody has said yet stands around the scene, and makes way for the other one. From then on
+  /// it is said.
+  void keepOtherPlane(CameraSettings& next, const Setup& before) const {
+    const Camera was = cameraOf(before, subject_);
+    const ViewSpec now = placeCamera(subject_.scene, next, subject_.aspect).view;
+    if (now.back != was.view.back && next.back == before.picture.camera.back)
+      next.back = textbooksOf(was, subject_.scene).back;
+    if (now.front != was.view.front && next.front == before.picture.camera.front)
+      next.front = textbooksOf(was, subject_.scene).front;
+  }
+
   Subject subject_;
   ChangeSetup change_;
   Prompt& prompt_;
@@ -170,7 +182,7 @@ class ViewControls {
                     .range = {.low = 0, .high = 360, .step = 5, .decimals = 0},
                     .initially = 45.0,
                     .off = !parallel() ? "An oblique view is a parallel one: press P first."
-                           : upright   ? "This view is not oblique: press C first."
+                           : upright   ? "This view is not oblique: press O first."
                                        : std::string{},
                     .set = [editor = editor_, length = named(lean.length)](double angle) {
                       editor->lean('a', length, angle);

@@ -8,7 +8,7 @@
 
 namespace xnewell {
 
-/// The textbook's viewing specification as controls: P the projection, C and a an oblique one, v VRP, n VPN,
+/// The textbook's viewing specification as controls: P the projection, O and a an oblique one, v VRP, n VPN,
 /// y VUP, p PRP, o the window, f and b the front and the back plane.
 ///
 /// A change of one number keeps all others. So the first one says the whole view in the textbook's terms;

@@ -17,6 +17,10 @@ using Kind = Control::Kind;
 
 constexpr double kLeastZoom = 0.2, kMostZoom = 30.0;
 const char* const kOutside = "with the arrows: turn the view from outside, zoom it";
+constexpr int kHandleParts = 10;  // the parts of key 0 from here on are the handles
+constexpr int kHandleReach = 6;   // units from a handle's middle that still hit it
+
+ControlId controlOf(ViewHandle handle) { return {0, kHandleParts + static_cast<int>(handle)}; }
 
 }  // namespace
 
@@ -85,6 +89,7 @@ Controls ViewingBench::controls() {
   for (const ShownMatrixRow& row : kShownMatrices) matrix.options.emplace_back(row.name);
   all.push_back(std::move(matrix));
   addParts(all);
+  addHandles(all);
   return all;
 }
 
@@ -113,6 +118,36 @@ void ViewingBench::addParts(Controls& all) {
   all.push_back({.kind = Kind::Own, .part = 2, .drag = chooses(rows_)});
 }
 
+void ViewingBench::addHandles(Controls& all) {
+  for (const ViewHandleRow& row : kViewHandles)
+    all.push_back({.kind = Kind::Own,
+                   .part = controlOf(row.id).part,
+                   .label = "handle",
+                   .is = std::string{row.is},
+                   .drag = [this, id = row.id](int x, int y, int, int) {
+                     dragHandle(id, {x, y});
+                   }});
+}
+
+void ViewingBench::dragHandle(ViewHandle handle, const glm::ivec2& pointer) {
+  const Controls all = controls();
+  if (!drag_ || drag_->id() != handle) {
+    const auto at = std::ranges::find(handles_, handle, &HandleAt::id);
+    if (at == handles_.end() || !image_) return;
+    drag_.emplace(*at, image_->camera(), all, pointer, unit_);
+    list_.setFocus(rowOf(handle).number);
+  }
+  drag_->to(pointer, all, host_);
+}
+
+std::string ViewingBench::nameOf(ViewHandle handle, const Controls& all) {
+  const ViewHandleRow& row = rowOf(handle);
+  const auto first = std::ranges::find(all, row.number, &Control::id);
+  std::string name = row.numbers == 1 ? first->label : first->name();
+  for (int k = 0; k < row.numbers; ++k) name += ' ' + textOf(first[k].range, first[k].value);
+  return name;
+}
+
 KeyTable ViewingBench::ownKeys() {
   KeyTable table;
   if (const Controls all = controls(); !list_.focused(all)) {
@@ -121,7 +156,12 @@ KeyTable ViewingBench::ownKeys() {
         {{NamedKey::Left}, "stage", does, [this](const Key&) { choose(static_cast<int>(stage_) - 1); }},
         {{NamedKey::Right}, "stage", does, [this](const Key&) { choose(static_cast<int>(stage_) + 1); }}};
   }
-  table.push_back({.does = "turn the view from outside; choose a vertex", .gesture = "drag, click"});
+  table.push_back({.legend = "square: its number; else turn",
+                   .does =
+                       "a square of the view from outside: change its number, in stages 1 to 3; elsewhere: "
+                       "turn that view",
+                   .gesture = "drag"});
+  table.push_back({.does = "choose a vertex", .gesture = "click"});
   table.push_back({{'g'}, "vertex", "go to a vertex: FACE.CORNER, or its number", [this](const Key&) {
                      host_.ask({.asks = "vertex FACE.CORNER, or its number",
                                 .text = vertex(),
@@ -146,7 +186,7 @@ KeyTable ViewingBench::ownKeys() {
 bool ViewingBench::grab(int x, int y) {
   const bool drags = Bench::grab(x, y);
   clicked_.reset();
-  if (drags && outside_.has(x, y)) clicked_ = {x, y};
+  if (drags && !drag_ && outside_.has(x, y)) clicked_ = {x, y};
   return drags;
 }
 
@@ -159,7 +199,13 @@ void ViewingBench::dragTo(int x, int y) {
 
 void ViewingBench::drop() {
   Bench::drop();
+  if (drag_) drag_.reset(), late_ = true;  // the drawing fits the volume again
   if (const auto at = std::exchange(clicked_, std::nullopt)) pick(at->x, at->y);
+}
+
+void ViewingBench::leave() {
+  Bench::leave();
+  drag_.reset();
 }
 
 void ViewingBench::pick(int x, int y) {
@@ -186,6 +232,13 @@ void ViewingBench::placeControls(const Controls& all, const ViewingLayout& at, i
   for (const char key : {'P', 'O', 'a', 'v', 'n', 'y', 'p', 'o', 'f', 'b'})
     y = list_.placeRow(all, key, at.column.x, y, style);
   (void)list_.placeRow(all, 'M', at.column.x, baseline, style);
+  for (const HandleAt& handle : handles_) {
+    const int left = outside_.x + static_cast<int>(std::lround(handle.at.x / unit_));
+    const int top = outside_.y + static_cast<int>(std::lround(handle.at.y / unit_));
+    const Rect area = intersection(
+        {left - kHandleReach, top - kHandleReach, 2 * kHandleReach + 1, 2 * kHandleReach + 1}, outside_);
+    list_.place(controlOf(handle.id), {.area = area, .grip = area, .bare = true, .passive = true});
+  }
   list_.place({'t'}, {.area = outside_, .grip = outside_, .bare = true, .passive = true});
   for (const Rect& area : small_)
     list_.place({0, 1}, {.area = area, .grip = area, .bare = true, .passive = true});
@@ -212,12 +265,30 @@ void ViewingBench::draw(Painter paint, const Desk& desk) {
   story_.emplace(picture, *vertex_);
   if (!lit_ || lit_->picture.settings() != picture.settings() || &lit_->picture.scene() != &picture.scene() ||
       lit_->palette != desk.palette)
-    lit_.emplace(Lit{picture, desk.palette, LitParts{picture, desk.palette}});
+    lit_.emplace(
+        Lit{picture, desk.palette, LitParts{picture, desk.palette}, StagePoints{mesh, story_->stages}}),
+        ++made_;
 
   outside_ = at.outside, small_ = at.small;
   Pen pen{paint, desk.plan};
-  OutsideView view{.picture = picture, .lit = lit_->parts, .story = *story_, .stage = stage_, .turn = turn_};
+  OutsideView view{.picture = picture,
+                   .lit = lit_->parts,
+                   .story = *story_,
+                   .points = lit_->points,
+                   .images = images_,
+                   .made = made_,
+                   .stage = stage_,
+                   .turn = turn_,
+                   .handles = true};
+  const Controls all = controls();
+  for (const ViewHandleRow& row : kViewHandles)
+    if (const Look look = list_.look(controlOf(row.id)); drag_ ? drag_->id() == row.id : look.hovered)
+      view.handle = row.id, view.handleName = nameOf(row.id, all);
+  if (drag_) view.held = &drag_->camera();
   image_ = drawStage(pen, outside_, view);
+  handles_.clear();
+  if (image_)
+    handles_ = handlesAt(*story_, picture.camera().view, stage_, *image_, lengthUnit(picture.scene()), unit_);
   pen.paint.text(outside_.x + 8, outside_.y + 17,
                  beginningOf(stageTitle(*story_, stage_), outside_.width - 16), pen(Cell::WellText));
   for (const ViewStageRow& row : kViewStages) {
@@ -240,7 +311,6 @@ void ViewingBench::draw(Painter paint, const Desk& desk) {
   const ViewingPage page{.view = view, .matrix = matrix_};
   rows_ = drawStageTable(pen, at, page);
   pen.caps(at.column.x, at.column.y + 10, "view");
-  const Controls all = controls();
   const int matrix = matrixRow(at, at.column.y + (at.narrow ? 24 : 33) + 10 * at.rowPitch);
   placeControls(all, at, matrix);
   drawMatrixAndLight(pen, at, page, matrix);

@@ -28,6 +28,7 @@ class ViewingBench : public Bench {
   void dragTo(int x, int y) override;
   void drop() override;
   [[nodiscard]] bool zoom(double factor) override;
+  void leave() override;
 
   /// The page has numbers of the picture of view 1.
   [[nodiscard]] Rect picture(const Layout& at) const override { return at.picture; }
@@ -46,6 +47,11 @@ class ViewingBench : public Bench {
   /// Chooses the vertex under the pointer.
   void pick(int x, int y);
   void addParts(Controls& all);
+  void addHandles(Controls& all);
+  /// The pointer is at a place of the drag of this handle, or begins it.
+  void dragHandle(ViewHandle handle, const glm::ivec2& pointer);
+  /// "PRP n 12.00": the numbers of a handle.
+  [[nodiscard]] static std::string nameOf(ViewHandle handle, const Controls& all);
   void placeControls(const Controls& all, const ViewingLayout& at, int baseline);
 
   std::function<Subject()> subject_;
@@ -67,14 +73,19 @@ class ViewingBench : public Bench {
     Picture picture;  ///< keeps what `parts` refers to
     Palette palette;
     LitParts parts;
+    StagePoints points;
   };
   std::optional<Lit> lit_;
+  int made_ = 0;  ///< how often lit_ was made
+  StageImages images_;
   // The state of the last drawing.
   Rect outside_{};
   std::array<Rect, kViewStages.size()> small_{}, rows_{};
-  std::optional<StageImage> image_;
+  const StageImage* image_ = nullptr;  ///< one of images_
   std::optional<ViewingStory> story_;
   const Scene* scene_ = nullptr;  ///< whose vertex it is
+  std::vector<HandleAt> handles_;
+  std::optional<HandleDrag> drag_;
   std::optional<glm::ivec2> clicked_;
   int unit_ = 1;
   std::optional<int> cell_;

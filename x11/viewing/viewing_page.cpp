@@ -17,7 +17,7 @@ struct Columns {
   int NdotL, I;
 };
 constexpr Columns kWide{{138, 206, 274, 320}, {393, 459, 525}, 571, 615};
-constexpr Columns kNarrow{{105, 153, 207, 245}, {284, 322, 360}, 397, 431};
+constexpr Columns kNarrow{{105, 153, 207, 245}, {282, 318, 354}, 393, 431};
 
 std::string nameWithNumber(ViewStage stage) {
   return std::to_string(static_cast<int>(stage) + 1) + ' ' + std::string{rowOf(stage).name};

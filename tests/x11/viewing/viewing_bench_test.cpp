@@ -1,5 +1,3 @@
-#include "x11/viewing/viewing_bench.h"
-
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -10,54 +8,11 @@
 #include "shading/scene/units.h"
 #include "tests/support/model_view.h"
 #include "tests/support/seeds.h"
-#include "tests/x11/support/ready_workbench.h"
+#include "tests/x11/viewing/viewing_window.h"
 #include "x11/drawing/wording.h"
 #include "x11/viewing/view_controls.h"
 
 namespace xnewell::THIS_FILE {
-
-namespace {
-
-/// A window at view 9.
-struct ViewingWindow : ReadyWorkbench {
-  explicit ViewingWindow(const char* scene = "teapot", int width = 1024, int height = 768)
-      : ReadyWorkbench{{}, width, height, scene} {
-    does('9');
-  }
-  [[nodiscard]] ViewingBench& viewing() { return dynamic_cast<ViewingBench&>(bench()); }
-  [[nodiscard]] ViewingLayout places() const { return layoutOfViewing(layout()); }
-  [[nodiscard]] std::string words() const {
-    std::string all;
-    for (const std::string& line : bench().inWords()) all += line + '\n';
-    return all;
-  }
-  [[nodiscard]] Camera camera() const { return placeCamera(scene(), setup().picture.camera, aspect()); }
-  [[nodiscard]] double aspect() const {
-    const Rect at = bench().picture(layout());
-    return static_cast<double>(at.width) / at.height;
-  }
-  /// Types the value of the control that is selected.
-  void typeValue(const std::string& text) {
-    press('=');
-    for (const char c : text) press(c);
-    does(NamedKey::Return);
-  }
-  [[nodiscard]] IndexImage part(const Rect& area) const {
-    IndexImage copy{area.width, area.height, 0};
-    for (int j = 0; j < area.height; ++j)
-      std::copy_n(image().row(area.y + j) + area.x, area.width, copy.row(j));
-    return copy;
-  }
-};
-
-/// The numbers of a view, in one list.
-std::vector<double> numbersOf(const ViewSpec& v) {
-  return {v.vrp.x,       v.vrp.y,       v.vrp.z,       v.vpn.x,       v.vpn.y, v.vpn.z,
-          v.vup.x,       v.vup.y,       v.vup.z,       v.prp.x,       v.prp.y, v.prp.z,
-          v.windowMin.x, v.windowMax.x, v.windowMin.y, v.windowMax.y, v.front, v.back};
-}
-
-}  // namespace
 
 // The arrows go from stage to stage, also after s; a click on a small picture or on a row of the table goes
 // there. At the ends the stage stays.
@@ -146,8 +101,8 @@ TEST(ViewingBench, AChangeIsSeenEverywhere) {
 
 // What can be no view is refused with a sentence, and the view stays.
 TEST(ViewingBench, RefusesWhatIsNoView) {
-  for (const auto& [letters, value] :
-       {std::pair{"b", "6.80"}, std::pair{"ppp", "-1"}, std::pair{"o", "50"}, std::pair{"oo", "-50"}}) {
+  for (const auto& [letters, value] : {std::pair{"b", "6.80"}, std::pair{"ppp", "-1"}, std::pair{"o", "50"},
+                                       std::pair{"oo", "-50"}, std::pair{"f", "-4"}}) {
     ViewingWindow b;
     if (*letters == 'b') {
       b.press('f');
@@ -161,7 +116,7 @@ TEST(ViewingBench, RefusesWhatIsNoView) {
   }
 }
 
-// P keeps all numbers and only projects in parallel; C and a then move PRP so that a line along n is drawn as
+// P keeps all numbers and only projects in parallel; O and a then move PRP so that a line along n is drawn as
 // long as it is, or half as long, at the angle. In perspective they say why they do nothing.
 TEST(ViewingBench, ObliqueProjections) {
   ViewingWindow b;
@@ -225,6 +180,7 @@ TEST(ViewingBench, AClickChoosesAVertexAndADragTurns) {
     const StageImage drawn{b.picture(),
                            lit,
                            story,
+                           StagePoints{b.scene().mesh, story.stages},
                            static_cast<ViewStage>(stage - 1),
                            turnAt(static_cast<ViewStage>(stage - 1), {}),
                            {at.width, at.height},
@@ -323,8 +279,9 @@ TEST(StageImage, LeavesOutWhatIsHidden) {
   const ConvexParts& parts = picture.scene().parts;
   const LitParts lit{picture, picture.palette(CellPlan{TableKind::Linear})};
   const ViewingStory story{picture, {0, 0}};
+  const StagePoints points{mesh, story.stages};
   for (const ViewStage stage : {ViewStage::World, ViewStage::Vrc, ViewStage::Sheared, ViewStage::Warped}) {
-    const StageImage image{picture, lit, story, stage, {}, {200, 120}, 8};
+    const StageImage image{picture, lit, story, points, stage, {}, {200, 120}, 8};
     int covered = 0;
     for (int j = 2; j < 120; j += 9)
       for (int i = 2; i < 200; i += 7) {
