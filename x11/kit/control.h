@@ -103,6 +103,7 @@ struct ControlPlace {
   RowStyle style = {};
   bool bare = false;     ///< the view draws the control itself
   bool passive = false;  ///< a press drags the control, but does not select it
+  bool above = false;    ///< it lies on another control, and the pointer finds it first
 };
 /// The place of a control in a row with this baseline. `parts` numbers share the row. The height of `area`
 /// is what the row needs: the options of a choice may need more lines.

@@ -110,8 +110,10 @@ std::optional<ControlList::Hit> ControlList::at(int x, int y) const {
   for (const auto& [id, place] : places_)
     for (std::size_t k = 0; k < place.options.size(); ++k)
       if (place.options[k].has(x, y)) return Hit{id, static_cast<int>(k)};
-  for (const auto& [id, place] : places_)
-    if (place.area.has(x, y) || place.grip.has(x, y)) return Hit{id, -1, place.grip.has(x, y)};
+  for (const bool above : {true, false})
+    for (const auto& [id, place] : places_)
+      if (place.above == above && (place.area.has(x, y) || place.grip.has(x, y)))
+        return Hit{id, -1, place.grip.has(x, y)};
   return std::nullopt;
 }
 

@@ -237,7 +237,8 @@ void ViewingBench::placeControls(const Controls& all, const ViewingLayout& at, i
     const int top = outside_.y + static_cast<int>(std::lround(handle.at.y / unit_));
     const Rect area = intersection(
         {left - kHandleReach, top - kHandleReach, 2 * kHandleReach + 1, 2 * kHandleReach + 1}, outside_);
-    list_.place(controlOf(handle.id), {.area = area, .grip = area, .bare = true, .passive = true});
+    list_.place(controlOf(handle.id),
+                {.area = area, .grip = area, .bare = true, .passive = true, .above = true});
   }
   list_.place({'t'}, {.area = outside_, .grip = outside_, .bare = true, .passive = true});
   for (const Rect& area : small_)
