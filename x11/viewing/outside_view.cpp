@@ -247,8 +247,10 @@ const StageImage& imageOf(const OutsideView& view, const Rect& area, Pen& pen, b
                                  .ground = pen(Cell::Well),
                                  .held = held ? std::optional{*held} : std::nullopt};
   return view.images.get(view.stage, large, shows, [&](StageMemory memory) {
-    return StageImage{view.picture, view.lit,   view.story,   view.points, view.stage,
-                      shows.turn,   shows.size, shows.ground, held,        std::move(memory)};
+    return StageImage{view.picture, view.lit,         view.story,
+                      view.points,  view.stage,       shows.turn,
+                      shows.size,   shows.ground,     large ? kWordBand * unit : 0,
+                      held,         std::move(memory)};
   });
 }
 

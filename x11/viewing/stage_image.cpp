@@ -103,7 +103,7 @@ StagePoints::StagePoints(const Mesh& mesh, const ViewStages& stages) : mesh_{mes
 
 StageImage::StageImage(const Picture& picture, const LitParts& lit, const ViewingStory& story,
                        const StagePoints& points, ViewStage stage, const OutsideTurn& turn, glm::ivec2 size,
-                       std::uint8_t ground, const OutsideCamera* held, StageMemory memory)
+                       std::uint8_t ground, int margin, const OutsideCamera* held, StageMemory memory)
     : image_{std::move(memory.image)},
       depth_{std::move(memory.depth)},
       face_{std::move(memory.face)},
@@ -126,7 +126,7 @@ StageImage::StageImage(const Picture& picture, const LitParts& lit, const Viewin
       around.insert(around.end(), before->back.begin(), before->back.end());
       around.emplace_back(0.0);
     }
-    place(around, turn, axesOf(picture, stage));
+    place(around, turn, axesOf(picture, stage), margin);
   }
   if (stage <= ViewStage::Warped)
     addMesh(picture, lit, points, stage);
@@ -135,8 +135,8 @@ StageImage::StageImage(const Picture& picture, const LitParts& lit, const Viewin
 }
 
 /// Turns the axes, then fits what stands around into the image.
-void StageImage::place(const std::vector<glm::dvec3>& points, const OutsideTurn& turn,
-                       const glm::dmat3& axes) {
+void StageImage::place(const std::vector<glm::dvec3>& points, const OutsideTurn& turn, const glm::dmat3& axes,
+                       int margin) {
   constexpr double kFilled = 0.82;
   const SinCos a = sinCosDegrees(turn.around), d = sinCosDegrees(turn.down);
   const glm::dvec3 right = a.cos * axes[0] - a.sin * axes[2], level = a.sin * axes[0] + a.cos * axes[2];
@@ -150,7 +150,8 @@ void StageImage::place(const std::vector<glm::dvec3>& points, const OutsideTurn&
   }
   const glm::dvec2 extent = glm::max(high - low, glm::dvec2{1e-300});
   const glm::dvec2 size{image_.width, image_.height};
-  camera_.scale = kFilled * turn.zoom * std::min(size.x / extent.x, size.y / extent.y);
+  const glm::dvec2 room{kFilled * size.x, std::max(1.0, std::min(kFilled * size.y, size.y - 2.0 * margin))};
+  camera_.scale = turn.zoom * std::min(room.x / extent.x, room.y / extent.y);
   const glm::dvec2 middle = (low + high) / 2.0;
   camera_.shift = {size.x / 2.0 - camera_.scale * middle.x, size.y / 2.0 + camera_.scale * middle.y};
 }
@@ -225,8 +226,13 @@ void StageImage::polygon(const std::vector<Corner>& corners, const CellOnRamp* r
 void StageImage::triangle(const Corner& a, const Corner& b, const Corner& c, const CellOnRamp* ramp,
                           std::uint8_t cell, int face) {
   if (!std::isfinite(a.at.x + a.at.y + b.at.x + b.at.y + c.at.x + c.at.y)) return;
+  // The first sample at a place or after it, within the image.
   const auto clamped = [](double place, int most) {
-    return static_cast<int>(std::clamp(std::ceil(place - 0.5), 0.0, double(most)));
+    const double p = place - 0.5;
+    if (!(p > 0.0)) return 0;
+    if (p >= most) return most;
+    const int k = static_cast<int>(p);
+    return k + (k < p ? 1 : 0);
   };
   const int first = clamped(std::min({a.at.y, b.at.y, c.at.y}), image_.height);
   const int end = clamped(std::max({a.at.y, b.at.y, c.at.y}), image_.height);
@@ -242,17 +248,25 @@ void StageImage::triangle(const Corner& a, const Corner& b, const Corner& c, con
     return glm::dvec2{(alongU * v.y - alongV * u.y) / area, (alongV * u.x - alongU * v.x) / area};
   };
   const glm::dvec2 ofZ = slopes(u.z, v.z), ofI = slopes(b.I - a.I, c.I - a.I);
-  const std::array<std::array<const glm::dvec3*, 2>, 3> edges{
-      {{&a.at, &b.at}, {&b.at, &c.at}, {&c.at, &a.at}}};
+  // Each edge from its upper end, so that the faces on both sides of it end at the same places.
+  struct Edge {
+    double top, bottom, x, slope;
+  };
+  const auto edge = [](const glm::dvec3& p, const glm::dvec3& q) {
+    const auto& [upper, lower] = std::minmax(p, q, [](const auto& s, const auto& t) { return s.y < t.y; });
+    return Edge{upper.y, lower.y, upper.x, (lower.x - upper.x) / (lower.y - upper.y)};
+  };
+  const std::array edges{edge(a.at, b.at), edge(b.at, c.at), edge(c.at, a.at)};
   for (int j = first; j < end; ++j) {
     const double y = j + 0.5;
     double from = std::numeric_limits<double>::infinity(), to = -from;
-    for (const auto& [p, q] : edges) {
-      if ((p->y <= y) == (q->y <= y)) continue;
-      const double x = p->x + (q->x - p->x) * ((y - p->y) / (q->y - p->y));
+    for (const Edge& e : edges) {
+      if (!(e.top <= y && y < e.bottom)) continue;
+      const double x = e.x + e.slope * (y - e.top);
       from = std::min(from, x), to = std::max(to, x);
     }
     const int start = clamped(from, image_.width), stop = clamped(to, image_.width);
+    if (start >= stop) continue;
     const std::size_t row = static_cast<std::size_t>(j) * image_.width;
     double z = a.at.z + ofZ.x * (start + 0.5 - a.at.x) + ofZ.y * (y - a.at.y);
     double I = a.I + ofI.x * (start + 0.5 - a.at.x) + ofI.y * (y - a.at.y);

@@ -80,10 +80,12 @@ struct StageMemory {
 class StageImage {
  public:
   /// Draws the scene. Up to the warp it has all faces; then those that are left after clipping and culling.
-  /// It keeps the camera `held`, or fits the scene and the volume into the image.
+  /// It keeps the camera `held`, or fits the scene and the volume into the image, with at least this margin
+  /// of pixels above and below.
   StageImage(const Picture& picture, const LitParts& lit, const ViewingStory& story,
              const StagePoints& points, ViewStage stage, const OutsideTurn& turn, glm::ivec2 size,
-             std::uint8_t ground, const OutsideCamera* held = nullptr, StageMemory memory = {});
+             std::uint8_t ground, int margin = 0, const OutsideCamera* held = nullptr,
+             StageMemory memory = {});
   /// Gives its memory away; after that it has no pixels.
   [[nodiscard]] StageMemory release() { return {std::move(image_), std::move(depth_), std::move(face_)}; }
 
@@ -100,7 +102,8 @@ class StageImage {
     glm::dvec3 at;
     double I;
   };
-  void place(const std::vector<glm::dvec3>& points, const OutsideTurn& turn, const glm::dmat3& axes);
+  void place(const std::vector<glm::dvec3>& points, const OutsideTurn& turn, const glm::dmat3& axes,
+             int margin);
   void addMesh(const Picture& picture, const LitParts& lit, const StagePoints& points, ViewStage stage);
   void addSnapped(const Picture& picture, const LitParts& lit, ViewStage stage);
   void polygon(const std::vector<Corner>& corners, const CellOnRamp* ramp, std::uint8_t cell, int face);

@@ -10,7 +10,6 @@ namespace xnewell {
 namespace {
 
 constexpr double kEndOn = 0.1;   // of an axis' length: what is seen shorter cannot be aimed at
-constexpr double kTitle = 22.0;  // units at the top of a drawing, where its title stands
 constexpr double kAside = 30.0;  // units from PRP to the handles that move it along u and v
 
 /// The view when one number of a handle has grown.
@@ -96,8 +95,9 @@ std::vector<HandleAt> handlesAt(const ViewingStory& story, const ViewSpec& view,
   std::vector<HandleAt> handles;
   const OutsideCamera& camera = image.camera();
   const auto onImage = [&](const glm::dvec3& p) { return glm::dvec2{camera(p)}; };
-  const auto inside = [&, size = glm::dvec2{image.image().width, image.image().height}](glm::dvec2 p) {
-    return p.x >= 0.0 && p.y >= kTitle * scale && p.x < size.x && p.y < size.y;
+  const auto inside = [size = glm::dvec2{image.image().width, image.image().height}](const glm::dvec2& p,
+                                                                                     double band) {
+    return p.x >= 0.0 && p.y >= band && p.x < size.x && p.y < size.y - band;
   };
   const StageVolume volume = volumeAt(story, view, stage);
   for (const ViewHandleRow& row : kViewHandles) {
@@ -120,10 +120,10 @@ std::vector<HandleAt> handlesAt(const ViewingStory& story, const ViewSpec& view,
       if (!(handle.pace > kEndOn * length)) continue;
       if (row.id == ViewHandle::PrpU || row.id == ViewHandle::PrpV) {
         const glm::dvec2 aside = handle.along[0] / handle.pace * (kAside * scale);
-        handle.at += inside(handle.at + aside) ? aside : -aside;
+        handle.at += inside(handle.at + aside, kWordBand * scale) ? aside : -aside;
       }
     }
-    if (inside(handle.at)) handles.push_back(handle);
+    if (inside(handle.at, 0.0)) handles.push_back(handle);
   }
   return handles;
 }

@@ -16,6 +16,9 @@ namespace xnewell {
 /// along its own axis; VRP moves in the plane of the drawing. From the warp on there are none, because there
 /// the volume is always the same box.
 
+/// The height of the band at the top of a large drawing where its title stands, and of that at its bottom.
+inline constexpr int kWordBand = 26;
+
 enum class ViewHandle { Vrp, PrpN, Front, Back, Umin, Umax, Vmin, Vmax, PrpU, PrpV };
 struct ViewHandleRow {
   ViewHandle id;

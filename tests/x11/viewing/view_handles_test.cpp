@@ -73,8 +73,9 @@ double stepBelow(double most) {
 }
 
 struct HandleWindow : ViewingWindow {
-  explicit HandleWindow(ViewStage stage, const char* scene = "teapot", bool parallel = false)
-      : ViewingWindow{scene} {
+  explicit HandleWindow(ViewStage stage, bool parallel = false, const char* scene = "teapot",
+                        int width = 1024, int height = 768)
+      : ViewingWindow{scene, width, height} {
     if (parallel) does('P');
     while (viewing().stage() <= static_cast<int>(stage)) does(NamedKey::Right);
   }
@@ -109,7 +110,8 @@ struct HandleWindow : ViewingWindow {
                       static_cast<ViewStage>(viewing().stage() - 1),
                       {},
                       {at.width, at.height},
-                      ground()}
+                      ground(),
+                      kWordBand}
         .camera();
   }
   /// The way of a handle in the drawing of the world, from one view to another.
@@ -130,7 +132,7 @@ TEST(ViewHandles, ADragChangesItsNumberAlone) {
   int dragged = 0;
   for (const bool parallel : {false, true})
     for (const ViewStage stage : {ViewStage::World, ViewStage::Vrc, ViewStage::Sheared}) {
-      HandleWindow b{stage, "teapot", parallel};
+      HandleWindow b{stage, parallel};
       const xnewell::Setup before = b.setup();
       for (const ViewHandleRow& row : kViewHandles) {
         SCOPED_TRACE(testing::Message() << row.is << ", stage " << static_cast<int>(stage) + 1
@@ -297,6 +299,26 @@ TEST(ViewHandles, AreNamedUnderThePointer) {
     b.letGo();
     EXPECT_EQ(b.setup(), before);
   }
+}
+
+// In windows of all sizes the eye's handle stands clear of the words at the top and at the bottom, also in an
+// oblique view, whose PRP lies far out.
+TEST(ViewHandles, StandClearOfTheWords) {
+  for (const auto& [width, height] : {std::pair{800, 540}, {1024, 768}, {1920, 1080}})
+    for (const bool oblique : {false, true}) {
+      SCOPED_TRACE(testing::Message() << width << (oblique ? ", oblique" : ""));
+      HandleWindow b{ViewStage::World, oblique, "hues", width, height};
+      if (oblique) {
+        b.does('O');
+        b.press('a');
+        b.typeValue("120");
+      }
+      const Rect area = b.places().outside;
+      const std::optional<glm::ivec2> eye = b.find(ViewHandle::PrpN);
+      ASSERT_TRUE(eye);
+      EXPECT_GE(eye->y, area.y + 24);
+      EXPECT_LE(eye->y, area.y + area.height - 24);
+    }
 }
 
 // The images of the stages are kept while nothing that they show changes; a window that has been everywhere

@@ -184,7 +184,8 @@ TEST(ViewingBench, AClickChoosesAVertexAndADragTurns) {
                            static_cast<ViewStage>(stage - 1),
                            turnAt(static_cast<ViewStage>(stage - 1), {}),
                            {at.width, at.height},
-                           b.ground()};
+                           b.ground(),
+                           kWordBand};
     int clicks = 0;
     for (int y = 5; y < at.height; y += 23)
       for (int x = 5; x < at.width; x += 31) {
