@@ -215,7 +215,12 @@ void drawAngle(Pen& pen, const Rect& box, const ViewingStory& story, ViewStage s
   int y = box.y + pitch;
   pen.boldRight(right, y, rowOf(stage).name);
   Painter paint = pen.paint.within(box);
-  const int cx = box.x + 58, cy = box.y + box.height - 9, reach = box.height - 26;
+  // An L below the surface needs room there.
+  const double below = here.NdotL ? std::clamp(-*here.NdotL, 0.0, 1.0) : 0.0;
+  constexpr int kLetter = 13;
+  const int cx = box.x + 58, foot = below > 0 ? kLetter : 0,
+            reach = std::min(44, static_cast<int>((box.height - 26 - foot) / (1 + below))),
+            cy = box.y + box.height - 9 - foot - static_cast<int>(reach * below);
   paint.hline(cx - 40, cy, 74, pen(Cell::Faint));
   const auto arrow = [&](double angle, std::string_view name, Cell as) {
     const double dx = -std::sin(angle), dy = -std::cos(angle);
@@ -225,7 +230,8 @@ void drawAngle(Pen& pen, const Rect& box, const ViewingStory& story, ViewStage s
     for (const double side : {-1.0, 1.0})
       paint.line(tx, ty, at(tx - 6 * dx + side * 3 * dy), at(ty - 6 * dy - side * 3 * dx), pen(as));
     paint.text(std::clamp(at(tx + 8 * dx) - 3, box.x + 3, right - 60),
-               std::max(box.y + 12, at(ty + 7 * dy) + 4), name, pen(as), Voice::Bold);
+               std::clamp(at(ty + 7 * dy) + 4, box.y + 12, box.y + box.height - 4), name, pen(as),
+               Voice::Bold);
   };
   arrow(0.0, "N", Cell::Ink);
   if (here.NdotL) {

@@ -54,7 +54,7 @@ int countOf(unsigned mask) { return std::popcount(mask & 63u); }
 std::string cellsApart(const ViewingStory& story, ViewStage stage) {
   const std::optional<int> here = story.of(stage).cell, world = story.world().cell;
   if (!here || !world) return "";
-  if (*here == *world) return ", which is the same cell";
+  if (*here == *world) return ", here the same cell";
   return ": " + counted(std::abs(*here - *world), "cell") + (*here > *world ? " too bright" : " too dark");
 }
 
@@ -170,7 +170,7 @@ ViewingFinding findingOf(const ViewingStory& story, ViewStage stage) {
   while (story.at[static_cast<std::size_t>(first)].keepsAngles) ++first;
   const std::string deed = deedOf(story, static_cast<ViewStage>(first));
   ViewingFinding finding{false, "Shade in the world, not behind " + deed + ".", {}};
-  finding.why = first == 2 ? "The turn into VRC keeps angles, the shear does not"
+  finding.why = first == 2 ? "The shear leans each plane, and N with it; L goes along as a direction"
                            : "Up to here all angles stayed, but " + deed + " does not keep them";
   if (first < static_cast<int>(stage)) finding.why = "From " + deed + " on, angles are not kept";
   if (!story.differsInNdotL(stage) && !story.differsInI(stage)) {
@@ -180,7 +180,7 @@ ViewingFinding findingOf(const ViewingStory& story, ViewStage stage) {
   }
   finding.why += ": N.L " + three(*world.NdotL) + " becomes " + three(*here.NdotL) +
                  ", and the equation gives " + three(here.I) + " for " + three(world.I) +
-                 cellsApart(story, stage) + ". So I is computed in the world.";
+                 cellsApart(story, stage) + ". So compute I in the world.";
   return finding;
 }
 
