@@ -18,8 +18,9 @@ namespace xnewell {
 struct ScreenBox {
   int x0 = 0, y0 = 0, x1 = 0, y1 = 0;
   /// True if the boxes share more than their borders.
-  [[nodiscard]] bool overlaps(const ScreenBox& o) const { return overlapsInX(o) && y0 < o.y1 && o.y0 < y1; }
+  [[nodiscard]] bool overlaps(const ScreenBox& o) const { return overlapsInX(o) && overlapsInY(o); }
   [[nodiscard]] bool overlapsInX(const ScreenBox& o) const { return x0 < o.x1 && o.x0 < x1; }
+  [[nodiscard]] bool overlapsInY(const ScreenBox& o) const { return y0 < o.y1 && o.y0 < y1; }
 };
 
 class BoxGrid {

@@ -37,6 +37,27 @@ Relation PairTests::compare(const Shape& P, const Shape& Q) {
   return nearerInOverlap(P, Q);
 }
 
+bool PairTests::passes(Test test, const Shape& P, const Shape& Q) {
+  switch (test) {
+    case Test::XExtents:
+      return !P.box.overlapsInX(Q.box);
+    case Test::YExtents:
+      return !P.box.overlapsInY(Q.box);
+    case Test::PBehindQ: {
+      const Signs signs = signsOver(P, Q);
+      return !signs.none() && !signs.positive;
+    }
+    case Test::QInFrontOfP: {
+      const Signs signs = signsOver(Q, P);
+      return !signs.none() && !signs.negative;
+    }
+    case Test::Projections:
+      return projectionsApart(P, Q);
+    default:
+      return false;
+  }
+}
+
 Signs PairTests::signsOver(const Shape& P, const Shape& Q) {
   const SnappedFace &p = P.face, &q = Q.face;
   if (p.plane == q.plane) return {};

@@ -40,6 +40,9 @@ class PairTests {
   /// Decides whether P may be painted before Q. It makes the tests in the textbook's order or in the quick
   /// one. For the quick one the caller must have compared the boxes.
   [[nodiscard]] Relation compare(const Shape& P, const Shape& Q);
+  /// True if this one of the textbook's tests 1 to 5, made alone, says that P may be painted before Q. Tests
+  /// 3 and 4 say nothing of two polygons in one plane.
+  [[nodiscard]] bool passes(Test test, const Shape& P, const Shape& Q);
   /// True if there is an overlap, where P is in front of Q, and it is more than a contact.
   [[nodiscard]] bool overlapCounts(const Shape& P, const Shape& Q);
   /// True if Q's plane properly crosses P. Then split() returns the parts of P behind it and in front of it.

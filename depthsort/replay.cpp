@@ -16,7 +16,8 @@ Replay::Replay(const SnappedScene& scene, const SortedScene& sorted)
   for (int k = 0; k < steps(); ++k) {
     if (k % kCheckpoint == 0) checkpoints_.push_back(state);
     const Event& e = sorted.events[k];
-    if (e.kind == Event::Kind::Take) marks_.push_back({e.P, state.top});
+    // A run takes P when no polygon is marked. Who sorts by hand may take another P, which ends the marks.
+    if (e.kind == Event::Kind::Take) marks_.push_back({e.P, -1});
     if (e.kind == Event::Kind::Move) marks_.push_back({e.Q, state.top});
     if (e.kind == Event::Kind::Split) pieces_[e.P] = faces_ + 2 * state.splits;
     if (e.kind == Event::Kind::Split || e.kind == Event::Kind::Paint) ended_[e.P] = k;
@@ -43,10 +44,9 @@ void Replay::advance(State& state, int index) const {
     case Event::Kind::Split: {
       ++state.splits;
       // If a pair crosses, Q may be the one that is split. Then it is not marked.
-      const bool crossing = sorted_->events[index - 1].kind == Event::Kind::Compare;
-      if (crossing && marks_[state.top].fragment != e.P) break;
-      while (marks_[state.top].fragment != e.P) state.top = marks_[state.top].below;
-      state.top = marks_[state.top].below;
+      int marked = state.top;
+      while (marked != -1 && marks_[marked].fragment != e.P) marked = marks_[marked].below;
+      if (marked != -1) state.top = marks_[marked].below;
       break;
     }
     case Event::Kind::Paint:

@@ -85,6 +85,28 @@ class Judge {
     return std::move(r_);
   }
 
+  void decide(WrongPair& wrong, int A, int B) {
+    const PaintStep &a = steps_[wrong.shown], &b = steps_[wrong.hidden];
+    const SnappedScene two = withPieces(a, A, b, B);
+    PairTests tests{two, {.width = width_, .height = height_, .textbook = true}};
+    const ScreenBox boxA = extentsOf(two, two.faces[0], false).box,
+                    boxB = extentsOf(two, two.faces[1], false).box;
+    const Shape P{two.faces[0], 0, boxA, nullptr}, Q{two.faces[1], 1, boxB, nullptr};
+    const Relation relation = tests.compare(P, Q);
+    if (relation.verdict == Verdict::PFirst) wrong.told = relation.test;
+    if (relation.verdict == Verdict::Crossing) {
+      wrong.needsCut = true;
+      wrong.cycle = {a.face, b.face, a.face};
+      return;
+    }
+    if (!a.piece.empty() || !b.piece.empty()) return;
+    std::vector<int> way = wayBack(B, A);
+    if (way.empty()) return;
+    wrong.needsCut = true;
+    wrong.cycle = {a.face};
+    for (const int face : way) wrong.cycle.push_back(scene_.faces[face].number);
+  }
+
  private:
   struct Top {
     int face, step;
@@ -223,28 +245,6 @@ class Judge {
     return two;
   }
 
-  void decide(WrongPair& wrong, int A, int B) {
-    const PaintStep &a = steps_[wrong.shown], &b = steps_[wrong.hidden];
-    const SnappedScene two = withPieces(a, A, b, B);
-    PairTests tests{two, {.width = width_, .height = height_, .textbook = true}};
-    const ScreenBox boxA = extentsOf(two, two.faces[0], false).box,
-                    boxB = extentsOf(two, two.faces[1], false).box;
-    const Shape P{two.faces[0], 0, boxA, nullptr}, Q{two.faces[1], 1, boxB, nullptr};
-    const Relation relation = tests.compare(P, Q);
-    if (relation.verdict == Verdict::PFirst) wrong.told = relation.test;
-    if (relation.verdict == Verdict::Crossing) {
-      wrong.needsCut = true;
-      wrong.cycle = {a.face, b.face, a.face};
-      return;
-    }
-    if (!a.piece.empty() || !b.piece.empty()) return;
-    std::vector<int> way = wayBack(B, A);
-    if (way.empty()) return;
-    wrong.needsCut = true;
-    wrong.cycle = {a.face};
-    for (const int face : way) wrong.cycle.push_back(scene_.faces[face].number);
-  }
-
   /// Faces from B to A, each of which must be painted before the next; empty if there are none. As A must be
   /// painted before B, that is a cycle.
   [[nodiscard]] std::vector<int> wayBack(int B, int A) {
@@ -288,6 +288,11 @@ class Judge {
 
 OrderReport judgeOrder(const Picture& picture, std::span<const PaintStep> steps) {
   return Judge{picture, steps}.report();
+}
+
+void tellPair(const Picture& picture, std::span<const PaintStep> steps, WrongPair& pair, int shown,
+              int hidden) {
+  Judge{picture, steps}.decide(pair, shown, hidden);
 }
 
 std::vector<glm::dvec3> stepInWorld(const Picture& picture, const PaintStep& step) {

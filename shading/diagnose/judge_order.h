@@ -52,6 +52,11 @@ struct OrderReport {
 /// `picture` has planes (Picture::withPlanes()).
 [[nodiscard]] OrderReport judgeOrder(const Picture& picture, std::span<const PaintStep> steps);
 
+/// Says of a pair which test would have told, or that only a cut helps, as judgeOrder() does. Of the pair,
+/// the two steps are known; `shown` and `hidden` are their faces, indices into picture.snapped().faces.
+void tellPair(const Picture& picture, std::span<const PaintStep> steps, WrongPair& pair, int shown,
+              int hidden);
+
 /// A step's face or piece in the world, in the units of the scene's file; nothing if it is not in view.
 [[nodiscard]] std::vector<glm::dvec3> stepInWorld(const Picture& picture, const PaintStep& step);
 

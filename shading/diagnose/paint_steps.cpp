@@ -78,4 +78,14 @@ std::vector<PaintStep> readPaintSteps(const std::string& file, int faces) {
   return steps;
 }
 
+std::string paintStepsText(std::span<const PaintStep> steps) {
+  std::string text;
+  for (const PaintStep& step : steps) {
+    nlohmann::ordered_json line{{"face", step.face}};
+    for (const glm::dvec2& corner : step.piece) line["piece"].push_back({corner.x, corner.y});
+    text += line.dump() + '\n';
+  }
+  return text;
+}
+
 }  // namespace xnewell

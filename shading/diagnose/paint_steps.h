@@ -1,6 +1,7 @@
 #pragma once
 
 #include <glm/vec2.hpp>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -18,5 +19,8 @@ struct PaintStep {
 /// Empty lines count for nothing. @throws std::system_error; ParseError for what is no such line, for a face
 /// that the scene of `faces` faces does not have, and for a file of more than 64 MB
 [[nodiscard]] std::vector<PaintStep> readPaintSteps(const std::string& file, int faces);
+
+/// The same as a file has it.
+[[nodiscard]] std::string paintStepsText(std::span<const PaintStep> steps);
 
 }  // namespace xnewell

@@ -15,9 +15,12 @@ std::string inCell(std::string_view words) {
   return cell;
 }
 
-std::string tableOf(std::string_view name, const KeyTable& keys) {
+/// The rows that `others` has too are left out.
+std::string tableOf(std::string_view name, const KeyTable& keys, const KeyTable& others = {}) {
+  const std::vector<HelpLine> there = helpOf(others);
   std::string table = "## " + std::string{name} + "\n\n| key | what it does |\n| --- | --- |\n";
   for (const HelpLine& line : helpOf(keys)) {
+    if (std::ranges::find(there, line) != there.end()) continue;
     table += "| " + inCell(line.keys) + " | " + inCell(line.does) + " |\n";
   }
   return table + "\n";
@@ -33,6 +36,12 @@ std::string keyLists() {
     bench.switchTo(row.id);
     bench.update();
     lists += tableOf("View " + std::string{row.key} + ", " + std::string{row.name}, bench.bench().keys());
+    if (row.id != WindowView::DepthSort) continue;
+    const KeyTable before = bench.bench().keys();
+    bench.press('Y');
+    bench.update();
+    lists += tableOf("View 2, while you sort by hand: these, too", bench.bench().keys(), before);
+    bench.press('Y');
   }
   // A step that asks a question, with the controls of all steps.
   Lesson lesson = readLesson(builtInLessons().front().file);

@@ -22,7 +22,8 @@ std::string listOf(const std::vector<int>& numbers) {
   return all;
 }
 
-/// What would have told which of the two comes first.
+}  // namespace
+
 std::string lessonOf(const WrongPair& pair, std::span<const PaintStep> steps) {
   const std::string A = stepName(steps[pair.shown]), B = stepName(steps[pair.hidden]);
   if (pair.needsCut && pair.cycle.size() > 3) {
@@ -45,8 +46,6 @@ std::string lessonOf(const WrongPair& pair, std::span<const PaintStep> steps) {
       return "test " + std::string{kTestRows[static_cast<std::size_t>(*pair.told)].name} + " tells";
   }
 }
-
-}  // namespace
 
 std::string verdictOf(const OrderReport& r, std::span<const PaintStep> steps) {
   if (r.isRight()) return "right: " + counted(r.steps, "step") + ", and every sample shows the nearest face";

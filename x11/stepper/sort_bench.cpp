@@ -35,7 +35,7 @@ Controls SortBench::controls() {
     all.push_back(std::move(control));
   for (int k = 0; k < kToggleCount; ++k) {
     all.push_back(toggleControl(view, k));
-    all.back().set = [this, k](double) { player_.toggle(k); };
+    all.back().set = [this, k](double) { k == kOwn ? sortOneself(!this->view().own) : player_.toggle(k); };
   }
   const auto add = [&](SortPart part, int index, const std::function<void()>& act) {
     all.push_back(
@@ -44,7 +44,9 @@ Controls SortBench::controls() {
   for (int k = 0; view.asking && k < static_cast<int>(kAnswers.size()); ++k)
     add(SortPart::Answer, k, [this, k] { player_.answer(k); });
   for (int k = 0; k < static_cast<int>(places_.rows.size()); ++k)
-    if (const int id = places_.rows[k]; id >= 0) add(SortPart::Row, k, [this, id] { goToFaceOf(id); });
+    if (const int id = places_.rows[k]; id >= 0)
+      add(SortPart::Row, k, [this, id] { this->view().own ? chooseClicked(id) : goToFaceOf(id); });
+  if (view.own) addOwnControls(all);
   return all;
 }
 
@@ -54,13 +56,15 @@ KeyTable SortBench::ownKeys() {
   const auto add = [&](Key key, std::string legend, const char* does, std::string off, auto act) {
     append(table, {{{key}, std::move(legend), does, [act](const Key&) { act(); }, std::move(off)}});
   };
-  const char* const predicts = "predict: say what follows each comparison; or no longer";
+  if (view.own) addOwnKeys(table);
+  // Both keys share a line in the list of all keys.
+  const char* const learns = "predict what follows; sort it yourself; or no longer";
   if (view.asking) {
     for (std::size_t k = 0; k < kAnswers.size(); ++k)
       add(kAnswerKeys[k], std::string{kAnswers[k]}, "answer what follows", "",
           [this, k] { player_.answer(static_cast<int>(k)); });
     add(NamedKey::Return, "show", "show what follows", "", [&view] { view.asking = false; });
-    add('y', "stop predicting", predicts, "", [this] { player_.toggle(kPredict); });
+    add('y', "stop predicting", "predict no longer", "", [this] { player_.toggle(kPredict); });
   }
   for (int k = 0; view.numbered && k < kStops; ++k)
     add(static_cast<char>('1' + k), "tick a box", "tick a box", "", [this, k] { player_.toggle(k); });
@@ -86,14 +90,20 @@ KeyTable SortBench::ownKeys() {
        .nothing = run() && run()->steps() == 0 ? "There is nothing to sort." : "",
        .atStart = rests && view.step == 0,
        .atEnd = rests && !view.asking && view.step == run()->steps()});
-  add('/', "polygon", "go to the next step with a polygon", "", [this] { player_.askPolygon(); });
-  add('b', "stop at", "and 1 to 6: tick what playing stops at", "",
-      [&view, on = !view.numbered] { view.numbered = on; });
-  add('y', "predict", predicts, "", [this] { player_.toggle(kPredict); });
-  appendSpeedKeys(table, view.speed);
-  add(kCodeKey, "", kCodeDoes,
-      drawer_ == Drawer::Shut ? "The column of the book's lines is put away; D brings it back." : "",
-      [&view] { view.code = !view.code; });
+  if (!view.own) {
+    add('/', "polygon", "go to the next step with a polygon", "", [this] { player_.askPolygon(); });
+    add('b', "stop at", "and 1 to 6: tick what playing stops at", "",
+        [&view, on = !view.numbered] { view.numbered = on; });
+    add('y', "predict", learns, "", [this] { player_.toggle(kPredict); });
+  }
+  add('Y', "by hand", view.own ? "go back to the program's sort" : learns, "",
+      [this] { sortOneself(!player_.view.own); });
+  if (!view.own) {
+    appendSpeedKeys(table, view.speed);
+    add(kCodeKey, "", kCodeDoes,
+        drawer_ == Drawer::Shut ? "The column of the book's lines is put away; D brings it back." : "",
+        [&view] { view.code = !view.code; });
+  }
   add('l', "", "show the loupe, or put it away", "", [&view] { view.loupe = !view.loupe; });
   if (view.playing || view.numbered || list_.focus() == transportId(TransportPart::Speed))
     add(NamedKey::Escape, "", "stop playing; select the timeline again", "", [this] {
@@ -103,7 +113,9 @@ KeyTable SortBench::ownKeys() {
   if (part_ && !view.playing && !view.numbered)
     add(NamedKey::Escape, "the whole picture", "leave the part that is sorted", "",
         [this] { part_.reset(); });
-  table.push_back({.does = "go to the next step with a polygon; tick a box", .gesture = "click"});
+  table.push_back({.does = view.own ? "choose a polygon; name a test; do a step"
+                                    : "go to the next step with a polygon; tick a box",
+                   .gesture = "click"});
   if (tooLong_)
     for (KeyRow& row : table) row.legend.clear(), row.off = "This run is too long to step through.";
   if (tooLong_)
@@ -119,7 +131,8 @@ bool SortBench::press(const Key& key) {
     return own;
   }
   const KeyTable table = keys();
-  player_.view.numbered = false;  // the boxes have digits for one key only
+  player_.view.numbered = false;                           // the boxes have digits for one key only
+  if (player_.view.own) player_.view.own->naming = false;  // and so have the tests
   return pressIn(table, key, host_);
 }
 
@@ -127,9 +140,14 @@ bool SortBench::grab(int x, int y) {
   const auto sample = [unit = unit_](int units) { return units * unit + unit / 2; };
   if (tooLong_ && at_.picture.has(x, y)) choosePart({sample(x - at_.picture.x), sample(y - at_.picture.y)});
   player_.view.numbered = false;
+  if (player_.view.own) player_.view.own->naming = false;
   if (!run()) return list_.grab(controls(), x, y) && list_.dragging();
   if (list_.grab(controls(), x, y)) return list_.dragging();
   if (!at_.picture.has(x, y) || places_.loupe.has(x, y)) return false;
+  if (view().own) {
+    chooseAt(sample(x - at_.picture.x), sample(y - at_.picture.y));
+    return false;
+  }
   if (const int id = run()->fragmentAt(sample(x - at_.picture.x), sample(y - at_.picture.y)); id >= 0)
     goToFaceOf(id);
   else
@@ -160,6 +178,7 @@ void SortBench::leave() {
   player_.view.playing = player_.view.numbered = false;
   // Another view makes the picture at its own size, so this run is no longer valid.
   player_.run.reset();
+  newell_.reset();
   tooLong_ = fullColor_ = false;
   early_.clear();
   drawn_.reset();
@@ -183,15 +202,19 @@ void SortBench::record(const Desk& desk) {
   if (!sameScene) part_.reset();
   if ((run() || tooLong_) && same && part_ == recorded_ && picture_->settings() == desk.picture.settings())
     return;
+  const bool otherPart = part_ != recorded_;
   recorded_ = part_;
   const int step = view.step;
   const bool atEnd = run() && step > 0 && step == run()->steps();
   player_.run.reset();
+  newell_.reset();
   tooLong_ = false;
+  if (!same || otherPart) own_.reset();
   if (!sameScene) view.polygon.reset(), about_.reset();
   if (picture_ && picture_->scene().name != desk.picture.scene().name)  // nobody asked this scene's questions
     view = {.kind = view.kind, .speed = view.speed, .loupe = view.loupe};
   picture_ = desk.picture;
+  ground_ = desk.plan[Cell::Well];
   try {
     player_.run = std::make_unique<SortRun>(
         part_ ? desk.picture.onlyWithin(part_->low, part_->high) : desk.picture, desk.plan[Cell::Well]);
@@ -199,6 +222,20 @@ void SortBench::record(const Desk& desk) {
     tooLong_ = true;
     early_.clear();
     view.playing = false;
+    view.own.reset();
+    return;
+  }
+  if (own_) own_->show(run()->picture());
+  if (view.own) {
+    const bool anew = !own_;
+    const OwnView before = *std::exchange(view.own, std::nullopt);
+    const OwnSort::Reply last = endReply_;
+    view.step = 0;
+    sortOneself(true);
+    if (!anew) showOwn(before.P, before.Q, last);
+    view.own->clicksQ = before.clicksQ;
+    if (anew) host_.tell("The polygons have other places now, so your sort begins again.");
+    for (const Key& key : std::exchange(early_, {})) static_cast<void>(press(key));
     return;
   }
   const bool asking = view.asking && same;
@@ -258,8 +295,9 @@ void SortBench::draw(Painter paint, const Desk& desk) {
     drawTooLong(paint, desk);
     status_ = "Newell's sort of this scene is too long to step through.";
   } else {
+    if (view().own) tellOwn();
     places_ = drawSortPage(paint, at_, *run(), view(), desk.plan, &list_);
-    status_ = stepInWords(*run());
+    status_ = view().own ? stepAsLines(*run(), view()).front() : stepInWords(*run());
     about_ = view().step > 0 ? std::optional{run()->about(view().step)} : std::nullopt;
     use_ = cellUse(run()->soFar());
   }
@@ -275,13 +313,18 @@ std::string SortBench::aside() const {
   if (part_)
     return "a part: " + grouped(static_cast<std::int64_t>(player_.run->scene().faces.size())) + " of " +
            grouped(static_cast<std::int64_t>(picture_->snapped().faces.size())) + " polygons; Esc: all";
+  if (view().own) return "Y goes back to the program's own sort";
   if (fullColor_) return "in one hue: the picture chooses its colours after all of it is painted";
   return order_ == Order::Newell ? "the textbook's run; the picture uses a quicker one, which may cut others"
                                  : "Newell's sort; the picture itself: " + orderInWords(order_);
 }
 
 std::vector<std::string> SortBench::inWords() const {
-  return player_.run ? stepAsLines(*player_.run, view()) : std::vector{status_};
+  if (!player_.run) return {status_};
+  std::vector<std::string> lines = stepAsLines(*player_.run, view());
+  if (view().own)
+    if (const std::string command = judgeCommand("order.jsonl"); !command.empty()) lines.push_back(command);
+  return lines;
 }
 
 }  // namespace xnewell

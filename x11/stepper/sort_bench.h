@@ -5,6 +5,7 @@
 #include <string>
 
 #include "x11/kit/pseudocode.h"
+#include "x11/stepper/own_sort.h"
 #include "x11/stepper/sort_player.h"
 #include "x11/window/bench.h"
 
@@ -52,10 +53,14 @@ class SortBench : public Bench {
   /// Null before the view is drawn, and if the run is too long.
   [[nodiscard]] SortRun* run() { return player_.run.get(); }
   [[nodiscard]] bool tooLong() const { return tooLong_; }
+  /// What the student has sorted; null before that.
+  [[nodiscard]] const OwnSort* own() const { return own_.get(); }
+  /// What `xnewell judge` would say of it.
+  [[nodiscard]] OrderReport ownReport() const;
 
  private:
-  [[nodiscard]] static SortLayout layoutIn(const Layout& at) {
-    return layoutOfSort(at.body, at.drawer == Drawer::Shut);
+  [[nodiscard]] SortLayout layoutIn(const Layout& at) const {
+    return layoutOfSort(at.body, at.drawer == Drawer::Shut, view().own.has_value());
   }
   void record(const Desk& desk);
   /// After the view has changed, the step of the new run that is most like the one shown before. Tells the
@@ -69,7 +74,36 @@ class SortBench : public Bench {
   /// Goes to the next step with the face of this fragment.
   void goToFaceOf(int id);
 
+  // While the student sorts (own_bench.cpp).
+  /// The student sorts from now on, or no longer.
+  void sortOneself(bool on);
+  /// Shows the student's run, and what became of the last step. P and Q are chosen, or the next that are
+  /// left. The run of the program is in newell_ by then.
+  void showOwn(int P, int Q, const OwnSort::Reply& reply);
+  /// Puts into the view what became of the step that is shown.
+  void tellOwn();
+  void addOwnKeys(KeyTable& table);
+  void addOwnControls(Controls& all);
+  [[nodiscard]] std::vector<int> waiting() const;
+  void choose(int P, int Q);
+  void chooseP(int along);
+  void chooseQ(int along);
+  /// Chooses a polygon that is left to paint at a sample; of several, another one each time.
+  void chooseAt(int column, int row);
+  void chooseClicked(int id);
+  void act(int index);
+  void tellTest(int index);
+  void undoOwn();
+  void askToWrite();
+  /// The command that judges a file of the student's order.
+  [[nodiscard]] std::string judgeCommand(const std::string& file) const;
+
   SortPlayer player_;
+  std::unique_ptr<OwnSort> own_;     ///< kept when the student leaves it
+  std::unique_ptr<SortRun> newell_;  ///< the program's run, while the student's is shown
+  int newellStep_ = 0;
+  OwnSort::Reply endReply_;  ///< what is told at the end of the student's run
+  std::uint8_t ground_ = 0;
   std::vector<Key> early_;  ///< keys typed before there was a run
   // The state of the last drawing.
   bool tooLong_ = false;

@@ -23,7 +23,11 @@ Control toggleControl(const SortView& view, int index) {
   return {.kind = Control::Kind::Toggle,
           .part = sortId(SortPart::Toggle, index).part,
           .label = std::string{kToggleNames[index]},
-          .value = (index == kPredict ? view.predict : view.stops[index]) ? 1.0 : 0.0};
+          .value = (index == kPredict ? view.predict
+                    : index == kOwn   ? view.own.has_value()
+                                      : view.stops[index])
+                       ? 1.0
+                       : 0.0};
 }
 
 namespace {
@@ -74,7 +78,7 @@ void drawCounts(SortPen& pen) {
       pen.paint.keyCap(place.x - 19, place.y - 11, std::to_string(k + 1),
                        {pen(Cell::Focus), pen(Cell::Rule), pen(Cell::Faint), pen(Cell::Ink)});
   }
-  const Rect &polygon = pen.at.toggles[kPolygonStop].area, &predict = pen.at.toggles[kPredict].area;
+  const Rect& polygon = pen.at.toggles[kPolygonStop].area;
   const int below = polygon.y + 2 * line - 4;
   if (pen.view.polygon) {
     const std::string face = fitting("face " + std::to_string(*pen.view.polygon), 90);
@@ -87,9 +91,12 @@ void drawCounts(SortPen& pen) {
     pen.key(polygon.x + 17, below + line - 11, "/");
     pen.soft(polygon.x + 36, below + line, "number");
   }
-  if (const Score& score = pen.view.score; score.asked > 0)
-    pen.paint.textRight(at.x + at.width, predict.y - 4,
-                        std::to_string(score.right) + "/" + std::to_string(score.asked) + " right",
+  // The finding has it while the student sorts, unless it is put away.
+  const Score& score = pen.view.own ? pen.view.own->score : pen.view.score;
+  if (score.asked > 0 && (!pen.view.own || pen.at.shut))
+    pen.paint.textRight(at.x + at.width, heading,
+                        std::to_string(score.right) + "/" + std::to_string(score.asked) +
+                            (pen.view.own ? " valid" : " right"),
                         pen(Cell::Soft));
 }
 

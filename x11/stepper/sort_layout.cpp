@@ -28,7 +28,7 @@ void placeCounts(SortLayout& at, int x, int upper) {
   const bool narrow = width < 380;
   const int first = x + (narrow ? 160 : 168), second = x + (narrow ? 251 : 288);
   for (int k = 0; k < kToggleCount; ++k) {
-    const int row = k < kPolygonStop ? k : k == kPolygonStop ? 0 : 4;
+    const int row = k < kPolygonStop ? k : k == kPolygonStop ? 0 : k == kOwn ? 3 : 4;
     const int left = k < kPolygonStop ? first : second;
     const int baseline = at.counts.y + counts - (4 - row) * at.line - 4;
     at.toggles[k] = {.x = left,
@@ -42,7 +42,7 @@ void placeCounts(SortLayout& at, int x, int upper) {
 
 }  // namespace
 
-SortLayout layoutOfSort(const Rect& body, bool shut) {
+SortLayout layoutOfSort(const Rect& body, bool shut, bool own) {
   static const std::vector<std::string> kinds = [] {
     std::vector<std::string> names;
     for (const LandmarkRow& row : kLandmarks) names.emplace_back(row.name);
@@ -71,13 +71,24 @@ SortLayout layoutOfSort(const Rect& body, bool shut) {
     at.table = {body.x, at.picture.y + at.picture.height, left, table};
     placeSidesAndList(at, right, body.width - left - kGutter, upper);
   }
-  at.finding = {at.table.x, at.table.y + table + gap, at.table.width, findings};
+  at.heading = heading;
+  const int given = own ? (kTestRowsShown - kOwnTests) * at.line : 0;
+  at.table.height -= given;
+  at.finding = {at.table.x, at.table.y + at.table.height + gap, at.table.width, findings + given};
   int x = at.finding.x + 13;
   const int first = shut ? 3 : at.line + 3;  // the headline has the first line
   for (std::size_t k = 0; k < kAnswers.size(); ++k) {
     const int width = kKeyCap + 6 + textWidth(kAnswers[k]);
     at.answers[k] = {x, at.finding.y + first, width, at.line + 2};
     x += width + (shut ? 14 : 20);
+  }
+  x = at.finding.x + 13;
+  int y = at.finding.y + first;
+  for (std::size_t k = 0; k < kActs.size(); ++k) {
+    const int width = kKeyCap + 6 + textWidth(kActs[k]);
+    if (x + width > at.finding.x + at.finding.width) x = at.finding.x + 13, y += at.line + 4;
+    at.acts[k] = {x, y, width, at.line + 2};
+    x += width + (at.compact || shut ? 8 : 20);
   }
   return at;
 }

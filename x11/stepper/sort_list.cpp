@@ -1,5 +1,6 @@
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "x11/drawing/wording.h"
 #include "x11/stepper/sort_pen.h"
@@ -22,7 +23,33 @@ struct Rows {
   int more = 0;  ///< more polygons that overlap P in z; without P, more in the list
 };
 
+/// All that is left to paint, while the student chooses: as much of the list as has room, around P, with Q.
+Rows ownRowsOf(const SortPen& pen) {
+  const int P = pen.P(), Q = pen.Q();
+  Rows rows;
+  for (int n = std::max(0, pen.run.replay().painted() - 2); n < pen.run.replay().painted(); ++n)
+    rows.shown.push_back({pen.run.paintedId(n), Mark::Painted});
+  std::vector<Row> left;
+  for (const auto& [id, marked] : pen.run.replay().list(std::numeric_limits<int>::max()))
+    left.push_back({id, id == P ? Mark::P : id == Q ? Mark::Q : marked ? Mark::Marked : Mark::Waiting});
+  const int count = static_cast<int>(left.size()), room = pen.at.rows() - static_cast<int>(rows.shown.size());
+  const auto placeOf = [&](Mark mark) {
+    return static_cast<int>(std::ranges::find(left, mark, &Row::mark) - left.begin());
+  };
+  const int p = placeOf(Mark::P), q = placeOf(Mark::Q);
+  const int first = std::clamp(p - room / 3, 0, std::max(0, count - room)),
+            last = std::min(count, first + room);
+  rows.shown.insert(rows.shown.end(), left.begin() + first, left.begin() + last);
+  if (q < first && q < p)
+    *(rows.shown.end() - (last - first)) = left[q];
+  else if (last <= q && q < count)
+    rows.shown.back() = left[q];
+  rows.more = count - (last - first);
+  return rows;
+}
+
 Rows rowsOf(const SortPen& pen) {
+  if (pen.sorting()) return ownRowsOf(pen);
   const int room = pen.at.rows(), P = pen.P(), Q = pen.Q();
   const Replay& replay = pen.run.replay();
   Rows rows;
@@ -210,7 +237,8 @@ void drawRows(SortPen& pen, const Axis& axis, const Rows& rows) {
   }
   if (rows.more > 0)
     pen.soft(at.x + 18, at.y + at.height + pen.at.line - 4,
-             "and " + grouped(rows.more) + (pen.P() >= 0 ? " more that overlap P in z" : " more"));
+             "and " + grouped(rows.more) +
+                 (pen.P() >= 0 && !pen.sorting() ? " more that overlap P in z" : " more"));
 }
 
 }  // namespace

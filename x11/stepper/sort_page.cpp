@@ -23,6 +23,8 @@ void placeControls(ControlList& list, const SortLayout& at, const SortView& view
   for (int k = 0; k < kToggleCount; ++k) list.place(sortId(SortPart::Toggle, k), at.toggles[k]);
   for (int k = 0; view.asking && k < static_cast<int>(kAnswers.size()); ++k)
     place(SortPart::Answer, k, at.answers[k]);
+  for (int k = 0; view.own && k < static_cast<int>(kActs.size()); ++k) place(SortPart::Act, k, at.acts[k]);
+  for (int k = 0; view.own && k < kOwnTests; ++k) place(SortPart::Test, k, at.testRow(k));
   for (int k = 0; k < static_cast<int>(drawn.rows.size()); ++k)
     if (drawn.rows[k] >= 0)
       place(SortPart::Row, k, {at.list.x, at.list.y + k * at.line, at.list.width, at.line});
@@ -33,9 +35,15 @@ void placeControls(ControlList& list, const SortLayout& at, const SortView& view
 SortDrawn drawSortPage(Painter paint, const SortLayout& at, SortRun& run, const SortView& view,
                        const CellPlan& plan, ControlList* list) {
   run.goTo(view.step);
-  const std::optional<Event> event = run.asTested();
+  std::optional<Event> event = run.asTested();
+  const bool sorting = view.own && view.step == run.steps();
+  if (sorting && view.own->P >= 0)
+    event = Event{.kind = Event::Kind::Take, .P = view.own->P, .Q = view.own->Q};
+  else if (sorting)
+    event.reset();
   const Event* compare = comparisonAt(run.sorted(), view.step);
   if (event && compare && (compare->P != event->P || compare->Q != event->Q)) compare = nullptr;
+  if (sorting) compare = nullptr;
   const int cut = event && event->kind == Event::Kind::Split ? run.replay().event()->P : -1;
   SortPen pen{{paint.within(at.body), plan}, at, run, view, event ? &*event : nullptr, compare, cut, list};
   pen.paint.fillRect(at.body, plan[Cell::Paper]);
@@ -43,7 +51,7 @@ SortDrawn drawSortPage(Painter paint, const SortLayout& at, SortRun& run, const 
   drawn.loupe = drawSortPicture(pen);
   drawTests(pen);
   drawFinding(pen);
-  if (!at.shut && view.code) {
+  if (!at.shut && view.code && !view.own) {
     const int top = at.side.y;
     drawPseudocode(pen, {at.list.x, top, at.list.width, at.counts.y - 6 - top}, at.line,
                    "Foley & van Dam 15.5.1", sortCode(run, view));

@@ -20,6 +20,10 @@ struct SortPen : Pen {
 
   [[nodiscard]] int P() const { return event ? event->P : -1; }
   [[nodiscard]] int Q() const { return event ? event->Q : -1; }
+  /// True while the student is to say what comes next.
+  [[nodiscard]] bool sorting() const { return view.own && view.step == run.steps(); }
+  /// How many polygons are not painted yet.
+  [[nodiscard]] int left() const;
   /// True if the page may show the outcome of the tests.
   [[nodiscard]] bool told() const { return compare != nullptr && !view.asking; }
   /// True if the tests got as far as the planes.

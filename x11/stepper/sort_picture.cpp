@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
 
 #include "x11/drawing/wording.h"
 #include "x11/stepper/fragment_tint.h"
@@ -13,11 +14,20 @@ namespace {
 
 /// Outlines polygons that are not painted yet in thin lines. Returns false if there are none, or too many.
 bool outlineWaiting(SortPen& pen, Painter fine, const auto& placed) {
-  const int left = static_cast<int>(pen.run.sorted().fragments.size()) - pen.run.replay().painted();
+  const int left = pen.left();
   if (left > kMostWaiting) return false;
   for (const auto& [id, marked] : pen.run.replay().list(kMostWaiting))
     outline(fine, placed(id), pen(marked ? Cell::Faint : Cell::WellLine));
   return left > 0;
+}
+
+/// Marks the samples that painting too early has spoilt.
+void markSpoilt(SortPen& pen, Painter fine, const Rect& samples) {
+  for (const SampleRow& row : pen.view.own->spoilt) {
+    const Rect marked{samples.x + row.from, samples.y + row.row, row.to - row.from, 1};
+    fine.fillRect(marked, pen(Cell::Alarm));
+    fine.stipple(marked, Stipple::Quarter, pen(Cell::White));
+  }
 }
 
 /// Draws a letter in the middle of a piece that has room for it.
@@ -85,6 +95,11 @@ void drawWords(SortPen& pen, const std::string& words, const Rect& loupe) {
 
 }  // namespace
 
+int SortPen::left() const {
+  if (!view.own) return static_cast<int>(run.sorted().fragments.size()) - run.replay().painted();
+  return static_cast<int>(run.replay().list(std::numeric_limits<int>::max()).size());
+}
+
 Rect drawSortPicture(SortPen& pen) {
   const Rect &at = pen.at.picture, samples = at * pen.paint.unit();
   Painter paint = pen.paint.within(at);
@@ -95,6 +110,7 @@ Rect drawSortPicture(SortPen& pen) {
     return figure;
   };
   const bool outlined = outlineWaiting(pen, paint.pixels(), placed);
+  if (pen.view.own) markSpoilt(pen, paint.pixels(), samples);
   Rect loupe;
   if (pen.event) {
     markPair(pen, paint, placed);
@@ -102,7 +118,7 @@ Rect drawSortPicture(SortPen& pen) {
   }
 
   const int painted = pen.run.replay().painted();
-  const int all = static_cast<int>(pen.run.sorted().fragments.size());
+  const int all = painted + pen.left();
   const std::string words = painted == all && all > 0 ? "painted: all " + counted(all, "piece")
                             : all == 0
                                 ? "nothing to paint"

@@ -10,7 +10,7 @@ namespace xnewell {
 void SortPlayer::goTo(int step) {
   view.step = std::clamp(step, 0, run->steps());
   view.answer.reset();
-  view.asking = view.predict && view.step > 0 && isQuestion(run->sorted().events[view.step - 1]);
+  view.asking = view.predict && !view.own && view.step > 0 && isQuestion(run->sorted().events[view.step - 1]);
 }
 
 void SortPlayer::moveTo(int step) {
@@ -102,7 +102,7 @@ void SortPlayer::play() {
 
 bool SortPlayer::stopsAt(int step) const {
   const Event& e = run->sorted().events[step - 1];
-  if (view.predict && isQuestion(e)) return true;
+  if (view.predict && !view.own && isQuestion(e)) return true;
   const std::optional<Landmark> kind = landmarkOf(e);
   if (kind && view.stops[static_cast<int>(*kind)]) return true;
   return view.stops[kPolygonStop] && view.polygon && run->landmarks().has(run->scene(), *view.polygon, step);

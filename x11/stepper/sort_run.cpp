@@ -1,5 +1,7 @@
 #include "x11/stepper/sort_run.h"
 
+#include <utility>
+
 #include "x11/stepper/fragment_tint.h"
 
 namespace xnewell {
@@ -17,12 +19,19 @@ SortedScene recorded(const Picture& picture) {
 }  // namespace
 
 SortRun::SortRun(const Picture& picture, std::uint8_t ground)
-    : picture_{picture.withPlanes()},
-      sorted_{recorded(picture_)},
+    : SortRun{picture.withPlanes(), std::nullopt, ground, kCopies} {}
+
+SortRun::SortRun(const Picture& picture, SortedScene sorted, std::uint8_t ground)
+    : SortRun{picture.withPlanes(), std::optional{std::move(sorted)}, ground, 0} {}
+
+SortRun::SortRun(Picture withPlanes, std::optional<SortedScene> sorted, std::uint8_t ground,
+                 std::size_t copies)
+    : picture_{std::move(withPlanes)},
+      sorted_{sorted ? *std::move(sorted) : recorded(picture_)},
       explainer_{picture_.scene().mesh, picture_.snapped(), sorted_, true},
       landmarks_{sorted_},
       replay_{picture_.snapped(), sorted_},
-      soFar_{picture_, sorted_, ground, kCopies} {
+      soFar_{picture_, sorted_, ground, copies} {
   explainer_.call(Called::PAndQ);
   const int fragments = static_cast<int>(scene().faces.size() + sorted_.pieces.size());
   zExtents_.reserve(fragments);

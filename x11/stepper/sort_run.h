@@ -26,11 +26,14 @@ class SortRun {
 
   /// Sorts what the picture shows. @throws TooLongRun
   SortRun(const Picture& picture, std::uint8_t ground);
+  /// A run that somebody else recorded over picture.snapped(), which has planes. It need not be finished.
+  SortRun(const Picture& picture, SortedScene sorted, std::uint8_t ground);
   SortRun(const SortRun&) = delete;
   SortRun& operator=(const SortRun&) = delete;
   ~SortRun() = default;
 
   [[nodiscard]] const SnappedScene& scene() const { return picture_.snapped(); }
+  [[nodiscard]] const Picture& picture() const { return picture_; }  ///< with planes
   [[nodiscard]] const SortedScene& sorted() const { return sorted_; }
   [[nodiscard]] const Explainer& explainer() const { return explainer_; }
   [[nodiscard]] const Fragments& fragments() const { return explainer_.fragments(); }
@@ -58,6 +61,8 @@ class SortRun {
   [[nodiscard]] int fragmentAt(int column, int row) const;
 
  private:
+  SortRun(Picture withPlanes, std::optional<SortedScene> sorted, std::uint8_t ground, std::size_t copies);
+
   const Picture picture_;
   SortedScene sorted_;
   Explainer explainer_;

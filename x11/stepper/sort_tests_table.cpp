@@ -20,13 +20,15 @@ void drawHeading(SortPen& pen) {
   if (!pen.event) return;
   int x = at.x + 45;
   const bool pair = pen.Q() >= 0;
-  const std::string asks = "may P be painted before Q?";
-  const bool asked = pair && pen.compare != nullptr && at.width > 520;
+  const std::string asks = !pen.sorting()          ? "may P be painted before Q?"
+                           : pen.view.own->clicksQ ? "a click chooses Q"
+                                                   : "a click chooses P";
+  const bool asked = pair && (pen.compare != nullptr || pen.sorting()) && at.width > 520;
   const int room = (right - (asked ? textWidth(asks) + 12 : 0) - x) / (pair ? 2 : 1) - 34;
   const auto name = [&](int id, bool isP) {
     drawBadge(pen, x, y - 11, isP);
-    const std::string farthest =
-        numberAndPart(pen.run, id) + (pen.event->kind == Event::Kind::Take ? ", farthest" : "");
+    const std::string farthest = numberAndPart(pen.run, id) +
+                                 (pen.event->kind == Event::Kind::Take && !pen.view.own ? ", farthest" : "");
     x = pen.ink(x + 18, y, fitting(farthest, room)) + 24;
   };
   name(pen.P(), true);
@@ -45,10 +47,46 @@ void drawAnswer(SortPen& pen, int right, int y, const TestAnswer& answer) {
     pen.paint.cross(x - 17, y - 8, pen(cell));
 }
 
+/// Tests 1 to 5, while the student says which of them tells: what is known of P and Q so far.
+void drawOwnTests(SortPen& pen) {
+  const int numbers = pen.at.table.x + (pen.at.compact ? 174 : 186);
+  for (int k = 0; k < kOwnTests; ++k) {
+    const Rect row = pen.at.testRow(k);
+    const Test test = kOrder[k];
+    const int y = row.y + pen.at.line - 4, right = row.x + row.width;
+    // At an earlier step, only the test that was named then is known.
+    std::optional<bool> passed;
+    if (pen.sorting())
+      passed = pen.view.own->passed[k];
+    else if (pen.compare && pen.compare->test == test)
+      passed = true;
+    if (pen.look(SortPart::Test, k).hovered && pen.sorting()) pen.paint.fillRect(row, pen(Cell::Focus));
+    if (pen.view.own->naming && pen.sorting())
+      pen.key(row.x - 3, y - 11, shortNameOf(test));
+    else
+      pen.soft(row.x, y, shortNameOf(test));
+    const bool pair = pen.Q() >= 0;
+    pen.paint.text(row.x + (pen.at.compact ? 20 : 24), y, questionOf(test),
+                   pen(pair ? Cell::Ink : Cell::Faint));
+    if (passed) {
+      const Event compare{
+          .kind = Event::Kind::Compare, .test = *passed ? test : Test::Overlap, .P = pen.P(), .Q = pen.Q()};
+      const TestAnswer answer = answerOf(compare, test);
+      pen.ink(
+          numbers, y,
+          numbersThatFit(pen.run.explainer(), compare, test, right - textWidth(answer.words) - 24 - numbers));
+      drawAnswer(pen, right, y, answer);
+    } else if (pair && pen.sorting()) {
+      pen.softRight(right, y, "does it tell?");
+    }
+  }
+}
+
 }  // namespace
 
 void drawTests(SortPen& pen) {
   drawHeading(pen);
+  if (pen.view.own) return drawOwnTests(pen);
   const Rect& at = pen.at.table;
   const int heading = at.height - static_cast<int>(kOrder.size()) * pen.at.line;
   const int numbers = at.x + (pen.at.compact ? 174 : 186), right = at.x + at.width;
@@ -102,7 +140,17 @@ void drawFinding(SortPen& pen) {
     if (!finding.aside.empty() && end + 12 + textWidth(finding.aside) <= at.x + at.width - 6)
       pen.softRight(at.x + at.width - 8, y, finding.aside);
   }
-  if (pen.view.asking) {
+  if (pen.sorting()) {
+    for (std::size_t k = 0; k < kActs.size(); ++k) {
+      const Rect& r = pen.at.acts[k];
+      if (pen.look(SortPart::Act, static_cast<int>(k)).hovered)
+        pen.paint.fillRect({r.x - 3, r.y - 1, r.width + 6, r.height + 1}, pen(Cell::Focus));
+      const int width = pen.key(r.x, r.y + 1, std::string_view{&kActKeys[k], 1});
+      pen.paint.text(r.x + width + 6, r.y + 1 + kKeyCapBaseline, kActs[k],
+                     pen(pen.P() >= 0 && (k == 0 || pen.Q() >= 0) ? Cell::Ink : Cell::Faint));
+    }
+    y = pen.at.acts.back().y + pen.at.acts.back().height + pen.at.line - 2;
+  } else if (pen.view.asking) {
     for (std::size_t k = 0; k < kAnswers.size(); ++k) {
       const Rect& r = pen.at.answers[k];
       if (pen.look(SortPart::Answer, static_cast<int>(k)).hovered)

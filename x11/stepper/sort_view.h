@@ -1,14 +1,31 @@
 #pragma once
 
+#include <array>
 #include <optional>
+#include <string>
 #include <vector>
 
 #include "depthsort/depth_sort.h"
 #include "x11/kit/control.h"
 #include "x11/kit/score.h"
+#include "x11/stepper/sample_row.h"
 #include "x11/stepper/sort_layout.h"
 
 namespace xnewell {
+
+/// The state of the page while the student sorts (own_sort.h).
+struct OwnView {
+  int P = -1, Q = -1;  ///< ids of the chosen polygons; -1 if none is left
+  /// Of tests 1 to 5 on P and Q: what is known since the student named it.
+  std::array<std::optional<bool>, kOwnTests> passed{};
+  bool naming = false;   ///< the next digit names a test
+  bool clicksQ = false;  ///< a click chooses Q, not P
+  std::string bold = {}, why = {};
+  bool alarm = false;
+  Score score = {};                    ///< of the steps so far: how many of them were valid
+  std::vector<SampleRow> spoilt = {};  ///< samples that will show a polygon that is not the nearest
+  bool operator==(const OwnView&) const = default;
+};
 
 /// The state of the page besides the run itself.
 struct SortView {
@@ -22,9 +39,10 @@ struct SortView {
   Score score = {};                    ///< of the answers so far
   double speed = kUsualSpeed;          ///< steps a second
   bool playing = false;
-  bool loupe = true;      ///< the loupe is shown over the picture
-  bool code = false;      ///< the book's lines are shown, in place of side view and list
-  bool numbered = false;  ///< the boxes show the digits that tick them
+  bool loupe = true;                ///< the loupe is shown over the picture
+  bool code = false;                ///< the book's lines are shown, in place of side view and list
+  bool numbered = false;            ///< the boxes show the digits that tick them
+  std::optional<OwnView> own = {};  ///< the student sorts
   bool operator==(const SortView&) const = default;
 };
 

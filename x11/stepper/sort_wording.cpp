@@ -201,6 +201,12 @@ TestAnswer answerOf(const Event& e, Test test) {
 
 StepFinding findingOf(const SortRun& run, const SortView& view) {
   const Event* const e = run.replay().event();
+  if (const auto& own = view.own)
+    return {own->bold, own->why,
+            own->score.asked > 0 ? std::to_string(own->score.right) + " of " +
+                                       std::to_string(own->score.asked) + " steps valid"
+                                 : "",
+            own->alarm};
   const auto polygons = static_cast<std::int64_t>(run.sorted().list.size());
   if (e == nullptr) {
     if (polygons == 0) return {"There is nothing to sort.", "No polygon of the scene is visible."};
@@ -264,11 +270,16 @@ std::vector<std::string> stepAsLines(const SortRun& run, const SortView& view) {
   std::vector<std::string> lines{stepInWords(run)};
   if (view.asking) return lines;
   const std::optional<Event> e = run.asTested();
-  if (e && e->kind == Event::Kind::Compare)
+  if (e && e->kind == Event::Kind::Compare && !view.own)
     for (const Test test : run.explainer().testsMade(*e))
       lines.push_back(std::string{shortNameOf(test)} + "   " + std::string{questionOf(test)} + "   " +
                       numbersOf(run.explainer(), *e, test).front() + "   " + answerOf(*e, test).words);
   const StepFinding finding = findingOf(run, view);
+  if (view.own && view.own->P >= 0) {
+    lines.back() = "you sort: P " + numberAndPart(run, view.own->P);
+    if (view.own->Q >= 0) lines.back() += ", Q " + numberAndPart(run, view.own->Q);
+    if (!finding.aside.empty()) lines.push_back(finding.aside);
+  }
   lines.push_back(finding.bold);
   if (!finding.why.empty()) lines.push_back(finding.why);
   return lines;

@@ -183,16 +183,20 @@ TEST(SortBench, EveryRectangleDoesItsThing) {
   for (const auto& [width, height] : {std::pair{1024, 768}, {800, 600}, {1600, 1200}}) {
     Stepper s{"nested-cycles", 3, width, height};
     const SortLayout at = s.places();
+    const auto isTicked = [&](int k) {
+      const SortView& view = s.bench.view();
+      return k == kPredict ? view.predict : k == kOwn ? view.own.has_value() : view.stops[k];
+    };
     for (int k = 0; k < kToggleCount; ++k) {
       const Rect& box = at.toggles[k].area;
       s.bench.hover(box.x + 1, box.y + 1);
       const IndexImage before = s.draw();
       s.click(at.toggles[k].area);
-      EXPECT_TRUE(k == kPredict ? s.bench.view().predict : s.bench.view().stops[k]) << k;
+      EXPECT_TRUE(isTicked(k)) << k;
       EXPECT_TRUE(s.bench.late(s.wanted));
       EXPECT_NE(s.draw(), before) << k;
       s.click(at.toggles[k].area);
-      EXPECT_FALSE(k == kPredict ? s.bench.view().predict : s.bench.view().stops[k]) << k;
+      EXPECT_FALSE(isTicked(k)) << k;
     }
     EXPECT_EQ(s.questions.size(), 1u);  // which polygon?
     for (const LandmarkRow& row : kLandmarks) {

@@ -38,9 +38,13 @@ std::vector<Rect> partsOf(const SortLayout& at) {
 TEST(SortLayout, PartsKeepApart) {
   for (const Rect& body : bodies()) {
     SCOPED_TRACE(std::to_string(body.width) + " x " + std::to_string(body.height));
-    for (const bool shut : {false, true}) {
+    for (const auto& [shut, own] : {std::pair{false, false}, {true, false}, {false, true}, {true, true}}) {
       if (!shut && body.x < 16) continue;  // with the drawer shut, the margins are smaller
-      const SortLayout at = layoutOfSort(body, shut);
+      const SortLayout at = layoutOfSort(body, shut, own);
+      EXPECT_EQ(at.picture, layoutOfSort(body, shut).picture);
+      if (own) {
+        for (const Rect& act : at.acts) EXPECT_EQ(intersection(act, at.finding), act);
+      }
       const std::vector<Rect> all = partsOf(at);
       for (std::size_t i = 0; i < all.size(); ++i) {
         ASSERT_FALSE(all[i].empty()) << i;

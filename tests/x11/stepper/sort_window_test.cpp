@@ -22,6 +22,26 @@ class SortWindowAt : public testing::TestWithParam<int> {
 INSTANTIATE_TEST_SUITE_P(Depths, SortWindowAt, testing::ValuesIn(someOf({8, 24}, 1)),
                          testing::PrintToStringParamName());
 
+// The student sorts: keys and clicks do what they do without a server.
+TEST_P(SortWindowAt, TheStudentSorts) {
+  const SortLayout own = layoutOfSort(twin.body(), false, true);
+  twin.type("Y");
+  EXPECT_TRUE(twin.agrees());
+  const RgbImage start = twin.expected();
+  twin.press(XK_Down, NamedKey::Down);
+  twin.type("nt");
+  EXPECT_TRUE(twin.agrees());
+  twin.type("3k");
+  twin.click(own.picture);
+  EXPECT_TRUE(twin.agrees());
+  twin.click(own.testRow(0));
+  twin.click(own.acts[0]);
+  EXPECT_TRUE(twin.agrees());
+  EXPECT_NE(twin.expected(), start);
+  twin.press(XK_BackSpace, NamedKey::Backspace);
+  EXPECT_TRUE(twin.agrees());
+}
+
 // Every key of the view does what it does without a server.
 TEST_P(SortWindowAt, KeysStep) {
   twin.press(XK_Right, NamedKey::Right);

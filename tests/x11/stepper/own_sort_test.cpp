@@ -1,0 +1,397 @@
+#include "x11/stepper/own_sort.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <limits>
+#include <random>
+#include <set>
+
+#include "depthsort/oracle.h"
+#include "depthsort/order.h"
+#include "shading/diagnose/paint_steps.h"
+#include "shading/fill/fragment_spans.h"
+#include "shading/picture/exactness.h"
+#include "tests/support/seeds.h"
+#include "tests/support/temporary_folder.h"
+#include "tests/x11/support/program.h"
+#include "tests/x11/support/stepper.h"
+#include "x11/drawing/font.h"
+#include "x11/drawing/wording.h"
+#include "x11/options/shell_words.h"
+#include "x11/stepper/fragment_tint.h"
+
+namespace xnewell::THIS_FILE {
+
+// The student sorts: what is valid, what a wrong step does, and what is kept of it.
+
+namespace {
+
+/// A stepper in which somebody sorts.
+struct Sorting : Stepper {
+  explicit Sorting(const char* scene, int divisions = 3, int width = 800, int height = 540)
+      : Stepper{scene, divisions, width, height} {
+    press("Y");
+    draw();
+  }
+  [[nodiscard]] const OwnView& own() const { return *bench.view().own; }
+  [[nodiscard]] std::vector<int> left() {
+    std::vector<int> ids;
+    for (const auto& [id, marked] : run().replay().list(std::numeric_limits<int>::max())) ids.push_back(id);
+    return ids;
+  }
+  /// Chooses P with the keys.
+  void chooseP(int id) {
+    const std::vector<int> all = left();
+    const auto placeOf = [&](int P) { return std::ranges::find(all, P) - all.begin(); };
+    const auto way = placeOf(id) - placeOf(own().P);
+    for (auto k = way; k != 0; k += k > 0 ? -1 : 1) press(k > 0 ? NamedKey::Down : NamedKey::Up);
+    ASSERT_EQ(own().P, id);
+  }
+  /// Chooses Q by clicks on one of its samples.
+  void chooseQ(int id) {
+    if (!own().clicksQ) press("k");
+    const Rect at = places().picture;
+    const auto [i, j] = *samplesOf(id).begin();
+    for (int tries = 0; tries < 400 && own().Q != id; ++tries) click(at.x + i, at.y + j);
+    ASSERT_EQ(own().Q, id);
+  }
+  [[nodiscard]] std::set<std::pair<int, int>> samplesOf(int id) {
+    std::set<std::pair<int, int>> all;
+    const Rect at = places().picture;
+    forEachSpan(run().scene(), run().sorted(), fragmentOf(run().scene(), run().sorted(), id), at.width,
+                at.height, [&](int row, int from, int to) {
+                  for (int i = from; i < to; ++i) all.insert({i, row});
+                });
+    return all;
+  }
+  /// True if P is nearer than R at one of their common samples.
+  [[nodiscard]] bool hides(int P, int R) {
+    const SnappedScene& scene = run().scene();
+    const int p = run().fragments().faceIndex(P), r = run().fragments().faceIndex(R);
+    const auto ofR = samplesOf(R);
+    return std::ranges::any_of(samplesOf(P), [&](const auto& s) {
+      return ofR.contains(s) &&
+             nearer(scene.planes[scene.faces[p].plane], scene.planes[scene.faces[r].plane], s.first,
+                    s.second) > 0 &&
+             checkOf(scene, r, p, s.first, s.second) == SampleCheck::Wrong;
+    });
+  }
+  /// True if the plane of Q has corners of P on both sides.
+  [[nodiscard]] bool crosses(int P, int Q) {
+    if (run().fragments().faceIndex(P) == run().fragments().faceIndex(Q)) return false;
+    const CornerCounts counts = run().explainer().corners(P, Q);
+    return counts.inFront > 0 && counts.behind > 0;
+  }
+  /// What the file that `o` writes holds.
+  std::vector<PaintStep> written(const std::string& file) {
+    press("o");
+    EXPECT_EQ(type(file), "");
+    return readPaintSteps(file, picture().scene().mesh.faceCount());
+  }
+};
+
+/// Paints everything in a random order in which nothing hides what is left; cuts where there is none.
+void sortByTruth(Sorting& s, unsigned seed) {
+  std::mt19937 dice{seed};
+  for (int steps = 0; steps < 400; ++steps) {
+    std::vector<int> all = s.left();
+    if (all.empty()) return;
+    std::ranges::shuffle(all, dice);
+    const auto isFree = [&](int P) {
+      return std::ranges::none_of(all, [&](int R) { return R != P && s.hides(P, R); });
+    };
+    if (const auto P = std::ranges::find_if(all, isFree); P != all.end()) {
+      s.chooseP(*P);
+      s.press("p");
+      continue;
+    }
+    bool cut = false;
+    for (const int P : all)
+      for (const int Q : all)
+        if (!cut && P != Q && s.hides(P, Q) && s.crosses(P, Q) && !s.samplesOf(Q).empty()) {
+          s.chooseP(P);
+          s.chooseQ(Q);
+          s.press("c");
+          cut = true;
+        }
+    ASSERT_TRUE(cut);
+  }
+  FAIL() << "too many steps";
+}
+
+}  // namespace
+
+// Whoever paints only what hides nothing that is left, in any order, does only valid steps. The file that is
+// written is right to `judge`, and so is the whole in the window.
+TEST(OwnSort, EveryTrueOrderIsValid) {
+  const TemporaryFolder folder;
+  int cuts = 0;
+  for (const char* scene : someOf({"two-cards", "three-cards", "cycle", "penetrate", "sticks", "five-tests",
+                                   "turned-cards", "makie-4693", "threejs-6887", "cubes"},
+                                  3)) {
+    SCOPED_TRACE(scene);
+    Sorting s{scene};
+    sortByTruth(s, 44);
+    EXPECT_GT(s.own().score.asked, 1);
+    EXPECT_EQ(s.own().score.right, s.own().score.asked) << s.own().why;
+    EXPECT_TRUE(s.own().bold.ends_with("is right.")) << s.own().bold;
+    EXPECT_TRUE(s.own().spoilt.empty());
+    cuts += static_cast<int>(s.run().landmarks().steps(Landmark::Cut).size());
+    const std::string file = folder.file(std::string{scene} + ".jsonl");
+    const std::vector<PaintStep> steps = s.written(file);
+    EXPECT_EQ(steps.size(), s.run().sorted().fragments.size());
+    EXPECT_TRUE(judgeOrder(s.picture().withPlanes(), steps).isRight());
+    std::string command = s.bench.inWords().back();
+    ASSERT_TRUE(command.starts_with("xnewell judge ")) << command;
+    std::vector<std::string> words = *wordsOf(command);
+    words.erase(words.begin());
+    words.back() = file;
+    const auto end = runProgram(words);
+    EXPECT_EQ(end.status, 0) << command << end.out << end.err;
+    EXPECT_TRUE(end.out.starts_with("right: ")) << end.out;
+  }
+  EXPECT_GT(cuts, 2);
+}
+
+// A teapot painted by mean z: the first wrong pair in the window is that of `judge` on the file. What was
+// painted too early is what the picture then lacks.
+TEST(OwnSort, AWrongOrderIsJudgedAlike) {
+  const TemporaryFolder folder;
+  Sorting s{"teapot", 3};
+  std::vector<int> order = paintingOrder(s.run().scene(), Order::ZMean);
+  const std::vector<int> all = s.left();
+  std::erase_if(order, [&](int f) { return std::ranges::find(all, f) == all.end(); });
+  for (const int face : order) {
+    s.chooseP(face);
+    s.press("p");
+  }
+  const OrderReport window = s.bench.ownReport();
+  ASSERT_TRUE(window.first);
+  EXPECT_LT(s.own().score.right, s.own().score.asked);
+  EXPECT_TRUE(s.own().bold.ends_with("is wrong."));
+  const std::vector<PaintStep> steps = s.written(folder.file("mean.jsonl"));
+  const OrderReport judged = judgeOrder(s.picture().withPlanes(), steps);
+  ASSERT_TRUE(judged.first);
+  EXPECT_EQ(judged.first->shown, window.first->shown);
+  EXPECT_EQ(judged.first->hidden, window.first->hidden);
+  EXPECT_EQ(judged.first->i, window.first->i);
+  EXPECT_EQ(judged.first->told, window.first->told);
+  EXPECT_EQ(judged.wrongSamples, window.wrongSamples);
+  // Its sample was marked when what is hidden there was painted.
+  const auto& marked = s.own().spoilt;
+  EXPECT_TRUE(std::ranges::any_of(marked, [&](const SampleRow& row) {
+    return row.row == judged.first->j && row.from <= judged.first->i && judged.first->i < row.to;
+  }));
+}
+
+// The nearer of two cards painted first is taken, and spoils the picture: the samples are marked, and a test
+// of 3 and 4 would have told. Painted to the end, just these samples show the wrong face.
+TEST(OwnSort, PaintingTooEarlySpoilsThePicture) {
+  Sorting s{"two-cards"};
+  const std::vector<int> all = s.left();
+  ASSERT_EQ(all.size(), 2u);
+  const int P = s.hides(all[0], all[1]) ? all[0] : all[1];
+  s.chooseP(P);
+  s.press("p");
+  s.draw();
+  EXPECT_EQ(s.own().score, (Score{0, 1}));
+  EXPECT_TRUE(s.own().alarm);
+  EXPECT_TRUE(s.own().bold.ends_with(" is painted too early.")) << s.own().bold;
+  EXPECT_TRUE(s.own().why.find(". Test 3 tells: ") != std::string::npos ||
+              s.own().why.find(". Test 4 tells: ") != std::string::npos)
+      << s.own().why;
+  std::set<std::pair<int, int>> spoilt;
+  for (const SampleRow& row : s.own().spoilt)
+    for (int i = row.from; i < row.to; ++i) spoilt.insert({i, row.row});
+  ASSERT_FALSE(spoilt.empty());
+  const Rect at = s.places().picture;
+  const CellPlan plan{TableKind::Linear};
+  const auto marked = std::ranges::count_if(spoilt, [&](const auto& sample) {
+    const int shown = s.image().row(at.y + sample.second)[at.x + sample.first];
+    return shown == plan[Cell::Alarm] || shown == plan[Cell::White];
+  });
+  // The tint and the outline of what is chosen now, and the loupe, cover some of them.
+  EXPECT_GT(2 * marked, std::ssize(spoilt));
+  s.press("p");
+  const std::vector<int> nearest = visibleFaces(s.run().scene(), at.width, at.height);
+  std::set<std::pair<int, int>> wrong;
+  for (const auto& sample : s.samplesOf(s.run().paintedId(1)))
+    if (nearest[static_cast<std::size_t>(sample.second) * at.width + sample.first] == P) wrong.insert(sample);
+  EXPECT_EQ(wrong, spoilt);
+  EXPECT_TRUE(s.own().bold.ends_with("is wrong."));
+}
+
+// Of tests 1 to 5 just those are valid that truly pass, by the numbers of the page.
+TEST(OwnSort, NamedTestsMustPass) {
+  int passed = 0, failed = 0;
+  for (const char* scene : {"five-tests", "cycle", "crossing-sheets"}) {
+    Sorting s{scene};
+    const std::vector<int> all = s.left();
+    for (const int P : all)
+      for (const int Q : all) {
+        if (P == Q) continue;
+        s.chooseP(P);
+        for (std::size_t k = 0; k < all.size() && s.own().Q != Q; ++k) s.press("n");
+        if (s.own().Q != Q) continue;  // it does not overlap P in z
+        const Explainer& e = s.run().explainer();
+        const auto apart = [](const Range& a, const Range& b) { return a.high <= b.low || b.high <= a.low; };
+        const CornerCounts p = e.corners(P, Q), q = e.corners(Q, P);
+        const bool onePlane = p.inFront + p.behind == 0;
+        const std::array<bool, 5> truth{apart(e.xExtent(P), e.xExtent(Q)), apart(e.yExtent(P), e.yExtent(Q)),
+                                        !onePlane && p.inFront == 0, !onePlane && q.behind == 0,
+                                        e.separatingEdge(P, Q).has_value()};
+        for (int k = 0; k < 5; ++k) {
+          const int before = s.own().score.right, events = s.bench.own()->events();
+          s.press("t" + std::to_string(k + 1));
+          EXPECT_EQ(s.own().score.right - before, truth[k]) << scene << ' ' << P << ' ' << Q << ' ' << k + 1;
+          EXPECT_EQ(s.bench.own()->events() > events, truth[k]);
+          EXPECT_EQ(s.own().passed[k], truth[k]);
+          (truth[k] ? passed : failed)++;
+        }
+      }
+  }
+  EXPECT_GT(passed, 20);
+  EXPECT_GT(failed, 20);
+}
+
+// A move is refused where Q is nearer somewhere, and a cut where the plane does not cross: nothing is done.
+// Where they are true they are done.
+TEST(OwnSort, RefusesWhatIsNotTrue) {
+  int moved = 0, kept = 0, cut = 0, whole = 0;
+  for (const char* scene : {"cycle", "crossing-sheets", "two-cards"}) {
+    Sorting s{scene};
+    const std::vector<int> all = s.left();
+    for (const int P : all)
+      for (int k = 0; k < 4; ++k) {
+        s.chooseP(P);
+        for (int n = 0; n < k; ++n) s.press("n");
+        const int Q = s.own().Q;
+        for (const char key : {'m', 'c', 's'}) {
+          const bool isTrue = key == 'm' ? !s.hides(Q, P) : key == 'c' ? s.crosses(P, Q) : s.crosses(Q, P);
+          const Score before = s.own().score;
+          const int events = s.bench.own()->events();
+          s.press({key});
+          EXPECT_EQ(s.own().score, (Score{before.right + isTrue, before.asked + 1})) << s.own().why;
+          EXPECT_EQ(s.own().alarm, !isTrue);
+          EXPECT_EQ(s.bench.own()->events() > events, isTrue);
+          (key == 'm' ? (isTrue ? moved : kept) : (isTrue ? cut : whole))++;
+          if (isTrue) s.press(NamedKey::Backspace);
+          EXPECT_EQ(s.bench.own()->events(), events);
+          EXPECT_EQ(s.own().P, P);
+          EXPECT_EQ(s.own().Q, Q);
+        }
+      }
+  }
+  EXPECT_GT(std::min({moved, kept, cut, whole}), 0) << moved << ' ' << kept << ' ' << cut << ' ' << whole;
+}
+
+// Each step taken back leaves the picture, the list and the side view bit by bit as they were, and done again
+// it does the same.
+TEST(OwnSort, TakingBackRestoresThePicture) {
+  Sorting s{"cycle", 3, 1024, 768};
+  const Rect picture = s.places().picture, list = s.places().list, side = s.places().side;
+  const auto parts = [&] {
+    s.draw();
+    std::vector<std::uint8_t> cells;
+    for (const Rect& part : {picture, list, side})
+      for (int j = part.y; j < part.y + part.height; ++j)
+        cells.insert(cells.end(), s.image().row(j) + part.x, s.image().row(j) + part.x + part.width);
+    return cells;
+  };
+  std::vector<std::vector<std::uint8_t>> shown;
+  std::mt19937 dice{7};
+  int tries = 0;
+  for (; shown.size() < 12 && tries < 400; ++tries) {
+    const int events = s.bench.own()->events();
+    if (tries % 3 == 0) s.press("n");
+    const auto before = parts();
+    const char key = "mcsmcst3p"[std::uniform_int_distribution{0, 6 + 2 * (tries % 20 == 19)}(dice)];
+    s.press({key});
+    if (s.bench.own()->events() == events) continue;
+    shown.push_back(before);
+    const auto after = parts();
+    s.press(NamedKey::Backspace);
+    s.press({key});
+    EXPECT_TRUE(parts() == after) << "done again: " << key;
+    if (s.left().empty()) break;
+  }
+  const int done = static_cast<int>(shown.size());
+  EXPECT_GT(done, 8);
+  EXPECT_NE(shown.front(), shown.back());
+  for (int k = done; k-- > 0;) {
+    s.press(NamedKey::Backspace);
+    EXPECT_TRUE(parts() == shown[k]) << k;
+  }
+  EXPECT_EQ(s.bench.own()->events(), 0);
+  s.press(NamedKey::Backspace);
+  EXPECT_EQ(s.notices.back(), "There is no step to take back.");
+}
+
+// The program's sort is there again when the student ends; what the student did is kept meanwhile, also while
+// the picture is shaded otherwise. Another view of the scene begins again, and says so.
+TEST(OwnSort, ComesAndGoes) {
+  Sorting s{"cycle"};
+  s.press("pp");
+  const IndexImage mine = s.draw();
+  s.press("Y");
+  EXPECT_FALSE(s.bench.view().own);
+  EXPECT_EQ(s.step(), 0);
+  EXPECT_GT(s.run().steps(), 4);
+  s.press("Y");
+  EXPECT_EQ(s.bench.own()->steps(s.run()).size(), 2u);
+  s.wanted.picture.shading = Shading::Gouraud;
+  s.draw();
+  EXPECT_EQ(s.bench.own()->steps(s.run()).size(), 2u);
+  s.bench.leave();
+  s.press("o");  // it waits until there is a run again
+  s.draw();
+  EXPECT_EQ(s.bench.own()->steps(s.run()).size(), 2u);
+  EXPECT_EQ(s.questions.back().text, "order.jsonl");
+  s.press(NamedKey::Home);
+  s.draw();
+  EXPECT_EQ(s.own().bold, "Nothing is painted yet.");
+  s.press("p");
+  EXPECT_EQ(s.notices.back(), "This is an earlier step of your sort; End goes on with it.");
+  s.press(NamedKey::End);
+  s.wanted.picture.camera.eye = glm::dvec3{1, 2, 9};
+  s.draw();
+  EXPECT_EQ(s.bench.own()->steps(s.run()).size(), 0u);
+  EXPECT_EQ(s.notices.back(), "The polygons have other places now, so your sort begins again.");
+}
+
+// No key of the view has two meanings while the student sorts, and each has words.
+TEST(OwnSort, KeysAreUnique) {
+  Sorting s{"cycle"};
+  s.press("t");
+  std::set<std::pair<NamedKey, char>> taken;
+  for (const KeyRow& row : s.bench.keys()) {
+    EXPECT_FALSE(row.does.empty());
+    for (const Key& key : row.keys)
+      EXPECT_TRUE(taken.insert({key.name, key.name == NamedKey::Letter ? key.letter : '\0'}).second)
+          << nameOf(key);
+  }
+  EXPECT_TRUE(taken.contains({NamedKey::Letter, '5'}));
+}
+
+// What is said fits its box at every size of the window, also with the longest names.
+TEST(OwnSort, WordsFit) {
+  for (const bool shut : {false, true})
+    for (const Rect& body : {Rect{16, 48, 992, 612}, Rect{16, 43, 768, 428}, Rect{8, 26, 784, 450}}) {
+      if (!shut && body.x < 16) continue;  // with the drawer shut, the margins are smaller
+      const SortLayout at = layoutOfSort(body, shut, true);
+      const Rect &last = at.acts.back(), &box = at.finding;
+      EXPECT_LE(last.x + last.width, box.x + box.width);
+      const std::string longest =
+          "It is nearer than a piece of face 1234, which is left to paint, at 12,345 samples, such as "
+          "123,456. Test 3 tells: a piece of face 1234 is wholly on the far side of the plane of a piece of "
+          "face "
+          "5678.";
+      const auto lines = broken(longest, (box.width - 20) / kGlyphWidth).size();
+      EXPECT_LE(last.y + last.height + at.line - 2 + (static_cast<int>(lines) - 1) * at.line,
+                box.y + box.height)
+          << shut << body.width;
+    }
+}
+
+}  // namespace xnewell::THIS_FILE

@@ -1,0 +1,265 @@
+#include "x11/stepper/own_sort.h"
+
+#include <algorithm>
+#include <array>
+#include <cctype>
+#include <limits>
+#include <map>
+#include <utility>
+
+#include "depthsort/pair_tests.h"
+#include "depthsort/pieces.h"
+#include "shading/diagnose/pair_scene.h"
+#include "shading/fill/fragment_spans.h"
+#include "shading/picture/exactness.h"
+#include "x11/drawing/wording.h"
+#include "x11/homework/judgement_report.h"
+#include "x11/stepper/fragment_tint.h"
+#include "x11/stepper/sort_wording.h"
+
+namespace xnewell {
+
+struct OwnSort::Seen {
+  Seen(const SortRun& run, int id)
+      : index{run.fragments().faceIndex(id)},
+        box{run.fragments().extents(id).box},
+        isPiece{run.fragments().isPiece(id)},
+        face{run.scene().faces[index]} {
+    if (isPiece) region = run.fragments().region(id);
+  }
+  [[nodiscard]] Shape shape() const { return {face, index, box, isPiece ? &region : nullptr}; }
+
+  int index;
+  ScreenBox box;
+  bool isPiece;
+  const SnappedFace& face;
+  Region region;
+};
+
+namespace {
+
+PairTests testsFor(const Picture& picture) {
+  return {picture.snapped(),
+          {.width = picture.settings().width, .height = picture.settings().height, .textbook = true}};
+}
+
+std::string samplesText(int samples, int i, int j) {
+  return counted(samples, "sample") + ", such as " + std::to_string(i) + "," + std::to_string(j);
+}
+
+/// "Test 3".
+std::string testText(Test test) { return "Test " + std::string{shortNameOf(test)}; }
+
+}  // namespace
+
+OwnSort::OwnSort(Picture picture, std::vector<int> list) : picture_{std::move(picture)} {
+  sorted_.list = std::move(list);
+}
+
+std::unique_ptr<SortRun> OwnSort::makeRun(std::uint8_t ground) const {
+  auto run = std::make_unique<SortRun>(picture_, sorted_, ground);
+  run->goTo(run->steps());
+  return run;
+}
+
+std::vector<int> OwnSort::waiting(const SortRun& run) const {
+  std::vector<int> ids;
+  for (const auto& [id, marked] : run.replay().list(std::numeric_limits<int>::max())) ids.push_back(id);
+  return ids;
+}
+
+OwnSort::Hidden OwnSort::hidden(const SortRun& run, int P, int R) const {
+  Hidden found;
+  const Seen p{run, P}, r{run, R};
+  if (!p.box.overlaps(r.box)) return found;
+  const SnappedScene& scene = picture_.snapped();
+  const int width = picture_.settings().width, height = picture_.settings().height;
+  std::map<int, std::vector<Columns>> rows;
+  forEachSpan(scene, sorted_, fragmentOf(scene, sorted_, P), width, height, [&](int row, int from, int to) {
+    rows[row].push_back({from, to});
+  });
+  const auto isHidden = [&](int i, int j) {
+    return nearer(scene.planes[p.face.plane], scene.planes[r.face.plane], i, j) > 0 &&
+           checkOf(scene, r.index, p.index, i, j) == SampleCheck::Wrong;
+  };
+  forEachSpan(scene, sorted_, fragmentOf(scene, sorted_, R), width, height, [&](int row, int from, int to) {
+    const auto at = rows.find(row);
+    if (at == rows.end()) return;
+    for (const Columns& columns : at->second)
+      for (int i = std::max(from, columns.from); i < std::min(to, columns.to); ++i) {
+        if (!isHidden(i, row)) continue;
+        if (found.samples++ == 0) found.i = i, found.j = row;
+        if (!found.rows.empty() && found.rows.back().row == row && found.rows.back().to == i)
+          ++found.rows.back().to;
+        else
+          found.rows.push_back({row, i, i + 1});
+      }
+  });
+  return found;
+}
+
+void OwnSort::begin(int P, int Q) {
+  done_.push_back({.events = sorted_.events.size(),
+                   .fragments = sorted_.fragments.size(),
+                   .pieces = sorted_.pieces.size(),
+                   .cuts = sorted_.cuts.size(),
+                   .stack = stack_,
+                   .P = P,
+                   .Q = Q});
+}
+
+/// P becomes the polygon that the next event is about. If it is not the P of the moves before, they end.
+void OwnSort::take(int P) {
+  if (!stack_.empty() && stack_.back() == P) return;
+  sorted_.events.push_back({.kind = Event::Kind::Take, .P = P});
+  stack_ = {P};
+}
+
+OwnSort::Reply OwnSort::refuse(std::string bold, std::string why) {
+  score_.add(false);
+  return {false, std::move(bold), std::move(why)};
+}
+
+OwnSort::Reply OwnSort::done(Reply reply, std::vector<SampleRow> spoilt) {
+  score_.add(reply.valid);
+  done_.back().after = events();
+  done_.back().reply = reply;
+  done_.back().spoilt = std::move(spoilt);
+  return reply;
+}
+
+OwnSort::Reply OwnSort::paint(const SortRun& run, int P, int Q) {
+  Hidden most;
+  int covers = -1;
+  std::vector<SampleRow> spoilt;
+  for (const int R : waiting(run)) {
+    if (R == P) continue;
+    Hidden here = hidden(run, P, R);
+    spoilt.insert(spoilt.end(), here.rows.begin(), here.rows.end());
+    if (here.samples > most.samples) most = std::move(here), covers = R;
+  }
+  std::string name = stepName(stepOf(run, P));
+  name[0] = static_cast<char>(std::toupper(static_cast<unsigned char>(name[0])));
+  Reply reply{true, name + " is painted.", "No polygon that is left lies behind it at a common sample."};
+  if (covers >= 0) {
+    const std::array two{stepOf(run, covers), stepOf(run, P)};
+    WrongPair pair{.shown = 0, .hidden = 1, .i = most.i, .j = most.j, .samples = most.samples};
+    tellPair(picture_, two, pair, run.fragments().faceIndex(covers), run.fragments().faceIndex(P));
+    std::string lesson = lessonOf(pair, two);
+    if (pair.cycle.size() > 5)
+      lesson = "only a cut helps: " + std::to_string(pair.cycle.size() - 1) +
+               " faces must each be painted before the next, in a circle";
+    lesson[0] = static_cast<char>(std::toupper(static_cast<unsigned char>(lesson[0])));
+    reply = {false, name + " is painted too early.",
+             "It is nearer than " + stepName(two[0]) + ", which is left to paint, at " +
+                 samplesText(most.samples, most.i, most.j) + ". " + lesson + "."};
+  }
+  begin(P, Q);
+  take(P);
+  sorted_.events.push_back({.kind = Event::Kind::Paint, .P = P});
+  sorted_.fragments.push_back(fragmentOf(picture_.snapped(), sorted_, P));
+  stack_.pop_back();
+  return done(std::move(reply), std::move(spoilt));
+}
+
+OwnSort::Reply OwnSort::tell(const SortRun& run, Test test, int P, int Q) {
+  const Event compare{.kind = Event::Kind::Compare, .test = test, .P = P, .Q = Q};
+  PairTests tests = testsFor(picture_);
+  const std::string numbers = numbersOf(run.explainer(), compare, test).front();
+  if (!tests.passes(test, Seen{run, P}.shape(), Seen{run, Q}.shape()))
+    return refuse(testText(test) + " does not tell.",
+                  std::string{questionOf(test)} + " No: " + numbers + ".");
+  begin(P, Q);
+  take(P);
+  sorted_.events.push_back(compare);
+  return done({true, testText(test) + " tells: P may be painted before Q.",
+               std::string{questionOf(test)} + " Yes: " + numbers + "."});
+}
+
+OwnSort::Reply OwnSort::move(const SortRun& run, int P, int Q) {
+  if (const Hidden here = hidden(run, Q, P); here.samples > 0)
+    return refuse("Q is not moved.", "Q is nearer than P at " + samplesText(here.samples, here.i, here.j) +
+                                         ", so P must be painted before Q.");
+  begin(P, Q);
+  // A marked Q would be marked twice: then the moves begin anew.
+  if (std::ranges::find(stack_, Q) != stack_.end()) stack_.clear();
+  take(P);
+  sorted_.events.push_back({.kind = Event::Kind::Move, .P = P, .Q = Q});
+  stack_.push_back(Q);
+  return done(
+      {true, "Q goes first.", "Q is nowhere nearer than P. It is the new P, and the old one is marked."});
+}
+
+OwnSort::Reply OwnSort::cut(const SortRun& run, int polygon, int by, bool isP) {
+  const std::string cutName = isP ? "P" : "Q", planeName = isP ? "Q" : "P";
+  const Seen seen{run, polygon}, plane{run, by};
+  PairTests tests = testsFor(picture_);
+  if (!tests.crosses(seen.shape(), plane.shape()))
+    return refuse(cutName + " is not cut.", "The plane of " + planeName + " does not cross " + cutName + ".");
+  isP ? begin(polygon, by) : begin(by, polygon);
+  sorted_.events.push_back({.kind = Event::Kind::Split, .P = polygon, .Q = by});
+  const auto at = std::ranges::find(stack_, polygon);
+  stack_.erase(at, stack_.end());
+  const PairTests::Parts parts = tests.split(seen.shape(), plane.shape());
+  const Extents whole = run.fragments().extents(polygon);
+  const PixelArea all{0, 0, picture_.settings().width, picture_.settings().height};
+  for (const Region* part : {&parts.behind, &parts.front}) {
+    const Extents extents = extentsOf(picture_.snapped(), seen.face, *part, whole);
+    enterPiece(sorted_, {seen.index, polygon}, *part, rowsOf(extents.box, all, false));
+  }
+  return done({true, cutName + " is cut in two.",
+               "The plane of " + planeName + " crosses " + cutName + ". Piece a is behind it, b before it."});
+}
+
+std::optional<std::pair<int, int>> OwnSort::undo() {
+  if (done_.empty()) return std::nullopt;
+  Done& last = done_.back();
+  const std::pair pair{last.P, last.Q};
+  sorted_.events.resize(last.events);
+  sorted_.fragments.resize(last.fragments);
+  sorted_.pieces.resize(last.pieces);
+  sorted_.cuts.resize(last.cuts);
+  stack_ = std::move(last.stack);
+  done_.pop_back();
+  return pair;
+}
+
+int OwnSort::lastPiece() const {
+  if (sorted_.events.empty() || sorted_.events.back().kind != Event::Kind::Split) return -1;
+  return static_cast<int>(picture_.snapped().faces.size() + sorted_.pieces.size()) - 2;
+}
+
+std::vector<SampleRow> OwnSort::spoilt(int events) const {
+  std::vector<SampleRow> all;
+  for (const Done& step : done_)
+    if (step.after <= events) all.insert(all.end(), step.spoilt.begin(), step.spoilt.end());
+  return all;
+}
+
+const OwnSort::Reply* OwnSort::replyAt(int events) const {
+  const Reply* reply = nullptr;
+  for (const Done& step : done_)
+    if (step.after <= events) reply = &step.reply;
+  return reply;
+}
+
+PaintStep OwnSort::stepOf(const SortRun& run, int id) const {
+  const SnappedFace& face = run.fragments().face(id);
+  const auto parts = std::ranges::count(picture_.snapped().faces, face.number, &SnappedFace::number);
+  PaintStep step{.face = face.number};
+  if (!run.fragments().isPiece(id) && parts == 1) return step;
+  for (const Place& corner : outlineOf(run.fragments().region(id)))
+    step.piece.push_back({corner.x, corner.y});
+  return step;
+}
+
+std::vector<PaintStep> OwnSort::steps(const SortRun& run) const {
+  std::vector<PaintStep> all;
+  for (int n = 0; n < static_cast<int>(sorted_.fragments.size()); ++n) {
+    all.push_back(stepOf(run, run.paintedId(n)));
+    all.back().line = n + 1;
+  }
+  return all;
+}
+
+}  // namespace xnewell
