@@ -9,9 +9,12 @@
 #include <stdexcept>
 #include <system_error>
 
+#include "geometry/files/parse_error.h"
+#include "geometry/files/text_file.h"
 #include "shading/color/png.h"
 #include "shading/picture/picture_cache.h"
 #include "x11/drawing/wording.h"
+#include "x11/homework/answer_file.h"
 #include "x11/homework/diagnosis_report.h"
 #include "x11/homework/html.h"
 #include "x11/homework/judgement_report.h"
@@ -53,8 +56,13 @@ std::string share(const std::optional<double>& v) { return v ? fixed(*v, 3) : ""
 
 }  // namespace
 
-Marker::Marker(Scene scene, PictureSettings settings, std::optional<glm::ivec2> size, bool pictures)
-    : scene_{std::move(scene)}, settings_{std::move(settings)}, size_{size}, pictures_{pictures} {}
+Marker::Marker(Scene scene, PictureSettings settings, std::optional<glm::ivec2> size, bool pictures,
+               RightAnswer rightAnswer)
+    : scene_{std::move(scene)},
+      settings_{std::move(settings)},
+      size_{size},
+      pictures_{pictures},
+      rightAnswer_{std::move(rightAnswer)} {}
 
 void Marker::markPicture(MarkedFile& row, const std::string& path) {
   const HandedIn handed = readHandedIn(path);
@@ -99,12 +107,31 @@ void Marker::markOrder(MarkedFile& row, const std::string& path) {
   }
 }
 
+void Marker::markAnswers(MarkedFile& row, const std::string& path) const {
+  std::set<std::pair<std::string, int>> seen;
+  std::set<std::string> lessons;
+  for (const AnsweredQuestion& one : readAnswers(path)) {
+    const std::string where = "step " + std::to_string(one.step) + " of " + inQuotes(one.lesson);
+    const int right = rightAnswer_(one.lesson, one.step).value_or(one.right);
+    if (right < 0) throw ParseError{path, 0, where + " asks nothing"};
+    if (!seen.emplace(one.lesson, one.step).second) throw ParseError{path, 0, where + " is answered twice"};
+    lessons.insert(one.lesson);
+    ++row.asked;
+    row.right += one.tries.front() == right;
+  }
+  row.verdict = "answers";
+  row.words = std::to_string(row.right) + " of " + std::to_string(row.asked) +
+              " right at the first try, in " + counted(std::ssize(lessons), "lesson");
+}
+
 MarkedFile Marker::mark(const std::string& folder, const std::string& name) {
   MarkedFile row{.file = name};
   const std::string path = (std::filesystem::path{folder} / name).string();
   try {
     if (name.ends_with(".jsonl"))
       markOrder(row, path);
+    else if (name.ends_with(".json"))
+      markAnswers(row, path);
     else
       markPicture(row, path);
   } catch (const std::bad_alloc&) {
@@ -118,12 +145,12 @@ MarkedFile Marker::mark(const std::string& folder, const std::string& name) {
   return row;
 }
 
-/// True if a file is handed in by its name: a picture of any kind, also of those that cannot be read, or an
-/// order. A text that explains the folder is not.
+/// True if a file is handed in by its name: a picture of any kind, also of those that cannot be read, an
+/// order, or answers. A text that explains the folder is not.
 bool isHandedIn(std::string name) {
   for (char& c : name)
     if ('A' <= c && c <= 'Z') c = static_cast<char>(c - 'A' + 'a');
-  for (const char* end : {".jsonl", ".png", ".ppm", ".pgm", ".pnm", ".xwd", ".jpg", ".jpeg", ".gif", ".bmp",
+  for (const char* end : {".jsonl", ".json", ".png", ".ppm", ".pgm", ".pnm", ".xwd", ".jpg", ".jpeg", ".gif", ".bmp",
                           ".tif", ".tiff", ".webp"})
     if (name.ends_with(end)) return true;
   return false;
@@ -144,14 +171,16 @@ std::vector<std::string> handedInFiles(const std::string& folder) {
 }
 
 std::string marksAsCsv(const std::vector<MarkedFile>& rows) {
-  std::string csv = "file,verdict,mistakes,term,explained,informative,pixel,face,words\n";
+  std::string csv = "file,verdict,mistakes,term,explained,informative,pixel,face,answers,words\n";
   for (const MarkedFile& row : rows) {
     const std::string pixel =
         row.pixel ? std::to_string(row.pixel->first) + ' ' + std::to_string(row.pixel->second) : "";
     bool first = true;
     for (const std::string& field :
          {printable(row.file), row.verdict, row.mistakes, row.terms, share(row.explained),
-          share(row.informative), pixel, row.face ? std::to_string(*row.face) : "", printable(row.words)}) {
+          share(row.informative), pixel, row.face ? std::to_string(*row.face) : "",
+          row.asked > 0 ? std::to_string(row.right) + " of " + std::to_string(row.asked) : "",
+          printable(row.words)}) {
       csv += (first ? "" : ",") + csvField(field);
       first = false;
     }
@@ -162,8 +191,10 @@ std::string marksAsCsv(const std::vector<MarkedFile>& rows) {
 
 std::string summaryOf(const std::vector<MarkedFile>& rows) {
   std::map<std::string, int> verdicts, mistakes;
+  int right = 0, asked = 0;
   for (const MarkedFile& row : rows) {
     ++verdicts[row.verdict];
+    right += row.right, asked += row.asked;
     if (row.verdict == "allowed") continue;
     std::string names = row.mistakes;
     std::ranges::replace(names, '+', ' ');
@@ -182,6 +213,9 @@ std::string summaryOf(const std::vector<MarkedFile>& rows) {
   std::string summary =
       counted(static_cast<std::int64_t>(rows.size()), "file") + ": " + listed(verdicts) + '\n';
   if (!mistakes.empty()) summary += "mistakes: " + listed(mistakes) + '\n';
+  if (asked > 0)
+    summary +=
+        "answers: " + std::to_string(right) + " of " + std::to_string(asked) + " right at the first try\n";
   return summary;
 }
 

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <functional>
 #include <map>
 #include <memory>
 #include <optional>
@@ -12,36 +13,46 @@
 
 namespace xnewell {
 
-/// The homework of a class: the pictures and the painting orders in a folder, a row each.
+/// The homework of a class: the pictures, the painting orders and the answers in a folder, a row each.
 
 struct MarkedFile {
   std::string file;          ///< its name in the folder
   std::string verdict = {};  ///< one word: right, allowed, mistake, one-of, numbers, unknown, other-scene,
-                             ///< wrong, unreadable
+                             ///< wrong, answers, unreadable
   std::string words = {};    ///< one line
   std::string mistakes = {}, terms = {};  ///< with blanks between them
   std::optional<double> explained = {}, informative = {};
   std::optional<std::pair<int, int>> pixel = {};
   std::optional<int> face = {};
+  /// Of a file of answers: how many questions are answered, and how many of them right at the first try.
+  int asked = 0, right = 0;
   std::string picture = {};  ///< the bytes of a small PNG; "" for none
 };
+
+/// The answer that holds, from 0, at a step of a lesson; -1 if that step asks nothing. Nothing for a lesson
+/// that the program does not have: then the file is believed.
+using RightAnswer = std::function<std::optional<int>(const std::string& lesson, int step)>;
 
 /// Marks files against one scene. What files share is made once.
 class Marker {
  public:
   /// `size` is that of all pictures; without it each picture has its own.
-  Marker(Scene scene, PictureSettings settings, std::optional<glm::ivec2> size, bool pictures);
+  Marker(
+      Scene scene, PictureSettings settings, std::optional<glm::ivec2> size, bool pictures,
+      RightAnswer rightAnswer = [](const std::string&, int) { return std::nullopt; });
   /// Never throws for what is in the file: it is unreadable then. @throws std::bad_alloc
   [[nodiscard]] MarkedFile mark(const std::string& folder, const std::string& name);
 
  private:
   void markPicture(MarkedFile& row, const std::string& path);
   void markOrder(MarkedFile& row, const std::string& path);
+  void markAnswers(MarkedFile& row, const std::string& path) const;
 
   Scene scene_;
   PictureSettings settings_;
   std::optional<glm::ivec2> size_;
   bool pictures_;
+  RightAnswer rightAnswer_;
   std::map<std::pair<int, int>, std::unique_ptr<Diagnoser>> diagnosers_;  ///< by size
   std::optional<Picture> picture_;                                        ///< for orders
 };

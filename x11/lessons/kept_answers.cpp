@@ -2,47 +2,19 @@
 
 #include <algorithm>
 #include <filesystem>
-#include <nlohmann/json.hpp>
+#include <utility>
 
 #include "geometry/files/output_file.h"
-#include "geometry/files/text_file.h"
-#include "shading/scene/json_text.h"
+#include "x11/homework/answer_file.h"
 #include "x11/kit/score.h"
 
 namespace xnewell {
 
-namespace {
-
-std::string letterText(int answer) { return {static_cast<char>('a' + answer)}; }
-
-int readLetter(const Node& node) {
-  const std::string letter = node.text();
-  if (letter.size() != 1 || letter[0] < 'a' || letter[0] >= 'a' + kMostAnswers)
-    node.fail("a letter from a to d is needed");
-  return letter[0] - 'a';
-}
-
-}  // namespace
-
 void KeptAnswers::keepIn(const std::string& file) {
   file_ = file;
   if (!std::filesystem::exists(file)) return;
-  const JsonText json{readTextFile(file), file};
-  const Node root = json.root();
-  root.expectKeys({"answers"});
-  if (!root.has("answers")) root.fail("answers is needed");
-  const Node answers = root.at("answers");
-  for (int k = 0; k < answers.size(); ++k) {
-    const Node node = answers.item(k);
-    node.expectKeys({"lesson", "step", "tries", "right"});
-    for (const char* const key : {"lesson", "step", "tries", "right"})
-      if (!node.has(key)) node.fail(std::string{key} + " is needed");
-    Question question{.tries = {}, .right = readLetter(node.at("right"))};
-    const Node tries = node.at("tries");
-    if (tries.size() == 0) tries.fail("an answer is needed");
-    for (int i = 0; i < tries.size(); ++i) question.tries.push_back(readLetter(tries.item(i)));
-    lessons_[node.at("lesson").text()][node.at("step").whole(1, kMostSteps) - 1] = std::move(question);
-  }
+  for (AnsweredQuestion& one : readAnswers(file))
+    lessons_[one.lesson][one.step - 1] = {.tries = std::move(one.tries), .right = one.right};
 }
 
 void KeptAnswers::add(const Lesson& lesson, int step, int answer) {
@@ -52,15 +24,10 @@ void KeptAnswers::add(const Lesson& lesson, int step, int answer) {
   question.tries.push_back(answer);
   question.right = static_cast<int>(right);
   if (file_.empty()) return;
-  nlohmann::ordered_json all = nlohmann::ordered_json::array();
+  std::vector<AnsweredQuestion> all;
   for (const auto& [name, steps] : lessons_)
-    for (const auto& [number, kept] : steps) {
-      nlohmann::ordered_json tries = nlohmann::ordered_json::array();
-      for (const int k : kept.tries) tries.push_back(letterText(k));
-      all.push_back(
-          {{"lesson", name}, {"step", number + 1}, {"tries", tries}, {"right", letterText(kept.right)}});
-    }
-  writeFile(file_, nlohmann::ordered_json{{"answers", all}}.dump(2) + '\n');
+    for (const auto& [number, kept] : steps) all.push_back({name, number + 1, kept.tries, kept.right});
+  writeFile(file_, answersText(all));
 }
 
 std::string KeptAnswers::score(const std::string& lesson) const {

@@ -8,11 +8,7 @@
 
 namespace xnewell {
 
-/// What a student answered in lessons, for himself and for his teacher: a JSON file
-///
-///     {"answers": [{"lesson": "cycles", "step": 3, "tries": ["b", "d"], "right": "d"}]}
-///
-/// Steps count from 1, and answers are named by their letters. `tries` are in their order in time.
+/// What a student answered in lessons, for himself and for his teacher, in a file (answer_file.h).
 class KeptAnswers {
  public:
   /// From now on each answer is written to this file. What it holds already is kept.

@@ -7,6 +7,7 @@
 #include <string_view>
 #include <vector>
 
+#include "x11/homework/answer_file.h"
 #include "x11/lessons/exhibit.h"
 
 namespace xnewell {
@@ -91,9 +92,6 @@ inline constexpr std::array kLessonControls{
 [[nodiscard]] constexpr const LessonControlRow& rowOf(LessonControl control) {
   return kLessonControls[static_cast<std::size_t>(control)];
 }
-
-inline constexpr int kMostSteps = 12;   ///< of a lesson: as many dots fit
-inline constexpr int kMostAnswers = 4;  ///< to a question
 
 struct LessonAnswer {
   std::string text;

@@ -71,7 +71,7 @@ inline constexpr std::array kCommands{
                "whether a painting order of faces and pieces is right, and its first wrong pair", true,
                "ORDER, a file of JSON lines"},
     CommandRow{Command::Grade, "grade", "grade SCENE FOLDER -o MARKS.csv [options]",
-               "the pictures and painting orders of a class, a row each", true,
+               "the pictures, painting orders and answers of a class, a row each", true,
                "FOLDER, what a class has handed in"},
     CommandRow{Command::Questions, "questions", "questions SCENE [--count N] [--seed S]",
                "questions for an exam about a scene, with computed answers", true},

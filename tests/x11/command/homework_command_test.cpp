@@ -44,19 +44,28 @@ TEST_F(CommandTest, GradeMarksAFolder) {
           .status,
       0);
   std::ofstream{file("class/c.png")} << "no picture";
+  // The lesson asks at step 3, and d holds there.
+  std::ofstream{file("class/d.json")}
+      << R"({"answers": [{"lesson": "cycles", "step": 3, "tries": ["d"], "right": "a"}]})";
+  std::ofstream{file("class/e.json")}
+      << R"({"answers": [{"lesson": "cycles", "step": 1, "tries": ["d"], "right": "d"}]})";
   const auto end =
       runProgram({"grade", "bench", file("class"), "-o", file("marks.csv"), "--page", file("page.html")});
   EXPECT_EQ(end.status, 0) << end.err;
   EXPECT_EQ(end.err, "");
-  EXPECT_EQ(end.out, "3 files: 1 mistake, 1 right, 1 unreadable\nmistakes: 1 Ia-twice\n");
+  EXPECT_EQ(end.out,
+            "5 files: 2 unreadable, 1 answers, 1 mistake, 1 right\nmistakes: 1 Ia-twice\n"
+            "answers: 1 of 1 right at the first try\n");
   const std::string csv = contents(file("marks.csv"));
   EXPECT_NE(csv.find("\nb.png,mistake,Ia-twice,ka Ia,"), std::string::npos) << csv;
+  EXPECT_NE(csv.find("\nd.json,answers,,,,,,,1 of 1,"), std::string::npos) << csv;
+  EXPECT_NE(csv.find("step 1 of 'cycles' asks nothing"), std::string::npos) << csv;
   EXPECT_NE(contents(file("page.html")).find("data:image/png;base64,"), std::string::npos);
   refused({"grade", "bench", file("class")}, 2, "grade needs -o MARKS.csv");
   std::filesystem::create_directory(file("empty"));
   std::ofstream{file("empty/readme.txt")} << "hello";
   refused({"grade", "bench", file("empty"), "-o", file("new.csv")}, 2,
-          "grade: no picture and no order (.jsonl) is in " + file("empty"));
+          "grade: no picture, order (.jsonl) or answers (.json) is in " + file("empty"));
   refused({"grade", "bench", file("none"), "-o", file("new.csv")}, 1,
           file("none") + ": No such file or directory");
 }

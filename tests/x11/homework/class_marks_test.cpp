@@ -58,7 +58,7 @@ TEST(ClassMarks, HaveARowForEachFile) {
   EXPECT_EQ(rows[6].words, "unreadable: diagnose takes pictures of up to 4096 x 4096 pixels");
 
   const std::string csv = marksAsCsv(rows);
-  EXPECT_TRUE(csv.starts_with("file,verdict,mistakes,term,explained,informative,pixel,face,words\n"));
+  EXPECT_TRUE(csv.starts_with("file,verdict,mistakes,term,explained,informative,pixel,face,answers,words\n"));
   EXPECT_NE(csv.find("\n\"'=emil,\"\"x\"\".ppm\",unreadable,"), std::string::npos) << csv;
   EXPECT_NE(csv.find("\nbert.png,mistake,Ia-forgotten,ka Ia,"), std::string::npos) << csv;
   EXPECT_EQ(std::ranges::count(csv, '\n'), 8);
@@ -85,6 +85,42 @@ TEST(ClassMarks, NameWhatTheyTell) {
   EXPECT_NE(dora.find(", and 55 that nobody would see ("), std::string::npos) << dora;
   EXPECT_EQ(marker.mark(folder, "carl.jsonl").words,
             "unreadable: carl.jsonl:1: JSON has no nan: places are numbers");
+}
+
+// Kept answers are counted by the program's own lessons, whatever the file calls right; of a lesson that the
+// program does not have, the file is believed. Hostile files have a row with one line.
+TEST(ClassMarks, CountKeptAnswers) {
+  Class one;
+  const auto answers = [](const std::string& list) { return "{\"answers\": [" + list + "]}"; };
+  const std::string cycles = R"({"lesson": "cycles", "step": 3, "tries": ["b", "d"], "right": "b"})",
+                    other = R"({"lesson": "mine", "step": 1, "tries": ["c"], "right": "c"})";
+  one.folder.write("a.json", answers(cycles + "," + other));
+  one.folder.write("b.json", answers(cycles + "," + cycles));
+  one.folder.write("c.json", answers(R"({"lesson": "cycles", "step": 1, "tries": ["a"], "right": "a"})"));
+  one.folder.write("d.json", std::string(100'000, '['));
+  one.folder.write("e.json", std::string((1 << 20) + 1, ' '));
+  one.folder.write("f.json",
+                   answers(R"({"lesson": "=x\u0000\n", "step": 1e99, "tries": ["a"], "right": "a"})"));
+  one.folder.write("g.json", answers(""));
+  const RightAnswer right = [](const std::string& lesson, int step) -> std::optional<int> {
+    if (lesson != "cycles") return std::nullopt;
+    return step == 3 ? 3 : -1;
+  };
+  Marker marker{one.scene, one.settings, {}, false, right};
+  std::vector<MarkedFile> rows;
+  for (const std::string& name : handedInFiles(one.folder.path().string()))
+    rows.push_back(marker.mark(one.folder.path().string(), name));
+  ASSERT_EQ(rows.size(), 7u);
+  EXPECT_EQ(rows[0].words, "1 of 2 right at the first try, in 2 lessons");
+  EXPECT_EQ(rows[1].words, "unreadable: b.json: step 3 of 'cycles' is answered twice");
+  EXPECT_EQ(rows[2].words, "unreadable: c.json: step 1 of 'cycles' asks nothing");
+  EXPECT_EQ(rows[4].words, "unreadable: e.json: longer than 1 MB");
+  for (const int k : {3, 5}) EXPECT_TRUE(rows[k].words.starts_with("unreadable:")) << rows[k].words;
+  EXPECT_EQ(rows[6].words, "0 of 0 right at the first try, in no lessons");
+  const std::string csv = marksAsCsv(rows);
+  EXPECT_NE(csv.find("\na.json,answers,,,,,,,1 of 2,\"1 of 2 right"), std::string::npos) << csv;
+  EXPECT_EQ(std::ranges::count(csv, '\n'), 8);
+  EXPECT_TRUE(summaryOf(rows).ends_with("answers: 1 of 2 right at the first try\n")) << summaryOf(rows);
 }
 
 // What stands in names and files cannot become part of the page's own elements.
