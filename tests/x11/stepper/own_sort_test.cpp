@@ -347,6 +347,7 @@ TEST(OwnSort, ComesAndGoes) {
   s.press("o");  // it waits until there is a run again
   s.draw();
   EXPECT_EQ(s.bench.own()->steps(s.run()).size(), 2u);
+  ASSERT_EQ(s.questions.size(), 1u);
   EXPECT_EQ(s.questions.back().text, "order.jsonl");
   s.press(NamedKey::Home);
   s.draw();
