@@ -326,32 +326,13 @@ std::vector<std::string_view> Diagnoser::whatCannotBeSeen() {
   return keys;
 }
 
-/// What the picture shows at the pixel of each sample if a program turns it: another face stands there.
-std::vector<Diagnoser::Predicted> Diagnoser::whereItStands(const Approach& way) {
-  std::vector<Predicted> all = predicted(way);
-  if (way.turn == TurnWay::Upright) return all;
-  OtherProgram program{model_, way};
-  const std::vector<int>& faces = facesOf(way.paint);
-  for (std::size_t k = 0; k < samples_.size(); ++k) {
-    const auto [i, j] = turned(way.turn, samples_[k].i, samples_[k].j, settings_.width, settings_.height);
-    const int face = faces[static_cast<std::size_t>(j) * settings_.width + i];
-    all[k] = {};
-    all[k].shows = face != kNothing && program.canShow(face);
-    if (!all[k].shows) continue;
-    const ShownHere shown = program.at(face, i, j);
-    for (int c = 0; c < 3; ++c) all[k].value[c] = static_cast<float>(shown.value[c]);
-    all[k].step = static_cast<float>(shown.step), all[k].cell = static_cast<std::int16_t>(shown.cell);
-  }
-  return all;
-}
-
 /// The sample where picture and mistake are both furthest from right, and nearest to each other; without a
 /// mistake, where the picture is furthest from right.
 void Diagnoser::addPixel(Diagnosis& d) {
   const std::vector<Predicted>& right = known(hypotheses().front());
   const bool named = !d.found.empty();
   const std::vector<Predicted> other =
-      whereItStands(named ? approachOf(d.found.front()) : xnewell::approachOf(settings_));
+      atPixels(named ? approachOf(d.found.front()) : xnewell::approachOf(settings_));
   double most = 0.0;
   std::optional<std::size_t> at;
   for (std::size_t k = 0; k < samples_.size(); ++k) {

@@ -118,6 +118,11 @@ Approach Diagnoser::approachWith(const Hypothesis& first, const Hypothesis* seco
   return way;
 }
 
+Diagnoser::Predicted::Predicted(const ShownHere& shown)
+    : step{static_cast<float>(shown.step)}, cell{static_cast<std::int16_t>(shown.cell)} {
+  for (int c = 0; c < 3; ++c) value[c] = static_cast<float>(shown.value[c]);
+}
+
 std::vector<Diagnoser::Predicted> Diagnoser::predicted(const Approach& way, std::size_t stride) {
   OtherProgram program{model_, way};
   const std::vector<int>& faces = facesOf(way.paint);
@@ -132,8 +137,7 @@ std::vector<Diagnoser::Predicted> Diagnoser::predicted(const Approach& way, std:
       p.shows = false;
     } else {
       const ShownHere shown = program.at(face, s.i, s.j);
-      for (int c = 0; c < 3; ++c) p.value[c] = static_cast<float>(shown.value[c]);
-      p.step = static_cast<float>(shown.step), p.cell = static_cast<std::int16_t>(shown.cell);
+      p = Predicted{shown};
       if (way.method == Shading::Gouraud || way.method == Shading::Phong)
         for (const auto& [x, y] : {std::pair{1, 0}, {0, 1}}) {
           const ShownHere next = program.at(face, s.i + x, s.j + y);

@@ -124,6 +124,9 @@ class Diagnoser {
     float slope = 0;
     std::int16_t cell = -1;
     bool shows = true;
+
+    Predicted() = default;
+    explicit Predicted(const ShownHere& shown);
   };
   /// At every `stride`th sample.
   [[nodiscard]] std::vector<Predicted> predicted(const Approach& way, std::size_t stride = 1);
@@ -154,7 +157,7 @@ class Diagnoser {
   [[nodiscard]] Fit fit(TurnWay turn, const std::vector<Predicted>& other, std::size_t stride = 1);
   [[nodiscard]] double apart(const Read& yours, std::size_t sample, const Predicted& other) const;
   [[nodiscard]] double apart(const Predicted& a, const Predicted& b) const;
-  [[nodiscard]] std::vector<std::optional<Predicted>> atPixels(const Hypothesis& h);
+  [[nodiscard]] std::vector<std::optional<Predicted>> insideFaces(const Hypothesis& h);
   [[nodiscard]] double cellsApart(double cell, const Predicted& other) const;
   [[nodiscard]] bool isSame(const Read& yours, std::size_t sample, const Predicted& other) const;
   [[nodiscard]] double tolerance() const;
@@ -166,7 +169,10 @@ class Diagnoser {
   [[nodiscard]] const std::vector<Predicted>& known(const Hypothesis& h);
   void decide(Diagnosis& d);
   bool decideByTwo(Diagnosis& d, double best, bool twoMistakes);
-  [[nodiscard]] std::vector<Predicted> whereItStands(const Approach& way);
+  /// What a program shows at the pixel of sample k, where a picture that is turned may have another face.
+  /// Nothing where that is not known.
+  [[nodiscard]] std::optional<Predicted> atPixel(OtherProgram& program, const Approach& way, std::size_t k);
+  [[nodiscard]] std::vector<Predicted> atPixels(const Approach& way);
   void addPixel(Diagnosis& d);
 
   Picture picture_;

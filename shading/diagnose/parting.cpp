@@ -9,9 +9,29 @@ namespace xnewell {
 
 /// The pixel that tells two mistakes apart.
 
-/// What a row shows at the pixel of each sample: kNothing has no value, an edge between faces is nothing at
-/// all. A row that turns the picture has another face there than the sample.
-std::vector<std::optional<Diagnoser::Predicted>> Diagnoser::atPixels(const Hypothesis& h) {
+std::optional<Diagnoser::Predicted> Diagnoser::atPixel(OtherProgram& program, const Approach& way,
+                                                       std::size_t k) {
+  const auto [i, j] = turned(way.turn, samples_[k].i, samples_[k].j, settings_.width, settings_.height);
+  const int face = facesOf(way.paint)[static_cast<std::size_t>(j) * settings_.width + i];
+  if (face != kNothing && !program.canShow(face)) return std::nullopt;
+  if (face != kNothing) return Predicted{program.at(face, i, j)};
+  Predicted ground;
+  ground.shows = false;
+  return ground;
+}
+
+std::vector<Diagnoser::Predicted> Diagnoser::atPixels(const Approach& way) {
+  std::vector<Predicted> all = predicted(way);
+  if (way.turn == TurnWay::Upright) return all;
+  OtherProgram program{model_, way};
+  Predicted unknown;
+  unknown.shows = false;
+  for (std::size_t k = 0; k < samples_.size(); ++k) all[k] = atPixel(program, way, k).value_or(unknown);
+  return all;
+}
+
+/// What a row shows at the pixel of each sample, as far as a face or the ground is all around it.
+std::vector<std::optional<Diagnoser::Predicted>> Diagnoser::insideFaces(const Hypothesis& h) {
   const Approach way = approachWith(h);
   const std::vector<int>& faces = facesOf(way.paint);
   const int w = settings_.width;
@@ -28,20 +48,12 @@ std::vector<std::optional<Diagnoser::Predicted>> Diagnoser::atPixels(const Hypot
   for (std::size_t k = 0; k < samples_.size(); ++k) {
     const auto [i, j] = turned(way.turn, samples_[k].i, samples_[k].j, w, settings_.height);
     const int face = faces[static_cast<std::size_t>(j) * w + i];
-    if (!isInside(i, j) || (face != kNothing && !program.canShow(face))) {
+    if (!isInside(i, j) || (face != kNothing && !program.canShow(face)))
       all.emplace_back();
-    } else if (way.turn == TurnWay::Upright) {
+    else if (way.turn == TurnWay::Upright)
       all.emplace_back(known(h)[k]);
-    } else {
-      Predicted p;
-      p.shows = face != kNothing;
-      if (p.shows) {
-        const ShownHere shown = program.at(face, i, j);
-        for (int c = 0; c < 3; ++c) p.value[c] = static_cast<float>(shown.value[c]);
-        p.step = static_cast<float>(shown.step), p.cell = static_cast<std::int16_t>(shown.cell);
-      }
-      all.emplace_back(p);
-    }
+    else
+      all.push_back(atPixel(program, way, k));
   }
   return all;
 }
@@ -51,11 +63,11 @@ std::optional<Parting> Diagnoser::partingOf(std::string_view a, std::string_view
   std::vector<Shown> first, second;
   for (const Hypothesis& h : hypotheses()) {
     if (!applies(h) || (h.key == "direct-colours" && !model_.colors)) continue;
-    if (h.key == a) first.push_back(atPixels(h));
-    if (h.key == b) second.push_back(atPixels(h));
+    if (h.key == a) first.push_back(insideFaces(h));
+    if (h.key == b) second.push_back(insideFaces(h));
   }
   if (first.empty() || second.empty()) return std::nullopt;
-  const Shown right = atPixels(hypotheses().front());
+  const Shown right = insideFaces(hypotheses().front());
   const auto valueOf = [](const Predicted& p) -> std::optional<double> {
     if (!p.shows) return std::nullopt;
     return p.value[0];

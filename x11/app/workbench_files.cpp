@@ -7,8 +7,9 @@
 #include "geometry/files/output_file.h"
 #include "shading/figure/make_figure.h"
 #include "shading/figure/write_figure.h"
-#include "x11/app/one_line.h"
 #include "x11/app/workbench.h"
+#include "x11/kit/file_question.h"
+#include "x11/kit/one_line.h"
 #include "x11/options/carried_setup.h"
 
 namespace xnewell {
@@ -112,24 +113,16 @@ std::string Workbench::writeFigure(const std::string& file) {
 
 void Workbench::askToSave() {
   const std::string stem = stemOf(scene().name);
-  ask({.asks = "save the set-up as",
-       .text = work_.file.empty() ? stem + "-set-up.json" : work_.file,
-       .take = [this, replaced = std::string{}](const std::string& file) mutable -> std::string {
-         if (!file.ends_with(".json")) return "A scene file's name ends in .json.";
-         if (std::filesystem::is_directory(file)) return "That is a folder.";
-         if (file != replaced && std::filesystem::exists(file)) {
-           replaced = file;
-           return "The file exists. Press Return again to replace it.";
-         }
-         try {
-           work_.save(file);
-         } catch (const std::system_error& e) {
-           return oneLine(e.what());
-         }
-         told_ = "Saved. \"xnewell " + file + "\" shows " +
-                 (view() == WindowView::Picture ? "it" : "the picture of view 1") + " again.";
-         return {};
-       }});
+  ask(fileQuestion(
+      "save the set-up as", work_.file.empty() ? stem + "-set-up.json" : work_.file,
+      [](const std::string& file) {
+        return file.ends_with(".json") ? "" : "A scene file's name ends in .json.";
+      },
+      [this](const std::string& file) {
+        work_.save(file);
+        told_ = "Saved. \"xnewell " + file + "\" shows " +
+                (view() == WindowView::Picture ? "it" : "the picture of view 1") + " again.";
+      }));
 }
 
 void Workbench::askToOpen() {

@@ -6,7 +6,7 @@
 #include <string>
 
 #include "shading/scene/settings.h"
-#include "x11/app/one_line.h"
+#include "x11/kit/one_line.h"
 #include "x11/terminal/doing.h"
 
 namespace xnewell {

@@ -162,7 +162,8 @@ int gradeFolder(const Options& options, Scene scene) {
     if (!file->empty()) checkWritable(*file);
   refuseWhatIsNotDiagnosed(scene, options.picture);
   const std::vector<std::string> names = handedInFiles(options.handedIn);
-  if (names.empty()) throw UsageError{"grade: no picture, order (.jsonl) or answers (.json) is in " + options.handedIn};
+  if (names.empty())
+    throw UsageError{"grade: no picture, order (.jsonl) or answers (.json) is in " + options.handedIn};
   awaitInterrupt();
   const std::string title = "Marks: " + titleOf(scene);
   PictureSettings settings = sized(options, kPictureSize);

@@ -150,8 +150,8 @@ MarkedFile Marker::mark(const std::string& folder, const std::string& name) {
 bool isHandedIn(std::string name) {
   for (char& c : name)
     if ('A' <= c && c <= 'Z') c = static_cast<char>(c - 'A' + 'a');
-  for (const char* end : {".jsonl", ".json", ".png", ".ppm", ".pgm", ".pnm", ".xwd", ".jpg", ".jpeg", ".gif", ".bmp",
-                          ".tif", ".tiff", ".webp"})
+  for (const char* end : {".jsonl", ".json", ".png", ".ppm", ".pgm", ".pnm", ".xwd", ".jpg", ".jpeg", ".gif",
+                          ".bmp", ".tif", ".tiff", ".webp"})
     if (name.ends_with(end)) return true;
   return false;
 }

@@ -1,12 +1,10 @@
 #include <algorithm>
-#include <filesystem>
-#include <limits>
-#include <system_error>
 #include <utility>
 
 #include "geometry/files/output_file.h"
 #include "x11/drawing/wording.h"
 #include "x11/homework/judgement_report.h"
+#include "x11/kit/file_question.h"
 #include "x11/options/setup_command.h"
 #include "x11/options/shell_words.h"
 #include "x11/stepper/fragment_tint.h"
@@ -46,13 +44,6 @@ void SortBench::sortOneself(bool on) {
            "paint P. Each step that is true is taken."});
 }
 
-std::vector<int> SortBench::waiting() const {
-  std::vector<int> ids;
-  for (const auto& [id, marked] : player_.run->replay().list(std::numeric_limits<int>::max()))
-    ids.push_back(id);
-  return ids;
-}
-
 void SortBench::showOwn(int P, int Q, const OwnSort::Reply& reply) {
   SortView& view = player_.view;
   OwnView& own = *view.own;
@@ -80,7 +71,7 @@ OrderReport SortBench::ownReport() const {
 /// in z.
 void SortBench::choose(int P, int Q) {
   OwnView& own = *player_.view.own;
-  const std::vector<int> left = waiting();
+  const std::vector<int> left = run()->waiting();
   const auto isLeft = [&](int id) { return std::ranges::find(left, id) != left.end(); };
   if (!isLeft(P)) P = left.empty() ? -1 : left.front();
   if (Q == P || !isLeft(Q)) Q = -1;
@@ -90,7 +81,7 @@ void SortBench::choose(int P, int Q) {
 }
 
 void SortBench::chooseP(int along) {
-  const std::vector<int> left = waiting();
+  const std::vector<int> left = run()->waiting();
   const auto at = std::ranges::find(left, view().own->P) - left.begin() + along;
   if (at < 0 || at >= std::ssize(left))
     return host_.notify(along < 0 ? "P is the first of the list." : "P is the last of the list.");
@@ -100,7 +91,7 @@ void SortBench::chooseP(int along) {
 /// The next polygon of the list that overlaps P in z, all around; if none does, the next.
 void SortBench::chooseQ(int along) {
   OwnView& own = *player_.view.own;
-  const std::vector<int> left = waiting();
+  const std::vector<int> left = run()->waiting();
   const int count = static_cast<int>(left.size());
   if (count < 2) return;
   const auto placeOf = [&](int id) { return static_cast<int>(std::ranges::find(left, id) - left.begin()); };
@@ -117,7 +108,7 @@ void SortBench::chooseQ(int along) {
 
 void SortBench::chooseAt(int column, int row) {
   std::vector<int> here;
-  for (const int id : waiting())
+  for (const int id : run()->waiting())
     if (owns(run()->scene(), run()->sorted(), fragmentOf(run()->scene(), run()->sorted(), id), column, row))
       here.push_back(id);
   if (here.empty()) return host_.notify("No polygon that is left to paint is there.");
@@ -129,7 +120,7 @@ void SortBench::chooseAt(int column, int row) {
 void SortBench::chooseClicked(int id) {
   const OwnView& own = *view().own;
   player_.moveTo(run()->steps());
-  if (const std::vector<int> left = waiting(); std::ranges::find(left, id) == left.end())
+  if (const std::vector<int> left = run()->waiting(); std::ranges::find(left, id) == left.end())
     return host_.notify("That polygon is painted.");
   if (own.clicksQ && id == own.P) return host_.notify("That polygon is P.");
   own.clicksQ ? choose(own.P, id) : choose(id, id == own.P ? own.Q : -1);
@@ -235,11 +226,10 @@ void SortBench::addOwnKeys(KeyTable& table) {
 }
 
 std::string SortBench::judgeCommand(const std::string& file) const {
-  PictureSettings settings = picture_->settings();
   constexpr std::string_view kDraw = "xnewell draw ", kTo = " -o picture.png";
   std::string command;
   try {
-    command = SetupCommand{picture_->scene()}.of(settings, picture_->scene().divisions);
+    command = SetupCommand{picture_->scene()}.of(picture_->settings(), picture_->scene().divisions);
   } catch (const std::exception&) {  // its file may have gone, or no options can say the camera
     return "";
   }
@@ -249,25 +239,17 @@ std::string SortBench::judgeCommand(const std::string& file) const {
 }
 
 void SortBench::askToWrite() {
-  host_.ask({.asks = "write your order as",
-             .text = "order.jsonl",
-             .take = [this, replaced = std::string{}](const std::string& file) mutable -> std::string {
-               if (!file.ends_with(".jsonl")) return "An order's name ends in .jsonl.";
-               if (std::filesystem::is_directory(file)) return "That is a folder.";
-               if (file != replaced && std::filesystem::exists(file)) {
-                 replaced = file;
-                 return "The file exists. Press Return again to replace it.";
-               }
-               const std::vector<PaintStep> steps = own_->steps(*run());
-               try {
-                 writeFile(file, paintStepsText(steps));
-               } catch (const std::system_error& e) {
-                 return e.what();
-               }
-               host_.tell(file + " is written, with " + counted(std::ssize(steps), "line") +
-                          "; C copies the command that judges it.");
-               return "";
-             }});
+  host_.ask(fileQuestion(
+      "write your order as", "order.jsonl",
+      [](const std::string& file) {
+        return file.ends_with(".jsonl") ? "" : "An order's name ends in .jsonl.";
+      },
+      [this](const std::string& file) {
+        const std::vector<PaintStep> steps = own_->steps(*run());
+        writeFile(file, paintStepsText(steps));
+        host_.tell(file + " is written, with " + counted(std::ssize(steps), "line") +
+                   "; C copies the command that judges it.");
+      }));
 }
 
 }  // namespace xnewell

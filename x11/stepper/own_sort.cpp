@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <array>
 #include <cctype>
-#include <limits>
 #include <map>
 #include <utility>
 
@@ -60,12 +59,6 @@ std::unique_ptr<SortRun> OwnSort::makeRun(std::uint8_t ground) const {
   auto run = std::make_unique<SortRun>(picture_, sorted_, ground);
   run->goTo(run->steps());
   return run;
-}
-
-std::vector<int> OwnSort::waiting(const SortRun& run) const {
-  std::vector<int> ids;
-  for (const auto& [id, marked] : run.replay().list(std::numeric_limits<int>::max())) ids.push_back(id);
-  return ids;
 }
 
 OwnSort::Hidden OwnSort::hidden(const SortRun& run, int P, int R) const {
@@ -132,7 +125,7 @@ OwnSort::Reply OwnSort::paint(const SortRun& run, int P, int Q) {
   Hidden most;
   int covers = -1;
   std::vector<SampleRow> spoilt;
-  for (const int R : waiting(run)) {
+  for (const int R : run.waiting()) {
     if (R == P) continue;
     Hidden here = hidden(run, P, R);
     spoilt.insert(spoilt.end(), here.rows.begin(), here.rows.end());

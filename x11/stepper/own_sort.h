@@ -80,7 +80,6 @@ class OwnSort {
   };
   [[nodiscard]] Hidden hidden(const SortRun& run, int P, int R) const;
   [[nodiscard]] PaintStep stepOf(const SortRun& run, int id) const;
-  [[nodiscard]] std::vector<int> waiting(const SortRun& run) const;
   void take(int P);
   void begin(int P, int Q);
   Reply refuse(std::string bold, std::string why);

@@ -84,7 +84,6 @@ class SortBench : public Bench {
   void tellOwn();
   void addOwnKeys(KeyTable& table);
   void addOwnControls(Controls& all);
-  [[nodiscard]] std::vector<int> waiting() const;
   void choose(int P, int Q);
   void chooseP(int along);
   void chooseQ(int along);

@@ -1,7 +1,6 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <limits>
 
 #include "x11/drawing/wording.h"
 #include "x11/stepper/fragment_tint.h"
@@ -97,7 +96,7 @@ void drawWords(SortPen& pen, const std::string& words, const Rect& loupe) {
 
 int SortPen::left() const {
   if (!view.own) return static_cast<int>(run.sorted().fragments.size()) - run.replay().painted();
-  return static_cast<int>(run.replay().list(std::numeric_limits<int>::max()).size());
+  return static_cast<int>(run.waiting().size());
 }
 
 Rect drawSortPicture(SortPen& pen) {

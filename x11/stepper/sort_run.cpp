@@ -1,5 +1,6 @@
 #include "x11/stepper/sort_run.h"
 
+#include <limits>
 #include <utility>
 
 #include "x11/stepper/fragment_tint.h"
@@ -38,6 +39,12 @@ SortRun::SortRun(Picture withPlanes, std::optional<SortedScene> sorted, std::uin
   for (int id = 0; id < fragments; ++id) zExtents_.push_back(explainer_.zExtent(id));
   // This makes all copies at once, so that no later step has to wait for them.
   static_cast<void>(soFar_.at(static_cast<int>(sorted_.fragments.size())));
+}
+
+std::vector<int> SortRun::waiting() const {
+  std::vector<int> ids;
+  for (const auto& [id, marked] : replay_.list(std::numeric_limits<int>::max())) ids.push_back(id);
+  return ids;
 }
 
 int SortRun::paintedId(int n) const {

@@ -49,6 +49,8 @@ class SortRun {
 
   /// The same as Explainer::zExtent(), kept for every fragment.
   [[nodiscard]] Range zExtent(int id) const { return zExtents_[id]; }
+  /// The ids of the fragments that are left to paint at this step, the first of the list first.
+  [[nodiscard]] std::vector<int> waiting() const;
   /// The id of the n-th fragment that is painted.
   [[nodiscard]] int paintedId(int n) const;
   /// What a step is about; 1 <= step <= steps().

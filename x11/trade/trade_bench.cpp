@@ -1,4 +1,5 @@
 #include "x11/trade/trade_bench.h"
+#include "x11/kit/file_question.h"
 
 #include <algorithm>
 #include <cmath>
@@ -117,30 +118,21 @@ void TradeBench::compareChosen() {
 void TradeBench::askToSave() {
   if (known_.trade.combinations.empty()) return host_.notify("There is nothing to save yet.");
   const std::string stem = std::filesystem::path{measuredScene_}.stem().string();
-  host_.ask({.asks = "save the chart (.png) or the table (.txt) as",
-             .text = stem + "-trade.png",
-             .take = [this, replaced = std::string{}](const std::string& file) mutable -> std::string {
-               const bool chart = file.ends_with(".png");
-               if (!chart && !file.ends_with(".txt")) return "The file's name ends in .png or .txt.";
-               if (std::filesystem::is_directory(file)) return "That is a folder.";
-               if (file != replaced && std::filesystem::exists(file)) {
-                 replaced = file;
-                 return "The file exists. Press Return again to replace it.";
-               }
-               try {
-                 if (chart) {
-                   const ColoredImage image =
-                       drawTrade(known_.trade, "Cost against error: " + measuredScene_);
-                   writeFile(file, encodePng(image.image, image.palette));
-                 } else {
-                   writeFile(file, tableOfCombinations(known_.trade));
-                 }
-               } catch (const std::system_error& e) {
-                 return e.what();
-               }
-               host_.tell("Saved " + file + ".");
-               return {};
-             }});
+  host_.ask(fileQuestion(
+      "save the chart (.png) or the table (.txt) as", stem + "-trade.png",
+      [](const std::string& file) {
+        return file.ends_with(".png") || file.ends_with(".txt") ? ""
+                                                                : "The file's name ends in .png or .txt.";
+      },
+      [this](const std::string& file) {
+        if (file.ends_with(".png")) {
+          const ColoredImage image = drawTrade(known_.trade, "Cost against error: " + measuredScene_);
+          writeFile(file, encodePng(image.image, image.palette));
+        } else {
+          writeFile(file, tableOfCombinations(known_.trade));
+        }
+        host_.tell("Saved " + file + ".");
+      }));
 }
 
 Controls TradeBench::controls() {

@@ -236,8 +236,7 @@ TEST(VectorFigure, WritesStrokes) {
                          "stroke-dasharray=\"768\" d=\"M0 0L256 512\"/>\n</g>"),
       std::string::npos);
   EXPECT_NE(pdfOf(figure).find("f\n0 0 0 RG\n128 w 0 J [768] 0 d\n0 0 m\n256 512 l\nS\n"), std::string::npos);
-  EXPECT_NE(epsOf(figure).find("128 w 0 J [768] 0 d\n0 0 m\n256 512 L\nS\n"),
-            std::string::npos);
+  EXPECT_NE(epsOf(figure).find("128 w 0 J [768] 0 d\n0 0 m\n256 512 L\nS\n"), std::string::npos);
 }
 
 // Texts are texts, in Latin-1 where a format needs it.

@@ -116,4 +116,33 @@ TEST(EveryView, ControlsHavePlaces) {
     }
 }
 
+// In every view, the list of keys fits into its frame.
+TEST(EveryView, TheListOfKeysFits) {
+  constexpr int kWidth = 560, kShadow = 4;
+  std::vector<std::string> ways;
+  for (const WindowViewRow& row : kWindowViews) ways.emplace_back(1, row.key);
+  ways.emplace_back("2Y");  // the student sorts
+  for (const auto& [width, height] : someOf({std::pair{800, 540}, {800, 600}, {1024, 768}}, 1))
+    for (const std::string& way : ways) {
+      SCOPED_TRACE(way);
+      ReadyWorkbench b{{}, width, height};
+      for (const char key : way) {
+        b.press(key);
+        b.finish();
+      }
+      const IndexImage before = b.image();
+      b.type("?");
+      b.finish();
+      ASSERT_NE(before.pixels, b.image().pixels);
+      const int left = (width - kWidth) / 2, right = left + kWidth - 1;
+      const int end = layoutOf(width, height).status.y;  // the status line tells the time, which may change
+      for (int y = 0; y < end; ++y)
+        for (int x = 0; x < width; ++x)
+          if (before.row(y)[x] != b.image().row(y)[x]) {
+            ASSERT_TRUE(x >= left && x <= right + kShadow) << x << ", " << y;
+            ASSERT_TRUE(y > 0 && y + 1 < end) << y;
+          }
+    }
+}
+
 }  // namespace xnewell::THIS_FILE

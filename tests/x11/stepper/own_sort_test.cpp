@@ -3,7 +3,6 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
-#include <limits>
 #include <random>
 #include <set>
 
@@ -35,11 +34,7 @@ struct Sorting : Stepper {
     draw();
   }
   [[nodiscard]] const OwnView& own() const { return *bench.view().own; }
-  [[nodiscard]] std::vector<int> left() {
-    std::vector<int> ids;
-    for (const auto& [id, marked] : run().replay().list(std::numeric_limits<int>::max())) ids.push_back(id);
-    return ids;
-  }
+  [[nodiscard]] std::vector<int> left() { return run().waiting(); }
   /// Chooses P with the keys.
   void chooseP(int id) {
     const std::vector<int> all = left();
