@@ -2,6 +2,7 @@
 
 #include <cstdio>
 #include <fstream>
+#include <nlohmann/json.hpp>
 #include <sstream>
 #include <string>
 
@@ -11,6 +12,8 @@
 namespace xnewell::THIS_FILE {
 
 namespace {
+
+using Json = nlohmann::json;
 
 constexpr const char* kBenchObj = XNEWELL_DATA_DIR "/../x11/example/bench.obj";
 
@@ -24,14 +27,29 @@ std::string decimal(double v) {
   return all == "-0" ? "0" : all;
 }
 
+Json sceneFile(const std::string& name) {
+  return Json::parse(std::ifstream{XNEWELL_DATA_DIR "/scenes/" + name + ".json"});
+}
+
 /// A scene as a file that a student's program reads: places in the world, and faces in the scene's order.
 std::string asObj(const Scene& scene) {
   const double unit = std::ldexp(1.0, scene.exponent);
+  const auto numbers = [](const Json& list) {
+    std::string all;
+    for (const double v : list) all += ' ' + decimal(v);
+    return all;
+  };
+  const Json bench = sceneFile("bench"), lamp = bench["lights"][0];
+  EXPECT_EQ(bench["up"], "z");
+  EXPECT_EQ(lamp["attenuation"], "inverse-square");
   std::string obj =
       "# The scenes bench and bench-n3 for programs that read .obj files. Faces have the scene's numbers.\n"
-      "# Camera: eye 2.85 -2.87 3.01, look-at 0.27 0.12 0.25, up 0 0 1, 44 degrees high.\n"
-      "# Light: Ia 0.1; a lamp at 0.23 0.01 1.42 with Ip 0.9, which fades by min(1, 1/d^2).\n"
-      "# Materials: n is 2 in bench and 3 in bench-n3.\n";
+      "# Camera: eye" +
+      numbers(bench["camera"]["eye"]) + ", look-at" + numbers(bench["camera"]["look_at"]) + ", up 0 0 1, " +
+      decimal(bench["camera"]["fov"]) + " degrees high.\n# Light: Ia " + decimal(bench["ambient"]) +
+      "; a lamp at" + numbers(lamp["at"]) + " with Ip " + decimal(lamp["Ip"]) +
+      ", which fades by min(1, 1/d^2).\n# Materials: n is " + decimal(bench["shading"]["n"]) +
+      " in bench and " + decimal(sceneFile("bench-n3")["shading"]["n"]) + " in bench-n3.\n";
   for (std::size_t m = 0; m < scene.mesh.materials.size(); ++m) {
     const Reflection r = reflectionOf(scene.mesh.materials[m], scene.settings.light, 0);
     obj += "#   m" + std::to_string(m) + ": ka " + decimal(r.ka) + ", kd " + decimal(r.kd) + ", ks " +
