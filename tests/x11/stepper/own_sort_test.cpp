@@ -146,7 +146,7 @@ TEST(OwnSort, EveryTrueOrderIsValid) {
     EXPECT_EQ(end.status, 0) << command << end.out << end.err;
     EXPECT_TRUE(end.out.starts_with("right: ")) << end.out;
   }
-  EXPECT_GT(cuts, 2);
+  EXPECT_GT(cuts, kSanitized ? 0 : 2);
 }
 
 // A teapot painted by mean z: the first wrong pair in the window is that of `judge` on the file. What was
