@@ -9,9 +9,9 @@
 #include "depthsort/every_face.h"
 #include "depthsort/order.h"
 #include "shading/figure/edge_strokes.h"
+#include "shading/figure/hiding_polygons.h"
 #include "shading/figure/mark_strokes.h"
 #include "shading/figure/shades.h"
-#include "shading/figure/side_table.h"
 #include "shading/picture/picture_cache.h"
 
 namespace xnewell {
@@ -36,14 +36,14 @@ void color(std::vector<FigurePolygon>& polygons, const Picture& picture, const P
 /// The polygons without the hidden ones. The pixels at the border of what hides a polygon may show some of
 /// it. So a polygon that is hidden by less than a strip stays, if its surface goes on where it is seen.
 std::vector<FigurePolygon> shownOf(std::vector<FigurePolygon> all, int width, int height) {
-  HidingPolygons later{all, width, height};
+  const SideTable sides{all};
+  HidingPolygons later{all, sides, width, height};
   std::vector<bool> stays(all.size());
   std::vector<int> open;  // stay, and may have such neighbours
   for (int k = 0; k < static_cast<int>(all.size()); ++k) {
     stays[k] = !later.hides(k, 0);
     if (stays[k]) open.push_back(k);
   }
-  const SideTable sides{all};
   std::vector<bool> isDeep(all.size());
   while (!open.empty()) {
     const int k = open.back();

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <functional>
 #include <utility>
 
 #include "depthsort/region.h"
@@ -11,8 +10,6 @@
 namespace xnewell {
 
 namespace {
-
-constexpr int kMargin = 2 * kFigureSteps;  ///< how far outside of the page polygons are clipped
 
 std::uint64_t packed(const glm::ivec3& v) {
   return std::uint64_t{static_cast<std::uint32_t>(v.x)} << 32 | static_cast<std::uint32_t>(v.y);
@@ -62,7 +59,7 @@ SideLine edgeOf(const glm::ivec3& from, const glm::ivec3& to) {
 
 std::vector<FigurePolygon> polygonsOf(const SnappedScene& scene, const SortedScene& sorted, int width,
                                       int height) {
-  constexpr int kBeyond = kMargin * (kGrid / kFigureSteps);
+  constexpr int kBeyond = PolygonGrid::kMargin * (kGrid / kFigureSteps);
   const Regions regions{scene};
   const int right = width * kGrid + kBeyond, bottom = height * kGrid + kBeyond;
   const std::array borders{Regions::upright(-kBeyond, 1), Regions::upright(right, -1),
@@ -96,8 +93,8 @@ PolygonGrid::PolygonGrid(const std::vector<FigurePolygon>& polygons, int width, 
   for (const FigurePolygon& p : polygons) {
     const auto [left, right] = std::ranges::minmax(p.corners, {}, &glm::ivec2::x);
     const auto [top, bottom] = std::ranges::minmax(p.corners, {}, &glm::ivec2::y);
-    const auto within = [](int at, int most) { return std::clamp(at + kMargin, 0, most - 1); };
-    boxes_.push_back({within(left.x, w), within(top.y, h), within(right.x, w), within(bottom.y, h)});
+    boxes_.push_back(
+        {moved(left.x, right_), moved(top.y, bottom_), moved(right.x, right_), moved(bottom.y, bottom_)});
   }
   const auto forEachCell = [&](const Box& box, auto use) {
     for (int j = box.y0 / side_; j <= box.y1 / side_; ++j)
@@ -110,61 +107,6 @@ PolygonGrid::PolygonGrid(const std::vector<FigurePolygon>& polygons, int width, 
   std::vector<int> next = begin_;
   for (std::size_t k = 0; k < boxes_.size(); ++k)
     forEachCell(boxes_[k], [&](std::size_t cell) { members_[next[cell]++] = static_cast<int>(k); });
-}
-
-namespace {
-
-/// A polygon with its sides moved outwards, as far as it lies in the page and in its box, which is made
-/// larger in the same way.
-ConvexPart enlarged(const FigureLoop& p, int by, const glm::ivec2& page) {
-  const auto [left, right] = std::ranges::minmax(p, {}, &glm::ivec2::x);
-  const auto [top, bottom] = std::ranges::minmax(p, {}, &glm::ivec2::y);
-  const double x0 = std::max(0, left.x - by), x1 = std::min(page.x, right.x + by),
-               y0 = std::max(0, top.y - by), y1 = std::min(page.y, bottom.y + by);
-  if (x0 >= x1 || y0 >= y1) return {};
-  ConvexPart part{{x0, y0}, {x0, y1}, {x1, y1}, {x1, y0}}, inside;
-  for (std::size_t k = 0; k < p.size() && part.size() > 2; ++k) {
-    const glm::dvec2 a = p[k], side = glm::dvec2{p[k + 1 == p.size() ? 0 : k + 1]} - a;
-    const glm::dvec2 out = glm::dvec2{-side.y, side.x} / std::sqrt(side.x * side.x + side.y * side.y);
-    clipPart(part, a + out * static_cast<double>(by), side, 1, inside);
-    std::swap(part, inside);
-  }
-  return part;
-}
-
-bool isWithin(const glm::dvec2& at, const FigureLoop& p) {
-  for (std::size_t k = 0; k < p.size(); ++k) {
-    const glm::dvec2 a = p[k], side = glm::dvec2{p[k + 1 == p.size() ? 0 : k + 1]} - a;
-    if (cross(side, at - a) < 0) return false;
-  }
-  return true;
-}
-
-}  // namespace
-
-bool HidingPolygons::hides(int polygon, int beyond) {
-  constexpr std::size_t kMostParts = 200;  // of one polygon; with more it counts as seen
-  const FigureLoop& p = polygons_[polygon].corners;
-  over_.clear();
-  grid_.forEachNear(polygon, beyond, [&](int other) {
-    if (other > polygon) over_.push_back(other);
-  });
-  glm::dvec2 centre{0.0};
-  for (const glm::ivec2& v : p) centre += glm::dvec2{v};
-  centre = centre / static_cast<double>(p.size());
-  if (std::ranges::none_of(over_, [&](int other) { return isWithin(centre, polygons_[other].corners); }))
-    return false;
-  // The surface in front is the latest. It may cover all before the layers between have left many parts.
-  std::ranges::sort(over_, std::greater{});
-  const ConvexPart whole = enlarged(p, beyond, page_);
-  const FigureLoop about{whole.begin(), whole.end()};
-  std::vector<ConvexPart> parts;
-  if (whole.size() > 2) parts.push_back(whole);
-  for (const int other : over_) {
-    if (overlap(about, polygons_[other].corners)) takeAway(polygons_[other].corners, parts);
-    if (parts.empty() || parts.size() > kMostParts) break;
-  }
-  return parts.empty();
 }
 
 std::vector<int> levelsOf(const std::vector<FigurePolygon>& polygons, int width, int height) {

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <cstdint>
 #include <glm/vec2.hpp>
 #include <span>
@@ -44,6 +45,8 @@ struct FigurePolygon {
 /// Finds the polygons whose boxes may overlap a box.
 class PolygonGrid {
  public:
+  static constexpr int kMargin = 2 * kFigureSteps;  ///< how far outside of the page polygons are clipped
+
   PolygonGrid(const std::vector<FigurePolygon>& polygons, int width, int height);
   /// Calls use(k) once for each polygon k whose box overlaps that of `polygon`, made larger by `beyond`
   /// steps, in no order.
@@ -66,34 +69,28 @@ class PolygonGrid {
       }
   }
 
+  /// Calls use(k) for each polygon k whose box holds a point, from the last to the first, until it returns
+  /// true.
+  template <class Use>
+  void untilAt(const glm::dvec2& point, Use&& use) const {
+    const int x = moved(static_cast<int>(std::floor(point.x)), right_),
+              y = moved(static_cast<int>(std::floor(point.y)), bottom_);
+    const std::size_t cell = std::size_t(y / side_) * columns_ + x / side_;
+    for (int at = begin_[cell + 1]; at-- > begin_[cell];) {
+      const Box& o = boxes_[members_[at]];
+      if (o.x0 <= x && x <= o.x1 && o.y0 <= y && y <= o.y1 && use(members_[at])) return;
+    }
+  }
+
  private:
+  /// A coordinate so that none is negative.
+  [[nodiscard]] static int moved(int at, int most) { return std::clamp(at + kMargin, 0, most); }
   struct Box {
-    int x0, y0, x1, y1;  ///< moved so that none is negative
+    int x0, y0, x1, y1;  ///< moved
   };
   int side_, columns_, rows_, right_, bottom_, round_ = 0;
   std::vector<Box> boxes_;
   std::vector<int> begin_, members_, met_;
-};
-
-/// Tells which polygons the later ones hide.
-class HidingPolygons {
- public:
-  /// The polygons must outlive this.
-  HidingPolygons(const std::vector<FigurePolygon>& polygons, int width, int height)
-      : polygons_{polygons},
-        page_{width * kFigureSteps, height * kFigureSteps},
-        grid_{polygons, width, height} {}
-
-  /// True if later polygons cover all of a polygon, and all of the page that is nearer to it than `beyond`,
-  /// in the steps of a figure; slivers thinner than the rounding do not count. The pixels at the border of
-  /// what hides a polygon show some of it, so one that is hidden by less than a pixel is still needed.
-  [[nodiscard]] bool hides(int polygon, int beyond);
-
- private:
-  const std::vector<FigurePolygon>& polygons_;
-  glm::ivec2 page_;
-  PolygonGrid grid_;
-  std::vector<int> over_;
 };
 
 /// For each polygon a level: one more than the highest of the earlier polygons that it overlaps; 0 if there

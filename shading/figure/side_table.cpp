@@ -80,32 +80,61 @@ void meetAtCorners(std::vector<FigurePolygon>& polygons) {
   }
 }
 
+namespace {
+
+/// The sides of polygons by their ends.
+class SidesByEnds {
+ public:
+  explicit SidesByEnds(std::size_t sides) : entries_(sides) {
+    while (shift_ > 36 && (std::size_t{1} << (64 - shift_)) < sides) --shift_;
+    begin_.assign((std::size_t{1} << (64 - shift_)) + 1, -1);
+  }
+  void add(const glm::ivec2& from, const glm::ivec2& to, const PolygonSide& side) {
+    int& first = begin_[bucket(key(from), key(to))];
+    entries_[count_] = {key(from), key(to), side, first};
+    first = count_++;
+  }
+  /// The one that was added last; polygon = -1 if there is none.
+  [[nodiscard]] PolygonSide last(const glm::ivec2& a, const glm::ivec2& b) const {
+    const std::uint64_t from = key(a), to = key(b);
+    for (int k = begin_[bucket(from, to)]; k >= 0; k = entries_[k].next)
+      if (entries_[k].from == from && entries_[k].to == to) return entries_[k].side;
+    return {};
+  }
+
+ private:
+  struct Entry {
+    std::uint64_t from, to;
+    PolygonSide side;
+    int next;  ///< in the same bucket
+  };
+  [[nodiscard]] static std::uint64_t key(const glm::ivec2& v) {
+    return std::uint64_t{static_cast<std::uint32_t>(v.x)} << 32 | static_cast<std::uint32_t>(v.y);
+  }
+  [[nodiscard]] std::size_t bucket(std::uint64_t from, std::uint64_t to) const {
+    return (from * 0x9E3779B97F4A7C15U ^ (to + (from >> 29)) * 0xC2B2AE3D27D4EB4FU) >> shift_;
+  }
+  int shift_ = 60, count_ = 0;
+  std::vector<int> begin_;
+  std::vector<Entry> entries_;
+};
+
+}  // namespace
+
 SideTable::SideTable(const std::vector<FigurePolygon>& polygons) : polygons_{polygons} {
   std::size_t sides = 0;
-  for (const FigurePolygon& p : polygons) sides += p.corners.size();
-  while (shift_ > 36 && (std::size_t{1} << (64 - shift_)) < sides) --shift_;
-  begin_.assign((std::size_t{1} << (64 - shift_)) + 1, 0);
+  for (const FigurePolygon& p : polygons) {
+    first_.push_back(sides);
+    sides += p.corners.size();
+  }
+  SidesByEnds table{sides};
   const auto forEachSide = [&](auto use) {
     for (int p = 0; p < static_cast<int>(polygons.size()); ++p)
-      for (int k = 0; k < static_cast<int>(polygons[p].corners.size()); ++k) {
-        const PolygonSide side{p, k};
-        use(Entry{key(from(side)), key(to(side)), side});
-      }
+      for (int k = 0; k < static_cast<int>(polygons[p].corners.size()); ++k) use(PolygonSide{p, k});
   };
-  forEachSide([&](const Entry& e) { ++begin_[bucket(e.from, e.to) + 1]; });
-  for (std::size_t k = 1; k < begin_.size(); ++k) begin_[k] += begin_[k - 1];
-  entries_.resize(sides);
-  std::vector<std::size_t> next(begin_.begin(), begin_.end() - 1);
-  forEachSide([&](const Entry& e) { entries_[next[bucket(e.from, e.to)]++] = e; });
-}
-
-PolygonSide SideTable::last(const glm::ivec2& a, const glm::ivec2& b) const {
-  const std::uint64_t from = key(a), to = key(b);
-  const std::size_t at = bucket(from, to);
-  PolygonSide found;
-  for (std::size_t k = begin_[at]; k < begin_[at + 1]; ++k)  // in ascending order of the polygons
-    if (entries_[k].from == from && entries_[k].to == to) found = entries_[k].side;
-  return found;
+  forEachSide([&](const PolygonSide& s) { table.add(from(s), to(s), s); });
+  beyond_.reserve(sides);
+  forEachSide([&](const PolygonSide& s) { beyond_.push_back(table.last(to(s), from(s))); });
 }
 
 }  // namespace xnewell

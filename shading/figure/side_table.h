@@ -19,15 +19,16 @@ struct PolygonSide {
   bool operator==(const PolygonSide&) const = default;
 };
 
-/// Finds the sides between two points. The polygons must outlive it and stay as they are.
+/// Tells what lies beside each side. The polygons must outlive it and stay as they are.
 class SideTable {
  public:
   explicit SideTable(const std::vector<FigurePolygon>& polygons);
 
-  /// The last polygon with a side from a to b; polygon = -1 if there is none.
-  [[nodiscard]] PolygonSide last(const glm::ivec2& a, const glm::ivec2& b) const;
-  /// What lies on the other side of a side.
-  [[nodiscard]] PolygonSide beyond(const PolygonSide& side) const { return last(to(side), from(side)); }
+  /// The side of the last polygon on the other side of a side, with the same ends; polygon = -1 if there is
+  /// none.
+  [[nodiscard]] const PolygonSide& beyond(const PolygonSide& s) const {
+    return beyond_[first_[s.polygon] + s.corner];
+  }
 
   [[nodiscard]] const glm::ivec2& from(const PolygonSide& s) const {
     return polygons_[s.polygon].corners[s.corner];
@@ -44,20 +45,9 @@ class SideTable {
   [[nodiscard]] int count(const PolygonSide& s) const {
     return static_cast<int>(polygons_[s.polygon].corners.size());
   }
-  struct Entry {
-    std::uint64_t from, to;
-    PolygonSide side;
-  };
-  [[nodiscard]] static std::uint64_t key(const glm::ivec2& v) {
-    return std::uint64_t{static_cast<std::uint32_t>(v.x)} << 32 | static_cast<std::uint32_t>(v.y);
-  }
-  [[nodiscard]] std::size_t bucket(std::uint64_t from, std::uint64_t to) const {
-    return (from * 0x9E3779B97F4A7C15U ^ (to + (from >> 29)) * 0xC2B2AE3D27D4EB4FU) >> shift_;
-  }
   const std::vector<FigurePolygon>& polygons_;
-  int shift_ = 60;
-  std::vector<std::size_t> begin_;  ///< of each bucket, in entries_
-  std::vector<Entry> entries_;
+  std::vector<std::size_t> first_;  ///< of each polygon, in beyond_
+  std::vector<PolygonSide> beyond_;
 };
 
 }  // namespace xnewell
