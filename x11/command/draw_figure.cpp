@@ -9,8 +9,11 @@
 #include "geometry/files/output_file.h"
 #include "shading/figure/make_figure.h"
 #include "shading/figure/write_figure.h"
+#include "shading/picture/picture_cache.h"
 #include "shading/picture/stopwatch.h"
+#include "shading/picture/truth.h"
 #include "shading/scene/settings.h"
+#include "x11/command/errors_json.h"
 #include "x11/command/tell_trade.h"
 #include "x11/options/carried_setup.h"
 #include "x11/terminal/doing.h"
@@ -23,6 +26,16 @@ std::array<std::uint8_t, 3> colorOf(const std::string& hex) {
   const auto number = static_cast<std::uint32_t>(std::stoul(hex.substr(1), nullptr, 16));
   return {static_cast<std::uint8_t>(number >> 16), static_cast<std::uint8_t>(number >> 8),
           static_cast<std::uint8_t>(number)};
+}
+
+/// The errors of a figure, beside those of the picture that `draw` makes.
+FigureErrors errorsOf(const VectorFigure& figure, const Options& options, const Scene& scene) {
+  const Doing measuring{"measuring the errors"};
+  const PictureSettings settings = settingsOf(options);
+  const CellPlan plan{settings.table.kind};
+  const Picture picture = makePicture(scene, settings, plan[Cell::Well]);
+  const Palette palette = picture.palette(plan);
+  return errorsOf(figure, Comparison{picture, Truth{picture}, palette}, palette);
 }
 
 }  // namespace
@@ -45,6 +58,12 @@ void drawFigure(const Options& options, const Scene& scene) {
   doing.reset();
   doing.emplace("writing");
   const std::string bytes = figureFormatOf(options.output)->write(figure);
+  const double msWritten = watch.ms();
+  std::optional<FigureErrors> errors;
+  if (options.errors) {
+    doing.reset();
+    errors = errorsOf(figure, options, scene);
+  }
   std::vector<OutputFile> files{{options.output, bytes}};
   std::string ids;
   if (!options.ids.empty()) {
@@ -59,24 +78,23 @@ void drawFigure(const Options& options, const Scene& scene) {
               << (stages.samples ? ", from the picture's pixels" : "") << "; " << s.loops << " areas, "
               << bytes.size() / 1000 << " kB\n";
   if (!options.stats) return;
-  std::cout << nlohmann::ordered_json{{"scene", options.scene},
-                                      {"size", {figure.width, figure.height}},
-                                      {"faces", stages.picture.scene().mesh.faceCount()},
-                                      {"fragments", s.fragments},
-                                      {"outside", s.outside},
-                                      {"hidden", s.hidden},
-                                      {"levels", s.levels},
-                                      {"off", s.off},
-                                      {"paths", figure.paths.size()},
-                                      {"loops", s.loops},
-                                      {"corners", s.corners},
-                                      {"bytes", bytes.size()},
-                                      {"ms",
-                                       {{"picture and sort", msSorted},
-                                        {"join", msJoined - msSorted},
-                                        {"write", watch.ms() - msJoined}}}}
-                   .dump(-1, ' ', false, nlohmann::ordered_json::error_handler_t::replace)
-            << '\n';
+  nlohmann::ordered_json stats{
+      {"scene", options.scene},
+      {"size", {figure.width, figure.height}},
+      {"faces", stages.picture.scene().mesh.faceCount()},
+      {"fragments", s.fragments},
+      {"outside", s.outside},
+      {"hidden", s.hidden},
+      {"levels", s.levels},
+      {"off", s.off},
+      {"paths", figure.paths.size()},
+      {"loops", s.loops},
+      {"corners", s.corners},
+      {"bytes", bytes.size()},
+      {"ms",
+       {{"picture and sort", msSorted}, {"join", msJoined - msSorted}, {"write", msWritten - msJoined}}}};
+  if (errors) stats["errors"] = errorsAsJson(*errors);
+  std::cout << stats.dump(-1, ' ', false, nlohmann::ordered_json::error_handler_t::replace) << '\n';
 }
 
 }  // namespace xnewell

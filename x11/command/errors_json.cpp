@@ -46,4 +46,12 @@ nlohmann::ordered_json errorsAsJson(const Errors& errors) {
           {"worst", worst}};
 }
 
+nlohmann::ordered_json errorsAsJson(const FigureErrors& errors) {
+  return {{"samples", errors.samples},
+          {"differ", errors.differ},
+          {"largest", errors.largest},
+          {"ciede2000", jsonOf(errors.figure)},
+          {"ciede2000_of_the_picture", jsonOf(errors.picture)}};
+}
+
 }  // namespace xnewell

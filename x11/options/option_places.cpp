@@ -25,8 +25,8 @@ void addPlaces(Reader& r) {
   only({"--scanline"}, {"--view machbands", "--view scanline", "trace"});
   only({"--cell"}, {"--view colours"});
   only({"--store", "--turn", "--gamma", "--bend", "--rotate", "--lit"}, {"draw", "snapshot"});
-  only({"--bare", "--ids", "--stats"}, {"draw", "snapshot", "figure"});
-  only({"--errors", "--costs"}, {"draw", "snapshot"});
+  only({"--bare", "--ids", "--stats", "--errors"}, {"draw", "snapshot", "figure"});
+  only({"--costs"}, {"draw", "snapshot"});
   only({"--paper", "--tolerance", "--edges"}, {"figure"});
   only({"--accuracy"}, {"view", "draw", "snapshot"});
   only({"--json"}, {"explain", "trade", "extremes", "diagnose", "judge"});

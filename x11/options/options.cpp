@@ -202,7 +202,7 @@ void addOptions(CLI::App& app, Reader& r, Options& o) {
          "(flat), at vertices (gouraud), or at pixels each time they are painted (phong, envmap, textures)");
   r.flag("--errors", o.errors,
          "print --stats with the errors of the picture: how far it is from a reference without short cuts, "
-         "and where");
+         "and where; with figure, how far the areas are from the picture and from that reference");
   r.flag("--costs", o.costs,
          "print --stats with the milliseconds that each required item costs; this makes the picture again, "
          "with and without each, for some seconds");

@@ -50,6 +50,27 @@ TEST_F(FigureCommandTest, TheFaceImageHasNoLines) {
   EXPECT_GT(occurrences(contents(file("ids.svg")), "<path "), 5);
 }
 
+// --errors measures the figure as `draw` measures its picture, and both beside each other.
+TEST_F(FigureCommandTest, MeasuresItsErrors) {
+  const Strings scene{"coarse-teapot", "--size", "200x150", "--shade", "phong", "--errors"};
+  const Finished drawn = runProgram(Strings{"draw"} + scene + Strings{"-o", file("a.png")});
+  ASSERT_EQ(drawn.status, 0) << drawn.err;
+  const auto picture = nlohmann::json::parse(drawn.out).at("errors");
+  double last = -1;
+  for (const std::string tolerance : {"0", "32"}) {
+    const Finished made =
+        runProgram(Strings{"figure"} + scene +
+                   Strings{"--tolerance", tolerance, "--paper", "#123456", "-o", file("a.svg")});
+    ASSERT_EQ(made.status, 0) << made.err;
+    const auto errors = nlohmann::json::parse(made.out).at("errors");
+    EXPECT_EQ(errors.at("samples"), picture.at("samples"));
+    EXPECT_EQ(errors.at("ciede2000_of_the_picture"), picture.at("ciede2000"));
+    EXPECT_LE(errors.at("differ"), 20);
+    EXPECT_GT(errors.at("ciede2000").at("mean"), last) << "more tolerance, more error";
+    last = errors.at("ciede2000").at("mean");
+  }
+}
+
 // Colours that change over a face: one line tells how far they are off, and less tolerance makes more areas.
 TEST_F(FigureCommandTest, TellsHowFarColorsAreOff) {
   const auto made = [&](const std::string& method, const std::string& tolerance) {

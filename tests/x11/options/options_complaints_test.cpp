@@ -190,7 +190,7 @@ TEST(Options, FiguresAreOfPolygons) {
   EXPECT_EQ(figure({"--paper", "white"}),
             "--paper: 'white' is not #rrggbb, a colour by six hexadecimal digits");
   EXPECT_EQ(complaint({"--paper", "#ffffff"}), "--paper works only with figure");
-  EXPECT_EQ(figure({"--errors"}), "--errors works only with draw and snapshot");
+  EXPECT_EQ(figure({"--costs"}), "--costs works only with draw and snapshot");
   EXPECT_EQ(figure({"--shade", "phong", "--tolerance", "0"}), "");
   EXPECT_EQ(figure({"--edges", "all"}), "");
   EXPECT_EQ(complaint({"--edges", "all"}), "--edges works only with figure");
