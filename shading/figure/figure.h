@@ -10,7 +10,8 @@
 namespace xnewell {
 
 /// A picture as areas with smooth borders, for paper and for the web: what SVG, PDF and EPS files hold. It is
-/// a list of paths. Each is filled with one colour, and later paths are painted over earlier ones.
+/// a list of paths. Each is filled with one colour, or holds triangles with a colour at each corner. Later
+/// paths are painted over earlier ones.
 
 /// Steps of a figure's coordinates in a pixel of the picture. Renderers have no finer ones.
 inline constexpr int kFigureSteps = 256;
@@ -23,10 +24,17 @@ using FigureLoop = std::vector<glm::ivec2>;
 
 using FigureColor = std::array<std::uint8_t, 3>;  ///< red, green, blue
 
+/// A triangle whose colour is linear between those of its corners.
+struct FigureTriangle {
+  std::array<glm::ivec2, 3> corners;
+  std::array<FigureColor, 3> colors;
+};
+
 struct FigurePath {
   FigureColor color;
-  std::vector<FigureLoop> loops;  ///< filled together, by the rule of nonzero winding
-  int level = 0;                  ///< of its polygons; it ascends
+  std::vector<FigureLoop> loops;            ///< filled together, by the rule of nonzero winding
+  int level = 0;                            ///< of its polygons; it ascends
+  std::vector<FigureTriangle> triangles{};  ///< painted instead of loops; only PDF files can hold them
 };
 
 /// Lines of one look, painted after all paths.

@@ -6,6 +6,7 @@
 #include <limits>
 
 #include "shading/color/color_difference.h"
+#include "shading/figure/runs.h"
 
 namespace xnewell {
 
@@ -35,6 +36,28 @@ void addPassages(const FigureLoop& loop, const VectorFigure& figure, std::vector
   }
 }
 
+void paint(const FigureTriangle& triangle, const VectorFigure& figure, std::vector<FigureColor>& colors) {
+  std::array<glm::dvec2, 3> at;
+  for (int k = 0; k < 3; ++k) at[k] = triangle.corners[k];
+  std::array<LinearOver, 3> weights;
+  for (int k = 0; k < 3; ++k)
+    weights[k] = LinearOver::through(at, {k == 0 ? 1.0 : 0.0, k == 1 ? 1.0 : 0.0, k == 2 ? 1.0 : 0.0});
+  const auto [left, right] = std::ranges::minmax(at, {}, &glm::dvec2::x);
+  const auto [top, bottom] = std::ranges::minmax(at, {}, &glm::dvec2::y);
+  for (int j = std::max(0, sampleFrom(top.y)); j < std::min(figure.height, sampleFrom(bottom.y)); ++j)
+    for (int i = std::max(0, sampleFrom(left.x)); i < std::min(figure.width, sampleFrom(right.x)); ++i) {
+      const glm::dvec2 sample = glm::dvec2{i, j} * double{kFigureSteps} + double{kHalf};
+      std::array<double, 3> w;
+      for (int k = 0; k < 3; ++k) w[k] = weights[k](sample);
+      if (*std::ranges::min_element(w) < 0) continue;
+      for (int c = 0; c < 3; ++c) {
+        double level = 0.5;
+        for (int k = 0; k < 3; ++k) level += w[k] * triangle.colors[k][c];
+        colors[std::size_t(j) * figure.width + i][c] = static_cast<std::uint8_t>(level);
+      }
+    }
+}
+
 int farthestChannel(const FigureColor& p, const FigureColor& q) {
   int most = 0;
   for (int c = 0; c < 3; ++c) most = std::max(most, std::abs(p[c] - q[c]));
@@ -52,6 +75,7 @@ std::vector<FigureColor> colorsAtSamples(const VectorFigure& figure, FigureColor
   std::vector<FigureColor> colors(std::size_t(figure.width) * figure.height, ground);
   std::vector<Passage> passages;
   for (const FigurePath& path : figure.paths) {
+    for (const FigureTriangle& triangle : path.triangles) paint(triangle, figure, colors);
     passages.clear();
     for (const FigureLoop& loop : path.loops) addPassages(loop, figure, passages);
     std::ranges::sort(passages);

@@ -111,15 +111,17 @@ VectorFigure makeFigure(const Picture& picture, const SortedScene& order, const 
   statistics.levels = levels.empty() ? 0 : *std::ranges::max_element(levels) + 1;
   ShadeParts parts;
   if (colors == FigureColors::Shades)
-    parts = shadePartsOf(shown, levels, picture, palette, split.samples, split.tolerance);
+    parts = shadePartsOf(shown, levels, picture, palette, split.samples, split.tolerance, split.smooth);
   statistics.off = parts.off;
   figure.paths = joinedPaths(std::move(shown), levels, strip, width, height);
   std::vector<FigurePath> shades = pathsOf(parts);
   for (FigurePath& path : shades) path.level /= kRanks;
   std::ranges::move(shades, std::back_inserter(figure.paths));
+  for (auto& [level, triangles] : parts.smooth) figure.paths.push_back({{}, {}, level, std::move(triangles)});
   std::ranges::stable_sort(figure.paths, {}, &FigurePath::level);
   for (const FigurePath& path : figure.paths) {
-    statistics.loops += std::ssize(path.loops);
+    statistics.loops += std::ssize(path.loops) + std::ssize(path.triangles);
+    statistics.corners += 3 * std::ssize(path.triangles);
     for (const FigureLoop& loop : path.loops) statistics.corners += std::ssize(loop);
   }
   return figure;
@@ -139,12 +141,12 @@ Picture pictureFor(const Scene& scene, PictureSettings settings) {
 
 }  // namespace
 
-FigureStages::FigureStages(const Scene& scene, const PictureSettings& settings, int tolerance)
+FigureStages::FigureStages(const Scene& scene, const PictureSettings& settings, int tolerance, bool smooth)
     : picture{pictureFor(scene, settings)},
       samples{needsSamples(picture)},
       order{figureOrder(picture, settings.order)},
       palette{picture.palette(CellPlan{settings.table.kind})},
-      split{tolerance, samples ? shownSamples(picture, palette) : ShownSamples{}} {}
+      split{tolerance, samples ? shownSamples(picture, palette) : ShownSamples{}, smooth} {}
 
 VectorFigure FigureStages::figure(FigureColors colors, FigureEdges edges) const {
   VectorFigure made = makeFigure(picture, order, palette, colors, split);

@@ -23,6 +23,7 @@ enum class FigureColors {
 struct ShadeSplit {
   int tolerance = 0;     ///< in steps of 1/255 of each channel
   ShownSamples samples;  ///< if needsSamples()
+  bool smooth = false;   ///< Gouraud shading as triangles with a colour at each corner
 };
 
 /// Makes the figure of a picture. The cells' colours are those of `palette`.
@@ -39,7 +40,7 @@ struct FigureStages {
   Palette palette;
   ShadeSplit split;
 
-  FigureStages(const Scene& scene, const PictureSettings& settings, int tolerance);
+  FigureStages(const Scene& scene, const PictureSettings& settings, int tolerance, bool smooth = false);
   [[nodiscard]] VectorFigure figure(FigureColors colors = FigureColors::Shades,
                                     FigureEdges edges = FigureEdges::None) const;
 };

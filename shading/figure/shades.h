@@ -1,5 +1,6 @@
 #pragma once
 
+#include <map>
 #include <vector>
 
 #include "shading/figure/shown_polygons.h"
@@ -33,6 +34,7 @@ inline constexpr int kRanks = 256;
 struct ShadeParts {
   std::vector<FigurePolygon> polygons;
   std::vector<int> levels;  ///< kRanks times that of their polygon, and a rank: painted in ascending order
+  std::map<int, std::vector<FigureTriangle>> smooth;  ///< by the level of their polygon
   int off = 0;  ///< how far a colour is at most from the picture's, in steps of 1/255 of a channel
 };
 
@@ -42,8 +44,9 @@ struct ShadeParts {
 /// pixels is cut into runs; where a face shows in a pixel but not at its sample, it takes the colour of its
 /// nearest sample.
 /// @param tolerance  how far a colour may be from the picture's, in steps of 1/255 of each channel
+/// @param smooth     true: in Gouraud shading, triangles with the colours of their corners
 [[nodiscard]] ShadeParts shadePartsOf(std::vector<FigurePolygon>& polygons, const std::vector<int>& levels,
                                       const Picture& picture, const Palette& palette,
-                                      const ShownSamples& samples, int tolerance);
+                                      const ShownSamples& samples, int tolerance, bool smooth = false);
 
 }  // namespace xnewell

@@ -11,6 +11,7 @@ namespace xnewell {
 
 /// The bytes of a figure's file. They depend on the figure alone: they hold no time and no version. A pixel
 /// of the picture is a pixel of SVG, and a point (1/72 inch) of PDF and EPS.
+/// Precondition of SVG and EPS: no path has triangles.
 [[nodiscard]] std::string svgOf(const VectorFigure& figure);
 [[nodiscard]] std::string pdfOf(const VectorFigure& figure);
 [[nodiscard]] std::string epsOf(const VectorFigure& figure);

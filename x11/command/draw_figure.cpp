@@ -1,5 +1,6 @@
 #include "x11/command/draw_figure.h"
 
+#include <algorithm>
 #include <iostream>
 #include <nlohmann/json.hpp>
 #include <optional>
@@ -43,7 +44,7 @@ FigureErrors errorsOf(const VectorFigure& figure, const Options& options, const 
 void drawFigure(const Options& options, const Scene& scene) {
   std::optional<Doing> doing{"sorting"};
   const Stopwatch watch;
-  const FigureStages stages{scene, settingsOf(options), options.tolerance};
+  const FigureStages stages{scene, settingsOf(options), options.tolerance, options.smooth};
   const double msSorted = watch.ms();
   doing.reset();
   doing.emplace("joining areas");
@@ -73,6 +74,10 @@ void drawFigure(const Options& options, const Scene& scene) {
   writeFiles(files);
   doing.reset();
   const FigureStatistics& s = figure.statistics;
+  if (options.smooth &&
+      std::ranges::all_of(figure.paths, &std::vector<FigureTriangle>::empty, &FigurePath::triangles))
+    std::cerr
+        << "xnewell: --smooth changed nothing: no face has Gouraud shading of one hue over its triangles\n";
   if (stages.samples || s.off > 0)
     std::cerr << options.output << ": colours are at most " << s.off << " of 255 off"
               << (stages.samples ? ", from the picture's pixels" : "") << "; " << s.loops << " areas, "

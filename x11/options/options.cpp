@@ -184,16 +184,18 @@ void addOptions(CLI::App& app, Reader& r, Options& o) {
          });
   r.choice("--edges", kFigureEdges, o.edges,
            "figure: the edges of the model's faces as lines, in front or all; hidden ones are dashed");
-  r.text(
-      "--tolerance",
-      "figure: how far the colours of Phong shading, environment maps and textures may be off, in steps of "
-      "1/255; more makes smaller files",
-      "2", [&](const std::string& s) {
-        const std::string expected = "a whole number from 0 to 64";
-        const double v = numbers("--tolerance", s, 1, expected)[0];
-        if (v < 0 || v > 64 || v != std::floor(v)) refuse("--tolerance", s, expected);
-        o.tolerance = static_cast<int>(v);
-      });
+  r.flag("--smooth", o.smooth,
+         "figure, PDF: Gouraud shading as triangles with a colour at each corner, which the reader "
+         "interpolates; the file is small, and the shades have no borders");
+  r.text("--tolerance",
+         "figure: how far colours that change over a face may be off, in steps of 1/255; more makes smaller "
+         "files",
+         "2", [&](const std::string& s) {
+           const std::string expected = "a whole number from 0 to 64";
+           const double v = numbers("--tolerance", s, 1, expected)[0];
+           if (v < 0 || v > 64 || v != std::floor(v)) refuse("--tolerance", s, expected);
+           o.tolerance = static_cast<int>(v);
+         });
   r.flag("--bare", o.bare,
          "the file carries no set-up, so that two files of the same pixels are the same, however they were "
          "drawn");

@@ -122,6 +122,7 @@ struct Options {
   std::string output, ids;
   std::string paper;                 ///< figure: the colour behind it, "#rrggbb"; "" for none
   int tolerance = kFigureTolerance;  ///< figure: how far colours from samples may be off, in steps of 1/255
+  bool smooth = false;               ///< figure: Gouraud shading as triangles, in PDF
   FigureEdges edges = FigureEdges::None;
   bool bare = false;    ///< the PNG file carries no set-up
   bool stats = false;   ///< also if only --errors or --costs was given

@@ -124,6 +124,8 @@ void checkFigure(const Options& o) {
     if (!file->empty() && figureFormatOf(*file) == nullptr)
       throw UsageError{(file == &o.output ? "-o " : "--ids ") + *file +
                        ": figures are SVG, PDF or EPS files; call it .svg, .pdf or .eps"};
+  if (o.smooth && figureFormatOf(o.output)->name != "PDF")
+    throw UsageError{"--smooth needs -o FILE.pdf: only PDF has triangles with a colour at each corner"};
 }
 
 /// Checks what each command needs and takes.

@@ -71,6 +71,22 @@ TEST_F(FigureCommandTest, MeasuresItsErrors) {
   }
 }
 
+// --smooth makes a small PDF of Gouraud shading, and says so where there is none.
+TEST_F(FigureCommandTest, SmoothTrianglesInPdf) {
+  const Strings scene{"figure", "coarse-teapot", "--size", "200x150", "--shade"};
+  const Finished bands =
+      runProgram(scene + Strings{"gouraud", "--tolerance", "0", "--stats", "-o", file("a.pdf")});
+  const Finished smooth = runProgram(scene + Strings{"gouraud", "--smooth", "--stats", "-o", file("b.pdf")});
+  ASSERT_EQ(smooth.status, 0) << smooth.err;
+  EXPECT_EQ(smooth.err.find("changed nothing"), std::string::npos);
+  EXPECT_NE(contents(file("b.pdf")).find("/ShadingType 4"), std::string::npos);
+  EXPECT_LT(3 * nlohmann::json::parse(smooth.out).at("bytes").get<int>(),
+            nlohmann::json::parse(bands.out).at("bytes").get<int>());
+  const Finished flat = runProgram(scene + Strings{"flat", "--smooth", "-o", file("c.pdf")});
+  EXPECT_EQ(flat.status, 0);
+  EXPECT_NE(flat.err.find("--smooth changed nothing"), std::string::npos) << flat.err;
+}
+
 // Colours that change over a face: one line tells how far they are off, and less tolerance makes more areas.
 TEST_F(FigureCommandTest, TellsHowFarColorsAreOff) {
   const auto made = [&](const std::string& method, const std::string& tolerance) {

@@ -193,6 +193,9 @@ TEST(Options, FiguresAreOfPolygons) {
   EXPECT_EQ(figure({"--costs"}), "--costs works only with draw and snapshot");
   EXPECT_EQ(figure({"--shade", "phong", "--tolerance", "0"}), "");
   EXPECT_EQ(figure({"--edges", "all"}), "");
+  EXPECT_EQ(figure({"--smooth"}),
+            "--smooth needs -o FILE.pdf: only PDF has triangles with a colour at each corner");
+  EXPECT_EQ(complaintAll({"figure", "teapot", "--smooth", "-o", "a.PDF"}), "");
   EXPECT_EQ(complaint({"--edges", "all"}), "--edges works only with figure");
   EXPECT_EQ(figure({"--tolerance", "65"}), "--tolerance: '65' is not a whole number from 0 to 64");
   EXPECT_EQ(figure({"--order", "bsp"}),
