@@ -14,8 +14,8 @@ PICTURES = {
     'orders': 'three-cards five-tests shingles sheets cycle',
     'cuts': 'nested-cycles penetrate crossing-sheets coarse-teapot tori',
 }
-SHORT = ['xnewell', 'xnewell\n--order zmean', 'matplotlib,\none coll.', 'matplotlib,\none an object', 'gnuplot',
-         'Asymptote\nthree', 'Asymptote\nbsp', 'Sketch', 'Sketch -b', 'gl2ps\nsimple', 'gl2ps\nBSP']
+SHORT = ['xnewell', 'xnewell\n--order zmean', 'matplotlib, one\ncollection', 'matplotlib, one\nfor each object',
+         'gnuplot', 'Asymptote\nthree', 'Asymptote\nbsp', 'Sketch', 'Sketch -b', 'gl2ps\nsimple', 'gl2ps\nBSP']
 
 
 def folder_of(scene, name):
@@ -23,7 +23,7 @@ def folder_of(scene, name):
 
 
 def cell(found):
-    """The share of wrong pixels; three decimals where two would say 0 of more than none."""
+    """The share of wrong pixels in percent; 0 stands for none at all."""
     if 'none' in found:
         return found['none']
     if found['pixels'] == 0:
@@ -37,7 +37,7 @@ def tables(results):
     for scene, row in results['scenes'].items():
         lines.append(f'| {scene} | {row["faces"]:,} | {row["judged"]:,} | '
                      + ' | '.join(cell(row['programs'][name]) for name in names) + ' |')
-    lines += ['', '| program | version | right in | pixels alone | seconds, all scenes | seconds, slowest scene |',
+    lines += ['', '| program | version | right in | pixels alone | seconds, all scenes | slowest scene |',
               '| --- | --- | --- | ---: | ---: | --- |']
     for name in names:
         found = {scene: row['programs'][name] for scene, row in results['scenes'].items()}

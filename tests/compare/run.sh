@@ -4,7 +4,7 @@
 # front of the same camera, each in a colour of its own, and draw them as vectors. A judge that compares all faces
 # at each pixel counts the pixels that show a wrong face. OUTPUT_FOLDER gets the tables (table.md), the pictures
 # (compare-*.png), all numbers (results.json) and, in work, what each program read and wrote. README.md has the
-# tables, and says how the judge works. It takes about eight minutes; six of them are for what never ends.
+# tables, and says how the judge works. It takes about nine minutes; six of them are for pictures that do not come.
 # Exit status: 0 if the judge could be trusted, 1 if one of its checks failed, 77 if a package is missing.
 set -euo pipefail
 here=$(dirname "$(readlink -f "${BASH_SOURCE[0]}")")
