@@ -2,8 +2,9 @@
 # tests/figures.sh [PROGRAM] [--views N] [SCENE]...
 # Checks figures with other people's renderers: rsvg-convert, pdftoppm, pdftocairo, gs and mutool. A figure of
 # each scene is drawn as SVG, PDF and EPS on magenta paper, once in its colours and once in the colours of the
-# faces' numbers. At each pixel whose eight neighbours show the same face, it must have the colour of
-# `xnewell draw`, and the number of `--ids`. It also tells how much of the paper shows between areas.
+# faces' numbers. A pixel is away from edges if it and its eight neighbours show one face, also at four times
+# the size. There it must have the colour of `xnewell draw`, and the number of `--ids`. It also tells how much of
+# the paper shows between areas.
 # With --views 12 each scene is seen from twelve sides; `all` stands for all scenes of data/scenes and the teapot.
 # Exit status: 0 if no pixel is wrong, 1 if one is, 77 if a renderer, Pillow or NumPy is missing.
 set -euo pipefail
@@ -35,6 +36,7 @@ draw() {
   names+=("$1")
   shift
   "$program" draw "$@" --shade flat --colors one -o "$file.png" --ids "$file.ids.png"
+  "$program" draw "$@" --shade flat --colors one --size 3200x2400 -o "$file.fine.png" --ids "$file.fine.ids.png"
   for format in svg pdf eps; do
     "$program" figure "$@" --shade flat --colors one --paper '#ff00ff' -o "$file.$format" --ids "$file.ids.$format"
   done

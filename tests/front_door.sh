@@ -2,7 +2,7 @@
 # tests/front_door.sh [--tests] [--sudo] [--with "PACKAGE..."] [12|13]...
 # Checks that the README's first command works on a bare machine. It makes a root folder of Debian 12 and one
 # of Debian 13, or of the ones named, with debootstrap's smallest variant and git. In a copy of each it clones
-# the last commit and runs the command.
+# the last commit and runs the command. All figures of all scenes must have the same bytes in both.
 #   --tests             runs the README's second command, too
 #   --sudo              runs them as a user with sudo, not as root
 #   --with "PACKAGE..." installs these packages first
@@ -58,6 +58,18 @@ prepare() {
   git clone --quiet "$root" "$copy$home/xnewell" && inside "$copy" chown -R "$user:" "$home/xnewell"
 }
 
+# The sums of the figures of all scenes: flat as SVG, Gouraud as PDF, Phong as EPS. So all pixels of Phong's
+# picture count, and no compressed file, since libraries compress in different ways.
+# shellcheck disable=SC2016  # these are variables of the inner shell
+figure_sums='
+  for scene in teapot $(basename -s .json -a data/scenes/*.json); do
+    for kind in flat:svg gouraud:pdf phong:eps; do
+      build/release/x11/xnewell figure "$scene" --size 400x300 --shade "${kind%:*}" --tolerance 0 -o "figure.${kind#*:}" \
+        2>/dev/null || exit
+      echo "$scene ${kind%:*} $(sha256sum <"figure.${kind#*:}")"
+    done
+  done'
+
 # front_door RELEASE: succeeds if the commands succeed in that release.
 front_door() {
   local copy=$roots/debian-$1-copy home=/root run=(bash -c) log=$root/build/front-door-$1.log command start
@@ -76,6 +88,10 @@ front_door() {
     fi
     say "Debian $1, as $user: $command succeeded in $((SECONDS - start)) s"
   done
+  if ! inside "$copy" "${run[@]}" "cd $home/xnewell && $figure_sums" >"$root/build/front-door-$1.sums"; then
+    say "Debian $1, as $user: the figures could not be made; the root is $copy"
+    return 1
+  fi
   if ! cp "$copy$home/xnewell/build/demo.png" "$root/build/front-door-$1.png"; then
     say "Debian $1, as $user: no picture of the window was made; the root is $copy"
     return 1
@@ -107,5 +123,15 @@ for release in "${!running[@]}"; do
     status=1
   fi
   unset "running[$release]"
+done
+first=$root/build/front-door-${releases[0]}.sums
+for release in "${releases[@]:1}"; do
+  ((status == 0)) || break
+  if ! diff "$first" "$root/build/front-door-$release.sums" >&2; then
+    say "front door: figures have other bytes in Debian $release"
+    status=1
+  else
+    say "front door: $(wc -l <"$first") figures have the same bytes in Debian ${releases[0]} and $release"
+  fi
 done
 exit "$status"
