@@ -6,7 +6,6 @@ import numpy as np
 from PIL import Image
 
 PAPER = (255, 0, 255)
-FINE = 4  # pixels of the fine picture in a pixel
 Image.MAX_IMAGE_PIXELS = None
 QUIET = subprocess.DEVNULL  # mutool of Debian says for each file that it has no ICC
 WAYS = [('svg', 'rsvg-convert {i} -o {o}.png'),
@@ -18,7 +17,7 @@ WAYS = [('svg', 'rsvg-convert {i} -o {o}.png'),
                 ' -sOutputFile={o}.png {i}')]
 
 
-def image(file, kind=int):
+def image(file, kind=np.int32):
     return np.asarray(Image.open(file).convert('RGB')).astype(kind)
 
 
@@ -44,8 +43,10 @@ def main(folder, scenes):
         bare = numbers(ids) == 0
         true[bare] = ids[bare] = PAPER
         # What is thinner than a pixel may pass between its samples: the picture of four times the size shows it.
-        fine = numbers(image(base + '.fine.ids.png', np.uint32)).reshape(len(ids), FINE, -1, FINE)
-        least, most = fine.min((1, 3)).astype(int), fine.max((1, 3)).astype(int)
+        fine = numbers(image(base + '.fine.ids.png', np.uint32))
+        times = len(fine) // len(ids)
+        fine = fine.reshape(len(ids), times, -1, times)
+        least, most = fine.min((1, 3)).astype(np.int32), fine.max((1, 3)).astype(np.int32)
         away = around(least, 1, np.minimum) == around(most, 1, np.maximum)
         inside = around(least, 2, np.minimum) > 0
         blue = around(true[..., 2], 1, np.maximum)
