@@ -1,8 +1,10 @@
 #pragma once
 
+#include <cmath>
 #include <vector>
 
 #include "geometry/view/project.h"
+#include "geometry/view/screen_plane.h"
 
 namespace xnewell {
 
@@ -20,5 +22,50 @@ namespace xnewell {
 /// face of the scene wins.
 inline constexpr int kNothing = -1;
 [[nodiscard]] std::vector<int> visibleFaces(const SnappedScene& scene, int width, int height);
+
+/// The depths of one face's plane, estimated in doubles. The estimate is good enough to separate the faces at
+/// most samples.
+class DepthEstimate {
+ public:
+  DepthEstimate(const SnappedScene& scene, const SnappedFace& face, const ScreenPlane& plane)
+      : anchor_{scene.vertices[face.first]},
+        z_{depthAt(plane, anchor_.x, anchor_.y)},
+        dzdx_{static_cast<double>(plane.A) / static_cast<double>(plane.C)},
+        dzdy_{static_cast<double>(plane.B) / static_cast<double>(plane.C)} {
+    double reach = 0.0;
+    for (int v = face.first; v < face.first + face.count; ++v) {
+      const glm::dvec2 d = glm::dvec2{scene.vertices[v]} - glm::dvec2{anchor_};
+      reach = std::max(reach, std::abs(dzdx_ * d.x) + std::abs(dzdy_ * d.y));
+    }
+    // Samples lie in the hull of the vertices, so each term is at most `reach`. A slope has at most three
+    // roundings of 2^-53 and z has four; each product and each sum adds one. So no term has more than six
+    // roundings, and 2^-50 allows eight, of reach + |z|.
+    error_ = 0x1p-50 * (reach + std::abs(z_));
+  }
+  /// The depth at the centre of pixel (i, j). Its error is at most error().
+  [[nodiscard]] double at(int i, int j) const {
+    return dzdx_ * (kGrid * (i + 0.5) - anchor_.x) + (dzdy_ * (kGrid * (j + 0.5) - anchor_.y) + z_);
+  }
+  [[nodiscard]] double error() const { return error_; }
+
+ private:
+  glm::ivec3 anchor_;
+  double z_, dzdx_, dzdy_, error_ = 0;
+};
+
+/// The same as visibleFaces() for a part of the rows. A large picture needs less memory, and less time, in
+/// bands of rows.
+class VisibleFaces {
+ public:
+  /// The scene must outlive this.
+  explicit VisibleFaces(const SnappedScene& scene);
+  /// The faces at the samples of the rows from `first` to before `end`.
+  [[nodiscard]] std::vector<int> rows(int first, int end, int width);
+
+ private:
+  const SnappedScene& scene_;
+  std::vector<DepthEstimate> estimates_;  ///< of each face
+  std::vector<double> nearest_;           ///< of each sample: the estimated depth of the face that is seen
+};
 
 }  // namespace xnewell

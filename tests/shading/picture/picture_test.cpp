@@ -7,6 +7,7 @@
 #include <numeric>
 #include <random>
 #include <set>
+#include <span>
 #include <tuple>
 
 #include "depthsort/oracle.h"
@@ -158,6 +159,30 @@ TEST(Picture, OracleKnowsWhereTheOrderIsWrong) {
     s.cull = Cull::Back;
     ball.make(s);
     EXPECT_EQ(exactnessOf(ball.last()).wrong, 0);
+  }
+}
+
+// A picture is counted in bands of rows. Bands of all heights count the same as the verdicts on all samples,
+// and see the same faces, also if the last band is shorter.
+TEST(Picture, BandsCountTheSameAsTheWhole) {
+  PictureCache teapot{readScene("teapot", 3)};
+  PictureSettings s = small();
+  s.order = Order::ZMean, s.width = 1'021, s.height = 700;  // 128 rows in a band, 60 in the last
+  teapot.make(s);
+  const std::vector<SampleCheck> verdicts = checkedSamples(teapot.last());
+  const Exactness bands = exactnessOf(teapot.last()), whole = exactnessOf(verdicts);
+  EXPECT_GT(whole.wrong, 1'000);
+  EXPECT_EQ(bands.samples, whole.samples);
+  EXPECT_EQ(bands.wrong, whole.wrong);
+  EXPECT_EQ(bands.doubtful, whole.doubtful);
+  const Picture complete = teapot.last().withPlanes();
+  const std::vector<int> all = visibleFaces(complete.snapped(), s.width, s.height);
+  VisibleFaces oracle{complete.snapped()};
+  for (const auto& [first, end] : {std::pair{0, 1}, std::pair{131, 297}, std::pair{640, 700}}) {
+    const std::vector<int> rows = oracle.rows(first, end, s.width);
+    ASSERT_EQ(rows.size(), std::size_t(end - first) * s.width);
+    EXPECT_TRUE(std::ranges::equal(rows, std::span{all}.subspan(std::size_t(first) * s.width, rows.size())))
+        << first;
   }
 }
 
