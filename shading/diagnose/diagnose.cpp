@@ -172,30 +172,6 @@ std::optional<std::array<std::uint8_t, 3>> Diagnoser::groundOf(const HandedIn& h
   return std::ranges::max_element(counts, {}, [](const auto& c) { return c.second; })->first;
 }
 
-/// The pixels that both pictures paint over those that either paints, away from outlines. Where the ground is
-/// nearly black a face may be, too, so only faces where none should be count.
-double Diagnoser::overlapOf(const HandedIn& handed, TurnWay turn, PaintWay paint,
-                            std::array<std::uint8_t, 3> ground) {
-  const std::vector<int>& faces = facesOf(paint);
-  const int w = settings_.width, h = settings_.height;
-  const bool isDark = std::max({ground[0], ground[1], ground[2]}) <= 16;
-  long both = 0, either = 0;
-  for (int j = 1; j + 1 < h; ++j)
-    for (int i = 1; i + 1 < w; ++i) {
-      const std::size_t at = static_cast<std::size_t>(j) * w + i;
-      const bool ours = faces[at] != kNothing;
-      bool alike = true;
-      for (int y = -1; y <= 1; ++y)
-        for (int x = -1; x <= 1; ++x) alike &= (faces[at + y * w + x] != kNothing) == ours;
-      if (!alike) continue;
-      const auto [x, y] = turned(turn, i, j, w, h);
-      const std::uint8_t* const p = handed.picture.pixel(x, y);
-      const bool theirs = p[0] != ground[0] || p[1] != ground[1] || p[2] != ground[2] || (isDark && ours);
-      both += ours && theirs, either += ours || theirs;
-    }
-  return either == 0 ? 1.0 : static_cast<double>(both) / static_cast<double>(either);
-}
-
 /// True if what the file's palette holds is one of the tables that a program may have stored.
 bool Diagnoser::hasOurCells(const HandedIn& handed) {
   if (!handed.cells || model_.colors) return false;
@@ -232,7 +208,7 @@ Diagnosis Diagnoser::operator()(const HandedIn& handed) {
   d.samples = static_cast<int>(samples_.size());
   d.oneHue = !model_.colors;
   if (handed.picture.width != settings_.width || handed.picture.height != settings_.height) {
-    d.verdict = Marking::OtherScene, d.overlap = 0, d.isOtherSize = true;
+    d.verdict = Marking::OtherScene, d.outlines = {}, d.isOtherSize = true;
     return d;
   }
   d.readsCells = hasOurCells(handed);
@@ -246,26 +222,26 @@ Diagnosis Diagnoser::operator()(const HandedIn& handed) {
   d.isOneColor = true;
   for (std::size_t k = 3; k < handed.picture.rgb.size() && d.isOneColor; ++k)
     d.isOneColor = handed.picture.rgb[k] == handed.picture.rgb[k % 3];
-  d.overlap = 0;
+  d.outlines = {};
   for (const TurnWay turn : {TurnWay::Upright, TurnWay::UpsideDown, TurnWay::Mirrored, TurnWay::Turned}) {
     const auto ground = groundOf(handed, turn);
     if (turn == TurnWay::Upright && ground) ground_ = *ground;
-    double overlap = 1.0;
-    if (ground)
-      overlap =
-          std::max(overlapOf(handed, turn, PaintWay::Nearest, *ground),
-                   turn == TurnWay::Upright ? overlapOf(handed, turn, PaintWay::BacksOnly, *ground) : 0);
-    if (overlap >= kOverlap)
-      reads_.push_back(read(handed, turn, d.readsCells));
-    else
-      reads_.push_back({});
-    d.overlap = std::max(d.overlap, overlap);
+    Outlines best{.overlap = ground ? 0.0 : 1.0};
+    for (const PaintWay paint : {PaintWay::Nearest, PaintWay::BacksOnly})
+      if (ground && (turn == TurnWay::Upright || paint == PaintWay::Nearest)) {
+        const Outlines outlines = outlinesOf(handed.picture, facesOf(paint), turn, *ground, kOverlap);
+        if (outlines.overlap > best.overlap) best = outlines;
+      }
+    reads_.push_back(best.overlap >= kOverlap ? read(handed, turn, d.readsCells) : Read{});
+    if (best.overlap > d.outlines.overlap) d.outlines = best;
   }
-  if (d.overlap < kOverlap) {
+  if (d.outlines.overlap < kOverlap) {
     d.verdict = Marking::OtherScene;
     return d;
   }
   decide(d);
+  if ((d.verdict == Marking::Right || d.verdict == Marking::Allowed) && d.outlines.areOff())
+    d.verdict = Marking::Outlines;
   return d;
 }
 

@@ -12,6 +12,7 @@
 #include "shading/diagnose/hypothesis.h"
 #include "shading/diagnose/other_model.h"
 #include "shading/diagnose/other_program.h"
+#include "shading/diagnose/outlines.h"
 
 namespace xnewell {
 
@@ -33,7 +34,9 @@ namespace xnewell {
 /// 6. If the right program does not show the picture exactly, other numbers are searched for, one at a time
 ///    (numbers.cpp). A number that fits better than all rows is told; one that fits as well as a mistake is
 ///    told with it, and one that fits as well as what the course allows is a doubt.
-/// 7. If nothing fits, two rows at once are tried, and after them numbers in small steps.
+/// 7. Outlines that are farther from the right ones than other edge rules and rounded corners may bring them
+///    (outlines.h) are told; a picture with such outlines is not right.
+/// 8. If nothing fits, two rows at once are tried, and after them numbers in small steps.
 
 inline constexpr int kMostSamples = 3000;
 inline constexpr double kClass = 0.01, kInformative = 0.8;
@@ -46,7 +49,8 @@ struct DiagnosedSample {
   int i = 0, j = 0, face = 0;  ///< of the snapped faces
 };
 
-enum class Marking { Right, Allowed, Mistake, OneOf, Numbers, Unknown, OtherScene };
+/// Outlines: the shades are right, or right with what the course allows, but faces lie elsewhere.
+enum class Marking { Right, Allowed, Outlines, Mistake, OneOf, Numbers, Unknown, OtherScene };
 
 /// How well one hypothesis, or two at once, fit a picture.
 struct Fit {
@@ -87,7 +91,7 @@ struct Diagnosis {
   int samples = 0;
   double exact = 1;      ///< the share of samples with the very value of the right picture
   double brightest = 0;  ///< the share of samples where the picture has the shade of I = 1
-  double overlap = 1;
+  Outlines outlines{.overlap = 1};
   bool isOtherSize = false, isOneColor = false;
   bool readsCells = false;  ///< the cells of the picture are those of the table
   bool oneHue = true;
@@ -148,8 +152,6 @@ class Diagnoser {
   };
   [[nodiscard]] const std::vector<int>& facesOf(PaintWay way);
   void chooseSamples();
-  [[nodiscard]] double overlapOf(const HandedIn& picture, TurnWay turn, PaintWay paint,
-                                 std::array<std::uint8_t, 3> ground);
   [[nodiscard]] std::optional<std::array<std::uint8_t, 3>> groundOf(const HandedIn& picture, TurnWay turn);
   [[nodiscard]] Read read(const HandedIn& picture, TurnWay turn, bool cells) const;
   [[nodiscard]] bool hasOurCells(const HandedIn& picture);

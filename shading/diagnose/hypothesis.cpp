@@ -79,6 +79,15 @@ Hypothesis turning(Hypothesis row) {
   return row;
 }
 
+/// A mistake that changes only such lights. With others, it is what the scene asks for.
+Hypothesis with(bool (*light)(const Light&), Hypothesis row) {
+  row.changes = light;
+  return row;
+}
+bool isFar(const Light& light) { return light.kind == LightKind::Directional; }
+bool isPlaced(const Light& light) { return !isFar(light); }
+bool fades(const Light& light) { return isPlaced(light) && light.attenuation != Attenuation::None; }
+
 /// What a program computes once and uses twice has a row for each reach of a mistake in it: N.L counts in the
 /// diffuse term, in R, and in whether a highlight is added; V counts in R.V, and turns N.
 void addEquation(std::vector<Hypothesis>& all) {
@@ -141,12 +150,15 @@ void addEquation(std::vector<Hypothesis>& all) {
        shared(Mistake::ReversedL, "L", [](W& w) { w.light = TowardsLight::Away; }),
        wrong("L-not-unit", "L", "L is not divided by its length.",
              [](W& w) { w.light = TowardsLight::NotUnit; }),
-       wrong("L-direction-as-place", "L", "The direction to the light is taken for the light's place.",
-             [](W& w) { w.light = TowardsLight::DirectionAsPlace; }),
-       wrong("L-place-as-direction", "L", "The place of the light is taken for the direction to it.",
-             [](W& w) { w.light = TowardsLight::PlaceAsDirection; }),
-       wrong("L-place-as-direction", "L", "The place of the light is taken for the direction to it.",
-             [](W& w) { w.light = TowardsLight::FarPlace; }),
+       with(isFar,
+            wrong("L-direction-as-place", "L", "The direction to the light is taken for the light's place.",
+                  [](W& w) { w.light = TowardsLight::DirectionAsPlace; })),
+       with(isPlaced,
+            wrong("L-place-as-direction", "L", "The place of the light is taken for the direction to it.",
+                  [](W& w) { w.light = TowardsLight::PlaceAsDirection; })),
+       with(isPlaced,
+            wrong("L-place-as-direction", "L", "The place of the light is taken for the direction to it.",
+                  [](W& w) { w.light = TowardsLight::FarPlace; })),
        shared(Mistake::ReversedV, "V", [](W& w) { w.eye = TowardsEye::Away; }),
        turning(shared(Mistake::ReversedV, "V", [](W& w) { w.eye = TowardsEye::Away, w.turnsByV = true; })),
        wrong("V-not-unit", "V", "V is not divided by its length.", [](W& w) { w.eye = TowardsEye::NotUnit; }),
@@ -174,14 +186,20 @@ void addEquation(std::vector<Hypothesis>& all) {
              [](W& w) { w.swapsKaKd = true; }),
        shared(Mistake::NoIp, "Ip", [](W& w) { w.Ip = IpWay::Forgotten; }),
        shared(Mistake::IpNotOnHighlight, "Ip", [](W& w) { w.Ip = IpWay::OnDiffuse; }),
-       wrong("f-forgotten", "f", "Light does not fade with its distance.",
-             [](W& w) { w.fade = FadeWay::Forgotten; }),
-       wrong("f-1/d", "f", "Light fades by 1/d.", [](W& w) { w.fade = FadeWay::Inverse; }),
-       wrong("f-1/d2", "f", "Light fades by 1/d^2.", [](W& w) { w.fade = FadeWay::InverseSquare; }),
-       wrong("f-above-1", "f", "f has no min(1, .), so a near light counts more than once.",
-             [](W& w) { w.fade = FadeWay::NoLimit; }),
-       wrong("f-on-ambient", "f", "The ambient term fades with the distance of the light, too.",
-             [](W& w) { w.fade = FadeWay::OnAmbient; })});
+       with(fades, wrong("f-forgotten", "f", "Light does not fade with its distance.",
+                         [](W& w) { w.fade = FadeWay::Forgotten; })),
+       with([](const Light& light) { return isPlaced(light) && light.attenuation != Attenuation::Inverse; },
+            wrong("f-1/d", "f", "Light fades by 1/d.", [](W& w) { w.fade = FadeWay::Inverse; })),
+       with(
+           [](const Light& light) {
+             return isPlaced(light) && light.attenuation != Attenuation::InverseSquare;
+           },
+           wrong("f-1/d2", "f", "Light fades by 1/d^2.", [](W& w) { w.fade = FadeWay::InverseSquare; })),
+       with(fades, wrong("f-above-1", "f", "f has no min(1, .), so a near light counts more than once.",
+                         [](W& w) { w.fade = FadeWay::NoLimit; })),
+       with(isPlaced,
+            wrong("f-on-ambient", "f", "The ambient term fades with the distance of the light, too.",
+                  [](W& w) { w.fade = FadeWay::OnAmbient; }))});
 }
 
 void addMethods(std::vector<Hypothesis>& all) {

@@ -25,6 +25,7 @@ struct Hypothesis {
   Meaning meaning = Meaning::Wrong;
   void (*change)(Approach&) = nullptr;                ///< what is done otherwise
   bool (*applies)(const PictureSettings&) = nullptr;  ///< null: always
+  bool (*changes)(const Light&) = nullptr;            ///< the lights that it changes; null: any, or none
 };
 
 /// All rows. The first is "right". A mistake of the equation that has a row in kMistakes has its name and its

@@ -79,9 +79,11 @@ void Marker::markPicture(MarkedFile& row, const std::string& path) {
   const Diagnosis d = (*diagnoser)(handed);
   row.verdict = nameOf(d.verdict), row.words = verdictOf(d);
   std::set<std::string_view> terms;
+  std::set<std::string> names;
+  if (d.verdict == Marking::Outlines) row.mistakes = "outlines", row.pixel = {d.outlines.i, d.outlines.j};
   for (const Fit& fit : d.found) {
-    if (d.verdict == Marking::Right) break;
-    row.mistakes += (row.mistakes.empty() ? "" : " ") + nameOf(fit);
+    if (d.verdict == Marking::Right || d.verdict == Marking::Outlines) break;
+    if (names.insert(nameOf(fit)).second) row.mistakes += (row.mistakes.empty() ? "" : " ") + nameOf(fit);
     if (terms.insert(fit.first->term).second)
       row.terms += (row.terms.empty() ? "" : "; ") + std::string{fit.first->term};
   }
@@ -128,6 +130,7 @@ MarkedFile Marker::mark(const std::string& folder, const std::string& name) {
   MarkedFile row{.file = name};
   const std::string path = (std::filesystem::path{folder} / name).string();
   try {
+    if (!std::filesystem::is_regular_file(path)) throw ParseError{path, 0, "not a file"};
     if (name.ends_with(".jsonl"))
       markOrder(row, path);
     else if (name.ends_with(".json"))
@@ -146,7 +149,8 @@ MarkedFile Marker::mark(const std::string& folder, const std::string& name) {
 }
 
 /// True if a file is handed in by its name: a picture of any kind, also of those that cannot be read, an
-/// order, or answers. A text that explains the folder is not.
+/// order, or answers; also a folder or a link to nothing of such a name. A text that explains the folder is
+/// not.
 bool isHandedIn(std::string name) {
   for (char& c : name)
     if ('A' <= c && c <= 'Z') c = static_cast<char>(c - 'A' + 'a');
@@ -163,8 +167,7 @@ std::vector<std::string> handedInFiles(const std::string& folder) {
   if (error) throw std::system_error{error.value(), std::generic_category(), folder};
   for (const auto& entry : entries) {
     const std::string name = entry.path().filename().string();
-    if (!name.starts_with('.') && isHandedIn(name) && std::filesystem::is_regular_file(entry.path(), error))
-      names.push_back(name);
+    if (!name.starts_with('.') && isHandedIn(name)) names.push_back(name);
   }
   std::ranges::sort(names);
   return names;

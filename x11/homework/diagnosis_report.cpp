@@ -73,6 +73,8 @@ std::string_view nameOf(Marking verdict) {
       return "right";
     case Marking::Allowed:
       return "allowed";
+    case Marking::Outlines:
+      return "outlines";
     case Marking::Mistake:
       return "mistake";
     case Marking::OneOf:
@@ -106,6 +108,9 @@ std::string verdictOf(const Diagnosis& d) {
       if (d.found.front().second) words += " and " + std::string{d.found.front().second->key};
       return words + " (the course allows it): " + std::string{d.found.front().first->sentence};
     }
+    case Marking::Outlines:
+      return "wrong: the shades are right, but faces lie elsewhere: check the camera, the projection and the "
+             "corners";
     case Marking::Mistake:
       return "wrong: " + inWords(d.found.front());
     case Marking::OneOf:
@@ -123,7 +128,7 @@ std::string verdictOf(const Diagnosis& d) {
     case Marking::OtherScene:
       if (d.isOtherSize) return "another size: the picture has not as many pixels as the scene's";
       if (d.isOneColor) return "no picture of this scene: all pixels have one colour";
-      return "another scene, camera or size: the outlines overlap by " + percent(d.overlap);
+      return "another scene, camera or size: the outlines overlap by " + percent(d.outlines.overlap);
   }
   return "";
 }
@@ -145,13 +150,17 @@ void printDiagnosis(const Diagnosis& d, const PartedBy& parted, std::ostream& ou
   out << verdictOf(d);
   if (d.verdict == Marking::Mistake) out << "  [" << fitTerms(d.found.front()) << ']';
   out << '\n';
-  if (d.found.size() > 1 && d.verdict != Marking::Right && d.verdict != Marking::Allowed)
+  const bool isWrong = d.verdict != Marking::Right && d.verdict != Marking::Allowed;
+  if (d.found.size() > 1 && isWrong && d.verdict != Marking::Outlines)
     for (const Fit& fit : d.found) out << "  " << inWords(fit) << "  [" << fitTerms(fit) << "]\n";
-  if (!d.found.empty() && d.verdict != Marking::Right && d.verdict != Marking::Allowed) {
+  if (!d.found.empty() && isWrong && d.verdict != Marking::Outlines) {
     const Fit& fit = d.found.front();
     out << "  explains " << percent(fit.explained) << " of " << grouped(d.samples) << " samples, and "
         << percent(fit.informative) << " of the " << grouped(fit.telling) << " that tell\n";
   }
+  if (d.outlines.areOff() && d.verdict != Marking::OtherScene)
+    out << "  its outlines are up to " << d.outlines.farthest << (d.outlines.farthest < 40 ? "" : " or more")
+        << " pixels away from the right ones, as at pixel " << d.outlines.i << ',' << d.outlines.j << '\n';
   printWhere(d, out);
   for (const Fit& fit : d.doubts) out << "  or, as this picture cannot tell: " << inWords(fit) << '\n';
   if (d.brightest >= kMuch && d.verdict != Marking::Mistake && d.verdict != Marking::OtherScene)
@@ -173,8 +182,14 @@ void printDiagnosisAsJson(const Diagnosis& d, const PartedBy& parted, std::ostre
   DiagnosisJson found = DiagnosisJson::array(), all = DiagnosisJson::array();
   for (const Fit& fit : d.found) found.push_back(asJson(fit));
   for (const Fit& fit : d.all) all.push_back(asJson(fit));
-  DiagnosisJson json{{"verdict", nameOf(d.verdict)}, {"words", verdictOf(d)}, {"found", found},
-                     {"samples", d.samples},         {"overlap", d.overlap},  {"reads_cells", d.readsCells}};
+  DiagnosisJson json{
+      {"verdict", nameOf(d.verdict)}, {"words", verdictOf(d)},         {"found", found},
+      {"samples", d.samples},         {"overlap", d.outlines.overlap}, {"reads_cells", d.readsCells}};
+  if (d.outlines.apart > 0)
+    json["outlines"] = {{"pixels", d.outlines.apart},
+                        {"farthest", d.outlines.farthest},
+                        {"x", d.outlines.i},
+                        {"y", d.outlines.j}};
   if (d.pixel) {
     const auto values = [&](const std::array<double, 3>& v) -> DiagnosisJson {
       if (d.oneHue) return v[0];

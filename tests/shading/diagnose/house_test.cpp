@@ -137,6 +137,50 @@ TEST(House, TellsTablesApart) {
   EXPECT_TRUE(std::ranges::find(hidden, "L-sign") == hidden.end());
 }
 
+// Right shades at the wrong places are wrong: an eye that is a little off, and a picture three pixels too
+// low. One pixel may come from another edge rule. A mistake is named all the same.
+TEST(House, SeesThatFacesLieElsewhere) {
+  House house;
+  const auto lower = [&](int by) {
+    const HandedIn drawn = handedInBy(student::draw(house.world, house.program));
+    HandedIn moved = drawn;
+    const auto row = std::ptrdiff_t{3} * drawn.picture.width;
+    std::copy(drawn.picture.rgb.begin(), drawn.picture.rgb.end() - by * row,
+              moved.picture.rgb.begin() + by * row);
+    moved.cells.reset();
+    return (*house.diagnoser)(moved);
+  };
+  EXPECT_EQ(lower(0).verdict, Marking::Right);
+  EXPECT_EQ(lower(0).outlines.apart, 0);
+  EXPECT_EQ(lower(1).verdict, Marking::Right);
+  const Diagnosis d = lower(3);
+  EXPECT_EQ(d.verdict, Marking::Outlines);
+  EXPECT_EQ(d.outlines.farthest, 3);
+  house.world.eye[0] += 0.2;
+  EXPECT_EQ(house.diagnosed().verdict, Marking::Outlines);
+  house.world.eye[0] -= 0.2, house.program.mistake = "NL-abs";
+  EXPECT_EQ(lower(3).verdict, Marking::Mistake);
+  EXPECT_TRUE(lower(3).outlines.areOff());
+}
+
+// A row that changes no light of the scene computes what is right there. It is no mistake that is hidden.
+TEST(House, NamesOnlyWhatAScenesLightsCanShow) {
+  const auto hides = [](Diagnoser& diagnoser, std::string_view key) {
+    const auto hidden = diagnoser.whatCannotBeSeen();
+    return std::ranges::find(hidden, key) != hidden.end();
+  };
+  House house;  // a light far away
+  for (const char* key : {"f-forgotten", "f-1/d", "f-1/d2", "f-above-1", "f-on-ambient"})
+    EXPECT_FALSE(hides(*house.diagnoser, key)) << key;
+  EXPECT_TRUE(hides(*house.diagnoser, "RV-abs"));
+  Scene scene = readScene("bench");  // one light at a place, which fades by 1/d^2
+  PictureSettings settings = scene.settings;
+  settings.camera = scene.camera, settings.width = 320, settings.height = 240;
+  Diagnoser bench{std::move(scene), settings};
+  EXPECT_FALSE(hides(bench, "f-1/d2"));
+  EXPECT_FALSE(hides(bench, "L-direction-as-place"));
+}
+
 // A picture of one colour has the right size, and it is another reason.
 TEST(House, SaysWhyItIsAnotherScene) {
   House house;

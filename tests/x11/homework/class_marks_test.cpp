@@ -1,6 +1,7 @@
 #include "x11/homework/class_marks.h"
 
 #include <gtest/gtest.h>
+#include <sys/stat.h>
 
 #include <string>
 
@@ -44,9 +45,12 @@ TEST(ClassMarks, HaveARowForEachFile) {
   one.folder.write("fred.jsonl", "{\"face\": 0}\n");
   one.folder.write(".hidden", "");
   one.folder.write("readme.txt", "nobody handed this in");
+  std::filesystem::create_directory(one.folder.file("hans.png"));
+  std::filesystem::create_symlink("nowhere", one.folder.file("ida.png"));
+  ASSERT_EQ(mkfifo(one.folder.file("jana.jsonl").c_str(), 0600), 0);
   Marker marker{one.scene, one.settings, {}, true};
   const std::vector<std::string> names = handedInFiles(one.folder.path().string());
-  ASSERT_EQ(names.size(), 7u);
+  ASSERT_EQ(names.size(), 10u);
   std::vector<MarkedFile> rows;
   for (const std::string& name : names) rows.push_back(marker.mark(one.folder.path().string(), name));
   EXPECT_EQ(rows[0].verdict, "unreadable");
@@ -56,14 +60,15 @@ TEST(ClassMarks, HaveARowForEachFile) {
   EXPECT_EQ(rows[4].words.substr(0, 10), "unreadable");
   EXPECT_EQ(rows[5].mistakes, "missing");
   EXPECT_EQ(rows[6].words, "unreadable: diagnose takes pictures of up to 4096 x 4096 pixels");
+  for (int k = 7; k < 10; ++k) EXPECT_EQ(rows[k].words, "unreadable: " + names[k] + ": not a file");
 
   const std::string csv = marksAsCsv(rows);
   EXPECT_TRUE(csv.starts_with("file,verdict,mistakes,term,explained,informative,pixel,face,answers,words\n"));
   EXPECT_NE(csv.find("\n\"'=emil,\"\"x\"\".ppm\",unreadable,"), std::string::npos) << csv;
   EXPECT_NE(csv.find("\nbert.png,mistake,Ia-forgotten,ka Ia,"), std::string::npos) << csv;
-  EXPECT_EQ(std::ranges::count(csv, '\n'), 8);
+  EXPECT_EQ(std::ranges::count(csv, '\n'), 11);
   const std::string summary = summaryOf(rows);
-  EXPECT_TRUE(summary.starts_with("7 files: 3 unreadable, 2 mistake, 1 right, 1 wrong\n")) << summary;
+  EXPECT_TRUE(summary.starts_with("10 files: 6 unreadable, 2 mistake, 1 right, 1 wrong\n")) << summary;
   EXPECT_NE(summary.find("mistakes: 2 Ia-forgotten, 1 missing\n"), std::string::npos) << summary;
 }
 
