@@ -81,6 +81,7 @@ class Judge {
     findRepeated();
     for (std::size_t s = 0; s < steps_.size(); ++s) paint(static_cast<int>(s));
     checkCovers();
+    for (std::size_t s = 0; s < steps_.size(); ++s) checkInside(static_cast<int>(s));
     compareAll();
     return std::move(r_);
   }
@@ -164,6 +165,40 @@ class Judge {
         });
       if (bad.samples > 0) r_.covers.push_back(bad);
     }
+  }
+
+  /// A piece is a part of its face: whoever fills it paints nothing outside. Within a pixel and a half of the
+  /// face's border it may be rounded.
+  void checkInside(int s) {
+    constexpr double kRounded = 1.5 * 1.5;
+    const PaintStep& step = steps_[s];
+    const auto faces = facesOf_.find(step.face);
+    if (step.piece.empty() || faces == facesOf_.end()) return;
+    std::vector<std::vector<glm::dvec2>> outlines;
+    for (const int face : faces->second) {
+      const SnappedFace& f = scene_.faces[face];
+      std::vector<glm::dvec2>& outline = outlines.emplace_back();
+      for (int k = f.first; k < f.first + f.count; ++k)
+        outline.push_back(glm::dvec2{scene_.vertices[k]} / double{kGrid});
+    }
+    const auto belongs = [&](const std::vector<glm::dvec2>& outline, const glm::dvec2& at) {
+      return isInside(outline, at) || distanceToBorder(outline, at) <= kRounded;
+    };
+    const auto [left, right] = std::ranges::minmax(step.piece, {}, &glm::dvec2::x);
+    const auto [top, bottom] = std::ranges::minmax(step.piece, {}, &glm::dvec2::y);
+    const auto within = [](double at, int most) {
+      return static_cast<int>(std::clamp(at, 0.0, double(most)));
+    };
+    OutsidePiece outside{.step = s};
+    for (int j = within(top.y, height_); j < within(bottom.y + 1, height_); ++j)
+      for (int i = within(left.x, width_); i < within(right.x + 1, width_); ++i) {
+        const glm::dvec2 at{i + 0.5, j + 0.5};
+        if (!isInside(step.piece, at)) continue;
+        if (std::ranges::any_of(outlines, [&](const auto& outline) { return belongs(outline, at); }))
+          continue;
+        if (outside.samples++ == 0) outside.i = i, outside.j = j;
+      }
+    if (outside.samples > 0) r_.outside.push_back(outside);
   }
 
   void compareAll() {

@@ -22,6 +22,13 @@ struct BadCover {
   int samples = 0;             ///< how many samples are so
 };
 
+/// A piece that reaches outside of its face, by more than a pixel.
+struct OutsidePiece {
+  int step = 0;      ///< index into the steps
+  int i = 0, j = 0;  ///< a pixel that it fills
+  int samples = 0;   ///< how many are so
+};
+
 struct WrongPair {
   int shown = 0, hidden = 0;  ///< steps: what shows, and what should; indices into the steps
   int i = 0, j = 0;           ///< a sample where it shows
@@ -40,12 +47,13 @@ struct OrderReport {
   std::vector<int> unseen;    ///< faces that are not painted, and that nobody would see
   std::vector<int> repeated;  ///< faces that are painted whole more than once, or whole and in pieces
   std::vector<BadCover> covers;
+  std::vector<OutsidePiece> outside;
   int wrongSamples = 0, wrongPairs = 0;
   /// Samples that show the other of two faces in one plane: depth does not say which, so both are right.
   int inOnePlane = 0;
   std::optional<WrongPair> first;
   [[nodiscard]] bool isRight() const {
-    return missing.empty() && repeated.empty() && covers.empty() && wrongSamples == 0;
+    return missing.empty() && repeated.empty() && covers.empty() && outside.empty() && wrongSamples == 0;
   }
 };
 

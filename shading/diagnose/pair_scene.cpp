@@ -2,6 +2,7 @@
 
 #include <cmath>
 #include <nlohmann/json.hpp>
+#include <utility>
 
 namespace xnewell {
 
@@ -26,10 +27,11 @@ std::string pairAsScene(const Picture& picture, const WrongPair& pair, std::span
       {"back", unit * view.back}};
   if (view.projection == Projection::Parallel) camera["parallel"] = true;
   PairJson objects = PairJson::array();
-  for (const int step : {pair.hidden, pair.shown}) {
+  for (const auto& [step, color] :
+       {std::pair{pair.hidden, PairJson{0.35, 0.6, 1}}, std::pair{pair.shown, PairJson{1, 0.6, 0.2}}}) {
     PairJson corners = PairJson::array();
     for (const glm::dvec3& p : stepInWorld(picture, steps[step])) corners.push_back(list(p));
-    objects.push_back({{"name", stepName(steps[step])}, {"polygons", {corners}}});
+    objects.push_back({{"name", stepName(steps[step])}, {"color", color}, {"polygons", {corners}}});
   }
   const PairJson scene{
       {"shows", "the first wrong pair: " + stepName(steps[pair.shown]) + " is painted over " +

@@ -69,6 +69,11 @@ std::string verdictOf(const OrderReport& r, std::span<const PaintStep> steps) {
         (bad.times == 0 ? " leave out" : " cover more than once") + " pixel " + std::to_string(bad.i) + "," +
         std::to_string(bad.j));
   }
+  for (std::size_t k = 0; k < std::min<std::size_t>(3, r.outside.size()); ++k) {
+    const OutsidePiece& piece = r.outside[k];
+    add(stepName(steps[piece.step]) + " (line " + std::to_string(steps[piece.step].line) + ") fills pixel " +
+        std::to_string(piece.i) + "," + std::to_string(piece.j) + " outside of the face");
+  }
   if (r.first)
     add(stepName(steps[r.first->shown]) + " (line " + std::to_string(steps[r.first->shown].line) +
         ") is painted over " + stepName(steps[r.first->hidden]) + " (line " +
@@ -82,6 +87,7 @@ std::string kindOf(const OrderReport& r) {
     if (there) kinds += (kinds.empty() ? "" : " ") + std::string{kind};
   };
   add(!r.missing.empty(), "missing"), add(!r.repeated.empty(), "repeated"), add(!r.covers.empty(), "covers");
+  add(!r.outside.empty(), "outside");
   add(r.first && !r.first->needsCut, "order"), add(r.first && r.first->needsCut, "needs-cut");
   return kinds;
 }
@@ -100,6 +106,12 @@ void printJudgementAsJson(const OrderReport& r, std::span<const PaintStep> steps
   for (const BadCover& bad : r.covers)
     covers.push_back(
         {{"face", bad.face}, {"pixel", {bad.i, bad.j}}, {"times", bad.times}, {"samples", bad.samples}});
+  OrderJson outside = OrderJson::array();
+  for (const OutsidePiece& piece : r.outside)
+    outside.push_back({{"face", steps[piece.step].face},
+                       {"line", steps[piece.step].line},
+                       {"pixel", {piece.i, piece.j}},
+                       {"samples", piece.samples}});
   OrderJson json{{"verdict", r.isRight() ? "right" : "wrong"},
                  {"words", verdictOf(r, steps)},
                  {"steps", r.steps},
@@ -107,6 +119,7 @@ void printJudgementAsJson(const OrderReport& r, std::span<const PaintStep> steps
                  {"unseen", r.unseen},
                  {"repeated", r.repeated},
                  {"covers", covers},
+                 {"outside", outside},
                  {"wrong_samples", r.wrongSamples},
                  {"wrong_pairs", r.wrongPairs},
                  {"in_one_plane", r.inOnePlane}};

@@ -21,7 +21,10 @@ std::string inGift(const std::string& text) {
 }
 
 /// A number with as many decimals as its tolerance asks for.
-std::string numberText(const ExamQuestion& q) { return fixed(q.number, q.tolerance > 0 ? 4 : 0); }
+/// With the decimals that the question asks for.
+std::string numberText(const ExamQuestion& q) {
+  return fixed(q.number, q.tolerance >= 0.001 ? 3 : q.tolerance > 0 ? 4 : 0);
+}
 
 }  // namespace
 
@@ -68,7 +71,7 @@ std::string questionsAsGift(const std::vector<ExamQuestion>& questions) {
       gift += "#" + numberText(q) + ":" + fixed(q.tolerance, q.tolerance > 0 ? 4 : 0);
     } else {
       for (std::size_t c = 0; c < q.choices.size(); ++c)
-        gift += (c == 0 ? "\n  =" : "\n  ~") + inGift(q.choices[c]);
+        gift += (c == q.right ? "\n  =" : "\n  ~") + inGift(q.choices[c]);
       gift += "\n";
     }
     gift += "####" + inGift(q.solution) + "}\n";
@@ -89,15 +92,11 @@ std::string questionsAsText(const std::vector<ExamQuestion>& questions) {
     const ExamQuestion& q = questions[k];
     const std::string number = std::to_string(k + 1) + ". ";
     add(asked, number, q.text);
-    std::vector<std::string> choices = q.choices;
-    std::ranges::sort(choices);  // so that the right one is not the first
-    std::string letter;
-    for (std::size_t c = 0; c < choices.size(); ++c) {
-      asked += "   " + std::string{static_cast<char>('a' + c)} + ") " + choices[c] + '\n';
-      if (choices[c] == q.choices.front()) letter = std::string{static_cast<char>('a' + c)} + ". ";
-    }
+    const auto letter = [](std::size_t choice) { return std::string{static_cast<char>('a' + choice)}; };
+    for (std::size_t c = 0; c < q.choices.size(); ++c)
+      asked += "   " + letter(c) + ") " + q.choices[c] + '\n';
     asked += '\n';
-    add(solved, number, (q.choices.empty() ? numberText(q) + ". " : letter) + q.solution);
+    add(solved, number, (q.choices.empty() ? numberText(q) : letter(q.right)) + ". " + q.solution);
   }
   return asked + "Solutions\n\n" + solved;
 }

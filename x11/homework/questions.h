@@ -17,9 +17,10 @@ namespace xnewell {
 struct ExamQuestion {
   std::string kind;
   std::string text = {};  ///< one paragraph
-  /// A number and how far an answer may be off; or, if there are choices, the first one is right.
+  /// A number and how far an answer may be off; or choices and the index of the right one.
   double number = 0, tolerance = 0;
   std::vector<std::string> choices = {};
+  std::size_t right = 0;
   std::string solution = {};                 ///< one paragraph: how the answer is found
   std::map<std::string, double> given = {};  ///< the numbers of the text, for a second computation
 };

@@ -103,11 +103,12 @@ MaybeOne settlingTest(Dice& dice, const QuestionScene& s) {
   const auto nameOfTest = [](const TestRow& row) {
     return "test " + std::string{row.name} + ": " + std::string{row.asks};
   };
-  q.choices.push_back(nameOfTest(kTestRows[static_cast<std::size_t>(e.test)]));
-  for (const TestRow& row : kTestRows)
-    if (row.id != e.test && row.id != Test::SamePlane) q.choices.push_back(nameOfTest(row));
+  for (const TestRow& row : kTestRows) {
+    if (row.id == e.test) q.right = q.choices.size();
+    if (row.id != Test::SamePlane) q.choices.push_back(nameOfTest(row));
+  }
   q.solution = "It is test " + std::string{kTestRows[static_cast<std::size_t>(e.test)].name} +
-               ". All tests before it fail.";
+               (q.right == 0 ? "." : ". All tests before it fail.");
   return q;
 }
 

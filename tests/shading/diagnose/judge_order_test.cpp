@@ -138,6 +138,9 @@ TEST(JudgeOrder, CountsFacesAndPieces) {
   report = judgeOrder(picture, steps);
   EXPECT_TRUE(report.covers.empty());
   EXPECT_EQ(report.wrongSamples, whole.wrongSamples);
+  ASSERT_EQ(report.outside.size(), 2u) << "halves of the screen are no pieces";
+  EXPECT_EQ(report.outside[1].step, 1);
+  EXPECT_FALSE(report.isRight());
   steps[1].piece[0].x = steps[1].piece[3].x = 70;
   report = judgeOrder(picture, steps);
   ASSERT_EQ(report.covers.size(), 1u);

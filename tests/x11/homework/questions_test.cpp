@@ -172,7 +172,7 @@ TEST(Questions, AnswersAboutTheSceneAreThoseOfASecondWay) {
           return e.kind == Event::Kind::Compare && e.P == given("P") && e.Q == given("Q");
         });
         ASSERT_NE(event, other.run.events.end());
-        EXPECT_TRUE(q.choices.front().starts_with(
+        EXPECT_TRUE(q.choices[q.right].starts_with(
             "test " + std::string{kTestRows[static_cast<std::size_t>(event->test)].name} + ":"));
       } else {
         continue;
