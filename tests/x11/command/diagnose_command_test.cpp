@@ -17,7 +17,7 @@ TEST_F(CommandTest, DiagnoseTellsTheMistake) {
   EXPECT_EQ(right.out, "right\n");
   ASSERT_EQ(runProgram({"draw", "two-cards", "-o", file("cards.png")}).status, 0);
   const auto cards = runProgram({"diagnose", "two-cards", file("cards.png")});
-  EXPECT_TRUE(cards.out.starts_with("right\n  this picture would be the same with ")) << cards.out;
+  EXPECT_NE(cards.out.find("\n  this picture would be the same with "), std::string::npos) << cards.out;
 
   ASSERT_EQ(
       runProgram(Strings{"draw", "--mistake", "R-without-2"} + scene + Strings{file("wrong.png")}).status, 0);
