@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <optional>
+#include <ranges>
 #include <utility>
 
 namespace xnewell {
@@ -128,7 +129,8 @@ bool Strips::showsAlong(const PolygonSide& side) {
   const glm::dvec2 along = on * width_, in = glm::dvec2{on.y, -on.x} * width_;
   common({a - along, b + along, b + along + in, a - along + in}, polygons_[side.polygon].corners, part_);
   left_.assign(1, part_);
-  for (const int other : later_) {
+  // The surface in front is the latest. It may hide the side before those between have left many parts.
+  for (const int other : std::views::reverse(later_)) {
     if (left_.empty()) break;
     takeAway(polygons_[other].corners, left_);
   }
