@@ -9,18 +9,6 @@ namespace xnewell {
 
 namespace {
 
-/// The first word of the next line that has one; empty at the end of the text.
-std::string_view firstWord(Words& words) {
-  while (words.nextLine()) {
-    if (const std::string_view word = words.next(); !word.empty()) return word;
-  }
-  return {};
-}
-
-void expectEndOfLine(Words& words) {
-  if (const std::string_view word = words.next(); !word.empty()) words.fail("unexpected " + inQuotes(word));
-}
-
 int toPatchCount(const Words& words, std::string_view word) {
   int count = 0;
   const char* const end = word.data() + word.size();
@@ -40,18 +28,18 @@ BezierPatch parsePatch(Words& words, std::string_view word, const std::string& w
   if (word != "3" || second != "3") {
     words.fail("degrees " + inQuotes(word) + " and " + inQuotes(second) + "; a patch here is bicubic, 3 3");
   }
-  expectEndOfLine(words);
+  words.expectEndOfLine();
 
   BezierPatch patch;
   for (glm::dvec3& point : patch.p) {
-    word = firstWord(words);
+    word = words.firstOfNextLine();
     if (word.empty()) words.fail("the file ends inside " + which);
     for (int axis = 0; axis < 3; ++axis) {
       if (axis > 0) word = words.next();
       if (word.empty()) words.fail("a control point needs three coordinates");
       point[axis] = toNumber(words, word);
     }
-    expectEndOfLine(words);
+    words.expectEndOfLine();
   }
   return patch;
 }
@@ -60,19 +48,19 @@ BezierPatch parsePatch(Words& words, std::string_view word, const std::string& w
 
 std::vector<BezierPatch> parseBpt(std::string_view text, const std::string& name) {
   Words words{text, name};
-  const std::string_view first = firstWord(words);
+  const std::string_view first = words.firstOfNextLine();
   if (first.empty()) words.fail(0, "holds no patch");
   const int count = toPatchCount(words, first);
-  expectEndOfLine(words);
+  words.expectEndOfLine();
 
   std::vector<BezierPatch> patches;
   for (int number = 1; number <= count; ++number) {
     const std::string which = "patch " + std::to_string(number) + " of " + std::to_string(count);
-    const std::string_view word = firstWord(words);
+    const std::string_view word = words.firstOfNextLine();
     if (word.empty()) words.fail("the file ends before " + which);
     patches.push_back(parsePatch(words, word, which));
   }
-  if (const std::string_view word = firstWord(words); !word.empty()) {
+  if (const std::string_view word = words.firstOfNextLine(); !word.empty()) {
     words.fail("unexpected " + inQuotes(word) + " after the last patch");
   }
   return patches;

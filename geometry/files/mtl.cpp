@@ -5,6 +5,7 @@
 #include <charconv>
 #include <optional>
 
+#include "geometry/files/left_out.h"
 #include "geometry/files/number.h"
 #include "geometry/files/parse_error.h"
 #include "geometry/files/text_file.h"
@@ -81,6 +82,7 @@ std::string readMap(Words& words, const Unsupported& unsupported) {
 MtlLibrary parseMtl(std::string_view text, const std::string& name) {
   MtlLibrary library;
   MtlMaterial* current = nullptr;
+  LeftOut leftOut;
   Words words{text, name};
   while (words.nextLine()) {
     const std::string_view key = words.next();
@@ -95,8 +97,12 @@ MtlLibrary parseMtl(std::string_view text, const std::string& name) {
           library.notes.emplace_back(
               ParseError{name, words.line(), "map_Kd is read without " + std::string{option}}.what());
       });
+    } else if (!key.empty() && current) {
+      leftOut.add(key);
     }
   }
+  if (const std::string what = leftOut.sentence(); !what.empty())
+    library.notes.emplace_back(ParseError{name, 0, what}.what());
   return library;
 }
 

@@ -23,7 +23,7 @@ struct MtlLibrary {
 };
 
 /// Reads the materials of an MTL file (Alias|Wavefront, Advanced Visualizer manual, chapter 5). It uses
-/// `newmtl`, `Kd` and `map_Kd`, and ignores everything else. A material without `Kd r g b` is white, and so
+/// `newmtl`, `Kd` and `map_Kd`. A note names the other statements once. A material without `Kd r g b` is white, and so
 /// are the rare `Kd spectral` and `Kd xyz`. Components are clamped to [0, 1]. `Kd r` alone is a gray.
 ///
 /// The file of `map_Kd` is the rest of the line after the options: a name may have blanks. The options are

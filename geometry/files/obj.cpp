@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "geometry/exact/power.h"
+#include "geometry/files/left_out.h"
 #include "geometry/files/mtl.h"
 #include "geometry/files/number.h"
 #include "geometry/files/parse_error.h"
@@ -66,6 +67,8 @@ class ObjReader {
         material_.select(words_.rest());
       else if (key == "mtllib")
         readLibraries();
+      else if (!key.empty())
+        leftOut_.add(key);
     }
     checkForward(points_, mesh_.points.size());
     checkForward(texture_, mesh_.uv.size());
@@ -84,7 +87,8 @@ class ObjReader {
       if (!known->second.material.map.empty()) mesh_.materials.back().texture = textureOf(known->second);
     }
     mesh_.rounding.assign(mesh_.groupNames.size(), rounding_.rounding());
-    if (const std::string doubtful = rounding_.doubtful(); !doubtful.empty()) note(0, doubtful);
+    for (const std::string& what : {leftOut_.sentence(), rounding_.doubtful()})
+      if (!what.empty()) note(0, what);
     return std::move(mesh_);
   }
 
@@ -270,6 +274,7 @@ class ObjReader {
   std::set<std::string> libraries_;  ///< already read: some writers name the library before every object
   Indexed points_{"vertices", {}}, texture_{"texture coordinates", {}};
   std::vector<int> face_, faceUv_;  ///< of the current face; members to reuse their memory
+  LeftOut leftOut_;
   RoundingOfNumbers rounding_;
 };
 

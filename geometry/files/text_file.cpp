@@ -67,15 +67,15 @@ std::string readTextFile(const std::filesystem::path& file) {
   return text;
 }
 
-Words::Words(std::string_view text, std::string name)
-    : at_{text.data()}, end_{text.data() + text.size()}, name_{std::move(name)} {
+Words::Words(std::string_view text, std::string name, int linesBefore)
+    : at_{text.data()}, end_{text.data() + text.size()}, name_{std::move(name)}, line_{linesBefore} {
   if (text.size() > kMaxTextBytes) failTooLong(name_);
   if (text.starts_with("\xEF\xBB\xBF")) at_ += 3;
 }
 
 bool Words::nextLine() {
-  if (line_ == 0) {
-    line_ = 1;
+  if (!std::exchange(begun_, true)) {
+    ++line_;
     return at_ != end_;
   }
   while (!next().empty()) {
@@ -103,6 +103,16 @@ std::string_view Words::next() {
   while (p != end_ && (!mayEndWord(*p) || (*p == '\\' && !afterContinuation(p, end_)))) ++p;
   at_ = p;
   return {begin, p};
+}
+
+std::string_view Words::firstOfNextLine() {
+  while (nextLine())
+    if (const std::string_view word = next(); !word.empty()) return word;
+  return {};
+}
+
+void Words::expectEndOfLine() {
+  if (const std::string_view word = next(); !word.empty()) fail("unexpected " + inQuotes(word));
 }
 
 std::string Words::rest() {

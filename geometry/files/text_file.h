@@ -26,16 +26,22 @@ inline constexpr std::size_t kMaxTextBytes = 2'147'483'647;
 class Words {
  public:
   /// Borrows `text`. Error messages call it `name`. Throws ParseError if it is longer than kMaxTextBytes.
-  Words(std::string_view text, std::string name);
+  /// `linesBefore` is the number of lines of the file that stand before the text.
+  Words(std::string_view text, std::string name, int linesBefore = 0);
 
   /// Steps to the next line. Returns false if there is none.
   bool nextLine();
   /// The next word of this line; empty if there is none.
   [[nodiscard]] std::string_view next();
+  /// The first word of the next line that has one; empty at the end of the text.
+  [[nodiscard]] std::string_view firstOfNextLine();
+  /// Throws ParseError if this line has another word.
+  void expectEndOfLine();
   /// The remaining words of this line, joined by single blanks, for names that contain blanks.
   [[nodiscard]] std::string rest();
 
-  /// The line of the last word read, counted from 1; after the end, the last line; 0 before the first.
+  /// The line of the last word read, counted from 1; after the end, the last line; before the first, the
+  /// lines before the text.
   [[nodiscard]] int line() const { return line_; }
   /// Throws ParseError at this line.
   [[noreturn]] void fail(const std::string& what) const { fail(line_, what); }
@@ -45,7 +51,8 @@ class Words {
   const char* at_;
   const char* end_;
   std::string name_;
-  int line_ = 0;
+  int line_;
+  bool begun_ = false;
 };
 
 /// A word of a file, for use in a message: in quotes, cut to 40 bytes. Every byte that is not printable ASCII

@@ -4,6 +4,7 @@
 #include <system_error>
 #include <utility>
 
+#include "geometry/files/model_file.h"
 #include "geometry/files/parse_error.h"
 #include "geometry/files/text_file.h"
 
@@ -17,13 +18,6 @@ bool hasUv(const Mesh& mesh, int face) {
                                                                                 mesh.uvOfCorner.data() +
                                                                                 mesh.firstCorner[face + 1];
   return std::find(first, end, -1) == end;
-}
-
-bool isPng(const std::filesystem::path& file) {
-  std::string extension = file.extension().string();
-  std::ranges::transform(extension, extension.begin(),
-                         [](char c) { return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c; });
-  return extension == ".png";
 }
 
 }  // namespace
@@ -65,19 +59,20 @@ void TextureReader::readAll(Mesh& mesh) {
   for (std::size_t k = 0; k < files.size(); ++k) {
     const TextureFile& texture = files[k];
     const std::string name = inQuotes(std::filesystem::path{texture.file}.filename().string());
+    const auto note = [&](const std::string& what) {
+      mesh.notes.emplace_back(ParseError{texture.namedIn, texture.line, "the texture " + name + what}.what());
+    };
     const bool shown = std::ranges::find(mesh.materials, static_cast<int>(k), &MeshMaterial::texture) !=
                        mesh.materials.end();
     numbers.push_back(-1);
-    if (!shown || !isPng(texture.file)) {
-      const std::string why =
-          shown ? " is not a .png file: its surfaces have Kd" : " is not shown: its faces have no vt";
-      mesh.notes.emplace_back(ParseError{texture.namedIn, texture.line, "the texture " + name + why}.what());
+    if (!shown || extensionOf(texture.file) != ".png") {
+      note(shown ? " is not a .png file: its surfaces have Kd" : " is not shown: its faces have no vt");
       continue;
     }
     try {
       numbers.back() = read(texture.file);
     } catch (const std::system_error& e) {
-      throw ParseError{texture.namedIn, texture.line, name + ": " + e.code().message()};
+      note(" cannot be read (" + e.code().message() + "): its surfaces have Kd");
     } catch (const ParseError& e) {
       throw ParseError{texture.namedIn, texture.line, e.what()};
     }

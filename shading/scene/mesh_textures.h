@@ -21,8 +21,9 @@ class TextureReader {
   /// The index of the texture in a file. @throws as readTexture()
   int read(const std::filesystem::path& file);
   /// Reads the files that the file of the mesh names (Mesh::textureFiles), and lets the materials refer to
-  /// them. Files that are not PNG, or that no face has coordinates for, are not read: Mesh::notes says so.
-  /// @throws ParseError `a.mtl:3: 'skin.png': No such file or directory`
+  /// them. Files that are not PNG, that are not there, or that no face has coordinates for, are not read:
+  /// Mesh::notes says so.
+  /// @throws ParseError `a.mtl:3: skin.png: not a PNG file`
   void readAll(Mesh& mesh);
 
   [[nodiscard]] std::vector<Texture> take() { return std::move(textures_); }

@@ -11,7 +11,7 @@
 #include "geometry/exact/trig.h"
 #include "geometry/exact/unit.h"
 #include "geometry/files/bpt.h"
-#include "geometry/files/obj.h"
+#include "geometry/files/model_file.h"
 #include "geometry/model/bezier.h"
 #include "geometry/model/solids.h"
 #include "shading/scene/json_text.h"
@@ -274,12 +274,13 @@ class Collector {
   Mesh meshOf(const Node& node, const Transform& transform, PatchRun& run, RoundRun& round) const {
     std::filesystem::path file;
     if (node.has("file")) file = folder_ / node.at("file").text();
-    if (node.has("divisions") && file.extension() != ".bpt")
+    const ModelFileRow* const model = modelFile(file);
+    if (node.has("divisions") && (!model || model->polygons))
       node.at("divisions").fail("divisions apply only to the patches of a .bpt file");
     if (node.has("solid")) return readSolid(node, round);
     if (node.has("polygons")) return readPolygons(node);
-    if (file.extension() == ".obj") return fromFile(node.at("file"), [&] { return readObj(file); });
-    if (file.extension() != ".bpt") node.at("file").fail("an .obj or .bpt file is needed");
+    if (!model) node.at("file").fail("a model file is needed: " + modelExtensions());
+    if (model->polygons) return fromFile(node.at("file"), [&] { return model->polygons(file); });
     run.own = node.has("divisions");
     run.divisions = run.own ? node.at("divisions").whole(1, kMaxDivisions) : divisions_;
     run.patches = fromFile(node.at("file"), [&] { return readBpt(file); });

@@ -10,9 +10,8 @@
 #include <vector>
 
 #include "geometry/exact/scale.h"
-#include "geometry/files/bpt.h"
 #include "geometry/files/data_folder.h"
-#include "geometry/files/obj.h"
+#include "geometry/files/model_file.h"
 #include "geometry/files/parse_error.h"
 #include "geometry/model/bezier.h"
 #include "geometry/model/coplanar.h"
@@ -31,12 +30,6 @@ std::filesystem::path fileOfBuiltIn(const std::string& name) {
   if (name.empty() || name.find_first_of("./") != std::string::npos) return {};
   const std::filesystem::path file = dataFolder() / "scenes" / (name + ".json");
   return std::filesystem::exists(file) ? file : std::filesystem::path{};
-}
-
-std::string lowerCase(std::string text) {
-  for (char& c : text)
-    if (c >= 'A' && c <= 'Z') c = static_cast<char>(c - 'A' + 'a');
-  return text;
 }
 
 bool isGray(const glm::dvec3& color) { return color.r == color.g && color.g == color.b; }
@@ -126,8 +119,9 @@ namespace {
 Scene readAny(const std::string& nameOrFile, int divisions) {
   const std::filesystem::path builtIn = fileOfBuiltIn(nameOrFile);
   const std::filesystem::path file = builtIn.empty() ? std::filesystem::path{nameOrFile} : builtIn;
-  const std::string extension = lowerCase(file.extension().string());
-  if (extension == ".bpt") {
+  const std::string extension = extensionOf(file);
+  const ModelFileRow* const model = modelFile(file);
+  if (model && !model->polygons) {
     const std::vector<BezierPatch> patches = readBpt(file);
     const std::span<const PatchPart> parts =
         builtIn.empty() ? std::span<const PatchPart>{} : std::span<const PatchPart>{kTeapotParts};
@@ -135,8 +129,8 @@ Scene readAny(const std::string& nameOrFile, int divisions) {
     scene.patches.push_back({0, patches, divisions});
     return scene;
   }
-  if (extension == ".obj") {
-    Mesh mesh = readObj(file);
+  if (model) {
+    Mesh mesh = model->polygons(file);
     TextureReader textures;
     textures.readAll(mesh);
     Scene scene = makeScene(nameOrFile, std::move(mesh), UpAxis::Y);
@@ -154,7 +148,7 @@ Scene readAny(const std::string& nameOrFile, int divisions) {
   throw ParseError{nameOrFile, 0,
                    !std::filesystem::exists(file) && extension.empty()
                        ? "there is no built-in scene of that name; `xnewell scenes` lists them"
-                       : "not a scene file: scenes are .obj, .bpt and .json files"};
+                       : "not a scene file: scenes are .json files and models: " + modelExtensions()};
 }
 
 }  // namespace

@@ -94,6 +94,21 @@ TEST(Obj, ReadsABitOfEverything) {
   expectSound(mesh);
 }
 
+// One note names the statements that the program does not use, each once, in the order of the file and with
+// no more of them than a line holds.
+TEST(Obj, NamesWhatItLeavesOut) {
+  EXPECT_THAT(
+      meshOf(kWhole).notes,
+      ElementsAre("a.obj:2: material library 'none.mtl' not found; materials defined only there are white",
+                  "a.obj: the program does not use vn, s, l, p, curv"));
+  std::string many = afterThreeVertices("f 1 2 3\n");
+  for (int i = 0; i < 100'000; ++i) many += "k" + std::to_string(i % 50'000) + "\x1b\n";
+  EXPECT_THAT(
+      meshOf(many).notes,
+      ElementsAre("a.obj: the program does not use k0?, k1?, k2?, k3?, k4?, k5?, k6?, k7?, k8?, k9?, k10?, "
+                  "k11? and others"));
+}
+
 // Line ends make no difference: LF or CR LF, with or without the last one.
 TEST(Obj, DoesNotDependOnLineEnds) {
   std::string lf, crLf;

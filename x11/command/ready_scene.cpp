@@ -17,7 +17,7 @@ Scene read(const Options& options) {
   std::optional<Doing> reading{"reading " + options.scene};
   Scene scene = readScene(options.scene, options.divisions);
   reading.reset();
-  for (const std::string& note : scene.mesh.notes) std::cerr << "xnewell: " << oneLine(note) << '\n';
+  for (const std::string& note : scene.mesh.notes) std::cerr << "xnewell: note: " << oneLine(note) << '\n';
   return scene;
 }
 

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "geometry/files/output_file.h"
+#include "geometry/model/edges.h"
 #include "shading/color/png.h"
 #include "shading/color/rgb_image.h"
 #include "shading/picture/exactness.h"
@@ -64,6 +65,7 @@ nlohmann::ordered_json statsOf(const Options& options, const Picture& picture, c
   const SortStatistics& sort = sorted.statistics;
   const auto painted = static_cast<std::int64_t>(sorted.fragments.size());
   const std::vector<Required> required = requiredBy(picture);
+  const EdgeCounts edges = countEdges(picture.scene().mesh);
   nlohmann::ordered_json tests;
   for (const TestRow& row : kTestRows) tests[std::string{row.name}] = sort.settled[static_cast<int>(row.id)];
   tests["1"] = sort.boxesApart[0];
@@ -71,6 +73,9 @@ nlohmann::ordered_json statsOf(const Options& options, const Picture& picture, c
   return {{"scene", options.scene},
           {"size", {picture.settings().width, picture.settings().height}},
           {"faces", picture.scene().mesh.faceCount()},
+          {"open_edges", edges.open},
+          {"turned_edges", edges.turned},
+          {"crowded_edges", edges.crowded},
           {"polygons", scene.polygons},
           {"degenerate", scene.degenerate},
           {"culled", scene.culled},

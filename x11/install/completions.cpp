@@ -69,7 +69,7 @@ std::string filled(std::string text, const std::vector<std::pair<std::string_vie
   return text;
 }
 
-/// "obj|bpt|json"
+/// "obj|ply|off"
 std::string kindsOfScenes() {
   Strings kinds;
   for (const std::string_view kind : kSceneFiles) kinds.emplace_back(kind.substr(1));

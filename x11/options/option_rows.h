@@ -1,9 +1,12 @@
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <string>
 #include <string_view>
 #include <vector>
+
+#include "geometry/files/model_file.h"
 
 namespace xnewell {
 
@@ -12,8 +15,12 @@ namespace xnewell {
 inline constexpr std::string_view kAbout = "shading and hidden surfaces through real X11 colormaps";
 
 /// The names of scene files end with one of these. A picture carries its scene's name and its set-up.
-inline constexpr std::array<std::string_view, 7> kSceneFiles{".obj", ".bpt", ".json", ".png",
-                                                             ".svg", ".pdf", ".eps"};
+inline constexpr auto kSceneFiles = [] {
+  constexpr std::array<std::string_view, 5> others{".json", ".png", ".svg", ".pdf", ".eps"};
+  std::array<std::string_view, kModelFiles.size() + others.size()> all;
+  std::ranges::copy(others, std::ranges::transform(kModelFiles, all.begin(), &ModelFileRow::extension).out);
+  return all;
+}();
 
 /// What follows an option.
 enum class Takes { Nothing, Text, File, Folder };

@@ -83,7 +83,7 @@ Command takeCommand(std::vector<std::string>& arguments) {
   throw UsageError{e.what()};
 }
 
-/// ".obj, .bpt, .json"
+/// ".obj, .ply, .off"
 std::string kindsOfScenes() {
   std::string all;
   for (const std::string_view kind : kSceneFiles) all += (all.empty() ? "" : ", ") + std::string{kind};

@@ -35,7 +35,7 @@ TEST(SceneFile, ComplaintsNameThePlace) {
   EXPECT_EQ(complaint(withObject(R"({"polygons": [[[0,0,"a"],[1,0,0],[1,1,0]]]})")),
             "s.json: objects[0].polygons[0][0][2]: a number is needed");
   EXPECT_EQ(complaint(withObject(R"({"file": "x.txt"})")),
-            "s.json: objects[0].file: an .obj or .bpt file is needed");
+            "s.json: objects[0].file: a model file is needed: .obj, .ply, .off, .bpt");
   EXPECT_EQ(complaint(withObject(R"({"solid": "cube", "scale": 0})")),
             "s.json: objects[0].scale: a number above 0 is needed");
   EXPECT_EQ(complaint(withObject(R"({"solid": "cube", "scale": 1e308, "move": [1e308, 0, 0]})")),

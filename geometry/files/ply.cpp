@@ -1,0 +1,279 @@
+#include "geometry/files/ply.h"
+
+#include <algorithm>
+#include <bit>
+#include <cmath>
+#include <cstdint>
+#include <cstring>
+#include <optional>
+#include <utility>
+#include <vector>
+
+#include "geometry/files/indexed_faces.h"
+#include "geometry/files/left_out.h"
+#include "geometry/files/number.h"
+#include "geometry/files/parse_error.h"
+#include "geometry/files/ply_header.h"
+#include "geometry/files/text_file.h"
+
+namespace xnewell {
+
+namespace {
+
+template <class T, class Bits>
+double valueOf(Bits bits) {
+  return static_cast<double>(std::bit_cast<T>(bits));
+}
+
+class PlyReader {
+ public:
+  PlyReader(std::string_view text, const std::string& name)
+      : header_{parsePlyHeader(text, name)},
+        data_{text.substr(header_.bytes)},
+        words_{data_, name, header_.lines},
+        name_{name} {}
+
+  Mesh read() {
+    const PlyElement *const vertex = element("vertex"), *const face = element("face");
+    for (const PlyElement& e : header_.elements)
+      if (&e != vertex && &e != face) leftOut_.add(e.name);
+    if (!face) {
+      const std::string others = leftOut_.sentence();
+      words_.fail(0, others.empty() ? "holds no face" : "holds no face; " + others);
+    }
+    if (!vertex) words_.fail(0, "the header has no element vertex");
+    findUsed(*vertex, *face);
+    vertexCount_ = vertex->count;
+    for (const PlyElement& e : header_.elements) {
+      if (&e == vertex)
+        readVertices(e);
+      else if (&e == face)
+        readFaces(e);
+      else
+        readRows(e, {}, [] {});
+    }
+    expectEnd();
+    Mesh mesh = faces_.take(name_, roundingOf(*vertex));
+    for (const std::string& what : {leftOut_.sentence(), text() ? rounding_.doubtful() : ""})
+      if (!what.empty()) mesh.notes.emplace_back(ParseError{name_, 0, what}.what());
+    return mesh;
+  }
+
+ private:
+  [[nodiscard]] bool text() const { return header_.form == PlyForm::Text; }
+
+  [[nodiscard]] const PlyElement* element(std::string_view name) const {
+    const auto at = std::ranges::find(header_.elements, name, &PlyElement::name);
+    return at == header_.elements.end() ? nullptr : &*at;
+  }
+
+  /// The places of properties that are numbers; none if one of them is missing.
+  static std::vector<int> numbersOf(const PlyElement& e, const std::vector<std::string_view>& names) {
+    std::vector<int> places;
+    for (const std::string_view name : names) {
+      const int at = e.find(name);
+      if (at < 0 || e.properties[at].list) return {};
+      places.push_back(at);
+    }
+    return places;
+  }
+
+  /// Finds the properties that are used, before any data is read.
+  void findUsed(const PlyElement& vertex, const PlyElement& face) {
+    for (const std::string_view axis : {"x", "y", "z"}) {
+      const std::vector<int> at = numbersOf(vertex, {axis});
+      if (at.empty()) words_.fail(vertex.line, "the element vertex has no number " + std::string{axis});
+      xyz_.push_back(at[0]);
+    }
+    uv_ = numbersOf(vertex, {"u", "v"});
+    if (uv_.empty()) uv_ = numbersOf(vertex, {"s", "t"});
+    if (uv_.empty()) uv_ = numbersOf(vertex, {"texture_u", "texture_v"});
+    indices_ = face.find("vertex_indices");
+    if (indices_ < 0) indices_ = face.find("vertex_index");
+    if (indices_ < 0 || !face.properties[indices_].list)
+      words_.fail(face.line, "the element face has no list vertex_indices");
+    rgb_ = numbersOf(face, {"red", "green", "blue"});
+  }
+
+  void readVertices(const PlyElement& e) {
+    std::vector<int> used = xyz_;
+    used.insert(used.end(), uv_.begin(), uv_.end());
+    readRows(e, used, [&] {
+      glm::dvec3 point;
+      for (int axis = 0; axis < 3; ++axis) {
+        point[axis] = finite(e, xyz_[axis]);
+        largest_ = std::max(largest_, std::abs(point[axis]));
+        if (text()) rounding_.add(spelled_[xyz_[axis]], point[axis]);
+      }
+      faces_.mesh.points.push_back(point);
+      if (!uv_.empty()) faces_.mesh.uv.emplace_back(finite(e, uv_[0]), finite(e, uv_[1]));
+    });
+  }
+
+  void readFaces(const PlyElement& e) {
+    std::vector<int> used = rgb_;
+    used.push_back(indices_);
+    readRows(e, used, [&] {
+      face_.clear();
+      for (const double index : list_) {
+        if (index != std::floor(index) || index < 0 || index >= vertexCount_)
+          fail("a vertex index is " + shortest(index) + "; vertices: " + std::to_string(vertexCount_));
+        face_.push_back(static_cast<int>(index));
+      }
+      std::optional<glm::dvec3> color;
+      if (!rgb_.empty()) {
+        color.emplace();
+        for (int c = 0; c < 3; ++c)
+          (*color)[c] = finite(e, rgb_[c]) / (rowOf(e.properties[rgb_[c]].number).whole ? 255.0 : 1.0);
+      }
+      faces_.add(face_, color);
+    });
+  }
+
+  /// Reads all elements of a kind. Calls take() after each: values_ then has the numbers, and list_ the list,
+  /// of the properties that are used. The others are passed over.
+  template <class Take>
+  void readRows(const PlyElement& e, const std::vector<int>& used, const Take& take) {
+    std::vector<bool> isUsed(e.properties.size(), false);
+    for (const int place : used) isUsed[place] = true;
+    if (!used.empty())
+      for (std::size_t p = 0; p < isUsed.size(); ++p)
+        if (!isUsed[p]) leftOut_.add(e.name + '.' + e.properties[p].name);
+    values_.assign(e.properties.size(), 0.0);
+    spelled_.assign(e.properties.size(), {});
+    kind_ = &e;
+    for (row_ = 1; row_ <= e.count; ++row_) {
+      first_ = text() ? words_.firstOfNextLine() : std::string_view{};
+      if (text() && first_.empty()) fail("the file ends before " + which());
+      for (std::size_t p = 0; p < isUsed.size(); ++p) readProperty(e.properties[p], p, isUsed[p]);
+      if (text()) words_.expectEndOfLine();
+      take();
+    }
+  }
+
+  void readProperty(const PlyProperty& property, std::size_t place, bool used) {
+    if (!property.list) {
+      values_[place] = number(property.number, used);
+      spelled_[place] = word_;
+      return;
+    }
+    const double length = number(property.length, true);
+    if (length != std::floor(length) || length < 0) fail("the length of a list is " + shortest(length));
+    const int bytes = rowOf(property.number).bytes;
+    if (!text() && length * bytes > static_cast<double>(data_.size() - at_)) failShort();
+    if (used) list_.clear();
+    for (double i = 0; i < length; ++i) {
+      const double value = number(property.number, used);
+      if (used) list_.push_back(value);
+    }
+  }
+
+  /// The next number of the element; 0 if it is not used.
+  double number(PlyNumber id, bool used) {
+    if (text()) {
+      word_ = first_.empty() ? words_.next() : std::exchange(first_, {});
+      if (word_.empty()) fail("the line of " + which() + " ends early");
+      return used ? toNumber(words_, word_) : 0.0;
+    }
+    const std::size_t bytes = rowOf(id).bytes;
+    if (bytes > data_.size() - at_) failShort();
+    std::uint64_t bits = 0;
+    for (std::size_t i = 0; i < bytes; ++i) {
+      const auto byte = static_cast<unsigned char>(data_[at_ + i]);
+      bits |= std::uint64_t{byte} << 8 * (header_.form == PlyForm::LittleEndian ? i : bytes - 1 - i);
+    }
+    at_ += bytes;
+    switch (id) {
+      case PlyNumber::Int8:
+        return valueOf<std::int8_t>(static_cast<std::uint8_t>(bits));
+      case PlyNumber::Uint8:
+        return static_cast<double>(bits);
+      case PlyNumber::Int16:
+        return valueOf<std::int16_t>(static_cast<std::uint16_t>(bits));
+      case PlyNumber::Uint16:
+        return static_cast<double>(bits);
+      case PlyNumber::Int32:
+        return valueOf<std::int32_t>(static_cast<std::uint32_t>(bits));
+      case PlyNumber::Uint32:
+        return static_cast<double>(bits);
+      case PlyNumber::Float32:
+        return valueOf<float>(static_cast<std::uint32_t>(bits));
+      case PlyNumber::Float64:
+        return valueOf<double>(bits);
+    }
+    return 0.0;
+  }
+
+  double finite(const PlyElement& e, int place) {
+    if (!std::isfinite(values_[place])) fail(e.properties[place].name + " is not finite");
+    return values_[place];
+  }
+
+  /// `face 12 of 96`
+  [[nodiscard]] std::string which() const {
+    const std::string quoted = inQuotes(kind_->name);
+    return quoted.substr(1, quoted.size() - 2) + ' ' + std::to_string(row_) + " of " +
+           std::to_string(kind_->count);
+  }
+  [[noreturn]] void fail(const std::string& what) const {
+    if (text()) words_.fail(what);
+    words_.fail(0, which() + ": " + what);
+  }
+  [[noreturn]] void failShort() const {
+    fail("the file ends here, after " + std::to_string(header_.bytes + data_.size()) + " bytes");
+  }
+
+  static std::string shortest(double value) {
+    const bool whole = value == std::floor(value) && std::abs(value) < 1e15;
+    return whole ? std::to_string(static_cast<std::int64_t>(value)) : std::to_string(value);
+  }
+
+  void expectEnd() {
+    if (text()) {
+      if (const std::string_view word = words_.firstOfNextLine(); !word.empty())
+        words_.fail("unexpected " + inQuotes(word) + " after the last element");
+    } else if (data_.find_first_not_of("\r\n", at_) != data_.npos) {
+      words_.fail(0, std::to_string(data_.size() - at_) + " bytes follow the last element");
+    }
+  }
+
+  /// Half a unit of the coordinates.
+  [[nodiscard]] double roundingOf(const PlyElement& vertex) const {
+    if (text()) return rounding_.rounding();
+    double rounding = 0;
+    for (const std::string_view axis : {"x", "y", "z"}) {
+      const PlyNumber number = vertex.properties[vertex.find(axis)].number;
+      int exponent = 0;  // largest_ < 2^exponent
+      std::frexp(largest_, &exponent);
+      if (rowOf(number).whole) rounding = std::max(rounding, 0.5);
+      if (number == PlyNumber::Float32) rounding = std::max(rounding, std::ldexp(1.0, exponent - 25));
+    }
+    return rounding;
+  }
+
+  PlyHeader header_;
+  std::string_view data_;
+  std::size_t at_ = 0;  ///< of binary data
+  Words words_;         ///< of text
+  std::string name_;
+  std::vector<int> xyz_, uv_, rgb_;  ///< the places of properties; no uv or no rgb if there is none
+  int indices_ = -1, vertexCount_ = 0;
+  const PlyElement* kind_ = nullptr;
+  int row_ = 0;                            ///< number of the element in its kind, from 1
+  std::string_view first_, word_;          ///< the line's first word until it is read; the last word read
+  std::vector<double> values_, list_;      ///< of the current element
+  std::vector<std::string_view> spelled_;  ///< the words of values_, of text
+  std::vector<int> face_;
+  double largest_ = 0;
+  IndexedFaces faces_;
+  LeftOut leftOut_;
+  RoundingOfNumbers rounding_;
+};
+
+}  // namespace
+
+Mesh parsePly(std::string_view text, const std::string& name) { return PlyReader{text, name}.read(); }
+
+Mesh readPly(const std::filesystem::path& file) { return parsePly(readTextFile(file), file.string()); }
+
+}  // namespace xnewell
