@@ -1,0 +1,41 @@
+#!/usr/bin/env bash
+# tests/fuzz/run.sh SECONDS [FUZZER...] gives made-up files to the readers, for SECONDS each. It says in a line
+# for each fuzzer how many it tried, and keeps what fails in build/fuzz/found. First it installs missing packages
+# and builds.
+set -euo pipefail
+source "$(dirname "${BASH_SOURCE[0]}")/../../x11/setup.sh"
+
+(($#)) && [[ $1 =~ ^[1-9][0-9]*$ ]] || { say "usage: tests/fuzz/run.sh SECONDS [FUZZER...]"; exit 2; }
+time=$1
+shift
+fuzzers=("$@")
+(($#)) || fuzzers=(obj mtl ply off bpt scene lesson setup polygons)
+
+# clang 14 and 15 refuse parts of C++20 that the program uses. So we take the newest clang that the system has.
+clang=$(apt-cache pkgnames clang- 2>/dev/null | grep -xE 'clang-[0-9]+' | sort -V | tail -n 1)
+packages=("${clang:=clang}")
+[[ -z $(apt-cache pkgnames "libclang-rt-${clang#clang-}-dev" 2>/dev/null) ]] || packages+=("libclang-rt-${clang#clang-}-dev")
+need "${program_packages[@]}" "${packages[@]}"
+build fuzz "-DCMAKE_CXX_COMPILER=clang++${clang#clang}"
+
+fuzz=$root/build/fuzz
+rm -rf "$fuzz/seeds"
+mkdir -p "$fuzz/found"
+"$fuzz/tests/fuzz/fuzz_seeds" "$fuzz/seeds"
+failed=0
+for name in "${fuzzers[@]}"; do
+  mkdir -p "$fuzz/corpus/$name" "$fuzz/seeds/$name"
+  log=$fuzz/$name.log status=0
+  UBSAN_OPTIONS=print_stacktrace=1 "$fuzz/tests/fuzz/fuzz" "$name" "$fuzz/corpus/$name" "$fuzz/seeds/$name" \
+    -max_total_time="$time" -max_len=65536 -timeout=30 -rss_limit_mb=3000 -print_final_stats=1 \
+    -artifact_prefix="$fuzz/found/$name-" >"$log" 2>&1 || status=$?
+  runs=$(sed -n 's/^stat::number_of_executed_units: *//p' "$log")
+  if ((status == 0)); then
+    say "fuzz $name: ${runs:-?} inputs, nothing found"
+  else
+    say "fuzz $name: FAILED after ${runs:-?} inputs: $(grep -m1 -E 'ERROR|runtime error|Assertion' "$log" || tail -n 1 "$log")"
+    say "  see $log and $fuzz/found"
+    failed=1
+  fi
+done
+exit "$failed"

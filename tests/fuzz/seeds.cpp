@@ -1,0 +1,73 @@
+#include <filesystem>
+#include <fstream>
+#include <iostream>
+#include <iterator>
+#include <map>
+#include <string>
+
+#include "shading/color/png.h"
+#include "tests/x11/support/corpus_models.h"
+#include "tests/x11/support/malformed_files.h"
+
+namespace xnewell {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+std::string bytesOf(const fs::path& file) {
+  std::ifstream in{file, std::ios::binary};
+  return {std::istreambuf_iterator<char>{in}, {}};
+}
+
+/// Seeds by the name of their fuzzer.
+class Seeds {
+ public:
+  explicit Seeds(fs::path folder) : folder_{std::move(folder)} {}
+  void add(const std::string& fuzzer, const std::string& bytes) {
+    fs::create_directories(folder_ / fuzzer);
+    std::ofstream{folder_ / fuzzer / std::to_string(++count_[fuzzer]), std::ios::binary} << bytes;
+  }
+  /// By the extension of a file, and `json` for .json files.
+  void addFile(const fs::path& file, const std::string& bytes, const std::string& json) {
+    const std::string extension = file.extension().string();
+    if (extension == ".json") add(json, bytes);
+    if (extension == ".png") add("setup", '\0' + bytes);
+    for (const std::string kind : {"obj", "mtl", "ply", "off", "bpt"})
+      if (extension == "." + kind) add(kind, bytes);
+  }
+
+ private:
+  fs::path folder_;
+  std::map<std::string, int> count_;
+};
+
+}  // namespace
+
+/// seeds FOLDER: writes what the fuzzers begin with. These are the project's own files of each format, the
+/// models of corpus_models.cpp and the files that malformed_files.cpp lists.
+void writeSeeds(const fs::path& folder) {
+  Seeds seeds{folder};
+  for (const CorpusModel& model : corpusModels()) seeds.addFile(model.name, model.content, "scene");
+  for (const Malformed& file : malformedFiles())
+    seeds.addFile(file.name, file.content, file.name == "l.json" ? "lesson" : "scene");
+  for (const fs::path source : {XNEWELL_DATA_DIR, XNEWELL_TESTS_DATA_DIR, XNEWELL_EXAMPLE_DIR})
+    for (const auto& entry : fs::recursive_directory_iterator{source}) {
+      const fs::path& file = entry.path();
+      if (entry.is_directory() || file.parent_path().filename() == "lectures") continue;
+      if (file.extension() != ".png") {
+        seeds.addFile(file, bytesOf(file), file.parent_path().filename() == "lessons" ? "lesson" : "scene");
+      } else if (const auto note = noteInPng(file.string())) {
+        seeds.add("setup", '\1' + *note);
+      }
+    }
+  for (const std::string note : {"xnewell draw cubes -o picture.png", "xnewell lesson cycles --step 2"})
+    seeds.add("setup", '\1' + note);
+}
+
+}  // namespace xnewell
+
+int main(int argc, char** argv) {
+  if (argc != 2) return std::cerr << "usage: seeds FOLDER\n", 2;
+  xnewell::writeSeeds(argv[1]);
+}
