@@ -23,8 +23,9 @@ struct MtlLibrary {
 };
 
 /// Reads the materials of an MTL file (Alias|Wavefront, Advanced Visualizer manual, chapter 5). It uses
-/// `newmtl`, `Kd` and `map_Kd`. A note names the other statements once. A material without `Kd r g b` is white, and so
-/// are the rare `Kd spectral` and `Kd xyz`. Components are clamped to [0, 1]. `Kd r` alone is a gray.
+/// `newmtl`, `Kd` and `map_Kd`. A note names the other statements once. A material without `Kd r g b` is
+/// white, and so are the rare `Kd spectral` and `Kd xyz`. Components are clamped to [0, 1]. `Kd r` alone is a
+/// gray.
 ///
 /// The file of `map_Kd` is the rest of the line after the options: a name may have blanks. The options are
 /// read and not applied. A note says so for the first that would change the picture: -o, -s and -t (they move

@@ -256,7 +256,8 @@ class ObjReader {
     if (!std::filesystem::is_regular_file(file, missing)) return false;
     if (!libraries_.insert(name).second) return true;
     MtlLibrary library = parseMtl(readTextFile(file), file.string());
-    for (auto& [material, says] : library.materials) known_.try_emplace(material, Known{std::move(says), file});
+    for (auto& [material, says] : library.materials)
+      known_.try_emplace(material, Known{std::move(says), file});
     std::ranges::move(library.notes, std::back_inserter(mesh_.notes));
     return true;
   }

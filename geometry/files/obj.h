@@ -14,7 +14,8 @@ namespace xnewell {
 /// ignored), and `f` with corners `v`, `v/vt`, `v//vn` or `v/vt/vn`. Indices count from 1 or, if negative,
 /// back from the last one so far. It reads `g` and `o`, which both begin a group, `usemtl`, and `mtllib` for
 /// diffuse colours and their textures (mtl.h). It uses nothing else, not even `vn`: vertex
-/// normals are computed. Mesh::notes names the other statements once. A face may refer to vertices that come later in the file.
+/// normals are computed. Mesh::notes names the other statements once. A face may refer to vertices that come
+/// later in the file.
 ///
 /// Mesh::points      every `v` in file order, correctly rounded (number.h), used or not.
 /// Mesh::uv          every `vt` in file order, if a face uses any.

@@ -73,8 +73,9 @@ struct Picture {
   std::array<std::array<std::uint8_t, 3>, 256> colors{};  ///< red, green and blue of each cell
 };
 
-/// Draws a scene: an `.obj`, `.ply`, `.off`, `.bpt` or `.json` file. A `.json` file says how the scene is lit, shaded and
-/// sorted, and where its eye is; `view` wins over it. It is the picture that `xnewell draw` makes.
+/// Draws a scene: an `.obj`, `.ply`, `.off`, `.bpt` or `.json` file. A `.json` file says how the scene is
+/// lit, shaded and sorted, and where its eye is; `view` wins over it. It is the picture that `xnewell draw`
+/// makes.
 /// @throws std::runtime_error  a file that cannot be read, with its name, line and what is wrong in it
 /// @throws std::invalid_argument  a view that is not as described above
 [[nodiscard]] Picture draw(const std::string& sceneFile, const View& view = {});

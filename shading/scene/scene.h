@@ -100,8 +100,8 @@ struct BuiltInScene {
 
 inline constexpr int kDefaultDivisions = 8;
 
-/// Reads a built-in scene, or a model file (model_file.h) or `.json`. A built-in name wins over a file of that
-/// name; a path such as `./teapot` always means the file. `divisions` applies to Bezier patches.
+/// Reads a built-in scene, or a model file (model_file.h) or `.json`. A built-in name wins over a file of
+/// that name; a path such as `./teapot` always means the file. `divisions` applies to Bezier patches.
 /// @throws ParseError, std::system_error
 [[nodiscard]] Scene readScene(const std::string& nameOrFile, int divisions = kDefaultDivisions);
 

@@ -32,7 +32,8 @@ void addCamera(Reader& r, CameraSettings& camera) {
           [&](glm::dvec3 p) { camera.eye = p; });
   r.point("--look-at", "the point that the eye looks at", "the scene's centre",
           [&](glm::dvec3 p) { camera.lookAt = p; });
-  r.point("--up", "the up direction", "z for .bpt, y for .obj, .ply and .off", [&](glm::dvec3 p) { camera.up = p; });
+  r.point("--up", "the up direction", "z for .bpt, y for .obj, .ply and .off",
+          [&](glm::dvec3 p) { camera.up = p; });
   r.text("--fov", "perspective with this vertical field of view, degrees", "30",
          [&](const std::string& text) {
            camera.fov = numbers("--fov", text, 1, "an angle between 0 and 180 degrees")[0];

@@ -3,8 +3,8 @@
 #include <glm/vec2.hpp>
 #include <glm/vec3.hpp>
 
-#include "tests/x11/support/corpus_models.h"
 #include "tests/x11/support/command_fixture.h"
+#include "tests/x11/support/corpus_models.h"
 
 namespace xnewell::THIS_FILE {
 
