@@ -26,14 +26,31 @@ glm::dvec2 placeOf(const nlohmann::json& corner) {
   return place;
 }
 
-PaintStep stepOf(const std::string& text, int faces) {
-  const nlohmann::json json = nlohmann::json::parse(text, nullptr, false);
+glm::ivec2 sizeOf(const nlohmann::json& json) {
+  const auto isSide = [](const nlohmann::json& side) {
+    return side.is_number_integer() && side >= kLeastOrderSize && side <= kMostOrderSize;
+  };
+  const nlohmann::json& size = json["size"];
+  if (json.size() != 1 || !size.is_array() || size.size() != 2 || !isSide(size[0]) || !isSide(size[1]))
+    throw std::runtime_error{"the size is {\"size\": [width, height]}, each from " +
+                             std::to_string(kLeastOrderSize) + " to " + std::to_string(kMostOrderSize) +
+                             " pixels"};
+  return {size[0].get<int>(), size[1].get<int>()};
+}
+
+nlohmann::json jsonOf(const std::string& text) {
+  nlohmann::json json = nlohmann::json::parse(text, nullptr, false);
   if (json.is_discarded())
     for (const char* word : {"nan", "NaN", "inf", "Inf"})
       if (text.find(word) != std::string::npos)
         throw std::runtime_error{std::string{"JSON has no "} + word + ": places are numbers"};
   if (json.is_discarded() || !json.is_object())
     throw std::runtime_error{"not a JSON object such as {\"face\": 17}"};
+  return json;
+}
+
+PaintStep stepOf(const nlohmann::json& json, int faces) {
+  if (json.contains("size")) throw std::runtime_error{"the size stands once, before all faces"};
   const auto face = json.find("face");
   if (face == json.end() || !face->is_number_integer())
     throw std::runtime_error{"\"face\" is the number of a face, from 0"};
@@ -55,31 +72,37 @@ PaintStep stepOf(const std::string& text, int faces) {
 
 }  // namespace
 
-std::vector<PaintStep> readPaintSteps(const std::string& file, int faces) {
+PaintOrder readPaintOrder(const std::string& file, int faces) {
   std::error_code missing;
   if (std::filesystem::exists(file, missing) && !std::filesystem::is_regular_file(file, missing))
     throw ParseError{file, 0, "not a file with a painting order"};
   if (const auto size = std::filesystem::file_size(file, missing); !missing && size > kMostBytes)
     throw ParseError{file, 0, "longer than 64 MB"};
   std::istringstream in{readTextFile(file)};
-  std::vector<PaintStep> steps;
+  PaintOrder order;
   int number = 0;
   for (std::string line; std::getline(in, line);) {
     ++number;
     if (line.find_first_not_of(" \t\r") == std::string::npos) continue;
     try {
-      steps.push_back(stepOf(line, faces));
+      const nlohmann::json json = jsonOf(line);
+      if (json.contains("size") && order.steps.empty() && !order.size) {
+        order.size = sizeOf(json);
+        continue;
+      }
+      order.steps.push_back(stepOf(json, faces));
     } catch (const std::runtime_error& e) {
       throw ParseError{file, number, e.what()};
     }
-    steps.back().line = number;
+    order.steps.back().line = number;
   }
-  if (steps.empty()) throw ParseError{file, 0, "no line paints a face"};
-  return steps;
+  if (order.steps.empty()) throw ParseError{file, 0, "no line paints a face"};
+  return order;
 }
 
-std::string paintStepsText(std::span<const PaintStep> steps) {
+std::string paintOrderText(std::span<const PaintStep> steps, std::optional<glm::ivec2> size) {
   std::string text;
+  if (size) text += nlohmann::ordered_json{{"size", {size->x, size->y}}}.dump() + '\n';
   for (const PaintStep& step : steps) {
     nlohmann::ordered_json line{{"face", step.face}};
     for (const glm::dvec2& corner : step.piece) line["piece"].push_back({corner.x, corner.y});

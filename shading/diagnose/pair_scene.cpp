@@ -9,6 +9,7 @@ namespace xnewell {
 using PairJson = nlohmann::ordered_json;
 
 std::string stepName(const PaintStep& step) {
+  if (!step.name.empty()) return step.name;
   return (step.piece.empty() ? "face " : "a piece of face ") + std::to_string(step.face);
 }
 

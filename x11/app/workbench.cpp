@@ -162,7 +162,8 @@ void Workbench::goTo(const WindowPlace& place) {
 
 WindowPlace Workbench::place() const {
   WindowPlace place{.view = view()};
-  if (place.view == WindowView::DepthSort) place.step = stepper_->view().step;
+  if (place.view == WindowView::DepthSort)
+    place.step = stepper_->view().own ? 0 : stepper_->view().step;  // of the program's own sort
   if (place.view == WindowView::MachBands) place.scanline = bands_->row();
   if (place.view == WindowView::Colors) place.cell = colors_->inspected();
   if (place.view == WindowView::Pixel) place.pixel = pixel_->pixel();

@@ -48,7 +48,9 @@ void Workbench::copyCommand() {
     const std::string whole = alone ? "" : pictureNote();
     std::string text;
     for (const std::string& line : bench().inWords()) text += "# " + line + '\n';
-    server_.copy(text + (!whole.empty()
+    const std::optional<std::string> own = bench().command();
+    server_.copy(text + (own ? *own
+                         : !whole.empty()
                              ? whole
                              : SetupCommand{scene()}.of(settings, work_.setup.divisions, work_.setup.fill)));
     tell("Finding, table and command are on standard output, and other programs can paste them.");

@@ -143,9 +143,13 @@ int tellSceneFor(const Options& options) {
 
 int tellJudgement(const Options& options, Scene scene) {
   if (!options.output.empty()) checkWritable(options.output);
-  const std::vector<PaintStep> steps = readPaintSteps(options.handedIn, scene.mesh.faceCount());
+  const auto [steps, size] = readPaintOrder(options.handedIn, scene.mesh.faceCount());
+  if (size && options.size && *size != *options.size)
+    throw UsageError{options.handedIn + " is for a picture of " + sizeText(size->x, size->y) +
+                     ", and --size says " + sizeText(options.size->x, options.size->y) +
+                     ": leave --size out"};
   std::optional<Doing> judging{"judging"};
-  PictureSettings settings = sized(options, kPictureSize);
+  PictureSettings settings = sized(options, size.value_or(kPictureSize));
   settings.order = Order::Unsorted, settings.adapt = 0;
   const Picture picture = makePicture(std::move(scene), settings).withPlanes();
   const OrderReport report = judgeOrder(picture, steps);

@@ -93,15 +93,20 @@ void Marker::markPicture(MarkedFile& row, const std::string& path) {
 }
 
 void Marker::markOrder(MarkedFile& row, const std::string& path) {
-  const std::vector<PaintStep> steps = readPaintSteps(path, scene_.mesh.faceCount());
-  if (!picture_) {
+  const auto [steps, own] = readPaintOrder(path, scene_.mesh.faceCount());
+  const glm::ivec2 usual = size_.value_or(glm::ivec2{settings_.width, settings_.height});
+  const glm::ivec2 size = own.value_or(usual);
+  if (planes_.size() >= kMostSizes && !planes_.contains({size.x, size.y})) planes_.clear();
+  auto planes = planes_.find({size.x, size.y});
+  if (planes == planes_.end()) {
     PictureSettings settings = settings_;
     settings.order = Order::Unsorted;
-    if (size_) settings.width = size_->x, settings.height = size_->y;
-    picture_ = makePicture(scene_, settings).withPlanes();
+    settings.width = size.x, settings.height = size.y;
+    planes = planes_.emplace(std::pair{size.x, size.y}, makePicture(scene_, settings).withPlanes()).first;
   }
-  const OrderReport report = judgeOrder(*picture_, steps);
+  const OrderReport report = judgeOrder(planes->second, steps);
   row.verdict = report.isRight() ? "right" : "wrong", row.words = verdictOf(report, steps);
+  if (size != usual) row.words += "; judged at " + sizeText(size.x, size.y);
   if (!report.isRight()) row.mistakes = kindOf(report), row.terms = "order";
   if (report.first) {
     row.pixel = {report.first->i, report.first->j};

@@ -36,7 +36,8 @@ using RightAnswer = std::function<std::optional<int>(const std::string& lesson, 
 /// Marks files against one scene. What files share is made once.
 class Marker {
  public:
-  /// `size` is that of all pictures; without it each picture has its own.
+  /// `size` is that of all pictures, and of the orders that do not say theirs; without it each picture has
+  /// its own, and such an order that of the settings.
   Marker(
       Scene scene, PictureSettings settings, std::optional<glm::ivec2> size, bool pictures,
       RightAnswer rightAnswer = [](const std::string&, int) { return std::nullopt; });
@@ -54,7 +55,7 @@ class Marker {
   bool pictures_;
   RightAnswer rightAnswer_;
   std::map<std::pair<int, int>, std::unique_ptr<Diagnoser>> diagnosers_;  ///< by size
-  std::optional<Picture> picture_;                                        ///< for orders
+  std::map<std::pair<int, int>, Picture> planes_;                         ///< for orders, by size
 };
 
 /// The names of the regular files in a folder, sorted; hidden files are left out. @throws std::system_error

@@ -142,8 +142,8 @@ void addOptions(CLI::App& app, Reader& r, Options& o) {
          "", [&](const std::string& s) { o.output = s; });
   r.takes("--output", Takes::File);
   r.text("--size",
-         "picture or window size WxH, at most 8192x8192; diagnose and grade: that of the picture, if it is "
-         "not given",
+         "picture or window size WxH, at most 8192x8192; diagnose, judge and grade: that of what is handed "
+         "in, if it is not given",
          "800x600, a window 1024x768 times --scale, extremes 160x120",
          [&](const std::string& s) { o.size = parseSize(s); });
   r.number("--scale", o.scale, 1, kMostScale,

@@ -40,7 +40,7 @@ void SortBench::sortOneself(bool on) {
   if (!own_) own_ = std::make_unique<OwnSort>(newell_->picture(), newell_->sorted().list);
   showOwn(-1, -1,
           {true, "What comes first?",
-           "The list is sorted by farthest z. Choose P and Q. Then name a test, move Q, cut one of them, or "
+           "The list is sorted by farthest z. Choose P and Q. Then make a test, move Q, cut one of them, or "
            "paint P. Each step that is true is taken."});
 }
 
@@ -152,7 +152,7 @@ void SortBench::tellTest(int index) {
   const OwnSort::Reply reply = own_->tell(*run(), kNamedTests[index], P, Q);
   showOwn(P, Q, reply);
   player_.view.own->passed = known;
-  player_.view.own->passed[index] = reply.valid;
+  player_.view.own->passed[index] = reply.told;
 }
 
 void SortBench::undoOwn() {
@@ -200,7 +200,7 @@ void SortBench::addOwnKeys(KeyTable& table) {
     append(table, {{std::move(keys), std::move(legend), does, std::move(doIt), off}});
   };
   for (int k = 0; own.naming && k < kOwnTests; ++k)
-    add({static_cast<char>('1' + k)}, "it tells", "say that this test tells", noQ,
+    add({static_cast<char>('1' + k)}, "make it", "make this test", noQ,
         [this, k](const Key&) { tellTest(k); });
   // Keys of one purpose share a line in the list of all keys.
   const char* const choosesQ = "choose the next Q, the one before; let clicks choose Q";
@@ -211,7 +211,7 @@ void SortBench::addOwnKeys(KeyTable& table) {
   add({'n'}, "Q", choosesQ, noQ, [this](const Key&) { chooseQ(1); });
   add({'N'}, "Q", choosesQ, noQ, [this](const Key&) { chooseQ(-1); });
   add({'k'}, "click: P, Q", choosesQ, "", [&own](const Key&) { own.clicksQ = !own.clicksQ; });
-  add({'t'}, "test", "and 1 to 5: say which test tells that P may be painted before Q", noQ,
+  add({'t'}, "test", "and 1 to 5: make a test; one that tells that P may be painted before Q is a step", noQ,
       [&own](const Key&) { own.naming = true; });
   for (int k = 0; k < static_cast<int>(kActs.size()); ++k)
     add({kActKeys[k]},
@@ -225,15 +225,20 @@ void SortBench::addOwnKeys(KeyTable& table) {
       [this](const Key&) { askToWrite(); });
 }
 
+/// Without --size, which the file says.
 std::string SortBench::judgeCommand(const std::string& file) const {
   constexpr std::string_view kDraw = "xnewell draw ", kTo = " -o picture.png";
+  const PictureSettings& settings = picture_->settings();
+  const std::string size =
+      " --size " + std::to_string(settings.width) + 'x' + std::to_string(settings.height);
   std::string command;
   try {
-    command = SetupCommand{picture_->scene()}.of(picture_->settings(), picture_->scene().divisions);
+    command = SetupCommand{picture_->scene()}.of(settings, picture_->scene().divisions);
   } catch (const std::exception&) {  // its file may have gone, or no options can say the camera
     return "";
   }
   if (!command.starts_with(kDraw) || !command.ends_with(kTo)) return "";
+  if (const std::size_t at = command.find(size); at != std::string::npos) command.erase(at, size.size());
   return "xnewell judge " + command.substr(kDraw.size(), command.size() - kDraw.size() - kTo.size()) + ' ' +
          quoted(file);
 }
@@ -246,9 +251,11 @@ void SortBench::askToWrite() {
       },
       [this](const std::string& file) {
         const std::vector<PaintStep> steps = own_->steps(*run());
-        writeFile(file, paintStepsText(steps));
-        host_.tell(file + " is written, with " + counted(std::ssize(steps), "line") +
-                   "; C copies the command that judges it.");
+        const glm::ivec2 size{picture_->settings().width, picture_->settings().height};
+        writeFile(file, paintOrderText(steps, size));
+        judges_ = judgeCommand(file);
+        host_.tell(file + " is written: " + counted(std::ssize(steps), "step") + " in a picture of " +
+                   sizeText(size.x, size.y) + "; C copies the command that judges it.");
       }));
 }
 

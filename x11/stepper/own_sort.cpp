@@ -49,6 +49,30 @@ std::string samplesText(int samples, int i, int j) {
 /// "Test 3".
 std::string testText(Test test) { return "Test " + std::string{shortNameOf(test)}; }
 
+/// The page's name of a polygon, in a sentence: `polygon a`, `polygon a.b`, `face 12`, `face 12b`.
+std::string polygonName(const Fragments& fragments, int id) {
+  return (fragments.hasName(id) ? "polygon " : "") + fragments.name(id);
+}
+
+std::string capitalized(std::string words) {
+  words[0] = static_cast<char>(std::toupper(static_cast<unsigned char>(words[0])));
+  return words;
+}
+
+/// Why only a cut helps: "polygons must be painted a before b before c before a".
+std::string circleText(const SortRun& run, const std::vector<int>& cycle) {
+  constexpr std::size_t kMostNamed = 5;
+  if (cycle.size() > kMostNamed)
+    return std::to_string(cycle.size() - 1) + " polygons must each be painted before the next, in a circle";
+  std::string way;
+  for (const int number : cycle) {
+    const auto& faces = run.scene().faces;
+    const auto at = std::ranges::find(faces, number, &SnappedFace::number);
+    way += (way.empty() ? "" : " before ") + numberAndPart(run, static_cast<int>(at - faces.begin()));
+  }
+  return "polygons must be painted " + way;
+}
+
 }  // namespace
 
 OwnSort::OwnSort(Picture picture, std::vector<int> list) : picture_{std::move(picture)} {
@@ -131,20 +155,17 @@ OwnSort::Reply OwnSort::paint(const SortRun& run, int P, int Q) {
     spoilt.insert(spoilt.end(), here.rows.begin(), here.rows.end());
     if (here.samples > most.samples) most = std::move(here), covers = R;
   }
-  std::string name = stepName(stepOf(run, P));
-  name[0] = static_cast<char>(std::toupper(static_cast<unsigned char>(name[0])));
+  const std::string name = capitalized(polygonName(run.fragments(), P));
   Reply reply{true, name + " is painted.", "No polygon that is left lies behind it at a common sample."};
   if (covers >= 0) {
     const std::array two{stepOf(run, covers), stepOf(run, P)};
     WrongPair pair{.shown = 0, .hidden = 1, .i = most.i, .j = most.j, .samples = most.samples};
     tellPair(picture_, two, pair, run.fragments().faceIndex(covers), run.fragments().faceIndex(P));
-    std::string lesson = lessonOf(pair, two);
-    if (pair.cycle.size() > 5)
-      lesson = "only a cut helps: " + std::to_string(pair.cycle.size() - 1) +
-               " faces must each be painted before the next, in a circle";
-    lesson[0] = static_cast<char>(std::toupper(static_cast<unsigned char>(lesson[0])));
+    const bool circle = pair.needsCut && pair.cycle.size() > 3;
+    const std::string lesson =
+        circle ? "Only a cut helps: " + circleText(run, pair.cycle) : capitalized(lessonOf(pair, two));
     reply = {false, name + " is painted too early.",
-             "It is nearer than " + stepName(two[0]) + ", which is left to paint, at " +
+             "It is nearer than " + two[0].name + ", which is left to paint, at " +
                  samplesText(most.samples, most.i, most.j) + ". " + lesson + "."};
   }
   begin(P, Q);
@@ -160,8 +181,9 @@ OwnSort::Reply OwnSort::tell(const SortRun& run, Test test, int P, int Q) {
   PairTests tests = testsFor(picture_);
   const std::string numbers = numbersOf(run.explainer(), compare, test).front();
   if (!tests.passes(test, Seen{run, P}.shape(), Seen{run, Q}.shape()))
-    return refuse(testText(test) + " does not tell.",
-                  std::string{questionOf(test)} + " No: " + numbers + ".");
+    return {true, testText(test) + " does not tell.",
+            std::string{questionOf(test)} + " No: " + numbers + ". That is no step, and does not count.",
+            false};
   begin(P, Q);
   take(P);
   sorted_.events.push_back(compare);
@@ -179,16 +201,17 @@ OwnSort::Reply OwnSort::move(const SortRun& run, int P, int Q) {
   take(P);
   sorted_.events.push_back({.kind = Event::Kind::Move, .P = P, .Q = Q});
   stack_.push_back(Q);
-  return done(
-      {true, "Q goes first.", "Q is nowhere nearer than P. It is the new P, and the old one is marked."});
+  const std::string first = polygonName(run.fragments(), Q), old = polygonName(run.fragments(), P);
+  return done({true, capitalized(first) + " goes first.",
+               "It is nowhere nearer than " + old + ". It is P now; " + old + " is Q, and marked."});
 }
 
 OwnSort::Reply OwnSort::cut(const SortRun& run, int polygon, int by, bool isP) {
-  const std::string cutName = isP ? "P" : "Q", planeName = isP ? "Q" : "P";
   const Seen seen{run, polygon}, plane{run, by};
   PairTests tests = testsFor(picture_);
   if (!tests.crosses(seen.shape(), plane.shape()))
-    return refuse(cutName + " is not cut.", "The plane of " + planeName + " does not cross " + cutName + ".");
+    return isP ? refuse("P is not cut.", "The plane of Q does not cross P.")
+               : refuse("Q is not cut.", "The plane of P does not cross Q.");
   isP ? begin(polygon, by) : begin(by, polygon);
   sorted_.events.push_back({.kind = Event::Kind::Split, .P = polygon, .Q = by});
   const auto at = std::ranges::find(stack_, polygon);
@@ -200,8 +223,11 @@ OwnSort::Reply OwnSort::cut(const SortRun& run, int polygon, int by, bool isP) {
     const Extents extents = extentsOf(picture_.snapped(), seen.face, *part, whole);
     enterPiece(sorted_, {seen.index, polygon}, *part, rowsOf(extents.box, all, false));
   }
-  return done({true, cutName + " is cut in two.",
-               "The plane of " + planeName + " crosses " + cutName + ". Piece a is behind it, b before it."});
+  const Fragments now{picture_.scene().mesh, picture_.snapped(), sorted_};
+  const int behind = lastPiece();
+  return done({true, capitalized(polygonName(now, polygon)) + " is cut in two.",
+               "The plane of " + polygonName(now, by) + " crosses it. Behind lies " +
+                   polygonName(now, behind) + ", in front " + polygonName(now, behind + 1) + "."});
 }
 
 std::optional<std::pair<int, int>> OwnSort::undo() {
@@ -239,7 +265,7 @@ const OwnSort::Reply* OwnSort::replyAt(int events) const {
 PaintStep OwnSort::stepOf(const SortRun& run, int id) const {
   const SnappedFace& face = run.fragments().face(id);
   const auto parts = std::ranges::count(picture_.snapped().faces, face.number, &SnappedFace::number);
-  PaintStep step{.face = face.number};
+  PaintStep step{.face = face.number, .name = polygonName(run.fragments(), id)};
   if (!run.fragments().isPiece(id) && parts == 1) return step;
   for (const Place& corner : outlineOf(run.fragments().region(id)))
     step.piece.push_back({corner.x, corner.y});
@@ -250,7 +276,7 @@ std::vector<PaintStep> OwnSort::steps(const SortRun& run) const {
   std::vector<PaintStep> all;
   for (int n = 0; n < static_cast<int>(sorted_.fragments.size()); ++n) {
     all.push_back(stepOf(run, run.paintedId(n)));
-    all.back().line = n + 1;
+    all.back().line = n + 2;  // the first has the size
   }
   return all;
 }

@@ -19,7 +19,8 @@ namespace xnewell {
 /// A step is valid if it is true, also where Newell's sort would not take it:
 /// - P is painted: no polygon that is left to paint is farther than P at a common sample. Each sample is
 ///   decided as judgeOrder() decides it, and by none of the sort's tests.
-/// - a test of 1 to 5 tells that P may be painted before Q: it passes.
+/// - a test of 1 to 5 tells that P may be painted before Q: it passes. One that fails is no step and does not
+///   count, so that they can be made in the book's order.
 /// - Q goes before P: Q is nearer than P at no common sample.
 /// - a polygon is cut by a plane: the plane properly crosses it.
 /// What is not valid is not done, except for painting: it spoils the picture.
@@ -33,6 +34,7 @@ class OwnSort {
   struct Reply {
     bool valid = true;
     std::string bold, why;
+    bool told = true;  ///< tell(): the test passes
   };
   // The steps. P and Q are ids of fragments that wait. `run` is that of makeRun() after the step before.
   Reply paint(const SortRun& run, int P, int Q);
@@ -59,7 +61,8 @@ class OwnSort {
   /// What became of the last step among the first `events` events.
   [[nodiscard]] const Reply* replyAt(int events) const;
 
-  /// What is painted, as a file for judgeOrder() has it. A face of several convex parts is in pieces.
+  /// What is painted, as a file for judgeOrder() has it. A face of several convex parts is in pieces. The
+  /// lines are those of a file with a size; the names are the page's.
   [[nodiscard]] std::vector<PaintStep> steps(const SortRun& run) const;
 
  private:

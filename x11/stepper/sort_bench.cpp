@@ -113,7 +113,7 @@ KeyTable SortBench::ownKeys() {
   if (part_ && !view.playing && !view.numbered)
     add(NamedKey::Escape, "the whole picture", "leave the part that is sorted", "",
         [this] { part_.reset(); });
-  table.push_back({.does = view.own ? "choose a polygon; name a test; do a step"
+  table.push_back({.does = view.own ? "choose a polygon; make a test; do a step"
                                     : "go to the next step with a polygon; tick a box",
                    .gesture = "click"});
   if (tooLong_)
@@ -210,7 +210,7 @@ void SortBench::record(const Desk& desk) {
   newell_.reset();
   tooLong_ = false;
   if (!same || otherPart) own_.reset();
-  if (!sameScene) view.polygon.reset(), about_.reset();
+  if (!sameScene) view.polygon.reset(), about_.reset(), judges_.clear();
   if (picture_ && picture_->scene().name != desk.picture.scene().name)  // nobody asked this scene's questions
     view = {.kind = view.kind, .speed = view.speed, .loupe = view.loupe};
   picture_ = desk.picture;
@@ -321,10 +321,12 @@ std::string SortBench::aside() const {
 
 std::vector<std::string> SortBench::inWords() const {
   if (!player_.run) return {status_};
-  std::vector<std::string> lines = stepAsLines(*player_.run, view());
-  if (view().own)
-    if (const std::string command = judgeCommand("order.jsonl"); !command.empty()) lines.push_back(command);
-  return lines;
+  return stepAsLines(*player_.run, view());
+}
+
+std::optional<std::string> SortBench::command() const {
+  if (!player_.run || !view().own) return {};
+  return judges_.empty() ? judgeCommand("order.jsonl") : judges_;
 }
 
 }  // namespace xnewell

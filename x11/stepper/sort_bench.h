@@ -41,6 +41,7 @@ class SortBench : public Bench {
   [[nodiscard]] std::string status() const override { return status_; }
   [[nodiscard]] std::string aside() const override;
   [[nodiscard]] std::vector<std::string> inWords() const override;
+  [[nodiscard]] std::optional<std::string> command() const override;
   [[nodiscard]] const CellUse* use() const override { return &use_; }
 
   /// Goes to a step of the run, which must be recorded.
@@ -102,6 +103,7 @@ class SortBench : public Bench {
   std::unique_ptr<SortRun> newell_;  ///< the program's run, while the student's is shown
   int newellStep_ = 0;
   OwnSort::Reply endReply_;  ///< what is told at the end of the student's run
+  std::string judges_;       ///< the command that judges the file written last; "" if there is none
   std::uint8_t ground_ = 0;
   std::vector<Key> early_;  ///< keys typed before there was a run
   // The state of the last drawing.

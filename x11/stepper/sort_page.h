@@ -12,7 +12,8 @@ namespace xnewell {
 /// the list, counts, and the run as a timeline.
 
 /// The name of a control of the page beside those of transport.h: its part of the page, and its index there.
-enum class SortPart { Toggle = 10, Test = 22, Answer = 30, Act = 34, Row = 40 };
+/// The buttons there are 20 to 26; rows have the last numbers, as a page may have any number of them.
+enum class SortPart { Toggle = 10, Answer = 30, Act = 40, Test = 50, Row = 60 };
 [[nodiscard]] constexpr ControlId sortId(SortPart part, int index = 0) {
   return {0, static_cast<int>(part) + index};
 }

@@ -107,6 +107,8 @@ class Bench {
   [[nodiscard]] virtual std::string aside() const { return {}; }
   /// What the view has found, and its table: a line each.
   [[nodiscard]] virtual std::vector<std::string> inWords() const { return {status()}; }
+  /// The command to copy with them, where it is not that of the picture that is shown.
+  [[nodiscard]] virtual std::optional<std::string> command() const { return {}; }
   /// The cells that the strip counts; null for those of the scene's picture.
   [[nodiscard]] virtual const CellUse* use() const { return nullptr; }
   /// True if Desk::use must count polygons too.

@@ -168,15 +168,16 @@ TEST(JudgeOrder, NamesACycle) {
 // Lines that are no steps are refused with their number.
 TEST(PaintSteps, AreReadOrRefused) {
   const TemporaryFolder folder;
-  const auto steps = readPaintSteps(
+  const auto [steps, size] = readPaintOrder(
       folder.write("a", "{\"face\": 2}\n\n{\"face\": 0, \"piece\": [[1, 2], [3.5, 4], [5, 6]]}\n"), 3);
+  EXPECT_FALSE(size);
   ASSERT_EQ(steps.size(), 2u);
   EXPECT_EQ(steps[0].face, 2);
   EXPECT_EQ(steps[1].line, 3);
   EXPECT_EQ(steps[1].piece[1], (glm::dvec2{3.5, 4}));
   const auto refused = [&](const std::string& text, const std::string& why) {
     try {
-      (void)readPaintSteps(folder.write("a", text), 3);
+      (void)readPaintOrder(folder.write("a", text), 3);
       ADD_FAILURE() << text;
     } catch (const ParseError& e) {
       EXPECT_THAT(e.what(), ::testing::HasSubstr(why));
@@ -192,6 +193,23 @@ TEST(PaintSteps, AreReadOrRefused) {
   refused("{\"face\": 1, \"piece\": [[1, 2], [3, 4], [5, 1e9]]}", "a million pixels");
   refused("{\"face\": 1, \"piece\": [[1, 2], [3, 4], [5]]}", "[x, y]");
   refused(std::string(100000, '['), "not a JSON object");
+
+  // The size, and the same text again.
+  const std::string sized =
+      "{\"size\":[572,284]}\n{\"face\":2}\n{\"face\":0,\"piece\":[[1.0,2.0],[3.5,4.0],[5.0,6.0]]}\n";
+  const PaintOrder order = readPaintOrder(folder.write("a", sized), 3);
+  EXPECT_EQ(order.size, (glm::ivec2{572, 284}));
+  EXPECT_EQ(order.steps.front().line, 2);
+  EXPECT_EQ(paintOrderText(order.steps, order.size), sized);
+  EXPECT_EQ(paintOrderText(order.steps, {}), sized.substr(sized.find('\n') + 1));
+  const std::string bounds = "a:1: the size is {\"size\": [width, height]}, each from 64 to 4096 pixels";
+  for (const char* const wrong : {"[572]", "[572, 284.0]", "[63, 284]", "[572, 4097]", "\"572x284\"",
+                                  "[572, 284], \"face\": 1", "[18446744073709551615, 284]"})
+    refused("{\"size\": " + std::string{wrong} + "}\n{\"face\": 1}", bounds);
+  refused("{\"size\": [572, 284]}", "no line paints a face");
+  refused("{\"size\": [572, 284]}\n{\"size\": [572, 284]}\n{\"face\": 1}",
+          "a:2: the size stands once, before all faces");
+  refused("{\"face\": 1}\n{\"size\": [572, 284]}", "a:2: the size stands once, before all faces");
 }
 
 }  // namespace xnewell::THIS_FILE

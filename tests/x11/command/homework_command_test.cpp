@@ -35,6 +35,37 @@ TEST_F(CommandTest, JudgeShowsAWrongPair) {
   EXPECT_EQ(ids.pixel(pixel[0].get<int>(), pixel[1].get<int>())[2], 2);  // the second polygon hides the first
 }
 
+// An order with pieces is right in the picture whose size it says, and wrong in another. A size beside it may
+// only be the same. The page of a class says where an order was judged.
+TEST_F(CommandTest, OrdersSayTheSizeOfTheirPicture) {
+  std::filesystem::create_directory(file("class"));
+  const std::string order = file("class/cut.jsonl");
+  // Card 1, and card 0 in two halves.
+  const std::string steps = R"({"face": 1}
+{"face": 0, "piece": [[33, 92], [160, 92], [160, 162], [33, 162]]}
+{"face": 0, "piece": [[160, 92], [287, 92], [287, 162], [160, 162]]}
+)";
+  std::ofstream{order} << "{\"size\": [320, 240]}\n" << steps;
+  const auto sized = runProgram({"judge", "two-cards", order});
+  EXPECT_EQ(sized.out, "right: 3 steps, and every sample shows the nearest face\n");
+  EXPECT_EQ(runProgram({"judge", "two-cards", order, "--size", "320x240"}).status, 0);
+  refused({"judge", "two-cards", order, "--size", "640x480"}, 2,
+          order + " is for a picture of 320 x 240, and --size says 640 x 480: leave --size out");
+  std::ofstream{file("class/bare.jsonl")} << steps;
+  EXPECT_EQ(runProgram({"judge", "two-cards", file("class/bare.jsonl")}).status, 1);
+  EXPECT_EQ(runProgram({"judge", "two-cards", file("class/bare.jsonl"), "--size", "320x240"}).status, 0);
+  const auto end =
+      runProgram({"grade", "two-cards", file("class"), "-o", file("marks.csv"), "--page", file("page.html")});
+  EXPECT_EQ(end.status, 0) << end.err;
+  EXPECT_EQ(end.out.substr(0, end.out.find('\n')), "2 files: 1 right, 1 wrong");
+  for (const char* const name : {"marks.csv", "page.html"}) {
+    const std::string text = contents(file(name));
+    const std::size_t said = text.find("every sample shows the nearest face; judged at 320 x 240");
+    EXPECT_NE(said, std::string::npos) << text;
+    EXPECT_EQ(text.find("judged at", said + 60), std::string::npos) << text;
+  }
+}
+
 // A class is marked in one run: the rows, the page and the summary.
 TEST_F(CommandTest, GradeMarksAFolder) {
   std::filesystem::create_directory(file("class"));

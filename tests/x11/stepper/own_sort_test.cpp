@@ -82,7 +82,10 @@ struct Sorting : Stepper {
   std::vector<PaintStep> written(const std::string& file) {
     press("o");
     EXPECT_EQ(type(file), "");
-    return readPaintSteps(file, picture().scene().mesh.faceCount());
+    const PaintOrder order = readPaintOrder(file, picture().scene().mesh.faceCount());
+    EXPECT_EQ(order.size, (glm::ivec2{places().picture.width, places().picture.height}));
+    EXPECT_EQ(order.steps.back().line, bench.own()->steps(run()).back().line);
+    return order.steps;
   }
 };
 
@@ -137,11 +140,11 @@ TEST(OwnSort, EveryTrueOrderIsValid) {
     const std::vector<PaintStep> steps = s.written(file);
     EXPECT_EQ(steps.size(), s.run().sorted().fragments.size());
     EXPECT_TRUE(judgeOrder(s.picture().withPlanes(), steps).isRight());
-    std::string command = s.bench.inWords().back();
+    const std::string command = *s.bench.command();
     ASSERT_TRUE(command.starts_with("xnewell judge ")) << command;
     std::vector<std::string> words = *wordsOf(command);
     words.erase(words.begin());
-    words.back() = file;
+    EXPECT_EQ(words.back(), file);
     const auto end = runProgram(words);
     EXPECT_EQ(end.status, 0) << command << end.out << end.err;
     EXPECT_TRUE(end.out.starts_with("right: ")) << end.out;
@@ -217,7 +220,7 @@ TEST(OwnSort, PaintingTooEarlySpoilsThePicture) {
   EXPECT_TRUE(s.own().bold.ends_with("is wrong."));
 }
 
-// Of tests 1 to 5 just those are valid that truly pass, by the numbers of the page.
+// Of tests 1 to 5 just those are steps that truly pass, by the numbers of the page.
 TEST(OwnSort, NamedTestsMustPass) {
   int passed = 0, failed = 0;
   for (const char* scene : {"five-tests", "cycle", "crossing-sheets"}) {
@@ -237,9 +240,11 @@ TEST(OwnSort, NamedTestsMustPass) {
                                         !onePlane && p.inFront == 0, !onePlane && q.behind == 0,
                                         e.separatingEdge(P, Q).has_value()};
         for (int k = 0; k < 5; ++k) {
-          const int before = s.own().score.right, events = s.bench.own()->events();
+          const Score before = s.own().score;
+          const int events = s.bench.own()->events();
           s.press("t" + std::to_string(k + 1));
-          EXPECT_EQ(s.own().score.right - before, truth[k]) << scene << ' ' << P << ' ' << Q << ' ' << k + 1;
+          EXPECT_EQ(s.own().score, (Score{before.right + truth[k], before.asked + truth[k]}))
+              << scene << ' ' << P << ' ' << Q << ' ' << k + 1;
           EXPECT_EQ(s.bench.own()->events() > events, truth[k]);
           EXPECT_EQ(s.own().passed[k], truth[k]);
           (truth[k] ? passed : failed)++;
@@ -379,10 +384,8 @@ TEST(OwnSort, WordsFit) {
       const Rect &last = at.acts.back(), &box = at.finding;
       EXPECT_LE(last.x + last.width, box.x + box.width);
       const std::string longest =
-          "It is nearer than a piece of face 1234, which is left to paint, at 12,345 samples, such as "
-          "123,456. Test 3 tells: a piece of face 1234 is wholly on the far side of the plane of a piece of "
-          "face "
-          "5678.";
+          "It is nearer than face 1234.2abab, which is left to paint, at 12,345 samples, such as 123,456. "
+          "Test 3 tells: face 1234.2abab is wholly on the far side of the plane of face 5678.2abab.";
       const auto lines = broken(longest, (box.width - 20) / kGlyphWidth).size();
       EXPECT_LE(last.y + last.height + at.line - 2 + (static_cast<int>(lines) - 1) * at.line,
                 box.y + box.height)
