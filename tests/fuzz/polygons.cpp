@@ -18,7 +18,7 @@ void fuzzPolygons(const std::uint8_t* bytes, std::size_t size) {
   settings.order = bytes[0] % 2 == 0 ? Order::Newell : Order::Bsp;
   settings.shading = kShadings[bytes[1] % kShadings.size()].id;
   if (bytes[2] % 2 == 0) settings.camera.parallel = true;
-  settings.cull = bytes[2] % 4 > 1;
+  settings.cull = bytes[2] % 4 > 1 ? Cull::Back : Cull::Keep;
   bytes += 3, size -= 3;
 
   Mesh mesh;

@@ -26,7 +26,7 @@ failed=0
 for name in "${fuzzers[@]}"; do
   mkdir -p "$fuzz/corpus/$name" "$fuzz/seeds/$name"
   log=$fuzz/$name.log status=0
-  UBSAN_OPTIONS=print_stacktrace=1 "$fuzz/tests/fuzz/fuzz" "$name" "$fuzz/corpus/$name" "$fuzz/seeds/$name" \
+  TMPDIR=$fuzz/found UBSAN_OPTIONS=print_stacktrace=1 "$fuzz/tests/fuzz/fuzz" "$name" "$fuzz/corpus/$name" "$fuzz/seeds/$name" \
     -max_total_time="$time" -max_len=65536 -timeout=30 -rss_limit_mb=3000 -print_final_stats=1 \
     -artifact_prefix="$fuzz/found/$name-" >"$log" 2>&1 || status=$?
   runs=$(sed -n 's/^stat::number_of_executed_units: *//p' "$log")

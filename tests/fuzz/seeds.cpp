@@ -3,6 +3,7 @@
 #include <iostream>
 #include <iterator>
 #include <map>
+#include <random>
 #include <string>
 
 #include "shading/color/png.h"
@@ -45,7 +46,7 @@ class Seeds {
 }  // namespace
 
 /// seeds FOLDER: writes what the fuzzers begin with. These are the project's own files of each format, the
-/// models of corpus_models.cpp and the files that malformed_files.cpp lists.
+/// models of corpus_models.cpp and the files that malformed_files.cpp lists, and random bytes for polygons.
 void writeSeeds(const fs::path& folder) {
   Seeds seeds{folder};
   for (const CorpusModel& model : corpusModels()) seeds.addFile(model.name, model.content, "scene");
@@ -63,6 +64,13 @@ void writeSeeds(const fs::path& folder) {
     }
   for (const std::string note : {"xnewell draw cubes -o picture.png", "xnewell lesson cycles --step 2"})
     seeds.add("setup", '\1' + note);
+  // Long enough for points and faces: from nothing, a fuzzer takes minutes to come to faces that overlap.
+  std::mt19937 rng{1972};
+  for (int i = 0; i < 100; ++i) {
+    std::string polygons(150, '\0');
+    for (char& byte : polygons) byte = static_cast<char>(rng());
+    seeds.add("polygons", polygons);
+  }
 }
 
 }  // namespace xnewell
