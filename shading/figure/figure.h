@@ -7,6 +7,8 @@
 #include <string_view>
 #include <vector>
 
+#include "shading/color/color_table.h"
+
 namespace xnewell {
 
 /// A picture as areas with smooth borders, for paper and for the web: what SVG, PDF and EPS files hold. It is
@@ -23,6 +25,11 @@ inline constexpr int kFigureTolerance = 2;
 using FigureLoop = std::vector<glm::ivec2>;
 
 using FigureColor = std::array<std::uint8_t, 3>;  ///< red, green, blue
+/// What a server shows of a stored colour.
+[[nodiscard]] inline FigureColor figureColorOf(const Rgb16& color) {
+  return {static_cast<std::uint8_t>(color.r >> 8), static_cast<std::uint8_t>(color.g >> 8),
+          static_cast<std::uint8_t>(color.b >> 8)};
+}
 
 /// A triangle whose colour is linear between those of its corners.
 struct FigureTriangle {

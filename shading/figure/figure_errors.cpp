@@ -64,11 +64,6 @@ int farthestChannel(const FigureColor& p, const FigureColor& q) {
   return most;
 }
 
-FigureColor bytesOfShade(const Rgb16& color) {
-  return {static_cast<std::uint8_t>(color.r >> 8), static_cast<std::uint8_t>(color.g >> 8),
-          static_cast<std::uint8_t>(color.b >> 8)};
-}
-
 }  // namespace
 
 std::vector<FigureColor> colorsAtSamples(const VectorFigure& figure, FigureColor ground) {
@@ -94,12 +89,12 @@ std::vector<FigureColor> colorsAtSamples(const VectorFigure& figure, FigureColor
 
 FigureErrors errorsOf(const VectorFigure& figure, const Comparison& comparison, const Palette& palette) {
   const Picture& picture = comparison.picture();
-  const FigureColor ground = bytesOfShade(palette[picture.ground()]);
+  const FigureColor ground = figureColorOf(palette[picture.ground()]);
   const std::vector<FigureColor> colors = colorsAtSamples(figure, ground);
   std::vector<float> ofFigure(colors.size(), std::numeric_limits<float>::quiet_NaN());
   FigureErrors errors;
   for (std::size_t k = 0; k < colors.size(); ++k) {
-    const FigureColor shown = bytesOfShade(palette[picture.image().pixels[k]]);
+    const FigureColor shown = figureColorOf(palette[picture.image().pixels[k]]);
     if (!comparison.shows(k) && colors[k] == ground) continue;
     const int off = farthestChannel(colors[k], shown);
     errors.differ += off > figure.statistics.off;

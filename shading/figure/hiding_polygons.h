@@ -17,6 +17,7 @@ class HidingPolygons {
   /// True if later polygons cover all of a polygon, and all of the page that is nearer to it than `beyond`,
   /// in the steps of a figure; slivers thinner than the rounding do not count. The pixels at the border of
   /// what hides a polygon show some of it, so one that is hidden by less than a pixel is still needed.
+  /// True too if a polygon has no area on the page.
   [[nodiscard]] bool hides(int polygon, int beyond);
 
  private:

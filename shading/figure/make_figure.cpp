@@ -26,9 +26,7 @@ void color(std::vector<FigurePolygon>& polygons, const Picture& picture, const P
       const std::uint32_t id = static_cast<std::uint32_t>(picture.snapped().faces[p.face].number) + 1;
       for (int c = 0; c < 3; ++c) p.color[c] = static_cast<std::uint8_t>(id >> (16 - 8 * c));
     } else if (shadesOver(picture, picture.snapped().faces[p.face]) == ShadesOver::Face) {
-      const Rgb16& shade = palette[picture.cells()[p.face]];
-      p.color = {static_cast<std::uint8_t>(shade.r >> 8), static_cast<std::uint8_t>(shade.g >> 8),
-                 static_cast<std::uint8_t>(shade.b >> 8)};
+      p.color = figureColorOf(palette[picture.cells()[p.face]]);
     }
   }
 }

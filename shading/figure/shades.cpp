@@ -19,11 +19,6 @@ namespace {
 
 using Color = FigureColor;
 
-Color bytesOf(const Rgb16& color) {
-  return {static_cast<std::uint8_t>(color.r >> 8), static_cast<std::uint8_t>(color.g >> 8),
-          static_cast<std::uint8_t>(color.b >> 8)};
-}
-
 /// The cells of a ramp in groups of nearly one colour. A group is a band of each triangle, and its parts in
 /// all triangles meet, since its ends are the same everywhere.
 struct Group {
@@ -43,11 +38,11 @@ class Bands {
       ColorBox box;
       const auto add = [&](double start, std::uint8_t cell) {
         ColorBox wider = box;
-        wider.add(bytesOf(palette[cell]));
+        wider.add(figureColorOf(palette[cell]));
         if (groups.empty() || wider.radius() > tolerance) {
           groups.push_back({start, {}});
           wider = {};
-          wider.add(bytesOf(palette[cell]));
+          wider.add(figureColorOf(palette[cell]));
         }
         box = wider;
         groups.back().color = box.middle();
@@ -227,7 +222,8 @@ bool needsSamples(const Picture& picture) {
 ShownSamples shownSamples(const Picture& painted, const Palette& palette) {
   const int width = painted.settings().width, height = painted.settings().height;
   ShownSamples samples{width, height, painted.seen(0, height).faces, {}};
-  for (const std::uint8_t cell : painted.image().pixels) samples.colors.push_back(bytesOf(palette[cell]));
+  for (const std::uint8_t cell : painted.image().pixels)
+    samples.colors.push_back(figureColorOf(palette[cell]));
   return samples;
 }
 

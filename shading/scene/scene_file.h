@@ -20,9 +20,9 @@ namespace xnewell {
 ///               and "vrp", "up" and "vup", "fov" and "window". An option of the command line replaces the
 ///               same part here, whatever its name, and no other (completed() in scene.h)
 ///   "objects"   a list; each object has one of
-///                 "file"      an .obj, .ply, .off or .bpt file; a relative path starts at the scene file's
-///                 folder "polygons"  a list of polygons, each a list of corners [x, y, z]; with "uv", a list
-///                 of
+///                 "file"      an .obj, .ply, .off or .bpt file; a relative path starts at the folder of the
+///                             scene file
+///                 "polygons"  a list of polygons, each a list of corners [x, y, z]; with "uv", a list of
 ///                             the same form with [u, v] for each corner
 ///                 "solid"     "cube", "sphere" or "torus" about the origin (solids.h), with "around" and
 ///                             "down" or "across"

@@ -295,7 +295,7 @@ void ShownExhibit::find(FactNeeds needs) {
     case FactNeeds::Profile: {
       if (found_.profiled) return;
       const Scanline line = scanlineOf(picture, defaultScanline(picture), 0);
-      found_.profiled.emplace();
+      found_.profiled = FactSources::Profiled{};
       for (int k = 0; k < 3; ++k) {
         found_.profiled->bands[k] = static_cast<int>(line.profiles[k].bands.size());
         found_.profiled->jumps[k] = line.profiles[k].largestJump * (kMaxShades - 1);
@@ -317,7 +317,7 @@ void ShownExhibit::find(FactNeeds needs) {
       if (found_.filled || found_.face < 0) return;
       const std::unique_ptr<ScanlineRun> run = scanlineOfFace(picture, found_.face, found_.stepBits);
       if (!run) return;
-      FactSources::Filled& filled = found_.filled.emplace();
+      FactSources::Filled& filled = *(found_.filled = FactSources::Filled{});
       filled = {run->steps(), static_cast<int>(run->marks(ScanMark::Row).size()), run->differing(),
                 run->mostDrift()};
       return;
@@ -333,7 +333,7 @@ void ShownExhibit::find(FactNeeds needs) {
       return;
     case FactNeeds::Beside: {
       if (found_.difference) return;
-      FactSources::Difference& difference = found_.difference.emplace();
+      FactSources::Difference& difference = *(found_.difference = FactSources::Difference{});
       if (!found_.beside) return;
       const CellRange cells = sceneCells(picture);  // background against a face is no difference in shades
       for (std::size_t k = 0; k < found_.image.pixels.size(); ++k) {
