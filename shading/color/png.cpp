@@ -9,7 +9,9 @@
 #include <csetjmp>
 #include <cstdint>
 #include <cstdio>
+#include <cstdlib>
 #include <memory>
+#include <new>
 #include <span>
 #include <stdexcept>
 #include <string_view>
@@ -52,25 +54,34 @@ struct CloseFile {
 
 struct Output {
   std::string bytes;
-  std::string error;
+  std::array<char, 200> error{};
+  bool withoutMemory = false;  ///< libpng may go on without a chunk, or give another reason
 };
 
 // libpng is written in C, so no exception may pass through it. An error jumps back to encode(), which has no
 // object to destroy.
 void onError(png_structp png, png_const_charp what) {
-  static_cast<Output*>(png_get_error_ptr(png))->error = what;
+  std::array<char, 200>& error = static_cast<Output*>(png_get_error_ptr(png))->error;
+  std::snprintf(error.data(), error.size(), "%s", what);
   png_longjmp(png, 1);
 }
 void onWarning(png_structp, png_const_charp) {}
 
+png_voidp allocate(png_structp png, png_alloc_size_t size) {
+  void* const block = std::malloc(size);
+  if (block == nullptr) static_cast<Output*>(png_get_mem_ptr(png))->withoutMemory = true;
+  return block;
+}
+void release(png_structp, png_voidp block) { std::free(block); }
+
 void append(png_structp png, png_bytep data, png_size_t size) {
-  bool done = true;
+  auto* const output = static_cast<Output*>(png_get_io_ptr(png));
   try {
-    static_cast<Output*>(png_get_io_ptr(png))->bytes.append(reinterpret_cast<const char*>(data), size);
+    output->bytes.append(reinterpret_cast<const char*>(data), size);
   } catch (...) {
-    done = false;
+    output->withoutMemory = true;
   }
-  if (!done) png_error(png, "out of memory");
+  if (output->withoutMemory) png_error(png, "out of memory");
 }
 
 /// Returns false after an error; the error's text is then in the Output.
@@ -99,7 +110,8 @@ struct Writer {
   png_structp png;
   png_infop info;
   explicit Writer(Output& output)
-      : png{png_create_write_struct(PNG_LIBPNG_VER_STRING, &output, onError, onWarning)},
+      : png{png_create_write_struct_2(PNG_LIBPNG_VER_STRING, &output, onError, onWarning, &output, allocate,
+                                      release)},
         info{png ? png_create_info_struct(png) : nullptr} {
     if (png) png_set_write_fn(png, &output, append, nullptr);
   }
@@ -112,7 +124,9 @@ std::string encoded(const Pixels& pixels) {
   Output output;
   const Writer writer{output};
   if (!writer.info) throw std::bad_alloc{};
-  if (!encode(writer.png, writer.info, pixels)) throw std::runtime_error{"PNG: " + output.error};
+  const bool done = encode(writer.png, writer.info, pixels);
+  if (output.withoutMemory) throw std::bad_alloc{};
+  if (!done) throw std::runtime_error{std::string{"PNG: "} + output.error.data()};
   return std::move(output.bytes);
 }
 
@@ -132,7 +146,8 @@ struct Reader {
   png_structp png;
   png_infop info;
   explicit Reader(Output& output)
-      : png{png_create_read_struct(PNG_LIBPNG_VER_STRING, &output, onError, onWarning)},
+      : png{png_create_read_struct_2(PNG_LIBPNG_VER_STRING, &output, onError, onWarning, &output, allocate,
+                                     release)},
         info{png ? png_create_info_struct(png) : nullptr} {}
   Reader(const Reader&) = delete;
   Reader& operator=(const Reader&) = delete;
@@ -156,6 +171,12 @@ bool readRows(png_structp png, png_infop info, std::uint8_t** rows) {
   png_read_update_info(png, info);
   png_read_image(png, rows);
   return true;
+}
+
+/// Throws unless libpng has `done` all of its work.
+void checked(bool done, const Output& output, const std::string& file, std::FILE* input) {
+  if (output.withoutMemory) throw std::bad_alloc{};
+  if (!done) throw ParseError{file, 0, std::feof(input) ? "the PNG file ends early" : output.error.data()};
 }
 
 }  // namespace
@@ -185,35 +206,35 @@ void writePng(const std::string& file, const RgbImage& image) { writeFile(file, 
 
 RgbImage readPng(const std::string& file) {
   const auto input = openPng(file);
+  const auto fail = [&](const char* what) {
+    if (std::string_view{what}.find("memory") != std::string_view::npos) throw std::bad_alloc{};
+    throw ParseError{file, 0, std::feof(input.get()) ? "the PNG file ends early" : what};
+  };
   // libpng's simplified reader prints no errors; it leaves them in `message`.
   png_image png{};
   png.version = PNG_IMAGE_VERSION;
   const std::unique_ptr<png_image, decltype(&png_image_free)> freed{&png, &png_image_free};
-  if (!png_image_begin_read_from_stdio(&png, input.get()))
-    throw ParseError{file, 0, std::feof(input.get()) ? "the PNG file ends early" : png.message};
+  if (!png_image_begin_read_from_stdio(&png, input.get())) fail(png.message);
   if (png.width > kLargest || png.height > kLargest)
     throw ParseError{file, 0, "the picture is larger than 8192 pixels"};
   png.format = PNG_FORMAT_RGB;
   RgbImage image{static_cast<int>(png.width), static_cast<int>(png.height)};
   const png_color black{0, 0, 0};
-  if (!png_image_finish_read(&png, &black, image.rgb.data(), 0, nullptr))
-    throw ParseError{file, 0, std::feof(input.get()) ? "the PNG file ends early" : png.message};
+  if (!png_image_finish_read(&png, &black, image.rgb.data(), 0, nullptr)) fail(png.message);
   return image;
 }
 
 std::optional<IndexedPng> readIndexedPng(const std::string& file) {
   const auto input = openPng(file);
-  const auto fail = [&](const std::string& what) {
-    throw ParseError{file, 0, std::feof(input.get()) ? "the PNG file ends early" : what};
-  };
   Output output;
   const Reader reader{output};
   if (!reader.info) throw std::bad_alloc{};
-  if (!readHead(reader.png, reader.info, input.get())) fail(output.error);
+  checked(readHead(reader.png, reader.info, input.get()), output, file, input.get());
   if (png_get_color_type(reader.png, reader.info) != PNG_COLOR_TYPE_PALETTE) return std::nullopt;
   const png_uint_32 width = png_get_image_width(reader.png, reader.info),
                     height = png_get_image_height(reader.png, reader.info);
-  if (width > kLargest || height > kLargest) fail("the picture is larger than 8192 pixels");
+  if (width > kLargest || height > kLargest)
+    throw ParseError{file, 0, "the picture is larger than 8192 pixels"};
   IndexedPng read{.image = {static_cast<int>(width), static_cast<int>(height), 0}};
   png_colorp palette = nullptr;
   int colors = 0;
@@ -222,7 +243,7 @@ std::optional<IndexedPng> readIndexedPng(const std::string& file) {
     read.held[c] = {palette[c].red, palette[c].green, palette[c].blue};
   std::vector<std::uint8_t*> rows;
   for (int j = 0; j < read.image.height; ++j) rows.push_back(read.image.row(j));
-  if (!readRows(reader.png, reader.info, rows.data())) fail(output.error);
+  checked(readRows(reader.png, reader.info, rows.data()), output, file, input.get());
   return read;
 }
 
@@ -231,8 +252,7 @@ std::optional<std::string> noteInPng(const std::string& file) {
   Output output;
   const Reader reader{output};
   if (!reader.info) throw std::bad_alloc{};
-  if (!readHead(reader.png, reader.info, input.get()))
-    throw ParseError{file, 0, std::feof(input.get()) ? "the PNG file ends early" : output.error};
+  checked(readHead(reader.png, reader.info, input.get()), output, file, input.get());
   png_textp texts = nullptr;
   const int count = png_get_text(reader.png, reader.info, &texts, nullptr);
   for (const png_text& text : std::span{texts, static_cast<std::size_t>(count)})

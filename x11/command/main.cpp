@@ -6,6 +6,7 @@
 #include <cerrno>
 #include <csignal>
 #include <cstdio>
+#include <cstdlib>
 #include <exception>
 #include <filesystem>
 #include <iomanip>
@@ -14,7 +15,9 @@
 #include <nlohmann/json.hpp>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <system_error>
+#include <tuple>
 
 #include "geometry/files/parse_error.h"
 #include "shading/color/png.h"
@@ -237,8 +240,38 @@ int run(int argc, char** argv) {
 }
 
 int failed(Status status, const std::string& what) {
-  std::cerr << "xnewell: " << oneLine(what) << '\n';
+  const std::string line = "xnewell: " + oneLine(what) + '\n';  // before a part of it is on the terminal
+  std::cerr << line;
   return status;
+}
+
+/// What std::terminate() did before. It tells of an exception that nothing catches.
+std::terminate_handler terminateOtherwise = nullptr;
+
+/// Ends the program where no exception leaves: if memory is refused before main(), or to a destructor of
+/// nlohmann-json, which may need some. If there is none even for the exception, malloc() refuses a byte.
+[[noreturn]] void endWithoutMemory() noexcept {
+  bool refused = false;
+  if (const std::exception_ptr what = std::current_exception()) {
+    try {
+      std::rethrow_exception(what);
+    } catch (const std::bad_alloc&) {
+      refused = true;
+    } catch (...) {
+    }
+  } else {
+    void* const byte = std::malloc(1);
+    refused = byte == nullptr;
+    std::free(byte);
+  }
+  if (!refused) terminateOtherwise();
+  constexpr std::string_view line = "xnewell: out of memory\n";
+  std::ignore = ::write(STDERR_FILENO, line.data(), line.size());
+  _exit(kOutside);
+}
+/// Runs before the constructors of all static objects.
+[[gnu::constructor(101)]] void awaitEndOfMemory() {
+  terminateOtherwise = std::set_terminate(endWithoutMemory);
 }
 
 /// Opens /dev/null on each standard stream that was closed when we started. It stays unusable, and no file or

@@ -1,0 +1,228 @@
+#include <fcntl.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <array>
+#include <cerrno>
+#include <csignal>
+#include <cstdlib>
+#include <cstring>
+#include <string_view>
+
+#include "tests/support/seeds.h"
+#include "tests/x11/support/command_fixture.h"
+#include "tests/x11/support/x_server.h"
+#include "x11/options/option_rows.h"
+
+namespace xnewell::THIS_FILE {
+
+namespace {
+
+/// An option that writes a file or a folder of files, a command with it, and the shortest words for both. In
+/// the words, @ is the target and @NAME another file in the folder.
+struct WritingRow {
+  std::string_view option, command;
+  std::vector<std::string> words;
+  std::string target = "out.png";
+  bool server = false;
+};
+const std::array kWriting{
+    WritingRow{"--output", "draw", {"cycle", "--size", "40x30", "-o", "@"}},
+    WritingRow{"--ids", "draw", {"cycle", "--size", "40x30", "-o", "@other.png", "--ids", "@"}},
+    WritingRow{"--output", "snapshot", {"cycle", "--size", "40x30", "-o", "@"}, "out.png", true},
+    WritingRow{
+        "--ids", "snapshot", {"cycle", "--size", "40x30", "-o", "@other.png", "--ids", "@"}, "out.png", true},
+    WritingRow{"--output", "figure", {"cycle", "--size", "40x30", "-o", "@"}, "out.svg"},
+    WritingRow{"--ids", "figure", {"cycle", "--size", "40x30", "-o", "@other.pdf", "--ids", "@"}, "out.svg"},
+    WritingRow{"--frames", "trace", {"cycle", "--size", "40x30", "--frames", "@"}, "frames"},
+    WritingRow{
+        "--output", "trade", {"cycle", "--size", "8x6", "--budget", "1", "--axes", "order", "-o", "@"}},
+    WritingRow{"--output", "extremes", {"cycle", "--size", "8x6", "-o", "@"}},
+    WritingRow{"--output", "diagnose", {"bench", "@in/drawn.png", "-o", "@"}},
+    WritingRow{"--output", "judge", {"cycle", "@in/wrong.jsonl", "-o", "@"}, "out.json"},
+    WritingRow{"--output", "grade", {"bench", "@in", "-o", "@"}, "out.csv"},
+    WritingRow{"--page", "grade", {"bench", "@in", "-o", "@other.csv", "--page", "@"}, "out.html"},
+    WritingRow{"--gift", "questions", {"cycle", "--count", "5", "--gift", "@"}, "out.gift"},
+    WritingRow{"--frames", "lesson", {"cycles", "--frames", "@"}, "frames"},
+    WritingRow{"--worksheet", "lesson", {"cycles", "--worksheet", "@"}, "out.html"},
+};
+
+/// These options read a file, or write it while a window is open: kept_answers_test.cpp.
+constexpr std::array<std::string_view, 2> kOthers{"--texture", "--answers"};
+
+class WrittenFiles : public CommandTest {
+ protected:
+  WrittenFiles() {
+    std::filesystem::remove(file("old.png"));
+    std::filesystem::create_directory(file("in"));
+    EXPECT_EQ(runProgram({"draw", "bench", "--size", "40x30", "-o", file("in/drawn.png")}).status, 0);
+    write("in/wrong.jsonl", "{\"face\": 2}\n{\"face\": 1}\n{\"face\": 0}\n");
+  }
+
+  [[nodiscard]] Strings wordsOf(const WritingRow& row, const std::string& target) const {
+    Strings words{std::string{row.command}};
+    for (const std::string& word : row.words)
+      words.push_back(word == "@" ? target : word.starts_with('@') ? file(word.substr(1)) : word);
+    return words;
+  }
+  /// Runs a row. If `hindrance` is not empty, its writes meet that (hindered_writes.cpp).
+  [[nodiscard]] Finished runRow(const WritingRow& row, const std::string& target,
+                                const std::string& hindrance = "") {
+    if (row.server && !server_) server_.emplace(XServer::xvfb(24));
+    ::setenv("XNEWELL_HINDER", hindrance.c_str(), 1);
+    RunningProgram program{hindrance.empty() ? XNEWELL_PROGRAM : XNEWELL_HINDERED_PROGRAM,
+                           wordsOf(row, target), row.server ? server_->name() : ""};
+    ::unsetenv("XNEWELL_HINDER");
+    return program.wait();
+  }
+  /// What the folder has beside the inputs, with the names of files in folders. An empty folder counts as
+  /// none.
+  [[nodiscard]] std::map<std::string, std::string> outputs() const {
+    std::map<std::string, std::string> all;
+    const std::filesystem::path top = file(".");
+    for (const auto& entry : std::filesystem::recursive_directory_iterator{top})
+      if (const std::string name = entry.path().lexically_relative(top).string();
+          entry.is_regular_file() && !name.starts_with("in/"))
+        all[name] = contents(entry.path().string());
+    return all;
+  }
+  void removeOutputs() const {
+    for (const auto& entry : std::filesystem::directory_iterator{file(".")})
+      if (entry.path().filename() != "in") std::filesystem::remove_all(entry.path());
+  }
+  /// Checks the one line of a failed run, and that it left the folder as it was.
+  void failed(const WritingRow& row, const std::string& target, const std::string& hindrance,
+              const std::string& reason) {
+    const auto before = outputs();
+    const Finished end = runRow(row, target, hindrance);
+    EXPECT_EQ(end.status, 1);
+    EXPECT_TRUE(end.err.starts_with("xnewell: " + file(""))) << end.err;
+    EXPECT_TRUE(end.err.ends_with(": " + reason + "\n")) << end.err;
+    EXPECT_EQ(std::ranges::count(end.err, '\n'), 1) << end.err;
+    EXPECT_TRUE(outputs() == before) << outputs().size() << " files";
+    removeOutputs();
+  }
+
+ private:
+  std::optional<XServer> server_;
+};
+
+bool isFolder(const WritingRow& row) { return row.option == "--frames"; }
+
+}  // namespace
+
+// The table has every option that takes the name of a file or folder, with each command where it works.
+TEST_F(WrittenFiles, AreAllInTheTable) {
+  int found = 0;
+  for (const OptionRow& option : optionRows()) {
+    if (option.takes != Takes::File && option.takes != Takes::Folder) continue;
+    if (std::ranges::count(kOthers, option.name) > 0) continue;
+    EXPECT_FALSE(option.places.empty()) << option.name;
+    for (const std::string_view place : option.places) {
+      const std::string_view command = place.substr(0, place.find(' '));
+      EXPECT_EQ(
+          std::ranges::count_if(
+              kWriting, [&](const WritingRow& r) { return r.option == option.name && r.command == command; }),
+          1)
+          << option.name << ' ' << command;
+      ++found;
+    }
+  }
+  EXPECT_EQ(found, kWriting.size());
+}
+
+// A disk that is full, early or late, a device that is full, a folder in the place of a file, or a file in
+// the place of a folder: status 1 and one line. The old file stays, a new one is not there, and neither is
+// any other.
+TEST_F(WrittenFiles, AreWholeOrAsTheyWere) {
+  for (const WritingRow& row : kWriting) {
+    SCOPED_TRACE(std::string{row.command} + ' ' + std::string{row.option});
+    const std::string target = file(row.target), full = std::strerror(ENOSPC);
+    const Finished well = runRow(row, target);
+    EXPECT_EQ(well.err, "");
+    EXPECT_TRUE(std::filesystem::exists(target));
+    const auto made = outputs();
+    removeOutputs();
+    for (const std::string& hindrance : someOf({std::string{"full"}, std::string{"late"}}, 1)) {
+      failed(row, target, hindrance, full);
+      if (isFolder(row)) continue;
+      write(row.target, "before");
+      failed(row, target, hindrance, full);
+    }
+    if (isFolder(row)) {
+      write(row.target, "before");
+      failed(row, target, "", std::strerror(ENOTDIR));
+      continue;
+    }
+    std::filesystem::create_symlink("/dev/full", target);
+    failed(row, target, "", full);
+    std::filesystem::create_directory(target);
+    failed(row, target, "", std::strerror(EISDIR));
+    failed(row, file("none/" + row.target), "", std::strerror(ENOENT));
+  }
+}
+
+// An interrupt while a file is half written, and again before it takes its name: the program ends as soon as
+// the file is whole, with 128 and the signal's number, or as if there had been none. No temporary file stays.
+TEST_F(WrittenFiles, SurviveInterrupts) {
+  int interrupted = 0;
+  for (const WritingRow& row : kWriting)
+    for (const int signal : someOf({SIGINT, SIGTERM}, 1)) {
+      SCOPED_TRACE(std::string{row.command} + ' ' + std::string{row.option} + ", signal " +
+                   std::to_string(signal));
+      const std::string target = file(row.target);
+      const Finished well = runRow(row, target);
+      const auto made = outputs();
+      removeOutputs();
+      if (!isFolder(row)) write(row.target, "before");
+      const Finished end = runRow(row, target, std::to_string(signal));
+      EXPECT_TRUE(end.status == 128 + signal || end.status == well.status) << end.status;
+      interrupted += end.status == 128 + signal;
+      EXPECT_EQ(end.err, "");
+      EXPECT_TRUE(std::filesystem::exists(target));
+      const auto now = outputs();
+      EXPECT_TRUE(isFolder(row) ? !now.empty() : now.size() == made.size());
+      for (const auto& [name, bytes] : now) {
+        EXPECT_TRUE(made.contains(name)) << name;
+        // A chart of measured times differs from run to run.
+        if (row.command == "trade")
+          EXPECT_GT(readPng(file(name)).width, 0);
+        else
+          EXPECT_TRUE(bytes == made.at(name)) << name;
+      }
+      removeOutputs();
+    }
+  EXPECT_GT(interrupted, kSanitized ? 8 : 20);
+}
+
+// Where the user may not write, nothing changes.
+TEST_F(WrittenFiles, RespectPermissions) {
+  // Root may write everywhere, so the test becomes another user.
+  const uid_t user = ::geteuid(), nobody = 65534;
+  const auto become = [&](uid_t id) { EXPECT_EQ(user == 0 ? ::seteuid(id) : 0, 0); };
+  std::filesystem::permissions(file("."), std::filesystem::perms{0755});
+  become(nobody);
+  const bool mayRun = runProgram({"--version"}).status == 0;
+  become(user);
+  if (!mayRun) GTEST_SKIP() << "another user may not run the program here";
+  for (const WritingRow& row : kWriting) {
+    if (row.server) continue;  // no other user may connect to root's server
+    SCOPED_TRACE(std::string{row.command} + ' ' + std::string{row.option});
+    if (!isFolder(row)) write(row.target, "before");
+    std::filesystem::permissions(file("."), std::filesystem::perms{0555});
+    const auto before = outputs();
+    become(nobody);
+    const Finished end = runRow(row, file(row.target));
+    become(user);
+    std::filesystem::permissions(file("."), std::filesystem::perms{0755});
+    EXPECT_EQ(end.status, 1);
+    EXPECT_TRUE(end.err.starts_with("xnewell: " + file(""))) << end.err;
+    EXPECT_TRUE(end.err.ends_with(": " + std::string{std::strerror(EACCES)} + "\n")) << end.err;
+    EXPECT_EQ(std::ranges::count(end.err, '\n'), 1) << end.err;
+    EXPECT_TRUE(outputs() == before);
+    removeOutputs();
+  }
+}
+
+}  // namespace xnewell::THIS_FILE
