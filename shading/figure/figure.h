@@ -31,7 +31,7 @@ using FigureColor = std::array<std::uint8_t, 3>;  ///< red, green, blue
           static_cast<std::uint8_t>(color.b >> 8)};
 }
 
-/// A triangle whose colour is linear between those of its corners.
+/// A triangle whose colour is linear between those of its corners. The corners are on no common line.
 struct FigureTriangle {
   std::array<glm::ivec2, 3> corners;
   std::array<FigureColor, 3> colors;

@@ -95,6 +95,8 @@ class Bands {
       for (const FigurePolygon& p : rounded)
         for (std::size_t k = 2; k < p.corners.size(); ++k) {
           const std::array<glm::ivec2, 3> corners{p.corners[0], p.corners[k - 1], p.corners[k]};
+          const glm::dvec2 first = corners[0];
+          if (cross(glm::dvec2{corners[1]} - first, glm::dvec2{corners[2]} - first) == 0) continue;
           std::array<double, 3> values;
           std::array<Color, 3> colors;
           for (int c = 0; c < 3; ++c) {

@@ -29,14 +29,16 @@ VectorFigure smoothFigure(const Picture& picture, const Palette& palette) {
                     {.tolerance = 0, .samples = {}, .smooth = true});
 }
 
+std::int64_t doubleAreaOf(glm::i64vec2 a, glm::i64vec2 b, glm::i64vec2 c) {
+  return (b.x - a.x) * (c.y - a.y) - (b.y - a.y) * (c.x - a.x);
+}
+
 /// The colour of a triangle at a place, by the areas of the three triangles that the place makes with its
 /// sides; nothing outside.
 std::optional<std::array<double, 3>> colorOf(const FigureTriangle& t, std::int64_t x, std::int64_t y) {
-  const auto area = [](glm::i64vec2 a, glm::i64vec2 b, glm::i64vec2 c) {
-    return (b.x - a.x) * (c.y - a.y) - (b.y - a.y) * (c.x - a.x);
-  };
   const glm::i64vec2 at{x, y}, a = t.corners[0], b = t.corners[1], c = t.corners[2];
-  const std::int64_t whole = area(a, b, c), of[] = {area(at, b, c), area(a, at, c), area(a, b, at)};
+  const std::int64_t whole = doubleAreaOf(a, b, c),
+                     of[] = {doubleAreaOf(at, b, c), doubleAreaOf(a, at, c), doubleAreaOf(a, b, at)};
   std::array<double, 3> color{};
   for (int k = 0; k < 3; ++k) {
     if ((of[k] < 0) != (whole < 0) && of[k] != 0) return {};
@@ -57,6 +59,9 @@ TEST(SmoothFigure, HasTheShadeOfEachSample) {
     const VectorFigure figure = smoothFigure(picture, palette);
     const std::vector<FigureColor> sampled = colorsAtSamples(figure, {});
     EXPECT_LE(figure.statistics.off, 2);
+    for (const FigurePath& path : figure.paths)
+      for (const FigureTriangle& t : path.triangles)
+        ASSERT_NE(doubleAreaOf(t.corners[0], t.corners[1], t.corners[2]), 0);
     int compared = 0;
     for (int j = 1; j + 1 < kHeight; ++j)
       for (int i = 1; i + 1 < kWidth; ++i) {
