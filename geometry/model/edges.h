@@ -14,7 +14,7 @@ struct EdgeCounts {
                              ///< side, one of them is counter-clockwise and the other clockwise
   std::int64_t crowded = 0;  ///< edges of three faces or more
 };
-/// Growth: n log n for n corners.
+/// Growth: n for n corners and points, n log n if most edges meet in one point.
 [[nodiscard]] EdgeCounts countEdges(const Mesh& mesh);
 
 }  // namespace xnewell

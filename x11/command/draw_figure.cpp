@@ -79,7 +79,7 @@ void drawFigure(const Options& options, const Scene& scene) {
     std::cerr
         << "xnewell: --smooth changed nothing: no face has Gouraud shading of one hue over its triangles\n";
   if (stages.samples || s.off > 0)
-    std::cerr << options.output << ": colours are at most " << s.off << " of 255 off"
+    std::cerr << "xnewell: note: " << options.output << ": colours are at most " << s.off << " of 255 off"
               << (stages.samples ? ", from the picture's pixels" : "") << "; " << s.loops << " areas, "
               << bytes.size() / 1000 << " kB\n";
   if (!options.stats) return;

@@ -17,7 +17,11 @@ Scene read(const Options& options) {
   std::optional<Doing> reading{"reading " + options.scene};
   Scene scene = readScene(options.scene, options.divisions);
   reading.reset();
-  for (const std::string& note : scene.mesh.notes) std::cerr << "xnewell: note: " << oneLine(note) << '\n';
+  for (const std::string& note : scene.mesh.notes) {
+    const std::string line =
+        oneLine(note);  // it may need memory, so it comes before a part is on the terminal
+    std::cerr << "xnewell: note: " << line << '\n';
+  }
   return scene;
 }
 

@@ -154,8 +154,8 @@ nlohmann::ordered_json keepWithin(const AccuracyLimit& limit, Options& options, 
     return {{"limit", limitAsJson(limit)}, {"within", nullptr}, {"chosen", nullptr}, {"why", {why}}};
   }
   const Configuration& chosen = trade.combinations[choice.combination].configuration;
-  std::cerr << "xnewell: chosen: " << chosen.name()
-            << (chosen.changes.empty() ? "" : " (" + chosen.options() + ")") << '\n';
+  const std::string line = chosen.name() + (chosen.changes.empty() ? "" : " (" + chosen.options() + ")");
+  std::cerr << "xnewell: chosen: " << line << '\n';
   for (const std::string& why : choice.why) std::cerr << "xnewell: " << why << '\n';
   options.picture = chosen.settings;
   scene = dividedAnew(scene, chosen.divisions);

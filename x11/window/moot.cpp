@@ -85,7 +85,9 @@ void noteMoot(std::ostream& out, const Options& options, const Picture& picture)
   const PictureFacts facts = factsOf(picture);
   for (const std::string& given : options.given) {
     const Setting* const setting = settingOf(given == "--half-vector" ? "--form" : std::string_view{given});
-    if (setting && !hasEffect(*setting, facts)) out << "xnewell: note: " << noEffect(given, *setting) << '\n';
+    if (!setting || hasEffect(*setting, facts)) continue;
+    const std::string line = noEffect(given, *setting);
+    out << "xnewell: note: " << line << '\n';
   }
   for (const Loss& loss : kLosses)
     if (loss.lost(picture.settings(), picture.scene())) out << "xnewell: note: " << loss.what << '\n';

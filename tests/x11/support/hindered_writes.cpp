@@ -34,7 +34,7 @@ void interrupt() {
 
 extern "C" ssize_t write(int descriptor, const void* bytes, std::size_t size) {
   const auto put = [&](std::size_t n) -> ssize_t { return ::syscall(SYS_write, descriptor, bytes, n); };
-  if (!isFile(descriptor)) return put(size);
+  if (*hindrance() == '\0' || !isFile(descriptor)) return put(size);
   if (*hindrance() == 'f') {
     if (::lseek(descriptor, 0, SEEK_CUR) < static_cast<off_t>(kRoom)) return put(size < kRoom ? size : kRoom);
     errno = ENOSPC;
