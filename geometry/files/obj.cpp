@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <charconv>
+#include <cmath>
 #include <iterator>
 #include <map>
 #include <set>
@@ -83,8 +84,15 @@ class ObjReader {
         note(0, "no library has the material " + inQuotes(name) + ": it is white");
       mesh_.materials.push_back({.name = name});
       if (known == known_.end()) continue;
-      mesh_.materials.back().diffuse = known->second.material.Kd;
-      if (!known->second.material.map.empty()) mesh_.materials.back().texture = textureOf(known->second);
+      const MtlMaterial& says = known->second.material;
+      MeshMaterial& material = mesh_.materials.back();
+      material.diffuse = says.Kd;
+      material.specular = says.Ks.value_or(material.specular);
+      material.n = says.Ns;
+      if (says.map.empty()) continue;
+      material.texture = textureOf(known->second);
+      if (says.scale != glm::dvec2{1.0} || says.offset != glm::dvec2{0.0})
+        moveTexture(static_cast<int>(mesh_.materials.size()) - 1, known->second);
     }
     mesh_.rounding.assign(mesh_.groupNames.size(), rounding_.rounding());
     for (const std::string& what : {leftOut_.sentence(), rounding_.doubtful()})
@@ -243,6 +251,26 @@ class ObjReader {
     const auto index = static_cast<int>(same - all.begin());
     if (same == all.end()) all.push_back({file, known.library.string(), known.material.line});
     return index;
+  }
+
+  /// Applies -s and -o of map_Kd to the texture coordinates of a material's faces. Each gets its own: another
+  /// material may share the old ones.
+  void moveTexture(int material, const Known& by) {
+    if (mesh_.uvOfCorner.empty()) return;
+    std::map<int, int> moved;
+    for (int f = 0; f < mesh_.faceCount(); ++f) {
+      if (mesh_.material[f] != material) continue;
+      for (int c = mesh_.firstCorner[f]; c < mesh_.firstCorner[f + 1]; ++c) {
+        int& uv = mesh_.uvOfCorner[c];
+        if (uv < 0) continue;
+        const auto [entry, isNew] = moved.try_emplace(uv, static_cast<int>(mesh_.uv.size()));
+        if (isNew) mesh_.uv.push_back(by.material.scale * mesh_.uv[uv] + by.material.offset);
+        if (!std::isfinite(mesh_.uv[entry->second].x) || !std::isfinite(mesh_.uv[entry->second].y))
+          throw ParseError{by.library.string(), by.material.line,
+                           "map_Kd moves the texture out of all numbers"};
+        uv = entry->second;
+      }
+    }
   }
 
   void note(int line, const std::string& what) {

@@ -19,8 +19,39 @@ TEST(Mtl, GivesColorsByName) {
       {"plain", {{1, 1, 1}, "", 0}},         {"loud", {{1, 0, 0}, "", 0}},
       {"odd", {{1, 1, 1}, "", 0}},           {"twice", {{0, 0, 1}, "my own.png", 19}}};
   EXPECT_EQ(library.materials, expected);
-  EXPECT_EQ(library.notes, std::vector<std::string>{"a.mtl: the program does not use Ka, illum"});
+  EXPECT_EQ(library.notes, std::vector<std::string>{"a.mtl: the program does not use Ka"});
   EXPECT_TRUE(parseMtl("", "a.mtl").materials.empty());
+}
+
+// Ks and Ns have a place in the equation, and so has a model without a highlight. What leaves the picture as
+// it is, is not named.
+TEST(Mtl, GivesTheHighlight) {
+  const auto read = [](const std::string& lines) { return parseMtl("newmtl m\n" + lines, "a.mtl"); };
+  const auto materialOf = [&](const std::string& lines) { return read(lines).materials.at("m"); };
+  EXPECT_EQ(materialOf("Kd 1 1 1\n").Ks, std::nullopt);
+  EXPECT_EQ(materialOf("Kd 1 1 1\n").Ns, std::nullopt);
+  EXPECT_EQ(materialOf("Ks 0.5 2 0\nNs 96.078\nillum 2").Ks, glm::dvec3(0.5, 1, 0));
+  EXPECT_EQ(materialOf("Ns 96.078").Ns, 96);
+  EXPECT_EQ(materialOf("Ns 1e9").Ns, 1'000'000);
+  EXPECT_EQ(materialOf("Ns -1").Ns, 0);
+  for (const std::string model : {"0", "1"})
+    EXPECT_EQ(materialOf("illum " + model + "\nKs 1 1 1").Ks, glm::dvec3(0)) << model;
+  EXPECT_EQ(materialOf("illum 1\nKs 1 1 1\nillum 2").Ks, glm::dvec3(1));
+  EXPECT_EQ(materialOf("illum 1\nnewmtl m\nKs 1 1 1").Ks, glm::dvec3(1));
+  EXPECT_EQ(read("d 1\nTr 0.0\nKe 0 0 0\nillum 2").notes, std::vector<std::string>{});
+  EXPECT_EQ(read("d 0.5\nTr 1\nKe 0 1 0\nillum 4\nNi 1").notes,
+            std::vector<std::string>{"a.mtl: the program does not use d, Tr, Ke, illum, Ni"});
+}
+
+// -s and -o of map_Kd have one to three numbers; the third is for textures in space.
+TEST(Mtl, GivesTheScaleOfAMap) {
+  const auto materialOf = [](const std::string& map) {
+    return parseMtl("newmtl m\nmap_Kd " + map, "a.mtl").materials.at("m");
+  };
+  EXPECT_EQ(materialOf("-s 2 3 4 -o 0.5 a.png").scale, glm::dvec2(2, 3));
+  EXPECT_EQ(materialOf("-s 2 3 4 -o 0.5 a.png").offset, glm::dvec2(0.5, 0));
+  EXPECT_EQ(materialOf("-s -1 a.png").scale, glm::dvec2(-1, 1));
+  EXPECT_EQ(materialOf("-s 2 a.png\nmap_Kd a.png").scale, glm::dvec2(1, 1));
 }
 
 // The file follows the options, which the manual gives one, two, or up to three words. One note tells of the
@@ -32,11 +63,11 @@ TEST(Mtl, ReadsTheOptionsOfAMap) {
   for (const Case& c : std::vector<Case>{
            {"a.png", "a.png", ""},
            {"-blendu on -blendv off -bm 1 -boost 2 -texres 512 -cc off -clamp off a.png", "a.png", ""},
-           {"-s 2 a.png", "a.png", "-s"},
-           {"-s 2 2 a.png", "a.png", "-s"},
-           {"-s 2 2 1 a b.png", "a b.png", "-s"},
-           {"-s 2 2 1 7", "7", "-s"},
-           {"-blendu on -o 0.5 .5 -t 1 -s 3 a.png", "a.png", "-o"},
+           {"-s 2 a.png", "a.png", ""},
+           {"-s 2 2 a.png", "a.png", ""},
+           {"-s 2 2 1 a b.png", "a b.png", ""},
+           {"-s 2 2 1 7", "7", ""},
+           {"-blendu on -o 0.5 .5 -t 1 -s 3 a.png", "a.png", "-t"},
            {"-mm 0.1 0.9 a.png", "a.png", "-mm"},
            {"-clamp on a.png", "a.png", "-clamp"},
            {"-cc on a.png", "a.png", "-cc"},
@@ -64,6 +95,10 @@ TEST(Mtl, RefusesColorsThatAreNoNumbers) {
   EXPECT_EQ(complaintOf("newmtl a\nKd 1 x 0\n"), "a.mtl:2: malformed number 'x'");
   EXPECT_EQ(complaintOf("newmtl a\nKd nan 0 0\n"), "a.mtl:2: number 'nan' is not finite");
   EXPECT_EQ(complaintOf("newmtl a\nKd\n"), "a.mtl:2: Kd needs a colour");
+  EXPECT_EQ(complaintOf("newmtl a\nKs\n"), "a.mtl:2: Ks needs a colour");
+  EXPECT_EQ(complaintOf("newmtl a\nNs\n"), "a.mtl:2: Ns needs a number");
+  EXPECT_EQ(complaintOf("newmtl a\nNs high\n"), "a.mtl:2: malformed number 'high'");
+  EXPECT_EQ(complaintOf("newmtl a\nmap_Kd -s a.png\n"), "a.mtl:2: malformed number 'a.png'");
 }
 
 }  // namespace xnewell::THIS_FILE

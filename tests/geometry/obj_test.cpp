@@ -357,4 +357,33 @@ TEST(Obj, SurvivesMutation) {
   EXPECT_LT(readable, 4'500);
 }
 
+// A material of a library brings the colour of its highlight and its exponent. -s and -o of its map move the
+// texture on its own faces alone, though another material shares their texture coordinates.
+TEST(Obj, TakesHighlightsAndScalesOfMaps) {
+  const TemporaryFolder folder;
+  folder.write("a.mtl",
+               "newmtl dull\nKs 0 0 0\nmap_Kd t.png\n"
+               "newmtl shiny\nKs 1 0.5 0\nNs 30.4\nmap_Kd -s 2 4 -o 0.25 t.png\n");
+  const Mesh mesh = readObj(folder.write(
+      "a.obj", afterThreeVertices("usemtl dull\nvt 0 0\nvt 1 0\nvt 1 1\nf 1/1 2/2 3/3\nusemtl shiny\n"
+                                  "f 1/1 2/2 3/3\nf 3 2/2 1/3\nusemtl none\nf 1/1 2/2 3/3\nmtllib a.mtl\n")));
+  ASSERT_EQ(mesh.materials.size(), 3u);
+  EXPECT_EQ(mesh.materials[0].specular, glm::dvec3(0));
+  EXPECT_EQ(mesh.materials[0].n, std::nullopt);
+  EXPECT_EQ(mesh.materials[1].specular, glm::dvec3(1, 0.5, 0));
+  EXPECT_EQ(mesh.materials[1].n, 30);
+  EXPECT_EQ(mesh.materials[2].specular, glm::dvec3(1));
+  std::vector<glm::dvec2> uv;
+  for (const int c : mesh.uvOfCorner) uv.push_back(c < 0 ? glm::dvec2(-1) : mesh.uv[c]);
+  const glm::dvec2 none{-1};
+  EXPECT_THAT(uv, ElementsAre(glm::dvec2{0, 0}, glm::dvec2{1, 0}, glm::dvec2{1, 1}, glm::dvec2{0.25, 0},
+                              glm::dvec2{2.25, 0}, glm::dvec2{2.25, 4}, none, glm::dvec2{2.25, 0},
+                              glm::dvec2{2.25, 4}, glm::dvec2{0, 0}, glm::dvec2{1, 0}, glm::dvec2{1, 1}));
+  folder.write("a.mtl", "newmtl m\nmap_Kd -s 1e300 t.png\n");
+  const std::filesystem::path far =
+      folder.write("far.obj", afterThreeVertices("mtllib a.mtl\nusemtl m\nvt 1e300\nf 1/1 2/1 3/1\n"));
+  EXPECT_EQ(complaint([&] { return readObj(far); }),
+            folder.file("a.mtl") + ":2: map_Kd moves the texture out of all numbers");
+}
+
 }  // namespace xnewell::THIS_FILE

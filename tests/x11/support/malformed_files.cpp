@@ -55,7 +55,11 @@ std::vector<Malformed> malformedFiles() {
       {"a.mtl", mtlOf("Kd 1 x 0\n"), ":2: malformed number 'x'"},
       {"a.mtl", mtlOf("Kd\n"), ":2: Kd needs a colour"},
       {"a.mtl", mtlOf("Kd nan 0 0\n"), ":2: number 'nan' is not finite"},
+      {"a.mtl", mtlOf("Ks\n"), ":2: Ks needs a colour"},
+      {"a.mtl", mtlOf("Ns\n"), ":2: Ns needs a number"},
+      {"a.mtl", mtlOf("Ns -nan\n"), ":2: number '-nan' is not finite"},
       {"a.mtl", mtlOf("map_Kd\n"), ":2: map_Kd needs a file"},
+      {"a.mtl", mtlOf("map_Kd -o x a.png\n"), ":2: malformed number 'x'"},
       {"a.mtl", mtlOf("map_Kd -mm 1\n"), ":2: map_Kd: nothing follows -mm"},
 
       {"a.ply", "", ":1: the file does not begin with ply"},
