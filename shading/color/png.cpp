@@ -132,6 +132,7 @@ std::string encoded(const Pixels& pixels) {
 
 std::unique_ptr<std::FILE, CloseFile> openPng(const std::string& file) {
   std::unique_ptr<std::FILE, CloseFile> input{std::fopen(file.c_str(), "rb")};
+  if (!input && errno == ENOMEM) throw std::bad_alloc{};  // else a scene would be drawn without its texture
   if (!input) throw std::system_error{errno, std::generic_category(), file};
   std::array<std::uint8_t, 8> signature{};
   const std::size_t there = std::fread(signature.data(), 1, signature.size(), input.get());
