@@ -58,7 +58,7 @@ class AreaSort {
   AreaSort(const SnappedScene& scene, const SortSettings& settings, PairTests& tests, SortedScene& sorted)
       : scene_{scene}, settings_{settings}, tests_{tests}, sorted_{sorted}, regions_{scene} {}
 
-  void sort(PolygonList list, const PixelArea& area);
+  void sort(const PolygonList& list, const PixelArea& area);
 
  private:
   /// What covers an area.
@@ -98,7 +98,7 @@ class AreaSort {
   bool divided_ = false;  ///< the picture is
 };
 
-void AreaSort::sort(PolygonList list, const PixelArea& area) {
+void AreaSort::sort(const PolygonList& list, const PixelArea& area) {
   if (list.polygons.empty()) return;
   const int width = area.right - area.left, height = area.bottom - area.top;
   const bool isPixel = width == 1 && height == 1;
@@ -226,9 +226,9 @@ void AreaSort::paintNearest(const PolygonList& list, const PixelArea& pixel) {
 
 }  // namespace
 
-void sortByAreas(PolygonList list, const SnappedScene& scene, const SortSettings& settings,
+void sortByAreas(const PolygonList& list, const SnappedScene& scene, const SortSettings& settings,
                  const PixelArea& area, PairTests& tests, SortedScene& sorted) {
-  AreaSort{scene, settings, tests, sorted}.sort(std::move(list), area);
+  AreaSort{scene, settings, tests, sorted}.sort(list, area);
 }
 
 }  // namespace xnewell

@@ -19,7 +19,7 @@ namespace xnewell {
 /// some of those that hide others are themselves hidden. A polygon is not cut by one that it may only touch.
 ///
 /// Appends what is painted to `sorted`. The samples of the list lie in `area`.
-void sortByAreas(PolygonList list, const SnappedScene& scene, const SortSettings& settings,
+void sortByAreas(const PolygonList& list, const SnappedScene& scene, const SortSettings& settings,
                  const PixelArea& area, PairTests& tests, SortedScene& sorted);
 
 }  // namespace xnewell

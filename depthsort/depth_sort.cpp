@@ -52,13 +52,13 @@ TooManyPieces tooManyPieces(std::string_view who, int most) {
 SortedScene depthSort(const SnappedScene& scene, const SortSettings& settings) {
   SortedScene sorted;
   PairTests tests{scene, settings};
-  PolygonList list = facesOf(scene, settings, tests);
+  const PolygonList list = facesOf(scene, settings, tests);
   const PixelArea picture{0, 0, settings.width, settings.height};
   if (settings.areas && !settings.textbook && !settings.record) {
-    sortByAreas(std::move(list), scene, settings, picture, tests, sorted);
+    sortByAreas(list, scene, settings, picture, tests, sorted);
   } else {
     const RunLimits limits{picture, std::numeric_limits<std::int64_t>::max(), 0};
-    if (!runNewell(std::move(list), scene, settings, limits, tests, sorted))
+    if (!runNewell(list, scene, settings, limits, tests, sorted))
       throw std::logic_error{"a run without a limit gave up"};
   }
   sorted.statistics.bytes = bytesOf(sorted);

@@ -138,6 +138,7 @@ struct SortStatistics {
   /// or in y.
   std::array<std::int64_t, 2> boxesApart{};
   std::int64_t moves = 0, cycles = 0, impossible = 0, vain = 0, splits = 0, voids = 0, contacts = 0;
+  std::int64_t free = 0;  ///< polygons that were painted without a test (free_polygons.h)
   int deepest = 0;  ///< most polygons marked at once; in a BSP tree, most nodes on the way from the root
   std::int64_t areas = 0;       ///< into which the picture was divided; 0 if it was not (areas.h)
   std::int64_t hidden = 0;      ///< polygons that were left out of an area, or cut, because they are hidden
@@ -166,6 +167,8 @@ struct SortSettings {
   /// True if the polygons are painted with their vertices rounded to pixels (fill_polygons.h). Then faces
   /// without a sample may show.
   bool inPixels = false;
+  /// For the quick run: true if only the samples of a picture must be right. False for figures.
+  bool samples = true;
   bool grid = true;  ///< for the quick run; if false, the Q's come from one list
   /// True if the quick run may divide the picture (areas.h). A run that records does not.
   bool areas = true;

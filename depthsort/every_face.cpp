@@ -12,6 +12,7 @@ namespace xnewell {
 SortedScene sortEveryFace(const SnappedScene& scene, int width, int height, int mostPieces) {
   SortSettings settings{.width = width, .height = height};
   settings.mostPieces = mostPieces;
+  settings.samples = false;
   PairTests tests{scene, settings};
   const ScreenBox page{0, 0, width * kGrid, height * kGrid};
   PolygonList list;
@@ -28,7 +29,7 @@ SortedScene sortEveryFace(const SnappedScene& scene, int width, int height, int 
   }
   SortedScene sorted;
   const RunLimits limits{{0, 0, width, height}, std::numeric_limits<std::int64_t>::max(), 0};
-  if (!runNewell(std::move(list), scene, settings, limits, tests, sorted))
+  if (!runNewell(list, scene, settings, limits, tests, sorted))
     throw std::logic_error{"a run without a limit gave up"};
   sorted.statistics.bytes = bytesOf(sorted);
   return sorted;

@@ -6,6 +6,7 @@
 #include <string>
 #include <utility>
 
+#include "depthsort/free_polygons.h"
 #include "depthsort/list_order.h"
 #include "depthsort/pieces.h"
 #include "geometry/exact/give_up.h"
@@ -45,19 +46,21 @@ class NewellRun {
         sorted_{sorted},
         firstPiece_{static_cast<int>(sorted.pieces.size())} {}
 
-  bool sort(PolygonList list) {
-    enter(std::move(list));
+  bool sort(const PolygonList& list) {
+    enter(list);
     GiveUpNowAndThen giveUp;
-    for (int root = 0; root < given_; ++root)
-      for (int P; (P = nextOpen(root)) != kNone;) {
+    for (int turn = 0; turn < given_; ++turn) {
+      if (paintFree(turn)) continue;
+      for (int P; (P = nextOpen(turns_[turn])) != kNone;) {
         note(Event::Kind::Take, P);
         mark(P);
         while (!stack_.empty()) {
           giveUp();
           step();
-          if (splits_ > limits_.splits + root * limits_.perPainted) return false;
+          if (splits_ > limits_.splits + turn * limits_.perPainted) return false;
         }
       }
+    }
     return true;
   }
 
@@ -66,7 +69,7 @@ class NewellRun {
 
   // The list.
 
-  void enter(PolygonList list);
+  void enter(const PolygonList& list);
 
   /// The polygon or piece after Q in the order of the list. It skips the pieces of Q.
   [[nodiscard]] int after(int Q) const {
@@ -98,6 +101,20 @@ class NewellRun {
 
   // The algorithm.
 
+  /// Paints the polygon whose turn it is if it is free and waits. Returns false if not.
+  bool paintFree(int turn) {
+    if (free_.empty()) return false;
+    constexpr int kAhead = 16;  // the turns lead through memory at random
+    if (turn + kAhead < given_) __builtin_prefetch(&list_[turns_[turn + kAhead]]);
+    const int P = turns_[turn];
+    if (!free_[turn] || list_[P].state != State::Waiting) return false;
+    note(Event::Kind::Take, P);
+    note(Event::Kind::Paint, P);
+    sorted_.fragments.push_back({list_[P].face});
+    list_[P].state = State::Painted;
+    ++sorted_.statistics.free;
+    return true;
+  }
   void step();
   void mark(int P) {
     list_[P].state = State::Marked;
@@ -156,6 +173,8 @@ class NewellRun {
   int given_ = 0;   ///< number of polygons that were given
   std::int64_t splits_ = 0;
   std::vector<Polygon> list_;
+  std::vector<int> turns_;          ///< the list by farthest z: the order in which its polygons become P
+  std::vector<bool> free_;          ///< freePolygons() of the list
   std::vector<Progress> progress_;  ///< one for each polygon of the list
   std::vector<Region> pieces_;
   std::optional<BoxGrid> grid_;
@@ -168,18 +187,22 @@ class NewellRun {
 
 // The list.
 
-void NewellRun::enter(PolygonList list) {
+void NewellRun::enter(const PolygonList& list) {
   const std::vector<Polygon>& unsorted = list.polygons;
   given_ = static_cast<int>(unsorted.size());
   ListOrder order = listOrder(scene_, unsorted, settings_.grid && !settings_.textbook);
   list_.resize(given_);
   progress_.resize(given_);
+  turns_.reserve(given_);
   for (const int i : order.byDepth) {
     const int P = order.place[i];
+    turns_.push_back(P);
     list_[P] = unsorted[i];
     if (!list.regions.empty() && !list.regions[i].empty())
-      progress_[P].piece = enterRegion(std::move(list.regions[i]), list_[P], list_[P].face);
+      progress_[P].piece = enterRegion(list.regions[i], list_[P], list_[P].face);
   }
+  if (!settings_.textbook && !settings_.inPixels && settings_.samples && list.regions.empty())
+    free_ = freePolygons(scene_, unsorted, order.byDepth, settings_.width, settings_.height);
   grid_ = std::move(order.grid);
   cellBegin_ = std::move(order.cellBegin);
   cellOpen_.assign(cellBegin_.begin(), cellBegin_.end() - 1);
@@ -386,9 +409,9 @@ int NewellRun::enterRegion(Region region, const Polygon& polygon, int parent) {
 
 }  // namespace
 
-bool runNewell(PolygonList list, const SnappedScene& scene, const SortSettings& settings,
+bool runNewell(const PolygonList& list, const SnappedScene& scene, const SortSettings& settings,
                const RunLimits& limits, PairTests& tests, SortedScene& sorted) {
-  return NewellRun{scene, settings, limits, tests, sorted}.sort(std::move(list));
+  return NewellRun{scene, settings, limits, tests, sorted}.sort(list);
 }
 
 }  // namespace xnewell

@@ -36,7 +36,7 @@ struct RunLimits {
 
 /// Sorts a list by Newell's algorithm, as depth_sort.h describes it, and appends what it paints to `sorted`.
 /// Returns false if it gave up. Then `sorted` has the pieces, fragments and statistics of an unfinished run.
-[[nodiscard]] bool runNewell(PolygonList list, const SnappedScene& scene, const SortSettings& settings,
+[[nodiscard]] bool runNewell(const PolygonList& list, const SnappedScene& scene, const SortSettings& settings,
                              const RunLimits& limits, PairTests& tests, SortedScene& sorted);
 
 }  // namespace xnewell

@@ -9,7 +9,7 @@ namespace xnewell {
 
 /// Scan conversion of a convex polygon, as the textbook teaches it: the edges, those that are active in a
 /// row, the spans between them, and the samples of a span. It is written to be read. The filler steps along
-/// the edges by additions (shading/fill/scanline.h); tests hold it against this file, sample by sample.
+/// the edges by additions (geometry/view/scanline.h); tests hold it against this file, sample by sample.
 /// Space: screen, x right, y down. Vertices are on the grid of 1/65536 pixel, |x|, |y| <= 2^29; the outline
 ///        runs counter-clockwise as seen on the screen. The sample of pixel (i, j) is its centre, (i + 1/2,
 ///        j + 1/2). A sample on a left or a top edge belongs to the polygon, one on a right or a bottom edge

@@ -10,28 +10,15 @@
 #include <cstring>
 #include <utility>
 
+#include "geometry/view/small_triangle.h"
 #include "shading/fill/affine.h"
 
 namespace xnewell {
 
-/// Eight numbers modulo 2^32, for eight neighbouring pixels, by GCC's and Clang's vector extension; any
-/// processor has them. Instructions that compilers do not find by themselves are written out for SSE2, which
-/// every x86-64 processor has.
-struct Eight {
-  using Four [[gnu::vector_size(16)]] = std::uint32_t;
-  Four left, right;  ///< pixels 0 to 3, 4 to 7
-
-  void operator+=(std::uint32_t step) { left += step, right += step; }
-  friend Eight operator|(const Eight& a, const Eight& b) { return {a.left | b.left, a.right | b.right}; }
-};
+/// Instructions that compilers do not find by themselves are written out for SSE2, which every x86-64
+/// processor has.
 using EightWords [[gnu::vector_size(16)]] = std::uint16_t;
 using SixteenBytes [[gnu::vector_size(16)]] = std::uint8_t;
-
-/// first, first + step, first + 2 step, ...
-[[nodiscard]] inline Eight eightFrom(std::uint32_t first, std::uint32_t step) {
-  const Eight::Four left{first, first + step, first + 2 * step, first + 3 * step};
-  return {left, left + 4 * step};
-}
 
 /// The upper half of each number.
 [[nodiscard]] inline EightWords upperHalves(const Eight& eight) {

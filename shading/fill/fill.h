@@ -5,9 +5,9 @@
 #include <cstdint>
 #include <cstring>
 
+#include "geometry/view/scanline.h"
 #include "shading/color/index_image.h"
 #include "shading/fill/eight.h"
-#include "shading/fill/scanline.h"
 
 namespace xnewell {
 
@@ -69,50 +69,19 @@ struct FlatCell {
   }
 };
 
-/// The columns and rows of the samples that a small triangle may own. They are not clipped.
-struct SampleBox {
-  int left, right, top, bottom;  ///< right and bottom are the first outside
-};
-
-/// Evaluates three edge functions at each sample, in blocks of 8 x 4 cells. The only branch is for a second
-/// block. It is for triangles whose box has at most 8 columns and 8 rows; their edges are too short to be
-/// walked. The box meets the image, which has at least 8 columns and 8 rows.
-///
-/// E(x, y) = A (x - xa) + B (y - ya), with A = yb - ya and B = xa - xb, is positive inside. A sample on the
-/// edge, moved by (e, e^2), is inside if A > 0, or if A = 0 and B > 0; if it is not, E - 1 takes the place of
-/// E. From centre to centre E grows by multiples of 2^16, so E >> 16, which has the sign of E, steps exactly
-/// by A and B. A and B are below 2^20 and the samples are less than 2^5 pixels from a, so E >> 16 stays below
-/// 2^26 and its sign is the top bit.
+/// Fills a small triangle in blocks of 8 x 4 cells. The only branch is for a second block.
 template <Shader S>
 inline void fillSmallTriangle(IndexImage& image, const glm::ivec3* p, const SampleBox& box, const S& shader) {
-  constexpr int kColumns = 8, kRows = 4;
-  // Blocks lie inside the image. At its border they are moved inwards, and the triangle owns the same
-  // samples.
-  const int rows = box.bottom - box.top <= kRows ? kRows : 2 * kRows;
-  const int left = std::clamp(box.left, 0, image.width - kColumns);
-  const int top = std::clamp(box.top, 0, image.height - rows);
-  Eight edge[3];
-  std::uint32_t down[3];
-  for (int k = 0; k < 3; ++k) {
-    const glm::ivec3 &a = p[k], &b = p[k == 2 ? 0 : k + 1];
-    const int A = b.y - a.y, B = a.x - b.x;
-    const std::int64_t E = std::int64_t{A} * (left * kGrid + kGrid / 2 - a.x) +
-                           std::int64_t{B} * (top * kGrid + kGrid / 2 - a.y);
-    const bool tieIsOut = (std::int64_t{A} << 32) + B <= 0;  // one test instead of three branches
-    edge[k] =
-        eightFrom(static_cast<std::uint32_t>((E - tieIsOut) >> kGridBits), static_cast<std::uint32_t>(A));
-    down[k] = static_cast<std::uint32_t>(B);
-  }
-  auto nextCells = shader.rowsOfEight(left, top);
-  std::uint8_t* cells = image.row(top) + left;
-  for (int block = 0; block < rows; block += kRows)
-    for (int j = 0; j < kRows; ++j, cells += image.width) {
-      const std::uint64_t outside = negativeBytes(edge[0] | edge[1] | edge[2]);
+  SmallTriangle triangle{p, box, image.width, image.height};
+  auto nextCells = shader.rowsOfEight(triangle.left, triangle.top);
+  std::uint8_t* cells = image.row(triangle.top) + triangle.left;
+  for (int block = 0; block < triangle.rows; block += SmallTriangle::kRows)
+    for (int j = 0; j < SmallTriangle::kRows; ++j, cells += image.width) {
+      const std::uint64_t outside = negativeBytes(triangle.nextRow());
       std::uint64_t old = 0;
       std::memcpy(&old, cells, sizeof old);
       old = (old & outside) | (nextCells(~outside) & ~outside);
       std::memcpy(cells, &old, sizeof old);
-      for (int k = 0; k < 3; ++k) edge[k] += down[k];
     }
 }
 
@@ -121,12 +90,9 @@ inline void fillSmallTriangle(IndexImage& image, const glm::ivec3* p, const Samp
 template <Shader S>
 inline void fillConvex(IndexImage& image, const glm::ivec3* p, int count, const S& shader) {
   if (count == 3 && image.width >= 8 && image.height >= 8) {
-    const SampleBox box{
-        sampleFrom(std::min({p[0].x, p[1].x, p[2].x})), sampleFrom(std::max({p[0].x, p[1].x, p[2].x})),
-        sampleFrom(std::min({p[0].y, p[1].y, p[2].y})), sampleFrom(std::max({p[0].y, p[1].y, p[2].y}))};
-    if (box.right <= 0 || box.left >= image.width || box.bottom <= 0 || box.top >= image.height) return;
-    if (box.right - box.left <= 8 && box.bottom - box.top <= 8)
-      return fillSmallTriangle(image, p, box, shader);
+    const SampleBox box = sampleBoxOf(p[0], p[1], p[2]);
+    if (!box.meets(image.width, image.height)) return;
+    if (box.isSmall()) return fillSmallTriangle(image, p, box, shader);
   }
   // A copy of the shader: through a reference, every span would load its members again.
   forEachSpan(p, count, image.width, image.height, [&image, shader](int row, int from, int to) {

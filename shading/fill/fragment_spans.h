@@ -6,7 +6,7 @@
 
 #include "depthsort/depth_sort.h"
 #include "depthsort/region.h"
-#include "shading/fill/scanline.h"
+#include "geometry/view/scanline.h"
 
 namespace xnewell {
 

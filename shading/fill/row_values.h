@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "shading/fill/affine.h"
-#include "shading/fill/scanline.h"
+#include "geometry/view/scanline.h"
 
 namespace xnewell {
 

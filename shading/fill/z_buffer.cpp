@@ -4,7 +4,7 @@
 #include <cmath>
 
 #include "depthsort/oracle.h"
-#include "shading/fill/scanline.h"
+#include "geometry/view/scanline.h"
 
 namespace xnewell {
 

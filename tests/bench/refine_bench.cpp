@@ -5,7 +5,7 @@
 #include <cstdint>
 
 #include "shading/fill/evaluated.h"
-#include "shading/fill/scanline.h"
+#include "geometry/view/scanline.h"
 #include "shading/picture/picture_cache.h"
 #include "tests/support/lit_floor.h"
 

@@ -1,5 +1,5 @@
 #include "shading/fill/affine.h"
-#include "shading/fill/scanline.h"
+#include "geometry/view/scanline.h"
 #include "tests/kernels/screen_triangle.h"
 
 #include <utility>
@@ -87,7 +87,7 @@ Numbers crossingBesideASample(Random& random) {
 Kernel edgeKernel() {
   return {.name = "walk along an edge",
           .claim = "exact",
-          .header = "shading/fill/scanline.h",
+          .header = "geometry/view/scanline.h",
           .input = {integers(-kGridReach, kGridReach), integers(-kGridReach, kGridReach),
                     integers(-kGridReach, kGridReach), integers(-kGridReach, kGridReach),
                     integers(0, kMaxPicture - 1)},

@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "depthsort/oracle.h"
-#include "shading/fill/scanline.h"
+#include "geometry/view/scanline.h"
 
 namespace xnewell {
 

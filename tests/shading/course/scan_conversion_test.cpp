@@ -6,7 +6,7 @@
 #include <random>
 
 #include "geometry/view/project.h"
-#include "shading/fill/scanline.h"
+#include "geometry/view/scanline.h"
 
 namespace xnewell::THIS_FILE {
 

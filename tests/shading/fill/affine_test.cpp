@@ -10,7 +10,7 @@
 
 #include "geometry/exact/int128.h"
 #include "geometry/view/project.h"
-#include "shading/fill/scanline.h"
+#include "geometry/view/scanline.h"
 
 namespace xnewell::THIS_FILE {
 

@@ -1,4 +1,4 @@
-#include "shading/fill/scanline.h"
+#include "geometry/view/scanline.h"
 
 #include <gtest/gtest.h>
 

@@ -8,7 +8,7 @@
 
 #include "geometry/model/solids.h"
 #include "shading/fill/evaluate_pixels.h"
-#include "shading/fill/scanline.h"
+#include "geometry/view/scanline.h"
 #include "tests/support/random_triangles.h"
 
 namespace xnewell::THIS_FILE {

@@ -13,7 +13,7 @@
 #include "depthsort/oracle.h"
 #include "geometry/exact/int128.h"
 #include "geometry/model/solids.h"
-#include "shading/fill/scanline.h"
+#include "geometry/view/scanline.h"
 #include "shading/picture/exactness.h"
 #include "shading/picture/picture_cache.h"
 #include "shading/scene/units.h"
