@@ -161,13 +161,15 @@ struct SortSettings {
   int width, height;  ///< size of the picture in pixels
   /// True for the textbook's run, for learners. It takes every Q in the list whose z-extent reaches back to
   /// P's, in order of farthest z; the tests are 1, 2, 3, 4, 5, 3', 4', 6; no polygon is left out. False for
-  /// the quick run. It finds the Q's through a grid, takes the P's from one part of the screen after the
-  /// other, makes test 5 before 3 and 4, and leaves out faces that do not show. Both paint the same picture.
+  /// the quick run. It finds the Q's through a grid, paints free polygons without a test
+  /// (free_polygons.h), makes test 5 before 3 and 4, and leaves out faces that do not show. Both paint the
+  /// same picture.
   bool textbook = false;
   /// True if the polygons are painted with their vertices rounded to pixels (fill_polygons.h). Then faces
   /// without a sample may show.
   bool inPixels = false;
-  /// For the quick run: true if only the samples of a picture must be right. False for figures.
+  /// For the quick run: true if only the samples of a picture must be right. If false, the order is right at
+  /// every place, and no polygon counts as free.
   bool samples = true;
   bool grid = true;  ///< for the quick run; if false, the Q's come from one list
   /// True if the quick run may divide the picture (areas.h). A run that records does not.

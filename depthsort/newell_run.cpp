@@ -113,6 +113,7 @@ class NewellRun {
     sorted_.fragments.push_back({list_[P].face});
     list_[P].state = State::Painted;
     ++sorted_.statistics.free;
+    sorted_.statistics.deepest = std::max(sorted_.statistics.deepest, 1);
     return true;
   }
   void step();

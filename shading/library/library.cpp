@@ -87,8 +87,11 @@ std::vector<Piece> paintingOrder(const Polygons& polygons, const View& view, int
   const Camera placed = placeCamera(scene, camera, aspect);
   const SnappedScene snapped =
       project(scene.mesh, scene.parts, placed.view, view.width, view.height, Cull::Keep);
-  const SortedScene sorted = depthSort(
-      snapped, {.width = view.width, .height = view.height, .areas = false, .mostPieces = mostPieces});
+  const SortedScene sorted = depthSort(snapped, {.width = view.width,
+                                                 .height = view.height,
+                                                 .samples = false,
+                                                 .areas = false,
+                                                 .mostPieces = mostPieces});
   const Regions regions{snapped};
   std::vector<Piece> pieces;
   pieces.reserve(sorted.fragments.size());

@@ -19,6 +19,11 @@ struct Counts {
   int overlaps = 0, inOnePlane = 0, pieces = 0, slivers = 0, shallow = 0;
 };
 
+/// Sorts a scene for every place, not for samples alone.
+SortedScene sortedEverywhere(const SnappedScene& scene, bool textbook) {
+  return depthSort(scene, {.width = kSize, .height = kSize, .textbook = textbook, .samples = false});
+}
+
 /// For every two overlapping fragments, the one painted first is nowhere nearer than the other in their whole
 /// common area in the picture, not just at samples. The sort may ignore a part that is no deeper than the
 /// doubt of both, or a part that is thin and has no sample. Later splits may have made the part that it
@@ -83,7 +88,7 @@ TEST(DepthSortOrder, NothingIsPaintedOverWhatIsNearer) {
   for (unsigned seed = seeds.from; seed < seeds.end; ++seed) {
     const SnappedScene scene = randomScene(seed, 2 + static_cast<int>(seed / kSceneKinds.size()) % 12, kSize);
     SCOPED_TRACE(testing::Message() << "XNEWELL_SEED=" << seed);
-    expectOrder(scene, depthSort(scene, {kSize, kSize, seed % 3 == 0}), counts);
+    expectOrder(scene, sortedEverywhere(scene, seed % 3 == 0), counts);
     if (HasFatalFailure()) return;
   }
   if (!seeds.all()) return;
@@ -107,7 +112,7 @@ TEST(DepthSortOrder, NothingIsPaintedOverWhatIsNearerBeyondDoubt) {
     for (SnappedFace& face : scene.faces)
       face.doubt.atBack = static_cast<float>(std::exp2(std::uniform_real_distribution{0.0, reach}(rng)));
     SCOPED_TRACE(testing::Message() << "XNEWELL_SEED=" << seed);
-    const SortedScene sorted = depthSort(scene, {kSize, kSize, seed % 3 == 0});
+    const SortedScene sorted = sortedEverywhere(scene, seed % 3 == 0);
     doubtful.splits += sorted.statistics.splits;
     doubtful.voids += sorted.statistics.voids;
     doubtful.contacts += sorted.statistics.contacts;

@@ -18,6 +18,7 @@ void add(SortStatistics& sum, const SortStatistics& s) {
   sum.moves += s.moves, sum.cycles += s.cycles, sum.impossible += s.impossible, sum.splits += s.splits;
   sum.vain += s.vain;
   sum.voids += s.voids, sum.contacts += s.contacts, sum.areas += s.areas, sum.hidden += s.hidden;
+  sum.free += s.free;
   sum.deepest = std::max(sum.deepest, s.deepest);
 }
 
@@ -95,12 +96,14 @@ TEST(DepthSort, PaintsWhatTheOracleSees) {
     EXPECT_GT(s.impossible, 15'000);
     EXPECT_GT(s.vain, 2'000);
     EXPECT_GT(s.splits, 50'000);
-    EXPECT_GT(s.voids, 200);
+    EXPECT_GT(s.voids, 100);
     EXPECT_GT(s.contacts, 400);
     EXPECT_GE(s.deepest, 12);
   }
   EXPECT_GT(quick.areas, 10'000);
   EXPECT_GT(quick.hidden, 10'000);
+  EXPECT_GT(quick.free, 10'000);
+  EXPECT_EQ(textbook.free, 0);
   EXPECT_EQ(textbook.areas, 0);
   for (std::size_t k = 0; k < covered.size(); ++k) EXPECT_GT(covered[k], 1'000) << kSceneKinds[k].name;
 }

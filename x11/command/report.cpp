@@ -84,6 +84,7 @@ nlohmann::ordered_json statsOf(const Options& options, const Picture& picture, c
           {"in_view", static_cast<std::int64_t>(scene.faces.size())},
           {"fragments", painted},
           {"painted", painted},
+          {"free", sort.free},
           {"splits", sort.splits},
           {"areas", sort.areas},
           {"hidden", sort.hidden},

@@ -211,6 +211,7 @@ class Teller {
     for (const TestRow& row : kTestRows) settled[row.name] = s.settled[static_cast<int>(row.id)];
     line({{"event", "summary"},
           {"fragments", sorted_.fragments.size()},
+          {"free", s.free},
           {"pairs", s.pairs()},
           {"settled_by", settled},
           {"moves", s.moves},
