@@ -33,7 +33,10 @@ class FarthestDepths {
     bool reaches = false;
     forEachSpan(p, count, width_, height_, [&](int row, int from, int to) {
       int* const z = z_.data() + std::size_t(row) * width_;
-      for (int k = from; k < to; ++k) reaches |= z[k] <= zNear, z[k] = zFar;
+      int farthest = std::numeric_limits<int>::max();
+      for (int k = from; k < to; ++k) farthest = std::min(farthest, z[k]);
+      reaches |= farthest <= zNear;
+      std::fill(z + from, z + to, zFar);
     });
     return reaches;
   }

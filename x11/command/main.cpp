@@ -1,5 +1,4 @@
 #include <fcntl.h>
-#include <malloc.h>
 #include <unistd.h>
 
 #include <algorithm>
@@ -49,6 +48,7 @@
 #include "x11/options/options.h"
 #include "x11/scanline/scanline_trace.h"
 #include "x11/terminal/doing.h"
+#include "x11/terminal/memory.h"
 #include "x11/views/views.h"
 #include "x11/visual/x11_error.h"
 
@@ -279,16 +279,6 @@ std::terminate_handler terminateOtherwise = nullptr;
 void occupyStandardStreams() {
   for (int stream = STDIN_FILENO; stream <= STDERR_FILENO; ++stream)
     if (::fcntl(stream, F_GETFD) < 0) ::open("/dev/null", stream == STDIN_FILENO ? O_WRONLY : O_RDONLY);
-}
-
-/// Keeps freed memory for the next picture. glibc would give large blocks back to the system. Each of their
-/// pages then costs a fault when the next picture touches it: a moving view of 64,800 triangles has four
-/// times as many faults.
-void keepFreedMemory() {
-#ifdef __GLIBC__
-  ::mallopt(M_MMAP_THRESHOLD, 32 << 20);  // the largest that glibc allows
-  ::mallopt(M_TRIM_THRESHOLD, 256 << 20);
-#endif
 }
 
 }  // namespace
