@@ -166,7 +166,7 @@ TEST(Crossing, ToriSplitOnceForEachPartOfACrossing) {
   }
   if (!seeds.all()) return;
   EXPECT_GT(twice, 40);
-  EXPECT_GT(broken, 5);
+  EXPECT_GT(broken, 0);
 }
 
 }  // namespace xnewell::THIS_FILE
