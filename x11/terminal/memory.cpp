@@ -10,6 +10,16 @@
 
 #ifdef __GLIBC__
 
+namespace xnewell {
+
+void keepFreedMemory() {
+  ::mallopt(M_MMAP_THRESHOLD, 32 << 20);  // the largest that glibc allows
+  ::mallopt(M_TRIM_THRESHOLD, 256 << 20);
+}
+
+}  // namespace xnewell
+
+#ifndef __SANITIZE_ADDRESS__
 namespace {
 
 /// Asks for huge pages in the pages that lie wholly in a block. It changes nothing if the system has none.
@@ -22,16 +32,6 @@ void askForHugePages(void* block, std::size_t size) {
 
 }  // namespace
 
-namespace xnewell {
-
-void keepFreedMemory() {
-  ::mallopt(M_MMAP_THRESHOLD, 32 << 20);  // the largest that glibc allows
-  ::mallopt(M_TRIM_THRESHOLD, 256 << 20);
-}
-
-}  // namespace xnewell
-
-#ifndef __SANITIZE_ADDRESS__
 /// That of the C++ library, which frees with free(), with huge pages for blocks that can hold one.
 void* operator new(std::size_t size) {
   constexpr std::size_t kLarge = 4 << 20;
