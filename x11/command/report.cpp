@@ -32,7 +32,8 @@ RgbImage idsOf(const Picture& picture) {
 
 /// The items that were required, or why they were or were not.
 nlohmann::ordered_json requiredIn(const std::vector<Required>& required, bool why) {
-  nlohmann::ordered_json json;
+  // If memory is refused to a null value that becomes an object, the library reads it all the same.
+  auto json = nlohmann::ordered_json::object();
   for (const Required& r : required)
     if (why)
       json[std::string{r.name}] = r.why;
@@ -66,7 +67,7 @@ nlohmann::ordered_json statsOf(const Options& options, const Picture& picture, c
   const auto painted = static_cast<std::int64_t>(sorted.fragments.size());
   const std::vector<Required> required = requiredBy(picture);
   const EdgeCounts edges = countEdges(picture.scene().mesh);
-  nlohmann::ordered_json tests;
+  auto tests = nlohmann::ordered_json::object();
   for (const TestRow& row : kTestRows) tests[std::string{row.name}] = sort.settled[static_cast<int>(row.id)];
   tests["1"] = sort.boxesApart[0];
   tests["2"] = sort.boxesApart[1];
