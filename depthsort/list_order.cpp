@@ -11,7 +11,7 @@ ListOrder listOrder(const SnappedScene& scene, std::span<const Polygon> polygons
   std::vector<ScreenBox> boxes;
   boxes.reserve(polygons.size());
   for (const Polygon& P : polygons) boxes.push_back(P.extents.box);
-  ListOrder order{BoxGrid{boxes, fine}, {}, {}, {}, std::vector<int>(polygons.size())};
+  ListOrder order{BoxGrid{boxes, fine}, {}, {}, {}, std::vector<int>(polygons.size()), {}};
   order.cellBegin.assign(order.grid.cells() + 1, 0);
   for (std::size_t i = 0; i < polygons.size(); ++i)
     ++order.cellBegin[(order.place[i] = order.grid.cellOf(boxes[i])) + 1];
@@ -23,7 +23,9 @@ ListOrder listOrder(const SnappedScene& scene, std::span<const Polygon> polygons
   });
   order.byDepth = sortedByKey(keys);
   std::vector<int> next = order.cellBegin;
-  for (const int i : order.byDepth) order.place[i] = next[order.place[i]]++;  // it was the cell until here
+  order.turns.reserve(polygons.size());
+  for (const int i : order.byDepth)
+    order.turns.push_back(order.place[i] = next[order.place[i]]++);  // the place was the cell until here
 
   constexpr int kNone = -1;
   order.cellSurface.assign(order.grid.cells(), kNone);

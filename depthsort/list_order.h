@@ -23,6 +23,7 @@ struct ListOrder {
   std::vector<int> cellSurface;
   std::vector<int> byDepth;  ///< the polygons by farthest z, at equal z in scene order
   std::vector<int> place;    ///< #polygons, in the list
+  std::vector<int> turns;    ///< #polygons: the places by farthest z
 };
 
 /// If `fine` is false, the grid has one cell.

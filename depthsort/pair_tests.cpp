@@ -135,6 +135,15 @@ bool PairTests::overlapCounts(const Shape& P, const Shape& Q) {
   return !both_.empty() && counts(both_, P.face, Q.face);
 }
 
+bool PairTests::separates(const Shape& before, const Shape& A, const Shape& next, const Shape& Q) {
+  const Parts parts = split(A, Q);
+  const auto stays = [&](const Region& part) {
+    const Shape piece{A.face, A.index, A.box, &part};
+    return overlapCounts(before, piece) && overlapCounts(piece, next);
+  };
+  return !stays(parts.behind) && !stays(parts.front);
+}
+
 PairTests::Parts PairTests::split(const Shape& P, const Shape& Q) {
   const Line line = nearer(P.face, Q.face);
   Parts parts{regionOf(P, bufferP_), regionOf(P, bufferP_)};

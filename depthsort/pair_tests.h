@@ -53,6 +53,9 @@ class PairTests {
     Region behind, front;
   };
   [[nodiscard]] Parts split(const Shape& P, const Shape& Q);
+  /// In a cycle, `before` is in front of A, and A is in front of `next`. True if that holds for no piece of A
+  /// after Q's plane, which properly crosses A, has cut it.
+  [[nodiscard]] bool separates(const Shape& before, const Shape& A, const Shape& next, const Shape& Q);
   /// The signs of zP - zQ in all of P. None means that both lie in one plane.
   [[nodiscard]] Signs signsOver(const Shape& P, const Shape& Q);
 

@@ -8,10 +8,10 @@
 
 namespace xnewell {
 
-/// Fills convex polygons on the screen grid by one sample rule. The sample of a pixel is its centre moved by
-/// (e, e^2), where e > 0 is infinitely small. So no sample lies on an edge, and faces that share an edge own
-/// each sample exactly once: samples on left and top edges are inside, those on right and bottom edges
-/// outside.
+/// Finds the samples of convex polygons on the screen grid by one rule. The sample of a pixel is its centre
+/// moved by (e, e^2), where e > 0 is infinitely small. So no sample lies on an edge, and faces that share an
+/// edge own each sample exactly once: samples on left and top edges are inside, those on right and bottom
+/// edges outside.
 
 /// Where an edge crosses the rows that it spans: exactly, with one addition and one shift for each row.
 ///

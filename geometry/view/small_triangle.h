@@ -31,8 +31,6 @@ struct SampleBox {
   [[nodiscard]] bool meets(int width, int height) const {
     return right > 0 && left < width && bottom > 0 && top < height;
   }
-  /// True if a triangle with this box is a SmallTriangle.
-  [[nodiscard]] bool isSmall() const { return right - left <= 8 && bottom - top <= 8; }
 };
 [[nodiscard]] inline SampleBox sampleBoxOf(const glm::ivec3& a, const glm::ivec3& b, const glm::ivec3& c) {
   return {sampleFrom(std::min({a.x, b.x, c.x})), sampleFrom(std::max({a.x, b.x, c.x})),
@@ -50,6 +48,13 @@ struct SampleBox {
 /// 2^26 and its sign is the top bit.
 struct SmallTriangle {
   static constexpr int kColumns = 8, kRows = 4;
+  /// True if the samples of such a box can be found so.
+  [[nodiscard]] static bool fits(const SampleBox& box) {
+    return box.right - box.left <= kColumns && box.bottom - box.top <= 2 * kRows;
+  }
+  [[nodiscard]] static bool fitsInto(int width, int height) {
+    return width >= kColumns && height >= 2 * kRows;
+  }
   // The block lies inside the picture. At its border it is moved inwards, and the triangle owns the same
   // samples.
   int rows, left, top;  ///< `rows` is kRows or twice that

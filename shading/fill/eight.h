@@ -15,8 +15,9 @@
 
 namespace xnewell {
 
-/// Instructions that compilers do not find by themselves are written out for SSE2, which every x86-64
-/// processor has.
+// Instructions that compilers do not find by themselves are written out for SSE2, which every x86-64
+// processor has.
+
 using EightWords [[gnu::vector_size(16)]] = std::uint16_t;
 using SixteenBytes [[gnu::vector_size(16)]] = std::uint8_t;
 

@@ -89,10 +89,10 @@ inline void fillSmallTriangle(IndexImage& image, const glm::ivec3* p, const Samp
 /// screen.
 template <Shader S>
 inline void fillConvex(IndexImage& image, const glm::ivec3* p, int count, const S& shader) {
-  if (count == 3 && image.width >= 8 && image.height >= 8) {
+  if (count == 3 && SmallTriangle::fitsInto(image.width, image.height)) {
     const SampleBox box = sampleBoxOf(p[0], p[1], p[2]);
     if (!box.meets(image.width, image.height)) return;
-    if (box.isSmall()) return fillSmallTriangle(image, p, box, shader);
+    if (SmallTriangle::fits(box)) return fillSmallTriangle(image, p, box, shader);
   }
   // A copy of the shader: through a reference, every span would load its members again.
   forEachSpan(p, count, image.width, image.height, [&image, shader](int row, int from, int to) {

@@ -3,8 +3,8 @@
 #include <glm/vec3.hpp>
 #include <vector>
 
-#include "shading/fill/affine.h"
 #include "geometry/view/scanline.h"
+#include "shading/fill/affine.h"
 
 namespace xnewell {
 

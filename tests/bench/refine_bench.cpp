@@ -4,8 +4,8 @@
 #include <cmath>
 #include <cstdint>
 
-#include "shading/fill/evaluated.h"
 #include "geometry/view/scanline.h"
+#include "shading/fill/evaluated.h"
 #include "shading/picture/picture_cache.h"
 #include "tests/support/lit_floor.h"
 

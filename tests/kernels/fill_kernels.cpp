@@ -1,5 +1,5 @@
-#include "shading/fill/affine.h"
 #include "geometry/view/scanline.h"
+#include "shading/fill/affine.h"
 #include "tests/kernels/screen_triangle.h"
 
 #include <utility>

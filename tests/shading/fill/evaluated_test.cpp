@@ -7,8 +7,8 @@
 #include <type_traits>
 
 #include "geometry/model/solids.h"
-#include "shading/fill/evaluate_pixels.h"
 #include "geometry/view/scanline.h"
+#include "shading/fill/evaluate_pixels.h"
 #include "tests/support/random_triangles.h"
 
 namespace xnewell::THIS_FILE {

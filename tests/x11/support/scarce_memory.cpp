@@ -8,7 +8,7 @@
 #include <cstring>
 #include <new>
 
-// Linked before the C library: allocations fail as $XNEWELL_SCARCE says, for the tests of scarce_memory.h.
+// Linked before the C library: allocations fail as $XNEWELL_SCARCE says, for scarce_memory_test.cpp.
 // This is `N`, for the N-th alone; `N+`, for the N-th and all that follow; or a file, to which the program
 // writes how many it made. They count from 1, those before main() too.
 //
