@@ -10,6 +10,7 @@
 #include <numeric>
 #include <utility>
 
+#include "geometry/exact/give_up.h"
 #include "geometry/model/fit_plane.h"
 #include "geometry/model/sheets.h"
 
@@ -84,7 +85,9 @@ class Coplanarity {
   template <class Visit>
   void forSets(const std::vector<int>& open, const Visit& visit) {
     DisjointSets sets{static_cast<int>(model_.sheets.size())};
+    GiveUpNowAndThen giveUp;
     model_.forNear(open, [&](int i, int j) {
+      giveUp();
       const int P = model_.parts.plane[i], Q = model_.parts.plane[j];
       if (sets.of(P) != sets.of(Q) && inOnePlane(i, j)) sets.unite(P, Q);
     });

@@ -62,8 +62,9 @@ std::optional<Key> keyOf(XKeyEvent& event) {
   return std::nullopt;
 }
 
-Bool isQuitKey(Display*, XEvent* event, XPointer) {
-  return event->type == KeyPress && XLookupKeysym(&event->xkey, 0) == XK_q &&
+template <KeySym kWanted>
+Bool isKey(Display*, XEvent* event, XPointer) {
+  return event->type == KeyPress && XLookupKeysym(&event->xkey, 0) == kWanted &&
          (event->xkey.state & (ShiftMask | ControlMask)) == 0;
 }
 
@@ -182,7 +183,8 @@ class Viewer {
         return;
       }
       const bool mayEnd = bench_.isSaved() && !bench_.isAsking();
-      doPatiently([this] { bench_.update(dragging_); }, [&](int seconds) { sayBusy(seconds, mayEnd); });
+      BusyNote note{.mayEnd = mayEnd, .mayGiveUp = bench_.hasShown()};
+      doPatiently([this] { bench_.update(dragging_); }, [&](int seconds) { return sayBusy(seconds, note); });
       tookLong_ = tookLong_ || watch.ms() > kLong;
     });
     plan_ = bench_.plan();
@@ -199,19 +201,21 @@ class Viewer {
   }
 
   /// Draws a box over what is shown, or over an empty window, while the bench works and must not be touched.
-  /// Most events wait. Two kinds do not: those that uncover parts of the window, and, if nothing would be
-  /// lost, those that close it.
-  void sayBusy(int seconds, bool mayEnd) {
+  /// Most events wait. Three kinds do not: those that uncover parts of the window, those that close it if
+  /// nothing would be lost, and Esc. Returns true if the work should be given up.
+  bool sayBusy(int seconds, BusyNote& note) {
     const std::scoped_lock alone{server_.turn};
     XEvent event;
     while (XCheckTypedEvent(display(), Expose, &event)) handle(event);
     if (XCheckTypedEvent(display(), DestroyNotify, &event)) endWithoutWindow();
-    if (mayEnd && XCheckTypedEvent(display(), ClientMessage, &event) && canvas_.isCloseRequest(event))
+    if (note.mayEnd && XCheckTypedEvent(display(), ClientMessage, &event) && canvas_.isCloseRequest(event))
       _exit(0);
-    if (mayEnd && XCheckIfEvent(display(), &event, isQuitKey, nullptr)) _exit(0);
-    if (seconds == busyFor_) return;
+    if (note.mayEnd && XCheckIfEvent(display(), &event, isKey<XK_q>, nullptr)) _exit(0);
+    const bool giveUp = note.mayGiveUp && XCheckIfEvent(display(), &event, isKey<XK_Escape>, nullptr);
+    if (giveUp) note.mayGiveUp = false, note.givesUp = true;
+    if (seconds == busyFor_ && !giveUp) return false;
     IndexImage box{canvas_.width(), canvas_.height(), plan_[Cell::Paper]};
-    drawBusyBox(box, bench_.layout().unit, plan_, seconds, mayEnd);
+    drawBusyBox(box, bench_.layout().unit, plan_, seconds, note);
     if (busyFor_ < 0) {
       entitle("(drawing) " + title_);
       if (watch_ == 0) watch_ = XCreateFontCursor(display(), XC_watch);
@@ -227,6 +231,7 @@ class Viewer {
     map();
     XFlush(display());
     busyFor_ = seconds;
+    return giveUp;
   }
 
   void map() {

@@ -4,6 +4,7 @@
 #include <stdexcept>
 #include <utility>
 
+#include "geometry/exact/give_up.h"
 #include "shading/explain/pixel_place.h"
 #include "x11/pixel/pixel_bench.h"
 #include "x11/scanline/scanline_bench.h"
@@ -375,15 +376,22 @@ void Workbench::update(bool dragging) {
     case Stale::Everything:
       break;
   }
+  const auto goBack = [&](const std::string& why) {
+    work_.setup = shown_->colors.setup;
+    bench().leave();
+    bench().enter();
+    notify(why);
+    drawFrame(dragging);
+  };
   try {
     drawFrame(dragging);
   } catch (const std::runtime_error& e) {
     if (!shown_) throw;
-    work_.setup = shown_->colors.setup;
-    bench().leave();
-    bench().enter();
-    notify(e.what());
-    drawFrame(dragging);
+    goBack(e.what());
+  } catch (const GivenUp&) {
+    if (!shown_) throw;
+    switchTo(shown_->indices.view);
+    goBack("The work was given up. This is the picture before.");
   }
 }
 

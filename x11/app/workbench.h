@@ -108,9 +108,11 @@ class Workbench : public Host {
   enum class Stale { Nothing, Colors, Everything };
   [[nodiscard]] Stale stale() const;
   /// Brings image and palette up to date. If a setup cannot be drawn, update() restores the one shown before
-  /// and notifies the user; if none was shown before, it throws. During a drag, slow parts are left out, and
-  /// a slow picture is drawn with coarser settings.
+  /// and notifies the user; if none was shown before, it throws. So it does if the work is given up
+  /// (give_up.h). During a drag, slow parts are left out, and a slow picture is drawn with coarser settings.
   void update(bool dragging = false);
+  /// Whether update() has a picture to go back to.
+  [[nodiscard]] bool hasShown() const { return shown_.has_value(); }
 
   [[nodiscard]] const IndexImage& image() const { return image_; }
   [[nodiscard]] const Palette& palette() const { return palette_; }

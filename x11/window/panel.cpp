@@ -190,14 +190,18 @@ Rect busyBox(int width, int height, int unit) {
   return Rect{(width / unit - kWidth) / 2, (height / unit - kHeight) / 2, kWidth, kHeight} * unit;
 }
 
-void drawBusyBox(IndexImage& image, int unit, const CellPlan& plan, int seconds, bool mayEnd) {
+void drawBusyBox(IndexImage& image, int unit, const CellPlan& plan, int seconds, const BusyNote& note) {
   Pen pen{{image, unit}, plan};
   const Rect box = busyBox(image.width / unit, image.height / unit, 1);
   pen.paint.fillRect(box, pen(Cell::Paper));
   pen.paint.frame(box, pen(Cell::Ink));
   pen.bold(box.x + 16, box.y + 25, "drawing: " + std::to_string(seconds) + " s so far");
   pen.soft(box.x + 16, box.y + 43,
-           mayEnd ? "press q or close the window to quit now" : "keys pressed now take effect later");
+           note.givesUp                    ? "giving up; the last picture comes back"
+           : note.mayGiveUp && note.mayEnd ? "Esc keeps the last picture; q quits now"
+           : note.mayGiveUp                ? "Esc keeps the last picture"
+           : note.mayEnd                   ? "press q or close the window to quit now"
+                                           : "keys pressed now take effect later");
 }
 
 std::vector<Rect> drawnOverPicture(const Layout& at, const PanelState& state) {

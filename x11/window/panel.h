@@ -41,9 +41,14 @@ struct PanelState {
 void drawPanel(Painter paint, const Layout& layout, const PanelState& state, const CellPlan& plan);
 
 /// A note over the middle of a window of any size while the program is busy drawing. busyBox() is its place
-/// in pixels, and drawBusyBox() draws it. mayEnd: q ends the program meanwhile.
+/// in pixels, and drawBusyBox() draws it.
+struct BusyNote {
+  bool mayEnd = false;     ///< q ends the program meanwhile
+  bool mayGiveUp = false;  ///< Esc keeps the last picture instead
+  bool givesUp = false;    ///< Esc was pressed
+};
 [[nodiscard]] Rect busyBox(int width, int height, int unit);
-void drawBusyBox(IndexImage& image, int unit, const CellPlan& plan, int seconds, bool mayEnd);
+void drawBusyBox(IndexImage& image, int unit, const CellPlan& plan, int seconds, const BusyNote& note);
 
 /// The areas that drawPanel() draws over the picture, in units. After painting the picture again, draw these
 /// parts of the image over it again.
