@@ -78,6 +78,29 @@ Node::Json parsed(std::string_view text, const std::string& name) {
   }
 }
 
+/// Some members of the top-level object. @throws ParseError
+Node::Json head(std::string_view text, const std::string& name,
+                std::initializer_list<std::string_view> keys) {
+  struct Enough {};
+  Node::Json found = Node::Json::object();
+  std::string key;
+  const auto keep = [&](int depth, Node::Json::parse_event_t event, const Node::Json& parsed) {
+    if (depth != 1) return depth == 0;
+    if (event == Node::Json::parse_event_t::key) key = parsed.get<std::string>();
+    if (event != Node::Json::parse_event_t::value || std::ranges::find(keys, key) == keys.end()) return true;
+    found[key] = parsed;
+    if (found.size() == keys.size()) throw Enough{};
+    return true;
+  };
+  try {
+    [[maybe_unused]] const Node::Json rest = Node::Json::parse(text, keep);
+  } catch (const Enough&) {
+  } catch (const Node::Json::exception&) {
+    throw ParseError{name, 0, "not valid JSON"};
+  }
+  return found;
+}
+
 /// Reads only the decimals with which the numbers below a key "polygons" are written.
 class DecimalsOfPolygons : public nlohmann::json_sax<Node::Json> {
  public:
@@ -123,6 +146,9 @@ class DecimalsOfPolygons : public nlohmann::json_sax<Node::Json> {
 
 JsonText::JsonText(std::string_view text, std::string name)
     : name_{std::move(name)}, value_{std::make_unique<const Node::Json>(parsed(text, name_))} {}
+
+JsonText::JsonText(std::string_view text, std::string name, std::initializer_list<std::string_view> keys)
+    : name_{std::move(name)}, value_{std::make_unique<const Node::Json>(head(text, name_, keys))} {}
 
 JsonText::~JsonText() = default;
 

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <initializer_list>
 #include <memory>
 #include <string>
 #include <string_view>
@@ -16,6 +17,9 @@ class JsonText {
   /// @throws ParseError with the line if the text is not JSON, has a number that is too large, or has a key
   /// twice in an object
   JsonText(std::string_view text, std::string name);
+  /// Reads only these keys of the top-level object, and stops as soon as it has them all. They hold texts or
+  /// numbers.
+  JsonText(std::string_view text, std::string name, std::initializer_list<std::string_view> keys);
   ~JsonText();
   JsonText(const JsonText&) = delete;
   JsonText& operator=(const JsonText&) = delete;

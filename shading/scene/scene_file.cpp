@@ -105,7 +105,7 @@ Scene readSceneFile(const std::filesystem::path& file, int divisions) {
 }
 
 std::string sentenceOf(const std::filesystem::path& file) {
-  const JsonText json{readTextFile(file), file.string()};
+  const JsonText json{readTextFile(file), file.string(), {"shows"}};
   return json.root().has("shows") ? json.root().at("shows").text() : "";
 }
 

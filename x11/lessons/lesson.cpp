@@ -81,8 +81,7 @@ LessonStep readStep(const Node& node, const Exhibit* before, SceneShelf& shelf) 
 }
 
 LessonEntry readEntry(const Node& root) {
-  root.expectKeys({"title", "number", "shows", "steps"});
-  need(root, {"title", "steps"});
+  need(root, {"title"});
   LessonEntry entry;
   entry.title = root.at("title").text();
   if (root.has("shows")) entry.shows = root.at("shows").text();
@@ -95,6 +94,8 @@ LessonEntry readEntry(const Node& root) {
 Lesson parseLesson(std::string_view text, const std::string& name, const std::filesystem::path& folder) {
   const JsonText json{text, name};
   const Node root = json.root();
+  root.expectKeys({"title", "number", "shows", "steps"});
+  need(root, {"title", "steps"});
   const LessonEntry entry = readEntry(root);
   Lesson lesson{.name = std::filesystem::path{name}.stem().string(),
                 .title = entry.title,
@@ -120,7 +121,8 @@ std::vector<LessonEntry> builtInLessons() {
   for (const auto& found : std::filesystem::directory_iterator{dataFolder() / "lessons"}) {
     if (found.path().extension() != ".json") continue;
     const std::string name = found.path().string();
-    LessonEntry entry = readEntry(JsonText{readTextFile(found.path()), name}.root());
+    LessonEntry entry =
+        readEntry(JsonText{readTextFile(found.path()), name, {"title", "number", "shows"}}.root());
     entry.name = found.path().stem().string();
     entry.file = found.path();
     lessons.push_back(std::move(entry));
@@ -133,7 +135,7 @@ std::vector<LectureEntry> builtInLectures() {
   std::vector<LectureEntry> lectures;
   for (const auto& found : std::filesystem::directory_iterator{dataFolder() / "lectures"}) {
     if (found.path().extension() != ".json") continue;
-    const JsonText json{readTextFile(found.path()), found.path().string()};
+    const JsonText json{readTextFile(found.path()), found.path().string(), {"shows"}};
     const Node root = json.root();
     lectures.push_back({found.path().stem().string(), root.has("shows") ? root.at("shows").text() : ""});
   }
