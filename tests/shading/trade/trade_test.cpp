@@ -7,11 +7,12 @@
 #include <set>
 #include <stdexcept>
 
-#include "shading/picture/exactness.h"
+#include "shading/laboratory/exactness.h"
 #include "shading/picture/picture_cache.h"
 #include "shading/trade/choice.h"
 #include "shading/trade/combine.h"
 #include "shading/trade/measure.h"
+#include "tests/support/seeds.h"
 #include "tests/support/small_picture.h"
 
 namespace xnewell::THIS_FILE {
@@ -110,9 +111,9 @@ TEST(Trade, RowsAreThePicturesOfOneShortCut) {
     EXPECT_EQ(row.measured.here.afterTable.rootMeanSquare, errors.afterTable.rootMeanSquare);
     EXPECT_EQ(row.measured.here.color.largest, errors.color.largest);
     EXPECT_GT(row.measured.cost.time.ms, 0);
-#ifndef __SANITIZE_ADDRESS__  // whose heap does not tell
-    EXPECT_GT(row.measured.cost.bytes, std::int64_t{settings.width} * settings.height);
-#endif
+    if (!kSanitized) {  // whose heap does not tell
+      EXPECT_GT(row.measured.cost.bytes, std::int64_t{settings.width} * settings.height);
+    }
   }
   EXPECT_GT(rowOf(trade, "order", "none").measured.here.wrongFaces, 0);
   EXPECT_NE(rowOf(trade, "order", "none").sentence.find("more samples show a wrong face"), std::string::npos);
@@ -261,7 +262,8 @@ TEST(Trade, DividesAnewInTheSameUnits) {
 // A measure holds the faces of the scene once, however many views it has: its four references and the picture
 // that was asked for keep what they show.
 TEST(Measure, HoldsTheFacesOnce) {
-#if defined(__GLIBC__) && !defined(__SANITIZE_ADDRESS__)
+#ifdef __GLIBC__
+  if (kSanitized) GTEST_SKIP() << "the heap is not counted";
   const auto heap = [] {
     const struct mallinfo2 now = ::mallinfo2();
     return static_cast<std::int64_t>(now.uordblks + now.hblkhd);

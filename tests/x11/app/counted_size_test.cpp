@@ -1,7 +1,7 @@
 #include <gtest/gtest.h>
 
-#include "shading/picture/errors.h"
-#include "shading/picture/exactness.h"
+#include "shading/laboratory/errors.h"
+#include "shading/laboratory/exactness.h"
 #include "tests/support/seeds.h"
 #include "tests/x11/support/find_text.h"
 #include "tests/x11/support/lesson_window.h"

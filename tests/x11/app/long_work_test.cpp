@@ -10,6 +10,7 @@
 #include <thread>
 #include <vector>
 
+#include "geometry/exact/give_up.h"
 #include "tests/support/seeds.h"
 #include "tests/support/temporary_folder.h"
 #include "tests/x11/support/watched_viewer.h"
@@ -25,11 +26,12 @@ using std::chrono::steady_clock;
 
 constexpr std::chrono::seconds kLongest{90};  ///< that a test waits for what must happen
 constexpr Rect kSeen{0, 0, 1024, 724};        ///< the window of 1024 x 768 but for its status line
+constexpr Rect kPicture{40, 100, 500, 500};   ///< a part of its picture
 
-/// Reads the box that tells how long the work takes, and whether q ends the program meanwhile.
+/// Reads the box that tells how long the work takes, and what a key does meanwhile.
 class BoxWatch {
  public:
-  explicit BoxWatch(bool mayEnd = true) : boxes_{boxes(mayEnd)} {}
+  explicit BoxWatch(const BusyNote& note) : boxes_{boxes(note)} {}
 
   /// The seconds in the window's box; nothing if no box is there.
   [[nodiscard]] std::optional<int> seconds(const WatchedWindow& window) const {
@@ -44,13 +46,13 @@ class BoxWatch {
  private:
   static constexpr int kSeconds = 120;
 
-  static std::vector<RgbImage> boxes(bool mayEnd) {
+  static std::vector<RgbImage> boxes(const BusyNote& note) {
     const CellPlan plan;
     const Palette palette = withInterface({}, plan);
     std::vector<RgbImage> all;
     IndexImage window{1024, 768, plan[Cell::Paper]};
     for (int seconds = 1; seconds <= kSeconds; ++seconds) {
-      drawBusyBox(window, 1, plan, seconds, mayEnd);
+      drawBusyBox(window, 1, plan, seconds, note);
       RgbImage& box = all.emplace_back(at_.width, at_.height);
       std::size_t k = 0;
       for (int j = at_.y; j < at_.y + at_.height; ++j)
@@ -75,7 +77,11 @@ TEST(DoPatiently, SaysNothingOfWorkThatIsSoonDone) {
     std::thread::id where;
     int said = 0;
     const auto start = steady_clock::now();
-    doPatiently([&] { where = std::this_thread::get_id(); }, [&](int) { ++said; });
+    doPatiently([&] { where = std::this_thread::get_id(); },
+                [&](int) {
+                  ++said;
+                  return false;
+                });
     if (steady_clock::now() - start >= kPatience) return false;
     EXPECT_EQ(said, 0);
     EXPECT_NE(where, std::thread::id{});
@@ -100,6 +106,7 @@ TEST(DoPatiently, TellsTheSeconds) {
                 EXPECT_EQ(std::this_thread::get_id(), here);
                 if (told >= 2 && (said.empty() || said.back() < 2)) twoAreTold.set_value();
                 said.push_back(told);
+                return false;
               });
   EXPECT_TRUE(done);
   ASSERT_FALSE(said.empty());
@@ -110,7 +117,8 @@ TEST(DoPatiently, TellsTheSeconds) {
 // What the work throws is thrown on. What the telling throws is thrown on too, but only when the work is
 // done.
 TEST(DoPatiently, PassesOnWhatIsThrown) {
-  EXPECT_THROW(doPatiently([] { throw std::runtime_error{"work"}; }, [](int) {}), std::runtime_error);
+  EXPECT_THROW(doPatiently([] { throw std::runtime_error{"work"}; }, [](int) { return false; }),
+               std::runtime_error);
   std::promise<void> isThrown;
   /// Ends when an exception is on its way out.
   struct Thrower {
@@ -125,7 +133,7 @@ TEST(DoPatiently, PassesOnWhatIsThrown) {
                      std::this_thread::sleep_for(std::chrono::milliseconds{50});
                      done = true;
                    },
-                   [&](int) {
+                   [&](int) -> bool {
                      const Thrower thrower{isThrown};
                      throw std::logic_error{"meanwhile"};
                    }),
@@ -134,18 +142,44 @@ TEST(DoPatiently, PassesOnWhatIsThrown) {
   EXPECT_TRUE(done);
 }
 
+// Work that may be given up ends at its next look after the telling has asked for that, and it is asked once.
+TEST(DoPatiently, GivesUpOnce) {
+  bool givenUp = false, again = false;
+  const auto start = steady_clock::now();
+  const auto looks = [&] {
+    while (steady_clock::now() - start < kLongest) MayGiveUp::check();
+  };
+  doPatiently(
+      [&] {
+        try {
+          looks();
+        } catch (const GivenUp&) {
+          givenUp = true;
+        }
+        try {
+          for (int k = 0; k < 1'000; ++k) MayGiveUp::check();
+        } catch (const GivenUp&) {
+          again = true;
+        }
+      },
+      [said = 0](int) mutable { return said++ == 0; });
+  EXPECT_TRUE(givenUp);
+  EXPECT_FALSE(again);
+  EXPECT_LT(steady_clock::now() - start, kLongest);
+}
+
 /// The program's work waits at a gate, so that it lasts as long as the test wants.
 class LongWorkAt : public testing::TestWithParam<int> {
  protected:
   /// Starts the window's program. Its first picture waits until the gate is open.
   [[nodiscard]] RunningProgram start() const {
-    return RunningProgram{XNEWELL_HELD_PROGRAM, words("view cycle"), server.name()};
+    return RunningProgram{builtProgram("tests/xnewell_held"), words("view cycle"), server.name()};
   }
 
   XServer server = XServer::xvfb(GetParam(), 1280, 1024);
   TemporaryFolder folder;
   WorkGate gate;
-  BoxWatch box;
+  BoxWatch first{{.mayEnd = true}}, later{{.mayEnd = true, .mayGiveUp = true}};
 };
 INSTANTIATE_TEST_SUITE_P(Depths, LongWorkAt, testing::ValuesIn(someOf({8, 24}, 1)),
                          testing::PrintToStringParamName());
@@ -159,7 +193,7 @@ TEST_P(LongWorkAt, IsTold) {
   {
     const WatchedWindow early = WatchedWindow::early(server);
     EXPECT_TRUE(early.isDrawing()) << early.title();
-    EXPECT_TRUE(box.comesToTell(early, 2));
+    EXPECT_TRUE(first.comesToTell(early, 2));
     EXPECT_TRUE(early.isDrawing()) << early.title();
   }
   gate.open();
@@ -173,10 +207,10 @@ TEST_P(LongWorkAt, IsTold) {
   gate.shut();
   window.press(XK_Right);
   EXPECT_TRUE(comesTrue([&] { return window.isDrawing(); }));
-  EXPECT_TRUE(box.comesToTell(window, 1));
+  EXPECT_TRUE(later.comesToTell(window, 1));
   gate.open();
   EXPECT_TRUE(comesTrue([&] { return !window.isDrawing(); }));
-  EXPECT_EQ(box.seconds(window), std::nullopt);
+  EXPECT_EQ(later.seconds(window), std::nullopt);
   EXPECT_NE(window.shown(kSeen), before);
 
   gate.shut();
@@ -185,6 +219,30 @@ TEST_P(LongWorkAt, IsTold) {
   window.askToClose();
   EXPECT_TRUE(window.goes());
   EXPECT_EQ(program.wait().status, 0);
+}
+
+// Esc gives up a picture that takes long, and the one before stays. The window goes on from there.
+TEST_P(LongWorkAt, EscKeepsTheLastPicture) {
+  const BoxWatch givesUp{{.mayEnd = true, .givesUp = true}};
+  RunningProgram program = start();
+  (void)WatchedWindow::early(server);  // this picture takes long: from now on the program expects that
+  gate.open();
+  const WatchedWindow window{server};
+  window.type("t");
+  ASSERT_TRUE(window.settles());
+  const RgbImage before = window.shown(kPicture);
+  gate.shut();
+  window.press(XK_Right);
+  EXPECT_TRUE(later.comesToTell(window, 1));
+  window.press(XK_Escape);
+  EXPECT_TRUE(givesUp.comesToTell(window, 1));
+  gate.open();
+  EXPECT_TRUE(comesTrue([&] { return !window.isDrawing(); }));
+  EXPECT_TRUE(window.comesToShow(before, kPicture));
+
+  window.press(XK_Right);
+  ASSERT_TRUE(window.settles());
+  EXPECT_NE(window.shown(kPicture), before);
 }
 
 // While the program works, q ends it. So does whoever destroys the window, and the program says so.
@@ -221,7 +279,7 @@ TEST_P(LongWorkAt, LosesNothing) {
   ASSERT_TRUE(window.settles());
   gate.shut();
   window.press(XK_Right);
-  const BoxWatch waits{/*mayEnd=*/false};
+  const BoxWatch waits{{.mayGiveUp = true}};
   ASSERT_TRUE(waits.comesToTell(window, 1));
   window.askToClose();
   // The next box may be on its way already. The program looks for requests before it draws the one after.

@@ -351,7 +351,7 @@ TEST_F(DrawnPicture, AwkwardCameras) {
 // A face of a million corners is one face, and so is a comb of ten thousand needles. (The boxes of all
 // needles overlap, which costs n^2 comparisons of boxes.)
 TEST_F(DrawnPicture, FacesOfManyCorners) {
-  constexpr int kCorners = kSanitized ? 100'000 : 1'000'000;
+  const int kCorners = kSanitized ? 100'000 : 1'000'000;
   std::string disc, corners, comb;
   for (int c = 0; c < kCorners; ++c) {
     const double a = 2 * 3.14159265358979 * c / kCorners;
@@ -364,7 +364,7 @@ TEST_F(DrawnPicture, FacesOfManyCorners) {
               2 * 3.14159265358979 * 30);  // half a pixel to each side of the rim
   EXPECT_EQ(idCounts(ids).size(), 2u);
 
-  constexpr int kTeeth = kSanitized ? 1'000 : 5'000;
+  const int kTeeth = kSanitized ? 1'000 : 5'000;
   for (int c = 0; c < kTeeth; ++c)
     comb += "v " + std::to_string(2 * c) + " 1 0\nv " + std::to_string(2 * c + 1) + " 9000 0\n";
   comb += "v 10000 0 0\nv 0 0 0\nf";

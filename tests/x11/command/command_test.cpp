@@ -175,7 +175,7 @@ TEST_F(CommandTest, AnInterruptLeavesNothingHalfWritten) {
 
 // Output to a closed, full or broken standard output is an error, and the text goes to no other file.
 TEST_F(CommandTest, StandardOutputThatCannotBeWritten) {
-  const std::string program = XNEWELL_PROGRAM;
+  const std::string program = builtProgram();
   const auto shell = [](const std::string& line) {
     const int status = std::system(("exec 2>/dev/null; " + line).c_str());
     return WIFEXITED(status) ? WEXITSTATUS(status) : 128 + WTERMSIG(status);

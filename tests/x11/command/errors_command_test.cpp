@@ -1,7 +1,7 @@
 #include <chrono>
 #include <thread>
 
-#include "shading/picture/exactness.h"
+#include "shading/laboratory/exactness.h"
 #include "shading/picture/picture_cache.h"
 #include "tests/support/seeds.h"
 #include "tests/x11/support/command_fixture.h"

@@ -194,7 +194,7 @@ bool tryCase(unsigned seed, int number, const fs::path& folder, const std::strin
     fs::remove_all(folder);
     return true;
   }
-  std::string command = XNEWELL_PROGRAM;
+  std::string command = builtProgram();
   for (const std::string& word : tried.words) command += " " + quoted(word);
   std::ofstream{folder / "command"} << command << '\n';
   std::ofstream{folder / "said"} << run.end.err;

@@ -28,7 +28,7 @@ class ScarceMemory : public CommandTest {
   /// Runs the program whose allocations fail as `scarcity` says (scarce_memory.cpp).
   static Finished runScarce(const std::string& scarcity, const Strings& words) {
     ::setenv("XNEWELL_SCARCE", scarcity.c_str(), 1);
-    RunningProgram program{XNEWELL_HINDERED_PROGRAM, words, ""};
+    RunningProgram program{builtProgram("tests/xnewell_hindered"), words, ""};
     ::unsetenv("XNEWELL_SCARCE");
     return program.wait(std::chrono::seconds{60});
   }

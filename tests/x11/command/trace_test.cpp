@@ -269,7 +269,7 @@ TEST_F(TraceCommand, AnInterruptLeavesWholeFrames) {
 // It is an error if the lines cannot be written. If the reader wants no more of them, the program ends
 // without a message.
 TEST_F(TraceCommand, StandardOutputThatTakesNoMore) {
-  const std::string trace = "'" XNEWELL_PROGRAM "' trace room";
+  const std::string trace = "'" + builtProgram() + "' trace room";
   const auto shell = [&](const std::string& line) {
     return WEXITSTATUS(std::system(("( " + line + " ) 2>'" + file("said") + "'").c_str()));
   };

@@ -71,7 +71,7 @@ class WrittenFiles : public CommandTest {
                                 const std::string& hindrance = "") {
     if (row.server && !server_) server_.emplace(XServer::xvfb(24));
     ::setenv("XNEWELL_HINDER", hindrance.c_str(), 1);
-    RunningProgram program{hindrance.empty() ? XNEWELL_PROGRAM : XNEWELL_HINDERED_PROGRAM,
+    RunningProgram program{builtProgram(hindrance.empty() ? "x11/xnewell" : "tests/xnewell_hindered"),
                            wordsOf(row, target), row.server ? server_->name() : ""};
     ::unsetenv("XNEWELL_HINDER");
     return program.wait();

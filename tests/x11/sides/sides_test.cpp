@@ -57,9 +57,9 @@ TEST(Sides, AlikeDifferNowhere) {
     for (const UnlikeRow& row : kUnlikes) {
       if (row.id == Unlike::Intensity && !hasIntensities(A.picture, B.picture)) continue;
       const Unlikeness u = unlikeness(row.id, A.painted(), B.painted());
-      EXPECT_GT(u.samples, 2000);
-      EXPECT_EQ(u.differ, 0);
-      EXPECT_EQ(u.largest, 0.0);
+      EXPECT_GT(u.errors.count, 2000);
+      EXPECT_EQ(u.above, 0);
+      EXPECT_EQ(u.errors.largest, 0.0);
       EXPECT_TRUE(placesOf(u, 30, 40).empty());
       EXPECT_EQ(findingOf(A.picture, B.picture, numbersA, numbersB, u, {}).bold,
                 "A and B have the same settings.");
@@ -79,9 +79,9 @@ TEST(Sides, CountsOtherFaces) {
   std::int64_t others = 0, samples = 0;
   for (std::size_t k = 0; k < a.size(); ++k) others += a[k] != b[k], samples += a[k] != 0 || b[k] != 0;
   const Unlikeness u = unlikeness(Unlike::Face, A.painted(), B.painted());
-  EXPECT_EQ(u.differ, others);
-  EXPECT_EQ(u.samples, samples);
-  EXPECT_GT(u.differ, 500);
+  EXPECT_EQ(u.above, others);
+  EXPECT_EQ(u.errors.count, samples);
+  EXPECT_GT(u.above, 500);
   const SideNumbers ofA = numbersOf(A.picture, Truth{A.picture}),
                     ofB = numbersOf(B.picture, Truth{B.picture});
   EXPECT_LE(ofA.wrong, others);
@@ -95,10 +95,10 @@ TEST(Sides, CountsOtherFaces) {
     Made z{pot, viewOf(pot, Shading::Flat, Order::ZSort)},
         oracle{pot, viewOf(pot, Shading::Flat, Order::Oracle)};
     EXPECT_LE(numbersOf(z.picture, Truth{z.picture}).wrong,
-              unlikeness(Unlike::Face, z.painted(), oracle.painted()).differ);
+              unlikeness(Unlike::Face, z.painted(), oracle.painted()).above);
   }
   Made C{scene, viewOf(scene)};
-  EXPECT_EQ(unlikeness(Unlike::Face, B.painted(), C.painted()).differ, 0);
+  EXPECT_EQ(unlikeness(Unlike::Face, B.painted(), C.painted()).above, 0);
   EXPECT_EQ(numbersOf(C.picture, Truth{C.picture}).cuts, 1);
   EXPECT_EQ(numbersOf(C.picture, Truth{C.picture}).painted, 3);
 }
@@ -120,10 +120,10 @@ TEST(Sides, IntensitiesAreThoseOfTheSurfaces) {
     ++samples, differ += u.at[k] > 1.0 / 240;
     largest = std::max(largest, double{u.at[k]});
   }
-  EXPECT_EQ(u.samples, samples);
-  EXPECT_EQ(u.differ, differ);
+  EXPECT_EQ(u.errors.count, samples);
+  EXPECT_EQ(u.above, differ);
   EXPECT_GT(differ, samples / 2);
-  EXPECT_DOUBLE_EQ(u.largest, largest);
+  EXPECT_DOUBLE_EQ(u.errors.largest, largest);
 }
 
 // The errors are those that difference.h measures. On one large square and many small ones, Gouraud shading
@@ -149,10 +149,10 @@ TEST(Sides, ErrorsAreAgainstTheReference) {
 // The first place has more differing samples than any other frame of its size. Each of the others has no more
 // of the rest than the one before. If only a few samples differ, each lies in some place.
 TEST(Sides, PlacesAreTheDensest) {
-  Unlikeness u{.width = 100, .at = std::vector<float>(100 * 60, 0.0f)};
+  Unlikeness u{ErrorMap{.width = 100, .at = std::vector<float>(100 * 60, 0.0f)}};
   const auto spot = [&](int x, int y, int width, int height) {
     for (int j = y; j < y + height; ++j)
-      for (int i = x; i < x + width; ++i) u.at[100 * j + i] = 1, ++u.differ;
+      for (int i = x; i < x + width; ++i) u.at[100 * j + i] = 1, ++u.above;
   };
   spot(10, 10, 6, 5), spot(70, 40, 4, 4), spot(95, 2, 2, 3);
   std::vector<DifferingPlace> places = placesOf(u, 12, 15);

@@ -10,7 +10,7 @@
 #include "depthsort/order.h"
 #include "shading/diagnose/paint_steps.h"
 #include "shading/fill/fragment_spans.h"
-#include "shading/picture/exactness.h"
+#include "shading/laboratory/exactness.h"
 #include "tests/support/seeds.h"
 #include "tests/support/temporary_folder.h"
 #include "tests/x11/support/program.h"

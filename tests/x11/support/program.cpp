@@ -8,6 +8,7 @@
 #include <unistd.h>
 
 #include <cerrno>
+#include <filesystem>
 #include <system_error>
 #include <thread>
 
@@ -26,8 +27,12 @@ std::string contents(int file) {
 
 }  // namespace
 
+std::string builtProgram(const std::string& name) {
+  return std::filesystem::read_symlink("/proc/self/exe").parent_path().parent_path() / name;
+}
+
 RunningProgram::RunningProgram(const std::vector<std::string>& arguments, const std::string& display)
-    : RunningProgram{XNEWELL_PROGRAM, arguments, display} {}
+    : RunningProgram{builtProgram(), arguments, display} {}
 
 RunningProgram::RunningProgram(const std::string& program, const std::vector<std::string>& arguments,
                                const std::string& display)

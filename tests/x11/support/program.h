@@ -10,6 +10,9 @@ namespace xnewell {
 
 /// xnewell itself as a child process, so that no test depends on state that a real start would not have.
 
+/// The path of a program of the build folder that the running test program was linked in: "x11/xnewell".
+[[nodiscard]] std::string builtProgram(const std::string& name = "x11/xnewell");
+
 /// How the program ended. `status` is what a shell calls $?: the exit status, or 128 + n if signal n ended
 /// it; -1 if it took longer than its limit and was killed.
 struct Finished {

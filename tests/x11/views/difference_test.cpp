@@ -7,8 +7,8 @@
 
 #include "depthsort/oracle.h"
 #include "geometry/model/solids.h"
+#include "shading/laboratory/truth.h"
 #include "shading/picture/picture_cache.h"
-#include "shading/picture/truth.h"
 
 namespace xnewell::THIS_FILE {
 

@@ -7,8 +7,8 @@
 #include <stdexcept>
 
 #include "geometry/model/solids.h"
+#include "shading/laboratory/profile.h"
 #include "shading/picture/picture_cache.h"
-#include "shading/picture/profile.h"
 #include "tests/support/seeds.h"
 #include "x11/drawing/rect.h"
 #include "x11/views/normals_view.h"
