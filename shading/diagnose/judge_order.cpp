@@ -11,7 +11,7 @@
 #include "depthsort/oracle.h"
 #include "depthsort/pair_tests.h"
 #include "shading/course/scan_conversion.h"
-#include "shading/picture/exactness.h"
+#include "shading/laboratory/exactness.h"
 
 namespace xnewell {
 

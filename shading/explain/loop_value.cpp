@@ -5,8 +5,8 @@
 
 #include "geometry/view/at_source.h"
 #include "shading/fill/affine.h"
+#include "shading/fill/lanes.h"
 #include "shading/fill/row_values.h"
-#include "shading/light/lanes.h"
 
 namespace xnewell {
 

@@ -2,7 +2,7 @@
 
 #include <vector>
 
-#include "shading/picture/exactness.h"
+#include "shading/laboratory/exactness.h"
 #include "shading/picture/picture.h"
 
 namespace xnewell {

@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "shading/figure/figure.h"
-#include "shading/picture/errors.h"
+#include "shading/laboratory/errors.h"
 
 namespace xnewell {
 

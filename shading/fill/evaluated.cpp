@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "shading/fill/dispatch.h"
 #include "shading/fill/evaluate_pixels.h"
-#include "shading/light/dispatch.h"
 
 namespace xnewell {
 

@@ -5,8 +5,8 @@
 
 #include "geometry/exact/unit.h"
 #include "shading/fill/pixel_row.h"
+#include "shading/fill/reflect.h"
 #include "shading/fill/texel_row.h"
-#include "shading/light/reflect.h"
 
 namespace xnewell {
 

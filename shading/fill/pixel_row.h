@@ -3,7 +3,7 @@
 #include <array>
 
 #include "shading/fill/evaluated.h"
-#include "shading/light/lanes.h"
+#include "shading/fill/lanes.h"
 
 namespace xnewell {
 

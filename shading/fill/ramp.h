@@ -5,7 +5,7 @@
 
 #include "shading/color/color_table.h"
 #include "shading/fill/affine.h"
-#include "shading/light/lanes.h"
+#include "shading/fill/lanes.h"
 
 namespace xnewell {
 

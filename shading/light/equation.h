@@ -15,7 +15,7 @@ namespace xnewell {
 /// @see Foley & van Dam 2e §16.1
 ///
 /// This file is the definition, written to be read. Pictures are computed by loops that take several places
-/// at once (reflect.h, and phong_row.h of shading/fill); tests hold those loops against this file.
+/// at once (reflect.h and phong_row.h of shading/fill); tests hold those loops against this file.
 
 /// The cosine whose n-th power is the specular term.
 enum class Form { Textbook, HalfVector, Tutorial };

@@ -11,7 +11,6 @@
 #include "geometry/exact/box.h"
 #include "geometry/model/mesh.h"
 #include "shading/light/equation.h"
-#include "shading/light/lanes.h"
 #include "shading/light/mistake.h"
 
 namespace xnewell {

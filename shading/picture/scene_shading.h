@@ -6,10 +6,10 @@
 
 #include "geometry/model/vertex_normals.h"
 #include "geometry/view/camera.h"
-#include "shading/light/environment.h"
+#include "shading/fill/environment.h"
+#include "shading/fill/intensities.h"
 #include "shading/light/illumination.h"
-#include "shading/light/intensities.h"
-#include "shading/light/refine.h"
+#include "shading/picture/refine.h"
 #include "shading/picture/shared.h"
 #include "shading/scene/picture_settings.h"
 #include "shading/scene/scene.h"

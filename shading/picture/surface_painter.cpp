@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "geometry/exact/give_up.h"
 #include "geometry/view/at_source.h"
 #include "shading/fill/fill.h"
 #include "shading/fill/fragment_spans.h"
@@ -208,7 +209,9 @@ void SurfacePainter::paintAll(IndexImage& image, const SortedScene& sorted) {
     __builtin_prefetch(from);
     __builtin_prefetch(reinterpret_cast<const char*>(from + items) - 1);
   };
+  GiveUpNowAndThen giveUp;
   for (std::size_t k = 0; k < count; ++k) {
+    giveUp();
     fetch(&ahead(k + 16), 1);
     const SnappedFace& next = ahead(k + 8);
     fetch(&snapped_.vertices[next.first], 3);

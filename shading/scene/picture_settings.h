@@ -7,8 +7,8 @@
 #include "geometry/view/project.h"
 #include "shading/color/color_plan.h"
 #include "shading/color/color_table.h"
+#include "shading/fill/environment.h"
 #include "shading/fill/texture.h"
-#include "shading/light/environment.h"
 #include "shading/light/illumination.h"
 #include "shading/light/method.h"
 

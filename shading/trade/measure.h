@@ -6,8 +6,8 @@
 #include <utility>
 #include <vector>
 
+#include "shading/laboratory/truth.h"
 #include "shading/picture/picture_cache.h"
-#include "shading/picture/truth.h"
 #include "shading/trade/trade.h"
 
 namespace xnewell {

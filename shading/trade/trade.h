@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "depthsort/pair_check.h"
-#include "shading/picture/errors.h"
+#include "shading/laboratory/errors.h"
 #include "shading/picture/shared.h"
 #include "shading/trade/configuration.h"
 #include "shading/trade/timing.h"

@@ -2,7 +2,7 @@
 
 #include <string>
 
-#include "shading/picture/exactness.h"
+#include "shading/laboratory/exactness.h"
 #include "shading/picture/picture_cache.h"
 
 namespace xnewell {

@@ -8,8 +8,8 @@
 #include "shading/color/color_difference.h"
 #include "shading/color/png.h"
 #include "shading/color/quantize.h"
-#include "shading/light/environment.h"
-#include "shading/light/intensities.h"
+#include "shading/fill/environment.h"
+#include "shading/fill/intensities.h"
 #include "tests/bench/triangulated.h"
 #include "tests/support/full_color_picture.h"
 

@@ -2,7 +2,7 @@
 #include "geometry/exact/plane.h"
 #include "geometry/exact/power.h"
 #include "geometry/exact/unit.h"
-#include "shading/light/lanes.h"
+#include "shading/fill/lanes.h"
 #include "tests/kernels/big.h"
 #include "tests/kernels/kernel.h"
 
@@ -74,7 +74,7 @@ Kernel powerKernel() {
 Kernel singlePowerKernel() {
   return {.name = "power, single precision",
           .claim = "n 2^-24 of it, n <= 1,024; 2^-140 more below 2^-126",
-          .header = "shading/light/lanes.h",
+          .header = "shading/fill/lanes.h",
           .input = {floats(0, 1), integers(0, 1024)},
           .run =
               [](const Numbers& in) {

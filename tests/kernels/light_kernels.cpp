@@ -1,6 +1,6 @@
 #include <glm/geometric.hpp>
 
-#include "shading/light/reflect.h"
+#include "shading/fill/reflect.h"
 #include "tests/kernels/big.h"
 #include "tests/kernels/kernel.h"
 #include "tests/kernels/unit_vectors.h"
@@ -197,7 +197,7 @@ Kernel incidentKernel(bool single) {
       .name = single ? "light that arrives, single precision" : "light that arrives",
       .claim = single ? "L 2^-21, fatt 2^-20 of it; a cosine 2^-19 off"
                       : "L 2^-50, fatt 2^-49 of it; a cosine 2^-48 off",
-      .header = "shading/light/reflect.h",
+      .header = "shading/fill/reflect.h",
       .input = {integers(0, 4), doubles(0, 2), doubles(1e-3, 1e3), doubles(1e-3, 1e6), doubles(0, 1e3),
                 doubles(0, 1e3), doubles(0, 1e3), doubles(0, 180), doubles(0, 180),
                 integers(0, single ? 1024 : 1'000'000), part, part, part, size, size, size, size, size, size},

@@ -1,9 +1,9 @@
 #include <glm/geometric.hpp>
 
+#include "shading/fill/environment.h"
 #include "shading/fill/environment_map.h"
 #include "shading/fill/evaluate_pixels.h"
-#include "shading/light/environment.h"
-#include "shading/light/reflect.h"
+#include "shading/fill/reflect.h"
 #include "tests/kernels/big.h"
 #include "tests/kernels/unit_vectors.h"
 
@@ -65,7 +65,7 @@ void addCosines(std::vector<Kernel>& kernels) {
   kernels.push_back(
       {.name = "R.V",
        .claim = "2^-48",
-       .header = "shading/light/reflect.h, equation.h",
+       .header = "shading/fill/reflect.h, equation.h",
        .input = threeVectors(),
        .prepare = unitVectors,
        .run =
@@ -78,7 +78,7 @@ void addCosines(std::vector<Kernel>& kernels) {
        .hard = kVectors});
   kernels.push_back({.name = "R.V, single precision",
                      .claim = "2^-19",
-                     .header = "shading/light/reflect.h",
+                     .header = "shading/fill/reflect.h",
                      .input = threeVectors(),
                      .prepare = singleVectors,
                      .run =
@@ -92,7 +92,7 @@ void addCosines(std::vector<Kernel>& kernels) {
   kernels.push_back(
       {.name = "N.H",
        .claim = "2^-49 where |L + V| > 2^-500",
-       .header = "shading/light/reflect.h, equation.h",
+       .header = "shading/fill/reflect.h, equation.h",
        .input = threeVectors(),
        .prepare = unitVectors,
        .run =
@@ -105,7 +105,7 @@ void addCosines(std::vector<Kernel>& kernels) {
        .hard = kVectors});
   kernels.push_back({.name = "N.H, single precision",
                      .claim = "2^-20 where |L + V| > 2^-50",
-                     .header = "shading/light/reflect.h",
+                     .header = "shading/fill/reflect.h",
                      .input = threeVectors(),
                      .prepare = singleVectors,
                      .run =
@@ -124,7 +124,7 @@ Kernel environmentKernel() {
   return {
       .name = "environment map, rotated",
       .claim = "2^-24 + n 2^-43, where |x, y| <= 1",
-      .header = "shading/light/environment.h",
+      .header = "shading/fill/environment.h",
       .input = {integers(0, 255), integers(0, 255), integers(0, 1), integers(0, 1'000'000), doubles(0, 1),
                 doubles(-1, 1), doubles(-1, 1), doubles(-1, 1)},
       .prepare =

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "shading/light/lanes.h"
+#include "shading/fill/lanes.h"
 #include "tests/kernels/kernel.h"
 
 namespace xnewell {

@@ -4,9 +4,9 @@
 #include <utility>
 #include <variant>
 
+#include "shading/laboratory/without.h"
 #include "shading/picture/picture_cache.h"
 #include "shading/picture/required.h"
-#include "shading/picture/without.h"
 #include "shading/trade/timing.h"
 
 namespace xnewell {

@@ -3,7 +3,7 @@
 #include <nlohmann/json.hpp>
 
 #include "shading/figure/figure_errors.h"
-#include "shading/picture/errors.h"
+#include "shading/laboratory/errors.h"
 
 namespace xnewell {
 

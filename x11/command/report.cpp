@@ -9,7 +9,7 @@
 #include "geometry/model/edges.h"
 #include "shading/color/png.h"
 #include "shading/color/rgb_image.h"
-#include "shading/picture/exactness.h"
+#include "shading/laboratory/exactness.h"
 #include "shading/picture/required.h"
 #include "shading/scene/divide_anew.h"
 #include "x11/command/costs.h"

@@ -6,7 +6,7 @@
 #include <utility>
 #include <vector>
 
-#include "shading/picture/errors.h"
+#include "shading/laboratory/errors.h"
 #include "shading/picture/picture.h"
 #include "x11/options/options.h"
 #include "x11/server/sent.h"

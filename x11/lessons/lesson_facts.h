@@ -10,7 +10,7 @@
 #include "depthsort/explain.h"
 #include "shading/color/index_image.h"
 #include "shading/explain/explain.h"
-#include "shading/picture/exactness.h"
+#include "shading/laboratory/exactness.h"
 #include "shading/picture/picture.h"
 #include "x11/lessons/exhibit.h"
 #include "x11/lessons/viewing_facts.h"

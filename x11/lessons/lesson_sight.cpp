@@ -3,7 +3,7 @@
 
 #include <algorithm>
 
-#include "shading/picture/exactness.h"
+#include "shading/laboratory/exactness.h"
 #include "x11/drawing/wording.h"
 #include "x11/lessons/sight_pen.h"
 

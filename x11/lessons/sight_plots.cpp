@@ -3,7 +3,7 @@
 #include <limits>
 
 #include "depthsort/explain.h"
-#include "shading/picture/profile.h"
+#include "shading/laboratory/profile.h"
 #include "x11/drawing/wording.h"
 #include "x11/lessons/sight_pen.h"
 #include "x11/views/plot.h"

@@ -93,13 +93,13 @@ bool hasIntensities(const Picture& A, const Picture& B) {
 }
 
 Unlikeness unlikeness(Unlike kind, const ColoredPicture& A, const ColoredPicture& B) {
-  Unlikeness unlike{.kind = kind, .width = A.picture.settings().width};
+  std::vector<float> at;
   switch (kind) {
     case Unlike::Face:
-      unlike.at = otherFaces(A.picture, B.picture);
+      at = otherFaces(A.picture, B.picture);
       break;
     case Unlike::Intensity:
-      unlike.at = valuesApart(
+      at = valuesApart(
           A, B, [](const ColoredPicture& p, int cell) { return p.picture.colors().intensityOf(cell); }, 0.0,
           [](double a, double b) { return std::abs(a - b); });
       break;
@@ -108,42 +108,23 @@ Unlikeness unlikeness(Unlike kind, const ColoredPicture& A, const ColoredPicture
       for (int cell = 0; cell < 256; ++cell)
         labs[0][cell] = labFromSrgb(A.palette[cell]), labs[1][cell] = labFromSrgb(B.palette[cell]);
       const Lab well = labFromSrgb(withInterface({}, CellPlan{})[CellPlan{}[Cell::Well]]);
-      unlike.at = valuesApart(
+      at = valuesApart(
           A, B, [&](const ColoredPicture& p, int cell) { return labs[&p == &B][cell]; }, well,
           [](const Lab& a, const Lab& b) { return ciede2000(a, b); });
       break;
     }
   }
-  for (const float d : unlike.at) {
-    if (std::isnan(d)) continue;
-    ++unlike.samples;
-    unlike.differ += d > rowOf(kind).unit;
-    unlike.largest = std::max(unlike.largest, double{d});
-  }
-  return unlike;
-}
-
-IndexImage unlikenessImage(const Unlikeness& unlike, const CellPlan& plan) {
-  IndexImage image{unlike.width, static_cast<int>(unlike.at.size()) / unlike.width, plan[Cell::Well]};
-  for (std::size_t k = 0; k < unlike.at.size(); ++k) {
-    const double d = unlike.at[k];
-    if (std::isnan(d)) continue;
-    const LegendStep& step = unlike.kind != Unlike::Face ? doublingStep(d, rowOf(unlike.kind).unit)
-                             : d > 0                     ? kDoublingSteps.back()
-                                                         : kDoublingSteps.front();
-    image.pixels[k] = plan[step.cell];
-  }
-  return image;
+  return {errorMap(std::move(at), A.picture.settings().width, rowOf(kind).unit), kind};
 }
 
 std::vector<DifferingPlace> placesOf(const Unlikeness& unlike, int frameWidth, int frameHeight) {
   std::vector<DifferingPlace> places;
-  if (unlike.differ == 0) return places;
+  if (unlike.above == 0) return places;
   const int width = unlike.width, height = static_cast<int>(unlike.at.size()) / width;
   Rect frame{0, 0, std::min(frameWidth, width), std::min(frameHeight, height)};
   std::vector<std::uint8_t> differs(unlike.at.size());
   std::ranges::transform(unlike.at, differs.begin(),
-                         [&](float d) { return d > rowOf(unlike.kind).unit; });  // false for NaN
+                         [&](float d) { return d > unlike.unit; });  // false for NaN
   while (static_cast<int>(places.size()) < kMostPlaces) {
     const Sums sums{differs, width};
     DifferingPlace best;

@@ -24,21 +24,13 @@ struct ColoredPicture {
 
 /// |A - B| at every sample. A picture that shows no face there counts as intensity 0 and as the background
 /// colour.
-struct Unlikeness {
-  Unlike kind = Unlike::Face;
-  int width = 0;
-  std::vector<float> at = {};  ///< row by row; for faces 0 or 1; NaN where neither shows a face
-  std::int64_t samples = 0;    ///< samples that show a face in A or in B
-  std::int64_t differ = 0;     ///< samples that differ by more than the unit
-  double largest = 0;
+struct Unlikeness : ErrorMap {
+  Unlike kind = Unlike::Face;  ///< for faces an error is 0 or 1
 };
 /// Precondition: both have the same scene and size, and hasIntensities() if `kind` is Unlike::Intensity.
 [[nodiscard]] Unlikeness unlikeness(Unlike kind, const ColoredPicture& A, const ColoredPicture& B);
 /// False if a picture's cells hold colours, which have no intensity.
 [[nodiscard]] bool hasIntensities(const Picture& A, const Picture& B);
-/// An image in steps of difference: each twice as large as the one before, the first is the unit. Faces have
-/// two steps: the same or not.
-[[nodiscard]] IndexImage unlikenessImage(const Unlikeness& unlike, const CellPlan& plan);
 
 /// Places where samples differ: frames of one size. The first frame has most of them, each later one most of
 /// the rest.

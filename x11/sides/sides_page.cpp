@@ -121,15 +121,15 @@ void SidesDrawing::drawDifference() {
   const int end = drawKinds(kinds, y + 17);
   const Unlikeness& u = page_.unlike;
   const double share =
-      u.samples == 0 ? 0.0 : 100.0 * static_cast<double>(u.differ) / static_cast<double>(u.samples);
+      u.errors.count == 0 ? 0.0 : 100.0 * static_cast<double>(u.above) / static_cast<double>(u.errors.count);
   const std::string percent = fixed(share, 2) + " %",
-                    all = grouped(u.differ) + " of " + counted(u.samples, "sample") + ", " + percent;
+                    all = grouped(u.above) + " of " + counted(u.errors.count, "sample") + ", " + percent;
   const int right = x + at_.difference.width;
   const std::string& told = end + textWidth(all) + 4 <= right ? all : percent;
   pen_.boldRight(right - 1, y + 17, told);
 
   const int first = firstRow(), rows = at_.difference.height * pen_.paint.unit();
-  pen_.paint.place(unlikenessImage(u, pen_.plan), {0, first, page_.A.width, rows}, x, at_.difference.y);
+  pen_.paint.place(stepsImage(u, pen_.plan), {0, first, page_.A.width, rows}, x, at_.difference.y);
   drawFrame(at_.difference, first);
   drawLegend(at_.difference);
   // Words on a dark ground at the foot of the panel, at the left or at the right.

@@ -80,7 +80,7 @@ std::vector<std::string> differencesOf(const PictureSettings& A, const PictureSe
 Finding findingOf(const Picture& A, const Picture& B, const SideNumbers& ofA, const SideNumbers& ofB,
                   const Unlikeness& unlike, const std::optional<DifferingPlace>& place) {
   const std::vector<std::string> what = differencesOf(A.settings(), B.settings());
-  if (unlike.samples == 0) return {"Nothing shows.", "Turn both with t, or zoom with z."};
+  if (unlike.errors.count == 0) return {"Nothing shows.", "Turn both with t, or zoom with z."};
   if (what.empty())
     return {"A and B have the same settings.",
             "Change one of them, for example its order with O. This page then shows what differs."};
@@ -109,10 +109,10 @@ Finding findingOf(const Picture& A, const Picture& B, const SideNumbers& ofA, co
                 grouped(better.wrong) + ".",
             reason};
   }
-  const std::string share = shareOf(unlike.differ, unlike.samples);
+  const std::string share = shareOf(unlike.above, unlike.errors.count);
   const DifferenceMeasure measure =
       unlike.kind == Unlike::Intensity ? DifferenceMeasure::Intensity : DifferenceMeasure::Color;
-  const std::string they = unlike.differ > 0 ? "They differ at " + share + " of the samples that show a face."
+  const std::string they = unlike.above > 0 ? "They differ at " + share + " of the samples that show a face."
                            : unlike.kind == Unlike::Face
                                ? "Both show the same face at every sample."
                                : "The two pictures differ nowhere by more than " +
@@ -130,9 +130,9 @@ Finding findingOf(const Picture& A, const Picture& B, const SideNumbers& ofA, co
   if (ofA.measure == ofB.measure && least != most)
     return {std::string{aIsNearer ? "A" : "B"} + " is closer to the truth overall.",
             "Its root mean square error is " + least + ", against " + most + ". " + they};
-  if (unlike.differ > 0)
+  if (unlike.above > 0)
     return {"A and B differ at " + share + " of the samples that show a face.",
-            unlike.kind == Unlike::Color ? "The largest difference is " + fixed(unlike.largest, 1) +
+            unlike.kind == Unlike::Color ? "The largest difference is " + fixed(unlike.errors.largest, 1) +
                                                "; the eye just sees a difference of 1."
                                          : ""};
   return {"A and B show the same picture.", they};

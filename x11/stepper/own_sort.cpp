@@ -10,7 +10,7 @@
 #include "depthsort/pieces.h"
 #include "shading/diagnose/pair_scene.h"
 #include "shading/fill/fragment_spans.h"
-#include "shading/picture/exactness.h"
+#include "shading/laboratory/exactness.h"
 #include "x11/drawing/wording.h"
 #include "x11/homework/judgement_report.h"
 #include "x11/stepper/fragment_tint.h"

@@ -6,7 +6,7 @@
 #include <optional>
 
 #include "shading/explain/equation_at.h"
-#include "shading/light/intensities.h"
+#include "shading/fill/intensities.h"
 #include "shading/picture/cell_use.h"
 
 namespace xnewell {

@@ -12,13 +12,7 @@ namespace xnewell {
 namespace {
 
 Difference differenceOf(DifferenceMeasure measure, std::vector<float> errors, int width) {
-  const double unit = kMeasures[static_cast<int>(measure)].unit;
-  Difference d{.measure = measure, .width = width, .at = {}, .errors = spreadOf(errors)};
-  for (std::size_t k = 0; k < errors.size(); ++k) d.above += errors[k] > unit;  // false for NaN
-  if (d.errors.largest > 0)
-    d.largestAt = static_cast<std::size_t>(std::ranges::find(errors, d.errors.largest) - errors.begin());
-  d.at = std::move(errors);
-  return d;
+  return {errorMap(std::move(errors), width, kMeasures[static_cast<int>(measure)].unit), measure};
 }
 
 /// The reference in the ramps of the picture. Several hues share the cells by what a picture shows of each,

@@ -4,8 +4,8 @@
 #include <string>
 #include <vector>
 
-#include "shading/picture/errors.h"
-#include "shading/picture/truth.h"
+#include "shading/laboratory/errors.h"
+#include "shading/laboratory/truth.h"
 #include "x11/drawing/sheet.h"
 #include "x11/views/views.h"
 
@@ -27,14 +27,10 @@ inline constexpr std::array kMeasures{
                "what the eye just sees side by side"},
 };
 
-struct Difference {
-  DifferenceMeasure measure = DifferenceMeasure::Intensity;  ///< Color if the cells hold colours, not ramps
-  int width = 0;
-  std::vector<float> at;   ///< of each sample, row by row; NaN at background
-  Spread errors;           ///< of the samples that show a face
-  std::int64_t above = 0;  ///< samples that differ by more than the unit
+/// The errors by that measure; Color if the cells hold colours, not ramps.
+struct Difference : ErrorMap {
+  DifferenceMeasure measure = DifferenceMeasure::Intensity;
   std::int64_t wrongFaces = 0;
-  std::size_t largestAt = 0;  ///< index of the first sample that differs most
 };
 
 /// The reference in the picture's own cells, and how far the picture is from it.
@@ -46,9 +42,9 @@ struct Compared {
 /// `picture` is painted; the reference is on its ground.
 [[nodiscard]] Compared comparedWithReference(const Picture& picture, const Truth& truth);
 
-/// The difference as an image of the picture's size, in six steps: each is twice as large as the one before,
-/// the first is the unit.
-[[nodiscard]] IndexImage differenceImage(const Difference& difference, const CellPlan& plan);
+/// The errors as an image of the picture's size, in six steps: each is twice as large as the one before, the
+/// first is the unit. Without a unit there are two steps: none, and any.
+[[nodiscard]] IndexImage stepsImage(const ErrorMap& errors, const CellPlan& plan);
 [[nodiscard]] Finding findingOf(const Difference& difference);
 
 /// Both pictures, the difference image, and its numbers in words.

@@ -39,7 +39,7 @@ void caption(Sheet& sheet, const Rect& of, int y, std::string_view bold, std::st
 }
 
 void drawSteps(Sheet& sheet, const Difference& d, const Rect& at, const CellPlan& plan) {
-  sheet.painter().place(differenceImage(d, plan), {0, 0, at.width, at.height}, at.x, at.y);
+  sheet.painter().place(stepsImage(d, plan), {0, 0, at.width, at.height}, at.x, at.y);
   if (d.above == 0) return;
   Painter painter = sheet.painter().within(at);
   const int x = at.x + static_cast<int>(d.largestAt % d.width),
@@ -96,11 +96,11 @@ void drawNumbers(Sheet& sheet, const Difference& d, int x, int y, int width) {
 
 }  // namespace
 
-IndexImage differenceImage(const Difference& d, const CellPlan& plan) {
-  IndexImage image{d.width, static_cast<int>(d.at.size()) / d.width, plan[Cell::Well]};
-  const double unit = kMeasures[static_cast<int>(d.measure)].unit;
-  for (std::size_t k = 0; k < d.at.size(); ++k)
-    if (!std::isnan(d.at[k])) image.pixels[k] = plan[doublingStep(d.at[k], unit).cell];
+IndexImage stepsImage(const ErrorMap& errors, const CellPlan& plan) {
+  IndexImage image{errors.width, static_cast<int>(errors.at.size()) / errors.width, plan[Cell::Well]};
+  for (std::size_t k = 0; k < errors.at.size(); ++k)
+    if (const double error = errors.at[k]; !std::isnan(error))
+      image.pixels[k] = plan[doublingStep(error, errors.unit).cell];
   return image;
 }
 

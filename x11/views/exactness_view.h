@@ -4,7 +4,7 @@
 #include <string_view>
 #include <vector>
 
-#include "shading/picture/exactness.h"
+#include "shading/laboratory/exactness.h"
 #include "x11/drawing/rect.h"
 #include "x11/drawing/sheet.h"
 #include "x11/views/step_legend.h"

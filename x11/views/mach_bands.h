@@ -2,7 +2,7 @@
 
 #include <optional>
 
-#include "shading/picture/profile.h"
+#include "shading/laboratory/profile.h"
 #include "x11/drawing/rect.h"
 #include "x11/views/views.h"
 

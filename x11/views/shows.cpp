@@ -39,8 +39,7 @@ ShownPicture shownAs(Show show, const Picture& picture, const Palette& palette, 
     }
     case Show::Difference: {
       const Compared compared = comparedWithReference(picture, truth.of(picture));
-      ShownPicture shown{differenceImage(compared.difference, plan), palette,
-                         findingOf(compared.difference).bold};
+      ShownPicture shown{stepsImage(compared.difference, plan), palette, findingOf(compared.difference).bold};
       drawStepLegend({shown.image, unit}, plan, kLegend, kLegend, kDoublingSteps,
                      kMeasures[static_cast<int>(compared.difference.measure)].times);
       return shown;

@@ -4,7 +4,7 @@
 #include <string>
 #include <string_view>
 
-#include "shading/picture/truth.h"
+#include "shading/laboratory/truth.h"
 #include "x11/views/views.h"
 
 namespace xnewell {

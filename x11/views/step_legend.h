@@ -21,7 +21,8 @@ inline constexpr std::array kDoublingSteps{
     LegendStep{Cell::WellText, "4"},       LegendStep{Cell::White, "8"}, LegendStep{Cell::Q, "16"},
 };
 /// The step that a difference belongs to: below the unit, below twice the unit, below four times the unit,
-/// and so on; the last step has no limit. Difference and unit have the same measure; unit > 0.
+/// and so on; the last step has no limit, and any difference has it where the unit is 0. Both have the same
+/// measure.
 [[nodiscard]] const LegendStep& doublingStep(double difference, double unit);
 /// Draws the legend from its upper left corner on, with `unit` after the steps.
 void drawStepLegend(Painter painter, const CellPlan& plan, int x, int y, std::span<const LegendStep> steps,

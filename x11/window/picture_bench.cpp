@@ -3,7 +3,7 @@
 #include <algorithm>
 
 #include "geometry/view/view.h"
-#include "shading/picture/exactness.h"
+#include "shading/laboratory/exactness.h"
 #include "x11/drawing/pen.h"
 #include "x11/drawing/sheet.h"
 #include "x11/drawing/wording.h"

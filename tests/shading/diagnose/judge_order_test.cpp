@@ -13,7 +13,7 @@
 #include "depthsort/order.h"
 #include "geometry/files/parse_error.h"
 #include "shading/diagnose/pair_scene.h"
-#include "shading/picture/exactness.h"
+#include "shading/laboratory/exactness.h"
 #include "shading/picture/picture_cache.h"
 #include "shading/scene/scene_file.h"
 #include "tests/support/seeds.h"

@@ -7,7 +7,7 @@
 #include <glm/geometric.hpp>
 #include <random>
 
-#include "shading/light/intensities.h"
+#include "shading/fill/intensities.h"
 
 namespace xnewell::THIS_FILE {
 

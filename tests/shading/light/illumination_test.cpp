@@ -1,4 +1,4 @@
-#include "shading/light/intensities.h"
+#include "shading/fill/intensities.h"
 
 #include <gtest/gtest.h>
 
@@ -6,7 +6,7 @@
 #include <glm/geometric.hpp>
 #include <random>
 
-#include "shading/light/reflect.h"
+#include "shading/fill/reflect.h"
 
 namespace xnewell::THIS_FILE {
 

@@ -1,7 +1,7 @@
 #include <gtest/gtest.h>
 
+#include "shading/laboratory/profile.h"
 #include "shading/picture/picture_cache.h"
-#include "shading/picture/profile.h"
 #include "shading/scene/scene_file.h"
 
 namespace xnewell::THIS_FILE {

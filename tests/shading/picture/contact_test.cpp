@@ -5,7 +5,7 @@
 #include <numeric>
 
 #include "geometry/model/solids.h"
-#include "shading/picture/exactness.h"
+#include "shading/laboratory/exactness.h"
 #include "shading/picture/picture_cache.h"
 #include "tests/support/doubt.h"
 #include "tests/support/model_view.h"

@@ -14,7 +14,7 @@
 #include "geometry/exact/int128.h"
 #include "geometry/model/solids.h"
 #include "geometry/view/scanline.h"
-#include "shading/picture/exactness.h"
+#include "shading/laboratory/exactness.h"
 #include "shading/picture/picture_cache.h"
 #include "shading/scene/units.h"
 #include "tests/support/painted_picture.h"

@@ -5,9 +5,9 @@
 #include <random>
 #include <vector>
 
-#include "shading/light/refine.h"
-#include "shading/picture/exactness.h"
+#include "shading/laboratory/exactness.h"
 #include "shading/picture/picture_cache.h"
+#include "shading/picture/refine.h"
 #include "shading/scene/units.h"
 #include "tests/support/lit_floor.h"
 #include "tests/support/lit_solids.h"

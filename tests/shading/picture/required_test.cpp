@@ -7,9 +7,9 @@
 #include <glm/geometric.hpp>
 #include <map>
 
-#include "shading/light/intensities.h"
+#include "shading/fill/intensities.h"
+#include "shading/laboratory/without.h"
 #include "shading/picture/picture_cache.h"
-#include "shading/picture/without.h"
 #include "shading/scene/scene_file.h"
 
 namespace xnewell::THIS_FILE {

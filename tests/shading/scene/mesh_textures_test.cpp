@@ -6,7 +6,7 @@
 #include <glm/geometric.hpp>
 
 #include "shading/color/png.h"
-#include "shading/picture/errors.h"
+#include "shading/laboratory/errors.h"
 #include "shading/picture/picture_cache.h"
 #include "shading/scene/scene_file.h"
 #include "tests/support/reader_fixture.h"

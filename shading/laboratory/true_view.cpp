@@ -1,4 +1,4 @@
-#include "shading/picture/true_view.h"
+#include "shading/laboratory/true_view.h"
 
 #include "depthsort/oracle.h"
 #include "shading/picture/picture_cache.h"

@@ -2,7 +2,7 @@
 
 #include <optional>
 
-#include "shading/picture/reference.h"
+#include "shading/laboratory/reference.h"
 
 namespace xnewell {
 

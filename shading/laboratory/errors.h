@@ -8,7 +8,7 @@
 
 #include "depthsort/oracle.h"
 #include "shading/color/palette.h"
-#include "shading/picture/truth.h"
+#include "shading/laboratory/truth.h"
 
 namespace xnewell {
 
@@ -22,6 +22,18 @@ struct Spread {
 };
 /// Errors that are NaN do not count.
 [[nodiscard]] Spread spreadOf(std::span<const float> errors);
+
+/// Errors at the samples of a picture, row by row, and what they come to. NaN where there is nothing to
+/// compare.
+struct ErrorMap {
+  int width = 0;
+  double unit = 0;  ///< an error should stay below this
+  std::vector<float> at = {};
+  Spread errors = {};
+  std::int64_t above = 0;     ///< samples with an error above the unit
+  std::size_t largestAt = 0;  ///< index of the first sample with the largest error
+};
+[[nodiscard]] ErrorMap errorMap(std::vector<float> at, int width, double unit);
 
 /// The intensities of a picture, before the table rounds them to a shade, or after.
 enum class TableSide { Before, After };

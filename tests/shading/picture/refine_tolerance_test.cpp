@@ -7,7 +7,7 @@
 #include <random>
 #include <vector>
 
-#include "shading/light/refine.h"
+#include "shading/picture/refine.h"
 #include "tests/support/lit_solids.h"
 #include "tests/support/seeds.h"
 

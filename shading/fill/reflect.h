@@ -1,5 +1,6 @@
 #pragma once
 
+#include "shading/fill/lanes.h"
 #include "shading/light/illumination.h"
 
 namespace xnewell {

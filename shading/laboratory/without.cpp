@@ -1,4 +1,4 @@
-#include "shading/picture/without.h"
+#include "shading/laboratory/without.h"
 
 #include <algorithm>
 

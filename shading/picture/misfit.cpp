@@ -1,4 +1,4 @@
-#include "shading/light/misfit.h"
+#include "shading/picture/misfit.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,4 +1,4 @@
-#include "shading/picture/reference.h"
+#include "shading/laboratory/reference.h"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "shading/picture/truth.h"
+#include "shading/laboratory/truth.h"
 
 #include "geometry/view/camera.h"
 #include "shading/picture/picture_cache.h"

@@ -5,8 +5,8 @@
 #include <glm/vec3.hpp>
 #include <vector>
 
+#include "shading/laboratory/true_view.h"
 #include "shading/light/equation.h"
-#include "shading/picture/true_view.h"
 
 namespace xnewell {
 

@@ -3,8 +3,8 @@
 #include <cstddef>
 #include <vector>
 
+#include "shading/laboratory/true_surface.h"
 #include "shading/picture/picture.h"
-#include "shading/picture/true_surface.h"
 
 namespace xnewell {
 

@@ -1,11 +1,11 @@
-#include "shading/light/intensities.h"
+#include "shading/fill/intensities.h"
 
 #include <algorithm>
 
 #include "geometry/exact/plane.h"
 #include "geometry/exact/unit.h"
-#include "shading/light/dispatch.h"
-#include "shading/light/reflect.h"
+#include "shading/fill/dispatch.h"
+#include "shading/fill/reflect.h"
 
 namespace xnewell {
 

@@ -4,7 +4,7 @@
 #include <nlohmann/json.hpp>
 #include <string>
 
-#include "shading/light/lanes.h"
+#include "shading/fill/lanes.h"
 #include "tests/support/contracted.h"
 
 namespace xnewell::THIS_FILE {

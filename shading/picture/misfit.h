@@ -5,8 +5,8 @@
 #include <span>
 #include <vector>
 
+#include "shading/fill/intensities.h"
 #include "shading/light/illumination.h"
-#include "shading/light/intensities.h"
 
 namespace xnewell {
 

@@ -1,4 +1,4 @@
-#include "shading/picture/errors.h"
+#include "shading/laboratory/errors.h"
 
 #include <gtest/gtest.h>
 

@@ -1,11 +1,11 @@
-#include "shading/light/environment.h"
+#include "shading/fill/environment.h"
 
 #include <algorithm>
 #include <cmath>
 #include <glm/geometric.hpp>
 #include <glm/matrix.hpp>
 
-#include "shading/light/reflect.h"
+#include "shading/fill/reflect.h"
 
 namespace xnewell {
 

@@ -1,4 +1,4 @@
-#include "shading/light/environment.h"
+#include "shading/fill/environment.h"
 
 #include <gtest/gtest.h>
 

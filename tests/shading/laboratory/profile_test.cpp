@@ -1,4 +1,4 @@
-#include "shading/picture/profile.h"
+#include "shading/laboratory/profile.h"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "shading/light/refine.h"
+#include "shading/picture/refine.h"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "shading/picture/true_surface.h"
+#include "shading/laboratory/true_surface.h"
 
 #include <algorithm>
 #include <cmath>

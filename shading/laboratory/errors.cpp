@@ -1,4 +1,4 @@
-#include "shading/picture/errors.h"
+#include "shading/laboratory/errors.h"
 
 #include <algorithm>
 #include <cassert>
@@ -71,6 +71,14 @@ Spread spreadOf(std::span<const float> errors) {
   spread.p99 = counted[static_cast<std::size_t>(rank - 1)];
   spread.largest = *std::ranges::max_element(counted);
   return spread;
+}
+
+ErrorMap errorMap(std::vector<float> at, int width, double unit) {
+  ErrorMap map{.width = width, .unit = unit, .at = std::move(at), .errors = spreadOf(map.at)};
+  for (const float error : map.at) map.above += error > unit;  // false for NaN
+  if (map.errors.largest > 0)
+    map.largestAt = static_cast<std::size_t>(std::ranges::find(map.at, map.errors.largest) - map.at.begin());
+  return map;
 }
 
 Comparison::Comparison(const Picture& picture, const Reference& reference, const Palette& palette,

@@ -1,4 +1,4 @@
-#include "shading/picture/exactness.h"
+#include "shading/laboratory/exactness.h"
 
 #include <algorithm>
 #include <utility>

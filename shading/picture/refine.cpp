@@ -1,4 +1,4 @@
-#include "shading/light/refine.h"
+#include "shading/picture/refine.h"
 
 #include <algorithm>
 #include <array>
@@ -11,7 +11,7 @@
 
 #include "geometry/exact/give_up.h"
 #include "geometry/exact/unit.h"
-#include "shading/light/misfit.h"
+#include "shading/picture/misfit.h"
 
 namespace xnewell {
 

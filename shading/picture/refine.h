@@ -6,8 +6,8 @@
 #include "geometry/model/divide.h"
 #include "geometry/model/mesh.h"
 #include "geometry/model/vertex_normals.h"
+#include "shading/fill/intensities.h"
 #include "shading/light/illumination.h"
-#include "shading/light/intensities.h"
 
 namespace xnewell {
 

@@ -1,10 +1,11 @@
-#include "shading/picture/reference.h"
+#include "shading/laboratory/reference.h"
 
 #include <algorithm>
 #include <cmath>
 #include <glm/geometric.hpp>
 
 #include "depthsort/oracle.h"
+#include "geometry/exact/give_up.h"
 #include "geometry/exact/unit.h"
 #include "shading/scene/units.h"
 
@@ -23,7 +24,9 @@ Reference::Reference(const Picture& of) : TrueView{of}, gray_{isGray(picture().s
 
   const int channels = gray_ ? 1 : 3;
   for (int c = 0; c < channels; ++c) I_[c].assign(faces().size(), 0.0);
+  GiveUpNowAndThen giveUp;
   for (std::size_t k = 0; k < faces().size(); ++k) {
+    giveUp();
     if (faces()[k] == kNothing) continue;
     const glm::dvec3 I = illumination(place(k), picture().snapped().faces[faces()[k]]);
     for (int c = 0; c < channels; ++c) I_[c][k] = std::clamp(I[c], 0.0, 1.0);

@@ -1,4 +1,4 @@
-#include "shading/picture/truth.h"
+#include "shading/laboratory/truth.h"
 
 #include <gtest/gtest.h>
 
@@ -10,7 +10,7 @@
 #include <tuple>
 
 #include "depthsort/oracle.h"
-#include "shading/picture/errors.h"
+#include "shading/laboratory/errors.h"
 #include "shading/picture/picture_cache.h"
 #include "shading/scene/divide_anew.h"
 #include "shading/scene/scene_file.h"
