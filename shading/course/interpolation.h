@@ -24,7 +24,9 @@ using Weights = std::array<double, 3>;
 /// over w. So each weight is divided by its vertex' depth, and all by their sum.
 [[nodiscard]] Weights weightsInWorld(const Weights& onScreen, const std::array<double, 3>& overDepth);
 
-/// Gouraud's intensity, or a texture coordinate: the weighted sum of the values at the vertices.
+/// The weighted sum of the values at the vertices. Gouraud's intensity takes the weights on the screen; a
+/// texture coordinate, a place and a normal take those in the world. Phong's N is the sum of the normals made
+/// a unit vector.
 template <class Value>
 [[nodiscard]] Value interpolated(const Weights& weights, const std::array<Value, 3>& v) {
   return weights[0] * v[0] + weights[1] * v[1] + weights[2] * v[2];

@@ -25,10 +25,11 @@ struct SteppedPlane {
   bool operator==(const SteppedPlane&) const = default;
 };
 
-/// The plane through v[k] at vertex k. Vertices are on the grid of 1/65536 pixel, |x|, |y| <= 2^29, and the
-/// triangle has an area; |v[k]| < 256; 0 <= bits <= 24. The values are rounded to steps, and the
-/// increments to steps a pixel, each to the nearest, of two the even one. Where the values grow by more than
-/// 2^20 a pixel, the triangle is a sliver, and has the mean everywhere.
+/// The plane through v[k] at vertex k. The filler steps places on a ramp of cells, 11.5 + 239 I (ramp.h).
+/// Vertices are on the grid of 1/65536 pixel, |x|, |y| <= 2^29, and the triangle has an area; |v[k]| < 256; 0
+/// <= bits <= 24. The values are rounded to steps, and the increments to steps a pixel, each to the nearest,
+/// of two the even one. Where the values grow by more than 2^20 a pixel, the triangle is a sliver, and has
+/// the mean everywhere.
 [[nodiscard]] SteppedPlane steppedOver(const std::array<glm::ivec3, 3>& p, const std::array<double, 3>& v,
                                        int bits);
 

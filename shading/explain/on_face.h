@@ -41,7 +41,8 @@ class OnFace {
   [[nodiscard]] const std::vector<int>& vertices() const { return vertices_; }
   [[nodiscard]] const Weights& onScreen() const { return onScreen_; }  ///< not by rows
   [[nodiscard]] const Weights& inWorld() const { return inWorld_; }    ///< not by rows
-  /// Those of N: the length of a sum does not matter, unless the method keeps it.
+  /// The weights of the normals: those in the world, because N is made a unit vector, so that the length of
+  /// the sum does not matter. A method that keeps the length has those on the screen.
   [[nodiscard]] const Weights& ofNormals() const {
     return keepsLengthOfN(s_.settings) ? onScreen_ : inWorld_;
   }

@@ -8,7 +8,8 @@ namespace xnewell {
 /// The terms of the illumination equation (equation.h) at several places at once (lanes.h): for faces,
 /// vertices and pixels.
 
-/// What arrives from a light. L is the unit vector towards it; f is fatt spot.
+/// What arrives from a light. L is the unit vector towards it; f = fatt times spot says how much of it
+/// arrives.
 template <class Real>
 struct Incident {
   Vec<Real> L;
@@ -68,7 +69,7 @@ template <class Real>
 }
 
 /// The cosine that is raised to the power n. It is clamped first: an even n would turn a negative cosine into
-/// a highlight.
+/// a highlight. A cosine below leastCosine counts as 0: its highlight is fainter than 2^-40.
 template <class Real>
 [[nodiscard, gnu::always_inline]] inline Real clampedCosine(const Real& cosine, const Material& material) {
   const Real some = cosine > splat<Real>(material.leastCosine) ? cosine : splat<Real>(0.0);
@@ -102,8 +103,8 @@ template <class Real>
   return {front, lighting.twoSided ? (NdotL < zero ? term : zero) : front};
 }
 
-/// The terms with Lighting::mistake, times f, Ip, kd and ks, at one place. They are not computed at several
-/// places at once: a mistake is looked at, not waited for.
+/// The terms with Lighting::mistake, times f, Ip, kd and ks, at one place. They are computed at
+/// one place at a time, because their speed does not matter.
 [[nodiscard]] inline LightTerms mistakenTerms(const Lighting& lighting, const Lighting::Source& light,
                                               const Incident<double>& in, const Material& material,
                                               int channel, const glm::dvec3& N, const glm::dvec3& V) {

@@ -12,7 +12,8 @@
 
 namespace xnewell {
 
-/// How wrong is a picture, by which measure, and where? All errors are against the Truth.
+/// How wrong is a picture, by which measure, and where? The Truth tells what is right, unless a
+/// Comparison is given another reference.
 
 /// The mean, the root mean square, the 99th percentile and the largest of some errors. All are 0 if there are
 /// none. The percentile is one of the errors: the least one that 99 % of them do not exceed.
@@ -23,8 +24,8 @@ struct Spread {
 /// Errors that are NaN do not count.
 [[nodiscard]] Spread spreadOf(std::span<const float> errors);
 
-/// Errors at the samples of a picture, row by row, and what they come to. NaN where there is nothing to
-/// compare.
+/// Errors, or differences of any two pictures, at the samples, row by row, and what they come to. NaN where
+/// there is nothing to compare.
 struct ErrorMap {
   int width = 0;
   double unit = 0;  ///< an error should stay below this
@@ -38,8 +39,9 @@ struct ErrorMap {
 /// The intensities of a picture, before the table rounds them to a shade, or after.
 enum class TableSide { Before, After };
 
-/// A picture, painted, beside its reference. All errors are by sample, row by row, and NaN where neither
-/// shows a face. Where only one shows a face, the other has intensity 0, and the colour of the background.
+/// A picture, painted, beside its reference. Errors of intensities and colours are by sample, row by
+/// row, and NaN where neither shows a face. Where only one shows a face, the other has intensity 0, and the
+/// colour of the background.
 class Comparison {
  public:
   /// `picture` is painted. `palette` has its colours and that of its background. `ofItsPolygons` is the true
@@ -63,7 +65,7 @@ class Comparison {
   /// CIEDE2000 between the colour that a sample shows and that of the reference. The reference has the colour
   /// of its three channels, or if it is gray, its intensity times the one hue. A hue belongs to the model.
   [[nodiscard]] std::vector<float> colorErrors() const;
-  /// 1 where the picture shows another face than the reference, otherwise 0. There is one exception, as in
+  /// 1 where shownFace() is not dueFace(), otherwise 0. There is one exception, as in
   /// exactness.h: two faces in different planes may be so near that rounding alone tells them apart.
   [[nodiscard]] std::vector<std::uint8_t> wrongFaces() const;
   /// How many these are.
@@ -124,8 +126,9 @@ inline constexpr int kBetweenWorstPlaces = 8;
 /// view that show one.
 struct PatchDistance {
   std::int64_t samples = 0;
-  double mean = 0, largest = 0;              ///< in units of the scene's file
-  double meanPixels = 0, largestPixels = 0;  ///< in pixels, for a distance seen from its front
+  double mean = 0, largest = 0;  ///< in units of the scene's file
+  double meanPixels = 0,
+         largestPixels = 0;  ///< in pixels, as long as it would look at right angles to the line of sight
 };
 
 /// Nothing if no sample shows a patch.

@@ -14,8 +14,8 @@ namespace xnewell {
 /// where it is negative. ka, kd and ks include the surface's colour.
 /// @see Foley & van Dam 2e §16.1
 ///
-/// This file is the definition, written to be read. Pictures are computed by loops that take several places
-/// at once (reflect.h and phong_row.h of shading/fill); tests hold those loops against this file.
+/// equation.cpp is the definition, written to be read. Pictures are computed by loops that take several
+/// places at once (reflect.h and phong_row.h of shading/fill); tests hold those loops against this file.
 
 /// The cosine whose n-th power is the specular term.
 enum class Form { Textbook, HalfVector, Tutorial };
@@ -44,8 +44,8 @@ struct IlluminationTerms {
   double I = 0;  ///< ambient + diffuse + specular. It may exceed 1; a picture clamps it
 };
 
-/// The terms at the place P, for one light whose share of the channel is Ip. Where there are several lights,
-/// `ambient` counts once. `unit` is the length that 1/d and 1/d^2 take for 1.
+/// The terms at the place P, for one light. Ip is its intensity in this channel; light.Ip is not used. Where
+/// there are several lights, `ambient` counts once. `unit` is the length that 1/d and 1/d^2 take for 1.
 [[nodiscard]] IlluminationTerms illuminate(double Ia, double Ip, const Light& light,
                                            const Reflection& surface, const glm::dvec3& N,
                                            const glm::dvec3& V, const glm::dvec3& P, Form form,
@@ -59,9 +59,9 @@ struct IlluminationTerms {
 /// 2^-1022. `linear` is within 2^-51.
 [[nodiscard]] double attenuation(const Light& light, double d, double unit = 1);
 /// spot: 1 inside the inner cone, 0 outside the outer cone, in between ((cos a - cos outer) / (cos inner -
-/// cos outer))^falloff, where a is the angle from the axis to -L. It is the share of an angle whose cosine is
-/// off by at most 2^-48: cos a has 7 roundings, the cones' cosines have 4 each, and the quotient and the
-/// power have 8.
+/// cos outer))^falloff, where a is the angle from the axis to -L. The result is the exact share of some
+/// angle: the cosines of the two angles differ by at most 2^-48. cos a has 7 roundings, the cones' cosines
+/// have 4 each, and the quotient and the power have 8.
 [[nodiscard]] double spotShare(const Light& light, const glm::dvec3& L);
 /// R.V, N.H or N.L of unit vectors. It is not clamped. R.V is off by at most 2^-48 (18 roundings), N.H by
 /// 2^-49 (9 roundings).
