@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <set>
 
+#include "depthsort/fragment_spans.h"
 #include "depthsort/oracle.h"
-#include "shading/fill/fragment_spans.h"
 
 namespace xnewell {
 

@@ -5,9 +5,9 @@
 #include <glm/common.hpp>
 #include <utility>
 
+#include "depthsort/fragment_spans.h"
 #include "depthsort/oracle.h"
 #include "shading/color/quantize.h"
-#include "shading/fill/fragment_spans.h"
 #include "shading/light/depth_shading.h"
 
 namespace xnewell {

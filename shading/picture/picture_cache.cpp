@@ -1,15 +1,11 @@
 #include "shading/picture/picture_cache.h"
 
 #include <algorithm>
-#include <iterator>
 #include <memory>
 #include <utility>
 
-#include "depthsort/bsp_tree.h"
-#include "depthsort/oracle.h"
-#include "depthsort/order.h"
+#include "depthsort/visibility.h"
 #include "geometry/exact/give_up.h"
-#include "shading/fill/z_buffer.h"
 #include "shading/picture/stopwatch.h"
 #include "shading/scene/units.h"
 
@@ -24,43 +20,6 @@ void timed(double& ms, Stage&& stage) {
   const Stopwatch watch;
   stage();
   ms += watch.ms();
-}
-
-/// Whole faces, back to front, for an order that splits none.
-SortedScene inOrder(const SnappedScene& snapped, Order order) {
-  SortedScene sorted;
-  std::ranges::transform(paintingOrder(snapped, order), std::back_inserter(sorted.fragments),
-                         [](int face) { return Fragment{face}; });
-  sorted.statistics.bytes = bytesOf(sorted);
-  return sorted;
-}
-
-/// What decides what is seen: the fragments back to front, or the visible face at each sample.
-struct Visibility {
-  SortedScene sorted;
-  std::vector<int> faces;
-};
-
-Visibility visibilityOf(const SnappedScene& snapped, const ViewSpec& view, const PictureSettings& wanted) {
-  const int width = wanted.width, height = wanted.height;
-  const SortSettings settings{
-      .width = width, .height = height, .inPixels = wanted.inPixels, .mostPieces = wanted.mostPieces};
-  Visibility result;
-  if (wanted.order == Order::Newell) {
-    result.sorted = depthSort(snapped, settings);
-  } else if (wanted.order == Order::Bsp) {
-    result.sorted = backToFront(bspTree(snapped, settings));
-  } else if (wanted.order == Order::Oracle) {
-    result.faces = visibleFaces(snapped, width, height);
-  } else if (const int bits = rowOf(wanted.order).bits; bits > 0) {
-    ZBuffer buffer = zBuffer(snapped, view, bits, width, height);
-    result.faces = std::move(buffer.faces);
-    result.sorted.statistics.depthTests = buffer.tests;
-    result.sorted.statistics.bytes = buffer.bytes;
-  } else {
-    result.sorted = inOrder(snapped, wanted.order);
-  }
-  return result;
 }
 
 }  // namespace
@@ -122,7 +81,11 @@ Picture PictureCache::make(const PictureSettings& wanted, std::optional<std::uin
   // The faces back to front; or the visible face at each sample.
   if (newView || changed(&Asked::order, &Asked::inPixels))
     timed(ms.sort, [&] {
-      Visibility visibility = visibilityOf(*next.snapped_, view, wanted);
+      Visibility visibility = visibilityOf(*next.snapped_, view, wanted.order,
+                                           {.width = wanted.width,
+                                            .height = wanted.height,
+                                            .inPixels = wanted.inPixels,
+                                            .mostPieces = wanted.mostPieces});
       next.visible_ = std::move(visibility.faces);
       next.sorted_ = std::move(visibility.sorted);
     });

@@ -3,10 +3,10 @@
 #include <algorithm>
 #include <utility>
 
+#include "depthsort/fragment_spans.h"
 #include "geometry/exact/give_up.h"
 #include "geometry/view/at_source.h"
 #include "shading/fill/fill.h"
-#include "shading/fill/fragment_spans.h"
 #include "shading/fill/gouraud.h"
 #include "shading/fill/row_values.h"
 

@@ -1,6 +1,6 @@
 #include <gtest/gtest.h>
 
-#include "shading/fill/fragment_spans.h"
+#include "depthsort/fragment_spans.h"
 #include "tests/support/exact_region.h"
 #include "tests/support/random_scenes.h"
 #include "tests/support/seeds.h"

@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <random>
 
-#include "shading/fill/fragment_spans.h"
+#include "depthsort/fragment_spans.h"
 #include "tests/support/exact_region.h"
 #include "tests/support/random_scenes.h"
 #include "tests/support/seeds.h"

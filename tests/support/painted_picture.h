@@ -2,7 +2,7 @@
 
 #include <vector>
 
-#include "shading/fill/fragment_spans.h"
+#include "depthsort/fragment_spans.h"
 #include "shading/picture/picture_cache.h"
 
 namespace xnewell {

@@ -29,7 +29,7 @@ std::vector<std::string> matches(const std::string& text, const std::string& pat
 /// The rooms as the CMakeLists.txt of the floors have them.
 Rooms built() {
   Rooms rooms;
-  for (const std::string floor : {"geometry", "shading", "x11"}) {
+  for (const std::string floor : {"geometry", "depthsort", "shading", "x11"}) {
     const std::string text = documentOf(floor + "/CMakeLists.txt");
     const std::regex room{R"(\nroom\((\w+)\s+(?:USES ([\w\s]*?))?\s*FILES)"};
     for (std::sregex_iterator at{text.begin(), text.end(), room}, end; at != end; ++at) {

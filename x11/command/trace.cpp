@@ -8,8 +8,8 @@
 #include <ostream>
 #include <system_error>
 
-#include "depthsort/explain.h"
-#include "depthsort/replay.h"
+#include "depthsort/record/explain.h"
+#include "depthsort/record/replay.h"
 
 namespace xnewell {
 

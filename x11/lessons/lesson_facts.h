@@ -7,7 +7,7 @@
 #include <string_view>
 #include <vector>
 
-#include "depthsort/explain.h"
+#include "depthsort/record/explain.h"
 #include "shading/color/index_image.h"
 #include "shading/explain/explain.h"
 #include "shading/laboratory/exactness.h"

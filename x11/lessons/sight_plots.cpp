@@ -2,7 +2,7 @@
 #include <cmath>
 #include <limits>
 
-#include "depthsort/explain.h"
+#include "depthsort/record/explain.h"
 #include "shading/laboratory/profile.h"
 #include "x11/drawing/wording.h"
 #include "x11/lessons/sight_pen.h"

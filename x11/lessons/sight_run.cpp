@@ -1,8 +1,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "depthsort/explain.h"
-#include "depthsort/replay.h"
+#include "depthsort/record/explain.h"
+#include "depthsort/record/replay.h"
 #include "x11/drawing/wording.h"
 #include "x11/lessons/sight_pen.h"
 #include "x11/scanline/scanline_page.h"

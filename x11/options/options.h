@@ -8,7 +8,7 @@
 #include <string_view>
 #include <vector>
 
-#include "depthsort/replay.h"
+#include "depthsort/record/replay.h"
 #include "shading/figure/figure.h"
 #include "shading/picture/picture.h"
 #include "shading/scene/settings.h"

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <vector>
 
-#include "shading/fill/fragment_spans.h"
+#include "depthsort/fragment_spans.h"
 
 namespace xnewell {
 

@@ -1,6 +1,6 @@
 #include "x11/stepper/fragment_tint.h"
 
-#include "shading/fill/fragment_spans.h"
+#include "depthsort/fragment_spans.h"
 
 namespace xnewell {
 

@@ -5,8 +5,8 @@
 #include <string_view>
 #include <vector>
 
-#include "depthsort/explain.h"
-#include "depthsort/replay.h"
+#include "depthsort/record/explain.h"
+#include "depthsort/record/replay.h"
 #include "shading/color/palette.h"
 #include "shading/picture/picture.h"
 #include "x11/drawing/painter.h"

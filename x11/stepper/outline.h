@@ -3,7 +3,7 @@
 #include <optional>
 #include <vector>
 
-#include "depthsort/explain.h"
+#include "depthsort/record/explain.h"
 #include "x11/drawing/painter.h"
 
 namespace xnewell {

@@ -6,10 +6,10 @@
 #include <map>
 #include <utility>
 
+#include "depthsort/fragment_spans.h"
 #include "depthsort/pair_tests.h"
 #include "depthsort/pieces.h"
 #include "shading/diagnose/pair_scene.h"
-#include "shading/fill/fragment_spans.h"
 #include "shading/laboratory/exactness.h"
 #include "x11/drawing/wording.h"
 #include "x11/homework/judgement_report.h"

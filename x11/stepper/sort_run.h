@@ -3,9 +3,9 @@
 #include <optional>
 #include <vector>
 
-#include "depthsort/explain.h"
-#include "depthsort/landmarks.h"
-#include "depthsort/replay.h"
+#include "depthsort/record/explain.h"
+#include "depthsort/record/landmarks.h"
+#include "depthsort/record/replay.h"
 #include "x11/stepper/so_far.h"
 
 namespace xnewell {

@@ -1,6 +1,6 @@
 #include <gtest/gtest.h>
 
-#include "depthsort/explain.h"
+#include "depthsort/record/explain.h"
 #include "shading/picture/picture_cache.h"
 #include "tests/support/seeds.h"
 #include "x11/lessons/lesson.h"

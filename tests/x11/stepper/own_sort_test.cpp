@@ -6,10 +6,10 @@
 #include <random>
 #include <set>
 
+#include "depthsort/fragment_spans.h"
 #include "depthsort/oracle.h"
 #include "depthsort/order.h"
 #include "shading/diagnose/paint_steps.h"
-#include "shading/fill/fragment_spans.h"
 #include "shading/laboratory/exactness.h"
 #include "tests/support/seeds.h"
 #include "tests/support/temporary_folder.h"

@@ -4,8 +4,8 @@
 
 #include <algorithm>
 
+#include "depthsort/fragment_spans.h"
 #include "geometry/model/solids.h"
-#include "shading/fill/fragment_spans.h"
 #include "shading/picture/picture_cache.h"
 #include "tests/support/model_view.h"
 

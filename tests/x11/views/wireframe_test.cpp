@@ -6,9 +6,9 @@
 #include <cmath>
 #include <set>
 
+#include "depthsort/fragment_spans.h"
 #include "depthsort/oracle.h"
 #include "geometry/model/solids.h"
-#include "shading/fill/fragment_spans.h"
 #include "shading/picture/picture_cache.h"
 
 namespace xnewell::THIS_FILE {

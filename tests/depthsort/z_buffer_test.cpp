@@ -1,4 +1,4 @@
-#include "shading/fill/z_buffer.h"
+#include "depthsort/z_buffer.h"
 
 #include <gtest/gtest.h>
 

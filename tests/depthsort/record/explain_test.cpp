@@ -1,4 +1,4 @@
-#include "depthsort/explain.h"
+#include "depthsort/record/explain.h"
 
 #include <gtest/gtest.h>
 

@@ -6,7 +6,7 @@
 #include <string_view>
 #include <vector>
 
-#include "depthsort/fragments.h"
+#include "depthsort/record/fragments.h"
 
 namespace xnewell {
 

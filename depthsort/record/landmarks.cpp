@@ -1,4 +1,4 @@
-#include "depthsort/landmarks.h"
+#include "depthsort/record/landmarks.h"
 
 #include <algorithm>
 

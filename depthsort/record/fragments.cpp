@@ -1,4 +1,4 @@
-#include "depthsort/fragments.h"
+#include "depthsort/record/fragments.h"
 
 #include <algorithm>
 #include <cctype>

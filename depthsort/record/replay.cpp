@@ -1,4 +1,4 @@
-#include "depthsort/replay.h"
+#include "depthsort/record/replay.h"
 
 #include <algorithm>
 #include <cassert>
