@@ -45,10 +45,10 @@ Start startOf(const Picture& picture) {
     for (int i = 0; i < settings.width; ++i) {
       const double x = i + 0.5 - settings.width / 2.0, y = j + 0.5 - settings.height / 2.0;
       if (x * x + y * y >= nearest) continue;
-      const std::optional<Rays::Hit> hit = rays.nearest(i + 0.5L, j + 0.5L);
+      const std::optional<Rays::Hit> hit = rays.nearest(i + 0.5, j + 0.5);
       if (!hit) continue;
       nearest = x * x + y * y;
-      start.target = rays.point(i + 0.5L, j + 0.5L, hit->t);
+      start.target = rays.point(i + 0.5, j + 0.5, hit->t);
       const glm::dvec3 N = newellPlane(scene.mesh.points, scene.mesh.face(hit->face)).N;
       start.facing = glm::dot(N, start.camera.eye - start.target) < 0 ? -N : N;
     }

@@ -10,9 +10,11 @@ namespace xnewell {
 
 namespace {
 
-/// What arithmetic in long double may be off, as a share of a distance: a thousand times its rounding.
-constexpr long double kArithmetic = 0x1p-54L;
-constexpr long double kInfinity = std::numeric_limits<long double>::infinity();
+using std::abs;  // and that of SoftExtended
+
+/// What arithmetic of the rays may be off, as a share of a distance: a thousand times its rounding.
+constexpr double kArithmetic = 0x1p-54;
+constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
 }  // namespace
 
@@ -41,7 +43,7 @@ Rays::Rays(const Scene& scene, const Camera& camera, const PictureSettings& sett
     for (std::size_t c = 2; c < corners.size(); ++c)
       twiceArea += glm::cross(Vec{scene.mesh.points[corners[c - 1]]} - first,
                               Vec{scene.mesh.points[corners[c]]} - first);
-    const long double length = glm::length(twiceArea);
+    const Extended length = glm::length(twiceArea);
     if (!(length > 0)) continue;
     Part part{.face = parts.face[k], .part = k, .N = twiceArea / length, .play = 0};
     const Vec N = glm::abs(part.N);
@@ -54,56 +56,55 @@ Rays::Rays(const Scene& scene, const Camera& camera, const PictureSettings& sett
 /// The box of the projected corners, or the whole picture if a corner is not in front of the eye.
 void Rays::bound(Part& part) const {
   part.x1 = width_, part.y1 = height_;
-  long double x0 = width_, x1 = 0, y0 = height_, y1 = 0;
-  const Vec centre = vrp_ + 0.5L * (low_.x + high_.x) * u_ + 0.5L * (low_.y + high_.y) * v_;
+  Extended x0 = width_, x1 = 0, y0 = height_, y1 = 0;
+  const Vec centre = vrp_ + Extended{0.5} * (low_.x + high_.x) * u_ + Extended{0.5} * (low_.y + high_.y) * v_;
   const Vec along = centre - prp_;  // of a parallel view
   for (const int c : scene_.parts.part(part.part)) {
     const Vec p = Vec{scene_.mesh.points[c]} - vrp_, e = prp_ - vrp_;
-    const long double depth = glm::dot(e, n_), n = glm::dot(p, n_);
+    const Extended depth = glm::dot(e, n_), n = glm::dot(p, n_);
     Vec on;
     if (perspective_) {
-      if (depth - n <= 1e-9L * depth) return;
+      if (depth - n <= 1e-9 * depth) return;
       on = e + (p - e) * (depth / (depth - n));
     } else {
       on = p - along * (n / glm::dot(along, n_));
     }
-    const long double x = (glm::dot(on, u_) - low_.x) / (high_.x - low_.x) * width_;
-    const long double y = (high_.y - glm::dot(on, v_)) / (high_.y - low_.y) * height_;
+    const Extended x = (glm::dot(on, u_) - low_.x) / (high_.x - low_.x) * width_;
+    const Extended y = (high_.y - glm::dot(on, v_)) / (high_.y - low_.y) * height_;
     x0 = std::min(x0, x), x1 = std::max(x1, x), y0 = std::min(y0, y), y1 = std::max(y1, y);
   }
   part.x0 = x0 - 1, part.x1 = x1 + 1, part.y0 = y0 - 1, part.y1 = y1 + 1;
 }
 
-Rays::Ray Rays::ray(long double x, long double y) const {
-  const long double u = low_.x + (high_.x - low_.x) * x / width_,
-                    v = high_.y - (high_.y - low_.y) * y / height_;
+Rays::Ray Rays::ray(Extended x, Extended y) const {
+  const Extended u = low_.x + (high_.x - low_.x) * x / width_, v = high_.y - (high_.y - low_.y) * y / height_;
   const Vec on = vrp_ + u * u_ + v * v_;
   if (perspective_) return {prp_, glm::normalize(on - prp_)};
-  const Vec centre = vrp_ + 0.5L * (low_.x + high_.x) * u_ + 0.5L * (low_.y + high_.y) * v_;
+  const Vec centre = vrp_ + Extended{0.5} * (low_.x + high_.x) * u_ + Extended{0.5} * (low_.y + high_.y) * v_;
   const Vec along = centre - prp_;
   return {on - along, glm::normalize(along)};
 }
 
 std::optional<Rays::Hit> Rays::meet(const Part& part, const Ray& ray) const {
   const std::span<const int> corners = scene_.parts.part(part.part);
-  const long double slope = glm::dot(part.N, ray.along);
+  const Extended slope = glm::dot(part.N, ray.along);
   if (slope == 0 || (cull_ == Cull::Back && slope > 0)) return {};
   bool left = false, right = false;
   Vec a = Vec{scene_.mesh.points[corners.back()]} - ray.from;
   for (const int c : corners) {
     const Vec b = Vec{scene_.mesh.points[c]} - ray.from;
-    const long double side = glm::dot(ray.along, glm::cross(a, b));
+    const Extended side = glm::dot(ray.along, glm::cross(a, b));
     left |= side > 0, right |= side < 0;
     if (left && right) return {};
     a = b;
   }
-  const long double t = glm::dot(part.N, Vec{scene_.mesh.points[corners[0]]} - ray.from) / slope;
-  const long double n = glm::dot(ray.from + t * ray.along - vrp_, n_);
+  const Extended t = glm::dot(part.N, Vec{scene_.mesh.points[corners[0]]} - ray.from) / slope;
+  const Extended n = glm::dot(ray.from + t * ray.along - vrp_, n_);
   if (n > front_ || n < back_ || (perspective_ && t <= 0)) return {};
-  return Hit{part.face, t, part.play / std::abs(slope)};
+  return Hit{part.face, t, part.play / abs(slope)};
 }
 
-std::optional<Rays::Hit> Rays::nearest(long double x, long double y) const {
+std::optional<Rays::Hit> Rays::nearest(Extended x, Extended y) const {
   const Ray along = ray(x, y);
   std::optional<Hit> nearest;
   for (const Part& part : parts_) {
@@ -114,7 +115,7 @@ std::optional<Rays::Hit> Rays::nearest(long double x, long double y) const {
   return nearest;
 }
 
-std::optional<Rays::Hit> Rays::hit(int face, long double x, long double y) const {
+std::optional<Rays::Hit> Rays::hit(int face, Extended x, Extended y) const {
   const Ray along = ray(x, y);
   std::optional<Hit> nearest;
   for (auto part = std::ranges::lower_bound(parts_, face, {}, &Part::face);
@@ -125,13 +126,13 @@ std::optional<Rays::Hit> Rays::hit(int face, long double x, long double y) const
   return nearest;
 }
 
-long double Rays::z(const Hit& hit, long double x, long double y) const {
-  const long double pixel = (high_.x - low_.x) / width_, D = glm::dot(prp_ - vrp_, n_);
-  const long double depth = hit.t * std::abs(glm::dot(ray(x, y).along, n_));
+Extended Rays::z(const Hit& hit, Extended x, Extended y) const {
+  const Extended pixel = (high_.x - low_.x) / width_, D = glm::dot(prp_ - vrp_, n_);
+  const Extended depth = hit.t * abs(glm::dot(ray(x, y).along, n_));
   return (perspective_ ? D * D / depth : -depth) / pixel;
 }
 
-glm::dvec3 Rays::point(long double x, long double y, long double t) const {
+glm::dvec3 Rays::point(Extended x, Extended y, Extended t) const {
   const Ray along = ray(x, y);
   return along.from + t * along.along;
 }
@@ -139,15 +140,15 @@ glm::dvec3 Rays::point(long double x, long double y, long double t) const {
 namespace {
 
 /// The middle and the corners of a square of this half side.
-std::array<std::array<long double, 2>, 5> around(long double s) {
+std::array<std::array<Extended, 2>, 5> around(Extended s) {
   return {{{0, 0}, {s, s}, {-s, s}, {s, -s}, {-s, -s}}};
 }
 
 /// True if face `shown` may look as near as face `nearest` at (x, y), because the corners of each were moved
 /// by half a step of the grid.
-bool isDoubtful(const Rays& rays, int shown, int nearest, long double x, long double y, long double zStep) {
-  long double mine = -kInfinity, its = kInfinity;
-  for (const auto& [dx, dy] : around(0.5L / kGrid)) {
+bool isDoubtful(const Rays& rays, int shown, int nearest, Extended x, Extended y, Extended zStep) {
+  Extended mine = -kInfinity, its = kInfinity;
+  for (const auto& [dx, dy] : around(0.5 / kGrid)) {
     if (const auto hit = rays.hit(shown, x + dx, y + dy)) mine = std::max(mine, rays.z(*hit, x + dx, y + dy));
     if (const auto hit = rays.hit(nearest, x + dx, y + dy)) its = std::min(its, rays.z(*hit, x + dx, y + dy));
   }
@@ -160,29 +161,28 @@ JudgedByRays judgedByRays(const Picture& picture) {
   const int width = picture.settings().width, height = picture.settings().height;
   const Rays rays{picture.scene(), picture.camera(), picture.settings()};
   const std::vector<std::uint32_t> shown = picture.faceImage();
-  const long double zStep = std::ldexp(1.0L / kGrid, picture.snapped().zShift);
+  const double zStep = std::ldexp(1.0 / kGrid, picture.snapped().zShift);
   JudgedByRays judged;
   for (int j = 0; j < height; ++j)
     for (int i = 0; i < width; ++i) {
       const int face = static_cast<int>(shown[std::size_t(j) * width + i]) - 1;  // -1 where none shows
-      const std::optional<Rays::Hit> first = rays.nearest(i + 0.5L, j + 0.5L);
+      const std::optional<Rays::Hit> first = rays.nearest(i + 0.5, j + 0.5);
       judged.samples += face >= 0 || first;
       if (face == (first ? first->face : -1)) continue;
       double behind = 1;
-      for (const auto& [dx, dy] : around(2.0L / kGrid)) {
-        const std::optional<Rays::Hit> near = rays.nearest(i + 0.5L + dx, j + 0.5L + dy);
+      for (const auto& [dx, dy] : around(2.0 / kGrid)) {
+        const std::optional<Rays::Hit> near = rays.nearest(i + 0.5 + dx, j + 0.5 + dy);
         if (face < 0 || !near) {
           if (face < 0 && !near) behind = 0;
           continue;
         }
-        const std::optional<Rays::Hit> mine = rays.hit(face, i + 0.5L + dx, j + 0.5L + dy);
+        const std::optional<Rays::Hit> mine = rays.hit(face, i + 0.5 + dx, j + 0.5 + dy);
         if (!mine) continue;
-        const long double apart = mine->t - near->t;
-        const bool one = apart <= mine->play + near->play + kArithmetic * std::abs(near->t);
-        behind = std::min(behind, one ? 0.0 : static_cast<double>(apart / std::abs(near->t)));
+        const Extended apart = mine->t - near->t;
+        const bool one = apart <= mine->play + near->play + kArithmetic * abs(near->t);
+        behind = std::min(behind, one ? 0.0 : static_cast<double>(apart / abs(near->t)));
       }
-      if (behind > 0 && face >= 0 && first &&
-          isDoubtful(rays, face, first->face, i + 0.5L, j + 0.5L, zStep)) {
+      if (behind > 0 && face >= 0 && first && isDoubtful(rays, face, first->face, i + 0.5, j + 0.5, zStep)) {
         ++judged.doubtful;
         continue;
       }

@@ -3,14 +3,16 @@
 #include <optional>
 #include <vector>
 
+#include "geometry/exact/extended.h"
 #include "geometry/view/camera.h"
 #include "geometry/view/project.h"
 #include "shading/picture/picture.h"
 
 namespace xnewell {
 
-/// What rays from the eye see of a scene. They judge pictures at extremes. They use the model's coordinates
-/// in long double, and no matrix, grid, plane record or tolerance of the walk that made the picture.
+/// What rays from the eye see of a scene. They judge pictures at extremes. They compute from the model's
+/// coordinates with 64 bits, and use no matrix, grid, plane record or tolerance of the walk that made the
+/// picture.
 class Rays {
  public:
   /// Rays end at the front and the back plane only if the user gave these: the planes that the program
@@ -19,33 +21,33 @@ class Rays {
 
   /// A face that a ray meets.
   struct Hit {
-    int face;       ///< face number
-    long double t;  ///< how far along the ray, in world units
+    int face;    ///< face number
+    Extended t;  ///< how far along the ray, in world units
     /// How far along the ray the plane may move if the file's rounding moves the corners.
-    long double play;
+    Extended play;
   };
   /// The nearest face at a place of the picture, x and y in pixels; nothing if the ray meets no face.
-  [[nodiscard]] std::optional<Hit> nearest(long double x, long double y) const;
+  [[nodiscard]] std::optional<Hit> nearest(Extended x, Extended y) const;
   /// The place where the ray at (x, y) meets a face; nothing if it does not meet it.
-  [[nodiscard]] std::optional<Hit> hit(int face, long double x, long double y) const;
+  [[nodiscard]] std::optional<Hit> hit(int face, Extended x, Extended y) const;
   /// The z of a hit of the ray at (x, y), in pixels of the view plane, larger where it is nearer: 1 / depth
   /// in perspective, as project() measures z, but from another zero.
-  [[nodiscard]] long double z(const Hit& hit, long double x, long double y) const;
+  [[nodiscard]] Extended z(const Hit& hit, Extended x, Extended y) const;
   /// The point at t along the ray at (x, y), in world units.
-  [[nodiscard]] glm::dvec3 point(long double x, long double y, long double t) const;
+  [[nodiscard]] glm::dvec3 point(Extended x, Extended y, Extended t) const;
 
  private:
-  using Vec = glm::vec<3, long double>;
+  using Vec = glm::vec<3, Extended>;
   struct Ray {
     Vec from, along;  ///< `along` is a unit vector
   };
   struct Part {
     int face, part;
-    Vec N;                                       ///< unit
-    long double play;                            ///< how far the file's rounding moves the plane, along N
-    long double x0 = 0, x1 = 0, y0 = 0, y1 = 0;  ///< pixels that it may cover
+    Vec N;                                    ///< unit
+    Extended play;                            ///< how far the file's rounding moves the plane, along N
+    Extended x0 = 0, x1 = 0, y0 = 0, y1 = 0;  ///< pixels that it may cover
   };
-  [[nodiscard]] Ray ray(long double x, long double y) const;
+  [[nodiscard]] Ray ray(Extended x, Extended y) const;
   [[nodiscard]] std::optional<Hit> meet(const Part& part, const Ray& ray) const;
   void bound(Part& part) const;
 
@@ -54,7 +56,7 @@ class Rays {
   Vec vrp_, prp_;
   bool perspective_;
   glm::dvec2 low_, high_;  ///< the window
-  long double front_, back_;
+  Extended front_, back_;
   int width_, height_;
   Cull cull_;
   std::vector<Part> parts_;

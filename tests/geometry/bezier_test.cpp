@@ -9,6 +9,7 @@
 #include <glm/geometric.hpp>
 #include <random>
 
+#include "geometry/exact/extended.h"
 #include "geometry/exact/plane.h"
 #include "geometry/exact/unit.h"
 
@@ -16,7 +17,7 @@ namespace xnewell::THIS_FILE {
 
 namespace {
 
-using Wide = glm::vec<3, long double>;
+using Wide = glm::vec<3, Extended>;
 
 BezierPatch randomPatch(std::mt19937& rng) {
   std::uniform_real_distribution<double> coordinate{-4.0, 4.0};
@@ -38,21 +39,21 @@ BezierPatch transposed(const BezierPatch& patch) {
   return t;
 }
 
-/// De Casteljau's construction in long double: the value and the derivative of a cubic.
+/// De Casteljau's construction with 64 bits: the value and the derivative of a cubic.
 struct Cubic {
   Wide value, slope;
 };
-Cubic deCasteljau(std::array<Wide, 4> p, long double t) {
+Cubic deCasteljau(std::array<Wide, 4> p, Extended t) {
   const auto mix = [t](const Wide& a, const Wide& b) { return (1 - t) * a + t * b; };
   const Wide a = mix(p[0], p[1]), b = mix(p[1], p[2]), c = mix(p[2], p[3]);
   const Wide ab = mix(a, b), bc = mix(b, c);
-  return {mix(ab, bc), 3.0L * (bc - ab)};
+  return {mix(ab, bc), Extended{3} * (bc - ab)};
 }
 
 struct Oracle {
   Wide point, du, dv;
 };
-Oracle oracle(const BezierPatch& patch, long double u, long double v) {
+Oracle oracle(const BezierPatch& patch, Extended u, Extended v) {
   std::array<Wide, 4> rows, columns;
   for (int i = 0; i < 4; ++i) {
     std::array<Wide, 4> row, column;
@@ -66,7 +67,7 @@ Oracle oracle(const BezierPatch& patch, long double u, long double v) {
   return {deCasteljau(rows, u).value, deCasteljau(rows, u).slope, deCasteljau(columns, v).slope};
 }
 
-glm::dvec3 oracleNormal(const BezierPatch& patch, long double u, long double v) {
+glm::dvec3 oracleNormal(const BezierPatch& patch, Extended u, Extended v) {
   const Oracle o = oracle(patch, u, v);
   return glm::dvec3{glm::normalize(glm::cross(o.du, o.dv))};
 }
@@ -80,7 +81,7 @@ std::array<std::uint64_t, 3> bits(const glm::dvec3& p) {
 
 }  // namespace
 
-// Points and normals agree with de Casteljau's construction in long double. A point is a convex sum of
+// Points and normals agree with de Casteljau's construction with 64 bits. A point is a convex sum of
 // coordinates below 4. It takes two nested cubics of about 8 roundings: 16 * 4 * 2^-53 for each coordinate. A
 // normal loses as many bits as du x dv is shorter than the product of the net's edges.
 TEST(Bezier, AgreesWithDeCasteljau) {
@@ -183,14 +184,14 @@ TEST(Bezier, NegativeZeroIsWelded) {
   EXPECT_EQ(tessellate(std::array{flatPatch(), negative}, 3).points.size(), 16u);
 }
 
-// Where du x dv vanishes, the normal is its limit. It agrees with the long double normal a step h towards the
+// Where du x dv vanishes, the normal is its limit. It agrees with the normal of 64 bits a step h towards the
 // middle of the patch, up to the O(h) that the normal turns on the way.
 TEST(Bezier, NormalIsTheLimitAtDegeneratePlaces) {
-  constexpr long double h = 1e-7L;
+  constexpr double h = 1e-7;
   const auto expectLimit = [&](const BezierPatch& patch, double u, double v) {
     const Oracle o = oracle(patch, u, v);
-    EXPECT_LT(glm::length(glm::cross(o.du, o.dv)), 1e-12L);  // it is really degenerate
-    const glm::dvec3 nearby = oracleNormal(patch, u + h * (0.5L - u), v + h * (0.5L - v));
+    EXPECT_LT(static_cast<double>(glm::length(glm::cross(o.du, o.dv))), 1e-12);  // it is really degenerate
+    const glm::dvec3 nearby = oracleNormal(patch, u + h * (0.5 - u), v + h * (0.5 - v));
     EXPECT_LT(distance(normal(patch, u, v), nearby), 1e-4) << u << ' ' << v;
   };
   for (unsigned seed = 0; seed < 100; ++seed) {

@@ -4,8 +4,11 @@
 
 #include <cmath>
 #include <glm/geometric.hpp>
+#include <limits>
 #include <random>
 #include <vector>
+
+#include "geometry/exact/extended.h"
 
 namespace xnewell::THIS_FILE {
 
@@ -160,26 +163,25 @@ struct Triangles {
 /// The least depth at which a ray from the eye meets a triangle, over rays through n by n places of the
 /// window.
 double nearestHit(const Camera& camera, const Triangles& scene, int n) {
-  using Vec = glm::vec<3, long double>;
+  using Vec = glm::vec<3, Extended>;
   const ViewSpec& view = camera.view;
   const Vec n0 = glm::normalize(Vec{view.vpn}), u = glm::normalize(glm::cross(Vec{view.vup}, n0)),
             v = glm::cross(n0, u);
-  const Vec eye = Vec{view.vrp} + u * static_cast<long double>(view.prp.x) +
-                  v * static_cast<long double>(view.prp.y) + n0 * static_cast<long double>(view.prp.z);
-  long double nearest = INFINITY;
+  const Vec eye =
+      Vec{view.vrp} + u * Extended(view.prp.x) + v * Extended(view.prp.y) + n0 * Extended(view.prp.z);
+  Extended nearest = std::numeric_limits<double>::infinity();
   for (int i = 0; i < n; ++i)
     for (int j = 0; j < n; ++j) {
       const glm::dvec2 at =
           view.windowMin + (view.windowMax - view.windowMin) * glm::dvec2{(i + 0.5) / n, (j + 0.5) / n};
-      const Vec ray =
-          Vec{view.vrp} + u * static_cast<long double>(at.x) + v * static_cast<long double>(at.y) - eye;
+      const Vec ray = Vec{view.vrp} + u * Extended(at.x) + v * Extended(at.y) - eye;
       for (int k = 0; k < scene.parts.count(); ++k) {  // Moeller & Trumbore 1997
         const auto corner = [&](int c) { return Vec{scene.points[scene.parts.part(k)[c]]}; };
         const Vec e1 = corner(1) - corner(0), e2 = corner(2) - corner(0), P = glm::cross(ray, e2);
-        const long double det = glm::dot(e1, P);
+        const Extended det = glm::dot(e1, P);
         if (det == 0) continue;
         const Vec T = eye - corner(0), Q = glm::cross(T, e1);
-        const long double a = glm::dot(T, P) / det, b = glm::dot(ray, Q) / det, t = glm::dot(e2, Q) / det;
+        const Extended a = glm::dot(T, P) / det, b = glm::dot(ray, Q) / det, t = glm::dot(e2, Q) / det;
         if (a >= 0 && b >= 0 && a + b <= 1 && t > 0) nearest = std::min(nearest, -t * glm::dot(ray, n0));
       }
     }

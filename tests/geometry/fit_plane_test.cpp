@@ -8,13 +8,16 @@
 #include <random>
 #include <vector>
 
+#include "geometry/exact/extended.h"
 #include "geometry/exact/unit.h"
 
 namespace xnewell::THIS_FILE {
 
 namespace {
 
-using Real = long double;
+using std::abs;  // and that of SoftExtended
+
+using Real = Extended;
 using Vec = glm::vec<3, Real>;
 
 /// As if the points, which are at most 2 from the origin, had been moved there from far away: e is 2^-18.
@@ -23,15 +26,15 @@ constexpr double kSide = 1.0, kMagnitude = 0x1p32, kCoarse = 1e-3;
 /// r of a point, by the words of rounding.h.
 Real roundingOf(const Vec& N, double u) {
   const Vec n = glm::abs(N);
-  return u * (n.x + n.y + n.z) + 0x1p-46L * kSide + 0x1p-50L * kMagnitude;
+  return u * (n.x + n.y + n.z) + 0x1p-46 * kSide + 0x1p-50 * kMagnitude;
 }
 
 /// The least h of any plane, with r as it is for the normal N. By Helly's theorem four of the points hold the
 /// best plane. With the weights l of their only affine dependency, sum l = 0 and sum l p = 0 seen along N, it
 /// has h = |sum l N.p| / sum |l| r: the best of four points is the worst of all fours.
 Real leastOf(const std::vector<RoundedPoint>& points, const Vec& N) {
-  const Vec axis = std::abs(N.x) < 0.5L ? Vec{1, 0, 0} : Vec{0, 1, 0},
-            T = glm::normalize(glm::cross(N, axis)), U = glm::cross(N, T);
+  const Vec axis = abs(N.x) < 0.5 ? Vec{1, 0, 0} : Vec{0, 1, 0}, T = glm::normalize(glm::cross(N, axis)),
+            U = glm::cross(N, T);
   Real most = 0;
   std::vector<Vec> q;
   for (const RoundedPoint& p : points)
@@ -45,11 +48,10 @@ Real leastOf(const std::vector<RoundedPoint>& points, const Vec& N) {
       for (int c = b + 1; c < n; ++c)
         for (int d = c + 1; d < n; ++d) {
           const Real la = area(b, c, d), lb = -area(a, c, d), lc = area(a, b, d), ld = -area(a, b, c);
-          const Real sum =
-              std::abs(la) * roundingOf(N, points[a].u) + std::abs(lb) * roundingOf(N, points[b].u) +
-              std::abs(lc) * roundingOf(N, points[c].u) + std::abs(ld) * roundingOf(N, points[d].u);
+          const Real sum = abs(la) * roundingOf(N, points[a].u) + abs(lb) * roundingOf(N, points[b].u) +
+                           abs(lc) * roundingOf(N, points[c].u) + abs(ld) * roundingOf(N, points[d].u);
           if (sum > 0)
-            most = std::max(most, std::abs(la * q[a].z + lb * q[b].z + lc * q[c].z + ld * q[d].z) / sum);
+            most = std::max(most, abs(la * q[a].z + lb * q[b].z + lc * q[c].z + ld * q[d].z) / sum);
         }
   return most;
 }

@@ -6,9 +6,11 @@
 #include <array>
 #include <cmath>
 #include <glm/geometric.hpp>
+#include <numbers>
 #include <numeric>
 #include <random>
 
+#include "geometry/exact/extended.h"
 #include "geometry/exact/trig.h"
 #include "geometry/exact/unit.h"
 #include "geometry/files/bpt.h"
@@ -221,11 +223,11 @@ TEST(VertexNormals, ExactNormalsWhereThereAre) {
   }
 }
 
-// A second method: the rules word by word in long double, every corner by itself, on triangles among few
+// A second method: the rules word by word with 64 bits, every corner by itself, on triangles among few
 // points, some of them twice. Corners where an angle is near the crease are left out, and points where the
 // sum nearly vanishes.
 TEST(VertexNormals, AgreeWithTheRulesWordByWord) {
-  using Wide = glm::vec<3, long double>;
+  using Wide = glm::vec<3, Extended>;
   const Seeds seeds{300};
   int checked = 0;
   for (unsigned seed = seeds.from; seed < seeds.end; ++seed) {
@@ -256,21 +258,23 @@ TEST(VertexNormals, AgreeWithTheRulesWordByWord) {
         bool clear = true;
         for (int o = 0; o < static_cast<int>(mesh.corners.size()); ++o) {
           if (mesh.corners[o] != mesh.corners[c]) continue;
-          const long double cosine = glm::dot(N(c / 3), N(o / 3));
-          const long double least = std::cos(crease * 3.14159265358979323846L / 180.0L);
-          if (crease < 180.0 && std::abs(cosine - least) < 1e-9L) clear = false;
+          const auto cosine = static_cast<double>(glm::dot(N(c / 3), N(o / 3)));
+          const double least = std::cos(crease * std::numbers::pi / 180);
+          if (crease < 180.0 && std::abs(cosine - least) < 1e-9) clear = false;
           if (crease < 180.0 && cosine < least) continue;
           const Wide a = at(o / 3 * 3 + (o + 1) % 3) - at(o), b = at(o / 3 * 3 + (o + 2) % 3) - at(o);
           if (rule == NormalRule::Distinct &&
-              std::ranges::any_of(counted, [&](const Wide& n) { return glm::length(n - N(o / 3)) < 1e-9L; }))
+              std::ranges::any_of(counted, [&](const Wide& n) { return glm::length(n - N(o / 3)) < 1e-9; }))
             continue;
           counted.push_back(N(o / 3));
           sum += rule == NormalRule::Area ? twiceArea[o / 3]
                  : rule == NormalRule::Angle
-                     ? std::atan2(glm::length(glm::cross(a, b)), glm::dot(a, b)) * N(o / 3)
+                     ? Extended{std::atan2(static_cast<double>(glm::length(glm::cross(a, b))),
+                                           static_cast<double>(glm::dot(a, b)))} *
+                           N(o / 3)
                      : N(o / 3);
         }
-        if (!clear || glm::length(sum) < 0.05L) continue;
+        if (!clear || glm::length(sum) < 0.05) continue;
         ++checked;
         ASSERT_LT(distance(computed[c], glm::dvec3{glm::normalize(sum)}), 1e-11) << static_cast<int>(rule);
       }

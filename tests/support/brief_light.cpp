@@ -9,12 +9,21 @@ namespace xnewell {
 
 namespace {
 
+using std::abs, std::sqrt;  // and those of SoftExtended
+
+constexpr double kInfinity = std::numeric_limits<double>::infinity();
+
 LongVec wide(const glm::dvec3& v) { return {v.x, v.y, v.z}; }
 
-Long radians(double degrees) { return degrees * std::numbers::pi_v<Long> / 180; }
+double radians(double degrees) { return degrees * std::numbers::pi / 180; }
 
 /// x^n, n a whole number.
-Long raised(Long x, int n) { return n == 0 ? 1 : std::pow(x, static_cast<Long>(n)); }
+Long raised(Long x, int n) {
+  Long result = 1;
+  for (; n > 0; n /= 2, x *= x)
+    if (n % 2 == 1) result *= x;
+  return result;
+}
 
 /// Twice the vector area.
 LongVec areaOf(const std::vector<LongVec>& p) {
@@ -25,12 +34,12 @@ LongVec areaOf(const std::vector<LongVec>& p) {
 
 /// A cubic Bernstein polynomial and its derivative.
 Long bernstein(int i, Long t) {
-  constexpr Long kBinomial[]{1, 3, 3, 1};
+  constexpr double kBinomial[]{1, 3, 3, 1};
   return kBinomial[i] * raised(t, i) * raised(1 - t, 3 - i);
 }
 Long slope(int i, Long t) {
   const auto quadratic = [&](int k) {
-    constexpr Long kBinomial[]{1, 2, 1};
+    constexpr double kBinomial[]{1, 2, 1};
     return k < 0 || k > 2 ? Long{0} : kBinomial[k] * raised(t, k) * raised(1 - t, 2 - k);
   };
   return 3 * (quadratic(i - 1) - quadratic(i));
@@ -99,7 +108,7 @@ BriefLight::Seen BriefLight::seen(Long x, Long y) const {
   const Ray r = ray(x, y);
   const ViewSpec& view = camera_.view;
   Seen seen;
-  Long nearest = std::numeric_limits<Long>::infinity(), next = nearest;
+  Long nearest = kInfinity, next = nearest;
   for (std::size_t k = 0; k < parts_.size(); ++k) {
     const auto& [corners, N] = parts_[k];
     const Long slant = dot(N, r.along);
@@ -124,7 +133,7 @@ BriefLight::Seen BriefLight::seen(Long x, Long y) const {
 BriefLight::Place BriefLight::place(int part, const Ray& r) const {
   const int first = scene_.parts.firstCorner[part], count = scene_.parts.firstCorner[part + 1] - first;
   Place best{};
-  Long largestLeast = -std::numeric_limits<Long>::infinity();
+  Long largestLeast = -kInfinity;
   for (int k = 1; k + 1 < count; ++k) {
     const int from[3]{scene_.parts.from[first], scene_.parts.from[first + k],
                       scene_.parts.from[first + k + 1]};
@@ -156,7 +165,7 @@ LongVec BriefLight::newell(int face) const {
 
 LongVec BriefLight::normal(const Place& place, int face, bool& sure) const {
   const Mesh& mesh = scene_.mesh;
-  const Long toFile = std::ldexp(Long{1}, scene_.exponent);
+  const Long toFile = std::ldexp(1.0, scene_.exponent);
   for (const RoundRun& run : scene_.rounds) {
     if (face < run.firstFace || face >= run.firstFace + run.faces) continue;
     // The solid is f = 0 in its own coordinates; the gradient in the world is the transposed inverse's.
@@ -165,7 +174,7 @@ LongVec BriefLight::normal(const Place& place, int face, bool& sure) const {
     const LongVec own = inverse(axes) * (place.at * toFile + from);
     LongVec gradient = own;
     if (run.solid == RoundSolid::Torus)
-      gradient -= LongVec{own.x, own.y, 0} / std::sqrt(own.x * own.x + own.y * own.y);
+      gradient -= LongVec{own.x, own.y, 0} / sqrt(own.x * own.x + own.y * own.y);
     return normalize(transpose(inverse(axes)) * gradient);
   }
   for (const PatchRun& run : scene_.patches) {
@@ -207,7 +216,7 @@ LongVec BriefLight::normal(const Place& place, int face, bool& sure) const {
       }
       const int next = (missing + 1) % 4, second = (missing + 2) % 4, last = (missing + 3) % 4;
       const Long atPole = share[next], rest = share[second] + share[last];
-      sure &= rest > 1e-4L;
+      sure &= rest > 1e-4;
       share[next] = atPole * share[second] / rest;
       share[missing] = atPole * share[last] / rest;
       for (int c = 0; c < 4; ++c) u += share[c] * rows[c] / n, v += share[c] * columns[c] / n;
@@ -222,7 +231,7 @@ LongVec BriefLight::normal(const Place& place, int face, bool& sure) const {
     const LongVec N = cross(du, dv);
     Long size = 0;  // of the patch
     for (const glm::dvec3& q : p) size = std::max(size, length(wide(q) - wide(p[0])));
-    sure &= length(N) > 1e-3L * size * size;
+    sure &= length(N) > 1e-3 * size * size;
     return normalize(N);
   }
   return newell(face);
@@ -239,9 +248,10 @@ LongVec BriefLight::texel(const Place& place, int face, bool& sure) const {
     u += place.share[i] * uv.x, v += place.share[i] * uv.y;
   }
   const auto along = [&](Long t, int size) {
-    const Long texels = (t - std::floor(t)) * size, border = texels - std::round(texels);
-    sure &= std::abs(border) > 1e-6L;
-    return static_cast<int>(texels);
+    const Long texels = (t - std::floor(static_cast<double>(t))) * size,
+               border = texels - std::round(static_cast<double>(texels));
+    sure &= abs(border) > 1e-6;
+    return static_cast<int>(static_cast<double>(texels));
   };
   const int column = along(u, texture.width), row = texture.height - 1 - along(v, texture.height);
   LongVec result;
@@ -257,7 +267,7 @@ BriefLight::Lit BriefLight::light(int part, int i, int j) const {
   LongVec N = normal(at, face, lit.sure);
   const LongVec area = areaOf(parts_[part].corners);
   const Long facing = dot(area, r.along) / length(area) / length(r.along);
-  lit.sure &= std::abs(facing) > 1e-3L;  // not edge-on
+  lit.sure &= abs(facing) > 1e-3;  // not edge-on
   if (facing > 0 && user_.twoSided) N = -N;
   const LongVec P = at.at + wide(camera_.view.vrp);
   const LongVec V = normalize(wide(camera_.eye) - P);

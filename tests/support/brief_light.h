@@ -7,15 +7,16 @@
 #include <glm/vec3.hpp>
 #include <vector>
 
+#include "geometry/exact/extended.h"
 #include "geometry/view/camera.h"
 #include "shading/scene/scene.h"
 
 namespace xnewell {
 
-/// What a sample should show, computed a second time: in long double, from the definitions, and with nothing
+/// What a sample should show, computed a second time: with 64 bits, from the definitions, and with nothing
 /// of the program but the scene, the camera and the settings. It has its own rays, polygons, normals, lights,
 /// equation and textures.
-using Long = long double;
+using Long = Extended;
 using LongVec = glm::vec<3, Long>;
 
 class BriefLight {

@@ -5,12 +5,17 @@
 #include <cmath>
 #include <limits>
 #include <numbers>
+#include <utility>
+
+#include "geometry/exact/extended.h"
 
 namespace xnewell {
 
 namespace {
 
-using Real = long double;
+using std::abs, std::isfinite, std::sqrt;  // and those of SoftExtended
+
+using Real = Extended;
 
 struct Vec {
   Real x = 0, y = 0, z = 0;
@@ -22,11 +27,12 @@ Real dot(const Vec& a, const Vec& b) { return a.x * b.x + a.y * b.y + a.z * b.z;
 Vec cross(const Vec& a, const Vec& b) {
   return {a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x};
 }
-Real length(const Vec& a) { return std::sqrt(dot(a, a)); }
+Real length(const Vec& a) { return sqrt(dot(a, a)); }
 Vec unit(const Vec& a) { return (1 / length(a)) * a; }
 Vec real(const glm::dvec3& p) { return {p.x, p.y, p.z}; }
 
-constexpr Real kStep = 1.0L / 65536;
+constexpr double kStep = 1.0 / 65536;
+constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
 struct Ray {
   Vec from, along;
@@ -42,12 +48,12 @@ class Rays {
     u_ = unit(cross(real(camera.up), n_));
     v_ = cross(n_, u_);
     at_ = real(camera.lookAt);
-    constexpr Real kDegree = std::numbers::pi_v<Real> / 180;
-    half_ = perspective_ ? std::tan(camera.fov / 2 * kDegree) : Real{camera.height} / 2;
-    const Real angle = camera.angle * kDegree;
+    constexpr double kDegree = std::numbers::pi / 180;
+    half_ = perspective_ ? std::tan(camera.fov / 2 * kDegree) : camera.height / 2;
+    const double angle = camera.angle * kDegree;
     lean_ = Real{camera.length} * (std::cos(angle) * u_ + std::sin(angle) * v_) + n_;
     const Real D = dot(eye_ - at_, n_);
-    zPerDepth_ = height / 2.0L / half_ * (perspective_ ? D : 1);  // pixels of z for each unit of depth()
+    zPerDepth_ = height / 2.0 / half_ * (perspective_ ? D : 1);  // pixels of z for each unit of depth()
   }
   [[nodiscard]] bool perspective() const { return perspective_; }
   [[nodiscard]] Ray at(Real x, Real y) const {
@@ -67,7 +73,7 @@ class Rays {
       scale /= distance(p);
     else
       q = q - dot(q, n_) * lean_;
-    return {width_ / 2.0L + scale * dot(q, u_), height_ / 2.0L - scale * dot(q, v_)};
+    return {width_ / 2.0 + scale * dot(q, u_), height_ / 2.0 - scale * dot(q, v_)};
   }
 
  private:
@@ -108,13 +114,13 @@ class Judge {
     Real magnitude = 0;
     for (int axis = 0; axis < 3; ++axis) {
       side_ = std::max(side_, Real{high[axis]} - low[axis]);
-      magnitude = std::max({magnitude, std::abs(Real{high[axis]}), std::abs(Real{low[axis]})});
+      magnitude = std::max({magnitude, Real{abs(high[axis])}, Real{abs(low[axis])}});
     }
-    u_ = std::min(Real{u}, 3e-5L / std::sqrt(3.0L) * side_);
-    e_ = 0x1p-46L * side_ + 0x1p-50L * magnitude;
+    u_ = std::min(Real{u}, 3e-5 / std::sqrt(3.0) * side_);
+    e_ = 0x1p-46 * side_ + 0x1p-50 * magnitude;
     front_ = frontPlane();
     for (int f = 0; f < mesh.faceCount(); ++f) faces_.push_back(faceOf(f));
-    zHalfStep_ = 0.5L * kStep * std::exp2(Real(zShift())) / rays_.zPerDepth();
+    zHalfStep_ = 0.5 * kStep * std::exp2(zShift()) / rays_.zPerDepth();
   }
 
   Judgement judgement() {
@@ -125,7 +131,7 @@ class Judge {
       if (shown_[k] != 0) {
         ++j.samples;
         const Face& face = faces_[shown_[k] - 1];
-        const Real x = static_cast<int>(k) % width_ + 0.5L, y = static_cast<int>(k) / width_ + 0.5L;
+        const Real x = static_cast<int>(k) % width_ + 0.5, y = static_cast<int>(k) / width_ + 0.5;
         depth_[k] = depthAt(face, x, y);
         explained_[k] = explainedAt(face, x, y, depth_[k]);
         j.outline += !covers(face, x, y, -1, 0);
@@ -137,7 +143,7 @@ class Judge {
         for (int column = face.x0; column < face.x1; ++column) {
           const std::size_t k = std::size_t(row) * width_ + column;
           const int S = static_cast<int>(shown_[k]) - 1;
-          const Real x = column + 0.5L, y = row + 0.5L;
+          const Real x = column + 0.5, y = row + 0.5;
           if (S == f || !covers(face, x, y, 0, 0)) continue;
           if (S < 0) {
             hole[k] |= covers(face, x, y, 1, 0);
@@ -145,12 +151,12 @@ class Judge {
           }
           const Real depth = depthAt(face, x, y), ahead = depth - depth_[k];
           const Real explained = explainedAt(face, x, y, depth) + explained_[k];
-          doubtful[k] |= std::abs(ahead) <= explained;
+          doubtful[k] |= abs(ahead) <= explained;
           const bool sure = (ahead > 0 || f > S) && covers(face, x, y, 1, 0);
           if (sure && ahead > 0) j.worst = std::max(j.worst, static_cast<double>(ahead / explained));
-          tooFar[k] |= sure && ahead > 1.5L * explained;
+          tooFar[k] |= sure && ahead > 1.5 * explained;
           const bool together = madeIn_[f] >= 0 && madeIn_[f] == madeIn_[S];
-          lost[k] |= together && f > S && sure && covers(face, x, y, 1, 3 * std::sqrt(3.0L) * u_);
+          lost[k] |= together && f > S && sure && covers(face, x, y, 1, 3 * std::sqrt(3.0) * u_);
         }
     }
     for (std::size_t k = 0; k < count; ++k) {
@@ -180,8 +186,8 @@ class Judge {
       mean = mean + a;
     }
     face.N = unit(sum);
-    face.d = dot(face.N, (1.0L / static_cast<Real>(face.corners.size())) * mean);
-    face.r = u_ * (std::abs(face.N.x) + std::abs(face.N.y) + std::abs(face.N.z)) + e_;
+    face.d = dot(face.N, (1 / Real{static_cast<double>(face.corners.size())}) * mean);
+    face.r = u_ * (abs(face.N.x) + abs(face.N.y) + abs(face.N.z)) + e_;
 
     Real x0 = width_, y0 = height_, x1 = 0, y1 = 0;
     for (const Vec& p : inFront(face.corners)) {
@@ -189,7 +195,7 @@ class Judge {
       x0 = std::min(x0, x), x1 = std::max(x1, x), y0 = std::min(y0, y), y1 = std::max(y1, y);
     }
     const auto pixel = [](Real at, int most) {
-      return static_cast<int>(std::clamp(std::floor(at), Real{0}, Real(most)));
+      return static_cast<int>(std::clamp(std::floor(static_cast<double>(at)), 0.0, double(most)));
     };
     face.x0 = pixel(x0 - 1, width_), face.x1 = pixel(x1 + 2, width_);
     face.y0 = pixel(y0 - 1, height_), face.y1 = pixel(y1 + 2, height_);
@@ -201,7 +207,6 @@ class Judge {
   /// half way to the scene. In a picture that is right, it cuts away nothing else in view.
   [[nodiscard]] Real frontPlane() const {
     if (!rays_.perspective()) return 0;
-    constexpr Real kInfinity = std::numeric_limits<Real>::infinity();
     Real first = kInfinity, last = -kInfinity, inView = kInfinity;
     for (const glm::dvec3& p : mesh_.points)
       first = std::min(first, rays_.distance(real(p))), last = std::max(last, rays_.distance(real(p)));
@@ -210,8 +215,8 @@ class Judge {
     for (int f = 0; f < mesh_.faceCount(); ++f) {
       std::vector<Vec> polygon;
       for (const int c : mesh_.face(f)) polygon.push_back(real(mesh_.points[c]));
-      polygon = clipped(polygon, [&](const Vec& p) { return rays_.distance(p) - side_ * 0x1p-40L; });
-      polygon = within(polygon, 0, Real(width_), 0, Real(height_));
+      polygon = clipped(polygon, [&](const Vec& p) { return rays_.distance(p) - side_ * 0x1p-40; });
+      polygon = within(polygon, 0, width_, 0, height_);
       Real begins = kInfinity, ends = 0, area = 0;
       for (std::size_t k = 0; k < polygon.size(); ++k) {
         const Vec& p = polygon[k];
@@ -220,34 +225,34 @@ class Judge {
         area += (a[0] * b[1] - a[1] * b[0]) / 2;
       }
       inView = std::min(inView, begins);
-      if (begins < usual && std::abs(area) > (1 - 1e-9L) * width_ * height_) seenTo = std::min(seenTo, ends);
+      if (begins < usual && abs(area) > (1 - 1e-9) * width_ * height_) seenTo = std::min(seenTo, ends);
     }
-    return std::min(usual, std::max(inView / 2, std::min(usual, seenTo * 0x1p-15L)));
+    return std::min(usual, std::max(inView / 2, std::min(usual, seenTo * 0x1p-15)));
   }
   /// Clips a polygon in front of the eye to a rectangle of the screen, in pixels.
   [[nodiscard]] std::vector<Vec> within(std::vector<Vec> polygon, Real left, Real right, Real top,
                                         Real bottom) const {
-    const std::array<std::array<Real, 2>, 2> low{{{0, left}, {1, top}}}, high{{{0, right}, {1, bottom}}};
+    const std::array<std::pair<int, Real>, 2> low{{{0, left}, {1, top}}}, high{{{0, right}, {1, bottom}}};
     // times the distance, so that it is linear
     for (const auto& [axis, limit] : low)
-      polygon = clipped(polygon, [&, axis = static_cast<int>(axis), limit = limit](const Vec& p) {
+      polygon = clipped(polygon, [&, axis = axis, limit = limit](const Vec& p) {
         return rays_.distance(p) * (rays_.seen(p)[axis] - limit);
       });
     for (const auto& [axis, limit] : high)
-      polygon = clipped(polygon, [&, axis = static_cast<int>(axis), limit = limit](const Vec& p) {
+      polygon = clipped(polygon, [&, axis = axis, limit = limit](const Vec& p) {
         return rays_.distance(p) * (limit - rays_.seen(p)[axis]);
       });
     return polygon;
   }
   [[nodiscard]] std::vector<Vec> inFront(const std::vector<Vec>& corners) const {
     if (!rays_.perspective()) return corners;
-    return clipped(corners, [&](const Vec& p) { return rays_.distance(p) - 0.99L * front_; });
+    return clipped(corners, [&](const Vec& p) { return rays_.distance(p) - 0.99 * front_; });
   }
 
   /// The power of two of a z step: the least for which 2^30 steps reach the nearest point. Points beyond 8192
   /// pixels from the origin of the screen are cut away before.
   [[nodiscard]] int zShift() const {
-    Real nearest = 0, farthest = std::numeric_limits<Real>::infinity();
+    Real nearest = 0, farthest = kInfinity;
     for (const Face& face : faces_) {
       std::vector<Vec> polygon = face.corners;
       if (rays_.perspective()) {
@@ -261,7 +266,7 @@ class Judge {
       }
     }
     int shift = 0;
-    while (rays_.perspective() && (nearest - farthest) * rays_.zPerDepth() / kStep > std::exp2(30.0L + shift))
+    while (rays_.perspective() && (nearest - farthest) * rays_.zPerDepth() / kStep > std::exp2(30.0 + shift))
       ++shift;
     return shift;
   }
@@ -276,17 +281,17 @@ class Judge {
   [[nodiscard]] Real explainedAt(const Face& face, Real x, Real y, Real depth) const {
     const Ray ray = rays_.at(x, y);
     const Real slope = dot(face.N, ray.along), height = face.d - dot(face.N, ray.from);
-    const Real away = std::max(std::abs(height) - face.r, Real{0});  // at 0, everything is explained
-    const Real plane = rays_.perspective() ? std::abs(depth) * face.r / away : face.r / std::abs(slope);
+    const Real away = std::max(abs(height) - face.r, Real{0});  // at 0, everything is explained
+    const Real plane = rays_.perspective() ? abs(depth) * face.r / away : face.r / abs(slope);
     const Real grid =
-        std::abs(depthAt(face, x + kStep / 2, y) - depth) + std::abs(depthAt(face, x, y + kStep / 2) - depth);
+        abs(depthAt(face, x + kStep / 2, y) - depth) + abs(depthAt(face, x, y + kStep / 2) - depth);
     return plane + grid + zHalfStep_;
   }
   /// True if the face covers the sample: even if the sample moves by `steps` of the grid any way, and by
   /// `reach` within the plane. Negative steps: if it does after some such move.
   [[nodiscard]] bool covers(const Face& face, Real x, Real y, int steps, Real reach) const {
     if (steps == 0) return inside(face, x, y, face.corners.size(), reach);
-    const Real s = std::abs(steps) * kStep;
+    const Real s = abs(steps) * kStep;
     const std::array<std::array<Real, 2>, 4> places{
         {{x - s, y - s}, {x + s, y - s}, {x - s, y + s}, {x + s, y + s}}};
     if (steps > 0) {
@@ -305,8 +310,8 @@ class Judge {
   [[nodiscard]] bool inside(const Face& face, Real x, Real y, std::size_t edge, Real reach) const {
     const Ray ray = rays_.at(x, y);
     const Real slope = dot(face.N, ray.along), t = (face.d - dot(face.N, ray.from)) / slope;
-    if (!std::isfinite(t) || (rays_.perspective() && t < front_ * 0.999L)) return false;
-    if (rays_.perspective() && reach >= 0 && edge == face.corners.size() && t < front_ * 1.001L) return false;
+    if (!isfinite(t) || (rays_.perspective() && t < front_ * 0.999)) return false;
+    if (rays_.perspective() && reach >= 0 && edge == face.corners.size() && t < front_ * 1.001) return false;
     const Vec p = ray.from + t * ray.along;
     const auto within = [&](std::size_t k) {
       // A corner may be off the plane, so the ray is asked on which side of the edge itself it passes.

@@ -10,8 +10,9 @@
 namespace xnewell {
 
 /// A judge of pictures in which surfaces nearly touch. It knows the numbers of the file and of the camera,
-/// and the rule below. It computes in long double, sample by sample, and shares nothing with the program but
-/// the struct that holds a mesh: no plane, class, tolerance, projection, clipping or sample table.
+/// and the rule below. It computes with 64 bits (Extended), sample by sample, and shares nothing else with
+/// the program but the struct that holds a mesh: no plane, class, tolerance, projection, clipping or sample
+/// table.
 ///
 /// The rule. A number of the file may be off by u, half a unit of its last decimal (or by 3e-5/sqrt 3 of the
 /// longest side of the scene, if that is less), and by the rounding of doubles: a plane with the unit normal

@@ -8,6 +8,7 @@
 #include <string>
 
 #include "depthsort/oracle.h"
+#include "geometry/exact/extended.h"
 #include "shading/picture/picture_cache.h"
 #include "tests/support/seeds.h"
 
@@ -38,15 +39,13 @@ Picture pictureOf(unsigned k, Count& count) {
   return pictures.make(s, 8);
 }
 
-/// Its value at the sample by Cramer's rule in long double, from values and places at the corners.
-long double directly(const ScanPart& part, const std::vector<double>& v, int i, int j) {
-  const auto x = [&](int k) { return static_cast<long double>(part.outline[k].x) - (i + 0.5L) * 65536; };
-  const auto y = [&](int k) { return static_cast<long double>(part.outline[k].y) - (j + 0.5L) * 65536; };
-  const auto area = [](long double ax, long double ay, long double bx, long double by) {
-    return ax * by - bx * ay;
-  };
-  const long double a = area(x(1), y(1), x(2), y(2)), b = area(x(2), y(2), x(0), y(0)),
-                    c = area(x(0), y(0), x(1), y(1));
+/// Its value at the sample by Cramer's rule with 64 bits, from values and places at the corners.
+Extended directly(const ScanPart& part, const std::vector<double>& v, int i, int j) {
+  const auto x = [&](int k) { return Extended(part.outline[k].x) - (i + 0.5) * 65536; };
+  const auto y = [&](int k) { return Extended(part.outline[k].y) - (j + 0.5) * 65536; };
+  const auto area = [](Extended ax, Extended ay, Extended bx, Extended by) { return ax * by - bx * ay; };
+  const Extended a = area(x(1), y(1), x(2), y(2)), b = area(x(2), y(2), x(0), y(0)),
+                 c = area(x(0), y(0), x(1), y(1));
   return (a * v[0] + b * v[1] + c * v[2]) / (a + b + c);
 }
 
@@ -93,7 +92,7 @@ TEST(ScanlineRun, EndsInTheStoredCells) {
   EXPECT_LT(count.differing, count.samples / 500) << "24 bits hardly ever change a cell";
 }
 
-// The drift that the run states is that of a second computation in long double. It stays within the bound of
+// The drift that the run states is that of a second computation with 64 bits. It stays within the bound of
 // affine.h, and with fewer bits it grows.
 TEST(ScanlineRun, DriftsAsASecondComputation) {
   PictureCache pictures{readScene("teapot", 4)};
@@ -105,7 +104,7 @@ TEST(ScanlineRun, DriftsAsASecondComputation) {
   for (int face = 0; face < static_cast<int>(picture.snapped().faces.size()); face += kSanitized ? 40 : 5) {
     for (const int bits : {8, 16, 24}) {
       const ScanlineRun run{picture, face, bits};
-      long double largest = 0;
+      double largest = 0;
       for (const ScanSample& sample : run.samples()) {
         const int j = run.spanOf(sample).row;
         const auto part = static_cast<std::size_t>(sample.part);
@@ -116,15 +115,15 @@ TEST(ScanlineRun, DriftsAsASecondComputation) {
         for (int row = first.row; row < j; ++row) steps += plane.perRow;
         for (int i = first.from; i < sample.column; ++i) steps += plane.perColumn;
         for (int i = sample.column; i < first.from; ++i) steps -= plane.perColumn;
-        const long double stepped = std::ldexp(static_cast<long double>(steps), -bits);
-        ASSERT_EQ(static_cast<double>(stepped), sample.stepped);
-        const long double direct =
+        const double stepped = static_cast<double>(steps) * std::ldexp(1.0, -bits);
+        ASSERT_EQ(stepped, sample.stepped);
+        const Extended direct =
             directly(run.parts()[part], run.quantities(sample.part).back().atVertex, sample.column, j);
         ASSERT_NEAR(static_cast<double>(direct), sample.direct, 1e-11);
-        largest = std::max(largest, std::abs(stepped - direct));
+        largest = std::max(largest, std::abs(static_cast<double>(stepped - direct)));
         ++samples;
       }
-      ASSERT_NEAR(run.mostDrift(), static_cast<double>(largest), 1e-11);
+      ASSERT_NEAR(run.mostDrift(), largest, 1e-11);
       if (bits == 8) differing += run.differing();
       // The bound of affine.h: half a step a pixel along both sides of the box, and one step.
       double bound = 1;

@@ -71,7 +71,7 @@ struct Agreement {
   double largest = 0;             ///< error of an intensity
 };
 
-/// Compares the reference with the evaluation in long double at every sample. Where the ray through a sample
+/// Compares the reference with the evaluation with 64 bits at every sample. Where the ray through a sample
 /// clearly meets one part first, the reference must show it.
 Agreement agreement(const Scene& scene, const PictureSettings& settings) {
   const Picture picture = makePicture(scene, settings);
@@ -86,8 +86,8 @@ Agreement agreement(const Scene& scene, const PictureSettings& settings) {
       bool clear = true;
       int sees = -2;
       for (const auto& [dx, dy] : {std::pair{0, 0}, {1, 1}, {1, -1}, {-1, 1}, {-1, -1}}) {
-        const BriefLight::Seen s = brief.seen(i + 0.5L + dx * 0x1p-12L, j + 0.5L + dy * 0x1p-12L);
-        clear = clear && (sees == -2 || s.part == sees) && s.gap > 1e-6L;
+        const BriefLight::Seen s = brief.seen(i + 0.5 + dx * 0x1p-12, j + 0.5 + dy * 0x1p-12);
+        clear = clear && (sees == -2 || s.part == sees) && s.gap > 1e-6;
         sees = s.part;
       }
       if (clear) ++result.clear, result.wrongFaces += sees != part;
@@ -99,8 +99,9 @@ Agreement agreement(const Scene& scene, const PictureSettings& settings) {
       }
       ++result.compared;
       const glm::dvec3 I = reference.I(k);
+      using std::abs;  // and that of SoftExtended
       for (int c = 0; c < 3; ++c)
-        result.largest = std::max(result.largest, static_cast<double>(std::abs(I[c] - lit.I[c])));
+        result.largest = std::max(result.largest, static_cast<double>(abs(I[c] - lit.I[c])));
     }
   return result;
 }
@@ -150,7 +151,7 @@ Light lamp(LightKind kind, Attenuation attenuation, const Scene& scene) {
 
 }  // namespace
 
-// The reference is the illumination equation: an evaluation in long double that shares no code with it agrees
+// The reference is the illumination equation: an evaluation with 64 bits that shares no code with it agrees
 // to 1e-12 at every sample of every built-in scene, where it is, 1,000,000 away from the origin, and a
 // millionth in size.
 TEST(Reference, IsTheEquationInEveryScene) {

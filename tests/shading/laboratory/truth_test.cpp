@@ -21,8 +21,8 @@ namespace xnewell::THIS_FILE {
 
 namespace {
 
-using Long = long double;
-using Vec = glm::vec<3, Long>;
+using Long = double;
+using Vec = glm::dvec3;
 
 /// A place on a surface that a ray meets first, in file coordinates.
 struct Met {
@@ -52,8 +52,8 @@ Surface torus(const Vec& centre) {
     Long t = 0;
     for (int step = 0; step < 2'000 && t < 40; ++step) {
       const Vec away = ring(from + t * along - centre);
-      const Long distance = length(away) - 0.4L;
-      if (distance < 1e-9L) return Met{t, normalize(away)};
+      const Long distance = length(away) - 0.4;
+      if (distance < 1e-9) return Met{t, normalize(away)};
       t += distance;
     }
     return std::nullopt;
@@ -64,15 +64,15 @@ Surface torus(const Vec& centre) {
 Surface vault(const Vec& at) {
   return [=](const Vec& from, const Vec& along) -> std::optional<Met> {
     const Vec o = from - at;
-    const Long k = 0.225L, a = k * along.x * along.x, b = 2 * k * o.x * along.x + along.z,
-               c = o.z + k * o.x * o.x - 0.9L, root = b * b - 4 * a * c;
+    const Long k = 0.225, a = k * along.x * along.x, b = 2 * k * o.x * along.x + along.z,
+               c = o.z + k * o.x * o.x - 0.9, root = b * b - 4 * a * c;
     std::optional<Met> first;
     const auto take = [&](Long t) {
       const Vec p = o + t * along;
       if (t > 0 && std::abs(p.x) <= 2 && std::abs(p.y) <= 2 && (!first || t < first->t))
         first = Met{t, normalize(Vec{2 * k * p.x, 0, 1})};
     };
-    if (a < 1e-12L) {
+    if (a < 1e-12) {
       take(-c / b);
     } else if (root >= 0) {
       take((-b - std::sqrt(root)) / (2 * a));
@@ -91,9 +91,9 @@ struct Judge {
   /// The intensity at the centre of a pixel; nothing for background.
   [[nodiscard]] std::optional<Long> operator()(int i, int j, int width, int height) const {
     const Vec n = normalize(eye - at), u = normalize(cross(Vec{0, 0, 1}, n)), v = cross(n, u);
-    const Long half = std::tan(fov / 360 * 3.14159265358979323846L);
-    const Long x = half * width / height * (2 * (i + 0.5L) / width - 1),
-               y = half * (1 - 2 * (j + 0.5L) / height);
+    const Long half = std::tan(fov / 360 * 3.14159265358979323846);
+    const Long x = half * width / height * (2 * (i + 0.5) / width - 1),
+               y = half * (1 - 2 * (j + 0.5) / height);
     const Vec along = normalize(x * u + y * v - n);
     std::optional<Met> first;
     for (const Surface& surface : surfaces)
@@ -124,12 +124,12 @@ const std::string kFew = R"({
     {"solid": "torus", "around": 9, "across": 6, "move": [1.7, 0.2, 0.4]}]})";
 Judge judgeOfFew() {
   return {{1, -9, 6},
-          {0, 0, 0.4L},
+          {0, 0, 0.4},
           normalize(Vec{-1, -2, 3}),
           36,
-          0.2L,
-          0.7L,
-          {ellipsoid({-1.6L, -0.6L, 1.7L}, {1.2L, 0.8L, 1}), vault({-1, 1, -1}), torus({1.7L, 0.2L, 0.4L})}};
+          0.2,
+          0.7,
+          {ellipsoid({-1.6, -0.6, 1.7}, {1.2, 0.8, 1}), vault({-1, 1, -1}), torus({1.7, 0.2, 0.4})}};
 }
 
 struct Few {
