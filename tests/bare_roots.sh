@@ -3,6 +3,9 @@
 # ~/.cache/xnewell. Needs root, debootstrap and a package server.
 #   bare_root RELEASE         makes the root of Debian 12 or 13, unless it exists; or `why` gets the reason
 #   inside ROOT COMMAND...    runs a command in a root
+#   copy_root RELEASE COPY    makes a copy of the root
+#   install_in COPY PACKAGE...    reads the lists of packages and installs these; the log is in $results
+#   step NAME COMMAND...      runs the command with its output in $results/NAME.log; $what says what it is about
 #   remove_root ROOT          removes a copy
 #   one_at_a_time             waits until no other script uses the roots
 source "$(dirname "$(readlink -f "${BASH_SOURCE[0]}")")/../x11/setup.sh"
@@ -83,6 +86,22 @@ bare_root() {
   fi
   return 1
 }
+
+copy_root() {
+  remove_root "$2" && cp -a --reflink=auto "$roots/debian-$1" "$2" && copy_apt_settings "$2" || return
+  # dpkg need not wait for the disk in a folder that is thrown away.
+  mkdir -p "$2/etc/dpkg/dpkg.cfg.d" && echo force-unsafe-io >"$2/etc/dpkg/dpkg.cfg.d/unsafe-io"
+}
+
+# shellcheck disable=SC2154  # the script that sources this sets `results` and `what`
+install_in() {
+  # shellcheck disable=SC2016  # $@ belongs to the inner shell
+  logged "$results/prepare.log" "$what: preparing a bare root" inside "$1" sh -c '
+    export DEBIAN_FRONTEND=noninteractive
+    apt-get update && { [ $# = 0 ] || apt-get install -y --no-install-recommends "$@"; }' sh "${@:2}"
+}
+
+step() { logged "$results/$1.log" "$what: $1" "${@:2}"; }
 
 one_at_a_time() {
   mkdir -p "$roots" "$root/build"

@@ -44,7 +44,7 @@ indented() { sed -uE "/(Start +[0-9]+:| Passed +[0-9.]+ sec)/d; s/^/    Debian $
 prepare() {
   local copy=$2 home=$3 with=$preinstalled
   [[ $user == root ]] || with=${with:+$with }sudo
-  remove_root "$copy" && cp -a --reflink=auto "$roots/debian-$1" "$copy" && copy_apt_settings "$copy" || return
+  copy_root "$1" "$copy" || return
   if [[ $with ]]; then
     # shellcheck disable=SC2086  # names of packages
     logged "$root/build/front-door-$1-with.log" "installing beforehand: $with" inside "$copy" sh -c '

@@ -20,19 +20,8 @@ for release in "${releases[@]}"; do
   [[ ${suites[$release]-} ]] || { say "usage: tests/package.sh [--once] [12|13]..." && exit 2; }
 done
 
-# fresh_copy RELEASE COPY PACKAGE...: makes a copy of the bare root and installs packages in it.
-fresh_copy() {
-  remove_root "$2" && cp -a --reflink=auto "$roots/debian-$1" "$2" && copy_apt_settings "$2" || return
-  # dpkg need not wait for the disk in a folder that is thrown away.
-  mkdir -p "$2/etc/dpkg/dpkg.cfg.d" && echo force-unsafe-io >"$2/etc/dpkg/dpkg.cfg.d/unsafe-io" || return
-  # shellcheck disable=SC2016  # $@ belongs to the inner shell
-  logged "$results/prepare.log" "preparing a bare root" inside "$2" sh -c '
-    export DEBIAN_FRONTEND=noninteractive
-    apt-get update && { [ $# = 0 ] || apt-get install -y --no-install-recommends "$@"; }' sh "${@:3}"
-}
-
-# step NAME COMMAND...: runs the command with its output in NAME.log.
-step() { logged "$results/$1.log" "Debian $release: $1" "${@:2}"; }
+# fresh_copy COPY: makes a copy of the release's bare root with fresh lists of packages.
+fresh_copy() { copy_root "$release" "$1" && install_in "$1"; }
 
 build_once() {
   local copy=$1 here=/srv/first
@@ -96,7 +85,7 @@ autopkgtests() {
 
 check_package() {
   local copy=$roots/debian-$release-package
-  fresh_copy "$release" "$copy" || return
+  fresh_copy "$copy" || return
   build_once "$copy" || return
   # shellcheck disable=SC2016
   step lintian inside "$copy" sh -ec '
@@ -104,7 +93,7 @@ check_package() {
     lintian --fail-on error,warning --info --display-info --allow-root /srv/package/*.changes' || return
   step blhc inside "$copy" blhc --debian --bindnow /srv/package/build.log || return
   [[ $once ]] || build_again "$copy" || return
-  fresh_copy "$release" "$copy" || return
+  fresh_copy "$copy" || return
   install_and_purge "$copy" || return
   autopkgtests "$copy" || return
   remove_root "$copy"
@@ -113,7 +102,7 @@ check_package() {
 one_at_a_time
 status=0
 for release in "${releases[@]}"; do
-  results=$root/build/package-$release
+  results=$root/build/package-$release what="Debian $release"
   rm -rf "$results" && mkdir -p "$results"
   if ! bare_root "$release"; then
     say "package: Debian $release NOT TRIED: $why"
