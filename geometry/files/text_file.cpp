@@ -54,7 +54,7 @@ std::string readTextFile(const std::filesystem::path& file) {
   std::error_code noSize;
   const std::uintmax_t size = std::filesystem::file_size(file, noSize);
   if (!noSize && size > kMaxTextBytes) failTooLong(name);
-  std::string text(noSize ? 1 << 16 : size + 1, '\0');
+  std::string text(noSize ? 1 << 16 : static_cast<std::size_t>(size) + 1, '\0');
   std::size_t used = 0;
   while (true) {
     used += std::fread(text.data() + used, 1, text.size() - used, in.get());

@@ -159,7 +159,7 @@ class PointTable {
       h = (h ^ std::bit_cast<std::uint64_t>(p[axis])) * kGolden;
       h ^= h >> 32;
     }
-    return (h * kGolden) >> 32;
+    return static_cast<std::size_t>((h * kGolden) >> 32);
   }
 
   std::vector<glm::dvec3>& points_;

@@ -23,7 +23,8 @@ std::vector<int> placesOf(const std::vector<glm::dvec3>& points) {
       hash = (hash ^ std::bit_cast<std::uint64_t>(v)) * 0x9E3779B97F4A7C15u;  // 2^64 over the golden ratio
       hash ^= hash >> 32;
     }
-    std::size_t slot = (hash * 0x9E3779B97F4A7C15u >> 32) & mask;  // the middle bits depend on all
+    // The middle bits depend on all.
+    std::size_t slot = static_cast<std::size_t>(hash * 0x9E3779B97F4A7C15u >> 32) & mask;
     while (slots[slot] >= 0 && points[slots[slot]] != p) slot = (slot + 1) & mask;
     if (slots[slot] < 0) slots[slot] = i;
     place[i] = slots[slot];
