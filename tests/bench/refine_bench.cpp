@@ -80,12 +80,12 @@ Scene highlightFloor(int n) { return makeScene("floor", floorOf(n), UpAxis::Z); 
 // window).
 void BM_Refine(benchmark::State& state, Scene (*make)(int), int n, Shading shading) {
   const bool highlight = make == highlightFloor;
-  const auto settingsOf = [&](const Scene& scene, Shading method) {
+  const auto settingsOf = [&](Shading method) {
     const PictureSettings s = fromAbove(method);
     return highlight ? withHighlight(s) : s;
   };
   const Scene scene = make(n);
-  PictureSettings settings = settingsOf(scene, shading);
+  PictureSettings settings = settingsOf(shading);
   settings.adapt = static_cast<double>(state.range(0)) / 1000.0;
   double ms = 0.0;
   PictureCache pictures{scene};
@@ -103,7 +103,7 @@ void BM_Refine(benchmark::State& state, Scene (*make)(int), int n, Shading shadi
   *settings.camera.height *= 1.01;
   state.counters["again_ms"] = frame(pictures, settings);
 
-  settings = settingsOf(scene, shading);
+  settings = settingsOf(shading);
   const int triangles = shading == Shading::Flat ? 1 : 2;  // or polygons with which a square is shaded
   PictureCache even{make(std::max(n, static_cast<int>(std::lround(std::sqrt(double(parts) / triangles)))))};
   state.counters["even_ms"] = frame(even, settings);
@@ -113,7 +113,7 @@ void BM_Refine(benchmark::State& state, Scene (*make)(int), int n, Shading shadi
   state.counters["even_largest"] = e.largest;
 
   PictureCache phong{scene};
-  state.counters["phong_ms"] = frame(phong, settingsOf(scene, Shading::Phong));
+  state.counters["phong_ms"] = frame(phong, settingsOf(Shading::Phong));
 }
 #define REFINED(name, make, n, shading)                \
   BENCHMARK_CAPTURE(BM_Refine, name, make, n, shading) \
