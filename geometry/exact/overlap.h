@@ -36,13 +36,68 @@ constexpr std::size_t kFewBoxes = 64;
 /// Boxes are measured anew at most this many times, each time in finer units.
 constexpr int kMostRefinements = 4;
 
-/// Calls visit(item, item) for every pair of overlapping boxes of different groups, twice for some pairs. It
-/// halves the set of boxes again and again. A box across a cut belongs to both halves. When few boxes are
-/// left, or no cut separates them, it compares each box with all boxes of other groups. It overwrites
-/// `boxes`. Before it compares more than a few, it calls refine(boxes): this may replace them with boxes of
-/// the same items in finer units, if single precision blurs them, and then returns true.
+/// Cells that divide up to three of the six dimensions evenly: those in which boxes are narrowest beside the
+/// room that they lie in. Boxes that overlap are both in one of the cells.
+class BoxCells {
+ public:
+  /// Chooses the cells from a sample of the boxes. They are about four boxes wide.
+  explicit BoxCells(std::span<const ItemBox> boxes);
+
+  /// The boxes, cell by cell, as indices: those of cell c are [begin[c], begin[c + 1]). A box is in each cell
+  /// that it reaches into. There are no cells if cells would not separate the boxes.
+  struct Lists {
+    std::vector<int> begin, boxes;
+    [[nodiscard]] int cells() const { return begin.empty() ? 0 : static_cast<int>(begin.size()) - 1; }
+    [[nodiscard]] std::span<const int> operator[](int c) const {
+      return {boxes.data() + begin[c], boxes.data() + begin[c + 1]};
+    }
+  };
+  [[nodiscard]] Lists lists(std::span<const ItemBox> boxes) const;
+
+ private:
+  struct Axis {
+    int axis = 0, cells = 1;
+    float from = 0.0f, perUnit = 0.0f;
+    /// The cell of a coordinate. It grows with x, so the cells of two intervals that overlap do, too.
+    [[nodiscard]] int cellOf(float x) const {
+      return static_cast<int>(std::clamp((x - from) * perUnit, 0.0f, static_cast<float>(cells - 1)));
+    }
+  };
+  /// Calls visit(cell) for each cell that the box reaches into.
+  template <class Visit>
+  void forCells(const ItemBox& box, const Visit& visit) const;
+
+  std::array<Axis, 3> axes_;
+};
+
+/// So many boxes are put into cells first.
+constexpr std::size_t kManyBoxes = 4096;
+
+template <class Visit, class Refine>
+void byHalves(std::span<ItemBox> boxes, const Visit& visit, const Refine& refine, int refined);
+
+/// Calls visit(item, item) for every pair of overlapping boxes of different groups, more than once for some
+/// pairs. It puts many boxes into cells, and searches each cell by itself. It halves a set of fewer boxes, or
+/// of boxes that cells do not separate, again and again. A box across a cut belongs to both halves. When few
+/// boxes are left, or no cut separates them, it compares each box with all boxes of other groups. It
+/// overwrites `boxes`. Before it compares more than a few, it calls refine(boxes): this may replace them with
+/// boxes of the same items in finer units, if single precision blurs them, and then returns true.
 template <class Visit, class Refine>
 void forOverlapping(std::span<ItemBox> boxes, const Visit& visit, const Refine& refine, int refined = 0) {
+  if (boxes.size() < kManyBoxes) return byHalves(boxes, visit, refine, refined);
+  const BoxCells::Lists lists = BoxCells{boxes}.lists(boxes);
+  if (lists.cells() == 0) return byHalves(boxes, visit, refine, refined);
+  std::vector<ItemBox> inCell;
+  for (int c = 0; c < lists.cells(); ++c) {
+    if (lists[c].size() < 2) continue;
+    inCell.clear();
+    for (const int k : lists[c]) inCell.push_back(boxes[k]);
+    byHalves(std::span{inCell}, visit, refine, refined);
+  }
+}
+
+template <class Visit, class Refine>
+void byHalves(std::span<ItemBox> boxes, const Visit& visit, const Refine& refine, int refined) {
   const BoxCut cut = chooseCut(boxes);
   if (cut.axis >= 0) {
     // Sort the boxes into three runs: below the cut, above it, across it. The last two runs form one half.
@@ -57,9 +112,9 @@ void forOverlapping(std::span<ItemBox> boxes, const Visit& visit, const Refine& 
     const auto few = static_cast<std::ptrdiff_t>(boxes.size() / 20);
     if (above - boxes.begin() > few && across - above > few) {
       const std::vector<ItemBox> both(across, boxes.end());
-      forOverlapping(std::span<ItemBox>(above, boxes.end()), visit, refine, refined);
-      forOverlapping(std::span<ItemBox>(boxes.begin(), std::copy(both.begin(), both.end(), above)), visit,
-                     refine, refined);
+      byHalves(std::span<ItemBox>(above, boxes.end()), visit, refine, refined);
+      byHalves(std::span<ItemBox>(boxes.begin(), std::copy(both.begin(), both.end(), above)), visit, refine,
+               refined);
       return;
     }
   }

@@ -32,6 +32,7 @@ Sheets::Sheets(const Mesh& mesh, const ConvexParts& convexParts)
   const auto counted = [&](double u) { return rounding.counted(std::ldexp(u, -box.exponent)); };
   for (const double u : mesh.rounding) coarsest = std::max(coarsest, counted(u));
   mostRounding_ = rounding.most(coarsest);
+  sheets.reserve(parts.plane.empty() ? 0 : parts.plane.back() + 1);
   for (int k = 0; k < parts.count(); ++k) {
     if (k > 0 && parts.plane[k] == parts.plane[k - 1]) {
       ++sheets.back().partCount;

@@ -38,6 +38,42 @@ std::vector<ItemBox> randomBoxes(unsigned seed) {
   return boxes;
 }
 
+/// Small boxes along a surface, as those of a mesh are. One in a thousand is large.
+std::vector<ItemBox> boxesOfASurface(unsigned seed) {
+  std::mt19937 rng{seed};
+  std::uniform_real_distribution<float> unit{0.0f, 1.0f};
+  std::vector<ItemBox> boxes;
+  for (int i = 0; i < static_cast<int>(kManyBoxes); ++i) {
+    ItemBox& box = boxes.emplace_back(ItemBox{i, i / 2, {}, {}});
+    const float s = unit(rng), t = unit(rng), length = unit(rng) < 1e-3f ? 0.5f : 0.02f;
+    for (int axis = 0; axis < 6; ++axis) {
+      box.low[axis] = std::sin(static_cast<float>(axis + 1) * s + 2.0f * static_cast<float>(axis % 2) * t);
+      box.high[axis] = box.low[axis] + length * unit(rng);
+    }
+  }
+  return boxes;
+}
+
+using Pairs = std::set<std::pair<int, int>>;
+
+/// A comparison of every box with all boxes of other groups.
+Pairs overlapping(std::span<const ItemBox> boxes) {
+  Pairs pairs;
+  for (const ItemBox& P : boxes)
+    for (const ItemBox& Q : boxes)
+      if (P.item < Q.item && P.group != Q.group && overlap(P, Q)) pairs.insert({P.item, Q.item});
+  return pairs;
+}
+
+Pairs visited(std::vector<ItemBox> boxes) {
+  Pairs pairs;
+  forOverlapping(std::span{boxes}, [&](int i, int j) {
+    ASSERT_NE(i, j);
+    pairs.insert(std::minmax(i, j));
+  });
+  return pairs;
+}
+
 }  // namespace
 
 // The function finds exactly the pairs that a comparison of every box with all boxes of other groups finds.
@@ -46,23 +82,33 @@ TEST(Overlap, FindsEveryPair) {
   std::size_t found = 0, apart = 0;
   for (unsigned seed = seeds.from; seed < seeds.end; ++seed) {
     SCOPED_TRACE(seed);
-    std::vector<ItemBox> boxes = randomBoxes(seed);
-    using Pairs = std::set<std::pair<int, int>>;
-    Pairs expected, visited;
-    for (const ItemBox& P : boxes)
-      for (const ItemBox& Q : boxes)
-        if (P.item < Q.item && P.group != Q.group && overlap(P, Q)) expected.insert({P.item, Q.item});
+    const std::vector<ItemBox> boxes = randomBoxes(seed);
+    const Pairs expected = overlapping(boxes);
     apart += boxes.size() * (boxes.size() - 1) / 2 - expected.size();
-    forOverlapping(std::span{boxes}, [&](int i, int j) {
-      ASSERT_NE(i, j);
-      visited.insert(std::minmax(i, j));
-    });
-    EXPECT_EQ(visited, expected);
-    found += visited.size();
+    EXPECT_EQ(visited(boxes), expected);
+    found += expected.size();
   }
   if (!seeds.all()) return;
   EXPECT_GT(found, 100'000u);
   EXPECT_GT(apart, 100'000u);
+}
+
+// It finds them among so many boxes that they are put into cells, too. Some boxes reach across many cells.
+TEST(Overlap, FindsEveryPairInCells) {
+  const Seeds seeds{8};
+  int cells = 0;
+  std::size_t found = 0;
+  for (unsigned seed = seeds.from; seed < seeds.end; ++seed) {
+    SCOPED_TRACE(seed);
+    const std::vector<ItemBox> boxes = boxesOfASurface(seed);
+    const Pairs expected = overlapping(boxes);
+    EXPECT_EQ(visited(boxes), expected);
+    found += expected.size();
+    cells += BoxCells{boxes}.lists(boxes).cells();
+  }
+  if (!seeds.all()) return;
+  EXPECT_GT(found, 1'000u);
+  EXPECT_GT(cells, 1'000);
 }
 
 }  // namespace xnewell::THIS_FILE
